@@ -1,0 +1,305 @@
+#pragma once
+// The configuration space of a whole robot: joint by joint, each on its own segment of q [nq] and of v [nv].
+//
+// Values and error bounds are those of the joints (se3_configuration.hpp, joints/). Every function checks the
+// sizes of its arguments and throws std::invalid_argument with both numbers. Numbers from outside enter
+// through checkedConfiguration and checkedTangent; the other functions trust the values.
+
+#include <liecheck/multibody/invalid_configuration.hpp>
+#include <liecheck/multibody/model.hpp>
+#include <liecheck/multibody/norm.hpp>
+#include <type_traits>
+
+namespace liecheck {
+
+namespace configuration_detail {
+
+/// The scalar is deduced from the model alone, so that any Eigen expression may stand for a vector.
+template <class S>
+using Vector = std::type_identity_t<VectorX<S>>;
+template <class S>
+using Value = std::type_identity_t<S>;
+
+inline void checkSize(Eigen::Index actual, int expected, const char* what, const char* dimension) {
+  if (actual != expected)
+    throw std::invalid_argument(std::string(what) + " has " + std::to_string(actual) +
+                                " numbers, the model's " + dimension + " is " + std::to_string(expected));
+}
+template <Scalar S>
+void checkConfigurationSize(const Model<S>& model, const VectorX<S>& q, const char* what) {
+  checkSize(q.size(), model.nq, what, "nq");
+}
+template <Scalar S>
+void checkTangentSize(const Model<S>& model, const VectorX<S>& v, const char* what) {
+  checkSize(v.size(), model.nv, what, "nv");
+}
+
+/// A joint with its place in the tree and in q and v; segments are fixed-size.
+template <Scalar S, class J>
+struct Place {
+  const J& joint;
+  int index, idx_q, idx_v;
+
+  typename J::Configuration configuration(const VectorX<S>& q) const {
+    return q.template segment<J::nq>(idx_q);
+  }
+  typename J::Tangent tangent(const VectorX<S>& v) const { return v.template segment<J::nv>(idx_v); }
+  auto configuration(VectorX<S>& q) const { return q.template segment<J::nq>(idx_q); }
+  auto tangent(VectorX<S>& v) const { return v.template segment<J::nv>(idx_v); }
+  auto jacobian(MatrixX<S>& M) const { return M.template block<J::nv, J::nv>(idx_v, idx_v); }
+  auto coefficientJacobian(MatrixX<S>& M) const { return M.template block<J::nq, J::nv>(idx_q, idx_v); }
+};
+
+/// f(place) for every joint but the universe.
+template <Scalar S, class F>
+void forEachJoint(const Model<S>& model, F f) {
+  for (std::size_t i = 1; i < model.joints.size(); ++i)
+    std::visit(
+        [&]<class J>(const J& joint) {
+          f(Place<S, J>{joint, int(i), model.idx_qs[i], model.idx_vs[i]});
+        },
+        model.joints[i]);
+}
+
+}  // namespace configuration_detail
+
+/// How far |Q|^2 may be from 1 where every error bound of this library holds: 8 eps, twice what a
+/// normalisation, a product or an integrate leaves behind.
+template <Scalar S>
+S normDefectBudget() {
+  return S(8) * eps<S>();
+}
+/// Two configurations that differ by 64 eps or less are the same: sixteen operations at 4 eps each.
+template <Scalar S>
+S samenessBudget() {
+  return S(64) * eps<S>();
+}
+
+/// q [nq] of no motion: a free-flyer (0 0 0, 0 0 0 1), a continuous joint (1, 0), else 0.
+template <Scalar S>
+VectorX<S> neutral(const Model<S>& model) {
+  VectorX<S> q(model.nq);
+  configuration_detail::forEachJoint(
+      model, [&](const auto& place) { place.configuration(q) = place.joint.neutral(); });
+  return q;
+}
+
+/// q with every quaternion and every (cos, sin) made unit. Throws InvalidConfiguration where one is zero or
+/// not finite.
+template <Scalar S>
+VectorX<S> normalized(const Model<S>& model, const configuration_detail::Vector<S>& q) {
+  configuration_detail::checkConfigurationSize<S>(model, q, "q");
+  VectorX<S> result(model.nq);
+  configuration_detail::forEachJoint(model, [&](const auto& place) {
+    invalid_configuration_detail::refuseUnrepairable<S>(model, place, q);
+    place.configuration(result) = place.joint.normalized(place.configuration(q));
+  });
+  return result;
+}
+/// The same in place; q is unchanged where it throws.
+template <Scalar S>
+void normalize(const Model<S>& model, VectorX<S>& q) {
+  q = normalized(model, q);
+}
+
+/// Is ||Q|^2 - 1| <= budget of every quaternion and (cos, sin)?
+template <Scalar S>
+bool isNormalized(const Model<S>& model, const configuration_detail::Vector<S>& q,
+                  const configuration_detail::Value<S>& budget = normDefectBudget<S>()) {
+  configuration_detail::checkConfigurationSize<S>(model, q, "q");
+  bool all = true;
+  configuration_detail::forEachJoint(model, [&](const auto& place) {
+    all = all && isNormalized(place.joint, place.configuration(q), budget);
+  });
+  return all;
+}
+
+/// T exp(delta) joint by joint [nq]; delta [nv] is an increment: dt v is made by the caller.
+template <Scalar S>
+VectorX<S> integrate(const Model<S>& model, const configuration_detail::Vector<S>& q,
+                     const configuration_detail::Vector<S>& delta) {
+  configuration_detail::checkConfigurationSize<S>(model, q, "q");
+  configuration_detail::checkTangentSize<S>(model, delta, "delta");
+  VectorX<S> result(model.nq);
+  configuration_detail::forEachJoint(model, [&](const auto& place) {
+    place.configuration(result) = place.joint.integrate(place.configuration(q), place.tangent(delta));
+  });
+  return result;
+}
+
+/// log(T0^-1 T1) joint by joint, from q0 to q1 [nv]: integrate(q0, difference(q0, q1)) is q1.
+template <Scalar S>
+VectorX<S> difference(const Model<S>& model, const configuration_detail::Vector<S>& q0,
+                      const configuration_detail::Vector<S>& q1) {
+  configuration_detail::checkConfigurationSize<S>(model, q0, "q0");
+  configuration_detail::checkConfigurationSize<S>(model, q1, "q1");
+  VectorX<S> delta(model.nv);
+  configuration_detail::forEachJoint(model, [&](const auto& place) {
+    place.tangent(delta) = place.joint.difference(place.configuration(q0), place.configuration(q1));
+  });
+  return delta;
+}
+
+/// integrate(q0, u difference(q0, q1)) [nq]: the geodesic of every joint, q0 at u = 0, q1 at u = 1.
+template <Scalar S>
+VectorX<S> interpolate(const Model<S>& model, const configuration_detail::Vector<S>& q0,
+                       const configuration_detail::Vector<S>& q1, const configuration_detail::Value<S>& u) {
+  return integrate(model, q0, u * difference(model, q0, q1));
+}
+
+/// |difference|^2 of each joint but the universe [njoints - 1]. Metres and radians are added as they come.
+template <Scalar S>
+VectorX<S> squaredDistance(const Model<S>& model, const configuration_detail::Vector<S>& q0,
+                           const configuration_detail::Vector<S>& q1) {
+  configuration_detail::checkConfigurationSize<S>(model, q0, "q0");
+  configuration_detail::checkConfigurationSize<S>(model, q1, "q1");
+  VectorX<S> result(model.njoints - 1);
+  configuration_detail::forEachJoint(model, [&](const auto& place) {
+    result[place.index - 1] = squaredDistance(place.joint, place.configuration(q0), place.configuration(q1));
+  });
+  return result;
+}
+
+/// sqrt(sum_i (weights_i difference_i)^2). weights [nv], in 1/m and 1/rad as fits.
+template <Scalar S>
+S distance(const Model<S>& model, const configuration_detail::Vector<S>& q0,
+           const configuration_detail::Vector<S>& q1, const configuration_detail::Vector<S>& weights) {
+  configuration_detail::checkTangentSize<S>(model, weights, "weights");
+  const VectorX<S> delta = difference(model, q0, q1).cwiseProduct(weights);
+  return multibody_detail::norm(delta);
+}
+/// |difference(q0, q1)| = sqrt(sum of squaredDistance), as Pinocchio defines it: metres and radians weigh the
+/// same.
+template <Scalar S>
+S distance(const Model<S>& model, const configuration_detail::Vector<S>& q0,
+           const configuration_detail::Vector<S>& q1) {
+  return distance(model, q0, q1, VectorX<S>::Ones(model.nv));
+}
+
+/// Are they one configuration, joint by joint, up to budget (rad, and relative to max(1 m, |p|))? Q and -Q
+/// are.
+template <Scalar S>
+bool isSameConfiguration(const Model<S>& model, const configuration_detail::Vector<S>& q0,
+                         const configuration_detail::Vector<S>& q1,
+                         const configuration_detail::Value<S>& budget = samenessBudget<S>()) {
+  configuration_detail::checkConfigurationSize<S>(model, q0, "q0");
+  configuration_detail::checkConfigurationSize<S>(model, q1, "q1");
+  bool same = true;
+  configuration_detail::forEachJoint(model, [&](const auto& place) {
+    same = same && place.joint.isSame(place.configuration(q0), place.configuration(q1), budget);
+  });
+  return same;
+}
+
+/// How integrate(q, delta) follows q (ARG0) or delta (ARG1), tangent to tangent [nv x nv], block-diagonal.
+template <Scalar S>
+MatrixX<S> dIntegrate(const Model<S>& model, const configuration_detail::Vector<S>& q,
+                      const configuration_detail::Vector<S>& delta, ArgumentPosition argument) {
+  configuration_detail::checkConfigurationSize<S>(model, q, "q");
+  configuration_detail::checkTangentSize<S>(model, delta, "delta");
+  MatrixX<S> J = MatrixX<S>::Zero(model.nv, model.nv);
+  configuration_detail::forEachJoint(model, [&](const auto& place) {
+    place.jacobian(J) = place.joint.dIntegrate(place.configuration(q), place.tangent(delta), argument);
+  });
+  return J;
+}
+
+/// How difference(q0, q1) follows q0 (ARG0) or q1 (ARG1), tangent to tangent [nv x nv], block-diagonal.
+template <Scalar S>
+MatrixX<S> dDifference(const Model<S>& model, const configuration_detail::Vector<S>& q0,
+                       const configuration_detail::Vector<S>& q1, ArgumentPosition argument) {
+  configuration_detail::checkConfigurationSize<S>(model, q0, "q0");
+  configuration_detail::checkConfigurationSize<S>(model, q1, "q1");
+  MatrixX<S> J = MatrixX<S>::Zero(model.nv, model.nv);
+  configuration_detail::forEachJoint(model, [&](const auto& place) {
+    place.jacobian(J) = place.joint.dDifference(place.configuration(q0), place.configuration(q1), argument);
+  });
+  return J;
+}
+
+/// d q / d delta of integrate(q, delta) at delta = 0: stored numbers by tangent [nq x nv].
+template <Scalar S>
+MatrixX<S> integrateCoeffWiseJacobian(const Model<S>& model, const configuration_detail::Vector<S>& q) {
+  configuration_detail::checkConfigurationSize<S>(model, q, "q");
+  MatrixX<S> J = MatrixX<S>::Zero(model.nq, model.nv);
+  configuration_detail::forEachJoint(model, [&](const auto& place) {
+    place.coefficientJacobian(J) = place.joint.integrateCoeffWiseJacobian(place.configuration(q));
+  });
+  return J;
+}
+
+/// q itself [nq], if it is a configuration: right size, finite, every quaternion and (cos, sin) unit up to
+/// normDefectBudget. Throws InvalidConfiguration, for a wrong size std::invalid_argument. Pass normalized(q)
+/// where the numbers were rounded on their way.
+template <Scalar S>
+VectorX<S> checkedConfiguration(const Model<S>& model, const configuration_detail::Vector<S>& q) {
+  configuration_detail::checkConfigurationSize<S>(model, q, "q");
+  configuration_detail::forEachJoint(model, [&](const auto& place) {
+    invalid_configuration_detail::refuseUnrepairable<S>(model, place, q);
+    invalid_configuration_detail::refuseOffUnit<S>(model, place, q, normDefectBudget<S>());
+  });
+  return q;
+}
+
+/// v itself [nv], if it has that size and is finite.
+template <Scalar S>
+VectorX<S> checkedTangent(const Model<S>& model, const configuration_detail::Vector<S>& v) {
+  configuration_detail::checkTangentSize<S>(model, v, "v");
+  configuration_detail::forEachJoint(
+      model, [&](const auto& place) { invalid_configuration_detail::refuseNonFinite<S>(model, place, v); });
+  return v;
+}
+
+// float and double are compiled once, in instantiations.cpp; other scalars where they are used.
+extern template VectorX<float> neutral<float>(const Model<float>&);
+extern template VectorX<float> normalized<float>(const Model<float>&, const VectorX<float>&);
+extern template void normalize<float>(const Model<float>&, VectorX<float>&);
+extern template bool isNormalized<float>(const Model<float>&, const VectorX<float>&, const float&);
+extern template VectorX<float> integrate<float>(const Model<float>&, const VectorX<float>&,
+                                                const VectorX<float>&);
+extern template VectorX<float> difference<float>(const Model<float>&, const VectorX<float>&,
+                                                 const VectorX<float>&);
+extern template VectorX<float> interpolate<float>(const Model<float>&, const VectorX<float>&,
+                                                  const VectorX<float>&, const float&);
+extern template VectorX<float> squaredDistance<float>(const Model<float>&, const VectorX<float>&,
+                                                      const VectorX<float>&);
+extern template float distance<float>(const Model<float>&, const VectorX<float>&, const VectorX<float>&);
+extern template float distance<float>(const Model<float>&, const VectorX<float>&, const VectorX<float>&,
+                                      const VectorX<float>&);
+extern template bool isSameConfiguration<float>(const Model<float>&, const VectorX<float>&,
+                                                const VectorX<float>&, const float&);
+extern template MatrixX<float> dIntegrate<float>(const Model<float>&, const VectorX<float>&,
+                                                 const VectorX<float>&, ArgumentPosition);
+extern template MatrixX<float> dDifference<float>(const Model<float>&, const VectorX<float>&,
+                                                  const VectorX<float>&, ArgumentPosition);
+extern template MatrixX<float> integrateCoeffWiseJacobian<float>(const Model<float>&, const VectorX<float>&);
+extern template VectorX<float> checkedConfiguration<float>(const Model<float>&, const VectorX<float>&);
+extern template VectorX<float> checkedTangent<float>(const Model<float>&, const VectorX<float>&);
+
+extern template VectorX<double> neutral<double>(const Model<double>&);
+extern template VectorX<double> normalized<double>(const Model<double>&, const VectorX<double>&);
+extern template void normalize<double>(const Model<double>&, VectorX<double>&);
+extern template bool isNormalized<double>(const Model<double>&, const VectorX<double>&, const double&);
+extern template VectorX<double> integrate<double>(const Model<double>&, const VectorX<double>&,
+                                                  const VectorX<double>&);
+extern template VectorX<double> difference<double>(const Model<double>&, const VectorX<double>&,
+                                                   const VectorX<double>&);
+extern template VectorX<double> interpolate<double>(const Model<double>&, const VectorX<double>&,
+                                                    const VectorX<double>&, const double&);
+extern template VectorX<double> squaredDistance<double>(const Model<double>&, const VectorX<double>&,
+                                                        const VectorX<double>&);
+extern template double distance<double>(const Model<double>&, const VectorX<double>&, const VectorX<double>&);
+extern template double distance<double>(const Model<double>&, const VectorX<double>&, const VectorX<double>&,
+                                        const VectorX<double>&);
+extern template bool isSameConfiguration<double>(const Model<double>&, const VectorX<double>&,
+                                                 const VectorX<double>&, const double&);
+extern template MatrixX<double> dIntegrate<double>(const Model<double>&, const VectorX<double>&,
+                                                   const VectorX<double>&, ArgumentPosition);
+extern template MatrixX<double> dDifference<double>(const Model<double>&, const VectorX<double>&,
+                                                    const VectorX<double>&, ArgumentPosition);
+extern template MatrixX<double> integrateCoeffWiseJacobian<double>(const Model<double>&,
+                                                                   const VectorX<double>&);
+extern template VectorX<double> checkedConfiguration<double>(const Model<double>&, const VectorX<double>&);
+extern template VectorX<double> checkedTangent<double>(const Model<double>&, const VectorX<double>&);
+
+}  // namespace liecheck

@@ -1,0 +1,26 @@
+#pragma once
+// A named frame, fixed to a joint's moving side.
+
+#include <liecheck/spatial/se3.hpp>
+#include <string>
+
+namespace liecheck {
+
+/// Pinocchio's names.
+enum class FrameType { OP_FRAME, JOINT, FIXED_JOINT, BODY, SENSOR };
+
+template <Scalar S>
+struct Frame {
+  std::string name;
+  int parentJoint;   ///< index of the joint that carries it
+  int parentFrame;   ///< index of the frame before it in the description
+  SE3<S> placement;  ///< X_JF: pose in the frame of parentJoint
+  FrameType type;
+
+  template <Scalar T>
+  Frame<T> cast() const {
+    return {name, parentJoint, parentFrame, placement.template cast<T>(), type};
+  }
+};
+
+}  // namespace liecheck

@@ -1,0 +1,83 @@
+#pragma once
+// What is refused where numbers enter, and how it is said.
+
+#include <liecheck/multibody/model.hpp>
+#include <locale>
+#include <sstream>
+
+namespace liecheck {
+
+/// A vector q or v that no robot has: names the joint, its index, the place in the vector and the value
+/// there.
+class InvalidConfiguration : public std::invalid_argument {
+ public:
+  /// index: in q (or v); value: the number there, or |Q|^2 where the norm is at fault.
+  InvalidConfiguration(const std::string& what, const std::string& joint_name, int joint_index, int index,
+                       double value)
+      : std::invalid_argument(what),
+        joint_name(joint_name),
+        joint_index(joint_index),
+        index(index),
+        value(value) {}
+
+  std::string joint_name;
+  int joint_index;
+  int index;
+  double value;
+};
+
+namespace invalid_configuration_detail {
+
+template <Scalar S>
+[[noreturn]] void refuse(const Model<S>& model, int joint, const char* vector, int index, const S& value,
+                         const std::string& why) {
+  const std::string& name = model.names[std::size_t(joint)];
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text.precision(std::numeric_limits<double>::max_digits10);
+  text << "joint '" << name << "' (joint " << joint << "), " << vector << "[" << index << "]: " << why << " ("
+       << double(value) << ")";
+  throw InvalidConfiguration(text.str(), name, joint, index, double(value));
+}
+
+template <Scalar S, class Place>
+void refuseNonFinite(const Model<S>& model, const Place& place, const VectorX<S>& v) {
+  const auto tangent = place.tangent(v);
+  for (int i = 0; i < tangent.size(); ++i)
+    if (!finite<S>(tangent[i])) refuse<S>(model, place.index, "v", place.idx_v + i, tangent[i], "not finite");
+}
+
+/// Where the unit vector of a joint's segment begins: behind the position of a free-flyer.
+template <class J>
+constexpr int unitVectorOffset() {
+  return J::nq == 7 ? 3 : 0;
+}
+
+/// Not finite, or a unit vector that is zero: no normalisation helps.
+template <Scalar S, class Place>
+void refuseUnrepairable(const Model<S>& model, const Place& place, const VectorX<S>& q) {
+  using J = std::remove_cvref_t<decltype(place.joint)>;
+  const typename J::Configuration segment = place.configuration(q);
+  for (int i = 0; i < segment.size(); ++i)
+    if (!finite<S>(segment[i])) refuse<S>(model, place.index, "q", place.idx_q + i, segment[i], "not finite");
+  if constexpr (J::nq > J::nv) {
+    constexpr int offset = unitVectorOffset<J>();
+    if (segment.template tail<J::nq - offset>().isZero(S(0)))
+      refuse<S>(model, place.index, "q", place.idx_q + offset, S(0),
+                J::nq == 7 ? "a zero quaternion is no rotation" : "(cos, sin) = (0, 0) is no angle");
+  }
+}
+
+template <Scalar S, class Place>
+void refuseOffUnit(const Model<S>& model, const Place& place, const VectorX<S>& q, const S& budget) {
+  using J = std::remove_cvref_t<decltype(place.joint)>;
+  if constexpr (J::nq > J::nv) {
+    const S defect = place.joint.normDefect(place.configuration(q));
+    if (!(absolute<S>(defect) <= budget))
+      refuse<S>(model, place.index, "q", place.idx_q + unitVectorOffset<J>(), S(defect + S(1)),
+                "the squared norm is not 1 up to 8 eps: normalize first");
+  }
+}
+
+}  // namespace invalid_configuration_detail
+}  // namespace liecheck

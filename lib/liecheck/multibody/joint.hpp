@@ -1,0 +1,76 @@
+#pragma once
+// Joint: one concept, a variant of models.
+//
+// A joint model knows its own segment of q (nq numbers) and of v (nv numbers) and nothing of where the
+// segment lies: offsets, names and the tree are the Model's. Adding a joint type is one file in joints/ and
+// one line here.
+
+#include <concepts>
+#include <liecheck/multibody/joints/continuous.hpp>
+#include <liecheck/multibody/joints/free_flyer.hpp>
+#include <liecheck/multibody/joints/prismatic.hpp>
+#include <liecheck/multibody/joints/revolute.hpp>
+#include <liecheck/multibody/joints/universe.hpp>
+#include <variant>
+
+namespace liecheck {
+
+/// What the whole-vector functions of configuration.hpp need of a joint. Sizes are constants, so that
+/// segments are fixed-size and nothing is allocated; normDefect is |u|^2 - 1 of the stored unit vector, 0
+/// where there is none.
+template <class J>
+concept JointModel = requires(const J joint, const typename J::Configuration q, const typename J::Tangent v,
+                              const typename J::Configuration::Scalar budget, ArgumentPosition argument) {
+  { J::nq } -> std::convertible_to<int>;
+  { J::nv } -> std::convertible_to<int>;
+  { joint.shortname() } -> std::convertible_to<std::string>;
+  { joint.neutral() } -> std::same_as<typename J::Configuration>;
+  { joint.normalized(q) } -> std::same_as<typename J::Configuration>;
+  { joint.normDefect(q) } -> std::same_as<typename J::Configuration::Scalar>;
+  { joint.integrate(q, v) } -> std::same_as<typename J::Configuration>;
+  { joint.difference(q, q) } -> std::same_as<typename J::Tangent>;
+  { joint.isSame(q, q, budget) } -> std::same_as<bool>;
+  { joint.dIntegrate(q, v, argument) } -> std::same_as<typename J::Jacobian>;
+  { joint.dDifference(q, q, argument) } -> std::same_as<typename J::Jacobian>;
+  { joint.integrateCoeffWiseJacobian(q) } -> std::same_as<typename J::CoefficientJacobian>;
+};
+
+template <Scalar S>
+using Joint = std::variant<Universe<S>, FreeFlyer<S>, Revolute<S>, Continuous<S>, Prismatic<S>>;
+
+static_assert(JointModel<Universe<double>> && JointModel<FreeFlyer<double>> && JointModel<Revolute<double>> &&
+              JointModel<Continuous<double>> && JointModel<Prismatic<double>>);
+
+/// ||u|^2 - 1| <= budget: is the joint's quaternion, or (cos, sin), unit? NaN is not.
+template <JointModel J>
+bool isNormalized(const J& joint, const typename J::Configuration& q,
+                  const typename J::Configuration::Scalar& budget) {
+  return absolute<typename J::Configuration::Scalar>(joint.normDefect(q)) <= budget;
+}
+
+/// |difference(q0, q1)|^2 of one joint [rad^2, m^2, or for a free-flyer m^2 + rad^2, as Pinocchio has it].
+template <JointModel J>
+typename J::Configuration::Scalar squaredDistance(const J& joint, const typename J::Configuration& q0,
+                                                  const typename J::Configuration& q1) {
+  return joint.difference(q0, q1).squaredNorm();
+}
+
+template <Scalar S>
+int nq(const Joint<S>& joint) {
+  return std::visit([](const auto& j) { return int(j.nq); }, joint);
+}
+template <Scalar S>
+int nv(const Joint<S>& joint) {
+  return std::visit([](const auto& j) { return int(j.nv); }, joint);
+}
+template <Scalar S>
+std::string shortname(const Joint<S>& joint) {
+  return std::visit([](const auto& j) { return j.shortname(); }, joint);
+}
+/// The same joint with its constants as T.
+template <Scalar T, Scalar S>
+Joint<T> cast(const Joint<S>& joint) {
+  return std::visit([](const auto& j) { return Joint<T>(j.template cast<T>()); }, joint);
+}
+
+}  // namespace liecheck

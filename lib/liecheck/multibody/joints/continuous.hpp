@@ -1,0 +1,81 @@
+#pragma once
+// A turn about an axis without end: q = (cos, sin) of the angle, v [rad/s]. nq = 2, nv = 1, so idx_q and
+// idx_v of the joints behind it drift apart.
+//
+//   integrate(u, a) = (c cos a - s sin a, s cos a + c sin a)      difference(u0, u1) = atan2(u0 x u1, u0 .
+//   u1)
+//
+// Domain: finite u with ||u|^2 - 1| <= d; the angle meant is that of u/|u|.
+
+#include <liecheck/multibody/joints/axis.hpp>
+#include <liecheck/multibody/se3_configuration.hpp>
+
+namespace liecheck {
+
+template <Scalar S>
+struct Continuous {
+  static constexpr int nq = 2, nv = 1;
+  using Configuration = Eigen::Matrix<S, 2, 1>;
+  using Tangent = Eigen::Matrix<S, 1, 1>;
+  using Jacobian = Eigen::Matrix<S, 1, 1>;
+  using CoefficientJacobian = Eigen::Matrix<S, 2, 1>;
+
+  Axis<S> axis;
+  explicit Continuous(const Axis<S>& unit_axis) : axis(unit_axis) {}
+  explicit Continuous(const Vector3<S>& direction) : axis(direction) {}
+
+  std::string shortname() const {
+    return axis.shortname("JointModelRUB", "JointModelRevoluteUnboundedUnaligned");
+  }
+
+  static Configuration neutral() { return Configuration(S(1), S(0)); }
+  /// u/|u|. Safe from overflow and underflow of |u|^2. Precondition: u finite, not zero.
+  static Configuration normalized(const Configuration& u) {
+    const Configuration scaled = u / u.cwiseAbs().maxCoeff();
+    using std::sqrt;
+    return scaled / S(sqrt(scaled.squaredNorm()));
+  }
+  static S normDefect(const Configuration& u) { return u.squaredNorm() - S(1); }
+
+  /// Error 2 eps of the angle, absolute, whatever its size; norm 3 eps + 3/4 d^2.
+  static Configuration integrate(const Configuration& u, const Tangent& delta) {
+    using std::cos, std::sin;
+    const S c = cos(delta[0]), s = sin(delta[0]);
+    return se3_configuration_detail::firstOrderNormalize<S, 2>(
+        Configuration(u[0] * c - u[1] * s, u[1] * c + u[0] * s));
+  }
+
+  /// In [-pi, pi], pi of either sign at exactly half a turn. Error 3 eps relative at any distance: u0 x u1 is
+  /// formed as u0 x (u1 - u0), in twice the digits where the norms' difference makes even that cancel.
+  static Tangent difference(const Configuration& u0, const Configuration& u1) {
+    using std::atan2;
+    const Configuration d = u1 - u0;
+    S sine = u0[0] * d[1] - u0[1] * d[0];
+    if (S(4) * sine * sine < d.squaredNorm())
+      sine = CompensatedSum<S>().add_product(u0[0], d[1]).add_product(S(-u0[1]), d[0]).value();
+    return Tangent(S(atan2(sine, S(u0.dot(u1)))));
+  }
+
+  /// |difference| <= budget.
+  static bool isSame(const Configuration& u0, const Configuration& u1, const S& budget) {
+    return absolute<S>(difference(u0, u1)[0]) <= budget;
+  }
+
+  static Jacobian dIntegrate(const Configuration&, const Tangent&, ArgumentPosition) {
+    return Jacobian::Identity();
+  }
+  static Jacobian dDifference(const Configuration&, const Configuration&, ArgumentPosition argument) {
+    return Jacobian(argument == ArgumentPosition::ARG0 ? S(-1) : S(1));
+  }
+  /// (-sin, cos).
+  static CoefficientJacobian integrateCoeffWiseJacobian(const Configuration& u) {
+    return CoefficientJacobian(-u[1], u[0]);
+  }
+
+  template <Scalar T>
+  Continuous<T> cast() const {
+    return Continuous<T>(axis.template cast<T>());
+  }
+};
+
+}  // namespace liecheck

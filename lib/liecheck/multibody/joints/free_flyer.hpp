@@ -1,0 +1,62 @@
+#pragma once
+// A body free in space: q = [p; x y z w], v = (u, omega) in the body's axes. nq = 7, nv = 6. The formulas and
+// their error bounds stand in se3_configuration.hpp.
+
+#include <algorithm>
+#include <liecheck/multibody/norm.hpp>
+#include <liecheck/multibody/se3_configuration.hpp>
+#include <string>
+
+namespace liecheck {
+
+template <Scalar S>
+struct FreeFlyer {
+  static constexpr int nq = 7, nv = 6;
+  using Configuration = Vector7<S>;
+  using Tangent = Vector6<S>;
+  using Jacobian = Matrix6<S>;
+  using CoefficientJacobian = Eigen::Matrix<S, 7, 6>;
+
+  std::string shortname() const { return "JointModelFreeFlyer"; }
+
+  static Configuration neutral() { return Configuration::Unit(6); }
+  static Configuration normalized(const Configuration& q) {
+    Configuration result = q;
+    result.template tail<4>() = SO3<S>(Vector4<S>(q.template tail<4>())).normalized().to_vector();
+    return result;
+  }
+  static S normDefect(const Configuration& q) { return q.template tail<4>().squaredNorm() - S(1); }
+
+  static Configuration integrate(const Configuration& q, const Tangent& delta) {
+    return integrateSE3<S>(q, delta);
+  }
+  static Tangent difference(const Configuration& q0, const Configuration& q1) {
+    return differenceSE3<S>(q0, q1);
+  }
+
+  /// The angle between the two within budget [rad], and |p1 - p0| <= budget max(1 m, |p0|, |p1|). Q and -Q
+  /// are the same.
+  static bool isSame(const Configuration& q0, const Configuration& q1, const S& budget) {
+    const Vector3<S> p0 = q0.template head<3>(), p1 = q1.template head<3>();
+    const S scale = std::max({S(1), multibody_detail::norm(p0), multibody_detail::norm(p1)});
+    if (!(multibody_detail::norm(Vector3<S>(p1 - p0)) <= budget * scale)) return false;
+    return multibody_detail::norm(Vector3<S>(difference(q0, q1).template tail<3>())) <= budget;
+  }
+
+  static Jacobian dIntegrate(const Configuration& q, const Tangent& delta, ArgumentPosition argument) {
+    return dIntegrateSE3<S>(q, delta, argument);
+  }
+  static Jacobian dDifference(const Configuration& q0, const Configuration& q1, ArgumentPosition argument) {
+    return dDifferenceSE3<S>(q0, q1, argument);
+  }
+  static CoefficientJacobian integrateCoeffWiseJacobian(const Configuration& q) {
+    return integrateCoeffWiseJacobianSE3<S>(q);
+  }
+
+  template <Scalar T>
+  FreeFlyer<T> cast() const {
+    return {};
+  }
+};
+
+}  // namespace liecheck

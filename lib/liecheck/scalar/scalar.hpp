@@ -1,0 +1,82 @@
+#pragma once
+// What a scalar must offer.
+//
+// The library is written once for float, double and any binary floating-point type with correctly rounded
+// + - * / sqrt: Boost's float128 and cpp_bin_float are the tested ones. Mathematical functions are found by
+// argument-dependent look-up (`using std::sqrt; sqrt(x)`), so a scalar brings its own.
+
+#include <cmath>
+#include <concepts>
+#include <limits>
+#include <type_traits>
+
+namespace liecheck {
+
+namespace scalar_detail {
+using std::atan2, std::cos, std::fabs, std::isfinite, std::ldexp, std::sin, std::sqrt;
+template <class S>
+concept HasFunctions = requires(const S a) {
+  S(sqrt(a));
+  S(sin(a));
+  S(cos(a));
+  S(atan2(a, a));
+  S(fabs(a));
+  S(ldexp(a, 1));
+  bool(isfinite(a));
+};
+}  // namespace scalar_detail
+
+/// A binary floating-point number. Why each requirement is there:
+/// - numeric_limits: the number of series terms and every guard follow from digits, epsilon and min;
+/// - field operations and order: the formulas;
+/// - construction from int: constants are written S(1) / S(6), never as decimal literals;
+/// - the elementary functions: angles beyond pi, and logarithms.
+template <class S>
+concept Scalar = std::numeric_limits<S>::is_specialized && std::numeric_limits<S>::radix == 2 &&
+                 !std::numeric_limits<S>::is_integer && std::constructible_from<S, int> &&
+                 scalar_detail::HasFunctions<S> && requires(const S a, const S b) {
+                   S(a + b);
+                   S(a - b);
+                   S(a * b);
+                   S(a / b);
+                   bool(a < b);
+                 };
+
+/// Unit in the last place of 1: 2^-52 for double. Every error bound of this library is stated in it.
+template <Scalar S>
+constexpr S eps() {
+  return std::numeric_limits<S>::epsilon();
+}
+
+/// x such that cos x = -1, to the last bit of S.
+template <Scalar S>
+S pi() {
+  using std::atan2;
+  static const S value = atan2(S(0), S(-1));
+  return value;
+}
+
+/// |a| as an S, also for scalars whose fabs returns an expression.
+template <Scalar S>
+S absolute(const S& a) {
+  using std::fabs;
+  return S(fabs(a));
+}
+
+template <Scalar S>
+bool finite(const S& a) {
+  using std::isfinite;
+  return bool(isfinite(a));
+}
+
+/// a * b + c: fused where the target has the instruction, else rounded twice. The stated error bounds hold
+/// for both; nothing relies on the fusion.
+template <Scalar S>
+inline S mul_add(const S& a, const S& b, const S& c) {
+#if defined(__FMA__)
+  if constexpr (std::is_floating_point_v<S>) return std::fma(a, b, c);
+#endif
+  return a * b + c;
+}
+
+}  // namespace liecheck

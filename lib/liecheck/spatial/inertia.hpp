@@ -1,0 +1,99 @@
+#pragma once
+// Inertia: a rigid body's mass m [kg], centre of mass c = p_BoBcm_B [m] and inertia I_C about the centre of
+// mass in the axes of B [kg m^2].
+//
+//   I_O = I_C + m (|c|^2 I - c c^T)          momentum: f = m (u + omega x c),  n = I_C omega + c x f
+//   6 x 6 about the origin of B:  [ m I    -m [c] ]
+//                                 [ m [c]   I_O   ]        Featherstone (2008), eq. 2.63, linear part first
+
+#include <Eigen/Eigenvalues>
+#include <liecheck/spatial/force.hpp>
+#include <liecheck/spatial/motion.hpp>
+
+namespace liecheck {
+
+template <Scalar S>
+class Inertia {
+ public:
+  /// Uninitialised: NaN in debug.
+  Inertia() {
+    mark_uninitialised(lever_);
+    mark_uninitialised(inertia_);
+  }
+  /// mass [kg], lever = centre of mass [3, m], inertia about the centre of mass [3 x 3, kg m^2], symmetric.
+  Inertia(const S& mass, const Vector3<S>& lever, const Matrix3<S>& inertia)
+      : mass_(mass), lever_(lever), inertia_(inertia) {}
+
+  static Inertia Zero() { return Inertia(S(0), Vector3<S>::Zero(), Matrix3<S>::Zero()); }
+
+  const S& mass() const { return mass_; }
+  const Vector3<S>& lever() const { return lever_; }
+  const Matrix3<S>& inertia() const { return inertia_; }
+
+  /// I_O = I_C + m (|c|^2 I - c c^T). Each diagonal entry is a sum of squares: no cancellation. Error 3 eps.
+  Matrix3<S> inertiaAboutOrigin() const {
+    const Vector3<S> c = lever_, mc = mass_ * lever_;
+    Matrix3<S> m = inertia_;
+    m(0, 0) += mc.y() * c.y() + mc.z() * c.z();
+    m(1, 1) += mc.x() * c.x() + mc.z() * c.z();
+    m(2, 2) += mc.x() * c.x() + mc.y() * c.y();
+    m(0, 1) = m(1, 0) = inertia_(0, 1) - mc.x() * c.y();
+    m(0, 2) = m(2, 0) = inertia_(0, 2) - mc.x() * c.z();
+    m(1, 2) = m(2, 1) = inertia_(1, 2) - mc.y() * c.z();
+    return m;
+  }
+
+  /// The 6 x 6 matrix about the origin, linear part first.
+  Matrix6<S> matrix() const {
+    Matrix6<S> M;
+    const Matrix3<S> mc = skew<S>(mass_ * lever_);
+    M.template topLeftCorner<3, 3>() = mass_ * Matrix3<S>::Identity();
+    M.template topRightCorner<3, 3>() = -mc;
+    M.template bottomLeftCorner<3, 3>() = mc;
+    M.template bottomRightCorner<3, 3>() = inertiaAboutOrigin();
+    return M;
+  }
+
+  /// Momentum about the origin [kg m/s, kg m^2/s]. Error 4 eps of the sum of absolute values of its terms.
+  Force<S> operator*(const Motion<S>& V) const {
+    const Vector3<S> f = mass_ * (V.linear() + cross<S>(V.angular(), lever_));
+    return {f, Vector3<S>(inertia_ * V.angular()) + cross<S>(lever_, f)};
+  }
+
+  /// Kinetic energy 1/2 V^T I V = 1/2 m |u + omega x c|^2 + 1/2 omega^T I_C omega [J].
+  S kineticEnergy(const Motion<S>& V) const {
+    const Vector3<S> u_C = V.linear() + cross<S>(V.angular(), lever_);
+    const S rotational = V.angular().dot(Vector3<S>(inertia_ * V.angular()));
+    return (mass_ * u_C.squaredNorm() + rotational) / S(2);
+  }
+
+  /// The two bodies rigidly joined, in the same frame.
+  /// c = (m1 c1 + m2 c2)/m,  I_C = I1 + I2 + (m1 m2/m)(|d|^2 I - d d^T), d = c1 - c2 (parallel axes, once).
+  Inertia operator+(const Inertia& o) const {
+    const S mass = mass_ + o.mass_;
+    if (mass == S(0)) return Inertia(S(0), Vector3<S>::Zero(), Matrix3<S>(inertia_ + o.inertia_));
+    const Vector3<S> c = (mass_ * lever_ + o.mass_ * o.lever_) / mass;
+    const Inertia offset((mass_ / mass) * o.mass_, lever_ - o.lever_, Matrix3<S>(inertia_ + o.inertia_));
+    return Inertia(mass, c, offset.inertiaAboutOrigin());
+  }
+
+  /// A real body: finite, m > 0, I_C symmetric, principal moments >= 0 and no one larger than the sum of the
+  /// other two; each up to 16 eps of the largest moment, the rounding of the eigenvalues themselves.
+  bool isValid() const {
+    if (!(mass_ > S(0)) || !finite(mass_) || !lever_.allFinite() || !inertia_.allFinite()) return false;
+    const S scale = inertia_.cwiseAbs().maxCoeff();
+    const S slack = S(16) * eps<S>() * scale;
+    if ((inertia_ - inertia_.transpose()).cwiseAbs().maxCoeff() > slack) return false;
+    if (scale == S(0)) return true;
+    const Eigen::SelfAdjointEigenSolver<Matrix3<S>> solver(inertia_ / scale, Eigen::EigenvaluesOnly);
+    const Vector3<S> moments = solver.eigenvalues() * scale;
+    return moments[0] >= -slack && moments[2] <= moments[0] + moments[1] + slack;
+  }
+
+ private:
+  S mass_ = std::numeric_limits<S>::quiet_NaN();
+  Vector3<S> lever_;
+  Matrix3<S> inertia_;
+};
+
+}  // namespace liecheck

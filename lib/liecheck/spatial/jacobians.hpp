@@ -1,0 +1,182 @@
+#pragma once
+// Jacobians of the exponential of SO(3) and SE(3), left and right, and their inverses.
+//
+//   exp(xi + d) = exp(J_l(xi) d) exp(xi) + O(d^2) = exp(xi) exp(J_r(xi) d) + O(d^2),   J_r(xi) = J_l(-xi)
+//
+//   SO(3)  J_l(phi)    = I + c2 [phi] + c3 [phi]^2                         J_l^-1 = I - 1/2 [phi] + d [phi]^2
+//   SE(3)  J_l(rho, phi) = [ J_l(phi)  Q ]      Q = dJ_l along rho
+//                          [ 0   J_l(phi)]        = c2 [rho] + c3 ([phi][rho] + [rho][phi])
+//                                                   - g (phi . rho) [phi] - h (phi . rho) [phi]^2
+//          J_l^-1 = [ J_l^-1(phi)  Qi ; 0  J_l^-1(phi) ],
+//                   Qi = dJ_l^-1 along rho = -1/2 [rho] + d ([phi][rho] + [rho][phi]) + d2 (phi . rho) [phi]^2
+//
+// with g = c3 - 2 c4, h = c4 - 3 c5, d and d2 of stumpff.hpp: the coupling block is the directional derivative
+// of the rotation block along rho, because (phi + e rho) with e^2 = 0 is the twist as a dual vector.
+// (Barfoot & Furgale 2014, eq. 102, is the same Q written with nested products.)
+//
+// Error: each 3 x 3 block 6 eps of its Frobenius norm for |phi| <= pi; beyond, by the excess rule.
+
+#include <liecheck/scalar/stumpff.hpp>
+#include <liecheck/spatial/exp_log.hpp>
+#include <liecheck/spatial/motion.hpp>
+
+namespace liecheck {
+
+namespace jacobian_detail {
+
+/// a b^T + b a^T - 2 (a . b) I = [a][b] + [b][a].
+template <Scalar S>
+Matrix3<S> symmetric_product(const Vector3<S>& a, const Vector3<S>& b) {
+  const S xx = a.x() * b.x(), yy = a.y() * b.y(), zz = a.z() * b.z();
+  Matrix3<S> m;
+  m(0, 0) = S(-2) * (yy + zz);
+  m(1, 1) = S(-2) * (xx + zz);
+  m(2, 2) = S(-2) * (xx + yy);
+  m(0, 1) = m(1, 0) = a.x() * b.y() + a.y() * b.x();
+  m(0, 2) = m(2, 0) = a.x() * b.z() + a.z() * b.x();
+  m(1, 2) = m(2, 1) = a.y() * b.z() + a.z() * b.y();
+  return m;
+}
+
+/// [a]^2 = a a^T - |a|^2 I.
+template <Scalar S>
+Matrix3<S> squared_skew(const Vector3<S>& a) {
+  return symmetric_product<S>(a, a) / S(2);
+}
+
+/// Coefficients of the rotation block and of its derivative along rho, scaled to the axis a = phi / t as in
+/// RotationCoefficients: for J_l (k0 = 0) and for its inverse.
+template <Scalar S>
+struct BlockCoefficients {
+  Vector3<S> axis;
+  S b1, b2;          // block    I + b1 [a] + b2 [a]^2
+  S r0, r1, r2, r3;  // coupling r0 [rho] + r1 ([a][rho] + [rho][a]) + (a . rho)(r2 [a] + r3 [a]^2)
+
+  static BlockCoefficients exponential(const Vector3<S>& phi) {
+    const RotationCoefficients<S, Vector3<S>> k(phi);
+    BlockCoefficients b;
+    b.axis = k.axis;
+    b.b1 = k.k2;
+    b.b2 = k.k3;
+    if (k.half_turn) {
+      b.r0 = k.k2;
+      b.r1 = k.k3;
+      b.r2 = -c3_minus_2c4<S>(k.x);
+      b.r3 = -c4_minus_3c5<S>(k.x);
+    } else {
+      // x g = 2 c2 - c1 and x h = 3 c3 - c2, beyond half a turn without cancellation at 0.
+      b.r0 = k.k2 / k.theta;
+      b.r1 = k.k3 / k.theta;
+      b.r2 = k.k1 - S(2) * b.r0;
+      b.r3 = b.r0 - S(3) * (k.k3 / k.theta) / k.theta;
+      b.r3 *= k.theta;
+    }
+    return b;
+  }
+
+  static BlockCoefficients inverse(const Vector3<S>& phi) {
+    BlockCoefficients b;
+    b.axis = phi;
+    const S x = phi.dot(phi);
+    b.r2 = S(0);
+    b.r0 = S(-1) / S(2);
+    if (within_half_turn(x)) {
+      const InverseCoefficient<S> c(x);
+      b.b1 = S(-1) / S(2);
+      b.b2 = c.d;
+      b.r1 = c.d;
+      b.r3 = c.d2;
+    } else {
+      const RotationCoefficients<S, Vector3<S>> k(phi);
+      const S cot = k.cosine_half / k.sine_half;
+      b.axis = k.axis;
+      b.b1 = -k.theta / S(2);
+      b.b2 = S(1) - k.theta / S(2) * cot;
+      b.r1 = b.b2 / k.theta;
+      // 2 d' theta^3 = (theta/4) / sin^2(theta/2) - cot(theta/2)/2 ... from d = (1 - (theta/2) cot(theta/2))/theta^2
+      b.r3 = k.theta / S(4) / (k.sine_half * k.sine_half) + cot / S(2) - S(2) / k.theta;
+    }
+    return b;
+  }
+
+  Matrix3<S> block() const {
+    return Matrix3<S>::Identity() + (b1 * skew<S>(axis) + b2 * squared_skew<S>(axis));
+  }
+  Matrix3<S> coupling(const Vector3<S>& rho) const {
+    const S along = axis.dot(rho);
+    return skew<S>(r0 * rho + (r2 * along) * axis) + r1 * symmetric_product<S>(axis, rho) +
+           (r3 * along) * squared_skew<S>(axis);
+  }
+  Matrix6<S> matrix(const Vector3<S>& rho) const {
+    Matrix6<S> J;
+    J.template topLeftCorner<3, 3>() = block();
+    J.template topRightCorner<3, 3>() = coupling(rho);
+    J.template bottomLeftCorner<3, 3>().setZero();
+    J.template bottomRightCorner<3, 3>() = J.template topLeftCorner<3, 3>();
+    return J;
+  }
+};
+
+}  // namespace jacobian_detail
+
+/// J_l(phi), 3 x 3. phi [3, rad].
+template <Scalar S>
+Matrix3<S> leftJacobian(const Vector3<S>& phi) {
+  return jacobian_detail::BlockCoefficients<S>::exponential(phi).block();
+}
+/// J_r(phi) = J_l(-phi), 3 x 3.
+template <Scalar S>
+Matrix3<S> rightJacobian(const Vector3<S>& phi) {
+  return leftJacobian<S>(-phi);
+}
+/// J_l^-1(phi), 3 x 3. Singular at |phi| = 2 pi k, k >= 1.
+template <Scalar S>
+Matrix3<S> leftJacobianInverse(const Vector3<S>& phi) {
+  return jacobian_detail::BlockCoefficients<S>::inverse(phi).block();
+}
+/// J_r^-1(phi), 3 x 3.
+template <Scalar S>
+Matrix3<S> rightJacobianInverse(const Vector3<S>& phi) {
+  return leftJacobianInverse<S>(-phi);
+}
+
+/// J_l(xi), 6 x 6. xi = (rho [m], phi [rad]).
+template <Scalar S>
+Matrix6<S> leftJacobian(const Motion<S>& xi) {
+  return jacobian_detail::BlockCoefficients<S>::exponential(xi.angular()).matrix(xi.linear());
+}
+/// J_r(xi) = J_l(-xi), 6 x 6.
+template <Scalar S>
+Matrix6<S> rightJacobian(const Motion<S>& xi) {
+  return leftJacobian<S>(-xi);
+}
+/// J_l^-1(xi), 6 x 6. Singular at |phi| = 2 pi k, k >= 1.
+template <Scalar S>
+Matrix6<S> leftJacobianInverse(const Motion<S>& xi) {
+  return jacobian_detail::BlockCoefficients<S>::inverse(xi.angular()).matrix(xi.linear());
+}
+/// J_r^-1(xi), 6 x 6.
+template <Scalar S>
+Matrix6<S> rightJacobianInverse(const Motion<S>& xi) {
+  return leftJacobianInverse<S>(-xi);
+}
+
+/// Pinocchio's names: Jexp is the right Jacobian, Jlog the inverse right Jacobian at the logarithm.
+template <Scalar S>
+Matrix3<S> Jexp3(const Vector3<S>& phi) {
+  return rightJacobian<S>(phi);
+}
+template <Scalar S>
+Matrix3<S> Jlog3(const Matrix3<S>& R) {
+  return rightJacobianInverse<S>(log3<S>(R));
+}
+template <Scalar S>
+Matrix6<S> Jexp6(const Motion<S>& xi) {
+  return rightJacobian<S>(xi);
+}
+template <Scalar S>
+Matrix6<S> Jlog6(const SE3<S>& T) {
+  return rightJacobianInverse<S>(log6<S>(T));
+}
+
+}  // namespace liecheck

@@ -1,0 +1,109 @@
+#pragma once
+// SE(3): a pose X_AB = (R_AB, p_AB_A): x_A = R_AB x_B + p_AB.
+//
+//   motions   V_A = X V_B          u_A = R u_B + p x (R omega_B),   omega_A = R omega_B
+//   forces    F_A = X^-T F_B       f_A = R f_B,                     n_A = R n_B + p x (R f_B)
+//   inertias  I_A = X^-T I_B X^-1  m,  c_A = R c_B + p,             I_C,A = R I_C,B R^T
+//
+// The cross term stands in the linear part of motions and in the moment of forces, so F^T V is invariant.
+
+#include <liecheck/spatial/force.hpp>
+#include <liecheck/spatial/inertia.hpp>
+#include <liecheck/spatial/motion.hpp>
+#include <liecheck/spatial/so3.hpp>
+
+namespace liecheck {
+
+template <Scalar S>
+class SE3 {
+ public:
+  /// Uninitialised: NaN in debug.
+  SE3() {
+    mark_uninitialised(R_);
+    mark_uninitialised(p_);
+  }
+  /// R_AB [3 x 3], p_AB_A [3, m].
+  SE3(const Matrix3<S>& R_AB, const Vector3<S>& p_AB) : R_(R_AB), p_(p_AB) {}
+  SE3(const SO3<S>& Q_AB, const Vector3<S>& p_AB) : R_(Q_AB.matrix()), p_(p_AB) {}
+
+  static SE3 Identity() { return SE3(Matrix3<S>(Matrix3<S>::Identity()), Vector3<S>::Zero()); }
+
+  const Matrix3<S>& rotation() const { return R_; }
+  const Vector3<S>& translation() const { return p_; }
+
+  /// X_AC = X_AB X_BC.
+  SE3 operator*(const SE3& o) const {
+    return SE3(Matrix3<S>(R_ * o.R_), Vector3<S>(R_ * o.p_ + p_));
+  }
+  SE3 inverse() const { return SE3(Matrix3<S>(R_.transpose()), Vector3<S>(-(R_.transpose() * p_))); }
+  /// X_AB^-1 X_AC, the difference of translations formed first.
+  SE3 actInv(const SE3& o) const {
+    return SE3(Matrix3<S>(R_.transpose() * o.R_), Vector3<S>(R_.transpose() * (o.p_ - p_)));
+  }
+
+  /// x_A = R x_B + p.
+  Vector3<S> act(const Vector3<S>& x_B) const { return R_ * x_B + p_; }
+  Vector3<S> actInv(const Vector3<S>& x_A) const { return R_.transpose() * (x_A - p_); }
+
+  Motion<S> act(const Motion<S>& V_B) const {
+    const Vector3<S> omega = R_ * V_B.angular();
+    return {Vector3<S>(R_ * V_B.linear()) + cross<S>(p_, omega), omega};
+  }
+  Motion<S> actInv(const Motion<S>& V_A) const {
+    const Vector3<S> u = V_A.linear() - cross<S>(p_, V_A.angular());
+    return {Vector3<S>(R_.transpose() * u), Vector3<S>(R_.transpose() * V_A.angular())};
+  }
+  Force<S> act(const Force<S>& F_B) const {
+    const Vector3<S> f = R_ * F_B.linear();
+    return {f, Vector3<S>(R_ * F_B.angular()) + cross<S>(p_, f)};
+  }
+  Force<S> actInv(const Force<S>& F_A) const {
+    const Vector3<S> n = F_A.angular() - cross<S>(p_, F_A.linear());
+    return {Vector3<S>(R_.transpose() * F_A.linear()), Vector3<S>(R_.transpose() * n)};
+  }
+  Inertia<S> act(const Inertia<S>& I_B) const {
+    return Inertia<S>(I_B.mass(), act(I_B.lever()), congruence(R_, I_B.inertia()));
+  }
+  Inertia<S> actInv(const Inertia<S>& I_A) const {
+    return Inertia<S>(I_A.mass(), actInv(I_A.lever()), congruence(R_.transpose(), I_A.inertia()));
+  }
+
+  /// X, 6 x 6, with V_A = X V_B: [R, [p] R; 0, R].
+  Matrix6<S> toActionMatrix() const {
+    Matrix6<S> X;
+    X.template topLeftCorner<3, 3>() = R_;
+    X.template topRightCorner<3, 3>() = skew<S>(p_) * R_;
+    X.template bottomLeftCorner<3, 3>().setZero();
+    X.template bottomRightCorner<3, 3>() = R_;
+    return X;
+  }
+  /// X^-T, 6 x 6, with F_A = X^-T F_B: [R, 0; [p] R, R].
+  Matrix6<S> toDualActionMatrix() const {
+    Matrix6<S> X;
+    X.template topLeftCorner<3, 3>() = R_;
+    X.template topRightCorner<3, 3>().setZero();
+    X.template bottomLeftCorner<3, 3>() = skew<S>(p_) * R_;
+    X.template bottomRightCorner<3, 3>() = R_;
+    return X;
+  }
+
+  template <Scalar T>
+  SE3<T> cast() const {
+    return SE3<T>(Matrix3<T>(R_.template cast<T>()), Vector3<T>(p_.template cast<T>()));
+  }
+
+ private:
+  /// R I R^T, symmetric to the last bit.
+  static Matrix3<S> congruence(const Matrix3<S>& R, const Matrix3<S>& I) {
+    const Matrix3<S> RI = R * I;
+    Matrix3<S> result;
+    for (int i = 0; i < 3; ++i)
+      for (int j = i; j < 3; ++j) result(i, j) = result(j, i) = RI.row(i).dot(R.row(j));
+    return result;
+  }
+
+  Matrix3<S> R_;
+  Vector3<S> p_;
+};
+
+}  // namespace liecheck

@@ -1,0 +1,89 @@
+#include <generators/bands.hpp>
+
+#include <algorithm>
+#include <boost/math/constants/constants.hpp>
+#include <fmt/format.h>
+
+namespace liecheck::properties {
+
+using oracles::Real;
+
+namespace {
+Real pi() { return boost::math::constants::pi<Real>(); }
+Real power_of_ten(int e) { return pow(Real(10), e); }
+}  // namespace
+
+// min_exponent: 2^min_exponent is the smallest normal number.
+Bands::Bands(int min_exponent, int digits) {
+  const auto push = [this](std::string name, Axis axis, double low, double high, Region region) {
+    bands_.push_back({std::move(name), axis, low, high, region});
+    return bands_.size() - 1;
+  };
+  const int precision = static_cast<int>(std::floor(digits * std::log10(2.0)));  // 6, 15, 34
+  push("all", Axis::none, 0, 0, Region::to_pi);
+
+  first_theta_ = push("0", Axis::theta, 0, 0, Region::to_pi);
+  const Real smallest_normal = ldexp(Real(1), min_exponent);
+  const Real smallest_square = sqrt(smallest_normal);
+  theta_edges_.push_back(smallest_normal);
+  push("subnormal", Axis::theta, 0, static_cast<double>(smallest_normal), Region::to_pi);
+  theta_edges_.push_back(smallest_square);
+  push("theta^2 underflows", Axis::theta, static_cast<double>(smallest_normal),
+       static_cast<double>(smallest_square), Region::to_pi);
+
+  const int lowest = -static_cast<int>(static_cast<double>(-log10(smallest_square)));
+  const int first_decade = std::max(lowest, -(precision + 5));
+  std::vector<int> exponents;
+  for (int e : {-1000, -100, -50})
+    if (e > lowest && e < first_decade - 5) exponents.push_back(e);
+  for (int e = first_decade; e <= 0; ++e) exponents.push_back(e);
+  Real low = smallest_square;
+  std::string low_name = fmt::format("1e{}", lowest);
+  for (int e : exponents) {
+    const Real high = power_of_ten(e);
+    if (high > low) {
+      const std::string high_name = fmt::format("1e{}", e);
+      push("theta " + low_name + ".." + high_name, Axis::theta, static_cast<double>(low),
+           static_cast<double>(high), Region::to_pi);
+      theta_edges_.push_back(high);
+      low = high;
+      low_name = high_name;
+    }
+  }
+
+  generic_ = push("generic 1..pi-1", Axis::none, 1, static_cast<double>(pi() - 1), Region::to_pi);
+  first_pi_ = bands_.size();
+  for (int e = 0; e > -(precision + 1); --e) {
+    push(fmt::format("pi-theta 1e{}..1e{}", e - 1, e), Axis::pi_minus_theta, std::pow(10.0, e - 1),
+         std::pow(10.0, e), Region::to_pi);
+    pi_edges_.push_back(power_of_ten(e - 1));
+  }
+  pi_ = push("pi", Axis::pi_minus_theta, 0, bands_.back().low, Region::to_pi);
+  beyond_ = push("beyond pi", Axis::none, 3.2, 6.2, Region::beyond_pi);
+  near_2pi_ = push("near 2pi k", Axis::none, 6.2, 100, Region::beyond_pi);
+  huge_ = push("huge", Axis::none, 100, 0, Region::beyond_pi);
+}
+
+std::size_t Bands::classify(const Real& theta) const {
+  static const Real pi_value = pi();
+  if (theta == 0) return first_theta_;
+  if (theta <= 1) {
+    const auto edge = std::upper_bound(theta_edges_.begin(), theta_edges_.end(), theta);
+    return std::min<std::size_t>(first_theta_ + 1 + static_cast<std::size_t>(edge - theta_edges_.begin()),
+                                 generic_ - 1);
+  }
+  const Real left = pi_value - theta;
+  if (left > 1) return generic_;
+  if (left >= 0) {
+    for (std::size_t i = 0; i < pi_edges_.size(); ++i)
+      if (left >= pi_edges_[i]) return first_pi_ + i;
+    return pi_;
+  }
+  if (theta > 100) return huge_;
+  const Real turns = theta / (2 * pi_value);
+  const Real nearest = round(turns);
+  if (nearest >= 1 && abs(turns - nearest) * 2 * pi_value < Real(1) / 10) return near_2pi_;
+  return beyond_;
+}
+
+}  // namespace liecheck::properties

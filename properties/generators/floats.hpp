@@ -1,0 +1,73 @@
+#pragma once
+// Floating-point generators: the scales at which code breaks, not the reals.
+
+#include <generators/source.hpp>
+
+namespace liecheck::properties {
+
+/// x moved by k units in the last place of its own binade (exact; away from zero for k > 0).
+template <class S>
+S step_ulps(const S& x, int k) {
+  using std::frexp, std::ldexp;
+  if (x == S(0)) return S(k) * std::numeric_limits<S>::denorm_min();
+  int exponent = 0;
+  S(frexp(x, &exponent));
+  S ulp = S(ldexp(S(1), exponent - std::numeric_limits<S>::digits));
+  if (ulp < std::numeric_limits<S>::denorm_min()) ulp = std::numeric_limits<S>::denorm_min();
+  return x > S(0) ? S(x + S(k) * ulp) : S(x - S(k) * ulp);
+}
+
+/// Log-uniform on [2^low, 2^high): a uniform exponent, a uniform mantissa.
+template <class S>
+S binade_uniform(Source& source, int low, int high) {
+  using std::ldexp;
+  return S(ldexp(S(1) + source.unit<S>(), source.between(low, high - 1)));
+}
+
+/// Log-uniform (by binade) on [low, high], 0 < low < high, by rejection.
+template <class S>
+S log_uniform(Source& source, const S& low, const S& high) {
+  using std::frexp;
+  int low_exponent = 0, high_exponent = 0;
+  S(frexp(low, &low_exponent));
+  S(frexp(high, &high_exponent));
+  for (int attempt = 0; attempt < 64; ++attempt) {
+    const S x = binade_uniform<S>(source, low_exponent - 1, high_exponent);
+    if (x >= low && x <= high) return x;
+  }
+  return low;
+}
+
+/// A subnormal number, or the smallest normal ones: uniform bits below the smallest normal.
+template <class S>
+S subnormal(Source& source) {
+  const S unit = std::numeric_limits<S>::denorm_min();
+  const int bits = source.between(1, std::numeric_limits<S>::digits - 1);
+  using std::ldexp;
+  return S(ldexp(S(1) + source.unit<S>(), bits - 1)) * unit;
+}
+
+/// A number with few significant bits in [-2, 2]: what people write in tests.
+template <class S>
+S simple(Source& source) {
+  return S(source.between(-8, 8)) / S(4);
+}
+
+/// A signed length, speed or force: mostly of unit scale, sometimes simple, zero, tiny or large.
+/// `decades` bounds the scale: |x| in 10^-decades ... 10^decades.
+template <class S>
+S magnitude(Source& source, int binades) {
+  const S sign = source.chance(1, 2) ? S(1) : S(-1);
+  switch (source.below(8)) {
+    case 0:
+      return simple<S>(source);
+    case 1:
+      return sign * binade_uniform<S>(source, -binades, binades);
+    case 2:
+      return source.chance(1, 2) ? S(0) : sign * S(0);
+    default:
+      return S(2) * source.symmetric<S>();
+  }
+}
+
+}  // namespace liecheck::properties

@@ -1,0 +1,241 @@
+#pragma once
+// Angles, axes, rotation vectors, unit quaternions and rotation matrices: valid by construction, biased to
+// where code breaks.
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <boost/math/constants/constants.hpp>
+#include <generators/floats.hpp>
+#include <vector>
+
+namespace liecheck::properties {
+
+/// How far angles may go.
+enum class AngleRange { to_pi, unbounded };
+
+/// Angles [rad] at which implementations are known to change formula: powers of ten, and roots of the machine
+/// epsilon that authors choose. theta itself and sqrt of the same numbers (a cutoff on theta^2).
+template <class S>
+const std::vector<S>& common_cutoffs() {
+  static const std::vector<S> all = [] {
+    using std::ldexp, std::sqrt;
+    std::vector<S> c;
+    const S eps = std::numeric_limits<S>::epsilon();
+    for (S t(1); t > eps / S(100); t = t / S(10)) c.push_back(t);
+    const S e2 = sqrt(eps), e4 = sqrt(e2), e8 = sqrt(e4);
+    for (const S& t : {eps, e2, e4, e8, S(S(2) * e2), S(S(2) * e4)}) c.push_back(t);
+    for (const S& t : {S(S(1) / S(2)), S(S(1) / S(4)), S(S(1) / S(100) / S(20)), S(sqrt(S(1) / S(10))),
+                       S(sqrt(std::numeric_limits<S>::min()))})
+      c.push_back(t);
+    const S pi = boost::math::constants::pi<S>();
+    for (const S& t : {pi, S(pi / S(2)), S(S(2) * pi)}) c.push_back(t);
+    return c;
+  }();
+  return all;
+}
+
+/// An angle >= 0 [rad].
+template <class S>
+S angle(Source& source, AngleRange range) {
+  using std::ldexp, std::sqrt;
+  constexpr int digits = std::numeric_limits<S>::digits;
+  static const S pi = boost::math::constants::pi<S>();
+  const auto near_zero = [&] { return binade_uniform<S>(source, -digits - 16, 1); };
+  const int kind = source.between(0, range == AngleRange::to_pi ? 19 : 24);
+  if (kind == 0) return S(0);
+  if (kind == 1) return source.chance(1, 2) ? subnormal<S>(source) : std::numeric_limits<S>::min();
+  if (kind == 2) {
+    const int lowest = std::numeric_limits<S>::min_exponent;
+    return binade_uniform<S>(source, lowest, -digits - 16);
+  }
+  if (kind <= 8) return near_zero();
+  if (kind <= 10) {
+    const auto& cutoffs = common_cutoffs<S>();
+    const S t = step_ulps(cutoffs[source.below(cutoffs.size() - (range == AngleRange::to_pi ? 3 : 0))],
+                          source.between(-3, 3));
+    return t;
+  }
+  if (kind <= 16) {
+    S t = pi - binade_uniform<S>(source, -digits - 1, 1);
+    if (source.chance(1, 6)) t = step_ulps(pi, source.between(-3, 0));
+    return t > S(0) ? t : -t;
+  }
+  if (kind <= 19) return pi * source.unit<S>();
+  if (kind <= 21) return pi * (S(1) + source.unit<S>());
+  if (kind <= 23) {
+    const S t = S(2 * source.between(1, 4)) * pi;
+    const S d = binade_uniform<S>(source, -digits, 0);
+    return source.chance(1, 2) ? S(t + d) : S(t - d);
+  }
+  return binade_uniform<S>(source, 3, 27);  // up to 1e8
+}
+
+/// A direction: along an axis, in a coordinate plane, nearly along an axis, a cube's diagonal, or anywhere.
+/// Unit to rounding.
+template <class S>
+Eigen::Matrix<S, 3, 1> direction(Source& source) {
+  using V = Eigen::Matrix<S, 3, 1>;
+  using std::sqrt;
+  V v = V::Zero();
+  const auto sign = [&] { return source.chance(1, 2) ? S(1) : S(-1); };
+  const int i = static_cast<int>(source.below(3));
+  switch (source.below(8)) {
+    case 0:
+      v[i] = sign();
+      return v;
+    case 1:
+      v[i] = source.symmetric<S>();
+      v[(i + 1) % 3] = sign();
+      break;
+    case 2:
+      v[i] = sign();
+      v[(i + 1) % 3] = sign() * binade_uniform<S>(source, -std::numeric_limits<S>::digits - 8, 0);
+      v[(i + 2) % 3] = sign() * binade_uniform<S>(source, -std::numeric_limits<S>::digits - 8, 0);
+      break;
+    case 3:
+      v << sign(), sign(), sign();
+      break;
+    default:
+      for (int attempt = 0; attempt < 32; ++attempt) {
+        v << source.symmetric<S>(), source.symmetric<S>(), source.symmetric<S>();
+        const S n = v.squaredNorm();
+        if (n <= S(1) && n > S(1) / S(64)) break;
+      }
+      if (v.squaredNorm() == S(0)) v[0] = S(1);
+  }
+  return v / S(sqrt(v.squaredNorm()));
+}
+
+/// A rotation vector phi [rad].
+template <class S>
+Eigen::Matrix<S, 3, 1> rotation_vector(Source& source, AngleRange range) {
+  const S t = angle<S>(source, range);
+  return t * direction<S>(source);
+}
+
+/// A vector of three magnitudes.
+template <class S>
+Eigen::Matrix<S, 3, 1> vector3(Source& source, int binades = std::numeric_limits<S>::max_exponent / 4) {
+  if (source.chance(1, 4)) {  // one common scale, a direction of its own
+    using std::ldexp;
+    const S scale = S(ldexp(S(1) + source.unit<S>(), source.between(-binades, binades)));
+    return scale * direction<S>(source);
+  }
+  return {magnitude<S>(source, binades), magnitude<S>(source, binades), magnitude<S>(source, binades)};
+}
+
+/// A quaternion x y z w, unit to a few eps: | |Q|^2 - 1 | <= 8 eps. Small angles by a log-uniform vector part,
+/// angles near half a turn by a log-uniform scalar part; either sign.
+template <class S>
+Eigen::Matrix<S, 4, 1> unit_quaternion(Source& source) {
+  using std::sqrt;
+  constexpr int digits = std::numeric_limits<S>::digits;
+  Eigen::Matrix<S, 4, 1> q;
+  const auto n = direction<S>(source);
+  switch (source.below(8)) {
+    case 0:
+      q << S(0), S(0), S(0), S(1);
+      break;
+    case 1:
+    case 2: {  // near the identity
+      const S s = binade_uniform<S>(source, source.chance(1, 4) ? std::numeric_limits<S>::min_exponent : -digits - 8, 0);
+      q << s * n, S(sqrt((S(1) - s) * (S(1) + s)));
+      break;
+    }
+    case 3:
+    case 4: {  // near half a turn
+      const S w = source.chance(1, 6) ? S(0) : binade_uniform<S>(source, -digits - 8, 0);
+      q << S(sqrt((S(1) - w) * (S(1) + w))) * n, w;
+      break;
+    }
+    default: {
+      S c = source.symmetric<S>();
+      q << S(sqrt((S(1) - c) * (S(1) + c))) * n, c;
+    }
+  }
+  q /= S(sqrt(q.squaredNorm()));
+  if (source.chance(1, 4)) {  // off unit within the documented defect
+    q *= S(1) + S(source.between(-5, 5)) * std::numeric_limits<S>::epsilon() / S(2);
+  }
+  if (source.chance(1, 2)) q = -q;
+  return q;
+}
+
+/// The rotation matrix of a unit quaternion, rounded: || R^T R - I || is a few eps.
+template <class S>
+Eigen::Matrix<S, 3, 3> rotation_matrix(const Eigen::Matrix<S, 4, 1>& q) {
+  const S s = S(2) / q.squaredNorm();
+  const S x = q[0], y = q[1], z = q[2], w = q[3];
+  Eigen::Matrix<S, 3, 3> R;
+  R << S(1) - s * (y * y + z * z), s * (x * y - z * w), s * (x * z + y * w),  //
+      s * (x * y + z * w), S(1) - s * (x * x + z * z), s * (y * z - x * w),   //
+      s * (x * z - y * w), s * (y * z + x * w), S(1) - s * (x * x + y * y);
+  return R;
+}
+
+/// Q0 (v, w): a quaternion near Q0 for a small v. Unit to a few eps.
+template <class S>
+Eigen::Matrix<S, 4, 1> quaternion_product(const Eigen::Matrix<S, 4, 1>& a, const Eigen::Matrix<S, 4, 1>& b) {
+  return {S(S(a[3] * b[0] + a[0] * b[3]) + S(a[1] * b[2] - a[2] * b[1])),
+          S(S(a[3] * b[1] + a[1] * b[3]) + S(a[2] * b[0] - a[0] * b[2])),
+          S(S(a[3] * b[2] + a[2] * b[3]) + S(a[0] * b[1] - a[1] * b[0])),
+          S(S(a[3] * b[3] - a[0] * b[0]) - S(a[1] * b[1] + a[2] * b[2]))};
+}
+
+/// A quaternion at a chosen distance of Q0: equal, its opposite, a few ulps away, near, or anywhere.
+template <class S>
+Eigen::Matrix<S, 4, 1> quaternion_near(Source& source, const Eigen::Matrix<S, 4, 1>& Q0) {
+  using std::sqrt;
+  Eigen::Matrix<S, 4, 1> q = Q0;
+  switch (source.below(8)) {
+    case 0:
+      break;
+    case 1:
+      for (int i = 0; i < 4; ++i) q[i] = step_ulps(q[i], source.between(-2, 2));
+      break;
+    case 2:
+    case 3:
+    case 4:
+    case 5: {
+      const S s = binade_uniform<S>(source, -std::numeric_limits<S>::digits - 4, 0);
+      Eigen::Matrix<S, 4, 1> d;
+      d << s * direction<S>(source), S(sqrt((S(1) - s) * (S(1) + s)));
+      if (source.chance(1, 3)) {  // nearly half a turn apart instead
+        const S w = d[3];
+        const S norm = S(sqrt(d.template head<3>().squaredNorm()));
+        d.template head<3>() *= w / norm;
+        d[3] = norm;
+      }
+      q = quaternion_product<S>(Q0, d);
+      q /= S(sqrt(q.squaredNorm()));
+      break;
+    }
+    default:
+      q = unit_quaternion<S>(source);
+  }
+  if (source.chance(1, 4)) q = -q;
+  return q;
+}
+
+/// A point at a chosen distance of p0.
+template <class S>
+Eigen::Matrix<S, 3, 1> point_near(Source& source, const Eigen::Matrix<S, 3, 1>& p0) {
+  Eigen::Matrix<S, 3, 1> p = p0;
+  switch (source.below(4)) {
+    case 0:
+      break;
+    case 1:
+      for (int i = 0; i < 3; ++i) p[i] = step_ulps(p[i], source.between(-2, 2));
+      break;
+    case 2: {
+      const S scale = binade_uniform<S>(source, -std::numeric_limits<S>::digits - 4, 0);
+      p += scale * direction<S>(source);
+      break;
+    }
+    default:
+      p = vector3<S>(source);
+  }
+  return p;
+}
+
+}  // namespace liecheck::properties

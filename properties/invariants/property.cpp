@@ -1,0 +1,36 @@
+#include <invariants/property.hpp>
+
+#include <algorithm>
+
+namespace liecheck::properties {
+
+namespace {
+template <class S>
+std::vector<std::unique_ptr<Property<S>> (*)()>& makers() {
+  static std::vector<std::unique_ptr<Property<S>> (*)()> all;
+  return all;
+}
+}  // namespace
+
+namespace property_detail {
+template <class S>
+void add(std::unique_ptr<Property<S>> (*make)()) {
+  makers<S>().push_back(make);
+}
+template void add<float>(std::unique_ptr<Property<float>> (*)());
+template void add<double>(std::unique_ptr<Property<double>> (*)());
+template void add<float128>(std::unique_ptr<Property<float128>> (*)());
+}  // namespace property_detail
+
+template <class S>
+std::vector<std::unique_ptr<Property<S>>> make_properties() {
+  std::vector<std::unique_ptr<Property<S>>> all;
+  for (auto* make : makers<S>()) all.push_back(make());
+  std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a->name() < b->name(); });
+  return all;
+}
+template std::vector<std::unique_ptr<Property<float>>> make_properties<float>();
+template std::vector<std::unique_ptr<Property<double>>> make_properties<double>();
+template std::vector<std::unique_ptr<Property<float128>>> make_properties<float128>();
+
+}  // namespace liecheck::properties

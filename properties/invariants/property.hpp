@@ -1,0 +1,149 @@
+#pragma once
+// An invariant: one law, in words and as an equation, its source, the operations that it needs, its generator,
+// and `measure`: residual per block with scale and kappa. It measures; it never judges. Tests compare with the
+// budget table, reports tabulate.
+//
+// Adding one touches one file: derive from Property<S> as a template and register it with RegisteredProperty.
+
+#include <cmath>
+#include <functional>
+#include <generators/bands.hpp>
+#include <generators/source.hpp>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <subjects/subject.hpp>
+#include <vector>
+
+namespace liecheck::properties {
+
+/// How a group of numbers of an input is shrunk while it stays valid.
+enum class Kind { vector, rotation_vector, quaternion, rotation_matrix, inertia, choice, opaque };
+
+/// A group of consecutive numbers of a property's input.
+struct Field {
+  std::string name;
+  Kind kind;
+  int size;
+  std::string unit;
+};
+
+/// What is measured: one block of one operation's result.
+struct Output {
+  std::string operation;
+  std::string block;
+};
+
+enum class Outcome : std::uint8_t { measured, not_finite, wrong_branch, unresolved, refused };
+
+/// One measured number. error in eps of the subject's scalar, kappa >= 1 or 0 where it was not asked for.
+struct Residual {
+  std::uint16_t output = 0;
+  std::uint16_t band = 0;
+  Outcome outcome = Outcome::measured;
+  double error = 0;
+  double kappa = 0;
+};
+
+/// Receives what an invariant measures. `kappa` is called only where the budget's rule needs it.
+class Recorder {
+ public:
+  virtual ~Recorder() = default;
+  virtual void record(int output, std::size_t band, double error_eps,
+                      const std::function<double()>& kappa = nullptr) = 0;
+  virtual void outcome(int output, std::size_t band, Outcome outcome) = 0;
+};
+
+/// The robot that configuration properties run on.
+struct Robot {
+  std::string name;      ///< of its <robot> element
+  std::string urdf;      ///< the text
+  std::string hash;      ///< 16 hexadecimal digits of its SHA-256
+  std::string path;      ///< as given; empty for the built-in one
+};
+
+template <class S>
+class Property {
+ public:
+  virtual ~Property() = default;
+  virtual std::string name() const = 0;
+  virtual std::string law() const = 0;       ///< in words
+  virtual std::string equation() const = 0;  ///< as an equation
+  virtual std::string source() const = 0;    ///< author, year, equation
+  virtual std::vector<Output> outputs() const = 0;
+  virtual std::vector<Field> fields() const = 0;
+  /// Does the subject offer at least one of the operations that the law speaks of?
+  virtual bool offered(const Subject<S>& subject) const = 0;
+  virtual bool needs_robot() const { return false; }
+  /// Readies robot-dependent state; called once, before any case.
+  virtual void prepare(const Robot&) {}
+  /// Valid by construction; uses only the source.
+  virtual std::vector<S> generate(Source& source) const = 0;
+  /// Is this (shrunk or typed) input one that the generator could mean? Default: every number is finite.
+  virtual bool valid(const std::vector<S>& input) const {
+    using std::isfinite;
+    for (const S& x : input)
+      if (!isfinite(x)) return false;
+    return true;
+  }
+  virtual void measure(const Subject<S>& subject, const std::vector<S>& input, Recorder& recorder) const = 0;
+};
+
+/// Fresh instances of every property, alphabetical by name.
+template <class S>
+std::vector<std::unique_ptr<Property<S>>> make_properties();
+
+namespace property_detail {
+template <class S>
+void add(std::unique_ptr<Property<S>> (*make)());
+}
+
+/// A static of this type in an invariant's file makes it known, in every scalar.
+template <template <class> class P>
+struct RegisteredProperty {
+  RegisteredProperty() {
+    property_detail::add<float>(&make<float>);
+    property_detail::add<double>(&make<double>);
+    property_detail::add<float128>(&make<float128>);
+  }
+  template <class S>
+  static std::unique_ptr<Property<S>> make() {
+    return std::make_unique<P<S>>();
+  }
+};
+
+/// Reads consecutive groups of an input.
+template <class S>
+class Reader {
+ public:
+  explicit Reader(const std::vector<S>& input) : input_(input) {}
+  template <int N>
+  Vec<S, N> take() {
+    Vec<S, N> v;
+    for (int i = 0; i < N; ++i) v[i] = input_.at(position_++);
+    return v;
+  }
+  Mat<S, 3> take_matrix() {  // row by row
+    Mat<S, 3> m;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) m(i, j) = input_.at(position_++);
+    return m;
+  }
+  VecX<S> take_dynamic(int n) {
+    VecX<S> v(n);
+    for (int i = 0; i < n; ++i) v[i] = input_.at(position_++);
+    return v;
+  }
+
+ private:
+  const std::vector<S>& input_;
+  std::size_t position_ = 0;
+};
+
+template <class S, class Derived>
+void append(std::vector<S>& input, const Eigen::MatrixBase<Derived>& m) {
+  for (int i = 0; i < m.rows(); ++i)
+    for (int j = 0; j < m.cols(); ++j) input.push_back(m(i, j));
+}
+
+}  // namespace liecheck::properties

@@ -1,0 +1,195 @@
+#include <oracles/closed.hpp>
+
+#include <mpfr.h>
+
+namespace liecheck::oracles {
+namespace {
+
+/// MPFR numbers whose precision is chosen at run time: only angles beyond 2^42 need them.
+class Long {
+ public:
+  explicit Long(long precision) { mpfr_init2(value_, precision); }
+  ~Long() { mpfr_clear(value_); }
+  Long(const Long&) = delete;
+  Long& operator=(const Long&) = delete;
+  mpfr_ptr get() { return value_; }
+
+ private:
+  mpfr_t value_;
+};
+
+/// theta and theta mod 2 pi with an absolute error of 2^-bits: theta = ||phi|| at `exponent` bits more.
+/// Returns whether the number of whole turns is odd.
+template <class T>
+bool reduce(const Vec3<T>& phi, int exponent, T& reduced) {
+  const long precision = 2L * bits<T> + exponent;
+  Long theta(precision), square(precision), turn(precision), turns(precision);
+  mpfr_set_zero(theta.get(), 1);
+  for (int i = 0; i < 3; ++i) {
+    mpfr_sqr(square.get(), phi[i].backend().data(), MPFR_RNDN);
+    mpfr_add(theta.get(), theta.get(), square.get(), MPFR_RNDN);
+  }
+  mpfr_sqrt(theta.get(), theta.get(), MPFR_RNDN);
+  mpfr_const_pi(turn.get(), MPFR_RNDN);
+  mpfr_mul_2ui(turn.get(), turn.get(), 1, MPFR_RNDN);
+  mpfr_div(turns.get(), theta.get(), turn.get(), MPFR_RNDN);
+  mpfr_rint(turns.get(), turns.get(), MPFR_RNDN);
+  mpfr_mul(turn.get(), turn.get(), turns.get(), MPFR_RNDN);
+  mpfr_sub(theta.get(), theta.get(), turn.get(), MPFR_RNDN);
+  mpfr_set(reduced.backend().data(), theta.get(), MPFR_RNDN);
+  mpfr_div_2ui(turns.get(), turns.get(), 1, MPFR_RNDN);
+  return mpfr_integer_p(turns.get()) == 0;
+}
+
+/// c_k(x), 0 <= x <= 1, k! c_k by Horner's rule: 1 - x/((k+1)(k+2)) (1 - x/((k+3)(k+4)) (1 - ...)).
+template <class T>
+T stumpff_series(int k, const T& x) {
+  constexpr int terms = bits < T >> 200 ? 34 : 20;  // x^j/(2j)! < 2^-bits
+  T sum(1);
+  for (int j = terms; j >= 1; --j) {
+    sum *= x;
+    sum /= (k + 2 * j - 1) * (k + 2 * j);
+    sum = 1 - sum;
+  }
+  for (int i = 2; i <= k; ++i) sum /= i;
+  return sum;
+}
+
+}  // namespace
+
+template <class T>
+HalfAngle<T> half_angle(const Vec3<T>& phi) {
+  HalfAngle<T> h;
+  h.theta = norm(phi);
+  h.reduced = h.theta;
+  if (h.theta == 0) {
+    h.s = 0;
+    h.c = 1;
+    h.n = phi;
+    return h;
+  }
+  for (int i = 0; i < 3; ++i) h.n[i] = phi[i] / h.theta;
+  const int exponent = exponent_of(h.theta);
+  h.large = isfinite(h.theta) && exponent > bits<T> / 4;
+  const bool odd = h.large && reduce(phi, exponent, h.reduced);
+  const T half = h.reduced / 2;
+  mpfr_sin_cos(h.s.backend().data(), h.c.backend().data(), half.backend().data(), MPFR_RNDN);
+  if (odd) {
+    h.s = -h.s;
+    h.c = -h.c;
+  }
+  return h;
+}
+
+template <class T>
+UnitPose<T> closed_exp(const Vec6<T>& xi) {
+  const Vec3<T> rho = head3(xi);
+  const HalfAngle<T> h = half_angle(tail3(xi));
+  UnitPose<T> pose;
+  pose.Q = {{h.s * h.n[0], h.s * h.n[1], h.s * h.n[2], h.c}};
+  pose.p = rho;
+  if (h.theta != 0) {
+    const Vec3<T> along = T(dot(tail3(xi), rho) / h.theta) * h.n;  // exact where phi.rho cancels to zero
+    const T s2 = 2 * h.s / h.theta;
+    pose.p = along + T(s2 * h.c) * (rho - along) + T(s2 * h.s) * cross(h.n, rho);
+  }
+  return pose;
+}
+
+template <class T>
+Vec6<T> closed_log(const Quaternion<T>& Q, const Vec3<T>& p, bool as_signed) {
+  const bool flip = !as_signed && Q[3] < 0;
+  const Vec3<T> v = flip ? -head3(Q) : head3(Q);
+  const T w = flip ? T(-Q[3]) : Q[3];
+  const T s = norm(v);
+  if (s == 0) return stack(p, v);
+  const T theta = 2 * atan2(s, w);
+  const Vec3<T> n = T(1 / s) * v;
+  const Vec3<T> phi = theta * n, n_p = cross(n, p);
+  const T half = theta / 2;
+  return stack(p - half * n_p + T(1 - half * w / s) * cross(n, n_p), phi);
+}
+
+template <class T>
+UnitPose<T> closed_integrate(const Vec7<T>& q0, const Vec6<T>& delta) {
+  const Quaternion<T> Q0 = normalized(Quaternion<T>{{q0[3], q0[4], q0[5], q0[6]}});
+  const UnitPose<T> step = closed_exp(delta);
+  return {quaternion_product(Q0, step.Q), head3(q0) + rotate(Q0, step.p)};
+}
+
+template <class T>
+RelativePose<T> relative_pose(const Vec7<T>& q0, const Vec7<T>& q1) {
+  const Quaternion<T> Q0{{q0[3], q0[4], q0[5], q0[6]}}, Q1{{q1[3], q1[4], q1[5], q1[6]}};
+  RelativePose<T> relative;
+  relative.Q = conjugate_product(Q0, Q1);
+  relative.p1_minus_p0 = head3(q1) - head3(q0);
+  relative.p = rotate(Q0, relative.p1_minus_p0, true);
+  return relative;
+}
+
+template <class T>
+Vec6<T> closed_difference(const Vec7<T>& q0, const Vec7<T>& q1) {
+  const RelativePose<T> relative = relative_pose(q0, q1);
+  return closed_log(relative.Q, relative.p);
+}
+
+template <class T>
+JacobianBlocks<T> closed_left_jacobian(const Vec6<T>& xi) {
+  const Vec3<T> rho = head3(xi), phi = tail3(xi);
+  const T x = squared_norm(phi);
+  T c2, c3, c4, c5;
+  if (x < 1) {
+    c4 = stumpff_series(4, x);
+    c5 = stumpff_series(5, x);
+    c2 = T(1) / 2 - x * c4;
+    c3 = T(1) / 6 - x * c5;
+  } else {
+    const HalfAngle<T> h = half_angle(phi);
+    const T s2 = 2 * h.s;
+    c2 = s2 * h.s / x;
+    c3 = (1 - s2 * h.c / h.theta) / x;
+    c4 = (T(1) / 2 - c2) / x;
+    c5 = (T(1) / 6 - c3) / x;
+  }
+  const Mat3<T> P = hat(rho), F = hat(phi), FF = F * F, FP = F * P;
+  const T phi_rho = dot(phi, rho);
+  const T a = phi_rho * (2 * c4 - c3), b = phi_rho * (3 * c5 - c4);
+  return {identity<3, T>() + c2 * F + c3 * FF, c2 * P + c3 * (FP + transpose(FP)) + a * F + b * FF};
+}
+
+template <class T>
+JacobianBlocks<T> closed_left_jacobian_inverse(const Vec6<T>& xi) {
+  const Vec3<T> rho = head3(xi), phi = tail3(xi);
+  const T x = squared_norm(phi);
+  if (x < 1) {
+    const JacobianBlocks<T> jacobian = closed_left_jacobian(xi);
+    const Mat3<T> K = inverse(jacobian.J);
+    return {K, T(-1) * (K * jacobian.C * K)};
+  }
+  const HalfAngle<T> h = half_angle(phi);
+  const T cot = h.c / h.s, half = h.theta / 2;
+  const T g = (1 - half * cot) / x;
+  const T dg = ((half / (h.s * h.s) - cot) / (2 * x) - 2 * g / h.theta) / (2 * h.theta);
+  const Mat3<T> P = hat(rho), F = hat(phi), FF = F * F, FP = F * P;
+  const T minus_half = T(-1) / 2, b = 2 * dg * dot(phi, rho);
+  return {identity<3, T>() + minus_half * F + g * FF, minus_half * P + g * (FP + transpose(FP)) + b * FF};
+}
+
+template HalfAngle<Real> half_angle(const Vec3<Real>&);
+template HalfAngle<Real100> half_angle(const Vec3<Real100>&);
+template UnitPose<Real> closed_exp(const Vec6<Real>&);
+template UnitPose<Real100> closed_exp(const Vec6<Real100>&);
+template Vec6<Real> closed_log(const Quaternion<Real>&, const Vec3<Real>&, bool);
+template Vec6<Real100> closed_log(const Quaternion<Real100>&, const Vec3<Real100>&, bool);
+template UnitPose<Real> closed_integrate(const Vec7<Real>&, const Vec6<Real>&);
+template UnitPose<Real100> closed_integrate(const Vec7<Real100>&, const Vec6<Real100>&);
+template RelativePose<Real> relative_pose(const Vec7<Real>&, const Vec7<Real>&);
+template RelativePose<Real100> relative_pose(const Vec7<Real100>&, const Vec7<Real100>&);
+template Vec6<Real> closed_difference(const Vec7<Real>&, const Vec7<Real>&);
+template Vec6<Real100> closed_difference(const Vec7<Real100>&, const Vec7<Real100>&);
+template JacobianBlocks<Real> closed_left_jacobian(const Vec6<Real>&);
+template JacobianBlocks<Real100> closed_left_jacobian(const Vec6<Real100>&);
+template JacobianBlocks<Real> closed_left_jacobian_inverse(const Vec6<Real>&);
+template JacobianBlocks<Real100> closed_left_jacobian_inverse(const Vec6<Real100>&);
+
+}  // namespace liecheck::oracles

@@ -1,0 +1,86 @@
+#pragma once
+// Closed forms over half angles, at either precision: formula B of every oracle, at 100 digits, and the
+// functions whose derivatives give condition numbers, at 50. Not checked here: the oracles check them.
+//
+// With theta = ||phi||, n = phi / theta, s = sin(theta/2), c = cos(theta/2):
+//   exp     Q = (s n, c),   p = a + (2 s c / theta) (rho - a) + (2 s^2 / theta) n x rho,
+//           a = n (phi.rho) / theta
+//   log     theta = 2 atan2(||v||, |w|),   rho = p - phi x p / 2 + (1 - theta c / (2 s)) n x (n x p)
+//   J_l     J = I + c2 [phi] + c3 [phi]^2,   c_k(theta^2) = sum_j (-theta^2)^j / (2j + k)!,
+//           and, replacing phi by the dual number phi + e rho, the coupling block
+//           C = c2 [rho] + c3 ([phi][rho] + [rho][phi])
+//             + (phi.rho) ((2 c4 - c3) [phi] + (3 c5 - c4) [phi]^2)
+//   J_l^-1  I - [phi]/2 + g [phi]^2,   g(theta^2) = (1 - theta c / (2 s)) / theta^2,   and likewise
+//           -[rho]/2 + g ([phi][rho] + [rho][phi]) + 2 g' (phi.rho) [phi]^2; below theta = 1 by cofactors.
+//
+// What cancels in them does so to an absolute error of one rounding beside terms of size one, so that at 100
+// digits each block keeps 90 digits of its norm down to theta = 0; c3, c4, c5 come from their series below 1.
+//
+// Domain: exp for every finite angle (beyond 2^42 at 50 and 2^83 at 100 digits, theta is reduced modulo 2 pi
+// at as many bits as it takes); the Jacobians for theta <= 1e24.
+//
+// Sources: Rodrigues 1840; Sola, Deray, Atchuthan 2018 (arXiv 1812.01537), appendices B and D, rewritten;
+// Barfoot 2017, eq. 7.86 (C).
+
+#include <oracles/linear.hpp>
+
+namespace liecheck::oracles {
+
+/// Q unit; a pose when p is there.
+template <class T>
+struct UnitPose {
+  Quaternion<T> Q;
+  Vec3<T> p;
+};
+
+/// theta = 2 pi k + reduced with |reduced| <= pi; s and c are sin(theta/2) and cos(theta/2), n the unit axis,
+/// zero where theta is.
+template <class T>
+struct HalfAngle {
+  T theta, reduced, s, c;
+  Vec3<T> n;
+  bool large = false;  ///< was theta reduced? Otherwise `reduced` is theta itself
+};
+
+/// [[J, C], [0, J]]
+template <class T>
+struct JacobianBlocks {
+  Mat3<T> J, C;
+};
+
+/// Q and p of T0^-1 T1, not normalised; p1_minus_p0 in the axes that p0 has.
+template <class T>
+struct RelativePose {
+  Quaternion<T> Q;
+  Vec3<T> p, p1_minus_p0;
+};
+
+template <class T>
+HalfAngle<T> half_angle(const Vec3<T>& phi);
+
+template <class T>
+UnitPose<T> closed_exp(const Vec6<T>& xi);
+
+/// log of the pose of Q / ||Q|| and p; (rho, phi) with ||phi|| <= pi. With `as_signed` the sign of Q chooses
+/// the branch instead: theta/2 in [0, pi] is the angle of Q, so that nothing jumps at theta = pi.
+template <class T>
+Vec6<T> closed_log(const Quaternion<T>& Q, const Vec3<T>& p, bool as_signed = false);
+
+/// T0 exp(delta); q0 = (p, Q) with Q meaning Q / ||Q||.
+template <class T>
+UnitPose<T> closed_integrate(const Vec7<T>& q0, const Vec6<T>& delta);
+
+template <class T>
+RelativePose<T> relative_pose(const Vec7<T>& q0, const Vec7<T>& q1);
+
+template <class T>
+Vec6<T> closed_difference(const Vec7<T>& q0, const Vec7<T>& q1);
+
+template <class T>
+JacobianBlocks<T> closed_left_jacobian(const Vec6<T>& xi);
+
+/// Relative accuracy also near theta = 2 pi k, where it grows without bound.
+template <class T>
+JacobianBlocks<T> closed_left_jacobian_inverse(const Vec6<T>& xi);
+
+}  // namespace liecheck::oracles

@@ -1,0 +1,116 @@
+#pragma once
+// How far a computed value is from the exact one, in eps of the scalar S that computed it (DESIGN.md, 3).
+//
+// Computed values are given as their exact numbers (exact_vector, exact_matrix), after all_finite has been
+// asked. A value that is not a number nevertheless gives infinity: it can never compare as a pass.
+// The rotation error of a matrix is that of its polar factor's quaternion, 4 sin(angle / 4) of the angle
+// between the two rotations; how far the matrix is from orthogonal does not enter, it is a block of its own.
+//
+// Error of the measures themselves: 1e-45 absolute, in double relative 1e-16.
+
+#include <oracles/log.hpp>
+
+namespace liecheck::oracles {
+
+/// 2 min(||Q/||Q|| - exact||, ||Q/||Q|| + exact||), exact unit.
+Real rotation_distance(const Quaternion<>& computed, const Quaternion<>& exact);
+/// The same for the polar factor of a stored matrix; infinite where that is no rotation.
+Real rotation_distance(const Mat3<>& computed, const Quaternion<>& exact);
+/// | ||Q||^2 - 1 |
+Real norm_distance(const Quaternion<>& computed);
+/// || R^T R - I ||_F
+Real orthogonality_distance(const Mat3<>& computed);
+
+/// eps of S, exactly. (Not numeric_limits' function: Boost 1.74's for float128 needs GNU extensions.)
+template <class S>
+const Real& epsilon() {
+  static const Real value = ldexp(Real(1), 1 - std::numeric_limits<S>::digits);
+  return value;
+}
+/// The smallest denominator, min_normal / eps: below it S has fewer digits, and relative error has no
+/// meaning.
+template <class S>
+const Real& smallest_denominator() {
+  static const Real value = ldexp(Real(1), std::numeric_limits<S>::min_exponent - 1) / epsilon<S>();
+  return value;
+}
+
+/// distance / eps; infinity for NaN.
+template <class S>
+double in_eps(const Real& distance) {
+  const double e = static_cast<double>(Real(distance / epsilon<S>()));
+  return e >= 0 ? e : std::numeric_limits<double>::infinity();
+}
+
+/// Is every number of a vector or matrix of any scalar finite?
+template <class M>
+bool all_finite(const M& m) {
+  if constexpr (requires { m.rows(); }) {
+    for (int i = 0; i < m.rows(); ++i)
+      for (int j = 0; j < m.cols(); ++j) {
+        using std::isfinite;
+        if (!isfinite(m(i, j))) return false;
+      }
+  } else {
+    for (const auto& x : m) {
+      using std::isfinite;
+      if (!isfinite(x)) return false;
+    }
+  }
+  return true;
+}
+
+template <class S>
+double rotation_error(const Quaternion<>& computed, const Quaternion<>& exact) {
+  return in_eps<S>(rotation_distance(computed, exact));
+}
+template <class S>
+double rotation_error(const Mat3<>& computed, const Quaternion<>& exact) {
+  return in_eps<S>(rotation_distance(computed, exact));
+}
+template <class S>
+double norm_defect(const Quaternion<>& computed) {
+  return in_eps<S>(norm_distance(computed));
+}
+template <class S>
+double orthogonality_defect(const Mat3<>& computed) {
+  return in_eps<S>(orthogonality_distance(computed));
+}
+
+/// ||computed - exact|| / max(||exact||, scale, min_normal / eps), in eps.
+template <class S, int N>
+double vector_error(const Vec<N>& computed, const Vec<N>& exact, const Real& scale = Real(0)) {
+  Real size = norm(exact);
+  if (scale > size) size = scale;
+  if (smallest_denominator<S>() > size) size = smallest_denominator<S>();
+  return in_eps<S>(Real(norm(computed - exact) / size));
+}
+/// The same with Frobenius norms.
+template <class S, int R, int C>
+double matrix_error(const Mat<R, C>& computed, const Mat<R, C>& exact, const Real& scale = Real(0)) {
+  return vector_error<S>(Vec<R * C>{computed.x}, Vec<R * C>{exact.x}, scale);
+}
+template <class S>
+double scalar_error(const Real& computed, const Real& exact, const Real& scale = Real(0)) {
+  return vector_error<S>(Vec<1>{{computed}}, Vec<1>{{exact}}, scale);
+}
+
+struct TwistError {
+  double linear = 0, angular = 0;
+};
+/// The two blocks of a log or difference against the branch that the computed rotation vector is on: at
+/// exactly pi either is right. linear_scale joins the linear block's denominator (||p1 - p0|| for
+/// difference).
+template <class S>
+TwistError log_error(const Vec6<>& computed, const LogResult& exact, const Real& linear_scale = Real(0)) {
+  const auto against = [&](const Vec6<>& value) -> TwistError {
+    return {vector_error<S>(head3(computed), head3(value), linear_scale),
+            vector_error<S>(tail3(computed), tail3(value))};
+  };
+  const TwistError first = against(exact.value());
+  if (!exact.at_pi) return first;
+  const TwistError second = against(exact.other);
+  return second.angular < first.angular ? second : first;
+}
+
+}  // namespace liecheck::oracles

@@ -1,0 +1,51 @@
+#include <oracles/exp.hpp>
+
+#include <oracles/closed.hpp>
+#include <oracles/matrix_exponential.hpp>
+
+namespace liecheck::oracles {
+namespace {
+
+/// The affine exponential of any xi: whole turns are taken out first where squaring them would cost more than
+/// 80 bits. exp(xi) = exp((1-s) xi) exp(s xi), and s xi of whole turns is the screw (I, s n (n.rho)).
+template <class T>
+AffineExponential<T> any_affine_exponential(const Vec6<T>& xi) {
+  const HalfAngle<T> h = half_angle(tail3(xi));
+  if (!h.large || exponent_of(h.theta) <= 80) return affine_exponential(xi);
+  const T rest = h.reduced / h.theta;
+  AffineExponential<T> r = affine_exponential(T(rest) * xi);
+  const T screw = (1 - rest) * dot(tail3(xi), head3(xi)) / h.theta;
+  r.p = r.p + screw * h.n;
+  return r;
+}
+
+bool confirm(const Vec6<Real>& xi, const UnitPose<Real100>& pose, const Mat3<Real100>& E, const Real& theta) {
+  const bool moderate = exponent_of(theta) <= 20;
+  return confirmed(moderate, [&]<class T>(T) {
+    const auto a = any_affine_exponential(cast<T>(xi));
+    const T scale = theta < 1 ? T(theta) : T(1);  // near 2 pi k, R - I is compared absolutely
+    return frobenius(a.E - cast<T>(E)) <= T(agreement) * scale && agree(a.p, cast<T>(pose.p));
+  });
+}
+
+ExpResult result(const Vec6<Real>& xi) {
+  const Vec6<Real100> exact_xi = cast<Real100>(xi);
+  const UnitPose<Real100> pose = closed_exp(exact_xi);
+  const Mat3<Real100> E = rotation_minus_identity(pose.Q);
+  ExpResult r{cast<Real>(pose.Q), cast<Real>(identity<3, Real100>() + E), cast<Real>(pose.p), Real(0), false};
+  r.theta = Real(norm(tail3(exact_xi)));
+  r.resolved = confirm(xi, pose, E, r.theta);
+  return r;
+}
+
+}  // namespace
+
+ExpResult exp_se3(const Vec6<Real>& xi) {
+  return result(xi);
+}
+
+ExpResult exp_so3(const Vec3<Real>& phi) {
+  return result(stack(zero_vector<3, Real>(), phi));
+}
+
+}  // namespace liecheck::oracles

@@ -1,0 +1,70 @@
+#pragma once
+// Left and right Jacobians of exp, their inverses, and the derivatives of integrate and difference.
+//
+// To first order exp(xi + d) = exp(J_l d) exp(xi) = exp(xi) exp(J_r d), and J_r(xi) = J_l(-xi). On SE(3) they
+// are [[J, C], [0, J]] with J of SO(3) and the coupling block C [m], linear in rho.
+//
+// Three formulas:
+//   1. closed form in dual numbers, 100 digits (closed.hpp): the value of left_* and right_*;
+//   2. phi1(ad xi) by scaling and squaring, 50 digits, or 100 where they do not reach: confirms all the rest;
+//   3. central differences straight from the definition, 100 digits: the value of *_fd, d_integrate_*,
+//      d_difference_*.
+// Inverses have closed forms too and are confirmed by their product with phi1; they are singular at
+// theta = 2 pi k and resolved as long as |theta - 2 pi k| > 1e-40.
+//
+// Error model of the differences. With lengths scaled so that ||rho|| = 1 (C is linear in rho) every third
+// derivative is of order one: error = h^2 + 2^(20 + log2 theta - 334) / h. The step h = 2^-110 gives 1e-66 of
+// truncation and 1e-61 of rounding at theta = 100, 1e-55 at 1e8.
+//
+// Domain: theta <= 1e24 (left_*, right_*), <= 1e8 (the differences).
+// Error: each block relative to its own norm, below 1e-41.
+//
+// Sources: Chirikjian 2012, eq. 10.86; Sola, Deray, Atchuthan 2018, appendices B and D; Barfoot 2017,
+// eq. 7.86; Iserles et al. 2000, section 2 (phi1 = dexp).
+
+#include <oracles/agree.hpp>
+
+namespace liecheck::oracles {
+
+struct Jacobian3Result {
+  Mat3<> J;
+  bool resolved = false;
+};
+
+/// [[J, C], [0, J]]
+struct Jacobian6Result {
+  Mat3<> J, C;
+  bool resolved = false;
+
+  Mat6<> matrix() const { return assemble(J, C, zeros<3, 3, Real>(), J); }
+};
+
+Jacobian3Result left_jacobian_so3(const Vec3<>& phi);
+Jacobian3Result right_jacobian_so3(const Vec3<>& phi);
+Jacobian3Result left_jacobian_so3_inverse(const Vec3<>& phi);
+Jacobian3Result right_jacobian_so3_inverse(const Vec3<>& phi);
+
+Jacobian6Result left_jacobian_se3(const Vec6<>& xi);
+Jacobian6Result right_jacobian_se3(const Vec6<>& xi);
+Jacobian6Result left_jacobian_se3_inverse(const Vec6<>& xi);
+Jacobian6Result right_jacobian_se3_inverse(const Vec6<>& xi);
+
+/// Column i = vee(exp(-xi) d/dh exp(xi + h e_i)), exp by scaling and squaring.
+Jacobian6Result right_jacobian_fd(const Vec6<>& xi);
+
+/// The blocks (0,0) and (1,1) are equal; the block (1,0) is zero.
+/// ARG0 = d/dh difference(integrate(q, delta), integrate(integrate(q, h e_i), delta)) = Ad(exp(-delta)).
+Jacobian6Result d_integrate_arg0(const Vec7<>& q, const Vec6<>& delta);
+/// ARG1 = d/dh difference(integrate(q, delta), integrate(q, delta + h e_i)) = J_r(delta).
+Jacobian6Result d_integrate_arg1(const Vec7<>& q, const Vec6<>& delta);
+
+/// At exactly half a turn difference has two values, of opposite axes, and each has its own derivative:
+/// `other` asks for the one that LogResult::other belongs to.
+enum class Branch { value, other };
+
+/// ARG0 = d/dh difference(integrate(q0, h e_i), q1) = -J_l^-1(delta), on the branch of the central value.
+Jacobian6Result d_difference_arg0(const Vec7<>& q0, const Vec7<>& q1, Branch branch = Branch::value);
+/// ARG1 = d/dh difference(q0, integrate(q1, h e_i)) = J_r^-1(delta), on the branch of the central value.
+Jacobian6Result d_difference_arg1(const Vec7<>& q0, const Vec7<>& q1, Branch branch = Branch::value);
+
+}  // namespace liecheck::oracles

@@ -1,0 +1,339 @@
+#pragma once
+// Fixed-size vectors and matrices over an oracle's number: what the oracles need, without heap and without
+// expression temporaries, which at 50 digits cost as much as the arithmetic.
+
+#include <array>
+#include <oracles/real.hpp>
+
+namespace liecheck::oracles {
+
+template <int N, class T = Real>
+struct Vec {
+  std::array<T, N> x;
+
+  T& operator[](int i) { return x[static_cast<std::size_t>(i)]; }
+  const T& operator[](int i) const { return x[static_cast<std::size_t>(i)]; }
+  static constexpr int size() { return N; }
+};
+
+/// Row by row.
+template <int R, int C, class T = Real>
+struct Mat {
+  std::array<T, R * C> x;
+
+  T& operator()(int i, int j) { return x[static_cast<std::size_t>(i * C + j)]; }
+  const T& operator()(int i, int j) const { return x[static_cast<std::size_t>(i * C + j)]; }
+};
+
+template <class T = Real>
+using Vec3 = Vec<3, T>;
+template <class T = Real>
+using Vec6 = Vec<6, T>;
+template <class T = Real>
+using Vec7 = Vec<7, T>;
+/// x y z w.
+template <class T = Real>
+using Quaternion = Vec<4, T>;
+template <class T = Real>
+using Mat3 = Mat<3, 3, T>;
+template <class T = Real>
+using Mat6 = Mat<6, 6, T>;
+
+/// The exact numbers of anything with operator[] (an Eigen vector, an array).
+template <int N, class T = Real, class V>
+Vec<N, T> exact_vector(const V& v) {
+  Vec<N, T> r;
+  for (int i = 0; i < N; ++i) r[i] = exact<T>(v[i]);
+  return r;
+}
+
+/// The exact numbers of anything with operator()(i, j) (an Eigen matrix).
+template <int R, int C, class T = Real, class M>
+Mat<R, C, T> exact_matrix(const M& m) {
+  Mat<R, C, T> r;
+  for (int i = 0; i < R; ++i)
+    for (int j = 0; j < C; ++j) r(i, j) = exact<T>(m(i, j));
+  return r;
+}
+
+template <class T, int N, class S>
+Vec<N, T> cast(const Vec<N, S>& v) {
+  return exact_vector<N, T>(v);
+}
+template <class T, int R, int C, class S>
+Mat<R, C, T> cast(const Mat<R, C, S>& m) {
+  return exact_matrix<R, C, T>(m);
+}
+
+template <class T>
+T dot(const Vec3<T>& a, const Vec3<T>& b) {
+  T sum, t;
+  set_product(sum, a[0], b[0]);
+  set_product(t, a[1], b[1]);
+  sum += t;
+  set_product(t, a[2], b[2]);
+  sum += t;
+  return sum;
+}
+
+template <int N, class T>
+T squared_norm(const Vec<N, T>& v) {
+  T sum(0), t;
+  for (int i = 0; i < N; ++i) {
+    set_product(t, v[i], v[i]);
+    sum += t;
+  }
+  return sum;
+}
+template <int N, class T>
+T norm(const Vec<N, T>& v) {
+  return sqrt(squared_norm(v));
+}
+template <int R, int C, class T>
+T frobenius(const Mat<R, C, T>& m) {
+  T sum(0), t;
+  for (const T& x : m.x) {
+    set_product(t, x, x);
+    sum += t;
+  }
+  return sqrt(sum);
+}
+
+template <class T>
+Vec3<T> cross(const Vec3<T>& a, const Vec3<T>& b) {
+  Vec3<T> r;
+  T t;
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    set_product(r[i], a[j], b[k]);
+    set_product(t, a[k], b[j]);
+    r[i] -= t;
+  }
+  return r;
+}
+
+template <int N, class T>
+Vec<N, T> operator+(Vec<N, T> a, const Vec<N, T>& b) {
+  for (int i = 0; i < N; ++i) a[i] += b[i];
+  return a;
+}
+template <int N, class T>
+Vec<N, T> operator-(Vec<N, T> a, const Vec<N, T>& b) {
+  for (int i = 0; i < N; ++i) a[i] -= b[i];
+  return a;
+}
+template <int N, class T>
+Vec<N, T> operator-(Vec<N, T> a) {
+  for (T& x : a.x) x = -x;
+  return a;
+}
+template <int N, class T>
+Vec<N, T> operator*(const T& s, Vec<N, T> a) {
+  for (T& x : a.x) x *= s;
+  return a;
+}
+
+template <int R, int C, class T>
+Mat<R, C, T> operator+(Mat<R, C, T> a, const Mat<R, C, T>& b) {
+  for (std::size_t i = 0; i < a.x.size(); ++i) a.x[i] += b.x[i];
+  return a;
+}
+template <int R, int C, class T>
+Mat<R, C, T> operator-(Mat<R, C, T> a, const Mat<R, C, T>& b) {
+  for (std::size_t i = 0; i < a.x.size(); ++i) a.x[i] -= b.x[i];
+  return a;
+}
+template <int R, int C, class T>
+Mat<R, C, T> operator*(const T& s, Mat<R, C, T> a) {
+  for (T& x : a.x) x *= s;
+  return a;
+}
+
+template <int R, int K, int C, class T>
+Mat<R, C, T> operator*(const Mat<R, K, T>& a, const Mat<K, C, T>& b) {
+  Mat<R, C, T> r;
+  T t;
+  for (int i = 0; i < R; ++i)
+    for (int j = 0; j < C; ++j) {
+      set_product(r(i, j), a(i, 0), b(0, j));
+      for (int k = 1; k < K; ++k) {
+        set_product(t, a(i, k), b(k, j));
+        r(i, j) += t;
+      }
+    }
+  return r;
+}
+template <int R, int C, class T>
+Vec<R, T> operator*(const Mat<R, C, T>& a, const Vec<C, T>& v) {
+  Vec<R, T> r;
+  T t;
+  for (int i = 0; i < R; ++i) {
+    set_product(r[i], a(i, 0), v[0]);
+    for (int k = 1; k < C; ++k) {
+      set_product(t, a(i, k), v[k]);
+      r[i] += t;
+    }
+  }
+  return r;
+}
+
+template <int R, int C, class T>
+Mat<C, R, T> transpose(const Mat<R, C, T>& a) {
+  Mat<C, R, T> r;
+  for (int i = 0; i < R; ++i)
+    for (int j = 0; j < C; ++j) r(j, i) = a(i, j);
+  return r;
+}
+
+template <int R, int C, class T>
+Mat<R, C, T> zeros() {
+  Mat<R, C, T> r;
+  for (T& x : r.x) x = 0;
+  return r;
+}
+template <int N, class T>
+Vec<N, T> zero_vector() {
+  Vec<N, T> r;
+  for (T& x : r.x) x = 0;
+  return r;
+}
+template <int N, class T>
+Mat<N, N, T> identity() {
+  Mat<N, N, T> r = zeros<N, N, T>();
+  for (int i = 0; i < N; ++i) r(i, i) = 1;
+  return r;
+}
+
+/// [v]x, the matrix of w -> v x w.
+template <class T>
+Mat3<T> hat(const Vec3<T>& v) {
+  Mat3<T> m;
+  m(0, 0) = m(1, 1) = m(2, 2) = 0;
+  m(0, 1) = -v[2];
+  m(0, 2) = v[1];
+  m(1, 0) = v[2];
+  m(1, 2) = -v[0];
+  m(2, 0) = -v[1];
+  m(2, 1) = v[0];
+  return m;
+}
+/// The vector of the antisymmetric part (m - m^T) / 2.
+template <class T>
+Vec3<T> vee(const Mat3<T>& m) {
+  Vec3<T> v;
+  for (int i = 0; i < 3; ++i) v[i] = (m((i + 2) % 3, (i + 1) % 3) - m((i + 1) % 3, (i + 2) % 3)) / 2;
+  return v;
+}
+
+/// The cofactors: m^-1 = cofactors(m)^T / det m.
+template <class T>
+Mat3<T> cofactors(const Mat3<T>& m) {
+  Mat3<T> c;
+  T t;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      const int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+      set_product(c(i, j), m(i1, j1), m(i2, j2));
+      set_product(t, m(i1, j2), m(i2, j1));
+      c(i, j) -= t;
+    }
+  return c;
+}
+template <class T>
+T determinant(const Mat3<T>& m, const Mat3<T>& cofactors_of_m) {
+  return m(0, 0) * cofactors_of_m(0, 0) + m(0, 1) * cofactors_of_m(0, 1) + m(0, 2) * cofactors_of_m(0, 2);
+}
+template <class T>
+Mat3<T> inverse(const Mat3<T>& m) {
+  const Mat3<T> c = cofactors(m);
+  return T(1 / determinant(m, c)) * transpose(c);
+}
+
+template <int N, class T>
+Vec3<T> head3(const Vec<N, T>& v) {
+  return {{v[0], v[1], v[2]}};
+}
+template <class T>
+Vec3<T> tail3(const Vec6<T>& v) {
+  return {{v[3], v[4], v[5]}};
+}
+template <class T>
+Vec6<T> stack(const Vec3<T>& a, const Vec3<T>& b) {
+  return {{a[0], a[1], a[2], b[0], b[1], b[2]}};
+}
+/// The 3x3 block (i, j) of a 6x6.
+template <class T>
+Mat3<T> block(const Mat6<T>& m, int i, int j) {
+  Mat3<T> b;
+  for (int r = 0; r < 3; ++r)
+    for (int c = 0; c < 3; ++c) b(r, c) = m(3 * i + r, 3 * j + c);
+  return b;
+}
+template <class T>
+void set_block(Mat6<T>& m, int i, int j, const Mat3<T>& b) {
+  for (int r = 0; r < 3; ++r)
+    for (int c = 0; c < 3; ++c) m(3 * i + r, 3 * j + c) = b(r, c);
+}
+/// [[a, b], [c, d]]
+template <class T>
+Mat6<T> assemble(const Mat3<T>& a, const Mat3<T>& b, const Mat3<T>& c, const Mat3<T>& d) {
+  Mat6<T> m;
+  set_block(m, 0, 0, a);
+  set_block(m, 0, 1, b);
+  set_block(m, 1, 0, c);
+  set_block(m, 1, 1, d);
+  return m;
+}
+
+/// a (x) b.
+template <class T>
+Quaternion<T> quaternion_product(const Quaternion<T>& a, const Quaternion<T>& b) {
+  return {{a[3] * b[0] + a[0] * b[3] + (a[1] * b[2] - a[2] * b[1]),
+           a[3] * b[1] + a[1] * b[3] + (a[2] * b[0] - a[0] * b[2]),
+           a[3] * b[2] + a[2] * b[3] + (a[0] * b[1] - a[1] * b[0]),
+           a[3] * b[3] - (a[0] * b[0] + a[1] * b[1] + a[2] * b[2])}};
+}
+
+/// a* (x) b, grouped in the pairs a_i b_j - a_j b_i: where the pairs are exact (products of two 113-bit
+/// numbers at 334 bits) the vector part keeps its relative accuracy however near a and b are, since the
+/// squares of the six pairs add up to ||v||^2 (Lagrange, Pluecker).
+template <class T>
+Quaternion<T> conjugate_product(const Quaternion<T>& a, const Quaternion<T>& b) {
+  const auto pair = [&](int i, int j) -> T { return a[i] * b[j] - a[j] * b[i]; };
+  return {{pair(3, 0) - pair(1, 2), pair(3, 1) - pair(2, 0), pair(3, 2) - pair(0, 1),
+           a[3] * b[3] + (a[0] * b[0] + a[1] * b[1] + a[2] * b[2])}};
+}
+
+template <class T>
+Quaternion<T> normalized(const Quaternion<T>& q) {
+  return T(1 / norm(q)) * q;
+}
+
+/// x rotated by Q / ||Q||: x + 2 (w v x x + v x (v x x)) / ||Q||^2; by its inverse for `inverse`.
+template <class T>
+Vec3<T> rotate(const Quaternion<T>& q, const Vec3<T>& x, bool inverse = false) {
+  const Vec3<T> v = head3(q);
+  const Vec3<T> vx = cross(v, x);
+  const T s = 2 / squared_norm(q), w = inverse ? T(-q[3]) : q[3];
+  return x + s * (w * vx + cross(v, vx));
+}
+
+/// R(Q) - I = 2 w [v] + 2 [v]^2 of a unit quaternion: relative accuracy however small the angle is.
+template <class T>
+Mat3<T> rotation_minus_identity(const Quaternion<T>& q) {
+  const Mat3<T> V = hat(head3(q));
+  Mat3<T> E = V * V;
+  T t;
+  for (std::size_t i = 0; i < 9; ++i) {
+    set_product(t, q[3], V.x[i]);
+    E.x[i] += t;
+    E.x[i] *= 2;
+  }
+  return E;
+}
+template <class T>
+Mat3<T> rotation_matrix(const Quaternion<T>& unit) {
+  return identity<3, T>() + rotation_minus_identity(unit);
+}
+
+}  // namespace liecheck::oracles

@@ -1,0 +1,66 @@
+#pragma once
+// The oracles' numbers: binary floating point of 50 and of 100 decimal digits (168 and 334 bits), on the
+// stack, with MPFR's exponent range of +-2^30, so that nothing here under- or overflows.
+//
+// Every function of this room is thread safe: there is no mutable state but MPFR's own thread-local caches.
+
+#include <boost/multiprecision/float128.hpp>
+#include <boost/multiprecision/mpfr.hpp>
+#include <cmath>
+#include <limits>
+#include <type_traits>
+
+namespace liecheck::oracles {
+
+template <unsigned Digits>
+using Decimal = boost::multiprecision::number<
+    boost::multiprecision::mpfr_float_backend<Digits, boost::multiprecision::allocate_stack>,
+    boost::multiprecision::et_off>;
+
+using Real = Decimal<50>;
+using Real100 = Decimal<100>;
+
+template <class T>
+concept OracleNumber = std::is_same_v<T, Real> || std::is_same_v<T, Real100>;
+
+/// Mantissa bits of an oracle type.
+template <OracleNumber T>
+inline constexpr int bits = std::numeric_limits<T>::digits10 > 60 ? 334 : 168;
+
+/// x in another scalar, without rounding for every scalar of at most 168 bits (float, double, float128 and
+/// Real). NaN and infinities stay what they are.
+template <class T, class S>
+T exact(const S& x) {
+  if constexpr (std::is_same_v<S, Real> || std::is_same_v<S, Real100> || std::is_floating_point_v<S>) {
+    return T(x);
+  } else {
+    if (!isfinite(x)) return T(static_cast<double>(x));
+    int exponent = 0;
+    S rest = frexp(x, &exponent);
+    T sum(0);
+    while (rest != S(0)) {  // at most 53 bits a turn, each subtraction exact
+      const double chunk = static_cast<double>(rest);
+      sum += T(chunk);
+      rest -= S(chunk);
+    }
+    return ldexp(sum, exponent);
+  }
+}
+
+/// r = a b, without the temporary that operator* makes.
+template <class T>
+inline void set_product(T& r, const T& a, const T& b) {
+  using boost::multiprecision::default_ops::eval_multiply;
+  eval_multiply(r.backend(), a.backend(), b.backend());
+}
+
+/// e with |x| < 2^e, tight; a large negative number for x = 0.
+template <class T>
+inline int exponent_of(const T& x) {
+  if (x == 0) return std::numeric_limits<int>::min() / 2;
+  int e = 0;
+  frexp(x, &e);
+  return e;
+}
+
+}  // namespace liecheck::oracles

@@ -1,0 +1,82 @@
+#pragma once
+// Spatial algebra on the stored numbers: motions, forces and inertias seen from another frame, the two cross
+// products, momentum and kinetic energy.
+//
+// A pose (R, p) is taken as it is stored: these are polynomials of its twelve numbers, R^-1 written R^T,
+//   X   = [[R, [p]R], [0, R]]          V_A = X V_B         X^-1 = [[R^T, -R^T [p]], [0, R^T]]
+//   X*  = [[R, 0], [[p]R, R]]          F_A = X* F_B        X*^-1 = [[R^T, 0], [-R^T [p], R^T]]
+//   inertia  (m, c, I_C) -> (m, R c + p, R I_C R^T);   I_O = I_C + m (||c||^2 I - c c^T)
+//   M = [[m I, -m [c]], [m [c], I_O]],  h = M V,  E = V^T M V / 2 = m ||u + w x c||^2 / 2 + w^T I_C w / 2.
+//
+// Value: component by component at 100 digits. Confirmed by the 6x6 matrices at 50, at 100 where terms
+// cancel; a moved inertia by the congruence X* M X^-1, at the rotation nearest to R, for which alone it is an
+// identity.
+//
+// Domain: all finite numbers; for inertias also R near a rotation.
+//
+// Error: each 3-vector or block relative to itself below 1e-41 or, where its terms cancel to less than 1e-50
+// of their size, 1e-91 of the terms.
+//
+// Source: Featherstone 2008, sections 2.8, 2.9, 2.13 and table 2.2; linear part first here.
+
+#include <oracles/agree.hpp>
+
+namespace liecheck::oracles {
+
+struct Pose {
+  Mat3<> R;
+  Vec3<> p;
+};
+
+/// A rigid body's mass, centre of mass and inertia about the centre of mass.
+struct Body {
+  Real mass;
+  Vec3<> c;
+  Mat3<> I_C;
+};
+
+struct ScalarResult {
+  Real value;
+  bool resolved = false;
+};
+struct PointResult {
+  Vec3<> value;
+  bool resolved = false;
+};
+struct SpatialResult {
+  Vec6<> value;
+  bool resolved = false;
+};
+struct BodyResult {
+  Body value;
+  bool resolved = false;
+};
+struct Matrix6Result {
+  Mat6<> value;
+  bool resolved = false;
+};
+
+/// The pose of Q / ||Q|| and p, to 50 digits.
+Pose pose_of(const Quaternion<>& Q, const Vec3<>& p);
+/// xx, xy, yy, xz, yz, zz
+Mat3<> symmetric(const Vec6<>& unique);
+
+PointResult rotate_point(const Quaternion<>& Q, const Vec3<>& x);  ///< by Q / ||Q||
+PointResult act_point(const Pose& X, const Vec3<>& x);             ///< R x + p
+PointResult act_inverse_point(const Pose& X, const Vec3<>& x);     ///< R^T (x - p)
+
+SpatialResult act_motion(const Pose& X, const Vec6<>& V);
+SpatialResult act_inverse_motion(const Pose& X, const Vec6<>& V);
+SpatialResult act_force(const Pose& X, const Vec6<>& F);
+SpatialResult act_inverse_force(const Pose& X, const Vec6<>& F);
+SpatialResult cross_motion(const Vec6<>& V, const Vec6<>& W);  ///< (w x u_W + u x w_W, w x w_W)
+SpatialResult cross_force(const Vec6<>& V, const Vec6<>& F);   ///< (w x f, w x n + u x f)
+
+BodyResult act_inertia(const Pose& X, const Body& I);
+BodyResult act_inverse_inertia(const Pose& X, const Body& I);
+Matrix6Result inertia_matrix(const Body& I);
+SpatialResult momentum(const Body& I, const Vec6<>& V);
+ScalarResult kinetic_energy(const Body& I, const Vec6<>& V);
+ScalarResult power(const Vec6<>& F, const Vec6<>& V);
+
+}  // namespace liecheck::oracles

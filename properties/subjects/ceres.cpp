@@ -1,0 +1,78 @@
+// Ceres Solver's rotation.h: angle-axis, quaternions (w first, reordered here) and column-major matrices.
+
+#include <subjects/subject.hpp>
+
+#if __has_include(<ceres/rotation.h>)
+
+#include <ceres/rotation.h>
+#include <ceres/version.h>
+
+namespace liecheck::properties {
+namespace {
+
+template <class S>
+struct CeresRotation {
+  using O = Operations<S>;
+  using V3 = typename O::V3;
+  using V4 = typename O::V4;
+  using M3 = typename O::M3;
+
+  static V4 w_last(const V4& q) { return {q[1], q[2], q[3], q[0]}; }
+  static V4 w_first(const V4& q) { return {q[3], q[0], q[1], q[2]}; }
+
+  static V4 exp3_quaternion(const V3& phi) {
+    V4 q;
+    ::ceres::AngleAxisToQuaternion(phi.data(), q.data());
+    return w_last(q);
+  }
+  static M3 exp3_matrix(const V3& phi) {
+    M3 R;
+    ::ceres::AngleAxisToRotationMatrix(phi.data(), R.data());
+    return R;
+  }
+  static V3 log3_quaternion(const V4& Q) {
+    const V4 q = w_first(Q);
+    V3 phi;
+    ::ceres::QuaternionToAngleAxis(q.data(), phi.data());
+    return phi;
+  }
+  static V3 log3_matrix(const M3& R) {
+    V3 phi;
+    ::ceres::RotationMatrixToAngleAxis(R.data(), phi.data());
+    return phi;
+  }
+  static V3 rotate_point(const V4& Q, const V3& x) {
+    const V4 q = w_first(Q);
+    V3 y;
+    ::ceres::QuaternionRotatePoint(q.data(), x.data(), y.data());
+    return y;
+  }
+
+  static Subject<S> make() {
+    Subject<S> s;
+    s.name = "ceres";
+    s.version = CERES_VERSION_STRING;
+    s.operations.exp3_quaternion = exp3_quaternion;
+    s.operations.exp3_matrix = exp3_matrix;
+    s.operations.log3_quaternion = log3_quaternion;
+    s.operations.log3_matrix = log3_matrix;
+    s.operations.rotate_point = rotate_point;
+    return s;
+  }
+};
+
+const Registered<float> in_float(CeresRotation<float>::make());
+const Registered<double> in_double(CeresRotation<double>::make());
+
+}  // namespace
+}  // namespace liecheck::properties
+
+#else
+
+namespace liecheck::properties {
+namespace {
+const RegisteredAbsent absent("ceres");
+}
+}  // namespace liecheck::properties
+
+#endif

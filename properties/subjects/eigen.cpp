@@ -1,0 +1,73 @@
+// Eigen's Geometry module, and the matrix exponential and logarithm of its MatrixFunctions.
+
+#include <subjects/subject.hpp>
+
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+#include <unsupported/Eigen/MatrixFunctions>
+
+namespace liecheck::properties {
+namespace {
+
+template <class S>
+struct EigenGeometry {
+  using O = Operations<S>;
+  using V3 = typename O::V3;
+  using V4 = typename O::V4;
+  using V6 = typename O::V6;
+  using M3 = typename O::M3;
+  using M4 = Mat<S, 4>;
+
+  static Eigen::AngleAxis<S> angle_axis(const V3& phi) {
+    const S theta = phi.norm();
+    return {theta, theta > S(0) ? V3(phi / theta) : V3(V3::UnitX())};
+  }
+  static V4 exp3_quaternion(const V3& phi) { return Eigen::Quaternion<S>(angle_axis(phi)).coeffs(); }
+  static M3 exp3_matrix(const V3& phi) { return angle_axis(phi).toRotationMatrix(); }
+  static V3 log3_quaternion(const V4& Q) {
+    const Eigen::AngleAxis<S> a{Eigen::Quaternion<S>(Q)};
+    return a.angle() * a.axis();
+  }
+  static V3 log3_matrix(const M3& R) {
+    const Eigen::AngleAxis<S> a{R};
+    return a.angle() * a.axis();
+  }
+  static Pose<S> exp6(const V6& xi) {
+    M4 m = M4::Zero();
+    m.template topLeftCorner<3, 3>() << S(0), -xi[5], xi[4], xi[5], S(0), -xi[3], -xi[4], xi[3], S(0);
+    m.template topRightCorner<3, 1>() = xi.template head<3>();
+    const M4 T = m.exp();
+    return {T.template topLeftCorner<3, 3>(), T.template topRightCorner<3, 1>()};
+  }
+  static V6 log6(const Pose<S>& X) {
+    M4 T = M4::Identity();
+    T.template topLeftCorner<3, 3>() = X.R;
+    T.template topRightCorner<3, 1>() = X.p;
+    const M4 m = T.log();
+    V6 xi;
+    xi << m.template topRightCorner<3, 1>(), (m(2, 1) - m(1, 2)) / S(2), (m(0, 2) - m(2, 0)) / S(2),
+        (m(1, 0) - m(0, 1)) / S(2);
+    return xi;
+  }
+  static V3 rotate_point(const V4& Q, const V3& x) { return Eigen::Quaternion<S>(Q) * x; }
+
+  static Subject<S> make() {
+    Subject<S> s;
+    s.name = "eigen";
+    s.version = fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION);
+    s.operations.exp3_quaternion = exp3_quaternion;
+    s.operations.exp3_matrix = exp3_matrix;
+    s.operations.log3_quaternion = log3_quaternion;
+    s.operations.log3_matrix = log3_matrix;
+    s.operations.exp6 = exp6;
+    s.operations.log6 = log6;
+    s.operations.rotate_point = rotate_point;
+    return s;
+  }
+};
+
+const Registered<float> in_float(EigenGeometry<float>::make());
+const Registered<double> in_double(EigenGeometry<double>::make());
+
+}  // namespace
+}  // namespace liecheck::properties

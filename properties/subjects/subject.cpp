@@ -1,0 +1,46 @@
+#include <subjects/subject.hpp>
+
+#include <algorithm>
+#include <memory>
+
+namespace liecheck::properties {
+
+namespace {
+
+template <class S>
+std::vector<std::unique_ptr<Subject<S>>>& registry() {
+  static std::vector<std::unique_ptr<Subject<S>>> all;
+  return all;
+}
+
+std::vector<std::string>& absent_registry() {
+  static std::vector<std::string> all;
+  return all;
+}
+
+}  // namespace
+
+template <class S>
+Registered<S>::Registered(Subject<S> subject) {
+  registry<S>().push_back(std::make_unique<Subject<S>>(std::move(subject)));
+}
+
+template <class S>
+std::vector<const Subject<S>*> subjects() {
+  std::vector<const Subject<S>*> all;
+  for (const auto& s : registry<S>()) all.push_back(s.get());
+  std::sort(all.begin(), all.end(), [](auto* a, auto* b) { return a->name < b->name; });
+  return all;
+}
+
+RegisteredAbsent::RegisteredAbsent(std::string name) { absent_registry().push_back(std::move(name)); }
+const std::vector<std::string>& absent_subjects() { return absent_registry(); }
+
+template struct Registered<float>;
+template struct Registered<double>;
+template struct Registered<float128>;
+template std::vector<const Subject<float>*> subjects<float>();
+template std::vector<const Subject<double>*> subjects<double>();
+template std::vector<const Subject<float128>*> subjects<float128>();
+
+}  // namespace liecheck::properties

@@ -1,0 +1,193 @@
+// textbook: the closed forms as books print them, with the usual single cutoff for every scalar. It is the
+// harness's permanent positive control: every campaign over all subjects must see its cliffs.
+
+#include <subjects/subject.hpp>
+
+#include <Eigen/Dense>
+#include <cmath>
+
+namespace liecheck::properties {
+namespace {
+
+/// Below this angle [rad] the leading term replaces the closed form, whatever the scalar.
+constexpr double cutoff = 1e-8;
+
+template <class S>
+struct Textbook {
+  using O = Operations<S>;
+  using V3 = typename O::V3;
+  using V4 = typename O::V4;
+  using V6 = typename O::V6;
+  using V7 = typename O::V7;
+  using M3 = typename O::M3;
+  using M6 = typename O::M6;
+
+  static M3 hat(const V3& v) {
+    M3 m;
+    m << S(0), -v.z(), v.y(), v.z(), S(0), -v.x(), -v.y(), v.x(), S(0);
+    return m;
+  }
+  static bool small(const S& theta) { return theta < S(cutoff); }
+
+  static V4 exp3_quaternion(const V3& phi) {
+    const S theta = phi.norm();
+    V4 q;
+    if (small(theta)) {
+      q << phi / S(2), S(1);
+    } else {
+      q << std::sin(theta / S(2)) / theta * phi, std::cos(theta / S(2));
+    }
+    return q;
+  }
+  static M3 exp3_matrix(const V3& phi) {
+    const S theta = phi.norm();
+    if (small(theta)) return M3::Identity() + hat(phi);
+    const M3 P = hat(phi);
+    return M3::Identity() + std::sin(theta) / theta * P + (S(1) - std::cos(theta)) / (theta * theta) * P * P;
+  }
+  static V3 log3_quaternion(const V4& Q) {
+    const V4 q = Q[3] < S(0) ? V4(-Q) : Q;
+    const S theta = S(2) * std::acos(std::min(S(1), q[3]));
+    if (small(theta)) return S(2) * q.template head<3>();
+    return theta / std::sqrt(S(1) - q[3] * q[3]) * q.template head<3>();
+  }
+  static V3 log3_matrix(const M3& R) {
+    const S c = std::max(S(-1), std::min(S(1), S((R.trace() - S(1)) / S(2))));
+    const S theta = std::acos(c);
+    const V3 a(R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1));
+    if (small(theta)) return a / S(2);
+    return theta / (S(2) * std::sin(theta)) * a;
+  }
+  static M3 left_jacobian3(const V3& phi) {
+    const S theta = phi.norm();
+    const M3 P = hat(phi);
+    if (small(theta)) return M3::Identity() + P / S(2);
+    return M3::Identity() + (S(1) - std::cos(theta)) / (theta * theta) * P +
+           (theta - std::sin(theta)) / (theta * theta * theta) * P * P;
+  }
+  static M3 left_jacobian3_inverse(const V3& phi) {
+    const S theta = phi.norm();
+    const M3 P = hat(phi);
+    if (small(theta)) return M3::Identity() - P / S(2);
+    const S d = S(1) / (theta * theta) - (S(1) + std::cos(theta)) / (S(2) * theta * std::sin(theta));
+    return M3::Identity() - P / S(2) + d * P * P;
+  }
+  static M3 right_jacobian3(const V3& phi) { return left_jacobian3(-phi); }
+  static M3 right_jacobian3_inverse(const V3& phi) { return left_jacobian3_inverse(-phi); }
+
+  static Pose<S> exp6(const V6& xi) {
+    const V3 phi = xi.template tail<3>();
+    return {exp3_matrix(phi), left_jacobian3(phi) * xi.template head<3>()};
+  }
+  static V6 log6(const Pose<S>& T) {
+    const V3 phi = log3_matrix(T.R);
+    V6 xi;
+    xi << left_jacobian3_inverse(phi) * T.p, phi;
+    return xi;
+  }
+
+  /// Barfoot & Furgale (2014), eq. 102, as printed.
+  static M3 coupling(const V3& rho, const V3& phi) {
+    const M3 r = hat(rho), p = hat(phi);
+    const S t = phi.norm();
+    if (small(t)) return r / S(2);
+    const S t2 = t * t, t3 = t2 * t, t4 = t2 * t2, t5 = t4 * t;
+    const S a = (t - std::sin(t)) / t3;
+    const S b = (S(1) - t2 / S(2) - std::cos(t)) / t4;
+    const S c = b - S(3) * (t - std::sin(t) - t3 / S(6)) / t5;
+    return r / S(2) + a * (p * r + r * p + p * r * p) - b * (p * p * r + r * p * p - S(3) * p * r * p) -
+           c / S(2) * (p * r * p * p + p * p * r * p);
+  }
+  static M6 left_jacobian6(const V6& xi) {
+    const V3 rho = xi.template head<3>(), phi = xi.template tail<3>();
+    M6 J = M6::Zero();
+    J.template topLeftCorner<3, 3>() = J.template bottomRightCorner<3, 3>() = left_jacobian3(phi);
+    J.template topRightCorner<3, 3>() = coupling(rho, phi);
+    return J;
+  }
+  static M6 left_jacobian6_inverse(const V6& xi) {
+    const V3 rho = xi.template head<3>(), phi = xi.template tail<3>();
+    const M3 Ji = left_jacobian3_inverse(phi);
+    M6 J = M6::Zero();
+    J.template topLeftCorner<3, 3>() = J.template bottomRightCorner<3, 3>() = Ji;
+    J.template topRightCorner<3, 3>() = -Ji * coupling(rho, phi) * Ji;
+    return J;
+  }
+  static M6 right_jacobian6(const V6& xi) { return left_jacobian6(-xi); }
+  static M6 right_jacobian6_inverse(const V6& xi) { return left_jacobian6_inverse(-xi); }
+
+  static V4 product(const V4& a, const V4& b) {
+    const V3 av = a.template head<3>(), bv = b.template head<3>();
+    V4 q;
+    q << a[3] * bv + b[3] * av + av.cross(bv), a[3] * b[3] - av.dot(bv);
+    return q;
+  }
+  static M3 matrix(const V4& q) {
+    return Eigen::Quaternion<S>(q[3], q[0], q[1], q[2]).toRotationMatrix();
+  }
+  static V7 integrate(const V7& q, const V6& delta) {
+    const V3 phi = delta.template tail<3>();
+    const V4 Q = q.template tail<4>();
+    V7 result;
+    result << q.template head<3>() + matrix(Q) * (left_jacobian3(phi) * delta.template head<3>()),
+        product(Q, exp3_quaternion(phi)).normalized();
+    return result;
+  }
+  static V6 difference(const V7& q0, const V7& q1) {
+    V4 inverse = q0.template tail<4>();
+    inverse.template head<3>() *= S(-1);
+    const V3 phi = log3_quaternion(product(inverse, q1.template tail<4>()));
+    const V3 p = matrix(inverse) * (q1.template head<3>() - q0.template head<3>());
+    V6 delta;
+    delta << left_jacobian3_inverse(phi) * p, phi;
+    return delta;
+  }
+  static M6 d_integrate_arg0(const V7&, const V6& delta) {
+    const Pose<S> T = exp6(-delta);
+    M6 X = M6::Zero();
+    X.template topLeftCorner<3, 3>() = X.template bottomRightCorner<3, 3>() = T.R;
+    X.template topRightCorner<3, 3>() = hat(T.p) * T.R;
+    return X;
+  }
+  static M6 d_integrate_arg1(const V7&, const V6& delta) { return right_jacobian6(delta); }
+  static M6 d_difference_arg0(const V7& q0, const V7& q1) { return -left_jacobian6_inverse(difference(q0, q1)); }
+  static M6 d_difference_arg1(const V7& q0, const V7& q1) { return right_jacobian6_inverse(difference(q0, q1)); }
+
+  static V3 rotate_point(const V4& Q, const V3& x) { return matrix(Q) * x; }
+
+  static Subject<S> make() {
+    Subject<S> s;
+    s.name = "textbook";
+    s.version = "cutoff 1e-8";
+    s.cutoffs = {cutoff};
+    O& o = s.operations;
+    o.exp3_quaternion = exp3_quaternion;
+    o.exp3_matrix = exp3_matrix;
+    o.log3_quaternion = log3_quaternion;
+    o.log3_matrix = log3_matrix;
+    o.exp6 = exp6;
+    o.log6 = log6;
+    o.left_jacobian3 = left_jacobian3;
+    o.right_jacobian3 = right_jacobian3;
+    o.left_jacobian3_inverse = left_jacobian3_inverse;
+    o.right_jacobian3_inverse = right_jacobian3_inverse;
+    o.left_jacobian6 = left_jacobian6;
+    o.right_jacobian6 = right_jacobian6;
+    o.left_jacobian6_inverse = left_jacobian6_inverse;
+    o.right_jacobian6_inverse = right_jacobian6_inverse;
+    o.integrate = integrate;
+    o.difference = difference;
+    o.d_integrate_arg0 = d_integrate_arg0;
+    o.d_integrate_arg1 = d_integrate_arg1;
+    o.d_difference_arg0 = d_difference_arg0;
+    o.d_difference_arg1 = d_difference_arg1;
+    o.rotate_point = rotate_point;
+    return s;
+  }
+};
+
+const Registered<float> in_float(Textbook<float>::make());
+const Registered<double> in_double(Textbook<double>::make());
+
+}  // namespace
+}  // namespace liecheck::properties

@@ -1,0 +1,79 @@
+// Axes. A logarithmic axis has no place for 0, for subnormals or for bands of hundreds of decades: those get a
+// column each ("slot"), with a name and no position. The rest is log10, one unit a decade. Chart.js sees a
+// linear axis in these units; the ticks say what they mean.
+
+const WIDE = 2.5;  // a band of more decades is a slot
+
+const superscript = n => String(n).replace(/./g, c => "⁰¹²³⁴⁵⁶⁷⁸⁹"[c] ?? "⁻");
+const power = e => e === 0 ? "1" : "10" + superscript(e);
+
+function isSlot(row) {
+  return !(row.low > 0) || !(row.high > 0) || Math.log10(row.high) - Math.log10(row.low) > WIDE;
+}
+
+function slotName(band) {
+  return band.replace(/^(theta|pi-theta) (?=\d)/, "").replace("theta^2", "θ²").replace("theta", "θ")
+    .replace(/^pi$/, "π").replace(/1e(-?\d+)/g, (_, e) => power(+e)).replace("..", "…");
+}
+
+// The horizontal axis for rows of one axis kind: where each band stands, the ticks, and where the log part is.
+// Near 0 slots lie left of the decades. Near pi the axis is drawn reversed, so they end on the right as well.
+function horizontalAxis(rows) {
+  const bands = new Map();
+  for (const row of rows) if (!bands.has(row.band)) bands.set(row.band, row);
+  const decades = [...bands.values()].filter(r => !isSlot(r));
+  const slots = [...bands.values()].filter(isSlot).sort((a, b) => a.high - b.high || a.low - b.low);
+  const low = Math.round(Math.min(0, ...decades.map(r => Math.log10(r.low))));
+  const high = Math.ceil(Math.max(...decades.map(r => Math.log10(r.high)), low + 1));
+  const position = new Map(), ticks = [];
+  for (const r of decades) position.set(r.band, (Math.log10(r.low) + Math.log10(r.high)) / 2);
+  const slot = Math.max(1.7, .075 * (high - low));  // its width, in decades: room for an upright name on a phone
+  const first = low - 1.5 - slot * slots.length;
+  slots.forEach((r, i) => {
+    const x = first + slot * (i + .5);
+    position.set(r.band, x);
+    ticks.push({value: x, label: slotName(r.band)});
+  });
+  for (let e = high; e >= low; --e) ticks.push({value: e, label: power(e), decade: high - e});
+  ticks.sort((a, b) => a.value - b.value);
+  return {position, ticks, slots: slots.length, slot, low, min: slots.length ? first : low, max: high};
+}
+
+// The vertical axis for a set of rows: log10 of the error in eps, a floor for what is 0 or too small to draw,
+// and ceilings for what is not an error in eps: NaN and Inf, a wrong branch.
+const SMALLEST = -3;  // smaller errors are drawn on the floor, which then says so
+
+function verticalAxis(rows, statistics) {
+  const values = rows.flatMap(r => statistics.map(s => r[s])).filter(v => typeof v === "number");
+  const logs = values.filter(v => v > 0).map(Math.log10).filter(v => v >= SMALLEST);
+  logs.push(...rows.filter(r => r.rule === "forward" && r.budget > 0).map(r => Math.log10(r.budget)));
+  const least = Math.floor(Math.min(0, ...logs)), most = Math.ceil(Math.max(1, ...logs) + .2);
+  const gap = Math.max(1, .08 * (most - least));  // so that the labels of floor and ceiling stand free
+  const below = values.some(v => v > 0 && Math.log10(v) < SMALLEST);
+  const floor = values.some(v => v === 0) || below ? least - gap : null;
+  const seen = OUTCOMES.filter(o => rows.some(o.holds));
+  const ticks = [];
+  if (floor !== null) ticks.push({value: floor, label: below ? "< 10⁻³" : "0"});
+  const step = Math.ceil((most - least) / 9);
+  for (let e = least; e <= most; e += step) ticks.push({value: e, label: power(e)});
+  const ceilings = seen.map((o, i) => ({...o, value: most + (2 + 3 * i) * gap}));
+  for (const c of ceilings) ticks.push({value: c.value, label: c.lines});
+  const place = v => v > 0 && Math.log10(v) >= SMALLEST ? Math.log10(v) : floor;
+  const top = ceilings.length ? ceilings.at(-1).value + 1.3 * gap : most + .4 * gap;
+  return {ticks, floor, ceilings, rim: most + .6 * gap, place, min: (floor ?? least) - .4 * gap, max: top};
+}
+
+// The ticks that find room in `width` pixels: every slot; every decade, every second, fifth, … that is clear of them.
+function roomy(ticks, span, width) {
+  const decade = width / span;
+  const step = [1, 2, 5, 10, 20, 50].find(s => s * decade >= 38) ?? 100;
+  const slots = ticks.filter(t => t.decade === undefined);
+  const clear = t => slots.every(s => Math.abs(s.value - t.value) * decade >= 26);
+  return ticks.filter(t => t.decade === undefined || (t.decade % step === 0 && clear(t)));
+}
+
+const notFinite = row => row.not_finite > 0 || typeof row.max_eps === "string";
+// What is no error in eps stands above the axis, in a row of its own.
+const OUTCOMES = [
+  {name: "wrong branch", lines: ["wrong", "branch"], holds: row => row.wrong_branch > 0},
+  {name: "NaN or Inf", lines: ["NaN", "or Inf"], holds: notFinite}];

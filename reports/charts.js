@@ -1,0 +1,123 @@
+// Charts: one pair (near 0, near pi) for a block of an operation, made when they come into view.
+
+// Okabe and Ito's colours; a marker shape each, so that the chart reads in black and white.
+const LOOKS = [
+  {color: "#0072b2", shape: "circle"}, {color: "#d55e00", shape: "triangle"}, {color: "#009e73", shape: "rect"},
+  {color: "#cc79a7", shape: "rectRot"}, {color: "#000000", shape: "crossRot"}, {color: "#e69f00", shape: "star"},
+  {color: "#56b4e9", shape: "cross"}];
+const KNOWN = ["liecheck", "textbook", "eigen", "ceres"];
+const STATISTICS = {
+  max_eps: {name: "max", dash: [], width: 2}, p99_eps: {name: "p99", dash: [7, 4], width: 1.3},
+  median_eps: {name: "median", dash: [1.5, 3], width: 1.5}};
+const KINDS = {
+  theta: {head: "near 0", title: "rotation angle θ = ‖φ‖ ≥ 0 [rad]", reverse: false},
+  pi_minus_theta: {head: "near π", title: "π − θ ≥ 0 [rad], θ grows to the right", reverse: true}};
+const INK = "#1b1b1b", FONT = {size: 12, family: "system-ui, 'DejaVu Sans', Helvetica, sans-serif"};
+
+function lookOf(subject) {
+  const others = subjects.filter(s => !KNOWN.includes(s));
+  const i = KNOWN.includes(subject) ? KNOWN.indexOf(subject) : KNOWN.length + others.indexOf(subject);
+  return LOOKS[i % LOOKS.length];
+}
+
+function short(value) {
+  if (typeof value === "string") return value === "inf" ? "Inf" : "NaN";
+  if (value === 0) return "0";
+  return value >= 0.01 && value < 1e4 ? String(+value.toPrecision(3)) : value.toExponential(2).replace("e+", "e");
+}
+
+const count = (n, what) => n > 0 ? [`${n} ${what}`] : [];
+const outcomes = row => [...count(row.not_finite, "NaN or Inf"), ...count(row.wrong_branch, "wrong branch"),
+  ...count(row.refused, "refused"), ...count(row.ill_posed, "ill-posed"), ...count(row.unresolved, "unresolved")];
+
+// The datasets of one chart: a line for each subject and statistic, broken at every slot.
+function datasets(rows, x, y, statistics) {
+  const present = subjects.filter(s => rows.some(r => r.subject === s));
+  const shift = (s, slot) => slot ? (present.indexOf(s) + .5 - present.length / 2) * x.slot * .8 / present.length : 0;
+  const sets = [];
+  for (const subject of present) {
+    const {color, shape} = lookOf(subject);
+    const own = rows.filter(r => r.subject === subject && r.count > 0)
+      .sort((a, b) => x.position.get(a.band) - x.position.get(b.band));
+    for (const statistic of statistics) {
+      const {dash, width} = STATISTICS[statistic], main = statistic === "max_eps", data = [];
+      for (const row of own) {
+        const at = x.position.get(row.band) + shift(subject, isSlot(row));
+        const value = typeof row[statistic] === "number" ? y.place(row[statistic]) : NaN;
+        if (isSlot(row)) data.push({x: at, y: NaN});
+        data.push({x: at, y: value, row, statistic, radius: main ? 4.5 : isSlot(row) ? 2 : 0});
+        if (isSlot(row)) data.push({x: at, y: NaN});
+      }
+      sets.push({label: subject, data, borderColor: color, backgroundColor: main ? color : "#fff", borderDash: dash,
+        borderWidth: width, pointStyle: shape, pointRadius: c => c.raw?.radius ?? 0, pointBorderWidth: 1.5,
+        pointHoverRadius: 7, order: main ? 1 : 2, clip: 8});
+    }
+    const broken = y.ceilings.flatMap(c => own.filter(c.holds).map(row => ({row, statistic: c.name, y: c.value,
+      x: x.position.get(row.band) + shift(subject, isSlot(row))})));
+    if (broken.length)
+      sets.push({label: subject, data: broken, showLine: false, borderColor: color, backgroundColor: "#fff",
+        borderWidth: 2, pointStyle: shape, pointRadius: 6, pointHoverRadius: 8, order: 0, clip: 8});
+  }
+  return sets;
+}
+
+// What Chart.js has no element for: the grey slots with their names, the budget, the line under what is no error in eps.
+const furniture = {
+  id: "furniture",
+  beforeDatasetsDraw(chart, _, {x, y, spans}) {
+    const {ctx, chartArea: area, scales} = chart, px = v => scales.x.getPixelForValue(v);
+    ctx.save();
+    if (x.slots) {
+      const a = px(x.min), b = px(x.min + x.slot * x.slots);
+      ctx.fillStyle = "#e9e9e9";
+      for (let i = 0; i < x.slots; ++i) {
+        const l = px(x.min + x.slot * (i + .04)), r = px(x.min + x.slot * (i + .96));
+        ctx.fillRect(Math.min(l, r), area.top, Math.abs(r - l), area.bottom - area.top);
+      }
+      ctx.strokeStyle = "#555"; ctx.setLineDash([2, 3]);
+      const edge = (b + px(x.low)) / 2;
+      ctx.beginPath(); ctx.moveTo(edge, area.top); ctx.lineTo(edge, area.bottom); ctx.stroke();
+      ctx.setLineDash([]); ctx.fillStyle = INK; ctx.font = `11px ${FONT.family}`;
+      ctx.textAlign = "right"; ctx.textBaseline = "middle";
+      for (const {value, label} of x.ticks.filter(t => t.upright)) {
+        ctx.save(); ctx.translate(px(value), area.bottom + 6); ctx.rotate(-Math.PI / 2);
+        ctx.fillText(label, 0, 0); ctx.restore();
+      }
+    }
+    if (y.ceilings.length) {
+      ctx.strokeStyle = "#555"; ctx.setLineDash([2, 3]);
+      const h = scales.y.getPixelForValue(y.rim);
+      ctx.beginPath(); ctx.moveTo(area.left, h); ctx.lineTo(area.right, h); ctx.stroke();
+    }
+    ctx.strokeStyle = INK; ctx.lineWidth = 1.2; ctx.setLineDash([10, 3, 2, 3]);
+    for (const s of spans) {
+      const h = scales.y.getPixelForValue(Math.log10(s.budget));
+      ctx.beginPath(); ctx.moveTo(px(s.from), h); ctx.lineTo(px(s.to), h); ctx.stroke();
+    }
+    ctx.restore();
+  },
+  afterDatasetsDraw(chart, _, {spans}) {
+    const {ctx, chartArea: area, scales} = chart;
+    ctx.save(); ctx.font = `600 11px ${FONT.family}`; ctx.textBaseline = "bottom"; ctx.textAlign = "left";
+    for (const budget of new Set(spans.map(s => s.budget))) {
+      const left = Math.min(...spans.filter(s => s.budget === budget)
+        .flatMap(s => [s.from, s.to]).map(v => scales.x.getPixelForValue(v)));
+      const text = `budget ${short(budget)} eps`, width = ctx.measureText(text).width;
+      const at = Math.min(left + 4, area.right - width - 2), h = scales.y.getPixelForValue(Math.log10(budget)) - 3;
+      ctx.fillStyle = "rgba(255,255,255,.85)"; ctx.fillRect(at - 2, h - 12, width + 4, 13);
+      ctx.fillStyle = INK; ctx.fillText(text, at, h);
+    }
+    ctx.restore();
+  }};
+
+// Where which budget holds: one span a band, joined where neighbours agree.
+function budgetSpans(rows, x) {
+  const spans = new Map();
+  for (const r of rows) {
+    if (r.rule !== "forward" || !(r.budget > 0)) continue;
+    const c = x.position.get(r.band);
+    const [from, to] = isSlot(r) ? [c - x.slot / 2, c + x.slot / 2] : [Math.log10(r.low), Math.log10(r.high)];
+    spans.set(`${r.budget} ${r.band}`, {budget: r.budget, from, to});
+  }
+  return [...spans.values()];
+}

@@ -1,0 +1,132 @@
+// A figure: title, definition, legend, and its charts.
+
+const element = (name, attributes = {}, ...children) => {
+  const made = document.createElement(name);
+  for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);
+  made.append(...children);
+  return made;
+};
+
+const waiting = new Map();  // canvas holder -> what makes its chart
+const watcher = new IntersectionObserver(entries => {
+  for (const e of entries) if (e.isIntersecting) draw(e.target);
+}, {rootMargin: "600px"});
+
+function draw(holder) {
+  const make = waiting.get(holder);
+  if (!make) return;
+  waiting.delete(holder);
+  watcher.unobserve(holder);
+  make();
+}
+
+// On paper: every chart, at the size it has there; the browser scales a canvas, it does not redraw it. The tables
+// of bands that have no chart are unfolded; the others stay on the screen and in report.csv.
+let unfolded = [];
+function toPaper() {
+  [...waiting.keys()].forEach(draw);
+  unfolded = [...document.querySelectorAll("#axisless > details:not([open])")];
+  for (const fold of unfolded) { fold.fill(); fold.open = true; }
+  for (const holder of document.querySelectorAll(".canvas"))
+    Chart.getChart(holder.firstElementChild)?.resize(holder.closest(".single") ? 700 : 345, 350);
+}
+function fromPaper() {
+  for (const fold of unfolded) fold.open = false;
+  for (const holder of document.querySelectorAll(".canvas")) Chart.getChart(holder.firstElementChild)?.resize();
+}
+
+function forget(container) {  // its charts, before it is filled anew
+  for (const holder of container.querySelectorAll(".canvas")) {
+    watcher.unobserve(holder);
+    waiting.delete(holder);
+    Chart.getChart(holder.firstElementChild)?.destroy();
+  }
+  container.replaceChildren();
+}
+
+function swatch(subject) {
+  const {color, shape} = lookOf(subject), ns = "http://www.w3.org/2000/svg";
+  const marks = {circle: "M12 6a4 4 0 1 0 8 0a4 4 0 1 0-8 0", triangle: "M16 2l5 8h-10z", rect: "M12 2h8v8h-8z",
+    rectRot: "M16 1l5 5l-5 5l-5-5z", crossRot: "M12 2l8 8m0-8l-8 8", cross: "M16 1v10m-5-5h10",
+    star: "M12 2l8 8m0-8l-8 8M16 1v10m-5-5h10"};
+  const svg = document.createElementNS(ns, "svg"), path = document.createElementNS(ns, "path");
+  for (const [k, v] of Object.entries({width: 32, height: 12, "aria-hidden": "true"})) svg.setAttribute(k, v);
+  for (const [k, v] of Object.entries({d: "M0 6h32" + marks[shape], stroke: color, "stroke-width": 1.8, fill: color}))
+    path.setAttribute(k, v);
+  svg.append(path);
+  return svg;
+}
+
+function legend(rows, statistics) {
+  const list = element("ul", {class: "legend", "aria-label": "Legend"});
+  for (const s of subjects.filter(s => rows.some(r => r.subject === s)))
+    list.append(element("li", {}, swatch(s), s));
+  list.append(element("li", {}, statistics.map(s => ({max_eps: "max found: solid", p99_eps: "p99: dashed",
+    median_eps: "median: dotted"})[s]).join(", ")));
+  const above = OUTCOMES.filter(o => rows.some(o.holds)).map(o => o.name);
+  if (above.length) list.append(element("li", {}, `hollow, at the top edge: ${above.join("; ")}`));
+  return list;
+}
+
+// What the chart shows, for those who do not see it.
+function spoken(rows, head) {
+  const parts = subjects.flatMap(s => {
+    const own = rows.filter(r => r.subject === s && r.count > 0);
+    if (!own.length) return [];
+    const worst = own.reduce((a, b) => notFinite(b) || (!notFinite(a) && b.max_eps > a.max_eps) ? b : a);
+    return [`${s} at most ${notFinite(worst) ? "NaN or Inf" : short(worst.max_eps) + " eps"}, in ${worst.band}`];
+  });
+  return `Error in eps ${head}, log-log. Largest found: ${parts.join("; ")}.`;
+}
+
+function plot(rows, kind, y, statistics, foot) {
+  const {head, title, reverse} = KINDS[kind], x = horizontalAxis(rows);
+  const canvas = element("canvas", {role: "img", "aria-label": spoken(rows, head)});
+  const holder = element("div", {class: "canvas"}, canvas);
+  for (const t of x.ticks) t.upright = t.label.length > 3 && rows.some(r => isSlot(r) && slotName(r.band) === t.label);
+  const ticks = source => ({color: INK, font: FONT, autoSkip: false, minRotation: 0, maxRotation: 0,
+    callback: v => source.find(t => t.value === v && !t.upright)?.label ?? ""});
+  const build = axis => { axis.ticks = roomy(x.ticks, x.max - x.min, axis.chart.width - 90).map(t => ({value: t.value})); };
+  waiting.set(holder, () => new Chart(canvas, {
+    type: "line",
+    data: {datasets: datasets(rows, x, y, statistics)},
+    plugins: [furniture],
+    options: {
+      animation: false, maintainAspectRatio: false, parsing: true, devicePixelRatio: Math.max(2, devicePixelRatio),
+      layout: {padding: {right: 14, top: 4}},
+      interaction: {mode: "nearest", intersect: false},
+      scales: {
+        x: {type: "linear", reverse, min: x.min, max: x.max, afterBuildTicks: build, ticks: ticks(x.ticks),
+          grid: {color: "#ececec"}, afterFit: axis => { axis.height = foot; },
+          title: {display: true, text: title, color: INK, font: FONT}},
+        y: {type: "linear", min: y.min, max: y.max, afterBuildTicks: axis => { axis.ticks = y.ticks.map(t => ({value: t.value})); }, ticks: ticks(y.ticks),
+          grid: {color: "#ececec"}, afterFit: axis => { axis.width = 66; },
+          title: {display: true, text: "error [eps]", color: INK, font: FONT}}},
+      plugins: {
+        furniture: {x, y, spans: budgetSpans(rows, x)}, legend: {display: false},
+        tooltip: {callbacks: {title: items => items.length ? `${items[0].raw.row.band}` : "", label: item => tip(item.raw)}}}}}));
+  watcher.observe(holder);
+  return element("div", {class: "plot"}, element("h4", {}, head), holder);
+}
+
+function tip({row, statistic}) {
+  const values = Object.entries(STATISTICS).map(([k, s]) => `${k === statistic ? "▸ " : ""}${s.name} ${short(row[k])}`);
+  return [`${row.subject}: ${values.join(", ")} eps`, `${row.count} cases; the maximum is a lower bound`,
+    `rule ${row.rule}: ${row.rule === "excess" ? `excess ${short(row.max_excess)}, ` : ""}budget ${short(row.budget)}, ${row.status}`,
+    ...outcomes(row)];
+}
+
+// The charts of some rows (one scalar, one block of one operation) over one vertical range.
+function charts(rows, statistics, kinds = ["theta", "pi_minus_theta"]) {
+  const shown = kinds.map(k => [k, rows.filter(r => r.axis === k)]).filter(([, own]) => own.some(r => r.count > 0));
+  const pair = element("div", {class: shown.length > 1 ? "pair" : "pair single"});
+  const y = verticalAxis(shown.flatMap(([, own]) => own), statistics);
+  const foot = some => {  // room for the names of slots under the axis
+    const longest = Math.max(0, ...some.filter(isSlot).map(r => slotName(r.band).length));
+    return longest > 3 ? 34 + 5.8 * Math.min(longest, 18) : 50;
+  };
+  const stacked = matchMedia("(max-width: 760px)").matches;  // side by side, both charts end at one height
+  for (const [kind, own] of shown)
+    pair.append(plot(own, kind, y, statistics, foot(stacked ? own : shown.flatMap(([, some]) => some))));
+  return pair;
+}

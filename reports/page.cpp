@@ -1,0 +1,287 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <reports/page.hpp>
+#include <reports/page_parts.hpp>
+#include <reports/summary.hpp>
+#include <stdexcept>
+
+namespace liecheck::reports {
+
+namespace {
+
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (char c : text) switch (c) {
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      default:
+        out += c;
+    }
+  return out;
+}
+
+/// JSON that cannot end the script element it stands in.
+std::string inlined(const Json& value) {
+  std::string out;
+  for (char c : value.dump()) out += c == '<' ? std::string("\\u003c") : std::string(1, c);
+  return out;
+}
+
+std::string eps_text(double value) {
+  if (std::isnan(value)) return "NaN";
+  if (std::isinf(value)) return "Inf";
+  return fmt::format("{:.3g}", value);
+}
+
+using Cells = std::vector<std::string>;  // HTML
+
+/// dense: cells on one line; the table scrolls sideways instead.
+std::string table(const std::string& caption, const Cells& heads, const std::vector<Cells>& rows,
+                  bool dense = false) {
+  std::string out = fmt::format(
+      "<div class=\"scroll{1}\" tabindex=\"0\" role=\"region\" aria-label=\"{0}\"><table>"
+      "<caption>{0}</caption>\n<thead><tr>",
+      escaped(caption), dense ? " dense" : "");
+  for (const auto& head : heads) out += "<th scope=\"col\">" + head + "</th>";
+  out += "</tr></thead>\n<tbody>\n";
+  for (const Cells& row : rows) {
+    out += "<tr><th scope=\"row\">" + row.front() + "</th>";
+    for (std::size_t i = 1; i < row.size(); ++i) out += "<td>" + row[i] + "</td>";
+    out += "</tr>\n";
+  }
+  return out + "</tbody></table></div>\n";
+}
+
+std::string code(const std::string& text) {
+  return "<code>" + escaped(text) + "</code>";
+}
+
+std::string text_of(const Json& row, const char* name) {
+  return escaped(row[name].get<std::string>());
+}
+
+/// "max 2.31e+03 eps", or the outcome that took its place.
+std::string judged_text(const Json& row) {
+  if (row["not_finite"] > 0 || !std::isfinite(judged(row))) return "<b>NaN or Inf</b>";
+  if (row["wrong_branch"] > 0) return "<b>wrong branch</b>";
+  return eps_text(judged(row)) + (row["rule"] == "excess" ? " excess" : " eps");
+}
+
+std::string place(const Json& row) {
+  return fmt::format("{} {}, {}", text_of(row, "operation"), text_of(row, "block"), text_of(row, "band"));
+}
+
+std::string verdict_section(const Merged& merged) {
+  const std::string verdict_word = verdict(merged);
+  const auto all = standings(merged);
+  std::string out =
+      fmt::format("<p class=\"verdict {0}\"><strong>{1}</strong> {2}</p>\n", verdict_word,
+                  verdict_word == "pass"   ? "PASS"
+                  : verdict_word == "fail" ? "FAIL"
+                                           : "INCOMPLETE",
+                  verdict_word == "pass" ? "Every band judged is within its budget."
+                  : verdict_word == "fail"
+                      ? "At least one band of at least one subject is over its budget; see below whose."
+                      : "The campaign did not settle all that it set out to.");
+  out += "<dl class=\"summary\">\n";
+  const auto item = [&out](std::string_view name, const std::string& value) {
+    out += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>\n", name, value);
+  };
+  for (const auto& [standing, name] : {std::pair("pass", "within budget"),
+                                       {"fail", "over budget"},
+                                       {"incomplete", "incomplete"},
+                                       {"no verdict", "no verdict"}}) {
+    std::vector<std::pair<std::string, Cells>> subjects;  // with their scalars
+    for (const Standing& s : all) {
+      if (word(s) != standing) continue;
+      const auto known = std::find_if(subjects.begin(), subjects.end(),
+                                      [&](const auto& entry) { return entry.first == s.subject; });
+      auto& entry = known == subjects.end() ? subjects.emplace_back(s.subject, Cells{}) : *known;
+      entry.second.push_back(escaped(s.scalar));
+    }
+    Cells texts;
+    for (const auto& [subject, in] : subjects)
+      texts.push_back(fmt::format("<b>{}</b> in {}", escaped(subject), fmt::join(in, ", ")));
+    if (!texts.empty()) item(name, fmt::format("{}", fmt::join(texts, "; ")));
+  }
+  for (const Json& r : merged.records) {
+    const std::string robot =
+        r["robot"].is_null() ? "" : fmt::format("; robot {}", text_of(r["robot"], "name"));
+    item("campaign", fmt::format("seed {}, {} cases for each property × subject × scalar{}", r["seed"].dump(),
+                                 r["cases"].dump(), robot));
+  }
+  item("rows",
+       fmt::format("{}, one for each subject × scalar × property × operation × block × band; {} failed",
+                   merged.results.size(),
+                   std::count_if(merged.results.begin(), merged.results.end(),
+                                 [](const Json& row) { return row["status"] == "fail"; })));
+  out += "</dl>\n";
+  int control_rows = 0, control_failed = 0;
+  for (const Standing& s : all)
+    if (s.subject == "textbook") control_failed += s.failed, control_rows += s.passed + s.failed;
+  if (control_rows > 0)
+    out +=
+        control_failed > 0
+            ? "<p><b>textbook</b> is the positive control: the closed forms of the textbooks with one cutoff "
+              "for small angles. It is meant to fail, and does: the harness sees the fault.</p>\n"
+            : "<p class=\"verdict fail\"><strong>CONTROL PASSED</strong> textbook, the positive control, is "
+              "meant to fail and did not: do not trust this report.</p>\n";
+  if (merged.results.empty()) out += "<p class=\"verdict incomplete\">The records hold no results.</p>\n";
+  return out;
+}
+
+std::string standings_section(const Merged& merged) {
+  std::vector<Cells> rows;
+  for (const Standing& s : standings(merged)) {
+    const std::string standing = word(s);
+    rows.push_back({escaped(s.subject), escaped(s.version), escaped(s.scalar),
+                    fmt::format("<span class=\"status{}\">{}</span>",
+                                s.failed             ? " fail"
+                                : standing == "pass" ? " pass"
+                                                     : "",
+                                standing),
+                    fmt::format("{}", s.passed), fmt::format("{}", s.failed), fmt::format("{}", s.unresolved),
+                    fmt::format("{}", s.ill_posed), fmt::format("{}", s.empty),
+                    fmt::format("{}", s.not_finite), fmt::format("{}", s.wrong_branch),
+                    s.worst ? judged_text(*s.worst) + " (budget " + eps_text((*s.worst)["budget"]) +
+                                  "): " + place(*s.worst)
+                            : "—"});
+  }
+  return table("Subjects",
+               {"subject", "version", "scalar", "standing", "bands passed", "failed", "unresolved",
+                "ill-posed", "empty", "cases NaN or Inf", "wrong branch", "worst against its budget"},
+               rows, true);
+}
+
+std::string offenders_section(const Merged& merged) {
+  std::vector<Cells> rows;
+  for (const Json* row : worst_offenders(merged, 12)) {
+    const Json& r = *row;
+    rows.push_back({text_of(r, "subject"), text_of(r, "scalar"), text_of(r, "operation"), text_of(r, "block"),
+                    text_of(r, "band"), judged_text(r), eps_text(r["budget"]),
+                    !has_worst(r)
+                        ? "—"
+                        : "<code class=\"replay\">liecheck replay " + text_of(r["worst"], "id") + "</code>"});
+  }
+  if (rows.empty()) return "<p>No row is over its budget.</p>\n";
+  return table("Worst offenders: each subject’s worst band of an operation and block, at most 12",
+               {"subject", "scalar", "operation", "block", "band", "largest found (a lower bound)", "budget",
+                "replay"},
+               rows, true);
+}
+
+/// Rows of a list that every record carries (blocks, operations, properties), each entry once.
+std::vector<Cells> listed(const Merged& merged, const char* list, std::initializer_list<const char*> fields) {
+  std::vector<Cells> rows;
+  for (const Json& record : merged.records)
+    for (const Json& entry : record[list]) {
+      Cells row;
+      for (const char* field : fields) row.push_back(text_of(entry, field));
+      if (std::find(rows.begin(), rows.end(), row) == rows.end()) rows.push_back(row);
+    }
+  return rows;
+}
+
+std::string definitions_section(const Merged& merged) {
+  std::vector<Cells> eps;
+  for (const Standing& s : standings(merged)) {
+    const Cells row = {escaped(s.scalar), fmt::format("{:.6g}", s.eps),
+                       fmt::format("2<sup>{}</sup>", std::ilogb(s.eps))};
+    if (s.eps > 0 && std::find(eps.begin(), eps.end(), row) == eps.end()) eps.push_back(row);
+  }
+  return table("Error of each block", {"block", "error", "denominator", "unit"},
+               listed(merged, "blocks", {"block", "error", "denominator", "unit"})) +
+         table("Unit of error of each scalar", {"scalar", "eps", "power of two"}, eps) +
+         table("Operations", {"operation", "definition", "frame and order"},
+               listed(merged, "operations", {"operation", "definition", "frame"})) +
+         table("Properties", {"property", "law", "equation", "source"},
+               listed(merged, "properties", {"property", "law", "equation", "source"}));
+}
+
+std::string coverage_section(const Merged& merged) {
+  std::vector<Cells> rows;
+  for (const Standing& s : standings(merged))
+    for (const std::string& name : s.not_offered)
+      rows.push_back({escaped(s.subject), escaped(s.scalar), escaped(name), "not offered"});
+  for (const Json& record : merged.records)
+    for (const Json& name : record["absent"]) {
+      const Cells row = {escaped(name.get<std::string>()), "all", "all", "absent from this build"};
+      if (std::find(rows.begin(), rows.end(), row) == rows.end()) rows.push_back(row);
+    }
+  if (rows.empty()) return "<p>Every subject offers every operation; none is absent.</p>\n";
+  return table("Not measured", {"subject", "scalar", "operation", "why"}, rows);
+}
+
+std::string machine_section(const Merged& merged) {
+  std::string out;
+  for (const Json& r : merged.records) {
+    const Json& e = r["environment"];
+    std::vector<Cells> rows = {
+        {"liecheck", text_of(r, "version") + ", generators " + r["generator_version"].dump()},
+        {"seed, cases", r["seed"].dump() + ", " + r["cases"].dump()},
+        {"verdict", text_of(r, "verdict")}};
+    if (!r["robot"].is_null())
+      rows.push_back({"robot", text_of(r["robot"], "name") + " " + code(r["robot"]["hash"])});
+    for (const char* name : {"cpu", "os", "compiler"}) rows.push_back({name, text_of(e, name)});
+    rows.push_back({"flags", code(e["flags"])});
+    rows.push_back({"FMA contraction", text_of(e, "fma_contraction")});
+    rows.push_back({"libm", text_of(e, "libm")});
+    for (const char* name : {"inputs", "results"})
+      rows.push_back({std::string("SHA-256 of ") + name, code(r["digest"][name])});
+    out += table("Campaign with seed " + r["seed"].dump(), {"what", "value"}, rows);
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string page(const Merged& merged, const Json& numbers) {
+  const std::map<std::string, std::function<std::string()>, std::less<>> slots = {
+      {"style", [] { return std::string(part("page.css")); }},
+      {"chart library", [] { return std::string(part("chart.min.js")); }},
+      {"scripts",
+       [] {
+         std::string all;
+         for (const char* name : {"axes.js", "charts.js", "figure.js", "tables.js", "page.js"})
+           all += part(name);
+         return all;
+       }},
+      {"numbers", [&] { return inlined(numbers); }},
+      {"verdict word", [&] { return verdict(merged); }},
+      {"verdict", [&] { return verdict_section(merged); }},
+      {"standings", [&] { return standings_section(merged); }},
+      {"offenders", [&] { return offenders_section(merged); }},
+      {"definitions", [&] { return definitions_section(merged); }},
+      {"coverage", [&] { return coverage_section(merged); }},
+      {"machine", [&] { return machine_section(merged); }}};
+  // One pass over the frame: what a slot brings in is not searched for slots.
+  std::string out;
+  std::string_view rest = part("page.html");
+  for (;;) {
+    const auto open = rest.find("{{");
+    out += rest.substr(0, open);
+    if (open == rest.npos) return out;
+    const auto close = rest.find("}}", open);
+    const std::string_view name = rest.substr(open + 2, close - open - 2);
+    const auto slot = slots.find(name);
+    if (slot == slots.end()) throw std::logic_error("page.html: unknown slot " + std::string(name));
+    out += slot->second();
+    rest.remove_prefix(close + 2);
+  }
+}
+
+}  // namespace liecheck::reports

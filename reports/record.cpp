@@ -1,0 +1,185 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <initializer_list>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <reports/record.hpp>
+#include <stdexcept>
+#include <string_view>
+
+namespace liecheck::reports {
+
+namespace {
+
+/// A value in an error line: short, and on one line.
+std::string shown(const Json& value) {
+  std::string text = value.dump(-1, ' ', true);
+  if (text.size() > 60) text = text.substr(0, 57) + "...";
+  return text;
+}
+
+/// A JSON value with the way to it, so that every complaint can name its field.
+class Field {
+ public:
+  Field(const std::string& file, std::string path, const Json& value)
+      : file_(file), path_(std::move(path)), value_(value) {}
+
+  [[noreturn]] void refuse(std::string_view expected) const {
+    throw std::runtime_error(fmt::format("{}: field {}: expected {}, found {}", file_,
+                                         path_.empty() ? "(top level)" : path_, expected, shown(value_)));
+  }
+
+  Field operator[](const char* name) const {
+    if (!value_.is_object()) refuse("an object");
+    const auto it = value_.find(name);
+    if (it == value_.end())
+      throw std::runtime_error(
+          fmt::format("{}: field {}{}{} is missing", file_, path_, path_.empty() ? "" : ".", name));
+    return {file_, path_.empty() ? name : path_ + "." + name, *it};
+  }
+
+  template <class Check>
+  void each(Check check) const {
+    if (!value_.is_array()) refuse("an array");
+    for (std::size_t i = 0; i < value_.size(); ++i)
+      check(Field(file_, fmt::format("{}[{}]", path_, i), value_[i]));
+  }
+
+  void text() const {
+    if (!value_.is_string()) refuse("a string");
+  }
+  void one_of(std::initializer_list<std::string_view> words) const {
+    const bool known =
+        value_.is_string() && std::any_of(words.begin(), words.end(), [this](std::string_view w) {
+          return value_.get_ref<const std::string&>() == w;
+        });
+    if (!known) refuse(fmt::format("one of {}", fmt::join(words, ", ")));
+  }
+  void number() const {
+    if (!value_.is_number()) refuse("a number");
+  }
+  void count() const {
+    if (!value_.is_number_unsigned()) refuse("a count");
+  }
+  void measured() const {
+    const bool word = value_.is_string() && (value_ == "inf" || value_ == "nan");
+    const bool error = value_.is_number() && value_.get<double>() >= 0;
+    if (!word && !error) refuse("a number >= 0, \"inf\" or \"nan\"");
+  }
+  bool null() const { return value_.is_null(); }
+  bool has(const char* name) const { return value_.is_object() && value_.contains(name); }
+  void texts(std::initializer_list<const char*> names) const {
+    for (const char* name : names) (*this)[name].text();
+  }
+
+ private:
+  const std::string& file_;
+  std::string path_;
+  const Json& value_;
+};
+
+void check_result(const Field& row) {
+  row.texts({"subject", "scalar", "property", "operation", "block", "band"});
+  row["axis"].one_of({"theta", "pi_minus_theta", "none"});
+  for (const char* name : {"low", "high", "budget"}) row[name].number();
+  for (const char* name : {"max_eps", "p99_eps", "median_eps", "max_excess"}) row[name].measured();
+  for (const char* name : {"count", "ill_posed", "unresolved", "not_finite", "wrong_branch"})
+    row[name].count();
+  if (row.has("refused")) row["refused"].count();  // younger than the other outcomes
+  row["rule"].one_of({"forward", "excess"});
+  row["status"].one_of({"pass", "fail", "unresolved", "ill-posed", "empty"});
+  const Field worst = row["worst"];
+  if (worst.null()) return;  // a band without a judged case has no worst one
+  worst["id"].text();
+  worst["input"].each([](const Field& x) { x.text(); });
+  if (worst.has("theta")) worst["theta"].number();  // only where the operation has an angle
+}
+
+void check_record(const Field& record) {
+  record.texts({"version"});
+  record["generator_version"].count();
+  for (const char* name : {"seed", "cases"}) record[name].count();
+  record["verdict"].one_of({"pass", "fail", "incomplete"});
+  record["digest"].texts({"inputs", "results"});
+  record["environment"].texts({"cpu", "os", "compiler", "flags", "fma_contraction", "libm"});
+  if (!record["robot"].null()) record["robot"].texts({"name", "hash"});
+  record["subjects"].each([](const Field& subject) {
+    subject.texts({"name", "version", "scalar"});
+    subject["eps"].number();
+    subject["not_offered"].each([](const Field& name) { name.text(); });
+  });
+  record["absent"].each([](const Field& name) { name.text(); });
+  record["blocks"].each([](const Field& b) { b.texts({"block", "error", "denominator", "unit"}); });
+  record["operations"].each([](const Field& o) { o.texts({"operation", "definition", "frame"}); });
+  record["properties"].each([](const Field& p) { p.texts({"property", "law", "equation", "source"}); });
+  record["results"].each(check_result);
+}
+
+/// "line 3, column 14" of a byte, both counted from 1, columns in bytes.
+std::string place(std::string_view bytes, std::size_t at) {
+  const std::string_view before = bytes.substr(0, at);
+  const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+  const auto newline = before.rfind('\n');
+  return fmt::format("line {}, column {}", line, newline == before.npos ? at + 1 : at - newline);
+}
+
+}  // namespace
+
+bool has_worst(const Json& row) {
+  return row["worst"].is_object() && row["worst"]["id"] != "";
+}
+
+double figure(const Json& value) {
+  using Limits = std::numeric_limits<double>;
+  if (value.is_number()) return value.get<double>();
+  return value == "inf" ? Limits::infinity() : Limits::quiet_NaN();
+}
+
+Json read_record(const std::filesystem::path& file) {
+  const std::string name = file.string();
+  std::ifstream in(file, std::ios::binary);
+  if (!in || std::filesystem::is_directory(file))
+    throw std::runtime_error(fmt::format("{}: no readable record there", name));
+  const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+  Json record;
+  try {
+    record = Json::parse(bytes);
+  } catch (const Json::parse_error& error) {
+    const std::size_t at = error.byte > 0 ? error.byte - 1 : 0;
+    const std::string found = at < bytes.size()
+                                  ? shown(Json(fmt::format("{:#04x}", static_cast<unsigned char>(bytes[at]))))
+                                  : "end of the file";
+    throw std::runtime_error(fmt::format("{}: not JSON: {}: unexpected {}", name, place(bytes, at), found));
+  } catch (const Json::exception& error) {  // a number beyond double
+    throw std::runtime_error(fmt::format("{}: not JSON: {}", name, error.what()));
+  }
+  check_record(Field(name, "", record));
+  return record;
+}
+
+Merged merge_records(const std::vector<std::filesystem::path>& files) {
+  if (files.empty()) throw std::runtime_error("no record given: a report needs at least one");
+  Merged merged;
+  std::map<std::vector<std::string>, std::string> seen;
+  for (const auto& file : files) {
+    Json record = read_record(file);
+    for (Json& row : record["results"]) {
+      std::vector<std::string> key;
+      for (const char* name : {"subject", "scalar", "property", "operation", "block", "band"})
+        key.push_back(row[name]);
+      const auto [first, fresh] = seen.emplace(key, file.string());
+      if (!fresh)
+        throw std::runtime_error(fmt::format("{}: field results: row {} is already in {}", file.string(),
+                                             fmt::join(key, " / "), first->second));
+      merged.results.push_back(std::move(row));
+    }
+    record.erase("results");
+    merged.records.push_back(std::move(record));
+  }
+  return merged;
+}
+
+}  // namespace liecheck::reports

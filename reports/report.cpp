@@ -1,0 +1,91 @@
+#include <fmt/format.h>
+
+#include <unistd.h>
+#include <array>
+#include <fstream>
+#include <reports/page.hpp>
+#include <reports/record.hpp>
+#include <reports/report.hpp>
+#include <stdexcept>
+#include <string_view>
+#include <system_error>
+
+namespace liecheck::reports {
+
+namespace {
+
+constexpr std::array columns = {
+    "subject",   "scalar",     "property",   "operation",    "block",      "band",       "axis",   "low",
+    "high",      "count",      "max_eps",    "p99_eps",      "median_eps", "max_excess", "budget", "rule",
+    "ill_posed", "unresolved", "not_finite", "wrong_branch", "refused",    "status"};
+
+/// RFC 4180: quoted where needed, quotes doubled.
+std::string quoted(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string out = "\"";
+  for (char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return out + '"';
+}
+
+std::string cell(const Json& value) {
+  if (value.is_null()) return "";
+  if (value.is_string()) return quoted(value);
+  if (value.is_number_float()) return fmt::format("{:.17g}", value.get<double>());
+  return value.dump();
+}
+
+/// A row per result; the worst input as hexadecimal words parted by spaces.
+std::string csv(const Merged& merged) {
+  std::string out = fmt::format("{},worst_id,worst_theta,worst_input\r\n", fmt::join(columns, ","));
+  for (const Json& row : merged.results) {
+    for (const char* name : columns) out += cell(row.value(name, Json())) + ',';
+    const Json& worst = row["worst"];
+    if (!has_worst(row))
+      out += ",,";
+    else
+      out += quoted(worst["id"]) + ',' + cell(worst.value("theta", Json())) + ',' +
+             quoted(fmt::format("{}", fmt::join(worst["input"].get<std::vector<std::string>>(), " ")));
+    out += "\r\n";
+  }
+  return out;
+}
+
+/// Writes beside the target and renames: a reader sees the old file or the new one, never half of one.
+void write_whole(const std::filesystem::path& file, std::string_view text) {
+  std::filesystem::path temporary = file;
+  temporary += fmt::format(".{}.tmp", ::getpid());
+  std::error_code error;
+  {
+    std::ofstream out(temporary, std::ios::binary | std::ios::trunc);
+    out << text;
+    out.close();
+    if (!out) {
+      std::filesystem::remove(temporary, error);
+      throw std::runtime_error(fmt::format("{}: cannot be written", temporary.string()));
+    }
+  }
+  std::filesystem::rename(temporary, file, error);
+  if (!error) return;
+  const std::string why = error.message();
+  std::filesystem::remove(temporary, error);
+  throw std::runtime_error(fmt::format("{}: cannot be replaced: {}", file.string(), why));
+}
+
+}  // namespace
+
+ReportFiles write_report(const std::vector<std::filesystem::path>& records,
+                         const std::filesystem::path& out_dir) {
+  const Merged merged = merge_records(records);
+  const Json numbers = {{"records", merged.records}, {"results", merged.results}};
+  std::error_code error;
+  std::filesystem::create_directories(out_dir, error);
+  if (error)
+    throw std::runtime_error(fmt::format("{}: cannot be created: {}", out_dir.string(), error.message()));
+  const ReportFiles files{out_dir / "report.html", out_dir / "report.json", out_dir / "report.csv"};
+  write_whole(files.json, numbers.dump(1) + '\n');
+  write_whole(files.csv, csv(merged));
+  write_whole(files.html, page(merged, numbers));
+  return files;
+}
+
+}  // namespace liecheck::reports

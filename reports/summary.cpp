@@ -1,0 +1,99 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <reports/summary.hpp>
+#include <set>
+
+namespace liecheck::reports {
+
+double judged(const Json& row) {
+  return figure(row["rule"] == "excess" ? row["max_excess"] : row["max_eps"]);
+}
+
+namespace {
+/// Over budget by this factor; infinite where an outcome is no error at all: NaN, Inf, a wrong branch.
+double ratio(const Json& row) {
+  const double value = judged(row);
+  if (!std::isfinite(value) || row["not_finite"] > 0 || row["wrong_branch"] > 0)
+    return std::numeric_limits<double>::infinity();
+  return value / std::max(row["budget"].get<double>(), std::numeric_limits<double>::min());
+}
+}  // namespace
+
+bool worse(const Json& a, const Json& b) {
+  const double ra = ratio(a), rb = ratio(b);
+  if (ra != rb) return ra > rb;
+  return std::pair(a["not_finite"], a["wrong_branch"]) > std::pair(b["not_finite"], b["wrong_branch"]);
+}
+
+std::string word(const Standing& s) {
+  return s.failed ? "fail" : s.unresolved ? "incomplete" : s.passed ? "pass" : "no verdict";
+}
+
+std::string verdict(const Merged& merged) {
+  const auto any = [&](const char* word) {
+    return std::any_of(merged.records.begin(), merged.records.end(),
+                       [&](const Json& r) { return r["verdict"] == word; });
+  };
+  return any("fail") ? "fail" : any("incomplete") || merged.results.empty() ? "incomplete" : "pass";
+}
+
+std::vector<Standing> standings(const Merged& merged) {
+  std::vector<Standing> all;
+  std::map<std::pair<std::string, std::string>, std::size_t> index;
+  const auto of = [&](const std::string& subject, const std::string& scalar) -> Standing& {
+    const auto [it, fresh] = index.emplace(std::pair(subject, scalar), all.size());
+    if (fresh) {
+      all.emplace_back();
+      all.back().subject = subject;
+      all.back().scalar = scalar;
+    }
+    return all[it->second];
+  };
+  for (const Json& record : merged.records)
+    for (const Json& s : record["subjects"]) {
+      Standing& standing = of(s["name"], s["scalar"]);
+      standing.version = s["version"];
+      standing.eps = s["eps"];
+      for (const auto& name : s["not_offered"])
+        if (std::find(standing.not_offered.begin(), standing.not_offered.end(), name) ==
+            standing.not_offered.end())
+          standing.not_offered.push_back(name.get<std::string>());
+    }
+  for (const Json& row : merged.results) {
+    Standing& s = of(row["subject"], row["scalar"]);
+    const std::string status = row["status"];
+    ++(status == "pass"         ? s.passed
+       : status == "fail"       ? s.failed
+       : status == "unresolved" ? s.unresolved
+       : status == "empty"      ? s.empty
+                                : s.ill_posed);
+    s.cases += row["count"].get<std::uint64_t>();
+    s.not_finite += row["not_finite"].get<std::uint64_t>();
+    s.wrong_branch += row["wrong_branch"].get<std::uint64_t>();
+    const bool was_judged = status == "pass" || status == "fail";
+    if (was_judged && (!s.worst || worse(row, *s.worst))) s.worst = &row;
+  }
+  return all;
+}
+
+std::vector<const Json*> worst_offenders(const Merged& merged, std::size_t limit) {
+  std::vector<const Json*> failing;
+  for (const Json& row : merged.results)
+    if (row["status"] == "fail") failing.push_back(&row);
+  std::stable_sort(failing.begin(), failing.end(),
+                   [](const Json* a, const Json* b) { return worse(*a, *b); });
+  std::vector<const Json*> chosen;
+  std::set<std::vector<std::string>> seen;
+  for (const Json* row : failing) {
+    if (chosen.size() == limit) break;
+    std::vector<std::string> key;
+    for (const char* name : {"subject", "scalar", "property", "operation", "block"})
+      key.push_back((*row)[name]);
+    if (seen.insert(key).second) chosen.push_back(row);
+  }
+  return chosen;
+}
+
+}  // namespace liecheck::reports

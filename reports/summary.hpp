@@ -1,0 +1,42 @@
+#pragma once
+// What the rows of a report come to: the verdict, how each subject fared, the worst offenders.
+
+#include <cstdint>
+#include <reports/record.hpp>
+#include <string>
+#include <vector>
+
+namespace liecheck::reports {
+
+/// One subject in one scalar.
+struct Standing {
+  std::string subject, version, scalar;
+  double eps = 0;
+  int passed = 0, failed = 0, unresolved = 0, ill_posed = 0, empty = 0;  ///< bands, by status
+  std::uint64_t cases = 0, not_finite = 0, wrong_branch = 0;             ///< cases
+  const Json* worst = nullptr;  ///< its worst judged row; null without any
+  std::vector<std::string> not_offered;
+};
+
+/// The figure a row is judged by: max_eps under rule "forward", max_excess under "excess".
+double judged(const Json& row);
+
+/// "fail" with any band failed, "incomplete" with any unresolved, "pass", or "no verdict" without a judged
+/// one.
+std::string word(const Standing& standing);
+
+/// Whether row a is the worse error: not finite or on a wrong branch before any number, then the larger ratio
+/// to its budget.
+bool worse(const Json& a, const Json& b);
+
+/// "fail" if any record failed, else "incomplete" if any is, else "pass"; without a row, nothing passed.
+std::string verdict(const Merged& merged);
+
+/// Subjects in the order of the records.
+std::vector<Standing> standings(const Merged& merged);
+
+/// The failing rows, at most `limit`, no more than one for each subject, scalar, property, operation and
+/// block.
+std::vector<const Json*> worst_offenders(const Merged& merged, std::size_t limit);
+
+}  // namespace liecheck::reports

@@ -1,0 +1,590 @@
+// multibody/configuration.hpp and the free-flyer's kernels below it. Rows S5 to S15, S22, S23.
+//
+// Expected values are closed forms worked out by hand, or central differences; accuracy over all angles is
+// the campaign's business, not this file's.
+
+#include <gtest/gtest.h>
+
+#include <liecheck/multibody/configuration.hpp>
+#include <numbers>
+
+namespace {
+
+using namespace liecheck;
+
+template <class S>
+constexpr S half_pi = std::numbers::pi_v<S> / 2;
+
+/// Identity at the origin, a free-flyer's neutral.
+template <class S>
+Vector7<S> identity() {
+  return Vector7<S>::Unit(6);
+}
+/// At p, turned about z by angle.
+template <class S>
+Vector7<S> yawed(S angle, const Vector3<S>& p = Vector3<S>::Zero()) {
+  Vector7<S> q;
+  q << p, S(0), S(0), std::sin(angle / 2), std::cos(angle / 2);
+  return q;
+}
+/// A pose and increments without zeros or symmetry.
+template <class S>
+Vector7<S> generic() {
+  Vector7<S> q;
+  q << S(0.3), S(-1.2), S(2.5), SO3<S>(Vector4<S>(S(0.4), S(-0.2), S(0.5), S(-0.7))).normalized().to_vector();
+  return q;
+}
+template <class S>
+Vector6<S> increment() {
+  Vector6<S> d;
+  d << S(0.7), S(-0.4), S(1.1), S(0.9), S(-1.3), S(0.6);
+  return d;
+}
+template <class A, class B>
+auto error(const A& a, const B& b) {
+  return (a - b).norm();
+}
+
+/// Joints whose offsets in q and v differ: a prismatic joint, a free-flyer behind it, a continuous joint, a
+/// revolute.
+template <class S>
+Model<S> someRobot() {
+  Model<S> m;
+  const SE3<S> I = SE3<S>::Identity();
+  int j = m.addJoint(0, Prismatic<S>(Axis<S>::X()), I, "slide");
+  j = m.addJoint(j, FreeFlyer<S>(), I, "floating");
+  j = m.addJoint(j, Continuous<S>(Axis<S>::Y()), I, "wheel");
+  m.addJoint(j, Revolute<S>(Axis<S>::Z()), I, "flap");
+  return m;
+}
+/// A configuration and an increment of someRobot.
+template <class S>
+VectorX<S> someConfiguration() {
+  VectorX<S> q(11);
+  q << S(0.25), generic<S>(), std::cos(S(0.8)), std::sin(S(0.8)), S(-0.5);
+  return q;
+}
+template <class S>
+VectorX<S> someIncrement() {
+  VectorX<S> d(9);
+  d << S(0.1), increment<S>(), S(2), S(0.3);
+  return d;
+}
+
+template <class S>
+class Configuration : public testing::Test {
+ protected:
+  static constexpr S eps = liecheck::eps<S>();
+};
+using Scalars = testing::Types<float, double>;
+TYPED_TEST_SUITE(Configuration, Scalars);
+
+// S9: an arc, not a step and a turn.
+TYPED_TEST(Configuration, IntegrateFromTheIdentityEndsOnTheArc) {
+  using S = TypeParam;
+  Vector6<S> d;
+  d << S(1), S(0), S(0), S(0), S(0), half_pi<S>;
+  const Vector7<S> q = integrateSE3<S>(identity<S>(), d);
+  const S reach = 1 / half_pi<S>;
+  EXPECT_LE(error(q.template head<3>(), Vector3<S>(reach, reach, S(0))), 4 * this->eps);
+  EXPECT_LE(error(q.template tail<4>(), yawed(half_pi<S>).template tail<4>()), 4 * this->eps);
+}
+
+// S8
+TYPED_TEST(Configuration, AtAYawOf90DegreesBodyXMovesAlongWorldY) {
+  using S = TypeParam;
+  const Vector3<S> p(S(1), S(2), S(3));
+  const Vector7<S> q = integrateSE3<S>(yawed(half_pi<S>, p), Vector6<S>::Unit(0));
+  EXPECT_LE(error(q.template head<3>(), Vector3<S>(S(1), S(3), S(3))), 8 * this->eps);
+}
+
+TYPED_TEST(Configuration, AnIncrementOfZeroChangesNothing) {
+  using S = TypeParam;
+  const Vector7<S> q = generic<S>();
+  EXPECT_EQ(integrateSE3<S>(q, Vector6<S>::Zero()).template head<3>(), q.template head<3>());
+  EXPECT_LE(error(integrateSE3<S>(q, Vector6<S>::Zero()), q), 2 * this->eps);
+  EXPECT_EQ(differenceSE3<S>(q, q), (Vector6<S>::Zero()));
+}
+
+// S10
+TYPED_TEST(Configuration, DifferenceUndoesIntegrateBelowHalfATurn) {
+  using S = TypeParam;
+  const Vector6<S> d = increment<S>();
+  const Vector6<S> back = differenceSE3<S>(generic<S>(), integrateSE3<S>(generic<S>(), d));
+  // The positions, up to 4 m, were rounded once more.
+  EXPECT_LE(error(back, d), 32 * this->eps);
+}
+TYPED_TEST(Configuration, BeyondHalfATurnThePoseIsEqualAndTheVectorIsNot) {
+  using S = TypeParam;
+  const Vector6<S> d = S(2) * increment<S>();
+  const Vector7<S> q1 = integrateSE3<S>(generic<S>(), d);
+  const Vector6<S> back = differenceSE3<S>(generic<S>(), q1);
+  EXPECT_LE(back.template tail<3>().norm(), pi<S>());
+  EXPECT_GT(error(back, d), S(1));
+  EXPECT_LE(error(differenceSE3<S>(q1, integrateSE3<S>(generic<S>(), back)), Vector6<S>(Vector6<S>::Zero())),
+            64 * this->eps);
+}
+TYPED_TEST(Configuration, TheLinearPartOfDifferenceIsNotTheDifferenceOfPositions) {
+  using S = TypeParam;
+  const Vector6<S> d = differenceSE3<S>(identity<S>(), yawed(half_pi<S>, Vector3<S>(S(1), S(0), S(0))));
+  // J^-1 (1, 0, 0) at a quarter turn about z: (pi/4, -pi/4, 0).
+  EXPECT_LE(error(d.template head<3>(), Vector3<S>(half_pi<S> / 2, -half_pi<S> / 2, S(0))), 4 * this->eps);
+}
+TYPED_TEST(Configuration, AtExactlyHalfATurnDifferenceIsPiAboutEitherSignOfTheAxis) {
+  using S = TypeParam;
+  Vector7<S> q1 = Vector7<S>::Zero();
+  q1[5] = S(1);
+  const Vector6<S> d = differenceSE3<S>(identity<S>(), q1);
+  EXPECT_LE(std::abs(std::abs(d[5]) - pi<S>()), 4 * this->eps);
+  EXPECT_EQ(d.template head<5>().norm(), S(0));
+}
+
+/// The rotation vector from the definitions, in long double; its vector part from Q1 - Q0: for double's
+/// quaternions accurate to 2^-11 eps |Q1 - Q0|. Precondition: less than half a turn, not none.
+template <class S>
+Eigen::Matrix<long double, 3, 1> nearRotation(const Vector7<S>& q0, const Vector7<S>& q1) {
+  using L4 = Eigen::Matrix<long double, 4, 1>;
+  using L3 = Eigen::Matrix<long double, 3, 1>;
+  const L4 a = q0.template tail<4>().template cast<long double>(),
+           b = q1.template tail<4>().template cast<long double>();
+  const L4 d = b - a;
+  const L3 av = a.template head<3>(), dv = d.template head<3>();
+  const L3 v = a[3] * dv - d[3] * av - av.cross(dv);
+  return 2 * std::atan2(v.norm(), a.dot(b)) / v.norm() * v;
+}
+
+TYPED_TEST(Configuration, DifferenceOfNearPosesIsAccurateRelativeToItself) {
+  using S = TypeParam;
+  for (const S angle : {S(0.1), std::cbrt(this->eps), std::sqrt(this->eps), 16 * this->eps}) {
+    const Vector7<S> q0 = generic<S>(), q1 = integrateSE3<S>(q0, Vector6<S>(angle * increment<S>()));
+    const auto expected = nearRotation<S>(q0, q1);
+    const Vector3<S> phi = differenceSE3<S>(q0, q1).template tail<3>();
+    EXPECT_LE(error(phi.template cast<long double>(), expected), 4 * this->eps * expected.norm()) << angle;
+  }
+}
+// Every coefficient three ulp up, in a quaternion of nearly equal ones: Q1 - Q0 is almost parallel to Q0 and
+// all but a thousandth of its product (a millionth in double) cancels.
+TYPED_TEST(Configuration, ADifferenceOfNormsIsNoRotation) {
+  using S = TypeParam;
+  const S a = std::cbrt(this->eps) / 8;
+  Vector7<S> q0 = Vector7<S>::Zero(), q1 = Vector7<S>::Zero();
+  q0.template tail<4>() << S(0.5) + a / 7, S(0.5) + a / 3, S(0.5) + a * 5 / 7, S(0.5) + a;
+  q1.template tail<4>() = q0.template tail<4>() + Vector4<S>::Constant(3 * this->eps / 2);
+  const auto expected = nearRotation<S>(q0, q1);
+  const Vector3<S> phi = differenceSE3<S>(q0, q1).template tail<3>();
+  EXPECT_GT(phi.norm(), S(0));
+  EXPECT_LT(phi.norm(), 2 * this->eps);
+  EXPECT_LE(error(phi.template cast<long double>(), expected),
+            4 * this->eps * expected.norm() + this->eps * this->eps / 256);
+}
+
+// S11
+TYPED_TEST(Configuration, DifferenceIsTheSameForQAndMinusQ) {
+  using S = TypeParam;
+  const Vector7<S> q0 = generic<S>(), q1 = integrateSE3<S>(q0, increment<S>());
+  Vector7<S> opposite = q1;
+  opposite.template tail<4>() *= S(-1);
+  EXPECT_EQ(differenceSE3<S>(q0, q1), differenceSE3<S>(q0, opposite));
+}
+
+// S13
+TYPED_TEST(Configuration, IntegrateReturnsTheQuaternionNearerToTheOneItCameFrom) {
+  using S = TypeParam;
+  for (const S sign : {S(1), S(-1)}) {
+    for (const S angle : {S(0.5), S(3), S(3.3), S(6), S(9), S(20)}) {
+      Vector7<S> q = generic<S>();
+      q.template tail<4>() *= sign;
+      const Vector7<S> next = integrateSE3<S>(q, Vector6<S>(angle * Vector6<S>::Unit(4)));
+      EXPECT_GE(next.template tail<4>().dot(q.template tail<4>()), S(0)) << sign << ' ' << angle;
+    }
+  }
+  // It does not force w >= 0: this one has w < 0 and goes on with w < 0.
+  EXPECT_LT(generic<S>()[6], S(0));
+  EXPECT_LT(integrateSE3<S>(generic<S>(), Vector6<S>(S(0.1) * Vector6<S>::Unit(4)))[6], S(0));
+}
+
+// S14: c1, c2 and c3 have no cutoff, so neighbours of every usual one give neighbouring results.
+TYPED_TEST(Configuration, NothingJumpsAcrossUsualCutoffsOfSmallAngles) {
+  using S = TypeParam;
+  for (const S cutoff : {std::sqrt(this->eps), std::sqrt(std::sqrt(this->eps)), S(1e-8), S(1e-5), S(1e-3)}) {
+    Vector6<S> below = increment<S>(), above = increment<S>();
+    below.template tail<3>() << S(0), S(0), std::nextafter(cutoff, S(0));
+    above.template tail<3>() << S(0), S(0), std::nextafter(cutoff, S(1));
+    EXPECT_LE(error(integrateSE3<S>(generic<S>(), below), integrateSE3<S>(generic<S>(), above)),
+              16 * this->eps);
+    const Matrix6<S> J0 = dIntegrateSE3<S>(generic<S>(), below, ArgumentPosition::ARG1);
+    const Matrix6<S> J1 = dIntegrateSE3<S>(generic<S>(), above, ArgumentPosition::ARG1);
+    EXPECT_LE(error(J0, J1), 16 * this->eps) << cutoff;
+  }
+}
+
+// S15
+TYPED_TEST(Configuration, FirstOrderNormalizationErrsByThreeEighthsOfTheSquaredDefect) {
+  using S = TypeParam;
+  const S defect = std::sqrt(this->eps) * 8;
+  const Vector4<S> Q = generic<S>().template tail<4>() * std::sqrt(1 + defect);
+  const S norm = se3_configuration_detail::firstOrderNormalize<S, 4>(Q).norm();
+  EXPECT_LE(std::abs((1 - norm) - S(3) / S(8) * defect * defect), 6 * this->eps);
+}
+TYPED_TEST(Configuration, AThousandIncrementsStayOnTheUnitSphere) {
+  using S = TypeParam;
+  Vector7<S> q = generic<S>();
+  for (int i = 0; i < 1000; ++i) q = integrateSE3<S>(q, increment<S>());
+  EXPECT_LE(std::abs(q.template tail<4>().squaredNorm() - 1), 4 * this->eps);
+}
+
+// S7 and S23
+TYPED_TEST(Configuration, TheCoefficientJacobianIsRAndHalfTheQuaternionProduct) {
+  using S = TypeParam;
+  const Vector7<S> q = generic<S>();
+  const auto J = integrateCoeffWiseJacobianSE3<S>(q);
+  const Vector3<S> v = q.template segment<3>(3), omega(S(0.3), S(-0.5), S(0.7));
+  EXPECT_LE(error((J.template topLeftCorner<3, 3>()), SO3<S>(Vector4<S>(q.template tail<4>())).matrix()),
+            4 * this->eps);
+  const Vector4<S> rate = J.template bottomRightCorner<4, 3>() * omega;
+  Vector4<S> expected;  // Q (omega, 0) / 2
+  expected << (q[6] * omega + v.cross(omega)) / 2, -v.dot(omega) / 2;
+  EXPECT_LE(error(rate, expected), 4 * this->eps);
+  EXPECT_EQ((J.template topRightCorner<3, 3>().norm() + J.template bottomLeftCorner<4, 3>().norm()), S(0));
+}
+TEST(CoefficientJacobian, IsTheDerivativeOfTheStoredNumbersOfEveryJoint) {
+  const Model<double> m = someRobot<double>();
+  const VectorX<double> q = someConfiguration<double>();
+  const MatrixX<double> J = integrateCoeffWiseJacobian(m, q);
+  ASSERT_EQ(J.rows(), 11);
+  ASSERT_EQ(J.cols(), 9);
+  const double h = 1e-5;  // central: error h^2 |third derivative| / 6 + eps / h, below 1e-10
+  for (int i = 0; i < 9; ++i) {
+    const VectorX<double> step = h * VectorX<double>::Unit(9, i);
+    const VectorX<double> slope = (integrate(m, q, step) - integrate(m, q, -step)) / (2 * h);
+    EXPECT_LE(error(J.col(i), slope), 3e-10) << i;
+  }
+}
+
+// S22: the error is read in the tangent space of the result, by argument.
+TEST(Derivatives, OfIntegrateAreTangentToTangentForBothArguments) {
+  const Model<double> m = someRobot<double>();
+  const VectorX<double> q = someConfiguration<double>(), d = someIncrement<double>();
+  const MatrixX<double> J0 = dIntegrate(m, q, d, ArgumentPosition::ARG0);
+  const MatrixX<double> J1 = dIntegrate(m, q, d, ArgumentPosition::ARG1);
+  const double h = 1e-5;
+  const VectorX<double> result = integrate(m, q, d);
+  for (int i = 0; i < 9; ++i) {
+    const VectorX<double> step = h * VectorX<double>::Unit(9, i);
+    const auto slope = [&](const VectorX<double>& plus, const VectorX<double>& minus) {
+      return VectorX<double>((difference(m, result, plus) - difference(m, result, minus)) / (2 * h));
+    };
+    EXPECT_LE(error(J0.col(i),
+                    slope(integrate(m, integrate(m, q, step), d), integrate(m, integrate(m, q, -step), d))),
+              1e-9)
+        << i;
+    EXPECT_LE(error(J1.col(i), slope(integrate(m, q, d + step), integrate(m, q, d - step))), 1e-9) << i;
+  }
+  EXPECT_GT(error(J0, MatrixX<double>::Identity(9, 9)), 1.0);
+}
+TEST(Derivatives, OfDifferenceAreTangentToTangentForBothArguments) {
+  const Model<double> m = someRobot<double>();
+  const VectorX<double> q0 = someConfiguration<double>(), q1 = integrate(m, q0, someIncrement<double>());
+  const MatrixX<double> J0 = dDifference(m, q0, q1, ArgumentPosition::ARG0);
+  const MatrixX<double> J1 = dDifference(m, q0, q1, ArgumentPosition::ARG1);
+  const double h = 1e-5;
+  for (int i = 0; i < 9; ++i) {
+    const VectorX<double> step = h * VectorX<double>::Unit(9, i);
+    const VectorX<double> slope0 =
+        (difference(m, integrate(m, q0, step), q1) - difference(m, integrate(m, q0, -step), q1)) / (2 * h);
+    const VectorX<double> slope1 =
+        (difference(m, q0, integrate(m, q1, step)) - difference(m, q0, integrate(m, q1, -step))) / (2 * h);
+    EXPECT_LE(error(J0.col(i), slope0), 1e-9) << i;
+    EXPECT_LE(error(J1.col(i), slope1), 1e-9) << i;
+  }
+}
+TYPED_TEST(Configuration, DIntegrateByTheConfigurationIsTheAdjointOfTheInverseIncrement) {
+  using S = TypeParam;
+  const Vector6<S> d = increment<S>();
+  const Matrix6<S> J = dIntegrateSE3<S>(generic<S>(), d, ArgumentPosition::ARG0);
+  const Matrix6<S> expected = exp6<S>(Motion<S>(d)).inverse().toActionMatrix();
+  EXPECT_LE(error(J, expected), 32 * this->eps);
+}
+
+// S5 and S12
+TYPED_TEST(Configuration, NeutralOfALoneFreeFlyerEndsInOneNotInZero) {
+  using S = TypeParam;
+  Model<S> m;
+  m.addJoint(0, FreeFlyer<S>(), SE3<S>::Identity(), "root");
+  EXPECT_EQ(neutral(m), (identity<S>()));
+  EXPECT_EQ(m.nq, 7);
+  EXPECT_EQ(m.nv, 6);
+}
+TYPED_TEST(Configuration, NeutralOfAContinuousJointIsCosineAndSineOfZero) {
+  using S = TypeParam;
+  VectorX<S> expected(11);
+  expected << S(0), identity<S>(), S(1), S(0), S(0);
+  EXPECT_EQ(neutral(someRobot<S>()), expected);
+}
+TYPED_TEST(Configuration, EachJointMovesItsOwnSegmentOnly) {
+  using S = TypeParam;
+  const Model<S> m = someRobot<S>();
+  const VectorX<S> q = neutral(m);
+  for (int joint = 1; joint < m.njoints; ++joint) {
+    VectorX<S> d = VectorX<S>::Zero(m.nv);
+    d.segment(m.idx_vs[joint], m.nvs[joint]).setConstant(S(0.5));
+    const VectorX<S> next = integrate(m, q, d);
+    for (int i = 0; i < m.nq; ++i) {
+      const bool own = i >= m.idx_qs[joint] && i < m.idx_qs[joint] + m.nqs[joint];
+      EXPECT_EQ(next[i] != q[i], own) << m.names[joint] << ' ' << i;
+    }
+  }
+}
+
+TYPED_TEST(Configuration, AContinuousJointTurnsWithoutEnd) {
+  using S = TypeParam;
+  using J = Continuous<S>;
+  const auto turn = [](S a) { return typename J::Tangent(a); };
+  const auto at = [](S a) { return typename J::Configuration(std::cos(a), std::sin(a)); };
+  EXPECT_LE(error(J::integrate(at(S(3)), turn(S(1))), at(S(4))), 4 * this->eps);
+  EXPECT_LE(std::abs(J::difference(at(S(3)), at(S(-3)))[0] - (2 * pi<S>() - 6)), 8 * this->eps);
+  EXPECT_LE(std::abs(J::difference(at(S(-3)), at(S(3)))[0] + (2 * pi<S>() - 6)), 8 * this->eps);
+  EXPECT_LE(std::abs(std::abs(J::difference(at(S(0)), typename J::Configuration(S(-1), S(0)))[0]) - pi<S>()),
+            4 * this->eps);
+}
+// (c, s) = (3, 4)/5 is not exact, so its neighbours are compared by the exact cross product of what is
+// stored.
+TYPED_TEST(Configuration, NearContinuousAnglesKeepTheirRelativeAccuracy) {
+  using S = TypeParam;
+  using C = typename Continuous<S>::Configuration;
+  const C u0(S(0.6), S(0.8));
+  for (const C& u1 : {C(S(0.6) + 3 * this->eps, S(0.8) - 2 * this->eps),
+                      C(S(0.6) + 3 * this->eps, S(0.8) + 4 * this->eps)}) {
+    using L = long double;
+    const L dc = L(u1[0]) - L(u0[0]), ds = L(u1[1]) - L(u0[1]), sine = L(u0[0]) * ds - L(u0[1]) * dc;
+    EXPECT_NE(sine, 0);
+    EXPECT_LE(std::abs(Continuous<S>::difference(u0, u1)[0] - sine),
+              L(4 * this->eps) * std::abs(sine) + L(this->eps) * L(this->eps) / 256);
+  }
+}
+
+TYPED_TEST(Configuration, IntegrateAndDifferenceAgreeOnTheWholeVector) {
+  using S = TypeParam;
+  const Model<S> m = someRobot<S>();
+  const VectorX<S> q = someConfiguration<S>(), d = someIncrement<S>();
+  EXPECT_LE(error(difference(m, q, integrate(m, q, d)), d), 32 * this->eps);
+  EXPECT_LE(error(difference(m, integrate(m, q, d), q), -d), 32 * this->eps);
+}
+TYPED_TEST(Configuration, InterpolateGoesTheGeodesicOfEveryJoint) {
+  using S = TypeParam;
+  const Model<S> m = someRobot<S>();
+  const VectorX<S> q0 = someConfiguration<S>(), d = someIncrement<S>(), q1 = integrate(m, q0, d);
+  EXPECT_TRUE(isSameConfiguration(m, interpolate(m, q0, q1, S(0)), q0));
+  EXPECT_TRUE(isSameConfiguration(m, interpolate(m, q0, q1, S(1)), q1));
+  EXPECT_LE(error(interpolate(m, q0, q1, S(0.25)), integrate(m, q0, d / 4)), 32 * this->eps);
+}
+
+// S11
+TYPED_TEST(Configuration, MinusQIsTheSameConfigurationAlthoughItsNumbersDiffer) {
+  using S = TypeParam;
+  const Model<S> m = someRobot<S>();
+  const VectorX<S> q = someConfiguration<S>();
+  VectorX<S> opposite = q;
+  opposite.template segment<4>(4) *= S(-1);
+  EXPECT_NE(q, opposite);
+  EXPECT_TRUE(isSameConfiguration(m, q, opposite));
+  EXPECT_LE(distance(m, q, opposite), 4 * this->eps);
+}
+TYPED_TEST(Configuration, AMoveOfAnyJointIsAnotherConfiguration) {
+  using S = TypeParam;
+  const Model<S> m = someRobot<S>();
+  const VectorX<S> q = someConfiguration<S>();
+  for (int i = 0; i < m.nv; ++i) {
+    const S step = 512 * this->eps;
+    const VectorX<S> next = integrate(m, q, VectorX<S>(step * VectorX<S>::Unit(m.nv, i)));
+    EXPECT_FALSE(isSameConfiguration(m, q, next)) << i;
+    EXPECT_TRUE(isSameConfiguration(m, q, next, 2 * step)) << i;
+  }
+  VectorX<S> turned = q;
+  turned[10] += 2 * pi<S>();
+  EXPECT_FALSE(isSameConfiguration(m, q, turned));
+  turned[10] = std::numeric_limits<S>::quiet_NaN();
+  EXPECT_FALSE(isSameConfiguration(m, turned, turned));
+  turned = q;
+  turned[1] = std::numeric_limits<S>::quiet_NaN();
+  EXPECT_FALSE(isSameConfiguration(m, turned, turned));
+}
+TYPED_TEST(Configuration, DistanceIsTheRootOfTheSumOfSquaredJointDistances) {
+  using S = TypeParam;
+  const Model<S> m = someRobot<S>();
+  const VectorX<S> q0 = neutral(m);
+  VectorX<S> d(9);
+  d << S(3), S(0), S(0), S(0), S(0), S(0), S(0.5), S(0.25), S(4);
+  const VectorX<S> squares = squaredDistance(m, q0, integrate(m, q0, d));
+  EXPECT_LE(error(squares, Vector4<S>(S(9), S(0.25), S(0.0625), S(16))), 64 * this->eps);
+  EXPECT_LE(std::abs(distance(m, q0, integrate(m, q0, d)) - std::sqrt(S(25.3125))), 16 * this->eps);
+}
+TYPED_TEST(Configuration, WeightsMakeMetresAndRadiansComparable) {
+  using S = TypeParam;
+  const Model<S> m = someRobot<S>();
+  const VectorX<S> q0 = neutral(m);
+  VectorX<S> d = VectorX<S>::Zero(9), weights = VectorX<S>::Zero(9);
+  d[0] = S(3), d[8] = S(4);
+  weights[0] = S(2), weights[8] = S(0.5);
+  EXPECT_LE(std::abs(distance(m, q0, integrate(m, q0, d), weights) - std::sqrt(S(40))), 8 * this->eps);
+}
+TYPED_TEST(Configuration, DistanceOfFarPlacesIsFinite) {
+  using S = TypeParam;
+  Model<S> m;
+  m.addJoint(0, Prismatic<S>(Axis<S>::X()), SE3<S>::Identity(), "slide");
+  const S far = std::numeric_limits<S>::max() / 4;
+  EXPECT_EQ(distance(m, neutral(m), VectorX<S>::Constant(1, far)), far);
+  const Model<S> nothing;
+  EXPECT_EQ(distance(nothing, neutral(nothing), neutral(nothing)), S(0));
+}
+
+// S12
+TYPED_TEST(Configuration, NormalizeWorksInPlaceAndByValue) {
+  using S = TypeParam;
+  const Model<S> m = someRobot<S>();
+  const VectorX<S> q = someConfiguration<S>();
+  VectorX<S> scaled = q;
+  scaled.template segment<4>(4) *= S(3);
+  scaled.template segment<2>(8) *= std::numeric_limits<S>::min();  // its square underflows
+  EXPECT_FALSE(isNormalized(m, scaled));
+  EXPECT_LE(error(normalized(m, scaled), q), 8 * this->eps);
+  EXPECT_TRUE(isNormalized(m, normalized(m, scaled)));
+  normalize(m, scaled);
+  EXPECT_LE(error(scaled, q), 8 * this->eps);
+}
+TYPED_TEST(Configuration, IsNormalizedSeesEachUnitVectorAndNaN) {
+  using S = TypeParam;
+  const Model<S> m = someRobot<S>();
+  EXPECT_TRUE(isNormalized(m, someConfiguration<S>()));
+  for (const int i : {4, 5, 6, 7, 8, 9}) {
+    for (const S factor : {1 + 1024 * this->eps, std::numeric_limits<S>::quiet_NaN()}) {
+      VectorX<S> q = someConfiguration<S>();
+      q[i] *= factor;
+      EXPECT_FALSE(isNormalized(m, q)) << i;
+    }
+  }
+  VectorX<S> q = someConfiguration<S>();
+  q[4] *= 1 + 64 * this->eps;
+  EXPECT_TRUE(isNormalized(m, q, S(1000) * this->eps));
+}
+
+/// What f throws, as text; fails if it throws nothing.
+template <class F>
+std::string refusal(F f) {
+  try {
+    f();
+  } catch (const std::invalid_argument& e) {
+    return e.what();
+  }
+  ADD_FAILURE() << "nothing was refused";
+  return {};
+}
+
+// S6
+TEST(Sizes, AWrongSizeIsRefusedWithBothNumbersByEveryFunction) {
+  using Q = VectorX<double>;
+  const Model<double> m = someRobot<double>();
+  const Q q = neutral(m), v = Q::Zero(9), short_q = Q::Zero(9), long_v = Q::Zero(11);
+  const auto arg = ArgumentPosition::ARG0;
+  const auto expectBoth = [](const std::string& text, const char* dimension, const char* given,
+                             const char* due) {
+    EXPECT_NE(text.find(dimension), std::string::npos) << text;
+    EXPECT_NE(text.find(std::string(given) + " numbers"), std::string::npos) << text;
+    EXPECT_TRUE(text.ends_with(due)) << text;
+  };
+  const auto expectQ = [&](auto f) { expectBoth(refusal(f), "nq", "9", "11"); };
+  const auto expectV = [&](auto f) { expectBoth(refusal(f), "nv", "11", "9"); };
+  expectQ([&] { normalized(m, short_q); });
+  expectQ([&] {
+    Q copy = short_q;
+    normalize(m, copy);
+  });
+  expectQ([&] { isNormalized(m, short_q); });
+  expectQ([&] { integrate(m, short_q, v); });
+  expectV([&] { integrate(m, q, long_v); });
+  expectQ([&] { difference(m, short_q, q); });
+  expectQ([&] { difference(m, q, short_q); });
+  expectQ([&] { interpolate(m, short_q, q, 0.5); });
+  expectQ([&] { interpolate(m, q, short_q, 0.5); });
+  expectQ([&] { squaredDistance(m, short_q, q); });
+  expectQ([&] { squaredDistance(m, q, short_q); });
+  expectQ([&] { distance(m, short_q, q); });
+  expectQ([&] { distance(m, q, short_q); });
+  expectV([&] { distance(m, q, q, long_v); });
+  expectQ([&] { isSameConfiguration(m, short_q, q); });
+  expectQ([&] { isSameConfiguration(m, q, short_q); });
+  expectQ([&] { dIntegrate(m, short_q, v, arg); });
+  expectV([&] { dIntegrate(m, q, long_v, arg); });
+  expectQ([&] { dDifference(m, short_q, q, arg); });
+  expectQ([&] { dDifference(m, q, short_q, arg); });
+  expectQ([&] { integrateCoeffWiseJacobian(m, short_q); });
+  expectQ([&] { checkedConfiguration(m, short_q); });
+  expectV([&] { checkedTangent(m, long_v); });
+}
+
+/// The refusal of q or v at the checked entrance.
+template <class F>
+InvalidConfiguration invalid(F f) {
+  try {
+    f();
+  } catch (const InvalidConfiguration& e) {
+    return e;
+  }
+  ADD_FAILURE() << "nothing was refused";
+  return InvalidConfiguration("", "", -1, -1, 0);
+}
+
+TEST(CheckedEntrance, AGoodConfigurationAndTangentPassUnchanged) {
+  const Model<double> m = someRobot<double>();
+  EXPECT_EQ(checkedConfiguration(m, someConfiguration<double>()), someConfiguration<double>());
+  EXPECT_EQ(checkedTangent(m, someIncrement<double>()), someIncrement<double>());
+}
+TEST(CheckedEntrance, NonFiniteNumbersAreRefusedByJointIndexAndValue) {
+  const Model<double> m = someRobot<double>();
+  for (const double bad : {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
+                           std::numeric_limits<double>::quiet_NaN()}) {
+    for (int i = 0; i < m.nq; ++i) {
+      VectorX<double> q = someConfiguration<double>();
+      q[i] = bad;
+      const InvalidConfiguration e = invalid([&] { checkedConfiguration(m, q); });
+      EXPECT_EQ(e.index, i);
+      EXPECT_EQ(e.joint_index, i < 1 ? 1 : i < 8 ? 2 : i < 10 ? 3 : 4);
+      EXPECT_EQ(e.joint_name, m.names[std::size_t(e.joint_index)]);
+      EXPECT_TRUE(std::isnan(bad) ? std::isnan(e.value) : e.value == bad);
+      EXPECT_EQ(invalid([&] { normalized(m, q); }).index, i);
+    }
+    for (int i = 0; i < m.nv; ++i) {
+      VectorX<double> v = someIncrement<double>();
+      v[i] = bad;
+      EXPECT_EQ(invalid([&] { checkedTangent(m, v); }).index, i);
+    }
+  }
+}
+TEST(CheckedEntrance, AZeroUnitVectorCannotBeRepaired) {
+  const Model<double> m = someRobot<double>();
+  VectorX<double> q = someConfiguration<double>();
+  q.segment<4>(4).setZero();
+  EXPECT_EQ(invalid([&] { checkedConfiguration(m, q); }).joint_name, "floating");
+  EXPECT_EQ(invalid([&] { normalized(m, q); }).index, 4);
+  const VectorX<double> before = q;
+  EXPECT_THROW(normalize(m, q), InvalidConfiguration);
+  EXPECT_EQ(q, before);
+  q = someConfiguration<double>();
+  q.segment<2>(8).setZero();
+  EXPECT_EQ(invalid([&] { checkedConfiguration(m, q); }).joint_name, "wheel");
+  EXPECT_EQ(invalid([&] { normalized(m, q); }).index, 8);
+}
+TEST(CheckedEntrance, AUnitVectorFartherOffThanEightEpsIsRefusedWithItsSquaredNorm) {
+  const Model<double> m = someRobot<double>();
+  VectorX<double> q = neutral(m);
+  q[7] = 1 + 3 * eps<double>();
+  EXPECT_NO_THROW(checkedConfiguration(m, q));
+  q[7] = 1 + 5 * eps<double>();
+  const InvalidConfiguration e = invalid([&] { checkedConfiguration(m, q); });
+  EXPECT_EQ(e.joint_index, 2);
+  EXPECT_EQ(e.index, 4);
+  EXPECT_NEAR(e.value, 1 + 10 * eps<double>(), 2 * eps<double>());
+  EXPECT_NE(std::string(e.what()).find("joint 'floating' (joint 2), q[4]"), std::string::npos) << e.what();
+}
+
+}  // namespace

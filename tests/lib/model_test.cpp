@@ -1,0 +1,228 @@
+// multibody/model.hpp, joint.hpp, frame.hpp. Rows S1, S2, S4, S5, S21.
+
+#include <gtest/gtest.h>
+
+#include <liecheck/multibody/configuration.hpp>
+
+namespace {
+
+using namespace liecheck;
+using V3 = Vector3<double>;
+using M3 = Matrix3<double>;
+
+const SE3<double> origin = SE3<double>::Identity();
+
+SE3<double> at(double x, double y, double z) {
+  return {M3(M3::Identity()), V3(x, y, z)};
+}
+
+/// universe - root (free-flyer) - wheel (continuous) - arm (revolute); rail (prismatic) on root.
+Model<double> robot() {
+  Model<double> m;
+  m.name = "robot";
+  const int root = m.addJoint(0, FreeFlyer<double>(), origin, "root");
+  const int wheel = m.addJoint(root, Continuous<double>(Axis<double>::Y()), at(1, 0, 0), "wheel");
+  m.addJoint(wheel, Revolute<double>(Axis<double>::Z()), at(0, 2, 0), "arm");
+  m.addJoint(root, Prismatic<double>(V3(0, 3, 4)), at(0, 0, 3), "rail");
+  return m;
+}
+
+template <class F>
+std::string refusal(F f) {
+  try {
+    f();
+  } catch (const std::invalid_argument& e) {
+    return e.what();
+  }
+  ADD_FAILURE() << "nothing was refused";
+  return {};
+}
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+// S2
+TEST(Model, AnEmptyModelIsTheUniverseWithoutNumbers) {
+  const Model<double> m;
+  EXPECT_EQ(m.njoints, 1);
+  EXPECT_EQ(m.nframes, 1);
+  EXPECT_EQ(m.nq, 0);
+  EXPECT_EQ(m.nv, 0);
+  EXPECT_EQ(m.names[0], "universe");
+  EXPECT_EQ(m.frames[0].name, "universe");
+  EXPECT_EQ(shortname<double>(m.joints[0]), "universe");
+  EXPECT_EQ(neutral(m).size(), 0);
+}
+
+// S5
+TEST(Model, BehindTheBaseTheOffsetsInQAndVDiffer) {
+  const Model<double> m = robot();
+  EXPECT_EQ(m.nq, 11);
+  EXPECT_EQ(m.nv, 9);
+  EXPECT_EQ(m.idx_qs, (std::vector<int>{0, 0, 7, 9, 10}));
+  EXPECT_EQ(m.idx_vs, (std::vector<int>{0, 0, 6, 7, 8}));
+  EXPECT_EQ(m.nqs, (std::vector<int>{0, 7, 2, 1, 1}));
+  EXPECT_EQ(m.nvs, (std::vector<int>{0, 6, 1, 1, 1}));
+  EXPECT_EQ(m.parents, (std::vector<int>{0, 0, 1, 2, 1}));
+  EXPECT_EQ(m.jointPlacements[3].translation(), V3(0, 2, 0));
+}
+
+TEST(Model, ANewJointCarriesNothing) {
+  const Model<double> m = robot();
+  EXPECT_EQ(m.inertias[2].mass(), 0);
+  EXPECT_EQ(m.inertias[2].inertia(), M3(M3::Zero()));
+}
+
+// S4
+TEST(Model, AnUnknownJointIsNjointsAndAnUnknownFrameIsNframes) {
+  Model<double> m = robot();
+  m.addJointFrame(1);
+  EXPECT_EQ(m.getJointId("nobody"), m.njoints);
+  EXPECT_EQ(m.getFrameId("nobody"), m.nframes);
+  EXPECT_EQ(m.getFrameId("root", FrameType::BODY), m.nframes);
+  EXPECT_FALSE(m.existJointName("nobody"));
+  EXPECT_FALSE(m.existFrame("nobody"));
+  EXPECT_EQ(m.getJointId("arm"), 3);
+  EXPECT_EQ(m.getFrameId("root"), 1);
+  EXPECT_TRUE(m.existJointName("arm"));
+  EXPECT_TRUE(m.existFrame("root"));
+  EXPECT_TRUE(m.existFrame("root", FrameType::JOINT));
+}
+
+TEST(Model, DuplicatesAndBadParentsAreRefusedByName) {
+  Model<double> m = robot();
+  const Joint<double> j = FreeFlyer<double>();
+  EXPECT_TRUE(contains(refusal([&] { m.addJoint(0, j, origin, "wheel"); }), "'wheel'"));
+  for (const int parent : {-1, 5}) {
+    const std::string number = std::to_string(parent);
+    EXPECT_TRUE(contains(refusal([&] { m.addJoint(parent, j, origin, "new"); }), "'new' is joint " + number));
+    EXPECT_TRUE(contains(refusal([&] { m.addBodyFrame("body", parent); }), "'body' is joint " + number));
+    EXPECT_TRUE(contains(refusal([&] { m.addJointFrame(parent); }), "joint " + number));
+    EXPECT_TRUE(
+        contains(refusal([&] { m.appendBodyToJoint(parent, Inertia<double>::Zero()); }), "joint " + number));
+  }
+  EXPECT_TRUE(contains(refusal([&] {
+                         m.addFrame({"tool", 1, 7, origin, FrameType::OP_FRAME});
+                       }),
+                       "'tool' is frame 7"));
+  EXPECT_TRUE(contains(refusal([&] {
+                         m.addFrame({"tool", 1, -1, origin, FrameType::OP_FRAME});
+                       }),
+                       "frame -1"));
+  EXPECT_TRUE(contains(refusal([&] { m.addJoint(0, Universe<double>(), origin, "u"); }), "second universe"));
+  EXPECT_TRUE(contains(refusal([&] { m.addBodyFrame("body", 1); }), "'root' has no frame yet"));
+  EXPECT_TRUE(contains(refusal([&] { m.addJointFrame(2); }), "'root' has no frame yet"));
+  m.addJointFrame(1);
+  m.addBodyFrame("body", 1);
+  EXPECT_TRUE(contains(refusal([&] { m.addBodyFrame("body", 1); }), "named 'body'"));
+  EXPECT_EQ(m.njoints, 5);
+  EXPECT_EQ(m.nframes, 3);
+}
+
+TEST(Model, FramesHangOnTheFrameOfTheirJointUnlessToldOtherwise) {
+  Model<double> m = robot();
+  const int root = m.addJointFrame(1);
+  const int wheel = m.addJointFrame(2);
+  const int body = m.addBodyFrame("wheel_body", 2, at(1, 2, 3));
+  const int other = m.addBodyFrame("other", 2, at(0, 0, 0), root);
+  EXPECT_EQ(m.frames[root].parentFrame, 0);
+  EXPECT_EQ(m.frames[wheel].parentFrame, root);
+  EXPECT_EQ(m.frames[body].parentFrame, wheel);
+  EXPECT_EQ(m.frames[other].parentFrame, root);
+  EXPECT_EQ(m.frames[body].parentJoint, 2);
+  EXPECT_EQ(m.frames[body].placement.translation(), V3(1, 2, 3));
+  EXPECT_EQ(m.frames[body].type, FrameType::BODY);
+  EXPECT_EQ(m.frames[wheel].type, FrameType::JOINT);
+  EXPECT_EQ(m.frames[wheel].name, "wheel");
+}
+
+TEST(Model, ANameThatAJointAndALinkShareNeedsItsType) {
+  Model<double> m = robot();
+  const int joint = m.addJointFrame(1);
+  const int body = m.addBodyFrame("root", 1);
+  EXPECT_EQ(m.getFrameId("root", FrameType::JOINT), joint);
+  EXPECT_EQ(m.getFrameId("root", FrameType::BODY), body);
+  EXPECT_TRUE(contains(refusal([&] { m.getFrameId("root"); }), "'root'"));
+}
+
+// S21
+TEST(Model, AppendBodyToJointTransformsTheInertiaOnce) {
+  Model<double> m = robot();
+  const M3 quarter = (M3() << 0, -1, 0, 1, 0, 0, 0, 0, 1).finished();
+  const Inertia<double> body(2, V3(0.5, 0, 0), V3(1, 2, 3).asDiagonal());
+  m.appendBodyToJoint(2, body, SE3<double>(quarter, V3(0, 0, 1)));
+  EXPECT_EQ(m.inertias[2].mass(), 2);
+  EXPECT_EQ(m.inertias[2].lever(), V3(0, 0.5, 1));
+  EXPECT_EQ(m.inertias[2].inertia(), M3(V3(2, 1, 3).asDiagonal()));
+  // 2 kg more, 1 m away along z: the reduced mass is 1 kg.
+  m.appendBodyToJoint(2, Inertia<double>(2, V3(0, 0.5, 2), M3::Zero()));
+  EXPECT_EQ(m.inertias[2].mass(), 4);
+  EXPECT_EQ(m.inertias[2].lever(), V3(0, 0.5, 1.5));
+  EXPECT_EQ(m.inertias[2].inertia(), M3(V3(3, 2, 3).asDiagonal()));
+}
+
+// S1
+TEST(Model, RevisionCountsJointsAndFramesButNotBodies) {
+  Model<double> m = robot();
+  const int before = m.revision;
+  m.appendBodyToJoint(1, Inertia<double>(1, V3::Zero(), M3::Identity()));
+  EXPECT_EQ(m.revision, before);
+  m.addJoint(1, FreeFlyer<double>(), origin, "another");
+  EXPECT_EQ(m.revision, before + 1);
+  m.addJointFrame(1);
+  EXPECT_EQ(m.revision, before + 2);
+}
+
+TEST(Model, CastKeepsStructureNamesAndEveryNumber) {
+  Model<double> m = robot();
+  m.addJointFrame(1);
+  m.addBodyFrame("body", 1, at(0.1, 0.2, 0.3));
+  m.appendBodyToJoint(1, Inertia<double>(0.3, V3(0.1, 0, 0), M3::Identity()));
+  const Model<float> f = m.cast<float>();
+  EXPECT_EQ(f.name, "robot");
+  EXPECT_EQ(f.names, m.names);
+  EXPECT_EQ(f.parents, m.parents);
+  EXPECT_EQ(f.idx_qs, m.idx_qs);
+  EXPECT_EQ(f.idx_vs, m.idx_vs);
+  EXPECT_EQ(f.nqs, m.nqs);
+  EXPECT_EQ(f.nvs, m.nvs);
+  EXPECT_EQ(f.nq, m.nq);
+  EXPECT_EQ(f.nv, m.nv);
+  EXPECT_EQ(f.njoints, m.njoints);
+  EXPECT_EQ(f.nframes, m.nframes);
+  EXPECT_EQ(f.revision, m.revision);
+  EXPECT_EQ(f.frames[2].name, "body");
+  EXPECT_EQ(f.frames[2].placement.translation(), Vector3<float>(0.1F, 0.2F, 0.3F));
+  EXPECT_EQ(f.inertias[1].mass(), 0.3F);
+  EXPECT_EQ(f.jointPlacements[4].translation(), Vector3<float>(0, 0, 3));
+  for (int i = 0; i < m.njoints; ++i)
+    EXPECT_EQ(shortname<float>(f.joints[i]), shortname<double>(m.joints[i]));
+  EXPECT_EQ(std::get<Prismatic<float>>(f.joints[4]).axis.to_vector(), Vector3<float>(0, 0.6F, 0.8F));
+  EXPECT_EQ(f.cast<double>().frames.size(), m.frames.size());
+}
+
+TEST(Joint, ShortnamesArePinocchios) {
+  const V3 tilted(1, 1, 0);
+  EXPECT_EQ(FreeFlyer<double>().shortname(), "JointModelFreeFlyer");
+  EXPECT_EQ(Revolute<double>(V3::UnitX()).shortname(), "JointModelRX");
+  EXPECT_EQ(Revolute<double>(V3::UnitY()).shortname(), "JointModelRY");
+  EXPECT_EQ(Revolute<double>(V3::UnitZ()).shortname(), "JointModelRZ");
+  EXPECT_EQ(Revolute<double>(tilted).shortname(), "JointModelRevoluteUnaligned");
+  EXPECT_EQ(Revolute<double>(V3(-V3::UnitZ())).shortname(), "JointModelRevoluteUnaligned");
+  EXPECT_EQ(Continuous<double>(V3::UnitX()).shortname(), "JointModelRUBX");
+  EXPECT_EQ(Continuous<double>(tilted).shortname(), "JointModelRevoluteUnboundedUnaligned");
+  EXPECT_EQ(Prismatic<double>(V3::UnitY()).shortname(), "JointModelPY");
+  EXPECT_EQ(Prismatic<double>(tilted).shortname(), "JointModelPrismaticUnaligned");
+}
+
+TEST(Joint, AnAxisIsMadeUnitAndMustHaveADirection) {
+  EXPECT_EQ(Axis<double>(V3(0, 0, 5)).aligned(), "Z");
+  EXPECT_LE((Axis<double>(V3(3, 0, 4)).to_vector() - V3(0.6, 0, 0.8)).norm(), 2 * eps<double>());
+  EXPECT_LE((Axis<double>(V3(3e-200, 0, 4e-200)).to_vector() - V3(0.6, 0, 0.8)).norm(), 2 * eps<double>());
+  EXPECT_LE((Axis<double>(V3(3e200, 0, 4e200)).to_vector() - V3(0.6, 0, 0.8)).norm(), 2 * eps<double>());
+  EXPECT_THROW(Axis<double>(V3(0, 0, 0)), std::invalid_argument);
+  EXPECT_THROW(Axis<double>(V3(0, std::numeric_limits<double>::quiet_NaN(), 0)), std::invalid_argument);
+  EXPECT_THROW(Axis<double>(V3(0, std::numeric_limits<double>::infinity(), 0)), std::invalid_argument);
+}
+
+}  // namespace

@@ -1,0 +1,338 @@
+// urdf/urdf.hpp. Rows S2 to S5, S21: what a good file becomes, and what is said of a bad one.
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <clocale>
+#include <filesystem>
+#include <fstream>
+#include <liecheck/multibody/configuration.hpp>
+#include <liecheck/urdf/urdf.hpp>
+#include <locale>
+
+namespace {
+
+using namespace liecheck;
+using V3 = Vector3<double>;
+using M3 = Matrix3<double>;
+
+std::string fixture(const std::string& name) {
+  return std::string(LIECHECK_FIXTURES) + "/robots/" + name;
+}
+
+/// Lines 2 to 5: two links a and b and the joint j between them, of that type, with those elements in line 4.
+std::string twoLinks(const std::string& type, const std::string& elements) {
+  return "<robot name='two'>\n<link name='a'/>\n<link name='b'/>\n<joint name='j' type='" + type +
+         "'><parent link='a'/><child link='b'/>" + elements + "</joint>\n</robot>\n";
+}
+const std::string limit = "<limit lower='-1' upper='1' effort='1' velocity='1'/>";
+
+/// Line 3 is inside link a.
+std::string oneLink(const std::string& inside) {
+  return "<robot name='one'>\n<link name='a'>\n" + inside + "\n</link>\n</robot>\n";
+}
+std::string inertial(const std::string& mass, const std::string& ixx = "1") {
+  return "<inertial><mass value='" + mass + "'/><inertia ixx='" + ixx +
+         "' ixy='0' ixz='0' iyy='1' iyz='0' izz='1'/></inertial>";
+}
+
+/// What is said of a bad text; fails if nothing is.
+std::string refusal(const std::string& text, RootJoint root = RootJoint::Fixed) {
+  testing::internal::CaptureStderr();
+  std::string said;
+  try {
+    buildModelFromUrdfText(text, root, "bad.urdf");
+    ADD_FAILURE() << "nothing was refused in\n" << text.substr(0, 500);
+  } catch (const UrdfError& e) {
+    said = e.what();
+    EXPECT_EQ(e.file(), "bad.urdf");
+    EXPECT_EQ(said.rfind("bad.urdf:" + std::to_string(e.line()) + ": ", 0), 0U) << said;
+  }
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  EXPECT_EQ(said.find('\n'), std::string::npos) << said;
+  return said;
+}
+/// It is refused in that line, the words are said, and the value stands at the end in brackets.
+void expectRefused(const std::string& text, int line, const std::string& words, const std::string& value) {
+  const std::string said = refusal(text);
+  EXPECT_EQ(said.rfind("bad.urdf:" + std::to_string(line) + ": ", 0), 0U) << said;
+  EXPECT_NE(said.find(words), std::string::npos) << said;
+  EXPECT_TRUE(said.ends_with("(" + value + ")")) << said;
+}
+
+// S3: names, indices and types can be listed; children come in alphabetical order, depth first.
+TEST(Urdf, ARobotOfEveryJointTypeIsReadInAlphabeticalOrderDepthFirst) {
+  const Model<double> m = buildModelFromUrdf(fixture("mixed_joints.urdf"), RootJoint::FreeFlyer);
+  EXPECT_EQ(m.name, "mixed_joints");
+  EXPECT_EQ(m.names, (std::vector<std::string>{"universe", "root_joint", "arm_turn", "elbow", "wrist",
+                                               "mast_slide", "radar_turn", "tail_slide"}));
+  EXPECT_EQ(m.parents, (std::vector<int>{0, 0, 1, 2, 3, 1, 1, 6}));
+  std::vector<std::string> types;
+  for (const auto& joint : m.joints) types.push_back(shortname<double>(joint));
+  EXPECT_EQ(types, (std::vector<std::string>{"universe", "JointModelFreeFlyer", "JointModelRUBZ",
+                                             "JointModelRY", "JointModelRevoluteUnaligned", "JointModelPZ",
+                                             "JointModelRevoluteUnboundedUnaligned", "JointModelPX"}));
+}
+
+// S5
+TEST(Urdf, BehindABaseAndAContinuousJointTheOffsetsInQAndVDriftApart) {
+  const Model<double> m = buildModelFromUrdf(fixture("mixed_joints.urdf"), RootJoint::FreeFlyer);
+  EXPECT_EQ(m.idx_qs, (std::vector<int>{0, 0, 7, 9, 10, 11, 12, 14}));
+  EXPECT_EQ(m.idx_vs, (std::vector<int>{0, 0, 6, 7, 8, 9, 10, 11}));
+  EXPECT_EQ(m.nq, 15);
+  EXPECT_EQ(m.nv, 12);
+  const Model<double> quadruped = buildModelFromUrdf(fixture("quadruped.urdf"), RootJoint::FreeFlyer);
+  EXPECT_EQ(quadruped.nq, 7 + 12);
+  EXPECT_EQ(quadruped.nv, 6 + 12);
+  EXPECT_EQ(quadruped.names[2], "front_left_hip");
+  EXPECT_EQ(quadruped.idx_qs[2], 7);
+  EXPECT_EQ(quadruped.idx_vs[2], 6);
+}
+
+TEST(Urdf, WithoutARootJointTheRootLinkIsWeldedToTheUniverse) {
+  const Model<double> m = buildModelFromUrdf(fixture("mixed_joints.urdf"));
+  EXPECT_EQ(m.nq, 8);
+  EXPECT_EQ(m.nv, 6);
+  EXPECT_EQ(m.inertias[0].mass(), 6);
+  EXPECT_EQ(m.frames[1].name, "base");
+  EXPECT_EQ(m.frames[1].parentJoint, 0);
+}
+
+// S2
+TEST(Urdf, AFixedJointIsTwoFramesAndItsInertiaIsMergedIntoTheSupportingJoint) {
+  const Model<double> m = buildModelFromUrdf(fixture("mixed_joints.urdf"), RootJoint::FreeFlyer);
+  const int mast = m.getJointId("mast_slide");
+  EXPECT_EQ(m.getJointId("camera_mount"), m.njoints);
+  const Frame<double>& mount = m.frames[m.getFrameId("camera_mount")];
+  const Frame<double>& camera = m.frames[m.getFrameId("camera")];
+  EXPECT_EQ(mount.type, FrameType::FIXED_JOINT);
+  EXPECT_EQ(camera.type, FrameType::BODY);
+  EXPECT_EQ(mount.parentJoint, mast);
+  EXPECT_EQ(camera.parentJoint, mast);
+  EXPECT_EQ(m.frames[mount.parentFrame].name, "mast");
+  EXPECT_EQ(m.frames[camera.parentFrame].name, "camera_mount");
+  EXPECT_EQ(camera.placement.translation(), V3(0.1, 0, 0.5));
+  // mast 1.5 kg at (0, 0, 0.25); camera 0.5 kg at (0.1, 0.2, 0.5), turned 90 degrees about z.
+  const Inertia<double>& I = m.inertias[mast];
+  EXPECT_EQ(I.mass(), 2);
+  EXPECT_LE((I.lever() - V3(0.025, 0.05, 0.3125)).norm(), 2 * eps<double>());
+  const double reduced = 0.375;
+  const V3 d(0.1, 0.2, 0.25);
+  const M3 expected = M3(V3(0.03 + 0.002, 0.03 + 0.001, 0.004 + 0.003).asDiagonal()) +
+                      reduced * (d.squaredNorm() * M3::Identity() - d * d.transpose());
+  EXPECT_LE((I.inertia() - expected).norm(), 4 * eps<double>() * expected.norm());
+}
+
+TEST(Urdf, FramesAreTheUniverseThenAJointAndABodyForEachJoint) {
+  const Model<double> m = buildModelFromUrdf(fixture("mixed_joints.urdf"), RootJoint::FreeFlyer);
+  std::vector<std::string> names;
+  for (const auto& frame : m.frames) names.push_back(frame.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"universe", "root_joint", "base", "arm_turn", "arm", "elbow",
+                                             "forearm", "wrist", "hand", "mast_slide", "mast", "camera_mount",
+                                             "camera", "radar_turn", "radar", "tail_slide", "tail"}));
+  EXPECT_EQ(m.frames[3].parentFrame, 2);
+  EXPECT_EQ(m.frames[4].parentFrame, 3);
+  EXPECT_EQ(m.frames[9].parentFrame, 2);
+}
+
+TEST(Urdf, PlacementsAreFixedAxisRollPitchYaw) {
+  const Model<double> m = buildModelFromUrdf(fixture("mixed_joints.urdf"), RootJoint::FreeFlyer);
+  const SE3<double>& X = m.jointPlacements[2];
+  const double c = std::cos(0.3), s = std::sin(0.3);
+  EXPECT_EQ(X.translation(), V3(0.25, 0, 0.1));
+  EXPECT_LE((X.rotation() - (M3() << c, 0, s, 0, 1, 0, -s, 0, c).finished()).norm(), 4 * eps<double>());
+  // rpy = (90, 0, 90) degrees: first about x, then about the fixed z.
+  const Model<double> two = buildModelFromUrdfText(
+      twoLinks("fixed", "<origin xyz='1 2 3' rpy='1.5707963267948966 0 1.5707963267948966'/>"));
+  const SE3<double>& Y = two.frames[two.getFrameId("b")].placement;
+  EXPECT_LE((Y.rotation() - (M3() << 0, 0, 1, 1, 0, 0, 0, 1, 0).finished()).norm(), 4 * eps<double>());
+}
+
+TEST(Urdf, TheInertiaOfALinkIsTurnedIntoItsAxes) {
+  const Model<double> m = buildModelFromUrdfText(
+      oneLink("<inertial><origin xyz='1 2 3' rpy='0 0 1.5707963267948966'/><mass value='2'/>"
+              "<inertia ixx='1' ixy='0' ixz='0' iyy='2' iyz='0' izz='2.5'/></inertial>"),
+      RootJoint::FreeFlyer);
+  EXPECT_EQ(m.inertias[1].lever(), V3(1, 2, 3));
+  EXPECT_LE((m.inertias[1].inertia() - M3(V3(2, 1, 2.5).asDiagonal())).norm(), 8 * eps<double>());
+}
+
+TEST(Urdf, AFloatingJointIsAFreeFlyer) {
+  const Model<double> m = buildModelFromUrdfText(twoLinks("floating", ""));
+  EXPECT_EQ(m.nq, 7);
+  EXPECT_EQ(m.nv, 6);
+  EXPECT_EQ(shortname<double>(m.joints[1]), "JointModelFreeFlyer");
+  EXPECT_EQ(neutral(m)[6], 1);
+}
+
+// S4
+TEST(Urdf, UnknownNamesAreNjointsAndNframes) {
+  const Model<double> m = buildModelFromUrdf(fixture("quadruped.urdf"), RootJoint::FreeFlyer);
+  EXPECT_EQ(m.getJointId("fifth_leg"), 14);
+  EXPECT_EQ(m.getFrameId("fifth_leg"), m.nframes);
+}
+
+/// A locale whose decimal point is a comma, for C and C++ alike.
+struct Comma : std::numpunct<char> {
+  char do_decimal_point() const override { return ','; }
+};
+TEST(Urdf, NumbersHaveAPointWhateverTheLocale) {
+  const std::locale before = std::locale::global(std::locale(std::locale::classic(), new Comma));
+  for (const char* name : {"de_DE.UTF-8", "fr_FR.UTF-8", "de_DE"})
+    if (std::setlocale(LC_ALL, name)) break;
+  const Model<double> m = buildModelFromUrdf(fixture("mixed_joints.urdf"), RootJoint::FreeFlyer);
+  std::locale::global(before);
+  std::setlocale(LC_ALL, "C");
+  EXPECT_EQ(m.jointPlacements[2].translation(), V3(0.25, 0, 0.1));
+  EXPECT_EQ(m.inertias[2].mass(), 1.2);
+}
+
+TEST(BadUrdf, AMissingFileADirectoryAndAnEmptyFileAreNamed) {
+  const auto said = [](const std::string& path) {
+    try {
+      buildModelFromUrdf(path);
+    } catch (const UrdfError& e) {
+      return std::string(e.what());
+    }
+    return std::string("nothing");
+  };
+  EXPECT_EQ(said("/nowhere/robot.urdf"), "/nowhere/robot.urdf:0: no such file (/nowhere/robot.urdf)");
+  const std::string folder = std::filesystem::temp_directory_path().string();
+  EXPECT_EQ(said(folder), folder + ":0: a directory, not a file (" + folder + ")");
+  const std::string path = folder + "/liecheck_empty_" + std::to_string(::getpid()) + ".urdf";
+  std::ofstream(path).close();
+  EXPECT_EQ(said(path), path + ":1: empty (0 bytes)");
+  std::filesystem::remove(path);
+  expectRefused(" \n\t\n", 1, "empty", "4 bytes");
+}
+TEST(BadUrdf, CutOffOrMalformedTextIsRefused) {
+  const std::string whole = twoLinks("fixed", "");
+  EXPECT_NO_THROW(buildModelFromUrdfText(whole));
+  for (std::size_t size = 1; size + 9 < whole.size(); ++size) refusal(whole.substr(0, size));
+  expectRefused("<robot name='r'>\n<link name='a'>\n</robot>", 3, "malformed XML", "Error reading end tag.");
+  EXPECT_NE(refusal("<robot name='r'>\n<link name=a/></robot>").find("malformed"), std::string::npos);
+  refusal("not XML at all");
+  expectRefused(std::string("<robot name='r'>\n<link name='a'/>\0</robot>", 43), 2, "zero byte", "byte 33");
+  expectRefused("<robot name='r'><link name='a'/></robot>\n<robot name='s'/>", 2, "a second root element",
+                "robot");
+  expectRefused("<robot name='r'><link name='a'/></robot>\nand more", 2, "text outside the root element",
+                "and more");
+}
+TEST(BadUrdf, SomethingThatIsNoRobotIsRefused) {
+  expectRefused("\n<sdf name='r'/>", 2, "expected <robot>", "sdf");
+  expectRefused("<!-- nothing -->", 1, "no element", "");
+  expectRefused("<robot><link name='a'/></robot>", 1, "a robot without a name", "");
+  expectRefused("<robot name='r'>\n</robot>", 1, "a robot without links", "r");
+  expectRefused("<robot name='r'>\n<link/></robot>", 2, "a link without a name", "");
+}
+TEST(BadUrdf, AnUnknownOrUnsupportedJointTypeIsNamed) {
+  expectRefused(twoLinks("wobbly", ""), 4, "joint 'j': unknown joint type", "wobbly");
+  expectRefused(twoLinks("planar", "<axis xyz='0 0 1'/>"), 4, "not supported", "planar");
+  std::string untyped = twoLinks("fixed", "");
+  untyped.erase(untyped.find(" type='fixed'"), 13);
+  expectRefused(untyped, 4, "joint 'j' has no type", "");
+}
+TEST(BadUrdf, AZeroOrNonFiniteAxisIsRefused) {
+  for (const char* type : {"revolute", "continuous", "prismatic"}) {
+    expectRefused(twoLinks(type, limit + "<axis xyz='0 0 -0.0'/>"), 4, "zero axis", "0 0 -0.0");
+    expectRefused(twoLinks(type, limit + "<axis xyz='0 inf 0'/>"), 4, "not finite numbers", "0 inf 0");
+    expectRefused(twoLinks(type, limit + "<axis xyz='0 nan 0'/>"), 4, "not finite numbers", "0 nan 0");
+    expectRefused(twoLinks(type, limit + "<axis/>"), 4, "<axis> xyz is missing", "");
+  }
+}
+TEST(BadUrdf, NumbersThatAreNoneOrNotFiniteAreRefusedInTheirLine) {
+  for (const char* bad : {"x", "1..0", "1,5", "0x10", "nan", "-inf", "1e999", "--1", "1e", "+-1", "1_0"}) {
+    const std::string value = bad;
+    expectRefused(twoLinks("fixed", "\n<origin xyz='0 " + value + " 0'/>"), 5, "<origin> xyz",
+                  "0 " + value + " 0");
+    expectRefused(twoLinks("fixed", "\n<origin rpy='" + value + " 0 0'/>"), 5, "<origin> rpy",
+                  value + " 0 0");
+    expectRefused(oneLink(inertial(value)), 3, "<mass> value", value);
+    expectRefused(oneLink(inertial("1", value)), 3, "<inertia> ixx", value);
+    expectRefused(twoLinks("revolute", "\n\n<limit effort='" + value + "' velocity='1'/>"), 6,
+                  "<limit> effort", value);
+    expectRefused(oneLink("<visual><geometry><sphere radius='" + value + "'/></geometry></visual>"), 3,
+                  "radius", value);
+  }
+  expectRefused(twoLinks("fixed", "<origin xyz='0 1'/>"), 4, "2 numbers, not 3", "0 1");
+  expectRefused(twoLinks("fixed", "<origin xyz='0 1 2 3'/>"), 4, "4 numbers, not 3", "0 1 2 3");
+  expectRefused(oneLink(inertial("")), 3, "0 numbers, not 1", "");
+  EXPECT_NO_THROW(buildModelFromUrdfText(oneLink(inertial("+1.5e0", " 2 "))));
+}
+TEST(BadUrdf, AnIncompleteInertialIsRefused) {
+  expectRefused(oneLink("<inertial><mass value='1'/></inertial>"), 3, "without <inertia>", "a");
+  expectRefused(oneLink("<inertial><inertia ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' izz='1'/></inertial>"), 3,
+                "without <mass>", "a");
+  expectRefused(oneLink("<inertial><mass value='1'/><inertia ixx='1'/></inertial>"), 3, "ixy is missing", "");
+}
+TEST(BadUrdf, ANegativeMassIsRefusedAndAZeroMassIsNot) {
+  expectRefused(oneLink(inertial("-0.5")), 3, "link 'a' has a negative mass", "-0.5");
+  EXPECT_NO_THROW(buildModelFromUrdfText(oneLink(inertial("0"))));
+}
+TEST(BadUrdf, AMissingLinkIsNamedWithItsRole) {
+  std::string text = twoLinks("fixed", "");
+  std::string no_child = text, no_parent = text, nothing = text;
+  expectRefused(no_child.replace(no_child.find("child link='b'"), 14, "child link='c'"), 4,
+                "child link does not exist", "c");
+  expectRefused(no_parent.replace(no_parent.find("parent link='a'"), 15, "parent link='c'"), 4,
+                "parent link does not exist", "c");
+  expectRefused(nothing.replace(nothing.find("<parent link='a'/>"), 18, ""), 4, "has no parent link", "");
+}
+TEST(BadUrdf, TwoRootsAreBothNamed) {
+  expectRefused("<robot name='r'>\n<link name='a'/>\n<link name='b'/></robot>", 3,
+                "two roots, the other is 'a'", "b");
+}
+TEST(BadUrdf, LoopsAreRefused) {
+  const auto joint = [](const std::string& name, const std::string& parent, const std::string& child) {
+    return "<joint name='" + name + "' type='fixed'><parent link='" + parent + "'/><child link='" + child +
+           "'/></joint>\n";
+  };
+  const std::string links = "<robot name='r'>\n<link name='a'/>\n<link name='b'/>\n<link name='c'/>\n";
+  expectRefused(links + joint("x", "a", "b") + joint("y", "b", "c") + joint("z", "c", "a") + "</robot>", 1,
+                "a loop", "a");
+  expectRefused(links + joint("x", "b", "c") + joint("y", "c", "b") + "</robot>", 3, "form a loop", "b");
+  expectRefused(links + joint("x", "a", "c") + joint("y", "a", "b") + joint("z", "b", "c") + "</robot>", 7,
+                "the same child", "c");
+}
+TEST(BadUrdf, DuplicateNamesAreRefusedWithTheLineOfTheFirst) {
+  expectRefused("<robot name='r'>\n<link name='a'/>\n<link name='a'/></robot>", 3, "the first is in line 2",
+                "a");
+  std::string text = twoLinks("fixed", "");
+  text.insert(text.find("</robot>"),
+              "<link name='c'/><joint name='j' type='fixed'><parent link='b'/><child link='c'/></joint>");
+  expectRefused(text, 5, "the first is in line 4", "j");
+  std::string universe = twoLinks("fixed", "");
+  expectRefused(universe.replace(universe.find("'j'"), 3, "'universe'"), 4, "own root", "universe");
+  std::string root = twoLinks("fixed", "");
+  root.replace(root.find("'j'"), 3, "'root_joint'");
+  EXPECT_NO_THROW(buildModelFromUrdfText(root));
+  EXPECT_NE(refusal(root, RootJoint::FreeFlyer).find("own root"), std::string::npos);
+}
+TEST(BadUrdf, AMissingLimitIsRefusedWhereTheTypeNeedsOne) {
+  expectRefused(twoLinks("revolute", ""), 4, "no <limit>", "revolute");
+  EXPECT_NO_THROW(buildModelFromUrdfText(twoLinks("continuous", "")));
+}
+TEST(BadUrdf, TooDeepNestingIsRefusedBeforeAnyParserRecurses) {
+  std::string deep = "<robot name='r'>\n<link name='a'>\n";
+  for (int i = 0; i < 1000000; ++i) deep += "<x>";
+  expectRefused(deep, 3, "nested too deep", "more than 64");
+  std::string chain = "<robot name='r'><link name='l0'/>\n";
+  for (int i = 0; i < 2100; ++i) {
+    const std::string a = std::to_string(i), b = std::to_string(i + 1);
+    chain += "<link name='l" + b + "'/><joint name='j" + a + "' type='fixed'><parent link='l" + a +
+             "'/><child link='l" + b + "'/></joint>\n";
+  }
+  EXPECT_NE(refusal(chain + "</robot>").find("more than 2000 joints in a chain"), std::string::npos);
+}
+TEST(BadUrdf, WhatUrdfdomAloneDislikesIsRefusedWithItsWordsAndNotPrinted) {
+  const std::string said = refusal(twoLinks("continuous", "<mimic/>"));
+  EXPECT_NE(said.find("urdfdom refuses it"), std::string::npos) << said;
+}
+TEST(BadUrdf, AMessageIsOneShortLine) {
+  const std::string said = refusal(twoLinks(std::string(1000, 'x'), ""));
+  EXPECT_LT(said.size(), 160U) << said;
+  EXPECT_NE(refusal("<robot name='r'>\n<link name='a'/></robot>\nsome\nmore").find("(some more)"),
+            std::string::npos);
+}
+
+}  // namespace

@@ -1,0 +1,623 @@
+// The oracles against themselves, against worked examples, and against planted faults.
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <boost/math/constants/constants.hpp>
+#include <iostream>
+#include <oracles/closed.hpp>
+#include <oracles/condition.hpp>
+#include <oracles/error.hpp>
+#include <oracles/exp.hpp>
+#include <oracles/integrate.hpp>
+#include <oracles/jacobians.hpp>
+#include <oracles/kinematics.hpp>
+#include <oracles/matrix_exponential.hpp>
+#include <oracles/spatial.hpp>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace liecheck::oracles {
+namespace {
+
+using float128 = boost::multiprecision::float128;
+
+/// budget: as the oracles promise, and as 50 digits leave
+const Real promised("1e-41"), rounding("1e-49");
+
+Real pi() {
+  return boost::math::constants::pi<Real>();
+}
+
+struct Angle {
+  std::string name;
+  Real theta;
+};
+
+/// Bands of angles up to 1e24; `huge` adds those beyond.
+std::vector<Angle> angles(bool huge = true) {
+  std::vector<Angle> all;
+  for (const char* s : {"0",    "1e-4940", "1e-310",  "1e-160", "1e-80",   "1e-40", "1e-20", "1e-10", "1e-5",
+                        "1e-3", "0.1",     "0.99999", "1",      "1.00001", "2",     "3",     "4",     "5",
+                        "6.2",  "7",       "20",      "1e3",    "1e5",     "1e6",   "1e8",   "1e15",  "1e24"})
+    all.push_back({s, Real(s)});
+  for (const char* s : {"0", "1e-45", "1e-30", "1e-16", "1e-10", "1e-3"}) {
+    all.push_back({std::string("pi - ") + s, pi() - Real(s)});
+    all.push_back({std::string("pi + ") + s, pi() + Real(s)});
+    all.push_back({std::string("2 pi - ") + s, 2 * pi() - Real(s)});
+    all.push_back({std::string("2 pi + ") + s, 2 * pi() + Real(s)});
+  }
+  if (huge)
+    for (const char* s : {"1e26", "1e100", "1e300", "1e4900"}) all.push_back({s, Real(s)});
+  return all;
+}
+
+Vec3<> vector(double x, double y, double z) {
+  return {{Real(x), Real(y), Real(z)}};
+}
+Vec3<> along(const Vec3<>& axis, const Real& theta) {
+  return Real(theta / norm(axis)) * axis;
+}
+Vec3<> scaled(const Vec3<>& v, const char* scale) {
+  return Real(scale) * v;
+}
+
+const std::vector<Vec3<>>& axes() {
+  static const std::vector<Vec3<>> all{vector(0, 0, 1), vector(1, 1e-20, 0), vector(0.3, -0.5, 0.8)};
+  return all;
+}
+/// A generic one, one that every axis in the x-z plane is nearly perpendicular to, and tiny and large ones.
+std::vector<Vec3<>> lengths() {
+  return {vector(0.25, -0.75, 1.5), vector(0, 1, 0), scaled(vector(1, 2, 3), "1e-300"),
+          scaled(vector(-3, 1, 2), "1e200")};
+}
+
+Vec7<> configuration(const Vec3<>& p, const Quaternion<>& Q) {
+  return {{p[0], p[1], p[2], Q[0], Q[1], Q[2], Q[3]}};
+}
+Vec7<> somewhere() {  // off unit by 0.3
+  return {{Real(0.5), Real(-2), Real(7), Real(0.3), Real(-0.4), Real(0.5), Real(0.9)}};
+}
+
+template <int N>
+void expect_near(const Vec<N>& actual, const Vec<N>& expected, const Real& relative,
+                 const std::string& what) {
+  EXPECT_LE(norm(actual - expected), Real(relative * norm(expected))) << what;
+}
+
+// ---- numbers
+
+TEST(OracleNumbers, ConvertEveryScalarExactlyIncludingSubnormals) {
+  EXPECT_EQ(exact<Real>(0.1f), Real("0.100000001490116119384765625"));
+  EXPECT_EQ(exact<Real>(0.1), Real("0.1000000000000000055511151231257827021181583404541015625"));
+  const float128 tenth = float128(1) / 10;
+  const Real converted = exact<Real>(tenth);
+  EXPECT_EQ(converted * 10 - 1, ldexp(Real(1), -114));  // 1/10 in 113 bits is 2^-114 above, tenfold
+  EXPECT_EQ(exact<Real>(float128(ldexp(float128(1), -16494))), ldexp(Real(1), -16494));
+  EXPECT_EQ(exact<Real>(std::numeric_limits<double>::denorm_min()), ldexp(Real(1), -1074));
+  EXPECT_EQ(exact<Real>(float128(-ldexp(float128(2) - ldexp(float128(1), -112), 16383))),
+            -ldexp(1 - ldexp(Real(1), -113), 16384));
+  EXPECT_TRUE(isnan(exact<Real>(std::numeric_limits<float128>::quiet_NaN())));
+  EXPECT_TRUE(isinf(exact<Real>(-std::numeric_limits<float128>::infinity())));
+}
+
+TEST(OracleAgreement, RefusesAWrongDigitAtTheFortiethPlace) {
+  Vec3<> v = vector(1, -2, 3);
+  EXPECT_TRUE(agree(v, v));
+  Vec3<> wrong = v;
+  wrong[1] += Real("1e-40") * norm(v);
+  EXPECT_FALSE(agree(wrong, v));
+  wrong[1] = v[1] + Real("1e-43");
+  EXPECT_TRUE(agree(wrong, v));
+  const Vec3<> tiny = scaled(v, "1e-310");
+  EXPECT_FALSE(agree(Real(1 + Real("1e-40")) * tiny, tiny));  // relative, also where doubles are subnormal
+}
+
+TEST(OracleAgreement, RefusesNotANumber) {
+  Vec3<> v = vector(1, -2, 3);
+  v[2] = std::numeric_limits<Real>::quiet_NaN();
+  EXPECT_FALSE(agree(v, v));
+  EXPECT_FALSE(exp_se3(stack(v, vector(1, 2, 3))).resolved);
+  EXPECT_FALSE(exp_se3(stack(vector(1, 2, 3), v)).resolved);
+  EXPECT_FALSE(log_se3({{v[0], v[1], v[2], Real(1)}}, v).resolved);
+  EXPECT_FALSE(log_so3({{Real(0), Real(0), Real(0), Real(0)}}).resolved);  // a zero quaternion has no log
+}
+
+TEST(OracleAgreement, RunsTheSecondFormulaAgainAtAHundredDigitsBeforeItGivesUp) {
+  int fifty = 0, hundred = 0;
+  const auto check = [&]<class T>(T) {
+    (std::is_same_v<T, Real> ? fifty : hundred) += 1;
+    return std::is_same_v<T, Real100>;
+  };
+  EXPECT_TRUE(confirmed(true, check));
+  EXPECT_EQ(fifty, 1);
+  EXPECT_EQ(hundred, 1);
+  EXPECT_FALSE(confirmed(true, []<class T>(T) { return false; }));
+}
+
+// ---- exp and log
+
+TEST(ExpOracle, ResolvesEveryBandOfAngles) {
+  for (const Angle& a : angles())
+    for (const Vec3<>& axis : axes())
+      for (const Vec3<>& rho : lengths()) {
+        const ExpResult e = exp_se3(stack(rho, along(axis, a.theta)));
+        EXPECT_TRUE(e.resolved) << a.name;
+        EXPECT_LE(abs(squared_norm(e.Q) - 1), rounding) << a.name;
+        if (a.theta < 1)
+          expect_near(Real(2) * head3(e.Q), along(axis, 2 * sin(a.theta / 2)), rounding, a.name);
+        if (a.theta < Real("1e-60")) expect_near(e.p, rho, rounding, a.name);
+      }
+}
+
+TEST(ExpOracle, QuarterTurnAlongAnArcEndsAtTwoOverPi) {
+  const ExpResult e = exp_se3({{Real(1), Real(0), Real(0), Real(0), Real(0), pi() / 2}});
+  EXPECT_TRUE(e.resolved);
+  expect_near(e.p, {{2 / pi(), 2 / pi(), Real(0)}}, rounding, "p");
+}
+
+TEST(ExpOracle, KeepsTheContinuousSignOfTheQuaternion) {
+  for (const auto& [turns, sign] : {std::pair{0.9, -1}, {1.1, -1}, {1.9, 1}, {2.1, 1}, {2.9, -1}}) {
+    const ExpResult e = exp_so3(along(vector(0, 0, 1), turns * 2 * pi()));
+    EXPECT_EQ(e.Q[3] < 0 ? -1 : 1, sign) << turns;
+  }
+}
+
+TEST(ExpOracle, AWholeTurnLeavesOnlyTheScrew) {
+  // rho across the axis comes back to where it started, but for the distance of theta to 2 pi k
+  for (const char* off : {"1e-10", "1e-34", "1e-40"}) {
+    const Real d(off);
+    const ExpResult e = exp_se3(stack(vector(1, 0, 0), along(vector(0, 0, 1), 2 * pi() + d)));
+    EXPECT_TRUE(e.resolved) << off;
+    const Real t = 2 * pi() + d;
+    // theta itself is known to 1e-50 only, because pi is
+    EXPECT_LE(abs(e.p[0] - sin(d) / t), Real("1e-48")) << off;
+    EXPECT_LE(abs(e.p[1] - 2 * sin(d / 2) * sin(d / 2) / t), Real("1e-48")) << off;
+  }
+}
+
+TEST(ExpOracle, ReducesHugeAnglesModuloTwoPiExactly) {
+  // sin and cos of 1e300 / 2 by MPFR's own reduction, at an argument that 50 digits hold exactly
+  const Real theta = Real(1e300), half = theta / 2;
+  const ExpResult e = exp_so3({{Real(0), Real(0), theta}});
+  EXPECT_TRUE(e.resolved);
+  EXPECT_LE(abs(e.Q[2] - sin(half)), rounding);
+  EXPECT_LE(abs(e.Q[3] - cos(half)), rounding);
+}
+
+TEST(LogOracle, InvertsExpInEveryBandUpToPi) {
+  for (const Angle& a : angles(false)) {
+    if (a.theta > pi()) continue;
+    for (const Vec3<>& axis : axes())
+      for (const Vec3<>& rho : lengths()) {
+        const Vec3<> phi = along(axis, a.theta);
+        const ExpResult e = exp_se3(stack(rho, phi));
+        for (const Quaternion<>& Q : {e.Q, -e.Q, Real(1.125) * e.Q}) {
+          const LogResult l = log_se3(Q, e.p);
+          EXPECT_TRUE(l.resolved) << a.name;
+          if (l.pi_minus_theta < Real("1e-47")) continue;  // 50 digits of pi lie on either side of it
+          EXPECT_LE(norm(l.phi - phi), Real(rounding * a.theta)) << a.name;
+          expect_near(l.rho, rho, rounding * 10, a.name);
+          EXPECT_LE(abs(l.theta + l.pi_minus_theta - pi()), rounding * 10) << a.name;
+        }
+      }
+  }
+}
+
+TEST(LogOracle, ComesBackToTheSamePoseBeyondPi) {
+  for (const Angle& a : angles()) {
+    if (a.theta <= pi()) continue;
+    const ExpResult e = exp_se3(stack(vector(1, 2, 3), along(vector(0.3, -0.5, 0.8), a.theta)));
+    const LogResult l = log_se3(e.Q, e.p);
+    EXPECT_TRUE(l.resolved) << a.name;
+    EXPECT_LE(l.theta, pi() + rounding) << a.name;
+    const ExpResult again = exp_se3(l.value());
+    EXPECT_LE(frobenius(again.R - e.R), promised) << a.name;
+    expect_near(again.p, e.p, promised, a.name);
+  }
+}
+
+TEST(LogOracle, GivesBothAxesAtExactlyPi) {
+  const LogResult l = log_se3({{Real(0.6), Real(0), Real(0.8), Real(0)}}, vector(1, 2, 3));
+  EXPECT_TRUE(l.resolved);
+  ASSERT_TRUE(l.at_pi);
+  EXPECT_LE(norm(l.phi + tail3(l.other)), rounding);
+  const ExpResult a = exp_se3(l.value()), b = exp_se3(l.other);
+  EXPECT_LE(frobenius(a.R - b.R), rounding * 10);
+  expect_near(a.p, vector(1, 2, 3), rounding * 10, "value");
+  expect_near(b.p, vector(1, 2, 3), rounding * 10, "other");
+}
+
+TEST(LogOracle, OfAMatrixIsThatOfTheNearestRotation) {
+  for (const Angle& a : angles(false)) {
+    if (a.theta > pi() || a.theta > Real("3.14159")) continue;
+    for (const Vec3<>& axis : axes()) {
+      const Vec3<> phi = along(axis, a.theta);
+      const ExpResult e = exp_so3(phi);
+      Mat3<> stretch = identity<3, Real>();  // R S of a symmetric S has the polar factor R
+      stretch(0, 0) += Real(1e-15);
+      stretch(1, 1) -= Real(3e-16);
+      const Mat3<> stored = e.R * stretch;
+      const LogResult l = log_so3_matrix(stored);
+      EXPECT_TRUE(l.resolved) << a.name;
+      // 50 digits of R hold phi to 1e-50 of the identity's ones
+      EXPECT_LE(norm(l.phi - phi), Real("1e-47") + Real(rounding * a.theta)) << a.name;
+    }
+  }
+}
+
+TEST(LogOracle, KeepsTheRelativeAccuracyOfAMatrixWithSubnormalEntries) {
+  Mat3<> R = identity<3, Real>();
+  R(0, 0) += Real(2.220446049250313e-16);
+  R(1, 0) = Real(3e-310);
+  R(0, 1) = Real(-3e-310);
+  const LogResult l = log_so3_matrix(R);
+  EXPECT_TRUE(l.resolved);
+  // antisymmetric part of the polar factor of [[1+e, -t], [t, 1]] is 2t / (2 + e)
+  EXPECT_LE(abs(l.phi[2] / Real(3e-310) - 2 / (2 + Real(2.220446049250313e-16))), promised);
+}
+
+TEST(LogOracle, RefusesAReflection) {
+  Mat3<> R = identity<3, Real>();
+  R(2, 2) = -1;
+  EXPECT_FALSE(log_so3_matrix(R).resolved);
+  EXPECT_FALSE(log_so3_matrix(zeros<3, 3, Real>()).resolved);
+}
+
+// ---- integrate and difference
+
+TEST(IntegrateOracle, YawedByAQuarterTurnLocalXMovesAlongWorldY) {
+  const Real h = sqrt(Real(0.5));
+  const IntegrateResult r = integrate({{Real(0), Real(0), Real(0), Real(0), Real(0), h, h}},
+                                      {{Real(2), Real(0), Real(0), Real(0), Real(0), Real(0)}});
+  EXPECT_TRUE(r.resolved);
+  expect_near(r.p, vector(0, 2, 0), rounding, "p");
+}
+
+TEST(IntegrateOracle, AndDifferenceAreInverseInEveryBandUpToPi) {
+  for (const Angle& a : angles(false)) {
+    if (a.theta >= pi()) continue;
+    for (const Vec3<>& axis : axes()) {
+      const Vec6<> delta = stack(vector(0.25, -0.75, 1.5), along(axis, a.theta));
+      // from the identity, where 50 digits of the result hold delta
+      const Vec7<> q0{{Real(0), Real(0), Real(0), Real(0), Real(0), Real(0), Real(1)}};
+      const IntegrateResult r = integrate(q0, delta);
+      const DifferenceResult d = difference(q0, configuration(r.p, r.Q));
+      EXPECT_TRUE(r.resolved && d.resolved) << a.name;
+      EXPECT_LE(norm(d.phi - tail3(delta)), Real(rounding * a.theta)) << a.name;
+      expect_near(d.rho, head3(delta), rounding * 10, a.name);
+      const IntegrateResult s = integrate(somewhere(), delta);
+      EXPECT_TRUE(s.resolved && difference(somewhere(), configuration(s.p, s.Q)).resolved) << a.name;
+    }
+  }
+}
+
+TEST(DifferenceOracle, OfPosesSubnormallyNearKeepsItsRelativeAccuracy) {
+  const Vec7<> q0{{Real(5), Real(0), Real(0), Real(0), Real(0.6), Real(0), Real(0.8)}};
+  Vec7<> q1 = q0;
+  q1[1] = Real(3e-300);
+  q1[3] = Real(2e-310);
+  const DifferenceResult d = difference(q0, q1);
+  EXPECT_TRUE(d.resolved);
+  EXPECT_LE(abs(d.separation / Real(3e-300) - 1), rounding);
+  // Q0* (x, .6, 0, .8) / |Q|^2 has the vector part (w x, 0, y x)
+  const Real n = Real(0.6) * Real(0.6) + Real(0.8) * Real(0.8), x = Real(2e-310);
+  EXPECT_LE(norm(d.phi - Vec3<>{{2 * Real(0.8) * x / n, Real(0), 2 * Real(0.6) * x / n}}),
+            Real(promised * x));
+}
+
+TEST(DifferenceOracle, OfAConfigurationAndItsOppositeQuaternionIsZero) {
+  Vec7<> q1 = somewhere();
+  for (int i = 3; i < 7; ++i) q1[i] = -q1[i];
+  const DifferenceResult d = difference(somewhere(), q1);
+  EXPECT_TRUE(d.resolved);
+  EXPECT_EQ(norm(d.value()), 0);
+}
+
+TEST(DifferenceOracle, OfNearPosesInFloat128IsResolved) {
+  Vec<7, float128> a{{float128(1) / 3, float128(2) / 7, float128(-5) / 9, float128(1) / 2, float128(1) / 2,
+                      float128(1) / 2, float128(1) / 2}};
+  Vec<7, float128> b = a;
+  b[3] += std::numeric_limits<float128>::epsilon() / 2;
+  b[0] += std::numeric_limits<float128>::epsilon() / 4;
+  const DifferenceResult d = difference(exact_vector<7>(a), exact_vector<7>(b));
+  EXPECT_TRUE(d.resolved);
+  // v = Q0* (Q1 - Q0) = e (w, -z, y), w = 1 + e x; phi = 2 v / w (1 - ...), e = 2^-113
+  const Real e = ldexp(Real(1), -113);
+  const Real tangent = sqrt(Real(3)) * e / 2 / (1 + e / 2);
+  EXPECT_LE(abs(d.theta / (2 * atan(tangent)) - 1), promised);
+}
+
+// ---- Jacobians
+
+/// Near 2 pi k the inverse is singular, and an angle is known to 1e-50 only.
+bool near_singular(const Real& theta) {
+  const Real turns = theta / (2 * pi());
+  return theta > 1 && abs(turns - round(turns)) * 2 * pi() < Real("1e-40");
+}
+
+TEST(JacobianOracle, ClosedFormAndPhi1AgreeInEveryBand) {
+  for (const Angle& a : angles(false))
+    for (const Vec3<>& axis : axes())
+      for (const Vec3<>& rho : lengths()) {
+        const Vec6<> xi = stack(rho, along(axis, a.theta));
+        EXPECT_TRUE(left_jacobian_se3(xi).resolved) << a.name;
+        EXPECT_TRUE(right_jacobian_se3(xi).resolved) << a.name;
+        EXPECT_TRUE(left_jacobian_so3(tail3(xi)).resolved) << a.name;
+        EXPECT_TRUE(right_jacobian_so3(tail3(xi)).resolved) << a.name;
+        if (near_singular(a.theta)) continue;
+        EXPECT_TRUE(left_jacobian_se3_inverse(xi).resolved) << a.name;
+        EXPECT_TRUE(right_jacobian_se3_inverse(xi).resolved) << a.name;
+        EXPECT_TRUE(left_jacobian_so3_inverse(tail3(xi)).resolved) << a.name;
+        EXPECT_TRUE(right_jacobian_so3_inverse(tail3(xi)).resolved) << a.name;
+      }
+}
+
+TEST(JacobianOracle, FiniteDifferencesAreTheRightJacobianUpToAHundredMillionRadians) {
+  for (const Angle& a : angles(false)) {
+    if (a.theta > Real("1e8")) continue;
+    for (const Vec3<>& rho : lengths()) {
+      const Vec6<> xi = stack(rho, along(vector(0.3, -0.5, 0.8), a.theta));
+      const Jacobian6Result fd = right_jacobian_fd(xi), J = right_jacobian_se3(xi);
+      EXPECT_TRUE(fd.resolved) << a.name;
+      EXPECT_LE(frobenius(fd.J - J.J), Real(rounding * frobenius(J.J))) << a.name;
+      EXPECT_LE(frobenius(fd.C - J.C), Real(rounding * frobenius(J.C))) << a.name;
+    }
+  }
+}
+
+TEST(JacobianOracle, OfAPureRotationHasNoCouplingBlock) {
+  const Vec6<> xi = stack(vector(0, 0, 0), vector(0.1, 0.2, 0.3));
+  const Vec7<> q = somewhere();
+  Vec7<> q1 = q;
+  q1[5] += 1;
+  for (const Jacobian6Result& r :
+       {left_jacobian_se3(xi), right_jacobian_se3_inverse(xi), right_jacobian_fd(xi), d_integrate_arg0(q, xi),
+        d_integrate_arg1(q, xi), d_difference_arg0(q, q1), d_difference_arg1(q, q1)}) {
+    EXPECT_TRUE(r.resolved);
+    EXPECT_EQ(frobenius(r.C), 0);
+  }
+}
+
+TEST(JacobianOracle, AtZeroIsTheIdentityAndHalfTheLengthInTheCouplingBlock) {
+  const Vec3<> rho = vector(1, -2, 3);
+  const Jacobian6Result r = left_jacobian_se3(stack(rho, vector(0, 0, 0)));
+  EXPECT_TRUE(r.resolved);
+  EXPECT_EQ(frobenius(r.J - identity<3, Real>()), 0);
+  EXPECT_LE(frobenius(r.C - Real(0.5) * hat(rho)), rounding);
+}
+
+TEST(DerivativeOracle, OfIntegrateFromItsDefinitionIsResolvedInEveryBand) {
+  for (const Angle& a : angles(false)) {
+    if (a.theta > Real("1e8")) continue;
+    for (const Vec3<>& rho : {vector(0.25, -0.75, 1.5), scaled(vector(1, 2, 3), "1e-300")}) {
+      const Vec6<> delta = stack(rho, along(vector(0.3, -0.5, 0.8), a.theta));
+      EXPECT_TRUE(d_integrate_arg0(somewhere(), delta).resolved) << a.name;
+      EXPECT_TRUE(d_integrate_arg1(somewhere(), delta).resolved) << a.name;
+    }
+  }
+}
+
+TEST(DerivativeOracle, OfDifferenceFromItsDefinitionIsResolvedUpToPi) {
+  for (const Angle& a : angles(false)) {
+    if (a.theta > pi()) continue;
+    const Vec6<> delta = stack(vector(0.25, -0.75, 1.5), along(vector(0.3, -0.5, 0.8), a.theta));
+    const IntegrateResult r = integrate(somewhere(), delta);
+    const Vec7<> q1 = configuration(r.p, r.Q);
+    EXPECT_TRUE(d_difference_arg0(somewhere(), q1).resolved) << a.name;
+    EXPECT_TRUE(d_difference_arg1(somewhere(), q1).resolved) << a.name;
+  }
+}
+
+TEST(DerivativeOracle, OfDifferenceAtExactlyHalfATurnFollowsTheBranchAskedFor) {
+  const Vec7<> q0{{Real(0), Real(0), Real(0), Real(0), Real(0), Real(0), Real(1)}};
+  const Vec7<> q1{{Real(1), Real(2), Real(3), Real(0.6), Real(0), Real(0.8), Real(0)}};
+  const LogResult l = difference(q0, q1);
+  ASSERT_TRUE(l.at_pi);
+  const Jacobian6Result a = d_difference_arg1(q0, q1), b = d_difference_arg1(q0, q1, Branch::other);
+  EXPECT_TRUE(a.resolved && b.resolved);
+  EXPECT_LE(frobenius(a.matrix() - right_jacobian_se3_inverse(l.value()).matrix()), promised);
+  EXPECT_LE(frobenius(b.matrix() - right_jacobian_se3_inverse(l.other).matrix()), promised);
+  const Jacobian6Result c = d_difference_arg0(q0, q1, Branch::other);
+  EXPECT_LE(frobenius(c.matrix() + left_jacobian_se3_inverse(l.other).matrix()), promised);
+}
+
+// ---- spatial algebra
+
+TEST(SpatialOracle, AZeroPowerWrenchHasZeroPowerInBothFrames) {
+  const Pose X_AB{identity<3, Real>(), vector(1, 0, 0)};
+  const Vec6<> F_B = stack(vector(0, 10, 0), vector(0, 0, 0)), V_B = stack(vector(0, 0, 0), vector(0, 0, 2));
+  const SpatialResult F_A = act_force(X_AB, F_B), V_A = act_motion(X_AB, V_B);
+  EXPECT_TRUE(F_A.resolved && V_A.resolved);
+  EXPECT_EQ(norm(F_A.value - stack(vector(0, 10, 0), vector(0, 0, 10))), 0);
+  EXPECT_EQ(norm(V_A.value - stack(vector(0, -2, 0), vector(0, 0, 2))), 0);
+  const ScalarResult P_A = power(F_A.value, V_A.value), P_B = power(F_B, V_B);
+  EXPECT_TRUE(P_A.resolved && P_B.resolved);
+  EXPECT_EQ(P_A.value, 0);
+  EXPECT_EQ(P_B.value, 0);
+}
+
+Body two_kilograms() {
+  Body I{Real(2), vector(0.3, 0, 0), zeros<3, 3, Real>()};
+  I.c[0] = Real("0.3");
+  I.I_C(0, 0) = Real("0.02");
+  I.I_C(1, 1) = Real("0.05");
+  I.I_C(2, 2) = Real("0.06");
+  return I;
+}
+
+TEST(SpatialOracle, TwoKilogramsTurningAtTwoRadiansASecondHaveHalfAJouleByBothRoutes) {
+  const Body I = two_kilograms();
+  const Matrix6Result M = inertia_matrix(I);
+  EXPECT_TRUE(M.resolved);
+  const std::array<Real, 3> I_O{Real("0.02"), Real("0.23"), Real("0.24")};
+  for (int i = 0; i < 3; ++i)
+    EXPECT_LE(abs(M.value(3 + i, 3 + i) - I_O[static_cast<std::size_t>(i)]), rounding);
+  const Vec6<> V = stack(vector(0, 0, 0), vector(0, 0, 2));
+  const ScalarResult E = kinetic_energy(I, V);
+  EXPECT_TRUE(E.resolved);
+  EXPECT_LE(abs(E.value - Real("0.48")), rounding);
+  const SpatialResult h = momentum(I, V);
+  EXPECT_TRUE(h.resolved);
+  EXPECT_LE(norm(h.value - Vec6<>{{Real(0), Real("1.2"), Real(0), Real(0), Real(0), Real("0.48")}}),
+            rounding);
+}
+
+TEST(SpatialOracle, EveryOperationIsResolvedAndUndoneByItsInverse) {
+  const ExpResult e = exp_se3(stack(vector(3, -1, 2), vector(0.3, -0.5, 0.8)));
+  Pose X{e.R, e.p};
+  for (Real& x : X.R.x) x = Real(static_cast<double>(x));  // rounded: orthogonal to 1e-16
+  const Vec6<> V = stack(vector(0.1, 2, -3), vector(1, 1, 0.5)),
+               F = stack(vector(5, -1, 2), vector(0.2, 7, 3));
+  const Real nearly("1e-15");
+  const auto undone = [&](const SpatialResult& there, const SpatialResult& back, const Vec6<>& v) {
+    EXPECT_TRUE(there.resolved && back.resolved);
+    expect_near(back.value, v, nearly, "back");
+  };
+  undone(act_motion(X, V), act_inverse_motion(X, act_motion(X, V).value), V);
+  undone(act_force(X, F), act_inverse_force(X, act_force(X, F).value), F);
+  const PointResult x = act_point(X, vector(1, 2, 3)), y = act_inverse_point(X, x.value);
+  EXPECT_TRUE(x.resolved && y.resolved);
+  expect_near(y.value, vector(1, 2, 3), nearly, "point");
+  EXPECT_TRUE(rotate_point(e.Q, vector(1, 2, 3)).resolved);
+  const BodyResult I = act_inertia(X, two_kilograms()), J = act_inverse_inertia(X, I.value);
+  EXPECT_TRUE(I.resolved && J.resolved);
+  expect_near(J.value.c, two_kilograms().c, Real("1e-14"), "centre of mass");
+  EXPECT_LE(frobenius(J.value.I_C - two_kilograms().I_C), nearly);
+  EXPECT_TRUE(cross_motion(V, F).resolved);
+  EXPECT_TRUE(cross_force(V, F).resolved);
+  EXPECT_EQ(norm(cross_motion(V, V).value), 0);
+  // ad*_V F paired with W is - F paired with ad_V W
+  const Vec6<> W = stack(vector(1, 2, 3), vector(-2, 5, 1));
+  EXPECT_LE(abs(power(cross_force(V, F).value, W).value + power(F, cross_motion(V, W).value).value),
+            Real("1e-46"));
+}
+
+// ---- kinematics
+
+TEST(KinematicsOracle, RatesAgreeWithDifferencesAtEveryScale) {
+  for (const char* scale : {"1e-300", "1e-20", "1", "1e20", "1e300"})
+    for (const char* ratio : {"1e-200", "1", "1e200"}) {
+      const Vec6<> v =
+          stack(scaled(vector(1, 2, -3), scale), Real(Real(scale) * Real(ratio)) * vector(1, 0, 2));
+      EXPECT_TRUE(configuration_rate(somewhere(), v).resolved) << scale << " " << ratio;
+    }
+  EXPECT_TRUE(configuration_rate(somewhere(), zero_vector<6, Real>()).resolved);
+}
+
+TEST(KinematicsOracle, CoefficientJacobianTimesVelocityIsTheRate) {
+  const CoefficientJacobianResult J = integrate_coefficient_jacobian(somewhere());
+  EXPECT_TRUE(J.resolved);
+  const Vec6<> v{{Real(1), Real(-2), Real(3), Real(0.5), Real(0.25), Real(-1)}};
+  const RateResult r = configuration_rate(somewhere(), v);
+  const Vec7<> rate = J.value * v;
+  expect_near(head3(rate), r.p_dot, rounding, "p");
+  expect_near(Quaternion<>{{rate[3], rate[4], rate[5], rate[6]}}, r.Q_dot, rounding, "Q");
+}
+
+// ---- condition and error
+
+TEST(ConditionOracle, OfADifferenceOfNearNumbersIsTheCancellation) {
+  const Function subtract = [](const std::vector<Real>& x) {
+    return std::vector<Real>{x[0] - x[1], x[0] * x[1]};
+  };
+  const std::vector<Real> x{Real(1), Real(1) - Real(1e-6)};
+  const std::vector<double> kappa = condition(subtract, x, {{0, 1}, {1, 1}});
+  EXPECT_NEAR(kappa[0] / 2e6, 1, 1e-3);
+  EXPECT_NEAR(kappa[1], 2, 1e-9);
+}
+
+TEST(ConditionOracle, OfExpNearAWholeTurnGrowsAsTheInverseOfTheDistance) {
+  const Function p_of_exp = [](const std::vector<Real>& x) {
+    const UnitPose<Real> pose = closed_exp(Vec6<>{{x[0], x[1], x[2], x[3], x[4], x[5]}});
+    return std::vector<Real>(pose.p.x.begin(), pose.p.x.end());
+  };
+  const std::vector<Real> xi{Real(1), Real(0), Real(0), Real(0), Real(0), 2 * pi() + Real("1e-10")};
+  const std::vector<double> kappa = condition(p_of_exp, xi, {{0, 3}});
+  EXPECT_NEAR(kappa[0] * 1e-10 / 6.283185307, 1, 1e-3);  // dp/dtheta theta / p = theta / distance
+}
+
+TEST(ConditionOracle, DoesNotCountANumberThatIsZero) {
+  const Function sum = [](const std::vector<Real>& x) { return std::vector<Real>{x[0] + x[1]}; };
+  EXPECT_NEAR(condition(sum, {Real(0), Real(3)}, {{0, 1}})[0], 1, 1e-9);
+}
+
+TEST(ErrorMeasure, OfARotationTakesEitherSignAndIgnoresTheNorm) {
+  const Quaternion<> Q = exp_so3(vector(0.1, 0.2, 0.3)).Q;
+  EXPECT_LE(rotation_error<double>(Q, Q), 1e-30);
+  EXPECT_LE(rotation_error<double>(Real(-1.01) * Q, Q), 1e-30);
+  const double eps = std::numeric_limits<double>::epsilon();
+  const Quaternion<> turned = quaternion_product(Q, exp_so3(along(vector(1, 2, 3), Real(5 * eps))).Q);
+  EXPECT_NEAR(rotation_error<double>(turned, Q), 5, 1e-9);
+  EXPECT_NEAR(norm_defect<double>(Real(1 + Real(eps)) * Q), 2, 1e-9);
+}
+
+TEST(ErrorMeasure, OfARotationMatrixIsTheAngleOfItsPolarFactorOnly) {
+  const ExpResult e = exp_so3(vector(0.1, 0.2, 0.3));
+  const double eps = std::numeric_limits<double>::epsilon();
+  const Mat3<> turned = e.R * exp_so3(along(vector(1, 2, 3), Real(5 * eps))).R;
+  const Mat3<> stretched = Real(1 + Real(1e-9)) * turned;
+  EXPECT_NEAR(rotation_error<double>(stretched, e.Q), 5, 1e-9);
+  EXPECT_NEAR(orthogonality_defect<double>(stretched) * eps, 2e-9 * std::sqrt(3.0), 1e-17);
+  EXPECT_LE(rotation_error<double>(e.R, e.Q), 1e-30);
+}
+
+TEST(ErrorMeasure, GivesInfinityForNotANumberAndForAReflection) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(vector_error<double>(vector(nan, 0, 0), vector(1, 0, 0)), infinity);
+  EXPECT_EQ(rotation_error<double>(Quaternion<>{{Real(nan), Real(0), Real(0), Real(1)}},
+                                   exp_so3(vector(0, 0, 0)).Q),
+            infinity);
+  Mat3<> R = identity<3, Real>();
+  R(0, 0) = -1;
+  EXPECT_EQ(rotation_error<double>(R, exp_so3(vector(0, 0, 0)).Q), infinity);
+  R(0, 0) = Real(nan);
+  EXPECT_EQ(rotation_error<double>(R, exp_so3(vector(0, 0, 0)).Q), infinity);
+  EXPECT_FALSE(all_finite(std::array<double, 2>{1, nan}));
+  EXPECT_FALSE(all_finite(std::array<float128, 1>{std::numeric_limits<float128>::infinity()}));
+  EXPECT_TRUE(all_finite(std::array<float, 2>{1, 2}));
+}
+
+TEST(ErrorMeasure, OfAVectorIsRelativeDownToTheSmallestDenominator) {
+  const Vec3<> y = vector(1, 2, 2);
+  EXPECT_NEAR(vector_error<double>(Real(1 + Real(7 * std::numeric_limits<double>::epsilon())) * y, y), 7,
+              1e-9);
+  EXPECT_NEAR(
+      vector_error<double>(vector(1, 2, 2 + 3e-16), y, Real(30)) * std::numeric_limits<double>::epsilon(),
+      static_cast<double>(exact<Real>(2 + 3e-16) - 2) / 30, 1e-20);
+  // a lost subnormal is no error of one
+  const double lost = vector_error<double>(vector(0, 0, 0), vector(5e-324, 0, 0));
+  EXPECT_LE(lost, 1.0001);
+  EXPECT_GT(lost, 0);
+}
+
+TEST(ErrorMeasure, OfALogAtExactlyPiTakesEitherAxis) {
+  const LogResult l = log_se3({{Real(0.6), Real(0), Real(0.8), Real(0)}}, vector(1, 2, 3));
+  const TwistError a = log_error<double>(l.value(), l), b = log_error<double>(l.other, l);
+  EXPECT_LE(a.angular + a.linear + b.angular + b.linear, 1e-20);
+}
+
+// ---- threads
+
+TEST(Oracles, GiveTheSameBitsOnEveryThread) {
+  const auto run = [] {
+    const Vec6<> xi = stack(vector(1, 2, 3), vector(0.4, 0.5, 3));
+    const Jacobian6Result J = right_jacobian_fd(xi);
+    const ExpResult e = exp_se3(xi);
+    return std::pair{J.C, log_se3(e.Q, e.p).value()};
+  };
+  const auto expected = run();
+  std::array<std::pair<Mat3<>, Vec6<>>, 4> results;
+  std::vector<std::thread> threads;
+  for (auto& result : results) threads.emplace_back([&] { result = run(); });
+  for (std::thread& t : threads) t.join();
+  for (const auto& result : results) {
+    EXPECT_EQ(result.first.x, expected.first.x);
+    EXPECT_EQ(result.second.x, expected.second.x);
+  }
+}
+
+}  // namespace
+}  // namespace liecheck::oracles

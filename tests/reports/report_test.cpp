@@ -1,0 +1,251 @@
+// The report: what it refuses, what it merges, and that its three files say the same.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <reports/report.hpp>
+#include <stdexcept>
+#include <string>
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+Json row(const std::string& subject, const std::string& band, double max_eps) {
+  return {{"subject", subject},
+          {"scalar", "double"},
+          {"property", "exp_oracle"},
+          {"operation", "exp6"},
+          {"block", "translation"},
+          {"band", band},
+          {"axis", "theta"},
+          {"low", 1e-5},
+          {"high", 1e-4},
+          {"count", 713},
+          {"max_eps", max_eps},
+          {"p99_eps", 0.1},
+          {"median_eps", 0},
+          {"max_excess", 0},
+          {"budget", 4},
+          {"rule", "forward"},
+          {"ill_posed", 0},
+          {"unresolved", 0},
+          {"not_finite", 0},
+          {"wrong_branch", 0},
+          {"status", max_eps > 4 ? "fail" : "pass"},
+          {"worst",
+           {{"id", "g1.42.exp_oracle." + subject + ".double.none.7"},
+            {"input", {"0x1p-3", "-0x0p+0"}},
+            {"theta", 1.25e-5}}}};
+}
+
+Json record() {
+  const auto subject = [](const char* name) {
+    return Json{{"name", name},
+                {"version", "0.1.0"},
+                {"scalar", "double"},
+                {"eps", 0x1p-52},
+                {"not_offered", {"log6"}}};
+  };
+  return {
+      {"version", "0.1.0"},
+      {"generator_version", 1},
+      {"seed", 42},
+      {"cases", 20000},
+      {"verdict", "pass"},
+      {"digest", {{"inputs", "ab"}, {"results", "cd"}}},
+      {"robot", {{"name", "none"}, {"hash", "0000000000000000"}}},
+      {"environment",
+       {{"cpu", "c"},
+        {"os", "o"},
+        {"compiler", "g"},
+        {"flags", "-O2"},
+        {"fma_contraction", "off"},
+        {"libm", "glibc"}}},
+      {"subjects", {subject("liecheck"), subject("textbook")}},
+      {"absent", {"ceres"}},
+      {"blocks", Json::array()},
+      {"operations", Json::array()},
+      {"properties", Json::array()},
+      {"results", {row("liecheck", "theta 1e-5..1e-4", 0.5), row("textbook", "theta 1e-5..1e-4", 2311.5)}}};
+}
+
+class Report : public testing::Test {
+ protected:
+  fs::path dir =
+      fs::path(testing::TempDir()) /
+      ("liecheck_report_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+
+  void SetUp() override {
+    fs::remove_all(dir);
+    fs::create_directories(dir);
+  }
+  void TearDown() override { fs::remove_all(dir); }
+
+  fs::path store(const std::string& name, const std::string& text) const {
+    std::ofstream(dir / name, std::ios::binary) << text;
+    return dir / name;
+  }
+  static std::string read(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+  /// The error line of a record with this text; it must name the file and leave nothing behind.
+  std::string refusal(const std::string& text) const {
+    const fs::path file = store("record.json", text);
+    try {
+      liecheck::reports::write_report({file}, dir / "out");
+    } catch (const std::runtime_error& error) {
+      const std::string line = error.what();
+      EXPECT_EQ(line.find('\n'), line.npos);
+      EXPECT_NE(line.find(file.string()), line.npos) << line;
+      EXPECT_FALSE(fs::exists(dir / "out"));
+      return line;
+    }
+    ADD_FAILURE() << "not refused";
+    return "";
+  }
+  liecheck::reports::ReportFiles report(const Json& r) const {
+    return liecheck::reports::write_report({store("record.json", r.dump())}, dir / "deep" / "out");
+  }
+};
+
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != text.npos;
+}
+
+TEST_F(Report, RefusesARecordCutOff) {
+  const std::string text = record().dump();
+  EXPECT_TRUE(has(refusal(text.substr(0, text.size() / 2)), "not JSON: line 1, column "));
+  EXPECT_TRUE(has(refusal(""), "end of the file"));
+}
+
+TEST_F(Report, NamesLineAndColumnOfWhatIsNotJson) {
+  EXPECT_TRUE(has(refusal("{\n  \"version\": !\n}"), "not JSON: line 2, column 14: unexpected \"0x21\""));
+}
+
+TEST_F(Report, TakesBandsWithoutACase) {
+  Json r = record();
+  r["results"][0].update({{"count", 0}, {"status", "empty"}, {"worst", nullptr}});
+  const auto files = report(r);
+  EXPECT_TRUE(has(read(files.csv), ",empty,,,\r\n"));
+  EXPECT_TRUE(has(read(files.html), "<b>liecheck</b> in double"));
+}
+
+TEST_F(Report, RanksAWrongBranchAboveAnyError) {
+  Json r = record();
+  r["results"][1]["wrong_branch"] = 1;
+  EXPECT_TRUE(has(read(report(r).html), "<b>wrong branch</b>"));
+}
+
+TEST_F(Report, CallsASubjectWithAnUnresolvedBandIncomplete) {
+  Json r = record();
+  r["results"].push_back(row("liecheck", "0", 0));
+  r["results"][2]["status"] = "unresolved";
+  EXPECT_TRUE(has(read(report(r).html), "<dt>incomplete</dt><dd><b>liecheck</b> in double</dd>"));
+}
+
+TEST_F(Report, RefusesAMissingRecord) {
+  EXPECT_THROW(liecheck::reports::write_report({dir / "nowhere.json"}, dir / "out"), std::runtime_error);
+  EXPECT_THROW(liecheck::reports::write_report({}, dir / "out"), std::runtime_error);
+}
+
+TEST_F(Report, NamesTheFieldAndTheValueItRefuses) {
+  EXPECT_TRUE(has(refusal("[1, 2]"), "(top level): expected an object, found [1,2]"));
+  EXPECT_TRUE(has(refusal("{}"), "field version is missing"));
+  Json r = record();
+  r["results"][1].erase("budget");
+  EXPECT_TRUE(has(refusal(r.dump()), "field results[1].budget is missing"));
+  r = record();
+  r["results"][1]["status"] = "fine";
+  EXPECT_TRUE(has(refusal(r.dump()), "results[1].status: expected one of pass, fail"));
+  r["results"][1]["status"] = "pass";
+  r["results"][0]["max_eps"] = -1;
+  EXPECT_TRUE(
+      has(refusal(r.dump()), "results[0].max_eps: expected a number >= 0, \"inf\" or \"nan\", found -1"));
+}
+
+TEST_F(Report, RefusesTheSameRowTwice) {
+  Json r = record();
+  r["results"].push_back(r["results"][0]);
+  EXPECT_TRUE(
+      has(refusal(r.dump()), "liecheck / double / exp_oracle / exp6 / translation / theta 1e-5..1e-4"));
+}
+
+TEST_F(Report, MergesRecords) {
+  Json second = record();
+  second["seed"] = 43;
+  second["verdict"] = "fail";
+  second["results"] = Json::array({row("liecheck", "0", 0)});
+  const auto files = liecheck::reports::write_report(
+      {store("a.json", record().dump()), store("b.json", second.dump())}, dir / "out");
+  const Json numbers = Json::parse(read(files.json));
+  EXPECT_EQ(numbers["records"].size(), 2u);
+  EXPECT_FALSE(numbers["records"][0].contains("results"));
+  EXPECT_EQ(numbers["results"].size(), 3u);
+  EXPECT_EQ(numbers["results"][2], second["results"][0]);
+  EXPECT_TRUE(has(read(files.html), "accuracy report: fail"));
+}
+
+TEST_F(Report, LeavesThreeFilesAndNoOther) {
+  const auto files = report(record());
+  EXPECT_EQ(std::distance(fs::directory_iterator(files.html.parent_path()), {}), 3);
+  EXPECT_EQ(files.csv.filename(), "report.csv");
+}
+
+TEST_F(Report, WritesACsvThatQuotesAndKeepsEveryDigit) {
+  Json r = record();
+  r["results"][0]["block"] = "a, \"b\"";
+  r["results"][0]["max_eps"] = 0.1;
+  r["results"][1]["max_eps"] = "inf";
+  const std::string csv = read(report(r).csv);
+  EXPECT_TRUE(has(csv, "exp6,\"a, \"\"b\"\"\",theta 1e-5..1e-4"));
+  EXPECT_TRUE(has(csv, ",0.10000000000000001,"));
+  EXPECT_TRUE(has(csv, ",713,inf,"));
+  EXPECT_TRUE(has(csv, "none.7,1.25e-05,0x1p-3 -0x0p+0\r\n"));
+  EXPECT_EQ(csv.rfind("subject,scalar,", 0), 0u);
+}
+
+TEST_F(Report, MakesAPageThatDataCannotBreak) {
+  Json r = record();
+  r["subjects"][0]["not_offered"] = {"</script><script>alert(1)</script>", "{{machine}}"};
+  const std::string page = read(report(r).html);
+  EXPECT_FALSE(has(page, "<script>alert"));
+  EXPECT_TRUE(has(page, "&lt;/script&gt;"));
+  EXPECT_TRUE(has(page, "\\u003c/script>"));
+  EXPECT_TRUE(has(page, "<td>{{machine}}</td>"));
+}
+
+TEST_F(Report, NeedsNoNetwork) {
+  const std::string page = read(report(record()).html);
+  for (const char* way : {"src=\"http", "href=\"http", "@import", "url("})
+    EXPECT_FALSE(has(page, way)) << way;
+  EXPECT_TRUE(has(page, "default-src 'none'"));
+  EXPECT_TRUE(has(page, "Chart.js v"));
+}
+
+TEST_F(Report, SaysWhenTheControlPassed) {
+  Json r = record();
+  EXPECT_FALSE(has(read(report(r).html), "CONTROL PASSED"));
+  r["results"][1] = row("textbook", "theta 1e-5..1e-4", 1);
+  EXPECT_TRUE(has(read(report(r).html), "CONTROL PASSED"));
+}
+
+TEST_F(Report, ShowsNanOrInfAsAnOutcome) {
+  Json r = record();
+  r["results"][1]["max_eps"] = "nan";
+  r["results"][1]["not_finite"] = 2;
+  EXPECT_TRUE(has(read(report(r).html), "<b>NaN or Inf</b>"));
+}
+
+TEST_F(Report, SaysSoWhenThereAreNoResults) {
+  Json r = record();
+  r["results"] = Json::array();
+  EXPECT_TRUE(has(read(report(r).html), "incomplete\">The records hold no results."));
+}
+
+}  // namespace
