@@ -1,0 +1,143 @@
+#include <campaign/case_id.hpp>
+
+#include <campaign/digest.hpp>
+#include <quadmath.h>
+
+#include <charconv>
+#include <cstdlib>
+#include <fmt/format.h>
+#include <stdexcept>
+
+namespace liecheck::properties {
+
+using float128 = boost::multiprecision::float128;
+
+std::string CaseId::text() const {
+  if (raw) return fmt::format("raw.{}.{}.{}.{}.{}", property, subject, scalar, robot, fmt::join(input, ","));
+  return fmt::format("g{}.{}.{}.{}.{}.{}.{}", generator_version, seed, property, subject, scalar, robot, index);
+}
+
+namespace {
+
+std::uint64_t number(const std::string& text, const std::string& what, const std::string& id) {
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size())
+    throw std::invalid_argument(fmt::format("case ID '{}': {} is not a number: '{}'", id, what, text));
+  return value;
+}
+
+/// The first `n` dot-separated parts, the rest whole.
+std::vector<std::string> parts(const std::string& text, std::size_t n) {
+  std::vector<std::string> all;
+  std::size_t from = 0;
+  while (all.size() + 1 < n) {
+    const std::size_t dot = text.find('.', from);
+    if (dot == std::string::npos) break;
+    all.push_back(text.substr(from, dot - from));
+    from = dot + 1;
+  }
+  all.push_back(text.substr(from));
+  return all;
+}
+
+}  // namespace
+
+CaseId CaseId::parse(const std::string& text) {
+  CaseId id;
+  if (text.rfind("raw.", 0) == 0) {
+    const auto p = parts(text, 6);
+    if (p.size() != 6)
+      throw std::invalid_argument(
+          fmt::format("case ID '{}': expected raw.PROPERTY.SUBJECT.SCALAR.ROBOT.NUMBERS", text));
+    id.raw = true;
+    id.property = p[1], id.subject = p[2], id.scalar = p[3], id.robot = p[4];
+    std::size_t from = 0;
+    while (from <= p[5].size()) {
+      const std::size_t comma = std::min(p[5].find(',', from), p[5].size());
+      id.input.push_back(p[5].substr(from, comma - from));
+      from = comma + 1;
+    }
+    return id;
+  }
+  const auto p = parts(text, 7);
+  if (p.size() != 7 || p[0].size() < 2 || p[0][0] != 'g')
+    throw std::invalid_argument(
+        fmt::format("case ID '{}': expected gVERSION.SEED.PROPERTY.SUBJECT.SCALAR.ROBOT.INDEX", text));
+  const std::uint64_t version = number(p[0].substr(1), "the generator version", text);
+  if (version != static_cast<std::uint64_t>(generator_version))
+    throw std::invalid_argument(fmt::format("case ID '{}' needs generator version {}, this program has {}", text,
+                                            version, generator_version));
+  id.seed = number(p[1], "the seed", text);
+  id.property = p[2], id.subject = p[3], id.scalar = p[4], id.robot = p[5];
+  id.index = number(p[6], "the index", text);
+  return id;
+}
+
+Source::Key CaseId::key() const {
+  return sha256(fmt::format("g{}.{}.{}.{}.{}.{}", generator_version, seed, property, scalar, robot, index));
+}
+
+template <>
+std::string scalar_name<float>() {
+  return "float";
+}
+template <>
+std::string scalar_name<double>() {
+  return "double";
+}
+template <>
+std::string scalar_name<float128>() {
+  return "float128";
+}
+
+template <class S>
+std::string hexadecimal_float(const S& x) {
+  char buffer[128];
+  if constexpr (std::is_same_v<S, float128>) {
+    quadmath_snprintf(buffer, sizeof buffer, "%Qa", x.backend().value());
+  } else {
+    std::snprintf(buffer, sizeof buffer, "%a", static_cast<double>(x));
+  }
+  return buffer;
+}
+
+template <class S>
+std::string decimal_float(const S& x) {
+  if constexpr (std::is_same_v<S, float128>) {
+    char buffer[128];
+    quadmath_snprintf(buffer, sizeof buffer, "%.36Qg", x.backend().value());
+    return buffer;
+  } else {
+    return fmt::format("{}", x);
+  }
+}
+
+template <class S>
+S parse_float(const std::string& text) {
+  const char* begin = text.c_str();
+  char* end = nullptr;
+  S value;
+  if constexpr (std::is_same_v<S, float128>) {
+    value = S(strtoflt128(begin, &end));
+  } else if constexpr (std::is_same_v<S, float>) {
+    value = std::strtof(begin, &end);
+  } else {
+    value = std::strtod(begin, &end);
+  }
+  if (text.empty() || end != begin + text.size())
+    throw std::invalid_argument(fmt::format("not a number: '{}'", text));
+  return value;
+}
+
+template std::string hexadecimal_float<float>(const float&);
+template std::string hexadecimal_float<double>(const double&);
+template std::string hexadecimal_float<float128>(const float128&);
+template std::string decimal_float<float>(const float&);
+template std::string decimal_float<double>(const double&);
+template std::string decimal_float<float128>(const float128&);
+template float parse_float<float>(const std::string&);
+template double parse_float<double>(const std::string&);
+template float128 parse_float<float128>(const std::string&);
+
+}  // namespace liecheck::properties

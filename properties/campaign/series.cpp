@@ -1,0 +1,294 @@
+#include <campaign/series.hpp>
+
+#include <algorithm>
+#include <bit>
+#include <campaign/embedded.hpp>
+#include <campaign/shrink.hpp>
+#include <chrono>
+#include <fmt/format.h>
+#include <liecheck/urdf/urdf.hpp>
+#include <fstream>
+#include <limits>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+
+namespace liecheck::properties {
+
+void Row::add(const Judged& j, std::uint64_t index) {
+  ++count;
+  const double infinity = std::numeric_limits<double>::infinity();
+  double score = infinity;
+  switch (j.residual.outcome) {
+    case Outcome::not_finite:
+      ++not_finite;
+      break;
+    case Outcome::wrong_branch:
+      ++wrong_branch;
+      break;
+    case Outcome::unresolved:
+      ++unresolved;
+      break;
+    case Outcome::refused:
+      ++refused;
+      break;
+    case Outcome::measured:
+      if (j.ill_posed) {
+        ++ill_posed;
+        score = 0;
+        break;
+      }
+      errors.add(j.residual.error);
+      max_error = std::max(max_error, j.residual.error);
+      max_excess = std::max(max_excess, j.excess);
+      score = j.budget->rule == Rule::forward ? j.residual.error : j.excess;
+  }
+  if (j.failed) ++failed;
+  if (score > worst_score || (score == worst_score && index < worst_index)) {
+    worst_score = score;
+    worst_index = index;
+    worst_kappa = j.residual.kappa;
+  }
+}
+
+void Row::merge(const Row& o) {
+  count += o.count, ill_posed += o.ill_posed, unresolved += o.unresolved, not_finite += o.not_finite;
+  wrong_branch += o.wrong_branch, refused += o.refused, failed += o.failed;
+  errors.merge(o.errors);
+  max_error = std::max(max_error, o.max_error);
+  max_excess = std::max(max_excess, o.max_excess);
+  if (o.worst_score > worst_score || (o.worst_score == worst_score && o.worst_index < worst_index)) {
+    worst_score = o.worst_score, worst_index = o.worst_index, worst_kappa = o.worst_kappa;
+  }
+}
+
+void Tally::merge(const Tally& o) {
+  for (const auto& [key, row] : o.rows) rows[key].merge(row);
+  inputs.merge(o.inputs);
+  results.merge(o.results);
+  cases += o.cases;
+}
+
+CaseId Series::id(std::uint64_t seed, std::uint64_t index) const {
+  CaseId id;
+  id.seed = seed, id.property = property, id.subject = subject, id.scalar = scalar, id.robot = robot;
+  id.index = index;
+  return id;
+}
+
+namespace {
+
+/// Collects the residuals of one case and compares each with its budget.
+class Judge final : public Recorder {
+ public:
+  Judge(const std::vector<std::array<const Budget*, 2>>& budgets, const Bands& bands, double eps)
+      : budgets_(budgets), bands_(bands), eps_(eps) {}
+
+  void record(int output, std::size_t band, double error, const std::function<double()>& kappa) override {
+    Judged j = start(output, band);
+    j.residual.error = error;
+    if (!(error >= 0) || error == std::numeric_limits<double>::infinity()) {
+      j.residual.outcome = Outcome::not_finite;
+      j.failed = true;
+    } else if (j.budget->rule == Rule::forward) {
+      j.failed = !(error <= j.budget->limit);
+    } else {
+      const double k = kappa ? kappa() : 1.0;
+      j.residual.kappa = k;
+      j.ill_posed = !(k * eps_ < 1);
+      j.excess = j.ill_posed ? 0 : error / std::max(k, 1.0);
+      j.failed = !j.ill_posed && !(j.excess <= j.budget->limit);
+    }
+    judged.push_back(j);
+  }
+  void outcome(int output, std::size_t band, Outcome outcome) override {
+    Judged j = start(output, band);
+    j.residual.outcome = outcome;
+    j.failed = outcome != Outcome::unresolved;
+    judged.push_back(j);
+  }
+
+  std::vector<Judged> judged;
+
+ private:
+  Judged start(int output, std::size_t band) const {
+    Judged j;
+    j.residual.output = static_cast<std::uint16_t>(output);
+    j.residual.band = static_cast<std::uint16_t>(band);
+    j.budget = budgets_.at(static_cast<std::size_t>(output))[bands_[band].region == Region::to_pi ? 0 : 1];
+    return j;
+  }
+  const std::vector<std::array<const Budget*, 2>>& budgets_;
+  const Bands& bands_;
+  double eps_;
+};
+
+template <class S>
+class SeriesOf final : public Series {
+ public:
+  SeriesOf(std::unique_ptr<Property<S>> law_tested, const Subject<S>& tested, const Robot& robot_used)
+      : property_(std::move(law_tested)), subject_(tested) {
+    property = property_->name();
+    law = property_->law(), equation = property_->equation(), source = property_->source();
+    subject = tested.name, subject_version = tested.version;
+    scalar = scalar_name<S>();
+    eps = std::ldexp(1.0, 1 - std::numeric_limits<S>::digits);
+    outputs = property_->outputs();
+    robot = property_->needs_robot() ? robot_used.hash : "none";
+    property_->prepare(robot_used);
+    for (const Output& o : outputs)
+      budgets_.push_back({&budget_of(o.operation, o.block, Region::to_pi), &budget_of(o.operation, o.block, Region::beyond_pi)});
+  }
+
+  const Bands& bands() const override { return Bands::of<S>(); }
+
+  void run(std::uint64_t seed, std::uint64_t index, Tally& tally) const override {
+    const CaseId address = id(seed, index);
+    Source stream(address.key());
+    const std::vector<S> x = property_->generate(stream);
+    const std::string name = address.text();
+    std::string record = name;
+    for (const S& v : x) record += "," + hexadecimal_float(v);
+    tally.inputs.add(record);
+    record = name;
+    for (const Judged& j : measure(x)) {
+      tally.rows[{j.residual.output, j.residual.band}].add(j, index);
+      record += fmt::format("|{}.{}.{}.{:x}.{:x}", j.residual.output, j.residual.band,
+                            static_cast<int>(j.residual.outcome), std::bit_cast<std::uint64_t>(j.residual.error),
+                            std::bit_cast<std::uint64_t>(j.residual.kappa));
+    }
+    tally.results.add(record);
+    ++tally.cases;
+  }
+
+  std::vector<std::string> input(const CaseId& address) const override {
+    std::vector<std::string> text;
+    for (const S& v : numbers(address)) text.push_back(hexadecimal_float(v));
+    return text;
+  }
+
+  std::vector<Judged> replay(const CaseId& address) const override { return measure(numbers(address)); }
+
+  Shrunk shrink(const CaseId& address, int output, int evaluations) const override {
+    const auto fails = [&](const std::vector<S>& x) -> std::optional<Judged> {
+      if (!property_->valid(x)) return std::nullopt;
+      for (const Judged& j : measure(x))
+        if (j.failed && j.residual.output == output) return j;
+      return std::nullopt;
+    };
+    const std::vector<S> small = shrink_input<S>(numbers(address), property_->fields(),
+                                                 [&](const auto& x) { return fails(x).has_value(); }, evaluations);
+    Shrunk s;
+    s.id = address;
+    s.id.raw = true;
+    for (const S& v : small) {
+      s.id.input.push_back(hexadecimal_float(v));
+      s.decimal.push_back(decimal_float(v));
+    }
+    if (const auto j = fails(small)) s.judged = *j;
+    return s;
+  }
+
+ private:
+  std::vector<S> numbers(const CaseId& address) const {
+    if (!address.raw) {
+      Source stream(address.key());
+      return property_->generate(stream);
+    }
+    std::vector<S> x;
+    for (const std::string& text : address.input) x.push_back(parse_float<S>(text));
+    std::size_t expected = 0;
+    for (const Field& f : property_->fields()) expected += static_cast<std::size_t>(f.size);
+    if (x.size() != expected)
+      throw std::invalid_argument(
+          fmt::format("case ID: property {} takes {} numbers, {} were given", property, expected, x.size()));
+    if (!property_->valid(x))
+      throw std::invalid_argument(fmt::format("case ID: not a valid input of property {}: {}", property,
+                                              fmt::join(address.input, ",")));
+    return x;
+  }
+
+  std::vector<Judged> measure(const std::vector<S>& x) const {
+    Judge judge(budgets_, bands(), eps);
+    try {
+      property_->measure(subject_, x, judge);
+    } catch (const std::exception&) {
+      judge.outcome(0, 0, Outcome::refused);
+    }
+    return std::move(judge.judged);
+  }
+
+  std::unique_ptr<Property<S>> property_;
+  const Subject<S>& subject_;
+  std::vector<std::array<const Budget*, 2>> budgets_;
+};
+
+template <class S>
+void add_series(const Selection& selection, const Robot& robot, std::vector<std::unique_ptr<Series>>& all) {
+  const auto wanted = [](const std::vector<std::string>& list, const std::string& name) {
+    return list.empty() || std::find(list.begin(), list.end(), name) != list.end();
+  };
+  if (!wanted(selection.scalars, scalar_name<S>())) return;
+  for (const Subject<S>* subject : subjects<S>()) {
+    if (!wanted(selection.subjects, subject->name)) continue;
+    for (auto& property : make_properties<S>()) {
+      if (!wanted(selection.properties, property->name()) || !property->offered(*subject)) continue;
+      all.push_back(std::make_unique<SeriesOf<S>>(std::move(property), *subject, robot));
+    }
+  }
+}
+
+void check_names(const std::vector<std::string>& given, const std::vector<std::string>& known, const char* what) {
+  for (const std::string& name : given)
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      throw std::invalid_argument(fmt::format("unknown {} '{}'; known: {}", what, name, fmt::join(known, ", ")));
+}
+
+Robot robot_of(const std::string& urdf, const std::string& path) {
+  Robot r;
+  r.urdf = urdf, r.path = path;
+  r.hash = hexadecimal(sha256(urdf)).substr(0, 16);
+  const auto at = urdf.find("<robot");
+  const auto name = at == std::string::npos ? at : urdf.find("name=\"", at);
+  if (name != std::string::npos) r.name = urdf.substr(name + 6, urdf.find('"', name + 6) - name - 6);
+  return r;
+}
+
+}  // namespace
+
+std::vector<std::unique_ptr<Series>> select(const Selection& selection, const Robot& robot) {
+  check_names(selection.subjects, subject_names(), "subject");
+  check_names(selection.properties, property_names(), "property");
+  check_names(selection.scalars, {"float", "double", "float128"}, "scalar");
+  std::vector<std::unique_ptr<Series>> all;
+  add_series<float>(selection, robot, all);
+  add_series<double>(selection, robot, all);
+  add_series<float128>(selection, robot, all);
+  return all;
+}
+
+std::vector<std::string> subject_names() {
+  std::set<std::string> names;
+  for (const auto* s : subjects<float>()) names.insert(s->name);
+  for (const auto* s : subjects<double>()) names.insert(s->name);
+  for (const auto* s : subjects<float128>()) names.insert(s->name);
+  return {names.begin(), names.end()};
+}
+
+std::vector<std::string> property_names() {
+  std::vector<std::string> names;
+  for (const auto& p : make_properties<double>()) names.push_back(p->name());
+  return names;
+}
+
+Robot load_robot(const std::string& path) {
+  buildModelFromUrdf(path, RootJoint::FreeFlyer);  // every error of the file, with file and line
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return robot_of(text.str(), path);
+}
+
+Robot built_in_robot() { return robot_of(built_in_robot_urdf, ""); }
+
+}  // namespace liecheck::properties

@@ -1,0 +1,82 @@
+#pragma once
+// A series: the cases of one property on one subject in one scalar, and what they came to.
+
+#include <campaign/budgets.hpp>
+#include <campaign/case_id.hpp>
+#include <campaign/digest.hpp>
+#include <campaign/histogram.hpp>
+#include <invariants/property.hpp>
+#include <memory>
+#include <optional>
+#include <utility>
+
+namespace liecheck::properties {
+
+/// One measurement with its verdict.
+struct Judged {
+  Residual residual;
+  const Budget* budget = nullptr;
+  double excess = 0;  ///< error / kappa, under the excess rule
+  bool ill_posed = false;
+  bool failed = false;
+};
+
+/// All measurements of one output in one band.
+struct Row {
+  std::uint64_t count = 0, ill_posed = 0, unresolved = 0, not_finite = 0, wrong_branch = 0, refused = 0, failed = 0;
+  Histogram errors;
+  double max_error = 0, max_excess = 0;
+  double worst_score = -1;  ///< the judged figure of the worst case; infinite for what has none
+  std::uint64_t worst_index = 0;
+  double worst_kappa = 0;
+  void add(const Judged& j, std::uint64_t index);
+  void merge(const Row& o);
+};
+
+struct Tally {
+  std::map<std::pair<int, int>, Row> rows;  ///< by (output, band)
+  SetDigest inputs, results;
+  std::uint64_t cases = 0;
+  void merge(const Tally& o);
+};
+
+/// The smallest input found that still fails in the same way.
+struct Shrunk {
+  CaseId id;
+  std::vector<std::string> decimal;
+  Judged judged;
+};
+
+class Series {
+ public:
+  virtual ~Series() = default;
+  std::string property, subject, subject_version, scalar, robot;
+  std::string law, equation, source;
+  double eps = 0;
+  std::vector<Output> outputs;
+  std::vector<std::string> not_offered;
+
+  CaseId id(std::uint64_t seed, std::uint64_t index) const;
+  virtual const Bands& bands() const = 0;
+  virtual void run(std::uint64_t seed, std::uint64_t index, Tally& tally) const = 0;
+  virtual std::vector<std::string> input(const CaseId& id) const = 0;  ///< hexadecimal floats
+  virtual std::vector<Judged> replay(const CaseId& id) const = 0;
+  /// At most `evaluations` measurements and two seconds.
+  virtual Shrunk shrink(const CaseId& id, int output, int evaluations) const = 0;
+};
+
+/// Every property on every named subject; empty lists mean "all". Throws std::invalid_argument for a name that
+/// is not known.
+struct Selection {
+  std::vector<std::string> subjects, properties, scalars;
+};
+std::vector<std::unique_ptr<Series>> select(const Selection& selection, const Robot& robot);
+
+std::vector<std::string> subject_names();
+std::vector<std::string> property_names();
+
+/// Reads the robot and its hash. Throws what the URDF reader throws.
+Robot load_robot(const std::string& path);
+Robot built_in_robot();
+
+}  // namespace liecheck::properties

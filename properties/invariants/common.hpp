@@ -1,0 +1,75 @@
+#pragma once
+// What several invariants share: recording a block only where subject and oracle are sound.
+
+#include <invariants/property.hpp>
+#include <oracles/condition.hpp>
+#include <oracles/error.hpp>
+#include <oracles/jacobians.hpp>
+
+namespace liecheck::properties {
+
+using oracles::Real;
+
+/// Records the outcome where the computed value is not finite or the oracle did not resolve; else calls
+/// `measured`, which records the error.
+template <class M, class F>
+void judged_value(Recorder& r, std::initializer_list<int> outputs, std::size_t band, const M& computed, bool resolved,
+                  F measured) {
+  if (!oracles::all_finite(computed) || !resolved) {
+    for (int o : outputs) r.outcome(o, band, resolved ? Outcome::not_finite : Outcome::unresolved);
+    return;
+  }
+  measured();
+}
+
+/// kappa of one block of a formula over stored numbers, on demand.
+inline std::function<double()> kappa_of(oracles::Function f, std::vector<Real> x, int first, int size,
+                                        std::optional<Real> denominator = std::nullopt) {
+  return [f = std::move(f), x = std::move(x), first, size, denominator] {
+    return oracles::condition(f, x, {{first, size, denominator}}).front();
+  };
+}
+
+template <int N>
+std::vector<Real> to_list(const oracles::Vec<N>& v) {
+  return {v.x.begin(), v.x.end()};
+}
+template <int N>
+oracles::Vec<N> from_list(const std::vector<Real>& x, std::size_t first = 0) {
+  oracles::Vec<N> v;
+  for (int i = 0; i < N; ++i) v[i] = x[first + static_cast<std::size_t>(i)];
+  return v;
+}
+
+/// | |Q|^2 - 1 | in eps of the quaternion that starts at `first`.
+template <class S>
+double norm_defect_at(const std::vector<S>& input, std::size_t first) {
+  oracles::Quaternion<> Q;
+  for (int i = 0; i < 4; ++i) Q[i] = oracles::exact<Real>(input[first + static_cast<std::size_t>(i)]);
+  return oracles::norm_defect<S>(Q);
+}
+
+/// The 3 x 3 rotation and coupling blocks of a 6 x 6 Jacobian, against the oracle. The other two blocks are
+/// structural: the lower left one is zero and the two diagonal ones are the same.
+template <class S>
+void record_jacobian6(Recorder& r, int rotation, int coupling, std::size_t band, const Mat<S, 6>& J,
+                      const oracles::Jacobian6Result& exact, const Real& rho, bool beyond,
+                      const std::function<double()>& kappa_rotation = nullptr,
+                      const std::function<double()>& kappa_coupling = nullptr) {
+  judged_value(r, {rotation, coupling}, band, J, exact.resolved, [&] {
+    const auto all = oracles::exact_matrix<6, 6>(J);
+    const auto zero = oracles::block(all, 1, 0);
+    double error = std::max(oracles::matrix_error<S>(oracles::block(all, 0, 0), exact.J),
+                            oracles::matrix_error<S>(oracles::block(all, 1, 1), exact.J));
+    if (oracles::frobenius(zero) != 0) error = std::numeric_limits<double>::infinity();
+    r.record(rotation, band, error, kappa_rotation);
+    Real scale(0);
+    if (beyond) {
+      const Real size = oracles::frobenius(exact.J);
+      scale = rho * (size < 1 ? size : Real(1));
+    }
+    r.record(coupling, band, oracles::matrix_error<S>(oracles::block(all, 0, 1), exact.C, scale), kappa_coupling);
+  });
+}
+
+}  // namespace liecheck::properties

@@ -1,0 +1,86 @@
+// The Adjoint laws of dIntegrate and dDifference against high-precision finite differences of the definitions.
+
+#include <generators/rotations.hpp>
+#include <invariants/common.hpp>
+#include <oracles/integrate.hpp>
+
+namespace liecheck::properties {
+namespace {
+
+template <class S>
+class DIntegrate final : public Property<S> {
+ public:
+  std::string name() const override { return "d_integrate"; }
+  std::string law() const override {
+    return "dIntegrate and dDifference are the derivatives of integrate and difference in the tangent spaces";
+  }
+  std::string equation() const override {
+    return "ARG0 = Ad(exp(-d)), ARG1 = J_r(d); dDifference ARG0 = -J_l^-1(d), ARG1 = J_r^-1(d)";
+  }
+  std::string source() const override { return "Sola, Deray & Atchuthan 2018, eqs. 79-85; central differences at 100 digits"; }
+  std::vector<Output> outputs() const override {
+    std::vector<Output> all;
+    for (const char* op : {"d_integrate_arg0", "d_integrate_arg1", "d_difference_arg0", "d_difference_arg1"}) {
+      all.push_back({op, "jacobian"});
+      all.push_back({op, "coupling"});
+    }
+    return all;
+  }
+  std::vector<Field> fields() const override {
+    return {{"p0", Kind::vector, 3, "m"}, {"Q0", Kind::quaternion, 4, "1"}, {"p1", Kind::vector, 3, "m"},
+            {"Q1", Kind::quaternion, 4, "1"}, {"rho", Kind::vector, 3, "m"}, {"phi", Kind::rotation_vector, 3, "rad"}};
+  }
+  bool offered(const Subject<S>& s) const override {
+    const auto& o = s.operations;
+    return o.d_integrate_arg0 || o.d_integrate_arg1 || o.d_difference_arg0 || o.d_difference_arg1;
+  }
+  std::vector<S> generate(Source& source) const override {
+    std::vector<S> x;
+    const int scale = std::numeric_limits<S>::max_exponent / 8;
+    const auto p0 = vector3<S>(source, scale);
+    const auto Q0 = unit_quaternion<S>(source);
+    append(x, p0);
+    append(x, Q0);
+    append(x, vector3<S>(source, scale));
+    append(x, quaternion_near<S>(source, Q0));
+    append(x, vector3<S>(source, scale));
+    append(x, rotation_vector<S>(source, AngleRange::to_pi));
+    return x;
+  }
+  bool valid(const std::vector<S>& x) const override {
+    return Property<S>::valid(x) && norm_defect_at<S>(x, 3) <= 8 && norm_defect_at<S>(x, 10) <= 8;
+  }
+  void measure(const Subject<S>& subject, const std::vector<S>& input, Recorder& r) const override {
+    using namespace oracles;
+    const auto& o = subject.operations;
+    Reader<S> read(input);
+    const Vec<S, 7> q0 = read.template take<7>(), q1 = read.template take<7>();
+    const Vec<S, 6> d = read.template take<6>();
+    const auto x0 = exact_vector<7>(q0), x1 = exact_vector<7>(q1);
+    const auto xd = exact_vector<6>(d);
+    const Bands& bands = Bands::of<S>();
+    std::size_t band = bands.classify(norm(tail3(xd)));
+    Real rho = norm(head3(xd));
+    // A rotation vector of exactly pi_S is beyond pi for float: its kappa is 1 to a few per cent there.
+    const bool beyond = bands[band].region == Region::beyond_pi;
+    if (o.d_integrate_arg0)
+      record_jacobian6<S>(r, 0, 1, band, o.d_integrate_arg0(q0, d), oracles::d_integrate_arg0(x0, xd), rho, beyond);
+    if (o.d_integrate_arg1)
+      record_jacobian6<S>(r, 2, 3, band, o.d_integrate_arg1(q0, d), oracles::d_integrate_arg1(x0, xd), rho, beyond);
+    if (!o.d_difference_arg0 && !o.d_difference_arg1) return;
+    const auto exact = oracles::difference(x0, x1);
+    band = bands.classify(exact.theta);
+    if (exact.at_pi) return;  // either branch is right there: jacobian_oracle measures J^-1 on each
+    rho = norm(exact.rho);
+    // The coupling block is linear in rho, which difference itself knows to 4 eps of max(|rho|, |p1 - p0|).
+    if (o.d_difference_arg0)
+      record_jacobian6<S>(r, 4, 5, band, o.d_difference_arg0(q0, q1), oracles::d_difference_arg0(x0, x1), rho, false);
+    if (o.d_difference_arg1)
+      record_jacobian6<S>(r, 6, 7, band, o.d_difference_arg1(q0, q1), oracles::d_difference_arg1(x0, x1), rho, false);
+  }
+};
+
+const RegisteredProperty<DIntegrate> registered;
+
+}  // namespace
+}  // namespace liecheck::properties

@@ -1,0 +1,78 @@
+// exp against the exponential of the 4 x 4 matrix, from zero to huge angles.
+
+#include <generators/rotations.hpp>
+#include <invariants/common.hpp>
+#include <oracles/closed.hpp>
+#include <oracles/exp.hpp>
+
+namespace liecheck::properties {
+namespace {
+
+template <class S>
+class ExpOracle final : public Property<S> {
+ public:
+  std::string name() const override { return "exp_oracle"; }
+  std::string law() const override { return "exp of a twist is the exponential of its 4 x 4 matrix"; }
+  std::string equation() const override { return "exp(rho, phi) = sum_k [[phi], rho; 0, 0]^k / k!"; }
+  std::string source() const override { return "Higham 2008, section 10.3 (scaling and squaring)"; }
+  std::vector<Output> outputs() const override {
+    return {{"exp3_quaternion", "rotation"}, {"exp3_quaternion", "norm defect"}, {"exp3_matrix", "rotation"},
+            {"exp3_matrix", "orthogonality defect"}, {"exp6", "rotation"}, {"exp6", "orthogonality defect"},
+            {"exp6", "translation"}};
+  }
+  std::vector<Field> fields() const override {
+    return {{"rho", Kind::vector, 3, "m"}, {"phi", Kind::rotation_vector, 3, "rad"}};
+  }
+  bool offered(const Subject<S>& s) const override {
+    return s.operations.exp3_quaternion || s.operations.exp3_matrix || s.operations.exp6;
+  }
+  std::vector<S> generate(Source& source) const override {
+    std::vector<S> x;
+    append(x, vector3<S>(source));
+    append(x, rotation_vector<S>(source, AngleRange::unbounded));
+    return x;
+  }
+  void measure(const Subject<S>& subject, const std::vector<S>& input, Recorder& r) const override {
+    const auto& o = subject.operations;
+    Vec<S, 6> xi = Reader<S>(input).template take<6>();
+    const Vec<S, 3> phi = xi.template tail<3>();
+    const auto exact_xi = oracles::exact_vector<6>(xi);
+    const auto exact = oracles::exp_se3(exact_xi);
+    const std::size_t band = Bands::of<S>().classify(exact.theta);
+
+    const auto kappa_rotation = kappa_of(
+        [](const std::vector<Real>& x) { return to_list(oracles::closed_exp(from_list<6>(x)).Q); }, to_list(exact_xi),
+        0, 4, Real(1) / 2);
+    const auto kappa_translation = kappa_of(
+        [](const std::vector<Real>& x) { return to_list(oracles::closed_exp(from_list<6>(x)).p); }, to_list(exact_xi),
+        0, 3);
+    const auto matrix = [&](int rotation, int defect, const Mat<S, 3>& R) {
+      judged_value(r, {rotation, defect}, band, R, exact.resolved, [&] {
+        const auto stored = oracles::exact_matrix<3, 3>(R);
+        r.record(rotation, band, oracles::rotation_error<S>(stored, exact.Q), kappa_rotation);
+        r.record(defect, band, oracles::orthogonality_defect<S>(stored));
+      });
+    };
+    if (o.exp3_quaternion) {
+      const Vec<S, 4> Q = o.exp3_quaternion(phi);
+      judged_value(r, {0, 1}, band, Q, exact.resolved, [&] {
+        const auto stored = oracles::exact_vector<4>(Q);
+        r.record(0, band, oracles::rotation_error<S>(stored, exact.Q), kappa_rotation);
+        r.record(1, band, oracles::norm_defect<S>(stored));
+      });
+    }
+    if (o.exp3_matrix) matrix(2, 3, o.exp3_matrix(phi));
+    if (o.exp6) {
+      const Pose<S> T = o.exp6(xi);
+      matrix(4, 5, T.R);
+      judged_value(r, {6}, band, T.p, exact.resolved, [&] {
+        r.record(6, band, oracles::vector_error<S>(oracles::exact_vector<3>(T.p), exact.p), kappa_translation);
+      });
+    }
+  }
+};
+
+const RegisteredProperty<ExpOracle> registered;
+
+}  // namespace
+}  // namespace liecheck::properties

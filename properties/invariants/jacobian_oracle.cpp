@@ -1,0 +1,98 @@
+// J and J^-1 of SO(3) and SE(3), left and right, each against the oracle (a round trip J J^-1 = I would hide
+// paired errors).
+
+#include <generators/rotations.hpp>
+#include <invariants/common.hpp>
+#include <oracles/closed.hpp>
+
+namespace liecheck::properties {
+namespace {
+
+template <class S>
+class JacobianOracle final : public Property<S> {
+ public:
+  std::string name() const override { return "jacobian_oracle"; }
+  std::string law() const override { return "the Jacobians of exp and their inverses are the exact ones"; }
+  std::string equation() const override { return "J_l = phi_1(ad xi), J_r = phi_1(-ad xi), phi_1(A) = sum_k A^k/(k+1)!"; }
+  std::string source() const override { return "Chirikjian 2011, section 10.5; Higham 2008, section 10.7.4"; }
+  std::vector<Output> outputs() const override {
+    std::vector<Output> all;
+    for (const char* op : {"left_jacobian3", "right_jacobian3", "left_jacobian3_inverse", "right_jacobian3_inverse"})
+      all.push_back({op, "jacobian"});
+    for (const char* op : {"left_jacobian6", "right_jacobian6", "left_jacobian6_inverse", "right_jacobian6_inverse"}) {
+      all.push_back({op, "jacobian"});
+      all.push_back({op, "coupling"});
+    }
+    return all;
+  }
+  std::vector<Field> fields() const override {
+    return {{"rho", Kind::vector, 3, "m"}, {"phi", Kind::rotation_vector, 3, "rad"}};
+  }
+  bool offered(const Subject<S>& s) const override {
+    const auto& o = s.operations;
+    return o.left_jacobian3 || o.right_jacobian3 || o.left_jacobian3_inverse || o.right_jacobian3_inverse ||
+           o.left_jacobian6 || o.right_jacobian6 || o.left_jacobian6_inverse || o.right_jacobian6_inverse;
+  }
+  std::vector<S> generate(Source& source) const override {
+    std::vector<S> x;
+    append(x, vector3<S>(source));
+    append(x, rotation_vector<S>(source, AngleRange::unbounded));
+    return x;
+  }
+  void measure(const Subject<S>& subject, const std::vector<S>& input, Recorder& r) const override {
+    using namespace oracles;
+    const auto& o = subject.operations;
+    const Vec<S, 6> xi = Reader<S>(input).template take<6>();
+    const Vec<S, 3> phi = xi.template tail<3>();
+    const auto x = exact_vector<6>(xi);
+    const auto left = left_jacobian_se3(x);
+    const auto left_inverse = left_jacobian_se3_inverse(x);
+    const Real theta = norm(tail3(x)), rho = norm(head3(x));
+    const std::size_t band = Bands::of<S>().classify(theta);
+    const bool beyond = Bands::of<S>()[band].region == Region::beyond_pi;
+
+    // The right Jacobian is the left one at -xi: both blocks have the same kappa.
+    const auto kappa = [&](bool inverse, bool coupling, const Real& denominator) {
+      return kappa_of(
+          [inverse](const std::vector<Real>& v) {
+            const auto b = inverse ? closed_left_jacobian_inverse(from_list<6>(v)) : closed_left_jacobian(from_list<6>(v));
+            std::vector<Real> flat(b.J.x.begin(), b.J.x.end());
+            flat.insert(flat.end(), b.C.x.begin(), b.C.x.end());
+            return flat;
+          },
+          to_list(x), coupling ? 9 : 0, 9, denominator);
+    };
+    const auto size = [&](const Jacobian6Result& exact, bool coupling) {
+      if (!coupling) return frobenius(exact.J);
+      const Real n = frobenius(exact.J), own = frobenius(exact.C), least = rho * (n < 1 ? n : Real(1));
+      return own > least || !beyond ? own : least;
+    };
+    const auto three = [&](int output, auto* f, const Jacobian6Result& exact, bool inverse) {
+      if (!f) return;
+      const Mat<S, 3> J = f(phi);
+      judged_value(r, {output}, band, J, exact.resolved, [&] {
+        r.record(output, band, matrix_error<S>(exact_matrix<3, 3>(J), exact.J), kappa(inverse, false, size(exact, false)));
+      });
+    };
+    const auto six = [&](int output, auto* f, const Jacobian6Result& exact, bool inverse) {
+      if (!f) return;
+      record_jacobian6<S>(r, output, output + 1, band, f(xi), exact, rho, beyond, kappa(inverse, false, size(exact, false)),
+                          kappa(inverse, true, size(exact, true)));
+    };
+    const auto right = right_jacobian_se3(x);
+    const auto right_inverse = right_jacobian_se3_inverse(x);
+    three(0, o.left_jacobian3, left, false);
+    three(1, o.right_jacobian3, right, false);
+    three(2, o.left_jacobian3_inverse, left_inverse, true);
+    three(3, o.right_jacobian3_inverse, right_inverse, true);
+    six(4, o.left_jacobian6, left, false);
+    six(6, o.right_jacobian6, right, false);
+    six(8, o.left_jacobian6_inverse, left_inverse, true);
+    six(10, o.right_jacobian6_inverse, right_inverse, true);
+  }
+};
+
+const RegisteredProperty<JacobianOracle> registered;
+
+}  // namespace
+}  // namespace liecheck::properties

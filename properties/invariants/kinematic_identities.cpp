@@ -1,0 +1,124 @@
+// The rate of a free-flyer configuration: the coefficient Jacobian times the body velocity. Everything but the
+// Jacobian itself is exact: its product with v and the rotation's rate that follows from the subject's Q_dot.
+
+#include <invariants/property.hpp>
+
+#include <boost/multiprecision/eigen.hpp>
+#include <generators/rotations.hpp>
+#include <oracles/error.hpp>
+#include <oracles/kinematics.hpp>
+
+namespace liecheck::properties {
+namespace {
+
+using oracles::Real;
+
+/// The rate of R(Q / ||Q||) when Q moves at Q_dot.
+oracles::Mat3<> rotation_rate(const oracles::Quaternion<>& Q, const oracles::Quaternion<>& Q_dot) {
+  const Real by_norm = 1 / norm(Q);
+  const oracles::Quaternion<> n = by_norm * Q;
+  Real along(0);
+  for (int i = 0; i < 4; ++i) along += n[i] * Q_dot[i];
+  const oracles::Quaternion<> n_dot = by_norm * (Q_dot - along * n);
+  const oracles::Mat3<> v = hat(head3(n)), v_dot = hat(head3(n_dot));
+  return Real(2) * (n_dot[3] * v + n[3] * v_dot + v_dot * v + v * v_dot);
+}
+
+template <class S>
+class KinematicIdentities : public Property<S> {
+ public:
+  std::string name() const override { return "kinematic_identities"; }
+  std::string law() const override {
+    return "the coefficient Jacobian maps a body velocity to the rate of the configuration";
+  }
+  std::string equation() const override {
+    return "p_dot = R u, Q_dot = Q (w, 0) / 2, R_dot = R [w]; J = [[R, 0], [0, (Qw I + [Qxyz]) / 2], [0, -Qxyz^T / 2]]";
+  }
+  std::string source() const override { return "Sola 2017 (arXiv 1711.02508), section 4, eqs. 197-201"; }
+
+  std::vector<Output> outputs() const override {
+    const std::string operation = "integrate_coefficient_jacobian";
+    return {{operation, "translation"},        {operation, "rotation rate"},     {operation, "R_dot"},
+            {operation, "translation matrix"}, {operation, "quaternion matrix"}, {operation, "zeros"}};
+  }
+  std::vector<Field> fields() const override {
+    return {{"p", Kind::vector, 3, "m"},
+            {"Q", Kind::quaternion, 4, "1"},
+            {"u", Kind::vector, 3, "m/s"},
+            {"omega", Kind::vector, 3, "rad/s"}};
+  }
+  bool offered(const Subject<S>& subject) const override {
+    return subject.operations.integrate_coefficient_jacobian != nullptr;
+  }
+  std::vector<S> generate(Source& source) const override {
+    std::vector<S> input;
+    append(input, vector3<S>(source));
+    append(input, unit_quaternion<S>(source));
+    append(input, vector3<S>(source));
+    append(input, vector3<S>(source));
+    return input;
+  }
+  bool valid(const std::vector<S>& input) const override {
+    if (!Property<S>::valid(input)) return false;
+    Reader<S> reader(input);
+    reader.template take<3>();
+    const auto Q = oracles::exact_vector<4>(reader.template take<4>());
+    return oracles::norm_distance(Q) <= 32 * oracles::epsilon<S>();
+  }
+
+  void measure(const Subject<S>& subject, const std::vector<S>& input, Recorder& recorder) const override {
+    const auto operation = subject.operations.integrate_coefficient_jacobian;
+    if (!operation) return;
+    Reader<S> reader(input);
+    const Vec<S, 7> q = reader.template take<7>();
+    const Vec<S, 6> v = reader.template take<6>();
+    const Mat<S, 7, 6> computed = operation(q);
+    const auto all = [&](int first, int last, Outcome outcome) {
+      for (int i = first; i <= last; ++i) recorder.outcome(i, 0, outcome);
+    };
+    if (!oracles::all_finite(computed)) return all(0, 5, Outcome::not_finite);
+
+    const auto J = oracles::exact_matrix<7, 6>(computed);
+    const auto q_e = oracles::exact_vector<7>(q);
+    const auto v_e = oracles::exact_vector<6>(v);
+    const oracles::Quaternion<> Q{{q_e[3], q_e[4], q_e[5], q_e[6]}};
+    const Real Q_norm = norm(Q);  // the lower block is linear in the stored Q, the oracle's Q has norm one
+
+    const oracles::RateResult rate = oracles::configuration_rate(q_e, v_e);
+    if (rate.resolved) {
+      const oracles::Vec7<> q_dot = J * v_e;
+      const oracles::Quaternion<> Q_dot{{q_dot[3], q_dot[4], q_dot[5], q_dot[6]}};
+      recorder.record(0, 0, oracles::vector_error<S>(head3(q_dot), rate.p_dot), one);
+      recorder.record(1, 0, oracles::vector_error<S>(Q_dot, Q_norm * rate.Q_dot), one);
+      recorder.record(2, 0, oracles::matrix_error<S>(rotation_rate(Q, Q_dot), rate.R_dot), one);
+    } else {
+      all(0, 2, Outcome::unresolved);
+    }
+
+    const oracles::CoefficientJacobianResult exact = oracles::integrate_coefficient_jacobian(q_e);
+    if (exact.resolved) {
+      recorder.record(3, 0, oracles::matrix_error<S>(corner<3>(J, 0, 0), corner<3>(exact.value, 0, 0)), one);
+      recorder.record(4, 0, oracles::matrix_error<S>(corner<4>(J, 3, 3), Q_norm * corner<4>(exact.value, 3, 3)), one);
+    } else {
+      all(3, 4, Outcome::unresolved);
+    }
+    const bool zero = frobenius(corner<3>(J, 0, 3)) == 0 && frobenius(corner<4>(J, 3, 0)) == 0;
+    recorder.record(5, 0, zero ? 0.0 : std::numeric_limits<double>::infinity(), one);
+  }
+
+ private:
+  static double one() { return 1.0; }
+
+  template <int Rows>
+  static oracles::Mat<Rows, 3> corner(const oracles::Mat<7, 6>& J, int row, int column) {
+    oracles::Mat<Rows, 3> m;
+    for (int i = 0; i < Rows; ++i)
+      for (int j = 0; j < 3; ++j) m(i, j) = J(row + i, column + j);
+    return m;
+  }
+};
+
+const RegisteredProperty<KinematicIdentities> registered;
+
+}  // namespace
+}  // namespace liecheck::properties

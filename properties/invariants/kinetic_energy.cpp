@@ -1,0 +1,304 @@
+// Kinetic energy does not depend on the frame, and the operations on inertias that it is made of.
+
+#include <invariants/property.hpp>
+
+#include <algorithm>
+#include <boost/multiprecision/eigen.hpp>
+#include <generators/rotations.hpp>
+#include <oracles/condition.hpp>
+#include <oracles/error.hpp>
+#include <oracles/spatial.hpp>
+
+namespace liecheck::properties {
+namespace {
+
+using oracles::Real;
+using Vector3 = oracles::Vec3<>;
+
+Vector3 part(const std::vector<Real>& x, std::size_t first) {
+  return {{x[first], x[first + 1], x[first + 2]}};
+}
+template <class... V>
+std::vector<Real> numbers(const V&... v) {
+  std::vector<Real> x;
+  (x.insert(x.end(), v.x.begin(), v.x.end()), ...);
+  return x;
+}
+
+// The formulas at 50 digits, for condition numbers. x: m, c, I_C (xx, xy, yy, xz, yz, zz), u, w.
+oracles::Mat3<> inertia_of(const std::vector<Real>& x) {
+  return oracles::symmetric({{x[4], x[5], x[6], x[7], x[8], x[9]}});
+}
+std::vector<Real> momentum_formula(const std::vector<Real>& x) {
+  const Vector3 c = part(x, 1), w = part(x, 13);
+  const Vector3 f = x[0] * (part(x, 10) + cross(w, c));
+  return numbers(f, inertia_of(x) * w + cross(c, f));
+}
+std::vector<Real> energy_formula(const std::vector<Real>& x) {
+  const Vector3 w = part(x, 13);
+  const Vector3 u_C = part(x, 10) + cross(w, part(x, 1));
+  return {(x[0] * squared_norm(u_C) + dot(w, inertia_of(x) * w)) / 2};
+}
+// x: R, p, c
+oracles::Mat3<> rotation(const std::vector<Real>& x) {
+  oracles::Mat3<> R;
+  std::copy_n(x.begin(), 9, R.x.begin());
+  return R;
+}
+std::vector<Real> lever_formula(const std::vector<Real>& x) {
+  return numbers(rotation(x) * part(x, 12) + part(x, 9));
+}
+std::vector<Real> inverse_lever_formula(const std::vector<Real>& x) {
+  return numbers(transpose(rotation(x)) * (part(x, 12) - part(x, 9)));
+}
+
+template <class S>
+class KineticEnergy : public Property<S> {
+ public:
+  std::string name() const override { return "kinetic_energy"; }
+  std::string law() const override { return "the kinetic energy of a body is the same in every frame"; }
+  std::string equation() const override {
+    return "V_A^T M_A V_A / 2 = V_B^T M_B V_B / 2 = m |u_C|^2 / 2 + w^T I_C w / 2, u_C = u + w x c; "
+           "scale m s (|u_C| + eps s) + |I_C| |w|^2 / 2, s = |u| + |w| (|c| + 2 |p|)";
+  }
+  std::string source() const override { return "Featherstone 2008, eqs. 2.62-2.67, sections 2.13, 2.14"; }
+
+  enum { energy, momentum_linear, momentum_angular, matrix, act_mass, act_lever, act_tensor, inverse_mass,
+         inverse_lever, inverse_tensor, frames };
+
+  std::vector<Output> outputs() const override {
+    return {{"kinetic_energy", "energy"},       {"momentum", "linear"},           {"momentum", "angular"},
+            {"inertia_matrix", "matrix"},       {"act_inertia", "mass"},          {"act_inertia", "lever"},
+            {"act_inertia", "inertia"},         {"act_inverse_inertia", "mass"},  {"act_inverse_inertia", "lever"},
+            {"act_inverse_inertia", "inertia"}, {"energy_frames", "energy"}};
+  }
+  std::vector<Field> fields() const override {
+    return {{"R", Kind::rotation_matrix, 9, "1"}, {"p", Kind::vector, 3, "m"},   {"mass", Kind::opaque, 1, "kg"},
+            {"c", Kind::vector, 3, "m"},          {"I_C", Kind::inertia, 6, "kg m^2"},  // xx xy yy xz yz zz
+            {"u", Kind::vector, 3, "m/s"},        {"omega", Kind::vector, 3, "rad/s"}};
+  }
+  bool offered(const Subject<S>& subject) const override {
+    const auto& o = subject.operations;
+    return o.kinetic_energy || o.momentum || o.inertia_matrix || o.act_inertia || o.act_inverse_inertia;
+  }
+
+  std::vector<S> generate(Source& source) const override {
+    std::vector<S> input;
+    append(input, rotation_matrix<S>(unit_quaternion<S>(source)));
+    append(input, vector3<S>(source, binades));
+    const S mass = source.chance(1, 2) ? S(source.between(1, 16)) : binade_uniform<S>(source, -binades, binades);
+    input.push_back(mass);
+    append(input, vector3<S>(source, binades));
+    const Mat<S, 3> I = inertia(source, mass);
+    for (const auto& [i, j] : unique) input.push_back(I(i, j));
+    append(input, vector3<S>(source, binades));
+    append(input, vector3<S>(source, binades));
+    return input;
+  }
+
+  /// R near a rotation, m > 0, I_C of a real body: its second moment tr(I_C) / 2 - I_C is positive semidefinite,
+  /// up to the rounding of I_C.
+  bool valid(const std::vector<S>& input) const override {
+    using std::abs, std::ldexp;
+    if (!Property<S>::valid(input)) return false;
+    const Case x(input);
+    const S largest = S(ldexp(S(1), binades + 2));
+    for (std::size_t i = 0; i < input.size(); ++i)
+      if ((i < 16 || i >= 22) && S(abs(input[i])) > largest) return false;
+    const Real eps32 = 32 * oracles::epsilon<S>();
+    const auto& R = x.X_e.R;
+    const auto& I = x.I_e.I_C;
+    const Real trace = I(0, 0) + I(1, 1) + I(2, 2);
+    if (!(x.I.mass > S(0)) || trace < 0 || trace > ldexp(Real(1), 3 * binades + 8)) return false;
+    using oracles::Real100;  // a needle's determinant is eps^2 of its terms
+    oracles::Mat3<Real100> second = Real100(-1) * oracles::cast<Real100>(I);
+    for (int i = 0; i < 3; ++i) second(i, i) += Real100(trace) / 2 + Real100(eps32) * Real100(trace);
+    const auto C = cofactors(second);
+    return oracles::orthogonality_distance(R) <= eps32 && determinant(R, cofactors(R)) > 0 && second(0, 0) >= 0 &&
+           C(2, 2) >= 0 && determinant(second, C) >= 0;
+  }
+
+  void measure(const Subject<S>& subject, const std::vector<S>& input, Recorder& recorder) const override {
+    const auto& o = subject.operations;
+    const Case x(input);
+    const auto body_numbers = [&] {
+      std::vector<Real> all{x.I_e.mass};
+      for (int i = 0; i < 3; ++i) all.push_back(x.I_e.c[i]);
+      for (const auto& [i, j] : unique) all.push_back(x.I_e.I_C(i, j));
+      all.insert(all.end(), x.V_e.x.begin(), x.V_e.x.end());
+      return all;
+    };
+
+    if (o.kinetic_energy) {
+      const Vec<S, 1> E(o.kinetic_energy(x.I, x.V));
+      const oracles::ScalarResult exact = oracles::kinetic_energy(x.I_e, x.V_e);
+      record(recorder, energy, E, oracles::Vec<1>{{exact.value}}, exact.resolved, energy_formula, body_numbers, 0);
+    }
+    if (o.momentum) {
+      const Vec<S, 6> h = o.momentum(x.I, x.V);
+      const oracles::SpatialResult exact = oracles::momentum(x.I_e, x.V_e);
+      record(recorder, momentum_linear, Vec<S, 3>(h.template head<3>()), head3(exact.value), exact.resolved,
+             momentum_formula, body_numbers, 0);
+      record(recorder, momentum_angular, Vec<S, 3>(h.template tail<3>()), tail3(exact.value), exact.resolved,
+             momentum_formula, body_numbers, 3);
+    }
+    if (o.inertia_matrix) measure_matrix(recorder, o.inertia_matrix(x.I), oracles::inertia_matrix(x.I_e));
+    if (o.act_inertia)
+      measure_body(recorder, act_mass, o.act_inertia(x.X, x.I), oracles::act_inertia(x.X_e, x.I_e), x, lever_formula);
+    if (o.act_inverse_inertia)
+      measure_body(recorder, inverse_mass, o.act_inverse_inertia(x.X, x.I),
+                   oracles::act_inverse_inertia(x.X_e, x.I_e), x, inverse_lever_formula);
+    if (o.kinetic_energy && o.act_inertia && o.act_motion) {
+      const Vec<S, 2> T(o.kinetic_energy(o.act_inertia(x.X, x.I), o.act_motion(x.X, x.V)),
+                        o.kinetic_energy(x.I, x.V));
+      if (!oracles::all_finite(T)) return recorder.outcome(frames, 0, Outcome::not_finite);
+      const auto T_e = oracles::exact_vector<2>(T);
+      const Vector3 u = head3(x.V_e), w = tail3(x.V_e);
+      const Real w_norm = norm(w), s = norm(u) + w_norm * (norm(x.I_e.c) + 2 * norm(x.X_e.p));
+      const Real u_C = norm(u + cross(w, x.I_e.c));
+      const Real scale =
+          x.I_e.mass * s * (u_C + oracles::epsilon<S>() * s) + frobenius(x.I_e.I_C) * w_norm * w_norm / 2;
+      // The scale alone: the subject's T_B is no exact value.
+      const Real size = std::max(scale, oracles::smallest_denominator<S>());
+      recorder.record(frames, 0, oracles::in_eps<S>(Real(abs(T_e[0] - T_e[1]) / size)), [] { return 1.0; });
+    }
+  }
+
+ private:
+  static constexpr int binades = std::numeric_limits<S>::max_exponent / 8;
+  static constexpr std::pair<int, int> unique[] = {{0, 0}, {0, 1}, {1, 1}, {0, 2}, {1, 2}, {2, 2}};
+
+  struct Case {
+    explicit Case(const std::vector<S>& input) {
+      Reader<S> reader(input);
+      X.R = reader.take_matrix();
+      X.p = reader.template take<3>();
+      I.mass = reader.template take<1>()[0];
+      I.c = reader.template take<3>();
+      for (const auto& [i, j] : unique) I.I_C(i, j) = I.I_C(j, i) = reader.template take<1>()[0];
+      V = reader.template take<6>();
+      X_e = {oracles::exact_matrix<3, 3>(X.R), oracles::exact_vector<3>(X.p)};
+      I_e = {oracles::exact<Real>(I.mass), oracles::exact_vector<3>(I.c), oracles::exact_matrix<3, 3>(I.I_C)};
+      V_e = oracles::exact_vector<6>(V);
+    }
+    Pose<S> X;
+    Body<S> I;
+    Vec<S, 6> V;
+    oracles::Pose X_e;
+    oracles::Body I_e;
+    oracles::Vec6<> V_e;
+  };
+
+  /// sum m_i (|r|^2 - r r^T): of a real body whatever the points are, being about their centre or not.
+  static void add_point(Mat<S, 3>& I, const S& mass, const Vec<S, 3>& r) {
+    const S xx = r[0] * r[0], yy = r[1] * r[1], zz = r[2] * r[2];
+    I(0, 0) += mass * S(yy + zz);
+    I(1, 1) += mass * S(xx + zz);
+    I(2, 2) += mass * S(xx + yy);
+    for (const auto& [i, j] : {std::pair{0, 1}, std::pair{0, 2}, std::pair{1, 2}}) {
+      I(i, j) -= mass * S(r[i] * r[j]);
+      I(j, i) = I(i, j);
+    }
+  }
+  /// From second moments along the principal axes, or a cloud of 3 to 5 points.
+  static Mat<S, 3> inertia(Source& source, const S& mass) {
+    Mat<S, 3> I = Mat<S, 3>::Zero();
+    const auto length = [&] {
+      return source.chance(1, 2) ? S(source.unit<S>()) : binade_uniform<S>(source, -binades, binades);
+    };
+    Vec<S, 3> a = Vec<S, 3>::Zero();  // radii of gyration
+    switch (source.below(8)) {
+      case 0:  // a point mass
+        return I;
+      case 1:  // a ball
+        a[0] = a[1] = a[2] = length();
+        break;
+      case 2:  // a needle
+        a[source.below(3)] = length();
+        break;
+      case 3:  // a plate
+        a << length(), length(), S(0);
+        break;
+      case 4: {  // nearly a needle
+        const S l = length();
+        a << l, l * binade_uniform<S>(source, -std::numeric_limits<S>::digits, -4), S(0);
+        a[2] = a[1];
+        break;
+      }
+      case 5:  // three axes of their own
+        a << length(), length(), length();
+        break;
+      default: {  // a cloud
+        const int count = source.between(3, 5);
+        const S scale = length();
+        for (int k = 0; k < count; ++k) {
+          const S share = mass / S(count);
+          const S distance = scale * source.unit<S>();
+          add_point(I, share, distance * direction<S>(source));
+        }
+        return I;
+      }
+    }
+    const bool aligned = source.chance(1, 4);
+    const Mat<S, 3> R = rotation_matrix<S>(unit_quaternion<S>(source));
+    for (int k = 0; k < 3; ++k) {
+      Vec<S, 3> r = Vec<S, 3>::Zero();
+      r[k] = a[k];
+      if (!aligned) r = a[k] * R.col(k);
+      add_point(I, mass, r);
+    }
+    return I;
+  }
+
+  template <int N, class Numbers>
+  static void record(Recorder& recorder, int output, const Vec<S, N>& computed, const oracles::Vec<N>& exact,
+                     bool resolved, const oracles::Function& formula, Numbers&& x, int first) {
+    if (!oracles::all_finite(computed)) return recorder.outcome(output, 0, Outcome::not_finite);
+    if (!resolved) return recorder.outcome(output, 0, Outcome::unresolved);
+    recorder.record(output, 0, oracles::vector_error<S>(oracles::exact_vector<N>(computed), exact), [&] {
+      const Real size = std::max(Real(norm(exact)), oracles::smallest_denominator<S>());
+      return std::max(1.0, oracles::condition(formula, x(), {{first, N, size}}).front());
+    });
+  }
+
+  /// The largest of the four 3x3 blocks' errors, each relative to itself.
+  static void measure_matrix(Recorder& recorder, const Mat<S, 6>& computed, const oracles::Matrix6Result& exact) {
+    if (!oracles::all_finite(computed)) return recorder.outcome(matrix, 0, Outcome::not_finite);
+    if (!exact.resolved) return recorder.outcome(matrix, 0, Outcome::unresolved);
+    const auto M = oracles::exact_matrix<6, 6>(computed);
+    double error = 0;
+    for (int i = 0; i < 2; ++i)
+      for (int j = 0; j < 2; ++j)
+        error = std::max(error, oracles::matrix_error<S>(block(M, i, j), block(exact.value, i, j)));
+    recorder.record(matrix, 0, error, [] { return 1.0; });
+  }
+
+  /// Mass, lever and inertia about the centre of mass are outputs first, first + 1 and first + 2.
+  static void measure_body(Recorder& recorder, int first, const Body<S>& computed, const oracles::BodyResult& exact,
+                           const Case& x, const oracles::Function& formula) {
+    const auto one = [] { return 1.0; };
+    const Vec<S, 1> mass(computed.mass);
+    if (!oracles::all_finite(mass)) {
+      recorder.outcome(first, 0, Outcome::not_finite);
+    } else if (!exact.resolved) {
+      recorder.outcome(first, 0, Outcome::unresolved);
+    } else {
+      recorder.record(first, 0, oracles::scalar_error<S>(oracles::exact<Real>(computed.mass), exact.value.mass), one);
+    }
+    record(recorder, first + 1, Vec<S, 3>(computed.c), exact.value.c, exact.resolved, formula,
+           [&] { return numbers(x.X_e.R, x.X_e.p, x.I_e.c); }, 0);
+    if (!oracles::all_finite(computed.I_C)) {
+      recorder.outcome(first + 2, 0, Outcome::not_finite);
+    } else if (!exact.resolved) {
+      recorder.outcome(first + 2, 0, Outcome::unresolved);
+    } else {
+      const auto I_C = oracles::exact_matrix<3, 3>(computed.I_C);
+      recorder.record(first + 2, 0, oracles::matrix_error<S>(I_C, exact.value.I_C), one);
+    }
+  }
+};
+
+const RegisteredProperty<KineticEnergy> registered;
+
+}  // namespace
+}  // namespace liecheck::properties

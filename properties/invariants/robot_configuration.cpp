@@ -1,0 +1,160 @@
+// integrate and difference on the whole configuration vector of a robot, joint by joint against the oracles,
+// and Q, -Q as one configuration.
+
+#include <generators/rotations.hpp>
+#include <invariants/common.hpp>
+#include <liecheck/urdf/urdf.hpp>
+#include <oracles/integrate.hpp>
+
+namespace liecheck::properties {
+namespace {
+
+/// Where a joint's numbers stand. The size tells its kind: 7 free-flyer, 2 continuous (cos, sin), 1 other.
+struct Segment {
+  int q, nq, v;
+};
+
+template <class S>
+class RobotConfiguration final : public Property<S> {
+ public:
+  std::string name() const override { return "robot_configuration"; }
+  std::string law() const override {
+    return "integrate and difference act joint by joint on the whole vector, and -Q is the same configuration";
+  }
+  std::string equation() const override { return "q1 = integrate(q0, d) and difference(q0, q1) per joint; q ~ q' for Q' = -Q"; }
+  std::string source() const override { return "Pinocchio 3.8, joint-configuration; ROWS S5, S8, S10, S11"; }
+  std::vector<Output> outputs() const override {
+    return {{"robot_integrate", "rotation"}, {"robot_integrate", "translation"}, {"robot_integrate", "continuous"},
+            {"robot_integrate", "joint"}, {"robot_difference", "rotation vector"}, {"robot_difference", "linear"},
+            {"robot_difference", "continuous"}, {"robot_difference", "joint"}, {"robot_is_same", "same"}};
+  }
+  std::vector<Field> fields() const override {
+    return {{"q0", Kind::opaque, nq_, "m, 1, rad"}, {"q1", Kind::opaque, nq_, "m, 1, rad"}, {"delta", Kind::opaque, nv_, "m, rad"}};
+  }
+  bool offered(const Subject<S>& s) const override { return s.operations.robot; }
+  bool needs_robot() const override { return true; }
+  void prepare(const Robot& robot) override {
+    const auto model = buildModelFromUrdfText(robot.urdf, RootJoint::FreeFlyer, robot.name);
+    nq_ = model.nq, nv_ = model.nv;
+    for (std::size_t j = 1; j < static_cast<std::size_t>(model.njoints); ++j)
+      segments_.push_back({static_cast<int>(model.idx_qs[j]), static_cast<int>(model.nqs[j]), static_cast<int>(model.idx_vs[j])});
+    for (const Subject<S>* s : subjects<S>())
+      if (s->operations.robot) bound_.emplace_back(s, s->operations.robot(robot.urdf));
+  }
+  std::vector<S> generate(Source& source) const override {
+    VecX<S> q0(nq_), q1(nq_), d(nv_);
+    for (const Segment& s : segments_) {
+      if (s.nq == 7) {
+        const auto p = vector3<S>(source, 8);
+        const auto Q = unit_quaternion<S>(source);
+        q0.segment(s.q, 7) << p, Q;
+        q1.segment(s.q, 7) << point_near<S>(source, p), quaternion_near<S>(source, Q);
+        d.segment(s.v, 6) << vector3<S>(source, 8), rotation_vector<S>(source, AngleRange::to_pi);
+      } else if (s.nq == 2) {
+        q0.segment(s.q, 2) = circle(source);
+        q1.segment(s.q, 2) = circle(source);
+        d[s.v] = angle<S>(source, AngleRange::to_pi) * (source.chance(1, 2) ? S(1) : S(-1));
+      } else {
+        q0[s.q] = magnitude<S>(source, 8);
+        q1[s.q] = magnitude<S>(source, 8);
+        d[s.v] = magnitude<S>(source, 8);
+      }
+    }
+    std::vector<S> x;
+    append(x, q0);
+    append(x, q1);
+    append(x, d);
+    return x;
+  }
+  bool valid(const std::vector<S>& x) const override {
+    if (!Property<S>::valid(x)) return false;
+    for (const Segment& s : segments_)
+      for (int at : {s.q, nq_ + s.q}) {
+        const auto i = static_cast<std::size_t>(at);
+        if (s.nq == 7 && norm_defect_at<S>(x, i + 3) > 8) return false;
+        if (s.nq == 2 && oracles::norm_defect<S>(oracles::Quaternion<>{{oracles::exact<Real>(x[i]), oracles::exact<Real>(x[i + 1]), Real(0), Real(0)}}) > 8)
+          return false;
+      }
+    return true;
+  }
+  void measure(const Subject<S>& subject, const std::vector<S>& input, Recorder& r) const override {
+    using namespace oracles;
+    const RobotOperations<S>* robot = nullptr;
+    for (const auto& [known, operations] : bound_)
+      if (known == &subject) robot = &operations;
+    if (!robot) return;
+    Reader<S> read(input);
+    const VecX<S> q0 = read.take_dynamic(nq_), q1 = read.take_dynamic(nq_), d = read.take_dynamic(nv_);
+    const VecX<S> q = robot->integrate(q0, d);
+    const VecX<S> v = robot->difference(q0, q1);
+    const Bands& bands = Bands::of<S>();
+    VecX<S> opposite = q0;
+    for (const Segment& s : segments_) {
+      if (s.nq == 7) {
+        opposite.segment(s.q + 3, 4) *= S(-1);
+        const auto x0 = exact_vector<7>(q0.segment(s.q, 7)), x1 = exact_vector<7>(q1.segment(s.q, 7));
+        const auto xd = exact_vector<6>(d.segment(s.v, 6));
+        const auto next = oracles::integrate(x0, xd);
+        std::size_t band = bands.classify(next.theta);
+        judged_value(r, {0, 1}, band, q.segment(s.q, 7), next.resolved, [&] {
+          const auto got = exact_vector<7>(q.segment(s.q, 7));
+          r.record(0, band, rotation_error<S>(Quaternion<>{{got[3], got[4], got[5], got[6]}}, next.Q));
+          const Real p0 = norm(Vec3<>{{x0[0], x0[1], x0[2]}});
+          r.record(1, band, vector_error<S>(Vec3<>{{got[0], got[1], got[2]}}, next.p, p0 > next.increment_norm ? p0 : next.increment_norm));
+        });
+        const auto delta = oracles::difference(x0, x1);
+        band = bands.classify(delta.theta);
+        judged_value(r, {4, 5}, band, v.segment(s.v, 6), delta.resolved, [&] {
+          const auto error = log_error<S>(exact_vector<6>(v.segment(s.v, 6)), delta, delta.separation);
+          r.record(4, band, error.angular);
+          r.record(5, band, error.linear);
+        });
+      } else if (s.nq == 2) {
+        // A planar rotation is the spatial one about z: the same oracles at half the angle's quaternion.
+        const Real c0 = exact<Real>(q0[s.q]), s0 = exact<Real>(q0[s.q + 1]), a = exact<Real>(d[s.v]);
+        const Real n0 = sqrt(Real(c0 * c0 + s0 * s0));
+        const Real c = (c0 * cos(a) - s0 * sin(a)) / n0, sn = (s0 * cos(a) + c0 * sin(a)) / n0;
+        judged_value(r, {2}, 0, q.segment(s.q, 2), true, [&] {
+          r.record(2, 0, in_eps<S>(norm(oracles::Vec<2>{{exact<Real>(q[s.q]) - c, exact<Real>(q[s.q + 1]) - sn}})));
+        });
+        const Real c1 = exact<Real>(q1[s.q]), s1 = exact<Real>(q1[s.q + 1]);
+        const Real angle_between = atan2(Real(c0 * s1 - s0 * c1), Real(c0 * c1 + s0 * s1));
+        judged_value(r, {6}, 0, v.segment(s.v, 1), true, [&] {
+          const double plus = scalar_error<S>(exact<Real>(v[s.v]), angle_between);
+          const bool half_turn = c0 * s1 == s0 * c1 && angle_between != 0;
+          r.record(6, 0, half_turn ? std::min(plus, scalar_error<S>(exact<Real>(v[s.v]), -angle_between)) : plus);
+        });
+      } else {
+        const Real a = exact<Real>(q0[s.q]), b = exact<Real>(d[s.v]), e = exact<Real>(q1[s.q]);
+        judged_value(r, {3, 7}, 0, q.segment(s.q, 1), true, [&] {
+          r.record(3, 0, scalar_error<S>(exact<Real>(q[s.q]), a + b));
+          r.record(7, 0, scalar_error<S>(exact<Real>(v[s.v]), e - a));
+        });
+      }
+    }
+    if (robot->is_same(q0, opposite))
+      r.record(8, 0, 0);
+    else
+      r.outcome(8, 0, Outcome::wrong_branch);
+  }
+
+ private:
+  /// (cos, sin) of an angle, near the axes too; unit to rounding.
+  static Vec<S, 2> circle(Source& source) {
+    using std::sqrt;
+    const S s = source.chance(1, 2) ? source.symmetric<S>() : binade_uniform<S>(source, -std::numeric_limits<S>::digits, 0);
+    Vec<S, 2> u(S(sqrt((S(1) - s) * (S(1) + s))), s);
+    if (source.chance(1, 2)) u = -u;
+    if (source.chance(1, 2)) std::swap(u[0], u[1]);
+    return u / S(sqrt(u.squaredNorm()));
+  }
+
+  int nq_ = 0, nv_ = 0;
+  std::vector<Segment> segments_;
+  std::vector<std::pair<const Subject<S>*, RobotOperations<S>>> bound_;
+};
+
+const RegisteredProperty<RobotConfiguration> registered;
+
+}  // namespace
+}  // namespace liecheck::properties

@@ -1,0 +1,56 @@
+// Along a path the quaternion does not jump to its opposite.
+
+#include <generators/rotations.hpp>
+#include <invariants/common.hpp>
+
+namespace liecheck::properties {
+namespace {
+
+constexpr int steps = 8;
+
+template <class S>
+class SignContinuity final : public Property<S> {
+ public:
+  std::string name() const override { return "sign_continuity"; }
+  std::string law() const override { return "integrate returns the quaternion nearer to the one it came from"; }
+  std::string equation() const override { return "Q_{k+1} . Q_k >= 0 for q_{k+1} = integrate(q_k, d)"; }
+  std::string source() const override { return "ROWS S13; Pinocchio 3.8, SpecialEuclideanOperation::integrate"; }
+  std::vector<Output> outputs() const override { return {{"integrate", "sign"}}; }
+  std::vector<Field> fields() const override {
+    return {{"p", Kind::vector, 3, "m"}, {"Q", Kind::quaternion, 4, "1"}, {"rho", Kind::vector, 3, "m"},
+            {"phi", Kind::rotation_vector, 3, "rad"}};
+  }
+  bool offered(const Subject<S>& s) const override { return s.operations.integrate; }
+  std::vector<S> generate(Source& source) const override {
+    std::vector<S> x;
+    append(x, vector3<S>(source, 8));
+    append(x, unit_quaternion<S>(source));
+    append(x, vector3<S>(source, 8));
+    append(x, rotation_vector<S>(source, AngleRange::to_pi));
+    return x;
+  }
+  bool valid(const std::vector<S>& x) const override {
+    return Property<S>::valid(x) && norm_defect_at<S>(x, 3) <= 8;
+  }
+  void measure(const Subject<S>& subject, const std::vector<S>& input, Recorder& r) const override {
+    using namespace oracles;
+    Reader<S> read(input);
+    Vec<S, 7> q = read.template take<7>();
+    const Vec<S, 6> d = read.template take<6>();
+    const std::size_t band = Bands::of<S>().classify(norm(tail3(exact_vector<6>(d))));
+    for (int k = 0; k < steps; ++k) {
+      const Vec<S, 7> next = subject.operations.integrate(q, d);
+      if (!all_finite(next)) return r.outcome(0, band, Outcome::not_finite);
+      Real product(0);
+      for (int i = 3; i < 7; ++i) product += exact<Real>(q[i]) * exact<Real>(next[i]);
+      const Real defect = product < 0 ? Real(-product) : Real(0);  // a tie may go either way, to rounding
+      r.record(0, band, in_eps<S>(defect));
+      q = next;
+    }
+  }
+};
+
+const RegisteredProperty<SignContinuity> registered;
+
+}  // namespace
+}  // namespace liecheck::properties

@@ -1,0 +1,103 @@
+// No jump across any cutoff: two adjacent inputs, one on either side, have errors that differ by no more than
+// the block's budget. Cutoffs are those that authors choose (powers of ten, roots of eps, half turns).
+
+#include <generators/rotations.hpp>
+#include <invariants/common.hpp>
+#include <oracles/closed.hpp>
+#include <oracles/exp.hpp>
+
+namespace liecheck::properties {
+namespace {
+
+template <class S>
+class SmallAngleBranches final : public Property<S> {
+ public:
+  std::string name() const override { return "small_angle_branches"; }
+  std::string law() const override { return "no jump of the error across a change of formula"; }
+  std::string equation() const override { return "|(y+ - y+_exact) - (y- - y-_exact)| over adjacent inputs"; }
+  std::string source() const override { return "DESIGN 3, jump; cutoffs after Pinocchio, Sophus, manif, smooth, GTSAM"; }
+  std::vector<Output> outputs() const override {
+    return {{"exp3_quaternion", "jump"}, {"exp6", "jump"}, {"left_jacobian3", "jump"}, {"left_jacobian3_inverse", "jump"},
+            {"right_jacobian6", "jump"}, {"right_jacobian6_inverse", "jump"}};
+  }
+  std::vector<Field> fields() const override {
+    return {{"rho", Kind::vector, 3, "m"}, {"direction", Kind::opaque, 3, "1"}, {"theta", Kind::opaque, 2, "rad"}};
+  }
+  bool offered(const Subject<S>& s) const override {
+    const auto& o = s.operations;
+    return o.exp3_quaternion || o.exp6 || o.left_jacobian3 || o.left_jacobian3_inverse || o.right_jacobian6 ||
+           o.right_jacobian6_inverse;
+  }
+  std::vector<S> generate(Source& source) const override {
+    std::vector<S> x;
+    append(x, vector3<S>(source, 8));
+    append(x, direction<S>(source));
+    const auto& cutoffs = common_cutoffs<S>();
+    const S t = step_ulps(cutoffs[source.below(cutoffs.size() - 1)], source.between(-4, 4));
+    x.push_back(t);
+    x.push_back(step_ulps(t, source.between(1, 3)));
+    return x;
+  }
+  void measure(const Subject<S>& subject, const std::vector<S>& input, Recorder& r) const override {
+    using namespace oracles;
+    const auto& o = subject.operations;
+    Reader<S> read(input);
+    const Vec<S, 3> rho = read.template take<3>(), axis = read.template take<3>();
+    const Vec<S, 2> theta = read.template take<2>();
+    Vec<S, 6> xi[2];
+    oracles::Vec<6> x[2];
+    for (int k : {0, 1}) {
+      xi[k] << rho, S(theta[k]) * axis;
+      x[k] = exact_vector<6>(xi[k]);
+    }
+    const Bands& bands = Bands::of<S>();
+    const std::size_t band = bands.classify(norm(tail3(x[0])));
+    if (bands[bands.classify(norm(tail3(x[1])))].region == Region::beyond_pi || bands[band].region == Region::beyond_pi)
+      return;  // forward rule only: beyond half a turn the oracles of the laws above judge
+
+    // Differences of errors, block by block, in eps of the block's size.
+    const auto jump = [&](int output, auto&& computed, auto&& exact) {
+      const auto y0 = computed(0), y1 = computed(1);
+      if (!all_finite(y0) || !all_finite(y1)) return r.outcome(output, band, Outcome::not_finite);
+      const auto e0 = exact(0), e1 = exact(1);
+      Real squared(0), size(0);
+      for (int i = 0; i < static_cast<int>(e0.size()); ++i) {
+        const auto at = static_cast<std::size_t>(i);
+        const Real difference = (oracles::exact<Real>(y1(i)) - e1[at]) - (oracles::exact<Real>(y0(i)) - e0[at]);
+        squared += difference * difference;
+        size += e0[at] * e0[at];
+      }
+      size = sqrt(size);
+      if (smallest_denominator<S>() > size) size = smallest_denominator<S>();
+      r.record(output, band, in_eps<S>(Real(sqrt(squared) / size)));
+    };
+    const auto flat = [](const Mat3<>& m) { return std::vector<Real>(m.x.begin(), m.x.end()); };
+    const auto rows = [](const Mat<S, 3>& m) {
+      Vec<S, 9> v;
+      for (int i = 0; i < 9; ++i) v[i] = m(i / 3, i % 3);
+      return v;
+    };
+    if (o.exp3_quaternion)
+      jump(0, [&](int k) { return o.exp3_quaternion(xi[k].template tail<3>()); },
+           [&](int k) { return to_list(exp_so3(tail3(x[k])).Q); });
+    if (o.exp6)
+      jump(1, [&](int k) { return Vec<S, 3>(o.exp6(xi[k]).p); }, [&](int k) { return to_list(exp_se3(x[k]).p); });
+    if (o.left_jacobian3)
+      jump(2, [&](int k) { return rows(o.left_jacobian3(xi[k].template tail<3>())); },
+           [&](int k) { return flat(left_jacobian_so3(tail3(x[k])).J); });
+    if (o.left_jacobian3_inverse)
+      jump(3, [&](int k) { return rows(o.left_jacobian3_inverse(xi[k].template tail<3>())); },
+           [&](int k) { return flat(left_jacobian_so3_inverse(tail3(x[k])).J); });
+    if (o.right_jacobian6)
+      jump(4, [&](int k) { return rows(o.right_jacobian6(xi[k]).template topRightCorner<3, 3>()); },
+           [&](int k) { return flat(right_jacobian_se3(x[k]).C); });
+    if (o.right_jacobian6_inverse)
+      jump(5, [&](int k) { return rows(o.right_jacobian6_inverse(xi[k]).template topRightCorner<3, 3>()); },
+           [&](int k) { return flat(right_jacobian_se3_inverse(x[k]).C); });
+  }
+};
+
+const RegisteredProperty<SmallAngleBranches> registered;
+
+}  // namespace
+}  // namespace liecheck::properties

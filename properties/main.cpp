@@ -1,0 +1,246 @@
+// The liecheck program: list, campaign, replay, report.
+
+#include <CLI/CLI.hpp>
+#include <campaign/campaign.hpp>
+#include <csignal>
+#include <filesystem>
+#include <fmt/format.h>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <reports/report.hpp>
+#include <set>
+#include <thread>
+
+namespace {
+
+using namespace liecheck::properties;
+
+enum Exit { within_budget = 0, property_failed = 1, bad_input = 2, incomplete = 3 };
+
+extern "C" void on_signal(int) { stop_requested = true; }
+
+/// "30s", "5m", "1h" or plain seconds.
+double parse_duration(const std::string& text) {
+  std::size_t end = 0;
+  double value = 0;
+  try {
+    value = std::stod(text, &end);
+  } catch (const std::exception&) {
+    throw std::invalid_argument(fmt::format("--for: not a duration: '{}' (write 30s, 5m or 1h)", text));
+  }
+  const std::string unit = text.substr(end);
+  const double factor = unit.empty() || unit == "s" ? 1 : unit == "m" ? 60 : unit == "h" ? 3600 : 0;
+  if (factor == 0 || !(value > 0) || !(value * factor <= 1e7))
+    throw std::invalid_argument(fmt::format("--for: not a duration: '{}' (write 30s, 5m or 1h)", text));
+  return value * factor;
+}
+
+struct Flags {
+  std::vector<std::string> subjects, properties, scalars;
+  std::string robot, json, duration, id, out = "liecheck-report";
+  std::vector<std::string> records;
+  std::uint64_t seed = 42, cases = 1000;
+  unsigned jobs = std::max(1u, std::thread::hardware_concurrency());
+};
+
+Robot robot_of(const Flags& f) { return f.robot.empty() ? built_in_robot() : load_robot(f.robot); }
+
+/// liecheck in float and double unless told; "all" is everything.
+Selection selection_of(const Flags& f) {
+  Selection s{f.subjects, f.properties, f.scalars};
+  if (f.subjects.empty()) {
+    s.subjects = {"liecheck"};
+    if (f.scalars.empty()) s.scalars = {"float", "double"};
+  } else if (std::find(f.subjects.begin(), f.subjects.end(), "all") != f.subjects.end()) {
+    s.subjects.clear();
+  }
+  return s;
+}
+
+void write_file(const std::string& path, const std::string& text) {
+  const std::string temporary = path + ".part";
+  std::ofstream file(temporary, std::ios::binary);
+  file << text;
+  file.close();
+  std::error_code error;
+  if (file) std::filesystem::rename(temporary, path, error);
+  if (!file || error) throw std::runtime_error(fmt::format("{}: cannot be written", path));
+}
+
+/// Can the record be written? Asked before the hours, not after them.
+void check_writable(const std::string& path) {
+  if (path.empty()) return;
+  const std::string temporary = path + ".part";
+  if (std::filesystem::is_directory(path) || !std::ofstream(temporary, std::ios::binary))
+    throw std::invalid_argument(fmt::format("--json: {}: cannot be written", path));
+  std::filesystem::remove(temporary);
+}
+
+CampaignResult campaign(const Flags& f, const Selection& selection) {
+  CampaignOptions options;
+  options.selection = selection;
+  options.seed = f.seed;
+  options.cases = f.cases;
+  options.jobs = f.jobs;
+  if (!f.duration.empty()) options.seconds = parse_duration(f.duration);
+  std::signal(SIGINT, on_signal);
+  std::signal(SIGTERM, on_signal);
+  return run_campaign(options, robot_of(f));
+}
+
+int print_campaign(const CampaignResult& r) {
+  constexpr int shown_failures = 6;
+  int failures = 0;
+  fmt::print("{:<24}{:<10}{:<10}{:>9}  {:>11}  {}\n", "property", "subject", "scalar", "cases", "worst", "status");
+  for (const auto& [series, tally] : r.series) {
+    double worst = 0;
+    bool failed = false;
+    std::uint64_t unresolved = 0;
+    std::string limit;
+    for (const auto& [key, row] : tally.rows) {
+      const Output& o = series->outputs.at(static_cast<std::size_t>(key.first));
+      const Budget& b = budget_of(o.operation, o.block, series->bands()[static_cast<std::size_t>(key.second)].region);
+      worst = std::max(worst, row.worst_score / b.limit);
+      failed = failed || row.failed > 0;
+      unresolved += row.unresolved;
+    }
+    fmt::print("{:<24}{:<10}{:<10}{:>9}  {:>10.3g}x  {}{}\n", series->property, series->subject, series->scalar,
+               tally.cases, worst, failed ? "FAIL" : "pass",
+               unresolved ? fmt::format(", {} unresolved", unresolved) : "");
+  }
+  fmt::print("worst: the largest error found as a multiple of its budget, a lower bound of the true maximum\n");
+  for (const auto& [series, tally] : r.series) {
+    // The worst band of each output stands for it.
+    std::map<int, std::pair<int, const Row*>> worst;
+    for (const auto& [key, row] : tally.rows) {
+      auto& w = worst[key.first];
+      if (row.failed && (!w.second || row.worst_score > w.second->worst_score)) w = {key.second, &row};
+    }
+    for (const auto& [output, band_row] : worst) {
+      if (!band_row.second) continue;
+      if (failures++ < shown_failures)
+        fmt::print("\n{}", describe_failure(*series, r.options.seed, output, band_row.first, *band_row.second, r.robot));
+    }
+  }
+  if (failures > shown_failures)
+    fmt::print("\n{} more operations and blocks failed; --json FILE records them all\n", failures - shown_failures);
+  fmt::print("\nseed {}, {} cases in {:.1f} s, robot {} ({})\n", r.options.seed, r.total_cases, r.elapsed, r.robot.name,
+             r.robot.hash);
+  fmt::print("inputs  {}\nresults {}\n", r.inputs_digest, r.results_digest);
+  fmt::print("verdict {}\n", r.incomplete ? "incomplete" : r.failed ? "fail" : "pass");
+  return r.incomplete ? incomplete : r.failed ? property_failed : within_budget;
+}
+
+int run_list() {
+  const auto all = select({}, built_in_robot());
+  fmt::print("subjects\n");
+  for (const std::string& name : subject_names()) {
+    std::set<std::string> scalars;
+    std::string version;
+    for (const auto& s : all)
+      if (s->subject == name) scalars.insert(s->scalar), version = s->subject_version;
+    fmt::print("  {:<12}{} in {}\n", name, version, fmt::join(scalars, ", "));
+  }
+  fmt::print("properties\n");
+  std::set<std::string> seen;
+  for (const auto& s : all)
+    if (seen.insert(s->property).second) fmt::print("  {:<24}{}\n  {:<24}{}\n", s->property, s->law, "", s->equation);
+  return within_budget;
+}
+
+int run_campaign_command(const Flags& f) {
+  check_writable(f.json);
+  const CampaignResult result = campaign(f, selection_of(f));
+  if (result.series.empty())
+    throw std::invalid_argument("nothing to run: no selected subject offers a selected property in that scalar");
+  if (!f.json.empty()) write_file(f.json, record_of(result).dump(1) + "\n");
+  return print_campaign(result);
+}
+
+int run_replay(const Flags& f) {
+  const CaseId id = CaseId::parse(f.id);
+  const Robot robot = robot_of(f);
+  const auto found = select({{id.subject}, {id.property}, {id.scalar}}, robot);
+  if (found.empty())
+    throw std::invalid_argument(fmt::format("{} in {} does not offer {}", id.subject, id.scalar, id.property));
+  const Series& series = *found.front();
+  if (series.robot != id.robot)
+    throw std::invalid_argument(fmt::format("case ID names robot {}, this one is {}: give its URDF with --robot", id.robot, series.robot));
+  fmt::print("{}: {}\n{} {} in {}\ninput {}\n", series.property, series.law, series.subject, series.subject_version,
+             series.scalar, fmt::join(series.input(id), " "));
+  bool failed = false;
+  for (const Judged& j : series.replay(id)) {
+    const Output& o = series.outputs.at(j.residual.output);
+    static const char* const outcomes[] = {"", "NaN or Inf", "wrong branch", "unresolved", "refused"};
+    failed = failed || j.failed;
+    fmt::print("{:<26}{:<22}{:<24}{:>12.5g} eps  {:<22} kappa {:<10.3g}{} {}\n", o.operation, o.block,
+               series.bands()[j.residual.band].name, j.residual.error, fmt::format("{:a}", j.residual.error),
+               j.residual.kappa, j.failed ? "FAIL" : j.ill_posed ? "ill-posed" : "pass",
+               outcomes[static_cast<int>(j.residual.outcome)]);
+  }
+  return failed ? property_failed : within_budget;
+}
+
+int run_report(const Flags& f) {
+  std::vector<std::filesystem::path> records(f.records.begin(), f.records.end());
+  if (records.empty()) {
+    std::filesystem::create_directories(f.out);
+    const std::filesystem::path path = std::filesystem::path(f.out) / "campaign.json";
+    const CampaignResult result = campaign(f, {});
+    if (result.incomplete) fmt::print(stderr, "interrupted: the report holds what was done\n");
+    write_file(path, record_of(result).dump(1) + "\n");
+    records.push_back(path);
+  }
+  const auto files = liecheck::reports::write_report(records, f.out);
+  fmt::print("{}\n", std::filesystem::absolute(files.html).string());
+  return stop_requested ? incomplete : within_budget;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"liecheck " LIECHECK_VERSION ": finds the numerical bugs in SE(3) and floating-base code before a robot does."};
+  app.require_subcommand(1);
+  app.set_version_flag("--version", LIECHECK_VERSION);
+  Flags f;
+  const auto budget_flags = [&](CLI::App* c) {
+    c->add_option("--robot", f.robot, "URDF of the robot for configuration properties; built in: mixed_joints");
+    c->add_option("--seed", f.seed, "seed of the campaign")->capture_default_str();
+    auto* cases = c->add_option("--cases", f.cases, "cases per property x subject x scalar")
+                      ->capture_default_str()->check(CLI::Range(std::uint64_t(1), std::uint64_t(1) << 40));
+    c->add_option("--for", f.duration, "run for a time instead: 30s, 5m, 1h")->excludes(cases);
+    c->add_option("-j,--jobs", f.jobs, "threads; the digests do not depend on it")->check(CLI::Range(1u, 1024u));
+  };
+
+  app.add_subcommand("list", "the subjects and properties");
+  auto* run = app.add_subcommand("campaign", "run properties on subjects. Exit 0 within budget, 1 failed, 2 bad input, 3 incomplete");
+  run->add_option("--subject", f.subjects, "a subject, repeatable, or 'all'; default liecheck in float and double");
+  run->add_option("--property", f.properties, "a property, repeatable; default every one");
+  run->add_option("--scalar", f.scalars, "float, double or float128, repeatable");
+  run->add_option("--json", f.json, "write the record to FILE");
+  budget_flags(run);
+  auto* replay = app.add_subcommand("replay", "run one case again and print its residuals, bit for bit");
+  replay->add_option("ID", f.id, "the case's address, as a failure or a report prints it")->required();
+  replay->add_option("--robot", f.robot, "URDF of the robot that the ID names");
+  auto* report = app.add_subcommand("report", "write the accuracy report of records, or of a campaign over every subject");
+  report->add_option("RECORD", f.records, "records that campaign --json wrote; none: run the campaign first");
+  report->add_option("--out", f.out, "folder of report.html, report.json and report.csv")->capture_default_str();
+  budget_flags(report);
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    if (e.get_exit_code() == 0) return app.exit(e);
+    fmt::print(stderr, "liecheck: {}\n", e.what());
+    return bad_input;
+  }
+  try {
+    if (run->parsed()) return run_campaign_command(f);
+    if (replay->parsed()) return run_replay(f);
+    if (report->parsed()) return run_report(f);
+    return run_list();
+  } catch (const std::exception& e) {
+    fmt::print(stderr, "liecheck: {}\n", e.what());
+    return bad_input;
+  }
+}
