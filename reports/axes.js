@@ -39,9 +39,9 @@ function horizontalAxis(rows) {
   return {position, ticks, slots: slots.length, slot, low, min: slots.length ? first : low, max: high};
 }
 
-// The vertical axis for a set of rows: log10 of the error in eps, a floor for what is 0 or too small to draw,
+// The vertical axis for a set of rows: log10 of the error in eps, a floor for 0 and one for what is too small to draw,
 // and ceilings for what is not an error in eps: NaN and Inf, a wrong branch.
-const SMALLEST = -3;  // smaller errors are drawn on the floor, which then says so
+const SMALLEST = -3;  // smaller errors share a tick of their own, above that of 0
 
 function verticalAxis(rows, statistics) {
   const values = rows.flatMap(r => statistics.map(s => r[s])).filter(v => typeof v === "number");
@@ -50,17 +50,19 @@ function verticalAxis(rows, statistics) {
   const least = Math.floor(Math.min(0, ...logs)), most = Math.ceil(Math.max(1, ...logs) + .2);
   const gap = Math.max(1, .08 * (most - least));  // so that the labels of floor and ceiling stand free
   const below = values.some(v => v > 0 && Math.log10(v) < SMALLEST);
-  const floor = values.some(v => v === 0) || below ? least - gap : null;
+  const tiny = below ? least - gap : least;
+  const floor = values.some(v => v === 0) ? tiny - gap : tiny;
   const seen = OUTCOMES.filter(o => rows.some(o.holds));
   const ticks = [];
-  if (floor !== null) ticks.push({value: floor, label: below ? "< 10⁻³" : "0"});
+  if (below) ticks.push({value: tiny, label: "< 10⁻³"});
+  if (floor < tiny) ticks.push({value: floor, label: "0"});
   const step = Math.ceil((most - least) / 9);
   for (let e = least; e <= most; e += step) ticks.push({value: e, label: power(e)});
   const ceilings = seen.map((o, i) => ({...o, value: most + (2 + 3 * i) * gap}));
   for (const c of ceilings) ticks.push({value: c.value, label: c.lines});
-  const place = v => v > 0 && Math.log10(v) >= SMALLEST ? Math.log10(v) : floor;
+  const place = v => v === 0 ? floor : Math.log10(v) >= SMALLEST ? Math.log10(v) : tiny;
   const top = ceilings.length ? ceilings.at(-1).value + 1.3 * gap : most + .4 * gap;
-  return {ticks, floor, ceilings, rim: most + .6 * gap, place, min: (floor ?? least) - .4 * gap, max: top};
+  return {ticks, ceilings, rim: most + .6 * gap, place, min: floor - .4 * gap, max: top};
 }
 
 // The ticks that find room in `width` pixels: every slot; every decade, every second, fifth, … that is clear of them.

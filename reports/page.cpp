@@ -85,6 +85,14 @@ std::string place(const Json& row) {
   return fmt::format("{} {}, {}", text_of(row, "operation"), text_of(row, "block"), text_of(row, "band"));
 }
 
+/// With a time limit (`total_cases` equals `cases`) there is no number of cases for each.
+std::string cases_text(const Json& record) {
+  const Json total = record.value("total_cases", Json());
+  if (total == record["cases"]) return fmt::format("{} cases in all", total.dump());
+  return fmt::format("{} cases for each property × subject × scalar{}", record["cases"].dump(),
+                     total.is_number() ? fmt::format(", {} in all", total.dump()) : "");
+}
+
 std::string verdict_section(const Merged& merged) {
   const std::string verdict_word = verdict(merged);
   const auto all = standings(merged);
@@ -121,8 +129,7 @@ std::string verdict_section(const Merged& merged) {
   for (const Json& r : merged.records) {
     const std::string robot =
         r["robot"].is_null() ? "" : fmt::format("; robot {}", text_of(r["robot"], "name"));
-    item("campaign", fmt::format("seed {}, {} cases for each property × subject × scalar{}", r["seed"].dump(),
-                                 r["cases"].dump(), robot));
+    item("campaign", fmt::format("seed {}, {}{}", r["seed"].dump(), cases_text(r), robot));
   }
   item("rows",
        fmt::format("{}, one for each subject × scalar × property × operation × block × band; {} failed",
@@ -232,7 +239,8 @@ std::string machine_section(const Merged& merged) {
     const Json& e = r["environment"];
     std::vector<Cells> rows = {
         {"liecheck", text_of(r, "version") + ", generators " + r["generator_version"].dump()},
-        {"seed, cases", r["seed"].dump() + ", " + r["cases"].dump()},
+        {"seed", r["seed"].dump()},
+        {"cases", cases_text(r)},
         {"verdict", text_of(r, "verdict")}};
     if (!r["robot"].is_null())
       rows.push_back({"robot", text_of(r["robot"], "name") + " " + code(r["robot"]["hash"])});

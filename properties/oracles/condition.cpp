@@ -16,7 +16,7 @@ Real block_norm(const std::vector<Real>& y, const ConditionBlock& block) {
 
 std::vector<double> condition(const Function& f, const std::vector<Real>& x,
                               const std::vector<ConditionBlock>& blocks) {
-  static const Real relative("1e-15"), smallest("1e-40");
+  static const Real relative("1e-36"), smallest("1e-40");
   std::vector<Real> sums(blocks.size(), Real(0));
   std::vector<Real> moved = x;
   for (std::size_t i = 0; i < x.size(); ++i) {

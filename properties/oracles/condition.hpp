@@ -3,10 +3,11 @@
 // by how many times its own size may the result move when every stored number moves by a relative eps, to
 // first order and in the worst combination. A number that is zero is stored exactly and adds nothing.
 //
-// The derivatives are central differences at 50 digits with the step |x_i| 1e-15 / max(1, |x_i|), at least
-// |x_i| 1e-40: two or three digits of kappa are wanted, and these steps leave at least eight (angles up to
-// 1e34: beyond, eps kappa >= 1 in every scalar). Where y is known to n digits less than 50, so is kappa to n
-// digits less than 35.
+// The derivatives are central differences at 50 digits with the step |x_i| 1e-36 / max(1, |x_i|), at least
+// |x_i| 1e-40: two or three digits of kappa are wanted, and these steps leave some ten. The step is smaller
+// than the distance at which any scalar under test can stand from a pole (2 pi k of the inverse Jacobians): a
+// longer one would step across it and make kappa small where it is infinite. Where y is known to n digits less
+// than 50, so is kappa to n digits less than ten.
 //
 // Sources: Higham 2002, section 1.6; Gohberg, Koltracht 1993 (componentwise condition).
 

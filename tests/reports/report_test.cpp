@@ -206,7 +206,7 @@ TEST_F(Report, WritesACsvThatQuotesAndKeepsEveryDigit) {
   EXPECT_TRUE(has(csv, "exp6,\"a, \"\"b\"\"\",theta 1e-5..1e-4"));
   EXPECT_TRUE(has(csv, ",0.10000000000000001,"));
   EXPECT_TRUE(has(csv, ",713,inf,"));
-  EXPECT_TRUE(has(csv, "none.7,1.25e-05,0x1p-3 -0x0p+0\r\n"));
+  EXPECT_TRUE(has(csv, "none.7,1.2500000000000001e-05,0x1p-3 -0x0p+0\r\n"));
   EXPECT_EQ(csv.rfind("subject,scalar,", 0), 0u);
 }
 
