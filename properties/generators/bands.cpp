@@ -31,7 +31,7 @@ Bands::Bands(int min_exponent, int digits) {
   push("theta^2 underflows", Axis::theta, static_cast<double>(smallest_normal),
        static_cast<double>(smallest_square), Region::to_pi);
 
-  const int lowest = -static_cast<int>(static_cast<double>(-log10(smallest_square)));
+  const int lowest = static_cast<int>(floor(log10(smallest_square)));
   const int first_decade = std::max(lowest, -(precision + 5));
   std::vector<int> exponents;
   for (int e : {-1000, -100, -50})

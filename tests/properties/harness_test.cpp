@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <campaign/campaign.hpp>
 #include <campaign/case_id.hpp>
 #include <cmath>
@@ -76,8 +77,8 @@ const Registered<double> bugs[] = {
       };
     })),
     Registered<double>(planted("power_pairing", [](O& o) {
-      o.act_motion = own().act_motion;
-      o.act_force = own().act_motion;  // a force transformed as a motion
+      o.act_motion = [](const Pose<double>& X, const V6& V) { return own().act_motion(X, V); };
+      o.act_force = [](const Pose<double>& X, const V6& F) { return own().act_motion(X, F); };  // as a motion
     })),
     Registered<double>(planted("robot_configuration", [](O& o) {
       o.robot = [](const std::string& urdf) {
