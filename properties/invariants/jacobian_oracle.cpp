@@ -53,7 +53,7 @@ class JacobianOracle final : public Property<S> {
 
     // The right Jacobian is the left one at -xi: both blocks have the same kappa.
     const auto kappa = [&](bool inverse, bool coupling, const Real& denominator) {
-      return kappa_of(
+      auto componentwise = kappa_of(
           [inverse](const std::vector<Real>& v) {
             const auto b = inverse ? closed_left_jacobian_inverse(from_list<6>(v)) : closed_left_jacobian(from_list<6>(v));
             std::vector<Real> flat(b.J.x.begin(), b.J.x.end());
@@ -61,6 +61,16 @@ class JacobianOracle final : public Property<S> {
             return flat;
           },
           to_list(x), coupling ? 9 : 0, 9, denominator);
+      if (!inverse) return componentwise;
+      // The inverse has poles at 2 pi k. At an extremum between two of them the first derivative vanishes although
+      // a rounding of theta spans both: there the inverse relative distance to the pole is the condition number
+      // (Demmel 1987), and the larger of the two counts.
+      return std::function<double()>([componentwise, theta] {
+        const Real turn = 2 * boost::math::constants::pi<Real>();
+        const Real k = round(Real(theta / turn));
+        const Real distance = abs(Real(theta - (k > 1 ? k : Real(1)) * turn));
+        return std::max(componentwise(), static_cast<double>(Real(theta / distance)));
+      });
     };
     const auto size = [&](const Jacobian6Result& exact, bool coupling) {
       if (!coupling) return frobenius(exact.J);

@@ -41,18 +41,37 @@ class SO3 {
                           (w1 * w2 - x1 * x2) - (y1 * y2 + z1 * z2)));
   }
 
-  /// R p = p + 2 (w (v x p) + v x (v x p)) / |Q|^2. Shape 3, unit of p. Error 3 eps |p|.
+  /// R p = p + 2 u / |Q|^2, u = w (v x p) + v x (v x p). Shape 3, unit of p. At half a turn 2 u is twice as long
+  /// as p, so u is summed in twice the digits and |Q|^2 enters by its distance from 1. Error 2.5 eps |p|.
   Vector3<S> act(const Vector3<S>& p) const {
     const Vector3<S> v = vec();
-    const Vector3<S> t = cross(v, p) * (S(2) / squaredNorm());
-    return p + (w() * t + cross(v, t));
+    const auto cross_at = [](const Vector3<S>& a, const Vector3<S>& b, int i, CompensatedSum<S> sum) {
+      const int j = (i + 1) % 3, k = (i + 2) % 3;
+      return sum.add_product(a[j], b[k]).add_product(S(-a[k]), b[j]).value();
+    };
+    Vector3<S> c, result;
+    for (int i = 0; i < 3; ++i) c[i] = cross_at(v, p, i, {});
+    CompensatedSum<S> defect;
+    for (int i = 0; i < 4; ++i) defect.add_product(q_[i], q_[i]);
+    const S excess = defect.add(S(-1)).value();
+    const S correction = S(-2) * excess / (S(1) + excess);
+    for (int i = 0; i < 3; ++i) {
+      CompensatedSum<S> sum;
+      const S u = cross_at(v, c, i, sum.add_product(w(), c[i]));
+      result[i] = p[i] + (S(2) * u + correction * u);
+    }
+    if (!result.allFinite()) {  // the splitting of products overflows a few binades before the result does
+      const Vector3<S> t = cross(v, p) * scale();
+      result = p + (w() * t + cross(v, t));
+    }
+    return result;
   }
   /// R^T p.
   Vector3<S> actInv(const Vector3<S>& p) const { return inverse().act(p); }
 
   /// R, 3 x 3. Error 2 eps in each entry; exact function of Q/|Q|.
   Matrix3<S> matrix() const {
-    const S s = S(2) / squaredNorm();
+    const S s = scale();
     const S &x = q_[0], &y = q_[1], &z = q_[2], &w = q_[3];
     const S xs = x * s, ys = y * s, zs = z * s;
     Matrix3<S> R;
@@ -112,6 +131,13 @@ class SO3 {
   }
 
  private:
+  /// 2 / |Q|^2, rounded twice: an error here is common to all entries, so it would stretch what it rotates.
+  S scale() const {
+    CompensatedSum<S> n;
+    for (int i = 0; i < 4; ++i) n.add_product(q_[i], q_[i]);
+    return S(2) / n.value();
+  }
+
   Vector4<S> q_;
 };
 
