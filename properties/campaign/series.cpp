@@ -1,13 +1,13 @@
 #include <campaign/series.hpp>
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <bit>
 #include <campaign/embedded.hpp>
 #include <campaign/shrink.hpp>
 #include <chrono>
-#include <fmt/format.h>
-#include <liecheck/urdf/urdf.hpp>
 #include <fstream>
+#include <liecheck/urdf/urdf.hpp>
 #include <limits>
 #include <set>
 #include <sstream>
@@ -87,7 +87,10 @@ class Judge final : public Recorder {
   void record(int output, std::size_t band, double error, const std::function<double()>& kappa) override {
     Judged j = start(output, band);
     j.residual.error = error;
-    if (!(error >= 0) || error == std::numeric_limits<double>::infinity()) {
+    // An error too large for a double under the excess rule may still be what rounding the input does: kappa
+    // tells.
+    const bool overflowed = error == std::numeric_limits<double>::infinity();
+    if (!(error >= 0) || (overflowed && (j.budget->rule == Rule::forward || !kappa))) {
       j.residual.outcome = Outcome::not_finite;
       j.failed = true;
     } else if (j.budget->rule == Rule::forward) {
@@ -98,6 +101,7 @@ class Judge final : public Recorder {
       j.ill_posed = !(k * eps_ < 1);
       j.excess = j.ill_posed ? 0 : error / std::max(k, 1.0);
       j.failed = !j.ill_posed && !(j.excess <= j.budget->limit);
+      if (j.failed && overflowed) j.residual.outcome = Outcome::not_finite;
     }
     judged.push_back(j);
   }
@@ -137,7 +141,8 @@ class SeriesOf final : public Series {
     robot = property_->needs_robot() ? robot_used.hash : "none";
     property_->prepare(robot_used);
     for (const Output& o : outputs)
-      budgets_.push_back({&budget_of(o.operation, o.block, Region::to_pi), &budget_of(o.operation, o.block, Region::beyond_pi)});
+      budgets_.push_back({&budget_of(o.operation, o.block, Region::to_pi),
+                          &budget_of(o.operation, o.block, Region::beyond_pi)});
   }
 
   const Bands& bands() const override { return Bands::of<S>(); }
@@ -153,9 +158,9 @@ class SeriesOf final : public Series {
     record = name;
     for (const Judged& j : measure(x)) {
       tally.rows[{j.residual.output, j.residual.band}].add(j, index);
-      record += fmt::format("|{}.{}.{}.{:x}.{:x}", j.residual.output, j.residual.band,
-                            static_cast<int>(j.residual.outcome), std::bit_cast<std::uint64_t>(j.residual.error),
-                            std::bit_cast<std::uint64_t>(j.residual.kappa));
+      record += fmt::format(
+          "|{}.{}.{}.{:x}.{:x}", j.residual.output, j.residual.band, static_cast<int>(j.residual.outcome),
+          std::bit_cast<std::uint64_t>(j.residual.error), std::bit_cast<std::uint64_t>(j.residual.kappa));
     }
     tally.results.add(record);
     ++tally.cases;
@@ -176,8 +181,9 @@ class SeriesOf final : public Series {
         if (j.failed && j.residual.output == output) return j;
       return std::nullopt;
     };
-    const std::vector<S> small = shrink_input<S>(numbers(address), property_->fields(),
-                                                 [&](const auto& x) { return fails(x).has_value(); }, evaluations);
+    const std::vector<S> small = shrink_input<S>(
+        numbers(address), property_->fields(), [&](const auto& x) { return fails(x).has_value(); },
+        evaluations);
     Shrunk s;
     s.id = address;
     s.id.raw = true;
@@ -238,10 +244,12 @@ void add_series(const Selection& selection, const Robot& robot, std::vector<std:
   }
 }
 
-void check_names(const std::vector<std::string>& given, const std::vector<std::string>& known, const char* what) {
+void check_names(const std::vector<std::string>& given, const std::vector<std::string>& known,
+                 const char* what) {
   for (const std::string& name : given)
     if (std::find(known.begin(), known.end(), name) == known.end())
-      throw std::invalid_argument(fmt::format("unknown {} '{}'; known: {}", what, name, fmt::join(known, ", ")));
+      throw std::invalid_argument(
+          fmt::format("unknown {} '{}'; known: {}", what, name, fmt::join(known, ", ")));
 }
 
 Robot robot_of(const std::string& urdf, const std::string& path) {
@@ -289,6 +297,8 @@ Robot load_robot(const std::string& path) {
   return robot_of(text.str(), path);
 }
 
-Robot built_in_robot() { return robot_of(built_in_robot_urdf, ""); }
+Robot built_in_robot() {
+  return robot_of(built_in_robot_urdf, "");
+}
 
 }  // namespace liecheck::properties
