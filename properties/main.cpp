@@ -1,10 +1,10 @@
 // The liecheck program: list, campaign, replay, report.
 
+#include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <campaign/campaign.hpp>
 #include <csignal>
 #include <filesystem>
-#include <fmt/format.h>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <reports/report.hpp>
@@ -17,7 +17,9 @@ using namespace liecheck::properties;
 
 enum Exit { within_budget = 0, property_failed = 1, bad_input = 2, incomplete = 3 };
 
-extern "C" void on_signal(int) { stop_requested = true; }
+extern "C" void on_signal(int) {
+  stop_requested = true;
+}
 
 /// "30s", "5m", "1h" or plain seconds.
 double parse_duration(const std::string& text) {
@@ -43,7 +45,9 @@ struct Flags {
   unsigned jobs = std::max(1u, std::thread::hardware_concurrency());
 };
 
-Robot robot_of(const Flags& f) { return f.robot.empty() ? built_in_robot() : load_robot(f.robot); }
+Robot robot_of(const Flags& f) {
+  return f.robot.empty() ? built_in_robot() : load_robot(f.robot);
+}
 
 /// liecheck in float and double unless told; "all" is everything.
 Selection selection_of(const Flags& f) {
@@ -91,7 +95,8 @@ CampaignResult campaign(const Flags& f, const Selection& selection) {
 int print_campaign(const CampaignResult& r) {
   constexpr int shown_failures = 6;
   int failures = 0;
-  fmt::print("{:<24}{:<10}{:<10}{:>9}  {:>11}  {}\n", "property", "subject", "scalar", "cases", "worst", "status");
+  fmt::print("{:<24}{:<10}{:<10}{:>9}  {:>11}  {}\n", "property", "subject", "scalar", "cases", "worst",
+             "status");
   for (const auto& [series, tally] : r.series) {
     double worst = 0;
     bool failed = false;
@@ -99,16 +104,18 @@ int print_campaign(const CampaignResult& r) {
     std::string limit;
     for (const auto& [key, row] : tally.rows) {
       const Output& o = series->outputs.at(static_cast<std::size_t>(key.first));
-      const Budget& b = budget_of(o.operation, o.block, series->bands()[static_cast<std::size_t>(key.second)].region);
+      const Budget& b =
+          budget_of(o.operation, o.block, series->bands()[static_cast<std::size_t>(key.second)].region);
       worst = std::max(worst, row.worst_score / b.limit);
       failed = failed || row.failed > 0;
       unresolved += row.unresolved;
     }
-    fmt::print("{:<24}{:<10}{:<10}{:>9}  {:>10.3g}x  {}{}\n", series->property, series->subject, series->scalar,
-               tally.cases, worst, failed ? "FAIL" : "pass",
+    fmt::print("{:<24}{:<10}{:<10}{:>9}  {:>10.3g}x  {}{}\n", series->property, series->subject,
+               series->scalar, tally.cases, worst, failed ? "FAIL" : "pass",
                unresolved ? fmt::format(", {} unresolved", unresolved) : "");
   }
-  fmt::print("worst: the largest error found as a multiple of its budget, a lower bound of the true maximum\n");
+  fmt::print(
+      "worst: the largest error found as a multiple of its budget, a lower bound of the true maximum\n");
   for (const auto& [series, tally] : r.series) {
     // The worst band of each output stands for it.
     std::map<int, std::pair<int, const Row*>> worst;
@@ -119,13 +126,15 @@ int print_campaign(const CampaignResult& r) {
     for (const auto& [output, band_row] : worst) {
       if (!band_row.second) continue;
       if (failures++ < shown_failures)
-        fmt::print("\n{}", describe_failure(*series, r.options.seed, output, band_row.first, *band_row.second, r.robot));
+        fmt::print("\n{}", describe_failure(*series, r.options.seed, output, band_row.first, *band_row.second,
+                                            r.robot));
     }
   }
   if (failures > shown_failures)
-    fmt::print("\n{} more operations and blocks failed; --json FILE records them all\n", failures - shown_failures);
-  fmt::print("\nseed {}, {} cases in {:.1f} s, robot {} ({})\n", r.options.seed, r.total_cases, r.elapsed, r.robot.name,
-             r.robot.hash);
+    fmt::print("\n{} more operations and blocks failed; --json FILE records them all\n",
+               failures - shown_failures);
+  fmt::print("\nseed {}, {} cases in {:.1f} s, robot {} ({})\n", r.options.seed, r.total_cases, r.elapsed,
+             r.robot.name, r.robot.hash);
   fmt::print("inputs  {}\nresults {}\n", r.inputs_digest, r.results_digest);
   fmt::print("verdict {}\n", r.incomplete ? "incomplete" : r.failed ? "fail" : "pass");
   return r.incomplete ? incomplete : r.failed ? property_failed : within_budget;
@@ -144,7 +153,8 @@ int run_list() {
   fmt::print("properties\n");
   std::set<std::string> seen;
   for (const auto& s : all)
-    if (seen.insert(s->property).second) fmt::print("  {:<24}{}\n  {:<24}{}\n", s->property, s->law, "", s->equation);
+    if (seen.insert(s->property).second)
+      fmt::print("  {:<24}{}\n  {:<24}{}\n", s->property, s->law, "", s->equation);
   return within_budget;
 }
 
@@ -152,7 +162,8 @@ int run_campaign_command(const Flags& f) {
   check_writable(f.json);
   const CampaignResult result = campaign(f, selection_of(f));
   if (result.series.empty())
-    throw std::invalid_argument("nothing to run: no selected subject offers a selected property in that scalar");
+    throw std::invalid_argument(
+        "nothing to run: no selected subject offers a selected property in that scalar");
   if (!f.json.empty()) write_file(f.json, record_of(result).dump(1) + "\n");
   return print_campaign(result);
 }
@@ -162,12 +173,14 @@ int run_replay(const Flags& f) {
   const Robot robot = robot_of(f);
   const auto found = select({{id.subject}, {id.property}, {id.scalar}}, robot);
   if (found.empty())
-    throw std::invalid_argument(fmt::format("{} in {} does not offer {}", id.subject, id.scalar, id.property));
+    throw std::invalid_argument(
+        fmt::format("{} in {} does not offer {}", id.subject, id.scalar, id.property));
   const Series& series = *found.front();
   if (series.robot != id.robot)
-    throw std::invalid_argument(fmt::format("case ID names robot {}, this one is {}: give its URDF with --robot", id.robot, series.robot));
-  fmt::print("{}: {}\n{} {} in {}\ninput {}\n", series.property, series.law, series.subject, series.subject_version,
-             series.scalar, fmt::join(series.input(id), " "));
+    throw std::invalid_argument(fmt::format(
+        "case ID names robot {}, this one is {}: give its URDF with --robot", id.robot, series.robot));
+  fmt::print("{}: {}\n{} {} in {}\ninput {}\n", series.property, series.law, series.subject,
+             series.subject_version, series.scalar, fmt::join(series.input(id), " "));
   bool failed = false;
   for (const Judged& j : series.replay(id)) {
     const Output& o = series.outputs.at(j.residual.output);
@@ -175,7 +188,10 @@ int run_replay(const Flags& f) {
     failed = failed || j.failed;
     fmt::print("{:<26}{:<22}{:<24}{:>12.5g} eps  {:<22} kappa {:<10.3g}{} {}\n", o.operation, o.block,
                series.bands()[j.residual.band].name, j.residual.error, fmt::format("{:a}", j.residual.error),
-               j.residual.kappa, j.failed ? "FAIL" : j.ill_posed ? "ill-posed" : "pass",
+               j.residual.kappa,
+               j.failed      ? "FAIL"
+               : j.ill_posed ? "ill-posed"
+                             : "pass",
                outcomes[static_cast<int>(j.residual.outcome)]);
   }
   return failed ? property_failed : within_budget;
@@ -199,22 +215,28 @@ int run_report(const Flags& f) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"liecheck " LIECHECK_VERSION ": finds the numerical bugs in SE(3) and floating-base code before a robot does."};
+  CLI::App app{"liecheck " LIECHECK_VERSION
+               ": finds the numerical bugs in SE(3) and floating-base code before a robot does."};
   app.require_subcommand(1);
   app.set_version_flag("--version", LIECHECK_VERSION);
   Flags f;
   const auto budget_flags = [&](CLI::App* c) {
-    c->add_option("--robot", f.robot, "URDF of the robot for configuration properties; built in: mixed_joints");
+    c->add_option("--robot", f.robot,
+                  "URDF of the robot for configuration properties; built in: mixed_joints");
     c->add_option("--seed", f.seed, "seed of the campaign")->capture_default_str();
     auto* cases = c->add_option("--cases", f.cases, "cases per property x subject x scalar")
-                      ->capture_default_str()->check(CLI::Range(std::uint64_t(1), std::uint64_t(1) << 40));
+                      ->capture_default_str()
+                      ->check(CLI::Range(std::uint64_t(1), std::uint64_t(1) << 40));
     c->add_option("--for", f.duration, "run for a time instead: 30s, 5m, 1h")->excludes(cases);
-    c->add_option("-j,--jobs", f.jobs, "threads; the digests do not depend on it")->check(CLI::Range(1u, 1024u));
+    c->add_option("-j,--jobs", f.jobs, "threads; the digests do not depend on it")
+        ->check(CLI::Range(1u, 1024u));
   };
 
   app.add_subcommand("list", "the subjects and properties");
-  auto* run = app.add_subcommand("campaign", "run properties on subjects. Exit 0 within budget, 1 failed, 2 bad input, 3 incomplete");
-  run->add_option("--subject", f.subjects, "a subject, repeatable, or 'all'; default liecheck in float and double");
+  auto* run = app.add_subcommand(
+      "campaign", "run properties on subjects. Exit 0 within budget, 1 failed, 2 bad input, 3 incomplete");
+  run->add_option("--subject", f.subjects,
+                  "a subject, repeatable, or 'all'; default liecheck in float and double");
   run->add_option("--property", f.properties, "a property, repeatable; default every one");
   run->add_option("--scalar", f.scalars, "float, double or float128, repeatable");
   run->add_option("--json", f.json, "write the record to FILE");
@@ -222,9 +244,11 @@ int main(int argc, char** argv) {
   auto* replay = app.add_subcommand("replay", "run one case again and print its residuals, bit for bit");
   replay->add_option("ID", f.id, "the case's address, as a failure or a report prints it")->required();
   replay->add_option("--robot", f.robot, "URDF of the robot that the ID names");
-  auto* report = app.add_subcommand("report", "write the accuracy report of records, or of a campaign over every subject");
+  auto* report = app.add_subcommand(
+      "report", "write the accuracy report of records, or of a campaign over every subject");
   report->add_option("RECORD", f.records, "records that campaign --json wrote; none: run the campaign first");
-  report->add_option("--out", f.out, "folder of report.html, report.json and report.csv")->capture_default_str();
+  report->add_option("--out", f.out, "folder of report.html, report.json and report.csv")
+      ->capture_default_str();
   budget_flags(report);
 
   try {

@@ -1,7 +1,7 @@
 #include <campaign/budgets.hpp>
 
-#include <campaign/embedded.hpp>
 #include <fmt/format.h>
+#include <campaign/embedded.hpp>
 #include <sstream>
 #include <stdexcept>
 
@@ -25,7 +25,8 @@ const std::vector<Budget>& budgets() {
       std::getline(cells, rule, ',');
       std::getline(cells, limit, ',');
       std::getline(cells, b.reason);
-      if (rule != "forward" && rule != "excess") throw std::logic_error("budgets.csv: unknown rule in: " + line);
+      if (rule != "forward" && rule != "excess")
+        throw std::logic_error("budgets.csv: unknown rule in: " + line);
       if (b.reason.empty()) throw std::logic_error("budgets.csv: no reason given in: " + line);
       b.rule = rule == "forward" ? Rule::forward : Rule::excess;
       b.limit = std::stod(limit);

@@ -2,10 +2,10 @@
 
 #include <unistd.h>
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <fmt/format.h>
 #include <mutex>
 #include <thread>
 
@@ -17,7 +17,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double seconds_since(Clock::time_point t) { return std::chrono::duration<double>(Clock::now() - t).count(); }
+double seconds_since(Clock::time_point t) {
+  return std::chrono::duration<double>(Clock::now() - t).count();
+}
 
 std::string clock_text(double seconds) {
   const auto s = static_cast<long>(seconds + 0.5);
@@ -38,13 +40,14 @@ class Progress {
     shown_ = elapsed;
     const double share = limit_ ? std::min(1.0, elapsed / *limit_)
                                 : (total_ ? static_cast<double>(done) / static_cast<double>(total_) : 1.0);
-    const double left = limit_ ? std::max(0.0, *limit_ - elapsed) : (share > 0 ? elapsed * (1 - share) / share : 0);
+    const double left =
+        limit_ ? std::max(0.0, *limit_ - elapsed) : (share > 0 ? elapsed * (1 - share) / share : 0);
     const double rate = elapsed > 0 ? static_cast<double>(done) / elapsed : 0;
     if (terminal_) {
       const int width = 30, full = static_cast<int>(share * width);
-      std::fprintf(stderr, "\r[%s%s] %3.0f %%  %llu cases  %.0f/s  left %s   ", std::string(full, '#').c_str(),
-                   std::string(width - full, '.').c_str(), share * 100, static_cast<unsigned long long>(done), rate,
-                   clock_text(left).c_str());
+      std::fprintf(stderr, "\r[%s%s] %3.0f %%  %llu cases  %.0f/s  left %s   ",
+                   std::string(full, '#').c_str(), std::string(width - full, '.').c_str(), share * 100,
+                   static_cast<unsigned long long>(done), rate, clock_text(left).c_str());
       if (last) std::fprintf(stderr, "\n");
     } else {
       std::fprintf(stderr, "%3.0f %%  %llu cases  %.0f/s  left %s\n", share * 100,
@@ -131,20 +134,22 @@ std::string describe_failure(const Series& series, std::uint64_t seed, int outpu
   const Budget& budget = budget_of(o.operation, o.block, b.region);
   const CaseId id = series.id(seed, row.worst_index);
   const Shrunk s = series.shrink(id, output, 2000);
-  const std::string with_robot = series.robot != "none" && !robot.path.empty() ? " --robot " + robot.path : "";
+  const std::string with_robot =
+      series.robot != "none" && !robot.path.empty() ? " --robot " + robot.path : "";
   std::string text;
   text += fmt::format("FAILED  {}: {}\n", series.property, series.law);
   text += fmt::format("  law       {}\n", series.equation);
   text += fmt::format("  subject   {} {} in {}\n", series.subject, series.subject_version, series.scalar);
   text += fmt::format("  where     {}, block {}, band {}\n", o.operation, o.block, b.name);
-  text += fmt::format("  error     {:.4g} eps, budget {} {} ({}); {} of {} cases in the band fail\n", row.worst_score,
-                      budget.limit, budget.rule == Rule::forward ? "eps" : "eps kappa", budget.reason, row.failed,
-                      row.count);
+  text += fmt::format("  error     {:.4g} eps, budget {} {} ({}); {} of {} cases in the band fail\n",
+                      row.worst_score, budget.limit, budget.rule == Rule::forward ? "eps" : "eps kappa",
+                      budget.reason, row.failed, row.count);
   if (row.not_finite + row.wrong_branch + row.refused > 0)
-    text += fmt::format("  outcomes  {} NaN or Inf, {} wrong branch, {} refused\n", row.not_finite, row.wrong_branch,
-                        row.refused);
+    text += fmt::format("  outcomes  {} NaN or Inf, {} wrong branch, {} refused\n", row.not_finite,
+                        row.wrong_branch, row.refused);
   text += fmt::format("  worst     liecheck replay {}{}\n", id.text(), with_robot);
-  text += fmt::format("  shrunk    error {:.4g} eps, kappa {:.3g}\n", s.judged.residual.error, s.judged.residual.kappa);
+  text += fmt::format("  shrunk    error {:.4g} eps, kappa {:.3g}\n", s.judged.residual.error,
+                      s.judged.residual.kappa);
   text += fmt::format("    decimal     {}\n", fmt::join(s.decimal, ", "));
   text += fmt::format("    hexadecimal {}\n", fmt::join(s.id.input, ", "));
   text += fmt::format("  replay    liecheck replay {}{}\n", s.id.text(), with_robot);

@@ -11,8 +11,8 @@ namespace liecheck::properties {
 struct CampaignOptions {
   Selection selection;
   std::uint64_t seed = 42;
-  std::uint64_t cases = 1000;              ///< per property x subject x scalar
-  std::optional<double> seconds;           ///< instead of `cases`
+  std::uint64_t cases = 1000;     ///< per property x subject x scalar
+  std::optional<double> seconds;  ///< instead of `cases`
   unsigned jobs = 1;
   bool quiet = false;
 };

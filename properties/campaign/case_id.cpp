@@ -1,11 +1,11 @@
 #include <campaign/case_id.hpp>
 
-#include <campaign/digest.hpp>
 #include <quadmath.h>
+#include <campaign/digest.hpp>
 
+#include <fmt/format.h>
 #include <charconv>
 #include <cstdlib>
-#include <fmt/format.h>
 #include <stdexcept>
 
 namespace liecheck::properties {
@@ -14,7 +14,8 @@ using float128 = boost::multiprecision::float128;
 
 std::string CaseId::text() const {
   if (raw) return fmt::format("raw.{}.{}.{}.{}.{}", property, subject, scalar, robot, fmt::join(input, ","));
-  return fmt::format("g{}.{}.{}.{}.{}.{}.{}", generator_version, seed, property, subject, scalar, robot, index);
+  return fmt::format("g{}.{}.{}.{}.{}.{}.{}", generator_version, seed, property, subject, scalar, robot,
+                     index);
 }
 
 namespace {
@@ -66,8 +67,8 @@ CaseId CaseId::parse(const std::string& text) {
         fmt::format("case ID '{}': expected gVERSION.SEED.PROPERTY.SUBJECT.SCALAR.ROBOT.INDEX", text));
   const std::uint64_t version = number(p[0].substr(1), "the generator version", text);
   if (version != static_cast<std::uint64_t>(generator_version))
-    throw std::invalid_argument(fmt::format("case ID '{}' needs generator version {}, this program has {}", text,
-                                            version, generator_version));
+    throw std::invalid_argument(fmt::format("case ID '{}' needs generator version {}, this program has {}",
+                                            text, version, generator_version));
   id.seed = number(p[1], "the seed", text);
   id.property = p[2], id.subject = p[3], id.scalar = p[4], id.robot = p[5];
   id.index = number(p[6], "the index", text);

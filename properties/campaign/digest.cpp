@@ -10,16 +10,20 @@ Sha256 sha256(std::string_view bytes) {
   unsigned char md[SHA256_DIGEST_LENGTH];
   SHA256(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(), md);
   Sha256 d{};
-  for (int i = 0; i < 32; ++i) d[static_cast<std::size_t>(i / 8)] = d[static_cast<std::size_t>(i / 8)] << 8 | md[i];
+  for (int i = 0; i < 32; ++i)
+    d[static_cast<std::size_t>(i / 8)] = d[static_cast<std::size_t>(i / 8)] << 8 | md[i];
   return d;
 }
 
-std::string hexadecimal(const Sha256& d) { return fmt::format("{:016x}{:016x}{:016x}{:016x}", d[0], d[1], d[2], d[3]); }
+std::string hexadecimal(const Sha256& d) {
+  return fmt::format("{:016x}{:016x}{:016x}{:016x}", d[0], d[1], d[2], d[3]);
+}
 
 void SetDigest::add(const Sha256& d) {
   unsigned __int128 carry = 0;
   for (int i = 3; i >= 0; --i) {
-    carry += static_cast<unsigned __int128>(sum_[static_cast<std::size_t>(i)]) + d[static_cast<std::size_t>(i)];
+    carry +=
+        static_cast<unsigned __int128>(sum_[static_cast<std::size_t>(i)]) + d[static_cast<std::size_t>(i)];
     sum_[static_cast<std::size_t>(i)] = static_cast<std::uint64_t>(carry);
     carry >>= 64;
   }

@@ -3,9 +3,9 @@
 #include <gnu/libc-version.h>
 #include <sys/utsname.h>
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -45,7 +45,8 @@ json environment() {
 /// What each operation is, and in which frame its result stands.
 json operation_of(const std::string& name) {
   static const std::map<std::string, std::pair<const char*, const char*>> table = {
-      {"exp3_quaternion", {"Q = (sin(theta/2) n, cos(theta/2)) of phi = theta n", "right-handed, angle about n positive"}},
+      {"exp3_quaternion",
+       {"Q = (sin(theta/2) n, cos(theta/2)) of phi = theta n", "right-handed, angle about n positive"}},
       {"exp3_matrix", {"R = exp [phi]", "right-handed, angle about n positive"}},
       {"log3_quaternion", {"phi of Q/|Q|, |phi| <= pi", "either sign of the axis at pi"}},
       {"log3_matrix", {"phi of the rotation nearest to R, |phi| <= pi", "either sign of the axis at pi"}},
@@ -71,14 +72,17 @@ json operation_of(const std::string& name) {
       {"momentum", {"h = I V", "about the body's origin"}},
       {"kinetic_energy", {"T = 1/2 V^T I V", "any frame"}},
       {"rotate_point", {"R(Q/|Q|) x", "from B to A"}},
-      {"integrate_coefficient_jacobian", {"d integrate(q, delta) / d delta at 0, 7 x 6", "body axes to stored numbers"}}};
+      {"integrate_coefficient_jacobian",
+       {"d integrate(q, delta) / d delta at 0, 7 x 6", "body axes to stored numbers"}}};
   const auto found = table.find(name);
   if (found != table.end())
     return {{"operation", name}, {"definition", found->second.first}, {"frame", found->second.second}};
-  const bool left = name.find("left") != std::string::npos, inverse = name.find("inverse") != std::string::npos;
+  const bool left = name.find("left") != std::string::npos,
+             inverse = name.find("inverse") != std::string::npos;
   if (name.find("jacobian") != std::string::npos)
     return {{"operation", name},
-            {"definition", std::string(left ? "J_l" : "J_r") + (inverse ? "^-1" : "") + (name.find('6') != std::string::npos ? "(rho, phi)" : "(phi)")},
+            {"definition", std::string(left ? "J_l" : "J_r") + (inverse ? "^-1" : "") +
+                               (name.find('6') != std::string::npos ? "(rho, phi)" : "(phi)")},
             {"frame", left ? "increments on the left: parent axes" : "increments on the right: body axes"}};
   return {{"operation", name}, {"definition", "see the law"}, {"frame", "joint by joint, body axes"}};
 }
@@ -93,13 +97,15 @@ json blocks() {
       {"translation", "|p - p_exact|", "|p_exact|; integrate: max(|result|, |p0|, |increment|)", "m"},
       {"linear", "|rho - rho_exact|", "|rho_exact|; difference: max(|rho|, |p1 - p0|)", "m"},
       {"jacobian", "|J - J_exact| of the 3x3 rotation block", "|J_exact|", "1"},
-      {"coupling", "|C - C_exact| of the 3x3 coupling block", "|C_exact|; beyond pi max(|C|, |rho| min(1, |J|))", "m"},
+      {"coupling", "|C - C_exact| of the 3x3 coupling block",
+       "|C_exact|; beyond pi max(|C|, |rho| min(1, |J|))", "m"},
       {"jump", "|(y+ - y+_exact) - (y- - y-_exact)| over adjacent inputs", "|y_exact|", "1"},
       {"sign", "how far Q0 . Q1 is below zero", "absolute", "1"},
       {"angular", "|omega - omega_exact| or |n - n_exact|", "|exact|", "rad/s or N m"},
       {"point", "|x - x_exact|", "|x_exact|", "m"},
       {"power", "|F_A^T V_A - F_B^T V_B|", "|f|(|u| + |p||omega|) + (|n| + |p||f|)|omega|", "W"},
-      {"energy", "|T - T_exact|; energy_frames: between the two frames", "|T_exact|; energy_frames: the law's scale", "J"},
+      {"energy", "|T - T_exact|; energy_frames: between the two frames",
+       "|T_exact|; energy_frames: the law's scale", "J"},
       {"mass", "|m - m_exact|", "m_exact", "kg"},
       {"lever", "|c - c_exact|", "|c_exact|", "m"},
       {"inertia", "|I - I_exact|, Frobenius", "|I_exact|", "kg m^2"},
@@ -109,11 +115,13 @@ json blocks() {
       {"translation matrix", "|J_p - R|, Frobenius", "|R|", "1"},
       {"quaternion matrix", "|J_Q - J_Q exact|, Frobenius", "|J_Q exact|", "1"},
       {"zeros", "0 where the structural zeros are zero, else infinite", "absolute", "1"},
-      {"continuous", "|(cos, sin) - exact|; difference: |angle - exact|", "absolute; difference: |angle|", "rad"},
+      {"continuous", "|(cos, sin) - exact|; difference: |angle - exact|", "absolute; difference: |angle|",
+       "rad"},
       {"joint", "|q - exact|", "|exact|", "rad or m"},
       {"same", "0 where Q and -Q compare as one configuration, else a wrong branch", "absolute", "1"}};
   json all = json::array();
-  for (const auto& b : table) all.push_back({{"block", b[0]}, {"error", b[1]}, {"denominator", b[2]}, {"unit", b[3]}});
+  for (const auto& b : table)
+    all.push_back({{"block", b[0]}, {"error", b[1]}, {"denominator", b[2]}, {"unit", b[3]}});
   return all;
 }
 
@@ -121,7 +129,8 @@ json blocks() {
 
 json record_of(const CampaignResult& r) {
   json subjects_json = json::array(), operations = json::array(), laws = json::array(), rows = json::array();
-  std::map<std::pair<std::string, std::string>, std::pair<const Series*, std::set<std::string>>> subjects_seen;
+  std::map<std::pair<std::string, std::string>, std::pair<const Series*, std::set<std::string>>>
+      subjects_seen;
   std::set<std::string> all_operations, properties_seen, operations_seen;
   for (const auto& [series, tally] : r.series)
     for (const Output& o : series->outputs) all_operations.insert(o.operation);
@@ -129,28 +138,49 @@ json record_of(const CampaignResult& r) {
     auto& seen = subjects_seen[{series->subject, series->scalar}];
     seen.first = series.get();
     if (properties_seen.insert(series->property).second)
-      laws.push_back({{"property", series->property}, {"law", series->law}, {"equation", series->equation},
+      laws.push_back({{"property", series->property},
+                      {"law", series->law},
+                      {"equation", series->equation},
                       {"source", series->source}});
     for (const auto& [key, row] : tally.rows) {
       const Output& o = series->outputs.at(static_cast<std::size_t>(key.first));
       const Band& b = series->bands()[static_cast<std::size_t>(key.second)];
       const Budget& budget = budget_of(o.operation, o.block, b.region);
       seen.second.insert(o.operation);
-      if (operations_seen.insert(o.operation).second)
-        operations.push_back(operation_of(o.operation));
+      if (operations_seen.insert(o.operation).second) operations.push_back(operation_of(o.operation));
       const CaseId id = series->id(r.options.seed, row.worst_index);
       const bool not_finite = row.not_finite > 0;
-      const char* axis = b.axis == Axis::theta ? "theta" : b.axis == Axis::pi_minus_theta ? "pi_minus_theta" : "none";
+      const char* axis = b.axis == Axis::theta            ? "theta"
+                         : b.axis == Axis::pi_minus_theta ? "pi_minus_theta"
+                                                          : "none";
       rows.push_back(
-          {{"subject", series->subject}, {"scalar", series->scalar}, {"property", series->property},
-           {"operation", o.operation}, {"block", o.block}, {"band", b.name}, {"axis", axis}, {"low", b.low},
-           {"high", b.high}, {"count", row.count}, {"max_eps", not_finite ? json("inf") : number(row.max_error)},
-           {"p99_eps", number(std::min(row.errors.quantile(0.99), row.max_error))}, {"median_eps", number(std::min(row.errors.quantile(0.5), row.max_error))},
-           {"max_excess", number(row.max_excess)}, {"budget", budget.limit},
-           {"rule", budget.rule == Rule::forward ? "forward" : "excess"}, {"reason", budget.reason},
-           {"ill_posed", row.ill_posed}, {"unresolved", row.unresolved}, {"not_finite", row.not_finite},
-           {"wrong_branch", row.wrong_branch}, {"refused", row.refused}, {"failed", row.failed},
-           {"status", row.failed ? "fail" : row.unresolved ? "unresolved" : row.ill_posed == row.count ? "ill-posed" : "pass"},
+          {{"subject", series->subject},
+           {"scalar", series->scalar},
+           {"property", series->property},
+           {"operation", o.operation},
+           {"block", o.block},
+           {"band", b.name},
+           {"axis", axis},
+           {"low", b.low},
+           {"high", b.high},
+           {"count", row.count},
+           {"max_eps", not_finite ? json("inf") : number(row.max_error)},
+           {"p99_eps", number(std::min(row.errors.quantile(0.99), row.max_error))},
+           {"median_eps", number(std::min(row.errors.quantile(0.5), row.max_error))},
+           {"max_excess", number(row.max_excess)},
+           {"budget", budget.limit},
+           {"rule", budget.rule == Rule::forward ? "forward" : "excess"},
+           {"reason", budget.reason},
+           {"ill_posed", row.ill_posed},
+           {"unresolved", row.unresolved},
+           {"not_finite", row.not_finite},
+           {"wrong_branch", row.wrong_branch},
+           {"refused", row.refused},
+           {"failed", row.failed},
+           {"status", row.failed                   ? "fail"
+                      : row.unresolved             ? "unresolved"
+                      : row.ill_posed == row.count ? "ill-posed"
+                                                   : "pass"},
            {"worst", {{"id", id.text()}, {"input", series->input(id)}, {"kappa", number(row.worst_kappa)}}}});
     }
   }
@@ -158,15 +188,20 @@ json record_of(const CampaignResult& r) {
     std::vector<std::string> not_offered;
     for (const std::string& o : all_operations)
       if (!seen.second.count(o)) not_offered.push_back(o);
-    subjects_json.push_back({{"name", key.first}, {"version", seen.first->subject_version}, {"scalar", key.second},
-                             {"eps", seen.first->eps}, {"not_offered", not_offered}});
+    subjects_json.push_back({{"name", key.first},
+                             {"version", seen.first->subject_version},
+                             {"scalar", key.second},
+                             {"eps", seen.first->eps},
+                             {"not_offered", not_offered}});
   }
   return {{"version", LIECHECK_VERSION},
           {"generator_version", generator_version},
           {"seed", r.options.seed},
           {"cases", r.options.seconds ? r.total_cases : r.options.cases},
           {"total_cases", r.total_cases},
-          {"verdict", r.incomplete ? "incomplete" : r.failed ? "fail" : "pass"},
+          {"verdict", r.incomplete ? "incomplete"
+                      : r.failed   ? "fail"
+                                   : "pass"},
           {"digest", {{"inputs", r.inputs_digest}, {"results", r.results_digest}}},
           {"robot", {{"name", r.robot.name}, {"hash", r.robot.hash}}},
           {"environment", environment()},

@@ -23,7 +23,8 @@ struct Judged {
 
 /// All measurements of one output in one band.
 struct Row {
-  std::uint64_t count = 0, ill_posed = 0, unresolved = 0, not_finite = 0, wrong_branch = 0, refused = 0, failed = 0;
+  std::uint64_t count = 0, ill_posed = 0, unresolved = 0, not_finite = 0, wrong_branch = 0, refused = 0,
+                failed = 0;
   Histogram errors;
   double max_error = 0, max_excess = 0;
   double worst_score = -1;  ///< the judged figure of the worst case; infinite for what has none

@@ -30,7 +30,8 @@ std::vector<std::vector<S>> candidates(const std::vector<S>& g, Kind kind) {
   using std::fabs, std::sqrt;
   std::vector<std::vector<S>> all;
   const std::size_t n = g.size();
-  if (kind == Kind::choice || kind == Kind::opaque || kind == Kind::inertia || kind == Kind::rotation_matrix) {
+  if (kind == Kind::choice || kind == Kind::opaque || kind == Kind::inertia ||
+      kind == Kind::rotation_matrix) {
     if (kind == Kind::rotation_matrix) all.push_back({S(1), S(0), S(0), S(0), S(1), S(0), S(0), S(0), S(1)});
     return all;
   }

@@ -1,16 +1,20 @@
 #include <generators/bands.hpp>
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
-#include <fmt/format.h>
 
 namespace liecheck::properties {
 
 using oracles::Real;
 
 namespace {
-Real pi() { return boost::math::constants::pi<Real>(); }
-Real power_of_ten(int e) { return pow(Real(10), e); }
+Real pi() {
+  return boost::math::constants::pi<Real>();
+}
+Real power_of_ten(int e) {
+  return pow(Real(10), e);
+}
 }  // namespace
 
 // min_exponent: 2^min_exponent is the smallest normal number.

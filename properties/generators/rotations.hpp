@@ -138,7 +138,8 @@ Eigen::Matrix<S, 4, 1> unit_quaternion(Source& source) {
       break;
     case 1:
     case 2: {  // near the identity
-      const S s = binade_uniform<S>(source, source.chance(1, 4) ? std::numeric_limits<S>::min_exponent : -digits - 8, 0);
+      const S s = binade_uniform<S>(
+          source, source.chance(1, 4) ? std::numeric_limits<S>::min_exponent : -digits - 8, 0);
       q << s * n, S(sqrt((S(1) - s) * (S(1) + s)));
       break;
     }

@@ -6,11 +6,11 @@
 // 2013) is seeded from the case's key alone. Numbers are made with + - x / sqrt and ldexp only, which IEEE 754
 // rounds correctly everywhere, and without std::*_distribution, whose algorithms are not specified.
 
+#include <rapidcheck/Random.h>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <rapidcheck/Random.h>
 #include <vector>
 
 namespace liecheck::properties {

@@ -13,8 +13,8 @@ using oracles::Real;
 /// Records the outcome where the computed value is not finite or the oracle did not resolve; else calls
 /// `measured`, which records the error.
 template <class M, class F>
-void judged_value(Recorder& r, std::initializer_list<int> outputs, std::size_t band, const M& computed, bool resolved,
-                  F measured) {
+void judged_value(Recorder& r, std::initializer_list<int> outputs, std::size_t band, const M& computed,
+                  bool resolved, F measured) {
   if (!oracles::all_finite(computed) || !resolved) {
     for (int o : outputs) r.outcome(o, band, resolved ? Outcome::not_finite : Outcome::unresolved);
     return;
@@ -68,7 +68,8 @@ void record_jacobian6(Recorder& r, int rotation, int coupling, std::size_t band,
       const Real size = oracles::frobenius(exact.J);
       scale = rho * (size < 1 ? size : Real(1));
     }
-    r.record(coupling, band, oracles::matrix_error<S>(oracles::block(all, 0, 1), exact.C, scale), kappa_coupling);
+    r.record(coupling, band, oracles::matrix_error<S>(oracles::block(all, 0, 1), exact.C, scale),
+             kappa_coupling);
   });
 }
 

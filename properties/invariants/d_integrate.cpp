@@ -17,18 +17,22 @@ class DIntegrate final : public Property<S> {
   std::string equation() const override {
     return "ARG0 = Ad(exp(-d)), ARG1 = J_r(d); dDifference ARG0 = -J_l^-1(d), ARG1 = J_r^-1(d)";
   }
-  std::string source() const override { return "Sola, Deray & Atchuthan 2018, eqs. 79-85; central differences at 100 digits"; }
+  std::string source() const override {
+    return "Sola, Deray & Atchuthan 2018, eqs. 79-85; central differences at 100 digits";
+  }
   std::vector<Output> outputs() const override {
     std::vector<Output> all;
-    for (const char* op : {"d_integrate_arg0", "d_integrate_arg1", "d_difference_arg0", "d_difference_arg1"}) {
+    for (const char* op :
+         {"d_integrate_arg0", "d_integrate_arg1", "d_difference_arg0", "d_difference_arg1"}) {
       all.push_back({op, "jacobian"});
       all.push_back({op, "coupling"});
     }
     return all;
   }
   std::vector<Field> fields() const override {
-    return {{"p0", Kind::vector, 3, "m"}, {"Q0", Kind::quaternion, 4, "1"}, {"p1", Kind::vector, 3, "m"},
-            {"Q1", Kind::quaternion, 4, "1"}, {"rho", Kind::vector, 3, "m"}, {"phi", Kind::rotation_vector, 3, "rad"}};
+    return {{"p0", Kind::vector, 3, "m"},  {"Q0", Kind::quaternion, 4, "1"},
+            {"p1", Kind::vector, 3, "m"},  {"Q1", Kind::quaternion, 4, "1"},
+            {"rho", Kind::vector, 3, "m"}, {"phi", Kind::rotation_vector, 3, "rad"}};
   }
   bool offered(const Subject<S>& s) const override {
     const auto& o = s.operations;
@@ -64,9 +68,11 @@ class DIntegrate final : public Property<S> {
     // A rotation vector of exactly pi_S is beyond pi for float: its kappa is 1 to a few per cent there.
     const bool beyond = bands[band].region == Region::beyond_pi;
     if (o.d_integrate_arg0)
-      record_jacobian6<S>(r, 0, 1, band, o.d_integrate_arg0(q0, d), oracles::d_integrate_arg0(x0, xd), rho, beyond);
+      record_jacobian6<S>(r, 0, 1, band, o.d_integrate_arg0(q0, d), oracles::d_integrate_arg0(x0, xd), rho,
+                          beyond);
     if (o.d_integrate_arg1)
-      record_jacobian6<S>(r, 2, 3, band, o.d_integrate_arg1(q0, d), oracles::d_integrate_arg1(x0, xd), rho, beyond);
+      record_jacobian6<S>(r, 2, 3, band, o.d_integrate_arg1(q0, d), oracles::d_integrate_arg1(x0, xd), rho,
+                          beyond);
     if (!o.d_difference_arg0 && !o.d_difference_arg1) return;
     const auto exact = oracles::difference(x0, x1);
     band = bands.classify(exact.theta);
@@ -74,9 +80,11 @@ class DIntegrate final : public Property<S> {
     rho = norm(exact.rho);
     // The coupling block is linear in rho, which difference itself knows to 4 eps of max(|rho|, |p1 - p0|).
     if (o.d_difference_arg0)
-      record_jacobian6<S>(r, 4, 5, band, o.d_difference_arg0(q0, q1), oracles::d_difference_arg0(x0, x1), rho, false);
+      record_jacobian6<S>(r, 4, 5, band, o.d_difference_arg0(q0, q1), oracles::d_difference_arg0(x0, x1), rho,
+                          false);
     if (o.d_difference_arg1)
-      record_jacobian6<S>(r, 6, 7, band, o.d_difference_arg1(q0, q1), oracles::d_difference_arg1(x0, x1), rho, false);
+      record_jacobian6<S>(r, 6, 7, band, o.d_difference_arg1(q0, q1), oracles::d_difference_arg1(x0, x1), rho,
+                          false);
   }
 };
 

@@ -16,8 +16,12 @@ class ExpOracle final : public Property<S> {
   std::string equation() const override { return "exp(rho, phi) = sum_k [[phi], rho; 0, 0]^k / k!"; }
   std::string source() const override { return "Higham 2008, section 10.3 (scaling and squaring)"; }
   std::vector<Output> outputs() const override {
-    return {{"exp3_quaternion", "rotation"}, {"exp3_quaternion", "norm defect"}, {"exp3_matrix", "rotation"},
-            {"exp3_matrix", "orthogonality defect"}, {"exp6", "rotation"}, {"exp6", "orthogonality defect"},
+    return {{"exp3_quaternion", "rotation"},
+            {"exp3_quaternion", "norm defect"},
+            {"exp3_matrix", "rotation"},
+            {"exp3_matrix", "orthogonality defect"},
+            {"exp6", "rotation"},
+            {"exp6", "orthogonality defect"},
             {"exp6", "translation"}};
   }
   std::vector<Field> fields() const override {
@@ -40,12 +44,12 @@ class ExpOracle final : public Property<S> {
     const auto exact = oracles::exp_se3(exact_xi);
     const std::size_t band = Bands::of<S>().classify(exact.theta);
 
-    const auto kappa_rotation = kappa_of(
-        [](const std::vector<Real>& x) { return to_list(oracles::closed_exp(from_list<6>(x)).Q); }, to_list(exact_xi),
-        0, 4, Real(1) / 2);
-    const auto kappa_translation = kappa_of(
-        [](const std::vector<Real>& x) { return to_list(oracles::closed_exp(from_list<6>(x)).p); }, to_list(exact_xi),
-        0, 3);
+    const auto kappa_rotation =
+        kappa_of([](const std::vector<Real>& x) { return to_list(oracles::closed_exp(from_list<6>(x)).Q); },
+                 to_list(exact_xi), 0, 4, Real(1) / 2);
+    const auto kappa_translation =
+        kappa_of([](const std::vector<Real>& x) { return to_list(oracles::closed_exp(from_list<6>(x)).p); },
+                 to_list(exact_xi), 0, 3);
     const auto matrix = [&](int rotation, int defect, const Mat<S, 3>& R) {
       judged_value(r, {rotation, defect}, band, R, exact.resolved, [&] {
         const auto stored = oracles::exact_matrix<3, 3>(R);
@@ -66,7 +70,8 @@ class ExpOracle final : public Property<S> {
       const Pose<S> T = o.exp6(xi);
       matrix(4, 5, T.R);
       judged_value(r, {6}, band, T.p, exact.resolved, [&] {
-        r.record(6, band, oracles::vector_error<S>(oracles::exact_vector<3>(T.p), exact.p), kappa_translation);
+        r.record(6, band, oracles::vector_error<S>(oracles::exact_vector<3>(T.p), exact.p),
+                 kappa_translation);
       });
     }
   }

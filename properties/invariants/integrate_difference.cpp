@@ -13,23 +13,34 @@ template <class S>
 class IntegrateDifference final : public Property<S> {
  public:
   std::string name() const override { return "integrate_difference"; }
-  std::string law() const override { return "integrate and difference are exact, and local inverses in both directions"; }
+  std::string law() const override {
+    return "integrate and difference are exact, and local inverses in both directions";
+  }
   std::string equation() const override {
-    return "integrate(q, d) = T exp(d); difference(q0, q1) = log(T0^-1 T1); difference(q, integrate(q, d)) = d for "
+    return "integrate(q, d) = T exp(d); difference(q0, q1) = log(T0^-1 T1); difference(q, integrate(q, d)) = "
+           "d for "
            "|phi| < pi; integrate(q0, difference(q0, q1)) = q1 as poses";
   }
   std::string source() const override { return "Sola, Deray & Atchuthan 2018, eqs. 25-28"; }
   std::vector<Output> outputs() const override {
-    return {{"integrate", "rotation"}, {"integrate", "translation"}, {"integrate", "norm defect"},
-            {"difference", "rotation vector"}, {"difference", "linear"},
-            {"difference_of_integrate", "rotation vector"}, {"difference_of_integrate", "linear"},
-            {"integrate_of_difference", "rotation"}, {"integrate_of_difference", "translation"}};
+    return {{"integrate", "rotation"},
+            {"integrate", "translation"},
+            {"integrate", "norm defect"},
+            {"difference", "rotation vector"},
+            {"difference", "linear"},
+            {"difference_of_integrate", "rotation vector"},
+            {"difference_of_integrate", "linear"},
+            {"integrate_of_difference", "rotation"},
+            {"integrate_of_difference", "translation"}};
   }
   std::vector<Field> fields() const override {
-    return {{"p0", Kind::vector, 3, "m"}, {"Q0", Kind::quaternion, 4, "1"}, {"p1", Kind::vector, 3, "m"},
-            {"Q1", Kind::quaternion, 4, "1"}, {"rho", Kind::vector, 3, "m"}, {"phi", Kind::rotation_vector, 3, "rad"}};
+    return {{"p0", Kind::vector, 3, "m"},  {"Q0", Kind::quaternion, 4, "1"},
+            {"p1", Kind::vector, 3, "m"},  {"Q1", Kind::quaternion, 4, "1"},
+            {"rho", Kind::vector, 3, "m"}, {"phi", Kind::rotation_vector, 3, "rad"}};
   }
-  bool offered(const Subject<S>& s) const override { return s.operations.integrate || s.operations.difference; }
+  bool offered(const Subject<S>& s) const override {
+    return s.operations.integrate || s.operations.difference;
+  }
   std::vector<S> generate(Source& source) const override {
     std::vector<S> x;
     const auto p0 = vector3<S>(source);
@@ -70,8 +81,10 @@ class IntegrateDifference final : public Property<S> {
         return flat;
       };
       judged_value(r, {0, 1, 2}, band, q, exact.resolved, [&] {
-        r.record(0, band, rotation_error<S>(quaternion(q), exact.Q), kappa_of(closed, stored, 3, 4, Real(1) / 2));
-        r.record(1, band, vector_error<S>(exact_vector<3>(q), exact.p, scale), kappa_of(closed, stored, 0, 3, scale));
+        r.record(0, band, rotation_error<S>(quaternion(q), exact.Q),
+                 kappa_of(closed, stored, 3, 4, Real(1) / 2));
+        r.record(1, band, vector_error<S>(exact_vector<3>(q), exact.p, scale),
+                 kappa_of(closed, stored, 0, 3, scale));
         r.record(2, band, norm_defect<S>(quaternion(q)));
       });
       if (o.difference && all_finite(q) && exact.resolved && bands[band].region == Region::to_pi)
@@ -102,7 +115,8 @@ class IntegrateDifference final : public Property<S> {
 
  private:
   static oracles::Quaternion<> quaternion(const Vec<S, 7>& q) {
-    return {{oracles::exact<Real>(q[3]), oracles::exact<Real>(q[4]), oracles::exact<Real>(q[5]), oracles::exact<Real>(q[6])}};
+    return {{oracles::exact<Real>(q[3]), oracles::exact<Real>(q[4]), oracles::exact<Real>(q[5]),
+             oracles::exact<Real>(q[6])}};
   }
   template <int N>
   static oracles::Vec<N> head(const oracles::Vec<7>& q) {
@@ -134,9 +148,12 @@ class IntegrateDifference final : public Property<S> {
     if (along < 0 && at.pi_minus_theta < 64 * epsilon<S>()) return;
     std::vector<Real> stored = to_list(x0);
     for (const Real& c : xq.x) stored.push_back(c);
-    const auto closed = [](const std::vector<Real>& s) { return to_list(closed_difference(from_list<7>(s), from_list<7>(s, 7))); };
+    const auto closed = [](const std::vector<Real>& s) {
+      return to_list(closed_difference(from_list<7>(s), from_list<7>(s, 7)));
+    };
     const Real rho = norm(head3(xd)), phi = norm(tail3(xd));
-    r.record(5, band, vector_error<S>(tail3(xv), tail3(xd)), kappa_of(closed, stored, 3, 3, phi > 0 ? phi : smallest_denominator<S>()));
+    r.record(5, band, vector_error<S>(tail3(xv), tail3(xd)),
+             kappa_of(closed, stored, 3, 3, phi > 0 ? phi : smallest_denominator<S>()));
     const Real scale = rho > at.separation ? rho : at.separation;
     r.record(6, band, vector_error<S>(head3(xv), head3(xd), scale),
              kappa_of(closed, stored, 0, 3, scale > 0 ? scale : smallest_denominator<S>()));

@@ -13,13 +13,17 @@ class JacobianOracle final : public Property<S> {
  public:
   std::string name() const override { return "jacobian_oracle"; }
   std::string law() const override { return "the Jacobians of exp and their inverses are the exact ones"; }
-  std::string equation() const override { return "J_l = phi_1(ad xi), J_r = phi_1(-ad xi), phi_1(A) = sum_k A^k/(k+1)!"; }
+  std::string equation() const override {
+    return "J_l = phi_1(ad xi), J_r = phi_1(-ad xi), phi_1(A) = sum_k A^k/(k+1)!";
+  }
   std::string source() const override { return "Chirikjian 2011, section 10.5; Higham 2008, section 10.7.4"; }
   std::vector<Output> outputs() const override {
     std::vector<Output> all;
-    for (const char* op : {"left_jacobian3", "right_jacobian3", "left_jacobian3_inverse", "right_jacobian3_inverse"})
+    for (const char* op :
+         {"left_jacobian3", "right_jacobian3", "left_jacobian3_inverse", "right_jacobian3_inverse"})
       all.push_back({op, "jacobian"});
-    for (const char* op : {"left_jacobian6", "right_jacobian6", "left_jacobian6_inverse", "right_jacobian6_inverse"}) {
+    for (const char* op :
+         {"left_jacobian6", "right_jacobian6", "left_jacobian6_inverse", "right_jacobian6_inverse"}) {
       all.push_back({op, "jacobian"});
       all.push_back({op, "coupling"});
     }
@@ -55,7 +59,8 @@ class JacobianOracle final : public Property<S> {
     const auto kappa = [&](bool inverse, bool coupling, const Real& denominator) {
       auto componentwise = kappa_of(
           [inverse](const std::vector<Real>& v) {
-            const auto b = inverse ? closed_left_jacobian_inverse(from_list<6>(v)) : closed_left_jacobian(from_list<6>(v));
+            const auto b = inverse ? closed_left_jacobian_inverse(from_list<6>(v))
+                                   : closed_left_jacobian(from_list<6>(v));
             std::vector<Real> flat(b.J.x.begin(), b.J.x.end());
             flat.insert(flat.end(), b.C.x.begin(), b.C.x.end());
             return flat;
@@ -81,13 +86,14 @@ class JacobianOracle final : public Property<S> {
       if (!f) return;
       const Mat<S, 3> J = f(phi);
       judged_value(r, {output}, band, J, exact.resolved, [&] {
-        r.record(output, band, matrix_error<S>(exact_matrix<3, 3>(J), exact.J), kappa(inverse, false, size(exact, false)));
+        r.record(output, band, matrix_error<S>(exact_matrix<3, 3>(J), exact.J),
+                 kappa(inverse, false, size(exact, false)));
       });
     };
     const auto six = [&](int output, auto* f, const Jacobian6Result& exact, bool inverse) {
       if (!f) return;
-      record_jacobian6<S>(r, output, output + 1, band, f(xi), exact, rho, beyond, kappa(inverse, false, size(exact, false)),
-                          kappa(inverse, true, size(exact, true)));
+      record_jacobian6<S>(r, output, output + 1, band, f(xi), exact, rho, beyond,
+                          kappa(inverse, false, size(exact, false)), kappa(inverse, true, size(exact, true)));
     };
     const auto right = right_jacobian_se3(x);
     const auto right_inverse = right_jacobian_se3_inverse(x);

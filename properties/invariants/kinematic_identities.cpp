@@ -32,7 +32,8 @@ class KinematicIdentities : public Property<S> {
     return "the coefficient Jacobian maps a body velocity to the rate of the configuration";
   }
   std::string equation() const override {
-    return "p_dot = R u, Q_dot = Q (w, 0) / 2, R_dot = R [w]; J = [[R, 0], [0, (Qw I + [Qxyz]) / 2], [0, -Qxyz^T / 2]]";
+    return "p_dot = R u, Q_dot = Q (w, 0) / 2, R_dot = R [w]; J = [[R, 0], [0, (Qw I + [Qxyz]) / 2], [0, "
+           "-Qxyz^T / 2]]";
   }
   std::string source() const override { return "Sola 2017 (arXiv 1711.02508), section 4, eqs. 197-201"; }
 
@@ -98,7 +99,8 @@ class KinematicIdentities : public Property<S> {
     const oracles::CoefficientJacobianResult exact = oracles::integrate_coefficient_jacobian(q_e);
     if (exact.resolved) {
       recorder.record(3, 0, oracles::matrix_error<S>(corner<3>(J, 0, 0), corner<3>(exact.value, 0, 0)), one);
-      recorder.record(4, 0, oracles::matrix_error<S>(corner<4>(J, 3, 3), Q_norm * corner<4>(exact.value, 3, 3)), one);
+      recorder.record(
+          4, 0, oracles::matrix_error<S>(corner<4>(J, 3, 3), Q_norm * corner<4>(exact.value, 3, 3)), one);
     } else {
       all(3, 4, Outcome::unresolved);
     }

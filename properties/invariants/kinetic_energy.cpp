@@ -63,18 +63,31 @@ class KineticEnergy : public Property<S> {
   }
   std::string source() const override { return "Featherstone 2008, eqs. 2.62-2.67, sections 2.13, 2.14"; }
 
-  enum { energy, momentum_linear, momentum_angular, matrix, act_mass, act_lever, act_tensor, inverse_mass,
-         inverse_lever, inverse_tensor, frames };
+  enum {
+    energy,
+    momentum_linear,
+    momentum_angular,
+    matrix,
+    act_mass,
+    act_lever,
+    act_tensor,
+    inverse_mass,
+    inverse_lever,
+    inverse_tensor,
+    frames
+  };
 
   std::vector<Output> outputs() const override {
-    return {{"kinetic_energy", "energy"},       {"momentum", "linear"},           {"momentum", "angular"},
-            {"inertia_matrix", "matrix"},       {"act_inertia", "mass"},          {"act_inertia", "lever"},
-            {"act_inertia", "inertia"},         {"act_inverse_inertia", "mass"},  {"act_inverse_inertia", "lever"},
-            {"act_inverse_inertia", "inertia"}, {"energy_frames", "energy"}};
+    return {
+        {"kinetic_energy", "energy"},       {"momentum", "linear"},          {"momentum", "angular"},
+        {"inertia_matrix", "matrix"},       {"act_inertia", "mass"},         {"act_inertia", "lever"},
+        {"act_inertia", "inertia"},         {"act_inverse_inertia", "mass"}, {"act_inverse_inertia", "lever"},
+        {"act_inverse_inertia", "inertia"}, {"energy_frames", "energy"}};
   }
   std::vector<Field> fields() const override {
-    return {{"R", Kind::rotation_matrix, 9, "1"}, {"p", Kind::vector, 3, "m"},   {"mass", Kind::opaque, 1, "kg"},
-            {"c", Kind::vector, 3, "m"},          {"I_C", Kind::inertia, 6, "kg m^2"},  // xx xy yy xz yz zz
+    return {{"R", Kind::rotation_matrix, 9, "1"}, {"p", Kind::vector, 3, "m"},
+            {"mass", Kind::opaque, 1, "kg"},      {"c", Kind::vector, 3, "m"},
+            {"I_C", Kind::inertia, 6, "kg m^2"},  // xx xy yy xz yz zz
             {"u", Kind::vector, 3, "m/s"},        {"omega", Kind::vector, 3, "rad/s"}};
   }
   bool offered(const Subject<S>& subject) const override {
@@ -86,7 +99,8 @@ class KineticEnergy : public Property<S> {
     std::vector<S> input;
     append(input, rotation_matrix<S>(unit_quaternion<S>(source)));
     append(input, vector3<S>(source, binades));
-    const S mass = source.chance(1, 2) ? S(source.between(1, 16)) : binade_uniform<S>(source, -binades, binades);
+    const S mass =
+        source.chance(1, 2) ? S(source.between(1, 16)) : binade_uniform<S>(source, -binades, binades);
     input.push_back(mass);
     append(input, vector3<S>(source, binades));
     const Mat<S, 3> I = inertia(source, mass);
@@ -114,8 +128,8 @@ class KineticEnergy : public Property<S> {
     oracles::Mat3<Real100> second = Real100(-1) * oracles::cast<Real100>(I);
     for (int i = 0; i < 3; ++i) second(i, i) += Real100(trace) / 2 + Real100(eps32) * Real100(trace);
     const auto C = cofactors(second);
-    return oracles::orthogonality_distance(R) <= eps32 && determinant(R, cofactors(R)) > 0 && second(0, 0) >= 0 &&
-           C(2, 2) >= 0 && determinant(second, C) >= 0;
+    return oracles::orthogonality_distance(R) <= eps32 && determinant(R, cofactors(R)) > 0 &&
+           second(0, 0) >= 0 && C(2, 2) >= 0 && determinant(second, C) >= 0;
   }
 
   void measure(const Subject<S>& subject, const std::vector<S>& input, Recorder& recorder) const override {
@@ -132,7 +146,8 @@ class KineticEnergy : public Property<S> {
     if (o.kinetic_energy) {
       const Vec<S, 1> E(o.kinetic_energy(x.I, x.V));
       const oracles::ScalarResult exact = oracles::kinetic_energy(x.I_e, x.V_e);
-      record(recorder, energy, E, oracles::Vec<1>{{exact.value}}, exact.resolved, energy_formula, body_numbers, 0);
+      record(recorder, energy, E, oracles::Vec<1>{{exact.value}}, exact.resolved, energy_formula,
+             body_numbers, 0);
     }
     if (o.momentum) {
       const Vec<S, 6> h = o.momentum(x.I, x.V);
@@ -144,7 +159,8 @@ class KineticEnergy : public Property<S> {
     }
     if (o.inertia_matrix) measure_matrix(recorder, o.inertia_matrix(x.I), oracles::inertia_matrix(x.I_e));
     if (o.act_inertia)
-      measure_body(recorder, act_mass, o.act_inertia(x.X, x.I), oracles::act_inertia(x.X_e, x.I_e), x, lever_formula);
+      measure_body(recorder, act_mass, o.act_inertia(x.X, x.I), oracles::act_inertia(x.X_e, x.I_e), x,
+                   lever_formula);
     if (o.act_inverse_inertia)
       measure_body(recorder, inverse_mass, o.act_inverse_inertia(x.X, x.I),
                    oracles::act_inverse_inertia(x.X_e, x.I_e), x, inverse_lever_formula);
@@ -262,7 +278,8 @@ class KineticEnergy : public Property<S> {
   }
 
   /// The largest of the four 3x3 blocks' errors, each relative to itself.
-  static void measure_matrix(Recorder& recorder, const Mat<S, 6>& computed, const oracles::Matrix6Result& exact) {
+  static void measure_matrix(Recorder& recorder, const Mat<S, 6>& computed,
+                             const oracles::Matrix6Result& exact) {
     if (!oracles::all_finite(computed)) return recorder.outcome(matrix, 0, Outcome::not_finite);
     if (!exact.resolved) return recorder.outcome(matrix, 0, Outcome::unresolved);
     const auto M = oracles::exact_matrix<6, 6>(computed);
@@ -274,8 +291,9 @@ class KineticEnergy : public Property<S> {
   }
 
   /// Mass, lever and inertia about the centre of mass are outputs first, first + 1 and first + 2.
-  static void measure_body(Recorder& recorder, int first, const Body<S>& computed, const oracles::BodyResult& exact,
-                           const Case& x, const oracles::Function& formula) {
+  static void measure_body(Recorder& recorder, int first, const Body<S>& computed,
+                           const oracles::BodyResult& exact, const Case& x,
+                           const oracles::Function& formula) {
     const auto one = [] { return 1.0; };
     const Vec<S, 1> mass(computed.mass);
     if (!oracles::all_finite(mass)) {
@@ -283,10 +301,12 @@ class KineticEnergy : public Property<S> {
     } else if (!exact.resolved) {
       recorder.outcome(first, 0, Outcome::unresolved);
     } else {
-      recorder.record(first, 0, oracles::scalar_error<S>(oracles::exact<Real>(computed.mass), exact.value.mass), one);
+      recorder.record(first, 0,
+                      oracles::scalar_error<S>(oracles::exact<Real>(computed.mass), exact.value.mass), one);
     }
-    record(recorder, first + 1, Vec<S, 3>(computed.c), exact.value.c, exact.resolved, formula,
-           [&] { return numbers(x.X_e.R, x.X_e.p, x.I_e.c); }, 0);
+    record(
+        recorder, first + 1, Vec<S, 3>(computed.c), exact.value.c, exact.resolved, formula,
+        [&] { return numbers(x.X_e.R, x.X_e.p, x.I_e.c); }, 0);
     if (!oracles::all_finite(computed.I_C)) {
       recorder.outcome(first + 2, 0, Outcome::not_finite);
     } else if (!exact.resolved) {

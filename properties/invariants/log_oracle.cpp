@@ -11,15 +11,20 @@ template <class S>
 class LogOracle final : public Property<S> {
  public:
   std::string name() const override { return "log_oracle"; }
-  std::string law() const override { return "log of a pose is the inverse of exp with an angle of at most pi"; }
+  std::string law() const override {
+    return "log of a pose is the inverse of exp with an angle of at most pi";
+  }
   std::string equation() const override { return "exp(log(R, p)) = (R, p), |phi| <= pi"; }
   std::string source() const override { return "Higham 2008, section 11.5 (inverse scaling and squaring)"; }
   std::vector<Output> outputs() const override {
-    return {{"log3_quaternion", "rotation vector"}, {"log3_matrix", "rotation vector"}, {"log6", "rotation vector"},
+    return {{"log3_quaternion", "rotation vector"},
+            {"log3_matrix", "rotation vector"},
+            {"log6", "rotation vector"},
             {"log6", "linear"}};
   }
   std::vector<Field> fields() const override {
-    return {{"Q", Kind::quaternion, 4, "1"}, {"R", Kind::rotation_matrix, 9, "1"}, {"p", Kind::vector, 3, "m"}};
+    return {
+        {"Q", Kind::quaternion, 4, "1"}, {"R", Kind::rotation_matrix, 9, "1"}, {"p", Kind::vector, 3, "m"}};
   }
   bool offered(const Subject<S>& s) const override {
     return s.operations.log3_quaternion || s.operations.log3_matrix || s.operations.log6;
@@ -63,7 +68,8 @@ class LogOracle final : public Property<S> {
   }
 
  private:
-  static void rotation_vector_error(Recorder& r, int output, const Vec<S, 3>& phi, const oracles::LogResult& exact) {
+  static void rotation_vector_error(Recorder& r, int output, const Vec<S, 3>& phi,
+                                    const oracles::LogResult& exact) {
     const std::size_t band = Bands::of<S>().classify(exact.theta);
     judged_value(r, {output}, band, phi, exact.resolved, [&] {
       Vec<S, 6> xi = Vec<S, 6>::Zero();

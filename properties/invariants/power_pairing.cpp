@@ -70,14 +70,15 @@ class PowerPairing : public Property<S> {
   std::string name() const override { return "power_pairing"; }
   std::string law() const override { return "power is the same in every frame"; }
   std::string equation() const override {
-    return "F_A^T V_A = F_B^T V_B, V_A = X V_B, F_A = X^-T F_B; scale |f| (|u| + |p||w|) + (|n| + |p||f|) |w|";
+    return "F_A^T V_A = F_B^T V_B, V_A = X V_B, F_A = X^-T F_B; scale |f| (|u| + |p||w|) + (|n| + |p||f|) "
+           "|w|";
   }
   std::string source() const override { return "Featherstone 2008, eq. 2.7, sections 2.8, 2.9, table 2.2"; }
 
   std::vector<Output> outputs() const override {
     std::vector<Output> all;
-    for (const char* operation :
-         {"act_motion", "act_inverse_motion", "act_force", "act_inverse_force", "cross_motion", "cross_force"}) {
+    for (const char* operation : {"act_motion", "act_inverse_motion", "act_force", "act_inverse_force",
+                                  "cross_motion", "cross_force"}) {
       all.push_back({operation, "linear"});
       all.push_back({operation, "angular"});
     }
@@ -86,10 +87,10 @@ class PowerPairing : public Property<S> {
     return all;
   }
   std::vector<Field> fields() const override {
-    return {{"R", Kind::rotation_matrix, 9, "1"},  {"p", Kind::vector, 3, "m"},
-            {"u", Kind::vector, 3, "m/s"},         {"omega", Kind::vector, 3, "rad/s"},
-            {"f", Kind::vector, 3, "N"},           {"n", Kind::vector, 3, "N m"},
-            {"u_W", Kind::vector, 3, "m/s"},       {"omega_W", Kind::vector, 3, "rad/s"},
+    return {{"R", Kind::rotation_matrix, 9, "1"}, {"p", Kind::vector, 3, "m"},
+            {"u", Kind::vector, 3, "m/s"},        {"omega", Kind::vector, 3, "rad/s"},
+            {"f", Kind::vector, 3, "N"},          {"n", Kind::vector, 3, "N m"},
+            {"u_W", Kind::vector, 3, "m/s"},      {"omega_W", Kind::vector, 3, "rad/s"},
             {"Q", Kind::quaternion, 4, "1"}};
   }
   bool offered(const Subject<S>& subject) const override {
@@ -126,28 +127,33 @@ class PowerPairing : public Property<S> {
     Pose<S> X;
     X.R = reader.take_matrix();
     X.p = reader.template take<3>();
-    const Vec<S, 6> V = reader.template take<6>(), F = reader.template take<6>(), W = reader.template take<6>();
+    const Vec<S, 6> V = reader.template take<6>(), F = reader.template take<6>(),
+                    W = reader.template take<6>();
     const Vec<S, 4> Q = reader.template take<4>();
 
     const oracles::Pose X_e{oracles::exact_matrix<3, 3>(X.R), oracles::exact_vector<3>(X.p)};
-    const auto V_e = oracles::exact_vector<6>(V), F_e = oracles::exact_vector<6>(F), W_e = oracles::exact_vector<6>(W);
+    const auto V_e = oracles::exact_vector<6>(V), F_e = oracles::exact_vector<6>(F),
+               W_e = oracles::exact_vector<6>(W);
 
-    const auto act = [&](int output, auto* operation, const Vec<S, 6>& v, const oracles::Vec6<>& v_e, auto oracle,
-                         auto formula) {
+    const auto act = [&](int output, auto* operation, const Vec<S, 6>& v, const oracles::Vec6<>& v_e,
+                         auto oracle, auto formula) {
       if (!operation) return;
-      compare(recorder, output, Vec<S, 6>(operation(X, v)), [&] { return oracle(X_e, v_e); }, formula,
-              [&] { return numbers(X_e.R, X_e.p, v_e); });
+      compare(
+          recorder, output, Vec<S, 6>(operation(X, v)), [&] { return oracle(X_e, v_e); }, formula,
+          [&] { return numbers(X_e.R, X_e.p, v_e); });
     };
     act(0, o.act_motion, V, V_e, oracles::act_motion, motion_formula);
     act(2, o.act_inverse_motion, V, V_e, oracles::act_inverse_motion, inverse_motion_formula);
     act(4, o.act_force, F, F_e, oracles::act_force, force_formula);
     act(6, o.act_inverse_force, F, F_e, oracles::act_inverse_force, inverse_force_formula);
     if (o.cross_motion)
-      compare(recorder, 8, Vec<S, 6>(o.cross_motion(V, W)), [&] { return oracles::cross_motion(V_e, W_e); },
-              cross_motion_formula, [&] { return numbers(V_e, W_e); });
+      compare(
+          recorder, 8, Vec<S, 6>(o.cross_motion(V, W)), [&] { return oracles::cross_motion(V_e, W_e); },
+          cross_motion_formula, [&] { return numbers(V_e, W_e); });
     if (o.cross_force)
-      compare(recorder, 10, Vec<S, 6>(o.cross_force(V, F)), [&] { return oracles::cross_force(V_e, F_e); },
-              cross_force_formula, [&] { return numbers(V_e, F_e); });
+      compare(
+          recorder, 10, Vec<S, 6>(o.cross_force(V, F)), [&] { return oracles::cross_force(V_e, F_e); },
+          cross_force_formula, [&] { return numbers(V_e, F_e); });
 
     if (o.act_motion && o.act_force) {
       const Vec<S, 6> V_A = o.act_motion(X, V), F_A = o.act_force(X, F);
@@ -171,7 +177,8 @@ class PowerPairing : public Property<S> {
  private:
   static constexpr int binades = std::numeric_limits<S>::max_exponent / 8;
 
-  static double kappa(const oracles::Function& formula, const std::vector<Real>& x, int first, const Vector3& exact) {
+  static double kappa(const oracles::Function& formula, const std::vector<Real>& x, int first,
+                      const Vector3& exact) {
     const Real size = std::max(Real(norm(exact)), oracles::smallest_denominator<S>());
     return std::max(1.0, oracles::condition(formula, x, {{first, 3, size}}).front());
   }
@@ -205,7 +212,8 @@ class PowerPairing : public Property<S> {
     const auto A = oracles::power(oracles::exact_vector<6>(F_A), oracles::exact_vector<6>(V_A));
     const auto B = oracles::power(F_B, V_B);
     if (!A.resolved || !B.resolved) return recorder.outcome(output, 0, Outcome::unresolved);
-    const Real p = norm(X.p), u = norm(head3(V_B)), w = norm(tail3(V_B)), f = norm(head3(F_B)), n = norm(tail3(F_B));
+    const Real p = norm(X.p), u = norm(head3(V_B)), w = norm(tail3(V_B)), f = norm(head3(F_B)),
+               n = norm(tail3(F_B));
     const Real scale = f * (u + p * w) + (n + p * f) * w;
     recorder.record(output, 0, oracles::scalar_error<S>(A.value, B.value, scale), [] { return 1.0; });
   }

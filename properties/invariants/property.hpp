@@ -56,10 +56,10 @@ class Recorder {
 
 /// The robot that configuration properties run on.
 struct Robot {
-  std::string name;      ///< of its <robot> element
-  std::string urdf;      ///< the text
-  std::string hash;      ///< 16 hexadecimal digits of its SHA-256
-  std::string path;      ///< as given; empty for the built-in one
+  std::string name;  ///< of its <robot> element
+  std::string urdf;  ///< the text
+  std::string hash;  ///< 16 hexadecimal digits of its SHA-256
+  std::string path;  ///< as given; empty for the built-in one
 };
 
 template <class S>

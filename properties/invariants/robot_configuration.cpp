@@ -19,17 +19,28 @@ class RobotConfiguration final : public Property<S> {
  public:
   std::string name() const override { return "robot_configuration"; }
   std::string law() const override {
-    return "integrate and difference act joint by joint on the whole vector, and -Q is the same configuration";
+    return "integrate and difference act joint by joint on the whole vector, and -Q is the same "
+           "configuration";
   }
-  std::string equation() const override { return "q1 = integrate(q0, d) and difference(q0, q1) per joint; q ~ q' for Q' = -Q"; }
+  std::string equation() const override {
+    return "q1 = integrate(q0, d) and difference(q0, q1) per joint; q ~ q' for Q' = -Q";
+  }
   std::string source() const override { return "Pinocchio 3.8, joint-configuration; ROWS S5, S8, S10, S11"; }
   std::vector<Output> outputs() const override {
-    return {{"robot_integrate", "rotation"}, {"robot_integrate", "translation"}, {"robot_integrate", "continuous"},
-            {"robot_integrate", "joint"}, {"robot_difference", "rotation vector"}, {"robot_difference", "linear"},
-            {"robot_difference", "continuous"}, {"robot_difference", "joint"}, {"robot_is_same", "same"}};
+    return {{"robot_integrate", "rotation"},
+            {"robot_integrate", "translation"},
+            {"robot_integrate", "continuous"},
+            {"robot_integrate", "joint"},
+            {"robot_difference", "rotation vector"},
+            {"robot_difference", "linear"},
+            {"robot_difference", "continuous"},
+            {"robot_difference", "joint"},
+            {"robot_is_same", "same"}};
   }
   std::vector<Field> fields() const override {
-    return {{"q0", Kind::opaque, nq_, "m, 1, rad"}, {"q1", Kind::opaque, nq_, "m, 1, rad"}, {"delta", Kind::opaque, nv_, "m, rad"}};
+    return {{"q0", Kind::opaque, nq_, "m, 1, rad"},
+            {"q1", Kind::opaque, nq_, "m, 1, rad"},
+            {"delta", Kind::opaque, nv_, "m, rad"}};
   }
   bool offered(const Subject<S>& s) const override { return s.operations.robot; }
   bool needs_robot() const override { return true; }
@@ -37,7 +48,8 @@ class RobotConfiguration final : public Property<S> {
     const auto model = buildModelFromUrdfText(robot.urdf, RootJoint::FreeFlyer, robot.name);
     nq_ = model.nq, nv_ = model.nv;
     for (std::size_t j = 1; j < static_cast<std::size_t>(model.njoints); ++j)
-      segments_.push_back({static_cast<int>(model.idx_qs[j]), static_cast<int>(model.nqs[j]), static_cast<int>(model.idx_vs[j])});
+      segments_.push_back({static_cast<int>(model.idx_qs[j]), static_cast<int>(model.nqs[j]),
+                           static_cast<int>(model.idx_vs[j])});
     for (const Subject<S>* s : subjects<S>())
       if (s->operations.robot) bound_.emplace_back(s, s->operations.robot(robot.urdf));
   }
@@ -51,8 +63,8 @@ class RobotConfiguration final : public Property<S> {
         q1.segment(s.q, 7) << point_near<S>(source, p), quaternion_near<S>(source, Q);
         d.segment(s.v, 6) << vector3<S>(source, 8), rotation_vector<S>(source, AngleRange::to_pi);
       } else if (s.nq == 2) {
-        q0.segment(s.q, 2) = circle(source);
-        q1.segment(s.q, 2) = circle(source);
+        q0.template segment<2>(s.q) = circle(source);
+        q1.template segment<2>(s.q) = circle(source);
         d[s.v] = angle<S>(source, AngleRange::to_pi) * (source.chance(1, 2) ? S(1) : S(-1));
       } else {
         q0[s.q] = magnitude<S>(source, 8);
@@ -72,7 +84,9 @@ class RobotConfiguration final : public Property<S> {
       for (int at : {s.q, nq_ + s.q}) {
         const auto i = static_cast<std::size_t>(at);
         if (s.nq == 7 && norm_defect_at<S>(x, i + 3) > 8) return false;
-        if (s.nq == 2 && oracles::norm_defect<S>(oracles::Quaternion<>{{oracles::exact<Real>(x[i]), oracles::exact<Real>(x[i + 1]), Real(0), Real(0)}}) > 8)
+        if (s.nq == 2 &&
+            oracles::norm_defect<S>(oracles::Quaternion<>{
+                {oracles::exact<Real>(x[i]), oracles::exact<Real>(x[i + 1]), Real(0), Real(0)}}) > 8)
           return false;
       }
     return true;
@@ -100,7 +114,9 @@ class RobotConfiguration final : public Property<S> {
           const auto got = exact_vector<7>(q.segment(s.q, 7));
           r.record(0, band, rotation_error<S>(Quaternion<>{{got[3], got[4], got[5], got[6]}}, next.Q));
           const Real p0 = norm(Vec3<>{{x0[0], x0[1], x0[2]}});
-          r.record(1, band, vector_error<S>(Vec3<>{{got[0], got[1], got[2]}}, next.p, p0 > next.increment_norm ? p0 : next.increment_norm));
+          r.record(1, band,
+                   vector_error<S>(Vec3<>{{got[0], got[1], got[2]}}, next.p,
+                                   p0 > next.increment_norm ? p0 : next.increment_norm));
         });
         const auto delta = oracles::difference(x0, x1);
         band = bands.classify(delta.theta);
@@ -115,14 +131,16 @@ class RobotConfiguration final : public Property<S> {
         const Real n0 = sqrt(Real(c0 * c0 + s0 * s0));
         const Real c = (c0 * cos(a) - s0 * sin(a)) / n0, sn = (s0 * cos(a) + c0 * sin(a)) / n0;
         judged_value(r, {2}, 0, q.segment(s.q, 2), true, [&] {
-          r.record(2, 0, in_eps<S>(norm(oracles::Vec<2>{{exact<Real>(q[s.q]) - c, exact<Real>(q[s.q + 1]) - sn}})));
+          r.record(2, 0,
+                   in_eps<S>(norm(oracles::Vec<2>{{exact<Real>(q[s.q]) - c, exact<Real>(q[s.q + 1]) - sn}})));
         });
         const Real c1 = exact<Real>(q1[s.q]), s1 = exact<Real>(q1[s.q + 1]);
         const Real angle_between = atan2(Real(c0 * s1 - s0 * c1), Real(c0 * c1 + s0 * s1));
         judged_value(r, {6}, 0, v.segment(s.v, 1), true, [&] {
           const double plus = scalar_error<S>(exact<Real>(v[s.v]), angle_between);
           const bool half_turn = c0 * s1 == s0 * c1 && angle_between != 0;
-          r.record(6, 0, half_turn ? std::min(plus, scalar_error<S>(exact<Real>(v[s.v]), -angle_between)) : plus);
+          r.record(6, 0,
+                   half_turn ? std::min(plus, scalar_error<S>(exact<Real>(v[s.v]), -angle_between)) : plus);
         });
       } else {
         const Real a = exact<Real>(q0[s.q]), b = exact<Real>(d[s.v]), e = exact<Real>(q1[s.q]);
@@ -142,7 +160,8 @@ class RobotConfiguration final : public Property<S> {
   /// (cos, sin) of an angle, near the axes too; unit to rounding.
   static Vec<S, 2> circle(Source& source) {
     using std::sqrt;
-    const S s = source.chance(1, 2) ? source.symmetric<S>() : binade_uniform<S>(source, -std::numeric_limits<S>::digits, 0);
+    const S s = source.chance(1, 2) ? source.symmetric<S>()
+                                    : binade_uniform<S>(source, -std::numeric_limits<S>::digits, 0);
     Vec<S, 2> u(S(sqrt((S(1) - s) * (S(1) + s))), s);
     if (source.chance(1, 2)) u = -u;
     if (source.chance(1, 2)) std::swap(u[0], u[1]);

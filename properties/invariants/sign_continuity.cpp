@@ -12,12 +12,18 @@ template <class S>
 class SignContinuity final : public Property<S> {
  public:
   std::string name() const override { return "sign_continuity"; }
-  std::string law() const override { return "integrate returns the quaternion nearer to the one it came from"; }
+  std::string law() const override {
+    return "integrate returns the quaternion nearer to the one it came from";
+  }
   std::string equation() const override { return "Q_{k+1} . Q_k >= 0 for q_{k+1} = integrate(q_k, d)"; }
-  std::string source() const override { return "ROWS S13; Pinocchio 3.8, SpecialEuclideanOperation::integrate"; }
+  std::string source() const override {
+    return "ROWS S13; Pinocchio 3.8, SpecialEuclideanOperation::integrate";
+  }
   std::vector<Output> outputs() const override { return {{"integrate", "sign"}}; }
   std::vector<Field> fields() const override {
-    return {{"p", Kind::vector, 3, "m"}, {"Q", Kind::quaternion, 4, "1"}, {"rho", Kind::vector, 3, "m"},
+    return {{"p", Kind::vector, 3, "m"},
+            {"Q", Kind::quaternion, 4, "1"},
+            {"rho", Kind::vector, 3, "m"},
             {"phi", Kind::rotation_vector, 3, "rad"}};
   }
   bool offered(const Subject<S>& s) const override { return s.operations.integrate; }

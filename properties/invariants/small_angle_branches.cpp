@@ -15,13 +15,18 @@ class SmallAngleBranches final : public Property<S> {
   std::string name() const override { return "small_angle_branches"; }
   std::string law() const override { return "no jump of the error across a change of formula"; }
   std::string equation() const override { return "|(y+ - y+_exact) - (y- - y-_exact)| over adjacent inputs"; }
-  std::string source() const override { return "DESIGN 3, jump; cutoffs after Pinocchio, Sophus, manif, smooth, GTSAM"; }
+  std::string source() const override {
+    return "DESIGN 3, jump; cutoffs after Pinocchio, Sophus, manif, smooth, GTSAM";
+  }
   std::vector<Output> outputs() const override {
-    return {{"exp3_quaternion", "jump"}, {"exp6", "jump"}, {"left_jacobian3", "jump"}, {"left_jacobian3_inverse", "jump"},
+    return {{"exp3_quaternion", "jump"}, {"exp6", "jump"},
+            {"left_jacobian3", "jump"},  {"left_jacobian3_inverse", "jump"},
             {"right_jacobian6", "jump"}, {"right_jacobian6_inverse", "jump"}};
   }
   std::vector<Field> fields() const override {
-    return {{"rho", Kind::vector, 3, "m"}, {"direction", Kind::opaque, 3, "1"}, {"theta", Kind::opaque, 2, "rad"}};
+    return {{"rho", Kind::vector, 3, "m"},
+            {"direction", Kind::opaque, 3, "1"},
+            {"theta", Kind::opaque, 2, "rad"}};
   }
   bool offered(const Subject<S>& s) const override {
     const auto& o = s.operations;
@@ -52,7 +57,8 @@ class SmallAngleBranches final : public Property<S> {
     }
     const Bands& bands = Bands::of<S>();
     const std::size_t band = bands.classify(norm(tail3(x[0])));
-    if (bands[bands.classify(norm(tail3(x[1])))].region == Region::beyond_pi || bands[band].region == Region::beyond_pi)
+    if (bands[bands.classify(norm(tail3(x[1])))].region == Region::beyond_pi ||
+        bands[band].region == Region::beyond_pi)
       return;  // forward rule only: beyond half a turn the oracles of the laws above judge
 
     // Differences of errors, block by block, in eps of the block's size.
@@ -63,7 +69,8 @@ class SmallAngleBranches final : public Property<S> {
       Real squared(0), size(0);
       for (int i = 0; i < static_cast<int>(e0.size()); ++i) {
         const auto at = static_cast<std::size_t>(i);
-        const Real difference = (oracles::exact<Real>(y1(i)) - e1[at]) - (oracles::exact<Real>(y0(i)) - e0[at]);
+        const Real difference =
+            (oracles::exact<Real>(y1(i)) - e1[at]) - (oracles::exact<Real>(y0(i)) - e0[at]);
         squared += difference * difference;
         size += e0[at] * e0[at];
       }
@@ -78,22 +85,29 @@ class SmallAngleBranches final : public Property<S> {
       return v;
     };
     if (o.exp3_quaternion)
-      jump(0, [&](int k) { return o.exp3_quaternion(xi[k].template tail<3>()); },
-           [&](int k) { return to_list(exp_so3(tail3(x[k])).Q); });
+      jump(
+          0, [&](int k) { return o.exp3_quaternion(xi[k].template tail<3>()); },
+          [&](int k) { return to_list(exp_so3(tail3(x[k])).Q); });
     if (o.exp6)
-      jump(1, [&](int k) { return Vec<S, 3>(o.exp6(xi[k]).p); }, [&](int k) { return to_list(exp_se3(x[k]).p); });
+      jump(
+          1, [&](int k) { return Vec<S, 3>(o.exp6(xi[k]).p); },
+          [&](int k) { return to_list(exp_se3(x[k]).p); });
     if (o.left_jacobian3)
-      jump(2, [&](int k) { return rows(o.left_jacobian3(xi[k].template tail<3>())); },
-           [&](int k) { return flat(left_jacobian_so3(tail3(x[k])).J); });
+      jump(
+          2, [&](int k) { return rows(o.left_jacobian3(xi[k].template tail<3>())); },
+          [&](int k) { return flat(left_jacobian_so3(tail3(x[k])).J); });
     if (o.left_jacobian3_inverse)
-      jump(3, [&](int k) { return rows(o.left_jacobian3_inverse(xi[k].template tail<3>())); },
-           [&](int k) { return flat(left_jacobian_so3_inverse(tail3(x[k])).J); });
+      jump(
+          3, [&](int k) { return rows(o.left_jacobian3_inverse(xi[k].template tail<3>())); },
+          [&](int k) { return flat(left_jacobian_so3_inverse(tail3(x[k])).J); });
     if (o.right_jacobian6)
-      jump(4, [&](int k) { return rows(o.right_jacobian6(xi[k]).template topRightCorner<3, 3>()); },
-           [&](int k) { return flat(right_jacobian_se3(x[k]).C); });
+      jump(
+          4, [&](int k) { return rows(o.right_jacobian6(xi[k]).template topRightCorner<3, 3>()); },
+          [&](int k) { return flat(right_jacobian_se3(x[k]).C); });
     if (o.right_jacobian6_inverse)
-      jump(5, [&](int k) { return rows(o.right_jacobian6_inverse(xi[k]).template topRightCorner<3, 3>()); },
-           [&](int k) { return flat(right_jacobian_se3_inverse(x[k]).C); });
+      jump(
+          5, [&](int k) { return rows(o.right_jacobian6_inverse(xi[k]).template topRightCorner<3, 3>()); },
+          [&](int k) { return flat(right_jacobian_se3_inverse(x[k]).C); });
   }
 };
 

@@ -2,8 +2,8 @@
 
 #include <subjects/subject.hpp>
 
-#include <Eigen/Geometry>
 #include <fmt/format.h>
+#include <Eigen/Geometry>
 #include <unsupported/Eigen/MatrixFunctions>
 
 namespace liecheck::properties {

@@ -49,22 +49,46 @@ struct Own {
     o.right_jacobian6_inverse = [](const V6& xi) -> M6 { return rightJacobianInverse<S>(Motion<S>(xi)); };
     o.integrate = [](const V7& q, const V6& d) -> V7 { return integrateSE3<S>(q, d); };
     o.difference = [](const V7& q0, const V7& q1) -> V6 { return differenceSE3<S>(q0, q1); };
-    o.d_integrate_arg0 = [](const V7& q, const V6& d) -> M6 { return dIntegrateSE3<S>(q, d, ArgumentPosition::ARG0); };
-    o.d_integrate_arg1 = [](const V7& q, const V6& d) -> M6 { return dIntegrateSE3<S>(q, d, ArgumentPosition::ARG1); };
-    o.d_difference_arg0 = [](const V7& a, const V7& b) -> M6 { return dDifferenceSE3<S>(a, b, ArgumentPosition::ARG0); };
-    o.d_difference_arg1 = [](const V7& a, const V7& b) -> M6 { return dDifferenceSE3<S>(a, b, ArgumentPosition::ARG1); };
-    o.integrate_coefficient_jacobian = [](const V7& q) -> Mat<S, 7, 6> { return integrateCoeffWiseJacobianSE3<S>(q); };
+    o.d_integrate_arg0 = [](const V7& q, const V6& d) -> M6 {
+      return dIntegrateSE3<S>(q, d, ArgumentPosition::ARG0);
+    };
+    o.d_integrate_arg1 = [](const V7& q, const V6& d) -> M6 {
+      return dIntegrateSE3<S>(q, d, ArgumentPosition::ARG1);
+    };
+    o.d_difference_arg0 = [](const V7& a, const V7& b) -> M6 {
+      return dDifferenceSE3<S>(a, b, ArgumentPosition::ARG0);
+    };
+    o.d_difference_arg1 = [](const V7& a, const V7& b) -> M6 {
+      return dDifferenceSE3<S>(a, b, ArgumentPosition::ARG1);
+    };
+    o.integrate_coefficient_jacobian = [](const V7& q) -> Mat<S, 7, 6> {
+      return integrateCoeffWiseJacobianSE3<S>(q);
+    };
     o.rotate_point = [](const V4& Q, const V3& x) -> V3 { return SO3<S>(Q).act(x); };
     o.act_motion = [](const Pose<S>& X, const V6& V) -> V6 { return pose(X).act(Motion<S>(V)).to_vector(); };
-    o.act_inverse_motion = [](const Pose<S>& X, const V6& V) -> V6 { return pose(X).actInv(Motion<S>(V)).to_vector(); };
+    o.act_inverse_motion = [](const Pose<S>& X, const V6& V) -> V6 {
+      return pose(X).actInv(Motion<S>(V)).to_vector();
+    };
     o.act_force = [](const Pose<S>& X, const V6& F) -> V6 { return pose(X).act(Force<S>(F)).to_vector(); };
-    o.act_inverse_force = [](const Pose<S>& X, const V6& F) -> V6 { return pose(X).actInv(Force<S>(F)).to_vector(); };
-    o.cross_motion = [](const V6& V, const V6& W) -> V6 { return Motion<S>(V).cross(Motion<S>(W)).to_vector(); };
-    o.cross_force = [](const V6& V, const V6& F) -> V6 { return Motion<S>(V).cross(Force<S>(F)).to_vector(); };
-    o.act_inertia = [](const Pose<S>& X, const Body<S>& I) -> Body<S> { return body(pose(X).act(inertia(I))); };
-    o.act_inverse_inertia = [](const Pose<S>& X, const Body<S>& I) -> Body<S> { return body(pose(X).actInv(inertia(I))); };
+    o.act_inverse_force = [](const Pose<S>& X, const V6& F) -> V6 {
+      return pose(X).actInv(Force<S>(F)).to_vector();
+    };
+    o.cross_motion = [](const V6& V, const V6& W) -> V6 {
+      return Motion<S>(V).cross(Motion<S>(W)).to_vector();
+    };
+    o.cross_force = [](const V6& V, const V6& F) -> V6 {
+      return Motion<S>(V).cross(Force<S>(F)).to_vector();
+    };
+    o.act_inertia = [](const Pose<S>& X, const Body<S>& I) -> Body<S> {
+      return body(pose(X).act(inertia(I)));
+    };
+    o.act_inverse_inertia = [](const Pose<S>& X, const Body<S>& I) -> Body<S> {
+      return body(pose(X).actInv(inertia(I)));
+    };
     o.momentum = [](const Body<S>& I, const V6& V) -> V6 { return (inertia(I) * Motion<S>(V)).to_vector(); };
-    o.kinetic_energy = [](const Body<S>& I, const V6& V) -> S { return inertia(I).kineticEnergy(Motion<S>(V)); };
+    o.kinetic_energy = [](const Body<S>& I, const V6& V) -> S {
+      return inertia(I).kineticEnergy(Motion<S>(V));
+    };
     o.inertia_matrix = [](const Body<S>& I) -> M6 { return inertia(I).matrix(); };
     o.robot = &robot;
     return s;
@@ -75,7 +99,9 @@ struct Own {
         buildModelFromUrdfText(urdf, RootJoint::FreeFlyer, "the campaign's robot").template cast<S>());
     RobotOperations<S> r;
     r.integrate = [model](const VecX<S>& q, const VecX<S>& d) -> VecX<S> { return integrate(*model, q, d); };
-    r.difference = [model](const VecX<S>& a, const VecX<S>& b) -> VecX<S> { return difference(*model, a, b); };
+    r.difference = [model](const VecX<S>& a, const VecX<S>& b) -> VecX<S> {
+      return difference(*model, a, b);
+    };
     r.d_integrate = [model](const VecX<S>& q, const VecX<S>& d, int argument) -> MatX<S> {
       return dIntegrate(*model, q, d, argument == 0 ? ArgumentPosition::ARG0 : ArgumentPosition::ARG1);
     };

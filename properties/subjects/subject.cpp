@@ -33,8 +33,12 @@ std::vector<const Subject<S>*> subjects() {
   return all;
 }
 
-RegisteredAbsent::RegisteredAbsent(std::string name) { absent_registry().push_back(std::move(name)); }
-const std::vector<std::string>& absent_subjects() { return absent_registry(); }
+RegisteredAbsent::RegisteredAbsent(std::string name) {
+  absent_registry().push_back(std::move(name));
+}
+const std::vector<std::string>& absent_subjects() {
+  return absent_registry();
+}
 
 template struct Registered<float>;
 template struct Registered<double>;

@@ -122,9 +122,7 @@ struct Textbook {
     q << a[3] * bv + b[3] * av + av.cross(bv), a[3] * b[3] - av.dot(bv);
     return q;
   }
-  static M3 matrix(const V4& q) {
-    return Eigen::Quaternion<S>(q[3], q[0], q[1], q[2]).toRotationMatrix();
-  }
+  static M3 matrix(const V4& q) { return Eigen::Quaternion<S>(q[3], q[0], q[1], q[2]).toRotationMatrix(); }
   static V7 integrate(const V7& q, const V6& delta) {
     const V3 phi = delta.template tail<3>();
     const V4 Q = q.template tail<4>();
@@ -150,8 +148,12 @@ struct Textbook {
     return X;
   }
   static M6 d_integrate_arg1(const V7&, const V6& delta) { return right_jacobian6(delta); }
-  static M6 d_difference_arg0(const V7& q0, const V7& q1) { return -left_jacobian6_inverse(difference(q0, q1)); }
-  static M6 d_difference_arg1(const V7& q0, const V7& q1) { return right_jacobian6_inverse(difference(q0, q1)); }
+  static M6 d_difference_arg0(const V7& q0, const V7& q1) {
+    return -left_jacobian6_inverse(difference(q0, q1));
+  }
+  static M6 d_difference_arg1(const V7& q0, const V7& q1) {
+    return right_jacobian6_inverse(difference(q0, q1));
+  }
 
   static V3 rotate_point(const V4& Q, const V3& x) { return matrix(Q) * x; }
 

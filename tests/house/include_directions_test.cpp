@@ -36,8 +36,11 @@ std::vector<std::string> violations(const std::string& path, const std::string& 
       {"spatial", {"scalar", "spatial"}},
       {"multibody", {"scalar", "spatial", "multibody"}},
       {"urdf", {"scalar", "spatial", "multibody", "urdf"}}};
-  static const std::vector<std::string> harness = {"generators", "oracles", "subjects", "invariants", "campaign"};
-  const auto has = [](const auto& list, const std::string& x) { return std::find(list.begin(), list.end(), x) != list.end(); };
+  static const std::vector<std::string> harness = {"generators", "oracles", "subjects", "invariants",
+                                                   "campaign"};
+  const auto has = [](const auto& list, const std::string& x) {
+    return std::find(list.begin(), list.end(), x) != list.end();
+  };
   std::vector<std::string> bad;
   static const std::regex line(R"(#include\s*[<"]([^>"]+)[>"])");
   for (std::sregex_iterator i(text.begin(), text.end(), line), end; i != end; ++i) {
@@ -68,7 +71,8 @@ TEST(IncludeDirections, AreKeptByEveryFile) {
       const auto extension = entry.path().extension();
       if (extension != ".hpp" && extension != ".cpp") continue;
       ++files;
-      for (const auto& v : violations(fs::relative(entry.path(), top).string(), read(entry.path()))) ADD_FAILURE() << v;
+      for (const auto& v : violations(fs::relative(entry.path(), top).string(), read(entry.path())))
+        ADD_FAILURE() << v;
     }
   }
   EXPECT_GT(files, 50);
@@ -81,7 +85,9 @@ TEST(IncludeDirections, ViolationsAreSeen) {
   EXPECT_EQ(violations("lib/liecheck/multibody/a.hpp", "#include \"oracles/exp.hpp\"\n").size(), 1u);
   EXPECT_EQ(violations("reports/a.cpp", "#include <campaign/campaign.hpp>\n").size(), 1u);
   EXPECT_EQ(violations("properties/campaign/a.cpp", "#include <reports/report.hpp>\n").size(), 1u);
-  EXPECT_TRUE(violations("lib/liecheck/urdf/a.cpp", "#include <liecheck/multibody/model.hpp>\n#include <Eigen/Core>\n").empty());
+  EXPECT_TRUE(violations("lib/liecheck/urdf/a.cpp",
+                         "#include <liecheck/multibody/model.hpp>\n#include <Eigen/Core>\n")
+                  .empty());
 }
 
 TEST(Readme, SaysTheLineThatContinuousIntegrationRuns) {

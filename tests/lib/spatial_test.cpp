@@ -36,7 +36,8 @@ TEST(Exponential, OfAnAngleWhoseSquareOverflowsIsFinite) {
 
 TEST(Logarithm, OfMinusQIsThatOfQ) {
   const Vector4<double> Q(0.1, 0.2, 0.3, std::sqrt(0.86));
-  EXPECT_EQ(quaternion::log3<double>(SO3<double>(Q)), quaternion::log3<double>(SO3<double>(Vector4<double>(-Q))));
+  EXPECT_EQ(quaternion::log3<double>(SO3<double>(Q)),
+            quaternion::log3<double>(SO3<double>(Vector4<double>(-Q))));
 }
 
 TEST(Logarithm, AtExactlyHalfATurnHasLengthPi) {
@@ -114,7 +115,8 @@ TEST(Jacobians, LeftOfMinusIsRightAndInversesAreInverse) {
   const Motion<double> xi(V3(0.4, -1, 2), V3(0.7, 0.2, -1.1));
   EXPECT_EQ(rightJacobian<double>(xi), leftJacobian<double>(-xi));
   EXPECT_EQ(Jexp6<double>(xi), rightJacobian<double>(xi));
-  EXPECT_LE((leftJacobian<double>(xi) * leftJacobianInverse<double>(xi) - Matrix6<double>::Identity()).norm(), 64 * e);
+  EXPECT_LE((leftJacobian<double>(xi) * leftJacobianInverse<double>(xi) - Matrix6<double>::Identity()).norm(),
+            64 * e);
   EXPECT_EQ(rightJacobian<double>(xi.angular()), (rightJacobian<double>(xi).topLeftCorner<3, 3>()));
 }
 

@@ -34,62 +34,89 @@ Subject<double> planted(const std::string& name, void (*plant)(O&)) {
 
 // A left-out inverse Jacobian, a swapped side, a transposed Adjoint, a forced sign ...: one bug for each law.
 const Registered<double> bugs[] = {
-    Registered<double>(planted("exp_oracle", [](O& o) {
-      o.exp6 = [](const V6& xi) { auto T = own().exp6(xi); T.p *= 1 + 1e-14; return T; };
-    })),
-    Registered<double>(planted("log_oracle", [](O& o) {
-      o.log6 = [](const Pose<double>& T) { V6 xi = own().log6(T); xi.head<3>() = T.p; return xi; };
-    })),
-    Registered<double>(planted("jacobian_oracle", [](O& o) {
-      o.left_jacobian6 = [](const V6& xi) { return own().right_jacobian6(xi); };
-    })),
-    Registered<double>(planted("integrate_difference", [](O& o) {
-      o.difference = [](const V7& a, const V7& b) { return own().difference(b, a); };
-    })),
-    Registered<double>(planted("sign_continuity", [](O& o) {
-      o.integrate = [](const V7& q, const V6& d) {
-        V7 r = own().integrate(q, d);
-        if (r[6] < 0) r.tail<4>() *= -1;
-        return r;
-      };
-    })),
-    Registered<double>(planted("d_integrate", [](O& o) {
-      o.d_integrate_arg0 = [](const V7& q, const V6& d) { return M6(own().d_integrate_arg0(q, d).transpose()); };
-    })),
-    Registered<double>(planted("small_angle_branches", [](O& o) {
-      o.exp6 = [](const V6& xi) {
-        auto T = own().exp6(xi);
-        if (xi.tail<3>().norm() < 1e-4) T.p = xi.head<3>() + xi.tail<3>().cross(xi.head<3>()) / 2;
-        return T;
-      };
-    })),
-    Registered<double>(planted("kinematic_identities", [](O& o) {
-      o.integrate_coefficient_jacobian = [](const V7& q) {
-        Mat<double, 7, 6> J = own().integrate_coefficient_jacobian(q);
-        J.block<3, 3>(3, 3).transposeInPlace();  // Q_dot = 1/2 (omega, 0) Q: the world-frame velocity
-        return J;
-      };
-    })),
-    Registered<double>(planted("kinetic_energy", [](O& o) {
-      o.kinetic_energy = [](const Body<double>& b, const V6& V) {  // the parallel-axis term twice
-        const V3 w = V.tail<3>();
-        return own().kinetic_energy(b, V) + b.mass * w.cross(b.c).squaredNorm() / 2;
-      };
-    })),
-    Registered<double>(planted("power_pairing", [](O& o) {
-      o.act_motion = [](const Pose<double>& X, const V6& V) { return own().act_motion(X, V); };
-      o.act_force = [](const Pose<double>& X, const V6& F) { return own().act_motion(X, F); };  // as a motion
-    })),
-    Registered<double>(planted("robot_configuration", [](O& o) {
-      o.robot = [](const std::string& urdf) {
-        auto r = own().robot(urdf);
-        r.is_same = [](const VecX<double>& a, const VecX<double>& b) { return (a - b).norm() < 1e-12; };
-        return r;
-      };
-    })),
-    Registered<double>(planted("nan", [](O& o) {
-      o.exp3_quaternion = [](const V3&) { return V4(V4::Constant(NAN)); };
-    })),
+    Registered<double>(planted("exp_oracle",
+                               [](O& o) {
+                                 o.exp6 = [](const V6& xi) {
+                                   auto T = own().exp6(xi);
+                                   T.p *= 1 + 1e-14;
+                                   return T;
+                                 };
+                               })),
+    Registered<double>(planted("log_oracle",
+                               [](O& o) {
+                                 o.log6 = [](const Pose<double>& T) {
+                                   V6 xi = own().log6(T);
+                                   xi.head<3>() = T.p;
+                                   return xi;
+                                 };
+                               })),
+    Registered<double>(
+        planted("jacobian_oracle",
+                [](O& o) { o.left_jacobian6 = [](const V6& xi) { return own().right_jacobian6(xi); }; })),
+    Registered<double>(planted(
+        "integrate_difference",
+        [](O& o) { o.difference = [](const V7& a, const V7& b) { return own().difference(b, a); }; })),
+    Registered<double>(planted("sign_continuity",
+                               [](O& o) {
+                                 o.integrate = [](const V7& q, const V6& d) {
+                                   V7 r = own().integrate(q, d);
+                                   if (r[6] < 0) r.tail<4>() *= -1;
+                                   return r;
+                                 };
+                               })),
+    Registered<double>(planted("d_integrate",
+                               [](O& o) {
+                                 o.d_integrate_arg0 = [](const V7& q, const V6& d) {
+                                   return M6(own().d_integrate_arg0(q, d).transpose());
+                                 };
+                               })),
+    Registered<double>(planted("small_angle_branches",
+                               [](O& o) {
+                                 o.exp6 = [](const V6& xi) {
+                                   auto T = own().exp6(xi);
+                                   if (xi.tail<3>().norm() < 1e-4)
+                                     T.p = xi.head<3>() + xi.tail<3>().cross(xi.head<3>()) / 2;
+                                   return T;
+                                 };
+                               })),
+    Registered<double>(planted(
+        "kinematic_identities",
+        [](O& o) {
+          o.integrate_coefficient_jacobian = [](const V7& q) {
+            Mat<double, 7, 6> J = own().integrate_coefficient_jacobian(q);
+            J.block<3, 3>(3, 3).transposeInPlace();  // Q_dot = 1/2 (omega, 0) Q: the world-frame velocity
+            return J;
+          };
+        })),
+    Registered<double>(
+        planted("kinetic_energy",
+                [](O& o) {
+                  o.kinetic_energy = [](const Body<double>& b, const V6& V) {  // the parallel-axis term twice
+                    const V3 w = V.tail<3>();
+                    return own().kinetic_energy(b, V) + b.mass * w.cross(b.c).squaredNorm() / 2;
+                  };
+                })),
+    Registered<double>(planted("power_pairing",
+                               [](O& o) {
+                                 o.act_motion = [](const Pose<double>& X, const V6& V) {
+                                   return own().act_motion(X, V);
+                                 };
+                                 o.act_force = [](const Pose<double>& X, const V6& F) {
+                                   return own().act_motion(X, F);
+                                 };  // as a motion
+                               })),
+    Registered<double>(planted("robot_configuration",
+                               [](O& o) {
+                                 o.robot = [](const std::string& urdf) {
+                                   auto r = own().robot(urdf);
+                                   r.is_same = [](const VecX<double>& a, const VecX<double>& b) {
+                                     return (a - b).norm() < 1e-12;
+                                   };
+                                   return r;
+                                 };
+                               })),
+    Registered<double>(
+        planted("nan", [](O& o) { o.exp3_quaternion = [](const V3&) { return V4(V4::Constant(NAN)); }; })),
 };
 
 CampaignResult run(const std::string& subject, const std::string& property, std::uint64_t cases = 300,
@@ -110,10 +137,10 @@ TEST_P(Planted, BugIsCaughtByItsLawAndTheLawPassesWithoutIt) {
 }
 
 INSTANTIATE_TEST_SUITE_P(EveryLaw, Planted,
-                         testing::Values("exp_oracle", "log_oracle", "jacobian_oracle", "integrate_difference",
-                                         "sign_continuity", "d_integrate", "small_angle_branches",
-                                         "kinematic_identities", "kinetic_energy", "power_pairing",
-                                         "robot_configuration"));
+                         testing::Values("exp_oracle", "log_oracle", "jacobian_oracle",
+                                         "integrate_difference", "sign_continuity", "d_integrate",
+                                         "small_angle_branches", "kinematic_identities", "kinetic_energy",
+                                         "power_pairing", "robot_configuration"));
 
 TEST(Planted, EveryPropertyHasABugOfItsOwn) {
   const auto known = subject_names();
@@ -134,11 +161,14 @@ TEST(Harness, DigestsDoNotDependOnThreads) {
   EXPECT_NE(one.inputs_digest, run("liecheck", "exp_oracle", 201, 1).inputs_digest);
 }
 
-TEST(Harness, TextbookFailsWhereItsClosedFormsCancel) { EXPECT_TRUE(run("textbook", "exp_oracle").failed); }
+TEST(Harness, TextbookFailsWhereItsClosedFormsCancel) {
+  EXPECT_TRUE(run("textbook", "exp_oracle").failed);
+}
 
 TEST(CaseIds, ComeBackFromTheirText) {
   CaseId id;
-  id.seed = 7, id.property = "exp_oracle", id.subject = "liecheck", id.scalar = "double", id.robot = "none", id.index = 12;
+  id.seed = 7, id.property = "exp_oracle", id.subject = "liecheck", id.scalar = "double", id.robot = "none",
+  id.index = 12;
   EXPECT_EQ(CaseId::parse(id.text()).text(), id.text());
   EXPECT_EQ(CaseId::parse("raw.p.s.double.none.0x1.8p+0,-0x0p+0").input.size(), 2u);
   EXPECT_THROW(CaseId::parse("g2.7.p.s.double.none.1"), std::invalid_argument);
@@ -156,14 +186,17 @@ TEST(Numbers, HexadecimalFloatsComeBackBitForBit) {
 TEST(Budgets, GiveEveryOutputALimitAndAReason) {
   for (const auto& s : select({}, built_in_robot()))
     for (const Output& o : s->outputs)
-      for (Region region : {Region::to_pi, Region::beyond_pi}) EXPECT_FALSE(budget_of(o.operation, o.block, region).reason.empty());
+      for (Region region : {Region::to_pi, Region::beyond_pi})
+        EXPECT_FALSE(budget_of(o.operation, o.block, region).reason.empty());
 }
 
 TEST(Record, HasTheDocumentedFields) {
   const auto record = record_of(run("liecheck", "exp_oracle", 50));
-  for (const char* key : {"version", "seed", "cases", "verdict", "digest", "results"}) EXPECT_TRUE(record.contains(key)) << key;
-  for (const char* key : {"subject", "scalar", "property", "operation", "block", "band", "count", "max_eps", "p99_eps",
-                          "median_eps", "max_excess", "budget", "rule", "ill_posed", "status", "worst"})
+  for (const char* key : {"version", "seed", "cases", "verdict", "digest", "results"})
+    EXPECT_TRUE(record.contains(key)) << key;
+  for (const char* key :
+       {"subject", "scalar", "property", "operation", "block", "band", "count", "max_eps", "p99_eps",
+        "median_eps", "max_excess", "budget", "rule", "ill_posed", "status", "worst"})
     EXPECT_TRUE(record["results"].at(0).contains(key)) << key;
 }
 

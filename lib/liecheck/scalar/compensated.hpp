@@ -1,8 +1,8 @@
 #pragma once
 // Error-free transformations (Dekker 1971; Ogita, Rump & Oishi 2005), for the few sums whose terms cancel.
 
-#include <limits>
 #include <liecheck/scalar/scalar.hpp>
+#include <limits>
 #include <utility>
 
 namespace liecheck {

@@ -35,12 +35,12 @@ template <class S>
 concept Scalar = std::numeric_limits<S>::is_specialized && std::numeric_limits<S>::radix == 2 &&
                  !std::numeric_limits<S>::is_integer && std::constructible_from<S, int> &&
                  scalar_detail::HasFunctions<S> && requires(const S a, const S b) {
-                   S(a + b);
-                   S(a - b);
-                   S(a * b);
-                   S(a / b);
-                   bool(a < b);
-                 };
+  S(a + b);
+  S(a - b);
+  S(a * b);
+  S(a / b);
+  bool(a < b);
+};
 
 /// Unit in the last place of 1: 2^-52 for double. Every error bound of this library is stated in it.
 template <Scalar S>

@@ -39,8 +39,7 @@ struct RotationLogarithm {
   /// The same rounded alpha stands in both places, so along the axis its error cancels. Error 2.5 eps |rho|,
   /// that of phi included.
   Vector3<S> arc(const Vector3<S>& p) const {
-    return c.alpha * p +
-           ((c.along * v.dot(p)) * v - (c.angle_over_sine / S(2)) * cross<S>(v, p));
+    return c.alpha * p + ((c.along * v.dot(p)) * v - (c.angle_over_sine / S(2)) * cross<S>(v, p));
   }
 };
 

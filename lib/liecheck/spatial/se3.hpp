@@ -32,9 +32,7 @@ class SE3 {
   const Vector3<S>& translation() const { return p_; }
 
   /// X_AC = X_AB X_BC.
-  SE3 operator*(const SE3& o) const {
-    return SE3(Matrix3<S>(R_ * o.R_), Vector3<S>(R_ * o.p_ + p_));
-  }
+  SE3 operator*(const SE3& o) const { return SE3(Matrix3<S>(R_ * o.R_), Vector3<S>(R_ * o.p_ + p_)); }
   SE3 inverse() const { return SE3(Matrix3<S>(R_.transpose()), Vector3<S>(-(R_.transpose() * p_))); }
   /// X_AB^-1 X_AC, the difference of translations formed first.
   SE3 actInv(const SE3& o) const {

@@ -36,9 +36,9 @@ class SO3 {
   SO3 operator*(const SO3& o) const {
     const S &x1 = q_[0], &y1 = q_[1], &z1 = q_[2], &w1 = q_[3];
     const S &x2 = o.q_[0], &y2 = o.q_[1], &z2 = o.q_[2], &w2 = o.q_[3];
-    return SO3(Vector4<S>((w1 * x2 + x1 * w2) + (y1 * z2 - z1 * y2), (w1 * y2 + y1 * w2) + (z1 * x2 - x1 * z2),
-                          (w1 * z2 + z1 * w2) + (x1 * y2 - y1 * x2),
-                          (w1 * w2 - x1 * x2) - (y1 * y2 + z1 * z2)));
+    return SO3(
+        Vector4<S>((w1 * x2 + x1 * w2) + (y1 * z2 - z1 * y2), (w1 * y2 + y1 * w2) + (z1 * x2 - x1 * z2),
+                   (w1 * z2 + z1 * w2) + (x1 * y2 - y1 * x2), (w1 * w2 - x1 * x2) - (y1 * y2 + z1 * z2)));
   }
 
   /// R p = p + 2 u / |Q|^2, u = w (v x p) + v x (v x p). Shape 3, unit of p. At half a turn 2 u is twice as long

@@ -1,0 +1,201 @@
+// The small-angle coefficients against their closed forms in theta at 150 digits, which need no series: at
+// theta = 1e-15 the worst of them cancels 75 digits and keeps as many.
+
+#include <gtest/gtest.h>
+#include <algorithm>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <cmath>
+#include <liecheck/scalar/stumpff.hpp>
+#include <random>
+#include <vector>
+
+namespace liecheck {
+namespace {
+
+using Real =
+    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<150>, boost::multiprecision::et_off>;
+
+/// The closed forms at x = theta^2 > 0.
+struct ClosedForms {
+  Real c0, c1, c2, c3, c4, c5, d, d2;
+  explicit ClosedForms(const Real& x) {
+    const Real t = sqrt(x);
+    c0 = cos(t);
+    c1 = sin(t) / t;
+    c2 = (1 - c0) / x;
+    c3 = (1 - c1) / x;
+    c4 = (Real(1) / 2 - c2) / x;
+    c5 = (Real(1) / 6 - c3) / x;
+    const Real half = t / 2;
+    const Real alpha = half * cos(half) / sin(half);
+    d = (1 - alpha) / x;
+    // alpha = h cot h: d alpha / dx = (cot h - h / sin^2 h) / (4 t)
+    const Real slope = (cos(half) / sin(half) - half / (sin(half) * sin(half))) / (4 * t);
+    d2 = 2 * (-slope - d) / x;
+  }
+};
+
+template <class S>
+class StumpffOf : public testing::Test {
+ public:
+  /// theta^2 at 0, log-uniform below pi^2, and around its end.
+  static std::vector<S> squared_angles() {
+    std::mt19937_64 random(7);
+    std::uniform_real_distribution<double> exponent(-30, std::log10(9.8));
+    std::vector<S> all{std::numeric_limits<S>::denorm_min(), S(1e-30), S(1), S(2.25), S(4), S(9)};
+    for (int i = 0; i < 1500; ++i) all.push_back(S(std::pow(10.0, exponent(random))));
+    for (int i = 0; i < 1500; ++i)
+      all.push_back(S(9.8 * std::uniform_real_distribution<double>(0, 1)(random)));
+    std::erase_if(all, [](S x) { return !within_half_turn(x); });
+    return all;
+  }
+};
+using Scalars = testing::Types<float, double>;
+TYPED_TEST_SUITE(StumpffOf, Scalars);
+
+/// The largest relative errors in eps over the sample; a denominator of at least `floor`.
+template <class S, class Ours, class Truth>
+double worst(const std::vector<S>& xs, double floor, Ours ours, Truth truth) {
+  double most = 0;
+  for (const S x : xs) {
+    if (x < S(1e-30)) continue;  // the closed form needs its digits; zero and below: the next test
+    const Real exact = truth(ClosedForms(Real(x)));
+    const Real error = abs(Real(ours(x)) - exact) / (std::max)(Real(abs(exact)), Real(floor));
+    const double in_eps = double(error) / double(eps<S>());
+    EXPECT_TRUE(std::isfinite(in_eps)) << x;
+    most = (std::max)(most, in_eps);
+  }
+  return most;
+}
+
+TYPED_TEST(StumpffOf, HighCoefficientsKeepTheirRelativeBounds) {
+  using S = TypeParam;
+  const auto xs = this->squared_angles();
+  EXPECT_LE(worst(
+                xs, 0, [](S x) { return Stumpff<S>(x).c2; }, [](const ClosedForms& f) { return f.c2; }),
+            2);
+  EXPECT_LE(worst(
+                xs, 0, [](S x) { return Stumpff<S>(x).c3; }, [](const ClosedForms& f) { return f.c3; }),
+            1.5);
+  EXPECT_LE(worst(
+                xs, 0, [](S x) { return Stumpff<S>(x).c4; }, [](const ClosedForms& f) { return f.c4; }),
+            1.5);
+  EXPECT_LE(worst(
+                xs, 0, [](S x) { return Stumpff<S>(x).c5; }, [](const ClosedForms& f) { return f.c5; }),
+            1.5);
+}
+
+TYPED_TEST(StumpffOf, CosineAndSineAreWithinOneAndAHalfEpsAbsolute) {
+  using S = TypeParam;
+  const auto xs = this->squared_angles();
+  EXPECT_LE(worst(
+                xs, 1, [](S x) { return Stumpff<S>(x).c0; }, [](const ClosedForms& f) { return f.c0; }),
+            1.5);
+  EXPECT_LE(worst(
+                xs, 1, [](S x) { return Stumpff<S>(x).c1; }, [](const ClosedForms& f) { return f.c1; }),
+            1.5);
+}
+
+TYPED_TEST(StumpffOf, DifferencesOfTheCouplingBlockAreWithinOneAndAHalfEpsRelative) {
+  using S = TypeParam;
+  const auto xs = this->squared_angles();
+  EXPECT_LE(worst(
+                xs, 0, [](S x) { return c3_minus_2c4(x); },
+                [](const ClosedForms& f) { return Real(f.c3 - 2 * f.c4); }),
+            1.5);
+  EXPECT_LE(worst(
+                xs, 0, [](S x) { return c4_minus_3c5(x); },
+                [](const ClosedForms& f) { return Real(f.c4 - 3 * f.c5); }),
+            1.5);
+}
+
+TYPED_TEST(StumpffOf, InverseCoefficientIsWithinThreeEpsAndItsSlopeWithinTwenty) {
+  using S = TypeParam;
+  const auto xs = this->squared_angles();
+  EXPECT_LE(
+      worst(
+          xs, 0, [](S x) { return InverseCoefficient<S>(x).d; }, [](const ClosedForms& f) { return f.d; }),
+      3);
+  EXPECT_LE(
+      worst(
+          xs, 0, [](S x) { return InverseCoefficient<S>(x).d2; }, [](const ClosedForms& f) { return f.d2; }),
+      20);
+}
+
+TYPED_TEST(StumpffOf, HalfAnglesAreWithinOneEps) {
+  using S = TypeParam;
+  const auto xs = this->squared_angles();
+  const auto half = [](const auto& pick) { return [pick](S x) { return pick(HalfAngle<S>(x)); }; };
+  // c_0(4 h) = 2 c_0(h)^2 - 1 and c_1(4 h) = c_0(h) c_1(h), solved for h; c_0(h) >= 0 up to half a turn, and
+  // near it both sides are taken from the half angle itself.
+  double sine = 0, cosine = 0;
+  for (const S x : xs) {
+    if (x < S(1e-30)) continue;
+    const Real t = sqrt(Real(x));
+    const Real s = sin(t / 2) / t, c = cos(t / 2);
+    sine = (std::max)(sine, double(abs(Real(half([](auto h) { return h.sine_over_angle; })(x)) - s) / s));
+    cosine = (std::max)(cosine, double(abs(Real(half([](auto h) { return h.cosine; })(x)) - c)));
+  }
+  EXPECT_LE(sine / double(eps<S>()), 1);
+  EXPECT_LE(cosine / double(eps<S>()), 1);
+}
+
+TYPED_TEST(StumpffOf, LimitsAtZeroAreExactToHalfAnUlp) {
+  using S = TypeParam;
+  for (const S x : {S(0), std::numeric_limits<S>::denorm_min()}) {
+    const Stumpff<S> c(x);
+    EXPECT_EQ(c.c0, S(1));
+    EXPECT_EQ(c.c1, S(1));
+    EXPECT_EQ(c.c2, S(1) / S(2));
+    EXPECT_EQ(c.c3, S(1) / S(6));
+    EXPECT_EQ(c.c4, S(1) / S(24));
+    EXPECT_EQ(c.c5, S(1) / S(120));
+    EXPECT_EQ(c3_minus_2c4(x), S(1) / S(12));
+    EXPECT_EQ(c4_minus_3c5(x), S(1) / S(60));
+    EXPECT_NEAR(double(InverseCoefficient<S>(x).d * S(12)), 1, 2 * double(eps<S>()));
+    EXPECT_NEAR(double(InverseCoefficient<S>(x).d2 * S(360)), 1, 4 * double(eps<S>()));
+    EXPECT_EQ(HalfAngle<S>(x).sine_over_angle, S(1) / S(2));
+    EXPECT_EQ(HalfAngle<S>(x).cosine, S(1));
+  }
+}
+
+TYPED_TEST(StumpffOf, TheSeriesEndAtPi) {
+  using S = TypeParam;
+  EXPECT_TRUE(within_half_turn(S(9.8696)));
+  EXPECT_FALSE(within_half_turn(S(9.8697)));
+  EXPECT_FALSE(within_half_turn(std::numeric_limits<S>::infinity()));
+  EXPECT_FALSE(within_half_turn(std::numeric_limits<S>::quiet_NaN()));
+}
+
+TYPED_TEST(StumpffOf, LogarithmCoefficientsAtTheirEnds) {
+  using S = TypeParam;
+  const LogarithmCoefficients<S> zero(S(0), S(1)), half_turn(S(1), S(0));
+  EXPECT_EQ(zero.angle_over_sine, S(2));
+  EXPECT_EQ(zero.alpha, S(1));
+  EXPECT_EQ(zero.along, S(1) / S(3));
+  EXPECT_EQ(half_turn.angle_over_sine, pi<S>());
+  EXPECT_EQ(half_turn.alpha, S(0));
+  EXPECT_EQ(half_turn.along, S(1));
+}
+
+TYPED_TEST(StumpffOf, LogarithmCoefficientsHoldTheirBoundsOverAllHalfAngles) {
+  using S = TypeParam;
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<double> exponent(-18, 0);
+  double ratio = 0, alpha = 0;
+  for (int i = 0; i < 1500; ++i) {
+    const S sine = S(std::pow(10.0, exponent(random)));
+    const S cosine =
+        S(i % 2 == 0 ? std::sqrt(1 - double(sine) * double(sine)) : std::pow(10.0, exponent(random)));
+    const S squared = sine * sine;
+    const LogarithmCoefficients<S> ours(squared, cosine);
+    const Real s = sqrt(Real(squared)), h = atan2(s, Real(cosine));
+    ratio = (std::max)(ratio, double(abs(Real(ours.angle_over_sine) * s / (2 * h) - 1)));
+    alpha = (std::max)(alpha, double(abs(Real(ours.alpha) * s / (h * Real(cosine)) - 1)));
+  }
+  EXPECT_LE(ratio / double(eps<S>()), 1.5);
+  EXPECT_LE(alpha / double(eps<S>()), 2.5);
+}
+
+}  // namespace
+}  // namespace liecheck
