@@ -111,7 +111,7 @@ int print_campaign(const CampaignResult& r) {
       unresolved += row.unresolved;
     }
     fmt::print("{:<24}{:<10}{:<10}{:>9}  {:>10.3g}x  {}{}\n", series->property, series->subject,
-               series->scalar, tally.cases, worst, failed ? "FAIL" : "pass",
+               series->scalar, tally.cases, worst, failed || !tally.disagreed.empty() ? "FAIL" : "pass",
                unresolved ? fmt::format(", {} unresolved", unresolved) : "");
   }
   fmt::print(
@@ -133,6 +133,16 @@ int print_campaign(const CampaignResult& r) {
   if (failures > shown_failures)
     fmt::print("\n{} more operations and blocks failed; --json FILE records them all\n",
                failures - shown_failures);
+  std::uint64_t fast = 0, checked = 0, disagreed = 0;
+  for (const auto& [series, tally] : r.series) {
+    fast += tally.fast, checked += tally.checked, disagreed += tally.disagreed.size();
+    for (const std::uint64_t index : tally.disagreed)
+      fmt::print("ORACLES DISAGREE: {}\n", series->id(r.options.seed, index).text());
+  }
+  fmt::print("\noracles: {:.2f} % of the cases decided in ball arithmetic, the rest at 50 and 100 digits; {} of the "
+             "decided ones measured again at those, {} disagree\n",
+             r.total_cases ? 100.0 * static_cast<double>(fast) / static_cast<double>(r.total_cases) : 0.0, checked,
+             disagreed);
   fmt::print("\nseed {}, {} cases in {:.1f} s, robot {} ({})\n", r.options.seed, r.total_cases, r.elapsed,
              r.robot.name, r.robot.hash);
   fmt::print("inputs  {}\nresults {}\n", r.inputs_digest, r.results_digest);

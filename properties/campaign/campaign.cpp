@@ -116,6 +116,7 @@ CampaignResult run_campaign(const CampaignOptions& options, const Robot& robot) 
     inputs.merge(s.tally.inputs);
     results.merge(s.tally.results);
     result.total_cases += s.tally.cases;
+    result.failed = result.failed || !s.tally.disagreed.empty();
     for (const auto& [key, row] : s.tally.rows) result.failed = result.failed || row.failed > 0;
     if (!options.seconds && s.tally.cases < options.cases) result.incomplete = true;
     if (options.seconds && stop_requested) result.incomplete = true;

@@ -38,6 +38,9 @@ struct Tally {
   std::map<std::pair<int, int>, Row> rows;  ///< by (output, band)
   SetDigest inputs, results;
   std::uint64_t cases = 0;
+  std::uint64_t fast = 0;                ///< decided by ball arithmetic
+  std::uint64_t checked = 0;             ///< of those, measured again at 50 and 100 digits
+  std::vector<std::uint64_t> disagreed;  ///< indices where that gave another answer
   void merge(const Tally& o);
 };
 

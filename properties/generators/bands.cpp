@@ -15,6 +15,15 @@ Real pi() {
 Real power_of_ten(int e) {
   return pow(Real(10), e);
 }
+oracles::DoubleDouble double_double(const Real& x) {
+  const auto hi = static_cast<double>(x);
+  return {hi, static_cast<double>(Real(x - hi))};
+}
+/// A constant as a ball.
+template <class T>
+T edge(const oracles::DoubleDouble& x) {
+  return {x, 0x1p-105 * x.hi};
+}
 }  // namespace
 
 // min_exponent: 2^min_exponent is the smallest normal number.
@@ -66,6 +75,8 @@ Bands::Bands(int min_exponent, int digits) {
   beyond_ = push("beyond pi", Axis::none, 3.2, 6.2, Region::beyond_pi);
   near_2pi_ = push("near 2pi k", Axis::none, 6.2, 100, Region::beyond_pi);
   huge_ = push("huge", Axis::none, 100, 0, Region::beyond_pi);
+  for (const Real& e : theta_edges_) fast_theta_edges_.push_back(double_double(e));
+  for (const Real& e : pi_edges_) fast_pi_edges_.push_back(double_double(e));
 }
 
 std::size_t Bands::classify(const Real& theta) const {
@@ -89,5 +100,33 @@ std::size_t Bands::classify(const Real& theta) const {
   if (nearest >= 1 && abs(turns - nearest) * 2 * pi_value < Real(1) / 10) return near_2pi_;
   return beyond_;
 }
+
+template <class T>
+std::size_t Bands::classify_ball(const T& theta) const {
+  static const T pi_value = edge<T>(double_double(pi()));
+  if (theta == T(0)) return first_theta_;
+  if (theta <= T(1)) {
+    // The edge next above by the heads, then proved.
+    const auto above = std::upper_bound(fast_theta_edges_.begin(), fast_theta_edges_.end(), theta.head(),
+                                        [](double x, const auto& e) { return x < e.hi; });
+    auto i = static_cast<std::size_t>(above - fast_theta_edges_.begin());
+    if (i > 0 && theta < edge<T>(fast_theta_edges_[i - 1])) --i;
+    if (i < fast_theta_edges_.size() && theta >= edge<T>(fast_theta_edges_[i])) ++i;
+    return std::min<std::size_t>(first_theta_ + 1 + i, generic_ - 1);
+  }
+  const T left = pi_value - theta;
+  if (left > T(1)) return generic_;
+  if (left >= T(0)) {
+    for (std::size_t i = 0; i < fast_pi_edges_.size(); ++i)
+      if (left >= edge<T>(fast_pi_edges_[i])) return first_pi_ + i;
+    return pi_;
+  }
+  if (theta > T(100)) return huge_;
+  const T turns = theta / (T(2) * pi_value);
+  const double nearest = std::nearbyint(turns.head());
+  if (nearest >= 1 && abs(turns - T(nearest)) * T(2) * pi_value < T(1) / T(10)) return near_2pi_;
+  return beyond_;
+}
+template std::size_t Bands::classify_ball(const oracles::FastDouble&) const;
 
 }  // namespace liecheck::properties

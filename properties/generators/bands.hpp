@@ -42,12 +42,20 @@ class Bands {
 
   /// The band of an exact angle theta >= 0 [rad].
   std::size_t classify(const oracles::Real& theta) const;
+  /// The same of a ball; throws oracles::Undecided where it lies across an edge.
+  /// Of an angle that is exactly pi.
+  std::size_t at_pi() const { return pi_; }
+  std::size_t classify(const oracles::FastDouble& theta) const { return classify_ball(theta); }
 
  private:
   Bands(int min_exponent, int digits);
 
+  template <class T>
+  std::size_t classify_ball(const T& theta) const;
+
   std::vector<Band> bands_;
   std::vector<oracles::Real> theta_edges_, pi_edges_;
+  std::vector<oracles::DoubleDouble> fast_theta_edges_, fast_pi_edges_;  ///< within 2^-106 relative
   std::size_t first_theta_ = 0, generic_ = 0, first_pi_ = 0, pi_ = 0, beyond_ = 0, near_2pi_ = 0, huge_ = 0;
 };
 

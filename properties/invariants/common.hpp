@@ -22,23 +22,29 @@ void judged_value(Recorder& r, std::initializer_list<int> outputs, std::size_t b
   measured();
 }
 
-/// kappa of one block of a formula over stored numbers, on demand.
-inline std::function<double()> kappa_of(oracles::Function f, std::vector<Real> x, int first, int size,
-                                        std::optional<Real> denominator = std::nullopt) {
-  return [f = std::move(f), x = std::move(x), first, size, denominator] {
-    return oracles::condition(f, x, {{first, size, denominator}}).front();
-  };
+/// kappa of one block of a formula over stored numbers.
+template <class T>
+double kappa_of(const oracles::FunctionOf<T>& f, const std::vector<T>& x, int first, int size,
+                std::optional<T> denominator = std::nullopt) {
+  return oracles::condition(f, x, std::vector<oracles::ConditionBlockOf<T>>{{first, size, denominator}})
+      .front();
 }
 
-template <int N>
-std::vector<Real> to_list(const oracles::Vec<N>& v) {
+template <int N, class T>
+std::vector<T> to_list(const oracles::Vec<N, T>& v) {
   return {v.x.begin(), v.x.end()};
 }
-template <int N>
-oracles::Vec<N> from_list(const std::vector<Real>& x, std::size_t first = 0) {
-  oracles::Vec<N> v;
+template <int N, class T>
+oracles::Vec<N, T> from_list(const std::vector<T>& x, std::size_t first = 0) {
+  oracles::Vec<N, T> v;
   for (int i = 0; i < N; ++i) v[i] = x[first + static_cast<std::size_t>(i)];
   return v;
+}
+
+/// The band of a logarithm's angle.
+template <class S, class T>
+std::size_t band_of_log(const oracles::LogValue<T>& log) {
+  return log.at_pi ? Bands::of<S>().at_pi() : Bands::of<S>().classify(log.theta);
 }
 
 /// | |Q|^2 - 1 | in eps of the quaternion that starts at `first`.
@@ -51,22 +57,20 @@ double norm_defect_at(const std::vector<S>& input, std::size_t first) {
 
 /// The 3 x 3 rotation and coupling blocks of a 6 x 6 Jacobian, against the oracle. The other two blocks are
 /// structural: the lower left one is zero and the two diagonal ones are the same.
-template <class S>
+template <class S, class T>
 void record_jacobian6(Recorder& r, int rotation, int coupling, std::size_t band, const Mat<S, 6>& J,
-                      const oracles::Jacobian6Result& exact, const Real& rho, bool beyond,
-                      const std::function<double()>& kappa_rotation = nullptr,
-                      const std::function<double()>& kappa_coupling = nullptr) {
+                      const oracles::Jacobian6Value<T>& exact, const T& rho, bool beyond,
+                      Kappa kappa_rotation = nullptr, Kappa kappa_coupling = nullptr) {
   judged_value(r, {rotation, coupling}, band, J, exact.resolved, [&] {
-    const auto all = oracles::exact_matrix<6, 6>(J);
-    const auto zero = oracles::block(all, 1, 0);
+    const auto all = oracles::exact_matrix<6, 6, T>(J);
     double error = std::max(oracles::matrix_error<S>(oracles::block(all, 0, 0), exact.J),
                             oracles::matrix_error<S>(oracles::block(all, 1, 1), exact.J));
-    if (oracles::frobenius(zero) != 0) error = std::numeric_limits<double>::infinity();
+    if (!J.template block<3, 3>(3, 0).isZero(0)) error = std::numeric_limits<double>::infinity();
     r.record(rotation, band, error, kappa_rotation);
-    Real scale(0);
+    T scale(0);
     if (beyond) {
-      const Real size = oracles::frobenius(exact.J);
-      scale = rho * (size < 1 ? size : Real(1));
+      const T size = oracles::frobenius(exact.J);
+      scale = rho * (size < T(1) ? size : T(1));
     }
     r.record(coupling, band, oracles::matrix_error<S>(oracles::block(all, 0, 1), exact.C, scale),
              kappa_coupling);

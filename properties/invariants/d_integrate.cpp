@@ -8,7 +8,7 @@ namespace liecheck::properties {
 namespace {
 
 template <class S>
-class DIntegrate final : public Property<S> {
+class DIntegrate final : public Law<DIntegrate, S> {
  public:
   std::string name() const override { return "d_integrate"; }
   std::string law() const override {
@@ -54,14 +54,15 @@ class DIntegrate final : public Property<S> {
   bool valid(const std::vector<S>& x) const override {
     return Property<S>::valid(x) && norm_defect_at<S>(x, 3) <= 8 && norm_defect_at<S>(x, 10) <= 8;
   }
-  void measure(const Subject<S>& subject, const std::vector<S>& input, Recorder& r) const override {
+  template <class Real>
+  void in(const Subject<S>& subject, const std::vector<S>& input, Recorder& r) const {
     using namespace oracles;
     const auto& o = subject.operations;
     Reader<S> read(input);
     const Vec<S, 7> q0 = read.template take<7>(), q1 = read.template take<7>();
     const Vec<S, 6> d = read.template take<6>();
-    const auto x0 = exact_vector<7>(q0), x1 = exact_vector<7>(q1);
-    const auto xd = exact_vector<6>(d);
+    const auto x0 = exact_vector<7, Real>(q0), x1 = exact_vector<7, Real>(q1);
+    const auto xd = exact_vector<6, Real>(d);
     const Bands& bands = Bands::of<S>();
     std::size_t band = bands.classify(norm(tail3(xd)));
     Real rho = norm(head3(xd));
@@ -75,7 +76,7 @@ class DIntegrate final : public Property<S> {
                           beyond);
     if (!o.d_difference_arg0 && !o.d_difference_arg1) return;
     const auto exact = oracles::difference(x0, x1);
-    band = bands.classify(exact.theta);
+    band = band_of_log<S>(exact);
     if (exact.at_pi) return;  // either branch is right there: jacobian_oracle measures J^-1 on each
     rho = norm(exact.rho);
     // The coupling block is linear in rho, which difference itself knows to 4 eps of max(|rho|, |p1 - p0|).

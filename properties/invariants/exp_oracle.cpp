@@ -9,7 +9,7 @@ namespace liecheck::properties {
 namespace {
 
 template <class S>
-class ExpOracle final : public Property<S> {
+class ExpOracle final : public Law<ExpOracle, S> {
  public:
   std::string name() const override { return "exp_oracle"; }
   std::string law() const override { return "exp of a twist is the exponential of its 4 x 4 matrix"; }
@@ -36,23 +36,28 @@ class ExpOracle final : public Property<S> {
     append(x, rotation_vector<S>(source, AngleRange::unbounded));
     return x;
   }
-  void measure(const Subject<S>& subject, const std::vector<S>& input, Recorder& r) const override {
+  template <class Real>
+  void in(const Subject<S>& subject, const std::vector<S>& input, Recorder& r) const {
     const auto& o = subject.operations;
     Vec<S, 6> xi = Reader<S>(input).template take<6>();
     const Vec<S, 3> phi = xi.template tail<3>();
-    const auto exact_xi = oracles::exact_vector<6>(xi);
+    const auto exact_xi = oracles::exact_vector<6, Real>(xi);
     const auto exact = oracles::exp_se3(exact_xi);
     const std::size_t band = Bands::of<S>().classify(exact.theta);
 
-    const auto kappa_rotation =
-        kappa_of([](const std::vector<Real>& x) { return to_list(oracles::closed_exp(from_list<6>(x)).Q); },
-                 to_list(exact_xi), 0, 4, Real(1) / 2);
-    const auto kappa_translation =
-        kappa_of([](const std::vector<Real>& x) { return to_list(oracles::closed_exp(from_list<6>(x)).p); },
-                 to_list(exact_xi), 0, 3);
+    const auto kappa_rotation = [&] {
+      return kappa_of<Real>(
+          [](const std::vector<Real>& x) { return to_list(oracles::closed_exp(from_list<6>(x)).Q); },
+          to_list(exact_xi), 0, 4, Real(1) / Real(2));
+    };
+    const auto kappa_translation = [&] {
+      return kappa_of<Real>(
+          [](const std::vector<Real>& x) { return to_list(oracles::closed_exp(from_list<6>(x)).p); },
+          to_list(exact_xi), 0, 3);
+    };
     const auto matrix = [&](int rotation, int defect, const Mat<S, 3>& R) {
       judged_value(r, {rotation, defect}, band, R, exact.resolved, [&] {
-        const auto stored = oracles::exact_matrix<3, 3>(R);
+        const auto stored = oracles::exact_matrix<3, 3, Real>(R);
         r.record(rotation, band, oracles::rotation_error<S>(stored, exact.Q), kappa_rotation);
         r.record(defect, band, oracles::orthogonality_defect<S>(stored));
       });
@@ -60,7 +65,7 @@ class ExpOracle final : public Property<S> {
     if (o.exp3_quaternion) {
       const Vec<S, 4> Q = o.exp3_quaternion(phi);
       judged_value(r, {0, 1}, band, Q, exact.resolved, [&] {
-        const auto stored = oracles::exact_vector<4>(Q);
+        const auto stored = oracles::exact_vector<4, Real>(Q);
         r.record(0, band, oracles::rotation_error<S>(stored, exact.Q), kappa_rotation);
         r.record(1, band, oracles::norm_defect<S>(stored));
       });
@@ -70,7 +75,7 @@ class ExpOracle final : public Property<S> {
       const Pose<S> T = o.exp6(xi);
       matrix(4, 5, T.R);
       judged_value(r, {6}, band, T.p, exact.resolved, [&] {
-        r.record(6, band, oracles::vector_error<S>(oracles::exact_vector<3>(T.p), exact.p),
+        r.record(6, band, oracles::vector_error<S>(oracles::exact_vector<3, Real>(T.p), exact.p),
                  kappa_translation);
       });
     }

@@ -10,7 +10,7 @@ namespace liecheck::properties {
 namespace {
 
 template <class S>
-class IntegrateDifference final : public Property<S> {
+class IntegrateDifference final : public Law<IntegrateDifference, S> {
  public:
   std::string name() const override { return "integrate_difference"; }
   std::string law() const override {
@@ -57,14 +57,15 @@ class IntegrateDifference final : public Property<S> {
     if (!Property<S>::valid(input)) return false;
     return norm_defect_at<S>(input, 3) <= 8 && norm_defect_at<S>(input, 10) <= 8;
   }
-  void measure(const Subject<S>& subject, const std::vector<S>& input, Recorder& r) const override {
+  template <class Real>
+  void in(const Subject<S>& subject, const std::vector<S>& input, Recorder& r) const {
     using namespace oracles;
     const auto& o = subject.operations;
     Reader<S> read(input);
     const Vec<S, 7> q0 = read.template take<7>(), q1 = read.template take<7>();
     const Vec<S, 6> d = read.template take<6>();
-    const auto x0 = exact_vector<7>(q0), x1 = exact_vector<7>(q1);
-    const auto xd = exact_vector<6>(d);
+    const auto x0 = exact_vector<7, Real>(q0), x1 = exact_vector<7, Real>(q1);
+    const auto xd = exact_vector<6, Real>(d);
     const Bands& bands = Bands::of<S>();
 
     if (o.integrate) {
@@ -72,8 +73,11 @@ class IntegrateDifference final : public Property<S> {
       const auto exact = oracles::integrate(x0, xd);
       const std::size_t band = bands.classify(exact.theta);
       const Real scale = largest(norm(exact.p), norm(head<3>(x0)), exact.increment_norm);
-      std::vector<Real> stored = to_list(x0);
-      for (const Real& v : xd.x) stored.push_back(v);
+      const auto stored = [&] {
+        std::vector<Real> all = to_list(x0);
+        for (const Real& v : xd.x) all.push_back(v);
+        return all;
+      };
       const auto closed = [](const std::vector<Real>& v) {
         const auto pose = closed_integrate(from_list<7>(v), from_list<6>(v, 7));
         std::vector<Real> flat = to_list(pose.p);
@@ -81,49 +85,51 @@ class IntegrateDifference final : public Property<S> {
         return flat;
       };
       judged_value(r, {0, 1, 2}, band, q, exact.resolved, [&] {
-        r.record(0, band, rotation_error<S>(quaternion(q), exact.Q),
-                 kappa_of(closed, stored, 3, 4, Real(1) / 2));
-        r.record(1, band, vector_error<S>(exact_vector<3>(q), exact.p, scale),
-                 kappa_of(closed, stored, 0, 3, scale));
-        r.record(2, band, norm_defect<S>(quaternion(q)));
+        r.record(0, band, rotation_error<S>(quaternion<Real>(q), exact.Q),
+                 [&] { return kappa_of<Real>(closed, stored(), 3, 4, Real(1) / Real(2)); });
+        r.record(1, band, vector_error<S>(exact_vector<3, Real>(q), exact.p, scale),
+                 [&] { return kappa_of<Real>(closed, stored(), 0, 3, scale); });
+        r.record(2, band, norm_defect<S>(quaternion<Real>(q)));
       });
       if (o.difference && all_finite(q) && exact.resolved && bands[band].region == Region::to_pi)
-        back(r, o.difference(q0, q), xd, x0, exact_vector<7>(q), band);
+        back(r, o.difference(q0, q), xd, x0, exact_vector<7, Real>(q), band);
     }
     if (o.difference) {
       const Vec<S, 6> v = o.difference(q0, q1);
       const auto exact = oracles::difference(x0, x1);
-      const std::size_t band = bands.classify(exact.theta);
+      const std::size_t band = band_of_log<S>(exact);
       judged_value(r, {3, 4}, band, v, exact.resolved, [&] {
-        const auto error = log_error<S>(exact_vector<6>(v), exact, exact.separation);
+        const auto error = log_error<S>(exact_vector<6, Real>(v), exact, exact.separation);
         r.record(3, band, error.angular);
         r.record(4, band, error.linear);
       });
       if (o.integrate && all_finite(v) && exact.resolved) {
         const Vec<S, 7> q = o.integrate(q0, v);
-        Quaternion<> Q1 = quaternion(q1);
+        Quaternion<Real> Q1 = quaternion<Real>(q1);
         const Real n = norm(Q1);
         for (Real& c : Q1.x) c /= n;
         judged_value(r, {7, 8}, band, q, true, [&] {
-          const Real scale = largest(norm(exact_vector<3>(q1)), norm(exact_vector<3>(q0)), exact.separation);
-          r.record(7, band, rotation_error<S>(quaternion(q), Q1));
-          r.record(8, band, vector_error<S>(exact_vector<3>(q), exact_vector<3>(q1), scale));
+          const Real scale = largest(norm(exact_vector<3, Real>(q1)), norm(exact_vector<3, Real>(q0)), exact.separation);
+          r.record(7, band, rotation_error<S>(quaternion<Real>(q), Q1));
+          r.record(8, band, vector_error<S>(exact_vector<3, Real>(q), exact_vector<3, Real>(q1), scale));
         });
       }
     }
   }
 
  private:
-  static oracles::Quaternion<> quaternion(const Vec<S, 7>& q) {
+  template <class Real>
+  static oracles::Quaternion<Real> quaternion(const Vec<S, 7>& q) {
     return {{oracles::exact<Real>(q[3]), oracles::exact<Real>(q[4]), oracles::exact<Real>(q[5]),
              oracles::exact<Real>(q[6])}};
   }
-  template <int N>
-  static oracles::Vec<N> head(const oracles::Vec<7>& q) {
-    oracles::Vec<N> v;
+  template <int N, class Real>
+  static oracles::Vec<N, Real> head(const oracles::Vec<7, Real>& q) {
+    oracles::Vec<N, Real> v;
     for (int i = 0; i < N; ++i) v[i] = q[i];
     return v;
   }
+  template <class Real>
   static Real largest(const Real& a, const Real& b, const Real& c) {
     const Real m = a > b ? a : b;
     return m > c ? m : c;
@@ -131,32 +137,36 @@ class IntegrateDifference final : public Property<S> {
 
   /// difference(q, integrate(q, d)) against d itself. The rounding of the intermediate configuration is part of
   /// this law, so kappa is that of difference at it; within rounding of half a turn the other axis is as right.
-  static void back(Recorder& r, const Vec<S, 6>& v, const oracles::Vec6<>& xd, const oracles::Vec<7>& x0,
-                   const oracles::Vec<7>& xq, std::size_t band) {
+  template <class Real>
+  static void back(Recorder& r, const Vec<S, 6>& v, const oracles::Vec6<Real>& xd, const oracles::Vec<7, Real>& x0,
+                   const oracles::Vec<7, Real>& xq, std::size_t band) {
     using namespace oracles;
     if (!all_finite(v)) {
       r.outcome(5, band, Outcome::not_finite);
       r.outcome(6, band, Outcome::not_finite);
       return;
     }
-    const auto xv = exact_vector<6>(v);
+    const auto xv = exact_vector<6, Real>(v);
     const auto at = oracles::difference(x0, xq);
     // Did the rounding of q carry it across half a turn? Then the exact answer is on the other axis, and the
     // law (the same pose) is what integrate_of_difference measures.
     Real along(0);
     for (int i = 3; i < 6; ++i) along += xv[i] * xd[i];
-    if (along < 0 && at.pi_minus_theta < 64 * epsilon<S>()) return;
-    std::vector<Real> stored = to_list(x0);
-    for (const Real& c : xq.x) stored.push_back(c);
+    if (along < 0 && at.pi_minus_theta < Real(64 * static_cast<double>(epsilon<S>()))) return;
+    const auto stored = [&] {
+      std::vector<Real> all = to_list(x0);
+      for (const Real& c : xq.x) all.push_back(c);
+      return all;
+    };
     const auto closed = [](const std::vector<Real>& s) {
       return to_list(closed_difference(from_list<7>(s), from_list<7>(s, 7)));
     };
     const Real rho = norm(head3(xd)), phi = norm(tail3(xd));
     r.record(5, band, vector_error<S>(tail3(xv), tail3(xd)),
-             kappa_of(closed, stored, 3, 3, phi > 0 ? phi : smallest_denominator<S>()));
+             [&] { return kappa_of<Real>(closed, stored(), 3, 3, phi > Real(0) ? phi : least_denominator<S, Real>()); });
     const Real scale = rho > at.separation ? rho : at.separation;
     r.record(6, band, vector_error<S>(head3(xv), head3(xd), scale),
-             kappa_of(closed, stored, 0, 3, scale > 0 ? scale : smallest_denominator<S>()));
+             [&] { return kappa_of<Real>(closed, stored(), 0, 3, scale > Real(0) ? scale : least_denominator<S, Real>()); });
   }
 };
 

@@ -9,7 +9,7 @@ namespace liecheck::properties {
 namespace {
 
 template <class S>
-class JacobianOracle final : public Property<S> {
+class JacobianOracle final : public Law<JacobianOracle, S> {
  public:
   std::string name() const override { return "jacobian_oracle"; }
   std::string law() const override { return "the Jacobians of exp and their inverses are the exact ones"; }
@@ -43,21 +43,21 @@ class JacobianOracle final : public Property<S> {
     append(x, rotation_vector<S>(source, AngleRange::unbounded));
     return x;
   }
-  void measure(const Subject<S>& subject, const std::vector<S>& input, Recorder& r) const override {
+  template <class Real>
+  void in(const Subject<S>& subject, const std::vector<S>& input, Recorder& r) const {
     using namespace oracles;
     const auto& o = subject.operations;
     const Vec<S, 6> xi = Reader<S>(input).template take<6>();
     const Vec<S, 3> phi = xi.template tail<3>();
-    const auto x = exact_vector<6>(xi);
-    const auto left = left_jacobian_se3(x);
-    const auto left_inverse = left_jacobian_se3_inverse(x);
+    const auto x = exact_vector<6, Real>(xi);
+    const Jacobian6Value<Real> left = left_jacobian_se3(x), left_inverse = left_jacobian_se3_inverse(x);
     const Real theta = norm(tail3(x)), rho = norm(head3(x));
     const std::size_t band = Bands::of<S>().classify(theta);
     const bool beyond = Bands::of<S>()[band].region == Region::beyond_pi;
 
     // The right Jacobian is the left one at -xi: both blocks have the same kappa.
     const auto kappa = [&](bool inverse, bool coupling, const Real& denominator) {
-      auto componentwise = kappa_of(
+      const double componentwise = kappa_of<Real>(
           [inverse](const std::vector<Real>& v) {
             const auto b = inverse ? closed_left_jacobian_inverse(from_list<6>(v))
                                    : closed_left_jacobian(from_list<6>(v));
@@ -70,33 +70,37 @@ class JacobianOracle final : public Property<S> {
       // The inverse has poles at 2 pi k. At an extremum between two of them the first derivative vanishes although
       // a rounding of theta spans both: there the inverse relative distance to the pole is the condition number
       // (Demmel 1987), and the larger of the two counts.
-      return std::function<double()>([componentwise, theta] {
-        const Real turn = 2 * boost::math::constants::pi<Real>();
-        const Real k = round(Real(theta / turn));
-        const Real distance = abs(Real(theta - (k > 1 ? k : Real(1)) * turn));
-        return std::max(componentwise(), static_cast<double>(Real(theta / distance)));
-      });
+      const oracles::Real t = oracles::exact<oracles::Real>(theta), turn = 2 * boost::math::constants::pi<oracles::Real>();
+      const oracles::Real k = round(oracles::Real(t / turn));
+      const oracles::Real distance = abs(oracles::Real(t - (k > 1 ? k : oracles::Real(1)) * turn));
+      return std::max(componentwise, static_cast<double>(oracles::Real(t / distance)));
     };
-    const auto size = [&](const Jacobian6Result& exact, bool coupling) {
+    const auto size = [&](const Jacobian6Value<Real>& exact, bool coupling) {
       if (!coupling) return frobenius(exact.J);
-      const Real n = frobenius(exact.J), own = frobenius(exact.C), least = rho * (n < 1 ? n : Real(1));
+      const Real n = frobenius(exact.J), own = frobenius(exact.C), least = rho * (n < Real(1) ? n : Real(1));
       return own > least || !beyond ? own : least;
     };
-    const auto three = [&](int output, auto* f, const Jacobian6Result& exact, bool inverse) {
+    const auto three = [&](int output, auto* f, const Jacobian6Value<Real>& exact, bool inverse) {
       if (!f) return;
       const Mat<S, 3> J = f(phi);
       judged_value(r, {output}, band, J, exact.resolved, [&] {
-        r.record(output, band, matrix_error<S>(exact_matrix<3, 3>(J), exact.J),
-                 kappa(inverse, false, size(exact, false)));
+        r.record(output, band, matrix_error<S>(exact_matrix<3, 3, Real>(J), exact.J),
+                 [&] { return kappa(inverse, false, size(exact, false)); });
       });
     };
-    const auto six = [&](int output, auto* f, const Jacobian6Result& exact, bool inverse) {
+    const auto six = [&](int output, auto* f, const Jacobian6Value<Real>& exact, bool inverse) {
       if (!f) return;
       record_jacobian6<S>(r, output, output + 1, band, f(xi), exact, rho, beyond,
-                          kappa(inverse, false, size(exact, false)), kappa(inverse, true, size(exact, true)));
+                          [&] { return kappa(inverse, false, size(exact, false)); },
+                          [&] { return kappa(inverse, true, size(exact, true)); });
     };
-    const auto right = right_jacobian_se3(x);
-    const auto right_inverse = right_jacobian_se3_inverse(x);
+    // For a ball the right ones are the transposes of what is at hand already.
+    Jacobian6Value<Real> right, right_inverse;
+    if constexpr (BallNumber<Real>) {
+      right = transposed(left), right_inverse = transposed(left_inverse);
+    } else {
+      right = right_jacobian_se3(x), right_inverse = right_jacobian_se3_inverse(x);
+    }
     three(0, o.left_jacobian3, left, false);
     three(1, o.right_jacobian3, right, false);
     three(2, o.left_jacobian3_inverse, left_inverse, true);

@@ -14,18 +14,19 @@ namespace {
 using oracles::Real;
 
 /// The rate of R(Q / ||Q||) when Q moves at Q_dot.
-oracles::Mat3<> rotation_rate(const oracles::Quaternion<>& Q, const oracles::Quaternion<>& Q_dot) {
-  const Real by_norm = 1 / norm(Q);
-  const oracles::Quaternion<> n = by_norm * Q;
+template <class Real>
+oracles::Mat3<Real> rotation_rate(const oracles::Quaternion<Real>& Q, const oracles::Quaternion<Real>& Q_dot) {
+  const Real by_norm = Real(1) / norm(Q);
+  const oracles::Quaternion<Real> n = by_norm * Q;
   Real along(0);
   for (int i = 0; i < 4; ++i) along += n[i] * Q_dot[i];
-  const oracles::Quaternion<> n_dot = by_norm * (Q_dot - along * n);
-  const oracles::Mat3<> v = hat(head3(n)), v_dot = hat(head3(n_dot));
+  const oracles::Quaternion<Real> n_dot = by_norm * (Q_dot - along * n);
+  const oracles::Mat3<Real> v = hat(head3(n)), v_dot = hat(head3(n_dot));
   return Real(2) * (n_dot[3] * v + n[3] * v_dot + v_dot * v + v * v_dot);
 }
 
 template <class S>
-class KinematicIdentities : public Property<S> {
+class KinematicIdentities final : public Law<KinematicIdentities, S> {
  public:
   std::string name() const override { return "kinematic_identities"; }
   std::string law() const override {
@@ -63,11 +64,12 @@ class KinematicIdentities : public Property<S> {
     if (!Property<S>::valid(input)) return false;
     Reader<S> reader(input);
     reader.template take<3>();
-    const auto Q = oracles::exact_vector<4>(reader.template take<4>());
+    const auto Q = oracles::exact_vector<4, Real>(reader.template take<4>());
     return oracles::norm_distance(Q) <= 32 * oracles::epsilon<S>();
   }
 
-  void measure(const Subject<S>& subject, const std::vector<S>& input, Recorder& recorder) const override {
+  template <class Real>
+  void in(const Subject<S>& subject, const std::vector<S>& input, Recorder& recorder) const {
     const auto operation = subject.operations.integrate_coefficient_jacobian;
     if (!operation) return;
     Reader<S> reader(input);
@@ -79,16 +81,16 @@ class KinematicIdentities : public Property<S> {
     };
     if (!oracles::all_finite(computed)) return all(0, 5, Outcome::not_finite);
 
-    const auto J = oracles::exact_matrix<7, 6>(computed);
-    const auto q_e = oracles::exact_vector<7>(q);
-    const auto v_e = oracles::exact_vector<6>(v);
-    const oracles::Quaternion<> Q{{q_e[3], q_e[4], q_e[5], q_e[6]}};
+    const auto J = oracles::exact_matrix<7, 6, Real>(computed);
+    const auto q_e = oracles::exact_vector<7, Real>(q);
+    const auto v_e = oracles::exact_vector<6, Real>(v);
+    const oracles::Quaternion<Real> Q{{q_e[3], q_e[4], q_e[5], q_e[6]}};
     const Real Q_norm = norm(Q);  // the lower block is linear in the stored Q, the oracle's Q has norm one
 
-    const oracles::RateResult rate = oracles::configuration_rate(q_e, v_e);
+    const oracles::RateValue<Real> rate = oracles::configuration_rate(q_e, v_e);
     if (rate.resolved) {
-      const oracles::Vec7<> q_dot = J * v_e;
-      const oracles::Quaternion<> Q_dot{{q_dot[3], q_dot[4], q_dot[5], q_dot[6]}};
+      const oracles::Vec7<Real> q_dot = J * v_e;
+      const oracles::Quaternion<Real> Q_dot{{q_dot[3], q_dot[4], q_dot[5], q_dot[6]}};
       recorder.record(0, 0, oracles::vector_error<S>(head3(q_dot), rate.p_dot), one);
       recorder.record(1, 0, oracles::vector_error<S>(Q_dot, Q_norm * rate.Q_dot), one);
       recorder.record(2, 0, oracles::matrix_error<S>(rotation_rate(Q, Q_dot), rate.R_dot), one);
@@ -96,7 +98,7 @@ class KinematicIdentities : public Property<S> {
       all(0, 2, Outcome::unresolved);
     }
 
-    const oracles::CoefficientJacobianResult exact = oracles::integrate_coefficient_jacobian(q_e);
+    const oracles::CoefficientJacobianValue<Real> exact = oracles::integrate_coefficient_jacobian(q_e);
     if (exact.resolved) {
       recorder.record(3, 0, oracles::matrix_error<S>(corner<3>(J, 0, 0), corner<3>(exact.value, 0, 0)), one);
       recorder.record(
@@ -104,16 +106,17 @@ class KinematicIdentities : public Property<S> {
     } else {
       all(3, 4, Outcome::unresolved);
     }
-    const bool zero = frobenius(corner<3>(J, 0, 3)) == 0 && frobenius(corner<4>(J, 3, 0)) == 0;
+    const bool zero =
+        computed.template block<3, 3>(0, 3).isZero(0) && computed.template block<4, 3>(3, 0).isZero(0);
     recorder.record(5, 0, zero ? 0.0 : std::numeric_limits<double>::infinity(), one);
   }
 
  private:
-  static double one() { return 1.0; }
+  static constexpr auto one = [] { return 1.0; };
 
-  template <int Rows>
-  static oracles::Mat<Rows, 3> corner(const oracles::Mat<7, 6>& J, int row, int column) {
-    oracles::Mat<Rows, 3> m;
+  template <int Rows, class Real>
+  static oracles::Mat<Rows, 3, Real> corner(const oracles::Mat<7, 6, Real>& J, int row, int column) {
+    oracles::Mat<Rows, 3, Real> m;
     for (int i = 0; i < Rows; ++i)
       for (int j = 0; j < 3; ++j) m(i, j) = J(row + i, column + j);
     return m;

@@ -1,59 +1,56 @@
 // Kinetic energy does not depend on the frame, and the operations on inertias that it is made of.
 
-#include <invariants/property.hpp>
+#include <invariants/common.hpp>
 
 #include <algorithm>
 #include <boost/multiprecision/eigen.hpp>
 #include <generators/rotations.hpp>
-#include <oracles/condition.hpp>
-#include <oracles/error.hpp>
-#include <oracles/spatial.hpp>
 
 namespace liecheck::properties {
 namespace {
 
-using oracles::Real;
-using Vector3 = oracles::Vec3<>;
-
-Vector3 part(const std::vector<Real>& x, std::size_t first) {
+template <class T>
+oracles::Vec3<T> part(const std::vector<T>& x, std::size_t first) {
   return {{x[first], x[first + 1], x[first + 2]}};
 }
-template <class... V>
-std::vector<Real> numbers(const V&... v) {
-  std::vector<Real> x;
+template <class T, class... V>
+std::vector<T> numbers(const V&... v) {
+  std::vector<T> x;
   (x.insert(x.end(), v.x.begin(), v.x.end()), ...);
   return x;
 }
 
-// The formulas at 50 digits, for condition numbers. x: m, c, I_C (xx, xy, yy, xz, yz, zz), u, w.
-oracles::Mat3<> inertia_of(const std::vector<Real>& x) {
-  return oracles::symmetric({{x[4], x[5], x[6], x[7], x[8], x[9]}});
+// The formulas for condition numbers. x: m, c, I_C (xx, xy, yy, xz, yz, zz), u, w.
+template <class T>
+oracles::BodyOf<T> body(const std::vector<T>& x) {
+  return {x[0], part(x, 1), oracles::symmetric(oracles::Vec6<T>{{x[4], x[5], x[6], x[7], x[8], x[9]}})};
 }
-std::vector<Real> momentum_formula(const std::vector<Real>& x) {
-  const Vector3 c = part(x, 1), w = part(x, 13);
-  const Vector3 f = x[0] * (part(x, 10) + cross(w, c));
-  return numbers(f, inertia_of(x) * w + cross(c, f));
+template <class T>
+std::vector<T> momentum_formula(const std::vector<T>& x) {
+  return numbers<T>(oracles::formulas::momentum(body(x), stack(part(x, 10), part(x, 13))));
 }
-std::vector<Real> energy_formula(const std::vector<Real>& x) {
-  const Vector3 w = part(x, 13);
-  const Vector3 u_C = part(x, 10) + cross(w, part(x, 1));
-  return {(x[0] * squared_norm(u_C) + dot(w, inertia_of(x) * w)) / 2};
+template <class T>
+std::vector<T> energy_formula(const std::vector<T>& x) {
+  return {oracles::formulas::kinetic_energy(body(x), stack(part(x, 10), part(x, 13)))};
 }
 // x: R, p, c
-oracles::Mat3<> rotation(const std::vector<Real>& x) {
-  oracles::Mat3<> R;
+template <class T>
+oracles::Mat3<T> rotation(const std::vector<T>& x) {
+  oracles::Mat3<T> R;
   std::copy_n(x.begin(), 9, R.x.begin());
   return R;
 }
-std::vector<Real> lever_formula(const std::vector<Real>& x) {
-  return numbers(rotation(x) * part(x, 12) + part(x, 9));
+template <class T>
+std::vector<T> lever_formula(const std::vector<T>& x) {
+  return numbers<T>(rotation(x) * part(x, 12) + part(x, 9));
 }
-std::vector<Real> inverse_lever_formula(const std::vector<Real>& x) {
-  return numbers(transpose(rotation(x)) * (part(x, 12) - part(x, 9)));
+template <class T>
+std::vector<T> inverse_lever_formula(const std::vector<T>& x) {
+  return numbers<T>(transpose(rotation(x)) * (part(x, 12) - part(x, 9)));
 }
 
 template <class S>
-class KineticEnergy : public Property<S> {
+class KineticEnergy final : public Law<KineticEnergy, S> {
  public:
   std::string name() const override { return "kinetic_energy"; }
   std::string law() const override { return "the kinetic energy of a body is the same in every frame"; }
@@ -115,7 +112,8 @@ class KineticEnergy : public Property<S> {
   bool valid(const std::vector<S>& input) const override {
     using std::abs, std::ldexp;
     if (!Property<S>::valid(input)) return false;
-    const Case x(input);
+    using oracles::Real;
+    const Case<Real> x(input);
     const S largest = S(ldexp(S(1), binades + 2));
     for (std::size_t i = 0; i < input.size(); ++i)
       if ((i < 16 || i >= 22) && S(abs(input[i])) > largest) return false;
@@ -132,9 +130,10 @@ class KineticEnergy : public Property<S> {
            second(0, 0) >= 0 && C(2, 2) >= 0 && determinant(second, C) >= 0;
   }
 
-  void measure(const Subject<S>& subject, const std::vector<S>& input, Recorder& recorder) const override {
+  template <class Real>
+  void in(const Subject<S>& subject, const std::vector<S>& input, Recorder& recorder) const {
     const auto& o = subject.operations;
-    const Case x(input);
+    const Case<Real> x(input);
     const auto body_numbers = [&] {
       std::vector<Real> all{x.I_e.mass};
       for (int i = 0; i < 3; ++i) all.push_back(x.I_e.c[i]);
@@ -145,37 +144,37 @@ class KineticEnergy : public Property<S> {
 
     if (o.kinetic_energy) {
       const Vec<S, 1> E(o.kinetic_energy(x.I, x.V));
-      const oracles::ScalarResult exact = oracles::kinetic_energy(x.I_e, x.V_e);
-      record(recorder, energy, E, oracles::Vec<1>{{exact.value}}, exact.resolved, energy_formula,
+      const oracles::Resolved<Real> exact = oracles::kinetic_energy(x.I_e, x.V_e);
+      record(recorder, energy, E, oracles::Vec<1, Real>{{exact.value}}, exact.resolved, energy_formula<Real>,
              body_numbers, 0);
     }
     if (o.momentum) {
       const Vec<S, 6> h = o.momentum(x.I, x.V);
-      const oracles::SpatialResult exact = oracles::momentum(x.I_e, x.V_e);
+      const oracles::Resolved<oracles::Vec6<Real>> exact = oracles::momentum(x.I_e, x.V_e);
       record(recorder, momentum_linear, Vec<S, 3>(h.template head<3>()), head3(exact.value), exact.resolved,
-             momentum_formula, body_numbers, 0);
+             momentum_formula<Real>, body_numbers, 0);
       record(recorder, momentum_angular, Vec<S, 3>(h.template tail<3>()), tail3(exact.value), exact.resolved,
-             momentum_formula, body_numbers, 3);
+             momentum_formula<Real>, body_numbers, 3);
     }
     if (o.inertia_matrix) measure_matrix(recorder, o.inertia_matrix(x.I), oracles::inertia_matrix(x.I_e));
     if (o.act_inertia)
       measure_body(recorder, act_mass, o.act_inertia(x.X, x.I), oracles::act_inertia(x.X_e, x.I_e), x,
-                   lever_formula);
+                   lever_formula<Real>);
     if (o.act_inverse_inertia)
       measure_body(recorder, inverse_mass, o.act_inverse_inertia(x.X, x.I),
-                   oracles::act_inverse_inertia(x.X_e, x.I_e), x, inverse_lever_formula);
+                   oracles::act_inverse_inertia(x.X_e, x.I_e), x, inverse_lever_formula<Real>);
     if (o.kinetic_energy && o.act_inertia && o.act_motion) {
       const Vec<S, 2> T(o.kinetic_energy(o.act_inertia(x.X, x.I), o.act_motion(x.X, x.V)),
                         o.kinetic_energy(x.I, x.V));
       if (!oracles::all_finite(T)) return recorder.outcome(frames, 0, Outcome::not_finite);
-      const auto T_e = oracles::exact_vector<2>(T);
-      const Vector3 u = head3(x.V_e), w = tail3(x.V_e);
-      const Real w_norm = norm(w), s = norm(u) + w_norm * (norm(x.I_e.c) + 2 * norm(x.X_e.p));
+      const auto T_e = oracles::exact_vector<2, Real>(T);
+      const oracles::Vec3<Real> u = head3(x.V_e), w = tail3(x.V_e);
+      const Real w_norm = norm(w), s = norm(u) + w_norm * (norm(x.I_e.c) + Real(2) * norm(x.X_e.p));
       const Real u_C = norm(u + cross(w, x.I_e.c));
       const Real scale =
-          x.I_e.mass * s * (u_C + oracles::epsilon<S>() * s) + frobenius(x.I_e.I_C) * w_norm * w_norm / 2;
+          x.I_e.mass * s * (u_C + oracles::ulp_of_one<S, Real>() * s) + frobenius(x.I_e.I_C) * w_norm * w_norm / Real(2);
       // The scale alone: the subject's T_B is no exact value.
-      const Real size = std::max(scale, oracles::smallest_denominator<S>());
+      const Real least = oracles::least_denominator<S, Real>(), size = scale > least ? scale : least;
       recorder.record(frames, 0, oracles::in_eps<S>(Real(abs(T_e[0] - T_e[1]) / size)), [] { return 1.0; });
     }
   }
@@ -184,6 +183,7 @@ class KineticEnergy : public Property<S> {
   static constexpr int binades = std::numeric_limits<S>::max_exponent / 8;
   static constexpr std::pair<int, int> unique[] = {{0, 0}, {0, 1}, {1, 1}, {0, 2}, {1, 2}, {2, 2}};
 
+  template <class Real>
   struct Case {
     explicit Case(const std::vector<S>& input) {
       Reader<S> reader(input);
@@ -193,16 +193,16 @@ class KineticEnergy : public Property<S> {
       I.c = reader.template take<3>();
       for (const auto& [i, j] : unique) I.I_C(i, j) = I.I_C(j, i) = reader.template take<1>()[0];
       V = reader.template take<6>();
-      X_e = {oracles::exact_matrix<3, 3>(X.R), oracles::exact_vector<3>(X.p)};
-      I_e = {oracles::exact<Real>(I.mass), oracles::exact_vector<3>(I.c), oracles::exact_matrix<3, 3>(I.I_C)};
-      V_e = oracles::exact_vector<6>(V);
+      X_e = {oracles::exact_matrix<3, 3, Real>(X.R), oracles::exact_vector<3, Real>(X.p)};
+      I_e = {oracles::exact<Real>(I.mass), oracles::exact_vector<3, Real>(I.c), oracles::exact_matrix<3, 3, Real>(I.I_C)};
+      V_e = oracles::exact_vector<6, Real>(V);
     }
     Pose<S> X;
     Body<S> I;
     Vec<S, 6> V;
-    oracles::Pose X_e;
-    oracles::Body I_e;
-    oracles::Vec6<> V_e;
+    oracles::PoseOf<Real> X_e;
+    oracles::BodyOf<Real> I_e;
+    oracles::Vec6<Real> V_e;
   };
 
   /// sum m_i (|r|^2 - r r^T): of a real body whatever the points are, being about their centre or not.
@@ -266,23 +266,25 @@ class KineticEnergy : public Property<S> {
     return I;
   }
 
-  template <int N, class Numbers>
-  static void record(Recorder& recorder, int output, const Vec<S, N>& computed, const oracles::Vec<N>& exact,
-                     bool resolved, const oracles::Function& formula, Numbers&& x, int first) {
+  template <int N, class Real, class Formula, class Numbers>
+  static void record(Recorder& recorder, int output, const Vec<S, N>& computed,
+                     const oracles::Vec<N, Real>& exact, bool resolved, const Formula& formula, Numbers&& x,
+                     int first) {
     if (!oracles::all_finite(computed)) return recorder.outcome(output, 0, Outcome::not_finite);
     if (!resolved) return recorder.outcome(output, 0, Outcome::unresolved);
-    recorder.record(output, 0, oracles::vector_error<S>(oracles::exact_vector<N>(computed), exact), [&] {
-      const Real size = std::max(Real(norm(exact)), oracles::smallest_denominator<S>());
-      return std::max(1.0, oracles::condition(formula, x(), {{first, N, size}}).front());
+    recorder.record(output, 0, oracles::vector_error<S>(oracles::exact_vector<N, Real>(computed), exact), [&] {
+      const Real own = norm(exact), least = oracles::least_denominator<S, Real>();
+      return std::max(1.0, kappa_of<Real>(formula, x(), first, N, own > least ? own : least));
     });
   }
 
   /// The largest of the four 3x3 blocks' errors, each relative to itself.
+  template <class Real>
   static void measure_matrix(Recorder& recorder, const Mat<S, 6>& computed,
-                             const oracles::Matrix6Result& exact) {
+                             const oracles::Resolved<oracles::Mat6<Real>>& exact) {
     if (!oracles::all_finite(computed)) return recorder.outcome(matrix, 0, Outcome::not_finite);
     if (!exact.resolved) return recorder.outcome(matrix, 0, Outcome::unresolved);
-    const auto M = oracles::exact_matrix<6, 6>(computed);
+    const auto M = oracles::exact_matrix<6, 6, Real>(computed);
     double error = 0;
     for (int i = 0; i < 2; ++i)
       for (int j = 0; j < 2; ++j)
@@ -291,9 +293,10 @@ class KineticEnergy : public Property<S> {
   }
 
   /// Mass, lever and inertia about the centre of mass are outputs first, first + 1 and first + 2.
+  template <class Real, class Formula>
   static void measure_body(Recorder& recorder, int first, const Body<S>& computed,
-                           const oracles::BodyResult& exact, const Case& x,
-                           const oracles::Function& formula) {
+                           const oracles::Resolved<oracles::BodyOf<Real>>& exact, const Case<Real>& x,
+                           const Formula& formula) {
     const auto one = [] { return 1.0; };
     const Vec<S, 1> mass(computed.mass);
     if (!oracles::all_finite(mass)) {
@@ -306,13 +309,13 @@ class KineticEnergy : public Property<S> {
     }
     record(
         recorder, first + 1, Vec<S, 3>(computed.c), exact.value.c, exact.resolved, formula,
-        [&] { return numbers(x.X_e.R, x.X_e.p, x.I_e.c); }, 0);
+        [&] { return numbers<Real>(x.X_e.R, x.X_e.p, x.I_e.c); }, 0);
     if (!oracles::all_finite(computed.I_C)) {
       recorder.outcome(first + 2, 0, Outcome::not_finite);
     } else if (!exact.resolved) {
       recorder.outcome(first + 2, 0, Outcome::unresolved);
     } else {
-      const auto I_C = oracles::exact_matrix<3, 3>(computed.I_C);
+      const auto I_C = oracles::exact_matrix<3, 3, Real>(computed.I_C);
       recorder.record(first + 2, 0, oracles::matrix_error<S>(I_C, exact.value.I_C), one);
     }
   }

@@ -8,7 +8,7 @@ namespace liecheck::properties {
 namespace {
 
 template <class S>
-class LogOracle final : public Property<S> {
+class LogOracle final : public Law<LogOracle, S> {
  public:
   std::string name() const override { return "log_oracle"; }
   std::string law() const override {
@@ -40,27 +40,28 @@ class LogOracle final : public Property<S> {
   bool valid(const std::vector<S>& input) const override {
     if (!Property<S>::valid(input)) return false;
     Reader<S> read(input);
-    if (oracles::norm_defect<S>(oracles::exact_vector<4>(read.template take<4>())) > 8) return false;
-    return oracles::orthogonality_defect<S>(oracles::exact_matrix<3, 3>(read.take_matrix())) <= 8;
+    if (oracles::norm_defect<S>(oracles::exact_vector<4, Real>(read.template take<4>())) > 8) return false;
+    return oracles::orthogonality_defect<S>(oracles::exact_matrix<3, 3, Real>(read.take_matrix())) <= 8;
   }
-  void measure(const Subject<S>& subject, const std::vector<S>& input, Recorder& r) const override {
+  template <class Real>
+  void in(const Subject<S>& subject, const std::vector<S>& input, Recorder& r) const {
     const auto& o = subject.operations;
     Reader<S> read(input);
     const Vec<S, 4> Q = read.template take<4>();
     const Mat<S, 3> R = read.take_matrix();
     const Vec<S, 3> p = read.template take<3>();
     if (o.log3_quaternion) {
-      const auto exact = oracles::log_so3(oracles::exact_vector<4>(Q));
+      const auto exact = oracles::log_so3(oracles::exact_vector<4, Real>(Q));
       rotation_vector_error(r, 0, o.log3_quaternion(Q), exact);
     }
     if (!o.log3_matrix && !o.log6) return;
-    const auto exact = oracles::log_se3_matrix(oracles::exact_matrix<3, 3>(R), oracles::exact_vector<3>(p));
+    const auto exact = oracles::log_se3_matrix(oracles::exact_matrix<3, 3, Real>(R), oracles::exact_vector<3, Real>(p));
     if (o.log3_matrix) rotation_vector_error(r, 1, o.log3_matrix(R), exact);
     if (o.log6) {
-      const std::size_t band = Bands::of<S>().classify(exact.theta);
+      const std::size_t band = band_of_log<S>(exact);
       const Vec<S, 6> xi = o.log6({R, p});
       judged_value(r, {2, 3}, band, xi, exact.resolved, [&] {
-        const auto error = oracles::log_error<S>(oracles::exact_vector<6>(xi), exact);
+        const auto error = oracles::log_error<S>(oracles::exact_vector<6, Real>(xi), exact);
         r.record(2, band, error.angular);
         r.record(3, band, error.linear);
       });
@@ -68,13 +69,14 @@ class LogOracle final : public Property<S> {
   }
 
  private:
+  template <class Real>
   static void rotation_vector_error(Recorder& r, int output, const Vec<S, 3>& phi,
-                                    const oracles::LogResult& exact) {
-    const std::size_t band = Bands::of<S>().classify(exact.theta);
+                                    const oracles::LogValue<Real>& exact) {
+    const std::size_t band = band_of_log<S>(exact);
     judged_value(r, {output}, band, phi, exact.resolved, [&] {
       Vec<S, 6> xi = Vec<S, 6>::Zero();
       xi.template tail<3>() = phi;
-      r.record(output, band, oracles::log_error<S>(oracles::exact_vector<6>(xi), exact).angular);
+      r.record(output, band, oracles::log_error<S>(oracles::exact_vector<6, Real>(xi), exact).angular);
     });
   }
 };

@@ -10,6 +10,7 @@
 #include <generators/bands.hpp>
 #include <generators/source.hpp>
 #include <memory>
+#include <oracles/real.hpp>
 #include <string>
 #include <string_view>
 #include <subjects/subject.hpp>
@@ -45,12 +46,26 @@ struct Residual {
   double kappa = 0;
 };
 
+/// A condition number on demand: refers to a callable that outlives the call it is given to.
+class Kappa {
+ public:
+  Kappa(std::nullptr_t = nullptr) {}  // NOLINT: none
+  template <class F>
+  requires(!std::is_same_v<F, Kappa> && std::is_invocable_v<const F&>) Kappa(const F& f)  // NOLINT
+      : object_(&f), call_([](const void* object) -> double { return (*static_cast<const F*>(object))(); }) {}
+  explicit operator bool() const { return call_ != nullptr; }
+  double operator()() const { return call_(object_); }
+
+ private:
+  const void* object_ = nullptr;
+  double (*call_)(const void*) = nullptr;
+};
+
 /// Receives what an invariant measures. `kappa` is called only where the budget's rule needs it.
 class Recorder {
  public:
   virtual ~Recorder() = default;
-  virtual void record(int output, std::size_t band, double error_eps,
-                      const std::function<double()>& kappa = nullptr) = 0;
+  virtual void record(int output, std::size_t band, double error_eps, Kappa kappa = nullptr) = 0;
   virtual void outcome(int output, std::size_t band, Outcome outcome) = 0;
 };
 
@@ -86,7 +101,30 @@ class Property {
       if (!isfinite(x)) return false;
     return true;
   }
+  /// Against the oracles at 50 and 100 digits.
   virtual void measure(const Subject<S>& subject, const std::vector<S>& input, Recorder& recorder) const = 0;
+  /// Against the fast oracles, if the law has them (false: it has not). Throws oracles::Undecided where their
+  /// error bound is too wide; what was recorded until then is void.
+  virtual bool measure_fast(const Subject<S>&, const std::vector<S>&, Recorder&) const { return false; }
+};
+
+/// A law that is written once for every oracle's number: P<S> has
+///   template <class Real> void in(const Subject<S>&, const std::vector<S>&, Recorder&) const.
+template <template <class> class P, class S>
+class Law : public Property<S> {
+ public:
+  void measure(const Subject<S>& subject, const std::vector<S>& input, Recorder& recorder) const override {
+    static_cast<const P<S>*>(this)->template in<oracles::Real>(subject, input, recorder);
+  }
+  bool measure_fast(const Subject<S>& subject, const std::vector<S>& input,
+                    Recorder& recorder) const override {
+    using Fast = typename oracles::FastOf<S>::type;
+    if constexpr (!std::is_void_v<Fast>) {
+      static_cast<const P<S>*>(this)->template in<Fast>(subject, input, recorder);
+      return true;
+    }
+    return false;
+  }
 };
 
 /// Fresh instances of every property, alphabetical by name.

@@ -15,7 +15,7 @@ struct Segment {
 };
 
 template <class S>
-class RobotConfiguration final : public Property<S> {
+class RobotConfiguration final : public Law<RobotConfiguration, S> {
  public:
   std::string name() const override { return "robot_configuration"; }
   std::string law() const override {
@@ -91,7 +91,8 @@ class RobotConfiguration final : public Property<S> {
       }
     return true;
   }
-  void measure(const Subject<S>& subject, const std::vector<S>& input, Recorder& r) const override {
+  template <class Real>
+  void in(const Subject<S>& subject, const std::vector<S>& input, Recorder& r) const {
     using namespace oracles;
     const RobotOperations<S>* robot = nullptr;
     for (const auto& [known, operations] : bound_)
@@ -106,22 +107,22 @@ class RobotConfiguration final : public Property<S> {
     for (const Segment& s : segments_) {
       if (s.nq == 7) {
         opposite.segment(s.q + 3, 4) *= S(-1);
-        const auto x0 = exact_vector<7>(q0.segment(s.q, 7)), x1 = exact_vector<7>(q1.segment(s.q, 7));
-        const auto xd = exact_vector<6>(d.segment(s.v, 6));
+        const auto x0 = exact_vector<7, Real>(q0.segment(s.q, 7)), x1 = exact_vector<7, Real>(q1.segment(s.q, 7));
+        const auto xd = exact_vector<6, Real>(d.segment(s.v, 6));
         const auto next = oracles::integrate(x0, xd);
         std::size_t band = bands.classify(next.theta);
         judged_value(r, {0, 1}, band, q.segment(s.q, 7), next.resolved, [&] {
-          const auto got = exact_vector<7>(q.segment(s.q, 7));
-          r.record(0, band, rotation_error<S>(Quaternion<>{{got[3], got[4], got[5], got[6]}}, next.Q));
-          const Real p0 = norm(Vec3<>{{x0[0], x0[1], x0[2]}});
+          const auto got = exact_vector<7, Real>(q.segment(s.q, 7));
+          r.record(0, band, rotation_error<S>(Quaternion<Real>{{got[3], got[4], got[5], got[6]}}, next.Q));
+          const Real p0 = norm(Vec3<Real>{{x0[0], x0[1], x0[2]}});
           r.record(1, band,
-                   vector_error<S>(Vec3<>{{got[0], got[1], got[2]}}, next.p,
+                   vector_error<S>(Vec3<Real>{{got[0], got[1], got[2]}}, next.p,
                                    p0 > next.increment_norm ? p0 : next.increment_norm));
         });
         const auto delta = oracles::difference(x0, x1);
-        band = bands.classify(delta.theta);
+        band = band_of_log<S>(delta);
         judged_value(r, {4, 5}, band, v.segment(s.v, 6), delta.resolved, [&] {
-          const auto error = log_error<S>(exact_vector<6>(v.segment(s.v, 6)), delta, delta.separation);
+          const auto error = log_error<S>(exact_vector<6, Real>(v.segment(s.v, 6)), delta, delta.separation);
           r.record(4, band, error.angular);
           r.record(5, band, error.linear);
         });
@@ -129,24 +130,27 @@ class RobotConfiguration final : public Property<S> {
         // A planar rotation is the spatial one about z: the same oracles at half the angle's quaternion.
         const Real c0 = exact<Real>(q0[s.q]), s0 = exact<Real>(q0[s.q + 1]), a = exact<Real>(d[s.v]);
         const Real n0 = sqrt(Real(c0 * c0 + s0 * s0));
-        const Real c = (c0 * cos(a) - s0 * sin(a)) / n0, sn = (s0 * cos(a) + c0 * sin(a)) / n0;
+        Real sin_a, cos_a;
+        sin_cos(a, sin_a, cos_a);
+        const Real c = (c0 * cos_a - s0 * sin_a) / n0, sn = (s0 * cos_a + c0 * sin_a) / n0;
         judged_value(r, {2}, 0, q.segment(s.q, 2), true, [&] {
           r.record(2, 0,
-                   in_eps<S>(norm(oracles::Vec<2>{{exact<Real>(q[s.q]) - c, exact<Real>(q[s.q + 1]) - sn}})));
+                   in_eps<S>(norm(oracles::Vec<2, Real>{{Real(exact<Real>(q[s.q]) - c), Real(exact<Real>(q[s.q + 1]) - sn)}})));
         });
         const Real c1 = exact<Real>(q1[s.q]), s1 = exact<Real>(q1[s.q + 1]);
         const Real angle_between = atan2(Real(c0 * s1 - s0 * c1), Real(c0 * c1 + s0 * s1));
         judged_value(r, {6}, 0, v.segment(s.v, 1), true, [&] {
           const double plus = scalar_error<S>(exact<Real>(v[s.v]), angle_between);
-          const bool half_turn = c0 * s1 == s0 * c1 && angle_between != 0;
+          const Real opposite_angle = -angle_between;
+          const bool half_turn = c0 * s1 == s0 * c1 && angle_between != Real(0);
           r.record(6, 0,
-                   half_turn ? std::min(plus, scalar_error<S>(exact<Real>(v[s.v]), -angle_between)) : plus);
+                   half_turn ? std::min(plus, scalar_error<S>(exact<Real>(v[s.v]), opposite_angle)) : plus);
         });
       } else {
         const Real a = exact<Real>(q0[s.q]), b = exact<Real>(d[s.v]), e = exact<Real>(q1[s.q]);
         judged_value(r, {3, 7}, 0, q.segment(s.q, 1), true, [&] {
-          r.record(3, 0, scalar_error<S>(exact<Real>(q[s.q]), a + b));
-          r.record(7, 0, scalar_error<S>(exact<Real>(v[s.v]), e - a));
+          r.record(3, 0, scalar_error<S>(exact<Real>(q[s.q]), Real(a + b)));
+          r.record(7, 0, scalar_error<S>(exact<Real>(v[s.v]), Real(e - a)));
         });
       }
     }

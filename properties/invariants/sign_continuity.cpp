@@ -9,7 +9,7 @@ namespace {
 constexpr int steps = 8;
 
 template <class S>
-class SignContinuity final : public Property<S> {
+class SignContinuity final : public Law<SignContinuity, S> {
  public:
   std::string name() const override { return "sign_continuity"; }
   std::string law() const override {
@@ -38,18 +38,19 @@ class SignContinuity final : public Property<S> {
   bool valid(const std::vector<S>& x) const override {
     return Property<S>::valid(x) && norm_defect_at<S>(x, 3) <= 8;
   }
-  void measure(const Subject<S>& subject, const std::vector<S>& input, Recorder& r) const override {
+  template <class Real>
+  void in(const Subject<S>& subject, const std::vector<S>& input, Recorder& r) const {
     using namespace oracles;
     Reader<S> read(input);
     Vec<S, 7> q = read.template take<7>();
     const Vec<S, 6> d = read.template take<6>();
-    const std::size_t band = Bands::of<S>().classify(norm(tail3(exact_vector<6>(d))));
+    const std::size_t band = Bands::of<S>().classify(norm(tail3(exact_vector<6, Real>(d))));
     for (int k = 0; k < steps; ++k) {
       const Vec<S, 7> next = subject.operations.integrate(q, d);
       if (!all_finite(next)) return r.outcome(0, band, Outcome::not_finite);
       Real product(0);
       for (int i = 3; i < 7; ++i) product += exact<Real>(q[i]) * exact<Real>(next[i]);
-      const Real defect = product < 0 ? Real(-product) : Real(0);  // a tie may go either way, to rounding
+      const Real defect = product < Real(0) ? Real(-product) : Real(0);  // a tie may go either way, to rounding
       r.record(0, band, in_eps<S>(defect));
       q = next;
     }

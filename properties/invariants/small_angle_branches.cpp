@@ -10,7 +10,7 @@ namespace liecheck::properties {
 namespace {
 
 template <class S>
-class SmallAngleBranches final : public Property<S> {
+class SmallAngleBranches final : public Law<SmallAngleBranches, S> {
  public:
   std::string name() const override { return "small_angle_branches"; }
   std::string law() const override { return "no jump of the error across a change of formula"; }
@@ -43,17 +43,18 @@ class SmallAngleBranches final : public Property<S> {
     x.push_back(step_ulps(t, source.between(1, 3)));
     return x;
   }
-  void measure(const Subject<S>& subject, const std::vector<S>& input, Recorder& r) const override {
+  template <class Real>
+  void in(const Subject<S>& subject, const std::vector<S>& input, Recorder& r) const {
     using namespace oracles;
     const auto& o = subject.operations;
     Reader<S> read(input);
     const Vec<S, 3> rho = read.template take<3>(), axis = read.template take<3>();
     const Vec<S, 2> theta = read.template take<2>();
     Vec<S, 6> xi[2];
-    oracles::Vec<6> x[2];
+    oracles::Vec<6, Real> x[2];
     for (int k : {0, 1}) {
       xi[k] << rho, S(theta[k]) * axis;
-      x[k] = exact_vector<6>(xi[k]);
+      x[k] = exact_vector<6, Real>(xi[k]);
     }
     const Bands& bands = Bands::of<S>();
     const std::size_t band = bands.classify(norm(tail3(x[0])));
@@ -75,10 +76,11 @@ class SmallAngleBranches final : public Property<S> {
         size += e0[at] * e0[at];
       }
       size = sqrt(size);
-      if (smallest_denominator<S>() > size) size = smallest_denominator<S>();
+      const Real least = least_denominator<S, Real>();
+      if (least > size) size = least;
       r.record(output, band, in_eps<S>(Real(sqrt(squared) / size)));
     };
-    const auto flat = [](const Mat3<>& m) { return std::vector<Real>(m.x.begin(), m.x.end()); };
+    const auto flat = [](const Mat3<Real>& m) { return std::vector<Real>(m.x.begin(), m.x.end()); };
     const auto rows = [](const Mat<S, 3>& m) {
       Vec<S, 9> v;
       for (int i = 0; i < 9; ++i) v[i] = m(i / 3, i % 3);

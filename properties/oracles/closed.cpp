@@ -70,10 +70,12 @@ HalfAngle<T> half_angle(const Vec3<T>& phi) {
   }
   for (int i = 0; i < 3; ++i) h.n[i] = phi[i] / h.theta;
   const int exponent = exponent_of(h.theta);
-  h.large = isfinite(h.theta) && exponent > bits<T> / 4;
-  const bool odd = h.large && reduce(phi, exponent, h.reduced);
-  const T half = h.reduced / 2;
-  mpfr_sin_cos(h.s.backend().data(), h.c.backend().data(), half.backend().data(), MPFR_RNDN);
+  bool odd = false;
+  if constexpr (!BallNumber<T>) {  // a ball knows how much of a large angle it has left
+    h.large = isfinite(h.theta) && exponent > bits<T> / 4;
+    odd = h.large && reduce(phi, exponent, h.reduced);
+  }
+  sin_cos(T(h.reduced / 2), h.s, h.c);
   if (odd) {
     h.s = -h.s;
     h.c = -h.c;
@@ -175,21 +177,17 @@ JacobianBlocks<T> closed_left_jacobian_inverse(const Vec6<T>& xi) {
   return {identity<3, T>() + minus_half * F + g * FF, minus_half * P + g * (FP + transpose(FP)) + b * FF};
 }
 
-template HalfAngle<Real> half_angle(const Vec3<Real>&);
-template HalfAngle<Real100> half_angle(const Vec3<Real100>&);
-template UnitPose<Real> closed_exp(const Vec6<Real>&);
-template UnitPose<Real100> closed_exp(const Vec6<Real100>&);
-template Vec6<Real> closed_log(const Quaternion<Real>&, const Vec3<Real>&, bool);
-template Vec6<Real100> closed_log(const Quaternion<Real100>&, const Vec3<Real100>&, bool);
-template UnitPose<Real> closed_integrate(const Vec7<Real>&, const Vec6<Real>&);
-template UnitPose<Real100> closed_integrate(const Vec7<Real100>&, const Vec6<Real100>&);
-template RelativePose<Real> relative_pose(const Vec7<Real>&, const Vec7<Real>&);
-template RelativePose<Real100> relative_pose(const Vec7<Real100>&, const Vec7<Real100>&);
-template Vec6<Real> closed_difference(const Vec7<Real>&, const Vec7<Real>&);
-template Vec6<Real100> closed_difference(const Vec7<Real100>&, const Vec7<Real100>&);
-template JacobianBlocks<Real> closed_left_jacobian(const Vec6<Real>&);
-template JacobianBlocks<Real100> closed_left_jacobian(const Vec6<Real100>&);
-template JacobianBlocks<Real> closed_left_jacobian_inverse(const Vec6<Real>&);
-template JacobianBlocks<Real100> closed_left_jacobian_inverse(const Vec6<Real100>&);
+#define LIECHECK_CLOSED_FORMS(T)                                           \
+  template HalfAngle<T> half_angle(const Vec3<T>&);                        \
+  template UnitPose<T> closed_exp(const Vec6<T>&);                         \
+  template Vec6<T> closed_log(const Quaternion<T>&, const Vec3<T>&, bool); \
+  template UnitPose<T> closed_integrate(const Vec7<T>&, const Vec6<T>&);   \
+  template RelativePose<T> relative_pose(const Vec7<T>&, const Vec7<T>&);  \
+  template Vec6<T> closed_difference(const Vec7<T>&, const Vec7<T>&);      \
+  template JacobianBlocks<T> closed_left_jacobian(const Vec6<T>&);         \
+  template JacobianBlocks<T> closed_left_jacobian_inverse(const Vec6<T>&);
+LIECHECK_CLOSED_FORMS(Real)
+LIECHECK_CLOSED_FORMS(Real100)
+LIECHECK_CLOSED_FORMS(FastDouble)
 
 }  // namespace liecheck::oracles

@@ -18,18 +18,27 @@
 
 namespace liecheck::oracles {
 
-using Function = std::function<std::vector<Real>(const std::vector<Real>& x)>;
+template <class T>
+using FunctionOf = std::function<std::vector<T>(const std::vector<T>& x)>;
+using Function = FunctionOf<Real>;
 
 /// Consecutive numbers of a result, and what their change is measured by: the 2-norm of the block of f(x)
 /// unless told.
-struct ConditionBlock {
+template <class T>
+struct ConditionBlockOf {
   int first = 0, size = 0;
-  std::optional<Real> denominator = std::nullopt;
+  std::optional<T> denominator = std::nullopt;
 };
+using ConditionBlock = ConditionBlockOf<Real>;
 
 /// One kappa for each block, infinite where a denominator is zero and the block moves. f is called 2 x.size()
 /// times; at the precision of Real it need not be confirmed, see closed.hpp.
 std::vector<double> condition(const Function& f, const std::vector<Real>& x,
                               const std::vector<ConditionBlock>& blocks);
+/// The same in ball arithmetic, with the step 2^-64 in place of 1e-36; throws
+/// Undecided where that leaves less than two digits.
+template <BallNumber T>
+std::vector<double> condition(const FunctionOf<T>& f, const std::vector<T>& x,
+                              const std::vector<ConditionBlockOf<T>>& blocks);
 
 }  // namespace liecheck::oracles

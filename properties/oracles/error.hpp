@@ -8,6 +8,7 @@
 //
 // Error of the measures themselves: 1e-45 absolute, in double relative 1e-16.
 
+#include <oracles/fast_error.hpp>
 #include <oracles/log.hpp>
 
 namespace liecheck::oracles {
@@ -33,6 +34,22 @@ template <class S>
 const Real& smallest_denominator() {
   static const Real value = ldexp(Real(1), std::numeric_limits<S>::min_exponent - 1) / epsilon<S>();
   return value;
+}
+
+/// smallest_denominator in an oracle's number.
+template <class S, class T>
+T least_denominator() {
+  if constexpr (BallNumber<T>) {
+    return T(static_cast<double>(std::numeric_limits<S>::min() / std::numeric_limits<S>::epsilon()));
+  } else {
+    return smallest_denominator<S>();
+  }
+}
+
+/// eps of S in an oracle's number.
+template <class S, class T>
+T ulp_of_one() {
+  return exact<T>(S(ldexp(S(1), 1 - std::numeric_limits<S>::digits)));
 }
 
 /// distance / eps; infinity for NaN.
@@ -101,9 +118,9 @@ struct TwistError {
 /// The two blocks of a log or difference against the branch that the computed rotation vector is on: at
 /// exactly pi either is right. linear_scale joins the linear block's denominator (||p1 - p0|| for
 /// difference).
-template <class S>
-TwistError log_error(const Vec6<>& computed, const LogResult& exact, const Real& linear_scale = Real(0)) {
-  const auto against = [&](const Vec6<>& value) -> TwistError {
+template <class S, class T>
+TwistError log_error(const Vec6<T>& computed, const LogValue<T>& exact, const T& linear_scale = T(0)) {
+  const auto against = [&](const Vec6<T>& value) -> TwistError {
     return {vector_error<S>(head3(computed), head3(value), linear_scale),
             vector_error<S>(tail3(computed), tail3(value))};
   };

@@ -32,8 +32,8 @@ ExpResult result(const Vec6<Real>& xi) {
   const Vec6<Real100> exact_xi = cast<Real100>(xi);
   const UnitPose<Real100> pose = closed_exp(exact_xi);
   const Mat3<Real100> E = rotation_minus_identity(pose.Q);
-  ExpResult r{cast<Real>(pose.Q), cast<Real>(identity<3, Real100>() + E), cast<Real>(pose.p), Real(0), false};
-  r.theta = Real(norm(tail3(exact_xi)));
+  ExpResult r{{cast<Real>(pose.Q), cast<Real>(pose.p), Real(norm(tail3(exact_xi)))},
+              cast<Real>(identity<3, Real100>() + E)};
   r.resolved = confirm(xi, pose, E, r.theta);
   return r;
 }

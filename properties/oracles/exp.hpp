@@ -17,12 +17,15 @@
 
 namespace liecheck::oracles {
 
-struct ExpResult {
-  Quaternion<> Q;  ///< (sin(theta/2) n, cos(theta/2)): continuous in xi, negative w from theta = pi to 3 pi
-  Mat3<> R;
-  Vec3<> p;
-  Real theta;
+template <class T>
+struct ExpValue {
+  Quaternion<T> Q;  ///< (sin(theta/2) n, cos(theta/2)): continuous in xi, negative w from theta = pi to 3 pi
+  Vec3<T> p;
+  T theta;
   bool resolved = false;
+};
+struct ExpResult : ExpValue<Real> {
+  Mat3<> R;
 };
 
 ExpResult exp_se3(const Vec6<Real>& xi);

@@ -16,17 +16,21 @@
 
 namespace liecheck::oracles {
 
-struct IntegrateResult {
-  Quaternion<> Q;  ///< Q0 times the continuous quaternion of exp(delta)
-  Vec3<> p;
-  Real theta;           ///< ||phi|| of the increment
-  Real increment_norm;  ///< of the increment of p
+template <class T>
+struct IntegrateValue {
+  Quaternion<T> Q;  ///< Q0 times the continuous quaternion of exp(delta)
+  Vec3<T> p;
+  T theta;           ///< ||phi|| of the increment
+  T increment_norm;  ///< of the increment of p
   bool resolved = false;
 };
+using IntegrateResult = IntegrateValue<Real>;
 
-struct DifferenceResult : LogResult {
-  Real separation;  ///< ||p1 - p0||, exactly subtracted
+template <class T>
+struct DifferenceValue : LogValue<T> {
+  T separation;  ///< ||p1 - p0||, exactly subtracted
 };
+using DifferenceResult = DifferenceValue<Real>;
 
 IntegrateResult integrate(const Vec7<>& q0, const Vec6<>& delta);
 DifferenceResult difference(const Vec7<>& q0, const Vec7<>& q1);

@@ -26,18 +26,22 @@
 
 namespace liecheck::oracles {
 
-struct Jacobian3Result {
-  Mat3<> J;
+template <class T>
+struct Jacobian3Value {
+  Mat3<T> J;
   bool resolved = false;
 };
+using Jacobian3Result = Jacobian3Value<Real>;
 
 /// [[J, C], [0, J]]
-struct Jacobian6Result {
-  Mat3<> J, C;
+template <class T>
+struct Jacobian6Value {
+  Mat3<T> J, C;
   bool resolved = false;
 
-  Mat6<> matrix() const { return assemble(J, C, zeros<3, 3, Real>(), J); }
+  Mat6<T> matrix() const { return assemble(J, C, zeros<3, 3, T>(), J); }
 };
+using Jacobian6Result = Jacobian6Value<Real>;
 
 Jacobian3Result left_jacobian_so3(const Vec3<>& phi);
 Jacobian3Result right_jacobian_so3(const Vec3<>& phi);

@@ -13,19 +13,23 @@
 
 namespace liecheck::oracles {
 
-struct RateResult {
-  Vec3<> p_dot;
-  Quaternion<> Q_dot;
-  Mat3<> R_dot;
+template <class T>
+struct RateValue {
+  Vec3<T> p_dot;
+  Quaternion<T> Q_dot;
+  Mat3<T> R_dot;
   bool resolved = false;
 };
+using RateResult = RateValue<Real>;
 
 RateResult configuration_rate(const Vec7<>& q, const Vec6<>& v);
 
-struct CoefficientJacobianResult {
-  Mat<7, 6> value;
+template <class T>
+struct CoefficientJacobianValue {
+  Mat<7, 6, T> value;
   bool resolved = false;
 };
+using CoefficientJacobianResult = CoefficientJacobianValue<Real>;
 
 /// d integrate(q, delta) / d delta at delta = 0: [[R, 0], [0, (Qw I + [Qxyz]) / 2], [0, -Qxyz^T / 2]].
 CoefficientJacobianResult integrate_coefficient_jacobian(const Vec7<>& q);

@@ -87,16 +87,22 @@ T squared_norm(const Vec<N, T>& v) {
 }
 template <int N, class T>
 T norm(const Vec<N, T>& v) {
+  if constexpr (BallNumber<T>) {  // whose exponents are those of double
+    double largest = 0;
+    for (const T& x : v.x) largest = std::fmax(largest, x.size());
+    if ((largest < 0x1p-400 && largest > 0) || largest > 0x1p400) {
+      const int e = std::ilogb(largest) / 2;  // twice, for a power of two that is representable
+      const T down = std::ldexp(1.0, -e), up = std::ldexp(1.0, e);
+      Vec<N, T> scaled = v;
+      for (T& x : scaled.x) x = x * down * down;
+      return sqrt(squared_norm(scaled)) * up * up;
+    }
+  }
   return sqrt(squared_norm(v));
 }
 template <int R, int C, class T>
 T frobenius(const Mat<R, C, T>& m) {
-  T sum(0), t;
-  for (const T& x : m.x) {
-    set_product(t, x, x);
-    sum += t;
-  }
-  return sqrt(sum);
+  return norm(Vec<R * C, T>{m.x});
 }
 
 template <class T>

@@ -19,16 +19,18 @@
 
 namespace liecheck::oracles {
 
-struct LogResult {
-  Vec3<> rho, phi;
-  Real theta;           ///< ||phi||
-  Real pi_minus_theta;  ///< relative accuracy of its own
-  bool at_pi = false;   ///< |cos(theta/2)| < 1e-60: `other` is as right
-  Vec6<> other;         ///< (rho, phi) of the opposite axis where at_pi, otherwise (rho, phi)
+template <class T>
+struct LogValue {
+  Vec3<T> rho, phi;
+  T theta;             ///< ||phi||
+  T pi_minus_theta;    ///< relative accuracy of its own
+  bool at_pi = false;  ///< |cos(theta/2)| < 1e-60: `other` is as right
+  Vec6<T> other;       ///< (rho, phi) of the opposite axis where at_pi, otherwise (rho, phi)
   bool resolved = false;
 
-  Vec6<> value() const { return stack(rho, phi); }
+  Vec6<T> value() const { return stack(rho, phi); }
 };
+using LogResult = LogValue<Real>;
 
 LogResult log_se3(const Quaternion<>& Q, const Vec3<>& p);
 LogResult log_so3(const Quaternion<>& Q);

@@ -8,6 +8,7 @@
 #include <boost/multiprecision/mpfr.hpp>
 #include <cmath>
 #include <limits>
+#include <oracles/ball.hpp>
 #include <type_traits>
 
 namespace liecheck::oracles {
@@ -20,18 +21,27 @@ using Decimal = boost::multiprecision::number<
 using Real = Decimal<50>;
 using Real100 = Decimal<100>;
 
+/// A number that carries its own error bound.
 template <class T>
-concept OracleNumber = std::is_same_v<T, Real> || std::is_same_v<T, Real100>;
+concept BallNumber = std::is_same_v<T, FastDouble>;
+template <class T>
+concept OracleNumber = std::is_same_v<T, Real> || std::is_same_v<T, Real100> || BallNumber<T>;
 
 /// Mantissa bits of an oracle type.
 template <OracleNumber T>
 inline constexpr int bits = std::numeric_limits<T>::digits10 > 60 ? 334 : 168;
+template <BallNumber T>
+inline constexpr int bits<T> = T::Round::bits;
 
 /// x in another scalar, without rounding for every scalar of at most 168 bits (float, double, float128 and
 /// Real). NaN and infinities stay what they are.
 template <class T, class S>
 T exact(const S& x) {
-  if constexpr (std::is_same_v<S, Real> || std::is_same_v<S, Real100> || std::is_floating_point_v<S>) {
+  if constexpr (std::is_same_v<S, T>) {
+    return x;
+  } else if constexpr (BallNumber<S>) {  // the mid-point alone: stored numbers have no radius
+    return T(x.m.hi) + T(x.m.lo);
+  } else if constexpr (std::is_same_v<S, Real> || std::is_same_v<S, Real100> || std::is_floating_point_v<S>) {
     return T(x);
   } else {
     if (!isfinite(x)) return T(static_cast<double>(x));
@@ -50,17 +60,32 @@ T exact(const S& x) {
 /// r = a b, without the temporary that operator* makes.
 template <class T>
 inline void set_product(T& r, const T& a, const T& b) {
-  using boost::multiprecision::default_ops::eval_multiply;
-  eval_multiply(r.backend(), a.backend(), b.backend());
+  if constexpr (BallNumber<T>) {
+    r = a * b;
+  } else {
+    using boost::multiprecision::default_ops::eval_multiply;
+    eval_multiply(r.backend(), a.backend(), b.backend());
+  }
+}
+
+inline void sin_cos(const Real& x, Real& sine, Real& cosine) {
+  mpfr_sin_cos(sine.backend().data(), cosine.backend().data(), x.backend().data(), MPFR_RNDN);
+}
+inline void sin_cos(const Real100& x, Real100& sine, Real100& cosine) {
+  mpfr_sin_cos(sine.backend().data(), cosine.backend().data(), x.backend().data(), MPFR_RNDN);
 }
 
 /// e with |x| < 2^e, tight; a large negative number for x = 0.
 template <class T>
 inline int exponent_of(const T& x) {
-  if (x == 0) return std::numeric_limits<int>::min() / 2;
-  int e = 0;
-  frexp(x, &e);
-  return e;
+  if constexpr (BallNumber<T>)
+    return x.head() == 0 ? std::numeric_limits<int>::min() / 2 : std::ilogb(x.head()) + 1;
+  else {
+    if (x == 0) return std::numeric_limits<int>::min() / 2;
+    int e = 0;
+    frexp(x, &e);
+    return e;
+  }
 }
 
 }  // namespace liecheck::oracles

@@ -1,21 +1,15 @@
 #include <oracles/spatial.hpp>
 
 #include <oracles/log.hpp>
+#include <oracles/spatial_formulas.hpp>
 
 namespace liecheck::oracles {
 namespace {
 
 template <class T>
-struct Frame {
-  Mat3<T> R;
-  Vec3<T> p;
-};
+using Frame = PoseOf<T>;
 template <class T>
-struct Solid {
-  T mass;
-  Vec3<T> c;
-  Mat3<T> I_C;
-};
+using Solid = BodyOf<T>;
 template <class T>
 Frame<T> cast(const Pose& X) {
   return {oracles::cast<T>(X.R), oracles::cast<T>(X.p)};
@@ -53,22 +47,9 @@ template <class T>
 Mat6<T> motion_cross_matrix(const Vec6<T>& V) {
   return assemble(hat(tail3(V)), hat(head3(V)), zeros<3, 3, T>(), hat(tail3(V)));
 }
-/// c x (c x .) is -(||c||^2 I - c c^T)
 template <class T>
 Mat6<T> matrix_of(const Solid<T>& I) {
-  const Mat3<T> C = hat(I.c);
-  Mat3<T> mass = I.mass * identity<3, T>();
-  return assemble(mass, T(-I.mass) * C, I.mass * C, I.I_C - I.mass * (C * C));
-}
-
-template <class T>
-Solid<T> moved(const Frame<T>& X, const Solid<T>& I) {
-  return {I.mass, X.R * I.c + X.p, X.R * I.I_C * transpose(X.R)};
-}
-template <class T>
-Solid<T> moved_back(const Frame<T>& X, const Solid<T>& I) {
-  const Mat3<T> Rt = transpose(X.R);
-  return {I.mass, Rt * (I.c - X.p), Rt * I.I_C * X.R};
+  return formulas::inertia_matrix(I);
 }
 
 /// value(Real100) confirmed by matrix(T) V; terms: the sizes that may cancel in the linear and angular part.
@@ -91,10 +72,6 @@ std::pair<T, T> sizes(const T& linear, const T& angular) {
 
 Pose pose_of(const Quaternion<>& Q, const Vec3<>& p) {
   return {cast<Real>(rotation_matrix(normalized(cast<Real100>(Q)))), p};
-}
-
-Mat3<> symmetric(const Vec6<>& u) {
-  return {{u[0], u[1], u[3], u[1], u[2], u[4], u[3], u[4], u[5]}};
 }
 
 PointResult rotate_point(const Quaternion<>& Q, const Vec3<>& x) {
@@ -128,89 +105,58 @@ PointResult act_inverse_point(const Pose& X, const Vec3<>& x) {
 }
 
 SpatialResult act_motion(const Pose& X, const Vec6<>& V) {
-  return spatial_result(
-      [&]<class T>(T) {
-        const auto [R, p] = cast<T>(X);
-        const Vec3<T> w = R * tail3(cast<T>(V));
-        return stack(R * head3(cast<T>(V)) + cross(p, w), w);
-      },
-      [&]<class T>(T) { return motion_matrix(cast<T>(X)); }, V,
-      [&]<class T>(T) {
-        const T w(norm(tail3(V)));
-        return sizes<T>(T(norm(head3(V))) + T(norm(X.p)) * w, w);
-      });
+  return spatial_result([&]<class T>(T) { return formulas::act_motion(cast<T>(X), cast<T>(V)); },
+                        [&]<class T>(T) { return motion_matrix(cast<T>(X)); }, V,
+                        [&]<class T>(T) {
+                          const T w(norm(tail3(V)));
+                          return sizes<T>(T(norm(head3(V))) + T(norm(X.p)) * w, w);
+                        });
 }
 
 SpatialResult act_inverse_motion(const Pose& X, const Vec6<>& V) {
-  return spatial_result(
-      [&]<class T>(T) {
-        const auto [R, p] = cast<T>(X);
-        const Mat3<T> Rt = transpose(R);
-        const Vec3<T> w = tail3(cast<T>(V));
-        return stack(Rt * (head3(cast<T>(V)) - cross(p, w)), Rt * w);
-      },
-      [&]<class T>(T) { return inverse_motion_matrix(cast<T>(X)); }, V,
-      [&]<class T>(T) {
-        const T w(norm(tail3(V)));
-        return sizes<T>(T(norm(head3(V))) + T(norm(X.p)) * w, w);
-      });
+  return spatial_result([&]<class T>(T) { return formulas::act_inverse_motion(cast<T>(X), cast<T>(V)); },
+                        [&]<class T>(T) { return inverse_motion_matrix(cast<T>(X)); }, V,
+                        [&]<class T>(T) {
+                          const T w(norm(tail3(V)));
+                          return sizes<T>(T(norm(head3(V))) + T(norm(X.p)) * w, w);
+                        });
 }
 
 SpatialResult act_force(const Pose& X, const Vec6<>& F) {
-  return spatial_result(
-      [&]<class T>(T) {
-        const auto [R, p] = cast<T>(X);
-        const Vec3<T> f = R * head3(cast<T>(F));
-        return stack(f, R * tail3(cast<T>(F)) + cross(p, f));
-      },
-      [&]<class T>(T) { return transpose(inverse_motion_matrix(cast<T>(X))); }, F,
-      [&]<class T>(T) {
-        const T f(norm(head3(F)));
-        return sizes<T>(f, T(norm(tail3(F))) + T(norm(X.p)) * f);
-      });
+  return spatial_result([&]<class T>(T) { return formulas::act_force(cast<T>(X), cast<T>(F)); },
+                        [&]<class T>(T) { return transpose(inverse_motion_matrix(cast<T>(X))); }, F,
+                        [&]<class T>(T) {
+                          const T f(norm(head3(F)));
+                          return sizes<T>(f, T(norm(tail3(F))) + T(norm(X.p)) * f);
+                        });
 }
 
 SpatialResult act_inverse_force(const Pose& X, const Vec6<>& F) {
-  return spatial_result(
-      [&]<class T>(T) {
-        const auto [R, p] = cast<T>(X);
-        const Mat3<T> Rt = transpose(R);
-        const Vec3<T> f = head3(cast<T>(F));
-        return stack(Rt * f, Rt * (tail3(cast<T>(F)) - cross(p, f)));
-      },
-      [&]<class T>(T) { return transpose(motion_matrix(cast<T>(X))); }, F,
-      [&]<class T>(T) {
-        const T f(norm(head3(F)));
-        return sizes<T>(f, T(norm(tail3(F))) + T(norm(X.p)) * f);
-      });
+  return spatial_result([&]<class T>(T) { return formulas::act_inverse_force(cast<T>(X), cast<T>(F)); },
+                        [&]<class T>(T) { return transpose(motion_matrix(cast<T>(X))); }, F,
+                        [&]<class T>(T) {
+                          const T f(norm(head3(F)));
+                          return sizes<T>(f, T(norm(tail3(F))) + T(norm(X.p)) * f);
+                        });
 }
 
 SpatialResult cross_motion(const Vec6<>& V, const Vec6<>& W) {
-  return spatial_result(
-      [&]<class T>(T) {
-        const Vec3<T> u = head3(cast<T>(V)), w = tail3(cast<T>(V));
-        const Vec3<T> u_W = head3(cast<T>(W)), w_W = tail3(cast<T>(W));
-        return stack(cross(w, u_W) + cross(u, w_W), cross(w, w_W));
-      },
-      [&]<class T>(T) { return motion_cross_matrix(cast<T>(V)); }, W,
-      [&]<class T>(T) {
-        const T u(norm(head3(V))), w(norm(tail3(V))), u_W(norm(head3(W))), w_W(norm(tail3(W)));
-        return sizes<T>(w * u_W + u * w_W, w * w_W);
-      });
+  return spatial_result([&]<class T>(T) { return formulas::cross_motion(cast<T>(V), cast<T>(W)); },
+                        [&]<class T>(T) { return motion_cross_matrix(cast<T>(V)); }, W,
+                        [&]<class T>(T) {
+                          const T u(norm(head3(V))), w(norm(tail3(V))), u_W(norm(head3(W))),
+                              w_W(norm(tail3(W)));
+                          return sizes<T>(w * u_W + u * w_W, w * w_W);
+                        });
 }
 
 SpatialResult cross_force(const Vec6<>& V, const Vec6<>& F) {
-  return spatial_result(
-      [&]<class T>(T) {
-        const Vec3<T> u = head3(cast<T>(V)), w = tail3(cast<T>(V));
-        const Vec3<T> f = head3(cast<T>(F)), n = tail3(cast<T>(F));
-        return stack(cross(w, f), cross(w, n) + cross(u, f));
-      },
-      [&]<class T>(T) { return T(-1) * transpose(motion_cross_matrix(cast<T>(V))); }, F,
-      [&]<class T>(T) {
-        const T u(norm(head3(V))), w(norm(tail3(V))), f(norm(head3(F))), n(norm(tail3(F)));
-        return sizes<T>(w * f, w * n + u * f);
-      });
+  return spatial_result([&]<class T>(T) { return formulas::cross_force(cast<T>(V), cast<T>(F)); },
+                        [&]<class T>(T) { return T(-1) * transpose(motion_cross_matrix(cast<T>(V))); }, F,
+                        [&]<class T>(T) {
+                          const T u(norm(head3(V))), w(norm(tail3(V))), f(norm(head3(F))), n(norm(tail3(F)));
+                          return sizes<T>(w * f, w * n + u * f);
+                        });
 }
 
 namespace {
@@ -230,7 +176,7 @@ bool congruent(const Frame<T>& X, const Solid<T>& I, bool back, Move&& move) {
 
 BodyResult inertia_result(const Pose& X, const Body& I, bool back) {
   const auto move = [back]<class T>(const Frame<T>& Y, const Solid<T>& B) {
-    return back ? moved_back(Y, B) : moved(Y, B);
+    return back ? formulas::act_inverse_inertia(Y, B) : formulas::act_inertia(Y, B);
   };
   const Frame<Real100> stored = cast<Real100>(X);
   const Solid<Real100> value = move(stored, cast<Real100>(I));
@@ -262,25 +208,18 @@ Matrix6Result inertia_matrix(const Body& I) {
 }
 
 SpatialResult momentum(const Body& I, const Vec6<>& V) {
-  return spatial_result(
-      [&]<class T>(T) {
-        const Solid<T> B = cast<T>(I);
-        const Vec3<T> u = head3(cast<T>(V)), w = tail3(cast<T>(V));
-        const Vec3<T> linear = B.mass * (u + cross(w, B.c));
-        return stack(linear, B.I_C * w + cross(B.c, linear));
-      },
-      [&]<class T>(T) { return matrix_of(cast<T>(I)); }, V,
-      [&]<class T>(T) {
-        const T u(norm(head3(V))), w(norm(tail3(V))), c(norm(I.c)), m = abs(T(I.mass));
-        return sizes<T>(m * (u + c * w), T(frobenius(I.I_C)) * w + c * m * (u + c * w));
-      });
+  return spatial_result([&]<class T>(T) { return formulas::momentum(cast<T>(I), cast<T>(V)); },
+                        [&]<class T>(T) { return matrix_of(cast<T>(I)); }, V,
+                        [&]<class T>(T) {
+                          const T u(norm(head3(V))), w(norm(tail3(V))), c(norm(I.c)), m = abs(T(I.mass));
+                          return sizes<T>(m * (u + c * w), T(frobenius(I.I_C)) * w + c * m * (u + c * w));
+                        });
 }
 
 ScalarResult kinetic_energy(const Body& I, const Vec6<>& V) {
   using T = Real100;
   const Solid<T> B = cast<T>(I);
-  const Vec3<T> u = head3(cast<T>(V)), w = tail3(cast<T>(V));
-  const T E = (B.mass * squared_norm(u + cross(w, B.c)) + dot(w, B.I_C * w)) / 2;
+  const T E = formulas::kinetic_energy(B, cast<T>(V));
   const bool resolved = confirmed(true, [&]<class S>(S) {
     const Vec6<S> V_s = cast<S>(V), h = matrix_of(cast<S>(I)) * V_s;
     const S second = (dot(head3(V_s), head3(h)) + dot(tail3(V_s), tail3(h))) / 2;

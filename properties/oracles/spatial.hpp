@@ -23,43 +23,41 @@
 
 namespace liecheck::oracles {
 
-struct Pose {
-  Mat3<> R;
-  Vec3<> p;
+template <class T>
+struct PoseOf {
+  Mat3<T> R;
+  Vec3<T> p;
 };
+using Pose = PoseOf<Real>;
 
 /// A rigid body's mass, centre of mass and inertia about the centre of mass.
-struct Body {
-  Real mass;
-  Vec3<> c;
-  Mat3<> I_C;
+template <class T>
+struct BodyOf {
+  T mass;
+  Vec3<T> c;
+  Mat3<T> I_C;
 };
+using Body = BodyOf<Real>;
 
-struct ScalarResult {
-  Real value;
+/// What an oracle returns: the value, and whether its formulas agree.
+template <class V>
+struct Resolved {
+  V value;
   bool resolved = false;
 };
-struct PointResult {
-  Vec3<> value;
-  bool resolved = false;
-};
-struct SpatialResult {
-  Vec6<> value;
-  bool resolved = false;
-};
-struct BodyResult {
-  Body value;
-  bool resolved = false;
-};
-struct Matrix6Result {
-  Mat6<> value;
-  bool resolved = false;
-};
+using ScalarResult = Resolved<Real>;
+using PointResult = Resolved<Vec3<>>;
+using SpatialResult = Resolved<Vec6<>>;
+using BodyResult = Resolved<Body>;
+using Matrix6Result = Resolved<Mat6<>>;
 
 /// The pose of Q / ||Q|| and p, to 50 digits.
 Pose pose_of(const Quaternion<>& Q, const Vec3<>& p);
 /// xx, xy, yy, xz, yz, zz
-Mat3<> symmetric(const Vec6<>& unique);
+template <class T>
+Mat3<T> symmetric(const Vec6<T>& u) {
+  return {{u[0], u[1], u[3], u[1], u[2], u[4], u[3], u[4], u[5]}};
+}
 
 PointResult rotate_point(const Quaternion<>& Q, const Vec3<>& x);  ///< by Q / ||Q||
 PointResult act_point(const Pose& X, const Vec3<>& x);             ///< R x + p

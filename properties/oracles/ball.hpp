@@ -1,0 +1,159 @@
+#pragma once
+// Ball arithmetic: a number known to lie within r of m. Every operation adds its rounding error to r, so that
+// what a formula returns carries its own proved error bound; a comparison that the radius leaves open throws
+// Undecided, and the caller asks the oracle at 50 and 100 digits instead (Ziv 1991).
+//
+// The mid-point is a double-double. Radii are computed in
+// rounding to nearest and inflated by 2^-50 a step, more than the four roundings they take. Where a product is
+// so small that its rounding error may underflow, 2^-1060 joins the radius.
+
+#include <cmath>
+#include <concepts>
+#include <exception>
+#include <limits>
+#include <oracles/double_double.hpp>
+
+namespace liecheck::oracles {
+
+/// The bound is too wide to tell.
+struct Undecided : std::exception {
+  const char* what() const noexcept override { return "the error bound of a fast oracle cannot decide"; }
+};
+
+/// Rounding of a mid-point type: head is its nearest double, the constants bound the relative error of each
+/// operation, from above.
+template <class M>
+struct Rounding;
+template <>
+struct Rounding<double> {
+  static constexpr int bits = 53;
+  static constexpr double add = 0x1p-53, multiply = 0x1p-53, divide = 0x1p-53, root = 0x1p-53;
+  static double head(double m) { return m; }
+  static double tail(double) { return 0; }
+  static double make(double x) { return x; }
+};
+template <>
+struct Rounding<DoubleDouble> {
+  static constexpr int bits = 106;
+  static constexpr double add = 0x1p-104, multiply = 0x1p-103, divide = 0x1p-101, root = 0x1p-104;
+  static double head(const DoubleDouble& m) { return m.hi; }
+  static double tail(const DoubleDouble& m) { return m.lo; }
+  static DoubleDouble make(double x) { return {x, 0}; }
+};
+
+template <class M>
+struct Ball {
+  using Mid = M;
+  using Round = Rounding<M>;
+  M m{};
+  double r = 0;
+
+  Ball() = default;
+  Ball(double x) : m(Round::make(x)) {}  // NOLINT: exact, like an int to a double
+  Ball(int x) : m(Round::make(x)) {}     // NOLINT
+  Ball(const M& mid, double radius) requires(!std::same_as<M, double>) : m(mid), r(radius) {}
+  Ball(double mid, double radius) : m(Round::make(mid)), r(radius) {}
+
+  double head() const { return Round::head(m); }
+  double size() const { return std::fabs(Round::head(m)); }
+  bool exactly_zero() const { return Round::head(m) == 0 && r == 0; }
+
+  Ball& operator+=(const Ball& b) { return *this = *this + b; }
+  Ball& operator-=(const Ball& b) { return *this = *this - b; }
+  Ball& operator*=(const Ball& b) { return *this = *this * b; }
+  Ball& operator/=(const Ball& b) { return *this = *this / b; }
+
+  friend Ball operator-(const Ball& a) { return {-a.m, a.r}; }
+  friend Ball operator+(const Ball& a, const Ball& b) {
+    const M m = a.m + b.m;
+    return {m, up(a.r + b.r + Round::add * std::fabs(Round::head(m)))};
+  }
+  friend Ball operator-(const Ball& a, const Ball& b) {
+    const M m = a.m - b.m;
+    return {m, up(a.r + b.r + Round::add * std::fabs(Round::head(m)))};
+  }
+  friend Ball operator*(const Ball& a, const Ball& b) {
+    const M m = a.m * b.m;
+    const double size = std::fabs(Round::head(m));
+    if (size < 0x1p-900) return small_product(a, b, m);
+    if (a.r == 0 && b.r == 0 && Round::tail(a.m) == 0 && Round::tail(b.m) == 0 && Round::bits > 53)
+      return {m, 0};  // of two doubles: exact
+    return {m, up(a.size() * b.r + b.size() * a.r + a.r * b.r + Round::multiply * size)};
+  }
+  friend Ball operator/(const Ball& a, const Ball& b) {
+    const double least = b.size() - b.r;
+    if (!(least > 0)) throw Undecided();
+    if (a.exactly_zero()) return a;
+    const M m = a.m / b.m;
+    const double size = std::fabs(Round::head(m));
+    double r = up((a.r + size * b.r) / least + Round::divide * size) * (1 + 0x1p-50);
+    if (size < 0x1p-900 || a.size() < 0x1p-900) r += 0x1p-1060 + 0x1p-1060 / least;
+    return {m, r};
+  }
+
+  /// -1, 0 or 1: the sign of a - b. Throws Undecided.
+  friend int compare(const Ball& a, const Ball& b) {
+    const double high = a.head() - b.head(), low = Round::tail(a.m) - Round::tail(b.m), d = high + low;
+    const double slack = a.r + b.r;
+    if (slack == 0 && high == 0 && low == 0) return 0;
+    const double rounding = 0x1p-51 * (std::fabs(high) + std::fabs(low));
+    if (!(std::fabs(d) > up(slack + rounding))) throw Undecided();
+    return d > 0 ? 1 : -1;
+  }
+  friend bool operator==(const Ball& a, const Ball& b) { return compare(a, b) == 0; }
+  friend bool operator<(const Ball& a, const Ball& b) { return compare(a, b) < 0; }
+  friend bool operator>(const Ball& a, const Ball& b) { return compare(a, b) > 0; }
+  friend bool operator<=(const Ball& a, const Ball& b) { return compare(a, b) <= 0; }
+  friend bool operator>=(const Ball& a, const Ball& b) { return compare(a, b) >= 0; }
+
+  friend Ball abs(const Ball& a) { return a.head() < 0 ? -a : a; }  // no further from |x| than a is from x
+  friend bool isfinite(const Ball& a) { return std::isfinite(a.head()); }
+
+  /// | sqrt(x) - sqrt(x') | <= sqrt |x - x'|, and |x - x'| / sqrt(x) where x is far from zero. The exact value
+  /// is known to be >= 0 (a sum of squares).
+  friend Ball sqrt(const Ball& a) {
+    if (a.exactly_zero()) return a;
+    if (a.head() < -a.r) throw Undecided();
+    using std::sqrt;
+    const M m = a.head() > 0 ? M(sqrt(a.m)) : Round::make(0);
+    const double size = Round::head(m);
+    const double moved = a.head() > 4 * a.r ? a.r / size : std::sqrt(a.r + std::fabs(std::fmin(a.head(), 0)));
+    double r = up(moved * (1 + 0x1p-50) + Round::root * size);
+    if (a.size() < 0x1p-900) r += 0x1p-520;
+    return {m, r};
+  }
+  friend Ball ldexp(const Ball& a, int e) { return a * Ball(std::ldexp(1.0, e)); }
+
+  static Ball small_product(const Ball& a, const Ball& b, const M& m) {
+    if (a.exactly_zero() || b.exactly_zero()) return Ball(0);
+    return {m, up(a.size() * b.r + b.size() * a.r + a.r * b.r) + Round::multiply * std::fabs(Round::head(m)) + 0x1p-1060};
+  }
+  static double up(double x) { return x * (1 + 0x1p-50); }
+};
+
+using FastDouble = Ball<DoubleDouble>;
+
+/// What judges a scalar fast: at least twice its digits, in the exponent range of double.
+template <class S>
+struct FastOf {
+  using type = void;
+};
+template <>
+struct FastOf<float> {
+  using type = FastDouble;
+};
+template <>
+struct FastOf<double> {
+  using type = FastDouble;
+};
+
+/// sin and cos. |x| > 2^40 is not attempted.
+void sin_cos(const FastDouble& x, FastDouble& sine, FastDouble& cosine);
+
+/// The angle of (x, y) in (-pi, pi]; throws Undecided at the origin.
+FastDouble atan2(const FastDouble& y, const FastDouble& x);
+
+/// c_k(x) = sum_j (-x)^j / (2j + k)!, k = 4 or 5, 0 <= x <= 1.
+FastDouble stumpff_series(int k, const FastDouble& x);
+
+}  // namespace liecheck::oracles

@@ -1,0 +1,138 @@
+#pragma once
+// The fast oracles: the same questions as exp.hpp, log.hpp, integrate.hpp, jacobians.hpp, kinematics.hpp and
+// spatial.hpp, answered in ball arithmetic by the closed forms (closed.hpp). What they return is proved to be
+// within its radius of the exact value, so it is resolved by construction; where a comparison is open they throw
+// Undecided. Same names, overloaded on the number, so that a law is written once.
+
+#include <oracles/exp.hpp>
+#include <oracles/integrate.hpp>
+#include <oracles/jacobians.hpp>
+#include <oracles/kinematics.hpp>
+#include <oracles/spatial_formulas.hpp>
+
+namespace liecheck::oracles {
+
+template <BallNumber T>
+ExpValue<T> exp_se3(const Vec6<T>& xi);
+template <BallNumber T>
+ExpValue<T> exp_so3(const Vec3<T>& phi) {
+  return exp_se3(stack(zero_vector<3, T>(), phi));
+}
+template <BallNumber T>
+LogValue<T> log_se3(const Quaternion<T>& Q, const Vec3<T>& p);
+template <BallNumber T>
+LogValue<T> log_so3(const Quaternion<T>& Q) {
+  return log_se3(Q, zero_vector<3, T>());
+}
+/// ||R^T R - I|| < 1/100.
+template <BallNumber T>
+LogValue<T> log_se3_matrix(const Mat3<T>& R, const Vec3<T>& p);
+
+template <BallNumber T>
+IntegrateValue<T> integrate(const Vec7<T>& q0, const Vec6<T>& delta);
+template <BallNumber T>
+DifferenceValue<T> difference(const Vec7<T>& q0, const Vec7<T>& q1);
+
+template <BallNumber T>
+Jacobian6Value<T> left_jacobian_se3(const Vec6<T>& xi);
+template <BallNumber T>
+Jacobian6Value<T> left_jacobian_se3_inverse(const Vec6<T>& xi);
+
+/// J_r(xi) = J_l(-xi): [phi] and [rho] change sign, what is symmetric stays; both blocks are transposed.
+template <BallNumber T>
+Jacobian6Value<T> transposed(const Jacobian6Value<T>& left) {
+  return {transpose(left.J), transpose(left.C), left.resolved};
+}
+template <BallNumber T>
+Jacobian6Value<T> right_jacobian_se3(const Vec6<T>& xi) {
+  return transposed(left_jacobian_se3(xi));
+}
+template <BallNumber T>
+Jacobian6Value<T> right_jacobian_se3_inverse(const Vec6<T>& xi) {
+  return transposed(left_jacobian_se3_inverse(xi));
+}
+template <BallNumber T>
+Jacobian3Value<T> left_jacobian_so3(const Vec3<T>& phi) {
+  return {left_jacobian_se3(stack(zero_vector<3, T>(), phi)).J, true};
+}
+template <BallNumber T>
+Jacobian3Value<T> left_jacobian_so3_inverse(const Vec3<T>& phi) {
+  return {left_jacobian_se3_inverse(stack(zero_vector<3, T>(), phi)).J, true};
+}
+
+/// Ad(exp(-delta)) = [[R^T, -R^T [p]], [0, R^T]] and J_r(delta).
+template <BallNumber T>
+Jacobian6Value<T> d_integrate_arg0(const Vec7<T>& q, const Vec6<T>& delta);
+template <BallNumber T>
+Jacobian6Value<T> d_integrate_arg1(const Vec7<T>&, const Vec6<T>& delta) {
+  return right_jacobian_se3(delta);
+}
+/// -J_l^-1 and J_r^-1 of difference(q0, q1).
+template <BallNumber T>
+Jacobian6Value<T> d_difference_arg0(const Vec7<T>& q0, const Vec7<T>& q1);
+template <BallNumber T>
+Jacobian6Value<T> d_difference_arg1(const Vec7<T>& q0, const Vec7<T>& q1);
+
+template <BallNumber T>
+RateValue<T> configuration_rate(const Vec7<T>& q, const Vec6<T>& v);
+template <BallNumber T>
+CoefficientJacobianValue<T> integrate_coefficient_jacobian(const Vec7<T>& q);
+
+template <BallNumber T>
+Resolved<Vec3<T>> rotate_point(const Quaternion<T>& Q, const Vec3<T>& x) {
+  return {rotate(Q, x), true};
+}
+template <BallNumber T>
+Resolved<Vec6<T>> act_motion(const PoseOf<T>& X, const Vec6<T>& V) {
+  return {formulas::act_motion(X, V), true};
+}
+template <BallNumber T>
+Resolved<Vec6<T>> act_inverse_motion(const PoseOf<T>& X, const Vec6<T>& V) {
+  return {formulas::act_inverse_motion(X, V), true};
+}
+template <BallNumber T>
+Resolved<Vec6<T>> act_force(const PoseOf<T>& X, const Vec6<T>& F) {
+  return {formulas::act_force(X, F), true};
+}
+template <BallNumber T>
+Resolved<Vec6<T>> act_inverse_force(const PoseOf<T>& X, const Vec6<T>& F) {
+  return {formulas::act_inverse_force(X, F), true};
+}
+template <BallNumber T>
+Resolved<Vec6<T>> cross_motion(const Vec6<T>& V, const Vec6<T>& W) {
+  return {formulas::cross_motion(V, W), true};
+}
+template <BallNumber T>
+Resolved<Vec6<T>> cross_force(const Vec6<T>& V, const Vec6<T>& F) {
+  return {formulas::cross_force(V, F), true};
+}
+template <BallNumber T>
+Resolved<BodyOf<T>> act_inertia(const PoseOf<T>& X, const BodyOf<T>& I) {
+  return {formulas::act_inertia(X, I), true};
+}
+template <BallNumber T>
+Resolved<BodyOf<T>> act_inverse_inertia(const PoseOf<T>& X, const BodyOf<T>& I) {
+  return {formulas::act_inverse_inertia(X, I), true};
+}
+template <BallNumber T>
+Resolved<Mat6<T>> inertia_matrix(const BodyOf<T>& I) {
+  return {formulas::inertia_matrix(I), true};
+}
+template <BallNumber T>
+Resolved<Vec6<T>> momentum(const BodyOf<T>& I, const Vec6<T>& V) {
+  return {formulas::momentum(I, V), true};
+}
+template <BallNumber T>
+Resolved<T> kinetic_energy(const BodyOf<T>& I, const Vec6<T>& V) {
+  return {formulas::kinetic_energy(I, V), true};
+}
+template <BallNumber T>
+Resolved<T> power(const Vec6<T>& F, const Vec6<T>& V) {
+  return {formulas::power(F, V), true};
+}
+
+/// Of the polar factor of R, ||R^T R - I|| < 1/100, largest component positive.
+template <BallNumber T>
+Quaternion<T> nearest_quaternion(const Mat3<T>& R);
+
+}  // namespace liecheck::oracles

@@ -1,0 +1,117 @@
+#pragma once
+// The measures of error.hpp on balls: a double that is within 1e-4 of the error, relatively or in eps, or Undecided.
+//
+// Differences are formed in ball arithmetic, where they cancel; what is left, their norms, needs no more than
+// double (a relative 1e-14 covers it).
+
+#include <oracles/fast.hpp>
+
+namespace liecheck::oracles {
+
+/// The accuracy that a fast oracle promises of an error, relative or in eps.
+inline constexpr double error_accuracy = 1e-4;
+
+inline double settled(double error, double slack) {
+  if (!(slack <= error_accuracy * std::fmax(1.0, error))) throw Undecided();
+  return error == 0 && slack > 0 ? std::numeric_limits<double>::denorm_min() : error;  // 0 is exactly 0
+}
+
+/// Norm of the mid-points, and a bound of the norm of the radii.
+struct Length {
+  double value = 0, radius = 0;
+};
+template <int N, BallNumber T>
+Length length(const Vec<N, T>& v) {
+  double largest = 0, r = 0;
+  for (const T& x : v.x) {
+    largest = std::fmax(largest, x.size());
+    r = std::fmax(r, x.r);
+  }
+  if (!std::isfinite(largest)) throw Undecided();
+  const int e = largest > 0 ? std::ilogb(largest) : 0;
+  double square = 0;
+  for (const T& x : v.x) {
+    const double scaled = std::ldexp(x.head(), -e);
+    square += scaled * scaled;
+  }
+  return {std::ldexp(std::sqrt(square), e), r * N};
+}
+
+template <class S, int N, BallNumber T>
+double vector_error(const Vec<N, T>& computed, const Vec<N, T>& exact, const T& scale = T(0)) {
+  constexpr double eps = std::numeric_limits<S>::epsilon();
+  constexpr double floor = std::numeric_limits<S>::min() / eps;
+  const Length error = length(computed - exact), size = length(exact);
+  const double given = scale.head() + scale.r, own = size.value;
+  const double by = std::fmax(std::fmax(own, scale.head()), floor);
+  const double relative_slack = (std::fmax(size.radius, given - scale.head())) / by + 1e-14;
+  const double in_eps = error.value / by / eps;
+  return settled(in_eps, error.radius / by / eps + in_eps * relative_slack);
+}
+template <class S, int R, int C, BallNumber T>
+double matrix_error(const Mat<R, C, T>& computed, const Mat<R, C, T>& exact, const T& scale = T(0)) {
+  return vector_error<S>(Vec<R * C, T>{computed.x}, Vec<R * C, T>{exact.x}, scale);
+}
+template <class S, BallNumber T>
+double scalar_error(const T& computed, const T& exact, const T& scale = T(0)) {
+  return vector_error<S>(Vec<1, T>{{computed}}, Vec<1, T>{{exact}}, scale);
+}
+
+/// A distance in eps.
+template <class S, BallNumber T>
+double in_eps(const T& distance) {
+  constexpr double eps = std::numeric_limits<S>::epsilon();
+  const double error = distance.size() / eps;
+  return settled(error, distance.r / eps + 1e-14 * error);
+}
+
+template <class S, BallNumber T>
+double rotation_error(const Quaternion<T>& computed, const Quaternion<T>& exact) {
+  const Quaternion<T> Q = normalized(computed);
+  double along = 0;
+  for (int i = 0; i < 4; ++i) along += Q[i].head() * exact[i].head();
+  const Length d = length(along < 0 ? Q + exact : Q - exact);
+  constexpr double eps = std::numeric_limits<S>::epsilon();
+  return settled(2 * d.value / eps, 2 * d.radius / eps + 1e-14 * d.value / eps);
+}
+
+/// The polar factor U of computed = R (I + E') has the antisymmetric part of R^T E, E = computed - R, to within
+/// 3 ||E||^2: computed = U H gives U H - U = U (H - I), and only (U - R)(H - I) has one beside it. The vector of
+/// it is the sine of the angle.
+template <class S, BallNumber T>
+double rotation_error(const Mat3<T>& computed, const Quaternion<T>& exact) {
+  constexpr double eps = std::numeric_limits<S>::epsilon();
+  const Mat3<T> R = rotation_matrix(exact), E = computed - R;
+  const Length size = length(Vec<9, T>{E.x});
+  if (!(size.value + size.radius < 1e-4)) throw Undecided();
+  double skew[3] = {};
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    for (int l = 0; l < 3; ++l)
+      skew[i] += (R(l, k).head() * E(l, j).head() - R(l, j).head() * E(l, k).head()) / 2;
+  }
+  const double sine = std::sqrt(skew[0] * skew[0] + skew[1] * skew[1] + skew[2] * skew[2]),
+               whole = size.value + size.radius;
+  const double bound = 3 * whole * whole + 2 * size.radius + 1e-14 * size.value;
+  return settled(sine / eps, bound / eps);
+}
+template <class S, BallNumber T>
+double norm_defect(const Quaternion<T>& computed) {
+  return in_eps<S>(squared_norm(computed) - T(1));
+}
+template <class S, BallNumber T>
+double orthogonality_defect(const Mat3<T>& computed) {
+  Mat3<T> D;
+  for (int i = 0; i < 3; ++i)
+    for (int j = i; j < 3; ++j) {
+      D(i, j) =
+          computed(0, i) * computed(0, j) + computed(1, i) * computed(1, j) + computed(2, i) * computed(2, j);
+      if (i == j) D(i, j) -= T(1);
+      D(j, i) = D(i, j);
+    }
+  const Length d = length(Vec<9, T>{D.x});
+  constexpr double eps = std::numeric_limits<S>::epsilon();
+  return settled(d.value / eps, d.radius / eps + 1e-14 * d.value / eps);
+}
+
+}  // namespace liecheck::oracles
