@@ -75,8 +75,8 @@ CaseId CaseId::parse(const std::string& text) {
   return id;
 }
 
-Source::Key CaseId::key() const {
-  return sha256(fmt::format("g{}.{}.{}.{}.{}.{}", generator_version, seed, property, scalar, robot, index));
+Source::Key CaseId::series_key() const {
+  return sha256(fmt::format("g{}.{}.{}.{}.{}", generator_version, seed, property, scalar, robot));
 }
 
 template <>

@@ -1,7 +1,7 @@
 #pragma once
 // A case's address, and numbers as text.
 //
-//   g1.SEED.PROPERTY.SUBJECT.SCALAR.ROBOT.INDEX    generated: the input follows from the address
+//   g2.SEED.PROPERTY.SUBJECT.SCALAR.ROBOT.INDEX    generated: the input follows from the address
 //   raw.PROPERTY.SUBJECT.SCALAR.ROBOT.X,X,...      shrunk or typed: the input itself, hexadecimal floats
 //
 // ROBOT is "none" or the first 16 digits of the SHA-256 of the URDF. The generator's key leaves out the
@@ -15,7 +15,7 @@
 
 namespace liecheck::properties {
 
-inline constexpr int generator_version = 1;
+inline constexpr int generator_version = 2;
 
 struct CaseId {
   bool raw = false;
@@ -27,7 +27,13 @@ struct CaseId {
   std::string text() const;
   /// Throws std::invalid_argument with one line that says what is wrong.
   static CaseId parse(const std::string& text);
-  Source::Key key() const;
+  /// Of a whole series and seed; the key of a case adds its index to the last word.
+  Source::Key series_key() const;
+  Source::Key key() const { return key_of(series_key(), index); }
+  static Source::Key key_of(Source::Key series, std::uint64_t index) {
+    series[3] += index;
+    return series;
+  }
 };
 
 template <class S>

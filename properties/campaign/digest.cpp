@@ -1,6 +1,8 @@
 #include <campaign/digest.hpp>
 
 #include <openssl/sha.h>
+#define XXH_INLINE_ALL
+#include <xxhash.h>
 
 #include <fmt/format.h>
 
@@ -17,6 +19,11 @@ Sha256 sha256(std::string_view bytes) {
 
 std::string hexadecimal(const Sha256& d) {
   return fmt::format("{:016x}{:016x}{:016x}{:016x}", d[0], d[1], d[2], d[3]);
+}
+
+void SetDigest::add(const void* record, std::size_t bytes) {
+  const XXH128_hash_t h = XXH3_128bits(record, bytes);
+  add(Sha256{0, 0, h.high64, h.low64});
 }
 
 void SetDigest::add(const Sha256& d) {

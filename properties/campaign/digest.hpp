@@ -1,8 +1,9 @@
 #pragma once
 // SHA-256, and a digest of a set of records that does not depend on their order: the sum modulo 2^256 of the
-// records' SHA-256. Threads and chunks can be added up in any order.
+// records' 128-bit XXH3. Threads and chunks can be added up in any order. (XXH3: against chance, not malice.)
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -16,7 +17,7 @@ std::string hexadecimal(const Sha256& digest);
 
 class SetDigest {
  public:
-  void add(std::string_view record) { add(sha256(record)); }
+  void add(const void* record, std::size_t bytes);
   void merge(const SetDigest& other) { add(other.sum_); }
   /// SHA-256 of a header and the sum.
   std::string finish(std::string_view header) const;

@@ -2,14 +2,14 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <bit>
 #include <campaign/embedded.hpp>
 #include <campaign/shrink.hpp>
 #include <chrono>
+#include <cstddef>
 #include <fstream>
 #include <liecheck/urdf/urdf.hpp>
-#include <oracles/fast_error.hpp>
 #include <limits>
+#include <oracles/fast_error.hpp>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -151,7 +151,8 @@ bool agree(const std::vector<Judged>& fast, const std::vector<Judged>& slow) {
         fast[i].failed != slow[i].failed || fast[i].ill_posed != slow[i].ill_posed)
       return false;
     if (a.outcome != Outcome::measured) continue;
-    if (!(std::fabs(a.error - b.error) <= 1.01 * oracles::error_accuracy * std::max(1.0, b.error))) return false;
+    if (!(std::fabs(a.error - b.error) <= 1.01 * oracles::error_accuracy * std::max(1.0, b.error)))
+      return false;
   }
   return true;
 }
@@ -177,8 +178,8 @@ class SeriesOf final : public Series {
   const Bands& bands() const override { return Bands::of<S>(); }
 
   void run(std::uint64_t seed, std::uint64_t index, Tally& tally) const override {
-    const CaseId address = id(seed, index);
-    Source stream(address.key());
+    const Source::Key& series = key_of(seed);
+    Source stream(CaseId::key_of(series, index));
     const std::vector<S> x = property_->generate(stream);
     Judge judge(budgets_, bands(), eps, oracles::error_accuracy);
     const bool fast = decided_fast(x, judge);
@@ -191,18 +192,35 @@ class SeriesOf final : public Series {
     } else {
       judge.judged = measure_slowly(x);
     }
-    const std::string name = address.text();
-    std::string record = name;
-    for (const S& v : x) record += "," + hexadecimal_float(v);
-    tally.inputs.add(record);
-    record = name;
+    thread_local std::vector<std::byte> record;
+    const auto add = [](const auto& value) {
+      const auto* bytes = reinterpret_cast<const std::byte*>(&value);
+      record.insert(record.end(), bytes, bytes + sizeof value);
+    };
+    record.clear();
+    add(series);
+    add(index);
+    for (const S& v : x) {
+      if constexpr (std::is_floating_point_v<S>)
+        add(v);
+      else
+        add(v.backend().value());
+    }
+    tally.inputs.add(record.data(), record.size());
+    record.clear();
+    add(series);
+    add(index);
+    record.insert(record.end(), reinterpret_cast<const std::byte*>(subject.data()),
+                  reinterpret_cast<const std::byte*>(subject.data() + subject.size()));
     for (const Judged& j : judge.judged) {
       tally.rows[{j.residual.output, j.residual.band}].add(j, index);
-      record += fmt::format(
-          "|{}.{}.{}.{:x}.{:x}", j.residual.output, j.residual.band, static_cast<int>(j.residual.outcome),
-          std::bit_cast<std::uint64_t>(j.residual.error), std::bit_cast<std::uint64_t>(j.residual.kappa));
+      add(j.residual.output);
+      add(j.residual.band);
+      add(j.residual.outcome);
+      add(j.residual.error);
+      add(j.residual.kappa);
     }
-    tally.results.add(record);
+    tally.results.add(record.data(), record.size());
     ++tally.cases;
   }
 
@@ -236,6 +254,17 @@ class SeriesOf final : public Series {
   }
 
  private:
+  /// The series' key of a seed, computed once a thread.
+  const Source::Key& key_of(std::uint64_t seed) const {
+    thread_local struct {
+      const void* series = nullptr;
+      std::uint64_t seed = 0;
+      Source::Key key{};
+    } last;
+    if (last.series != this || last.seed != seed) last = {this, seed, id(seed, 0).series_key()};
+    return last.key;
+  }
+
   std::vector<S> numbers(const CaseId& address) const {
     if (!address.raw) {
       Source stream(address.key());

@@ -70,7 +70,7 @@ void record_jacobian6(Recorder& r, int rotation, int coupling, std::size_t band,
     T scale(0);
     if (beyond) {
       const T size = oracles::frobenius(exact.J);
-      scale = rho * (size < T(1) ? size : T(1));
+      scale = rho * oracles::smaller(size, T(1));
     }
     r.record(coupling, band, oracles::matrix_error<S>(oracles::block(all, 0, 1), exact.C, scale),
              kappa_coupling);

@@ -109,7 +109,8 @@ class IntegrateDifference final : public Law<IntegrateDifference, S> {
         const Real n = norm(Q1);
         for (Real& c : Q1.x) c /= n;
         judged_value(r, {7, 8}, band, q, true, [&] {
-          const Real scale = largest(norm(exact_vector<3, Real>(q1)), norm(exact_vector<3, Real>(q0)), exact.separation);
+          const Real scale =
+              largest(norm(exact_vector<3, Real>(q1)), norm(exact_vector<3, Real>(q0)), exact.separation);
           r.record(7, band, rotation_error<S>(quaternion<Real>(q), Q1));
           r.record(8, band, vector_error<S>(exact_vector<3, Real>(q), exact_vector<3, Real>(q1), scale));
         });
@@ -131,15 +132,14 @@ class IntegrateDifference final : public Law<IntegrateDifference, S> {
   }
   template <class Real>
   static Real largest(const Real& a, const Real& b, const Real& c) {
-    const Real m = a > b ? a : b;
-    return m > c ? m : c;
+    return oracles::larger(oracles::larger(a, b), c);
   }
 
   /// difference(q, integrate(q, d)) against d itself. The rounding of the intermediate configuration is part of
   /// this law, so kappa is that of difference at it; within rounding of half a turn the other axis is as right.
   template <class Real>
-  static void back(Recorder& r, const Vec<S, 6>& v, const oracles::Vec6<Real>& xd, const oracles::Vec<7, Real>& x0,
-                   const oracles::Vec<7, Real>& xq, std::size_t band) {
+  static void back(Recorder& r, const Vec<S, 6>& v, const oracles::Vec6<Real>& xd,
+                   const oracles::Vec<7, Real>& x0, const oracles::Vec<7, Real>& xq, std::size_t band) {
     using namespace oracles;
     if (!all_finite(v)) {
       r.outcome(5, band, Outcome::not_finite);
@@ -162,11 +162,13 @@ class IntegrateDifference final : public Law<IntegrateDifference, S> {
       return to_list(closed_difference(from_list<7>(s), from_list<7>(s, 7)));
     };
     const Real rho = norm(head3(xd)), phi = norm(tail3(xd));
-    r.record(5, band, vector_error<S>(tail3(xv), tail3(xd)),
-             [&] { return kappa_of<Real>(closed, stored(), 3, 3, phi > Real(0) ? phi : least_denominator<S, Real>()); });
-    const Real scale = rho > at.separation ? rho : at.separation;
-    r.record(6, band, vector_error<S>(head3(xv), head3(xd), scale),
-             [&] { return kappa_of<Real>(closed, stored(), 0, 3, scale > Real(0) ? scale : least_denominator<S, Real>()); });
+    r.record(5, band, vector_error<S>(tail3(xv), tail3(xd)), [&] {
+      return kappa_of<Real>(closed, stored(), 3, 3, larger(phi, least_denominator<S, Real>()));
+    });
+    const Real scale = larger(rho, at.separation);
+    r.record(6, band, vector_error<S>(head3(xv), head3(xd), scale), [&] {
+      return kappa_of<Real>(closed, stored(), 0, 3, larger(scale, least_denominator<S, Real>()));
+    });
   }
 };
 

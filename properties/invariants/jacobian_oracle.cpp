@@ -70,15 +70,16 @@ class JacobianOracle final : public Law<JacobianOracle, S> {
       // The inverse has poles at 2 pi k. At an extremum between two of them the first derivative vanishes although
       // a rounding of theta spans both: there the inverse relative distance to the pole is the condition number
       // (Demmel 1987), and the larger of the two counts.
-      const oracles::Real t = oracles::exact<oracles::Real>(theta), turn = 2 * boost::math::constants::pi<oracles::Real>();
+      const oracles::Real t = oracles::exact<oracles::Real>(theta),
+                          turn = 2 * boost::math::constants::pi<oracles::Real>();
       const oracles::Real k = round(oracles::Real(t / turn));
       const oracles::Real distance = abs(oracles::Real(t - (k > 1 ? k : oracles::Real(1)) * turn));
       return std::max(componentwise, static_cast<double>(oracles::Real(t / distance)));
     };
     const auto size = [&](const Jacobian6Value<Real>& exact, bool coupling) {
       if (!coupling) return frobenius(exact.J);
-      const Real n = frobenius(exact.J), own = frobenius(exact.C), least = rho * (n < Real(1) ? n : Real(1));
-      return own > least || !beyond ? own : least;
+      const Real n = frobenius(exact.J), own = frobenius(exact.C), least = rho * smaller(n, Real(1));
+      return beyond ? larger(own, least) : own;
     };
     const auto three = [&](int output, auto* f, const Jacobian6Value<Real>& exact, bool inverse) {
       if (!f) return;
@@ -90,9 +91,10 @@ class JacobianOracle final : public Law<JacobianOracle, S> {
     };
     const auto six = [&](int output, auto* f, const Jacobian6Value<Real>& exact, bool inverse) {
       if (!f) return;
-      record_jacobian6<S>(r, output, output + 1, band, f(xi), exact, rho, beyond,
-                          [&] { return kappa(inverse, false, size(exact, false)); },
-                          [&] { return kappa(inverse, true, size(exact, true)); });
+      record_jacobian6<S>(
+          r, output, output + 1, band, f(xi), exact, rho, beyond,
+          [&] { return kappa(inverse, false, size(exact, false)); },
+          [&] { return kappa(inverse, true, size(exact, true)); });
     };
     // For a ball the right ones are the transposes of what is at hand already.
     Jacobian6Value<Real> right, right_inverse;

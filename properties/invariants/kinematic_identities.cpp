@@ -15,7 +15,8 @@ using oracles::Real;
 
 /// The rate of R(Q / ||Q||) when Q moves at Q_dot.
 template <class Real>
-oracles::Mat3<Real> rotation_rate(const oracles::Quaternion<Real>& Q, const oracles::Quaternion<Real>& Q_dot) {
+oracles::Mat3<Real> rotation_rate(const oracles::Quaternion<Real>& Q,
+                                  const oracles::Quaternion<Real>& Q_dot) {
   const Real by_norm = Real(1) / norm(Q);
   const oracles::Quaternion<Real> n = by_norm * Q;
   Real along(0);

@@ -171,10 +171,10 @@ class KineticEnergy final : public Law<KineticEnergy, S> {
       const oracles::Vec3<Real> u = head3(x.V_e), w = tail3(x.V_e);
       const Real w_norm = norm(w), s = norm(u) + w_norm * (norm(x.I_e.c) + Real(2) * norm(x.X_e.p));
       const Real u_C = norm(u + cross(w, x.I_e.c));
-      const Real scale =
-          x.I_e.mass * s * (u_C + oracles::ulp_of_one<S, Real>() * s) + frobenius(x.I_e.I_C) * w_norm * w_norm / Real(2);
+      const Real scale = x.I_e.mass * s * (u_C + oracles::ulp_of_one<S, Real>() * s) +
+                         frobenius(x.I_e.I_C) * w_norm * w_norm / Real(2);
       // The scale alone: the subject's T_B is no exact value.
-      const Real least = oracles::least_denominator<S, Real>(), size = scale > least ? scale : least;
+      const Real size = oracles::larger(scale, oracles::least_denominator<S, Real>());
       recorder.record(frames, 0, oracles::in_eps<S>(Real(abs(T_e[0] - T_e[1]) / size)), [] { return 1.0; });
     }
   }
@@ -194,7 +194,8 @@ class KineticEnergy final : public Law<KineticEnergy, S> {
       for (const auto& [i, j] : unique) I.I_C(i, j) = I.I_C(j, i) = reader.template take<1>()[0];
       V = reader.template take<6>();
       X_e = {oracles::exact_matrix<3, 3, Real>(X.R), oracles::exact_vector<3, Real>(X.p)};
-      I_e = {oracles::exact<Real>(I.mass), oracles::exact_vector<3, Real>(I.c), oracles::exact_matrix<3, 3, Real>(I.I_C)};
+      I_e = {oracles::exact<Real>(I.mass), oracles::exact_vector<3, Real>(I.c),
+             oracles::exact_matrix<3, 3, Real>(I.I_C)};
       V_e = oracles::exact_vector<6, Real>(V);
     }
     Pose<S> X;
@@ -272,10 +273,12 @@ class KineticEnergy final : public Law<KineticEnergy, S> {
                      int first) {
     if (!oracles::all_finite(computed)) return recorder.outcome(output, 0, Outcome::not_finite);
     if (!resolved) return recorder.outcome(output, 0, Outcome::unresolved);
-    recorder.record(output, 0, oracles::vector_error<S>(oracles::exact_vector<N, Real>(computed), exact), [&] {
-      const Real own = norm(exact), least = oracles::least_denominator<S, Real>();
-      return std::max(1.0, kappa_of<Real>(formula, x(), first, N, own > least ? own : least));
-    });
+    recorder.record(
+        output, 0, oracles::vector_error<S>(oracles::exact_vector<N, Real>(computed), exact), [&] {
+          return std::max(
+              1.0, kappa_of<Real>(formula, x(), first, N,
+                                  oracles::larger(norm(exact), oracles::least_denominator<S, Real>())));
+        });
   }
 
   /// The largest of the four 3x3 blocks' errors, each relative to itself.

@@ -55,7 +55,8 @@ class LogOracle final : public Law<LogOracle, S> {
       rotation_vector_error(r, 0, o.log3_quaternion(Q), exact);
     }
     if (!o.log3_matrix && !o.log6) return;
-    const auto exact = oracles::log_se3_matrix(oracles::exact_matrix<3, 3, Real>(R), oracles::exact_vector<3, Real>(p));
+    const auto exact =
+        oracles::log_se3_matrix(oracles::exact_matrix<3, 3, Real>(R), oracles::exact_vector<3, Real>(p));
     if (o.log3_matrix) rotation_vector_error(r, 1, o.log3_matrix(R), exact);
     if (o.log6) {
       const std::size_t band = band_of_log<S>(exact);

@@ -115,16 +115,19 @@ class PowerPairing final : public Law<PowerPairing, S> {
           [&](const std::vector<Real>& x) { return numbers<Real>(formula(pose(x), six(x, 12))); },
           [&] { return numbers<Real>(X_e.R, X_e.p, v_e); });
     };
-    act(0, o.act_motion, V, V_e, 
+    act(
+        0, o.act_motion, V, V_e,
         [](const Transform& Y, const Vector6& v) { return oracles::act_motion(Y, v); },
         [](const Transform& Y, const Vector6& v) { return oracles::formulas::act_motion(Y, v); });
-    act(2, o.act_inverse_motion, V, V_e, 
+    act(
+        2, o.act_inverse_motion, V, V_e,
         [](const Transform& Y, const Vector6& v) { return oracles::act_inverse_motion(Y, v); },
         [](const Transform& Y, const Vector6& v) { return oracles::formulas::act_inverse_motion(Y, v); });
-    act(4, o.act_force, F, F_e, 
-        [](const Transform& Y, const Vector6& v) { return oracles::act_force(Y, v); },
+    act(
+        4, o.act_force, F, F_e, [](const Transform& Y, const Vector6& v) { return oracles::act_force(Y, v); },
         [](const Transform& Y, const Vector6& v) { return oracles::formulas::act_force(Y, v); });
-    act(6, o.act_inverse_force, F, F_e, 
+    act(
+        6, o.act_inverse_force, F, F_e,
         [](const Transform& Y, const Vector6& v) { return oracles::act_inverse_force(Y, v); },
         [](const Transform& Y, const Vector6& v) { return oracles::formulas::act_inverse_force(Y, v); });
     if (o.cross_motion)
@@ -168,8 +171,8 @@ class PowerPairing final : public Law<PowerPairing, S> {
   template <class Real>
   static double kappa(const oracles::FunctionOf<Real>& formula, const std::vector<Real>& x, int first,
                       const oracles::Vec3<Real>& exact) {
-    const Real own = norm(exact), least = oracles::least_denominator<S, Real>();
-    return std::max(1.0, kappa_of<Real>(formula, x, first, 3, own > least ? own : least));
+    return std::max(1.0, kappa_of<Real>(formula, x, first, 3,
+                                        oracles::larger(norm(exact), oracles::least_denominator<S, Real>())));
   }
 
   /// The linear block is `output`, the angular one the next.
@@ -188,15 +191,17 @@ class PowerPairing final : public Law<PowerPairing, S> {
       } else {
         const oracles::Vec3<Real> value = block == 0 ? head3(exact.value) : tail3(exact.value);
         const Vec<S, 3> part = computed.template segment<3>(3 * block);
-        recorder.record(output + block, 0, oracles::vector_error<S>(oracles::exact_vector<3, Real>(part), value),
+        recorder.record(output + block, 0,
+                        oracles::vector_error<S>(oracles::exact_vector<3, Real>(part), value),
                         [&] { return kappa<Real>(formula, x(), 3 * block, value); });
       }
     }
   }
 
   template <class Real>
-  static void measure_power(Recorder& recorder, const oracles::PoseOf<Real>& X, const oracles::Vec6<Real>& V_B,
-                            const oracles::Vec6<Real>& F_B, const Vec<S, 6>& V_A, const Vec<S, 6>& F_A) {
+  static void measure_power(Recorder& recorder, const oracles::PoseOf<Real>& X,
+                            const oracles::Vec6<Real>& V_B, const oracles::Vec6<Real>& F_B,
+                            const Vec<S, 6>& V_A, const Vec<S, 6>& F_A) {
     constexpr int output = 12;
     if (!oracles::all_finite(V_A) || !oracles::all_finite(F_A))
       return recorder.outcome(output, 0, Outcome::not_finite);

@@ -107,7 +107,8 @@ class RobotConfiguration final : public Law<RobotConfiguration, S> {
     for (const Segment& s : segments_) {
       if (s.nq == 7) {
         opposite.segment(s.q + 3, 4) *= S(-1);
-        const auto x0 = exact_vector<7, Real>(q0.segment(s.q, 7)), x1 = exact_vector<7, Real>(q1.segment(s.q, 7));
+        const auto x0 = exact_vector<7, Real>(q0.segment(s.q, 7)),
+                   x1 = exact_vector<7, Real>(q1.segment(s.q, 7));
         const auto xd = exact_vector<6, Real>(d.segment(s.v, 6));
         const auto next = oracles::integrate(x0, xd);
         std::size_t band = bands.classify(next.theta);
@@ -115,9 +116,9 @@ class RobotConfiguration final : public Law<RobotConfiguration, S> {
           const auto got = exact_vector<7, Real>(q.segment(s.q, 7));
           r.record(0, band, rotation_error<S>(Quaternion<Real>{{got[3], got[4], got[5], got[6]}}, next.Q));
           const Real p0 = norm(Vec3<Real>{{x0[0], x0[1], x0[2]}});
-          r.record(1, band,
-                   vector_error<S>(Vec3<Real>{{got[0], got[1], got[2]}}, next.p,
-                                   p0 > next.increment_norm ? p0 : next.increment_norm));
+          r.record(
+              1, band,
+              vector_error<S>(Vec3<Real>{{got[0], got[1], got[2]}}, next.p, larger(p0, next.increment_norm)));
         });
         const auto delta = oracles::difference(x0, x1);
         band = band_of_log<S>(delta);
@@ -135,7 +136,8 @@ class RobotConfiguration final : public Law<RobotConfiguration, S> {
         const Real c = (c0 * cos_a - s0 * sin_a) / n0, sn = (s0 * cos_a + c0 * sin_a) / n0;
         judged_value(r, {2}, 0, q.segment(s.q, 2), true, [&] {
           r.record(2, 0,
-                   in_eps<S>(norm(oracles::Vec<2, Real>{{Real(exact<Real>(q[s.q]) - c), Real(exact<Real>(q[s.q + 1]) - sn)}})));
+                   in_eps<S>(norm(oracles::Vec<2, Real>{
+                       {Real(exact<Real>(q[s.q]) - c), Real(exact<Real>(q[s.q + 1]) - sn)}})));
         });
         const Real c1 = exact<Real>(q1[s.q]), s1 = exact<Real>(q1[s.q + 1]);
         const Real angle_between = atan2(Real(c0 * s1 - s0 * c1), Real(c0 * c1 + s0 * s1));

@@ -50,7 +50,7 @@ class SignContinuity final : public Law<SignContinuity, S> {
       if (!all_finite(next)) return r.outcome(0, band, Outcome::not_finite);
       Real product(0);
       for (int i = 3; i < 7; ++i) product += exact<Real>(q[i]) * exact<Real>(next[i]);
-      const Real defect = product < Real(0) ? Real(-product) : Real(0);  // a tie may go either way, to rounding
+      const Real defect = larger(Real(-product), Real(0));  // a tie may go either way, to rounding
       r.record(0, band, in_eps<S>(defect));
       q = next;
     }

@@ -76,8 +76,7 @@ class SmallAngleBranches final : public Law<SmallAngleBranches, S> {
         size += e0[at] * e0[at];
       }
       size = sqrt(size);
-      const Real least = least_denominator<S, Real>();
-      if (least > size) size = least;
+      size = larger(size, least_denominator<S, Real>());
       r.record(output, band, in_eps<S>(Real(sqrt(squared) / size)));
     };
     const auto flat = [](const Mat3<Real>& m) { return std::vector<Real>(m.x.begin(), m.x.end()); };

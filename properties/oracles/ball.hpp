@@ -126,7 +126,8 @@ struct Ball {
 
   static Ball small_product(const Ball& a, const Ball& b, const M& m) {
     if (a.exactly_zero() || b.exactly_zero()) return Ball(0);
-    return {m, up(a.size() * b.r + b.size() * a.r + a.r * b.r) + Round::multiply * std::fabs(Round::head(m)) + 0x1p-1060};
+    return {m, up(a.size() * b.r + b.size() * a.r + a.r * b.r) + Round::multiply * std::fabs(Round::head(m)) +
+                   0x1p-1060};
   }
   static double up(double x) { return x * (1 + 0x1p-50); }
 };

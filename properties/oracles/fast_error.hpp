@@ -12,8 +12,12 @@ namespace liecheck::oracles {
 inline constexpr double error_accuracy = 1e-4;
 
 inline double settled(double error, double slack) {
-  if (!(slack <= error_accuracy * std::fmax(1.0, error))) throw Undecided();
+  if (!(slack <= error_accuracy * (error > 1 ? error : 1))) throw Undecided();
   return error == 0 && slack > 0 ? std::numeric_limits<double>::denorm_min() : error;  // 0 is exactly 0
+}
+
+inline double max(double a, double b) {
+  return a > b ? a : b;
 }
 
 /// Norm of the mid-points, and a bound of the norm of the radii.
@@ -24,17 +28,18 @@ template <int N, BallNumber T>
 Length length(const Vec<N, T>& v) {
   double largest = 0, r = 0;
   for (const T& x : v.x) {
-    largest = std::fmax(largest, x.size());
-    r = std::fmax(r, x.r);
+    largest = max(largest, x.size());
+    r = max(r, x.r);
   }
   if (!std::isfinite(largest)) throw Undecided();
-  const int e = largest > 0 ? std::ilogb(largest) : 0;
+  // Scaled where squares would leave the exponent range; 2^+-600 are representable, and their squares not asked for.
+  const double scale = largest < 0x1p-400 ? 0x1p600 : largest > 0x1p400 ? 0x1p-600 : 1;
   double square = 0;
   for (const T& x : v.x) {
-    const double scaled = std::ldexp(x.head(), -e);
+    const double scaled = x.head() * scale;
     square += scaled * scaled;
   }
-  return {std::ldexp(std::sqrt(square), e), r * N};
+  return {std::sqrt(square) / scale, r * N};
 }
 
 template <class S, int N, BallNumber T>
@@ -43,8 +48,8 @@ double vector_error(const Vec<N, T>& computed, const Vec<N, T>& exact, const T& 
   constexpr double floor = std::numeric_limits<S>::min() / eps;
   const Length error = length(computed - exact), size = length(exact);
   const double given = scale.head() + scale.r, own = size.value;
-  const double by = std::fmax(std::fmax(own, scale.head()), floor);
-  const double relative_slack = (std::fmax(size.radius, given - scale.head())) / by + 1e-14;
+  const double by = max(max(own, scale.head()), floor);
+  const double relative_slack = (max(size.radius, given - scale.head())) / by + 1e-14;
   const double in_eps = error.value / by / eps;
   return settled(in_eps, error.radius / by / eps + in_eps * relative_slack);
 }

@@ -89,7 +89,7 @@ template <int N, class T>
 T norm(const Vec<N, T>& v) {
   if constexpr (BallNumber<T>) {  // whose exponents are those of double
     double largest = 0;
-    for (const T& x : v.x) largest = std::fmax(largest, x.size());
+    for (const T& x : v.x) if (x.size() > largest) largest = x.size();
     if ((largest < 0x1p-400 && largest > 0) || largest > 0x1p400) {
       const int e = std::ilogb(largest) / 2;  // twice, for a power of two that is representable
       const T down = std::ldexp(1.0, -e), up = std::ldexp(1.0, e);

@@ -68,6 +68,21 @@ inline void set_product(T& r, const T& a, const T& b) {
   }
 }
 
+/// max(a, b) and min(a, b): of balls without deciding, the larger radius holds for both.
+template <class T>
+T larger(const T& a, const T& b) {
+  if constexpr (BallNumber<T>) {
+    return {a.head() > b.head() ? a.m : b.m,
+            std::fmax(a.r, b.r) + 0x1p-51 * std::fabs(a.head() == b.head() ? a.head() : 0)};
+  } else {
+    return a > b ? a : b;
+  }
+}
+template <class T>
+T smaller(const T& a, const T& b) {
+  return -larger<T>(-a, -b);
+}
+
 inline void sin_cos(const Real& x, Real& sine, Real& cosine) {
   mpfr_sin_cos(sine.backend().data(), cosine.backend().data(), x.backend().data(), MPFR_RNDN);
 }

@@ -130,6 +130,18 @@ TYPED_TEST(Configuration, TheLinearPartOfDifferenceIsNotTheDifferenceOfPositions
   // J^-1 (1, 0, 0) at a quarter turn about z: (pi/4, -pi/4, 0).
   EXPECT_LE(error(d.template head<3>(), Vector3<S>(half_pi<S> / 2, -half_pi<S> / 2, S(0))), 4 * this->eps);
 }
+TEST(Difference, AxisNearHalfATurnHasTheSignOfAScalarPartOfTwiceTheDigits) {
+  // Q0 . Q1 = -1.2e-37 beside products of size 0.5: the axis is that of Q0* (-Q1).
+  Vector7<double> q0 = Vector7<double>::Zero(), q1 = q0;
+  q0.tail<4>() << 0x1.3ac88f7ecf59fp-34, -0x1.84b28381d982dp-1, -0x1.1c1b307817c84p-49, 0x1.4d41166cb9cc6p-1;
+  q1.tail<4>() << -0x1.1c1b307818c9dp-49, -0x1.4d41166cb9cc6p-1, -0x1.3ac88f7ecf59fp-34, -0x1.84b28381d982dp-1;
+  const Vector6<double> d = differenceSE3<double>(q0, q1);
+  const Eigen::Quaterniond Q0(q0[6], q0[3], q0[4], q0[5]), Q1(q1[6], q1[3], q1[4], q1[5]);
+  EXPECT_LT(d.tail<3>().dot((Q0.conjugate() * Q1).vec()), 0);
+  EXPECT_LT(d.tail<3>().norm(), pi<double>() + 1e-15);
+  const double w = exact_dot<double, 4>(q0.tail<4>(), q1.tail<4>());
+  EXPECT_NEAR(w, -1.2e-37, 0.1e-37);
+}
 TYPED_TEST(Configuration, AtExactlyHalfATurnDifferenceIsPiAboutEitherSignOfTheAxis) {
   using S = TypeParam;
   Vector7<S> q1 = Vector7<S>::Zero();

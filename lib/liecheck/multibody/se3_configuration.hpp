@@ -39,12 +39,8 @@ Eigen::Matrix<S, N, 1> firstOrderNormalize(const Eigen::Matrix<S, N, 1>& u) {
 template <Scalar S>
 SO3<S> relativeRotation(const Vector4<S>& Q0, const Vector4<S>& Q1) {
   S w = Q0.dot(Q1);
-  // Near half a turn the sign of w decides the axis, and its products cancel: twice the digits.
-  if (w * w < S(256) * eps<S>() * eps<S>() * Q0.squaredNorm() * Q1.squaredNorm()) {
-    CompensatedSum<S> sum;
-    for (int i = 0; i < 4; ++i) sum.add_product(Q0[i], Q1[i]);
-    w = sum.value();
-  }
+  // Near half a turn the sign of w decides the axis, and its products cancel.
+  if (w * w < S(256) * eps<S>() * eps<S>() * Q0.squaredNorm() * Q1.squaredNorm()) w = exact_dot<S, 4>(Q0, Q1);
   Vector4<S> D = Q1;
   if (w < S(0)) {
     D = -D;

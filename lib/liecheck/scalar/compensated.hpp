@@ -2,6 +2,7 @@
 // Error-free transformations (Dekker 1971; Ogita, Rump & Oishi 2005), for the few sums whose terms cancel.
 
 #include <liecheck/scalar/scalar.hpp>
+#include <array>
 #include <limits>
 #include <utility>
 
@@ -63,5 +64,29 @@ class CompensatedSum {
   S high_ = S(0);
   S low_ = S(0);
 };
+
+/// a . b with its exact sign and a relative error of 2 eps however much cancels, barring underflow of the
+/// products: they are summed as a nonoverlapping expansion, smallest first. Shewchuk (1997), theorem 10.
+template <Scalar S, int N, class V>
+S exact_dot(const V& a, const V& b) {
+  std::array<S, 2 * N> expansion;
+  int size = 0;
+  const auto grow = [&](S x) {
+    for (int i = 0; i < size; ++i) {
+      const auto [sum, rest] = two_sum(x, expansion[i]);
+      expansion[i] = rest;
+      x = sum;
+    }
+    expansion[size++] = x;
+  };
+  for (int i = 0; i < N; ++i) {
+    const auto [p, e] = two_product(a[i], b[i]);
+    grow(e);
+    grow(p);
+  }
+  S sum(0);
+  for (const S& x : expansion) sum += x;
+  return sum;
+}
 
 }  // namespace liecheck
