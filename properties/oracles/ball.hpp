@@ -122,7 +122,12 @@ struct Ball {
     if (a.size() < 0x1p-900) r += 0x1p-520;
     return {m, r};
   }
-  friend Ball ldexp(const Ball& a, int e) { return a * Ball(std::ldexp(1.0, e)); }
+  /// 2^e a, exact but for what underflows.
+  friend Ball power_scaled(const Ball& a, int e) {
+    const M m{std::ldexp(a.m.hi, e), std::ldexp(a.m.lo, e)};
+    const double lost = std::fabs(m.hi) < 0x1p-960 ? 0x1p-1073 : 0;
+    return {m, std::ldexp(a.r, e) * (1 + 0x1p-50) + (a.exactly_zero() || e > 0 ? 0 : lost)};
+  }
 
   static Ball small_product(const Ball& a, const Ball& b, const M& m) {
     if (a.exactly_zero() || b.exactly_zero()) return Ball(0);

@@ -83,9 +83,35 @@ HalfAngle<T> half_angle(const Vec3<T>& phi) {
   return h;
 }
 
+/// x with its radius widened by r.
+template <BallNumber T>
+T widened(T x, double r) {
+  x.r = T::up(x.r + r);
+  return x;
+}
+template <BallNumber T>
+double bound(const Vec3<T>& v) {
+  return std::fabs(v[0].head()) + std::fabs(v[1].head()) + std::fabs(v[2].head()) + v[0].r + v[1].r + v[2].r;
+}
+inline constexpr double tiny_angle =
+    0x1p-60;  ///< below it balls take the first order, its rest in the radius
+
 template <class T>
 UnitPose<T> closed_exp(const Vec6<T>& xi) {
   const Vec3<T> rho = head3(xi);
+  if constexpr (BallNumber<T>) {
+    const Vec3<T> phi = tail3(xi);
+    const double angle = bound(phi), rest = angle > 0 ? std::fmax(angle * angle, 0x1p-1000) : 0;
+    if (angle < tiny_angle) {
+      UnitPose<T> pose{{{T(0.5) * phi[0], T(0.5) * phi[1], T(0.5) * phi[2], widened(T(1), rest)}},
+                       rho + T(0.5) * cross(phi, rho)};
+      for (int i = 0; i < 3; ++i) {
+        pose.Q[i] = widened(pose.Q[i], rest * angle);
+        if (rest > 0) pose.p[i] = widened(pose.p[i], rest * bound(rho));
+      }
+      return pose;
+    }
+  }
   const HalfAngle<T> h = half_angle(tail3(xi));
   UnitPose<T> pose;
   pose.Q = {{h.s * h.n[0], h.s * h.n[1], h.s * h.n[2], h.c}};
@@ -103,6 +129,19 @@ Vec6<T> closed_log(const Quaternion<T>& Q, const Vec3<T>& p, bool as_signed) {
   const bool flip = !as_signed && Q[3] < 0;
   const Vec3<T> v = flip ? -head3(Q) : head3(Q);
   const T w = flip ? T(-Q[3]) : Q[3];
+  if constexpr (BallNumber<T>) {
+    const double sine = bound(v), cosine = w.head() - w.r;
+    if (cosine > 0 &&
+        sine < tiny_angle * cosine) {  // phi = 2 v / w (1 - O(s^2 / w^2)), V^-1 = I - [phi]/2 + O(phi^2)
+      const double ratio = 2 * sine / cosine, rest = std::fmax(ratio * ratio, 0x1p-1000);
+      Vec3<T> phi = T(T(2) / w) * v, rho = p - T(0.5) * cross(phi, p);
+      for (int i = 0; i < 3; ++i) {
+        if (sine > 0) phi[i] = widened(phi[i], rest * ratio);
+        if (sine > 0) rho[i] = widened(rho[i], rest * bound(p) + 0x1p-1070);
+      }
+      return stack(rho, phi);
+    }
+  }
   const T s = norm(v);
   if (s == 0) return stack(p, v);
   const T theta = 2 * atan2(s, w);

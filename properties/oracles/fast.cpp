@@ -76,7 +76,9 @@ Quaternion<T> nearest_quaternion(const Mat3<T>& R) {
     const T by = T(4) * q[i];
     q[j] = widened(X(i, j) + X(j, i), 2 * whole) / by;
     q[k] = widened(X(i, k) + X(k, i), 2 * whole) / by;
-    q[3] = widened(X(k, j) - X(j, k), 2 * skew) / by;
+    const bool symmetric =
+        R(0, 1) == R(1, 0) && R(0, 2) == R(2, 0) && R(1, 2) == R(2, 1);  // half a turn, exactly
+    q[3] = symmetric ? T(0) : widened(X(k, j) - X(j, k), 2 * skew) / by;
   }
   return q;
 }

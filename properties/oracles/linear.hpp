@@ -88,14 +88,19 @@ T squared_norm(const Vec<N, T>& v) {
 template <int N, class T>
 T norm(const Vec<N, T>& v) {
   if constexpr (BallNumber<T>) {  // whose exponents are those of double
+    const T* only = nullptr;      // of a vector along an axis the norm is exact
+    int others = -1;
+    for (const T& x : v.x)
+      if (!x.exactly_zero()) only = &x, ++others;
+    if (others <= 0) return only ? abs(*only) : T(0);
     double largest = 0;
-    for (const T& x : v.x) if (x.size() > largest) largest = x.size();
+    for (const T& x : v.x)
+      if (x.size() > largest) largest = x.size();
     if ((largest < 0x1p-400 && largest > 0) || largest > 0x1p400) {
-      const int e = std::ilogb(largest) / 2;  // twice, for a power of two that is representable
-      const T down = std::ldexp(1.0, -e), up = std::ldexp(1.0, e);
+      const int e = std::ilogb(largest);
       Vec<N, T> scaled = v;
-      for (T& x : scaled.x) x = x * down * down;
-      return sqrt(squared_norm(scaled)) * up * up;
+      for (T& x : scaled.x) x = power_scaled(x, -e);
+      return power_scaled(sqrt(squared_norm(scaled)), e);
     }
   }
   return sqrt(squared_norm(v));
