@@ -259,12 +259,13 @@ std::string machine_section(const Merged& merged) {
 
 std::string page(const Merged& merged, const Json& numbers) {
   const std::map<std::string, std::function<std::string()>, std::less<>> slots = {
-      {"style", [] { return std::string(part("page.css")); }},
+      {"style", [] { return std::string(part("page.css")) + std::string(part("stability.css")); }},
       {"chart library", [] { return std::string(part("chart.min.js")); }},
       {"scripts",
        [] {
          std::string all;
-         for (const char* name : {"axes.js", "charts.js", "figure.js", "tables.js", "page.js"})
+         for (const char* name :
+              {"axes.js", "charts.js", "figure.js", "tables.js", "page.js", "stability.js"})
            all += part(name);
          return all;
        }},
