@@ -27,7 +27,7 @@ using Function = FunctionOf<Real>;
 template <class T>
 struct ConditionBlockOf {
   int first = 0, size = 0;
-  std::optional<T> denominator = std::nullopt;
+  std::optional<T> denominator{};
 };
 using ConditionBlock = ConditionBlockOf<Real>;
 
