@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <campaign/embedded.hpp>
+#include <filesystem>
 #include <fstream>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
 
@@ -31,6 +33,20 @@ std::vector<std::string> split(const std::string& text, char by) {
 
 [[noreturn]] void refuse(const std::string& place, const std::string& why) {
   throw std::invalid_argument(place + ": " + why);
+}
+
+/// What reaches a terminal and a record: UTF-8 without control characters.
+void check_text(const std::string& place, const std::string& row) {
+  const auto control =
+      std::find_if(row.begin(), row.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; });
+  if (control != row.end())
+    refuse(place, fmt::format("control character {:#04x} in column {}", static_cast<unsigned char>(*control),
+                              control - row.begin() + 1));
+  try {
+    static_cast<void>(nlohmann::json(row).dump());
+  } catch (const nlohmann::json::exception&) {
+    refuse(place, "not UTF-8");
+  }
 }
 
 /// A field that a case leaves out: the k-th vector, from 0, is (1 + k, 2, 3 - 2 k); the identity, no rotation, a
@@ -101,6 +117,7 @@ std::vector<HardCase> parse_corpus(const std::string& file, const std::string& t
     if (row.empty() || row[0] == '#') continue;
     HardCase c;
     c.file = file, c.line = line;
+    check_text(c.place(), row);
     const auto columns = split(row, '|');
     if (columns.size() != 6)
       refuse(c.place(), fmt::format("{} columns, not name | property | input | class | reason | origin: '{}'",
@@ -127,10 +144,16 @@ std::vector<HardCase> parse_corpus(const std::string& file, const std::string& t
 }
 
 std::vector<HardCase> read_corpus(const std::string& path) {
+  constexpr std::uintmax_t largest = 16 << 20;  // bytes: a hundred thousand lines
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error))
+    throw std::invalid_argument(fmt::format("{}: no regular file there", path.empty() ? "''" : path));
+  if (std::filesystem::file_size(path, error) > largest)
+    throw std::invalid_argument(fmt::format("{}: larger than {} bytes", path, largest));
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;
-  text << file.rdbuf();
-  if (!file || text.str().empty()) throw std::invalid_argument(path + ": no readable hard cases there");
+  if (!(text << file.rdbuf()) || text.str().empty())
+    throw std::invalid_argument(path + ": empty or not readable");
   return parse_corpus(path, text.str());
 }
 

@@ -180,7 +180,10 @@ TEST(Corpus, RefusesALineWithItsFileLineAndValue) {
   EXPECT_NE(refusal("a | exp_oracle | phi = 1, 0, 0 | c | r | o\na | exp_oracle | phi = 2, 0, 0 | c | r | o")
                 .find("f.txt:2: name 'a' is already that of f.txt:1"),
             std::string::npos);
-  EXPECT_THROW(read_corpus("/nowhere/at/all.txt"), std::invalid_argument);
+  refused("a | exp_oracle | phi = 1, 0, 0 | c | \x1b[2J | o", "control character 0x1b in column 38");
+  refused("a | exp_oracle | phi = 1, 0, 0 | c | \xff | o", "not UTF-8");
+  for (const char* path : {"/nowhere/at/all.txt", "/", ""})
+    EXPECT_THROW(read_corpus(path), std::invalid_argument);
 }
 
 TEST(Corpus, TakesAHuntedInputAsItIs) {
