@@ -40,6 +40,10 @@ std::vector<HardCase> corpus_with(const std::vector<std::string>& files) {
 }
 
 void print_hard_case_summary(const std::vector<HardRow>& rows, std::size_t shown_failures) {
+  if (rows.empty()) {
+    fmt::print("hard cases: none of the selected properties\n");
+    return;
+  }
   fmt::print("{:<24}{:<10}{:>6}", "hard cases", "scalar", "cells");
   for (const Verdict v : verdicts) fmt::print("  {:>12}", name_of(v));
   fmt::print("\n");

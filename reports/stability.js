@@ -27,12 +27,12 @@ function hardCases() {
   return [...cases.values()];
 }
 
-const width = scalar => ["float", "double", "float128"].indexOf(scalar);
+const scalarWidth = scalar => ["float", "double", "float128"].indexOf(scalar);
 function stabilityColumns(cases) {
   const all = new Map();
   for (const c of cases) for (const [key, [cell]] of c.columns) all.set(key, cell);
   return [...all].map(([key, {subject, scalar}]) => ({key, subject, scalar}))
-    .sort((a, b) => a.subject.localeCompare(b.subject) || width(a.scalar) - width(b.scalar));
+    .sort((a, b) => a.subject.localeCompare(b.subject) || scalarWidth(a.scalar) - scalarWidth(b.scalar));
 }
 
 const mark = (verdict, extra = "") => element("span", {class: `mark ${verdict.name.replace(" ", "-")}`}, verdict.mark + extra);
