@@ -1,8 +1,9 @@
-// The liecheck program: list, campaign, replay, report.
+// The liecheck program: list, campaign, hard-cases, replay, report.
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <campaign/campaign.hpp>
+#include <commands_hard_cases.hpp>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -40,7 +41,8 @@ double parse_duration(const std::string& text) {
 struct Flags {
   std::vector<std::string> subjects, properties, scalars;
   std::string robot, json, duration, id, out = "liecheck-report";
-  std::vector<std::string> records;
+  std::vector<std::string> records, files;
+  bool no_hard_cases = false;
   std::uint64_t seed = 42, cases = 1000;
   unsigned jobs = std::max(1u, std::thread::hardware_concurrency());
 };
@@ -168,14 +170,46 @@ int run_list() {
   return within_budget;
 }
 
+std::vector<HardRow> hard_cases_of(const Flags& f, const Selection& selection) {
+  if (f.no_hard_cases) return {};
+  return run_hard_cases(selection, robot_of(f), built_in_corpus(), f.jobs);
+}
+
+void write_record(const std::string& path, const CampaignResult& result,
+                  const std::vector<HardRow>& hard_cases) {
+  auto record = record_of(result);
+  add_hard_cases(record, hard_cases);
+  write_file(path, record.dump(1) + "\n");
+}
+
 int run_campaign_command(const Flags& f) {
   check_writable(f.json);
-  const CampaignResult result = campaign(f, selection_of(f));
+  const Selection selection = selection_of(f);
+  const auto hard_cases = hard_cases_of(f, selection);
+  if (!f.no_hard_cases) print_hard_case_summary(hard_cases, 3), fmt::print("\n"), std::fflush(stdout);
+  const CampaignResult result = campaign(f, selection);
   if (result.series.empty())
     throw std::invalid_argument(
         "nothing to run: no selected subject offers a selected property in that scalar");
-  if (!f.json.empty()) write_file(f.json, record_of(result).dump(1) + "\n");
-  return print_campaign(result);
+  if (!f.json.empty()) write_record(f.json, result, hard_cases);
+  const int code = print_campaign(result);
+  if (any_failed(hard_cases)) fmt::print("hard cases failed: see the first section\n");
+  return code == within_budget && any_failed(hard_cases) ? property_failed : code;
+}
+
+int run_hard_cases_command(const Flags& f) {
+  check_writable(f.json);
+  CampaignResult result;
+  result.options.cases = 0;
+  result.robot = robot_of(f);
+  const auto cases = corpus_with(f.files);
+  const auto rows = run_hard_cases(selection_of(f), result.robot, cases, f.jobs);
+  if (rows.empty())
+    throw std::invalid_argument("nothing to run: no selected subject offers a hard case's property");
+  if (!f.json.empty()) write_record(f.json, result, rows);
+  print_hard_case_table(rows);
+  print_hard_case_summary(rows, rows.size());
+  return any_failed(rows) ? property_failed : within_budget;
 }
 
 int run_replay(const Flags& f) {
@@ -189,10 +223,13 @@ int run_replay(const Flags& f) {
   if (series.robot != id.robot)
     throw std::invalid_argument(fmt::format(
         "case ID names robot {}, this one is {}: give its URDF with --robot", id.robot, series.robot));
+  const Trial trial = series.attempt(id);
   fmt::print("{}: {}\n{} {} in {}\ninput {}\n", series.property, series.law, series.subject,
-             series.subject_version, series.scalar, fmt::join(series.input(id), " "));
+             series.subject_version, series.scalar, fmt::join(trial.input, " "));
   bool failed = false;
-  for (const Judged& j : series.replay(id)) {
+  if (!trial.refusal.empty()) fmt::print("refused: {}\n", trial.refusal);
+  for (const Judged& j : trial.judged) {
+    if (!j.failed && j.residual.outcome == Outcome::refused) continue;  // as it should
     const Output& o = series.outputs.at(j.residual.output);
     static const char* const outcomes[] = {"", "NaN or Inf", "wrong branch", "unresolved", "refused"};
     failed = failed || j.failed;
@@ -212,9 +249,10 @@ int run_report(const Flags& f) {
   if (records.empty()) {
     std::filesystem::create_directories(f.out);
     const std::filesystem::path path = std::filesystem::path(f.out) / "campaign.json";
+    const auto hard_cases = hard_cases_of(f, {});
     const CampaignResult result = campaign(f, {});
     if (result.incomplete) fmt::print(stderr, "interrupted: the report holds what was done\n");
-    write_file(path, record_of(result).dump(1) + "\n");
+    write_record(path, result, hard_cases);
     records.push_back(path);
   }
   const auto files = liecheck::reports::write_report(records, f.out);
@@ -230,6 +268,13 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   app.set_version_flag("--version", LIECHECK_VERSION);
   Flags f;
+  const auto selection_flags = [&](CLI::App* c) {
+    c->add_option("--subject", f.subjects,
+                  "a subject, repeatable, or 'all'; default liecheck in float and double");
+    c->add_option("--property", f.properties, "a property, repeatable; default every one");
+    c->add_option("--scalar", f.scalars, "float, double or float128, repeatable");
+    c->add_option("--json", f.json, "write the record to FILE");
+  };
   const auto budget_flags = [&](CLI::App* c) {
     c->add_option("--robot", f.robot,
                   "URDF of the robot for configuration properties; built in: mixed_joints");
@@ -245,12 +290,14 @@ int main(int argc, char** argv) {
   app.add_subcommand("list", "the subjects and properties");
   auto* run = app.add_subcommand(
       "campaign", "run properties on subjects. Exit 0 within budget, 1 failed, 2 bad input, 3 incomplete");
-  run->add_option("--subject", f.subjects,
-                  "a subject, repeatable, or 'all'; default liecheck in float and double");
-  run->add_option("--property", f.properties, "a property, repeatable; default every one");
-  run->add_option("--scalar", f.scalars, "float, double or float128, repeatable");
-  run->add_option("--json", f.json, "write the record to FILE");
+  selection_flags(run);
+  run->add_flag("--no-hard-cases", f.no_hard_cases, "skip the hard cases, which are replayed first");
   budget_flags(run);
+  auto* hard = app.add_subcommand(
+      "hard-cases", "a verdict on every hard case. Exit 0 none failed, 1 some did, 2 bad input");
+  selection_flags(hard);
+  hard->add_option("--file", f.files, "more hard cases, in the form of fixtures/hard_cases, repeatable");
+  hard->add_option("-j,--jobs", f.jobs, "threads")->check(CLI::Range(1u, 1024u));
   auto* replay = app.add_subcommand("replay", "run one case again and print its residuals, bit for bit");
   replay->add_option("ID", f.id, "the case's address, as a failure or a report prints it")->required();
   replay->add_option("--robot", f.robot, "URDF of the robot that the ID names");
@@ -270,6 +317,7 @@ int main(int argc, char** argv) {
   }
   try {
     if (run->parsed()) return run_campaign_command(f);
+    if (hard->parsed()) return run_hard_cases_command(f);
     if (replay->parsed()) return run_replay(f);
     if (report->parsed()) return run_report(f);
     return run_list();

@@ -96,15 +96,16 @@ std::string cases_text(const Json& record) {
 std::string verdict_section(const Merged& merged) {
   const std::string verdict_word = verdict(merged);
   const auto all = standings(merged);
-  std::string out =
-      fmt::format("<p class=\"verdict {0}\"><strong>{1}</strong> {2}</p>\n", verdict_word,
-                  verdict_word == "pass"   ? "PASS"
-                  : verdict_word == "fail" ? "FAIL"
-                                           : "INCOMPLETE",
-                  verdict_word == "pass" ? "Every band judged is within its budget."
-                  : verdict_word == "fail"
-                      ? "At least one band of at least one subject is over its budget; see below whose."
-                      : "The campaign did not settle all that it set out to.");
+  std::string out = fmt::format(
+      "<p class=\"verdict {0}\"><strong>{1}</strong> {2}</p>\n", verdict_word,
+      verdict_word == "pass"   ? "PASS"
+      : verdict_word == "fail" ? "FAIL"
+                               : "INCOMPLETE",
+      verdict_word == "pass" ? "Every band judged is within its budget."
+      : verdict_word == "fail"
+          ? "At least one band of at least one subject is over its budget, or a hard case failed; see "
+            "below whose."
+          : "The campaign did not settle all that it set out to.");
   out += "<dl class=\"summary\">\n";
   const auto item = [&out](std::string_view name, const std::string& value) {
     out += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>\n", name, value);
@@ -136,6 +137,13 @@ std::string verdict_section(const Merged& merged) {
                    merged.results.size(),
                    std::count_if(merged.results.begin(), merged.results.end(),
                                  [](const Json& row) { return row["status"] == "fail"; })));
+  int hard = 0, hard_failed = 0;
+  for (const Json& r : merged.records)
+    for (const Json& row : r.value("hard_cases", Json::array()))
+      for (const Json& cell : row["cells"]) ++hard, hard_failed += cell["failed"].get<bool>();
+  if (hard > 0)
+    item("hard cases",
+         fmt::format("{} cells, one for each case × law × subject × scalar; {} failed", hard, hard_failed));
   out += "</dl>\n";
   int control_rows = 0, control_failed = 0;
   for (const Standing& s : all)
@@ -259,12 +267,13 @@ std::string machine_section(const Merged& merged) {
 
 std::string page(const Merged& merged, const Json& numbers) {
   const std::map<std::string, std::function<std::string()>, std::less<>> slots = {
-      {"style", [] { return std::string(part("page.css")); }},
+      {"style", [] { return std::string(part("page.css")) + std::string(part("stability.css")); }},
       {"chart library", [] { return std::string(part("chart.min.js")); }},
       {"scripts",
        [] {
          std::string all;
-         for (const char* name : {"axes.js", "charts.js", "figure.js", "tables.js", "page.js"})
+         for (const char* name :
+              {"axes.js", "charts.js", "figure.js", "tables.js", "page.js", "stability.js"})
            all += part(name);
          return all;
        }},

@@ -58,6 +58,11 @@ class Field {
         });
     if (!known) refuse(fmt::format("one of {}", fmt::join(words, ", ")));
   }
+  void boolean() const {
+    if (!value_.is_boolean()) refuse("true or false");
+  }
+  /// The text of a field that has been checked to be one.
+  std::string string(const char* name) const { return value_.at(name).get<std::string>(); }
   void number() const {
     if (!value_.is_number()) refuse("a number");
   }
@@ -98,6 +103,22 @@ void check_result(const Field& row) {
   if (worst.has("theta")) worst["theta"].number();  // only where the operation has an angle
 }
 
+void check_hard_case(const Field& hard) {
+  hard.texts({"name", "class", "reason", "origin", "property", "expression"});
+  const Field input = hard["input"];
+  hard["cells"].each([&](const Field& cell) {
+    cell.texts({"subject", "scalar", "operation", "block", "band", "replay"});
+    cell["verdict"].one_of(
+        {"stable", "refused", "ill-posed", "unresolved", "inaccurate", "wrong branch", "not finite"});
+    cell["rule"].one_of({"forward", "excess"});
+    cell["failed"].boolean();
+    cell["budget"].number();
+    for (const char* name : {"error", "kappa"}) cell[name].measured();
+    if (cell.has("refusal")) cell["refusal"].text();
+    input[cell.string("scalar").c_str()].each([](const Field& x) { x.text(); });
+  });
+}
+
 void check_record(const Field& record) {
   record.texts({"version"});
   record["generator_version"].count();
@@ -116,6 +137,7 @@ void check_record(const Field& record) {
   record["operations"].each([](const Field& o) { o.texts({"operation", "definition", "frame"}); });
   record["properties"].each([](const Field& p) { p.texts({"property", "law", "equation", "source"}); });
   record["results"].each(check_result);
+  if (record.has("hard_cases")) record["hard_cases"].each(check_hard_case);  // younger than the rest
 }
 
 /// "line 3, column 14" of a byte, both counted from 1, columns in bytes.
@@ -176,6 +198,15 @@ Merged merge_records(const std::vector<std::filesystem::path>& files) {
                                              fmt::join(key, " / "), first->second));
       merged.results.push_back(std::move(row));
     }
+    for (const Json& hard : record.value("hard_cases", Json::array()))
+      for (const Json& cell : hard["cells"]) {
+        const std::vector<std::string> key = {hard["name"], hard["property"], cell["subject"],
+                                              cell["scalar"]};
+        const auto [first, fresh] = seen.emplace(key, file.string());
+        if (!fresh)
+          throw std::runtime_error(fmt::format("{}: field hard_cases: {} is already in {}", file.string(),
+                                               fmt::join(key, " / "), first->second));
+      }
     record.erase("results");
     merged.records.push_back(std::move(record));
   }

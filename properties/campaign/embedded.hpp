@@ -4,4 +4,10 @@
 namespace liecheck::properties {
 extern const char* const budgets_csv;          ///< properties/budgets.csv
 extern const char* const built_in_robot_urdf;  ///< fixtures/robots/mixed_joints.urdf
+
+struct EmbeddedFile {
+  const char* name;  ///< null at the end of a list
+  const char* text;
+};
+extern const EmbeddedFile hard_case_files[];  ///< fixtures/hard_cases/*.txt
 }  // namespace liecheck::properties

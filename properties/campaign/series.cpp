@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <campaign/embedded.hpp>
+#include <campaign/entrance.hpp>
 #include <campaign/shrink.hpp>
 #include <chrono>
 #include <cstddef>
@@ -232,6 +233,44 @@ class SeriesOf final : public Series {
 
   std::vector<Judged> replay(const CaseId& address) const override { return measure(numbers(address)); }
 
+  std::vector<Field> fields() const override { return property_->fields(); }
+
+  Trial attempt(const CaseId& address) const override {
+    Trial trial;
+    std::vector<S> x;
+    if (address.raw) {
+      x = parsed(address);
+      std::vector<S> in_domain = x;
+      trial.in_domain = !set_identity_where_off(property_->fields(), in_domain);
+      check_valid(in_domain, address);
+    } else {
+      x = numbers(address);
+    }
+    for (const S& v : x) trial.input.push_back(hexadecimal_float(v));
+    Judge fast(budgets_, bands(), eps, oracles::error_accuracy);
+    try {
+      check_entrance(subject_.operations, property_->fields(), x);
+      trial.judged = measure_slowly(x, &trial.refusal);
+      // The hard cases are a test of the fast oracles too, in the domain that they are made for.
+      if (trial.in_domain && trial.refusal.empty() && decided_fast(x, fast) &&
+          !agree(fast.judged, trial.judged))
+        for (Judged& j : trial.judged) j.residual.outcome = Outcome::unresolved;
+    } catch (const std::exception& e) {
+      trial.refusal = e.what();
+      fast.judged.clear();
+      fast.outcome(0, 0, Outcome::refused);
+      trial.judged = std::move(fast.judged);
+    }
+    if (!trial.in_domain)
+      for (Judged& j : trial.judged) {
+        if (j.residual.outcome == Outcome::refused) j.failed = false;
+        // The oracle knows no answer because there is none: whatever was answered is on a wrong branch.
+        if (j.residual.outcome == Outcome::unresolved)
+          j.residual.outcome = Outcome::wrong_branch, j.failed = true;
+      }
+    return trial;
+  }
+
   Shrunk shrink(const CaseId& address, int output, int evaluations) const override {
     const auto fails = [&](const std::vector<S>& x) -> std::optional<Judged> {
       if (!property_->valid(x)) return std::nullopt;
@@ -270,6 +309,12 @@ class SeriesOf final : public Series {
       Source stream(address.key());
       return property_->generate(stream);
     }
+    const std::vector<S> x = parsed(address);
+    check_valid(x, address);
+    return x;
+  }
+
+  std::vector<S> parsed(const CaseId& address) const {
     std::vector<S> x;
     for (const std::string& text : address.input) x.push_back(parse_float<S>(text));
     std::size_t expected = 0;
@@ -277,10 +322,13 @@ class SeriesOf final : public Series {
     if (x.size() != expected)
       throw std::invalid_argument(
           fmt::format("case ID: property {} takes {} numbers, {} were given", property, expected, x.size()));
+    return x;
+  }
+
+  void check_valid(const std::vector<S>& x, const CaseId& address) const {
     if (!property_->valid(x))
       throw std::invalid_argument(fmt::format("case ID: not a valid input of property {}: {}", property,
                                               fmt::join(address.input, ",")));
-    return x;
   }
 
   /// By ball arithmetic first, at 50 and 100 digits where that leaves the verdict open (Ziv 1991).
@@ -298,11 +346,12 @@ class SeriesOf final : public Series {
       return true;
     }
   }
-  std::vector<Judged> measure_slowly(const std::vector<S>& x) const {
+  std::vector<Judged> measure_slowly(const std::vector<S>& x, std::string* refusal = nullptr) const {
     Judge judge(budgets_, bands(), eps, 0);
     try {
       property_->measure(subject_, x, judge);
-    } catch (const std::exception&) {
+    } catch (const std::exception& e) {
+      if (refusal) *refusal = e.what();
       judge.outcome(0, 0, Outcome::refused);
     }
     return std::move(judge.judged);

@@ -51,6 +51,14 @@ struct Shrunk {
   Judged judged;
 };
 
+/// One raw input outside any campaign, as a user would hand it in: through the subject's checked entrance.
+struct Trial {
+  std::vector<std::string> input;  ///< hexadecimal floats
+  bool in_domain = true;           ///< false: a rotation more than 8 eps off; refusing it is right
+  std::vector<Judged> judged;
+  std::string refusal;  ///< what the subject said where it refused
+};
+
 class Series {
  public:
   virtual ~Series() = default;
@@ -65,6 +73,9 @@ class Series {
   virtual void run(std::uint64_t seed, std::uint64_t index, Tally& tally) const = 0;
   virtual std::vector<std::string> input(const CaseId& id) const = 0;  ///< hexadecimal floats
   virtual std::vector<Judged> replay(const CaseId& id) const = 0;
+  virtual std::vector<Field> fields() const = 0;
+  /// As replay; a raw input may also hold rotations that are off unit, off orthogonal or reflected.
+  virtual Trial attempt(const CaseId& id) const = 0;
   /// At most `evaluations` measurements and two seconds.
   virtual Shrunk shrink(const CaseId& id, int output, int evaluations) const = 0;
 };

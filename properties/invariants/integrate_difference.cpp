@@ -2,6 +2,7 @@
 // directions. Beyond half a turn the pose comes back, not the vector.
 
 #include <generators/rotations.hpp>
+#include <invariants/branch.hpp>
 #include <invariants/common.hpp>
 #include <oracles/closed.hpp>
 #include <oracles/integrate.hpp>
@@ -100,6 +101,10 @@ class IntegrateDifference final : public Law<IntegrateDifference, S> {
       const std::size_t band = band_of_log<S>(exact);
       judged_value(r, {3, 4}, band, v, exact.resolved, [&] {
         const auto error = log_error<S>(exact_vector<6, Real>(v), exact, exact.separation);
+        if (on_other_branch<S>(tail3(exact_vector<6, Real>(v)), exact.phi, error.angular)) {
+          for (int output : {3, 4}) r.outcome(output, band, Outcome::wrong_branch);
+          return;
+        }
         r.record(3, band, error.angular);
         r.record(4, band, error.linear);
       });

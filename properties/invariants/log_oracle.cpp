@@ -1,6 +1,7 @@
 // log against the exact logarithm of the stored numbers: of Q/|Q|, of the rotation nearest to R.
 
 #include <generators/rotations.hpp>
+#include <invariants/branch.hpp>
 #include <invariants/common.hpp>
 #include <oracles/log.hpp>
 
@@ -63,6 +64,10 @@ class LogOracle final : public Law<LogOracle, S> {
       const Vec<S, 6> xi = o.log6({R, p});
       judged_value(r, {2, 3}, band, xi, exact.resolved, [&] {
         const auto error = oracles::log_error<S>(oracles::exact_vector<6, Real>(xi), exact);
+        if (on_other_branch<S>(tail3(oracles::exact_vector<6, Real>(xi)), exact.phi, error.angular)) {
+          for (int o : {2, 3}) r.outcome(o, band, Outcome::wrong_branch);
+          return;
+        }
         r.record(2, band, error.angular);
         r.record(3, band, error.linear);
       });
@@ -77,7 +82,10 @@ class LogOracle final : public Law<LogOracle, S> {
     judged_value(r, {output}, band, phi, exact.resolved, [&] {
       Vec<S, 6> xi = Vec<S, 6>::Zero();
       xi.template tail<3>() = phi;
-      r.record(output, band, oracles::log_error<S>(oracles::exact_vector<6, Real>(xi), exact).angular);
+      const double error = oracles::log_error<S>(oracles::exact_vector<6, Real>(xi), exact).angular;
+      if (on_other_branch<S>(oracles::exact_vector<3, Real>(phi), exact.phi, error))
+        return r.outcome(output, band, Outcome::wrong_branch);
+      r.record(output, band, error);
     });
   }
 };

@@ -4,6 +4,7 @@
 #include <subjects/subject.hpp>
 
 #include <liecheck/multibody/configuration.hpp>
+#include <liecheck/spatial/checked_rotation.hpp>
 #include <liecheck/spatial/exp_log.hpp>
 #include <liecheck/spatial/jacobians.hpp>
 #include <liecheck/urdf/urdf.hpp>
@@ -90,6 +91,8 @@ struct Own {
       return inertia(I).kineticEnergy(Motion<S>(V));
     };
     o.inertia_matrix = [](const Body<S>& I) -> M6 { return inertia(I).matrix(); };
+    o.check_quaternion = [](const V4& Q) { checkedQuaternion<S>(Q); };
+    o.check_rotation = [](const M3& R) { checkedRotation<S>(R); };
     o.robot = &robot;
     return s;
   }

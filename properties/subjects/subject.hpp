@@ -100,6 +100,10 @@ struct Operations {
   S (*kinetic_energy)(const Body<S>& I, const V6& V) = nullptr;
   M6 (*inertia_matrix)(const Body<S>& I) = nullptr;
 
+  // The checked entrance, where the library has one: throws for numbers that its operations do not take.
+  void (*check_quaternion)(const V4& Q) = nullptr;
+  void (*check_rotation)(const M3& R) = nullptr;
+
   /// Reads a URDF with a free-flyer root and binds the configuration operations to it.
   RobotOperations<S> (*robot)(const std::string& urdf_text) = nullptr;
 };

@@ -242,6 +242,53 @@ TEST_F(Report, ShowsNanOrInfAsAnOutcome) {
   EXPECT_TRUE(has(read(report(r).html), "<b>NaN or Inf</b>"));
 }
 
+Json hard_case(const std::string& subject, const std::string& verdict) {
+  return {{"name", "zero"},
+          {"class", "zero"},
+          {"reason", "0/0"},
+          {"origin", "DESIGN 4"},
+          {"property", "exp_oracle"},
+          {"expression", "phi = 0, 0, 0"},
+          {"input", {{"double", Json::array({"0x0p+0"})}}},
+          {"cells",
+           Json::array({{{"subject", subject},
+                         {"scalar", "double"},
+                         {"verdict", verdict},
+                         {"failed", verdict != "stable"},
+                         {"error", verdict == "stable" ? Json(0) : Json("inf")},
+                         {"kappa", 0},
+                         {"budget", 4},
+                         {"rule", "forward"},
+                         {"operation", "exp6"},
+                         {"block", "translation"},
+                         {"band", "0"},
+                         {"replay", "liecheck replay raw.exp_oracle." + subject + ".double.none.0x0p+0"}}})}};
+}
+
+TEST_F(Report, HoldsTheHardCasesOfEveryRecord) {
+  Json first = record(), second = record();
+  first["hard_cases"] = Json::array({hard_case("liecheck", "stable")});
+  second["hard_cases"] = Json::array({hard_case("textbook", "not finite")});
+  second["results"] = Json::array();
+  const auto files = liecheck::reports::write_report(
+      {store("a.json", first.dump()), store("b.json", second.dump())}, dir / "out");
+  const std::string page = read(files.html);
+  EXPECT_TRUE(has(page, "id=\"stability-matrix\""));
+  EXPECT_TRUE(has(page, "2 cells, one for each case × law × subject × scalar; 1 failed"));
+  EXPECT_TRUE(has(page, "raw.exp_oracle.textbook.double.none.0x0p+0"));
+}
+
+TEST_F(Report, NamesTheFieldOfAHardCaseThatItRefuses) {
+  Json r = record();
+  r["hard_cases"] = Json::array({hard_case("liecheck", "splendid")});
+  EXPECT_TRUE(has(refusal(r.dump()), "hard_cases[0].cells[0].verdict: expected one of stable, refused"));
+  r["hard_cases"] = Json::array({hard_case("liecheck", "stable"), hard_case("liecheck", "stable")});
+  EXPECT_TRUE(has(refusal(r.dump()), "hard_cases: zero / exp_oracle / liecheck / double is already in"));
+  r["hard_cases"] = Json::array({hard_case("liecheck", "stable")});
+  r["hard_cases"][0]["input"] = Json::object();
+  EXPECT_TRUE(has(refusal(r.dump()), "hard_cases[0].input.double is missing"));
+}
+
 TEST_F(Report, SaysSoWhenThereAreNoResults) {
   Json r = record();
   r["results"] = Json::array();

@@ -8,6 +8,7 @@
 #include <liecheck/multibody/invalid_configuration.hpp>
 #include <liecheck/multibody/model.hpp>
 #include <liecheck/multibody/norm.hpp>
+#include <liecheck/spatial/checked_rotation.hpp>
 #include <type_traits>
 
 namespace liecheck {
@@ -63,12 +64,6 @@ void forEachJoint(const Model<S>& model, F f) {
 
 }  // namespace configuration_detail
 
-/// How far |Q|^2 may be from 1 where every error bound of this library holds: 8 eps, twice what a
-/// normalisation, a product or an integrate leaves behind.
-template <Scalar S>
-S normDefectBudget() {
-  return S(8) * eps<S>();
-}
 /// Two configurations that differ by 64 eps or less are the same: sixteen operations at 4 eps each.
 template <Scalar S>
 S samenessBudget() {

@@ -1,0 +1,77 @@
+#pragma once
+// Where rotations from outside enter: what is not one, up to rounding, is refused with what is wrong.
+
+#include <liecheck/spatial/so3.hpp>
+#include <locale>
+#include <sstream>
+#include <stdexcept>
+
+namespace liecheck {
+
+/// How far |Q|^2 may be from 1, and R^T R from I, where every error bound of this library holds: 8 eps, twice
+/// what a normalisation, a product or an integrate leaves behind.
+template <Scalar S>
+S normDefectBudget() {
+  return S(8) * eps<S>();
+}
+
+namespace checked_rotation_detail {
+
+template <Scalar S>
+[[noreturn]] void refuse(const char* what, const S& value, const char* why) {
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text.precision(std::numeric_limits<double>::max_digits10);
+  text << what << " = " << double(value) << ": " << why;
+  throw std::invalid_argument(text.str());
+}
+
+template <Scalar S, class M>
+void refuseNonFinite(const char* what, const M& numbers) {
+  for (int i = 0; i < numbers.rows(); ++i)
+    for (int j = 0; j < numbers.cols(); ++j)
+      if (!finite<S>(numbers(i, j))) refuse<S>(what, numbers(i, j), "not finite");
+}
+
+}  // namespace checked_rotation_detail
+
+/// The rotation of x y z w, if they are finite and unit up to normDefectBudget. Throws std::invalid_argument
+/// with the value at fault.
+template <Scalar S>
+SO3<S> checkedQuaternion(const Vector4<S>& xyzw) {
+  using checked_rotation_detail::refuse;
+  checked_rotation_detail::refuseNonFinite<S>("quaternion", xyzw);
+  if (xyzw.isZero(S(0))) refuse<S>("quaternion: |Q|", S(0), "a zero quaternion is no rotation");
+  CompensatedSum<S> sum;
+  for (int i = 0; i < 4; ++i) sum.add_product(xyzw[i], xyzw[i]);
+  const S defect = sum.add(S(-1)).value();
+  if (!(absolute<S>(defect) <= normDefectBudget<S>()))
+    refuse<S>("quaternion: |Q|^2 - 1", defect, "not 0 up to 8 eps: normalize first");
+  return SO3<S>(xyzw);
+}
+
+/// R itself, if it is finite, orthogonal up to normDefectBudget (Frobenius) and no reflection. Throws
+/// std::invalid_argument with the value at fault.
+template <Scalar S>
+Matrix3<S> checkedRotation(const Matrix3<S>& R) {
+  using checked_rotation_detail::refuse;
+  checked_rotation_detail::refuseNonFinite<S>("rotation matrix", R);
+  Matrix3<S> E;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      CompensatedSum<S> sum;
+      for (int k = 0; k < 3; ++k) sum.add_product(R(k, i), R(k, j));
+      if (i == j) sum.add(S(-1));
+      E(i, j) = sum.value();
+    }
+  using std::sqrt;
+  const S defect = sqrt(E.squaredNorm());
+  if (!(defect <= normDefectBudget<S>()))
+    refuse<S>("rotation matrix: |R^T R - I|", defect, "not 0 up to 8 eps: take the nearest rotation first");
+  const S determinant = R.col(0).dot(cross<S>(R.col(1), R.col(2)));
+  if (!(determinant > S(0)))
+    refuse<S>("rotation matrix: determinant", determinant, "a reflection is no rotation");
+  return R;
+}
+
+}  // namespace liecheck
