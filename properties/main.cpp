@@ -1,4 +1,4 @@
-// The liecheck program: list, campaign, replay, report.
+// The liecheck program: list, campaign, hunt, replay, report.
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -6,6 +6,7 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <hunt_command.hpp>
 #include <nlohmann/json.hpp>
 #include <reports/report.hpp>
 #include <set>
@@ -158,8 +159,10 @@ int run_list() {
     std::string version;
     for (const auto& s : all)
       if (s->subject == name) scalars.insert(s->scalar), version = s->subject_version;
-    fmt::print("  {:<12}{} in {}\n", name, version, fmt::join(scalars, ", "));
+    if (!scalars.empty()) fmt::print("  {:<12}{} in {}\n", name, version, fmt::join(scalars, ", "));
   }
+  fmt::print(
+      "  textbook:1e-1 ... textbook:1e-12: variants with their cutoff there, run where they are named\n");
   fmt::print("properties\n");
   std::set<std::string> seen;
   for (const auto& s : all)
@@ -207,6 +210,14 @@ int run_replay(const Flags& f) {
   return failed ? property_failed : within_budget;
 }
 
+int run_hunt_command(const Flags& f, HuntFlags h) {
+  h.options.seed = f.seed;
+  if (!f.duration.empty()) h.options.seconds = parse_duration(f.duration);
+  std::signal(SIGINT, on_signal);
+  std::signal(SIGTERM, on_signal);
+  return run_hunt(h, robot_of(f));
+}
+
 int run_report(const Flags& f) {
   std::vector<std::filesystem::path> records(f.records.begin(), f.records.end());
   if (records.empty()) {
@@ -251,6 +262,25 @@ int main(int argc, char** argv) {
   run->add_option("--scalar", f.scalars, "float, double or float128, repeatable");
   run->add_option("--json", f.json, "write the record to FILE");
   budget_flags(run);
+  HuntFlags h;
+  auto* hunt = app.add_subcommand("hunt",
+                                  "search for the worst input of an operation. Exit 0 within budget, 1 "
+                                  "beyond it, 2 bad input, 3 incomplete");
+  hunt->add_option("--subject", h.subject, "the subject")->required();
+  hunt->add_option("--op", h.options.operation, "the operation, as failures and reports name it")->required();
+  hunt->add_option("--block", h.options.block, "one block of its result; default each");
+  hunt->add_option("--property", h.property, "one law that measures it; default each");
+  hunt->add_option("--scalar", h.scalar, "float, double or float128")->capture_default_str();
+  hunt->add_flag("--excess", h.options.excess, "maximise error / kappa, beyond half a turn too");
+  hunt->add_option("--seed", f.seed, "seed of the search")->capture_default_str();
+  hunt->add_option("--for", f.duration, "how long: 30s, 5m, 1h; default 30s")
+      ->excludes(hunt->add_option("--evaluations", h.options.evaluations,
+                                  "how many measurements instead: the same search on every machine")
+                     ->check(CLI::Range(std::uint64_t(1), std::uint64_t(1) << 40)));
+  hunt->add_flag("--versus-random", h.versus_random, "also sample as many inputs uniformly, and compare");
+  hunt->add_option("--corpus", h.corpus, "append what is found to FILE, as lines of fixtures/hard_cases");
+  hunt->add_option("--robot", f.robot,
+                   "URDF of the robot for configuration properties; built in: mixed_joints");
   auto* replay = app.add_subcommand("replay", "run one case again and print its residuals, bit for bit");
   replay->add_option("ID", f.id, "the case's address, as a failure or a report prints it")->required();
   replay->add_option("--robot", f.robot, "URDF of the robot that the ID names");
@@ -270,6 +300,7 @@ int main(int argc, char** argv) {
   }
   try {
     if (run->parsed()) return run_campaign_command(f);
+    if (hunt->parsed()) return run_hunt_command(f, h);
     if (replay->parsed()) return run_replay(f);
     if (report->parsed()) return run_report(f);
     return run_list();

@@ -51,6 +51,9 @@ struct Shrunk {
   Judged judged;
 };
 
+struct HuntOptions;
+struct HuntResult;
+
 class Series {
  public:
   virtual ~Series() = default;
@@ -67,6 +70,8 @@ class Series {
   virtual std::vector<Judged> replay(const CaseId& id) const = 0;
   /// At most `evaluations` measurements and two seconds.
   virtual Shrunk shrink(const CaseId& id, int output, int evaluations) const = 0;
+  /// The worst input of each block of an operation (hunt.hpp); nothing where this law does not measure it.
+  virtual HuntResult hunt(const HuntOptions& options) const = 0;
 };
 
 /// Every property on every named subject; empty lists mean "all". Throws std::invalid_argument for a name that
