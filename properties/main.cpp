@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <campaign/campaign.hpp>
+#include <campaign/coverage_report.hpp>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -42,6 +43,7 @@ struct Flags {
   std::vector<std::string> subjects, properties, scalars;
   std::string robot, json, duration, id, out = "liecheck-report";
   std::vector<std::string> records;
+  bool verbose = false;
   std::uint64_t seed = 42, cases = 1000;
   unsigned jobs = std::max(1u, std::thread::hardware_concurrency());
 };
@@ -93,7 +95,35 @@ CampaignResult campaign(const Flags& f, const Selection& selection) {
   return run_campaign(options, robot_of(f));
 }
 
-int print_campaign(const CampaignResult& r) {
+/// A line for each property, of its series that reached least; all of it where asked for.
+void print_coverage(const CampaignResult& r, bool verbose) {
+  fmt::print("\n{:<24}{:<20}{}\n", "coverage", "", "of what the generator must reach");
+  std::map<std::string, std::tuple<bool, std::size_t, std::string, std::string>> least;
+  for (const auto& [series, tally] : r.series) {
+    const auto all = coverage_of(*series, tally);
+    const auto missing = std::any_of(all.begin(), all.end(), [](const Covered& c) { return c.missing(); });
+    const auto unseen = static_cast<std::size_t>(
+        std::count_if(all.begin(), all.end(), [](const Covered& c) { return c.count == 0; }));
+    auto& l = least[series->property];
+    if (std::get<3>(l).empty() || std::tuple(missing, unseen) > std::tuple(std::get<0>(l), std::get<1>(l)))
+      l = {missing, unseen, series->subject + " in " + series->scalar,
+           coverage_line(all, tally.coverage.cases())};
+    if (!verbose) continue;
+    fmt::print("{} {} in {}, {} cases\n", series->property, series->subject, series->scalar,
+               tally.coverage.cases());
+    for (const Covered& c : all)
+      fmt::print("  {:<44}{:>10}  {:>8.4f} %{}\n", c.what, c.count,
+                 100.0 * static_cast<double>(c.count) /
+                     static_cast<double>(std::max<std::uint64_t>(1, tally.coverage.cases())),
+                 c.missing()  ? "  NOT COVERED"
+                 : c.required ? ""
+                              : "  not required of so few cases");
+  }
+  for (const auto& [property, l] : least)
+    fmt::print("{:<24}{:<20}{}\n", property, std::get<2>(l), std::get<3>(l));
+}
+
+int print_campaign(const CampaignResult& r, bool verbose) {
   constexpr int shown_failures = 6;
   int failures = 0;
   fmt::print("{:<24}{:<10}{:<10}{:>9}  {:>11}  {}\n", "property", "subject", "scalar", "cases", "worst",
@@ -140,10 +170,12 @@ int print_campaign(const CampaignResult& r) {
     for (const std::uint64_t index : tally.disagreed)
       fmt::print("ORACLES DISAGREE: {}\n", series->id(r.options.seed, index).text());
   }
-  fmt::print("\noracles: {:.2f} % of the cases decided in ball arithmetic, the rest at 50 and 100 digits; {} of the "
-             "decided ones measured again at those, {} disagree\n",
-             r.total_cases ? 100.0 * static_cast<double>(fast) / static_cast<double>(r.total_cases) : 0.0, checked,
-             disagreed);
+  fmt::print(
+      "\noracles: {:.2f} % of the cases decided in ball arithmetic, the rest at 50 and 100 digits; {} of the "
+      "decided ones measured again at those, {} disagree\n",
+      r.total_cases ? 100.0 * static_cast<double>(fast) / static_cast<double>(r.total_cases) : 0.0, checked,
+      disagreed);
+  print_coverage(r, verbose);
   fmt::print("\nseed {}, {} cases in {:.1f} s, robot {} ({})\n", r.options.seed, r.total_cases, r.elapsed,
              r.robot.name, r.robot.hash);
   fmt::print("inputs  {}\nresults {}\n", r.inputs_digest, r.results_digest);
@@ -178,7 +210,7 @@ int run_campaign_command(const Flags& f) {
     throw std::invalid_argument(
         "nothing to run: no selected subject offers a selected property in that scalar");
   if (!f.json.empty()) write_file(f.json, record_of(result).dump(1) + "\n");
-  return print_campaign(result);
+  return print_campaign(result, f.verbose);
 }
 
 int run_replay(const Flags& f) {
@@ -261,6 +293,7 @@ int main(int argc, char** argv) {
   run->add_option("--property", f.properties, "a property, repeatable; default every one");
   run->add_option("--scalar", f.scalars, "float, double or float128, repeatable");
   run->add_option("--json", f.json, "write the record to FILE");
+  run->add_flag("--verbose", f.verbose, "show how often each class and band of inputs came up");
   budget_flags(run);
   HuntFlags h;
   auto* hunt = app.add_subcommand("hunt",

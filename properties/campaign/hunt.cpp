@@ -109,7 +109,7 @@ HuntResult hunt_worst(const HuntProblem<S>& problem, const HuntOptions& options)
     }
     if (x.empty() || !problem.valid(x)) {
       x = problem.generate(source);
-      if (options.random) moves.uniform(x, source);
+      if (options.random || turn % 4 == 3) moves.uniform(x, source);  // smooth errors peak anywhere
     }
     evaluate(x, island);
     share = options.evaluations

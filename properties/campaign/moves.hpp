@@ -133,6 +133,11 @@ class Moves {
           for (std::size_t k = 0; k < g.size; ++k) x[g.from + k] *= f;
         return;
       }
+      case Kind::positive: {
+        const S f = factor(s);
+        if (f > S(0)) x[g.from] *= f;
+        return;
+      }
       default:;  // a choice is only borrowed
     }
   }

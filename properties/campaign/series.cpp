@@ -68,6 +68,7 @@ void Tally::merge(const Tally& o) {
   for (const auto& [key, row] : o.rows) rows[key].merge(row);
   inputs.merge(o.inputs);
   results.merge(o.results);
+  coverage.merge(o.coverage);
   cases += o.cases, fast += o.fast, checked += o.checked;
   disagreed.insert(disagreed.end(), o.disagreed.begin(), o.disagreed.end());
 }
@@ -173,6 +174,7 @@ class SeriesOf final : public Series {
     outputs = property_->outputs();
     robot = property_->needs_robot() ? robot_used.hash : "none";
     property_->prepare(robot_used);
+    fields = property_->fields();
     for (const Output& o : outputs)
       budgets_.push_back({&budget_of(o.operation, o.block, Region::to_pi),
                           &budget_of(o.operation, o.block, Region::beyond_pi)});
@@ -184,6 +186,7 @@ class SeriesOf final : public Series {
     const Source::Key& series = key_of(seed);
     Source stream(CaseId::key_of(series, index));
     const std::vector<S> x = property_->generate(stream);
+    tally.coverage.add(fields, x);
     Judge judge(budgets_, bands(), eps, oracles::error_accuracy);
     const bool fast = decided_fast(x, judge);
     if (fast) {
@@ -243,8 +246,7 @@ class SeriesOf final : public Series {
       return std::nullopt;
     };
     const std::vector<S> small = shrink_input<S>(
-        numbers(address), property_->fields(), [&](const auto& x) { return fails(x).has_value(); },
-        evaluations);
+        numbers(address), fields, [&](const auto& x) { return fails(x).has_value(); }, evaluations);
     Shrunk s;
     s.id = address;
     s.id.raw = true;
@@ -259,7 +261,7 @@ class SeriesOf final : public Series {
   HuntResult hunt(const HuntOptions& options) const override {
     HuntProblem<S> problem;
     problem.key = fmt::format("{}.{}.{}", property, scalar, options.operation);
-    problem.fields = property_->fields();
+    problem.fields = fields;
     problem.bands = bands().all().size();
     // kappa of every case, or the figures that the budgets judge.
     static const Budget ratio{"", "", "any", Rule::excess, -1, ""};

@@ -5,6 +5,7 @@
 #include <campaign/case_id.hpp>
 #include <campaign/digest.hpp>
 #include <campaign/histogram.hpp>
+#include <generators/coverage.hpp>
 #include <invariants/property.hpp>
 #include <memory>
 #include <optional>
@@ -37,6 +38,7 @@ struct Row {
 struct Tally {
   std::map<std::pair<int, int>, Row> rows;  ///< by (output, band)
   SetDigest inputs, results;
+  Coverage coverage;
   std::uint64_t cases = 0;
   std::uint64_t fast = 0;                ///< decided by ball arithmetic
   std::uint64_t checked = 0;             ///< of those, measured again at 50 and 100 digits
@@ -61,6 +63,7 @@ class Series {
   std::string law, equation, source;
   double eps = 0;
   std::vector<Output> outputs;
+  std::vector<Field> fields;
   std::vector<std::string> not_offered;
 
   CaseId id(std::uint64_t seed, std::uint64_t index) const;
