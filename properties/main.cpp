@@ -1,12 +1,14 @@
-// The liecheck program: list, campaign, hard-cases, replay, report.
+// The liecheck program: list, campaign, hard-cases, hunt, replay, report.
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <campaign/campaign.hpp>
 #include <commands_hard_cases.hpp>
+#include <campaign/coverage_report.hpp>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <hunt_command.hpp>
 #include <nlohmann/json.hpp>
 #include <reports/report.hpp>
 #include <set>
@@ -42,7 +44,7 @@ struct Flags {
   std::vector<std::string> subjects, properties, scalars;
   std::string robot, json, duration, id, out = "liecheck-report";
   std::vector<std::string> records, files;
-  bool no_hard_cases = false;
+  bool no_hard_cases = false, verbose = false;
   std::uint64_t seed = 42, cases = 1000;
   unsigned jobs = std::max(1u, std::thread::hardware_concurrency());
 };
@@ -94,7 +96,35 @@ CampaignResult campaign(const Flags& f, const Selection& selection) {
   return run_campaign(options, robot_of(f));
 }
 
-int print_campaign(const CampaignResult& r) {
+/// A line for each property, of its series that reached least; all of it where asked for.
+void print_coverage(const CampaignResult& r, bool verbose) {
+  fmt::print("\n{:<24}{:<20}{}\n", "coverage", "", "of what the generator must reach");
+  std::map<std::string, std::tuple<bool, std::size_t, std::string, std::string>> least;
+  for (const auto& [series, tally] : r.series) {
+    const auto all = coverage_of(*series, tally);
+    const auto missing = std::any_of(all.begin(), all.end(), [](const Covered& c) { return c.missing(); });
+    const auto unseen = static_cast<std::size_t>(
+        std::count_if(all.begin(), all.end(), [](const Covered& c) { return c.count == 0; }));
+    auto& l = least[series->property];
+    if (std::get<3>(l).empty() || std::tuple(missing, unseen) > std::tuple(std::get<0>(l), std::get<1>(l)))
+      l = {missing, unseen, series->subject + " in " + series->scalar,
+           coverage_line(all, tally.coverage.cases())};
+    if (!verbose) continue;
+    fmt::print("{} {} in {}, {} cases\n", series->property, series->subject, series->scalar,
+               tally.coverage.cases());
+    for (const Covered& c : all)
+      fmt::print("  {:<44}{:>10}  {:>8.4f} %{}\n", c.what, c.count,
+                 100.0 * static_cast<double>(c.count) /
+                     static_cast<double>(std::max<std::uint64_t>(1, tally.coverage.cases())),
+                 c.missing()  ? "  NOT COVERED"
+                 : c.required ? ""
+                              : "  not required of so few cases");
+  }
+  for (const auto& [property, l] : least)
+    fmt::print("{:<24}{:<20}{}\n", property, std::get<2>(l), std::get<3>(l));
+}
+
+int print_campaign(const CampaignResult& r, bool verbose) {
   constexpr int shown_failures = 6;
   int failures = 0;
   fmt::print("{:<24}{:<10}{:<10}{:>9}  {:>11}  {}\n", "property", "subject", "scalar", "cases", "worst",
@@ -141,10 +171,12 @@ int print_campaign(const CampaignResult& r) {
     for (const std::uint64_t index : tally.disagreed)
       fmt::print("ORACLES DISAGREE: {}\n", series->id(r.options.seed, index).text());
   }
-  fmt::print("\noracles: {:.2f} % of the cases decided in ball arithmetic, the rest at 50 and 100 digits; {} of the "
-             "decided ones measured again at those, {} disagree\n",
-             r.total_cases ? 100.0 * static_cast<double>(fast) / static_cast<double>(r.total_cases) : 0.0, checked,
-             disagreed);
+  fmt::print(
+      "\noracles: {:.2f} % of the cases decided in ball arithmetic, the rest at 50 and 100 digits; {} of the "
+      "decided ones measured again at those, {} disagree\n",
+      r.total_cases ? 100.0 * static_cast<double>(fast) / static_cast<double>(r.total_cases) : 0.0, checked,
+      disagreed);
+  print_coverage(r, verbose);
   fmt::print("\nseed {}, {} cases in {:.1f} s, robot {} ({})\n", r.options.seed, r.total_cases, r.elapsed,
              r.robot.name, r.robot.hash);
   fmt::print("inputs  {}\nresults {}\n", r.inputs_digest, r.results_digest);
@@ -160,8 +192,10 @@ int run_list() {
     std::string version;
     for (const auto& s : all)
       if (s->subject == name) scalars.insert(s->scalar), version = s->subject_version;
-    fmt::print("  {:<12}{} in {}\n", name, version, fmt::join(scalars, ", "));
+    if (!scalars.empty()) fmt::print("  {:<12}{} in {}\n", name, version, fmt::join(scalars, ", "));
   }
+  fmt::print(
+      "  textbook:1e-1 ... textbook:1e-12: variants with their cutoff there, run where they are named\n");
   fmt::print("properties\n");
   std::set<std::string> seen;
   for (const auto& s : all)
@@ -192,7 +226,7 @@ int run_campaign_command(const Flags& f) {
     throw std::invalid_argument(
         "nothing to run: no selected subject offers a selected property in that scalar");
   if (!f.json.empty()) write_record(f.json, result, hard_cases);
-  const int code = print_campaign(result);
+  const int code = print_campaign(result, f.verbose);
   if (any_failed(hard_cases)) fmt::print("hard cases failed: see the first section\n");
   return code == within_budget && any_failed(hard_cases) ? property_failed : code;
 }
@@ -242,6 +276,14 @@ int run_replay(const Flags& f) {
                outcomes[static_cast<int>(j.residual.outcome)]);
   }
   return failed ? property_failed : within_budget;
+}
+
+int run_hunt_command(const Flags& f, HuntFlags h) {
+  h.options.seed = f.seed;
+  if (!f.duration.empty()) h.options.seconds = parse_duration(f.duration);
+  std::signal(SIGINT, on_signal);
+  std::signal(SIGTERM, on_signal);
+  return run_hunt(h, robot_of(f));
 }
 
 int run_report(const Flags& f) {
@@ -298,6 +340,26 @@ int main(int argc, char** argv) {
   selection_flags(hard);
   hard->add_option("--file", f.files, "more hard cases, in the form of fixtures/hard_cases, repeatable");
   hard->add_option("-j,--jobs", f.jobs, "threads")->check(CLI::Range(1u, 1024u));
+  run->add_flag("--verbose", f.verbose, "show how often each class and band of inputs came up");
+  HuntFlags h;
+  auto* hunt = app.add_subcommand("hunt",
+                                  "search for the worst input of an operation. Exit 0 within budget, 1 "
+                                  "beyond it, 2 bad input, 3 incomplete");
+  hunt->add_option("--subject", h.subject, "the subject")->required();
+  hunt->add_option("--op", h.options.operation, "the operation, as failures and reports name it")->required();
+  hunt->add_option("--block", h.options.block, "one block of its result; default each");
+  hunt->add_option("--property", h.property, "one law that measures it; default each");
+  hunt->add_option("--scalar", h.scalar, "float, double or float128")->capture_default_str();
+  hunt->add_flag("--excess", h.options.excess, "maximise error / kappa, beyond half a turn too");
+  hunt->add_option("--seed", f.seed, "seed of the search")->capture_default_str();
+  hunt->add_option("--for", f.duration, "how long: 30s, 5m, 1h; default 30s")
+      ->excludes(hunt->add_option("--evaluations", h.options.evaluations,
+                                  "how many measurements instead: the same search on every machine")
+                     ->check(CLI::Range(std::uint64_t(1), std::uint64_t(1) << 40)));
+  hunt->add_flag("--versus-random", h.versus_random, "also sample as many inputs uniformly, and compare");
+  hunt->add_option("--corpus", h.corpus, "append what is found to FILE, as lines of fixtures/hard_cases");
+  hunt->add_option("--robot", f.robot,
+                   "URDF of the robot for configuration properties; built in: mixed_joints");
   auto* replay = app.add_subcommand("replay", "run one case again and print its residuals, bit for bit");
   replay->add_option("ID", f.id, "the case's address, as a failure or a report prints it")->required();
   replay->add_option("--robot", f.robot, "URDF of the robot that the ID names");
@@ -318,6 +380,7 @@ int main(int argc, char** argv) {
   try {
     if (run->parsed()) return run_campaign_command(f);
     if (hard->parsed()) return run_hard_cases_command(f);
+    if (hunt->parsed()) return run_hunt_command(f, h);
     if (replay->parsed()) return run_replay(f);
     if (report->parsed()) return run_report(f);
     return run_list();

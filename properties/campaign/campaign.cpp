@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <campaign/coverage_report.hpp>
 #include <chrono>
 #include <cstdio>
 #include <mutex>
@@ -118,9 +119,11 @@ CampaignResult run_campaign(const CampaignOptions& options, const Robot& robot) 
     result.total_cases += s.tally.cases;
     result.failed = result.failed || !s.tally.disagreed.empty();
     for (const auto& [key, row] : s.tally.rows) result.failed = result.failed || row.failed > 0;
+    for (const Covered& c : coverage_of(*s.series, s.tally)) result.covered = result.covered && !c.missing();
     if (!options.seconds && s.tally.cases < options.cases) result.incomplete = true;
     if (options.seconds && stop_requested) result.incomplete = true;
   }
+  result.failed = result.failed || !result.covered;
   const std::string header = fmt::format("liecheck g{} seed {}", generator_version, options.seed);
   result.inputs_digest = inputs.finish(header);
   result.results_digest = results.finish(header);

@@ -28,6 +28,7 @@ struct CampaignResult {
   std::vector<SeriesResult> series;
   bool incomplete = false;
   bool failed = false;
+  bool covered = true;  ///< every class and band that so many cases must reach was reached
   std::string inputs_digest, results_digest;
   std::uint64_t total_cases = 0;
   double elapsed = 0;  ///< s

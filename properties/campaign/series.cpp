@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <campaign/embedded.hpp>
 #include <campaign/entrance.hpp>
+#include <campaign/hunt.hpp>
 #include <campaign/shrink.hpp>
 #include <chrono>
 #include <cstddef>
@@ -68,6 +69,7 @@ void Tally::merge(const Tally& o) {
   for (const auto& [key, row] : o.rows) rows[key].merge(row);
   inputs.merge(o.inputs);
   results.merge(o.results);
+  coverage.merge(o.coverage);
   cases += o.cases, fast += o.fast, checked += o.checked;
   disagreed.insert(disagreed.end(), o.disagreed.begin(), o.disagreed.end());
 }
@@ -81,12 +83,14 @@ CaseId Series::id(std::uint64_t seed, std::uint64_t index) const {
 
 namespace {
 
+/// By output, to half a turn and beyond.
+using Limits = std::vector<std::array<const Budget*, 2>>;
+
 /// Collects the residuals of one case and compares each with its budget.
 class Judge final : public Recorder {
  public:
   /// accuracy: of the errors given, relative or in eps, whichever is larger; 0 at 50 digits.
-  Judge(const std::vector<std::array<const Budget*, 2>>& budgets, const Bands& bands, double eps,
-        double accuracy)
+  Judge(const Limits& budgets, const Bands& bands, double eps, double accuracy)
       : budgets_(budgets), bands_(bands), eps_(eps), accuracy_(accuracy) {}
 
   void record(int output, std::size_t band, double error, Kappa kappa) override {
@@ -138,7 +142,7 @@ class Judge final : public Recorder {
     if (accuracy > 0 && value > 0 && std::fabs(value - limit) <= 2 * accuracy * std::max(1.0, limit))
       throw oracles::Undecided();
   }
-  const std::vector<std::array<const Budget*, 2>>& budgets_;
+  const Limits& budgets_;
   const Bands& bands_;
   double eps_, accuracy_;
 };
@@ -171,6 +175,7 @@ class SeriesOf final : public Series {
     outputs = property_->outputs();
     robot = property_->needs_robot() ? robot_used.hash : "none";
     property_->prepare(robot_used);
+    fields = property_->fields();
     for (const Output& o : outputs)
       budgets_.push_back({&budget_of(o.operation, o.block, Region::to_pi),
                           &budget_of(o.operation, o.block, Region::beyond_pi)});
@@ -182,6 +187,7 @@ class SeriesOf final : public Series {
     const Source::Key& series = key_of(seed);
     Source stream(CaseId::key_of(series, index));
     const std::vector<S> x = property_->generate(stream);
+    tally.coverage.add(fields, x);
     Judge judge(budgets_, bands(), eps, oracles::error_accuracy);
     const bool fast = decided_fast(x, judge);
     if (fast) {
@@ -279,8 +285,7 @@ class SeriesOf final : public Series {
       return std::nullopt;
     };
     const std::vector<S> small = shrink_input<S>(
-        numbers(address), property_->fields(), [&](const auto& x) { return fails(x).has_value(); },
-        evaluations);
+        numbers(address), fields, [&](const auto& x) { return fails(x).has_value(); }, evaluations);
     Shrunk s;
     s.id = address;
     s.id.raw = true;
@@ -290,6 +295,38 @@ class SeriesOf final : public Series {
     }
     if (const auto j = fails(small)) s.judged = *j;
     return s;
+  }
+
+  HuntResult hunt(const HuntOptions& options) const override {
+    HuntProblem<S> problem;
+    problem.key = fmt::format("{}.{}.{}", property, scalar, options.operation);
+    problem.fields = fields;
+    problem.bands = bands().all().size();
+    // kappa of every case, or the figures that the budgets judge.
+    static const Budget ratio{"", "", "any", Rule::excess, -1, ""};
+    const Limits ratios(outputs.size(), {&ratio, &ratio});
+    const auto& table = options.excess ? ratios : budgets_;
+    for (std::size_t i = 0; i < outputs.size(); ++i) {
+      if (outputs[i].operation != options.operation ||
+          (!options.block.empty() && outputs[i].block != options.block))
+        continue;
+      Worst w;
+      w.output = static_cast<int>(i);
+      w.by_kappa = table[i][0]->rule == Rule::excess && table[i][1]->rule == Rule::excess;
+      problem.objectives.push_back(w);
+    }
+    problem.generate = [this](Source& stream) { return property_->generate(stream); };
+    problem.valid = [this](const std::vector<S>& x) { return property_->valid(x); };
+    problem.measure = [&](const std::vector<S>& x) { return measure(x, table); };
+    problem.score = [](const Worst& w, const Judged& j) {
+      if (j.budget->rule == Rule::forward) return j.residual.error;
+      return w.by_kappa && !j.ill_posed ? j.excess : -1.0;
+    };
+    HuntResult result = hunt_worst(problem, options);
+    for (Worst& w : result.worst)
+      for (CaseId* id : {&w.id, &w.first_broken_id})
+        id->property = property, id->subject = subject, id->scalar = scalar, id->robot = robot;
+    return result;
   }
 
  private:
@@ -332,9 +369,10 @@ class SeriesOf final : public Series {
   }
 
   /// By ball arithmetic first, at 50 and 100 digits where that leaves the verdict open (Ziv 1991).
-  std::vector<Judged> measure(const std::vector<S>& x) const {
-    Judge judge(budgets_, bands(), eps, oracles::error_accuracy);
-    return decided_fast(x, judge) ? std::move(judge.judged) : measure_slowly(x);
+  std::vector<Judged> measure(const std::vector<S>& x) const { return measure(x, budgets_); }
+  std::vector<Judged> measure(const std::vector<S>& x, const Limits& limits) const {
+    Judge judge(limits, bands(), eps, oracles::error_accuracy);
+    return decided_fast(x, judge) ? std::move(judge.judged) : measure_slowly(x, limits);
   }
   bool decided_fast(const std::vector<S>& x, Judge& judge) const {
     try {
@@ -347,7 +385,11 @@ class SeriesOf final : public Series {
     }
   }
   std::vector<Judged> measure_slowly(const std::vector<S>& x, std::string* refusal = nullptr) const {
-    Judge judge(budgets_, bands(), eps, 0);
+    return measure_slowly(x, budgets_, refusal);
+  }
+  std::vector<Judged> measure_slowly(const std::vector<S>& x, const Limits& limits,
+                                     std::string* refusal = nullptr) const {
+    Judge judge(limits, bands(), eps, 0);
     try {
       property_->measure(subject_, x, judge);
     } catch (const std::exception& e) {
@@ -360,8 +402,13 @@ class SeriesOf final : public Series {
 
   std::unique_ptr<Property<S>> property_;
   const Subject<S>& subject_;
-  std::vector<std::array<const Budget*, 2>> budgets_;
+  Limits budgets_;
 };
+
+/// A variant of a subject, such as textbook:1e-4, runs where it is named.
+bool on_request(const std::string& subject) {
+  return subject.find(':') != std::string::npos;
+}
 
 template <class S>
 void add_series(const Selection& selection, const Robot& robot, std::vector<std::unique_ptr<Series>>& all) {
@@ -371,6 +418,7 @@ void add_series(const Selection& selection, const Robot& robot, std::vector<std:
   if (!wanted(selection.scalars, scalar_name<S>())) return;
   for (const Subject<S>* subject : subjects<S>()) {
     if (!wanted(selection.subjects, subject->name)) continue;
+    if (selection.subjects.empty() && on_request(subject->name)) continue;
     for (auto& property : make_properties<S>()) {
       if (!wanted(selection.properties, property->name()) || !property->offered(*subject)) continue;
       all.push_back(std::make_unique<SeriesOf<S>>(std::move(property), *subject, robot));

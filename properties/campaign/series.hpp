@@ -5,6 +5,7 @@
 #include <campaign/case_id.hpp>
 #include <campaign/digest.hpp>
 #include <campaign/histogram.hpp>
+#include <generators/coverage.hpp>
 #include <invariants/property.hpp>
 #include <memory>
 #include <optional>
@@ -37,6 +38,7 @@ struct Row {
 struct Tally {
   std::map<std::pair<int, int>, Row> rows;  ///< by (output, band)
   SetDigest inputs, results;
+  Coverage coverage;
   std::uint64_t cases = 0;
   std::uint64_t fast = 0;                ///< decided by ball arithmetic
   std::uint64_t checked = 0;             ///< of those, measured again at 50 and 100 digits
@@ -58,6 +60,8 @@ struct Trial {
   std::vector<Judged> judged;
   std::string refusal;  ///< what the subject said where it refused
 };
+struct HuntOptions;
+struct HuntResult;
 
 class Series {
  public:
@@ -66,6 +70,7 @@ class Series {
   std::string law, equation, source;
   double eps = 0;
   std::vector<Output> outputs;
+  std::vector<Field> fields;
   std::vector<std::string> not_offered;
 
   CaseId id(std::uint64_t seed, std::uint64_t index) const;
@@ -78,6 +83,8 @@ class Series {
   virtual Trial attempt(const CaseId& id) const = 0;
   /// At most `evaluations` measurements and two seconds.
   virtual Shrunk shrink(const CaseId& id, int output, int evaluations) const = 0;
+  /// The worst input of each block of an operation (hunt.hpp); nothing where this law does not measure it.
+  virtual HuntResult hunt(const HuntOptions& options) const = 0;
 };
 
 /// Every property on every named subject; empty lists mean "all". Throws std::invalid_argument for a name that

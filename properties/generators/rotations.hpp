@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <boost/math/constants/constants.hpp>
 #include <generators/floats.hpp>
 #include <vector>
@@ -113,12 +114,20 @@ Eigen::Matrix<S, 3, 1> rotation_vector(Source& source, AngleRange range) {
   return t * direction<S>(source);
 }
 
+/// 2^widest is 3e150 in double, the same share of the range elsewhere: squares are finite.
+template <class S>
+inline constexpr int widest = std::numeric_limits<S>::max_exponent / 256 * 125;
+template <>
+inline constexpr int widest<float> = 62;
+
 /// A vector of three magnitudes.
 template <class S>
-Eigen::Matrix<S, 3, 1> vector3(Source& source, int binades = std::numeric_limits<S>::max_exponent / 4) {
-  if (source.chance(1, 4)) {  // one common scale, a direction of its own
+Eigen::Matrix<S, 3, 1> vector3(Source& source, int binades = widest<S>) {
+  if (source.chance(1, 4)) {  // one common scale, the two ends often, a direction of its own
     using std::ldexp;
-    const S scale = S(ldexp(S(1) + source.unit<S>(), source.between(-binades, binades)));
+    const int beyond = binades + binades / 8;
+    const int exponent = std::clamp(source.between(-beyond, beyond), -binades, binades);
+    const S scale = S(ldexp(S(1) + source.unit<S>(), exponent));
     return scale * direction<S>(source);
   }
   return {magnitude<S>(source, binades), magnitude<S>(source, binades), magnitude<S>(source, binades)};
@@ -139,7 +148,7 @@ Eigen::Matrix<S, 4, 1> unit_quaternion(Source& source) {
     case 1:
     case 2: {  // near the identity
       const S s = binade_uniform<S>(
-          source, source.chance(1, 4) ? std::numeric_limits<S>::min_exponent : -digits - 8, 0);
+          source, source.chance(1, 4) ? std::numeric_limits<S>::min_exponent - digits / 2 : -digits - 16, 0);
       q << s * n, S(sqrt((S(1) - s) * (S(1) + s)));
       break;
     }

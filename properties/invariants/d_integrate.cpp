@@ -31,7 +31,7 @@ class DIntegrate final : public Law<DIntegrate, S> {
   }
   std::vector<Field> fields() const override {
     return {{"p0", Kind::vector, 3, "m"},  {"Q0", Kind::quaternion, 4, "1"},
-            {"p1", Kind::vector, 3, "m"},  {"Q1", Kind::quaternion, 4, "1"},
+            {"p1", Kind::vector, 3, "m"},  {"Q1", Kind::quaternion, 4, "1", Reach::beside},
             {"rho", Kind::vector, 3, "m"}, {"phi", Kind::rotation_vector, 3, "rad"}};
   }
   bool offered(const Subject<S>& s) const override {

@@ -25,7 +25,7 @@ class ExpOracle final : public Law<ExpOracle, S> {
             {"exp6", "translation"}};
   }
   std::vector<Field> fields() const override {
-    return {{"rho", Kind::vector, 3, "m"}, {"phi", Kind::rotation_vector, 3, "rad"}};
+    return {{"rho", Kind::vector, 3, "m", Reach::full}, {"phi", Kind::rotation_vector, 3, "rad", Reach::full}};
   }
   bool offered(const Subject<S>& s) const override {
     return s.operations.exp3_quaternion || s.operations.exp3_matrix || s.operations.exp6;

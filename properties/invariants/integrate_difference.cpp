@@ -35,9 +35,9 @@ class IntegrateDifference final : public Law<IntegrateDifference, S> {
             {"integrate_of_difference", "translation"}};
   }
   std::vector<Field> fields() const override {
-    return {{"p0", Kind::vector, 3, "m"},  {"Q0", Kind::quaternion, 4, "1"},
-            {"p1", Kind::vector, 3, "m"},  {"Q1", Kind::quaternion, 4, "1"},
-            {"rho", Kind::vector, 3, "m"}, {"phi", Kind::rotation_vector, 3, "rad"}};
+    return {{"p0", Kind::vector, 3, "m", Reach::full},  {"Q0", Kind::quaternion, 4, "1"},
+            {"p1", Kind::vector, 3, "m", Reach::beside},  {"Q1", Kind::quaternion, 4, "1", Reach::beside},
+            {"rho", Kind::vector, 3, "m", Reach::full}, {"phi", Kind::rotation_vector, 3, "rad", Reach::full}};
   }
   bool offered(const Subject<S>& s) const override {
     return s.operations.integrate || s.operations.difference;

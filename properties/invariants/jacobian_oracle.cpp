@@ -30,7 +30,7 @@ class JacobianOracle final : public Law<JacobianOracle, S> {
     return all;
   }
   std::vector<Field> fields() const override {
-    return {{"rho", Kind::vector, 3, "m"}, {"phi", Kind::rotation_vector, 3, "rad"}};
+    return {{"rho", Kind::vector, 3, "m", Reach::full}, {"phi", Kind::rotation_vector, 3, "rad", Reach::full}};
   }
   bool offered(const Subject<S>& s) const override {
     const auto& o = s.operations;

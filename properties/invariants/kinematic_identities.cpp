@@ -45,10 +45,10 @@ class KinematicIdentities final : public Law<KinematicIdentities, S> {
             {operation, "translation matrix"}, {operation, "quaternion matrix"}, {operation, "zeros"}};
   }
   std::vector<Field> fields() const override {
-    return {{"p", Kind::vector, 3, "m"},
+    return {{"p", Kind::vector, 3, "m", Reach::full},
             {"Q", Kind::quaternion, 4, "1"},
-            {"u", Kind::vector, 3, "m/s"},
-            {"omega", Kind::vector, 3, "rad/s"}};
+            {"u", Kind::vector, 3, "m/s", Reach::full},
+            {"omega", Kind::vector, 3, "rad/s", Reach::full}};
   }
   bool offered(const Subject<S>& subject) const override {
     return subject.operations.integrate_coefficient_jacobian != nullptr;

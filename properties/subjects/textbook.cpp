@@ -1,19 +1,22 @@
-// textbook: the closed forms as books print them, with the usual single cutoff for every scalar. It is the
-// harness's permanent positive control: every campaign over all subjects must see its cliffs.
+// textbook: the closed forms as books print them, with the usual single cutoff for every scalar, 1e-8. It is the
+// harness's permanent positive control: every campaign over all subjects must see its cliffs. The variants
+// textbook:1e-1 ... textbook:1e-12 have their cutoff there and run where they are named.
 
 #include <subjects/subject.hpp>
 
 #include <Eigen/Dense>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace liecheck::properties {
 namespace {
 
-/// Below this angle [rad] the leading term replaces the closed form, whatever the scalar.
-constexpr double cutoff = 1e-8;
-
 template <class S>
 struct Textbook {
+  /// Below this angle [rad] the leading term replaces the closed form, whatever the scalar.
+  double cutoff;
+
   using O = Operations<S>;
   using V3 = typename O::V3;
   using V4 = typename O::V4;
@@ -27,9 +30,9 @@ struct Textbook {
     m << S(0), -v.z(), v.y(), v.z(), S(0), -v.x(), -v.y(), v.x(), S(0);
     return m;
   }
-  static bool small(const S& theta) { return theta < S(cutoff); }
+  bool small(const S& theta) const { return theta < S(cutoff); }
 
-  static V4 exp3_quaternion(const V3& phi) {
+  V4 exp3_quaternion(const V3& phi) const {
     const S theta = phi.norm();
     V4 q;
     if (small(theta)) {
@@ -39,47 +42,47 @@ struct Textbook {
     }
     return q;
   }
-  static M3 exp3_matrix(const V3& phi) {
+  M3 exp3_matrix(const V3& phi) const {
     const S theta = phi.norm();
     if (small(theta)) return M3::Identity() + hat(phi);
     const M3 P = hat(phi);
     return M3::Identity() + std::sin(theta) / theta * P + (S(1) - std::cos(theta)) / (theta * theta) * P * P;
   }
-  static V3 log3_quaternion(const V4& Q) {
+  V3 log3_quaternion(const V4& Q) const {
     const V4 q = Q[3] < S(0) ? V4(-Q) : Q;
     const S theta = S(2) * std::acos(std::min(S(1), q[3]));
     if (small(theta)) return S(2) * q.template head<3>();
     return theta / std::sqrt(S(1) - q[3] * q[3]) * q.template head<3>();
   }
-  static V3 log3_matrix(const M3& R) {
+  V3 log3_matrix(const M3& R) const {
     const S c = std::max(S(-1), std::min(S(1), S((R.trace() - S(1)) / S(2))));
     const S theta = std::acos(c);
     const V3 a(R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1));
     if (small(theta)) return a / S(2);
     return theta / (S(2) * std::sin(theta)) * a;
   }
-  static M3 left_jacobian3(const V3& phi) {
+  M3 left_jacobian3(const V3& phi) const {
     const S theta = phi.norm();
     const M3 P = hat(phi);
     if (small(theta)) return M3::Identity() + P / S(2);
     return M3::Identity() + (S(1) - std::cos(theta)) / (theta * theta) * P +
            (theta - std::sin(theta)) / (theta * theta * theta) * P * P;
   }
-  static M3 left_jacobian3_inverse(const V3& phi) {
+  M3 left_jacobian3_inverse(const V3& phi) const {
     const S theta = phi.norm();
     const M3 P = hat(phi);
     if (small(theta)) return M3::Identity() - P / S(2);
     const S d = S(1) / (theta * theta) - (S(1) + std::cos(theta)) / (S(2) * theta * std::sin(theta));
     return M3::Identity() - P / S(2) + d * P * P;
   }
-  static M3 right_jacobian3(const V3& phi) { return left_jacobian3(-phi); }
-  static M3 right_jacobian3_inverse(const V3& phi) { return left_jacobian3_inverse(-phi); }
+  M3 right_jacobian3(const V3& phi) const { return left_jacobian3(-phi); }
+  M3 right_jacobian3_inverse(const V3& phi) const { return left_jacobian3_inverse(-phi); }
 
-  static Pose<S> exp6(const V6& xi) {
+  Pose<S> exp6(const V6& xi) const {
     const V3 phi = xi.template tail<3>();
     return {exp3_matrix(phi), left_jacobian3(phi) * xi.template head<3>()};
   }
-  static V6 log6(const Pose<S>& T) {
+  V6 log6(const Pose<S>& T) const {
     const V3 phi = log3_matrix(T.R);
     V6 xi;
     xi << left_jacobian3_inverse(phi) * T.p, phi;
@@ -87,7 +90,7 @@ struct Textbook {
   }
 
   /// Barfoot & Furgale (2014), eq. 102, as printed.
-  static M3 coupling(const V3& rho, const V3& phi) {
+  M3 coupling(const V3& rho, const V3& phi) const {
     const M3 r = hat(rho), p = hat(phi);
     const S t = phi.norm();
     if (small(t)) return r / S(2);
@@ -98,14 +101,14 @@ struct Textbook {
     return r / S(2) + a * (p * r + r * p + p * r * p) - b * (p * p * r + r * p * p - S(3) * p * r * p) -
            c / S(2) * (p * r * p * p + p * p * r * p);
   }
-  static M6 left_jacobian6(const V6& xi) {
+  M6 left_jacobian6(const V6& xi) const {
     const V3 rho = xi.template head<3>(), phi = xi.template tail<3>();
     M6 J = M6::Zero();
     J.template topLeftCorner<3, 3>() = J.template bottomRightCorner<3, 3>() = left_jacobian3(phi);
     J.template topRightCorner<3, 3>() = coupling(rho, phi);
     return J;
   }
-  static M6 left_jacobian6_inverse(const V6& xi) {
+  M6 left_jacobian6_inverse(const V6& xi) const {
     const V3 rho = xi.template head<3>(), phi = xi.template tail<3>();
     const M3 Ji = left_jacobian3_inverse(phi);
     M6 J = M6::Zero();
@@ -113,8 +116,8 @@ struct Textbook {
     J.template topRightCorner<3, 3>() = -Ji * coupling(rho, phi) * Ji;
     return J;
   }
-  static M6 right_jacobian6(const V6& xi) { return left_jacobian6(-xi); }
-  static M6 right_jacobian6_inverse(const V6& xi) { return left_jacobian6_inverse(-xi); }
+  M6 right_jacobian6(const V6& xi) const { return left_jacobian6(-xi); }
+  M6 right_jacobian6_inverse(const V6& xi) const { return left_jacobian6_inverse(-xi); }
 
   static V4 product(const V4& a, const V4& b) {
     const V3 av = a.template head<3>(), bv = b.template head<3>();
@@ -123,7 +126,7 @@ struct Textbook {
     return q;
   }
   static M3 matrix(const V4& q) { return Eigen::Quaternion<S>(q[3], q[0], q[1], q[2]).toRotationMatrix(); }
-  static V7 integrate(const V7& q, const V6& delta) {
+  V7 integrate(const V7& q, const V6& delta) const {
     const V3 phi = delta.template tail<3>();
     const V4 Q = q.template tail<4>();
     V7 result;
@@ -131,7 +134,7 @@ struct Textbook {
         product(Q, exp3_quaternion(phi)).normalized();
     return result;
   }
-  static V6 difference(const V7& q0, const V7& q1) {
+  V6 difference(const V7& q0, const V7& q1) const {
     V4 inverse = q0.template tail<4>();
     inverse.template head<3>() *= S(-1);
     const V3 phi = log3_quaternion(product(inverse, q1.template tail<4>()));
@@ -140,56 +143,87 @@ struct Textbook {
     delta << left_jacobian3_inverse(phi) * p, phi;
     return delta;
   }
-  static M6 d_integrate_arg0(const V7&, const V6& delta) {
+  M6 d_integrate_arg0(const V7&, const V6& delta) const {
     const Pose<S> T = exp6(-delta);
     M6 X = M6::Zero();
     X.template topLeftCorner<3, 3>() = X.template bottomRightCorner<3, 3>() = T.R;
     X.template topRightCorner<3, 3>() = hat(T.p) * T.R;
     return X;
   }
-  static M6 d_integrate_arg1(const V7&, const V6& delta) { return right_jacobian6(delta); }
-  static M6 d_difference_arg0(const V7& q0, const V7& q1) {
+  M6 d_integrate_arg1(const V7&, const V6& delta) const { return right_jacobian6(delta); }
+  M6 d_difference_arg0(const V7& q0, const V7& q1) const {
     return -left_jacobian6_inverse(difference(q0, q1));
   }
-  static M6 d_difference_arg1(const V7& q0, const V7& q1) {
+  M6 d_difference_arg1(const V7& q0, const V7& q1) const {
     return right_jacobian6_inverse(difference(q0, q1));
   }
 
-  static V3 rotate_point(const V4& Q, const V3& x) { return matrix(Q) * x; }
+  V3 rotate_point(const V4& Q, const V3& x) const { return matrix(Q) * x; }
 
+  static constexpr double power_of_ten(int e) {  // correctly rounded down to 1e-22
+    double p = 1;
+    for (int i = 0; i > e; --i) p *= 10;
+    return 1 / p;
+  }
+  /// A member function as an operation, its cutoff fixed at 10^-exponent.
+  template <auto f, int exponent, class R, class... A>
+  static R call(A... a) {
+    return (Textbook{power_of_ten(-exponent)}.*f)(a...);
+  }
+  template <class R, class... A>
+  using Pointer = R (*)(A...);
+  template <auto f, int exponent>
+  struct Operation {
+    template <class R, class... A>
+    operator Pointer<R, A...>() const {  // NOLINT: any operation that f can be
+      return call<f, exponent, R, A...>;
+    }
+  };
+  template <auto f, int exponent>
+  static constexpr Operation<f, exponent> at{};
+
+  template <int exponent, bool is_variant>
   static Subject<S> make() {
     Subject<S> s;
-    s.name = "textbook";
-    s.version = "cutoff 1e-8";
+    constexpr double cutoff = power_of_ten(-exponent);
+    s.name = is_variant ? "textbook:1e-" + std::to_string(exponent) : "textbook";
+    s.version = "cutoff 1e-" + std::to_string(exponent);
     s.cutoffs = {cutoff};
     O& o = s.operations;
-    o.exp3_quaternion = exp3_quaternion;
-    o.exp3_matrix = exp3_matrix;
-    o.log3_quaternion = log3_quaternion;
-    o.log3_matrix = log3_matrix;
-    o.exp6 = exp6;
-    o.log6 = log6;
-    o.left_jacobian3 = left_jacobian3;
-    o.right_jacobian3 = right_jacobian3;
-    o.left_jacobian3_inverse = left_jacobian3_inverse;
-    o.right_jacobian3_inverse = right_jacobian3_inverse;
-    o.left_jacobian6 = left_jacobian6;
-    o.right_jacobian6 = right_jacobian6;
-    o.left_jacobian6_inverse = left_jacobian6_inverse;
-    o.right_jacobian6_inverse = right_jacobian6_inverse;
-    o.integrate = integrate;
-    o.difference = difference;
-    o.d_integrate_arg0 = d_integrate_arg0;
-    o.d_integrate_arg1 = d_integrate_arg1;
-    o.d_difference_arg0 = d_difference_arg0;
-    o.d_difference_arg1 = d_difference_arg1;
-    o.rotate_point = rotate_point;
+    o.exp3_quaternion = at<&Textbook::exp3_quaternion, exponent>;
+    o.exp3_matrix = at<&Textbook::exp3_matrix, exponent>;
+    o.log3_quaternion = at<&Textbook::log3_quaternion, exponent>;
+    o.log3_matrix = at<&Textbook::log3_matrix, exponent>;
+    o.exp6 = at<&Textbook::exp6, exponent>;
+    o.log6 = at<&Textbook::log6, exponent>;
+    o.left_jacobian3 = at<&Textbook::left_jacobian3, exponent>;
+    o.right_jacobian3 = at<&Textbook::right_jacobian3, exponent>;
+    o.left_jacobian3_inverse = at<&Textbook::left_jacobian3_inverse, exponent>;
+    o.right_jacobian3_inverse = at<&Textbook::right_jacobian3_inverse, exponent>;
+    o.left_jacobian6 = at<&Textbook::left_jacobian6, exponent>;
+    o.right_jacobian6 = at<&Textbook::right_jacobian6, exponent>;
+    o.left_jacobian6_inverse = at<&Textbook::left_jacobian6_inverse, exponent>;
+    o.right_jacobian6_inverse = at<&Textbook::right_jacobian6_inverse, exponent>;
+    o.integrate = at<&Textbook::integrate, exponent>;
+    o.difference = at<&Textbook::difference, exponent>;
+    o.d_integrate_arg0 = at<&Textbook::d_integrate_arg0, exponent>;
+    o.d_integrate_arg1 = at<&Textbook::d_integrate_arg1, exponent>;
+    o.d_difference_arg0 = at<&Textbook::d_difference_arg0, exponent>;
+    o.d_difference_arg1 = at<&Textbook::d_difference_arg1, exponent>;
+    o.rotate_point = at<&Textbook::rotate_point, exponent>;
     return s;
   }
 };
 
-const Registered<float> in_float(Textbook<float>::make());
-const Registered<double> in_double(Textbook<double>::make());
+const Registered<float> in_float(Textbook<float>::make<8, false>());
+const Registered<double> in_double(Textbook<double>::make<8, false>());
+
+template <class S, int... i>
+std::vector<Registered<S>> variants(std::integer_sequence<int, i...>) {
+  return {Registered<S>(Textbook<S>::template make<i + 1, true>())...};
+}
+const auto variants_in_float = variants<float>(std::make_integer_sequence<int, 12>());
+const auto variants_in_double = variants<double>(std::make_integer_sequence<int, 12>());
 
 }  // namespace
 }  // namespace liecheck::properties

@@ -1,0 +1,63 @@
+#include <campaign/coverage_report.hpp>
+
+#include <fmt/format.h>
+#include <algorithm>
+
+namespace liecheck::properties {
+
+namespace {
+
+/// A generator of angles gives each band at least one case in so many; a test measures it.
+constexpr std::uint64_t band_one_in = 1200;
+
+bool has(const Series& s, Kind kind, Reach reach) {
+  return std::any_of(s.fields.begin(), s.fields.end(), [&](const Field& f) {
+    return f.kind == kind && (reach == Reach::limited || f.reach == reach);
+  });
+}
+
+}  // namespace
+
+std::vector<Covered> coverage_of(const Series& series, const Tally& tally) {
+  std::vector<Covered> all;
+  const std::uint64_t n = tally.coverage.cases();
+  const auto add = [&](std::string what, std::uint64_t count, std::uint64_t one_in) {
+    all.push_back({std::move(what), count, one_in, n / one_in >= expected_at_least});
+  };
+  for (std::size_t f = 0; f < series.fields.size(); ++f) {
+    const auto& classes = classes_of(series.fields[f].kind);
+    for (std::size_t c = 0; c < classes.size(); ++c)
+      if (requires_class(series.fields[f], classes[c]))
+        add(fmt::format("{}: {}", series.fields[f].name, classes[c].name), tally.coverage.count(f, c),
+            classes[c].one_in);
+  }
+  std::vector<std::uint64_t> bands(series.bands().all().size(), 0);
+  for (const auto& [key, row] : tally.rows)
+    if (auto& most = bands[static_cast<std::size_t>(key.second)]; key.second > 0)
+      most = std::max(most, row.count);
+  const bool beyond = has(series, Kind::rotation_vector, Reach::full);
+  const bool angles = beyond || has(series, Kind::rotation_vector, Reach::limited) ||
+                      has(series, Kind::quaternion, Reach::limited);
+  // A law that measured at no angle at all, such as the power's, has rows of band 0 only.
+  if (angles && std::any_of(bands.begin(), bands.end(), [](auto count) { return count > 0; }))
+    for (std::size_t b = 1; b < bands.size(); ++b)
+      if (beyond || series.bands()[b].region == Region::to_pi)
+        add("band " + series.bands()[b].name, bands[b], band_one_in);
+  return all;
+}
+
+std::string coverage_line(const std::vector<Covered>& all, std::uint64_t cases) {
+  std::uint64_t reached = 0, expected = 0;
+  std::string missing;
+  for (const Covered& c : all) {
+    reached += c.count > 0, expected += c.required;
+    if (c.missing())
+      missing +=
+          fmt::format("{}{} ({} expected at least)", missing.empty() ? "" : "; ", c.what, cases / c.one_in);
+  }
+  if (!missing.empty()) return "NOT COVERED in " + std::to_string(cases) + " cases: " + missing;
+  return fmt::format("{} of {} classes and bands reached, {} required of so many cases", reached, all.size(),
+                     expected);
+}
+
+}  // namespace liecheck::properties

@@ -1,0 +1,266 @@
+#pragma once
+// Moves of a search: one random change of an input, made for the kind of each group of numbers.
+//
+// A step is small in units in the last place or large, log-uniformly: a defect may be one ulp wide or a decade.
+// Moves keep rotations unit and inertias untouched; what a property's valid() rejects, the search throws away.
+
+#include <generators/rotations.hpp>
+#include <invariants/property.hpp>
+#include <vector>
+
+namespace liecheck::properties {
+
+template <class S>
+class Moves {
+ public:
+  explicit Moves(const std::vector<Field>& fields) {
+    std::size_t from = 0;
+    for (const Field& f : fields) {
+      groups_.push_back({f.kind, from, static_cast<std::size_t>(f.size)});
+      from += groups_.back().size;
+    }
+  }
+
+  /// x after one to three moves. `other` is a valid input of the same property to borrow groups from.
+  void apply(std::vector<S>& x, const std::vector<S>& other, Source& source) const {
+    const int moves = source.chance(1, 2) ? 1 : source.between(2, 3);
+    for (int i = 0; i < moves; ++i) {
+      const Group& g = groups_[source.below(groups_.size())];
+      if (source.chance(1, 24)) {
+        std::copy_n(other.begin() + static_cast<long>(g.from), g.size, x.begin() + static_cast<long>(g.from));
+        continue;
+      }
+      move(g, x, source);
+    }
+  }
+
+  /// What a plain test samples: angles uniform on [0, pi] about a uniform axis, numbers uniform on [-1, 1);
+  /// groups without such a meaning stay as the generator made them.
+  void uniform(std::vector<S>& x, Source& source) const {
+    static const S pi = boost::math::constants::pi<S>();
+    for (const Group& g : groups_) {
+      const V3 phi = S(pi * source.unit<S>()) * ball(source);
+      if (g.kind == Kind::rotation_vector) at3(x, g.from) = phi;
+      if (g.kind == Kind::quaternion) at4(x, g.from) = quaternion(phi);
+      if (g.kind == Kind::rotation_matrix) put_matrix(x, g.from, quaternion(phi));
+      if (g.kind == Kind::vector)
+        for (std::size_t k = 0; k < g.size; ++k) x[g.from + k] = source.symmetric<S>();
+    }
+  }
+
+ private:
+  using V3 = Vec<S, 3>;
+  using V4 = Vec<S, 4>;
+  struct Group {
+    Kind kind;
+    std::size_t from, size;
+  };
+  static constexpr int digits = std::numeric_limits<S>::digits;
+
+  static Eigen::Map<V3> at3(std::vector<S>& x, std::size_t from) { return Eigen::Map<V3>(x.data() + from); }
+  static Eigen::Map<V4> at4(std::vector<S>& x, std::size_t from) { return Eigen::Map<V4>(x.data() + from); }
+  static S length(const V3& v) {
+    using std::sqrt;
+    const S n = v.squaredNorm();
+    if (n > std::numeric_limits<S>::min() && n < std::numeric_limits<S>::max()) return S(sqrt(n));
+    return v.cwiseAbs().maxCoeff();  // right to a factor: enough for a step
+  }
+
+  /// +-2^-k (1/2 ... 1), k uniform from 0 to the scalar's digits.
+  static S step(Source& s) {
+    using std::ldexp;
+    const S size = S(ldexp(S(1) + s.unit<S>(), -1 - s.between(0, digits)));
+    return s.chance(1, 2) ? size : S(-size);
+  }
+  /// A factor near one, or a power of two times one.
+  static S factor(Source& s) {
+    using std::ldexp;
+    return s.chance(1, 4) ? S(ldexp(S(1) + s.unit<S>(), s.between(-8, 7))) : S(S(1) + step(s));
+  }
+  static int ulps(Source& s) {
+    const int k = 1 << s.between(0, 10);
+    return s.chance(1, 2) ? k : -k;
+  }
+  /// A uniform direction, unit to rounding.
+  static V3 ball(Source& s) {
+    V3 v = V3::UnitX();
+    for (int attempt = 0; attempt < 32; ++attempt) {
+      v << s.symmetric<S>(), s.symmetric<S>(), s.symmetric<S>();
+      const S n = v.squaredNorm();
+      if (n <= S(1) && n > S(1) / S(64)) break;
+    }
+    return v / length(v);
+  }
+  /// Uniform angles need sin and cos, which the C library rounds its own way: only this comparison uses them.
+  static V4 quaternion(const V3& phi) {
+    using std::cos, std::sin;
+    const S half = length(phi) / S(2);
+    V4 q;
+    q << (half > S(0) ? V3(S(sin(half)) / (S(2) * half) * phi) : V3(V3::Zero())), S(cos(half));
+    return q;
+  }
+  static V4 conjugate(V4 q) {
+    q.template head<3>() = V3(-q.template head<3>());
+    return q;
+  }
+  static V4 unit(const V4& q) {
+    using std::sqrt;
+    const S n = q.squaredNorm();
+    return n > std::numeric_limits<S>::min() ? V4(q / S(sqrt(n))) : V4(V4::Unit(3));
+  }
+
+  void move(const Group& g, std::vector<S>& x, Source& s) const {
+    switch (g.kind) {
+      case Kind::vector:
+      case Kind::rotation_vector:
+        if (g.size == 3) return move_vector(g, x, s);
+        x[g.from + s.below(g.size)] *= factor(s);
+        return;
+      case Kind::quaternion:
+        at4(x, g.from) = moved(at4(x, g.from), g.from, x, s);
+        return;
+      case Kind::rotation_matrix:
+        if (s.chance(1, 4)) {
+          S& entry = x[g.from + s.below(9)];
+          entry = step_ulps(entry, s.between(-2, 2));
+        } else {
+          put_matrix(x, g.from, moved(of_matrix(x, g.from), g.from, x, s));
+        }
+        return;
+      case Kind::inertia: {
+        const S f = factor(s) * factor(s);
+        if (f > S(0))
+          for (std::size_t k = 0; k < g.size; ++k) x[g.from + k] *= f;
+        return;
+      }
+      case Kind::positive: {
+        const S f = factor(s);
+        if (f > S(0)) x[g.from] *= f;
+        return;
+      }
+      default:;  // a choice is only borrowed
+    }
+  }
+
+  void move_vector(const Group& g, std::vector<S>& x, Source& s) const {
+    auto v = at3(x, g.from);
+    const int i = static_cast<int>(s.below(3));
+    const S n = length(v);
+    switch (s.below(9)) {
+      case 0:
+      case 1:  // the length alone
+        v *= factor(s);
+        return;
+      case 2:  // one component
+        v[i] = step_ulps(S(v[i]), ulps(s));
+        return;
+      case 3:
+        v[i] *= factor(s);
+        return;
+      case 4:  // turned
+        v += S(step(s) * n) * ball(s);
+        if (length(v) > S(0) && s.chance(1, 2)) v *= n / length(v);
+        return;
+      case 5:  // onto an axis, or off a plane
+        if (s.chance(1, 2))
+          v[i] = S(0);
+        else
+          v = V3(n * V3::Unit(i));
+        return;
+      case 6:
+        if (g.kind == Kind::rotation_vector && n > S(0)) {  // next to a cutoff
+          const auto& cutoffs = common_cutoffs<S>();
+          v *= step_ulps(cutoffs[s.below(cutoffs.size())], s.between(-4, 4)) / n;
+          if (s.chance(1, 2)) v *= S(1) + step(s);
+        } else {
+          v[i] = -v[i];
+        }
+        return;
+      default:
+        relate(g, v, n, x, s);
+    }
+  }
+
+  /// A vector set to, beside, against or across another one of the input, or to what it becomes by a rotation
+  /// of the input: translations cancel there.
+  void relate(const Group& g, Eigen::Map<V3>& v, const S& n, std::vector<S>& x, Source& s) const {
+    const Group& o = groups_[s.below(groups_.size())];
+    if (o.size != 3 || o.from == g.from) return;
+    V3 w = at3(x, o.from);
+    const Group& q = groups_[s.below(groups_.size())];
+    if (q.kind == Kind::quaternion && s.chance(1, 2)) {
+      const V4 Q = at4(x, q.from);
+      w = rotation_matrix<S>(s.chance(1, 2) ? Q : conjugate(Q)) * w;
+    }
+    const S m = length(w);
+    if (!(m > S(0))) return;
+    if (s.chance(1, 2)) w = -w;
+    if (s.chance(1, 3)) {
+      w = V3(w.cross(ball(s)));
+    } else if (s.chance(1, 2)) {
+      w += S(step(s) * m) * ball(s);
+    }
+    v = s.chance(1, 2) && g.kind == Kind::vector && o.kind == Kind::vector ? w : V3(S(n / m) * w);
+  }
+
+  /// A rotation moved: nearer to or farther from the identity, half a turn or an earlier quaternion of the input.
+  V4 moved(const V4& q, std::size_t from, std::vector<S>& x, Source& s) const {
+    V4 base = V4::Unit(3), d = q;
+    const Group& o = groups_[s.below(groups_.size())];
+    if (o.kind == Kind::quaternion && o.from != from && s.chance(3, 4)) {
+      base = at4(x, o.from);
+      d = quaternion_product<S>(conjugate(base), q);
+    }
+    const int i = static_cast<int>(s.below(4));
+    switch (s.below(6)) {
+      case 0:  // the angle
+      case 1:
+        d.template head<3>() *= factor(s);
+        break;
+      case 2:  // the angle to half a turn
+        d[3] *= factor(s);
+        break;
+      case 3:
+        d.template head<3>() += S(step(s) * length(d.template head<3>())) * ball(s);
+        break;
+      case 4: {  // one component, to the last bit
+        V4 p = q;
+        p[i] = step_ulps(S(p[i]), s.chance(1, 2) ? ulps(s) : s.between(-2, 2));
+        return p;
+      }
+      default:
+        if (s.chance(1, 2)) return -q;
+        d[i] = S(0);
+    }
+    return unit(quaternion_product<S>(base, unit(d)));
+  }
+
+  static void put_matrix(std::vector<S>& x, std::size_t from, const V4& q) {
+    const Mat<S, 3> R = rotation_matrix<S>(q);
+    for (std::size_t k = 0; k < 9; ++k) x[from + k] = R(static_cast<int>(k / 3), static_cast<int>(k % 3));
+  }
+  /// By the largest pivot.
+  static V4 of_matrix(const std::vector<S>& x, std::size_t from) {
+    const auto R = [&](int i, int j) { return x[from + static_cast<std::size_t>(3 * i + j)]; };
+    const S t = R(0, 0) + R(1, 1) + R(2, 2);
+    V4 q;
+    int best = 3;
+    S pivot = t;
+    for (int i = 0; i < 3; ++i)
+      if (R(i, i) > pivot) best = i, pivot = R(i, i);
+    if (best == 3) {
+      q << R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1), S(1) + t;
+    } else {
+      const int i = best, j = (i + 1) % 3, k = (i + 2) % 3;
+      q[i] = S(1) + S(2) * pivot - t;
+      q[j] = R(i, j) + R(j, i);
+      q[k] = R(i, k) + R(k, i);
+      q[3] = R(k, j) - R(j, k);
+    }
+    return unit(q);
+  }
+
+  std::vector<Group> groups_;
+};
+
+}  // namespace liecheck::properties
