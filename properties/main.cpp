@@ -1,8 +1,9 @@
-// The liecheck program: list, campaign, replay, report.
+// The liecheck program: list, campaign, replay, report, and what to do with stores.
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <campaign/campaign.hpp>
+#include <commands_store.hpp>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -15,9 +16,9 @@ namespace {
 
 using namespace liecheck::properties;
 
-enum Exit { within_budget = 0, property_failed = 1, bad_input = 2, incomplete = 3 };
-
-extern "C" void on_signal(int) {
+/// Once: finish the chunk. Twice: at once.
+extern "C" void on_signal(int number) {
+  if (stop_requested) std::signal(number, SIG_DFL), std::raise(number);
   stop_requested = true;
 }
 
@@ -43,6 +44,7 @@ struct Flags {
   std::vector<std::string> records;
   std::uint64_t seed = 42, cases = 1000;
   unsigned jobs = std::max(1u, std::thread::hardware_concurrency());
+  StoreFlags store;
 };
 
 Robot robot_of(const Flags& f) {
@@ -61,16 +63,6 @@ Selection selection_of(const Flags& f) {
   return s;
 }
 
-void write_file(const std::string& path, const std::string& text) {
-  const std::string temporary = path + ".part";
-  std::ofstream file(temporary, std::ios::binary);
-  file << text;
-  file.close();
-  std::error_code error;
-  if (file) std::filesystem::rename(temporary, path, error);
-  if (!file || error) throw std::runtime_error(fmt::format("{}: cannot be written", path));
-}
-
 /// Can the record be written? Asked before the hours, not after them.
 void check_writable(const std::string& path) {
   if (path.empty()) return;
@@ -80,7 +72,7 @@ void check_writable(const std::string& path) {
   std::filesystem::remove(temporary);
 }
 
-CampaignResult campaign(const Flags& f, const Selection& selection) {
+std::optional<CampaignResult> campaign(const Flags& f, const Selection& selection) {
   CampaignOptions options;
   options.selection = selection;
   options.seed = f.seed;
@@ -89,7 +81,7 @@ CampaignResult campaign(const Flags& f, const Selection& selection) {
   if (!f.duration.empty()) options.seconds = parse_duration(f.duration);
   std::signal(SIGINT, on_signal);
   std::signal(SIGTERM, on_signal);
-  return run_campaign(options, robot_of(f));
+  return run_stored_campaign(options, robot_of(f), f.store);
 }
 
 int print_campaign(const CampaignResult& r) {
@@ -170,12 +162,17 @@ int run_list() {
 
 int run_campaign_command(const Flags& f) {
   check_writable(f.json);
-  const CampaignResult result = campaign(f, selection_of(f));
+  const auto done = campaign(f, selection_of(f));
+  if (!done) return within_budget;
+  const CampaignResult& result = *done;
   if (result.series.empty())
     throw std::invalid_argument(
         "nothing to run: no selected subject offers a selected property in that scalar");
   if (!f.json.empty()) write_file(f.json, record_of(result).dump(1) + "\n");
-  return print_campaign(result);
+  print_counterexamples(result);
+  const int code = print_campaign(result);
+  print_how_to_go_on(result, f.store);
+  return code;
 }
 
 int run_replay(const Flags& f) {
@@ -208,11 +205,12 @@ int run_replay(const Flags& f) {
 }
 
 int run_report(const Flags& f) {
-  std::vector<std::filesystem::path> records(f.records.begin(), f.records.end());
+  const auto given = with_records_of_stores(f.records, f.out);
+  std::vector<std::filesystem::path> records(given.begin(), given.end());
   if (records.empty()) {
     std::filesystem::create_directories(f.out);
     const std::filesystem::path path = std::filesystem::path(f.out) / "campaign.json";
-    const CampaignResult result = campaign(f, {});
+    const CampaignResult result = campaign(f, {}).value();
     if (result.incomplete) fmt::print(stderr, "interrupted: the report holds what was done\n");
     write_file(path, record_of(result).dump(1) + "\n");
     records.push_back(path);
@@ -228,6 +226,8 @@ int main(int argc, char** argv) {
   CLI::App app{"liecheck " LIECHECK_VERSION
                ": finds the numerical bugs in SE(3) and floating-base code before a robot does."};
   app.require_subcommand(1);
+  // A limit on file size is an error of the write, as a full disk is, not the end of the program.
+  std::signal(SIGXFSZ, SIG_IGN);
   app.set_version_flag("--version", LIECHECK_VERSION);
   Flags f;
   const auto budget_flags = [&](CLI::App* c) {
@@ -251,15 +251,20 @@ int main(int argc, char** argv) {
   run->add_option("--scalar", f.scalars, "float, double or float128, repeatable");
   run->add_option("--json", f.json, "write the record to FILE");
   budget_flags(run);
+  add_store_flags(*run, f.store);
+  f.store.jobs = run->get_option("--jobs");
+  f.store.command = command_line(argc, argv);
   auto* replay = app.add_subcommand("replay", "run one case again and print its residuals, bit for bit");
   replay->add_option("ID", f.id, "the case's address, as a failure or a report prints it")->required();
   replay->add_option("--robot", f.robot, "URDF of the robot that the ID names");
   auto* report = app.add_subcommand(
       "report", "write the accuracy report of records, or of a campaign over every subject");
-  report->add_option("RECORD", f.records, "records that campaign --json wrote; none: run the campaign first");
+  report->add_option("RECORD", f.records,
+                     "stores, or records that campaign --json wrote; none: run the campaign first");
   report->add_option("--out", f.out, "folder of report.html, report.json and report.csv")
       ->capture_default_str();
   budget_flags(report);
+  const StoreCommands store_commands(app);
 
   try {
     app.parse(argc, argv);
@@ -272,6 +277,7 @@ int main(int argc, char** argv) {
     if (run->parsed()) return run_campaign_command(f);
     if (replay->parsed()) return run_replay(f);
     if (report->parsed()) return run_report(f);
+    if (const auto code = store_commands.run()) return *code;
     return run_list();
   } catch (const std::exception& e) {
     fmt::print(stderr, "liecheck: {}\n", e.what());

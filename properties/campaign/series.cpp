@@ -69,6 +69,7 @@ void Tally::merge(const Tally& o) {
   results.merge(o.results);
   cases += o.cases, fast += o.fast, checked += o.checked;
   disagreed.insert(disagreed.end(), o.disagreed.begin(), o.disagreed.end());
+  for (const auto& [first, last] : o.done) done.add(first, last);
 }
 
 CaseId Series::id(std::uint64_t seed, std::uint64_t index) const {
@@ -337,16 +338,6 @@ void check_names(const std::vector<std::string>& given, const std::vector<std::s
           fmt::format("unknown {} '{}'; known: {}", what, name, fmt::join(known, ", ")));
 }
 
-Robot robot_of(const std::string& urdf, const std::string& path) {
-  Robot r;
-  r.urdf = urdf, r.path = path;
-  r.hash = hexadecimal(sha256(urdf)).substr(0, 16);
-  const auto at = urdf.find("<robot");
-  const auto name = at == std::string::npos ? at : urdf.find("name=\"", at);
-  if (name != std::string::npos) r.name = urdf.substr(name + 6, urdf.find('"', name + 6) - name - 6);
-  return r;
-}
-
 }  // namespace
 
 std::vector<std::unique_ptr<Series>> select(const Selection& selection, const Robot& robot) {
@@ -372,6 +363,16 @@ std::vector<std::string> property_names() {
   std::vector<std::string> names;
   for (const auto& p : make_properties<double>()) names.push_back(p->name());
   return names;
+}
+
+Robot robot_of(const std::string& urdf, const std::string& path) {
+  Robot r;
+  r.urdf = urdf, r.path = path;
+  r.hash = hexadecimal(sha256(urdf)).substr(0, 16);
+  const auto at = urdf.find("<robot");
+  const auto name = at == std::string::npos ? at : urdf.find("name=\"", at);
+  if (name != std::string::npos) r.name = urdf.substr(name + 6, urdf.find('"', name + 6) - name - 6);
+  return r;
 }
 
 Robot load_robot(const std::string& path) {
