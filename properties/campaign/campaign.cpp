@@ -126,7 +126,7 @@ class Engine {
 
  private:
   static constexpr std::uint64_t first_chunk = 32;
-  static constexpr double chunk_seconds = 0.25, keep_seconds = 0.5;
+  static constexpr double chunk_seconds = 0.25;
   struct Queue {
     std::vector<Range> todo;
     std::uint64_t size;  ///< of the next chunk
@@ -187,7 +187,7 @@ class Engine {
         add(s, from, to, tally);
         if (seconds < chunk_seconds && to - from >= queues_[s].size) queues_[s].size *= 2;
         if (seconds > 2 * chunk_seconds) queues_[s].size = std::max(std::uint64_t(1), queues_[s].size / 2);
-        if (seconds_since(kept_) >= keep_seconds && !error_) keep();
+        if (seconds_since(kept_) >= o_.keep_seconds && !error_) keep();
         progress_.show(done_);
       }
     } catch (...) {

@@ -15,6 +15,7 @@ struct CampaignOptions {
   std::optional<double> seconds;   ///< instead of `cases`
   unsigned shard = 1, shards = 1;  ///< the part of the cases of every series that this run does
   unsigned jobs = 1;
+  double keep_seconds = 0.5;  ///< between transactions of a store; a kill loses about as much
   bool quiet = false;
 
   std::optional<Range> range_of_store;  ///< instead of the shard's

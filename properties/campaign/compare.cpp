@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <campaign/merge.hpp>
+#include <cmath>
 #include <tuple>
 
 namespace liecheck::properties {
@@ -34,11 +35,40 @@ bool measured(const std::map<Name, Measured>& all, const Name& n) {
                       std::get<3>(at->first), std::get<4>(at->first));
 }
 
+/// More than another order of operations, and more than the half ulp by which a rounded result may move.
+bool grown(double from, double to) {
+  return to > from * 1.1 && to > from + 0.5;
+}
+
+/// Are the errors of `b` larger than a sample of the same law would be once in 1e9? One-sided two-sample test
+/// of Kolmogorov and Smirnov: P(D > d) -> exp(-2 d^2 n m / (n + m)).
+bool shifted(const Histogram& a, const Histogram& b) {
+  const auto n = static_cast<double>(a.count()), m = static_cast<double>(b.count());
+  if (n == 0 || m == 0) return false;
+  double below_a = 0, below_b = 0, d = 0;
+  auto at = b.bins().begin();
+  for (const auto& [bin, count] : a.bins()) {
+    below_a += static_cast<double>(count) / n;
+    for (; at != b.bins().end() && at->first <= bin; ++at) below_b += static_cast<double>(at->second) / m;
+    d = std::max(d, below_a - below_b);
+  }
+  return 2 * d * d * n * m / (n + m) > std::log(1e9);
+}
+
 }  // namespace
 
 std::vector<std::string> worse(const StoredCampaign& a, const StoredCampaign& b) {
   const auto before = by_name(a), after = by_name(b);
   std::vector<std::string> lines;
+  for (const StoredSeries& s : b.series) {
+    const auto same = std::find_if(a.series.begin(), a.series.end(), [&](const StoredSeries& o) {
+      return o.subject == s.subject && o.scalar == s.scalar && o.property == s.property;
+    });
+    const std::size_t was = same == a.series.end() ? 0 : same->tally.disagreed.size();
+    if (s.tally.disagreed.size() > was)
+      lines.push_back(fmt::format("{} {} {}: the fast oracle disagrees with the slow one in {} cases, was {}",
+                                  s.subject, s.scalar, s.property, s.tally.disagreed.size(), was));
+  }
   for (const auto& [name, old] : before) {
     const auto [subject, scalar, property, operation, block, band] = name;
     const auto say = [&, &subject = subject, &scalar = scalar, &property = property, &operation = operation,
@@ -66,16 +96,19 @@ std::vector<std::string> worse(const StoredCampaign& a, const StoredCampaign& b)
     grew("ill-posed", was.ill_posed, is.ill_posed);
     if (same_inputs && is.count < was.count)
       say(fmt::format("measured {} times, were {}", is.count, was.count));
-    const double factor = same_inputs ? 1.1 : 2.0;
-    const auto maximum = [&](const char* what, double from, double to) {
-      if (to > from * factor && to > from + 0.5)
-        say(fmt::format("{} {:.4g}, was {:.4g} (worst case {}, was {})", what, to, from, is.worst_index,
+    if (same_inputs) {
+      // Under the excess rule an error without its kappa says nothing.
+      const bool excess = was.max_excess > 0 || is.max_excess > 0;
+      const double from = excess ? was.max_excess : was.max_error, to = excess ? is.max_excess : is.max_error;
+      if (grown(from, to))
+        say(fmt::format("largest {} {:.4g} (case {}), was {:.4g} (case {})",
+                        excess ? "excess [eps kappa]" : "error [eps]", to, is.worst_index, from,
                         was.worst_index));
-    };
-    // Under the excess rule an error without its kappa says nothing.
-    const bool excess = was.max_excess > 0 || is.max_excess > 0;
-    maximum(excess ? "largest excess [eps kappa]" : "largest error [eps]",
-            excess ? was.max_excess : was.max_error, excess ? is.max_excess : is.max_error);
+    } else if (shifted(was.errors, is.errors)) {
+      for (const double q : {0.5, 0.99})
+        if (const double from = was.errors.quantile(q), to = is.errors.quantile(q); grown(from, to))
+          say(fmt::format("{} error [eps] {:.4g}, was {:.4g}", q == 0.5 ? "median" : "99 % of", to, from));
+    }
   }
   return lines;
 }

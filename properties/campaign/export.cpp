@@ -35,12 +35,17 @@ std::string export_text(const StoredCampaign& c) {
     total += s->tally.cases;
     const json name = {{"subject", s->subject}, {"scalar", s->scalar}, {"property", s->property}};
     json line = name;
+    auto disagreed = s->tally.disagreed;
+    std::sort(disagreed.begin(), disagreed.end());
     json done = json::array();
     for (const auto& [first, last] : s->tally.done) done.push_back({first, last});
     line.update({{"series", s->robot},
                  {"version", s->subject_version},
                  {"cases", s->tally.cases},
                  {"done", done},
+                 {"fast", s->tally.fast},
+                 {"checked", s->tally.checked},
+                 {"disagreed", disagreed},
                  {"inputs", hexadecimal(s->tally.inputs.sum())},
                  {"results", hexadecimal(s->tally.results.sum())}});
     series += line.dump() + "\n";

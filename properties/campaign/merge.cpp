@@ -72,17 +72,10 @@ StoredCampaign merge(const std::vector<std::string>& files, bool partial) {
                            parts[k].file, shown({b.first, b.last}),
                            a.first == b.first && a.last == b.last ? ", with different results" : ""));
       }
-      for (const auto& [cell, failure] : from.failures) {
-        const auto mine = to.tally.rows.find(cell);
-        const Row& theirs = from.tally.rows.at(cell);
-        const bool worse =
-            mine == to.tally.rows.end() || mine->second.failed == 0 ||
-            theirs.worst_score > mine->second.worst_score ||
-            (theirs.worst_score == mine->second.worst_score && theirs.worst_index < mine->second.worst_index);
-        if (worse) to.failures[cell] = failure;
-      }
       to.labels.insert(from.labels.begin(), from.labels.end());
       to.tally.merge(from.tally);
+      for (const auto& [cell, failure] : from.failures)
+        if (to.tally.rows.at(cell).worst_index == failure.index) to.failures[cell] = failure;
     }
     taken.push_back(&parts[k]);
   }

@@ -19,10 +19,11 @@ void merge_into(const std::string& out, const std::vector<std::string>& files, b
 
 /// What got worse from a to b, a line each.
 ///
-/// Over the same inputs every difference is the program's, not the sample's: a new failing, unresolved or
-/// unmeasured case is worse, and so is a maximum that grew by more than 10 % and by more than 0.5 eps (less
-/// is another order of operations, or below the half ulp that a correctly rounded result may move by). Over
-/// other inputs a maximum is a sample's: only a factor of 2 counts, and failures where there were none.
+/// Over the same inputs every difference is the program's, not the sample's: a new failing, unresolved,
+/// ill-posed or unmeasured case is worse, and so is a maximum that grew by more than 10 % and by more than
+/// 0.5 eps (less is another order of operations, or the half ulp by which a correctly rounded result may move).
+/// Over other inputs a maximum is the sample's: failures and the like count where there were none, and errors
+/// whose median or 99 % point grew as much, where chance would do so once in 1e9.
 std::vector<std::string> worse(const StoredCampaign& a, const StoredCampaign& b);
 
 }  // namespace liecheck::properties

@@ -44,8 +44,11 @@ void Row::add(const Judged& j, std::uint64_t index) {
       max_excess = std::max(max_excess, j.excess);
       score = j.budget->rule == Rule::forward ? j.residual.error : j.excess;
   }
+  // A case that failed is worse than any that did not, whatever its figure.
+  const bool had_failed = failed > 0;
   if (j.failed) ++failed;
-  if (score > worst_score || (score == worst_score && index < worst_index)) {
+  if (j.failed != had_failed ? j.failed
+                             : score > worst_score || (score == worst_score && index < worst_index)) {
     worst_score = score;
     worst_index = index;
     worst_kappa = j.residual.kappa;
@@ -53,12 +56,15 @@ void Row::add(const Judged& j, std::uint64_t index) {
 }
 
 void Row::merge(const Row& o) {
+  const bool had_failed = failed > 0, other_failed = o.failed > 0;
   count += o.count, ill_posed += o.ill_posed, unresolved += o.unresolved, not_finite += o.not_finite;
   wrong_branch += o.wrong_branch, refused += o.refused, failed += o.failed;
   errors.merge(o.errors);
   max_error = std::max(max_error, o.max_error);
   max_excess = std::max(max_excess, o.max_excess);
-  if (o.worst_score > worst_score || (o.worst_score == worst_score && o.worst_index < worst_index)) {
+  if (other_failed != had_failed
+          ? other_failed
+          : o.worst_score > worst_score || (o.worst_score == worst_score && o.worst_index < worst_index)) {
     worst_score = o.worst_score, worst_index = o.worst_index, worst_kappa = o.worst_kappa;
   }
 }

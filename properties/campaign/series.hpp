@@ -42,7 +42,7 @@ struct Tally {
   std::uint64_t fast = 0;                ///< decided by ball arithmetic
   std::uint64_t checked = 0;             ///< of those, measured again at 50 and 100 digits
   std::vector<std::uint64_t> disagreed;  ///< indices where that gave another answer
-  Ranges done;  ///< which cases; set by who runs a range
+  Ranges done;                           ///< which cases; set by who runs a range
   void merge(const Tally& o);
 };
 

@@ -1,6 +1,7 @@
 #include <campaign/sqlite.hpp>
 
 #include <sqlite3.h>
+#include <campaign/digest.hpp>
 
 #include <fmt/format.h>
 #include <cmath>
@@ -135,6 +136,39 @@ void Statement::bind(int at, double value) {
 void Statement::bind(int at, const std::string& value) {
   database_.check(
       sqlite3_bind_text(handle_, at, value.data(), static_cast<int>(value.size()), SQLITE_TRANSIENT));
+}
+
+void Statement::append(std::string& all, std::int64_t value) {
+  all += fmt::format("{};", value);
+}
+
+void Statement::append(std::string& all, double value) {
+  // SQLite keeps no NaN (NULL stands for it) and no sign of zero.
+  all += std::isnan(value) ? ";" : fmt::format("{:a};", value + 0.0);
+}
+
+void Statement::append(std::string& all, const std::string& value) {
+  all += fmt::format("{}:{};", value.size(), value);
+}
+
+std::int64_t Statement::seal(const std::string& all) {
+  return std::bit_cast<std::int64_t>(sha256(all)[0]);
+}
+
+bool Statement::intact() const {
+  std::string all;
+  const int last = sqlite3_column_count(handle_) - 1;
+  for (int i = 0; i < last; ++i) switch (sqlite3_column_type(handle_, i)) {
+      case SQLITE_INTEGER:
+        append(all, integer(i));
+        break;
+      case SQLITE_TEXT:
+        append(all, text(i));
+        break;
+      default:
+        append(all, real(i));
+    }
+  return sqlite3_column_type(handle_, last) == SQLITE_INTEGER && seal(all) == integer(last);
 }
 
 Transaction::~Transaction() {

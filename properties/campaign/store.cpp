@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <charconv>
+#include <sstream>
 #include <stdexcept>
 
 namespace liecheck::properties {
@@ -14,19 +15,21 @@ constexpr std::int64_t schema_version = 1;
 
 const char* const schema = R"(
 CREATE TABLE campaigns(id INTEGER PRIMARY KEY, seed INTEGER, cases INTEGER, first INTEGER, last INTEGER,
-  generator INTEGER, program TEXT, budgets TEXT, robot TEXT, robot_hash TEXT, urdf TEXT, environment TEXT);
+  generator INTEGER, program TEXT, budgets TEXT, robot TEXT, robot_hash TEXT, urdf TEXT, environment TEXT,
+  seal INTEGER);
 CREATE TABLE series(campaign INTEGER, series INTEGER, property TEXT, subject TEXT, subject_version TEXT,
-  scalar TEXT, robot TEXT, cases INTEGER, inputs TEXT, results TEXT,
+  scalar TEXT, robot TEXT, cases INTEGER, inputs TEXT, results TEXT, cells INTEGER, fast INTEGER,
+  checked INTEGER, disagreed TEXT, seal INTEGER,
   PRIMARY KEY(campaign, series)) WITHOUT ROWID;
 CREATE TABLE done(campaign INTEGER, series INTEGER, first INTEGER, last INTEGER,
   PRIMARY KEY(campaign, series, first)) WITHOUT ROWID;
 CREATE TABLE cells(campaign INTEGER, series INTEGER, output INTEGER, band INTEGER, operation TEXT, block TEXT,
   band_name TEXT, count INTEGER, ill_posed INTEGER, unresolved INTEGER, not_finite INTEGER,
   wrong_branch INTEGER, refused INTEGER, failed INTEGER, max_error REAL, max_excess REAL, worst_score REAL,
-  worst_index INTEGER, worst_kappa REAL, histogram TEXT,
+  worst_index INTEGER, worst_kappa REAL, histogram TEXT, seal INTEGER,
   PRIMARY KEY(campaign, series, output, band)) WITHOUT ROWID;
 CREATE TABLE failures(campaign INTEGER, series INTEGER, output INTEGER, band INTEGER, case_index INTEGER,
-  input TEXT, PRIMARY KEY(campaign, series, output, band)) WITHOUT ROWID;
+  input TEXT, seal INTEGER, PRIMARY KEY(campaign, series, output, band)) WITHOUT ROWID;
 CREATE TABLE counterexamples(property TEXT, subject TEXT, scalar TEXT, robot TEXT, operation TEXT, block TEXT,
   input TEXT, PRIMARY KEY(property, subject, scalar, robot, operation, block, input)) WITHOUT ROWID;
 )";
@@ -100,68 +103,80 @@ int Store::campaigns() {
 StoredCampaign Store::load(int number) {
   StoredCampaign c;
   const auto n = std::int64_t(number);
-  const auto corrupt = [&](const char* what) { database_.fail(fmt::format("corrupt: {}", what)); };
-  Statement head(database_,
-                 "SELECT seed, cases, first, last, generator, program, budgets, robot, robot_hash, urdf, "
-                 "environment FROM campaigns WHERE id = ?");
+  const auto check = [this](bool good, const char* what) {
+    if (!good) database_.fail(fmt::format("corrupt: {}", what));
+  };
+  const auto intact = [&](const Statement& row) { check(row.intact(), "a row was changed"); };
+  Statement head(database_, "SELECT * FROM campaigns WHERE id = ?");
   if (!head.with(n).step())
     database_.fail(campaigns() == 0 ? "holds no campaign"
                                     : fmt::format("holds {} campaigns, there is no {}", campaigns(), number));
+  intact(head);
   CampaignSpec& spec = c.spec;
-  spec.seed = head.count(0), spec.cases = head.count(1), spec.first = head.count(2),
-  spec.last = head.count(3);
-  spec.generator = static_cast<int>(head.integer(4));
-  spec.program = head.text(5), spec.budgets = head.text(6), spec.environment = head.text(10);
-  spec.robot.name = head.text(7), spec.robot.hash = head.text(8), spec.robot.urdf = head.text(9);
+  spec.seed = head.count(1), spec.cases = head.count(2), spec.first = head.count(3),
+  spec.last = head.count(4);
+  spec.generator = static_cast<int>(head.integer(5)), spec.program = head.text(6),
+  spec.budgets = head.text(7);
+  spec.robot.name = head.text(8), spec.robot.hash = head.text(9), spec.robot.urdf = head.text(10);
+  spec.environment = head.text(11);
 
-  Statement series(database_,
-                   "SELECT property, subject, subject_version, scalar, robot, inputs, results, cases, series "
-                   "FROM series WHERE campaign = ? ORDER BY series");
+  std::vector<std::uint64_t> cells_of;
+  Statement series(database_, "SELECT * FROM series WHERE campaign = ? ORDER BY series");
   for (series.with(n); series.step();) {
-    if (series.count(8) != c.series.size()) corrupt("a series is missing");
-    StoredSeries s{
-        series.text(0), series.text(1), series.text(2), series.text(3), series.text(4), {}, {}, {}};
-    if (!parse(series.text(5), s.tally.inputs) || !parse(series.text(6), s.tally.results))
-      corrupt("a digest is not one");
+    intact(series);
+    check(series.count(1) == c.series.size(), "a series is missing");
+    StoredSeries s;
+    s.property = series.text(2), s.subject = series.text(3), s.subject_version = series.text(4);
+    s.scalar = series.text(5), s.robot = series.text(6);
+    check(parse(series.text(8), s.tally.inputs) && parse(series.text(9), s.tally.results),
+          "a digest is not one");
     s.tally.cases = series.count(7);
-    spec.series.push_back(fmt::format("{} of {} {} in {}, robot {}", s.property, s.subject, s.subject_version,
-                                      s.scalar, s.robot));
+    cells_of.push_back(series.count(10));
+    s.tally.fast = series.count(11), s.tally.checked = series.count(12);
+    std::istringstream disagreed(series.text(13));
+    for (std::uint64_t index = 0; disagreed >> index;) s.tally.disagreed.push_back(index);
+    spec.series.push_back(s.text());
     c.series.push_back(std::move(s));
   }
+  check(!c.series.empty(), "a campaign without a series");
   const auto at = [&](std::int64_t i) -> StoredSeries& {
-    if (i < 0 || i >= std::int64_t(c.series.size())) corrupt("a row of no series");
+    check(i >= 0 && i < std::int64_t(c.series.size()), "a row of no series");
     return c.series[static_cast<std::size_t>(i)];
   };
-  Statement done(database_, "SELECT series, first, last FROM done WHERE campaign = ?");
+  Statement done(database_, "SELECT * FROM done WHERE campaign = ?");
   for (done.with(n); done.step();) {
-    const std::uint64_t first = done.count(1), last = done.count(2);
-    if (first < spec.first || last > spec.last || !at(done.integer(0)).tally.done.add(first, last))
-      corrupt("a range of cases overlaps or lies outside the campaign");
+    const std::uint64_t first = done.count(2), last = done.count(3);
+    check(first < last && first >= spec.first && last <= spec.last &&
+              at(done.integer(1)).tally.done.add(first, last),
+          "a range of cases overlaps or lies outside the campaign");
   }
-  for (const StoredSeries& s : c.series)
-    if (s.tally.done.count() != s.tally.cases) corrupt("the cases do not add up");
-
-  Statement cells(database_,
-                  "SELECT series, output, band, operation, block, band_name, count, ill_posed, unresolved, "
-                  "not_finite, wrong_branch, refused, failed, max_error, max_excess, worst_score, "
-                  "worst_index, worst_kappa, histogram FROM cells WHERE campaign = ?");
+  Statement cells(database_, "SELECT * FROM cells WHERE campaign = ?");
   for (cells.with(n); cells.step();) {
-    StoredSeries& s = at(cells.integer(0));
-    const Cell cell{static_cast<int>(cells.integer(1)), static_cast<int>(cells.integer(2))};
-    s.labels[cell] = {cells.text(3), cells.text(4), cells.text(5)};
+    intact(cells);
+    StoredSeries& s = at(cells.integer(1));
+    const Cell cell{static_cast<int>(cells.integer(2)), static_cast<int>(cells.integer(3))};
+    s.labels[cell] = {cells.text(4), cells.text(5), cells.text(6)};
     Row& r = s.tally.rows[cell];
-    r.count = cells.count(6), r.ill_posed = cells.count(7), r.unresolved = cells.count(8);
-    r.not_finite = cells.count(9), r.wrong_branch = cells.count(10), r.refused = cells.count(11);
-    r.failed = cells.count(12), r.max_error = cells.real(13), r.max_excess = cells.real(14);
-    r.worst_score = cells.real(15), r.worst_index = cells.count(16), r.worst_kappa = cells.real(17);
-    if (!parse(cells.text(18), r.errors)) corrupt("a histogram is not one");
+    r.count = cells.count(7), r.ill_posed = cells.count(8), r.unresolved = cells.count(9);
+    r.not_finite = cells.count(10), r.wrong_branch = cells.count(11), r.refused = cells.count(12);
+    r.failed = cells.count(13), r.max_error = cells.real(14), r.max_excess = cells.real(15);
+    r.worst_score = cells.real(16), r.worst_index = cells.count(17), r.worst_kappa = cells.real(18);
+    check(parse(cells.text(19), r.errors), "a histogram is not one");
   }
-  Statement failures(database_,
-                     "SELECT series, output, band, case_index, input FROM failures WHERE campaign = ?");
-  for (failures.with(n); failures.step();)
-    at(failures.integer(0))
-        .failures[{static_cast<int>(failures.integer(1)), static_cast<int>(failures.integer(2))}] = {
-        failures.count(3), failures.text(4)};
+  Statement failures(database_, "SELECT * FROM failures WHERE campaign = ?");
+  for (failures.with(n); failures.step();) {
+    intact(failures);
+    at(failures.integer(1))
+        .failures[{static_cast<int>(failures.integer(2)), static_cast<int>(failures.integer(3))}] = {
+        failures.count(4), failures.text(5)};
+  }
+  for (std::size_t i = 0; i < c.series.size(); ++i) {
+    const StoredSeries& s = c.series[i];
+    check(s.tally.done.count() == s.tally.cases, "the cases do not add up");
+    check(s.tally.rows.size() == cells_of[i], "a cell is missing");
+    for (const auto& [cell, row] : s.tally.rows)
+      check((row.failed > 0) == s.failures.contains(cell), "a failure is missing");
+  }
   return c;
 }
 
@@ -180,37 +195,41 @@ std::vector<Counterexample> Store::counterexamples() {
 }
 
 void Store::insert(const CampaignSpec& s) {
-  Statement(database_, "INSERT INTO campaigns VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
-      .with(campaign_, s.seed, s.cases, s.first, s.last, s.generator, s.program, s.budgets, s.robot.name,
-            s.robot.hash, s.robot.urdf, s.environment)
+  Statement(database_, "INSERT INTO campaigns VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
+      .sealed(campaign_, s.seed, s.cases, s.first, s.last, s.generator, s.program, s.budgets, s.robot.name,
+              s.robot.hash, s.robot.urdf, s.environment)
       .run();
 }
 
-void Store::write_series(std::size_t series, const Tally& tally) {
-  const auto s = static_cast<std::int64_t>(series);
-  Statement(database_,
-            "UPDATE series SET cases = ?, inputs = ?, results = ? WHERE campaign = ? AND series = ?")
-      .with(tally.cases, hexadecimal(tally.inputs.sum()), hexadecimal(tally.results.sum()), campaign_, s)
+void Store::write_series(std::size_t series, const SeriesName& s, const Tally& tally) {
+  const auto i = static_cast<std::int64_t>(series);
+  std::vector<std::uint64_t> disagreed = tally.disagreed;
+  std::sort(disagreed.begin(), disagreed.end());
+  Statement(database_, "REPLACE INTO series VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
+      .sealed(campaign_, i, s.property, s.subject, s.subject_version, s.scalar, s.robot, tally.cases,
+              hexadecimal(tally.inputs.sum()), hexadecimal(tally.results.sum()),
+              std::uint64_t(tally.rows.size()), tally.fast, tally.checked,
+              fmt::format("{}", fmt::join(disagreed, " ")))
       .run();
-  Statement(database_, "DELETE FROM done WHERE campaign = ? AND series = ?").with(campaign_, s).run();
+  Statement(database_, "DELETE FROM done WHERE campaign = ? AND series = ?").with(campaign_, i).run();
   Statement insert(database_, "INSERT INTO done VALUES(?, ?, ?, ?)");
-  for (const auto& [first, last] : tally.done) insert.with(campaign_, s, first, last).run();
+  for (const auto& [first, last] : tally.done) insert.with(campaign_, i, first, last).run();
 }
 
 void Store::write_cell(std::size_t series, Cell cell, const Label& l, const Row& r) {
   if (!cells_)
     cells_ = std::make_unique<Statement>(
-        database_, "REPLACE INTO cells VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
+        database_, "REPLACE INTO cells VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
   cells_
-      ->with(campaign_, std::uint64_t(series), cell.first, cell.second, l.operation, l.block, l.band, r.count,
-             r.ill_posed, r.unresolved, r.not_finite, r.wrong_branch, r.refused, r.failed, r.max_error,
-             r.max_excess, r.worst_score, r.worst_index, r.worst_kappa, text_of(r.errors))
+      ->sealed(campaign_, std::uint64_t(series), cell.first, cell.second, l.operation, l.block, l.band,
+               r.count, r.ill_posed, r.unresolved, r.not_finite, r.wrong_branch, r.refused, r.failed,
+               r.max_error, r.max_excess, r.worst_score, r.worst_index, r.worst_kappa, text_of(r.errors))
       .run();
 }
 
 void Store::write_failure(std::size_t series, Cell cell, const Failure& f) {
-  Statement(database_, "REPLACE INTO failures VALUES(?, ?, ?, ?, ?, ?)")
-      .with(campaign_, std::uint64_t(series), cell.first, cell.second, f.index, f.input)
+  Statement(database_, "REPLACE INTO failures VALUES(?, ?, ?, ?, ?, ?, ?)")
+      .sealed(campaign_, std::uint64_t(series), cell.first, cell.second, f.index, f.input)
       .run();
 }
 
@@ -232,14 +251,16 @@ void Store::begin(const CampaignSpec& spec, std::vector<SeriesResult>& series, b
     const std::string differs = last.spec.differences(spec);
     const char* state = last.complete() ? "complete" : "unfinished";
     if (resume && !differs.empty())
-      throw std::invalid_argument(fmt::format("{}: holds another campaign: {}", file, differs));
+      throw std::invalid_argument(
+          fmt::format("{}: holds another campaign than asked for: {}", file, differs));
     if (!resume && differs.empty())
       throw std::invalid_argument(
           fmt::format("{}: holds this campaign already, {}: --resume goes on with it", file, state));
     if (!last.complete() && !resume && last.spec.cases > 0)
-      throw std::invalid_argument(fmt::format(
-          "{}: holds another campaign, unfinished: {}; finish that with --resume, or take another file", file,
-          differs));
+      throw std::invalid_argument(
+          fmt::format("{}: holds another campaign than asked for, unfinished: {}; finish that with --resume, "
+                      "or take another file",
+                      file, differs));
     if (differs.empty()) {
       for (std::size_t i = 0; i < series.size(); ++i) series[i].tally = last.series[i].tally;
       return;
@@ -247,12 +268,8 @@ void Store::begin(const CampaignSpec& spec, std::vector<SeriesResult>& series, b
   }
   ++campaign_;
   insert(spec);
-  Statement row(database_, "INSERT INTO series VALUES(?, ?, ?, ?, ?, ?, ?, 0, ?, ?)");
-  for (std::uint64_t i = 0; i < series.size(); ++i) {
-    const Series& s = *series[i].series;
-    const std::string zero = hexadecimal(Sha256{});
-    row.with(campaign_, i, s.property, s.subject, s.subject_version, s.scalar, s.robot, zero, zero).run();
-  }
+  for (std::size_t i = 0; i < series.size(); ++i)
+    write_series(i, name_of(*series[i].series), series[i].tally);
   t.commit();
 }
 
@@ -275,7 +292,7 @@ void Store::commit(const std::vector<SeriesResult>& series,
             i, cell,
             {row.worst_index, fmt::format("{}", fmt::join(s.input(s.id(seed_, row.worst_index)), ","))});
     }
-    write_series(i, series[i].tally);
+    write_series(i, name_of(s), series[i].tally);
   }
   t.commit();
 }
@@ -291,11 +308,9 @@ void Store::write(const StoredCampaign& c, bool replace_last, const std::vector<
                             "cells WHERE campaign", "failures WHERE campaign"})
     database_.run(fmt::format("DELETE FROM {} = {}", table, campaign_));
   insert(c.spec);
-  Statement row(database_, "INSERT INTO series VALUES(?, ?, ?, ?, ?, ?, ?, 0, '', '')");
   for (std::size_t i = 0; i < c.series.size(); ++i) {
     const StoredSeries& s = c.series[i];
-    row.with(campaign_, std::uint64_t(i), s.property, s.subject, s.subject_version, s.scalar, s.robot).run();
-    write_series(i, s.tally);
+    write_series(i, s, s.tally);
     for (const auto& [cell, r] : s.tally.rows) write_cell(i, cell, s.labels.at(cell), r);
     for (const auto& [cell, failure] : s.failures) write_failure(i, cell, failure);
   }

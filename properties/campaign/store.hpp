@@ -46,8 +46,13 @@ struct Failure {
   std::string input;  ///< hexadecimal floats, joined by commas
 };
 
-struct StoredSeries {
+struct SeriesName {
   std::string property, subject, subject_version, scalar, robot;
+  std::string text() const;
+};
+SeriesName name_of(const Series& series);
+
+struct StoredSeries : SeriesName {
   Tally tally;
   std::map<Cell, Label> labels;
   std::map<Cell, Failure> failures;
@@ -84,7 +89,7 @@ class Store {
  private:
   void create();
   void insert(const CampaignSpec& spec);
-  void write_series(std::size_t series, const Tally& tally);
+  void write_series(std::size_t series, const SeriesName& name, const Tally& tally);
   void write_cell(std::size_t series, Cell cell, const Label& label, const Row& row);
   void write_failure(std::size_t series, Cell cell, const Failure& failure);
   void keep(const std::vector<Counterexample>& others);

@@ -41,6 +41,14 @@ std::string CampaignSpec::differences(const CampaignSpec& o, bool with_range) co
   return fmt::format("{}", fmt::join(all, "; "));
 }
 
+std::string SeriesName::text() const {
+  return fmt::format("{} of {} {} in {}, robot {}", property, subject, subject_version, scalar, robot);
+}
+
+SeriesName name_of(const Series& s) {
+  return {s.property, s.subject, s.subject_version, s.scalar, s.robot};
+}
+
 CampaignSpec spec_of(const CampaignOptions& o, const Robot& robot, const std::vector<SeriesResult>& series) {
   CampaignSpec s;
   s.seed = o.seed, s.cases = o.seconds ? 0 : o.cases;
@@ -49,9 +57,7 @@ CampaignSpec spec_of(const CampaignOptions& o, const Robot& robot, const std::ve
   s.budgets = hexadecimal(sha256(budgets_csv)).substr(0, 16);
   s.robot = robot;
   s.environment = environment_text();
-  for (const auto& r : series)
-    s.series.push_back(fmt::format("{} of {} {} in {}, robot {}", r.series->property, r.series->subject,
-                                   r.series->subject_version, r.series->scalar, r.series->robot));
+  for (const auto& r : series) s.series.push_back(name_of(*r.series).text());
   return s;
 }
 
