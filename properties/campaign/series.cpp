@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <atomic>
 #include <campaign/embedded.hpp>
 #include <campaign/shrink.hpp>
 #include <chrono>
@@ -164,6 +165,12 @@ bool agree(const std::vector<Judged>& fast, const std::vector<Judged>& slow) {
   return true;
 }
 
+/// Of the series made in this process, from 1.
+std::uint64_t next_number() {
+  static std::atomic<std::uint64_t> last{0};
+  return ++last;
+}
+
 template <class S>
 class SeriesOf final : public Series {
  public:
@@ -264,11 +271,10 @@ class SeriesOf final : public Series {
   /// The series' key of a seed, computed once a thread.
   const Source::Key& key_of(std::uint64_t seed) const {
     thread_local struct {
-      const void* series = nullptr;
-      std::uint64_t seed = 0;
+      std::uint64_t series = 0, seed = 0;
       Source::Key key{};
     } last;
-    if (last.series != this || last.seed != seed) last = {this, seed, id(seed, 0).series_key()};
+    if (last.series != number_ || last.seed != seed) last = {number_, seed, id(seed, 0).series_key()};
     return last.key;
   }
 
@@ -318,6 +324,7 @@ class SeriesOf final : public Series {
 
   std::unique_ptr<Property<S>> property_;
   const Subject<S>& subject_;
+  const std::uint64_t number_ = next_number();  ///< no address, which a later series may have again
   std::vector<std::array<const Budget*, 2>> budgets_;
 };
 

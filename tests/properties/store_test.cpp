@@ -187,7 +187,8 @@ TEST_F(Stores, MergeNamesMissingOverlappingAndForeignRanges) {
   const auto p = shards(3), q = shards(2), foreign = shards(1, 43);
   EXPECT_SAYS(error([&] { merge({p[0], p[2]}, false); }), "cases 70..140 of 0..210 are in none of");
   const std::string overlap = error([&] { merge({p[0], q[0], p[1], p[2]}, false); });
-  EXPECT_SAYS(overlap, p[0] + " (cases 0..70) and ");
+  EXPECT_SAYS(overlap, p[0] + " (cases 0..70)");
+  EXPECT_SAYS(overlap, q[0] + " (cases 0..105)");
   EXPECT_SAYS(overlap, "overlap");
   EXPECT_SAYS(error([&] { merge({p[0], foreign[0]}, false); }), "seed 42 against 43");
   EXPECT_EQ(export_text(merge({p[0], p[1], p[0], p[2]}, false)), export_text(merge(p, false)));
