@@ -1,10 +1,11 @@
-// The liecheck program: list, campaign, hard-cases, hunt, replay, report.
+// The liecheck program: list, campaign, hard-cases, hunt, replay, report, and what to do with stores.
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <campaign/campaign.hpp>
 #include <commands_hard_cases.hpp>
 #include <campaign/coverage_report.hpp>
+#include <commands_store.hpp>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -18,9 +19,9 @@ namespace {
 
 using namespace liecheck::properties;
 
-enum Exit { within_budget = 0, property_failed = 1, bad_input = 2, incomplete = 3 };
-
-extern "C" void on_signal(int) {
+/// Once: finish the chunk. Twice: at once.
+extern "C" void on_signal(int number) {
+  if (stop_requested) std::signal(number, SIG_DFL), std::raise(number);
   stop_requested = true;
 }
 
@@ -47,6 +48,7 @@ struct Flags {
   bool no_hard_cases = false, verbose = false;
   std::uint64_t seed = 42, cases = 1000;
   unsigned jobs = std::max(1u, std::thread::hardware_concurrency());
+  StoreFlags store;
 };
 
 Robot robot_of(const Flags& f) {
@@ -65,16 +67,6 @@ Selection selection_of(const Flags& f) {
   return s;
 }
 
-void write_file(const std::string& path, const std::string& text) {
-  const std::string temporary = path + ".part";
-  std::ofstream file(temporary, std::ios::binary);
-  file << text;
-  file.close();
-  std::error_code error;
-  if (file) std::filesystem::rename(temporary, path, error);
-  if (!file || error) throw std::runtime_error(fmt::format("{}: cannot be written", path));
-}
-
 /// Can the record be written? Asked before the hours, not after them.
 void check_writable(const std::string& path) {
   if (path.empty()) return;
@@ -84,7 +76,7 @@ void check_writable(const std::string& path) {
   std::filesystem::remove(temporary);
 }
 
-CampaignResult campaign(const Flags& f, const Selection& selection) {
+std::optional<CampaignResult> campaign(const Flags& f, const Selection& selection) {
   CampaignOptions options;
   options.selection = selection;
   options.seed = f.seed;
@@ -93,7 +85,7 @@ CampaignResult campaign(const Flags& f, const Selection& selection) {
   if (!f.duration.empty()) options.seconds = parse_duration(f.duration);
   std::signal(SIGINT, on_signal);
   std::signal(SIGTERM, on_signal);
-  return run_campaign(options, robot_of(f));
+  return run_stored_campaign(options, robot_of(f), f.store);
 }
 
 /// A line for each property, of its series that reached least; all of it where asked for.
@@ -219,14 +211,20 @@ void write_record(const std::string& path, const CampaignResult& result,
 int run_campaign_command(const Flags& f) {
   check_writable(f.json);
   const Selection selection = selection_of(f);
-  const auto hard_cases = hard_cases_of(f, selection);
-  if (!f.no_hard_cases) print_hard_case_summary(hard_cases, 3), fmt::print("\n"), std::fflush(stdout);
-  const CampaignResult result = campaign(f, selection);
+  // Of a campaign in shards the first one replays the hard cases.
+  const auto hard_cases = f.store.first_shard() ? hard_cases_of(f, selection) : std::vector<HardRow>{};
+  if (!f.no_hard_cases && f.store.first_shard())
+    print_hard_case_summary(hard_cases, 3), fmt::print("\n"), std::fflush(stdout);
+  const auto done = campaign(f, selection);
+  if (!done) return within_budget;
+  const CampaignResult& result = *done;
   if (result.series.empty())
     throw std::invalid_argument(
         "nothing to run: no selected subject offers a selected property in that scalar");
   if (!f.json.empty()) write_record(f.json, result, hard_cases);
+  print_counterexamples(result);
   const int code = print_campaign(result, f.verbose);
+  print_how_to_go_on(result, f.store);
   if (any_failed(hard_cases)) fmt::print("hard cases failed: see the first section\n");
   return code == within_budget && any_failed(hard_cases) ? property_failed : code;
 }
@@ -287,12 +285,13 @@ int run_hunt_command(const Flags& f, HuntFlags h) {
 }
 
 int run_report(const Flags& f) {
-  std::vector<std::filesystem::path> records(f.records.begin(), f.records.end());
+  const auto given = with_records_of_stores(f.records, f.out);
+  std::vector<std::filesystem::path> records(given.begin(), given.end());
   if (records.empty()) {
     std::filesystem::create_directories(f.out);
     const std::filesystem::path path = std::filesystem::path(f.out) / "campaign.json";
     const auto hard_cases = hard_cases_of(f, {});
-    const CampaignResult result = campaign(f, {});
+    const CampaignResult result = campaign(f, {}).value();
     if (result.incomplete) fmt::print(stderr, "interrupted: the report holds what was done\n");
     write_record(path, result, hard_cases);
     records.push_back(path);
@@ -308,6 +307,8 @@ int main(int argc, char** argv) {
   CLI::App app{"liecheck " LIECHECK_VERSION
                ": finds the numerical bugs in SE(3) and floating-base code before a robot does."};
   app.require_subcommand(1);
+  // A limit on file size is an error of the write, as a full disk is, not the end of the program.
+  std::signal(SIGXFSZ, SIG_IGN);
   app.set_version_flag("--version", LIECHECK_VERSION);
   Flags f;
   const auto selection_flags = [&](CLI::App* c) {
@@ -360,15 +361,20 @@ int main(int argc, char** argv) {
   hunt->add_option("--corpus", h.corpus, "append what is found to FILE, as lines of fixtures/hard_cases");
   hunt->add_option("--robot", f.robot,
                    "URDF of the robot for configuration properties; built in: mixed_joints");
+  add_store_flags(*run, f.store);
+  f.store.jobs = run->get_option("--jobs");
+  f.store.command = command_line(argc, argv);
   auto* replay = app.add_subcommand("replay", "run one case again and print its residuals, bit for bit");
   replay->add_option("ID", f.id, "the case's address, as a failure or a report prints it")->required();
   replay->add_option("--robot", f.robot, "URDF of the robot that the ID names");
   auto* report = app.add_subcommand(
       "report", "write the accuracy report of records, or of a campaign over every subject");
-  report->add_option("RECORD", f.records, "records that campaign --json wrote; none: run the campaign first");
+  report->add_option("RECORD", f.records,
+                     "stores, or records that campaign --json wrote; none: run the campaign first");
   report->add_option("--out", f.out, "folder of report.html, report.json and report.csv")
       ->capture_default_str();
   budget_flags(report);
+  const StoreCommands store_commands(app);
 
   try {
     app.parse(argc, argv);
@@ -383,6 +389,7 @@ int main(int argc, char** argv) {
     if (hunt->parsed()) return run_hunt_command(f, h);
     if (replay->parsed()) return run_replay(f);
     if (report->parsed()) return run_report(f);
+    if (const auto code = store_commands.run()) return *code;
     return run_list();
   } catch (const std::exception& e) {
     fmt::print(stderr, "liecheck: {}\n", e.what());

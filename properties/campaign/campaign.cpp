@@ -4,9 +4,13 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <campaign/counterexamples.hpp>
 #include <campaign/coverage_report.hpp>
+#include <campaign/store.hpp>
 #include <chrono>
 #include <cstdio>
+#include <exception>
+#include <limits>
 #include <mutex>
 #include <thread>
 
@@ -67,67 +71,175 @@ class Progress {
 
 }  // namespace
 
-CampaignResult run_campaign(const CampaignOptions& options, const Robot& robot) {
+Range CampaignOptions::range() const {
+  if (range_of_store) return *range_of_store;
+  if (seconds) return {0, std::numeric_limits<std::int64_t>::max()};
+  const auto at = [this](unsigned k) {
+    return static_cast<std::uint64_t>(static_cast<unsigned __int128>(cases) * k / shards);
+  };
+  return {at(shard - 1), at(shard)};
+}
+
+void CampaignResult::summarize() {
+  SetDigest inputs, results;
+  const auto [first, last] = options.range();
+  total_cases = 0;
+  for (const auto& s : series) {
+    inputs.merge(s.tally.inputs);
+    results.merge(s.tally.results);
+    total_cases += s.tally.cases;
+    failed = failed || !s.tally.disagreed.empty();
+    for (const auto& [key, row] : s.tally.rows) failed = failed || row.failed > 0;
+    for (const Covered& c : coverage_of(*s.series, s.tally)) covered = covered && !c.missing();
+    if (options.seconds ? stop_requested.load() : !s.tally.done.covers(first, last)) incomplete = true;
+  }
+  failed = failed || !counterexamples.failing.empty() || !covered;
+  const std::string header = fmt::format("liecheck g{} seed {}", generator_version, options.seed);
+  inputs_digest = inputs.finish(header);
+  results_digest = results.finish(header);
+}
+
+namespace {
+
+/// The threads of one campaign: take a chunk, run it, add it, and now and then keep it.
+class Engine {
+ public:
+  Engine(CampaignResult& result, Store* store)
+      : result_(result),
+        o_(result.options),
+        store_(store),
+        start_(Clock::now()),
+        kept_(start_),
+        progress_(missing(), o_.seconds, o_.quiet) {
+    const auto [first, last] = o_.range();
+    for (const auto& s : result_.series) queues_.push_back({s.tally.done.gaps(first, last), first_chunk});
+  }
+
+  void run() {
+    std::vector<std::thread> threads;
+    for (unsigned t = 1; t < o_.jobs; ++t) threads.emplace_back([this] { work(); });
+    work();
+    for (auto& t : threads) t.join();
+    if (error_) std::rethrow_exception(error_);
+    keep();
+    progress_.show(done_, true);
+    result_.elapsed = seconds_since(start_);
+  }
+
+ private:
+  static constexpr std::uint64_t first_chunk = 32;
+  static constexpr double chunk_seconds = 0.25;
+  struct Queue {
+    std::vector<Range> todo;
+    std::uint64_t size;  ///< of the next chunk
+  };
+
+  std::uint64_t missing() const {
+    const auto [first, last] = o_.range();
+    std::uint64_t n = 0;
+    if (!o_.seconds)
+      for (const auto& s : result_.series) n += last - first - s.tally.done.count();
+    return n;
+  }
+
+  /// Chunks go round all series, so that a campaign that is cut short has seen something of each.
+  bool take(std::size_t& s, std::uint64_t& from, std::uint64_t& to) {
+    const std::lock_guard lock(mutex_);
+    for (std::size_t tried = 0; tried < queues_.size(); ++tried, ++next_) {
+      if (stop_requested || error_) return false;
+      if (next_ == queues_.size()) {
+        next_ = 0;
+        if (o_.seconds && !begin_round()) return false;
+      }
+      Queue& q = queues_[next_];
+      if (q.todo.empty()) continue;
+      s = next_++;
+      auto& [first, last] = q.todo.front();
+      const std::uint64_t share = std::max(first_chunk, (last - first) / (2 * o_.jobs));
+      from = first, to = first + std::min({o_.seconds ? round_size_ : q.size, share, last - first});
+      first = to;
+      if (first == last) q.todo.erase(q.todo.begin());
+      return true;
+    }
+    return false;
+  }
+
+  /// With a time limit every series gets as many cases; a round takes at most about 5 % of the time.
+  bool begin_round() {
+    const double now = seconds_since(start_), limit = *o_.seconds;
+    if (now >= limit) return false;
+    if (now - round_start_ < limit * 0.025 &&
+        std::all_of(queues_.begin(), queues_.end(), [this](const Queue& q) { return q.size > round_size_; }))
+      round_size_ *= 2;
+    round_start_ = now;
+    return true;
+  }
+
+  void work() {
+    std::size_t s = 0;
+    std::uint64_t from = 0, to = 0;
+    try {
+      while (take(s, from, to)) {
+        const auto start = Clock::now();
+        Tally tally;
+        for (std::uint64_t i = from; i < to; ++i) result_.series[s].series->run(o_.seed, i, tally);
+        tally.done.add(from, to);
+        const double seconds = seconds_since(start);
+        const std::lock_guard lock(mutex_);
+        add(s, from, to, tally);
+        if (seconds < chunk_seconds && to - from >= queues_[s].size) queues_[s].size *= 2;
+        if (seconds > 2 * chunk_seconds) queues_[s].size = std::max(std::uint64_t(1), queues_[s].size / 2);
+        if (seconds_since(kept_) >= o_.keep_seconds && !error_) keep();
+        progress_.show(done_);
+      }
+    } catch (...) {
+      const std::lock_guard lock(mutex_);
+      if (!error_) error_ = std::current_exception();
+    }
+  }
+
+  void add(std::size_t s, std::uint64_t from, std::uint64_t to, const Tally& tally) {
+    result_.series[s].tally.merge(tally);
+    if (store_)
+      for (const auto& [cell, row] : tally.rows) touched_[s].insert(cell);
+    if (store_) touched_[s];
+    done_ += to - from;
+  }
+
+  void keep() {
+    if (store_ && !touched_.empty()) store_->commit(result_.series, touched_);
+    touched_.clear();
+    kept_ = Clock::now();
+  }
+
+  CampaignResult& result_;
+  const CampaignOptions& o_;
+  Store* store_;
+  Clock::time_point start_, kept_;
+  Progress progress_;
+  std::mutex mutex_;
+  std::vector<Queue> queues_;
+  std::size_t next_ = 0;
+  std::uint64_t done_ = 0, round_size_ = first_chunk;
+  double round_start_ = 0;
+  std::map<std::size_t, std::set<Cell>> touched_;
+  std::exception_ptr error_;
+};
+
+}  // namespace
+
+CampaignResult run_campaign(const CampaignOptions& options, const Robot& robot, Store* store, bool resume) {
   CampaignResult result;
   result.options = options;
   result.robot = robot;
   for (auto& s : select(options.selection, robot)) result.series.push_back({std::move(s), {}});
-  const std::size_t n = result.series.size();
-  constexpr std::uint64_t chunk = 32;
-
-  const auto start = Clock::now();
-  Progress progress(options.cases * n, options.seconds, options.quiet);
-  std::mutex mutex;
-  std::size_t next_series = 0;
-  std::uint64_t round = 0, done = 0;
-
-  // Chunks go round all series, so that a campaign that is cut short has seen something of each.
-  const auto take = [&](std::size_t& series, std::uint64_t& from, std::uint64_t& to) {
-    const std::lock_guard lock(mutex);
-    if (n == 0 || stop_requested) return false;
-    if (next_series == n) next_series = 0, ++round;
-    if (options.seconds ? (next_series == 0 && round > 0 && seconds_since(start) >= *options.seconds)
-                        : round * chunk >= options.cases)
-      return false;
-    series = next_series++;
-    from = round * chunk;
-    to = options.seconds ? from + chunk : std::min(from + chunk, options.cases);
-    return true;
-  };
-  const auto work = [&] {
-    std::size_t s = 0;
-    std::uint64_t from = 0, to = 0;
-    while (take(s, from, to)) {
-      Tally tally;
-      for (std::uint64_t i = from; i < to; ++i) result.series[s].series->run(options.seed, i, tally);
-      const std::lock_guard lock(mutex);
-      result.series[s].tally.merge(tally);
-      done += to - from;
-      progress.show(done);
-    }
-  };
-  std::vector<std::thread> threads;
-  for (unsigned t = 1; t < options.jobs; ++t) threads.emplace_back(work);
-  work();
-  for (auto& t : threads) t.join();
-  progress.show(done, true);
-
-  SetDigest inputs, results;
-  for (const auto& s : result.series) {
-    inputs.merge(s.tally.inputs);
-    results.merge(s.tally.results);
-    result.total_cases += s.tally.cases;
-    result.failed = result.failed || !s.tally.disagreed.empty();
-    for (const auto& [key, row] : s.tally.rows) result.failed = result.failed || row.failed > 0;
-    for (const Covered& c : coverage_of(*s.series, s.tally)) result.covered = result.covered && !c.missing();
-    if (!options.seconds && s.tally.cases < options.cases) result.incomplete = true;
-    if (options.seconds && stop_requested) result.incomplete = true;
+  if (store && !result.series.empty()) {
+    if (options.shard == 1)
+      result.counterexamples = replay_counterexamples(store->counterexamples(), result.series);
+    store->begin(spec_of(options, robot, result.series), result.series, resume);
   }
-  result.failed = result.failed || !result.covered;
-  const std::string header = fmt::format("liecheck g{} seed {}", generator_version, options.seed);
-  result.inputs_digest = inputs.finish(header);
-  result.results_digest = results.finish(header);
-  result.elapsed = seconds_since(start);
+  Engine(result, store).run();
+  result.summarize();
   return result;
 }
 

@@ -19,6 +19,8 @@ class SetDigest {
  public:
   void add(const void* record, std::size_t bytes);
   void merge(const SetDigest& other) { add(other.sum_); }
+  void merge(const Sha256& sum) { add(sum); }
+  const Sha256& sum() const { return sum_; }
   /// SHA-256 of a header and the sum.
   std::string finish(std::string_view header) const;
 

@@ -15,6 +15,8 @@ class Histogram {
     ++bins_[x > 0 ? std::clamp(static_cast<int>(std::floor(std::log2(x) * 32)), -8000, 40000) : zero];
   }
   std::uint64_t count() const { return count_; }
+  const std::map<int, std::uint64_t>& bins() const { return bins_; }
+  void add_bin(int bin, std::uint64_t n) { bins_[bin] += n, count_ += n; }
   void merge(const Histogram& o) {
     count_ += o.count_;
     for (const auto& [bin, n] : o.bins_) bins_[bin] += n;

@@ -127,6 +127,10 @@ json blocks() {
 
 }  // namespace
 
+std::string environment_text() {
+  return environment().dump();
+}
+
 json record_of(const CampaignResult& r) {
   json subjects_json = json::array(), operations = json::array(), laws = json::array(), rows = json::array();
   std::map<std::pair<std::string, std::string>, std::pair<const Series*, std::set<std::string>>>
@@ -204,7 +208,7 @@ json record_of(const CampaignResult& r) {
                                    : "pass"},
           {"digest", {{"inputs", r.inputs_digest}, {"results", r.results_digest}}},
           {"robot", {{"name", r.robot.name}, {"hash", r.robot.hash}}},
-          {"environment", environment()},
+          {"environment", r.environment.empty() ? environment() : json::parse(r.environment)},
           {"subjects", subjects_json},
           {"absent", absent_subjects()},
           {"blocks", blocks()},

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <atomic>
 #include <campaign/embedded.hpp>
 #include <campaign/entrance.hpp>
 #include <campaign/hunt.hpp>
@@ -46,8 +47,11 @@ void Row::add(const Judged& j, std::uint64_t index) {
       max_excess = std::max(max_excess, j.excess);
       score = j.budget->rule == Rule::forward ? j.residual.error : j.excess;
   }
+  // A case that failed is worse than any that did not, whatever its figure.
+  const bool had_failed = failed > 0;
   if (j.failed) ++failed;
-  if (score > worst_score || (score == worst_score && index < worst_index)) {
+  if (j.failed != had_failed ? j.failed
+                             : score > worst_score || (score == worst_score && index < worst_index)) {
     worst_score = score;
     worst_index = index;
     worst_kappa = j.residual.kappa;
@@ -55,12 +59,15 @@ void Row::add(const Judged& j, std::uint64_t index) {
 }
 
 void Row::merge(const Row& o) {
+  const bool had_failed = failed > 0, other_failed = o.failed > 0;
   count += o.count, ill_posed += o.ill_posed, unresolved += o.unresolved, not_finite += o.not_finite;
   wrong_branch += o.wrong_branch, refused += o.refused, failed += o.failed;
   errors.merge(o.errors);
   max_error = std::max(max_error, o.max_error);
   max_excess = std::max(max_excess, o.max_excess);
-  if (o.worst_score > worst_score || (o.worst_score == worst_score && o.worst_index < worst_index)) {
+  if (other_failed != had_failed
+          ? other_failed
+          : o.worst_score > worst_score || (o.worst_score == worst_score && o.worst_index < worst_index)) {
     worst_score = o.worst_score, worst_index = o.worst_index, worst_kappa = o.worst_kappa;
   }
 }
@@ -72,6 +79,7 @@ void Tally::merge(const Tally& o) {
   coverage.merge(o.coverage);
   cases += o.cases, fast += o.fast, checked += o.checked;
   disagreed.insert(disagreed.end(), o.disagreed.begin(), o.disagreed.end());
+  for (const auto& [first, last] : o.done) done.add(first, last);
 }
 
 CaseId Series::id(std::uint64_t seed, std::uint64_t index) const {
@@ -160,6 +168,12 @@ bool agree(const std::vector<Judged>& fast, const std::vector<Judged>& slow) {
       return false;
   }
   return true;
+}
+
+/// Of the series made in this process, from 1.
+std::uint64_t next_number() {
+  static std::atomic<std::uint64_t> last{0};
+  return ++last;
 }
 
 template <class S>
@@ -333,11 +347,10 @@ class SeriesOf final : public Series {
   /// The series' key of a seed, computed once a thread.
   const Source::Key& key_of(std::uint64_t seed) const {
     thread_local struct {
-      const void* series = nullptr;
-      std::uint64_t seed = 0;
+      std::uint64_t series = 0, seed = 0;
       Source::Key key{};
     } last;
-    if (last.series != this || last.seed != seed) last = {this, seed, id(seed, 0).series_key()};
+    if (last.series != number_ || last.seed != seed) last = {number_, seed, id(seed, 0).series_key()};
     return last.key;
   }
 
@@ -403,6 +416,7 @@ class SeriesOf final : public Series {
   std::unique_ptr<Property<S>> property_;
   const Subject<S>& subject_;
   Limits budgets_;
+  const std::uint64_t number_ = next_number();  ///< no address, which a later series may have again
 };
 
 /// A variant of a subject, such as textbook:1e-4, runs where it is named.
@@ -434,16 +448,6 @@ void check_names(const std::vector<std::string>& given, const std::vector<std::s
           fmt::format("unknown {} '{}'; known: {}", what, name, fmt::join(known, ", ")));
 }
 
-Robot robot_of(const std::string& urdf, const std::string& path) {
-  Robot r;
-  r.urdf = urdf, r.path = path;
-  r.hash = hexadecimal(sha256(urdf)).substr(0, 16);
-  const auto at = urdf.find("<robot");
-  const auto name = at == std::string::npos ? at : urdf.find("name=\"", at);
-  if (name != std::string::npos) r.name = urdf.substr(name + 6, urdf.find('"', name + 6) - name - 6);
-  return r;
-}
-
 }  // namespace
 
 std::vector<std::unique_ptr<Series>> select(const Selection& selection, const Robot& robot) {
@@ -469,6 +473,16 @@ std::vector<std::string> property_names() {
   std::vector<std::string> names;
   for (const auto& p : make_properties<double>()) names.push_back(p->name());
   return names;
+}
+
+Robot robot_of(const std::string& urdf, const std::string& path) {
+  Robot r;
+  r.urdf = urdf, r.path = path;
+  r.hash = hexadecimal(sha256(urdf)).substr(0, 16);
+  const auto at = urdf.find("<robot");
+  const auto name = at == std::string::npos ? at : urdf.find("name=\"", at);
+  if (name != std::string::npos) r.name = urdf.substr(name + 6, urdf.find('"', name + 6) - name - 6);
+  return r;
 }
 
 Robot load_robot(const std::string& path) {

@@ -6,6 +6,7 @@
 #include <campaign/digest.hpp>
 #include <campaign/histogram.hpp>
 #include <generators/coverage.hpp>
+#include <campaign/ranges.hpp>
 #include <invariants/property.hpp>
 #include <memory>
 #include <optional>
@@ -43,6 +44,7 @@ struct Tally {
   std::uint64_t fast = 0;                ///< decided by ball arithmetic
   std::uint64_t checked = 0;             ///< of those, measured again at 50 and 100 digits
   std::vector<std::uint64_t> disagreed;  ///< indices where that gave another answer
+  Ranges done;                           ///< which cases; set by who runs a range
   void merge(const Tally& o);
 };
 
@@ -100,5 +102,7 @@ std::vector<std::string> property_names();
 /// Reads the robot and its hash. Throws what the URDF reader throws.
 Robot load_robot(const std::string& path);
 Robot built_in_robot();
+/// `path` is what --robot was given; empty where the text came from elsewhere.
+Robot robot_of(const std::string& urdf, const std::string& path);
 
 }  // namespace liecheck::properties

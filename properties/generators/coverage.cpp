@@ -1,6 +1,7 @@
 #include <generators/coverage.hpp>
 
 #include <algorithm>
+#include <charconv>
 #include <generators/rotations.hpp>
 
 namespace liecheck::properties {
@@ -278,5 +279,34 @@ void Coverage::merge(const Coverage& o) {
 template void Coverage::add(const std::vector<Field>&, const std::vector<float>&);
 template void Coverage::add(const std::vector<Field>&, const std::vector<double>&);
 template void Coverage::add(const std::vector<Field>&, const std::vector<float128>&);
+
+std::string Coverage::text() const {
+  std::string all = std::to_string(cases_);
+  for (const auto& field : counts_) {
+    char separator = ';';
+    for (const std::uint64_t n : field) all += separator + std::to_string(n), separator = ',';
+  }
+  return all;
+}
+
+bool Coverage::parse(const std::string& text) {
+  *this = {};
+  const char *at = text.data(), *const end = at + text.size();
+  const auto number = [&](std::uint64_t& n) {
+    const auto [next, error] = std::from_chars(at, end, n);
+    at = next;
+    return error == std::errc();
+  };
+  if (!number(cases_)) return false;
+  while (at != end) {
+    auto& field = counts_.emplace_back();
+    char separator = ';';
+    for (std::uint64_t& n : field) {
+      if (at == end || *at++ != separator || !number(n)) return false;
+      separator = ',';
+    }
+  }
+  return true;
+}
 
 }  // namespace liecheck::properties

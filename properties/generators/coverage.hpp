@@ -35,6 +35,9 @@ class Coverage {
   template <class S>
   void add(const std::vector<Field>& fields, const std::vector<S>& input);
   void merge(const Coverage& o);
+  /// "CASES;N,N,...;N,...": the counts of every field, and back. False where it is not that.
+  std::string text() const;
+  bool parse(const std::string& text);
   std::uint64_t cases() const { return cases_; }
   std::uint64_t count(std::size_t field, std::size_t c) const {
     return field < counts_.size() ? counts_[field][c] : 0;
