@@ -12,11 +12,11 @@ namespace liecheck::properties {
 
 namespace {
 
-/// Open MPI, MPICH and Slurm name the number of processes so.
+/// What the launcher says (Open MPI; MPICH and Slurm); 1 where none started this, 0 where it does not say (PMIx).
 int processes() {
   for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"})
     if (const char* text = std::getenv(name)) return std::atoi(text);
-  return 1;
+  return std::getenv("PMIX_RANK") ? 0 : 1;
 }
 
 }  // namespace
@@ -24,14 +24,21 @@ int processes() {
 #ifdef LIECHECK_MPI
 
 Ranks::Ranks() {
-  if (processes() <= 1) return;
+  const int told = processes();
+  if (told == 1) return;
   MPI_Init(nullptr, nullptr);
   MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
   MPI_Comm_size(MPI_COMM_WORLD, &size_);
+  started_ = true;
+  if (size_ == 1 && told > 1) {
+    MPI_Finalize();
+    throw std::runtime_error(
+        "started by another MPI than the one it was built with: give --shard I/N instead");
+  }
 }
 
 Ranks::~Ranks() {
-  if (size_ > 1) MPI_Finalize();
+  if (started_) MPI_Finalize();
 }
 
 int Ranks::largest(int mine) const {

@@ -17,6 +17,7 @@ class Ranks {
 
  private:
   int rank_ = 0, size_ = 1;
+  bool started_ = false;
 };
 
 }  // namespace liecheck::properties

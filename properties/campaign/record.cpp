@@ -198,6 +198,8 @@ json record_of(const CampaignResult& r) {
                              {"eps", seen.first->eps},
                              {"not_offered", not_offered}});
   }
+  json failing = json::array();
+  for (const auto& f : r.counterexamples.failing) failing.push_back(f.id);
   return {{"version", LIECHECK_VERSION},
           {"generator_version", generator_version},
           {"seed", r.options.seed},
@@ -206,6 +208,10 @@ json record_of(const CampaignResult& r) {
           {"verdict", r.incomplete ? "incomplete"
                       : r.failed   ? "fail"
                                    : "pass"},
+          {"counterexamples",
+           {{"replayed", r.counterexamples.replayed},
+            {"skipped", r.counterexamples.skipped},
+            {"failing", failing}}},
           {"digest", {{"inputs", r.inputs_digest}, {"results", r.results_digest}}},
           {"robot", {{"name", r.robot.name}, {"hash", r.robot.hash}}},
           {"environment", r.environment.empty() ? environment() : json::parse(r.environment)},
