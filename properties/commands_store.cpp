@@ -49,7 +49,12 @@ std::optional<CampaignResult> run_rank(const Ranks& ranks, CampaignOptions o, co
     Store store(file, Store::Open::create);
     if (me == 0 && is_store(f.store)) store.adopt(Store(f.store, Store::Open::existing).counterexamples());
     result = run_campaign(o, robot, &store, f.resume);
-    if (result->incomplete) state = incomplete;
+    if (result->incomplete) {
+      state = incomplete;
+      // At once: an interrupted mpirun gives its ranks about a second.
+      if (me == 0) fmt::print("to go on:\n  mpirun -n {} {}{}\n", n, f.command, f.resume ? "" : " --resume");
+      std::fflush(stdout);
+    }
   } catch (const std::exception& e) {
     fmt::print(stderr, "liecheck: rank {} of {}: {}\n", me + 1, n, e.what());
     state = bad_input;
@@ -120,15 +125,12 @@ void print_counterexamples(const CampaignResult& r) {
 }
 
 void print_how_to_go_on(const CampaignResult& r, const StoreFlags& f) {
-  if (!r.incomplete) return;
-  if (f.store.empty()) {
+  const bool ranks = r.options.shards > 1 && f.shard.empty();  // they have said it
+  if (!r.incomplete || ranks) return;
+  if (f.store.empty())
     fmt::print("interrupted: nothing was kept; --store FILE keeps what is done\n");
-  } else {
-    const char* ranks = std::getenv("OMPI_COMM_WORLD_SIZE");
-    fmt::print("to go on:\n  {}{}{}\n",
-               ranks && std::string(ranks) != "1" ? fmt::format("mpirun -n {} ", ranks) : "", f.command,
-               f.resume ? "" : " --resume");
-  }
+  else
+    fmt::print("to go on:\n  {}{}\n", f.command, f.resume ? "" : " --resume");
 }
 
 void write_file(const std::string& path, const std::string& text) {

@@ -1,6 +1,7 @@
 #include <campaign/sqlite.hpp>
 
 #include <sqlite3.h>
+#include <unistd.h>
 #include <campaign/digest.hpp>
 
 #include <fmt/format.h>
@@ -46,8 +47,12 @@ Database::Database(const std::string& path, bool create) : path_(path) {
   std::error_code error;
   if (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error))
     throw std::runtime_error(fmt::format("{}: not a store: not a regular file", path));
-  if (!create && !std::filesystem::exists(path, error))
-    throw std::runtime_error(fmt::format("{}: no such store", path));
+  if (!std::filesystem::exists(path, error)) {
+    if (!create) throw std::runtime_error(fmt::format("{}: no such store", path));
+    const auto folder = std::filesystem::path(path).parent_path();
+    if (access(folder.empty() ? "." : folder.c_str(), W_OK) != 0)
+      throw std::runtime_error(fmt::format("{}: cannot be created: {}", path, std::strerror(errno)));
+  }
   // "./": names such as ":memory:" and "file:" mean a file here. A file that cannot be written is opened for
   // reading; one with a hot journal must be opened for writing even to be read.
   const std::string name = path[0] == '/' ? path : "./" + path;
