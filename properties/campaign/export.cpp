@@ -46,6 +46,7 @@ std::string export_text(const StoredCampaign& c) {
                  {"fast", s->tally.fast},
                  {"checked", s->tally.checked},
                  {"disagreed", disagreed},
+                 {"coverage", s->tally.coverage.text()},
                  {"inputs", hexadecimal(s->tally.inputs.sum())},
                  {"results", hexadecimal(s->tally.results.sum())}});
     series += line.dump() + "\n";
