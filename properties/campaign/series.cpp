@@ -98,8 +98,9 @@ using Limits = std::vector<std::array<const Budget*, 2>>;
 class Judge final : public Recorder {
  public:
   /// accuracy: of the errors given, relative or in eps, whichever is larger; 0 at 50 digits.
-  Judge(const Limits& budgets, const Bands& bands, double eps, double accuracy)
-      : budgets_(budgets), bands_(bands), eps_(eps), accuracy_(accuracy) {}
+  /// every_kappa: also where the error passes for every kappa, so that what is ill-posed is never stable.
+  Judge(const Limits& budgets, const Bands& bands, double eps, double accuracy, bool every_kappa = false)
+      : budgets_(budgets), bands_(bands), eps_(eps), accuracy_(accuracy), every_kappa_(every_kappa) {}
 
   void record(int output, std::size_t band, double error, Kappa kappa) override {
     Judged j = start(output, band);
@@ -113,8 +114,8 @@ class Judge final : public Recorder {
     } else if (j.budget->rule == Rule::forward) {
       j.failed = !(error <= j.budget->limit);
       decided(error, j.budget->limit, accuracy_);
-    } else if (error <= j.budget->limit / 4) {
-      j.excess = error;  // kappa >= 1 cannot make it matter
+    } else if (!every_kappa_ && passes_for_every_kappa(j)) {
+      j.excess = error;
     } else {
       const double k = kappa ? kappa() : 1.0;
       j.residual.kappa = k;
@@ -135,6 +136,9 @@ class Judge final : public Recorder {
     judged.push_back(j);
   }
 
+  /// Under the excess rule: kappa >= 1 cannot make the error matter.
+  static bool passes_for_every_kappa(const Judged& j) { return j.residual.error <= j.budget->limit / 4; }
+
   std::vector<Judged> judged;
 
  private:
@@ -153,6 +157,7 @@ class Judge final : public Recorder {
   const Limits& budgets_;
   const Bands& bands_;
   double eps_, accuracy_;
+  bool every_kappa_;
 };
 
 /// Are the verdicts of the fast oracle those of the slow one, and its errors as near as they claim to be?
@@ -269,10 +274,11 @@ class SeriesOf final : public Series {
     Judge fast(budgets_, bands(), eps, oracles::error_accuracy);
     try {
       check_entrance(subject_.operations, property_->fields(), x);
-      trial.judged = measure_slowly(x, &trial.refusal);
+      trial.judged = measure_slowly(x, budgets_, true, &trial.refusal);
       // The hard cases are a test of the fast oracles too, in the domain that they are made for.
-      if (trial.in_domain && trial.refusal.empty() && decided_fast(x, fast) &&
-          !agree(fast.judged, trial.judged))
+      std::vector<Judged> slow = trial.judged;
+      for (Judged& j : slow) j.ill_posed = j.ill_posed && !Judge::passes_for_every_kappa(j);
+      if (trial.in_domain && trial.refusal.empty() && decided_fast(x, fast) && !agree(fast.judged, slow))
         for (Judged& j : trial.judged) j.residual.outcome = Outcome::unresolved;
     } catch (const std::exception& e) {
       trial.refusal = e.what();
@@ -396,12 +402,10 @@ class SeriesOf final : public Series {
       return true;
     }
   }
-  std::vector<Judged> measure_slowly(const std::vector<S>& x, std::string* refusal = nullptr) const {
-    return measure_slowly(x, budgets_, refusal);
-  }
-  std::vector<Judged> measure_slowly(const std::vector<S>& x, const Limits& limits,
+  std::vector<Judged> measure_slowly(const std::vector<S>& x) const { return measure_slowly(x, budgets_); }
+  std::vector<Judged> measure_slowly(const std::vector<S>& x, const Limits& limits, bool every_kappa = false,
                                      std::string* refusal = nullptr) const {
-    Judge judge(limits, bands(), eps, 0);
+    Judge judge(limits, bands(), eps, 0, every_kappa);
     try {
       property_->measure(subject_, x, judge);
     } catch (const std::exception& e) {
