@@ -93,7 +93,7 @@ std::vector<Task> tasks_of(const std::vector<HardCase>& cases, const Selection& 
               "{}: property {} depends on the robot: no input fits every one", c.place(), property));
         task.series.push_back(s.get());
         auto& input = task.row.input[s->scalar];
-        if (input.empty()) input = numbers_of(c, s->fields(), format_of(s->scalar));
+        if (input.empty()) input = numbers_of(c, s->fields, format_of(s->scalar));
       }
       if (!task.series.empty()) tasks.push_back(std::move(task));
     }

@@ -253,7 +253,6 @@ class SeriesOf final : public Series {
 
   std::vector<Judged> replay(const CaseId& address) const override { return measure(numbers(address)); }
 
-  std::vector<Field> fields() const override { return property_->fields(); }
 
   Trial attempt(const CaseId& address) const override {
     Trial trial;

@@ -80,7 +80,6 @@ class Series {
   virtual void run(std::uint64_t seed, std::uint64_t index, Tally& tally) const = 0;
   virtual std::vector<std::string> input(const CaseId& id) const = 0;  ///< hexadecimal floats
   virtual std::vector<Judged> replay(const CaseId& id) const = 0;
-  virtual std::vector<Field> fields() const = 0;
   /// As replay; a raw input may also hold rotations that are off unit, off orthogonal or reflected.
   virtual Trial attempt(const CaseId& id) const = 0;
   /// At most `evaluations` measurements and two seconds.
