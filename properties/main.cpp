@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <campaign/campaign.hpp>
-#include <commands_hard_cases.hpp>
 #include <campaign/coverage_report.hpp>
+#include <commands_hard_cases.hpp>
 #include <commands_store.hpp>
 #include <csignal>
 #include <filesystem>
@@ -119,7 +119,7 @@ void print_coverage(const CampaignResult& r, bool verbose) {
 int print_campaign(const CampaignResult& r, bool verbose) {
   constexpr int shown_failures = 6;
   int failures = 0;
-  fmt::print("{:<24}{:<10}{:<10}{:>9}  {:>11}  {}\n", "property", "subject", "scalar", "cases", "worst",
+  fmt::print("{:<24}{:<15}{:<10}{:>9}  {:>11}  {}\n", "property", "subject", "scalar", "cases", "worst",
              "status");
   for (const auto& [series, tally] : r.series) {
     double worst = 0;
@@ -134,7 +134,7 @@ int print_campaign(const CampaignResult& r, bool verbose) {
       failed = failed || row.failed > 0;
       unresolved += row.unresolved;
     }
-    fmt::print("{:<24}{:<10}{:<10}{:>9}  {:>10.3g}x  {}{}\n", series->property, series->subject,
+    fmt::print("{:<24}{:<15}{:<10}{:>9}  {:>10.3g}x  {}{}\n", series->property, series->subject,
                series->scalar, tally.cases, worst, failed || !tally.disagreed.empty() ? "FAIL" : "pass",
                unresolved ? fmt::format(", {} unresolved", unresolved) : "");
   }

@@ -7,6 +7,7 @@
 #include <campaign/counterexamples.hpp>
 #include <campaign/coverage_report.hpp>
 #include <campaign/store.hpp>
+#include <campaign/snippet.hpp>
 #include <chrono>
 #include <cstdio>
 #include <exception>
@@ -269,6 +270,8 @@ std::string describe_failure(const Series& series, std::uint64_t seed, int outpu
   text += fmt::format("    decimal     {}\n", fmt::join(s.decimal, ", "));
   text += fmt::format("    hexadecimal {}\n", fmt::join(s.id.input, ", "));
   text += fmt::format("  replay    liecheck replay {}{}\n", s.id.text(), with_robot);
+  const std::string program = snippet(series, o, s.id.input);
+  if (!program.empty()) text += "  as C++:\n\n" + program;
   return text;
 }
 

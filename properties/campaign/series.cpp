@@ -297,14 +297,17 @@ class SeriesOf final : public Series {
   }
 
   Shrunk shrink(const CaseId& address, int output, int evaluations) const override {
-    const auto fails = [&](const std::vector<S>& x) -> std::optional<Judged> {
-      if (!property_->valid(x)) return std::nullopt;
-      for (const Judged& j : measure(x))
-        if (j.failed && j.residual.output == output) return j;
+    const std::vector<S> x = numbers(address);
+    std::optional<Outcome> outcome;  // of the case itself: what is smaller must fail in the same way
+    const auto fails = [&](const std::vector<S>& y) -> std::optional<Judged> {
+      if (!property_->valid(y)) return std::nullopt;
+      for (const Judged& j : measure(y))
+        if (j.failed && j.residual.output == output && (!outcome || j.residual.outcome == *outcome)) return j;
       return std::nullopt;
     };
+    if (const auto j = fails(x)) outcome = j->residual.outcome;
     const std::vector<S> small = shrink_input<S>(
-        numbers(address), fields, [&](const auto& x) { return fails(x).has_value(); }, evaluations);
+        x, fields, [&](const auto& x) { return fails(x).has_value(); }, evaluations);
     Shrunk s;
     s.id = address;
     s.id.raw = true;

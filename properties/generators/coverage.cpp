@@ -1,12 +1,16 @@
 #include <generators/coverage.hpp>
 
 #include <algorithm>
+#include <bit>
+#include <boost/multiprecision/float128.hpp>
 #include <charconv>
 #include <generators/rotations.hpp>
 
 namespace liecheck::properties {
 
 namespace {
+
+using float128 = boost::multiprecision::float128;
 
 // The order of each list is that of the bits below.
 const std::vector<InputClass> vectors = {{"zero", 3500},

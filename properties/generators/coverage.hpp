@@ -5,7 +5,7 @@
 
 #include <array>
 #include <cstdint>
-#include <invariants/property.hpp>
+#include <generators/field.hpp>
 #include <span>
 #include <string>
 #include <vector>

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <functional>
 #include <generators/bands.hpp>
+#include <generators/field.hpp>
 #include <generators/source.hpp>
 #include <memory>
 #include <oracles/real.hpp>
@@ -17,22 +18,6 @@
 #include <vector>
 
 namespace liecheck::properties {
-
-/// How a group of numbers of an input is shrunk while it stays valid.
-enum class Kind { vector, rotation_vector, quaternion, rotation_matrix, inertia, positive, choice, opaque };
-
-/// How far the generator of a group goes: angles beyond pi and scales to 1e150, or what the law allows; beside:
-/// as far, and often next to the group of its kind before it.
-enum class Reach { limited, full, beside };
-
-/// A group of consecutive numbers of a property's input.
-struct Field {
-  std::string name;
-  Kind kind;
-  int size;
-  std::string unit;
-  Reach reach = Reach::limited;
-};
 
 /// What is measured: one block of one operation's result.
 struct Output {
