@@ -306,6 +306,8 @@ TEST(BadUrdf, LoopsAreRefused) {
 TEST(BadUrdf, DuplicateNamesAreRefusedWithTheLineOfTheFirst) {
   expectRefused("<robot name='r'>\n<link name='a'/>\n<link name='a'/></robot>", 3, "the first is in line 2",
                 "a");
+  expectRefused("<robot name='r'>\n<link name='a'/>\n<material name='m'/>\n<material name='m'/></robot>", 4,
+                "the first is in line 3", "m");
   std::string text = twoLinks("fixed", "");
   text.insert(text.find("</robot>"),
               "<link name='c'/><joint name='j' type='fixed'><parent link='b'/><child link='c'/></joint>");

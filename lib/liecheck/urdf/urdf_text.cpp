@@ -69,7 +69,7 @@ class Validator {
     name(*robot, "robot");
     for (const TiXmlElement* e = robot->FirstChildElement("material"); e;
          e = e->NextSiblingElement("material"))
-      numbersBelow(*e);
+      material(*e);
     for (const TiXmlElement* e = robot->FirstChildElement("link"); e; e = e->NextSiblingElement("link"))
       link(*e);
     if (link_line_.empty()) refuse(robot->Row(), "a robot without links", robot->Attribute("name"));
@@ -93,6 +93,16 @@ class Validator {
     const char* value = e.Attribute("name");
     if (!value || !*value) refuse(e.Row(), "a " + what + " without a name", value ? value : "");
     return value;
+  }
+
+  void material(const TiXmlElement& e) {
+    numbersBelow(e);
+    const char* material_name = e.Attribute("name");
+    if (!material_name) return;
+    const auto [first, is_new] = material_line_.emplace(material_name, e.Row());
+    if (!is_new)
+      refuse(e.Row(), "a second material of that name, the first is in line " + std::to_string(first->second),
+             material_name);
   }
 
   void link(const TiXmlElement& e) {
@@ -246,7 +256,7 @@ class Validator {
 
   const std::string& source_;
   RootJoint root_;
-  std::map<std::string, int> link_line_, joint_line_;
+  std::map<std::string, int> link_line_, joint_line_, material_line_;
   std::map<std::string, std::string> parent_joint_;  // of a link
   std::map<std::string, std::vector<Child>> children_;
 };
