@@ -1,12 +1,14 @@
 #include <commands_store.hpp>
 
 #include <fmt/format.h>
+#include <arguments.hpp>
 #include <campaign/merge.hpp>
 #include <campaign/ranks.hpp>
+#include <campaign/text.hpp>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <reports/files.hpp>
 #include <set>
 #include <stdexcept>
 
@@ -79,22 +81,18 @@ std::optional<CampaignResult> run_rank(const Ranks& ranks, CampaignOptions o, co
 }  // namespace
 
 void add_store_flags(CLI::App& campaign, StoreFlags& f) {
-  auto* store = campaign.add_option("--store", f.store, "keep everything in FILE (SQLite), chunk by chunk");
+  auto* store = filled(
+      campaign.add_option("--store", f.store, "keep everything in FILE (SQLite), chunk by chunk"), "FILE");
   campaign.add_flag("--resume", f.resume, "go on with the campaign that the store holds")->needs(store);
-  campaign.add_option("--shard", f.shard, "only part I of N of every series: I/N; merge puts them together");
+  filled(
+      campaign.add_option("--shard", f.shard, "only part I of N of every series; merge puts them together"),
+      "I/N");
 }
 
 std::string command_line(int argc, char** argv) {
   std::string line;
   for (int i = 0; i < argc; ++i) {
-    std::string word = argv[i];
-    const auto plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=:,@%+";
-    if (word.empty() || word.find_first_not_of(plain) != word.npos) {
-      std::string quoted = "'";
-      for (char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-      word = quoted + "'";
-    }
-    line += (i ? " " : "") + word;
+    line += (i ? " " : "") + shell_quoted(argv[i]);
   }
   return line;
 }
@@ -133,19 +131,6 @@ void print_how_to_go_on(const CampaignResult& r, const StoreFlags& f) {
     fmt::print("to go on:\n  {}{}\n", f.command, f.resume ? "" : " --resume");
 }
 
-void write_file(const std::string& path, const std::string& text) {
-  const std::string temporary = path + ".part";
-  std::ofstream file(temporary, std::ios::binary);
-  file << text;
-  file.close();
-  std::error_code error;
-  if (file) std::filesystem::rename(temporary, path, error);
-  if (file && !error) return;
-  std::error_code ignored;
-  std::filesystem::remove(temporary, ignored);
-  throw std::runtime_error(fmt::format("{}: cannot be written", path));
-}
-
 StoreCommands::StoreCommands(CLI::App& app) {
   merge_ =
       app.add_subcommand("merge", "put the shards of a campaign together; FILE@N is campaign N of a store");
@@ -156,7 +141,7 @@ StoreCommands::StoreCommands(CLI::App& app) {
   export_ =
       app.add_subcommand("export", "the canonical text of a store: the same however the cases were run");
   export_->add_option("STORE", store_, "a store, or STORE@N for its Nth campaign")->required();
-  export_->add_option("--out", export_out_, "write to FILE instead of the standard output");
+  filled(export_->add_option("--out", export_out_, "write to FILE instead of the standard output"), "FILE");
   compare_ = app.add_subcommand("compare", "what got worse from store A to store B. Exit 1 if anything did");
   compare_->add_option("A", before_, "the store before")->required();
   compare_->add_option("B", after_, "the store after")->required();
@@ -173,7 +158,7 @@ std::optional<int> StoreCommands::run() const {
   if (export_->parsed()) {
     const std::string text = export_text(load_campaign(store_));
     if (!export_out_.empty()) {
-      write_file(export_out_, text);
+      reports::write_whole(export_out_, text);
     } else if (!(std::cout << text << std::flush)) {
       throw std::runtime_error("standard output: cannot be written");
     }
@@ -201,11 +186,14 @@ std::vector<std::string> with_records_of_stores(const std::vector<std::string>& 
       continue;
     }
     const CampaignResult result = result_of(load_campaign(record), record);
-    std::filesystem::create_directories(folder);
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error)
+      throw std::runtime_error(fmt::format("--out {}: cannot be created: {}", folder, error.message()));
     std::string name = std::filesystem::path(record).stem().string();
     while (!names.insert(name).second) name += "_";
     all.push_back((std::filesystem::path(folder) / (name + ".json")).string());
-    write_file(all.back(), record_of(result).dump(1) + "\n");
+    reports::write_whole(all.back(), record_of(result).dump(1) + "\n");
   }
   return all;
 }

@@ -49,9 +49,6 @@ class StoreCommands {
   bool partial_ = false;
 };
 
-/// Writes a file whole: beside it first, then renamed. Throws std::runtime_error naming it.
-void write_file(const std::string& path, const std::string& text);
-
 /// Stores among the records become JSON records in `folder`; the names to read instead.
 std::vector<std::string> with_records_of_stores(const std::vector<std::string>& records,
                                                 const std::string& folder);

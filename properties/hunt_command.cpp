@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <campaign/campaign.hpp>
+#include <campaign/text.hpp>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
@@ -133,11 +134,13 @@ int run_hunt(const HuntFlags& f, const Robot& robot) {
   std::string lines;
   if (!f.corpus.empty()) {
     const bool existed = std::filesystem::exists(f.corpus);
+    if (existed && !std::filesystem::is_regular_file(f.corpus))
+      throw std::invalid_argument(fmt::format("--corpus: {}: not a regular file", f.corpus));
     if (!std::ofstream(f.corpus, std::ios::app))
       throw std::invalid_argument(fmt::format("--corpus: {}: cannot be written", f.corpus));
     if (!existed) lines = "# name | property | input | class | reason | origin\n";
   }
-  const std::string robot_flag = robot.path.empty() ? "" : " --robot " + robot.path;
+  const std::string robot_flag = robot.path.empty() ? "" : " --robot " + shell_quoted(robot.path);
   bool failed = false, measured = false;
   for (std::size_t k = 0; k < all.size(); ++k) {
     const Series& series = *all[k];

@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
+#include <cstdint>
 #include <initializer_list>
-#include <iterator>
 #include <limits>
 #include <map>
+#include <reports/files.hpp>
 #include <reports/record.hpp>
 #include <stdexcept>
 #include <string_view>
@@ -63,17 +63,27 @@ class Field {
   }
   /// The text of a field that has been checked to be one.
   std::string string(const char* name) const { return value_.at(name).get<std::string>(); }
-  void number() const {
-    if (!value_.is_number()) refuse("a number");
+  /// Finite (JSON knows no other) and not negative.
+  double number() const {
+    if (!value_.is_number() || !(value_.get<double>() >= 0)) refuse("a number >= 0");
+    return value_.get<double>();
   }
-  void count() const {
-    if (!value_.is_number_unsigned()) refuse("a count");
+  /// A count that a double holds, at least `low` and at most `high`.
+  std::uint64_t count(std::uint64_t low = 0, std::uint64_t high = std::uint64_t(1) << 53) const {
+    if (!value_.is_number_unsigned() || value_.get<std::uint64_t>() < low ||
+        value_.get<std::uint64_t>() > high)
+      refuse(fmt::format("a count from {} to {}", low, high));
+    return value_.get<std::uint64_t>();
+  }
+  void seed() const {
+    if (!value_.is_number_unsigned()) refuse("a seed, 0 to 2^64 - 1");
   }
   void measured() const {
     const bool word = value_.is_string() && (value_ == "inf" || value_ == "nan");
     const bool error = value_.is_number() && value_.get<double>() >= 0;
     if (!word && !error) refuse("a number >= 0, \"inf\" or \"nan\"");
   }
+  bool is(std::string_view word) const { return value_.is_string() && value_ == word; }
   bool null() const { return value_.is_null(); }
   bool has(const char* name) const { return value_.is_object() && value_.contains(name); }
   void texts(std::initializer_list<const char*> names) const {
@@ -90,17 +100,21 @@ void check_result(const Field& row) {
   row.texts({"subject", "scalar", "property", "operation", "block", "band"});
   row["axis"].one_of({"theta", "pi_minus_theta", "none"});
   for (const char* name : {"low", "high", "budget"}) row[name].number();
+  if (row["high"].number() < row["low"].number()) row["high"].refuse("no less than low");
   for (const char* name : {"max_eps", "p99_eps", "median_eps", "max_excess"}) row[name].measured();
-  for (const char* name : {"count", "ill_posed", "unresolved", "not_finite", "wrong_branch"})
-    row[name].count();
-  if (row.has("refused")) row["refused"].count();  // younger than the other outcomes
+  const std::uint64_t count = row["count"].count(row["status"].is("empty") ? 0 : 1);
+  for (const char* name : {"ill_posed", "unresolved", "not_finite", "wrong_branch"})
+    row[name].count(0, count);
+  for (const char* name : {"refused", "failed"})  // younger than the other outcomes
+    if (row.has(name)) row[name].count(0, count);
+  if (row.has("reason")) row["reason"].text();
   row["rule"].one_of({"forward", "excess"});
   row["status"].one_of({"pass", "fail", "unresolved", "ill-posed", "empty"});
   const Field worst = row["worst"];
   if (worst.null()) return;  // a band without a judged case has no worst one
   worst["id"].text();
   worst["input"].each([](const Field& x) { x.text(); });
-  if (worst.has("theta")) worst["theta"].number();  // only where the operation has an angle
+  if (worst.has("kappa")) worst["kappa"].measured();
 }
 
 void check_hard_case(const Field& hard) {
@@ -121,15 +135,17 @@ void check_hard_case(const Field& hard) {
 
 void check_record(const Field& record) {
   record.texts({"version"});
-  record["generator_version"].count();
-  for (const char* name : {"seed", "cases"}) record[name].count();
+  record["generator_version"].count(1);
+  record["seed"].seed();
+  record["cases"].count();
+  if (record.has("total_cases")) record["total_cases"].count();
   record["verdict"].one_of({"pass", "fail", "incomplete"});
   record["digest"].texts({"inputs", "results"});
   record["environment"].texts({"cpu", "os", "compiler", "flags", "fma_contraction", "libm"});
   if (!record["robot"].null()) record["robot"].texts({"name", "hash"});
   record["subjects"].each([](const Field& subject) {
     subject.texts({"name", "version", "scalar"});
-    subject["eps"].number();
+    if (subject["eps"].number() == 0 || subject["eps"].number() >= 1) subject["eps"].refuse("0 < eps < 1");
     subject["not_offered"].each([](const Field& name) { name.text(); });
   });
   record["absent"].each([](const Field& name) { name.text(); });
@@ -148,6 +164,40 @@ std::string place(std::string_view bytes, std::size_t at) {
   return fmt::format("line {}, column {}", line, newline == before.npos ? at + 1 : at - newline);
 }
 
+/// Throws what is wrong with a text that is not JSON, and where: bytes are counted from 1 at both.
+class FirstError final : public nlohmann::json_sax<Json> {
+ public:
+  FirstError(const std::string& file, std::string_view bytes) : file_(file), bytes_(bytes) {}
+  bool null() override { return true; }
+  bool boolean(bool) override { return true; }
+  bool number_integer(number_integer_t) override { return true; }
+  bool number_unsigned(number_unsigned_t) override { return true; }
+  bool number_float(number_float_t, const string_t&) override { return true; }
+  bool string(string_t&) override { return true; }
+  bool binary(binary_t&) override { return true; }
+  bool start_object(std::size_t) override { return true; }
+  bool key(string_t&) override { return true; }
+  bool end_object() override { return true; }
+  bool start_array(std::size_t) override { return true; }
+  bool end_array() override { return true; }
+  bool parse_error(std::size_t byte, const std::string& token,
+                   const nlohmann::detail::exception& e) override {
+    constexpr int out_of_range = 406;  // of a double
+    if (e.id == out_of_range)
+      throw std::runtime_error(fmt::format("{}: {}: a number beyond double: {}", file_,
+                                           place(bytes_, byte - std::min(byte, token.size())), token));
+    const std::size_t at = byte > 0 ? byte - 1 : 0;
+    throw std::runtime_error(
+        fmt::format("{}: not JSON: {}: unexpected {}", file_, place(bytes_, at),
+                    at < bytes_.size() ? fmt::format("\"{:#04x}\"", static_cast<unsigned char>(bytes_[at]))
+                                       : "end of the file"));
+  }
+
+ private:
+  const std::string& file_;
+  std::string_view bytes_;
+};
+
 }  // namespace
 
 bool has_worst(const Json& row) {
@@ -162,21 +212,11 @@ double figure(const Json& value) {
 
 Json read_record(const std::filesystem::path& file) {
   const std::string name = file.string();
-  std::ifstream in(file, std::ios::binary);
-  if (!in || std::filesystem::is_directory(file))
-    throw std::runtime_error(fmt::format("{}: no readable record there", name));
-  const std::string bytes{std::istreambuf_iterator<char>(in), {}};
-  Json record;
-  try {
-    record = Json::parse(bytes);
-  } catch (const Json::parse_error& error) {
-    const std::size_t at = error.byte > 0 ? error.byte - 1 : 0;
-    const std::string found = at < bytes.size()
-                                  ? shown(Json(fmt::format("{:#04x}", static_cast<unsigned char>(bytes[at]))))
-                                  : "end of the file";
-    throw std::runtime_error(fmt::format("{}: not JSON: {}: unexpected {}", name, place(bytes, at), found));
-  } catch (const Json::exception& error) {  // a number beyond double
-    throw std::runtime_error(fmt::format("{}: not JSON: {}", name, error.what()));
+  const std::string bytes = read_whole(file);
+  Json record = Json::parse(bytes, nullptr, false);
+  if (record.is_discarded()) {
+    FirstError error(name, bytes);
+    Json::sax_parse(bytes, &error);
   }
   check_record(Field(name, "", record));
   return record;

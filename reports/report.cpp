@@ -1,8 +1,7 @@
 #include <fmt/format.h>
 
-#include <unistd.h>
 #include <array>
-#include <fstream>
+#include <reports/files.hpp>
 #include <reports/page.hpp>
 #include <reports/record.hpp>
 #include <reports/report.hpp>
@@ -36,39 +35,18 @@ std::string cell(const Json& value) {
 
 /// A row per result; the worst input as hexadecimal words parted by spaces.
 std::string csv(const Merged& merged) {
-  std::string out = fmt::format("{},worst_id,worst_theta,worst_input\r\n", fmt::join(columns, ","));
+  std::string out = fmt::format("{},worst_id,worst_kappa,worst_input\r\n", fmt::join(columns, ","));
   for (const Json& row : merged.results) {
     for (const char* name : columns) out += cell(row.value(name, Json())) + ',';
     const Json& worst = row["worst"];
     if (!has_worst(row))
       out += ",,";
     else
-      out += quoted(worst["id"]) + ',' + cell(worst.value("theta", Json())) + ',' +
+      out += quoted(worst["id"]) + ',' + cell(worst.value("kappa", Json())) + ',' +
              quoted(fmt::format("{}", fmt::join(worst["input"].get<std::vector<std::string>>(), " ")));
     out += "\r\n";
   }
   return out;
-}
-
-/// Writes beside the target and renames: a reader sees the old file or the new one, never half of one.
-void write_whole(const std::filesystem::path& file, std::string_view text) {
-  std::filesystem::path temporary = file;
-  temporary += fmt::format(".{}.tmp", ::getpid());
-  std::error_code error;
-  {
-    std::ofstream out(temporary, std::ios::binary | std::ios::trunc);
-    out << text;
-    out.close();
-    if (!out) {
-      std::filesystem::remove(temporary, error);
-      throw std::runtime_error(fmt::format("{}: cannot be written", temporary.string()));
-    }
-  }
-  std::filesystem::rename(temporary, file, error);
-  if (!error) return;
-  const std::string why = error.message();
-  std::filesystem::remove(temporary, error);
-  throw std::runtime_error(fmt::format("{}: cannot be replaced: {}", file.string(), why));
 }
 
 }  // namespace
@@ -82,6 +60,12 @@ ReportFiles write_report(const std::vector<std::filesystem::path>& records,
   if (error)
     throw std::runtime_error(fmt::format("{}: cannot be created: {}", out_dir.string(), error.message()));
   const ReportFiles files{out_dir / "report.html", out_dir / "report.json", out_dir / "report.csv"};
+  for (const auto& record : records)
+    for (const auto& file : {files.html, files.json, files.csv})
+      if (std::filesystem::equivalent(record, file, error))
+        throw std::runtime_error(
+            fmt::format("{}: a record, and the report in {} would overwrite it: choose another folder",
+                        record.string(), out_dir.string()));
   write_whole(files.json, numbers.dump(1) + '\n');
   write_whole(files.csv, csv(merged));
   write_whole(files.html, page(merged, numbers));

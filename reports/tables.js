@@ -6,7 +6,6 @@ function replayCell(row) {
   const button = element("button", {type: "button", "aria-label": `Copy ${command}`}, "copy");
   button.addEventListener("click", () => copy(command, button));
   const inputs = element("details", {class: "inputs"}, element("summary", {}, "input, hexadecimal"));
-  if (typeof row.worst.theta === "number") inputs.append(`θ = ${row.worst.theta.toExponential(6)} rad `);
   if (row.worst.kappa > 0) inputs.append(`κ = ${short(row.worst.kappa)}`);
   for (const x of row.worst.input) inputs.append(element("code", {}, x));
   return element("td", {}, element("code", {class: "replay"}, command), button, inputs);

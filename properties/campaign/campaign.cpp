@@ -1,5 +1,6 @@
 #include <campaign/campaign.hpp>
 
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <fmt/format.h>
@@ -8,12 +9,13 @@
 #include <campaign/coverage_report.hpp>
 #include <campaign/store.hpp>
 #include <campaign/snippet.hpp>
+#include <campaign/text.hpp>
+#include <campaign/threads.hpp>
 #include <chrono>
 #include <cstdio>
 #include <exception>
 #include <limits>
 #include <mutex>
-#include <thread>
 
 namespace liecheck::properties {
 
@@ -33,6 +35,11 @@ std::string clock_text(double seconds) {
                    : fmt::format("{}:{:02}", s / 60, s % 60);
 }
 
+int terminal_columns() {
+  winsize size{};
+  return ioctl(2, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
+}
+
 /// A bar with rate and time left on a terminal, a plain line every ten seconds elsewhere.
 class Progress {
  public:
@@ -50,10 +57,14 @@ class Progress {
         limit_ ? std::max(0.0, *limit_ - elapsed) : (share > 0 ? elapsed * (1 - share) / share : 0);
     const double rate = elapsed > 0 ? static_cast<double>(done) / elapsed : 0;
     if (terminal_) {
-      const int width = 30, full = static_cast<int>(share * width);
-      std::fprintf(stderr, "\r[%s%s] %3.0f %%  %llu cases  %.0f/s  left %s   ",
-                   std::string(full, '#').c_str(), std::string(width - full, '.').c_str(), share * 100,
-                   static_cast<unsigned long long>(done), rate, clock_text(left).c_str());
+      const std::string text =
+          fmt::format(" {:3.0f} %  {} cases  {:.0f}/s  left {}", share * 100, done, rate, clock_text(left));
+      const int columns = terminal_columns(), room = columns - 3 - static_cast<int>(text.size());
+      const int width = std::clamp(room, 0, 30), full = static_cast<int>(share * width);
+      const std::string bar = width < 5 ? "" : fmt::format("[{:#<{}}{:.<{}}]", "", full, "", width - full);
+      // Padded over what stood there before; the last column stays free, or some terminals begin a new line.
+      const std::string line = fmt::format("{:<{}}", bar + text, bar.size() + text.size() + 3);
+      std::fprintf(stderr, "\r%.*s", std::max(columns - 1, 0), line.c_str());
       if (last) std::fprintf(stderr, "\n");
     } else {
       std::fprintf(stderr, "%3.0f %%  %llu cases  %.0f/s  left %s\n", share * 100,
@@ -117,10 +128,7 @@ class Engine {
   }
 
   void run() {
-    std::vector<std::thread> threads;
-    for (unsigned t = 1; t < o_.jobs; ++t) threads.emplace_back([this] { work(); });
-    work();
-    for (auto& t : threads) t.join();
+    run_on_threads(o_.jobs, stop_requested, [this] { work(); });
     if (error_) std::rethrow_exception(error_);
     keep();
     progress_.show(done_, true);
@@ -252,7 +260,7 @@ std::string describe_failure(const Series& series, std::uint64_t seed, int outpu
   const CaseId id = series.id(seed, row.worst_index);
   const Shrunk s = series.shrink(id, output, 2000);
   const std::string with_robot =
-      series.robot != "none" && !robot.path.empty() ? " --robot " + robot.path : "";
+      series.robot != "none" && !robot.path.empty() ? " --robot " + shell_quoted(robot.path) : "";
   std::string text;
   text += fmt::format("FAILED  {}: {}\n", series.property, series.law);
   text += fmt::format("  law       {}\n", series.equation);

@@ -4,6 +4,7 @@
 #include <campaign/digest.hpp>
 
 #include <fmt/format.h>
+#include <cctype>
 #include <charconv>
 #include <cstdlib>
 #include <stdexcept>
@@ -26,6 +27,13 @@ std::uint64_t number(const std::string& text, const std::string& what, const std
   if (error != std::errc() || end != text.data() + text.size())
     throw std::invalid_argument(fmt::format("case ID '{}': {} is not a number: '{}'", id, what, text));
   return value;
+}
+
+bool is_float(const std::string& text) {
+  char* end = nullptr;
+  strtoflt128(text.c_str(), &end);
+  return !text.empty() && !std::isspace(static_cast<unsigned char>(text[0])) &&
+         end == text.c_str() + text.size();
 }
 
 /// The first `n` dot-separated parts, the rest whole.
@@ -57,6 +65,9 @@ CaseId CaseId::parse(const std::string& text) {
     while (from <= p[5].size()) {
       const std::size_t comma = std::min(p[5].find(',', from), p[5].size());
       id.input.push_back(p[5].substr(from, comma - from));
+      if (!is_float(id.input.back()))
+        throw std::invalid_argument(fmt::format("case ID '{}': number {} is not a number: '{}'", text,
+                                                id.input.size(), id.input.back()));
       from = comma + 1;
     }
     return id;

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <atomic>
+#include <campaign/threads.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
-#include <thread>
 #include <tuple>
 
 namespace liecheck::properties {
@@ -131,20 +131,10 @@ std::vector<HardRow> run_hard_cases(const Selection& selection, const Robot& rob
   const auto all = select(selection, robot);
   std::vector<Task> tasks = tasks_of(cases, selection, all);
   std::atomic<std::size_t> next{0};
-  std::vector<std::exception_ptr> errors(tasks.size());
-  const auto work = [&] {
-    for (std::size_t i = next++; i < tasks.size(); i = next++) try {
-        run(tasks[i]);
-      } catch (...) {
-        errors[i] = std::current_exception();
-      }
-  };
-  std::vector<std::thread> threads;
-  for (unsigned t = 1; t < jobs; ++t) threads.emplace_back(work);
-  work();
-  for (auto& t : threads) t.join();
-  for (const auto& error : errors)
-    if (error) std::rethrow_exception(error);
+  std::atomic<bool> stop{false};
+  run_on_threads(jobs, stop, [&] {
+    for (std::size_t i = next++; i < tasks.size() && !stop; i = next++) run(tasks[i]);
+  });
   std::vector<HardRow> rows;
   for (Task& task : tasks) rows.push_back(std::move(task.row));
   return rows;

@@ -9,12 +9,10 @@
 #include <campaign/shrink.hpp>
 #include <chrono>
 #include <cstddef>
-#include <fstream>
 #include <liecheck/urdf/urdf.hpp>
 #include <limits>
 #include <oracles/fast_error.hpp>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 
 namespace liecheck::properties {
@@ -485,18 +483,12 @@ Robot robot_of(const std::string& urdf, const std::string& path) {
   Robot r;
   r.urdf = urdf, r.path = path;
   r.hash = hexadecimal(sha256(urdf)).substr(0, 16);
-  const auto at = urdf.find("<robot");
-  const auto name = at == std::string::npos ? at : urdf.find("name=\"", at);
-  if (name != std::string::npos) r.name = urdf.substr(name + 6, urdf.find('"', name + 6) - name - 6);
+  r.name = buildModelFromUrdfText(urdf, RootJoint::FreeFlyer, path.empty() ? "the built-in robot" : path).name;
   return r;
 }
 
 Robot load_robot(const std::string& path) {
-  buildModelFromUrdf(path, RootJoint::FreeFlyer);  // every error of the file, with file and line
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return robot_of(text.str(), path);
+  return robot_of(readUrdf(path), path);
 }
 
 Robot built_in_robot() {

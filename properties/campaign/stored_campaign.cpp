@@ -68,6 +68,8 @@ bool StoredCampaign::complete() const {
 }
 
 bool is_store(const std::string& name) {
+  std::error_code error;  // a pipe is read once, and not here
+  if (!std::filesystem::is_regular_file(name, error)) return false;
   std::ifstream file(name, std::ios::binary);
   char head[16] = {};
   file.read(head, sizeof head);

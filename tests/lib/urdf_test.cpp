@@ -1,6 +1,7 @@
 // urdf/urdf.hpp. Rows S2 to S5, S21: what a good file becomes, and what is said of a bad one.
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <clocale>
@@ -196,14 +197,22 @@ TEST(BadUrdf, AMissingFileADirectoryAndAnEmptyFileAreNamed) {
     }
     return std::string("nothing");
   };
-  EXPECT_EQ(said("/nowhere/robot.urdf"), "/nowhere/robot.urdf:0: no such file (/nowhere/robot.urdf)");
+  EXPECT_EQ(said("/nowhere/robot.urdf"), "/nowhere/robot.urdf: cannot be opened (No such file or directory)");
   const std::string folder = std::filesystem::temp_directory_path().string();
-  EXPECT_EQ(said(folder), folder + ":0: a directory, not a file (" + folder + ")");
+  EXPECT_EQ(said(folder), folder + ": cannot be read (a directory)");
   const std::string path = folder + "/liecheck_empty_" + std::to_string(::getpid()) + ".urdf";
   std::ofstream(path).close();
   EXPECT_EQ(said(path), path + ":1: empty (0 bytes)");
   std::filesystem::remove(path);
   expectRefused(" \n\t\n", 1, "empty", "4 bytes");
+  ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);
+  EXPECT_EQ(said(path), path + ": cannot be read (a pipe, and nobody writes to it)");
+  std::filesystem::remove(path);
+  EXPECT_EQ(said("/dev/null"), "/dev/null: cannot be read (neither a regular file nor a pipe)");
+  std::ofstream(path).close();
+  std::filesystem::resize_file(path, max_urdf_bytes + 1);
+  EXPECT_EQ(said(path), path + ": longer than a URDF may be (67108864 bytes)");
+  std::filesystem::remove(path);
 }
 TEST(BadUrdf, CutOffOrMalformedTextIsRefused) {
   const std::string whole = twoLinks("fixed", "");
@@ -297,6 +306,8 @@ TEST(BadUrdf, LoopsAreRefused) {
 TEST(BadUrdf, DuplicateNamesAreRefusedWithTheLineOfTheFirst) {
   expectRefused("<robot name='r'>\n<link name='a'/>\n<link name='a'/></robot>", 3, "the first is in line 2",
                 "a");
+  expectRefused("<robot name='r'>\n<link name='a'/>\n<material name='m'/>\n<material name='m'/></robot>", 4,
+                "the first is in line 3", "m");
   std::string text = twoLinks("fixed", "");
   text.insert(text.find("</robot>"),
               "<link name='c'/><joint name='j' type='fixed'><parent link='b'/><child link='c'/></joint>");
@@ -324,9 +335,38 @@ TEST(BadUrdf, TooDeepNestingIsRefusedBeforeAnyParserRecurses) {
   }
   EXPECT_NE(refusal(chain + "</robot>").find("more than 2000 joints in a chain"), std::string::npos);
 }
-TEST(BadUrdf, WhatUrdfdomAloneDislikesIsRefusedWithItsWordsAndNotPrinted) {
-  const std::string said = refusal(twoLinks("continuous", "<mimic/>"));
-  EXPECT_NE(said.find("urdfdom refuses it"), std::string::npos) << said;
+TEST(BadUrdf, APipeIsReadOnce) {
+  int ends[2];
+  ASSERT_EQ(::pipe(ends), 0);
+  const std::string text = twoLinks("fixed", "");
+  ASSERT_EQ(::write(ends[1], text.data(), text.size()), ssize_t(text.size()));
+  ::close(ends[1]);
+  EXPECT_EQ(readUrdf("/proc/self/fd/" + std::to_string(ends[0])), text);
+  ::close(ends[0]);
+}
+TEST(BadUrdf, TextThatIsNotUtf8IsRefusedInItsLine) {
+  for (const char* bad : {"\xff", "\x80", "\xc3", "\xc0\xaf", "\xed\xa0\x80", "\xf4\x90\x80\x80", "\xe2\x82"})
+    EXPECT_EQ(refusal("<robot name='r'>\n<link name='" + std::string(bad) + "'/></robot>")
+                  .rfind("bad.urdf:2: not UTF-8", 0),
+              0U);
+  EXPECT_NO_THROW(
+      buildModelFromUrdfText("<robot name='\xc3\xa9\xe2\x82\xac\xf0\x9f\xa4\x96'><link name='a'/></robot>"));
+}
+TEST(BadUrdf, TagsThatCloseNothingAndEntitiesAreNamed) {
+  const std::string robot = "<robot name='r'>\n<link name='a'/></robot>\n";
+  expectRefused(robot + "</robot></robot>", 3, "closed that was not opened", "</robot>");
+  expectRefused("</robot>" + robot, 1, "closed that was not opened", "</robot>");
+  expectRefused("<!DOCTYPE robot [<!ENTITY x 'y'>]>\n" + robot, 1, "(entities) is not supported",
+                "[<!ENTITY x 'y'");
+  EXPECT_NO_THROW(buildModelFromUrdfText("<!DOCTYPE robot>\n" + robot));
+}
+TEST(BadUrdf, WhatUrdfdomDislikesInAJointIsNamedWithItsLine) {
+  expectRefused(twoLinks("continuous", "\n<mimic/>"), 5, "joint 'j' has a <mimic> that names no joint", "");
+  expectRefused(twoLinks("continuous", "\n<calibration rising='x'/>"), 5, "<calibration> rising", "x");
+  expectRefused(twoLinks("continuous", "\n<safety_controller k_velocity='nan'/>"), 5, "k_velocity", "nan");
+  expectRefused(twoLinks("continuous", "\n<safety_controller/>"), 5,
+                "<safety_controller> k_velocity is missing", "");
+  expectRefused(twoLinks("continuous", "\n<dynamics/>"), 5, "<dynamics> without damping", "");
 }
 TEST(BadUrdf, AMessageIsOneShortLine) {
   const std::string said = refusal(twoLinks(std::string(1000, 'x'), ""));

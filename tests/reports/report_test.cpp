@@ -1,5 +1,6 @@
 // The report: what it refuses, what it merges, and that its three files say the same.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -40,7 +41,7 @@ Json row(const std::string& subject, const std::string& band, double max_eps) {
           {"worst",
            {{"id", "g1.42.exp_oracle." + subject + ".double.none.7"},
             {"input", {"0x1p-3", "-0x0p+0"}},
-            {"theta", 1.25e-5}}}};
+            {"kappa", 1.25}}}};
 }
 
 Json record() {
@@ -169,6 +170,44 @@ TEST_F(Report, NamesTheFieldAndTheValueItRefuses) {
       has(refusal(r.dump()), "results[0].max_eps: expected a number >= 0, \"inf\" or \"nan\", found -1"));
 }
 
+TEST_F(Report, RefusesNumbersThatNoCampaignWrites) {
+  const auto said = [&](const char* name, const Json& value) {
+    Json r = record();
+    r["results"][0][name] = value;
+    return refusal(r.dump());
+  };
+  for (const char* name : {"budget", "low", "high", "count", "failed", "refused", "ill_posed"})
+    EXPECT_TRUE(has(said(name, -1), fmt::format("results[0].{}: expected a", name))) << name;
+  EXPECT_TRUE(has(said("high", 1e-6), "results[0].high: expected no less than low"));
+  EXPECT_TRUE(has(said("count", 0), "results[0].count: expected a count from 1 to"));
+  EXPECT_TRUE(has(said("count", UINT64_MAX), "results[0].count: expected a count from 1 to"));
+  EXPECT_TRUE(has(said("failed", "x"), "results[0].failed: expected a count"));
+  EXPECT_TRUE(has(said("failed", 714), "results[0].failed: expected a count from 0 to 713, found 714"));
+  EXPECT_TRUE(has(said("reason", 1), "results[0].reason: expected a string"));
+  Json r = record();
+  r["results"][0]["worst"]["kappa"] = "big";
+  EXPECT_TRUE(has(refusal(r.dump()), "results[0].worst.kappa"));
+  for (const auto& [name, value] :
+       {std::pair("total_cases", Json("x")), std::pair("generator_version", Json(0))}) {
+    r = record();
+    r[name] = value;
+    EXPECT_TRUE(has(refusal(r.dump()), fmt::format("field {}: expected a count", name)));
+  }
+  r = record();
+  r["subjects"][1]["eps"] = -0.5;
+  EXPECT_TRUE(has(refusal(r.dump()), "subjects[1].eps"));
+}
+
+TEST_F(Report, NamesThePlaceOfANumberBeyondDouble) {
+  EXPECT_TRUE(has(refusal("{\n \"1e999\": 1e999}"), "line 2, column 11: a number beyond double: 1e999"));
+}
+
+TEST_F(Report, NeverOverwritesItsInput) {
+  const fs::path file = store("report.json", record().dump());
+  EXPECT_THROW(liecheck::reports::write_report({file}, dir), std::runtime_error);
+  EXPECT_EQ(read(file), record().dump());
+}
+
 TEST_F(Report, RefusesTheSameRowTwice) {
   Json r = record();
   r["results"].push_back(r["results"][0]);
@@ -206,7 +245,7 @@ TEST_F(Report, WritesACsvThatQuotesAndKeepsEveryDigit) {
   EXPECT_TRUE(has(csv, "exp6,\"a, \"\"b\"\"\",theta 1e-5..1e-4"));
   EXPECT_TRUE(has(csv, ",0.10000000000000001,"));
   EXPECT_TRUE(has(csv, ",713,inf,"));
-  EXPECT_TRUE(has(csv, "none.7,1.2500000000000001e-05,0x1p-3 -0x0p+0\r\n"));
+  EXPECT_TRUE(has(csv, "none.7,1.25,0x1p-3 -0x0p+0\r\n"));
   EXPECT_EQ(csv.rfind("subject,scalar,", 0), 0u);
 }
 

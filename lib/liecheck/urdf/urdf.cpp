@@ -1,13 +1,16 @@
 #include <console_bridge/console.h>
+#include <fcntl.h>
+#include <sys/stat.h>
 #include <urdf_model/model.h>
 #include <urdf_parser/urdf_parser.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
 #include <liecheck/urdf/urdf.hpp>
 #include <liecheck/urdf/urdf_text.hpp>
+#include <memory>
 #include <mutex>
 
 namespace liecheck {
@@ -22,19 +25,19 @@ class QuietLog : private console_bridge::OutputHandler {
   ~QuietLog() override { console_bridge::restorePreviousOutputHandler(); }
   QuietLog(const QuietLog&) = delete;
   QuietLog& operator=(const QuietLog&) = delete;
-  /// The last error, or empty.
-  const std::string& error() const { return error_; }
+  /// The errors, the first one first.
+  const std::string& errors() const { return errors_; }
 
  private:
   void log(const std::string& text, console_bridge::LogLevel level, const char*, int) override {
-    if (level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR) error_ = text;
+    if (level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR) errors_ += (errors_.empty() ? "" : "; ") + text;
   }
   static std::mutex& mutex() {
     static std::mutex m;
     return m;
   }
   std::lock_guard<std::mutex> lock_;
-  std::string error_;
+  std::string errors_;
 };
 
 SE3<double> pose(const urdf::Pose& X) {
@@ -99,14 +102,17 @@ std::string oneLine(std::string text) {
   return text;
 }
 std::string shortened(const std::string& value) {
-  return value.size() <= 80 ? value : value.substr(0, 77) + "...";
+  if (value.size() <= 80) return value;
+  std::size_t end = 77;
+  while (end > 74 && (static_cast<unsigned char>(value[end]) & 0xC0) == 0x80) --end;  // whole characters
+  return value.substr(0, end) + "...";
 }
 
 }  // namespace
 
 UrdfError::UrdfError(const std::string& file, int line, const std::string& what, const std::string& value)
-    : std::runtime_error(
-          oneLine(file + ":" + std::to_string(line) + ": " + what + " (" + shortened(value) + ")")),
+    : std::runtime_error(oneLine(file + ":" + (line > 0 ? std::to_string(line) + ": " : " ") + what + " (" +
+                                 shortened(value) + ")")),
       file_(file),
       line_(line) {}
 
@@ -118,7 +124,7 @@ Model<double> buildModelFromUrdfText(const std::string& text, RootJoint root,
     const QuietLog log;
     robot = urdf::parseURDF(text);
     if (!robot || !robot->getRoot())
-      throw UrdfError(source_name, robot_line, "urdfdom refuses it", log.error());
+      throw UrdfError(source_name, robot_line, "urdfdom refuses it", log.errors());
   }
   const urdf::Link& link = *robot->getRoot();
   Model<double> model;
@@ -134,14 +140,35 @@ Model<double> buildModelFromUrdfText(const std::string& text, RootJoint root,
   return model;
 }
 
+std::string readUrdf(const std::string& path) {
+  const auto refuse = [&](const char* what, const std::string& value) {
+    throw UrdfError(path, 0, what, value);
+  };
+  // Without O_NONBLOCK a FIFO that nobody writes to would be waited for.
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  if (descriptor < 0) refuse("cannot be opened", std::strerror(errno));
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(::fdopen(descriptor, "rb"), std::fclose);
+  struct stat status {};
+  if (!file || ::fstat(descriptor, &status) != 0) refuse("cannot be read", std::strerror(errno));
+  const bool pipe = S_ISFIFO(status.st_mode);
+  if (S_ISDIR(status.st_mode)) refuse("cannot be read", "a directory");
+  if (!pipe && !S_ISREG(status.st_mode)) refuse("cannot be read", "neither a regular file nor a pipe");
+  ::fcntl(descriptor, F_SETFL, O_RDONLY);
+  std::string text(std::size_t(1) << 16, 0);
+  std::size_t size = 0;
+  while (const std::size_t n = std::fread(&text[size], 1, text.size() - size, file.get())) {
+    size += n;
+    if (size > max_urdf_bytes) refuse("longer than a URDF may be", std::to_string(max_urdf_bytes) + " bytes");
+    if (size == text.size()) text.resize(2 * size);
+  }
+  if (std::ferror(file.get())) refuse("cannot be read", std::strerror(errno));
+  if (pipe && size == 0) refuse("cannot be read", "a pipe, and nobody writes to it");
+  text.resize(size);
+  return text;
+}
+
 Model<double> buildModelFromUrdf(const std::string& path, RootJoint root) {
-  std::error_code error;
-  if (!std::filesystem::exists(path, error)) throw UrdfError(path, 0, "no such file", path);
-  if (std::filesystem::is_directory(path, error)) throw UrdfError(path, 0, "a directory, not a file", path);
-  std::ifstream file(path, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  if (!file) throw UrdfError(path, 0, "cannot be read", path);
-  return buildModelFromUrdfText(text, root, path);
+  return buildModelFromUrdfText(readUrdf(path), root, path);
 }
 
 }  // namespace liecheck

@@ -19,8 +19,8 @@ enum class RootJoint {
   FreeFlyer  ///< by a free-flyer named "root_joint", joint 1
 };
 
-/// A robot that cannot be read. what() is one line, `FILE:LINE: what (value)`; line 0 where no line is at
-/// fault.
+/// A robot that cannot be read. what() is one line, `FILE:LINE: what (value)`, or `FILE: what (value)` and
+/// line() 0 where no line is at fault.
 class UrdfError : public std::runtime_error {
  public:
   UrdfError(const std::string& file, int line, const std::string& what, const std::string& value);
@@ -31,6 +31,13 @@ class UrdfError : public std::runtime_error {
   std::string file_;
   int line_;
 };
+
+/// A text longer than this is refused: 64 MiB, a thousand times the URDF of a humanoid.
+constexpr std::size_t max_urdf_bytes = std::size_t(64) << 20;
+
+/// The text of a URDF file, which is opened and read once: a regular file, or a pipe that somebody writes to.
+/// Throws UrdfError.
+std::string readUrdf(const std::string& path);
 
 /// The robot of a URDF file. Throws UrdfError.
 Model<double> buildModelFromUrdf(const std::string& path, RootJoint root = RootJoint::Fixed);

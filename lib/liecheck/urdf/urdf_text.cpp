@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <liecheck/urdf/urdf_markup.hpp>
 #include <liecheck/urdf/urdf_text.hpp>
 #include <map>
 #include <optional>
@@ -21,95 +22,36 @@ struct Numbers {
   bool required;
 };
 constexpr Numbers numbers[] = {
-    {"origin", "xyz", 3, false},        {"origin", "rpy", 3, false},       {"axis", "xyz", 3, true},
-    {"mass", "value", 1, true},         {"inertia", "ixx", 1, true},       {"inertia", "ixy", 1, true},
-    {"inertia", "ixz", 1, true},        {"inertia", "iyy", 1, true},       {"inertia", "iyz", 1, true},
-    {"inertia", "izz", 1, true},        {"limit", "lower", 1, false},      {"limit", "upper", 1, false},
-    {"limit", "effort", 1, true},       {"limit", "velocity", 1, true},    {"dynamics", "damping", 1, false},
-    {"dynamics", "friction", 1, false}, {"mimic", "multiplier", 1, false}, {"mimic", "offset", 1, false},
-    {"box", "size", 3, true},           {"sphere", "radius", 1, true},     {"cylinder", "radius", 1, true},
-    {"cylinder", "length", 1, true},    {"mesh", "scale", 3, false},       {"color", "rgba", 4, true},
-};
-
-/// What TinyXML lets pass or would recurse on: a walk over the tags alone, without recursion. Comments,
-/// declarations and quoted '>' are understood. Refuses elements nested deeper than max_element_depth, text
-/// outside the root element, attribute values without quotes, and markup that does not end.
-class Markup {
- public:
-  Markup(const std::string& text, const std::string& source_name) : text_(text), source_(source_name) {}
-
-  void check() {
-    while (at_ < text_.size()) {
-      if (text_[at_] != '<') {
-        characters();
-      } else if (startsWith("<!--")) {
-        skipPast("-->", "a comment");
-      } else if (startsWith("<![CDATA[")) {
-        skipPast("]]>", "a CDATA section");
-      } else if (startsWith("<?") || startsWith("<!")) {
-        skipPast(">", "a declaration");
-      } else {
-        tag();
-      }
-    }
-  }
-
- private:
-  bool startsWith(std::string_view prefix) const { return text_.compare(at_, prefix.size(), prefix) == 0; }
-  void advance(std::size_t to) {
-    line_ += int(std::count(text_.begin() + long(at_), text_.begin() + long(to), '\n'));
-    at_ = to;
-  }
-  void skipPast(std::string_view end, const char* what) {
-    const std::size_t found = text_.find(end, at_);
-    if (found == std::string::npos) refuse("malformed XML, or cut off", std::string(what) + " does not end");
-    advance(found + end.size());
-  }
-  void characters() {
-    const std::size_t end = std::min(text_.find('<', at_), text_.size());
-    const std::size_t first = text_.find_first_not_of(" \t\r\n", at_);
-    const bool byte_order_mark = at_ == 0 && startsWith("\xEF\xBB\xBF");
-    if (depth_ == 0 && first < end && !byte_order_mark) {
-      advance(first);
-      refuse("text outside the root element", text_.substr(first, end - first));
-    }
-    advance(end);
-  }
-  void tag() {
-    char quote = 0;
-    bool value_due = false;
-    std::size_t end = at_ + 1;
-    for (; end < text_.size() && (quote || text_[end] != '>'); ++end) {
-      const char c = text_[end];
-      if (quote) {
-        if (c == quote) quote = 0;
-      } else if (c == '<') {
-        break;
-      } else if (c == '"' || c == '\'') {
-        quote = c;
-        value_due = false;
-      } else if (value_due && std::string_view(" \t\r\n").find(c) == std::string_view::npos) {
-        refuse("malformed XML, or cut off", "an attribute value without quotes");
-      } else {
-        value_due = value_due || c == '=';
-      }
-    }
-    if (end >= text_.size() || text_[end] != '>') refuse("malformed XML, or cut off", "a tag does not end");
-    if (text_[at_ + 1] == '/') {
-      --depth_;
-    } else if (text_[end - 1] != '/' && ++depth_ > max_element_depth) {
-      refuse("elements nested too deep", "more than " + std::to_string(max_element_depth));
-    }
-    advance(end + 1);
-  }
-  [[noreturn]] void refuse(const std::string& what, const std::string& value) const {
-    throw UrdfError(source_, line_, what, value);
-  }
-
-  const std::string& text_;
-  const std::string& source_;
-  std::size_t at_ = 0;
-  int line_ = 1, depth_ = 0;
+    {"origin", "xyz", 3, false},
+    {"origin", "rpy", 3, false},
+    {"axis", "xyz", 3, true},
+    {"mass", "value", 1, true},
+    {"inertia", "ixx", 1, true},
+    {"inertia", "ixy", 1, true},
+    {"inertia", "ixz", 1, true},
+    {"inertia", "iyy", 1, true},
+    {"inertia", "iyz", 1, true},
+    {"inertia", "izz", 1, true},
+    {"limit", "lower", 1, false},
+    {"limit", "upper", 1, false},
+    {"limit", "effort", 1, true},
+    {"limit", "velocity", 1, true},
+    {"dynamics", "damping", 1, false},
+    {"dynamics", "friction", 1, false},
+    {"mimic", "multiplier", 1, false},
+    {"mimic", "offset", 1, false},
+    {"box", "size", 3, true},
+    {"sphere", "radius", 1, true},
+    {"cylinder", "radius", 1, true},
+    {"cylinder", "length", 1, true},
+    {"mesh", "scale", 3, false},
+    {"color", "rgba", 4, true},
+    {"calibration", "rising", 1, false},
+    {"calibration", "falling", 1, false},
+    {"safety_controller", "soft_lower_limit", 1, false},
+    {"safety_controller", "soft_upper_limit", 1, false},
+    {"safety_controller", "k_position", 1, false},
+    {"safety_controller", "k_velocity", 1, true},
 };
 
 class Validator {
@@ -127,7 +69,7 @@ class Validator {
     name(*robot, "robot");
     for (const TiXmlElement* e = robot->FirstChildElement("material"); e;
          e = e->NextSiblingElement("material"))
-      numbersBelow(*e);
+      material(*e);
     for (const TiXmlElement* e = robot->FirstChildElement("link"); e; e = e->NextSiblingElement("link"))
       link(*e);
     if (link_line_.empty()) refuse(robot->Row(), "a robot without links", robot->Attribute("name"));
@@ -151,6 +93,16 @@ class Validator {
     const char* value = e.Attribute("name");
     if (!value || !*value) refuse(e.Row(), "a " + what + " without a name", value ? value : "");
     return value;
+  }
+
+  void material(const TiXmlElement& e) {
+    numbersBelow(e);
+    const char* material_name = e.Attribute("name");
+    if (!material_name) return;
+    const auto [first, is_new] = material_line_.emplace(material_name, e.Row());
+    if (!is_new)
+      refuse(e.Row(), "a second material of that name, the first is in line " + std::to_string(first->second),
+             material_name);
   }
 
   void link(const TiXmlElement& e) {
@@ -187,6 +139,7 @@ class Validator {
         type != "prismatic")
       refuse(e.Row(), joint_text + ": unknown joint type", type);
     numbersBelow(e);
+    extras(e, joint_text);
     if (type != "fixed" && type != "floating") axis(e, joint_text);
     if ((type == "revolute" || type == "prismatic") && !e.FirstChildElement("limit"))
       refuse(e.Row(), joint_text + " has no <limit>, which its type needs", type);
@@ -204,6 +157,16 @@ class Validator {
     const std::vector<double> v = list(xyz).value_or(std::vector<double>{});
     if (std::all_of(v.begin(), v.end(), [](double x) { return x == 0; }))
       refuse(axis->Row(), joint_text + " has a zero axis", xyz);
+  }
+
+  /// What urdfdom would refuse without a line.
+  void extras(const TiXmlElement& e, const std::string& joint_text) const {
+    const TiXmlElement* mimic = e.FirstChildElement("mimic");
+    if (mimic && !mimic->Attribute("joint"))
+      refuse(mimic->Row(), joint_text + " has a <mimic> that names no joint", "");
+    const TiXmlElement* dynamics = e.FirstChildElement("dynamics");
+    if (dynamics && !dynamics->Attribute("damping") && !dynamics->Attribute("friction"))
+      refuse(dynamics->Row(), joint_text + " has a <dynamics> without damping and friction", "");
   }
 
   std::string linkOf(const TiXmlElement& e, const char* role, const std::string& joint_text) const {
@@ -293,7 +256,7 @@ class Validator {
 
   const std::string& source_;
   RootJoint root_;
-  std::map<std::string, int> link_line_, joint_line_;
+  std::map<std::string, int> link_line_, joint_line_, material_line_;
   std::map<std::string, std::string> parent_joint_;  // of a link
   std::map<std::string, std::vector<Child>> children_;
 };
@@ -304,10 +267,7 @@ int validateUrdfText(const std::string& text, const std::string& source_name, Ro
   Validator validator(source_name, root);
   if (text.find_first_not_of(" \t\r\n") == std::string::npos)
     validator.refuse(1, "empty", std::to_string(text.size()) + " bytes");
-  if (const std::size_t nul = text.find('\0'); nul != std::string::npos)
-    validator.refuse(1 + int(std::count(text.begin(), text.begin() + long(nul), '\n')),
-                     "a zero byte: not text", "byte " + std::to_string(nul));
-  Markup(text, source_name).check();
+  checkMarkup(text, source_name);
   TiXmlDocument document;
   document.Parse(text.c_str());
   if (document.Error())

@@ -7,8 +7,6 @@
 
 namespace liecheck::urdf_detail {
 
-/// Elements inside elements; a robot needs seven. The parsers recurse, so deeper text could end the stack.
-constexpr int max_element_depth = 64;
 /// Joints from the root to a leaf; urdfdom's links own one another, so their destruction recurses.
 constexpr int max_tree_depth = 2000;
 

@@ -1,0 +1,11 @@
+#pragma once
+// A campaign's result as text.
+
+#include <campaign/campaign.hpp>
+
+namespace liecheck::properties {
+
+/// Prints the table, the failures and the coverage, all of it where verbose. The exit code of the verdict.
+int print_campaign(const CampaignResult& result, bool verbose);
+
+}  // namespace liecheck::properties

@@ -1,0 +1,157 @@
+// The program as a user meets it: what it refuses, with which line and code, and what it never loses.
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+class Program : public testing::Test {
+ protected:
+  struct Run {
+    int code;  ///< -1 where a signal or the time limit ended it
+    std::string out, err;
+  };
+  fs::path dir = fs::path(testing::TempDir()) / ("liecheck_program_" + std::to_string(::getpid()));
+  const std::string quick = "campaign --property exp_oracle --scalar double --cases 2 -j 1 ";
+  const std::string robot = "campaign --property robot_configuration --scalar double --cases 2 -j 1 ";
+
+  void SetUp() override { fs::create_directories(dir); }
+  void TearDown() override { fs::remove_all(dir); }
+
+  static std::string read(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+  fs::path store(const std::string& name, const std::string& text) const {
+    std::ofstream(dir / name, std::ios::binary) << text;
+    return dir / name;
+  }
+  /// Of a shell line in the test's folder, where $L is the program.
+  Run shell(const std::string& line) const {
+    const std::string whole = "cd '" + dir.string() + "'; L='timeout 60 " + LIECHECK_PROGRAM + "'; { " +
+                              line + "; } >out 2>err </dev/null";
+    const int status = std::system(whole.c_str());
+    return {WIFEXITED(status) && WEXITSTATUS(status) < 124 ? WEXITSTATUS(status) : -1, read(dir / "out"),
+            read(dir / "err")};
+  }
+  Run run(const std::string& arguments) const { return shell("$L " + arguments); }
+  /// Refused with 2 and one line that holds the words, before anything ran.
+  void refused(const std::string& arguments, const std::string& words) const {
+    const Run r = run(arguments);
+    EXPECT_EQ(r.code, 2) << arguments << "\n" << r.err;
+    EXPECT_EQ(r.err.rfind("liecheck: ", 0), 0U) << r.err;
+    EXPECT_EQ(std::count(r.err.begin(), r.err.end(), '\n'), 1) << r.err;
+    EXPECT_NE(r.err.find(words), std::string::npos) << arguments << "\n" << r.err;
+    EXPECT_EQ(r.out, "");
+  }
+};
+
+TEST_F(Program, NumbersArePlainDecimalAndInRange) {
+  for (const char* bad : {"-1", "99999999999999999999", "''", "010", "0x10", "' 7'", "+7", "1e3", "7.0"})
+    refused("campaign --seed " + std::string(bad), "--seed: '");
+  for (const char* bad : {"0", "-5", "1099511627777"})
+    refused("campaign --cases " + std::string(bad), "--cases: '");
+  for (const char* bad : {"0", "1025", "two"}) refused("campaign -j " + std::string(bad), "--jobs: '");
+  for (const char* bad : {"5x", "0x10", "inf", "nan", "-1", "1e9h", "m"})
+    refused("campaign --for " + std::string(bad), "--for: not a duration");
+  EXPECT_EQ(run(quick + "--seed 18446744073709551615").code, 0);
+}
+
+TEST_F(Program, EmptyValuesAndUnknownWordsAreNamed) {
+  for (const char* flag : {"--for", "--robot", "--json", "--subject", "--property", "--scalar"})
+    refused("campaign " + std::string(flag) + " ''", std::string(flag) + ": may not be empty");
+  refused("report --out ''", "--out: may not be empty");
+  refused("nope", "unknown command 'nope'; commands: list, ");
+  refused("--frob", "unknown option '--frob'");
+  refused(quick + "--subject all --subject nope", "unknown subject 'nope'");
+  refused(quick + "--subject 'a\nb'", "unknown subject 'a\\nb'");
+  refused("campaign --subject eigen --scalar float128", "nothing to run");
+  refused("report r.json --seed 3", "excludes");
+}
+
+TEST_F(Program, CaseIdsAreRefusedWithTheirPosition) {
+  const std::string id = "raw.exp_oracle.liecheck.double.none.";
+  refused("replay " + id + "1,a,2", "'" + id + "1,a,2': number 2 is not a number: 'a'");
+  refused("replay " + id + "1,2,3,", "number 4 is not a number: ''");
+  refused("replay " + id + "'1, 2,3'", "number 2 is not a number: ' 2'");
+  refused("replay raw.exp_oracle.liecheck.double.nope.1,2,3", "exp_oracle takes no robot: expected none");
+}
+
+TEST_F(Program, ARobotIsReadOnceAndItsNameIsThatOfTheParser) {
+  ASSERT_EQ(::mkfifo((dir / "fifo").c_str(), 0600), 0);
+  refused(robot + "--robot fifo", "fifo: cannot be read (a pipe, and nobody writes to it)");
+  refused(robot + "--robot none.urdf", "liecheck: none.urdf: cannot be opened (No such file or directory)");
+  store("bad.urdf", "<robot name='r\xff'>\n<link name='a'/></robot>");
+  refused(robot + "--robot bad.urdf --json r.json", "bad.urdf:1: not UTF-8");
+  store("n.urdf",
+        "<!-- <robot name=\"wrong\"> -->\n<robot name='a&amp;b&#10;c&#27;[31m'>\n<link name='a'/></robot>");
+  for (const char* how : {"$L ", "cat n.urdf | $L "}) {
+    const Run r = shell(how + robot + "--robot " + (how[0] == '$' ? "n.urdf" : "/dev/stdin"));
+    EXPECT_EQ(r.code, 0) << r.err;
+    EXPECT_NE(r.out.find("robot a&b\\nc\\x1b[31m ("), std::string::npos) << r.out;
+  }
+}
+
+TEST_F(Program, TheReplayLineHoldsForAShell) {
+  fs::copy_file(fs::path(LIECHECK_FIXTURES) / "robots/mixed_joints.urdf", dir / "it's x.urdf");
+  const Run r =
+      run("campaign --subject textbook --property robot_configuration --scalar float --cases 300 -j 1 "
+          "--robot \"it's x.urdf\"");
+  ASSERT_EQ(r.code, 1) << r.out << r.err;
+  const std::size_t at = r.out.find("  replay    liecheck ") + 21;
+  ASSERT_GT(at, 21U) << r.out;
+  const std::string line = r.out.substr(at, r.out.find('\n', at) - at);
+  EXPECT_NE(line.find(" --robot 'it'\\''s x.urdf'"), std::string::npos) << line;
+  EXPECT_EQ(run(line).code, 1) << line;
+}
+
+TEST_F(Program, LostOutputIsAnError) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP();
+  for (const std::string& what : {std::string("list"), std::string("--help"), quick}) {
+    const Run full = shell("$L " + what + " >/dev/full");
+    EXPECT_EQ(full.code, 2) << what;
+    EXPECT_NE(full.err.find("standard output: cannot be written"), std::string::npos) << full.err;
+    EXPECT_EQ(shell("$L " + what + " >&-").code, 2) << what;
+  }
+  EXPECT_EQ(shell("$L nope 2>/dev/full").code, 2);
+}
+
+TEST_F(Program, NeitherTableNorRecordIsLostWithTheOther) {
+  store("r.json.part", "of the user");
+  shell("$L " + quick + "--json r.json >&-");
+  EXPECT_EQ(nlohmann::json::parse(read(dir / "r.json"))["verdict"], "pass");
+  EXPECT_EQ(read(dir / "r.json.part"), "of the user");
+  fs::create_directory(dir / "gone");
+  const Run r = shell(
+      "($L campaign --property exp_oracle --for 3 -j 1 --json gone/r.json) & sleep 1; rmdir gone; wait $!");
+  EXPECT_EQ(r.code, 2);
+  EXPECT_NE(r.out.find("verdict pass"), std::string::npos) << r.out;
+  EXPECT_NE(r.err.find("liecheck: gone/r.json: cannot be written: "), std::string::npos) << r.err;
+  refused(quick + "--json gone/r.json", "gone/r.json: cannot be written: No such file");
+}
+
+TEST_F(Program, AHangUpKeepsTheRecord) {
+  const Run r = shell("timeout -s HUP 1 $L campaign --property exp_oracle --for 50 -j 1 --json r.json");
+  EXPECT_EQ(nlohmann::json::parse(read(dir / "r.json"))["verdict"], "incomplete") << r.err;
+}
+
+TEST_F(Program, ThreadsThatCannotBeHadAreALine) {
+  const Run r = shell("ulimit -v 400000; $L campaign --property exp_oracle --cases 2 -j 1024");
+  if (r.code == 0) GTEST_SKIP() << "the limit does not hold here";
+  EXPECT_EQ(r.code, 2) << r.err;
+  EXPECT_NE(r.err.find("--jobs 1024: only "), std::string::npos) << r.err;
+}
+
+}  // namespace

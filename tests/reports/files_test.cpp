@@ -1,0 +1,88 @@
+// What is read once, and what is replaced whole, in place, or not at all.
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <reports/files.hpp>
+#include <stdexcept>
+#include <string>
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace liecheck::reports;
+
+class Files : public testing::Test {
+ protected:
+  fs::path dir = fs::path(testing::TempDir()) / ("liecheck_files_" + std::to_string(::getpid()));
+  void SetUp() override { fs::create_directories(dir); }
+  void TearDown() override { fs::remove_all(dir); }
+  static std::string read(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+  long entries() const { return std::distance(fs::directory_iterator(dir), {}); }
+  template <class F>
+  static std::string refusal(F f) {
+    try {
+      f();
+    } catch (const std::runtime_error& e) {
+      return e.what();
+    }
+    return "nothing";
+  }
+};
+
+TEST_F(Files, AFileIsReplacedWholeAndKeepsItsMode) {
+  const fs::path file = dir / "a";
+  std::ofstream(dir / "a.part") << "of the user";
+  check_writable(file);
+  EXPECT_FALSE(fs::exists(file));
+  write_whole(file, "old and long");
+  ::chmod(file.c_str(), 0640);
+  write_whole(file, "new");
+  EXPECT_EQ(read(file), "new");
+  EXPECT_EQ(fs::status(file).permissions(), fs::perms(0640));
+  EXPECT_EQ(read(dir / "a.part"), "of the user");
+  EXPECT_EQ(entries(), 2);
+}
+
+TEST_F(Files, LinksAreFollowedAndStay) {
+  fs::create_symlink("b", dir / "a");
+  fs::create_symlink("c", dir / "b");
+  write_whole(dir / "a", "text");
+  EXPECT_TRUE(fs::is_symlink(dir / "a") && fs::is_symlink(dir / "b"));
+  EXPECT_EQ(read(dir / "c"), "text");
+  fs::create_symlink("loop", dir / "loop");
+  EXPECT_NE(refusal([&] { write_whole(dir / "loop", "x"); }), "nothing");
+}
+
+TEST_F(Files, WhatIsNoRegularFileIsNeverReplaced) {
+  const fs::path pipe = dir / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  check_writable(pipe);
+  EXPECT_NE(refusal([&] { write_whole(pipe, "x"); }).find("cannot be written"), std::string::npos);
+  EXPECT_NE(refusal([&] { read_whole(pipe); }).find("nobody writes to it"), std::string::npos);
+  EXPECT_TRUE(fs::is_fifo(pipe));
+  EXPECT_NE(refusal([&] { write_whole(dir, "x"); }).find("a directory"), std::string::npos);
+  EXPECT_NE(refusal([&] { read_whole(dir); }).find("a directory"), std::string::npos);
+  EXPECT_EQ(entries(), 1);
+  int ends[2];
+  ASSERT_EQ(::pipe(ends), 0);
+  write_whole("/proc/self/fd/" + std::to_string(ends[1]), "through");
+  ::close(ends[1]);
+  EXPECT_EQ(read_whole("/proc/self/fd/" + std::to_string(ends[0])), "through");
+  ::close(ends[0]);
+}
+
+TEST_F(Files, WhereNothingCanBeWrittenIsSaidBefore) {
+  for (const fs::path& file : {dir / "none" / "a", dir / "", fs::path("")})
+    EXPECT_NE(refusal([&] { check_writable(file); }).find("cannot be written"), std::string::npos) << file;
+  EXPECT_EQ(entries(), 0);
+}
+
+}  // namespace
