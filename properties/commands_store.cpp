@@ -80,6 +80,12 @@ std::optional<CampaignResult> run_rank(const Ranks& ranks, CampaignOptions o, co
 
 }  // namespace
 
+bool StoreFlags::first_shard() const {
+  for (const char* name : {"OMPI_COMM_WORLD_RANK", "PMI_RANK", "PMIX_RANK"})
+    if (const char* rank = std::getenv(name)) return std::atoi(rank) == 0;
+  return shard.empty() || std::atoi(shard.c_str()) == 1;
+}
+
 void add_store_flags(CLI::App& campaign, StoreFlags& f) {
   auto* store = filled(
       campaign.add_option("--store", f.store, "keep everything in FILE (SQLite), chunk by chunk"), "FILE");

@@ -19,7 +19,7 @@ struct StoreFlags {
   CLI::Option* jobs = nullptr;
 
   /// Does this run what belongs to no range: hard cases and earlier counterexamples?
-  bool first_shard() const { return shard.empty() || shard.rfind("1/", 0) == 0; }
+  bool first_shard() const;  ///< of a campaign in shards, of mpirun's ranks: is this the first?
 };
 void add_store_flags(CLI::App& campaign, StoreFlags& flags);
 
