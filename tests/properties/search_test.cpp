@@ -163,7 +163,10 @@ TEST(Shrinking, KeepsTheOutputAndTheOutcome) {
   EXPECT_EQ(s.judged.residual.output, w.output);
   EXPECT_EQ(s.judged.residual.outcome, Outcome::measured);
   std::size_t zeros = 0;
-  for (const std::string& x : s.decimal) zeros += x == "0", EXPECT_LE(x.size(), 12u) << x;
+  for (const std::string& x : s.decimal) {
+    zeros += x == "0";
+    EXPECT_LE(x.size(), 12u) << x;
+  }
   EXPECT_GE(zeros, 4u);
 }
 
