@@ -26,8 +26,7 @@ double parse_duration(const std::string& text) {
   const std::string unit(end, text.data() + text.size());
   const double factor = unit.empty() || unit == "s" ? 1 : unit == "m" ? 60 : unit == "h" ? 3600 : 0;
   if (error != std::errc() || factor == 0 || !(value > 0) || !(value * factor <= 1e7))
-    throw std::invalid_argument(
-        fmt::format("--for: not a duration up to 1e7 s: '{}' (write 30s, 5m or 1h)", text));
+    throw std::invalid_argument(fmt::format("not a duration up to 1e7 s: '{}' (write 30s, 5m or 1h)", text));
   return value * factor;
 }
 

@@ -276,7 +276,15 @@ int main(int argc, char** argv) {
     filled(c->add_option("--json", f.json, "write the record to FILE"), "FILE");
   };
   const auto time_flag = [&](CLI::App* c, const char* help, CLI::Option* other) {
-    return filled(c->add_option("--for", f.duration, help)->excludes(other), "DURATION");
+    const auto wrong = [](const std::string& text) -> std::string {
+      try {
+        parse_duration(text);
+        return "";
+      } catch (const std::exception& e) {
+        return e.what();
+      }
+    };
+    return filled(c->add_option("--for", f.duration, help)->excludes(other), "DURATION")->check(wrong, "");
   };
   const auto budget_flags = [&](CLI::App* c) {
     auto* cases = add_number(*c, "--cases", f.cases, 1, std::uint64_t(1) << 40,
