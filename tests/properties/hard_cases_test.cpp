@@ -212,7 +212,7 @@ TEST(HardCases, AreRecordedWithInputAndReplay) {
   }
 }
 
-TEST(Program, CountsHardCasesToItsExitCode) {
+TEST(HardCasesOfTheProgram, CountToItsExitCode) {
   const auto exit_of = [](const std::string& arguments) {
     return WEXITSTATUS(std::system((LIECHECK_PROGRAM + (" " + arguments) + " > /dev/null 2>&1").c_str()));
   };
