@@ -34,7 +34,8 @@ CREATE TABLE counterexamples(property TEXT, subject TEXT, scalar TEXT, robot TEX
 
 std::string text_of(const Histogram& h) {
   std::string text;
-  for (const auto& [bin, n] : h.bins()) text += fmt::format("{}{}:{}", text.empty() ? "" : " ", bin, n);
+  for (const auto& [bin, n] : h.bins())
+    fmt::format_to(std::back_inserter(text), "{}{}:{}", text.empty() ? "" : " ", bin, n);
   return text;
 }
 
