@@ -137,7 +137,7 @@ class Engine {
 
  private:
   static constexpr std::uint64_t first_chunk = 32;
-  static constexpr double chunk_seconds = 0.25;
+  static constexpr double chunk_seconds = 0.4;
   struct Queue {
     std::vector<Range> todo;
     std::uint64_t size;  ///< of the next chunk

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <charconv>
 #include <stdexcept>
 
 namespace liecheck::properties {
@@ -34,7 +35,14 @@ CREATE TABLE counterexamples(property TEXT, subject TEXT, scalar TEXT, robot TEX
 
 std::string text_of(const Histogram& h) {
   std::string text;
-  for (const auto& [bin, n] : h.bins()) text += fmt::format("{}{}:{}", text.empty() ? "" : " ", bin, n);
+  char word[40];  // two numbers of at most 20 digits
+  for (const auto& [bin, n] : h.bins()) {
+    char* at = std::to_chars(word, word + sizeof word, bin).ptr;
+    *at++ = ':';
+    at = std::to_chars(at, word + sizeof word, n).ptr;
+    if (!text.empty()) text += ' ';
+    text.append(word, at);
+  }
   return text;
 }
 
