@@ -20,7 +20,7 @@ const Call* call_of(const std::string& operation) {
   static const char* const configuration = "multibody/se3_configuration.hpp";
   static const char* const inertia = "spatial/inertia.hpp";
   static const char* const se3 = "spatial/se3.hpp";
-  static const char* const urdf = "urdf/urdf.hpp";
+  static const char* const urdf = "multibody/configuration.hpp>\n#include <liecheck/urdf/urdf.hpp";
   static const std::map<std::string, Call> calls = {
       {"exp3_quaternion", {exp_log, "quaternion::exp3<S>(phi).to_vector()"}},
       {"exp3_matrix", {exp_log, "exp3<S>(phi)"}},

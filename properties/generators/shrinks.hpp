@@ -62,13 +62,13 @@ void add_rounded(Candidates<S>& all, const std::vector<S>& g) {
     }
 }
 
-/// Vectors: along an axis of length 1, a power of two, a short decimal or as long; a zero more; unit scale.
+/// Vectors: along an axis of length 1, a short decimal, a power of two or as long; a zero more; unit scale.
 template <class S>
 Candidates<S> vectors(const std::vector<S>& g, bool rotation) {
   using std::frexp, std::ldexp;
   Candidates<S> all{std::vector<S>(g.size(), S(0))};
   const S length = norm(g);
-  for (const S& value : {S(1), few_bits(length, 1), few_digits(length, 1), few_digits(length, 3), length})
+  for (const S& value : {S(1), few_digits(length, 1), few_bits(length, 1), few_digits(length, 3), length})
     for (std::size_t i = 0; i < g.size(); ++i) {
       if (rotation && value == S(1)) continue;
       all.push_back(std::vector<S>(g.size(), S(0)));
@@ -137,7 +137,7 @@ template <class S>
 Candidates<S> inertias(const std::vector<S>& g) {
   const S third = (g[0] + g[2] + g[5]) / S(3);
   Candidates<S> all;
-  for (const S& value : {S(1), few_bits(third, 1), third})
+  for (const S& value : {S(1), few_digits(third, 1), third})
     all.push_back({value, S(0), value, S(0), S(0), value});
   all.push_back({g[0], S(0), g[2], S(0), S(0), g[5]});
   add_rounded(all, g);
@@ -158,7 +158,7 @@ Candidates<S> candidates(const std::vector<S>& g, Kind kind) {
     case Kind::inertia:
       return inertias(g);
     case Kind::positive: {
-      Candidates<S> all{{S(1)}, {few_bits(g[0], 1)}};
+      Candidates<S> all{{S(1)}};
       add_rounded(all, g);
       return all;
     }
