@@ -87,7 +87,12 @@ class SmallAngleBranches final : public Law<SmallAngleBranches, S> {
     };
     if (o.exp3_quaternion)
       jump(
-          0, [&](int k) { return o.exp3_quaternion(xi[k].template tail<3>()); },
+          0,
+          [&](int k) {  // of Q and -Q the one along (phi, 1), as the exact one is up to half a turn
+            const Vec<S, 3> phi = xi[k].template tail<3>();
+            const Vec<S, 4> Q = o.exp3_quaternion(phi);
+            return Q.template head<3>().dot(phi) + Q[3] < S(0) ? Vec<S, 4>(-Q) : Q;
+          },
           [&](int k) { return to_list(exp_so3(tail3(x[k])).Q); });
     if (o.exp6)
       jump(
