@@ -1,9 +1,10 @@
-// The liecheck program: list, campaign, hard-cases, hunt, replay, report, and what to do with stores.
+// The liecheck program: list, campaign, hard-cases, hunt, bench, replay, report, and what to do with stores.
 
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <arguments.hpp>
+#include <bench_command.hpp>
 #include <campaign/campaign.hpp>
 #include <campaign/text.hpp>
 #include <campaign_table.hpp>
@@ -209,6 +210,16 @@ int run_hunt_command(const Flags& f, HuntFlags h) {
   return run_hunt(h, robot);
 }
 
+int run_bench_command(const Flags& f, BenchFlags b) {
+  b.seed = f.seed;
+  if (!f.duration.empty()) b.seconds = parse_duration(f.duration);
+  if (!f.json.empty()) liecheck::reports::check_writable(f.json);
+  b.json = f.json;
+  const Robot& robot = robot_of(f);
+  stop_on_signals();
+  return run_bench(b, robot);
+}
+
 int run_report(const Flags& f) {
   const auto given = with_records_of_stores(f.records, f.out);
   std::vector<std::filesystem::path> records(given.begin(), given.end());
@@ -334,6 +345,24 @@ int main(int argc, char** argv) {
   add_store_flags(*run, f.store);
   f.store.jobs = run->get_option("--jobs");
   f.store.command = command_line(argc, argv);
+  BenchFlags b;
+  auto* bench = app.add_subcommand("bench", "what the harness is worth");
+  bench->require_subcommand(1);
+  auto* bugs = bench->add_subcommand(
+      "bugs",
+      "how soon the laws kill each known bug, beside four weaker styles of test. "
+      "Exit 0 all killed and no look-alike refused, 1 otherwise, 2 bad input, 3 stopped");
+  filled(bugs->add_option("--scalar", b.scalar, "float or double")
+             ->capture_default_str()
+             ->check(CLI::IsMember({"float", "double"})),
+         "SCALAR");
+  add_number(*bugs, "--seed", f.seed, 0, UINT64_MAX, "seed of the cases");
+  filled(
+      bugs->add_option("--for-each", f.duration,
+                       "how long for each bug, and a tenth of it for each look-alike: 30s, 5m; default 60s"),
+      "DURATION");
+  filled(bugs->add_option("--json", f.json, "write the table to FILE"), "FILE");
+  robot_flag(bugs, robot_help);
   auto* replay = app.add_subcommand("replay",
                                     "run one case again and print its residuals, bit for bit. Exit 0 within "
                                     "budget, 1 failed, 2 bad input");
@@ -361,6 +390,7 @@ int main(int argc, char** argv) {
   try {
     if (run->parsed()) return finish(run_campaign_command(f));
     if (hard->parsed()) return finish(run_hard_cases_command(f));
+    if (bugs->parsed()) return finish(run_bench_command(f, b));
     if (hunt->parsed()) return finish(run_hunt_command(f, h));
     if (replay->parsed()) return finish(run_replay(f));
     if (report->parsed()) return finish(run_report(f));

@@ -68,7 +68,8 @@ struct Bugs {
   static const std::vector<Entry>& entries() {
     static const std::vector<Entry> all{
         // exp and log of rotations
-        {"exp_zero_limit", "below 1e-7 the vector part of the quaternion is zero", "kornia/kornia-rs pull 535",
+        {"exp_zero_limit", "below 1e-7 the vector part of the quaternion is zero",
+         "kornia/kornia-rs pull 535",
          [](O& o) {
            o.exp3_quaternion = [](const V3& phi) -> V4 {
              if (angle(phi) < S(1e-7)) return {S(0), S(0), S(0), S(1)};
@@ -88,7 +89,9 @@ struct Bugs {
          }},
         {"exp_angle_not_halved", "the quaternion of exp turns by twice the angle",
          "heliorc/imuf-release issue 9 (quaternion kinematics that degrade)",
-         [](O& o) { o.exp3_quaternion = [](const V3& phi) -> V4 { return good().exp3_quaternion(S(2) * phi); }; }},
+         [](O& o) {
+           o.exp3_quaternion = [](const V3& phi) -> V4 { return good().exp3_quaternion(S(2) * phi); };
+         }},
         {"exp_float_constant", "2 pi is a float constant in the reduction of the angle",
          "fedassa/SHOT issue 8 (float constants in a double path)",
          [](O& o) {
@@ -101,7 +104,8 @@ struct Bugs {
            if (sizeof(S) == 4)
              o.exp3_matrix = [](const V3& phi) -> M3 { return good().exp3_matrix(V3(phi * S(1.00001f))); };
          }},
-        {"exp_no_overflow_guard", "theta^2 overflows and gives NaN", "gazebosim/gz-math pull 620 (guards by theta^2)",
+        {"exp_no_overflow_guard", "theta^2 overflows and gives NaN",
+         "gazebosim/gz-math pull 620 (guards by theta^2)",
          [](O& o) {
            o.exp3_matrix = [](const V3& phi) -> M3 {
              const S x = phi.dot(phi), t = std::sqrt(x);
@@ -110,7 +114,8 @@ struct Bugs {
              return M3::Identity() + std::sin(t) / t * K + (S(1) - std::cos(t)) / x * K * K;
            };
          }},
-        {"exp_cancelling_cosine", "(1 - cos theta) / theta^2 down to theta = 1e-6", "gazebosim/gz-math pull 620",
+        {"exp_cancelling_cosine", "(1 - cos theta) / theta^2 down to theta = 1e-6",
+         "gazebosim/gz-math pull 620",
          [](O& o) {
            o.exp3_matrix = [](const V3& phi) -> M3 {
              const S t = angle(phi);
@@ -137,7 +142,8 @@ struct Bugs {
              return S(2) * std::acos(q[3]) / s * q.template head<3>();
            };
          }},
-        {"log_no_sign", "the angle of a quaternion with negative w is beyond pi", "borglab/SwiftFusion pull 111",
+        {"log_no_sign", "the angle of a quaternion with negative w is beyond pi",
+         "borglab/SwiftFusion pull 111",
          [](O& o) {
            o.log3_quaternion = [](const V4& Q) -> V3 {
              const S s = Q.template head<3>().norm();
@@ -164,7 +170,8 @@ struct Bugs {
              return t == S(0) ? V3(a / S(2)) : V3(t / (S(2) * std::sin(t)) * a);
            };
          }},
-        {"log_pivot_near_pi", "the pivot near pi is 2 + 2 R_ii instead of 1 + 2 R_ii - tr R", "borglab/gtsam pull 2723",
+        {"log_pivot_near_pi", "the pivot near pi is 2 + 2 R_ii instead of 1 + 2 R_ii - tr R",
+         "borglab/gtsam pull 2723",
          [](O& o) {
            o.log3_matrix = [](const M3& R) -> V3 {
              if (R.trace() > S(-0.9)) return good().log3_matrix(R);
@@ -187,14 +194,19 @@ struct Bugs {
            o.log3_matrix = [](const M3& R) -> V3 {
              const V3 a(R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1));
              const V3 exact = good().log3_matrix(R);
-             return R.trace() < S(0) ? V3(exact.norm() * a.normalized() / (a.norm() > S(0) ? S(1) : S(0))) : exact;
+             return R.trace() < S(0) ? V3(exact.norm() * a.normalized() / (a.norm() > S(0) ? S(1) : S(0)))
+                                     : exact;
            };
          }},
         {"log_transposed", "the rotation is inverted: R^T for R", "tud-phi/ros2-mocap_optitrack pull 17",
-         [](O& o) { o.log3_matrix = [](const M3& R) -> V3 { return good().log3_matrix(M3(R.transpose())); }; }},
+         [](O& o) {
+           o.log3_matrix = [](const M3& R) -> V3 { return good().log3_matrix(M3(R.transpose())); };
+         }},
         // exp and log of poses
         {"exp6_no_V", "the translation is rho, not V rho", "gbionics/idyntree issue 561",
-         [](O& o) { o.exp6 = [](const V6& xi) -> P { return {good().exp6(xi).R, top(xi)}; }; }},
+         [](O& o) { o.exp6 = [](const V6& xi) -> P {
+                      return {good().exp6(xi).R, top(xi)};
+                    }; }},
         {"exp6_shared_cutoff", "one cutoff 1e-4 for every coefficient, two terms below it",
          "pettni/smooth, one cutoff for every scalar",
          [](O& o) {
@@ -214,9 +226,7 @@ struct Bugs {
         {"exp6_angular_first", "the twist is taken angular part first", "rail-berkeley/hil-serl issue 36",
          [](O& o) { o.exp6 = [](const V6& xi) -> P { return good().exp6(stack(low(xi), top(xi))); }; }},
         {"log6_no_V_inverse", "the linear part of log is p", "gbionics/idyntree issue 561",
-         [](O& o) {
-           o.log6 = [](const P& T) -> V6 { return stack(T.p, good().log3_matrix(T.R)); };
-         }},
+         [](O& o) { o.log6 = [](const P& T) -> V6 { return stack(T.p, good().log3_matrix(T.R)); }; }},
         {"log6_theta_divided", "V^-1 is divided by theta where it should be multiplied",
          "Le0nX/ModernRoboticsCpp issue 31",
          [](O& o) {
@@ -237,7 +247,10 @@ struct Bugs {
          }},
         // Jacobians
         {"jacobian_left_for_right", "the right Jacobian is the left one", "artivis/manif pull 22",
-         [](O& o) { o.right_jacobian3 = o.left_jacobian3; o.right_jacobian6 = o.left_jacobian6; }},
+         [](O& o) {
+           o.right_jacobian3 = o.left_jacobian3;
+           o.right_jacobian6 = o.left_jacobian6;
+         }},
         {"jacobian6_no_coupling", "the coupling block is half of [rho]", "artivis/manif pull 22",
          [](O& o) {
            o.left_jacobian6 = [](const V6& xi) -> M6 {
@@ -280,17 +293,20 @@ struct Bugs {
              return M3::Identity() - K / S(2) + K * K / S(10);
            };
          }},
-        {"inverse_jacobian_sign", "the first-order term of the inverse has the wrong sign", "artivis/manif pull 22",
+        {"inverse_jacobian_sign", "the first-order term of the inverse has the wrong sign",
+         "artivis/manif pull 22",
          [](O& o) {
            o.right_jacobian6_inverse = [](const V6& xi) -> M6 { return good().left_jacobian6_inverse(xi); };
          }},
         // configurations
-        {"integrate_w_first", "the increment's quaternion is read w x y z", "stack-of-tasks/pinocchio issue 16",
+        {"integrate_w_first", "the increment's quaternion is read w x y z",
+         "stack-of-tasks/pinocchio issue 16",
          [](O& o) {
            o.integrate = [](const V7& q, const V6& d) -> V7 {
              const V4 e = good().exp3_quaternion(low(d));
              const V4 wrong(e[3], e[0], e[1], e[2]);
-             return moved(q, good().rotate_point(rotation_of(q), good().exp6(d).p), multiply(rotation_of(q), wrong));
+             return moved(q, good().rotate_point(rotation_of(q), good().exp6(d).p),
+                          multiply(rotation_of(q), wrong));
            };
          }},
         {"integrate_left", "the increment multiplies on the left", "RobotLocomotion/drake issue 1129",
@@ -301,7 +317,8 @@ struct Bugs {
              return r;
            };
          }},
-        {"integrate_world_velocity", "the linear increment is taken in world axes", "ethz-asl/ros_vrpn_client pull 41",
+        {"integrate_world_velocity", "the linear increment is taken in world axes",
+         "ethz-asl/ros_vrpn_client pull 41",
          [](O& o) {
            o.integrate = [](const V7& q, const V6& d) -> V7 {
              V7 r = good().integrate(q, d);
@@ -343,8 +360,10 @@ struct Bugs {
            o.integrate = [](const V7& q, const V6& d) -> V7 {
              thread_local V4 stale = V4::Unit(3);
              V7 r = good().integrate(q, d);
-             if (angle(low(d)) > S(0.1)) stale = good().exp3_quaternion(low(d));
-             else if (angle(low(d)) > S(1e-3)) r.template tail<4>() = multiply(rotation_of(q), stale);
+             if (angle(low(d)) > S(0.1))
+               stale = good().exp3_quaternion(low(d));
+             else if (angle(low(d)) > S(1e-3))
+               r.template tail<4>() = multiply(rotation_of(q), stale);
              return r;
            };
          }},
@@ -365,7 +384,8 @@ struct Bugs {
          [](O& o) {
            o.difference = [](const V7& a, const V7& b) -> V6 {
              V6 v = good().difference(a, b);
-             v.template tail<3>() = good().log3_quaternion(multiply(conjugate(rotation_of(a)), rotation_of(b)));
+             v.template tail<3>() =
+                 good().log3_quaternion(multiply(conjugate(rotation_of(a)), rotation_of(b)));
              return v;
            };
          }},
@@ -393,7 +413,9 @@ struct Bugs {
          }},
         {"d_integrate_adjoint", "ARG0 is Ad(exp(d)), its inverse missing", "colmap/colmap pull 3155",
          [](O& o) {
-           o.d_integrate_arg0 = [](const V7& q, const V6& d) -> M6 { return good().d_integrate_arg0(q, V6(-d)); };
+           o.d_integrate_arg0 = [](const V7& q, const V6& d) -> M6 {
+             return good().d_integrate_arg0(q, V6(-d));
+           };
          }},
         {"d_integrate_transposed", "ARG0 is transposed", "pypose/pypose pull 2",
          [](O& o) {
@@ -401,13 +423,18 @@ struct Bugs {
              return good().d_integrate_arg0(q, d).transpose();
            };
          }},
-        {"d_difference_sign", "ARG0 lacks its minus", "borglab/gtsam pull 1938 (derivatives near the identity)",
+        {"d_difference_sign", "ARG0 lacks its minus",
+         "borglab/gtsam pull 1938 (derivatives near the identity)",
          [](O& o) {
-           o.d_difference_arg0 = [](const V7& a, const V7& b) -> M6 { return -good().d_difference_arg0(a, b); };
+           o.d_difference_arg0 = [](const V7& a, const V7& b) -> M6 {
+             return -good().d_difference_arg0(a, b);
+           };
          }},
         {"d_difference_left", "ARG1 is J_l^-1", "artivis/manif pull 22",
          [](O& o) {
-           o.d_difference_arg1 = [](const V7& a, const V7& b) -> M6 { return -good().d_difference_arg0(a, b); };
+           o.d_difference_arg1 = [](const V7& a, const V7& b) -> M6 {
+             return -good().d_difference_arg0(a, b);
+           };
          }},
         {"coefficient_world", "Q_dot = (w, 0) Q / 2: the angular velocity is taken in world axes",
          "robotology-legacy/mex-wholebodymodel issue 30",
@@ -427,7 +454,8 @@ struct Bugs {
              return J;
            };
          }},
-        {"robot_idx_v", "joints behind the base read their increment one place too early", "erdc/proteus pull 911",
+        {"robot_idx_v", "joints behind the base read their increment one place too early",
+         "erdc/proteus pull 911",
          [](O& o) {
            o.robot = [](const std::string& urdf) {
              RobotOperations<S> r = good().robot(urdf);
@@ -456,12 +484,12 @@ struct Bugs {
          }},
         {"rotate_conjugate", "the inverse rotation", "Guo-ziwei/fusion pull 2",
          [](O& o) {
-           o.rotate_point = [](const V4& Q, const V3& x) -> V3 { return good().rotate_point(conjugate(Q), x); };
+           o.rotate_point = [](const V4& Q, const V3& x) -> V3 {
+             return good().rotate_point(conjugate(Q), x);
+           };
          }},
         {"force_as_motion", "forces are transformed as motions", "bdaiinstitute/spatialmath-python pull 207",
-         [](O& o) {
-           o.act_force = [](const P& X, const V6& F) -> V6 { return good().act_motion(X, F); };
-         }},
+         [](O& o) { o.act_force = [](const P& X, const V6& F) -> V6 { return good().act_motion(X, F); }; }},
         {"force_transposed", "forces by Ad^T for Ad^-T", "bdaiinstitute/spatialmath-python pull 207",
          [](O& o) { o.act_force = o.act_inverse_force; }},
         {"adjoint_block", "the coupling block of Ad is below: the angular-first matrix",
@@ -474,7 +502,9 @@ struct Bugs {
          }},
         {"cross_dual_sign", "the force cross product lacks its minus transpose",
          "UMich-CURLY-teaching/UMich-ROB-530-public issue 2",
-         [](O& o) { o.cross_force = [](const V6& V, const V6& F) -> V6 { return -good().cross_force(V, F); }; }},
+         [](O& o) {
+           o.cross_force = [](const V6& V, const V6& F) -> V6 { return -good().cross_force(V, F); };
+         }},
         {"cross_half", "u x w_W is missing in the motion cross product", "pvangoor/pylie pull 1",
          [](O& o) {
            o.cross_motion = [](const V6& V, const V6& W) -> V6 {
@@ -492,7 +522,8 @@ struct Bugs {
              return {I.mass, X.R * I.c + X.p, X.R.transpose() * I.I_C * X.R};
            };
          }},
-        {"inertia_shift_com", "the shift is applied before the centre of mass is rotated", "simbody/simbody issue 334",
+        {"inertia_shift_com", "the shift is applied before the centre of mass is rotated",
+         "simbody/simbody issue 334",
          [](O& o) {
            o.act_inertia = [](const P& X, const B& I) -> B {
              B b = good().act_inertia(X, I);
@@ -509,7 +540,8 @@ struct Bugs {
              return M;
            };
          }},
-        {"parallel_axis_doubled", "the parallel-axis term is added twice", "ros/solidworks_urdf_exporter issue 117",
+        {"parallel_axis_doubled", "the parallel-axis term is added twice",
+         "ros/solidworks_urdf_exporter issue 117",
          [](O& o) {
            o.inertia_matrix = [](const B& I) -> M6 {
              M6 M = good().inertia_matrix(I);
@@ -582,13 +614,12 @@ struct Bugs {
            };
          }},
         {"right_jacobian_transposed", "the right Jacobian of SO(3) is the transpose of the left one",
-         "an identity", [](O& o) {
+         "an identity",
+         [](O& o) {
            o.right_jacobian3 = [](const V3& phi) -> M3 { return good().left_jacobian3(phi).transpose(); };
          }},
         {"left_jacobian_of_minus", "the left Jacobian is the right one at -xi", "an identity",
-         [](O& o) {
-           o.left_jacobian6 = [](const V6& xi) -> M6 { return good().right_jacobian6(V6(-xi)); };
-         }},
+         [](O& o) { o.left_jacobian6 = [](const V6& xi) -> M6 { return good().right_jacobian6(V6(-xi)); }; }},
         {"d_difference_by_log", "J_r^-1 of difference", "the definition",
          [](O& o) {
            o.d_difference_arg1 = [](const V7& a, const V7& b) -> M6 {
@@ -669,7 +700,8 @@ std::vector<Subject<S>> known_bugs(const Operations<S>& good) {
 const std::vector<KnownBug>& known_bug_table() {
   static const std::vector<KnownBug> table = [] {
     std::vector<KnownBug> all;
-    for (const auto& e : Bugs<double>::entries()) all.push_back({std::string("bug:") + e.name, e.fault, e.origin});
+    for (const auto& e : Bugs<double>::entries())
+      all.push_back({std::string("bug:") + e.name, e.fault, e.origin});
     for (const auto& e : Bugs<double>::alikes())
       all.push_back({std::string("alike:") + e.name, e.fault, e.origin});
     return all;

@@ -1,0 +1,18 @@
+#pragma once
+// `liecheck bench bugs`: how soon the laws kill each known bug, and which weaker styles of test would have.
+
+#include <campaign/series.hpp>
+#include <string>
+
+namespace liecheck::properties {
+
+struct BenchFlags {
+  std::string scalar = "double", json;
+  std::uint64_t seed = 42;
+  double seconds = 60;  ///< for each bug; a tenth of it for each look-alike
+};
+
+/// One line a bug. 0 where every bug was killed and no look-alike, 1 otherwise, 3 where it was stopped.
+int run_bench(const BenchFlags& flags, const Robot& robot);
+
+}  // namespace liecheck::properties

@@ -1,0 +1,18 @@
+#pragma once
+// Four weaker styles of test, as they are written in practice, to compare the laws with: what would they have seen?
+
+#include <subjects/subject.hpp>
+#include <vector>
+
+namespace liecheck::properties {
+
+struct WeakStyle {
+  const char* name;
+  /// Does a test of this style fail on these operations?
+  bool (*kills)(const Operations<double>& tested);
+};
+
+/// A fixed grid of poses with known results; random poses at 1e-4; round trips; finite differences in double.
+const std::vector<WeakStyle>& weak_styles();
+
+}  // namespace liecheck::properties
