@@ -42,9 +42,11 @@ class Bands {
 
   /// The band of an exact angle theta >= 0 [rad].
   std::size_t classify(const oracles::Real& theta) const;
-  /// The same of a ball; throws oracles::Undecided where it lies across an edge.
+  /// Of an angle > 0 below 2^-900: below the smallest normal number, or not.
+  std::size_t underflowing(bool is_subnormal) const { return first_theta_ + (is_subnormal ? 1 : 2); }
   /// Of an angle that is exactly pi.
   std::size_t at_pi() const { return pi_; }
+  /// The same of a ball; throws oracles::Undecided where it lies across an edge.
   std::size_t classify(const oracles::FastDouble& theta) const { return classify_ball(theta); }
 
  private:

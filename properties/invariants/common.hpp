@@ -41,6 +41,23 @@ oracles::Vec<N, T> from_list(const std::vector<T>& x, std::size_t first = 0) {
   return v;
 }
 
+/// The band of ||phi||. Near the smallest normal number a ball of the norm cannot tell one ulp from the next: there
+/// 2^600 phi, which is exact, is compared with 2^600 times the edge.
+template <class S, class T>
+std::size_t band_of_angle(const oracles::Vec3<T>& phi) {
+  if constexpr (oracles::BallNumber<T>) {
+    double largest = 0;
+    for (const T& x : phi.x) largest = std::max(largest, x.size());
+    if (largest > 0 && largest < 0x1p-900) {
+      oracles::Vec3<T> scaled = phi;
+      for (T& x : scaled.x) x = power_scaled(x, 600);
+      const double edge = static_cast<double>(std::numeric_limits<S>::min()) * 0x1p600;
+      return Bands::of<S>().underflowing(norm(scaled) < T(edge));
+    }
+  }
+  return Bands::of<S>().classify(norm(phi));
+}
+
 /// The band of a logarithm's angle.
 template <class S, class T>
 std::size_t band_of_log(const oracles::LogValue<T>& log) {

@@ -64,7 +64,7 @@ class DIntegrate final : public Law<DIntegrate, S> {
     const auto x0 = exact_vector<7, Real>(q0), x1 = exact_vector<7, Real>(q1);
     const auto xd = exact_vector<6, Real>(d);
     const Bands& bands = Bands::of<S>();
-    std::size_t band = bands.classify(norm(tail3(xd)));
+    std::size_t band = band_of_angle<S>(tail3(xd));
     Real rho = norm(head3(xd));
     // A rotation vector of exactly pi_S is beyond pi for float: its kappa is 1 to a few per cent there.
     const bool beyond = bands[band].region == Region::beyond_pi;

@@ -25,7 +25,8 @@ class ExpOracle final : public Law<ExpOracle, S> {
             {"exp6", "translation"}};
   }
   std::vector<Field> fields() const override {
-    return {{"rho", Kind::vector, 3, "m", Reach::full}, {"phi", Kind::rotation_vector, 3, "rad", Reach::full}};
+    return {{"rho", Kind::vector, 3, "m", Reach::full},
+            {"phi", Kind::rotation_vector, 3, "rad", Reach::full}};
   }
   bool offered(const Subject<S>& s) const override {
     return s.operations.exp3_quaternion || s.operations.exp3_matrix || s.operations.exp6;
@@ -43,7 +44,7 @@ class ExpOracle final : public Law<ExpOracle, S> {
     const Vec<S, 3> phi = xi.template tail<3>();
     const auto exact_xi = oracles::exact_vector<6, Real>(xi);
     const auto exact = oracles::exp_se3(exact_xi);
-    const std::size_t band = Bands::of<S>().classify(exact.theta);
+    const std::size_t band = band_of_angle<S>(tail3(exact_xi));
 
     const auto kappa_rotation = [&] {
       return kappa_of<Real>(

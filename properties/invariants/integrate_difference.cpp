@@ -35,9 +35,10 @@ class IntegrateDifference final : public Law<IntegrateDifference, S> {
             {"integrate_of_difference", "translation"}};
   }
   std::vector<Field> fields() const override {
-    return {{"p0", Kind::vector, 3, "m", Reach::full},  {"Q0", Kind::quaternion, 4, "1"},
-            {"p1", Kind::vector, 3, "m", Reach::beside},  {"Q1", Kind::quaternion, 4, "1", Reach::beside},
-            {"rho", Kind::vector, 3, "m", Reach::full}, {"phi", Kind::rotation_vector, 3, "rad", Reach::full}};
+    return {
+        {"p0", Kind::vector, 3, "m", Reach::full},   {"Q0", Kind::quaternion, 4, "1"},
+        {"p1", Kind::vector, 3, "m", Reach::beside}, {"Q1", Kind::quaternion, 4, "1", Reach::beside},
+        {"rho", Kind::vector, 3, "m", Reach::full},  {"phi", Kind::rotation_vector, 3, "rad", Reach::full}};
   }
   bool offered(const Subject<S>& s) const override {
     return s.operations.integrate || s.operations.difference;
@@ -72,7 +73,7 @@ class IntegrateDifference final : public Law<IntegrateDifference, S> {
     if (o.integrate) {
       const Vec<S, 7> q = o.integrate(q0, d);
       const auto exact = oracles::integrate(x0, xd);
-      const std::size_t band = bands.classify(exact.theta);
+      const std::size_t band = band_of_angle<S>(tail3(xd));
       const Real scale = largest(norm(exact.p), norm(head<3>(x0)), exact.increment_norm);
       const auto stored = [&] {
         std::vector<Real> all = to_list(x0);

@@ -30,7 +30,8 @@ class JacobianOracle final : public Law<JacobianOracle, S> {
     return all;
   }
   std::vector<Field> fields() const override {
-    return {{"rho", Kind::vector, 3, "m", Reach::full}, {"phi", Kind::rotation_vector, 3, "rad", Reach::full}};
+    return {{"rho", Kind::vector, 3, "m", Reach::full},
+            {"phi", Kind::rotation_vector, 3, "rad", Reach::full}};
   }
   bool offered(const Subject<S>& s) const override {
     const auto& o = s.operations;
@@ -52,7 +53,7 @@ class JacobianOracle final : public Law<JacobianOracle, S> {
     const auto x = exact_vector<6, Real>(xi);
     const Jacobian6Value<Real> left = left_jacobian_se3(x), left_inverse = left_jacobian_se3_inverse(x);
     const Real theta = norm(tail3(x)), rho = norm(head3(x));
-    const std::size_t band = Bands::of<S>().classify(theta);
+    const std::size_t band = band_of_angle<S>(tail3(x));
     const bool beyond = Bands::of<S>()[band].region == Region::beyond_pi;
 
     // The right Jacobian is the left one at -xi: both blocks have the same kappa.

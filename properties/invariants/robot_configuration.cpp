@@ -111,7 +111,7 @@ class RobotConfiguration final : public Law<RobotConfiguration, S> {
                    x1 = exact_vector<7, Real>(q1.segment(s.q, 7));
         const auto xd = exact_vector<6, Real>(d.segment(s.v, 6));
         const auto next = oracles::integrate(x0, xd);
-        std::size_t band = bands.classify(next.theta);
+        std::size_t band = band_of_angle<S>(tail3(xd));
         judged_value(r, {0, 1}, band, q.segment(s.q, 7), next.resolved, [&] {
           const auto got = exact_vector<7, Real>(q.segment(s.q, 7));
           r.record(0, band, rotation_error<S>(Quaternion<Real>{{got[3], got[4], got[5], got[6]}}, next.Q));

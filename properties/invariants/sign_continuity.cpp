@@ -44,7 +44,7 @@ class SignContinuity final : public Law<SignContinuity, S> {
     Reader<S> read(input);
     Vec<S, 7> q = read.template take<7>();
     const Vec<S, 6> d = read.template take<6>();
-    const std::size_t band = Bands::of<S>().classify(norm(tail3(exact_vector<6, Real>(d))));
+    const std::size_t band = band_of_angle<S>(tail3(exact_vector<6, Real>(d)));
     for (int k = 0; k < steps; ++k) {
       const Vec<S, 7> next = subject.operations.integrate(q, d);
       if (!all_finite(next)) return r.outcome(0, band, Outcome::not_finite);

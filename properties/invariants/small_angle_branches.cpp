@@ -57,8 +57,8 @@ class SmallAngleBranches final : public Law<SmallAngleBranches, S> {
       x[k] = exact_vector<6, Real>(xi[k]);
     }
     const Bands& bands = Bands::of<S>();
-    const std::size_t band = bands.classify(norm(tail3(x[0])));
-    if (bands[bands.classify(norm(tail3(x[1])))].region == Region::beyond_pi ||
+    const std::size_t band = band_of_angle<S>(tail3(x[0]));
+    if (bands[band_of_angle<S>(tail3(x[1]))].region == Region::beyond_pi ||
         bands[band].region == Region::beyond_pi)
       return;  // forward rule only: beyond half a turn the oracles of the laws above judge
 
