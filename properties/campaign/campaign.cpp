@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <campaign/counterexamples.hpp>
 #include <campaign/coverage_report.hpp>
-#include <campaign/store.hpp>
 #include <campaign/snippet.hpp>
+#include <campaign/store.hpp>
 #include <campaign/text.hpp>
 #include <campaign/threads.hpp>
 #include <chrono>

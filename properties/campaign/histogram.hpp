@@ -2,30 +2,39 @@
 // A mergeable log-scale histogram of errors: 32 bins an octave, so a quantile is right to 2.2 %.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
-#include <map>
+#include <utility>
+#include <vector>
 
 namespace liecheck::properties {
 
 class Histogram {
  public:
+  using Bins = std::vector<std::pair<int, std::uint64_t>>;
+
   void add(double x) {
     ++count_;
-    ++bins_[x > 0 ? std::clamp(static_cast<int>(std::floor(std::log2(x) * 32)), -8000, 40000) : zero];
+    waiting_.push_back(bin_of(x));
+    if (waiting_.size() >= 1024) sort_in();
   }
   std::uint64_t count() const { return count_; }
-  const std::map<int, std::uint64_t>& bins() const { return bins_; }
-  void add_bin(int bin, std::uint64_t n) { bins_[bin] += n, count_ += n; }
+  /// Ascending.
+  const Bins& bins() const {
+    sort_in();
+    return bins_;
+  }
+  void add_bin(int bin, std::uint64_t n) { merge_bins({{bin, n}}), count_ += n; }
   void merge(const Histogram& o) {
+    merge_bins(o.bins());
     count_ += o.count_;
-    for (const auto& [bin, n] : o.bins_) bins_[bin] += n;
   }
   /// The upper edge of the bin that holds the quantile; 0 where that is an exact zero.
   double quantile(double q) const {
     const auto rank = static_cast<std::uint64_t>(std::ceil(q * static_cast<double>(count_)));
     std::uint64_t seen = 0;
-    for (const auto& [bin, n] : bins_) {
+    for (const auto& [bin, n] : bins()) {
       seen += n;
       if (seen >= rank) return bin == zero ? 0.0 : std::exp2((bin + 1) / 32.0);
     }
@@ -34,7 +43,49 @@ class Histogram {
 
  private:
   static constexpr int zero = -1000000;
-  std::map<int, std::uint64_t> bins_;
+
+  /// floor(32 log2 x): exponent and a table of 2^(k/32), which log2 would cost five times as much.
+  static int bin_of(double x) {
+    if (!(x > 0)) return zero;
+    if (!std::isfinite(x)) return 40000;
+    static const auto edges = [] {
+      std::array<double, 33> e{};
+      for (std::size_t k = 0; k <= 32; ++k) e[k] = std::exp2(static_cast<double>(k) / 32);
+      return e;
+    }();
+    int exponent = 0;
+    const double mantissa = 2 * std::frexp(x, &exponent);    // in [1, 2)
+    auto k = static_cast<std::size_t>((mantissa - 1) * 32);  // log2 m >= m - 1, and by less than 3/32
+    while (mantissa >= edges[k + 1]) ++k;
+    return std::clamp((exponent - 1) * 32 + static_cast<int>(k), -8000, 40000);
+  }
+  void sort_in() const {
+    if (waiting_.empty()) return;
+    std::sort(waiting_.begin(), waiting_.end());
+    Bins add;
+    for (const int bin : waiting_) {
+      if (add.empty() || add.back().first != bin) add.emplace_back(bin, 0);
+      ++add.back().second;
+    }
+    waiting_.clear();
+    merge_bins(add);
+  }
+  void merge_bins(const Bins& add) const {
+    if (add.empty()) return;
+    Bins all;
+    all.reserve(bins_.size() + add.size());
+    auto a = bins_.begin();
+    for (const auto& b : add) {
+      while (a != bins_.end() && a->first < b.first) all.push_back(*a++);
+      all.push_back(b);
+      if (a != bins_.end() && a->first == b.first) all.back().second += (a++)->second;
+    }
+    all.insert(all.end(), a, bins_.end());
+    bins_ = std::move(all);
+  }
+
+  mutable Bins bins_;
+  mutable std::vector<int> waiting_;  ///< not yet counted in bins_
   std::uint64_t count_ = 0;
 };
 

@@ -237,7 +237,7 @@ class SeriesOf final : public Series {
     record.insert(record.end(), reinterpret_cast<const std::byte*>(subject.data()),
                   reinterpret_cast<const std::byte*>(subject.data() + subject.size()));
     for (const Judged& j : judge.judged) {
-      tally.rows[{j.residual.output, j.residual.band}].add(j, index);
+      tally.row(tally.rows, j.residual.output, j.residual.band).add(j, index);
       add(j.residual.output);
       add(j.residual.band);
       add(j.residual.outcome);
@@ -255,7 +255,6 @@ class SeriesOf final : public Series {
   }
 
   std::vector<Judged> replay(const CaseId& address) const override { return measure(numbers(address)); }
-
 
   Trial attempt(const CaseId& address) const override {
     Trial trial;
@@ -415,7 +414,7 @@ class SeriesOf final : public Series {
     }
     return std::move(judge.judged);
   }
-  static constexpr std::uint64_t checked_every = 512;
+  static constexpr std::uint64_t checked_every = 1024;
 
   std::unique_ptr<Property<S>> property_;
   const Subject<S>& subject_;
@@ -483,7 +482,8 @@ Robot robot_of(const std::string& urdf, const std::string& path) {
   Robot r;
   r.urdf = urdf, r.path = path;
   r.hash = hexadecimal(sha256(urdf)).substr(0, 16);
-  r.name = buildModelFromUrdfText(urdf, RootJoint::FreeFlyer, path.empty() ? "the built-in robot" : path).name;
+  r.name =
+      buildModelFromUrdfText(urdf, RootJoint::FreeFlyer, path.empty() ? "the built-in robot" : path).name;
   return r;
 }
 

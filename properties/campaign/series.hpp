@@ -5,12 +5,14 @@
 #include <campaign/case_id.hpp>
 #include <campaign/digest.hpp>
 #include <campaign/histogram.hpp>
-#include <generators/coverage.hpp>
 #include <campaign/ranges.hpp>
+#include <generators/coverage.hpp>
 #include <invariants/property.hpp>
+#include <map>
 #include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace liecheck::properties {
 
@@ -36,8 +38,33 @@ struct Row {
   void merge(const Row& o);
 };
 
+/// Rows by (output, band), found again without a search.
+class RowFinder {
+ public:
+  using Rows = std::map<std::pair<int, int>, Row>;
+  RowFinder() = default;
+  // What a finder found are the rows of its own map.
+  RowFinder(const RowFinder&) {}
+  RowFinder(RowFinder&& o) noexcept { o.found_.clear(); }
+  RowFinder& operator=(const RowFinder&) {
+    found_.clear();
+    return *this;
+  }
+  Row& operator()(Rows& rows, std::size_t output, std::size_t band) {
+    if (output >= found_.size()) found_.resize(output + 1);
+    auto& of_output = found_[output];
+    if (band >= of_output.size()) of_output.resize(band + 1);
+    if (!of_output[band]) of_output[band] = &rows[{static_cast<int>(output), static_cast<int>(band)}];
+    return *of_output[band];
+  }
+
+ private:
+  std::vector<std::vector<Row*>> found_;
+};
+
 struct Tally {
-  std::map<std::pair<int, int>, Row> rows;  ///< by (output, band)
+  RowFinder::Rows rows;
+  RowFinder row;
   SetDigest inputs, results;
   Coverage coverage;
   std::uint64_t cases = 0;

@@ -61,7 +61,41 @@ std::size_t band_of_angle(const oracles::Vec3<T>& phi) {
 /// The band of a logarithm's angle.
 template <class S, class T>
 std::size_t band_of_log(const oracles::LogValue<T>& log) {
+  // A ball of theta cannot tell it from pi there, and no edge is that near.
+  if constexpr (oracles::BallNumber<T>)
+    if (log.pi_minus_theta.head() + log.pi_minus_theta.r < 1e-25) return Bands::of<S>().at_pi();
   return log.at_pi ? Bands::of<S>().at_pi() : Bands::of<S>().classify(log.theta);
+}
+
+/// The band of difference(q0, q1). Where both quaternions stand by the identity and their vector parts are so small
+/// that products underflow, 2^500 of them are taken: theta = 2 ||w0 v1 - w1 v0 - v0 x v1|| / |w| there.
+template <class S, class T>
+std::size_t band_of_difference(const oracles::Vec<7, T>& q0, const oracles::Vec<7, T>& q1,
+                               const oracles::LogValue<T>& log) {
+  if constexpr (oracles::BallNumber<T>) {
+    using namespace oracles;
+    constexpr int shift = 500;
+    double largest = 0, unlike = 0, opposed = 0;
+    Vec3<T> v[2];
+    for (int i = 0; i < 3; ++i) {
+      const T &a = q0[3 + i], &b = q1[3 + i];
+      largest = std::max({largest, a.size(), b.size()});
+      unlike = std::max(unlike, std::fabs(a.head() - b.head()));
+      opposed = std::max(opposed, std::fabs(a.head() + b.head()));
+      v[0][i] = power_scaled(a, shift), v[1][i] = power_scaled(b, shift);
+    }
+    if (largest > 0 && largest < 0x1p-450) {
+      Vec3<T> relative = q0[6] * v[1] - q1[6] * v[0];
+      if (unlike > 0 && opposed > 0)  // else the cross product is zero
+        for (T& x : relative.x) x.r += 2 * largest * std::ldexp(largest, shift);
+      T scaled = T(2) * norm(relative) / abs(q0[6] * q1[6]);
+      if (scaled.exactly_zero()) return Bands::of<S>().classify(T(0));
+      scaled.r += scaled.size() * 0x1p-800;  // atan and the rest of w
+      const double edge = std::ldexp(static_cast<double>(std::numeric_limits<S>::min()), shift);
+      if (scaled.size() < std::ldexp(1.0, shift - 900)) return Bands::of<S>().underflowing(scaled < T(edge));
+    }
+  }
+  return band_of_log<S>(log);
 }
 
 /// | |Q|^2 - 1 | in eps of the quaternion that starts at `first`.

@@ -76,7 +76,7 @@ class DIntegrate final : public Law<DIntegrate, S> {
                           beyond);
     if (!o.d_difference_arg0 && !o.d_difference_arg1) return;
     const auto exact = oracles::difference(x0, x1);
-    band = band_of_log<S>(exact);
+    band = band_of_difference<S>(x0, x1, exact);
     if (exact.at_pi) return;  // either branch is right there: jacobian_oracle measures J^-1 on each
     rho = norm(exact.rho);
     // The coupling block is linear in rho, which difference itself knows to 4 eps of max(|rho|, |p1 - p0|).

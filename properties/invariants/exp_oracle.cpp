@@ -46,16 +46,16 @@ class ExpOracle final : public Law<ExpOracle, S> {
     const auto exact = oracles::exp_se3(exact_xi);
     const std::size_t band = band_of_angle<S>(tail3(exact_xi));
 
-    const auto kappa_rotation = [&] {
-      return kappa_of<Real>(
-          [](const std::vector<Real>& x) { return to_list(oracles::closed_exp(from_list<6>(x)).Q); },
-          to_list(exact_xi), 0, 4, Real(1) / Real(2));
-    };
-    const auto kappa_translation = [&] {
-      return kappa_of<Real>(
-          [](const std::vector<Real>& x) { return to_list(oracles::closed_exp(from_list<6>(x)).p); },
-          to_list(exact_xi), 0, 3);
-    };
+    const auto kappa = oracles::sensitivity<Real>(
+        [](const std::vector<Real>& x) {
+          const auto pose = oracles::closed_exp(from_list<6>(x));
+          std::vector<Real> flat = to_list(pose.p);
+          flat.insert(flat.end(), pose.Q.x.begin(), pose.Q.x.end());
+          return flat;
+        },
+        [&] { return to_list(exact_xi); }, {{0, 3}, {3, 4}});
+    const auto kappa_translation = [&] { return kappa.kappa(0, norm(exact.p)); };
+    const auto kappa_rotation = [&] { return kappa.kappa(1, Real(1) / Real(2)); };
     const auto matrix = [&](int rotation, int defect, const Mat<S, 3>& R) {
       judged_value(r, {rotation, defect}, band, R, exact.resolved, [&] {
         const auto stored = oracles::exact_matrix<3, 3, Real>(R);

@@ -80,17 +80,19 @@ class IntegrateDifference final : public Law<IntegrateDifference, S> {
         for (const Real& v : xd.x) all.push_back(v);
         return all;
       };
-      const auto closed = [](const std::vector<Real>& v) {
-        const auto pose = closed_integrate(from_list<7>(v), from_list<6>(v, 7));
-        std::vector<Real> flat = to_list(pose.p);
-        for (const Real& c : pose.Q.x) flat.push_back(c);
-        return flat;
-      };
+      const auto kappa = sensitivity<Real>(
+          [](const std::vector<Real>& v) {
+            const auto pose = closed_integrate(from_list<7>(v), from_list<6>(v, 7));
+            std::vector<Real> flat = to_list(pose.p);
+            flat.insert(flat.end(), pose.Q.x.begin(), pose.Q.x.end());
+            return flat;
+          },
+          stored, {{0, 3}, {3, 4}});
       judged_value(r, {0, 1, 2}, band, q, exact.resolved, [&] {
         r.record(0, band, rotation_error<S>(quaternion<Real>(q), exact.Q),
-                 [&] { return kappa_of<Real>(closed, stored(), 3, 4, Real(1) / Real(2)); });
+                 [&] { return kappa.kappa(1, Real(1) / Real(2)); });
         r.record(1, band, vector_error<S>(exact_vector<3, Real>(q), exact.p, scale),
-                 [&] { return kappa_of<Real>(closed, stored(), 0, 3, scale); });
+                 [&] { return kappa.kappa(0, scale); });
         r.record(2, band, norm_defect<S>(quaternion<Real>(q)));
       });
       if (o.difference && all_finite(q) && exact.resolved && bands[band].region == Region::to_pi)
@@ -99,7 +101,7 @@ class IntegrateDifference final : public Law<IntegrateDifference, S> {
     if (o.difference) {
       const Vec<S, 6> v = o.difference(q0, q1);
       const auto exact = oracles::difference(x0, x1);
-      const std::size_t band = band_of_log<S>(exact);
+      const std::size_t band = band_of_difference<S>(x0, x1, exact);
       judged_value(r, {3, 4}, band, v, exact.resolved, [&] {
         const auto error = log_error<S>(exact_vector<6, Real>(v), exact, exact.separation);
         if (on_other_branch<S>(tail3(exact_vector<6, Real>(v)), exact.phi, error.angular)) {
@@ -158,23 +160,23 @@ class IntegrateDifference final : public Law<IntegrateDifference, S> {
     // law (the same pose) is what integrate_of_difference measures.
     Real along(0);
     for (int i = 3; i < 6; ++i) along += xv[i] * xd[i];
-    if (along < 0 && at.pi_minus_theta < Real(64 * static_cast<double>(epsilon<S>()))) return;
+    if (at.pi_minus_theta < Real(64 * static_cast<double>(epsilon<S>())) && along < 0) return;
     const auto stored = [&] {
       std::vector<Real> all = to_list(x0);
       for (const Real& c : xq.x) all.push_back(c);
       return all;
     };
-    const auto closed = [](const std::vector<Real>& s) {
-      return to_list(closed_difference(from_list<7>(s), from_list<7>(s, 7)));
-    };
+    const auto kappa = sensitivity<Real>(
+        [](const std::vector<Real>& s) {
+          return to_list(closed_difference(from_list<7>(s), from_list<7>(s, 7)));
+        },
+        stored, {{0, 3}, {3, 3}});
     const Real rho = norm(head3(xd)), phi = norm(tail3(xd));
-    r.record(5, band, vector_error<S>(tail3(xv), tail3(xd)), [&] {
-      return kappa_of<Real>(closed, stored(), 3, 3, larger(phi, least_denominator<S, Real>()));
-    });
+    r.record(5, band, vector_error<S>(tail3(xv), tail3(xd)),
+             [&] { return kappa.kappa(1, larger(phi, least_denominator<S, Real>())); });
     const Real scale = larger(rho, at.separation);
-    r.record(6, band, vector_error<S>(head3(xv), head3(xd), scale), [&] {
-      return kappa_of<Real>(closed, stored(), 0, 3, larger(scale, least_denominator<S, Real>()));
-    });
+    r.record(6, band, vector_error<S>(head3(xv), head3(xd), scale),
+             [&] { return kappa.kappa(0, larger(scale, least_denominator<S, Real>())); });
   }
 };
 

@@ -3,6 +3,7 @@
 
 #include <generators/rotations.hpp>
 #include <invariants/common.hpp>
+#include <optional>
 #include <oracles/closed.hpp>
 
 namespace liecheck::properties {
@@ -57,25 +58,34 @@ class JacobianOracle final : public Law<JacobianOracle, S> {
     const bool beyond = Bands::of<S>()[band].region == Region::beyond_pi;
 
     // The right Jacobian is the left one at -xi: both blocks have the same kappa.
+    const auto flat = [](const JacobianBlocks<Real>& b) {
+      std::vector<Real> all(b.J.x.begin(), b.J.x.end());
+      all.insert(all.end(), b.C.x.begin(), b.C.x.end());
+      return all;
+    };
+    const auto stored = [&] { return to_list(x); };
+    const auto direct = sensitivity<Real>(
+        [&](const std::vector<Real>& v) { return flat(closed_left_jacobian(from_list<6>(v))); }, stored,
+        {{0, 9}, {9, 9}});
+    const auto inverted = sensitivity<Real>(
+        [&](const std::vector<Real>& v) { return flat(closed_left_jacobian_inverse(from_list<6>(v))); },
+        stored, {{0, 9}, {9, 9}});
+    // The inverse has poles at 2 pi k. At an extremum between two of them the first derivative vanishes although
+    // a rounding of theta spans both: there the inverse relative distance to the pole is the condition number
+    // (Demmel 1987), and the larger of the two counts.
+    std::optional<double> to_pole;
     const auto kappa = [&](bool inverse, bool coupling, const Real& denominator) {
-      const double componentwise = kappa_of<Real>(
-          [inverse](const std::vector<Real>& v) {
-            const auto b = inverse ? closed_left_jacobian_inverse(from_list<6>(v))
-                                   : closed_left_jacobian(from_list<6>(v));
-            std::vector<Real> flat(b.J.x.begin(), b.J.x.end());
-            flat.insert(flat.end(), b.C.x.begin(), b.C.x.end());
-            return flat;
-          },
-          to_list(x), coupling ? 9 : 0, 9, denominator);
-      if (!inverse) return componentwise;
-      // The inverse has poles at 2 pi k. At an extremum between two of them the first derivative vanishes although
-      // a rounding of theta spans both: there the inverse relative distance to the pole is the condition number
-      // (Demmel 1987), and the larger of the two counts.
-      const oracles::Real t = oracles::exact<oracles::Real>(theta),
-                          turn = 2 * boost::math::constants::pi<oracles::Real>();
-      const oracles::Real k = round(oracles::Real(t / turn));
-      const oracles::Real distance = abs(oracles::Real(t - (k > 1 ? k : oracles::Real(1)) * turn));
-      return std::max(componentwise, static_cast<double>(oracles::Real(t / distance)));
+      const std::size_t block = coupling ? 1 : 0;
+      if (!inverse) return direct.kappa(block, denominator);
+      const double componentwise = inverted.kappa(block, denominator);
+      if (!to_pole) {
+        const oracles::Real t = oracles::exact<oracles::Real>(theta),
+                            turn = 2 * boost::math::constants::pi<oracles::Real>();
+        const oracles::Real k = round(oracles::Real(t / turn));
+        const oracles::Real distance = abs(oracles::Real(t - (k > 1 ? k : oracles::Real(1)) * turn));
+        to_pole = static_cast<double>(oracles::Real(t / distance));
+      }
+      return std::max(componentwise, *to_pole);
     };
     const auto size = [&](const Jacobian6Value<Real>& exact, bool coupling) {
       if (!coupling) return frobenius(exact.J);

@@ -83,7 +83,7 @@ class KineticEnergy final : public Law<KineticEnergy, S> {
   }
   std::vector<Field> fields() const override {
     return {{"R", Kind::rotation_matrix, 9, "1"}, {"p", Kind::vector, 3, "m"},
-            {"mass", Kind::positive, 1, "kg"},      {"c", Kind::vector, 3, "m"},
+            {"mass", Kind::positive, 1, "kg"},    {"c", Kind::vector, 3, "m"},
             {"I_C", Kind::inertia, 6, "kg m^2"},  // xx xy yy xz yz zz
             {"u", Kind::vector, 3, "m/s"},        {"omega", Kind::vector, 3, "rad/s"}};
   }

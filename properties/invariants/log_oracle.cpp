@@ -24,8 +24,9 @@ class LogOracle final : public Law<LogOracle, S> {
             {"log6", "linear"}};
   }
   std::vector<Field> fields() const override {
-    return {
-        {"Q", Kind::quaternion, 4, "1"}, {"R", Kind::rotation_matrix, 9, "1"}, {"p", Kind::vector, 3, "m", Reach::full}};
+    return {{"Q", Kind::quaternion, 4, "1"},
+            {"R", Kind::rotation_matrix, 9, "1"},
+            {"p", Kind::vector, 3, "m", Reach::full}};
   }
   bool offered(const Subject<S>& s) const override {
     return s.operations.log3_quaternion || s.operations.log3_matrix || s.operations.log6;

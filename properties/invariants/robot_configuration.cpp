@@ -102,7 +102,6 @@ class RobotConfiguration final : public Law<RobotConfiguration, S> {
     const VecX<S> q0 = read.take_dynamic(nq_), q1 = read.take_dynamic(nq_), d = read.take_dynamic(nv_);
     const VecX<S> q = robot->integrate(q0, d);
     const VecX<S> v = robot->difference(q0, q1);
-    const Bands& bands = Bands::of<S>();
     VecX<S> opposite = q0;
     for (const Segment& s : segments_) {
       if (s.nq == 7) {
@@ -121,7 +120,7 @@ class RobotConfiguration final : public Law<RobotConfiguration, S> {
               vector_error<S>(Vec3<Real>{{got[0], got[1], got[2]}}, next.p, larger(p0, next.increment_norm)));
         });
         const auto delta = oracles::difference(x0, x1);
-        band = band_of_log<S>(delta);
+        band = band_of_difference<S>(x0, x1, delta);
         judged_value(r, {4, 5}, band, v.segment(s.v, 6), delta.resolved, [&] {
           const auto error = log_error<S>(exact_vector<6, Real>(v.segment(s.v, 6)), delta, delta.separation);
           r.record(4, band, error.angular);

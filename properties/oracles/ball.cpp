@@ -26,11 +26,15 @@ constexpr int parts = 64;  ///< of a turn
 
 template <class M>
 struct Tables {
-  Ball<M> part;  ///< 2 pi / 64
+  std::array<double, 3> part;  ///< 2 pi / 64, within 2^-159 of itself
   std::array<Ball<M>, parts> sine, cosine;
   Tables() {
     const Real angle = 2 * boost::math::constants::pi<Real>() / parts;
-    part = constant<M>(angle);
+    Real rest = angle;
+    for (double& p : part) {
+      p = static_cast<double>(rest);
+      rest -= p;
+    }
     for (int k = 0; k < parts; ++k) {
       const auto i = static_cast<std::size_t>(k);
       sine[i] = k % (parts / 2) == 0 ? Ball<M>(0) : constant<M>(sin(Real(k * angle)));
@@ -85,10 +89,14 @@ template <class M>
 void table_sin_cos(const Ball<M>& x, Ball<M>& sine, Ball<M>& cosine) {
   if (!(x.size() < 0x1p40)) throw Undecided();
   const Tables<M>& t = tables<M>();
-  const double k = std::nearbyint(x.head() / t.part.head());
+  const double k = std::nearbyint(x.head() / t.part[0]);
   if (k == 0) return small_sin_cos(x, sine, cosine);
+  // Each product is exact; of an exact x even the first differences lose nothing, however near x is to a pole.
+  Ball<M> rest = x;
+  for (const double p : t.part) rest -= Ball<M>(k) * Ball<M>(p);
+  rest.r = Ball<M>::up(rest.r + std::fabs(x.head()) * 0x1p-158);
   Ball<M> s, c;
-  small_sin_cos(x - Ball<M>(k) * t.part, s, c);
+  small_sin_cos(rest, s, c);
   const auto i = static_cast<std::size_t>(static_cast<long long>(k) & (parts - 1));
   sine = t.sine[i] * c + t.cosine[i] * s;
   cosine = t.cosine[i] * c - t.sine[i] * s;

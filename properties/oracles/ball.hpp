@@ -31,14 +31,18 @@ struct Rounding<double> {
   static double head(double m) { return m; }
   static double tail(double) { return 0; }
   static double make(double x) { return x; }
+  static double accurate_sum(double a, double b) { return a + b; }
 };
 template <>
 struct Rounding<DoubleDouble> {
   static constexpr int bits = 106;
-  static constexpr double add = 0x1p-104, multiply = 0x1p-103, divide = 0x1p-101, root = 0x1p-104;
+  static constexpr double add = 0x1p-103, multiply = 0x1p-103, divide = 0x1p-101, root = 0x1p-104;
   static double head(const DoubleDouble& m) { return m.hi; }
   static double tail(const DoubleDouble& m) { return m.lo; }
   static DoubleDouble make(double x) { return {x, 0}; }
+  static DoubleDouble accurate_sum(const DoubleDouble& a, const DoubleDouble& b) {
+    return oracles::accurate_sum(a, b);
+  }
 };
 
 template <class M>
@@ -65,13 +69,11 @@ struct Ball {
 
   friend Ball operator-(const Ball& a) { return {-a.m, a.r}; }
   friend Ball operator+(const Ball& a, const Ball& b) {
+    if (a.r == 0 && b.r == 0) return exact_sum(a, b);
     const M m = a.m + b.m;
-    return {m, up(a.r + b.r + Round::add * std::fabs(Round::head(m)))};
+    return {m, up(a.r + b.r + Round::add * (a.size() + b.size()))};
   }
-  friend Ball operator-(const Ball& a, const Ball& b) {
-    const M m = a.m - b.m;
-    return {m, up(a.r + b.r + Round::add * std::fabs(Round::head(m)))};
-  }
+  friend Ball operator-(const Ball& a, const Ball& b) { return a + -b; }
   friend Ball operator*(const Ball& a, const Ball& b) {
     const M m = a.m * b.m;
     const double size = std::fabs(Round::head(m));
@@ -129,6 +131,14 @@ struct Ball {
     return {m, std::ldexp(a.r, e) * (1 + 0x1p-50) + (a.exactly_zero() || e > 0 ? 0 : lost)};
   }
 
+  /// Of two exact numbers: what cancels is kept, and the sum of two doubles, or of x and -x, is exact.
+  static Ball exact_sum(const Ball& a, const Ball& b) {
+    const M m = Round::accurate_sum(a.m, b.m);
+    const double low_a = Round::tail(a.m), low_b = Round::tail(b.m);
+    const bool exact =
+        Round::bits > 53 && ((low_a == 0 && low_b == 0) || (a.head() == -b.head() && low_a == -low_b));
+    return {m, exact ? 0 : up(Round::add * std::fabs(Round::head(m)))};
+  }
   static Ball small_product(const Ball& a, const Ball& b, const M& m) {
     if (a.exactly_zero() || b.exactly_zero()) return Ball(0);
     return {m, up(a.size() * b.r + b.size() * a.r + a.r * b.r) + Round::multiply * std::fabs(Round::head(m)) +

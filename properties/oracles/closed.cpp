@@ -174,6 +174,34 @@ Vec6<T> closed_difference(const Vec7<T>& q0, const Vec7<T>& q1) {
   return closed_log(relative.Q, relative.p);
 }
 
+namespace {
+
+/// I + e [phi] + f [phi]^2 and e [rho] + f ([phi][rho] + [rho][phi]) + g [phi] + h [phi]^2, where [phi]^2 has the
+/// elements phi_i phi_j and -(phi_j^2 + phi_k^2), [phi][rho] + [rho][phi] phi_i rho_j + phi_j rho_i and
+/// -2 (phi_j rho_j + phi_k rho_k).
+template <class T>
+JacobianBlocks<T> blocks(const Vec3<T>& phi, const Vec3<T>& rho, const T& e, const T& f, const T& g,
+                         const T& h) {
+  JacobianBlocks<T> b;
+  T square[3], mixed[3];
+  for (int i = 0; i < 3; ++i) square[i] = phi[i] * phi[i], mixed[i] = phi[i] * rho[i];
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    const T diagonal = -(square[j] + square[k]), cross_diagonal = T(-2) * (mixed[j] + mixed[k]);
+    b.J(i, i) = T(1) + f * diagonal;
+    b.C(i, i) = f * cross_diagonal + h * diagonal;
+    // The element (j, k) of a hat matrix is -v_i, (k, j) is v_i.
+    const T off = phi[j] * phi[k], cross_off = phi[j] * rho[k] + phi[k] * rho[j];
+    const T symmetric = f * off, skew = e * phi[i];
+    b.J(j, k) = symmetric - skew, b.J(k, j) = symmetric + skew;
+    const T c_symmetric = f * cross_off + h * off, c_skew = e * rho[i] + g * phi[i];
+    b.C(j, k) = c_symmetric - c_skew, b.C(k, j) = c_symmetric + c_skew;
+  }
+  return b;
+}
+
+}  // namespace
+
 template <class T>
 JacobianBlocks<T> closed_left_jacobian(const Vec6<T>& xi) {
   const Vec3<T> rho = head3(xi), phi = tail3(xi);
@@ -192,10 +220,8 @@ JacobianBlocks<T> closed_left_jacobian(const Vec6<T>& xi) {
     c4 = (T(1) / 2 - c2) / x;
     c5 = (T(1) / 6 - c3) / x;
   }
-  const Mat3<T> P = hat(rho), F = hat(phi), FF = F * F, FP = F * P;
   const T phi_rho = dot(phi, rho);
-  const T a = phi_rho * (2 * c4 - c3), b = phi_rho * (3 * c5 - c4);
-  return {identity<3, T>() + c2 * F + c3 * FF, c2 * P + c3 * (FP + transpose(FP)) + a * F + b * FF};
+  return blocks(phi, rho, c2, c3, T(phi_rho * (2 * c4 - c3)), T(phi_rho * (3 * c5 - c4)));
 }
 
 template <class T>
@@ -211,9 +237,7 @@ JacobianBlocks<T> closed_left_jacobian_inverse(const Vec6<T>& xi) {
   const T cot = h.c / h.s, half = h.theta / 2;
   const T g = (1 - half * cot) / x;
   const T dg = ((half / (h.s * h.s) - cot) / (2 * x) - 2 * g / h.theta) / (2 * h.theta);
-  const Mat3<T> P = hat(rho), F = hat(phi), FF = F * F, FP = F * P;
-  const T minus_half = T(-1) / 2, b = 2 * dg * dot(phi, rho);
-  return {identity<3, T>() + minus_half * F + g * FF, minus_half * P + g * (FP + transpose(FP)) + b * FF};
+  return blocks(phi, rho, T(T(-1) / 2), g, T(0), T(2 * dg * dot(phi, rho)));
 }
 
 #define LIECHECK_CLOSED_FORMS(T)                                           \

@@ -23,56 +23,72 @@ double settled_kappa(const T& kappa) {
   return kappa.head();
 }
 
+/// The step of a number of that size.
+Real step_of(const Real& size) {
+  static const Real relative("1e-36"), smallest("1e-40");
+  const Real least = size * smallest, step = size > 1 ? relative : Real(size * relative);
+  return step < least ? least : step;
+}
+/// What is differentiated takes numbers as stored: doubles, whose steps are exact.
+template <BallNumber T>
+T step_of(const T& size) {
+  return T(size.head() > 1 ? std::fmax(0x1p-64, std::ldexp(size.head(), -76)) : std::ldexp(size.head(), -64));
+}
+
 }  // namespace
 
-namespace {
-
 template <class T>
-std::vector<double> differences(const FunctionOf<T>& f, const std::vector<T>& x,
-                                const std::vector<ConditionBlockOf<T>>& blocks, const T& relative,
-                                const T& smallest) {
+std::vector<T> movements(const FunctionOf<T>& f, const std::vector<T>& x,
+                         const std::vector<ConditionBlockOf<T>>& blocks) {
+  constexpr bool one_sided = BallNumber<T>;
   std::vector<T> sums(blocks.size(), T(0));
-  std::vector<T> moved = x;
+  std::vector<T> moved = x, base;
+  if (one_sided) base = f(x);
   for (std::size_t i = 0; i < x.size(); ++i) {
     const T size = abs(x[i]);
     if (size == T(0)) continue;
-    T step = size > T(1) ? relative : T(size * relative);
-    if (step < size * smallest) step = size * smallest;
+    const T step = step_of(size);
+    if (step == T(0)) throw Undecided();  // of a subnormal number
     moved[i] = x[i] + step;
     std::vector<T> change = f(moved);
-    moved[i] = x[i] - step;
-    const std::vector<T> minus = f(moved);
-    moved[i] = x[i];
-    for (std::size_t k = 0; k < change.size(); ++k) change[k] -= minus.at(k);
-    const T weight = size / (T(2) * step);
-    for (std::size_t b = 0; b < blocks.size(); ++b) {
-      sums[b] += block_norm(change, blocks[b]) * weight;
+    if (!one_sided) {
+      moved[i] = x[i] - step;
+      base = f(moved);
     }
+    moved[i] = x[i];
+    for (std::size_t k = 0; k < change.size(); ++k) change[k] -= base.at(k);
+    const T weight = size / (one_sided ? step : T(T(2) * step));
+    for (std::size_t b = 0; b < blocks.size(); ++b) sums[b] += block_norm(change, blocks[b]) * weight;
   }
+  return sums;
+}
+
+template <class T>
+double condition_number(const T& movement, const T& denominator) {
+  return movement == T(0) ? 0.0 : settled_kappa(T(movement / denominator));
+}
+
+template <class T>
+std::vector<double> condition(const FunctionOf<T>& f, const std::vector<T>& x,
+                              const std::vector<ConditionBlockOf<T>>& blocks) {
+  const std::vector<T> sums = movements(f, x, blocks);
   std::vector<T> y;
   std::vector<double> kappa;
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     if (!blocks[b].denominator && y.empty()) y = f(x);
-    const T denominator = blocks[b].denominator ? *blocks[b].denominator : block_norm(y, blocks[b]);
-    kappa.push_back(sums[b] == T(0) ? 0.0 : settled_kappa(T(sums[b] / denominator)));
+    kappa.push_back(
+        condition_number(sums[b], blocks[b].denominator ? *blocks[b].denominator : block_norm(y, blocks[b])));
   }
   return kappa;
 }
 
-}  // namespace
-
-std::vector<double> condition(const Function& f, const std::vector<Real>& x,
-                              const std::vector<ConditionBlock>& blocks) {
-  static const Real relative("1e-36"), smallest("1e-40");
-  return differences<Real>(f, x, blocks, relative, smallest);
-}
-template <BallNumber T>
-std::vector<double> condition(const FunctionOf<T>& f, const std::vector<T>& x,
-                              const std::vector<ConditionBlockOf<T>>& blocks) {
-  const T relative(0x1p-64);
-  return differences<T>(f, x, blocks, relative, relative * T(0x1p-12));
-}
-template std::vector<double> condition(const FunctionOf<FastDouble>&, const std::vector<FastDouble>&,
-                                       const std::vector<ConditionBlockOf<FastDouble>>&);
+#define LIECHECK_CONDITION(T)                                                         \
+  template std::vector<T> movements(const FunctionOf<T>&, const std::vector<T>&,      \
+                                    const std::vector<ConditionBlockOf<T>>&);         \
+  template double condition_number(const T&, const T&);                               \
+  template std::vector<double> condition(const FunctionOf<T>&, const std::vector<T>&, \
+                                         const std::vector<ConditionBlockOf<T>>&);
+LIECHECK_CONDITION(Real)
+LIECHECK_CONDITION(FastDouble)
 
 }  // namespace liecheck::oracles

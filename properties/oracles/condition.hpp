@@ -14,6 +14,7 @@
 #include <functional>
 #include <optional>
 #include <oracles/real.hpp>
+#include <utility>
 #include <vector>
 
 namespace liecheck::oracles {
@@ -33,12 +34,46 @@ using ConditionBlock = ConditionBlockOf<Real>;
 
 /// One kappa for each block, infinite where a denominator is zero and the block moves. f is called 2 x.size()
 /// times; at the precision of Real it need not be confirmed, see closed.hpp.
-std::vector<double> condition(const Function& f, const std::vector<Real>& x,
-                              const std::vector<ConditionBlock>& blocks);
-/// The same in ball arithmetic, with the step 2^-64 in place of 1e-36; throws
-/// Undecided where that leaves less than two digits.
-template <BallNumber T>
+/// In ball arithmetic the differences are one-sided, over x.size() + 1 calls, with the step 2^-64 in place of
+/// 1e-36; throws Undecided where that leaves less than two digits.
+template <class T>
 std::vector<double> condition(const FunctionOf<T>& f, const std::vector<T>& x,
                               const std::vector<ConditionBlockOf<T>>& blocks);
+
+inline std::vector<double> condition(const Function& f, const std::vector<Real>& x,
+                                     const std::vector<ConditionBlock>& blocks) {
+  return condition<Real>(f, x, blocks);
+}
+
+/// sum_i ||dy/dx_i|| |x_i| of each block: kappa times its denominator.
+template <class T>
+std::vector<T> movements(const FunctionOf<T>& f, const std::vector<T>& x,
+                         const std::vector<ConditionBlockOf<T>>& blocks);
+/// movement / denominator, to two digits or Undecided; 0 where nothing moves.
+template <class T>
+double condition_number(const T& movement, const T& denominator);
+
+/// The condition numbers of several blocks of one formula, computed together when the first one is asked for.
+/// `arguments()` gives the stored numbers.
+template <class T, class F, class Arguments>
+class Sensitivity {
+ public:
+  Sensitivity(F f, Arguments arguments, std::vector<ConditionBlockOf<T>> blocks)
+      : f_(std::move(f)), arguments_(std::move(arguments)), blocks_(std::move(blocks)) {}
+  double kappa(std::size_t block, const T& denominator) const {
+    if (movements_.empty()) movements_ = movements<T>(f_, arguments_(), blocks_);
+    return condition_number<T>(movements_.at(block), denominator);
+  }
+
+ private:
+  F f_;
+  Arguments arguments_;
+  std::vector<ConditionBlockOf<T>> blocks_;
+  mutable std::vector<T> movements_;
+};
+template <class T, class F, class Arguments>
+Sensitivity<T, F, Arguments> sensitivity(F f, Arguments arguments, std::vector<ConditionBlockOf<T>> blocks) {
+  return {std::move(f), std::move(arguments), std::move(blocks)};
+}
 
 }  // namespace liecheck::oracles

@@ -3,7 +3,10 @@
 //
 // Relative errors, u = 2^-53, barring under- and overflow (Joldes, Muller & Popescu 2017, "Tight and rigorous
 // error bounds for basic building blocks of double-word arithmetic"; Lefevre et al. 2023 for the root):
-//   a + b   3 u^2    algorithm 6         a b   5 u^2    algorithm 11
+//   a + b   5 u^2 of |a| + |b|: algorithm 5, which has no bound relative to the sum; the last step is two_sum, since
+//           after a cancellation the low part may be the larger one. Errors u |a.lo + b.lo| <= u^2 (|a| + |b|) and
+//           u |s.lo + t| <= 3 u^2 (|a| + |b|), then none.
+//   a b     5 u^2    algorithm 11
 //   a / b   15 u^2   algorithm 17        sqrt  25/8 u^2
 // The same bits with and without fused multiply-add: the products are error-free either way.
 
@@ -45,12 +48,17 @@ inline DoubleDouble operator-(const DoubleDouble& a) {
   return {-a.hi, -a.lo};
 }
 inline DoubleDouble operator+(const DoubleDouble& a, const DoubleDouble& b) {
-  const DoubleDouble s = dd::two_sum(a.hi, b.hi), t = dd::two_sum(a.lo, b.lo);
-  const DoubleDouble v = dd::fast_two_sum(s.hi, s.lo + t.hi);
-  return dd::fast_two_sum(v.hi, t.lo + v.lo);
+  const DoubleDouble s = dd::two_sum(a.hi, b.hi);
+  return dd::two_sum(s.hi, s.lo + (a.lo + b.lo));
 }
 inline DoubleDouble operator-(const DoubleDouble& a, const DoubleDouble& b) {
   return a + -b;
+}
+/// Within 3 u^2 of the sum itself, whatever cancels: algorithm 6.
+inline DoubleDouble accurate_sum(const DoubleDouble& a, const DoubleDouble& b) {
+  const DoubleDouble s = dd::two_sum(a.hi, b.hi), t = dd::two_sum(a.lo, b.lo);
+  const DoubleDouble v = dd::fast_two_sum(s.hi, s.lo + t.hi);
+  return dd::fast_two_sum(v.hi, t.lo + v.lo);
 }
 inline DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
   const DoubleDouble p = dd::two_product(a.hi, b.hi);

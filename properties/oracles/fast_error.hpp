@@ -88,7 +88,7 @@ double rotation_error(const Mat3<T>& computed, const Quaternion<T>& exact) {
   constexpr double eps = std::numeric_limits<S>::epsilon();
   const Mat3<T> R = rotation_matrix(exact), E = computed - R;
   const Length size = length(Vec<9, T>{E.x});
-  if (!(size.value + size.radius < 1e-4)) throw Undecided();
+  if (!(size.value + size.radius < 1e-4)) return rotation_error<S>(nearest_quaternion(computed), exact);
   double skew[3] = {};
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3, k = (i + 2) % 3;
@@ -98,6 +98,7 @@ double rotation_error(const Mat3<T>& computed, const Quaternion<T>& exact) {
   const double sine = std::sqrt(skew[0] * skew[0] + skew[1] * skew[1] + skew[2] * skew[2]),
                whole = size.value + size.radius;
   const double bound = 3 * whole * whole + 2 * size.radius + 1e-14 * size.value;
+  if (bound > error_accuracy * max(sine, eps)) return rotation_error<S>(nearest_quaternion(computed), exact);
   return settled(sine / eps, bound / eps);
 }
 template <class S, BallNumber T>

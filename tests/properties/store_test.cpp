@@ -125,7 +125,7 @@ TEST_F(Stores, ExportTheSameForThreeRanks) {
 
 TEST_F(Stores, GoOnAfterKillsToTheSameExport) {
   CampaignOptions o = options(600);
-  for (double seconds = 0; seconds < 0.5; o.cases *= 2) {  // long enough to be killed several times
+  for (double seconds = 0; seconds < 1; o.cases *= 2) {  // long enough to be killed several times
     const auto start = std::chrono::steady_clock::now();
     run("whole" + std::to_string(2 * o.cases), options(2 * o.cases));
     seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -141,7 +141,8 @@ TEST_F(Stores, GoOnAfterKillsToTheSameExport) {
       run("killed", o, true);
       _exit(0);
     }
-    std::this_thread::sleep_for(std::chrono::milliseconds(random() % 60));
+    // Later and later: a busy machine may take long to begin.
+    std::this_thread::sleep_for(std::chrono::milliseconds(random() % static_cast<unsigned>(30 + 10 * kills)));
     kill(child, SIGKILL);
     int status = 0;
     waitpid(child, &status, 0);
