@@ -1,0 +1,99 @@
+#pragma once
+// Compares the oracle's numbers with enclosures, and remembers how far they were at worst.
+
+#include <gtest/gtest.h>
+#include <iostream>
+#include <map>
+#include <oracles/linear.hpp>
+#include <string>
+
+#include "enclosure.hpp"
+
+namespace liecheck::enclosures {
+
+/// x, without rounding; infinite ends where the interval has fewer bits.
+template <class T, unsigned Digits>
+T point(const oracles::Decimal<Digits>& x) {
+  T r;
+  mpfi_set_fr(r.backend().data(), x.backend().data());
+  return r;
+}
+template <class T, int N, class S>
+Eigen::Matrix<T, N, 1> point(const oracles::Vec<N, S>& v) {
+  Eigen::Matrix<T, N, 1> r;
+  for (int i = 0; i < N; ++i) r[i] = point<T>(v[i]);
+  return r;
+}
+template <class T, int R, int C, class S>
+Eigen::Matrix<T, R, C> point(const oracles::Mat<R, C, S>& m) {
+  Eigen::Matrix<T, R, C> r;
+  for (int i = 0; i < R; ++i)
+    for (int j = 0; j < C; ++j) r(i, j) = point<T>(m(i, j));
+  return r;
+}
+
+/// What one block of a value may err by, relative to max(||exact||, scale), at the least and at the most.
+struct Excess {
+  double least, most;
+};
+
+template <class T, int R, int C>
+Excess excess(const Eigen::Matrix<T, R, C>& exact, const Eigen::Matrix<T, R, C>& value, const T& scale) {
+  T distance(0), size(0);
+  for (int i = 0; i < R * C; ++i) {
+    T d = value(i) - exact(i), square;
+    mpfi_sqr(square.backend().data(), d.backend().data());
+    distance += square;
+    mpfi_sqr(square.backend().data(), exact(i).backend().data());
+    size += square;
+  }
+  if (is_zero(distance)) return {0, 0};
+  size = sqrt(size);
+  if (lower(scale) > lower(size)) size = scale;
+  const T ratio = sqrt(distance) / size;
+  return {mpfr_get_d(lower(ratio).backend().data(), MPFR_RNDD),
+          mpfr_get_d(upper(ratio).backend().data(), MPFR_RNDU)};
+}
+
+class Ledger {
+ public:
+  /// Is `value`, of the oracle, within `claim` of the enclosure, and a value that is wrong by `wrong` not?
+  template <class T, int R, int C>
+  void check(const std::string& what, const Eigen::Matrix<T, R, C>& exact,
+             const Eigen::Matrix<T, R, C>& value, double claim, double wrong, const T& scale = T(0)) {
+    Worst& w = worst_[what];
+    ++w.checks;
+    const Excess e = excess<T, R, C>(exact, value, scale);
+    if (!(e.most <= w.most)) w.most = e.most;
+    if (!(e.most <= claim) && ++w.outside <= 3)
+      ADD_FAILURE() << what << ": the oracle errs by " << e.least << " ... " << e.most << ", claims " << claim
+                    << "\n" << input;
+    // The largest number, wrong in a digit that the claim covers
+    Eigen::Matrix<T, R, C> planted = value;
+    int k = 0;
+    for (int i = 1; i < R * C; ++i)
+      if (largest(value(i)) > largest(value(k))) k = i;
+    const T size = upper(scale) > largest(value(k)) ? scale : is_zero(value(k)) ? T(1) : value(k);
+    planted(k) += 2 * sqrt(T(R * C)) * wrong * size;
+    if (excess<T, R, C>(exact, planted, scale).least <= claim && ++w.missed <= 3)
+      ADD_FAILURE() << what << ": a planted error of " << wrong << " passes\n" << input;
+  }
+  void unresolved(const std::string& what) {
+    if (++worst_[what].unresolved <= 3) ADD_FAILURE() << what << ": the oracle has no value\n" << input;
+  }
+  void print() const {
+    for (const auto& [what, w] : worst_)
+      std::cout << what << ": " << w.checks << " enclosed, at worst " << w.most << "\n";
+  }
+
+  std::string input;  ///< of the check that comes
+
+ private:
+  struct Worst {
+    int checks = 0, outside = 0, missed = 0, unresolved = 0;
+    double most = 0;
+  };
+  std::map<std::string, Worst> worst_;
+};
+
+}  // namespace liecheck::enclosures
