@@ -49,6 +49,8 @@ Excess excess(const Eigen::Matrix<T, R, C>& exact, const Eigen::Matrix<T, R, C>&
   }
   if (is_zero(distance)) return {0, 0};
   size = sqrt(size);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (is_zero(size) && is_zero(scale)) return {infinity, infinity};
   if (lower(scale) > lower(size)) size = scale;
   const T ratio = sqrt(distance) / size;
   return {mpfr_get_d(lower(ratio).backend().data(), MPFR_RNDD),

@@ -75,7 +75,7 @@ T angle_of(const T& s, const T& c) {
   if (!(largest(t) < 0.125)) throw Undecided("an angle");
   T sum = a, power = t;
   const long enough = exponent(t) - precision(t) - 20;
-  for (int j = 0; exponent(power) > enough; ++j) {
+  for (int j = 0; !is_zero(power) && exponent(power) > enough; ++j) {
     sum += power / (2 * j + 1);
     power = -(power * t * t);
   }
@@ -88,11 +88,13 @@ struct Log {
   T theta, pi_minus_theta;
 };
 
-/// Of Q / ||Q|| and p. `opposite`: on the branch of the opposite axis, theta >= pi.
+/// Of Q / ||Q|| and p. `opposite`: on the branch of the opposite axis, theta >= pi. Where w may be zero it must be so
+/// within 2^-300, and which branch is which is left open.
 template <class T>
 Log<T> log(Q4<T> Q, const V3<T>& p, bool opposite = false) {
-  if (lower(Q[3]) < 0 && upper(Q[3]) > 0) throw Undecided("the sign of w");
-  if ((lower(Q[3]) < 0) != opposite) Q = -Q;
+  const bool open = lower(Q[3]) < 0 && upper(Q[3]) > 0;
+  if (open && exponent<T>(Q[3]) > -300) throw Undecided("the sign of w");
+  if ((!open && lower(Q[3]) < 0) != opposite) Q = -Q;
   const V3<T> v = Q.template head<3>();
   const T s = sqrt(T(v.dot(v)));
   if (is_zero(s)) return {p, v, s, 2 * angle_of<T>(Q[3], s)};
