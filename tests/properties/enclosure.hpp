@@ -104,7 +104,8 @@ Stumpff<T> stumpff(const T& x) {
     T term = T(1) / (k == 3 ? 6 : k == 2 ? 2 : 1);  // (-x)^j / (2j + k)!
     for (int j = 0;; ++j) {
       const int next = (2 * j + k + 1) * (2 * j + k + 2);
-      if (next > 1024 && exponent(term) < enough) break;  // from here on each term is below a quarter of its last
+      if (next > 1024 && exponent(term) < enough)
+        break;  // from here on each term is below a quarter of its last
       c += term;
       d -= term * (j + 1) / next;
       term = -(term * x) / next;

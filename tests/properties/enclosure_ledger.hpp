@@ -69,7 +69,8 @@ class Ledger {
     if (!(e.most <= w.most)) w.most = e.most;
     if (!(e.most <= claim) && ++w.outside <= 3)
       ADD_FAILURE() << what << ": the oracle errs by " << e.least << " ... " << e.most << ", claims " << claim
-                    << "\n" << input;
+                    << "\n"
+                    << input;
     // The largest number, wrong in a digit that the claim covers
     Eigen::Matrix<T, R, C> planted = value;
     int k = 0;

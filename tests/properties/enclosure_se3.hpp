@@ -120,7 +120,8 @@ Q4<T> nearest(const M3<T>& R, const Q4<T>& Q0) {
     M3<T> g;
     for (int i = 0; i < 3; ++i) {
       const V3<T> e = M3<T>::Identity().col(i);
-      g.col(i) = twice_vee<T>((e * d.transpose() + d * e.transpose() - hat<T>(e) - M3<T>::Identity() * d[i]) * B);
+      g.col(i) =
+          twice_vee<T>((e * d.transpose() + d * e.transpose() - hat<T>(e) - M3<T>::Identity() * d[i]) * B);
     }
     return g;
   };
