@@ -68,13 +68,13 @@ struct Ball {
   Ball& operator/=(const Ball& b) { return *this = *this / b; }
 
   friend Ball operator-(const Ball& a) { return {-a.m, a.r}; }
-  friend Ball operator+(const Ball& a, const Ball& b) {
+  [[gnu::always_inline]] friend inline Ball operator+(const Ball& a, const Ball& b) {
     if (a.r == 0 && b.r == 0) return exact_sum(a, b);
     const M m = a.m + b.m;
     return {m, up(a.r + b.r + Round::add * (a.size() + b.size()))};
   }
   friend Ball operator-(const Ball& a, const Ball& b) { return a + -b; }
-  friend Ball operator*(const Ball& a, const Ball& b) {
+  [[gnu::always_inline]] friend inline Ball operator*(const Ball& a, const Ball& b) {
     const M m = a.m * b.m;
     const double size = std::fabs(Round::head(m));
     if (size < 0x1p-900) return small_product(a, b, m);
