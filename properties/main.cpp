@@ -1,4 +1,4 @@
-// The liecheck program: list, campaign, hard-cases, hunt, bench, replay, report, and what to do with stores.
+// The liecheck program: list, campaign, hard-cases, hunt, sweep, bench, replay, report, and what to do with stores.
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -20,6 +20,7 @@
 #include <reports/files.hpp>
 #include <reports/report.hpp>
 #include <set>
+#include <sweep_command.hpp>
 #include <thread>
 
 namespace {
@@ -220,6 +221,13 @@ int run_bench_command(const Flags& f, BenchFlags b) {
   return run_bench(b, robot);
 }
 
+int run_sweep_flags(const Flags& f, SweepFlags s) {
+  s.jobs = f.jobs;
+  s.json = f.json;
+  stop_on_signals();
+  return run_sweep_command(s);
+}
+
 int run_report(const Flags& f) {
   const auto given = with_records_of_stores(f.records, f.out);
   std::vector<std::filesystem::path> records(given.begin(), given.end());
@@ -363,6 +371,16 @@ int main(int argc, char** argv) {
       "DURATION");
   filled(bugs->add_option("--json", f.json, "write the table to FILE"), "FILE");
   robot_flag(bugs, robot_help);
+  SweepFlags s;
+  auto* swept = app.add_subcommand("sweep",
+                                   "an upper bound of the error of every scalar coefficient over every "
+                                   "float. Exit 0 the documented bounds "
+                                   "hold, 1 one does not, 2 bad input, 3 stopped");
+  filled(swept->add_option("--coefficient", s.coefficients, "a coefficient, repeatable; default all"),
+         "NAME");
+  add_number(*swept, "--stride", s.stride, 1, 1u << 30, "only every Nth float: a lower bound, sooner");
+  jobs_flag(swept);
+  filled(swept->add_option("--json", f.json, "write the bounds to FILE"), "FILE");
   auto* replay = app.add_subcommand("replay",
                                     "run one case again and print its residuals, bit for bit. Exit 0 within "
                                     "budget, 1 failed, 2 bad input");
@@ -391,6 +409,7 @@ int main(int argc, char** argv) {
     if (run->parsed()) return finish(run_campaign_command(f));
     if (hard->parsed()) return finish(run_hard_cases_command(f));
     if (bugs->parsed()) return finish(run_bench_command(f, b));
+    if (swept->parsed()) return finish(run_sweep_flags(f, s));
     if (hunt->parsed()) return finish(run_hunt_command(f, h));
     if (replay->parsed()) return finish(run_replay(f));
     if (report->parsed()) return finish(run_report(f));
