@@ -123,9 +123,10 @@ std::vector<HardRow> hard_cases_of(const Flags& f, const Selection& selection) {
 
 /// Returns why it could not be written, to be told after the table: neither is lost with the other.
 std::string write_record(const std::filesystem::path& path, const CampaignResult& result,
-                         const std::vector<HardRow>& hard_cases) try {
+                         const std::vector<HardRow>& hard_cases, const SweepResult* swept = nullptr) try {
   auto record = record_of(result);
   add_hard_cases(record, hard_cases);
+  if (swept) add_sweep(record, *swept);
   write_whole(path, record.dump(1) + "\n");
   return "";
 } catch (const std::exception& e) {
@@ -241,7 +242,9 @@ int run_report(const Flags& f) {
     const auto hard_cases = hard_cases_of(f, {});
     const CampaignResult result = campaign(f, {}).value();
     if (result.incomplete) std::fputs("interrupted: the report holds what was done\n", stderr);
-    const std::string lost = write_record(path, result, hard_cases);
+    std::optional<SweepResult> swept;
+    if (!stop_requested) swept = run_sweep({{}, "", f.jobs});
+    const std::string lost = write_record(path, result, hard_cases, swept ? &*swept : nullptr);
     if (!lost.empty()) throw std::runtime_error(lost);
     records.push_back(path);
   }

@@ -108,6 +108,12 @@ json sweep_record(const SweepResult& r) {
           {"coefficients", rows}};
 }
 
+void add_sweep(json& record, const SweepResult& result) {
+  record["sweep"] = sweep_record(result);
+  record["sweep"].erase("environment");  // the record's
+  if (result.failed()) record["verdict"] = "fail";
+}
+
 int run_sweep_command(const SweepFlags& f) {
   if (!f.json.empty()) reports::check_writable(f.json);
   const SweepResult r = run_sweep(f);

@@ -22,6 +22,9 @@ SweepResult run_sweep(const SweepFlags& flags);
 /// `version`, `verdict`, `bound` ("upper" or "lower"), `coefficients`, ...
 nlohmann::json sweep_record(const SweepResult& result);
 
+/// Puts it into a campaign's record, whose verdict becomes "fail" where a documented bound is false.
+void add_sweep(nlohmann::json& record, const SweepResult& result);
+
 /// The table and the record. 0 every documented bound holds, 1 one does not, 3 stopped early.
 int run_sweep_command(const SweepFlags& flags);
 
