@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <reports/html.hpp>
 #include <reports/page.hpp>
 #include <reports/page_parts.hpp>
 #include <reports/summary.hpp>
@@ -13,65 +14,11 @@ namespace liecheck::reports {
 
 namespace {
 
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (char c : text) switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
-    }
-  return out;
-}
-
 /// JSON that cannot end the script element it stands in.
 std::string inlined(const Json& value) {
   std::string out;
   for (char c : value.dump()) out += c == '<' ? std::string("\\u003c") : std::string(1, c);
   return out;
-}
-
-std::string eps_text(double value) {
-  if (std::isnan(value)) return "NaN";
-  if (std::isinf(value)) return "Inf";
-  return fmt::format("{:.3g}", value);
-}
-
-using Cells = std::vector<std::string>;  // HTML
-
-/// dense: cells on one line; the table scrolls sideways instead.
-std::string table(const std::string& caption, const Cells& heads, const std::vector<Cells>& rows,
-                  bool dense = false) {
-  std::string out = fmt::format(
-      "<div class=\"scroll{1}\" tabindex=\"0\" role=\"region\" aria-label=\"{0}\"><table>"
-      "<caption>{0}</caption>\n<thead><tr>",
-      escaped(caption), dense ? " dense" : "");
-  for (const auto& head : heads) out += "<th scope=\"col\">" + head + "</th>";
-  out += "</tr></thead>\n<tbody>\n";
-  for (const Cells& row : rows) {
-    out += "<tr><th scope=\"row\">" + row.front() + "</th>";
-    for (std::size_t i = 1; i < row.size(); ++i) out += "<td>" + row[i] + "</td>";
-    out += "</tr>\n";
-  }
-  return out + "</tbody></table></div>\n";
-}
-
-std::string code(const std::string& text) {
-  return "<code>" + escaped(text) + "</code>";
-}
-
-std::string text_of(const Json& row, const char* name) {
-  return escaped(row[name].get<std::string>());
 }
 
 /// "max 2.31e+03 eps", or the outcome that took its place.
@@ -261,46 +208,6 @@ std::string machine_section(const Merged& merged) {
     out += table("Campaign with seed " + r["seed"].dump(), {"what", "value"}, rows);
   }
   return out;
-}
-
-/// The records' sweeps; their figures are upper bounds where every float was run.
-std::string sweep_section(const Merged& merged) {
-  std::string out;
-  for (const Json& record : merged.records) {
-    if (!record.contains("sweep")) continue;
-    const Json& sweep = record["sweep"];
-    const bool upper = sweep["bound"] == "upper";
-    std::vector<Cells> rows;
-    for (const Json& c : sweep["coefficients"]) {
-      const double bound = figure(c["bound_eps"].is_null() ? c["max_eps"] : c["bound_eps"]);
-      const auto evaluated = c["evaluated"].get<std::uint64_t>();
-      const std::string status = c["status"];
-      rows.push_back({text_of(c, "name"), text_of(c, "equation"), text_of(c, "argument"), text_of(c, "kind"),
-                      fmt::format("{}", evaluated),
-                      std::isfinite(bound)
-                          ? fmt::format("<b>{:.4f}</b>", upper ? std::ceil(bound * 1e4) / 1e4 : bound)
-                          : "<b>NaN or Inf</b>",
-                      code(c["max_at"]), fmt::format("{:.9g}", c["max_at_decimal"].get<double>()),
-                      c["square_eps"] > 0 ? fmt::format("{:.2f}", c["square_eps"].get<double>()) : "—",
-                      eps_text(c["documented_eps"]), text_of(c, "reason"),
-                      fmt::format("<span class=\"status{}\">{}</span>",
-                                  status == "sampled" ? "" : " " + status, status)});
-    }
-    out += table(
-        upper ? fmt::format("Every float, in {:.0f} s: an upper bound of the error in {}, the oracle’s own "
-                            "error included",
-                            sweep["elapsed"].get<double>(), sweep["scalar"].get<std::string>())
-              : fmt::format("{}: the largest error found, a lower bound",
-                            sweep["stride"] == 1 ? std::string("Interrupted")
-                                                 : fmt::format("Every {}th float", sweep["stride"].dump())),
-        {"coefficient", "equation", "argument x", "error", "floats",
-         upper ? "true upper bound [eps]" : "largest found [eps]", "at x", "decimal", "from θ [eps]",
-         "documented [eps]", "reason", "status"},
-        rows, true);
-  }
-  return out.empty() ? "<p>These records hold no sweep; <code>liecheck report</code> without a record runs "
-                       "one, as does <code>liecheck sweep</code>.</p>\n"
-                     : out;
 }
 
 }  // namespace

@@ -130,7 +130,8 @@ const std::vector<CoefficientClaim>& coefficient_claims() {
       {half_sine, "sine_over_angle", "sin(theta/2) / theta", "theta^2", 1.1, "1/2 - h c3(h) / 2, h = x/4"},
       {half_cosine, "cosine", "cos(theta/2)", "theta^2", 1, "1 - h c2(h), h = x/4: crosses zero at pi"},
       {angle_over_sine, "angle_over_sine", "2 h / tan h", "tan^2 h", 1.5, "a root, atan2 and a quotient"},
-      {alpha, "alpha", "h cot h", "tan^2 h", 2.5, "angle_over_sine times cosine"}};
+      {alpha, "alpha", "h cot h", "tan^2 h", 2.5,
+       "angle_over_sine times cosine; that product is exact at w = 1, and rounds elsewhere"}};
   return all;
 }
 

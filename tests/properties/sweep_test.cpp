@@ -88,9 +88,23 @@ TEST(SweepOracle, KeepsItsBoundAgainstClosedFormsAt100Digits) {
   }
 }
 
-TEST(SweepOracle, SaysSoWhereAnIntervalIsTooWide) {
-  EXPECT_GT(oracles::expand(d, 1, 9).bound, 1e-3);
-  EXPECT_GT(oracles::expand(alpha, 1, 9).bound, 1e-3);
+/// Where what the cubic leaves is all of the bound, and not its roundings.
+TEST(SweepOracle, KeepsItsBoundOverWideIntervals) {
+  for (const CoefficientClaim& claim : coefficient_claims()) {
+    const bool absolute = oracles::is_absolute(claim.coefficient);
+    double tightest = 0;
+    for (const auto& [low, high] : {std::pair(1.0, 9.0), {0.0, 9.5}, {4.0, 5.0}, {2.0, 2.25}, {0.0, 0.5}}) {
+      const auto e = oracles::expand(claim.coefficient, low, high);
+      for (int i = 1; i <= 64; ++i) {
+        const double x = low + (high - low) * i / 64;
+        const Real100 f = closed_form(claim.coefficient, x), p(e.at(x));
+        const double error = static_cast<double>(abs(absolute ? Real100(p - f) : Real100(p * f - 1)));
+        ASSERT_LE(error, e.bound) << claim.name << " at " << x << " in " << low << ", " << high;
+        tightest = std::max(tightest, error / e.bound);
+      }
+    }
+    EXPECT_GT(tightest, 1e-4) << claim.name;  // Cauchy is generous, but not idle
+  }
 }
 
 TEST(SweepRuns, ShownToBeConstantAreConstant) {
@@ -119,7 +133,7 @@ TEST(SweepRuns, ShownToBeConstantAreConstant) {
         for (std::uint32_t j = 0; j < n; ++j) ASSERT_EQ(results[k][j], value[k]) << x[j];
     }
     EXPECT_GT(seen, 50);
-    EXPECT_GT(refused, 50);
+    EXPECT_GT(refused, 10);
   }
 }
 
