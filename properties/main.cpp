@@ -1,4 +1,4 @@
-// The liecheck program: list, campaign, hard-cases, hunt, bench, replay, report, and what to do with stores.
+// The liecheck program: list, campaign, hard-cases, hunt, sweep, bench, replay, report, and what to do with stores.
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -20,6 +20,7 @@
 #include <reports/files.hpp>
 #include <reports/report.hpp>
 #include <set>
+#include <sweep_command.hpp>
 #include <thread>
 
 namespace {
@@ -122,9 +123,10 @@ std::vector<HardRow> hard_cases_of(const Flags& f, const Selection& selection) {
 
 /// Returns why it could not be written, to be told after the table: neither is lost with the other.
 std::string write_record(const std::filesystem::path& path, const CampaignResult& result,
-                         const std::vector<HardRow>& hard_cases) try {
+                         const std::vector<HardRow>& hard_cases, const SweepResult* swept = nullptr) try {
   auto record = record_of(result);
   add_hard_cases(record, hard_cases);
+  if (swept) add_sweep(record, *swept);
   write_whole(path, record.dump(1) + "\n");
   return "";
 } catch (const std::exception& e) {
@@ -220,6 +222,13 @@ int run_bench_command(const Flags& f, BenchFlags b) {
   return run_bench(b, robot);
 }
 
+int run_sweep_flags(const Flags& f, SweepFlags s) {
+  s.jobs = f.jobs;
+  s.json = f.json;
+  stop_on_signals();
+  return run_sweep_command(s);
+}
+
 int run_report(const Flags& f) {
   const auto given = with_records_of_stores(f.records, f.out);
   std::vector<std::filesystem::path> records(given.begin(), given.end());
@@ -233,7 +242,9 @@ int run_report(const Flags& f) {
     const auto hard_cases = hard_cases_of(f, {});
     const CampaignResult result = campaign(f, {}).value();
     if (result.incomplete) std::fputs("interrupted: the report holds what was done\n", stderr);
-    const std::string lost = write_record(path, result, hard_cases);
+    std::optional<SweepResult> swept;
+    if (!stop_requested) swept = run_sweep({{}, "", f.jobs});
+    const std::string lost = write_record(path, result, hard_cases, swept ? &*swept : nullptr);
     if (!lost.empty()) throw std::runtime_error(lost);
     records.push_back(path);
   }
@@ -363,6 +374,16 @@ int main(int argc, char** argv) {
       "DURATION");
   filled(bugs->add_option("--json", f.json, "write the table to FILE"), "FILE");
   robot_flag(bugs, robot_help);
+  SweepFlags s;
+  auto* swept = app.add_subcommand("sweep",
+                                   "an upper bound of the error of every scalar coefficient over every "
+                                   "float. Exit 0 the documented bounds "
+                                   "hold, 1 one does not, 2 bad input, 3 stopped");
+  filled(swept->add_option("--coefficient", s.coefficients, "a coefficient, repeatable; default all"),
+         "NAME");
+  add_number(*swept, "--stride", s.stride, 1, 1u << 30, "only every Nth float: a lower bound, sooner");
+  jobs_flag(swept);
+  filled(swept->add_option("--json", f.json, "write the bounds to FILE"), "FILE");
   auto* replay = app.add_subcommand("replay",
                                     "run one case again and print its residuals, bit for bit. Exit 0 within "
                                     "budget, 1 failed, 2 bad input");
@@ -391,6 +412,7 @@ int main(int argc, char** argv) {
     if (run->parsed()) return finish(run_campaign_command(f));
     if (hard->parsed()) return finish(run_hard_cases_command(f));
     if (bugs->parsed()) return finish(run_bench_command(f, b));
+    if (swept->parsed()) return finish(run_sweep_flags(f, s));
     if (hunt->parsed()) return finish(run_hunt_command(f, h));
     if (replay->parsed()) return finish(run_replay(f));
     if (report->parsed()) return finish(run_report(f));

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <reports/html.hpp>
 #include <reports/page.hpp>
 #include <reports/page_parts.hpp>
 #include <reports/summary.hpp>
@@ -13,65 +14,11 @@ namespace liecheck::reports {
 
 namespace {
 
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (char c : text) switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
-    }
-  return out;
-}
-
 /// JSON that cannot end the script element it stands in.
 std::string inlined(const Json& value) {
   std::string out;
   for (char c : value.dump()) out += c == '<' ? std::string("\\u003c") : std::string(1, c);
   return out;
-}
-
-std::string eps_text(double value) {
-  if (std::isnan(value)) return "NaN";
-  if (std::isinf(value)) return "Inf";
-  return fmt::format("{:.3g}", value);
-}
-
-using Cells = std::vector<std::string>;  // HTML
-
-/// dense: cells on one line; the table scrolls sideways instead.
-std::string table(const std::string& caption, const Cells& heads, const std::vector<Cells>& rows,
-                  bool dense = false) {
-  std::string out = fmt::format(
-      "<div class=\"scroll{1}\" tabindex=\"0\" role=\"region\" aria-label=\"{0}\"><table>"
-      "<caption>{0}</caption>\n<thead><tr>",
-      escaped(caption), dense ? " dense" : "");
-  for (const auto& head : heads) out += "<th scope=\"col\">" + head + "</th>";
-  out += "</tr></thead>\n<tbody>\n";
-  for (const Cells& row : rows) {
-    out += "<tr><th scope=\"row\">" + row.front() + "</th>";
-    for (std::size_t i = 1; i < row.size(); ++i) out += "<td>" + row[i] + "</td>";
-    out += "</tr>\n";
-  }
-  return out + "</tbody></table></div>\n";
-}
-
-std::string code(const std::string& text) {
-  return "<code>" + escaped(text) + "</code>";
-}
-
-std::string text_of(const Json& row, const char* name) {
-  return escaped(row[name].get<std::string>());
 }
 
 /// "max 2.31e+03 eps", or the outcome that took its place.
@@ -282,6 +229,7 @@ std::string page(const Merged& merged, const Json& numbers) {
       {"verdict", [&] { return verdict_section(merged); }},
       {"standings", [&] { return standings_section(merged); }},
       {"offenders", [&] { return offenders_section(merged); }},
+      {"sweep", [&] { return sweep_section(merged); }},
       {"definitions", [&] { return definitions_section(merged); }},
       {"coverage", [&] { return coverage_section(merged); }},
       {"machine", [&] { return machine_section(merged); }}};

@@ -132,6 +132,25 @@ void check_hard_case(const Field& hard) {
   });
 }
 
+void check_sweep(const Field& sweep) {
+  sweep.texts({"version", "scalar"});
+  sweep["verdict"].one_of({"pass", "fail", "incomplete"});
+  sweep["bound"].one_of({"upper", "lower"});
+  sweep["stride"].count(1);
+  sweep["elapsed"].number();
+  const bool upper = sweep["bound"].is("upper");
+  sweep["coefficients"].each([upper](const Field& c) {
+    c.texts({"name", "equation", "argument", "max_at", "reason"});
+    c["kind"].one_of({"relative", "absolute"});
+    c["constant"].count(0, c["evaluated"].count());
+    if (upper || !c["bound_eps"].null()) c["bound_eps"].measured();
+    c["max_eps"].measured();
+    for (const char* name : {"max_at_decimal", "oracle_bound_eps", "square_eps", "documented_eps"})
+      c[name].number();
+    c["status"].one_of({"pass", "fail", "sampled"});
+  });
+}
+
 void check_record(const Field& record) {
   record.texts({"version"});
   record["generator_version"].count(1);
@@ -153,6 +172,7 @@ void check_record(const Field& record) {
   record["properties"].each([](const Field& p) { p.texts({"property", "law", "equation", "source"}); });
   record["results"].each(check_result);
   if (record.has("hard_cases")) record["hard_cases"].each(check_hard_case);  // younger than the rest
+  if (record.has("sweep")) check_sweep(record["sweep"]);                     // younger still
 }
 
 /// "line 3, column 14" of a byte, both counted from 1, columns in bytes.

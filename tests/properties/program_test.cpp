@@ -83,6 +83,25 @@ TEST_F(Program, EmptyValuesAndUnknownWordsAreNamed) {
   refused("report r.json --seed 3", "excludes");
 }
 
+TEST_F(Program, ASweepNamesWhatItRefusesAndSaysWhatItsBoundIs) {
+  refused("sweep --coefficient c9", "--coefficient: unknown coefficient 'c9'; known: c0, c1, ");
+  refused("sweep --coefficient ''", "--coefficient: may not be empty");
+  refused("sweep --stride 0", "--stride: '0'");
+  refused("sweep --json none/s.json", "none/s.json: cannot be written");
+  const Run sample = run("sweep -j 1 --stride 10007 --coefficient c2 --json s.json");
+  EXPECT_EQ(sample.code, 0) << sample.err;
+  EXPECT_NE(sample.out.find("a lower bound of the maximum"), std::string::npos);
+  EXPECT_EQ(sample.out.find("upper bound"), std::string::npos);
+  const auto record = nlohmann::json::parse(read(dir / "s.json"));
+  EXPECT_EQ(record["bound"], "lower");
+  EXPECT_TRUE(record["coefficients"][0]["bound_eps"].is_null());
+  EXPECT_EQ(record["coefficients"][0]["status"], "sampled");
+  const Run whole = run("sweep -j 1 --coefficient c4_minus_3c5");
+  EXPECT_EQ(whole.code, 0) << whole.err;
+  EXPECT_NE(whole.out.find("an upper bound of the error in float over every argument"), std::string::npos);
+  EXPECT_EQ(shell("timeout --preserve-status -s INT 0.3 $L sweep -j 1 --coefficient alpha").code, 3);
+}
+
 TEST_F(Program, CaseIdsAreRefusedWithTheirPosition) {
   const std::string id = "raw.exp_oracle.liecheck.double.none.";
   refused("replay " + id + "1,a,2", "'" + id + "1,a,2': number 2 is not a number: 'a'");

@@ -248,6 +248,57 @@ TEST_F(Report, WritesACsvThatQuotesAndKeepsEveryDigit) {
   EXPECT_EQ(csv.rfind("subject,scalar,", 0), 0u);
 }
 
+Json swept() {
+  return {{"version", "0.1.0"},
+          {"verdict", "fail"},
+          {"bound", "upper"},
+          {"scalar", "float"},
+          {"stride", 1},
+          {"elapsed", 9.1},
+          {"coefficients",
+           {{{"name", "d2"},
+             {"equation", "2 dd/dx"},
+             {"argument", "theta^2"},
+             {"kind", "relative"},
+             {"evaluated", 1092479462},
+             {"constant", 972947456},
+             {"max_eps", 21.23865},
+             {"max_at", "0x1.38968ap+3"},
+             {"max_at_decimal", 9.76837635},
+             {"bound_eps", 21.23866},
+             {"oracle_bound_eps", 1.5e-8},
+             {"square_eps", 0.32},
+             {"documented_eps", 20},
+             {"reason", "a < b"},
+             {"status", "fail"}}}}};
+}
+
+TEST_F(Report, ShowsASweepAsAnUpperBoundRoundedUp) {
+  EXPECT_TRUE(has(read(report(record()).html), "These records hold no sweep"));
+  Json r = record();
+  r["sweep"] = swept();
+  const auto files = report(r);
+  const std::string page = read(files.html);
+  for (const char* text : {"<th scope=\"row\">d2</th>", "<td>1092479462</td>", "<b>21.2387</b>", "a &lt; b",
+                           "<code>0x1.38968ap+3</code>", "status fail\">fail", "true upper bound [eps]"})
+    EXPECT_TRUE(has(page, text)) << text;
+  EXPECT_EQ(Json::parse(read(files.json))["records"][0]["sweep"], r["sweep"]);
+  r["sweep"].update({{"bound", "lower"}, {"stride", 7}});
+  r["sweep"]["coefficients"][0].update({{"bound_eps", nullptr}, {"status", "sampled"}});
+  const std::string sampled = read(report(r).html);
+  EXPECT_TRUE(has(sampled, "Every 7th float: the largest error found, a lower bound"));
+  EXPECT_FALSE(has(sampled, "true upper bound [eps]"));
+}
+
+TEST_F(Report, NamesTheFieldOfASweepThatItRefuses) {
+  Json r = record();
+  r["sweep"] = swept();
+  r["sweep"]["coefficients"][0]["bound_eps"] = nullptr;
+  EXPECT_TRUE(has(refusal(r.dump()), "sweep.coefficients[0].bound_eps: expected a number"));
+  r["sweep"]["coefficients"][0].update({{"bound_eps", 1}, {"constant", 1092479463}});
+  EXPECT_TRUE(has(refusal(r.dump()), "coefficients[0].constant: expected a count from 0 to 1092479462"));
+}
+
 TEST_F(Report, MakesAPageThatDataCannotBreak) {
   Json r = record();
   r["subjects"][0]["not_offered"] = {"</script><script>alert(1)</script>", "{{machine}}"};

@@ -1,0 +1,47 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <reports/html.hpp>
+
+namespace liecheck::reports {
+
+std::string sweep_section(const Merged& merged) {
+  std::string out;
+  for (const Json& record : merged.records) {
+    if (!record.contains("sweep")) continue;
+    const Json& sweep = record["sweep"];
+    const bool upper = sweep["bound"] == "upper";
+    std::vector<Cells> rows;
+    for (const Json& c : sweep["coefficients"]) {
+      const double bound = figure(c["bound_eps"].is_null() ? c["max_eps"] : c["bound_eps"]);
+      const auto evaluated = c["evaluated"].get<std::uint64_t>();
+      const std::string status = c["status"];
+      rows.push_back(
+          {text_of(c, "name"), text_of(c, "equation"), text_of(c, "kind"), fmt::format("{}", evaluated),
+           std::isfinite(bound) ? fmt::format("<b>{:.4f}</b>", upper ? std::ceil(bound * 1e4) / 1e4 : bound)
+                                : "<b>NaN or Inf</b>",
+           eps_text(c["documented_eps"]),
+           fmt::format("<span class=\"status{}\">{}</span>", status == "sampled" ? "" : " " + status, status),
+           text_of(c, "argument"), code(c["max_at"]),
+           fmt::format("{:.9g}", c["max_at_decimal"].get<double>()),
+           c["square_eps"] > 0 ? fmt::format("{:.2f}", c["square_eps"].get<double>()) : "—",
+           text_of(c, "reason")});
+    }
+    out += table(
+        upper ? fmt::format("Every float, in {:.0f} s: an upper bound of the error in {}, the oracle’s own "
+                            "error included",
+                            sweep["elapsed"].get<double>(), sweep["scalar"].get<std::string>())
+              : fmt::format("{}: the largest error found, a lower bound",
+                            sweep["stride"] == 1 ? std::string("Interrupted")
+                                                 : fmt::format("Every {}th float", sweep["stride"].dump())),
+        {"coefficient", "equation", "error", "floats",
+         upper ? "true upper bound [eps]" : "largest found [eps]", "documented [eps]", "status", "x", "at",
+         "decimal", "from θ [eps]", "why so much"},
+        rows, true);
+  }
+  return out.empty() ? "<p>These records hold no sweep; <code>liecheck report</code> without a record runs "
+                       "one, as does <code>liecheck sweep</code>.</p>\n"
+                     : out;
+}
+
+}  // namespace liecheck::reports
