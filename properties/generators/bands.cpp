@@ -19,10 +19,10 @@ oracles::DoubleDouble double_double(const Real& x) {
   const auto hi = static_cast<double>(x);
   return {hi, static_cast<double>(Real(x - hi))};
 }
-/// A constant as a ball.
+/// A constant as a ball; a power of two is exact.
 template <class T>
 T edge(const oracles::DoubleDouble& x) {
-  return {x, 0x1p-105 * x.hi};
+  return {x, x.lo == 0 ? 0 : 0x1p-105 * x.hi};
 }
 }  // namespace
 

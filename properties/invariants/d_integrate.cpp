@@ -2,6 +2,8 @@
 
 #include <generators/rotations.hpp>
 #include <invariants/common.hpp>
+#include <optional>
+#include <oracles/fast.hpp>
 #include <oracles/integrate.hpp>
 
 namespace liecheck::properties {
@@ -76,16 +78,26 @@ class DIntegrate final : public Law<DIntegrate, S> {
                           beyond);
     if (!o.d_difference_arg0 && !o.d_difference_arg1) return;
     const auto exact = oracles::difference(x0, x1);
+    std::optional<oracles::Jacobian6Value<Real>> inverse;
     band = band_of_difference<S>(x0, x1, exact);
     if (exact.at_pi) return;  // either branch is right there: jacobian_oracle measures J^-1 on each
     rho = norm(exact.rho);
     // The coupling block is linear in rho, which difference itself knows to 4 eps of max(|rho|, |p1 - p0|).
+    // Balls share one logarithm and one inverse: arg1 is J_r^-1, the transpose of J_l^-1.
+    const auto of_difference = [&](bool arg1) -> oracles::Jacobian6Value<Real> {
+      using namespace oracles;
+      if constexpr (BallNumber<Real>) {
+        if (!inverse) inverse = left_jacobian_se3_inverse(stack(exact.rho, exact.phi));
+        return arg1 ? transposed(*inverse)
+                    : Jacobian6Value<Real>{Real(-1) * inverse->J, Real(-1) * inverse->C, true};
+      } else {
+        return arg1 ? oracles::d_difference_arg1(x0, x1) : oracles::d_difference_arg0(x0, x1);
+      }
+    };
     if (o.d_difference_arg0)
-      record_jacobian6<S>(r, 4, 5, band, o.d_difference_arg0(q0, q1), oracles::d_difference_arg0(x0, x1), rho,
-                          false);
+      record_jacobian6<S>(r, 4, 5, band, o.d_difference_arg0(q0, q1), of_difference(false), rho, false);
     if (o.d_difference_arg1)
-      record_jacobian6<S>(r, 6, 7, band, o.d_difference_arg1(q0, q1), oracles::d_difference_arg1(x0, x1), rho,
-                          false);
+      record_jacobian6<S>(r, 6, 7, band, o.d_difference_arg1(q0, q1), of_difference(true), rho, false);
   }
 };
 

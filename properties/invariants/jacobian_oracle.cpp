@@ -5,6 +5,7 @@
 #include <invariants/common.hpp>
 #include <optional>
 #include <oracles/closed.hpp>
+#include <oracles/fast.hpp>
 
 namespace liecheck::properties {
 namespace {
@@ -52,7 +53,7 @@ class JacobianOracle final : public Law<JacobianOracle, S> {
     const Vec<S, 6> xi = Reader<S>(input).template take<6>();
     const Vec<S, 3> phi = xi.template tail<3>();
     const auto x = exact_vector<6, Real>(xi);
-    const Jacobian6Value<Real> left = left_jacobian_se3(x), left_inverse = left_jacobian_se3_inverse(x);
+    const Jacobians<Real> exact(x);
     const Real theta = norm(tail3(x)), rho = norm(head3(x));
     const std::size_t band = band_of_angle<S>(tail3(x));
     const bool beyond = Bands::of<S>()[band].region == Region::beyond_pi;
@@ -107,21 +108,14 @@ class JacobianOracle final : public Law<JacobianOracle, S> {
           [&] { return kappa(inverse, false, size(exact, false)); },
           [&] { return kappa(inverse, true, size(exact, true)); });
     };
-    // For a ball the right ones are the transposes of what is at hand already.
-    Jacobian6Value<Real> right, right_inverse;
-    if constexpr (BallNumber<Real>) {
-      right = transposed(left), right_inverse = transposed(left_inverse);
-    } else {
-      right = right_jacobian_se3(x), right_inverse = right_jacobian_se3_inverse(x);
-    }
-    three(0, o.left_jacobian3, left, false);
-    three(1, o.right_jacobian3, right, false);
-    three(2, o.left_jacobian3_inverse, left_inverse, true);
-    three(3, o.right_jacobian3_inverse, right_inverse, true);
-    six(4, o.left_jacobian6, left, false);
-    six(6, o.right_jacobian6, right, false);
-    six(8, o.left_jacobian6_inverse, left_inverse, true);
-    six(10, o.right_jacobian6_inverse, right_inverse, true);
+    three(0, o.left_jacobian3, exact.left, false);
+    three(1, o.right_jacobian3, exact.right, false);
+    three(2, o.left_jacobian3_inverse, exact.left_inverse, true);
+    three(3, o.right_jacobian3_inverse, exact.right_inverse, true);
+    six(4, o.left_jacobian6, exact.left, false);
+    six(6, o.right_jacobian6, exact.right, false);
+    six(8, o.left_jacobian6_inverse, exact.left_inverse, true);
+    six(10, o.right_jacobian6_inverse, exact.right_inverse, true);
   }
 };
 

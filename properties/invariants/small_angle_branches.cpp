@@ -3,8 +3,10 @@
 
 #include <generators/rotations.hpp>
 #include <invariants/common.hpp>
+#include <optional>
 #include <oracles/closed.hpp>
 #include <oracles/exp.hpp>
+#include <oracles/fast.hpp>
 
 namespace liecheck::properties {
 namespace {
@@ -79,6 +81,16 @@ class SmallAngleBranches final : public Law<SmallAngleBranches, S> {
       size = larger(size, least_denominator<S, Real>());
       r.record(output, band, in_eps<S>(Real(sqrt(squared) / size)));
     };
+    // The Jacobians of SO(3) are blocks of those of SE(3): balls take both from one evaluation.
+    std::optional<Jacobian6Value<Real>> left[2], left_inverse[2];
+    const auto direct = [&](int k) -> const Jacobian6Value<Real>& {
+      if (!left[k]) left[k] = left_jacobian_se3(x[k]);
+      return *left[k];
+    };
+    const auto inverted = [&](int k) -> const Jacobian6Value<Real>& {
+      if (!left_inverse[k]) left_inverse[k] = left_jacobian_se3_inverse(x[k]);
+      return *left_inverse[k];
+    };
     const auto flat = [](const Mat3<Real>& m) { return std::vector<Real>(m.x.begin(), m.x.end()); };
     const auto rows = [](const Mat<S, 3>& m) {
       Vec<S, 9> v;
@@ -101,19 +113,25 @@ class SmallAngleBranches final : public Law<SmallAngleBranches, S> {
     if (o.left_jacobian3)
       jump(
           2, [&](int k) { return rows(o.left_jacobian3(xi[k].template tail<3>())); },
-          [&](int k) { return flat(left_jacobian_so3(tail3(x[k])).J); });
+          [&](int k) { return flat(BallNumber<Real> ? direct(k).J : left_jacobian_so3(tail3(x[k])).J); });
     if (o.left_jacobian3_inverse)
       jump(
           3, [&](int k) { return rows(o.left_jacobian3_inverse(xi[k].template tail<3>())); },
-          [&](int k) { return flat(left_jacobian_so3_inverse(tail3(x[k])).J); });
+          [&](int k) {
+            return flat(BallNumber<Real> ? inverted(k).J : left_jacobian_so3_inverse(tail3(x[k])).J);
+          });
     if (o.right_jacobian6)
       jump(
           4, [&](int k) { return rows(o.right_jacobian6(xi[k]).template topRightCorner<3, 3>()); },
-          [&](int k) { return flat(right_jacobian_se3(x[k]).C); });
+          [&](int k) {
+            return flat(BallNumber<Real> ? transpose(direct(k).C) : right_jacobian_se3(x[k]).C);
+          });
     if (o.right_jacobian6_inverse)
       jump(
           5, [&](int k) { return rows(o.right_jacobian6_inverse(xi[k]).template topRightCorner<3, 3>()); },
-          [&](int k) { return flat(right_jacobian_se3_inverse(x[k]).C); });
+          [&](int k) {
+            return flat(BallNumber<Real> ? transpose(inverted(k).C) : right_jacobian_se3_inverse(x[k]).C);
+          });
   }
 };
 

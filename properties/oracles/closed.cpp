@@ -75,7 +75,11 @@ HalfAngle<T> half_angle(const Vec3<T>& phi) {
     h.large = isfinite(h.theta) && exponent > bits<T> / 4;
     odd = h.large && reduce(phi, exponent, h.reduced);
   }
-  sin_cos(T(h.reduced / 2), h.s, h.c);
+  if constexpr (BallNumber<T>) {
+    sin_cos(power_scaled(h.reduced, -1), h.s, h.c);  // exact, which a quotient is not
+  } else {
+    sin_cos(T(h.reduced / 2), h.s, h.c);
+  }
   if (odd) {
     h.s = -h.s;
     h.c = -h.c;

@@ -67,6 +67,20 @@ template <BallNumber T>
 Jacobian6Value<T> d_integrate_arg1(const Vec7<T>&, const Vec6<T>& delta) {
   return right_jacobian_se3(delta);
 }
+/// The six-by-six Jacobians of one twist: four questions, one or two evaluations in ball arithmetic.
+template <class T>
+struct Jacobians {
+  Jacobian6Value<T> left, right, left_inverse, right_inverse;
+  explicit Jacobians(const Vec6<T>& xi)
+      : left(left_jacobian_se3(xi)), left_inverse(left_jacobian_se3_inverse(xi)) {
+    if constexpr (BallNumber<T>) {
+      right = transposed(left), right_inverse = transposed(left_inverse);
+    } else {
+      right = right_jacobian_se3(xi), right_inverse = right_jacobian_se3_inverse(xi);
+    }
+  }
+};
+
 /// -J_l^-1 and J_r^-1 of difference(q0, q1).
 template <BallNumber T>
 Jacobian6Value<T> d_difference_arg0(const Vec7<T>& q0, const Vec7<T>& q1);
