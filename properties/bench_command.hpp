@@ -1,5 +1,6 @@
 #pragma once
 // `liecheck bench bugs`: how soon the laws kill each known bug, and which weaker styles of test would have.
+// `liecheck bench speed`: how many cases a second are measured against an oracle.
 
 #include <campaign/series.hpp>
 #include <string>
@@ -14,5 +15,9 @@ struct BenchFlags {
 
 /// One line a bug. 0 where every bug was killed and no look-alike, 1 otherwise, 3 where it was stopped.
 int run_bench(const BenchFlags& flags, const Robot& robot);
+
+/// Cases a second: exp6, beside rc::check with an oracle of 50 digits; every law of liecheck in float and double;
+/// two jobs beside one. Five interleaved rounds, of which the best counts. 0, or 3 where it was stopped.
+int run_speed_bench(const BenchFlags& flags, const Robot& robot);
 
 }  // namespace liecheck::properties

@@ -212,14 +212,14 @@ int run_hunt_command(const Flags& f, HuntFlags h) {
   return run_hunt(h, robot);
 }
 
-int run_bench_command(const Flags& f, BenchFlags b) {
+int run_bench_command(const Flags& f, BenchFlags b, bool speed) {
   b.seed = f.seed;
   if (!f.duration.empty()) b.seconds = parse_duration(f.duration);
   if (!f.json.empty()) liecheck::reports::check_writable(f.json);
   b.json = f.json;
   const Robot& robot = robot_of(f);
   stop_on_signals();
-  return run_bench(b, robot);
+  return speed ? run_speed_bench(b, robot) : run_bench(b, robot);
 }
 
 int run_sweep_flags(const Flags& f, SweepFlags s) {
@@ -373,6 +373,15 @@ int main(int argc, char** argv) {
                        "how long for each bug, and a tenth of it for each look-alike: 30s, 5m; default 60s"),
       "DURATION");
   filled(bugs->add_option("--json", f.json, "write the table to FILE"), "FILE");
+  auto* speed = bench->add_subcommand("speed",
+                                      "cases a second against an oracle, on one core: exp6 beside rc::check "
+                                      "with an oracle of 50 digits, every law, and "
+                                      "two jobs beside one. Exit 0, 2 bad input, 3 stopped");
+  add_number(*speed, "--seed", f.seed, 0, UINT64_MAX, "seed of the cases");
+  filled(speed->add_option("--for-each", f.duration,
+                           "how long each of the five rounds of a row takes; default 0.5s"),
+         "DURATION");
+  filled(speed->add_option("--json", f.json, "write the table to FILE"), "FILE");
   robot_flag(bugs, robot_help);
   SweepFlags s;
   auto* swept = app.add_subcommand("sweep",
@@ -411,7 +420,11 @@ int main(int argc, char** argv) {
   try {
     if (run->parsed()) return finish(run_campaign_command(f));
     if (hard->parsed()) return finish(run_hard_cases_command(f));
-    if (bugs->parsed()) return finish(run_bench_command(f, b));
+    if (bugs->parsed()) return finish(run_bench_command(f, b, false));
+    if (speed->parsed()) {
+      b.seconds = 0.5;
+      return finish(run_bench_command(f, b, true));
+    }
     if (swept->parsed()) return finish(run_sweep_flags(f, s));
     if (hunt->parsed()) return finish(run_hunt_command(f, h));
     if (replay->parsed()) return finish(run_replay(f));

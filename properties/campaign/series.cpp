@@ -9,6 +9,7 @@
 #include <campaign/shrink.hpp>
 #include <chrono>
 #include <cstddef>
+#include <cstring>
 #include <liecheck/urdf/urdf.hpp>
 #include <limits>
 #include <oracles/fast_error.hpp>
@@ -98,7 +99,9 @@ class Judge final : public Recorder {
   /// accuracy: of the errors given, relative or in eps, whichever is larger; 0 at 50 digits.
   /// every_kappa: also where the error passes for every kappa, so that what is ill-posed is never stable.
   Judge(const Limits& budgets, const Bands& bands, double eps, double accuracy, bool every_kappa = false)
-      : budgets_(budgets), bands_(bands), eps_(eps), accuracy_(accuracy), every_kappa_(every_kappa) {}
+      : budgets_(budgets), bands_(bands), eps_(eps), accuracy_(accuracy), every_kappa_(every_kappa) {
+    judged.reserve(budgets.size());
+  }
 
   void record(int output, std::size_t band, double error, Kappa kappa) override {
     Judged j = start(output, band);
@@ -173,6 +176,27 @@ bool agree(const std::vector<Judged>& fast, const std::vector<Judged>& slow) {
   return true;
 }
 
+/// Bytes one after the other, in memory that is kept.
+class Bytes {
+ public:
+  void clear() { size_ = 0; }
+  template <class T>
+  void add(const T& value) {
+    append(&value, sizeof value);
+  }
+  void append(const void* from, std::size_t n) {
+    if (size_ + n > bytes_.size()) bytes_.resize(2 * (size_ + n));
+    std::memcpy(bytes_.data() + size_, from, n);
+    size_ += n;
+  }
+  const std::byte* data() const { return bytes_.data(); }
+  std::size_t size() const { return size_; }
+
+ private:
+  std::vector<std::byte> bytes_;
+  std::size_t size_ = 0;
+};
+
 /// Of the series made in this process, from 1.
 std::uint64_t next_number() {
   static std::atomic<std::uint64_t> last{0};
@@ -216,33 +240,28 @@ class SeriesOf final : public Series {
     } else {
       judge.judged = measure_slowly(x);
     }
-    thread_local std::vector<std::byte> record;
-    const auto add = [](const auto& value) {
-      const auto* bytes = reinterpret_cast<const std::byte*>(&value);
-      record.insert(record.end(), bytes, bytes + sizeof value);
-    };
+    thread_local Bytes record;
     record.clear();
-    add(series);
-    add(index);
+    record.add(series);
+    record.add(index);
     for (const S& v : x) {
       if constexpr (std::is_floating_point_v<S>)
-        add(v);
+        record.add(v);
       else
-        add(v.backend().value());
+        record.add(v.backend().value());
     }
     tally.inputs.add(record.data(), record.size());
     record.clear();
-    add(series);
-    add(index);
-    record.insert(record.end(), reinterpret_cast<const std::byte*>(subject.data()),
-                  reinterpret_cast<const std::byte*>(subject.data() + subject.size()));
+    record.add(series);
+    record.add(index);
+    record.append(subject.data(), subject.size());
     for (const Judged& j : judge.judged) {
       tally.row(tally.rows, j.residual.output, j.residual.band).add(j, index);
-      add(j.residual.output);
-      add(j.residual.band);
-      add(j.residual.outcome);
-      add(j.residual.error);
-      add(j.residual.kappa);
+      record.add(j.residual.output);
+      record.add(j.residual.band);
+      record.add(j.residual.outcome);
+      record.add(j.residual.error);
+      record.add(j.residual.kappa);
     }
     tally.results.add(record.data(), record.size());
     ++tally.cases;
@@ -462,6 +481,14 @@ std::vector<std::unique_ptr<Series>> select(const Selection& selection, const Ro
   add_series<double>(selection, robot, all);
   add_series<float128>(selection, robot, all);
   return all;
+}
+
+std::unique_ptr<Series> series_of(const std::string& property, const Subject<double>& subject,
+                                  const Robot& robot) {
+  check_names({property}, property_names(), "property");
+  for (auto& p : make_properties<double>())
+    if (p->name() == property) return std::make_unique<SeriesOf<double>>(std::move(p), subject, robot);
+  return nullptr;
 }
 
 std::vector<std::string> subject_names() {

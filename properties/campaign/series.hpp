@@ -121,6 +121,9 @@ struct Selection {
   std::vector<std::string> subjects, properties, scalars;
 };
 std::vector<std::unique_ptr<Series>> select(const Selection& selection, const Robot& robot);
+/// One property on any subject, in double; `subject` must outlive it. Throws std::invalid_argument.
+std::unique_ptr<Series> series_of(const std::string& property, const Subject<double>& subject,
+                                  const Robot& robot);
 
 std::vector<std::string> subject_names();
 std::vector<std::string> property_names();

@@ -7,8 +7,10 @@
 // rounding to nearest and inflated by 2^-50 a step, more than the four roundings they take. Where a product is
 // so small that its rounding error may underflow, 2^-1060 joins the radius.
 
+#include <bit>
 #include <cmath>
 #include <concepts>
+#include <cstdint>
 #include <exception>
 #include <limits>
 #include <oracles/double_double.hpp>
@@ -126,10 +128,13 @@ struct Ball {
   }
   /// 2^e a, exact but for what underflows.
   friend Ball power_scaled(const Ball& a, int e) {
-    const M m{std::ldexp(a.m.hi, e), std::ldexp(a.m.lo, e)};
+    if (e < -1000 || e > 1000) return power_scaled(power_scaled(a, e / 2), e - e / 2);
+    const auto factor = std::bit_cast<double>(static_cast<std::uint64_t>(1023 + e) << 52);
+    const M m{a.m.hi * factor, a.m.lo * factor};
     const double lost = std::fabs(m.hi) < 0x1p-960 ? 0x1p-1073 : 0;
-    return {m, std::ldexp(a.r, e) * (1 + 0x1p-50) + (a.exactly_zero() || e > 0 ? 0 : lost)};
+    return {m, a.r * factor * (1 + 0x1p-50) + (a.exactly_zero() || e > 0 ? 0 : lost)};
   }
+  friend Ball doubled(const Ball& a) { return {M{2 * a.m.hi, 2 * a.m.lo}, 2 * a.r}; }
 
   /// Of two exact numbers: what cancels is kept, and the sum of two doubles, or of x and -x, is exact.
   static Ball exact_sum(const Ball& a, const Ball& b) {

@@ -117,7 +117,7 @@ template <BallNumber T>
 Jacobian6Value<T> d_integrate_arg0(const Vec7<T>&, const Vec6<T>& delta) {
   const UnitPose<T> step = closed_exp(delta);
   const Mat3<T> Rt = transpose(rotation_matrix(step.Q));
-  return {Rt, T(-1) * (Rt * hat(step.p)), true};
+  return {Rt, T(-1) * times_hat(Rt, step.p), true};
 }
 template <BallNumber T>
 Jacobian6Value<T> d_difference_arg0(const Vec7<T>& q0, const Vec7<T>& q1) {
@@ -135,7 +135,7 @@ RateValue<T> configuration_rate(const Vec7<T>& q, const Vec6<T>& v) {
   const Mat3<T> R = rotation_matrix(Q);
   const Vec3<T> w = tail3(v);
   const Quaternion<T> omega{{w[0], w[1], w[2], T(0)}};
-  return {R * head3(v), T(0.5) * quaternion_product(Q, omega), R * hat(w), true};
+  return {R * head3(v), T(0.5) * quaternion_product(Q, omega), times_hat(R, w), true};
 }
 
 template <BallNumber T>

@@ -329,16 +329,40 @@ Vec3<T> rotate(const Quaternion<T>& q, const Vec3<T>& x, bool inverse = false) {
   return x + s * (w * vx + cross(v, vx));
 }
 
+/// A [p]: its rows are those of A, each crossed with p.
+template <class T>
+Mat3<T> times_hat(const Mat3<T>& A, const Vec3<T>& p) {
+  Mat3<T> r;
+  for (int i = 0; i < 3; ++i) {
+    const Vec3<T> row = cross(Vec3<T>{{A(i, 0), A(i, 1), A(i, 2)}}, p);
+    for (int j = 0; j < 3; ++j) r(i, j) = row[j];
+  }
+  return r;
+}
+
+/// 2 x, exact.
+template <class T>
+T twice(const T& x) {
+  if constexpr (BallNumber<T>) {
+    return doubled(x);
+  } else {
+    return 2 * x;
+  }
+}
+
 /// R(Q) - I = 2 w [v] + 2 [v]^2 of a unit quaternion: relative accuracy however small the angle is.
 template <class T>
 Mat3<T> rotation_minus_identity(const Quaternion<T>& q) {
-  const Mat3<T> V = hat(head3(q));
-  Mat3<T> E = V * V;
-  T t;
-  for (std::size_t i = 0; i < 9; ++i) {
-    set_product(t, q[3], V.x[i]);
-    E.x[i] += t;
-    E.x[i] *= 2;
+  Mat3<T> E;
+  T square[3], off, skew;
+  for (int i = 0; i < 3; ++i) set_product(square[i], q[i], q[i]);
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    E(i, i) = twice(T(-(square[j] + square[k])));
+    set_product(off, q[j], q[k]);
+    set_product(skew, q[3], q[i]);
+    E(j, k) = twice(T(off - skew));
+    E(k, j) = twice(T(off + skew));
   }
   return E;
 }
