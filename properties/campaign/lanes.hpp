@@ -22,6 +22,7 @@ struct Lanes {
 
   friend Lanes operator+(const Lanes& x, const Lanes& y) { return {x.a + y.a, x.b + y.b}; }
   friend Lanes operator-(const Lanes& x, const Lanes& y) { return {x.a - y.a, x.b - y.b}; }
+  friend Lanes operator-(const Lanes& x) { return {-x.a, -x.b}; }
   friend Lanes operator*(const Lanes& x, const Lanes& y) { return {x.a * y.a, x.b * y.b}; }
   friend Lanes operator/(const Lanes& x, const Lanes& y) { return {x.a / y.a, x.b / y.b}; }
   Lanes& operator*=(const Lanes& y) { return *this = *this * y; }
@@ -43,7 +44,9 @@ struct Lanes {
   friend Lanes cos(const Lanes&);
   friend Lanes atan2(const Lanes&, const Lanes&);
   friend Lanes fabs(const Lanes&);
-  friend Lanes ldexp(const Lanes&, int);
+  friend Lanes ldexp(const Lanes& x, int e) {
+    return x * Lanes(std::ldexp(1.0F, e));
+  }
   friend bool isfinite(const Lanes&);
 };
 
@@ -69,6 +72,7 @@ struct Span {
   }
   friend Span operator+(const Span& x, const Span& y) { return {x.low + y.low, x.high + y.high}; }
   friend Span operator-(const Span& x, const Span& y) { return {x.low - y.high, x.high - y.low}; }
+  friend Span operator-(const Span& x) { return {-x.high, -x.low}; }
   friend Span operator*(const Span& x, const Span& y) {
     return of({x.low * y.low, x.low * y.high, x.high * y.low, x.high * y.high});
   }
@@ -111,8 +115,8 @@ struct Span {
   friend Span fabs(const Span&) {
     return unknown();
   }
-  friend Span ldexp(const Span&, int) {
-    return unknown();
+  friend Span ldexp(const Span& x, int e) {
+    return {std::ldexp(x.low, e), std::ldexp(x.high, e)};
   }
   friend bool isfinite(const Span& x) {
     return std::isfinite(x.low) && std::isfinite(x.high);

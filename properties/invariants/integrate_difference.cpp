@@ -161,22 +161,42 @@ class IntegrateDifference final : public Law<IntegrateDifference, S> {
     Real along(0);
     for (int i = 3; i < 6; ++i) along += xv[i] * xd[i];
     if (at.pi_minus_theta < Real(64 * static_cast<double>(epsilon<S>())) && along < 0) return;
-    const auto stored = [&] {
-      std::vector<Real> all = to_list(x0);
-      for (const Real& c : xq.x) all.push_back(c);
-      return all;
+    // The quaternions' numbers move both blocks; the positions' move rho alone, linearly: rho = M (p1 - p0).
+    const auto pose = [](const oracles::Vec<7, Real>& q, const Real* Q) {
+      oracles::Vec<7, Real> moved = q;
+      for (int i = 0; i < 4; ++i) moved[3 + i] = Q[i];
+      return moved;
     };
     const auto kappa = sensitivity<Real>(
-        [](const std::vector<Real>& s) {
-          return to_list(closed_difference(from_list<7>(s), from_list<7>(s, 7)));
+        [&](const std::vector<Real>& Q) {
+          return to_list(closed_difference(pose(x0, Q.data()), pose(xq, Q.data() + 4)));
         },
-        stored, {{0, 3}, {3, 3}});
+        [&] {
+          std::vector<Real> all;
+          for (int i = 3; i < 7; ++i) all.push_back(x0[i]);
+          for (int i = 3; i < 7; ++i) all.push_back(xq[i]);
+          return all;
+        },
+        {{0, 3}, {3, 3}});
+    const auto movement_of_positions = [&] {
+      oracles::Vec<7, Real> from = x0, to = xq;
+      Real sum(0);
+      for (int i = 0; i < 3; ++i) from[i] = Real(0), to[i] = Real(0);
+      for (int i = 0; i < 3; ++i) {
+        to[i] = Real(1);
+        sum += (abs(x0[i]) + abs(xq[i])) * norm(head3(closed_difference(from, to)));
+        to[i] = Real(0);
+      }
+      return sum;
+    };
     const Real rho = norm(head3(xd)), phi = norm(tail3(xd));
     r.record(5, band, vector_error<S>(tail3(xv), tail3(xd)),
              [&] { return kappa.kappa(1, larger(phi, least_denominator<S, Real>())); });
     const Real scale = larger(rho, at.separation);
-    r.record(6, band, vector_error<S>(head3(xv), head3(xd), scale),
-             [&] { return kappa.kappa(0, larger(scale, least_denominator<S, Real>())); });
+    r.record(6, band, vector_error<S>(head3(xv), head3(xd), scale), [&] {
+      return condition_number<Real>(kappa.movement(0) + movement_of_positions(),
+                                    larger(scale, least_denominator<S, Real>()));
+    });
   }
 };
 

@@ -133,7 +133,7 @@ FastDouble atan2(const FastDouble& y, const FastDouble& x) {
 // Fourteen terms leave x^14/32! < 2^-113 of the sum; those from x^8 on, below 2^-56 of it, are in double. Eight
 // double-double steps whose terms fall by 1/30: 2^-101. |c_k'| <= 1/2.
 FastDouble stumpff_series(int k, const FastDouble& x) {
-  const DoubleDouble s = k == 4 ? sum<4, 14, 8>(x.m) : sum<5, 14, 8>(x.m);
+  const DoubleDouble s = k == 4 ? sum<4, 14, 8>(x.m) : k == 5 ? sum<5, 14, 8>(x.m) : sum<6, 14, 8>(x.m);
   return {s, FastDouble::up(x.r + 0x1p-101 * s.hi)};
 }
 

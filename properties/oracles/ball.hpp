@@ -174,7 +174,7 @@ void sin_cos(const FastDouble& x, FastDouble& sine, FastDouble& cosine);
 /// The angle of (x, y) in (-pi, pi]; throws Undecided at the origin.
 FastDouble atan2(const FastDouble& y, const FastDouble& x);
 
-/// c_k(x) = sum_j (-x)^j / (2j + k)!, k = 4 or 5, 0 <= x <= 1.
+/// c_k(x) = sum_j (-x)^j / (2j + k)!, k = 4, 5 or 6, 0 <= x <= 1.
 FastDouble stumpff_series(int k, const FastDouble& x);
 
 }  // namespace liecheck::oracles

@@ -233,6 +233,14 @@ JacobianBlocks<T> closed_left_jacobian_inverse(const Vec6<T>& xi) {
   const Vec3<T> rho = head3(xi), phi = tail3(xi);
   const T x = squared_norm(phi);
   if (x < 1) {
+    if constexpr (BallNumber<T>) {
+      // With h = c3 - 2 c4, h' = (5 c5 - c4 - 8 c6) / 2 and c2' = -h / 2: g = h / (2 c2), and two bits lost in g'.
+      const T c5 = stumpff_series(5, x), c6 = stumpff_series(6, x), c4 = T(1) / T(24) - x * c6;
+      const T c2 = T(0.5) - x * c4, c3 = T(1) / T(6) - x * c5, h = c3 - doubled(c4);
+      const T slope = T(0.5) * (T(5) * c5 - c4 - T(8) * c6);
+      const T dg = (slope * c2 + T(0.5) * h * h) / (doubled(c2) * c2);
+      return blocks(phi, rho, T(-0.5), T(h / doubled(c2)), T(0), T(doubled(dg) * dot(phi, rho)));
+    }
     const JacobianBlocks<T> jacobian = closed_left_jacobian(xi);
     const Mat3<T> K = inverse(jacobian.J);
     return {K, T(-1) * (K * jacobian.C * K)};

@@ -11,7 +11,8 @@
 //           C = c2 [rho] + c3 ([phi][rho] + [rho][phi])
 //             + (phi.rho) ((2 c4 - c3) [phi] + (3 c5 - c4) [phi]^2)
 //   J_l^-1  I - [phi]/2 + g [phi]^2,   g(theta^2) = (1 - theta c / (2 s)) / theta^2,   and likewise
-//           -[rho]/2 + g ([phi][rho] + [rho][phi]) + 2 g' (phi.rho) [phi]^2; below theta = 1 by cofactors.
+//           -[rho]/2 + g ([phi][rho] + [rho][phi]) + 2 g' (phi.rho) [phi]^2; below theta = 1 by cofactors, and in
+//           balls by g = (c3 - 2 c4) / (2 c2).
 //
 // What cancels in them does so to an absolute error of one rounding beside terms of size one, so that at 100
 // digits each block keeps 90 digits of its norm down to theta = 0; c3, c4, c5 come from their series below 1.

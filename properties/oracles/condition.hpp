@@ -61,8 +61,11 @@ class Sensitivity {
   Sensitivity(F f, Arguments arguments, std::vector<ConditionBlockOf<T>> blocks)
       : f_(std::move(f)), arguments_(std::move(arguments)), blocks_(std::move(blocks)) {}
   double kappa(std::size_t block, const T& denominator) const {
+    return condition_number<T>(movement(block), denominator);
+  }
+  const T& movement(std::size_t block) const {
     if (movements_.empty()) movements_ = movements<T>(f_, arguments_(), blocks_);
-    return condition_number<T>(movements_.at(block), denominator);
+    return movements_.at(block);
   }
 
  private:

@@ -134,13 +134,37 @@ TEST(Difference, AxisNearHalfATurnHasTheSignOfAScalarPartOfTwiceTheDigits) {
   // Q0 . Q1 = -1.2e-37 beside products of size 0.5: the axis is that of Q0* (-Q1).
   Vector7<double> q0 = Vector7<double>::Zero(), q1 = q0;
   q0.tail<4>() << 0x1.3ac88f7ecf59fp-34, -0x1.84b28381d982dp-1, -0x1.1c1b307817c84p-49, 0x1.4d41166cb9cc6p-1;
-  q1.tail<4>() << -0x1.1c1b307818c9dp-49, -0x1.4d41166cb9cc6p-1, -0x1.3ac88f7ecf59fp-34, -0x1.84b28381d982dp-1;
+  q1.tail<4>() << -0x1.1c1b307818c9dp-49, -0x1.4d41166cb9cc6p-1, -0x1.3ac88f7ecf59fp-34,
+      -0x1.84b28381d982dp-1;
   const Vector6<double> d = differenceSE3<double>(q0, q1);
   const Eigen::Quaterniond Q0(q0[6], q0[3], q0[4], q0[5]), Q1(q1[6], q1[3], q1[4], q1[5]);
   EXPECT_LT(d.tail<3>().dot((Q0.conjugate() * Q1).vec()), 0);
   EXPECT_LT(d.tail<3>().norm(), pi<double>() + 1e-15);
   const double w = exact_dot<double, 4>(q0.tail<4>(), q1.tail<4>());
   EXPECT_NEAR(w, -1.2e-37, 0.1e-37);
+}
+TYPED_TEST(Configuration, AxisNearHalfATurnHasTheSignOfAScalarPartThatUnderflows) {
+  using S = TypeParam;
+  // Q0 . Q1 = -tiny^2, or +tiny^2: the products themselves are zero in S.
+  const S tiny = std::numeric_limits<S>::denorm_min() > S(0) ? std::numeric_limits<S>::denorm_min()
+                                                             : std::numeric_limits<S>::min();
+  for (const S sign : {S(-1), S(1)}) {
+    Vector7<S> q0 = Vector7<S>::Zero(), q1 = q0;
+    q0[3] = sign * tiny, q0[6] = S(1), q1[3] = tiny, q1[5] = S(1);
+    const Vector6<S> d = differenceSE3<S>(q0, q1);
+    EXPECT_LE(error(d.template tail<3>(), Vector3<S>(S(0), S(0), sign * pi<S>())), 4 * this->eps);
+  }
+}
+TEST(ExactDot, KeepsTheSignThroughChainsOfCancellations) {
+  using Vector = Eigen::Matrix<float, 4, 1>;
+  const float u = 0x1p-23f;
+  // (1 + u)^2 - (1 + 2 u) - u^2 + t = t, whatever t is.
+  for (const float t : {0x1p-100f, 0x1p-149f, -0x1p-60f, -0x1p-130f}) {
+    const Vector a(1 + u, -(1 + 2 * u), -u, t), b(1 + u, 1, u, 0x1p-100f);
+    const float d = exact_dot<float, 4>(a, b), exact = t * 0x1p-100f;
+    EXPECT_EQ(d, std::abs(exact) < 0x1p-126f ? std::copysign(0x1p-126f, t) : exact) << t;
+    EXPECT_EQ((exact_dot<float, 4>(a.reverse(), b.reverse())), d);
+  }
 }
 TYPED_TEST(Configuration, AtExactlyHalfATurnDifferenceIsPiAboutEitherSignOfTheAxis) {
   using S = TypeParam;

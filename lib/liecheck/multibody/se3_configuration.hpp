@@ -29,6 +29,28 @@ Eigen::Matrix<S, N, 1> firstOrderNormalize(const Eigen::Matrix<S, N, 1>& u) {
   return u * ((S(3) - u.squaredNorm()) / S(2));
 }
 
+/// Q0 Q1 [x y z w], each number rounded once.
+template <Scalar S>
+Vector4<S> product(const Vector4<S>& a, const Vector4<S>& b) {
+  Vector4<S> q;
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    q[i] = CompensatedSum<S>()
+               .add_product(a[3], b[i])
+               .add_product(a[i], b[3])
+               .add_product(a[j], b[k])
+               .add_product(S(-a[k]), b[j])
+               .value();
+  }
+  q[3] = CompensatedSum<S>()
+             .add_product(a[3], b[3])
+             .add_product(S(-a[0]), b[0])
+             .add_product(S(-a[1]), b[1])
+             .add_product(S(-a[2]), b[2])
+             .value();
+  return q;
+}
+
 /// Q0* Q1 up to sign and up to the factor |Q0||Q1|, its scalar part >= 0 and its vector part accurate
 /// relative to itself however near the two rotations are.
 ///
@@ -79,7 +101,8 @@ Vector7<S> integrateSE3(const Vector7<S>& q, const Vector6<S>& delta) {
   Vector7<S> result;
   result.template head<3>() =
       q.template head<3>() + Q0.act(exp_log_detail::arc<S>(k, delta.template head<3>()));
-  result.template tail<4>() = se3_configuration_detail::firstOrderNormalize<S, 4>((Q0 * Q_01).to_vector());
+  result.template tail<4>() = se3_configuration_detail::firstOrderNormalize<S, 4>(
+      se3_configuration_detail::product<S>(Q0.to_vector(), Q_01.to_vector()));
   return result;
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 // Error-free transformations (Dekker 1971; Ogita, Rump & Oishi 2005), for the few sums whose terms cancel.
 
-#include <liecheck/scalar/scalar.hpp>
 #include <array>
+#include <liecheck/scalar/scalar.hpp>
 #include <limits>
 #include <utility>
 
@@ -59,34 +59,65 @@ class CompensatedSum {
     return *this;
   }
   S value() const { return high_ + low_; }
+  /// (value, what it leaves of the sum).
+  std::pair<S, S> pair() const { return two_sum<S>(high_, low_); }
 
  private:
   S high_ = S(0);
   S low_ = S(0);
 };
 
-/// a . b with its exact sign and a relative error of 2 eps however much cancels, barring underflow of the
-/// products: they are summed as a nonoverlapping expansion, smallest first. Shewchuk (1997), theorem 10.
+/// a . b with its exact sign and a relative error of 2 eps however much cancels and however small the products
+/// are; a sum that underflows is the smallest normal number with its sign. The products are summed as a
+/// nonoverlapping expansion (Shewchuk 1997, theorem 10), largest first and scaled to that, so that no part underflows;
+/// what is left after a cancellation is scaled up again before the next ones.
 template <Scalar S, int N, class V>
 S exact_dot(const V& a, const V& b) {
-  std::array<S, 2 * N> expansion;
-  int size = 0;
-  const auto grow = [&](S x) {
-    for (int i = 0; i < size; ++i) {
-      const auto [sum, rest] = two_sum(x, expansion[i]);
-      expansion[i] = rest;
-      x = sum;
-    }
-    expansion[size++] = x;
-  };
+  using std::frexp, std::ldexp;
+  constexpr int gap = 2 * std::numeric_limits<S>::digits + 12, none = std::numeric_limits<int>::min();
+  std::array<S, N> x, y;
+  std::array<int, N> exponent;  // none: added, or zero
   for (int i = 0; i < N; ++i) {
-    const auto [p, e] = two_product(a[i], b[i]);
-    grow(e);
-    grow(p);
+    int ea = 0, eb = 0;
+    x[i] = frexp(S(a[i]), &ea), y[i] = frexp(S(b[i]), &eb);
+    exponent[i] = x[i] == S(0) || y[i] == S(0) ? none : ea + eb;
   }
+  std::array<S, 2 * N> expansion;
+  int size = 0, scale = 0;  // of the sum: that of the expansion times 2^scale
+  const auto grow = [&](S t) {
+    for (int i = 0; i < size; ++i) {
+      const auto [sum, rest] = two_sum(t, expansion[i]);
+      expansion[i] = rest;
+      t = sum;
+    }
+    expansion[size++] = t;
+  };
   S sum(0);
-  for (const S& x : expansion) sum += x;
-  return sum;
+  for (;;) {
+    int top = none;
+    for (const int e : exponent) top = e > top ? e : top;
+    if (top == none) break;
+    if (sum != S(0)) {
+      int e = 0;
+      frexp(sum, &e);
+      if (top < e + scale - 4) break;  // the rest is less than an eighth of it
+      if (top < e + scale) top = e + scale;
+    }
+    for (int i = 0; i < size; ++i) expansion[i] = S(ldexp(expansion[i], scale - top));
+    scale = top;
+    for (int i = 0; i < N; ++i) {
+      if (exponent[i] == none || exponent[i] < top - gap) continue;
+      const auto [p, e] = two_product(S(ldexp(x[i], exponent[i] - top)), y[i]);
+      grow(e);
+      grow(p);
+      exponent[i] = none;
+    }
+    sum = S(0);
+    for (int i = 0; i < size; ++i) sum += expansion[i];
+  }
+  const S result = S(ldexp(sum, scale)), least = std::numeric_limits<S>::min();
+  if (sum != S(0) && result < least && result > -least) return sum < S(0) ? S(-least) : least;
+  return result;
 }
 
 }  // namespace liecheck

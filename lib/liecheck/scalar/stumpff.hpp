@@ -77,10 +77,10 @@ S c(const S& x) {
   return horner(a, x);
 }
 
-/// pi^2, rounded down: the domain of the series.
+/// A few ulp above pi^2, so that theta = pi rounded up is inside: the domain of the series, which hold to 10.
 template <Scalar S>
 const S& series_limit() {
-  static const S limit = pi<S>() * pi<S>() * (S(1) - S(2) * eps<S>());
+  static const S limit = pi<S>() * pi<S>() * (S(1) + S(8) * eps<S>());
   return limit;
 }
 
@@ -142,19 +142,45 @@ struct InverseCoefficient {
   }
 };
 
+namespace stumpff_detail {
+
+/// 1/6 = value + low to twice the digits.
+template <Scalar S>
+struct Sixth {
+  S value = S(1) / S(6), low;
+  Sixth() {
+    const auto [p, e] = two_product<S>(S(6), value);
+    low = ((S(1) - p) - e) / S(6);
+  }
+};
+
+/// a + a_low - x b, x = x_high + x_low, as an unevaluated sum (high, low): b's own error is what is left of it.
+template <Scalar S>
+std::pair<S, S> minus_product(const S& a, const S& a_low, const S& x, const S& x_low, const S& b,
+                              const S& b_low) {
+  const auto [p, pe] = two_product<S>(x, b);
+  const auto [sum, se] = two_sum<S>(a, -p);
+  return two_sum<S>(sum, a_low + ((se - pe) - (x * b_low + x_low * b)));
+}
+
+}  // namespace stumpff_detail
+
 /// sin(theta/2)/theta and cos(theta/2) from theta^2 = x + x_low on [0, pi^2]: the quaternion of a rotation
 /// vector. The rounding of theta^2, up to 1.5 eps, would turn into 2.4 eps of angle at pi; x_low carries it to
-/// first order. Error: sine 1.1 eps relative, cosine 1 eps absolute.
+/// first order, and the last two steps of Horner's scheme carry their roundings: sine_low is what sine_over_angle
+/// leaves of the sine. Error 0.6 eps each, relative for the sine, absolute for the cosine.
 template <Scalar S>
 struct HalfAngle {
-  S sine_over_angle, cosine;
+  S sine_over_angle, sine_low, cosine;
   explicit HalfAngle(const S& x, const S& x_low = S(0)) {
-    const S h = x / S(4);
-    const S c2 = stumpff_detail::c<S, 2>(h), c3 = stumpff_detail::c<S, 3>(h);
-    const S c1 = S(1) - h * c3;
-    // c_1' = (c_3 - c_2)/2 and c_0' = -c_1/2, at h = x/4.
-    sine_over_angle = S(1) / S(2) - (h * c3 + x_low / S(8) * (c2 - c3)) / S(2);
-    cosine = S(1) - (h * c2 + x_low / S(8) * c1);
+    using namespace stumpff_detail;
+    static const Sixth<S> sixth;
+    const S h = x / S(4), h_low = x_low / S(4);
+    const auto [c3, c3_low] = minus_product<S>(sixth.value, sixth.low, h, h_low, c<S, 5>(h), S(0));
+    const auto [c2, c2_low] = minus_product<S>(S(1) / S(2), S(0), h, h_low, c<S, 4>(h), S(0));
+    const auto [c1, c1_low] = minus_product<S>(S(1), S(0), h, h_low, c3, c3_low);
+    sine_over_angle = c1 / S(2), sine_low = c1_low / S(2);
+    cosine = minus_product<S>(S(1), S(0), h, h_low, c2, c2_low).first;
   }
 };
 
@@ -211,9 +237,12 @@ struct RotationCoefficients {
       const HalfAngle<S> half(high, low);
       sine_half = half.sine_over_angle;
       cosine_half = half.cosine;
-      k3 = S(1) / S(6) - x * stumpff_detail::c<S, 5>(x);
-      k2 = S(2) * sine_half * sine_half;
-      k1 = S(2) * sine_half * cosine_half;
+      using stumpff_detail::minus_product;
+      static const stumpff_detail::Sixth<S> sixth;
+      k3 = minus_product<S>(sixth.value, sixth.low, high, low, stumpff_detail::c<S, 5>(x), S(0)).first;
+      const auto [square, rest] = two_product<S>(sine_half, sine_half);
+      k2 = S(2) * (square + (rest + S(2) * sine_half * half.sine_low));
+      k1 = S(2) * (sine_half * cosine_half + half.sine_low * cosine_half);
     } else {
       using std::cos, std::sin, std::sqrt;
       theta = finite(x) ? S(sqrt(x)) : S(phi.stableNorm());

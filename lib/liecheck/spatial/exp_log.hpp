@@ -18,10 +18,37 @@ namespace liecheck {
 
 namespace exp_log_detail {
 
+/// a . b and a x b, each number rounded once (CompensatedSum), or plainly where splitting the factors overflows.
+template <Scalar S>
+std::pair<S, Vector3<S>> products(const Vector3<S>& a, const Vector3<S>& b) {
+  CompensatedSum<S> dot;
+  Vector3<S> c;
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    dot.add_product(a[i], b[i]);
+    c[i] = CompensatedSum<S>().add_product(a[j], b[k]).add_product(S(-a[k]), b[j]).value();
+  }
+  const S d = dot.value();
+  if (!finite(d) || !c.allFinite()) return {a.dot(b), cross<S>(a, b)};
+  return {d, c};
+}
+
+/// a x + b y + c z, each number rounded once, or plainly where splitting overflows.
+template <Scalar S>
+Vector3<S> combination(const S& a, const Vector3<S>& x, const S& b, const Vector3<S>& y, const S& c,
+                       const Vector3<S>& z) {
+  Vector3<S> sum;
+  for (int i = 0; i < 3; ++i)
+    sum[i] = CompensatedSum<S>().add_product(a, x[i]).add_product(b, y[i]).add_product(c, z[i]).value();
+  if (!sum.allFinite()) return a * x + (b * y + c * z);
+  return sum;
+}
+
 /// J(phi) rho from the coefficients. Error 3 eps of the result up to half a turn.
 template <Scalar S>
 Vector3<S> arc(const RotationCoefficients<S, Vector3<S>>& k, const Vector3<S>& rho) {
-  return k.k1 * rho + (k.k2 * cross<S>(k.axis, rho) + (k.k3 * k.axis.dot(rho)) * k.axis);
+  const auto [along, across] = products<S>(k.axis, rho);
+  return combination<S>(k.k1, rho, k.k2, across, k.k3 * along, k.axis);
 }
 
 /// A rotation vector phi = k v, and what J^-1(phi) needs, from a quaternion (v, w) of any scale.
@@ -39,7 +66,8 @@ struct RotationLogarithm {
   /// The same rounded alpha stands in both places, so along the axis its error cancels. Error 2.5 eps |rho|,
   /// that of phi included.
   Vector3<S> arc(const Vector3<S>& p) const {
-    return c.alpha * p + ((c.along * v.dot(p)) * v - (c.angle_over_sine / S(2)) * cross<S>(v, p));
+    const auto [along, across] = products<S>(v, p);
+    return combination<S>(c.alpha, p, c.along * along, v, -c.angle_over_sine / S(2), across);
   }
 };
 

@@ -9,6 +9,7 @@
 #include <liecheck/scalar/compensated.hpp>
 #include <liecheck/scalar/stumpff.hpp>
 #include <liecheck/spatial/types.hpp>
+#include <tuple>
 
 namespace liecheck {
 
@@ -45,20 +46,26 @@ class SO3 {
   /// as p, so u is summed in twice the digits and |Q|^2 enters by its distance from 1. Error 2.5 eps |p|.
   Vector3<S> act(const Vector3<S>& p) const {
     const Vector3<S> v = vec();
-    const auto cross_at = [](const Vector3<S>& a, const Vector3<S>& b, int i, CompensatedSum<S> sum) {
-      const int j = (i + 1) % 3, k = (i + 2) % 3;
-      return sum.add_product(a[j], b[k]).add_product(S(-a[k]), b[j]).value();
-    };
-    Vector3<S> c, result;
-    for (int i = 0; i < 3; ++i) c[i] = cross_at(v, p, i, {});
     CompensatedSum<S> defect;
     for (int i = 0; i < 4; ++i) defect.add_product(q_[i], q_[i]);
     const S excess = defect.add(S(-1)).value();
     const S correction = S(-2) * excess / (S(1) + excess);
+    // c + low = v x p; p + 2 (w c + v x c), rounded once.
+    Vector3<S> c, low, result;
     for (int i = 0; i < 3; ++i) {
-      CompensatedSum<S> sum;
-      const S u = cross_at(v, c, i, sum.add_product(w(), c[i]));
-      result[i] = p[i] + (S(2) * u + correction * u);
+      const int j = (i + 1) % 3, k = (i + 2) % 3;
+      std::tie(c[i], low[i]) = CompensatedSum<S>().add_product(v[j], p[k]).add_product(S(-v[k]), p[j]).pair();
+    }
+    for (int i = 0; i < 3; ++i) {
+      const int j = (i + 1) % 3, k = (i + 2) % 3;
+      const auto [u, u_low] = CompensatedSum<S>()
+                                  .add_product(w(), c[i])
+                                  .add_product(v[j], c[k])
+                                  .add_product(S(-v[k]), c[j])
+                                  .pair();
+      const S rest = u_low + (w() * low[i] + (v[j] * low[k] - v[k] * low[j]));
+      const auto [sum, sum_low] = two_sum<S>(p[i], S(2) * u);
+      result[i] = sum + (sum_low + (S(2) * rest + correction * u));
     }
     if (!result.allFinite()) {  // the splitting of products overflows a few binades before the result does
       const Vector3<S> t = cross(v, p) * scale();
