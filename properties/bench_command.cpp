@@ -73,6 +73,7 @@ int run_bench(const BenchFlags& f, const Robot& robot) {
     if (stop_requested) break;
     const bool alike = bug.name.rfind("alike:", 0) == 0;
     const Kill kill = hunt_down(bug.name, f, alike ? f.seconds / 10 : f.seconds, robot);
+    if (stop_requested && !kill.killed) break;  // it was not given its time
     const auto subject =
         std::find_if(tested.begin(), tested.end(), [&](const auto* s) { return s->name == bug.name; });
     nlohmann::json weak = nlohmann::json::object();
@@ -99,6 +100,8 @@ int run_bench(const BenchFlags& f, const Robot& robot) {
                     {"seconds", kill.seconds},
                     {"weaker_styles", weak}});
   }
+  if (stop_requested)
+    fmt::print("\ninterrupted after {} of {} subjects", bugs + alikes, known_bug_table().size());
   fmt::print(
       "\nkilled {} of {} bugs, the slowest in {:.2f} s of {} s each; {} of {} look-alikes refused; seed {}, "
       "{}\n",
@@ -106,11 +109,15 @@ int run_bench(const BenchFlags& f, const Robot& robot) {
   for (std::size_t i = 0; i < weak_styles().size(); ++i)
     fmt::print("{:<14} kills {:>3} of {}\n", weak_styles()[i].name, weak_kills[i], bugs);
   if (!f.json.empty())
-    reports::write_whole(
-        f.json,
-        nlohmann::json({{"seed", f.seed}, {"scalar", f.scalar}, {"seconds_each", f.seconds}, {"bugs", rows}})
-                .dump(1) +
-            "\n");
+    reports::write_whole(f.json, nlohmann::json({{"seed", f.seed},
+                                                 {"scalar", f.scalar},
+                                                 {"seconds_each", f.seconds},
+                                                 {"verdict", stop_requested ? "incomplete"
+                                                             : killed == bugs && false_alarms == 0 ? "pass"
+                                                                                                   : "fail"},
+                                                 {"bugs", rows}})
+                                         .dump(1) +
+                                     "\n");
   if (stop_requested) return incomplete;
   return killed == bugs && false_alarms == 0 ? within_budget : property_failed;
 }

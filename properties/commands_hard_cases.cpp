@@ -71,7 +71,9 @@ void print_hard_case_summary(const std::vector<HardRow>& rows, std::size_t shown
       fmt::print("  replay    liecheck replay {}\n", c.id.text());
     }
   if (failures > shown_failures)
-    fmt::print("\n{} more cells failed: liecheck hard-cases shows them all\n", failures - shown_failures);
+    fmt::print(
+        "\n{} more cells failed: liecheck hard-cases with the same --subject and --scalar shows them all\n",
+        failures - shown_failures);
 }
 
 void print_hard_case_table(const std::vector<HardRow>& rows) {

@@ -107,7 +107,8 @@ int run_list() {
     if (!scalars.empty()) fmt::print("  {:<12}{} in {}\n", name, version, fmt::join(scalars, ", "));
   }
   fmt::print(
-      "  textbook:1e-1 ... textbook:1e-12: variants with their cutoff there, run where they are named\n");
+      "  textbook:1e-1 ... textbook:1e-12: variants with their cutoff there, run where they are named\n"
+      "  bug:NAME, alike:NAME: known bugs and look-alikes, as 'liecheck bench bugs' names them; likewise\n");
   fmt::print("properties\n");
   std::set<std::string> seen;
   for (const auto& s : all)
@@ -137,10 +138,15 @@ int run_campaign_command(const Flags& f) {
   if (!f.json.empty()) check_writable(f.json);
   const Selection selection = selection_of(f);
   check_not_empty(selection, robot_of(f));
+  stop_on_signals();
   // Of a campaign in shards the first one replays the hard cases.
   const auto hard_cases = f.store.first_shard() ? hard_cases_of(f, selection) : std::vector<HardRow>{};
   if (!f.no_hard_cases && f.store.first_shard())
     print_hard_case_summary(hard_cases, 3), fmt::print("\n"), std::fflush(stdout);
+  if (stop_requested) {
+    std::fputs("interrupted in the hard cases: no case was run\n", stderr);
+    return incomplete;
+  }
   const auto done = campaign(f, selection);
   if (!done) return within_budget;
   const CampaignResult& result = *done;
@@ -159,14 +165,17 @@ int run_hard_cases_command(const Flags& f) {
   result.options.cases = 0;
   result.robot = robot_of(f);
   const auto cases = corpus_with(f.files);
+  stop_on_signals();
   const auto rows = run_hard_cases(selection_of(f), result.robot, cases, f.jobs);
-  if (rows.empty())
+  result.incomplete = stop_requested;
+  if (rows.empty() && !stop_requested)
     throw std::invalid_argument("nothing to run: no selected subject offers a hard case's property");
   const std::string lost = f.json.empty() ? "" : write_record(f.json, result, rows);
   print_hard_case_table(rows);
   print_hard_case_summary(rows, rows.size());
   if (!lost.empty()) throw std::runtime_error(lost);
-  return any_failed(rows) ? property_failed : within_budget;
+  if (stop_requested) std::fputs("interrupted: the rows that were done\n", stderr);
+  return stop_requested ? incomplete : any_failed(rows) ? property_failed : within_budget;
 }
 
 int run_replay(const Flags& f) {
@@ -297,15 +306,15 @@ int main(int argc, char** argv) {
     filled(c->add_option("--scalar", f.scalars, "float, double or float128, repeatable"), "SCALAR");
     filled(c->add_option("--json", f.json, "write the record to FILE"), "FILE");
   };
+  const auto wrong = [](const std::string& text) -> std::string {
+    try {
+      parse_duration(text);
+      return "";
+    } catch (const std::exception& e) {
+      return e.what();
+    }
+  };
   const auto time_flag = [&](CLI::App* c, const char* help, CLI::Option* other) {
-    const auto wrong = [](const std::string& text) -> std::string {
-      try {
-        parse_duration(text);
-        return "";
-      } catch (const std::exception& e) {
-        return e.what();
-      }
-    };
     return filled(c->add_option("--for", f.duration, help)->excludes(other), "DURATION")->check(wrong, "");
   };
   const auto budget_flags = [&](CLI::App* c) {
@@ -371,7 +380,8 @@ int main(int argc, char** argv) {
   filled(
       bugs->add_option("--for-each", f.duration,
                        "how long for each bug, and a tenth of it for each look-alike: 30s, 5m; default 60s"),
-      "DURATION");
+      "DURATION")
+      ->check(wrong, "");
   filled(bugs->add_option("--json", f.json, "write the table to FILE"), "FILE");
   auto* speed = bench->add_subcommand("speed",
                                       "cases a second against an oracle, on one core: exp6 beside rc::check "
@@ -380,7 +390,8 @@ int main(int argc, char** argv) {
   add_number(*speed, "--seed", f.seed, 0, UINT64_MAX, "seed of the cases");
   filled(speed->add_option("--for-each", f.duration,
                            "how long each of the five rounds of a row takes; default 0.5s"),
-         "DURATION");
+         "DURATION")
+      ->check(wrong, "");
   filled(speed->add_option("--json", f.json, "write the table to FILE"), "FILE");
   robot_flag(bugs, robot_help);
   SweepFlags s;

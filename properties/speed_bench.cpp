@@ -113,7 +113,10 @@ int run_speed_bench(const BenchFlags& f, const Robot& robot) {
       if (stop_requested) break;
       row.best = std::max(row.best, row.round());
     }
-  if (stop_requested) return incomplete;
+  if (stop_requested) {
+    std::fputs("interrupted: a rate is the best of five rounds, which were not run\n", stderr);
+    return incomplete;
+  }
 
   nlohmann::json table = nlohmann::json::array();
   fmt::print("{:<40}{:>14}\n", "best of five rounds, one core", "cases/s");

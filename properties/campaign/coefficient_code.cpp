@@ -127,8 +127,9 @@ const std::vector<CoefficientClaim>& coefficient_claims() {
       {d, "d", "(1 - (theta/2) cot(theta/2)) / theta^2", "theta^2", 3.1,
        "(c3 - 2 c4) / (2 c2): the error of both"},
       {d2, "d2", "2 dd/dx", "theta^2", 22, "the products of its numerator cancel near pi"},
-      {half_sine, "sine_over_angle", "sin(theta/2) / theta", "theta^2", 1.1, "1/2 - h c3(h) / 2, h = x/4"},
-      {half_cosine, "cosine", "cos(theta/2)", "theta^2", 1, "1 - h c2(h), h = x/4: crosses zero at pi"},
+      {half_sine, "sine_over_angle", "sin(theta/2) / theta", "theta^2", 0.6,
+       "1/2 - h c3(h) / 2, h = x/4: roundings carried"},
+      {half_cosine, "cosine", "cos(theta/2)", "theta^2", 0.6, "1 - h c2(h), h = x/4: crosses zero at pi"},
       {angle_over_sine, "angle_over_sine", "2 h / tan h", "tan^2 h", 1.5, "a root, atan2 and a quotient"},
       {alpha, "alpha", "h cot h", "tan^2 h", 2.5,
        "angle_over_sine times cosine; that product is exact at w = 1, and rounds elsewhere"}};

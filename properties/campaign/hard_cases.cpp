@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <atomic>
+#include <campaign/campaign.hpp>
 #include <campaign/threads.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -132,11 +133,16 @@ std::vector<HardRow> run_hard_cases(const Selection& selection, const Robot& rob
   std::vector<Task> tasks = tasks_of(cases, selection, all);
   std::atomic<std::size_t> next{0};
   std::atomic<bool> stop{false};
+  std::vector<char> ran(tasks.size(), 0);
   run_on_threads(jobs, stop, [&] {
-    for (std::size_t i = next++; i < tasks.size() && !stop; i = next++) run(tasks[i]);
+    for (std::size_t i = next++; i < tasks.size() && !stop && !stop_requested; i = next++) {
+      run(tasks[i]);
+      ran[i] = 1;
+    }
   });
   std::vector<HardRow> rows;
-  for (Task& task : tasks) rows.push_back(std::move(task.row));
+  for (std::size_t i = 0; i < tasks.size(); ++i)
+    if (ran[i]) rows.push_back(std::move(tasks[i].row));
   return rows;
 }
 

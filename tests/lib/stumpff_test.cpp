@@ -136,8 +136,8 @@ TYPED_TEST(StumpffOf, HalfAnglesKeepTheirBounds) {
     sine = (std::max)(sine, double(abs(Real(half([](auto h) { return h.sine_over_angle; })(x)) - s) / s));
     cosine = (std::max)(cosine, double(abs(Real(half([](auto h) { return h.cosine; })(x)) - c)));
   }
-  EXPECT_LE(sine / double(eps<S>()), 1.1);
-  EXPECT_LE(cosine / double(eps<S>()), 1);
+  EXPECT_LE(sine / double(eps<S>()), 0.6);
+  EXPECT_LE(cosine / double(eps<S>()), 0.6);
 }
 
 TYPED_TEST(StumpffOf, LimitsAtZeroAreExactToHalfAnUlp) {
