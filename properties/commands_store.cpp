@@ -173,7 +173,12 @@ std::optional<int> StoreCommands::run() const {
   if (compare_->parsed()) {
     const StoredCampaign a = load_campaign(before_), b = load_campaign(after_);
     for (const auto& [name, c] : {std::pair(&before_, &a), std::pair(&after_, &b)})
-      if (!c->complete() && c->spec.cases > 0) fmt::print(stderr, "liecheck: {}: unfinished\n", *name);
+      if (!c->complete() && c->spec.cases > 0) {
+        fmt::print(stderr, "liecheck: {}: unfinished\n", *name);
+      } else if (c->spec.cases > 0 && c->spec.last - c->spec.first < c->spec.cases) {
+        fmt::print(stderr, "liecheck: {}: a shard, cases {} to {} of {} in each series\n", *name,
+                   c->spec.first, c->spec.last - 1, c->spec.cases);
+      }
     const auto lines = worse(a, b);
     for (const std::string& line : lines) fmt::print("{}\n", line);
     fmt::print("{} worse\n", lines.empty() ? "nothing is" : fmt::format("{} cells are", lines.size()));

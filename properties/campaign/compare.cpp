@@ -92,8 +92,10 @@ std::vector<std::string> worse(const StoredCampaign& a, const StoredCampaign& b)
         say(fmt::format("{} {} of {} cases, were {} of {}", what, to, is.count, from, was.count));
     };
     grew("failed", was.failed, is.failed);
-    grew("unresolved", was.unresolved, is.unresolved);
-    grew("ill-posed", was.ill_posed, is.ill_posed);
+    if (same_inputs) {  // over others it is the inputs that are so
+      grew("unresolved", was.unresolved, is.unresolved);
+      grew("ill-posed", was.ill_posed, is.ill_posed);
+    }
     if (same_inputs && is.count < was.count)
       say(fmt::format("measured {} times, were {}", is.count, was.count));
     if (same_inputs) {

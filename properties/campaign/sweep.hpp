@@ -7,7 +7,7 @@
 // vector brings here. Each coefficient is measured at the exact float x. Seen from theta, the rounding of one
 // square (eps/2 of x) adds to first order at most `square_eps`, the greatest |x F'(x)| / 2 or |x F'(x) / F(x)| / 2;
 // the sum of three squares up to three times that. HalfAngle takes it back with x_low, 0 here. From the limit of
-// the series on, pi^2 (1 - 2 eps), the code takes the sine forms, which are not covered. The logarithm's two are
+// the series on, pi^2 (1 + 8 eps), the code takes the sine forms, which are not covered. The logarithm's two are
 // swept at cosine = 1 over every finite float squared_sine = tan^2 h, with this machine's atan2: every half angle
 // of [0, pi/2), for quaternions whose w is a power of two; other w differ in roundings (alpha by one more) and
 // have too many pairs to sweep. `along` is consistent with alpha by design and has no bound of its own.

@@ -89,7 +89,7 @@ SO3<S> relativeRotation(const Vector4<S>& Q0, const Vector4<S>& Q1) {
 
 /// T exp(delta) as [p; x y z w]; Q1 . Q0 >= 0: the quaternion nearer to the one it came from. Pose q [7; m],
 /// delta [6; m, rad].
-/// Error: rotation 3 eps, translation 5 eps of max(|p1|, |p0|, |rho|), up to half a turn; beyond, the excess
+/// Error: rotation 4 eps, translation 4 eps of max(|p1|, |p0|, |rho|), up to half a turn; beyond, the excess
 /// rule. Norm: ||Q1|^2 - 1| <= 3 eps + 3/4 d^2; the rotation is that of Q0/|Q0| whatever d.
 template <Scalar S>
 Vector7<S> integrateSE3(const Vector7<S>& q, const Vector6<S>& delta) {

@@ -43,7 +43,7 @@ class SO3 {
   }
 
   /// R p = p + 2 u / |Q|^2, u = w (v x p) + v x (v x p). Shape 3, unit of p. At half a turn 2 u is twice as long
-  /// as p, so u is summed in twice the digits and |Q|^2 enters by its distance from 1. Error 2.5 eps |p|.
+  /// as p, so u is summed in twice the digits and |Q|^2 enters by its distance from 1. Error 1 eps |p|.
   Vector3<S> act(const Vector3<S>& p) const {
     const Vector3<S> v = vec();
     CompensatedSum<S> defect;
