@@ -118,11 +118,25 @@ bool mentions(const std::string& text, const std::string& name) {
   return false;
 }
 
+/// The law's fields; a robot's, one for each part of a joint (q0_7, q0_0_p, ...), as the vectors that they make up.
+std::vector<Field> whole_vectors(const Series& series) {
+  if (series.robot == "none") return series.fields;
+  std::vector<Field> all;
+  for (const Field& f : series.fields) {
+    const std::string name = f.name.substr(0, f.name.find('_'));
+    if (all.empty() || all.back().name != name)
+      all.push_back({name, Kind::opaque, 0, name == "delta" ? "m, rad" : "m, 1, rad"});
+    all.back().size += f.size;
+  }
+  return all;
+}
+
 }  // namespace
 
 std::string snippet(const Series& series, const Output& output, const std::vector<std::string>& numbers) {
   const Call* call = call_of(output.operation);
   if (!call) return "";
+  const std::vector<Field> fields = whole_vectors(series);
   const bool wide = series.scalar == "float128";
   std::string text = fmt::format(
       "// c++ -std=gnu++20 -I lib $(pkg-config --cflags eigen3) case.cpp{}{}\n"
@@ -136,14 +150,13 @@ std::string snippet(const Series& series, const Output& output, const std::vecto
   if (output.operation == "exp6")
     result += output.block == "rotation" || output.block == "orthogonality defect" ? ".rotation()"
                                                                                    : ".translation()";
-  const bool across = std::any_of(series.fields.begin(), series.fields.end(),
+  const bool across = std::any_of(fields.begin(), fields.end(),
                                   [](const Field& f) { return f.name == "theta" && f.size == 2; });
   // Only what the call needs.
   std::vector<std::string> needed;
   std::string set_up;
   const auto has = [&](const std::string& name) {
-    return std::any_of(series.fields.begin(), series.fields.end(),
-                       [&](const Field& f) { return f.name == name; });
+    return std::any_of(fields.begin(), fields.end(), [&](const Field& f) { return f.name == name; });
   };
   for (const Variable& v : variables(series.robot != "none"))
     if (mentions(result, v.name) && !has(v.name) && std::all_of(v.fields.begin(), v.fields.end(), has)) {
@@ -151,7 +164,7 @@ std::string snippet(const Series& series, const Output& output, const std::vecto
       needed.insert(needed.end(), v.fields.begin(), v.fields.end());
     }
   std::size_t from = 0;
-  for (const Field& f : series.fields) {
+  for (const Field& f : fields) {
     std::vector<std::string> x;
     for (int i = 0; i < f.size; ++i) x.push_back(numbers.at(from++) + suffix);
     if (across || mentions(result, f.name) || std::find(needed.begin(), needed.end(), f.name) != needed.end())

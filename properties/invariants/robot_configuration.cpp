@@ -1,6 +1,8 @@
 // integrate and difference on the whole configuration vector of a robot, joint by joint against the oracles,
 // and Q, -Q as one configuration.
 
+#include <fmt/format.h>
+
 #include <generators/rotations.hpp>
 #include <invariants/common.hpp>
 #include <liecheck/urdf/urdf.hpp>
@@ -38,9 +40,30 @@ class RobotConfiguration final : public Law<RobotConfiguration, S> {
             {"robot_is_same", "same"}};
   }
   std::vector<Field> fields() const override {
-    return {{"q0", Kind::opaque, nq_, "m, 1, rad"},
-            {"q1", Kind::opaque, nq_, "m, 1, rad"},
-            {"delta", Kind::opaque, nv_, "m, rad"}};
+    std::vector<Field> all;
+    const auto configuration = [&](const char* name, Reach reach) {
+      for (const Segment& s : segments_) {
+        const std::string at = fmt::format("{}_{}", name, s.q);
+        if (s.nq == 7) {
+          all.push_back({at + "_p", Kind::vector, 3, "m", reach});
+          all.push_back({at + "_Q", Kind::quaternion, 4, "1", reach});
+        } else {
+          all.push_back({at, Kind::opaque, s.nq, s.nq == 2 ? "1" : "m or rad"});
+        }
+      }
+    };
+    configuration("q0", Reach::limited);
+    configuration("q1", Reach::beside);
+    for (const Segment& s : segments_) {
+      const std::string at = fmt::format("delta_{}", s.v);
+      if (s.nq == 7) {
+        all.push_back({at + "_rho", Kind::vector, 3, "m"});
+        all.push_back({at + "_phi", Kind::rotation_vector, 3, "rad"});
+      } else {
+        all.push_back({at, Kind::opaque, 1, "m or rad"});
+      }
+    }
+    return all;
   }
   bool offered(const Subject<S>& s) const override { return s.operations.robot; }
   bool needs_robot() const override { return true; }
