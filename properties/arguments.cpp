@@ -37,13 +37,16 @@ CLI::Option* filled(CLI::Option* option, const std::string& value_name) {
 }
 
 std::string usage_error(const CLI::App& app, const CLI::ParseError& e) {
-  const auto rest = app.remaining();
-  if (!app.get_subcommands().empty() || rest.empty()) return e.what();
+  const CLI::App* at = &app;
+  while (!at->get_subcommands().empty()) at = at->get_subcommands().front();
+  const auto commands = at->get_subcommands([](const CLI::App*) { return true; });
+  const auto rest = at->remaining();
+  if (commands.empty() || (rest.empty() && at == &app)) return e.what();
   std::vector<std::string> known;
-  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
-    known.push_back(command->get_name());
-  return fmt::format("unknown {} '{}'; commands: {}", rest[0].rfind('-', 0) == 0 ? "option" : "command",
-                     rest[0], fmt::join(known, ", "));
+  for (const CLI::App* command : commands) known.push_back(command->get_name());
+  if (rest.empty()) return fmt::format("{}: which one? {}", at->get_name(), fmt::join(known, ", "));
+  return fmt::format("unknown {} '{}'; commands{}: {}", rest[0].rfind('-', 0) == 0 ? "option" : "command",
+                     rest[0], at == &app ? "" : " of " + at->get_name(), fmt::join(known, ", "));
 }
 
 }  // namespace liecheck::properties

@@ -66,7 +66,7 @@ int run_bench(const BenchFlags& f, const Robot& robot) {
   std::size_t bugs = 0, killed = 0, alikes = 0, false_alarms = 0;
   double slowest = 0;
   std::vector<std::size_t> weak_kills(weak_styles().size(), 0);
-  fmt::print("{:<34}{:<10}{:>9}{:>9}  {:<52}", "known bug", "", "cases", "s", "killed by");
+  fmt::print("{:<34} {:<10}{:>9}{:>9}  {:<52}", "known bug", "", "cases", "s", "killed by");
   for (const WeakStyle& w : weak_styles()) fmt::print("{:>14}", w.name);
   fmt::print("\n");
   for (const KnownBug& bug : known_bug_table()) {
@@ -87,7 +87,7 @@ int run_bench(const BenchFlags& f, const Robot& robot) {
     (alike ? alikes : bugs) += 1;
     (alike ? false_alarms : killed) += kill.killed;
     if (!alike) slowest = std::max(slowest, kill.seconds);
-    fmt::print("{:<34}{:<10}{:>9}{:>9.3f}  {:<52}{}\n", bug.name,
+    fmt::print("{:<34} {:<10}{:>9}{:>9.3f}  {:<52}{}\n", bug.name,
                alike ? (kill.killed ? "REFUSED" : "passes") : (kill.killed ? "killed" : "SURVIVES"),
                kill.cases, kill.seconds, kill.by.empty() ? "-" : kill.by, marks);
     std::fflush(stdout);
@@ -109,7 +109,8 @@ int run_bench(const BenchFlags& f, const Robot& robot) {
   for (std::size_t i = 0; i < weak_styles().size(); ++i)
     fmt::print("{:<14} kills {:>3} of {}\n", weak_styles()[i].name, weak_kills[i], bugs);
   if (!f.json.empty())
-    reports::write_whole(f.json, nlohmann::json({{"seed", f.seed},
+    reports::write_whole(f.json, nlohmann::json({{"version", LIECHECK_VERSION},
+                                                 {"seed", f.seed},
                                                  {"scalar", f.scalar},
                                                  {"seconds_each", f.seconds},
                                                  {"verdict", stop_requested ? "incomplete"

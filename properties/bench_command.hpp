@@ -17,7 +17,8 @@ struct BenchFlags {
 int run_bench(const BenchFlags& flags, const Robot& robot);
 
 /// Cases a second: exp6, beside rc::check with an oracle of 50 digits; every law of liecheck in float and double;
-/// two jobs beside one. Five interleaved rounds, of which the best counts. 0, or 3 where it was stopped.
+/// two jobs beside one. Five interleaved rounds, of which the best counts. 0, 1 where rc::check falsified exp6, or 3
+/// where it was stopped.
 int run_speed_bench(const BenchFlags& flags, const Robot& robot);
 
 }  // namespace liecheck::properties

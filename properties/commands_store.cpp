@@ -30,6 +30,13 @@ void parse_shard(const std::string& text, CampaignOptions& o) {
   o.shard = i, o.shards = n;
 }
 
+/// This process's rank, if it has one.
+const char* rank_of_mpirun() {
+  for (const char* name : {"OMPI_COMM_WORLD_RANK", "PMI_RANK", "PMIX_RANK"})
+    if (const char* rank = std::getenv(name)) return rank;
+  return nullptr;
+}
+
 std::string rank_file(const std::string& store, int rank, int size) {
   return fmt::format("{}.{}-of-{}", store, rank + 1, size);
 }
@@ -81,8 +88,7 @@ std::optional<CampaignResult> run_rank(const Ranks& ranks, CampaignOptions o, co
 }  // namespace
 
 bool StoreFlags::first_shard() const {
-  for (const char* name : {"OMPI_COMM_WORLD_RANK", "PMI_RANK", "PMIX_RANK"})
-    if (const char* rank = std::getenv(name)) return std::atoi(rank) == 0;
+  if (const char* rank = rank_of_mpirun()) return std::atoi(rank) == 0;
   return shard.empty() || std::atoi(shard.c_str()) == 1;
 }
 
@@ -103,12 +109,18 @@ std::string command_line(int argc, char** argv) {
   return line;
 }
 
-std::optional<CampaignResult> run_stored_campaign(CampaignOptions o, const Robot& robot,
-                                                  const StoreFlags& f) {
+void check_store_flags(const StoreFlags& f, bool timed) {
+  CampaignOptions o;
   if (!f.shard.empty()) {
     parse_shard(f.shard, o);
-    if (o.seconds) throw std::invalid_argument("--for: a shard is a part of a count: give --cases");
+    if (timed) throw std::invalid_argument("--for: a shard is a part of a count: give --cases");
   }
+  if (!f.store.empty() && !rank_of_mpirun()) Store(f.store, Store::Open::create);
+}
+
+std::optional<CampaignResult> run_stored_campaign(CampaignOptions o, const Robot& robot,
+                                                  const StoreFlags& f) {
+  if (!f.shard.empty()) parse_shard(f.shard, o);
   const Ranks ranks;
   if (ranks.size() > 1) return run_rank(ranks, o, robot, f);
   if (f.store.empty()) return run_campaign(o, robot);

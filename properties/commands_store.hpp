@@ -26,6 +26,9 @@ void add_store_flags(CLI::App& campaign, StoreFlags& flags);
 /// The line that was typed, each argument quoted where a shell needs it.
 std::string command_line(int argc, char** argv);
 
+/// Before anything runs: throws for a wrong --shard, for --shard with --for, and for a store that cannot be used.
+void check_store_flags(const StoreFlags& flags, bool timed);
+
 /// Runs a campaign into its store, over the ranks of mpirun where it started this; nothing on the ranks that
 /// leave the result to the first one.
 std::optional<CampaignResult> run_stored_campaign(CampaignOptions options, const Robot& robot,

@@ -1,35 +1,26 @@
 #include <hunt_command.hpp>
 
-#include <unistd.h>
-
 #include <fmt/format.h>
 #include <algorithm>
 #include <campaign/campaign.hpp>
+#include <campaign/corpus.hpp>
+#include <campaign/progress.hpp>
 #include <campaign/text.hpp>
-#include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <set>
 
 namespace liecheck::properties {
 
 namespace {
 
-/// One line that rewrites itself on a terminal, a line every ten seconds elsewhere.
 std::function<void(std::uint64_t, double, double)> progress_of(const std::string& what) {
-  using Clock = std::chrono::steady_clock;
-  const bool terminal = isatty(2) != 0;
-  return [what, terminal, last = Clock::now()](std::uint64_t n, double share, double worst) mutable {
-    const auto now = Clock::now();
-    if (now - last < std::chrono::milliseconds(terminal ? 200 : 10000)) return;
-    last = now;
-    const std::string line = fmt::format("{}: {:3.0f} %  {} evaluations  worst {:.3g}", what,
-                                         std::min(1.0, share) * 100, n, std::max(0.0, worst));
-    if (terminal)
-      fmt::print(stderr, "\r{:<76.76}\r", line);
-    else
-      fmt::print(stderr, "{}\n", line);
-    std::fflush(stderr);
+  return [line = std::make_shared<Progress>(what)](std::uint64_t n, double share, double worst) {
+    line->show(share, [&](double elapsed) {
+      return fmt::format("{} evaluations  {:.0f}/s  worst {:.3g}", n,
+                         elapsed > 0 ? static_cast<double>(n) / elapsed : 0, std::max(0.0, worst));
+    });
   };
 }
 
@@ -127,21 +118,50 @@ std::vector<std::unique_ptr<Series>> series_of(const HuntFlags& f, const Robot& 
   return all;
 }
 
+/// The file that --corpus names. Throws where it is something else.
+class CorpusFile {
+ public:
+  explicit CorpusFile(std::string path) : path_(std::move(path)) {
+    if (path_.empty()) return;
+    const bool existed = std::filesystem::exists(path_);
+    if (existed && !std::filesystem::is_regular_file(path_))
+      throw std::invalid_argument(fmt::format("--corpus: {}: not a regular file", path_));
+    if (existed && std::filesystem::file_size(path_) > 0)
+      for (const HardCase& c : read_corpus(path_)) names_.insert(c.name);
+    if (!std::ofstream(path_, std::ios::app))
+      throw std::invalid_argument(fmt::format("--corpus: {}: cannot be written", path_));
+  }
+  void add(const std::string& line) {
+    if (names_.insert(line.substr(0, line.find(" | "))).second) lines_ += line;
+  }
+  /// Appends what was added.
+  void close() const {
+    if (path_.empty() || lines_.empty()) return;
+    std::fstream file(path_, std::ios::in | std::ios::out | std::ios::ate);
+    std::string before;
+    if (file.tellg() == 0) {
+      before = "# name | property | input | class | reason | origin\n";
+    } else if (file.seekg(-1, std::ios::end).get() != '\n') {
+      before = "\n";
+    }
+    file.seekp(0, std::ios::end);
+    file << before << lines_;
+    file.close();
+    if (!file) throw std::runtime_error(fmt::format("--corpus: {}: cannot be written", path_));
+  }
+
+ private:
+  std::string path_, lines_;
+  std::set<std::string> names_;
+};
+
 }  // namespace
 
 int run_hunt(const HuntFlags& f, const Robot& robot) {
   const auto all = series_of(f, robot);
-  std::string lines;
-  if (!f.corpus.empty()) {
-    const bool existed = std::filesystem::exists(f.corpus);
-    if (existed && !std::filesystem::is_regular_file(f.corpus))
-      throw std::invalid_argument(fmt::format("--corpus: {}: not a regular file", f.corpus));
-    if (!std::ofstream(f.corpus, std::ios::app))
-      throw std::invalid_argument(fmt::format("--corpus: {}: cannot be written", f.corpus));
-    if (!existed) lines = "# name | property | input | class | reason | origin\n";
-  }
+  CorpusFile corpus(f.corpus);
   const std::string robot_flag = robot.path.empty() ? "" : " --robot " + shell_quoted(robot.path);
-  bool failed = false, measured = false;
+  bool failed = false;
   for (std::size_t k = 0; k < all.size(); ++k) {
     const Series& series = *all[k];
     HuntOptions options = f.options;
@@ -151,12 +171,14 @@ int run_hunt(const HuntFlags& f, const Robot& robot) {
     options.seconds = f.options.seconds / static_cast<double>(all.size());
     options.progress = progress_of(fmt::format("hunt {} {}", series.property, options.operation));
     const HuntResult hunted = series.hunt(options);
+    options.progress = nullptr;
     HuntResult random;
     if (f.versus_random && !hunted.stopped) {
       options.evaluations = hunted.evaluations;
       options.random = true;
       options.progress = progress_of(fmt::format("random {} {}", series.property, options.operation));
       random = series.hunt(options);
+      options.progress = nullptr;
     }
     fmt::print("{}hunt of {} on {} {} in {}, seed {}: {} evaluations in {:.1f} s\n", k ? "\n" : "",
                options.operation, series.subject, series.subject_version, series.scalar, options.seed,
@@ -164,22 +186,16 @@ int run_hunt(const HuntFlags& f, const Robot& robot) {
     for (std::size_t i = 0; i < hunted.worst.size(); ++i) {
       const Worst& w = hunted.worst[i];
       failed = print_worst(series, w, series.robot == "none" ? "" : robot_flag) || failed;
-      measured = measured || w.score >= 0 || w.broken;
       if (i < random.worst.size()) print_comparison(w, random.worst[i], random.evaluations);
       if (w.score >= 0 || w.broken)
-        lines +=
+        corpus.add(
             corpus_line(series, w,
                         fmt::format("liecheck hunt --subject {} --op {} --seed {}, {} evaluations",
-                                    series.subject, options.operation, options.seed, hunted.evaluations));
+                                    series.subject, options.operation, options.seed, hunted.evaluations)));
     }
     if (stop_requested) break;
   }
-  if (!f.corpus.empty() && measured) {
-    std::ofstream file(f.corpus, std::ios::app);
-    file << lines;
-    file.close();
-    if (!file) throw std::runtime_error(fmt::format("--corpus: {}: cannot be written", f.corpus));
-  }
+  corpus.close();
   if (stop_requested) fmt::print("\ninterrupted: the worst so far\n");
   return stop_requested ? 3 : failed ? 1 : 0;
 }

@@ -51,13 +51,6 @@ const Robot& robot_of(const Flags& f) {
   return robot;
 }
 
-void check_subject(const std::string& name) {
-  const auto known = subject_names();
-  if (std::find(known.begin(), known.end(), name) == known.end())
-    throw std::invalid_argument(
-        fmt::format("unknown subject '{}'; known: all, {}", name, fmt::join(known, ", ")));
-}
-
 /// Before anything runs. The exit is a line, not an empty table.
 void check_not_empty(const Selection& selection, const Robot& robot) {
   if (select(selection, robot).empty())
@@ -72,7 +65,7 @@ Selection selection_of(const Flags& f) {
     s.subjects = {"liecheck"};
     if (f.scalars.empty()) s.scalars = {"float", "double"};
   } else if (std::erase(s.subjects, "all") > 0) {
-    for (const std::string& name : s.subjects) check_subject(name);
+    check_subjects(s.subjects);
     s.subjects.clear();
   }
   return s;
@@ -138,6 +131,7 @@ int run_campaign_command(const Flags& f) {
   if (!f.json.empty()) check_writable(f.json);
   const Selection selection = selection_of(f);
   check_not_empty(selection, robot_of(f));
+  check_store_flags(f.store, !f.duration.empty());
   stop_on_signals();
   // Of a campaign in shards the first one replays the hard cases.
   const auto hard_cases = f.store.first_shard() ? hard_cases_of(f, selection) : std::vector<HardRow>{};
@@ -252,7 +246,10 @@ int run_report(const Flags& f) {
     const CampaignResult result = campaign(f, {}).value();
     if (result.incomplete) std::fputs("interrupted: the report holds what was done\n", stderr);
     std::optional<SweepResult> swept;
-    if (!stop_requested) swept = run_sweep({{}, "", f.jobs});
+    if (!stop_requested) {
+      swept = run_sweep({{}, "", f.jobs});
+      if (stop_requested) std::fputs("interrupted in the sweep: the report holds what was done\n", stderr);
+    }
     const std::string lost = write_record(path, result, hard_cases, swept ? &*swept : nullptr);
     if (!lost.empty()) throw std::runtime_error(lost);
     records.push_back(path);

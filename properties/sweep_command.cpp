@@ -1,11 +1,9 @@
 #include <sweep_command.hpp>
 
-#include <unistd.h>
-
 #include <fmt/format.h>
 #include <algorithm>
 #include <campaign/campaign.hpp>
-#include <chrono>
+#include <campaign/progress.hpp>
 #include <cmath>
 #include <commands_store.hpp>
 #include <nlohmann/json.hpp>
@@ -15,25 +13,6 @@ namespace liecheck::properties {
 namespace {
 
 using nlohmann::json;
-
-/// One line that rewrites itself on a terminal, a line every ten seconds elsewhere.
-std::function<void(double)> progress() {
-  using Clock = std::chrono::steady_clock;
-  const bool terminal = isatty(2) != 0;
-  return [terminal, start = Clock::now(), last = Clock::now()](double share) mutable {
-    const auto now = Clock::now();
-    if (now - last < std::chrono::milliseconds(terminal ? 200 : 10000) && !(terminal && share == 1)) return;
-    last = now;
-    const double elapsed = std::chrono::duration<double>(now - start).count();
-    const std::string line = fmt::format("sweep: {:3.0f} % of the floats, left {:.0f} s", share * 100,
-                                         elapsed * (1 - share) / share);
-    if (terminal)
-      fmt::print(stderr, "\r{:<60}\r{}", line, share == 1 ? fmt::format("{:60}\r", "") : "");
-    else
-      fmt::print(stderr, "{}\n", line);
-    std::fflush(stderr);
-  };
-}
 
 std::vector<Coefficient> named(const std::vector<std::string>& names) {
   std::vector<Coefficient> all;
@@ -74,7 +53,10 @@ SweepResult run_sweep(const SweepFlags& f) {
   options.jobs = f.jobs;
   options.stride = f.stride;
   options.stop = &stop_requested;
-  options.progress = progress();
+  Progress progress("sweep");
+  options.progress = [&](double share) {
+    progress.show(share, [](double) { return std::string("of the floats"); });
+  };
   return sweep(options);
 }
 

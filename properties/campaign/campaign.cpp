@@ -1,18 +1,15 @@
 #include <campaign/campaign.hpp>
 
-#include <sys/ioctl.h>
-#include <unistd.h>
-
 #include <fmt/format.h>
 #include <algorithm>
 #include <campaign/counterexamples.hpp>
 #include <campaign/coverage_report.hpp>
+#include <campaign/progress.hpp>
 #include <campaign/snippet.hpp>
 #include <campaign/store.hpp>
 #include <campaign/text.hpp>
 #include <campaign/threads.hpp>
 #include <chrono>
-#include <cstdio>
 #include <exception>
 #include <limits>
 #include <mutex>
@@ -28,58 +25,6 @@ using Clock = std::chrono::steady_clock;
 double seconds_since(Clock::time_point t) {
   return std::chrono::duration<double>(Clock::now() - t).count();
 }
-
-std::string clock_text(double seconds) {
-  const auto s = static_cast<long>(seconds + 0.5);
-  return s >= 3600 ? fmt::format("{}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60)
-                   : fmt::format("{}:{:02}", s / 60, s % 60);
-}
-
-int terminal_columns() {
-  winsize size{};
-  return ioctl(2, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
-}
-
-/// A bar with rate and time left on a terminal, a plain line every ten seconds elsewhere.
-class Progress {
- public:
-  Progress(std::uint64_t total, std::optional<double> limit, bool quiet)
-      : total_(total), limit_(limit), terminal_(isatty(2) != 0), quiet_(quiet), start_(Clock::now()) {}
-  void show(std::uint64_t done, bool last = false) {
-    if (quiet_) return;
-    const double elapsed = seconds_since(start_);
-    const double period = terminal_ ? 0.2 : 10.0;
-    if (!last && elapsed - shown_ < period) return;
-    shown_ = elapsed;
-    const double share = limit_ ? std::min(1.0, elapsed / *limit_)
-                                : (total_ ? static_cast<double>(done) / static_cast<double>(total_) : 1.0);
-    const double left =
-        limit_ ? std::max(0.0, *limit_ - elapsed) : (share > 0 ? elapsed * (1 - share) / share : 0);
-    const double rate = elapsed > 0 ? static_cast<double>(done) / elapsed : 0;
-    if (terminal_) {
-      const std::string text =
-          fmt::format(" {:3.0f} %  {} cases  {:.0f}/s  left {}", share * 100, done, rate, clock_text(left));
-      const int columns = terminal_columns(), room = columns - 3 - static_cast<int>(text.size());
-      const int width = std::clamp(room, 0, 30), full = static_cast<int>(share * width);
-      const std::string bar = width < 5 ? "" : fmt::format("[{:#<{}}{:.<{}}]", "", full, "", width - full);
-      // Padded over what stood there before; the last column stays free, or some terminals begin a new line.
-      const std::string line = fmt::format("{:<{}}", bar + text, bar.size() + text.size() + 3);
-      std::fprintf(stderr, "\r%.*s", std::max(columns - 1, 0), line.c_str());
-      if (last) std::fprintf(stderr, "\n");
-    } else {
-      std::fprintf(stderr, "%3.0f %%  %llu cases  %.0f/s  left %s\n", share * 100,
-                   static_cast<unsigned long long>(done), rate, clock_text(left).c_str());
-    }
-    std::fflush(stderr);
-  }
-
- private:
-  std::uint64_t total_;
-  std::optional<double> limit_;
-  bool terminal_, quiet_;
-  Clock::time_point start_;
-  double shown_ = 0;
-};
 
 }  // namespace
 
@@ -122,7 +67,8 @@ class Engine {
         store_(store),
         start_(Clock::now()),
         kept_(start_),
-        progress_(missing(), o_.seconds, o_.quiet) {
+        missing_(missing()),
+        progress_("", o_.quiet) {
     const auto [first, last] = o_.range();
     for (const auto& s : result_.series) queues_.push_back({s.tally.done.gaps(first, last), first_chunk});
   }
@@ -131,7 +77,7 @@ class Engine {
     run_on_threads(o_.jobs, stop_requested, [this] { work(); });
     if (error_) std::rethrow_exception(error_);
     keep();
-    progress_.show(done_, true);
+    show(true);
     result_.elapsed = seconds_since(start_);
   }
 
@@ -199,7 +145,7 @@ class Engine {
         if (seconds < chunk_seconds && to - from >= queues_[s].size) queues_[s].size *= 2;
         if (seconds > 2 * chunk_seconds) queues_[s].size = std::max(std::uint64_t(1), queues_[s].size / 2);
         if (seconds_since(kept_) >= o_.keep_seconds && !error_) keep();
-        progress_.show(done_);
+        show(false);
       }
     } catch (...) {
       const std::lock_guard lock(mutex_);
@@ -215,6 +161,19 @@ class Engine {
     done_ += to - from;
   }
 
+  void show(bool last) {
+    const auto done = static_cast<double>(done_);
+    const double share = o_.seconds ? progress_.elapsed() / *o_.seconds
+                         : missing_ ? done / static_cast<double>(missing_)
+                                    : 1.0;
+    progress_.show(
+        share,
+        [&](double elapsed) {
+          return fmt::format("{} cases  {:.0f}/s", done_, elapsed > 0 ? done / elapsed : 0);
+        },
+        last);
+  }
+
   void keep() {
     if (store_ && !touched_.empty()) store_->commit(result_.series, touched_);
     touched_.clear();
@@ -225,6 +184,7 @@ class Engine {
   const CampaignOptions& o_;
   Store* store_;
   Clock::time_point start_, kept_;
+  std::uint64_t missing_;
   Progress progress_;
   std::mutex mutex_;
   std::vector<Queue> queues_;

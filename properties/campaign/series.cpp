@@ -6,80 +6,17 @@
 #include <campaign/embedded.hpp>
 #include <campaign/entrance.hpp>
 #include <campaign/hunt.hpp>
+#include <campaign/judge.hpp>
 #include <campaign/shrink.hpp>
 #include <chrono>
 #include <cstddef>
 #include <cstring>
 #include <liecheck/urdf/urdf.hpp>
 #include <limits>
-#include <oracles/fast_error.hpp>
 #include <set>
 #include <stdexcept>
 
 namespace liecheck::properties {
-
-void Row::add(const Judged& j, std::uint64_t index) {
-  ++count;
-  const double infinity = std::numeric_limits<double>::infinity();
-  double score = infinity;
-  switch (j.residual.outcome) {
-    case Outcome::not_finite:
-      ++not_finite;
-      break;
-    case Outcome::wrong_branch:
-      ++wrong_branch;
-      break;
-    case Outcome::unresolved:
-      ++unresolved;
-      break;
-    case Outcome::refused:
-      ++refused;
-      break;
-    case Outcome::measured:
-      if (j.ill_posed) {
-        ++ill_posed;
-        score = 0;
-        break;
-      }
-      errors.add(j.residual.error);
-      max_error = std::max(max_error, j.residual.error);
-      max_excess = std::max(max_excess, j.excess);
-      score = j.budget->rule == Rule::forward ? j.residual.error : j.excess;
-  }
-  // A case that failed is worse than any that did not, whatever its figure.
-  const bool had_failed = failed > 0;
-  if (j.failed) ++failed;
-  if (j.failed != had_failed ? j.failed
-                             : score > worst_score || (score == worst_score && index < worst_index)) {
-    worst_score = score;
-    worst_index = index;
-    worst_kappa = j.residual.kappa;
-  }
-}
-
-void Row::merge(const Row& o) {
-  const bool had_failed = failed > 0, other_failed = o.failed > 0;
-  count += o.count, ill_posed += o.ill_posed, unresolved += o.unresolved, not_finite += o.not_finite;
-  wrong_branch += o.wrong_branch, refused += o.refused, failed += o.failed;
-  errors.merge(o.errors);
-  max_error = std::max(max_error, o.max_error);
-  max_excess = std::max(max_excess, o.max_excess);
-  if (other_failed != had_failed
-          ? other_failed
-          : o.worst_score > worst_score || (o.worst_score == worst_score && o.worst_index < worst_index)) {
-    worst_score = o.worst_score, worst_index = o.worst_index, worst_kappa = o.worst_kappa;
-  }
-}
-
-void Tally::merge(const Tally& o) {
-  for (const auto& [key, row] : o.rows) rows[key].merge(row);
-  inputs.merge(o.inputs);
-  results.merge(o.results);
-  coverage.merge(o.coverage);
-  cases += o.cases, fast += o.fast, checked += o.checked;
-  disagreed.insert(disagreed.end(), o.disagreed.begin(), o.disagreed.end());
-  for (const auto& [first, last] : o.done) done.add(first, last);
-}
 
 CaseId Series::id(std::uint64_t seed, std::uint64_t index) const {
   CaseId id;
@@ -89,92 +26,6 @@ CaseId Series::id(std::uint64_t seed, std::uint64_t index) const {
 }
 
 namespace {
-
-/// By output, to half a turn and beyond.
-using Limits = std::vector<std::array<const Budget*, 2>>;
-
-/// Collects the residuals of one case and compares each with its budget.
-class Judge final : public Recorder {
- public:
-  /// accuracy: of the errors given, relative or in eps, whichever is larger; 0 at 50 digits.
-  /// every_kappa: also where the error passes for every kappa, so that what is ill-posed is never stable.
-  Judge(const Limits& budgets, const Bands& bands, double eps, double accuracy, bool every_kappa = false)
-      : budgets_(budgets), bands_(bands), eps_(eps), accuracy_(accuracy), every_kappa_(every_kappa) {
-    judged.reserve(budgets.size());
-  }
-
-  void record(int output, std::size_t band, double error, Kappa kappa) override {
-    Judged j = start(output, band);
-    j.residual.error = error;
-    // An error too large for a double under the excess rule may still be what rounding the input does: kappa
-    // tells.
-    const bool overflowed = error == std::numeric_limits<double>::infinity();
-    if (!(error >= 0) || (overflowed && (j.budget->rule == Rule::forward || !kappa))) {
-      j.residual.outcome = Outcome::not_finite;
-      j.failed = true;
-    } else if (j.budget->rule == Rule::forward) {
-      j.failed = !(error <= j.budget->limit);
-      decided(error, j.budget->limit, accuracy_);
-    } else if (!every_kappa_ && passes_for_every_kappa(j)) {
-      j.excess = error;
-    } else {
-      const double k = kappa ? kappa() : 1.0;
-      j.residual.kappa = k;
-      j.ill_posed = !(k * eps_ < 1);
-      j.excess = j.ill_posed ? 0 : error / std::max(k, 1.0);
-      // A fast kappa is good to two digits.
-      decided(k * eps_, 1, accuracy_ > 0 ? 0.02 : 0);
-      if (!j.ill_posed) decided(j.excess, j.budget->limit, accuracy_ > 0 ? 0.02 : 0);
-      j.failed = !j.ill_posed && !(j.excess <= j.budget->limit);
-      if (j.failed && overflowed) j.residual.outcome = Outcome::not_finite;
-    }
-    judged.push_back(j);
-  }
-  void outcome(int output, std::size_t band, Outcome outcome) override {
-    Judged j = start(output, band);
-    j.residual.outcome = outcome;
-    j.failed = outcome != Outcome::unresolved;
-    judged.push_back(j);
-  }
-
-  /// Under the excess rule: kappa >= 1 cannot make the error matter.
-  static bool passes_for_every_kappa(const Judged& j) { return j.residual.error <= j.budget->limit / 4; }
-
-  std::vector<Judged> judged;
-
- private:
-  Judged start(int output, std::size_t band) const {
-    Judged j;
-    j.residual.output = static_cast<std::uint16_t>(output);
-    j.residual.band = static_cast<std::uint16_t>(band);
-    j.budget = budgets_.at(static_cast<std::size_t>(output))[bands_[band].region == Region::to_pi ? 0 : 1];
-    return j;
-  }
-  /// Throws where an error of that accuracy may be on either side of the limit.
-  static void decided(double value, double limit, double accuracy) {
-    if (accuracy > 0 && value > 0 && std::fabs(value - limit) <= 2 * accuracy * std::max(1.0, limit))
-      throw oracles::Undecided();
-  }
-  const Limits& budgets_;
-  const Bands& bands_;
-  double eps_, accuracy_;
-  bool every_kappa_;
-};
-
-/// Are the verdicts of the fast oracle those of the slow one, and its errors as near as they claim to be?
-bool agree(const std::vector<Judged>& fast, const std::vector<Judged>& slow) {
-  if (fast.size() != slow.size()) return false;
-  for (std::size_t i = 0; i < fast.size(); ++i) {
-    const Residual &a = fast[i].residual, &b = slow[i].residual;
-    if (a.output != b.output || a.band != b.band || a.outcome != b.outcome ||
-        fast[i].failed != slow[i].failed || fast[i].ill_posed != slow[i].ill_posed)
-      return false;
-    if (a.outcome != Outcome::measured) continue;
-    if (!(std::fabs(a.error - b.error) <= 1.01 * oracles::error_accuracy * std::max(1.0, b.error)))
-      return false;
-  }
-  return true;
-}
 
 /// Bytes one after the other, in memory that is kept.
 class Bytes {
@@ -256,7 +107,7 @@ class SeriesOf final : public Series {
     record.add(index);
     record.append(subject.data(), subject.size());
     for (const Judged& j : judge.judged) {
-      tally.row(tally.rows, j.residual.output, j.residual.band).add(j, index);
+      tally.rows.of(j.residual.output, j.residual.band).add(j, index);
       record.add(j.residual.output);
       record.add(j.residual.band);
       record.add(j.residual.outcome);
@@ -433,7 +284,7 @@ class SeriesOf final : public Series {
     }
     return std::move(judge.judged);
   }
-  static constexpr std::uint64_t checked_every = 1024;
+  static constexpr std::uint64_t checked_every = 512;
 
   std::unique_ptr<Property<S>> property_;
   const Subject<S>& subject_;
@@ -464,16 +315,21 @@ void add_series(const Selection& selection, const Robot& robot, std::vector<std:
 
 void check_names(const std::vector<std::string>& given, const std::vector<std::string>& known,
                  const char* what) {
-  for (const std::string& name : given)
-    if (std::find(known.begin(), known.end(), name) == known.end())
-      throw std::invalid_argument(
-          fmt::format("unknown {} '{}'; known: {}", what, name, fmt::join(known, ", ")));
+  for (const std::string& name : given) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    std::vector<std::string> plain;
+    std::copy_if(known.begin(), known.end(), std::back_inserter(plain),
+                 [](auto& n) { return !on_request(n); });
+    throw std::invalid_argument(fmt::format(
+        "--{0}: unknown {0} '{1}'; known: {2}{3}", what, name, fmt::join(plain, ", "),
+        plain.size() < known.size() ? ", and the variants and bugs that 'liecheck list' tells of" : ""));
+  }
 }
 
 }  // namespace
 
 std::vector<std::unique_ptr<Series>> select(const Selection& selection, const Robot& robot) {
-  check_names(selection.subjects, subject_names(), "subject");
+  check_subjects(selection.subjects);
   check_names(selection.properties, property_names(), "property");
   check_names(selection.scalars, {"float", "double", "float128"}, "scalar");
   std::vector<std::unique_ptr<Series>> all;
@@ -497,6 +353,10 @@ std::vector<std::string> subject_names() {
   for (const auto* s : subjects<double>()) names.insert(s->name);
   for (const auto* s : subjects<float128>()) names.insert(s->name);
   return {names.begin(), names.end()};
+}
+
+void check_subjects(const std::vector<std::string>& names) {
+  check_names(names, subject_names(), "subject");
 }
 
 std::vector<std::string> property_names() {

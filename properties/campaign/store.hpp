@@ -19,7 +19,7 @@
 
 namespace liecheck::properties {
 
-using Cell = std::pair<int, int>;  ///< (output, band)
+using Cell = Rows::Cell;  ///< (output, band)
 
 /// What makes a campaign this one and no other.
 struct CampaignSpec {

@@ -85,7 +85,8 @@ std::pair<std::string, int> split(const std::string& name) {
   const char *p = name.data() + at + 1, *end = name.data() + name.size();
   int number = 0;
   const auto r = std::from_chars(p, end, number);
-  if (r.ec != std::errc() || r.ptr != end || number < 1) return {name, 0};
+  if (r.ec != std::errc() || r.ptr != end) return {name, 0};
+  if (number < 1) throw std::runtime_error(fmt::format("{}: the campaigns of a store are numbered from 1", name));
   return {name.substr(0, at), number};
 }
 

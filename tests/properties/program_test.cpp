@@ -79,6 +79,9 @@ TEST_F(Program, EmptyValuesAndUnknownWordsAreNamed) {
   refused("--frob", "unknown option '--frob'");
   refused(quick + "--subject all --subject nope", "unknown subject 'nope'");
   refused(quick + "--subject 'a\nb'", "unknown subject 'a\\nb'");
+  refused("bench nope", "unknown command 'nope'; commands of bench: bugs, speed");
+  refused("bench", "bench: which one? bugs, speed");
+  refused("campaign --for 1s --shard 1/2", "--for: a shard is a part of a count");
   refused("campaign --subject eigen --scalar float128", "nothing to run");
   refused("report r.json --seed 3", "excludes");
 }
@@ -100,6 +103,21 @@ TEST_F(Program, ASweepNamesWhatItRefusesAndSaysWhatItsBoundIs) {
   EXPECT_EQ(whole.code, 0) << whole.err;
   EXPECT_NE(whole.out.find("an upper bound of the error in float over every argument"), std::string::npos);
   EXPECT_EQ(shell("timeout --preserve-status -s INT 0.3 $L sweep -j 1 --coefficient alpha").code, 3);
+}
+
+TEST_F(Program, AHuntAddsToACorpusAndToNothingElse) {
+  const std::string hunt =
+      "hunt --subject textbook --op exp6 --property exp_oracle --evaluations 400 --corpus ";
+  store("notes.txt", "a list\nof mine\n");
+  refused(hunt + "notes.txt", "notes.txt:1: ");
+  EXPECT_EQ(read(dir / "notes.txt"), "a list\nof mine\n");
+  const std::string mine = "mine | exp_oracle | 1, 2, 3, 0, 0, 1 | generic | reason | origin";
+  store("cases.txt", mine);
+  for (int i = 0; i < 2; ++i) EXPECT_EQ(run(hunt + "cases.txt").code, 1);
+  const std::string found = read(dir / "cases.txt");
+  EXPECT_EQ(found.rfind(mine + "\nhunted_exp6_", 0), 0u) << found;
+  EXPECT_EQ(std::count(found.begin(), found.end(), '\n'), 4) << found;
+  EXPECT_EQ(run("hard-cases --file cases.txt --property exp_oracle").code, 0);
 }
 
 TEST_F(Program, CaseIdsAreRefusedWithTheirPosition) {

@@ -1,0 +1,106 @@
+#pragma once
+// Verdicts: the residuals of one case against its budgets, and the fast oracle's against the slow one's.
+
+#include <algorithm>
+#include <array>
+#include <campaign/tally.hpp>
+#include <limits>
+#include <oracles/fast_error.hpp>
+#include <vector>
+
+namespace liecheck::properties {
+
+/// A fast condition number is good to two digits (oracles::condition_number).
+inline constexpr double kappa_accuracy = 0.02;
+
+/// By output, to half a turn and beyond.
+using Limits = std::vector<std::array<const Budget*, 2>>;
+
+/// Collects the residuals of one case and compares each with its budget.
+class Judge final : public Recorder {
+ public:
+  /// accuracy: of the errors given, relative or in eps, whichever is larger; 0 at 50 digits.
+  /// every_kappa: also where the error passes for every kappa, so that what is ill-posed is never stable.
+  Judge(const Limits& budgets, const Bands& bands, double eps, double accuracy, bool every_kappa = false)
+      : budgets_(budgets), bands_(bands), eps_(eps), accuracy_(accuracy), every_kappa_(every_kappa) {
+    judged.reserve(budgets.size());
+  }
+
+  void record(int output, std::size_t band, double error, Kappa kappa) override {
+    Judged j = start(output, band);
+    j.residual.error = error;
+    // An error too large for a double under the excess rule may still be what rounding the input does: kappa
+    // tells.
+    const bool overflowed = error == std::numeric_limits<double>::infinity();
+    if (!(error >= 0) || (overflowed && (j.budget->rule == Rule::forward || !kappa))) {
+      j.residual.outcome = Outcome::not_finite;
+      j.failed = true;
+    } else if (j.budget->rule == Rule::forward) {
+      j.failed = !(error <= j.budget->limit);
+      decided(error, j.budget->limit, accuracy_);
+    } else if (!every_kappa_ && passes_for_every_kappa(j)) {
+      j.excess = error;
+    } else {
+      const double k = kappa ? kappa() : 1.0;
+      j.residual.kappa = k;
+      j.ill_posed = !(k * eps_ < 1);
+      j.excess = j.ill_posed ? 0 : error / std::max(k, 1.0);
+      const double accuracy = accuracy_ > 0 ? kappa_accuracy : 0;
+      decided(k * eps_, 1, accuracy);
+      if (!j.ill_posed) decided(j.excess, j.budget->limit, accuracy);
+      j.failed = !j.ill_posed && !(j.excess <= j.budget->limit);
+      if (j.failed && overflowed) j.residual.outcome = Outcome::not_finite;
+    }
+    judged.push_back(j);
+  }
+  void outcome(int output, std::size_t band, Outcome outcome) override {
+    Judged j = start(output, band);
+    j.residual.outcome = outcome;
+    j.failed = outcome != Outcome::unresolved;
+    judged.push_back(j);
+  }
+
+  /// Under the excess rule: kappa >= 1 cannot make the error matter.
+  static bool passes_for_every_kappa(const Judged& j) { return j.residual.error <= j.budget->limit / 4; }
+
+  std::vector<Judged> judged;
+
+ private:
+  Judged start(int output, std::size_t band) const {
+    Judged j;
+    j.residual.output = static_cast<std::uint16_t>(output);
+    j.residual.band = static_cast<std::uint16_t>(band);
+    j.budget = budgets_.at(static_cast<std::size_t>(output))[bands_[band].region == Region::to_pi ? 0 : 1];
+    return j;
+  }
+  /// Throws where an error of that accuracy may be on either side of the limit.
+  static void decided(double value, double limit, double accuracy) {
+    if (accuracy > 0 && value > 0 && std::fabs(value - limit) <= 2 * accuracy * std::max(1.0, limit))
+      throw oracles::Undecided();
+  }
+  const Limits& budgets_;
+  const Bands& bands_;
+  double eps_, accuracy_;
+  bool every_kappa_;
+};
+
+/// Are the verdicts of the fast oracle those of the slow one, and its errors and condition numbers as near as they
+/// claim to be? A condition number below 1 counts as 1; one that only one of the two asked for is not compared.
+inline bool agree(const std::vector<Judged>& fast, const std::vector<Judged>& slow) {
+  if (fast.size() != slow.size()) return false;
+  for (std::size_t i = 0; i < fast.size(); ++i) {
+    const Residual &a = fast[i].residual, &b = slow[i].residual;
+    if (a.output != b.output || a.band != b.band || a.outcome != b.outcome ||
+        fast[i].failed != slow[i].failed || fast[i].ill_posed != slow[i].ill_posed)
+      return false;
+    if (a.outcome != Outcome::measured) continue;
+    if (!(std::fabs(a.error - b.error) <= 1.01 * oracles::error_accuracy * std::max(1.0, b.error)))
+      return false;
+    const bool asked = a.kappa > 0 && b.kappa > 0 && !slow[i].ill_posed;
+    if (asked && !(std::fabs(std::max(1.0, a.kappa) - std::max(1.0, b.kappa)) <= kappa_accuracy * b.kappa))
+      return false;
+  }
+  return true;
+}
+
+}  // namespace liecheck::properties
