@@ -38,8 +38,8 @@ class Judge final : public Recorder {
     } else if (j.budget->rule == Rule::forward) {
       j.failed = !(error <= j.budget->limit);
       decided(error, j.budget->limit, accuracy_);
-    } else if (!every_kappa_ && passes_for_every_kappa(j)) {
-      j.excess = error;
+    } else if (!every_kappa_ && kappa.least() * eps_ < 1 && passes_for_every_kappa(j, kappa.least())) {
+      j.excess = error / kappa.least();
     } else {
       const double k = kappa ? kappa() : 1.0;
       j.residual.kappa = k;
@@ -60,8 +60,10 @@ class Judge final : public Recorder {
     judged.push_back(j);
   }
 
-  /// Under the excess rule: kappa >= 1 cannot make the error matter.
-  static bool passes_for_every_kappa(const Judged& j) { return j.residual.error <= j.budget->limit / 4; }
+  /// Under the excess rule: no kappa from `least` up can make the error matter.
+  static bool passes_for_every_kappa(const Judged& j, double least = 1) {
+    return j.residual.error <= j.budget->limit / 2 * least;
+  }
 
   std::vector<Judged> judged;
 

@@ -263,14 +263,14 @@ class SeriesOf final : public Series {
     return decided_fast(x, judge) ? std::move(judge.judged) : measure_slowly(x, limits);
   }
   bool decided_fast(const std::vector<S>& x, Judge& judge) const {
-    try {
-      return property_->measure_fast(subject_, x, judge);
-    } catch (const oracles::Undecided&) {
-      return false;
-    } catch (const std::exception&) {
-      judge.outcome(0, 0, Outcome::refused);
-      return true;
-    }
+    for (std::size_t tier = 0;; ++tier) try {
+        return property_->measure_fast(subject_, x, judge, tier);
+      } catch (const oracles::Undecided&) {
+        judge.judged.clear();
+      } catch (const std::exception&) {
+        judge.outcome(0, 0, Outcome::refused);
+        return true;
+      }
   }
   std::vector<Judged> measure_slowly(const std::vector<S>& x) const { return measure_slowly(x, budgets_); }
   std::vector<Judged> measure_slowly(const std::vector<S>& x, const Limits& limits, bool every_kappa = false,

@@ -22,7 +22,8 @@ oracles::DoubleDouble double_double(const Real& x) {
 /// A constant as a ball; a power of two is exact.
 template <class T>
 T edge(const oracles::DoubleDouble& x) {
-  return {x, x.lo == 0 ? 0 : 0x1p-105 * x.hi};
+  if constexpr (std::is_same_v<T, oracles::FastDouble>) return {x, x.lo == 0 ? 0 : 0x1p-105 * x.hi};
+  return {x.hi, 2 * std::fabs(x.lo)};
 }
 }  // namespace
 
@@ -127,6 +128,7 @@ std::size_t Bands::classify_ball(const T& theta) const {
   if (nearest >= 1 && abs(turns - T(nearest)) * T(2) * pi_value < T(1) / T(10)) return near_2pi_;
   return beyond_;
 }
+template std::size_t Bands::classify_ball(const oracles::FastFloat&) const;
 template std::size_t Bands::classify_ball(const oracles::FastDouble&) const;
 
 }  // namespace liecheck::properties

@@ -47,6 +47,7 @@ class Bands {
   /// Of an angle that is exactly pi.
   std::size_t at_pi() const { return pi_; }
   /// The same of a ball; throws oracles::Undecided where it lies across an edge.
+  std::size_t classify(const oracles::FastFloat& theta) const { return classify_ball(theta); }
   std::size_t classify(const oracles::FastDouble& theta) const { return classify_ball(theta); }
 
  private:

@@ -52,6 +52,7 @@ std::vector<T> inverse_lever_formula(const std::vector<T>& x) {
 template <class S>
 class KineticEnergy final : public Law<KineticEnergy, S> {
  public:
+  static constexpr bool needs_kappa = true;  ///< nearly always
   std::string name() const override { return "kinetic_energy"; }
   std::string law() const override { return "the kinetic energy of a body is the same in every frame"; }
   std::string equation() const override {

@@ -35,6 +35,7 @@ std::vector<T> numbers(const V&... v) {
 template <class S>
 class PowerPairing final : public Law<PowerPairing, S> {
  public:
+  static constexpr bool needs_kappa = true;  ///< nearly always
   std::string name() const override { return "power_pairing"; }
   std::string law() const override { return "power is the same in every frame"; }
   std::string equation() const override {

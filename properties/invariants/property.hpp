@@ -36,19 +36,25 @@ struct Residual {
   double kappa = 0;
 };
 
-/// A condition number on demand: refers to a callable that outlives the call it is given to.
+/// A condition number on demand: refers to a callable that outlives the call it is given to. Where it is known to be
+/// `least` or more, an error within the budget for that much needs no more of it.
 class Kappa {
  public:
   Kappa(std::nullptr_t = nullptr) {}  // NOLINT: none
   template <class F>
-  requires(!std::is_same_v<F, Kappa> && std::is_invocable_v<const F&>) Kappa(const F& f)  // NOLINT
-      : object_(&f), call_([](const void* object) -> double { return (*static_cast<const F*>(object))(); }) {}
+  requires(!std::is_same_v<F, Kappa> && std::is_invocable_v<const F&>)
+      Kappa(const F& f, double least = 1)  // NOLINT
+      : object_(&f),
+        call_([](const void* object) -> double { return (*static_cast<const F*>(object))(); }),
+        least_(least > 1 && std::isfinite(least) ? least : 1) {}
   explicit operator bool() const { return call_ != nullptr; }
   double operator()() const { return call_(object_); }
+  double least() const { return least_; }
 
  private:
   const void* object_ = nullptr;
   double (*call_)(const void*) = nullptr;
+  double least_ = 1;
 };
 
 /// Receives what an invariant measures. `kappa` is called only where the budget's rule needs it.
@@ -93,9 +99,11 @@ class Property {
   }
   /// Against the oracles at 50 and 100 digits.
   virtual void measure(const Subject<S>& subject, const std::vector<S>& input, Recorder& recorder) const = 0;
-  /// Against the fast oracles, if the law has them (false: it has not). Throws oracles::Undecided where their
-  /// error bound is too wide; what was recorded until then is void.
-  virtual bool measure_fast(const Subject<S>&, const std::vector<S>&, Recorder&) const { return false; }
+  /// Against the fast oracles, the cheapest of which is tier 0; false where the law has none of that tier. Throws
+  /// oracles::Undecided where their error bound is too wide; what was recorded until then is void.
+  virtual bool measure_fast(const Subject<S>&, const std::vector<S>&, Recorder&, std::size_t /*tier*/) const {
+    return false;
+  }
 };
 
 /// A law that is written once for every oracle's number: P<S> has
@@ -106,14 +114,18 @@ class Law : public Property<S> {
   void measure(const Subject<S>& subject, const std::vector<S>& input, Recorder& recorder) const override {
     static_cast<const P<S>*>(this)->template in<oracles::Real>(subject, input, recorder);
   }
-  bool measure_fast(const Subject<S>& subject, const std::vector<S>& input,
-                    Recorder& recorder) const override {
-    using Fast = typename oracles::FastOf<S>::type;
-    if constexpr (!std::is_void_v<Fast>) {
-      static_cast<const P<S>*>(this)->template in<Fast>(subject, input, recorder);
-      return true;
+  bool measure_fast(const Subject<S>& subject, const std::vector<S>& input, Recorder& recorder,
+                    std::size_t tier) const override {
+    using Tiers = typename oracles::FastTiers<S>::type;
+    if constexpr (requires { P<S>::needs_kappa; })  // which takes a step that only the last tier has room for
+      tier += std::tuple_size_v<Tiers> > 1;
+    return [&]<std::size_t... I>(std::index_sequence<I...>) {
+      return ((tier == I && (static_cast<const P<S>*>(this)->template in<std::tuple_element_t<I, Tiers>>(
+                                 subject, input, recorder),
+                             true)) ||
+              ...);
     }
-    return false;
+    (std::make_index_sequence<std::tuple_size_v<Tiers>>());
   }
 };
 

@@ -7,13 +7,17 @@
 namespace liecheck::oracles {
 namespace {
 
-/// x rounded to a mid-point, within u^2 |x| / 2.
+/// x rounded to a mid-point, within u^2 |x| / 2, or u |x|.
 template <class M>
 M rounded(const Real& x);
 template <>
 DoubleDouble rounded<DoubleDouble>(const Real& x) {
   const auto hi = static_cast<double>(x);
   return {hi, static_cast<double>(Real(x - hi))};
+}
+template <>
+double rounded<double>(const Real& x) {
+  return static_cast<double>(x);
 }
 
 template <class M>
@@ -48,16 +52,16 @@ const Tables<M>& tables() {
   return t;
 }
 
-/// (-1)^j / (2j + k)!, double-double.
-template <int K, int N>
-const std::array<DoubleDouble, N>& series() {
+/// (-1)^j / (2j + k)!
+template <class M, int K, int N>
+const std::array<M, N>& series() {
   static const auto table = [] {
-    std::array<DoubleDouble, N> c;
+    std::array<M, N> c;
     Real factorial(1);
     for (int i = 2; i <= K; ++i) factorial *= i;
     for (int j = 0; j < N; ++j) {
       if (j > 0) factorial *= -(2 * j + K - 1) * (2 * j + K);
-      c[static_cast<std::size_t>(j)] = rounded<DoubleDouble>(1 / factorial);
+      c[static_cast<std::size_t>(j)] = rounded<M>(1 / factorial);
     }
     return c;
   }();
@@ -67,22 +71,47 @@ const std::array<DoubleDouble, N>& series() {
 /// sum_j (-x)^j / (2j + K)! of `exact` terms in double-double and the rest, below 2^-50 of the sum, in double.
 template <int K, int N, int Exact>
 DoubleDouble sum(const DoubleDouble& x) {
-  const auto& c = series<K, N>();
+  const auto& c = series<DoubleDouble, K, N>();
   double tail = c[N - 1].hi;
   for (int j = N - 2; j >= Exact; --j) tail = tail * x.hi + c[static_cast<std::size_t>(j)].hi;
   DoubleDouble s = x * tail + c[Exact - 1];
   for (int j = Exact - 2; j >= 0; --j) s = s * x + c[static_cast<std::size_t>(j)];
   return s;
 }
+/// The same in double, 0 <= x <= 1: the terms fall by 1/12 and more, so that the last sum and constant cost 2 u, the
+/// last product u / 12 and all before it a twelfth of the whole: below 2.3 u.
+template <int K, int N, int>
+double sum(double x) {
+  const auto& c = series<double, K, N>();
+  double s = c[N - 1];
+  for (int j = N - 2; j >= 0; --j) s = s * x + c[static_cast<std::size_t>(j)];
+  return s;
+}
+
+/// The relative error of small_sin_cos and of stumpff_series.
+template <class M>
+struct SeriesError;
+template <>
+struct SeriesError<DoubleDouble> {
+  static constexpr double small = 0x1p-102, stumpff = 0x1p-101;
+};
+template <>
+struct SeriesError<double> {
+  static constexpr double small = 0x1p-52, stumpff = 0x1p-51;
+};
 
 /// sin and cos of |r| <= 0.05. With x = r^2 <= 0.0025: sin r = r - r x c_3(x), cos r = 1 - x c_2(x). Left out:
-/// x^9/19! < 2^-140. Terms in double: x^4 9!^-1 < 2^-52 of the whole, so 2^-104 of rounding; the double-double
-/// ones are below x/2, so their 2^-103 each is 2^-110 of the whole; one addition, 3 2^-106.
-void small_sin_cos(const FastDouble& r, FastDouble& sine, FastDouble& cosine) {
-  const DoubleDouble x = r.m * r.m;
-  const DoubleDouble s = r.m - r.m * (x * sum<3, 8, 4>(x)), c = DoubleDouble{1, 0} - x * sum<2, 9, 4>(x);
-  sine = {s, FastDouble::up(r.r + 0x1p-102 * std::fabs(s.hi))};
-  cosine = {c, FastDouble::up(r.r + 0x1p-102)};
+/// x^9/19! < 2^-140. In double-double: terms in double x^4 9!^-1 < 2^-52 of the whole, so 2^-104 of rounding; the
+/// double-double ones are below x/2, so their 2^-103 each is 2^-110 of the whole; one addition, 3 2^-106. In double:
+/// one subtraction, u, and what is below x/2 of the whole with five roundings.
+template <class M>
+void small_sin_cos(const Ball<M>& r, Ball<M>& sine, Ball<M>& cosine) {
+  const M x = r.m * r.m;
+  const M s = r.m - r.m * (x * sum<3, 8, 4>(x)), c = Rounding<M>::make(1) - x * sum<2, 9, 4>(x);
+  // A product that underflows: r x c_3 and x c_2 are then below 2^-900 of the whole, the square below 2^-1060.
+  constexpr double small = SeriesError<M>::small;
+  sine = {s, Ball<M>::up(r.r + small * std::fabs(Rounding<M>::head(s)))};
+  cosine = {c, Ball<M>::up(r.r + small)};
 }
 
 template <class M>
@@ -123,18 +152,28 @@ Ball<M> corrected_atan2(const Ball<M>& y, const Ball<M>& x) {
 
 }  // namespace
 
-void sin_cos(const FastDouble& x, FastDouble& sine, FastDouble& cosine) {
+template <class M>
+void sin_cos(const Ball<M>& x, Ball<M>& sine, Ball<M>& cosine) {
   table_sin_cos(x, sine, cosine);
 }
-FastDouble atan2(const FastDouble& y, const FastDouble& x) {
+template <class M>
+Ball<M> atan2(const Ball<M>& y, const Ball<M>& x) {
   return corrected_atan2(y, x);
 }
 
-// Fourteen terms leave x^14/32! < 2^-113 of the sum; those from x^8 on, below 2^-56 of it, are in double. Eight
-// double-double steps whose terms fall by 1/30: 2^-101. |c_k'| <= 1/2.
-FastDouble stumpff_series(int k, const FastDouble& x) {
-  const DoubleDouble s = k == 4 ? sum<4, 14, 8>(x.m) : k == 5 ? sum<5, 14, 8>(x.m) : sum<6, 14, 8>(x.m);
-  return {s, FastDouble::up(x.r + 0x1p-101 * s.hi)};
+// Fourteen terms leave x^14/32! < 2^-113 of the sum; in double-double those from x^8 on, below 2^-56 of it, are in
+// double. Eight double-double steps whose terms fall by 1/30: 2^-101. |c_k'| <= 1/2.
+template <class M>
+Ball<M> stumpff_series(int k, const Ball<M>& x) {
+  const M s = k == 4 ? sum<4, 14, 8>(x.m) : k == 5 ? sum<5, 14, 8>(x.m) : sum<6, 14, 8>(x.m);
+  return {s, Ball<M>::up(x.r + SeriesError<M>::stumpff * Rounding<M>::head(s))};
 }
+
+#define LIECHECK_BALL_FUNCTIONS(T)         \
+  template void sin_cos(const T&, T&, T&); \
+  template T atan2(const T&, const T&);    \
+  template T stumpff_series(int k, const T&);
+LIECHECK_BALL_FUNCTIONS(FastFloat)
+LIECHECK_BALL_FUNCTIONS(FastDouble)
 
 }  // namespace liecheck::oracles

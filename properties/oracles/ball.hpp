@@ -3,9 +3,9 @@
 // what a formula returns carries its own proved error bound; a comparison that the radius leaves open throws
 // Undecided, and the caller asks the oracle at 50 and 100 digits instead (Ziv 1991).
 //
-// The mid-point is a double-double. Radii are computed in
-// rounding to nearest and inflated by 2^-50 a step, more than the four roundings they take. Where a product is
-// so small that its rounding error may underflow, 2^-1060 joins the radius.
+// The mid-point is a double, which judges most cases in float, or a double-double. Radii are computed in rounding
+// to nearest and inflated by 2^-50 a step, more than the four roundings they take. Where a product is so small that
+// its rounding error may underflow, 2^-1060 joins the radius.
 
 #include <bit>
 #include <cmath>
@@ -14,6 +14,7 @@
 #include <exception>
 #include <limits>
 #include <oracles/double_double.hpp>
+#include <tuple>
 
 namespace liecheck::oracles {
 
@@ -33,7 +34,18 @@ struct Rounding<double> {
   static double head(double m) { return m; }
   static double tail(double) { return 0; }
   static double make(double x) { return x; }
-  static double accurate_sum(double a, double b) { return a + b; }
+  static double scaled(double m, double factor) { return m * factor; }
+  /// Is the product of two exact numbers exact? Of any two of 26 bits it is.
+  static bool exact_product(double a, double b) {
+    const auto low = [](double x) { return std::bit_cast<std::uint64_t>(x) & ((1u << 27) - 1); };
+    return (low(a) | low(b)) == 0;
+  }
+  /// The sum of two exact numbers, and a bound of its error.
+  static double exact_sum(double a, double b, double& radius) {
+    const DoubleDouble s = dd::two_sum(a, b);
+    radius = std::fabs(s.lo);
+    return s.hi;
+  }
 };
 template <>
 struct Rounding<DoubleDouble> {
@@ -42,8 +54,13 @@ struct Rounding<DoubleDouble> {
   static double head(const DoubleDouble& m) { return m.hi; }
   static double tail(const DoubleDouble& m) { return m.lo; }
   static DoubleDouble make(double x) { return {x, 0}; }
-  static DoubleDouble accurate_sum(const DoubleDouble& a, const DoubleDouble& b) {
-    return oracles::accurate_sum(a, b);
+  static DoubleDouble scaled(const DoubleDouble& m, double factor) { return {m.hi * factor, m.lo * factor}; }
+  static bool exact_product(const DoubleDouble& a, const DoubleDouble& b) { return a.lo == 0 && b.lo == 0; }
+  static DoubleDouble exact_sum(const DoubleDouble& a, const DoubleDouble& b, double& radius) {
+    const DoubleDouble m = accurate_sum(a, b);
+    const bool exact = (a.lo == 0 && b.lo == 0) || (a.hi == -b.hi && a.lo == -b.lo);
+    radius = exact ? 0 : add * std::fabs(m.hi) * (1 + 0x1p-50);
+    return m;
   }
 };
 
@@ -80,8 +97,7 @@ struct Ball {
     const M m = a.m * b.m;
     const double size = std::fabs(Round::head(m));
     if (size < 0x1p-900) return small_product(a, b, m);
-    if (a.r == 0 && b.r == 0 && Round::tail(a.m) == 0 && Round::tail(b.m) == 0 && Round::bits > 53)
-      return {m, 0};  // of two doubles: exact
+    if (a.r == 0 && b.r == 0 && Round::exact_product(a.m, b.m)) return {m, 0};
     return {m, up(a.size() * b.r + b.size() * a.r + a.r * b.r + Round::multiply * size)};
   }
   friend Ball operator/(const Ball& a, const Ball& b) {
@@ -130,19 +146,17 @@ struct Ball {
   friend Ball power_scaled(const Ball& a, int e) {
     if (e < -1000 || e > 1000) return power_scaled(power_scaled(a, e / 2), e - e / 2);
     const auto factor = std::bit_cast<double>(static_cast<std::uint64_t>(1023 + e) << 52);
-    const M m{a.m.hi * factor, a.m.lo * factor};
-    const double lost = std::fabs(m.hi) < 0x1p-960 ? 0x1p-1073 : 0;
+    const M m = Round::scaled(a.m, factor);
+    const double lost = std::fabs(Round::head(m)) < 0x1p-960 ? 0x1p-1073 : 0;
     return {m, a.r * factor * (1 + 0x1p-50) + (a.exactly_zero() || e > 0 ? 0 : lost)};
   }
-  friend Ball doubled(const Ball& a) { return {M{2 * a.m.hi, 2 * a.m.lo}, 2 * a.r}; }
+  friend Ball doubled(const Ball& a) { return {Round::scaled(a.m, 2), 2 * a.r}; }
 
   /// Of two exact numbers: what cancels is kept, and the sum of two doubles, or of x and -x, is exact.
   static Ball exact_sum(const Ball& a, const Ball& b) {
-    const M m = Round::accurate_sum(a.m, b.m);
-    const double low_a = Round::tail(a.m), low_b = Round::tail(b.m);
-    const bool exact =
-        Round::bits > 53 && ((low_a == 0 && low_b == 0) || (a.head() == -b.head() && low_a == -low_b));
-    return {m, exact ? 0 : up(Round::add * std::fabs(Round::head(m)))};
+    Ball sum;
+    sum.m = Round::exact_sum(a.m, b.m, sum.r);
+    return sum;
   }
   static Ball small_product(const Ball& a, const Ball& b, const M& m) {
     if (a.exactly_zero() || b.exactly_zero()) return Ball(0);
@@ -152,29 +166,40 @@ struct Ball {
   static double up(double x) { return x * (1 + 0x1p-50); }
 };
 
+using FastFloat = Ball<double>;
 using FastDouble = Ball<DoubleDouble>;
 
-/// What judges a scalar fast: at least twice its digits, in the exponent range of double.
+/// What judges a scalar fast, tried one after the other: at least twice its digits, in the exponent range of double.
 template <class S>
-struct FastOf {
-  using type = void;
+struct FastTiers {
+  using type = std::tuple<>;
 };
 template <>
-struct FastOf<float> {
-  using type = FastDouble;
+struct FastTiers<float> {
+  using type = std::tuple<FastFloat, FastDouble>;
 };
 template <>
-struct FastOf<double> {
-  using type = FastDouble;
+struct FastTiers<double> {
+  using type = std::tuple<FastDouble>;
 };
+
+/// x with its radius widened by r.
+template <class M>
+Ball<M> widened(Ball<M> x, double r) {
+  x.r = Ball<M>::up(x.r + r);
+  return x;
+}
 
 /// sin and cos. |x| > 2^40 is not attempted.
-void sin_cos(const FastDouble& x, FastDouble& sine, FastDouble& cosine);
+template <class M>
+void sin_cos(const Ball<M>& x, Ball<M>& sine, Ball<M>& cosine);
 
 /// The angle of (x, y) in (-pi, pi]; throws Undecided at the origin.
-FastDouble atan2(const FastDouble& y, const FastDouble& x);
+template <class M>
+Ball<M> atan2(const Ball<M>& y, const Ball<M>& x);
 
 /// c_k(x) = sum_j (-x)^j / (2j + k)!, k = 4, 5 or 6, 0 <= x <= 1.
-FastDouble stumpff_series(int k, const FastDouble& x);
+template <class M>
+Ball<M> stumpff_series(int k, const Ball<M>& x);
 
 }  // namespace liecheck::oracles

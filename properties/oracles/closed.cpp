@@ -87,12 +87,6 @@ HalfAngle<T> half_angle(const Vec3<T>& phi) {
   return h;
 }
 
-/// x with its radius widened by r.
-template <BallNumber T>
-T widened(T x, double r) {
-  x.r = T::up(x.r + r);
-  return x;
-}
 template <BallNumber T>
 double bound(const Vec3<T>& v) {
   return std::fabs(v[0].head()) + std::fabs(v[1].head()) + std::fabs(v[2].head()) + v[0].r + v[1].r + v[2].r;
@@ -263,6 +257,7 @@ JacobianBlocks<T> closed_left_jacobian_inverse(const Vec6<T>& xi) {
   template JacobianBlocks<T> closed_left_jacobian_inverse(const Vec6<T>&);
 LIECHECK_CLOSED_FORMS(Real)
 LIECHECK_CLOSED_FORMS(Real100)
+LIECHECK_CLOSED_FORMS(FastFloat)
 LIECHECK_CLOSED_FORMS(FastDouble)
 
 }  // namespace liecheck::oracles

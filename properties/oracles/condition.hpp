@@ -34,8 +34,9 @@ using ConditionBlock = ConditionBlockOf<Real>;
 
 /// One kappa for each block, infinite where a denominator is zero and the block moves. f is called 2 x.size()
 /// times; at the precision of Real it need not be confirmed, see closed.hpp.
-/// In ball arithmetic the differences are one-sided, over x.size() + 1 calls, with the step 2^-64 in place of
-/// 1e-36; throws Undecided where that leaves less than two digits.
+/// In double-double balls the differences are one-sided, over x.size() + 1 calls, with the step 2^-64 in place of
+/// 1e-36; throws Undecided where that leaves less than two digits, and in balls of double, which have no room for such
+/// a step, always.
 template <class T>
 std::vector<double> condition(const FunctionOf<T>& f, const std::vector<T>& x,
                               const std::vector<ConditionBlockOf<T>>& blocks);
@@ -49,7 +50,8 @@ inline std::vector<double> condition(const Function& f, const std::vector<Real>&
 template <class T>
 std::vector<T> movements(const FunctionOf<T>& f, const std::vector<T>& x,
                          const std::vector<ConditionBlockOf<T>>& blocks);
-/// movement / denominator, to two digits or Undecided; 0 where nothing moves.
+/// movement / denominator, to two digits or Undecided; 0 where nothing moves. In balls what is below 1/2 may be
+/// anything below 1: a kappa counts from 1 up.
 template <class T>
 double condition_number(const T& movement, const T& denominator);
 

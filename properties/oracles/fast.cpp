@@ -5,13 +5,6 @@
 namespace liecheck::oracles {
 namespace {
 
-/// x with its radius widened by r.
-template <class T>
-T widened(T x, double r) {
-  x.r = T::up(x.r + r);
-  return x;
-}
-
 template <class T>
 LogValue<T> log_value(const Quaternion<T>& Q, const Vec3<T>& p) {
   const T w = Q[3];
@@ -167,6 +160,7 @@ CoefficientJacobianValue<T> integrate_coefficient_jacobian(const Vec7<T>& q) {
   template RateValue<T> configuration_rate(const Vec7<T>&, const Vec6<T>&);            \
   template CoefficientJacobianValue<T> integrate_coefficient_jacobian(const Vec7<T>&); \
   template Quaternion<T> nearest_quaternion(const Mat3<T>&);
+LIECHECK_FAST_ORACLES(FastFloat)
 LIECHECK_FAST_ORACLES(FastDouble)
 
 }  // namespace liecheck::oracles

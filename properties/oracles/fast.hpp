@@ -67,7 +67,7 @@ template <BallNumber T>
 Jacobian6Value<T> d_integrate_arg1(const Vec7<T>&, const Vec6<T>& delta) {
   return right_jacobian_se3(delta);
 }
-/// The six-by-six Jacobians of one twist: four questions, one or two evaluations in ball arithmetic.
+/// The six-by-six Jacobians of one twist: four questions, two evaluations in ball arithmetic.
 template <class T>
 struct Jacobians {
   Jacobian6Value<T> left, right, left_inverse, right_inverse;

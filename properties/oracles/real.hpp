@@ -23,7 +23,7 @@ using Real100 = Decimal<100>;
 
 /// A number that carries its own error bound.
 template <class T>
-concept BallNumber = std::is_same_v<T, FastDouble>;
+concept BallNumber = std::is_same_v<T, FastFloat> || std::is_same_v<T, FastDouble>;
 template <class T>
 concept OracleNumber = std::is_same_v<T, Real> || std::is_same_v<T, Real100> || BallNumber<T>;
 
@@ -40,7 +40,7 @@ T exact(const S& x) {
   if constexpr (std::is_same_v<S, T>) {
     return x;
   } else if constexpr (BallNumber<S>) {  // the mid-point alone: stored numbers have no radius
-    return T(x.m.hi) + T(x.m.lo);
+    return T(S::Round::head(x.m)) + T(S::Round::tail(x.m));
   } else if constexpr (std::is_same_v<S, Real> || std::is_same_v<S, Real100> || std::is_floating_point_v<S>) {
     return T(x);
   } else {
