@@ -59,8 +59,9 @@ class ExpOracle final : public Law<ExpOracle, S> {
     const auto matrix = [&](int rotation, int defect, const Mat<S, 3>& R) {
       judged_value(r, {rotation, defect}, band, R, exact.resolved, [&] {
         const auto stored = oracles::exact_matrix<3, 3, Real>(R);
-        r.record(rotation, band, oracles::rotation_error<S>(stored, exact.Q), kappa_rotation);
-        r.record(defect, band, oracles::orthogonality_defect<S>(stored));
+        const auto errors = oracles::matrix_errors<S>(stored, exact.Q);
+        r.record(rotation, band, errors.rotation, kappa_rotation);
+        r.record(defect, band, errors.defect);
       });
     };
     if (o.exp3_quaternion) {

@@ -80,27 +80,6 @@ double rotation_error(const Quaternion<T>& computed, const Quaternion<T>& exact)
   return settled(2 * d.value / eps, 2 * d.radius / eps + 1e-14 * d.value / eps);
 }
 
-/// The polar factor U of computed = R (I + E') has the antisymmetric part of R^T E, E = computed - R, to within
-/// 3 ||E||^2: computed = U H gives U H - U = U (H - I), and only (U - R)(H - I) has one beside it. The vector of
-/// it is the sine of the angle.
-template <class S, BallNumber T>
-double rotation_error(const Mat3<T>& computed, const Quaternion<T>& exact) {
-  constexpr double eps = std::numeric_limits<S>::epsilon();
-  const Mat3<T> R = rotation_matrix(exact), E = computed - R;
-  const Length size = length(Vec<9, T>{E.x});
-  if (!(size.value + size.radius < 1e-4)) return rotation_error<S>(nearest_quaternion(computed), exact);
-  double skew[3] = {};
-  for (int i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3, k = (i + 2) % 3;
-    for (int l = 0; l < 3; ++l)
-      skew[i] += (R(l, k).head() * E(l, j).head() - R(l, j).head() * E(l, k).head()) / 2;
-  }
-  const double sine = std::sqrt(skew[0] * skew[0] + skew[1] * skew[1] + skew[2] * skew[2]),
-               whole = size.value + size.radius;
-  const double bound = 3 * whole * whole + 2 * size.radius + 1e-14 * size.value;
-  if (bound > error_accuracy * max(sine, eps)) return rotation_error<S>(nearest_quaternion(computed), exact);
-  return settled(sine / eps, bound / eps);
-}
 template <class S, BallNumber T>
 double norm_defect(const Quaternion<T>& computed) {
   return in_eps<S>(squared_norm(computed) - T(1));
@@ -118,6 +97,45 @@ double orthogonality_defect(const Mat3<T>& computed) {
   const Length d = length(Vec<9, T>{D.x});
   constexpr double eps = std::numeric_limits<S>::epsilon();
   return settled(d.value / eps, d.radius / eps + 1e-14 * d.value / eps);
+}
+
+/// Both from E = computed - R, in balls, and the rest in double; far from R each by itself.
+///
+/// The polar factor U of computed = R (I + E') has the antisymmetric part of R^T E to within 3 ||E||^2: computed = U H
+/// gives U H - U = U (H - I), and only (U - R)(H - I) has one beside it. The vector of it is the sine of the angle.
+///
+/// computed^T computed - I = R^T E + E^T R + E^T E, since R is orthogonal: 2 (1 + ||E||) times what E is off by, and
+/// what double rounds.
+template <class S, BallNumber T>
+MatrixErrors matrix_errors(const Mat3<T>& computed, const Quaternion<T>& exact) {
+  constexpr double eps = std::numeric_limits<S>::epsilon();
+  const Mat3<T> ball = rotation_matrix(exact), E_ball = computed - ball;
+  const Length size = length(Vec<9, T>{E_ball.x});
+  const double whole = size.value + size.radius;
+  if (!(whole < 1e-4))
+    return {rotation_error<S>(nearest_quaternion(computed), exact), orthogonality_defect<S>(computed)};
+  double R[3][3], E[3][3], across[3][3];  // R^T E
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) R[i][j] = ball(i, j).head(), E[i][j] = E_ball(i, j).head();
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) across[i][j] = R[0][i] * E[0][j] + R[1][i] * E[1][j] + R[2][i] * E[2][j];
+  double skew = 0, square = 0;
+  for (int i = 0; i < 3; ++i)
+    for (int j = i; j < 3; ++j) {
+      const double off = (across[i][j] - across[j][i]) / 2,
+                   d = across[i][j] + across[j][i] +
+                       (E[0][i] * E[0][j] + E[1][i] * E[1][j] + E[2][i] * E[2][j]);
+      skew += off * off;
+      square += (i == j ? 1 : 2) * d * d;
+    }
+  const double sine = std::sqrt(skew), defect = std::sqrt(square);
+  const double bound = 3 * whole * whole + 2 * size.radius + 1e-14 * size.value;
+  MatrixErrors errors{};
+  errors.rotation = bound <= error_accuracy * max(sine, eps)
+                        ? settled(sine / eps, bound / eps)
+                        : rotation_error<S>(nearest_quaternion(computed), exact);
+  errors.defect = settled(defect / eps, (2 * (1 + whole) * size.radius + 1e-14 * size.value) / eps);
+  return errors;
 }
 
 }  // namespace liecheck::oracles

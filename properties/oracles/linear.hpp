@@ -368,7 +368,9 @@ Mat3<T> rotation_minus_identity(const Quaternion<T>& q) {
 }
 template <class T>
 Mat3<T> rotation_matrix(const Quaternion<T>& unit) {
-  return identity<3, T>() + rotation_minus_identity(unit);
+  Mat3<T> R = rotation_minus_identity(unit);
+  for (int i = 0; i < 3; ++i) R(i, i) += T(1);
+  return R;
 }
 
 }  // namespace liecheck::oracles
