@@ -22,11 +22,7 @@ using Vector = std::type_identity_t<VectorX<S>>;
 template <class S>
 using Value = std::type_identity_t<S>;
 
-inline void checkSize(Eigen::Index actual, int expected, const char* what, const char* dimension) {
-  if (actual != expected)
-    throw std::invalid_argument(std::string(what) + " has " + std::to_string(actual) +
-                                " numbers, the model's " + dimension + " is " + std::to_string(expected));
-}
+using multibody_detail::checkSize;
 template <Scalar S>
 void checkConfigurationSize(const Model<S>& model, const VectorX<S>& q, const char* what) {
   checkSize(q.size(), model.nq, what, "nq");

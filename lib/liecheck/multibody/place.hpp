@@ -6,6 +6,13 @@
 
 namespace liecheck::multibody_detail {
 
+/// Throws std::invalid_argument with both numbers.
+inline void checkSize(Eigen::Index actual, int expected, const char* what, const char* dimension) {
+  if (actual != expected)
+    throw std::invalid_argument(std::string(what) + " has " + std::to_string(actual) +
+                                " numbers, the model's " + dimension + " is " + std::to_string(expected));
+}
+
 template <Scalar S, class J>
 struct Place {
   static constexpr bool mimics = std::is_same_v<J, Mimic<S>>;
