@@ -3,7 +3,8 @@
 // allocate nothing. Each thread has its own; the Model is shared. Changing q changes nothing here until an
 // algorithm runs; each says which fields it updates (field.hpp: what is stale).
 //
-// Fields are read as data.tau() or data.oMi[i]. Names and meanings are Pinocchio's.
+// Fields are read as data.tau() or data.oMi[i]. Names and meanings are Pinocchio's. What an algorithm returns is a
+// reference to its field: copy it before the next call, where both are needed.
 
 #include <liecheck/multibody/field.hpp>
 #include <liecheck/multibody/model.hpp>
