@@ -39,7 +39,7 @@ TEST(Freshness, ReadingAStaleFieldNamesTheMissingCall) {
   forwardKinematics(m, d, one);
   EXPECT_EQ(stale([&] { getFrameVelocity(m, d, 0, ReferenceFrame::LOCAL); }),
             "Data::v belongs to an earlier state: call forwardKinematics(model, data, q, v) first");
-  EXPECT_EQ(stale([&] { imu(m, d, 0); }),
+  EXPECT_EQ(stale([&] { getFrameAcceleration(m, d, 0, ReferenceFrame::LOCAL); }),
             "Data::a was never computed: call forwardKinematics(model, data, q, v, a) first");
   rnea(m, d, one, one, one);
   EXPECT_EQ(stale([&] { d.tau(), d.v[1]; }), "nothing");
