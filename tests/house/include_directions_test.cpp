@@ -35,6 +35,7 @@ std::vector<std::string> violations(const std::string& path, const std::string& 
       {"scalar", {"scalar"}},
       {"spatial", {"scalar", "spatial"}},
       {"multibody", {"scalar", "spatial", "multibody"}},
+      {"algorithms", {"scalar", "spatial", "multibody", "algorithms"}},
       {"urdf", {"scalar", "spatial", "multibody", "urdf"}}};
   static const std::vector<std::string> harness = {"generators", "oracles", "subjects", "invariants",
                                                    "campaign"};

@@ -162,15 +162,20 @@ TEST(Model, AppendBodyToJointTransformsTheInertiaOnce) {
 }
 
 // S1
-TEST(Model, RevisionCountsJointsAndFramesButNotBodies) {
+TEST(Model, RevisionChangesWithJointsAndFramesAndNoOtherModelHasIt) {
   Model<double> m = robot();
   const int before = m.revision;
+  const Model<double> copy = m, other = robot();
+  EXPECT_EQ(copy.revision, before);
+  EXPECT_NE(other.revision, before);
   m.appendBodyToJoint(1, Inertia<double>(1, V3::Zero(), M3::Identity()));
   EXPECT_EQ(m.revision, before);
   m.addJoint(1, FreeFlyer<double>(), origin, "another");
-  EXPECT_EQ(m.revision, before + 1);
+  const int with_joint = m.revision;
+  EXPECT_NE(with_joint, before);
   m.addJointFrame(1);
-  EXPECT_EQ(m.revision, before + 2);
+  EXPECT_NE(m.revision, with_joint);
+  EXPECT_NE(m.revision, before);
 }
 
 TEST(Model, CastKeepsStructureNamesAndEveryNumber) {

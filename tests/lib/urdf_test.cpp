@@ -234,9 +234,8 @@ TEST(BadUrdf, SomethingThatIsNoRobotIsRefused) {
   expectRefused("<robot name='r'>\n</robot>", 1, "a robot without links", "r");
   expectRefused("<robot name='r'>\n<link/></robot>", 2, "a link without a name", "");
 }
-TEST(BadUrdf, AnUnknownOrUnsupportedJointTypeIsNamed) {
+TEST(BadUrdf, AnUnknownJointTypeIsNamed) {
   expectRefused(twoLinks("wobbly", ""), 4, "joint 'j': unknown joint type", "wobbly");
-  expectRefused(twoLinks("planar", "<axis xyz='0 0 1'/>"), 4, "not supported", "planar");
   std::string untyped = twoLinks("fixed", "");
   untyped.erase(untyped.find(" type='fixed'"), 13);
   expectRefused(untyped, 4, "joint 'j' has no type", "");
@@ -327,13 +326,6 @@ TEST(BadUrdf, TooDeepNestingIsRefusedBeforeAnyParserRecurses) {
   std::string deep = "<robot name='r'>\n<link name='a'>\n";
   for (int i = 0; i < 1000000; ++i) deep += "<x>";
   expectRefused(deep, 3, "nested too deep", "more than 64");
-  std::string chain = "<robot name='r'><link name='l0'/>\n";
-  for (int i = 0; i < 2100; ++i) {
-    const std::string a = std::to_string(i), b = std::to_string(i + 1);
-    chain += "<link name='l" + b + "'/><joint name='j" + a + "' type='fixed'><parent link='l" + a +
-             "'/><child link='l" + b + "'/></joint>\n";
-  }
-  EXPECT_NE(refusal(chain + "</robot>").find("more than 2000 joints in a chain"), std::string::npos);
 }
 TEST(BadUrdf, APipeIsReadOnce) {
   int ends[2];
@@ -373,6 +365,139 @@ TEST(BadUrdf, AMessageIsOneShortLine) {
   EXPECT_LT(said.size(), 160U) << said;
   EXPECT_NE(refusal("<robot name='r'>\n<link name='a'/></robot>\nsome\nmore").find("(some more)"),
             std::string::npos);
+}
+
+TEST(BadUrdf, CrossedAndNegativeLimitsAreRefused) {
+  const std::string crossed = "\n<limit lower='1' upper='-1' effort='1' velocity='1'/>";
+  for (const char* type : {"revolute", "prismatic"})
+    expectRefused(twoLinks(type, crossed), 5, "joint 'j' has crossed limits", "1.000000 > -1.000000");
+  expectRefused(twoLinks("continuous", "\n<limit effort='-2' velocity='1'/>"), 5, "a negative effort limit",
+                "-2");
+  expectRefused(twoLinks("revolute", "\n<limit effort='2' velocity='-1'/>"), 5, "a negative velocity limit",
+                "-1");
+}
+TEST(BadUrdf, AnInertiaThatNoBodyHasIsRefusedUnlessWhatItIsFixedToMakesUpForIt) {
+  expectRefused(oneLink("\n" + inertial("1", "3")), 4,
+                "link 'a': a principal moment of inertia is larger than the sum of the other two", "1 1 3");
+  expectRefused(oneLink(inertial("1", "-1")), 3, "link 'a': a principal moment of inertia is negative",
+                "-1 1 1");
+  EXPECT_NO_THROW(buildModelFromUrdfText(oneLink(inertial("1", "2"))));  // flat
+  const std::string sensor = "<robot name='r'>\n<link name='a'>" + inertial("10", "1") +
+                             "</link>\n<link name='b'>" + inertial("1e-3", "2.1") +
+                             "</link>\n<joint name='j' type='fixed'><parent link='a'/>" +
+                             "<child link='b'/></joint></robot>";
+  const UrdfRobot robot = loadUrdfText(sensor, {}, "r.urdf");
+  ASSERT_EQ(robot.warnings.size(), 1U);
+  EXPECT_EQ(
+      robot.warnings[0],
+      "r.urdf:3: link 'b': a principal moment of inertia is larger than the sum of the other two; what it is "
+      "fixed to makes up for it (1 1 2.1)");
+}
+const std::string three = "<robot name='r'>\n<link name='a'/>\n<link name='b'/>\n<link name='c'/>\n";
+std::string mimicJoint(const std::string& name, const std::string& type, const std::string& parent,
+                       const std::string& child, const std::string& primary) {
+  return "<joint name='" + name + "' type='" + type + "'><parent link='" + parent + "'/><child link='" +
+         child + "'/>" + limit +
+         (primary.empty() ? "" : "<mimic joint='" + primary + "' multiplier='-2' offset='0.5'/>") +
+         "</joint>\n";
+}
+TEST(BadUrdf, AMimicOfNothingOfItselfOfALaterJointOrOfAMimicIsRefused) {
+  const auto text = [](const std::string& first, const std::string& second, const char* type = "revolute") {
+    return three + mimicJoint("j", type, "a", "b", first) + mimicJoint("k", "revolute", "b", "c", second) +
+           "</robot>";
+  };
+  expectRefused(text("", "nobody"), 6, "joint 'k' mimics a joint that does not exist", "nobody");
+  expectRefused(text("k", ""), 5, "joint 'j' mimics a joint that comes later", "k");
+  expectRefused(text("", "k"), 6, "joint 'k' mimics itself", "k");
+  expectRefused(text("", "j", "fixed"), 6, "mimics a joint that does not move", "j");
+  expectRefused(text("", "j", "floating"), 6, "mimics a joint that has not one coordinate", "j");
+  std::string chained = text("", "j");
+  chained.insert(chained.find("</robot>"), "<link name='d'/>" + mimicJoint("l", "revolute", "c", "d", "k"));
+  EXPECT_NO_THROW(loadUrdfText(chained));
+  try {
+    loadUrdfText(chained, {.mimic = MimicJoints::Tied}, "bad.urdf");
+    ADD_FAILURE() << "a mimic of a mimic was tied";
+  } catch (const UrdfError& e) {
+    EXPECT_STREQ(e.what(), "bad.urdf:7: joint 'l' mimics a joint that is a mimic itself (k)");
+  }
+}
+
+TEST(Urdf, AMimicIsIndependentWithAWarningOrTiedIfAskedFor) {
+  const std::string text = three + mimicJoint("j", "revolute", "a", "b", "") +
+                           mimicJoint("k", "prismatic", "b", "c", "j") + "</robot>";
+  const UrdfRobot free = loadUrdfText(text, {}, "r.urdf"),
+                  tied = loadUrdfText(text, {.mimic = MimicJoints::Tied});
+  EXPECT_EQ(free.model.nv, 2);
+  EXPECT_EQ(free.warnings[0], "r.urdf:6: joint 'k' is a mimic and is treated as independent (j)");
+  EXPECT_EQ(tied.model.nv, 1);
+  const auto& mimic = std::get<Mimic<double>>(tied.model.joints[2]);
+  EXPECT_EQ(mimic.primary, 1);
+  EXPECT_EQ(mimic.multiplier, -2);
+  EXPECT_EQ(mimic.offset, 0.5);
+  EXPECT_TRUE(std::holds_alternative<Prismatic<double>>(mimic.moved));
+}
+TEST(Urdf, LimitsDampingAndFrictionAreThoseOfTheModel) {
+  const UrdfRobot r = loadUrdfText(
+      twoLinks("revolute",
+               "<limit lower='-1' upper='2' effort='3' velocity='4'/><dynamics damping='5' friction='6'/>"));
+  EXPECT_EQ(r.model.lowerPositionLimit[0], -1);
+  EXPECT_EQ(r.model.upperPositionLimit[0], 2);
+  EXPECT_EQ(r.model.effortLimit[0], 3);
+  EXPECT_EQ(r.model.velocityLimit[0], 4);
+  EXPECT_EQ(r.model.damping[0], 5);
+  EXPECT_EQ(r.model.friction[0], 6);
+  const Model<double> free = buildModelFromUrdfText(twoLinks("continuous", ""));
+  EXPECT_EQ(free.effortLimit[0], INFINITY);
+  EXPECT_EQ(free.upperPositionLimit[0], INFINITY);
+}
+TEST(Urdf, WhatAJointTypeHasNoUseForIsWarnedOfAndStrictlyAnError) {
+  const auto warned = [](const std::string& type, const std::string& elements) {
+    const std::string text = twoLinks(type, elements);
+    const UrdfRobot r = loadUrdfText(text, {}, "r.urdf");
+    EXPECT_EQ(r.warnings.size(), 2U);  // and of the link without mass
+    EXPECT_EQ(r.warnings.back(),
+              "r.urdf:4: the link of a moving joint, and what is fixed to it, has no mass (j)");
+    try {
+      loadUrdfText(text, {.strict = true}, "r.urdf");
+      ADD_FAILURE() << "strictly nothing was refused";
+    } catch (const UrdfError& e) {
+      EXPECT_EQ(e.what(), r.warnings.front());
+    }
+    return r.warnings.front();
+  };
+  EXPECT_EQ(warned("planar", "<axis xyz='0 1 0'/>"),
+            "r.urdf:4: joint 'j' is planar and its axis is ignored: it moves in its x y plane (0 1 0)");
+  EXPECT_EQ(warned("floating", "<axis xyz='0 1 0'/>"),
+            "r.urdf:4: joint 'j' is floating and its axis is ignored (0 1 0)");
+  EXPECT_EQ(warned("floating", "<dynamics damping='1'/>"),
+            "r.urdf:4: joint 'j': its <dynamics> is ignored (floating)");
+  EXPECT_NE(
+      warned("continuous", "<limit lower='-1' upper='1' effort='1' velocity='1'/>").find("position limits"),
+      std::string::npos);
+}
+TEST(Urdf, ARootJointOfAnyTypeAndAPlanarJoint) {
+  const std::string text = twoLinks("planar", "<axis xyz='0 0 1'/>");
+  const UrdfRobot r = loadUrdfText(text, {.root_joint = Joint<double>(Spherical<double>())});
+  EXPECT_EQ(r.model.nq, 4 + 4);
+  EXPECT_EQ(r.model.nv, 3 + 3);
+  EXPECT_EQ(r.model.names[1], "root_joint");
+  EXPECT_EQ(shortname<double>(r.model.joints[2]), "JointModelPlanar");
+}
+TEST(Urdf, AChainOfTenThousandJointsLoadsAndAStarOfThem) {
+  std::string chain = "<robot name='r'><link name='l0'/>\n", star = chain;
+  for (int i = 0; i < 10000; ++i) {
+    const std::string b = std::to_string(i + 1), link = "<link name='l" + b + "'/><joint name='j" + b +
+                                                        "' type='continuous'><child link='l" + b +
+                                                        "'/><parent link='l";
+    chain += link + std::to_string(i) + "'/></joint>\n";
+    star += link + "0'/></joint>\n";
+  }
+  const Model<double> m = buildModelFromUrdfText(chain + "</robot>"),
+                      n = buildModelFromUrdfText(star + "</robot>");
+  EXPECT_EQ(m.njoints, 10001);
+  EXPECT_EQ(m.parents[10000], 9999);
+  EXPECT_EQ(n.nq, 20000);
+  EXPECT_EQ(n.parents[10000], 0);
 }
 
 }  // namespace

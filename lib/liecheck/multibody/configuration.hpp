@@ -8,6 +8,7 @@
 #include <liecheck/multibody/invalid_configuration.hpp>
 #include <liecheck/multibody/model.hpp>
 #include <liecheck/multibody/norm.hpp>
+#include <liecheck/multibody/place.hpp>
 #include <liecheck/spatial/checked_rotation.hpp>
 #include <type_traits>
 
@@ -21,11 +22,7 @@ using Vector = std::type_identity_t<VectorX<S>>;
 template <class S>
 using Value = std::type_identity_t<S>;
 
-inline void checkSize(Eigen::Index actual, int expected, const char* what, const char* dimension) {
-  if (actual != expected)
-    throw std::invalid_argument(std::string(what) + " has " + std::to_string(actual) +
-                                " numbers, the model's " + dimension + " is " + std::to_string(expected));
-}
+using multibody_detail::checkSize;
 template <Scalar S>
 void checkConfigurationSize(const Model<S>& model, const VectorX<S>& q, const char* what) {
   checkSize(q.size(), model.nq, what, "nq");
@@ -35,32 +32,7 @@ void checkTangentSize(const Model<S>& model, const VectorX<S>& v, const char* wh
   checkSize(v.size(), model.nv, what, "nv");
 }
 
-/// A joint with its place in the tree and in q and v; segments are fixed-size.
-template <Scalar S, class J>
-struct Place {
-  const J& joint;
-  int index, idx_q, idx_v;
-
-  typename J::Configuration configuration(const VectorX<S>& q) const {
-    return q.template segment<J::nq>(idx_q);
-  }
-  typename J::Tangent tangent(const VectorX<S>& v) const { return v.template segment<J::nv>(idx_v); }
-  auto configuration(VectorX<S>& q) const { return q.template segment<J::nq>(idx_q); }
-  auto tangent(VectorX<S>& v) const { return v.template segment<J::nv>(idx_v); }
-  auto jacobian(MatrixX<S>& M) const { return M.template block<J::nv, J::nv>(idx_v, idx_v); }
-  auto coefficientJacobian(MatrixX<S>& M) const { return M.template block<J::nq, J::nv>(idx_q, idx_v); }
-};
-
-/// f(place) for every joint but the universe.
-template <Scalar S, class F>
-void forEachJoint(const Model<S>& model, F f) {
-  for (std::size_t i = 1; i < model.joints.size(); ++i)
-    std::visit(
-        [&]<class J>(const J& joint) {
-          f(Place<S, J>{joint, int(i), model.idx_qs[i], model.idx_vs[i]});
-        },
-        model.joints[i]);
-}
+using multibody_detail::forEachJoint;
 
 }  // namespace configuration_detail
 

@@ -1,11 +1,14 @@
 // What float and double share with nobody: compiled once, declared extern in the headers.
 
 #include <liecheck/multibody/configuration.hpp>
+#include <liecheck/multibody/data.hpp>
 
 namespace liecheck {
 
 template class Model<float>;
 template class Model<double>;
+template class Data<float>;
+template class Data<double>;
 
 template VectorX<float> neutral<float>(const Model<float>&);
 template VectorX<float> normalized<float>(const Model<float>&, const VectorX<float>&);

@@ -47,12 +47,6 @@ void refuseNonFinite(const Model<S>& model, const Place& place, const VectorX<S>
     if (!finite<S>(tangent[i])) refuse<S>(model, place.index, "v", place.idx_v + i, tangent[i], "not finite");
 }
 
-/// Where the unit vector of a joint's segment begins: behind the position of a free-flyer.
-template <class J>
-constexpr int unitVectorOffset() {
-  return J::nq == 7 ? 3 : 0;
-}
-
 /// Not finite, or a unit vector that is zero: no normalisation helps.
 template <Scalar S, class Place>
 void refuseUnrepairable(const Model<S>& model, const Place& place, const VectorX<S>& q) {
@@ -61,10 +55,10 @@ void refuseUnrepairable(const Model<S>& model, const Place& place, const VectorX
   for (int i = 0; i < segment.size(); ++i)
     if (!finite<S>(segment[i])) refuse<S>(model, place.index, "q", place.idx_q + i, segment[i], "not finite");
   if constexpr (J::nq > J::nv) {
-    constexpr int offset = unitVectorOffset<J>();
-    if (segment.template tail<J::nq - offset>().isZero(S(0)))
-      refuse<S>(model, place.index, "q", place.idx_q + offset, S(0),
-                J::nq == 7 ? "a zero quaternion is no rotation" : "(cos, sin) = (0, 0) is no angle");
+    constexpr int length = J::nq - J::unit_begin;
+    if (segment.template tail<length>().isZero(S(0)))
+      refuse<S>(model, place.index, "q", place.idx_q + J::unit_begin, S(0),
+                length == 4 ? "a zero quaternion is no rotation" : "(cos, sin) = (0, 0) is no angle");
   }
 }
 
@@ -74,7 +68,7 @@ void refuseOffUnit(const Model<S>& model, const Place& place, const VectorX<S>& 
   if constexpr (J::nq > J::nv) {
     const S defect = place.joint.normDefect(place.configuration(q));
     if (!(absolute<S>(defect) <= budget))
-      refuse<S>(model, place.index, "q", place.idx_q + unitVectorOffset<J>(), S(defect + S(1)),
+      refuse<S>(model, place.index, "q", place.idx_q + J::unit_begin, S(defect + S(1)),
                 "the squared norm is not 1 up to 8 eps: normalize first");
   }
 }

@@ -8,21 +8,32 @@
 #include <concepts>
 #include <liecheck/multibody/joints/continuous.hpp>
 #include <liecheck/multibody/joints/free_flyer.hpp>
+#include <liecheck/multibody/joints/helical.hpp>
+#include <liecheck/multibody/joints/mimic.hpp>
+#include <liecheck/multibody/joints/planar.hpp>
 #include <liecheck/multibody/joints/prismatic.hpp>
 #include <liecheck/multibody/joints/revolute.hpp>
+#include <liecheck/multibody/joints/spherical.hpp>
+#include <liecheck/multibody/joints/translation.hpp>
 #include <liecheck/multibody/joints/universe.hpp>
 #include <variant>
 
 namespace liecheck {
 
-/// What the whole-vector functions of configuration.hpp need of a joint. Sizes are constants, so that
-/// segments are fixed-size and nothing is allocated; normDefect is |u|^2 - 1 of the stored unit vector, 0
-/// where there is none.
+/// What the whole-vector functions of configuration.hpp and the algorithms need of a joint. Sizes are constants,
+/// so that segments are fixed-size and nothing is allocated. The stored unit vector u (quaternion or cos, sin)
+/// begins at unit_begin, nq where there is none; normDefect is |u|^2 - 1 of it, or 0. subspace() is S, 6 x
+/// columns: V = S v is the velocity relative to the parent in the child's axes, constant for every joint here,
+/// so no velocity product comes from a joint itself. `X transform(X_PJ, q)` is the pose in the parent's frame
+/// (for a mimic, by its primary's coordinate). columns is nv, but for a mimic.
 template <class J>
 concept JointModel = requires(const J joint, const typename J::Configuration q, const typename J::Tangent v,
                               const typename J::Configuration::Scalar budget, ArgumentPosition argument) {
   { J::nq } -> std::convertible_to<int>;
   { J::nv } -> std::convertible_to<int>;
+  { J::columns } -> std::convertible_to<int>;
+  { J::unit_begin } -> std::convertible_to<int>;
+  joint.subspace();
   { joint.shortname() } -> std::convertible_to<std::string>;
   { joint.neutral() } -> std::same_as<typename J::Configuration>;
   { joint.normalized(q) } -> std::same_as<typename J::Configuration>;
@@ -35,11 +46,15 @@ concept JointModel = requires(const J joint, const typename J::Configuration q, 
   { joint.integrateCoeffWiseJacobian(q) } -> std::same_as<typename J::CoefficientJacobian>;
 };
 
+/// A fixed connection is no joint: its inertia is merged, its frames stay (Model::addFixedJoint).
 template <Scalar S>
-using Joint = std::variant<Universe<S>, FreeFlyer<S>, Revolute<S>, Continuous<S>, Prismatic<S>>;
+using Joint = std::variant<Universe<S>, FreeFlyer<S>, Revolute<S>, Continuous<S>, Prismatic<S>, Helical<S>,
+                           Spherical<S>, Planar<S>, Translation<S>, Mimic<S>>;
 
 static_assert(JointModel<Universe<double>> && JointModel<FreeFlyer<double>> && JointModel<Revolute<double>> &&
-              JointModel<Continuous<double>> && JointModel<Prismatic<double>>);
+              JointModel<Continuous<double>> && JointModel<Prismatic<double>> &&
+              JointModel<Helical<double>> && JointModel<Spherical<double>> && JointModel<Planar<double>> &&
+              JointModel<Translation<double>> && JointModel<Mimic<double>>);
 
 /// ||u|^2 - 1| <= budget: is the joint's quaternion, or (cos, sin), unit? NaN is not.
 template <JointModel J>
@@ -62,6 +77,11 @@ int nq(const Joint<S>& joint) {
 template <Scalar S>
 int nv(const Joint<S>& joint) {
   return std::visit([](const auto& j) { return int(j.nv); }, joint);
+}
+/// Of the motion subspace: nv, but 1 for a mimic.
+template <Scalar S>
+int columns(const Joint<S>& joint) {
+  return std::visit([](const auto& j) { return int(j.columns); }, joint);
 }
 template <Scalar S>
 std::string shortname(const Joint<S>& joint) {

@@ -3,16 +3,28 @@
 // serves any number of threads.
 //
 // Joint 0 is the universe. Joint i > 0 hangs on parents[i] < i at jointPlacements[i] and owns nqs[i] numbers
-// of q from idx_qs[i], nvs[i] of v from idx_vs[i]. Names and conventions are Pinocchio's; the fields are read
-// freely and changed through the functions only.
+// of q from idx_qs[i], nvs[i] of v from idx_vs[i]. A mimic owns none; its idx_qs and idx_vs are its primary's.
+// Names and conventions are Pinocchio's. Fields are read freely; gravity, limits, friction, damping and armature
+// may be set, the others change through the functions only.
 
+#include <atomic>
 #include <liecheck/multibody/frame.hpp>
 #include <liecheck/multibody/joint.hpp>
+#include <liecheck/multibody/nearest_names.hpp>
 #include <liecheck/spatial/inertia.hpp>
 #include <stdexcept>
+#include <unordered_map>
 #include <vector>
 
 namespace liecheck {
+
+namespace multibody_detail {
+/// A number never given before in this process.
+inline int nextRevision() {
+  static std::atomic<int> last{0};
+  return ++last;
+}
+}  // namespace multibody_detail
 
 template <Scalar S>
 class Model {
@@ -28,7 +40,23 @@ class Model {
   std::vector<int> idx_qs, idx_vs, nqs, nvs;
   std::vector<Frame<S>> frames;
 
-  /// Counts the joints and frames ever added: Data made at another revision is refused.
+  /// Motion subspaces side by side: joint i has column_counts[i] columns from idx_columns[i], column k acts on
+  /// v[column_to_v[k]]. ncolumns is nv plus the mimics.
+  int ncolumns = 0;
+  std::vector<int> idx_columns, column_counts, column_to_v, column_to_joint;
+  bool has_mimics = false;
+
+  Vector3<S> gravity{S(0), S(0), S(-981) / S(100)};  ///< acceleration of a free fall, in the world [m/s^2]
+
+  /// Infinite where nobody says otherwise: effort [nv; N, N m], velocity [nv; m/s, rad/s], position [nq].
+  VectorX<S> effortLimit, velocityLimit, lowerPositionLimit, upperPositionLimit;
+  /// At each joint [nv], zero where nobody says otherwise: dry friction [N, N m], viscous damping [N s/m,
+  /// N m s], inertia of its motor behind the gear [kg, kg m^2]. Armature enters the dynamics; friction and
+  /// damping are told, not applied.
+  VectorX<S> friction, damping, armature;
+
+  /// Changes with each joint and frame added, to a number that no other model has but its copies: Data made of
+  /// another model, or before, is refused.
   int revision = 0;
 
   Model() {
@@ -43,6 +71,12 @@ class Model {
       throw std::invalid_argument("the model already has a joint named '" + joint_name + "'");
     if (std::holds_alternative<Universe<S>>(joint))
       throw std::invalid_argument("joint '" + joint_name + "' is a second universe");
+    if (const Mimic<S>* mimic = std::get_if<Mimic<S>>(&joint)) {
+      checkJoint(mimic->primary, "the primary of joint '" + joint_name + "'");
+      if (nvs[std::size_t(mimic->primary)] != 1)
+        throw std::invalid_argument("joint '" + joint_name + "' mimics joint '" +
+                                    names[std::size_t(mimic->primary)] + "', which has not one coordinate");
+    }
     return addJointUnchecked(parent, joint, X_PJ, joint_name);
   }
 
@@ -76,6 +110,13 @@ class Model {
     return addFrame({body, joint, parent_frame, X_JB, FrameType::BODY});
   }
 
+  /// A fixed connection, a frame of its name and no joint: whatever is behind it at X_JF moves with that joint.
+  int addFixedJoint(const std::string& fixed_name, int joint, const SE3<S>& X_JF, int parent_frame = -1) {
+    checkJoint(joint, "the parent of fixed joint '" + fixed_name + "'");
+    if (parent_frame < 0) parent_frame = frameOfJoint(joint);
+    return addFrame({fixed_name, joint, parent_frame, X_JF, FrameType::FIXED_JOINT});
+  }
+
   /// Fixes a body to a joint: I_B is in the body's frame, X_JB the body's pose in the joint's frame. The
   /// inertia is transformed here, once.
   void appendBodyToJoint(int joint, const Inertia<S>& I_B, const SE3<S>& X_JB = SE3<S>::Identity()) {
@@ -86,28 +127,46 @@ class Model {
 
   /// The joint's index; njoints if there is none of that name.
   int getJointId(const std::string& joint_name) const {
-    for (int i = 0; i < njoints; ++i)
-      if (names[std::size_t(i)] == joint_name) return i;
-    return njoints;
+    const auto found = joint_ids_.find(joint_name);
+    return found == joint_ids_.end() ? njoints : found->second;
   }
-  bool existJointName(const std::string& joint_name) const { return getJointId(joint_name) < njoints; }
+  bool existJointName(const std::string& joint_name) const { return joint_ids_.contains(joint_name); }
+  /// The joint's index. Throws std::invalid_argument with the nearest names if there is none of that name.
+  int requireJointId(const std::string& joint_name) const {
+    if (!existJointName(joint_name))
+      throw std::invalid_argument("no joint is named '" + joint_name + "'" +
+                                  multibody_detail::nearestNames(joint_name, names));
+    return getJointId(joint_name);
+  }
 
   /// The frame's index; nframes if there is none of that name. Precondition: one frame has that name.
   int getFrameId(const std::string& frame_name) const {
-    const int found = findFrame([&](const Frame<S>& f) { return f.name == frame_name; }, 0);
-    if (findFrame([&](const Frame<S>& f) { return f.name == frame_name; }, found + 1) < nframes)
+    if (frame_ids_.count(frame_name) > 1)
       throw std::invalid_argument("several frames are named '" + frame_name + "': say of which type");
-    return found;
+    const auto found = frame_ids_.find(frame_name);
+    return found == frame_ids_.end() ? nframes : found->second;
   }
   /// The index of the frame of that name and type; nframes if there is none.
   int getFrameId(const std::string& frame_name, FrameType type) const {
-    return findFrame([&](const Frame<S>& f) { return f.name == frame_name && f.type == type; }, 0);
+    const auto [begin, end] = frame_ids_.equal_range(frame_name);
+    for (auto i = begin; i != end; ++i)
+      if (frames[std::size_t(i->second)].type == type) return i->second;
+    return nframes;
   }
-  bool existFrame(const std::string& frame_name) const {
-    return findFrame([&](const Frame<S>& f) { return f.name == frame_name; }, 0) < nframes;
-  }
+  bool existFrame(const std::string& frame_name) const { return frame_ids_.contains(frame_name); }
   bool existFrame(const std::string& frame_name, FrameType type) const {
     return getFrameId(frame_name, type) < nframes;
+  }
+  /// The frame's index. Throws std::invalid_argument with the nearest names if there is none of that name, or if
+  /// several frames share it.
+  int requireFrameId(const std::string& frame_name) const {
+    if (!existFrame(frame_name)) {
+      std::vector<std::string> all;
+      for (const Frame<S>& f : frames) all.push_back(f.name);
+      throw std::invalid_argument("no frame is named '" + frame_name + "'" +
+                                  multibody_detail::nearestNames(frame_name, all));
+    }
+    return getFrameId(frame_name);
   }
 
   /// The same robot with its constants as T: each number converted, none recomputed.
@@ -118,6 +177,15 @@ class Model {
     m.nq = nq, m.nv = nv, m.njoints = njoints, m.nframes = nframes, m.revision = revision;
     m.names = names, m.parents = parents;
     m.idx_qs = idx_qs, m.idx_vs = idx_vs, m.nqs = nqs, m.nvs = nvs;
+    m.ncolumns = ncolumns, m.idx_columns = idx_columns, m.column_counts = column_counts;
+    m.column_to_v = column_to_v, m.column_to_joint = column_to_joint, m.has_mimics = has_mimics;
+    m.joint_ids_ = joint_ids_, m.frame_ids_ = frame_ids_;
+    m.gravity = gravity.template cast<T>();
+    m.effortLimit = effortLimit.template cast<T>(), m.velocityLimit = velocityLimit.template cast<T>();
+    m.lowerPositionLimit = lowerPositionLimit.template cast<T>();
+    m.upperPositionLimit = upperPositionLimit.template cast<T>();
+    m.friction = friction.template cast<T>(), m.damping = damping.template cast<T>();
+    m.armature = armature.template cast<T>();
     m.jointPlacements.clear(), m.inertias.clear(), m.joints.clear(), m.frames.clear();
     for (const SE3<S>& X : jointPlacements) m.jointPlacements.push_back(X.template cast<T>());
     for (const Inertia<S>& I : inertias)
@@ -129,26 +197,49 @@ class Model {
   }
 
  private:
+  template <Scalar T>
+  friend class Model;
+
   int addJointUnchecked(int parent, const Joint<S>& joint, const SE3<S>& X_PJ,
                         const std::string& joint_name) {
+    const Mimic<S>* mimic = std::get_if<Mimic<S>>(&joint);
+    joint_ids_.emplace(joint_name, njoints);
     names.push_back(joint_name);
     parents.push_back(parent);
     jointPlacements.push_back(X_PJ);
     inertias.push_back(Inertia<S>::Zero());
     joints.push_back(joint);
-    idx_qs.push_back(nq);
-    idx_vs.push_back(nv);
+    idx_qs.push_back(mimic ? idx_qs[std::size_t(mimic->primary)] : nq);
+    idx_vs.push_back(mimic ? idx_vs[std::size_t(mimic->primary)] : nv);
     nqs.push_back(liecheck::nq<S>(joint));
     nvs.push_back(liecheck::nv<S>(joint));
+    idx_columns.push_back(ncolumns);
+    column_counts.push_back(liecheck::columns<S>(joint));
+    for (int k = 0; k < column_counts.back(); ++k) {
+      column_to_v.push_back(idx_vs.back() + k);
+      column_to_joint.push_back(njoints);
+    }
     nq += nqs.back();
     nv += nvs.back();
-    ++revision;
+    ncolumns += column_counts.back();
+    has_mimics = has_mimics || mimic;
+    const S infinity = std::numeric_limits<S>::infinity();
+    grow(effortLimit, nv, infinity), grow(velocityLimit, nv, infinity);
+    grow(lowerPositionLimit, nq, -infinity), grow(upperPositionLimit, nq, infinity);
+    grow(friction, nv, S(0)), grow(damping, nv, S(0)), grow(armature, nv, S(0));
+    revision = multibody_detail::nextRevision();
     return njoints++;
   }
   int addFrameUnchecked(const Frame<S>& frame) {
+    frame_ids_.emplace(frame.name, nframes);
     frames.push_back(frame);
-    ++revision;
+    revision = multibody_detail::nextRevision();
     return nframes++;
+  }
+  static void grow(VectorX<S>& v, int size, const S& value) {
+    const Eigen::Index before = v.size();
+    v.conservativeResize(size);
+    v.tail(size - before).setConstant(value);
   }
   void checkJoint(int joint, const std::string& what) const {
     if (joint < 0 || joint >= njoints)
@@ -162,12 +253,9 @@ class Model {
       throw std::invalid_argument("joint '" + joint_name + "' has no frame yet: addJointFrame");
     return frame;
   }
-  template <class Predicate>
-  int findFrame(Predicate is_it, int from) const {
-    for (int i = from; i < nframes; ++i)
-      if (is_it(frames[std::size_t(i)])) return i;
-    return nframes;
-  }
+
+  std::unordered_map<std::string, int> joint_ids_;
+  std::unordered_multimap<std::string, int> frame_ids_;
 };
 
 extern template class Model<float>;

@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <liecheck/multibody/inertia_validity.hpp>
 #include <liecheck/urdf/urdf.hpp>
 #include <liecheck/urdf/urdf_text.hpp>
 #include <memory>
@@ -54,8 +55,17 @@ Inertia<double> inertia(const urdf::Link& link) {
   return pose(i.origin).act(Inertia<double>(i.mass, Vector3<double>::Zero(), I_C));
 }
 
-Joint<double> moving(const urdf::Joint& joint) {
+Mimic<double>::Moved oneDof(const urdf::Joint& joint, const Axis<double>& axis) {
+  if (joint.type == urdf::Joint::PRISMATIC) return Prismatic<double>(axis);
+  return Revolute<double>(axis);
+}
+
+/// The joint of the model; a mimic's primary must be in the model already.
+Joint<double> moving(const urdf::Joint& joint, const Model<double>& model, bool tied) {
   const Vector3<double> axis(joint.axis.x, joint.axis.y, joint.axis.z);
+  if (tied)
+    return Mimic<double>(oneDof(joint, Axis<double>(axis)), model.getJointId(joint.mimic->joint_name),
+                         joint.mimic->multiplier, joint.mimic->offset);
   switch (joint.type) {
     case urdf::Joint::REVOLUTE:
       return Revolute<double>(axis);
@@ -63,6 +73,8 @@ Joint<double> moving(const urdf::Joint& joint) {
       return Continuous<double>(axis);
     case urdf::Joint::PRISMATIC:
       return Prismatic<double>(axis);
+    case urdf::Joint::PLANAR:
+      return Planar<double>();
     case urdf::Joint::FLOATING:
       return FreeFlyer<double>();
     default:
@@ -70,29 +82,110 @@ Joint<double> moving(const urdf::Joint& joint) {
   }
 }
 
-/// The children of a link whose BODY frame is link_frame, depth first.
-void addChildren(Model<double>& model, const urdf::Link& link, int link_frame) {
-  std::vector<urdf::JointSharedPtr> children = link.child_joints;
-  std::sort(children.begin(), children.end(), [](const auto& a, const auto& b) { return a->name < b->name; });
-  std::vector<urdf::LinkSharedPtr> links = link.child_links;
-  for (const urdf::JointSharedPtr& joint : children) {
-    const urdf::Link& child = **std::find_if(
-        links.begin(), links.end(), [&](const auto& l) { return l->name == joint->child_link_name; });
-    const Frame<double> parent = model.frames[std::size_t(link_frame)];
-    const SE3<double> X_PJ = parent.placement * pose(joint->parent_to_joint_origin_transform);
-    int body_frame = 0;
-    if (joint->type == urdf::Joint::FIXED) {
-      const int frame =
-          model.addFrame({joint->name, parent.parentJoint, link_frame, X_PJ, FrameType::FIXED_JOINT});
-      body_frame = model.addBodyFrame(child.name, parent.parentJoint, X_PJ, frame);
-      model.appendBodyToJoint(parent.parentJoint, inertia(child), X_PJ);
-    } else {
-      const int index = model.addJoint(parent.parentJoint, moving(*joint), X_PJ, joint->name);
-      const int frame = model.addJointFrame(index, link_frame);
-      body_frame = model.addBodyFrame(child.name, index, SE3<double>::Identity(), frame);
-      model.appendBodyToJoint(index, inertia(child));
+/// The limits and the friction of a joint with one degree of freedom.
+void setLimits(Model<double>& model, const urdf::Joint& joint, int index) {
+  if (model.nvs[std::size_t(index)] != 1) return;
+  const int v = model.idx_vs[std::size_t(index)], q = model.idx_qs[std::size_t(index)];
+  if (joint.limits)
+    model.effortLimit[v] = joint.limits->effort, model.velocityLimit[v] = joint.limits->velocity;
+  if (joint.limits && model.nqs[std::size_t(index)] == 1)
+    model.lowerPositionLimit[q] = joint.limits->lower, model.upperPositionLimit[q] = joint.limits->upper;
+  if (joint.dynamics)
+    model.damping[v] = joint.dynamics->damping, model.friction[v] = joint.dynamics->friction;
+}
+
+/// Adds the links below one whose BODY frame is in the model.
+class Tree {
+ public:
+  Tree(Model<double>& model, const UrdfOptions& options, urdf_detail::ValidUrdf& valid,
+       const std::string& source)
+      : model_(model), options_(options), valid_(valid), source_(source) {}
+
+  /// Depth first, the children of a link in alphabetical order of joint names; without recursion.
+  void add(const urdf::LinkConstSharedPtr& root, int body_frame) {
+    std::vector<std::pair<Step, int>> todo;  // and the BODY frame of the joint's parent
+    const auto push = [&](const urdf::LinkConstSharedPtr& link, int frame) {
+      std::unordered_map<std::string, urdf::LinkConstSharedPtr> links;
+      for (const auto& child : link->child_links) links.emplace(child->name, child);
+      std::vector<Step> steps;
+      for (const auto& joint : link->child_joints) steps.push_back({joint, links.at(joint->child_link_name)});
+      std::sort(steps.begin(), steps.end(),
+                [](const Step& a, const Step& b) { return a.joint->name > b.joint->name; });
+      for (const Step& step : steps) todo.emplace_back(step, frame);
+    };
+    push(root, body_frame);
+    while (!todo.empty()) {
+      const auto [step, frame] = todo.back();
+      todo.pop_back();
+      push(step.link, connect(*step.joint, *step.link, frame));
     }
-    addChildren(model, child, body_frame);
+  }
+
+ private:
+  struct Step {
+    urdf::JointConstSharedPtr joint;
+    urdf::LinkConstSharedPtr link;
+  };
+
+  /// The joint and the link behind it; returns the link's BODY frame.
+  int connect(const urdf::Joint& joint, const urdf::Link& link, int parent_frame) {
+    const Frame<double> parent = model_.frames[std::size_t(parent_frame)];
+    const SE3<double> X_PJ = parent.placement * pose(joint.parent_to_joint_origin_transform);
+    if (joint.type == urdf::Joint::FIXED) {
+      const int frame = model_.addFixedJoint(joint.name, parent.parentJoint, X_PJ, parent_frame);
+      model_.appendBodyToJoint(parent.parentJoint, inertia(link), X_PJ);
+      return model_.addBodyFrame(link.name, parent.parentJoint, X_PJ, frame);
+    }
+    const bool mimics =
+        joint.mimic && joint.type != urdf::Joint::FLOATING && joint.type != urdf::Joint::PLANAR;
+    if (mimics) checkPrimary(joint);
+    const bool tied = mimics && options_.mimic == MimicJoints::Tied;
+    const int index = model_.addJoint(parent.parentJoint, moving(joint, model_, tied), X_PJ, joint.name);
+    setLimits(model_, joint, index);
+    const int frame = model_.addJointFrame(index, parent_frame);
+    model_.appendBodyToJoint(index, inertia(link));
+    return model_.addBodyFrame(link.name, index, SE3<double>::Identity(), frame);
+  }
+  void checkPrimary(const urdf::Joint& joint) const {
+    const std::string& primary = joint.mimic->joint_name;
+    const int line = valid_.joint_line.at(joint.name), index = model_.getJointId(primary);
+    const std::string what = "joint '" + joint.name + "' mimics ";
+    if (joint.name == primary) throw UrdfError(source_, line, what + "itself", primary);
+    if (model_.existFrame(primary, FrameType::FIXED_JOINT))
+      throw UrdfError(source_, line, what + "a joint that does not move", primary);
+    if (index == model_.njoints)
+      throw UrdfError(source_, line, what + "a joint that comes later, depth first and by the alphabet",
+                      primary);
+    if (std::holds_alternative<Mimic<double>>(model_.joints[std::size_t(index)]))
+      throw UrdfError(source_, line, what + "a joint that is a mimic itself", primary);
+    if (model_.nvs[std::size_t(index)] != 1)
+      throw UrdfError(source_, line, what + "a joint that has not one coordinate", primary);
+  }
+
+  Model<double>& model_;
+  const UrdfOptions& options_;
+  urdf_detail::ValidUrdf& valid_;
+  const std::string& source_;
+};
+
+/// Bodies as the joints carry them: without mass, a warning; not physical, an error at the link that makes it so.
+void judgeBodies(const Model<double>& model, const UrdfOptions& options, urdf_detail::ValidUrdf& valid,
+                 const std::string& source) {
+  const auto warn = [&](int line, const std::string& what, const std::string& value) {
+    if (options.strict) throw UrdfError(source, line, what, value);
+    valid.warnings.push_back(urdf_detail::complaint(source, line, what, value));
+  };
+  for (const auto& [link, line, what, value] : valid.faults) {
+    const int joint = model.frames[std::size_t(model.getFrameId(link, FrameType::BODY))].parentJoint;
+    if (!whyUnphysical(model.inertias[std::size_t(joint)], urdf_detail::printed_inertia_slack).empty())
+      throw UrdfError(source, line, what, value);
+    warn(line, what + "; what it is fixed to makes up for it", value);
+  }
+  for (int i = 1; i < model.njoints; ++i) {
+    if (model.inertias[std::size_t(i)].mass() > 0) continue;
+    const auto line = valid.joint_line.find(model.names[std::size_t(i)]);
+    warn(line == valid.joint_line.end() ? valid.robot_line : line->second,
+         "the link of a moving joint, and what is fixed to it, has no mass", model.names[std::size_t(i)]);
   }
 }
 
@@ -110,34 +203,49 @@ std::string shortened(const std::string& value) {
 
 }  // namespace
 
-UrdfError::UrdfError(const std::string& file, int line, const std::string& what, const std::string& value)
-    : std::runtime_error(oneLine(file + ":" + (line > 0 ? std::to_string(line) + ": " : " ") + what + " (" +
-                                 shortened(value) + ")")),
-      file_(file),
-      line_(line) {}
+std::string urdf_detail::complaint(const std::string& file, int line, const std::string& what,
+                                   const std::string& value) {
+  return oneLine(file + ":" + (line > 0 ? std::to_string(line) + ": " : " ") + what + " (" +
+                 shortened(value) + ")");
+}
 
-Model<double> buildModelFromUrdfText(const std::string& text, RootJoint root,
-                                     const std::string& source_name) {
-  const int robot_line = urdf_detail::validateUrdfText(text, source_name, root);
+UrdfError::UrdfError(const std::string& file, int line, const std::string& what, const std::string& value)
+    : std::runtime_error(urdf_detail::complaint(file, line, what, value)), file_(file), line_(line) {}
+
+UrdfRobot loadUrdfText(const std::string& text, const UrdfOptions& options, const std::string& source_name) {
+  urdf_detail::ValidUrdf valid = urdf_detail::validateUrdfText(text, source_name, options);
   urdf::ModelInterfaceSharedPtr robot;
   {
     const QuietLog log;
     robot = urdf::parseURDF(text);
     if (!robot || !robot->getRoot())
-      throw UrdfError(source_name, robot_line, "urdfdom refuses it", log.errors());
+      throw UrdfError(source_name, valid.robot_line, "urdfdom refuses it", log.errors());
   }
-  const urdf::Link& link = *robot->getRoot();
+  // Links own their children: a long chain, destroyed from its root, would end the stack.
+  const auto dissolve = [](urdf::ModelInterface* tree) {
+    for (auto& [name, link] : tree->links_) link->child_links.clear();
+  };
+  const std::unique_ptr<urdf::ModelInterface, decltype(dissolve)> dissolved(robot.get(), dissolve);
+
+  const urdf::LinkConstSharedPtr link = robot->getRoot();
   Model<double> model;
   model.name = robot->getName();
   int joint = 0, joint_frame = 0;
-  if (root == RootJoint::FreeFlyer) {
-    joint = model.addJoint(0, FreeFlyer<double>(), SE3<double>::Identity(), "root_joint");
+  if (options.root_joint || options.root == RootJoint::FreeFlyer) {
+    joint = model.addJoint(0, options.root_joint.value_or(FreeFlyer<double>()), SE3<double>::Identity(),
+                           "root_joint");
     joint_frame = model.addJointFrame(joint);
   }
-  const int body_frame = model.addBodyFrame(link.name, joint, SE3<double>::Identity(), joint_frame);
-  model.appendBodyToJoint(joint, inertia(link));
-  addChildren(model, link, body_frame);
-  return model;
+  const int body_frame = model.addBodyFrame(link->name, joint, SE3<double>::Identity(), joint_frame);
+  model.appendBodyToJoint(joint, inertia(*link));
+  Tree(model, options, valid, source_name).add(link, body_frame);
+  judgeBodies(model, options, valid, source_name);
+  return {std::move(model), std::move(valid.warnings)};
+}
+
+Model<double> buildModelFromUrdfText(const std::string& text, RootJoint root,
+                                     const std::string& source_name) {
+  return loadUrdfText(text, {.root = root}, source_name).model;
 }
 
 std::string readUrdf(const std::string& path) {
@@ -167,8 +275,11 @@ std::string readUrdf(const std::string& path) {
   return text;
 }
 
+UrdfRobot loadUrdf(const std::string& path, const UrdfOptions& options) {
+  return loadUrdfText(readUrdf(path), options, path);
+}
 Model<double> buildModelFromUrdf(const std::string& path, RootJoint root) {
-  return buildModelFromUrdfText(readUrdf(path), root, path);
+  return loadUrdf(path, {.root = root}).model;
 }
 
 }  // namespace liecheck

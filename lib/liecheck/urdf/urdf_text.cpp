@@ -1,64 +1,25 @@
 #include <tinyxml.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
+#include <liecheck/multibody/inertia_validity.hpp>
 #include <liecheck/urdf/urdf_markup.hpp>
+#include <liecheck/urdf/urdf_numbers.hpp>
 #include <liecheck/urdf/urdf_text.hpp>
 #include <map>
 #include <optional>
+#include <set>
 #include <string_view>
 #include <vector>
 
 namespace liecheck::urdf_detail {
 namespace {
 
-/// Numbers that an element's attributes hold: how many, and whether the attribute may be left out. Elements
-/// are looked up below link, joint and material only: extensions of other programs are not ours to judge.
-struct Numbers {
-  const char* element;
-  const char* attribute;
-  int count;
-  bool required;
-};
-constexpr Numbers numbers[] = {
-    {"origin", "xyz", 3, false},
-    {"origin", "rpy", 3, false},
-    {"axis", "xyz", 3, true},
-    {"mass", "value", 1, true},
-    {"inertia", "ixx", 1, true},
-    {"inertia", "ixy", 1, true},
-    {"inertia", "ixz", 1, true},
-    {"inertia", "iyy", 1, true},
-    {"inertia", "iyz", 1, true},
-    {"inertia", "izz", 1, true},
-    {"limit", "lower", 1, false},
-    {"limit", "upper", 1, false},
-    {"limit", "effort", 1, true},
-    {"limit", "velocity", 1, true},
-    {"dynamics", "damping", 1, false},
-    {"dynamics", "friction", 1, false},
-    {"mimic", "multiplier", 1, false},
-    {"mimic", "offset", 1, false},
-    {"box", "size", 3, true},
-    {"sphere", "radius", 1, true},
-    {"cylinder", "radius", 1, true},
-    {"cylinder", "length", 1, true},
-    {"mesh", "scale", 3, false},
-    {"color", "rgba", 4, true},
-    {"calibration", "rising", 1, false},
-    {"calibration", "falling", 1, false},
-    {"safety_controller", "soft_lower_limit", 1, false},
-    {"safety_controller", "soft_upper_limit", 1, false},
-    {"safety_controller", "k_position", 1, false},
-    {"safety_controller", "k_velocity", 1, true},
-};
-
 class Validator {
  public:
-  Validator(const std::string& source_name, RootJoint root) : source_(source_name), root_(root) {}
+  Validator(const std::string& source_name, const UrdfOptions& options)
+      : source_(source_name), options_(options) {}
 
-  int robot(const TiXmlDocument& document) {
+  ValidUrdf robot(const TiXmlDocument& document) {
     const TiXmlElement* robot = document.RootElement();
     if (!robot) refuse(1, "no element, expected <robot>", "");
     for (const TiXmlNode* node = document.FirstChild(); node; node = node->NextSibling()) {
@@ -75,8 +36,9 @@ class Validator {
     if (link_line_.empty()) refuse(robot->Row(), "a robot without links", robot->Attribute("name"));
     for (const TiXmlElement* e = robot->FirstChildElement("joint"); e; e = e->NextSiblingElement("joint"))
       joint(*e);
+    mimics();
     tree(*robot);
-    return robot->Row();
+    return {robot->Row(), std::move(joint_line_), std::move(faults_), std::move(warnings_)};
   }
 
   [[noreturn]] void refuse(int line, const std::string& what, const std::string& value) const {
@@ -84,10 +46,10 @@ class Validator {
   }
 
  private:
-  struct Child {
-    std::string link;
-    int line;
-  };
+  void warn(int line, const std::string& what, const std::string& value) {
+    if (options_.strict) refuse(line, what, value);
+    warnings_.push_back(complaint(source_, line, what, value));
+  }
 
   std::string name(const TiXmlElement& e, const std::string& what) const {
     const char* value = e.Attribute("name");
@@ -96,7 +58,7 @@ class Validator {
   }
 
   void material(const TiXmlElement& e) {
-    numbersBelow(e);
+    checkNumbersBelow(e, source_);
     const char* material_name = e.Attribute("name");
     if (!material_name) return;
     const auto [first, is_new] = material_line_.emplace(material_name, e.Row());
@@ -111,16 +73,31 @@ class Validator {
     if (!is_new)
       refuse(e.Row(), "a second link of that name, the first is in line " + std::to_string(first->second),
              link_name);
-    numbersBelow(e);
+    checkNumbersBelow(e, source_);
     if (const TiXmlElement* inertial = e.FirstChildElement("inertial")) {
       const TiXmlElement* mass = inertial->FirstChildElement("mass");
       if (!mass) refuse(inertial->Row(), "an <inertial> without <mass>", link_name);
       if (!inertial->FirstChildElement("inertia"))
         refuse(inertial->Row(), "an <inertial> without <inertia>", link_name);
-      if (std::signbit(number(mass->Attribute("value")).value_or(0)) &&
-          *number(mass->Attribute("value")) != 0)
-        refuse(mass->Row(), "link '" + link_name + "' has a negative mass", mass->Attribute("value"));
+      body(*inertial, link_name);
     }
+  }
+
+  /// Mass >= 0, and is the inertia one that a body could have, up to the digits it is printed with?
+  void body(const TiXmlElement& inertial, const std::string& link_name) {
+    const TiXmlElement &mass = *inertial.FirstChildElement("mass"),
+                       &inertia = *inertial.FirstChildElement("inertia");
+    const auto of = [&](const char* name) { return numberOf(inertia.Attribute(name)); };
+    const double m = numberOf(mass.Attribute("value"));
+    if (m < 0) refuse(mass.Row(), "link '" + link_name + "' has a negative mass", mass.Attribute("value"));
+    Matrix3<double> I;
+    I << of("ixx"), of("ixy"), of("ixz"), of("ixy"), of("iyy"), of("iyz"), of("ixz"), of("iyz"), of("izz");
+    const std::string why =
+        whyUnphysical(Inertia<double>(m, Vector3<double>::Zero(), I), printed_inertia_slack);
+    if (why.empty()) return;
+    const std::size_t colon = why.find(": ");
+    faults_.push_back({link_name, inertia.Row(), "link '" + link_name + "': " + why.substr(0, colon),
+                       colon == why.npos ? "" : why.substr(colon + 2)});
   }
 
   void joint(const TiXmlElement& e) {
@@ -129,25 +106,76 @@ class Validator {
     if (!is_new)
       refuse(e.Row(), "a second joint of that name, the first is in line " + std::to_string(first->second),
              joint_name);
-    if (joint_name == "universe" || (joint_name == "root_joint" && root_ == RootJoint::FreeFlyer))
+    if (joint_name == "universe" ||
+        (joint_name == "root_joint" && (options_.root_joint || options_.root == RootJoint::FreeFlyer)))
       refuse(e.Row(), "a joint has the name that the model's own root has", joint_name);
     const char* type_text = e.Attribute("type");
     if (!type_text) refuse(e.Row(), joint_text + " has no type", "");
     const std::string type = type_text;
-    if (type == "planar") refuse(e.Row(), joint_text + ": this joint type is not supported", type);
-    if (type != "fixed" && type != "floating" && type != "revolute" && type != "continuous" &&
-        type != "prismatic")
+    if (type != "fixed" && type != "floating" && type != "planar" && type != "revolute" &&
+        type != "continuous" && type != "prismatic")
       refuse(e.Row(), joint_text + ": unknown joint type", type);
-    numbersBelow(e);
+    checkNumbersBelow(e, source_);
     extras(e, joint_text);
-    if (type != "fixed" && type != "floating") axis(e, joint_text);
-    if ((type == "revolute" || type == "prismatic") && !e.FirstChildElement("limit"))
-      refuse(e.Row(), joint_text + " has no <limit>, which its type needs", type);
+    const bool one_coordinate = type == "revolute" || type == "continuous" || type == "prismatic";
+    if (one_coordinate) axis(e, joint_text);
+    limits(e, joint_text, type);
+    if (const TiXmlElement* mimic = e.FirstChildElement("mimic"); mimic && one_coordinate)
+      mimics_.push_back({joint_name, mimic->Attribute("joint"), mimic->Row()});
+    if (type == "planar" || type == "floating") unused(e, joint_text, type);
     const std::string parent = linkOf(e, "parent", joint_text), child = linkOf(e, "child", joint_text);
     const auto [other, first_parent] = parent_joint_.emplace(child, joint_name);
     if (!first_parent)
       refuse(e.Row(), joint_text + " and joint '" + other->second + "' have the same child: a loop", child);
-    children_[parent].push_back({child, e.Row()});
+    children_[parent].push_back(child);
+  }
+
+  void limits(const TiXmlElement& e, const std::string& joint_text, const std::string& type) {
+    const TiXmlElement* limit = e.FirstChildElement("limit");
+    const bool bounded = type == "revolute" || type == "prismatic";
+    if (!limit) {
+      if (bounded) refuse(e.Row(), joint_text + " has no <limit>, which its type needs", type);
+      return;
+    }
+    const auto of = [&](const char* name) {
+      const char* text = limit->Attribute(name);
+      return text ? numberOf(text) : 0.0;
+    };
+    for (const char* name : {"effort", "velocity"})
+      if (of(name) < 0)
+        refuse(limit->Row(), joint_text + " has a negative " + name + " limit", limit->Attribute(name));
+    if (bounded && of("lower") > of("upper"))
+      refuse(limit->Row(), joint_text + " has crossed limits, lower > upper",
+             std::to_string(of("lower")) + " > " + std::to_string(of("upper")));
+    if (type == "continuous" && (limit->Attribute("lower") || limit->Attribute("upper")) &&
+        of("lower") != of("upper"))
+      warn(limit->Row(), joint_text + " has position limits, which a continuous joint has no use for",
+           std::to_string(of("lower")) + " " + std::to_string(of("upper")));
+  }
+
+  /// What is said in vain of a joint that moves in more than one way. A planar joint moves in the x y plane whatever
+  /// axis is given.
+  void unused(const TiXmlElement& e, const std::string& joint_text, const std::string& type) {
+    const TiXmlElement* axis = e.FirstChildElement("axis");
+    const std::string xyz = axis ? axis->Attribute("xyz") : "none, so 1 0 0";
+    const std::vector<double> v = list(axis ? xyz : "1 0 0").value_or(std::vector<double>{});
+    if (type == "planar" && v != std::vector<double>{0, 0, 1})
+      warn(axis ? axis->Row() : e.Row(),
+           joint_text + " is planar and its axis is ignored: it moves in its x y plane", xyz);
+    if (type == "floating" && axis)
+      warn(axis->Row(), joint_text + " is floating and its axis is ignored", xyz);
+    for (const char* element : {"limit", "dynamics", "mimic"})
+      if (const TiXmlElement* found = e.FirstChildElement(element))
+        warn(found->Row(), joint_text + ": its <" + element + "> is ignored", type);
+  }
+
+  void mimics() {
+    for (const auto& [joint_name, primary, line] : mimics_) {
+      if (!joint_line_.contains(primary))
+        refuse(line, "joint '" + joint_name + "' mimics a joint that does not exist", primary);
+      if (options_.mimic == MimicJoints::Independent)
+        warn(line, "joint '" + joint_name + "' is a mimic and is treated as independent", primary);
+    }
   }
 
   void axis(const TiXmlElement& e, const std::string& joint_text) const {
@@ -186,85 +214,44 @@ class Validator {
     if (roots.empty()) refuse(robot.Row(), "every link has a parent: a loop", link_line_.begin()->first);
     if (roots.size() > 1)
       refuse(link_line_.at(roots[1]), "two roots, the other is '" + roots[0] + "'", roots[1]);
-    std::map<std::string, int> depth{{roots[0], 0}};
+    std::set<std::string> reached{roots[0]};
     std::vector<std::string> todo = roots;
     while (!todo.empty()) {
       const std::string link_name = todo.back();
       todo.pop_back();
       const auto found = children_.find(link_name);
       if (found == children_.end()) continue;
-      for (const Child& child : found->second) {
-        const int d = depth.at(link_name) + 1;
-        if (d > max_tree_depth)
-          refuse(child.line, "more than " + std::to_string(max_tree_depth) + " joints in a chain",
-                 child.link);
-        depth.emplace(child.link, d);
-        todo.push_back(child.link);
+      for (const std::string& child : found->second) {
+        reached.insert(child);
+        todo.push_back(child);
       }
     }
     for (const auto& [link_name, line] : link_line_)
-      if (!depth.contains(link_name))
+      if (!reached.contains(link_name))
         refuse(line, "not connected to the root: its joints form a loop", link_name);
   }
 
-  void numbersBelow(const TiXmlElement& e) const {
-    for (const TiXmlElement* child = e.FirstChildElement(); child; child = child->NextSiblingElement()) {
-      for (const Numbers& n : numbers)
-        if (child->ValueStr() == n.element) check(*child, n);
-      numbersBelow(*child);
-    }
-  }
-
-  void check(const TiXmlElement& e, const Numbers& n) const {
-    const std::string what = std::string("<") + n.element + "> " + n.attribute;
-    for (const TiXmlAttribute* a = e.FirstAttribute(); a; a = a->Next()) {
-      if (std::string(a->Name()) != n.attribute) continue;
-      const auto values = list(a->ValueStr());
-      if (!values) refuse(a->Row(), what + " is not finite numbers", a->ValueStr());
-      if (int(values->size()) != n.count)
-        refuse(a->Row(),
-               what + " has " + std::to_string(values->size()) + " numbers, not " + std::to_string(n.count),
-               a->ValueStr());
-      return;
-    }
-    if (n.required) refuse(e.Row(), what + " is missing", "");
-  }
-
-  /// One number in C notation whatever the locale; nothing if it is not one, not finite, or out of a double's
-  /// range.
-  static std::optional<double> number(std::string_view text) {
-    if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
-    double value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return {};
-    return value;
-  }
-  static std::optional<std::vector<double>> list(std::string_view text) {
-    std::vector<double> values;
-    constexpr std::string_view space = " \t\r\n";
-    for (std::size_t i = text.find_first_not_of(space); i != std::string_view::npos;
-         i = text.find_first_not_of(space, i)) {
-      const std::size_t end = std::min(text.find_first_of(space, i), text.size());
-      const auto value = number(text.substr(i, end - i));
-      if (!value) return {};
-      values.push_back(*value);
-      i = end;
-      if (i == text.size()) break;
-    }
-    return values;
-  }
+  struct MimicLine {
+    std::string joint, primary;
+    int line;
+  };
 
   const std::string& source_;
-  RootJoint root_;
-  std::map<std::string, int> link_line_, joint_line_, material_line_;
+  const UrdfOptions& options_;
+  std::map<std::string, int> link_line_, material_line_;
+  std::unordered_map<std::string, int> joint_line_;
   std::map<std::string, std::string> parent_joint_;  // of a link
-  std::map<std::string, std::vector<Child>> children_;
+  std::map<std::string, std::vector<std::string>> children_;
+  std::vector<MimicLine> mimics_;
+  std::vector<ValidUrdf::Fault> faults_;
+  std::vector<std::string> warnings_;
 };
 
 }  // namespace
 
-int validateUrdfText(const std::string& text, const std::string& source_name, RootJoint root) {
-  Validator validator(source_name, root);
+ValidUrdf validateUrdfText(const std::string& text, const std::string& source_name,
+                           const UrdfOptions& options) {
+  Validator validator(source_name, options);
   if (text.find_first_not_of(" \t\r\n") == std::string::npos)
     validator.refuse(1, "empty", std::to_string(text.size()) + " bytes");
   checkMarkup(text, source_name);

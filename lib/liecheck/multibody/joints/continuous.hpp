@@ -7,18 +7,19 @@
 //
 // Domain: finite u with ||u|^2 - 1| <= d; the angle meant is that of u/|u|.
 
-#include <liecheck/multibody/joints/axis.hpp>
+#include <liecheck/multibody/joints/revolute.hpp>
 #include <liecheck/multibody/se3_configuration.hpp>
 
 namespace liecheck {
 
 template <Scalar S>
 struct Continuous {
-  static constexpr int nq = 2, nv = 1;
+  static constexpr int nq = 2, nv = 1, unit_begin = 0, columns = 1;
   using Configuration = Eigen::Matrix<S, 2, 1>;
   using Tangent = Eigen::Matrix<S, 1, 1>;
   using Jacobian = Eigen::Matrix<S, 1, 1>;
   using CoefficientJacobian = Eigen::Matrix<S, 2, 1>;
+  using Subspace = Vector6<S>;
 
   Axis<S> axis;
   explicit Continuous(const Axis<S>& unit_axis) : axis(unit_axis) {}
@@ -71,6 +72,14 @@ struct Continuous {
   static CoefficientJacobian integrateCoeffWiseJacobian(const Configuration& u) {
     return CoefficientJacobian(-u[1], u[0]);
   }
+
+  /// X_PJ (R(axis, angle), 0). Error 4 eps + 3/4 d^2.
+  SE3<S> transform(const SE3<S>& X_PJ, const Configuration& q) const {
+    const Configuration u = se3_configuration_detail::firstOrderNormalize<S, 2>(q);
+    return SE3<S>(axis.turned(X_PJ.rotation(), u[0], u[1]), X_PJ.translation());
+  }
+  /// (0, axis).
+  Subspace subspace() const { return Revolute<S>(axis).subspace(); }
 
   template <Scalar T>
   Continuous<T> cast() const {

@@ -11,11 +11,12 @@ namespace liecheck {
 
 template <Scalar S>
 struct FreeFlyer {
-  static constexpr int nq = 7, nv = 6;
+  static constexpr int nq = 7, nv = 6, unit_begin = 3, columns = 6;
   using Configuration = Vector7<S>;
   using Tangent = Vector6<S>;
   using Jacobian = Matrix6<S>;
   using CoefficientJacobian = Eigen::Matrix<S, 7, 6>;
+  using Subspace = Matrix6<S>;
 
   std::string shortname() const { return "JointModelFreeFlyer"; }
 
@@ -52,6 +53,12 @@ struct FreeFlyer {
   static CoefficientJacobian integrateCoeffWiseJacobian(const Configuration& q) {
     return integrateCoeffWiseJacobianSE3<S>(q);
   }
+
+  /// X_PJ (R(Q), p).
+  static SE3<S> transform(const SE3<S>& X_PJ, const Configuration& q) {
+    return X_PJ * SE3<S>(SO3<S>(Vector4<S>(q.template tail<4>())), q.template head<3>());
+  }
+  static Subspace subspace() { return Subspace::Identity(); }
 
   template <Scalar T>
   FreeFlyer<T> cast() const {

@@ -1,6 +1,6 @@
 #pragma once
 // N coordinates in which integrate is a plain sum: a revolute angle [rad], a prismatic position [m], or none.
-// The configuration part of Universe, Revolute and Prismatic.
+// The configuration part of Universe, Revolute, Prismatic, Helical, Translation and Mimic.
 
 #include <algorithm>
 #include <liecheck/multibody/argument_position.hpp>
@@ -9,13 +9,17 @@
 
 namespace liecheck {
 
+template <class S>
+using Vector1 = Eigen::Matrix<S, 1, 1>;
+
 template <Scalar S, int N>
 struct LinearCoordinates {
-  static constexpr int nq = N, nv = N;
+  static constexpr int nq = N, nv = N, unit_begin = N, columns = N;
   using Configuration = Eigen::Matrix<S, N, 1>;
   using Tangent = Eigen::Matrix<S, N, 1>;
   using Jacobian = Eigen::Matrix<S, N, N>;
   using CoefficientJacobian = Eigen::Matrix<S, N, N>;
+  using Subspace = Eigen::Matrix<S, 6, N>;
 
   static Configuration neutral() { return Configuration::Zero(); }
   static Configuration normalized(const Configuration& q) { return q; }

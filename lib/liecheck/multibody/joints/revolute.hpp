@@ -3,6 +3,7 @@
 
 #include <liecheck/multibody/joints/axis.hpp>
 #include <liecheck/multibody/joints/linear_coordinates.hpp>
+#include <liecheck/spatial/se3.hpp>
 
 namespace liecheck {
 
@@ -11,6 +12,18 @@ struct Revolute : LinearCoordinates<S, 1> {
   Axis<S> axis;
   explicit Revolute(const Axis<S>& unit_axis) : axis(unit_axis) {}
   explicit Revolute(const Vector3<S>& direction) : axis(direction) {}
+
+  /// X_PJ (R(axis, q), 0). Error 4 eps.
+  SE3<S> transform(const SE3<S>& X_PJ, const Vector1<S>& q) const {
+    using std::cos, std::sin;
+    return SE3<S>(axis.turned(X_PJ.rotation(), S(cos(q[0])), S(sin(q[0]))), X_PJ.translation());
+  }
+  /// (0, axis).
+  Vector6<S> subspace() const {
+    Vector6<S> s;
+    s << Vector3<S>::Zero(), axis.to_vector();
+    return s;
+  }
 
   std::string shortname() const { return axis.shortname("JointModelR", "JointModelRevoluteUnaligned"); }
   template <Scalar T>

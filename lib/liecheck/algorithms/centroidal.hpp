@@ -1,0 +1,153 @@
+#pragma once
+// The robot as one body: centre of mass c, momentum h_G about it in the world's axes, and A_G with h_G = A_G v.
+// Orin, Goswami & Lee (2013). What is welded to the world does not count. Precondition: the robot has mass.
+
+#include <liecheck/algorithms/crba.hpp>
+
+namespace liecheck {
+
+/// The mass that moves [kg].
+template <Scalar S>
+S computeTotalMass(const Model<S>& model) {
+  S mass(0);
+  for (std::size_t i = 1; i < model.joints.size(); ++i) mass += model.inertias[i].mass();
+  return mass;
+}
+
+namespace algorithms_detail {
+
+/// sum m_i x_i / m of a vector x_i at each body's centre of mass.
+template <Scalar S, class F>
+Vector3<S> massAverage(const Model<S>& model, F x) {
+  Vector3<S> sum = Vector3<S>::Zero();
+  for (std::size_t i = 1; i < model.joints.size(); ++i) sum += model.inertias[i].mass() * x(i);
+  return sum / computeTotalMass(model);
+}
+template <Scalar S>
+Vector3<S> centreOfBody(const Model<S>& model, const Data<S>& data, std::size_t i) {
+  return data.oMi[i].act(model.inertias[i].lever());
+}
+/// Velocity, and classical acceleration, of a body's centre of mass, in the world's axes.
+template <Scalar S>
+Vector3<S> velocityOfBody(const Model<S>& model, const Data<S>& data, std::size_t i) {
+  return data.oMi[i].rotation() * shifted(data.v[i], model.inertias[i].lever()).linear();
+}
+template <Scalar S>
+Vector3<S> accelerationOfBody(const Model<S>& model, const Data<S>& data, std::size_t i) {
+  const Vector3<S>& c = model.inertias[i].lever();
+  const Vector3<S> turning = cross<S>(data.v[i].angular(), shifted(data.v[i], c).linear());
+  return data.oMi[i].rotation() * Vector3<S>(shifted(data.a[i], c).linear() + turning);
+}
+
+}  // namespace algorithms_detail
+
+/// c [m]. Updates liMi, oMi, com. q [nq].
+template <Scalar S>
+const Vector3<S>& centerOfMass(const Model<S>& model, Data<S>& data, In<S> q) {
+  forwardKinematics(model, data, q);
+  return data.com.write(Level::Position) = algorithms_detail::massAverage(
+             model, [&](std::size_t i) { return algorithms_detail::centreOfBody(model, data, i); });
+}
+/// c and c_dot. Updates liMi, oMi, v, com, vcom. q [nq], v [nv].
+template <Scalar S>
+const Vector3<S>& centerOfMass(const Model<S>& model, Data<S>& data, In<S> q, In<S> v) {
+  forwardKinematics(model, data, q, v);
+  data.vcom.write(Level::Velocity) = algorithms_detail::massAverage(
+      model, [&](std::size_t i) { return algorithms_detail::velocityOfBody(model, data, i); });
+  return data.com.write(Level::Position) = algorithms_detail::massAverage(
+             model, [&](std::size_t i) { return algorithms_detail::centreOfBody(model, data, i); });
+}
+/// c, c_dot and c_ddot. Updates liMi, oMi, v, a, com, vcom, acom. q [nq], v, a [nv].
+template <Scalar S>
+const Vector3<S>& centerOfMass(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, In<S> a) {
+  centerOfMass(model, data, q, v);
+  forwardKinematics(model, data, q, v, a);
+  data.acom.write(Level::Acceleration) = algorithms_detail::massAverage(
+      model, [&](std::size_t i) { return algorithms_detail::accelerationOfBody(model, data, i); });
+  return data.com();
+}
+
+/// A_G [6 x nv]: column of v_k is the momentum about c that it makes, I^c_j s_k. Updates liMi, oMi, com, Ag. q [nq].
+template <Scalar S>
+const Matrix6X<S>& computeCentroidalMap(const Model<S>& model, Data<S>& data, In<S> q) {
+  using namespace algorithms_detail;
+  compositeInertias(model, data, q);
+  const Vector3<S> c = data.com.write(Level::Position) = data.work.inertia[0].lever();
+  auto& Ag = data.Ag.write(Level::Position);
+  Ag.setZero();
+  for (int k = 0; k < model.ncolumns; ++k) {
+    const std::size_t i = std::size_t(model.column_to_joint[std::size_t(k)]);
+    const Force<S> h = data.work.inertia[i] * column(data.work.S_columns, k);
+    Ag.col(model.column_to_v[std::size_t(k)]) +=
+        shifted(h, Vector3<S>(data.oMi[i].translation() - c)).to_vector();
+  }
+  return Ag;
+}
+/// [3 x nv]: c_dot = Jcom v, the linear rows of A_G over the mass. Updates liMi, oMi, com, Ag, Jcom. q [nq].
+template <Scalar S>
+const Matrix3X<S>& jacobianCenterOfMass(const Model<S>& model, Data<S>& data, In<S> q) {
+  const S mass = computeTotalMass(model);
+  return data.Jcom.write(Level::Position) = computeCentroidalMap(model, data, q).template topRows<3>() / mass;
+}
+
+/// h_G [kg m/s, kg m^2/s]. Updates liMi, oMi, v, com, vcom, hg. q [nq], v [nv].
+template <Scalar S>
+const Force<S>& computeCentroidalMomentum(const Model<S>& model, Data<S>& data, In<S> q, In<S> v) {
+  using namespace algorithms_detail;
+  const Vector3<S> c = centerOfMass(model, data, q, v);
+  Force<S>& hg = data.hg.write(Level::Velocity);
+  hg = Force<S>::Zero();
+  for (std::size_t i = 1; i < model.joints.size(); ++i)
+    hg = hg + SE3<S>(data.oMi[i].rotation(), Vector3<S>(data.oMi[i].translation() - c))
+                  .act(model.inertias[i] * data.v[i]);
+  return hg;
+}
+/// h_G and its rate [N, N m], the sum of the forces I a + v x* I v about c. Updates liMi, oMi, v, a, com, vcom, acom,
+/// hg, dhg. q [nq], v, a [nv].
+template <Scalar S>
+const Force<S>& computeCentroidalMomentumTimeVariation(const Model<S>& model, Data<S>& data, In<S> q, In<S> v,
+                                                       In<S> a) {
+  using namespace algorithms_detail;
+  computeCentroidalMomentum(model, data, q, v);
+  const Vector3<S> c = centerOfMass(model, data, q, v, a);
+  Force<S>& dhg = data.dhg.write(Level::Acceleration);
+  dhg = Force<S>::Zero();
+  for (std::size_t i = 1; i < model.joints.size(); ++i) {
+    const Inertia<S>& I = model.inertias[i];
+    const Force<S> f = I * data.a[i] + data.v[i].cross(I * data.v[i]);
+    dhg = dhg + SE3<S>(data.oMi[i].rotation(), Vector3<S>(data.oMi[i].translation() - c)).act(f);
+  }
+  return dhg;
+}
+
+// float and double are compiled once, in instantiations.cpp; other scalars where they are used.
+extern template const Vector3<float>& centerOfMass<float>(const Model<float>&, Data<float>&, In<float>);
+extern template const Vector3<float>& centerOfMass<float>(const Model<float>&, Data<float>&, In<float>,
+                                                          In<float>);
+extern template const Vector3<float>& centerOfMass<float>(const Model<float>&, Data<float>&, In<float>,
+                                                          In<float>, In<float>);
+extern template const Matrix6X<float>& computeCentroidalMap<float>(const Model<float>&, Data<float>&,
+                                                                   In<float>);
+extern template const Matrix3X<float>& jacobianCenterOfMass<float>(const Model<float>&, Data<float>&,
+                                                                   In<float>);
+extern template const Force<float>& computeCentroidalMomentum<float>(const Model<float>&, Data<float>&,
+                                                                     In<float>, In<float>);
+extern template const Force<float>& computeCentroidalMomentumTimeVariation<float>(const Model<float>&,
+                                                                                  Data<float>&, In<float>,
+                                                                                  In<float>, In<float>);
+extern template const Vector3<double>& centerOfMass<double>(const Model<double>&, Data<double>&, In<double>);
+extern template const Vector3<double>& centerOfMass<double>(const Model<double>&, Data<double>&, In<double>,
+                                                            In<double>);
+extern template const Vector3<double>& centerOfMass<double>(const Model<double>&, Data<double>&, In<double>,
+                                                            In<double>, In<double>);
+extern template const Matrix6X<double>& computeCentroidalMap<double>(const Model<double>&, Data<double>&,
+                                                                     In<double>);
+extern template const Matrix3X<double>& jacobianCenterOfMass<double>(const Model<double>&, Data<double>&,
+                                                                     In<double>);
+extern template const Force<double>& computeCentroidalMomentum<double>(const Model<double>&, Data<double>&,
+                                                                       In<double>, In<double>);
+extern template const Force<double>& computeCentroidalMomentumTimeVariation<double>(const Model<double>&,
+                                                                                    Data<double>&, In<double>,
+                                                                                    In<double>, In<double>);
+
+}  // namespace liecheck

@@ -1,0 +1,143 @@
+#pragma once
+// The joint-space inertia matrix M(q), its factors and its inverse.
+//
+//   M_ij = S_i^T Ic_j S_j,  i an ancestor of j or j itself;  Ic_j the inertia of all that joint j carries.
+//   Composite rigid bodies, Featherstone (2008), table 6.2; L^T L factors and their sparsity, table 6.3.
+
+#include <liecheck/algorithms/kinematics.hpp>
+
+namespace liecheck {
+
+/// A call that needs M^-1 met a joint that moves no inertia; what() names it.
+class SingularInertia : public std::domain_error {
+ public:
+  SingularInertia(const std::string& joint_name, int joint_index)
+      : std::domain_error(
+            "joint '" + joint_name + "' (joint " + std::to_string(joint_index) +
+            ") moves no inertia, so no force sets its acceleration: are the links behind it massless?"),
+        joint_index(joint_index) {}
+  int joint_index;
+};
+
+namespace algorithms_detail {
+
+/// data.work.inertia[i]: of all that joint i carries, in world axes at its origin; [0] without what is welded to the
+/// world. Updates liMi, oMi.
+template <Scalar S>
+void compositeInertias(const Model<S>& model, Data<S>& data, In<S> q) {
+  columnsInWorldAxes(model, data, q);
+  auto& I = data.work.inertia;
+  I[0] = Inertia<S>::Zero();
+  for (std::size_t i = 1; i < model.joints.size(); ++i)
+    I[i] = turned(data.oMi[i].rotation(), model.inertias[i]);
+  for (std::size_t i = model.joints.size() - 1; i > 0; --i) {
+    const std::size_t p = std::size_t(model.parents[i]);
+    I[p] = I[p] + shifted(I[i], data.work.r[i]);
+  }
+}
+
+/// The joint's own inertia is lost in the rounding of what was taken from it: no pivot.
+template <Scalar S>
+void checkPivot(const Model<S>& model, int v_index, const S& pivot, const S& before) {
+  if (pivot > S(64) * eps<S>() * before) return;
+  for (int k = 0; k < model.ncolumns; ++k)
+    if (model.column_to_v[std::size_t(k)] == v_index) {
+      const int joint = model.column_to_joint[std::size_t(k)];
+      throw SingularInertia(model.names[std::size_t(joint)], joint);
+    }
+}
+
+/// The number of v in front of number k on its way to the universe, -1 at the base. Mimics couple branches, so
+/// with them each follows the one before: no sparsity is assumed.
+template <Scalar S>
+int previousVelocity(const Model<S>& model, int k) {
+  if (model.has_mimics) return k - 1;
+  const std::size_t i = std::size_t(model.column_to_joint[std::size_t(k)]);
+  if (k > model.idx_vs[i]) return k - 1;
+  for (std::size_t p = std::size_t(model.parents[i]); p > 0; p = std::size_t(model.parents[p]))
+    if (model.nvs[p] > 0) return model.idx_vs[p] + model.nvs[p] - 1;
+  return -1;
+}
+
+/// data.work.factor = L with M = L^T L, lower, as sparse as the tree. Throws SingularInertia. Needs M.
+template <Scalar S>
+void factorize(const Model<S>& model, Data<S>& data) {
+  const auto before = [&](int k) { return previousVelocity(model, k); };
+  auto& L = data.work.factor;
+  L = data.M();
+  for (int k = model.nv - 1; k >= 0; --k) {
+    checkPivot<S>(model, k, L(k, k), data.M()(k, k));
+    using std::sqrt;
+    L(k, k) = sqrt(L(k, k));
+    for (int i = before(k); i >= 0; i = before(i)) L(k, i) /= L(k, k);
+    for (int i = before(k); i >= 0; i = before(i))
+      for (int j = i; j >= 0; j = before(j)) L(i, j) -= L(k, i) * L(k, j);
+  }
+}
+/// x := M^-1 x, by the factor.
+template <Scalar S, class Column>
+void solve(const Model<S>& model, const MatrixX<S>& L, Column&& x) {
+  for (int k = model.nv - 1; k >= 0; --k) {
+    x[k] /= L(k, k);
+    for (int i = previousVelocity(model, k); i >= 0; i = previousVelocity(model, i)) x[i] -= L(k, i) * x[k];
+  }
+  for (int k = 0; k < model.nv; ++k) {
+    for (int i = previousVelocity(model, k); i >= 0; i = previousVelocity(model, i)) x[k] -= L(k, i) * x[i];
+    x[k] /= L(k, k);
+  }
+}
+
+}  // namespace algorithms_detail
+
+/// M(q) [nv x nv], whole, symmetric to the last bit, armature on its diagonal. Updates liMi, oMi, M. q [nq].
+template <Scalar S>
+const MatrixX<S>& crba(const Model<S>& model, Data<S>& data, In<S> q) {
+  data.require(Dense::Mass, "crba");
+  algorithms_detail::compositeInertias(model, data, q);
+  const auto& columns = data.work.S_columns;
+  auto& M = data.M.write(Level::Position);
+  M.setZero();
+  M.diagonal() = model.armature;
+  for (std::size_t j = model.joints.size() - 1; j > 0; --j) {
+    for (int k = model.idx_columns[j]; k < model.idx_columns[j] + model.column_counts[j]; ++k) {
+      const int vk = model.column_to_v[std::size_t(k)];
+      Force<S> F = data.work.inertia[j] * algorithms_detail::column(columns, k);
+      for (int m = model.idx_columns[j]; m <= k; ++m) {
+        const S h = columns.col(m).dot(F.to_vector());
+        M(vk, model.column_to_v[std::size_t(m)]) += h;
+        if (m < k) M(model.column_to_v[std::size_t(m)], vk) += h;
+      }
+      for (std::size_t i = j, p; (p = std::size_t(model.parents[i])) > 0; i = p) {
+        F = algorithms_detail::shifted(F, data.work.r[i]);
+        for (int m = model.idx_columns[p]; m < model.idx_columns[p] + model.column_counts[p]; ++m) {
+          const S h = columns.col(m).dot(F.to_vector());
+          M(vk, model.column_to_v[std::size_t(m)]) += h;
+          M(model.column_to_v[std::size_t(m)], vk) += h;
+        }
+      }
+    }
+  }
+  return M;
+}
+
+/// M(q)^-1 [nv x nv], whole and symmetric. Throws SingularInertia. Updates liMi, oMi, M, Minv. q [nq].
+template <Scalar S>
+const MatrixX<S>& computeMinverse(const Model<S>& model, Data<S>& data, In<S> q) {
+  crba(model, data, q);
+  algorithms_detail::factorize(model, data);
+  auto& Minv = data.Minv.write(Level::Position);
+  Minv.setIdentity();
+  for (int k = 0; k < model.nv; ++k) algorithms_detail::solve(model, data.work.factor, Minv.col(k));
+  for (int k = 0; k < model.nv; ++k)
+    for (int i = 0; i < k; ++i) Minv(i, k) = Minv(k, i);
+  return Minv;
+}
+
+// float and double are compiled once, in instantiations.cpp; other scalars where they are used.
+extern template const MatrixX<float>& crba<float>(const Model<float>&, Data<float>&, In<float>);
+extern template const MatrixX<float>& computeMinverse<float>(const Model<float>&, Data<float>&, In<float>);
+extern template const MatrixX<double>& crba<double>(const Model<double>&, Data<double>&, In<double>);
+extern template const MatrixX<double>& computeMinverse<double>(const Model<double>&, Data<double>&,
+                                                               In<double>);
+
+}  // namespace liecheck

@@ -1,0 +1,43 @@
+#pragma once
+// Kinetic and potential energy. What is welded to the world counts in neither.
+
+#include <liecheck/algorithms/kinematics.hpp>
+
+namespace liecheck {
+
+/// 1/2 sum v_i^T I_i v_i = 1/2 v^T (M - armature) v [J]. Updates liMi, oMi, v, kinetic_energy. q [nq], v [nv].
+template <Scalar S>
+const S& computeKineticEnergy(const Model<S>& model, Data<S>& data, In<S> q, In<S> v) {
+  forwardKinematics(model, data, q, v);
+  S& energy = data.kinetic_energy.write(Level::Velocity);
+  energy = S(0);
+  for (std::size_t i = 1; i < model.joints.size(); ++i) energy += model.inertias[i].kineticEnergy(data.v[i]);
+  return energy;
+}
+
+/// -sum m_i g . c_i [J], zero at the world's origin. Updates liMi, oMi, potential_energy. q [nq].
+template <Scalar S>
+const S& computePotentialEnergy(const Model<S>& model, Data<S>& data, In<S> q) {
+  forwardKinematics(model, data, q);
+  S& energy = data.potential_energy.write(Level::Position);
+  energy = S(0);
+  for (std::size_t i = 1; i < model.joints.size(); ++i)
+    energy -= model.inertias[i].mass() * model.gravity.dot(data.oMi[i].act(model.inertias[i].lever()));
+  return energy;
+}
+
+/// Their sum [J]: without forces and friction it does not change. Updates what both update.
+template <Scalar S>
+S computeMechanicalEnergy(const Model<S>& model, Data<S>& data, In<S> q, In<S> v) {
+  return computeKineticEnergy(model, data, q, v) + computePotentialEnergy(model, data, q);
+}
+
+// float and double are compiled once, in instantiations.cpp; other scalars where they are used.
+extern template const float& computeKineticEnergy<float>(const Model<float>&, Data<float>&, In<float>,
+                                                         In<float>);
+extern template const float& computePotentialEnergy<float>(const Model<float>&, Data<float>&, In<float>);
+extern template const double& computeKineticEnergy<double>(const Model<double>&, Data<double>&, In<double>,
+                                                           In<double>);
+extern template const double& computePotentialEnergy<double>(const Model<double>&, Data<double>&, In<double>);
+
+}  // namespace liecheck

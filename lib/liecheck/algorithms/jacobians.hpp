@@ -1,0 +1,165 @@
+#pragma once
+// Jacobians of joints and frames: J v is the velocity in the same reference frame, and J a + dJ v its rate.
+//
+// dJ is the time derivative of J's numbers. In LOCAL and WORLD that makes the spatial acceleration; in
+// LOCAL_WORLD_ALIGNED the classical one, because there the reference point moves with the frame.
+
+#include <liecheck/algorithms/frames.hpp>
+
+namespace liecheck {
+
+namespace algorithms_detail {
+
+/// f(joint, column k) for every column between the universe and a joint.
+template <Scalar S, class F>
+void forEachSupportingColumn(const Model<S>& model, std::size_t joint, F f) {
+  for (std::size_t i = joint; i > 0; i = std::size_t(model.parents[i]))
+    for (int k = model.idx_columns[i]; k < model.idx_columns[i] + model.column_counts[i]; ++k) f(i, k);
+}
+
+/// The Jacobian [6 x nv] of a frame carried by a joint at X_JF, in data.work.jacobian. Needs J.
+template <Scalar S>
+const Matrix6X<S>& jacobianAt(const Model<S>& model, Data<S>& data, std::size_t joint, const SE3<S>& X_JF,
+                              ReferenceFrame reference) {
+  data.J();
+  const auto& oMi = data.oMi();
+  const SE3<S> X_WF = oMi[joint] * X_JF;
+  auto& J = data.work.jacobian;
+  J.setZero();
+  forEachSupportingColumn(model, joint, [&](std::size_t i, int k) {
+    const Vector3<S>& p = oMi[i].translation();
+    const bool at_world = reference == ReferenceFrame::WORLD;
+    const Vector3<S> d = at_world ? Vector3<S>(-p) : Vector3<S>(X_WF.translation() - p);
+    const Motion<S> s = shifted(column(data.work.S_columns, k), d);
+    auto Jk = J.col(model.column_to_v[std::size_t(k)]);
+    if (reference == ReferenceFrame::LOCAL) {
+      Jk.template head<3>() += X_WF.rotation().transpose() * s.linear();
+      Jk.template tail<3>() += X_WF.rotation().transpose() * s.angular();
+    } else {
+      Jk += s.to_vector();
+    }
+  });
+  return J;
+}
+
+/// Its time derivative. With s' = v_i x s the rate of a column at a fixed point of space: WORLD s';
+/// LOCAL_WORLD_ALIGNED s' + (omega_s x p_dot, 0); LOCAL X^-1 (s' - V x s). Needs dJ.
+template <Scalar S>
+const Matrix6X<S>& jacobianRateAt(const Model<S>& model, Data<S>& data, std::size_t joint, const SE3<S>& X_JF,
+                                  ReferenceFrame reference) {
+  data.dJ();
+  const auto& oMi = data.oMi();
+  const SE3<S> X_WF = oMi[joint] * X_JF;
+  const Vector3<S>& p_F = X_WF.translation();
+  const Motion<S> V = shifted(data.work.velocity[joint], Vector3<S>(p_F - oMi[joint].translation()));
+  auto& dJ = data.work.jacobian;
+  dJ.setZero();
+  forEachSupportingColumn(model, joint, [&](std::size_t i, int k) {
+    const bool at_world = reference == ReferenceFrame::WORLD;
+    const Vector3<S>& p = oMi[i].translation();
+    const Vector3<S> d = at_world ? Vector3<S>(-p) : Vector3<S>(p_F - p);
+    const Motion<S> s = shifted(column(data.work.S_columns, k), d);
+    Motion<S> rate = shifted(column(data.work.dS, k), d);
+    if (reference == ReferenceFrame::LOCAL_WORLD_ALIGNED)
+      rate = {Vector3<S>(rate.linear() + cross<S>(s.angular(), V.linear())), rate.angular()};
+    if (reference == ReferenceFrame::LOCAL) {
+      rate = rate - V.cross(s);
+      rate = {Vector3<S>(X_WF.rotation().transpose() * rate.linear()),
+              Vector3<S>(X_WF.rotation().transpose() * rate.angular())};
+    }
+    dJ.col(model.column_to_v[std::size_t(k)]) += rate.to_vector();
+  });
+  return dJ;
+}
+
+}  // namespace algorithms_detail
+
+/// Every joint's columns in WORLD [6 x nv]; what the getters below need. Updates liMi, oMi, J. q [nq].
+template <Scalar S>
+const Matrix6X<S>& computeJointJacobians(const Model<S>& model, Data<S>& data, In<S> q) {
+  algorithms_detail::columnsInWorldAxes(model, data, q);
+  const auto& oMi = data.oMi();
+  auto& J = data.J.write(Level::Position);
+  if (model.has_mimics) J.setZero();
+  for (int k = 0; k < model.ncolumns; ++k) {
+    const Vector3<S>& p = oMi[std::size_t(model.column_to_joint[std::size_t(k)])].translation();
+    const Vector3<S> u = data.work.S_columns.template block<3, 1>(0, k),
+                     w = data.work.S_columns.template block<3, 1>(3, k);
+    auto Jk = J.col(model.column_to_v[std::size_t(k)]);
+    if (!model.has_mimics) Jk.setZero();
+    Jk.template head<3>() += u + cross<S>(p, w);
+    Jk.template tail<3>() += w;
+  }
+  return J;
+}
+
+/// And their time derivative. Updates liMi, oMi, J, dJ. q [nq], v [nv].
+template <Scalar S>
+const Matrix6X<S>& computeJointJacobiansTimeVariation(const Model<S>& model, Data<S>& data, In<S> q,
+                                                      In<S> v) {
+  computeJointJacobians(model, data, q);
+  data.begin(model, q, v);
+  auto& V = data.work.velocity;
+  auto& dJ = data.dJ.write(Level::Velocity);
+  dJ.setZero();
+  for (std::size_t i = 1; i < model.joints.size(); ++i) {
+    V[i] = algorithms_detail::shifted(V[std::size_t(model.parents[i])], data.work.r[i]);
+    const int begin = model.idx_columns[i], end = begin + model.column_counts[i];
+    for (int k = begin; k < end; ++k)
+      V[i] = V[i] + algorithms_detail::column(data.work.S_columns, k) * v[model.column_to_v[std::size_t(k)]];
+    for (int k = begin; k < end; ++k) {
+      const Motion<S> rate = V[i].cross(algorithms_detail::column(data.work.S_columns, k));
+      data.work.dS.col(k) = rate.to_vector();
+      const Vector3<S> to_world = -data.oMi[i].translation();
+      dJ.col(model.column_to_v[std::size_t(k)]) += algorithms_detail::shifted(rate, to_world).to_vector();
+    }
+  }
+  return dJ;
+}
+
+/// Jacobian of a joint [6 x nv]; the reference is to data's storage, which the next getter overwrites. Needs J.
+template <Scalar S>
+const Matrix6X<S>& getJointJacobian(const Model<S>& model, Data<S>& data, int joint,
+                                    ReferenceFrame reference) {
+  data.check(model);
+  return algorithms_detail::jacobianAt(model, data, algorithms_detail::jointAt(model, joint),
+                                       SE3<S>::Identity(), reference);
+}
+/// Of a frame. Needs J.
+template <Scalar S>
+const Matrix6X<S>& getFrameJacobian(const Model<S>& model, Data<S>& data, int frame,
+                                    ReferenceFrame reference) {
+  data.check(model);
+  const Frame<S>& F = algorithms_detail::frameAt(model, frame);
+  return algorithms_detail::jacobianAt(model, data, std::size_t(F.parentJoint), F.placement, reference);
+}
+/// Time derivative of a joint's Jacobian [6 x nv], stored likewise. Needs dJ.
+template <Scalar S>
+const Matrix6X<S>& getJointJacobianTimeVariation(const Model<S>& model, Data<S>& data, int joint,
+                                                 ReferenceFrame reference) {
+  data.check(model);
+  return algorithms_detail::jacobianRateAt(model, data, algorithms_detail::jointAt(model, joint),
+                                           SE3<S>::Identity(), reference);
+}
+/// Of a frame's. Needs dJ.
+template <Scalar S>
+const Matrix6X<S>& getFrameJacobianTimeVariation(const Model<S>& model, Data<S>& data, int frame,
+                                                 ReferenceFrame reference) {
+  data.check(model);
+  const Frame<S>& F = algorithms_detail::frameAt(model, frame);
+  return algorithms_detail::jacobianRateAt(model, data, std::size_t(F.parentJoint), F.placement, reference);
+}
+
+// float and double are compiled once, in instantiations.cpp; other scalars where they are used.
+extern template const Matrix6X<float>& computeJointJacobians<float>(const Model<float>&, Data<float>&,
+                                                                    In<float>);
+extern template const Matrix6X<float>& computeJointJacobiansTimeVariation<float>(const Model<float>&,
+                                                                                 Data<float>&, In<float>,
+                                                                                 In<float>);
+extern template const Matrix6X<double>& computeJointJacobians<double>(const Model<double>&, Data<double>&,
+                                                                      In<double>);
+extern template const Matrix6X<double>& computeJointJacobiansTimeVariation<double>(const Model<double>&,
+                                                                                   Data<double>&, In<double>,
+                                                                                   In<double>);
+
+}  // namespace liecheck

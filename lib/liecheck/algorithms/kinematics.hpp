@@ -1,0 +1,123 @@
+#pragma once
+// Poses, velocities and accelerations of the joints.
+//
+//   oM_i = oM_p liM_i,   v_i = X^-1 v_p + S qd,   a_i = X^-1 a_p + S qdd + v_i x S qd      X = liM_i, p = parent(i)
+//   Featherstone (2008), eqs. 4.7 to 4.10. v_i and a_i are in joint i's axes at its origin; a_i is the spatial
+//   acceleration, the derivative of v_i's numbers (classical: frames.hpp).
+
+#include <liecheck/multibody/data.hpp>
+
+namespace liecheck {
+
+/// Updates liMi, oMi. q [nq].
+template <Scalar S>
+void forwardKinematics(const Model<S>& model, Data<S>& data, In<S> q) {
+  data.begin(model, q);
+  auto& liMi = data.liMi.write(Level::Position);
+  auto& oMi = data.oMi.write(Level::Position);
+  multibody_detail::forEachJoint(model, [&](const auto& joint) {
+    const std::size_t i = std::size_t(joint.index), p = std::size_t(model.parents[i]);
+    liMi[i] = joint.transform(q);
+    oMi[i] = p == 0 ? liMi[i] : oMi[p] * liMi[i];
+  });
+}
+
+/// Updates liMi, oMi, v. q [nq], v [nv].
+template <Scalar S>
+void forwardKinematics(const Model<S>& model, Data<S>& data, In<S> q, In<S> v) {
+  data.begin(model, q, v);
+  auto& liMi = data.liMi.write(Level::Position);
+  auto& oMi = data.oMi.write(Level::Position);
+  auto& V = data.v.write(Level::Velocity);
+  multibody_detail::forEachJoint(model, [&](const auto& joint) {
+    const std::size_t i = std::size_t(joint.index), p = std::size_t(model.parents[i]);
+    liMi[i] = joint.transform(q);
+    oMi[i] = p == 0 ? liMi[i] : oMi[p] * liMi[i];
+    V[i] = joint.motion(v);
+    if (p > 0) V[i] = liMi[i].actInv(V[p]) + V[i];
+  });
+}
+
+/// Updates liMi, oMi, v, a. q [nq], v [nv], a [nv].
+template <Scalar S>
+void forwardKinematics(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, In<S> a) {
+  data.begin(model, q, v, a);
+  auto& liMi = data.liMi.write(Level::Position);
+  auto& oMi = data.oMi.write(Level::Position);
+  auto& V = data.v.write(Level::Velocity);
+  auto& A = data.a.write(Level::Acceleration);
+  multibody_detail::forEachJoint(model, [&](const auto& joint) {
+    const std::size_t i = std::size_t(joint.index), p = std::size_t(model.parents[i]);
+    liMi[i] = joint.transform(q);
+    oMi[i] = p == 0 ? liMi[i] : oMi[p] * liMi[i];
+    const Motion<S> relative = joint.motion(v);
+    V[i] = p == 0 ? relative : liMi[i].actInv(V[p]) + relative;
+    A[i] = joint.motion(a) + V[i].cross(relative);
+    if (p > 0) A[i] = liMi[i].actInv(A[p]) + A[i];
+  });
+}
+
+namespace algorithms_detail {
+
+/// For what works in world axes (Data::Work): poses, r and S_columns of every joint. Updates liMi, oMi.
+template <Scalar S>
+void columnsInWorldAxes(const Model<S>& model, Data<S>& data, In<S> q) {
+  data.begin(model, q);
+  auto& liMi = data.liMi.write(Level::Position);
+  auto& oMi = data.oMi.write(Level::Position);
+  multibody_detail::forEachJoint(model, [&]<class Joint>(const Joint& joint) {
+    const std::size_t i = std::size_t(joint.index), p = std::size_t(model.parents[i]);
+    liMi[i] = joint.transform(q);
+    oMi[i] = p == 0 ? liMi[i] : oMi[p] * liMi[i];
+    data.work.r[i] = oMi[p].rotation() * liMi[i].translation();
+    auto columns = data.work.S_columns.template middleCols<Joint::columns>(joint.column);
+    const auto subspace = joint.joint.subspace();
+    columns.template topRows<3>() = oMi[i].rotation() * subspace.template topRows<3>();
+    columns.template bottomRows<3>() = oMi[i].rotation() * subspace.template bottomRows<3>();
+  });
+}
+
+/// Column k of a joint's subspace, in world axes at the joint's own origin.
+template <Scalar S>
+Motion<S> column(const Matrix6X<S>& columns, int k) {
+  return Motion<S>(Vector6<S>(columns.col(k)));
+}
+
+/// A motion, the same one, at a point d [m] away from its reference point: u + omega x d.
+template <Scalar S>
+Motion<S> shifted(const Motion<S>& V, const Vector3<S>& d) {
+  return {Vector3<S>(V.linear() + cross<S>(V.angular(), d)), V.angular()};
+}
+/// A force at a point from which its reference point is d [m] away: n + d x f.
+template <Scalar S>
+Force<S> shifted(const Force<S>& F, const Vector3<S>& d) {
+  return {F.linear(), Vector3<S>(F.angular() + cross<S>(d, F.linear()))};
+}
+/// An inertia in axes turned by R.
+template <Scalar S>
+Inertia<S> turned(const Matrix3<S>& R, const Inertia<S>& I) {
+  return SE3<S>(R, Vector3<S>::Zero()).act(I);
+}
+/// The same body seen from a point from which its reference point is d [m] away.
+template <Scalar S>
+Inertia<S> shifted(const Inertia<S>& I, const Vector3<S>& d) {
+  return {I.mass(), Vector3<S>(I.lever() + d), I.inertia()};
+}
+template <Scalar S>
+void checkForces(const Model<S>& model, const External<S>& forces) {
+  if (!forces.empty())
+    multibody_detail::checkSize(Eigen::Index(forces.size()), model.njoints, "fext", "njoints");
+}
+
+}  // namespace algorithms_detail
+// float and double are compiled once, in instantiations.cpp; other scalars where they are used.
+extern template void forwardKinematics<float>(const Model<float>&, Data<float>&, In<float>);
+extern template void forwardKinematics<float>(const Model<float>&, Data<float>&, In<float>, In<float>);
+extern template void forwardKinematics<float>(const Model<float>&, Data<float>&, In<float>, In<float>,
+                                              In<float>);
+extern template void forwardKinematics<double>(const Model<double>&, Data<double>&, In<double>);
+extern template void forwardKinematics<double>(const Model<double>&, Data<double>&, In<double>, In<double>);
+extern template void forwardKinematics<double>(const Model<double>&, Data<double>&, In<double>, In<double>,
+                                               In<double>);
+
+}  // namespace liecheck

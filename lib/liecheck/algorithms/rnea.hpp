@@ -1,0 +1,117 @@
+#pragma once
+// Recursive Newton-Euler: the forces that make a motion. Featherstone (2008), table 5.1.
+//
+//   f_i = I_i a_i + v_i x* I_i v_i - fext_i + sum_children X* f_c,   tau_i = S_i^T f_i + armature qdd
+//
+// with a of the universe = -g, so that gravity needs no term of its own.
+
+#include <liecheck/algorithms/kinematics.hpp>
+
+namespace liecheck {
+
+namespace algorithms_detail {
+
+/// tau [nv] from forces on the bodies in data.f; the f become those through the joints. data.f[0] is set to what
+/// the world feels of them.
+template <Scalar S>
+void backwardForces(const Model<S>& model, const std::vector<SE3<S>>& liMi, std::vector<Force<S>>& f,
+                    VectorX<S>& tau) {
+  tau.setZero();
+  f[0] = Force<S>::Zero();
+  for (std::size_t i = model.joints.size() - 1; i > 0; --i) {
+    multibody_detail::visitJoint(model, i, [&]<class Joint>(const Joint& joint) {
+      tau.template segment<Joint::columns>(joint.idx_v) += joint.project(f[i]);
+    });
+    const std::size_t p = std::size_t(model.parents[i]);
+    f[p] = f[p] + liMi[i].act(f[i]);
+  }
+}
+
+/// tau of (q, v, a), or of (q, v, 0) where a is null. Updates liMi, v and, where a is there, f.
+template <Scalar S>
+void inverseDynamics(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, const VectorX<S>* a,
+                     const External<S>& fext, VectorX<S>& tau) {
+  checkForces<S>(model, fext);
+  auto& liMi = data.liMi.write(Level::Position);
+  auto& V = data.v.write(Level::Velocity);
+  auto& f = a ? data.f.write(Level::Acceleration) : data.f.scratch();
+  auto& A = data.work.gravitated;
+  A[0] = Motion<S>(Vector3<S>(-model.gravity), Vector3<S>::Zero());
+  multibody_detail::forEachJoint(model, [&](const auto& joint) {
+    const std::size_t i = std::size_t(joint.index), p = std::size_t(model.parents[i]);
+    liMi[i] = joint.transform(q);
+    const Motion<S> relative = joint.motion(v);
+    V[i] = p == 0 ? relative : liMi[i].actInv(V[p]) + relative;
+    A[i] = liMi[i].actInv(A[p]) + V[i].cross(relative);
+    if (a) A[i] = A[i] + joint.motion(*a);
+    f[i] = model.inertias[i] * A[i] + V[i].cross(model.inertias[i] * V[i]);
+    if (!fext.empty()) f[i] = f[i] - fext[i];
+  });
+  backwardForces(model, liMi, f, tau);
+  if (a) tau += model.armature.cwiseProduct(*a);
+}
+
+}  // namespace algorithms_detail
+
+/// tau [nv; N, N m] = M(q) a + h(q, v) - sum J^T fext: the joint forces that give the acceleration a [nv]. Updates
+/// liMi, v, f, tau.
+template <Scalar S>
+const VectorX<S>& rnea(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, In<S> a,
+                       External<S> fext = {}) {
+  data.begin(model, q, v, a);
+  algorithms_detail::inverseDynamics<S>(model, data, q, v, &a, fext, data.tau.write(Level::Acceleration));
+  return data.tau();
+}
+
+/// h(q, v) [nv; N, N m]: Coriolis, centrifugal and gravity terms, tau at a = 0. Updates liMi, v, nle.
+template <Scalar S>
+const VectorX<S>& nonLinearEffects(const Model<S>& model, Data<S>& data, In<S> q, In<S> v) {
+  data.begin(model, q, v);
+  algorithms_detail::inverseDynamics<S>(model, data, q, v, nullptr, {}, data.nle.write(Level::Velocity));
+  return data.nle();
+}
+
+/// g(q) - sum J^T fext [nv; N, N m]: what holds the robot at rest under external forces. Updates liMi, g.
+template <Scalar S>
+const VectorX<S>& computeStaticTorque(const Model<S>& model, Data<S>& data, In<S> q, External<S> fext) {
+  data.begin(model, q);
+  algorithms_detail::checkForces<S>(model, fext);
+  auto& liMi = data.liMi.write(Level::Position);
+  auto& f = data.f.scratch();
+  auto& A = data.work.gravitated;
+  A[0] = Motion<S>(Vector3<S>(-model.gravity), Vector3<S>::Zero());
+  multibody_detail::forEachJoint(model, [&](const auto& joint) {
+    const std::size_t i = std::size_t(joint.index), p = std::size_t(model.parents[i]);
+    liMi[i] = joint.transform(q);
+    A[i] = liMi[i].actInv(A[p]);
+    f[i] = model.inertias[i] * A[i];
+    if (!fext.empty()) f[i] = f[i] - fext[i];
+  });
+  algorithms_detail::backwardForces(model, liMi, f, data.g.write(Level::Position));
+  return data.g();
+}
+/// g(q) [nv; N, N m]: tau at v = a = 0. Updates liMi, g.
+template <Scalar S>
+const VectorX<S>& computeGeneralizedGravity(const Model<S>& model, Data<S>& data, In<S> q) {
+  return computeStaticTorque(model, data, q, {});
+}
+
+// float and double are compiled once, in instantiations.cpp; other scalars where they are used.
+extern template const VectorX<float>& rnea<float>(const Model<float>&, Data<float>&, In<float>, In<float>,
+                                                  In<float>, External<float>);
+extern template const VectorX<float>& nonLinearEffects<float>(const Model<float>&, Data<float>&, In<float>,
+                                                              In<float>);
+extern template const VectorX<float>& computeStaticTorque<float>(const Model<float>&, Data<float>&, In<float>,
+                                                                 External<float>);
+extern template const VectorX<float>& computeGeneralizedGravity<float>(const Model<float>&, Data<float>&,
+                                                                       In<float>);
+extern template const VectorX<double>& rnea<double>(const Model<double>&, Data<double>&, In<double>,
+                                                    In<double>, In<double>, External<double>);
+extern template const VectorX<double>& nonLinearEffects<double>(const Model<double>&, Data<double>&,
+                                                                In<double>, In<double>);
+extern template const VectorX<double>& computeStaticTorque<double>(const Model<double>&, Data<double>&,
+                                                                   In<double>, External<double>);
+extern template const VectorX<double>& computeGeneralizedGravity<double>(const Model<double>&, Data<double>&,
+                                                                         In<double>);
+
+}  // namespace liecheck

@@ -1,0 +1,177 @@
+#pragma once
+// Data: the results of one computation on one robot, and the storage that the algorithms work in, so that they
+// allocate nothing. Each thread has its own; the Model is shared. Changing q changes nothing here until an
+// algorithm runs; each says which fields it updates (field.hpp: what is stale).
+//
+// Fields are read as data.tau() or data.oMi[i]. Names and meanings are Pinocchio's. What an algorithm returns is a
+// reference to its field: copy it before the next call, where both are needed.
+
+#include <liecheck/multibody/field.hpp>
+#include <liecheck/multibody/model.hpp>
+#include <liecheck/multibody/place.hpp>
+#include <memory>
+#include <span>
+
+namespace liecheck {
+
+template <class S>
+using Matrix6X = Eigen::Matrix<S, 6, Eigen::Dynamic>;
+template <class S>
+using Matrix3X = Eigen::Matrix<S, 3, Eigen::Dynamic>;
+
+/// A vector argument: the scalar is deduced from the model alone, so any Eigen expression may stand for it.
+template <class S>
+using In = const std::type_identity_t<VectorX<S>>&;
+/// External forces [njoints], that of each joint's body in that joint's axes at its origin; empty means none.
+template <class S>
+using External = std::type_identity_t<std::span<const Force<S>>>;
+
+/// The nv x nv matrices that a Data has room for. They grow with the square of nv, so they are asked for.
+enum class Dense {
+  None,
+  Mass,        ///< M, Minv: crba, computeMinverse, and aba of a model with mimics
+  Derivatives  ///< those and dtau_dq, dtau_dv, ddq_dq, ddq_dv
+};
+
+template <Scalar S>
+class Data {
+  std::unique_ptr<Clock> clock_ = std::make_unique<Clock>();
+  template <class T>
+  using Each = std::vector<T>;
+  static constexpr const char *fk = "forwardKinematics(model, data, q)",
+                              *fk_v = "forwardKinematics(model, data, q, v)",
+                              *fk_a = "forwardKinematics(model, data, q, v, a)";
+
+ public:
+  explicit Data(const Model<S>& model, Dense dense = Dense::None);
+
+  Field<Each<SE3<S>>> liMi;  ///< [njoints] X_parent,joint
+  Field<Each<SE3<S>>> oMi;   ///< [njoints] X_world,joint
+  Field<Each<SE3<S>>> oMf;   ///< [nframes] X_world,frame
+  Field<Each<Motion<S>>> v;  ///< [njoints] velocity of joint i, in its axes, at its origin [m/s, rad/s]
+  Field<Each<Motion<S>>> a;  ///< [njoints] spatial acceleration, likewise, without gravity [m/s^2, rad/s^2]
+  Field<Each<Force<S>>> f;  ///< [njoints] force of the parent on joint i, in i's axes, at its origin [N, N m]
+  Field<VectorX<S>> tau;    ///< [nv; N, N m] of rnea
+  Field<VectorX<S>> nle;    ///< [nv; N, N m] h(q, v): tau at a = 0
+  Field<VectorX<S>> g;      ///< [nv; N, N m] tau at v = a = 0
+  Field<VectorX<S>> ddq;    ///< [nv; m/s^2, rad/s^2] of aba
+  Field<Matrix6X<S>> J, dJ;   ///< [6 x nv] every joint's columns in WORLD, and their time derivative
+  Field<MatrixX<S>> M, Minv;  ///< [nv x nv] joint-space inertia, whole and symmetric, and its inverse
+  Field<MatrixX<S>> dtau_dq, dtau_dv, ddq_dq, ddq_dv;  ///< [nv x nv] by tangent increments of q, and by v
+  Field<S> kinetic_energy, potential_energy;           ///< [J]
+  Field<Vector3<S>> com, vcom, acom;                   ///< centre of mass, in the world [m, m/s, m/s^2]
+  Field<Matrix3X<S>> Jcom;                             ///< [3 x nv] vcom = Jcom v
+  Field<Matrix6X<S>> Ag;                               ///< [6 x nv] hg = Ag v
+  Field<Force<S>> hg, dhg;  ///< momentum at the centre of mass in the world's axes, and its rate
+
+  /// What algorithms compute with. "In world axes" means there: axes of the world, at the joint's own origin, so
+  /// that no digits are lost far from the world's origin.
+  struct Work {
+    Each<Motion<S>> gravitated;      ///< acceleration minus gravity
+    Each<Vector3<S>> r;              ///< from the parent's origin, in world axes
+    Each<Motion<S>> velocity, bias;  ///< in world axes
+    Each<Force<S>> force;            ///< in world axes
+    Each<Inertia<S>> inertia;        ///< in world axes: of a body, or of all that a joint carries
+    Each<Matrix6<S>> articulated, coriolis, D_inverse;
+    Matrix6X<S> S_columns, dS, U, z, w, y;  ///< [6 x ncolumns]
+    Matrix6X<S> jacobian;                   ///< [6 x nv] what a Jacobian getter returned last
+    VectorX<S> u;                           ///< [ncolumns]
+    MatrixX<S> factor;                      ///< [nv x nv] of M
+  };
+  Work work;
+
+  /// Throws std::invalid_argument unless made of this model as it is now.
+  void check(const Model<S>& model) const {
+    if (model.revision != revision_)
+      throw std::invalid_argument(
+          "this Data was made of another model, or before a joint or a frame was added to this one");
+  }
+  /// Throws std::logic_error where the matrices were not asked for.
+  void require(Dense dense, const char* call) const {
+    if (int(dense_) < int(dense))
+      throw std::logic_error(std::string(call) + " needs nv x nv matrices: make Data(model, Dense::" +
+                             (dense == Dense::Mass ? "Mass)" : "Derivatives)"));
+  }
+  /// For algorithms: from now on the state is (q), (q, v) or (q, v, a). Checks the model and the sizes.
+  void begin(const Model<S>& model, In<S> q) {
+    check(model);
+    update(q, q_, model.nq, "q", "nq", clock_->q);
+  }
+  void begin(const Model<S>& model, In<S> q, In<S> v) {
+    begin(model, q);
+    update(v, v_, model.nv, "v", "nv", clock_->v);
+  }
+  void begin(const Model<S>& model, In<S> q, In<S> v, In<S> a) {
+    begin(model, q, v);
+    update(a, a_, model.nv, "a", "nv", clock_->a);
+  }
+
+ private:
+  void update(In<S> x, VectorX<S>& last, int size, const char* what, const char* dimension, long& stamp) {
+    multibody_detail::checkSize(x.size(), size, what, dimension);
+    if (stamp != 0 && x == last) return;
+    last = x;
+    stamp = ++changes_;
+  }
+
+  int revision_;
+  Dense dense_;
+  VectorX<S> q_, v_, a_;
+  long changes_ = 0;
+};
+
+template <Scalar S>
+Data<S>::Data(const Model<S>& model, Dense dense)
+    : liMi(*clock_, "liMi", fk, Each<SE3<S>>(model.joints.size(), SE3<S>::Identity())),
+      oMi(*clock_, "oMi", fk, Each<SE3<S>>(model.joints.size(), SE3<S>::Identity())),
+      oMf(*clock_, "oMf", "updateFramePlacements(model, data)", Each<SE3<S>>(model.frames.size())),
+      v(*clock_, "v", fk_v, Each<Motion<S>>(model.joints.size(), Motion<S>::Zero())),
+      a(*clock_, "a", fk_a, Each<Motion<S>>(model.joints.size(), Motion<S>::Zero())),
+      f(*clock_, "f", "rnea(model, data, q, v, a)", Each<Force<S>>(model.joints.size(), Force<S>::Zero())),
+      tau(*clock_, "tau", "rnea(model, data, q, v, a)", VectorX<S>(model.nv)),
+      nle(*clock_, "nle", "nonLinearEffects(model, data, q, v)", VectorX<S>(model.nv)),
+      g(*clock_, "g", "computeGeneralizedGravity(model, data, q)", VectorX<S>(model.nv)),
+      ddq(*clock_, "ddq", "aba(model, data, q, v, tau)", VectorX<S>(model.nv)),
+      J(*clock_, "J", "computeJointJacobians(model, data, q)", Matrix6X<S>(6, model.nv)),
+      dJ(*clock_, "dJ", "computeJointJacobiansTimeVariation(model, data, q, v)", Matrix6X<S>(6, model.nv)),
+      M(*clock_, "M", "crba(model, data, q)"),
+      Minv(*clock_, "Minv", "computeMinverse(model, data, q)"),
+      dtau_dq(*clock_, "dtau_dq", "computeRNEADerivatives(model, data, q, v, a)"),
+      dtau_dv(*clock_, "dtau_dv", "computeRNEADerivatives(model, data, q, v, a)"),
+      ddq_dq(*clock_, "ddq_dq", "computeABADerivatives(model, data, q, v, tau)"),
+      ddq_dv(*clock_, "ddq_dv", "computeABADerivatives(model, data, q, v, tau)"),
+      kinetic_energy(*clock_, "kinetic_energy", "computeKineticEnergy(model, data, q, v)"),
+      potential_energy(*clock_, "potential_energy", "computePotentialEnergy(model, data, q)"),
+      com(*clock_, "com", "centerOfMass(model, data, q)", Vector3<S>::Zero()),
+      vcom(*clock_, "vcom", "centerOfMass(model, data, q, v)", Vector3<S>::Zero()),
+      acom(*clock_, "acom", "centerOfMass(model, data, q, v, a)", Vector3<S>::Zero()),
+      Jcom(*clock_, "Jcom", "jacobianCenterOfMass(model, data, q)", Matrix3X<S>(3, model.nv)),
+      Ag(*clock_, "Ag", "computeCentroidalMap(model, data, q)", Matrix6X<S>(6, model.nv)),
+      hg(*clock_, "hg", "computeCentroidalMomentum(model, data, q, v)", Force<S>::Zero()),
+      dhg(*clock_, "dhg", "computeCentroidalMomentumTimeVariation(model, data, q, v, a)", Force<S>::Zero()),
+      revision_(model.revision),
+      dense_(dense),
+      q_(model.nq),
+      v_(model.nv),
+      a_(model.nv) {
+  const std::size_t n = model.joints.size();
+  work.gravitated.assign(n, Motion<S>::Zero());
+  work.r.assign(n, Vector3<S>::Zero());
+  work.velocity.assign(n, Motion<S>::Zero()), work.bias.assign(n, Motion<S>::Zero());
+  work.force.assign(n, Force<S>::Zero());
+  work.inertia.assign(n, Inertia<S>::Zero());
+  work.articulated.resize(n), work.coriolis.resize(n), work.D_inverse.resize(n);
+  for (Matrix6X<S>* m : {&work.S_columns, &work.dS, &work.U, &work.z, &work.w, &work.y})
+    m->resize(6, model.ncolumns);
+  work.jacobian.resize(6, model.nv);
+  work.u.resize(model.ncolumns);
+  if (dense == Dense::None) return;
+  for (MatrixX<S>* m : {&M.scratch(), &Minv.scratch(), &work.factor}) m->resize(model.nv, model.nv);
+  if (dense == Dense::Mass) return;
+  for (Field<MatrixX<S>>* m : {&dtau_dq, &dtau_dv, &ddq_dq, &ddq_dv}) m->scratch().resize(model.nv, model.nv);
+}
+
+extern template class Data<float>;
+extern template class Data<double>;
+
+}  // namespace liecheck

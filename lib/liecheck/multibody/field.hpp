@@ -1,0 +1,77 @@
+#pragma once
+// A result in Data that knows whether it is fresh.
+//
+// Every algorithm states the inputs that its results depend on: q, (q, v) or (q, v, a). A result is stale when it
+// was never computed, or when an input that it depends on has changed since by a call of another algorithm. In
+// debug builds reading it then throws StaleField; checked() does in every build. Reading costs nothing in release.
+
+#include <stdexcept>
+#include <string>
+
+namespace liecheck {
+
+/// A result was read that belongs to no state, or to another one; what() names the call that is missing.
+class StaleField : public std::logic_error {
+ public:
+  using std::logic_error::logic_error;
+};
+
+/// The inputs a result depends on.
+enum class Level { Position, Velocity, Acceleration };
+
+/// Which state is the current one: a number for each input, which changes when the input does.
+struct Clock {
+  long q = 0, v = 0, a = 0;
+};
+
+template <class T>
+class Field {
+ public:
+  /// name: of the field; call: the one that computes it.
+  Field(const Clock& clock, const char* name, const char* call, T value = T())
+      : clock_(&clock), name_(name), call_(call), value_(std::move(value)) {}
+
+  const T& operator()() const {
+#ifndef NDEBUG
+    return checked();
+#else
+    return value_;
+#endif
+  }
+  decltype(auto) operator[](std::size_t i) const {
+    return (*this)()[i];
+  }
+
+  bool isFresh() const {
+    return stamp_.q != 0 && stamp_.q == clock_->q && (stamp_.v == 0 || stamp_.v == clock_->v) &&
+           (stamp_.a == 0 || stamp_.a == clock_->a);
+  }
+  /// The value. Throws StaleField.
+  const T& checked() const {
+    if (!isFresh())
+      throw StaleField("Data::" + std::string(name_) +
+                       (stamp_.q == 0 ? " was never computed" : " belongs to an earlier state") + ": call " +
+                       call_ + " first");
+    return value_;
+  }
+
+  /// For algorithms: the value, to be computed now for the current state.
+  T& write(Level level) {
+    stamp_ = {clock_->q, level == Level::Position ? 0 : clock_->v,
+              level == Level::Acceleration ? clock_->a : 0};
+    return value_;
+  }
+  /// For algorithms: storage that they use for something else than its meaning.
+  T& scratch() {
+    stamp_ = {};
+    return value_;
+  }
+
+ private:
+  const Clock* clock_;
+  const char *name_, *call_;
+  Clock stamp_;
+  T value_;
+};
+
+}  // namespace liecheck

@@ -1,0 +1,37 @@
+#pragma once
+// A screw: a turn about an axis by q [rad] and a slide along it by pitch q, pitch [m/rad]. nq = nv = 1.
+
+#include <liecheck/multibody/joints/revolute.hpp>
+
+namespace liecheck {
+
+template <Scalar S>
+struct Helical : LinearCoordinates<S, 1> {
+  Axis<S> axis;
+  S pitch;
+  /// pitch [m/rad], not m a turn. Throws where it is not finite.
+  Helical(const Axis<S>& unit_axis, const S& pitch) : axis(unit_axis), pitch(pitch) {
+    if (!finite<S>(pitch)) throw std::invalid_argument("the pitch of a helical joint must be finite");
+  }
+  Helical(const Vector3<S>& direction, const S& pitch) : Helical(Axis<S>(direction), pitch) {}
+
+  /// X_PJ (R(axis, q), pitch q axis).
+  SE3<S> transform(const SE3<S>& X_PJ, const Vector1<S>& q) const {
+    const Vector3<S> p = S(pitch * q[0]) * axis.to_vector();
+    return SE3<S>(Revolute<S>(axis).transform(X_PJ, q).rotation(), X_PJ.act(p));
+  }
+  /// (pitch axis, axis).
+  Vector6<S> subspace() const {
+    Vector6<S> s;
+    s << pitch * axis.to_vector(), axis.to_vector();
+    return s;
+  }
+
+  std::string shortname() const { return axis.shortname("JointModelH", "JointModelHelicalUnaligned"); }
+  template <Scalar T>
+  Helical<T> cast() const {
+    return Helical<T>(axis.template cast<T>(), T(pitch));
+  }
+};
+
+}  // namespace liecheck

@@ -1,0 +1,52 @@
+#pragma once
+// A joint tied to another, its primary: it has no numbers of its own and moves by
+//
+//   x = multiplier y + offset,  y the primary's coordinate [rad or m],  so  S_mimic = multiplier S(x)
+//
+// and its torque is felt at the primary, times the multiplier. y of a continuous primary is atan2(sin, cos):
+// with a multiplier that is no integer, the mimic jumps where the primary passes half a turn.
+
+#include <liecheck/multibody/joints/helical.hpp>
+#include <liecheck/multibody/joints/prismatic.hpp>
+#include <variant>
+
+namespace liecheck {
+
+template <Scalar S>
+struct Mimic : LinearCoordinates<S, 0> {
+  using Moved = std::variant<Revolute<S>, Prismatic<S>, Helical<S>>;
+  static constexpr int columns = 1;
+  using Subspace = Vector6<S>;
+
+  Moved moved;
+  int primary;  ///< index of the joint that it follows
+  S multiplier, offset;
+
+  Mimic(const Moved& moved, int primary, const S& multiplier, const S& offset = S(0))
+      : moved(moved), primary(primary), multiplier(multiplier), offset(offset) {
+    if (!finite<S>(multiplier) || !finite<S>(offset))
+      throw std::invalid_argument("the multiplier and the offset of a mimic joint must be finite");
+  }
+
+  /// By the primary's coordinate y.
+  SE3<S> transform(const SE3<S>& X_PJ, const Vector1<S>& y) const {
+    const Vector1<S> x(S(multiplier * y[0] + offset));
+    return std::visit([&](const auto& joint) { return joint.transform(X_PJ, x); }, moved);
+  }
+  Subspace subspace() const {
+    return multiplier * std::visit([](const auto& joint) { return joint.subspace(); }, moved);
+  }
+
+  std::string shortname() const { return "JointModelMimic"; }
+  template <Scalar T>
+  Mimic<T> cast() const {
+    return std::visit(
+        [&](const auto& joint) {
+          return Mimic<T>(typename Mimic<T>::Moved(joint.template cast<T>()), primary, T(multiplier),
+                          T(offset));
+        },
+        moved);
+  }
+};
+
+}  // namespace liecheck

@@ -1,0 +1,56 @@
+#pragma once
+// A configuration drawn at random.
+
+#include <liecheck/multibody/configuration.hpp>
+
+namespace liecheck {
+
+namespace random_configuration_detail {
+
+/// In [0, 1), 53 bits of a generator of 64 (or two draws of 32): the same numbers everywhere.
+template <Scalar S, class Generator>
+S uniform(Generator& bits) {
+  static_assert(Generator::min() == 0, "a generator of whole words");
+  unsigned long long word = bits();
+  if constexpr (Generator::max() <= 0xFFFFFFFFULL) word = word << 32 | (bits() & 0xFFFFFFFFULL);
+  using std::ldexp;
+  return S(ldexp(S(double(word >> 11)), -53));
+}
+
+}  // namespace random_configuration_detail
+
+/// q [nq]: every number within [lowerPositionLimit, upperPositionLimit], rotations uniform over the group (Shoemake
+/// 1992). Throws std::invalid_argument, naming the joint, where a limit is infinite or crossed. Generator: such as
+/// std::mt19937_64.
+template <Scalar S, class Generator>
+VectorX<S> randomConfiguration(const Model<S>& model, Generator& bits) {
+  using random_configuration_detail::uniform;
+  using std::cos, std::sin, std::sqrt;
+  VectorX<S> q(model.nq);
+  configuration_detail::forEachJoint(model, [&]<class Joint>(const Joint& joint) {
+    using J = std::remove_cvref_t<decltype(joint.joint)>;
+    typename J::Configuration x = joint.joint.neutral();
+    for (int i = 0; i < J::unit_begin; ++i) {
+      const S &low = model.lowerPositionLimit[joint.idx_q + i],
+              &high = model.upperPositionLimit[joint.idx_q + i];
+      if (!finite<S>(high - low) || high < low)
+        throw std::invalid_argument("joint '" + model.names[std::size_t(joint.index)] + "', q[" +
+                                    std::to_string(joint.idx_q + i) +
+                                    "]: a random position needs finite limits, lower <= upper");
+      x[i] = low + (high - low) * uniform<S>(bits);
+    }
+    if constexpr (J::nq - J::unit_begin == 2) {
+      const S angle = S(2) * pi<S>() * uniform<S>(bits);
+      x.template tail<2>() << cos(angle), sin(angle);
+    } else if constexpr (J::nq - J::unit_begin == 4) {
+      const S u = uniform<S>(bits), a = S(2) * pi<S>() * uniform<S>(bits),
+              b = S(2) * pi<S>() * uniform<S>(bits);
+      const S r = sqrt(S(1) - u), s = sqrt(u);
+      x.template tail<4>() << r * sin(a), r * cos(a), s * sin(b), s * cos(b);
+    }
+    joint.configuration(q) = x;
+  });
+  return q;
+}
+
+}  // namespace liecheck

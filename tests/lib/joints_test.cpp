@@ -1,0 +1,244 @@
+// multibody/joints: the configuration spaces of every joint, by differences in long double and by what they embed
+// in. multibody/random_configuration.hpp, inertia_validity.hpp, nearest_names.hpp. Rows S10, S21, S22, S23.
+
+#include <gtest/gtest.h>
+
+#include <liecheck/multibody/inertia_validity.hpp>
+#include <liecheck/multibody/random_configuration.hpp>
+
+#include "random_tree.hpp"
+
+namespace {
+
+using namespace liecheck;
+using namespace liecheck::test;
+using Real = long double;
+using Mat = MatrixX<double>;
+using VecL = VectorX<Real>;
+
+template <class F>
+std::string refusal(F f) {
+  try {
+    f();
+  } catch (const std::invalid_argument& e) {
+    return e.what();
+  }
+  return "nothing";
+}
+Model<double> oneOfEach(unsigned seed) {
+  return randomModel(seed, joint_kinds);
+}
+
+// S10
+TEST(Joints, DifferenceUndoesIntegrateForEveryJoint) {
+  for (unsigned seed = 201; seed < 221; ++seed) {
+    const Model<double> m = oneOfEach(seed);
+    Random random(seed);
+    const double size = seed % 2 ? 1.7 : 1e-7;  // 1.7 sqrt(3) < pi
+    const Vec q = randomState(m, random).q, delta = random.tangent(m.nv, size);
+    EXPECT_TRUE(isNormalized(m, q));
+    const Vec next = integrate(m, q, delta);
+    EXPECT_LE((difference(m, q, next) - delta).norm(), 64 * eps<double>() * (1 + q.norm()));
+    EXPECT_TRUE(isSameConfiguration(m, integrate(m, next, Vec(-delta)), q));
+    EXPECT_TRUE(isSameConfiguration(m, normalized(m, Vec(q)), q));
+  }
+}
+TEST(Joints, IntegrateAndDifferenceAreThoseOfLongDoubleToAFewUlp) {
+  for (unsigned seed = 221; seed < 261; ++seed) {
+    const Model<double> m = oneOfEach(seed);
+    const Model<Real> ml = m.cast<Real>();
+    Random random(seed);
+    const double size = std::pow(10, -0.4 * (seed % 20));
+    const Vec q = normalized(m, randomState(m, random).q), delta = random.tangent(m.nv, size);
+    const Vec next = integrate(m, q, delta);
+    EXPECT_LE(
+        relative(next, integrate(ml, VecL(q.cast<Real>()), VecL(delta.cast<Real>())).cast<double>().eval()),
+        4 * eps<double>());
+    const VecL exact = difference(ml, VecL(q.cast<Real>()), VecL(next.cast<Real>()));
+    EXPECT_LE(relative(difference(m, q, next), exact.cast<double>().eval()), 8 * eps<double>()) << size;
+  }
+}
+
+// S22
+TEST(Joints, DIntegrateAndDDifferenceAreTheDerivativesOnWholeConfigurations) {
+  for (unsigned seed = 261; seed < 269; ++seed) {
+    const Model<double> m = oneOfEach(seed);
+    const Model<Real> ml = m.cast<Real>();
+    Random random(seed);
+    const Vec q = randomState(m, random).q, delta = random.tangent(m.nv, 1),
+              q1 = integrate(m, q, random.tangent(m.nv, 1));
+    const VecL ql = q.cast<Real>(), dl = delta.cast<Real>(), q1l = q1.cast<Real>(),
+               next = integrate(ml, ql, dl);
+    MatrixX<Real> by_q(m.nv, m.nv), by_delta = by_q, by_q0 = by_q, by_q1 = by_q;
+    for (int k = 0; k < m.nv; ++k) {
+      const VecL e = VecL::Unit(m.nv, k);
+      by_q.col(k) = derivative<Real>(
+          [&](Real t) { return difference(ml, next, integrate(ml, integrate(ml, ql, VecL(t * e)), dl)); });
+      by_delta.col(k) =
+          derivative<Real>([&](Real t) { return difference(ml, next, integrate(ml, ql, VecL(dl + t * e))); });
+      by_q0.col(k) =
+          derivative<Real>([&](Real t) { return difference(ml, integrate(ml, ql, VecL(t * e)), q1l); });
+      by_q1.col(k) =
+          derivative<Real>([&](Real t) { return difference(ml, ql, integrate(ml, q1l, VecL(t * e))); });
+    }
+    const auto same = [](const Mat& J, const MatrixX<Real>& expected) {
+      EXPECT_LE(relative(J, expected.cast<double>().eval()), 1e-14);
+    };
+    same(dIntegrate(m, q, delta, ArgumentPosition::ARG0), by_q);
+    same(dIntegrate(m, q, delta, ArgumentPosition::ARG1), by_delta);
+    same(dDifference(m, q, q1, ArgumentPosition::ARG0), by_q0);
+    same(dDifference(m, q, q1, ArgumentPosition::ARG1), by_q1);
+    MatrixX<Real> coefficients(m.nq, m.nv);  // S23
+    for (int k = 0; k < m.nv; ++k)
+      coefficients.col(k) =
+          derivative<Real>([&](Real t) { return integrate(ml, ql, VecL(t * VecL::Unit(m.nv, k))); });
+    same(integrateCoeffWiseJacobian(m, q), coefficients);
+  }
+}
+
+TEST(Joints, APlanarJointIsAFreeFlyerThatStaysInThePlane) {
+  Model<double> planar, flyer;
+  planar.addJoint(0, Planar<double>(), SE3<double>::Identity(), "joint");
+  flyer.addJoint(0, FreeFlyer<double>(), SE3<double>::Identity(), "joint");
+  Random random(1);
+  for (int i = 0; i < 50; ++i) {
+    const double angle = random.uniform(-3, 3), turn = random.uniform(-3, 3);
+    const V3 p = random.vector(2), u = random.vector(2);
+    const Vec q = (Vec(4) << p.x(), p.y(), std::cos(angle), std::sin(angle)).finished();
+    const Vec Q = (Vec(7) << p.x(), p.y(), 0, 0, 0, std::sin(angle / 2), std::cos(angle / 2)).finished();
+    const Vec next = integrate(planar, q, Vec(V3(u.x(), u.y(), turn)));
+    const Vec next7 = integrate(flyer, Q, Vec((Vec(6) << u.x(), u.y(), 0, 0, 0, turn).finished()));
+    EXPECT_LE((next.head<2>() - next7.head<2>()).norm(), 16 * eps<double>());
+    EXPECT_LE((next.tail<2>() - exp3<double>(V3(0, 0, angle + turn)).block<2, 1>(0, 0)).norm(),
+              16 * eps<double>());
+  }
+}
+
+TEST(Joints, NamesOfJointTypesAreThoseOfPinocchio) {
+  EXPECT_EQ(Helical<double>(Axis<double>::Y(), 0.1).shortname(), "JointModelHY");
+  EXPECT_EQ(Helical<double>(V3(1, 1, 0), 0.1).shortname(), "JointModelHelicalUnaligned");
+  EXPECT_EQ(Spherical<double>().shortname(), "JointModelSpherical");
+  EXPECT_EQ(Planar<double>().shortname(), "JointModelPlanar");
+  EXPECT_EQ(Translation<double>().shortname(), "JointModelTranslation");
+}
+
+TEST(Joints, AUnitVectorThatIsZeroIsNamedByItsJoint) {
+  Model<double> m;
+  m.addJoint(0, Spherical<double>(), SE3<double>::Identity(), "ball");
+  m.addJoint(1, Planar<double>(), SE3<double>::Identity(), "cart");
+  Vec q = neutral(m);
+  EXPECT_NO_THROW(checkedConfiguration(m, q));
+  EXPECT_NE(refusal([&] {
+              normalized(m, Vec(Vec::Zero(8)));
+            }).find("joint 'ball' (joint 1), q[0]: a zero quaternion"),
+            std::string::npos);
+  q[6] = 0;
+  EXPECT_NE(
+      refusal([&] { checkedConfiguration(m, q); }).find("joint 'cart' (joint 2), q[6]: (cos, sin) = (0, 0)"),
+      std::string::npos);
+  q[7] = 1.1;
+  EXPECT_NE(refusal([&] { checkedConfiguration(m, q); }).find("squared norm is not 1"), std::string::npos);
+}
+
+TEST(Joints, ConstantsThatAreNotFiniteAndMimicsOfNothingAreRefused) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_NE(refusal([&] { Helical<double>(Axis<double>::X(), nan); }), "nothing");
+  EXPECT_NE(refusal([&] { Mimic<double>(Revolute<double>(Axis<double>::X()), 1, nan); }), "nothing");
+  Model<double> m;
+  m.addJoint(0, Spherical<double>(), SE3<double>::Identity(), "ball");
+  const auto follow = [&](int primary) {
+    m.addJoint(1, Mimic<double>(Revolute<double>(Axis<double>::X()), primary, 1), SE3<double>::Identity(),
+               "follower");
+  };
+  EXPECT_EQ(refusal([&] { follow(2); }), "the primary of joint 'follower' is joint 2: there are 2");
+  EXPECT_EQ(refusal([&] { follow(1); }),
+            "joint 'follower' mimics joint 'ball', which has not one coordinate");
+}
+
+TEST(RandomConfiguration, KeepsTheLimitsAndIsTheSameForTheSameSeed) {
+  Model<double> m = oneOfEach(3);
+  std::mt19937_64 bits(1);
+  EXPECT_NE(refusal([&] { randomConfiguration(m, bits); }).find("needs finite limits"), std::string::npos);
+  m.lowerPositionLimit.setConstant(-0.25), m.upperPositionLimit.setConstant(0.5);
+  std::mt19937_64 again(1);
+  bits.seed(1);
+  Vec sum = Vec::Zero(m.nq);
+  for (int i = 0; i < 1000; ++i) {
+    const Vec q = randomConfiguration(m, bits);
+    EXPECT_EQ(q, randomConfiguration(m, again));
+    EXPECT_NO_THROW(checkedConfiguration(m, q));
+    for (int j = 1; j < m.njoints; ++j)
+      if (m.nqs[std::size_t(j)] == 1) {
+        const double x = q[m.idx_qs[std::size_t(j)]];
+        EXPECT_TRUE(x >= -0.25 && x < 0.5);
+      }
+    sum += q;
+  }
+  EXPECT_LE((sum / 1000).cwiseAbs().maxCoeff(), 0.125 + 0.1);
+}
+
+// S21: positive entries prove nothing.
+TEST(Inertia, WhatNoBodyHasIsSaid) {
+  const auto of = [](double m, const V3& moments) {
+    const Matrix3<double> R = exp3<double>(V3(0.3, -0.4, 0.5)), I = R * moments.asDiagonal() * R.transpose();
+    return Inertia<double>(m, V3(0.1, 0, 0), Matrix3<double>((I + I.transpose()) / 2));
+  };
+  EXPECT_EQ(whyUnphysical(of(2, {0.02, 0.05, 0.06})), "");
+  EXPECT_EQ(whyUnphysical(of(2, {0.02, 0.05, 0.07})), "");  // a flat plate
+  EXPECT_EQ(whyUnphysical(of(0, {0, 0, 0})), "");
+  EXPECT_EQ(whyUnphysical(of(2, {0.02, 0.03, 0.06})).rfind("a principal moment of inertia is larger", 0), 0U);
+  EXPECT_EQ(whyUnphysical(of(2, {-0.02, 0.05, 0.05})).rfind("a principal moment of inertia is negative", 0),
+            0U);
+  EXPECT_EQ(whyUnphysical(of(-2, {0.02, 0.05, 0.06})).rfind("the mass is negative: -2", 0), 0U);
+  EXPECT_EQ(whyUnphysical(of(2, {0.02, 0.05, INFINITY})), "a number is not finite");
+  Matrix3<double> crooked = of(2, {0.02, 0.05, 0.06}).inertia();
+  crooked(0, 1) += 1e-3;
+  EXPECT_EQ(whyUnphysical(Inertia<double>(2, V3::Zero(), crooked)), "the inertia is not symmetric");
+}
+TEST(Inertia, ThePseudoInertiaIsPositiveWhereTheInertiaIsPhysical) {
+  Random random(7);
+  for (int i = 0; i < 200; ++i) {
+    const V3 moments = random.vector(1).cwiseAbs();
+    const Matrix3<double> R = exp3<double>(random.vector(3)), I = R * moments.asDiagonal() * R.transpose();
+    const Inertia<double> body(random.uniform(0.1, 3), random.vector(0.3),
+                               Matrix3<double>((I + I.transpose()) / 2));
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> solver(pseudoInertia(body));
+    if (std::abs(solver.eigenvalues()[0]) < 1e-12) continue;
+    EXPECT_EQ(solver.eigenvalues()[0] > 0, whyUnphysical(body).empty());
+  }
+  // A uniform rod of 1 kg along x from 0 to 2 m: second moments 4/3, first 1.
+  const Inertia<double> rod(1, V3(1, 0, 0), Matrix3<double>(V3(0, 1 / 3.0, 1 / 3.0).asDiagonal()));
+  EXPECT_NEAR(pseudoInertia(rod)(0, 0), 4 / 3.0, 4 * eps<double>());
+  EXPECT_EQ(pseudoInertia(rod)(0, 3), 1);
+}
+
+// S4
+TEST(Model, ARequiredNameThatIsUnknownIsAnsweredWithTheNearest) {
+  Model<double> m;
+  for (const char* name : {"left_hip", "left_knee", "right_hip", "head"}) {
+    m.addJoint(0, Revolute<double>(Axis<double>::X()), SE3<double>::Identity(), name);
+    m.addJointFrame(m.njoints - 1);
+  }
+  EXPECT_EQ(m.requireJointId("head"), 4);
+  EXPECT_EQ(refusal([&] { m.requireJointId("left_hop"); }),
+            "no joint is named 'left_hop', the nearest are 'left_hip', 'left_knee' and 'right_hip'");
+  EXPECT_EQ(refusal([&] {
+              m.requireFrameId("haed");
+            }).rfind("no frame is named 'haed', the nearest are 'head', ", 0),
+            0U);
+  m.addBodyFrame("head", 4);
+  EXPECT_EQ(refusal([&] { m.requireFrameId("head"); }), "several frames are named 'head': say of which type");
+  EXPECT_EQ(m.getFrameId("head", FrameType::BODY), 5);
+}
+TEST(Model, LimitsAreInfiniteAndFrictionIsZeroWhereNobodySaysOtherwise) {
+  const Model<double> m = oneOfEach(1);
+  EXPECT_EQ(m.effortLimit.size(), m.nv);
+  EXPECT_EQ(m.upperPositionLimit.size(), m.nq);
+  EXPECT_TRUE((m.lowerPositionLimit.array() == -INFINITY).all() &&
+              (m.velocityLimit.array() == INFINITY).all());
+  EXPECT_EQ(m.friction.norm() + m.damping.norm(), 0);
+  EXPECT_EQ(m.gravity, V3(0, 0, -9.81));
+  EXPECT_EQ(m.cast<float>().upperPositionLimit.size(), m.nq);
+}
+
+}  // namespace

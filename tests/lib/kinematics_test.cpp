@@ -1,0 +1,236 @@
+// algorithms/kinematics, frames, jacobians. Rows S16, S17, S18, S25: against differences of poses, and by hand.
+
+#include <gtest/gtest.h>
+
+#include <liecheck/algorithms/jacobians.hpp>
+
+#include "random_tree.hpp"
+
+namespace {
+
+using namespace liecheck;
+using namespace liecheck::test;
+using Real = long double;
+using Mat = MatrixX<double>;
+using VecL = VectorX<Real>;
+constexpr ReferenceFrame every_reference[] = {ReferenceFrame::WORLD, ReferenceFrame::LOCAL,
+                                              ReferenceFrame::LOCAL_WORLD_ALIGNED};
+const SE3<double> here = SE3<double>::Identity();
+
+/// f(model, state) for trees, chains and stars of every joint type.
+template <class F>
+void forEachRobot(F f) {
+  for (unsigned seed = 101; seed <= 118; ++seed) {
+    const Shape shape = seed % 3 == 0 ? Shape::Chain : seed % 3 == 1 ? Shape::Star : Shape::Tree;
+    const Model<double> m = randomModel(seed, 11, shape);
+    SCOPED_TRACE(m.name);
+    Random random(seed);
+    f(m, randomState(m, random));
+  }
+}
+VecL along(const Model<Real>& m, const State& s, Real t) {
+  return integrate(m, VecL(s.q.cast<Real>()), VecL(t * s.v.cast<Real>() + t * t / 2 * s.a.cast<Real>()));
+}
+double budget(const Model<double>& m) {
+  return 8 * m.nv * eps<double>();
+}
+
+// S16
+TEST(Kinematics, PosesAreTheProductOfPlacementsAndMotions) {
+  Model<double> m;
+  m.addJoint(0, Revolute<double>(Axis<double>::Z()), {Matrix3<double>::Identity().eval(), V3(1, 0, 0)},
+             "turn");
+  m.addJoint(1, Prismatic<double>(Axis<double>::X()), {Matrix3<double>::Identity().eval(), V3(0, 2, 0)},
+             "slide");
+  m.addFrame({"tip", 2, 0, {Matrix3<double>::Identity().eval(), V3(0, 0, 3)}, FrameType::OP_FRAME});
+  Data<double> d(m);
+  framesForwardKinematics(m, d, Vec((Vec(2) << std::atan2(1.0, 0.0), 5).finished()));
+  EXPECT_LE((d.liMi[2].translation() - V3(5, 2, 0)).norm(), 4 * eps<double>());
+  EXPECT_LE((d.oMi[2].translation() - V3(-1, 5, 0)).norm(), 16 * eps<double>());
+  EXPECT_LE((d.oMf[1].translation() - V3(-1, 5, 3)).norm(), 16 * eps<double>());
+}
+
+TEST(Kinematics, VelocityAndClassicalAccelerationOfAFrameAreDerivativesOfItsPose) {
+  forEachRobot([](const Model<double>& m, const State& s) {
+    const Model<Real> ml = m.cast<Real>();
+    Data<Real> dl(ml);
+    Data<double> d(m);
+    forwardKinematics(m, d, s.q, s.v, s.a);
+    for (int k : {1, m.nframes / 2, m.nframes - 1}) {
+      const auto pose = [&](Real t) {
+        framesForwardKinematics(ml, dl, along(ml, s, t));
+        Eigen::Matrix<Real, 3, 4> X;
+        X << dl.oMf[std::size_t(k)].rotation(), dl.oMf[std::size_t(k)].translation();
+        return X;
+      };
+      const Eigen::Matrix<double, 3, 4> X = pose(0).cast<double>(),
+                                        rate = derivative<Real>(pose).cast<double>(),
+                                        second = secondDerivative<Real>(pose).cast<double>();
+      const Matrix3<double> R = X.leftCols<3>();
+      const auto v = getFrameVelocity(m, d, k, ReferenceFrame::LOCAL_WORLD_ALIGNED);
+      const auto a = getFrameClassicalAcceleration(m, d, k, ReferenceFrame::LOCAL_WORLD_ALIGNED);
+      EXPECT_LE(relative(v.linear(), V3(rate.col(3)), 1), 1e-13);
+      EXPECT_LE(
+          relative(Matrix3<double>(skew<double>(v.angular()) * R), Matrix3<double>(rate.leftCols<3>()), 1),
+          1e-13);
+      EXPECT_LE(relative(a.linear(), V3(second.col(3)), 1), 1e-11);
+      const Matrix3<double> W = skew<double>(v.angular());
+      EXPECT_LE(relative(Matrix3<double>((skew<double>(a.angular()) + W * W) * R),
+                         Matrix3<double>(second.leftCols<3>()), 1),
+                1e-11);
+      // S7, S17: WORLD is the same motion at the world's origin, LOCAL in the frame's axes.
+      const auto world = getFrameVelocity(m, d, k, ReferenceFrame::WORLD);
+      EXPECT_LE(relative(world.linear(), V3(v.linear() + X.col(3).cross(v.angular())), 1), budget(m));
+      const auto local = getFrameVelocity(m, d, k, ReferenceFrame::LOCAL);
+      EXPECT_LE(relative(V3(R * local.linear()), v.linear(), 1), budget(m));
+      // The spatial acceleration in LOCAL is the rate of the numbers of the LOCAL velocity.
+      const auto twist = [&](Real t) {
+        forwardKinematics(ml, dl, along(ml, s, t), VecL(s.v.cast<Real>() + t * s.a.cast<Real>()));
+        return getFrameVelocity(ml, dl, k, ReferenceFrame::LOCAL).to_vector();
+      };
+      const Vector6<double> spatial = derivative<Real>(twist).cast<double>();
+      EXPECT_LE(relative(getFrameAcceleration(m, d, k, ReferenceFrame::LOCAL).to_vector(), spatial, 1),
+                1e-12);
+    }
+  });
+}
+
+// S25
+TEST(Jacobians, TimesVAreVelocitiesAndTheirRatesMakeAccelerations) {
+  forEachRobot([](const Model<double>& m, const State& s) {
+    Data<double> d(m);
+    forwardKinematics(m, d, s.q, s.v, s.a);
+    computeJointJacobiansTimeVariation(m, d, s.q, s.v);
+    for (ReferenceFrame reference : every_reference) {
+      const bool aligned = reference == ReferenceFrame::LOCAL_WORLD_ALIGNED;
+      for (int k = 1; k < m.nframes; ++k) {
+        const Mat J = getFrameJacobian(m, d, k, reference),
+                  dJ = getFrameJacobianTimeVariation(m, d, k, reference);
+        const auto v = getFrameVelocity(m, d, k, reference);
+        EXPECT_LE((J * s.v - v.to_vector()).norm(), budget(m) * J.norm() * s.v.norm());
+        const auto a = aligned ? getFrameClassicalAcceleration(m, d, k, reference)
+                               : getFrameAcceleration(m, d, k, reference);
+        EXPECT_LE((J * s.a + dJ * s.v - a.to_vector()).norm(),
+                  budget(m) * (J.norm() * s.a.norm() + dJ.norm() * s.v.norm()));
+      }
+      for (int i = 1; i < m.njoints; ++i) {
+        const Mat J = getJointJacobian(m, d, i, reference),
+                  dJ = getJointJacobianTimeVariation(m, d, i, reference);
+        EXPECT_LE((J * s.v - getVelocity(m, d, i, reference).to_vector()).norm(),
+                  budget(m) * J.norm() * s.v.norm());
+        const auto a =
+            aligned ? getClassicalAcceleration(m, d, i, reference) : getAcceleration(m, d, i, reference);
+        EXPECT_LE((J * s.a + dJ * s.v - a.to_vector()).norm(),
+                  budget(m) * (J.norm() * s.a.norm() + dJ.norm() * s.v.norm()));
+      }
+    }
+    EXPECT_LE(relative(d.J(),
+                       [&] {
+                         Mat J = Mat::Zero(6, m.nv);
+                         for (int i = 1; i < m.njoints; ++i)
+                           J.middleCols(m.idx_vs[std::size_t(i)], m.nvs[std::size_t(i)]) =
+                               getJointJacobian(m, d, i, ReferenceFrame::WORLD)
+                                   .middleCols(m.idx_vs[std::size_t(i)], m.nvs[std::size_t(i)]);
+                         return J;
+                       }()),
+              budget(m));
+  });
+}
+
+TEST(Jacobians, TimeVariationsAreTheDerivativesOfTheirNumbers) {
+  forEachRobot([](const Model<double>& m, const State& s) {
+    const Model<Real> ml = m.cast<Real>();
+    Data<Real> dl(ml);
+    Data<double> d(m);
+    computeJointJacobiansTimeVariation(m, d, s.q, s.v);
+    for (ReferenceFrame reference : every_reference) {
+      const auto J = [&](Real t) {
+        computeJointJacobians(ml, dl, along(ml, s, t));
+        return Matrix6X<Real>(getFrameJacobian(ml, dl, m.nframes - 1, reference));
+      };
+      const Mat rate = derivative<Real>(J).cast<double>();
+      EXPECT_LE(relative(getFrameJacobianTimeVariation(m, d, m.nframes - 1, reference), rate, 1), 1e-12);
+    }
+    const Mat rate = derivative<Real>([&](Real t) {
+                       return Matrix6X<Real>(computeJointJacobians(ml, dl, along(ml, s, t)));
+                     }).cast<double>();
+    EXPECT_LE(relative(d.dJ(), rate, 1), 1e-12);
+  });
+}
+
+// S17: what each reference means, on a wheel that turns 2 m from the world's origin.
+TEST(Frames, TheThreeReferencesOfATurningWheel) {
+  Model<double> m;
+  m.addJoint(0, Revolute<double>(Axis<double>::Z()), {Matrix3<double>::Identity().eval(), V3(2, 0, 0)},
+             "wheel");
+  const int rim =
+      m.addFrame({"rim", 1, 0, {Matrix3<double>::Identity().eval(), V3(1, 0, 0)}, FrameType::OP_FRAME});
+  Data<double> d(m);
+  forwardKinematics(m, d, Vec(Vec::Zero(1)), Vec(Vec::Constant(1, 3)), Vec(Vec::Zero(1)));
+  const auto u = [&](ReferenceFrame r) { return getFrameVelocity(m, d, rim, r).linear(); };
+  EXPECT_EQ(u(ReferenceFrame::LOCAL), V3(0, 3, 0));
+  EXPECT_EQ(u(ReferenceFrame::LOCAL_WORLD_ALIGNED), V3(0, 3, 0));
+  EXPECT_EQ(u(ReferenceFrame::WORLD),
+            V3(0, -6, 0));  // of the point of the wheel that is at the world's origin
+  // A constant twist has no spatial acceleration and a curved path.
+  EXPECT_EQ(getFrameAcceleration(m, d, rim, ReferenceFrame::LOCAL_WORLD_ALIGNED).linear(), V3(0, 0, 0));
+  EXPECT_EQ(getFrameClassicalAcceleration(m, d, rim, ReferenceFrame::LOCAL_WORLD_ALIGNED).linear(),
+            V3(-9, 0, 0));
+}
+
+// S18
+TEST(Imu, AtRestItReadsGravityUpwardAndOnAWheelTheCentripetalForceToo) {
+  Model<double> m;
+  m.addJoint(0, Revolute<double>(Axis<double>::Z()), here, "wheel");
+  const Matrix3<double> tilt = exp3<double>(V3(std::atan2(1.0, 0.0), 0, 0));  // the sensor's y is up
+  const int sensor = m.addFrame({"imu", 1, 0, {tilt, V3(0.5, 0, 0)}, FrameType::SENSOR});
+  Data<double> d(m);
+  const auto read = [&](double v, double a) {
+    forwardKinematics(m, d, Vec(Vec::Zero(1)), Vec(Vec::Constant(1, v)), Vec(Vec::Constant(1, a)));
+    return imu(m, d, sensor);
+  };
+  EXPECT_LE((read(0, 0).specific_force - V3(0, 9.81, 0)).norm(), 16 * eps<double>());
+  EXPECT_EQ(read(0, 0).angular_velocity.norm(), 0);
+  // omega x (omega x r) = -4 * 0.5 inward, omega_dot x r = 3 * 0.5 along the wheel's y, the sensor's -z.
+  EXPECT_LE((read(2, 3).specific_force - V3(-2, 9.81, -1.5)).norm(), 16 * eps<double>());
+  EXPECT_LE((read(2, 3).angular_velocity - V3(0, 2, 0)).norm(), 4 * eps<double>());
+}
+TEST(Imu, InFreeFallItReadsNothing) {
+  Model<double> m;
+  m.addJoint(0, FreeFlyer<double>(), here, "base");
+  const int sensor = m.addFrame({"imu", 1, 0, here, FrameType::SENSOR});
+  Data<double> d(m);
+  forwardKinematics(m, d, neutral(m), Vec(Vec::Zero(6)), Vec(-9.81 * Vec::Unit(6, 2)));
+  EXPECT_LE(imu(m, d, sensor).specific_force.norm(), eps<double>());
+}
+
+// S5: with a placement, q[:3] is not a world position.
+TEST(Frames, AFreeFlyerWithAPlacementStandsElsewhereThanQSays) {
+  Model<double> m;
+  m.addJoint(0, FreeFlyer<double>(), {Matrix3<double>::Identity().eval(), V3(0, 0, 1)}, "base");
+  Data<double> d(m);
+  forwardKinematics(m, d, neutral(m));
+  EXPECT_EQ(d.oMi[1].translation(), V3(0, 0, 1));
+}
+
+TEST(Frames, AnIndexThatNoLookUpFoundIsRefusedWithBothNumbers) {
+  const Model<double> m = randomModel(7, 3);
+  Data<double> d(m);
+  forwardKinematics(m, d, neutral(m), Vec(Vec::Zero(m.nv)));
+  const auto said = [&](auto call) {
+    try {
+      call();
+    } catch (const std::invalid_argument& e) {
+      return std::string(e.what());
+    }
+    return std::string("nothing");
+  };
+  EXPECT_EQ(said([&] { getFrameVelocity(m, d, m.getFrameId("nobody"), ReferenceFrame::LOCAL); }),
+            "there is no frame 4: nframes is 4");
+  EXPECT_EQ(said([&] { getVelocity(m, d, m.getJointId("nobody"), ReferenceFrame::LOCAL); }),
+            "there is no joint 4: njoints is 4");
+  EXPECT_EQ(said([&] { getJointJacobian(m, d, -1, ReferenceFrame::LOCAL); }),
+            "there is no joint -1: njoints is 4");
+}
+
+}  // namespace
