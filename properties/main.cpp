@@ -11,6 +11,7 @@
 #include <cerrno>
 #include <commands_hard_cases.hpp>
 #include <commands_store.hpp>
+#include <cost_command.hpp>
 #include <csignal>
 #include <cstring>
 #include <filesystem>
@@ -232,6 +233,14 @@ int run_sweep_flags(const Flags& f, SweepFlags s) {
   return run_sweep_command(s);
 }
 
+int run_cost_flags(const Flags& f, CostFlags c) {
+  c.options.seed = f.seed;
+  c.json = f.json;
+  if (!f.duration.empty()) c.options.seconds = parse_duration(f.duration);
+  stop_on_signals();
+  return run_cost_command(c);
+}
+
 int run_report(const Flags& f) {
   const auto given = with_records_of_stores(f.records, f.out);
   std::vector<std::filesystem::path> records(given.begin(), given.end());
@@ -401,6 +410,23 @@ int main(int argc, char** argv) {
   add_number(*swept, "--stride", s.stride, 1, 1u << 30, "only every Nth float: a lower bound, sooner");
   jobs_flag(swept);
   filled(swept->add_option("--json", f.json, "write the bounds to FILE"), "FILE");
+  CostFlags c;
+  auto* cost =
+      app.add_subcommand("cost",
+                         "time beside error, of every operation of every subject on the same inputs. "
+                         "Exit 0, 2 bad input, 3 stopped");
+  filled(cost->add_option("--op", c.options.operations, "an operation, repeatable; default all"), "NAME");
+  filled(cost->add_option("--subject", c.options.subjects,
+                          "a subject, repeatable; default those of a campaign and liecheck's own variants"),
+         "NAME");
+  filled(cost->add_option("--scalar", c.options.scalars,
+                          fmt::format("{}, repeatable; default all", fmt::join(cost_scalars(), ", "))),
+         "SCALAR");
+  add_number(*cost, "--seed", f.seed, 0, UINT64_MAX, "seed of the inputs");
+  filled(cost->add_option("--for", f.duration, "about how long all timing takes: 30s, 5m; default 60s"),
+         "DURATION")
+      ->check(wrong, "");
+  filled(cost->add_option("--json", f.json, "write times and errors to FILE"), "FILE");
   auto* replay = app.add_subcommand("replay",
                                     "run one case again and print its residuals, bit for bit. Exit 0 within "
                                     "budget, 1 failed, 2 bad input");
@@ -434,6 +460,7 @@ int main(int argc, char** argv) {
       return finish(run_bench_command(f, b, true));
     }
     if (swept->parsed()) return finish(run_sweep_flags(f, s));
+    if (cost->parsed()) return finish(run_cost_flags(f, c));
     if (hunt->parsed()) return finish(run_hunt_command(f, h));
     if (replay->parsed()) return finish(run_replay(f));
     if (report->parsed()) return finish(run_report(f));

@@ -1,0 +1,85 @@
+#include <timing/benchmarks.hpp>
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <chrono>
+#include <timing/instructions.hpp>
+
+namespace liecheck::properties {
+namespace {
+
+/// Each repetition's processor time, into the row that its name numbers.
+class Collector final : public benchmark::BenchmarkReporter {
+ public:
+  explicit Collector(std::vector<Timed>& all) : all_(all) {}
+  bool ReportContext(const Context&) override { return true; }
+  void ReportRuns(const std::vector<Run>& runs) override {
+    for (const Run& run : runs) {
+      if (run.run_type != Run::RT_Iteration || run.error_occurred) continue;
+      Timed& row = all_.at(std::stoul(run.run_name.function_name));
+      row.ns.push_back(run.cpu_accumulated_time * 1e9 /
+                       (static_cast<double>(run.iterations) * static_cast<double>(row.calls)));
+    }
+  }
+
+ private:
+  std::vector<Timed>& all_;
+};
+
+void initialize_once() {
+  static const bool done = [] {
+    char name[] = "cost", interleave[] = "--benchmark_enable_random_interleaving=true";
+    char* arguments[] = {name, interleave, nullptr};
+    int n = 2;
+    benchmark::Initialize(&n, arguments);
+    return true;
+  }();
+  static_cast<void>(done);
+}
+
+/// As many passes as take that long, after one that warms up.
+std::int64_t passes_in(double seconds, const Timed& row) {
+  using Clock = std::chrono::steady_clock;
+  row.pass();
+  const auto start = Clock::now();
+  row.pass();
+  const double one = std::chrono::duration<double>(Clock::now() - start).count();
+  return static_cast<std::int64_t>(std::clamp(seconds / std::max(one, 1e-8), 1.0, 1e7));
+}
+
+}  // namespace
+
+std::string run_interleaved(std::vector<Timed>& all, const Interleaving& how) {
+  initialize_once();
+  InstructionCounter counter;
+  const auto stopped = [&] { return how.stop && *how.stop; };
+  const std::size_t total = all.size() * how.repetitions;
+  const double each = how.seconds / static_cast<double>(std::max<std::size_t>(1, total));
+  std::size_t done = 0;
+  benchmark::ClearRegisteredBenchmarks();
+  for (std::size_t i = 0; i < all.size() && !stopped(); ++i) {
+    const auto passes = passes_in(each, all[i]);
+    benchmark::RegisterBenchmark(
+        std::to_string(i).c_str(),
+        [&, i, passes](benchmark::State& state) {
+          if (stopped()) return state.SkipWithError("stopped");
+          Timed& row = all[i];
+          counter.start();
+          for (auto _ : state) row.pass();
+          const auto n = counter.stop();
+          if (n > 0)
+            row.instructions.push_back(static_cast<double>(n) /
+                                       (static_cast<double>(passes) * static_cast<double>(row.calls)));
+          how.progress(static_cast<double>(++done) / static_cast<double>(total));
+        })
+        ->Iterations(passes)
+        ->Repetitions(static_cast<int>(how.repetitions));
+  }
+  Collector collector(all);
+  if (!stopped()) benchmark::RunSpecifiedBenchmarks(&collector, "all");
+  benchmark::ClearRegisteredBenchmarks();
+  return counter.absent();
+}
+
+}  // namespace liecheck::properties

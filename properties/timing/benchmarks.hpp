@@ -1,0 +1,28 @@
+#pragma once
+// Google Benchmark, all repetitions of all rows in random order.
+
+#include <atomic>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace liecheck::properties {
+
+struct Timed {
+  std::function<void()> pass;
+  std::size_t calls = 1;             ///< of what is timed, in one pass
+  std::vector<double> ns;            ///< per call, one for each repetition
+  std::vector<double> instructions;  ///< per call; empty without a counter
+};
+
+struct Interleaving {
+  double seconds = 1;  ///< of all of it, about; a repetition is at least one pass
+  std::size_t repetitions = 25;
+  std::atomic<bool>* stop = nullptr;
+  std::function<void(double share)> progress = [](double) {};
+};
+
+/// Fills ns and instructions. Returns why instructions are not counted; empty where they are.
+std::string run_interleaved(std::vector<Timed>& all, const Interleaving& how);
+
+}  // namespace liecheck::properties
