@@ -40,7 +40,7 @@ struct Flags {
   std::vector<std::string> subjects, properties, scalars;
   std::string robot, json, duration, id, out = "liecheck-report";
   std::vector<std::string> records, files;
-  bool no_hard_cases = false, verbose = false;
+  bool no_hard_cases = false, no_cost = false, verbose = false;
   std::uint64_t seed = 42, cases = 1000;
   unsigned jobs = std::max(1u, std::thread::hardware_concurrency());
   StoreFlags store;
@@ -118,10 +118,12 @@ std::vector<HardRow> hard_cases_of(const Flags& f, const Selection& selection) {
 
 /// Returns why it could not be written, to be told after the table: neither is lost with the other.
 std::string write_record(const std::filesystem::path& path, const CampaignResult& result,
-                         const std::vector<HardRow>& hard_cases, const SweepResult* swept = nullptr) try {
+                         const std::vector<HardRow>& hard_cases, const SweepResult* swept = nullptr,
+                         const CostResult* cost = nullptr) try {
   auto record = record_of(result);
   add_hard_cases(record, hard_cases);
   if (swept) add_sweep(record, *swept);
+  if (cost) add_cost(record, *cost);
   write_whole(path, record.dump(1) + "\n");
   return "";
 } catch (const std::exception& e) {
@@ -259,7 +261,16 @@ int run_report(const Flags& f) {
       swept = run_sweep({{}, "", f.jobs});
       if (stop_requested) std::fputs("interrupted in the sweep: the report holds what was done\n", stderr);
     }
-    const std::string lost = write_record(path, result, hard_cases, swept ? &*swept : nullptr);
+    std::optional<CostResult> cost;
+    if (!stop_requested && !f.no_cost) {
+      CostFlags c;
+      c.options.seed = f.seed;
+      c.options.seconds = 30;
+      cost = run_cost(c);
+      if (stop_requested) std::fputs("interrupted in the times: the report holds what was done\n", stderr);
+    }
+    const std::string lost =
+        write_record(path, result, hard_cases, swept ? &*swept : nullptr, cost ? &*cost : nullptr);
     if (!lost.empty()) throw std::runtime_error(lost);
     records.push_back(path);
   }
@@ -443,6 +454,7 @@ int main(int argc, char** argv) {
   filled(report->add_option("--out", f.out, "folder of report.html, report.json and report.csv")
              ->capture_default_str(),
          "DIR");
+  report->add_flag("--no-cost", f.no_cost, "leave out the times, which take about 35 s")->excludes(records);
   for (auto* option : budget_flags(report)) option->excludes(records);
   const StoreCommands store_commands(app);
 

@@ -53,7 +53,12 @@ std::int64_t passes_in(double seconds, const Timed& row) {
 std::string run_interleaved(std::vector<Timed>& all, const Interleaving& how) {
   initialize_once();
   InstructionCounter counter;
+  const auto start = std::chrono::steady_clock::now();
   const auto stopped = [&] { return how.stop && *how.stop; };
+  const auto late = [&] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() >
+           1.3 * how.seconds + 1;
+  };
   const std::size_t total = all.size() * how.repetitions;
   const double each = how.seconds / static_cast<double>(std::max<std::size_t>(1, total));
   std::size_t done = 0;
@@ -63,7 +68,7 @@ std::string run_interleaved(std::vector<Timed>& all, const Interleaving& how) {
     benchmark::RegisterBenchmark(
         std::to_string(i).c_str(),
         [&, i, passes](benchmark::State& state) {
-          if (stopped()) return state.SkipWithError("stopped");
+          if (stopped() || late()) return state.SkipWithError("stopped");
           Timed& row = all[i];
           counter.start();
           for (auto _ : state) row.pass();
