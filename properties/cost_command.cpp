@@ -1,11 +1,9 @@
 #include <cost_command.hpp>
 
-#include <unistd.h>
-
 #include <fmt/format.h>
 #include <algorithm>
 #include <campaign/campaign.hpp>
-#include <chrono>
+#include <campaign/progress.hpp>
 #include <cmath>
 #include <commands_store.hpp>
 #include <fstream>
@@ -18,25 +16,6 @@ namespace liecheck::properties {
 namespace {
 
 using nlohmann::json;
-
-/// One line that rewrites itself on a terminal, a line every ten seconds elsewhere.
-std::function<void(double)> progress() {
-  using Clock = std::chrono::steady_clock;
-  const bool terminal = isatty(2) != 0;
-  return [terminal, start = Clock::now(), last = Clock::now()](double share) mutable {
-    const auto now = Clock::now();
-    if (now - last < std::chrono::milliseconds(terminal ? 200 : 10000) && !(terminal && share == 1)) return;
-    last = now;
-    const double elapsed = std::chrono::duration<double>(now - start).count();
-    const std::string line = fmt::format("cost: {:3.0f} % of the repetitions, left {:.0f} s", share * 100,
-                                         elapsed * (1 - share) / share);
-    if (terminal)
-      fmt::print(stderr, "\r{:<60}\r{}", line, share == 1 ? fmt::format("{:60}\r", "") : "");
-    else
-      fmt::print(stderr, "{}\n", line);
-    std::fflush(stderr);
-  };
-}
 
 json number(double x) {
   return std::isfinite(x) ? json(x) : json("inf");
@@ -116,7 +95,10 @@ void print_rows(const CostResult& r) {
 CostResult run_cost(const CostFlags& f) {
   CostOptions options = f.options;
   options.stop = &stop_requested;
-  options.progress = progress();
+  Progress progress("cost");
+  options.progress = [&](double share) {
+    progress.show(share, [](double) { return std::string("of the repetitions"); });
+  };
   CostResult r = measure_cost(options);
   // One operation after the other, as their table lists them; of each from the least to the most digits.
   const auto names = cost_operations();

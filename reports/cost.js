@@ -49,7 +49,8 @@ const costNames = {
 
 function costPlot(head, points, kind, names) {
   const seen = points.filter(p => Number.isFinite(p.error) && p.error > 0).map(p => p.error / DOUBLE_EPS);
-  const least = Math.min(1, ...seen) / 30, most = Math.max(10, ...seen) * 30;
+  const room = 10 ** (1.2 + .06 * Math.log10(Math.max(10, ...seen) / Math.min(1, ...seen)));
+  const least = Math.min(1, ...seen) / room, most = Math.max(10, ...seen) * room;
   for (const p of points) p.y = p.error === 0 ? least * 3 : Number.isFinite(p.error) ? p.error / DOUBLE_EPS : most / 3;
   const front = points.filter(p => !p.dominated).sort((a, b) => a.x - b.x);
   const best = front.filter((p, i) => front.slice(0, i).every(q => q.y > p.y));  // intervals may overlap

@@ -92,9 +92,11 @@ struct Own {
       return inertia(I).kineticEnergy(Motion<S>(V));
     };
     o.inertia_matrix = [](const Body<S>& I) -> M6 { return inertia(I).matrix(); };
-    o.check_quaternion = [](const V4& Q) { checkedQuaternion<S>(Q); };
-    o.check_rotation = [](const M3& R) { checkedRotation<S>(R); };
-    if constexpr (std::is_floating_point_v<S> || std::is_same_v<S, float128>) o.robot = &robot;
+    if constexpr (std::is_floating_point_v<S> || std::is_same_v<S, float128>) {
+      o.check_quaternion = [](const V4& Q) { checkedQuaternion<S>(Q); };
+      o.check_rotation = [](const M3& R) { checkedRotation<S>(R); };
+      o.robot = &robot;
+    }
     return s;
   }
 
@@ -127,6 +129,9 @@ Operations<S> library_operations() {
 template Operations<float128> library_operations();
 template Operations<Digits50> library_operations();
 template Operations<Digits100> library_operations();
+#ifdef LIECHECK_QD
+template Operations<dd_real> library_operations();
+#endif
 
 const char* library_version() {
   return LIECHECK_VERSION;

@@ -99,11 +99,6 @@ std::vector<std::string> cost_subjects() {
   return {names.begin(), names.end()};
 }
 
-const std::vector<std::string>& cost_scalars() {
-  static const std::vector<std::string> all = {"float", "double", "float128", "digits50", "digits100"};
-  return all;
-}
-
 CostResult measure_cost(const CostOptions& options) {
   check_known(options.operations, cost_operations(), "--op", "operation");
   check_known(options.subjects, cost_subjects(), "--subject", "subject");

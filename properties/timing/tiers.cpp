@@ -7,6 +7,10 @@
 namespace liecheck::properties {
 namespace {
 
+#ifndef LIECHECK_QD
+const RegisteredAbsent absent("liecheck in double-double (QD)");
+#endif
+
 template <class T>
 void add_tier(CostPlan& plan, const std::string& scalar, int digits, std::size_t each,
               const std::map<std::string, std::vector<Field>>& fields_of_laws) {
@@ -26,10 +30,22 @@ void add_tier(CostPlan& plan, const std::string& scalar, int digits, std::size_t
 
 }  // namespace
 
+const std::vector<std::string>& cost_scalars() {
+  static const std::vector<std::string> all = {"float",         "double",
+#ifdef LIECHECK_QD
+                                               "double-double",
+#endif
+                                               "float128",      "digits50", "digits100"};
+  return all;
+}
+
 void add_tiers(CostPlan& plan, const std::map<std::string, std::vector<Field>>& fields_of_laws) {
   // An eighth and a sixteenth of the inputs of double: a call takes a hundred and a thousand times as long.
   const std::size_t each = plan.options.inputs_per_band, few = std::max<std::size_t>(1, each / 8),
                     fewer = std::max<std::size_t>(1, each / 16);
+#ifdef LIECHECK_QD
+  add_tier<dd_real>(plan, "double-double", std::numeric_limits<dd_real>::digits, few, fields_of_laws);
+#endif
   add_tier<float128>(plan, "float128", std::numeric_limits<float128>::digits, few, fields_of_laws);
   add_tier<Digits50>(plan, "digits50", std::numeric_limits<Digits50>::digits, fewer, fields_of_laws);
   add_tier<Digits100>(plan, "digits100", std::numeric_limits<Digits100>::digits, fewer, fields_of_laws);

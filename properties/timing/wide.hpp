@@ -56,8 +56,14 @@ class WideScore {
   static List list(const Eigen::MatrixBase<M>& m) {
     List l;
     for (int i = 0; i < m.rows(); ++i)
-      for (int j = 0; j < m.cols(); ++j) l.push_back(oracles::exact<Wide>(T(m(i, j))));
+      for (int j = 0; j < m.cols(); ++j) l.push_back(wide(T(m(i, j))));
     return l;
+  }
+  static Wide wide(const T& x) {
+    if constexpr (requires { x._hi(); })  // QD's
+      return Wide(x._hi()) + Wide(x._lo());
+    else
+      return oracles::exact<Wide>(x);
   }
   static Wide norm(const List& v) {
     Wide sum(0);
