@@ -1,5 +1,7 @@
 #pragma once
-// Google Benchmark, all repetitions of all rows in random order.
+// Google Benchmark, all repetitions of all rows in random order. Those during which another program had a part of the
+// execution units, as a loop before and after each tells, do not count: they slow some code by half and some not at
+// all.
 
 #include <atomic>
 #include <functional>
@@ -11,7 +13,7 @@ namespace liecheck::properties {
 struct Timed {
   std::function<void()> pass;
   std::size_t calls = 1;             ///< of what is timed, in one pass
-  std::vector<double> ns;            ///< per call, one for each repetition
+  std::vector<double> ns;            ///< per call, one for each repetition that counts
   std::vector<double> instructions;  ///< per call; empty without a counter
 };
 
@@ -19,7 +21,7 @@ struct Interleaving {
   /// Of all of it, about; a repetition is at least one pass. Repetitions that are left 1 s after 1.3 times as long, on a
   /// busy machine, are not run: chance leaves out as many of every row.
   double seconds = 1;
-  std::size_t repetitions = 25;
+  std::size_t repetitions = 40;
   std::atomic<bool>* stop = nullptr;
   std::function<void(double share)> progress = [](double) {};
 };

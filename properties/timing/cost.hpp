@@ -57,8 +57,8 @@ struct CostOptions {
   std::vector<std::string> operations, subjects, scalars;  ///< none: all
   std::uint64_t seed = 42;
   double seconds = 60;  ///< about how long all timing takes
-  std::size_t repetitions = 25;
-  std::size_t inputs_per_band = 128;
+  std::size_t repetitions = 40;
+  std::size_t inputs_per_band = 256;
   std::atomic<bool>* stop = nullptr;  ///< set it, and what is done is kept
   std::function<void(double share)> progress = [](double) {};
 };

@@ -38,6 +38,13 @@ std::vector<std::vector<S>> cost_inputs(const std::vector<Field>& fields, std::u
   return all;
 }
 
+/// All bands together are called in an order that a processor cannot foresee.
+template <class T>
+void shuffle(std::vector<T>& all, std::uint64_t seed) {
+  Source source({seed, 0, 0, 0x6d6978});
+  for (std::size_t n = all.size(); n > 1; --n) std::swap(all[n - 1], all[source.below(n)]);
+}
+
 /// score(name, law, member, function, flat inputs) -> blocks. Input is the scalar in which inputs are sampled; S holds it
 /// exactly. bands: time each band as well as all together.
 template <class S, class Input, class Score>
@@ -51,7 +58,9 @@ void add_cost_rows(CostPlan& plan, const std::string& scalar, double eps,
     const auto flat = cost_inputs<Input>(fields_of_laws.at(law), plan.options.seed, each);
     std::vector<std::tuple<A...>> tuples;
     for (const auto& x : flat) tuples.push_back(arguments(std::vector<S>(x.begin(), x.end())));
-    const auto inputs = std::make_shared<const std::vector<std::tuple<A...>>>(std::move(tuples));
+    const auto inputs = std::make_shared<const std::vector<std::tuple<A...>>>(tuples);
+    shuffle(tuples, plan.options.seed);
+    const auto shuffled = std::make_shared<const std::vector<std::tuple<A...>>>(std::move(tuples));
     const auto add = [&](const std::string& subject, const std::string& version, R (*f)(const A&...),
                          bool scored) {
       CostRow row{subject, version, scalar, name, eps, {}};
@@ -67,7 +76,8 @@ void add_cost_rows(CostPlan& plan, const std::string& scalar, double eps,
         row.sets.push_back(std::move(set));
       }
       if (plan.stopped()) return;
-      plan.timed.push_back({plan.rows.size(), row.sets.size(), loops_of<R, A...>(f, inputs, 0, flat.size())});
+      plan.timed.push_back(
+          {plan.rows.size(), row.sets.size(), loops_of<R, A...>(f, shuffled, 0, flat.size())});
       row.sets.push_back(std::move(mixed));
       plan.rows.push_back(std::move(row));
     };
