@@ -163,12 +163,13 @@ int run_cost_command(const CostFlags& f) {
   fmt::print("{}, governor {}, {}, {}, {}\n", text("cpu"), text("governor"), text("os"), text("compiler"),
              text("flags"));
   fmt::print(
-      "time: processor time of a call, the median of {} repetitions in random order and the interval that "
-      "holds it "
-      "with 95 %; the row call is the shortest operation of the signature, not subtracted\n"
+      "time: processor time of a call, the median of at most {} undisturbed repetitions in random order, and "
+      "the\n"
+      "  interval that holds it with 95 %; the row call is the shortest operation of the signature, not "
+      "subtracted\n"
       "error: the largest found (a lower bound), 99 % and median of the worst block, in eps of the scalar, "
-      "over the "
-      "inputs that were timed; dominated: another is faster and errs no more, by latency\n"
+      "over the\n"
+      "  inputs that were timed; dominated: another is faster and errs no more, by latency\n"
       "instructions: {}\n",
       r.options.repetitions,
       r.no_counter.empty() ? "retired in user space, per call" : "not counted, " + r.no_counter);

@@ -23,6 +23,7 @@
 #include <set>
 #include <sweep_command.hpp>
 #include <thread>
+#include <timing/kernels.hpp>
 
 namespace {
 
@@ -266,6 +267,7 @@ int run_report(const Flags& f) {
       CostFlags c;
       c.options.seed = f.seed;
       c.options.seconds = 30;
+      c.options.flags = has_kernels();
       cost = run_cost(c);
       if (stop_requested) std::fputs("interrupted in the times: the report holds what was done\n", stderr);
     }
@@ -433,6 +435,7 @@ int main(int argc, char** argv) {
   filled(cost->add_option("--scalar", c.options.scalars,
                           fmt::format("{}, repeatable; default all", fmt::join(cost_scalars(), ", "))),
          "SCALAR");
+  cost->add_flag("--flags", c.options.flags, "also liecheck in double as other compilers and flags make it");
   add_number(*cost, "--seed", f.seed, 0, UINT64_MAX, "seed of the inputs");
   filled(cost->add_option("--for", f.duration, "about how long all timing takes: 30s, 5m; default 60s"),
          "DURATION")

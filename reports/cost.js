@@ -13,7 +13,7 @@ function costColor(subject, names) {
 
 // The points of one operation: x [ns], y [eps of double].
 function costPoints(rows, kind) {
-  return rows.filter(r => r.error !== null && r.sets.at(-1)[kind + "_ns"]).map(row => {
+  return rows.filter(r => r.error !== null && !r.subject.includes("@") && r.sets.at(-1)[kind + "_ns"]).map(row => {
     const all = row.sets.at(-1);
     return {row, all, x: all[kind + "_ns"].median, error: typeof row.error === "number" ? row.error : Infinity,
       dominated: row["dominated_" + kind]};

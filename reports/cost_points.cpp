@@ -42,6 +42,10 @@ void check_cost(const Field& cost) {
   });
 }
 
+bool other_flags(const Json& row) {
+  return row["subject"].get_ref<const std::string&>().find('@') != std::string::npos;
+}
+
 std::vector<CostPoint> cost_points(const Json& cost) {
   const auto median = [](const Json& spread) {
     return spread.is_null() ? 0.0 : spread["median"].get<double>();
@@ -49,7 +53,7 @@ std::vector<CostPoint> cost_points(const Json& cost) {
   const auto text = [](const Json& name) { return name.is_null() ? std::string() : name.get<std::string>(); };
   std::vector<CostPoint> points;
   for (const Json& row : cost["rows"]) {
-    if (row["error"].is_null()) continue;
+    if (row["error"].is_null() || other_flags(row)) continue;
     const Json& all = row["sets"].back();
     points.push_back({row["subject"], row["scalar"], row["operation"], figure(row["error"]),
                       median(all["latency_ns"]), median(all["throughput_ns"]), text(row["dominated_latency"]),

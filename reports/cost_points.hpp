@@ -21,7 +21,10 @@ struct CostPoint {
   std::string name() const { return subject + " in " + scalar; }
 };
 
-/// In the order of the record, without the row `call`.
+/// A row of the same code compiled otherwise, "liecheck@gcc-O2".
+bool other_flags(const Json& row);
+
+/// In the order of the record, without the row `call` and without other flags.
 std::vector<CostPoint> cost_points(const Json& cost);
 
 /// -log10 of the error, infinite where no input showed any; 0 where a case has no result.

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <reports/cost_points.hpp>
 #include <reports/html.hpp>
 
@@ -96,6 +98,40 @@ std::string spread_text(const Json& s) {
                      s["high"].get<double>());
 }
 
+/// Operations by compilers and flags: latency, and the largest error in eps.
+std::string flags_table(const Json& cost) {
+  std::vector<std::string> modules, flags, operations;
+  std::map<std::pair<std::string, std::string>, std::string> cells;
+  for (const Json& row : cost["rows"]) {
+    if (!other_flags(row)) continue;
+    const std::string subject = row["subject"], operation = row["operation"];
+    if (std::find(modules.begin(), modules.end(), subject) == modules.end())
+      modules.push_back(subject), flags.push_back(row["version"]);
+    if (operations.empty() || operations.back() != operation) operations.push_back(operation);
+    const Json& all = row["sets"].back();
+    const double error = figure(row["error"]) / row["eps"].get<double>();
+    cells[{operation, subject}] =
+        fmt::format("{}, {}", all["latency_ns"].is_null() ? "—" : time_text(all["latency_ns"]["median"]),
+                    std::isinf(error) ? "<b>no result</b>" : eps_text(error) + " eps");
+  }
+  if (modules.empty()) return "";
+  Cells heads = {"operation"};
+  for (std::size_t i = 0; i < modules.size(); ++i)
+    heads.push_back(escaped(modules[i].substr(modules[i].find('@') + 1)) + "<br>" + code(flags[i]));
+  std::vector<Cells> rows;
+  for (const std::string& operation : operations) {
+    Cells row = {code(operation)};
+    for (const std::string& module : modules) row.push_back(cells[{operation, module}]);
+    rows.push_back(row);
+  }
+  return table("Compilers and flags: liecheck in double, latency and the largest error found", heads, rows,
+               true) +
+         "<p class=\"note\">Each column is the same source in a module of its own, called as the others are. "
+         "<code>-ffast-math</code> lets a compiler reorder sums, so that what compensates roundings is lost, "
+         "and take "
+         "NaN and infinity for impossible.</p>\n";
+}
+
 /// Every row and block, folded.
 std::string all_points(const Json& cost) {
   std::vector<Cells> rows;
@@ -141,20 +177,19 @@ std::string cost_section(const Merged& merged) {
     out += advice(points);
     out += fmt::format(
         "<p class=\"note\">Every subject was called through a pointer to a function on the same inputs of "
-        "its scalar, "
-        "drawn from five bands of angles, and its error measured on them: a maximum is a <b>lower bound</b>. "
-        "A time is "
-        "the median of {} repetitions (fewer where time ran out) of all rows in random order in one run, in "
-        "brackets the interval that "
-        "holds it "
-        "with 95 %; it is processor time. Latency: each call waits for the one before. Throughput: none "
-        "waits. The row "
+        "its "
+        "scalar, drawn from five bands of angles, and its error measured on them: a maximum is a <b>lower "
+        "bound</b>. A time is processor time: the median of at most {} repetitions, of all rows in random "
+        "order "
+        "in one run, without those during which another program shared the core; in brackets the interval "
+        "that "
+        "holds it with 95 %. Latency: each call waits for the one before. Throughput: none waits. The row "
         "<code>call</code> is the shortest operation of the same signature; it is in every time. "
         "<b>Dominated</b>: another is faster for certain and errs no more, or errs less and is not slower. "
-        "The error "
-        "is the largest of any block but defects of norm or orthogonality; scalars wider than double take "
-        "inputs in "
-        "double, against closed forms at 100 digits.</p>\n",
+        "The "
+        "error is the largest of any block but defects of norm or orthogonality. Scalars wider than double "
+        "take "
+        "inputs in double, against closed forms at 100 digits.</p>\n",
         cost["repetitions"].dump());
     out += fmt::format(
         "<p class=\"note\">Machine: {}, governor {}, {}; {}, <code>{}</code>; instructions {}. Seed {}; "
@@ -166,7 +201,7 @@ std::string cost_section(const Merged& merged) {
     out +=
         "<form class=\"cost-controls\" aria-label=\"Which times are drawn\"></form>\n"
         "<div class=\"cost-charts\"></div>\n";
-    out += price_table(points, operations) + all_points(cost);
+    out += price_table(points, operations) + flags_table(cost) + all_points(cost);
   }
   return out.empty()
              ? "<p>These records hold no times; <code>liecheck report</code> without a record measures "

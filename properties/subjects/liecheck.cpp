@@ -2,6 +2,7 @@
 
 #include <boost/multiprecision/eigen.hpp>
 #include <subjects/library.hpp>
+#include <timing/kernels.hpp>
 
 #include <liecheck/multibody/configuration.hpp>
 #include <liecheck/spatial/checked_rotation.hpp>
@@ -95,7 +96,9 @@ struct Own {
     if constexpr (std::is_floating_point_v<S> || std::is_same_v<S, float128>) {
       o.check_quaternion = [](const V4& Q) { checkedQuaternion<S>(Q); };
       o.check_rotation = [](const M3& R) { checkedRotation<S>(R); };
+#ifndef LIECHECK_KERNELS
       o.robot = &robot;
+#endif
     }
     return s;
   }
@@ -115,6 +118,20 @@ struct Own {
     return r;
   }
 };
+
+#ifdef LIECHECK_KERNELS  // this file as a module, with other flags: timing/kernels.hpp
+
+const Operations<double> operations = Own<double>::make().operations;
+const Kernels kernels{LIECHECK_KERNELS, kernels_layout(), &operations};
+
+}  // namespace
+}  // namespace liecheck::properties
+
+extern "C" __attribute__((visibility("default"))) const liecheck::properties::Kernels* liecheck_kernels() {
+  return &liecheck::properties::kernels;
+}
+
+#else
 
 const Registered<float> in_float(Own<float>::make());
 const Registered<double> in_double(Own<double>::make());
@@ -138,3 +155,5 @@ const char* library_version() {
 }
 
 }  // namespace liecheck::properties
+
+#endif

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 #include <stdexcept>
+#include <timing/kernels.hpp>
 #include <timing/rows.hpp>
 #include <timing/score.hpp>
 #include <timing/tiers.hpp>
@@ -57,6 +58,11 @@ std::vector<const Subject<S>*> subjects_of(const CostPlan& plan) {
             ? s->name.find(':') == std::string::npos || s->name.rfind("liecheck:", 0) == 0
             : plan.wants(plan.options.subjects, s->name))
       all.push_back(s);
+  if constexpr (std::is_same_v<S, double>)
+    if (plan.options.flags) {
+      static const std::vector<Subject<double>> kernels = load_kernels();
+      for (const Subject<double>& s : kernels) all.push_back(&s);
+    }
   return all;
 }
 

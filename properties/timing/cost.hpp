@@ -59,6 +59,7 @@ struct CostOptions {
   double seconds = 60;  ///< about how long all timing takes
   std::size_t repetitions = 40;
   std::size_t inputs_per_band = 256;
+  bool flags = false;  ///< also liecheck in double compiled with other flags (kernels.hpp), "liecheck@..."
   std::atomic<bool>* stop = nullptr;  ///< set it, and what is done is kept
   std::function<void(double share)> progress = [](double) {};
 };

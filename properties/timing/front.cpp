@@ -42,7 +42,8 @@ std::vector<int> dominators(const std::vector<CostRow>& rows, TimeOf kind) {
   std::vector<double> error;
   for (const CostRow& row : rows) error.push_back(error_of(row));
   const auto plays = [&](const CostRow& row) {
-    return !row.sets.back().blocks.empty() && time_of(row, kind).repetitions > 0;
+    return !row.sets.back().blocks.empty() && time_of(row, kind).repetitions > 0 &&
+           row.subject.find('@') == std::string::npos;
   };
   for (std::size_t i = 0; i < rows.size(); ++i)
     for (std::size_t j = 0; j < rows.size(); ++j) {

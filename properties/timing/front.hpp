@@ -16,7 +16,7 @@ enum class TimeOf { throughput, latency };
 
 /// For each row the index of one of the same operation that is faster for certain (disjoint intervals) and errs no
 /// more, or that errs less and is not slower; -1 where there is none: the front. Of several, the fastest.
-/// The row `call` has no error and takes no part.
+/// The row `call` has no error and takes no part, nor do other flags (liecheck@...).
 std::vector<int> dominators(const std::vector<CostRow>& rows, TimeOf kind);
 
 }  // namespace liecheck::properties

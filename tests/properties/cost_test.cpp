@@ -4,8 +4,10 @@
 
 #include <chrono>
 #include <cmath>
+#include <fstream>
 #include <timing/benchmarks.hpp>
 #include <timing/front.hpp>
+#include <timing/kernels.hpp>
 #include <timing/rows.hpp>
 #include <timing/score.hpp>
 #include <timing/wide.hpp>
@@ -133,6 +135,21 @@ void compare_scores(const Subject<double>& subject) {
       }
     }
   });
+}
+
+TEST(Kernels, AFolderWithoutAnyAndAnotherLayoutAreErrors) {
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "liecheck_kernels";
+  std::filesystem::create_directories(folder);
+  EXPECT_FALSE(has_kernels(folder));
+  EXPECT_THROW(load_kernels(folder), std::runtime_error);
+  std::ofstream(folder / "gcc.so") << "no module";
+  try {
+    load_kernels(folder);
+    ADD_FAILURE() << "loaded";
+  } catch (const std::runtime_error& e) {
+    EXPECT_NE(std::string(e.what()).find("gcc.so"), std::string::npos) << e.what();
+  }
+  std::filesystem::remove_all(folder);
 }
 
 TEST(WideScore, AgreesWithTheLawsInDouble) {
