@@ -11,6 +11,7 @@
 #include <cerrno>
 #include <commands_hard_cases.hpp>
 #include <commands_store.hpp>
+#include <cost_command.hpp>
 #include <csignal>
 #include <cstring>
 #include <filesystem>
@@ -22,6 +23,7 @@
 #include <set>
 #include <sweep_command.hpp>
 #include <thread>
+#include <timing/kernels.hpp>
 
 namespace {
 
@@ -39,7 +41,7 @@ struct Flags {
   std::vector<std::string> subjects, properties, scalars;
   std::string robot, json, duration, id, out = "liecheck-report";
   std::vector<std::string> records, files;
-  bool no_hard_cases = false, verbose = false;
+  bool no_hard_cases = false, no_cost = false, verbose = false;
   std::uint64_t seed = 42, cases = 1000;
   unsigned jobs = std::max(1u, std::thread::hardware_concurrency());
   StoreFlags store;
@@ -117,10 +119,12 @@ std::vector<HardRow> hard_cases_of(const Flags& f, const Selection& selection) {
 
 /// Returns why it could not be written, to be told after the table: neither is lost with the other.
 std::string write_record(const std::filesystem::path& path, const CampaignResult& result,
-                         const std::vector<HardRow>& hard_cases, const SweepResult* swept = nullptr) try {
+                         const std::vector<HardRow>& hard_cases, const SweepResult* swept = nullptr,
+                         const CostResult* cost = nullptr) try {
   auto record = record_of(result);
   add_hard_cases(record, hard_cases);
   if (swept) add_sweep(record, *swept);
+  if (cost) add_cost(record, *cost);
   write_whole(path, record.dump(1) + "\n");
   return "";
 } catch (const std::exception& e) {
@@ -232,6 +236,14 @@ int run_sweep_flags(const Flags& f, SweepFlags s) {
   return run_sweep_command(s);
 }
 
+int run_cost_flags(const Flags& f, CostFlags c) {
+  c.options.seed = f.seed;
+  c.json = f.json;
+  if (!f.duration.empty()) c.options.seconds = parse_duration(f.duration);
+  stop_on_signals();
+  return run_cost_command(c);
+}
+
 int run_report(const Flags& f) {
   const auto given = with_records_of_stores(f.records, f.out);
   std::vector<std::filesystem::path> records(given.begin(), given.end());
@@ -250,7 +262,17 @@ int run_report(const Flags& f) {
       swept = run_sweep({{}, "", f.jobs});
       if (stop_requested) std::fputs("interrupted in the sweep: the report holds what was done\n", stderr);
     }
-    const std::string lost = write_record(path, result, hard_cases, swept ? &*swept : nullptr);
+    std::optional<CostResult> cost;
+    if (!stop_requested && !f.no_cost) {
+      CostFlags c;
+      c.options.seed = f.seed;
+      c.options.seconds = 30;
+      c.options.flags = has_kernels();
+      cost = run_cost(c);
+      if (stop_requested) std::fputs("interrupted in the times: the report holds what was done\n", stderr);
+    }
+    const std::string lost =
+        write_record(path, result, hard_cases, swept ? &*swept : nullptr, cost ? &*cost : nullptr);
     if (!lost.empty()) throw std::runtime_error(lost);
     records.push_back(path);
   }
@@ -401,6 +423,24 @@ int main(int argc, char** argv) {
   add_number(*swept, "--stride", s.stride, 1, 1u << 30, "only every Nth float: a lower bound, sooner");
   jobs_flag(swept);
   filled(swept->add_option("--json", f.json, "write the bounds to FILE"), "FILE");
+  CostFlags c;
+  auto* cost =
+      app.add_subcommand("cost",
+                         "time beside error, of every operation of every subject on the same inputs. "
+                         "Exit 0, 2 bad input, 3 stopped");
+  filled(cost->add_option("--op", c.options.operations, "an operation, repeatable; default all"), "NAME");
+  filled(cost->add_option("--subject", c.options.subjects,
+                          "a subject, repeatable; default those of a campaign and liecheck's own variants"),
+         "NAME");
+  filled(cost->add_option("--scalar", c.options.scalars,
+                          fmt::format("{}, repeatable; default all", fmt::join(cost_scalars(), ", "))),
+         "SCALAR");
+  cost->add_flag("--flags", c.options.flags, "also liecheck in double as other compilers and flags make it");
+  add_number(*cost, "--seed", f.seed, 0, UINT64_MAX, "seed of the inputs");
+  filled(cost->add_option("--for", f.duration, "about how long all timing takes: 30s, 5m; default 60s"),
+         "DURATION")
+      ->check(wrong, "");
+  filled(cost->add_option("--json", f.json, "write times and errors to FILE"), "FILE");
   auto* replay = app.add_subcommand("replay",
                                     "run one case again and print its residuals, bit for bit. Exit 0 within "
                                     "budget, 1 failed, 2 bad input");
@@ -417,6 +457,7 @@ int main(int argc, char** argv) {
   filled(report->add_option("--out", f.out, "folder of report.html, report.json and report.csv")
              ->capture_default_str(),
          "DIR");
+  report->add_flag("--no-cost", f.no_cost, "leave out the times, which take about 35 s")->excludes(records);
   for (auto* option : budget_flags(report)) option->excludes(records);
   const StoreCommands store_commands(app);
 
@@ -434,6 +475,7 @@ int main(int argc, char** argv) {
       return finish(run_bench_command(f, b, true));
     }
     if (swept->parsed()) return finish(run_sweep_flags(f, s));
+    if (cost->parsed()) return finish(run_cost_flags(f, c));
     if (hunt->parsed()) return finish(run_hunt_command(f, h));
     if (replay->parsed()) return finish(run_replay(f));
     if (report->parsed()) return finish(run_report(f));

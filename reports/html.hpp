@@ -24,6 +24,9 @@ std::string code(const std::string& text);
 /// A field that is text, escaped.
 std::string text_of(const Json& row, const char* name);
 
+/// What accuracy costs in time: advice, the price of each further digit, every point.
+std::string cost_section(const Merged& merged);
+
 /// The scalar coefficients at every float: the sweeps of the records.
 std::string sweep_section(const Merged& merged);
 

@@ -220,7 +220,7 @@ std::string page(const Merged& merged, const Json& numbers) {
        [] {
          std::string all;
          for (const char* name :
-              {"axes.js", "charts.js", "figure.js", "tables.js", "page.js", "stability.js"})
+              {"axes.js", "charts.js", "figure.js", "tables.js", "page.js", "stability.js", "cost.js"})
            all += part(name);
          return all;
        }},
@@ -230,6 +230,7 @@ std::string page(const Merged& merged, const Json& numbers) {
       {"standings", [&] { return standings_section(merged); }},
       {"offenders", [&] { return offenders_section(merged); }},
       {"sweep", [&] { return sweep_section(merged); }},
+      {"cost", [&] { return cost_section(merged); }},
       {"definitions", [&] { return definitions_section(merged); }},
       {"coverage", [&] { return coverage_section(merged); }},
       {"machine", [&] { return machine_section(merged); }}};

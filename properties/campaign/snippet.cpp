@@ -45,6 +45,9 @@ const Call* call_of(const std::string& operation) {
       {"d_difference_arg0", {configuration, "dDifferenceSE3<S>(q0, q1, ArgumentPosition::ARG0)"}},
       {"d_difference_arg1", {configuration, "dDifferenceSE3<S>(q0, q1, ArgumentPosition::ARG1)"}},
       {"integrate_coefficient_jacobian", {configuration, "integrateCoeffWiseJacobianSE3<S>(q0)"}},
+      {"compose", {se3, "(X * Y).toActionMatrix()"}},
+      {"inverse", {se3, "X.inverse().toActionMatrix()"}},
+      {"act_point", {se3, "X.act(p_Y)"}},
       {"rotate_point", {se3, "SO3<S>(Q).act(p)"}},
       {"act_motion", {se3, "X.act(V).to_vector()"}},
       {"act_inverse_motion", {se3, "X.actInv(V).to_vector()"}},
@@ -96,6 +99,7 @@ std::vector<Variable> variables(bool robot) {
   std::vector<Variable> all = {stacked(6, "xi", "rho", "phi"), stacked(7, "q0", "p0", "Q0"),
                                stacked(7, "q1", "p1", "Q1"), stacked(7, "q0", "p", "Q")};
   all.push_back({"X", {"R", "p"}, "  const SE3<S> X(R, p);\n"});
+  all.push_back({"Y", {"R_Y", "p_Y"}, "  const SE3<S> Y(R_Y, p_Y);\n"});
   all.push_back({"V", {"u", "omega"}, "  const Motion<S> V(u, omega);\n"});
   all.push_back({"W", {"u_W", "omega_W"}, "  const Motion<S> W(u_W, omega_W);\n"});
   all.push_back({"F", {"f", "n"}, "  const Force<S> F(f, n);\n"});

@@ -97,6 +97,14 @@ Resolved<Vec3<T>> rotate_point(const Quaternion<T>& Q, const Vec3<T>& x) {
   return {rotate(Q, x), true};
 }
 template <BallNumber T>
+Resolved<Vec3<T>> act_point(const PoseOf<T>& X, const Vec3<T>& x) {
+  return {X.R * x + X.p, true};
+}
+template <BallNumber T>
+Resolved<Vec3<T>> act_inverse_point(const PoseOf<T>& X, const Vec3<T>& x) {
+  return {transpose(X.R) * (x - X.p), true};
+}
+template <BallNumber T>
 Resolved<Vec6<T>> act_motion(const PoseOf<T>& X, const Vec6<T>& V) {
   return {formulas::act_motion(X, V), true};
 }

@@ -49,6 +49,17 @@ struct EigenGeometry {
         (m(1, 0) - m(0, 1)) / S(2);
     return xi;
   }
+  using Isometry = Eigen::Transform<S, 3, Eigen::Isometry>;
+  static Isometry isometry(const Pose<S>& X) {
+    Isometry T;
+    T.linear() = X.R, T.translation() = X.p;
+    T.makeAffine();
+    return T;
+  }
+  static Pose<S> stored(const Isometry& T) { return {T.linear(), T.translation()}; }
+  static Pose<S> compose(const Pose<S>& X, const Pose<S>& Y) { return stored(isometry(X) * isometry(Y)); }
+  static Pose<S> inverse(const Pose<S>& X) { return stored(isometry(X).inverse()); }
+  static V3 act_point(const Pose<S>& X, const V3& x) { return isometry(X) * x; }
   static V3 rotate_point(const V4& Q, const V3& x) { return Eigen::Quaternion<S>(Q) * x; }
 
   static Subject<S> make() {
@@ -61,6 +72,9 @@ struct EigenGeometry {
     s.operations.log3_matrix = log3_matrix;
     s.operations.exp6 = exp6;
     s.operations.log6 = log6;
+    s.operations.compose = compose;
+    s.operations.inverse = inverse;
+    s.operations.act_point = act_point;
     s.operations.rotate_point = rotate_point;
     return s;
   }

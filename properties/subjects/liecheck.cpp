@@ -1,7 +1,8 @@
 // liecheck's own library, in float, double and float128.
 
 #include <boost/multiprecision/eigen.hpp>
-#include <subjects/subject.hpp>
+#include <subjects/library.hpp>
+#include <timing/kernels.hpp>
 
 #include <liecheck/multibody/configuration.hpp>
 #include <liecheck/spatial/checked_rotation.hpp>
@@ -23,6 +24,7 @@ struct Own {
   using M6 = typename O::M6;
 
   static SE3<S> pose(const Pose<S>& X) { return {X.R, X.p}; }
+  static Pose<S> stored(const SE3<S>& X) { return {X.rotation(), X.translation()}; }
   static Inertia<S> inertia(const Body<S>& b) { return {b.mass, b.c, b.I_C}; }
   static Body<S> body(const Inertia<S>& I) { return {I.mass(), I.lever(), I.inertia()}; }
 
@@ -35,10 +37,7 @@ struct Own {
     o.exp3_matrix = [](const V3& phi) -> M3 { return exp3<S>(phi); };
     o.log3_quaternion = [](const V4& Q) -> V3 { return quaternion::log3<S>(SO3<S>(Q)); };
     o.log3_matrix = [](const M3& R) -> V3 { return log3<S>(R); };
-    o.exp6 = [](const V6& xi) -> Pose<S> {
-      const SE3<S> T = exp6<S>(Motion<S>(xi));
-      return {T.rotation(), T.translation()};
-    };
+    o.exp6 = [](const V6& xi) -> Pose<S> { return stored(exp6<S>(Motion<S>(xi))); };
     o.log6 = [](const Pose<S>& T) -> V6 { return log6<S>(pose(T)).to_vector(); };
     o.left_jacobian3 = [](const V3& phi) -> M3 { return leftJacobian<S>(phi); };
     o.right_jacobian3 = [](const V3& phi) -> M3 { return rightJacobian<S>(phi); };
@@ -65,6 +64,9 @@ struct Own {
     o.integrate_coefficient_jacobian = [](const V7& q) -> Mat<S, 7, 6> {
       return integrateCoeffWiseJacobianSE3<S>(q);
     };
+    o.compose = [](const Pose<S>& X, const Pose<S>& Y) -> Pose<S> { return stored(pose(X) * pose(Y)); };
+    o.inverse = [](const Pose<S>& X) -> Pose<S> { return stored(pose(X).inverse()); };
+    o.act_point = [](const Pose<S>& X, const V3& x) -> V3 { return pose(X).act(x); };
     o.rotate_point = [](const V4& Q, const V3& x) -> V3 { return SO3<S>(Q).act(x); };
     o.act_motion = [](const Pose<S>& X, const V6& V) -> V6 { return pose(X).act(Motion<S>(V)).to_vector(); };
     o.act_inverse_motion = [](const Pose<S>& X, const V6& V) -> V6 {
@@ -91,9 +93,13 @@ struct Own {
       return inertia(I).kineticEnergy(Motion<S>(V));
     };
     o.inertia_matrix = [](const Body<S>& I) -> M6 { return inertia(I).matrix(); };
-    o.check_quaternion = [](const V4& Q) { checkedQuaternion<S>(Q); };
-    o.check_rotation = [](const M3& R) { checkedRotation<S>(R); };
-    o.robot = &robot;
+    if constexpr (std::is_floating_point_v<S> || std::is_same_v<S, float128>) {
+      o.check_quaternion = [](const V4& Q) { checkedQuaternion<S>(Q); };
+      o.check_rotation = [](const M3& R) { checkedRotation<S>(R); };
+#ifndef LIECHECK_KERNELS
+      o.robot = &robot;
+#endif
+    }
     return s;
   }
 
@@ -113,9 +119,41 @@ struct Own {
   }
 };
 
+#ifdef LIECHECK_KERNELS  // this file as a module, with other flags: timing/kernels.hpp
+
+const Operations<double> operations = Own<double>::make().operations;
+const Kernels kernels{LIECHECK_KERNELS, kernels_layout(), &operations};
+
+}  // namespace
+}  // namespace liecheck::properties
+
+extern "C" __attribute__((visibility("default"))) const liecheck::properties::Kernels* liecheck_kernels() {
+  return &liecheck::properties::kernels;
+}
+
+#else
+
 const Registered<float> in_float(Own<float>::make());
 const Registered<double> in_double(Own<double>::make());
 const Registered<float128> in_float128(Own<float128>::make());
 
 }  // namespace
+
+template <class S>
+Operations<S> library_operations() {
+  return Own<S>::make().operations;
+}
+template Operations<float128> library_operations();
+template Operations<Digits50> library_operations();
+template Operations<Digits100> library_operations();
+#ifdef LIECHECK_QD
+template Operations<dd_real> library_operations();
+#endif
+
+const char* library_version() {
+  return LIECHECK_VERSION;
+}
+
 }  // namespace liecheck::properties
+
+#endif

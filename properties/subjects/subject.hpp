@@ -86,7 +86,10 @@ struct Operations {
   M6 (*d_difference_arg1)(const V7& q0, const V7& q1) = nullptr;
   Mat<S, 7, 6> (*integrate_coefficient_jacobian)(const V7& q) = nullptr;
 
-  // spatial algebra; a pose is taken as the stored numbers (R, p)
+  // poses and spatial algebra; a pose is taken as the stored numbers (R, p)
+  Pose<S> (*compose)(const Pose<S>& X, const Pose<S>& Y) = nullptr;
+  Pose<S> (*inverse)(const Pose<S>& X) = nullptr;  ///< (R^T, -R^T p)
+  V3 (*act_point)(const Pose<S>& X, const V3& x) = nullptr;
   V3 (*rotate_point)(const V4& Q, const V3& x) = nullptr;
   V6 (*act_motion)(const Pose<S>& X, const V6& V) = nullptr;
   V6 (*act_inverse_motion)(const Pose<S>& X, const V6& V) = nullptr;

@@ -158,6 +158,9 @@ struct Textbook {
     return right_jacobian6_inverse(difference(q0, q1));
   }
 
+  Pose<S> compose(const Pose<S>& X, const Pose<S>& Y) const { return {X.R * Y.R, X.R * Y.p + X.p}; }
+  Pose<S> inverse(const Pose<S>& X) const { return {X.R.transpose(), -X.R.transpose() * X.p}; }
+  V3 act_point(const Pose<S>& X, const V3& x) const { return X.R * x + X.p; }
   V3 rotate_point(const V4& Q, const V3& x) const { return matrix(Q) * x; }
 
   static constexpr double power_of_ten(int e) {  // correctly rounded down to 1e-22
@@ -210,6 +213,9 @@ struct Textbook {
     o.d_integrate_arg1 = at<&Textbook::d_integrate_arg1, exponent>;
     o.d_difference_arg0 = at<&Textbook::d_difference_arg0, exponent>;
     o.d_difference_arg1 = at<&Textbook::d_difference_arg1, exponent>;
+    o.compose = at<&Textbook::compose, exponent>;
+    o.inverse = at<&Textbook::inverse, exponent>;
+    o.act_point = at<&Textbook::act_point, exponent>;
     o.rotate_point = at<&Textbook::rotate_point, exponent>;
     return s;
   }

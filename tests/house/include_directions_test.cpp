@@ -37,8 +37,8 @@ std::vector<std::string> violations(const std::string& path, const std::string& 
       {"multibody", {"scalar", "spatial", "multibody"}},
       {"algorithms", {"scalar", "spatial", "multibody", "algorithms"}},
       {"urdf", {"scalar", "spatial", "multibody", "urdf"}}};
-  static const std::vector<std::string> harness = {"generators", "oracles", "subjects", "invariants",
-                                                   "campaign"};
+  static const std::vector<std::string> harness = {"generators", "oracles",  "subjects",
+                                                   "invariants", "campaign", "timing"};
   const auto has = [](const auto& list, const std::string& x) {
     return std::find(list.begin(), list.end(), x) != list.end();
   };

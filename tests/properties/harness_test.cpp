@@ -105,6 +105,14 @@ const Registered<double> bugs[] = {
                                    return own().act_motion(X, F);
                                  };  // as a motion
                                })),
+    Registered<double>(planted("pose_group",
+                               [](O& o) {
+                                 o.inverse = [](const Pose<double>& X) {
+                                   auto Y = own().inverse(X);
+                                   Y.p = -(X.R * X.p);  // not transposed
+                                   return Y;
+                                 };
+                               })),
     Registered<double>(planted("robot_configuration",
                                [](O& o) {
                                  o.robot = [](const std::string& urdf) {
@@ -140,7 +148,7 @@ INSTANTIATE_TEST_SUITE_P(EveryLaw, Planted,
                          testing::Values("exp_oracle", "log_oracle", "jacobian_oracle",
                                          "integrate_difference", "sign_continuity", "d_integrate",
                                          "small_angle_branches", "kinematic_identities", "kinetic_energy",
-                                         "power_pairing", "robot_configuration"));
+                                         "pose_group", "power_pairing", "robot_configuration"));
 
 TEST(Planted, EveryPropertyHasABugOfItsOwn) {
   const auto known = subject_names();

@@ -120,6 +120,34 @@ TEST_F(Program, AHuntAddsToACorpusAndToNothingElse) {
   EXPECT_EQ(run("hard-cases --file cases.txt --property exp_oracle").code, 0);
 }
 
+TEST_F(Program, CostNamesWhatItRefusesAndKeepsWhatIsDone) {
+  refused("cost --op exp7", "--op: unknown operation 'exp7'; known: exp3_quaternion, ");
+  refused("cost --subject nope", "--subject: unknown subject 'nope'; known: ");
+  refused("cost --scalar half", "--scalar: unknown scalar 'half'; known: float, double, ");
+  refused("cost --op ''", "--op: may not be empty");
+  refused("cost --for 0", "--for: not a duration");
+  refused("cost --json none/c.json", "none/c.json: cannot be written");
+  refused("cost --subject ceres --op exp6", "nothing to time");
+  const std::string quick = "cost --op exp6 --op inverse --scalar double --for ";
+  const Run r = run(quick + "0.5 --json c.json");
+  EXPECT_EQ(r.code, 0) << r.err;
+  const auto record = nlohmann::json::parse(read(dir / "c.json"));
+  EXPECT_EQ(record["verdict"], "pass");
+  std::size_t scored = 0;
+  for (const auto& row : record["rows"]) {
+    const auto& all = row["sets"].back();
+    EXPECT_EQ(all["set"], "mixed");
+    EXPECT_LE(all["latency_ns"]["low"], all["latency_ns"]["median"]);
+    EXPECT_LE(all["latency_ns"]["median"], all["latency_ns"]["high"]);
+    EXPECT_NE(r.out.find(row["subject"].get<std::string>()), std::string::npos);
+    if (row["subject"] == "liecheck") ++scored, EXPECT_LT(row["error"], 1e-14);
+    if (row["subject"] == "textbook" && row["operation"] == "exp6") ++scored, EXPECT_GT(row["error"], 1e-10);
+  }
+  EXPECT_EQ(scored, 3U);
+  EXPECT_EQ(shell("timeout --preserve-status -s INT 2 $L " + quick + "40 --json i.json").code, 3);
+  EXPECT_EQ(nlohmann::json::parse(read(dir / "i.json"))["verdict"], "incomplete");
+}
+
 TEST_F(Program, CaseIdsAreRefusedWithTheirPosition) {
   const std::string id = "raw.exp_oracle.liecheck.double.none.";
   refused("replay " + id + "1,a,2", "'" + id + "1,a,2': number 2 is not a number: 'a'");

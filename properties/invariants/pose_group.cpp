@@ -1,0 +1,126 @@
+// Poses compose, invert and act on points as the 4 x 4 matrices that they are, each against the oracle on the
+// stored numbers: column by column, so that nothing is asked of R.
+
+#include <generators/rotations.hpp>
+#include <invariants/common.hpp>
+#include <oracles/spatial.hpp>
+
+namespace liecheck::properties {
+namespace {
+
+template <class S>
+class PoseGroup final : public Law<PoseGroup, S> {
+ public:
+  std::string name() const override { return "pose_group"; }
+  std::string law() const override { return "poses compose, invert and act on points as their matrices do"; }
+  std::string equation() const override {
+    return "(R, p)(R_Y, p_Y) = (R R_Y, R p_Y + p); (R, p)^-1 = (R^T, -R^T p); (R, p) x = R x + p";
+  }
+  std::string source() const override { return "Murray, Li & Sastry 1994, eqs. 2.19-2.22"; }
+  std::vector<Output> outputs() const override {
+    return {{"compose", "matrix"},
+            {"compose", "translation"},
+            {"inverse", "matrix"},
+            {"inverse", "translation"},
+            {"act_point", "point"}};
+  }
+  std::vector<Field> fields() const override {
+    return {{"R", Kind::rotation_matrix, 9, "1"},
+            {"p", Kind::vector, 3, "m"},
+            {"R_Y", Kind::rotation_matrix, 9, "1"},
+            {"p_Y", Kind::vector, 3, "m"}};
+  }
+  bool offered(const Subject<S>& subject) const override {
+    const auto& o = subject.operations;
+    return o.compose || o.inverse || o.act_point;
+  }
+  std::vector<S> generate(Source& source) const override {
+    std::vector<S> x;
+    for (int i = 0; i < 2; ++i) {
+      append(x, rotation_matrix<S>(unit_quaternion<S>(source)));
+      append(x, vector3<S>(source, std::numeric_limits<S>::max_exponent / 8));
+    }
+    return x;
+  }
+  bool valid(const std::vector<S>& input) const override {
+    if (!Property<S>::valid(input)) return false;
+    Reader<S> read(input);
+    for (int i = 0; i < 2; ++i) {
+      if (oracles::orthogonality_defect<S>(oracles::exact_matrix<3, 3, Real>(read.take_matrix())) > 8)
+        return false;
+      read.template take<3>();
+    }
+    return true;
+  }
+  template <class Real>
+  void in(const Subject<S>& subject, const std::vector<S>& input, Recorder& r) const {
+    using namespace oracles;
+    const auto& o = subject.operations;
+    Reader<S> read(input);
+    properties::Pose<S> X, Y;
+    for (auto* pose : {&X, &Y}) pose->R = read.take_matrix(), pose->p = read.template take<3>();
+    const Vec3<Real> none{{Real(0), Real(0), Real(0)}};
+    const PoseOf<Real> x = stored<Real>(X), y = stored<Real>(Y), linear{x.R, none};
+
+    if (o.compose) {
+      const auto XY = o.compose(X, Y);
+      const auto p = oracles::act_point(x, y.p);
+      oracles::Vec<9, Real> columns, computed;
+      bool resolved = true;
+      for (int j = 0; j < 3; ++j) {
+        const auto column = oracles::act_point(linear, Vec3<Real>{{y.R(0, j), y.R(1, j), y.R(2, j)}});
+        resolved = resolved && column.resolved;
+        for (int i = 0; i < 3; ++i)
+          columns[3 * j + i] = column.value[i], computed[3 * j + i] = exact<Real>(XY.R(i, j));
+      }
+      judged_value(r, {0}, 0, XY.R, resolved, [&] { r.record(0, 0, vector_error<S>(computed, columns)); });
+      judged_value(r, {1}, 0, XY.p, p.resolved, [&] {
+        r.record(1, 0, vector_error<S>(exact_vector<3, Real>(XY.p), p.value, larger(norm(x.p), norm(y.p))));
+      });
+    }
+    if (o.inverse) {
+      const auto inverse = o.inverse(X);
+      const auto p = oracles::act_inverse_point(x, none);
+      judged_value(r, {2}, 0, inverse.R, true, [&] {
+        r.record(2, 0, matrix_error<S>(exact_matrix<3, 3, Real>(inverse.R), transpose(x.R)));
+      });
+      judged_value(r, {3}, 0, inverse.p, p.resolved,
+                   [&] { r.record(3, 0, vector_error<S>(exact_vector<3, Real>(inverse.p), p.value)); });
+    }
+    if (o.act_point) {
+      const properties::Vec<S, 3> point = o.act_point(X, Y.p);
+      const auto p = oracles::act_point(x, y.p);
+      judged_value(r, {4}, 0, point, p.resolved, [&] {
+        r.record(4, 0, vector_error<S>(exact_vector<3, Real>(point), p.value), [&] {
+          return std::max(1.0,
+                          kappa_of<Real>(
+                              [](const std::vector<Real>& v) {
+                                PoseOf<Real> pose;
+                                std::copy_n(v.begin(), 9, pose.R.x.begin());
+                                std::copy_n(v.begin() + 9, 3, pose.p.x.begin());
+                                return to_list(pose.R * Vec3<Real>{{v[12], v[13], v[14]}} + pose.p);
+                              },
+                              numbers(x, y.p), 0, 3, larger(norm(p.value), least_denominator<S, Real>())));
+        });
+      });
+    }
+  }
+
+ private:
+  template <class Real>
+  static oracles::PoseOf<Real> stored(const Pose<S>& X) {
+    return {oracles::exact_matrix<3, 3, Real>(X.R), oracles::exact_vector<3, Real>(X.p)};
+  }
+  template <class Real>
+  static std::vector<Real> numbers(const oracles::PoseOf<Real>& X, const oracles::Vec3<Real>& x) {
+    std::vector<Real> all(X.R.x.begin(), X.R.x.end());
+    all.insert(all.end(), X.p.x.begin(), X.p.x.end());
+    all.insert(all.end(), x.x.begin(), x.x.end());
+    return all;
+  }
+};
+
+const RegisteredProperty<PoseGroup> registered;
+
+}  // namespace
+}  // namespace liecheck::properties

@@ -1,0 +1,30 @@
+#pragma once
+// The library's operations in scalars that no law of the campaign runs in.
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <subjects/subject.hpp>
+#ifdef LIECHECK_QD
+#include <qd/dd_real.h>
+
+/// The fraction in [1/2, 1), by its head; exact. Found by argument-dependent look-up.
+inline dd_real frexp(const dd_real& a, int* exponent) {
+  std::frexp(a.x[0], exponent);
+  return dd_real(std::ldexp(a.x[0], -*exponent), std::ldexp(a.x[1], -*exponent));
+}
+#endif
+
+namespace liecheck::properties {
+
+/// 168 and 334 bits, without allocations.
+using Digits50 =
+    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
+using Digits100 =
+    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<100>, boost::multiprecision::et_off>;
+
+/// Everything but robots and the checked entrance. In float128, Digits50, Digits100 and, where QD is installed, dd_real.
+template <class S>
+Operations<S> library_operations();
+
+const char* library_version();
+
+}  // namespace liecheck::properties

@@ -1,0 +1,70 @@
+// manif: SO3.h and SE3.h, tangents (rho, phi).
+
+#if __has_include(<manif/SE3.h>) && __has_include(<tl/optional.hpp>)
+
+#include <manif/SE3.h>
+#include <manif/SO3.h>
+#include <subjects/subject.hpp>
+
+namespace liecheck::properties {
+namespace {
+
+template <class S>
+struct Manif {
+  using O = Operations<S>;
+  using V3 = typename O::V3;
+  using V4 = typename O::V4;
+  using V6 = typename O::V6;
+  using V7 = typename O::V7;
+  using M3 = typename O::M3;
+  using M6 = typename O::M6;
+  using SO3 = ::manif::SO3<S>;
+  using SE3 = ::manif::SE3<S>;
+  using T3 = ::manif::SO3Tangent<S>;
+  using T6 = ::manif::SE3Tangent<S>;
+
+  static SE3 configuration(const V7& q) { return SE3(q); }
+  static Pose<S> stored(const SE3& X) { return {X.rotation(), X.translation()}; }
+
+  static Subject<S> make() {
+    Subject<S> s;
+    s.name = "manif";
+    s.version = "headers";
+    O& o = s.operations;
+    o.exp3_quaternion = [](const V3& phi) -> V4 { return T3(phi).exp().quat().coeffs(); };
+    o.exp3_matrix = [](const V3& phi) -> M3 { return T3(phi).exp().rotation(); };
+    o.log3_quaternion = [](const V4& Q) -> V3 { return SO3(Eigen::Quaternion<S>(Q)).log().coeffs(); };
+    o.exp6 = [](const V6& xi) -> Pose<S> { return stored(T6(xi).exp()); };
+    o.left_jacobian3 = [](const V3& phi) -> M3 { return T3(phi).ljac(); };
+    o.right_jacobian3 = [](const V3& phi) -> M3 { return T3(phi).rjac(); };
+    o.left_jacobian3_inverse = [](const V3& phi) -> M3 { return T3(phi).ljacinv(); };
+    o.right_jacobian3_inverse = [](const V3& phi) -> M3 { return T3(phi).rjacinv(); };
+    o.left_jacobian6 = [](const V6& xi) -> M6 { return T6(xi).ljac(); };
+    o.right_jacobian6 = [](const V6& xi) -> M6 { return T6(xi).rjac(); };
+    o.left_jacobian6_inverse = [](const V6& xi) -> M6 { return T6(xi).ljacinv(); };
+    o.right_jacobian6_inverse = [](const V6& xi) -> M6 { return T6(xi).rjacinv(); };
+    o.integrate = [](const V7& q, const V6& d) -> V7 { return (configuration(q) + T6(d)).coeffs(); };
+    o.difference = [](const V7& a, const V7& b) -> V6 {
+      return (configuration(b) - configuration(a)).coeffs();
+    };
+    return s;
+  }
+};
+
+const Registered<float> in_float(Manif<float>::make());
+const Registered<double> in_double(Manif<double>::make());
+
+}  // namespace
+}  // namespace liecheck::properties
+
+#else
+
+#include <subjects/subject.hpp>
+
+namespace liecheck::properties {
+namespace {
+const RegisteredAbsent absent("manif");
+}
+}  // namespace liecheck::properties
+
+#endif

@@ -1,0 +1,84 @@
+// Sophus: so3.hpp and se3.hpp. What it refuses with SOPHUS_ENSURE is an exception here.
+
+#if __has_include(<sophus/se3.hpp>)
+
+#define SOPHUS_ENABLE_ENSURE_HANDLER
+#include <sophus/se3.hpp>
+#include <stdexcept>
+#include <subjects/subject.hpp>
+
+namespace Sophus {
+void ensureFailed(char const* function, char const*, int, char const* description) {
+  throw std::invalid_argument(std::string("Sophus: ") + function + ": " + description);
+}
+}  // namespace Sophus
+
+namespace liecheck::properties {
+namespace {
+
+template <class S>
+struct SophusGroups {
+  using O = Operations<S>;
+  using V3 = typename O::V3;
+  using V4 = typename O::V4;
+  using V6 = typename O::V6;
+  using V7 = typename O::V7;
+  using M3 = typename O::M3;
+  using M6 = typename O::M6;
+  using SO3 = ::Sophus::SO3<S>;
+  using SE3 = ::Sophus::SE3<S>;
+
+  static SO3 rotation(const V4& Q) { return SO3(Eigen::Quaternion<S>(Q)); }
+  static SE3 configuration(const V7& q) { return {rotation(q.template tail<4>()), q.template head<3>()}; }
+  static Pose<S> stored(const SE3& X) { return {X.rotationMatrix(), X.translation()}; }
+
+  static Subject<S> make() {
+    Subject<S> s;
+    s.name = "sophus";
+    s.version = "headers";
+    O& o = s.operations;
+    o.exp3_quaternion = [](const V3& phi) -> V4 { return SO3::exp(phi).unit_quaternion().coeffs(); };
+    o.exp3_matrix = [](const V3& phi) -> M3 { return SO3::exp(phi).matrix(); };
+    o.log3_quaternion = [](const V4& Q) -> V3 { return rotation(Q).log(); };
+    o.log3_matrix = [](const M3& R) -> V3 { return SO3(R).log(); };
+    o.exp6 = [](const V6& xi) -> Pose<S> { return stored(SE3::exp(xi)); };
+    o.log6 = [](const Pose<S>& T) -> V6 { return SE3(T.R, T.p).log(); };
+    o.left_jacobian3 = [](const V3& phi) -> M3 { return SO3::leftJacobian(phi); };
+    o.left_jacobian3_inverse = [](const V3& phi) -> M3 { return SO3::leftJacobianInverse(phi); };
+    o.right_jacobian3 = [](const V3& phi) -> M3 { return SO3::leftJacobian(V3(-phi)); };
+    o.right_jacobian3_inverse = [](const V3& phi) -> M3 { return SO3::leftJacobianInverse(V3(-phi)); };
+    o.left_jacobian6 = [](const V6& xi) -> M6 { return SE3::leftJacobian(xi); };
+    o.left_jacobian6_inverse = [](const V6& xi) -> M6 { return SE3::leftJacobianInverse(xi); };
+    o.right_jacobian6 = [](const V6& xi) -> M6 { return SE3::leftJacobian(V6(-xi)); };
+    o.right_jacobian6_inverse = [](const V6& xi) -> M6 { return SE3::leftJacobianInverse(V6(-xi)); };
+    o.integrate = [](const V7& q, const V6& d) -> V7 {
+      const SE3 T = configuration(q) * SE3::exp(d);
+      V7 r;
+      r << T.translation(), T.unit_quaternion().coeffs();
+      return r;
+    };
+    o.difference = [](const V7& a, const V7& b) -> V6 {
+      return (configuration(a).inverse() * configuration(b)).log();
+    };
+    o.rotate_point = [](const V4& Q, const V3& x) -> V3 { return rotation(Q) * x; };
+    return s;
+  }
+};
+
+const Registered<float> in_float(SophusGroups<float>::make());
+const Registered<double> in_double(SophusGroups<double>::make());
+
+}  // namespace
+}  // namespace liecheck::properties
+
+#else
+
+#include <subjects/subject.hpp>
+
+namespace liecheck::properties {
+namespace {
+const RegisteredAbsent absent("sophus");
+}
+}  // namespace liecheck::properties
+
+#endif

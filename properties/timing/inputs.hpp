@@ -1,0 +1,88 @@
+#pragma once
+// Inputs that are timed and scored: plain samples of a law's fields, one angle band at a time, from a key alone.
+
+#include <array>
+#include <boost/math/constants/constants.hpp>
+#include <generators/rotations.hpp>
+#include <invariants/property.hpp>
+
+namespace liecheck::properties {
+
+/// theta log-uniform on [low, high], or pi - theta; generic: uniform.
+struct CostBand {
+  const char* name;
+  double low, high;
+  bool from_pi, uniform;
+};
+/// Edges that float can tell from 0 and from pi.
+inline constexpr std::array<CostBand, 5> cost_bands = {{{"theta 1e-12..1e-5", 1e-12, 1e-5, false, false},
+                                                        {"theta 1e-5..1e-3", 1e-5, 1e-3, false, false},
+                                                        {"theta 1e-3..0.1", 1e-3, 0.1, false, false},
+                                                        {"theta 0.1..pi-0.1", 0.1, 3.0415, false, true},
+                                                        {"pi-theta 1e-5..0.1", 1e-5, 0.1, true, false}}};
+
+namespace timing_detail {
+
+template <class S>
+Vec<S, 3> unit_vector(Source& source) {
+  for (;;) {
+    const Vec<S, 3> v(source.symmetric<S>(), source.symmetric<S>(), source.symmetric<S>());
+    const S n = v.squaredNorm();
+    if (n <= S(1) && n > S(1) / S(64)) return v / std::sqrt(n);
+  }
+}
+
+template <class S>
+S angle_in(const CostBand& band, Source& source) {
+  const S low(static_cast<S>(band.low)), high(static_cast<S>(band.high));
+  const S x = band.uniform ? low + (high - low) * source.unit<S>() : log_uniform<S>(source, low, high);
+  return band.from_pi ? boost::math::constants::pi<S>() - x : x;
+}
+
+/// (sin(theta/2) n, cos(theta/2))
+template <class S>
+Vec<S, 4> quaternion_in(const CostBand& band, Source& source) {
+  const S half = angle_in<S>(band, source) / S(2);
+  Vec<S, 4> Q;
+  Q << std::sin(half) * unit_vector<S>(source), std::cos(half);
+  return Q.normalized();
+}
+
+}  // namespace timing_detail
+
+/// One input of a law: vectors uniform in a cube of 2 m, rotations and rotation vectors with angles in the band. Of
+/// two quaternions the first has any angle, and the band is that from it to the second.
+template <class S>
+std::vector<S> cost_input(const std::vector<Field>& fields, const CostBand& band, Source source) {
+  using namespace timing_detail;
+  std::vector<S> x;
+  Vec<S, 4> before = Vec<S, 4>::Zero();
+  const auto pairs = [&] {
+    for (const Field& f : fields)
+      if (f.kind == Kind::quaternion && f.reach == Reach::beside) return true;
+    return false;
+  }();
+  for (const Field& f : fields) switch (f.kind) {
+      case Kind::vector:
+        append(x, Vec<S, 3>(source.symmetric<S>(), source.symmetric<S>(), source.symmetric<S>()));
+        break;
+      case Kind::rotation_vector:
+        append(x, Vec<S, 3>(angle_in<S>(band, source) * unit_vector<S>(source)));
+        break;
+      case Kind::rotation_matrix:
+        append(x, rotation_matrix<S>(quaternion_in<S>(band, source)));
+        break;
+      case Kind::quaternion: {
+        Eigen::Quaternion<S> Q(quaternion_in<S>(pairs && before.isZero() ? cost_bands[3] : band, source));
+        if (pairs && !before.isZero()) Q = (Eigen::Quaternion<S>(before) * Q).normalized();
+        before = Q.coeffs();
+        append(x, before);
+        break;
+      }
+      default:
+        throw std::logic_error("no cost input for field " + f.name);
+    }
+  return x;
+}
+
+}  // namespace liecheck::properties

@@ -1,0 +1,102 @@
+#pragma once
+// One pass over a set of inputs, the calls waiting for one another or not; the same code for every subject.
+
+#include <cstring>
+#include <functional>
+#include <memory>
+#include <subjects/subject.hpp>
+#include <tuple>
+#include <vector>
+
+namespace liecheck::properties {
+
+/// Passes over `calls` inputs.
+struct Loops {
+  std::function<void()> throughput, latency;
+  std::size_t calls = 0;
+};
+
+namespace timing_detail {
+
+/// Zero, which the compiler cannot know.
+inline std::size_t opaque_zero() {
+  volatile std::size_t zero = 0;
+  return zero;
+}
+
+/// Some bits of the first, a middle and the last number of a result: the last is written last, and the middle one is
+/// in the other block of a vector or Jacobian.
+template <class S, class M>
+std::size_t bits_of_numbers(const M& m) {
+  const auto word = [&](int i) {
+    std::uint32_t w;
+    std::memcpy(&w, m.data() + i, sizeof w);
+    return w;
+  };
+  const int n = static_cast<int>(m.size());
+  return word(0) ^ word(n / 2) ^ word(n - 1);
+}
+template <class S, int R, int C>
+std::size_t bits_of(const Eigen::Matrix<S, R, C>& m) {
+  return bits_of_numbers<S>(m);
+}
+template <class S>
+std::size_t bits_of(const Pose<S>& X) {
+  return bits_of_numbers<S>(X.R) ^ bits_of_numbers<S>(X.p);
+}
+
+template <class S, int R, int C>
+const S& first_number(const Eigen::Matrix<S, R, C>& m) {
+  return m(0, 0);
+}
+template <class S>
+const S& first_number(const Pose<S>& X) {
+  return X.R(0, 0);
+}
+template <class S, int R, int C>
+void fill(Eigen::Matrix<S, R, C>& m, const S& x) {
+  m.setConstant(x);
+}
+template <class S>
+void fill(Pose<S>& X, const S& x) {
+  X.R.setConstant(x), X.p.setConstant(x);
+}
+
+/// The shortest operation of its signature: every number of the result is the first number given.
+template <class R, class A, class... Rest>
+R call_only(const A& a, const Rest&...) {
+  R r;
+  fill(r, first_number(a));
+  return r;
+}
+
+}  // namespace timing_detail
+
+/// Inputs shared by every subject, so that none finds them nearer than another.
+template <class... A>
+using SharedInputs = std::shared_ptr<const std::vector<std::tuple<A...>>>;
+
+/// Passes over inputs first ... first + n - 1.
+template <class R, class... A>
+Loops loops_of(R (*f)(const A&...), const SharedInputs<A...>& inputs, std::size_t first, std::size_t n) {
+  Loops loops;
+  loops.calls = n;
+  loops.throughput = [=] {
+    const auto* x = inputs->data() + first;
+    for (const auto* const end = x + n; x != end; ++x) {
+      const R r = std::apply(f, *x);
+      asm volatile("" : : "r"(&r) : "memory");
+    }
+  };
+  loops.latency = [=] {
+    const std::size_t zero = timing_detail::opaque_zero();
+    const auto* x = inputs->data() + first;
+    for (std::size_t i = 0; i < n; ++i) {
+      const R r = std::apply(f, *x);
+      x += 1 + (timing_detail::bits_of(r) & zero);
+    }
+  };
+  return loops;
+}
+
+}  // namespace liecheck::properties

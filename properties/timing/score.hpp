@@ -1,0 +1,82 @@
+#pragma once
+// The error of one operation on given inputs, by block, as the law measures it that the operation belongs to.
+
+#include <invariants/property.hpp>
+#include <oracles/ball.hpp>
+#include <timing/cost.hpp>
+
+namespace liecheck::properties {
+
+/// Collects what a law records of one operation.
+class BlockCollector final : public Recorder {
+ public:
+  BlockCollector(const std::vector<Output>& outputs, const std::string& operation) {
+    for (const Output& o : outputs) {
+      place_.push_back(o.operation == operation ? static_cast<int>(blocks.size()) : -1);
+      if (o.operation == operation) blocks.push_back({o.block, {}});
+    }
+  }
+  void record(int output, std::size_t, double error, Kappa) override {
+    if (BlockErrors* b = at(output)) {
+      if (error < std::numeric_limits<double>::infinity())
+        b->errors.push_back(error);
+      else
+        ++b->not_finite;
+    }
+  }
+  void outcome(int output, std::size_t, Outcome outcome) override {
+    if (BlockErrors* b = at(output)) switch (outcome) {
+        case Outcome::not_finite:
+          ++b->not_finite;
+          break;
+        case Outcome::wrong_branch:
+          ++b->wrong_branch;
+          break;
+        case Outcome::unresolved:
+          ++b->unresolved;
+          break;
+        default:
+          ++b->refused;
+      }
+  }
+  void refused() {
+    for (BlockErrors& b : blocks) ++b.refused;
+  }
+  std::vector<BlockErrors> blocks;
+
+ private:
+  BlockErrors* at(int output) {
+    const int i = place_.at(static_cast<std::size_t>(output));
+    return i < 0 ? nullptr : &blocks[static_cast<std::size_t>(i)];
+  }
+  std::vector<int> place_;
+};
+
+/// `subject` offers this operation alone, so that nothing else is measured. By ball arithmetic, at 50 and 100 digits
+/// where that does not decide.
+template <class S>
+std::vector<BlockErrors> score(const Property<S>& law, const std::string& operation,
+                               const Subject<S>& subject, const std::vector<std::vector<S>>& inputs) {
+  BlockCollector all(law.outputs(), operation);
+  for (const auto& x : inputs) {
+    BlockCollector one(law.outputs(), operation);
+    try {
+      bool decided = false;
+      try {
+        decided = law.measure_fast(subject, x, one);
+      } catch (const oracles::Undecided&) {
+      }
+      if (!decided) {
+        one = BlockCollector(law.outputs(), operation);
+        law.measure(subject, x, one);
+      }
+    } catch (const std::exception&) {
+      all.refused();
+      continue;
+    }
+    merge_blocks(all.blocks, one.blocks);
+  }
+  return std::move(all.blocks);
+}
+
+}  // namespace liecheck::properties

@@ -1,0 +1,54 @@
+#include <timing/tiers.hpp>
+
+#include <boost/multiprecision/eigen.hpp>
+#include <subjects/library.hpp>
+#include <timing/wide.hpp>
+
+namespace liecheck::properties {
+namespace {
+
+#ifndef LIECHECK_QD
+const RegisteredAbsent absent("liecheck in double-double (QD)");
+#endif
+
+template <class T>
+void add_tier(CostPlan& plan, const std::string& scalar, int digits, std::size_t each,
+              const std::map<std::string, std::vector<Field>>& fields_of_laws) {
+  if (!plan.wants(plan.options.scalars, scalar) || !plan.wants(plan.options.subjects, "liecheck")) return;
+  static const Subject<T> library{"liecheck", library_version(), library_operations<T>(), {}};
+  const double eps = std::ldexp(1.0, 1 - digits);
+  add_cost_rows<T, double>(plan, scalar, eps, {&library}, each, false, fields_of_laws,
+                           [&](const char* name, const char*, auto member, auto f,
+                               const std::vector<std::vector<double>>& inputs) {
+                             Operations<T> only;
+                             only.*member = f;
+                             WideScore<T> score(only, eps);
+                             for (const auto& x : inputs) score.add(name, x);
+                             return std::move(score.blocks);
+                           });
+}
+
+}  // namespace
+
+const std::vector<std::string>& cost_scalars() {
+  static const std::vector<std::string> all = {"float",         "double",
+#ifdef LIECHECK_QD
+                                               "double-double",
+#endif
+                                               "float128",      "digits50", "digits100"};
+  return all;
+}
+
+void add_tiers(CostPlan& plan, const std::map<std::string, std::vector<Field>>& fields_of_laws) {
+  // A sixteenth and a thirty-second of the inputs of double: a call takes a hundred and a thousand times as long.
+  const std::size_t each = plan.options.inputs_per_band, few = std::max<std::size_t>(1, each / 16),
+                    fewer = std::max<std::size_t>(1, each / 32);
+#ifdef LIECHECK_QD
+  add_tier<dd_real>(plan, "double-double", std::numeric_limits<dd_real>::digits, few, fields_of_laws);
+#endif
+  add_tier<float128>(plan, "float128", std::numeric_limits<float128>::digits, few, fields_of_laws);
+  add_tier<Digits50>(plan, "digits50", std::numeric_limits<Digits50>::digits, fewer, fields_of_laws);
+  add_tier<Digits100>(plan, "digits100", std::numeric_limits<Digits100>::digits, fewer, fields_of_laws);
+}
+
+}  // namespace liecheck::properties

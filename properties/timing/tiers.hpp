@@ -1,0 +1,11 @@
+#pragma once
+// The library in scalars wider than double, on double's inputs: what further digits cost.
+
+#include <timing/rows.hpp>
+
+namespace liecheck::properties {
+
+/// Rows of double-double (QD, where it is installed), float128 and of 50 and 100 digits (Boost's cpp_bin_float), where the options want them.
+void add_tiers(CostPlan& plan, const std::map<std::string, std::vector<Field>>& fields_of_laws);
+
+}  // namespace liecheck::properties

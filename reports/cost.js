@@ -1,0 +1,142 @@
+// Error against time: a pair of charts for each operation, the scalars that processors have and every precision.
+
+const costs = numbers.records.flatMap(r => r.cost ? [r.cost] : []);
+const SCALARS = {float: "triangle", double: "circle", float128: "rect", "double-double": "crossRot", digits50: "rectRot",
+  digits100: "star"};
+const NATIVE = ["float", "double"];
+const DOUBLE_EPS = 2 ** -52;
+
+function costColor(subject, names) {
+  const others = names.filter(s => !KNOWN.includes(s));
+  return LOOKS[(KNOWN.includes(subject) ? KNOWN.indexOf(subject) : KNOWN.length + others.indexOf(subject)) % LOOKS.length].color;
+}
+
+// The points of one operation: x [ns], y [eps of double].
+function costPoints(rows, kind) {
+  return rows.filter(r => r.error !== null && !r.subject.includes("@") && r.sets.at(-1)[kind + "_ns"]).map(row => {
+    const all = row.sets.at(-1);
+    return {row, all, x: all[kind + "_ns"].median, error: typeof row.error === "number" ? row.error : Infinity,
+      dominated: row["dominated_" + kind]};
+  });
+}
+
+const costName = row => `${row.subject} ${row.scalar}`;
+const costDigits = error => error > 0 ? `${(-Math.log10(error)).toFixed(1)} digits` : "exact";
+
+// Names beside the points, those of the front first; a name that would lie on another is left out.
+const costNames = {
+  id: "costNames",
+  afterDatasetsDraw(chart) {
+    const {ctx, chartArea: area, scales} = chart, taken = [];
+    const points = chart.data.datasets.flatMap(d => d.named ? d.data : []);
+    const at = p => [scales.x.getPixelForValue(p.x), scales.y.getPixelForValue(p.y)];
+    for (const p of points) { const [x, y] = at(p); taken.push([x - 5, y - 5, x + 5, y + 5]); }
+    ctx.save(); ctx.textBaseline = "middle"; ctx.textAlign = "left";
+    for (const p of [...points].sort((a, b) => Boolean(a.dominated) - Boolean(b.dominated))) {
+      ctx.font = `${p.dominated ? 400 : 600} 11px ${FONT.family}`; ctx.fillStyle = p.dominated ? "#555" : INK;
+      const text = costName(p.row), width = ctx.measureText(text).width, [x, y] = at(p);
+      for (const [left, top] of [[x + 8, y - 7], [x - width - 8, y - 7], [x - width / 2, y - 21], [x - width / 2, y + 8], [x + 8, y + 4], [x - width - 8, y + 4]]) {
+        const box = [left, top, left + width, top + 13];
+        if (box[0] < area.left || box[2] > area.right || box[1] < area.top || box[3] > area.bottom) continue;
+        if (taken.some(t => t[0] < box[2] && box[0] < t[2] && t[1] < box[3] && box[1] < t[3])) continue;
+        ctx.lineWidth = 4; ctx.strokeStyle = "#fff"; ctx.strokeText(text, left, top + 7);
+        ctx.fillText(text, left, top + 7); taken.push(box);
+        break;
+      }
+    }
+    ctx.restore();
+  }};
+
+function costPlot(head, points, kind, names) {
+  const seen = points.filter(p => Number.isFinite(p.error) && p.error > 0).map(p => p.error / DOUBLE_EPS);
+  const room = 10 ** (1.2 + .06 * Math.log10(Math.max(10, ...seen) / Math.min(1, ...seen)));
+  const least = Math.min(1, ...seen) / room, most = Math.max(10, ...seen) * room;
+  for (const p of points) p.y = p.error === 0 ? least * 3 : Number.isFinite(p.error) ? p.error / DOUBLE_EPS : most / 3;
+  const front = points.filter(p => !p.dominated).sort((a, b) => a.x - b.x);
+  const best = front.filter((p, i) => front.slice(0, i).every(q => q.y > p.y));  // intervals may overlap
+  const xs = points.map(p => p.x), low = Math.min(...xs) / 1.8, high = Math.max(...xs) * 2.6;
+  const stairs = [];
+  best.forEach((p, i) => { stairs.push({x: p.x, y: i ? best[i - 1].y : most}, {x: p.x, y: p.y}); });
+  if (best.length) stairs.push({x: high, y: best.at(-1).y});
+  const canvas = element("canvas", {role: "img", "aria-label": `Error against ${kind}, ${head}. On the front: ` + best.map(p =>
+    `${costName(p.row)}, ${short(p.x)} ns, ${costDigits(p.error)}`).join("; ") + "."});
+  const holder = element("div", {class: "canvas"}, canvas);
+  const decades = Math.log10(most / least), step = [1, 2, 5, 10, 20].find(s => decades / s <= 9) ?? 50;
+  const axis = (title, extra) => ({type: "logarithmic", grid: {color: "#ececec"}, title: {display: true, text: title, color: INK, font: FONT}, ...extra});
+  const mantissas = high / low > 100 ? [1] : high / low > 12 ? [1, 2, 5] : [1, 1.5, 2, 3, 4, 5, 7];
+  const marks = [];
+  for (let e = Math.floor(Math.log10(low)); e <= Math.log10(high); ++e)
+    marks.push(...mantissas.map(m => m * 10 ** e).filter(v => v >= low && v <= high));
+  waiting.set(holder, () => new Chart(canvas, {
+    type: "line", plugins: [costNames],
+    data: {datasets: [
+      {named: true, showLine: false, data: points, order: 0, pointRadius: 5.5, pointHoverRadius: 8, borderWidth: 2, pointBorderWidth: 2,
+        pointStyle: c => SCALARS[c.raw?.row.scalar] ?? "circle", borderColor: c => c.raw ? costColor(c.raw.row.subject, names) : INK,
+        backgroundColor: c => !c.raw || c.raw.dominated ? "#fff" : costColor(c.raw.row.subject, names)},
+      {data: stairs, order: 1, borderColor: INK, borderWidth: 1.5, borderDash: [6, 3], pointRadius: 0, pointHoverRadius: 0, pointHitRadius: 0}]},
+    options: {
+      animation: false, maintainAspectRatio: false, devicePixelRatio: Math.max(2, devicePixelRatio), layout: {padding: {right: 10, top: 4}},
+      interaction: {mode: "nearest", intersect: false},
+      scales: {x: axis(`${kind} of a call [ns]`, {min: low, max: high, afterBuildTicks: a => { a.ticks = marks.map(value => ({value})); },
+          ticks: {color: INK, font: FONT, autoSkip: true, maxRotation: 0, callback: v => v >= 1e5 || v < .1 ? power(Math.round(Math.log10(v))) : String(+v.toPrecision(2))}}),
+        y: axis("largest error found [eps of double]", {min: least, max: most, afterFit: a => { a.width = 62; },
+          afterBuildTicks: a => { a.ticks = []; for (let e = Math.ceil(Math.log10(least)); e <= Math.log10(most); ++e) if (e % step === 0) a.ticks.push({value: 10 ** e}); },
+          ticks: {color: INK, font: FONT, autoSkip: false, callback: v => power(Math.round(Math.log10(v)))}})},
+      plugins: {legend: {display: false}, tooltip: {filter: item => Boolean(item.raw.row), callbacks: {
+        title: items => items.length ? costName(items[0].raw.row) : "", label: item => costTip(item.raw)}}}}}));
+  watcher.observe(holder);
+  return element("div", {class: "plot"}, element("h4", {}, head), holder);
+}
+
+function costTip({row, all, error, dominated}) {
+  const time = s => s ? `${short(s.median)} [${short(s.low)}, ${short(s.high)}] ns` : "not timed";
+  const blocks = all.blocks.map(b => `${b.block}: max ${short(b.max_eps)}, p99 ${short(b.p99_eps)}, median ${short(b.median_eps)} eps of ${row.scalar}`);
+  return [`latency ${time(all.latency_ns)}, throughput ${time(all.throughput_ns)}`,
+    Number.isFinite(error) ? `${costDigits(error)} in the ${row.worst_block}; a lower bound of the error` : "a case without a result", ...blocks,
+    dominated ? `dominated by ${dominated}` : "on the front"];
+}
+
+function costLegend(points, names) {
+  const list = element("ul", {class: "legend", "aria-label": "Legend"}), ns = "http://www.w3.org/2000/svg";
+  const mark = (shape, color, fill) => {
+    const svg = document.createElementNS(ns, "svg"), path = document.createElementNS(ns, "path");
+    for (const [k, v] of Object.entries({width: 14, height: 12, "aria-hidden": "true"})) svg.setAttribute(k, v);
+    const marks = {circle: "M3 6a4 4 0 1 0 8 0a4 4 0 1 0-8 0", triangle: "M7 2l5 8h-10z", rect: "M3 2h8v8h-8z", rectRot: "M7 1l5 5l-5 5l-5-5z",
+      crossRot: "M3 2l8 8m0-8l-8 8", star: "M3 2l8 8m0-8l-8 8M7 1v10m-5-5h10"};
+    for (const [k, v] of Object.entries({d: marks[shape], stroke: color, "stroke-width": 1.8, fill})) path.setAttribute(k, v);
+    svg.append(path);
+    return svg;
+  };
+  for (const s of names.filter(n => points.some(p => p.row.subject === n)))
+    list.append(element("li", {}, mark("circle", costColor(s, names), costColor(s, names)), s));
+  for (const [scalar, shape] of Object.entries(SCALARS))
+    if (points.some(p => p.row.scalar === scalar)) list.append(element("li", {}, mark(shape, INK, "#fff"), scalar));
+  list.append(element("li", {}, "filled: on the front; hollow: dominated; dashed: the front"));
+  return list;
+}
+
+function fillCost(cost, home, kind, operation) {
+  forget(home);
+  const names = unique(cost.rows.map(r => r.subject));
+  for (const o of unique(cost.rows.map(r => r.operation)).filter(o => !operation || o === operation)) {
+    const points = costPoints(cost.rows.filter(r => r.operation === o), kind);
+    if (!points.length) continue;
+    const native = points.filter(p => NATIVE.includes(p.row.scalar)), wide = native.length < points.length;
+    const pair = element("div", {class: wide && native.length ? "pair" : "pair single"});
+    if (native.length) pair.append(costPlot("float and double", native, kind, names));
+    if (wide) pair.append(costPlot("every precision", points.map(p => ({...p})), kind, names));
+    home.append(element("figure", {}, element("h3", {}, o), costLegend(points, names), pair));
+  }
+}
+
+document.querySelectorAll(".cost-charts").forEach((home, i) => {
+  const form = document.querySelectorAll(".cost-controls")[i], cost = costs[i];
+  const names = unique(cost.rows.map(r => r.operation));
+  const first = names.includes("exp6") ? "exp6" : names[0];
+  form.append(choice("kind", "time", [["latency", "latency"], ["throughput", "throughput"]], "latency"),
+    choice("operation", "operation", [["", "all"], ...names.map(o => [o, o])], first));
+  const fill = () => fillCost(cost, home, form.elements.kind.value, form.elements.operation.value);
+  form.addEventListener("submit", event => event.preventDefault());
+  form.addEventListener("change", fill);
+  fill();
+});

@@ -1,0 +1,160 @@
+// Time beside error: the statistics, the front, the loops that are timed, and the two ways in which errors are had.
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <fstream>
+#include <timing/benchmarks.hpp>
+#include <timing/front.hpp>
+#include <timing/kernels.hpp>
+#include <timing/rows.hpp>
+#include <timing/score.hpp>
+#include <timing/wide.hpp>
+
+namespace {
+
+using namespace liecheck::properties;
+
+TEST(Spread, HoldsTheMedianWithNinetyFivePercent) {
+  // P(fewer than k of n below the median), Bin(n, 1/2): the ranks of tables of the sign test.
+  for (const auto& [n, rank] : {std::pair<int, double>{6, 1}, {9, 2}, {15, 4}, {25, 8}}) {
+    std::vector<double> x;
+    for (int i = n; i >= 1; --i) x.push_back(i);
+    const Spread s = spread_of(x);
+    EXPECT_EQ(s.low, rank) << n;
+    EXPECT_EQ(s.high, n + 1 - rank) << n;
+    EXPECT_EQ(s.median, (n + 1) / 2.0) << n;
+  }
+  std::vector<double> few = {3, 1, 2};
+  EXPECT_EQ(spread_of(few).low, 1);
+  std::vector<double> none;
+  EXPECT_EQ(spread_of(none).repetitions, 0U);
+}
+
+CostRow row(const char* subject, double error_eps, double low, double median, double high) {
+  CostRow r{subject, "", "double", "exp6", 0x1p-52, {}};
+  const Spread s{median, low, high, 25};
+  r.sets.push_back({"mixed", 1, s, s, 0, {{"translation", {error_eps}}, {"norm defect", {1e9}}}});
+  return r;
+}
+
+TEST(Front, IsWhatNothingElseBeats) {
+  const std::vector<CostRow> rows = {
+      row("accurate", 1, 99, 100, 101), row("fast", 16, 49, 50, 51), row("slow", 1, 110, 111, 112),
+      row("as fast as far as one can tell", 1, 95, 102, 105), row("worse", 17, 49, 50, 51)};
+  EXPECT_EQ(dominators(rows, TimeOf::latency), (std::vector<int>{-1, -1, 0, -1, 1}));
+  EXPECT_EQ(error_of(rows[0]), 0x1p-52);  // a defect of the norm does not count
+  EXPECT_EQ(worst_block(rows[0]), "translation");
+}
+
+TEST(Front, ACaseWithoutAResultIsNoSmallError) {
+  std::vector<CostRow> rows = {row("accurate", 1, 99, 100, 101), row("breaks", 0, 99, 100, 101)};
+  rows[1].sets.back().blocks[0].not_finite = 1;
+  EXPECT_TRUE(std::isinf(error_of(rows[1])));
+  EXPECT_EQ(dominators(rows, TimeOf::throughput), (std::vector<int>{-1, 0}));
+}
+
+TEST(CostInputs, AreTheSameForASeedAndLieInTheirBands) {
+  const std::vector<Field> fields = {{"rho", Kind::vector, 3, "m"}, {"phi", Kind::rotation_vector, 3, "rad"}};
+  const auto a = cost_inputs<double>(fields, 7, 50), b = cost_inputs<double>(fields, 7, 50);
+  EXPECT_EQ(a, b);
+  EXPECT_NE(a, cost_inputs<double>(fields, 8, 50));
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const CostBand& band = cost_bands[i / 50];
+    const double theta = std::hypot(a[i][3], a[i][4], a[i][5]);
+    const double x = band.from_pi ? M_PI - theta : theta;
+    EXPECT_GE(x, band.low * (1 - 1e-9)) << band.name;
+    EXPECT_LE(x, band.high * (1 + 1e-9)) << band.name;
+  }
+}
+
+/// A loop of multiplications, each waiting for the last: some 4 ns, of which the next call may do without.
+Vec<double, 3> chain(const Vec<double, 3>& phi) {
+  double x = phi[0];
+  for (int i = 0; i < 16; ++i) x = x * 1.0000001 + 1e-9;
+  return {x, x, x};
+}
+
+double nanoseconds(const std::function<void()>& pass, std::size_t calls) {
+  double best = 1e9;
+  for (int round = 0; round < 20; ++round) {
+    const auto start = std::chrono::steady_clock::now();
+    for (int i = 0; i < 20; ++i) pass();
+    best = std::min(
+        best, std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count());
+  }
+  return best / 20 / static_cast<double>(calls);
+}
+
+TEST(Loops, LatencyWaitsForTheLastResultAndThroughputDoesNot) {
+  using Inputs = std::vector<std::tuple<Vec<double, 3>>>;
+  const auto inputs = std::make_shared<const Inputs>(640, Vec<double, 3>(1, 2, 3));
+  const Loops l = loops_of<Vec<double, 3>, Vec<double, 3>>(&chain, inputs, 0, 640);
+  EXPECT_GT(nanoseconds(l.latency, l.calls), 1.5 * nanoseconds(l.throughput, l.calls));
+}
+
+TEST(Benchmarks, EveryRowIsRepeatedAndAStopKeepsWhatIsDone) {
+  std::vector<Timed> all(3);
+  std::atomic<bool> stop{false};
+  int passes = 0;
+  for (Timed& t : all) t.pass = [&] { ++passes; };
+  run_interleaved(all, {0.01, 7, &stop, [](double) {}});
+  for (const Timed& t : all) EXPECT_GE(t.ns.size(), 7U);
+  for (Timed& t : all) t.ns.clear();
+  run_interleaved(all, {0.01, 7, &stop, [&](double share) { stop = share > 0.4; }});
+  std::size_t kept = 0;
+  for (const Timed& t : all) kept += t.ns.size();
+  EXPECT_EQ(kept, 9U);
+}
+
+/// The operation of both tables, its law's error and that of the closed forms at 100 digits.
+void compare_scores(const Subject<double>& subject) {
+  std::map<std::string, std::unique_ptr<Property<double>>> laws;
+  for (auto& p : make_properties<double>()) laws.emplace(p->name(), std::move(p));
+  for_each_cost_operation<double>([&](const char* name, const char* law, auto member, auto) {
+    if (!(subject.operations.*member)) return;
+    Subject<double> only;
+    only.operations.*member = subject.operations.*member;
+    const auto inputs = cost_inputs<double>(laws.at(law)->fields(), 42, 4);
+    const auto blocks = score(*laws.at(law), name, only, inputs);
+    WideScore<double> wide(only.operations, 0x1p-52);
+    for (const auto& x : inputs) wide.add(name, x);
+    for (const BlockErrors& w : wide.blocks) {
+      const auto found =
+          std::find_if(blocks.begin(), blocks.end(), [&](auto& b) { return b.block == w.block; });
+      ASSERT_NE(found, blocks.end()) << name << " " << w.block;
+      ASSERT_EQ(found->errors.size(), w.errors.size()) << name << " " << w.block;
+      const bool matrix = w.block == "rotation" &&
+                          std::string(name).find("quaternion") == std::string::npos &&
+                          std::string(name) != "integrate";
+      for (std::size_t i = 0; i < w.errors.size(); ++i) {
+        // A matrix: with its defect, of at most a few eps.
+        const double slack = matrix ? 4 : 1e-6 * std::max(1.0, w.errors[i]);
+        EXPECT_NEAR(found->errors[i], w.errors[i], slack) << name << " " << w.block << " " << i;
+      }
+    }
+  });
+}
+
+TEST(Kernels, AFolderWithoutAnyAndAnotherLayoutAreErrors) {
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "liecheck_kernels";
+  std::filesystem::create_directories(folder);
+  EXPECT_FALSE(has_kernels(folder));
+  EXPECT_THROW(load_kernels(folder), std::runtime_error);
+  std::ofstream(folder / "gcc.so") << "no module";
+  try {
+    load_kernels(folder);
+    ADD_FAILURE() << "loaded";
+  } catch (const std::runtime_error& e) {
+    EXPECT_NE(std::string(e.what()).find("gcc.so"), std::string::npos) << e.what();
+  }
+  std::filesystem::remove_all(folder);
+}
+
+TEST(WideScore, AgreesWithTheLawsInDouble) {
+  for (const auto* s : subjects<double>())
+    if (s->name == "liecheck") compare_scores(*s);
+}
+
+}  // namespace
