@@ -94,10 +94,6 @@ double orthogonality_defect(const Mat3<>& computed) {
   return in_eps<S>(orthogonality_distance(computed));
 }
 
-/// What a computed matrix errs by: as a rotation, and from the orthogonal ones.
-struct MatrixErrors {
-  double rotation, defect;
-};
 template <class S>
 MatrixErrors matrix_errors(const Mat3<>& computed, const Quaternion<>& exact) {
   return {rotation_error<S>(computed, exact), orthogonality_defect<S>(computed)};

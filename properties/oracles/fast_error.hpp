@@ -11,6 +11,11 @@ namespace liecheck::oracles {
 /// The accuracy that a fast oracle promises of an error, relative or in eps.
 inline constexpr double error_accuracy = 1e-4;
 
+/// What a computed matrix errs by: as a rotation, and from the orthogonal ones; in eps.
+struct MatrixErrors {
+  double rotation, defect;
+};
+
 inline double settled(double error, double slack) {
   if (!(slack <= error_accuracy * (error > 1 ? error : 1))) throw Undecided();
   return error == 0 && slack > 0 ? std::numeric_limits<double>::denorm_min() : error;  // 0 is exactly 0
