@@ -369,8 +369,11 @@ Robot robot_of(const std::string& urdf, const std::string& path) {
   Robot r;
   r.urdf = urdf, r.path = path;
   r.hash = hexadecimal(sha256(urdf)).substr(0, 16);
-  r.name =
-      buildModelFromUrdfText(urdf, RootJoint::FreeFlyer, path.empty() ? "the built-in robot" : path).name;
+  const std::string source = path.empty() ? "the built-in robot" : path;
+  const auto model = buildModelFromUrdfText(urdf, RootJoint::FreeFlyer, source);
+  for (std::size_t j = 1; j < model.joints.size(); ++j)
+    if (model.nqs[j] == 4) throw UrdfError(source, 0, "a planar joint: no law measures one yet", model.names[j]);
+  r.name = model.name;
   return r;
 }
 

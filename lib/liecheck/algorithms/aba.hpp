@@ -13,21 +13,21 @@ namespace liecheck {
 
 namespace algorithms_detail {
 
-/// I^A seen from a point from which its reference point is r away: [A, B - A[r]; ., D + [r]B' - B^T [r]].
+/// I^A seen from a point from which its reference point is r away: B' = B - A [r], D' = D + [r] B' + ([r] B)^T.
 template <Scalar S>
 void addShifted(Matrix6<S>& sum, const Matrix6<S>& I, const Vector3<S>& r) {
   const Matrix3<S> A = I.template topLeftCorner<3, 3>(), B = I.template topRightCorner<3, 3>();
-  Matrix3<S> B_r, D = I.template bottomRightCorner<3, 3>();
-  for (int i = 0; i < 3; ++i)  // (A [r]) row by row: a [r] = (a x r)^T
-    B_r.row(i) = B.row(i) - cross<S>(A.row(i).transpose(), r).transpose();
-  for (int i = 0; i < 3; ++i) {
-    D.col(i) += cross<S>(r, B_r.col(i));
-    D.row(i) -= cross<S>(B.col(i), r).transpose();
+  Matrix3<S> moved, r_moved, r_B;
+  for (int i = 0; i < 3; ++i) {  // column i of A [r], A symmetric
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    moved.col(i) = B.col(i) - (r[k] * A.col(j) - r[j] * A.col(k));
+    r_moved.col(i) = cross<S>(r, moved.col(i));
+    r_B.col(i) = cross<S>(r, B.col(i));
   }
   sum.template topLeftCorner<3, 3>() += A;
-  sum.template topRightCorner<3, 3>() += B_r;
-  sum.template bottomLeftCorner<3, 3>() += B_r.transpose();
-  sum.template bottomRightCorner<3, 3>() += D;
+  sum.template topRightCorner<3, 3>() += moved;
+  sum.template bottomLeftCorner<3, 3>() += moved.transpose();
+  sum.template bottomRightCorner<3, 3>() += I.template bottomRightCorner<3, 3>() + r_moved + r_B.transpose();
 }
 
 /// D^-1 of n x n D > 0. Throws SingularInertia where the joint moves nothing.
@@ -72,23 +72,23 @@ const VectorX<S>& aba(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, In
   multibody_detail::checkSize(tau.size(), model.nv, "tau", "nv");
   checkForces<S>(model, fext);
   if (model.has_mimics) return denseForwardDynamics(model, data, q, v, tau, fext);
-  columnsInWorldAxes(model, data, q);
   data.begin(model, q, v);
   auto& w = data.work;
-  const auto& oMi = data.oMi();
-  VectorX<S>& ddq = data.ddq.write(Level::Velocity);
-
-  multibody_detail::forEachJoint(model, [&]<class Joint>(const Joint& joint) {
+  columnsInWorldAxes(model, data, q, [&]<class Joint>(const Joint& joint, const auto& columns) {
     const std::size_t i = std::size_t(joint.index), p = std::size_t(model.parents[i]);
-    const auto s = w.S_columns.template middleCols<Joint::columns>(joint.column);
-    const Motion<S> relative(Vector6<S>(s * v.template segment<Joint::columns>(joint.idx_v)));
+    const Matrix3<S>& R = data.oMi[i].rotation();
+    Motion<S> relative = Motion<S>::Zero();
+    for (int k = 0; k < Joint::columns; ++k)
+      relative = relative + Motion<S>(Vector6<S>(columns.col(k))) * v[joint.idx_v + k];
+    w.r[i] = fromParent(model, data, i);
     w.velocity[i] = p == 0 ? relative : shifted(w.velocity[p], w.r[i]) + relative;
-    w.bias[i] = w.velocity[i].cross(relative);
-    const Inertia<S> I = turned(oMi[i].rotation(), model.inertias[i]);
+    w.bias[i] = joint.velocityProduct(w.velocity[i], relative);
+    const Inertia<S> I = turned(R, model.inertias[i]);
     w.articulated[i] = I.matrix();
     w.force[i] = w.velocity[i].cross(I * w.velocity[i]);
-    if (!fext.empty()) w.force[i] = w.force[i] - SE3<S>(oMi[i].rotation(), Vector3<S>::Zero()).act(fext[i]);
+    if (!fext.empty()) w.force[i] = w.force[i] - SE3<S>(R, Vector3<S>::Zero()).act(fext[i]);
   });
+  VectorX<S>& ddq = data.ddq.write(Level::Velocity);
 
   for (std::size_t i = model.joints.size() - 1; i > 0; --i)
     multibody_detail::visitJoint(model, i, [&]<class Joint>(const Joint& joint) {
@@ -98,21 +98,20 @@ const VectorX<S>& aba(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, In
       auto U = w.U.template middleCols<n>(joint.column);
       auto u = w.u.template segment<n>(joint.column);
       Matrix6<S>& I = w.articulated[i];
-      if constexpr (n > 0) {
-        U.noalias() = I * s;
-        Eigen::Matrix<S, n, n> D = s.transpose() * U;
-        const Eigen::Matrix<S, n, 1> scale = (s.cwiseAbs().transpose() * U.cwiseAbs()).diagonal();
-        D.diagonal() += model.armature.template segment<n>(joint.idx_v);
-        const Eigen::Matrix<S, n, n> D_inverse = inverseOf<n, S>(model, joint.index, D, scale);
-        w.D_inverse[i].template topLeftCorner<n, n>() = D_inverse;
-        u = tau.template segment<n>(joint.idx_v) - s.transpose() * w.force[i].to_vector();
-        if (p == 0) return;
-        const Eigen::Matrix<S, 6, n> UD = U * D_inverse;
-        I.noalias() -= UD * U.transpose();
-        const Force<S> f = w.force[i] + Force<S>(Vector6<S>(I * w.bias[i].to_vector() + UD * u));
-        addShifted(w.articulated[p], I, w.r[i]);
-        w.force[p] = w.force[p] + shifted(f, w.r[i]);
-      }
+      constexpr int half = Joint::turns ? 3 : 6;  // of s, where the other is zero
+      U.noalias() = I.template rightCols<half>() * s.template bottomRows<half>();
+      Eigen::Matrix<S, n, n> D = s.template bottomRows<half>().transpose() * U.template bottomRows<half>();
+      const Eigen::Matrix<S, n, 1> scale = (s.cwiseAbs().transpose() * U.cwiseAbs()).diagonal();
+      D.diagonal() += model.armature.template segment<n>(joint.idx_v);
+      const Eigen::Matrix<S, n, n> D_inverse = inverseOf<n, S>(model, joint.index, D, scale);
+      w.D_inverse[i].template topLeftCorner<n, n>() = D_inverse;
+      u = tau.template segment<n>(joint.idx_v) - s.transpose() * w.force[i].to_vector();
+      if (p == 0) return;
+      const Eigen::Matrix<S, 6, n> UD = U * D_inverse;
+      I.noalias() -= UD * U.transpose();
+      const Force<S> f = w.force[i] + Force<S>(Vector6<S>(I * w.bias[i].to_vector() + UD * u));
+      addShifted(w.articulated[p], I, w.r[i]);
+      w.force[p] = w.force[p] + shifted(f, w.r[i]);
     });
 
   w.gravitated[0] = Motion<S>(Vector3<S>(-model.gravity), Vector3<S>::Zero());
@@ -130,7 +129,7 @@ const VectorX<S>& aba(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, In
   return ddq;
 }
 
-// float and double are compiled once, in instantiations.cpp; other scalars where they are used.
+// float and double are compiled once, in instantiations_*.cpp; other scalars where they are used.
 extern template const VectorX<float>& aba<float>(const Model<float>&, Data<float>&, In<float>, In<float>,
                                                  In<float>, External<float>);
 extern template const VectorX<double>& aba<double>(const Model<double>&, Data<double>&, In<double>,

@@ -120,7 +120,7 @@ const Force<S>& computeCentroidalMomentumTimeVariation(const Model<S>& model, Da
   return dhg;
 }
 
-// float and double are compiled once, in instantiations.cpp; other scalars where they are used.
+// float and double are compiled once, in instantiations_*.cpp; other scalars where they are used.
 extern template const Vector3<float>& centerOfMass<float>(const Model<float>&, Data<float>&, In<float>);
 extern template const Vector3<float>& centerOfMass<float>(const Model<float>&, Data<float>&, In<float>,
                                                           In<float>);

@@ -25,14 +25,16 @@ namespace algorithms_detail {
 /// world. Updates liMi, oMi.
 template <Scalar S>
 void compositeInertias(const Model<S>& model, Data<S>& data, In<S> q) {
-  columnsInWorldAxes(model, data, q);
   auto& I = data.work.inertia;
   I[0] = Inertia<S>::Zero();
-  for (std::size_t i = 1; i < model.joints.size(); ++i)
+  columnsInWorldAxes(model, data, q, [&](const auto& joint, const auto&) {
+    const std::size_t i = std::size_t(joint.index);
+    data.work.r[i] = fromParent(model, data, i);
     I[i] = turned(data.oMi[i].rotation(), model.inertias[i]);
+  });
   for (std::size_t i = model.joints.size() - 1; i > 0; --i) {
     const std::size_t p = std::size_t(model.parents[i]);
-    I[p] = I[p] + shifted(I[i], data.work.r[i]);
+    I[p] = joined(I[p], shifted(I[i], data.work.r[i]));
   }
 }
 
@@ -94,26 +96,24 @@ template <Scalar S>
 const MatrixX<S>& crba(const Model<S>& model, Data<S>& data, In<S> q) {
   data.require(Dense::Mass, "crba");
   algorithms_detail::compositeInertias(model, data, q);
-  const auto& columns = data.work.S_columns;
   auto& M = data.M.write(Level::Position);
   M.setZero();
   M.diagonal() = model.armature;
   for (std::size_t j = model.joints.size() - 1; j > 0; --j) {
-    for (int k = model.idx_columns[j]; k < model.idx_columns[j] + model.column_counts[j]; ++k) {
+    const int begin = model.idx_columns[j], end = begin + model.column_counts[j];
+    for (int k = begin; k < end; ++k) {
       const int vk = model.column_to_v[std::size_t(k)];
-      Force<S> F = data.work.inertia[j] * algorithms_detail::column(columns, k);
-      for (int m = model.idx_columns[j]; m <= k; ++m) {
-        const S h = columns.col(m).dot(F.to_vector());
-        M(vk, model.column_to_v[std::size_t(m)]) += h;
-        if (m < k) M(model.column_to_v[std::size_t(m)], vk) += h;
-      }
+      Force<S> F = data.work.inertia[j] * algorithms_detail::column(data.work.S_columns, k);
+      const auto add = [&](int m) {
+        const S h = algorithms_detail::column(data.work.S_columns, m).dot(F);
+        const int vm = model.column_to_v[std::size_t(m)];
+        M(vk, vm) += h;
+        if (m != k) M(vm, vk) += h;
+      };
+      for (int m = begin; m <= k; ++m) add(m);
       for (std::size_t i = j, p; (p = std::size_t(model.parents[i])) > 0; i = p) {
         F = algorithms_detail::shifted(F, data.work.r[i]);
-        for (int m = model.idx_columns[p]; m < model.idx_columns[p] + model.column_counts[p]; ++m) {
-          const S h = columns.col(m).dot(F.to_vector());
-          M(vk, model.column_to_v[std::size_t(m)]) += h;
-          M(model.column_to_v[std::size_t(m)], vk) += h;
-        }
+        for (int m = model.idx_columns[p]; m < model.idx_columns[p] + model.column_counts[p]; ++m) add(m);
       }
     }
   }
@@ -133,7 +133,7 @@ const MatrixX<S>& computeMinverse(const Model<S>& model, Data<S>& data, In<S> q)
   return Minv;
 }
 
-// float and double are compiled once, in instantiations.cpp; other scalars where they are used.
+// float and double are compiled once, in instantiations_*.cpp; other scalars where they are used.
 extern template const MatrixX<float>& crba<float>(const Model<float>&, Data<float>&, In<float>);
 extern template const MatrixX<float>& computeMinverse<float>(const Model<float>&, Data<float>&, In<float>);
 extern template const MatrixX<double>& crba<double>(const Model<double>&, Data<double>&, In<double>);

@@ -38,7 +38,7 @@ void computeRNEADerivatives(const Model<S>& model, Data<S>& data, In<S> q, In<S>
   using namespace algorithms_detail;
   data.require(Dense::Derivatives, "computeRNEADerivatives");
   checkForces<S>(model, fext);
-  columnsInWorldAxes(model, data, q);
+  columnsInWorldAxes(model, data, q, [](const auto&, const auto&) {});
   data.begin(model, q, v, a);
   auto& work = data.work;
   const auto& oMi = data.oMi();
@@ -124,7 +124,7 @@ void computeABADerivatives(const Model<S>& model, Data<S>& data, In<S> q, In<S> 
   data.ddq_dv.write(Level::Velocity) = -(data.Minv().lazyProduct(data.dtau_dv()));
 }
 
-// float and double are compiled once, in instantiations.cpp; other scalars where they are used.
+// float and double are compiled once, in instantiations_*.cpp; other scalars where they are used.
 extern template void computeRNEADerivatives<float>(const Model<float>&, Data<float>&, In<float>, In<float>,
                                                    In<float>, External<float>);
 extern template void computeABADerivatives<float>(const Model<float>&, Data<float>&, In<float>, In<float>,

@@ -32,7 +32,7 @@ S computeMechanicalEnergy(const Model<S>& model, Data<S>& data, In<S> q, In<S> v
   return computeKineticEnergy(model, data, q, v) + computePotentialEnergy(model, data, q);
 }
 
-// float and double are compiled once, in instantiations.cpp; other scalars where they are used.
+// float and double are compiled once, in instantiations_*.cpp; other scalars where they are used.
 extern template const float& computeKineticEnergy<float>(const Model<float>&, Data<float>&, In<float>,
                                                          In<float>);
 extern template const float& computePotentialEnergy<float>(const Model<float>&, Data<float>&, In<float>);

@@ -125,7 +125,7 @@ ImuReading<S> imu(const Model<S>& model, const Data<S>& data, int frame) {
           Vector3<S>(a.linear() - R_WF.transpose() * model.gravity)};
 }
 
-// float and double are compiled once, in instantiations.cpp; other scalars where they are used.
+// float and double are compiled once, in instantiations_*.cpp; other scalars where they are used.
 extern template void updateFramePlacements<float>(const Model<float>&, Data<float>&);
 extern template void updateFramePlacements<double>(const Model<double>&, Data<double>&);
 

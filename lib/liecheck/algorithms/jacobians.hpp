@@ -10,11 +10,14 @@ namespace liecheck {
 
 namespace algorithms_detail {
 
-/// f(joint, column k) for every column between the universe and a joint.
+/// f(place, k, column k of its S in world axes at its own origin) for every column between the universe and a joint.
 template <Scalar S, class F>
-void forEachSupportingColumn(const Model<S>& model, std::size_t joint, F f) {
+void forEachSupportingColumn(const Model<S>& model, const std::vector<SE3<S>>& oMi, std::size_t joint, F f) {
   for (std::size_t i = joint; i > 0; i = std::size_t(model.parents[i]))
-    for (int k = model.idx_columns[i]; k < model.idx_columns[i] + model.column_counts[i]; ++k) f(i, k);
+    multibody_detail::visitJoint(model, i, [&]<class Joint>(const Joint& place) {
+      const auto columns = place.subspaceIn(oMi[i].rotation());
+      for (int k = 0; k < Joint::columns; ++k) f(place, k, Motion<S>(Vector6<S>(columns.col(k))));
+    });
 }
 
 /// The Jacobian [6 x nv] of a frame carried by a joint at X_JF, in data.work.jacobian. Needs J.
@@ -26,12 +29,12 @@ const Matrix6X<S>& jacobianAt(const Model<S>& model, Data<S>& data, std::size_t 
   const SE3<S> X_WF = oMi[joint] * X_JF;
   auto& J = data.work.jacobian;
   J.setZero();
-  forEachSupportingColumn(model, joint, [&](std::size_t i, int k) {
-    const Vector3<S>& p = oMi[i].translation();
+  forEachSupportingColumn(model, oMi, joint, [&](const auto& place, int k, const Motion<S>& s_k) {
+    const Vector3<S>& p = oMi[std::size_t(place.index)].translation();
     const bool at_world = reference == ReferenceFrame::WORLD;
     const Vector3<S> d = at_world ? Vector3<S>(-p) : Vector3<S>(X_WF.translation() - p);
-    const Motion<S> s = shifted(column(data.work.S_columns, k), d);
-    auto Jk = J.col(model.column_to_v[std::size_t(k)]);
+    const Motion<S> s = shifted(s_k, d);
+    auto Jk = J.col(place.idx_v + k);
     if (reference == ReferenceFrame::LOCAL) {
       Jk.template head<3>() += X_WF.rotation().transpose() * s.linear();
       Jk.template tail<3>() += X_WF.rotation().transpose() * s.angular();
@@ -54,12 +57,12 @@ const Matrix6X<S>& jacobianRateAt(const Model<S>& model, Data<S>& data, std::siz
   const Motion<S> V = shifted(data.work.velocity[joint], Vector3<S>(p_F - oMi[joint].translation()));
   auto& dJ = data.work.jacobian;
   dJ.setZero();
-  forEachSupportingColumn(model, joint, [&](std::size_t i, int k) {
+  forEachSupportingColumn(model, oMi, joint, [&](const auto& place, int k, const Motion<S>& s_k) {
     const bool at_world = reference == ReferenceFrame::WORLD;
-    const Vector3<S>& p = oMi[i].translation();
+    const Vector3<S>& p = oMi[std::size_t(place.index)].translation();
     const Vector3<S> d = at_world ? Vector3<S>(-p) : Vector3<S>(p_F - p);
-    const Motion<S> s = shifted(column(data.work.S_columns, k), d);
-    Motion<S> rate = shifted(column(data.work.dS, k), d);
+    const Motion<S> s = shifted(s_k, d);
+    Motion<S> rate = shifted(column(data.work.dS, place.column + k), d);
     if (reference == ReferenceFrame::LOCAL_WORLD_ALIGNED)
       rate = {Vector3<S>(rate.linear() + cross<S>(s.angular(), V.linear())), rate.angular()};
     if (reference == ReferenceFrame::LOCAL) {
@@ -67,7 +70,7 @@ const Matrix6X<S>& jacobianRateAt(const Model<S>& model, Data<S>& data, std::siz
       rate = {Vector3<S>(X_WF.rotation().transpose() * rate.linear()),
               Vector3<S>(X_WF.rotation().transpose() * rate.angular())};
     }
-    dJ.col(model.column_to_v[std::size_t(k)]) += rate.to_vector();
+    dJ.col(place.idx_v + k) += rate.to_vector();
   });
   return dJ;
 }
@@ -77,19 +80,24 @@ const Matrix6X<S>& jacobianRateAt(const Model<S>& model, Data<S>& data, std::siz
 /// Every joint's columns in WORLD [6 x nv]; what the getters below need. Updates liMi, oMi, J. q [nq].
 template <Scalar S>
 const Matrix6X<S>& computeJointJacobians(const Model<S>& model, Data<S>& data, In<S> q) {
-  algorithms_detail::columnsInWorldAxes(model, data, q);
-  const auto& oMi = data.oMi();
+  data.begin(model, q);
+  auto& liMi = data.liMi.write(Level::Position);
+  auto& oMi = data.oMi.write(Level::Position);
   auto& J = data.J.write(Level::Position);
   if (model.has_mimics) J.setZero();
-  for (int k = 0; k < model.ncolumns; ++k) {
-    const Vector3<S>& p = oMi[std::size_t(model.column_to_joint[std::size_t(k)])].translation();
-    const Vector3<S> u = data.work.S_columns.template block<3, 1>(0, k),
-                     w = data.work.S_columns.template block<3, 1>(3, k);
-    auto Jk = J.col(model.column_to_v[std::size_t(k)]);
-    if (!model.has_mimics) Jk.setZero();
-    Jk.template head<3>() += u + cross<S>(p, w);
-    Jk.template tail<3>() += w;
-  }
+  multibody_detail::forEachJoint(model, [&]<class Joint>(const Joint& joint) {
+    const std::size_t i = std::size_t(joint.index), p = std::size_t(model.parents[i]);
+    liMi[i] = joint.transform(q);
+    oMi[i] = p == 0 ? liMi[i] : oMi[p] * liMi[i];
+    const auto columns = joint.subspaceIn(oMi[i].rotation());
+    for (int k = 0; k < Joint::columns; ++k) {
+      const Vector3<S> w = columns.template block<3, 1>(3, k);
+      const Vector3<S> u = cross<S>(oMi[i].translation(), w) + columns.template block<3, 1>(0, k);
+      auto Jk = J.col(joint.idx_v + k);
+      Jk.template head<3>() = Joint::mimics ? Vector3<S>(Jk.template head<3>() + u) : u;
+      Jk.template tail<3>() = Joint::mimics ? Vector3<S>(Jk.template tail<3>() + w) : w;
+    }
+  });
   return J;
 }
 
@@ -98,12 +106,14 @@ template <Scalar S>
 const Matrix6X<S>& computeJointJacobiansTimeVariation(const Model<S>& model, Data<S>& data, In<S> q,
                                                       In<S> v) {
   computeJointJacobians(model, data, q);
+  algorithms_detail::columnsInWorldAxes(model, data, q, [](const auto&, const auto&) {});
   data.begin(model, q, v);
   auto& V = data.work.velocity;
   auto& dJ = data.dJ.write(Level::Velocity);
   dJ.setZero();
   for (std::size_t i = 1; i < model.joints.size(); ++i) {
-    V[i] = algorithms_detail::shifted(V[std::size_t(model.parents[i])], data.work.r[i]);
+    V[i] = algorithms_detail::shifted(V[std::size_t(model.parents[i])],
+                                      algorithms_detail::fromParent(model, data, i));
     const int begin = model.idx_columns[i], end = begin + model.column_counts[i];
     for (int k = begin; k < end; ++k)
       V[i] = V[i] + algorithms_detail::column(data.work.S_columns, k) * v[model.column_to_v[std::size_t(k)]];
@@ -150,7 +160,7 @@ const Matrix6X<S>& getFrameJacobianTimeVariation(const Model<S>& model, Data<S>&
   return algorithms_detail::jacobianRateAt(model, data, std::size_t(F.parentJoint), F.placement, reference);
 }
 
-// float and double are compiled once, in instantiations.cpp; other scalars where they are used.
+// float and double are compiled once, in instantiations_*.cpp; other scalars where they are used.
 extern template const Matrix6X<float>& computeJointJacobians<float>(const Model<float>&, Data<float>&,
                                                                     In<float>);
 extern template const Matrix6X<float>& computeJointJacobiansTimeVariation<float>(const Model<float>&,

@@ -52,16 +52,17 @@ void forwardKinematics(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, I
     oMi[i] = p == 0 ? liMi[i] : oMi[p] * liMi[i];
     const Motion<S> relative = joint.motion(v);
     V[i] = p == 0 ? relative : liMi[i].actInv(V[p]) + relative;
-    A[i] = joint.motion(a) + V[i].cross(relative);
+    A[i] = joint.motion(a) + joint.velocityProduct(V[i], relative);
     if (p > 0) A[i] = liMi[i].actInv(A[p]) + A[i];
   });
 }
 
 namespace algorithms_detail {
 
-/// For what works in world axes (Data::Work): poses, r and S_columns of every joint. Updates liMi, oMi.
-template <Scalar S>
-void columnsInWorldAxes(const Model<S>& model, Data<S>& data, In<S> q) {
+/// For what works in world axes (Data::Work): poses and S_columns of every joint, and f(joint, S) with those of its
+/// own, 6 x columns. Updates liMi, oMi.
+template <Scalar S, class F>
+void columnsInWorldAxes(const Model<S>& model, Data<S>& data, In<S> q, F f) {
   data.begin(model, q);
   auto& liMi = data.liMi.write(Level::Position);
   auto& oMi = data.oMi.write(Level::Position);
@@ -69,18 +70,22 @@ void columnsInWorldAxes(const Model<S>& model, Data<S>& data, In<S> q) {
     const std::size_t i = std::size_t(joint.index), p = std::size_t(model.parents[i]);
     liMi[i] = joint.transform(q);
     oMi[i] = p == 0 ? liMi[i] : oMi[p] * liMi[i];
-    data.work.r[i] = oMi[p].rotation() * liMi[i].translation();
-    auto columns = data.work.S_columns.template middleCols<Joint::columns>(joint.column);
-    const auto subspace = joint.joint.subspace();
-    columns.template topRows<3>() = oMi[i].rotation() * subspace.template topRows<3>();
-    columns.template bottomRows<3>() = oMi[i].rotation() * subspace.template bottomRows<3>();
+    const auto columns = joint.subspaceIn(oMi[i].rotation());
+    data.work.S_columns.template middleCols<Joint::columns>(joint.column) = columns;
+    f(joint, columns);
   });
+}
+/// The way from the parent's origin to joint i's, in world axes [m]: not a difference of two far places.
+template <Scalar S>
+Vector3<S> fromParent(const Model<S>& model, const Data<S>& data, std::size_t i) {
+  return data.oMi[std::size_t(model.parents[i])].rotation() * data.liMi[i].translation();
 }
 
 /// Column k of a joint's subspace, in world axes at the joint's own origin.
 template <Scalar S>
 Motion<S> column(const Matrix6X<S>& columns, int k) {
-  return Motion<S>(Vector6<S>(columns.col(k)));
+  const S* s = columns.data() + 6 * k;
+  return {Vector3<S>(s[0], s[1], s[2]), Vector3<S>(s[3], s[4], s[5])};
 }
 
 /// A motion, the same one, at a point d [m] away from its reference point: u + omega x d.
@@ -103,6 +108,16 @@ template <Scalar S>
 Inertia<S> shifted(const Inertia<S>& I, const Vector3<S>& d) {
   return {I.mass(), Vector3<S>(I.lever() + d), I.inertia()};
 }
+/// Two bodies as one: c = c1 + (m2/m) d, I = I1 + I2 + (m1 m2/m)(|d|^2 1 - d d^T), d = c2 - c1.
+template <Scalar S>
+Inertia<S> joined(const Inertia<S>& one, const Inertia<S>& two) {
+  const S m = one.mass() + two.mass();
+  if (!(m > S(0))) return one + two;
+  const S share = two.mass() / m;
+  const Vector3<S> d = two.lever() - one.lever();
+  const Inertia<S> offset(one.mass() * share, d, Matrix3<S>(one.inertia() + two.inertia()));
+  return {m, Vector3<S>(one.lever() + share * d), offset.inertiaAboutOrigin()};
+}
 template <Scalar S>
 void checkForces(const Model<S>& model, const External<S>& forces) {
   if (!forces.empty())
@@ -110,7 +125,7 @@ void checkForces(const Model<S>& model, const External<S>& forces) {
 }
 
 }  // namespace algorithms_detail
-// float and double are compiled once, in instantiations.cpp; other scalars where they are used.
+// float and double are compiled once, in instantiations_*.cpp; other scalars where they are used.
 extern template void forwardKinematics<float>(const Model<float>&, Data<float>&, In<float>);
 extern template void forwardKinematics<float>(const Model<float>&, Data<float>&, In<float>, In<float>);
 extern template void forwardKinematics<float>(const Model<float>&, Data<float>&, In<float>, In<float>,

@@ -42,7 +42,7 @@ void inverseDynamics(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, con
     liMi[i] = joint.transform(q);
     const Motion<S> relative = joint.motion(v);
     V[i] = p == 0 ? relative : liMi[i].actInv(V[p]) + relative;
-    A[i] = liMi[i].actInv(A[p]) + V[i].cross(relative);
+    A[i] = liMi[i].actInv(A[p]) + joint.velocityProduct(V[i], relative);
     if (a) A[i] = A[i] + joint.motion(*a);
     f[i] = model.inertias[i] * A[i] + V[i].cross(model.inertias[i] * V[i]);
     if (!fext.empty()) f[i] = f[i] - fext[i];
@@ -96,7 +96,7 @@ const VectorX<S>& computeGeneralizedGravity(const Model<S>& model, Data<S>& data
   return computeStaticTorque(model, data, q, {});
 }
 
-// float and double are compiled once, in instantiations.cpp; other scalars where they are used.
+// float and double are compiled once, in instantiations_*.cpp; other scalars where they are used.
 extern template const VectorX<float>& rnea<float>(const Model<float>&, Data<float>&, In<float>, In<float>,
                                                   In<float>, External<float>);
 extern template const VectorX<float>& nonLinearEffects<float>(const Model<float>&, Data<float>&, In<float>,

@@ -44,33 +44,58 @@ struct Place {
       return joint.transform(X_PJ, configuration(q));
     }
   }
+  /// A turn about joint.axis: half of S is zero, and most joints are one.
+  static constexpr bool turns = std::is_same_v<J, Revolute<S>> || std::is_same_v<J, Continuous<S>>;
+
   /// S v [6]: the velocity relative to the parent, in the joint's axes, at its origin. For v' it is what v'
   /// adds to the acceleration: S is constant, so there is no more.
   Motion<S> motion(const VectorX<S>& v) const {
-    if constexpr (columns == 0)
-      return Motion<S>::Zero();
+    if constexpr (turns)
+      return {Vector3<S>::Zero(), Vector3<S>(v[idx_v] * joint.axis.to_vector())};
     else if constexpr (columns == 6)
       return Motion<S>(Vector6<S>(v.template segment<6>(idx_v)));
     else
       return Motion<S>(Vector6<S>(joint.subspace() * v.template segment<columns>(idx_v)));
   }
+  /// V x (S v), of such a motion.
+  static Motion<S> velocityProduct(const Motion<S>& V, const Motion<S>& relative) {
+    if constexpr (turns) {
+      const Vector3<S>& w = relative.angular();
+      return {cross<S>(V.linear(), w), cross<S>(V.angular(), w)};
+    } else {
+      return V.cross(relative);
+    }
+  }
   /// S^T F [columns]: what the joint feels of a force.
   Coordinates project(const Force<S>& F) const {
-    if constexpr (columns == 0)
-      return {};
+    if constexpr (turns)
+      return Coordinates(joint.axis.to_vector().dot(F.angular()));
     else if constexpr (columns == 6)
       return F.to_vector();
     else
       return joint.subspace().transpose() * F.to_vector();
   }
+  /// S [6 x columns] in axes turned by R.
+  auto subspaceIn(const Matrix3<S>& R) const {
+    Eigen::Matrix<S, 6, columns> turned;
+    if constexpr (turns) {
+      turned << Vector3<S>::Zero(), joint.axis.in(R);
+    } else {
+      const auto subspace = joint.subspace();
+      turned.template topRows<3>() = R * subspace.template topRows<3>();
+      turned.template bottomRows<3>() = R * subspace.template bottomRows<3>();
+    }
+    return turned;
+  }
 };
 
-/// f(place) of joint i.
+/// f(place) of joint i, not of the universe.
 template <Scalar S, class F>
-decltype(auto) visitJoint(const Model<S>& model, std::size_t i, F f) {
-  return std::visit(
+void visitJoint(const Model<S>& model, std::size_t i, F f) {
+  std::visit(
       [&]<class J>(const J& joint) {
-        return f(Place<S, J>{model, joint, int(i), model.idx_qs[i], model.idx_vs[i], model.idx_columns[i]});
+        if constexpr (!std::is_same_v<J, Universe<S>>)
+          f(Place<S, J>{model, joint, int(i), model.idx_qs[i], model.idx_vs[i], model.idx_columns[i]});
       },
       model.joints[i]);
 }

@@ -45,6 +45,12 @@ class Axis {
     return R;
   }
 
+  /// R a.
+  Vector3<S> in(const Matrix3<S>& R) const {
+    if (coordinate_ >= 0) return R.col(coordinate_);
+    return R * unit_;
+  }
+
   /// The same numbers as T; narrowing rounds each, widening is not made unit again.
   template <Scalar T>
   Axis<T> cast() const {
