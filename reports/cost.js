@@ -6,9 +6,11 @@ const SCALARS = {float: "triangle", double: "circle", float128: "rect", "double-
 const NATIVE = ["float", "double"];
 const DOUBLE_EPS = 2 ** -52;
 
+const COST_COLORS = [...LOOKS.map(l => l.color), "#882255", "#44aa99", "#999933", "#661100"];
+
 function costColor(subject, names) {
   const others = names.filter(s => !KNOWN.includes(s));
-  return LOOKS[(KNOWN.includes(subject) ? KNOWN.indexOf(subject) : KNOWN.length + others.indexOf(subject)) % LOOKS.length].color;
+  return COST_COLORS[(KNOWN.includes(subject) ? KNOWN.indexOf(subject) : KNOWN.length + others.indexOf(subject)) % COST_COLORS.length];
 }
 
 // The points of one operation: x [ns], y [eps of double].
@@ -117,7 +119,7 @@ function costLegend(points, names) {
 
 function fillCost(cost, home, kind, operation) {
   forget(home);
-  const names = unique(cost.rows.map(r => r.subject));
+  const names = unique(cost.rows.map(r => r.subject)).filter(s => s !== "call" && !s.includes("@"));
   for (const o of unique(cost.rows.map(r => r.operation)).filter(o => !operation || o === operation)) {
     const points = costPoints(cost.rows.filter(r => r.operation === o), kind);
     if (!points.length) continue;

@@ -2,7 +2,7 @@
 // The library compiled with other compilers and flags, one module each beside the program.
 //
 // A template instantiated twice in one program is one function, whichever flags the linker's choice had. So each set of
-// flags is an object of its own, subjects/liecheck.cpp compiled with LIECHECK_KERNELS: hidden but for one function, and
+// flags is an object of its own, timing/module/operations.cpp: hidden but for one function, and
 // loaded with RTLD_LOCAL. Flags that change how types lie in memory (Eigen aligns by the widest vector) are caught by
 // `layout`.
 

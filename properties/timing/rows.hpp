@@ -64,6 +64,7 @@ void add_cost_rows(CostPlan& plan, const std::string& scalar, double eps,
     const auto add = [&](const std::string& subject, const std::string& version, R (*f)(const A&...),
                          bool scored) {
       CostRow row{subject, version, scalar, name, eps, {}};
+      const bool by_band = bands && subject.find('@') == std::string::npos;  // other flags: all together
       CostSet mixed{"mixed", flat.size(), {}, {}, 0, {}};
       for (std::size_t b = 0; b < cost_bands.size() && !plan.stopped(); ++b) {
         const auto from = flat.begin() + static_cast<std::ptrdiff_t>(b * each);
@@ -72,7 +73,8 @@ void add_cost_rows(CostPlan& plan, const std::string& scalar, double eps,
           set.blocks = score(name, law, member, f,
                              std::vector<std::vector<Input>>(from, from + static_cast<std::ptrdiff_t>(each)));
         merge_blocks(mixed.blocks, set.blocks);
-        if (bands) plan.timed.push_back({plan.rows.size(), b, loops_of<R, A...>(f, inputs, b * each, each)});
+        if (by_band)
+          plan.timed.push_back({plan.rows.size(), b, loops_of<R, A...>(f, inputs, b * each, each)});
         row.sets.push_back(std::move(set));
       }
       if (plan.stopped()) return;

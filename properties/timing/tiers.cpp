@@ -40,9 +40,9 @@ const std::vector<std::string>& cost_scalars() {
 }
 
 void add_tiers(CostPlan& plan, const std::map<std::string, std::vector<Field>>& fields_of_laws) {
-  // A sixteenth and a thirty-second of the inputs of double: a call takes a hundred and a thousand times as long.
-  const std::size_t each = plan.options.inputs_per_band, few = std::max<std::size_t>(1, each / 16),
-                    fewer = std::max<std::size_t>(1, each / 32);
+  // A thirty-second and a sixty-fourth of the inputs of double: a call takes a hundred and a thousand times as long.
+  const std::size_t each = plan.options.inputs_per_band, few = std::max<std::size_t>(1, each / 32),
+                    fewer = std::max<std::size_t>(1, each / 64);
 #ifdef LIECHECK_QD
   add_tier<dd_real>(plan, "double-double", std::numeric_limits<dd_real>::digits, few, fields_of_laws);
 #endif

@@ -43,6 +43,7 @@ Json cost() {
     rows.push_back(row("breaks", "quad", operation, "inf", 10));
     rows.push_back(row("call", "double", operation, nullptr, 2));
   }
+  rows.push_back(row("liecheck@gcc-O2", "double", "exp6", 2e-16, 1));  // would be on every front
   rows.push_back(row("one", "double", "exp6", 0, 20000));
   return {{"version", "0.1.0"},
           {"verdict", "pass"},
@@ -83,7 +84,8 @@ TEST(CostReport, TheSectionNamesMachineAndVariants) {
   const std::string text = cost_section({{Json{{"cost", cost()}}}, {}});
   for (const char* part :
        {"take <b>fast in double</b>", "take <b>default in quad</b>", "<b>nearly in double</b>", "c&lt;1&gt;",
-        "governor g", "not counted (perf_event_open: none)", "+5.5 for +30 ns", "the rest for +"})
+        "governor g", "not counted (perf_event_open: none)", "+5.5 for +30 ns", "the rest for +",
+        "Compilers and flags", "gcc-O2<br><code>1</code>", "1 ns, 0.901 eps"})
     EXPECT_NE(text.find(part), text.npos) << part;
   EXPECT_NE(cost_section({}).find("These records hold no times"), std::string::npos);
 }

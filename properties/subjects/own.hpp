@@ -1,0 +1,124 @@
+#pragma once
+// liecheck's own library in any scalar. What instantiates it is few scalars a file: gcc inlines less in a large one.
+
+#include <boost/multiprecision/eigen.hpp>
+#include <subjects/subject.hpp>
+
+#include <liecheck/multibody/configuration.hpp>
+#include <liecheck/spatial/checked_rotation.hpp>
+#include <liecheck/spatial/exp_log.hpp>
+#include <liecheck/spatial/jacobians.hpp>
+#include <liecheck/urdf/urdf.hpp>
+
+namespace liecheck::properties {
+
+template <class S>
+struct Own {
+  using O = Operations<S>;
+  using V3 = typename O::V3;
+  using V4 = typename O::V4;
+  using V6 = typename O::V6;
+  using V7 = typename O::V7;
+  using M3 = typename O::M3;
+  using M6 = typename O::M6;
+
+  static SE3<S> pose(const Pose<S>& X) { return {X.R, X.p}; }
+  static Pose<S> stored(const SE3<S>& X) { return {X.rotation(), X.translation()}; }
+  static Inertia<S> inertia(const Body<S>& b) { return {b.mass, b.c, b.I_C}; }
+  static Body<S> body(const Inertia<S>& I) { return {I.mass(), I.lever(), I.inertia()}; }
+
+  static Subject<S> make() {
+    Subject<S> s;
+    s.name = "liecheck";
+    s.version = LIECHECK_VERSION;
+    O& o = s.operations;
+    o.exp3_quaternion = [](const V3& phi) -> V4 { return quaternion::exp3<S>(phi).to_vector(); };
+    o.exp3_matrix = [](const V3& phi) -> M3 { return exp3<S>(phi); };
+    o.log3_quaternion = [](const V4& Q) -> V3 { return quaternion::log3<S>(SO3<S>(Q)); };
+    o.log3_matrix = [](const M3& R) -> V3 { return log3<S>(R); };
+    o.exp6 = [](const V6& xi) -> Pose<S> { return stored(exp6<S>(Motion<S>(xi))); };
+    o.log6 = [](const Pose<S>& T) -> V6 { return log6<S>(pose(T)).to_vector(); };
+    o.left_jacobian3 = [](const V3& phi) -> M3 { return leftJacobian<S>(phi); };
+    o.right_jacobian3 = [](const V3& phi) -> M3 { return rightJacobian<S>(phi); };
+    o.left_jacobian3_inverse = [](const V3& phi) -> M3 { return leftJacobianInverse<S>(phi); };
+    o.right_jacobian3_inverse = [](const V3& phi) -> M3 { return rightJacobianInverse<S>(phi); };
+    o.left_jacobian6 = [](const V6& xi) -> M6 { return leftJacobian<S>(Motion<S>(xi)); };
+    o.right_jacobian6 = [](const V6& xi) -> M6 { return rightJacobian<S>(Motion<S>(xi)); };
+    o.left_jacobian6_inverse = [](const V6& xi) -> M6 { return leftJacobianInverse<S>(Motion<S>(xi)); };
+    o.right_jacobian6_inverse = [](const V6& xi) -> M6 { return rightJacobianInverse<S>(Motion<S>(xi)); };
+    o.integrate = [](const V7& q, const V6& d) -> V7 { return integrateSE3<S>(q, d); };
+    o.difference = [](const V7& q0, const V7& q1) -> V6 { return differenceSE3<S>(q0, q1); };
+    o.d_integrate_arg0 = [](const V7& q, const V6& d) -> M6 {
+      return dIntegrateSE3<S>(q, d, ArgumentPosition::ARG0);
+    };
+    o.d_integrate_arg1 = [](const V7& q, const V6& d) -> M6 {
+      return dIntegrateSE3<S>(q, d, ArgumentPosition::ARG1);
+    };
+    o.d_difference_arg0 = [](const V7& a, const V7& b) -> M6 {
+      return dDifferenceSE3<S>(a, b, ArgumentPosition::ARG0);
+    };
+    o.d_difference_arg1 = [](const V7& a, const V7& b) -> M6 {
+      return dDifferenceSE3<S>(a, b, ArgumentPosition::ARG1);
+    };
+    o.integrate_coefficient_jacobian = [](const V7& q) -> Mat<S, 7, 6> {
+      return integrateCoeffWiseJacobianSE3<S>(q);
+    };
+    o.compose = [](const Pose<S>& X, const Pose<S>& Y) -> Pose<S> { return stored(pose(X) * pose(Y)); };
+    o.inverse = [](const Pose<S>& X) -> Pose<S> { return stored(pose(X).inverse()); };
+    o.act_point = [](const Pose<S>& X, const V3& x) -> V3 { return pose(X).act(x); };
+    o.rotate_point = [](const V4& Q, const V3& x) -> V3 { return SO3<S>(Q).act(x); };
+    o.act_motion = [](const Pose<S>& X, const V6& V) -> V6 { return pose(X).act(Motion<S>(V)).to_vector(); };
+    o.act_inverse_motion = [](const Pose<S>& X, const V6& V) -> V6 {
+      return pose(X).actInv(Motion<S>(V)).to_vector();
+    };
+    o.act_force = [](const Pose<S>& X, const V6& F) -> V6 { return pose(X).act(Force<S>(F)).to_vector(); };
+    o.act_inverse_force = [](const Pose<S>& X, const V6& F) -> V6 {
+      return pose(X).actInv(Force<S>(F)).to_vector();
+    };
+    o.cross_motion = [](const V6& V, const V6& W) -> V6 {
+      return Motion<S>(V).cross(Motion<S>(W)).to_vector();
+    };
+    o.cross_force = [](const V6& V, const V6& F) -> V6 {
+      return Motion<S>(V).cross(Force<S>(F)).to_vector();
+    };
+    o.act_inertia = [](const Pose<S>& X, const Body<S>& I) -> Body<S> {
+      return body(pose(X).act(inertia(I)));
+    };
+    o.act_inverse_inertia = [](const Pose<S>& X, const Body<S>& I) -> Body<S> {
+      return body(pose(X).actInv(inertia(I)));
+    };
+    o.momentum = [](const Body<S>& I, const V6& V) -> V6 { return (inertia(I) * Motion<S>(V)).to_vector(); };
+    o.kinetic_energy = [](const Body<S>& I, const V6& V) -> S {
+      return inertia(I).kineticEnergy(Motion<S>(V));
+    };
+    o.inertia_matrix = [](const Body<S>& I) -> M6 { return inertia(I).matrix(); };
+    if constexpr (std::is_floating_point_v<S> || std::is_same_v<S, float128>) {
+      o.check_quaternion = [](const V4& Q) { checkedQuaternion<S>(Q); };
+      o.check_rotation = [](const M3& R) { checkedRotation<S>(R); };
+    }
+    return s;
+  }
+
+  static Subject<S> with_robots() {
+    Subject<S> s = make();
+    s.operations.robot = &robot;
+    return s;
+  }
+
+  static RobotOperations<S> robot(const std::string& urdf) {
+    const auto model = std::make_shared<const Model<S>>(
+        buildModelFromUrdfText(urdf, RootJoint::FreeFlyer, "the campaign's robot").template cast<S>());
+    RobotOperations<S> r;
+    r.integrate = [model](const VecX<S>& q, const VecX<S>& d) -> VecX<S> { return integrate(*model, q, d); };
+    r.difference = [model](const VecX<S>& a, const VecX<S>& b) -> VecX<S> {
+      return difference(*model, a, b);
+    };
+    r.d_integrate = [model](const VecX<S>& q, const VecX<S>& d, int argument) -> MatX<S> {
+      return dIntegrate(*model, q, d, argument == 0 ? ArgumentPosition::ARG0 : ArgumentPosition::ARG1);
+    };
+    r.is_same = [model](const VecX<S>& a, const VecX<S>& b) { return isSameConfiguration(*model, a, b); };
+    return r;
+  }
+};
+
+}  // namespace liecheck::properties
