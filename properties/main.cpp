@@ -20,6 +20,7 @@
 #include <nlohmann/json.hpp>
 #include <reports/files.hpp>
 #include <reports/report.hpp>
+#include <robot_command.hpp>
 #include <set>
 #include <sweep_command.hpp>
 #include <thread>
@@ -264,7 +265,14 @@ int run_report(const Flags& f) {
     }
     std::optional<CostResult> cost;
     if (!stop_requested && !f.no_cost) {
-      CostFlags c;
+      RobotFlags robot;
+  auto* listed = app.add_subcommand("robot", "what a URDF becomes: joints, offsets, warnings. Exit 0, 2 bad input");
+  filled(listed->add_option("FILE", robot.file, "the URDF"), "URDF")->required();
+  listed->add_option("--root", robot.root, "how its root is connected to the world")
+      ->check(CLI::IsMember({"fixed", "free-flyer", "planar", "spherical", "translation"}));
+  listed->add_flag("--mimic", robot.tied, "mimic joints have no numbers of their own");
+  listed->add_flag("--strict", robot.strict, "a warning is an error");
+  CostFlags c;
       c.options.seed = f.seed;
       c.options.seconds = 30;
       c.options.flags = has_kernels();
@@ -475,6 +483,7 @@ int main(int argc, char** argv) {
       return finish(run_bench_command(f, b, true));
     }
     if (swept->parsed()) return finish(run_sweep_flags(f, s));
+    if (listed->parsed()) return finish(run_robot_command(robot));
     if (cost->parsed()) return finish(run_cost_flags(f, c));
     if (hunt->parsed()) return finish(run_hunt_command(f, h));
     if (replay->parsed()) return finish(run_replay(f));

@@ -72,7 +72,7 @@ template <Scalar S>
 const Matrix6X<S>& computeCentroidalMap(const Model<S>& model, Data<S>& data, In<S> q) {
   using namespace algorithms_detail;
   compositeInertias(model, data, q);
-  const Vector3<S> c = data.com.write(Level::Position) = data.work.inertia[0].lever();
+  const Vector3<S> c = data.com.write(Level::Position) = data.work.inertia[0].c;
   auto& Ag = data.Ag.write(Level::Position);
   Ag.setZero();
   for (int k = 0; k < model.ncolumns; ++k) {

@@ -26,16 +26,14 @@ namespace algorithms_detail {
 template <Scalar S>
 void compositeInertias(const Model<S>& model, Data<S>& data, In<S> q) {
   auto& I = data.work.inertia;
-  I[0] = Inertia<S>::Zero();
+  I[0] = {};
   columnsInWorldAxes(model, data, q, [&](const auto& joint, const auto&) {
     const std::size_t i = std::size_t(joint.index);
     data.work.r[i] = fromParent(model, data, i);
-    I[i] = turned(data.oMi[i].rotation(), model.inertias[i]);
+    I[i] = CompositeInertia<S>::turned(data.oMi[i].rotation(), model.inertias[i]);
   });
-  for (std::size_t i = model.joints.size() - 1; i > 0; --i) {
-    const std::size_t p = std::size_t(model.parents[i]);
-    I[p] = joined(I[p], shifted(I[i], data.work.r[i]));
-  }
+  for (std::size_t i = model.joints.size() - 1; i > 0; --i)
+    I[std::size_t(model.parents[i])].join(I[i], data.work.r[i]);
 }
 
 /// The joint's own inertia is lost in the rounding of what was taken from it: no pivot.
@@ -98,7 +96,7 @@ const MatrixX<S>& crba(const Model<S>& model, Data<S>& data, In<S> q) {
   algorithms_detail::compositeInertias(model, data, q);
   auto& M = data.M.write(Level::Position);
   M.setZero();
-  M.diagonal() = model.armature;
+  if (model.has_mimics) M.diagonal() = model.armature;
   for (std::size_t j = model.joints.size() - 1; j > 0; --j) {
     const int begin = model.idx_columns[j], end = begin + model.column_counts[j];
     for (int k = begin; k < end; ++k) {
@@ -107,8 +105,12 @@ const MatrixX<S>& crba(const Model<S>& model, Data<S>& data, In<S> q) {
       const auto add = [&](int m) {
         const S h = algorithms_detail::column(data.work.S_columns, m).dot(F);
         const int vm = model.column_to_v[std::size_t(m)];
-        M(vk, vm) += h;
-        if (m != k) M(vm, vk) += h;
+        if (model.has_mimics) {  // several columns act on one number of v
+          M(vk, vm) += h;
+          if (m != k) M(vm, vk) += h;
+        } else {
+          M(vk, vm) = M(vm, vk) = m == k ? S(h + model.armature[vk]) : h;
+        }
       };
       for (int m = begin; m <= k; ++m) add(m);
       for (std::size_t i = j, p; (p = std::size_t(model.parents[i])) > 0; i = p) {

@@ -103,21 +103,6 @@ template <Scalar S>
 Inertia<S> turned(const Matrix3<S>& R, const Inertia<S>& I) {
   return SE3<S>(R, Vector3<S>::Zero()).act(I);
 }
-/// The same body seen from a point from which its reference point is d [m] away.
-template <Scalar S>
-Inertia<S> shifted(const Inertia<S>& I, const Vector3<S>& d) {
-  return {I.mass(), Vector3<S>(I.lever() + d), I.inertia()};
-}
-/// Two bodies as one: c = c1 + (m2/m) d, I = I1 + I2 + (m1 m2/m)(|d|^2 1 - d d^T), d = c2 - c1.
-template <Scalar S>
-Inertia<S> joined(const Inertia<S>& one, const Inertia<S>& two) {
-  const S m = one.mass() + two.mass();
-  if (!(m > S(0))) return one + two;
-  const S share = two.mass() / m;
-  const Vector3<S> d = two.lever() - one.lever();
-  const Inertia<S> offset(one.mass() * share, d, Matrix3<S>(one.inertia() + two.inertia()));
-  return {m, Vector3<S>(one.lever() + share * d), offset.inertiaAboutOrigin()};
-}
 template <Scalar S>
 void checkForces(const Model<S>& model, const External<S>& forces) {
   if (!forces.empty())

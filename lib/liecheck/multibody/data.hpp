@@ -6,6 +6,7 @@
 // Fields are read as data.tau() or data.oMi[i]. Names and meanings are Pinocchio's. What an algorithm returns is a
 // reference to its field: copy it before the next call, where both are needed.
 
+#include <liecheck/multibody/composite_inertia.hpp>
 #include <liecheck/multibody/field.hpp>
 #include <liecheck/multibody/model.hpp>
 #include <liecheck/multibody/place.hpp>
@@ -67,11 +68,11 @@ class Data {
   /// What algorithms compute with. "In world axes" means there: axes of the world, at the joint's own origin, so
   /// that no digits are lost far from the world's origin.
   struct Work {
-    Each<Motion<S>> gravitated;      ///< acceleration minus gravity
-    Each<Vector3<S>> r;              ///< from the parent's origin, in world axes
-    Each<Motion<S>> velocity, bias;  ///< in world axes
-    Each<Force<S>> force;            ///< in world axes
-    Each<Inertia<S>> inertia;        ///< in world axes: of a body, or of all that a joint carries
+    Each<Motion<S>> gravitated;         ///< acceleration minus gravity
+    Each<Vector3<S>> r;                 ///< from the parent's origin, in world axes
+    Each<Motion<S>> velocity, bias;     ///< in world axes
+    Each<Force<S>> force;               ///< in world axes
+    Each<CompositeInertia<S>> inertia;  ///< in world axes: of all that a joint carries
     Each<Matrix6<S>> articulated, coriolis, D_inverse;
     Matrix6X<S> S_columns, dS, U, z, w, y;  ///< [6 x ncolumns]
     Matrix6X<S> jacobian;                   ///< [6 x nv] what a Jacobian getter returned last
@@ -159,7 +160,7 @@ Data<S>::Data(const Model<S>& model, Dense dense)
   work.r.assign(n, Vector3<S>::Zero());
   work.velocity.assign(n, Motion<S>::Zero()), work.bias.assign(n, Motion<S>::Zero());
   work.force.assign(n, Force<S>::Zero());
-  work.inertia.assign(n, Inertia<S>::Zero());
+  work.inertia.resize(n);
   work.articulated.resize(n), work.coriolis.resize(n), work.D_inverse.resize(n);
   for (Matrix6X<S>* m : {&work.S_columns, &work.dS, &work.U, &work.z, &work.w, &work.y})
     m->resize(6, model.ncolumns);

@@ -1,0 +1,51 @@
+#pragma once
+// The inertia of several bodies rigidly joined, to be summed along a tree: mass [kg], centre of mass c [m] and the
+// six numbers of I_C [kg m^2], all in one frame's axes. What spatial/inertia.hpp says once a body, this does once a
+// joint and state, in scalars.
+
+#include <liecheck/spatial/se3.hpp>
+
+namespace liecheck {
+
+template <Scalar S>
+struct CompositeInertia {
+  S mass = S(0);
+  Vector3<S> c = Vector3<S>::Zero();
+  S xx = S(0), xy = S(0), xz = S(0), yy = S(0), yz = S(0), zz = S(0);
+
+  /// A body's, in axes turned by R: c = R c_B, I_C = R I_C,B R^T.
+  static CompositeInertia turned(const Matrix3<S>& R, const Inertia<S>& I) {
+    const Matrix3<S> RI = R * I.inertia();
+    const auto entry = [&](int i, int j) {
+      return S(RI(i, 0) * R(j, 0) + RI(i, 1) * R(j, 1) + RI(i, 2) * R(j, 2));
+    };
+    return {I.mass(),    Vector3<S>(R * I.lever()),
+            entry(0, 0), entry(0, 1),
+            entry(0, 2), entry(1, 1),
+            entry(1, 2), entry(2, 2)};
+  }
+
+  /// Adds another whose frame stands r [m] away, in the same axes: with d = c_2 + r - c and t = m_2/(m + m_2),
+  /// c += t d,  I_C += I_2 + m t (|d|^2 1 - d d^T)  (parallel axes, once).
+  void join(const CompositeInertia& other, const Vector3<S>& r) {
+    const S total = mass + other.mass, share = total > S(0) ? S(other.mass / total) : S(0), m = mass * share;
+    const S x = other.c[0] + r[0] - c[0], y = other.c[1] + r[1] - c[1], z = other.c[2] + r[2] - c[2];
+    const S mx = m * x, my = m * y, mz = m * z;
+    mass = total;
+    c[0] += share * x, c[1] += share * y, c[2] += share * z;
+    xx += other.xx + (my * y + mz * z), yy += other.yy + (mx * x + mz * z),
+        zz += other.zz + (mx * x + my * y);
+    xy += other.xy - mx * y, xz += other.xz - mx * z, yz += other.yz - my * z;
+  }
+
+  /// Momentum about the frame's origin: f = m (u + omega x c), n = I_C omega + c x f.
+  Force<S> operator*(const Motion<S>& V) const {
+    const Vector3<S>& w = V.angular();
+    const Vector3<S> f = mass * (V.linear() + cross<S>(w, c));
+    const Vector3<S> n(xx * w[0] + xy * w[1] + xz * w[2], xy * w[0] + yy * w[1] + yz * w[2],
+                       xz * w[0] + yz * w[1] + zz * w[2]);
+    return {f, Vector3<S>(n + cross<S>(c, f))};
+  }
+};
+
+}  // namespace liecheck
