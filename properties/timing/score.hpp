@@ -61,14 +61,14 @@ std::vector<BlockErrors> score(const Property<S>& law, const std::string& operat
   for (const auto& x : inputs) {
     BlockCollector one(law.outputs(), operation);
     try {
-      bool decided = false;
-      try {
-        decided = law.measure_fast(subject, x, one);
-      } catch (const oracles::Undecided&) {
-      }
-      if (!decided) {
+      // From the narrowest balls to the widest, until one decides.
+      for (std::size_t tier = 0;; ++tier) {
         one = BlockCollector(law.outputs(), operation);
-        law.measure(subject, x, one);
+        try {
+          if (!law.measure_fast(subject, x, one, tier)) law.measure(subject, x, one);
+          break;
+        } catch (const oracles::Undecided&) {
+        }
       }
     } catch (const std::exception&) {
       all.refused();
