@@ -265,14 +265,7 @@ int run_report(const Flags& f) {
     }
     std::optional<CostResult> cost;
     if (!stop_requested && !f.no_cost) {
-      RobotFlags robot;
-  auto* listed = app.add_subcommand("robot", "what a URDF becomes: joints, offsets, warnings. Exit 0, 2 bad input");
-  filled(listed->add_option("FILE", robot.file, "the URDF"), "URDF")->required();
-  listed->add_option("--root", robot.root, "how its root is connected to the world")
-      ->check(CLI::IsMember({"fixed", "free-flyer", "planar", "spherical", "translation"}));
-  listed->add_flag("--mimic", robot.tied, "mimic joints have no numbers of their own");
-  listed->add_flag("--strict", robot.strict, "a warning is an error");
-  CostFlags c;
+      CostFlags c;
       c.options.seed = f.seed;
       c.options.seconds = 30;
       c.options.flags = has_kernels();
@@ -431,6 +424,14 @@ int main(int argc, char** argv) {
   add_number(*swept, "--stride", s.stride, 1, 1u << 30, "only every Nth float: a lower bound, sooner");
   jobs_flag(swept);
   filled(swept->add_option("--json", f.json, "write the bounds to FILE"), "FILE");
+  RobotFlags robot;
+  auto* listed =
+      app.add_subcommand("robot", "what a URDF becomes: joints, offsets, warnings. Exit 0, 2 bad input");
+  filled(listed->add_option("FILE", robot.file, "the URDF"), "URDF")->required();
+  listed->add_option("--root", robot.root, "how its root is connected to the world")
+      ->check(CLI::IsMember({"fixed", "free-flyer", "planar", "spherical", "translation"}));
+  listed->add_flag("--mimic", robot.tied, "mimic joints have no numbers of their own");
+  listed->add_flag("--strict", robot.strict, "a warning is an error");
   CostFlags c;
   auto* cost =
       app.add_subcommand("cost",
