@@ -2,6 +2,7 @@
 // Error-free transformations (Dekker 1971; Ogita, Rump & Oishi 2005), for the few sums whose terms cancel.
 
 #include <array>
+#include <bit>
 #include <liecheck/scalar/scalar.hpp>
 #include <limits>
 #include <utility>
@@ -75,6 +76,7 @@ template <Scalar S, int N, class V>
 S exact_dot(const V& a, const V& b) {
   using std::frexp, std::ldexp;
   constexpr int gap = 2 * std::numeric_limits<S>::digits + 12, none = std::numeric_limits<int>::min();
+  constexpr int log2_n = std::bit_width(unsigned(N));
   std::array<S, N> x, y;
   std::array<int, N> exponent;  // none: added, or zero
   for (int i = 0; i < N; ++i) {
@@ -100,7 +102,7 @@ S exact_dot(const V& a, const V& b) {
     if (sum != S(0)) {
       int e = 0;
       frexp(sum, &e);
-      if (top < e + scale - 4) break;  // the rest is less than an eighth of it
+      if (top < e + scale - std::numeric_limits<S>::digits - log2_n) break;  // the rest: below an eps of it
       if (top < e + scale) top = e + scale;
     }
     for (int i = 0; i < size; ++i) expansion[i] = S(ldexp(expansion[i], scale - top));
