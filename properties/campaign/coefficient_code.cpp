@@ -14,7 +14,7 @@ struct SixStumpff {
   static inline const std::vector<Coefficient> outputs = {c0, c1, c2, c3, c4, c5};
   template <class S>
   static void of(const S& x, S* out) {
-    const Stumpff<S> c(x);
+    const HalfAngle<S> c(S(4) * x);  // at x itself
     out[0] = c.c0, out[1] = c.c1, out[2] = c.c2, out[3] = c.c3, out[4] = c.c4, out[5] = c.c5;
   }
 };
@@ -23,7 +23,8 @@ struct Differences {
                                                           Coefficient::c4_minus_3c5};
   template <class S>
   static void of(const S& x, S* out) {
-    out[0] = liecheck::c3_minus_2c4(x), out[1] = liecheck::c4_minus_3c5(x);
+    const HalfAngle<S> c(x);
+    out[0] = c.second_slope(), out[1] = c.third_slope();
   }
 };
 struct Inverse {
@@ -39,7 +40,7 @@ struct Half {
   template <class S>
   static void of(const S& x, S* out) {
     const HalfAngle<S> c(x);
-    out[0] = c.sine_over_angle, out[1] = c.cosine;
+    out[0] = c.sine_over_angle(), out[1] = c.c0;
   }
 };
 struct Logarithm {
@@ -92,15 +93,15 @@ bool constant_over(float low, float high, float* out) {
 }
 
 template <class Code>
-CoefficientCode lanes_code() {
-  return {Code::outputs, stumpff_detail::series_limit<float>(), in_lanes<Code>, constant_over<Code>};
+CoefficientCode lanes_code(float part = 1) {
+  return {Code::outputs, part * stumpff_detail::series_limit<float>(), in_lanes<Code>, constant_over<Code>};
 }
 
 }  // namespace
 
 const std::vector<CoefficientCode>& library_coefficients() {
   static const std::vector<CoefficientCode> all = {
-      lanes_code<SixStumpff>(), lanes_code<Differences>(), lanes_code<Inverse>(), lanes_code<Half>(),
+      lanes_code<SixStumpff>(0.25F), lanes_code<Differences>(), lanes_code<Inverse>(), lanes_code<Half>(),
       CoefficientCode{Logarithm::outputs, std::numeric_limits<float>::max(), one_by_one<Logarithm>,
                       constant_over<Logarithm>}};
   return all;

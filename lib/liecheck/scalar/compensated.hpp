@@ -3,6 +3,7 @@
 
 #include <array>
 #include <bit>
+#include <liecheck/scalar/precision.hpp>
 #include <liecheck/scalar/scalar.hpp>
 #include <limits>
 #include <utility>
@@ -43,10 +44,15 @@ std::pair<S, S> two_product(const S& a, const S& b) {
 
 /// Sum of products a_i b_i as if computed in twice the digits, then rounded: error at most
 /// eps |sum| + n^2 eps^2 sum |a_i b_i|. Ogita, Rump & Oishi (2005), algorithm 5.3 (Dot2).
-template <Scalar S>
+/// In fast precision, as usual.
+template <Scalar S, Precision P = Precision::standard>
 class CompensatedSum {
  public:
   CompensatedSum& add_product(const S& a, const S& b) {
+    if constexpr (P == Precision::fast) {
+      high_ = mul_add(a, b, high_);
+      return *this;
+    }
     const auto [p, pe] = two_product(a, b);
     const auto [s, se] = two_sum(high_, p);
     high_ = s;
@@ -66,6 +72,55 @@ class CompensatedSum {
  private:
   S high_ = S(0);
   S low_ = S(0);
+};
+
+/// A number cut in two at a fixed place: head + tail = value exactly, the head a multiple of 2^-f, f = (digits - BITS)/2,
+/// so that a sum of products of heads is exact while it stays below 2^BITS: no product is ever split (Rump, Ogita &
+/// Oishi 2008, algorithm 3.2). |value| < 2^(digits/2 - 1); any larger one is only rounded as usual. In fast
+/// precision, the value alone.
+template <Scalar S, int BITS, Precision P = Precision::standard>
+struct Cut {
+  S value, head, tail;
+  [[gnu::always_inline]] Cut(const S& x) : value(x), head(x), tail(S(0)) {
+    if constexpr (P != Precision::fast) {
+      using std::ldexp;
+      constexpr int digits = std::numeric_limits<S>::digits, places = (digits - BITS) / 2;
+      const S cut = S(ldexp(S(3), digits - 2 - places));
+      head = (x + cut) - cut;
+      tail = x - head;
+    }
+  }
+  /// Cut where `place` has its last digit instead: at 2^(places + 1) times a bound of numbers of any size.
+  [[gnu::always_inline]] Cut(const S& x, const S& place) : value(x), head(x), tail(S(0)) {
+    if constexpr (P != Precision::fast) {
+      head = (x + place) - place;
+      tail = x - head;
+    }
+  }
+  friend Cut operator-(const Cut& a) { return Cut(S(-a.value), S(-a.head), S(-a.tail)); }
+
+ private:
+  Cut(const S& v, const S& h, const S& t) : value(v), head(h), tail(t) {}
+};
+
+/// sum a b as (high, low), high the exact sum of the products of heads: error 2^-(digits/2 - BITS) eps of sum |a b|.
+template <Scalar S, int BITS, Precision P = Precision::standard>
+struct CutSum {
+  S high = S(0), low = S(0);
+  [[gnu::always_inline]] CutSum& add_product(const Cut<S, BITS, P>& a, const Cut<S, BITS, P>& b) {
+    high = mul_add(a.head, b.head, high);
+    if constexpr (P != Precision::fast) low = mul_add(a.tail, b.value, mul_add(a.head, b.tail, low));
+    return *this;
+  }
+  [[gnu::always_inline]] CutSum& add_square(const Cut<S, BITS, P>& a) {
+    high = mul_add(a.head, a.head, high);
+    if constexpr (P != Precision::fast) low = mul_add(a.tail, S(a.value + a.head), low);
+    return *this;
+  }
+  S value() const {
+    if constexpr (P == Precision::fast) return high;
+    return high + low;
+  }
 };
 
 /// a . b with its exact sign and a relative error of 2 eps however much cancels and however small the products

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <concepts>
 #include <limits>
+#include <numbers>
 #include <type_traits>
 
 namespace liecheck {
@@ -42,6 +43,24 @@ concept Scalar = std::numeric_limits<S>::is_specialized && std::numeric_limits<S
   bool(a < b);
 };
 
+namespace scalar_detail {
+template <class S>
+struct Lane {
+  using type = S;
+};
+template <class S>
+requires requires {
+  typename S::Lane;
+}
+struct Lane<S> {
+  using type = typename S::Lane;
+};
+}  // namespace scalar_detail
+
+/// What S holds: S itself, or the S::Lane of a scalar that is many side by side.
+template <class S>
+using Lane = typename scalar_detail::Lane<S>::type;
+
 /// Unit in the last place of 1: 2^-52 for double. Every error bound of this library is stated in it.
 template <Scalar S>
 constexpr S eps() {
@@ -51,6 +70,7 @@ constexpr S eps() {
 /// x such that cos x = -1, to the last bit of S.
 template <Scalar S>
 S pi() {
+  if constexpr (std::is_floating_point_v<S>) return std::numbers::pi_v<S>;
   using std::atan2;
   static const S value = atan2(S(0), S(-1));
   return value;
@@ -61,6 +81,13 @@ template <Scalar S>
 S absolute(const S& a) {
   using std::fabs;
   return S(fabs(a));
+}
+
+/// -1 for a < 0, 1 for a > 0, either at 0: without a branch that guesses wrong half of the time.
+template <Scalar S>
+S sign(const S& a) {
+  if constexpr (std::is_floating_point_v<S>) return std::copysign(S(1), a);
+  return a < S(0) ? S(-1) : S(1);
 }
 
 template <Scalar S>
