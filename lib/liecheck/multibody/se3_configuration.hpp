@@ -85,7 +85,9 @@ template <Scalar S, Precision P>
   const Product<S, P> product(inverse, Q1);
   S w = product.w.value();
   // Near half a turn the sign of w decides the axis.
-  if (absolute<S>(w) < eps<S>() * (P == Precision::fast ? S(16) : S(1) / S(16))) w = exact_dot<S, 4>(Q0, Q1);
+  if constexpr (!side_by_side<S>)
+    if (absolute<S>(w) < eps<S>() * (P == Precision::fast ? S(16) : S(1) / S(16)))
+      w = exact_dot<S, 4>(Q0, Q1);
   const S turn = sign<S>(w);
   if constexpr (P == Precision::fast) {
     const auto [D, v] = nearRotation<S, P>(Q0, Q1, turn);
@@ -94,7 +96,8 @@ template <Scalar S, Precision P>
     return SO3<S>(v, absolute<S>(w));
   } else {
     const Vector3<S> v(turn * product.x.value(), turn * product.y.value(), turn * product.z.value());
-    if (dot<S>(v, v) < S(2048) * eps<S>()) return SO3<S>(nearest<S>(Q0, Q1, turn), absolute<S>(w));
+    if constexpr (!side_by_side<S>)
+      if (dot<S>(v, v) < S(2048) * eps<S>()) return SO3<S>(nearest<S>(Q0, Q1, turn), absolute<S>(w));
     return SO3<S>(v, absolute<S>(w));
   }
 }
@@ -107,6 +110,10 @@ template <Scalar S, Precision P>
 /// rule. Norm: ||Q1|^2 - 1| <= 3 eps + 3/4 d^2; the rotation is that of Q0/|Q0| whatever d.
 template <Scalar S, Precision P = Precision::standard>
 Vector7<S> integrateSE3(const Vector7<S>& q, const Vector6<S>& delta) {
+  if constexpr (P == Precision::tight)
+    return tight_detail::rounded<S>(
+        [](const auto& a, const auto& b) { return integrateSE3<DoubleDouble<S>, Precision::fast>(a, b); },
+        [&] { return integrateSE3<S>(q, delta); }, q, delta);
   const RotationCoefficients<S, Vector3<S>, P> k(Vector3<S>(delta[3], delta[4], delta[5]));
   const SO3<S> Q0(Vector4<S>(q[3], q[4], q[5], q[6]));
   // Q0 . Q1 = |Q0|^2 cos(theta/2).
@@ -126,6 +133,10 @@ Vector7<S> integrateSE3(const Vector7<S>& q, const Vector6<S>& delta) {
 /// |Q0|, |Q1|.
 template <Scalar S, Precision P = Precision::standard>
 Vector6<S> differenceSE3(const Vector7<S>& q0, const Vector7<S>& q1) {
+  if constexpr (P == Precision::tight)
+    return tight_detail::rounded<S>(
+        [](const auto& a, const auto& b) { return differenceSE3<DoubleDouble<S>, Precision::fast>(a, b); },
+        [&] { return differenceSE3<S>(q0, q1); }, q0, q1);
   const Vector4<S> Q0(q0[3], q0[4], q0[5], q0[6]), Q1(q1[3], q1[4], q1[5], q1[6]);
   const exp_log_detail::RotationLogarithm<S, P> log(se3_configuration_detail::relativeRotation<S, P>(Q0, Q1));
   const Vector3<S> p_01(q1[0] - q0[0], q1[1] - q0[1], q1[2] - q0[2]);
@@ -138,7 +149,14 @@ Vector6<S> differenceSE3(const Vector7<S>& q0, const Vector7<S>& q1) {
 /// How integrate follows q (ARG0: Ad(exp(-delta))) or delta (ARG1: the right Jacobian of exp). 6 x 6; neither
 /// depends on q. Error 6 eps of each 3 x 3 block up to half a turn; beyond, the excess rule.
 template <Scalar S, Precision P = Precision::standard>
-Matrix6<S> dIntegrateSE3(const Vector7<S>& /*q*/, const Vector6<S>& delta, ArgumentPosition argument) {
+Matrix6<S> dIntegrateSE3([[maybe_unused]] const Vector7<S>& q, const Vector6<S>& delta,
+                         ArgumentPosition argument) {
+  if constexpr (P == Precision::tight)
+    return tight_detail::rounded<S>(
+        [=](const auto& a, const auto& b) {
+          return dIntegrateSE3<DoubleDouble<S>, Precision::fast>(a, b, argument);
+        },
+        [&] { return dIntegrateSE3<S>(q, delta, argument); }, q, delta);
   const Motion<S> xi(delta);
   return argument == ArgumentPosition::ARG0 ? exp6<S, P>(-xi).toActionMatrix() : rightJacobian<S, P>(xi);
 }
@@ -147,6 +165,12 @@ Matrix6<S> dIntegrateSE3(const Vector7<S>& /*q*/, const Vector6<S>& delta, Argum
 /// branch that differenceSE3 returns. Error 10 eps of each 3 x 3 block, that of difference included.
 template <Scalar S, Precision P = Precision::standard>
 Matrix6<S> dDifferenceSE3(const Vector7<S>& q0, const Vector7<S>& q1, ArgumentPosition argument) {
+  if constexpr (P == Precision::tight)
+    return tight_detail::rounded<S>(
+        [=](const auto& a, const auto& b) {
+          return dDifferenceSE3<DoubleDouble<S>, Precision::fast>(a, b, argument);
+        },
+        [&] { return dDifferenceSE3<S>(q0, q1, argument); }, q0, q1);
   const Motion<S> xi(differenceSE3<S, P>(q0, q1));
   if (argument == ArgumentPosition::ARG0) return -leftJacobianInverse<S, P>(xi);
   return rightJacobianInverse<S, P>(xi);

@@ -60,6 +60,9 @@ struct Lane<S> {
 /// What S holds: S itself, or the S::Lane of a scalar that is many side by side.
 template <class S>
 using Lane = typename scalar_detail::Lane<S>::type;
+/// Many side by side take no branch: whoever calls with them sees to it that all are on its usual side.
+template <class S>
+inline constexpr bool side_by_side = !std::is_same_v<Lane<S>, S>;
 
 /// Unit in the last place of 1: 2^-52 for double. Every error bound of this library is stated in it.
 template <Scalar S>
@@ -86,8 +89,12 @@ S absolute(const S& a) {
 /// -1 for a < 0, 1 for a > 0, either at 0: without a branch that guesses wrong half of the time.
 template <Scalar S>
 S sign(const S& a) {
-  if constexpr (std::is_floating_point_v<S>) return std::copysign(S(1), a);
-  return a < S(0) ? S(-1) : S(1);
+  if constexpr (std::is_floating_point_v<Lane<S>>) {
+    using std::copysign;
+    return copysign(S(1), a);
+  } else {
+    return a < S(0) ? S(-1) : S(1);
+  }
 }
 
 template <Scalar S>
@@ -99,7 +106,7 @@ bool finite(const S& a) {
 /// a * b + c: fused where the target has the instruction, else rounded twice. The stated error bounds hold
 /// for both; nothing relies on the fusion.
 template <Scalar S>
-inline S mul_add(const S& a, const S& b, const S& c) {
+[[gnu::always_inline]] inline S mul_add(const S& a, const S& b, const S& c) {
 #if defined(__FMA__)
   if constexpr (std::is_floating_point_v<S>) return std::fma(a, b, c);
 #endif

@@ -7,14 +7,16 @@
 //     c_k(x) = sum_j (-x)^j / (2j + k)!        c_0 = cos theta             c_1 = sin theta / theta
 //                                              c_2 = (1 - cos theta)/theta^2   c_3 = (theta - sin theta)/theta^3
 //
-// nothing has to be guarded: on [0, pi^2] the highest ones are summed directly (the terms alternate and fall
-// by x / ((k+1)(k+2)) < 1/3, so Horner's scheme loses nothing), and the lower ones follow by
+// nothing has to be guarded. c_4 and c_5 at h = x/4 in [0, (pi/2)^2] are polynomials, the lower ones follow by
 //
 //     c_k = 1/k! - x c_{k+2}                   (Stumpff 1959; Stiefel & Scheifele 1971, eq. 11.27)
 //
-// downwards, where the subtraction never cancels more than a factor 2.5 for c_2 and up. There is no cutoff at
-// small angles, hence no cliff and no jump: the number of terms follows from the digits of the scalar. The one
-// branch, at theta = pi, is where the half-angle forms are as good as the series.
+// downwards, where the subtraction never cancels more than a factor 1.6, and those of x itself by doubling the angle:
+//
+//     c_0(4h) = 2 c_0^2 - 1,  c_1(4h) = c_0 c_1,  c_2(4h) = c_1^2 / 2,  c_3(4h) = (c_2 + c_0 c_3) / 4.
+//
+// There is no cutoff at small angles, hence no cliff and no jump: the number of terms follows from the digits of the
+// scalar. The one branch, at theta = pi, is where the half-angle forms are as good as the series.
 //
 // Derivatives in x (not in theta): c_k' = (k c_{k+2} - c_{k+1}) / 2.
 //
@@ -153,7 +155,8 @@ template <Scalar S, Precision P, class Vector>
 /// Half a turn's worth of angle from theta^2 = x + x_low on [0, pi^2]: the Stumpff functions c_0 ... c_5 at
 /// h = x/4, which are cos(theta/2), 2 sin(theta/2)/theta and on; and, by doubling the angle, those of theta itself
 /// (all from c_4(h) and c_5(h), with sums of positive terms or ones that cancel little). The rounding of theta^2,
-/// up to 1.5 eps, would turn into 2.4 eps of angle at pi: x_low takes it back to first order.
+/// up to 1.5 eps, would turn into 2.4 eps of angle at pi: x_low takes it back to first order. Error at h: c_0 and c_1
+/// 0.6 eps absolute, c_2 and c_3 1 eps, c_4 and c_5 1.5 eps relative; slopes of theta 2.6 and 2.4 eps relative.
 template <Scalar S, Precision P = Precision::standard>
 struct HalfAngle {
   S c0, c1, c2, c3, c4, c5;
@@ -170,7 +173,7 @@ struct HalfAngle {
     } else {
       // 1 - h/2 + h^2 c_4 and 1 - h/8 - h (1/24 - h c_5): the first two terms with their rounding, then what is
       // small beside them; c_0' = -c_1/2 and c_1' = (c_3 - c_2)/2 take x_low.
-      const auto sum = [&h](const S& part, const S& small, S& value, S& low) [[gnu::always_inline]] {
+      const auto sum = [&h](const S& part, const S& small, S& value, S& low) __attribute__((always_inline)) {
         const S linear = h * part, head = S(1) - linear, rest = (S(1) - head) - linear, tail = rest + small;
         value = head + tail;
         low = (head - value) + tail;
@@ -203,6 +206,7 @@ struct HalfAngle {
 /// The coefficient of [phi]^2 in the inverse Jacobian of SO(3), and its slope.
 ///     d(x)  = (1 - (theta/2) cot(theta/2)) / theta^2 = (c_2 - c_3) / (4 c_1) at x/4    1/12 at 0, 1/pi^2 at pi
 ///     d2(x) = 2 d'(x)                                                                  1/360 at 0
+/// on [0, pi^2]. Error, relative: d 2.6 eps; d2 15 eps, where the products of its numerator cancel a factor 4.
 template <Scalar S, Precision P = Precision::standard>
 struct InverseCoefficient {
   S d, d2;
@@ -231,7 +235,9 @@ struct LogarithmCoefficients {
   [[gnu::always_inline]] LogarithmCoefficients(const S& squared_sine, const S& cosine, const S& excess) {
     using std::sqrt;
     using stumpff_detail::evaluate, stumpff_detail::InverseSincSeries;
-    if (excess * excess < eps<S>() / S(8)) {
+    bool near = true;
+    if constexpr (!side_by_side<S>) near = excess * excess < eps<S>() / S(8);
+    if (near) {
       const S half = excess / S(2);  // 1/|Q| = 1 - half
       const S ratio = S(2) * evaluate<InverseSincSeries>(mul_add(half, cosine, S(S(1) - cosine)));
       angle_over_sine = mul_add(S(-half), ratio, ratio);
@@ -285,13 +291,16 @@ struct RotationCoefficients {
 
   [[gnu::always_inline]] explicit RotationCoefficients(const Vector& phi) : axis(phi), theta(0) {
     const auto [x, x_low] = squared_angle<S, P>(phi);
-    half_turn = within_half_turn(x);
+    if constexpr (side_by_side<S>)
+      half_turn = true;
+    else
+      half_turn = within_half_turn(x);
     if (half_turn) {
       const HalfAngle<S, P> k(x, x_low);
       k1 = k.sine(), k2 = k.versine(), k3 = k.third();
       slope2 = k.second_slope(), slope3 = k.third_slope();
       sine_half = k.sine_over_angle(), cosine_half = k.c0;
-    } else {
+    } else if constexpr (!side_by_side<S>) {
       using std::sqrt;
       const auto k = stumpff_detail::beyond_half_turn<S>(finite(x) ? S(sqrt(x)) : S(phi.stableNorm()));
       theta = k.theta, axis = phi / theta;

@@ -13,6 +13,7 @@
 #include <liecheck/spatial/motion.hpp>
 #include <liecheck/spatial/se3.hpp>
 #include <liecheck/spatial/so3.hpp>
+#include <liecheck/spatial/tight.hpp>
 
 namespace liecheck {
 
@@ -70,6 +71,10 @@ namespace quaternion {
 /// Q = (sin(theta/2) n, cos(theta/2)) of a rotation vector phi [3, rad]. Rotation error 2 eps.
 template <Scalar S, Precision P = Precision::standard>
 SO3<S> exp3(const Vector3<S>& phi) {
+  if constexpr (P == Precision::tight)
+    return tight_detail::rounded<S>(
+        [](const auto& a) { return quaternion::exp3<DoubleDouble<S>, Precision::fast>(a); },
+        [&] { return quaternion::exp3<S>(phi); }, phi);
   const RotationCoefficients<S, Vector3<S>, P> k(phi);
   return SO3<S>(each<S>([&k](int i) { return k.sine_half * k.axis[i]; }), k.cosine_half);
 }
@@ -77,12 +82,20 @@ SO3<S> exp3(const Vector3<S>& phi) {
 /// phi [3, rad] = 2 atan2(|v|, |w|)/|v| sgn(w) v, |phi| <= pi. It does not depend on |Q|. Error 3 eps relative.
 template <Scalar S, Precision P = Precision::standard>
 Vector3<S> log3(const SO3<S>& Q) {
+  if constexpr (P == Precision::tight)
+    return tight_detail::rounded<S>(
+        [](const auto& a) { return quaternion::log3<DoubleDouble<S>, Precision::fast>(a); },
+        [&] { return quaternion::log3<S>(Q); }, Q);
   return exp_log_detail::RotationLogarithm<S, P>(Q).phi;
 }
 
 /// (p, Q) = exp(xi), [p; x y z w], shape 7. Rotation 2 eps, translation 4 eps.
 template <Scalar S, Precision P = Precision::standard>
 Vector7<S> exp6(const Motion<S>& xi) {
+  if constexpr (P == Precision::tight)
+    return tight_detail::rounded<S>(
+        [](const auto& a) { return quaternion::exp6<DoubleDouble<S>, Precision::fast>(a); },
+        [&] { return quaternion::exp6<S>(xi); }, xi);
   const RotationCoefficients<S, Vector3<S>, P> k(xi.angular());
   Vector7<S> q;
   q << exp_log_detail::arc(k, xi.linear()), k.sine_half * k.axis, k.cosine_half;
@@ -92,6 +105,10 @@ Vector7<S> exp6(const Motion<S>& xi) {
 /// log of (p, Q) [p; x y z w]. Error 4 eps of each block.
 template <Scalar S, Precision P = Precision::standard>
 Motion<S> log6(const Vector7<S>& q) {
+  if constexpr (P == Precision::tight)
+    return tight_detail::rounded<S>(
+        [](const auto& a) { return quaternion::log6<DoubleDouble<S>, Precision::fast>(a); },
+        [&] { return quaternion::log6<S>(q); }, q);
   const exp_log_detail::RotationLogarithm<S, P> l(SO3<S>(Vector4<S>(q.template tail<4>())));
   return {l.arc(q.template head<3>()), l.phi};
 }
@@ -101,18 +118,27 @@ Motion<S> log6(const Vector7<S>& q) {
 /// R = exp [phi], 3 x 3, phi [3, rad]. Rotation error 3 eps.
 template <Scalar S, Precision P = Precision::standard>
 Matrix3<S> exp3(const Vector3<S>& phi) {
+  if constexpr (P == Precision::tight)
+    return tight_detail::rounded<S>([](const auto& a) { return exp3<DoubleDouble<S>, Precision::fast>(a); },
+                                    [&] { return exp3<S>(phi); }, phi);
   return exp_log_detail::matrix(RotationCoefficients<S, Vector3<S>, P>(phi));
 }
 
 /// phi [3, rad] of the rotation nearest to R, for |R^T R - I| <= 8 eps. Error 3 eps relative.
 template <Scalar S, Precision P = Precision::standard>
 Vector3<S> log3(const Matrix3<S>& R) {
+  if constexpr (P == Precision::tight)
+    return tight_detail::rounded<S>([](const auto& a) { return log3<DoubleDouble<S>, Precision::fast>(a); },
+                                    [&] { return log3<S>(R); }, R);
   return quaternion::log3<S, P>(SO3<S>::template fromMatrix<P>(R));
 }
 
 /// T = exp(xi), xi = (rho [m], phi [rad]). Rotation 3 eps, translation 4 eps.
 template <Scalar S, Precision P = Precision::standard>
 SE3<S> exp6(const Motion<S>& xi) {
+  if constexpr (P == Precision::tight)
+    return tight_detail::rounded<S>([](const auto& a) { return exp6<DoubleDouble<S>, Precision::fast>(a); },
+                                    [&] { return exp6<S>(xi); }, xi);
   const RotationCoefficients<S, Vector3<S>, P> k(xi.angular());
   return SE3<S>(exp_log_detail::matrix(k), exp_log_detail::arc(k, xi.linear()));
 }
@@ -120,6 +146,9 @@ SE3<S> exp6(const Motion<S>& xi) {
 /// xi = log T, the inverse of exp6 for |phi| < pi. Error 4 eps of each block.
 template <Scalar S, Precision P = Precision::standard>
 Motion<S> log6(const SE3<S>& T) {
+  if constexpr (P == Precision::tight)
+    return tight_detail::rounded<S>([](const auto& a) { return log6<DoubleDouble<S>, Precision::fast>(a); },
+                                    [&] { return log6<S>(T); }, T);
   const exp_log_detail::RotationLogarithm<S, P> l(SO3<S>::template fromMatrix<P>(T.rotation()));
   return {l.arc(T.translation()), l.phi};
 }

@@ -122,42 +122,74 @@ struct BlockCoefficients {
 /// J_l(phi), 3 x 3. phi [3, rad].
 template <Scalar S, Precision P = Precision::standard>
 Matrix3<S> leftJacobian(const Vector3<S>& phi) {
+  if constexpr (P == Precision::tight)
+    return tight_detail::rounded<S>(
+        [](const auto& a) { return leftJacobian<DoubleDouble<S>, Precision::fast>(a); },
+        [&] { return leftJacobian<S>(phi); }, phi);
   return jacobian_detail::BlockCoefficients<S, P>::exponential(phi).block();
 }
 /// J_r(phi) = J_l(-phi), 3 x 3.
 template <Scalar S, Precision P = Precision::standard>
 Matrix3<S> rightJacobian(const Vector3<S>& phi) {
+  if constexpr (P == Precision::tight)
+    return tight_detail::rounded<S>(
+        [](const auto& a) { return rightJacobian<DoubleDouble<S>, Precision::fast>(a); },
+        [&] { return rightJacobian<S>(phi); }, phi);
   return leftJacobian<S, P>(-phi);
 }
 /// J_l^-1(phi), 3 x 3. Singular at |phi| = 2 pi k, k >= 1.
 template <Scalar S, Precision P = Precision::standard>
 Matrix3<S> leftJacobianInverse(const Vector3<S>& phi) {
+  if constexpr (P == Precision::tight)
+    return tight_detail::rounded<S>(
+        [](const auto& a) { return leftJacobianInverse<DoubleDouble<S>, Precision::fast>(a); },
+        [&] { return leftJacobianInverse<S>(phi); }, phi);
   return jacobian_detail::BlockCoefficients<S, P>::inverse(phi).block();
 }
 /// J_r^-1(phi), 3 x 3.
 template <Scalar S, Precision P = Precision::standard>
 Matrix3<S> rightJacobianInverse(const Vector3<S>& phi) {
+  if constexpr (P == Precision::tight)
+    return tight_detail::rounded<S>(
+        [](const auto& a) { return rightJacobianInverse<DoubleDouble<S>, Precision::fast>(a); },
+        [&] { return rightJacobianInverse<S>(phi); }, phi);
   return leftJacobianInverse<S, P>(-phi);
 }
 
 /// J_l(xi), 6 x 6. xi = (rho [m], phi [rad]).
 template <Scalar S, Precision P = Precision::standard>
 Matrix6<S> leftJacobian(const Motion<S>& xi) {
+  if constexpr (P == Precision::tight)
+    return tight_detail::rounded<S>(
+        [](const auto& a) { return leftJacobian<DoubleDouble<S>, Precision::fast>(a); },
+        [&] { return leftJacobian<S>(xi); }, xi);
   return jacobian_detail::BlockCoefficients<S, P>::exponential(xi.angular()).matrix(xi.linear());
 }
 /// J_r(xi) = J_l(-xi), 6 x 6.
 template <Scalar S, Precision P = Precision::standard>
 Matrix6<S> rightJacobian(const Motion<S>& xi) {
+  if constexpr (P == Precision::tight)
+    return tight_detail::rounded<S>(
+        [](const auto& a) { return rightJacobian<DoubleDouble<S>, Precision::fast>(a); },
+        [&] { return rightJacobian<S>(xi); }, xi);
   return leftJacobian<S, P>(-xi);
 }
 /// J_l^-1(xi), 6 x 6. Singular at |phi| = 2 pi k, k >= 1.
 template <Scalar S, Precision P = Precision::standard>
 Matrix6<S> leftJacobianInverse(const Motion<S>& xi) {
+  if constexpr (P == Precision::tight)
+    return tight_detail::rounded<S>(
+        [](const auto& a) { return leftJacobianInverse<DoubleDouble<S>, Precision::fast>(a); },
+        [&] { return leftJacobianInverse<S>(xi); }, xi);
   return jacobian_detail::BlockCoefficients<S, P>::inverse(xi.angular()).matrix(xi.linear());
 }
 /// J_r^-1(xi), 6 x 6.
 template <Scalar S, Precision P = Precision::standard>
 Matrix6<S> rightJacobianInverse(const Motion<S>& xi) {
+  if constexpr (P == Precision::tight)
+    return tight_detail::rounded<S>(
+        [](const auto& a) { return rightJacobianInverse<DoubleDouble<S>, Precision::fast>(a); },
+        [&] { return rightJacobianInverse<S>(xi); }, xi);
   return leftJacobianInverse<S, P>(-xi);
 }
 

@@ -60,11 +60,11 @@ class SO3 {
     const C cx(x), cy(y), cz(z), cw(w);
     const S place = (absolute<S>(p[0]) + absolute<S>(p[1]) + absolute<S>(p[2])) *
                     S(ldexp(S(1), std::numeric_limits<S>::digits / 2 + 1));
-    if constexpr (P != Precision::fast)
+    if constexpr (P != Precision::fast && !side_by_side<S>)
       if (!finite<S>(place)) return act<Precision::fast>(p);  // a few binades before the result overflows
     const C px(p[0], place), py(p[1], place), pz(p[2], place);
-    const auto sum = [](const C& a, const C& b, const C& c, const C& d, const C& e,
-                        const C& f) [[gnu::always_inline]] {
+    const auto sum = [](const C& a, const C& b, const C& c, const C& d, const C& e, const C& f)
+        __attribute__((always_inline)) {
       return CutSum<S, 1, P>().add_product(a, b).add_product(c, d).add_product(e, f).value();
     };
     const S a = sum(cx, px, cy, py, cz, pz);
@@ -73,15 +73,15 @@ class SO3 {
     const S excess = normExcess<P>(), correction = -excess / (S(1) + excess);
     const C ca(a, place), cgx(gx, place), cgy(gy, place), cgz(gz, place);
     const auto entry = [&](const C& w_g, const C& v, const C& b, const C& c, const C& d, const C& e)
-                           [[gnu::always_inline]] {
-                             const S r = CutSum<S, 1, P>()
-                                             .add_product(cw, w_g)
-                                             .add_product(v, ca)
-                                             .add_product(b, c)
-                                             .add_product(d, e)
-                                             .value();
-                             return mul_add(correction, r, r);
-                           };
+        __attribute__((always_inline)) {
+      const S r = CutSum<S, 1, P>()
+                      .add_product(cw, w_g)
+                      .add_product(v, ca)
+                      .add_product(b, c)
+                      .add_product(d, e)
+                      .value();
+      return mul_add(correction, r, r);
+    };
     return Vector3<S>(entry(cgx, cx, cy, cgz, -cz, cgy), entry(cgy, cy, cz, cgx, -cx, cgz),
                       entry(cgz, cz, cx, cgy, -cy, cgx));
   }
@@ -121,7 +121,7 @@ class SO3 {
     using C = Cut<S, 1, P>;
     const C column[3][3] = {
         {R(0, 0), R(1, 0), R(2, 0)}, {R(0, 1), R(1, 1), R(2, 1)}, {R(0, 2), R(1, 2), R(2, 2)}};
-    const auto gram = [&column](int i, int j) [[gnu::always_inline]] {
+    const auto gram = [&column](int i, int j) __attribute__((always_inline)) {
       const C* const a = column[i];
       const C* const b = column[j];
       return CutSum<S, 1, P>{S(i == j ? -1 : 0)}
