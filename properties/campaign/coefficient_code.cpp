@@ -14,7 +14,7 @@ struct SixStumpff {
   static inline const std::vector<Coefficient> outputs = {c0, c1, c2, c3, c4, c5};
   template <class S>
   static void of(const S& x, S* out) {
-    const Stumpff<S> c(x);
+    const HalfAngle<S> c(S(4) * x);  // at x itself
     out[0] = c.c0, out[1] = c.c1, out[2] = c.c2, out[3] = c.c3, out[4] = c.c4, out[5] = c.c5;
   }
 };
@@ -23,7 +23,8 @@ struct Differences {
                                                           Coefficient::c4_minus_3c5};
   template <class S>
   static void of(const S& x, S* out) {
-    out[0] = liecheck::c3_minus_2c4(x), out[1] = liecheck::c4_minus_3c5(x);
+    const HalfAngle<S> c(x);
+    out[0] = c.second_slope(), out[1] = c.third_slope();
   }
 };
 struct Inverse {
@@ -39,7 +40,7 @@ struct Half {
   template <class S>
   static void of(const S& x, S* out) {
     const HalfAngle<S> c(x);
-    out[0] = c.sine_over_angle, out[1] = c.cosine;
+    out[0] = c.sine_over_angle(), out[1] = c.c0;
   }
 };
 struct Logarithm {
@@ -92,45 +93,39 @@ bool constant_over(float low, float high, float* out) {
 }
 
 template <class Code>
-CoefficientCode lanes_code() {
-  return {Code::outputs, stumpff_detail::series_limit<float>(), in_lanes<Code>, constant_over<Code>};
+CoefficientCode lanes_code(float part = 1) {
+  return {Code::outputs, part * stumpff_detail::series_limit<float>(), in_lanes<Code>, constant_over<Code>};
 }
 
 }  // namespace
 
 const std::vector<CoefficientCode>& library_coefficients() {
   static const std::vector<CoefficientCode> all = {
-      lanes_code<SixStumpff>(), lanes_code<Differences>(), lanes_code<Inverse>(), lanes_code<Half>(),
+      lanes_code<SixStumpff>(0.25F), lanes_code<Differences>(), lanes_code<Inverse>(), lanes_code<Half>(),
       CoefficientCode{Logarithm::outputs, std::numeric_limits<float>::max(), one_by_one<Logarithm>,
                       constant_over<Logarithm>}};
   return all;
 }
 
 const std::vector<CoefficientClaim>& coefficient_claims() {
-#if defined(__FMA__)
-  constexpr double c2_eps = 1.7;
-#else
-  constexpr double c2_eps = 2;
-#endif
   static const std::vector<CoefficientClaim> all = {
-      {c0, "c0", "cos theta", "theta^2", 1.5, "1 - 4 v + 2 v^2 of v = sin^2(theta/2): crosses zero"},
-      {c1, "c1", "sin theta / theta", "theta^2", 1.5, "1 - x c3: crosses zero at pi"},
-      {c2, "c2", "(1 - cos theta) / theta^2", "theta^2", c2_eps,
-       "1/2 - x c4 cancels a factor 2.5 at pi; 1.7 with a fused multiply-add"},
-      {c3, "c3", "(theta - sin theta) / theta^3", "theta^2", 1.5, "1/6 - x c5 cancels a factor 1.6 at pi"},
-      {c4, "c4", "(1/2 - c2) / theta^2", "theta^2", 1.5, "Horner's scheme, terms fall by 1/3 or more"},
-      {c5, "c5", "(1/6 - c3) / theta^2", "theta^2", 1.5, "Horner's scheme, terms fall by 1/4 or more"},
-      {Coefficient::c3_minus_2c4, "c3_minus_2c4", "c3 - 2 c4 = -2 dc2/dx", "theta^2", 1.5,
-       "Horner's scheme on weighted terms"},
-      {Coefficient::c4_minus_3c5, "c4_minus_3c5", "c4 - 3 c5 = -2 dc3/dx", "theta^2", 1.6,
-       "Horner's scheme on weighted terms"},
-      {d, "d", "(1 - (theta/2) cot(theta/2)) / theta^2", "theta^2", 3.1,
-       "(c3 - 2 c4) / (2 c2): the error of both"},
-      {d2, "d2", "2 dd/dx", "theta^2", 22, "the products of its numerator cancel near pi"},
-      {half_sine, "sine_over_angle", "sin(theta/2) / theta", "theta^2", 0.6,
-       "1/2 - h c3(h) / 2, h = x/4: roundings carried"},
-      {half_cosine, "cosine", "cos(theta/2)", "theta^2", 0.6, "1 - h c2(h), h = x/4: crosses zero at pi"},
-      {angle_over_sine, "angle_over_sine", "2 h / tan h", "tan^2 h", 1.5, "a root, atan2 and a quotient"},
+      {c0, "c0", "cos theta", "theta^2", 0.6,
+       "1 - x/2 and x^2 c4, the first rounding carried; to theta = pi/2"},
+      {c1, "c1", "sin theta / theta", "theta^2", 0.6, "1 - x/8 and smaller terms, as c0; to theta = pi/2"},
+      {c2, "c2", "(1 - cos theta) / theta^2", "theta^2", 1, "1/2 - x c4, to theta = pi/2"},
+      {c3, "c3", "(theta - sin theta) / theta^3", "theta^2", 1, "1/6 - x c5, to theta = pi/2"},
+      {c4, "c4", "(1/2 - c2) / theta^2", "theta^2", 1.5, "economised polynomial, its first term last"},
+      {c5, "c5", "(1/6 - c3) / theta^2", "theta^2", 1.5, "economised polynomial, its first term last"},
+      {Coefficient::c3_minus_2c4, "c3_minus_2c4", "c3 - 2 c4 = -2 dc2/dx", "theta^2", 2.6,
+       "c1 (c2 - c3) / 4 at x/4: the difference cancels a factor 2"},
+      {Coefficient::c4_minus_3c5, "c4_minus_3c5", "c4 - 3 c5 = -2 dc3/dx", "theta^2", 2.4,
+       "a sum of positive terms at x/4"},
+      {d, "d", "(1 - (theta/2) cot(theta/2)) / theta^2", "theta^2", 2.6, "(c2 - c3) / (4 c1) at x/4"},
+      {d2, "d2", "2 dd/dx", "theta^2", 15, "the products of its numerator cancel a factor 4"},
+      {half_sine, "sine_over_angle", "sin(theta/2) / theta", "theta^2", 0.6, "half of c1 at x/4"},
+      {half_cosine, "cosine", "cos(theta/2)", "theta^2", 0.6, "c0 at x/4: crosses zero at pi"},
+      {angle_over_sine, "angle_over_sine", "2 h / tan h", "tan^2 h", 2.5,
+       "a root, a quotient and a polynomial of cos h"},
       {alpha, "alpha", "h cot h", "tan^2 h", 2.5,
        "angle_over_sine times cosine; that product is exact at w = 1, and rounds elsewhere"}};
   return all;

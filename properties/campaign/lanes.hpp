@@ -12,6 +12,7 @@ namespace liecheck::properties {
 /// declared for the concept alone, and do not link.
 struct Lanes {
   static constexpr int count = 8;
+  using Lane = float;
   using Half = float __attribute__((vector_size(16)));
   Half a, b;
 
@@ -54,6 +55,7 @@ struct Lanes {
 /// between lies between what it returns at their ends: results hold every float that the code can return. An
 /// answer that the ends do not settle (a comparison, a function of libm) sets `undecided`.
 struct Span {
+  using Lane = float;
   float low, high;
   static inline thread_local bool undecided = false;
 

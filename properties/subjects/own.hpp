@@ -5,6 +5,7 @@
 #include <subjects/subject.hpp>
 
 #include <liecheck/multibody/configuration.hpp>
+#include <liecheck/scalar/precision.hpp>
 #include <liecheck/spatial/checked_rotation.hpp>
 #include <liecheck/spatial/exp_log.hpp>
 #include <liecheck/spatial/jacobians.hpp>
@@ -12,7 +13,7 @@
 
 namespace liecheck::properties {
 
-template <class S>
+template <class S, Precision P = Precision::standard>
 struct Own {
   using O = Operations<S>;
   using V3 = typename O::V3;
@@ -29,40 +30,41 @@ struct Own {
 
   static Subject<S> make() {
     Subject<S> s;
-    s.name = "liecheck";
+    s.name = P == Precision::fast ? "liecheck:fast" : P == Precision::tight ? "liecheck:tight" : "liecheck";
     s.version = LIECHECK_VERSION;
     O& o = s.operations;
-    o.exp3_quaternion = [](const V3& phi) -> V4 { return quaternion::exp3<S>(phi).to_vector(); };
-    o.exp3_matrix = [](const V3& phi) -> M3 { return exp3<S>(phi); };
-    o.log3_quaternion = [](const V4& Q) -> V3 { return quaternion::log3<S>(SO3<S>(Q)); };
-    o.log3_matrix = [](const M3& R) -> V3 { return log3<S>(R); };
-    o.exp6 = [](const V6& xi) -> Pose<S> { return stored(exp6<S>(Motion<S>(xi))); };
-    o.log6 = [](const Pose<S>& T) -> V6 { return log6<S>(pose(T)).to_vector(); };
-    o.left_jacobian3 = [](const V3& phi) -> M3 { return leftJacobian<S>(phi); };
-    o.right_jacobian3 = [](const V3& phi) -> M3 { return rightJacobian<S>(phi); };
-    o.left_jacobian3_inverse = [](const V3& phi) -> M3 { return leftJacobianInverse<S>(phi); };
-    o.right_jacobian3_inverse = [](const V3& phi) -> M3 { return rightJacobianInverse<S>(phi); };
-    o.left_jacobian6 = [](const V6& xi) -> M6 { return leftJacobian<S>(Motion<S>(xi)); };
-    o.right_jacobian6 = [](const V6& xi) -> M6 { return rightJacobian<S>(Motion<S>(xi)); };
-    o.left_jacobian6_inverse = [](const V6& xi) -> M6 { return leftJacobianInverse<S>(Motion<S>(xi)); };
-    o.right_jacobian6_inverse = [](const V6& xi) -> M6 { return rightJacobianInverse<S>(Motion<S>(xi)); };
-    o.integrate = [](const V7& q, const V6& d) -> V7 { return integrateSE3<S>(q, d); };
-    o.difference = [](const V7& q0, const V7& q1) -> V6 { return differenceSE3<S>(q0, q1); };
+    o.exp3_quaternion = [](const V3& phi) -> V4 { return quaternion::exp3<S, P>(phi).to_vector(); };
+    o.exp3_matrix = [](const V3& phi) -> M3 { return exp3<S, P>(phi); };
+    o.log3_quaternion = [](const V4& Q) -> V3 { return quaternion::log3<S, P>(SO3<S>(Q)); };
+    o.log3_matrix = [](const M3& R) -> V3 { return log3<S, P>(R); };
+    o.exp6 = [](const V6& xi) -> Pose<S> { return stored(exp6<S, P>(Motion<S>(xi))); };
+    o.log6 = [](const Pose<S>& T) -> V6 { return log6<S, P>(pose(T)).to_vector(); };
+    o.left_jacobian3 = [](const V3& phi) -> M3 { return leftJacobian<S, P>(phi); };
+    o.right_jacobian3 = [](const V3& phi) -> M3 { return rightJacobian<S, P>(phi); };
+    o.left_jacobian3_inverse = [](const V3& phi) -> M3 { return leftJacobianInverse<S, P>(phi); };
+    o.right_jacobian3_inverse = [](const V3& phi) -> M3 { return rightJacobianInverse<S, P>(phi); };
+    o.left_jacobian6 = [](const V6& xi) -> M6 { return leftJacobian<S, P>(Motion<S>(xi)); };
+    o.right_jacobian6 = [](const V6& xi) -> M6 { return rightJacobian<S, P>(Motion<S>(xi)); };
+    o.left_jacobian6_inverse = [](const V6& xi) -> M6 { return leftJacobianInverse<S, P>(Motion<S>(xi)); };
+    o.right_jacobian6_inverse = [](const V6& xi) -> M6 { return rightJacobianInverse<S, P>(Motion<S>(xi)); };
+    o.integrate = [](const V7& q, const V6& d) -> V7 { return integrateSE3<S, P>(q, d); };
+    o.difference = [](const V7& q0, const V7& q1) -> V6 { return differenceSE3<S, P>(q0, q1); };
     o.d_integrate_arg0 = [](const V7& q, const V6& d) -> M6 {
-      return dIntegrateSE3<S>(q, d, ArgumentPosition::ARG0);
+      return dIntegrateSE3<S, P>(q, d, ArgumentPosition::ARG0);
     };
     o.d_integrate_arg1 = [](const V7& q, const V6& d) -> M6 {
-      return dIntegrateSE3<S>(q, d, ArgumentPosition::ARG1);
+      return dIntegrateSE3<S, P>(q, d, ArgumentPosition::ARG1);
     };
     o.d_difference_arg0 = [](const V7& a, const V7& b) -> M6 {
-      return dDifferenceSE3<S>(a, b, ArgumentPosition::ARG0);
+      return dDifferenceSE3<S, P>(a, b, ArgumentPosition::ARG0);
     };
     o.d_difference_arg1 = [](const V7& a, const V7& b) -> M6 {
-      return dDifferenceSE3<S>(a, b, ArgumentPosition::ARG1);
+      return dDifferenceSE3<S, P>(a, b, ArgumentPosition::ARG1);
     };
     o.integrate_coefficient_jacobian = [](const V7& q) -> Mat<S, 7, 6> {
       return integrateCoeffWiseJacobianSE3<S>(q);
     };
+    if constexpr (P != Precision::standard) return s;  // the rest has no other precision
     o.compose = [](const Pose<S>& X, const Pose<S>& Y) -> Pose<S> { return stored(pose(X) * pose(Y)); };
     o.inverse = [](const Pose<S>& X) -> Pose<S> { return stored(pose(X).inverse()); };
     o.act_point = [](const Pose<S>& X, const V3& x) -> V3 { return pose(X).act(x); };

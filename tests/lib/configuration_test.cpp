@@ -166,6 +166,14 @@ TEST(ExactDot, KeepsTheSignThroughChainsOfCancellations) {
     EXPECT_EQ((exact_dot<float, 4>(a.reverse(), b.reverse())), d);
   }
 }
+
+TEST(ExactDot, KeepsWhatIsSmallBesideACancelledSum) {
+  // (1 + e)(1 - e) - 1 = -e^2; a third product too small for the first pass is 2^-15 of that.
+  const Vector4<double> a(1 + 0x1p-52, -1, 0x1p-59, 0), b(1 - 0x1p-52, 1, 0x1p-60, 0);
+  EXPECT_EQ((exact_dot<double, 4>(a, b)), -0x1p-104 + 0x1p-119);
+  const Vector4<float> c(1 + 0x1p-23f, -1, 0x1p-30f, 0), d(1 - 0x1p-23f, 1, 0x1p-31f, 0);
+  EXPECT_EQ((exact_dot<float, 4>(c, d)), -0x1p-46f + 0x1p-61f);
+}
 TYPED_TEST(Configuration, AtExactlyHalfATurnDifferenceIsPiAboutEitherSignOfTheAxis) {
   using S = TypeParam;
   Vector7<S> q1 = Vector7<S>::Zero();

@@ -2,6 +2,8 @@
 // Error-free transformations (Dekker 1971; Ogita, Rump & Oishi 2005), for the few sums whose terms cancel.
 
 #include <array>
+#include <bit>
+#include <liecheck/scalar/precision.hpp>
 #include <liecheck/scalar/scalar.hpp>
 #include <limits>
 #include <utility>
@@ -42,10 +44,15 @@ std::pair<S, S> two_product(const S& a, const S& b) {
 
 /// Sum of products a_i b_i as if computed in twice the digits, then rounded: error at most
 /// eps |sum| + n^2 eps^2 sum |a_i b_i|. Ogita, Rump & Oishi (2005), algorithm 5.3 (Dot2).
-template <Scalar S>
+/// In fast precision, as usual.
+template <Scalar S, Precision P = Precision::standard>
 class CompensatedSum {
  public:
   CompensatedSum& add_product(const S& a, const S& b) {
+    if constexpr (P == Precision::fast) {
+      high_ = mul_add(a, b, high_);
+      return *this;
+    }
     const auto [p, pe] = two_product(a, b);
     const auto [s, se] = two_sum(high_, p);
     high_ = s;
@@ -67,6 +74,55 @@ class CompensatedSum {
   S low_ = S(0);
 };
 
+/// A number cut in two at a fixed place: head + tail = value exactly, the head a multiple of 2^-f, f = (digits - BITS)/2,
+/// so that a sum of products of heads is exact while it stays below 2^BITS: no product is ever split (Rump, Ogita &
+/// Oishi 2008, algorithm 3.2). |value| < 2^(digits/2 - 1); any larger one is only rounded as usual. In fast
+/// precision, the value alone.
+template <Scalar S, int BITS, Precision P = Precision::standard>
+struct Cut {
+  S value, head, tail;
+  [[gnu::always_inline]] Cut(const S& x) : value(x), head(x), tail(S(0)) {
+    if constexpr (P != Precision::fast) {
+      using std::ldexp;
+      constexpr int digits = std::numeric_limits<S>::digits, places = (digits - BITS) / 2;
+      const S cut = S(ldexp(S(3), digits - 2 - places));
+      head = (x + cut) - cut;
+      tail = x - head;
+    }
+  }
+  /// Cut where `place` has its last digit instead: at 2^(places + 1) times a bound of numbers of any size.
+  [[gnu::always_inline]] Cut(const S& x, const S& place) : value(x), head(x), tail(S(0)) {
+    if constexpr (P != Precision::fast) {
+      head = (x + place) - place;
+      tail = x - head;
+    }
+  }
+  friend Cut operator-(const Cut& a) { return Cut(S(-a.value), S(-a.head), S(-a.tail)); }
+
+ private:
+  Cut(const S& v, const S& h, const S& t) : value(v), head(h), tail(t) {}
+};
+
+/// sum a b as (high, low), high the exact sum of the products of heads: error 2^-(digits/2 - BITS) eps of sum |a b|.
+template <Scalar S, int BITS, Precision P = Precision::standard>
+struct CutSum {
+  S high = S(0), low = S(0);
+  [[gnu::always_inline]] CutSum& add_product(const Cut<S, BITS, P>& a, const Cut<S, BITS, P>& b) {
+    high = mul_add(a.head, b.head, high);
+    if constexpr (P != Precision::fast) low = mul_add(a.tail, b.value, mul_add(a.head, b.tail, low));
+    return *this;
+  }
+  [[gnu::always_inline]] CutSum& add_square(const Cut<S, BITS, P>& a) {
+    high = mul_add(a.head, a.head, high);
+    if constexpr (P != Precision::fast) low = mul_add(a.tail, S(a.value + a.head), low);
+    return *this;
+  }
+  S value() const {
+    if constexpr (P == Precision::fast) return high;
+    return high + low;
+  }
+};
+
 /// a . b with its exact sign and a relative error of 2 eps however much cancels and however small the products
 /// are; a sum that underflows is the smallest normal number with its sign. The products are summed as a
 /// nonoverlapping expansion (Shewchuk 1997, theorem 10), largest first and scaled to that, so that no part underflows;
@@ -75,6 +131,7 @@ template <Scalar S, int N, class V>
 S exact_dot(const V& a, const V& b) {
   using std::frexp, std::ldexp;
   constexpr int gap = 2 * std::numeric_limits<S>::digits + 12, none = std::numeric_limits<int>::min();
+  constexpr int log2_n = std::bit_width(unsigned(N));
   std::array<S, N> x, y;
   std::array<int, N> exponent;  // none: added, or zero
   for (int i = 0; i < N; ++i) {
@@ -100,7 +157,7 @@ S exact_dot(const V& a, const V& b) {
     if (sum != S(0)) {
       int e = 0;
       frexp(sum, &e);
-      if (top < e + scale - 4) break;  // the rest is less than an eighth of it
+      if (top < e + scale - std::numeric_limits<S>::digits - log2_n) break;  // the rest: below an eps of it
       if (top < e + scale) top = e + scale;
     }
     for (int i = 0; i < size; ++i) expansion[i] = S(ldexp(expansion[i], scale - top));

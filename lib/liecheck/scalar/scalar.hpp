@@ -8,6 +8,7 @@
 #include <cmath>
 #include <concepts>
 #include <limits>
+#include <numbers>
 #include <type_traits>
 
 namespace liecheck {
@@ -42,6 +43,27 @@ concept Scalar = std::numeric_limits<S>::is_specialized && std::numeric_limits<S
   bool(a < b);
 };
 
+namespace scalar_detail {
+template <class S>
+struct Lane {
+  using type = S;
+};
+template <class S>
+requires requires {
+  typename S::Lane;
+}
+struct Lane<S> {
+  using type = typename S::Lane;
+};
+}  // namespace scalar_detail
+
+/// What S holds: S itself, or the S::Lane of a scalar that is many side by side.
+template <class S>
+using Lane = typename scalar_detail::Lane<S>::type;
+/// Many side by side take no branch: whoever calls with them sees to it that all are on its usual side.
+template <class S>
+inline constexpr bool side_by_side = !std::is_same_v<Lane<S>, S>;
+
 /// Unit in the last place of 1: 2^-52 for double. Every error bound of this library is stated in it.
 template <Scalar S>
 constexpr S eps() {
@@ -51,6 +73,7 @@ constexpr S eps() {
 /// x such that cos x = -1, to the last bit of S.
 template <Scalar S>
 S pi() {
+  if constexpr (std::is_floating_point_v<S>) return std::numbers::pi_v<S>;
   using std::atan2;
   static const S value = atan2(S(0), S(-1));
   return value;
@@ -63,6 +86,17 @@ S absolute(const S& a) {
   return S(fabs(a));
 }
 
+/// -1 for a < 0, 1 for a > 0, either at 0: without a branch that guesses wrong half of the time.
+template <Scalar S>
+S sign(const S& a) {
+  if constexpr (std::is_floating_point_v<Lane<S>>) {
+    using std::copysign;
+    return copysign(S(1), a);
+  } else {
+    return a < S(0) ? S(-1) : S(1);
+  }
+}
+
 template <Scalar S>
 bool finite(const S& a) {
   using std::isfinite;
@@ -72,7 +106,7 @@ bool finite(const S& a) {
 /// a * b + c: fused where the target has the instruction, else rounded twice. The stated error bounds hold
 /// for both; nothing relies on the fusion.
 template <Scalar S>
-inline S mul_add(const S& a, const S& b, const S& c) {
+[[gnu::always_inline]] inline S mul_add(const S& a, const S& b, const S& c) {
 #if defined(__FMA__)
   if constexpr (std::is_floating_point_v<S>) return std::fma(a, b, c);
 #endif

@@ -7,14 +7,16 @@
 //     c_k(x) = sum_j (-x)^j / (2j + k)!        c_0 = cos theta             c_1 = sin theta / theta
 //                                              c_2 = (1 - cos theta)/theta^2   c_3 = (theta - sin theta)/theta^3
 //
-// nothing has to be guarded: on [0, pi^2] the highest ones are summed directly (the terms alternate and fall
-// by x / ((k+1)(k+2)) < 1/3, so Horner's scheme loses nothing), and the lower ones follow by
+// nothing has to be guarded. c_4 and c_5 at h = x/4 in [0, (pi/2)^2] are polynomials, the lower ones follow by
 //
 //     c_k = 1/k! - x c_{k+2}                   (Stumpff 1959; Stiefel & Scheifele 1971, eq. 11.27)
 //
-// downwards, where the subtraction never cancels more than a factor 2.5 for c_2 and up. There is no cutoff at
-// small angles, hence no cliff and no jump: the number of terms follows from the digits of the scalar. The one
-// branch, at theta = pi, is where the half-angle forms are as good as the series.
+// downwards, where the subtraction never cancels more than a factor 1.6, and those of x itself by doubling the angle:
+//
+//     c_0(4h) = 2 c_0^2 - 1,  c_1(4h) = c_0 c_1,  c_2(4h) = c_1^2 / 2,  c_3(4h) = (c_2 + c_0 c_3) / 4.
+//
+// There is no cutoff at small angles, hence no cliff and no jump: the number of terms follows from the digits of the
+// scalar. The one branch, at theta = pi, is where the half-angle forms are as good as the series.
 //
 // Derivatives in x (not in theta): c_k' = (k c_{k+2} - c_{k+1}) / 2.
 //
@@ -22,88 +24,117 @@
 // = 0, LogarithmCoefficients with cosine = 1). In wider scalars, by the same formulas, they rest on samples.
 
 #include <array>
+#include <bit>
 #include <liecheck/scalar/compensated.hpp>
+#include <liecheck/scalar/precision.hpp>
 #include <liecheck/scalar/scalar.hpp>
 #include <limits>
+#include <utility>
 
 namespace liecheck {
 
 namespace stumpff_detail {
 
-/// Number of terms of c_k, k >= 2, that S can see on x in [0, 10] (pi^2 < 10): those below eps / 256 of the
-/// first one are dropped, which leaves room for the weights (2j + 2) of the derived series.
-template <Scalar S>
-constexpr int terms(int k) {
-  double log2_term = 0;
-  int j = 0;
-  // log2(10) = 3.3219...; log2 of the product of the two new factorial factors by repeated halving.
-  while (log2_term > -double(std::numeric_limits<S>::digits) - 8) {
-    double factor = double(2 * j + k + 1) * double(2 * j + k + 2) / 10.0;
-    while (factor >= 2) {
-      factor /= 2;
-      log2_term -= 1;
-    }
-    log2_term -= factor - 1;  // log2(f) >= f - 1 on [1, 2]: errs to the safe side
-    ++j;
-  }
-  return j + 1;
-}
-
-/// The coefficients (-1)^j w_j / (2j + K)! of a series in x.
-template <Scalar S, int K, class Weight>
-auto coefficients(Weight weight) {
-  static_assert(K >= 2);
-  constexpr int n = terms<S>(K);
-  std::array<S, n> a;
-  S factorial(1);
-  for (int i = 2; i <= K; ++i) factorial *= S(i);
-  for (int j = 0; j < n; ++j) {
-    if (j > 0) factorial *= S((2 * j + K - 1) * (2 * j + K));
-    a[j] = S((j % 2 == 0 ? 1 : -1) * weight(j)) / factorial;
-  }
-  return a;
-}
-
-template <class S, std::size_t N>
-S horner(const std::array<S, N>& a, const S& x) {
-  S sum = a[N - 1];
-  for (std::size_t j = N - 1; j-- > 0;) sum = mul_add(sum, x, a[j]);
-  return sum;
-}
-
+/// c_K(x) = sum_j (-x)^j / (2j + K)! on [0, 5/2]; (pi/2)^2 = 2.467.
 template <Scalar S, int K>
-S c(const S& x) {
-  static const auto a = coefficients<S, K>([](int) { return 1; });
-  return horner(a, x);
+struct StumpffSeries {
+  static constexpr int most = std::numeric_limits<S>::digits / 5 + 10, outer = 1;
+  static constexpr S domain() { return S(5) / S(2); }
+  static constexpr S first() {
+    S factorial(1);
+    for (int i = 2; i <= K; ++i) factorial = factorial * S(i);
+    return S(1) / factorial;
+  }
+  /// Term j over term j - 1, at x = 1.
+  static constexpr S ratio(int j) { return S(-1) / S((2 * j + K - 1) * (2 * j + K)); }
+};
+
+template <class S>
+using Fourth = StumpffSeries<S, 4>;
+template <class S>
+using Fifth = StumpffSeries<S, 5>;
+
+/// h / sin h = sum_j j!^2 / (2j + 1)! (2 s)^j, s = 1 - cos h, on [0, 1]: all terms positive.
+template <Scalar S>
+struct InverseSincSeries {
+  static constexpr int most = std::numeric_limits<S>::digits + 10, outer = 2;
+  static constexpr S domain() { return S(1); }
+  static constexpr S first() { return S(1); }
+  static constexpr S ratio(int j) { return S(j) / S(2 * j + 1); }
+};
+
+/// A series economised on its domain (Lanczos 1938; Clenshaw 1962): of Taylor's MOST terms the highest power goes again
+/// and again with a multiple of the shifted Chebyshev polynomial, while what that costs, in all, is below eps/32 of
+/// the first term. The first `terms` of `a` are used.
+template <Scalar S, class Series>
+struct Economised {
+  static constexpr int most = Series::most;
+  std::array<S, most> a{};
+  int terms = most;
+
+  constexpr Economised() {
+    const S length = Series::domain(), limit = std::numeric_limits<S>::epsilon() / S(32) * Series::first();
+    a[0] = Series::first();  // of x / length
+    for (int j = 1; j < most; ++j) a[j] = a[j - 1] * Series::ratio(j) * length;
+    S cost(0);
+    for (;; --terms) {
+      // T*_n(t) = sum_j t_j t^j, t_{j-1} = -t_j j (2j - 1) / (2 (n^2 - (j-1)^2)), t_n = 2^(2n-1).
+      const int n = terms - 1;
+      S share = a[n] * S(2);
+      for (int i = 0; i < n; ++i) share = share / S(4);
+      cost = cost + (share < S(0) ? S(-share) : share);
+      if (limit < cost) break;
+      S t = a[n];
+      for (int j = n; j > 0; --j) {
+        t = -t * S(j * (2 * j - 1)) / S(2 * (n * n - (j - 1) * (j - 1)));
+        a[j - 1] = a[j - 1] - t;
+      }
+    }
+    S power(1);
+    for (int j = 0; j < terms; ++j, power = power * length) a[j] = a[j] / power;
+  }
+};
+
+/// The polynomial of terms FROM ... FROM + COUNT - 1 over x^FROM, the powers in pairs (Estrin 1960).
+template <int FROM, int COUNT, class A, class S, std::size_t M>
+[[gnu::always_inline]] inline S estrin(const A& a, const std::array<S, M>& squares) {
+  if constexpr (COUNT == 1) {
+    return S(a[FROM]);
+  } else {
+    constexpr int level = std::bit_width(unsigned(COUNT - 1)) - 1, half = 1 << level;
+    return mul_add(estrin<FROM + half, COUNT - half>(a, squares), squares[level],
+                   estrin<FROM, half>(a, squares));
+  }
+}
+
+template <template <class> class Series, Scalar S>
+[[gnu::always_inline]] inline S evaluate(const S& x) {
+  using Of = Series<Lane<S>>;
+  if constexpr (std::is_floating_point_v<Lane<S>>) {
+    static constexpr Economised<Lane<S>, Of> p;
+    std::array<S, std::bit_width(unsigned(p.terms - 1))> squares{x};
+    for (std::size_t i = 1; i < squares.size(); ++i) squares[i] = squares[i - 1] * squares[i - 1];
+    // The first terms last: one rounding of the size of the sum, not one for each pair.
+    S sum = estrin<Of::outer, p.terms - Of::outer>(p.a, squares);
+    for (int j = Of::outer; j-- > 0;) sum = mul_add(sum, x, S(p.a[j]));
+    return sum;
+  } else {
+    static const Economised<S, Of> p;
+    S sum = p.a[p.terms - 1];
+    for (int j = p.terms - 1; j-- > 0;) sum = mul_add(sum, x, p.a[j]);
+    return sum;
+  }
 }
 
 /// A few ulp above pi^2, so that theta = pi rounded up is inside: the domain of the series, which hold to 10.
 template <Scalar S>
-const S& series_limit() {
+S series_limit() {
+  if constexpr (std::is_floating_point_v<S>) return pi<S>() * pi<S>() * (S(1) + S(8) * eps<S>());
   static const S limit = pi<S>() * pi<S>() * (S(1) + S(8) * eps<S>());
   return limit;
 }
 
 }  // namespace stumpff_detail
-
-/// c_0 ... c_5 at x = theta^2 on [0, pi^2]. Error: c_3 ... c_5 1.5 eps relative, c_2 2 (1.7 with FMA); c_0
-/// and c_1 1.5 eps absolute (they cross zero).
-template <Scalar S>
-struct Stumpff {
-  S c0, c1, c2, c3, c4, c5;
-  /// Precondition: 0 <= x <= pi^2.
-  explicit Stumpff(const S& x) {
-    using namespace stumpff_detail;
-    c4 = c<S, 4>(x);
-    c5 = c<S, 5>(x);
-    c2 = S(1) / S(2) - x * c4;
-    c3 = S(1) / S(6) - x * c5;
-    c1 = S(1) - x * c3;
-    // c_0 = 2 cos^2(theta/2) - 1, expanded: 1 - x c_2 would lose 4 eps at pi, where x c_2 = 2.
-    const S versine = x / S(4) * stumpff_detail::c<S, 2>(x / S(4));
-    c0 = (S(1) - S(4) * versine) + S(2) * versine * versine;
-  }
-};
 
 /// Are the series valid for this x = theta^2? Beyond it (theta > pi, or x overflowed) use the sine forms.
 template <Scalar S>
@@ -111,76 +142,80 @@ bool within_half_turn(const S& x) {
   return x <= stumpff_detail::series_limit<S>();
 }
 
-/// g = c_3 - 2 c_4 = sum_j (-x)^j (2j + 2) / (2j + 4)!, x in [0, pi^2]; minus twice c_2'. 1.5 eps relative.
-template <Scalar S>
-S c3_minus_2c4(const S& x) {
-  static const auto a = stumpff_detail::coefficients<S, 4>([](int j) { return 2 * j + 2; });
-  return stumpff_detail::horner(a, x);
+/// theta^2 of a rotation vector as value + low, to twice the digits for theta < 4.
+template <Scalar S, Precision P, class Vector>
+[[gnu::always_inline]] inline std::pair<S, S> squared_angle(const Vector& phi) {
+  const S x = mul_add(phi[0], phi[0], mul_add(phi[1], phi[1], S(phi[2] * phi[2])));
+  if constexpr (P == Precision::fast) return {x, S(0)};
+  CutSum<S, 4> sum;
+  sum.add_square(S(phi[0])).add_square(S(phi[1])).add_square(S(phi[2]));
+  return {x, (sum.high - x) + sum.low};
 }
 
-/// c_4 - 3 c_5 = sum_j (-x)^j (2j + 2) / (2j + 5)!, x in [0, pi^2]; minus twice c_3'. 1.6 eps relative.
-template <Scalar S>
-S c4_minus_3c5(const S& x) {
-  static const auto a = stumpff_detail::coefficients<S, 5>([](int j) { return 2 * j + 2; });
-  return stumpff_detail::horner(a, x);
-}
+/// Half a turn's worth of angle from theta^2 = x + x_low on [0, pi^2]: the Stumpff functions c_0 ... c_5 at
+/// h = x/4, which are cos(theta/2), 2 sin(theta/2)/theta and on; and, by doubling the angle, those of theta itself
+/// (all from c_4(h) and c_5(h), with sums of positive terms or ones that cancel little). The rounding of theta^2,
+/// up to 1.5 eps, would turn into 2.4 eps of angle at pi: x_low takes it back to first order. Error at h: c_0 and c_1
+/// 0.6 eps absolute, c_2 and c_3 1 eps, c_4 and c_5 1.5 eps relative; slopes of theta 2.6 and 2.4 eps relative.
+template <Scalar S, Precision P = Precision::standard>
+struct HalfAngle {
+  S c0, c1, c2, c3, c4, c5;
+  S c0_low = S(0), c1_low = S(0);  ///< what c0 and c1 leave of their values
+  [[gnu::always_inline]] explicit HalfAngle(const S& x, const S& x_low = S(0)) {
+    const S h = x / S(4), square = h * h;
+    c4 = stumpff_detail::evaluate<stumpff_detail::Fourth>(h);
+    c5 = stumpff_detail::evaluate<stumpff_detail::Fifth>(h);
+    c2 = mul_add(S(-h), c4, S(1) / S(2));
+    c3 = mul_add(S(-h), c5, S(1) / S(6));
+    if constexpr (P == Precision::fast) {
+      c1 = mul_add(S(-h), c3, S(1));
+      c0 = mul_add(S(-h), c2, S(1));
+    } else {
+      // 1 - h/2 + h^2 c_4 and 1 - h/8 - h (1/24 - h c_5): the first two terms with their rounding, then what is
+      // small beside them; c_0' = -c_1/2 and c_1' = (c_3 - c_2)/2 take x_low.
+      const auto sum = [&h](const S& part, const S& small, S& value, S& low) __attribute__((always_inline)) {
+        const S linear = h * part, head = S(1) - linear, rest = (S(1) - head) - linear, tail = rest + small;
+        value = head + tail;
+        low = (head - value) + tail;
+      };
+      const S step = x_low / S(8);
+      sum(S(1) / S(8), mul_add(h, mul_add(h, c5, S(-1) / S(24)), S(step * (c3 - c2))), c1, c1_low);
+      sum(S(1) / S(2), mul_add(square, c4, S(-step * c1)), c0, c0_low);
+    }
+  }
+  /// sin(theta/2) / theta.
+  S sine_over_angle() const { return c1 / S(2); }
+  /// c_1(x) = sin(theta) / theta.
+  S sine() const { return mul_add(c0, c1, mul_add(c0, c1_low, S(c0_low * c1))); }
+  /// c_2(x) = (1 - cos(theta)) / theta^2.
+  S versine() const {
+    auto square = CutSum<S, 1, P>().add_square(c1);
+    if constexpr (P != Precision::fast) square.low = mul_add(S(S(2) * c1), c1_low, square.low);
+    return square.value() / S(2);
+  }
+  /// c_3(x).
+  S third() const { return mul_add(c0, c3, c2) / S(4); }
+  /// (c_3 - 2 c_4)(x) = -2 c_2'(x).
+  S second_slope() const { return c1 * (c2 - c3) / S(4); }
+  /// (c_4 - 3 c_5)(x) = -2 c_3'(x).
+  S third_slope() const {
+    return ((c3 - S(2) * c4) + mul_add(c1, c3, S(c0 * mul_add(S(-3), c5, c4)))) / S(16);
+  }
+};
 
 /// The coefficient of [phi]^2 in the inverse Jacobian of SO(3), and its slope.
-///     d(x)  = (1 - (theta/2) cot(theta/2)) / theta^2 = (c_3 - 2 c_4) / (2 c_2)      1/12 at 0, 1/pi^2 at pi
-///     d2(x) = 2 d'(x)                                                               1/360 at 0
-/// on [0, pi^2]. Error, relative: d 3.1 eps; d2 22 eps, near pi, where the products of its numerator cancel.
-template <Scalar S>
+///     d(x)  = (1 - (theta/2) cot(theta/2)) / theta^2 = (c_2 - c_3) / (4 c_1) at x/4    1/12 at 0, 1/pi^2 at pi
+///     d2(x) = 2 d'(x)                                                                  1/360 at 0
+/// on [0, pi^2]. Error, relative: d 2.6 eps; d2 15 eps, where the products of its numerator cancel a factor 4.
+template <Scalar S, Precision P = Precision::standard>
 struct InverseCoefficient {
   S d, d2;
   explicit InverseCoefficient(const S& x) {
-    // d = g / (2 c2) with c2' = -g/2 gives 2 d' = (g' c2 + g^2/2) / c2^2, g' = -sum (-x)^j (j+1)(2j+4)/(2j+6)!.
-    static const auto slope = stumpff_detail::coefficients<S, 6>([](int j) { return (j + 1) * (2 * j + 4); });
-    const S c2 = S(1) / S(2) - x * stumpff_detail::c<S, 4>(x);
-    const S g = c3_minus_2c4(x);
-    d = g / (S(2) * c2);
-    d2 = (g * g / S(2) - stumpff_detail::horner(slope, x) * c2) / (c2 * c2);
-  }
-};
-
-namespace stumpff_detail {
-
-/// 1/6 = value + low to twice the digits.
-template <Scalar S>
-struct Sixth {
-  S value = S(1) / S(6), low;
-  Sixth() {
-    const auto [p, e] = two_product<S>(S(6), value);
-    low = ((S(1) - p) - e) / S(6);
-  }
-};
-
-/// a + a_low - x b, x = x_high + x_low, as an unevaluated sum (high, low): b's own error is what is left of it.
-template <Scalar S>
-std::pair<S, S> minus_product(const S& a, const S& a_low, const S& x, const S& x_low, const S& b,
-                              const S& b_low) {
-  const auto [p, pe] = two_product<S>(x, b);
-  const auto [sum, se] = two_sum<S>(a, -p);
-  return two_sum<S>(sum, a_low + ((se - pe) - (x * b_low + x_low * b)));
-}
-
-}  // namespace stumpff_detail
-
-/// sin(theta/2)/theta and cos(theta/2) from theta^2 = x + x_low on [0, pi^2]: the quaternion of a rotation
-/// vector. The rounding of theta^2, up to 1.5 eps, would turn into 2.4 eps of angle at pi; x_low carries it to
-/// first order, and the last two steps of Horner's scheme carry their roundings: sine_low is what sine_over_angle
-/// leaves of the sine. Error 0.6 eps each, relative for the sine, absolute for the cosine.
-template <Scalar S>
-struct HalfAngle {
-  S sine_over_angle, sine_low, cosine;
-  explicit HalfAngle(const S& x, const S& x_low = S(0)) {
-    using namespace stumpff_detail;
-    static const Sixth<S> sixth;
-    const S h = x / S(4), h_low = x_low / S(4);
-    const auto [c3, c3_low] = minus_product<S>(sixth.value, sixth.low, h, h_low, c<S, 5>(h), S(0));
-    const auto [c2, c2_low] = minus_product<S>(S(1) / S(2), S(0), h, h_low, c<S, 4>(h), S(0));
-    const auto [c1, c1_low] = minus_product<S>(S(1), S(0), h, h_low, c3, c3_low);
-    sine_over_angle = c1 / S(2), sine_low = c1_low / S(2);
-    cosine = minus_product<S>(S(1), S(0), h, h_low, c2, c2_low).first;
+    // c_1' = (c_3 - c_2)/2, (c_2 - c_3)' = (3 (c_4 - c_5) - c_3)/2 at x/4.
+    const HalfAngle<S, Precision::fast> k(x);
+    const S step = k.c2 - k.c3, inverse = S(1) / k.c1, ratio = step * inverse;
+    d = ratio / S(4);
+    d2 = mul_add(ratio, ratio, S(inverse * mul_add(S(3), S(k.c4 - k.c5), S(-k.c3)))) / S(16);
   }
 };
 
@@ -188,70 +223,89 @@ struct HalfAngle {
 ///     angle_over_sine = 2 h / |v|       phi = angle_over_sine v
 ///     alpha = h cot h                   (theta/2) cot(theta/2)
 ///     along = (1 - alpha) / |v|^2       so that J^-1 p = alpha p - phi x p / 2 + along v (v . p)
-/// |v| = 0 and every |v| whose square underflows are the limit 2/w, 1, 1/(3 w^2). Precondition: w >= 0, not both
-/// zero. Error: angle_over_sine 1.5 eps, alpha 2.5 eps relative; along is consistent with the rounded alpha.
+/// h / sin h is a smooth function of w/|Q| alone: near 1, as |Q| is up to rounding, no root is taken. Where |v|^2
+/// underflows: 2/w, 1, 0. Precondition: w >= 0 and |Q|^2 a normal number. Error, for |Q| near 1 and its excess known
+/// to eps/4: angle_over_sine 1.5 eps, alpha 2.5 eps relative, else 2.5 and 3.5; along is consistent with alpha.
 template <Scalar S>
 struct LogarithmCoefficients {
   S angle_over_sine, alpha, along;
-  LogarithmCoefficients(const S& squared_sine, const S& cosine) {
-    using std::atan2, std::sqrt;
-    // tan^2 h <= eps/4: atan2(t, 1)/t = 1 - t^2/3 is 1 to eps/12, for every scalar: nothing is traded here.
-    if (squared_sine <= eps<S>() / S(4) * (cosine * cosine)) {
-      angle_over_sine = S(2) / cosine;
-      alpha = S(1);
-      along = S(1) / (S(3) * cosine * cosine);
+  LogarithmCoefficients(const S& squared_sine, const S& cosine)
+      : LogarithmCoefficients(squared_sine, cosine, squared_sine + mul_add(cosine, cosine, S(-1))) {}
+  /// excess = |Q|^2 - 1.
+  [[gnu::always_inline]] LogarithmCoefficients(const S& squared_sine, const S& cosine, const S& excess) {
+    using std::sqrt;
+    using stumpff_detail::evaluate, stumpff_detail::InverseSincSeries;
+    bool near = true;
+    if constexpr (!side_by_side<S>) near = excess * excess < eps<S>() / S(8);
+    if (near) {
+      const S half = excess / S(2);  // 1/|Q| = 1 - half
+      const S ratio = S(2) * evaluate<InverseSincSeries>(mul_add(half, cosine, S(S(1) - cosine)));
+      angle_over_sine = mul_add(S(-half), ratio, ratio);
     } else {
-      const S sine = sqrt(squared_sine);
-      angle_over_sine = S(2) * S(atan2(sine, cosine)) / sine;
-      alpha = angle_over_sine * cosine / S(2);
-      along = (S(1) - alpha) / squared_sine;
+      const S inverse = S(1) / S(sqrt(mul_add(cosine, cosine, squared_sine)));
+      angle_over_sine = S(2) * inverse * evaluate<InverseSincSeries>(S(S(1) - cosine * inverse));
     }
+    alpha = angle_over_sine * cosine / S(2);
+    along = (S(1) - alpha) / (squared_sine + std::numeric_limits<S>::min());
   }
 };
+
+namespace stumpff_detail {
+
+/// What RotationCoefficients holds beyond half a turn: from sines, with the axis of unit length.
+template <Scalar S>
+struct BeyondHalfTurn {
+  S theta, k1, k2, k3, slope2, slope3, sine_half, cosine_half;
+};
+template <Scalar S>
+[[gnu::noinline]] BeyondHalfTurn<S> beyond_half_turn(const S& theta) {
+  using std::cos, std::sin;
+  BeyondHalfTurn<S> k;
+  k.theta = theta;
+  k.sine_half = sin(theta / S(2));
+  k.cosine_half = cos(theta / S(2));
+  k.k1 = S(2) * k.sine_half * k.cosine_half / theta;
+  k.k2 = S(2) * k.sine_half * k.sine_half / theta;
+  k.k3 = S(1) - k.k1;
+  // x (c_3 - 2 c_4) = 2 c_2 - c_1 and x (c_4 - 3 c_5) = 3 c_3 - c_2: no cancellation beyond half a turn.
+  const S c2 = k.k2 / theta;
+  k.slope2 = S(2) * c2 - k.k1;
+  k.slope3 = (S(3) * (k.k3 / theta) / theta - c2) * theta;
+  return k;
+}
+
+}  // namespace stumpff_detail
 
 /// A rotation vector phi with the coefficients that exp and its Jacobians need, valid for every finite phi.
 /// The axis a is phi itself up to half a turn, and the unit vector phi/theta beyond, so that nothing overflows;
 /// the coefficients are scaled to match: with t = 1 or theta,
-///     k1 = c_1,  k2 = c_2 t,  k3 = c_3 t^2     R = I + (c_1 t)[a] + (c_2 t^2)[a]^2,   J = I + k2 [a] + k3 [a]^2.
-/// Error: as for Stumpff up to half a turn; beyond it 2 eps + theta eps (excess rule).
-template <Scalar S, class Vector>
+///     k1 = c_1,  k2 = c_2 t,  k3 = c_3 t^2     J = I + k2 [a] + k3 [a]^2; for t = 1, R = I + k1 [a] + k2 [a]^2
+///     slope2 = (c_3 - 2 c_4) t^2,  slope3 = (c_4 - 3 c_5) t^3, and (sine_half a, cosine_half) is the quaternion.
+/// Error: as for HalfAngle up to half a turn; beyond it 2 eps + theta eps (excess rule).
+template <Scalar S, class Vector, Precision P = Precision::standard>
 struct RotationCoefficients {
   Vector axis;
-  S x;      ///< theta^2, or infinity where it overflows
   S theta;  ///< set beyond half a turn only
   bool half_turn;
-  S k1, k2, k3, sine_half,
-      cosine_half;  ///< sine_half: sin(theta/2)/theta * t, so that the vector part is sine_half a
+  S k1, k2, k3, slope2, slope3, sine_half, cosine_half;
 
-  explicit RotationCoefficients(const Vector& phi) : axis(phi), x(phi.dot(phi)), theta(0) {
-    half_turn = within_half_turn(x);
+  [[gnu::always_inline]] explicit RotationCoefficients(const Vector& phi) : axis(phi), theta(0) {
+    const auto [x, x_low] = squared_angle<S, P>(phi);
+    if constexpr (side_by_side<S>)
+      half_turn = true;
+    else
+      half_turn = within_half_turn(x);
     if (half_turn) {
-      S low(0);
-      S high(0);
-      for (int i = 0; i < 3; ++i) {
-        const auto [p, pe] = two_product<S>(phi[i], phi[i]);
-        const auto [sum, se] = two_sum<S>(high, p);
-        high = sum;
-        low += pe + se;
-      }
-      const HalfAngle<S> half(high, low);
-      sine_half = half.sine_over_angle;
-      cosine_half = half.cosine;
-      using stumpff_detail::minus_product;
-      static const stumpff_detail::Sixth<S> sixth;
-      k3 = minus_product<S>(sixth.value, sixth.low, high, low, stumpff_detail::c<S, 5>(x), S(0)).first;
-      const auto [square, rest] = two_product<S>(sine_half, sine_half);
-      k2 = S(2) * (square + (rest + S(2) * sine_half * half.sine_low));
-      k1 = S(2) * (sine_half * cosine_half + half.sine_low * cosine_half);
-    } else {
-      using std::cos, std::sin, std::sqrt;
-      theta = finite(x) ? S(sqrt(x)) : S(phi.stableNorm());
-      axis = phi / theta;
-      sine_half = sin(theta / S(2));
-      cosine_half = cos(theta / S(2));
-      k1 = S(2) * sine_half * cosine_half / theta;
-      k2 = S(2) * sine_half * sine_half / theta;
-      k3 = S(1) - k1;
+      const HalfAngle<S, P> k(x, x_low);
+      k1 = k.sine(), k2 = k.versine(), k3 = k.third();
+      slope2 = k.second_slope(), slope3 = k.third_slope();
+      sine_half = k.sine_over_angle(), cosine_half = k.c0;
+    } else if constexpr (!side_by_side<S>) {
+      using std::sqrt;
+      const auto k = stumpff_detail::beyond_half_turn<S>(finite(x) ? S(sqrt(x)) : S(phi.stableNorm()));
+      theta = k.theta, axis = phi / theta;
+      k1 = k.k1, k2 = k.k2, k3 = k.k3, slope2 = k.slope2, slope3 = k.slope3;
+      sine_half = k.sine_half, cosine_half = k.cosine_half;
     }
   }
 };

@@ -13,61 +13,54 @@
 #include <liecheck/spatial/motion.hpp>
 #include <liecheck/spatial/se3.hpp>
 #include <liecheck/spatial/so3.hpp>
+#include <liecheck/spatial/tight.hpp>
 
 namespace liecheck {
 
 namespace exp_log_detail {
 
-/// a . b and a x b, each number rounded once (CompensatedSum), or plainly where splitting the factors overflows.
-template <Scalar S>
-std::pair<S, Vector3<S>> products(const Vector3<S>& a, const Vector3<S>& b) {
-  CompensatedSum<S> dot;
-  Vector3<S> c;
-  for (int i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3, k = (i + 2) % 3;
-    dot.add_product(a[i], b[i]);
-    c[i] = CompensatedSum<S>().add_product(a[j], b[k]).add_product(S(-a[k]), b[j]).value();
-  }
-  const S d = dot.value();
-  if (!finite(d) || !c.allFinite()) return {a.dot(b), cross<S>(a, b)};
-  return {d, c};
-}
-
-/// a x + b y + c z, each number rounded once, or plainly where splitting overflows.
-template <Scalar S>
-Vector3<S> combination(const S& a, const Vector3<S>& x, const S& b, const Vector3<S>& y, const S& c,
-                       const Vector3<S>& z) {
-  Vector3<S> sum;
-  for (int i = 0; i < 3; ++i)
-    sum[i] = CompensatedSum<S>().add_product(a, x[i]).add_product(b, y[i]).add_product(c, z[i]).value();
-  if (!sum.allFinite()) return a * x + (b * y + c * z);
-  return sum;
-}
-
 /// J(phi) rho from the coefficients. Error 3 eps of the result up to half a turn.
-template <Scalar S>
-Vector3<S> arc(const RotationCoefficients<S, Vector3<S>>& k, const Vector3<S>& rho) {
-  const auto [along, across] = products<S>(k.axis, rho);
-  return combination<S>(k.k1, rho, k.k2, across, k.k3 * along, k.axis);
+template <Scalar S, Precision P>
+[[gnu::always_inline]] inline Vector3<S> arc(const RotationCoefficients<S, Vector3<S>, P>& k,
+                                             const Vector3<S>& rho) {
+  const Vector3<S> across = cross<S>(k.axis, rho);
+  const S along = k.k3 * dot<S>(k.axis, rho);
+  return each<S>(
+      [&](int i) { return mul_add(k.k1, rho[i], mul_add(k.k2, across[i], S(along * k.axis[i]))); });
+}
+
+/// exp [phi] = I + k1 [a] + k2 [a]^2 up to half a turn; beyond, where a is a rounded unit vector, by the quaternion.
+template <Scalar S, Precision P>
+[[gnu::always_inline]] inline Matrix3<S> matrix(const RotationCoefficients<S, Vector3<S>, P>& k) {
+  if (!k.half_turn)
+    return SO3<S>(each<S>([&k](int i) { return k.sine_half * k.axis[i]; }), k.cosine_half).matrix();
+  const Vector3<S> s = each<S>([&](int i) { return k.k1 * k.axis[i]; });
+  const Vector3<S> v = each<S>([&](int i) { return k.k2 * k.axis[i]; });
+  const S &x = k.axis[0], &y = k.axis[1], &z = k.axis[2];
+  const S xx = v[0] * x, yy = v[1] * y, zz = v[2] * z, xy = v[0] * y, yz = v[1] * z, zx = v[2] * x;
+  return rows<S>(S(1) - (yy + zz), xy - s[2], zx + s[1], xy + s[2], S(1) - (xx + zz), yz - s[0], zx - s[1],
+                 yz + s[0], S(1) - (xx + yy));
 }
 
 /// A rotation vector phi = k v, and what J^-1(phi) needs, from a quaternion (v, w) of any scale.
-template <Scalar S>
+template <Scalar S, Precision P = Precision::standard>
 struct RotationLogarithm {
   Vector3<S> v, phi;
   LogarithmCoefficients<S> c;
 
-  explicit RotationLogarithm(const SO3<S>& Q)
-      : v(Q.w() < S(0) ? Vector3<S>(-Q.vec()) : Q.vec()), c(v.squaredNorm(), absolute(Q.w())) {
-    phi = c.angle_over_sine * v;
+  [[gnu::always_inline]] explicit RotationLogarithm(const SO3<S>& Q)
+      : v(each<S>([&Q, turn = sign<S>(Q.w())](int i) { return S(turn * Q.to_vector()[i]); })),
+        c(dot<S>(v, v), absolute(Q.w()), Q.template normExcess<P>()) {
+    phi = each<S>([&](int i) { return c.angle_over_sine * v[i]; });
   }
 
   /// rho = J^-1(phi) p = alpha p - 1/2 phi x p + (1 - alpha) n (n . p), alpha = (theta/2) cot(theta/2), n = v/|v|.
   /// The same rounded alpha stands in both places, so along the axis its error cancels. Error 2.5 eps |rho|,
   /// that of phi included.
-  Vector3<S> arc(const Vector3<S>& p) const {
-    const auto [along, across] = products<S>(v, p);
-    return combination<S>(c.alpha, p, c.along * along, v, -c.angle_over_sine / S(2), across);
+  [[gnu::always_inline]] Vector3<S> arc(const Vector3<S>& p) const {
+    const Vector3<S> across = cross<S>(v, p);
+    const S along = c.along * dot<S>(v, p), turn = -c.angle_over_sine / S(2);
+    return each<S>([&](int i) { return mul_add(c.alpha, p[i], mul_add(turn, across[i], S(along * v[i]))); });
   }
 };
 
@@ -76,60 +69,87 @@ struct RotationLogarithm {
 namespace quaternion {
 
 /// Q = (sin(theta/2) n, cos(theta/2)) of a rotation vector phi [3, rad]. Rotation error 2 eps.
-template <Scalar S>
+template <Scalar S, Precision P = Precision::standard>
 SO3<S> exp3(const Vector3<S>& phi) {
-  const RotationCoefficients<S, Vector3<S>> k(phi);
-  return SO3<S>(k.sine_half * k.axis, k.cosine_half);
+  if constexpr (P == Precision::tight)
+    return tight_detail::rounded<S>(
+        [](const auto& a) { return quaternion::exp3<DoubleDouble<S>, Precision::fast>(a); },
+        [&] { return quaternion::exp3<S>(phi); }, phi);
+  const RotationCoefficients<S, Vector3<S>, P> k(phi);
+  return SO3<S>(each<S>([&k](int i) { return k.sine_half * k.axis[i]; }), k.cosine_half);
 }
 
 /// phi [3, rad] = 2 atan2(|v|, |w|)/|v| sgn(w) v, |phi| <= pi. It does not depend on |Q|. Error 3 eps relative.
-template <Scalar S>
+template <Scalar S, Precision P = Precision::standard>
 Vector3<S> log3(const SO3<S>& Q) {
-  return exp_log_detail::RotationLogarithm<S>(Q).phi;
+  if constexpr (P == Precision::tight)
+    return tight_detail::rounded<S>(
+        [](const auto& a) { return quaternion::log3<DoubleDouble<S>, Precision::fast>(a); },
+        [&] { return quaternion::log3<S>(Q); }, Q);
+  return exp_log_detail::RotationLogarithm<S, P>(Q).phi;
 }
 
 /// (p, Q) = exp(xi), [p; x y z w], shape 7. Rotation 2 eps, translation 4 eps.
-template <Scalar S>
+template <Scalar S, Precision P = Precision::standard>
 Vector7<S> exp6(const Motion<S>& xi) {
-  const RotationCoefficients<S, Vector3<S>> k(xi.angular());
+  if constexpr (P == Precision::tight)
+    return tight_detail::rounded<S>(
+        [](const auto& a) { return quaternion::exp6<DoubleDouble<S>, Precision::fast>(a); },
+        [&] { return quaternion::exp6<S>(xi); }, xi);
+  const RotationCoefficients<S, Vector3<S>, P> k(xi.angular());
   Vector7<S> q;
-  q << exp_log_detail::arc<S>(k, xi.linear()), k.sine_half * k.axis, k.cosine_half;
+  q << exp_log_detail::arc(k, xi.linear()), k.sine_half * k.axis, k.cosine_half;
   return q;
 }
 
 /// log of (p, Q) [p; x y z w]. Error 4 eps of each block.
-template <Scalar S>
+template <Scalar S, Precision P = Precision::standard>
 Motion<S> log6(const Vector7<S>& q) {
-  const exp_log_detail::RotationLogarithm<S> l(SO3<S>(Vector4<S>(q.template tail<4>())));
+  if constexpr (P == Precision::tight)
+    return tight_detail::rounded<S>(
+        [](const auto& a) { return quaternion::log6<DoubleDouble<S>, Precision::fast>(a); },
+        [&] { return quaternion::log6<S>(q); }, q);
+  const exp_log_detail::RotationLogarithm<S, P> l(SO3<S>(Vector4<S>(q.template tail<4>())));
   return {l.arc(q.template head<3>()), l.phi};
 }
 
 }  // namespace quaternion
 
 /// R = exp [phi], 3 x 3, phi [3, rad]. Rotation error 3 eps.
-template <Scalar S>
+template <Scalar S, Precision P = Precision::standard>
 Matrix3<S> exp3(const Vector3<S>& phi) {
-  return quaternion::exp3<S>(phi).matrix();
+  if constexpr (P == Precision::tight)
+    return tight_detail::rounded<S>([](const auto& a) { return exp3<DoubleDouble<S>, Precision::fast>(a); },
+                                    [&] { return exp3<S>(phi); }, phi);
+  return exp_log_detail::matrix(RotationCoefficients<S, Vector3<S>, P>(phi));
 }
 
 /// phi [3, rad] of the rotation nearest to R, for |R^T R - I| <= 8 eps. Error 3 eps relative.
-template <Scalar S>
+template <Scalar S, Precision P = Precision::standard>
 Vector3<S> log3(const Matrix3<S>& R) {
-  return quaternion::log3<S>(SO3<S>::fromMatrix(R));
+  if constexpr (P == Precision::tight)
+    return tight_detail::rounded<S>([](const auto& a) { return log3<DoubleDouble<S>, Precision::fast>(a); },
+                                    [&] { return log3<S>(R); }, R);
+  return quaternion::log3<S, P>(SO3<S>::template fromMatrix<P>(R));
 }
 
 /// T = exp(xi), xi = (rho [m], phi [rad]). Rotation 3 eps, translation 4 eps.
-template <Scalar S>
+template <Scalar S, Precision P = Precision::standard>
 SE3<S> exp6(const Motion<S>& xi) {
-  const RotationCoefficients<S, Vector3<S>> k(xi.angular());
-  const SO3<S> Q(k.sine_half * k.axis, k.cosine_half);
-  return SE3<S>(Q.matrix(), exp_log_detail::arc<S>(k, xi.linear()));
+  if constexpr (P == Precision::tight)
+    return tight_detail::rounded<S>([](const auto& a) { return exp6<DoubleDouble<S>, Precision::fast>(a); },
+                                    [&] { return exp6<S>(xi); }, xi);
+  const RotationCoefficients<S, Vector3<S>, P> k(xi.angular());
+  return SE3<S>(exp_log_detail::matrix(k), exp_log_detail::arc(k, xi.linear()));
 }
 
 /// xi = log T, the inverse of exp6 for |phi| < pi. Error 4 eps of each block.
-template <Scalar S>
+template <Scalar S, Precision P = Precision::standard>
 Motion<S> log6(const SE3<S>& T) {
-  const exp_log_detail::RotationLogarithm<S> l(SO3<S>::fromMatrix(T.rotation()));
+  if constexpr (P == Precision::tight)
+    return tight_detail::rounded<S>([](const auto& a) { return log6<DoubleDouble<S>, Precision::fast>(a); },
+                                    [&] { return log6<S>(T); }, T);
+  const exp_log_detail::RotationLogarithm<S, P> l(SO3<S>::template fromMatrix<P>(T.rotation()));
   return {l.arc(T.translation()), l.phi};
 }
 

@@ -46,14 +46,14 @@ Matrix3<S> squared_skew(const Vector3<S>& a) {
 
 /// Coefficients of the rotation block and of its derivative along rho, scaled to the axis a = phi / t as in
 /// RotationCoefficients: for J_l (k0 = 0) and for its inverse.
-template <Scalar S>
+template <Scalar S, Precision P>
 struct BlockCoefficients {
   Vector3<S> axis;
   S b1, b2;          // block    I + b1 [a] + b2 [a]^2
   S r0, r1, r2, r3;  // coupling r0 [rho] + r1 ([a][rho] + [rho][a]) + (a . rho)(r2 [a] + r3 [a]^2)
 
-  static BlockCoefficients exponential(const Vector3<S>& phi) {
-    const RotationCoefficients<S, Vector3<S>> k(phi);
+  [[gnu::always_inline]] static BlockCoefficients exponential(const Vector3<S>& phi) {
+    const RotationCoefficients<S, Vector3<S>, P> k(phi);
     BlockCoefficients b;
     b.axis = k.axis;
     b.b1 = k.k2;
@@ -61,8 +61,8 @@ struct BlockCoefficients {
     if (k.half_turn) {
       b.r0 = k.k2;
       b.r1 = k.k3;
-      b.r2 = -c3_minus_2c4<S>(k.x);
-      b.r3 = -c4_minus_3c5<S>(k.x);
+      b.r2 = -k.slope2;
+      b.r3 = -k.slope3;
     } else {
       // x g = 2 c2 - c1 and x h = 3 c3 - c2, beyond half a turn without cancellation at 0.
       b.r0 = k.k2 / k.theta;
@@ -74,7 +74,7 @@ struct BlockCoefficients {
     return b;
   }
 
-  static BlockCoefficients inverse(const Vector3<S>& phi) {
+  [[gnu::always_inline]] static BlockCoefficients inverse(const Vector3<S>& phi) {
     BlockCoefficients b;
     b.axis = phi;
     const S x = phi.dot(phi);
@@ -87,7 +87,7 @@ struct BlockCoefficients {
       b.r1 = c.d;
       b.r3 = c.d2;
     } else {
-      const RotationCoefficients<S, Vector3<S>> k(phi);
+      const RotationCoefficients<S, Vector3<S>, P> k(phi);
       const S cot = k.cosine_half / k.sine_half;
       b.axis = k.axis;
       b.b1 = -k.theta / S(2);
@@ -120,63 +120,95 @@ struct BlockCoefficients {
 }  // namespace jacobian_detail
 
 /// J_l(phi), 3 x 3. phi [3, rad].
-template <Scalar S>
+template <Scalar S, Precision P = Precision::standard>
 Matrix3<S> leftJacobian(const Vector3<S>& phi) {
-  return jacobian_detail::BlockCoefficients<S>::exponential(phi).block();
+  if constexpr (P == Precision::tight)
+    return tight_detail::rounded<S>(
+        [](const auto& a) { return leftJacobian<DoubleDouble<S>, Precision::fast>(a); },
+        [&] { return leftJacobian<S>(phi); }, phi);
+  return jacobian_detail::BlockCoefficients<S, P>::exponential(phi).block();
 }
 /// J_r(phi) = J_l(-phi), 3 x 3.
-template <Scalar S>
+template <Scalar S, Precision P = Precision::standard>
 Matrix3<S> rightJacobian(const Vector3<S>& phi) {
-  return leftJacobian<S>(-phi);
+  if constexpr (P == Precision::tight)
+    return tight_detail::rounded<S>(
+        [](const auto& a) { return rightJacobian<DoubleDouble<S>, Precision::fast>(a); },
+        [&] { return rightJacobian<S>(phi); }, phi);
+  return leftJacobian<S, P>(-phi);
 }
 /// J_l^-1(phi), 3 x 3. Singular at |phi| = 2 pi k, k >= 1.
-template <Scalar S>
+template <Scalar S, Precision P = Precision::standard>
 Matrix3<S> leftJacobianInverse(const Vector3<S>& phi) {
-  return jacobian_detail::BlockCoefficients<S>::inverse(phi).block();
+  if constexpr (P == Precision::tight)
+    return tight_detail::rounded<S>(
+        [](const auto& a) { return leftJacobianInverse<DoubleDouble<S>, Precision::fast>(a); },
+        [&] { return leftJacobianInverse<S>(phi); }, phi);
+  return jacobian_detail::BlockCoefficients<S, P>::inverse(phi).block();
 }
 /// J_r^-1(phi), 3 x 3.
-template <Scalar S>
+template <Scalar S, Precision P = Precision::standard>
 Matrix3<S> rightJacobianInverse(const Vector3<S>& phi) {
-  return leftJacobianInverse<S>(-phi);
+  if constexpr (P == Precision::tight)
+    return tight_detail::rounded<S>(
+        [](const auto& a) { return rightJacobianInverse<DoubleDouble<S>, Precision::fast>(a); },
+        [&] { return rightJacobianInverse<S>(phi); }, phi);
+  return leftJacobianInverse<S, P>(-phi);
 }
 
 /// J_l(xi), 6 x 6. xi = (rho [m], phi [rad]).
-template <Scalar S>
+template <Scalar S, Precision P = Precision::standard>
 Matrix6<S> leftJacobian(const Motion<S>& xi) {
-  return jacobian_detail::BlockCoefficients<S>::exponential(xi.angular()).matrix(xi.linear());
+  if constexpr (P == Precision::tight)
+    return tight_detail::rounded<S>(
+        [](const auto& a) { return leftJacobian<DoubleDouble<S>, Precision::fast>(a); },
+        [&] { return leftJacobian<S>(xi); }, xi);
+  return jacobian_detail::BlockCoefficients<S, P>::exponential(xi.angular()).matrix(xi.linear());
 }
 /// J_r(xi) = J_l(-xi), 6 x 6.
-template <Scalar S>
+template <Scalar S, Precision P = Precision::standard>
 Matrix6<S> rightJacobian(const Motion<S>& xi) {
-  return leftJacobian<S>(-xi);
+  if constexpr (P == Precision::tight)
+    return tight_detail::rounded<S>(
+        [](const auto& a) { return rightJacobian<DoubleDouble<S>, Precision::fast>(a); },
+        [&] { return rightJacobian<S>(xi); }, xi);
+  return leftJacobian<S, P>(-xi);
 }
 /// J_l^-1(xi), 6 x 6. Singular at |phi| = 2 pi k, k >= 1.
-template <Scalar S>
+template <Scalar S, Precision P = Precision::standard>
 Matrix6<S> leftJacobianInverse(const Motion<S>& xi) {
-  return jacobian_detail::BlockCoefficients<S>::inverse(xi.angular()).matrix(xi.linear());
+  if constexpr (P == Precision::tight)
+    return tight_detail::rounded<S>(
+        [](const auto& a) { return leftJacobianInverse<DoubleDouble<S>, Precision::fast>(a); },
+        [&] { return leftJacobianInverse<S>(xi); }, xi);
+  return jacobian_detail::BlockCoefficients<S, P>::inverse(xi.angular()).matrix(xi.linear());
 }
 /// J_r^-1(xi), 6 x 6.
-template <Scalar S>
+template <Scalar S, Precision P = Precision::standard>
 Matrix6<S> rightJacobianInverse(const Motion<S>& xi) {
-  return leftJacobianInverse<S>(-xi);
+  if constexpr (P == Precision::tight)
+    return tight_detail::rounded<S>(
+        [](const auto& a) { return rightJacobianInverse<DoubleDouble<S>, Precision::fast>(a); },
+        [&] { return rightJacobianInverse<S>(xi); }, xi);
+  return leftJacobianInverse<S, P>(-xi);
 }
 
 /// Pinocchio's names: Jexp is the right Jacobian, Jlog the inverse right Jacobian at the logarithm.
-template <Scalar S>
+template <Scalar S, Precision P = Precision::standard>
 Matrix3<S> Jexp3(const Vector3<S>& phi) {
-  return rightJacobian<S>(phi);
+  return rightJacobian<S, P>(phi);
 }
-template <Scalar S>
+template <Scalar S, Precision P = Precision::standard>
 Matrix3<S> Jlog3(const Matrix3<S>& R) {
-  return rightJacobianInverse<S>(log3<S>(R));
+  return rightJacobianInverse<S, P>(log3<S, P>(R));
 }
-template <Scalar S>
+template <Scalar S, Precision P = Precision::standard>
 Matrix6<S> Jexp6(const Motion<S>& xi) {
-  return rightJacobian<S>(xi);
+  return rightJacobian<S, P>(xi);
 }
-template <Scalar S>
+template <Scalar S, Precision P = Precision::standard>
 Matrix6<S> Jlog6(const SE3<S>& T) {
-  return rightJacobianInverse<S>(log6<S>(T));
+  return rightJacobianInverse<S, P>(log6<S, P>(T));
 }
 
 }  // namespace liecheck

@@ -1,0 +1,133 @@
+#pragma once
+// exp, log, integrate, difference and act of many poses at once: one row a number, one column a pose, so that the
+// same numbers of neighbours lie side by side (structure of arrays) and one instruction serves several of them.
+//
+// Each column is what the function of one pose gives, within the bounds that it states; columns off the usual path
+// (beyond half a turn, near poses, half a turn within 1e-3, quaternions far from unit, results that are not finite)
+// and those left over at the end are computed by that function itself.
+
+#include <cstring>
+#include <liecheck/multibody/se3_configuration.hpp>
+#include <liecheck/spatial/pack.hpp>
+
+namespace liecheck::batch {
+
+/// ROWS numbers of each of any number of poses.
+template <class S, int ROWS>
+using Rows = Eigen::Array<S, ROWS, Eigen::Dynamic, Eigen::RowMajor>;
+
+namespace detail {
+
+/// Numbers in one register of the target.
+#if defined(__AVX__)
+constexpr int bytes = 32;
+#else
+constexpr int bytes = 16;
+#endif
+
+template <class T, class S, int ROWS>
+[[gnu::always_inline]] inline Eigen::Matrix<T, ROWS, 1> load(const Rows<S, ROWS>& rows, Eigen::Index column) {
+  Eigen::Matrix<T, ROWS, 1> v;
+  for (int r = 0; r < ROWS; ++r) std::memcpy(static_cast<void*>(&v[r]), &rows(r, column), sizeof(T));
+  return v;
+}
+
+/// f over the columns of the arguments; settled(result, arguments..., lane): is the lane on the usual path?
+template <int ROWS, class S, class F, class Settled, int... IN>
+Rows<S, ROWS> map(F f, Settled settled, const Rows<S, IN>&... arguments) {
+  using P = Pack<S, bytes / int(sizeof(S))>;
+  constexpr Eigen::Index width = sizeof(P) / sizeof(S);
+  const Eigen::Index n = std::get<0>(std::forward_as_tuple(arguments...)).cols();
+  Rows<S, ROWS> all(ROWS, n);
+  const auto alone = [&](Eigen::Index i) {
+    const Eigen::Matrix<S, ROWS, 1> one = f(load<S>(arguments, i)...);
+    all.col(i) = one.array();
+  };
+  Eigen::Index i = 0;
+  for (; i + width <= n; i += width) {
+    const Eigen::Matrix<P, ROWS, 1> r = f(load<P>(arguments, i)...);
+    for (int k = 0; k < ROWS; ++k) std::memcpy(&all(k, i), &r[k].v, sizeof(P));
+    const auto usual = settled(r, load<P>(arguments, i)...);
+    bool all_usual = true;
+    for (Eigen::Index lane = 0; lane < width; ++lane) all_usual &= usual[lane] != 0;
+    if (all_usual) continue;
+    for (Eigen::Index lane = 0; lane < width; ++lane)
+      if (usual[lane] == 0) alone(i + lane);
+  }
+  for (; i < n; ++i) alone(i);
+  return all;
+}
+
+/// In which lanes is |v|^2 in [least, most]? Not where it is NaN.
+template <class P, class V>
+[[gnu::always_inline]] inline auto within(const V& v, int first, Lane<P> least, Lane<P> most) {
+  const P x = v[first] * v[first] + (v[first + 1] * v[first + 1] + v[first + 2] * v[first + 2]);
+  return (x.v >= least) & (x.v <= most);
+}
+/// In which lanes is |Q|^2 1 up to 16 eps?
+template <class P, class V>
+[[gnu::always_inline]] inline auto unit(const V& v, int first) {
+  const P x = (v[first] * v[first] + v[first + 1] * v[first + 1]) +
+              (v[first + 2] * v[first + 2] + v[first + 3] * v[first + 3]) - P(1);
+  const Lane<P> most = eps<Lane<P>>() * 16;
+  return (x.v >= -most) & (x.v <= most);
+}
+template <class S>
+constexpr S huge = std::numeric_limits<S>::max() * eps<S>() * eps<S>();  ///< of a squared length
+
+}  // namespace detail
+
+/// integrateSE3 of each column: q [7; m], delta [6; m, rad].
+template <std::floating_point S>
+Rows<S, 7> integrate(const Rows<S, 7>& q, const Rows<S, 6>& delta) {
+  const auto f = [](const auto& a, const auto& b) { return integrateSE3(a, b); };
+  const auto settled = []<class P>(const Vector7<P>&, const Vector7<P>&, const Vector6<P>& b) {
+    return detail::within<P>(b, 3, 0, stumpff_detail::series_limit<S>()) &
+           detail::within<P>(b, 0, 0, detail::huge<S>);
+  };
+  return detail::map<7, S>(f, settled, q, delta);
+}
+
+/// differenceSE3 of each column: q0, q1 [7; m]; result [6; m, rad].
+template <std::floating_point S>
+Rows<S, 6> difference(const Rows<S, 7>& q0, const Rows<S, 7>& q1) {
+  const auto f = [](const auto& a, const auto& b) { return differenceSE3(a, b); };
+  const auto settled = []<class P>(const Vector6<P>& r, const Vector7<P>& a, const Vector7<P>& b) {
+    return detail::within<P>(r, 3, S(10000) * eps<S>(), S(9.86)) &
+           detail::within<P>(r, 0, 0, detail::huge<S>) & detail::unit<P>(a, 3) & detail::unit<P>(b, 3);
+  };
+  return detail::map<6, S>(f, settled, q0, q1);
+}
+
+/// quaternion::exp6 of each column: xi [6; m, rad]; result [7; m].
+template <std::floating_point S>
+Rows<S, 7> exp6(const Rows<S, 6>& xi) {
+  const auto f = []<class T>(const Vector6<T>& a) { return quaternion::exp6<T>(Motion<T>(a)); };
+  const auto settled = []<class P>(const Vector7<P>&, const Vector6<P>& a) {
+    return detail::within<P>(a, 3, 0, stumpff_detail::series_limit<S>());
+  };
+  return detail::map<7, S>(f, settled, xi);
+}
+
+/// quaternion::log6 of each column: q [7; m]; result [6; m, rad].
+template <std::floating_point S>
+Rows<S, 6> log6(const Rows<S, 7>& q) {
+  const auto f = []<class T>(const Vector7<T>& a) { return quaternion::log6<T>(a).to_vector(); };
+  const auto settled = []<class P>(const Vector6<P>&, const Vector7<P>& a) { return detail::unit<P>(a, 3); };
+  return detail::map<6, S>(f, settled, q);
+}
+
+/// R(Q) x + p of each column: q = [p; x y z w] [7; m], x [3, m].
+template <std::floating_point S>
+Rows<S, 3> act(const Rows<S, 7>& q, const Rows<S, 3>& x) {
+  const auto f = []<class T>(const Vector7<T>& a, const Vector3<T>& b) {
+    const Vector3<T> r = SO3<T>(Vector4<T>(a[3], a[4], a[5], a[6])).act(b);
+    return Vector3<T>(a[0] + r[0], a[1] + r[1], a[2] + r[2]);
+  };
+  const auto settled = []<class P>(const Vector3<P>&, const Vector7<P>&, const Vector3<P>& b) {
+    return detail::within<P>(b, 0, 0, detail::huge<S>);
+  };
+  return detail::map<3, S>(f, settled, q, x);
+}
+
+}  // namespace liecheck::batch

@@ -1,0 +1,105 @@
+// The three precisions against the same code at 50 digits, up to half a turn: tight within 1 eps of each block, fast
+// within 16. The oracles hold the same at any angle: `liecheck hunt --subject liecheck:tight`.
+
+#include <gtest/gtest.h>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <boost/multiprecision/eigen.hpp>
+#include <liecheck/multibody/se3_configuration.hpp>
+#include <random>
+
+namespace liecheck {
+namespace {
+
+using Real =
+    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
+
+template <class S>
+class PrecisionOf : public testing::Test {
+ public:
+  /// ||a - b|| / ||b|| of a block, in eps.
+  template <class A, class B>
+  static double error(const A& a, const B& b) {
+    Real square = 0, size = 0;
+    for (int j = 0; j < b.cols(); ++j)
+      for (int i = 0; i < b.rows(); ++i) {
+        const Real d = Real(a(i, j)) - b(i, j);
+        square += d * d, size += b(i, j) * b(i, j);
+      }
+    return double(sqrt(square / size)) / double(eps<S>());
+  }
+  template <Precision P>
+  static double worst() {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    double most = 0;
+    const auto take = [&most](double e) { most = e <= most ? most : e; };
+    for (int n = 0; n < 150; ++n) {
+      Vector6<S> x;
+      Vector7<S> q;
+      for (int i = 0; i < 6; ++i) x[i] = S(uniform(random));
+      for (int i = 0; i < 7; ++i) q[i] = S(uniform(random));
+      q.template tail<4>() /= q.template tail<4>().norm();
+      const double angle = n % 3 == 0 ? 3.14159 : n % 3 == 1 ? std::pow(10, 4 * uniform(random) - 4) : 2;
+      x.template tail<3>() *= S(angle) / x.template tail<3>().norm();
+      const Vector6<Real> X = x.template cast<Real>();
+      const Vector7<Real> Q = q.template cast<Real>();
+
+      const SE3<S> T = exp6<S, P>(Motion<S>(x));
+      const SE3<Real> T_exact = exp6<Real>(Motion<Real>(X));
+      take(error(T.rotation(), T_exact.rotation())), take(error(T.translation(), T_exact.translation()));
+      const Vector6<S> l = log6<S, P>(T).to_vector();
+      const Vector6<Real> l_exact = log6<Real>(T.template cast<Real>()).to_vector();
+      take(error(l.template head<3>(), Vector3<Real>(l_exact.template head<3>())));
+      take(error(l.template tail<3>(), Vector3<Real>(l_exact.template tail<3>())));
+      const Vector7<S> q1 = integrateSE3<S, P>(q, x);
+      const Vector7<Real> q1_exact = integrateSE3<Real>(Q, X);
+      take(error(q1.template tail<4>(), Vector4<Real>(q1_exact.template tail<4>())));
+      const Vector6<S> d = differenceSE3<S, P>(q, q1);
+      const Vector6<Real> d_exact = differenceSE3<Real>(Q, Vector7<Real>(q1.template cast<Real>()));
+      take(error(d.template tail<3>(), Vector3<Real>(d_exact.template tail<3>())));
+      const Matrix6<S> J = leftJacobian<S, P>(Motion<S>(x)), K = leftJacobianInverse<S, P>(Motion<S>(x));
+      const Matrix6<Real> J_exact = leftJacobian<Real>(Motion<Real>(X)),
+                          K_exact = leftJacobianInverse<Real>(Motion<Real>(X));
+      for (const int column : {0, 3}) {
+        take(error(Matrix3<S>(J.template block<3, 3>(0, column)),
+                   Matrix3<Real>(J_exact.template block<3, 3>(0, column))));
+        take(error(Matrix3<S>(K.template block<3, 3>(0, column)),
+                   Matrix3<Real>(K_exact.template block<3, 3>(0, column))));
+      }
+    }
+    return most;
+  }
+};
+using Scalars = testing::Types<float, double>;
+TYPED_TEST_SUITE(PrecisionOf, Scalars);
+
+TYPED_TEST(PrecisionOf, HoldsWhatItPromises) {
+  EXPECT_LE(this->template worst<Precision::tight>(), 1);
+  EXPECT_LE(this->template worst<Precision::standard>(), 6);
+  EXPECT_LE(this->template worst<Precision::fast>(), 16);
+  EXPECT_GT(this->template worst<Precision::fast>(), this->template worst<Precision::tight>());
+}
+
+TYPED_TEST(PrecisionOf, TightIsFiniteWhereItsProductsOverflow) {
+  using S = TypeParam;
+  const S most = std::numeric_limits<S>::max() / 4;
+  Vector6<S> x;
+  x << most, S(0), S(0), S(0), S(0), S(1);
+  EXPECT_LE(this->error(exp6<S, Precision::tight>(Motion<S>(x)).translation(),
+                        exp6<Real>(Motion<Real>(Vector6<Real>(x.template cast<Real>()))).translation()),
+            4);
+}
+
+TEST(DoubleDouble, KeepsTwiceTheDigits) {
+  using D = DoubleDouble<double>;
+  const D third = D(1) / D(3), root = sqrt(D(2));
+  const auto defect = [](const D& a) { return std::abs(a.high + a.low); };
+  EXPECT_LE(defect(third * D(3) - D(1)), 0x1p-103);
+  EXPECT_LE(defect(root * root - D(2)), 0x1p-102);
+  EXPECT_EQ((D(1) + D(0x1p-80) - D(1)).high, 0x1p-80);
+  EXPECT_TRUE(third < root && D(1) > third && D(2) == D(1) + D(1));
+  EXPECT_EQ(double(sqrt(D(0))), 0);
+}
+
+}  // namespace
+}  // namespace liecheck
