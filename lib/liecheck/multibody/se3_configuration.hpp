@@ -106,7 +106,7 @@ template <Scalar S, Precision P>
 
 /// T exp(delta) as [p; x y z w]; Q1 . Q0 >= 0: the quaternion nearer to the one it came from. Pose q [7; m],
 /// delta [6; m, rad].
-/// Error: rotation 4 eps, translation 4 eps of max(|p1|, |p0|, |rho|), up to half a turn; beyond, the excess
+/// Error: rotation 2 eps, translation 4 eps of max(|p1|, |p0|, |rho|), up to half a turn; beyond, the excess
 /// rule. Norm: ||Q1|^2 - 1| <= 3 eps + 3/4 d^2; the rotation is that of Q0/|Q0| whatever d.
 template <Scalar S, Precision P = Precision::standard>
 Vector7<S> integrateSE3(const Vector7<S>& q, const Vector6<S>& delta) {
@@ -129,7 +129,7 @@ Vector7<S> integrateSE3(const Vector7<S>& q, const Vector6<S>& delta) {
 }
 
 /// (rho, phi) = log(T0^-1 T1) [6; m, rad], |phi| <= pi, the same for Q and -Q; at exactly half a turn either
-/// sign. Error 4 eps of |phi|, and 4 eps of max(|rho|, |p1 - p0|), at any distance; it does not depend on
+/// sign. Error 2 eps of |phi|, and 4 eps of max(|rho|, |p1 - p0|), at any distance; it does not depend on
 /// |Q0|, |Q1|.
 template <Scalar S, Precision P = Precision::standard>
 Vector6<S> differenceSE3(const Vector7<S>& q0, const Vector7<S>& q1) {

@@ -24,24 +24,15 @@ namespace liecheck {
 
 namespace jacobian_detail {
 
-/// a b^T + b a^T - 2 (a . b) I = [a][b] + [b][a].
+/// [t] + [a][u] + [u][a], and [a][u] + [u][a] = a u^T + u a^T - 2 (a . u) I.
 template <Scalar S>
-Matrix3<S> symmetric_product(const Vector3<S>& a, const Vector3<S>& b) {
-  const S xx = a.x() * b.x(), yy = a.y() * b.y(), zz = a.z() * b.z();
-  Matrix3<S> m;
-  m(0, 0) = S(-2) * (yy + zz);
-  m(1, 1) = S(-2) * (xx + zz);
-  m(2, 2) = S(-2) * (xx + yy);
-  m(0, 1) = m(1, 0) = a.x() * b.y() + a.y() * b.x();
-  m(0, 2) = m(2, 0) = a.x() * b.z() + a.z() * b.x();
-  m(1, 2) = m(2, 1) = a.y() * b.z() + a.z() * b.y();
-  return m;
-}
-
-/// [a]^2 = a a^T - |a|^2 I.
-template <Scalar S>
-Matrix3<S> squared_skew(const Vector3<S>& a) {
-  return symmetric_product<S>(a, a) / S(2);
+[[gnu::always_inline]] inline Matrix3<S> skew_and_symmetric(const Vector3<S>& t, const Vector3<S>& a,
+                                                            const Vector3<S>& u) {
+  const S xx = a[0] * u[0], yy = a[1] * u[1], zz = a[2] * u[2];
+  const S xy = mul_add(a[0], u[1], S(a[1] * u[0])), yz = mul_add(a[1], u[2], S(a[2] * u[1])),
+          zx = mul_add(a[2], u[0], S(a[0] * u[2]));
+  return rows<S>(S(-2) * (yy + zz), xy - t[2], zx + t[1], xy + t[2], S(-2) * (xx + zz), yz - t[0], zx - t[1],
+                 yz + t[0], S(-2) * (xx + yy));
 }
 
 /// Coefficients of the rotation block and of its derivative along rho, scaled to the axis a = phi / t as in
@@ -99,13 +90,12 @@ struct BlockCoefficients {
     return b;
   }
 
-  Matrix3<S> block() const {
-    return Matrix3<S>::Identity() + (b1 * skew<S>(axis) + b2 * squared_skew<S>(axis));
-  }
-  Matrix3<S> coupling(const Vector3<S>& rho) const {
-    const S along = axis.dot(rho);
-    return skew<S>(r0 * rho + (r2 * along) * axis) + r1 * symmetric_product<S>(axis, rho) +
-           (r3 * along) * squared_skew<S>(axis);
+  [[gnu::always_inline]] Matrix3<S> block() const { return exp_log_detail::quadratic<S>(axis, b1, b2); }
+  /// r1 ([a][rho] + [rho][a]) + r3 (a . rho) [a]^2 = [a][u] + [u][a], u = r1 rho + r3 (a . rho) / 2 a.
+  [[gnu::always_inline]] Matrix3<S> coupling(const Vector3<S>& rho) const {
+    const S along = dot<S>(axis, rho), a2 = r2 * along, a3 = r3 * along / S(2);
+    return skew_and_symmetric<S>(each<S>([&](int i) { return mul_add(r0, rho[i], S(a2 * axis[i])); }), axis,
+                                 each<S>([&](int i) { return mul_add(r1, rho[i], S(a3 * axis[i])); }));
   }
   Matrix6<S> matrix(const Vector3<S>& rho) const {
     Matrix6<S> J;

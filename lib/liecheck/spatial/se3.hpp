@@ -33,7 +33,11 @@ class SE3 {
 
   /// X_AC = X_AB X_BC.
   SE3 operator*(const SE3& o) const { return SE3(Matrix3<S>(R_ * o.R_), Vector3<S>(R_ * o.p_ + p_)); }
-  SE3 inverse() const { return SE3(Matrix3<S>(R_.transpose()), Vector3<S>(-(R_.transpose() * p_))); }
+  SE3 inverse() const {
+    return SE3(
+        rows<S>(R_(0, 0), R_(1, 0), R_(2, 0), R_(0, 1), R_(1, 1), R_(2, 1), R_(0, 2), R_(1, 2), R_(2, 2)),
+        transposed_product<S>(R_, each<S>([this](int i) { return -p_[i]; })));
+  }
   /// X_AB^-1 X_AC, the difference of translations formed first.
   SE3 actInv(const SE3& o) const {
     return SE3(Matrix3<S>(R_.transpose() * o.R_), Vector3<S>(R_.transpose() * (o.p_ - p_)));
@@ -44,8 +48,9 @@ class SE3 {
   Vector3<S> actInv(const Vector3<S>& x_A) const { return R_.transpose() * (x_A - p_); }
 
   Motion<S> act(const Motion<S>& V_B) const {
-    const Vector3<S> omega = R_ * V_B.angular();
-    return {Vector3<S>(R_ * V_B.linear()) + cross<S>(p_, omega), omega};
+    const Vector3<S> omega = product<S>(R_, V_B.angular()), u = product<S>(R_, V_B.linear());
+    const Vector3<S> c = cross<S>(p_, omega);
+    return {each<S>([&](int i) { return u[i] + c[i]; }), omega};
   }
   Motion<S> actInv(const Motion<S>& V_A) const {
     const Vector3<S> u = V_A.linear() - cross<S>(p_, V_A.angular());
@@ -70,7 +75,7 @@ class SE3 {
   Matrix6<S> toActionMatrix() const {
     Matrix6<S> X;
     X.template topLeftCorner<3, 3>() = R_;
-    X.template topRightCorner<3, 3>() = skew<S>(p_) * R_;
+    X.template topRightCorner<3, 3>() = lever();
     X.template bottomLeftCorner<3, 3>().setZero();
     X.template bottomRightCorner<3, 3>() = R_;
     return X;
@@ -80,7 +85,7 @@ class SE3 {
     Matrix6<S> X;
     X.template topLeftCorner<3, 3>() = R_;
     X.template topRightCorner<3, 3>().setZero();
-    X.template bottomLeftCorner<3, 3>() = skew<S>(p_) * R_;
+    X.template bottomLeftCorner<3, 3>() = lever();
     X.template bottomRightCorner<3, 3>() = R_;
     return X;
   }
@@ -91,6 +96,15 @@ class SE3 {
   }
 
  private:
+  /// [p] R, column by column.
+  Matrix3<S> lever() const {
+    Matrix3<S> m;
+    for (int j = 0; j < 3; ++j) {
+      const Vector3<S> c = cross<S>(p_, Vector3<S>(R_(0, j), R_(1, j), R_(2, j)));
+      m(0, j) = c[0], m(1, j) = c[1], m(2, j) = c[2];
+    }
+    return m;
+  }
   /// R I R^T, symmetric to the last bit.
   static Matrix3<S> congruence(const Matrix3<S>& R, const Matrix3<S>& I) {
     const Matrix3<S> RI = R * I;

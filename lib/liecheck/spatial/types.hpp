@@ -62,6 +62,16 @@ S dot(const Vector3<S>& a, const Vector3<S>& b) {
   return mul_add(a.x(), b.x(), mul_add(a.y(), b.y(), S(a.z() * b.z())));
 }
 
+/// M v and M^T v, entry by entry.
+template <class S>
+[[gnu::always_inline]] inline Vector3<S> product(const Matrix3<S>& M, const Vector3<S>& v) {
+  return each<S>([&](int i) { return mul_add(M(i, 0), v[0], mul_add(M(i, 1), v[1], S(M(i, 2) * v[2]))); });
+}
+template <class S>
+[[gnu::always_inline]] inline Vector3<S> transposed_product(const Matrix3<S>& M, const Vector3<S>& v) {
+  return each<S>([&](int i) { return mul_add(M(0, i), v[0], mul_add(M(1, i), v[1], S(M(2, i) * v[2]))); });
+}
+
 /// a x b, each component one fused difference of products where the target has FMA: error 1.5 eps |a||b|.
 template <class S>
 Vector3<S> cross(const Vector3<S>& a, const Vector3<S>& b) {
