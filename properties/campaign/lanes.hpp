@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <liecheck/scalar/scalar.hpp>
 #include <limits>
 
 namespace liecheck::properties {
@@ -126,6 +127,10 @@ struct Span {
 };
 
 }  // namespace liecheck::properties
+
+/// A Span takes branches: it knows where its ends would part.
+template <>
+inline constexpr bool liecheck::side_by_side<liecheck::properties::Span> = false;
 
 template <>
 struct std::numeric_limits<liecheck::properties::Lanes> : std::numeric_limits<float> {};
