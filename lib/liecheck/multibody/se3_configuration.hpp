@@ -129,7 +129,7 @@ Vector7<S> integrateSE3(const Vector7<S>& q, const Vector6<S>& delta) {
 }
 
 /// (rho, phi) = log(T0^-1 T1) [6; m, rad], |phi| <= pi, the same for Q and -Q; at exactly half a turn either
-/// sign. Error 2 eps of |phi|, and 4 eps of max(|rho|, |p1 - p0|), at any distance; it does not depend on
+/// sign. Error 2.5 eps of |phi|, and 4 eps of max(|rho|, |p1 - p0|), at any distance; it does not depend on
 /// |Q0|, |Q1|.
 template <Scalar S, Precision P = Precision::standard>
 Vector6<S> differenceSE3(const Vector7<S>& q0, const Vector7<S>& q1) {
