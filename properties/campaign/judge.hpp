@@ -62,7 +62,7 @@ class Judge final : public Recorder {
 
   /// Under the excess rule: no kappa from `least` up can make the error matter.
   static bool passes_for_every_kappa(const Judged& j, double least = 1) {
-    return j.residual.error <= j.budget->limit / 2 * least;
+    return j.residual.error <= j.budget->limit / 4 * least;
   }
 
   std::vector<Judged> judged;
