@@ -60,7 +60,7 @@ std::uint64_t check_exp6(const Subject<double>& subject, std::uint64_t cases, in
   static const bool configured = [cases] {
     return setenv("RC_PARAMS", fmt::format("max_success={} seed=42", cases).c_str(), 1) == 0;
   }();
-  const auto limit = [](const char* block) { return budget_of("exp6", block, Region::to_pi).limit; };
+  const auto limit = [](const char* block) { return budget_of("liecheck", "exp6", block, Region::to_pi).limit; };
   const double rotation = limit("rotation"), defect = limit("orthogonality defect"),
                translation = limit("translation");
   std::ostringstream quiet;
