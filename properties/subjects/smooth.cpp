@@ -20,18 +20,11 @@ namespace {
 
 template <class S>
 struct Smooth {
-  using O = Operations<S>;
-  using V3 = typename O::V3;
-  using V4 = typename O::V4;
-  using V6 = typename O::V6;
-  using V7 = typename O::V7;
-  using M3 = typename O::M3;
-  using M6 = typename O::M6;
   using SO3 = ::smooth::SO3<S>;
   using SE3 = ::smooth::SE3<S>;
 
   /// Of the numbers as they are: nothing is normalised.
-  static SE3 configuration(const V7& q) {
+  static SE3 configuration(const Vec<S, 7>& q) {
     SE3 X;
     X.coeffs() = q;
     return X;
@@ -41,28 +34,32 @@ struct Smooth {
     Subject<S> s;
     s.name = "smooth";
     s.version = "headers";
-    O& o = s.operations;
-    o.exp3_quaternion = [](const V3& phi) -> V4 { return SO3::exp(phi).coeffs(); };
-    o.exp3_matrix = [](const V3& phi) -> M3 { return SO3::exp(phi).matrix(); };
-    o.log3_quaternion = [](const V4& Q) -> V3 {
+    auto& o = s.operations;
+    o.exp3_quaternion = [](const Vec<S, 3>& phi) -> Vec<S, 4> { return SO3::exp(phi).coeffs(); };
+    o.exp3_matrix = [](const Vec<S, 3>& phi) -> Mat<S, 3> { return SO3::exp(phi).matrix(); };
+    o.log3_quaternion = [](const Vec<S, 4>& Q) -> Vec<S, 3> {
       SO3 X;
       X.coeffs() = Q;
       return X.log();
     };
-    o.exp6 = [](const V6& xi) -> Pose<S> {
+    o.exp6 = [](const Vec<S, 6>& xi) -> Pose<S> {
       const SE3 X = SE3::exp(xi);
       return {X.so3().matrix(), X.r3()};
     };
-    o.left_jacobian3 = [](const V3& phi) -> M3 { return SO3::dl_exp(phi); };
-    o.right_jacobian3 = [](const V3& phi) -> M3 { return SO3::dr_exp(phi); };
-    o.left_jacobian3_inverse = [](const V3& phi) -> M3 { return SO3::dl_expinv(phi); };
-    o.right_jacobian3_inverse = [](const V3& phi) -> M3 { return SO3::dr_expinv(phi); };
-    o.left_jacobian6 = [](const V6& xi) -> M6 { return SE3::dl_exp(xi); };
-    o.right_jacobian6 = [](const V6& xi) -> M6 { return SE3::dr_exp(xi); };
-    o.left_jacobian6_inverse = [](const V6& xi) -> M6 { return SE3::dl_expinv(xi); };
-    o.right_jacobian6_inverse = [](const V6& xi) -> M6 { return SE3::dr_expinv(xi); };
-    o.integrate = [](const V7& q, const V6& d) -> V7 { return (configuration(q) + d).coeffs(); };
-    o.difference = [](const V7& a, const V7& b) -> V6 { return configuration(b) - configuration(a); };
+    o.left_jacobian3 = [](const Vec<S, 3>& phi) -> Mat<S, 3> { return SO3::dl_exp(phi); };
+    o.right_jacobian3 = [](const Vec<S, 3>& phi) -> Mat<S, 3> { return SO3::dr_exp(phi); };
+    o.left_jacobian3_inverse = [](const Vec<S, 3>& phi) -> Mat<S, 3> { return SO3::dl_expinv(phi); };
+    o.right_jacobian3_inverse = [](const Vec<S, 3>& phi) -> Mat<S, 3> { return SO3::dr_expinv(phi); };
+    o.left_jacobian6 = [](const Vec<S, 6>& xi) -> Mat<S, 6> { return SE3::dl_exp(xi); };
+    o.right_jacobian6 = [](const Vec<S, 6>& xi) -> Mat<S, 6> { return SE3::dr_exp(xi); };
+    o.left_jacobian6_inverse = [](const Vec<S, 6>& xi) -> Mat<S, 6> { return SE3::dl_expinv(xi); };
+    o.right_jacobian6_inverse = [](const Vec<S, 6>& xi) -> Mat<S, 6> { return SE3::dr_expinv(xi); };
+    o.integrate = [](const Vec<S, 7>& q, const Vec<S, 6>& d) -> Vec<S, 7> {
+      return (configuration(q) + d).coeffs();
+    };
+    o.difference = [](const Vec<S, 7>& a, const Vec<S, 7>& b) -> Vec<S, 6> {
+      return configuration(b) - configuration(a);
+    };
     return s;
   }
 };
