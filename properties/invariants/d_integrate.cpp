@@ -2,6 +2,7 @@
 
 #include <generators/rotations.hpp>
 #include <invariants/common.hpp>
+#include <liecheck/scalar/scalar.hpp>
 #include <optional>
 #include <oracles/fast.hpp>
 #include <oracles/integrate.hpp>
