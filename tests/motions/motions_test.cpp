@@ -7,6 +7,7 @@
 #include <oracles/motions/constant_twist.hpp>
 #include <oracles/motions/damped_spring.hpp>
 #include <oracles/motions/extrapolation.hpp>
+#include <oracles/motions/free_body.hpp>
 #include <oracles/motions/lagrange_top.hpp>
 #include <oracles/motions/pendulum.hpp>
 #include <oracles/motions/planar_chain.hpp>
@@ -104,6 +105,30 @@ TEST(ConstantTwist, IsTheLimitOfEqualMoments) {
   const Attitude initial{some_attitude(), {{T(1), T(-2), T(3)}}};
   const AxisymmetricBody<T> body{T(1), T(1), {{T(0), T(1), T(0)}}, initial};
   EXPECT_LT(distance(constant_twist(initial, T(5)), body.at(T(5))), T("1e-90"));
+}
+
+TEST(FreeBody, FallsAndTurnsAboutItsCentreOfMassInAnyAxes) {
+  const Vec3<T> c{{T("0.1"), T("-0.2"), T("0.3")}}, g{{T(0), T(1), T("-9.81")}};
+  const Mat3<T> I{{T(3), T("0.4"), T("-0.2"), T("0.4"), T(2), T("0.1"), T("-0.2"), T("0.1"), T("1.5")}};
+  const BodyState<T> initial{
+      {{T(1), T(2), T(3)}}, some_attitude(), {{T(1), T(0), T(-1)}}, {{T(1), T(2), T(-3)}}};
+  const FreeBody<T> body({T(2), c, I}, initial, g);
+  EXPECT_EQ(body.family(), "triaxial torque-free body");
+  const BodyState<T> start = body.at(T(0)), end = body.at(T(2));
+  EXPECT_LT(distance({start.Q, start.omega}, {initial.Q, initial.omega}), T("1e-45"));
+  EXPECT_LT(norm(start.p - initial.p) + norm(start.u - initial.u), T("1e-45"));
+  const Attitude turned = integrated({I, inverse(I)}, {initial.Q, initial.omega}, T(2));
+  EXPECT_LT(distance({end.Q, end.omega}, turned), close);
+  const auto at_C = [&](const BodyState<T>& s) { return s.p + rotate(s.Q, c); };
+  const auto v_C = [&](const BodyState<T>& s) { return rotate(s.Q, s.u + cross(s.omega, c)); };
+  EXPECT_LT(norm(v_C(end) - v_C(initial) - T(2) * g), T("1e-45"));
+  EXPECT_LT(norm(at_C(end) - at_C(initial) - T(2) * v_C(initial) - T(2) * g), T("1e-45"));
+  const auto family = [&](const Vec3<T>& moments, const Vec3<T>& omega) {
+    return FreeBody<T>({T(1), c, diagonal(moments)}, {initial.p, initial.Q, initial.u, omega}, g).family();
+  };
+  EXPECT_EQ(family({{T(2), T(1), T(2)}}, {{T(1), T(1), T(1)}}), "axisymmetric torque-free body");
+  EXPECT_EQ(family({{T(3), T(1), T(2)}}, {{T(0), T(1), T(0)}}), "constant twist");
+  EXPECT_EQ(family({{T(2), T(2), T(2)}}, {{T(3), T(1), T(2)}}), "constant twist");
 }
 
 TEST(Pendulum, SolvesItsEquationSwingingTurningAndBetween) {
