@@ -56,7 +56,7 @@ class LoneBody {
       const int j = (i + 1) % 3, k = (i + 2) % 3;
       euler_[i] = (moments_[j] - moments_[k]) / moments_[i];
     }
-    X_.fill(SE3<S>::Identity()), V_.fill(Motion<S>::Zero());
+    X_.fill(SE3<S>::Identity()), V_.fill(Motion<S>::Zero()), A_.fill(Motion<S>::Zero());
   }
 
   static constexpr int nq() { return 7; }
@@ -68,6 +68,11 @@ class LoneBody {
   bool forceFree() const { return effects_.empty() && !heavy_; }
 
   void acceleration(const S& t, const Configuration& q, const Tangent& v, Tangent& a) {
+    if (!effects_.empty()) force_ = force(t, q, v);
+    equations(q, v, a);
+  }
+  /// v_dot under the force that was computed last.
+  void equations(const Configuration& q, const Tangent& v, Tangent& a) const {
     const Vector3<S> omega(v[3], v[4], v[5]);
     Vector3<S> u_C(v[0], v[1], v[2]);
     if (!centred_) u_C += liecheck::cross<S>(omega, c_);
@@ -80,9 +85,9 @@ class LoneBody {
       angular = product<S>(I_inverse_, liecheck::cross<S>(product<S>(I_, omega), omega));
     if (heavy_) linear += rotationOf(q).actInv(model_.gravity);
     if (!effects_.empty()) {
-      const Force<S> F = force(t, q, v);
-      linear += F.linear() / mass_;
-      angular += product<S>(I_inverse_, Vector3<S>(F.angular() - liecheck::cross<S>(c_, F.linear())));
+      linear += force_.linear() / mass_;
+      angular +=
+          product<S>(I_inverse_, Vector3<S>(force_.angular() - liecheck::cross<S>(c_, force_.linear())));
     }
     if (!centred_) linear -= liecheck::cross<S>(angular, c_);
     for (int i = 0; i < 3; ++i) a[i] = linear[i], a[3 + i] = angular[i];
@@ -110,11 +115,13 @@ class LoneBody {
     for (const auto& e : effects_) e->add(now, {{tau_.data(), 6}, f_});
     return f_[1] + Force<S>(tau_);
   }
-  /// What effects and observers see of a state. Valid until the next call.
-  Now<S> here(const S& t, const Configuration& q, const Tangent& v, Kinematics kinematics) {
+  /// What effects and observers see of a state; accelerations where a = v_dot is given. Valid until the next call.
+  Now<S> here(const S& t, const Configuration& q, const Tangent& v, Kinematics kinematics,
+              const Tangent* a = nullptr) {
     if (kinematics != Kinematics::None) X_[1] = SE3<S>(rotationOf(q), Vector3<S>(q[0], q[1], q[2]));
-    if (kinematics == Kinematics::Velocities) V_[1] = Motion<S>(v);
-    return {t, {q.data(), 7}, {v.data(), 6}, X_, V_};
+    if (kinematics >= Kinematics::Velocities) V_[1] = Motion<S>(v);
+    if (a) A_[1] = Motion<S>(*a);
+    return {t, {q.data(), 7}, {v.data(), 6}, X_, V_, A_};
   }
 
   const S& mass() const { return mass_; }
@@ -145,8 +152,9 @@ class LoneBody {
   Matrix3<S> I_, I_inverse_;
   bool diagonal_, centred_, heavy_;
   std::array<SE3<S>, 2> X_;
-  std::array<Motion<S>, 2> V_;
+  std::array<Motion<S>, 2> V_, A_;
   std::array<Force<S>, 2> f_;
+  Force<S> force_ = Force<S>::Zero();
   Vector6<S> tau_;
 };
 

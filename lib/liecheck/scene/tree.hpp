@@ -37,12 +37,18 @@ class Tree {
   Kinematics needs() const { return needs_; }
 
   void acceleration(const S& t, const Configuration& q, const Tangent& v, Tangent& a) {
-    if (!effects_.empty()) {
-      const Now<S> now = here(t, q, v, needs_);
-      tau_.setZero();
-      if (bodies_) f_.assign(f_.size(), Force<S>::Zero());
-      for (const auto& e : effects_) e->add(now, {{tau_.data(), std::size_t(tau_.size())}, f_});
-    }
+    if (!effects_.empty()) load(t, q, v);
+    equations(q, v, a);
+  }
+  /// Adds up the forces of all effects.
+  void load(const S& t, const Configuration& q, const Tangent& v) {
+    const Now<S> now = here(t, q, v, needs_);
+    tau_.setZero();
+    if (bodies_) f_.assign(f_.size(), Force<S>::Zero());
+    for (const auto& e : effects_) e->add(now, {{tau_.data(), std::size_t(tau_.size())}, f_});
+  }
+  /// v_dot under the forces that were added up last.
+  void equations(const Configuration& q, const Tangent& v, Tangent& a) {
     a = aba(model_, data_, q, v, tau_, bodies_ ? External<S>(f_) : External<S>());
   }
 
@@ -77,14 +83,20 @@ class Tree {
     });
   }
 
-  /// What effects and observers see of a state. Valid until the next call.
-  Now<S> here(const S& t, const Configuration& q, const Tangent& v, Kinematics kinematics) {
-    if (kinematics == Kinematics::Poses) forwardKinematics(model_, data_, q);
-    if (kinematics == Kinematics::Velocities) forwardKinematics(model_, data_, q, v);
+  /// What effects and observers see of a state; accelerations where a = v_dot is given. Valid until the next call.
+  Now<S> here(const S& t, const Configuration& q, const Tangent& v, Kinematics kinematics,
+              const Tangent* a = nullptr) {
+    if (a)
+      forwardKinematics(model_, data_, q, v, *a);
+    else if (kinematics == Kinematics::Poses)
+      forwardKinematics(model_, data_, q);
+    else if (kinematics == Kinematics::Velocities)
+      forwardKinematics(model_, data_, q, v);
     const auto size = [](const auto& x) { return std::size_t(x.size()); };
-    Now<S> now{t, {q.data(), size(q)}, {v.data(), size(v)}, {}, {}};
+    Now<S> now{t, {q.data(), size(q)}, {v.data(), size(v)}, {}, {}, {}};
     if (kinematics != Kinematics::None) now.X_WJ = data_.oMi();
-    if (kinematics == Kinematics::Velocities) now.V = data_.v();
+    if (kinematics >= Kinematics::Velocities) now.V = data_.v();
+    if (a) now.A = data_.a();
     return now;
   }
   Data<S>& data() { return data_; }

@@ -6,19 +6,20 @@
 // not in the list: it costs nothing and cannot disturb a bit.
 
 #include <liecheck/multibody/model.hpp>
+#include <liecheck/scene/parameters.hpp>
 #include <memory>
 #include <span>
 
 namespace liecheck::scene {
 
-/// What is known when an effect adds its forces: time [s], q [nq], v [nv], and, where needs() asks for them, poses
-/// X_WJ and velocities of the joints in their own axes [njoints].
+/// What is known when an effect adds its forces, or an observer looks: time [s], q [nq], v [nv], and, where needs()
+/// asks for them, poses X_WJ, velocities V and spatial accelerations A of the joints in their own axes [njoints].
 template <Scalar S>
 struct Now {
   S t;
   std::span<const S> q, v;
   std::span<const SE3<S>> X_WJ;
-  std::span<const Motion<S>> V;
+  std::span<const Motion<S>> V, A;
 };
 
 /// Where forces are added: generalized ones tau [nv; N, N m], and those on the bodies [njoints], each in its joint's
@@ -29,7 +30,7 @@ struct Load {
   std::span<Force<S>> f;
 };
 
-enum class Kinematics { None, Poses, Velocities };
+enum class Kinematics { None, Poses, Velocities, Accelerations };
 enum class Acts { OnModel, OnJoints, OnBodies };
 
 template <Scalar S>
@@ -45,6 +46,12 @@ class Effect {
   virtual void add(const Now<S>&, const Load<S>&) const {}
   /// The potential energy [J] of its force; zero where it has none. Needs poses.
   virtual S potential(const Now<S>&) const { return S(0); }
+};
+
+/// What effects share: the ground, if a scene has one.
+struct Surroundings {
+  bool ground = false;
+  double height = 0;  ///< of the ground: the plane z = height [m]
 };
 
 template <Scalar S>
