@@ -100,18 +100,20 @@ class BulletRunner final : public PeerRunner {
   double h_ = 0;
 };
 
-const PeerRegistration registration({"Bullet",
-                                     fmt::format("{}.{}", BT_BULLET_VERSION / 100, BT_BULLET_VERSION % 100),
-                                     [](const Benchmark& s) -> std::vector<PeerMethod> {
-                                       const auto bodies = peer_bodies(s);
-                                       if (bodies.empty()) return {};
-                                       if (bodies[0].free)
-                                         return {{"implicit gyroscopic", 1}, {"explicit gyroscopic", 1}};
-                                       return {{"RK4", 4}, {"semi-implicit Euler", 1}};
-                                     },
-                                     [](const Benchmark& s, const std::string& method) {
-                                       return std::make_unique<BulletRunner>(s, method);
-                                     }});
+Peer peer() {
+  return {"Bullet", fmt::format("{}.{}", BT_BULLET_VERSION / 100, BT_BULLET_VERSION % 100),
+          [](const Benchmark& s) -> std::vector<PeerMethod> {
+            const auto bodies = peer_bodies(s);
+            if (bodies.empty()) return {};
+            if (bodies[0].free) return {{"implicit gyroscopic", 1}, {"explicit gyroscopic", 1}};
+            return {{"RK4", 4}, {"semi-implicit Euler", 1}};
+          },
+          [](const Benchmark& s, const std::string& method) {
+            return std::make_unique<BulletRunner>(s, method);
+          }};
+}
 
 }  // namespace
 }  // namespace liecheck::properties
+
+LIECHECK_SCENE_PEER(liecheck::properties::peer())

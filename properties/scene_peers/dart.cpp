@@ -71,14 +71,16 @@ class DartRunner final : public PeerRunner {
   dd::FreeJoint* root_ = nullptr;
 };
 
-const PeerRegistration registration({"DART", DART_VERSION,
-                                     [](const Benchmark& s) -> std::vector<PeerMethod> {
-                                       if (peer_bodies(s).empty()) return {};
-                                       return {{"semi-implicit Euler", 1}};
-                                     },
-                                     [](const Benchmark& s, const std::string&) {
-                                       return std::make_unique<DartRunner>(s);
-                                     }});
+Peer peer() {
+  return {"DART", DART_VERSION,
+          [](const Benchmark& s) -> std::vector<PeerMethod> {
+            if (peer_bodies(s).empty()) return {};
+            return {{"semi-implicit Euler", 1}};
+          },
+          [](const Benchmark& s, const std::string&) { return std::make_unique<DartRunner>(s); }};
+}
 
 }  // namespace
 }  // namespace liecheck::properties
+
+LIECHECK_SCENE_PEER(liecheck::properties::peer())

@@ -80,14 +80,18 @@ class MujocoRunner final : public PeerRunner {
   std::unique_ptr<mjData, Free> data_;
 };
 
-const PeerRegistration registration({"MuJoCo", mj_versionString(),
-                                     [](const Benchmark& s) -> std::vector<PeerMethod> {
-                                       if (peer_bodies(s).empty()) return {};
-                                       return {{"RK4", 4}, {"Euler", 1}, {"implicit", 1}};
-                                     },
-                                     [](const Benchmark& s, const std::string& method) {
-                                       return std::make_unique<MujocoRunner>(s, method);
-                                     }});
+Peer peer() {
+  return {"MuJoCo", mj_versionString(),
+          [](const Benchmark& s) -> std::vector<PeerMethod> {
+            if (peer_bodies(s).empty()) return {};
+            return {{"RK4", 4}, {"Euler", 1}, {"implicit", 1}};
+          },
+          [](const Benchmark& s, const std::string& method) {
+            return std::make_unique<MujocoRunner>(s, method);
+          }};
+}
 
 }  // namespace
 }  // namespace liecheck::properties
+
+LIECHECK_SCENE_PEER(liecheck::properties::peer())

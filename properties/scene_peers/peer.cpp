@@ -1,82 +1,54 @@
 #include <scene_peers/peer.hpp>
 
+#include <dlfcn.h>
 #include <fmt/format.h>
+
 #include <algorithm>
+#include <filesystem>
+#include <stdexcept>
 
 namespace liecheck::properties {
 namespace {
 
-std::vector<Peer>& registered() {
-  static std::vector<Peer> all;
+constexpr const char* known[] = {"Bullet", "DART", "MuJoCo", "Simbody"};
+
+std::vector<Peer> load() {
+  std::error_code error;
+  const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
+  std::vector<Peer> all;
+  for (std::string name : known) {
+    std::string file = name + ".so";
+    std::transform(file.begin(), file.end(), file.begin(),
+                   [](unsigned char c) { return char(std::tolower(c)); });
+    const auto path = program.parent_path().parent_path() / "scene_peers" / file;
+    if (!std::filesystem::exists(path, error)) continue;
+    void* const module = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (!module) {  // built, but its libraries have gone since
+      fmt::print(stderr, "{} is left out: {}\n", name, ::dlerror());
+      continue;
+    }
+    const auto get = reinterpret_cast<const PeerModule* (*)()>(::dlsym(module, "liecheck_scene_peer"));
+    if (!get || get()->layout != PeerModule().layout)
+      throw std::runtime_error(
+          fmt::format("{}: built for another layout than this program: build both anew", path.string()));
+    all.push_back(get()->peer);
+  }
   return all;
 }
 
 }  // namespace
 
-PeerRegistration::PeerRegistration(Peer peer) {
-  registered().push_back(std::move(peer));
-}
-
 const std::vector<Peer>& peers() {
-  auto& all = registered();
-  std::sort(all.begin(), all.end(), [](const Peer& a, const Peer& b) { return a.name < b.name; });
+  static const std::vector<Peer> all = load();
   return all;
 }
 
 std::vector<std::string> absent_peers() {
   std::vector<std::string> names;
-  for (const char* name : {"Bullet", "DART", "MuJoCo", "Simbody"})
+  for (const char* name : known)
     if (std::none_of(peers().begin(), peers().end(), [&](const Peer& p) { return p.name == name; }))
       names.push_back(name);
   return names;
-}
-
-std::vector<PeerBody> peer_bodies(const Benchmark& s) {
-  const Model<double>& m = s.robot;
-  if (s.others || s.stiffness.size() || s.damping.size() || !m.armature.isZero(0)) return {};
-  std::vector<PeerBody> bodies;
-  for (std::size_t i = 1; i < m.joints.size(); ++i) {
-    const Inertia<double>& I = m.inertias[i];
-    if (m.parents[i] != int(i) - 1 || !m.jointPlacements[i].rotation().isIdentity(0) ||
-        !I.inertia().isDiagonal(0))
-      return {};
-    PeerBody b;
-    b.parent = int(i) - 2;
-    b.at = m.jointPlacements[i].translation();
-    b.mass = I.mass(), b.centre = I.lever(), b.moments = I.inertia().diagonal();
-    b.free = std::holds_alternative<FreeFlyer<double>>(m.joints[i]);
-    const auto* turning = std::get_if<Revolute<double>>(&m.joints[i]);
-    if (b.free ? i > 1 || !b.at.isZero(0) || m.njoints > 2 : !turning) return {};
-    if (turning) b.axis = turning->axis.to_vector();
-    bodies.push_back(b);
-  }
-  return bodies;
-}
-
-Moment PeerRunner::moment() const {
-  Eigen::VectorXd q, v;
-  read(q, v);
-  if (!q.allFinite() || !v.allFinite()) throw Diverged("a number is no longer finite");
-  Moment m;
-  for (double x : q) m.q.push_back(oracles::Real(x));
-  for (double x : v) m.v.push_back(oracles::Real(x));
-  return m;
-}
-
-long PeerRunner::run(const Effort& effort, long samples,
-                     const std::function<void(double, const Moment&)>& watch) {
-  reset(scene_.duration / double(effort.steps));
-  watch(0, moment());
-  for (long k = 1; k <= samples; ++k) {
-    for (long i = 0; i < effort.steps / samples; ++i) step();
-    watch(double(k) * scene_.duration / double(samples), moment());
-  }
-  return effort.steps;
-}
-
-void PeerRunner::pass(const Effort& effort) {
-  reset(scene_.duration / double(effort.steps));
-  for (long i = 0; i < effort.steps; ++i) step();
 }
 
 }  // namespace liecheck::properties

@@ -6,19 +6,11 @@
 
 #include <Eigen/Geometry>
 #include <memory>
-#include <optional>
+#include <scene_peers/peer_body.hpp>
 #include <scenes/runner.hpp>
 
 namespace liecheck::properties {
 
-/// A body on its parent (-1: the world): free, or turning about `axis` (unit, in its own frame) at p_PB.
-struct PeerBody {
-  int parent = -1;
-  bool free = false;
-  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ(), at = Eigen::Vector3d::Zero();
-  double mass = 1;
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero(), moments = Eigen::Vector3d::Ones();  ///< about the centre
-};
 /// The bodies of a scene that peers can run; empty for any other.
 std::vector<PeerBody> peer_bodies(const Benchmark& scene);
 
@@ -36,13 +28,21 @@ struct Peer {
   std::function<std::unique_ptr<Runner>(const Benchmark&, const std::string& method)> make;
 };
 
-/// Those of this build, by name, and the names of the others.
+/// Each is a module beside the program (folder scene_peers), loaded when it is asked for, so that no other command pays
+/// for it: those found, by name, and the names of the others. Throws std::runtime_error for a module of another build.
 const std::vector<Peer>& peers();
 std::vector<std::string> absent_peers();
 
-struct PeerRegistration {
-  explicit PeerRegistration(Peer peer);
+/// What a module exports: a peer, and the size of what it shares with the program.
+struct PeerModule {
+  std::size_t layout = sizeof(Benchmark) + 1000 * sizeof(Peer);
+  Peer peer;
 };
+#define LIECHECK_SCENE_PEER(...)                                                                            \
+  extern "C" [[gnu::visibility("default")]] const liecheck::properties::PeerModule* liecheck_scene_peer() { \
+    static const liecheck::properties::PeerModule module{.peer = __VA_ARGS__};                              \
+    return &module;                                                                                         \
+  }
 
 /// Fixed steps: what a peer fills in.
 class PeerRunner : public Runner {

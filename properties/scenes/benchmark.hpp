@@ -9,6 +9,10 @@
 #include <string>
 #include <vector>
 
+namespace liecheck::scene {
+struct Scene;
+}
+
 namespace liecheck::properties {
 
 using Quad = boost::multiprecision::float128;
@@ -22,7 +26,8 @@ struct Benchmark {
   std::string name, what;
   Model<double> robot;
   Eigen::VectorXd q0, v0;
-  double duration = 1;  ///< [s]
+  double duration = 1;     ///< [s]
+  std::string integrator;  ///< that the scene's file names; may be empty
   /// The effects, and those of them that a closed form knows: gravity in the world [m/s^2]; of each coordinate [nv]
   /// stiffness, its rest position and viscous damping. Empty: none.
   std::function<scene::Effects<double>()> effects = [] { return scene::Effects<double>(); };
@@ -35,5 +40,8 @@ struct Benchmark {
   /// Does nothing act from outside, so that momentum is kept?
   bool force_free() const;
 };
+
+/// Throws std::invalid_argument where an effect makes no sense for the robot.
+Benchmark benchmark_of(const scene::Scene& scene);
 
 }  // namespace liecheck::properties
