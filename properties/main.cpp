@@ -21,6 +21,7 @@
 #include <reports/files.hpp>
 #include <reports/report.hpp>
 #include <robot_command.hpp>
+#include <scene_command.hpp>
 #include <set>
 #include <sweep_command.hpp>
 #include <thread>
@@ -450,6 +451,18 @@ int main(int argc, char** argv) {
          "DURATION")
       ->check(wrong, "");
   filled(cost->add_option("--json", f.json, "write times and errors to FILE"), "FILE");
+  SceneFlags scene;
+  auto* scenes = app.add_subcommand("scene", "a motion, described by a file: fixtures/scenes/README.md");
+  scenes->require_subcommand(1);
+  auto* scene_run = scenes->add_subcommand(
+      "run", "simulate it. Exit 0, 2 bad input, 3 it diverged or was stopped: what was done is kept");
+  filled(scene_run->add_option("FILE", scene.file, "the scene"), "SCENE")->required();
+  filled(scene_run->add_option("--csv", scene.csv, "write the samples to FILE, not where the scene says"), "FILE");
+  filled(scene_run->add_option("--json", scene.json, "write samples and figures to FILE, likewise"), "FILE");
+  auto* scene_explain = scenes->add_subcommand(
+      "explain", "its plan: what is computed, what was left out and why, and what each stage costs. Exit 0, 2 bad input");
+  filled(scene_explain->add_option("FILE", scene.file, "the scene"), "SCENE")->required();
+  auto* scene_keys = scenes->add_subcommand("keys", "every key that a scene may have. Exit 0");
   auto* replay = app.add_subcommand("replay",
                                     "run one case again and print its residuals, bit for bit. Exit 0 within "
                                     "budget, 1 failed, 2 bad input");
@@ -486,6 +499,12 @@ int main(int argc, char** argv) {
     if (swept->parsed()) return finish(run_sweep_flags(f, s));
     if (listed->parsed()) return finish(run_robot_command(robot));
     if (cost->parsed()) return finish(run_cost_flags(f, c));
+    if (scene_run->parsed()) {
+      stop_on_signals();
+      return finish(run_scene_command(scene));
+    }
+    if (scene_explain->parsed()) return finish(explain_scene_command(scene));
+    if (scene_keys->parsed()) return finish(scene_keys_command());
     if (hunt->parsed()) return finish(run_hunt_command(f, h));
     if (replay->parsed()) return finish(run_replay(f));
     if (report->parsed()) return finish(run_report(f));

@@ -92,12 +92,17 @@ class Runner {
     return p;
   }
 
+  std::vector<Column> columns() const {
+    std::vector<Column> all{{"t", "s"}};
+    for (const auto& o : observers_)
+      for (Column& c : o->columns()) all.push_back(std::move(c));
+    if (twin_) all.push_back({"attitude_error", "rad"});
+    return all;
+  }
+
   Run run(const std::function<bool(double)>& on) {
     Run result;
-    result.columns = {{"t", "s"}};
-    for (const auto& o : observers_)
-      for (Column& c : o->columns()) result.columns.push_back(std::move(c));
-    if (twin_) result.columns.push_back({"attitude_error", "rad"});
+    result.columns = columns();
     const Span& span = scene_.span;
     Span pulses = span;
     pulses.every = every_step_ ? 1 : pulseOf(span.every);
@@ -316,6 +321,16 @@ auto withRunner(const Scene& scene, F f) {
 
 Plan plan(const Scene& scene, bool measured) {
   return withRunner(scene, [&](auto& runner) { return runner.plan(measured); });
+}
+
+std::vector<const PartInfo*> observerInfos() {
+  std::vector<const PartInfo*> all;
+  for (const ObserverEntry& e : observerEntries()) all.push_back(e.info);
+  return all;
+}
+
+std::vector<Column> columnsOf(const Scene& scene) {
+  return withRunner(scene, [](auto& runner) { return runner.columns(); });
 }
 
 Run run(const Scene& scene, const std::function<bool(double)>& on) {

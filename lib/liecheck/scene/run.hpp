@@ -26,6 +26,11 @@ struct Plan {
 /// makes no sense for this robot, SingularInertia for one that no force accelerates.
 Plan plan(const Scene& scene, bool measured = false);
 
+/// All observers that there are.
+std::vector<const PartInfo*> observerInfos();
+/// What a run would write down at each sample. Throws as plan().
+std::vector<Column> columnsOf(const Scene& scene);
+
 /// What came of it. Rows of columns.size() numbers each.
 struct Run {
   Outcome outcome;

@@ -11,7 +11,7 @@ inline const PartInfo armature_info{
     "conserves: T += 1/2 I_m v^2",
     "none: it is a constant of the articulated bodies",
     {{"joints", Kind::Joints, "", "all", "which"},
-     {"inertia", Kind::NotNegative, "kg m^2", nullptr, "I_m at the joint (kg where it slides)"}}};
+     {"inertia", Kind::NotNegative, "kg m^2|kg", nullptr, "I_m at the joint"}}};
 
 template <Scalar S>
 class Armature final : public Effect<S> {

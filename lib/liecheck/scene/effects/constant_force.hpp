@@ -10,8 +10,7 @@ inline const PartInfo constant_force_info{
     "tau += tau_0",
     "adds or takes: power tau_0 v",
     "an addition for each coordinate",
-    {{"joints", Kind::Joints, "", "all", "which"},
-     {"force", Kind::Number, "N m", nullptr, "tau_0 (N where a joint slides)"}}};
+    {{"joints", Kind::Joints, "", "all", "which"}, {"force", Kind::Number, "N m|N", nullptr, "tau_0"}}};
 
 template <Scalar S>
 class ConstantForce final : public Effect<S> {

@@ -6,14 +6,13 @@
 
 namespace liecheck::scene {
 
-inline const PartInfo force_table_info{
-    "table",
-    "tau += tau_i + (t - t_i)/(t_(i+1) - t_i) (tau_(i+1) - tau_i)",
-    "adds or takes: power tau(t) v",
-    "a search in the table",
-    {{"joints", Kind::Joints, "", "all", "which; each gets the same"},
-     {"times", Kind::Times, "s", nullptr, "t_i, growing"},
-     {"forces", Kind::Numbers, "N m", nullptr, "tau_i (N where a joint slides)"}}};
+inline const PartInfo force_table_info{"table",
+                                       "tau += tau_i + (t - t_i)/(t_(i+1) - t_i) (tau_(i+1) - tau_i)",
+                                       "adds or takes: power tau(t) v",
+                                       "a search in the table",
+                                       {{"joints", Kind::Joints, "", "all", "which; each gets the same"},
+                                        {"times", Kind::Times, "s", nullptr, "t_i, growing"},
+                                        {"forces", Kind::Numbers, "N m|N", nullptr, "tau_i"}}};
 
 template <Scalar S>
 class ForceTable final : public Effect<S> {

@@ -5,13 +5,13 @@
 
 namespace liecheck::scene {
 
-inline const PartInfo joint_damping_info{"joint_damping",
-                                         "tau -= d v",
-                                         "takes: power -d v^2",
-                                         "a product for each coordinate",
-                                         {{"joints", Kind::Joints, "", "all", "which"},
-                                          {"coefficient", Kind::NotNegative, "N m s/rad", "",
-                                           "d (N s/m where a joint slides); the URDF's if missing"}}};
+inline const PartInfo joint_damping_info{
+    "joint_damping",
+    "tau -= d v",
+    "takes: power -d v^2",
+    "a product for each coordinate",
+    {{"joints", Kind::Joints, "", "all", "which"},
+     {"coefficient", Kind::NotNegative, "N m s/rad|N s/m", "", "d; the URDF's if missing"}}};
 
 template <Scalar S>
 class JointDamping final : public Effect<S> {

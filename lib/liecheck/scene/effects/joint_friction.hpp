@@ -11,8 +11,8 @@ inline const PartInfo joint_friction_info{
     "takes: power -f v^2 / sqrt(v^2 + v_s^2)",
     "a root for each coordinate",
     {{"joints", Kind::Joints, "", "all", "which"},
-     {"force", Kind::NotNegative, "N m", "", "f (N where a joint slides); the URDF's if missing"},
-     {"slip", Kind::Positive, "rad/s", "0.001", "v_s: a joint at rest creeps below it"}}};
+     {"force", Kind::NotNegative, "N m|N", "", "f; the URDF's if missing"},
+     {"slip", Kind::Positive, "rad/s|m/s", "0.001", "v_s: a joint at rest creeps below it"}}};
 
 template <Scalar S>
 class JointFriction final : public Effect<S> {

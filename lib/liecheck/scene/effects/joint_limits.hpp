@@ -12,9 +12,8 @@ inline const PartInfo joint_limits_info{
     "conserves with c = 0: V = 1/2 k x^2; takes with c > 0",
     "two comparisons for each coordinate that has limits",
     {{"joints", Kind::Joints, "", "all", "which; they have one number as their position"},
-     {"stiffness", Kind::Positive, "N m/rad", nullptr, "k (N/m where a joint slides)"},
-     {"dissipation", Kind::NotNegative, "s/rad", "0",
-      "c of Hunt and Crossley (1975) (s/m where a joint slides)"}}};
+     {"stiffness", Kind::Positive, "N m/rad|N/m", nullptr, "k"},
+     {"dissipation", Kind::NotNegative, "s/rad|s/m", "0", "c of Hunt and Crossley (1975)"}}};
 
 template <Scalar S>
 class JointLimits final : public Effect<S> {

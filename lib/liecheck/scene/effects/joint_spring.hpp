@@ -11,8 +11,8 @@ inline const PartInfo joint_spring_info{
     "conserves: V = 1/2 k (q - q_rest)^2",
     "a product for each coordinate",
     {{"joints", Kind::Joints, "", "all", "which; they have one number as their position"},
-     {"stiffness", Kind::NotNegative, "N m/rad", nullptr, "k (N/m where a joint slides)"},
-     {"rest", Kind::Number, "rad", "0", "q_rest (m where a joint slides)"}}};
+     {"stiffness", Kind::NotNegative, "N m/rad|N/m", nullptr, "k"},
+     {"rest", Kind::Number, "rad|m", "0", "q_rest"}}};
 
 template <Scalar S>
 class JointSpring final : public Effect<S> {

@@ -12,10 +12,9 @@ inline const PartInfo pd_control_info{
     "adds or takes",
     "two products for each coordinate",
     {{"joints", Kind::Joints, "", "all", "which; they have one number as their position"},
-     {"stiffness", Kind::NotNegative, "N m/rad", nullptr, "k (N/m where a joint slides)"},
-     {"damping", Kind::NotNegative, "N m s/rad", nullptr, "d (N s/m where a joint slides)"},
-     {"target", Kind::Numbers, "rad", "[0]",
-      "q_target: one for all, or one for each (m where a joint slides)"}}};
+     {"stiffness", Kind::NotNegative, "N m/rad|N/m", nullptr, "k"},
+     {"damping", Kind::NotNegative, "N m s/rad|N s/m", nullptr, "d"},
+     {"target", Kind::Numbers, "rad|m", "[0]", "q_target: one for all, or one for each"}}};
 
 template <Scalar S>
 class PdControl final : public Effect<S> {
