@@ -22,6 +22,7 @@
 #include <reports/report.hpp>
 #include <robot_command.hpp>
 #include <scene_command.hpp>
+#include <scene_sweep_command.hpp>
 #include <set>
 #include <sweep_command.hpp>
 #include <thread>
@@ -462,6 +463,29 @@ int main(int argc, char** argv) {
   auto* scene_explain = scenes->add_subcommand(
       "explain", "its plan: what is computed, what was left out and why, and what each stage costs. Exit 0, 2 bad input");
   filled(scene_explain->add_option("FILE", scene.file, "the scene"), "SCENE")->required();
+  SceneSweepFlags ss;
+  auto* scene_sweep = scenes->add_subcommand(
+      "sweep",
+      "integrators x steps: error against the exact motion, order, drift, time, beside other simulators. Exit 0, 1 an "
+      "order is not what was promised, 2 bad input, 3 stopped");
+  filled(scene_sweep->add_option("FILE", ss.files, "scenes; default the built-in ones, and long spins"), "SCENE");
+  filled(scene_sweep->add_option("--integrator", ss.options.integrators, "an integrator, repeatable; default all"), "NAME");
+  scene_sweep
+      ->add_option_function<std::vector<std::string>>(
+          "--steps",
+          [&ss](const std::vector<std::string>& all) {
+            for (const std::string& n : all) ss.options.steps.push_back(long(decimal("--steps", n, 4, 1u << 30)));
+          },
+          "steps over the whole duration, multiples of 4, repeatable; default from coarse to the floor of rounding")
+      ->type_name("N")
+      ->allow_extra_args(false);
+  scene_sweep->add_flag("--no-orders", ss.no_orders, "do not measure orders");
+  scene_sweep->add_flag("--no-times", ss.no_times, "do not measure times");
+  scene_sweep->add_flag("--no-peers", ss.no_peers, "leave out other simulators");
+  filled(scene_sweep->add_option("--for", f.duration, "about how long all timing takes: 30s, 5m; default 20s"),
+         "DURATION")
+      ->check(wrong, "");
+  filled(scene_sweep->add_option("--json", ss.json, "write errors, orders, drift and times to FILE"), "FILE");
   auto* scene_keys = scenes->add_subcommand("keys", "every key that a scene may have. Exit 0");
   auto* replay = app.add_subcommand("replay",
                                     "run one case again and print its residuals, bit for bit. Exit 0 within "
@@ -502,6 +526,11 @@ int main(int argc, char** argv) {
     if (scene_run->parsed()) {
       stop_on_signals();
       return finish(run_scene_command(scene));
+    }
+    if (scene_sweep->parsed()) {
+      if (!f.duration.empty()) ss.options.seconds = parse_duration(f.duration);
+      stop_on_signals();
+      return finish(run_scene_sweep_command(ss));
     }
     if (scene_explain->parsed()) return finish(explain_scene_command(scene));
     if (scene_keys->parsed()) return finish(scene_keys_command());
