@@ -37,12 +37,12 @@ void accumulateRotation(Eigen::Ref<Vector4<S>> Q, Eigen::Ref<Vector3<S>> low, co
   // Q exp(low) b - Q b = Q b (exp(R_b^T low) - 1) = Q b (R_b^T low / 2, 0), low being a rounding error
   const Vector3<S> turned = step.template actInv<Precision::fast>(Vector3<S>(low));
   const SO3<S> behind = SO3<S>(high) * SO3<S>(Vector3<S>(turned / S(2)), S(0));
-  const S norm =
-      mul_add(high[0], high[0], S(high[1] * high[1])) + mul_add(high[2], high[2], S(high[3] * high[3]));
-  const S newton = (S(1) - norm) / S(2);
+  for (int i = 0; i < 4; ++i) rest[i] += behind.to_vector()[i];
+  const auto square = [&](int i) { return S((high[i] + rest[i]) * (high[i] + rest[i])); };
+  const S newton = (S(1) - ((square(0) + square(1)) + (square(2) + square(3)))) / S(2);
   Vector4<S> Q1, left;
   for (int i = 0; i < 4; ++i) {
-    const auto [sum, e] = two_sum<S>(high[i], mul_add(newton, high[i], S(rest[i] + behind.to_vector()[i])));
+    const auto [sum, e] = two_sum<S>(high[i], mul_add(newton, high[i], rest[i]));
     Q1[i] = sum, left[i] = e;
   }
   const SO3<S> missing = SO3<S>(Q1).inverse() * SO3<S>(left);

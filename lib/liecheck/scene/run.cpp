@@ -168,8 +168,9 @@ class Runner {
     delta *= scene_.span.duration / double(scene_.span.steps);
     add("integrate", "q exp(delta)", "step", "each stage of " + scene_.integrator,
         [&] { system_.integrate(s.q, delta, q); });
-    add("J_r^-1", "delta_dot = J_r^-1(delta) v", "step", "each stage of methods of increments",
-        [&] { system_.tangentRate(delta, s.v, rate); });
+    if (method_->what().increments)
+      add("J_r^-1", "delta_dot = J_r^-1(delta) v", "step", "each stage of " + scene_.integrator,
+          [&] { system_.tangentRate(delta, s.v, rate); });
     auto moving = state_;
     method_->begin(system_, moving);
     const double h = scene_.span.duration / double(scene_.span.steps);

@@ -43,8 +43,9 @@ template <int AXIS>
 void spin(const Parameters& p, const Model<double>& model, VectorX<double>&, VectorX<double>& v) {
   const Turning at = turning(model, AXIS == 0 ? "minor_spin" : AXIS == 1 ? "dzhanibekov" : "major_spin");
   const Matrix3<double> axes = principalAxes(model, at.q == 0);
-  Vector3<double> omega = Vector3<double>::Constant(p.number("perturbation"));
+  Vector3<double> omega = Vector3<double>::Zero();
   omega[AXIS] = 1;
+  omega[AXIS == 1 ? 0 : 1] = p.number("perturbation");
   const Vector3<double> in_body = p.number("rate") * (axes * omega);
   v.segment<3>(at.v) = in_body;
   if (at.q == 3)  // about the centre of mass, which rests
@@ -95,7 +96,8 @@ inline const std::vector<StartEntry>& startEntries() {
   using namespace starts_detail;
   static const std::vector<Key> spinning = {
       {"rate", Kind::Number, "rad/s", "1", "about the axis"},
-      {"perturbation", Kind::Number, "1", "0", "of both other axes, over rate"}};
+      {"perturbation", Kind::Number, "1", "0",
+       "of the spin about the middle axis, for dzhanibekov about that of the smallest moment, over rate"}};
   static const std::vector<StartEntry> all = {
       {{"major_spin", "about the axis of the largest moment: stable", "", "", spinning}, spin<2>},
       {{"minor_spin", "about the axis of the smallest moment: stable", "", "", spinning}, spin<0>},

@@ -68,4 +68,8 @@ std::shared_ptr<const Effect<S>> makeEffect(const Request& request, const Model<
   throw std::invalid_argument("no effect is named '" + request.name + "'");
 }
 
+// double is compiled once, in instantiations.cpp; other scalars where they are used.
+extern template const std::vector<EffectEntry<double>>& effectEntries<double>();
+extern template const std::vector<EffectEntry<double>>& actuationEntries<double>();
+
 }  // namespace liecheck::scene

@@ -39,7 +39,8 @@ class Dopri5 final : public Method<Sys> {
                                    false,
                                    false,
                                    "embedded 5(4) for (delta, v), the error on the tangent",
-                                   "Dormand & Prince 1980; Munthe-Kaas 1999"};
+                                   "Dormand & Prince 1980; Munthe-Kaas 1999",
+                                   true};
   explicit Dopri5(const MethodOptions& options) : tolerance_(options.tolerance) {}
   const MethodInfo& what() const override { return info; }
   MethodCounts counts() const override { return counts_; }

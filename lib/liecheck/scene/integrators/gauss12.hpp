@@ -14,7 +14,8 @@ struct Gauss12Info {
                                    false,
                                    false,
                                    "collocation of (delta, v) at 6 Gauss points, q1 = q0 exp(delta)",
-                                   "Butcher 1964, Implicit Runge-Kutta processes; Munthe-Kaas 1999"};
+                                   "Butcher 1964, Implicit Runge-Kutta processes; Munthe-Kaas 1999",
+                                   true};
 };
 template <System Sys>
 using Gauss12 = Collocation<Sys, 6, Gauss12Info>;

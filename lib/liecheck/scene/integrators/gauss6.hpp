@@ -14,7 +14,8 @@ struct Gauss6Info {
                                    false,
                                    false,
                                    "collocation of (delta, v) at 3 Gauss points, q1 = q0 exp(delta)",
-                                   "Butcher 1964, Implicit Runge-Kutta processes; Munthe-Kaas 1999"};
+                                   "Butcher 1964, Implicit Runge-Kutta processes; Munthe-Kaas 1999",
+                                   true};
 };
 template <System Sys>
 using Gauss6 = Collocation<Sys, 3, Gauss6Info>;

@@ -19,7 +19,8 @@ struct ImplicitMidpointInfo {
                                    false,
                                    false,
                                    "v_m = v0 + h/2 a(q0 exp(h v_m/2), v_m), q1 = q0 exp(h v_m)",
-                                   "Hairer, Lubich & Wanner 2006, II.1.3"};
+                                   "Hairer, Lubich & Wanner 2006, II.1.3",
+                                   true};
 };
 template <System Sys>
 using ImplicitMidpoint = Collocation<Sys, 1, ImplicitMidpointInfo>;

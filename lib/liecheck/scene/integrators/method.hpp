@@ -19,6 +19,7 @@ struct MethodInfo {
   bool lone_body_only;
   const char* equation;
   const char* source;
+  bool increments = false;  ///< it computes J_r^-1 of each stage's increment
 };
 
 /// A step that could not be made: what() says why, without the time.

@@ -14,6 +14,7 @@
 #include <liecheck/scene/integrators/rkmk6.hpp>
 #include <liecheck/scene/integrators/semi_implicit_euler.hpp>
 #include <liecheck/scene/integrators/variational.hpp>
+#include <liecheck/scene/tree.hpp>
 #include <memory>
 #include <vector>
 
@@ -63,5 +64,11 @@ std::unique_ptr<Method<Sys>> makeMethod(const std::string& name, const MethodOpt
   methodInfo(name);  // throws
   throw std::logic_error("integrator '" + name + "' is listed but not made");
 }
+
+// double is compiled once, in instantiations.cpp; other scalars where they are used.
+extern template std::unique_ptr<Method<LoneBody<double>>> makeMethod<LoneBody<double>>(const std::string&,
+                                                                                       const MethodOptions&);
+extern template std::unique_ptr<Method<Tree<double>>> makeMethod<Tree<double>>(const std::string&,
+                                                                               const MethodOptions&);
 
 }  // namespace liecheck::scene

@@ -7,8 +7,9 @@ namespace liecheck::scene {
 
 struct MidpointTableau {
   static constexpr MethodInfo info{
-      "rk2",       2, 2, false, false, false, false, "explicit midpoint for (delta, v), q1 = q0 exp(delta)",
-      "Runge 1895"};
+      "rk2",        2,     2,     false,
+      false,        false, false, "explicit midpoint for (delta, v), q1 = q0 exp(delta)",
+      "Runge 1895", true};
   static constexpr int stages = 2;
   static constexpr Rational a[2][2] = {{}, {{1, 2}}}, b[2] = {{}, {1}}, c[2] = {{}, {1, 2}};
 };

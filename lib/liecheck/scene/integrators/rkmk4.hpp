@@ -14,7 +14,8 @@ struct ClassicalTableau {
                                    false,
                                    false,
                                    "classical Runge-Kutta for (delta, v), q1 = q0 exp(delta)",
-                                   "Kutta 1901; Munthe-Kaas 1999"};
+                                   "Kutta 1901; Munthe-Kaas 1999",
+                                   true};
   static constexpr int stages = 4;
   static constexpr Rational a[4][4] = {{}, {{1, 2}}, {{}, {1, 2}}, {{}, {}, {1}}},
                             b[4] = {{1, 6}, {1, 3}, {1, 3}, {1, 6}}, c[4] = {{}, {1, 2}, {1, 2}, {1}};

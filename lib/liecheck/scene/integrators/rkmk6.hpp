@@ -14,7 +14,8 @@ struct ButcherTableau {
                                    false,
                                    false,
                                    "Butcher's 7 stages for (delta, v), q1 = q0 exp(delta)",
-                                   "Butcher 1964, On Runge-Kutta processes of high order; Munthe-Kaas 1999"};
+                                   "Butcher 1964, On Runge-Kutta processes of high order; Munthe-Kaas 1999",
+                                   true};
   static constexpr int stages = 7;
   static constexpr Rational a[7][7] = {{},
                                        {{1, 3}},
