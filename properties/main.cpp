@@ -44,7 +44,7 @@ struct Flags {
   std::vector<std::string> subjects, properties, scalars;
   std::string robot, json, duration, id, out = "liecheck-report";
   std::vector<std::string> records, files;
-  bool no_hard_cases = false, no_cost = false, verbose = false;
+  bool no_hard_cases = false, no_cost = false, no_scenes = false, verbose = false;
   std::uint64_t seed = 42, cases = 1000;
   unsigned jobs = std::max(1u, std::thread::hardware_concurrency());
   StoreFlags store;
@@ -123,11 +123,12 @@ std::vector<HardRow> hard_cases_of(const Flags& f, const Selection& selection) {
 /// Returns why it could not be written, to be told after the table: neither is lost with the other.
 std::string write_record(const std::filesystem::path& path, const CampaignResult& result,
                          const std::vector<HardRow>& hard_cases, const SweepResult* swept = nullptr,
-                         const CostResult* cost = nullptr) try {
+                         const CostResult* cost = nullptr, const SceneSweepResult* scenes = nullptr) try {
   auto record = record_of(result);
   add_hard_cases(record, hard_cases);
   if (swept) add_sweep(record, *swept);
   if (cost) add_cost(record, *cost);
+  if (scenes) add_scene_sweep(record, *scenes);
   write_whole(path, record.dump(1) + "\n");
   return "";
 } catch (const std::exception& e) {
@@ -274,8 +275,18 @@ int run_report(const Flags& f) {
       cost = run_cost(c);
       if (stop_requested) std::fputs("interrupted in the times: the report holds what was done\n", stderr);
     }
-    const std::string lost =
-        write_record(path, result, hard_cases, swept ? &*swept : nullptr, cost ? &*cost : nullptr);
+    std::optional<SceneSweepResult> scenes;
+    if (!stop_requested && !f.no_scenes) {
+      SceneSweepFlags s;
+      s.options.order_scenes = 3;
+      s.options.longest = 0.004;
+      s.options.seconds = 12;
+      s.options.repetitions = 7;
+      scenes = run_scene_sweep(s);
+      if (stop_requested) std::fputs("interrupted in the scenes: the report holds what was done\n", stderr);
+    }
+    const std::string lost = write_record(path, result, hard_cases, swept ? &*swept : nullptr,
+                                          cost ? &*cost : nullptr, scenes ? &*scenes : nullptr);
     if (!lost.empty()) throw std::runtime_error(lost);
     records.push_back(path);
   }
@@ -504,6 +515,7 @@ int main(int argc, char** argv) {
              ->capture_default_str(),
          "DIR");
   report->add_flag("--no-cost", f.no_cost, "leave out the times, which take about 35 s")->excludes(records);
+  report->add_flag("--no-scenes", f.no_scenes, "leave out the scenes, which take about 40 s")->excludes(records);
   for (auto* option : budget_flags(report)) option->excludes(records);
   const StoreCommands store_commands(app);
 
