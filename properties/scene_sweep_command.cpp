@@ -8,6 +8,7 @@
 #include <commands_store.hpp>
 #include <liecheck/scene/integrators/registry.hpp>
 #include <liecheck/scene_file/scene_file.hpp>
+#include <nlohmann/json.hpp>
 #include <reports/files.hpp>
 #include <scenes/builtin.hpp>
 #include <set>

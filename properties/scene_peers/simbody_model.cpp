@@ -1,6 +1,6 @@
 #include <scene_peers/simbody_model.hpp>
 
-#include <simbody/Simbody.h>
+#include <Simbody.h>
 
 namespace liecheck::properties {
 namespace {

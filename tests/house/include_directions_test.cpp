@@ -39,8 +39,8 @@ std::vector<std::string> violations(const std::string& path, const std::string& 
       {"urdf", {"scalar", "spatial", "multibody", "urdf"}},
       {"scene", {"scalar", "spatial", "multibody", "algorithms", "scene"}},
       {"scene_file", {"scalar", "spatial", "multibody", "algorithms", "scene", "urdf", "scene_file"}}};
-  static const std::vector<std::string> harness = {"generators", "oracles",  "subjects",
-                                                   "invariants", "campaign", "timing"};
+  static const std::vector<std::string> harness = {"generators", "oracles", "subjects", "invariants",
+                                                   "campaign",   "timing",  "scenes",   "scene_peers"};
   const auto has = [](const auto& list, const std::string& x) {
     return std::find(list.begin(), list.end(), x) != list.end();
   };
