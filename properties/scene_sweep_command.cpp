@@ -49,13 +49,13 @@ const SweepPoint* shown_point(const SweepSeries& s) {
 void print_scene(const SceneSweep& s) {
   fmt::print("\n{}: {}; {} s\n  truth: {}{}\n", s.scene.name, s.scene.what, s.scene.duration, s.truth,
              s.closed ? ", a closed form" : fmt::format(", which agree to {:.0e}", s.disagreement));
-  fmt::print("  {:<30}{:>8}{:>10}{:>11}{:>9}{:>9}{:>9}  {:<18}  {:<18}\n", "", "smallest", "at 1e-2",
-             "µs per s", "", "", "", "energy 1/s, osc.", "momentum 1/s, osc.");
-  fmt::print("  {:<30}{:>8}{:>10}{:>11}{:>9}{:>9}{:>9}  {:<18}  {:<18}\n", "method", "error", "1e-2", "1e-4",
-             "1e-6", "1e-8", "1e-10", "where err <= 1e-3", "");
+  fmt::print("  {:<30}{:>9}  {:<44}{:<20}{}\n", "", "smallest", "µs for each simulated second, error at most",
+             "energy where <= 1e-3", "momentum");
+  fmt::print("  {:<30}{:>9}{:>8}{:>9}{:>9}{:>9}{:>9}  {:>9} {:>8}  {:>9} {:>8}\n", "method", "error", "1e-2",
+             "1e-4", "1e-6", "1e-8", "1e-10", "slope/s", "osc.", "slope/s", "osc.");
   for (const SweepSeries& series : s.series) {
     const SweepPoint* p = shown_point(series);
-    fmt::print("  {:<30}{:>8}{:>10}{:>11}{:>9}{:>9}{:>9}  {}  {}\n",
+    fmt::print("  {:<30}{:>9}{:>8}{:>9}{:>9}{:>9}{:>9}  {}  {}\n",
                series.subject == "liecheck" ? series.integrator : series.subject + " " + series.integrator,
                error_text(series.smallest) + (series.at_floor ? "" : "+"), time_at(series, 1e-2),
                time_at(series, 1e-4), time_at(series, 1e-6), time_at(series, 1e-8), time_at(series, 1e-10),

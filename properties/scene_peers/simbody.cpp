@@ -1,4 +1,4 @@
-// Simbody: generalized coordinates, Apache-2.0. Runge-Kutta pairs, Adams' method and Verlet, each with a given accuracy.
+// Simbody: generalized coordinates, Apache-2.0. Runge-Kutta pairs and Verlet, each with a given accuracy.
 // Its headers do not compile as C++20 (their operator== is ambiguous there): simbody_model.cpp is C++17.
 
 #include <fmt/format.h>
@@ -54,7 +54,7 @@ Peer peer() {
   return {"Simbody", simbody_version(),
           [](const Benchmark& s) -> std::vector<PeerMethod> {
             if (peer_bodies(s).empty()) return {};
-            return {{"RKMerson", 4, true}, {"RKFehlberg", 5, true}, {"CPodes", 0, true}, {"Verlet", 2, true}};
+            return {{"RKMerson", 4, true}, {"RKFehlberg", 5, true}, {"Verlet", 2, true}};
           },
           [](const Benchmark& s, const std::string& method) {
             return std::make_unique<SimbodyRunner>(s, method);

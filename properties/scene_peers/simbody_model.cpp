@@ -33,8 +33,6 @@ class Model final : public SimbodyModel {
     system_.realizeTopology();
     if (method == "RKMerson") integrator_ = std::make_unique<SimTK::RungeKuttaMersonIntegrator>(system_);
     if (method == "RKFehlberg") integrator_ = std::make_unique<SimTK::RungeKuttaFeldbergIntegrator>(system_);
-    if (method == "CPodes")
-      integrator_ = std::make_unique<SimTK::CPodesIntegrator>(system_, SimTK::CPodes::Adams);
     if (method == "Verlet") integrator_ = std::make_unique<SimTK::VerletIntegrator>(system_);
     integrator_->setAllowInterpolation(false);
   }
@@ -58,7 +56,12 @@ class Model final : public SimbodyModel {
     integrator_->initialize(s);
   }
   std::string to(double t) override try {
-    while (integrator_->getTime() < t && !integrator_->isSimulationOver()) integrator_->stepTo(t);
+    while (integrator_->getTime() < t && !integrator_->isSimulationOver()) {
+      const double before = integrator_->getTime();
+      integrator_->stepTo(t);
+      if (!(integrator_->getTime() > before))
+        return "at " + std::to_string(before) + " s: it does not get on";
+    }
     return "";
   } catch (const std::exception& e) {
     return "at " + std::to_string(integrator_->getTime()) + " s: " + e.what();

@@ -30,7 +30,7 @@ class SimbodyModel {
   virtual FreeState free_state() const = 0;
   virtual long steps() const = 0;
 };
-/// method: RKMerson, RKFehlberg, CPodes or Verlet.
+/// method: RKMerson, RKFehlberg or Verlet.
 std::unique_ptr<SimbodyModel> make_simbody_model(const SimbodyScene& scene, const std::string& method);
 std::string simbody_version();
 

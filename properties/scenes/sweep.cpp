@@ -140,7 +140,8 @@ void measure_line(Line& line, const Benchmark& s, const Exact& exact, const Scen
   line.series.smallest = smallest;
 }
 
-OrderRow measure_order(const Benchmark& s, const Exact& exact, const scene::MethodInfo& method) {
+OrderRow measure_order(const Benchmark& s, const Exact& exact, const scene::MethodInfo& method,
+                       double seconds) {
   OrderRow row{method.name, method.order >= 4 ? "float128" : "double", method.order, false, {}, {}, {}};
   const double eps = row.scalar == "double" ? 0x1p-52 : 0x1p-112;
   const auto runner = make_runner(s, method.name, row.scalar);
@@ -163,7 +164,7 @@ OrderRow measure_order(const Benchmark& s, const Exact& exact, const scene::Meth
     const bool settled = row.observed.halvings == 5 && std::all_of(local.begin(), local.end(), [&](double x) {
                            return std::abs(x - row.observed.order) < 0.1;
                          });
-    if (settled || row.observed.floor || since(start) > 4) break;
+    if (settled || row.observed.floor || since(start) > seconds) break;
   }
   return row;
 }
@@ -211,7 +212,7 @@ std::vector<SceneSweep> sweep_scenes(const std::vector<Benchmark>& scenes, const
             shown[m.name] >= o.order_scenes)
           continue;
         progress(0.5, std::string("order of ") + m.name);
-        sweep.orders.push_back(measure_order(s, exact, m));
+        sweep.orders.push_back(measure_order(s, exact, m, o.order_seconds));
         shown[m.name] += exact.closed && !sweep.orders.back().exact;
       }
     if (o.seconds > 0 && !stopped()) {

@@ -57,6 +57,7 @@ struct SceneSweepOptions {
   std::vector<std::string> integrators;  ///< none: all
   std::vector<long> steps;  ///< over the whole duration, multiples of 4; none: from coarse to the floor
   std::size_t order_scenes = 1000;  ///< how many of each method's scenes its order is measured on; 0: none
+  double order_seconds = 20;             ///< about the longest that measuring one order takes
   double longest = 0.02;            ///< longer runs are not timed [s]
   double seconds = 20;              ///< about how long all timing takes; 0: none
   std::size_t repetitions = 11;
