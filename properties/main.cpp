@@ -21,6 +21,8 @@
 #include <reports/files.hpp>
 #include <reports/report.hpp>
 #include <robot_command.hpp>
+#include <scene_command.hpp>
+#include <scene_sweep_command.hpp>
 #include <set>
 #include <sweep_command.hpp>
 #include <thread>
@@ -42,7 +44,7 @@ struct Flags {
   std::vector<std::string> subjects, properties, scalars;
   std::string robot, json, duration, id, out = "liecheck-report";
   std::vector<std::string> records, files;
-  bool no_hard_cases = false, no_cost = false, verbose = false;
+  bool no_hard_cases = false, no_cost = false, no_scenes = false, verbose = false;
   std::uint64_t seed = 42, cases = 1000;
   unsigned jobs = std::max(1u, std::thread::hardware_concurrency());
   StoreFlags store;
@@ -121,11 +123,12 @@ std::vector<HardRow> hard_cases_of(const Flags& f, const Selection& selection) {
 /// Returns why it could not be written, to be told after the table: neither is lost with the other.
 std::string write_record(const std::filesystem::path& path, const CampaignResult& result,
                          const std::vector<HardRow>& hard_cases, const SweepResult* swept = nullptr,
-                         const CostResult* cost = nullptr) try {
+                         const CostResult* cost = nullptr, const SceneSweepResult* scenes = nullptr) try {
   auto record = record_of(result);
   add_hard_cases(record, hard_cases);
   if (swept) add_sweep(record, *swept);
   if (cost) add_cost(record, *cost);
+  if (scenes) add_scene_sweep(record, *scenes);
   write_whole(path, record.dump(1) + "\n");
   return "";
 } catch (const std::exception& e) {
@@ -272,8 +275,19 @@ int run_report(const Flags& f) {
       cost = run_cost(c);
       if (stop_requested) std::fputs("interrupted in the times: the report holds what was done\n", stderr);
     }
-    const std::string lost =
-        write_record(path, result, hard_cases, swept ? &*swept : nullptr, cost ? &*cost : nullptr);
+    std::optional<SceneSweepResult> scenes;
+    if (!stop_requested && !f.no_scenes) {
+      SceneSweepFlags s;
+      s.options.order_scenes = 3;
+      s.options.order_seconds = 5;
+      s.options.longest = 0.004;
+      s.options.seconds = 12;
+      s.options.repetitions = 7;
+      scenes = run_scene_sweep(s);
+      if (stop_requested) std::fputs("interrupted in the scenes: the report holds what was done\n", stderr);
+    }
+    const std::string lost = write_record(path, result, hard_cases, swept ? &*swept : nullptr,
+                                          cost ? &*cost : nullptr, scenes ? &*scenes : nullptr);
     if (!lost.empty()) throw std::runtime_error(lost);
     records.push_back(path);
   }
@@ -450,6 +464,41 @@ int main(int argc, char** argv) {
          "DURATION")
       ->check(wrong, "");
   filled(cost->add_option("--json", f.json, "write times and errors to FILE"), "FILE");
+  SceneFlags scene;
+  auto* scenes = app.add_subcommand("scene", "a motion, described by a file: fixtures/scenes/README.md");
+  scenes->require_subcommand(1);
+  auto* scene_run = scenes->add_subcommand(
+      "run", "simulate it. Exit 0, 2 bad input, 3 it diverged or was stopped: what was done is kept");
+  filled(scene_run->add_option("FILE", scene.file, "the scene"), "SCENE")->required();
+  filled(scene_run->add_option("--csv", scene.csv, "write the samples to FILE, not where the scene says"), "FILE");
+  filled(scene_run->add_option("--json", scene.json, "write samples and figures to FILE, likewise"), "FILE");
+  auto* scene_explain = scenes->add_subcommand(
+      "explain", "its plan: what is computed, what was left out and why, and what each stage costs. Exit 0, 2 bad input");
+  filled(scene_explain->add_option("FILE", scene.file, "the scene"), "SCENE")->required();
+  SceneSweepFlags ss;
+  auto* scene_sweep = scenes->add_subcommand(
+      "sweep",
+      "integrators x steps: error against the exact motion, order, drift, time, beside other simulators. Exit 0, 1 an "
+      "order is not what was promised, 2 bad input, 3 stopped");
+  filled(scene_sweep->add_option("FILE", ss.files, "scenes; default the built-in ones, and long spins"), "SCENE");
+  filled(scene_sweep->add_option("--integrator", ss.options.integrators, "an integrator, repeatable; default all"), "NAME");
+  scene_sweep
+      ->add_option_function<std::vector<std::string>>(
+          "--steps",
+          [&ss](const std::vector<std::string>& all) {
+            for (const std::string& n : all) ss.options.steps.push_back(long(decimal("--steps", n, 4, 1u << 30)));
+          },
+          "steps over the whole duration, multiples of 4, repeatable; default from coarse to the floor of rounding")
+      ->type_name("N")
+      ->allow_extra_args(false);
+  scene_sweep->add_flag("--no-orders", ss.no_orders, "do not measure orders");
+  scene_sweep->add_flag("--no-times", ss.no_times, "do not measure times");
+  scene_sweep->add_flag("--no-peers", ss.no_peers, "leave out other simulators");
+  filled(scene_sweep->add_option("--for", f.duration, "about how long all timing takes: 30s, 5m; default 20s"),
+         "DURATION")
+      ->check(wrong, "");
+  filled(scene_sweep->add_option("--json", ss.json, "write errors, orders, drift and times to FILE"), "FILE");
+  auto* scene_keys = scenes->add_subcommand("keys", "every key that a scene may have. Exit 0");
   auto* replay = app.add_subcommand("replay",
                                     "run one case again and print its residuals, bit for bit. Exit 0 within "
                                     "budget, 1 failed, 2 bad input");
@@ -467,6 +516,7 @@ int main(int argc, char** argv) {
              ->capture_default_str(),
          "DIR");
   report->add_flag("--no-cost", f.no_cost, "leave out the times, which take about 35 s")->excludes(records);
+  report->add_flag("--no-scenes", f.no_scenes, "leave out the scenes, which take about 40 s")->excludes(records);
   for (auto* option : budget_flags(report)) option->excludes(records);
   const StoreCommands store_commands(app);
 
@@ -486,6 +536,17 @@ int main(int argc, char** argv) {
     if (swept->parsed()) return finish(run_sweep_flags(f, s));
     if (listed->parsed()) return finish(run_robot_command(robot));
     if (cost->parsed()) return finish(run_cost_flags(f, c));
+    if (scene_run->parsed()) {
+      stop_on_signals();
+      return finish(run_scene_command(scene));
+    }
+    if (scene_sweep->parsed()) {
+      if (!f.duration.empty()) ss.options.seconds = parse_duration(f.duration);
+      stop_on_signals();
+      return finish(run_scene_sweep_command(ss));
+    }
+    if (scene_explain->parsed()) return finish(explain_scene_command(scene));
+    if (scene_keys->parsed()) return finish(scene_keys_command());
     if (hunt->parsed()) return finish(run_hunt_command(f, h));
     if (replay->parsed()) return finish(run_replay(f));
     if (report->parsed()) return finish(run_report(f));

@@ -71,6 +71,13 @@ class Field {
     if (!value_.is_number() || !(value_.get<double>() >= 0)) refuse("a number >= 0");
     return value_.get<double>();
   }
+  /// Finite, of any sign.
+  void real() const {
+    if (!value_.is_number()) refuse("a number");
+  }
+  void length(std::size_t count) const {
+    if (!value_.is_array() || value_.size() != count) refuse(fmt::format("{} entries", count));
+  }
   /// A count that a double holds, at least `low` and at most `high`.
   std::uint64_t count(std::uint64_t low = 0, std::uint64_t high = std::uint64_t(1) << 53) const {
     if (!value_.is_number_unsigned() || value_.get<std::uint64_t>() < low ||

@@ -7,6 +7,7 @@
 #include <reports/html.hpp>
 #include <reports/page.hpp>
 #include <reports/page_parts.hpp>
+#include <reports/scenes.hpp>
 #include <reports/summary.hpp>
 #include <stdexcept>
 
@@ -214,13 +215,13 @@ std::string machine_section(const Merged& merged) {
 
 std::string page(const Merged& merged, const Json& numbers) {
   const std::map<std::string, std::function<std::string()>, std::less<>> slots = {
-      {"style", [] { return std::string(part("page.css")) + std::string(part("stability.css")); }},
+      {"style", [] { return std::string(part("page.css")) + std::string(part("stability.css")) + std::string(part("scenes.css")); }},
       {"chart library", [] { return std::string(part("chart.min.js")); }},
       {"scripts",
        [] {
          std::string all;
          for (const char* name :
-              {"axes.js", "charts.js", "figure.js", "tables.js", "page.js", "stability.js", "cost.js"})
+              {"axes.js", "charts.js", "figure.js", "tables.js", "page.js", "stability.js", "cost.js", "scenes.js", "films.js"})
            all += part(name);
          return all;
        }},
@@ -231,6 +232,7 @@ std::string page(const Merged& merged, const Json& numbers) {
       {"offenders", [&] { return offenders_section(merged); }},
       {"sweep", [&] { return sweep_section(merged); }},
       {"cost", [&] { return cost_section(merged); }},
+      {"scenes", [&] { return scenes_section(merged); }},
       {"definitions", [&] { return definitions_section(merged); }},
       {"coverage", [&] { return coverage_section(merged); }},
       {"machine", [&] { return machine_section(merged); }}};

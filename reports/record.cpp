@@ -8,6 +8,7 @@
 #include <reports/field.hpp>
 #include <reports/files.hpp>
 #include <reports/record.hpp>
+#include <reports/scenes.hpp>
 #include <stdexcept>
 #include <string_view>
 
@@ -93,6 +94,7 @@ void check_record(const Field& record) {
   if (record.has("hard_cases")) record["hard_cases"].each(check_hard_case);  // younger than the rest
   if (record.has("sweep")) check_sweep(record["sweep"]);                     // younger still
   if (record.has("cost")) check_cost(record["cost"]);
+  if (record.has("scenes")) check_scenes(record["scenes"]);
 }
 
 /// "line 3, column 14" of a byte, both counted from 1, columns in bytes.

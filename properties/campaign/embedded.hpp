@@ -4,6 +4,7 @@
 namespace liecheck::properties {
 extern const char* const budgets_csv;          ///< properties/budgets.csv
 extern const char* const built_in_robot_urdf;  ///< fixtures/robots/mixed_joints.urdf
+extern const char* const quadruped_urdf;       ///< fixtures/robots/quadruped.urdf
 
 struct EmbeddedFile {
   const char* name;  ///< null at the end of a list

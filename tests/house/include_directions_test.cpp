@@ -36,9 +36,11 @@ std::vector<std::string> violations(const std::string& path, const std::string& 
       {"spatial", {"scalar", "spatial"}},
       {"multibody", {"scalar", "spatial", "multibody"}},
       {"algorithms", {"scalar", "spatial", "multibody", "algorithms"}},
-      {"urdf", {"scalar", "spatial", "multibody", "urdf"}}};
-  static const std::vector<std::string> harness = {"generators", "oracles",  "subjects",
-                                                   "invariants", "campaign", "timing"};
+      {"urdf", {"scalar", "spatial", "multibody", "urdf"}},
+      {"scene", {"scalar", "spatial", "multibody", "algorithms", "scene"}},
+      {"scene_file", {"scalar", "spatial", "multibody", "algorithms", "scene", "urdf", "scene_file"}}};
+  static const std::vector<std::string> harness = {"generators", "oracles", "subjects", "invariants",
+                                                   "campaign",   "timing",  "scenes",   "scene_peers"};
   const auto has = [](const auto& list, const std::string& x) {
     return std::find(list.begin(), list.end(), x) != list.end();
   };
@@ -86,6 +88,9 @@ TEST(IncludeDirections, ViolationsAreSeen) {
   EXPECT_EQ(violations("lib/liecheck/multibody/a.hpp", "#include \"oracles/exp.hpp\"\n").size(), 1u);
   EXPECT_EQ(violations("reports/a.cpp", "#include <campaign/campaign.hpp>\n").size(), 1u);
   EXPECT_EQ(violations("properties/campaign/a.cpp", "#include <reports/report.hpp>\n").size(), 1u);
+  EXPECT_EQ(violations("lib/liecheck/scene/a.cpp", "#include <liecheck/urdf/urdf.hpp>\n").size(), 1u);
+  EXPECT_EQ(violations("lib/liecheck/algorithms/a.hpp", "#include <liecheck/scene/tree.hpp>\n").size(), 1u);
+  EXPECT_TRUE(violations("lib/liecheck/scene_file/a.cpp", "#include <liecheck/urdf/urdf.hpp>\n").empty());
   EXPECT_TRUE(violations("lib/liecheck/urdf/a.cpp",
                          "#include <liecheck/multibody/model.hpp>\n#include <Eigen/Core>\n")
                   .empty());

@@ -1,0 +1,81 @@
+#pragma once
+// Sums of many small increments that keep what each rounding leaves over (Kahan 1965; on the group, for SE(3)).
+//
+//   v:  (v, v_low) += dv, by two_sum
+//   q:  (q, q_low) := q exp(delta); of a free-flyer q_low = (what is missing of p, in the world's axes [m];
+//       the rotation vector that is missing behind Q, in the body's axes [rad])
+//
+// The state meant is q with q_low put behind it and v + v_low; |q_low| <= 2 eps |q|, so that whoever leaves it out
+// loses nothing but the last digit. What remains is the rounding of the increments themselves: eps |delta|.
+
+#include <liecheck/multibody/place.hpp>
+#include <liecheck/multibody/se3_configuration.hpp>
+
+namespace liecheck::scene {
+
+/// x + low += dx.
+template <Scalar S>
+[[gnu::always_inline]] inline void accumulate(S& x, S& low, const S& dx) {
+  const auto [sum, rest] = two_sum<S>(x, S(dx + low));
+  x = sum;
+  low = rest;
+}
+
+/// Vectors, number by number.
+template <class V>
+[[gnu::always_inline]] inline void accumulateAll(V& x, V& low, const V& dx) {
+  for (int i = 0; i < x.size(); ++i) accumulate<typename V::Scalar>(x[i], low[i], dx[i]);
+}
+
+/// Q exp(low) exp(phi) as a quaternion and the rotation vector that its rounding leaves over.
+template <Scalar S>
+void accumulateRotation(Eigen::Ref<Vector4<S>> Q, Eigen::Ref<Vector3<S>> low, const SO3<S>& step) {
+  const Vector4<S> b = step.to_vector();
+  const se3_configuration_detail::Product<S, Precision::standard> product(Vector4<S>(Q), b);
+  Vector4<S> high(product.x.high, product.y.high, product.z.high, product.w.high);
+  Vector4<S> rest(product.x.low, product.y.low, product.z.low, product.w.low);
+  // Q exp(low) b - Q b = Q b (exp(R_b^T low) - 1) = Q b (R_b^T low / 2, 0), low being a rounding error
+  const Vector3<S> turned = step.template actInv<Precision::fast>(Vector3<S>(low));
+  const SO3<S> behind = SO3<S>(high) * SO3<S>(Vector3<S>(turned / S(2)), S(0));
+  for (int i = 0; i < 4; ++i) rest[i] += behind.to_vector()[i];
+  const auto square = [&](int i) { return S((high[i] + rest[i]) * (high[i] + rest[i])); };
+  const S newton = (S(1) - ((square(0) + square(1)) + (square(2) + square(3)))) / S(2);
+  Vector4<S> Q1, left;
+  for (int i = 0; i < 4; ++i) {
+    const auto [sum, e] = two_sum<S>(high[i], mul_add(newton, high[i], rest[i]));
+    Q1[i] = sum, left[i] = e;
+  }
+  const SO3<S> missing = SO3<S>(Q1).inverse() * SO3<S>(left);
+  Q = Q1;
+  low = S(2) * missing.vec();
+}
+
+/// q exp(delta) of a free-flyer, likewise.
+template <Scalar S>
+void accumulateSE3(Vector7<S>& q, Vector6<S>& low, const Vector6<S>& delta) {
+  const RotationCoefficients<S, Vector3<S>, Precision::standard> k(Vector3<S>(delta[3], delta[4], delta[5]));
+  const S turn = sign<S>(k.cosine_half), sine = turn * k.sine_half;
+  const SO3<S> Q0(Vector4<S>(q[3], q[4], q[5], q[6]));
+  const Vector3<S> step = Q0.act(exp_log_detail::arc(k, Vector3<S>(delta[0], delta[1], delta[2])));
+  for (int i = 0; i < 3; ++i) accumulate<S>(q[i], low[i], step[i]);
+  accumulateRotation<S>(
+      q.template tail<4>(), low.template tail<3>(),
+      SO3<S>(Vector3<S>(sine * k.axis[0], sine * k.axis[1], sine * k.axis[2]), S(turn * k.cosine_half)));
+}
+
+/// Of one joint. low [nv]; continuous and planar joints leave nothing over.
+template <Scalar S, class J>
+void accumulateOf(const J& joint, typename J::Configuration& q, typename J::Tangent& low,
+                  const typename J::Tangent& delta) {
+  if constexpr (std::is_same_v<J, FreeFlyer<S>>) {
+    accumulateSE3<S>(q, low, delta);
+  } else if constexpr (std::is_same_v<J, Spherical<S>>) {
+    accumulateRotation<S>(q, low, quaternion::exp3<S>(delta));
+  } else if constexpr (J::nq == J::nv) {
+    for (int i = 0; i < J::nv; ++i) accumulate<S>(q[i], low[i], delta[i]);
+  } else {
+    q = joint.integrate(q, delta);
+  }
+}
+
+}  // namespace liecheck::scene

@@ -1,0 +1,74 @@
+#pragma once
+// The numbers of q and v that joint effects act on.
+
+#include <liecheck/scene/effects/effect.hpp>
+
+namespace liecheck::scene {
+
+/// Number k of v, and number i of q whose rate it is, -1 where no single number of q has it (ball, plane, unbounded
+/// turn).
+struct Coordinate {
+  int v, q;
+};
+
+/// Of the joints named; "all" is every joint but free-flyers and mimics.
+template <Scalar S>
+std::vector<Coordinate> coordinates(const Model<S>& model, const std::vector<std::string>& names) {
+  std::vector<Coordinate> all;
+  const bool every = names.size() == 1 && names[0] == "all";
+  for (std::size_t i = 1; i < model.joints.size(); ++i) {
+    const bool named = std::find(names.begin(), names.end(), model.names[i]) != names.end();
+    if (every ? std::holds_alternative<FreeFlyer<S>>(model.joints[i]) : !named) continue;
+    for (int k = 0; k < model.nvs[i]; ++k)
+      all.push_back({model.idx_vs[i] + k, model.nqs[i] == model.nvs[i] ? model.idx_qs[i] + k : -1});
+  }
+  return all;
+}
+/// Those that have a position of their own. Throws std::invalid_argument where a named joint has none.
+template <Scalar S>
+std::vector<Coordinate> positions(const Model<S>& model, const std::vector<std::string>& names) {
+  std::vector<Coordinate> with;
+  for (const Coordinate& c : coordinates(model, names)) {
+    if (c.q >= 0) {
+      with.push_back(c);
+    } else if (names[0] != "all") {
+      const int joint = model.column_to_joint[std::size_t(c.v)];
+      throw std::invalid_argument(
+          "joint '" + model.names[std::size_t(joint)] +
+          "' has no single number as its position: name revolute, prismatic, helical or "
+          "translation joints");
+    }
+  }
+  return with;
+}
+
+/// A frame of the robot by its place: the joint that carries it and X_JF.
+template <Scalar S>
+struct Spot {
+  std::size_t joint;
+  SE3<S> X_JF;
+  Spot(const Model<S>& model, const std::string& frame)
+      : Spot(model.frames[std::size_t(model.requireFrameId(frame))]) {}
+
+  SE3<S> pose(const Now<S>& now) const { return now.X_WJ[joint] * X_JF; }
+  /// In the frame's axes, at its origin.
+  Motion<S> velocity(const Now<S>& now) const { return X_JF.actInv(now.V[joint]); }
+  /// Adds a force given in the frame's axes at its origin.
+  void add(const Load<S>& load, const Force<S>& F_F) const { load.f[joint] = load.f[joint] + X_JF.act(F_F); }
+  /// Adds a force given in the world's axes at the frame's origin.
+  void addWorld(const Now<S>& now, const Load<S>& load, const Vector3<S>& f, const Vector3<S>& n) const {
+    const Matrix3<S>& R = now.X_WJ[joint].rotation();
+    const Vector3<S> f_J = transposed_product<S>(R, f), n_J = transposed_product<S>(R, n);
+    load.f[joint] = load.f[joint] + Force<S>(f_J, Vector3<S>(n_J + cross<S>(X_JF.translation(), f_J)));
+  }
+
+ private:
+  explicit Spot(const Frame<S>& frame) : joint(std::size_t(frame.parentJoint)), X_JF(frame.placement) {}
+};
+
+template <Scalar S>
+Vector3<S> vectorOf(const std::vector<double>& x) {
+  return Vector3<S>(S(x.at(0)), S(x.at(1)), S(x.at(2)));
+}
+
+}  // namespace liecheck::scene

@@ -1,0 +1,33 @@
+#pragma once
+// Viscous damping at joints.
+
+#include <liecheck/scene/effects/coordinates.hpp>
+
+namespace liecheck::scene {
+
+inline const PartInfo joint_damping_info{
+    "joint_damping",
+    "tau -= d v",
+    "takes: power -d v^2",
+    "a product for each coordinate",
+    {{"joints", Kind::Joints, "", "all", "which"},
+     {"coefficient", Kind::NotNegative, "N m s/rad|N s/m", "", "d; the URDF's if missing"}}};
+
+template <Scalar S>
+class JointDamping final : public Effect<S> {
+ public:
+  JointDamping(const Parameters& p, const Model<S>& model, const Surroundings&) {
+    for (const Coordinate& c : coordinates(model, p.names("joints")))
+      terms_.emplace_back(c.v, p.has("coefficient") ? S(p.number("coefficient")) : model.damping[c.v]);
+  }
+  Acts acts() const override { return Acts::OnJoints; }
+  bool dependsOnVelocity() const override { return true; }
+  void add(const Now<S>& now, const Load<S>& load) const override {
+    for (const auto& [k, d] : terms_) load.tau[std::size_t(k)] -= d * now.v[std::size_t(k)];
+  }
+
+ private:
+  std::vector<std::pair<int, S>> terms_;
+};
+
+}  // namespace liecheck::scene

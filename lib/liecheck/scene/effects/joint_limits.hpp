@@ -1,0 +1,59 @@
+#pragma once
+// Position limits as springs beyond them, damped while they are pressed; they never pull.
+
+#include <algorithm>
+#include <liecheck/scene/effects/coordinates.hpp>
+
+namespace liecheck::scene {
+
+inline const PartInfo joint_limits_info{
+    "joint_limits",
+    "tau += k x (1 + c x_dot)_+ inwards, x = depth beyond the robot's position limit",
+    "conserves with c = 0: V = 1/2 k x^2; takes with c > 0",
+    "two comparisons for each coordinate that has limits",
+    {{"joints", Kind::Joints, "", "all", "which; they have one number as their position"},
+     {"stiffness", Kind::Positive, "N m/rad|N/m", nullptr, "k"},
+     {"dissipation", Kind::NotNegative, "s/rad|s/m", "0", "c of Hunt and Crossley (1975)"}}};
+
+template <Scalar S>
+class JointLimits final : public Effect<S> {
+ public:
+  JointLimits(const Parameters& p, const Model<S>& model, const Surroundings&)
+      : k_(S(p.number("stiffness"))), c_(S(p.number("dissipation"))) {
+    for (const Coordinate& x : positions(model, p.names("joints"))) {
+      const S low = model.lowerPositionLimit[x.q], high = model.upperPositionLimit[x.q];
+      if (finite<S>(low) || finite<S>(high)) at_.push_back({x, low, high});
+    }
+  }
+  Acts acts() const override { return Acts::OnJoints; }
+  bool dependsOnVelocity() const override { return c_ > S(0); }
+  void add(const Now<S>& now, const Load<S>& load) const override {
+    for (const Limited& j : at_) {
+      const S& q = now.q[std::size_t(j.at.q)];
+      const S& v = now.v[std::size_t(j.at.v)];
+      if (q < j.low) load.tau[std::size_t(j.at.v)] += press(S(j.low - q), S(-v));
+      if (q > j.high) load.tau[std::size_t(j.at.v)] -= press(S(q - j.high), v);
+    }
+  }
+  S potential(const Now<S>& now) const override {
+    S energy(0);
+    for (const Limited& j : at_) {
+      const S& q = now.q[std::size_t(j.at.q)];
+      const S x = q < j.low ? S(j.low - q) : q > j.high ? S(q - j.high) : S(0);
+      energy += k_ * x * x / S(2);
+    }
+    return energy;
+  }
+
+ private:
+  struct Limited {
+    Coordinate at;
+    S low, high;
+  };
+  /// Of depth x that grows by rate.
+  S press(const S& x, const S& rate) const { return std::max(S(k_ * x * (S(1) + c_ * rate)), S(0)); }
+  S k_, c_;
+  std::vector<Limited> at_;
+};
+
+}  // namespace liecheck::scene

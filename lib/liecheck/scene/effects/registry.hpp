@@ -1,0 +1,75 @@
+#pragma once
+// The list of effects and of actuations. Adding one touches its file and this one.
+
+#include <liecheck/scene/effects/armature.hpp>
+#include <liecheck/scene/effects/buoyancy.hpp>
+#include <liecheck/scene/effects/constant_force.hpp>
+#include <liecheck/scene/effects/contact.hpp>
+#include <liecheck/scene/effects/drag.hpp>
+#include <liecheck/scene/effects/force_table.hpp>
+#include <liecheck/scene/effects/gravity.hpp>
+#include <liecheck/scene/effects/joint_damping.hpp>
+#include <liecheck/scene/effects/joint_friction.hpp>
+#include <liecheck/scene/effects/joint_limits.hpp>
+#include <liecheck/scene/effects/joint_spring.hpp>
+#include <liecheck/scene/effects/pd_control.hpp>
+#include <liecheck/scene/effects/thruster.hpp>
+#include <liecheck/scene/effects/wrench.hpp>
+
+namespace liecheck::scene {
+
+template <Scalar S>
+struct EffectEntry {
+  const PartInfo* info;
+  std::shared_ptr<const Effect<S>> (*make)(const Parameters&, const Model<S>&, const Surroundings&);
+};
+
+namespace registry_detail {
+template <Scalar S, class E>
+EffectEntry<S> entry(const PartInfo& info) {
+  return {&info, [](const Parameters& p, const Model<S>& model, const Surroundings& around) {
+            return std::shared_ptr<const Effect<S>>(std::make_shared<E>(p, model, around));
+          }};
+}
+}  // namespace registry_detail
+
+template <Scalar S>
+const std::vector<EffectEntry<S>>& effectEntries() {
+  using registry_detail::entry;
+  static const std::vector<EffectEntry<S>> all = {entry<S, Gravity<S>>(gravity_info),
+                                                  entry<S, Wrench<S>>(wrench_info),
+                                                  entry<S, JointDamping<S>>(joint_damping_info),
+                                                  entry<S, JointFriction<S>>(joint_friction_info),
+                                                  entry<S, JointSpring<S>>(joint_spring_info),
+                                                  entry<S, JointLimits<S>>(joint_limits_info),
+                                                  entry<S, Armature<S>>(armature_info),
+                                                  entry<S, Drag<S>>(drag_info),
+                                                  entry<S, Buoyancy<S>>(buoyancy_info),
+                                                  entry<S, Thruster<S>>(thruster_info),
+                                                  entry<S, Contact<S>>(contact_info)};
+  return all;
+}
+template <Scalar S>
+const std::vector<EffectEntry<S>>& actuationEntries() {
+  using registry_detail::entry;
+  static const std::vector<EffectEntry<S>> all = {entry<S, ConstantForce<S>>(constant_force_info),
+                                                  entry<S, PdControl<S>>(pd_control_info),
+                                                  entry<S, ForceTable<S>>(force_table_info)};
+  return all;
+}
+
+/// The effect of a request whose keys were checked. Throws std::invalid_argument where it makes no sense for this robot.
+template <Scalar S>
+std::shared_ptr<const Effect<S>> makeEffect(const Request& request, const Model<S>& model,
+                                            const Surroundings& around) {
+  for (const auto* list : {&effectEntries<S>(), &actuationEntries<S>()})
+    for (const EffectEntry<S>& e : *list)
+      if (request.name == e.info->name) return e.make(request.parameters, model, around);
+  throw std::invalid_argument("no effect is named '" + request.name + "'");
+}
+
+// double is compiled once, in instantiations.cpp; other scalars where they are used.
+extern template const std::vector<EffectEntry<double>>& effectEntries<double>();
+extern template const std::vector<EffectEntry<double>>& actuationEntries<double>();
+
+}  // namespace liecheck::scene

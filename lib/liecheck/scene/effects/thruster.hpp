@@ -1,0 +1,43 @@
+#pragma once
+// A thruster: a force along a direction of its frame, with the moment that its propeller leaves.
+
+#include <liecheck/scene/effects/coordinates.hpp>
+
+namespace liecheck::scene {
+
+inline const PartInfo thruster_info{
+    "thruster",
+    "f = T e,  n = k T e,  from <= t < until",
+    "adds: power T (e . u + k e . omega)",
+    "a force on one body",
+    {{"frame", Kind::Frame, "", nullptr, "where it is mounted"},
+     {"thrust", Kind::Number, "N", nullptr, "T"},
+     {"direction", Kind::Vector, "1", "[0, 0, 1]", "e, in the frame; any length but 0"},
+     {"moment_ratio", Kind::Number, "m", "0",
+      "k: moment over thrust, > 0 where it turns the body counterclockwise"},
+     {"from", Kind::Number, "s", "", "when it begins; always there before, if missing"},
+     {"until", Kind::Number, "s", "", "when it ends; never, if missing"}}};
+
+template <Scalar S>
+class Thruster final : public Effect<S> {
+ public:
+  Thruster(const Parameters& p, const Model<S>& model, const Surroundings&)
+      : spot_(model, p.word("frame")),
+        from_(p.number("from", -std::numeric_limits<double>::infinity())),
+        until_(p.number("until", std::numeric_limits<double>::infinity())) {
+    const Vector3<S> e = Axis<S>(vectorOf<S>(p.numbers("direction"))).to_vector();  // throws where it is 0
+    const S thrust(p.number("thrust"));
+    F_ = Force<S>(Vector3<S>(thrust * e), Vector3<S>(S(p.number("moment_ratio")) * thrust * e));
+  }
+  Acts acts() const override { return Acts::OnBodies; }
+  void add(const Now<S>& now, const Load<S>& load) const override {
+    if (!(now.t < S(from_)) && now.t < S(until_)) spot_.add(load, F_);
+  }
+
+ private:
+  Spot<S> spot_;
+  Force<S> F_;
+  double from_, until_;
+};
+
+}  // namespace liecheck::scene

@@ -1,0 +1,47 @@
+#pragma once
+// A force and a moment at a frame's origin, constant while they last.
+
+#include <liecheck/scene/effects/coordinates.hpp>
+
+namespace liecheck::scene {
+
+inline const PartInfo wrench_info{
+    "wrench",
+    "(f, n) at the frame's origin, from <= t < until",
+    "adds or takes: power f . u + n . omega",
+    "a force on one body; poses where its axes are the world's",
+    {{"frame", Kind::Frame, "", nullptr, "where it acts"},
+     {"force", Kind::Vector, "N", "[0, 0, 0]", "f"},
+     {"moment", Kind::Vector, "N m", "[0, 0, 0]", "n about the frame's origin"},
+     {"axes", Kind::Choice, "frame|world", "frame", "whose axes f and n are in"},
+     {"from", Kind::Number, "s", "", "when it begins; always there before, if missing"},
+     {"until", Kind::Number, "s", "", "when it ends; never, if missing"}}};
+
+template <Scalar S>
+class Wrench final : public Effect<S> {
+ public:
+  Wrench(const Parameters& p, const Model<S>& model, const Surroundings&)
+      : spot_(model, p.word("frame")),
+        f_(vectorOf<S>(p.numbers("force"))),
+        n_(vectorOf<S>(p.numbers("moment"))),
+        world_(p.word("axes") == "world"),
+        from_(p.number("from", -std::numeric_limits<double>::infinity())),
+        until_(p.number("until", std::numeric_limits<double>::infinity())) {}
+  Acts acts() const override { return Acts::OnBodies; }
+  Kinematics needs() const override { return world_ ? Kinematics::Poses : Kinematics::None; }
+  void add(const Now<S>& now, const Load<S>& load) const override {
+    if (now.t < S(from_) || !(now.t < S(until_))) return;
+    if (world_)
+      spot_.addWorld(now, load, f_, n_);
+    else
+      spot_.add(load, Force<S>(f_, n_));
+  }
+
+ private:
+  Spot<S> spot_;
+  Vector3<S> f_, n_;
+  bool world_;
+  double from_, until_;
+};
+
+}  // namespace liecheck::scene

@@ -1,0 +1,140 @@
+#pragma once
+// Gauss collocation on the group: the implicit Runge-Kutta method of s Gauss points for the increment and the
+// velocity, in the same coordinates as munthe_kaas.hpp.
+//
+//   delta_i = h sum_j a_ij K_j,  v_i = v0 + h sum_j a_ij A_j,  K_i = J_r^-1(delta_i) v_i,  A_i = a(q0 exp delta_i, v_i)
+//
+// Order 2 s (Butcher 1964, Implicit Runge-Kutta processes; Hairer, Lubich & Wanner 2006, II.1.3). With s = 1 it is the
+// implicit midpoint rule of the group, its own inverse under h -> -h. Solved by iteration, begun from the last step's
+// polynomial, until rounding stops it (ibid., VIII.6): it converges while h |da/d(q, v)| < 1 or so.
+
+#include <algorithm>
+#include <array>
+#include <liecheck/scalar/double_double.hpp>
+#include <liecheck/scene/integrators/method.hpp>
+
+namespace liecheck::scene {
+
+/// c_i, b_i, a_ij of s Gauss points on [0, 1], and e_ij that carries a polynomial through the points of one step to
+/// those of the next. Computed in twice the digits: half an ulp each.
+template <Scalar S, int s>
+struct GaussPoints {
+  std::array<S, s> c, b;
+  std::array<std::array<S, s>, s> a, e;
+
+  GaussPoints() {
+    using T = DoubleDouble<S>;
+    std::array<T, s> x, w;
+    for (int i = 0; i < s; ++i) {
+      using std::cos;
+      T z(S(cos(pi<S>() * (S(i) + S(3) / S(4)) / (S(s) + S(1) / S(2)))));
+      T slope(1);
+      for (int newton = 0; newton < 8; ++newton) {  // of Legendre's polynomial, from 3 digits: 6 suffice
+        T p0(1), p1 = z;
+        for (int n = 2; n <= s; ++n) {
+          const T p2 = (T(2 * n - 1) * z * p1 - T(n - 1) * p0) / T(n);
+          p0 = p1, p1 = p2;
+        }
+        slope = T(s) * (z * p1 - p0) / (z * z - T(1));
+        z -= p1 / slope;
+      }
+      if (s == 1) z = T(0), slope = T(1);
+      x[std::size_t(s - 1 - i)] = (T(1) + z) / T(2);
+      w[std::size_t(s - 1 - i)] = T(1) / ((T(1) - z * z) * slope * slope);
+    }
+    const auto lagrange = [&](std::size_t j, const T& at) {
+      T product(1);
+      for (std::size_t m = 0; m < s; ++m)
+        if (m != j) product *= (at - x[m]) / (x[j] - x[m]);
+      return product;
+    };
+    for (std::size_t i = 0; i < s; ++i) {
+      c[i] = S(x[i]), b[i] = S(w[i]);
+      for (std::size_t j = 0; j < s; ++j) {
+        T sum(0);  // of the integral from 0 to c_i, by the same points: exact
+        for (std::size_t k = 0; k < s; ++k) sum += w[k] * lagrange(j, x[i] * x[k]);
+        a[i][j] = S(x[i] * sum);
+        e[i][j] = S(lagrange(j, T(1) + x[i]));
+      }
+    }
+  }
+};
+
+/// I: a type with the method's info.
+template <System Sys, int s, class I>
+class Collocation final : public Method<Sys> {
+ public:
+  using S = typename Sys::Scalar;
+  using Tangent = typename Sys::Tangent;
+  const MethodInfo& what() const override { return I::info; }
+  MethodCounts counts() const override { return counts_; }
+  void begin(Sys&, const State<Sys>& state) override {
+    q_ = state.q, delta_ = v_ = K_new_ = A_new_ = state.v;
+    K_.fill(state.v), A_.fill(state.v), last_.fill(state.v);
+    has_last_ = false;
+  }
+  void step(Sys& system, State<Sys>& state, const S& h) override {
+    static const GaussPoints<S, s> g;
+    predict(system, state, h, g);
+    const S scale = state.v.cwiseAbs().maxCoeff() + absolute<S>(h) * A_[0].cwiseAbs().maxCoeff();
+    S change(0), before = std::numeric_limits<S>::max();
+    int settled = 0;
+    for (int k = 0;; ++k) {
+      change = S(0);
+      for (std::size_t i = 0; i < s; ++i) {
+        sum(g.a[i], h, delta_, v_);
+        v_ += state.v;
+        system.integrate(state.q, delta_, q_);
+        system.acceleration(S(state.t + g.c[i] * h), q_, v_, A_new_);
+        system.tangentRate(delta_, v_, K_new_);
+        change = std::max({change, S((K_new_ - K_[i]).cwiseAbs().maxCoeff()),
+                           S(absolute<S>(h) * (A_new_ - A_[i]).cwiseAbs().maxCoeff())});
+        K_[i] = K_new_, A_[i] = A_new_;
+      }
+      ++counts_.iterations;
+      // Small parts of v may still move where the largest have settled: once more.
+      if (change == S(0) || (change <= S(64) * eps<S>() * scale && !(change < before) && ++settled == 2))
+        break;
+      if (k == limit || !finite<S>(change))
+        throw StepFailed(std::string(I::info.name) + " finds no solution of its step in " +
+                         std::to_string(k + 1) + " iterations: take a smaller step");
+      before = change;
+    }
+    sum(g.b, h, delta_, v_);
+    system.accumulate(state.q, state.q_low, delta_);
+    accumulateAll(state.v, state.v_low, v_);
+    last_ = A_, h_ = h, has_last_ = true;
+    ++counts_.steps;
+  }
+
+ private:
+  static constexpr int limit = 200;
+  void sum(const std::array<S, s>& weights, const S& h, Tangent& delta, Tangent& dv) const {
+    delta = S(h * weights[0]) * K_[0], dv = S(h * weights[0]) * A_[0];
+    for (std::size_t j = 1; j < s; ++j) delta += S(h * weights[j]) * K_[j], dv += S(h * weights[j]) * A_[j];
+  }
+  void predict(Sys& system, const State<Sys>& state, const S& h, const GaussPoints<S, s>& g) {
+    if (has_last_ && h == h_ && s > 1) {
+      for (std::size_t i = 0; i < s; ++i) {
+        A_[i] = g.e[i][0] * last_[0];
+        for (std::size_t j = 1; j < s; ++j) A_[i] += g.e[i][j] * last_[j];
+      }
+    } else {
+      system.acceleration(state.t, state.q, state.v, A_[0]);
+      for (std::size_t i = 1; i < s; ++i) A_[i] = A_[0];
+    }
+    for (std::size_t i = 0; i < s; ++i) {
+      K_[i] = state.v;
+      for (std::size_t j = 0; j < s; ++j) K_[i] += S(h * g.a[i][j]) * A_[j];
+    }
+  }
+
+  typename Sys::Configuration q_;
+  Tangent delta_, v_, K_new_, A_new_;
+  std::array<Tangent, s> K_, A_, last_;
+  S h_ = S(0);
+  bool has_last_ = false;
+  MethodCounts counts_;
+};
+
+}  // namespace liecheck::scene

@@ -1,0 +1,28 @@
+#pragma once
+// The implicit midpoint rule of the group: one Gauss point, where J_r^-1(delta/2) v = v.
+//
+//   v_m = v0 + h/2 a(q0 exp(h v_m/2), v_m),   q1 = q0 exp(h v_m),   v1 = 2 v_m - v0
+//
+// Order 2. It is its own inverse, so that the energy of a motion that may run backwards has an error without slope; for
+// every robot.
+
+#include <liecheck/scene/integrators/collocation.hpp>
+
+namespace liecheck::scene {
+
+struct ImplicitMidpointInfo {
+  static constexpr MethodInfo info{"implicit_midpoint",
+                                   2,
+                                   0,
+                                   false,
+                                   true,
+                                   false,
+                                   false,
+                                   "v_m = v0 + h/2 a(q0 exp(h v_m/2), v_m), q1 = q0 exp(h v_m)",
+                                   "Hairer, Lubich & Wanner 2006, II.1.3",
+                                   true};
+};
+template <System Sys>
+using ImplicitMidpoint = Collocation<Sys, 1, ImplicitMidpointInfo>;
+
+}  // namespace liecheck::scene

@@ -1,0 +1,112 @@
+#pragma once
+// Runge-Kutta-Munthe-Kaas: an explicit Runge-Kutta method for the increment and the velocity.
+//
+//   delta_i = h sum_j a_ij K_j,   v_i = v0 + h sum_j a_ij A_j
+//   K_i = J_r^-1(delta_i) v_i,    A_i = a(t + c_i h, integrate(q0, delta_i), v_i)
+//   q1 = integrate(q0, h sum b_i K_i),   v1 = v0 + h sum b_i A_i
+//
+// With the exact J_r^-1 the order is the tableau's (Munthe-Kaas 1999). Sums over steps are compensated
+// (accumulate.hpp). Domain: less than half a turn a step; at a whole turn J_r^-1 is singular.
+
+#include <array>
+#include <liecheck/scene/integrators/method.hpp>
+#include <utility>
+
+namespace liecheck::scene {
+
+/// A coefficient of a tableau, exact in every scalar.
+struct Rational {
+  long numerator = 0, denominator = 1;
+};
+
+template <class S, Rational R>
+[[gnu::always_inline]] inline S coefficient() {
+  if constexpr (std::is_floating_point_v<S>) {
+    constexpr S value = S(R.numerator) / S(R.denominator);
+    return value;
+  } else {
+    static const S value = S(R.numerator) / S(R.denominator);
+    return value;
+  }
+}
+
+/// The stages of a tableau T: T::stages, T::a[i][j], T::b[i], T::c[i], Rationals.
+template <System Sys, class T>
+class MuntheKaasStages {
+ public:
+  using S = typename Sys::Scalar;
+  using Tangent = typename Sys::Tangent;
+
+  void begin(const State<Sys>& state) {
+    q_ = state.q, delta_ = v_ = state.v;
+    K_.fill(state.v), A_.fill(state.v);
+  }
+  /// K and A of all stages.
+  void compute(Sys& system, const State<Sys>& state, const S& h) {
+    system.acceleration(state.t, state.q, state.v, A_[0]);
+    K_[0] = state.v;
+    rest(system, state, h, std::make_index_sequence<T::stages - 1>());
+  }
+  /// h sum w_j K_j and h sum w_j A_j with the weights of row W: T::b, or the error's.
+  template <const auto& W>
+  void sum(const S& h, Tangent& delta, Tangent& dv) const {
+    add<W>(K_, h, delta, std::make_index_sequence<T::stages>());
+    add<W>(A_, h, dv, std::make_index_sequence<T::stages>());
+  }
+
+ private:
+  template <std::size_t... I>
+  void rest(Sys& system, const State<Sys>& state, const S& h, std::index_sequence<I...>) {
+    (stage<I + 1>(system, state, h), ...);
+  }
+  template <std::size_t I>
+  void stage(Sys& system, const State<Sys>& state, const S& h) {
+    add<T::a[I]>(K_, h, delta_, std::make_index_sequence<I>());
+    add<T::a[I]>(A_, h, v_, std::make_index_sequence<I>());
+    v_ += state.v;
+    system.integrate(state.q, delta_, q_);
+    system.acceleration(S(state.t + coefficient<S, T::c[I]>() * h), q_, v_, A_[I]);
+    system.tangentRate(delta_, v_, K_[I]);
+  }
+  template <const auto& W, std::size_t... J>
+  static void add(const std::array<Tangent, T::stages>& X, const S& h, Tangent& sum,
+                  std::index_sequence<J...>) {
+    bool first = true;
+    (
+        [&] {
+          if constexpr (W[J].numerator != 0) {
+            const S weight = coefficient<S, W[J]>() * h;
+            if (first)
+              sum = weight * X[J];
+            else
+              sum += weight * X[J];
+            first = false;
+          }
+        }(),
+        ...);
+  }
+
+  typename Sys::Configuration q_;
+  Tangent delta_, v_;
+  std::array<Tangent, T::stages> K_, A_;
+};
+
+/// The method of a tableau with an info.
+template <System Sys, class T>
+class MuntheKaas final : public Method<Sys> {
+ public:
+  const MethodInfo& what() const override { return T::info; }
+  void begin(Sys&, const State<Sys>& state) override { stages_.begin(state), delta_ = dv_ = state.v; }
+  void step(Sys& system, State<Sys>& state, const typename Sys::Scalar& h) override {
+    stages_.compute(system, state, h);
+    stages_.template sum<T::b>(h, delta_, dv_);
+    system.accumulate(state.q, state.q_low, delta_);
+    accumulateAll(state.v, state.v_low, dv_);
+  }
+
+ private:
+  MuntheKaasStages<Sys, T> stages_;
+  typename Sys::Tangent delta_, dv_;
+};
+
+}  // namespace liecheck::scene

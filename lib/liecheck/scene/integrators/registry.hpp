@@ -1,0 +1,74 @@
+#pragma once
+// The list of methods. Adding one touches its file and this one.
+
+#include <liecheck/multibody/nearest_names.hpp>
+#include <liecheck/scene/integrators/commutator_free4.hpp>
+#include <liecheck/scene/integrators/dopri5.hpp>
+#include <liecheck/scene/integrators/euler.hpp>
+#include <liecheck/scene/integrators/gauss12.hpp>
+#include <liecheck/scene/integrators/gauss6.hpp>
+#include <liecheck/scene/integrators/implicit_midpoint.hpp>
+#include <liecheck/scene/integrators/quaternion_rk4.hpp>
+#include <liecheck/scene/integrators/rk2.hpp>
+#include <liecheck/scene/integrators/rkmk4.hpp>
+#include <liecheck/scene/integrators/rkmk6.hpp>
+#include <liecheck/scene/integrators/semi_implicit_euler.hpp>
+#include <liecheck/scene/integrators/variational.hpp>
+#include <liecheck/scene/tree.hpp>
+#include <memory>
+#include <vector>
+
+namespace liecheck::scene {
+
+/// All of them, simplest first.
+inline const std::vector<MethodInfo>& methodInfos() {
+  using Any = LoneBody<double>;
+  static const std::vector<MethodInfo> all = {Euler<Any>::info,          SemiImplicitEuler<Any>::info,
+                                              MidpointTableau::info,     ImplicitMidpointInfo::info,
+                                              Variational<double>::info, QuaternionRk4<Any>::info,
+                                              ClassicalTableau::info,    CommutatorFree4<Any>::info,
+                                              Dopri5<Any>::info,         ButcherTableau::info,
+                                              Gauss6Info::info,          Gauss12Info::info};
+  return all;
+}
+/// Throws std::invalid_argument with the nearest names.
+inline const MethodInfo& methodInfo(const std::string& name) {
+  std::vector<std::string> names;
+  for (const MethodInfo& m : methodInfos()) {
+    if (m.name == name) return m;
+    names.push_back(m.name);
+  }
+  throw std::invalid_argument("no integrator is named '" + name + "'" +
+                              multibody_detail::nearestNames(name, names));
+}
+
+/// Throws std::invalid_argument for an unknown name, and for variational of a tree.
+template <System Sys>
+std::unique_ptr<Method<Sys>> makeMethod(const std::string& name, const MethodOptions& options = {}) {
+  if (name == "euler") return std::make_unique<Euler<Sys>>();
+  if (name == "semi_implicit_euler") return std::make_unique<SemiImplicitEuler<Sys>>();
+  if (name == "rk2") return std::make_unique<Rk2<Sys>>();
+  if (name == "implicit_midpoint") return std::make_unique<ImplicitMidpoint<Sys>>();
+  if (name == "quaternion_rk4") return std::make_unique<QuaternionRk4<Sys>>();
+  if (name == "rkmk4") return std::make_unique<Rkmk4<Sys>>();
+  if (name == "cf4") return std::make_unique<CommutatorFree4<Sys>>();
+  if (name == "dopri5") return std::make_unique<Dopri5<Sys>>(options);
+  if (name == "rkmk6") return std::make_unique<Rkmk6<Sys>>();
+  if (name == "gauss6") return std::make_unique<Gauss6<Sys>>();
+  if (name == "gauss12") return std::make_unique<Gauss12<Sys>>();
+  if constexpr (std::is_same_v<Sys, LoneBody<typename Sys::Scalar>>) {
+    if (name == "variational") return std::make_unique<Variational<typename Sys::Scalar>>();
+  } else if (name == "variational") {
+    throw std::invalid_argument("integrator 'variational' is of a lone free body: take implicit_midpoint");
+  }
+  methodInfo(name);  // throws
+  throw std::logic_error("integrator '" + name + "' is listed but not made");
+}
+
+// double is compiled once, in instantiations.cpp; other scalars where they are used.
+extern template std::unique_ptr<Method<LoneBody<double>>> makeMethod<LoneBody<double>>(const std::string&,
+                                                                                       const MethodOptions&);
+extern template std::unique_ptr<Method<Tree<double>>> makeMethod<Tree<double>>(const std::string&,
+                                                                               const MethodOptions&);
+
+}  // namespace liecheck::scene

@@ -1,0 +1,34 @@
+#pragma once
+// Semi-implicit Euler with integrate: the usual practice of real-time simulators.
+//
+//   v1 = v0 + h a(q0, v0),  q1 = integrate(q0, h v1)
+//
+// Order 1. On a vector space it is symplectic and its energy error has no slope; with the gyroscopic terms of a turning
+// body it has one.
+
+#include <liecheck/scene/integrators/method.hpp>
+
+namespace liecheck::scene {
+
+template <System Sys>
+class SemiImplicitEuler final : public Method<Sys> {
+ public:
+  static constexpr MethodInfo info{
+      "semi_implicit_euler",      1, 1, false, false, false, false, "v1 = v0 + h a0, q1 = q0 exp(h v1)",
+      "Vogelaere 1956; Ruth 1983"};
+  const MethodInfo& what() const override { return info; }
+  void begin(Sys&, const State<Sys>& state) override { q_ = state.q, a_ = delta_ = state.v; }
+  void step(Sys& system, State<Sys>& state, const typename Sys::Scalar& h) override {
+    system.acceleration(state.t, state.q, state.v, a_);
+    state.v += h * a_;
+    delta_ = h * state.v;
+    system.integrate(state.q, delta_, q_);
+    state.q = q_;
+  }
+
+ private:
+  typename Sys::Configuration q_;
+  typename Sys::Tangent a_, delta_;
+};
+
+}  // namespace liecheck::scene

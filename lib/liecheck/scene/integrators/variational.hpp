@@ -1,0 +1,137 @@
+#pragma once
+// The variational integrator of a lone rigid body, in momenta: symplectic, and the spatial momentum of a free body is
+// a constant that is stored, not recomputed.
+//
+//   L_d(R0, R1) = phi^T I_C phi / (2 h),  phi = log(R0^T R1)
+//   h R0^T L = J_r^-1(phi) I_C phi,   R1 = R0 exp(phi),   c1 = c0 + h P/m        (Newton's method for phi)
+//   v1 from I_C omega1 = R1^T L, m u_C = R1^T P;  forces: L += h/2 n, P += h/2 f before and after (Verlet)
+//
+// Order 2, symmetric. (Moser & Veselov 1991; Lee, Leok & McClamroch 2005; Bou-Rabee & Marsden 2009, sec. 4.) L is the
+// angular momentum about the centre of mass, P the linear one, both in the world's axes; they are taken from the state
+// at begin(). Forces that depend on the velocity are met implicitly at the end of the step.
+
+#include <liecheck/scene/integrators/method.hpp>
+#include <liecheck/scene/lone_body.hpp>
+
+namespace liecheck::scene {
+
+template <Scalar S>
+class Variational final : public Method<LoneBody<S>> {
+ public:
+  using Body = LoneBody<S>;
+  static constexpr MethodInfo info{"variational",
+                                   2,
+                                   0,
+                                   false,
+                                   true,
+                                   true,
+                                   true,
+                                   "h R0^T L = J_r^-1(phi) I phi, R1 = R0 exp(phi), L and P constant",
+                                   "Moser & Veselov 1991; Bou-Rabee & Marsden 2009"};
+  const MethodInfo& what() const override { return info; }
+  MethodCounts counts() const override { return counts_; }
+  void begin(Body& body, const State<Body>& state) override {
+    const SO3<S> Q = rotationOf(state.q);
+    const Motion<S> V(state.v);
+    L_ = Q.act(Vector3<S>(body.inertia() * V.angular()));
+    P_ = body.mass() * Q.act(velocityOfCentre(body, V));
+    L_low_.setZero(), P_low_.setZero();
+  }
+  void step(Body& body, State<Body>& state, const S& h) override {
+    const bool free = body.forceFree();
+    const Momentum before{L_, P_, L_low_, P_low_};
+    const S half = h / S(2);
+    if (!free) kick(body, state.t, state.q, state.v, half);
+    const Matrix3<S>& I = body.inertia();
+    const Vector3<S> target = h * inBody(state, L_);
+    Vector3<S> phi;
+    try {
+      phi = solve(I, body.inertiaInverse(), target);
+    } catch (const StepFailed&) {
+      restore(before);
+      throw;
+    }
+    const Vector3<S> c0 = rotationOf(state.q).act(body.lever());
+    accumulateRotation<S>(state.q.template tail<4>(), state.q_low.template tail<3>(),
+                          quaternion::exp3<S>(phi));
+    const Vector3<S> c1 = rotationOf(state.q).act(body.lever());
+    for (int i = 0; i < 3; ++i)
+      accumulate<S>(state.q[i], state.q_low[i], S(h * P_[i] / body.mass() + (c0[i] - c1[i])));
+    setVelocity(body, state);
+    if (!free) {
+      const Momentum drifted{L_, P_, L_low_, P_low_};
+      Vector6<S> last;
+      for (int k = 0;; ++k) {
+        last = state.v;
+        restore(drifted);
+        kick(body, S(state.t + h), state.q, last, half);
+        setVelocity(body, state);
+        const S change = (state.v - last).cwiseAbs().maxCoeff();
+        if (!(change > S(4) * eps<S>() * state.v.cwiseAbs().maxCoeff())) break;
+        if (k == limit)
+          throw StepFailed("variational finds no velocity at the end of the step: take a smaller one");
+      }
+    }
+    ++counts_.steps;
+  }
+  /// The conserved vectors [kg m^2/s, kg m/s], in the world's axes.
+  const Vector3<S>& angularMomentum() const { return L_; }
+  const Vector3<S>& linearMomentum() const { return P_; }
+
+ private:
+  static constexpr int limit = 50;
+  struct Momentum {
+    Vector3<S> L, P, L_low, P_low;
+  };
+  void restore(const Momentum& m) { L_ = m.L, P_ = m.P, L_low_ = m.L_low, P_low_ = m.P_low; }
+  static SO3<S> rotationOf(const Vector7<S>& q) { return SO3<S>(Vector4<S>(q[3], q[4], q[5], q[6])); }
+  static Vector3<S> velocityOfCentre(const Body& body, const Motion<S>& V) {
+    return V.linear() + liecheck::cross<S>(V.angular(), body.lever());
+  }
+  /// R^T x of R = R(Q) exp(q_low).
+  static Vector3<S> inBody(const State<Body>& state, const Vector3<S>& x) {
+    const Vector3<S> y = rotationOf(state.q).actInv(x);
+    return y - liecheck::cross<S>(Vector3<S>(state.q_low.template tail<3>()), y);
+  }
+  void setVelocity(const Body& body, State<Body>& state) const {
+    const Vector3<S> omega = product<S>(body.inertiaInverse(), inBody(state, L_));
+    const Vector3<S> u = inBody(state, P_) / body.mass() - liecheck::cross<S>(omega, body.lever());
+    state.v << u, omega;
+    state.v_low.setZero();
+  }
+  void kick(Body& body, const S& t, const Vector7<S>& q, const Vector6<S>& v, const S& h) {
+    const Force<S> F = body.force(t, q, v);
+    const SO3<S> Q = rotationOf(q);
+    const Vector3<S> f = Q.act(F.linear()) + body.mass() * body.model().gravity;
+    const Vector3<S> n = Q.act(Vector3<S>(F.angular() - liecheck::cross<S>(body.lever(), F.linear())));
+    for (int i = 0; i < 3; ++i)
+      accumulate<S>(P_[i], P_low_[i], S(h * f[i])), accumulate<S>(L_[i], L_low_[i], S(h * n[i]));
+  }
+  /// phi of J_r^-1(phi) I phi = target, by Newton's method with the slope I + ([phi] I - [I phi])/2, until rounding stops
+  /// it.
+  Vector3<S> solve(const Matrix3<S>& I, const Matrix3<S>& I_inverse, const Vector3<S>& target) {
+    Vector3<S> phi = I_inverse * target;
+    S before = std::numeric_limits<S>::max();
+    for (int k = 0; k < limit; ++k) {
+      ++counts_.iterations;
+      const Vector3<S> rest = tangentRate<S>(phi, product<S>(I, phi)) - target;
+      const Matrix3<S> slope = I + (skew<S>(phi) * I - skew<S>(Vector3<S>(I * phi))) / S(2);
+      const Vector3<S> a = slope.row(0), b = slope.row(1), c = slope.row(2);
+      const Vector3<S> bc = liecheck::cross<S>(b, c), ca = liecheck::cross<S>(c, a),
+                       ab = liecheck::cross<S>(a, b);
+      const Vector3<S> correction = (rest[0] * bc + rest[1] * ca + rest[2] * ab) / S(a.dot(bc));
+      phi -= correction;
+      const S size = correction.cwiseAbs().maxCoeff();
+      if (!finite<S>(size)) break;
+      if (size == S(0) || (size <= S(16) * eps<S>() * phi.cwiseAbs().maxCoeff() && !(size < before)))
+        return phi;
+      before = size;
+    }
+    throw StepFailed("variational finds no rotation of its step: take a smaller one (less than half a turn)");
+  }
+
+  Vector3<S> L_, P_, L_low_, P_low_;
+  MethodCounts counts_;
+};
+
+}  // namespace liecheck::scene

@@ -1,0 +1,53 @@
+#pragma once
+// Scene: what is asked for. Which robot, from where, with which effects, by which method, how long, and what is watched.
+// Nothing here reads a file; scene_file/ makes one of text.
+
+#include <liecheck/multibody/configuration.hpp>
+#include <liecheck/scene/effects/registry.hpp>
+#include <liecheck/scene/integrators/registry.hpp>
+#include <liecheck/scene/simulate.hpp>
+#include <liecheck/scene/tree.hpp>
+
+namespace liecheck::scene {
+
+struct Scene {
+  std::string name, reason;
+  std::string source;   ///< what messages call it
+  Model<double> model;  ///< its gravity and armature are nobody's: effects set them
+  VectorX<double> q, v;
+  Surroundings around;
+  std::vector<Request> effects;  ///< and actuations, in the order in which they are added
+  std::string integrator;
+  MethodOptions options;
+  Span span;
+  std::vector<Request> observers;
+  std::string truth;  ///< the closed form that this motion has, by name, or empty
+  std::string csv, json;
+};
+
+/// The effects for a robot in S: the scene's model, cast.
+template <Scalar S>
+Effects<S> makeEffects(const Scene& scene, const Model<S>& model) {
+  Effects<S> all;
+  for (const Request& r : scene.effects) all.push_back(makeEffect<S>(r, model, scene.around));
+  return all;
+}
+
+/// One body and nothing that only a tree has?
+inline bool isLoneBody(const Scene& scene) {
+  return LoneBody<double>::fits(scene.model);
+}
+
+/// The system in S. Sys is LoneBody<S>, where isLoneBody, or Tree<S>.
+template <System Sys>
+Sys makeSystem(const Scene& scene) {
+  const auto model = scene.model.template cast<typename Sys::Scalar>();
+  return Sys(model, makeEffects(scene, model));
+}
+template <System Sys>
+State<Sys> startOf(const Scene& scene, const Sys& system) {
+  using S = typename Sys::Scalar;
+  return State<Sys>(system, scene.q.cast<S>(), scene.v.cast<S>());
+}
+
+}  // namespace liecheck::scene

@@ -1,0 +1,128 @@
+#pragma once
+// Named hard cases: initial states that break what is only nearly right. Of a robot whose joint 1 is a free-flyer or a
+// ball and carries one body.
+
+#include <Eigen/Eigenvalues>
+#include <liecheck/multibody/configuration.hpp>
+#include <liecheck/scene/parameters.hpp>
+
+namespace liecheck::scene {
+
+struct StartEntry {
+  PartInfo info;
+  /// Sets q and v. Throws std::invalid_argument where it does not fit the robot.
+  void (*set)(const Parameters&, const Model<double>&, VectorX<double>& q, VectorX<double>& v);
+};
+
+namespace starts_detail {
+
+/// The first quaternion of q and the first angular velocity of v, of joint 1.
+struct Turning {
+  int q, v;
+};
+inline Turning turning(const Model<double>& model, const char* name) {
+  if (model.njoints == 2 && std::holds_alternative<FreeFlyer<double>>(model.joints[1])) return {3, 3};
+  if (model.njoints == 2 && std::holds_alternative<Spherical<double>>(model.joints[1])) return {0, 0};
+  throw std::invalid_argument(std::string("start '") + name +
+                              "' is of one body on a free_flyer or spherical root: this robot is another");
+}
+/// Principal axes of inertia about the joint's centre of turning, as columns, moments growing; exact where diagonal.
+inline Matrix3<double> principalAxes(const Model<double>& model, bool about_origin) {
+  const Inertia<double>& I = model.inertias[1];
+  const Matrix3<double> J = about_origin ? I.inertiaAboutOrigin() : I.inertia();
+  if (J.isDiagonal(0)) {
+    std::array<int, 3> order{0, 1, 2};
+    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return J(a, a) < J(b, b); });
+    Matrix3<double> axes = Matrix3<double>::Zero();
+    for (int i = 0; i < 3; ++i) axes(order[std::size_t(i)], i) = 1;
+    return axes;
+  }
+  return Eigen::SelfAdjointEigenSolver<Matrix3<double>>(J).eigenvectors();
+}
+template <int AXIS>
+void spin(const Parameters& p, const Model<double>& model, VectorX<double>&, VectorX<double>& v) {
+  const Turning at = turning(model, AXIS == 0 ? "minor_spin" : AXIS == 1 ? "dzhanibekov" : "major_spin");
+  const Matrix3<double> axes = principalAxes(model, at.q == 0);
+  Vector3<double> omega = Vector3<double>::Zero();
+  omega[AXIS] = 1;
+  omega[AXIS == 1 ? 0 : 1] = p.number("perturbation");
+  const Vector3<double> in_body = p.number("rate") * (axes * omega);
+  v.segment<3>(at.v) = in_body;
+  if (at.q == 3)  // about the centre of mass, which rests
+    v.head<3>() = -cross<double>(in_body, model.inertias[1].lever());
+}
+/// R = R_x(angle).
+inline void tilt(VectorX<double>& q, const Turning& at, double angle) {
+  q.segment<4>(at.q) << std::sin(angle / 2), 0, 0, std::cos(angle / 2);
+}
+inline void top(const Parameters& p, const Model<double>& model, const char* name, Turning& at, double& I1,
+                double& I3, double& mgl) {
+  at = turning(model, name);
+  const Inertia<double>& I = model.inertias[1];
+  const Matrix3<double> J = I.inertiaAboutOrigin();
+  if (at.q != 0 || !J.isDiagonal(0) || J(0, 0) != J(1, 1) || I.lever()[0] != 0 || I.lever()[1] != 0)
+    throw std::invalid_argument(std::string("start '") + name +
+                                "' is of a top on a spherical root, symmetric about its z axis");
+  I1 = J(0, 0), I3 = J(2, 2), mgl = I.mass() * p.number("gravity") * I.lever()[2];
+}
+inline void sleeping(const Parameters& p, const Model<double>& model, VectorX<double>& q,
+                     VectorX<double>& v) {
+  Turning at;
+  double I1, I3, mgl;
+  top(p, model, "sleeping_top", at, I1, I3, mgl);
+  tilt(q, at, p.number("tilt"));
+  v.segment<3>(at.v) << 0, 0, p.number("rate");
+}
+/// Steady precession: I1 cos(theta) s^2 - I3 omega_3 s + m g l = 0 for its rate s (Goldstein 1980, eq. 5-73).
+inline void precessing(const Parameters& p, const Model<double>& model, VectorX<double>& q,
+                       VectorX<double>& v) {
+  Turning at;
+  double I1, I3, mgl;
+  top(p, model, "precessing_top", at, I1, I3, mgl);
+  const double theta = p.number("nutation"), rate = p.number("rate"), b = I3 * rate, a = I1 * std::cos(theta);
+  const double root = b * b - 4 * a * mgl;
+  if (!(root >= 0) || b == 0)
+    throw std::invalid_argument("a top this slow does not precess steadily: rate is at least " +
+                                std::to_string(std::sqrt(4 * std::abs(a * mgl)) / I3) + " rad/s");
+  const double sum = b + std::copysign(std::sqrt(root), b);  // the larger root first: no cancellation
+  const double s = p.word("branch") == "slow" || a == 0 ? 2 * mgl / sum : sum / (2 * a);
+  tilt(q, at, theta);
+  v.segment<3>(at.v) << 0, s * std::sin(theta), rate;
+}
+
+}  // namespace starts_detail
+
+inline const std::vector<StartEntry>& startEntries() {
+  using namespace starts_detail;
+  static const std::vector<Key> spinning = {
+      {"rate", Kind::Number, "rad/s", "1", "about the axis"},
+      {"perturbation", Kind::Number, "1", "0",
+       "of the spin about the middle axis, for dzhanibekov about that of the smallest moment, over rate"}};
+  static const std::vector<StartEntry> all = {
+      {{"major_spin", "about the axis of the largest moment: stable", "", "", spinning}, spin<2>},
+      {{"minor_spin", "about the axis of the smallest moment: stable", "", "", spinning}, spin<0>},
+      {{"dzhanibekov",
+        "about the axis of the middle moment: it turns over, after a time that grows as log(1/perturbation)",
+        "", "", spinning},
+       spin<1>},
+      {{"sleeping_top",
+        "upright, or nearly",
+        "",
+        "",
+        {{"rate", Kind::Number, "rad/s", nullptr, "about its axis"},
+         {"tilt", Kind::Number, "rad", "0", "from the vertical"},
+         {"gravity", Kind::Positive, "m/s^2", "9.81", "the same as that of the effect"}}},
+       sleeping},
+      {{"precessing_top",
+        "steady precession without nutation",
+        "",
+        "",
+        {{"rate", Kind::Number, "rad/s", nullptr, "omega_3: of the body about its axis"},
+         {"nutation", Kind::Number, "rad", nullptr, "from the vertical"},
+         {"branch", Kind::Choice, "slow|fast", "slow", "of the two precessions"},
+         {"gravity", Kind::Positive, "m/s^2", "9.81", "the same as that of the effect"}}},
+       precessing}};
+  return all;
+}
+
+}  // namespace liecheck::scene

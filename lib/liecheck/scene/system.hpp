@@ -1,0 +1,48 @@
+#pragma once
+// What moves: configurations on a Lie group, velocities in its tangent space, and a law that gives accelerations.
+//
+//   q(t) = integrate(q0, delta),  delta_dot = J_r^-1(delta) v,  v_dot = acceleration(t, q, v)
+//
+// Integrators know nothing else of a robot. The two systems are LoneBody (fixed sizes) and Tree.
+
+#include <liecheck/spatial/types.hpp>
+
+namespace liecheck::scene {
+
+/// Every function writes into a vector that has the right size already, so that a step allocates nothing.
+/// - acceleration: v_dot [nv], the law of motion with all effects;
+/// - integrate: q exp(delta) joint by joint;
+/// - accumulate: the same in place, with what rounding leaves over (accumulate.hpp);
+/// - tangentRate: J_r^-1(delta) v;
+/// - coefficientRate, normalize: q_dot of the stored numbers, and their repair, for the practice of integrating those.
+template <class X>
+concept System = Scalar<typename X::Scalar> &&
+    requires(X& x, const X& c, const typename X::Scalar& t, const typename X::Configuration& q,
+             const typename X::Tangent& v, typename X::Configuration& q_out, typename X::Tangent& v_out) {
+  { c.nq() } -> std::same_as<int>;
+  { c.nv() } -> std::same_as<int>;
+  x.acceleration(t, q, v, v_out);
+  c.integrate(q, v, q_out);
+  c.accumulate(q_out, v_out, v);
+  c.tangentRate(v, v, v_out);
+  c.coefficientRate(q, v, q_out);
+  c.normalize(q_out);
+};
+
+/// A moment of the motion: t [s], q [nq], v [nv], and what rounding left over of q and v (zero unless a method
+/// accumulates it).
+template <class System>
+struct State {
+  using S = typename System::Scalar;
+  S t = S(0);
+  typename System::Configuration q;
+  typename System::Tangent v, q_low, v_low;
+
+  State(const System& system, const typename System::Configuration& q, const typename System::Tangent& v)
+      : q(q), v(v), q_low(v), v_low(v) {
+    static_cast<void>(system);
+    q_low.setZero(), v_low.setZero();
+  }
+};
+
+}  // namespace liecheck::scene

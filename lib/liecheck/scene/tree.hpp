@@ -1,0 +1,114 @@
+#pragma once
+// Any robot: articulated bodies (aba.hpp), with the poses and velocities that its effects read and no others.
+
+#include <liecheck/algorithms/aba.hpp>
+#include <liecheck/scene/accumulate.hpp>
+#include <liecheck/scene/effects/effect.hpp>
+#include <liecheck/scene/system.hpp>
+#include <liecheck/scene/tangent_rate.hpp>
+
+namespace liecheck::scene {
+
+template <Scalar S>
+class Tree {
+ public:
+  using Scalar = S;
+  using Configuration = VectorX<S>;
+  using Tangent = VectorX<S>;
+
+  explicit Tree(const Model<S>& robot, Effects<S> effects = {})
+      : model_(robot), data_(robot, robot.has_mimics ? Dense::Mass : Dense::None) {
+    model_.gravity.setZero(), model_.armature.setZero();
+    for (const auto& e : effects) {
+      e->prepare(model_);
+      if (e->acts() == Acts::OnModel) continue;
+      if (e->needs() > needs_) needs_ = e->needs();
+      if (e->acts() == Acts::OnBodies) bodies_ = true;
+      effects_.push_back(e);
+    }
+    tau_ = VectorX<S>::Zero(model_.nv);
+    f_.assign(std::size_t(model_.njoints), Force<S>::Zero());
+  }
+
+  int nq() const { return model_.nq; }
+  int nv() const { return model_.nv; }
+  const Model<S>& model() const { return model_; }
+  const Effects<S>& effects() const { return effects_; }  ///< without those that act on the model
+  Kinematics needs() const { return needs_; }
+
+  void acceleration(const S& t, const Configuration& q, const Tangent& v, Tangent& a) {
+    if (!effects_.empty()) load(t, q, v);
+    equations(q, v, a);
+  }
+  /// Adds up the forces of all effects.
+  void load(const S& t, const Configuration& q, const Tangent& v) {
+    const Now<S> now = here(t, q, v, needs_);
+    tau_.setZero();
+    if (bodies_) f_.assign(f_.size(), Force<S>::Zero());
+    for (const auto& e : effects_) e->add(now, {{tau_.data(), std::size_t(tau_.size())}, f_});
+  }
+  /// v_dot under the forces that were added up last.
+  void equations(const Configuration& q, const Tangent& v, Tangent& a) {
+    a = aba(model_, data_, q, v, tau_, bodies_ ? External<S>(f_) : External<S>());
+  }
+
+  void integrate(const Configuration& q, const Tangent& delta, Configuration& result) const {
+    multibody_detail::forEachJoint(model_, [&](const auto& place) {
+      place.configuration(result) = place.joint.integrate(place.configuration(q), place.tangent(delta));
+    });
+  }
+  void accumulate(Configuration& q, Tangent& low, const Tangent& delta) const {
+    multibody_detail::forEachJoint(model_, [&]<class P>(const P& place) {
+      auto x = std::as_const(place).configuration(std::as_const(q));
+      auto rest = std::as_const(place).tangent(std::as_const(low));
+      accumulateOf<S>(place.joint, x, rest, place.tangent(delta));
+      place.configuration(q) = x, place.tangent(low) = rest;
+    });
+  }
+  void tangentRate(const Tangent& delta, const Tangent& v, Tangent& rate) const {
+    multibody_detail::forEachJoint(model_, [&](const auto& place) {
+      place.tangent(rate) = tangentRateOf<S>(place.joint, place.tangent(delta), place.tangent(v));
+    });
+  }
+  void coefficientRate(const Configuration& q, const Tangent& v, Configuration& rate) const {
+    multibody_detail::forEachJoint(model_, [&](const auto& place) {
+      place.configuration(rate) =
+          place.joint.integrateCoeffWiseJacobian(place.configuration(q)) * place.tangent(v);
+    });
+  }
+  void normalize(Configuration& q) const {
+    multibody_detail::forEachJoint(model_, [&](const auto& place) {
+      const auto segment = std::as_const(place).configuration(std::as_const(q));
+      place.configuration(q) = place.joint.normalized(segment);
+    });
+  }
+
+  /// What effects and observers see of a state; accelerations where a = v_dot is given. Valid until the next call.
+  Now<S> here(const S& t, const Configuration& q, const Tangent& v, Kinematics kinematics,
+              const Tangent* a = nullptr) {
+    if (a)
+      forwardKinematics(model_, data_, q, v, *a);
+    else if (kinematics == Kinematics::Poses)
+      forwardKinematics(model_, data_, q);
+    else if (kinematics == Kinematics::Velocities)
+      forwardKinematics(model_, data_, q, v);
+    const auto size = [](const auto& x) { return std::size_t(x.size()); };
+    Now<S> now{t, {q.data(), size(q)}, {v.data(), size(v)}, {}, {}, {}};
+    if (kinematics != Kinematics::None) now.X_WJ = data_.oMi();
+    if (kinematics >= Kinematics::Velocities) now.V = data_.v();
+    if (a) now.A = data_.a();
+    return now;
+  }
+  Data<S>& data() { return data_; }
+
+ private:
+  Model<S> model_;
+  Data<S> data_;
+  Effects<S> effects_;
+  Kinematics needs_ = Kinematics::None;
+  bool bodies_ = false;
+  VectorX<S> tau_;
+  std::vector<Force<S>> f_;
+};
+
+}  // namespace liecheck::scene

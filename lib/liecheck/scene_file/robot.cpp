@@ -1,0 +1,224 @@
+#include <liecheck/scene_file/robot.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <liecheck/scene/bodies.hpp>
+#include <liecheck/scene/starts.hpp>
+#include <liecheck/urdf/urdf.hpp>
+
+namespace liecheck::scene_file_detail {
+namespace {
+
+using scene::Key;
+using scene::Kind;
+using V3 = Vector3<double>;
+
+const std::vector<Key>& rootKeys() {
+  static const std::vector<Key> keys = {
+      {"root", Kind::Choice, "free_flyer|fixed|spherical|planar|translation|revolute|continuous|prismatic",
+       "free_flyer", "the joint between the world and the robot"},
+      {"axis", Kind::Vector, "1", "[0, 0, 1]", "of a revolute, continuous or prismatic root"}};
+  return keys;
+}
+
+std::optional<Joint<double>> rootJoint(const scene::Parameters& p) {
+  const std::string& kind = p.word("root");
+  const auto& a = p.numbers("axis");
+  const auto axis = [&] { return Axis<double>(V3(a[0], a[1], a[2])); };
+  if (kind == "free_flyer") return FreeFlyer<double>();
+  if (kind == "spherical") return Spherical<double>();
+  if (kind == "planar") return Planar<double>();
+  if (kind == "translation") return Translation<double>();
+  if (kind == "revolute") return Revolute<double>(axis());
+  if (kind == "continuous") return Continuous<double>(axis());
+  if (kind == "prismatic") return Prismatic<double>(axis());
+  return std::nullopt;
+}
+
+Model<double> fromUrdf(const Text& text, const YAML::Node& robot, const std::string& folder) {
+  std::vector<Key> keys = rootKeys();
+  const auto p = text.parameters(robot, Text::lineOf(robot), "robot", keys, nullptr, {"urdf"});
+  const int line = Text::lineOf(robot["urdf"]);
+  const std::string given = text.word(robot["urdf"], "robot.urdf");
+  const std::filesystem::path path = std::filesystem::path(given).is_absolute()
+                                         ? std::filesystem::path(given)
+                                         : std::filesystem::path(folder) / given;
+  UrdfOptions options;
+  options.root_joint = text.at(line, [&] { return rootJoint(p); });
+  try {
+    return loadUrdf(path.lexically_normal().string(), options).model;
+  } catch (const UrdfError& e) {
+    text.refuse(line, std::string("robot.urdf: ") + e.what());
+  } catch (const std::invalid_argument& e) {
+    text.refuse(line, std::string("robot.urdf: ") + e.what());
+  }
+}
+
+Model<double> fromBody(const Text& text, const YAML::Node& robot) {
+  const std::string kind = text.word(robot["body"], "robot.body");
+  std::vector<std::string> names;
+  for (const scene::BodyEntry& body : scene::bodyEntries()) {
+    names.emplace_back(body.info.name);
+    if (kind != body.info.name) continue;
+    std::vector<Key> keys = body.info.keys;
+    keys.insert(keys.end(), rootKeys().begin(), rootKeys().end());
+    const int line = Text::lineOf(robot);
+    const auto p = text.parameters(robot, line, "robot", keys, nullptr, {"body"});
+    const auto inertia = text.at(line, [&] { return scene::inertiaOf(body, p); });
+    const auto joint = text.at(line, [&] { return rootJoint(p); });
+    Model<double> model;
+    model.name = kind;
+    if (!joint) text.refuse(line, "a body on a fixed root cannot move: take another root");
+    const int index = model.addJoint(0, *joint, SE3<double>::Identity(), "root_joint");
+    model.addJointFrame(index);
+    model.addBodyFrame("body", index);
+    model.appendBodyToJoint(index, inertia);
+    return model;
+  }
+  text.refuse(robot["body"], "no built-in body is named '" + kind + "'" + nearest(kind, names));
+}
+
+/// Frames of the scene's own, fixed to frames of the robot.
+void addFrames(const Text& text, const YAML::Node& frames, Model<double>& model) {
+  if (!frames.IsDefined() || frames.IsNull()) return;
+  if (!frames.IsSequence()) text.refuse(frames, "frames is a list of {name, on, position, attitude}");
+  static const std::vector<Key> keys = {
+      {"on", Kind::Frame, "", nullptr, "a frame of the robot"},
+      {"position", Kind::Vector, "m", "[0, 0, 0]", "in that frame"},
+      {"attitude", Kind::Vector, "rad", "[0, 0, 0]", "rotation vector, in that frame"}};
+  for (const auto& node : frames) {
+    const int line = Text::lineOf(node);
+    const auto p = text.parameters(node, line, "a frame", keys, &model, {"name"});
+    if (!node.IsMap() || !node["name"].IsDefined()) text.refuse(line, "a frame needs 'name'");
+    const int on = model.requireFrameId(p.word("on"));
+    const Frame<double> base = model.frames[std::size_t(on)];
+    const auto &x = p.numbers("position"), &phi = p.numbers("attitude");
+    const SE3<double> X(exp3<double>(V3(phi[0], phi[1], phi[2])), V3(x[0], x[1], x[2]));
+    const std::string name = text.word(node["name"], "a frame's name");
+    if (model.existFrame(name))
+      text.refuse(node["name"], "the robot has a frame '" + name + "' already: take another name");
+    text.at(line, [&] {
+      return model.addFrame({name, base.parentJoint, on, base.placement * X, FrameType::OP_FRAME});
+    });
+  }
+}
+
+/// The numbers of one joint's position or velocity: one, or a list of its own length.
+std::vector<double> jointNumbers(const Text& text, const YAML::Node& node, const std::string& what, int count,
+                                 const char* unit) {
+  if (count == 1 && node.IsScalar()) return {text.number(node, what, unit)};
+  return text.numbers(node, what, unit, count);
+}
+
+void readJoints(const Text& text, const YAML::Node& initial, scene::Scene& scene, const char* key,
+                bool velocity) {
+  const YAML::Node joints = initial[key];
+  if (!joints.IsDefined() || joints.IsNull()) return;
+  if (!joints.IsMap()) text.refuse(joints, std::string("initial.") + key + " is a map of joints and numbers");
+  text.checkKeys(joints, std::string("initial.") + key, scene.model.names);
+  for (const auto& entry : joints) {
+    const std::string name = entry.first.Scalar();
+    const std::size_t i = std::size_t(scene.model.requireJointId(name));
+    const Model<double>& m = scene.model;
+    const bool angle = !velocity && m.nqs[i] == 2;
+    const int count = velocity ? m.nvs[i] : angle ? 1 : m.nqs[i];
+    if (i == 0 || count == 0) text.refuse(entry.first, "joint '" + name + "' has no numbers of its own");
+    const auto x = jointNumbers(text, entry.second, std::string("initial.") + key + "." + name, count,
+                                velocity ? "rad/s|m/s" : "rad|m");
+    if (angle) {
+      scene.q.segment<2>(m.idx_qs[i]) << std::cos(x[0]), std::sin(x[0]);
+    } else {
+      auto& target = velocity ? scene.v : scene.q;
+      for (int k = 0; k < count; ++k) target[(velocity ? m.idx_vs[i] : m.idx_qs[i]) + k] = x[std::size_t(k)];
+    }
+  }
+}
+
+/// Position, attitude and velocities of the root, joint 1.
+void readRoot(const Text& text, const YAML::Node& initial, scene::Scene& scene) {
+  const Model<double>& m = scene.model;
+  const bool flyer = m.njoints > 1 && std::holds_alternative<FreeFlyer<double>>(m.joints[1]),
+             ball = m.njoints > 1 && std::holds_alternative<Spherical<double>>(m.joints[1]);
+  const auto vector = [&](const char* key, const char* unit, bool fits, auto set) {
+    const YAML::Node node = initial[key];
+    if (!node.IsDefined()) return;
+    if (!fits)
+      text.refuse(
+          node,
+          std::string("initial.") + key + " is of a robot whose root is free_flyer" +
+              (std::string(key) == "position" || std::string(key) == "velocity" ? "" : " or spherical") +
+              ": name joints instead");
+    const auto x = text.numbers(node, std::string("initial.") + key, unit, 3);
+    set(V3(x[0], x[1], x[2]));
+  };
+  const int at = flyer ? 3 : 0;
+  vector("position", "m", flyer, [&](const V3& x) { scene.q.head<3>() = x; });
+  vector("velocity", "m/s", flyer, [&](const V3& x) { scene.v.head<3>() = x; });
+  vector("angular_velocity", "rad/s", flyer || ball, [&](const V3& x) { scene.v.segment<3>(at) = x; });
+  vector("attitude", "rad", flyer || ball,
+         [&](const V3& x) { scene.q.segment<4>(at) = quaternion::exp3<double>(x).normalized().to_vector(); });
+  if (const YAML::Node node = initial["quaternion"]; node.IsDefined()) {
+    if (!(flyer || ball))
+      text.refuse(node, "initial.quaternion is of a robot whose root is free_flyer or spherical");
+    if (initial["attitude"].IsDefined())
+      text.refuse(node, "initial has an attitude and a quaternion: keep one");
+    const auto x = text.numbers(node, "initial.quaternion", "1", 4);
+    const Vector4<double> Q(x[0], x[1], x[2], x[3]);
+    if (Q.isZero(0)) text.refuse(node, "initial.quaternion is zero, which is no rotation");
+    scene.q.segment<4>(at) = SO3<double>(Q).normalized().to_vector();
+  }
+}
+
+}  // namespace
+
+void readRobot(const Text& text, const YAML::Node& root, const std::string& folder, scene::Scene& scene) {
+  const YAML::Node robot = root["robot"];
+  if (!robot.IsDefined())
+    text.refuse(0, "the scene needs 'robot': {body: box, size: [1, 1, 1]} or {urdf: FILE}");
+  if (!robot.IsMap()) text.refuse(robot, "robot is a map: {body: box, size: [1, 1, 1]} or {urdf: FILE}");
+  if (robot["urdf"].IsDefined() == robot["body"].IsDefined())
+    text.refuse(robot, "robot needs one of 'urdf' and 'body'");
+  scene.model = robot["urdf"].IsDefined() ? fromUrdf(text, robot, folder) : fromBody(text, robot);
+  if (scene.model.nv == 0) text.refuse(robot, "the robot has no joint that moves");
+  addFrames(text, root["frames"], scene.model);
+  scene.q = neutral(scene.model);
+  scene.v = VectorX<double>::Zero(scene.model.nv);
+}
+
+void readStart(const Text& text, const YAML::Node& initial, scene::Scene& scene) {
+  if (!initial.IsDefined() || initial.IsNull()) return;
+  if (!initial.IsMap())
+    text.refuse(initial,
+                "initial is a map: {start: dzhanibekov, rate: 1 rad/s} or {angular_velocity: [0, 0, 1]}");
+  static const std::vector<std::string> own = {"position",         "attitude", "quaternion",      "velocity",
+                                               "angular_velocity", "joints",   "joint_velocities"};
+  if (!initial["start"].IsDefined()) {
+    std::vector<std::string> known = own;
+    known.emplace_back("start");
+    text.checkKeys(initial, "initial", known);
+  }
+  readRoot(text, initial, scene);
+  readJoints(text, initial, scene, "joints", false);
+  readJoints(text, initial, scene, "joint_velocities", true);
+  const YAML::Node start = initial["start"];
+  if (start.IsDefined()) {
+    const std::string name = text.word(start, "initial.start");
+    std::vector<std::string> names;
+    bool found = false;
+    for (const scene::StartEntry& entry : scene::startEntries()) {
+      names.emplace_back(entry.info.name);
+      if (name != entry.info.name) continue;
+      std::vector<std::string> others = own;
+      others.emplace_back("start");
+      const auto p =
+          text.parameters(initial, Text::lineOf(start), "initial", entry.info.keys, &scene.model, others);
+      text.at(Text::lineOf(start), [&] { entry.set(p, scene.model, scene.q, scene.v); });
+      found = true;
+    }
+    if (!found) text.refuse(start, "no start is named '" + name + "'" + nearest(name, names));
+  }
+  text.at(Text::lineOf(initial), [&] { scene.q = normalized(scene.model, scene.q); });
+  if (!scene.v.allFinite()) text.refuse(initial, "the initial velocity is not finite");
+}
+
+}  // namespace liecheck::scene_file_detail

@@ -1,0 +1,217 @@
+#include <liecheck/scene_file/scene_file.hpp>
+
+#include <cmath>
+#include <filesystem>
+#include <liecheck/scene/run.hpp>
+#include <liecheck/scene_file/robot.hpp>
+#include <liecheck/scene_file/values.hpp>
+#include <liecheck/urdf/urdf.hpp>
+
+namespace liecheck {
+
+SceneError::SceneError(const std::string& file, int line, const std::string& what)
+    : std::runtime_error(file + (line > 0 ? ":" + std::to_string(line) : "") + ": " + what),
+      file_(file),
+      line_(line) {}
+
+namespace scene_file_detail {
+namespace {
+
+using scene::Kind;
+using scene::PartInfo;
+using scene::Request;
+using scene::Scene;
+
+/// An item of a list of parts: a word, or one word with its keys.
+Request request(const Text& text, const YAML::Node& node, const std::string& what,
+                const std::vector<const PartInfo*>& known, const Model<double>& model) {
+  std::string name;
+  YAML::Node keys;
+  int line = Text::lineOf(node);
+  if (node.IsMap()) {
+    if (node.size() != 1)
+      text.refuse(node, "an item of " + what +
+                            " is a name, or a name with its keys: - name: {key: value}; this one has " +
+                            std::to_string(node.size()) + " names");
+    name = text.word(node.begin()->first, "a name in " + what);
+    line = Text::lineOf(node.begin()->first);
+    keys = node.begin()->second;
+  } else {
+    name = text.word(node, "an item of " + what);
+  }
+  std::vector<std::string> names;
+  for (const PartInfo* info : known) {
+    if (name == info->name) return {name, text.parameters(keys, line, name, info->keys, &model), line};
+    names.emplace_back(info->name);
+  }
+  text.refuse(line, "'" + name + "' is not known in " + what + nearest(name, names));
+}
+
+std::vector<Request> requests(const Text& text, const YAML::Node& node, const std::string& what,
+                              const std::vector<const PartInfo*>& known, const Model<double>& model) {
+  std::vector<Request> all;
+  if (!node.IsDefined() || node.IsNull() || (node.IsScalar() && node.Scalar() == "none")) return all;
+  if (!node.IsSequence())
+    text.refuse(node, what + " is a list, as '- energy' on lines of their own, or [energy]");
+  for (const auto& item : node) all.push_back(request(text, item, what, known, model));
+  return all;
+}
+
+template <class Entries>
+std::vector<const PartInfo*> infos(const Entries& entries) {
+  std::vector<const PartInfo*> all;
+  for (const auto& e : entries) {
+    if constexpr (requires { e.info->name; })
+      all.push_back(e.info);
+    else
+      all.push_back(&e.info);
+  }
+  return all;
+}
+
+/// Which method, in which steps, how long, and how often it is watched.
+void readTime(const Text& text, const YAML::Node& root, Scene& scene) {
+  const YAML::Node method = root["integrator"], duration = root["duration"], output = root["output"];
+  if (!method.IsDefined()) text.refuse(0, "the scene needs 'integrator': {name: rkmk4, step: 1 ms}");
+  if (!duration.IsDefined()) text.refuse(0, "the scene needs 'duration': 10 s");
+  text.checkKeys(method, "integrator", {"name", "step", "tolerance"});
+  if (!method["name"].IsDefined()) text.refuse(method, "integrator needs 'name', such as rkmk4");
+  scene.integrator = text.word(method["name"], "integrator.name");
+  const scene::MethodInfo& info = text.at(Text::lineOf(method["name"]), [&]() -> const scene::MethodInfo& {
+    return scene::methodInfo(scene.integrator);
+  });
+  if (info.lone_body_only && !isLoneBody(scene))
+    text.refuse(method["name"], "integrator '" + scene.integrator +
+                                    "' is of one body on a free_flyer root: take implicit_midpoint");
+  if (method["tolerance"].IsDefined()) {
+    if (!info.adaptive)
+      text.refuse(method["tolerance"], "integrator '" + scene.integrator + "' takes a step, not a tolerance");
+    scene.options.tolerance = text.number(method["tolerance"], "integrator.tolerance", "1", Kind::Positive);
+    if (scene.options.tolerance < 1e-15)
+      text.refuse(method["tolerance"], "integrator.tolerance is below 1e-15, which double cannot keep");
+  }
+  scene.span.duration = text.number(duration, "duration", "s", Kind::Positive);
+  double every = 0;
+  if (output.IsDefined() && !output.IsNull()) {
+    text.checkKeys(output, "output", {"every", "csv", "json"});
+    if (output["every"].IsDefined())
+      every = text.number(output["every"], "output.every", "s", Kind::Positive);
+    if (output["csv"].IsDefined()) scene.csv = text.word(output["csv"], "output.csv");
+    if (output["json"].IsDefined()) scene.json = text.word(output["json"], "output.json");
+  }
+  const auto whole = [&](const YAML::Node& node, double length, double part, const std::string& says) {
+    const double count = std::round(length / part);
+    if (!(count >= 1) || std::abs(count * part - length) > 1e-9 * length)
+      text.refuse(node, says + ": it fits " + std::to_string(length / part) + " times");
+    if (count > 1e15) text.refuse(node, says + ": more than 1e15 of them");
+    return long(count);
+  };
+  if (method["step"].IsDefined()) {
+    const double step = text.number(method["step"], "integrator.step", "s", Kind::Positive);
+    scene.span.steps =
+        whole(method["step"], scene.span.duration, step, "duration is not a whole number of integrator.step");
+    scene.span.every = every > 0 ? whole(output["every"], every, step,
+                                         "output.every is not a whole number of integrator.step")
+                                 : std::max(1L, scene.span.steps / 1000);
+  } else if (info.adaptive) {
+    scene.span.steps = every > 0 ? whole(output["every"], scene.span.duration, every,
+                                         "duration is not a whole number of output.every")
+                                 : 1000;
+  } else {
+    text.refuse(method, "integrator '" + scene.integrator + "' needs 'step', such as 1 ms");
+  }
+}
+
+/// Could it run? What a part says against this robot is told with its line.
+void checkParts(const Text& text, const YAML::Node& root, const Scene& scene) {
+  for (const Request& r : scene.effects)
+    text.at(r.line, [&] { return scene::makeEffect<double>(r, scene.model, scene.around); });
+  text.at(Text::lineOf(root["robot"]), [&] {
+    return isLoneBody(scene) ? (scene::makeSystem<scene::LoneBody<double>>(scene), 0)
+                             : (scene::makeSystem<scene::Tree<double>>(scene), 0);
+  });
+  for (const Request& r : scene.observers) {
+    for (const scene::Key& key :
+         {scene::Key{"seed", Kind::NotNegative, "", "", ""}, {"refinement", Kind::Positive, "", "", ""}})
+      if (r.parameters.has(key.name)) {
+        const double x = r.parameters.number(key.name);
+        if (x != std::floor(x) || x > 9e15)
+          text.refuse(r.line, r.name + "." + key.name + " is no whole number up to 9e15");
+      }
+    Scene one = scene;
+    one.observers = {r};
+    const double columns = double(text.at(r.line, [&] { return scene::columnsOf(one); }).size());
+    const double samples = double(scene.span.steps) / double(scene.span.every) + 2;
+    if (samples * columns > max_scene_numbers)
+      text.refuse(r.line, "observer '" + r.name + "' would keep " + std::to_string(samples * columns) +
+                              " numbers: give output a larger 'every'");
+  }
+}
+
+Scene read(const Text& text, const std::string& content, const std::string& folder) {
+  if (content.size() > max_scene_bytes)
+    text.refuse(0, "is longer than a scene may be: " + std::to_string(max_scene_bytes) + " bytes");
+  if (content.find('\0') != std::string::npos) text.refuse(0, "is no text: it holds a zero byte");
+  YAML::Node root;
+  try {
+    const auto documents = YAML::LoadAll(content);
+    if (documents.size() > 1)
+      text.refuse(Text::lineOf(documents[1]), "holds several documents: a scene is one");
+    if (!documents.empty()) root = documents[0];
+  } catch (const YAML::Exception& e) {
+    text.refuse(e.mark.is_null() ? 0 : e.mark.line + 1, "is no YAML: " + e.msg);
+  }
+  if (!root.IsMap())
+    text.refuse(0, "is no scene: it has no keys such as 'robot: {body: box, size: [1, 1, 1]}'");
+  text.checkKeys(root, "the scene",
+                 {"scene", "reason", "robot", "frames", "ground", "initial", "effects", "actuation",
+                  "integrator", "duration", "observers", "output", "truth"});
+  Scene scene;
+  scene.source = text.file();
+  scene.name = root["scene"].IsDefined() ? text.word(root["scene"], "scene")
+                                         : std::filesystem::path(text.file()).stem().string();
+  if (root["reason"].IsDefined()) scene.reason = text.word(root["reason"], "reason");
+  if (root["truth"].IsDefined()) scene.truth = text.word(root["truth"], "truth");
+  readRobot(text, root, folder, scene);
+  if (const YAML::Node ground = root["ground"]; ground.IsDefined() && !ground.IsNull()) {
+    text.checkKeys(ground, "ground", {"height"});
+    scene.around.ground = true;
+    if (ground["height"].IsDefined())
+      scene.around.height = text.number(ground["height"], "ground.height", "m");
+  }
+  readStart(text, root["initial"], scene);
+  scene.effects =
+      requests(text, root["effects"], "effects", infos(scene::effectEntries<double>()), scene.model);
+  for (Request& r :
+       requests(text, root["actuation"], "actuation", infos(scene::actuationEntries<double>()), scene.model))
+    scene.effects.push_back(std::move(r));
+  scene.observers = requests(text, root["observers"], "observers", scene::observerInfos(), scene.model);
+  readTime(text, root, scene);
+  checkParts(text, root, scene);
+  return scene;
+}
+
+}  // namespace
+}  // namespace scene_file_detail
+
+scene::Scene loadSceneText(const std::string& text, const std::string& source_name,
+                           const std::string& folder) {
+  try {
+    return scene_file_detail::read(scene_file_detail::Text(source_name), text, folder);
+  } catch (const YAML::Exception& e) {  // of a conversion that the schema let through
+    throw SceneError(source_name, e.mark.is_null() ? 0 : e.mark.line + 1, e.msg);
+  }
+}
+
+scene::Scene loadScene(const std::string& path) {
+  std::string text;
+  try {
+    text = readUrdf(path);  // any text: a regular file or a pipe, read once
+  } catch (const UrdfError& e) {
+    throw SceneError(path, 0,
+                     std::string(e.what()).substr(std::min(path.size() + 2, std::string(e.what()).size())));
+  }
+  return loadSceneText(text, path, std::filesystem::path(path).parent_path().string());
+}
+
+}  // namespace liecheck

@@ -1,0 +1,129 @@
+#include <liecheck/scene_file/units.hpp>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <liecheck/multibody/nearest_names.hpp>
+#include <numbers>
+#include <stdexcept>
+#include <vector>
+
+namespace liecheck {
+namespace {
+
+/// Powers of m, kg, s, rad, doubled: sqrt(Hz) is s^(-1/2).
+using Dimension = std::array<int, 4>;
+struct Unit {
+  double factor = 1;
+  Dimension dimension{};
+};
+struct Symbol {
+  const char* name;
+  Unit unit;
+};
+
+const std::vector<Symbol>& symbols() {
+  constexpr double degree = std::numbers::pi / 180, turn = 2 * std::numbers::pi;
+  static const std::vector<Symbol> all = {{"m", {1, {2, 0, 0, 0}}},
+                                          {"km", {1e3, {2, 0, 0, 0}}},
+                                          {"cm", {1e-2, {2, 0, 0, 0}}},
+                                          {"mm", {1e-3, {2, 0, 0, 0}}},
+                                          {"um", {1e-6, {2, 0, 0, 0}}},
+                                          {"kg", {1, {0, 2, 0, 0}}},
+                                          {"g", {1e-3, {0, 2, 0, 0}}},
+                                          {"t", {1e3, {0, 2, 0, 0}}},
+                                          {"s", {1, {0, 0, 2, 0}}},
+                                          {"ms", {1e-3, {0, 0, 2, 0}}},
+                                          {"us", {1e-6, {0, 0, 2, 0}}},
+                                          {"min", {60, {0, 0, 2, 0}}},
+                                          {"h", {3600, {0, 0, 2, 0}}},
+                                          {"rad", {1, {0, 0, 0, 2}}},
+                                          {"mrad", {1e-3, {0, 0, 0, 2}}},
+                                          {"deg", {degree, {0, 0, 0, 2}}},
+                                          {"turn", {turn, {0, 0, 0, 2}}},
+                                          {"rpm", {turn / 60, {0, 0, -2, 2}}},
+                                          {"N", {1, {2, 2, -4, 0}}},
+                                          {"kN", {1e3, {2, 2, -4, 0}}},
+                                          {"mN", {1e-3, {2, 2, -4, 0}}},
+                                          {"Pa", {1, {-2, 2, -4, 0}}},
+                                          {"Hz", {1, {0, 0, -2, 0}}},
+                                          {"sqrt(Hz)", {1, {0, 0, -1, 0}}},
+                                          {"l", {1e-3, {6, 0, 0, 0}}},
+                                          {"%", {1e-2, {}}},
+                                          {"1", {1, {}}}};
+  return all;
+}
+
+Unit symbolNamed(const std::string& name, const std::string& text) {
+  std::vector<std::string> names;
+  for (const Symbol& s : symbols()) {
+    if (name == s.name) return s.unit;
+    names.emplace_back(s.name);
+  }
+  throw std::invalid_argument("unknown unit '" + name + "' in '" + text + "'" +
+                              multibody_detail::nearestNames(name, names));
+}
+
+Unit parseUnit(const std::string& text) {
+  Unit unit;
+  int sign = 1;
+  for (std::size_t i = 0; i < text.size();) {
+    if (text[i] == ' ') {
+      ++i;
+      continue;
+    }
+    if (text[i] == '/') {
+      sign = -1, ++i;
+      continue;
+    }
+    const std::size_t end = std::min(text.find_first_of(" /^", i), text.size());
+    const std::string name = text.substr(i, end - i);
+    const Unit symbol = symbolNamed(name, text);
+    int power = 1;
+    i = end;
+    if (i < text.size() && text[i] == '^') {
+      const auto [after, error] = std::from_chars(text.data() + i + 1, text.data() + text.size(), power);
+      if (error != std::errc() || power < -9 || power > 9 || power == 0)
+        throw std::invalid_argument("the power of '" + name + "' in unit '" + text +
+                                    "' is no number from -9 to 9");
+      i = std::size_t(after - text.data());
+      if (i < text.size() && text[i] != ' ' && text[i] != '/')
+        throw std::invalid_argument("unit '" + text + "' cannot be read after '" + text.substr(0, i) + "'");
+    }
+    unit.factor *= std::pow(symbol.factor, sign * power);
+    for (std::size_t k = 0; k < 4; ++k) unit.dimension[k] += sign * power * symbol.dimension[k];
+  }
+  return unit;
+}
+
+}  // namespace
+
+double parseQuantity(const std::string& text, const std::string& unit) {
+  double value = 0;
+  const char* begin = text.data();
+  const char* last = text.data() + text.size();
+  if (begin != last && *begin == '+') ++begin;
+  const auto [end, error] = std::from_chars(begin, last, value);
+  const std::string wanted = unit == "1" ? "a number" : "a number in " + unit;
+  if (error == std::errc::result_out_of_range)
+    throw std::invalid_argument("'" + text + "' is beyond the numbers that double has");
+  if (error != std::errc()) throw std::invalid_argument("'" + text + "' is not " + wanted);
+  std::string rest(end, last);
+  rest.erase(0, std::min(rest.find_first_not_of(' '), rest.size()));
+  if (!std::isfinite(value)) throw std::invalid_argument("'" + text + "' is not finite: write " + wanted);
+  if (rest.empty()) return value;
+  const Unit given = parseUnit(rest);
+  for (std::size_t at = 0; at <= unit.size();) {
+    const std::size_t bar = std::min(unit.find('|', at), unit.size());
+    if (given.dimension == parseUnit(unit.substr(at, bar - at)).dimension) {
+      value *= given.factor;
+      if (!std::isfinite(value))
+        throw std::invalid_argument("'" + text + "' is beyond the numbers that double has");
+      return value;
+    }
+    at = bar + 1;
+  }
+  throw std::invalid_argument("'" + rest + "' is no unit of this: write " + wanted);
+}
+
+}  // namespace liecheck

@@ -1,0 +1,177 @@
+#include <liecheck/scene_file/values.hpp>
+
+#include <algorithm>
+#include <liecheck/multibody/nearest_names.hpp>
+#include <liecheck/scene_file/scene_file.hpp>
+#include <liecheck/scene_file/units.hpp>
+#include <set>
+
+namespace liecheck::scene_file_detail {
+namespace {
+
+using scene::Key;
+using scene::Kind;
+using scene::Value;
+
+std::string kindOf(const YAML::Node& node) {
+  switch (node.Type()) {
+    case YAML::NodeType::Sequence:
+      return "a list";
+    case YAML::NodeType::Map:
+      return "a map";
+    case YAML::NodeType::Scalar:
+      return "'" + node.Scalar().substr(0, 60) + "'";
+    default:
+      return "nothing";
+  }
+}
+
+std::vector<std::string> words(const std::string& joined) {
+  std::vector<std::string> all;
+  for (std::size_t at = 0; at <= joined.size();) {
+    const std::size_t bar = std::min(joined.find('|', at), joined.size());
+    all.push_back(joined.substr(at, bar - at));
+    at = bar + 1;
+  }
+  return all;
+}
+
+}  // namespace
+
+std::string nearest(const std::string& wanted, const std::vector<std::string>& names) {
+  return multibody_detail::nearestNames(wanted, names);
+}
+
+void Text::refuse(int line, const std::string& what) const {
+  throw SceneError(file_, line, what);
+}
+int Text::lineOf(const YAML::Node& node) {
+  const YAML::Mark mark = node.Mark();
+  return mark.is_null() ? 0 : mark.line + 1;
+}
+
+void Text::checkKeys(const YAML::Node& node, const std::string& what,
+                     const std::vector<std::string>& keys) const {
+  if (!node.IsMap()) refuse(node, what + " is a map of keys and values, not " + kindOf(node));
+  std::set<std::string> seen;
+  for (const auto& entry : node) {
+    if (!entry.first.IsScalar()) refuse(entry.first, "a key of " + what + " is " + kindOf(entry.first));
+    const std::string key = entry.first.Scalar();
+    if (std::find(keys.begin(), keys.end(), key) == keys.end())
+      refuse(entry.first, what + " has no key '" + key + "'" + nearest(key, keys));
+    if (!seen.insert(key).second)
+      refuse(entry.first, "key '" + key + "' of " + what + " stands twice: keep one");
+  }
+}
+
+std::string Text::word(const YAML::Node& node, const std::string& what) const {
+  if (!node.IsScalar() || node.Scalar().empty()) refuse(node, what + " is a word, not " + kindOf(node));
+  return node.Scalar();
+}
+
+double Text::number(const YAML::Node& node, const std::string& what, const std::string& unit,
+                    Kind kind) const {
+  if (!node.IsScalar()) refuse(node, what + " is one number, not " + kindOf(node));
+  double x = 0;
+  try {
+    x = parseQuantity(node.Scalar(), unit);
+  } catch (const std::invalid_argument& e) {
+    refuse(node, what + ": " + e.what());
+  }
+  if (kind == Kind::Positive && !(x > 0))
+    refuse(node, what + " is '" + node.Scalar() + "': it must be above 0");
+  if (kind == Kind::NotNegative && !(x >= 0))
+    refuse(node, what + " is '" + node.Scalar() + "': it must not be below 0");
+  return x;
+}
+
+std::vector<double> Text::numbers(const YAML::Node& node, const std::string& what, const std::string& unit,
+                                  int count) const {
+  if (!node.IsSequence() || (count >= 0 && node.size() != std::size_t(count)))
+    refuse(node, what + " is a list of " + (count >= 0 ? std::to_string(count) + " " : "") + "numbers, as [" +
+                     (count == 3 ? "0, 0, 1" : "...") + "], not " +
+                     (node.IsSequence() ? "of " + std::to_string(node.size()) : kindOf(node)));
+  std::vector<double> all;
+  for (std::size_t i = 0; i < node.size(); ++i)
+    all.push_back(number(node[i], what + "[" + std::to_string(i) + "]", unit));
+  return all;
+}
+
+Value Text::value(const YAML::Node& node, const std::string& what, const Key& key,
+                  const Model<double>* model) const {
+  Value v;
+  const auto frame = [&](const YAML::Node& n) {
+    const std::string name = word(n, what);
+    if (model) at(lineOf(n), [&] { return model->requireFrameId(name); });
+    v.names.push_back(name);
+  };
+  const auto joint = [&](const YAML::Node& n) {
+    const std::string name = word(n, what);
+    if (model && name != "all") at(lineOf(n), [&] { return model->requireJointId(name); });
+    v.names.push_back(name);
+  };
+  switch (key.kind) {
+    case Kind::Number:
+    case Kind::Positive:
+    case Kind::NotNegative:
+      v.numbers = {number(node, what, key.unit, key.kind)};
+      break;
+    case Kind::Vector:
+      v.numbers = numbers(node, what, key.unit, 3);
+      break;
+    case Kind::Numbers:
+    case Kind::Times:
+      v.numbers = numbers(node, what, key.unit);
+      if (v.numbers.empty()) refuse(node, what + " is an empty list");
+      if (key.kind == Kind::Times)
+        for (std::size_t i = 1; i < v.numbers.size(); ++i)
+          if (!(v.numbers[i] > v.numbers[i - 1]))
+            refuse(node, what + "[" + std::to_string(i) + "] is not after the time before it: times grow");
+      break;
+    case Kind::Frame:
+      frame(node);
+      break;
+    case Kind::Frames:
+    case Kind::Joints:
+      if (node.IsSequence()) {
+        for (const auto& n : node) key.kind == Kind::Frames ? frame(n) : joint(n);
+        if (v.names.empty()) refuse(node, what + " is an empty list");
+      } else {
+        key.kind == Kind::Frames ? frame(node) : joint(node);
+      }
+      break;
+    case Kind::Choice:
+    case Kind::Flag: {
+      const auto choices = words(key.kind == Kind::Flag ? "true|false" : key.unit);
+      v.names = {word(node, what)};
+      if (std::find(choices.begin(), choices.end(), v.names[0]) == choices.end())
+        refuse(node, what + " is '" + v.names[0] + "'" + nearest(v.names[0], choices));
+      break;
+    }
+  }
+  return v;
+}
+
+scene::Parameters Text::parameters(const YAML::Node& node, int line, const std::string& what,
+                                   const std::vector<Key>& schema, const Model<double>* model,
+                                   const std::vector<std::string>& others) const {
+  std::vector<std::string> known = others;
+  for (const Key& key : schema) known.emplace_back(key.name);
+  if (node.IsDefined() && !node.IsNull()) checkKeys(node, what, known);
+  scene::Parameters p;
+  for (const Key& key : schema) {
+    const std::string name = what + "." + key.name;
+    if (node.IsDefined() && node.IsMap() && node[key.name].IsDefined()) {
+      p.values[key.name] = value(node[key.name], name, key, model);
+    } else if (!key.fallback) {
+      const bool unitless = std::string(key.unit) == "1" || std::string(key.unit).empty();
+      refuse(line, what + " needs '" + key.name + "'" + (unitless ? "" : " [" + std::string(key.unit) + "]") +
+                       ": " + key.meaning);
+    } else if (*key.fallback) {
+      p.values[key.name] = value(YAML::Load(key.fallback), name, key, model);
+    }
+  }
+  return p;
+}
+
+}  // namespace liecheck::scene_file_detail

@@ -1,0 +1,58 @@
+#pragma once
+// Nodes of a scene's text, checked: names, kinds, units, with the line in each message.
+
+#include <yaml-cpp/yaml.h>
+#include <liecheck/multibody/model.hpp>
+#include <liecheck/scene/parameters.hpp>
+#include <string>
+#include <vector>
+
+namespace liecheck::scene_file_detail {
+
+/// Says FILE:LINE.
+class Text {
+ public:
+  explicit Text(std::string file) : file_(std::move(file)) {}
+  /// Throws SceneError.
+  [[noreturn]] void refuse(int line, const std::string& what) const;
+  [[noreturn]] void refuse(const YAML::Node& node, const std::string& what) const {
+    refuse(lineOf(node), what);
+  }
+  static int lineOf(const YAML::Node& node);
+  const std::string& file() const { return file_; }
+
+  /// A map with none but these keys, none twice, and no other. what: "integrator", for messages.
+  void checkKeys(const YAML::Node& node, const std::string& what, const std::vector<std::string>& keys) const;
+  std::string word(const YAML::Node& node, const std::string& what) const;
+  double number(const YAML::Node& node, const std::string& what, const std::string& unit,
+                scene::Kind kind = scene::Kind::Number) const;
+  std::vector<double> numbers(const YAML::Node& node, const std::string& what, const std::string& unit,
+                              int count = -1) const;
+  /// f(), its std::invalid_argument told with this line.
+  template <class F>
+  auto at(int line, F f) const {
+    try {
+      return f();
+    } catch (const std::invalid_argument& e) {
+      refuse(line, e.what());
+    } catch (const std::domain_error& e) {
+      refuse(line, e.what());
+    }
+  }
+
+  /// The parameters of a part, its defaults filled in. Keys in `others` are somebody else's. Frames and joints must be
+  /// the model's, where there is one.
+  scene::Parameters parameters(const YAML::Node& node, int line, const std::string& what,
+                               const std::vector<scene::Key>& schema, const Model<double>* model,
+                               const std::vector<std::string>& others = {}) const;
+
+ private:
+  scene::Value value(const YAML::Node& node, const std::string& what, const scene::Key& key,
+                     const Model<double>* model) const;
+  std::string file_;
+};
+
+/// ", the nearest are ..." of the names.
+std::string nearest(const std::string& wanted, const std::vector<std::string>& names);
+
+}  // namespace liecheck::scene_file_detail

@@ -1,0 +1,31 @@
+#pragma once
+// Jacobi's elliptic functions and Legendre's integrals for any real argument, by Boost.Math at the oracle's
+// precision.
+//
+//   am(u): u = F(am | k),   sn = sin am,   cn = cos am,   dn = sqrt(1 - k^2 sn^2)
+//   F(phi | k) = int_0^phi ds / sqrt(1 - k^2 sin^2 s),   Pi(n; phi | k) = int_0^phi ds / ((1 - n sin^2 s) sqrt(...))
+//
+// For 0 <= k < 1 and n < 1. A modulus near 1 costs the digits of 1 - k: there, take 100 digits.
+
+#include <oracles/real.hpp>
+
+namespace liecheck::oracles {
+
+template <class T>
+struct Jacobi {
+  T sn, cn, dn, am;
+};
+
+/// 0 <= k <= 1; am is unwound: am(u + 2K) = am(u) + pi.
+template <class T>
+Jacobi<T> jacobi(const T& u, const T& k);
+
+/// F(phi | k) for any phi; at k = 1 for |phi| < pi / 2.
+template <class T>
+T first_kind(const T& phi, const T& k);
+
+/// Pi(n; phi | k) for any phi.
+template <class T>
+T third_kind(const T& n, const T& phi, const T& k);
+
+}  // namespace liecheck::oracles

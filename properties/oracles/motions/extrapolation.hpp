@@ -1,0 +1,76 @@
+#pragma once
+// A reference where there is no closed form: Gragg's modified midpoint rule extrapolated in h^2 (Bulirsch and Stoer),
+// to two orders that must agree. Hairer, Norsett and Wanner (1993), section II.9.
+
+#include <oracles/motions/state.hpp>
+#include <vector>
+
+namespace liecheck::oracles {
+
+template <class State, class T>
+struct Extrapolated {
+  State y;
+  T disagreement;  ///< of the two orders at the end, max norm
+  int steps = 0;
+};
+
+/// y(t1) of y' = f(y), y(0) = y0, by steps of order 2 `columns`, each with an error of at most `tolerance`
+/// (1 + ||y||) by the last column's difference. State: Vec<N, T>.
+template <int N, class T, class F>
+Vec<N, T> extrapolate(const F& f, Vec<N, T> y, const T& t1, int columns, const T& tolerance,
+                      int* steps = nullptr) {
+  const auto size = [](const Vec<N, T>& v) {
+    T m(0);
+    for (int i = 0; i < N; ++i) m = larger<T>(m, abs(v[i]));
+    return m;
+  };
+  T t(0), H = t1;
+  std::vector<Vec<N, T>> row(static_cast<std::size_t>(columns));
+  while (t < t1) {
+    const T h_step = smaller<T>(H, t1 - t);
+    const Vec<N, T> slope = f(y);
+    T error(0);
+    for (int j = 0; j < columns; ++j) {
+      const int n = 2 * (j + 1);
+      const T h = h_step / n;
+      Vec<N, T> before = y, now = y + h * slope;
+      for (int i = 1; i < n; ++i) {
+        Vec<N, T> next = before + T(2 * h) * f(now);
+        before = now, now = next;
+      }
+      Vec<N, T> value = now;  // Gragg's smoothing is not needed where nothing is stiff
+      for (int k = 1; k <= j; ++k) {
+        const T ratio = T(j + 1) / T(j + 1 - k), weight = 1 / (ratio * ratio - 1);
+        const Vec<N, T> last = row[static_cast<std::size_t>(k - 1)];
+        row[static_cast<std::size_t>(k - 1)] = value;
+        const Vec<N, T> change = weight * (value - last);
+        value = value + change;
+        error = size(change);
+      }
+      row[static_cast<std::size_t>(j)] = value;
+    }
+    const Vec<N, T>& end = row[static_cast<std::size_t>(columns - 1)];
+    if (!(error <= tolerance * (1 + size(y)))) {
+      H = h_step / 2;
+      if (!(H > t1 * T(1e-9))) throw std::domain_error("extrapolate: the motion is too stiff, or not finite");
+      continue;
+    }
+    y = end;
+    t = h_step < t1 - t ? T(t + h_step) : t1;
+    if (error * 1000 < tolerance * (1 + size(y))) H = h_step * T(1.25);
+    if (steps) ++*steps;
+  }
+  return y;
+}
+
+/// Orders 2 x 14 and 2 x 16.
+template <int N, class T, class F>
+Extrapolated<Vec<N, T>, T> reference(const F& f, const Vec<N, T>& y0, const T& t1, const T& tolerance) {
+  Extrapolated<Vec<N, T>, T> r;
+  r.y = extrapolate<N, T>(f, y0, t1, 16, tolerance, &r.steps);
+  const Vec<N, T> other = extrapolate<N, T>(f, y0, t1, 14, tolerance);
+  r.disagreement = norm(r.y - other);
+  return r;
+}
+
+}  // namespace liecheck::oracles

@@ -1,0 +1,241 @@
+#include <scenes/sweep.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <liecheck/scene/integrators/registry.hpp>
+#include <limits>
+#include <timing/benchmarks.hpp>
+
+namespace liecheck::properties {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr long quarters = 4;
+
+double since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// The exact moments at the quarters, the start first.
+struct Exact {
+  std::string name;
+  bool closed = false;
+  double disagreement = 0;
+  std::vector<Moment> at;
+};
+
+Exact exact_of(const Benchmark& s) {
+  Exact e;
+  if (const auto truth = truth_of(s)) {
+    e = {truth->name, truth->closed, truth->disagreement, {}};
+    for (long k = 0; k <= quarters; ++k) e.at.push_back(truth->at(s.duration * double(k) / double(quarters)));
+    return e;
+  }
+  // Gauss's method of order 12 in float128, with steps that are halved until two runs agree
+  const auto runner = make_runner(s, "gauss12", "float128");
+  const auto run = [&](long steps) {
+    std::vector<Moment> moments;
+    runner->run({steps, 0}, quarters, [&](double, const Moment& m) { moments.push_back(m); });
+    return moments;
+  };
+  std::vector<Moment> coarse;
+  for (long steps = 64;; steps *= 2) {
+    std::vector<Moment> fine;
+    try {
+      fine = run(steps);
+    } catch (const Diverged&) {
+      if (steps >= 4096) throw;
+      continue;
+    }
+    if (!coarse.empty()) {
+      const MotionError d = motion_error(s.robot, fine.back(), coarse.back());
+      if (d.leading() < 1e-20 || steps >= 4096) {
+        return {"our own gauss12 in float128, of two steps", false, d.leading(), fine};
+      }
+    }
+    coarse = fine;
+  }
+}
+
+MotionError error_of_run(Runner& runner, const Benchmark& s, const Exact& exact, const Effort& effort,
+                         long* made) {
+  MotionError worst = MotionError::none();
+  std::size_t k = 0;
+  *made = runner.run(effort, quarters, [&](double, const Moment& m) {
+    if (k > 0) worst.take_larger(motion_error(s.robot, m, exact.at[k]));
+    ++k;
+  });
+  return worst;
+}
+
+/// A first number of steps: about one a radian of the fastest turn at the start, or a sixteenth of the duration.
+long first_steps(const Benchmark& s, int order) {
+  double fastest = s.v0.size() ? s.v0.cwiseAbs().maxCoeff() : 0;
+  long n = order > 8 ? quarters : 16;
+  while (double(n) < fastest * s.duration / (order > 8 ? 3 : 1) && n < 4096) n *= 2;
+  return n;
+}
+
+struct Measured {
+  SweepPoint point;
+  double seconds = 0;
+};
+
+Measured measure(Runner& runner, const Benchmark& s, const Exact& exact, const Effort& effort) {
+  Measured m;
+  m.point.effort = effort;
+  try {
+    const auto start = Clock::now();
+    runner.pass(effort);
+    m.seconds = since(start);
+    m.point.error = error_of_run(runner, s, exact, effort, &m.point.steps);
+    const long per_quarter = std::max(1L, std::min(32L, effort.steps / quarters));
+    long parts = per_quarter;  // that divide a quarter
+    while ((effort.steps / quarters) % parts != 0) --parts;
+    if (effort.tolerance == 0) {
+      DriftWatch drift(s);
+      runner.run(effort, quarters * parts, [&](double t, const Moment& x) { drift.see(t, x); });
+      m.point.energy = drift.energy(), m.point.momentum = drift.momentum();
+    }
+    if (!std::isfinite(m.point.error.leading())) m.point.diverged = "the error is not a number";
+  } catch (const Diverged& e) {
+    m.point.diverged = e.what();
+    m.point.error = MotionError::none();
+  }
+  return m;
+}
+
+/// The points of one method, coarse to fine, with what runs each of them.
+struct Line {
+  SweepSeries series;
+  std::shared_ptr<Runner> runner;
+  std::vector<bool> timed;
+};
+
+void measure_line(Line& line, const Benchmark& s, const Exact& exact, const SceneSweepOptions& o) {
+  std::vector<Effort> asked;
+  if (line.series.adaptive) {
+    for (double tolerance = 1e-2; tolerance > 1e-14; tolerance /= 10) asked.push_back({quarters, tolerance});
+  } else if (!o.steps.empty()) {
+    for (long n : o.steps) asked.push_back({n, 0});
+  } else {
+    for (long n = first_steps(s, line.series.order); n <= 1L << 20; n *= 2) asked.push_back({n, 0});
+  }
+  double smallest = std::numeric_limits<double>::infinity();
+  int no_better = 0;
+  for (const Effort& effort : asked) {
+    if (o.stop && *o.stop) return;
+    const Measured m = measure(*line.runner, s, exact, effort);
+    line.series.points.push_back(m.point);
+    line.timed.push_back(m.point.diverged.empty() && m.seconds <= o.longest);
+    if (m.point.diverged.empty()) {
+      const double e = m.point.error.leading();
+      no_better = e < 0.7 * smallest ? 0 : no_better + 1;
+      smallest = std::min(smallest, e);
+      if (no_better >= 2 && smallest < 1e-6) line.series.at_floor = true;
+    }
+    if (o.steps.empty() && (line.series.at_floor || m.seconds > o.longest)) break;
+  }
+  line.series.smallest = smallest;
+}
+
+OrderRow measure_order(const Benchmark& s, const Exact& exact, const scene::MethodInfo& method,
+                       double seconds) {
+  OrderRow row{method.name, method.order >= 4 ? "float128" : "double", method.order, false, {}, {}, {}};
+  const double eps = row.scalar == "double" ? 0x1p-52 : 0x1p-112;
+  const auto runner = make_runner(s, method.name, row.scalar);
+  const auto start = Clock::now();
+  for (long n = first_steps(s, method.order); n <= 1L << 18; n *= 2) {
+    long made = 0;
+    double error = std::numeric_limits<double>::infinity();
+    try {
+      error = error_of_run(*runner, s, exact, {n, 0}, &made).leading();
+    } catch (const Diverged&) {  // too long a step
+    }
+    row.errors.push_back(error), row.steps.push_back(n);
+    if (row.errors.size() == 2 && std::max(row.errors[0], row.errors[1]) < 1e4 * eps) {
+      row.exact = true;
+      return row;
+    }
+    row.observed = observe_order(row.errors, method.order);
+    const auto& local = row.observed.local;
+    // settled: five halvings that differ by less than 0.1 from their mean
+    const bool settled = row.observed.halvings == 5 && std::all_of(local.begin(), local.end(), [&](double x) {
+                           return std::abs(x - row.observed.order) < 0.1;
+                         });
+    if (settled || row.observed.floor || since(start) > seconds) break;
+  }
+  return row;
+}
+
+}  // namespace
+
+std::vector<SceneSweep> sweep_scenes(const std::vector<Benchmark>& scenes, const SceneSweepOptions& o) {
+  for (const std::string& name : o.integrators) scene::methodInfo(name);
+  const auto wanted = [&](const std::string& name) {
+    return o.integrators.empty() ||
+           std::find(o.integrators.begin(), o.integrators.end(), name) != o.integrators.end();
+  };
+  const auto stopped = [&] { return o.stop && *o.stop; };
+  std::vector<SceneSweep> all;
+  std::map<std::string, std::size_t> shown;  // on how many scenes a method's order was
+  for (std::size_t i = 0; i < scenes.size() && !stopped(); ++i) {
+    const Benchmark& s = scenes[i];
+    const auto progress = [&](double share, const std::string& what) {
+      o.progress((double(i) + share) / double(scenes.size()), s.name + ", " + what);
+    };
+    progress(0, "exact motion");
+    const Exact exact = exact_of(s);
+    SceneSweep sweep{s, exact.name, exact.closed, exact.disagreement, {}, {}};
+    std::vector<Line> lines;
+    for (const scene::MethodInfo& m : scene::methodInfos()) {
+      if (!wanted(m.name) || (m.lone_body_only && !scene::LoneBody<double>::fits(s.robot))) continue;
+      lines.push_back({{"liecheck", "", m.name, m.order, m.adaptive, {}, 0, false},
+                       make_runner(s, m.name, "double"),
+                       {}});
+    }
+    if (o.peers)
+      for (const Peer& peer : peers())
+        for (const PeerMethod& m : peer.methods(s))
+          lines.push_back({{peer.name, peer.version, m.name, m.order, m.adaptive, {}, 0, false},
+                           peer.make(s, m.name),
+                           {}});
+    for (Line& line : lines) {
+      if (stopped()) break;
+      progress(0.5 * double(&line - lines.data()) / double(lines.size()), line.series.integrator);
+      measure_line(line, s, exact, o);
+    }
+    if (exact.closed || exact.disagreement < 1e-30)
+      for (const scene::MethodInfo& m : scene::methodInfos()) {
+        if (stopped() || !wanted(m.name) || (m.lone_body_only && !scene::LoneBody<double>::fits(s.robot)) ||
+            shown[m.name] >= o.order_scenes)
+          continue;
+        progress(0.5, std::string("order of ") + m.name);
+        sweep.orders.push_back(measure_order(s, exact, m, o.order_seconds));
+        shown[m.name] += exact.closed && !sweep.orders.back().exact;
+      }
+    if (o.seconds > 0 && !stopped()) {
+      std::vector<Timed> timed;
+      std::vector<SweepPoint*> points;
+      for (Line& line : lines)
+        for (std::size_t k = 0; k < line.series.points.size(); ++k) {
+          if (!line.timed[k]) continue;
+          SweepPoint& p = line.series.points[k];
+          timed.push_back({[runner = line.runner, effort = p.effort] { runner->pass(effort); }, 1, {}, {}});
+          points.push_back(&p);
+        }
+      run_interleaved(timed, {o.seconds / double(scenes.size()), o.repetitions, o.stop,
+                              [&](double share) { progress(0.6 + 0.4 * share, "times"); }});
+      for (std::size_t k = 0; k < timed.size(); ++k) {
+        for (double& ns : timed[k].ns) ns /= s.duration;
+        points[k]->time = spread_of(timed[k].ns);
+      }
+    }
+    for (Line& line : lines) sweep.series.push_back(std::move(line.series));
+    all.push_back(std::move(sweep));
+  }
+  return all;
+}
+
+}  // namespace liecheck::properties

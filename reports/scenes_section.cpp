@@ -1,0 +1,217 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <reports/html.hpp>
+#include <reports/scenes.hpp>
+
+namespace liecheck::reports {
+namespace {
+
+std::string number(const Json& x, const char* unit = "") {
+  if (x.is_null()) return "—";
+  if (x.is_string()) return text_of(Json{{"x", x}}, "x");
+  const double v = x.get<double>();
+  return v == 0 ? "0" : fmt::format("{:.2g}{}", v, unit);
+}
+
+std::string nanoseconds(const Json& x) {
+  if (x.is_null()) return "—";
+  const double ns = x.get<double>();
+  return ns < 1000 ? fmt::format("{:.3g} ns", ns) : fmt::format("{:.3g} µs", ns / 1e3);
+}
+
+std::string verdict(const Json& s) {
+  if (s["verdict"] == "incomplete") return "<p class=\"note\"><b>Interrupted: what was done.</b></p>\n";
+  std::size_t orders = 0;
+  for (const Json& scene : s["scenes"]) orders += scene["orders"].size();
+  if (orders == 0) return "";
+  if (s["wrong_orders"].empty())
+    return "<p>Every integrator shows its order to 0.1 over five halvings of the step on every scene below "
+           "on which it is "
+           "not exact.</p>\n";
+  std::string out = "<p class=\"verdict fail\"><strong>ORDER</strong> not what was promised:</p>\n<ul>\n";
+  for (const Json& line : s["wrong_orders"]) out += "<li>" + escaped(line.get<std::string>()) + "</li>\n";
+  return out + "</ul>\n";
+}
+
+/// Integrators by scenes: the order seen, over how many halvings, in which scalar; and the floor in double.
+std::string orders(const Json& s) {
+  Cells heads = {"integrator", "order"};
+  std::vector<std::string> names;
+  for (const Json& scene : s["scenes"]) {
+    if (scene["orders"].empty()) continue;
+    heads.push_back(text_of(scene, "scene") + (scene["closed"] ? "" : " (reference)"));
+    for (const Json& row : scene["orders"])
+      if (std::find(names.begin(), names.end(), row["integrator"]) == names.end())
+        names.push_back(row["integrator"]);
+  }
+  std::vector<Cells> rows;
+  for (const std::string& name : names) {
+    Cells cells = {code(name), "—"};
+    for (const Json& scene : s["scenes"]) {
+      if (scene["orders"].empty()) continue;
+      std::string cell = "—";
+      for (const Json& row : scene["orders"]) {
+        if (row["integrator"] != name) continue;
+        cells[1] = row["promised"].dump();
+        cell = row["exact"] ? "exact"
+                            : fmt::format("<b>{:.3f}</b> over {}, {}", row["observed"].get<double>(),
+                                          row["halvings"].dump(), text_of(row, "scalar"));
+      }
+      for (const Json& series : scene["series"])
+        if (series["subject"] == "liecheck" && series["integrator"] == name)
+          cell +=
+              fmt::format("; {} {}", series["at_floor"] ? "floor" : "down to", number(series["smallest"]));
+      cells.push_back(cell);
+    }
+    rows.push_back(cells);
+  }
+  if (rows.empty()) return "";
+  return table(
+      "The order that each integrator shows, over how many halvings of the step, and in which scalar; then "
+      "its "
+      "smallest error in double: its floor where smaller steps did not lower it",
+      heads, rows, true);
+}
+
+/// Of the coarsest run that errs at most 1e-3.
+std::string drifts(const Json& s) {
+  std::vector<Cells> rows;
+  for (const Json& scene : s["scenes"])
+    for (const Json& series : scene["series"]) {
+      const char* block = "attitude";
+      for (const Json& p : series["points"]) {
+        if (p["attitude"].is_null()) block = "position";
+        if (!p[block].is_number() || p[block] > 1e-3 || (p["energy"].is_null() && p["momentum"].is_null()))
+          continue;
+        Cells cells = {text_of(scene, "scene"),
+                       series["subject"] == "liecheck"
+                           ? code(series["integrator"])
+                           : text_of(series, "subject") + " " + text_of(series, "integrator"),
+                       p["steps"].dump(), number(p[block])};
+        for (const char* name : {"energy", "momentum"})
+          for (const char* part : {"slope", "oscillation"})
+            cells.push_back(p[name].is_null() ? "—" : number(p[name][part]));
+        rows.push_back(cells);
+        break;
+      }
+    }
+  if (rows.empty()) return "";
+  return "<details><summary>Drift of energy and momentum: what goes on and what comes back</summary>\n" +
+         table(
+             "Of the coarsest run that errs at most 1e-3, relative to the start: the slope of the best line, "
+             "and the largest "
+             "distance from it. Momentum: angular, as a vector, where nothing acts from outside",
+             {"scene", "method", "steps", "error", "energy: slope [1/s]", "oscillation",
+              "momentum: slope [1/s]", "oscillation"},
+             rows, true) +
+         "</details>\n";
+}
+
+std::string spins(const Json& s) {
+  std::vector<Cells> rows;
+  for (const Json& r : s["spins"])
+    rows.push_back({code(r["integrator"]), r["order"].dump(), r["turns"].dump(), r["steps_per_turn"].dump(),
+                    number(r["error"]), number(r["limit"]),
+                    r["error"].is_number()
+                        ? fmt::format("{:.2f}", r["error"].get<double>() / r["limit"].get<double>())
+                        : "—",
+                    fmt::format("{:.2f} s", r["seconds"].get<double>())});
+  std::string out;
+  if (!rows.empty())
+    out += table(
+        "A triaxial body without torque, many turns: the error of its attitude against the closed form. "
+        "Limit: turns "
+        "· 2π · eps, what a last digit of its angular velocity becomes",
+        {"integrator", "order", "turns", "steps a turn", "error [rad]", "limit [rad]", "error / limit",
+         "time"},
+        rows, true);
+  rows.clear();
+  for (const Json& f : s["flips"]) {
+    std::string errors;
+    for (const Json& e : f["relative"])
+      errors += (errors.empty() ? "" : ", ") + (e == "inf" ? "lost" : number(e));
+    rows.push_back({number(f["perturbation"]), text_of(f, "scalar"), number(f["exact"].front()), errors,
+                    fmt::format("{} of {}", f["predicted"].dump(), f["relative"].size()),
+                    fmt::format("{:.1f} s", f["horizon"].get<double>())});
+  }
+  if (!rows.empty())
+    out += table(
+               "Dzhanibekov’s body, ω₀ = (d, 1, d) rad/s, moments 1, 2, 3 kg m²: relative error of the times "
+               "of its flips "
+               "by gauss12, and the honest horizon: up to which flip they are right to 1e-6",
+               {"d", "scalar", "first flip [s]", "relative error of each flip", "right to 1e-6", "horizon"},
+               rows, true) +
+           "<p class=\"note\">Each flip makes what rounding left of the unstable direction larger by 1/d²: "
+           "with d = 1e-8 the "
+           "second flip in double is chance, and no integrator that rounds its state to double can know "
+           "it.</p>\n";
+  return out;
+}
+
+std::string peers(const Json& s) {
+  std::vector<Cells> rows;
+  for (const Json& p : s["peers"])
+    rows.push_back({text_of(p, "scene"), text_of(p, "peer"), text_of(p, "integrator"), p["points"].dump(),
+                    fmt::format("<b>{:.3f}</b>", figure(p["ratio"])), number(p["error"]), code(p["ours"]),
+                    p["unmatched"] ? "a point of it is more accurate than any of ours" : ""});
+  for (const Json& name : s["absent"])
+    rows.push_back(
+        {"all", escaped(name.get<std::string>()), "—", "0", "—", "—", "—", "absent from this build"});
+  if (rows.empty()) return "";
+  return table(
+      "Beside other simulators, without contact: at an error no larger, our time over theirs. The worst of "
+      "all their "
+      "points; below 1 we are faster everywhere",
+      {"scene", "simulator", "its method", "points", "our time / its time", "at error", "by our", ""}, rows,
+      true);
+}
+
+std::string costs(const Json& s) {
+  std::vector<Cells> rows;
+  for (const Json& c : s.value("costs", Json::array()))
+    rows.push_back({text_of(c, "scene"), code(c["stage"]), text_of(c, "when"), nanoseconds(c["nanoseconds"]),
+                    text_of(c, "equation"), text_of(c, "energy"), text_of(c, "why")});
+  if (rows.empty()) return "";
+  return "<details open><summary>What each effect costs</summary>\n" +
+         table(
+             "Stages of three plans, as liecheck scene explain measures them; a scene that does not call for "
+             "an effect does "
+             "not have its stage",
+             {"scene", "stage", "each", "time", "equation", "energy", "because"}, rows, true) +
+         "</details>\n";
+}
+
+}  // namespace
+
+std::string scenes_section(const Merged& merged) {
+  std::string out;
+  std::size_t film = 0;
+  for (const Json& record : merged.records) {
+    if (!record.contains("scenes")) continue;
+    const Json& s = record["scenes"];
+    out += verdict(s);
+    Json own = Json::array();
+    for (std::size_t i = 0; i < s.value("films", Json::array()).size(); ++i) own.push_back(film++);
+    if (!own.empty()) out += fmt::format("<div class=\"films\" data-films=\"{}\"></div>\n", own.dump());
+    out += fmt::format(
+        "<p class=\"note\">A method runs a scene with ever smaller steps (an adaptive one with ever smaller "
+        "tolerances). Error: "
+        "against the exact motion, the largest at four quarters of the duration; that of attitudes on the "
+        "group. Time: "
+        "processor time of a whole run over the duration, all points of a scene interleaved, medians. "
+        "Further down and further "
+        "to the left is better. Dashed: other simulators, contact and damping off. {:.0f} s.</p>\n"
+        "<form class=\"scene-controls\" aria-label=\"Which scenes are drawn\"></form>\n<div "
+        "class=\"scene-charts\"></div>\n",
+        s["elapsed"].get<double>());
+    out += peers(s) + orders(s) + spins(s) + drifts(s) + costs(s);
+  }
+  return out.empty() ? "<p>These records hold no scenes; <code>liecheck report</code> without a record "
+                       "simulates them, as does "
+                       "<code>liecheck scene sweep</code>.</p>\n"
+                     : out;
+}
+
+}  // namespace liecheck::reports

@@ -1,0 +1,61 @@
+// liecheck scene sweep, as it is typed.
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace {
+
+struct Ran {
+  int code;
+  std::string text;
+};
+Ran run(const std::string& arguments) {
+  FILE* pipe = ::popen((std::string(LIECHECK_PROGRAM) + " " + arguments + " 2>&1").c_str(), "r");
+  std::string text;
+  char buffer[4096];
+  for (std::size_t n; (n = std::fread(buffer, 1, sizeof buffer, pipe)) > 0;) text.append(buffer, n);
+  const int status = ::pclose(pipe);
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text};
+}
+
+TEST(SceneSweepProgram, RefusesWhatItCannotDoInOneLine) {
+  for (const auto& [arguments, says] :
+       {std::pair<std::string, std::string>{"scene sweep --integrator rkmk5", "rkmk5"},
+        {"scene sweep --steps 10", "--steps 10"},
+        {"scene sweep --steps 0", "--steps"},
+        {"scene sweep --steps -4", "--steps"},
+        {"scene sweep no_such_scene.yaml", "no_such_scene.yaml"},
+        {"scene sweep --json /no/such/folder/x.json --no-times", "/no/such/folder"}}) {
+    const Ran r = run(arguments);
+    EXPECT_EQ(r.code, 2) << arguments << "\n" << r.text;
+    EXPECT_NE(r.text.find(says), std::string::npos) << r.text;
+    EXPECT_EQ(std::count(r.text.begin(), r.text.end(), '\n'), 1) << r.text;
+  }
+}
+
+TEST(SceneSweepProgram, SweepsASceneFileAndWritesItsRecord) {
+  const auto path = std::filesystem::temp_directory_path() / "liecheck_scene_sweep_test.json";
+  const Ran r =
+      run("scene sweep " LIECHECK_FIXTURES
+          "/scenes/pendulum.yaml --integrator rkmk4 --integrator gauss6 --no-peers --for 1s --json " +
+          path.string());
+  EXPECT_EQ(r.code, 0) << r.text;
+  std::ifstream file(path);
+  const auto record = nlohmann::json::parse(file);
+  const auto& scene = record["scenes"][0];
+  EXPECT_EQ(scene["truth"], "pendulum");
+  ASSERT_EQ(scene["series"].size(), 2U);
+  ASSERT_EQ(scene["orders"].size(), 2U);
+  EXPECT_NEAR(scene["orders"][0]["observed"].get<double>(), 4, 0.1);
+  EXPECT_NEAR(scene["orders"][1]["observed"].get<double>(), 6, 0.1);
+  EXPECT_LT(scene["series"][1]["smallest"].get<double>(), 1e-11);
+  EXPECT_FALSE(scene["series"][1]["points"][0]["time_ns"].is_null());
+  std::filesystem::remove(path);
+}
+
+}  // namespace
