@@ -72,6 +72,7 @@ class Dopri5 final : public Method<Sys> {
       }
       ++counts_.steps;
       stages_.template sum<DormandPrinceTableau::b>(trial, delta_, dv_);
+      checkFinite(delta_, dv_);
       system.accumulate(at_->q, at_->q_low, delta_);
       accumulateAll(at_->v, at_->v_low, dv_);
       done = last ? h : S(done + trial);
