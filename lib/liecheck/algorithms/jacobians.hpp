@@ -20,16 +20,16 @@ void forEachSupportingColumn(const Model<S>& model, const std::vector<SE3<S>>& o
     });
 }
 
-/// The Jacobian [6 x nv] of a frame carried by a joint at X_JF, in data.work.jacobian. Needs J.
+/// The Jacobian [6 x nv] of what a joint carries, in data.work.jacobian. Needs J.
 template <Scalar S>
-const Matrix6X<S>& jacobianAt(const Model<S>& model, Data<S>& data, std::size_t joint, const SE3<S>& X_JF,
+const Matrix6X<S>& jacobianOf(const Model<S>& model, Data<S>& data, const Placed<S>& F,
                               ReferenceFrame reference) {
   data.J();
   const auto& oMi = data.oMi();
-  const SE3<S> X_WF = oMi[joint] * X_JF;
+  const SE3<S> X_WF = oMi[F.joint] * F.X_JF;
   auto& J = data.work.jacobian;
   J.setZero();
-  forEachSupportingColumn(model, oMi, joint, [&](const auto& place, int k, const Motion<S>& s_k) {
+  forEachSupportingColumn(model, oMi, F.joint, [&](const auto& place, int k, const Motion<S>& s_k) {
     const Vector3<S>& p = oMi[std::size_t(place.index)].translation();
     const bool at_world = reference == ReferenceFrame::WORLD;
     const Vector3<S> d = at_world ? Vector3<S>(-p) : Vector3<S>(X_WF.translation() - p);
@@ -48,16 +48,16 @@ const Matrix6X<S>& jacobianAt(const Model<S>& model, Data<S>& data, std::size_t 
 /// Its time derivative. With s' = v_i x s the rate of a column at a fixed point of space: WORLD s';
 /// LOCAL_WORLD_ALIGNED s' + (omega_s x p_dot, 0); LOCAL X^-1 (s' - V x s). Needs dJ.
 template <Scalar S>
-const Matrix6X<S>& jacobianRateAt(const Model<S>& model, Data<S>& data, std::size_t joint, const SE3<S>& X_JF,
+const Matrix6X<S>& jacobianRateOf(const Model<S>& model, Data<S>& data, const Placed<S>& F,
                                   ReferenceFrame reference) {
   data.dJ();
   const auto& oMi = data.oMi();
-  const SE3<S> X_WF = oMi[joint] * X_JF;
+  const SE3<S> X_WF = oMi[F.joint] * F.X_JF;
   const Vector3<S>& p_F = X_WF.translation();
-  const Motion<S> V = shifted(data.work.velocity[joint], Vector3<S>(p_F - oMi[joint].translation()));
+  const Motion<S> V = shifted(data.work.velocity[F.joint], Vector3<S>(p_F - oMi[F.joint].translation()));
   auto& dJ = data.work.jacobian;
   dJ.setZero();
-  forEachSupportingColumn(model, oMi, joint, [&](const auto& place, int k, const Motion<S>& s_k) {
+  forEachSupportingColumn(model, oMi, F.joint, [&](const auto& place, int k, const Motion<S>& s_k) {
     const bool at_world = reference == ReferenceFrame::WORLD;
     const Vector3<S>& p = oMi[std::size_t(place.index)].translation();
     const Vector3<S> d = at_world ? Vector3<S>(-p) : Vector3<S>(p_F - p);
@@ -127,37 +127,32 @@ const Matrix6X<S>& computeJointJacobiansTimeVariation(const Model<S>& model, Dat
   return dJ;
 }
 
-/// Jacobian of a joint [6 x nv]; the reference is to data's storage, which the next getter overwrites. Needs J.
+/// Jacobian of a joint, and of a frame [6 x nv]; the reference is to data's storage, which the next getter
+/// overwrites. Needs J.
 template <Scalar S>
 const Matrix6X<S>& getJointJacobian(const Model<S>& model, Data<S>& data, int joint,
                                     ReferenceFrame reference) {
-  data.check(model);
-  return algorithms_detail::jacobianAt(model, data, algorithms_detail::jointAt(model, joint),
-                                       SE3<S>::Identity(), reference);
+  using namespace algorithms_detail;
+  return jacobianOf(model, data, placedJoint(model, data, joint), reference);
 }
-/// Of a frame. Needs J.
 template <Scalar S>
 const Matrix6X<S>& getFrameJacobian(const Model<S>& model, Data<S>& data, int frame,
                                     ReferenceFrame reference) {
-  data.check(model);
-  const Frame<S>& F = algorithms_detail::frameAt(model, frame);
-  return algorithms_detail::jacobianAt(model, data, std::size_t(F.parentJoint), F.placement, reference);
+  using namespace algorithms_detail;
+  return jacobianOf(model, data, placedFrame(model, data, frame), reference);
 }
-/// Time derivative of a joint's Jacobian [6 x nv], stored likewise. Needs dJ.
+/// Their time derivatives, stored likewise. Needs dJ.
 template <Scalar S>
 const Matrix6X<S>& getJointJacobianTimeVariation(const Model<S>& model, Data<S>& data, int joint,
                                                  ReferenceFrame reference) {
-  data.check(model);
-  return algorithms_detail::jacobianRateAt(model, data, algorithms_detail::jointAt(model, joint),
-                                           SE3<S>::Identity(), reference);
+  using namespace algorithms_detail;
+  return jacobianRateOf(model, data, placedJoint(model, data, joint), reference);
 }
-/// Of a frame's. Needs dJ.
 template <Scalar S>
 const Matrix6X<S>& getFrameJacobianTimeVariation(const Model<S>& model, Data<S>& data, int frame,
                                                  ReferenceFrame reference) {
-  data.check(model);
-  const Frame<S>& F = algorithms_detail::frameAt(model, frame);
-  return algorithms_detail::jacobianRateAt(model, data, std::size_t(F.parentJoint), F.placement, reference);
+  using namespace algorithms_detail;
+  return jacobianRateOf(model, data, placedFrame(model, data, frame), reference);
 }
 
 // float and double are compiled once, in instantiations_*.cpp; other scalars where they are used.
