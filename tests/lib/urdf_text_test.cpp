@@ -9,6 +9,7 @@
 #include <fstream>
 #include <locale>
 
+#include "../fuzz/urdf_input.hpp"
 #include "urdf_texts.hpp"
 
 namespace {
@@ -122,4 +123,17 @@ TEST(BadUrdf, AMessageIsOneShortLine) {
             std::string::npos);
 }
 
+// The seeds of the fuzzer and what it found: each is a robot that runs, or is refused in one short line.
+TEST(BadUrdf, TheCorpusOfTheFuzzerIsReadOrRefused) {
+  int robots = 0, texts = 0;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(std::string(LIECHECK_FIXTURES) + "/urdf_fuzz")) {
+    if (entry.path().extension() != ".urdf") continue;
+    SCOPED_TRACE(entry.path());
+    ++texts;
+    EXPECT_NO_THROW(robots += try_urdf(readUrdf(entry.path())));
+  }
+  EXPECT_GE(robots, 6);
+  EXPECT_GE(texts - robots, 2);
+}
 }  // namespace
