@@ -65,8 +65,8 @@ class SeriesOf final : public Series {
     scalar = scalar_name<S>();
     eps = std::ldexp(1.0, 1 - std::numeric_limits<S>::digits);
     outputs = property_->outputs();
-    robot = property_->needs_robot() ? robot_used.hash : "none";
     property_->prepare(robot_used);
+    robot = property_->needs_robot() ? robot_used.hash : "none";
     fields = property_->fields();
     for (const Output& o : outputs)
       budgets_.push_back({&budget_of(subject, o.operation, o.block, Region::to_pi),
