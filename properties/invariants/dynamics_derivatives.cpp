@@ -80,7 +80,8 @@ class DynamicsDerivatives final : public TreeLaw<DynamicsDerivatives, S> {
       e[k] = T(roots[k]);
       inverse += approximate(weighted_norm(oracles::solve(factor, e), roots));
     }
-    const double size = approximate(weighted_norm(M, products(w)));
+    const std::vector<double> at_rest(c.nv(), 0);
+    const double size = weighted_size(c.sizes(at_rest, at_rest).mass, products(w));
     const bool singular = !(64 * size * inverse * std::numeric_limits<S>::epsilon() < 1);
     try {
       const auto [dq, dv] = o.aba_derivatives(c.q, c.v, c.a, c.F_joint, c.F);

@@ -17,7 +17,7 @@ class ForwardDynamics final : public TreeLaw<ForwardDynamics, S> {
     return "aba(tau) = M^-1 (tau - h), rnea(aba(tau)) = tau; with A = M_kl / sqrt(M_kk M_ll), norms of "
            "sqrt(M_kk) a_k "
            "and tau_k / sqrt(M_kk), terms = ||A|| ||a|| + ||tau|| + those of tau: "
-           "kappa = ||A^-1|| terms / ||a||, ||A|| ||A^-1|| terms / ||tau||, ||A|| ||A^-1||";
+           "kappa = ||A^-1|| terms / ||a||, terms / ||tau||, ||A|| ||A^-1||";
   }
   std::string source() const override {
     return "Featherstone 2008, chapters 6, 7; Demmel 1989 for the scaling";
@@ -46,7 +46,8 @@ class ForwardDynamics final : public TreeLaw<ForwardDynamics, S> {
       e = oracles::solve(factor, e);
       std::copy(e.begin(), e.end(), inverse_exact.begin() + static_cast<std::ptrdiff_t>(k * c.nv()));
     }
-    const double size = approximate(weighted_norm(M, products(w))),
+    const std::vector<double> at_rest(c.nv(), 0);
+    const double size = weighted_size(c.sizes(at_rest, at_rest).mass, products(w)),
                  size_inverse = approximate(weighted_norm(inverse_exact, products(roots)));
     const double a_size = approximate(weighted_norm(a, roots));
     const double terms = size * a_size + approximate(weighted_norm(tau, w)) +

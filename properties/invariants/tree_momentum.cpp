@@ -18,7 +18,7 @@ class TreeMomentum final : public TreeLaw<TreeMomentum, S> {
   std::string equation() const override {
     return "h = sum m (x'; (x - c) x x') = A_g v; tau_base(q, v, aba(q, v, (0, tau))) = 0 for g = 0, "
            "relative to the terms "
-           "of forward_dynamics; kappa = ||A|| ||A^-1||";
+           "of forward_dynamics";
   }
   std::string source() const override { return "Orin & Goswami 2008; Noether 1918"; }
   enum { linear, angular, map_linear, map_angular, conserved };
@@ -99,17 +99,8 @@ class TreeMomentum final : public TreeLaw<TreeMomentum, S> {
         weighted_size(
             oracles::TreeSizes<double>(rough, c.rough.q, c.rough.v, TreeMomentum::rough_list(a)).tau, w) +
         approximate(weighted_norm(TreeMomentum::template exact_list<T>(tau), w));
-    const std::vector<T> factor = oracles::positive_factor(M, c.nv());
-    if (factor.empty()) return;
-    double inverse = 0;
-    for (std::size_t k = 0; k < c.nv(); ++k) {
-      std::vector<T> e(c.nv(), T(0));
-      e[k] = T(roots[k]);
-      inverse += approximate(weighted_norm(oracles::solve(factor, e), roots));
-    }
-    const double kappa = inverse * approximate(weighted_norm(M, products(w)));
     const std::vector<T> nothing(6, T(0));
-    r.record(conserved, 0, weighted_error<S>(base, nothing, w, T(terms)), [&] { return kappa; });
+    r.record(conserved, 0, weighted_error<S>(base, nothing, w, T(terms)));
   }
 };
 

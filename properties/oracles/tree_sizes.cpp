@@ -3,6 +3,9 @@
 namespace liecheck::oracles {
 namespace {
 
+/// The oracle's own terms, at the world's origin, lose less than this: what is exactly zero, it finds to be that.
+constexpr double oracle_noise = 1e-20;
+
 double size(const Vec3<double>& v) {
   return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
 }
@@ -106,7 +109,8 @@ TreeSizes<N>::TreeSizes(const TreeOf<double>& tree, const Numbers& q, const Numb
     const N c = N(size(j.body.c)) + away[i], at_root = own.u + own.w * away[i];
     const N momentum = N(m) * (at_root + own.w * c);
     force[i] = N(m) * (own.ac + own.al * (away[i] + c)) + own.w * momentum;
-    moment[i] = N(I) * (own.al + own.w * own.w) + c * force[i] + at_root * momentum;
+    moment[i] = N(I) * (own.al + own.w * own.w) + (c + N(oracle_noise) * own.position) * force[i] +
+                at_root * momentum;
     for (const auto& F : fext)
       if (F.joint == static_cast<int>(i)) {
         force[i] += N(size(head3(F.F)));
