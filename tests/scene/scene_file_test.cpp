@@ -54,8 +54,9 @@ struct Bad {
 TEST(SceneFile, ABadOneIsNamedWithFileLineAndRemedy) {
   const std::vector<Bad> table = {
       {3, "effects: [gravty]",
-       "s.yaml:3: 'gravty' is not known in effects, the nearest are 'gravity', 'drag' and 'armature'"},
-      {3, "effects: [gravity: {acceleration: [0, 0, -9.81 m/h]}]", ""},
+       "s.yaml:3: 'gravty' is not known in effects, the nearest are 'gravity', 'drag' and 'wrench'"},
+      {3, "effects: [gravity: {acceleration: [0, 0, -9.81 m/h]}]",
+       "s.yaml:3: gravity.acceleration[2]: 'm/h' is no unit of this: write a number in m/s^2"},
       {3, "effects: [gravity: {acceleration: [0, 0, -9.81 furlong]}]",
        "s.yaml:3: gravity.acceleration[2]: unknown unit 'furlong' in 'furlong', the nearest are 'turn', 'g' "
        "and 'h'"},
@@ -78,10 +79,7 @@ TEST(SceneFile, ABadOneIsNamedWithFileLineAndRemedy) {
        "s.yaml:3: contact without a ground: write 'ground: {height: 0}' in the scene"},
       {3, "effects: [thruster: {frame: body, thrust: 1, direction: [0, 0, 0]}]",
        "s.yaml:3: the axis of a joint must be finite and not zero"},
-      {3, "effects: [armature: {joints: root_joint, inertia: 1}]",
-       "s.yaml:1: joint 'root_joint' (joint 1) moves no inertia, so no force sets its acceleration: are the "
-       "links behind it "
-       "massless?"},
+      {3, "effects: [armature: {joints: root_joint, inertia: 1}]", ""},
       {4, "integrator: {name: rkmk4, step: -1 ms}",
        "s.yaml:4: integrator.step is '-1 ms': it must be above 0"},
       {4, "integrator: {name: rkmk4, step: .nan}", "s.yaml:4: integrator.step: '.nan' is not a number in s"},
@@ -106,7 +104,7 @@ TEST(SceneFile, ABadOneIsNamedWithFileLineAndRemedy) {
        "s.yaml:6: no frame is named 'head', the nearest are 'body', 'universe' and 'root_joint'"},
       {6, "observers: [imu: {frame: body, seed: 1.5}]", "s.yaml:6: imu.seed is no whole number up to 9e15"},
       {6, "observer: [energy]",
-       "s.yaml:6: the scene has no key 'observer', the nearest are 'observers', 'duration' and 'ground'"},
+       "s.yaml:6: the scene has no key 'observer', the nearest are 'observers', 'scene' and 'effects'"},
       {7, "duration: 2 s", "s.yaml:7: key 'duration' of the scene stands twice: keep one"},
       {7, "truth: [a", "s.yaml:8: is no YAML: end of sequence flow not found"},
       {7, "actuation: [pd: {stiffness: 1}]", "s.yaml:7: pd needs 'damping' [N m s/rad|N s/m]: d"},
@@ -128,7 +126,7 @@ TEST(SceneFile, ABadOneIsNamedWithFileLineAndRemedy) {
       {1, "robot: {urdf: chain.urdf, body: box}", "s.yaml:1: robot needs one of 'urdf' and 'body'"},
       {1, "robot: box", "s.yaml:1: robot is a map: {body: box, size: [1, 1, 1]} or {urdf: FILE}"},
       {1, "robot: {body: box, size: [1, 2, 3], root: flying}",
-       "s.yaml:1: robot.root is 'flying', the nearest are 'fixed', 'planar' and 'free_flyer'"},
+       "s.yaml:1: robot.root is 'flying', the nearest are 'fixed', 'planar' and 'continuous'"},
       {2, "initial: {quaternion: [0, 0, 0, 0]}",
        "s.yaml:2: initial.quaternion is zero, which is no rotation"},
       {2, "initial: {start: dzanibekov}",
@@ -243,7 +241,7 @@ TEST(Program, ABadSceneIsOneLineAndExitTwo) {
   EXPECT_EQ(code, 2);
   EXPECT_EQ(said,
             "liecheck: " + path +
-                ":3: 'gravty' is not known in effects, the nearest are 'gravity', 'drag' and 'armature'\n");
+                ":3: 'gravty' is not known in effects, the nearest are 'gravity', 'drag' and 'wrench'\n");
 }
 
 TEST(Program, ADivergingRunKeepsWhatItHasAndExitsThree) {
@@ -260,16 +258,20 @@ TEST(Program, ADivergingRunKeepsWhatItHasAndExitsThree) {
   std::ifstream f(csv);
   std::string line;
   int lines = 0;
-  while (std::getline(f, line))
-    ++lines, EXPECT_EQ(line.find("nan"), line.npos), EXPECT_EQ(line.find("inf"), line.npos);
+  while (std::getline(f, line)) {
+    ++lines;
+    EXPECT_EQ(line.find("nan"), line.npos);
+    EXPECT_EQ(line.find("inf"), line.npos);
+  }
   EXPECT_GT(lines, 10);
 }
 
-TEST(Program, CtrlCKeepsWhatIsDoneAndExitsThree) {
+TEST(Program, AStopSignalKeepsWhatIsDoneAndExitsThree) {
   const std::string csv = testing::TempDir() + "stopped.csv";
-  const std::string path = file("long.yaml", with(5, "duration: 100000 s"));
+  const std::string path = file("long.yaml", with(5, "duration: 20000 s"));
+  // a shell has its background jobs ignore SIGINT
   const auto [code, said] =
-      program("scene run " + path + " --csv " + csv + " & p=$!; sleep 1; kill -INT $p; wait $p");
+      program("scene run " + path + " --csv " + csv + " & p=$!; sleep 1; kill -TERM $p; wait $p");
   EXPECT_EQ(code, 3) << said;
   EXPECT_NE(said.find("interrupted at t = "), std::string::npos) << said;
   EXPECT_TRUE(fs::exists(csv));
