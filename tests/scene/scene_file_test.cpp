@@ -58,8 +58,9 @@ TEST(SceneFile, ABadOneIsNamedWithFileLineAndRemedy) {
       {3, "effects: [gravity: {acceleration: [0, 0, -9.81 m/h]}]",
        "s.yaml:3: gravity.acceleration[2]: 'm/h' is no unit of this: write a number in m/s^2"},
       {3, "effects: [gravity: {acceleration: [0, 0, -9.81 furlong]}]",
-       "s.yaml:3: gravity.acceleration[2]: unknown unit 'furlong' in 'furlong', the nearest are 'turn', 'g' "
-       "and 'h'"},
+       "s.yaml:3: gravity.acceleration[2]: unknown unit 'furlong' in 'furlong', the nearest are 'turn', "
+       "'deg' and "
+       "'g'"},
       {3, "effects: [gravity: {acceleration: [0, 0, -9.81 kg]}]",
        "s.yaml:3: gravity.acceleration[2]: 'kg' is no unit of this: write a number in m/s^2"},
       {3, "effects: [gravity: {acceleration: [0, -9.81]}]",
@@ -223,7 +224,7 @@ TEST(Fixtures, TheReadmeHoldsTheSchema) {
 
 /// Its exit code, and what it says on both streams.
 std::pair<int, std::string> program(const std::string& arguments) {
-  std::FILE* pipe = ::popen((std::string(LIECHECK_PROGRAM) + " " + arguments + " 2>&1").c_str(), "r");
+  std::FILE* pipe = ::popen(("(" + std::string(LIECHECK_PROGRAM) + " " + arguments + ") 2>&1").c_str(), "r");
   std::string said;
   for (int c = 0; (c = std::fgetc(pipe)) != EOF;) said += char(c);
   const int status = ::pclose(pipe);
