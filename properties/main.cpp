@@ -280,7 +280,7 @@ int run_report(const Flags& f) {
       SceneSweepFlags s;
       s.options.order_scenes = 3;
       s.flips = 3;
-      s.options.order_seconds = 3;
+      s.options.order_seconds = 6;
       s.options.longest = 0.004;
       s.options.seconds = 12;
       s.options.repetitions = 7;

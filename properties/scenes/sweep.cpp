@@ -208,7 +208,7 @@ std::vector<SceneSweep> sweep_scenes(const std::vector<Benchmark>& scenes, const
           continue;
         progress(0.5, std::string("order of ") + m.name);
         sweep.orders.push_back(measure_order(s, exact, m, o.order_seconds));
-        shown[m.name] += exact.closed && !sweep.orders.back().exact;
+        shown[m.name] += exact.closed && sweep.orders.back().observed.settled;
       }
     if (o.seconds > 0 && !stopped()) {
       std::vector<Timed> timed;
