@@ -279,7 +279,8 @@ int run_report(const Flags& f) {
     if (!stop_requested && !f.no_scenes) {
       SceneSweepFlags s;
       s.options.order_scenes = 3;
-      s.options.order_seconds = 5;
+      s.flips = 3;
+      s.options.order_seconds = 6;
       s.options.longest = 0.004;
       s.options.seconds = 12;
       s.options.repetitions = 7;

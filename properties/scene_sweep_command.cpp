@@ -73,10 +73,10 @@ void print_scene(const SceneSweep& s) {
     }
     const ObservedOrder& o = row.observed;
     fmt::print(
-        "  order of {:<20} {:>2}: {:>7.3f} over {} halvings in {}, errors {:.1e} to {:.1e}, floor {}\n",
+        "  order of {:<20} {:>2}: {:>7.3f} over {} halvings in {}, errors {:.1e} to {:.1e}, floor {}{}\n",
         row.integrator, row.promised, o.order, o.halvings, row.scalar, o.halvings ? row.errors[o.first] : 0.0,
         o.halvings ? row.errors[o.first + std::size_t(o.halvings)] : 0.0,
-        o.floor ? fmt::format("{:.0e}", *o.floor) : "not reached");
+        o.floor ? fmt::format("{:.0e}", *o.floor) : "not reached", o.settled ? "" : "; not settled");
   }
 }
 
@@ -147,7 +147,7 @@ SceneSweepResult run_scene_sweep(const SceneSweepFlags& f) {
     if (f.files.empty() && options.integrators.empty() && options.steps.empty()) {
       if (!stop_requested) progress.show(0.95, [](double) { return "long spins"; });
       if (!stop_requested) r.spins = long_spins();
-      if (!stop_requested) r.flips = dzhanibekov_flips(6, &stop_requested);
+      if (!stop_requested) r.flips = dzhanibekov_flips(f.flips, &stop_requested);
     }
   }
   r.complete = !stop_requested;

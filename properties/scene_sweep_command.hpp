@@ -11,6 +11,7 @@ struct SceneSweepFlags {
   std::vector<std::string> files;  ///< none: the built-in scenes, and the long spins
   SceneSweepOptions options;
   std::string json;
+  std::size_t flips = 6;
   bool no_orders = false, no_times = false, no_peers = false;
 };
 

@@ -52,6 +52,7 @@ json order_of(const OrderRow& row) {
           {"observed", o.order},
           {"halvings", o.halvings},
           {"first", o.first},
+          {"settled", o.settled},
           {"floor", o.floor ? number(*o.floor) : json()},
           {"steps", row.steps},
           {"errors", errors}};

@@ -41,7 +41,7 @@ void check_series(const Field& series) {
 void check_order(const Field& order) {
   order.texts({"integrator", "scalar"});
   for (const char* name : {"promised", "halvings", "first"}) order[name].count();
-  order["exact"].boolean();
+  order["exact"].boolean(), order["settled"].boolean();
   order["observed"].real();
   measured_or_none(order["floor"]);
   order["steps"].each([](const Field& n) { n.count(1); });

@@ -20,11 +20,15 @@ class DartRunner final : public PeerRunner {
     robot_ = dd::Skeleton::create("robot");
     dd::BodyNode* parent = nullptr;
     for (const PeerBody& b : bodies_) {
+      // names of their own, or DART talks about new ones
+      const dd::BodyNode::AspectProperties name("body" + std::to_string(robot_->getNumBodyNodes()));
+      dd::RevoluteJoint::Properties joint;
+      joint.mName = "joint" + std::to_string(robot_->getNumBodyNodes());
       if (b.free) {
-        const auto made = robot_->createJointAndBodyNodePair<dd::FreeJoint>(parent);
+        const auto made = robot_->createJointAndBodyNodePair<dd::FreeJoint>(parent, {}, name);
         root_ = made.first, parent = made.second;
       } else {
-        const auto made = robot_->createJointAndBodyNodePair<dd::RevoluteJoint>(parent);
+        const auto made = robot_->createJointAndBodyNodePair<dd::RevoluteJoint>(parent, joint, name);
         made.first->setAxis(b.axis);
         Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
         X.translation() = b.at;

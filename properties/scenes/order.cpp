@@ -5,7 +5,7 @@
 
 namespace liecheck::properties {
 
-ObservedOrder observe_order(const std::vector<double>& errors, int promised, int wanted) {
+ObservedOrder observe_order(const std::vector<double>& errors, int promised, int wanted, double rounding) {
   ObservedOrder r;
   std::vector<double> rate;
   for (std::size_t k = 0; k + 1 < errors.size(); ++k) rate.push_back(std::log2(errors[k] / errors[k + 1]));
@@ -15,13 +15,13 @@ ObservedOrder observe_order(const std::vector<double>& errors, int promised, int
     // a start with too long steps does not help either: the floor is where it is never better again
     const bool better =
         std::any_of(rate.begin() + long(k) + 1, rate.end(), [&](double x) { return x > least; });
-    if (rate[k] < least && rate[k + 1] < least && !better) {
+    if (rate[k] < least && rate[k + 1] < least && !better && errors[k] < 1e-3) {
       r.floor = *std::min_element(errors.begin() + long(k), errors.end());
       break;
     }
   }
-  if (r.floor)
-    while (end > 0 && !(errors[end - 1] >= 100 * *r.floor)) --end;
+  const double least = std::max(1000 * rounding, r.floor ? 100 * *r.floor : 0);
+  while (end > 0 && !(errors[end - 1] >= least)) --end;
   while (end > 0 && !(errors[end - 1] > 0 && std::isfinite(errors[end - 1]))) --end;
   std::size_t begin = end;
   while (begin > 0 && end - begin < std::size_t(wanted) + 1 && std::isfinite(errors[begin - 1]) &&
@@ -32,6 +32,8 @@ ObservedOrder observe_order(const std::vector<double>& errors, int promised, int
   r.halvings = int(end - begin) - 1;
   r.order = std::log2(errors[begin] / errors[end - 1]) / r.halvings;
   r.local.assign(rate.begin() + long(begin), rate.begin() + long(end) - 1);
+  r.settled = r.halvings >= 5 && std::all_of(r.local.begin(), r.local.end(),
+                                             [&](double x) { return std::abs(x - r.order) < 0.1; });
   return r;
 }
 

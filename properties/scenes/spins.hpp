@@ -29,6 +29,7 @@ struct Flips {
   std::size_t predicted = 0;
   double horizon = 0;
 };
+/// delta = 1e-2 ... 1e-12 in double, 1e-8 and 1e-12 in float128 too.
 std::vector<Flips> dzhanibekov_flips(std::size_t flips = 6, std::atomic<bool>* stop = nullptr);
 
 }  // namespace liecheck::properties

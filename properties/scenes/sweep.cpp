@@ -158,13 +158,8 @@ OrderRow measure_order(const Benchmark& s, const Exact& exact, const scene::Meth
       row.exact = true;
       return row;
     }
-    row.observed = observe_order(row.errors, method.order);
-    const auto& local = row.observed.local;
-    // settled: five halvings that differ by less than 0.1 from their mean
-    const bool settled = row.observed.halvings == 5 && std::all_of(local.begin(), local.end(), [&](double x) {
-                           return std::abs(x - row.observed.order) < 0.1;
-                         });
-    if (settled || row.observed.floor || since(start) > seconds) break;
+    row.observed = observe_order(row.errors, method.order, 5, eps);
+    if (row.observed.settled || row.observed.floor || error < 100 * eps || since(start) > seconds) break;
   }
   return row;
 }
@@ -213,7 +208,7 @@ std::vector<SceneSweep> sweep_scenes(const std::vector<Benchmark>& scenes, const
           continue;
         progress(0.5, std::string("order of ") + m.name);
         sweep.orders.push_back(measure_order(s, exact, m, o.order_seconds));
-        shown[m.name] += exact.closed && !sweep.orders.back().exact;
+        shown[m.name] += exact.closed && sweep.orders.back().observed.settled;
       }
     if (o.seconds > 0 && !stopped()) {
       std::vector<Timed> timed;

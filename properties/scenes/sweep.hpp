@@ -57,7 +57,7 @@ struct SceneSweepOptions {
   std::vector<std::string> integrators;  ///< none: all
   std::vector<long> steps;  ///< over the whole duration, multiples of 4; none: from coarse to the floor
   std::size_t order_scenes = 1000;  ///< how many of each method's scenes its order is measured on; 0: none
-  double order_seconds = 20;             ///< about the longest that measuring one order takes
+  double order_seconds = 20;        ///< about the longest that measuring one order takes
   double longest = 0.02;            ///< longer runs are not timed [s]
   double seconds = 20;              ///< about how long all timing takes; 0: none
   std::size_t repetitions = 11;
@@ -69,11 +69,12 @@ struct SceneSweepOptions {
 /// Throws std::invalid_argument naming an integrator that does not exist.
 std::vector<SceneSweep> sweep_scenes(const std::vector<Benchmark>& scenes, const SceneSweepOptions& options);
 
-/// Does every method show its order to 0.1 over five halvings on each scene on which it is not exact, and are these at
-/// least `scenes`? What is wrong, a line each.
+/// Does every method show its order to 0.1 over five halvings wherever its order settles, and does it on at least
+/// `scenes` scenes with closed forms on which it is not exact? What is wrong, a line each.
 std::vector<std::string> wrong_orders(const std::vector<SceneSweep>& all, std::size_t scenes = 3);
 
-/// A peer beside ours on a scene: over all its points, at an error no larger, the largest of our time over its time.
+/// A peer beside ours on a scene: over all its points, at an error no larger (between two points of ours on the line
+/// through them, log-log), the largest of our time over its time.
 /// ratio: below 1 where we are faster everywhere; none where no point of ours is as accurate.
 struct PeerComparison {
   std::string scene, peer, integrator;
