@@ -35,8 +35,8 @@ struct FrameSizes {
   explicit FrameSizes(const Case& c) {
     oracles::TreeOf<double> tree = c.rough.tree;
     tree.gravity = {{0, 0, 0}};
-    const auto& j = oracles::TreeSizes<double>(tree, c.rough.q, c.rough.v, c.rough.a)
-                        .joints[static_cast<std::size_t>(c.rough.frame_joint)];
+    const auto j = oracles::TreeSizes<double>(tree, c.rough.q, c.rough.v, c.rough.a)
+                       .joints[static_cast<std::size_t>(c.rough.frame_joint)];
     const double r = approximate(norm(c.exact.frame_p));
     position = j.position + r, w = j.w, u = j.u + w * r, al = j.al, ac = j.ac + al * r;
   }
