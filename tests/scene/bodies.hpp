@@ -29,6 +29,13 @@ inline Inertia<double> awkward() {
   return {1.5, V3(0.1, -0.2, 0.3), Matrix3<double>((I + I.transpose()) / 2)};
 }
 
+/// Gravity across its axes: with it the motion depends on q.
+inline scene::Effects<double> gravity() {
+  scene::Request request{"gravity", {}, 0};
+  request.parameters.values["acceleration"] = {{1, -2, -9.81}, {}};
+  return {scene::makeEffect<double>(request, Model<double>(), {})};
+}
+
 template <class Sys>
 scene::State<Sys> after(Sys& system, const std::string& method, const Vec& q, const Vec& v, double duration,
                         long steps, double tolerance = 1e-9) {

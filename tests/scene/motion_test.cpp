@@ -34,7 +34,7 @@ class EachMethod : public testing::TestWithParam<MethodInfo> {};
 /// From 80 and 160 steps, against gauss12 in 640. 0.15: the methods are near their order there, not at it.
 TEST_P(EachMethod, HasTheOrderThatItSays) {
   const MethodInfo info = GetParam();
-  Body body(freeBody(awkward()));
+  Body body(freeBody(awkward()), gravity());
   const Model<double>& m = body.model();
   const Vec q = neutral(m);
   const auto exact = after(body, "gauss12", q, start_v, 2, 640);
@@ -52,8 +52,8 @@ TEST_P(EachMethod, MovesATreeOfOneBodyAsItMovesTheBody) {
   const MethodInfo info = GetParam();
   if (info.lone_body_only) GTEST_SKIP() << "of a lone body only";
   const Model<double> m = freeBody(awkward());
-  Body body(m);
-  scene::Tree<double> tree(m);
+  Body body(m, gravity());
+  scene::Tree<double> tree(m, gravity());
   const auto a = after(body, info.name, neutral(m), start_v, 1, 100);
   const auto b = after(tree, info.name, neutral(m), start_v, 1, 100);
   // 100 steps of 64 eps each: the two form a in another order
