@@ -55,7 +55,7 @@ int print_campaign(const CampaignResult& r, bool verbose) {
     for (const auto& [key, row] : tally.rows) {
       const Output& o = series->outputs.at(static_cast<std::size_t>(key.first));
       const Budget& b =
-          budget_of(o.operation, o.block, series->bands()[static_cast<std::size_t>(key.second)].region);
+          budget_of(series->subject, o.operation, o.block, series->bands()[static_cast<std::size_t>(key.second)].region);
       worst = std::max(worst, row.worst_score / b.limit);
       failed = failed || row.failed > 0;
       unresolved += row.unresolved;

@@ -1,5 +1,6 @@
 #pragma once
-// The budget table (properties/budgets.csv): operation x block x region -> rule, limit, reason.
+// The budget table (properties/budgets.csv): operation x block x region -> rule, limit, reason; and for subjects that
+// document other bounds of their own, block -> limit, reason in place of those up to half a turn.
 // Tests and the report read the same table; the invariants do not know it.
 
 #include <generators/bands.hpp>
@@ -18,9 +19,11 @@ struct Budget {
   std::string reason;
 };
 
-const std::vector<Budget>& budgets();
+/// The lines for a subject: its own limits where it has any.
+const std::vector<Budget>& budgets(const std::string& subject);
 
-/// The budget of a block in a band. Throws std::logic_error where the table has no line.
-const Budget& budget_of(const std::string& operation, const std::string& block, Region region);
+/// The budget of a block in a band, for a subject. Throws std::logic_error where the table has no line.
+const Budget& budget_of(const std::string& subject, const std::string& operation, const std::string& block,
+                        Region region);
 
 }  // namespace liecheck::properties

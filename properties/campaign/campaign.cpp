@@ -216,7 +216,7 @@ std::string describe_failure(const Series& series, std::uint64_t seed, int outpu
                              const Robot& robot) {
   const Output& o = series.outputs.at(static_cast<std::size_t>(output));
   const Band& b = series.bands()[static_cast<std::size_t>(band)];
-  const Budget& budget = budget_of(o.operation, o.block, b.region);
+  const Budget& budget = budget_of(series.subject, o.operation, o.block, b.region);
   const CaseId id = series.id(seed, row.worst_index);
   const Shrunk s = series.shrink(id, output, 2000);
   const std::string with_robot =

@@ -14,6 +14,7 @@ namespace liecheck::properties {
 struct Lanes {
   static constexpr int count = 8;
   using Lane = float;
+  using SideBySide = void;
   using Half = float __attribute__((vector_size(16)));
   Half a, b;
 
@@ -54,7 +55,8 @@ struct Lanes {
 
 /// Every float from low to high. Rounding to nearest is monotone, so what an operation returns for any operands
 /// between lies between what it returns at their ends: results hold every float that the code can return. An
-/// answer that the ends do not settle (a comparison, a function of libm) sets `undecided`.
+/// answer that the ends do not settle (a comparison, a function of libm) sets `undecided`. It takes branches: it knows
+/// where its ends would part.
 struct Span {
   using Lane = float;
   float low, high;
@@ -127,10 +129,6 @@ struct Span {
 };
 
 }  // namespace liecheck::properties
-
-/// A Span takes branches: it knows where its ends would part.
-template <>
-inline constexpr bool liecheck::side_by_side<liecheck::properties::Span> = false;
 
 template <>
 struct std::numeric_limits<liecheck::properties::Lanes> : std::numeric_limits<float> {};

@@ -138,6 +138,11 @@ class Moves {
         if (f > S(0)) x[g.from] *= f;
         return;
       }
+      case Kind::masses: {
+        const S f = factor(s);
+        if (f > S(0)) x[g.from + s.below(g.size)] *= f;
+        return;
+      }
       default:;  // a choice is only borrowed
     }
   }

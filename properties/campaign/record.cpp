@@ -153,7 +153,7 @@ json record_of(const CampaignResult& r) {
     for (const auto& [key, row] : tally.rows) {
       const Output& o = series->outputs.at(static_cast<std::size_t>(key.first));
       const Band& b = series->bands()[static_cast<std::size_t>(key.second)];
-      const Budget& budget = budget_of(o.operation, o.block, b.region);
+      const Budget& budget = budget_of(series->subject, o.operation, o.block, b.region);
       seen.second.insert(o.operation);
       if (operations_seen.insert(o.operation).second) operations.push_back(operation_of(o.operation));
       const CaseId id = series->id(r.options.seed, row.worst_index);

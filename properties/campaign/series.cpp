@@ -65,12 +65,12 @@ class SeriesOf final : public Series {
     scalar = scalar_name<S>();
     eps = std::ldexp(1.0, 1 - std::numeric_limits<S>::digits);
     outputs = property_->outputs();
-    robot = property_->needs_robot() ? robot_used.hash : "none";
     property_->prepare(robot_used);
+    robot = property_->needs_robot() ? robot_used.hash : "none";
     fields = property_->fields();
     for (const Output& o : outputs)
-      budgets_.push_back({&budget_of(o.operation, o.block, Region::to_pi),
-                          &budget_of(o.operation, o.block, Region::beyond_pi)});
+      budgets_.push_back({&budget_of(subject, o.operation, o.block, Region::to_pi),
+                          &budget_of(subject, o.operation, o.block, Region::beyond_pi)});
   }
 
   const Bands& bands() const override { return Bands::of<S>(); }
@@ -372,7 +372,8 @@ Robot robot_of(const std::string& urdf, const std::string& path) {
   const std::string source = path.empty() ? "the built-in robot" : path;
   const auto model = buildModelFromUrdfText(urdf, RootJoint::FreeFlyer, source);
   for (std::size_t j = 1; j < model.joints.size(); ++j)
-    if (model.nqs[j] == 4) throw UrdfError(source, 0, "a planar joint: no law measures one yet", model.names[j]);
+    if (model.nqs[j] == 4)
+      throw UrdfError(source, 0, "a planar joint: no law measures one yet", model.names[j]);
   r.name = model.name;
   return r;
 }

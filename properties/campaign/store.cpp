@@ -37,7 +37,7 @@ std::string text_of(const Histogram& h) {
   std::string text;
   char word[40];  // two numbers of at most 20 digits
   for (const auto& [bin, n] : h.bins()) {
-    char* at = std::to_chars(word, word + sizeof word, bin).ptr;
+    char* at = std::to_chars(word, word + 20, bin).ptr;
     *at++ = ':';
     at = std::to_chars(at, word + sizeof word, n).ptr;
     if (!text.empty()) text += ' ';

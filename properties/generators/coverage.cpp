@@ -58,6 +58,16 @@ const std::vector<InputClass> inertias = {
     {"point", 16}, {"ball", 16}, {"needle", 8}, {"plate", 16}, {"general", 5}};
 const std::vector<InputClass> positives = {
     {"simple", 4}, {"ratio below 1e-12, in float 1e-2", 14}, {"ratio above 1e12, in float 1e2", 14}};
+const std::vector<InputClass> trees = {{"one joint", 10},
+                                       {"chain of 3 and more", 10},
+                                       {"star of 3 and more", 12},
+                                       {"several on the world", 6},
+                                       {"4 deep", 20},
+                                       {"3 on one", 10}};
+const std::vector<InputClass> joints = {{"revolute", 4},    {"continuous", 4}, {"prismatic", 4},
+                                        {"helical", 4},     {"spherical", 4},  {"planar", 4},
+                                        {"translation", 4}, {"free-flyer", 4}, {"mimic", 25}};
+const std::vector<InputClass> masses = {{"all alike", 3}, {"ratio above 1e12, in float 100", 50}};
 const std::vector<InputClass> none;
 
 constexpr std::uint32_t bit(bool condition, int i) {
@@ -211,6 +221,44 @@ std::uint32_t of_positive(const S& x) {
          bit(x > S(1) / low, 2);
 }
 
+template <class S>
+std::uint32_t of_parents(std::span<const S> parents) {
+  int joints = 0, deepest = 0, widest_of = 0, roots = 0;
+  std::array<int, 64> depth{}, children{};
+  for (const S& p : parents) {
+    const int parent = static_cast<int>(p), i = joints;
+    if (parent < -1 || i >= 64) break;
+    ++joints;
+    depth[static_cast<std::size_t>(i)] = parent < 0 ? 1 : depth[static_cast<std::size_t>(parent)] + 1;
+    deepest = std::max(deepest, depth[static_cast<std::size_t>(i)]);
+    if (parent < 0)
+      ++roots;
+    else
+      widest_of = std::max(widest_of, ++children[static_cast<std::size_t>(parent)]);
+  }
+  const bool star = joints >= 3 && roots == 1 && deepest == 2;
+  return bit(joints == 1, 0) | bit(joints >= 3 && deepest == joints, 1) | bit(star, 2) | bit(roots > 1, 3) |
+         bit(deepest >= 4, 4) | bit(widest_of >= 3 || roots >= 3, 5);
+}
+/// Kinds, then primaries.
+template <class S>
+std::uint32_t of_joints(std::span<const S> x) {
+  std::uint32_t c = 0;
+  for (std::size_t i = 0; i < x.size() / 2; ++i) {
+    const int kind = static_cast<int>(x[i]);
+    if (kind >= 0) c |= bit(true, x[x.size() / 2 + i] >= S(0) ? 8 : kind);
+  }
+  return c;
+}
+template <class S>
+std::uint32_t of_masses(std::span<const S> x) {
+  static const S large = std::is_same_v<S, float> ? S(100) : S(1000000000000ll);
+  S low(0), high(0);
+  for (const S& m : x)
+    if (m > S(0)) low = low > S(0) ? std::min(low, m) : m, high = std::max(high, m);
+  return bit(high <= S(2) * low, 0) | bit(high / large > low, 1);
+}
+
 }  // namespace
 
 const std::vector<InputClass>& classes_of(Kind kind) {
@@ -227,13 +275,19 @@ const std::vector<InputClass>& classes_of(Kind kind) {
       return inertias;
     case Kind::positive:
       return positives;
+    case Kind::parents:
+      return trees;
+    case Kind::joints:
+      return joints;
+    case Kind::masses:
+      return masses;
     default:
       return none;
   }
 }
 
 bool requires_class(const Field& field, const InputClass& c) {
-  return c.reach == Reach::limited || c.reach == field.reach;
+  return field.reach != Reach::any && (c.reach == Reach::limited || c.reach == field.reach);
 }
 
 template <class S>
@@ -251,6 +305,12 @@ std::uint32_t classify(Kind kind, std::span<const S> x, std::span<const S> earli
       return of_inertia(x);
     case Kind::positive:
       return of_positive(x[0]);
+    case Kind::parents:
+      return of_parents(x);
+    case Kind::joints:
+      return of_joints(x);
+    case Kind::masses:
+      return of_masses(x);
     default:
       return 0;
   }
@@ -261,7 +321,7 @@ void Coverage::add(const std::vector<Field>& fields, const std::vector<S>& input
   if (counts_.size() < fields.size()) counts_.resize(fields.size());
   ++cases_;
   std::size_t from = 0;
-  std::array<std::span<const S>, 8> last{};  // of each kind
+  std::array<std::span<const S>, 11> last{};  // of each kind
   for (std::size_t f = 0; f < fields.size(); ++f) {
     const std::span<const S> x(input.data() + from, static_cast<std::size_t>(fields[f].size));
     auto& earlier = last[static_cast<std::size_t>(fields[f].kind)];

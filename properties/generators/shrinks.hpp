@@ -162,6 +162,20 @@ Candidates<S> candidates(const std::vector<S>& g, Kind kind) {
       add_rounded(all, g);
       return all;
     }
+    case Kind::masses: {  // none must appear
+      Candidates<S> all{g};
+      for (S& x : all.back()) x = x > S(0) ? S(1) : S(0);
+      add_rounded(all, g);
+      return all;
+    }
+    case Kind::parents: {  // without the last joint, as many as may go
+      Candidates<S> all;
+      for (std::size_t n = 1; n < g.size() && g[n] >= S(-1); ++n) {
+        all.push_back(g);
+        std::fill(all.back().begin() + static_cast<std::ptrdiff_t>(n), all.back().end(), S(-2));
+      }
+      return all;
+    }
     default:
       return {};
   }

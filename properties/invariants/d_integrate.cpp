@@ -2,6 +2,7 @@
 
 #include <generators/rotations.hpp>
 #include <invariants/common.hpp>
+#include <liecheck/scalar/scalar.hpp>
 #include <optional>
 #include <oracles/fast.hpp>
 #include <oracles/integrate.hpp>
@@ -54,7 +55,10 @@ class DIntegrate final : public Law<DIntegrate, S> {
     return x;
   }
   bool valid(const std::vector<S>& x) const override {
-    return Property<S>::valid(x) && norm_defect_at<S>(x, 3) <= 8 && norm_defect_at<S>(x, 10) <= 8;
+    // Up to half a turn and its neighbours: beyond it, ARG0 is a law of exp and ARG1 one of the Jacobians.
+    using std::sqrt;
+    return Property<S>::valid(x) && norm_defect_at<S>(x, 3) <= 8 && norm_defect_at<S>(x, 10) <= 8 &&
+           sqrt(x[17] * x[17] + x[18] * x[18] + x[19] * x[19]) <= pi<S>() * (S(1) + S(4) * eps<S>());
   }
   template <class Real>
   void in(const Subject<S>& subject, const std::vector<S>& input, Recorder& r) const {

@@ -85,7 +85,7 @@ class Property {
   virtual std::vector<Field> fields() const = 0;
   /// Does the subject offer at least one of the operations that the law speaks of?
   virtual bool offered(const Subject<S>& subject) const = 0;
-  virtual bool needs_robot() const { return false; }
+  virtual bool needs_robot() const { return false; }  ///< asked after prepare
   /// Readies robot-dependent state; called once, before any case.
   virtual void prepare(const Robot&) {}
   /// Valid by construction; uses only the source.

@@ -1,4 +1,5 @@
 #include <subjects/known_bugs.hpp>
+#include <subjects/tree_bugs.hpp>
 
 #include <Eigen/Dense>
 #include <cmath>
@@ -688,10 +689,16 @@ std::vector<Subject<S>> known_bugs(const Operations<S>& good) {
   std::vector<Subject<S>> all;
   for (const auto& entry : Bugs<S>::entries()) {
     all.push_back({std::string("bug:") + entry.name, "a known bug", good, {}});
+    all.back().operations.tree = nullptr;  // the same as without the bug
     entry.plant(all.back().operations);
+  }
+  for (const auto& entry : tree_bugs<S>()) {
+    all.push_back({std::string("bug:") + entry.name, "a known bug", {}, {}});
+    all.back().operations.tree = entry.tree;
   }
   for (const auto& entry : Bugs<S>::alikes()) {
     all.push_back({std::string("alike:") + entry.name, "a look-alike", good, {}});
+    all.back().operations.tree = nullptr;
     entry.plant(all.back().operations);
   }
   return all;
@@ -702,6 +709,7 @@ const std::vector<KnownBug>& known_bug_table() {
     std::vector<KnownBug> all;
     for (const auto& e : Bugs<double>::entries())
       all.push_back({std::string("bug:") + e.name, e.fault, e.origin});
+    for (const auto& e : tree_bugs<double>()) all.push_back({std::string("bug:") + e.name, e.fault, e.origin});
     for (const auto& e : Bugs<double>::alikes())
       all.push_back({std::string("alike:") + e.name, e.fault, e.origin});
     return all;

@@ -61,14 +61,19 @@ struct Own {
     o.d_difference_arg1 = [](const V7& a, const V7& b) -> M6 {
       return dDifferenceSE3<S, P>(a, b, ArgumentPosition::ARG1);
     };
+    if constexpr (std::is_floating_point_v<S> || std::is_same_v<S, float128>) {
+      o.check_quaternion = [](const V4& Q) { checkedQuaternion<S>(Q); };
+      o.check_rotation = [](const M3& R) { checkedRotation<S>(R); };
+    }
+    if constexpr (P != Precision::tight)
+      o.rotate_point = [](const V4& Q, const V3& x) -> V3 { return SO3<S>(Q).template act<P>(x); };
+    if constexpr (P != Precision::standard) return s;  // the rest has no other precision
     o.integrate_coefficient_jacobian = [](const V7& q) -> Mat<S, 7, 6> {
       return integrateCoeffWiseJacobianSE3<S>(q);
     };
-    if constexpr (P != Precision::standard) return s;  // the rest has no other precision
     o.compose = [](const Pose<S>& X, const Pose<S>& Y) -> Pose<S> { return stored(pose(X) * pose(Y)); };
     o.inverse = [](const Pose<S>& X) -> Pose<S> { return stored(pose(X).inverse()); };
     o.act_point = [](const Pose<S>& X, const V3& x) -> V3 { return pose(X).act(x); };
-    o.rotate_point = [](const V4& Q, const V3& x) -> V3 { return SO3<S>(Q).act(x); };
     o.act_motion = [](const Pose<S>& X, const V6& V) -> V6 { return pose(X).act(Motion<S>(V)).to_vector(); };
     o.act_inverse_motion = [](const Pose<S>& X, const V6& V) -> V6 {
       return pose(X).actInv(Motion<S>(V)).to_vector();
@@ -94,10 +99,6 @@ struct Own {
       return inertia(I).kineticEnergy(Motion<S>(V));
     };
     o.inertia_matrix = [](const Body<S>& I) -> M6 { return inertia(I).matrix(); };
-    if constexpr (std::is_floating_point_v<S> || std::is_same_v<S, float128>) {
-      o.check_quaternion = [](const V4& Q) { checkedQuaternion<S>(Q); };
-      o.check_rotation = [](const M3& R) { checkedRotation<S>(R); };
-    }
     return s;
   }
 

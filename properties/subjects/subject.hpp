@@ -49,6 +49,11 @@ struct RobotOperations {
   std::function<bool(const VecX<S>& q0, const VecX<S>& q1)> is_same;
 };
 
+template <class S>
+struct Tree;  // tree.hpp
+template <class S>
+struct TreeOperations;
+
 /// A null entry is an operation that the subject does not offer.
 template <class S>
 struct Operations {
@@ -109,6 +114,9 @@ struct Operations {
 
   /// Reads a URDF with a free-flyer root and binds the configuration operations to it.
   RobotOperations<S> (*robot)(const std::string& urdf_text) = nullptr;
+
+  /// Builds a tree of bodies and binds its algorithms.
+  TreeOperations<S> (*tree)(const Tree<S>& tree) = nullptr;
 };
 
 template <class S>

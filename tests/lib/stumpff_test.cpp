@@ -75,19 +75,19 @@ TYPED_TEST(StumpffOf, HighCoefficientsKeepTheirRelativeBounds) {
   EXPECT_LE(
       worst(
           xs, 0, [](S x) { return HalfAngle<S>(S(4) * x).c2; }, [](const ClosedForms& f) { return f.c2; }),
-      2);
+      0.7);
   EXPECT_LE(
       worst(
           xs, 0, [](S x) { return HalfAngle<S>(S(4) * x).c3; }, [](const ClosedForms& f) { return f.c3; }),
-      1.5);
+      0.9);
   EXPECT_LE(
       worst(
           xs, 0, [](S x) { return HalfAngle<S>(S(4) * x).c4; }, [](const ClosedForms& f) { return f.c4; }),
-      1.5);
+      1.1);
   EXPECT_LE(
       worst(
           xs, 0, [](S x) { return HalfAngle<S>(S(4) * x).c5; }, [](const ClosedForms& f) { return f.c5; }),
-      1.5);
+      1.1);
 }
 
 TYPED_TEST(StumpffOf, CosineAndSineAreWithinOneAndAHalfEpsAbsolute) {

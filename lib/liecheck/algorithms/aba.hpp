@@ -30,20 +30,23 @@ void addShifted(Matrix6<S>& sum, const Matrix6<S>& I, const Vector3<S>& r) {
   sum.template bottomRightCorner<3, 3>() += I.template bottomRightCorner<3, 3>() + r_moved + r_B.transpose();
 }
 
-/// D^-1 of n x n D > 0. Throws SingularInertia where the joint moves nothing.
+/// L with L L^T = D > 0 [n x n]; 1 / D of a joint with one coordinate. Throws SingularInertia where the joint moves
+/// nothing.
 template <int N, Scalar S>
-Eigen::Matrix<S, N, N> inverseOf(const Model<S>& model, int joint, const Eigen::Matrix<S, N, N>& D,
-                                 const Eigen::Matrix<S, N, 1>& scale) {
-  Eigen::Matrix<S, N, N> L = D, inverse;
+Eigen::Matrix<S, N, N> factorOf(const Model<S>& model, int joint, const Eigen::Matrix<S, N, N>& D,
+                                const Eigen::Matrix<S, N, 1>& scale) {
+  using std::sqrt;
+  Eigen::Matrix<S, N, N> L = D;
   for (int k = 0; k < N; ++k) {
     if (!(L(k, k) > S(64) * eps<S>() * scale[k]))
       throw SingularInertia(model.names[std::size_t(joint)], joint);
     if constexpr (N == 1) return Eigen::Matrix<S, N, N>(S(1) / D(0, 0));
+    L(k, k) = sqrt(L(k, k));
+    for (int i = k + 1; i < N; ++i) L(i, k) /= L(k, k);
     for (int i = k + 1; i < N; ++i)
-      for (int j = k + 1; j <= i; ++j) L(i, j) -= L(i, k) * L(j, k) / L(k, k);
+      for (int j = k + 1; j <= i; ++j) L(i, j) -= L(i, k) * L(j, k);
   }
-  inverse = D.template selfadjointView<Eigen::Lower>().llt().solve(Eigen::Matrix<S, N, N>::Identity());
-  return inverse;
+  return L;
 }
 
 /// With mimics, whose torques tie branches together, no tree of articulated bodies: M qdd = tau - h by factors.
@@ -103,11 +106,19 @@ const VectorX<S>& aba(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, In
       Eigen::Matrix<S, n, n> D = s.template bottomRows<half>().transpose() * U.template bottomRows<half>();
       const Eigen::Matrix<S, n, 1> scale = (s.cwiseAbs().transpose() * U.cwiseAbs()).diagonal();
       D.diagonal() += model.armature.template segment<n>(joint.idx_v);
-      const Eigen::Matrix<S, n, n> D_inverse = inverseOf<n, S>(model, joint.index, D, scale);
-      w.D_inverse[i].template topLeftCorner<n, n>() = D_inverse;
+      const Eigen::Matrix<S, n, n> L = factorOf<n, S>(model, joint.index, D, scale);
+      w.D_factor[i].template topLeftCorner<n, n>() = L;
       u = tau.template segment<n>(joint.idx_v) - s.transpose() * w.force[i].to_vector();
+      Eigen::Matrix<S, 6, n> UD = U;
+      if constexpr (n == 1) {
+        UD *= L;
+      } else {  // U L^-T and L^-1 u from here on: where D is ill-conditioned, D^-1 would lose its digits twice
+        const auto lower = L.template triangularView<Eigen::Lower>();
+        UD = lower.solve(Eigen::Matrix<S, n, 6>(U.transpose())).transpose();
+        u = lower.solve(Eigen::Matrix<S, n, 1>(u));
+        U = UD;
+      }
       if (p == 0) return;
-      const Eigen::Matrix<S, 6, n> UD = U * D_inverse;
       I.noalias() -= UD * U.transpose();
       const Force<S> f = w.force[i] + Force<S>(Vector6<S>(I * w.bias[i].to_vector() + UD * u));
       addShifted(w.articulated[p], I, w.r[i]);
@@ -122,7 +133,12 @@ const VectorX<S>& aba(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, In
     const auto U = w.U.template middleCols<n>(joint.column);
     const Vector6<S> a = (shifted(w.gravitated[p], w.r[i]) + w.bias[i]).to_vector();
     const Eigen::Matrix<S, n, 1> rest = w.u.template segment<n>(joint.column) - U.transpose() * a;
-    const Eigen::Matrix<S, n, 1> qdd = w.D_inverse[i].template topLeftCorner<n, n>() * rest;
+    const Eigen::Matrix<S, n, n> L = w.D_factor[i].template topLeftCorner<n, n>();
+    Eigen::Matrix<S, n, 1> qdd;
+    if constexpr (n == 1)
+      qdd = L * rest;
+    else
+      qdd = L.transpose().template triangularView<Eigen::Upper>().solve(rest);
     ddq.template segment<n>(joint.idx_v) = qdd;
     w.gravitated[i] = Motion<S>(Vector6<S>(a + s * qdd));
   });

@@ -16,19 +16,28 @@ enum class ReferenceFrame { WORLD, LOCAL, LOCAL_WORLD_ALIGNED };
 
 namespace algorithms_detail {
 
+/// What a joint carries at a pose: a frame, or at the identity the joint's own moving side.
 template <Scalar S>
-const Frame<S>& frameAt(const Model<S>& model, int frame) {
+struct Placed {
+  std::size_t joint;
+  SE3<S> X_JF;
+};
+template <Scalar S>
+Placed<S> placedFrame(const Model<S>& model, const Data<S>& data, int frame) {
+  data.check(model);
   if (frame < 0 || frame >= model.nframes)
     throw std::invalid_argument("there is no frame " + std::to_string(frame) + ": nframes is " +
                                 std::to_string(model.nframes));
-  return model.frames[std::size_t(frame)];
+  const Frame<S>& F = model.frames[std::size_t(frame)];
+  return {std::size_t(F.parentJoint), F.placement};
 }
 template <Scalar S>
-std::size_t jointAt(const Model<S>& model, int joint) {
+Placed<S> placedJoint(const Model<S>& model, const Data<S>& data, int joint) {
+  data.check(model);
   if (joint < 0 || joint >= model.njoints)
     throw std::invalid_argument("there is no joint " + std::to_string(joint) + ": njoints is " +
                                 std::to_string(model.njoints));
-  return std::size_t(joint);
+  return {std::size_t(joint), SE3<S>::Identity()};
 }
 /// A motion known in LOCAL of a frame at X_WF.
 template <Scalar S>
@@ -37,9 +46,17 @@ Motion<S> expressed(const Motion<S>& V, const SE3<S>& X_WF, ReferenceFrame refer
   if (reference == ReferenceFrame::LOCAL) return V;
   return {Vector3<S>(X_WF.rotation() * V.linear()), Vector3<S>(X_WF.rotation() * V.angular())};
 }
-/// The spatial acceleration a of what moves at V, both in the same reference.
 template <Scalar S>
-Motion<S> classical(const Motion<S>& a, const Motion<S>& V) {
+Motion<S> velocityOf(const Data<S>& data, const Placed<S>& F, ReferenceFrame reference) {
+  return expressed(F.X_JF.actInv(data.v[F.joint]), data.oMi[F.joint] * F.X_JF, reference);
+}
+template <Scalar S>
+Motion<S> accelerationOf(const Data<S>& data, const Placed<S>& F, ReferenceFrame reference) {
+  return expressed(F.X_JF.actInv(data.a[F.joint]), data.oMi[F.joint] * F.X_JF, reference);
+}
+template <Scalar S>
+Motion<S> classicalAccelerationOf(const Data<S>& data, const Placed<S>& F, ReferenceFrame reference) {
+  const Motion<S> a = accelerationOf(data, F, reference), V = velocityOf(data, F, reference);
   return {Vector3<S>(a.linear() + cross<S>(V.angular(), V.linear())), a.angular()};
 }
 
@@ -61,51 +78,41 @@ void framesForwardKinematics(const Model<S>& model, Data<S>& data, In<S> q) {
   updateFramePlacements(model, data);
 }
 
-/// Velocity of a joint's moving side [m/s, rad/s]. Needs oMi, v.
+/// Velocity of a joint's moving side, and of a frame [m/s, rad/s]. Needs oMi, v.
 template <Scalar S>
 Motion<S> getVelocity(const Model<S>& model, const Data<S>& data, int joint, ReferenceFrame reference) {
-  data.check(model);
-  const std::size_t i = algorithms_detail::jointAt(model, joint);
-  return algorithms_detail::expressed(data.v[i], data.oMi[i], reference);
+  using namespace algorithms_detail;
+  return velocityOf(data, placedJoint(model, data, joint), reference);
 }
-/// Its spatial acceleration [m/s^2, rad/s^2]. Needs oMi, a.
-template <Scalar S>
-Motion<S> getAcceleration(const Model<S>& model, const Data<S>& data, int joint, ReferenceFrame reference) {
-  data.check(model);
-  const std::size_t i = algorithms_detail::jointAt(model, joint);
-  return algorithms_detail::expressed(data.a[i], data.oMi[i], reference);
-}
-/// Its classical acceleration. Needs oMi, v, a.
-template <Scalar S>
-Motion<S> getClassicalAcceleration(const Model<S>& model, const Data<S>& data, int joint,
-                                   ReferenceFrame reference) {
-  return algorithms_detail::classical(getAcceleration(model, data, joint, reference),
-                                      getVelocity(model, data, joint, reference));
-}
-
-/// Velocity of a frame [m/s, rad/s]. Needs oMi, v.
 template <Scalar S>
 Motion<S> getFrameVelocity(const Model<S>& model, const Data<S>& data, int frame, ReferenceFrame reference) {
-  data.check(model);
-  const Frame<S>& F = algorithms_detail::frameAt(model, frame);
-  const std::size_t i = std::size_t(F.parentJoint);
-  return algorithms_detail::expressed(F.placement.actInv(data.v[i]), data.oMi[i] * F.placement, reference);
+  using namespace algorithms_detail;
+  return velocityOf(data, placedFrame(model, data, frame), reference);
 }
-/// Its spatial acceleration [m/s^2, rad/s^2]. Needs oMi, a.
+/// Their spatial acceleration [m/s^2, rad/s^2]. Needs oMi, a.
+template <Scalar S>
+Motion<S> getAcceleration(const Model<S>& model, const Data<S>& data, int joint, ReferenceFrame reference) {
+  using namespace algorithms_detail;
+  return accelerationOf(data, placedJoint(model, data, joint), reference);
+}
 template <Scalar S>
 Motion<S> getFrameAcceleration(const Model<S>& model, const Data<S>& data, int frame,
                                ReferenceFrame reference) {
-  data.check(model);
-  const Frame<S>& F = algorithms_detail::frameAt(model, frame);
-  const std::size_t i = std::size_t(F.parentJoint);
-  return algorithms_detail::expressed(F.placement.actInv(data.a[i]), data.oMi[i] * F.placement, reference);
+  using namespace algorithms_detail;
+  return accelerationOf(data, placedFrame(model, data, frame), reference);
 }
-/// Its classical acceleration. Needs oMi, v, a.
+/// Their classical acceleration. Needs oMi, v, a.
+template <Scalar S>
+Motion<S> getClassicalAcceleration(const Model<S>& model, const Data<S>& data, int joint,
+                                   ReferenceFrame reference) {
+  using namespace algorithms_detail;
+  return classicalAccelerationOf(data, placedJoint(model, data, joint), reference);
+}
 template <Scalar S>
 Motion<S> getFrameClassicalAcceleration(const Model<S>& model, const Data<S>& data, int frame,
                                         ReferenceFrame reference) {
-  return algorithms_detail::classical(getFrameAcceleration(model, data, frame, reference),
-                                      getFrameVelocity(model, data, frame, reference));
+  using namespace algorithms_detail;
+  return classicalAccelerationOf(data, placedFrame(model, data, frame), reference);
 }
 
 /// What an inertial measurement unit reads.
@@ -118,10 +125,11 @@ struct ImuReading {
 /// omega_dot x r + omega x (omega x r) of the mounting pose are in it. Needs oMi, v, a.
 template <Scalar S>
 ImuReading<S> imu(const Model<S>& model, const Data<S>& data, int frame) {
-  const Frame<S>& F = algorithms_detail::frameAt(model, frame);
-  const Motion<S> a = getFrameClassicalAcceleration(model, data, frame, ReferenceFrame::LOCAL);
-  const Matrix3<S> R_WF = data.oMi[std::size_t(F.parentJoint)].rotation() * F.placement.rotation();
-  return {getFrameVelocity(model, data, frame, ReferenceFrame::LOCAL).angular(),
+  using namespace algorithms_detail;
+  const Placed<S> F = placedFrame(model, data, frame);
+  const Motion<S> a = classicalAccelerationOf(data, F, ReferenceFrame::LOCAL);
+  const Matrix3<S> R_WF = data.oMi[F.joint].rotation() * F.X_JF.rotation();
+  return {velocityOf(data, F, ReferenceFrame::LOCAL).angular(),
           Vector3<S>(a.linear() - R_WF.transpose() * model.gravity)};
 }
 

@@ -10,34 +10,36 @@ namespace liecheck {
 
 namespace algorithms_detail {
 
-/// f(place, k, column k of its S in world axes at its own origin) for every column between the universe and a joint.
-template <Scalar S, class F>
-void forEachSupportingColumn(const Model<S>& model, const std::vector<SE3<S>>& oMi, std::size_t joint, F f) {
-  for (std::size_t i = joint; i > 0; i = std::size_t(model.parents[i]))
+/// f(place, k, column k of its S, d) for every column between the universe and what a joint carries: S in world axes at
+/// the column's own origin, d [m] from there to where F is, summed along the tree: no difference of two far places.
+template <Scalar S, class Function>
+void forEachSupportingColumn(const Model<S>& model, const Data<S>& data, const Placed<S>& F, Function f) {
+  const auto& oMi = data.oMi();
+  Vector3<S> d = oMi[F.joint].rotation() * F.X_JF.translation();
+  for (std::size_t i = F.joint; i > 0; i = std::size_t(model.parents[i])) {
     multibody_detail::visitJoint(model, i, [&]<class Joint>(const Joint& place) {
       const auto columns = place.subspaceIn(oMi[i].rotation());
-      for (int k = 0; k < Joint::columns; ++k) f(place, k, Motion<S>(Vector6<S>(columns.col(k))));
+      for (int k = 0; k < Joint::columns; ++k) f(place, k, Motion<S>(Vector6<S>(columns.col(k))), d);
     });
+    d += fromParent(model, data, i);
+  }
 }
 
-/// The Jacobian [6 x nv] of a frame carried by a joint at X_JF, in data.work.jacobian. Needs J.
+/// The Jacobian [6 x nv] of what a joint carries, in data.work.jacobian. Needs J.
 template <Scalar S>
-const Matrix6X<S>& jacobianAt(const Model<S>& model, Data<S>& data, std::size_t joint, const SE3<S>& X_JF,
+const Matrix6X<S>& jacobianOf(const Model<S>& model, Data<S>& data, const Placed<S>& F,
                               ReferenceFrame reference) {
   data.J();
-  const auto& oMi = data.oMi();
-  const SE3<S> X_WF = oMi[joint] * X_JF;
+  const Matrix3<S> R_WF = data.oMi[F.joint].rotation() * F.X_JF.rotation();
   auto& J = data.work.jacobian;
   J.setZero();
-  forEachSupportingColumn(model, oMi, joint, [&](const auto& place, int k, const Motion<S>& s_k) {
-    const Vector3<S>& p = oMi[std::size_t(place.index)].translation();
-    const bool at_world = reference == ReferenceFrame::WORLD;
-    const Vector3<S> d = at_world ? Vector3<S>(-p) : Vector3<S>(X_WF.translation() - p);
+  forEachSupportingColumn(model, data, F, [&](const auto& place, int k, const Motion<S>& s_k, Vector3<S> d) {
+    if (reference == ReferenceFrame::WORLD) d = -data.oMi[std::size_t(place.index)].translation();
     const Motion<S> s = shifted(s_k, d);
     auto Jk = J.col(place.idx_v + k);
     if (reference == ReferenceFrame::LOCAL) {
-      Jk.template head<3>() += X_WF.rotation().transpose() * s.linear();
-      Jk.template tail<3>() += X_WF.rotation().transpose() * s.angular();
+      Jk.template head<3>() += R_WF.transpose() * s.linear();
+      Jk.template tail<3>() += R_WF.transpose() * s.angular();
     } else {
       Jk += s.to_vector();
     }
@@ -48,27 +50,23 @@ const Matrix6X<S>& jacobianAt(const Model<S>& model, Data<S>& data, std::size_t 
 /// Its time derivative. With s' = v_i x s the rate of a column at a fixed point of space: WORLD s';
 /// LOCAL_WORLD_ALIGNED s' + (omega_s x p_dot, 0); LOCAL X^-1 (s' - V x s). Needs dJ.
 template <Scalar S>
-const Matrix6X<S>& jacobianRateAt(const Model<S>& model, Data<S>& data, std::size_t joint, const SE3<S>& X_JF,
+const Matrix6X<S>& jacobianRateOf(const Model<S>& model, Data<S>& data, const Placed<S>& F,
                                   ReferenceFrame reference) {
   data.dJ();
-  const auto& oMi = data.oMi();
-  const SE3<S> X_WF = oMi[joint] * X_JF;
-  const Vector3<S>& p_F = X_WF.translation();
-  const Motion<S> V = shifted(data.work.velocity[joint], Vector3<S>(p_F - oMi[joint].translation()));
+  const Matrix3<S>& R = data.oMi[F.joint].rotation();
+  const Matrix3<S> R_WF = R * F.X_JF.rotation();
+  const Motion<S> V = shifted(data.work.velocity[F.joint], Vector3<S>(R * F.X_JF.translation()));
   auto& dJ = data.work.jacobian;
   dJ.setZero();
-  forEachSupportingColumn(model, oMi, joint, [&](const auto& place, int k, const Motion<S>& s_k) {
-    const bool at_world = reference == ReferenceFrame::WORLD;
-    const Vector3<S>& p = oMi[std::size_t(place.index)].translation();
-    const Vector3<S> d = at_world ? Vector3<S>(-p) : Vector3<S>(p_F - p);
+  forEachSupportingColumn(model, data, F, [&](const auto& place, int k, const Motion<S>& s_k, Vector3<S> d) {
+    if (reference == ReferenceFrame::WORLD) d = -data.oMi[std::size_t(place.index)].translation();
     const Motion<S> s = shifted(s_k, d);
     Motion<S> rate = shifted(column(data.work.dS, place.column + k), d);
     if (reference == ReferenceFrame::LOCAL_WORLD_ALIGNED)
       rate = {Vector3<S>(rate.linear() + cross<S>(s.angular(), V.linear())), rate.angular()};
     if (reference == ReferenceFrame::LOCAL) {
       rate = rate - V.cross(s);
-      rate = {Vector3<S>(X_WF.rotation().transpose() * rate.linear()),
-              Vector3<S>(X_WF.rotation().transpose() * rate.angular())};
+      rate = {Vector3<S>(R_WF.transpose() * rate.linear()), Vector3<S>(R_WF.transpose() * rate.angular())};
     }
     dJ.col(place.idx_v + k) += rate.to_vector();
   });
@@ -89,13 +87,22 @@ const Matrix6X<S>& computeJointJacobians(const Model<S>& model, Data<S>& data, I
     const std::size_t i = std::size_t(joint.index), p = std::size_t(model.parents[i]);
     liMi[i] = joint.transform(q);
     oMi[i] = p == 0 ? liMi[i] : oMi[p] * liMi[i];
-    const auto columns = joint.subspaceIn(oMi[i].rotation());
-    for (int k = 0; k < Joint::columns; ++k) {
-      const Vector3<S> w = columns.template block<3, 1>(3, k);
-      const Vector3<S> u = cross<S>(oMi[i].translation(), w) + columns.template block<3, 1>(0, k);
-      auto Jk = J.col(joint.idx_v + k);
-      Jk.template head<3>() = Joint::mimics ? Vector3<S>(Jk.template head<3>() + u) : u;
-      Jk.template tail<3>() = Joint::mimics ? Vector3<S>(Jk.template tail<3>() + w) : w;
+    const Matrix3<S>& R = oMi[i].rotation();
+    const Vector3<S>& o = oMi[i].translation();
+    if constexpr (Joint::turns) {
+      const Vector3<S> w = joint.joint.axis.in(R);
+      auto J_i = J.col(joint.idx_v);
+      J_i.template head<3>() = cross<S>(o, w);
+      J_i.template tail<3>() = w;
+    } else {
+      const auto columns = joint.subspaceIn(R);
+      for (int k = 0; k < Joint::columns; ++k) {
+        const Motion<S> s = algorithms_detail::shifted(Motion<S>(Vector6<S>(columns.col(k))), Vector3<S>(-o));
+        if constexpr (Joint::mimics)
+          J.col(joint.idx_v + k) += s.to_vector();
+        else
+          J.col(joint.idx_v + k) = s.to_vector();
+      }
     }
   });
   return J;
@@ -127,37 +134,32 @@ const Matrix6X<S>& computeJointJacobiansTimeVariation(const Model<S>& model, Dat
   return dJ;
 }
 
-/// Jacobian of a joint [6 x nv]; the reference is to data's storage, which the next getter overwrites. Needs J.
+/// Jacobian of a joint, and of a frame [6 x nv]; the reference is to data's storage, which the next getter
+/// overwrites. Needs J.
 template <Scalar S>
 const Matrix6X<S>& getJointJacobian(const Model<S>& model, Data<S>& data, int joint,
                                     ReferenceFrame reference) {
-  data.check(model);
-  return algorithms_detail::jacobianAt(model, data, algorithms_detail::jointAt(model, joint),
-                                       SE3<S>::Identity(), reference);
+  using namespace algorithms_detail;
+  return jacobianOf(model, data, placedJoint(model, data, joint), reference);
 }
-/// Of a frame. Needs J.
 template <Scalar S>
 const Matrix6X<S>& getFrameJacobian(const Model<S>& model, Data<S>& data, int frame,
                                     ReferenceFrame reference) {
-  data.check(model);
-  const Frame<S>& F = algorithms_detail::frameAt(model, frame);
-  return algorithms_detail::jacobianAt(model, data, std::size_t(F.parentJoint), F.placement, reference);
+  using namespace algorithms_detail;
+  return jacobianOf(model, data, placedFrame(model, data, frame), reference);
 }
-/// Time derivative of a joint's Jacobian [6 x nv], stored likewise. Needs dJ.
+/// Their time derivatives, stored likewise. Needs dJ.
 template <Scalar S>
 const Matrix6X<S>& getJointJacobianTimeVariation(const Model<S>& model, Data<S>& data, int joint,
                                                  ReferenceFrame reference) {
-  data.check(model);
-  return algorithms_detail::jacobianRateAt(model, data, algorithms_detail::jointAt(model, joint),
-                                           SE3<S>::Identity(), reference);
+  using namespace algorithms_detail;
+  return jacobianRateOf(model, data, placedJoint(model, data, joint), reference);
 }
-/// Of a frame's. Needs dJ.
 template <Scalar S>
 const Matrix6X<S>& getFrameJacobianTimeVariation(const Model<S>& model, Data<S>& data, int frame,
                                                  ReferenceFrame reference) {
-  data.check(model);
-  const Frame<S>& F = algorithms_detail::frameAt(model, frame);
-  return algorithms_detail::jacobianRateAt(model, data, std::size_t(F.parentJoint), F.placement, reference);
+  using namespace algorithms_detail;
+  return jacobianRateOf(model, data, placedFrame(model, data, frame), reference);
 }
 
 // float and double are compiled once, in instantiations_*.cpp; other scalars where they are used.

@@ -73,7 +73,7 @@ class Data {
     Each<Motion<S>> velocity, bias;     ///< in world axes
     Each<Force<S>> force;               ///< in world axes
     Each<CompositeInertia<S>> inertia;  ///< in world axes: of all that a joint carries
-    Each<Matrix6<S>> articulated, coriolis, D_inverse;
+    Each<Matrix6<S>> articulated, coriolis, D_factor;
     Matrix6X<S> S_columns, dS, U, z, w, y;  ///< [6 x ncolumns]
     Matrix6X<S> jacobian;                   ///< [6 x nv] what a Jacobian getter returned last
     VectorX<S> u;                           ///< [ncolumns]
@@ -161,7 +161,7 @@ Data<S>::Data(const Model<S>& model, Dense dense)
   work.velocity.assign(n, Motion<S>::Zero()), work.bias.assign(n, Motion<S>::Zero());
   work.force.assign(n, Force<S>::Zero());
   work.inertia.resize(n);
-  work.articulated.resize(n), work.coriolis.resize(n), work.D_inverse.resize(n);
+  work.articulated.resize(n), work.coriolis.resize(n), work.D_factor.resize(n);
   for (Matrix6X<S>* m : {&work.S_columns, &work.dS, &work.U, &work.z, &work.w, &work.y})
     m->resize(6, model.ncolumns);
   work.jacobian.resize(6, model.nv);

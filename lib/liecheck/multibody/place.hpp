@@ -80,6 +80,9 @@ struct Place {
     Eigen::Matrix<S, 6, columns> turned;
     if constexpr (turns) {
       turned << Vector3<S>::Zero(), joint.axis.in(R);
+    } else if constexpr (columns == 6) {
+      turned.setZero();
+      turned.template topLeftCorner<3, 3>() = turned.template bottomRightCorner<3, 3>() = R;
     } else {
       const auto subspace = joint.subspace();
       turned.template topRows<3>() = R * subspace.template topRows<3>();

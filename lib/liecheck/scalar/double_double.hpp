@@ -58,14 +58,14 @@ struct DoubleDouble {
     if (!(r > S(0)) || !finite<S>(r)) return DoubleDouble(r);
     return fast(r, S(a - DoubleDouble(r) * DoubleDouble(r)) / (S(2) * r));
   }
-  /// To the digits of S only: nothing up to half a turn takes them.
+  /// To the digits of S only: nothing up to half a turn takes them. Of huge angles, low is many radians.
   friend DoubleDouble sin(const DoubleDouble& a) {
     using std::cos, std::sin;
-    return DoubleDouble(S(sin(a.high)) + S(cos(a.high)) * a.low);
+    return DoubleDouble(S(sin(a.high)) * S(cos(a.low)) + S(cos(a.high)) * S(sin(a.low)));
   }
   friend DoubleDouble cos(const DoubleDouble& a) {
     using std::cos, std::sin;
-    return DoubleDouble(S(cos(a.high)) - S(sin(a.high)) * a.low);
+    return DoubleDouble(S(cos(a.high)) * S(cos(a.low)) - S(sin(a.high)) * S(sin(a.low)));
   }
   friend DoubleDouble atan2(const DoubleDouble& y, const DoubleDouble& x) {
     using std::atan2;

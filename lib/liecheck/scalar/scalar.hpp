@@ -60,9 +60,12 @@ struct Lane<S> {
 /// What S holds: S itself, or the S::Lane of a scalar that is many side by side.
 template <class S>
 using Lane = typename scalar_detail::Lane<S>::type;
-/// Many side by side take no branch: whoever calls with them sees to it that all are on its usual side.
+/// Many side by side, which say so by S::SideBySide, take no branch: whoever calls with them sees to it that all are
+/// on its usual side.
 template <class S>
-inline constexpr bool side_by_side = !std::is_same_v<Lane<S>, S>;
+inline constexpr bool side_by_side = requires {
+  typename S::SideBySide;
+};
 
 /// Unit in the last place of 1: 2^-52 for double. Every error bound of this library is stated in it.
 template <Scalar S>

@@ -48,6 +48,7 @@ class LoneBody {
     diagonal_ = J(0, 1) == S(0) && J(0, 2) == S(0) && J(1, 2) == S(0);
     centred_ = c_.isZero(S(0));
     heavy_ = !model_.gravity.isZero(S(0));
+    plain_ = diagonal_ && centred_ && forceFree();
     if (!(mass_ > S(0)) || !(moments_.minCoeff() > S(0)) || !model_.armature.isZero(S(0)))
       throw SingularInertia(model_.names[1], 1);
     I_inverse_ = inverse(J);
@@ -67,20 +68,23 @@ class LoneBody {
   /// Does no force and no gravity act? Then momentum is conserved.
   bool forceFree() const { return effects_.empty() && !heavy_; }
 
-  void acceleration(const S& t, const Configuration& q, const Tangent& v, Tangent& a) {
+  bool readsConfiguration() const { return !forceFree(); }
+
+  [[gnu::always_inline]] void acceleration(const S& t, const Configuration& q, const Tangent& v, Tangent& a) {
+    if (plain_) return plainEquations(v, a);
     if (!effects_.empty()) force_ = force(t, q, v);
     equations(q, v, a);
   }
   /// v_dot under the force that was computed last.
-  void equations(const Configuration& q, const Tangent& v, Tangent& a) const {
+  [[gnu::noinline]] void equations(const Configuration& q, const Tangent& v, Tangent& a) const {
+    if (plain_) return plainEquations(v, a);
     const Vector3<S> omega(v[3], v[4], v[5]);
     Vector3<S> u_C(v[0], v[1], v[2]);
     if (!centred_) u_C += liecheck::cross<S>(omega, c_);
     const Vector3<S> turning = liecheck::cross<S>(omega, u_C);
     Vector3<S> linear(-turning[0], -turning[1], -turning[2]), angular;
     if (diagonal_)
-      angular = Vector3<S>(euler_[0] * (omega[1] * omega[2]), euler_[1] * (omega[2] * omega[0]),
-                           euler_[2] * (omega[0] * omega[1]));
+      angular = euler(omega);
     else
       angular = product<S>(I_inverse_, liecheck::cross<S>(product<S>(I_, omega), omega));
     if (heavy_) linear += rotationOf(q).actInv(model_.gravity);
@@ -131,6 +135,16 @@ class LoneBody {
   bool diagonal() const { return diagonal_; }
 
  private:
+  [[gnu::always_inline]] Vector3<S> euler(const Vector3<S>& omega) const {
+    return Vector3<S>(euler_[0] * (omega[1] * omega[2]), euler_[1] * (omega[2] * omega[0]),
+                      euler_[2] * (omega[0] * omega[1]));
+  }
+  /// Diagonal, centred, free: nothing else is left.
+  [[gnu::always_inline]] void plainEquations(const Tangent& v, Tangent& a) const {
+    const Vector3<S> omega(v[3], v[4], v[5]), angular = euler(omega);
+    const Vector3<S> turning = liecheck::cross<S>(omega, Vector3<S>(v[0], v[1], v[2]));
+    for (int i = 0; i < 3; ++i) a[i] = -turning[i], a[3 + i] = angular[i];
+  }
   static SO3<S> rotationOf(const Configuration& q) { return SO3<S>(Vector4<S>(q[3], q[4], q[5], q[6])); }
   /// By cofactors; of a diagonal matrix exact to half an ulp.
   static Matrix3<S> inverse(const Matrix3<S>& J) {
@@ -150,7 +164,7 @@ class LoneBody {
   S mass_;
   Vector3<S> c_, moments_, euler_;
   Matrix3<S> I_, I_inverse_;
-  bool diagonal_, centred_, heavy_;
+  bool diagonal_, centred_, heavy_, plain_;
   std::array<SE3<S>, 2> X_;
   std::array<Motion<S>, 2> V_, A_;
   std::array<Force<S>, 2> f_;

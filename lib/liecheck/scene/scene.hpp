@@ -33,9 +33,13 @@ Effects<S> makeEffects(const Scene& scene, const Model<S>& model) {
   return all;
 }
 
-/// One body and nothing that only a tree has?
+/// One body and nothing that only a tree has (armature)? Throws as makeEffects.
 inline bool isLoneBody(const Scene& scene) {
-  return LoneBody<double>::fits(scene.model);
+  if (!LoneBody<double>::fits(scene.model)) return false;
+  Model<double> model = scene.model;
+  model.armature.setZero();
+  for (const auto& e : makeEffects(scene, model)) e->prepare(model);
+  return model.armature.isZero(0);
 }
 
 /// The system in S. Sys is LoneBody<S>, where isLoneBody, or Tree<S>.

@@ -11,6 +11,7 @@ namespace liecheck::scene {
 
 /// Every function writes into a vector that has the right size already, so that a step allocates nothing.
 /// - acceleration: v_dot [nv], the law of motion with all effects;
+/// - readsConfiguration: does it depend on q? If not, nobody computes the q of a stage;
 /// - integrate: q exp(delta) joint by joint;
 /// - accumulate: the same in place, with what rounding leaves over (accumulate.hpp);
 /// - tangentRate: J_r^-1(delta) v;
@@ -22,6 +23,7 @@ concept System = Scalar<typename X::Scalar> &&
   { c.nq() } -> std::same_as<int>;
   { c.nv() } -> std::same_as<int>;
   x.acceleration(t, q, v, v_out);
+  { c.readsConfiguration() } -> std::same_as<bool>;
   c.integrate(q, v, q_out);
   c.accumulate(q_out, v_out, v);
   c.tangentRate(v, v, v_out);

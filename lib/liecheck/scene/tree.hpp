@@ -26,6 +26,15 @@ class Tree {
       if (e->acts() == Acts::OnBodies) bodies_ = true;
       effects_.push_back(e);
     }
+    for (std::size_t i = 1; i < model_.joints.size(); ++i) {
+      const int q = model_.idx_qs[i], v = model_.idx_vs[i], n = model_.nvs[i];
+      if (model_.nqs[i] != n)
+        curved_.push_back(i);
+      else if (!straight_.empty() && straight_.back().q + straight_.back().count == q)
+        straight_.back().count += n;
+      else if (n > 0)
+        straight_.push_back({q, v, n});
+    }
     tau_ = VectorX<S>::Zero(model_.nv);
     f_.assign(std::size_t(model_.njoints), Force<S>::Zero());
   }
@@ -35,6 +44,8 @@ class Tree {
   const Model<S>& model() const { return model_; }
   const Effects<S>& effects() const { return effects_; }  ///< without those that act on the model
   Kinematics needs() const { return needs_; }
+
+  bool readsConfiguration() const { return true; }
 
   void acceleration(const S& t, const Configuration& q, const Tangent& v, Tangent& a) {
     if (!effects_.empty()) load(t, q, v);
@@ -53,20 +64,25 @@ class Tree {
   }
 
   void integrate(const Configuration& q, const Tangent& delta, Configuration& result) const {
-    multibody_detail::forEachJoint(model_, [&](const auto& place) {
+    for (const Straight& r : straight_)
+      for (int k = 0; k < r.count; ++k) result[r.q + k] = q[r.q + k] + delta[r.v + k];
+    forEachCurved([&](const auto& place) {
       place.configuration(result) = place.joint.integrate(place.configuration(q), place.tangent(delta));
     });
   }
   void accumulate(Configuration& q, Tangent& low, const Tangent& delta) const {
-    multibody_detail::forEachJoint(model_, [&]<class P>(const P& place) {
-      auto x = std::as_const(place).configuration(std::as_const(q));
-      auto rest = std::as_const(place).tangent(std::as_const(low));
+    for (const Straight& r : straight_)
+      for (int k = 0; k < r.count; ++k) scene::accumulate<S>(q[r.q + k], low[r.v + k], delta[r.v + k]);
+    forEachCurved([&](const auto& place) {
+      auto x = place.configuration(std::as_const(q));
+      auto rest = place.tangent(std::as_const(low));
       accumulateOf<S>(place.joint, x, rest, place.tangent(delta));
       place.configuration(q) = x, place.tangent(low) = rest;
     });
   }
   void tangentRate(const Tangent& delta, const Tangent& v, Tangent& rate) const {
-    multibody_detail::forEachJoint(model_, [&](const auto& place) {
+    rate = v;
+    forEachCurved([&](const auto& place) {
       place.tangent(rate) = tangentRateOf<S>(place.joint, place.tangent(delta), place.tangent(v));
     });
   }
@@ -102,11 +118,22 @@ class Tree {
   Data<S>& data() { return data_; }
 
  private:
+  /// Numbers of q and v in which integrate is a plain sum.
+  struct Straight {
+    int q, v, count;
+  };
+  template <class F>
+  void forEachCurved(F f) const {
+    for (const std::size_t i : curved_) multibody_detail::visitJoint(model_, i, f);
+  }
+
   Model<S> model_;
   Data<S> data_;
   Effects<S> effects_;
   Kinematics needs_ = Kinematics::None;
   bool bodies_ = false;
+  std::vector<Straight> straight_;
+  std::vector<std::size_t> curved_;  ///< all other joints
   VectorX<S> tau_;
   std::vector<Force<S>> f_;
 };

@@ -124,8 +124,6 @@ void readTime(const Text& text, const YAML::Node& root, Scene& scene) {
 
 /// Could it run? What a part says against this robot is told with its line.
 void checkParts(const Text& text, const YAML::Node& root, const Scene& scene) {
-  for (const Request& r : scene.effects)
-    text.at(r.line, [&] { return scene::makeEffect<double>(r, scene.model, scene.around); });
   text.at(Text::lineOf(root["robot"]), [&] {
     return isLoneBody(scene) ? (scene::makeSystem<scene::LoneBody<double>>(scene), 0)
                              : (scene::makeSystem<scene::Tree<double>>(scene), 0);
@@ -185,6 +183,8 @@ Scene read(const Text& text, const std::string& content, const std::string& fold
   for (Request& r :
        requests(text, root["actuation"], "actuation", infos(scene::actuationEntries<double>()), scene.model))
     scene.effects.push_back(std::move(r));
+  for (const Request& r : scene.effects)
+    text.at(r.line, [&] { return scene::makeEffect<double>(r, scene.model, scene.around); });
   scene.observers = requests(text, root["observers"], "observers", scene::observerInfos(), scene.model);
   readTime(text, root, scene);
   checkParts(text, root, scene);

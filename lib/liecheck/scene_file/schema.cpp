@@ -24,12 +24,16 @@ std::string keyed(const scene::PartInfo& info) {
   return escaped.empty() ? "none" : escaped;
 }
 
+/// A bar would end the cell.
+std::string cell(const char* text) {
+  std::string escaped;
+  for (; *text; ++text) escaped += *text == '|' ? std::string("\\|") : std::string(1, *text);
+  return escaped;
+}
+
 std::string row(const scene::PartInfo& info) {
-  std::string equation;
-  for (const char* c = info.equation; *c; ++c)
-    equation += *c == '|' ? std::string("\\|") : std::string(1, *c);
-  return std::string("| `") + info.name + "` | " + equation +
-         (*info.energy ? std::string("; ") + info.energy : "") + " | " + keyed(info) + " |\n";
+  return std::string("| `") + info.name + "` | " + cell(info.equation) + (*info.energy ? "; " : "") +
+         cell(info.energy) + " | " + keyed(info) + " |\n";
 }
 
 template <class Infos>

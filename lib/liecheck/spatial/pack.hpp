@@ -15,6 +15,7 @@ struct Register {
 template <std::floating_point S, int N>
 struct Pack {
   using Lane = S;
+  using SideBySide = void;
   using Vector = typename pack_detail::Register<S, N>::type;
   Vector v;
 

@@ -32,7 +32,7 @@ class SE3 {
   const Vector3<S>& translation() const { return p_; }
 
   /// X_AC = X_AB X_BC.
-  SE3 operator*(const SE3& o) const { return SE3(Matrix3<S>(R_ * o.R_), Vector3<S>(R_ * o.p_ + p_)); }
+  SE3 operator*(const SE3& o) const { return SE3(product<S>(R_, o.R_), act(o.p_)); }
   SE3 inverse() const {
     return SE3(
         rows<S>(R_(0, 0), R_(1, 0), R_(2, 0), R_(0, 1), R_(1, 1), R_(2, 1), R_(0, 2), R_(1, 2), R_(2, 2)),
@@ -44,7 +44,10 @@ class SE3 {
   }
 
   /// x_A = R x_B + p.
-  Vector3<S> act(const Vector3<S>& x_B) const { return R_ * x_B + p_; }
+  Vector3<S> act(const Vector3<S>& x_B) const {
+    const Vector3<S> x = product<S>(R_, x_B);
+    return each<S>([&](int i) { return x[i] + p_[i]; });
+  }
   Vector3<S> actInv(const Vector3<S>& x_A) const { return R_.transpose() * (x_A - p_); }
 
   Motion<S> act(const Motion<S>& V_B) const {

@@ -113,9 +113,11 @@ class SO3 {
   /// The rotation nearest to R in the Frobenius norm, to first order in R^T R - I (one Newton step of the polar
   /// factor, error O(|R^T R - I|^2)), by the largest of the four pivots (Shepperd 1978). The result is scaled
   /// arbitrarily (|Q| in [1/2, 1]): its rotation is what counts. For |R^T R - I| <= 8 eps the error is 2 eps,
-  /// and 2 eps relative to |v| when the angle is small.
+  /// and 2 eps relative to |v| when the angle is small. Fast precision takes R as it is: another |R^T R - I|.
   template <Precision P = Precision::standard>
   static SO3 fromMatrix(const Matrix3<S>& R) {
+    if constexpr (P == Precision::fast)
+      return largestPivot(R, Vector3<S>(R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1)));
     // Polar factor R (I - E/2), E = R^T R - I; C = -R E / 2 is the correction. Its antisymmetric part is
     // formed from differences R_ii - R_jj so that it vanishes with the angle, as the exact one does.
     using C = Cut<S, 1, P>;
@@ -140,7 +142,12 @@ class SO3 {
       return S((R(k, j) - R(j, k)) - half * correction);
     };
     const Vector3<S> a(antisymmetric(0, 1, 2), antisymmetric(1, 2, 0), antisymmetric(2, 0, 1));
-    const Matrix3<S> N = R - half * (R * E);
+    return largestPivot(Matrix3<S>(R - half * (R * E)), a);
+  }
+
+ private:
+  /// Of a rotation N with antisymmetric part a: N_32 - N_23 and so on.
+  static SO3 largestPivot(const Matrix3<S>& N, const Vector3<S>& a) {
     const S trace = N.trace();
     Vector4<S> q;
     if (trace > S(0)) {
@@ -157,8 +164,6 @@ class SO3 {
     }
     return SO3(Vector4<S>(q / S(4)));
   }
-
- private:
   /// 2 / |Q|^2, rounded twice: an error here is common to all entries, so it would stretch what it rotates.
   S scale() const { return S(2) / (S(1) + normExcess<>()); }
 

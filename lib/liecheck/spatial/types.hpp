@@ -72,6 +72,16 @@ template <class S>
   return each<S>([&](int i) { return mul_add(M(0, i), v[0], mul_add(M(1, i), v[1], S(M(2, i) * v[2]))); });
 }
 
+/// A B, entry by entry.
+template <class S>
+[[gnu::always_inline]] inline Matrix3<S> product(const Matrix3<S>& A, const Matrix3<S>& B) {
+  const auto entry = [&](int i, int j) __attribute__((always_inline)) {
+    return mul_add(A(i, 0), B(0, j), mul_add(A(i, 1), B(1, j), S(A(i, 2) * B(2, j))));
+  };
+  return rows<S>(entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 0), entry(1, 1), entry(1, 2), entry(2, 0),
+                 entry(2, 1), entry(2, 2));
+}
+
 /// a x b, each component one fused difference of products where the target has FMA: error 1.5 eps |a||b|.
 template <class S>
 Vector3<S> cross(const Vector3<S>& a, const Vector3<S>& b) {

@@ -84,7 +84,7 @@ class Collocation final : public Method<Sys> {
       for (std::size_t i = 0; i < s; ++i) {
         sum(g.a[i], h, delta_, v_);
         v_ += state.v;
-        system.integrate(state.q, delta_, q_);
+        if (system.readsConfiguration()) system.integrate(state.q, delta_, q_);
         system.acceleration(S(state.t + g.c[i] * h), q_, v_, A_new_);
         system.tangentRate(delta_, v_, K_new_);
         change = std::max({change, S((K_new_ - K_[i]).cwiseAbs().maxCoeff()),
@@ -101,6 +101,7 @@ class Collocation final : public Method<Sys> {
       before = change;
     }
     sum(g.b, h, delta_, v_);
+    checkFinite(delta_, v_);
     system.accumulate(state.q, state.q_low, delta_);
     accumulateAll(state.v, state.v_low, v_);
     last_ = A_, h_ = h, has_last_ = true;

@@ -32,23 +32,25 @@ class CommutatorFree4 final : public Method<Sys> {
     const S half = h / S(2), twelfth = h / S(12), middle = state.t + half;
     system.acceleration(state.t, state.q, state.v, a1_);
     v2_ = state.v + half * a1_;
+    const bool reads = system.readsConfiguration();
     delta_ = half * state.v;
-    system.integrate(state.q, delta_, q2_);
+    if (reads) system.integrate(state.q, delta_, q2_);
     system.acceleration(middle, q2_, v2_, a2_);
     v3_ = state.v + half * a2_;
     delta_ = half * v2_;
-    system.integrate(state.q, delta_, q_);
+    if (reads) system.integrate(state.q, delta_, q_);
     system.acceleration(middle, q_, v3_, a3_);
     v4_ = state.v + h * a3_;
     delta_ = h * v3_ - half * state.v;
-    system.integrate(q2_, delta_, q_);
+    if (reads) system.integrate(q2_, delta_, q_);
     system.acceleration(S(state.t + h), q_, v4_, a4_);
     delta_ = twelfth * (S(3) * state.v + S(2) * (v2_ + v3_) - v4_);
     dv_ = twelfth * (S(2) * (v2_ + v3_) - state.v + S(3) * v4_);
+    a1_ = (h / S(6)) * (a1_ + S(2) * (a2_ + a3_) + a4_);
+    checkFinite(delta_, a1_);
     system.accumulate(state.q, state.q_low, delta_);
     system.accumulate(state.q, state.q_low, dv_);
-    dv_ = (h / S(6)) * (a1_ + S(2) * (a2_ + a3_) + a4_);
-    accumulateAll(state.v, state.v_low, dv_);
+    accumulateAll(state.v, state.v_low, a1_);
   }
 
  private:

@@ -64,7 +64,7 @@ class Dopri5 final : public Method<Sys> {
           max(S(e_delta_.cwiseAbs().maxCoeff() / tolerance_), S(e_v_.cwiseAbs().maxCoeff() / scale));
       const bool good = error <= S(1);  // a NaN is not
       const S factor = error > S(0) ? S(S(9) / S(10) * S(pow(error, S(S(-1) / S(5))))) : S(5);
-      const S next = trial * (finite<S>(factor) ? max(S(S(1) / S(5)), min(S(5), factor)) : S(S(1) / S(5)));
+      const S next = trial * (finite<S>(error) ? max(S(S(1) / S(5)), min(S(5), factor)) : S(S(1) / S(5)));
       if (!last || next < h_ || !good) h_ = next;
       if (!good) {
         ++counts_.rejected;
@@ -72,6 +72,7 @@ class Dopri5 final : public Method<Sys> {
       }
       ++counts_.steps;
       stages_.template sum<DormandPrinceTableau::b>(trial, delta_, dv_);
+      checkFinite(delta_, dv_);
       system.accumulate(at_->q, at_->q_low, delta_);
       accumulateAll(at_->v, at_->v_low, dv_);
       done = last ? h : S(done + trial);

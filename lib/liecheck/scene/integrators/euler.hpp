@@ -18,10 +18,10 @@ class Euler final : public Method<Sys> {
   void begin(Sys&, const State<Sys>& state) override { q_ = state.q, a_ = delta_ = state.v; }
   void step(Sys& system, State<Sys>& state, const typename Sys::Scalar& h) override {
     system.acceleration(state.t, state.q, state.v, a_);
-    delta_ = h * state.v;
+    delta_ = h * state.v, a_ *= h;
+    checkFinite(delta_, a_);
     system.integrate(state.q, delta_, q_);
-    state.q = q_;
-    state.v += h * a_;
+    state.q = q_, state.v += a_;
   }
 
  private:

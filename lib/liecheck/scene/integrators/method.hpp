@@ -28,13 +28,23 @@ class StepFailed : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Before a state takes increments of q and v: throws StepFailed unless the sum of their squares is finite, so that what
+/// diverges is stopped with the last good state, a factor 1e154 before double has no larger numbers.
+template <class A, class B>
+[[gnu::always_inline]] inline void checkFinite(const A& delta, const B& dv) {
+  using S = typename A::Scalar;
+  const S sum = delta.squaredNorm() + dv.squaredNorm();
+  if (!(sum <= std::numeric_limits<S>::max())) throw StepFailed("a number is no longer finite");
+}
+
 /// What the adaptive ones and the implicit ones did.
 struct MethodCounts {
   long steps = 0, rejected = 0, iterations = 0;
 };
 
 /// begin: once, before the first step and whenever the state was set from outside (this may allocate, step may not).
-/// step: the state moves by exactly h [s], t is left alone; throws StepFailed and then leaves the state as it was.
+/// step: the state moves by exactly h [s], t is left alone; throws StepFailed (or what the system throws) and then leaves
+/// the state as it was, which stays finite: checkFinite comes first.
 template <class Sys>
 class Method {
  public:

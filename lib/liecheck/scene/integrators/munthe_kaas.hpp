@@ -45,6 +45,7 @@ class MuntheKaasStages {
   void compute(Sys& system, const State<Sys>& state, const S& h) {
     system.acceleration(state.t, state.q, state.v, A_[0]);
     K_[0] = state.v;
+    reads_ = system.readsConfiguration();
     rest(system, state, h, std::make_index_sequence<T::stages - 1>());
   }
   /// h sum w_j K_j and h sum w_j A_j with the weights of row W: T::b, or the error's.
@@ -64,9 +65,13 @@ class MuntheKaasStages {
     add<T::a[I]>(K_, h, delta_, std::make_index_sequence<I>());
     add<T::a[I]>(A_, h, v_, std::make_index_sequence<I>());
     v_ += state.v;
-    system.integrate(state.q, delta_, q_);
+    if (reads_) place(system, state);
     system.acceleration(S(state.t + coefficient<S, T::c[I]>() * h), q_, v_, A_[I]);
     system.tangentRate(delta_, v_, K_[I]);
+  }
+  /// Apart, so that who needs no q has a loop without it.
+  [[gnu::noinline]] void place(const Sys& system, const State<Sys>& state) {
+    system.integrate(state.q, delta_, q_);
   }
   template <const auto& W, std::size_t... J>
   static void add(const std::array<Tangent, T::stages>& X, const S& h, Tangent& sum,
@@ -86,6 +91,7 @@ class MuntheKaasStages {
         ...);
   }
 
+  bool reads_ = true;
   typename Sys::Configuration q_;
   Tangent delta_, v_;
   std::array<Tangent, T::stages> K_, A_;
@@ -97,9 +103,10 @@ class MuntheKaas final : public Method<Sys> {
  public:
   const MethodInfo& what() const override { return T::info; }
   void begin(Sys&, const State<Sys>& state) override { stages_.begin(state), delta_ = dv_ = state.v; }
-  void step(Sys& system, State<Sys>& state, const typename Sys::Scalar& h) override {
+  [[gnu::flatten]] void step(Sys& system, State<Sys>& state, const typename Sys::Scalar& h) override {
     stages_.compute(system, state, h);
     stages_.template sum<T::b>(h, delta_, dv_);
+    checkFinite(delta_, dv_);
     system.accumulate(state.q, state.q_low, delta_);
     accumulateAll(state.v, state.v_low, dv_);
   }

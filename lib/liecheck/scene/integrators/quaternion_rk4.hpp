@@ -31,8 +31,10 @@ class QuaternionRk4 final : public Method<Sys> {
     rates(middle, q_, v_, r3_, a3_);
     q_ = state.q + h * r3_, v_ = state.v + h * a3_;
     rates(S(state.t + h), q_, v_, r4_, a4_);
-    state.q += sixth * (r1_ + S(2) * (r2_ + r3_) + r4_);
-    state.v += sixth * (a1_ + S(2) * (a2_ + a3_) + a4_);
+    q_ = sixth * (r1_ + S(2) * (r2_ + r3_) + r4_);
+    v_ = sixth * (a1_ + S(2) * (a2_ + a3_) + a4_);
+    checkFinite(q_, v_);
+    state.q += q_, state.v += v_;
     system.normalize(state.q);
   }
 

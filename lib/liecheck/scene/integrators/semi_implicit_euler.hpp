@@ -20,8 +20,10 @@ class SemiImplicitEuler final : public Method<Sys> {
   void begin(Sys&, const State<Sys>& state) override { q_ = state.q, a_ = delta_ = state.v; }
   void step(Sys& system, State<Sys>& state, const typename Sys::Scalar& h) override {
     system.acceleration(state.t, state.q, state.v, a_);
-    state.v += h * a_;
-    delta_ = h * state.v;
+    a_ *= h;
+    delta_ = h * (state.v + a_);
+    checkFinite(delta_, a_);
+    state.v += a_;
     system.integrate(state.q, delta_, q_);
     state.q = q_;
   }

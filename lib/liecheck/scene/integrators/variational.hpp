@@ -43,9 +43,10 @@ class Variational final : public Method<LoneBody<S>> {
     const S half = h / S(2);
     if (!free) kick(body, state.t, state.q, state.v, half);
     const Matrix3<S>& I = body.inertia();
-    const Vector3<S> target = h * inBody(state, L_);
     Vector3<S> phi;
     try {
+      checkFinite(L_, P_);
+      const Vector3<S> target = h * inBody(state, L_);
       phi = solve(I, body.inertiaInverse(), target);
     } catch (const StepFailed&) {
       restore(before);

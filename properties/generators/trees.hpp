@@ -1,0 +1,193 @@
+#pragma once
+// Trees of up to five bodies of every joint type, as one list of numbers of fixed length: valid by construction.
+//
+// parents [slots], absent where there is no such body; kinds [slots]; primaries [slots], -1 for what is no mimic;
+// masses [slots]; gravity; a frame and a wrench, each on a joint; then for each slot what TreeSlot tells. An absent body's numbers
+// are zero, with unit rotations.
+
+#include <generators/rotations.hpp>
+#include <oracles/tree.hpp>
+
+namespace liecheck::properties {
+
+inline constexpr int tree_slots = 5;
+inline constexpr int absent_joint = -2;
+
+/// Where the numbers of a slot stand in it.
+struct TreeSlot {
+  enum { Q = 0, p = 4, axis = 7, pitch = 10, multiplier, offset, armature, c, I = c + 3 };
+  enum {
+    q_p = I + 6,
+    q_Q = q_p + 3,
+    q_circle = q_Q + 4,
+    v = q_circle + 2,
+    a = v + 6,
+    d = a + 6,
+    size = d + 6
+  };
+};
+/// Where they stand in the whole list.
+struct TreeLayout {
+  int slots;
+  int parents() const { return 0; }
+  int kinds() const { return slots; }
+  int primaries() const { return 2 * slots; }
+  int masses() const { return 3 * slots; }
+  int gravity() const { return 4 * slots; }
+  int frame() const { return gravity() + 3; }  ///< joint, Q, p
+  int wrench() const { return frame() + 8; }   ///< joint, f, n
+  int slot(int i) const { return wrench() + 7 + i * TreeSlot::size; }
+  std::size_t size() const { return static_cast<std::size_t>(slot(slots)); }
+};
+
+namespace tree_detail {
+
+inline constexpr int reach = 8;  // binades of lengths, speeds and forces beside unit scale
+
+/// m sum a_k^2 (1 - e_k e_k^T) for radii of gyration a_k about turned axes: xx xy yy xz yz zz. Points, needles and
+/// plates, which some joint may not feel, where there is an armature.
+template <class S>
+Eigen::Matrix<S, 6, 1> inertia(Source& source, const S& mass, bool degenerate) {
+  using V3 = Eigen::Matrix<S, 3, 1>;
+  const auto length = [&] { return binade_uniform<S>(source, -4, 1); };
+  V3 a(length(), length(), length());
+  switch (degenerate ? source.below(5) : 3 + source.below(2)) {
+    case 0:
+      return Eigen::Matrix<S, 6, 1>::Zero();
+    case 1:
+      a[1] = a[2] = S(0);
+      break;
+    case 2:
+      a[2] = S(0);
+      break;
+    case 3:
+      a[1] = a[2] = a[0];
+      break;
+    default:;
+  }
+  const Eigen::Matrix<S, 3, 3> R = source.chance(1, 4)
+                                       ? Eigen::Matrix<S, 3, 3>(Eigen::Matrix<S, 3, 3>::Identity())
+                                       : rotation_matrix<S>(unit_quaternion<S>(source));
+  Eigen::Matrix<S, 6, 1> I = Eigen::Matrix<S, 6, 1>::Zero();
+  for (int k = 0; k < 3; ++k) {
+    const V3 r = a[k] * R.col(k);
+    const S xx = r[0] * r[0], yy = r[1] * r[1], zz = r[2] * r[2];
+    I[0] += mass * S(yy + zz), I[2] += mass * S(xx + zz), I[5] += mass * S(xx + yy);
+    I[1] -= mass * S(r[0] * r[1]), I[3] -= mass * S(r[0] * r[2]), I[4] -= mass * S(r[1] * r[2]);
+  }
+  return I;
+}
+template <class S, class Derived>
+void put(S* to, const Eigen::MatrixBase<Derived>& v) {
+  for (int i = 0; i < v.size(); ++i) to[i] = v[i];
+}
+
+}  // namespace tree_detail
+
+/// The numbers of q, v, a and the direction d that a joint has: coordinates where its kind reads them, the rest zero.
+template <class S>
+void random_joint_state(Source& source, oracles::JointKind kind, bool mimics, S* slot) {
+  using oracles::JointKind;
+  using tree_detail::put, tree_detail::reach;
+  if (mimics) return;
+  const bool three =
+      kind == JointKind::free_flyer || kind == JointKind::translation || kind == JointKind::planar;
+  if (three) {
+    put(slot + TreeSlot::q_p, vector3<S>(source, reach));
+    if (kind == JointKind::planar) slot[TreeSlot::q_p + 2] = S(0);
+  } else if (kind != JointKind::continuous && kind != JointKind::spherical) {
+    slot[TreeSlot::q_p] = S(4) * magnitude<S>(source, 2);
+  }
+  if (kind == JointKind::free_flyer || kind == JointKind::spherical)
+    put(slot + TreeSlot::q_Q, unit_quaternion<S>(source));
+  if (kind == JointKind::continuous || kind == JointKind::planar) {
+    using std::sqrt;
+    const S s = source.chance(1, 2) ? source.symmetric<S>()
+                                    : binade_uniform<S>(source, -std::numeric_limits<S>::digits, 0);
+    S c = S(sqrt((S(1) - s) * (S(1) + s)));
+    if (source.chance(1, 2)) c = -c;
+    slot[TreeSlot::q_circle] = c, slot[TreeSlot::q_circle + 1] = s;
+  }
+  const int n = velocity_size(kind);
+  for (int to : {TreeSlot::v, TreeSlot::a, TreeSlot::d})
+    for (int k = 0; k < n; k += 3) {
+      const Eigen::Matrix<S, 3, 1> x = vector3<S>(source, reach);
+      for (int i = k; i < n && i < k + 3; ++i) slot[to + i] = x[i - k];
+    }
+}
+
+/// A joint on which others may be: what a wrench or a frame is on.
+template <class S>
+void random_place(Source& source, int joints, S* to) {
+  to[0] = S(source.between(0, joints - 1));
+  tree_detail::put(to + 1, unit_quaternion<S>(source));
+  tree_detail::put(to + 5, vector3<S>(source, tree_detail::reach));
+}
+template <class S>
+void random_wrench(Source& source, int joints, S* to) {
+  to[0] = source.chance(1, 4) ? S(-1) : S(source.between(0, joints - 1));
+  tree_detail::put(to + 1, vector3<S>(source, tree_detail::reach));
+  tree_detail::put(to + 4, vector3<S>(source, tree_detail::reach));
+}
+
+/// A tree and a state of it. `floating`: its first joint is the only one on the world, and is free.
+template <class S>
+std::vector<S> random_tree(Source& source, bool floating) {
+  using oracles::JointKind;
+  using tree_detail::put;
+  const TreeLayout at{tree_slots};
+  std::vector<S> x(at.size(), S(0));
+  const auto whole = [&](int i) -> S& { return x[static_cast<std::size_t>(i)]; };
+  const int joints = source.chance(1, 8) ? tree_slots : source.between(1, tree_slots);
+  const int shape = source.between(0, 3);  // a chain, a star, a fan on the world or a bush, any
+  int ratio = 0;
+  if (source.chance(1, 2)) ratio = std::is_same_v<S, float> ? 4 : 21;
+  put(&whole(at.gravity()), source.chance(1, 8) ? vector3<S>(source, tree_detail::reach)
+                                                : Eigen::Matrix<S, 3, 1>(S(0), S(0), S(-981) / S(100)));
+  for (int i = 0; i < tree_slots; ++i) {
+    S* slot = &whole(at.slot(i));
+    slot[TreeSlot::Q + 3] = slot[TreeSlot::q_Q + 3] = slot[TreeSlot::q_circle] = S(1);
+    whole(at.primaries() + i) = S(-1);
+    whole(at.parents() + i) = whole(at.kinds() + i) = S(absent_joint);
+    if (i >= joints) continue;
+    int parent = shape == 0   ? i - 1
+                 : shape == 1 ? (i > 0 ? 0 : -1)
+                 : shape == 2 ? -1
+                              : source.between(-1, i - 1);
+    if (floating && i > 0) parent = std::max(parent, 0);
+    whole(at.parents() + i) = S(parent);
+    auto kind = static_cast<JointKind>(source.below(8));
+    if (i == 0 && (floating || source.chance(1, 4))) kind = JointKind::free_flyer;
+    int primary = -1;
+    const bool simple =
+        kind == JointKind::revolute || kind == JointKind::prismatic || kind == JointKind::helical;
+    if (simple && source.chance(1, 3))
+      for (int k = 0; k < i; ++k) {
+        const auto other = static_cast<JointKind>(static_cast<int>(whole(at.kinds() + k)));
+        if (whole(at.primaries() + k) < S(0) && velocity_size(other) == 1) primary = k;
+      }
+    whole(at.kinds() + i) = S(static_cast<int>(kind));
+    whole(at.primaries() + i) = S(primary);
+    put(slot + TreeSlot::Q, unit_quaternion<S>(source));
+    put(slot + TreeSlot::p, vector3<S>(source, tree_detail::reach));
+    put(slot + TreeSlot::axis, direction<S>(source));
+    if (kind == JointKind::helical) slot[TreeSlot::pitch] = magnitude<S>(source, 4);
+    if (primary >= 0) {
+      slot[TreeSlot::multiplier] = S(source.between(1, 8)) / S(4);
+      if (source.chance(1, 2)) slot[TreeSlot::multiplier] *= S(-1);
+      slot[TreeSlot::offset] = magnitude<S>(source, 2);
+    }
+    const S mass = (S(1) + source.unit<S>()) * (ratio ? binade_uniform<S>(source, -ratio, ratio) : S(1));
+    whole(at.masses() + i) = mass;
+    if (source.chance(1, 2) && primary < 0)
+      slot[TreeSlot::armature] = mass * binade_uniform<S>(source, -8, 2);
+    put(slot + TreeSlot::c, vector3<S>(source, 2));
+    put(slot + TreeSlot::I, tree_detail::inertia<S>(source, mass, slot[TreeSlot::armature] > S(0)));
+    random_joint_state(source, kind, primary >= 0, slot);
+  }
+  random_place(source, joints, &whole(at.frame()));
+  random_wrench(source, joints, &whole(at.wrench()));
+  return x;
+}
+
+}  // namespace liecheck::properties

@@ -1,0 +1,113 @@
+// The derivatives of inverse and forward dynamics, along a direction.
+
+#include <invariants/tree_law.hpp>
+
+namespace liecheck::properties {
+namespace {
+
+template <class S>
+class DynamicsDerivatives final : public TreeLaw<DynamicsDerivatives, S> {
+ public:
+  static constexpr bool floating = false;
+  std::string name() const override { return "dynamics_derivatives"; }
+  std::string law() const override {
+    return "the derivatives of inverse and forward dynamics by q (along integrate) and by v, times a "
+           "direction d";
+  }
+  std::string equation() const override {
+    return "(dtau/dq) d = d/dt rnea(q exp(t d), v, a), (dtau/dv) d = d/dt rnea(q, v + t d, a); dqdd/dq = "
+           "-M^-1 dtau/dq "
+           "at qdd, likewise by v; norms as in forward_dynamics";
+  }
+  std::string source() const override { return "Carpentier & Mansard 2018"; }
+  enum { torque_q, torque_v, acceleration_q, acceleration_v };
+  std::vector<Output> outputs() const override {
+    return {{"rnea_derivatives", "by q"},
+            {"rnea_derivatives", "by v"},
+            {"aba_derivatives", "by q"},
+            {"aba_derivatives", "by v"}};
+  }
+
+  template <class T, class Case>
+  void of(const Operations<S>& subject, const Case& c, Recorder& r) const {
+    const std::vector<T> still(c.nv(), T(0));
+    const std::vector<T>& d = c.exact.d;
+    const TreeOperations<S> o = subject.tree(described(c.stored));
+    const auto standing = c.dynamics(c.exact.v, still);
+    const std::vector<T> M = standing.mass();
+    const std::vector<double> roots = mass_roots(M, c.nv()), w = inverses(roots);
+    const bool resolved = c.resolved(true);
+    const auto along = [&](const MatX<S>& J) {
+      std::vector<T> sum(c.nv(), T(0));
+      for (int i = 0; i < J.rows(); ++i)
+        for (int k = 0; k < J.cols(); ++k)
+          sum[static_cast<std::size_t>(i)] += oracles::exact<T>(J(i, k)) * d[static_cast<std::size_t>(k)];
+      return sum;
+    };
+    const auto by_q = [&](const std::vector<T>& a) { return c.dynamics(c.exact.v, a, d, still, still); };
+    const auto by_v = [&](const std::vector<T>& a) { return c.dynamics(c.exact.v, a, still, d, still); };
+    const auto sizes = [&](const std::vector<double>& a, bool q) {
+      const std::vector<double> none(c.nv(), 0);
+      return oracles::TreeSizes<oracles::Tangent>(c.rough.tree, c.rough.q, c.rough.v, a, c.rough.wrench,
+                                                  q ? c.rough.d : none, q ? none : c.rough.d, true);
+    };
+    // What is zero comes out of the oracle as 1e-30 of what it is the derivative of: such a result has no digits.
+    const double reach = weighted_size(c.rough.d, std::vector<double>(c.nv(), 1));
+    const auto terms_of = [&](const oracles::TreeSizes<oracles::Tangent>& t) {
+      std::vector<double> values;
+      for (const oracles::Tangent& x : t.tau) values.push_back(x.x);
+      return weighted_size(t.tau, w) + 1e-12 * reach * weighted_size(values, w);
+    };
+    if (o.rnea_derivatives) {
+      const auto [dq, dv] = o.rnea_derivatives(c.q, c.v, c.a, c.F_joint, c.F);
+      const auto record = [&](int output, const MatX<S>& J, const oracles::TreeDynamics<T>& exact, bool q) {
+        if (!oracles::all_finite(J)) return r.outcome(output, 0, Outcome::not_finite);
+        c.record(r, output, along(J), exact.torque_derivative(c.exact.wrench), w,
+                 terms_of(sizes(c.rough.a, q)), resolved);
+      };
+      record(torque_q, dq, by_q(c.exact.a), true);
+      record(torque_v, dv, by_v(c.exact.a), false);
+    }
+    if (!o.aba_derivatives || std::count(roots.begin(), roots.end(), 0.0) > 0) return;
+    const std::vector<T> factor = oracles::positive_factor(M, c.nv());
+    if (factor.empty()) return;
+    std::vector<T> a = standing.torque(c.exact.wrench);
+    for (std::size_t k = 0; k < a.size(); ++k) a[k] = c.exact.a[k] - a[k];
+    a = oracles::solve(factor, a);
+    double inverse = 0;
+    for (std::size_t k = 0; k < c.nv(); ++k) {
+      std::vector<T> e = still;
+      e[k] = T(roots[k]);
+      inverse += approximate(weighted_norm(oracles::solve(factor, e), roots));
+    }
+    const std::vector<double> at_rest(c.nv(), 0);
+    const double size = weighted_size(c.sizes(at_rest, at_rest).mass, products(w));
+    const bool singular = !(64 * size * inverse * std::numeric_limits<S>::epsilon() < 1);
+    try {
+      const auto [dq, dv] = o.aba_derivatives(c.q, c.v, c.a, c.F_joint, c.F);
+      // An error of qdd, which is one itself, is one of what qdd makes: terms of M's derivative by it.
+      const double a_error = inverse * weighted_size(c.sizes(c.rough.v, this->rough_list(a), true).tau, w);
+      std::vector<double> a_moved(c.nv());
+      for (std::size_t k = 0; k < a_moved.size(); ++k) a_moved[k] = a_error * w[k];
+      const auto record = [&](int output, const MatX<S>& J, const oracles::TreeDynamics<T>& at, bool q) {
+        if (!oracles::all_finite(J)) return r.outcome(output, 0, Outcome::not_finite);
+        std::vector<T> exact = at.torque_derivative(c.exact.wrench);
+        for (T& x : exact) x = -x;
+        exact = oracles::solve(factor, exact);
+        const double terms = size * approximate(weighted_norm(exact, roots)) +
+                             terms_of(sizes(this->rough_list(a), q)) +
+                             (q ? weighted_size(sizes(a_moved, q).tau, w) : 0);
+        c.record(r, output, along(J), exact, roots, inverse * terms, resolved);
+      };
+      record(acceleration_q, dq, by_q(a), true);
+      record(acceleration_v, dv, by_v(a), false);
+    } catch (const std::domain_error&) {  // M^-1 has no digits there: it may be refused
+      if (!singular) throw;
+    }
+  }
+};
+
+const RegisteredTreeLaw<DynamicsDerivatives> registered;
+
+}  // namespace
+}  // namespace liecheck::properties

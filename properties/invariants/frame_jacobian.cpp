@@ -1,0 +1,78 @@
+// Jacobians of frames times v are velocities, and with their rates accelerations.
+
+#include <invariants/tree_frames.hpp>
+
+namespace liecheck::properties {
+namespace {
+
+template <class S>
+class FrameJacobian final : public TreeLaw<FrameJacobian, S> {
+ public:
+  static constexpr bool floating = false;
+  std::string name() const override { return "frame_jacobian"; }
+  std::string law() const override {
+    return "a frame's Jacobian times v is its velocity, and J a + dJ v its spatial (LOCAL_WORLD_ALIGNED: "
+           "classical) "
+           "acceleration";
+  }
+  std::string equation() const override {
+    return "J v = V, J a + J' v = V' in each reference frame; of the exact v and a";
+  }
+  std::string source() const override { return "ROWS S17, S25"; }
+  std::vector<Output> outputs() const override {
+    return {{"frame_jacobian", "linear"},
+            {"frame_jacobian", "angular"},
+            {"frame_jacobian_rate", "linear"},
+            {"frame_jacobian_rate", "angular"}};
+  }
+
+  template <class T, class Case>
+  void of(const Operations<S>& subject, const Case& c, Recorder& r) const {
+    const TreeOperations<S> o = subject.tree(described(c.stored));
+    const auto dynamics = c.dynamics(c.exact.v, c.exact.a);
+    const oracles::FrameMotion<T> f(dynamics.motion(), static_cast<std::size_t>(c.exact.frame_joint),
+                                    c.exact.frame_Q, c.exact.frame_p);
+    const bool resolved = c.resolved();
+    const FrameSizes sizes(c);
+    for (const Seen view : every_view) {
+      const FrameViews<T> exact = seen_from(view, f);
+      const MatX<S> J = o.frame_jacobian ? o.frame_jacobian(c.q, view) : MatX<S>();
+      const MatX<S> dJ = o.frame_jacobian_rate ? o.frame_jacobian_rate(c.q, c.v, view) : MatX<S>();
+      if (J.size())
+        both<T>(c, r, 0, {{&J, &c.exact.v}}, exact.velocity, {sizes.velocity(view), sizes.w}, resolved);
+      if (J.size() && dJ.size())
+        both<T>(c, r, 2, {{&J, &c.exact.a}, {&dJ, &c.exact.v}},
+                view == Seen::aligned ? exact.classical : exact.acceleration,
+                {sizes.acceleration(view), sizes.al}, resolved);
+    }
+  }
+
+ private:
+  /// The two halves of a sum of matrices times exact vectors.
+  template <class T, class Case>
+  static void both(const Case& c, Recorder& r, int output,
+                   const std::vector<std::pair<const MatX<S>*, const std::vector<T>*>>& sums,
+                   const oracles::Vec6<T>& exact, const std::array<double, 2>& sizes, bool resolved) {
+    for (const auto& [J, x] : sums)
+      if (!oracles::all_finite(*J)) {
+        for (int part = 0; part < 2; ++part) r.outcome(output + part, 0, Outcome::not_finite);
+        return;
+      }
+    for (int part = 0; part < 2; ++part) {
+      std::vector<T> computed(3, T(0)), value;
+      for (int i = 0; i < 3; ++i) {
+        for (const auto& [J, x] : sums)
+          for (int k = 0; k < J->cols(); ++k)
+            computed[static_cast<std::size_t>(i)] +=
+                oracles::exact<T>((*J)(3 * part + i, k)) * (*x)[static_cast<std::size_t>(k)];
+        value.push_back(exact[3 * part + i]);
+      }
+      c.record(r, output + part, computed, value, {1, 1, 1}, sizes[static_cast<std::size_t>(part)], resolved);
+    }
+  }
+};
+
+const RegisteredTreeLaw<FrameJacobian> registered;
+
+}  // namespace
+}  // namespace liecheck::properties

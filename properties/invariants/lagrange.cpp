@@ -1,0 +1,65 @@
+// Inverse dynamics, the mass matrix and the energies are those of Lagrange's equations.
+
+#include <invariants/tree_law.hpp>
+
+namespace liecheck::properties {
+namespace {
+
+template <class S>
+class Lagrange final : public TreeLaw<Lagrange, S> {
+ public:
+  static constexpr bool floating = false;
+  std::string name() const override { return "lagrange"; }
+  std::string law() const override {
+    return "inverse dynamics, the mass matrix and the energies are those of Lagrange's equations";
+  }
+  std::string equation() const override {
+    return "tau_k = sum_i tr(U_ik J_i (X_i'' - g)^T), M_kl = sum_i tr(U_ik J_i U_il^T), U_ik = dX_i/dq_k; "
+           "norms of tau_k / sqrt(M_kk) and M_kl / sqrt(M_kk M_ll)";
+  }
+  std::string source() const override { return "Uicker 1965; Paul 1981, chapter 6"; }
+  enum { torque, nonlinear, gravity, mass, kinetic, potential };
+  std::vector<Output> outputs() const override {
+    return {{"tree_rnea", "torque"},           {"tree_nonlinear_effects", "torque"},
+            {"tree_gravity", "torque"},        {"tree_crba", "matrix"},
+            {"tree_kinetic_energy", "energy"}, {"tree_potential_energy", "energy"}};
+  }
+
+  template <class T, class Case>
+  void of(const Operations<S>& subject, const Case& c, Recorder& r) const {
+    const TreeOperations<S> o = subject.tree(described(c.stored));
+    const std::vector<T> still(c.nv(), T(0));
+    const auto moving = c.dynamics(c.exact.v, c.exact.a);
+    const bool resolved = c.resolved();
+    const std::vector<T> M = moving.mass();
+    const std::vector<double> roots = mass_roots(M, c.nv()), w = inverses(roots);
+    const std::vector<double> at_rest(c.nv(), 0);
+    const auto torque_of = [&](int output, const VecX<S>& computed, const oracles::TreeDynamics<T>& d,
+                               const oracles::TreeSizes<double>& sizes, bool pushed) {
+      c.record(r, output, computed, pushed ? d.torque(c.exact.wrench) : d.torque(), w,
+               weighted_size(sizes.tau, w), resolved);
+    };
+    const auto sizes = c.sizes(c.rough.v, c.rough.a, true);
+    if (o.rnea) torque_of(torque, o.rnea(c.q, c.v, c.a, c.F_joint, c.F), moving, sizes, true);
+    if (o.nonlinear_effects)
+      torque_of(nonlinear, o.nonlinear_effects(c.q, c.v), c.dynamics(c.exact.v, still),
+                c.sizes(c.rough.v, at_rest), false);
+    if (o.gravity)
+      torque_of(gravity, o.gravity(c.q), c.dynamics(still, still), c.sizes(at_rest, at_rest), false);
+    if (o.crba)
+      c.record(r, mass, this->flat(o.crba(c.q)), M, products(w), weighted_size(sizes.mass, products(w)),
+               resolved);
+    const std::vector<double> one{1};
+    if (o.kinetic_energy)
+      c.record(r, kinetic, VecX<S>::Constant(1, o.kinetic_energy(c.q, c.v)), {moving.kinetic_energy()}, one,
+               sizes.kinetic, resolved);
+    if (o.potential_energy)
+      c.record(r, potential, VecX<S>::Constant(1, o.potential_energy(c.q)), {moving.potential_energy()}, one,
+               sizes.potential, resolved);
+  }
+};
+
+const RegisteredTreeLaw<Lagrange> registered;
+
+}  // namespace
+}  // namespace liecheck::properties

@@ -1,0 +1,73 @@
+// The mass matrix is symmetric, positive definite, and what inverse dynamics makes of unit accelerations.
+
+#include <invariants/tree_law.hpp>
+
+namespace liecheck::properties {
+namespace {
+
+template <class S>
+class MassMatrix final : public TreeLaw<MassMatrix, S> {
+ public:
+  static constexpr bool floating = false;
+  std::string name() const override { return "mass_matrix"; }
+  std::string law() const override {
+    return "the mass matrix is symmetric and positive definite, and its columns are the torques of unit "
+           "accelerations";
+  }
+  std::string equation() const override {
+    return "M = M^T, x^T M x > 0, M e_k = rnea(q, 0, e_k) without gravity; of a column, M_kl / sqrt(M_kk "
+           "M_ll)";
+  }
+  std::string source() const override { return "Featherstone 2008, chapter 6"; }
+  enum { symmetric, definite, columns };
+  std::vector<Output> outputs() const override {
+    return {{"crba_symmetric", "matrix"}, {"crba_positive", "matrix"}, {"crba_columns", "matrix"}};
+  }
+
+  template <class T, class Case>
+  void of(const Operations<S>& subject, const Case& c, Recorder& r) const {
+    Tree<S> weightless = described(c.stored);
+    weightless.gravity = {{S(0), S(0), S(0)}};
+    const TreeOperations<S> o = subject.tree(weightless);
+    if (!o.crba) return;
+    const MatX<S> M = o.crba(c.q);
+    if (!oracles::all_finite(M)) {
+      for (int output : {symmetric, definite, columns}) r.outcome(output, 0, Outcome::not_finite);
+      return;
+    }
+    r.record(symmetric, 0, M == M.transpose() ? 0 : std::numeric_limits<double>::infinity());
+    const std::vector<T> still(c.nv(), T(0));
+    const std::vector<T> exact = c.dynamics(still, still).mass();
+    const std::vector<double> roots = mass_roots(exact, c.nv()), w = inverses(roots);
+    const std::vector<T> factor = oracles::positive_factor(exact, c.nv());
+    if (!factor.empty()) {
+      double inverse = 0;  // ||A^-1|| of A = M_kl / sqrt(M_kk M_ll)
+      for (std::size_t k = 0; k < c.nv(); ++k) {
+        std::vector<T> e = still;
+        e[k] = T(roots[k]);
+        inverse += approximate(weighted_norm(oracles::solve(factor, e), roots));
+      }
+      const VecX<S> flat = this->flat(M);
+      const bool positive = !oracles::positive_factor(this->template exact_list<T>(flat), c.nv()).empty();
+      r.record(definite, 0, positive ? 0 : std::numeric_limits<double>::infinity(),
+               [&] { return inverse * approximate(weighted_norm(exact, products(w))); });
+    }
+    if (!o.rnea) return;
+    const VecX<S> none = VecX<S>::Zero(c.q.size() ? static_cast<int>(c.nv()) : 0);
+    MatX<S> by_columns(none.size(), none.size());
+    for (int k = 0; k < none.size(); ++k)
+      by_columns.col(k) = o.rnea(c.q, none, VecX<S>::Unit(none.size(), k), -1, Vec<S, 6>::Zero());
+    if (!oracles::all_finite(by_columns)) return r.outcome(columns, 0, Outcome::not_finite);
+    const std::vector<T> one = this->template exact_list<T>(this->flat(M)),
+                         other = this->template exact_list<T>(this->flat(by_columns));
+    const T size = weighted_norm(exact, products(w));
+    const std::vector<double> at_rest(c.nv(), 0);
+    const double kappa = weighted_size(c.sizes(at_rest, at_rest).mass, products(w)) / approximate(size);
+    r.record(columns, 0, weighted_error<S>(other, one, products(w), size), [&] { return kappa; });
+  }
+};
+
+const RegisteredTreeLaw<MassMatrix> registered;
+
+}  // namespace
+}  // namespace liecheck::properties

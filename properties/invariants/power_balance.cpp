@@ -1,0 +1,53 @@
+// What the joints do is what the energy gains.
+
+#include <invariants/tree_law.hpp>
+
+namespace liecheck::properties {
+namespace {
+
+template <class S>
+class PowerBalance final : public TreeLaw<PowerBalance, S> {
+ public:
+  static constexpr bool floating = false;
+  std::string name() const override { return "power_balance"; }
+  std::string law() const override { return "the power of the joint forces is the rate of the energy"; }
+  std::string equation() const override {
+    return "rnea(q, v, a)^T v = d/dt (T + V) = sum_i tr(X_i' J_i (X_i'' - g)^T) + sum_k armature_k v_k a_k";
+  }
+  std::string source() const override { return "Goldstein 1980, section 2.6; DESIGN 2"; }
+  std::vector<Output> outputs() const override { return {{"tree_power", "power"}}; }
+
+  template <class T>
+  static T rate(const TreeCase<T>& x) {
+    T sum = oracles::TreeDynamics<T>(x.tree, x.q, x.v, x.a).energy_rate();
+    for (std::size_t i = 0; i < x.tree.joints.size(); ++i) {
+      const auto& j = x.tree.joints[i];
+      const auto first = static_cast<std::size_t>(x.tree.idx_v[i]);
+      if (j.primary < 0)
+        for (std::size_t k = first; k < first + static_cast<std::size_t>(velocity_size(j.kind)); ++k)
+          sum += j.armature * x.v[k] * x.a[k];
+    }
+    return sum;
+  }
+
+  template <class T, class Case>
+  void of(const Operations<S>& subject, const Case& c, Recorder& r) const {
+    const TreeOperations<S> o = subject.tree(described(c.stored));
+    if (!o.rnea) return;
+    const VecX<S> tau = o.rnea(c.q, c.v, c.a, -1, Vec<S, 6>::Zero());
+    if (!oracles::all_finite(tau)) return r.outcome(0, 0, Outcome::not_finite);
+    T power(0);
+    double terms = 0;
+    const auto sizes = c.sizes(c.rough.v, c.rough.a);
+    for (std::size_t k = 0; k < c.nv(); ++k) {
+      power += oracles::exact<T>(tau[static_cast<int>(k)]) * c.exact.v[k];
+      terms += sizes.tau[k] * std::fabs(c.rough.v[k]);
+    }
+    c.record(r, 0, std::vector<T>{power}, {rate(c.exact)}, {1}, terms, c.resolved());
+  }
+};
+
+const RegisteredTreeLaw<PowerBalance> registered;
+
+}  // namespace
+}  // namespace liecheck::properties

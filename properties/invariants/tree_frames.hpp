@@ -1,0 +1,49 @@
+#pragma once
+// The motion of a frame of a tree, as the three reference frames tell it.
+
+#include <invariants/tree_law.hpp>
+
+namespace liecheck::properties {
+
+inline constexpr Seen every_view[] = {Seen::world, Seen::local, Seen::aligned};
+
+template <class T>
+struct FrameViews {
+  oracles::Vec6<T> velocity, acceleration, classical;
+};
+
+/// From p', p'', w and w' of a frame at (R, p):
+///   aligned (p', w), (p'' - w x p', w'), (p'', w');  local R^T of those;
+///   world (p' + p x w, w), (p'' + p' x w + p x w', w'), and that with w x (p' + p x w) more.
+template <class T>
+FrameViews<T> seen_from(Seen view, const oracles::FrameMotion<T>& f) {
+  using namespace oracles;
+  const Vec3<T> spatial = f.p2 - cross(f.w, f.p1);
+  if (view == Seen::aligned) return {stack(f.p1, f.w), stack(spatial, f.w1), stack(f.p2, f.w1)};
+  if (view == Seen::local) {
+    const Mat3<T> Rt = transpose(f.R);
+    const auto turned = [&](const Vec3<T>& a, const Vec3<T>& b) { return stack(Rt * a, Rt * b); };
+    return {turned(f.p1, f.w), turned(spatial, f.w1), turned(f.p2, f.w1)};
+  }
+  const Vec3<T> u = f.p1 + cross(f.p, f.w), a = spatial + cross(f.p, f.w1);
+  return {stack(u, f.w), stack(a, f.w1), stack(a + cross(f.w, u), f.w1)};
+}
+/// The sizes of the terms of those, linear and angular; of all views, but that world's adds the lever to its origin.
+struct FrameSizes {
+  double position, w, u, al, ac;
+  template <class Case>
+  explicit FrameSizes(const Case& c) {
+    oracles::TreeOf<double> tree = c.rough.tree;
+    tree.gravity = {{0, 0, 0}};
+    const auto& j = oracles::TreeSizes<double>(tree, c.rough.q, c.rough.v, c.rough.a)
+                        .joints[static_cast<std::size_t>(c.rough.frame_joint)];
+    const double r = approximate(norm(c.exact.frame_p));
+    position = j.position + r, w = j.w, u = j.u + w * r, al = j.al, ac = j.ac + al * r;
+  }
+  double velocity(Seen view) const { return u + (view == Seen::world ? position * w : 0); }
+  double acceleration(Seen view) const {
+    return ac + w * u + (view == Seen::world ? (u + position * w) * w + position * al : 0);
+  }
+};
+
+}  // namespace liecheck::properties

@@ -1,0 +1,127 @@
+// The same robot told otherwise has the same dynamics.
+
+#include <invariants/tree_law.hpp>
+
+namespace liecheck::properties {
+namespace {
+
+template <class S>
+class TreeInvariance final : public TreeLaw<TreeInvariance, S> {
+ public:
+  static constexpr bool floating = false;
+  std::string name() const override { return "tree_invariance"; }
+  std::string law() const override {
+    return "joint torques do not depend on where the world's frame is, on the order of joints, or on how a "
+           "rigid "
+           "body is put together";
+  }
+  std::string equation() const override {
+    return "rnea of a world turned by half a turn and moved; of branches in the opposite order; of each body "
+           "as two "
+           "halves, one fixed at a pose, turned by a third of a turn; all against Lagrange's equations of "
+           "the tree "
+           "itself";
+  }
+  std::string source() const override { return "issue 5"; }
+  enum { world, order, parts };
+  std::vector<Output> outputs() const override {
+    return {{"rnea_of_a_moved_world", "torque"},
+            {"rnea_of_reordered_joints", "torque"},
+            {"rnea_of_split_bodies", "torque"}};
+  }
+
+  template <class T, class Case>
+  void of(const Operations<S>& subject, const Case& c, Recorder& r) const {
+    const Tree<S> tree = described(c.stored);
+    const auto moving = c.dynamics(c.exact.v, c.exact.a);
+    const std::vector<double> w = inverses(mass_roots(moving.mass(), c.nv()));
+    const std::vector<T> exact = moving.torque(c.exact.wrench);
+    const double terms = weighted_size(c.sizes(c.rough.v, c.rough.a, true).tau, w);
+    const bool resolved = c.resolved();
+    const auto record = [&](int output, const VecX<S>& tau) {
+      c.record(r, output, tau, exact, w, terms, resolved);
+    };
+    const TreeOperations<S> moved = subject.tree(in_a_moved_world(tree));
+    if (!moved.rnea) return;
+    record(world, moved.rnea(c.q, c.v, c.a, c.F_joint, c.F));
+    record(parts, subject.tree(in_parts(tree)).rnea(c.q, c.v, c.a, c.F_joint, c.F));
+    if (std::any_of(tree.joints.begin(), tree.joints.end(), [](const auto& j) { return j.primary >= 0; }))
+      return;
+    const std::vector<int> turn = reordered(tree);
+    Tree<S> other = tree;
+    std::vector<int> place(turn.size());
+    for (std::size_t i = 0; i < turn.size(); ++i) place[at(turn[i])] = static_cast<int>(i);
+    for (std::size_t i = 0; i < turn.size(); ++i) {
+      other.joints[i] = tree.joints[at(turn[i])];
+      if (int& p = other.joints[i].parent; p >= 0) p = place[at(p)];
+    }
+    other.index(), other.frame_joint = 0;
+    const auto shuffled = [&](const VecX<S>& x, bool q, bool back) {
+      VecX<S> y(x.size());
+      for (std::size_t i = 0; i < turn.size(); ++i) {
+        const auto& j = other.joints[i];
+        const int n = q ? configuration_size(j.kind) : velocity_size(j.kind);
+        const int here = q ? other.idx_q[i] : other.idx_v[i];
+        const int there = q ? tree.idx_q[at(turn[i])] : tree.idx_v[at(turn[i])];
+        y.segment(back ? there : here, n) = x.segment(back ? here : there, n);
+      }
+      return y;
+    };
+    record(order, shuffled(subject.tree(other).rnea(shuffled(c.q, true, false), shuffled(c.v, false, false),
+                                                    shuffled(c.a, false, false),
+                                                    c.F_joint < 0 ? -1 : place[at(c.F_joint)], c.F),
+                           false, true));
+  }
+
+ private:
+  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+  /// Half a turn about x, and 100 m along it: no number but a position is rounded, of which no torque depends.
+  static Tree<S> in_a_moved_world(Tree<S> t) {
+    for (auto& j : t.joints) {
+      if (j.parent >= 0) continue;
+      const auto Q = j.Q;
+      j.Q = {{Q[3], -Q[2], Q[1], -Q[0]}};
+      j.p = {{j.p[0] + S(100), -j.p[1], -j.p[2]}};
+    }
+    t.gravity = {{t.gravity[0], -t.gravity[1], -t.gravity[2]}};
+    return t;
+  }
+  /// Half of each body stays; the other half is a body whose frame is turned by a third of a turn about (1, 1, 1),
+  /// R e_x = e_y, and stands at 2 c: its centre of mass is at -R^T c there. Exact.
+  static Tree<S> in_parts(Tree<S> t) {
+    const S half = S(1) / S(2);
+    for (std::size_t i = 0; i < t.joints.size(); ++i) {
+      auto& body = t.joints[i].body;
+      body.mass *= half;
+      for (S& x : body.I_C.x) x *= half;
+      oracles::BodyOf<S> other = body;
+      for (int k = 0; k < 3; ++k) {
+        other.c[k] = -body.c[(k + 1) % 3];
+        for (int l = 0; l < 3; ++l) other.I_C(k, l) = body.I_C((k + 1) % 3, (l + 1) % 3);
+      }
+      t.fixed.push_back({static_cast<int>(i),
+                         other,
+                         {{half, half, half, half}},
+                         {{S(2) * body.c[0], S(2) * body.c[1], S(2) * body.c[2]}}});
+    }
+    return t;
+  }
+  /// Depth first, the last branch first: parents come before their children.
+  static std::vector<int> reordered(const Tree<S>& t) {
+    std::vector<int> order;
+    const auto visit = [&](auto& self, int parent) -> void {
+      for (int i = static_cast<int>(t.joints.size()); i-- > 0;)
+        if (t.joints[at(i)].parent == parent) {
+          order.push_back(i);
+          self(self, i);
+        }
+    };
+    visit(visit, -1);
+    return order;
+  }
+};
+
+const RegisteredTreeLaw<TreeInvariance> registered;
+
+}  // namespace
+}  // namespace liecheck::properties

@@ -1,0 +1,442 @@
+#pragma once
+// What the laws of trees of bodies share: the input and what it means, on random trees or, where a robot is given,
+// on that robot; and how vectors of mixed units are measured.
+//
+// Entry k of v moves inertia M_kk, so that sqrt(M_kk) v_k and tau_k / sqrt(M_kk) are of one unit, whatever the joint
+// and however light its bodies: norms of vectors are those of these numbers, and of M that of M_kl / sqrt(M_kk M_ll)
+// (Demmel 1989: what a Cholesky factor does is a relative eps of the latter). The weights are the oracle's. kappa is of
+// norms (oracles/tree_sizes.hpp): a rotation rounds every number of a vector by the vector's size, so that a zero among
+// the stored numbers protects nothing.
+
+#include <generators/trees.hpp>
+#include <invariants/common.hpp>
+#include <invariants/tree_laws.hpp>
+#include <numeric>
+#include <oracles/tree_sizes.hpp>
+#include <subjects/tree.hpp>
+
+namespace liecheck::properties {
+
+/// A tree, a state of it, a frame and a wrench, in any number.
+template <class T>
+struct TreeCase {
+  oracles::TreeOf<T> tree;
+  std::vector<T> q, v, a, d;
+  std::vector<oracles::WrenchOf<T>> wrench;
+  int frame_joint = 0;
+  oracles::Quaternion<T> frame_Q;
+  oracles::Vec3<T> frame_p;
+
+  /// `structure` tells which joints there are; `x` all numbers, laid out as it is.
+  template <class S>
+  TreeCase(TreeLayout at, const std::vector<S>& structure, const std::vector<T>& x) {
+    using namespace oracles;
+    const auto whole = [&](int i) { return static_cast<int>(structure[static_cast<std::size_t>(i)]); };
+    const auto number = [&](int i) -> const T& { return x[static_cast<std::size_t>(i)]; };
+    const auto three = [&](int i) -> Vec3<T> { return {{number(i), number(i + 1), number(i + 2)}}; };
+    const auto four = [&](int i) -> Quaternion<T> {
+      return {{number(i), number(i + 1), number(i + 2), number(i + 3)}};
+    };
+    tree.gravity = three(at.gravity());
+    for (int i = 0; i < at.slots && whole(at.parents() + i) > absent_joint; ++i) {
+      using Slot = TreeSlot;
+      const int slot = at.slot(i);
+      JointOf<T> j;
+      j.kind = static_cast<JointKind>(whole(at.kinds() + i));
+      j.parent = whole(at.parents() + i), j.primary = whole(at.primaries() + i);
+      j.Q = four(slot + Slot::Q), j.p = three(slot + Slot::p), j.axis = three(slot + Slot::axis);
+      j.pitch = number(slot + Slot::pitch), j.multiplier = number(slot + Slot::multiplier);
+      j.offset = number(slot + Slot::offset), j.armature = number(slot + Slot::armature);
+      j.body.mass = number(at.masses() + i), j.body.c = three(slot + Slot::c);
+      Vec6<T> I;
+      for (int k = 0; k < 6; ++k) I[k] = number(slot + Slot::I + k);
+      j.body.I_C = symmetric(I);
+      tree.joints.push_back(j);
+      if (j.primary >= 0) continue;
+      const auto add = [&](std::vector<T>& to, int from, int n) {
+        for (int k = 0; k < n; ++k) to.push_back(number(slot + from + k));
+      };
+      const bool rotates = j.kind == JointKind::free_flyer || j.kind == JointKind::spherical;
+      const bool turns = j.kind == JointKind::continuous || j.kind == JointKind::planar;
+      const int all = configuration_size(j.kind), rest = rotates ? 4 : turns ? 2 : 0;
+      add(q, Slot::q_p, all - rest);
+      add(q, rotates ? Slot::q_Q : Slot::q_circle, rest);
+      for (auto [to, from] : {std::pair(&v, +Slot::v), std::pair(&a, +Slot::a), std::pair(&d, +Slot::d)})
+        add(*to, from, velocity_size(j.kind));
+    }
+    tree.index();
+    frame_joint = whole(at.frame()), frame_Q = four(at.frame() + 1), frame_p = three(at.frame() + 5);
+    if (const int on = whole(at.wrench()); on >= 0)
+      wrench.push_back({on, stack(three(at.wrench() + 1), three(at.wrench() + 4))});
+  }
+};
+
+/// The subject's description of it.
+template <class S>
+Tree<S> described(const TreeCase<S>& c) {
+  Tree<S> t;
+  static_cast<oracles::TreeOf<S>&>(t) = c.tree;
+  t.frame_joint = c.frame_joint, t.frame_Q = c.frame_Q, t.frame_p = c.frame_p;
+  return t;
+}
+template <class S>
+VecX<S> eigen(const std::vector<S>& x) {
+  return Eigen::Map<const VecX<S>>(x.data(), static_cast<Eigen::Index>(x.size()));
+}
+template <class S>
+Vec<S, 6> eigen(const std::vector<oracles::WrenchOf<S>>& wrench) {
+  if (wrench.empty()) return Vec<S, 6>::Zero();
+  return Eigen::Map<const Vec<S, 6>>(wrench[0].F.x.data());
+}
+
+/// The full list of numbers of a robot at its neutral configuration, and which of them are its state.
+struct RobotNumbers {
+  TreeLayout at{0};
+  std::vector<double> numbers;
+};
+/// Of the tree that a URDF becomes with a free-flyer. Throws what the URDF reader throws.
+RobotNumbers robot_numbers(const std::string& urdf, const std::string& name);
+
+/// sqrt of the diagonal of M [nv x nv], 0 where nothing moves.
+template <class T>
+std::vector<double> mass_roots(const std::vector<T>& M, std::size_t nv) {
+  std::vector<double> roots(nv);
+  for (std::size_t k = 0; k < nv; ++k) {
+    const T& m = M[k * nv + k];
+    double value;
+    if constexpr (oracles::BallNumber<T>)
+      value = m.head();
+    else
+      value = static_cast<double>(m);
+    roots[k] = value > 0 ? std::sqrt(value) : 0;
+  }
+  return roots;
+}
+inline std::vector<double> inverses(std::vector<double> w) {
+  for (double& x : w) x = x > 0 ? 1 / x : 0;
+  return w;
+}
+
+/// ||w x||, each entry weighted.
+template <class T>
+T weighted_norm(const std::vector<T>& x, const std::vector<double>& w) {
+  T sum(0);
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    const T y = T(w[k]) * x[k];
+    sum += y * y;
+  }
+  return sqrt(sum);
+}
+template <class T>
+double approximate(const T& x) {
+  if constexpr (oracles::BallNumber<T>)
+    return x.head();
+  else
+    return static_cast<double>(x);
+}
+/// The same of sizes, in double.
+inline double weighted_size(const std::vector<double>& x, const std::vector<double>& w) {
+  return weighted_norm(x, w);
+}
+inline double weighted_size(const std::vector<oracles::Tangent>& x, const std::vector<double>& w) {
+  double sum = 0;
+  for (std::size_t k = 0; k < x.size(); ++k) sum += w[k] * x[k].d * (w[k] * x[k].d);
+  return std::sqrt(sum);
+}
+/// Of each pair of entries.
+inline std::vector<double> products(const std::vector<double>& w) {
+  std::vector<double> all;
+  for (double a : w)
+    for (double b : w) all.push_back(a * b);
+  return all;
+}
+
+/// ||w (computed - exact)|| / max(||w exact||, least), in eps of S.
+template <class S, class T>
+double weighted_error(const std::vector<T>& computed, const std::vector<T>& exact,
+                      const std::vector<double>& w, const T& scale) {
+  std::vector<T> difference;
+  for (std::size_t k = 0; k < exact.size(); ++k) difference.push_back(computed[k] - exact[k]);
+  const T size = oracles::larger(scale, oracles::least_denominator<S, T>());
+  return oracles::in_eps<S>(T(weighted_norm(difference, w) / size));
+}
+
+namespace tree_law_detail {
+/// Are the eigenvalues of the second moment tr(I) / 2 - I more than `least` tr(I)? I: xx xy yy xz yz zz.
+template <class S>
+bool thicker(const S* I, long double trace, long double least) {
+  if (trace == 0) return least < 0;
+  const auto second = [&](int k, bool diagonal) {
+    return (diagonal ? 0.5L - least : 0.0L) - static_cast<long double>(I[k]) / trace;
+  };
+  const long double xx = second(0, true), xy = second(1, false), yy = second(2, true), xz = second(3, false),
+                    yz = second(4, false), zz = second(5, true);
+  return trace > 0 && xx > 0 && xx * yy - xy * xy > 0 &&
+         xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * xz) + xz * (xy * yz - yy * xz) > 0;
+}
+}  // namespace tree_law_detail
+
+/// A law P of trees, P<S> as in Law:
+///   template <class Real> void of(const TreeOperations<S>&, const CaseAt<Real>&, Recorder&) const.
+template <template <class> class P, class S>
+class TreeLaw : public Property<S> {
+ public:
+  std::vector<Field> fields() const override {
+    std::vector<Field> all;
+    const auto add = [&](const std::string& name, Kind kind, int size, const char* unit, Reach reach) {
+      all.push_back({name, kind, size, unit, reach});
+    };
+    constexpr Reach any = Reach::any;
+    const bool tree = !robot_;
+    if (tree) {
+      const Reach shape = P<S>::floating ? any : Reach::limited;
+      add("parents", Kind::parents, at_.slots, "1", shape);
+      add("kinds", Kind::joints, 2 * at_.slots, "1", shape);
+      add("masses", Kind::masses, at_.slots, "kg", Reach::limited);
+      add("gravity", Kind::vector, 3, "m/s^2", any);
+    }
+    add("frame_joint", Kind::choice, 1, "1", any);
+    add("frame_Q", Kind::quaternion, 4, "1", Reach::limited);
+    add("frame_p", Kind::vector, 3, "m", Reach::limited);
+    add("wrench_joint", Kind::choice, 1, "1", any);
+    add("force", Kind::vector, 3, "N", Reach::limited);
+    add("moment", Kind::vector, 3, "N m", Reach::limited);
+    for (int i = 0; i < at_.slots; ++i) {
+      const auto named = [&](const char* what) { return what + std::to_string(i); };
+      if (tree) {
+        add(named("Q"), Kind::quaternion, 4, "1", any);
+        add(named("p"), Kind::vector, 3, "m", any);
+        add(named("axis"), Kind::vector, 3, "1", any);
+        add(named("pitch_multiplier_offset"), Kind::vector, 3, "m/rad, 1, rad or m", any);
+        add(named("armature"), Kind::vector, 1, "kg, kg m^2", any);
+        add(named("c"), Kind::vector, 3, "m", any);
+        add(named("I_C"), Kind::inertia, 6, "kg m^2", any);
+      }
+      add(named("q_p"), Kind::vector, 3, "m, rad", any);
+      add(named("q_Q"), Kind::quaternion, 4, "1", any);
+      add(named("q_circle"), Kind::opaque, 2, "1", any);
+      for (const char* what : {"v", "a", "d"})
+        for (const char* part : {"_u", "_w"}) add(named(what) + part, Kind::vector, 3, "m, rad, s", any);
+    }
+    return all;
+  }
+  bool offered(const Subject<S>& s) const override { return s.operations.tree; }
+  /// Only one that the user gave: the built-in one is too little for them.
+  bool needs_robot() const override { return robot_; }
+  void prepare(const Robot& robot) override {
+    if (robot.path.empty()) return;
+    const RobotNumbers r = robot_numbers(robot.urdf, robot.name);
+    robot_ = true;
+    at_ = r.at;
+    fixed_.clear();
+    for (double x : r.numbers) fixed_.push_back(S(x));
+  }
+  std::vector<S> generate(Source& source) const override {
+    if (!robot_) return random_tree<S>(source, static_cast<const P<S>*>(this)->floating);
+    std::vector<S> x = fixed_;
+    for (int i = 0; i < at_.slots; ++i)
+      random_joint_state(source,
+                         static_cast<oracles::JointKind>(static_cast<int>(fixed_[index(at_.kinds() + i)])),
+                         fixed_[index(at_.primaries() + i)] >= S(0), x.data() + at_.slot(i));
+    random_place(source, at_.slots, x.data() + at_.frame());
+    random_wrench(source, at_.slots, x.data() + at_.wrench());
+    return state_of(x);
+  }
+  bool valid(const std::vector<S>& input) const override;
+
+  void measure(const Subject<S>& subject, const std::vector<S>& input, Recorder& recorder) const override {
+    in<oracles::Real>(subject, input, recorder);
+  }
+  bool measure_fast(const Subject<S>& subject, const std::vector<S>& input, Recorder& recorder,
+                    std::size_t tier) const override {
+    using Tiers = typename oracles::FastTiers<S>::type;
+    if constexpr (std::tuple_size_v<Tiers> == 0) {
+      return false;
+    } else {  // the last tier: fewer digits are lost in these sums
+      if (tier > 0) return false;
+      in<std::tuple_element_t<std::tuple_size_v<Tiers> - 1, Tiers>>(subject, input, recorder);
+      return true;
+    }
+  }
+
+ protected:
+  /// What `of` is given: the exact state, and all that is computed of it once.
+  template <class T>
+  struct CaseAt {
+    CaseAt(const TreeLaw& law, const std::vector<S>& full)
+        : layout(law.at_),
+          structure(full),
+          numbers(exact_numbers<T>(full)),
+          stored(layout, full, full),
+          exact(layout, full, numbers),
+          rough(layout, full, std::vector<double>(full.begin(), full.end())),
+          q(eigen(stored.q)),
+          v(eigen(stored.v)),
+          a(eigen(stored.a)),
+          d(eigen(stored.d)),
+          F(eigen(stored.wrench)),
+          F_joint(stored.wrench.empty() ? -1 : stored.wrench[0].joint) {}
+
+    TreeLayout layout;
+    const std::vector<S>& structure;
+    std::vector<T> numbers;
+    TreeCase<S> stored;
+    TreeCase<T> exact;
+    TreeCase<double> rough;  ///< for sizes
+    VecX<S> q, v, a, d;
+    Vec<S, 6> F;
+    int F_joint;
+
+    std::size_t nv() const { return exact.v.size(); }
+    /// The oracle's answer to (q, v, a) or (q, v, a) and the direction (dq, dv, da).
+    template <class... Direction>
+    oracles::TreeDynamics<T> dynamics(const std::vector<T>& v, const std::vector<T>& a,
+                                      const Direction&... direction) const {
+      return {exact.tree, exact.q, v, a, direction...};
+    }
+    /// What cancels in it.
+    oracles::TreeSizes<double> sizes(const std::vector<double>& v, const std::vector<double>& a,
+                                     bool pushed = false) const {
+      return {rough.tree, rough.q, v, a, pushed ? rough.wrench : std::vector<oracles::WrenchOf<double>>()};
+    }
+    /// At 50 digits, do differences of poses confirm it? Balls leave that to the cases that are measured slowly.
+    bool resolved(bool direction = false) const {
+      if constexpr (oracles::BallNumber<T>)
+        return true;
+      else
+        return oracles::confirmed(exact.tree, exact.q, exact.v, exact.a,
+                                  direction ? exact.d : std::vector<T>());
+    }
+    /// Records a computed vector, and kappa = terms / ||exact||.
+    void record(Recorder& r, int output, const VecX<S>& computed, const std::vector<T>& exact_value,
+                const std::vector<double>& w, double terms, bool confirmed) const {
+      if (!oracles::all_finite(computed)) return r.outcome(output, 0, Outcome::not_finite);
+      record(r, output, exact_list<T>(computed), exact_value, w, terms, confirmed);
+    }
+    void record(Recorder& r, int output, const std::vector<T>& computed, const std::vector<T>& exact_value,
+                const std::vector<double>& w, double terms, bool confirmed) const {
+      if (!confirmed) return r.outcome(output, 0, Outcome::unresolved);
+      const T size = oracles::larger(weighted_norm(exact_value, w), oracles::least_denominator<S, T>());
+      const double kappa = terms / approximate(size);
+      r.record(output, 0, weighted_error<S>(computed, exact_value, w, size), [&] { return kappa; });
+    }
+  };
+  template <class T>
+  static std::vector<T> exact_numbers(const std::vector<S>& x) {
+    std::vector<T> y;
+    for (const S& v : x) y.push_back(oracles::exact<T>(v));
+    return y;
+  }
+  template <class T>
+  static std::vector<T> exact_list(const VecX<S>& x) {
+    std::vector<T> y;
+    for (int i = 0; i < x.size(); ++i) y.push_back(oracles::exact<T>(x[i]));
+    return y;
+  }
+  template <class T>
+  static std::vector<double> rough_list(const std::vector<T>& x) {
+    std::vector<double> y;
+    for (const T& v : x) y.push_back(approximate(v));
+    return y;
+  }
+  /// A matrix, row by row.
+  static VecX<S> flat(const MatX<S>& M) { return M.transpose().reshaped(); }
+
+ private:
+  template <class T>
+  void in(const Subject<S>& subject, const std::vector<S>& input, Recorder& recorder) const {
+    const std::vector<S> full = full_of(input);
+    const CaseAt<T> c(*this, full);
+    static_cast<const P<S>*>(this)->template of<T>(subject.operations, c, recorder);
+  }
+  static std::size_t index(int i) { return static_cast<std::size_t>(i); }
+  /// f(first, size) of each run of numbers that are a robot's state.
+  template <class F>
+  void for_each_state(F f) const {
+    f(at_.frame(), 15);
+    for (int i = 0; i < at_.slots; ++i) f(at_.slot(i) + TreeSlot::q_p, TreeSlot::size - TreeSlot::q_p);
+  }
+  std::vector<S> state_of(const std::vector<S>& full) const {
+    std::vector<S> x;
+    for_each_state(
+        [&](int first, int n) { x.insert(x.end(), full.begin() + first, full.begin() + first + n); });
+    return x;
+  }
+  std::vector<S> full_of(const std::vector<S>& input) const {
+    if (!robot_) return input;
+    std::vector<S> full = fixed_;
+    auto from = input.begin();
+    for_each_state([&](int first, int n) {
+      std::copy_n(from, n, full.begin() + first);
+      from += n;
+    });
+    return full;
+  }
+
+  bool robot_ = false;
+  TreeLayout at_{tree_slots};
+  std::vector<S> fixed_;
+};
+
+template <template <class> class P, class S>
+bool TreeLaw<P, S>::valid(const std::vector<S>& input) const {
+  if (!Property<S>::valid(input)) return false;
+  const std::vector<S> x = full_of(input);
+  using oracles::JointKind;
+  using Slot = TreeSlot;
+  const auto whole = [&](int i, int low, int high) {
+    return x[index(i)] >= S(low) && x[index(i)] <= S(high) && x[index(i)] == S(static_cast<int>(x[index(i)]));
+  };
+  const auto unit = [&](int first, int n) {
+    oracles::Quaternion<> u{{Real(0), Real(0), Real(0), Real(0)}};
+    for (int k = 0; k < n; ++k) u[k] = oracles::exact<Real>(x[index(first + k)]);
+    return oracles::norm_defect<S>(u) <= 8;
+  };
+  int joints = 0, roots = 0;
+  for (int i = 0; i < at_.slots; ++i) {
+    if (!whole(at_.parents() + i, absent_joint, i - 1)) return false;
+    const int slot = at_.slot(i);
+    if (!unit(slot + Slot::Q, 4) || !unit(slot + Slot::q_Q, 4) || !unit(slot + Slot::q_circle, 2))
+      return false;
+    if (x[index(at_.parents() + i)] == S(absent_joint)) continue;
+    if (joints++ < i) return false;
+    roots += x[index(at_.parents() + i)] == S(-1);
+    if (!whole(at_.kinds() + i, 0, 7) || !whole(at_.primaries() + i, -1, i - 1)) return false;
+    const auto kind = [&](int k) {
+      return static_cast<JointKind>(static_cast<int>(x[index(at_.kinds() + k)]));
+    };
+    if (const int primary = static_cast<int>(x[index(at_.primaries() + i)]); primary >= 0) {
+      const bool simple =
+          kind(i) == JointKind::revolute || kind(i) == JointKind::prismatic || kind(i) == JointKind::helical;
+      if (!simple || velocity_size(kind(primary)) != 1 || x[index(at_.primaries() + primary)] >= S(0))
+        return false;
+    }
+    if (robot_) continue;
+    const S mass = x[index(at_.masses() + i)], armature = x[index(slot + Slot::armature)];
+    if (!(mass > S(0)) || !(armature >= S(0)) || !unit(slot + Slot::axis, 3)) return false;
+    // The second moment tr(I) / 2 - I of a body is positive semidefinite; here also of none so thin that a joint does
+    // not feel it, but for those with an armature.
+    const S* I = x.data() + slot + Slot::I;
+    const long double trace =
+        static_cast<long double>(I[0]) + static_cast<long double>(I[2]) + static_cast<long double>(I[5]);
+    if (!tree_law_detail::thicker(I, trace,
+                                  -32 * static_cast<long double>(std::numeric_limits<S>::epsilon())))
+      return false;
+    if (armature == S(0) &&
+        (!tree_law_detail::thicker(I, trace, 1e-5L) || trace < 1e-4L * static_cast<long double>(mass)))
+      return false;
+  }
+  if (joints == 0 || !whole(at_.frame(), 0, joints - 1) || !whole(at_.wrench(), -1, joints - 1)) return false;
+  if (static_cast<const P<S>*>(this)->floating && !robot_ &&
+      (roots > 1 || x[index(at_.kinds())] != S(static_cast<int>(JointKind::free_flyer))))
+    return false;
+  return unit(at_.frame() + 1, 4);
+}
+
+/// Makes a law of trees known, as one.
+template <template <class> class P>
+struct RegisteredTreeLaw : RegisteredProperty<P> {
+  RegisteredTreeLaw() { add_tree_law(P<double>().name()); }
+};
+
+}  // namespace liecheck::properties

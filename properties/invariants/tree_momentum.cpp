@@ -1,0 +1,110 @@
+// A floating robot's momentum, the map that gives it, and its conservation.
+
+#include <invariants/tree_law.hpp>
+
+namespace liecheck::properties {
+namespace {
+
+template <class S>
+class TreeMomentum final : public TreeLaw<TreeMomentum, S> {
+ public:
+  static constexpr bool floating = true;
+  std::string name() const override { return "tree_momentum"; }
+  std::string law() const override {
+    return "momentum at the centre of mass is A_g v; without gravity and forces on the base no joint torque "
+           "changes "
+           "it";
+  }
+  std::string equation() const override {
+    return "h = sum m (x'; (x - c) x x') = A_g v; tau_base(q, v, aba(q, v, (0, tau))) = 0 for g = 0, "
+           "relative to the terms "
+           "of forward_dynamics";
+  }
+  std::string source() const override { return "Orin & Goswami 2008; Noether 1918"; }
+  enum { linear, angular, map_linear, map_angular, conserved };
+  std::vector<Output> outputs() const override {
+    return {{"tree_momentum", "linear"},
+            {"tree_momentum", "angular"},
+            {"tree_momentum_map", "linear"},
+            {"tree_momentum_map", "angular"},
+            {"momentum_conserved", "torque"}};
+  }
+
+  template <class T, class Case>
+  void of(const Operations<S>& subject, const Case& c, Recorder& r) const {
+    Tree<S> weightless = described(c.stored);
+    weightless.gravity = {{S(0), S(0), S(0)}};
+    const TreeOperations<S> o = subject.tree(weightless);
+    const std::vector<T> still(c.nv(), T(0));
+    const auto moving = c.dynamics(c.exact.v, still);
+    const bool resolved = c.resolved();
+    const auto half = [](const oracles::Vec6<T>& h, int part) {
+      return std::vector<T>{h[3 * part], h[3 * part + 1], h[3 * part + 2]};
+    };
+    const oracles::Vec6<T> h = moving.momentum();
+    const auto sizes = c.sizes(c.rough.v, c.rough.v);
+    const auto record = [&](int output, int part, const std::vector<T>& computed) {
+      c.record(r, output + part, computed, half(h, part), {1, 1, 1}, part == 0 ? sizes.linear : sizes.angular,
+               resolved);
+    };
+    for (int part = 0; part < 2; ++part) {
+      if (o.momentum) {
+        const VecX<S> computed = o.momentum(c.q, c.v).template segment<3>(3 * part);
+        if (oracles::all_finite(computed))
+          record(linear, part, this->template exact_list<T>(computed));
+        else
+          r.outcome(linear + part, 0, Outcome::not_finite);
+      }
+      if (o.momentum_map) {
+        const MatX<S> A = o.momentum_map(c.q).middleRows(3 * part, 3);
+        std::vector<T> computed(3, T(0));
+        for (int i = 0; i < 3; ++i)
+          for (int k = 0; k < A.cols(); ++k)
+            computed[static_cast<std::size_t>(i)] +=
+                oracles::exact<T>(A(i, k)) * c.exact.v[static_cast<std::size_t>(k)];
+        if (oracles::all_finite(A))
+          record(map_linear, part, computed);
+        else
+          r.outcome(map_linear + part, 0, Outcome::not_finite);
+      }
+    }
+    if (o.aba && c.exact.tree.joints[0].kind == oracles::JointKind::free_flyer) conservation<T>(o, c, r);
+  }
+
+ private:
+  template <class T, class Case>
+  static void conservation(const TreeOperations<S>& o, const Case& c, Recorder& r) {
+    if (c.exact.tree.joints[0].armature > T(0)) return;  // it holds the base to the world
+    VecX<S> tau = c.a;
+    tau.template head<6>().setZero();
+    const std::vector<T> M = c.dynamics(c.exact.v, c.exact.v).mass();
+    const std::vector<double> roots = mass_roots(M, c.nv()), w = inverses(roots);
+    if (std::count(roots.begin(), roots.end(), 0.0) > 0) return;
+    VecX<S> computed;
+    try {
+      computed = o.aba(c.q, c.v, tau, -1, Vec<S, 6>::Zero());
+    } catch (const std::domain_error&) {
+      return;  // M has lost its digits: forward_dynamics tells whether rightly
+    }
+    if (!oracles::all_finite(computed)) return r.outcome(conserved, 0, Outcome::not_finite);
+    const std::vector<T> a = TreeMomentum::template exact_list<T>(computed);
+    oracles::TreeOf<T> weightless = c.exact.tree;
+    oracles::TreeOf<double> rough = c.rough.tree;
+    weightless.gravity = oracles::zero_vector<3, T>(), rough.gravity = {{0, 0, 0}};
+    const oracles::TreeDynamics<T> there(weightless, c.exact.q, c.exact.v, a);
+    std::vector<T> base = there.torque();
+    base.resize(6);
+    const double terms =
+        approximate(weighted_norm(M, products(w))) * approximate(weighted_norm(a, roots)) +
+        weighted_size(
+            oracles::TreeSizes<double>(rough, c.rough.q, c.rough.v, TreeMomentum::rough_list(a)).tau, w) +
+        approximate(weighted_norm(TreeMomentum::template exact_list<T>(tau), w));
+    const std::vector<T> nothing(6, T(0));
+    r.record(conserved, 0, weighted_error<S>(base, nothing, w, T(terms)));
+  }
+};
+
+const RegisteredTreeLaw<TreeMomentum> registered;
+
+}  // namespace
+}  // namespace liecheck::properties

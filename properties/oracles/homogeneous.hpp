@@ -1,0 +1,66 @@
+#pragma once
+// Homogeneous matrices without their last row, which is 0 0 0 1 of a pose and zero of its derivatives.
+
+#include <oracles/tree.hpp>
+
+namespace liecheck::oracles::homogeneous {
+
+/// A B, where B's last row is 0 0 0 last.
+template <class T>
+Mat34<T> product(const Mat34<T>& A, const Mat34<T>& B, int last) {
+  Mat34<T> r;
+  T t;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 4; ++j) {
+      set_product(r(i, j), A(i, 0), B(0, j));
+      for (int k = 1; k < 3; ++k) {
+        set_product(t, A(i, k), B(k, j));
+        r(i, j) += t;
+      }
+      if (last && j == 3) r(i, j) += A(i, 3);
+    }
+  return r;
+}
+template <class T>
+Mat34<T> matrix(const Mat3<T>& R, const Vec3<T>& p) {
+  Mat34<T> X;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) X(i, j) = R(i, j);
+    X(i, 3) = p[i];
+  }
+  return X;
+}
+/// [[w]x u] of a twist (u, w).
+template <class T>
+Mat34<T> generator(const Vec6<T>& s) {
+  return matrix(hat(tail3(s)), head3(s));
+}
+template <class T>
+Mat3<T> rotation_of(const Mat34<T>& X) {
+  return {{X(0, 0), X(0, 1), X(0, 2), X(1, 0), X(1, 1), X(1, 2), X(2, 0), X(2, 1), X(2, 2)}};
+}
+template <class T>
+Vec3<T> origin_of(const Mat34<T>& X) {
+  return {{X(0, 3), X(1, 3), X(2, 3)}};
+}
+template <class T>
+Mat3<T> unit_rotation(const Quaternion<T>& Q) {
+  const T n = norm(Q);
+  return rotation_matrix(Quaternion<T>{{Q[0] / n, Q[1] / n, Q[2] / n, Q[3] / n}});
+}
+template <class T>
+Vec3<T> unit(const Vec3<T>& v) {
+  const T n = norm(v);
+  return {{v[0] / n, v[1] / n, v[2] / n}};
+}
+/// c I + s [n] + (1 - c) n n^T.
+template <class T>
+Mat3<T> turn(const Vec3<T>& n, const T& c, const T& s) {
+  Mat3<T> R = s * hat(n);
+  const T rest = T(1) - c;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) R(i, j) += rest * n[i] * n[j] + (i == j ? c : T(0));
+  return R;
+}
+
+}  // namespace liecheck::oracles::homogeneous

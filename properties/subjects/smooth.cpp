@@ -1,0 +1,73 @@
+// smooth: so3.hpp and se3.hpp, tangents (v, w), storage [x y z, x y z w].
+
+#include <subjects/subject.hpp>
+
+#if !__has_include(<smooth/se3.hpp>)
+
+namespace liecheck::properties {
+namespace {
+const RegisteredAbsent absent("smooth");
+}
+}  // namespace liecheck::properties
+
+#else
+
+#include <smooth/se3.hpp>
+#include <smooth/so3.hpp>
+
+namespace liecheck::properties {
+namespace {
+
+template <class S>
+struct Smooth {
+  using SO3 = ::smooth::SO3<S>;
+  using SE3 = ::smooth::SE3<S>;
+
+  /// Of the numbers as they are: nothing is normalised.
+  static SE3 configuration(const Vec<S, 7>& q) {
+    SE3 X;
+    X.coeffs() = q;
+    return X;
+  }
+
+  static Subject<S> make() {
+    Subject<S> s;
+    s.name = "smooth";
+    s.version = "headers";
+    auto& o = s.operations;
+    o.exp3_quaternion = [](const Vec<S, 3>& phi) -> Vec<S, 4> { return SO3::exp(phi).coeffs(); };
+    o.exp3_matrix = [](const Vec<S, 3>& phi) -> Mat<S, 3> { return SO3::exp(phi).matrix(); };
+    o.log3_quaternion = [](const Vec<S, 4>& Q) -> Vec<S, 3> {
+      SO3 X;
+      X.coeffs() = Q;
+      return X.log();
+    };
+    o.exp6 = [](const Vec<S, 6>& xi) -> Pose<S> {
+      const SE3 X = SE3::exp(xi);
+      return {X.so3().matrix(), X.r3()};
+    };
+    o.left_jacobian3 = [](const Vec<S, 3>& phi) -> Mat<S, 3> { return SO3::dl_exp(phi); };
+    o.right_jacobian3 = [](const Vec<S, 3>& phi) -> Mat<S, 3> { return SO3::dr_exp(phi); };
+    o.left_jacobian3_inverse = [](const Vec<S, 3>& phi) -> Mat<S, 3> { return SO3::dl_expinv(phi); };
+    o.right_jacobian3_inverse = [](const Vec<S, 3>& phi) -> Mat<S, 3> { return SO3::dr_expinv(phi); };
+    o.left_jacobian6 = [](const Vec<S, 6>& xi) -> Mat<S, 6> { return SE3::dl_exp(xi); };
+    o.right_jacobian6 = [](const Vec<S, 6>& xi) -> Mat<S, 6> { return SE3::dr_exp(xi); };
+    o.left_jacobian6_inverse = [](const Vec<S, 6>& xi) -> Mat<S, 6> { return SE3::dl_expinv(xi); };
+    o.right_jacobian6_inverse = [](const Vec<S, 6>& xi) -> Mat<S, 6> { return SE3::dr_expinv(xi); };
+    o.integrate = [](const Vec<S, 7>& q, const Vec<S, 6>& d) -> Vec<S, 7> {
+      return (configuration(q) + d).coeffs();
+    };
+    o.difference = [](const Vec<S, 7>& a, const Vec<S, 7>& b) -> Vec<S, 6> {
+      return configuration(b) - configuration(a);
+    };
+    return s;
+  }
+};
+
+const Registered<float> in_float(Smooth<float>::make());
+const Registered<double> in_double(Smooth<double>::make());
+
+}  // namespace
+}  // namespace liecheck::properties
+
+#endif

@@ -1,0 +1,11 @@
+// The same entrance for libFuzzer, where clang is found: urdf_libfuzzer [flags] FOLDER.
+
+#include <cstddef>
+#include <cstdint>
+
+#include "urdf_input.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  liecheck::test::try_urdf(std::string(reinterpret_cast<const char*>(data), size));
+  return 0;
+}

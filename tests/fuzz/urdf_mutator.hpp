@@ -1,0 +1,146 @@
+#pragma once
+// Mutations of a URDF text: of bytes, of numbers, and of whole elements, so that much of it still parses.
+
+#include <algorithm>
+#include <cstdint>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace liecheck::test {
+
+class UrdfMutator {
+ public:
+  explicit UrdfMutator(std::uint64_t seed) : bits_(seed) {}
+
+  /// One to four changes; `other` is a text to take pieces from.
+  std::string mutated(std::string text, const std::string& other) {
+    for (std::size_t n = 1 + below(4); n > 0; --n) text = once(std::move(text), other);
+    if (text.size() > 20000) text.resize(20000);
+    return text;
+  }
+  std::size_t below(std::size_t n) { return n ? static_cast<std::size_t>(bits_() % n) : 0; }
+
+ private:
+  struct Range {
+    std::size_t from, size;
+  };
+
+  std::string once(std::string text, const std::string& other) {
+    static const std::vector<std::string> words = {"nan",
+                                                   "inf",
+                                                   "-1",
+                                                   "0",
+                                                   "-0",
+                                                   "1e999",
+                                                   "1e-999",
+                                                   "0x10",
+                                                   "1,5",
+                                                   "\"",
+                                                   "'",
+                                                   "<",
+                                                   ">",
+                                                   "/>",
+                                                   "&#0;",
+                                                   "&lt;",
+                                                   "&x;",
+                                                   "<!--",
+                                                   "-->",
+                                                   "<![CDATA[",
+                                                   "]]>",
+                                                   "<?xml version=\"1.0\"?>",
+                                                   "<!DOCTYPE r [<!ENTITY x \"y\">]>",
+                                                   "<robot>",
+                                                   "</robot>",
+                                                   "<link name=\"a\"/>",
+                                                   "<mimic joint=\"a\"/>",
+                                                   "<limit/>",
+                                                   "<axis xyz=\"0 0 0\"/>",
+                                                   "type=\"fixed\"",
+                                                   "type=\"continuous\"",
+                                                   "type=\"floating\"",
+                                                   "type=\"planar\"",
+                                                   "type=\"prismatic\"",
+                                                   "name=\"\"",
+                                                   "root_joint",
+                                                   "universe",
+                                                   std::string(1, '\0'),
+                                                   "\xff\xfe",
+                                                   "\xc3\x28",
+                                                   "\r\n",
+                                                   "1e308 1e308 1e308"};
+    const std::size_t at = below(text.size() + 1);
+    switch (below(12)) {
+      case 0:  // a bit
+        if (at < text.size()) text[at] = static_cast<char>(text[at] ^ (1 << below(8)));
+        return text;
+      case 1:  // a byte
+        if (at < text.size()) text[at] = static_cast<char>(below(256));
+        return text;
+      case 2:
+        return text.insert(at, words[below(words.size())]);
+      case 3:  // cut off, or a piece out
+        return below(4) ? text.erase(at, 1 + below(40)) : text.substr(0, at);
+      case 4: {  // a piece of another
+        const std::size_t from = below(other.size());
+        return text.insert(at, other.substr(from, below(200)));
+      }
+      case 5:
+      case 6: {  // what stands in quotes
+        const Range q = quoted(text, at);
+        return text.replace(q.from, q.size, below(2) ? words[below(words.size())] : number());
+      }
+      case 7: {  // one name for another
+        const Range a = quoted(text, at), b = quoted(text, below(text.size() + 1));
+        return text.replace(a.from, a.size, text.substr(b.from, b.size));
+      }
+      case 8:
+      case 9: {  // an element again, or not at all
+        const Range e = element(text, at);
+        const std::string copy = text.substr(e.from, e.size);
+        if (below(2)) return text.erase(e.from, e.size);
+        return text.insert(below(2) ? e.from : element(text, below(text.size() + 1)).from, copy);
+      }
+      case 10: {  // an element of another
+        const Range e = element(other, below(other.size() + 1));
+        return text.insert(element(text, at).from, other.substr(e.from, e.size));
+      }
+      default: {  // many times
+        const Range e = element(text, at);
+        const std::string copy = text.substr(e.from, std::min<std::size_t>(e.size, 60));
+        std::string all;
+        for (std::size_t n = below(100); n > 0; --n) all += copy;
+        return text.insert(e.from, all);
+      }
+    }
+  }
+  std::string number() {
+    const int exponent = static_cast<int>(below(640)) - 320;
+    return (below(2) ? "-" : "") + std::to_string(below(1000)) + (below(2) ? "." : "") + "e" +
+           std::to_string(below(4) ? exponent % 4 : exponent);
+  }
+  static Range quoted(const std::string& text, std::size_t at) {
+    const std::size_t open = text.find('"', at);
+    if (open == text.npos) return {std::min(at, text.size()), 0};
+    const std::size_t close = text.find('"', open + 1);
+    return {open + 1, (close == text.npos ? text.size() : close) - open - 1};
+  }
+  /// A tag, or an element to the tag that closes it, from near there.
+  Range element(const std::string& text, std::size_t at) {
+    const std::size_t open = text.find('<', at);
+    if (open == text.npos) return {text.size(), 0};
+    std::size_t end = text.find('>', open);
+    if (end == text.npos) return {open, text.size() - open};
+    if (below(2)) {
+      const std::size_t name_end = text.find_first_of(" \t\n/>", open + 1);
+      const std::string closing = "</" + text.substr(open + 1, name_end - open - 1) + ">";
+      const std::size_t found = text.find(closing, end);
+      if (found != text.npos) end = found + closing.size() - 1;
+    }
+    return {open, end + 1 - open};
+  }
+
+  std::mt19937_64 bits_;
+};
+
+}  // namespace liecheck::test

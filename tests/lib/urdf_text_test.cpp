@@ -1,0 +1,139 @@
+// urdf/urdf_text.hpp, urdf_markup.hpp: files, and texts that are no robot.
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <clocale>
+#include <filesystem>
+#include <fstream>
+#include <locale>
+
+#include "../fuzz/urdf_input.hpp"
+#include "urdf_texts.hpp"
+
+namespace {
+
+using namespace liecheck;
+using namespace liecheck::test;
+
+/// A locale whose decimal point is a comma, for C and C++ alike.
+struct Comma : std::numpunct<char> {
+  char do_decimal_point() const override { return ','; }
+};
+
+TEST(Urdf, NumbersHaveAPointWhateverTheLocale) {
+  const std::locale before = std::locale::global(std::locale(std::locale::classic(), new Comma));
+  for (const char* name : {"de_DE.UTF-8", "fr_FR.UTF-8", "de_DE"})
+    if (std::setlocale(LC_ALL, name)) break;
+  const Model<double> m = buildModelFromUrdf(fixture("mixed_joints.urdf"), RootJoint::FreeFlyer);
+  std::locale::global(before);
+  std::setlocale(LC_ALL, "C");
+  EXPECT_EQ(m.jointPlacements[2].translation(), V3(0.25, 0, 0.1));
+  EXPECT_EQ(m.inertias[2].mass(), 1.2);
+}
+
+TEST(BadUrdf, AMissingFileADirectoryAndAnEmptyFileAreNamed) {
+  const auto said = [](const std::string& path) {
+    try {
+      buildModelFromUrdf(path);
+    } catch (const UrdfError& e) {
+      return std::string(e.what());
+    }
+    return std::string("nothing");
+  };
+  EXPECT_EQ(said("/nowhere/robot.urdf"), "/nowhere/robot.urdf: cannot be opened (No such file or directory)");
+  const std::string folder = std::filesystem::temp_directory_path().string();
+  EXPECT_EQ(said(folder), folder + ": cannot be read (a directory)");
+  const std::string path = folder + "/liecheck_empty_" + std::to_string(::getpid()) + ".urdf";
+  std::ofstream(path).close();
+  EXPECT_EQ(said(path), path + ":1: empty (0 bytes)");
+  std::filesystem::remove(path);
+  expectRefused(" \n\t\n", 1, "empty", "4 bytes");
+  ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);
+  EXPECT_EQ(said(path), path + ": cannot be read (a pipe, and nobody writes to it)");
+  std::filesystem::remove(path);
+  EXPECT_EQ(said("/dev/null"), "/dev/null: cannot be read (neither a regular file nor a pipe)");
+  std::ofstream(path).close();
+  std::filesystem::resize_file(path, max_urdf_bytes + 1);
+  EXPECT_EQ(said(path), path + ": longer than a URDF may be (67108864 bytes)");
+  std::filesystem::remove(path);
+}
+
+TEST(BadUrdf, CutOffOrMalformedTextIsRefused) {
+  const std::string whole = twoLinks("fixed", "");
+  EXPECT_NO_THROW(buildModelFromUrdfText(whole));
+  for (std::size_t size = 1; size + 9 < whole.size(); ++size) refusal(whole.substr(0, size));
+  expectRefused("<robot name='r'>\n<link name='a'>\n</robot>", 3, "malformed XML", "Error reading end tag.");
+  EXPECT_NE(refusal("<robot name='r'>\n<link name=a/></robot>").find("malformed"), std::string::npos);
+  refusal("not XML at all");
+  expectRefused(std::string("<robot name='r'>\n<link name='a'/>\0</robot>", 43), 2, "zero byte", "byte 33");
+  expectRefused("<robot name='r'><link name='a'/></robot>\n<robot name='s'/>", 2, "a second root element",
+                "robot");
+  expectRefused("<robot name='r'><link name='a'/></robot>\nand more", 2, "text outside the root element",
+                "and more");
+}
+
+TEST(BadUrdf, SomethingThatIsNoRobotIsRefused) {
+  expectRefused("\n<sdf name='r'/>", 2, "expected <robot>", "sdf");
+  expectRefused("<!-- nothing -->", 1, "no element", "");
+  expectRefused("<robot><link name='a'/></robot>", 1, "a robot without a name", "");
+  expectRefused("<robot name='r'>\n</robot>", 1, "a robot without links", "r");
+  expectRefused("<robot name='r'>\n<link/></robot>", 2, "a link without a name", "");
+}
+
+TEST(BadUrdf, TooDeepNestingIsRefusedBeforeAnyParserRecurses) {
+  std::string deep = "<robot name='r'>\n<link name='a'>\n";
+  for (int i = 0; i < 1000000; ++i) deep += "<x>";
+  expectRefused(deep, 3, "nested too deep", "more than 64");
+}
+
+TEST(BadUrdf, APipeIsReadOnce) {
+  int ends[2];
+  ASSERT_EQ(::pipe(ends), 0);
+  const std::string text = twoLinks("fixed", "");
+  ASSERT_EQ(::write(ends[1], text.data(), text.size()), ssize_t(text.size()));
+  ::close(ends[1]);
+  EXPECT_EQ(readUrdf("/proc/self/fd/" + std::to_string(ends[0])), text);
+  ::close(ends[0]);
+}
+
+TEST(BadUrdf, TextThatIsNotUtf8IsRefusedInItsLine) {
+  for (const char* bad : {"\xff", "\x80", "\xc3", "\xc0\xaf", "\xed\xa0\x80", "\xf4\x90\x80\x80", "\xe2\x82"})
+    EXPECT_EQ(refusal("<robot name='r'>\n<link name='" + std::string(bad) + "'/></robot>")
+                  .rfind("bad.urdf:2: not UTF-8", 0),
+              0U);
+  EXPECT_NO_THROW(
+      buildModelFromUrdfText("<robot name='\xc3\xa9\xe2\x82\xac\xf0\x9f\xa4\x96'><link name='a'/></robot>"));
+}
+
+TEST(BadUrdf, TagsThatCloseNothingAndEntitiesAreNamed) {
+  const std::string robot = "<robot name='r'>\n<link name='a'/></robot>\n";
+  expectRefused(robot + "</robot></robot>", 3, "closed that was not opened", "</robot>");
+  expectRefused("</robot>" + robot, 1, "closed that was not opened", "</robot>");
+  expectRefused("<!DOCTYPE robot [<!ENTITY x 'y'>]>\n" + robot, 1, "(entities) is not supported",
+                "[<!ENTITY x 'y'");
+  EXPECT_NO_THROW(buildModelFromUrdfText("<!DOCTYPE robot>\n" + robot));
+}
+
+TEST(BadUrdf, AMessageIsOneShortLine) {
+  const std::string said = refusal(twoLinks(std::string(1000, 'x'), ""));
+  EXPECT_LT(said.size(), 160U) << said;
+  EXPECT_NE(refusal("<robot name='r'>\n<link name='a'/></robot>\nsome\nmore").find("(some more)"),
+            std::string::npos);
+}
+
+// The seeds of the fuzzer and what it found: each is a robot that runs, or is refused in one short line.
+TEST(BadUrdf, TheCorpusOfTheFuzzerIsReadOrRefused) {
+  int robots = 0, texts = 0;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(std::string(LIECHECK_FIXTURES) + "/urdf_fuzz")) {
+    if (entry.path().extension() != ".urdf") continue;
+    SCOPED_TRACE(entry.path());
+    ++texts;
+    EXPECT_NO_THROW(robots += try_urdf(readUrdf(entry.path())));
+  }
+  EXPECT_GE(robots, 6);
+  EXPECT_GE(texts - robots, 2);
+}
+}  // namespace

@@ -1,0 +1,58 @@
+#pragma once
+// URDF texts to be read, and what is said of bad ones.
+
+#include <gtest/gtest.h>
+
+#include <liecheck/urdf/urdf.hpp>
+
+namespace liecheck::test {
+
+using V3 = Vector3<double>;
+using M3 = Matrix3<double>;
+
+inline std::string fixture(const std::string& name) {
+  return std::string(LIECHECK_FIXTURES) + "/robots/" + name;
+}
+
+/// Lines 2 to 5: two links a and b and the joint j between them, of that type, with those elements in line 4.
+inline std::string twoLinks(const std::string& type, const std::string& elements) {
+  return "<robot name='two'>\n<link name='a'/>\n<link name='b'/>\n<joint name='j' type='" + type +
+         "'><parent link='a'/><child link='b'/>" + elements + "</joint>\n</robot>\n";
+}
+inline const std::string limit = "<limit lower='-1' upper='1' effort='1' velocity='1'/>";
+
+/// Line 3 is inside link a.
+inline std::string oneLink(const std::string& inside) {
+  return "<robot name='one'>\n<link name='a'>\n" + inside + "\n</link>\n</robot>\n";
+}
+inline std::string inertial(const std::string& mass, const std::string& ixx = "1") {
+  return "<inertial><mass value='" + mass + "'/><inertia ixx='" + ixx +
+         "' ixy='0' ixz='0' iyy='1' iyz='0' izz='1'/></inertial>";
+}
+
+/// What is said of a bad text; fails if nothing is.
+inline std::string refusal(const std::string& text, RootJoint root = RootJoint::Fixed) {
+  testing::internal::CaptureStderr();
+  std::string said;
+  try {
+    buildModelFromUrdfText(text, root, "bad.urdf");
+    ADD_FAILURE() << "nothing was refused in\n" << text.substr(0, 500);
+  } catch (const UrdfError& e) {
+    said = e.what();
+    EXPECT_EQ(e.file(), "bad.urdf");
+    EXPECT_EQ(said.rfind("bad.urdf:" + std::to_string(e.line()) + ": ", 0), 0U) << said;
+  }
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  EXPECT_EQ(said.find('\n'), std::string::npos) << said;
+  return said;
+}
+/// It is refused in that line, the words are said, and the value stands at the end in brackets.
+inline void expectRefused(const std::string& text, int line, const std::string& words,
+                          const std::string& value) {
+  const std::string said = refusal(text);
+  EXPECT_EQ(said.rfind("bad.urdf:" + std::to_string(line) + ": ", 0), 0U) << said;
+  EXPECT_NE(said.find(words), std::string::npos) << said;
+  EXPECT_TRUE(said.ends_with("(" + value + ")")) << said;
+}
+
+}  // namespace liecheck::test

@@ -1,0 +1,134 @@
+// oracles/tree.hpp against Lagrange's equations from the energies alone; the generator of trees; sizes.
+
+#include <gtest/gtest.h>
+
+#include <generators/coverage.hpp>
+#include <invariants/tree_law.hpp>
+
+namespace {
+
+using namespace liecheck::properties;
+using namespace liecheck::properties::oracles;
+using T = Real100;
+using Numbers = std::vector<T>;
+
+TreeCase<T> case_of(std::uint64_t index, bool floating = false) {
+  Source source(Source::Key{1, 2, 3, index});
+  const std::vector<double> x = random_tree<double>(source, floating);
+  return TreeCase<T>(TreeLayout{tree_slots}, x, std::vector<T>(x.begin(), x.end()));
+}
+/// Coordinates that add: q' = v.
+bool holonomic(const TreeCase<T>& c) {
+  for (const auto& j : c.tree.joints)
+    if (j.kind != JointKind::revolute && j.kind != JointKind::prismatic && j.kind != JointKind::helical &&
+        j.kind != JointKind::translation)
+      return false;
+  return true;
+}
+
+TEST(TreeOracle, TorquesAreLagrangesEquationsOfTheEnergies) {
+  int tried = 0;
+  const T h = ldexp(T(1), -100);
+  for (std::uint64_t index = 0; tried < 20; ++index) {
+    TreeCase<T> c = case_of(index);
+    if (!holonomic(c)) continue;
+    ++tried;
+    for (auto& j : c.tree.joints) j.armature = 0;
+    const std::size_t n = c.v.size();
+    const auto moved = [&](const Numbers& x, const Numbers& by, const T& t) {
+      Numbers y = x;
+      for (std::size_t k = 0; k < n; ++k) y[k] += t * by[k];
+      return y;
+    };
+    const auto kinetic = [&](const Numbers& q, const Numbers& v) {
+      return TreeDynamics<T>(c.tree, q, v, v).kinetic_energy();
+    };
+    const auto potential = [&](const Numbers& q) {
+      return TreeDynamics<T>(c.tree, q, c.v, c.v).potential_energy();
+    };
+    const Numbers tau = TreeDynamics<T>(c.tree, c.q, c.v, c.a).torque();
+    for (std::size_t k = 0; k < n; ++k) {
+      Numbers e(n, T(0));
+      e[k] = 1;
+      const auto momentum = [&](const T& t) {  // dT/dv_k: T is a square in v, so that any step is exact
+        const Numbers q = moved(c.q, c.v, t), v = moved(c.v, c.a, t);
+        return T((kinetic(q, moved(v, e, T(1))) - kinetic(q, moved(v, e, T(-1)))) / 2);
+      };
+      const Numbers ahead = moved(c.q, e, h), behind = moved(c.q, e, -h);
+      const T expected = (momentum(h) - momentum(-h) - kinetic(ahead, c.v) + kinetic(behind, c.v) +
+                          potential(ahead) - potential(behind)) /
+                         (2 * h);
+      const T size = abs(expected) + kinetic(c.q, c.v) + 1;
+      EXPECT_LE(abs(tau[k] - expected), size * T(1e-40)) << index << " " << k;
+    }
+  }
+}
+
+TEST(TreeOracle, TheMassMatrixIsTheHessianOfTheKineticEnergyAndItsRateThatOfTheMomentum) {
+  for (std::uint64_t index = 0; index < 40; ++index) {
+    TreeCase<T> c = case_of(index);
+    for (auto& j : c.tree.joints) j.armature = 0;
+    const TreeDynamics<T> d(c.tree, c.q, c.v, c.a);
+    const Numbers M = d.mass();
+    T twice(0), power(0);
+    const Numbers tau = d.torque();
+    for (std::size_t k = 0; k < c.v.size(); ++k) {
+      power += tau[k] * c.v[k];
+      for (std::size_t l = 0; l < c.v.size(); ++l) twice += c.v[k] * M[k * c.v.size() + l] * c.v[l];
+    }
+    EXPECT_LE(abs(twice - 2 * d.kinetic_energy()), abs(twice) * T(1e-80));
+    EXPECT_LE(abs(power - d.energy_rate()), (abs(power) + abs(twice)) * T(1e-80));
+  }
+}
+
+TEST(TreeOracle, WithoutForcesOnItsBaseAFloatingRobotKeepsItsMomentum) {
+  for (std::uint64_t index = 0; index < 20; ++index) {
+    TreeCase<T> c = case_of(index, true);
+    c.tree.joints[0].armature = 0;
+    const Numbers still(c.v.size(), T(0));
+    const TreeDynamics<T> standing(c.tree, c.q, c.v, still);
+    Numbers rest = standing.torque();
+    for (std::size_t k = 0; k < rest.size(); ++k) rest[k] = (k < 6 ? T(0) : c.a[k]) - rest[k];
+    const Numbers factor = positive_factor(standing.mass(), rest.size());
+    ASSERT_FALSE(factor.empty());
+    const Numbers a = solve(factor, rest);
+    const TreeDynamics<T> d(c.tree, c.q, c.v, a);
+    const Vec6<T> rate = d.momentum_rate();
+    T mass(0);
+    for (const auto& j : c.tree.joints) mass += j.body.mass;
+    const T size = norm(d.momentum()) + norm(Vec<6, T>{{a[0], a[1], a[2], a[3], a[4], a[5]}}) * mass + mass;
+    for (int i = 0; i < 3; ++i) {
+      EXPECT_LE(abs(rate[i] - mass * c.tree.gravity[i]), size * T(1e-60)) << index;
+      EXPECT_LE(abs(rate[3 + i]), size * T(1e-60)) << index;
+    }
+  }
+}
+
+TEST(TreeOracle, NoResultIsLargerThanTheSizesOfItsTerms) {
+  for (std::uint64_t index = 0; index < 200; ++index) {
+    Source source(Source::Key{4, 5, 6, index});
+    const std::vector<double> x = random_tree<double>(source, false);
+    const TreeLayout layout{tree_slots};
+    const TreeCase<T> c(layout, x, std::vector<T>(x.begin(), x.end()));
+    const TreeCase<double> rough(layout, x, x);
+    const TreeSizes<double> sizes(rough.tree, rough.q, rough.v, rough.a, rough.wrench);
+    const std::vector<double> none(c.v.size(), 0);
+    const TreeSizes<Tangent> by_q(rough.tree, rough.q, rough.v, rough.a, rough.wrench, rough.d, none),
+        by_v(rough.tree, rough.q, rough.v, rough.a, rough.wrench, none, rough.d);
+    const Numbers still(c.v.size(), T(0));
+    const Numbers tau = TreeDynamics<T>(c.tree, c.q, c.v, c.a).torque(c.wrench),
+                  M = TreeDynamics<T>(c.tree, c.q, c.v, c.a).mass(),
+                  dq = TreeDynamics<T>(c.tree, c.q, c.v, c.a, c.d, still, still).torque_derivative(c.wrench),
+                  dv = TreeDynamics<T>(c.tree, c.q, c.v, c.a, still, c.d, still).torque_derivative(c.wrench);
+    const double slack = 1 + 1e-9;
+    for (std::size_t k = 0; k < tau.size(); ++k) {
+      EXPECT_LE(static_cast<double>(abs(tau[k])), sizes.tau[k] * slack) << index;
+      EXPECT_LE(static_cast<double>(abs(dq[k])), by_q.tau[k].d * slack) << index;
+      EXPECT_LE(static_cast<double>(abs(dv[k])), by_v.tau[k].d * slack) << index;
+    }
+    for (std::size_t k = 0; k < M.size(); ++k)
+      EXPECT_LE(static_cast<double>(abs(M[k])), sizes.mass[k] * slack) << index;
+  }
+}
+
+}  // namespace

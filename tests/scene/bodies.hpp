@@ -1,0 +1,48 @@
+#pragma once
+// Robots and short ways for the tests of scenes.
+
+#include <liecheck/multibody/configuration.hpp>
+#include <liecheck/scene/integrators/registry.hpp>
+#include <liecheck/scene/run.hpp>
+#include <liecheck/scene_file/scene_file.hpp>
+
+namespace liecheck::test {
+
+using Vec = VectorX<double>;
+using V3 = Vector3<double>;
+using Body = scene::LoneBody<double>;
+
+/// One free body.
+inline Model<double> freeBody(const Inertia<double>& inertia) {
+  Model<double> m;
+  m.addJointFrame(m.addJoint(0, FreeFlyer<double>(), SE3<double>::Identity(), "root_joint"));
+  m.addBodyFrame("body", 1);
+  m.appendBodyToJoint(1, inertia);
+  return m;
+}
+inline Inertia<double> triaxial() {
+  return {2, V3::Zero(), Matrix3<double>(V3(1, 2, 2.5).asDiagonal())};
+}
+inline Inertia<double> awkward() {
+  const Matrix3<double> R = exp3<double>(V3(0.3, -0.7, 1.1)),
+                        I = R * V3(1, 2, 2.5).asDiagonal() * R.transpose();
+  return {1.5, V3(0.1, -0.2, 0.3), Matrix3<double>((I + I.transpose()) / 2)};
+}
+
+/// Gravity across its axes: with it the motion depends on q.
+inline scene::Effects<double> gravity() {
+  scene::Request request{"gravity", {}, 0};
+  request.parameters.values["acceleration"] = {{1, -2, -9.81}, {}};
+  return {scene::makeEffect<double>(request, Model<double>(), {})};
+}
+
+template <class Sys>
+scene::State<Sys> after(Sys& system, const std::string& method, const Vec& q, const Vec& v, double duration,
+                        long steps, double tolerance = 1e-9) {
+  scene::State<Sys> state(system, q, v);
+  const auto m = scene::makeMethod<Sys>(method, {tolerance});
+  scene::simulate(system, *m, state, {duration, steps, steps}, [](const auto&, long) { return true; });
+  return state;
+}
+
+}  // namespace liecheck::test

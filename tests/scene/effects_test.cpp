@@ -1,0 +1,182 @@
+// scene/effects, scene/observers, scene/starts.hpp: forces and their energy.
+
+#include <gtest/gtest.h>
+
+#include "../lib/random_tree.hpp"
+#include "bodies.hpp"
+
+namespace {
+
+using namespace liecheck;
+namespace sc = liecheck::scene;
+
+sc::Scene sceneOf(const std::string& effects,
+                  const std::string& robot = "{urdf: chain.urdf, root: free_flyer}") {
+  return loadSceneText("robot: " + robot + "\nground: {height: 100}\ninitial: {joints: {}}\neffects: [" +
+                           effects + "]\nintegrator: {name: rkmk4, step: 1 ms}\nduration: 1 s\n",
+                       "s.yaml", std::string(LIECHECK_FIXTURES) + "/scenes");
+}
+/// The power of an effect's forces, and its potential, of a random state that every term of it sees.
+struct Seen {
+  double power, potential_rate;
+};
+Seen see(const std::string& effect) {
+  const sc::Scene scene = sceneOf(effect);
+  auto tree = sc::makeSystem<sc::Tree<double>>(scene);
+  const auto& e = tree.effects().at(0);
+  test::Random random(7);
+  const VectorX<double> q = integrate(scene.model, scene.q, random.tangent(scene.model.nv, 1.5)),
+                        v = random.tangent(scene.model.nv, 2);
+  const auto now = tree.here(0.25, q, v, sc::Kinematics::Velocities);
+  std::vector<double> tau(std::size_t(scene.model.nv), 0.0);
+  std::vector<Force<double>> f(std::size_t(scene.model.njoints), Force<double>::Zero());
+  e->add(now, {tau, f});
+  Seen seen{0, 0};
+  for (std::size_t k = 0; k < tau.size(); ++k) seen.power += tau[k] * v[int(k)];
+  for (std::size_t i = 1; i < f.size(); ++i) seen.power += f[i].dot(now.V[i]);
+  const double h = 1e-5;  // error h^2, rounding eps/h: 1e-10
+  const auto V = [&](double s) {
+    const VectorX<double> moved = integrate(scene.model, q, s * v);
+    return e->potential(tree.here(0.25, moved, v, sc::Kinematics::Poses));
+  };
+  seen.potential_rate = (V(h) - V(-h)) / (2 * h);
+  return seen;
+}
+
+TEST(Effects, ThatConserveTakeFromTheirPotentialWhatTheyGive) {
+  for (const char* effect :
+       {"joint_spring: {stiffness: 3, rest: 0.2}", "joint_limits: {joints: hinge1, stiffness: 50}",
+        "buoyancy: {frame: bar3, volume: 2 l}", "contact: {frames: [bar5, bar2], stiffness: 40}"}) {
+    const Seen seen = see(effect);
+    EXPECT_NEAR(seen.power, -seen.potential_rate, 1e-6 * (1 + std::abs(seen.power))) << effect;
+    EXPECT_TRUE(std::abs(seen.power) > 1e-3 || std::string(effect).find("limits") != std::string::npos)
+        << effect;
+  }
+}
+
+TEST(Effects, ThatTakeTakeAlways) {
+  for (const char* effect :
+       {"joint_damping: {coefficient: 0.3}", "joint_friction: {force: 0.2}", "joint_damping",
+        "joint_friction",
+        "drag: {frame: bar2, linear: 0.3, quadratic: 0.2, angular_linear: 0.1, angular_quadratic: 0.4}"})
+    EXPECT_LT(see(effect).power, -1e-4) << effect;
+}
+
+TEST(Effects, DragIsAgainstTheVelocityOfItsFrame) {
+  const sc::Scene s = sceneOf("drag: {frame: body, linear: 3, quadratic: 2}", "{body: ball, radius: 1}");
+  auto body = sc::makeSystem<sc::LoneBody<double>>(s);
+  Vector6<double> v;
+  v << 3, 0, 4, 1, 2, 3;
+  const Force<double> F = body.force(0, s.q, v);
+  EXPECT_DOUBLE_EQ(F.linear()[0], -(3 + 2 * 5) * 3.0);
+  EXPECT_DOUBLE_EQ(F.linear()[2], -(3 + 2 * 5) * 4.0);
+  EXPECT_TRUE(F.angular().isZero(0));
+}
+
+TEST(Effects, AWrenchLastsFromUntilAndTurnsWithItsAxes) {
+  for (const char* axes : {"frame", "world"}) {
+    const sc::Scene s = sceneOf(
+        std::string("wrench: {frame: body, force: [1, 0, 0], axes: ") + axes + ", from: 1 s, until: 2 s}",
+        "{body: ball, radius: 1}");
+    auto body = sc::makeSystem<sc::LoneBody<double>>(s);
+    VectorX<double> q = s.q;
+    q.tail<4>() << 0, 0, std::sqrt(0.5), std::sqrt(0.5);  // a quarter turn about z
+    const auto f = [&](double t) { return body.force(t, q, Vector6<double>::Zero()).linear(); };
+    EXPECT_TRUE(f(0.5).isZero(0));
+    EXPECT_TRUE(f(2).isZero(0));
+    const Vector3<double> wanted =
+        std::string(axes) == "frame" ? Vector3<double>(1, 0, 0) : Vector3<double>(0, -1, 0);
+    EXPECT_LE((f(1) - wanted).norm(), 4 * eps<double>()) << axes;
+  }
+}
+
+TEST(Effects, ContactNeverPullsAndIsContinuousAtTouch) {
+  const auto force = [&](double z, double rate) {
+    sc::Scene s = loadSceneText(
+        "robot: {body: ball, radius: 1}\nground: {height: 0}\neffects: [contact: {frames: body, stiffness: "
+        "100, dissipation: 2, "
+        "friction: 0.5}]\nintegrator: {name: rkmk4, step: 1 ms}\nduration: 1 s\n");
+    auto body = sc::makeSystem<sc::LoneBody<double>>(s);
+    s.q[2] = z;
+    Vector6<double> v = Vector6<double>::Zero();
+    v[2] = rate, v[0] = 10;
+    return body.force(0, s.q, v).linear();
+  };
+  EXPECT_TRUE(force(0, -1).isZero(0));
+  EXPECT_TRUE(force(-0.1, 10).isZero(0));  // leaving fast: it does not hold the body back
+  const auto f = force(-0.1, -0.5);
+  EXPECT_DOUBLE_EQ(f[2], 100 * 0.1 * (1 + 2 * 0.5));
+  EXPECT_NEAR(f[0], -0.5 * f[2], 1e-6 * f[2]);
+}
+
+TEST(Effects, GravityMovesALoneBodyAsATree) {
+  const sc::Scene s = sceneOf("gravity", "{body: box, size: [1, 2, 3], centre: [0.1, 0.2, 0.3]}");
+  auto body = sc::makeSystem<sc::LoneBody<double>>(s);
+  auto tree = sc::makeSystem<sc::Tree<double>>(s);
+  test::Random random(3);
+  const VectorX<double> q = integrate(s.model, s.q, random.tangent(6, 1.5)), v = random.tangent(6, 2);
+  Vector6<double> a;
+  VectorX<double> b(6);
+  body.acceleration(0, q, v, a), tree.acceleration(0, q, v, b);
+  EXPECT_LE((a - b).norm(), 64 * eps<double>() * b.norm());
+}
+
+TEST(Effects, ArmatureMakesATreeOfALoneBody) {
+  EXPECT_TRUE(sc::isLoneBody(sceneOf("gravity", "{body: ball, radius: 1}")));
+  EXPECT_FALSE(
+      sc::isLoneBody(sceneOf("armature: {joints: root_joint, inertia: 1}", "{body: ball, radius: 1}")));
+}
+
+double figure(const sc::Run& run, const std::string& name) {
+  for (const auto& f : run.figures)
+    if (f.name == name) return f.value.value();
+  ADD_FAILURE() << name;
+  return 0;
+}
+sc::Run fixture(const std::string& name) {
+  return sc::run(loadScene(std::string(LIECHECK_FIXTURES) + "/scenes/" + name + ".yaml"));
+}
+
+TEST(Fixtures, AHoveringQuadrotorDoesNotMove) {
+  EXPECT_EQ(figure(fixture("quadrotor_hover"), "largest change of energy"), 0);
+}
+TEST(Fixtures, ASplitBodyIsALoneOne) {
+  const auto s = loadScene(std::string(LIECHECK_FIXTURES) + "/scenes/split_body.yaml");
+  EXPECT_TRUE(sc::isLoneBody(s));
+}
+TEST(Fixtures, MomentumStaysInZeroGravity) {
+  EXPECT_LE(figure(fixture("chain_zero_gravity"), "largest change of angular momentum"), 1e-12);
+}
+TEST(Fixtures, ADroppedQuadrupedComesToRestOnItsFeet) {
+  const sc::Run run = fixture("quadruped_drop");
+  const std::size_t last = run.rows.size() - run.columns.size();
+  for (std::size_t i = 0; i < run.columns.size(); ++i) {
+    const std::string& name = run.columns[i].name;
+    const double x = run.rows[last + i];
+    EXPECT_TRUE(name != "trunk.z" || x > 0.25) << x;
+    EXPECT_TRUE(name != "kinetic" || x < 0.001) << x;
+    EXPECT_TRUE(name != "trunk.accel_z" || std::abs(x - 9.81) < 0.05) << x;  // an IMU at rest reads upward
+  }
+}
+/// Flips of the body are half a period apart, whatever the step.
+TEST(Fixtures, DzhanibekovFlipsAtEqualTimes) {
+  const sc::Run run = fixture("dzhanibekov_1e-2");
+  const double first = figure(run, "flip 2") - figure(run, "flip 1");
+  for (int i = 3; i <= 8; ++i)
+    EXPECT_NEAR(figure(run, "flip " + std::to_string(i)) - figure(run, "flip " + std::to_string(i - 1)),
+                first, 1e-6 * first);
+}
+TEST(Starts, APrecessingTopKeepsItsNutation) {
+  const sc::Run run = fixture("precessing_top");
+  const std::size_t n = run.columns.size();
+  double least = 1, most = -1;
+  for (std::size_t r = 0; r + n <= run.rows.size(); r += n)
+    for (std::size_t i = 0; i + 3 < n; ++i)
+      if (run.columns[i].name == "body.qx") {
+        const double x = run.rows[r + i], y = run.rows[r + i + 1], cosine = 1 - 2 * (x * x + y * y);
+        least = std::min(least, cosine), most = std::max(most, cosine);
+      }
+  EXPECT_LE(most - least, 1e-8);
+}
+
+}  // namespace

@@ -1,0 +1,215 @@
+// scene/integrators, scene/lone_body.hpp, scene/tree.hpp, scene/simulate.hpp: what each method promises.
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "bodies.hpp"
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && defined(__GLIBC__)
+// Eigen allocates by malloc, not by operator new, so malloc is what must be counted.
+static thread_local long allocations = 0;
+extern "C" void* __libc_malloc(std::size_t);
+extern "C" void* malloc(std::size_t n) {
+  ++allocations;
+  return __libc_malloc(n);
+}
+#define LIECHECK_COUNTS_ALLOCATIONS
+#endif
+
+namespace {
+
+using namespace liecheck;
+using namespace liecheck::test;
+using scene::MethodInfo, scene::State;
+
+const Vec start_v = [] {
+  Vec v(6);
+  v << 0.5, 1, -1, 1, 0.5, 2;
+  return v;
+}();
+
+class EachMethod : public testing::TestWithParam<MethodInfo> {};
+
+/// From 80 and 160 steps, against gauss12 in 640. 0.15: the methods are near their order there, not at it.
+TEST_P(EachMethod, HasTheOrderThatItSays) {
+  const MethodInfo info = GetParam();
+  Body body(freeBody(awkward()), gravity());
+  const Model<double>& m = body.model();
+  const Vec q = neutral(m);
+  const auto exact = after(body, "gauss12", q, start_v, 2, 640);
+  // gauss12 is exact to the last digits long before 80 steps
+  const long few = info.order == 12 ? 4 : 80;
+  const auto error = [&](long steps) {
+    const auto s = after(body, info.name, q, start_v, 2, steps,
+                         1e-6 * std::pow(2.0, -5 * std::log2(double(steps) / 80)));
+    return difference(m, Vec(exact.q), Vec(s.q)).norm() + (s.v - exact.v).norm();
+  };
+  EXPECT_NEAR(std::log2(error(few) / error(2 * few)), info.order, info.order == 12 ? 1.5 : 0.15);
+}
+
+TEST_P(EachMethod, MovesATreeOfOneBodyAsItMovesTheBody) {
+  const MethodInfo info = GetParam();
+  if (info.lone_body_only) GTEST_SKIP() << "of a lone body only";
+  const Model<double> m = freeBody(awkward());
+  Body body(m, gravity());
+  scene::Tree<double> tree(m, gravity());
+  const auto a = after(body, info.name, neutral(m), start_v, 1, 100);
+  const auto b = after(tree, info.name, neutral(m), start_v, 1, 100);
+  // 100 steps of 64 eps each: the two form a in another order
+  EXPECT_LE(difference(m, Vec(a.q), b.q).norm() + (a.v - b.v).norm(), 6400 * eps<double>());
+}
+
+TEST_P(EachMethod, KeepsQuaternionsUnit) {
+  Body body(freeBody(triaxial()));
+  State<Body> state(body, neutral(body.model()), start_v);
+  const auto method = scene::makeMethod<Body>(GetParam().name);
+  double worst = 0;
+  scene::simulate(body, *method, state, {100, 20000, 1}, [&](const auto& s, long) {
+    const double excess = SO3<double>(Vector4<double>(s.q.template tail<4>())).normExcess();
+    worst = std::max(worst, std::abs(excess / 2));
+    return true;
+  });
+  EXPECT_LE(worst, 4 * eps<double>());
+}
+
+TEST_P(EachMethod, AllocatesNothingInAStep) {
+#ifndef LIECHECK_COUNTS_ALLOCATIONS
+  GTEST_SKIP() << "malloc belongs to the sanitizer here";
+#else
+  const auto count = [&](auto& system, const Vec& q, double h) {
+    using Sys = std::remove_reference_t<decltype(system)>;
+    const auto method = scene::makeMethod<Sys>(GetParam().name);
+    State<Sys> state(system, q, Vec::Constant(system.nv(), 0.1));
+    method->begin(system, state);
+    method->step(system, state, h);
+    const long before = allocations;
+    for (int i = 0; i < 10; ++i) method->step(system, state, h);
+    return allocations - before;
+  };
+  const long before = allocations;
+  Vec(3).setZero();
+  EXPECT_EQ(allocations - before, 1);  // it would be seen
+  const Model<double> one = freeBody(awkward());
+  Body body(one);
+  EXPECT_EQ(count(body, neutral(one), 1e-3), 0);
+  if (GetParam().lone_body_only) return;
+  const scene::Scene drop = loadScene(std::string(LIECHECK_FIXTURES) + "/scenes/quadruped_drop.yaml");
+  auto tree = scene::makeSystem<scene::Tree<double>>(drop);
+  EXPECT_EQ(count(tree, drop.q, 1e-5), 0);
+#endif
+}
+
+TEST_P(EachMethod, StopsAtTheStepThatDivergesWithTheLastGoodState) {
+  const MethodInfo info = GetParam();
+  Body body(freeBody(triaxial()));
+  Vec v = start_v;
+  v.tail<3>() *= 1e200;  // its square is beyond double
+  State<Body> state(body, neutral(body.model()), v);
+  const auto method = scene::makeMethod<Body>(info.name);
+  const auto outcome =
+      scene::simulate(body, *method, state, {1, 10, 1}, [](const auto&, long) { return true; });
+  EXPECT_TRUE(outcome.diverged);
+  EXPECT_EQ(outcome.steps, 0);
+  EXPECT_FALSE(outcome.why.empty());
+  EXPECT_EQ(Vec(state.v), v);
+  EXPECT_EQ(Vec(state.q), neutral(body.model()));
+}
+
+INSTANTIATE_TEST_SUITE_P(Scene, EachMethod, testing::ValuesIn(scene::methodInfos()),
+                         [](const auto& i) { return std::string(i.param.name); });
+
+TEST(Methods, AnUnknownOneIsNamedWithTheNearest) {
+  try {
+    scene::makeMethod<Body>("rkmk5");
+    FAIL();
+  } catch (const std::invalid_argument& e) {
+    EXPECT_STREQ(e.what(), "no integrator is named 'rkmk5', the nearest are 'rkmk4', 'rkmk6' and 'rk2'");
+  }
+}
+
+/// 10^6 steps here; `scene_long` does 10^7.
+TEST(Variational, KeepsMomentumAsAVectorAndEnergyWithoutSlope) {
+  const long n = std::getenv("LIECHECK_STEPS") ? std::atol(std::getenv("LIECHECK_STEPS")) : 1'000'000;
+  Body body(freeBody(awkward()));
+  const Inertia<double> I = awkward();
+  State<Body> state(body, neutral(body.model()), start_v);
+  const auto method = scene::makeMethod<Body>("variational");
+  const double h = 0.01;
+  const auto momentum = [&](const auto& s) {
+    const SO3<double> Q(Vector4<double>(s.q.template tail<4>()));
+    return Q.act(V3(I.inertia() * s.v.template tail<3>()));
+  };
+  const V3 L = momentum(state);
+  double norm = 0, worst = 0, t1 = 0, e1 = 0, tt = 0, te = 0, ee = 0, least = 1e300, most = -1e300, first = 0,
+         middle = 0, before = 0;
+  long crossings = 0;
+  scene::simulate(body, *method, state, {h * double(n), n, 1}, [&](const auto& s, long k) {
+    norm = std::max(norm, std::abs(SO3<double>(Vector4<double>(s.q.template tail<4>())).normExcess()) / 2);
+    if (k > 0)
+      worst =
+          std::max(worst, (momentum(s) - L).norm() / (8 * std::sqrt(double(k)) * eps<double>() * L.norm()));
+    const double energy = I.kineticEnergy(Motion<double>(Vector6<double>(s.v)));
+    if (k == 0) first = energy;
+    const double t = double(k) / double(n) - 0.5, e = energy / first - 1;
+    t1 += t, e1 += e, tt += t * t, te += t * e, ee += e * e;
+    least = std::min(least, e), most = std::max(most, e);
+    if (k == n / 20) middle = (least + most) / 2;
+    if (k > n / 20 && before < middle && e >= middle) ++crossings;
+    before = e;
+    return true;
+  });
+  const double count = double(n) + 1, slope = (te - t1 * e1 / count) / (tt - t1 * t1 / count);
+  std::printf(
+      "%ld steps: | |q| - 1 | <= %.2f eps, momentum <= %.3f of 8 sqrt(n) eps, energy oscillates by %.3g, "
+      "drifts by %.3g\n",
+      n, norm / eps<double>(), worst, most - least, slope);
+  EXPECT_LE(norm, 4 * eps<double>());
+  EXPECT_LE(worst, 1);
+  // What an oscillation of that size leaves in a fit over a span that is no whole number of its periods: 6/pi of its
+  // amplitude for each period in the span.
+  const double periods = double(crossings) / 0.95;
+  EXPECT_GT(periods, 100);
+  EXPECT_LE(std::abs(slope), 2 * (most - least) / periods);
+}
+
+/// Practice loses it: the test above would see it.
+TEST(Variational, OthersLoseMomentum) {
+  Body body(freeBody(awkward()));
+  const Inertia<double> I = awkward();
+  const auto s = after(body, "rkmk4", neutral(body.model()), start_v, 100, 10000);
+  const SO3<double> Q(Vector4<double>(s.q.tail<4>()));
+  const V3 L0 = I.inertia() * V3(start_v.tail<3>()), L = Q.act(V3(I.inertia() * s.v.tail<3>()));
+  EXPECT_GT((L - L0).norm(), 8 * std::sqrt(10000.0) * eps<double>() * L0.norm());
+}
+
+/// 100 turns here, against the same method at twice the steps: two different roundings of one motion.
+TEST(Gauss12, RoundsNoMoreThanConditioningAllows) {
+  Body body(freeBody(triaxial()));
+  Vec v = Vec::Zero(6);
+  v.tail<3>() << 0.5, 0.25, 1;
+  const double turns = 100, duration = turns * 2 * pi<double>();
+  const auto a = after(body, "gauss12", neutral(body.model()), v, duration, 4000);
+  const auto b = after(body, "gauss12", neutral(body.model()), v, duration, 8000);
+  const double angle = differenceSE3<double>(a.q, b.q).tail<3>().norm();
+  EXPECT_LE(angle, 10 * turns * 2 * pi<double>() * eps<double>());
+}
+
+TEST(LoneBody, IsFasterThanTheTreeAndTheSame) {
+  const Model<double> m = freeBody(awkward());
+  Body body(m);
+  scene::Tree<double> tree(m);
+  Vector6<double> a;
+  Vec b(6);
+  const Vec q = integrate(m, neutral(m), start_v);
+  body.acceleration(0, q, start_v, a);
+  tree.acceleration(0, q, start_v, b);
+  EXPECT_LE((a - b).norm(), 32 * eps<double>() * b.norm());
+}
+
+TEST(LoneBody, WithoutInertiaIsRefused) {
+  EXPECT_THROW(Body(freeBody({1, V3::Zero(), Matrix3<double>(V3(1, 1, 0).asDiagonal())})), SingularInertia);
+  EXPECT_THROW(Body(freeBody({0, V3::Zero(), Matrix3<double>::Identity()})), SingularInertia);
+}
+
+}  // namespace

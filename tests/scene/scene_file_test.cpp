@@ -1,0 +1,289 @@
+// scene_file: what is refused and how it is said; the fixtures; the program.
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <liecheck/scene_file/units.hpp>
+#include <sstream>
+
+#include "bodies.hpp"
+
+namespace {
+
+using namespace liecheck;
+using namespace liecheck::test;
+namespace fs = std::filesystem;
+
+const fs::path scenes = fs::path(LIECHECK_FIXTURES) / "scenes";
+
+/// A good scene, one line each, in which each bad one differs.
+const std::vector<std::string> good = {"robot: {body: box, size: [1, 2, 3]}",
+                                       "initial: {angular_velocity: [0, 0, 1]}",
+                                       "effects: [gravity]",
+                                       "integrator: {name: rkmk4, step: 1 ms}",
+                                       "duration: 1 s",
+                                       "observers: [energy]"};
+std::string with(std::size_t line, const std::string& text) {
+  std::string all;
+  for (std::size_t i = 0; i < good.size(); ++i) all += (i + 1 == line ? text : good[i]) + "\n";
+  return all + (line > good.size() ? text + "\n" : "");
+}
+std::string refusal(const std::string& text) {
+  try {
+    loadSceneText(text, "s.yaml", scenes.string());
+  } catch (const SceneError& e) {
+    return e.what();
+  }
+  return "nothing";
+}
+
+TEST(SceneFile, AGoodOneIsRead) {
+  const scene::Scene s = loadSceneText(with(99, ""));
+  EXPECT_EQ(s.span.steps, 1000);
+  EXPECT_EQ(s.model.nv, 6);
+}
+
+struct Bad {
+  std::size_t line;
+  std::string text, message;
+};
+
+TEST(SceneFile, ABadOneIsNamedWithFileLineAndRemedy) {
+  const std::vector<Bad> table = {
+      {3, "effects: [gravty]",
+       "s.yaml:3: 'gravty' is not known in effects, the nearest are 'gravity', 'drag' and 'wrench'"},
+      {3, "effects: [gravity: {acceleration: [0, 0, -9.81 m/h]}]",
+       "s.yaml:3: gravity.acceleration[2]: 'm/h' is no unit of this: write a number in m/s^2"},
+      {3, "effects: [gravity: {acceleration: [0, 0, -9.81 furlong]}]",
+       "s.yaml:3: gravity.acceleration[2]: unknown unit 'furlong' in 'furlong', the nearest are 'turn', "
+       "'deg' and "
+       "'g'"},
+      {3, "effects: [gravity: {acceleration: [0, 0, -9.81 kg]}]",
+       "s.yaml:3: gravity.acceleration[2]: 'kg' is no unit of this: write a number in m/s^2"},
+      {3, "effects: [gravity: {acceleration: [0, -9.81]}]",
+       "s.yaml:3: gravity.acceleration is a list of 3 numbers, as [0, 0, 1], not of 2"},
+      {3, "effects: [gravity: {accelerate: 1}]",
+       "s.yaml:3: gravity has no key 'accelerate', the nearest is 'acceleration'"},
+      {3, "effects: gravity",
+       "s.yaml:3: effects is a list, as '- energy' on lines of their own, or [energy]"},
+      {3, "effects: [drag: {frame: bodi}]",
+       "s.yaml:3: no frame is named 'bodi', the nearest are 'body', 'root_joint' and 'universe'"},
+      {3, "effects: [drag: {linear: 1}]", "s.yaml:3: drag needs 'frame': where it acts"},
+      {3, "effects: [drag: {frame: body, linear: -1}]",
+       "s.yaml:3: drag.linear is '-1': it must not be below 0"},
+      {3, "effects: [joint_damping: {joints: hip}]",
+       "s.yaml:3: no joint is named 'hip', the nearest are 'universe' and 'root_joint'"},
+      {3, "effects: [contact: {frames: [body], stiffness: 1 kN/m}]",
+       "s.yaml:3: contact without a ground: write 'ground: {height: 0}' in the scene"},
+      {3, "effects: [thruster: {frame: body, thrust: 1, direction: [0, 0, 0]}]",
+       "s.yaml:3: the axis of a joint must be finite and not zero"},
+      {3, "effects: [armature: {joints: root_joint, inertia: 1}]", ""},
+      {4, "integrator: {name: rkmk4, step: -1 ms}",
+       "s.yaml:4: integrator.step is '-1 ms': it must be above 0"},
+      {4, "integrator: {name: rkmk4, step: .nan}", "s.yaml:4: integrator.step: '.nan' is not a number in s"},
+      {4, "integrator: {name: rkmk4, step: nan}",
+       "s.yaml:4: integrator.step: 'nan' is not finite: write a number in s"},
+      {4, "integrator: {name: rkmk4, step: 1e999}",
+       "s.yaml:4: integrator.step: '1e999' is beyond the numbers that double has"},
+      {4, "integrator: {name: rkmk4, step: [1]}", "s.yaml:4: integrator.step is one number, not a list"},
+      {4, "integrator: {name: rkmk4, step: fast}", "s.yaml:4: integrator.step: 'fast' is not a number in s"},
+      {4, "integrator: {name: rkmk4, step: 3 ms}",
+       "s.yaml:4: duration is not a whole number of integrator.step: it fits 333.333333 times"},
+      {4, "integrator: {name: rkmk5, step: 1 ms}",
+       "s.yaml:4: no integrator is named 'rkmk5', the nearest are 'rkmk4', 'rkmk6' and 'rk2'"},
+      {4, "integrator: {name: rkmk4}", "s.yaml:4: integrator 'rkmk4' needs 'step', such as 1 ms"},
+      {4, "integrator: {name: rkmk4, step: 1 ms, tolerance: 1}",
+       "s.yaml:4: integrator 'rkmk4' takes a step, not a tolerance"},
+      {4, "integrator: {name: dopri5, tolerance: 1e-20}",
+       "s.yaml:4: integrator.tolerance is below 1e-15, which double cannot keep"},
+      {4, "", "s.yaml: the scene needs 'integrator': {name: rkmk4, step: 1 ms}"},
+      {5, "duration: 0 s", "s.yaml:5: duration is '0 s': it must be above 0"},
+      {6, "observers: [imu: {frame: head}]",
+       "s.yaml:6: no frame is named 'head', the nearest are 'body', 'universe' and 'root_joint'"},
+      {6, "observers: [imu: {frame: body, seed: 1.5}]", "s.yaml:6: imu.seed is no whole number up to 9e15"},
+      {6, "observer: [energy]",
+       "s.yaml:6: the scene has no key 'observer', the nearest are 'observers', 'scene' and 'effects'"},
+      {7, "duration: 2 s", "s.yaml:7: key 'duration' of the scene stands twice: keep one"},
+      {7, "truth: [a", "s.yaml:8: is no YAML: end of sequence flow not found"},
+      {7, "actuation: [pd: {stiffness: 1}]", "s.yaml:7: pd needs 'damping' [N m s/rad|N s/m]: d"},
+      {7, "actuation: [table: {times: [0, 0], forces: [1, 2]}]",
+       "s.yaml:7: table.times[1] is not after the time before it: times grow"},
+      {7, "actuation: [table: {times: [0, 1], forces: [1]}]",
+       "s.yaml:7: a table of 2 times and 1 forces: there is one for each"},
+      {7, "frames: [{name: body, on: body}]",
+       "s.yaml:7: the robot has a frame 'body' already: take another name"},
+      {1, "robot: {body: bax, size: [1, 2, 3]}",
+       "s.yaml:1: no built-in body is named 'bax', the nearest are 'box', 'ball' and 'body'"},
+      {1, "robot: {body: body, moments: [1, 1, 3]}",
+       "s.yaml:1: no body has these moments of inertia: each is above 0 and no larger than the sum of the "
+       "other two"},
+      {1, "robot: {body: box, size: [1, 2, 3], mass: 0}", "s.yaml:1: robot.mass is '0': it must be above 0"},
+      {1, "robot: {urdf: none.urdf}",
+       "s.yaml:1: robot.urdf: " + (scenes / "none.urdf").lexically_normal().string() +
+           ": cannot be opened (No such file or directory)"},
+      {1, "robot: {urdf: chain.urdf, body: box}", "s.yaml:1: robot needs one of 'urdf' and 'body'"},
+      {1, "robot: box", "s.yaml:1: robot is a map: {body: box, size: [1, 1, 1]} or {urdf: FILE}"},
+      {1, "robot: {body: box, size: [1, 2, 3], root: flying}",
+       "s.yaml:1: robot.root is 'flying', the nearest are 'fixed', 'planar' and 'continuous'"},
+      {2, "initial: {quaternion: [0, 0, 0, 0]}",
+       "s.yaml:2: initial.quaternion is zero, which is no rotation"},
+      {2, "initial: {start: dzanibekov}",
+       "s.yaml:2: no start is named 'dzanibekov', the nearest are 'dzhanibekov', 'major_spin' and "
+       "'minor_spin'"},
+      {2, "initial: {start: sleeping_top, rate: 1}",
+       "s.yaml:2: start 'sleeping_top' is of a top on a spherical root, symmetric about its z axis"},
+      {2, "initial: {joints: {root: 1}}",
+       "s.yaml:2: initial.joints has no key 'root', the nearest are 'root_joint' and 'universe'"},
+  };
+  for (const Bad& bad : table) {
+    const std::string said = refusal(with(bad.line, bad.text));
+    if (bad.message.empty())
+      EXPECT_EQ(said, "nothing") << bad.text;
+    else
+      EXPECT_EQ(said, bad.message) << bad.text;
+  }
+}
+
+TEST(SceneFile, WhatIsNoSceneAtAllIsRefused) {
+  EXPECT_EQ(refusal(""), "s.yaml: is no scene: it has no keys such as 'robot: {body: box, size: [1, 1, 1]}'");
+  EXPECT_EQ(refusal(std::string("a\0b", 3)), "s.yaml: is no text: it holds a zero byte");
+  EXPECT_NE(refusal("%PDF-1.4 \x01\x02"), "nothing");
+  EXPECT_NE(refusal(std::string(100000, '[')), "nothing");  // no stack is deep enough
+  EXPECT_NE(refusal(std::string(2 << 20, 'a')).find("longer than a scene may be"), std::string::npos);
+  EXPECT_NE(refusal("a: &x [*x]\n"), "nothing");
+  EXPECT_THROW(loadScene((scenes / "missing.yaml").string()), SceneError);
+  EXPECT_THROW(loadScene(scenes.string()), SceneError);
+}
+
+TEST(SceneFile, TheVariationalMethodIsOfALoneBody) {
+  std::string text =
+      "robot: {urdf: chain.urdf}\nintegrator: {name: variational, step: 1 ms}\nduration: 1 s\n";
+  EXPECT_EQ(refusal(text),
+            "s.yaml:2: integrator 'variational' is of one body on a free_flyer root: take implicit_midpoint");
+}
+
+TEST(Units, AreConvertedToSi) {
+  EXPECT_EQ(parseQuantity("2 ms", "s"), 0.002);
+  EXPECT_DOUBLE_EQ(parseQuantity("180 deg", "rad"), pi<double>());
+  EXPECT_DOUBLE_EQ(parseQuantity("60 rpm", "rad/s"), 2 * pi<double>());
+  EXPECT_DOUBLE_EQ(parseQuantity("9.81 m s^-2", "m/s^2"), 9.81);
+  EXPECT_DOUBLE_EQ(parseQuantity("3 kN/m", "N m/rad|N/m"), 3000);
+  EXPECT_DOUBLE_EQ(parseQuantity("5 g m^2", "kg m^2"), 0.005);
+  EXPECT_DOUBLE_EQ(parseQuantity("1 rad/s/sqrt(Hz)", "rad/s/sqrt(Hz)"), 1);
+  EXPECT_DOUBLE_EQ(parseQuantity("36 km/h", "m/s"), 10);
+  EXPECT_THROW(parseQuantity("1 m^", "m"), std::invalid_argument);
+  EXPECT_THROW(parseQuantity("1 m^99", "m"), std::invalid_argument);
+  EXPECT_THROW(parseQuantity("0x10", "1"), std::invalid_argument);
+}
+
+TEST(Fixtures, EachSceneSaysWhyRunsAndStaysFinite) {
+  int count = 0;
+  for (const auto& entry : fs::directory_iterator(scenes)) {
+    if (entry.path().extension() != ".yaml") continue;
+    ++count;
+    SCOPED_TRACE(entry.path().filename().string());
+    scene::Scene s = loadScene(entry.path().string());
+    EXPECT_FALSE(s.reason.empty());
+    // a twentieth of it
+    s.span.duration /= 20, s.span.steps = std::max(1L, s.span.steps / 20),
+                           s.span.every = std::max(1L, s.span.steps / 10);
+    const scene::Run run = scene::run(s);
+    EXPECT_FALSE(run.outcome.diverged) << run.outcome.why;
+    for (const double x : run.rows) ASSERT_TRUE(std::isfinite(x));
+    EXPECT_FALSE(scene::plan(s).stages.empty());
+  }
+  EXPECT_GE(count, 25);
+}
+
+/// Effects of other scenes, and those named as none, leave no trace.
+TEST(Fixtures, WhatASceneDoesNotCallForChangesNoBit) {
+  const auto bits = [](const std::string& more) {
+    return scene::run(
+               loadSceneText(
+                   with(3, "initial_: 0").replace(with(3, "initial_: 0").find("initial_: 0"), 11, more) +
+                   "\n"))
+        .rows;
+  };
+  const auto bare = bits("");
+  EXPECT_EQ(bits("effects: []"), bare);
+  EXPECT_EQ(bits("effects: none\nactuation: none\nground: {height: -1}"), bare);
+  EXPECT_NE(bits("effects: [gravity]"), bare);
+  EXPECT_EQ(bits(""), bare);
+}
+
+TEST(Fixtures, TheReadmeHoldsTheSchema) {
+  std::ifstream f(scenes / "README.md");
+  std::ostringstream text;
+  text << f.rdbuf();
+  EXPECT_NE(text.str().find(sceneSchema()), std::string::npos)
+      << "put into fixtures/scenes/README.md what 'liecheck scene keys' prints";
+}
+
+/// Its exit code, and what it says on both streams.
+std::pair<int, std::string> program(const std::string& arguments) {
+  std::FILE* pipe = ::popen(("(" + std::string(LIECHECK_PROGRAM) + " " + arguments + ") 2>&1").c_str(), "r");
+  std::string said;
+  for (int c = 0; (c = std::fgetc(pipe)) != EOF;) said += char(c);
+  const int status = ::pclose(pipe);
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, said};
+}
+std::string file(const std::string& name, const std::string& text) {
+  const std::string path = testing::TempDir() + name;
+  std::ofstream(path) << text;
+  return path;
+}
+
+TEST(Program, ABadSceneIsOneLineAndExitTwo) {
+  const std::string path = file("bad.yaml", with(3, "effects: [gravty]"));
+  const auto [code, said] = program("scene run " + path);
+  EXPECT_EQ(code, 2);
+  EXPECT_EQ(said,
+            "liecheck: " + path +
+                ":3: 'gravty' is not known in effects, the nearest are 'gravity', 'drag' and 'wrench'\n");
+}
+
+TEST(Program, ADivergingRunKeepsWhatItHasAndExitsThree) {
+  const std::string csv = testing::TempDir() + "diverging.csv";
+  const std::string path =
+      file("diverging.yaml",
+           "robot: {body: ball, root: prismatic, radius: 1}\ninitial: {joints: {root_joint: 1 m}}\n"
+           "effects: [joint_spring: {stiffness: 1e6 N/m}]\nintegrator: {name: euler, step: 1 s}\n"
+           "duration: 1000 s\nobservers: [energy]\noutput: {every: 1 s}\n");
+  const auto [code, said] = program("scene run " + path + " --csv " + csv);
+  EXPECT_EQ(code, 3) << said;
+  EXPECT_NE(said.find("diverged at step "), std::string::npos) << said;
+  EXPECT_NE(said.find("a number is no longer finite"), std::string::npos) << said;
+  std::ifstream f(csv);
+  std::string line;
+  int lines = 0;
+  while (std::getline(f, line)) {
+    ++lines;
+    EXPECT_EQ(line.find("nan"), line.npos);
+    EXPECT_EQ(line.find("inf"), line.npos);
+  }
+  EXPECT_GT(lines, 10);
+}
+
+TEST(Program, AStopSignalKeepsWhatIsDoneAndExitsThree) {
+  const std::string csv = testing::TempDir() + "stopped.csv";
+  const std::string path = file("long.yaml", with(5, "duration: 20000 s"));
+  // a shell has its background jobs ignore SIGINT
+  const auto [code, said] =
+      program("scene run " + path + " --csv " + csv + " & p=$!; sleep 1; kill -TERM $p; wait $p");
+  EXPECT_EQ(code, 3) << said;
+  EXPECT_NE(said.find("interrupted at t = "), std::string::npos) << said;
+  EXPECT_TRUE(fs::exists(csv));
+}
+
+TEST(Program, ExplainsThePlan) {
+  const auto [code, said] = program("scene explain " + (scenes / "dzhanibekov_1e-6.yaml").string());
+  EXPECT_EQ(code, 0);
+  for (const char* part :
+       {"a lone rigid body", "rigid-body equations", "gravity", "articulated bodies", "left out"})
+    EXPECT_NE(said.find(part), std::string::npos) << part;
+}
+
+}  // namespace
