@@ -121,7 +121,8 @@ class Player {
         const light = .72 + .28 * Math.abs(normal) / area;
         faces.push({depth: face.reduce((sum, k) => sum + s[k][2], 0), points: face.map(k => s[k]), color: FACE_COLORS[f].map(x => Math.round(x * light))});
       });
-      for (const joint of film.links[i].joints) line([placed(pose, [0, 0, 0]), placed(pose, joint)], "#444", 2.5);
+      const {centre, joints} = film.links[i];
+      for (const joint of joints.length ? joints : [centre]) line([placed(pose, [0, 0, 0]), placed(pose, joint)], "#444", 2.5);
     });
     for (const {points, color} of faces.sort((a, b) => a.depth - b.depth)) {
       ctx.fillStyle = `rgb(${color})`; ctx.strokeStyle = "#1b1b1b"; ctx.lineWidth = .8;

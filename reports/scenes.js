@@ -3,6 +3,7 @@
 const sweeps = numbers.records.flatMap(r => r.scenes ? [r.scenes] : []);
 const ERRORS = {attitude: "attitude [rad]", position: "position [m]", angular_velocity: "angular velocity [rad/s]",
   linear_velocity: "linear velocity [m/s]"};
+const METHOD_COLORS = [...COST_COLORS, "#7f3c8d"];
 const POINT_SHAPES = ["circle", "triangle", "rect", "rectRot", "star", "crossRot", "cross"];
 
 const methodName = s => s.subject === "liecheck" ? s.integrator : `${s.subject} ${s.integrator}`;
@@ -15,7 +16,7 @@ function methodLooks(sweep) {
     const name = methodName(series);
     if (looks.has(name)) continue;
     const own = series.subject === "liecheck", i = [...looks.values()].filter(l => l.own === own).length;
-    looks.set(name, {own, color: own ? COST_COLORS[i % COST_COLORS.length] : peers[subjects.indexOf(series.subject) % peers.length],
+    looks.set(name, {own, color: own ? METHOD_COLORS[i % METHOD_COLORS.length] : peers[subjects.indexOf(series.subject) % peers.length],
       shape: POINT_SHAPES[i % POINT_SHAPES.length], dash: own ? [] : [5, 3]});
   }
   return looks;

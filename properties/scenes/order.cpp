@@ -33,7 +33,7 @@ ObservedOrder observe_order(const std::vector<double>& errors, int promised, int
   r.order = std::log2(errors[begin] / errors[end - 1]) / r.halvings;
   r.local.assign(rate.begin() + long(begin), rate.begin() + long(end) - 1);
   r.settled = r.halvings >= 5 && std::all_of(r.local.begin(), r.local.end(),
-                                             [&](double x) { return std::abs(x - r.order) < 0.1; });
+                                             [&](double x) { return std::abs(x - r.order) < 0.05; });
   return r;
 }
 

@@ -16,7 +16,7 @@ struct ObservedOrder {
   std::size_t first = 0;      ///< index of the first error of those
   std::vector<double> local;  ///< of each of those halvings
   std::optional<double> floor;
-  bool settled = false;  ///< five or more halvings, none further than 0.1 from their mean
+  bool settled = false;  ///< five or more halvings, none further than 0.05 from their mean
 };
 ObservedOrder observe_order(const std::vector<double>& errors, int promised, int wanted = 5,
                             double rounding = 0);

@@ -42,18 +42,18 @@ TEST(SceneSweepProgram, SweepsASceneFileAndWritesItsRecord) {
   const auto path = std::filesystem::temp_directory_path() / "liecheck_scene_sweep_test.json";
   const Ran r =
       run("scene sweep " LIECHECK_FIXTURES
-          "/scenes/pendulum.yaml --integrator rkmk4 --integrator gauss6 --no-peers --for 1s --json " +
+          "/scenes/damped_spring.yaml --integrator rk2 --integrator rkmk4 --no-peers --for 1s --json " +
           path.string());
   EXPECT_EQ(r.code, 0) << r.text;
   std::ifstream file(path);
   const auto record = nlohmann::json::parse(file);
   const auto& scene = record["scenes"][0];
-  EXPECT_EQ(scene["truth"], "pendulum");
+  EXPECT_EQ(scene["truth"], "damped spring");
   ASSERT_EQ(scene["series"].size(), 2U);
   ASSERT_EQ(scene["orders"].size(), 2U);
-  EXPECT_NEAR(scene["orders"][0]["observed"].get<double>(), 4, 0.1);
-  EXPECT_NEAR(scene["orders"][1]["observed"].get<double>(), 6, 0.1);
-  EXPECT_LT(scene["series"][1]["smallest"].get<double>(), 1e-11);
+  EXPECT_NEAR(scene["orders"][0]["observed"].get<double>(), 2, 0.1);
+  EXPECT_NEAR(scene["orders"][1]["observed"].get<double>(), 4, 0.1);
+  EXPECT_LT(scene["series"][1]["smallest"].get<double>(), 1e-3);  // how far it gets depends on the machine
   EXPECT_FALSE(scene["series"][1]["points"][0]["time_ns"].is_null());
   std::filesystem::remove(path);
 }
