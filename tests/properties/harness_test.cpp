@@ -195,7 +195,7 @@ TEST(Budgets, GiveEveryOutputALimitAndAReason) {
   for (const auto& s : select({}, built_in_robot()))
     for (const Output& o : s->outputs)
       for (Region region : {Region::to_pi, Region::beyond_pi})
-        EXPECT_FALSE(budget_of(o.operation, o.block, region).reason.empty());
+        EXPECT_FALSE(budget_of(s->subject, o.operation, o.block, region).reason.empty());
 }
 
 TEST(Record, HasTheDocumentedFields) {
