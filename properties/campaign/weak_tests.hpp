@@ -8,7 +8,7 @@ namespace liecheck::properties {
 
 struct WeakStyle {
   const char* name;
-  /// Does a test of this style fail on these operations?
+  /// Does a test of this style fail on these operations? They are tests of SE(3): of a tree alone, they see nothing.
   bool (*kills)(const Operations<double>& tested);
 };
 
