@@ -130,12 +130,13 @@ Matrix3<S> exp3(const Vector3<S>& phi) {
   return exp_log_detail::matrix(RotationCoefficients<S, Vector3<S>, P>(phi));
 }
 
-/// phi [3, rad] of the rotation nearest to R, for |R^T R - I| <= 8 eps. Error 3 eps relative.
+/// phi [3, rad] of the rotation nearest to R, for |R^T R - I| <= 8 eps. Error 3 eps relative; in
+/// fast precision another |R^T R - I|.
 template <Scalar S, Precision P = Precision::standard>
 Vector3<S> log3(const Matrix3<S>& R) {
   if constexpr (P == Precision::tight)
-    return tight_detail::rounded<S>([](const auto& a) { return log3<DoubleDouble<S>, Precision::fast>(a); },
-                                    [&] { return log3<S>(R); }, R);
+    return tight_detail::rounded<S>(  // not fast, which takes R as it is
+        [](const auto& a) { return log3<DoubleDouble<S>>(a); }, [&] { return log3<S>(R); }, R);
   return quaternion::log3<S, P>(SO3<S>::template fromMatrix<P>(R));
 }
 
@@ -153,8 +154,8 @@ SE3<S> exp6(const Motion<S>& xi) {
 template <Scalar S, Precision P = Precision::standard>
 Motion<S> log6(const SE3<S>& T) {
   if constexpr (P == Precision::tight)
-    return tight_detail::rounded<S>([](const auto& a) { return log6<DoubleDouble<S>, Precision::fast>(a); },
-                                    [&] { return log6<S>(T); }, T);
+    return tight_detail::rounded<S>(  // not fast, which takes R as it is
+        [](const auto& a) { return log6<DoubleDouble<S>>(a); }, [&] { return log6<S>(T); }, T);
   const exp_log_detail::RotationLogarithm<S, P> l(SO3<S>::template fromMatrix<P>(T.rotation()));
   return {l.arc(T.translation()), l.phi};
 }
