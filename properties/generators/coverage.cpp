@@ -67,7 +67,7 @@ const std::vector<InputClass> trees = {{"one joint", 10},
 const std::vector<InputClass> joints = {{"revolute", 4},    {"continuous", 4}, {"prismatic", 4},
                                         {"helical", 4},     {"spherical", 4},  {"planar", 4},
                                         {"translation", 4}, {"free-flyer", 4}, {"mimic", 25}};
-const std::vector<InputClass> masses = {{"all alike", 3}, {"ratio above 1e12, in float 100", 250}};
+const std::vector<InputClass> masses = {{"all alike", 3}, {"ratio above 1e12, in float 100", 50}};
 const std::vector<InputClass> none;
 
 constexpr std::uint32_t bit(bool condition, int i) {

@@ -134,6 +134,7 @@ void random_wrench(Source& source, int joints, S* to) {
 template <class S>
 std::vector<S> random_tree(Source& source, bool floating) {
   using oracles::JointKind;
+  using std::ldexp;
   using tree_detail::put;
   const TreeLayout at{tree_slots};
   std::vector<S> x(at.size(), S(0));
@@ -177,7 +178,9 @@ std::vector<S> random_tree(Source& source, bool floating) {
       if (source.chance(1, 2)) slot[TreeSlot::multiplier] *= S(-1);
       slot[TreeSlot::offset] = magnitude<S>(source, 2);
     }
-    const S mass = (S(1) + source.unit<S>()) * (ratio ? binade_uniform<S>(source, -ratio, ratio) : S(1));
+    S scale = ratio ? binade_uniform<S>(source, -ratio, ratio) : S(1);
+    if (ratio && source.chance(1, 4)) scale = S(ldexp(S(1), source.chance(1, 2) ? ratio : -ratio));
+    const S mass = (S(1) + source.unit<S>()) * scale;
     whole(at.masses() + i) = mass;
     if (source.chance(1, 2) && primary < 0)
       slot[TreeSlot::armature] = mass * binade_uniform<S>(source, -8, 2);

@@ -29,21 +29,18 @@ class FrameJacobian final : public TreeLaw<FrameJacobian, S> {
   template <class T, class Case>
   void of(const Operations<S>& subject, const Case& c, Recorder& r) const {
     const TreeOperations<S> o = subject.tree(described(c.stored));
-    const auto dynamics = c.dynamics(c.exact.v, c.exact.a);
-    const oracles::FrameMotion<T> f(dynamics.motion(), static_cast<std::size_t>(c.exact.frame_joint),
-                                    c.exact.frame_Q, c.exact.frame_p);
-    const bool resolved = c.resolved();
-    const FrameSizes sizes(c);
+    const ExactFrame<T> frame(c);
+    const FrameSizes& sizes = frame.sizes;
     for (const Seen view : every_view) {
-      const FrameViews<T> exact = seen_from(view, f);
+      const FrameViews<T> exact = seen_from(view, frame.motion);
       const MatX<S> J = o.frame_jacobian ? o.frame_jacobian(c.q, view) : MatX<S>();
       const MatX<S> dJ = o.frame_jacobian_rate ? o.frame_jacobian_rate(c.q, c.v, view) : MatX<S>();
       if (J.size())
-        both<T>(c, r, 0, {{&J, &c.exact.v}}, exact.velocity, {sizes.velocity(view), sizes.w}, resolved);
+        both<T>(c, r, 0, {{&J, &c.exact.v}}, exact.velocity, {sizes.velocity(view), sizes.w}, frame.resolved);
       if (J.size() && dJ.size())
         both<T>(c, r, 2, {{&J, &c.exact.a}, {&dJ, &c.exact.v}},
                 view == Seen::aligned ? exact.classical : exact.acceleration,
-                {sizes.acceleration(view), sizes.al}, resolved);
+                {sizes.acceleration(view), sizes.al}, frame.resolved);
     }
   }
 

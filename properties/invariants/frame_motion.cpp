@@ -35,11 +35,10 @@ class FrameMotionLaw final : public TreeLaw<FrameMotionLaw, S> {
   template <class T, class Case>
   void of(const Operations<S>& subject, const Case& c, Recorder& r) const {
     const TreeOperations<S> o = subject.tree(described(c.stored));
-    const auto dynamics = c.dynamics(c.exact.v, c.exact.a);
-    const oracles::FrameMotion<T> f(dynamics.motion(), static_cast<std::size_t>(c.exact.frame_joint),
-                                    c.exact.frame_Q, c.exact.frame_p);
-    const bool resolved = c.resolved();
-    const FrameSizes sizes(c);
+    const ExactFrame<T> frame(c);
+    const auto& f = frame.motion;
+    const bool resolved = frame.resolved;
+    const FrameSizes& sizes = frame.sizes;
     const auto list = [](const auto& v) { return std::vector<T>(v.x.begin(), v.x.end()); };
     const std::vector<double> three(3, 1);
     if (o.frame) {

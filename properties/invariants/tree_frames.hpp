@@ -46,4 +46,19 @@ struct FrameSizes {
   }
 };
 
+/// What the laws of frames know of a case: the frame's exact motion at its v and a, and the sizes of the terms.
+template <class T>
+struct ExactFrame {
+  oracles::FrameMotion<T> motion;
+  bool resolved;
+  FrameSizes sizes;
+
+  template <class Case>
+  explicit ExactFrame(const Case& c)
+      : motion(c.dynamics(c.exact.v, c.exact.a).motion(), static_cast<std::size_t>(c.exact.frame_joint),
+               c.exact.frame_Q, c.exact.frame_p),
+        resolved(c.resolved()),
+        sizes(c) {}
+};
+
 }  // namespace liecheck::properties

@@ -25,14 +25,18 @@ struct CompositeInertia {
             entry(1, 2), entry(2, 2)};
   }
 
-  /// Adds another whose frame stands r [m] away, in the same axes: with d = c_2 + r - c and t = m_2/(m + m_2),
-  /// c += t d,  I_C += I_2 + m t (|d|^2 1 - d d^T)  (parallel axes, once).
+  /// Adds another whose frame stands r [m] away, in the same axes: with t = m_2/(m + m_2), d = c_2 + r - c,
+  /// c = (1 - t) c + t (c_2 + r),  I_C += I_2 + m t (|d|^2 1 - d d^T)  (parallel axes, once). Not c += t d: that
+  /// leaves a heavy second body with the rounding errors of a light first one's distance.
   void join(const CompositeInertia& other, const Vector3<S>& r) {
-    const S total = mass + other.mass, share = total > S(0) ? S(other.mass / total) : S(0), m = mass * share;
-    const S x = other.c[0] + r[0] - c[0], y = other.c[1] + r[1] - c[1], z = other.c[2] + r[2] - c[2];
+    const S total = mass + other.mass;
+    const S share = total > S(0) ? S(other.mass / total) : S(0), rest = total > S(0) ? S(mass / total) : S(0);
+    const S m = mass * share;
+    const S there[3] = {other.c[0] + r[0], other.c[1] + r[1], other.c[2] + r[2]};
+    const S x = there[0] - c[0], y = there[1] - c[1], z = there[2] - c[2];
     const S mx = m * x, my = m * y, mz = m * z;
     mass = total;
-    c[0] += share * x, c[1] += share * y, c[2] += share * z;
+    for (int i = 0; i < 3; ++i) c[i] = rest * c[i] + share * there[i];
     xx += other.xx + (my * y + mz * z), yy += other.yy + (mx * x + mz * z),
         zz += other.zz + (mx * x + my * y);
     xy += other.xy - mx * y, xz += other.xz - mx * z, yz += other.yz - my * z;
