@@ -2,11 +2,27 @@
 
 #include <oracles/agree.hpp>
 #include <oracles/homogeneous.hpp>
-#include <oracles/tree.hpp>
+#include <oracles/tree_sizes.hpp>
 
 namespace liecheck::oracles {
 
 using namespace homogeneous;
+
+namespace {
+
+template <class T>
+TreeOf<T> converted(const TreeOf<Real>& tree) {
+  TreeOf<T> to;
+  to.gravity = cast<T>(tree.gravity);
+  for (const JointOf<Real>& j : tree.joints)
+    to.joints.push_back({j.kind, j.parent, j.primary, cast<T>(j.Q), cast<T>(j.p), cast<T>(j.axis), T(j.pitch),
+                         T(j.multiplier), T(j.offset), T(j.armature),
+                         {T(j.body.mass), cast<T>(j.body.c), cast<T>(j.body.I_C)}});
+  to.index();
+  return to;
+}
+
+}  // namespace
 
 bool confirmed(const TreeOf<Real>& tree, const std::vector<Real>& q, const std::vector<Real>& v,
                const std::vector<Real>& a, const std::vector<Real>& dq) {
@@ -14,21 +30,7 @@ bool confirmed(const TreeOf<Real>& tree, const std::vector<Real>& q, const std::
   using Numbers = std::vector<H>;
   constexpr double bound = 1e-30;
   const auto wide = [](const std::vector<Real>& x) { return Numbers(x.begin(), x.end()); };
-  TreeOf<H> tree_h;
-  tree_h.gravity = cast<H>(tree.gravity);
-  for (const JointOf<Real>& j : tree.joints)
-    tree_h.joints.push_back({j.kind,
-                             j.parent,
-                             j.primary,
-                             cast<H>(j.Q),
-                             cast<H>(j.p),
-                             cast<H>(j.axis),
-                             H(j.pitch),
-                             H(j.multiplier),
-                             H(j.offset),
-                             H(j.armature),
-                             {H(j.body.mass), cast<H>(j.body.c), cast<H>(j.body.I_C)}});
-  tree_h.index();
+  const TreeOf<H> tree_h = converted<H>(tree);
   const Numbers qh = wide(q), vh = wide(v), ah = wide(a), none(v.size(), H(0));
   const TreeDynamics<Real> exact(tree, q, v, a);
   const std::size_t n = tree.joints.size();
@@ -85,11 +87,18 @@ bool confirmed(const TreeOf<Real>& tree, const std::vector<Real>& q, const std::
     for (const Real& x : dq) step.push_back(t * H(x));
     return TreeDynamics<H>(tree_h, qh, vh, ah, {}, {}, {}, step).torque();
   };
-  const Numbers plus = torque(t), minus = torque(-t), there = torque(H(0));
+  const Numbers plus = torque(t), minus = torque(-t);
+  const auto rough = [](const std::vector<Real>& x) {
+    std::vector<double> y;
+    for (const Real& value : x) y.push_back(static_cast<double>(value));
+    return y;
+  };
+  // beside what cancels, not beside the result: that may be zero
+  const TreeSizes<Tangent> terms(converted<double>(tree), rough(q), rough(v), rough(a), {}, rough(dq));
   H off(0), size(0);
   for (std::size_t k = 0; k < derivative.size(); ++k) {
-    const H d = (plus[k] - minus[k]) / (2 * t) - H(derivative[k]);
-    off += d * d, size += there[k] * there[k] + H(derivative[k]) * H(derivative[k]);
+    const H d = (plus[k] - minus[k]) / (2 * t) - H(derivative[k]), term(terms.tau[k].x + terms.tau[k].d);
+    off += d * d, size += term * term;
   }
   return off <= size * H(bound) * H(bound);
 }
