@@ -5,6 +5,7 @@
 #include <campaign/coverage_report.hpp>
 #include <campaign/text.hpp>
 #include <commands_store.hpp>
+#include <limits>
 #include <map>
 #include <tuple>
 
@@ -48,6 +49,7 @@ int print_campaign(const CampaignResult& r, bool verbose) {
   fmt::print("{:<24}{:<15}{:<10}{:>9}  {:>11}  {}\n", "property", "subject", "scalar", "cases", "worst",
              "status");
   for (const auto& [series, tally] : r.series) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
     double worst = 0;
     bool failed = false;
     std::uint64_t unresolved = 0;
@@ -56,7 +58,9 @@ int print_campaign(const CampaignResult& r, bool verbose) {
       const Output& o = series->outputs.at(static_cast<std::size_t>(key.first));
       const Budget& b =
           budget_of(series->subject, o.operation, o.block, series->bands()[static_cast<std::size_t>(key.second)].region);
-      worst = std::max(worst, row.worst_score / b.limit);
+      // an unresolved case is the one to replay, and has no figure
+      const double measured = b.rule == Rule::forward ? row.max_error : row.max_excess;
+      worst = std::max(worst, (row.failed || row.worst_score < infinity ? row.worst_score : measured) / b.limit);
       failed = failed || row.failed > 0;
       unresolved += row.unresolved;
     }
