@@ -124,6 +124,11 @@ class SeriesOf final : public Series {
     return text;
   }
 
+  std::string program(const Output& output, const std::vector<std::string>& texts) const override {
+    std::vector<S> x;
+    for (const std::string& text : texts) x.push_back(parse_float<S>(text));
+    return property_->program(output, x);
+  }
   std::vector<Judged> replay(const CaseId& address) const override { return measure(numbers(address)); }
 
   Trial attempt(const CaseId& address) const override {

@@ -38,6 +38,8 @@ class Series {
   virtual const Bands& bands() const = 0;
   virtual void run(std::uint64_t seed, std::uint64_t index, Tally& tally) const = 0;
   virtual std::vector<std::string> input(const CaseId& id) const = 0;  ///< hexadecimal floats
+  /// A C++ program of a raw input that is the law's own; empty where it has none (campaign/snippet.hpp).
+  virtual std::string program(const Output& output, const std::vector<std::string>& input) const = 0;
   virtual std::vector<Judged> replay(const CaseId& id) const = 0;
   /// As replay; a raw input may also hold rotations that are off unit, off orthogonal or reflected.
   virtual Trial attempt(const CaseId& id) const = 0;

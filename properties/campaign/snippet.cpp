@@ -138,6 +138,15 @@ std::vector<Field> whole_vectors(const Series& series) {
 }  // namespace
 
 std::string snippet(const Series& series, const Output& output, const std::vector<std::string>& numbers) {
+  const auto note = [&] {
+    return series.subject == "liecheck"
+               ? std::string()
+               : fmt::format("  // liecheck's own function: put {}'s in its place.\n", series.subject);
+  };
+  if (std::string own = series.program(output, numbers); !own.empty()) {
+    const std::string main = "int main() {\n";
+    return own.insert(own.find(main) + main.size(), note());
+  }
   const Call* call = call_of(output.operation);
   if (!call) return "";
   const std::vector<Field> fields = whole_vectors(series);
@@ -175,8 +184,7 @@ std::string snippet(const Series& series, const Output& output, const std::vecto
       text += declaration(f, x);
   }
   text += set_up;
-  if (series.subject != "liecheck")
-    text += fmt::format("  // liecheck's own function: put {}'s in its place.\n", series.subject);
+  text += note();
   text += "  std::cout.precision(36);\n";
   if (across)  // the law compares two adjacent angles
     return text + fmt::format(

@@ -97,6 +97,9 @@ class Property {
       if (!isfinite(x)) return false;
     return true;
   }
+  /// A C++ program that makes what was measured with liecheck's own functions; empty where the law has none of its
+  /// own, and the fields and the operation tell (campaign/snippet.hpp).
+  virtual std::string program(const Output&, const std::vector<S>&) const { return ""; }
   /// Against the oracles at 50 and 100 digits.
   virtual void measure(const Subject<S>& subject, const std::vector<S>& input, Recorder& recorder) const = 0;
   /// Against the fast oracles, the cheapest of which is tier 0; false where the law has none of that tier. Throws

@@ -1,93 +1,14 @@
 #pragma once
 // What the laws of trees of bodies share: the input and what it means, on random trees or, where a robot is given,
-// on that robot; and how vectors of mixed units are measured.
-//
-// Entry k of v moves inertia M_kk, so that sqrt(M_kk) v_k and tau_k / sqrt(M_kk) are of one unit, whatever the joint
-// and however light its bodies: norms of vectors are those of these numbers, and of M that of M_kl / sqrt(M_kk M_ll)
-// (Demmel 1989: what a Cholesky factor does is a relative eps of the latter). The weights are the oracle's. kappa is of
-// norms (oracles/tree_sizes.hpp): a rotation rounds every number of a vector by the vector's size, so that a zero among
-// the stored numbers protects nothing.
+// on that robot.
 
-#include <generators/trees.hpp>
-#include <invariants/common.hpp>
+#include <invariants/tree_case.hpp>
 #include <invariants/tree_laws.hpp>
+#include <invariants/tree_norms.hpp>
+#include <invariants/tree_program.hpp>
 #include <numeric>
-#include <oracles/tree_sizes.hpp>
-#include <subjects/tree.hpp>
 
 namespace liecheck::properties {
-
-/// A tree, a state of it, a frame and a wrench, in any number.
-template <class T>
-struct TreeCase {
-  oracles::TreeOf<T> tree;
-  std::vector<T> q, v, a, d;
-  std::vector<oracles::WrenchOf<T>> wrench;
-  int frame_joint = 0;
-  oracles::Quaternion<T> frame_Q;
-  oracles::Vec3<T> frame_p;
-
-  /// `structure` tells which joints there are; `x` all numbers, laid out as it is.
-  template <class S>
-  TreeCase(TreeLayout at, const std::vector<S>& structure, const std::vector<T>& x) {
-    using namespace oracles;
-    const auto whole = [&](int i) { return static_cast<int>(structure[static_cast<std::size_t>(i)]); };
-    const auto number = [&](int i) -> const T& { return x[static_cast<std::size_t>(i)]; };
-    const auto three = [&](int i) -> Vec3<T> { return {{number(i), number(i + 1), number(i + 2)}}; };
-    const auto four = [&](int i) -> Quaternion<T> {
-      return {{number(i), number(i + 1), number(i + 2), number(i + 3)}};
-    };
-    tree.gravity = three(at.gravity());
-    for (int i = 0; i < at.slots && whole(at.parents() + i) > absent_joint; ++i) {
-      using Slot = TreeSlot;
-      const int slot = at.slot(i);
-      JointOf<T> j;
-      j.kind = static_cast<JointKind>(whole(at.kinds() + i));
-      j.parent = whole(at.parents() + i), j.primary = whole(at.primaries() + i);
-      j.Q = four(slot + Slot::Q), j.p = three(slot + Slot::p), j.axis = three(slot + Slot::axis);
-      j.pitch = number(slot + Slot::pitch), j.multiplier = number(slot + Slot::multiplier);
-      j.offset = number(slot + Slot::offset), j.armature = number(slot + Slot::armature);
-      j.body.mass = number(at.masses() + i), j.body.c = three(slot + Slot::c);
-      Vec6<T> I;
-      for (int k = 0; k < 6; ++k) I[k] = number(slot + Slot::I + k);
-      j.body.I_C = symmetric(I);
-      tree.joints.push_back(j);
-      if (j.primary >= 0) continue;
-      const auto add = [&](std::vector<T>& to, int from, int n) {
-        for (int k = 0; k < n; ++k) to.push_back(number(slot + from + k));
-      };
-      const bool rotates = j.kind == JointKind::free_flyer || j.kind == JointKind::spherical;
-      const bool turns = j.kind == JointKind::continuous || j.kind == JointKind::planar;
-      const int all = configuration_size(j.kind), rest = rotates ? 4 : turns ? 2 : 0;
-      add(q, Slot::q_p, all - rest);
-      add(q, rotates ? Slot::q_Q : Slot::q_circle, rest);
-      for (auto [to, from] : {std::pair(&v, +Slot::v), std::pair(&a, +Slot::a), std::pair(&d, +Slot::d)})
-        add(*to, from, velocity_size(j.kind));
-    }
-    tree.index();
-    frame_joint = whole(at.frame()), frame_Q = four(at.frame() + 1), frame_p = three(at.frame() + 5);
-    if (const int on = whole(at.wrench()); on >= 0)
-      wrench.push_back({on, stack(three(at.wrench() + 1), three(at.wrench() + 4))});
-  }
-};
-
-/// The subject's description of it.
-template <class S>
-Tree<S> described(const TreeCase<S>& c) {
-  Tree<S> t;
-  static_cast<oracles::TreeOf<S>&>(t) = c.tree;
-  t.frame_joint = c.frame_joint, t.frame_Q = c.frame_Q, t.frame_p = c.frame_p;
-  return t;
-}
-template <class S>
-VecX<S> eigen(const std::vector<S>& x) {
-  return Eigen::Map<const VecX<S>>(x.data(), static_cast<Eigen::Index>(x.size()));
-}
-template <class S>
-Vec<S, 6> eigen(const std::vector<oracles::WrenchOf<S>>& wrench) {
-  if (wrench.empty()) return Vec<S, 6>::Zero();
-  return Eigen::Map<const Vec<S, 6>>(wrench[0].F.x.data());
-}
 
 /// The full list of numbers of a robot at its neutral configuration, and which of them are its state.
 struct RobotNumbers {
@@ -96,70 +17,6 @@ struct RobotNumbers {
 };
 /// Of the tree that a URDF becomes with a free-flyer. Throws what the URDF reader throws.
 RobotNumbers robot_numbers(const std::string& urdf, const std::string& name);
-
-/// sqrt of the diagonal of M [nv x nv], 0 where nothing moves.
-template <class T>
-std::vector<double> mass_roots(const std::vector<T>& M, std::size_t nv) {
-  std::vector<double> roots(nv);
-  for (std::size_t k = 0; k < nv; ++k) {
-    const T& m = M[k * nv + k];
-    double value;
-    if constexpr (oracles::BallNumber<T>)
-      value = m.head();
-    else
-      value = static_cast<double>(m);
-    roots[k] = value > 0 ? std::sqrt(value) : 0;
-  }
-  return roots;
-}
-inline std::vector<double> inverses(std::vector<double> w) {
-  for (double& x : w) x = x > 0 ? 1 / x : 0;
-  return w;
-}
-
-/// ||w x||, each entry weighted.
-template <class T>
-T weighted_norm(const std::vector<T>& x, const std::vector<double>& w) {
-  T sum(0);
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    const T y = T(w[k]) * x[k];
-    sum += y * y;
-  }
-  return sqrt(sum);
-}
-template <class T>
-double approximate(const T& x) {
-  if constexpr (oracles::BallNumber<T>)
-    return x.head();
-  else
-    return static_cast<double>(x);
-}
-/// The same of sizes, in double.
-inline double weighted_size(const std::vector<double>& x, const std::vector<double>& w) {
-  return weighted_norm(x, w);
-}
-inline double weighted_size(const std::vector<oracles::Tangent>& x, const std::vector<double>& w) {
-  double sum = 0;
-  for (std::size_t k = 0; k < x.size(); ++k) sum += w[k] * x[k].d * (w[k] * x[k].d);
-  return std::sqrt(sum);
-}
-/// Of each pair of entries.
-inline std::vector<double> products(const std::vector<double>& w) {
-  std::vector<double> all;
-  for (double a : w)
-    for (double b : w) all.push_back(a * b);
-  return all;
-}
-
-/// ||w (computed - exact)|| / max(||w exact||, least), in eps of S.
-template <class S, class T>
-double weighted_error(const std::vector<T>& computed, const std::vector<T>& exact,
-                      const std::vector<double>& w, const T& scale) {
-  std::vector<T> difference;
-  for (std::size_t k = 0; k < exact.size(); ++k) difference.push_back(computed[k] - exact[k]);
-  const T size = oracles::larger(scale, oracles::least_denominator<S, T>());
-  return oracles::in_eps<S>(T(weighted_norm(difference, w) / size));
-}
 
 namespace tree_law_detail {
 /// Are the eigenvalues of the second moment tr(I) / 2 - I more than `least` tr(I)? I: xx xy yy xz yz zz.
@@ -219,6 +76,11 @@ class TreeLaw : public Property<S> {
         for (const char* part : {"_u", "_w"}) add(named(what) + part, Kind::vector, 3, "m, rad, s", any);
     }
     return all;
+  }
+  std::string program(const Output& output, const std::vector<S>& input) const override {
+    const std::vector<S> full = full_of(input);
+    const TreeCase<double> c(at_, full, std::vector<double>(full.begin(), full.end()));
+    return tree_program(c, output.operation, std::is_same_v<S, float> ? "float" : "double");
   }
   bool offered(const Subject<S>& s) const override { return s.operations.tree; }
   /// Only one that the user gave: the built-in one is too little for them.

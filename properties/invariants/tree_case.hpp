@@ -1,0 +1,81 @@
+#pragma once
+// The list of numbers that a tree of bodies is (generators/trees.hpp), as what it means.
+
+#include <generators/trees.hpp>
+#include <subjects/tree.hpp>
+
+namespace liecheck::properties {
+
+/// A tree, a state of it, a frame and a wrench, in any number.
+template <class T>
+struct TreeCase {
+  oracles::TreeOf<T> tree;
+  std::vector<T> q, v, a, d;
+  std::vector<oracles::WrenchOf<T>> wrench;
+  int frame_joint = 0;
+  oracles::Quaternion<T> frame_Q;
+  oracles::Vec3<T> frame_p;
+
+  /// `structure` tells which joints there are; `x` all numbers, laid out as it is.
+  template <class S>
+  TreeCase(TreeLayout at, const std::vector<S>& structure, const std::vector<T>& x) {
+    using namespace oracles;
+    const auto whole = [&](int i) { return static_cast<int>(structure[static_cast<std::size_t>(i)]); };
+    const auto number = [&](int i) -> const T& { return x[static_cast<std::size_t>(i)]; };
+    const auto three = [&](int i) -> Vec3<T> { return {{number(i), number(i + 1), number(i + 2)}}; };
+    const auto four = [&](int i) -> Quaternion<T> {
+      return {{number(i), number(i + 1), number(i + 2), number(i + 3)}};
+    };
+    tree.gravity = three(at.gravity());
+    for (int i = 0; i < at.slots && whole(at.parents() + i) > absent_joint; ++i) {
+      using Slot = TreeSlot;
+      const int slot = at.slot(i);
+      JointOf<T> j;
+      j.kind = static_cast<JointKind>(whole(at.kinds() + i));
+      j.parent = whole(at.parents() + i), j.primary = whole(at.primaries() + i);
+      j.Q = four(slot + Slot::Q), j.p = three(slot + Slot::p), j.axis = three(slot + Slot::axis);
+      j.pitch = number(slot + Slot::pitch), j.multiplier = number(slot + Slot::multiplier);
+      j.offset = number(slot + Slot::offset), j.armature = number(slot + Slot::armature);
+      j.body.mass = number(at.masses() + i), j.body.c = three(slot + Slot::c);
+      Vec6<T> I;
+      for (int k = 0; k < 6; ++k) I[k] = number(slot + Slot::I + k);
+      j.body.I_C = symmetric(I);
+      tree.joints.push_back(j);
+      if (j.primary >= 0) continue;
+      const auto add = [&](std::vector<T>& to, int from, int n) {
+        for (int k = 0; k < n; ++k) to.push_back(number(slot + from + k));
+      };
+      const bool rotates = j.kind == JointKind::free_flyer || j.kind == JointKind::spherical;
+      const bool turns = j.kind == JointKind::continuous || j.kind == JointKind::planar;
+      const int all = configuration_size(j.kind), rest = rotates ? 4 : turns ? 2 : 0;
+      add(q, Slot::q_p, all - rest);
+      add(q, rotates ? Slot::q_Q : Slot::q_circle, rest);
+      for (auto [to, from] : {std::pair(&v, +Slot::v), std::pair(&a, +Slot::a), std::pair(&d, +Slot::d)})
+        add(*to, from, velocity_size(j.kind));
+    }
+    tree.index();
+    frame_joint = whole(at.frame()), frame_Q = four(at.frame() + 1), frame_p = three(at.frame() + 5);
+    if (const int on = whole(at.wrench()); on >= 0)
+      wrench.push_back({on, stack(three(at.wrench() + 1), three(at.wrench() + 4))});
+  }
+};
+
+/// The subject's description of it.
+template <class S>
+Tree<S> described(const TreeCase<S>& c) {
+  Tree<S> t;
+  static_cast<oracles::TreeOf<S>&>(t) = c.tree;
+  t.frame_joint = c.frame_joint, t.frame_Q = c.frame_Q, t.frame_p = c.frame_p;
+  return t;
+}
+template <class S>
+VecX<S> eigen(const std::vector<S>& x) {
+  return Eigen::Map<const VecX<S>>(x.data(), static_cast<Eigen::Index>(x.size()));
+}
+template <class S>
+Vec<S, 6> eigen(const std::vector<oracles::WrenchOf<S>>& wrench) {
+  if (wrench.empty()) return Vec<S, 6>::Zero();
+  return Eigen::Map<const Vec<S, 6>>(wrench[0].F.x.data());
+}
+
+}  // namespace liecheck::properties

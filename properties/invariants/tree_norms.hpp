@@ -1,0 +1,79 @@
+#pragma once
+// How vectors of mixed units are measured.
+//
+// Entry k of v moves inertia M_kk, so that sqrt(M_kk) v_k and tau_k / sqrt(M_kk) are of one unit, whatever the joint
+// and however light its bodies: norms of vectors are those of these numbers, and of M that of M_kl / sqrt(M_kk M_ll)
+// (Demmel 1989: what a Cholesky factor does is a relative eps of the latter). The weights are the oracle's. kappa is of
+// norms (oracles/tree_sizes.hpp): a rotation rounds every number of a vector by the vector's size, so that a zero among
+// the stored numbers protects nothing.
+
+#include <invariants/common.hpp>
+#include <oracles/tree_sizes.hpp>
+
+namespace liecheck::properties {
+
+/// sqrt of the diagonal of M [nv x nv], 0 where nothing moves.
+template <class T>
+std::vector<double> mass_roots(const std::vector<T>& M, std::size_t nv) {
+  std::vector<double> roots(nv);
+  for (std::size_t k = 0; k < nv; ++k) {
+    const T& m = M[k * nv + k];
+    double value;
+    if constexpr (oracles::BallNumber<T>)
+      value = m.head();
+    else
+      value = static_cast<double>(m);
+    roots[k] = value > 0 ? std::sqrt(value) : 0;
+  }
+  return roots;
+}
+inline std::vector<double> inverses(std::vector<double> w) {
+  for (double& x : w) x = x > 0 ? 1 / x : 0;
+  return w;
+}
+
+/// ||w x||, each entry weighted.
+template <class T>
+T weighted_norm(const std::vector<T>& x, const std::vector<double>& w) {
+  T sum(0);
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    const T y = T(w[k]) * x[k];
+    sum += y * y;
+  }
+  return sqrt(sum);
+}
+template <class T>
+double approximate(const T& x) {
+  if constexpr (oracles::BallNumber<T>)
+    return x.head();
+  else
+    return static_cast<double>(x);
+}
+/// The same of sizes, in double.
+inline double weighted_size(const std::vector<double>& x, const std::vector<double>& w) {
+  return weighted_norm(x, w);
+}
+inline double weighted_size(const std::vector<oracles::Tangent>& x, const std::vector<double>& w) {
+  double sum = 0;
+  for (std::size_t k = 0; k < x.size(); ++k) sum += w[k] * x[k].d * (w[k] * x[k].d);
+  return std::sqrt(sum);
+}
+/// Of each pair of entries.
+inline std::vector<double> products(const std::vector<double>& w) {
+  std::vector<double> all;
+  for (double a : w)
+    for (double b : w) all.push_back(a * b);
+  return all;
+}
+
+/// ||w (computed - exact)|| / max(||w exact||, least), in eps of S.
+template <class S, class T>
+double weighted_error(const std::vector<T>& computed, const std::vector<T>& exact,
+                      const std::vector<double>& w, const T& scale) {
+  std::vector<T> difference;
+  for (std::size_t k = 0; k < exact.size(); ++k) difference.push_back(computed[k] - exact[k]);
+  const T size = oracles::larger(scale, oracles::least_denominator<S, T>());
+  return oracles::in_eps<S>(T(weighted_norm(difference, w) / size));
+}
+
+}  // namespace liecheck::properties

@@ -1,0 +1,12 @@
+#pragma once
+// A case of a tree of bodies as a C++ program.
+
+#include <invariants/tree_case.hpp>
+#include <string>
+
+namespace liecheck::properties {
+
+/// Makes the model by hand and calls liecheck's own algorithm; numbers are hexadecimal, exact.
+std::string tree_program(const TreeCase<double>& c, const std::string& operation, const std::string& scalar);
+
+}  // namespace liecheck::properties
