@@ -179,7 +179,8 @@ class SeriesOf final : public Series {
     };
     if (const auto j = fails(x)) outcome = j->residual.outcome;
     const std::vector<S> small = shrink_input<S>(
-        x, fields, [&](const auto& x) { return fails(x).has_value(); }, evaluations);
+        x, fields, [&](const auto& x) { return fails(x).has_value(); }, evaluations,
+        [&](const auto& x) { return property_->simpler(x); });
     Shrunk s;
     s.id = address;
     s.id.raw = true;

@@ -1,9 +1,9 @@
 #pragma once
 // Shrinking: from a failing input to the smallest one that still fails in the same way.
 //
-// Greedy passes over the groups of the input, each candidate kept only if it stays valid and still fails: zero or
-// identity, quarter and half turns, axis-aligned, unit scale, powers of two, short decimals, few bits. Bounded by
-// a number of evaluations and by two seconds.
+// Greedy passes over the law's own simpler inputs and over the groups of the input, each candidate kept only if it
+// stays valid and still fails: zero or identity, quarter and half turns, axis-aligned, unit scale, powers of two, short
+// decimals, few bits. Bounded by a number of evaluations and by two seconds.
 
 #include <algorithm>
 #include <chrono>
@@ -15,11 +15,24 @@ namespace liecheck::properties {
 
 template <class S>
 std::vector<S> shrink_input(std::vector<S> input, const std::vector<Field>& fields,
-                            const std::function<bool(const std::vector<S>&)>& still_fails, int evaluations) {
+                            const std::function<bool(const std::vector<S>&)>& still_fails, int evaluations,
+                            const std::function<std::vector<std::vector<S>>(const std::vector<S>&)>& simpler = {}) {
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(2);
+  const auto exhausted = [&] { return evaluations-- <= 0 || std::chrono::steady_clock::now() > deadline; };
+  const auto any_simpler = [&] {
+    for (auto& attempt : simpler(input)) {
+      if (exhausted()) return false;
+      if (still_fails(attempt)) {
+        input = std::move(attempt);
+        return true;
+      }
+    }
+    return false;
+  };
   bool improved = true;
   while (improved) {
     improved = false;
+    while (simpler && any_simpler()) improved = true;
     std::size_t from = 0;
     for (const Field& f : fields) {
       const auto size = static_cast<std::size_t>(f.size);
@@ -27,7 +40,7 @@ std::vector<S> shrink_input(std::vector<S> input, const std::vector<Field>& fiel
                                  input.begin() + static_cast<std::ptrdiff_t>(from + size));
       for (const auto& candidate : shrinks::candidates<S>(group, f.kind)) {
         if (candidate == group) break;  // the rest is no simpler
-        if (evaluations-- <= 0 || std::chrono::steady_clock::now() > deadline) return input;
+        if (exhausted()) return input;
         std::vector<S> attempt = input;
         std::copy(candidate.begin(), candidate.end(), attempt.begin() + static_cast<std::ptrdiff_t>(from));
         if (still_fails(attempt)) {

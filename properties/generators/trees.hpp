@@ -44,6 +44,13 @@ namespace tree_detail {
 
 inline constexpr int reach = 8;  // binades of lengths, speeds and forces beside unit scale
 
+/// The numbers of a body that is not there.
+template <class S>
+void clear_slot(S* slot) {
+  std::fill_n(slot, +TreeSlot::size, S(0));
+  slot[TreeSlot::Q + 3] = slot[TreeSlot::q_Q + 3] = slot[TreeSlot::q_circle] = S(1);
+}
+
 /// m sum a_k^2 (1 - e_k e_k^T) for radii of gyration a_k about turned axes: xx xy yy xz yz zz. Points, needles and
 /// plates, which some joint may not feel, where there is an armature.
 template <class S>
@@ -147,7 +154,7 @@ std::vector<S> random_tree(Source& source, bool floating) {
                                                 : Eigen::Matrix<S, 3, 1>(S(0), S(0), S(-981) / S(100)));
   for (int i = 0; i < tree_slots; ++i) {
     S* slot = &whole(at.slot(i));
-    slot[TreeSlot::Q + 3] = slot[TreeSlot::q_Q + 3] = slot[TreeSlot::q_circle] = S(1);
+    tree_detail::clear_slot(slot);
     whole(at.primaries() + i) = S(-1);
     whole(at.parents() + i) = whole(at.kinds() + i) = S(absent_joint);
     if (i >= joints) continue;

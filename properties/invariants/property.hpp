@@ -97,6 +97,8 @@ class Property {
       if (!isfinite(x)) return false;
     return true;
   }
+  /// Simpler inputs, where that takes more than one field; not all need be valid.
+  virtual std::vector<std::vector<S>> simpler(const std::vector<S>&) const { return {}; }
   /// A C++ program that makes what was measured with liecheck's own functions; empty where the law has none of its
   /// own, and the fields and the operation tell (campaign/snippet.hpp).
   virtual std::string program(const Output&, const std::vector<S>&) const { return ""; }

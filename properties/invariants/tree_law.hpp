@@ -2,6 +2,7 @@
 // What the laws of trees of bodies share: the input and what it means, on random trees or, where a robot is given,
 // on that robot.
 
+#include <generators/tree_shrinks.hpp>
 #include <invariants/tree_case.hpp>
 #include <invariants/tree_laws.hpp>
 #include <invariants/tree_norms.hpp>
@@ -76,6 +77,9 @@ class TreeLaw : public Property<S> {
         for (const char* part : {"_u", "_w"}) add(named(what) + part, Kind::vector, 3, "m, rad, s", any);
     }
     return all;
+  }
+  std::vector<std::vector<S>> simpler(const std::vector<S>& input) const override {
+    return robot_ ? std::vector<std::vector<S>>() : shrinks::simpler_trees(input);
   }
   std::string program(const Output& output, const std::vector<S>& input) const override {
     const std::vector<S> full = full_of(input);

@@ -48,20 +48,32 @@ Parts moved(const JointOf<double>& j, const double* x) {
   }
   return {std::sqrt(u), std::sqrt(w)};
 }
+/// Of a mimic, its |m q| + |o|; of another joint of one number, |q|.
+double coordinate(const TreeOf<double>& tree, const JointOf<double>& j, const double* x) {
+  const bool circle =
+      j.primary >= 0 && tree.joints[static_cast<std::size_t>(j.primary)].kind == JointKind::continuous;
+  const double y = circle ? std::fabs(std::atan2(x[1], x[0])) : std::fabs(x[0]);
+  return j.primary >= 0 ? std::fabs(j.multiplier) * y + std::fabs(j.offset) : y;
+}
 /// |p_E(q)|.
 double slide(const TreeOf<double>& tree, std::size_t i, const std::vector<double>& q) {
   const JointOf<double>& j = tree.joints[i];
   const double* x = &q[static_cast<std::size_t>(tree.idx_q[i])];
-  if (j.kind == JointKind::prismatic || j.kind == JointKind::helical) {
-    const bool turns =
-        j.primary >= 0 && tree.joints[static_cast<std::size_t>(j.primary)].kind == JointKind::continuous;
-    const double y = turns ? std::fabs(std::atan2(x[1], x[0])) : std::fabs(x[0]);
-    const double own = j.primary >= 0 ? std::fabs(j.multiplier) * y + std::fabs(j.offset) : y;
-    return own * (j.kind == JointKind::helical ? std::fabs(j.pitch) : 1);
-  }
+  if (j.kind == JointKind::prismatic || j.kind == JointKind::helical)
+    return coordinate(tree, j, x) * (j.kind == JointKind::helical ? std::fabs(j.pitch) : 1);
   if (j.kind == JointKind::planar) return size({{x[0], x[1], 0}});
   if (j.kind == JointKind::translation || j.kind == JointKind::free_flyer) return size({{x[0], x[1], x[2]}});
   return 0;
+}
+/// 1 + twice the angles of all mimics: what the roundings of those turn, on the way out and on the way back.
+double of_mimics(const TreeOf<double>& tree, const std::vector<double>& q) {
+  double angles = 0;
+  for (std::size_t i = 0; i < tree.joints.size(); ++i) {
+    const JointOf<double>& j = tree.joints[i];
+    if (j.primary >= 0 && j.kind != JointKind::prismatic)
+      angles += coordinate(tree, j, &q[static_cast<std::size_t>(tree.idx_q[i])]);
+  }
+  return 1 + 2 * angles;
 }
 double value(double x) {
   return x;
@@ -167,6 +179,12 @@ TreeSizes<N>::TreeSizes(const TreeOf<double>& tree, const Numbers& q, const Numb
         i = j.parent;
       }
     }
+  const double factor = of_mimics(tree, q);
+  for (N& x : tau) x = N(factor) * x;
+  for (double& x : mass) x *= factor;
+  for (Joint& j : joints)
+    for (N* x : {&j.w, &j.u, &j.al, &j.ac, &j.position}) *x = N(factor) * *x;
+  for (double* x : {&linear, &angular, &kinetic, &potential}) *x *= factor;
 }
 
 template struct TreeSizes<double>;

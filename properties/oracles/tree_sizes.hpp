@@ -8,8 +8,9 @@
 //
 // A result divided by these is what is left of its terms: kappa = terms / ||result|| is how much larger than itself the
 // result may move when each vector of the problem moves by a relative eps in any direction. How far from the world's
-// origin it all is adds nothing. With `about_root`, forces and motions are taken at the origin of the first joint, and
-// the distance from there is a lever more.
+// origin it all is adds nothing. A mimic's angle m q + o is rounded, which turns all that is behind it by eps of the
+// angle: the terms count that many times more. With `about_root`, forces and motions are taken at the origin of the
+// first joint, and the distance from there is a lever more.
 //
 // A displacement d of q turns and moves what is behind a joint: through Tangent, a number with its derivative, the same
 // recursions bound those of tau.

@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <generators/trees.hpp>
 #include <regex>
 #include <set>
 
@@ -154,6 +155,34 @@ TEST(Shrinking, EndsInWhatPeopleWrite) {
   EXPECT_EQ(shrink({0.8, -0.6, 0, 0.6, 0.8, 0, 0, 0, 1}, Kind::rotation_matrix,
                    [](const V& R) { return R[1] < 0; }),
             (V{0, -1, 0, 1, 0, 0, 0, 0, 1}));
+}
+
+TEST(Shrinking, LeavesTheJointsThatMatter) {
+  using V = std::vector<double>;
+  const auto all = make_properties<double>();
+  const auto law = std::find_if(all.begin(), all.end(), [](const auto& p) { return p->name() == "lagrange"; });
+  ASSERT_NE(law, all.end());
+  const TreeLayout at{tree_slots};
+  const auto count = [&](const V& x, auto wanted) {
+    int n = 0;
+    for (int i = 0; i < tree_slots; ++i)
+      n += x[static_cast<std::size_t>(at.parents() + i)] >= -1 && wanted(x[static_cast<std::size_t>(at.kinds() + i)]);
+    return n;
+  };
+  const auto any = [](double) { return true; };
+  const auto spherical = [](double kind) { return kind == static_cast<int>(oracles::JointKind::spherical); };
+  int trees = 0;
+  for (int i = 0; i < 60; ++i) {
+    Source source(sha256("tree" + std::to_string(i)));
+    const V x = (*law)->generate(source);
+    if (count(x, any) < 3 || count(x, spherical) == 0) continue;
+    ++trees;
+    const V small = shrink_input<double>(
+        x, (*law)->fields(), [&](const V& y) { return (*law)->valid(y) && count(y, spherical) > 0; }, 5000,
+        [&](const V& y) { return (*law)->simpler(y); });
+    EXPECT_EQ(count(small, any), 1) << i;
+  }
+  EXPECT_GT(trees, 5);
 }
 
 TEST(Shrinking, KeepsTheOutputAndTheOutcome) {
