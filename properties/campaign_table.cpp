@@ -56,11 +56,12 @@ int print_campaign(const CampaignResult& r, bool verbose) {
     std::string limit;
     for (const auto& [key, row] : tally.rows) {
       const Output& o = series->outputs.at(static_cast<std::size_t>(key.first));
-      const Budget& b =
-          budget_of(series->subject, o.operation, o.block, series->bands()[static_cast<std::size_t>(key.second)].region);
+      const Budget& b = budget_of(series->subject, o.operation, o.block,
+                                  series->bands()[static_cast<std::size_t>(key.second)].region);
       // an unresolved case is the one to replay, and has no figure
       const double measured = b.rule == Rule::forward ? row.max_error : row.max_excess;
-      worst = std::max(worst, (row.failed || row.worst_score < infinity ? row.worst_score : measured) / b.limit);
+      worst =
+          std::max(worst, (row.failed || row.worst_score < infinity ? row.worst_score : measured) / b.limit);
       failed = failed || row.failed > 0;
       unresolved += row.unresolved;
     }
@@ -99,8 +100,8 @@ int print_campaign(const CampaignResult& r, bool verbose) {
       r.total_cases ? 100.0 * static_cast<double>(fast) / static_cast<double>(r.total_cases) : 0.0, checked,
       disagreed);
   print_coverage(r, verbose);
-  fmt::print("\nseed {}, {} cases in {:.1f} s, robot {} ({})\n", r.options.seed, r.total_cases, r.elapsed,
-             printable(r.robot.name), r.robot.hash);
+  fmt::print("\nseed {}, {} cases in {:.1f} s, robot {}{} ({})\n", r.options.seed, r.total_cases, r.elapsed,
+             printable(r.robot.name), r.robot.fixed ? ", fixed" : "", r.robot.hash);
   fmt::print("inputs  {}\nresults {}\n", r.inputs_digest, r.results_digest);
   fmt::print("verdict {}\n", r.incomplete ? "incomplete" : r.failed ? "fail" : "pass");
   return r.incomplete ? incomplete : r.failed ? property_failed : within_budget;

@@ -160,7 +160,7 @@ class CorpusFile {
 int run_hunt(const HuntFlags& f, const Robot& robot) {
   const auto all = series_of(f, robot);
   CorpusFile corpus(f.corpus);
-  const std::string robot_flag = robot.path.empty() ? "" : " --robot " + shell_quoted(robot.path);
+  const std::string robot_flag = robot.path.empty() ? "" : robot_flags(robot);
   bool failed = false;
   for (std::size_t k = 0; k < all.size(); ++k) {
     const Series& series = *all[k];

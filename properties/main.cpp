@@ -42,7 +42,7 @@ extern "C" void on_signal(int number) {
 
 struct Flags {
   std::vector<std::string> subjects, properties, scalars;
-  std::string robot, json, duration, id, out = "liecheck-report";
+  std::string robot, root = "free-flyer", json, duration, id, out = "liecheck-report";
   std::vector<std::string> records, files;
   bool no_hard_cases = false, no_cost = false, no_scenes = false, verbose = false;
   std::uint64_t seed = 42, cases = 1000;
@@ -52,7 +52,7 @@ struct Flags {
 
 /// Read once: it may be a pipe.
 const Robot& robot_of(const Flags& f) {
-  static const Robot robot = f.robot.empty() ? built_in_robot() : load_robot(f.robot);
+  static const Robot robot = f.robot.empty() ? built_in_robot() : load_robot(f.robot, f.root == "fixed");
   return robot;
 }
 
@@ -327,7 +327,13 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", LIECHECK_VERSION);
   Flags f;
   const auto robot_flag = [&](CLI::App* c, const char* help) {
-    return filled(c->add_option("--robot", f.robot, help), "URDF");
+    auto* robot = filled(c->add_option("--robot", f.robot, help), "URDF");
+    filled(c->add_option("--root", f.root, "how the robot stands in the world: free-flyer or fixed")
+               ->capture_default_str()
+               ->check(CLI::IsMember({"free-flyer", "fixed"})),
+           "ROOT")
+        ->needs(robot);
+    return robot;
   };
   const char* robot_help = "robot for configuration properties; built in: mixed_joints";
   const auto jobs_flag = [&](CLI::App* c) {
@@ -471,32 +477,40 @@ int main(int argc, char** argv) {
   auto* scene_run = scenes->add_subcommand(
       "run", "simulate it. Exit 0, 2 bad input, 3 it diverged or was stopped: what was done is kept");
   filled(scene_run->add_option("FILE", scene.file, "the scene"), "SCENE")->required();
-  filled(scene_run->add_option("--csv", scene.csv, "write the samples to FILE, not where the scene says"), "FILE");
+  filled(scene_run->add_option("--csv", scene.csv, "write the samples to FILE, not where the scene says"),
+         "FILE");
   filled(scene_run->add_option("--json", scene.json, "write samples and figures to FILE, likewise"), "FILE");
-  auto* scene_explain = scenes->add_subcommand(
-      "explain", "its plan: what is computed, what was left out and why, and what each stage costs. Exit 0, 2 bad input");
+  auto* scene_explain = scenes->add_subcommand("explain",
+                                               "its plan: what is computed, what was left out and why, and "
+                                               "what each stage costs. Exit 0, 2 bad input");
   filled(scene_explain->add_option("FILE", scene.file, "the scene"), "SCENE")->required();
   SceneSweepFlags ss;
-  auto* scene_sweep = scenes->add_subcommand(
-      "sweep",
-      "integrators x steps: error against the exact motion, order, drift, time, beside other simulators. Exit 0, 1 an "
-      "order is not what was promised, 2 bad input, 3 stopped");
-  filled(scene_sweep->add_option("FILE", ss.files, "scenes; default the built-in ones, and long spins"), "SCENE");
-  filled(scene_sweep->add_option("--integrator", ss.options.integrators, "an integrator, repeatable; default all"), "NAME");
+  auto* scene_sweep = scenes->add_subcommand("sweep",
+                                             "integrators x steps: error against the exact motion, order, "
+                                             "drift, time, beside other simulators. Exit 0, 1 an "
+                                             "order is not what was promised, 2 bad input, 3 stopped");
+  filled(scene_sweep->add_option("FILE", ss.files, "scenes; default the built-in ones, and long spins"),
+         "SCENE");
+  filled(scene_sweep->add_option("--integrator", ss.options.integrators,
+                                 "an integrator, repeatable; default all"),
+         "NAME");
   scene_sweep
       ->add_option_function<std::vector<std::string>>(
           "--steps",
           [&ss](const std::vector<std::string>& all) {
-            for (const std::string& n : all) ss.options.steps.push_back(long(decimal("--steps", n, 4, 1u << 30)));
+            for (const std::string& n : all)
+              ss.options.steps.push_back(long(decimal("--steps", n, 4, 1u << 30)));
           },
-          "steps over the whole duration, multiples of 4, repeatable; default from coarse to the floor of rounding")
+          "steps over the whole duration, multiples of 4, repeatable; default from coarse to the floor of "
+          "rounding")
       ->type_name("N")
       ->allow_extra_args(false);
   scene_sweep->add_flag("--no-orders", ss.no_orders, "do not measure orders");
   scene_sweep->add_flag("--no-times", ss.no_times, "do not measure times");
   scene_sweep->add_flag("--no-peers", ss.no_peers, "leave out other simulators");
-  filled(scene_sweep->add_option("--for", f.duration, "about how long all timing takes: 30s, 5m; default 20s"),
-         "DURATION")
+  filled(
+      scene_sweep->add_option("--for", f.duration, "about how long all timing takes: 30s, 5m; default 20s"),
+      "DURATION")
       ->check(wrong, "");
   filled(scene_sweep->add_option("--json", ss.json, "write errors, orders, drift and times to FILE"), "FILE");
   auto* scene_keys = scenes->add_subcommand("keys", "every key that a scene may have. Exit 0");
@@ -517,7 +531,8 @@ int main(int argc, char** argv) {
              ->capture_default_str(),
          "DIR");
   report->add_flag("--no-cost", f.no_cost, "leave out the times, which take about 35 s")->excludes(records);
-  report->add_flag("--no-scenes", f.no_scenes, "leave out the scenes, which take about 40 s")->excludes(records);
+  report->add_flag("--no-scenes", f.no_scenes, "leave out the scenes, which take about 40 s")
+      ->excludes(records);
   for (auto* option : budget_flags(report)) option->excludes(records);
   const StoreCommands store_commands(app);
 

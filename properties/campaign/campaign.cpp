@@ -219,8 +219,7 @@ std::string describe_failure(const Series& series, std::uint64_t seed, int outpu
   const Budget& budget = budget_of(series.subject, o.operation, o.block, b.region);
   const CaseId id = series.id(seed, row.worst_index);
   const Shrunk s = series.shrink(id, output, 2000);
-  const std::string with_robot =
-      series.robot != "none" && !robot.path.empty() ? " --robot " + shell_quoted(robot.path) : "";
+  const std::string with_robot = series.robot != "none" && !robot.path.empty() ? robot_flags(robot) : "";
   std::string text;
   text += fmt::format("FAILED  {}: {}\n", series.property, series.law);
   text += fmt::format("  law       {}\n", series.equation);

@@ -96,7 +96,8 @@ inline bool agree(const std::vector<Judged>& fast, const std::vector<Judged>& sl
         fast[i].failed != slow[i].failed || fast[i].ill_posed != slow[i].ill_posed)
       return false;
     if (a.outcome != Outcome::measured) continue;
-    if (a.error != b.error && !(std::fabs(a.error - b.error) <= 1.01 * oracles::error_accuracy * std::max(1.0, b.error)))
+    if (a.error != b.error &&
+        !(std::fabs(a.error - b.error) <= 1.01 * oracles::error_accuracy * std::max(1.0, b.error)))
       return false;
     const bool asked = a.kappa > 0 && b.kappa > 0 && !slow[i].ill_posed;
     if (asked && !(std::fabs(std::max(1.0, a.kappa) - std::max(1.0, b.kappa)) <= kappa_accuracy * b.kappa))

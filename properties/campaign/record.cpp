@@ -204,27 +204,29 @@ json record_of(const CampaignResult& r) {
   }
   json failing = json::array();
   for (const auto& f : r.counterexamples.failing) failing.push_back(f.id);
-  return {{"version", LIECHECK_VERSION},
-          {"generator_version", generator_version},
-          {"seed", r.options.seed},
-          {"cases", r.options.seconds ? r.total_cases : r.options.cases},
-          {"total_cases", r.total_cases},
-          {"verdict", r.incomplete ? "incomplete"
-                      : r.failed   ? "fail"
-                                   : "pass"},
-          {"counterexamples",
-           {{"replayed", r.counterexamples.replayed},
-            {"skipped", r.counterexamples.skipped},
-            {"failing", failing}}},
-          {"digest", {{"inputs", r.inputs_digest}, {"results", r.results_digest}}},
-          {"robot", {{"name", r.robot.name}, {"hash", r.robot.hash}}},
-          {"environment", r.environment.empty() ? environment() : json::parse(r.environment)},
-          {"subjects", subjects_json},
-          {"absent", absent_subjects()},
-          {"blocks", blocks()},
-          {"operations", operations},
-          {"properties", laws},
-          {"results", rows}};
+  return {
+      {"version", LIECHECK_VERSION},
+      {"generator_version", generator_version},
+      {"seed", r.options.seed},
+      {"cases", r.options.seconds ? r.total_cases : r.options.cases},
+      {"total_cases", r.total_cases},
+      {"verdict", r.incomplete ? "incomplete"
+                  : r.failed   ? "fail"
+                               : "pass"},
+      {"counterexamples",
+       {{"replayed", r.counterexamples.replayed},
+        {"skipped", r.counterexamples.skipped},
+        {"failing", failing}}},
+      {"digest", {{"inputs", r.inputs_digest}, {"results", r.results_digest}}},
+      {"robot",
+       {{"name", r.robot.name}, {"hash", r.robot.hash}, {"root", r.robot.fixed ? "fixed" : "free-flyer"}}},
+      {"environment", r.environment.empty() ? environment() : json::parse(r.environment)},
+      {"subjects", subjects_json},
+      {"absent", absent_subjects()},
+      {"blocks", blocks()},
+      {"operations", operations},
+      {"properties", laws},
+      {"results", rows}};
 }
 
 }  // namespace liecheck::properties

@@ -8,6 +8,7 @@
 #include <campaign/hunt.hpp>
 #include <campaign/judge.hpp>
 #include <campaign/shrink.hpp>
+#include <campaign/text.hpp>
 #include <chrono>
 #include <cstddef>
 #include <cstring>
@@ -67,6 +68,7 @@ class SeriesOf final : public Series {
     outputs = property_->outputs();
     property_->prepare(robot_used);
     robot = property_->needs_robot() ? robot_used.hash : "none";
+    robot_fixed = robot_used.fixed;
     fields = property_->fields();
     for (const Output& o : outputs)
       budgets_.push_back({&budget_of(subject, o.operation, o.block, Region::to_pi),
@@ -371,12 +373,14 @@ std::vector<std::string> property_names() {
   return names;
 }
 
-Robot robot_of(const std::string& urdf, const std::string& path) {
+Robot robot_of(const std::string& urdf, const std::string& path, bool fixed) {
   Robot r;
-  r.urdf = urdf, r.path = path;
-  r.hash = hexadecimal(sha256(urdf)).substr(0, 16);
+  r.urdf = urdf, r.path = path, r.fixed = fixed;
+  r.hash = hexadecimal(sha256(fixed ? urdf + "\nroot fixed\n" : urdf)).substr(0, 16);
   const std::string source = path.empty() ? "the built-in robot" : path;
-  const auto model = buildModelFromUrdfText(urdf, RootJoint::FreeFlyer, source);
+  const auto model = buildModelFromUrdfText(urdf, fixed ? RootJoint::Fixed : RootJoint::FreeFlyer, source);
+  if (model.nv == 0)
+    throw UrdfError(source, 0, "nothing moves: no joint but fixed ones, and --root fixed", model.name);
   for (std::size_t j = 1; j < model.joints.size(); ++j)
     if (model.nqs[j] == 4)
       throw UrdfError(source, 0, "a planar joint: no law measures one yet", model.names[j]);
@@ -384,8 +388,12 @@ Robot robot_of(const std::string& urdf, const std::string& path) {
   return r;
 }
 
-Robot load_robot(const std::string& path) {
-  return robot_of(readUrdf(path), path);
+Robot load_robot(const std::string& path, bool fixed) {
+  return robot_of(readUrdf(path), path, fixed);
+}
+
+std::string robot_flags(const Robot& robot) {
+  return " --robot " + shell_quoted(robot.path) + (robot.fixed ? " --root fixed" : "");
 }
 
 Robot built_in_robot() {

@@ -28,6 +28,7 @@ class Series {
  public:
   virtual ~Series() = default;
   std::string property, subject, subject_version, scalar, robot;
+  bool robot_fixed = false;
   std::string law, equation, source;
   double eps = 0;
   std::vector<Output> outputs;
@@ -65,9 +66,11 @@ void check_subjects(const std::vector<std::string>& names);
 std::vector<std::string> property_names();
 
 /// Reads the robot and its hash. Throws what the URDF reader throws.
-Robot load_robot(const std::string& path);
+Robot load_robot(const std::string& path, bool fixed = false);
 Robot built_in_robot();
+/// " --robot FILE", and its root where that is not free.
+std::string robot_flags(const Robot& robot);
 /// `path` is what --robot was given; empty where the text came from elsewhere.
-Robot robot_of(const std::string& urdf, const std::string& path);
+Robot robot_of(const std::string& urdf, const std::string& path, bool fixed = false);
 
 }  // namespace liecheck::properties

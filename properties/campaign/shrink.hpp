@@ -14,9 +14,10 @@
 namespace liecheck::properties {
 
 template <class S>
-std::vector<S> shrink_input(std::vector<S> input, const std::vector<Field>& fields,
-                            const std::function<bool(const std::vector<S>&)>& still_fails, int evaluations,
-                            const std::function<std::vector<std::vector<S>>(const std::vector<S>&)>& simpler = {}) {
+std::vector<S> shrink_input(
+    std::vector<S> input, const std::vector<Field>& fields,
+    const std::function<bool(const std::vector<S>&)>& still_fails, int evaluations,
+    const std::function<std::vector<std::vector<S>>(const std::vector<S>&)>& simpler = {}) {
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(2);
   const auto exhausted = [&] { return evaluations-- <= 0 || std::chrono::steady_clock::now() > deadline; };
   const auto any_simpler = [&] {

@@ -90,7 +90,7 @@ struct Variable {
   std::string text;
 };
 
-std::vector<Variable> variables(bool robot) {
+std::vector<Variable> variables(bool robot, bool fixed) {
   const auto stacked = [](int size, const char* name, const char* first, const char* last) {
     return Variable{name,
                     {first, last},
@@ -108,7 +108,8 @@ std::vector<Variable> variables(bool robot) {
     all.push_back(
         {"model",
          {},
-         "  const auto model = buildModelFromUrdf(\"ROBOT.urdf\", RootJoint::FreeFlyer).cast<S>();\n"});
+         fmt::format("  const auto model = buildModelFromUrdf(\"ROBOT.urdf\", RootJoint::{}).cast<S>();\n",
+                     fixed ? "Fixed" : "FreeFlyer")});
   return all;
 }
 
@@ -171,7 +172,7 @@ std::string snippet(const Series& series, const Output& output, const std::vecto
   const auto has = [&](const std::string& name) {
     return std::any_of(fields.begin(), fields.end(), [&](const Field& f) { return f.name == name; });
   };
-  for (const Variable& v : variables(series.robot != "none"))
+  for (const Variable& v : variables(series.robot != "none", series.robot_fixed))
     if (mentions(result, v.name) && !has(v.name) && std::all_of(v.fields.begin(), v.fields.end(), has)) {
       set_up += v.text;
       needed.insert(needed.end(), v.fields.begin(), v.fields.end());

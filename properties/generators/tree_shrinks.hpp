@@ -17,7 +17,9 @@ std::optional<std::vector<S>> without_joint(const std::vector<S>& x, int k) {
   while (joints < at.slots && number(at.parents() + joints) >= S(-1)) ++joints;
   if (joints < 2 || k >= joints) return std::nullopt;
   const S removed(k), parent = number(at.parents() + k);
-  const auto move_up = [&](S& joint) { joint = joint == removed ? parent : joint > removed ? joint - S(1) : joint; };
+  const auto move_up = [&](S& joint) {
+    joint = joint == removed ? parent : joint > removed ? joint - S(1) : joint;
+  };
   for (int i = 0; i < joints; ++i) {
     if (number(at.primaries() + i) == removed) return std::nullopt;
     if (number(at.primaries() + i) > removed) number(at.primaries() + i) -= S(1);

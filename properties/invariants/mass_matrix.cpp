@@ -64,7 +64,8 @@ class MassMatrix final : public TreeLaw<MassMatrix, S> {
     const std::vector<T> one = this->template exact_list<T>(this->flat(M)),
                          other = this->template exact_list<T>(this->flat(by_columns));
     const T size = weighted_norm(exact, products(w));
-    r.record(columns, 0, weighted_error<S>(other, one, products(w), size), [&] { return terms / approximate(size); });
+    r.record(columns, 0, weighted_error<S>(other, one, products(w), size),
+             [&] { return terms / approximate(size); });
   }
 };
 

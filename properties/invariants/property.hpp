@@ -67,10 +67,11 @@ class Recorder {
 
 /// The robot that configuration properties run on.
 struct Robot {
-  std::string name;  ///< of its <robot> element
-  std::string urdf;  ///< the text
-  std::string hash;  ///< 16 hexadecimal digits of its SHA-256
-  std::string path;  ///< as given; empty for the built-in one
+  std::string name;    ///< of its <robot> element
+  std::string urdf;    ///< the text
+  std::string path;    ///< as given; empty for the built-in one
+  bool fixed = false;  ///< its root is welded to the world; otherwise it floats
+  std::string hash;    ///< 16 hexadecimal digits of the SHA-256 of the text, and of whether it is fixed
 };
 
 template <class S>

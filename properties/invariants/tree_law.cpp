@@ -28,8 +28,9 @@ void add_tree_law(const std::string& property) {
   tree_laws().insert(property);
 }
 
-RobotNumbers robot_numbers(const std::string& urdf, const std::string& name) {
-  const Model<double> m = buildModelFromUrdfText(urdf, RootJoint::FreeFlyer, name);
+RobotNumbers robot_numbers(const Robot& robot) {
+  const Model<double> m =
+      buildModelFromUrdfText(robot.urdf, robot.fixed ? RootJoint::Fixed : RootJoint::FreeFlyer, robot.name);
   RobotNumbers r;
   r.at = {m.njoints - 1};
   r.numbers.assign(r.at.size(), 0);

@@ -16,8 +16,8 @@ struct RobotNumbers {
   TreeLayout at{0};
   std::vector<double> numbers;
 };
-/// Of the tree that a URDF becomes with a free-flyer. Throws what the URDF reader throws.
-RobotNumbers robot_numbers(const std::string& urdf, const std::string& name);
+/// Of the tree that a URDF becomes. Throws what the URDF reader throws.
+RobotNumbers robot_numbers(const Robot& robot);
 
 namespace tree_law_detail {
 /// Are the eigenvalues of the second moment tr(I) / 2 - I more than `least` tr(I)? I: xx xy yy xz yz zz.
@@ -91,7 +91,7 @@ class TreeLaw : public Property<S> {
   bool needs_robot() const override { return robot_; }
   void prepare(const Robot& robot) override {
     if (robot.path.empty()) return;
-    const RobotNumbers r = robot_numbers(robot.urdf, robot.name);
+    const RobotNumbers r = robot_numbers(robot);
     robot_ = true;
     at_ = r.at;
     fixed_.clear();

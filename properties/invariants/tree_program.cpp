@@ -38,11 +38,11 @@ const Call* call_of(const std::string& operation) {
       {"tree_mass_inverse", {"crba", "", "computeMinverse(model, data, q)"}},
       {"rnea_of_aba",
        {"aba", "a = aba(model, data, q, v, tau, on);", "(rnea(model, data, q, v, a, on) - tau).transpose()"}},
-      {"tree_momentum", {"centroidal", "", "computeCentroidalMomentum(model, data, q, v).to_vector().transpose()"}},
+      {"tree_momentum",
+       {"centroidal", "", "computeCentroidalMomentum(model, data, q, v).to_vector().transpose()"}},
       {"tree_momentum_map", {"centroidal", "", "(computeCentroidalMap(model, data, q) * v).transpose()"}},
       {"momentum_conserved",
-       {"aba",
-        "model.gravity.setZero(), tau.head(6).setZero();\n  a = aba(model, data, q, v, tau);",
+       {"aba", "model.gravity.setZero(), tau.head(6).setZero();\n  a = aba(model, data, q, v, tau);",
         "rnea(model, data, q, v, a).head(6).transpose()"}},
       {"rnea_derivatives",
        {"derivatives", "computeRNEADerivatives(model, data, q, v, a, on);",
@@ -50,9 +50,11 @@ const Call* call_of(const std::string& operation) {
       {"aba_derivatives",
        {"derivatives", "computeABADerivatives(model, data, q, v, tau, on);",
         "(data.ddq_dq() * d).transpose() << '\\n' << (data.ddq_dv() * d).transpose()"}},
-      {"frame_pose", {"frames", "framesForwardKinematics(model, data, q);", "data.oMf[frame].toActionMatrix()"}},
+      {"frame_pose",
+       {"frames", "framesForwardKinematics(model, data, q);", "data.oMf[frame].toActionMatrix()"}},
       {"frame_velocity", of_frame("getFrameVelocity(model, data, frame, seen).to_vector().transpose()")},
-      {"frame_acceleration", of_frame("getFrameAcceleration(model, data, frame, seen).to_vector().transpose()")},
+      {"frame_acceleration",
+       of_frame("getFrameAcceleration(model, data, frame, seen).to_vector().transpose()")},
       {"frame_classical_acceleration",
        of_frame("getFrameClassicalAcceleration(model, data, frame, seen).to_vector().transpose()")},
       {"frame_jacobian",
@@ -60,7 +62,8 @@ const Call* call_of(const std::string& operation) {
         "(getFrameJacobian(model, data, frame, seen) * v).transpose()"}},
       {"frame_jacobian_rate",
        {"jacobians", "computeJointJacobiansTimeVariation(model, data, q, v);",
-        "(getFrameJacobian(model, data, frame, seen) * a + getFrameJacobianTimeVariation(model, data, frame, seen) * "
+        "(getFrameJacobian(model, data, frame, seen) * a + getFrameJacobianTimeVariation(model, data, frame, "
+        "seen) * "
         "v).transpose()"}}};
   const auto found = calls.find(operation);
   return found == calls.end() ? nullptr : &found->second;
@@ -116,7 +119,8 @@ std::string tree_program(const TreeCase<double>& c, const std::string& operation
   if (!call) return "";
   std::string text = fmt::format(
       "// c++ -std=gnu++20 -I lib $(pkg-config --cflags eigen3) case.cpp -lliecheck_lib\n"
-      "#include <iostream>\n#include <vector>\n#include <liecheck/algorithms/{}.hpp>\nusing namespace liecheck;\n"
+      "#include <iostream>\n#include <vector>\n#include <liecheck/algorithms/{}.hpp>\nusing namespace "
+      "liecheck;\n"
       "int main() {{\n  using S = {};\n  Model<S> model;\n  model.gravity = {};\n  int i = 0;\n",
       call->header, scalar, three(c.tree.gravity));
   for (std::size_t k = 0; k < c.tree.joints.size(); ++k) {
@@ -125,34 +129,40 @@ std::string tree_program(const TreeCase<double>& c, const std::string& operation
                                            : fmt::format("Mimic<S>({}, {}, {}, {})", joint(j), j.primary + 1,
                                                          number(j.multiplier), number(j.offset));
     const auto& I = j.body.I_C;
-    const double entries[] = {I(0, 0), I(0, 1), I(0, 2), I(1, 0), I(1, 1), I(1, 2), I(2, 0), I(2, 1), I(2, 2)};
+    const double entries[] = {I(0, 0), I(0, 1), I(0, 2), I(1, 0), I(1, 1),
+                              I(1, 2), I(2, 0), I(2, 1), I(2, 2)};
     text += fmt::format(
         "  i = model.addJoint({}, {}, {}, \"{}\");\n"
         "  model.appendBodyToJoint(i, Inertia<S>({}, {}, (Matrix3<S>() << {}).finished()));\n",
         j.parent + 1, kind, pose(j.Q, j.p), k, number(j.body.mass), three(j.body.c), list(entries));
     if (j.primary < 0 && j.armature != 0)
-      text += fmt::format("  model.armature.tail(model.nvs[{}]).setConstant({});\n", k + 1, number(j.armature));
+      text +=
+          fmt::format("  model.armature.tail(model.nvs[{}]).setConstant({});\n", k + 1, number(j.armature));
   }
   const std::string uses = std::string(call->before) + call->result;
   const auto mentions = [&](const std::string& word) { return uses.find(word) != std::string::npos; };
   if (mentions("frame"))
-    text += fmt::format(
-        "  const auto frame = model.addFrame({{\"frame\", {}, 0, {}, FrameType::OP_FRAME}});\n", c.frame_joint + 1,
-        pose(c.frame_Q, c.frame_p));
-  text += "  Data<S> data(model, Dense::Derivatives);\n" + vector("q", c.q) + vector("v", c.v) + vector("a", c.a);
+    text +=
+        fmt::format("  const auto frame = model.addFrame({{\"frame\", {}, 0, {}, FrameType::OP_FRAME}});\n",
+                    c.frame_joint + 1, pose(c.frame_Q, c.frame_p));
+  text +=
+      "  Data<S> data(model, Dense::Derivatives);\n" + vector("q", c.q) + vector("v", c.v) + vector("a", c.a);
   if (mentions("tau")) text += "  VectorX<S> tau = a;\n";
   if (mentions("* d)")) text += vector("d", c.d);
   if (mentions(", on)")) {
     text += fmt::format("  std::vector<Force<S>> on(std::size_t(model.njoints), Force<S>::Zero());\n");
     for (const auto& w : c.wrench)
-      text += fmt::format("  on[{}] = Force<S>({}, {});\n", w.joint + 1, fmt::format("Vector3<S>({})", list(std::vector<double>(w.F.x.begin(), w.F.x.begin() + 3))),
-                          fmt::format("Vector3<S>({})", list(std::vector<double>(w.F.x.begin() + 3, w.F.x.end()))));
+      text += fmt::format(
+          "  on[{}] = Force<S>({}, {});\n", w.joint + 1,
+          fmt::format("Vector3<S>({})", list(std::vector<double>(w.F.x.begin(), w.F.x.begin() + 3))),
+          fmt::format("Vector3<S>({})", list(std::vector<double>(w.F.x.begin() + 3, w.F.x.end()))));
   }
   text += "  std::cout.precision(17);\n";
   if (*call->before) text += fmt::format("  {}\n", call->before);
   if (mentions("seen"))
     return text +
-           "  for (auto seen : {ReferenceFrame::WORLD, ReferenceFrame::LOCAL, ReferenceFrame::LOCAL_WORLD_ALIGNED})\n" +
+           "  for (auto seen : {ReferenceFrame::WORLD, ReferenceFrame::LOCAL, "
+           "ReferenceFrame::LOCAL_WORLD_ALIGNED})\n" +
            fmt::format("    std::cout << {} << '\\n';\n}}\n", call->result);
   return text + fmt::format("  std::cout << {} << '\\n';\n}}\n", call->result);
 }

@@ -15,8 +15,16 @@ TreeOf<T> converted(const TreeOf<Real>& tree) {
   TreeOf<T> to;
   to.gravity = cast<T>(tree.gravity);
   for (const JointOf<Real>& j : tree.joints)
-    to.joints.push_back({j.kind, j.parent, j.primary, cast<T>(j.Q), cast<T>(j.p), cast<T>(j.axis), T(j.pitch),
-                         T(j.multiplier), T(j.offset), T(j.armature),
+    to.joints.push_back({j.kind,
+                         j.parent,
+                         j.primary,
+                         cast<T>(j.Q),
+                         cast<T>(j.p),
+                         cast<T>(j.axis),
+                         T(j.pitch),
+                         T(j.multiplier),
+                         T(j.offset),
+                         T(j.armature),
                          {T(j.body.mass), cast<T>(j.body.c), cast<T>(j.body.I_C)}});
   to.index();
   return to;

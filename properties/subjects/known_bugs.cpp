@@ -458,8 +458,8 @@ struct Bugs {
         {"robot_idx_v", "joints behind the base read their increment one place too early",
          "erdc/proteus pull 911",
          [](O& o) {
-           o.robot = [](const std::string& urdf) {
-             RobotOperations<S> r = good().robot(urdf);
+           o.robot = [](const std::string& urdf, bool fixed) {
+             RobotOperations<S> r = good().robot(urdf, fixed);
              r.integrate = [inner = r.integrate](const VecX<S>& q, const VecX<S>& d) -> VecX<S> {
                VecX<S> shifted = d;
                for (Eigen::Index i = 6; i + 1 < d.size(); ++i) shifted[i + 1] = d[i];
@@ -470,8 +470,8 @@ struct Bugs {
          }},
         {"robot_same_by_coefficients", "Q and -Q are two configurations", "moble/quaternion pull 150",
          [](O& o) {
-           o.robot = [](const std::string& urdf) {
-             RobotOperations<S> r = good().robot(urdf);
+           o.robot = [](const std::string& urdf, bool fixed) {
+             RobotOperations<S> r = good().robot(urdf, fixed);
              r.is_same = [](const VecX<S>& a, const VecX<S>& b) { return a == b; };
              return r;
            };
@@ -709,7 +709,8 @@ const std::vector<KnownBug>& known_bug_table() {
     std::vector<KnownBug> all;
     for (const auto& e : Bugs<double>::entries())
       all.push_back({std::string("bug:") + e.name, e.fault, e.origin});
-    for (const auto& e : tree_bugs<double>()) all.push_back({std::string("bug:") + e.name, e.fault, e.origin});
+    for (const auto& e : tree_bugs<double>())
+      all.push_back({std::string("bug:") + e.name, e.fault, e.origin});
     for (const auto& e : Bugs<double>::alikes())
       all.push_back({std::string("alike:") + e.name, e.fault, e.origin});
     return all;

@@ -108,9 +108,10 @@ struct Own {
     return s;
   }
 
-  static RobotOperations<S> robot(const std::string& urdf) {
+  static RobotOperations<S> robot(const std::string& urdf, bool fixed) {
     const auto model = std::make_shared<const Model<S>>(
-        buildModelFromUrdfText(urdf, RootJoint::FreeFlyer, "the campaign's robot").template cast<S>());
+        buildModelFromUrdfText(urdf, fixed ? RootJoint::Fixed : RootJoint::FreeFlyer, "the campaign's robot")
+            .template cast<S>());
     RobotOperations<S> r;
     r.integrate = [model](const VecX<S>& q, const VecX<S>& d) -> VecX<S> { return integrate(*model, q, d); };
     r.difference = [model](const VecX<S>& a, const VecX<S>& b) -> VecX<S> {

@@ -113,7 +113,7 @@ struct Operations {
   void (*check_rotation)(const M3& R) = nullptr;
 
   /// Reads a URDF with a free-flyer root and binds the configuration operations to it.
-  RobotOperations<S> (*robot)(const std::string& urdf_text) = nullptr;
+  RobotOperations<S> (*robot)(const std::string& urdf_text, bool fixed) = nullptr;
 
   /// Builds a tree of bodies and binds its algorithms.
   TreeOperations<S> (*tree)(const Tree<S>& tree) = nullptr;

@@ -116,8 +116,8 @@ const Registered<double> bugs[] = {
                                })),
     Registered<double>(planted("robot_configuration",
                                [](O& o) {
-                                 o.robot = [](const std::string& urdf) {
-                                   auto r = own().robot(urdf);
+                                 o.robot = [](const std::string& urdf, bool fixed) {
+                                   auto r = own().robot(urdf, fixed);
                                    r.is_same = [](const VecX<double>& a, const VecX<double>& b) {
                                      return (a - b).norm() < 1e-12;
                                    };

@@ -160,13 +160,15 @@ TEST(Shrinking, EndsInWhatPeopleWrite) {
 TEST(Shrinking, LeavesTheJointsThatMatter) {
   using V = std::vector<double>;
   const auto all = make_properties<double>();
-  const auto law = std::find_if(all.begin(), all.end(), [](const auto& p) { return p->name() == "lagrange"; });
+  const auto law =
+      std::find_if(all.begin(), all.end(), [](const auto& p) { return p->name() == "lagrange"; });
   ASSERT_NE(law, all.end());
   const TreeLayout at{tree_slots};
   const auto count = [&](const V& x, auto wanted) {
     int n = 0;
     for (int i = 0; i < tree_slots; ++i)
-      n += x[static_cast<std::size_t>(at.parents() + i)] >= -1 && wanted(x[static_cast<std::size_t>(at.kinds() + i)]);
+      n += x[static_cast<std::size_t>(at.parents() + i)] >= -1 &&
+           wanted(x[static_cast<std::size_t>(at.kinds() + i)]);
     return n;
   };
   const auto any = [](double) { return true; };
