@@ -64,7 +64,10 @@ TEST(BadUrdf, CutOffOrMalformedTextIsRefused) {
   const std::string whole = twoLinks("fixed", "");
   EXPECT_NO_THROW(buildModelFromUrdfText(whole));
   for (std::size_t size = 1; size + 9 < whole.size(); ++size) refusal(whole.substr(0, size));
-  expectRefused("<robot name='r'>\n<link name='a'>\n</robot>", 3, "malformed XML", "Error reading end tag.");
+  expectRefused("<robot name='r'>\n<link name='a'>\n</robot>", 2, "malformed XML",
+                "an element that nothing of its name closes");
+  expectRefused("<robot name='r'>\n<link name='a' name='b'/></robot>", 2, "malformed XML",
+                "an attribute without a value, or twice");
   EXPECT_NE(refusal("<robot name='r'>\n<link name=a/></robot>").find("malformed"), std::string::npos);
   refusal("not XML at all");
   expectRefused(std::string("<robot name='r'>\n<link name='a'/>\0</robot>", 43), 2, "zero byte", "byte 33");
@@ -72,6 +75,17 @@ TEST(BadUrdf, CutOffOrMalformedTextIsRefused) {
                 "robot");
   expectRefused("<robot name='r'><link name='a'/></robot>\nand more", 2, "text outside the root element",
                 "and more");
+}
+
+TEST(Urdf, WhatIsDrawnIsNotRead) {
+  EXPECT_EQ(buildModelFromUrdfText(
+                "<robot name='r'><link name='a'><visual><material name='none'/></visual><inertial>"
+                "<mass value='2'/><inertia ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' izz='1'/>"
+                "</inertial></link><gazebo><link/></gazebo></robot>",
+                RootJoint::FreeFlyer)
+                .inertias[1]
+                .mass(),
+            2);
 }
 
 TEST(BadUrdf, SomethingThatIsNoRobotIsRefused) {

@@ -217,7 +217,7 @@ UrdfRobot loadUrdfText(const std::string& text, const UrdfOptions& options, cons
   urdf::ModelInterfaceSharedPtr robot;
   {
     const QuietLog log;
-    robot = urdf::parseURDF(text);
+    robot = urdf::parseURDF(valid.skeleton);
     if (!robot || !robot->getRoot())
       throw UrdfError(source_name, valid.robot_line, "urdfdom refuses it", log.errors());
   }

@@ -9,18 +9,20 @@ namespace {
 std::size_t firstNotUtf8(std::string_view text) {
   std::size_t i = 0;
   while (i < text.size()) {
+    if (static_cast<unsigned char>(text[i]) < 0x80) {
+      ++i;
+      continue;
+    }
     const auto byte = [&](std::size_t k) {
       return i + k < text.size() ? static_cast<unsigned char>(text[i + k]) : 0U;
     };
     const unsigned first = byte(0), second = byte(1);
-    const std::size_t more = first < 0x80 ? 0 : first < 0xE0 ? 1 : first < 0xF0 ? 2 : 3;
-    if (more > 0) {
-      const unsigned low = first == 0xE0 ? 0xA0 : first == 0xF0 ? 0x90 : 0x80;
-      const unsigned high = first == 0xED ? 0x9F : first == 0xF4 ? 0x8F : 0xBF;
-      if (first < 0xC2 || first > 0xF4 || second < low || second > high) return i;
-      for (std::size_t k = 2; k <= more; ++k)
-        if ((byte(k) & 0xC0U) != 0x80) return i;
-    }
+    const std::size_t more = first < 0xE0 ? 1 : first < 0xF0 ? 2 : 3;
+    const unsigned low = first == 0xE0 ? 0xA0 : first == 0xF0 ? 0x90 : 0x80;
+    const unsigned high = first == 0xED ? 0x9F : first == 0xF4 ? 0x8F : 0xBF;
+    if (first < 0xC2 || first > 0xF4 || second < low || second > high) return i;
+    for (std::size_t k = 2; k <= more; ++k)
+      if ((byte(k) & 0xC0U) != 0x80) return i;
     i += more + 1;
   }
   return text.size();
@@ -83,17 +85,15 @@ class Markup {
     advance(end);
   }
   void tag() {
-    char quote = 0;
     bool value_due = false;
     std::size_t end = at_ + 1;
-    for (; end < text_.size() && (quote || text_[end] != '>'); ++end) {
+    for (; end < text_.size() && text_[end] != '>'; ++end) {
       const char c = text_[end];
-      if (quote) {
-        if (c == quote) quote = 0;
-      } else if (c == '<') {
+      if (c == '<') {
         break;
       } else if (c == '"' || c == '\'') {
-        quote = c;
+        end = std::min(text_.find(c, end + 1), text_.size());
+        if (end == text_.size()) break;
         value_due = false;
       } else if (value_due && std::string_view(" \t\r\n").find(c) == std::string_view::npos) {
         refuse("malformed XML, or cut off", "an attribute value without quotes");

@@ -6,11 +6,12 @@
 namespace liecheck::urdf_detail {
 namespace {
 
+using tinyxml2::XMLAttribute, tinyxml2::XMLElement;
+
 /// Numbers that an element's attributes hold: how many, and whether the attribute may be left out. Elements
 /// are looked up below link, joint and material only: extensions of other programs are not ours to judge.
 struct Numbers {
-  const char* element;
-  const char* attribute;
+  std::string_view element, attribute;
   int count;
   bool required;
 };
@@ -55,20 +56,22 @@ std::optional<double> number(std::string_view text) {
   return value;
 }
 
-void check(const TiXmlElement& e, const Numbers& n, const std::string& source) {
-  const std::string what = std::string("<") + n.element + "> " + n.attribute;
-  for (const TiXmlAttribute* a = e.FirstAttribute(); a; a = a->Next()) {
-    if (std::string(a->Name()) != n.attribute) continue;
-    const auto values = list(a->ValueStr());
-    if (!values) throw UrdfError(source, a->Row(), what + " is not finite numbers", a->ValueStr());
+void check(const XMLElement& e, const Numbers& n, const std::string& source) {
+  const auto refuse = [&](int line, const std::string& why, const char* value) {
+    throw UrdfError(source, line, "<" + std::string(n.element) + "> " + std::string(n.attribute) + why,
+                    value);
+  };
+  for (const XMLAttribute* a = e.FirstAttribute(); a; a = a->Next()) {
+    if (a->Name() != n.attribute) continue;
+    const auto values = list(a->Value());
+    if (!values) refuse(a->GetLineNum(), " is not finite numbers", a->Value());
     if (int(values->size()) != n.count)
-      throw UrdfError(
-          source, a->Row(),
-          what + " has " + std::to_string(values->size()) + " numbers, not " + std::to_string(n.count),
-          a->ValueStr());
+      refuse(a->GetLineNum(),
+             " has " + std::to_string(values->size()) + " numbers, not " + std::to_string(n.count),
+             a->Value());
     return;
   }
-  if (n.required) throw UrdfError(source, e.Row(), what + " is missing", "");
+  if (n.required) refuse(e.GetLineNum(), " is missing", "");
 }
 
 }  // namespace
@@ -92,10 +95,11 @@ double numberOf(std::string_view text) {
   return list(text).value().at(0);
 }
 
-void checkNumbersBelow(const TiXmlElement& e, const std::string& source) {
-  for (const TiXmlElement* child = e.FirstChildElement(); child; child = child->NextSiblingElement()) {
+void checkNumbersBelow(const XMLElement& e, const std::string& source) {
+  for (const XMLElement* child = e.FirstChildElement(); child; child = child->NextSiblingElement()) {
+    const std::string_view element = child->Value();
     for (const Numbers& n : numbers)
-      if (child->ValueStr() == n.element) check(*child, n, source);
+      if (element == n.element) check(*child, n, source);
     checkNumbersBelow(*child, source);
   }
 }

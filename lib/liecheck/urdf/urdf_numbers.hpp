@@ -1,7 +1,7 @@
 #pragma once
 // Numbers in attributes.
 
-#include <tinyxml.h>
+#include <tinyxml2.h>
 
 #include <optional>
 #include <string>
@@ -17,6 +17,6 @@ std::optional<std::vector<double>> list(std::string_view text);
 double numberOf(std::string_view text);
 
 /// Throws UrdfError unless the attributes below e that URDF defines as numbers are there and are finite ones.
-void checkNumbersBelow(const TiXmlElement& e, const std::string& source_name);
+void checkNumbersBelow(const tinyxml2::XMLElement& e, const std::string& source_name);
 
 }  // namespace liecheck::urdf_detail

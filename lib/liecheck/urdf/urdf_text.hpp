@@ -13,6 +13,7 @@ constexpr double printed_inertia_slack = 1e-3;
 
 /// What the text says that urdfdom does not tell.
 struct ValidUrdf {
+  std::string skeleton;  ///< what urdfdom needs of it
   int robot_line = 0;
   std::unordered_map<std::string, int> joint_line;
   /// A link whose inertia no body has: an error unless what it is fixed to makes up for it.
