@@ -1,7 +1,7 @@
 #pragma once
 // A case's address, and numbers as text.
 //
-//   g2.SEED.PROPERTY.SUBJECT.SCALAR.ROBOT.INDEX    generated: the input follows from the address
+//   g3.SEED.PROPERTY.SUBJECT.SCALAR.ROBOT.INDEX    generated: the input follows from the address
 //   raw.PROPERTY.SUBJECT.SCALAR.ROBOT.X,X,...      shrunk or typed: the input itself, hexadecimal floats
 //
 // ROBOT is "none" or the first 16 digits of the SHA-256 of the URDF. The generator's key leaves out the
@@ -15,7 +15,7 @@
 
 namespace liecheck::properties {
 
-inline constexpr int generator_version = 2;
+inline constexpr int generator_version = 3;
 
 struct CaseId {
   bool raw = false;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -16,8 +17,16 @@ class Histogram {
 
   void add(double x) {
     ++count_;
-    waiting_.push_back(bin_of(x));
-    if (waiting_.size() >= 1024) sort_in();
+    if (!(x > 0)) {
+      ++zeros_;
+      return;
+    }
+    const int bin = bin_of(x);
+    const auto i = static_cast<std::size_t>(bin - first_);  // far beyond the window where below it
+    if (i < window_.size())
+      ++window_[i];
+    else
+      add_outside(bin);
   }
   std::uint64_t count() const { return count_; }
   /// Ascending.
@@ -44,9 +53,8 @@ class Histogram {
  private:
   static constexpr int zero = -1000000;
 
-  /// floor(32 log2 x): exponent and a table of 2^(k/32), which log2 would cost five times as much.
+  /// floor(32 log2 x), x > 0: exponent and a table of 2^(k/32), which log2 would cost five times as much.
   static int bin_of(double x) {
-    if (!(x > 0)) return zero;
     if (!std::isfinite(x)) return 40000;
     static const auto edges = [] {
       std::array<double, 33> e{};
@@ -59,14 +67,40 @@ class Histogram {
     while (mantissa >= edges[k + 1]) ++k;
     return std::clamp((exponent - 1) * 32 + static_cast<int>(k), -8000, 40000);
   }
-  void sort_in() const {
-    if (waiting_.empty()) return;
-    std::sort(waiting_.begin(), waiting_.end());
-    Bins add;
-    for (const int bin : waiting_) {
-      if (add.empty() || add.back().first != bin) add.emplace_back(bin, 0);
-      ++add.back().second;
+  /// Widens the window; what is too far from it waits beside.
+  void add_outside(int bin) {
+    constexpr int step = 128, widest = 4096;
+    const int from = (bin >> 7) * step, to = from + step;
+    const int first = window_.empty() ? from : std::min(first_, from);
+    const int last = window_.empty() ? to : std::max(first_ + static_cast<int>(window_.size()), to);
+    if (last - first > widest) {
+      waiting_.push_back(bin);
+      if (waiting_.size() >= 1024) sort_in();
+      return;
     }
+    if (!window_.empty()) window_.insert(window_.begin(), static_cast<std::size_t>(first_ - first), 0);
+    window_.resize(static_cast<std::size_t>(last - first));
+    first_ = first;
+    ++window_[static_cast<std::size_t>(bin - first)];
+  }
+  void sort_in() const {
+    Bins add;
+    if (zeros_ > 0) add.emplace_back(zero, std::exchange(zeros_, 0));
+    std::sort(waiting_.begin(), waiting_.end());
+    auto next = waiting_.begin();
+    const auto upto = [&](int bin) {  // what waits below that bin
+      for (; next != waiting_.end() && *next < bin; ++next) {
+        if (add.empty() || add.back().first != *next) add.emplace_back(*next, 0);
+        ++add.back().second;
+      }
+    };
+    for (std::size_t i = 0; i < window_.size(); ++i) {
+      if (window_[i] == 0) continue;
+      const int bin = first_ + static_cast<int>(i);
+      upto(bin);
+      add.emplace_back(bin, std::exchange(window_[i], 0));
+    }
+    upto(std::numeric_limits<int>::max());
     waiting_.clear();
     merge_bins(add);
   }
@@ -85,7 +119,11 @@ class Histogram {
   }
 
   mutable Bins bins_;
-  mutable std::vector<int> waiting_;  ///< not yet counted in bins_
+  // Not yet counted in bins_:
+  mutable std::uint64_t zeros_ = 0;
+  mutable std::vector<std::uint64_t> window_;  ///< of the bins from first_ on
+  mutable std::vector<int> waiting_;           ///< beside the window
+  int first_ = 0;
   std::uint64_t count_ = 0;
 };
 

@@ -50,6 +50,9 @@ class Judge final : public Recorder {
       if (!j.ill_posed) decided(j.excess, j.budget->limit, accuracy);
       j.failed = !j.ill_posed && !(j.excess <= j.budget->limit);
       if (j.failed && overflowed) j.residual.outcome = Outcome::not_finite;
+      // The law claims that kappa is at least as much: cases that this let pass were not judged.
+      if (kappa.least() > 1 && k * (1 + 2 * kappa_accuracy) < kappa.least())
+        j.residual.outcome = Outcome::unresolved;
     }
     judged.push_back(j);
   }

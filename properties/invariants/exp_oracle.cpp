@@ -33,6 +33,7 @@ class ExpOracle final : public Law<ExpOracle, S> {
   }
   std::vector<S> generate(Source& source) const override {
     std::vector<S> x;
+    x.reserve(6);
     append(x, vector3<S>(source));
     append(x, rotation_vector<S>(source, AngleRange::unbounded));
     return x;
@@ -44,7 +45,7 @@ class ExpOracle final : public Law<ExpOracle, S> {
     const Vec<S, 3> phi = xi.template tail<3>();
     const auto exact_xi = oracles::exact_vector<6, Real>(xi);
     const auto exact = oracles::exp_se3(exact_xi);
-    const std::size_t band = band_of_angle<S>(tail3(exact_xi));
+    const std::size_t band = band_of_angle<S>(tail3(exact_xi), exact.theta);
 
     const auto kappa = oracles::sensitivity<Real>(
         [](const std::vector<Real>& x) {
@@ -54,13 +55,16 @@ class ExpOracle final : public Law<ExpOracle, S> {
           return flat;
         },
         [&] { return to_list(exact_xi); }, {{0, 3}, {3, 4}});
-    const auto kappa_translation = [&] { return kappa.kappa(0, norm(exact.p)); };
     const auto kappa_rotation = [&] { return kappa.kappa(1, Real(1) / Real(2)); };
+    // All numbers grown by one factor move the pose by no more than each by its own: d Q = theta / 2, d p = R rho.
+    // No step that condition.hpp takes tells derivatives at angles much larger than that.
+    const double theta = at_most(exact.theta), share = theta < 0x1p40 ? 0.99 : 0;
+    const double least_rotation = share * theta;
     const auto matrix = [&](int rotation, int defect, const Mat<S, 3>& R) {
       judged_value(r, {rotation, defect}, band, R, exact.resolved, [&] {
         const auto stored = oracles::exact_matrix<3, 3, Real>(R);
         const auto errors = oracles::matrix_errors<S>(stored, exact.Q);
-        r.record(rotation, band, errors.rotation, kappa_rotation);
+        r.record(rotation, band, errors.rotation, Kappa(kappa_rotation, least_rotation));
         r.record(defect, band, errors.defect);
       });
     };
@@ -68,7 +72,7 @@ class ExpOracle final : public Law<ExpOracle, S> {
       const Vec<S, 4> Q = o.exp3_quaternion(phi);
       judged_value(r, {0, 1}, band, Q, exact.resolved, [&] {
         const auto stored = oracles::exact_vector<4, Real>(Q);
-        r.record(0, band, oracles::rotation_error<S>(stored, exact.Q), kappa_rotation);
+        r.record(0, band, oracles::rotation_error<S>(stored, exact.Q), Kappa(kappa_rotation, least_rotation));
         r.record(1, band, oracles::norm_defect<S>(stored));
       });
     }
@@ -77,8 +81,10 @@ class ExpOracle final : public Law<ExpOracle, S> {
       const Pose<S> T = o.exp6(xi);
       matrix(4, 5, T.R);
       judged_value(r, {6}, band, T.p, exact.resolved, [&] {
+        const auto kappa_translation = [&] { return kappa.kappa(0, norm(exact.p)); };
+        const double least = share * at_most(head3(exact_xi)) / at_most(exact.p);
         r.record(6, band, oracles::vector_error<S>(oracles::exact_vector<3, Real>(T.p), exact.p),
-                 kappa_translation);
+                 Kappa(kappa_translation, least));
       });
     }
   }

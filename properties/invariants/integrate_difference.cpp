@@ -194,20 +194,14 @@ class IntegrateDifference final : public Law<IntegrateDifference, S> {
              [&] { return kappa.kappa(1, larger(phi, least_denominator<S, Real>())); });
     const Real scale = larger(rho, at.separation);
     // M is J^-1 R^T, which shortens no vector: the positions alone move rho by at least sum_i |x_i|.
-    const auto size = [](const Real& x) {
-      if constexpr (BallNumber<Real>)
-        return x.size();
-      else
-        return std::fabs(static_cast<double>(x));
-    };
     double moved = 0;
-    for (int i = 0; i < 3; ++i) moved += size(x0[i]) + size(xq[i]);
+    for (int i = 0; i < 3; ++i) moved += at_most(x0[i]) + at_most(xq[i]);
     const Real by = larger(scale, least_denominator<S, Real>());
     const auto kappa_linear = [&] {
       return condition_number<Real>(kappa.movement(0) + movement_of_positions(), by);
     };
     r.record(6, band, vector_error<S>(head3(xv), head3(xd), scale),
-             Kappa(kappa_linear, 0.99 * moved / size(by)));
+             Kappa(kappa_linear, 0.99 * moved / at_most(by)));
   }
 };
 

@@ -58,9 +58,9 @@ T stumpff_series(int k, const T& x) {
 }  // namespace
 
 template <class T>
-HalfAngle<T> half_angle(const Vec3<T>& phi) {
+HalfAngle<T> half_angle(const Vec3<T>& phi, const T& theta) {
   HalfAngle<T> h;
-  h.theta = norm(phi);
+  h.theta = theta;
   h.reduced = h.theta;
   if (h.theta == 0) {
     h.s = 0;
@@ -68,7 +68,8 @@ HalfAngle<T> half_angle(const Vec3<T>& phi) {
     h.n = phi;
     return h;
   }
-  for (int i = 0; i < 3; ++i) h.n[i] = phi[i] / h.theta;
+  if constexpr (BallNumber<T>) h.inverse = T(1) / h.theta;
+  for (int i = 0; i < 3; ++i) h.n[i] = h.over_theta(phi[i]);
   const int exponent = exponent_of(h.theta);
   bool odd = false;
   if constexpr (!BallNumber<T>) {  // a ball knows how much of a large angle it has left
@@ -95,7 +96,7 @@ inline constexpr double tiny_angle =
     0x1p-60;  ///< below it balls take the first order, its rest in the radius
 
 template <class T>
-UnitPose<T> closed_exp(const Vec6<T>& xi) {
+UnitPose<T> closed_exp(const Vec6<T>& xi, const T& theta) {
   const Vec3<T> rho = head3(xi);
   if constexpr (BallNumber<T>) {
     const Vec3<T> phi = tail3(xi);
@@ -110,13 +111,13 @@ UnitPose<T> closed_exp(const Vec6<T>& xi) {
       return pose;
     }
   }
-  const HalfAngle<T> h = half_angle(tail3(xi));
+  const HalfAngle<T> h = half_angle(tail3(xi), theta);
   UnitPose<T> pose;
   pose.Q = {{h.s * h.n[0], h.s * h.n[1], h.s * h.n[2], h.c}};
   pose.p = rho;
   if (h.theta != 0) {
-    const Vec3<T> along = T(dot(tail3(xi), rho) / h.theta) * h.n;  // exact where phi.rho cancels to zero
-    const T s2 = 2 * h.s / h.theta;
+    const Vec3<T> along = h.over_theta(dot(tail3(xi), rho)) * h.n;  // exact where phi.rho cancels to zero
+    const T s2 = 2 * h.over_theta(h.s);
     pose.p = along + T(s2 * h.c) * (rho - along) + T(s2 * h.s) * cross(h.n, rho);
   }
   return pose;
@@ -247,8 +248,8 @@ JacobianBlocks<T> closed_left_jacobian_inverse(const Vec6<T>& xi) {
 }
 
 #define LIECHECK_CLOSED_FORMS(T)                                           \
-  template HalfAngle<T> half_angle(const Vec3<T>&);                        \
-  template UnitPose<T> closed_exp(const Vec6<T>&);                         \
+  template HalfAngle<T> half_angle(const Vec3<T>&, const T&);              \
+  template UnitPose<T> closed_exp(const Vec6<T>&, const T&);               \
   template Vec6<T> closed_log(const Quaternion<T>&, const Vec3<T>&, bool); \
   template UnitPose<T> closed_integrate(const Vec7<T>&, const Vec6<T>&);   \
   template RelativePose<T> relative_pose(const Vec7<T>&, const Vec7<T>&);  \

@@ -43,6 +43,14 @@ struct HalfAngle {
   T theta, reduced, s, c;
   Vec3<T> n;
   bool large = false;  ///< was theta reduced? Otherwise `reduced` is theta itself
+  T inverse{};         ///< 1 / theta > 0, of a ball
+  /// x / theta; in balls a product, at a third of the cost and one more rounding.
+  T over_theta(const T& x) const {
+    if constexpr (BallNumber<T>)
+      return x * inverse;
+    else
+      return x / theta;
+  }
 };
 
 /// [[J, C], [0, J]]
@@ -58,11 +66,21 @@ struct RelativePose {
   Vec3<T> p, p1_minus_p0;
 };
 
+/// theta = ||phi||.
 template <class T>
-HalfAngle<T> half_angle(const Vec3<T>& phi);
+HalfAngle<T> half_angle(const Vec3<T>& phi, const T& theta);
+template <class T>
+HalfAngle<T> half_angle(const Vec3<T>& phi) {
+  return half_angle(phi, norm(phi));
+}
 
+/// theta = ||phi||.
 template <class T>
-UnitPose<T> closed_exp(const Vec6<T>& xi);
+UnitPose<T> closed_exp(const Vec6<T>& xi, const T& theta);
+template <class T>
+UnitPose<T> closed_exp(const Vec6<T>& xi) {
+  return closed_exp(xi, norm(tail3(xi)));
+}
 
 /// log of the pose of Q / ||Q|| and p; (rho, phi) with ||phi|| <= pi. With `as_signed` the sign of Q chooses
 /// the branch instead: theta/2 in [0, pi] is the angle of Q, so that nothing jumps at theta = pi.

@@ -25,8 +25,9 @@ LogValue<T> log_value(const Quaternion<T>& Q, const Vec3<T>& p) {
 
 template <BallNumber T>
 ExpValue<T> exp_se3(const Vec6<T>& xi) {
-  const UnitPose<T> pose = closed_exp(xi);
-  return {pose.Q, pose.p, norm(tail3(xi)), true};
+  const T theta = norm(tail3(xi));
+  const UnitPose<T> pose = closed_exp(xi, theta);
+  return {pose.Q, pose.p, theta, true};
 }
 
 template <BallNumber T>

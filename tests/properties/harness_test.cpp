@@ -141,7 +141,8 @@ CampaignResult run(const std::string& subject, const std::string& property, std:
 class Planted : public testing::TestWithParam<const char*> {};
 
 TEST_P(Planted, BugIsCaughtByItsLawAndTheLawPassesWithoutIt) {
-  EXPECT_TRUE(run(std::string("planted_") + GetParam(), GetParam()).failed);
+  // A jump is seen where two neighbours stand on either side of its cutoff: about one case in 130.
+  EXPECT_TRUE(run(std::string("planted_") + GetParam(), GetParam(), 2000).failed);
   EXPECT_FALSE(run("liecheck", GetParam(), 100).failed);
 }
 
@@ -154,7 +155,9 @@ INSTANTIATE_TEST_SUITE_P(EveryLaw, Planted,
 TEST(Planted, EveryPropertyHasABugOfItsOwn) {
   const auto known = subject_names();
   for (const auto& p : property_names())
-    if (!is_tree_law(p)) EXPECT_NE(std::find(known.begin(), known.end(), "planted_" + p), known.end()) << p;
+    if (!is_tree_law(p)) {
+      EXPECT_NE(std::find(known.begin(), known.end(), "planted_" + p), known.end()) << p;
+    }
 }
 
 TEST(Planted, EveryLawOfTreesCatchesAKnownBugAndPassesWithoutIt) {
@@ -192,7 +195,7 @@ TEST(CaseIds, ComeBackFromTheirText) {
   EXPECT_EQ(CaseId::parse(id.text()).text(), id.text());
   EXPECT_EQ(CaseId::parse("raw.p.s.double.none.0x1.8p+0,-0x0p+0").input.size(), 2u);
   EXPECT_THROW(CaseId::parse("g1.7.p.s.double.none.1"), std::invalid_argument);
-  EXPECT_THROW(CaseId::parse("g2.x.p.s.double.none.1"), std::invalid_argument);
+  EXPECT_THROW(CaseId::parse("g3.x.p.s.double.none.1"), std::invalid_argument);
   EXPECT_THROW(CaseId::parse(""), std::invalid_argument);
 }
 
