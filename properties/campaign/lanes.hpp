@@ -82,7 +82,7 @@ struct Span {
     return of({x.low * y.low, x.low * y.high, x.high * y.low, x.high * y.high});
   }
   friend Span operator/(const Span& x, const Span& y) {
-    if (y.low <= 0) return unknown();
+    if (y.low <= 0 && y.high >= 0) return unknown();
     return of({x.low / y.low, x.low / y.high, x.high / y.low, x.high / y.high});
   }
   Span& operator*=(const Span& y) { return *this = *this * y; }

@@ -28,8 +28,9 @@ const std::vector<S>& common_cutoffs() {
     for (const S& t : {S(S(1) / S(2)), S(S(1) / S(4)), S(S(1) / S(100) / S(20)), S(sqrt(S(1) / S(10))),
                        S(sqrt(std::numeric_limits<S>::min()))})
       c.push_back(t);
+    // From half a turn on; the first is this library's own end of its series.
     const S pi = boost::math::constants::pi<S>();
-    for (const S& t : {pi, S(pi / S(2)), S(S(2) * pi)}) c.push_back(t);
+    for (const S& t : {S(pi * (S(1) + S(4) * eps)), pi, S(pi / S(2)), S(S(2) * pi)}) c.push_back(t);
     return c;
   }();
   return all;
@@ -52,7 +53,7 @@ S angle(Source& source, AngleRange range) {
   if (kind <= 8) return near_zero();
   if (kind <= 10) {
     const auto& cutoffs = common_cutoffs<S>();
-    const S t = step_ulps(cutoffs[source.below(cutoffs.size() - (range == AngleRange::to_pi ? 3 : 0))],
+    const S t = step_ulps(cutoffs[source.below(cutoffs.size() - (range == AngleRange::to_pi ? 4 : 0))],
                           source.between(-3, 3));
     return t;
   }

@@ -2,10 +2,10 @@
 // The stream of random bits of one case.
 //
 // A case is addressable: the same key gives the same bits on any thread, shard or machine. RapidCheck's own
-// loop splits one stream and sizes by what came before; here SplitMix64 (Steele, Lea & Flood 2014), which costs a
-// twentieth of RapidCheck's cryptographic hash, starts from the case's key alone. Numbers are made with + - x / sqrt
-// and ldexp only, which IEEE 754 rounds correctly everywhere, and without std::*_distribution, whose algorithms are
-// not specified.
+// loop splits one stream and sizes by what came before; here SplitMix64 (Steele, Lea & Flood 2014) starts from the
+// case's key alone. RapidCheck's generator would do so too, but for the tenth of a campaign's time that its
+// cryptographic hash takes. Numbers are made with + - x / sqrt and ldexp only, which IEEE 754 rounds correctly
+// everywhere, and without std::*_distribution, whose algorithms are not specified.
 
 #include <array>
 #include <cmath>

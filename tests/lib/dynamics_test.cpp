@@ -371,4 +371,21 @@ TEST(Dynamics, MasslessLinksAreNamedWhereTheyMakeTheDynamicsSingular) {
   EXPECT_TRUE(aba(m, d, q, v, v).allFinite());
 }
 
+TEST(Dynamics, AnInertiaThatOverflowsIsNotCalledNone) {
+  Model<double> m;
+  m.addJoint(0, Revolute<double>(Axis<double>::Z()), SE3<double>::Identity(), "turntable");
+  m.addJoint(1, Prismatic<double>(Axis<double>::X()), SE3<double>::Identity(), "slide");
+  m.appendBodyToJoint(2, Inertia<double>(1, V3::Zero(), Matrix3<double>::Identity().eval()));
+  Data<double> d(m, Dense::Mass);
+  const Vec q = Eigen::Vector2d(0, 1e200), v = Vec::Ones(m.nv);
+  for (const bool inverse : {false, true}) try {
+      inverse ? void(computeMinverse(m, d, q)) : void(aba(m, d, q, v, v));
+      ADD_FAILURE() << "nothing was refused";
+    } catch (const SingularInertia& e) {
+      EXPECT_NE(std::string(e.what()).find("'turntable' (joint 1) moves an inertia that is no finite number"),
+                std::string::npos)
+          << e.what();
+    }
+}
+
 }  // namespace

@@ -28,6 +28,20 @@ TEST(Agreement, ErrorsAndConditionNumbersMayDifferByTheirAccuracyAndNoMore) {
   EXPECT_FALSE(agree({measured(1, 1)}, {}));
 }
 
+TEST(TheJudge, SeesALawThatClaimsTooLargeALeastKappa) {
+  const Budget excess{"", "", "any", Rule::excess, 8, ""};
+  const Limits limits{{&excess, &excess}};
+  const auto outcome = [&](double kappa, double least) {
+    Judge judge(limits, Bands::of<double>(), 0x1p-52, 0, true);
+    const auto f = [kappa] { return kappa; };
+    judge.record(0, 0, 1.0, Kappa(f, least));
+    return judge.judged.at(0).residual.outcome;
+  };
+  EXPECT_EQ(outcome(100, 99), Outcome::measured);
+  EXPECT_EQ(outcome(100, 110), Outcome::unresolved);
+  EXPECT_EQ(outcome(0.5, 1), Outcome::measured);  // none claimed: a kappa counts from 1 up
+}
+
 TEST(TallyRows, AreFoundAgainAfterCopyMoveAndErasure) {
   Rows a;
   a.of(1, 2).count = 5;

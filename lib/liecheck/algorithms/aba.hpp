@@ -39,7 +39,7 @@ Eigen::Matrix<S, N, N> factorOf(const Model<S>& model, int joint, const Eigen::M
   Eigen::Matrix<S, N, N> L = D;
   for (int k = 0; k < N; ++k) {
     if (!(L(k, k) > S(64) * eps<S>() * scale[k]))
-      throw SingularInertia(model.names[std::size_t(joint)], joint);
+      throw SingularInertia(model.names[std::size_t(joint)], joint, finite<S>(L(k, k)));
     if constexpr (N == 1) return Eigen::Matrix<S, N, N>(S(1) / D(0, 0));
     L(k, k) = sqrt(L(k, k));
     for (int i = k + 1; i < N; ++i) L(i, k) /= L(k, k);

@@ -11,10 +11,11 @@ namespace liecheck {
 /// A call that needs M^-1 met a joint that moves no inertia; what() names it.
 class SingularInertia : public std::domain_error {
  public:
-  SingularInertia(const std::string& joint_name, int joint_index)
+  SingularInertia(const std::string& joint_name, int joint_index, bool finite = true)
       : std::domain_error(
-            "joint '" + joint_name + "' (joint " + std::to_string(joint_index) +
-            ") moves no inertia, so no force sets its acceleration: are the links behind it massless?"),
+            "joint '" + joint_name + "' (joint " + std::to_string(joint_index) + ") " +
+            (finite ? "moves no inertia, so no force sets its acceleration: are the links behind it massless?"
+                    : "moves an inertia that is no finite number: q is too large")),
         joint_index(joint_index) {}
   int joint_index;
 };
@@ -43,7 +44,7 @@ void checkPivot(const Model<S>& model, int v_index, const S& pivot, const S& bef
   for (int k = 0; k < model.ncolumns; ++k)
     if (model.column_to_v[std::size_t(k)] == v_index) {
       const int joint = model.column_to_joint[std::size_t(k)];
-      throw SingularInertia(model.names[std::size_t(joint)], joint);
+      throw SingularInertia(model.names[std::size_t(joint)], joint, finite<S>(pivot));
     }
 }
 

@@ -129,7 +129,7 @@ Vector7<S> integrateSE3(const Vector7<S>& q, const Vector6<S>& delta) {
 }
 
 /// (rho, phi) = log(T0^-1 T1) [6; m, rad], |phi| <= pi, the same for Q and -Q; at exactly half a turn either
-/// sign. Error 2.5 eps of |phi|, and 4 eps of max(|rho|, |p1 - p0|), at any distance; it does not depend on
+/// sign. Error 2 eps of |phi|, and 4 eps of max(|rho|, |p1 - p0|), at any distance; it does not depend on
 /// |Q0|, |Q1|.
 template <Scalar S, Precision P = Precision::standard>
 Vector6<S> differenceSE3(const Vector7<S>& q0, const Vector7<S>& q1) {
@@ -162,7 +162,7 @@ Matrix6<S> dIntegrateSE3([[maybe_unused]] const Vector7<S>& q, const Vector6<S>&
 }
 
 /// How difference follows q0 (ARG0: -J_l^-1) or q1 (ARG1: J_r^-1). 6 x 6. At exactly half a turn: of the
-/// branch that differenceSE3 returns. Error 10 eps of each 3 x 3 block, that of difference included.
+/// branch that differenceSE3 returns. Error 6 eps of each 3 x 3 block, that of difference included.
 template <Scalar S, Precision P = Precision::standard>
 Matrix6<S> dDifferenceSE3(const Vector7<S>& q0, const Vector7<S>& q1, ArgumentPosition argument) {
   if constexpr (P == Precision::tight)

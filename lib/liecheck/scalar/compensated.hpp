@@ -98,6 +98,8 @@ struct Cut {
     }
   }
   friend Cut operator-(const Cut& a) { return Cut(S(-a.value), S(-a.head), S(-a.tail)); }
+  /// With what is below the last digit of its value.
+  [[gnu::always_inline]] Cut with(const S& low) const { return Cut(value, head, S(tail + low)); }
 
  private:
   Cut(const S& v, const S& h, const S& t) : value(v), head(h), tail(t) {}
@@ -120,6 +122,11 @@ struct CutSum {
   S value() const {
     if constexpr (P == Precision::fast) return high;
     return high + low;
+  }
+  /// What `value` leaves of the sum.
+  S rest(const S& value) const {
+    if constexpr (P == Precision::fast) return S(0);
+    return (high - value) + low;
   }
 };
 

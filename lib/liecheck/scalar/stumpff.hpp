@@ -108,7 +108,8 @@ template <int FROM, int COUNT, class A, class S, std::size_t M>
   }
 }
 
-template <template <class> class Series, Scalar S>
+/// The economised series, its terms from FROM on over x^FROM. FROM is 0 or 1.
+template <template <class> class Series, int FROM = 0, Scalar S>
 [[gnu::always_inline]] inline S evaluate(const S& x) {
   using Of = Series<Lane<S>>;
   if constexpr (std::is_floating_point_v<Lane<S>>) {
@@ -117,12 +118,12 @@ template <template <class> class Series, Scalar S>
     for (std::size_t i = 1; i < squares.size(); ++i) squares[i] = squares[i - 1] * squares[i - 1];
     // The first terms last: one rounding of the size of the sum, not one for each pair.
     S sum = estrin<Of::outer, p.terms - Of::outer>(p.a, squares);
-    for (int j = Of::outer; j-- > 0;) sum = mul_add(sum, x, S(p.a[j]));
+    for (int j = Of::outer; j-- > FROM;) sum = mul_add(sum, x, S(p.a[j]));
     return sum;
   } else {
     static const Economised<S, Of> p;
     S sum = p.a[p.terms - 1];
-    for (int j = p.terms - 1; j-- > 0;) sum = mul_add(sum, x, p.a[j]);
+    for (int j = p.terms - 1; j-- > FROM;) sum = mul_add(sum, x, p.a[j]);
     return sum;
   }
 }
@@ -208,45 +209,53 @@ struct HalfAngle {
 /// The coefficient of [phi]^2 in the inverse Jacobian of SO(3), and its slope.
 ///     d(x)  = (1 - (theta/2) cot(theta/2)) / theta^2 = (c_2 - c_3) / (4 c_1) at x/4    1/12 at 0, 1/pi^2 at pi
 ///     d2(x) = 2 d'(x)                                                                  1/360 at 0
-/// on [0, pi^2]. Error, relative: d 2.6 eps; d2 15 eps, where the products of its numerator cancel a factor 4.
+/// on [0, pi^2]. Error, relative: d 2.6 eps; d2 5 eps, where both differences of its numerator cancel a factor 4.
 template <Scalar S, Precision P = Precision::standard>
 struct InverseCoefficient {
   S d, d2;
   explicit InverseCoefficient(const S& x) {
-    // c_1' = (c_3 - c_2)/2, (c_2 - c_3)' = (3 (c_4 - c_5) - c_3)/2 at x/4.
+    // At h = x/4: c_2 - c_3 = 1/3 - h (c_4 - c_5); 2 d' = (c_4 - 3 c_5 + c_3 (c_2 - 2 c_3)) / (16 c_1^2), all positive.
     const HalfAngle<S, Precision::fast> k(x);
-    const S step = k.c2 - k.c3, inverse = S(1) / k.c1, ratio = step * inverse;
-    d = ratio / S(4);
-    d2 = mul_add(ratio, ratio, S(inverse * mul_add(S(3), S(k.c4 - k.c5), S(-k.c3)))) / S(16);
+    const S minus_h = x / S(-4), step = mul_add(minus_h, S(k.c4 - k.c5), S(1) / S(3)),
+            less = mul_add(minus_h, mul_add(S(-2), k.c5, k.c4), S(1) / S(6));
+    d = step / (S(4) * k.c1);
+    d2 = mul_add(k.c3, less, mul_add(S(-3), k.c5, k.c4)) / (S(16) * k.c1 * k.c1);
   }
 };
 
 /// What the logarithm needs of a quaternion (v, w) of any scale, with h = theta/2 = atan2(|v|, w), w >= 0:
 ///     angle_over_sine = 2 h / |v|       phi = angle_over_sine v
 ///     alpha = h cot h                   (theta/2) cot(theta/2)
-///     along = (1 - alpha) / |v|^2       so that J^-1 p = alpha p - phi x p / 2 + along v (v . p)
+///     along = (1 - alpha) / |v|^2       so that J^-1 p = p - phi x p / 2 + along v x (v x p)
 /// h / sin h is a smooth function of w/|Q| alone: near 1, as |Q| is up to rounding, no root is taken. Where |v|^2
 /// underflows: 2/w, 1, 0. Precondition: w >= 0 and |Q|^2 a normal number. Error, for |Q| near 1 and its excess known
-/// to eps/4: angle_over_sine 1.5 eps, alpha 2.5 eps relative, else 2.5 and 3.5; along is consistent with alpha.
+/// to eps/4: angle_over_sine 1.5 eps, alpha 2.5 eps relative, else 2.5 and 3.5.
 template <Scalar S>
 struct LogarithmCoefficients {
   S angle_over_sine, alpha, along;
+  S base, rest;  ///< angle_over_sine before it is rounded: 2 + 2 (h / sin h - 1) for |Q| = 1
   LogarithmCoefficients(const S& squared_sine, const S& cosine)
       : LogarithmCoefficients(squared_sine, cosine, squared_sine + mul_add(cosine, cosine, S(-1))) {}
   /// excess = |Q|^2 - 1.
   [[gnu::always_inline]] LogarithmCoefficients(const S& squared_sine, const S& cosine, const S& excess) {
     using std::sqrt;
-    using stumpff_detail::evaluate, stumpff_detail::InverseSincSeries;
+    // h / sin h = 1 + s slope(s), s = 1 - cos h.
+    const auto slope = [](const S& s) __attribute__((always_inline)) {
+      return stumpff_detail::evaluate<stumpff_detail::InverseSincSeries, 1>(s);
+    };
     bool near = true;
     if constexpr (!side_by_side<S>) near = excess * excess < eps<S>() / S(8);
     if (near) {
       const S half = excess / S(2);  // 1/|Q| = 1 - half
-      const S ratio = S(2) * evaluate<InverseSincSeries>(mul_add(half, cosine, S(S(1) - cosine)));
-      angle_over_sine = mul_add(S(-half), ratio, ratio);
+      const S s = mul_add(half, cosine, S(S(1) - cosine)), more = S(2) * s * slope(s);
+      base = S(2);
+      rest = mul_add(S(-half), S(2) + more, more);
     } else {
-      const S inverse = S(1) / S(sqrt(mul_add(cosine, cosine, squared_sine)));
-      angle_over_sine = S(2) * inverse * evaluate<InverseSincSeries>(S(S(1) - cosine * inverse));
+      const S inverse = S(1) / S(sqrt(mul_add(cosine, cosine, squared_sine))), s = S(1) - cosine * inverse;
+      base = S(2) * inverse;
+      rest = base * (s * slope(s));
     }
+    angle_over_sine = base + rest;
     alpha = angle_over_sine * cosine / S(2);
     along = (S(1) - alpha) / (squared_sine + std::numeric_limits<S>::min());
   }
@@ -276,6 +285,13 @@ template <Scalar S>
   return k;
 }
 
+/// theta from theta^2 = x, which may have overflowed.
+template <Scalar S, class Vector>
+S large_angle(const Vector& phi, const S& x) {
+  using std::sqrt;
+  return finite(x) ? S(sqrt(x)) : S(phi.stableNorm());
+}
+
 }  // namespace stumpff_detail
 
 /// A rotation vector phi with the coefficients that exp and its Jacobians need, valid for every finite phi.
@@ -303,8 +319,7 @@ struct RotationCoefficients {
       slope2 = k.second_slope(), slope3 = k.third_slope();
       sine_half = k.sine_over_angle(), cosine_half = k.c0;
     } else if constexpr (!side_by_side<S>) {
-      using std::sqrt;
-      const auto k = stumpff_detail::beyond_half_turn<S>(finite(x) ? S(sqrt(x)) : S(phi.stableNorm()));
+      const auto k = stumpff_detail::beyond_half_turn<S>(stumpff_detail::large_angle<S>(phi, x));
       theta = k.theta, axis = phi / theta;
       k1 = k.k1, k2 = k.k2, k3 = k.k3, slope2 = k.slope2, slope3 = k.slope3;
       sine_half = k.sine_half, cosine_half = k.cosine_half;

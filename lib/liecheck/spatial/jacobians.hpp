@@ -68,7 +68,7 @@ struct BlockCoefficients {
   [[gnu::always_inline]] static BlockCoefficients inverse(const Vector3<S>& phi) {
     BlockCoefficients b;
     b.axis = phi;
-    const S x = phi.dot(phi);
+    const S x = squared_angle<S, Precision::fast>(phi).first;
     b.r2 = S(0);
     b.r0 = S(-1) / S(2);
     if (within_half_turn(x)) {
@@ -78,9 +78,9 @@ struct BlockCoefficients {
       b.r1 = c.d;
       b.r3 = c.d2;
     } else {
-      const RotationCoefficients<S, Vector3<S>, P> k(phi);
+      const auto k = stumpff_detail::beyond_half_turn<S>(stumpff_detail::large_angle<S>(phi, x));
       const S cot = k.cosine_half / k.sine_half;
-      b.axis = k.axis;
+      b.axis = phi / k.theta;
       b.b1 = -k.theta / S(2);
       b.b2 = S(1) - k.theta / S(2) * cot;
       b.r1 = b.b2 / k.theta;
