@@ -57,7 +57,8 @@ class ExpOracle final : public Law<ExpOracle, S> {
         [&] { return to_list(exact_xi); }, {{0, 3}, {3, 4}});
     const auto kappa_rotation = [&] { return kappa.kappa(1, Real(1) / Real(2)); };
     // All numbers grown by one factor move the pose by no more than each by its own: d Q = theta / 2, d p = R rho.
-    // No step that condition.hpp takes tells derivatives at angles much larger than that.
+    // The hundredth less is for the roundings and radii of these doubles; at angles beyond 2^40, where balls give up,
+    // no step of condition.hpp tells a derivative.
     const double theta = at_most(exact.theta), share = theta < 0x1p40 ? 0.99 : 0;
     const double least_rotation = share * theta;
     const auto matrix = [&](int rotation, int defect, const Mat<S, 3>& R) {
