@@ -32,74 +32,123 @@ Eigen::Matrix<S, N, 1> firstOrderNormalize(const Eigen::Matrix<S, N, 1>& u) {
 /// Q0 Q1 [x y z w] of two quaternions of norm about 1, in twice the digits.
 template <Scalar S, Precision P>
 struct Product {
-  CutSum<S, 1, P> x, y, z, w;
-  [[gnu::always_inline]] Product(const Vector4<S>& a, const Vector4<S>& b) {
-    using C = Cut<S, 1, P>;
-    const C ax(a[0]), ay(a[1]), az(a[2]), aw(a[3]), bx(b[0]), by(b[1]), bz(b[2]), bw(b[3]);
-    const C ax_(-ax), ay_(-ay), az_(-az);
-    x.add_product(aw, bx).add_product(ax, bw).add_product(ay, bz).add_product(az_, by);
-    y.add_product(aw, by).add_product(ay, bw).add_product(az, bx).add_product(ax_, bz);
-    z.add_product(aw, bz).add_product(az, bw).add_product(ax, by).add_product(ay_, bx);
-    w.add_product(aw, bw).add_product(ax_, bx).add_product(ay_, by).add_product(az_, bz);
+  CutSum<Quad<S>, 1, P> sum;
+  [[gnu::always_inline]] Product(const Quad<S>& a, const Quad<S>& q) {
+    using C = Cut<Quad<S>, 1, P>;
+    const LeftFactor<S, P> p(a);
+    sum.add_product(p.w_x, C(permute<0, 1, 2, 0>(q)))
+        .add_product(p.self, C(permute<3, 3, 3, 3>(q)))
+        .add_product(p.y, C(permute<2, 0, 1, 1>(q)))
+        .add_product(-p.z, C(permute<1, 2, 0, 2>(q)));
   }
-  Vector4<S> value() const { return Vector4<S>(x.value(), y.value(), z.value(), w.value()); }
-  /// Of norm 1 up to 3/8 of the squared defect, each number rounded once.
-  [[gnu::always_inline]] Vector4<S> normalized() const {
-    const S x1 = x.value(), y1 = y.value(), z1 = z.value(), w1 = w.value();
-    const S norm = mul_add(x1, x1, S(y1 * y1)) + mul_add(z1, z1, S(w1 * w1)), step = (S(1) - norm) / S(2);
-    const auto entry = [&step](const CutSum<S, 1, P>& q) { return q.high + mul_add(step, q.high, q.low); };
-    return Vector4<S>(entry(x), entry(y), entry(z), entry(w));
+  /// Of norm 1 up to 3/8 of the squared defect, each number rounded once; excess = |Q0|^2 |Q1|^2 - 1.
+  [[gnu::always_inline]] Vector4<S> normalized(const S& excess) const {
+    const Quad<S> q = sum.high + mul_add(Quad<S>(excess / S(-2)), sum.high, sum.low());
+    return Vector4<S>(q.v[0], q.v[1], q.v[2], q.v[3]);
   }
 };
 
-/// D = Q1 - s Q0 and vec(Q0* D), s = sgn(Q0 . Q1).
+/// D = Q1 - s Q0 and vec(Q0* D), s = sgn(Q0 . Q1), of configurations.
 template <Scalar S, Precision P>
-std::pair<Vector4<S>, Vector3<S>> nearRotation(const Vector4<S>& Q0, const Vector4<S>& Q1, const S& turn) {
-  const auto step = [&](int i) { return mul_add(turn, Q1[i], S(-Q0[i])); };
+std::pair<Vector4<S>, Vector3<S>> nearRotation(const Vector7<S>& q0, const Vector7<S>& q1, const S& turn) {
+  const auto step = [&](int i) { return mul_add(turn, q1[3 + i], S(-q0[3 + i])); };
   const Vector4<S> D(step(0), step(1), step(2), step(3));
   const auto entry = [&](int i, int j, int k) {
     return CompensatedSum<S, P>()
-        .add_product(Q0[3], D[i])
-        .add_product(S(-Q0[i]), D[3])
-        .add_product(S(-Q0[j]), D[k])
-        .add_product(Q0[k], D[j])
+        .add_product(q0[6], D[i])
+        .add_product(S(-q0[3 + i]), D[3])
+        .add_product(S(-q0[3 + j]), D[k])
+        .add_product(q0[3 + k], D[j])
         .value();
   };
   return {D, Vector3<S>(entry(0, 1, 2), entry(1, 2, 0), entry(2, 0, 1))};
 }
-template <Scalar S>
-[[gnu::noinline]] Vector3<S> nearest(const Vector4<S>& Q0, const Vector4<S>& Q1, const S& turn) {
-  return nearRotation<S, Precision::standard>(Q0, Q1, turn).second;
+template <Scalar S, Precision P>
+[[gnu::noinline]] Vector3<S> nearest(const Vector7<S>& q0, const Vector7<S>& q1, const S& turn) {
+  const auto [D, v] = nearRotation<S, P>(q0, q1, turn);
+  if constexpr (P == Precision::fast)
+    if (S(4) * dot<S>(v, v) < mul_add(D[3], D[3], mul_add(D[0], D[0], mul_add(D[1], D[1], S(D[2] * D[2])))))
+      return nearRotation<S, Precision::standard>(q0, q1, turn).second;
+  return v;
 }
 
-/// Q0* Q1 up to sign and up to the factor |Q0||Q1|, its scalar part >= 0 and its vector part accurate
-/// relative to itself however near the two rotations are.
+/// log(Q0* Q1), from the product with what its rounding leaves: its vector part is accurate relative to itself
+/// however near the two rotations are.
 ///
 /// Near poses: with D = Q1 - s Q0, s = sgn(Q0 . Q1), vec(Q0* Q1) = vec(Q0* D) because vec(Q0* Q0) = 0 exactly, and
 /// the subtraction is exact in all but small numbers; its products are summed in twice the digits, because the
-/// difference of the norms may make D much longer than vec. Fast precision takes that way at any distance, and
-/// sums in twice the digits where D is much longer.
+/// difference of the norms may make D much longer than vec. Fast precision comes here from 1/8 on, and sums in twice
+/// the digits where D is much longer.
 template <Scalar S, Precision P>
-[[gnu::always_inline]] inline SO3<S> relativeRotation(const Vector4<S>& Q0, const Vector4<S>& Q1) {
-  const Vector4<S> inverse(-Q0[0], -Q0[1], -Q0[2], Q0[3]);
-  const Product<S, P> product(inverse, Q1);
-  S w = product.w.value();
+[[gnu::always_inline]] inline exp_log_detail::RotationLogarithm<S, P> relativeLogarithm(
+    const Vector7<S>& q0, const Vector7<S>& q1) {
+  const SO3<S> Q0(Vector4<S>(q0[3], q0[4], q0[5], q0[6])), Q1(Vector4<S>(q1[3], q1[4], q1[5], q1[6]));
+  const auto sum = Product<S, P>(Q0.conjugate(), Q1.numbers()).sum;
+  const Quad<S> Q = sum.value(), rest = sum.rest(Q);
+  S w = Q.v[3], w_low = rest.v[3];
   // Near half a turn the sign of w decides the axis.
   if constexpr (!side_by_side<S>)
     if (absolute<S>(w) < eps<S>() * (P == Precision::fast ? S(16) : S(1) / S(16)))
-      w = exact_dot<S, 4>(Q0, Q1);
+      w = exact_dot<S, 4>(q0.template tail<4>(), q1.template tail<4>()), w_low = S(0);
   const S turn = sign<S>(w);
-  if constexpr (P == Precision::fast) {
-    const auto [D, v] = nearRotation<S, P>(Q0, Q1, turn);
-    if (S(4) * dot<S>(v, v) < mul_add(D[3], D[3], mul_add(D[0], D[0], mul_add(D[1], D[1], S(D[2] * D[2])))))
-      return SO3<S>(nearest<S>(Q0, Q1, turn), absolute<S>(w));
-    return SO3<S>(v, absolute<S>(w));
-  } else {
-    const Vector3<S> v(turn * product.x.value(), turn * product.y.value(), turn * product.z.value());
-    if constexpr (!side_by_side<S>)
-      if (dot<S>(v, v) < S(2048) * eps<S>()) return SO3<S>(nearest<S>(Q0, Q1, turn), absolute<S>(w));
-    return SO3<S>(v, absolute<S>(w));
-  }
+  const S excess = Q0.template normExcess<P>(), more = Q1.template normExcess<P>(),
+          both = mul_add(excess, more, S(excess + more));
+  const auto half = [&turn](const Quad<S>& q) { return each<S>([&](int i) { return S(turn * q.v[i]); }); };
+  Vector3<S> v = half(Q), v_low = half(rest);
+  if constexpr (!side_by_side<S>)
+    if (dot<S>(v, v) < (P == Precision::fast ? S(1) / S(64) : S(2048) * eps<S>()))
+      v = nearest<S, P>(q0, q1, turn), v_low = Vector3<S>::Zero();
+  return exp_log_detail::RotationLogarithm<S, P>(v, v_low, absolute<S>(w), S(turn * w_low), both);
+}
+
+/// integrateSE3 and differenceSE3 of translations whose products can be cut; far: of any, scaled down for that.
+template <Scalar S, Precision P>
+[[gnu::always_inline]] inline Vector7<S> integrate(const Vector7<S>& q, const Vector6<S>& delta) {
+  const Vector3<S> phi(delta[3], delta[4], delta[5]);
+  return with_coefficients<S, P>(
+      phi, [&q, &delta ](const auto& k) __attribute__((always_inline)) {
+        const Vector3<S> rho(delta[0], delta[1], delta[2]);
+        const SO3<S> Q0(Vector4<S>(q[3], q[4], q[5], q[6]));
+        // Q0 . Q1 = |Q0|^2 cos(theta/2).
+        const S turn = sign<S>(k.cosine_half), sine = turn * k.sine_half;
+        const S x = sine * k.axis[0], y = sine * k.axis[1], z = sine * k.axis[2], w = turn * k.cosine_half;
+        const Vector3<S> step = Q0.template actWithin<P>(exp_log_detail::arc(k, rho), norm1<S>(rho));
+        const S excess = Q0.template normExcess<P>(),
+                more = mul_add(w, w, S(-1)) + mul_add(x, x, mul_add(y, y, S(z * z)));
+        const Vector4<S> Q1 = Product<S, P>(Q0.numbers(), quad<S>(x, y, z, w))
+                                  .normalized(mul_add(excess, more, S(excess + more)));
+        Vector7<S> result;
+        for (int i = 0; i < 3; ++i) result[i] = q[i] + step[i];
+        for (int i = 0; i < 4; ++i) result[3 + i] = Q1[i];
+        return result;
+      });
+}
+template <Scalar S, Precision P>
+[[gnu::noinline, gnu::cold]] Vector7<S> integrateFar(Vector7<S> q, Vector6<S> delta) {
+  const Vector3<S> p0 = q.template head<3>();
+  q.template head<3>().setZero();
+  delta.template head<3>() *= SO3<S>::down();
+  Vector7<S> result = integrate<S, P>(q, delta);
+  for (int i = 0; i < 3; ++i) result[i] = p0[i] + result[i] / SO3<S>::down();
+  return result;
+}
+template <Scalar S, Precision P>
+[[gnu::always_inline]] inline Vector6<S> difference(const Vector7<S>& q0, const Vector7<S>& q1) {
+  const auto log = relativeLogarithm<S, P>(q0, q1);
+  const Vector3<S> p_01(q1[0] - q0[0], q1[1] - q0[1], q1[2] - q0[2]);
+  const SO3<S> Q0(Vector4<S>(q0[3], q0[4], q0[5], q0[6]));
+  const Vector3<S> rho = log.arc(Q0.template actInvWithin<P>(p_01, norm1<S>(p_01)));
+  Vector6<S> delta;
+  for (int i = 0; i < 3; ++i) delta[i] = rho[i], delta[3 + i] = log.phi[i];
+  return delta;
+}
+template <Scalar S, Precision P>
+[[gnu::noinline, gnu::cold]] Vector6<S> differenceFar(Vector7<S> q0, Vector7<S> q1) {
+  q0.template head<3>() *= SO3<S>::down();
+  q1.template head<3>() *= SO3<S>::down();
+  Vector6<S> result = difference<S, P>(q0, q1);
+  result.template head<3>() /= SO3<S>::down();
+  return result;
 }
 
 }  // namespace se3_configuration_detail
@@ -114,18 +163,10 @@ Vector7<S> integrateSE3(const Vector7<S>& q, const Vector6<S>& delta) {
     return tight_detail::rounded<S>(
         [](const auto& a, const auto& b) { return integrateSE3<DoubleDouble<S>, Precision::fast>(a, b); },
         [&] { return integrateSE3<S>(q, delta); }, q, delta);
-  const RotationCoefficients<S, Vector3<S>, P> k(Vector3<S>(delta[3], delta[4], delta[5]));
-  const SO3<S> Q0(Vector4<S>(q[3], q[4], q[5], q[6]));
-  // Q0 . Q1 = |Q0|^2 cos(theta/2).
-  const S turn = sign<S>(k.cosine_half), sine = turn * k.sine_half;
-  const Vector4<S> Q_01(sine * k.axis[0], sine * k.axis[1], sine * k.axis[2], turn * k.cosine_half);
-  const Vector3<S> step =
-      Q0.template act<P>(exp_log_detail::arc(k, Vector3<S>(delta[0], delta[1], delta[2])));
-  const Vector4<S> Q1 = se3_configuration_detail::Product<S, P>(Q0.to_vector(), Q_01).normalized();
-  Vector7<S> result;
-  for (int i = 0; i < 3; ++i) result[i] = q[i] + step[i];
-  for (int i = 0; i < 4; ++i) result[3 + i] = Q1[i];
-  return result;
+  if constexpr (P != Precision::fast && !side_by_side<S>)
+    if (!SO3<S>::cuttable(norm1<S>(Vector3<S>(delta[0], delta[1], delta[2])))) [[unlikely]]
+      return se3_configuration_detail::integrateFar<S, P>(q, delta);
+  return se3_configuration_detail::integrate<S, P>(q, delta);
 }
 
 /// (rho, phi) = log(T0^-1 T1) [6; m, rad], |phi| <= pi, the same for Q and -Q; at exactly half a turn either
@@ -137,13 +178,10 @@ Vector6<S> differenceSE3(const Vector7<S>& q0, const Vector7<S>& q1) {
     return tight_detail::rounded<S>(
         [](const auto& a, const auto& b) { return differenceSE3<DoubleDouble<S>, Precision::fast>(a, b); },
         [&] { return differenceSE3<S>(q0, q1); }, q0, q1);
-  const Vector4<S> Q0(q0[3], q0[4], q0[5], q0[6]), Q1(q1[3], q1[4], q1[5], q1[6]);
-  const exp_log_detail::RotationLogarithm<S, P> log(se3_configuration_detail::relativeRotation<S, P>(Q0, Q1));
-  const Vector3<S> p_01(q1[0] - q0[0], q1[1] - q0[1], q1[2] - q0[2]);
-  const Vector3<S> rho = log.arc(SO3<S>(Q0).template actInv<P>(p_01));
-  Vector6<S> delta;
-  for (int i = 0; i < 3; ++i) delta[i] = rho[i], delta[3 + i] = log.phi[i];
-  return delta;
+  if constexpr (P != Precision::fast && !side_by_side<S>)
+    if (!SO3<S>::cuttable(norm1<S>(Vector3<S>(q1[0] - q0[0], q1[1] - q0[1], q1[2] - q0[2])))) [[unlikely]]
+      return se3_configuration_detail::differenceFar<S, P>(q0, q1);
+  return se3_configuration_detail::difference<S, P>(q0, q1);
 }
 
 /// How integrate follows q (ARG0: Ad(exp(-delta))) or delta (ARG1: the right Jacobian of exp). 6 x 6; neither
@@ -157,8 +195,11 @@ Matrix6<S> dIntegrateSE3([[maybe_unused]] const Vector7<S>& q, const Vector6<S>&
           return dIntegrateSE3<DoubleDouble<S>, Precision::fast>(a, b, argument);
         },
         [&] { return dIntegrateSE3<S>(q, delta, argument); }, q, delta);
-  const Motion<S> xi(delta);
-  return argument == ArgumentPosition::ARG0 ? exp6<S, P>(-xi).toActionMatrix() : rightJacobian<S, P>(xi);
+  if (argument == ArgumentPosition::ARG1) return rightJacobian<S, P>(Motion<S>(delta));
+  const auto minus = [&delta](int first) {
+    return each<S>([&delta, first](int i) { return S(-delta[first + i]); });
+  };
+  return exp6<S, P>(Motion<S>(minus(0), minus(3))).toActionMatrix();
 }
 
 /// How difference follows q0 (ARG0: -J_l^-1) or q1 (ARG1: J_r^-1). 6 x 6. At exactly half a turn: of the

@@ -77,15 +77,16 @@ class CompensatedSum {
 /// A number cut in two at a fixed place: head + tail = value exactly, the head a multiple of 2^-f, f = (digits - BITS)/2,
 /// so that a sum of products of heads is exact while it stays below 2^BITS: no product is ever split (Rump, Ogita &
 /// Oishi 2008, algorithm 3.2). |value| < 2^(digits/2 - 1); any larger one is only rounded as usual. In fast
-/// precision, the value alone.
-template <Scalar S, int BITS, Precision P = Precision::standard>
+/// precision, the value alone. S may be several numbers at once.
+template <class S, int BITS, Precision P = Precision::standard>
 struct Cut {
   S value, head, tail;
   [[gnu::always_inline]] Cut(const S& x) : value(x), head(x), tail(S(0)) {
     if constexpr (P != Precision::fast) {
       using std::ldexp;
-      constexpr int digits = std::numeric_limits<S>::digits, places = (digits - BITS) / 2;
-      const S cut = S(ldexp(S(3), digits - 2 - places));
+      using Number = Lane<S>;
+      constexpr int digits = std::numeric_limits<Number>::digits, places = (digits - BITS) / 2;
+      const S cut(Number(ldexp(Number(3), digits - 2 - places)));
       head = (x + cut) - cut;
       tail = x - head;
     }
@@ -97,38 +98,57 @@ struct Cut {
       tail = x - head;
     }
   }
-  friend Cut operator-(const Cut& a) { return Cut(S(-a.value), S(-a.head), S(-a.tail)); }
-  /// With what is below the last digit of its value.
-  [[gnu::always_inline]] Cut with(const S& low) const { return Cut(value, head, S(tail + low)); }
-
- private:
-  Cut(const S& v, const S& h, const S& t) : value(v), head(h), tail(t) {}
+  [[gnu::always_inline]] friend Cut operator-(Cut a) {
+    a.value = -a.value, a.head = -a.head, a.tail = -a.tail;
+    return a;
+  }
+  /// high + low, cut where `place` has its last digit.
+  [[gnu::always_inline]] Cut(const S& high, const S& low, const S& place) : Cut(high, place) {
+    if constexpr (P != Precision::fast) {
+      tail = tail + low;
+      value = head + tail;
+    }
+  }
 };
 
-/// sum a b as (high, low), high the exact sum of the products of heads: error 2^-(digits/2 - BITS) eps of sum |a b|.
-template <Scalar S, int BITS, Precision P = Precision::standard>
+/// sum a b as high + low, high the exact sum of the products of heads: error 2^-(digits/2 - BITS) eps of sum |a b|.
+template <class S, int BITS, Precision P = Precision::standard>
 struct CutSum {
-  S high = S(0), low = S(0);
+  S high = S(0), low_a = S(0), low_b = S(0);  ///< low in two parts, which do not wait for one another
   [[gnu::always_inline]] CutSum& add_product(const Cut<S, BITS, P>& a, const Cut<S, BITS, P>& b) {
     high = mul_add(a.head, b.head, high);
-    if constexpr (P != Precision::fast) low = mul_add(a.tail, b.value, mul_add(a.head, b.tail, low));
+    if constexpr (P != Precision::fast) {
+      low_a = mul_add(a.tail, b.value, low_a);
+      low_b = mul_add(a.head, b.tail, low_b);
+    }
     return *this;
   }
   [[gnu::always_inline]] CutSum& add_square(const Cut<S, BITS, P>& a) {
     high = mul_add(a.head, a.head, high);
-    if constexpr (P != Precision::fast) low = mul_add(a.tail, S(a.value + a.head), low);
+    if constexpr (P != Precision::fast) low_a = mul_add(a.tail, S(a.value + a.head), low_a);
     return *this;
   }
-  S value() const {
+  [[gnu::always_inline]] S low() const { return low_a + low_b; }
+  [[gnu::always_inline]] S value() const {
     if constexpr (P == Precision::fast) return high;
-    return high + low;
+    return high + low();
   }
   /// What `value` leaves of the sum.
-  S rest(const S& value) const {
+  [[gnu::always_inline]] S rest(const S& value) const {
     if constexpr (P == Precision::fast) return S(0);
-    return (high - value) + low;
+    return (high - value) + low();
   }
 };
+
+/// a^2 + b, b small beside a^2: rounded once, up to eps^2. |a| < 2^(digits/2 - 1).
+template <Scalar S>
+[[gnu::always_inline]] inline S square_plus(const S& a, const S& b) {
+#if defined(__FMA__)
+  if constexpr (std::is_floating_point_v<Lane<S>>) return mul_add(a, a, b);
+#endif
+  auto square = CutSum<S, 1>().add_square(a);
+  return square.high + (square.low_a + b);
+}
 
 /// a . b with its exact sign and a relative error of 2 eps however much cancels and however small the products
 /// are; a sum that underflows is the smallest normal number with its sign. The products are summed as a

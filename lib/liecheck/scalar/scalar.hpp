@@ -84,14 +84,14 @@ S pi() {
 
 /// |a| as an S, also for scalars whose fabs returns an expression.
 template <Scalar S>
-S absolute(const S& a) {
+[[gnu::always_inline]] inline S absolute(const S& a) {
   using std::fabs;
   return S(fabs(a));
 }
 
 /// -1 for a < 0, 1 for a > 0, either at 0: without a branch that guesses wrong half of the time.
 template <Scalar S>
-S sign(const S& a) {
+[[gnu::always_inline]] inline S sign(const S& a) {
   if constexpr (std::is_floating_point_v<Lane<S>>) {
     using std::copysign;
     return copysign(S(1), a);
@@ -101,7 +101,7 @@ S sign(const S& a) {
 }
 
 template <Scalar S>
-bool finite(const S& a) {
+[[gnu::always_inline]] inline bool finite(const S& a) {
   using std::isfinite;
   return bool(isfinite(a));
 }

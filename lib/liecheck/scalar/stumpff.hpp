@@ -140,7 +140,7 @@ S series_limit() {
 
 /// Are the series valid for this x = theta^2? Beyond it (theta > pi, or x overflowed) use the sine forms.
 template <Scalar S>
-bool within_half_turn(const S& x) {
+[[gnu::always_inline]] inline bool within_half_turn(const S& x) {
   return x <= stumpff_detail::series_limit<S>();
 }
 
@@ -151,7 +151,7 @@ template <Scalar S, Precision P, class Vector>
   if constexpr (P == Precision::fast) return {x, S(0)};
   CutSum<S, 4> sum;
   sum.add_square(S(phi[0])).add_square(S(phi[1])).add_square(S(phi[2]));
-  return {x, (sum.high - x) + sum.low};
+  return {x, (sum.high - x) + sum.low_a};
 }
 
 /// Half a turn's worth of angle from theta^2 = x + x_low on [0, pi^2]: the Stumpff functions c_0 ... c_5 at
@@ -181,27 +181,29 @@ struct HalfAngle {
         value = head + tail;
         low = (head - value) + tail;
       };
-      const S step = x_low / S(8);
-      sum(S(1) / S(8), mul_add(h, mul_add(h, c5, S(-1) / S(24)), S(step * (c3 - c2))), c1, c1_low);
-      sum(S(1) / S(2), mul_add(square, c4, S(-step * c1)), c0, c0_low);
+      // to 1/100: it is an eps of the result.
+      const S step = x_low / S(8),
+              slope1 = mul_add(h, mul_add(h, S(-1) / S(840), S(1) / S(30)), S(-1) / S(3)),
+              slope0 = mul_add(h, mul_add(h, S(1) / S(120), S(-1) / S(6)), S(1));
+      sum(S(1) / S(8), mul_add(h, mul_add(h, c5, S(-1) / S(24)), S(step * slope1)), c1, c1_low);
+      sum(S(1) / S(2), mul_add(square, c4, S(-step * slope0)), c0, c0_low);
     }
   }
   /// sin(theta/2) / theta.
-  S sine_over_angle() const { return c1 / S(2); }
+  [[gnu::always_inline]] S sine_over_angle() const { return c1 / S(2); }
   /// c_1(x) = sin(theta) / theta.
-  S sine() const { return mul_add(c0, c1, mul_add(c0, c1_low, S(c0_low * c1))); }
+  [[gnu::always_inline]] S sine() const { return mul_add(c0, c1, mul_add(c0, c1_low, S(c0_low * c1))); }
   /// c_2(x) = (1 - cos(theta)) / theta^2.
-  S versine() const {
-    auto square = CutSum<S, 1, P>().add_square(c1);
-    if constexpr (P != Precision::fast) square.low = mul_add(S(S(2) * c1), c1_low, square.low);
-    return square.value() / S(2);
+  [[gnu::always_inline]] S versine() const {
+    if constexpr (P == Precision::fast) return c1 * c1 / S(2);
+    return square_plus<S>(c1, S(S(2) * c1 * c1_low)) / S(2);
   }
   /// c_3(x).
-  S third() const { return mul_add(c0, c3, c2) / S(4); }
+  [[gnu::always_inline]] S third() const { return mul_add(c0, c3, c2) / S(4); }
   /// (c_3 - 2 c_4)(x) = -2 c_2'(x).
-  S second_slope() const { return c1 * (c2 - c3) / S(4); }
+  [[gnu::always_inline]] S second_slope() const { return c1 * (c2 - c3) / S(4); }
   /// (c_4 - 3 c_5)(x) = -2 c_3'(x).
-  S third_slope() const {
+  [[gnu::always_inline]] S third_slope() const {
     return ((c3 - S(2) * c4) + mul_add(c1, c3, S(c0 * mul_add(S(-3), c5, c4)))) / S(16);
   }
 };
@@ -213,7 +215,7 @@ struct HalfAngle {
 template <Scalar S, Precision P = Precision::standard>
 struct InverseCoefficient {
   S d, d2;
-  explicit InverseCoefficient(const S& x) {
+  [[gnu::always_inline]] explicit InverseCoefficient(const S& x) {
     // At h = x/4: c_2 - c_3 = 1/3 - h (c_4 - c_5); 2 d' = (c_4 - 3 c_5 + c_3 (c_2 - 2 c_3)) / (16 c_1^2), all positive.
     const HalfAngle<S, Precision::fast> k(x);
     const S minus_h = x / S(-4), step = mul_add(minus_h, S(k.c4 - k.c5), S(1) / S(3)),
@@ -236,8 +238,9 @@ struct LogarithmCoefficients {
   S base, rest;  ///< angle_over_sine before it is rounded: 2 + 2 (h / sin h - 1) for |Q| = 1
   LogarithmCoefficients(const S& squared_sine, const S& cosine)
       : LogarithmCoefficients(squared_sine, cosine, squared_sine + mul_add(cosine, cosine, S(-1))) {}
-  /// excess = |Q|^2 - 1.
-  [[gnu::always_inline]] LogarithmCoefficients(const S& squared_sine, const S& cosine, const S& excess) {
+  /// excess = |Q|^2 - 1; cosine_low is what w has beyond cosine.
+  [[gnu::always_inline]] LogarithmCoefficients(const S& squared_sine, const S& cosine, const S& excess,
+                                               const S& cosine_low = S(0)) {
     using std::sqrt;
     // h / sin h = 1 + s slope(s), s = 1 - cos h.
     const auto slope = [](const S& s) __attribute__((always_inline)) {
@@ -245,19 +248,25 @@ struct LogarithmCoefficients {
     };
     bool near = true;
     if constexpr (!side_by_side<S>) near = excess * excess < eps<S>() / S(8);
+    S c, s, more;  // cos h, 1 - cos h, h / sin h - 1
     if (near) {
       const S half = excess / S(2);  // 1/|Q| = 1 - half
-      const S s = mul_add(half, cosine, S(S(1) - cosine)), more = S(2) * s * slope(s);
+      s = mul_add(half, cosine, S((S(1) - cosine) - cosine_low));
+      c = S(1) - s;
+      more = s * slope(s);
       base = S(2);
-      rest = mul_add(S(-half), S(2) + more, more);
+      rest = S(2) * mul_add(S(-half), S(1) + more, more);
     } else {
-      const S inverse = S(1) / S(sqrt(mul_add(cosine, cosine, squared_sine))), s = S(1) - cosine * inverse;
+      const S inverse = S(1) / S(sqrt(mul_add(cosine, cosine, squared_sine)));
+      c = cosine * inverse;
+      s = S(1) - c;
+      more = s * slope(s);
       base = S(2) * inverse;
-      rest = base * (s * slope(s));
+      rest = base * more;
     }
     angle_over_sine = base + rest;
     alpha = angle_over_sine * cosine / S(2);
-    along = (S(1) - alpha) / (squared_sine + std::numeric_limits<S>::min());
+    along = mul_add(S(-more), c, s) / (squared_sine + std::numeric_limits<S>::min());
   }
 };
 
@@ -307,24 +316,44 @@ struct RotationCoefficients {
   bool half_turn;
   S k1, k2, k3, slope2, slope3, sine_half, cosine_half;
 
-  [[gnu::always_inline]] explicit RotationCoefficients(const Vector& phi) : axis(phi), theta(0) {
-    const auto [x, x_low] = squared_angle<S, P>(phi);
-    if constexpr (side_by_side<S>)
-      half_turn = true;
-    else
-      half_turn = within_half_turn(x);
-    if (half_turn) {
-      const HalfAngle<S, P> k(x, x_low);
-      k1 = k.sine(), k2 = k.versine(), k3 = k.third();
-      slope2 = k.second_slope(), slope3 = k.third_slope();
-      sine_half = k.sine_over_angle(), cosine_half = k.c0;
-    } else if constexpr (!side_by_side<S>) {
-      const auto k = stumpff_detail::beyond_half_turn<S>(stumpff_detail::large_angle<S>(phi, x));
-      theta = k.theta, axis = phi / theta;
-      k1 = k.k1, k2 = k.k2, k3 = k.k3, slope2 = k.slope2, slope3 = k.slope3;
-      sine_half = k.sine_half, cosine_half = k.cosine_half;
-    }
+  /// theta^2 = x + x_low, within half a turn.
+  [[gnu::always_inline]] RotationCoefficients(const Vector& phi, const S& x, const S& x_low)
+      : axis(phi), theta(0), half_turn(true) {
+    const HalfAngle<S, P> k(x, x_low);
+    k1 = k.sine(), k2 = k.versine(), k3 = k.third();
+    slope2 = k.second_slope(), slope3 = k.third_slope();
+    sine_half = k.sine_over_angle(), cosine_half = k.c0;
   }
+  /// Beyond half a turn.
+  RotationCoefficients(const Vector& phi, const stumpff_detail::BeyondHalfTurn<S>& k)
+      : axis(phi / k.theta),
+        theta(k.theta),
+        half_turn(false),
+        k1(k.k1),
+        k2(k.k2),
+        k3(k.k3),
+        slope2(k.slope2),
+        slope3(k.slope3),
+        sine_half(k.sine_half),
+        cosine_half(k.cosine_half) {}
 };
+
+namespace stumpff_detail {
+template <Scalar S, Precision P, class Vector, class F>
+[[gnu::noinline, gnu::cold]] auto with_beyond_half_turn(const Vector& phi, const S& x, F f) {
+  return f(RotationCoefficients<S, Vector, P>(phi, beyond_half_turn<S>(large_angle<S>(phi, x))));
+}
+}  // namespace stumpff_detail
+
+/// f(k) with the coefficients k of phi: f is compiled twice, so that angles beyond half a turn, which are rare, cost the
+/// others nothing.
+template <Scalar S, Precision P, class Vector, class F>
+[[gnu::always_inline]] inline auto with_coefficients(const Vector& phi, F f) {
+  const auto [x, x_low] = squared_angle<S, P>(phi);
+  if constexpr (!side_by_side<S>)
+    if (!within_half_turn(x)) [[unlikely]]
+      return stumpff_detail::with_beyond_half_turn<S, P>(Vector(phi[0], phi[1], phi[2]), x, f);
+  return f(RotationCoefficients<S, Vector, P>(phi, x, x_low));
+}
 
 }  // namespace liecheck

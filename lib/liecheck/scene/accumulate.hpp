@@ -30,10 +30,12 @@ template <class V>
 /// Q exp(low) exp(phi) as a quaternion and the rotation vector that its rounding leaves over.
 template <Scalar S>
 void accumulateRotation(Eigen::Ref<Vector4<S>> Q, Eigen::Ref<Vector3<S>> low, const SO3<S>& step) {
-  const Vector4<S> b = step.to_vector();
-  const se3_configuration_detail::Product<S, Precision::standard> product(Vector4<S>(Q), b);
-  Vector4<S> high(product.x.high, product.y.high, product.z.high, product.w.high);
-  Vector4<S> rest(product.x.low, product.y.low, product.z.low, product.w.low);
+  const auto product = se3_configuration_detail::Product<S, Precision::standard>(
+                           SO3<S>(Vector4<S>(Q)).numbers(), step.numbers())
+                           .sum;
+  const Quad<S> low_part = product.low();
+  Vector4<S> high, rest;
+  for (int i = 0; i < 4; ++i) high[i] = product.high.v[i], rest[i] = low_part.v[i];
   // Q exp(low) b - Q b = Q b (exp(R_b^T low) - 1) = Q b (R_b^T low / 2, 0), low being a rounding error
   const Vector3<S> turned = step.template actInv<Precision::fast>(Vector3<S>(low));
   const SO3<S> behind = SO3<S>(high) * SO3<S>(Vector3<S>(turned / S(2)), S(0));
@@ -53,14 +55,16 @@ void accumulateRotation(Eigen::Ref<Vector4<S>> Q, Eigen::Ref<Vector3<S>> low, co
 /// q exp(delta) of a free-flyer, likewise.
 template <Scalar S>
 void accumulateSE3(Vector7<S>& q, Vector6<S>& low, const Vector6<S>& delta) {
-  const RotationCoefficients<S, Vector3<S>, Precision::standard> k(Vector3<S>(delta[3], delta[4], delta[5]));
-  const S turn = sign<S>(k.cosine_half), sine = turn * k.sine_half;
-  const SO3<S> Q0(Vector4<S>(q[3], q[4], q[5], q[6]));
-  const Vector3<S> step = Q0.act(exp_log_detail::arc(k, Vector3<S>(delta[0], delta[1], delta[2])));
-  for (int i = 0; i < 3; ++i) accumulate<S>(q[i], low[i], step[i]);
-  accumulateRotation<S>(
-      q.template tail<4>(), low.template tail<3>(),
-      SO3<S>(Vector3<S>(sine * k.axis[0], sine * k.axis[1], sine * k.axis[2]), S(turn * k.cosine_half)));
+  const Vector3<S> phi(delta[3], delta[4], delta[5]), rho(delta[0], delta[1], delta[2]);
+  with_coefficients<S, Precision::standard>(phi, [&](const auto& k) {
+    const S turn = sign<S>(k.cosine_half), sine = turn * k.sine_half;
+    const SO3<S> Q0(Vector4<S>(q[3], q[4], q[5], q[6]));
+    const Vector3<S> step = Q0.act(exp_log_detail::arc(k, rho));
+    for (int i = 0; i < 3; ++i) accumulate<S>(q[i], low[i], step[i]);
+    accumulateRotation<S>(
+        q.template tail<4>(), low.template tail<3>(),
+        SO3<S>(Vector3<S>(sine * k.axis[0], sine * k.axis[1], sine * k.axis[2]), S(turn * k.cosine_half)));
+  });
 }
 
 /// Of one joint. low [nv]; continuous and planar joints leave nothing over.

@@ -35,9 +35,10 @@ template <Scalar S>
   const Vector3<S> s = each<S>([&](int i) { return b1 * a[i]; }),
                    v = each<S>([&](int i) { return b2 * a[i]; });
   const S &x = a[0], &y = a[1], &z = a[2];
-  const S xx = v[0] * x, yy = v[1] * y, zz = v[2] * z, xy = v[0] * y, yz = v[1] * z, zx = v[2] * x;
-  return rows<S>(S(1) - (yy + zz), xy - s[2], zx + s[1], xy + s[2], S(1) - (xx + zz), yz - s[0], zx - s[1],
-                 yz + s[0], S(1) - (xx + yy));
+  const S xx = v[0] * x, yy = v[1] * y;
+  return rows<S>(S(1) - mul_add(v[2], z, yy), mul_add(v[0], y, S(-s[2])), mul_add(v[2], x, s[1]),
+                 mul_add(v[0], y, s[2]), S(1) - mul_add(v[2], z, xx), mul_add(v[1], z, S(-s[0])),
+                 mul_add(v[2], x, S(-s[1])), mul_add(v[1], z, s[0]), S(1) - (xx + yy));
 }
 
 /// exp [phi] = I + k1 [a] + k2 [a]^2 up to half a turn; beyond, where a is a rounded unit vector, by the quaternion.
@@ -58,6 +59,13 @@ struct RotationLogarithm {
       : v(each<S>([&Q, turn = sign<S>(Q.w())](int i) { return S(turn * Q.to_vector()[i]); })),
         c(dot<S>(v, v), absolute(Q.w()), Q.template normExcess<P>()) {
     phi = each<S>([&](int i) { return mul_add(c.base, v[i], S(c.rest * v[i])); });
+  }
+  /// From v + v_low, w + w_low with w >= 0, and excess = |Q|^2 - 1.
+  [[gnu::always_inline]] RotationLogarithm(const Vector3<S>& sine, const Vector3<S>& sine_low,
+                                           const S& cosine, const S& cosine_low, const S& excess)
+      : v(sine), c(dot<S>(v, v), cosine, excess, cosine_low) {
+    phi =
+        each<S>([&](int i) { return mul_add(c.base, v[i], mul_add(c.rest, v[i], S(c.base * sine_low[i]))); });
   }
 
   /// rho = J^-1(phi) p = p - 1/2 phi x p + (1 - alpha) n x (n x p), alpha = (theta/2) cot(theta/2), n = v/|v|: along the
@@ -82,8 +90,10 @@ SO3<S> exp3(const Vector3<S>& phi) {
     return tight_detail::rounded<S>(
         [](const auto& a) { return quaternion::exp3<DoubleDouble<S>, Precision::fast>(a); },
         [&] { return quaternion::exp3<S>(phi); }, phi);
-  const RotationCoefficients<S, Vector3<S>, P> k(phi);
-  return SO3<S>(each<S>([&k](int i) { return k.sine_half * k.axis[i]; }), k.cosine_half);
+  return with_coefficients<S, P>(
+      phi, [](const auto& k) __attribute__((always_inline)) {
+        return SO3<S>(each<S>([&k](int i) { return k.sine_half * k.axis[i]; }), k.cosine_half);
+      });
 }
 
 /// phi [3, rad] = 2 atan2(|v|, |w|)/|v| sgn(w) v, |phi| <= pi. It does not depend on |Q|. Error 2 eps relative.
@@ -103,10 +113,12 @@ Vector7<S> exp6(const Motion<S>& xi) {
     return tight_detail::rounded<S>(
         [](const auto& a) { return quaternion::exp6<DoubleDouble<S>, Precision::fast>(a); },
         [&] { return quaternion::exp6<S>(xi); }, xi);
-  const RotationCoefficients<S, Vector3<S>, P> k(xi.angular());
-  Vector7<S> q;
-  q << exp_log_detail::arc(k, xi.linear()), k.sine_half * k.axis, k.cosine_half;
-  return q;
+  return with_coefficients<S, P>(
+      xi.angular(), [&xi](const auto& k) __attribute__((always_inline)) {
+        Vector7<S> q;
+        q << exp_log_detail::arc(k, xi.linear()), k.sine_half * k.axis, k.cosine_half;
+        return q;
+      });
 }
 
 /// log of (p, Q) [p; x y z w]. Error 2 eps of phi, 4 eps of rho.
@@ -128,7 +140,8 @@ Matrix3<S> exp3(const Vector3<S>& phi) {
   if constexpr (P == Precision::tight)
     return tight_detail::rounded<S>([](const auto& a) { return exp3<DoubleDouble<S>, Precision::fast>(a); },
                                     [&] { return exp3<S>(phi); }, phi);
-  return exp_log_detail::matrix(RotationCoefficients<S, Vector3<S>, P>(phi));
+  return with_coefficients<S, P>(
+      phi, [](const auto& k) __attribute__((always_inline)) { return exp_log_detail::matrix(k); });
 }
 
 /// phi [3, rad] of the rotation nearest to R, for |R^T R - I| <= 8 eps. Error 3 eps relative; in
@@ -147,8 +160,10 @@ SE3<S> exp6(const Motion<S>& xi) {
   if constexpr (P == Precision::tight)
     return tight_detail::rounded<S>([](const auto& a) { return exp6<DoubleDouble<S>, Precision::fast>(a); },
                                     [&] { return exp6<S>(xi); }, xi);
-  const RotationCoefficients<S, Vector3<S>, P> k(xi.angular());
-  return SE3<S>(exp_log_detail::matrix(k), exp_log_detail::arc(k, xi.linear()));
+  return with_coefficients<S, P>(
+      xi.angular(), [&xi](const auto& k) __attribute__((always_inline)) {
+        return SE3<S>(exp_log_detail::matrix(k), exp_log_detail::arc(k, xi.linear()));
+      });
 }
 
 /// xi = log T, the inverse of exp6 for |phi| < pi. Error 3 eps of phi, 4 eps of rho.

@@ -43,8 +43,7 @@ struct BlockCoefficients {
   S b1, b2;          // block    I + b1 [a] + b2 [a]^2
   S r0, r1, r2, r3;  // coupling r0 [rho] + r1 ([a][rho] + [rho][a]) + (a . rho)(r2 [a] + r3 [a]^2)
 
-  [[gnu::always_inline]] static BlockCoefficients exponential(const Vector3<S>& phi) {
-    const RotationCoefficients<S, Vector3<S>, P> k(phi);
+  [[gnu::always_inline]] static BlockCoefficients of(const RotationCoefficients<S, Vector3<S>, P>& k) {
     BlockCoefficients b;
     b.axis = k.axis;
     b.b1 = k.k2;
@@ -65,28 +64,28 @@ struct BlockCoefficients {
     return b;
   }
 
-  [[gnu::always_inline]] static BlockCoefficients inverse(const Vector3<S>& phi) {
+  [[gnu::always_inline]] static BlockCoefficients inverse(const Vector3<S>& phi, const S& x) {
+    const InverseCoefficient<S> c(x);
     BlockCoefficients b;
     b.axis = phi;
-    const S x = squared_angle<S, Precision::fast>(phi).first;
+    b.b1 = b.r0 = S(-1) / S(2);
+    b.b2 = b.r1 = c.d;
     b.r2 = S(0);
+    b.r3 = c.d2;
+    return b;
+  }
+  static BlockCoefficients inverseBeyondHalfTurn(const Vector3<S>& phi, const S& x) {
+    const auto k = stumpff_detail::beyond_half_turn<S>(stumpff_detail::large_angle<S>(phi, x));
+    const S cot = k.cosine_half / k.sine_half;
+    BlockCoefficients b;
+    b.axis = phi / k.theta;
+    b.b1 = -k.theta / S(2);
+    b.b2 = S(1) - k.theta / S(2) * cot;
     b.r0 = S(-1) / S(2);
-    if (within_half_turn(x)) {
-      const InverseCoefficient<S> c(x);
-      b.b1 = S(-1) / S(2);
-      b.b2 = c.d;
-      b.r1 = c.d;
-      b.r3 = c.d2;
-    } else {
-      const auto k = stumpff_detail::beyond_half_turn<S>(stumpff_detail::large_angle<S>(phi, x));
-      const S cot = k.cosine_half / k.sine_half;
-      b.axis = phi / k.theta;
-      b.b1 = -k.theta / S(2);
-      b.b2 = S(1) - k.theta / S(2) * cot;
-      b.r1 = b.b2 / k.theta;
-      // 2 d' theta^3 = (theta/4) / sin^2(theta/2) - cot(theta/2)/2 ... from d = (1 - (theta/2) cot(theta/2))/theta^2
-      b.r3 = k.theta / S(4) / (k.sine_half * k.sine_half) + cot / S(2) - S(2) / k.theta;
-    }
+    b.r1 = b.b2 / k.theta;
+    b.r2 = S(0);
+    // 2 d' theta^3 = (theta/4) / sin^2(theta/2) - cot(theta/2)/2 ... from d = (1 - (theta/2) cot(theta/2))/theta^2
+    b.r3 = k.theta / S(4) / (k.sine_half * k.sine_half) + cot / S(2) - S(2) / k.theta;
     return b;
   }
 
@@ -97,7 +96,7 @@ struct BlockCoefficients {
     return skew_and_symmetric<S>(each<S>([&](int i) { return mul_add(r0, rho[i], S(a2 * axis[i])); }), axis,
                                  each<S>([&](int i) { return mul_add(r1, rho[i], S(a3 * axis[i])); }));
   }
-  Matrix6<S> matrix(const Vector3<S>& rho) const {
+  [[gnu::always_inline]] Matrix6<S> matrix(const Vector3<S>& rho) const {
     Matrix6<S> J;
     J.template topLeftCorner<3, 3>() = block();
     J.template topRightCorner<3, 3>() = coupling(rho);
@@ -106,6 +105,24 @@ struct BlockCoefficients {
     return J;
   }
 };
+
+/// f(coefficients) of J_l and of its inverse, the rare path apart.
+template <Scalar S, Precision P, class F>
+[[gnu::always_inline]] inline auto exponential(const Vector3<S>& phi, F f) {
+  return with_coefficients<S, P>(
+      phi, [&f](const auto& k) __attribute__((always_inline)) { return f(BlockCoefficients<S, P>::of(k)); });
+}
+template <Scalar S, Precision P, class F>
+[[gnu::noinline, gnu::cold]] auto inverseBeyondHalfTurn(const Vector3<S>& phi, const S& x, F f) {
+  return f(BlockCoefficients<S, P>::inverseBeyondHalfTurn(phi, x));
+}
+template <Scalar S, Precision P, class F>
+[[gnu::always_inline]] inline auto inverse(const Vector3<S>& phi, F f) {
+  const S x = squared_angle<S, Precision::fast>(phi).first;
+  if (!within_half_turn(x)) [[unlikely]]
+    return inverseBeyondHalfTurn<S, P>(each<S>([&phi](int i) { return phi[i]; }), x, f);
+  return f(BlockCoefficients<S, P>::inverse(phi, x));
+}
 
 }  // namespace jacobian_detail
 
@@ -116,7 +133,8 @@ Matrix3<S> leftJacobian(const Vector3<S>& phi) {
     return tight_detail::rounded<S>(
         [](const auto& a) { return leftJacobian<DoubleDouble<S>, Precision::fast>(a); },
         [&] { return leftJacobian<S>(phi); }, phi);
-  return jacobian_detail::BlockCoefficients<S, P>::exponential(phi).block();
+  return jacobian_detail::exponential<S, P>(
+      phi, [](const auto& b) __attribute__((always_inline)) { return b.block(); });
 }
 /// J_r(phi) = J_l(-phi), 3 x 3.
 template <Scalar S, Precision P = Precision::standard>
@@ -134,7 +152,8 @@ Matrix3<S> leftJacobianInverse(const Vector3<S>& phi) {
     return tight_detail::rounded<S>(
         [](const auto& a) { return leftJacobianInverse<DoubleDouble<S>, Precision::fast>(a); },
         [&] { return leftJacobianInverse<S>(phi); }, phi);
-  return jacobian_detail::BlockCoefficients<S, P>::inverse(phi).block();
+  return jacobian_detail::inverse<S, P>(
+      phi, [](const auto& b) __attribute__((always_inline)) { return b.block(); });
 }
 /// J_r^-1(phi), 3 x 3.
 template <Scalar S, Precision P = Precision::standard>
@@ -153,7 +172,8 @@ Matrix6<S> leftJacobian(const Motion<S>& xi) {
     return tight_detail::rounded<S>(
         [](const auto& a) { return leftJacobian<DoubleDouble<S>, Precision::fast>(a); },
         [&] { return leftJacobian<S>(xi); }, xi);
-  return jacobian_detail::BlockCoefficients<S, P>::exponential(xi.angular()).matrix(xi.linear());
+  return jacobian_detail::exponential<S, P>(
+      xi.angular(), [&xi](const auto& b) __attribute__((always_inline)) { return b.matrix(xi.linear()); });
 }
 /// J_r(xi) = J_l(-xi), 6 x 6.
 template <Scalar S, Precision P = Precision::standard>
@@ -171,7 +191,8 @@ Matrix6<S> leftJacobianInverse(const Motion<S>& xi) {
     return tight_detail::rounded<S>(
         [](const auto& a) { return leftJacobianInverse<DoubleDouble<S>, Precision::fast>(a); },
         [&] { return leftJacobianInverse<S>(xi); }, xi);
-  return jacobian_detail::BlockCoefficients<S, P>::inverse(xi.angular()).matrix(xi.linear());
+  return jacobian_detail::inverse<S, P>(
+      xi.angular(), [&xi](const auto& b) __attribute__((always_inline)) { return b.matrix(xi.linear()); });
 }
 /// J_r^-1(xi), 6 x 6.
 template <Scalar S, Precision P = Precision::standard>

@@ -25,9 +25,9 @@ class Motion {
   const Vector3<S>& linear() const { return linear_; }
   const Vector3<S>& angular() const { return angular_; }
   /// (linear, angular), shape 6.
-  Vector6<S> to_vector() const {
+  [[gnu::always_inline]] Vector6<S> to_vector() const {
     Vector6<S> v;
-    v << linear_, angular_;
+    for (int i = 0; i < 3; ++i) v[i] = linear_[i], v[3 + i] = angular_[i];
     return v;
   }
 

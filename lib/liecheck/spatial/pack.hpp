@@ -42,19 +42,19 @@ struct Pack {
   /// The library's, found first by argument-dependent look-up: fused where S's is.
   [[gnu::always_inline]] friend Pack mul_add(const Pack& a, const Pack& b, const Pack& c) {
 #if defined(__FMA__)
-    return each([&](int i) { return std::fma(a.v[i], b.v[i], c.v[i]); });
+    return each([&](int i) __attribute__((always_inline)) { return std::fma(a.v[i], b.v[i], c.v[i]); });
 #else
     return a.v * b.v + c.v;
 #endif
   }
   [[gnu::always_inline]] friend Pack sqrt(const Pack& a) {
-    return each([&](int i) { return std::sqrt(a.v[i]); });
+    return each([&](int i) __attribute__((always_inline)) { return std::sqrt(a.v[i]); });
   }
   [[gnu::always_inline]] friend Pack fabs(const Pack& a) {
-    return each([&](int i) { return std::fabs(a.v[i]); });
+    return each([&](int i) __attribute__((always_inline)) { return std::fabs(a.v[i]); });
   }
   [[gnu::always_inline]] friend Pack copysign(const Pack& a, const Pack& b) {
-    return each([&](int i) { return std::copysign(a.v[i], b.v[i]); });
+    return each([&](int i) __attribute__((always_inline)) { return std::copysign(a.v[i], b.v[i]); });
   }
   friend bool isfinite(const Pack& a) {
     bool all = true;
@@ -68,13 +68,13 @@ struct Pack {
     return all;
   }
   friend Pack sin(const Pack& a) {
-    return each([&](int i) { return std::sin(a.v[i]); });
+    return each([&](int i) __attribute__((always_inline)) { return std::sin(a.v[i]); });
   }
   friend Pack cos(const Pack& a) {
-    return each([&](int i) { return std::cos(a.v[i]); });
+    return each([&](int i) __attribute__((always_inline)) { return std::cos(a.v[i]); });
   }
   friend Pack atan2(const Pack& a, const Pack& b) {
-    return each([&](int i) { return std::atan2(a.v[i], b.v[i]); });
+    return each([&](int i) __attribute__((always_inline)) { return std::atan2(a.v[i], b.v[i]); });
   }
   friend Pack ldexp(const Pack& a, int e) {
     return a * Pack(std::ldexp(S(1), e));

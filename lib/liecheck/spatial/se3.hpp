@@ -52,8 +52,10 @@ class SE3 {
 
   Motion<S> act(const Motion<S>& V_B) const {
     const Vector3<S> omega = product<S>(R_, V_B.angular()), u = product<S>(R_, V_B.linear());
-    const Vector3<S> c = cross<S>(p_, omega);
-    return {each<S>([&](int i) { return u[i] + c[i]; }), omega};
+    const auto linear = [&](int i, int j, int k) __attribute__((always_inline)) {
+      return mul_add(p_[j], omega[k], mul_add(S(-p_[k]), omega[j], u[i]));
+    };
+    return {Vector3<S>(linear(0, 1, 2), linear(1, 2, 0), linear(2, 0, 1)), omega};
   }
   Motion<S> actInv(const Motion<S>& V_A) const {
     const Vector3<S> u = V_A.linear() - cross<S>(p_, V_A.angular());
@@ -77,19 +79,13 @@ class SE3 {
   /// X, 6 x 6, with V_A = X V_B: [R, [p] R; 0, R].
   Matrix6<S> toActionMatrix() const {
     Matrix6<S> X;
-    X.template topLeftCorner<3, 3>() = R_;
-    X.template topRightCorner<3, 3>() = lever();
-    X.template bottomLeftCorner<3, 3>().setZero();
-    X.template bottomRightCorner<3, 3>() = R_;
+    column(X, 0, 3, 0), column(X, 0, 3, 1), column(X, 0, 3, 2);
     return X;
   }
   /// X^-T, 6 x 6, with F_A = X^-T F_B: [R, 0; [p] R, R].
   Matrix6<S> toDualActionMatrix() const {
     Matrix6<S> X;
-    X.template topLeftCorner<3, 3>() = R_;
-    X.template topRightCorner<3, 3>().setZero();
-    X.template bottomLeftCorner<3, 3>() = lever();
-    X.template bottomRightCorner<3, 3>() = R_;
+    column(X, 3, 0, 0), column(X, 3, 0, 1), column(X, 3, 0, 2);
     return X;
   }
 
@@ -99,14 +95,13 @@ class SE3 {
   }
 
  private:
-  /// [p] R, column by column.
-  Matrix3<S> lever() const {
-    Matrix3<S> m;
-    for (int j = 0; j < 3; ++j) {
-      const Vector3<S> c = cross<S>(p_, Vector3<S>(R_(0, j), R_(1, j), R_(2, j)));
-      m(0, j) = c[0], m(1, j) = c[1], m(2, j) = c[2];
-    }
-    return m;
+  /// Column j of R on the diagonal of X, of [p] R at (row, column), of zeros across.
+  [[gnu::always_inline]] void column(Matrix6<S>& X, int row, int column, int j) const {
+    const S &x = R_(0, j), &y = R_(1, j), &z = R_(2, j);
+    const Vector3<S> l = cross<S>(p_, Vector3<S>(x, y, z));
+    X(0, j) = X(3, 3 + j) = x, X(1, j) = X(4, 3 + j) = y, X(2, j) = X(5, 3 + j) = z;
+    X(row, column + j) = l[0], X(row + 1, column + j) = l[1], X(row + 2, column + j) = l[2];
+    X(column, row + j) = X(column + 1, row + j) = X(column + 2, row + j) = S(0);
   }
   /// R I R^T, symmetric to the last bit.
   static Matrix3<S> congruence(const Matrix3<S>& R, const Matrix3<S>& I) {

@@ -8,6 +8,7 @@
 
 #include <liecheck/scalar/compensated.hpp>
 #include <liecheck/scalar/stumpff.hpp>
+#include <liecheck/spatial/quad.hpp>
 #include <liecheck/spatial/types.hpp>
 
 namespace liecheck {
@@ -31,12 +32,9 @@ class SO3 {
   /// |Q|^2 - 1, to eps/16 while |Q| is near 1.
   template <Precision P = Precision::standard>
   [[gnu::always_inline]] S normExcess() const {
-    return CutSum<S, 1, P>{S(-1)}
-        .add_square(q_[0])
-        .add_square(q_[1])
-        .add_square(q_[2])
-        .add_square(q_[3])
-        .value();
+    using C = Cut<Quad<S>, 1, P>;
+    const auto squares = CutSum<Quad<S>, 1, P>().add_square(C(numbers()));
+    return (sum(squares.high) - S(1)) + sum(squares.low_a);
   }
 
   SO3 inverse() const { return SO3(Vector4<S>(-q_[0], -q_[1], -q_[2], q_[3])); }
@@ -54,33 +52,11 @@ class SO3 {
   /// R p, the vector part of (Q p) Q* / |Q|^2: neither product is longer than p. Shape 3, unit of p. Error 1 eps |p|.
   template <Precision P = Precision::standard>
   [[gnu::always_inline]] Vector3<S> act(const Vector3<S>& p) const {
-    using C = Cut<S, 1, P>;
-    using std::ldexp;
-    const S &x = q_[0], &y = q_[1], &z = q_[2], &w = q_[3];
-    const C cx(x), cy(y), cz(z), cw(w);
-    const S place = (absolute<S>(p[0]) + absolute<S>(p[1]) + absolute<S>(p[2])) *
-                    S(ldexp(S(1), std::numeric_limits<S>::digits / 2 + 1));
+    const S most = norm1<S>(p);
     if constexpr (P != Precision::fast && !side_by_side<S>)
-      if (!finite<S>(place)) return act<Precision::fast>(p);  // a few binades before the result overflows
-    const C px(p[0], place), py(p[1], place), pz(p[2], place);
-    const auto sum = [&place](const C& a, const C& b, const C& c, const C& d, const C& e, const C& f)
-        __attribute__((always_inline)) {
-      const auto s = CutSum<S, 1, P>().add_product(a, b).add_product(c, d).add_product(e, f);
-      const S rounded = s.value();
-      return C(rounded, place).with(s.rest(rounded));
-    };
-    const C ca = sum(cx, px, cy, py, cz, pz);
-    const C cgx = sum(cw, px, cy, pz, -cz, py), cgy = sum(cw, py, cz, px, -cx, pz),
-            cgz = sum(cw, pz, cx, py, -cy, px);
-    const S excess = normExcess<P>(), correction = -excess / (S(1) + excess);
-    const auto entry = [&](const C& w_g, const C& v, const C& b, const C& c, const C& d, const C& e)
-        __attribute__((always_inline)) {
-      const auto r =
-          CutSum<S, 1, P>().add_product(cw, w_g).add_product(v, ca).add_product(b, c).add_product(d, e);
-      return r.high + mul_add(correction, r.high, r.low);
-    };
-    return Vector3<S>(entry(cgx, cx, cy, cgz, -cz, cgy), entry(cgy, cy, cz, cgx, -cx, cgz),
-                      entry(cgz, cz, cx, cgy, -cy, cgx));
+      if (!cuttable(most)) [[unlikely]]
+        return S(1) / down() * turned<P>(numbers(), Vector3<S>(p * down()), S(most * down()));
+    return turned<P>(numbers(), p, most);
   }
   /// R^T p.
   template <Precision P = Precision::standard>
@@ -88,8 +64,23 @@ class SO3 {
     return inverse().template act<P>(p);
   }
 
+  /// R p, R^T p of p no longer than `most` and cuttable, with the error in eps of that.
+  template <Precision P>
+  [[gnu::always_inline]] Vector3<S> actWithin(const Vector3<S>& p, const S& most) const {
+    return turned<P>(numbers(), p, most);
+  }
+  template <Precision P>
+  [[gnu::always_inline]] Vector3<S> actInvWithin(const Vector3<S>& p, const S& most) const {
+    return turned<P>(conjugate(), p, most);
+  }
+  /// Does the place where numbers up to `most` are cut still have a number? Else: what scales them down.
+  [[gnu::always_inline]] static bool cuttable(const S& most) { return finite<S>(S(most * cut_factor())); }
+  static S down() { return eps<S>(); }
+  [[gnu::always_inline]] Quad<S> conjugate() const { return numbers() * quad<S>(S(-1), S(-1), S(-1), S(1)); }
+  [[gnu::always_inline]] Quad<S> numbers() const { return quad<S>(q_[0], q_[1], q_[2], q_[3]); }
+
   /// R, 3 x 3. Error 2 eps in each entry; exact function of Q/|Q|.
-  Matrix3<S> matrix() const {
+  [[gnu::always_inline]] Matrix3<S> matrix() const {
     const S s = scale();
     const S &x = q_[0], &y = q_[1], &z = q_[2], &w = q_[3];
     const S xs = x * s, ys = y * s, zs = z * s;
@@ -114,7 +105,7 @@ class SO3 {
   template <Precision P = Precision::standard>
   static SO3 fromMatrix(const Matrix3<S>& R) {
     if constexpr (P == Precision::fast)
-      return largestPivot(R, Vector3<S>(R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1)));
+      return largestPivot<P>(R, Vector3<S>(R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1)), R);
     // Polar factor R (I - E/2), E = R^T R - I; C = -R E / 2 is the correction. Its antisymmetric part is
     // formed from differences R_ii - R_jj so that it vanishes with the angle, as the exact one does.
     using C = Cut<S, 1, P>;
@@ -139,12 +130,38 @@ class SO3 {
       return S((R(k, j) - R(j, k)) - half * correction);
     };
     const Vector3<S> a(antisymmetric(0, 1, 2), antisymmetric(1, 2, 0), antisymmetric(2, 0, 1));
-    return largestPivot(Matrix3<S>(R - half * (R * E)), a);
+    return largestPivot<P>(Matrix3<S>(R - half * (R * E)), a, R);
   }
 
  private:
-  /// Of a rotation N with antisymmetric part a: N_32 - N_23 and so on.
-  static SO3 largestPivot(const Matrix3<S>& N, const Vector3<S>& a) {
+  [[gnu::always_inline]] static S cut_factor() {
+    using std::ldexp;
+    return S(ldexp(S(1), std::numeric_limits<S>::digits / 2 + 1));
+  }
+  template <Precision P>
+  [[gnu::always_inline]] Vector3<S> turned(const Quad<S>& Q, const Vector3<S>& p, const S& most) const {
+    const S place = most * cut_factor();
+    using C = Cut<Quad<S>, 1, P>;
+    const LeftFactor<S, P> q(Q);
+    const Quad<S> x = quad<S>(p[0], p[1], p[2], S(0)), places(place);
+    // Q p = (w p + v x p, -v . p) = g, then w g - g_w v + v x g.
+    const auto Qp = CutSum<Quad<S>, 1, P>()
+                        .add_product(q.w_x, C(permute<0, 1, 2, 0>(x), places))
+                        .add_product(q.y, C(permute<2, 0, 1, 1>(x), places))
+                        .add_product(-q.z, C(permute<1, 2, 0, 2>(x), places));
+    const Quad<S> g = Qp.high, low = Qp.low();
+    const auto r = CutSum<Quad<S>, 1, P>()
+                       .add_product(q.w_x, C(g, low, places))
+                       .add_product(-q.self, C(permute<3, 3, 3, 3>(g), permute<3, 3, 3, 3>(low), places))
+                       .add_product(q.y, C(permute<2, 0, 1, 3>(g), permute<2, 0, 1, 3>(low), places))
+                       .add_product(-q.z, C(permute<1, 2, 0, 3>(g), permute<1, 2, 0, 3>(low), places));
+    const S excess = normExcess<P>(), correction = -excess / (S(1) + excess);
+    const Quad<S> result = r.high + mul_add(Quad<S>(correction), r.high, r.low());
+    return Vector3<S>(result.v[0], result.v[1], result.v[2]);
+  }
+  /// Of a rotation N with antisymmetric part a: N_32 - N_23 and so on; N is R or its nearest rotation.
+  template <Precision P>
+  static SO3 largestPivot(const Matrix3<S>& N, const Vector3<S>& a, const Matrix3<S>& R) {
     const S trace = N.trace();
     Vector4<S> q;
     if (trace > S(0)) {
@@ -158,11 +175,38 @@ class SO3 {
       q[j] = N(i, j) + N(j, i);
       q[k] = N(i, k) + N(k, i);
       q[3] = a[i];
+      // What the rounding of a, or R's distance from a rotation, may leave of it.
+      const S least = P == Precision::fast ? S(64) * eps<S>() : S(1024) * eps<S>() * eps<S>();
+      if constexpr (!side_by_side<S>)
+        if (absolute<S>(q[3]) < least) return nearHalfTurn(R, Vector3<S>(q.template head<3>()));
     }
     return SO3(Vector4<S>(q / S(4)));
   }
+  /// The rotation nearest to R is the eigenvector (v, w) of the largest eigenvalue, 3 here, of Davenport's matrix
+  /// [R + R^T - tr(R) I, a; a^T, tr R], a = (R_32 - R_23, ...) (Davenport 1968; Markley & Mortari 2000): so
+  /// (3 - tr R) w = a . v, tr R = -1, and w has the sign of a . v however small it is. The eigenvalues beside it are
+  /// both -1: one step of the power method, v += (R + R^T - tr(R) I) v, leaves eps of an error in v; with it in
+  /// twice the digits, w is lost where a is perpendicular to v up to eps^2 alone.
+  [[gnu::noinline, gnu::cold]] static SO3 nearHalfTurn(const Matrix3<S>& R, Vector3<S> v) {
+    v /= S(2) * absolute<S>(v.cwiseAbs().maxCoeff());
+    Eigen::Matrix<S, 12, 1> entries, factors;  // of a . v, v as high + low
+    Vector3<S> high;
+    for (int i = 0; i < 3; ++i) {
+      CompensatedSum<S> sum;
+      sum.add(v[i]);
+      for (int j = 0; j < 3; ++j) {
+        sum.add_product(R(i, j), v[j]).add_product(R(j, i), v[j]).add_product(S(-R(j, j)), v[i]);
+      }
+      const auto [value, low] = sum.pair();
+      high[i] = value;
+      const int j = (i + 1) % 3, k = (i + 2) % 3;
+      entries.template segment<4>(4 * i) << R(k, j), R(j, k), R(k, j), R(j, k);
+      factors.template segment<4>(4 * i) << value, -value, low, -low;
+    }
+    return SO3(Vector3<S>(high / S(4)), exact_dot<S, 12>(entries, factors) / S(16));
+  }
   /// 2 / |Q|^2, rounded twice: an error here is common to all entries, so it would stretch what it rotates.
-  S scale() const { return S(2) / (S(1) + normExcess<>()); }
+  [[gnu::always_inline]] S scale() const { return S(2) / (S(1) + normExcess<>()); }
 
   Vector4<S> q_;
 };

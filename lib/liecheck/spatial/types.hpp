@@ -35,8 +35,8 @@ void mark_uninitialised([[maybe_unused]] Eigen::MatrixBase<Derived>& m) {
 
 /// A matrix from its entries, row by row.
 template <class S>
-Matrix3<S> rows(const S& xx, const S& xy, const S& xz, const S& yx, const S& yy, const S& yz, const S& zx,
-                const S& zy, const S& zz) {
+[[gnu::always_inline]] inline Matrix3<S> rows(const S& xx, const S& xy, const S& xz, const S& yx, const S& yy,
+                                              const S& yz, const S& zx, const S& zy, const S& zz) {
   Matrix3<S> m;
   m(0, 0) = xx, m(1, 0) = yx, m(2, 0) = zx;
   m(0, 1) = xy, m(1, 1) = yy, m(2, 1) = zy;
@@ -52,14 +52,20 @@ template <class S, class F>
 
 /// [v]: the matrix with [v] w = v x w. Shape 3 x 3.
 template <class S>
-Matrix3<S> skew(const Vector3<S>& v) {
+[[gnu::always_inline]] inline Matrix3<S> skew(const Vector3<S>& v) {
   return rows<S>(S(0), -v.z(), v.y(), v.z(), S(0), -v.x(), -v.y(), v.x(), S(0));
 }
 
 /// a . b. Error 1.5 eps |a||b|.
 template <class S>
-S dot(const Vector3<S>& a, const Vector3<S>& b) {
+[[gnu::always_inline]] inline S dot(const Vector3<S>& a, const Vector3<S>& b) {
   return mul_add(a.x(), b.x(), mul_add(a.y(), b.y(), S(a.z() * b.z())));
+}
+
+/// |a_0| + |a_1| + |a_2|, no less than |a|.
+template <class S>
+[[gnu::always_inline]] inline S norm1(const Vector3<S>& a) {
+  return absolute<S>(a[0]) + absolute<S>(a[1]) + absolute<S>(a[2]);
 }
 
 /// M v and M^T v, entry by entry.
@@ -84,7 +90,7 @@ template <class S>
 
 /// a x b, each component one fused difference of products where the target has FMA: error 1.5 eps |a||b|.
 template <class S>
-Vector3<S> cross(const Vector3<S>& a, const Vector3<S>& b) {
+[[gnu::always_inline]] inline Vector3<S> cross(const Vector3<S>& a, const Vector3<S>& b) {
   return Vector3<S>(mul_add(a[1], b[2], S(-(a[2] * b[1]))), mul_add(a[2], b[0], S(-(a[0] * b[2]))),
                     mul_add(a[0], b[1], S(-(a[1] * b[0]))));
 }

@@ -29,8 +29,9 @@ struct Planar {
 
   /// p1 = p0 + R J(omega) (u_x, u_y), angle1 = angle0 + omega.
   static Configuration integrate(const Configuration& q, const Tangent& delta) {
-    const RotationCoefficients<S, Vector3<S>> k(Vector3<S>(S(0), S(0), delta[2]));
-    const Vector3<S> arc = exp_log_detail::arc<S>(k, Vector3<S>(delta[0], delta[1], S(0)));
+    const Vector3<S> phi(S(0), S(0), delta[2]), rho(delta[0], delta[1], S(0)),
+        arc = with_coefficients<S, Precision::standard>(
+            phi, [&rho](const auto&k) { return exp_log_detail::arc(k, rho); });
     const Vector2 u = se3_configuration_detail::firstOrderNormalize<S, 2>(q.template tail<2>());
     Configuration result;
     result << q[0] + (u[0] * arc[0] - u[1] * arc[1]), q[1] + (u[1] * arc[0] + u[0] * arc[1]),
