@@ -6,7 +6,6 @@
 // (beyond half a turn, near poses, half a turn within 1e-3, quaternions far from unit, results that are not finite)
 // and those left over at the end are computed by that function itself.
 
-#include <cstring>
 #include <liecheck/multibody/se3_configuration.hpp>
 #include <liecheck/spatial/pack.hpp>
 
@@ -28,7 +27,11 @@ constexpr int bytes = 16;
 template <class T, class S, int ROWS>
 [[gnu::always_inline]] inline Eigen::Matrix<T, ROWS, 1> load(const Rows<S, ROWS>& rows, Eigen::Index column) {
   Eigen::Matrix<T, ROWS, 1> v;
-  for (int r = 0; r < ROWS; ++r) std::memcpy(static_cast<void*>(&v[r]), &rows(r, column), sizeof(T));
+  for (int r = 0; r < ROWS; ++r)
+    if constexpr (side_by_side<T>)
+      v[r] = T::load(&rows(r, column));
+    else
+      v[r] = rows(r, column);
   return v;
 }
 
@@ -45,9 +48,12 @@ Rows<S, ROWS> map(F f, Settled settled, const Rows<S, IN>&... arguments) {
   };
   Eigen::Index i = 0;
   for (; i + width <= n; i += width) {
-    const Eigen::Matrix<P, ROWS, 1> r = f(load<P>(arguments, i)...);
-    for (int k = 0; k < ROWS; ++k) std::memcpy(&all(k, i), &r[k].v, sizeof(P));
-    const auto usual = settled(r, load<P>(arguments, i)...);
+    const auto usual = [&](const auto&... loaded) __attribute__((always_inline)) {
+      const Eigen::Matrix<P, ROWS, 1> r = f(loaded...);
+      for (int k = 0; k < ROWS; ++k) r[k].store(&all(k, i));
+      return settled(r, loaded...);
+    }
+    (load<P>(arguments, i)...);
     bool all_usual = true;
     for (Eigen::Index lane = 0; lane < width; ++lane) all_usual &= usual[lane] != 0;
     if (all_usual) continue;

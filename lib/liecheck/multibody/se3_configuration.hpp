@@ -34,12 +34,14 @@ template <Scalar S, Precision P>
 struct Product {
   CutSum<Quad<S>, 1, P> sum;
   [[gnu::always_inline]] Product(const Quad<S>& a, const Quad<S>& q) {
-    using C = Cut<Quad<S>, 1, P>;
     const LeftFactor<S, P> p(a);
-    sum.add_product(p.w_x, C(permute<0, 1, 2, 0>(q)))
-        .add_product(p.self, C(permute<3, 3, 3, 3>(q)))
-        .add_product(p.y, C(permute<2, 0, 1, 1>(q)))
-        .add_product(-p.z, C(permute<1, 2, 0, 2>(q)));
+    sum = by_lane<S, P>([&](auto l) __attribute__((always_inline)) {
+      return empty_sum<P>(l, q)
+          .add_product(at(l, p.w_x), cut<P, 0, 1, 2, 0>(l, q))
+          .add_product(at(l, p.self), cut<P, 3, 3, 3, 3>(l, q))
+          .add_product(at(l, p.y), cut<P, 2, 0, 1, 1>(l, q))
+          .add_product(-at(l, p.z), cut<P, 1, 2, 0, 2>(l, q));
+    });
   }
   /// Of norm 1 up to 3/8 of the squared defect, each number rounded once; excess = |Q0|^2 |Q1|^2 - 1.
   [[gnu::always_inline]] Vector4<S> normalized(const S& excess) const {

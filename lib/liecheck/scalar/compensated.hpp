@@ -98,6 +98,12 @@ struct Cut {
       tail = x - head;
     }
   }
+  /// The parts as they are.
+  [[gnu::always_inline]] static Cut of(const S& value, const S& head, const S& tail) {
+    Cut c = value;
+    c.head = head, c.tail = tail;
+    return c;
+  }
   [[gnu::always_inline]] friend Cut operator-(Cut a) {
     a.value = -a.value, a.head = -a.head, a.tail = -a.tail;
     return a;

@@ -229,44 +229,63 @@ struct InverseCoefficient {
 ///     angle_over_sine = 2 h / |v|       phi = angle_over_sine v
 ///     alpha = h cot h                   (theta/2) cot(theta/2)
 ///     along = (1 - alpha) / |v|^2       so that J^-1 p = p - phi x p / 2 + along v x (v x p)
-/// h / sin h is a smooth function of w/|Q| alone: near 1, as |Q| is up to rounding, no root is taken. Where |v|^2
-/// underflows: 2/w, 1, 0. Precondition: w >= 0 and |Q|^2 a normal number. Error, for |Q| near 1 and its excess known
-/// to eps/4: angle_over_sine 1.5 eps, alpha 2.5 eps relative, else 2.5 and 3.5.
+/// h / sin h is a smooth function of w/|Q| alone, and 1/|Q| = r (1 - e/2), r the rounded root (1 for |Q| near 1, as it
+/// is up to rounding) and e = r^2 |Q|^2 - 1, to first order. Where |v|^2 underflows: 2/w, 1, 0. Precondition: w >= 0
+/// and |Q|^2 a normal number. Error, for |Q|^2 in [1/8, 8] known to eps/4 of it: angle_over_sine 1.5 eps, alpha 2.5 eps
+/// relative; else 2.5 and 3.5.
 template <Scalar S>
 struct LogarithmCoefficients {
   S angle_over_sine, alpha, along;
-  S base, rest;  ///< angle_over_sine before it is rounded: 2 + 2 (h / sin h - 1) for |Q| = 1
+  S base, rest;  ///< angle_over_sine before it is rounded: 2 r + 2 r (h / sin h (1 - e/2) - 1)
   LogarithmCoefficients(const S& squared_sine, const S& cosine)
-      : LogarithmCoefficients(squared_sine, cosine, squared_sine + mul_add(cosine, cosine, S(-1))) {}
-  /// excess = |Q|^2 - 1; cosine_low is what w has beyond cosine.
+      : LogarithmCoefficients(squared_sine, cosine, excess_of(squared_sine, cosine)) {}
+  /// |Q|^2 = 1 + excess + excess_low, w = cosine + cosine_low.
   [[gnu::always_inline]] LogarithmCoefficients(const S& squared_sine, const S& cosine, const S& excess,
-                                               const S& cosine_low = S(0)) {
-    using std::sqrt;
-    // h / sin h = 1 + s slope(s), s = 1 - cos h.
-    const auto slope = [](const S& s) __attribute__((always_inline)) {
-      return stumpff_detail::evaluate<stumpff_detail::InverseSincSeries, 1>(s);
-    };
-    bool near = true;
-    if constexpr (!side_by_side<S>) near = excess * excess < eps<S>() / S(8);
-    S c, s, more;  // cos h, 1 - cos h, h / sin h - 1
-    if (near) {
-      const S half = excess / S(2);  // 1/|Q| = 1 - half
-      s = mul_add(half, cosine, S((S(1) - cosine) - cosine_low));
-      c = S(1) - s;
-      more = s * slope(s);
-      base = S(2);
-      rest = S(2) * mul_add(S(-half), S(1) + more, more);
-    } else {
-      const S inverse = S(1) / S(sqrt(mul_add(cosine, cosine, squared_sine)));
-      c = cosine * inverse;
-      s = S(1) - c;
-      more = s * slope(s);
-      base = S(2) * inverse;
-      rest = base * more;
-    }
+                                               const S& excess_low = S(0), const S& cosine_low = S(0)) {
+    S e = excess + excess_low, c = cosine, c_low = cosine_low;
+    base = S(2);
+    if constexpr (!side_by_side<S>)
+      if (!(e * e < eps<S>() / S(8))) scale(squared_sine, excess, excess_low, e, c, c_low);
+    const S half = e / S(2), s = mul_add(half, c, S((S(1) - c) - c_low)),  // 1 - cos h
+        more = s * stumpff_detail::evaluate<stumpff_detail::InverseSincSeries, 1>(s);
+    rest = base * mul_add(S(-half), S(1) + more, more);
     angle_over_sine = base + rest;
     alpha = angle_over_sine * cosine / S(2);
-    along = mul_add(S(-more), c, s) / (squared_sine + std::numeric_limits<S>::min());
+    along = mul_add(S(-more), S(S(1) - s), s) / (squared_sine + std::numeric_limits<S>::min());
+  }
+
+ private:
+  using Pair = std::pair<S, S>;
+  LogarithmCoefficients(const S& squared_sine, const S& cosine, const Pair& excess)
+      : LogarithmCoefficients(squared_sine, cosine, excess.first, excess.second) {}
+  static Pair excess_of(const S& squared_sine, const S& cosine) {
+    const auto [square, square_low] = two_product<S>(cosine, cosine);
+    const auto [sum, rest] = two_sum<S>(square, squared_sine);
+    const auto [excess, low] = two_sum<S>(sum, S(-1));
+    return {excess, low + (rest + square_low)};
+  }
+  /// Any |Q|: by r, with e while |Q|^2 is near enough to 1 for its parts to tell.
+  void scale(const S& squared_sine, const S& excess, const S& excess_low, S& e, S& c, S& c_low) {
+    using std::sqrt;
+    const S rough = mul_add(c, c, squared_sine);
+    if (S(1) / S(8) < rough && rough < S(8)) {
+      const auto [all, all_low] = two_sum<S>(excess, excess_low);
+      const auto [square, lost] = two_sum<S>(S(1), all);
+      const S r = S(1) / S(sqrt(square));
+      const auto [length, length_low] = two_product<S>(r, square);
+      const auto [one, one_low] = two_product<S>(r, length);
+      e = (one - S(1)) + (one_low + r * (length_low + r * (lost + all_low)));
+      const auto [product, product_low] = two_product<S>(r, c);
+      c_low = product_low + r * c_low;
+      c = product;
+      base = S(2) * r;
+    } else {
+      const S r = S(1) / S(sqrt(rough));
+      e = S(0);
+      c = c * r;
+      c_low = S(0);
+      base = S(2) * r;
+    }
   }
 };
 

@@ -56,14 +56,14 @@ struct RotationLogarithm {
   LogarithmCoefficients<S> c;
 
   [[gnu::always_inline]] explicit RotationLogarithm(const SO3<S>& Q)
-      : v(each<S>([&Q, turn = sign<S>(Q.w())](int i) { return S(turn * Q.to_vector()[i]); })),
-        c(dot<S>(v, v), absolute(Q.w()), Q.template normExcess<P>()) {
-    phi = each<S>([&](int i) { return mul_add(c.base, v[i], S(c.rest * v[i])); });
-  }
-  /// From v + v_low, w + w_low with w >= 0, and excess = |Q|^2 - 1.
+      : RotationLogarithm(Q, Q.template normExcessParts<P>()) {}
+  [[gnu::always_inline]] explicit RotationLogarithm(const typename SO3<S>::Unrounded& Q)
+      : RotationLogarithm(Q, Q.Q.template normExcessParts<P>()) {}
+  /// From v + v_low, w + w_low with w >= 0, and |Q|^2 = 1 + excess + excess_low.
   [[gnu::always_inline]] RotationLogarithm(const Vector3<S>& sine, const Vector3<S>& sine_low,
-                                           const S& cosine, const S& cosine_low, const S& excess)
-      : v(sine), c(dot<S>(v, v), cosine, excess, cosine_low) {
+                                           const S& cosine, const S& cosine_low, const S& excess,
+                                           const S& excess_low = S(0))
+      : v(sine), c(dot<S>(v, v), cosine, excess, excess_low, cosine_low) {
     phi =
         each<S>([&](int i) { return mul_add(c.base, v[i], mul_add(c.rest, v[i], S(c.base * sine_low[i]))); });
   }
@@ -76,6 +76,21 @@ struct RotationLogarithm {
     return each<S>([&](int i) {
       return p[i] + mul_add(turn, across[i], mul_add(turn_low, across[i], S(c.along * back[i])));
     });
+  }
+
+ private:
+  using Parts = std::pair<S, S>;
+  [[gnu::always_inline]] RotationLogarithm(const SO3<S>& Q, const Parts& excess)
+      : v(half(Q, Q.to_vector())), c(dot<S>(v, v), absolute<S>(Q.w()), excess.first, excess.second) {
+    phi = each<S>([&](int i) { return mul_add(c.base, v[i], S(c.rest * v[i])); });
+  }
+  [[gnu::always_inline]] RotationLogarithm(const typename SO3<S>::Unrounded& Q, const Parts& excess)
+      : RotationLogarithm(half(Q.Q, Q.Q.to_vector()), half(Q.Q, Q.low), absolute<S>(Q.Q.w()),
+                          S(sign<S>(Q.Q.w()) * Q.low[3]), excess.first,
+                          S(excess.second + S(2) * Q.Q.to_vector().dot(Q.low))) {}
+  /// The vector part, of the one of Q and -Q whose scalar part is positive.
+  [[gnu::always_inline]] static Vector3<S> half(const SO3<S>& Q, const Vector4<S>& q) {
+    return each<S>([&q, turn = sign<S>(Q.w())](int i) { return S(turn * q[i]); });
   }
 };
 
@@ -151,7 +166,7 @@ Vector3<S> log3(const Matrix3<S>& R) {
   if constexpr (P == Precision::tight)
     return tight_detail::rounded<S>(  // not fast, which takes R as it is
         [](const auto& a) { return log3<DoubleDouble<S>>(a); }, [&] { return log3<S>(R); }, R);
-  return quaternion::log3<S, P>(SO3<S>::template fromMatrix<P>(R));
+  return exp_log_detail::RotationLogarithm<S, P>(SO3<S>::template unroundedFromMatrix<P>(R)).phi;
 }
 
 /// T = exp(xi), xi = (rho [m], phi [rad]). Rotation 2 eps, translation 4 eps.
@@ -172,7 +187,7 @@ Motion<S> log6(const SE3<S>& T) {
   if constexpr (P == Precision::tight)
     return tight_detail::rounded<S>(  // not fast, which takes R as it is
         [](const auto& a) { return log6<DoubleDouble<S>>(a); }, [&] { return log6<S>(T); }, T);
-  const exp_log_detail::RotationLogarithm<S, P> l(SO3<S>::template fromMatrix<P>(T.rotation()));
+  const exp_log_detail::RotationLogarithm<S, P> l(SO3<S>::template unroundedFromMatrix<P>(T.rotation()));
   return {l.arc(T.translation()), l.phi};
 }
 

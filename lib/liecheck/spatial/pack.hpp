@@ -9,6 +9,7 @@ namespace pack_detail {
 template <class S, int N>
 struct Register {
   typedef S type __attribute__((vector_size(sizeof(S) * N)));
+  typedef S anywhere __attribute__((vector_size(sizeof(S) * N), aligned(sizeof(S)), may_alias));
 };
 }  // namespace pack_detail
 
@@ -23,6 +24,14 @@ struct Pack {
   Pack(Vector x) : v(x) {}
   Pack(S x) : v(x - Vector{}) {}
   Pack(int x) : Pack(S(x)) {}
+
+  /// N numbers from, and to, memory: one access, wherever they lie.
+  [[gnu::always_inline]] static Pack load(const S* from) {
+    return Vector(*reinterpret_cast<const typename pack_detail::Register<S, N>::anywhere*>(from));
+  }
+  [[gnu::always_inline]] void store(S* to) const {
+    *reinterpret_cast<typename pack_detail::Register<S, N>::anywhere*>(to) = v;
+  }
 
   [[gnu::always_inline]] friend Pack operator+(const Pack& a, const Pack& b) { return a.v + b.v; }
   [[gnu::always_inline]] friend Pack operator-(const Pack& a, const Pack& b) { return a.v - b.v; }

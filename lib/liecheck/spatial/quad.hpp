@@ -73,13 +73,75 @@ template <Scalar S>
     return typename Quad<S>::Vector{a, b, c, d};
 }
 
-/// (q_I, q_J, q_K, q_L).
+/// All four at once, or number N of them: what a formula is written for, see `by_lane`.
+struct AllLanes {};
+template <int N>
+struct OneLane {};
+
+/// (q_I, q_J, q_K, q_L), or number N of that.
 template <int I, int J, int K, int L, class Q>
 [[gnu::always_inline]] inline Q permute(const Q& q) {
   if constexpr (requires { typename Q::Vector; })
     return __builtin_shufflevector(q.v, q.v, I, J, K, L);
   else
     return Q(q.v[I], q.v[J], q.v[K], q.v[L]);
+}
+template <int I, int J, int K, int L, class Q>
+[[gnu::always_inline]] inline Q pick(AllLanes, const Q& q) {
+  return permute<I, J, K, L>(q);
+}
+template <int I, int J, int K, int L, int N, class Q>
+[[gnu::always_inline]] inline auto pick(OneLane<N>, const Q& q) {
+  constexpr int places[4] = {I, J, K, L};
+  return q.v[places[N]];
+}
+template <class Q, int BITS, Precision P>
+[[gnu::always_inline]] inline Cut<Q, BITS, P> at(AllLanes, const Cut<Q, BITS, P>& c) {
+  return c;
+}
+template <int N, class Q, int BITS, Precision P>
+[[gnu::always_inline]] inline auto at(OneLane<N>, const Cut<Q, BITS, P>& c) {
+  using S = std::remove_cvref_t<decltype(c.value.v[N])>;
+  return Cut<S, BITS, P>::of(c.value.v[N], c.head.v[N], c.tail.v[N]);
+}
+
+/// (q_I, q_J, q_K, q_L) cut at a fixed place; at `places`; and q + low at those.
+template <Precision P, int I, int J, int K, int L, class Lane, class Q>
+[[gnu::always_inline]] inline auto cut(Lane lane, const Q& q) {
+  const auto a = pick<I, J, K, L>(lane, q);
+  return Cut<std::remove_cvref_t<decltype(a)>, 1, P>(a);
+}
+template <Precision P, int I, int J, int K, int L, class Lane, class Q>
+[[gnu::always_inline]] inline auto cut(Lane lane, const Q& q, const Q& places) {
+  const auto a = pick<I, J, K, L>(lane, q);
+  return Cut<std::remove_cvref_t<decltype(a)>, 1, P>(a, pick<0, 1, 2, 3>(lane, places));
+}
+template <Precision P, int I, int J, int K, int L, class Lane, class Q>
+[[gnu::always_inline]] inline auto cut(Lane lane, const Q& q, const Q& low, const Q& places) {
+  const auto a = pick<I, J, K, L>(lane, q);
+  return Cut<std::remove_cvref_t<decltype(a)>, 1, P>(a, pick<I, J, K, L>(lane, low),
+                                                     pick<0, 1, 2, 3>(lane, places));
+}
+/// An empty sum of what `lane` holds.
+template <Precision P, class Lane, class Q>
+[[gnu::always_inline]] inline auto empty_sum(Lane lane, const Q& q) {
+  return CutSum<std::remove_cvref_t<decltype(pick<0, 1, 2, 3>(lane, q))>, 1, P>();
+}
+
+/// f(lane), a CutSum: of all four where they share a register, else one after another, so that few numbers are in
+/// use at a time.
+template <Scalar S, Precision P, class F>
+[[gnu::always_inline]] inline CutSum<Quad<S>, 1, P> by_lane(F f) {
+  if constexpr (std::is_same_v<Quad<S>, quad_detail::Array4<S>>) {
+    CutSum<Quad<S>, 1, P> sum;
+    const auto set = [&sum](int i, const auto& lane) __attribute__((always_inline)) {
+      sum.high.v[i] = lane.high, sum.low_a.v[i] = lane.low();
+    };
+    set(0, f(OneLane<0>())), set(1, f(OneLane<1>())), set(2, f(OneLane<2>())), set(3, f(OneLane<3>()));
+    return sum;
+  } else {
+    return f(AllLanes());
+  }
 }
 
 /// What is multiplied from the left by a quaternion q [x y z w], each number cut: the product with (r, w') is

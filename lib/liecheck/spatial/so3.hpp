@@ -29,12 +29,16 @@ class SO3 {
   Vector3<S> vec() const { return q_.template head<3>(); }
   const S& w() const { return q_[3]; }
   S squaredNorm() const { return q_.squaredNorm(); }
-  /// |Q|^2 - 1, to eps/16 while |Q| is near 1.
+  /// |Q|^2 - 1, to eps/16 while |Q| is near 1; and in two parts, to eps/16 of |Q|^2 for |Q| <= 1.
   template <Precision P = Precision::standard>
   [[gnu::always_inline]] S normExcess() const {
-    using C = Cut<Quad<S>, 1, P>;
-    const auto squares = CutSum<Quad<S>, 1, P>().add_square(C(numbers()));
-    return (sum(squares.high) - S(1)) + sum(squares.low_a);
+    const auto [high, low] = normExcessParts<P>();
+    return high + low;
+  }
+  template <Precision P = Precision::standard>
+  [[gnu::always_inline]] std::pair<S, S> normExcessParts() const {
+    const auto squares = CutSum<Quad<S>, 1, P>().add_square(Cut<Quad<S>, 1, P>(numbers()));
+    return {sum(squares.high) - S(1), sum(squares.low_a)};
   }
 
   SO3 inverse() const { return SO3(Vector4<S>(-q_[0], -q_[1], -q_[2], q_[3])); }
@@ -98,14 +102,21 @@ class SO3 {
     return SO3(Vector4<S>(scaled / S(sqrt(scaled.squaredNorm()))));
   }
 
+  /// With what the rounding of each number leaves.
+  struct Unrounded;
+
   /// The rotation nearest to R in the Frobenius norm, to first order in R^T R - I (one Newton step of the polar
   /// factor, error O(|R^T R - I|^2)), by the largest of the four pivots (Shepperd 1978). The result is scaled
   /// arbitrarily (|Q| in [1/2, 1]): its rotation is what counts. For |R^T R - I| <= 8 eps the error is 2 eps,
   /// and 2 eps relative to |v| when the angle is small. Fast precision takes R as it is: another |R^T R - I|.
   template <Precision P = Precision::standard>
   static SO3 fromMatrix(const Matrix3<S>& R) {
+    return unroundedFromMatrix<P>(R).Q;
+  }
+  template <Precision P = Precision::standard>
+  static Unrounded unroundedFromMatrix(const Matrix3<S>& R) {
     if constexpr (P == Precision::fast)
-      return largestPivot<P>(R, Vector3<S>(R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1)), R);
+      return largestPivot<P>(R, Matrix3<S>(Matrix3<S>::Zero()), Vector3<S>(Vector3<S>::Zero()));
     // Polar factor R (I - E/2), E = R^T R - I; C = -R E / 2 is the correction. Its antisymmetric part is
     // formed from differences R_ii - R_jj so that it vanishes with the angle, as the exact one does.
     using C = Cut<S, 1, P>;
@@ -124,13 +135,13 @@ class SO3 {
             zx = gram(0, 2);
     const Matrix3<S> E = rows<S>(xx, xy, zx, xy, yy, yz, zx, yz, zz);
     const S half = S(1) / S(2);
-    auto antisymmetric = [&](int i, int j, int k) {  // entry (k, j) minus entry (j, k) of R + C, i j k cyclic
-      const S correction = R(k, i) * E(i, j) - R(j, i) * E(i, k) + E(j, k) * (R(k, k) - R(j, j)) +
-                           R(k, j) * E(j, j) - R(j, k) * E(k, k);
-      return S((R(k, j) - R(j, k)) - half * correction);
+    const auto antisymmetric = [&](int i, int j,
+                                   int k) {  // of C: entry (k, j) minus entry (j, k), i j k cyclic
+      return S(-half * (R(k, i) * E(i, j) - R(j, i) * E(i, k) + E(j, k) * (R(k, k) - R(j, j)) +
+                        R(k, j) * E(j, j) - R(j, k) * E(k, k)));
     };
     const Vector3<S> a(antisymmetric(0, 1, 2), antisymmetric(1, 2, 0), antisymmetric(2, 0, 1));
-    return largestPivot<P>(Matrix3<S>(R - half * (R * E)), a, R);
+    return largestPivot<P>(R, Matrix3<S>(-half * (R * E)), a);
   }
 
  private:
@@ -141,46 +152,70 @@ class SO3 {
   template <Precision P>
   [[gnu::always_inline]] Vector3<S> turned(const Quad<S>& Q, const Vector3<S>& p, const S& most) const {
     const S place = most * cut_factor();
-    using C = Cut<Quad<S>, 1, P>;
     const LeftFactor<S, P> q(Q);
     const Quad<S> x = quad<S>(p[0], p[1], p[2], S(0)), places(place);
     // Q p = (w p + v x p, -v . p) = g, then w g - g_w v + v x g.
-    const auto Qp = CutSum<Quad<S>, 1, P>()
-                        .add_product(q.w_x, C(permute<0, 1, 2, 0>(x), places))
-                        .add_product(q.y, C(permute<2, 0, 1, 1>(x), places))
-                        .add_product(-q.z, C(permute<1, 2, 0, 2>(x), places));
+    const auto Qp = by_lane<S, P>([&](auto l) __attribute__((always_inline)) {
+      return empty_sum<P>(l, x)
+          .add_product(at(l, q.w_x), cut<P, 0, 1, 2, 0>(l, x, places))
+          .add_product(at(l, q.y), cut<P, 2, 0, 1, 1>(l, x, places))
+          .add_product(-at(l, q.z), cut<P, 1, 2, 0, 2>(l, x, places));
+    });
     const Quad<S> g = Qp.high, low = Qp.low();
-    const auto r = CutSum<Quad<S>, 1, P>()
-                       .add_product(q.w_x, C(g, low, places))
-                       .add_product(-q.self, C(permute<3, 3, 3, 3>(g), permute<3, 3, 3, 3>(low), places))
-                       .add_product(q.y, C(permute<2, 0, 1, 3>(g), permute<2, 0, 1, 3>(low), places))
-                       .add_product(-q.z, C(permute<1, 2, 0, 3>(g), permute<1, 2, 0, 3>(low), places));
+    const auto r = by_lane<S, P>([&](auto l) __attribute__((always_inline)) {
+      return empty_sum<P>(l, x)
+          .add_product(at(l, q.w_x), cut<P, 0, 1, 2, 3>(l, g, low, places))
+          .add_product(-at(l, q.self), cut<P, 3, 3, 3, 3>(l, g, low, places))
+          .add_product(at(l, q.y), cut<P, 2, 0, 1, 3>(l, g, low, places))
+          .add_product(-at(l, q.z), cut<P, 1, 2, 0, 3>(l, g, low, places));
+    });
     const S excess = normExcess<P>(), correction = -excess / (S(1) + excess);
     const Quad<S> result = r.high + mul_add(Quad<S>(correction), r.high, r.low());
     return Vector3<S>(result.v[0], result.v[1], result.v[2]);
   }
-  /// Of a rotation N with antisymmetric part a: N_32 - N_23 and so on; N is R or its nearest rotation.
+  /// Of R + C, C small and of antisymmetric part c (C_32 - C_23, ...).
   template <Precision P>
-  static SO3 largestPivot(const Matrix3<S>& N, const Vector3<S>& a, const Matrix3<S>& R) {
-    const S trace = N.trace();
-    Vector4<S> q;
+  static Unrounded largestPivot(const Matrix3<S>& R, const Matrix3<S>& C, const Vector3<S>& c) {
+    Vector4<S> q, low = Vector4<S>::Zero();
+    const auto set = [&](int n, const S& a, const S& b, const S& small) {
+      if constexpr (P == Precision::fast) {
+        q[n] = a + b;
+      } else {
+        const auto [sum, rest] = two_sum<S>(a, b);
+        const S tail = rest + small;
+        q[n] = sum + tail;
+        low[n] = (sum - q[n]) + tail;
+      }
+    };
+    const auto set_one_and = [&](int n, const S& x, const S& y, const S& z, const S& small) {
+      if constexpr (P == Precision::fast) {
+        q[n] = S(1) + (x + y + z);
+      } else {
+        const auto [first, rest] = two_sum<S>(S(1), x);
+        const auto [second, more] = two_sum<S>(y, z);
+        set(n, first, second, S(rest + (more + small)));
+      }
+    };
+    const auto set_antisymmetric = [&](int n, int i, int j, int k) { set(n, R(k, j), S(-R(j, k)), c[i]); };
+    const S trace = R.trace();
     if (trace > S(0)) {
-      q << a, S(1) + trace;
+      set_antisymmetric(0, 0, 1, 2), set_antisymmetric(1, 1, 2, 0), set_antisymmetric(2, 2, 0, 1);
+      set_one_and(3, R(0, 0), R(1, 1), R(2, 2), C.trace());
     } else {
       int i = 0;
-      if (N(1, 1) > N(0, 0)) i = 1;
-      if (N(2, 2) > N(i, i)) i = 2;
+      if (R(1, 1) > R(0, 0)) i = 1;
+      if (R(2, 2) > R(i, i)) i = 2;
       const int j = (i + 1) % 3, k = (i + 2) % 3;
-      q[i] = S(1) + (N(i, i) - N(j, j) - N(k, k));
-      q[j] = N(i, j) + N(j, i);
-      q[k] = N(i, k) + N(k, i);
-      q[3] = a[i];
-      // What the rounding of a, or R's distance from a rotation, may leave of it.
+      set_one_and(i, R(i, i), S(-R(j, j)), S(-R(k, k)), S(C(i, i) - C(j, j) - C(k, k)));
+      set(j, R(i, j), R(j, i), S(C(i, j) + C(j, i)));
+      set(k, R(i, k), R(k, i), S(C(i, k) + C(k, i)));
+      set_antisymmetric(3, i, j, k);
+      // What the rounding of C, or R's distance from a rotation, may leave of it.
       const S least = P == Precision::fast ? S(64) * eps<S>() : S(1024) * eps<S>() * eps<S>();
       if constexpr (!side_by_side<S>)
-        if (absolute<S>(q[3]) < least) return nearHalfTurn(R, Vector3<S>(q.template head<3>()));
+        if (absolute<S>(q[3]) < least) return {nearHalfTurn(R, Vector3<S>(q.template head<3>()))};
     }
-    return SO3(Vector4<S>(q / S(4)));
+    return {SO3(Vector4<S>(q / S(4))), Vector4<S>(low / S(4))};
   }
   /// The rotation nearest to R is the eigenvector (v, w) of the largest eigenvalue, 3 here, of Davenport's matrix
   /// [R + R^T - tr(R) I, a; a^T, tr R], a = (R_32 - R_23, ...) (Davenport 1968; Markley & Mortari 2000): so
@@ -209,6 +244,12 @@ class SO3 {
   [[gnu::always_inline]] S scale() const { return S(2) / (S(1) + normExcess<>()); }
 
   Vector4<S> q_;
+};
+
+template <Scalar S>
+struct SO3<S>::Unrounded {
+  SO3 Q;
+  Vector4<S> low = Vector4<S>::Zero();
 };
 
 }  // namespace liecheck

@@ -1,0 +1,100 @@
+// Four numbers at a time are four numbers: in one register, in an array, and in any place.
+
+#include <gtest/gtest.h>
+
+#include <liecheck/multibody/se3_configuration.hpp>
+#include <liecheck/scalar/double_double.hpp>
+#include <random>
+
+namespace liecheck {
+namespace {
+
+template <class S>
+class QuadOf : public testing::Test {};
+using Scalars = testing::Types<float, double, DoubleDouble<double>>;
+TYPED_TEST_SUITE(QuadOf, Scalars);
+
+TYPED_TEST(QuadOf, IsPermutedAsItsNumbersAre) {
+  using S = TypeParam;
+  const auto q = permute<2, 0, 3, 3>(quad<S>(S(1), S(2), S(3), S(4)));
+  EXPECT_EQ(double(q.v[0]), 3);
+  EXPECT_EQ(double(q.v[1]), 1);
+  EXPECT_EQ(double(q.v[2]), 4);
+  EXPECT_EQ(double(q.v[3]), 4);
+  EXPECT_EQ(double(sum(q)), 12);
+}
+
+/// The products of the eight units of the quaternions, in the order 1 i j k of w x y z.
+TYPED_TEST(QuadOf, ProductOfUnitsIsHamiltons) {
+  using S = TypeParam;
+  const auto unit = [](int i) { return Vector4<S>(S(i == 1), S(i == 2), S(i == 3), S(i == 0)); };
+  constexpr int table[4][4] = {
+      {1, 2, 3, 4}, {2, -1, 4, -3}, {3, -4, -1, 2}, {4, 3, -2, -1}};  // 1 + unit, signed
+  for (int a = 0; a < 4; ++a)
+    for (int b = 0; b < 4; ++b) {
+      const auto sum = se3_configuration_detail::Product<S, Precision::standard>(SO3<S>(unit(a)).numbers(),
+                                                                                 SO3<S>(unit(b)).numbers())
+                           .sum.value();
+      const int expected = table[a][b], sign = expected < 0 ? -1 : 1;
+      const Vector4<S> c = unit(sign * expected - 1);
+      for (int i = 0; i < 4; ++i)
+        EXPECT_EQ(double(sum.v[i]), sign * double(c[i])) << a << ' ' << b << ' ' << i;
+    }
+}
+
+/// Products that all round, against the same in twice the digits: the sum errs by less than an eps of an eps-th root.
+TEST(Quad, ProductHoldsTwiceTheDigits) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  double worst = 0;
+  for (int n = 0; n < 2000; ++n) {
+    Vector4<double> a, b;
+    for (int i = 0; i < 4; ++i) a[i] = uniform(random), b[i] = uniform(random);
+    a.normalize(), b.normalize();
+    const auto sum = se3_configuration_detail::Product<double, Precision::standard>(SO3<double>(a).numbers(),
+                                                                                    SO3<double>(b).numbers())
+                         .sum;
+    const auto low = sum.low();
+    using D = DoubleDouble<double>;
+    const D x(a[0]), y(a[1]), z(a[2]), w(a[3]);
+    const D exact[4] = {w * D(b[0]) + x * D(b[3]) + y * D(b[2]) - z * D(b[1]),
+                        w * D(b[1]) + y * D(b[3]) + z * D(b[0]) - x * D(b[2]),
+                        w * D(b[2]) + z * D(b[3]) + x * D(b[1]) - y * D(b[0]),
+                        w * D(b[3]) - x * D(b[0]) - y * D(b[1]) - z * D(b[2])};
+    for (int i = 0; i < 4; ++i) {
+      const double error = double((D(sum.high.v[i]) + D(low.v[i])) - exact[i]);
+      worst = std::max(worst, std::abs(error));
+    }
+  }
+  // 8 roundings of numbers of 2^-26, the tails
+  EXPECT_LE(worst, 8 * std::ldexp(eps<double>(), -26));
+}
+
+/// Translations so long that the place where they are cut overflows: scaled down, and as accurate.
+TYPED_TEST(QuadOf, TranslationsNearTheEndOfTheRangeKeepTheirDigits) {
+  using S = TypeParam;
+  if constexpr (std::is_floating_point_v<S>) {
+    const S huge = std::numeric_limits<S>::max() / S(16), far = S(1) / std::numeric_limits<S>::max_exponent;
+    Vector7<S> q0, near0;
+    q0 << huge, -huge / S(3), S(0), S(0.5), S(0.5), S(-0.5), S(0.5);
+    Vector6<S> delta;
+    delta << huge / S(2), huge / S(5), -huge, S(1), far, S(-2);
+    near0 = q0;
+    near0.template head<3>() /= S(65536);
+    Vector6<S> small = delta;
+    small.template head<3>() /= S(65536);
+    Vector7<S> far1 = integrateSE3<S>(q0, delta), near1 = integrateSE3<S>(near0, small);
+    for (int i = 0; i < 3; ++i)
+      EXPECT_NEAR(double(far1[i] / S(65536)), double(near1[i]), double(eps<S>()) * double(huge / S(65536)));
+    const Vector6<S> back = differenceSE3<S>(q0, far1), near_back = differenceSE3<S>(near0, near1);
+    for (int i = 0; i < 3; ++i)
+      EXPECT_NEAR(double(back[i] / S(65536)), double(near_back[i]),
+                  4 * double(eps<S>()) * double(huge / S(65536)));
+    const SO3<S> Q(Vector4<S>(q0.template tail<4>()));
+    const Vector3<S> p(huge, huge, -huge), near_p = p / S(65536), far_p = Q.act(p), small_p = Q.act(near_p);
+    for (int i = 0; i < 3; ++i) EXPECT_EQ(far_p[i] / S(65536), small_p[i]);
+  }
+}
+
+}  // namespace
+}  // namespace liecheck
