@@ -42,7 +42,7 @@ TYPED_TEST(QuadOf, ProductOfUnitsIsHamiltons) {
     }
 }
 
-/// Products that all round, against the same in twice the digits: the sum errs by less than an eps of an eps-th root.
+/// Products that all round, against the same in twice the digits: high + low err by an eps times the root of eps.
 TEST(Quad, ProductHoldsTwiceTheDigits) {
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> uniform(-1, 1);

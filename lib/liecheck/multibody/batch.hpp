@@ -17,13 +17,6 @@ using Rows = Eigen::Array<S, ROWS, Eigen::Dynamic, Eigen::RowMajor>;
 
 namespace detail {
 
-/// Numbers in one register of the target.
-#if defined(__AVX__)
-constexpr int bytes = 32;
-#else
-constexpr int bytes = 16;
-#endif
-
 template <class T, class S, int ROWS>
 [[gnu::always_inline]] inline Eigen::Matrix<T, ROWS, 1> load(const Rows<S, ROWS>& rows, Eigen::Index column) {
   Eigen::Matrix<T, ROWS, 1> v;
@@ -38,7 +31,7 @@ template <class T, class S, int ROWS>
 /// f over the columns of the arguments; settled(result, arguments..., lane): is the lane on the usual path?
 template <int ROWS, class S, class F, class Settled, int... IN>
 Rows<S, ROWS> map(F f, Settled settled, const Rows<S, IN>&... arguments) {
-  using P = Pack<S, bytes / int(sizeof(S))>;
+  using P = Pack<S, register_bytes / int(sizeof(S))>;
   constexpr Eigen::Index width = sizeof(P) / sizeof(S);
   const Eigen::Index n = std::get<0>(std::forward_as_tuple(arguments...)).cols();
   Rows<S, ROWS> all(ROWS, n);

@@ -79,8 +79,8 @@ template <Scalar S, Precision P>
 ///
 /// Near poses: with D = Q1 - s Q0, s = sgn(Q0 . Q1), vec(Q0* Q1) = vec(Q0* D) because vec(Q0* Q0) = 0 exactly, and
 /// the subtraction is exact in all but small numbers; its products are summed in twice the digits, because the
-/// difference of the norms may make D much longer than vec. Fast precision comes here from 1/8 on, and sums in twice
-/// the digits where D is much longer.
+/// difference of the norms may make D much longer than vec. Fast precision comes here below |v| = 1/8, and sums
+/// in twice the digits where D is much longer.
 template <Scalar S, Precision P>
 [[gnu::always_inline]] inline exp_log_detail::RotationLogarithm<S, P> relativeLogarithm(
     const Vector7<S>& q0, const Vector7<S>& q1) {

@@ -5,6 +5,13 @@
 
 namespace liecheck {
 
+/// What one vector register of the target holds [bytes].
+#if defined(__AVX__)
+constexpr int register_bytes = 32;
+#else
+constexpr int register_bytes = 16;
+#endif
+
 namespace pack_detail {
 template <class S, int N>
 struct Register {

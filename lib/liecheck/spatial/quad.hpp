@@ -45,17 +45,12 @@ struct Array4 {
   }
 };
 
-#if defined(__AVX__)
-constexpr int bytes = 32;
-#else
-constexpr int bytes = 16;
-#endif
 template <class S>
 struct Four {
   using type = Array4<S>;
 };
 template <std::floating_point S>
-requires(sizeof(S) * 4 <= bytes) struct Four<S> {
+requires(sizeof(S) * 4 <= register_bytes) struct Four<S> {
   using type = Pack<S, 4>;
 };
 
