@@ -90,6 +90,16 @@ TYPED_TEST(PrecisionOf, TightIsFiniteWhereItsProductsOverflow) {
             4);
 }
 
+TEST(DoubleDouble, SineAndCosineAreOfUnitNorm) {
+  using D = DoubleDouble<double>;
+  for (const double a : {3.5, 100.0, 1e8, 1e300}) {
+    const D s = sin(D(a)), c = cos(D(a)), defect = s * s + c * c - D(1);
+    EXPECT_LE(std::abs(defect.high), 0x1p-101) << a;
+    EXPECT_NEAR(s.high, std::sin(a), 0x1p-52);
+    EXPECT_NEAR(c.high, std::cos(a), 0x1p-52);
+  }
+}
+
 TEST(DoubleDouble, KeepsTwiceTheDigits) {
   using D = DoubleDouble<double>;
   const D third = D(1) / D(3), root = sqrt(D(2));

@@ -58,7 +58,7 @@ class Traced {
   }
   friend Traced operator/(const Traced& a, const Traced& b) {
     if (a.constant() && b.constant()) return a.value_ / b.value_;
-    if (b.power()) return operation("{} / {}", "{} / {}", a, b);
+    if (b.power()) return operation("{} * {}", "{} * {}", a, Traced(F(1) / b.value_));
     return operation("rnd({} / {})", "{} / {}", a, b);
   }
   friend Traced mul_add(const Traced& a, const Traced& b, const Traced& c) {

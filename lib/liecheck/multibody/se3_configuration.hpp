@@ -29,6 +29,12 @@ Eigen::Matrix<S, N, 1> firstOrderNormalize(const Eigen::Matrix<S, N, 1>& u) {
   return u * ((S(3) - u.squaredNorm()) / S(2));
 }
 
+/// (1 + a)(1 + b) - 1.
+template <Scalar S>
+[[gnu::always_inline]] inline S product_excess(const S& a, const S& b) {
+  return mul_add(a, b, S(a + b));
+}
+
 /// Q0 Q1 [x y z w] of two quaternions of norm about 1, in twice the digits.
 template <Scalar S, Precision P>
 struct Product {
@@ -93,8 +99,7 @@ template <Scalar S, Precision P>
     if (absolute<S>(w) < eps<S>() * (P == Precision::fast ? S(16) : S(1) / S(16)))
       w = exact_dot<S, 4>(q0.template tail<4>(), q1.template tail<4>()), w_low = S(0);
   const S turn = sign<S>(w);
-  const S excess = Q0.template normExcess<P>(), more = Q1.template normExcess<P>(),
-          both = mul_add(excess, more, S(excess + more));
+  const S both = product_excess<S>(Q0.template normExcess<P>(), Q1.template normExcess<P>());
   const auto half = [&turn](const Quad<S>& q) { return each<S>([&](int i) { return S(turn * q.v[i]); }); };
   Vector3<S> v = half(Q), v_low = half(rest);
   if constexpr (!side_by_side<S>)
@@ -115,10 +120,9 @@ template <Scalar S, Precision P>
         const S turn = sign<S>(k.cosine_half), sine = turn * k.sine_half;
         const S x = sine * k.axis[0], y = sine * k.axis[1], z = sine * k.axis[2], w = turn * k.cosine_half;
         const Vector3<S> step = Q0.template actWithin<P>(exp_log_detail::arc(k, rho), norm1<S>(rho));
-        const S excess = Q0.template normExcess<P>(),
-                more = mul_add(w, w, S(-1)) + mul_add(x, x, mul_add(y, y, S(z * z)));
+        const S more = mul_add(w, w, S(-1)) + mul_add(x, x, mul_add(y, y, S(z * z)));
         const Vector4<S> Q1 = Product<S, P>(Q0.numbers(), quad<S>(x, y, z, w))
-                                  .normalized(mul_add(excess, more, S(excess + more)));
+                                  .normalized(product_excess<S>(Q0.template normExcess<P>(), more));
         Vector7<S> result;
         for (int i = 0; i < 3; ++i) result[i] = q[i] + step[i];
         for (int i = 0; i < 4; ++i) result[3 + i] = Q1[i];
@@ -198,10 +202,11 @@ Matrix6<S> dIntegrateSE3([[maybe_unused]] const Vector7<S>& q, const Vector6<S>&
         },
         [&] { return dIntegrateSE3<S>(q, delta, argument); }, q, delta);
   if (argument == ArgumentPosition::ARG1) return rightJacobian<S, P>(Motion<S>(delta));
-  const auto minus = [&delta](int first) {
+  const auto minus = [&delta](int first) __attribute__((always_inline)) {
     return each<S>([&delta, first](int i) { return S(-delta[first + i]); });
   };
-  return exp6<S, P>(Motion<S>(minus(0), minus(3))).toActionMatrix();
+  return exp_log_detail::with_pose<S, P>(
+      minus(0), minus(3), [](const SE3<S>& T) __attribute__((always_inline)) { return T.toActionMatrix(); });
 }
 
 /// How difference follows q0 (ARG0: -J_l^-1) or q1 (ARG1: J_r^-1). 6 x 6. At exactly half a turn: of the

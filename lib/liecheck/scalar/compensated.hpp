@@ -146,14 +146,33 @@ struct CutSum {
   }
 };
 
-/// a^2 + b, b small beside a^2: rounded once, up to eps^2. |a| < 2^(digits/2 - 1).
+/// head + tail, the tail small and already rounded; and the same as value + low, the value rounded once more.
 template <Scalar S>
-[[gnu::always_inline]] inline S square_plus(const S& a, const S& b) {
+struct TwoParts {
+  S head, tail, value, low;
+  TwoParts() = default;
+  [[gnu::always_inline]] TwoParts(const S& h, const S& t)
+      : head(h), tail(t), value(h + t), low((h - value) + t) {}
+};
+
+/// a b and a^2, rounded once and by eps/2 of the tails' share. Fused, they wait neither for low nor, but for that share,
+/// for the value; else the heads' product would be rounded too. |value| < 2^(digits/2 - 1).
+template <Scalar S>
+[[gnu::always_inline]] inline S product(const TwoParts<S>& a, const TwoParts<S>& b) {
 #if defined(__FMA__)
-  if constexpr (std::is_floating_point_v<Lane<S>>) return mul_add(a, a, b);
+  if constexpr (std::is_floating_point_v<Lane<S>>)
+    return mul_add(a.head, b.head, mul_add(a.tail, b.value, S(a.head * b.tail)));
 #endif
-  auto square = CutSum<S, 1>().add_square(a);
-  return square.high + (square.low_a + b);
+  return mul_add(a.value, b.value, mul_add(a.value, b.low, S(a.low * b.value)));
+}
+template <Scalar S>
+[[gnu::always_inline]] inline S square(const TwoParts<S>& a) {
+#if defined(__FMA__)
+  if constexpr (std::is_floating_point_v<Lane<S>>)
+    return mul_add(a.head, a.head, S(a.tail * (a.head + a.value)));
+#endif
+  const auto sum = CutSum<S, 1>().add_square(a.value);
+  return sum.high + (sum.low_a + S(2) * a.value * a.low);
 }
 
 /// a . b with its exact sign and a relative error of 2 eps however much cancels and however small the products

@@ -58,21 +58,23 @@ struct DoubleDouble {
     if (!(r > S(0)) || !finite<S>(r)) return DoubleDouble(r);
     return fast(r, S(a - DoubleDouble(r) * DoubleDouble(r)) / (S(2) * r));
   }
-  /// To the digits of S only: nothing up to half a turn takes them. Of huge angles, low is many radians.
-  friend DoubleDouble sin(const DoubleDouble& a) {
-    using std::cos, std::sin;
-    return DoubleDouble(S(sin(a.high)) * S(cos(a.low)) + S(cos(a.high)) * S(sin(a.low)));
-  }
-  friend DoubleDouble cos(const DoubleDouble& a) {
-    using std::cos, std::sin;
-    return DoubleDouble(S(cos(a.high)) * S(cos(a.low)) - S(sin(a.high)) * S(sin(a.low)));
-  }
+  /// To the digits of S only, nothing up to half a turn takes them; but sin^2 + cos^2 = 1 to twice those.
+  friend DoubleDouble sin(const DoubleDouble& a) { return sin_cos(a).first; }
+  friend DoubleDouble cos(const DoubleDouble& a) { return sin_cos(a).second; }
   friend DoubleDouble atan2(const DoubleDouble& y, const DoubleDouble& x) {
     using std::atan2;
     return DoubleDouble(S(atan2(y.high, x.high)));
   }
 
  private:
+  /// By the sum of angles, since of huge ones low is many radians; then one Newton step of the norm.
+  static std::pair<DoubleDouble, DoubleDouble> sin_cos(const DoubleDouble& a) {
+    using std::cos, std::sin;
+    const S s = sin(a.high), c = cos(a.high), s_low = sin(a.low), c_low = cos(a.low);
+    const DoubleDouble sine(S(s * c_low + c * s_low)), cosine(S(c * c_low - s * s_low));
+    const DoubleDouble scale = (DoubleDouble(3) - (sine * sine + cosine * cosine)) / DoubleDouble(2);
+    return {sine * scale, cosine * scale};
+  }
   static DoubleDouble fast(const S& a, const S& b) {
     const S s = a + b;
     return {s, b - (s - a)};

@@ -36,18 +36,18 @@ namespace liecheck {
 
 namespace stumpff_detail {
 
-/// c_K(x) = sum_j (-x)^j / (2j + K)! on [0, 5/2]; (pi/2)^2 = 2.467.
+/// c_K(x/4) = sum_j (-x/4)^j / (2j + K)! on [0, 10]; pi^2 = 9.87. Of x, which is known before x/4 is.
 template <Scalar S, int K>
 struct StumpffSeries {
   static constexpr int most = std::numeric_limits<S>::digits / 5 + 10, outer = 1;
-  static constexpr S domain() { return S(5) / S(2); }
+  static constexpr S domain() { return S(10); }
   static constexpr S first() {
     S factorial(1);
     for (int i = 2; i <= K; ++i) factorial = factorial * S(i);
     return S(1) / factorial;
   }
   /// Term j over term j - 1, at x = 1.
-  static constexpr S ratio(int j) { return S(-1) / S((2 * j + K - 1) * (2 * j + K)); }
+  static constexpr S ratio(int j) { return S(-1) / S(4 * (2 * j + K - 1) * (2 * j + K)); }
 };
 
 template <class S>
@@ -157,17 +157,16 @@ template <Scalar S, Precision P, class Vector>
 /// Half a turn's worth of angle from theta^2 = x + x_low on [0, pi^2]: the Stumpff functions c_0 ... c_5 at
 /// h = x/4, which are cos(theta/2), 2 sin(theta/2)/theta and on; and, by doubling the angle, those of theta itself
 /// (all from c_4(h) and c_5(h), with sums of positive terms or ones that cancel little). The rounding of theta^2,
-/// up to 1.5 eps, would turn into 2.4 eps of angle at pi: x_low takes it back to first order. Error at h: c_0 and c_1
-/// 0.6 eps absolute, c_2 0.7, c_3 0.9, c_4 and c_5 1.1 eps relative (these four proved); slopes of theta 2.6 and
+/// up to 1.5 eps, would turn into 2.4 eps of angle at pi: x_low takes it back to first order. Error at h: c_0 0.65
+/// and c_1 0.45 eps absolute, c_2 0.7, c_3 0.9, c_4 and c_5 1.1 eps relative (all proved); slopes of theta 2.6 and
 /// 2.4 eps relative, since c_2 - c_3 cancels a factor 2 and c_3 - 2 c_4 one of 3.
 template <Scalar S, Precision P = Precision::standard>
 struct HalfAngle {
   S c0, c1, c2, c3, c4, c5;
-  S c0_low = S(0), c1_low = S(0);  ///< what c0 and c1 leave of their values
   [[gnu::always_inline]] explicit HalfAngle(const S& x, const S& x_low = S(0)) {
     const S h = x / S(4), square = h * h;
-    c4 = stumpff_detail::evaluate<stumpff_detail::Fourth>(h);
-    c5 = stumpff_detail::evaluate<stumpff_detail::Fifth>(h);
+    c4 = stumpff_detail::evaluate<stumpff_detail::Fourth>(x);
+    c5 = stumpff_detail::evaluate<stumpff_detail::Fifth>(x);
     c2 = mul_add(S(-h), c4, S(1) / S(2));
     c3 = mul_add(S(-h), c5, S(1) / S(6));
     if constexpr (P == Precision::fast) {
@@ -176,27 +175,30 @@ struct HalfAngle {
     } else {
       // 1 - h/2 + h^2 c_4 and 1 - h/8 - h (1/24 - h c_5): the first two terms with their rounding, then what is
       // small beside them; c_0' = -c_1/2 and c_1' = (c_3 - c_2)/2 take x_low.
-      const auto sum = [&h](const S& part, const S& small, S& value, S& low) __attribute__((always_inline)) {
-        const S linear = h * part, head = S(1) - linear, rest = (S(1) - head) - linear, tail = rest + small;
-        value = head + tail;
-        low = (head - value) + tail;
+      const auto sum = [&h](const S& part, const S& small) __attribute__((always_inline)) {
+        const S linear = h * part, head = S(1) - linear;
+        return TwoParts<S>(head, ((S(1) - head) - linear) + small);
       };
       // to 1/100: it is an eps of the result.
       const S step = x_low / S(8),
               slope1 = mul_add(h, mul_add(h, S(-1) / S(840), S(1) / S(30)), S(-1) / S(3)),
               slope0 = mul_add(h, mul_add(h, S(1) / S(120), S(-1) / S(6)), S(1));
-      sum(S(1) / S(8), mul_add(h, mul_add(h, c5, S(-1) / S(24)), S(step * slope1)), c1, c1_low);
-      sum(S(1) / S(2), mul_add(square, c4, S(-step * slope0)), c0, c0_low);
+      half_sine_ = sum(S(1) / S(8), mul_add(h, mul_add(h, c5, S(-1) / S(24)), S(step * slope1)));
+      half_cosine_ = sum(S(1) / S(2), mul_add(square, c4, S(-step * slope0)));
+      c1 = half_sine_.value, c0 = half_cosine_.value;
     }
   }
   /// sin(theta/2) / theta.
   [[gnu::always_inline]] S sine_over_angle() const { return c1 / S(2); }
   /// c_1(x) = sin(theta) / theta.
-  [[gnu::always_inline]] S sine() const { return mul_add(c0, c1, mul_add(c0, c1_low, S(c0_low * c1))); }
+  [[gnu::always_inline]] S sine() const {
+    if constexpr (P == Precision::fast) return c0 * c1;
+    return product(half_cosine_, half_sine_);
+  }
   /// c_2(x) = (1 - cos(theta)) / theta^2.
   [[gnu::always_inline]] S versine() const {
     if constexpr (P == Precision::fast) return c1 * c1 / S(2);
-    return square_plus<S>(c1, S(S(2) * c1 * c1_low)) / S(2);
+    return liecheck::square(half_sine_) / S(2);
   }
   /// c_3(x).
   [[gnu::always_inline]] S third() const { return mul_add(c0, c3, c2) / S(4); }
@@ -206,6 +208,9 @@ struct HalfAngle {
   [[gnu::always_inline]] S third_slope() const {
     return ((c3 - S(2) * c4) + mul_add(c1, c3, S(c0 * mul_add(S(-3), c5, c4)))) / S(16);
   }
+
+ private:
+  TwoParts<S> half_cosine_, half_sine_;  // c0 and c1, not in fast precision
 };
 
 /// The coefficient of [phi]^2 in the inverse Jacobian of SO(3), and its slope.

@@ -49,6 +49,15 @@ template <Scalar S, Precision P>
   return quadratic<S>(k.axis, k.k1, k.k2);
 }
 
+/// f(exp(rho, phi)).
+template <Scalar S, Precision P, class F>
+[[gnu::always_inline]] inline auto with_pose(const Vector3<S>& rho, const Vector3<S>& phi, F f) {
+  return with_coefficients<S, P>(
+      phi, [&rho, &f ](const auto& k) __attribute__((always_inline)) {
+        return f(SE3<S>(matrix(k), arc(k, rho)));
+      });
+}
+
 /// A rotation vector phi = k v, and what J^-1(phi) needs, from a quaternion (v, w) of any scale.
 template <Scalar S, Precision P = Precision::standard>
 struct RotationLogarithm {
@@ -175,10 +184,8 @@ SE3<S> exp6(const Motion<S>& xi) {
   if constexpr (P == Precision::tight)
     return tight_detail::rounded<S>([](const auto& a) { return exp6<DoubleDouble<S>, Precision::fast>(a); },
                                     [&] { return exp6<S>(xi); }, xi);
-  return with_coefficients<S, P>(
-      xi.angular(), [&xi](const auto& k) __attribute__((always_inline)) {
-        return SE3<S>(exp_log_detail::matrix(k), exp_log_detail::arc(k, xi.linear()));
-      });
+  return exp_log_detail::with_pose<S, P>(
+      xi.linear(), xi.angular(), [](const SE3<S>& T) __attribute__((always_inline)) { return T; });
 }
 
 /// xi = log T, the inverse of exp6 for |phi| < pi. Error 3 eps of phi, 4 eps of rho.

@@ -77,13 +77,13 @@ class SE3 {
   }
 
   /// X, 6 x 6, with V_A = X V_B: [R, [p] R; 0, R].
-  Matrix6<S> toActionMatrix() const {
+  [[gnu::always_inline]] Matrix6<S> toActionMatrix() const {
     Matrix6<S> X;
     column(X, 0, 3, 0), column(X, 0, 3, 1), column(X, 0, 3, 2);
     return X;
   }
   /// X^-T, 6 x 6, with F_A = X^-T F_B: [R, 0; [p] R, R].
-  Matrix6<S> toDualActionMatrix() const {
+  [[gnu::always_inline]] Matrix6<S> toDualActionMatrix() const {
     Matrix6<S> X;
     column(X, 3, 0, 0), column(X, 3, 0, 1), column(X, 3, 0, 2);
     return X;

@@ -223,7 +223,7 @@ class SO3 {
   /// both -1: one step of the power method, v += (R + R^T - tr(R) I) v, leaves eps of an error in v; with it in
   /// twice the digits, w is lost where a is perpendicular to v up to eps^2 alone.
   [[gnu::noinline, gnu::cold]] static SO3 nearHalfTurn(const Matrix3<S>& R, Vector3<S> v) {
-    v /= S(2) * absolute<S>(v.cwiseAbs().maxCoeff());
+    v /= S(2) * S(v.cwiseAbs().maxCoeff());
     Eigen::Matrix<S, 12, 1> entries, factors;  // of a . v, v as high + low
     Vector3<S> high;
     for (int i = 0; i < 3; ++i) {
