@@ -141,9 +141,17 @@ template <Scalar S, Precision P>
 template <Scalar S, Precision P>
 [[gnu::always_inline]] inline Vector6<S> difference(const Vector7<S>& q0, const Vector7<S>& q1) {
   const auto log = relativeLogarithm<S, P>(q0, q1);
-  const Vector3<S> p_01(q1[0] - q0[0], q1[1] - q0[1], q1[2] - q0[2]);
   const SO3<S> Q0(Vector4<S>(q0[3], q0[4], q0[5], q0[6]));
-  const Vector3<S> rho = log.arc(Q0.template actInvWithin<P>(p_01, norm1<S>(p_01)));
+  const Quad<S> p0 = quad<S>(q0[0], q0[1], q0[2], S(0)), p1 = quad<S>(q1[0], q1[1], q1[2], S(0)),
+                p_01 = p1 - p0;
+  const S most = absolute<S>(p_01.v[0]) + absolute<S>(p_01.v[1]) + absolute<S>(p_01.v[2]);
+  const Vector3<S> p = [&]() __attribute__((always_inline)) {
+    if constexpr (P == Precision::fast || !one_register<S>) return Q0.template actInvWithin<P>(p_01, most);
+    const Quad<S> minus_p0 = p_01 - p1, low = (p1 - (p_01 - minus_p0)) - (p0 + minus_p0);  // Knuth's two sum
+    return Q0.template actInvWithin<P>(p_01, most, low);
+  }
+  ();
+  const Vector3<S> rho = log.arc(p);
   Vector6<S> delta;
   for (int i = 0; i < 3; ++i) delta[i] = rho[i], delta[3 + i] = log.phi[i];
   return delta;

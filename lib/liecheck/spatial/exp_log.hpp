@@ -81,9 +81,8 @@ struct RotationLogarithm {
   /// axis p passes as it is. Error 3 eps |rho|, that of phi included.
   [[gnu::always_inline]] Vector3<S> arc(const Vector3<S>& p) const {
     const Vector3<S> across = cross<S>(v, p), back = cross<S>(v, across);
-    const S turn = c.base / S(-2), turn_low = c.rest / S(-2);
     return each<S>([&](int i) {
-      return p[i] + mul_add(turn, across[i], mul_add(turn_low, across[i], S(c.along * back[i])));
+      return mul_add(turn(), across[i], mul_add(turn_low(), across[i], mul_add(c.along, back[i], p[i])));
     });
   }
 
@@ -97,6 +96,9 @@ struct RotationLogarithm {
       : RotationLogarithm(half(Q.Q, Q.Q.to_vector()), half(Q.Q, Q.low), absolute<S>(Q.Q.w()),
                           S(sign<S>(Q.Q.w()) * Q.low[3]), excess.first,
                           S(excess.second + S(2) * Q.Q.to_vector().dot(Q.low))) {}
+  /// Minus half the angle over its sine, as it is before it is rounded.
+  S turn() const { return c.base / S(-2); }
+  S turn_low() const { return c.rest / S(-2); }
   /// The vector part, of the one of Q and -Q whose scalar part is positive.
   [[gnu::always_inline]] static Vector3<S> half(const SO3<S>& Q, const Vector4<S>& q) {
     return each<S>([&q, turn = sign<S>(Q.w())](int i) { return S(turn * q[i]); });

@@ -58,14 +58,17 @@ requires(sizeof(S) * 4 <= register_bytes) struct Four<S> {
 
 template <Scalar S>
 using Quad = typename quad_detail::Four<S>::type;
+/// Is it one register? Then a few of its operations cost little.
+template <Scalar S>
+inline constexpr bool one_register = !std::is_same_v<Quad<S>, quad_detail::Array4<S>>;
 
 /// (a, b, c, d).
 template <Scalar S>
 [[gnu::always_inline]] inline Quad<S> quad(const S& a, const S& b, const S& c, const S& d) {
-  if constexpr (std::is_same_v<Quad<S>, quad_detail::Array4<S>>)
-    return Quad<S>(a, b, c, d);
-  else
+  if constexpr (one_register<S>)
     return typename Quad<S>::Vector{a, b, c, d};
+  else
+    return Quad<S>(a, b, c, d);
 }
 
 /// All four at once, or number N of them: what a formula is written for, see `by_lane`.
@@ -127,15 +130,15 @@ template <Precision P, class Lane, class Q>
 /// use at a time.
 template <Scalar S, Precision P, class F>
 [[gnu::always_inline]] inline CutSum<Quad<S>, 1, P> by_lane(F f) {
-  if constexpr (std::is_same_v<Quad<S>, quad_detail::Array4<S>>) {
+  if constexpr (one_register<S>) {
+    return f(AllLanes());
+  } else {
     CutSum<Quad<S>, 1, P> sum;
     const auto set = [&sum](int i, const auto& lane) __attribute__((always_inline)) {
       sum.high.v[i] = lane.high, sum.low_a.v[i] = lane.low();
     };
     set(0, f(OneLane<0>())), set(1, f(OneLane<1>())), set(2, f(OneLane<2>())), set(3, f(OneLane<3>()));
     return sum;
-  } else {
-    return f(AllLanes());
   }
 }
 

@@ -44,7 +44,7 @@ class SE3 {
   }
 
   /// x_A = R x_B + p.
-  Vector3<S> act(const Vector3<S>& x_B) const {
+  [[gnu::always_inline]] Vector3<S> act(const Vector3<S>& x_B) const {
     const Vector3<S> x = product<S>(R_, x_B);
     return each<S>([&](int i) { return x[i] + p_[i]; });
   }

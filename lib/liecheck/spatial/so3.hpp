@@ -59,8 +59,8 @@ class SO3 {
     const S most = norm1<S>(p);
     if constexpr (P != Precision::fast && !side_by_side<S>)
       if (!cuttable(most)) [[unlikely]]
-        return S(1) / down() * turned<P>(numbers(), Vector3<S>(p * down()), S(most * down()));
-    return turned<P>(numbers(), p, most);
+        return S(1) / down() * actWithin<P>(Vector3<S>(p * down()), S(most * down()));
+    return actWithin<P>(p, most);
   }
   /// R^T p.
   template <Precision P = Precision::standard>
@@ -68,14 +68,15 @@ class SO3 {
     return inverse().template act<P>(p);
   }
 
-  /// R p, R^T p of p no longer than `most` and cuttable, with the error in eps of that.
+  /// R p of p no longer than `most` and cuttable, with the error in eps of that.
   template <Precision P>
   [[gnu::always_inline]] Vector3<S> actWithin(const Vector3<S>& p, const S& most) const {
-    return turned<P>(numbers(), p, most);
+    return turned<P>(numbers(), quad<S>(p[0], p[1], p[2], S(0)), most);
   }
-  template <Precision P>
-  [[gnu::always_inline]] Vector3<S> actInvWithin(const Vector3<S>& p, const S& most) const {
-    return turned<P>(conjugate(), p, most);
+  /// R^T (p + LOW); the fourth numbers are 0.
+  template <Precision P, class... Low>
+  [[gnu::always_inline]] Vector3<S> actInvWithin(const Quad<S>& p, const S& most, const Low&... p_low) const {
+    return turned<P>(conjugate(), p, most, p_low...);
   }
   /// Does the place where numbers up to `most` are cut still have a number? Else: what scales them down.
   [[gnu::always_inline]] static bool cuttable(const S& most) { return finite<S>(S(most * cut_factor())); }
@@ -149,17 +150,18 @@ class SO3 {
     using std::ldexp;
     return S(ldexp(S(1), std::numeric_limits<S>::digits / 2 + 1));
   }
-  template <Precision P>
-  [[gnu::always_inline]] Vector3<S> turned(const Quad<S>& Q, const Vector3<S>& p, const S& most) const {
-    const S place = most * cut_factor();
+  /// Of x + LOW, with x in the first three numbers.
+  template <Precision P, class... Low>
+  [[gnu::always_inline]] Vector3<S> turned(const Quad<S>& Q, const Quad<S>& x, const S& most,
+                                           const Low&... x_low) const {
     const LeftFactor<S, P> q(Q);
-    const Quad<S> x = quad<S>(p[0], p[1], p[2], S(0)), places(place);
+    const Quad<S> places(S(most * cut_factor()));
     // Q p = (w p + v x p, -v . p) = g, then w g - g_w v + v x g.
     const auto Qp = by_lane<S, P>([&](auto l) __attribute__((always_inline)) {
       return empty_sum<P>(l, x)
-          .add_product(at(l, q.w_x), cut<P, 0, 1, 2, 0>(l, x, places))
-          .add_product(at(l, q.y), cut<P, 2, 0, 1, 1>(l, x, places))
-          .add_product(-at(l, q.z), cut<P, 1, 2, 0, 2>(l, x, places));
+          .add_product(at(l, q.w_x), cut<P, 0, 1, 2, 0>(l, x, x_low..., places))
+          .add_product(at(l, q.y), cut<P, 2, 0, 1, 1>(l, x, x_low..., places))
+          .add_product(-at(l, q.z), cut<P, 1, 2, 0, 2>(l, x, x_low..., places));
     });
     const Quad<S> g = Qp.high, low = Qp.low();
     const auto r = by_lane<S, P>([&](auto l) __attribute__((always_inline)) {
