@@ -77,12 +77,12 @@ const VectorX<S>& aba(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, In
   if (model.has_mimics) return denseForwardDynamics(model, data, q, v, tau, fext);
   data.begin(model, q, v);
   auto& w = data.work;
-  columnsInWorldAxes(model, data, q, [&]<class Joint>(const Joint& joint, const auto& columns) {
+  columnsInWorldAxes(model, data, q, [&]<class Joint>(const Joint& joint) {
     const std::size_t i = std::size_t(joint.index), p = std::size_t(model.parents[i]);
     const Matrix3<S>& R = data.oMi[i].rotation();
     Motion<S> relative = Motion<S>::Zero();
     for (int k = 0; k < Joint::columns; ++k)
-      relative = relative + Motion<S>(Vector6<S>(columns.col(k))) * v[joint.idx_v + k];
+      relative = relative + column(w.S_columns, joint.column + k) * v[joint.idx_v + k];
     w.r[i] = fromParent(model, data, i);
     w.velocity[i] = p == 0 ? relative : shifted(w.velocity[p], w.r[i]) + relative;
     w.bias[i] = joint.velocityProduct(w.velocity[i], relative);

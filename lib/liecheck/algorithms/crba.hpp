@@ -28,14 +28,42 @@ template <Scalar S>
 void compositeInertias(const Model<S>& model, Data<S>& data, In<S> q) {
   auto& I = data.work.inertia;
   I[0] = {};
-  columnsInWorldAxes(model, data, q, [&](const auto& joint, const auto&) {
+  columnsInWorldAxes(model, data, q, [&](const auto& joint) {
     const std::size_t i = std::size_t(joint.index);
-    data.work.r[i] = fromParent(model, data, i);
-    I[i] = CompositeInertia<S>::turned(data.oMi[i].rotation(), model.inertias[i]);
+    multibody_detail::build(data.work.r[i], [&] { return fromParent(model, data, i); });
+    multibody_detail::build(
+        I[i], [&] { return CompositeInertia<S>::turned(data.oMi[i].rotation(), model.inertias[i]); });
   });
   for (std::size_t i = model.joints.size() - 1; i > 0; --i)
     I[std::size_t(model.parents[i])].join(I[i], data.work.r[i]);
 }
+
+/// What I s is of a column s [6], then moved down the tree: force x y z and moment u v w, as numbers that stay in
+/// registers, where a Force is stored and read again.
+template <Scalar S>
+struct ColumnMomentum {
+  S x, y, z, u, v, w;
+  [[gnu::always_inline]] ColumnMomentum(const CompositeInertia<S>& I, const S* s) {
+    const S a = s[3], b = s[4], c = s[5];
+    x = I.mass * (s[0] + mul_add(b, I.c[2], S(-(c * I.c[1]))));
+    y = I.mass * (s[1] + mul_add(c, I.c[0], S(-(a * I.c[2]))));
+    z = I.mass * (s[2] + mul_add(a, I.c[1], S(-(b * I.c[0]))));
+    u = I.xx * a + I.xy * b + I.xz * c;
+    v = I.xy * a + I.yy * b + I.yz * c;
+    w = I.xz * a + I.yz * b + I.zz * c;
+    shift(I.c);
+  }
+  /// To a point from which this one is d [m] away: n + d x f.
+  [[gnu::always_inline]] void shift(const Vector3<S>& d) {
+    u += mul_add(d[1], z, S(-(d[2] * y)));
+    v += mul_add(d[2], x, S(-(d[0] * z)));
+    w += mul_add(d[0], y, S(-(d[1] * x)));
+  }
+  /// s^T F.
+  [[gnu::always_inline]] S on(const S* s) const {
+    return S(x * s[0] + y * s[1] + z * s[2]) + S(u * s[3] + v * s[4] + w * s[5]);
+  }
+};
 
 /// The joint's own inertia is lost in the rounding of what was taken from it: no pivot.
 template <Scalar S>
@@ -97,26 +125,36 @@ const MatrixX<S>& crba(const Model<S>& model, Data<S>& data, In<S> q) {
   algorithms_detail::compositeInertias(model, data, q);
   auto& M = data.M.write(Level::Position);
   M.setZero();
-  if (model.has_mimics) M.diagonal() = model.armature;
+  const bool mimics = model.has_mimics;  // several columns act on one number of v; else column m on v[m]
+  if (mimics) M.diagonal() = model.armature;
+  const S* const columns = data.work.S_columns.data();
   for (std::size_t j = model.joints.size() - 1; j > 0; --j) {
     const int begin = model.idx_columns[j], end = begin + model.column_counts[j];
     for (int k = begin; k < end; ++k) {
-      const int vk = model.column_to_v[std::size_t(k)];
-      Force<S> F = data.work.inertia[j] * algorithms_detail::column(data.work.S_columns, k);
-      const auto add = [&](int m) {
-        const S h = algorithms_detail::column(data.work.S_columns, m).dot(F);
-        const int vm = model.column_to_v[std::size_t(m)];
-        if (model.has_mimics) {  // several columns act on one number of v
-          M(vk, vm) += h;
-          if (m != k) M(vm, vk) += h;
-        } else {
-          M(vk, vm) = M(vm, vk) = m == k ? S(h + model.armature[vk]) : h;
+      algorithms_detail::ColumnMomentum<S> F(data.work.inertia[j], columns + 6 * k);
+      const auto add = [&](int m, const S& h) __attribute__((always_inline)) {
+        if (!mimics) {
+          M(m, k) = M(k, m) = h;
+          return;
         }
+        const int vk = model.column_to_v[std::size_t(k)], vm = model.column_to_v[std::size_t(m)];
+        M(vk, vm) += h;
+        if (m != k) M(vm, vk) += h;
       };
-      for (int m = begin; m <= k; ++m) add(m);
+      for (int m = begin; m <= k; ++m) add(m, F.on(columns + 6 * m));
+      if (!mimics) M(k, k) += model.armature[k];
       for (std::size_t i = j, p; (p = std::size_t(model.parents[i])) > 0; i = p) {
-        F = algorithms_detail::shifted(F, data.work.r[i]);
-        for (int m = model.idx_columns[p]; m < model.idx_columns[p] + model.column_counts[p]; ++m) add(m);
+        F.shift(data.work.r[i]);
+        const int first = model.idx_columns[p], count = model.column_counts[p];
+        if (count == 6) {  // a free-flyer's: [R, 0; 0, R]
+          for (int m = first; m < first + 3; ++m) {
+            const S* R = columns + 6 * m;
+            add(m, F.x * R[0] + F.y * R[1] + F.z * R[2]);
+            add(m + 3, F.u * R[0] + F.v * R[1] + F.w * R[2]);
+          }
+        } else {
+          for (int m = first; m < first + count; ++m) add(m, F.on(columns + 6 * m));
+        }
       }
     }
   }

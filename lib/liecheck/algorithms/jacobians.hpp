@@ -85,8 +85,7 @@ const Matrix6X<S>& computeJointJacobians(const Model<S>& model, Data<S>& data, I
   if (model.has_mimics) J.setZero();
   multibody_detail::forEachJoint(model, [&]<class Joint>(const Joint& joint) {
     const std::size_t i = std::size_t(joint.index), p = std::size_t(model.parents[i]);
-    liMi[i] = joint.transform(q);
-    oMi[i] = p == 0 ? liMi[i] : oMi[p] * liMi[i];
+    algorithms_detail::placeJoint(joint, q, p, liMi[i], oMi);
     const Matrix3<S>& R = oMi[i].rotation();
     const Vector3<S>& o = oMi[i].translation();
     if constexpr (Joint::turns) {
@@ -94,6 +93,14 @@ const Matrix6X<S>& computeJointJacobians(const Model<S>& model, Data<S>& data, I
       auto J_i = J.col(joint.idx_v);
       J_i.template head<3>() = cross<S>(o, w);
       J_i.template tail<3>() = w;
+    } else if constexpr (Joint::columns == 6) {  // [R, [o] R; 0, R]
+      S* to = J.data() + 6 * joint.idx_v;
+      for (int k = 0; k < 3; ++k, to += 6) {
+        const Vector3<S> w(R(0, k), R(1, k), R(2, k)), u = cross<S>(w, Vector3<S>(-o[0], -o[1], -o[2]));
+        to[0] = to[21] = w[0], to[1] = to[22] = w[1], to[2] = to[23] = w[2];
+        to[3] = to[4] = to[5] = S(0);
+        to[18] = u[0], to[19] = u[1], to[20] = u[2];
+      }
     } else {
       const auto columns = joint.subspaceIn(R);
       for (int k = 0; k < Joint::columns; ++k) {
@@ -113,7 +120,7 @@ template <Scalar S>
 const Matrix6X<S>& computeJointJacobiansTimeVariation(const Model<S>& model, Data<S>& data, In<S> q,
                                                       In<S> v) {
   computeJointJacobians(model, data, q);
-  algorithms_detail::columnsInWorldAxes(model, data, q, [](const auto&, const auto&) {});
+  algorithms_detail::columnsInWorldAxes(model, data, q, [](const auto&) {});
   data.begin(model, q, v);
   auto& V = data.work.velocity;
   auto& dJ = data.dJ.write(Level::Velocity);

@@ -9,6 +9,21 @@
 
 namespace liecheck {
 
+namespace algorithms_detail {
+/// The pose of a joint in its parent p's frame, and in the world.
+template <class Place, Scalar S>
+[[gnu::always_inline]] inline void placeJoint(const Place& joint, const VectorX<S>& q, std::size_t p,
+                                              SE3<S>& liMi, std::vector<SE3<S>>& oMi) {
+  using multibody_detail::build;
+  SE3<S>& X_WJ = oMi[std::size_t(joint.index)];
+  build(liMi, [&] { return joint.transform(q); });
+  if (p == 0)
+    X_WJ = liMi;
+  else
+    build(X_WJ, [&] { return oMi[p] * liMi; });
+}
+}  // namespace algorithms_detail
+
 /// Updates liMi, oMi. q [nq].
 template <Scalar S>
 void forwardKinematics(const Model<S>& model, Data<S>& data, In<S> q) {
@@ -17,8 +32,7 @@ void forwardKinematics(const Model<S>& model, Data<S>& data, In<S> q) {
   auto& oMi = data.oMi.write(Level::Position);
   multibody_detail::forEachJoint(model, [&](const auto& joint) {
     const std::size_t i = std::size_t(joint.index), p = std::size_t(model.parents[i]);
-    liMi[i] = joint.transform(q);
-    oMi[i] = p == 0 ? liMi[i] : oMi[p] * liMi[i];
+    algorithms_detail::placeJoint(joint, q, p, liMi[i], oMi);
   });
 }
 
@@ -31,8 +45,7 @@ void forwardKinematics(const Model<S>& model, Data<S>& data, In<S> q, In<S> v) {
   auto& V = data.v.write(Level::Velocity);
   multibody_detail::forEachJoint(model, [&](const auto& joint) {
     const std::size_t i = std::size_t(joint.index), p = std::size_t(model.parents[i]);
-    liMi[i] = joint.transform(q);
-    oMi[i] = p == 0 ? liMi[i] : oMi[p] * liMi[i];
+    algorithms_detail::placeJoint(joint, q, p, liMi[i], oMi);
     V[i] = joint.motion(v);
     if (p > 0) V[i] = liMi[i].actInv(V[p]) + V[i];
   });
@@ -48,8 +61,7 @@ void forwardKinematics(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, I
   auto& A = data.a.write(Level::Acceleration);
   multibody_detail::forEachJoint(model, [&](const auto& joint) {
     const std::size_t i = std::size_t(joint.index), p = std::size_t(model.parents[i]);
-    liMi[i] = joint.transform(q);
-    oMi[i] = p == 0 ? liMi[i] : oMi[p] * liMi[i];
+    algorithms_detail::placeJoint(joint, q, p, liMi[i], oMi);
     const Motion<S> relative = joint.motion(v);
     V[i] = p == 0 ? relative : liMi[i].actInv(V[p]) + relative;
     A[i] = joint.motion(a) + joint.velocityProduct(V[i], relative);
@@ -59,8 +71,7 @@ void forwardKinematics(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, I
 
 namespace algorithms_detail {
 
-/// For what works in world axes (Data::Work): poses and S_columns of every joint, and f(joint, S) with those of its
-/// own, 6 x columns. Updates liMi, oMi.
+/// For what works in world axes (Data::Work): poses and S_columns of every joint, and f(joint). Updates liMi, oMi.
 template <Scalar S, class F>
 void columnsInWorldAxes(const Model<S>& model, Data<S>& data, In<S> q, F f) {
   data.begin(model, q);
@@ -68,35 +79,46 @@ void columnsInWorldAxes(const Model<S>& model, Data<S>& data, In<S> q, F f) {
   auto& oMi = data.oMi.write(Level::Position);
   multibody_detail::forEachJoint(model, [&]<class Joint>(const Joint& joint) {
     const std::size_t i = std::size_t(joint.index), p = std::size_t(model.parents[i]);
-    liMi[i] = joint.transform(q);
-    oMi[i] = p == 0 ? liMi[i] : oMi[p] * liMi[i];
-    const auto columns = joint.subspaceIn(oMi[i].rotation());
-    data.work.S_columns.template middleCols<Joint::columns>(joint.column) = columns;
-    f(joint, columns);
+    algorithms_detail::placeJoint(joint, q, p, liMi[i], oMi);
+    S* to = data.work.S_columns.data() + 6 * joint.column;
+    if constexpr (Joint::turns) {
+      const Vector3<S> w = joint.joint.axis.in(oMi[i].rotation());
+      to[0] = to[1] = to[2] = S(0);
+      to[3] = w[0], to[4] = w[1], to[5] = w[2];
+    } else {
+      const auto columns = joint.subspaceIn(oMi[i].rotation());
+      for (int k = 0; k < 6 * Joint::columns; ++k) to[k] = columns.data()[k];
+    }
+    f(joint);
   });
 }
 /// The way from the parent's origin to joint i's, in world axes [m]: not a difference of two far places.
 template <Scalar S>
-Vector3<S> fromParent(const Model<S>& model, const Data<S>& data, std::size_t i) {
-  return data.oMi[std::size_t(model.parents[i])].rotation() * data.liMi[i].translation();
+[[gnu::always_inline]] inline Vector3<S> fromParent(const Model<S>& model, const Data<S>& data,
+                                                    std::size_t i) {
+  return product<S>(data.oMi[std::size_t(model.parents[i])].rotation(), data.liMi[i].translation());
 }
 
+template <Scalar S>
+[[gnu::always_inline]] inline Vector3<S> added(const Vector3<S>& a, const Vector3<S>& b) {
+  return each<S>([&](int i) { return S(a[i] + b[i]); });
+}
 /// Column k of a joint's subspace, in world axes at the joint's own origin.
 template <Scalar S>
-Motion<S> column(const Matrix6X<S>& columns, int k) {
+[[gnu::always_inline]] inline Motion<S> column(const Matrix6X<S>& columns, int k) {
   const S* s = columns.data() + 6 * k;
   return {Vector3<S>(s[0], s[1], s[2]), Vector3<S>(s[3], s[4], s[5])};
 }
 
 /// A motion, the same one, at a point d [m] away from its reference point: u + omega x d.
 template <Scalar S>
-Motion<S> shifted(const Motion<S>& V, const Vector3<S>& d) {
-  return {Vector3<S>(V.linear() + cross<S>(V.angular(), d)), V.angular()};
+[[gnu::always_inline]] inline Motion<S> shifted(const Motion<S>& V, const Vector3<S>& d) {
+  return {added(V.linear(), cross<S>(V.angular(), d)), V.angular()};
 }
 /// A force at a point from which its reference point is d [m] away: n + d x f.
 template <Scalar S>
-Force<S> shifted(const Force<S>& F, const Vector3<S>& d) {
-  return {F.linear(), Vector3<S>(F.angular() + cross<S>(d, F.linear()))};
+[[gnu::always_inline]] inline Force<S> shifted(const Force<S>& F, const Vector3<S>& d) {
+  return {F.linear(), added(F.angular(), cross<S>(d, F.linear()))};
 }
 /// An inertia in axes turned by R.
 template <Scalar S>

@@ -15,14 +15,13 @@ struct CompositeInertia {
 
   /// A body's, in axes turned by R: c = R c_B, I_C = R I_C,B R^T.
   static CompositeInertia turned(const Matrix3<S>& R, const Inertia<S>& I) {
-    const Matrix3<S> RI = R * I.inertia();
+    const Matrix3<S> RI = product<S>(R, I.inertia());
     const auto entry = [&](int i, int j) {
       return S(RI(i, 0) * R(j, 0) + RI(i, 1) * R(j, 1) + RI(i, 2) * R(j, 2));
     };
-    return {I.mass(),    Vector3<S>(R * I.lever()),
-            entry(0, 0), entry(0, 1),
-            entry(0, 2), entry(1, 1),
-            entry(1, 2), entry(2, 2)};
+    return {
+        I.mass(),   product<S>(R, I.lever()), entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 1), entry(1, 2),
+        entry(2, 2)};
   }
 
   /// Adds another whose frame stands r [m] away, in the same axes: with t = m_2/(m + m_2), d = c_2 + r - c,
@@ -43,12 +42,14 @@ struct CompositeInertia {
   }
 
   /// Momentum about the frame's origin: f = m (u + omega x c), n = I_C omega + c x f.
-  Force<S> operator*(const Motion<S>& V) const {
+  [[gnu::always_inline]] Force<S> operator*(const Motion<S>& V) const {
     const Vector3<S>& w = V.angular();
-    const Vector3<S> f = mass * (V.linear() + cross<S>(w, c));
+    const Vector3<S> wc = cross<S>(w, c);
+    const Vector3<S> f = each<S>([&](int i) { return S(mass * (V.linear()[i] + wc[i])); });
     const Vector3<S> n(xx * w[0] + xy * w[1] + xz * w[2], xy * w[0] + yy * w[1] + yz * w[2],
                        xz * w[0] + yz * w[1] + zz * w[2]);
-    return {f, Vector3<S>(n + cross<S>(c, f))};
+    const Vector3<S> cf = cross<S>(c, f);
+    return {f, each<S>([&](int i) { return S(n[i] + cf[i]); })};
   }
 };
 

@@ -3,6 +3,8 @@
 // Segments are fixed-size: nothing is allocated.
 
 #include <liecheck/multibody/model.hpp>
+#include <new>
+#include <type_traits>
 
 namespace liecheck::multibody_detail {
 
@@ -11,6 +13,15 @@ inline void checkSize(Eigen::Index actual, int expected, const char* what, const
   if (actual != expected)
     throw std::invalid_argument(std::string(what) + " has " + std::to_string(actual) +
                                 " numbers, the model's " + dimension + " is " + std::to_string(expected));
+}
+
+/// to = f(), made where it stays: what is copied right after it was written, in wider pieces, waits for that.
+template <class T, class F>
+[[gnu::always_inline]] inline void build(T& to, F f) {
+  if constexpr (std::is_trivially_destructible_v<T>)
+    ::new (static_cast<void*>(&to)) T(f());
+  else
+    to = f();
 }
 
 template <Scalar S, class J>
@@ -33,7 +44,7 @@ struct Place {
   auto coefficientJacobian(MatrixX<S>& M) const { return M.template block<J::nq, J::nv>(idx_q, idx_v); }
 
   /// Pose in the parent joint's frame.
-  SE3<S> transform(const VectorX<S>& q) const {
+  [[gnu::always_inline]] SE3<S> transform(const VectorX<S>& q) const {
     const SE3<S>& X_PJ = model.jointPlacements[std::size_t(index)];
     if constexpr (mimics) {
       using std::atan2;
@@ -76,10 +87,11 @@ struct Place {
       return joint.subspace().transpose() * F.to_vector();
   }
   /// S [6 x columns] in axes turned by R.
-  auto subspaceIn(const Matrix3<S>& R) const {
+  [[gnu::always_inline]] auto subspaceIn(const Matrix3<S>& R) const {
     Eigen::Matrix<S, 6, columns> turned;
     if constexpr (turns) {
-      turned << Vector3<S>::Zero(), joint.axis.in(R);
+      const Vector3<S> w = joint.axis.in(R);
+      for (int i = 0; i < 3; ++i) turned(i, 0) = S(0), turned(3 + i, 0) = w[i];
     } else if constexpr (columns == 6) {
       turned.setZero();
       turned.template topLeftCorner<3, 3>() = turned.template bottomRightCorner<3, 3>() = R;

@@ -34,7 +34,11 @@ class Force {
   Force operator*(const S& s) const { return {linear_ * s, angular_ * s}; }
 
   /// Power F^T V [W].
-  S dot(const Motion<S>& V) const { return linear_.dot(V.linear()) + angular_.dot(V.angular()); }
+  [[gnu::always_inline]] S dot(const Motion<S>& V) const {
+    const Vector3<S>&u = V.linear(), &w = V.angular();
+    return S(linear_[0] * u[0] + linear_[1] * u[1] + linear_[2] * u[2]) +
+           S(angular_[0] * w[0] + angular_[1] * w[1] + angular_[2] * w[2]);
+  }
 
  private:
   Vector3<S> linear_, angular_;
@@ -47,7 +51,7 @@ Force<S> Motion<S>::cross(const Force<S>& F) const {
 }
 
 template <Scalar S>
-S Motion<S>::dot(const Force<S>& F) const {
+[[gnu::always_inline]] inline S Motion<S>::dot(const Force<S>& F) const {
   return F.dot(*this);
 }
 

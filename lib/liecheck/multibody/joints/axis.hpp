@@ -36,19 +36,22 @@ class Axis {
 
   /// R_PJ R(a, theta) of cos theta and sin theta, R(a, theta) = c I + s [a] + (1 - c) a a^T (Rodrigues 1840).
   /// About a coordinate axis two columns turn and the third is kept to the last bit. Error 3 eps.
-  Matrix3<S> turned(const Matrix3<S>& R_PJ, const S& c, const S& s) const {
-    if (coordinate_ < 0) return R_PJ * rotation(c, s);
-    const int j = (coordinate_ + 1) % 3, k = (coordinate_ + 2) % 3;
-    Matrix3<S> R = R_PJ;
-    R.col(j) = c * R_PJ.col(j) + s * R_PJ.col(k);
-    R.col(k) = c * R_PJ.col(k) - s * R_PJ.col(j);
-    return R;
+  [[gnu::always_inline]] Matrix3<S> turned(const Matrix3<S>& R_PJ, const S& c, const S& s) const {
+    switch (coordinate_) {
+      case 0:
+        return turnedAbout<0>(R_PJ, c, s);
+      case 1:
+        return turnedAbout<1>(R_PJ, c, s);
+      case 2:
+        return turnedAbout<2>(R_PJ, c, s);
+    }
+    return product<S>(R_PJ, rotation(c, s));
   }
 
   /// R a.
-  Vector3<S> in(const Matrix3<S>& R) const {
-    if (coordinate_ >= 0) return R.col(coordinate_);
-    return R * unit_;
+  [[gnu::always_inline]] Vector3<S> in(const Matrix3<S>& R) const {
+    if (coordinate_ >= 0) return each<S>([&](int i) { return R(i, coordinate_); });
+    return product<S>(R, unit_);
   }
 
   /// The same numbers as T; narrowing rounds each, widening is not made unit again.
@@ -64,16 +67,28 @@ class Axis {
   Axis(const Unit& unit) : unit_(unit.vector), coordinate_(coordinateOf(unit.vector)) {}
 
  private:
+  /// Entry by entry: the result is made in registers.
+  template <int I>
+  [[gnu::always_inline]] static Matrix3<S> turnedAbout(const Matrix3<S>& R, const S& c, const S& s) {
+    const auto entry = [&](int i, int column) __attribute__((always_inline)) {
+      constexpr int j = (I + 1) % 3, k = (I + 2) % 3;
+      return column == I   ? R(i, I)
+             : column == j ? S(c * R(i, j) + s * R(i, k))
+                           : S(c * R(i, k) - s * R(i, j));
+    };
+    return rows<S>(entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 0), entry(1, 1), entry(1, 2), entry(2, 0),
+                   entry(2, 1), entry(2, 2));
+  }
   static int coordinateOf(const Vector3<S>& unit) {
     for (int i = 0; i < 3; ++i)
       if (unit == Vector3<S>::Unit(i)) return i;
     return -1;
   }
-  Matrix3<S> rotation(const S& c, const S& s) const {
-    const Vector3<S> sa = s * unit_;
-    Matrix3<S> R = unit_ * (S(S(1) - c) * unit_).transpose() + skew<S>(sa);
-    R.diagonal().array() += c;
-    return R;
+  [[gnu::always_inline]] Matrix3<S> rotation(const S& c, const S& s) const {
+    const S x = unit_[0], y = unit_[1], z = unit_[2], C = S(1) - c, X = C * x, Y = C * y, Z = C * z;
+    const S sx = s * x, sy = s * y, sz = s * z;
+    return rows<S>(S(x * X) + c, S(x * Y) - sz, S(x * Z) + sy, S(y * X) + sz, S(y * Y) + c, S(y * Z) - sx,
+                   S(z * X) - sy, S(z * Y) + sx, S(z * Z) + c);
   }
 
   Vector3<S> unit_;

@@ -74,7 +74,7 @@ struct Continuous {
   }
 
   /// X_PJ (R(axis, angle), 0). Error 4 eps + 3/4 d^2.
-  SE3<S> transform(const SE3<S>& X_PJ, const Configuration& q) const {
+  [[gnu::always_inline]] SE3<S> transform(const SE3<S>& X_PJ, const Configuration& q) const {
     const Configuration u = se3_configuration_detail::firstOrderNormalize<S, 2>(q);
     return SE3<S>(axis.turned(X_PJ.rotation(), u[0], u[1]), X_PJ.translation());
   }

@@ -14,7 +14,7 @@ struct Revolute : LinearCoordinates<S, 1> {
   explicit Revolute(const Vector3<S>& direction) : axis(direction) {}
 
   /// X_PJ (R(axis, q), 0). Error 4 eps.
-  SE3<S> transform(const SE3<S>& X_PJ, const Vector1<S>& q) const {
+  [[gnu::always_inline]] SE3<S> transform(const SE3<S>& X_PJ, const Vector1<S>& q) const {
     using std::cos, std::sin;
     return SE3<S>(axis.turned(X_PJ.rotation(), S(cos(q[0])), S(sin(q[0]))), X_PJ.translation());
   }
