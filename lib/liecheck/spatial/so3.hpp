@@ -177,47 +177,69 @@ class SO3 {
   }
   /// Of R + C, C small and of antisymmetric part c (C_32 - C_23, ...).
   template <Precision P>
-  static Unrounded largestPivot(const Matrix3<S>& R, const Matrix3<S>& C, const Vector3<S>& c) {
-    Vector4<S> q, low = Vector4<S>::Zero();
-    const auto set = [&](int n, const S& a, const S& b, const S& small) {
-      if constexpr (P == Precision::fast) {
-        q[n] = a + b;
-      } else {
-        const auto [sum, rest] = two_sum<S>(a, b);
-        const S tail = rest + small;
-        q[n] = sum + tail;
-        low[n] = (sum - q[n]) + tail;
-      }
-    };
-    const auto set_one_and = [&](int n, const S& x, const S& y, const S& z, const S& small) {
-      if constexpr (P == Precision::fast) {
-        q[n] = S(1) + (x + y + z);
-      } else {
-        const auto [first, rest] = two_sum<S>(S(1), x);
-        const auto [second, more] = two_sum<S>(y, z);
-        set(n, first, second, S(rest + (more + small)));
-      }
-    };
-    const auto set_antisymmetric = [&](int n, int i, int j, int k) { set(n, R(k, j), S(-R(j, k)), c[i]); };
-    const S trace = R.trace();
-    if (trace > S(0)) {
-      set_antisymmetric(0, 0, 1, 2), set_antisymmetric(1, 1, 2, 0), set_antisymmetric(2, 2, 0, 1);
-      set_one_and(3, R(0, 0), R(1, 1), R(2, 2), C.trace());
-    } else {
-      int i = 0;
-      if (R(1, 1) > R(0, 0)) i = 1;
-      if (R(2, 2) > R(i, i)) i = 2;
-      const int j = (i + 1) % 3, k = (i + 2) % 3;
-      set_one_and(i, R(i, i), S(-R(j, j)), S(-R(k, k)), S(C(i, i) - C(j, j) - C(k, k)));
-      set(j, R(i, j), R(j, i), S(C(i, j) + C(j, i)));
-      set(k, R(i, k), R(k, i), S(C(i, k) + C(k, i)));
-      set_antisymmetric(3, i, j, k);
-      // What the rounding of C, or R's distance from a rotation, may leave of it.
-      const S least = P == Precision::fast ? S(64) * eps<S>() : S(1024) * eps<S>() * eps<S>();
-      if constexpr (!side_by_side<S>)
-        if (absolute<S>(q[3]) < least) return {nearHalfTurn(R, Vector3<S>(q.template head<3>()))};
-    }
-    return {SO3(Vector4<S>(q / S(4))), Vector4<S>(low / S(4))};
+  [[gnu::always_inline]] static Unrounded largestPivot(const Matrix3<S>& R, const Matrix3<S>& C,
+                                                       const Vector3<S>& c) {
+    if (R(0, 0) + R(1, 1) + R(2, 2) > S(0)) return scalarPivot<P>(R, C, c);
+    const bool y = R(1, 1) > R(0, 0);
+    if (R(2, 2) > (y ? R(1, 1) : R(0, 0))) return vectorPivot<P, 2>(R, C, c);
+    return y ? vectorPivot<P, 1>(R, C, c) : vectorPivot<P, 0>(R, C, c);
+  }
+  /// a + b + small, and what its rounding leaves.
+  template <Precision P>
+  [[gnu::always_inline]] static std::pair<S, S> entry(const S& a, const S& b, const S& small) {
+    if constexpr (P == Precision::fast) return {a + b, S(0)};
+    const auto [sum, rest] = two_sum<S>(a, b);
+    const S tail = rest + small, value = sum + tail;
+    return {value, (sum - value) + tail};
+  }
+  /// 1 + x + y + z + small.
+  template <Precision P>
+  [[gnu::always_inline]] static std::pair<S, S> pivotEntry(const S& x, const S& y, const S& z,
+                                                           const S& small) {
+    if constexpr (P == Precision::fast) return {S(1) + (x + y + z), S(0)};
+    const auto [first, rest] = two_sum<S>(S(1), x);
+    const auto [second, more] = two_sum<S>(y, z);
+    return entry<P>(first, second, S(rest + (more + small)));
+  }
+  /// Number I of the antisymmetric part.
+  template <Precision P, int I>
+  [[gnu::always_inline]] static std::pair<S, S> antisymmetricEntry(const Matrix3<S>& R, const Vector3<S>& c) {
+    constexpr int J = (I + 1) % 3, K = (I + 2) % 3;
+    return entry<P>(R(K, J), S(-R(J, K)), c[I]);
+  }
+  /// By 4 w^2 = 1 + tr R.
+  template <Precision P>
+  [[gnu::always_inline]] static Unrounded scalarPivot(const Matrix3<S>& R, const Matrix3<S>& C,
+                                                      const Vector3<S>& c) {
+    const auto x = antisymmetricEntry<P, 0>(R, c), y = antisymmetricEntry<P, 1>(R, c),
+               z = antisymmetricEntry<P, 2>(R, c),
+               w = pivotEntry<P>(R(0, 0), R(1, 1), R(2, 2), S(C(0, 0) + C(1, 1) + C(2, 2)));
+    return quarter(x, y, z, w);
+  }
+  /// By 4 v_I^2 = 1 + R_II - R_JJ - R_KK, the largest: 4 v_I (v_J, v_K, w) from the other entries.
+  template <Precision P, int I>
+  [[gnu::always_inline]] static Unrounded vectorPivot(const Matrix3<S>& R, const Matrix3<S>& C,
+                                                      const Vector3<S>& c) {
+    constexpr int J = (I + 1) % 3, K = (I + 2) % 3;
+    std::pair<S, S> v[3];
+    v[I] = pivotEntry<P>(R(I, I), S(-R(J, J)), S(-R(K, K)), S(C(I, I) - C(J, J) - C(K, K)));
+    v[J] = entry<P>(R(I, J), R(J, I), S(C(I, J) + C(J, I)));
+    v[K] = entry<P>(R(I, K), R(K, I), S(C(I, K) + C(K, I)));
+    const auto w = antisymmetricEntry<P, I>(R, c);
+    // What the rounding of C, or R's distance from a rotation, may leave of it.
+    const S least = P == Precision::fast ? S(64) * eps<S>() : S(1024) * eps<S>() * eps<S>();
+    if constexpr (!side_by_side<S>)
+      if (absolute<S>(w.first) < least) [[unlikely]]
+        return {nearHalfTurn(R, Vector3<S>(v[0].first, v[1].first, v[2].first)),
+                Vector4<S>(Vector4<S>::Zero())};
+    return quarter(v[0], v[1], v[2], w);
+  }
+  using Parts = std::pair<S, S>;
+  [[gnu::always_inline]] static Unrounded quarter(const Parts& x, const Parts& y, const Parts& z,
+                                                  const Parts& w) {
+    const S q = S(1) / S(4);
+    return {SO3(Vector4<S>(q * x.first, q * y.first, q * z.first, q * w.first)),
+            Vector4<S>(q * x.second, q * y.second, q * z.second, q * w.second)};
   }
   /// The rotation nearest to R is the eigenvector (v, w) of the largest eigenvalue, 3 here, of Davenport's matrix
   /// [R + R^T - tr(R) I, a; a^T, tr R], a = (R_32 - R_23, ...) (Davenport 1968; Markley & Mortari 2000): so
