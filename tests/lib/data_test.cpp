@@ -112,8 +112,9 @@ TEST(Data, AConstantModelServesManyThreads) {
   const auto everything = [&](Data<double>& d) {
     Vec all(5 * m.nv);
     computeABADerivatives(m, d, s.q, s.v, s.tau);
-    all << rnea(m, d, s.q, s.v, s.a), aba(m, d, s.q, s.v, s.tau), computeMinverse(m, d, s.q) * s.tau,
-        d.ddq_dq() * s.v, computeJointJacobians(m, d, s.q).transpose() * Vector6<double>::Ones();
+    all << d.ddq_dq() * s.v,  // before rnea's acceleration makes it stale
+        rnea(m, d, s.q, s.v, s.a), aba(m, d, s.q, s.v, s.tau), computeMinverse(m, d, s.q) * s.tau,
+        computeJointJacobians(m, d, s.q).transpose() * Vector6<double>::Ones();
     centerOfMass(m, d, s.q, s.v, s.a), computeCentroidalMap(m, d, s.q);
     return all;
   };
