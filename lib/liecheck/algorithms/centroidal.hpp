@@ -77,7 +77,7 @@ const Matrix6X<S>& computeCentroidalMap(const Model<S>& model, Data<S>& data, In
   Ag.setZero();
   for (int k = 0; k < model.ncolumns; ++k) {
     const std::size_t i = std::size_t(model.column_to_joint[std::size_t(k)]);
-    const Force<S> h = data.work.inertia[i] * column(data.work.S_columns, k);
+    const Force<S> h = ColumnMomentum<S>(data.work.inertia[i], data.work.S_columns.data() + 6 * k).force();
     Ag.col(model.column_to_v[std::size_t(k)]) +=
         shifted(h, Vector3<S>(data.oMi[i].translation() - c)).to_vector();
   }

@@ -38,8 +38,8 @@ void compositeInertias(const Model<S>& model, Data<S>& data, In<S> q) {
     I[std::size_t(model.parents[i])].join(I[i], data.work.r[i]);
 }
 
-/// What I s is of a column s [6], then moved down the tree: force x y z and moment u v w, as numbers that stay in
-/// registers, where a Force is stored and read again.
+/// Momentum I s of a column s [6] about its joint's origin, f = m (u + omega x c), n = I_C omega + c x f, then moved down
+/// the tree: force x y z and moment u v w, as numbers that stay in registers, where a Force is stored and read again.
 template <Scalar S>
 struct ColumnMomentum {
   S x, y, z, u, v, w;
@@ -63,6 +63,7 @@ struct ColumnMomentum {
   [[gnu::always_inline]] S on(const S* s) const {
     return S(x * s[0] + y * s[1] + z * s[2]) + S(u * s[3] + v * s[4] + w * s[5]);
   }
+  Force<S> force() const { return {Vector3<S>(x, y, z), Vector3<S>(u, v, w)}; }
 };
 
 /// The joint's own inertia is lost in the rounding of what was taken from it: no pivot.

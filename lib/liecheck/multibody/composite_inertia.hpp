@@ -40,17 +40,6 @@ struct CompositeInertia {
         zz += other.zz + (mx * x + my * y);
     xy += other.xy - mx * y, xz += other.xz - mx * z, yz += other.yz - my * z;
   }
-
-  /// Momentum about the frame's origin: f = m (u + omega x c), n = I_C omega + c x f.
-  [[gnu::always_inline]] Force<S> operator*(const Motion<S>& V) const {
-    const Vector3<S>& w = V.angular();
-    const Vector3<S> wc = cross<S>(w, c);
-    const Vector3<S> f = each<S>([&](int i) { return S(mass * (V.linear()[i] + wc[i])); });
-    const Vector3<S> n(xx * w[0] + xy * w[1] + xz * w[2], xy * w[0] + yy * w[1] + yz * w[2],
-                       xz * w[0] + yz * w[1] + zz * w[2]);
-    const Vector3<S> cf = cross<S>(c, f);
-    return {f, each<S>([&](int i) { return S(n[i] + cf[i]); })};
-  }
 };
 
 }  // namespace liecheck
