@@ -43,14 +43,17 @@ void compositeInertias(const Model<S>& model, Data<S>& data, In<S> q) {
 template <Scalar S>
 struct ColumnMomentum {
   S x, y, z, u, v, w;
-  [[gnu::always_inline]] ColumnMomentum(const CompositeInertia<S>& I, const S* s) {
+  /// turn: the column is a turn alone, u = 0.
+  [[gnu::always_inline]] ColumnMomentum(const CompositeInertia<S>& I, const S* s, bool turn = false) {
     const S a = s[3], b = s[4], c = s[5];
-    x = I.mass * (s[0] + mul_add(b, I.c[2], S(-(c * I.c[1]))));
-    y = I.mass * (s[1] + mul_add(c, I.c[0], S(-(a * I.c[2]))));
-    z = I.mass * (s[2] + mul_add(a, I.c[1], S(-(b * I.c[0]))));
-    u = I.xx * a + I.xy * b + I.xz * c;
-    v = I.xy * a + I.yy * b + I.yz * c;
-    w = I.xz * a + I.yz * b + I.zz * c;
+    x = mul_add(b, I.c[2], S(-(c * I.c[1])));
+    y = mul_add(c, I.c[0], S(-(a * I.c[2])));
+    z = mul_add(a, I.c[1], S(-(b * I.c[0])));
+    if (!turn) x += s[0], y += s[1], z += s[2];
+    x *= I.mass, y *= I.mass, z *= I.mass;
+    u = mul_add(I.xx, a, mul_add(I.xy, b, S(I.xz * c)));
+    v = mul_add(I.xy, a, mul_add(I.yy, b, S(I.yz * c)));
+    w = mul_add(I.xz, a, mul_add(I.yz, b, S(I.zz * c)));
     shift(I.c);
   }
   /// To a point from which this one is d [m] away: n + d x f.
@@ -59,12 +62,67 @@ struct ColumnMomentum {
     v += mul_add(d[2], x, S(-(d[0] * z)));
     w += mul_add(d[0], y, S(-(d[1] * x)));
   }
-  /// s^T F.
-  [[gnu::always_inline]] S on(const S* s) const {
-    return S(x * s[0] + y * s[1] + z * s[2]) + S(u * s[3] + v * s[4] + w * s[5]);
+  /// What a motion s [6], a displacement s [3] and a turn s [3] feel of it: s^T F.
+  [[gnu::always_inline]] S on(const S* s) const { return onDisplacement(s) + onTurn(s + 3); }
+  [[gnu::always_inline]] S onDisplacement(const S* s) const {
+    return mul_add(x, s[0], mul_add(y, s[1], S(z * s[2])));
+  }
+  [[gnu::always_inline]] S onTurn(const S* s) const {
+    return mul_add(u, s[0], mul_add(v, s[1], S(w * s[2])));
   }
   Force<S> force() const { return {Vector3<S>(x, y, z), Vector3<S>(u, v, w)}; }
 };
+
+/// M of composite inertias and columns. With mimics several columns act on one number of v, so that terms are added to
+/// M; else column m acts on v[m] alone, and what stands between branches is not touched.
+template <bool mimics, Scalar S>
+void massMatrix(const Model<S>& model, const Data<S>& data, MatrixX<S>& M) {
+  const S* const columns = data.work.S_columns.data();
+  const auto set = [&](int m, int k, const S& h) __attribute__((always_inline)) {
+    if constexpr (mimics) {
+      const int vk = model.column_to_v[std::size_t(k)], vm = model.column_to_v[std::size_t(m)];
+      M(vk, vm) += h;
+      if (m != k) M(vm, vk) += h;
+    } else {
+      M(m, k) = M(k, m) = h;
+    }
+  };
+  const auto setOwn = [&](int k, const S& h) __attribute__((always_inline)) {
+    set(k, k, mimics ? h : S(h + model.armature[k]));
+  };
+  for (std::size_t j = model.joints.size() - 1; j > 0; --j) {
+    const CompositeInertia<S>& I = data.work.inertia[j];
+    const auto ancestors = [&](int k, ColumnMomentum<S>& F) __attribute__((always_inline)) {
+      for (std::size_t i = j, p; (p = std::size_t(model.parents[i])) > 0; i = p) {
+        F.shift(data.work.r[i]);
+        const int first = model.idx_columns[p], count = model.column_counts[p];
+        if (turnsAboutAxis<S>(model.joints[p])) {
+          set(first, k, F.onTurn(columns + 6 * first + 3));
+        } else if (count == 6) {  // a free-flyer's: [R, 0; 0, R]
+          for (int m = first; m < first + 3; ++m) {
+            set(m, k, F.onDisplacement(columns + 6 * m));
+            set(m + 3, k, F.onTurn(columns + 6 * m));
+          }
+        } else {
+          for (int m = first; m < first + count; ++m) set(m, k, F.on(columns + 6 * m));
+        }
+      }
+    };
+    const int begin = model.idx_columns[j], end = begin + model.column_counts[j];
+    if (turnsAboutAxis<S>(model.joints[j])) {
+      ColumnMomentum<S> F(I, columns + 6 * begin, true);
+      setOwn(begin, F.onTurn(columns + 6 * begin + 3));
+      ancestors(begin, F);
+    } else {
+      for (int k = begin; k < end; ++k) {
+        ColumnMomentum<S> F(I, columns + 6 * k);
+        for (int m = begin; m < k; ++m) set(m, k, F.on(columns + 6 * m));
+        setOwn(k, F.on(columns + 6 * k));
+        ancestors(k, F);
+      }
+    }
+  }
+}
 
 /// The joint's own inertia is lost in the rounding of what was taken from it: no pivot.
 template <Scalar S>
@@ -124,40 +182,12 @@ template <Scalar S>
 const MatrixX<S>& crba(const Model<S>& model, Data<S>& data, In<S> q) {
   data.require(Dense::Mass, "crba");
   algorithms_detail::compositeInertias(model, data, q);
-  auto& M = data.M.write(Level::Position);
-  M.setZero();
-  const bool mimics = model.has_mimics;  // several columns act on one number of v; else column m on v[m]
-  if (mimics) M.diagonal() = model.armature;
-  const S* const columns = data.work.S_columns.data();
-  for (std::size_t j = model.joints.size() - 1; j > 0; --j) {
-    const int begin = model.idx_columns[j], end = begin + model.column_counts[j];
-    for (int k = begin; k < end; ++k) {
-      algorithms_detail::ColumnMomentum<S> F(data.work.inertia[j], columns + 6 * k);
-      const auto add = [&](int m, const S& h) __attribute__((always_inline)) {
-        if (!mimics) {
-          M(m, k) = M(k, m) = h;
-          return;
-        }
-        const int vk = model.column_to_v[std::size_t(k)], vm = model.column_to_v[std::size_t(m)];
-        M(vk, vm) += h;
-        if (m != k) M(vm, vk) += h;
-      };
-      for (int m = begin; m <= k; ++m) add(m, F.on(columns + 6 * m));
-      if (!mimics) M(k, k) += model.armature[k];
-      for (std::size_t i = j, p; (p = std::size_t(model.parents[i])) > 0; i = p) {
-        F.shift(data.work.r[i]);
-        const int first = model.idx_columns[p], count = model.column_counts[p];
-        if (count == 6) {  // a free-flyer's: [R, 0; 0, R]
-          for (int m = first; m < first + 3; ++m) {
-            const S* R = columns + 6 * m;
-            add(m, F.x * R[0] + F.y * R[1] + F.z * R[2]);
-            add(m + 3, F.u * R[0] + F.v * R[1] + F.w * R[2]);
-          }
-        } else {
-          for (int m = first; m < first + count; ++m) add(m, F.on(columns + 6 * m));
-        }
-      }
-    }
+  auto& M = data.M.write(Level::Position);  // zero between branches since data was made
+  if (model.has_mimics) {
+    M = model.armature.asDiagonal();
+    algorithms_detail::massMatrix<true>(model, data, M);
+  } else {
+    algorithms_detail::massMatrix<false>(model, data, M);
   }
   return M;
 }

@@ -18,8 +18,9 @@ void forEachSupportingColumn(const Model<S>& model, const Data<S>& data, const P
   Vector3<S> d = oMi[F.joint].rotation() * F.X_JF.translation();
   for (std::size_t i = F.joint; i > 0; i = std::size_t(model.parents[i])) {
     multibody_detail::visitJoint(model, i, [&]<class Joint>(const Joint& place) {
-      const auto columns = place.subspaceIn(oMi[i].rotation());
-      for (int k = 0; k < Joint::columns; ++k) f(place, k, Motion<S>(Vector6<S>(columns.col(k))), d);
+      S columns[6 * Joint::columns];
+      place.subspaceIn(oMi[i].rotation(), columns);
+      for (int k = 0; k < Joint::columns; ++k) f(place, k, column(columns, k), d);
     });
     d += fromParent(model, data, i);
   }
@@ -102,9 +103,11 @@ const Matrix6X<S>& computeJointJacobians(const Model<S>& model, Data<S>& data, I
         to[18] = u[0], to[19] = u[1], to[20] = u[2];
       }
     } else {
-      const auto columns = joint.subspaceIn(R);
+      S columns[6 * Joint::columns];
+      joint.subspaceIn(R, columns);
       for (int k = 0; k < Joint::columns; ++k) {
-        const Motion<S> s = algorithms_detail::shifted(Motion<S>(Vector6<S>(columns.col(k))), Vector3<S>(-o));
+        using namespace algorithms_detail;
+        const Motion<S> s = shifted(column<S>(columns, k), Vector3<S>(-o));
         if constexpr (Joint::mimics)
           J.col(joint.idx_v + k) += s.to_vector();
         else

@@ -80,15 +80,7 @@ void columnsInWorldAxes(const Model<S>& model, Data<S>& data, In<S> q, F f) {
   multibody_detail::forEachJoint(model, [&]<class Joint>(const Joint& joint) {
     const std::size_t i = std::size_t(joint.index), p = std::size_t(model.parents[i]);
     algorithms_detail::placeJoint(joint, q, p, liMi[i], oMi);
-    S* to = data.work.S_columns.data() + 6 * joint.column;
-    if constexpr (Joint::turns) {
-      const Vector3<S> w = joint.joint.axis.in(oMi[i].rotation());
-      to[0] = to[1] = to[2] = S(0);
-      to[3] = w[0], to[4] = w[1], to[5] = w[2];
-    } else {
-      const auto columns = joint.subspaceIn(oMi[i].rotation());
-      for (int k = 0; k < 6 * Joint::columns; ++k) to[k] = columns.data()[k];
-    }
+    joint.subspaceIn(oMi[i].rotation(), data.work.S_columns.data() + 6 * joint.column);
     f(joint);
   });
 }
@@ -103,11 +95,15 @@ template <Scalar S>
 [[gnu::always_inline]] inline Vector3<S> added(const Vector3<S>& a, const Vector3<S>& b) {
   return each<S>([&](int i) { return S(a[i] + b[i]); });
 }
-/// Column k of a joint's subspace, in world axes at the joint's own origin.
+/// Column k of joints' subspaces, 6 numbers each, in world axes at the joint's own origin.
+template <Scalar S>
+[[gnu::always_inline]] inline Motion<S> column(const S* columns, int k) {
+  const S* s = columns + 6 * k;
+  return {Vector3<S>(s[0], s[1], s[2]), Vector3<S>(s[3], s[4], s[5])};
+}
 template <Scalar S>
 [[gnu::always_inline]] inline Motion<S> column(const Matrix6X<S>& columns, int k) {
-  const S* s = columns.data() + 6 * k;
-  return {Vector3<S>(s[0], s[1], s[2]), Vector3<S>(s[3], s[4], s[5])};
+  return column(columns.data(), k);
 }
 
 /// A motion, the same one, at a point d [m] away from its reference point: u + omega x d.

@@ -17,7 +17,7 @@ struct CompositeInertia {
   static CompositeInertia turned(const Matrix3<S>& R, const Inertia<S>& I) {
     const Matrix3<S> RI = product<S>(R, I.inertia());
     const auto entry = [&](int i, int j) {
-      return S(RI(i, 0) * R(j, 0) + RI(i, 1) * R(j, 1) + RI(i, 2) * R(j, 2));
+      return mul_add(RI(i, 0), R(j, 0), mul_add(RI(i, 1), R(j, 1), S(RI(i, 2) * R(j, 2))));
     };
     return {
         I.mass(),   product<S>(R, I.lever()), entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 1), entry(1, 2),
@@ -29,16 +29,18 @@ struct CompositeInertia {
   /// leaves a heavy second body with the rounding errors of a light first one's distance.
   void join(const CompositeInertia& other, const Vector3<S>& r) {
     const S total = mass + other.mass;
-    const S share = total > S(0) ? S(other.mass / total) : S(0), rest = total > S(0) ? S(mass / total) : S(0);
+    const S per = total > S(0) ? S(S(1) / total) : S(0), share = other.mass * per, rest = mass * per;
     const S m = mass * share;
     const S there[3] = {other.c[0] + r[0], other.c[1] + r[1], other.c[2] + r[2]};
     const S x = there[0] - c[0], y = there[1] - c[1], z = there[2] - c[2];
     const S mx = m * x, my = m * y, mz = m * z;
     mass = total;
-    for (int i = 0; i < 3; ++i) c[i] = rest * c[i] + share * there[i];
-    xx += other.xx + (my * y + mz * z), yy += other.yy + (mx * x + mz * z),
-        zz += other.zz + (mx * x + my * y);
-    xy += other.xy - mx * y, xz += other.xz - mx * z, yz += other.yz - my * z;
+    for (int i = 0; i < 3; ++i) c[i] = mul_add(rest, c[i], S(share * there[i]));
+    xx += mul_add(my, y, mul_add(mz, z, other.xx));
+    yy += mul_add(mx, x, mul_add(mz, z, other.yy));
+    zz += mul_add(mx, x, mul_add(my, y, other.zz));
+    xy += mul_add(S(-mx), y, other.xy), xz += mul_add(S(-mx), z, other.xz);
+    yz += mul_add(S(-my), z, other.yz);
   }
 };
 

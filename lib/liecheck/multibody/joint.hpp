@@ -16,6 +16,7 @@
 #include <liecheck/multibody/joints/spherical.hpp>
 #include <liecheck/multibody/joints/translation.hpp>
 #include <liecheck/multibody/joints/universe.hpp>
+#include <type_traits>
 #include <variant>
 
 namespace liecheck {
@@ -68,6 +69,14 @@ template <JointModel J>
 typename J::Configuration::Scalar squaredDistance(const J& joint, const typename J::Configuration& q0,
                                                   const typename J::Configuration& q1) {
   return joint.difference(q0, q1).squaredNorm();
+}
+
+/// A turn about one axis through its own origin: S = (0, axis).
+template <Scalar S, class J>
+inline constexpr bool turns_about_axis = std::is_same_v<J, Revolute<S>> || std::is_same_v<J, Continuous<S>>;
+template <Scalar S>
+bool turnsAboutAxis(const Joint<S>& joint) {
+  return std::holds_alternative<Revolute<S>>(joint) || std::holds_alternative<Continuous<S>>(joint);
 }
 
 template <Scalar S>

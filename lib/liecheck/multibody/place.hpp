@@ -55,8 +55,7 @@ struct Place {
       return joint.transform(X_PJ, configuration(q));
     }
   }
-  /// A turn about joint.axis: half of S is zero, and most joints are one.
-  static constexpr bool turns = std::is_same_v<J, Revolute<S>> || std::is_same_v<J, Continuous<S>>;
+  static constexpr bool turns = turns_about_axis<S, J>;  ///< half of S is zero, and most joints are one
 
   /// S v [6]: the velocity relative to the parent, in the joint's axes, at its origin. For v' it is what v'
   /// adds to the acceleration: S is constant, so there is no more.
@@ -86,21 +85,25 @@ struct Place {
     else
       return joint.subspace().transpose() * F.to_vector();
   }
-  /// S [6 x columns] in axes turned by R.
-  [[gnu::always_inline]] auto subspaceIn(const Matrix3<S>& R) const {
-    Eigen::Matrix<S, 6, columns> turned;
+  /// S in axes turned by R: 6 numbers a column, one by one, where wider loads would wait for narrow stores.
+  [[gnu::always_inline]] void subspaceIn(const Matrix3<S>& R, S* to) const {
     if constexpr (turns) {
       const Vector3<S> w = joint.axis.in(R);
-      for (int i = 0; i < 3; ++i) turned(i, 0) = S(0), turned(3 + i, 0) = w[i];
-    } else if constexpr (columns == 6) {
-      turned.setZero();
-      turned.template topLeftCorner<3, 3>() = turned.template bottomRightCorner<3, 3>() = R;
+      to[0] = to[1] = to[2] = S(0);
+      to[3] = w[0], to[4] = w[1], to[5] = w[2];
+    } else if constexpr (columns == 6) {  // [R, 0; 0, R]
+      for (int k = 0; k < 3; ++k, to += 6) {
+        to[0] = to[21] = R(0, k), to[1] = to[22] = R(1, k), to[2] = to[23] = R(2, k);
+        to[3] = to[4] = to[5] = to[18] = to[19] = to[20] = S(0);
+      }
     } else {
       const auto subspace = joint.subspace();
-      turned.template topRows<3>() = R * subspace.template topRows<3>();
-      turned.template bottomRows<3>() = R * subspace.template bottomRows<3>();
+      for (int k = 0; k < columns; ++k, to += 6) {
+        const Vector3<S> u = R * subspace.template block<3, 1>(0, k),
+                         w = R * subspace.template block<3, 1>(3, k);
+        for (int i = 0; i < 3; ++i) to[i] = u[i], to[3 + i] = w[i];
+      }
     }
-    return turned;
   }
 };
 

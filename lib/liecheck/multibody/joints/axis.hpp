@@ -73,8 +73,8 @@ class Axis {
     const auto entry = [&](int i, int column) __attribute__((always_inline)) {
       constexpr int j = (I + 1) % 3, k = (I + 2) % 3;
       return column == I   ? R(i, I)
-             : column == j ? S(c * R(i, j) + s * R(i, k))
-                           : S(c * R(i, k) - s * R(i, j));
+             : column == j ? mul_add(c, R(i, j), S(s * R(i, k)))
+                           : mul_add(c, R(i, k), S(-(s * R(i, j))));
     };
     return rows<S>(entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 0), entry(1, 1), entry(1, 2), entry(2, 0),
                    entry(2, 1), entry(2, 2));
