@@ -267,6 +267,40 @@ TEST(Program, ADivergingRunKeepsWhatItHasAndExitsThree) {
   EXPECT_GT(lines, 10);
 }
 
+std::string chain(const std::string& integrator) {
+  return "robot: {urdf: " + (scenes / "chain.urdf").string() +
+         "}\ninitial: {angular_velocity: [0.5, 1, 0.2], joint_velocities: {hinge1: 1, hinge2: -2, hinge3: "
+         "1.5}}\n"
+         "integrator: " +
+         integrator + "\nduration: 5 s\nobservers: [momentum]\noutput: {every: 2.5 s}\n";
+}
+
+TEST(Program, WhatIsWatchedIsFiniteOrTheRunDiverges) {
+  const std::string csv = testing::TempDir() + "overflow.csv";
+  const std::string path = file("overflow.yaml", with(2, "initial: {angular_velocity: [0, 0, 1e160]}"));
+  const auto [code, said] = program("scene run " + path + " --csv " + csv);
+  EXPECT_EQ(code, 3) << said;
+  EXPECT_NE(said.find("diverged at step 1 of 1000 (t = 0 s): "), std::string::npos) << said;
+  EXPECT_NE(said.find(" is no longer finite"), std::string::npos) << said;
+  EXPECT_EQ(said.find("a number is"), std::string::npos) << said;  // it says which
+  std::stringstream rows;
+  rows << std::ifstream(csv).rdbuf();
+  EXPECT_EQ(rows.str().find("inf"), std::string::npos) << rows.str();
+  // a change whose square is beyond double is not infinite itself
+  const auto [coarse, figures] =
+      program("scene run " + file("coarse.yaml", chain("{name: rkmk4, step: 2.5 s}")));
+  EXPECT_EQ(coarse, 0) << figures;
+  EXPECT_EQ(figures.find(" inf "), std::string::npos) << figures;
+}
+
+TEST(Program, AStepBeyondHalfATurnIsAWarningButNotOfAMethodThatChoosesItsOwn) {
+  const auto [code, said] = program("scene run " + file("turns.yaml", chain("{name: rkmk4, step: 2.5 s}")));
+  EXPECT_NE(said.find("beyond half a turn"), std::string::npos) << said;
+  const auto [code2, said2] = program("scene run " + file("own.yaml", chain("{name: dopri5, step: 2.5 s}")));
+  EXPECT_EQ(code2, 0) << said2;
+  EXPECT_EQ(said2.find("warning"), std::string::npos) << said2;
+}
+
 TEST(Program, AStopSignalKeepsWhatIsDoneAndExitsThree) {
   const std::string csv = testing::TempDir() + "stopped.csv";
   const std::string path = file("long.yaml", with(5, "duration: 20000 s"));

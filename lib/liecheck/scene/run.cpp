@@ -111,7 +111,8 @@ class Runner {
     result.outcome = simulate(system_, *method_, state_, pulses, [&](const State<Sys>& state, long n) {
       if (every_step_) watchStep(state);
       if (n % span.every == 0 || n == span.steps) sample(state, n, result);
-      result.largest_turn = std::max(result.largest_turn, std::abs(h) * turning(state));
+      if (!method_->what().adaptive)  // whose own steps are held to its tolerance
+        result.largest_turn = std::max(result.largest_turn, std::abs(h) * turning(state));
       if (on && (n == 0 || n * 1000 / span.steps > asked)) {
         asked = n * 1000 / span.steps;
         return on(double(n) / double(span.steps));
@@ -252,6 +253,11 @@ class Runner {
       at += count;
     }
     if (twin_) row[at] = attitudeError(state, n);
+    for (std::size_t i = 0; i < row.size(); ++i)
+      if (!std::isfinite(row[i])) {
+        result.rows.resize(begin);
+        throw StepFailed(result.columns[i].name + " is no longer finite");
+      }
   }
   double attitudeError(const State<Sys>& state, long n) {
     if (n > twin_steps_) {

@@ -19,9 +19,9 @@ struct Outcome {
   std::string why;  ///< it diverged
 };
 
-/// watch(state, step) -> bool: go on? A step that fails leaves the last good state in place; Outcome says after how many
-/// steps, and why. t of step n is n (duration / steps) in S, rounded once.
-/// Precondition: span.steps >= 1, every >= 1, duration finite and > 0.
+/// watch(state, step) -> bool: go on? It may throw StepFailed at a state that it cannot use. A step that fails leaves the
+/// last good state in place; Outcome says after how many good steps, and why. t of step n is n (duration / steps) in S,
+/// rounded once. Precondition: span.steps >= 1, every >= 1, duration finite and > 0.
 template <class Sys, class M, class Watch>
 Outcome simulate(Sys& system, M& method, State<Sys>& state, const Span& span, Watch&& watch) {
   using S = typename Sys::Scalar;
@@ -33,23 +33,30 @@ Outcome simulate(Sys& system, M& method, State<Sys>& state, const Span& span, Wa
     if (why) outcome.diverged = true, outcome.why = why;
     return outcome;
   };
-  method.begin(system, state);
-  if (!watch(std::as_const(state), 0L)) return ended(true);
-  long next = std::min(span.every, span.steps);
-  while (outcome.steps < span.steps) {
-    try {
+  try {
+    method.begin(system, state);
+    if (!watch(std::as_const(state), 0L)) return ended(true);
+    long next = std::min(span.every, span.steps);
+    while (outcome.steps < span.steps) {
       method.step(system, state, h);
-    } catch (const std::runtime_error& e) {  // StepFailed
-      return ended(false, e.what());
-    } catch (const std::domain_error& e) {  // SingularInertia
-      return ended(false, e.what());
+      const long made = outcome.steps + 1;
+      state.t = t0 + S(made) * h;
+      if (made == next) {
+        const bool go_on = watch(std::as_const(state), made);
+        next = std::min(next + span.every, span.steps);
+        if (!go_on) {
+          outcome.steps = made;
+          return ended(made < span.steps);
+        }
+      }
+      outcome.steps = made;
     }
-    state.t = t0 + S(++outcome.steps) * h;
-    if (outcome.steps < next) continue;
-    next = std::min(next + span.every, span.steps);
-    if (!watch(std::as_const(state), outcome.steps)) return ended(outcome.steps < span.steps);
+    return ended(false);
+  } catch (const std::runtime_error& e) {  // StepFailed
+    return ended(false, e.what());
+  } catch (const std::domain_error& e) {  // SingularInertia
+    return ended(false, e.what());
   }
-  return ended(false);
 }
 
 }  // namespace liecheck::scene

@@ -48,8 +48,8 @@ class MomentumObserver final : public Observer {
     const Force<double> h = centroidalMomentum(*watched_.model, now);
     for (std::size_t i = 0; i < 3; ++i) row[i] = h.linear()[int(i)], row[3 + i] = h.angular()[int(i)];
     if (!first_) first_ = h;
-    linear_ = std::max(linear_, (h.linear() - first_->linear()).norm());
-    angular_ = std::max(angular_, (h.angular() - first_->angular()).norm());
+    linear_ = std::max(linear_, (h.linear() - first_->linear()).stableNorm());
+    angular_ = std::max(angular_, (h.angular() - first_->angular()).stableNorm());
   }
   std::vector<Figure> figures() const override {
     return {{"largest change of linear momentum", "kg m/s", linear_},
