@@ -1,0 +1,108 @@
+// scene/observers/imu.hpp: what it reads of a motion known by hand, and the statistics of its noise.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "bodies.hpp"
+
+namespace {
+
+using namespace liecheck;
+namespace sc = liecheck::scene;
+
+/// Column `name` of a run.
+std::vector<double> column(const sc::Run& run, const std::string& name) {
+  std::vector<double> x;
+  for (std::size_t i = 0; i < run.columns.size(); ++i)
+    if (run.columns[i].name == name)
+      for (std::size_t r = i; r < run.rows.size(); r += run.columns.size()) x.push_back(run.rows[r]);
+  EXPECT_FALSE(x.empty()) << name;
+  return x;
+}
+sc::Run watched(const std::string& imu, const std::string& motion, const std::string& duration) {
+  return sc::run(loadSceneText("robot: {body: box, size: [0.3, 0.1, 0.2], centre: [0.1, -0.2, 0.05]}\n" +
+                                   motion + "integrator: {name: rkmk4, step: 10 ms}\nduration: " + duration +
+                                   "\nobservers: [imu: {frame: body" + imu + "}]\noutput: {every: 10 ms}\n",
+                               "s.yaml", "."));
+}
+
+/// A box that falls and spins about its z: its centre of mass, at c, falls freely, so that the specific force of its
+/// frame's origin is that of going round the centre, -omega^2 (-c) in the plane, nothing along z; gravity is not felt.
+TEST(Imu, ReadsTheSpecificForceOfItsOwnPointAndItsBiases) {
+  const double w = 3;
+  const sc::Run run =
+      watched(", gyro_bias: [0.01, 0.02, 0.03], accel_bias: [1, 2, 3]",
+              "initial: {velocity: [1, 2, 3], angular_velocity: [0, 0, 3], attitude: [20 deg, 10 "
+              "deg, 0]}\neffects: [gravity]\n",
+              "2 s");
+  const double expected[6] = {0.01, 0.02, 3.03, 1 + w * w * 0.1, 2 - w * w * 0.2, 3};
+  const char* const names[6] = {"gyro_x", "gyro_y", "gyro_z", "accel_x", "accel_y", "accel_z"};
+  for (int i = 0; i < 6; ++i)
+    for (double x : column(run, std::string("body.") + names[i]))
+      EXPECT_NEAR(x, expected[i], 1e-12)
+          << names[i];  // 200 steps of rkmk4, about an axis of inertia: rounding
+}
+
+struct Statistics {
+  double mean = 0, deviation = 0, lag1 = 0;
+};
+Statistics of(const std::vector<double>& x) {
+  Statistics s;
+  for (double v : x) s.mean += v / double(x.size());
+  for (double v : x) s.deviation += (v - s.mean) * (v - s.mean) / double(x.size());
+  for (std::size_t i = 1; i < x.size(); ++i)
+    s.lag1 += (x[i] - s.mean) * (x[i - 1] - s.mean) / double(x.size()) / s.deviation;
+  s.deviation = std::sqrt(s.deviation);
+  return s;
+}
+/// White and normal with that deviation: mean, variance, correlation with the sample before and the share beyond one and
+/// two deviations, each within five of its own standard deviations: one in a million by chance, and the seed is fixed.
+void expectWhite(const std::vector<double>& x, double sigma) {
+  const Statistics s = of(x);
+  const double n = double(x.size());
+  EXPECT_NEAR(s.mean, 0, 5 * sigma / std::sqrt(n));
+  EXPECT_NEAR(s.deviation / sigma, 1, 5 / std::sqrt(2 * n));
+  EXPECT_NEAR(s.lag1, 0, 5 / std::sqrt(n));
+  for (double k : {1.0, 2.0}) {
+    double beyond = 0;
+    for (double v : x) beyond += std::abs(v) > k * sigma;
+    const double p = std::erfc(k / std::sqrt(2.0));
+    EXPECT_NEAR(beyond / n, p, 5 * std::sqrt(p * (1 - p) / n)) << k;
+  }
+}
+
+/// A sample each T = 10 ms of white noise of density d has the deviation d / sqrt(T).
+TEST(Imu, NoiseIsWhiteOfTheDensityAskedFor) {
+  const sc::Run run = watched(", gyro_noise: 0.02, accel_noise: 0.3", "", "400 s");
+  for (const char* axis : {"x", "y", "z"}) {
+    SCOPED_TRACE(axis);
+    expectWhite(column(run, std::string("body.gyro_") + axis), 0.02 / 0.1);
+    expectWhite(column(run, std::string("body.accel_") + axis), 0.3 / 0.1);
+  }
+  const auto x = column(run, "body.gyro_x"), y = column(run, "body.gyro_y"), a = column(run, "body.accel_x");
+  for (const auto& other : {y, a}) {
+    double together = 0;
+    for (std::size_t i = 0; i < x.size(); ++i) together += x[i] * other[i] / double(x.size());
+    EXPECT_NEAR(together / (of(x).deviation * of(other).deviation), 0, 5 / std::sqrt(double(x.size())));
+  }
+  EXPECT_EQ(watched(", gyro_noise: 0.02, accel_noise: 0.3", "", "1 s").rows,
+            std::vector<double>(run.rows.begin(), run.rows.begin() + 101 * 7));
+  EXPECT_NE(watched(", gyro_noise: 0.02, accel_noise: 0.3, seed: 43", "", "1 s").rows.at(1), run.rows.at(1));
+}
+
+/// A bias whose rate is white noise of density d: its increments each T have the deviation d sqrt(T).
+TEST(Imu, ABiasWalksWithIncrementsOfTheDensityAskedFor) {
+  const sc::Run run = watched(", gyro_bias: [5, 5, 5], gyro_walk: 0.004, accel_walk: 0.05", "", "400 s");
+  for (const char* axis : {"x", "y", "z"}) {
+    SCOPED_TRACE(axis);
+    for (const auto& [part, density, start] : {std::tuple("gyro_", 0.004, 5.0), {"accel_", 0.05, 0.0}}) {
+      std::vector<double> b = column(run, std::string("body.") + part + axis);
+      EXPECT_NEAR(b[0], start, 1e-15);
+      for (std::size_t i = b.size() - 1; i > 0; --i) b[i] -= b[i - 1];
+      expectWhite({b.begin() + 1, b.end()}, density * 0.1);
+    }
+  }
+}
+
+}  // namespace
