@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <reports/html.hpp>
+#include <reports/packed.hpp>
 #include <reports/page.hpp>
 #include <reports/page_parts.hpp>
 #include <reports/scenes.hpp>
@@ -225,7 +226,7 @@ std::string page(const Merged& merged, const Json& numbers) {
            all += part(name);
          return all;
        }},
-      {"numbers", [&] { return inlined(numbers); }},
+      {"numbers", [&] { return inlined(packed(numbers)); }},
       {"verdict word", [&] { return verdict(merged); }},
       {"verdict", [&] { return verdict_section(merged); }},
       {"standings", [&] { return standings_section(merged); }},

@@ -1,6 +1,15 @@
 // The page: reads the inlined figures, builds the controls and fills the sections.
 
-const numbers = JSON.parse(document.getElementById("numbers").textContent);
+// Undoes packed.hpp: columns are rows again, places are what stands there.
+function unpacked(x) {
+  if (Array.isArray(x)) return x.map(unpacked);
+  if (x === null || typeof x !== "object") return x;
+  if (x["*words"]) return x["*at"].map(place => x["*words"][place]);
+  if (!x["*keys"]) return Object.fromEntries(Object.entries(x).map(([key, value]) => [key, unpacked(value)]));
+  const columns = x["*columns"].map(unpacked);
+  return columns[0].map((_, row) => Object.fromEntries(x["*keys"].map((key, i) => [key, columns[i][row]])));
+}
+const numbers = unpacked(JSON.parse(document.getElementById("numbers").textContent));
 const results = numbers.results;
 const unique = values => [...new Set(values)];
 const subjects = unique(results.map(r => r.subject));

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <reports/report.hpp>
 #include <stdexcept>
 #include <string>
@@ -227,6 +228,47 @@ TEST_F(Report, MergesRecords) {
   EXPECT_EQ(numbers["results"].size(), 3u);
   EXPECT_EQ(numbers["results"][2], second["results"][0]);
   EXPECT_TRUE(has(read(files.html), "accuracy report: fail"));
+}
+
+/// What page.js does.
+Json unpacked(const Json& x) {
+  Json all = x.is_array() ? Json::array() : Json::object();
+  if (x.is_array())
+    for (const Json& part : x) all.push_back(unpacked(part));
+  else if (!x.is_object())
+    return x;
+  else if (x.contains("*words"))
+    return std::accumulate(x["*at"].begin(), x["*at"].end(), Json::array(),
+                           [&](Json list, const Json& place) {
+                             list.push_back(x["*words"][place.get<std::size_t>()]);
+                             return list;
+                           });
+  else if (!x.contains("*keys"))
+    for (const auto& entry : x.items()) all[entry.key()] = unpacked(entry.value());
+  else {
+    all = Json::array();
+    const Json columns = unpacked(x["*columns"]);
+    for (std::size_t row = 0; row < columns[0].size(); ++row) {
+      Json object = Json::object();
+      for (std::size_t i = 0; i < columns.size(); ++i)
+        object[x["*keys"][i].get<std::string>()] = columns[i][row];
+      all.push_back(object);
+    }
+  }
+  return all;
+}
+
+TEST_F(Report, ItsPageHasTheNumbersOfItsJsonSmaller) {
+  Json many = record();
+  for (int i = 0; i < 40; ++i) many["results"].push_back(row("other", std::to_string(i), 0.1 * i));
+  const auto files = report(many);
+  const Json numbers = Json::parse(read(files.json));
+  const std::string page = read(files.html), open = "id=\"numbers\">";
+  const std::size_t begin = page.find(open) + open.size(), end = page.find("</script>", begin);
+  const Json on_page = Json::parse(page.substr(begin, end - begin));
+  EXPECT_EQ(unpacked(on_page), numbers);
+  EXPECT_NE(on_page, numbers);
+  EXPECT_LT(3 * (end - begin), numbers.dump().size());
 }
 
 TEST_F(Report, LeavesThreeFilesAndNoOther) {

@@ -1,0 +1,61 @@
+#include <algorithm>
+#include <reports/packed.hpp>
+#include <unordered_map>
+
+namespace liecheck::reports {
+namespace {
+
+bool are_rows(const Json& list) {
+  if (list.size() < 2 || !list[0].is_object() || list[0].empty()) return false;
+  const auto same_keys = [&](const Json& row) {
+    if (!row.is_object() || row.size() != list[0].size()) return false;
+    auto expected = list[0].items().begin();
+    for (const auto& entry : row.items()) {
+      if (entry.key() != expected.key()) return false;
+      ++expected;
+    }
+    return true;
+  };
+  return std::all_of(list.begin(), list.end(), same_keys);
+}
+
+Json packed_rows(const Json& list) {
+  Json keys = Json::array(), columns = Json::array();
+  for (const auto& entry : list[0].items()) {
+    Json column = Json::array();
+    for (const Json& row : list) column.push_back(row[entry.key()]);
+    keys.push_back(entry.key());
+    columns.push_back(packed(column));
+  }
+  return {{"*keys", std::move(keys)}, {"*columns", std::move(columns)}};
+}
+
+/// Each value once, and where it stands.
+Json packed_words(const Json& list) {
+  Json words = Json::array(), at = Json::array();
+  std::unordered_map<std::string, std::size_t> places;
+  for (const Json& value : list) {
+    const auto [place, is_new] = places.emplace(value.dump(), words.size());
+    if (is_new) words.push_back(value);
+    at.push_back(place->second);
+  }
+  return {{"*words", std::move(words)}, {"*at", std::move(at)}};
+}
+
+}  // namespace
+
+Json packed(const Json& value) {
+  if (value.is_object()) {
+    Json all = Json::object();
+    for (const auto& entry : value.items()) all[entry.key()] = packed(entry.value());
+    return all;
+  }
+  if (!value.is_array()) return value;
+  if (are_rows(value)) return packed_rows(value);
+  Json all = Json::array();
+  for (const Json& part : value) all.push_back(packed(part));
+  Json words = packed_words(value);
+  return words.dump().size() < all.dump().size() ? words : all;
+}
+
+}  // namespace liecheck::reports
