@@ -1,9 +1,16 @@
 #include <algorithm>
 #include <reports/packed.hpp>
+#include <stdexcept>
 #include <unordered_map>
 
 namespace liecheck::reports {
 namespace {
+
+/// The key, which is none of packed()'s own.
+const std::string& plain(const std::string& key) {
+  if (key.starts_with('*')) throw std::invalid_argument("a key may not begin with a star: " + key);
+  return key;
+}
 
 bool are_rows(const Json& list) {
   if (list.size() < 2 || !list[0].is_object() || list[0].empty()) return false;
@@ -24,7 +31,7 @@ Json packed_rows(const Json& list) {
   for (const auto& entry : list[0].items()) {
     Json column = Json::array();
     for (const Json& row : list) column.push_back(row[entry.key()]);
-    keys.push_back(entry.key());
+    keys.push_back(plain(entry.key()));
     columns.push_back(packed(column));
   }
   return {{"*keys", std::move(keys)}, {"*columns", std::move(columns)}};
@@ -47,7 +54,7 @@ Json packed_words(const Json& list) {
 Json packed(const Json& value) {
   if (value.is_object()) {
     Json all = Json::object();
-    for (const auto& entry : value.items()) all[entry.key()] = packed(entry.value());
+    for (const auto& entry : value.items()) all[plain(entry.key())] = packed(entry.value());
     return all;
   }
   if (!value.is_array()) return value;

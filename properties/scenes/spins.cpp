@@ -42,7 +42,7 @@ Flips flips_of(const Benchmark& b, double delta, const char* scalar, std::size_t
   const auto steps = long(1.5 * r.exact.back() * per_second) + 8;
   scene::State<Body> before = state;
   bool same = true;  // the flips that were found are those of the closed form so far
-  scene::simulate(
+  const scene::Outcome o = scene::simulate(
       body, method, state, {static_cast<double>(S(steps) * h), steps, 1}, [&](const auto& now, long n) {
         if (n > 0 && (now.v[4] < S(0)) != (before.v[4] < S(0))) {
           S at = h * before.v[4] / (before.v[4] - now.v[4]);  // Newton's method from the chord's zero
@@ -64,6 +64,7 @@ Flips flips_of(const Benchmark& b, double delta, const char* scalar, std::size_t
         before = now;
         return r.relative.size() < count;
       });
+  if (o.diverged) throw std::runtime_error("Dzhanibekov's body diverges: " + o.why);
   r.relative.resize(count, std::numeric_limits<double>::infinity());
   return r;
 }

@@ -43,7 +43,7 @@ void compositeInertias(const Model<S>& model, Data<S>& data, In<S> q) {
 template <Scalar S>
 struct ColumnMomentum {
   S x, y, z, u, v, w;
-  /// turn: the column is a turn alone, u = 0.
+  /// turn: the column is a turn alone, s = (0, omega).
   [[gnu::always_inline]] ColumnMomentum(const CompositeInertia<S>& I, const S* s, bool turn = false) {
     const S a = s[3], b = s[4], c = s[5];
     x = mul_add(b, I.c[2], S(-(c * I.c[1])));
@@ -73,11 +73,12 @@ struct ColumnMomentum {
   Force<S> force() const { return {Vector3<S>(x, y, z), Vector3<S>(u, v, w)}; }
 };
 
-/// M of composite inertias and columns. With mimics several columns act on one number of v, so that terms are added to
-/// M; else column m acts on v[m] alone, and what stands between branches is not touched.
+/// M of composite inertias and columns. With mimics several columns act on one number of v, and their terms are added up;
+/// else column m acts on v[m] alone, and what stands between branches is not touched: M is zero there when it comes.
 template <bool mimics, Scalar S>
 void massMatrix(const Model<S>& model, const Data<S>& data, MatrixX<S>& M) {
   const S* const columns = data.work.S_columns.data();
+  if constexpr (mimics) M = model.armature.asDiagonal();
   const auto set = [&](int m, int k, const S& h) __attribute__((always_inline)) {
     if constexpr (mimics) {
       const int vk = model.column_to_v[std::size_t(k)], vm = model.column_to_v[std::size_t(m)];
@@ -183,12 +184,10 @@ const MatrixX<S>& crba(const Model<S>& model, Data<S>& data, In<S> q) {
   data.require(Dense::Mass, "crba");
   algorithms_detail::compositeInertias(model, data, q);
   auto& M = data.M.write(Level::Position);  // zero between branches since data was made
-  if (model.has_mimics) {
-    M = model.armature.asDiagonal();
+  if (model.has_mimics)
     algorithms_detail::massMatrix<true>(model, data, M);
-  } else {
+  else
     algorithms_detail::massMatrix<false>(model, data, M);
-  }
   return M;
 }
 

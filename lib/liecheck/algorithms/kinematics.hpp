@@ -77,7 +77,7 @@ void columnsInWorldAxes(const Model<S>& model, Data<S>& data, In<S> q, F f) {
   data.begin(model, q);
   auto& liMi = data.liMi.write(Level::Position);
   auto& oMi = data.oMi.write(Level::Position);
-  multibody_detail::forEachJoint(model, [&]<class Joint>(const Joint& joint) {
+  multibody_detail::forEachJoint(model, [&](const auto& joint) {
     const std::size_t i = std::size_t(joint.index), p = std::size_t(model.parents[i]);
     algorithms_detail::placeJoint(joint, q, p, liMi[i], oMi);
     joint.subspaceIn(oMi[i].rotation(), data.work.S_columns.data() + 6 * joint.column);

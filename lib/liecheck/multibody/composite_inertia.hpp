@@ -29,7 +29,7 @@ struct CompositeInertia {
   /// leaves a heavy second body with the rounding errors of a light first one's distance.
   void join(const CompositeInertia& other, const Vector3<S>& r) {
     const S total = mass + other.mass;
-    const S per = total > S(0) ? S(S(1) / total) : S(0), share = other.mass * per, rest = mass * per;
+    const S share = total > S(0) ? S(other.mass / total) : S(0), rest = total > S(0) ? S(mass / total) : S(0);
     const S m = mass * share;
     const S there[3] = {other.c[0] + r[0], other.c[1] + r[1], other.c[2] + r[2]};
     const S x = there[0] - c[0], y = there[1] - c[1], z = there[2] - c[2];

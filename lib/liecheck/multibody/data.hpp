@@ -167,7 +167,8 @@ Data<S>::Data(const Model<S>& model, Dense dense)
   work.jacobian.resize(6, model.nv);
   work.u.resize(model.ncolumns);
   if (dense == Dense::None) return;
-  for (MatrixX<S>* m : {&M.scratch(), &Minv.scratch(), &work.factor}) m->setZero(model.nv, model.nv);
+  M.scratch().setZero(model.nv, model.nv);  // of which crba never touches what stands between branches
+  for (MatrixX<S>* m : {&Minv.scratch(), &work.factor}) m->resize(model.nv, model.nv);
   if (dense == Dense::Mass) return;
   for (Field<MatrixX<S>>* m : {&dtau_dq, &dtau_dv, &ddq_dq, &ddq_dv}) m->scratch().resize(model.nv, model.nv);
 }

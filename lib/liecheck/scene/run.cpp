@@ -111,7 +111,7 @@ class Runner {
     result.outcome = simulate(system_, *method_, state_, pulses, [&](const State<Sys>& state, long n) {
       if (every_step_) watchStep(state);
       if (n % span.every == 0 || n == span.steps) sample(state, n, result);
-      if (!method_->what().adaptive)  // whose own steps are held to its tolerance
+      if (!method_->what().adaptive)
         result.largest_turn = std::max(result.largest_turn, std::abs(h) * turning(state));
       if (on && (n == 0 || n * 1000 / span.steps > asked)) {
         asked = n * 1000 / span.steps;
@@ -122,7 +122,10 @@ class Runner {
     result.seconds = now_in_seconds() - begin;
     result.counts = method_->counts();
     for (const auto& o : observers_)
-      for (Figure& f : o->figures()) result.figures.push_back(std::move(f));
+      for (Figure& f : o->figures()) {
+        if (f.value && !std::isfinite(*f.value)) f.value.reset();  // of what was refused as a row
+        result.figures.push_back(std::move(f));
+      }
     if (twin_) result.figures.push_back({"largest attitude error", "rad", worst_attitude_});
     return result;
   }
@@ -242,22 +245,23 @@ class Runner {
   }
   void sample(const State<Sys>& state, long n, Run& result) {
     const auto now = look(state, needs_);
-    const std::size_t begin = result.rows.size();
-    result.rows.resize(begin + result.columns.size());
-    std::span<double> row(result.rows.data() + begin, result.columns.size());
-    row[0] = state.t;
+    row_.resize(result.columns.size());
+    row_[0] = state.t;
     std::size_t at = 1;
     for (const auto& o : observers_) {
       const std::size_t count = o->columns().size();
-      o->sample(now, row.subspan(at, count));
+      o->sample(now, std::span(row_).subspan(at, count));
       at += count;
     }
-    if (twin_) row[at] = attitudeError(state, n);
-    for (std::size_t i = 0; i < row.size(); ++i)
-      if (!std::isfinite(row[i])) {
-        result.rows.resize(begin);
-        throw StepFailed(result.columns[i].name + " is no longer finite");
-      }
+    if (twin_) row_[at] = attitudeError(state, n);
+    for (std::size_t i = 0; i < row_.size(); ++i) {
+      if (std::isfinite(row_[i])) continue;
+      const std::string& name = result.columns[i].name;
+      if (n > 0) throw StepFailed(name + " is no longer finite");
+      throw std::invalid_argument(scene_.source + ": at the start " + name +
+                                  " is no finite number: take smaller velocities, positions or masses");
+    }
+    result.rows.insert(result.rows.end(), row_.begin(), row_.end());
   }
   double attitudeError(const State<Sys>& state, long n) {
     if (n > twin_steps_) {
@@ -267,7 +271,7 @@ class Runner {
       rest.duration = scene_.span.duration / double(scene_.span.steps) * double(n - twin_steps_);
       const Outcome o =
           simulate(system_, *twin_method_, *twin_, rest, [](const auto&, long) { return true; });
-      if (o.diverged) throw std::runtime_error("the second run of attitude_error diverges: " + o.why);
+      if (o.diverged) throw StepFailed("the second run of attitude_error diverges: " + o.why);
       twin_steps_ = n;
     }
     double worst = 0;
@@ -304,6 +308,7 @@ class Runner {
   Sys system_;
   State<Sys> state_;
   std::unique_ptr<Method<Sys>> method_, twin_method_;
+  std::vector<double> row_;
   typename Sys::Tangent a_;
   Watched watched_{};
   std::vector<std::unique_ptr<Observer>> observers_;

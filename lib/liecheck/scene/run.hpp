@@ -39,11 +39,13 @@ struct Run {
   std::vector<Figure> figures;
   MethodCounts counts;
   double seconds = 0;  ///< it took
-  double largest_turn =
-      0;  ///< |h v| of one step, angular [rad]: beyond pi no method of increments means anything
+  /// |h v| of one step, angular [rad]: beyond pi no method of increments means anything. 0 of an adaptive method, whose
+  /// own steps are held to its tolerance.
+  double largest_turn = 0;
 };
 
-/// on: asked about every thousandth of the run with the share that is done; false stops it. Throws as plan().
+/// on: asked about every thousandth of the run with the share that is done; false stops it. Throws as plan(), and
+/// std::invalid_argument where something watched is not finite at the start.
 Run run(const Scene& scene, const std::function<bool(double share)>& on = {});
 
 }  // namespace liecheck::scene

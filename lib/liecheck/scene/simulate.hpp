@@ -13,50 +13,51 @@ struct Span {
 };
 
 struct Outcome {
-  long steps = 0;  ///< that were made
-  double t = 0;    ///< of the last state [s]
+  long steps = 0;  ///< good ones
+  double t = 0;    ///< after them [s]
   bool diverged = false, stopped = false;
   std::string why;  ///< it diverged
 };
 
-/// watch(state, step) -> bool: go on? It may throw StepFailed at a state that it cannot use. A step that fails leaves the
-/// last good state in place; Outcome says after how many good steps, and why. t of step n is n (duration / steps) in S,
-/// rounded once. Precondition: span.steps >= 1, every >= 1, duration finite and > 0.
+/// watch(state, step) -> bool: go on? It throws StepFailed at a state that it cannot use, which then is no good one. A
+/// step that fails leaves the state before it in place, a state that watch refuses stays. Outcome says after how many
+/// good steps, and why. t of step n is n (duration / steps) in S, rounded once.
+/// Precondition: span.steps >= 1, every >= 1, duration finite and > 0.
 template <class Sys, class M, class Watch>
 Outcome simulate(Sys& system, M& method, State<Sys>& state, const Span& span, Watch&& watch) {
   using S = typename Sys::Scalar;
   const S t0 = state.t, h = S(span.duration) / S(span.steps);
   Outcome outcome;
   const auto ended = [&](bool stopped, const char* why = nullptr) {
-    outcome.t = double(state.t);
+    outcome.t = double(t0 + S(outcome.steps) * h);
     outcome.stopped = stopped;
     if (why) outcome.diverged = true, outcome.why = why;
     return outcome;
   };
+  method.begin(system, state);
   try {
-    method.begin(system, state);
     if (!watch(std::as_const(state), 0L)) return ended(true);
     long next = std::min(span.every, span.steps);
     while (outcome.steps < span.steps) {
-      method.step(system, state, h);
+      try {
+        method.step(system, state, h);
+      } catch (const std::runtime_error& e) {  // StepFailed
+        return ended(false, e.what());
+      } catch (const std::domain_error& e) {  // SingularInertia
+        return ended(false, e.what());
+      }
       const long made = outcome.steps + 1;
       state.t = t0 + S(made) * h;
-      if (made == next) {
-        const bool go_on = watch(std::as_const(state), made);
-        next = std::min(next + span.every, span.steps);
-        if (!go_on) {
-          outcome.steps = made;
-          return ended(made < span.steps);
-        }
-      }
+      const bool go_on = made < next || watch(std::as_const(state), made);
       outcome.steps = made;
+      if (made < next) continue;
+      next = std::min(next + span.every, span.steps);
+      if (!go_on) return ended(made < span.steps);
     }
-    return ended(false);
-  } catch (const std::runtime_error& e) {  // StepFailed
-    return ended(false, e.what());
-  } catch (const std::domain_error& e) {  // SingularInertia
+  } catch (const StepFailed& e) {  // of watch
     return ended(false, e.what());
   }
+  return ended(false);
 }
 
 }  // namespace liecheck::scene
