@@ -5,6 +5,7 @@
 #include <campaign/progress.hpp>
 #include <cmath>
 #include <commands_store.hpp>
+#include <filesystem>
 #include <liecheck/scene/run.hpp>
 #include <liecheck/scene_file/scene_file.hpp>
 #include <nlohmann/json.hpp>
@@ -16,11 +17,17 @@ namespace {
 
 using nlohmann::json;
 
-/// Shortest decimal that reads back as the same double.
+/// Shortest decimal that reads back as the same double. Heads are quoted where they need it (RFC 4180).
 std::string csv_of(const scene::Run& run) {
   std::string text;
-  for (std::size_t i = 0; i < run.columns.size(); ++i)
-    text += fmt::format("{}{} [{}]", i ? "," : "", run.columns[i].name, run.columns[i].unit);
+  for (std::size_t i = 0; i < run.columns.size(); ++i) {
+    std::string head = fmt::format("{} [{}]", run.columns[i].name, run.columns[i].unit);
+    if (head.find_first_of(",\"") != head.npos) {
+      for (std::size_t at = 0; (at = head.find('"', at)) != head.npos; at += 2) head.insert(at, 1, '"');
+      head = '"' + head + '"';
+    }
+    text += (i ? "," : "") + head;
+  }
   text += '\n';
   for (std::size_t i = 0; i < run.rows.size(); ++i)
     fmt::format_to(std::back_inserter(text), "{}{}", run.rows[i], (i + 1) % run.columns.size() ? ',' : '\n');
@@ -67,12 +74,26 @@ void print_figures(const scene::Scene& scene, const scene::Run& run) {
                f.unit == "1" ? "" : f.unit);
 }
 
+/// Throws std::invalid_argument where two of the scene's files are one.
+void check_apart(const std::string& scene, const std::string& csv, const std::string& json) {
+  const auto same = [](const std::string& a, const std::string& b) {
+    return !a.empty() && !b.empty() &&
+           std::filesystem::weakly_canonical(a) == std::filesystem::weakly_canonical(b);
+  };
+  for (const std::string& output : {csv, json})
+    if (same(scene, output))
+      throw std::invalid_argument(output + " is the scene itself: give the output another name");
+  if (same(csv, json))
+    throw std::invalid_argument(csv + " would be the CSV and the JSON: give one another name");
+}
+
 }  // namespace
 
 int run_scene_command(const SceneFlags& flags) {
   scene::Scene scene = loadScene(flags.file);
   if (!flags.csv.empty()) scene.csv = flags.csv;
   if (!flags.json.empty()) scene.json = flags.json;
+  check_apart(flags.file, scene.csv, scene.json);
   for (const std::string& path : {scene.csv, scene.json})
     if (!path.empty()) reports::check_writable(path);
   std::optional<Progress> progress(std::in_place, scene.name);
@@ -90,12 +111,16 @@ int run_scene_command(const SceneFlags& flags) {
                run.largest_turn);
   if (!scene.csv.empty()) reports::write_whole(scene.csv, csv_of(run));
   if (!scene.json.empty()) reports::write_whole(scene.json, json_of(scene, run).dump(1) + "\n");
-  if (run.outcome.diverged)
+  if (run.outcome.diverged) {
+    const scene::MethodInfo& method = scene::methodInfo(scene.integrator);
     fmt::print(stderr,
                "liecheck: {}: diverged at step {} of {} (t = {:g} s): {}; what was done until then is kept. "
-               "Take a smaller "
-               "step, or an implicit method\n",
-               scene.source, run.outcome.steps + 1, scene.span.steps, run.outcome.t, run.outcome.why);
+               "Take {}\n",
+               scene.source, run.outcome.steps + 1, scene.span.steps, run.outcome.t, run.outcome.why,
+               method.adaptive           ? "another tolerance, or softer effects"
+               : method.evaluations == 0 ? "a smaller step"
+                                         : "a smaller step, or an implicit method");
+  }
   if (run.outcome.stopped)
     fmt::print(stderr, "interrupted at t = {:g} s of {:g} s: what was done until then is kept\n",
                run.outcome.t, scene.span.duration);
@@ -104,7 +129,14 @@ int run_scene_command(const SceneFlags& flags) {
 
 int explain_scene_command(const SceneFlags& flags) {
   const scene::Scene scene = loadScene(flags.file);
-  const scene::Plan plan = scene::plan(scene, true);
+  const scene::Plan plan = [&] {
+    try {
+      return scene::plan(scene, true);
+    } catch (const scene::StepFailed& e) {
+      throw std::invalid_argument(scene.source + ": a step from the start fails: " + e.what() +
+                                  ": take a smaller step or a slower start");
+    }
+  }();
   fmt::print("{}: {}\n", scene.name, scene.reason.empty() ? "no reason given" : scene.reason);
   fmt::print("{} of nq {}, nv {}; {} steps of {:g} s by {}, watched {} times\n\n",
              plan.lone_body ? "a lone rigid body" : "a tree", scene.model.nq, scene.model.nv,

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <liecheck/scene_file/units.hpp>
 #include <sstream>
+#include <tuple>
 
 #include "bodies.hpp"
 
@@ -135,6 +136,19 @@ TEST(SceneFile, ABadOneIsNamedWithFileLineAndRemedy) {
        "'minor_spin'"},
       {2, "initial: {start: sleeping_top, rate: 1}",
        "s.yaml:2: start 'sleeping_top' is of a top on a spherical root, symmetric about its z axis"},
+      {1, "robot: {body: box, size: [1, -2, 3]}", "s.yaml:1: a side of a box is below 0"},
+      {3, "effects: [gravity, gravity]", "s.yaml:3: 'gravity' stands twice with the same keys: keep one"},
+      {3, "effects: [contact: {frames: [body, body]}]",
+       "s.yaml:3: contact.frames names 'body' twice: keep one"},
+      {3, "effects: [wrench: {frame: body, from: 2, until: 1}]",
+       "s.yaml:3: the wrench's 'until' is not after its 'from'"},
+      {6, "observers: [energy, energy]",
+       "s.yaml:6: observer 'energy' writes kinetic, which another one writes already: keep one"},
+      {6, "observers: [energy]\nreason: \"a\\nb\"",
+       "s.yaml:7: reason holds a control character or ends a line: keep it to one line of text"},
+      {6, "observers: [energy]\nreason: \xff", "s.yaml:7: is not UTF-8"},
+      {5, "duration: 1e308 s",
+       "s.yaml:4: duration is not a whole number of integrator.step: it would be more than 1e15 of them"},
       {2, "initial: {joints: {root: 1}}",
        "s.yaml:2: initial.joints has no key 'root', the nearest are 'root_joint' and 'universe'"},
   };
@@ -321,6 +335,42 @@ TEST(Program, AStepBeyondHalfATurnIsAWarningButNotOfAMethodThatChoosesItsOwn) {
   const auto [code2, said2] = program("scene run " + file("own.yaml", chain("{name: dopri5, step: 2.5 s}")));
   EXPECT_EQ(code2, 0) << said2;
   EXPECT_EQ(said2.find("warning"), std::string::npos) << said2;
+}
+
+TEST(Program, AScenesFilesAreDifferentOnes) {
+  const std::string path = file("apart.yaml", with(5, "duration: 10 ms")),
+                    out = testing::TempDir() + "apart.out";
+  const auto [own, why] = program("scene run " + path + " --csv " + path);
+  EXPECT_EQ(own, 2);
+  EXPECT_NE(why.find(path + " is the scene itself"), std::string::npos) << why;
+  EXPECT_EQ(program("scene run " + path).first, 0);  // it is still there
+  const auto [both, why_both] = program("scene run " + path + " --csv " + out + " --json " + out);
+  EXPECT_EQ(both, 2);
+  EXPECT_NE(why_both.find("would be the CSV and the JSON"), std::string::npos) << why_both;
+  EXPECT_FALSE(fs::exists(out));
+}
+
+/// Signals are heard within a second wherever a run is: between far samples, inside one step of a method that chooses its
+/// own, inside the second run of attitude_error. What no tolerance can follow is told at once.
+TEST(Program, HearsASignalWhereverItIs) {
+  for (const auto& [name, line, text] :
+       {std::tuple("far.yaml", 4, "integrator: {name: rkmk4, step: 1e-9}"),
+        {"own.yaml", 4, "integrator: {name: dopri5, tolerance: 1e-14}"},
+        {"twin.yaml", 6, "observers: [attitude_error: {refinement: 1e9}]"}}) {
+    std::string scene = with(std::size_t(line), text);
+    if (line == 4) scene += "output: {every: 1 s}\n";
+    if (std::string(name) == "own.yaml") scene.replace(scene.find("[0, 0, 1]"), 9, "[1e6, 1e6, 1]");
+    const auto [code, said] = program("scene run " + file(name, scene) +
+                                      " & p=$!; (sleep 3; kill -KILL $p) > /dev/null 2>&1 & sleep 0.5; "
+                                      "kill -TERM $p; wait $p");
+    EXPECT_EQ(code, 3) << name << said;
+    EXPECT_NE(said.find("interrupted at t = "), std::string::npos) << name << said;
+  }
+  std::string scene = with(4, "integrator: {name: dopri5, tolerance: 1e-8}");
+  scene.replace(scene.find("[0, 0, 1]"), 9, "[1e100, 1e100, 1]");
+  const auto [code, said] = program("scene run " + file("lost.yaml", scene));
+  EXPECT_EQ(code, 3) << said;
+  EXPECT_NE(said.find("no step is small enough for the tolerance"), std::string::npos) << said;
 }
 
 TEST(Program, AStopSignalKeepsWhatIsDoneAndExitsThree) {

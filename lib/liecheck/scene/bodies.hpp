@@ -28,6 +28,7 @@ inline const std::vector<BodyEntry>& bodyEntries() {
        +mass,
        [](P p) {
          const auto& s = p.numbers("size");
+         if (s[0] < 0 || s[1] < 0 || s[2] < 0) throw std::invalid_argument("a side of a box is below 0");
          const double k = p.number("mass") / 12;
          return V(k * (s[1] * s[1] + s[2] * s[2]), k * (s[0] * s[0] + s[2] * s[2]),
                   k * (s[0] * s[0] + s[1] * s[1]));

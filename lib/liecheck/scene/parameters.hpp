@@ -36,6 +36,7 @@ struct Key {
 struct Value {
   std::vector<double> numbers;     ///< in SI units
   std::vector<std::string> names;  ///< of frames or joints, or the word of a choice
+  bool operator==(const Value&) const = default;
 };
 
 /// What a scene says, every key checked, defaults filled in.
@@ -50,6 +51,7 @@ class Parameters {
   const std::string& word(const std::string& key) const { return at(key).names.at(0); }
   const std::vector<std::string>& names(const std::string& key) const { return at(key).names; }
   bool flag(const std::string& key) const { return word(key) == "true"; }
+  bool operator==(const Parameters&) const = default;
 
  private:
   const Value& at(const std::string& key) const {

@@ -37,10 +37,10 @@ const PartInfo& infoOf(const std::string& name) {
   throw std::invalid_argument("no effect is named '" + name + "'");
 }
 
-/// The largest divisor of n up to 4096: how often a run looks up.
+/// The largest divisor of n up to 256: how often a run looks up.
 long pulseOf(long n) {
   long best = 1;
-  for (long d = 1; d <= std::min(n, 4096L); ++d)
+  for (long d = 1; d <= std::min(n, 256L); ++d)
     if (n % d == 0) best = d;
   return best;
 }
@@ -53,7 +53,7 @@ class Runner {
         all_(makeEffects<double>(scene, scene.model)),
         system_(scene.model, all_),
         state_(startOf(scene, system_)),
-        method_(makeMethod<Sys>(scene.integrator, scene.options)) {
+        method_(makeMethod<Sys>(scene.integrator, {scene.options.tolerance, [this] { return !goesOn(); }})) {
     a_ = state_.v;
     const double interval = scene.span.duration / double(scene.span.steps) * double(scene.span.every);
     watched_ = {&system_.model(), &all_, interval};
@@ -107,17 +107,14 @@ class Runner {
     Span pulses = span;
     pulses.every = every_step_ ? 1 : pulseOf(span.every);
     const double begin = now_in_seconds(), h = span.duration / double(span.steps);
-    long asked = 0;
+    on_ = on;
     result.outcome = simulate(system_, *method_, state_, pulses, [&](const State<Sys>& state, long n) {
       if (every_step_) watchStep(state);
       if (n % span.every == 0 || n == span.steps) sample(state, n, result);
       if (!method_->what().adaptive)
         result.largest_turn = std::max(result.largest_turn, std::abs(h) * turning(state));
-      if (on && (n == 0 || n * 1000 / span.steps > asked)) {
-        asked = n * 1000 / span.steps;
-        return on(double(n) / double(span.steps));
-      }
-      return true;
+      share_ = double(n) / double(span.steps);
+      return goesOn();
     });
     result.seconds = now_in_seconds() - begin;
     result.counts = method_->counts();
@@ -233,6 +230,14 @@ class Runner {
     if (observers_.empty()) p.left_out.push_back({"kinematics at samples", "nothing is watched"});
   }
 
+  /// Asks `on`, ten times a second.
+  bool goesOn() {
+    if (!on_) return true;
+    const double now = now_in_seconds();
+    if (now - asked_ < 0.1) return true;
+    asked_ = now;
+    return on_(share_);
+  }
   Now<double> look(const State<Sys>& s, Kinematics needs) {
     if (needs != Kinematics::Accelerations) return system_.here(s.t, s.q, s.v, needs);
     system_.acceleration(s.t, s.q, s.v, a_);
@@ -267,10 +272,11 @@ class Runner {
     if (n > twin_steps_) {
       Span rest;
       rest.steps = (n - twin_steps_) * refinement_;
-      rest.every = rest.steps;
+      rest.every = 256;
       rest.duration = scene_.span.duration / double(scene_.span.steps) * double(n - twin_steps_);
       const Outcome o =
-          simulate(system_, *twin_method_, *twin_, rest, [](const auto&, long) { return true; });
+          simulate(system_, *twin_method_, *twin_, rest, [this](const auto&, long) { return goesOn(); });
+      if (o.stopped) throw Interrupted();
       if (o.diverged) throw StepFailed("the second run of attitude_error diverges: " + o.why);
       twin_steps_ = n;
     }
@@ -309,6 +315,8 @@ class Runner {
   State<Sys> state_;
   std::unique_ptr<Method<Sys>> method_, twin_method_;
   std::vector<double> row_;
+  std::function<bool(double)> on_;
+  double asked_ = -1, share_ = 0;  // when, in seconds; of the run
   typename Sys::Tangent a_;
   Watched watched_{};
   std::vector<std::unique_ptr<Observer>> observers_;

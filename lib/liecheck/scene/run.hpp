@@ -44,7 +44,7 @@ struct Run {
   double largest_turn = 0;
 };
 
-/// on: asked about every thousandth of the run with the share that is done; false stops it. Throws as plan(), and
+/// on: asked about ten times a second with the share that is done; false stops it. Throws as plan(), and
 /// std::invalid_argument where something watched is not finite at the start.
 Run run(const Scene& scene, const std::function<bool(double share)>& on = {});
 

@@ -41,6 +41,8 @@ Outcome simulate(Sys& system, M& method, State<Sys>& state, const Span& span, Wa
     while (outcome.steps < span.steps) {
       try {
         method.step(system, state, h);
+      } catch (const Interrupted&) {
+        return ended(true);
       } catch (const std::runtime_error& e) {  // StepFailed
         return ended(false, e.what());
       } catch (const std::domain_error& e) {  // SingularInertia
@@ -54,6 +56,8 @@ Outcome simulate(Sys& system, M& method, State<Sys>& state, const Span& span, Wa
       next = std::min(next + span.every, span.steps);
       if (!go_on) return ended(made < span.steps);
     }
+  } catch (const Interrupted&) {
+    return ended(true);
   } catch (const StepFailed& e) {  // of watch
     return ended(false, e.what());
   }

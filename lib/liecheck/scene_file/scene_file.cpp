@@ -1,11 +1,13 @@
 #include <liecheck/scene_file/scene_file.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <liecheck/scene/run.hpp>
 #include <liecheck/scene_file/robot.hpp>
 #include <liecheck/scene_file/values.hpp>
-#include <liecheck/urdf/urdf.hpp>
+#include <liecheck/urdf/urdf_markup.hpp>
+#include <set>
 
 namespace liecheck {
 
@@ -101,9 +103,9 @@ void readTime(const Text& text, const YAML::Node& root, Scene& scene) {
   }
   const auto whole = [&](const YAML::Node& node, double length, double part, const std::string& says) {
     const double count = std::round(length / part);
+    if (!(count <= 1e15)) text.refuse(node, says + ": it would be more than 1e15 of them");
     if (!(count >= 1) || std::abs(count * part - length) > 1e-9 * length)
       text.refuse(node, says + ": it fits " + std::to_string(length / part) + " times");
-    if (count > 1e15) text.refuse(node, says + ": more than 1e15 of them");
     return long(count);
   };
   if (method["step"].IsDefined()) {
@@ -128,6 +130,7 @@ void checkParts(const Text& text, const YAML::Node& root, const Scene& scene) {
     return isLoneBody(scene) ? (scene::makeSystem<scene::LoneBody<double>>(scene), 0)
                              : (scene::makeSystem<scene::Tree<double>>(scene), 0);
   });
+  std::set<std::string> written;
   for (const Request& r : scene.observers) {
     for (const scene::Key& key :
          {scene::Key{"seed", Kind::NotNegative, "", "", ""}, {"refinement", Kind::Positive, "", "", ""}})
@@ -138,7 +141,12 @@ void checkParts(const Text& text, const YAML::Node& root, const Scene& scene) {
       }
     Scene one = scene;
     one.observers = {r};
-    const double columns = double(text.at(r.line, [&] { return scene::columnsOf(one); }).size());
+    const std::vector<scene::Column> own = text.at(r.line, [&] { return scene::columnsOf(one); });
+    for (std::size_t i = 1; i < own.size(); ++i)  // after t
+      if (!written.insert(own[i].name).second)
+        text.refuse(r.line, "observer '" + r.name + "' writes " + own[i].name +
+                                ", which another one writes already: keep one");
+    const double columns = double(own.size());
     const double samples = double(scene.span.steps) / double(scene.span.every) + 2;
     if (samples * columns > max_scene_numbers)
       text.refuse(r.line, "observer '" + r.name + "' would keep " + std::to_string(samples * columns) +
@@ -150,6 +158,8 @@ Scene read(const Text& text, const std::string& content, const std::string& fold
   if (content.size() > max_scene_bytes)
     text.refuse(0, "is longer than a scene may be: " + std::to_string(max_scene_bytes) + " bytes");
   if (content.find('\0') != std::string::npos) text.refuse(0, "is no text: it holds a zero byte");
+  if (const std::size_t bad = urdf_detail::firstNotUtf8(content); bad < content.size())
+    text.refuse(1 + int(std::count(content.begin(), content.begin() + long(bad), '\n')), "is not UTF-8");
   YAML::Node root;
   try {
     const auto documents = YAML::LoadAll(content);
@@ -183,6 +193,10 @@ Scene read(const Text& text, const std::string& content, const std::string& fold
   for (Request& r :
        requests(text, root["actuation"], "actuation", infos(scene::actuationEntries<double>()), scene.model))
     scene.effects.push_back(std::move(r));
+  for (const Request& r : scene.effects)
+    for (const Request& other : scene.effects)
+      if (&other < &r && other.name == r.name && other.parameters == r.parameters)
+        text.refuse(r.line, "'" + r.name + "' stands twice with the same keys: keep one");
   for (const Request& r : scene.effects)
     text.at(r.line, [&] { return scene::makeEffect<double>(r, scene.model, scene.around); });
   scene.observers = requests(text, root["observers"], "observers", scene::observerInfos(), scene.model);

@@ -66,6 +66,9 @@ void Text::checkKeys(const YAML::Node& node, const std::string& what,
 
 std::string Text::word(const YAML::Node& node, const std::string& what) const {
   if (!node.IsScalar() || node.Scalar().empty()) refuse(node, what + " is a word, not " + kindOf(node));
+  for (const char c : node.Scalar())
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
+      refuse(node, what + " holds a control character or ends a line: keep it to one line of text");
   return node.Scalar();
 }
 
@@ -136,6 +139,9 @@ Value Text::value(const YAML::Node& node, const std::string& what, const Key& ke
       if (node.IsSequence()) {
         for (const auto& n : node) key.kind == Kind::Frames ? frame(n) : joint(n);
         if (v.names.empty()) refuse(node, what + " is an empty list");
+        for (std::size_t i = 1; i < v.names.size(); ++i)
+          if (std::find(v.names.begin(), v.names.begin() + long(i), v.names[i]) != v.names.begin() + long(i))
+            refuse(node, what + " names '" + v.names[i] + "' twice: keep one");
       } else {
         key.kind == Kind::Frames ? frame(node) : joint(node);
       }

@@ -3,9 +3,7 @@
 #include <string_view>
 
 namespace liecheck::urdf_detail {
-namespace {
 
-/// Where a text stops to be UTF-8 (RFC 3629: no surrogates, nothing overlong); its size if it nowhere does.
 std::size_t firstNotUtf8(std::string_view text) {
   std::size_t i = 0;
   while (i < text.size()) {
@@ -27,6 +25,8 @@ std::size_t firstNotUtf8(std::string_view text) {
   }
   return text.size();
 }
+
+namespace {
 
 /// What TinyXML lets pass or would recurse on: a walk over the tags alone, without recursion. Comments,
 /// declarations and quoted '>' are understood. Refuses elements nested deeper than max_element_depth, text

@@ -26,7 +26,9 @@ class Wrench final : public Effect<S> {
         n_(vectorOf<S>(p.numbers("moment"))),
         world_(p.word("axes") == "world"),
         from_(p.number("from", -std::numeric_limits<double>::infinity())),
-        until_(p.number("until", std::numeric_limits<double>::infinity())) {}
+        until_(p.number("until", std::numeric_limits<double>::infinity())) {
+    if (!(from_ < until_)) throw std::invalid_argument("the wrench's 'until' is not after its 'from'");
+  }
   Acts acts() const override { return Acts::OnBodies; }
   Kinematics needs() const override { return world_ ? Kinematics::Poses : Kinematics::None; }
   void add(const Now<S>& now, const Load<S>& load) const override {

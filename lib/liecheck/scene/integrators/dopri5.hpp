@@ -41,7 +41,7 @@ class Dopri5 final : public Method<Sys> {
                                    "embedded 5(4) for (delta, v), the error on the tangent",
                                    "Dormand & Prince 1980; Munthe-Kaas 1999",
                                    true};
-  explicit Dopri5(const MethodOptions& options) : tolerance_(options.tolerance) {}
+  explicit Dopri5(const MethodOptions& options) : tolerance_(options.tolerance), stop_(options.stop) {}
   const MethodInfo& what() const override { return info; }
   MethodCounts counts() const override { return counts_; }
   void begin(Sys&, const State<Sys>& state) override {
@@ -55,7 +55,9 @@ class Dopri5 final : public Method<Sys> {
     while (done < h) {
       const bool last = h - done <= h_ * (S(1) + S(64) * eps<S>());
       const S trial = last ? S(h - done) : h_;
-      if (!(S(done + trial) > done)) throw StepFailed("no step is small enough for the tolerance");
+      if (!(S(done + trial) > done) || !(last || S(h + trial) > h))
+        throw StepFailed("no step is small enough for the tolerance");
+      if (++tried_ % 256 == 0 && stop_ && stop_()) throw Interrupted();
       stages_.compute(system, *at_, trial);
       stages_.template sum<DormandPrinceTableau::error>(trial, e_delta_, e_v_);
       using std::max, std::min, std::pow;
@@ -88,6 +90,8 @@ class Dopri5 final : public Method<Sys> {
   typename Sys::Tangent delta_, dv_, e_delta_, e_v_;
   std::optional<State<Sys>> at_;
   S tolerance_, h_ = S(0);
+  std::function<bool()> stop_;
+  long tried_ = 0;
   MethodCounts counts_;
 };
 

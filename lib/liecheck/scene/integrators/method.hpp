@@ -1,6 +1,7 @@
 #pragma once
 // Method: a step over a whole configuration, on the group. One file each; the list is integrators/registry.hpp.
 
+#include <functional>
 #include <liecheck/scene/accumulate.hpp>
 #include <liecheck/scene/system.hpp>
 #include <stdexcept>
@@ -26,6 +27,12 @@ struct MethodInfo {
 class StepFailed : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
+};
+
+/// A step that somebody stopped: no fault of the motion.
+class Interrupted : public StepFailed {
+ public:
+  Interrupted() : StepFailed("interrupted") {}
 };
 
 /// Before a state takes increments of q and v: throws StepFailed unless the sum of their squares is finite, so that what
@@ -57,8 +64,10 @@ class Method {
 
 /// Of the method that a scene asks for.
 struct MethodOptions {
-  double tolerance =
-      1e-9;  ///< of adaptive ones: error of a step [m, rad, m/s, rad/s], absolute + relative to |v|
+  /// Of adaptive ones: error of a step [m, rad, m/s, rad/s], absolute + relative to |v|.
+  double tolerance = 1e-9;
+  /// Asked by those now and then inside a step, which may hold any number of their own: stop?
+  std::function<bool()> stop = {};
 };
 
 }  // namespace liecheck::scene
