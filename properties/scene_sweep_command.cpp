@@ -17,7 +17,7 @@ namespace liecheck::properties {
 namespace {
 
 std::string error_text(double e) {
-  return std::isnan(e) ? "-" : fmt::format("{:.1e}", e);
+  return std::isfinite(e) ? fmt::format("{:.1e}", e) : "-";
 }
 
 /// The fastest point that errs at most so much.
@@ -57,9 +57,10 @@ void print_scene(const SceneSweep& s) {
     const SweepPoint* p = shown_point(series);
     fmt::print("  {:<30}{:>9}{:>8}{:>9}{:>9}{:>9}{:>9}  {}  {}\n",
                series.subject == "liecheck" ? series.integrator : series.subject + " " + series.integrator,
-               error_text(series.smallest) + (series.at_floor ? "" : "+"), time_at(series, 1e-2),
-               time_at(series, 1e-4), time_at(series, 1e-6), time_at(series, 1e-8), time_at(series, 1e-10),
-               drift_text(p ? p->energy : Drift()), drift_text(p ? p->momentum : Drift()));
+               error_text(series.smallest) + (series.at_floor || std::isinf(series.smallest) ? "" : "+"),
+               time_at(series, 1e-2), time_at(series, 1e-4), time_at(series, 1e-6), time_at(series, 1e-8),
+               time_at(series, 1e-10), drift_text(p ? p->energy : Drift()),
+               drift_text(p ? p->momentum : Drift()));
     for (const SweepPoint& point : series.points)
       if (!point.diverged.empty()) {
         fmt::print("  {:<30}with {} steps: {}\n", "", point.effort.steps, point.diverged);
@@ -108,6 +109,18 @@ void print_peers(const SceneSweepResult& r) {
   for (const PeerComparison& c : r.peers)
     fmt::print("  {:<14}{:<32}{:>6.3f} at {:.1e} by {}{}\n", c.scene, c.peer + " " + c.integrator, c.ratio,
                c.error, c.ours, c.unmatched ? "; a point of it is more accurate than any of ours" : "");
+}
+
+/// Does some run of our own come through?
+bool comes_through(const SceneSweep& s) {
+  bool tried = false;
+  for (const SweepSeries& series : s.series)
+    if (series.subject == "liecheck")
+      for (const SweepPoint& point : series.points) {
+        if (point.diverged.empty()) return true;
+        tried = true;
+      }
+  return !tried;
 }
 
 }  // namespace
@@ -174,7 +187,14 @@ int run_scene_sweep_command(const SceneSweepFlags& f) {
              r.complete ? "" : "; interrupted: what was done");
   for (const std::string& line : r.wrong) fmt::print("not the order that is promised: {}\n", line);
   if (!f.json.empty()) reports::write_whole(f.json, scene_sweep_record(r).dump(1) + "\n");
-  return !r.complete ? incomplete : r.wrong.empty() ? within_budget : property_failed;
+  bool lost = false;
+  for (const SceneSweep& s : r.scenes)
+    if (!comes_through(s)) {
+      lost = true;
+      fmt::print(stderr, "liecheck: {}: every run diverges: take more steps, or a slower start\n",
+                 s.scene.name);
+    }
+  return !r.complete || lost ? incomplete : r.wrong.empty() ? within_budget : property_failed;
 }
 
 }  // namespace liecheck::properties

@@ -35,6 +35,16 @@ std::optional<Joint<double>> rootJoint(const scene::Parameters& p) {
   return std::nullopt;
 }
 
+/// The root's joint; an axis is of one that has one.
+std::optional<Joint<double>> readRootJoint(const Text& text, const YAML::Node& robot, int line,
+                                           const scene::Parameters& p) {
+  const std::string& kind = p.word("root");
+  if (robot["axis"].IsDefined() && kind != "revolute" && kind != "continuous" && kind != "prismatic")
+    text.refuse(robot["axis"],
+                "robot.axis is of a revolute, continuous or prismatic root, not of '" + kind + "'");
+  return text.at(line, [&] { return rootJoint(p); });
+}
+
 Model<double> fromUrdf(const Text& text, const YAML::Node& robot, const std::string& folder) {
   std::vector<Key> keys = rootKeys();
   const auto p = text.parameters(robot, Text::lineOf(robot), "robot", keys, nullptr, {"urdf"});
@@ -44,7 +54,7 @@ Model<double> fromUrdf(const Text& text, const YAML::Node& robot, const std::str
                                          ? std::filesystem::path(given)
                                          : std::filesystem::path(folder) / given;
   UrdfOptions options;
-  options.root_joint = text.at(line, [&] { return rootJoint(p); });
+  options.root_joint = readRootJoint(text, robot, line, p);
   try {
     return loadUrdf(path.lexically_normal().string(), options).model;
   } catch (const UrdfError& e) {
@@ -65,7 +75,7 @@ Model<double> fromBody(const Text& text, const YAML::Node& robot) {
     const int line = Text::lineOf(robot);
     const auto p = text.parameters(robot, line, "robot", keys, nullptr, {"body"});
     const auto inertia = text.at(line, [&] { return scene::inertiaOf(body, p); });
-    const auto joint = text.at(line, [&] { return rootJoint(p); });
+    const auto joint = readRootJoint(text, robot, line, p);
     Model<double> model;
     model.name = kind;
     if (!joint) text.refuse(line, "a body on a fixed root cannot move: take another root");
@@ -212,7 +222,14 @@ void readStart(const Text& text, const YAML::Node& initial, scene::Scene& scene)
       others.emplace_back("start");
       const auto p =
           text.parameters(initial, Text::lineOf(start), "initial", entry.info.keys, &scene.model, others);
+      const VectorX<double> q = scene.q, v = scene.v, q_neutral = neutral(scene.model);
       text.at(Text::lineOf(start), [&] { entry.set(p, scene.model, scene.q, scene.v); });
+      for (int k = 0; k < scene.model.nq; ++k)
+        if (q[k] != q_neutral[k] && scene.q[k] != q[k])
+          text.refuse(start, "start '" + name + "' sets a position that initial gives too: keep one");
+      for (int k = 0; k < scene.model.nv; ++k)
+        if (v[k] != 0 && scene.v[k] != v[k])
+          text.refuse(start, "start '" + name + "' sets a velocity that initial gives too: keep one");
       found = true;
     }
     if (!found) text.refuse(start, "no start is named '" + name + "'" + nearest(name, names));

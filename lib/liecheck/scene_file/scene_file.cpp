@@ -179,7 +179,15 @@ Scene read(const Text& text, const std::string& content, const std::string& fold
   scene.name = root["scene"].IsDefined() ? text.word(root["scene"], "scene")
                                          : std::filesystem::path(text.file()).stem().string();
   if (root["reason"].IsDefined()) scene.reason = text.word(root["reason"], "reason");
-  if (root["truth"].IsDefined()) scene.truth = text.word(root["truth"], "truth");
+  if (root["truth"].IsDefined()) {
+    static const std::vector<std::string> closed_forms = {"free_fall",    "constant_twist", "damped_spring",
+                                                          "pendulum",     "axisymmetric",   "triaxial",
+                                                          "sleeping_top", "precessing_top"};
+    scene.truth = text.word(root["truth"], "truth");
+    if (std::find(closed_forms.begin(), closed_forms.end(), scene.truth) == closed_forms.end())
+      text.refuse(root["truth"],
+                  "no closed form is named '" + scene.truth + "'" + nearest(scene.truth, closed_forms));
+  }
   readRobot(text, root, folder, scene);
   if (const YAML::Node ground = root["ground"]; ground.IsDefined() && !ground.IsNull()) {
     text.checkKeys(ground, "ground", {"height"});

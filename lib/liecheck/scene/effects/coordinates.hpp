@@ -11,7 +11,7 @@ struct Coordinate {
   int v, q;
 };
 
-/// Of the joints named; "all" is every joint but free-flyers and mimics.
+/// Of the joints named; "all" is every joint but free-flyers and mimics. Throws std::invalid_argument where that is none.
 template <Scalar S>
 std::vector<Coordinate> coordinates(const Model<S>& model, const std::vector<std::string>& names) {
   std::vector<Coordinate> all;
@@ -22,6 +22,10 @@ std::vector<Coordinate> coordinates(const Model<S>& model, const std::vector<std
     for (int k = 0; k < model.nvs[i]; ++k)
       all.push_back({model.idx_vs[i] + k, model.nqs[i] == model.nvs[i] ? model.idx_qs[i] + k : -1});
   }
+  if (all.empty())
+    throw std::invalid_argument(
+        every ? "the robot has no joint that this could act on, but a free-flyer to be named"
+              : "none of the joints named has a number of its own");
   return all;
 }
 /// Those that have a position of their own. Throws std::invalid_argument where a named joint has none.
@@ -39,6 +43,7 @@ std::vector<Coordinate> positions(const Model<S>& model, const std::vector<std::
           "translation joints");
     }
   }
+  if (with.empty()) throw std::invalid_argument("no joint of the robot has a single number as its position");
   return with;
 }
 
