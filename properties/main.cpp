@@ -485,10 +485,11 @@ int main(int argc, char** argv) {
                                                "what each stage costs. Exit 0, 2 bad input");
   filled(scene_explain->add_option("FILE", scene.file, "the scene"), "SCENE")->required();
   SceneSweepFlags ss;
-  auto* scene_sweep = scenes->add_subcommand("sweep",
-                                             "integrators x steps: error against the exact motion, order, "
-                                             "drift, time, beside other simulators. Exit 0, 1 an "
-                                             "order is not what was promised, 2 bad input, 3 stopped");
+  auto* scene_sweep = scenes->add_subcommand(
+      "sweep",
+      "integrators x steps: error against the exact motion, order, "
+      "drift, time, beside other simulators. Exit 0, 1 an "
+      "order is not what was promised, 2 bad input, 3 stopped, or every run of a scene diverges");
   filled(scene_sweep->add_option("FILE", ss.files, "scenes; default the built-in ones, and long spins"),
          "SCENE");
   filled(scene_sweep->add_option("--integrator", ss.options.integrators,

@@ -17,17 +17,12 @@ namespace {
 
 using nlohmann::json;
 
-/// Shortest decimal that reads back as the same double. Heads are quoted where they need it (RFC 4180).
+/// Shortest decimal that reads back as the same double.
 std::string csv_of(const scene::Run& run) {
   std::string text;
-  for (std::size_t i = 0; i < run.columns.size(); ++i) {
-    std::string head = fmt::format("{} [{}]", run.columns[i].name, run.columns[i].unit);
-    if (head.find_first_of(",\"") != head.npos) {
-      for (std::size_t at = 0; (at = head.find('"', at)) != head.npos; at += 2) head.insert(at, 1, '"');
-      head = '"' + head + '"';
-    }
-    text += (i ? "," : "") + head;
-  }
+  for (std::size_t i = 0; i < run.columns.size(); ++i)
+    text +=
+        (i ? "," : "") + reports::quoted(fmt::format("{} [{}]", run.columns[i].name, run.columns[i].unit));
   text += '\n';
   for (std::size_t i = 0; i < run.rows.size(); ++i)
     fmt::format_to(std::back_inserter(text), "{}{}", run.rows[i], (i + 1) % run.columns.size() ? ',' : '\n');

@@ -148,4 +148,11 @@ void check_writable(const fs::path& file) {
     refuse(file, "cannot be written", std::strerror(errno));
 }
 
+std::string quoted(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string out = "\"";
+  for (char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return out + '"';
+}
+
 }  // namespace liecheck::reports

@@ -19,4 +19,7 @@ void write_whole(const std::filesystem::path& file, std::string_view text);
 /// Could write_whole write there? Asked before the hours, not after them; changes nothing. Throws as it does.
 void check_writable(const std::filesystem::path& file);
 
+/// A field of a CSV (RFC 4180): quoted where needed, quotes doubled.
+std::string quoted(const std::string& text);
+
 }  // namespace liecheck::reports

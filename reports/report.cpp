@@ -18,14 +18,6 @@ constexpr std::array columns = {
     "high",      "count",      "max_eps",    "p99_eps",      "median_eps", "max_excess", "budget", "rule",
     "ill_posed", "unresolved", "not_finite", "wrong_branch", "refused",    "status"};
 
-/// RFC 4180: quoted where needed, quotes doubled.
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string out = "\"";
-  for (char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return out + '"';
-}
-
 std::string cell(const Json& value) {
   if (value.is_null()) return "";
   if (value.is_string()) return quoted(value);

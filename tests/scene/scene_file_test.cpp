@@ -360,7 +360,19 @@ TEST(Program, AScenesFilesAreDifferentOnes) {
   EXPECT_FALSE(fs::exists(out));
 }
 
-/// Signals are heard within a second wherever a run is: between far samples, inside one step of a method that chooses its
+TEST(Program, ACsvHeadWithACommaIsQuoted) {
+  const std::string csv = testing::TempDir() + "quoted.csv";
+  const std::string path = file(
+      "quoted.yaml", with(6, "frames: [{name: 'a,\"b', on: body}]\nobservers: [frame: {frame: 'a,\"b'}]"));
+  const auto [code, said] = program("scene run " + path + " --csv " + csv);
+  EXPECT_EQ(code, 0) << said;
+  std::ifstream rows(csv);
+  std::string head;
+  std::getline(rows, head);
+  EXPECT_EQ(head.find("t [s],\"a,\"\"b."), 0U) << head;
+}
+
+/// Signals are heard, before a kill two and a half seconds later, wherever a run is: between far samples, inside one step of a method that chooses its
 /// own, inside the second run of attitude_error. What no tolerance can follow is told at once.
 TEST(Program, HearsASignalWhereverItIs) {
   for (const auto& [name, line, text] :
