@@ -337,6 +337,24 @@ TEST(Dynamics, AMimicIsTheFreeRobotConstrained) {
 }
 
 // 1 kg on a 1 m rod: by hand.
+// crba keeps shares of masses from state to state: what a Data computed before must not be seen.
+TEST(Dynamics, AnInertiaThatChangesIsFelt) {
+  forEachRobot([](const Model<double>& m, const State& s, Random& random) {
+    Model<double> changing = m;
+    Data<double> d(changing, Dense::Mass);
+    for (int change = 0; change < 4; ++change) {
+      const Mat M = crba(changing, d, s.q);
+      Data<double> fresh(changing, Dense::Mass);
+      EXPECT_EQ(M, crba(changing, fresh, s.q)) << change;
+      const std::size_t i = std::size_t(1 + random.below(m.njoints - 1));
+      const Inertia<double> I = changing.inertias[i];
+      const double factor = change == 1 ? 0 : random.uniform(0.1, 10);
+      changing.inertias[i] =
+          Inertia<double>(factor * I.mass(), I.lever(), Matrix3<double>(factor * I.inertia()));
+    }
+  });
+}
+
 TEST(Dynamics, APendulumFallsAsItShould) {
   Model<double> m;
   m.addJoint(0, Revolute<double>(Axis<double>::Y()), SE3<double>::Identity(), "hinge");

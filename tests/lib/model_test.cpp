@@ -220,6 +220,22 @@ TEST(Joint, ShortnamesArePinocchios) {
   EXPECT_EQ(Prismatic<double>(tilted).shortname(), "JointModelPrismaticUnaligned");
 }
 
+TEST(Joint, ATurnAlongOrAgainstACoordinateAxisKeepsItToTheLastBit) {
+  const Matrix3<double> R = Eigen::Quaterniond(0.1, -0.5, 0.7, 0.5).normalized().toRotationMatrix();
+  const double angle = 2.3, c = std::cos(angle), s = std::sin(angle);
+  for (int i = 0; i < 3; ++i)
+    for (const double sign : {1.0, -1.0}) {
+      const V3 direction = sign * V3::Unit(i);
+      const Axis<double> axis(direction);
+      EXPECT_EQ(axis.in(R), V3(sign * R.col(i))) << direction.transpose();
+      const Matrix3<double> turned = axis.turned(R, c, s);
+      EXPECT_EQ(turned.col(i), R.col(i)) << direction.transpose();
+      EXPECT_LE((turned - R * Eigen::AngleAxisd(angle, direction).toRotationMatrix()).norm(),
+                8 * eps<double>())
+          << direction.transpose();
+    }
+}
+
 TEST(Joint, AnAxisIsMadeUnitAndMustHaveADirection) {
   EXPECT_EQ(Axis<double>(V3(0, 0, 5)).aligned(), "Z");
   EXPECT_LE((Axis<double>(V3(3, 0, 4)).to_vector() - V3(0.6, 0, 0.8)).norm(), 2 * eps<double>());

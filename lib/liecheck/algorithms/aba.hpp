@@ -83,7 +83,6 @@ const VectorX<S>& aba(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, In
     Motion<S> relative = Motion<S>::Zero();
     for (int k = 0; k < Joint::columns; ++k)
       relative = relative + column(w.S_columns, joint.column + k) * v[joint.idx_v + k];
-    w.r[i] = fromParent(model, data, i);
     w.velocity[i] = p == 0 ? relative : shifted(w.velocity[p], w.r[i]) + relative;
     w.bias[i] = joint.velocityProduct(w.velocity[i], relative);
     const Inertia<S> I = turned(R, model.inertias[i]);

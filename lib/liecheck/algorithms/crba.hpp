@@ -30,12 +30,11 @@ void compositeInertias(const Model<S>& model, Data<S>& data, In<S> q) {
   I[0] = {};
   columnsInWorldAxes(model, data, q, [&](const auto& joint) {
     const std::size_t i = std::size_t(joint.index);
-    multibody_detail::build(data.work.r[i], [&] { return fromParent(model, data, i); });
     multibody_detail::build(
         I[i], [&] { return CompositeInertia<S>::turned(data.oMi[i].rotation(), model.inertias[i]); });
   });
   for (std::size_t i = model.joints.size() - 1; i > 0; --i)
-    I[std::size_t(model.parents[i])].join(I[i], data.work.r[i]);
+    I[std::size_t(model.parents[i])].join(I[i], data.work.r[i], data.work.joined[i]);
 }
 
 /// Momentum I s of a column s [6] about its joint's origin, f = m (u + omega x c), n = I_C omega + c x f, then moved down

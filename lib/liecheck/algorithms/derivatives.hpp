@@ -60,8 +60,7 @@ void computeRNEADerivatives(const Model<S>& model, Data<S>& data, In<S> q, In<S>
   for (std::size_t i = 1; i < model.joints.size(); ++i) {
     const std::size_t p = std::size_t(model.parents[i]);
     // From O: summed along the tree, so that no digits are lost far from the world's origin.
-    work.r[i] =
-        p == 0 ? Vector3<S>(oMi[i].translation() - O) : Vector3<S>(work.r[p] + fromParent(model, data, i));
+    work.r[i] = p == 0 ? Vector3<S>(oMi[i].translation() - O) : Vector3<S>(work.r[p] + work.r[i]);
     const SE3<S> X(oMi[i].rotation(), work.r[i]);
     Motion<S> relative = Motion<S>::Zero(), driven = Motion<S>::Zero();
     columns(i, [&](int k, int vk) {

@@ -129,8 +129,7 @@ const Matrix6X<S>& computeJointJacobiansTimeVariation(const Model<S>& model, Dat
   auto& dJ = data.dJ.write(Level::Velocity);
   dJ.setZero();
   for (std::size_t i = 1; i < model.joints.size(); ++i) {
-    V[i] = algorithms_detail::shifted(V[std::size_t(model.parents[i])],
-                                      algorithms_detail::fromParent(model, data, i));
+    V[i] = algorithms_detail::shifted(V[std::size_t(model.parents[i])], data.work.r[i]);
     const int begin = model.idx_columns[i], end = begin + model.column_counts[i];
     for (int k = begin; k < end; ++k)
       V[i] = V[i] + algorithms_detail::column(data.work.S_columns, k) * v[model.column_to_v[std::size_t(k)]];

@@ -10,17 +10,27 @@
 namespace liecheck {
 
 namespace algorithms_detail {
-/// The pose of a joint in its parent p's frame, and in the world.
+template <Scalar S>
+[[gnu::always_inline]] inline Vector3<S> added(const Vector3<S>& a, const Vector3<S>& b) {
+  return each<S>([&](int i) { return S(a[i] + b[i]); });
+}
+/// The pose of a joint in its parent p's frame, and in the world. Returns the way from the parent's origin, in world
+/// axes [m]: not a difference of two far places.
 template <class Place, Scalar S>
-[[gnu::always_inline]] inline void placeJoint(const Place& joint, const VectorX<S>& q, std::size_t p,
-                                              SE3<S>& liMi, std::vector<SE3<S>>& oMi) {
+[[gnu::always_inline]] inline Vector3<S> placeJoint(const Place& joint, const VectorX<S>& q, std::size_t p,
+                                                    SE3<S>& liMi, std::vector<SE3<S>>& oMi) {
   using multibody_detail::build;
   SE3<S>& X_WJ = oMi[std::size_t(joint.index)];
   build(liMi, [&] { return joint.transform(q); });
-  if (p == 0)
+  if (p == 0) {
     X_WJ = liMi;
-  else
-    build(X_WJ, [&] { return oMi[p] * liMi; });
+    return liMi.translation();
+  }
+  const Vector3<S> r = product<S>(oMi[p].rotation(), liMi.translation());
+  build(X_WJ, [&] {
+    return SE3<S>(product<S>(oMi[p].rotation(), liMi.rotation()), added<S>(oMi[p].translation(), r));
+  });
+  return r;
 }
 }  // namespace algorithms_detail
 
@@ -71,7 +81,7 @@ void forwardKinematics(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, I
 
 namespace algorithms_detail {
 
-/// For what works in world axes (Data::Work): poses and S_columns of every joint, and f(joint). Updates liMi, oMi.
+/// For what works in world axes (Data::Work): poses, r and S_columns of every joint, and f(joint). Updates liMi, oMi.
 template <Scalar S, class F>
 void columnsInWorldAxes(const Model<S>& model, Data<S>& data, In<S> q, F f) {
   data.begin(model, q);
@@ -79,22 +89,18 @@ void columnsInWorldAxes(const Model<S>& model, Data<S>& data, In<S> q, F f) {
   auto& oMi = data.oMi.write(Level::Position);
   multibody_detail::forEachJoint(model, [&](const auto& joint) {
     const std::size_t i = std::size_t(joint.index), p = std::size_t(model.parents[i]);
-    algorithms_detail::placeJoint(joint, q, p, liMi[i], oMi);
+    multibody_detail::build(data.work.r[i], [&] { return placeJoint(joint, q, p, liMi[i], oMi); });
     joint.subspaceIn(oMi[i].rotation(), data.work.S_columns.data() + 6 * joint.column);
     f(joint);
   });
 }
-/// The way from the parent's origin to joint i's, in world axes [m]: not a difference of two far places.
+/// The way from the parent's origin to joint i's, as placeJoint returned it.
 template <Scalar S>
 [[gnu::always_inline]] inline Vector3<S> fromParent(const Model<S>& model, const Data<S>& data,
                                                     std::size_t i) {
   return product<S>(data.oMi[std::size_t(model.parents[i])].rotation(), data.liMi[i].translation());
 }
 
-template <Scalar S>
-[[gnu::always_inline]] inline Vector3<S> added(const Vector3<S>& a, const Vector3<S>& b) {
-  return each<S>([&](int i) { return S(a[i] + b[i]); });
-}
 /// Column k of joints' subspaces, 6 numbers each, in world axes at the joint's own origin.
 template <Scalar S>
 [[gnu::always_inline]] inline Motion<S> column(const S* columns, int k) {

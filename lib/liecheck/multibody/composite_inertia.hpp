@@ -7,6 +7,22 @@
 
 namespace liecheck {
 
+/// Two masses m1, m2 [kg] as one: m1 + m2, each one's share of it, and m1 m2/(m1 + m2). Kept from state to state, and
+/// divided anew only where a mass is another than before: two divisions a joint hold up the whole chain.
+template <Scalar S>
+struct JoinedMass {
+  S first = S(0), second = S(0);
+  S total = S(0), first_share = S(0), second_share = S(0), reduced = S(0);
+
+  [[gnu::always_inline]] void join(const S& m1, const S& m2) {
+    if (m1 == first && m2 == second) [[likely]]
+      return;
+    first = m1, second = m2, total = m1 + m2;
+    first_share = total > S(0) ? S(m1 / total) : S(0), second_share = total > S(0) ? S(m2 / total) : S(0);
+    reduced = m1 * second_share;
+  }
+};
+
 template <Scalar S>
 struct CompositeInertia {
   S mass = S(0);
@@ -24,17 +40,18 @@ struct CompositeInertia {
         entry(2, 2)};
   }
 
-  /// Adds another whose frame stands r [m] away, in the same axes: with t = m_2/(m + m_2), d = c_2 + r - c,
+  /// Adds another whose frame stands r [m] away, in the same axes, keeping what their masses make: with
+  /// t = m_2/(m + m_2), d = c_2 + r - c,
   /// c = (1 - t) c + t (c_2 + r),  I_C += I_2 + m t (|d|^2 1 - d d^T)  (parallel axes, once). Not c += t d: that
   /// leaves a heavy second body with the rounding errors of a light first one's distance.
-  void join(const CompositeInertia& other, const Vector3<S>& r) {
-    const S total = mass + other.mass;
-    const S share = total > S(0) ? S(other.mass / total) : S(0), rest = total > S(0) ? S(mass / total) : S(0);
-    const S m = mass * share;
+  [[gnu::always_inline]] void join(const CompositeInertia& other, const Vector3<S>& r,
+                                   JoinedMass<S>& joined) {
+    joined.join(mass, other.mass);
+    const S &m = joined.reduced, &rest = joined.first_share, &share = joined.second_share;
     const S there[3] = {other.c[0] + r[0], other.c[1] + r[1], other.c[2] + r[2]};
     const S x = there[0] - c[0], y = there[1] - c[1], z = there[2] - c[2];
     const S mx = m * x, my = m * y, mz = m * z;
-    mass = total;
+    mass = joined.total;
     for (int i = 0; i < 3; ++i) c[i] = mul_add(rest, c[i], S(share * there[i]));
     xx += mul_add(my, y, mul_add(mz, z, other.xx));
     yy += mul_add(mx, x, mul_add(mz, z, other.yy));

@@ -73,6 +73,7 @@ class Data {
     Each<Motion<S>> velocity, bias;     ///< in world axes
     Each<Force<S>> force;               ///< in world axes
     Each<CompositeInertia<S>> inertia;  ///< in world axes: of all that a joint carries
+    Each<JoinedMass<S>> joined;         ///< of what a joint carries and its parent did before it
     Each<Matrix6<S>> articulated, coriolis, D_factor;
     Matrix6X<S> S_columns, dS, U, z, w, y;  ///< [6 x ncolumns]
     Matrix6X<S> jacobian;                   ///< [6 x nv] what a Jacobian getter returned last
@@ -160,7 +161,7 @@ Data<S>::Data(const Model<S>& model, Dense dense)
   work.r.assign(n, Vector3<S>::Zero());
   work.velocity.assign(n, Motion<S>::Zero()), work.bias.assign(n, Motion<S>::Zero());
   work.force.assign(n, Force<S>::Zero());
-  work.inertia.resize(n);
+  work.inertia.resize(n), work.joined.resize(n);
   work.articulated.resize(n), work.coriolis.resize(n), work.D_factor.resize(n);
   for (Matrix6X<S>* m : {&work.S_columns, &work.dS, &work.U, &work.z, &work.w, &work.y})
     m->resize(6, model.ncolumns);

@@ -17,7 +17,7 @@ class Axis {
     const Vector3<S> scaled = direction / direction.cwiseAbs().maxCoeff();
     using std::sqrt;
     unit_ = scaled / S(sqrt(scaled.squaredNorm()));
-    coordinate_ = coordinateOf(unit_);
+    align();
   }
   static Axis X() { return Axis(Vector3<S>::UnitX()); }
   static Axis Y() { return Axis(Vector3<S>::UnitY()); }
@@ -27,7 +27,9 @@ class Axis {
 
   /// "X", "Y" or "Z" for those unit vectors exactly, else empty. -X is not aligned: a joint along it turns
   /// the other way.
-  std::string aligned() const { return coordinate_ < 0 ? std::string() : std::string(1, "XYZ"[coordinate_]); }
+  std::string aligned() const {
+    return coordinate_ < 0 || sign_ < S(0) ? std::string() : std::string(1, "XYZ"[coordinate_]);
+  }
   /// Pinocchio's type name: prefix + axis letter, or the unaligned name.
   std::string shortname(const std::string& prefix, const std::string& unaligned) const {
     const std::string letter = aligned();
@@ -35,22 +37,22 @@ class Axis {
   }
 
   /// R_PJ R(a, theta) of cos theta and sin theta, R(a, theta) = c I + s [a] + (1 - c) a a^T (Rodrigues 1840).
-  /// About a coordinate axis two columns turn and the third is kept to the last bit. Error 3 eps.
+  /// About a coordinate axis or against it two columns turn and the third is kept to the last bit. Error 3 eps.
   [[gnu::always_inline]] Matrix3<S> turned(const Matrix3<S>& R_PJ, const S& c, const S& s) const {
     switch (coordinate_) {
       case 0:
-        return turnedAbout<0>(R_PJ, c, s);
+        return turnedAbout<0>(R_PJ, c, S(sign_ * s));
       case 1:
-        return turnedAbout<1>(R_PJ, c, s);
+        return turnedAbout<1>(R_PJ, c, S(sign_ * s));
       case 2:
-        return turnedAbout<2>(R_PJ, c, s);
+        return turnedAbout<2>(R_PJ, c, S(sign_ * s));
     }
     return product<S>(R_PJ, rotation(c, s));
   }
 
   /// R a.
   [[gnu::always_inline]] Vector3<S> in(const Matrix3<S>& R) const {
-    if (coordinate_ >= 0) return each<S>([&](int i) { return R(i, coordinate_); });
+    if (coordinate_ >= 0) return each<S>([&](int i) { return S(sign_ * R(i, coordinate_)); });
     return product<S>(R, unit_);
   }
 
@@ -64,7 +66,7 @@ class Axis {
   struct Unit {
     Vector3<S> vector;
   };
-  Axis(const Unit& unit) : unit_(unit.vector), coordinate_(coordinateOf(unit.vector)) {}
+  Axis(const Unit& unit) : unit_(unit.vector) { align(); }
 
  private:
   /// Entry by entry: the result is made in registers.
@@ -79,10 +81,10 @@ class Axis {
     return rows<S>(entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 0), entry(1, 1), entry(1, 2), entry(2, 0),
                    entry(2, 1), entry(2, 2));
   }
-  static int coordinateOf(const Vector3<S>& unit) {
+  void align() {
     for (int i = 0; i < 3; ++i)
-      if (unit == Vector3<S>::Unit(i)) return i;
-    return -1;
+      for (const int sign : {1, -1})
+        if (unit_ == Vector3<S>(S(sign) * Vector3<S>::Unit(i))) coordinate_ = i, sign_ = S(sign);
   }
   [[gnu::always_inline]] Matrix3<S> rotation(const S& c, const S& s) const {
     const S x = unit_[0], y = unit_[1], z = unit_[2], C = S(1) - c, X = C * x, Y = C * y, Z = C * z;
@@ -92,7 +94,8 @@ class Axis {
   }
 
   Vector3<S> unit_;
-  int coordinate_ = -1;
+  int coordinate_ = -1;  ///< unit = sign_ e_coordinate, or -1 where it is no coordinate axis
+  S sign_ = S(1);
 };
 
 }  // namespace liecheck
