@@ -31,7 +31,9 @@ void compositeInertias(const Model<S>& model, Data<S>& data, In<S> q) {
   columnsInWorldAxes(model, data, q, [&](const auto& joint) {
     const std::size_t i = std::size_t(joint.index);
     multibody_detail::build(
-        I[i], [&] { return CompositeInertia<S>::turned(data.oMi[i].rotation(), model.inertias[i]); });
+        I[i], [&]() __attribute__((always_inline)) {
+          return CompositeInertia<S>::turned(data.oMi[i].rotation(), model.inertias[i]);
+        });
   });
   for (std::size_t i = model.joints.size() - 1; i > 0; --i)
     I[std::size_t(model.parents[i])].join(I[i], data.work.r[i], data.work.joined[i]);
@@ -76,51 +78,44 @@ struct ColumnMomentum {
 /// else column m acts on v[m] alone, and what stands between branches is not touched: M is zero there when it comes.
 template <bool mimics, Scalar S>
 void massMatrix(const Model<S>& model, const Data<S>& data, MatrixX<S>& M) {
-  const S* const columns = data.work.S_columns.data();
   if constexpr (mimics) M = model.armature.asDiagonal();
-  const auto set = [&](int m, int k, const S& h) __attribute__((always_inline)) {
-    if constexpr (mimics) {
-      const int vk = model.column_to_v[std::size_t(k)], vm = model.column_to_v[std::size_t(m)];
-      M(vk, vm) += h;
-      if (m != k) M(vm, vk) += h;
-    } else {
-      M(m, k) = M(k, m) = h;
-    }
-  };
-  const auto setOwn = [&](int k, const S& h) __attribute__((always_inline)) {
-    set(k, k, mimics ? h : S(h + model.armature[k]));
-  };
+  const S* const columns = data.work.S_columns.data();
+  const int *const firsts = model.idx_columns.data(), *const counts = model.column_counts.data();
   for (std::size_t j = model.joints.size() - 1; j > 0; --j) {
-    const CompositeInertia<S>& I = data.work.inertia[j];
-    const auto ancestors = [&](int k, ColumnMomentum<S>& F) __attribute__((always_inline)) {
+    const auto column = [&](int k, auto turns) __attribute__((always_inline)) {
+      S *const column_k = M.data() + k * M.rows(), *const row_k = M.data() + k;
+      const auto set = [&](int m, const S& h) __attribute__((always_inline)) {
+        if constexpr (mimics) {
+          const int vk = model.column_to_v[std::size_t(k)], vm = model.column_to_v[std::size_t(m)];
+          M(vk, vm) += h;
+          if (m != k) M(vm, vk) += h;
+        } else {
+          column_k[m] = row_k[m * M.rows()] = h;
+        }
+      };
+      ColumnMomentum<S> F(data.work.inertia[j], columns + 6 * k, turns);
+      if constexpr (!turns)
+        for (int m = firsts[j]; m < k; ++m) set(m, F.on(columns + 6 * m));
+      const S own = turns ? F.onTurn(columns + 6 * k + 3) : F.on(columns + 6 * k);
+      set(k, mimics ? own : S(own + model.armature[k]));
       for (std::size_t i = j, p; (p = std::size_t(model.parents[i])) > 0; i = p) {
         F.shift(data.work.r[i]);
-        const int first = model.idx_columns[p], count = model.column_counts[p];
+        const int first = firsts[p], count = counts[p];
+        const S* s = columns + 6 * first;
         if (turnsAboutAxis<S>(model.joints[p])) {
-          set(first, k, F.onTurn(columns + 6 * first + 3));
+          set(first, F.onTurn(s + 3));
         } else if (count == 6) {  // a free-flyer's: [R, 0; 0, R]
-          for (int m = first; m < first + 3; ++m) {
-            set(m, k, F.onDisplacement(columns + 6 * m));
-            set(m + 3, k, F.onTurn(columns + 6 * m));
-          }
+          for (int m = first; m < first + 3; ++m, s += 6)
+            set(m, F.onDisplacement(s)), set(m + 3, F.onTurn(s));
         } else {
-          for (int m = first; m < first + count; ++m) set(m, k, F.on(columns + 6 * m));
+          for (int m = first; m < first + count; ++m, s += 6) set(m, F.on(s));
         }
       }
     };
-    const int begin = model.idx_columns[j], end = begin + model.column_counts[j];
-    if (turnsAboutAxis<S>(model.joints[j])) {
-      ColumnMomentum<S> F(I, columns + 6 * begin, true);
-      setOwn(begin, F.onTurn(columns + 6 * begin + 3));
-      ancestors(begin, F);
-    } else {
-      for (int k = begin; k < end; ++k) {
-        ColumnMomentum<S> F(I, columns + 6 * k);
-        for (int m = begin; m < k; ++m) set(m, k, F.on(columns + 6 * m));
-        setOwn(k, F.on(columns + 6 * k));
-        ancestors(k, F);
-      }
-    }
+    if (turnsAboutAxis<S>(model.joints[j]))
+      column(firsts[j], std::true_type());
+    else
+      for (int k = firsts[j]; k < firsts[j] + counts[j]; ++k) column(k, std::false_type());
   }
 }
 

@@ -21,15 +21,17 @@ template <class Place, Scalar S>
                                                     SE3<S>& liMi, std::vector<SE3<S>>& oMi) {
   using multibody_detail::build;
   SE3<S>& X_WJ = oMi[std::size_t(joint.index)];
-  build(liMi, [&] { return joint.transform(q); });
+  build(
+      liMi, [&]() __attribute__((always_inline)) { return joint.transform(q); });
   if (p == 0) {
     X_WJ = liMi;
     return liMi.translation();
   }
   const Vector3<S> r = product<S>(oMi[p].rotation(), liMi.translation());
-  build(X_WJ, [&] {
-    return SE3<S>(product<S>(oMi[p].rotation(), liMi.rotation()), added<S>(oMi[p].translation(), r));
-  });
+  build(
+      X_WJ, [&]() __attribute__((always_inline)) {
+        return SE3<S>(product<S>(oMi[p].rotation(), liMi.rotation()), added<S>(oMi[p].translation(), r));
+      });
   return r;
 }
 }  // namespace algorithms_detail

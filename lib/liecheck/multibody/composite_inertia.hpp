@@ -30,9 +30,9 @@ struct CompositeInertia {
   S xx = S(0), xy = S(0), xz = S(0), yy = S(0), yz = S(0), zz = S(0);
 
   /// A body's, in axes turned by R: c = R c_B, I_C = R I_C,B R^T.
-  static CompositeInertia turned(const Matrix3<S>& R, const Inertia<S>& I) {
+  [[gnu::always_inline]] static CompositeInertia turned(const Matrix3<S>& R, const Inertia<S>& I) {
     const Matrix3<S> RI = product<S>(R, I.inertia());
-    const auto entry = [&](int i, int j) {
+    const auto entry = [&](int i, int j) __attribute__((always_inline)) {
       return mul_add(RI(i, 0), R(j, 0), mul_add(RI(i, 1), R(j, 1), S(RI(i, 2) * R(j, 2))));
     };
     return {
