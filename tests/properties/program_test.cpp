@@ -216,6 +216,15 @@ TEST_F(Program, AHangUpKeepsTheRecord) {
   EXPECT_EQ(nlohmann::json::parse(read(dir / "r.json"))["verdict"], "incomplete") << r.err;
 }
 
+// As `timeout` does, which tells the program and then its whole group.
+TEST_F(Program, TwoSignalsOfOneStopAreOne) {
+  const Run r = shell(
+      "${L#timeout 60 } campaign --no-hard-cases --property exp_oracle --for 50 -j 1 --json r.json & "
+      "sleep 1; kill -TERM $!; sleep 0.02; kill -TERM $!; wait $!");
+  EXPECT_EQ(r.code, 3) << r.err;
+  EXPECT_EQ(nlohmann::json::parse(read(dir / "r.json"))["verdict"], "incomplete") << r.err;
+}
+
 TEST_F(Program, ThreadsThatCannotBeHadAreALine) {
   const Run r = shell("ulimit -v 400000; $L campaign --property exp_oracle --cases 2 -j 1024");
   if (r.code == 0) GTEST_SKIP() << "the limit does not hold here";
