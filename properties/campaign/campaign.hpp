@@ -57,7 +57,7 @@ struct CampaignResult {
 
 class Store;
 
-/// Set by Ctrl-C and SIGTERM: the chunks in flight are finished, nothing new is begun.
+/// Set by Ctrl-C, SIGTERM and SIGHUP: the chunks in flight are finished, nothing new is begun.
 extern std::atomic<bool> stop_requested;
 
 /// Runs it, or what is missing of it. Progress on stderr: a bar on a terminal, plain lines elsewhere.

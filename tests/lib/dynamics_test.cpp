@@ -336,7 +336,6 @@ TEST(Dynamics, AMimicIsTheFreeRobotConstrained) {
   }
 }
 
-// 1 kg on a 1 m rod: by hand.
 // crba keeps shares of masses from state to state: what a Data computed before must not be seen.
 TEST(Dynamics, AnInertiaThatChangesIsFelt) {
   forEachRobot([](const Model<double>& m, const State& s, Random& random) {
@@ -355,6 +354,7 @@ TEST(Dynamics, AnInertiaThatChangesIsFelt) {
   });
 }
 
+// 2 kg on a 1 m rod: by hand.
 TEST(Dynamics, APendulumFallsAsItShould) {
   Model<double> m;
   m.addJoint(0, Revolute<double>(Axis<double>::Y()), SE3<double>::Identity(), "hinge");

@@ -228,7 +228,9 @@ TEST(Joint, ATurnAlongOrAgainstACoordinateAxisKeepsItToTheLastBit) {
       const V3 direction = sign * V3::Unit(i);
       const Axis<double> axis(direction);
       EXPECT_EQ(axis.in(R), V3(sign * R.col(i))) << direction.transpose();
-      const Matrix3<double> turned = axis.turned(R, c, s);
+      EXPECT_EQ(axis.cast<float>().in(R.cast<float>()), Vector3<float>(V3(sign * R.col(i)).cast<float>()));
+      const Matrix3<double> turned =
+          axis.turned(R, c, s);  // 3 eps; 3 of Eigen's rotation and 2 of its product
       EXPECT_EQ(turned.col(i), R.col(i)) << direction.transpose();
       EXPECT_LE((turned - R * Eigen::AngleAxisd(angle, direction).toRotationMatrix()).norm(),
                 8 * eps<double>())

@@ -220,9 +220,18 @@ TEST_F(Program, AHangUpKeepsTheRecord) {
 TEST_F(Program, TwoSignalsOfOneStopAreOne) {
   const Run r = shell(
       "${L#timeout 60 } campaign --no-hard-cases --property exp_oracle --for 50 -j 1 --json r.json & "
-      "sleep 1; kill -TERM $!; sleep 0.02; kill -TERM $!; wait $!");
+      "sleep 2; kill -TERM $!; kill -HUP $!; wait $!");
   EXPECT_EQ(r.code, 3) << r.err;
   EXPECT_EQ(nlohmann::json::parse(read(dir / "r.json"))["verdict"], "incomplete") << r.err;
+}
+
+// Here in a record that nobody reads.
+TEST_F(Program, ALaterSignalStopsAtOnce) {
+  const Run r = shell(
+      "mkfifo unread; sleep 9 <unread & "
+      "${L#timeout 60 } campaign --no-hard-cases --cases 20 -j 1 --json /dev/stdout >unread & "
+      "sleep 3; kill -TERM $!; sleep 0.5; kill -TERM $!; wait $!; test $? = 143");
+  EXPECT_EQ(r.code, 0) << r.err;
 }
 
 TEST_F(Program, ThreadsThatCannotBeHadAreALine) {

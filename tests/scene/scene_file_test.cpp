@@ -80,7 +80,7 @@ TEST(SceneFile, ABadOneIsNamedWithFileLineAndRemedy) {
       {3, "effects: [contact: {frames: [body], stiffness: 1 kN/m}]",
        "s.yaml:3: contact without a ground: write 'ground: {height: 0}' in the scene"},
       {3, "effects: [thruster: {frame: body, thrust: 1, direction: [0, 0, 0]}]",
-       "s.yaml:3: the axis of a joint must be finite and not zero"},
+       "s.yaml:3: thruster.direction is zero: it has no direction"},
       {3, "effects: [armature: {joints: root_joint, inertia: 1}]", ""},
       {4, "integrator: {name: rkmk4, step: -1 ms}",
        "s.yaml:4: integrator.step is '-1 ms': it must be above 0"},
@@ -122,6 +122,10 @@ TEST(SceneFile, ABadOneIsNamedWithFileLineAndRemedy) {
        "s.yaml:1: no body has these moments of inertia: each is above 0 and no larger than the sum of the "
        "other two"},
       {1, "robot: {body: box, size: [1, 2, 3], mass: 0}", "s.yaml:1: robot.mass is '0': it must be above 0"},
+      {1, "robot: {body: box, size: [1e200, 2, 3]}",
+       "s.yaml:1: its moments of inertia are too large for a double: its mass or its size is"},
+      {1, "robot: {body: box, size: [1, 2, 3], root: revolute, axis: [0, 0, 0]}",
+       "s.yaml:1: robot.axis is zero: it has no direction"},
       {1, "robot: {urdf: none.urdf}",
        "s.yaml:1: robot.urdf: " + (scenes / "none.urdf").lexically_normal().string() +
            ": cannot be opened (No such file or directory)"},

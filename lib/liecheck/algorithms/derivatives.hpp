@@ -59,7 +59,8 @@ void computeRNEADerivatives(const Model<S>& model, Data<S>& data, In<S> q, In<S>
   A[0] = Motion<S>(Vector3<S>(-model.gravity), Vector3<S>::Zero());
   for (std::size_t i = 1; i < model.joints.size(); ++i) {
     const std::size_t p = std::size_t(model.parents[i]);
-    // From O: summed along the tree, so that no digits are lost far from the world's origin.
+    // From O: summed along the tree, so that no digits are lost far from the world's origin. Parents come first: r[p] is
+    // from O already, r[i] still from p.
     work.r[i] = p == 0 ? Vector3<S>(oMi[i].translation() - O) : Vector3<S>(work.r[p] + work.r[i]);
     const SE3<S> X(oMi[i].rotation(), work.r[i]);
     Motion<S> relative = Motion<S>::Zero(), driven = Motion<S>::Zero();

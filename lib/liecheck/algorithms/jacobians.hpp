@@ -22,7 +22,7 @@ void forEachSupportingColumn(const Model<S>& model, const Data<S>& data, const P
       place.subspaceIn(oMi[i].rotation(), columns);
       for (int k = 0; k < Joint::columns; ++k) f(place, k, column(columns, k), d);
     });
-    d += fromParent(model, data, i);
+    d += product<S>(oMi[std::size_t(model.parents[i])].rotation(), data.liMi[i].translation());
   }
 }
 

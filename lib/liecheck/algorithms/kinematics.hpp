@@ -91,18 +91,13 @@ void columnsInWorldAxes(const Model<S>& model, Data<S>& data, In<S> q, F f) {
   auto& oMi = data.oMi.write(Level::Position);
   multibody_detail::forEachJoint(model, [&](const auto& joint) {
     const std::size_t i = std::size_t(joint.index), p = std::size_t(model.parents[i]);
-    multibody_detail::build(data.work.r[i], [&] { return placeJoint(joint, q, p, liMi[i], oMi); });
+    multibody_detail::build(
+        data.work.r[i], [&]()
+                            __attribute__((always_inline)) { return placeJoint(joint, q, p, liMi[i], oMi); });
     joint.subspaceIn(oMi[i].rotation(), data.work.S_columns.data() + 6 * joint.column);
     f(joint);
   });
 }
-/// The way from the parent's origin to joint i's, as placeJoint returned it.
-template <Scalar S>
-[[gnu::always_inline]] inline Vector3<S> fromParent(const Model<S>& model, const Data<S>& data,
-                                                    std::size_t i) {
-  return product<S>(data.oMi[std::size_t(model.parents[i])].rotation(), data.liMi[i].translation());
-}
-
 /// Column k of joints' subspaces, 6 numbers each, in world axes at the joint's own origin.
 template <Scalar S>
 [[gnu::always_inline]] inline Motion<S> column(const S* columns, int k) {

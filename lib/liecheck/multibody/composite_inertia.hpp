@@ -7,8 +7,9 @@
 
 namespace liecheck {
 
-/// Two masses m1, m2 [kg] as one: m1 + m2, each one's share of it, and m1 m2/(m1 + m2). Kept from state to state, and
-/// divided anew only where a mass is another than before: two divisions a joint hold up the whole chain.
+/// Two masses m1, m2 [kg] as one: m1 + m2, each one's share of it, and m1 m2/(m1 + m2); all 0 where there is no mass.
+/// Kept from state to state, and divided anew only where a mass is another than before: two divisions a joint hold up the
+/// whole chain.
 template <Scalar S>
 struct JoinedMass {
   S first = S(0), second = S(0);
@@ -40,10 +41,9 @@ struct CompositeInertia {
         entry(2, 2)};
   }
 
-  /// Adds another whose frame stands r [m] away, in the same axes, keeping what their masses make: with
-  /// t = m_2/(m + m_2), d = c_2 + r - c,
-  /// c = (1 - t) c + t (c_2 + r),  I_C += I_2 + m t (|d|^2 1 - d d^T)  (parallel axes, once). Not c += t d: that
-  /// leaves a heavy second body with the rounding errors of a light first one's distance.
+  /// Adds another whose frame stands r [m] away, in the same axes; `joined` keeps what the masses make. With
+  /// t = m_2/(m + m_2), d = c_2 + r - c,  c = (1 - t) c + t (c_2 + r),  I_C += I_2 + m t (|d|^2 1 - d d^T)  (parallel
+  /// axes, once). Not c += t d: that leaves a heavy second body with the rounding errors of a light first one's distance.
   [[gnu::always_inline]] void join(const CompositeInertia& other, const Vector3<S>& r,
                                    JoinedMass<S>& joined) {
     joined.join(mass, other.mass);

@@ -68,8 +68,8 @@ class Data {
   /// What algorithms compute with. "In world axes" means there: axes of the world, at the joint's own origin, so
   /// that no digits are lost far from the world's origin.
   struct Work {
-    Each<Motion<S>> gravitated;         ///< acceleration minus gravity
-    Each<Vector3<S>> r;                 ///< from the parent's origin, in world axes
+    Each<Motion<S>> gravitated;  ///< acceleration minus gravity
+    Each<Vector3<S>> r;          ///< from the parent's origin, in world axes (derivatives.hpp: then from O)
     Each<Motion<S>> velocity, bias;     ///< in world axes
     Each<Force<S>> force;               ///< in world axes
     Each<CompositeInertia<S>> inertia;  ///< in world axes: of all that a joint carries

@@ -73,6 +73,8 @@ inline Inertia<double> inertiaOf(const BodyEntry& body, const Parameters& p) {
     return Vector3<double>(p.numbers(key)[0], p.numbers(key)[1], p.numbers(key)[2]);
   };
   const Vector3<double> moments = body.moments(p), turned = vector("turned");
+  if (!moments.allFinite())
+    throw std::invalid_argument("its moments of inertia are too large for a double: its mass or its size is");
   Matrix3<double> I = moments.asDiagonal();
   if (!turned.isZero(0)) {
     const Matrix3<double> R = exp3<double>(turned), RI = R * I;

@@ -14,10 +14,11 @@ enum class Kind {
   Number,
   Positive,
   NotNegative,
-  Vector,   ///< three numbers
-  Numbers,  ///< a list of numbers
-  Times,    ///< a list that grows
-  Frame,    ///< a name of the robot's
+  Vector,     ///< three numbers
+  Direction,  ///< three numbers, not all zero
+  Numbers,    ///< a list of numbers
+  Times,      ///< a list that grows
+  Frame,      ///< a name of the robot's
   Frames,
   Joints,  ///< names of the robot's, or "all": every joint but a free-flyer
   Choice,  ///< one of the words in `unit`, separated by |

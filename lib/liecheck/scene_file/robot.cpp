@@ -17,7 +17,7 @@ const std::vector<Key>& rootKeys() {
   static const std::vector<Key> keys = {
       {"root", Kind::Choice, "free_flyer|fixed|spherical|planar|translation|revolute|continuous|prismatic",
        "free_flyer", "the joint between the world and the robot"},
-      {"axis", Kind::Vector, "1", "[0, 0, 1]", "of a revolute, continuous or prismatic root"}};
+      {"axis", Kind::Direction, "1", "[0, 0, 1]", "of a revolute, continuous or prismatic root"}};
   return keys;
 }
 

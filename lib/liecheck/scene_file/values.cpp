@@ -120,7 +120,10 @@ Value Text::value(const YAML::Node& node, const std::string& what, const Key& ke
       v.numbers = {number(node, what, key.unit, key.kind)};
       break;
     case Kind::Vector:
+    case Kind::Direction:
       v.numbers = numbers(node, what, key.unit, 3);
+      if (key.kind == Kind::Direction && v.numbers == std::vector<double>(3, 0.0))
+        refuse(node, what + " is zero: it has no direction");
       break;
     case Kind::Numbers:
     case Kind::Times:

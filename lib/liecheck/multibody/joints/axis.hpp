@@ -19,16 +19,16 @@ class Axis {
     unit_ = scaled / S(sqrt(scaled.squaredNorm()));
     align();
   }
-  static Axis X() { return Axis(Vector3<S>::UnitX()); }
-  static Axis Y() { return Axis(Vector3<S>::UnitY()); }
-  static Axis Z() { return Axis(Vector3<S>::UnitZ()); }
+  static Axis X() { return Unit{Vector3<S>::UnitX()}; }
+  static Axis Y() { return Unit{Vector3<S>::UnitY()}; }
+  static Axis Z() { return Unit{Vector3<S>::UnitZ()}; }
 
   const Vector3<S>& to_vector() const { return unit_; }
 
   /// "X", "Y" or "Z" for those unit vectors exactly, else empty. -X is not aligned: a joint along it turns
   /// the other way.
   std::string aligned() const {
-    return coordinate_ < 0 || sign_ < S(0) ? std::string() : std::string(1, "XYZ"[coordinate_]);
+    return coordinate_ < 0 || unit_[coordinate_] < S(0) ? std::string() : std::string(1, "XYZ"[coordinate_]);
   }
   /// Pinocchio's type name: prefix + axis letter, or the unaligned name.
   std::string shortname(const std::string& prefix, const std::string& unaligned) const {
@@ -41,18 +41,18 @@ class Axis {
   [[gnu::always_inline]] Matrix3<S> turned(const Matrix3<S>& R_PJ, const S& c, const S& s) const {
     switch (coordinate_) {
       case 0:
-        return turnedAbout<0>(R_PJ, c, S(sign_ * s));
+        return turnedAbout<0>(R_PJ, c, S(unit_[0] * s));
       case 1:
-        return turnedAbout<1>(R_PJ, c, S(sign_ * s));
+        return turnedAbout<1>(R_PJ, c, S(unit_[1] * s));
       case 2:
-        return turnedAbout<2>(R_PJ, c, S(sign_ * s));
+        return turnedAbout<2>(R_PJ, c, S(unit_[2] * s));
     }
     return product<S>(R_PJ, rotation(c, s));
   }
 
   /// R a.
   [[gnu::always_inline]] Vector3<S> in(const Matrix3<S>& R) const {
-    if (coordinate_ >= 0) return each<S>([&](int i) { return S(sign_ * R(i, coordinate_)); });
+    if (coordinate_ >= 0) return each<S>([&](int i) { return S(unit_[coordinate_] * R(i, coordinate_)); });
     return product<S>(R, unit_);
   }
 
@@ -83,8 +83,7 @@ class Axis {
   }
   void align() {
     for (int i = 0; i < 3; ++i)
-      for (const int sign : {1, -1})
-        if (unit_ == Vector3<S>(S(sign) * Vector3<S>::Unit(i))) coordinate_ = i, sign_ = S(sign);
+      if (unit_.cwiseAbs() == Vector3<S>::Unit(i)) coordinate_ = i;
   }
   [[gnu::always_inline]] Matrix3<S> rotation(const S& c, const S& s) const {
     const S x = unit_[0], y = unit_[1], z = unit_[2], C = S(1) - c, X = C * x, Y = C * y, Z = C * z;
@@ -94,8 +93,7 @@ class Axis {
   }
 
   Vector3<S> unit_;
-  int coordinate_ = -1;  ///< unit = sign_ e_coordinate, or -1 where it is no coordinate axis
-  S sign_ = S(1);
+  int coordinate_ = -1;  ///< unit = +-e_coordinate, or -1 where it is along no coordinate axis
 };
 
 }  // namespace liecheck

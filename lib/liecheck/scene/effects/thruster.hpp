@@ -12,7 +12,7 @@ inline const PartInfo thruster_info{
     "a force on one body",
     {{"frame", Kind::Frame, "", nullptr, "where it is mounted"},
      {"thrust", Kind::Number, "N", nullptr, "T"},
-     {"direction", Kind::Vector, "1", "[0, 0, 1]", "e, in the frame; any length but 0"},
+     {"direction", Kind::Direction, "1", "[0, 0, 1]", "e, in the frame; any length but 0"},
      {"moment_ratio", Kind::Number, "m", "0",
       "k: moment over thrust, > 0 where it turns the body counterclockwise"},
      {"from", Kind::Number, "s", "", "when it begins; always there before, if missing"},
@@ -25,7 +25,7 @@ class Thruster final : public Effect<S> {
       : spot_(model, p.word("frame")),
         from_(p.number("from", -std::numeric_limits<double>::infinity())),
         until_(p.number("until", std::numeric_limits<double>::infinity())) {
-    const Vector3<S> e = Axis<S>(vectorOf<S>(p.numbers("direction"))).to_vector();  // throws where it is 0
+    const Vector3<S> e = Axis<S>(vectorOf<S>(p.numbers("direction"))).to_vector();
     const S thrust(p.number("thrust"));
     F_ = Force<S>(Vector3<S>(thrust * e), Vector3<S>(S(p.number("moment_ratio")) * thrust * e));
   }

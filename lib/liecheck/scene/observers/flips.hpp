@@ -13,7 +13,7 @@ inline const PartInfo flips_info{
     "",
     "accelerations, every step",
     {{"frame", Kind::Frame, "", nullptr, "of the body"},
-     {"axis", Kind::Vector, "1", "[0, 1, 0]", "in the frame; any length but 0"}}};
+     {"axis", Kind::Direction, "1", "[0, 1, 0]", "in the frame; any length but 0"}}};
 
 class FlipsObserver final : public Observer {
  public:
