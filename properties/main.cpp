@@ -36,8 +36,8 @@ using namespace liecheck::properties;
 using liecheck::reports::check_writable;
 using liecheck::reports::write_whole;
 
-/// Once: finish the chunk. Twice: at once. Two within 0.3 s, longer than a busy machine delays one and shorter than a second
-/// thought, are one: `timeout` sends its own to the program and then to the program's whole group.
+/// Once: finish the chunk. Twice: at once. Two within 0.3 s, longer than a busy machine delays one and shorter than a
+/// second thought, are one: `timeout` sends its own to the program and then to the program's whole group.
 extern "C" void on_signal(int number) {
   static std::atomic<long> stopped_at{-1};  // [ms]
   timespec t;

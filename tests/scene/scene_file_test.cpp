@@ -376,8 +376,8 @@ TEST(Program, ACsvHeadWithACommaIsQuoted) {
   EXPECT_EQ(head.find("t [s],\"a,\"\"b."), 0U) << head;
 }
 
-/// Signals are heard, before a kill two and a half seconds later, wherever a run is: between far samples, inside one step of a method that chooses its
-/// own, inside the second run of attitude_error. What no tolerance can follow is told at once.
+/// Signals are heard, before a kill two and a half seconds later, wherever a run is: between far samples, inside one step
+/// of a method that chooses its own, inside the second run of attitude_error. What no tolerance can follow is told at once.
 TEST(Program, HearsASignalWhereverItIs) {
   for (const auto& [name, line, text] :
        {std::tuple("far.yaml", 4, "integrator: {name: rkmk4, step: 1e-9}"),
