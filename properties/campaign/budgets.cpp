@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <campaign/embedded.hpp>
+#include <support/embedded.hpp>
 #include <map>
 #include <sstream>
 #include <stdexcept>

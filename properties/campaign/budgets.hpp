@@ -1,5 +1,5 @@
 #pragma once
-// The budget table (properties/budgets.csv): operation x block x region -> rule, limit, reason; and for subjects that
+// The budget table (properties/campaign/budgets.csv): operation x block x region -> rule, limit, reason; and for subjects that
 // document other bounds of their own, block -> limit, reason in place of those up to half a turn.
 // Tests and the report read the same table; the invariants do not know it.
 

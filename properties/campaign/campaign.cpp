@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <campaign/counterexamples.hpp>
+#include <store/counterexamples.hpp>
 #include <campaign/coverage_report.hpp>
-#include <campaign/progress.hpp>
-#include <campaign/snippet.hpp>
-#include <campaign/store.hpp>
-#include <campaign/text.hpp>
-#include <campaign/threads.hpp>
+#include <support/progress.hpp>
+#include <failures/program.hpp>
+#include <store/store.hpp>
+#include <support/text.hpp>
+#include <support/threads.hpp>
 #include <chrono>
 #include <exception>
 #include <limits>

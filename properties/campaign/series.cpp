@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <atomic>
-#include <campaign/embedded.hpp>
-#include <campaign/entrance.hpp>
-#include <campaign/hunt.hpp>
+#include <support/embedded.hpp>
+#include <hard_cases/input_domain.hpp>
+#include <search/hunt.hpp>
 #include <campaign/judge.hpp>
-#include <campaign/shrink.hpp>
-#include <campaign/text.hpp>
+#include <search/shrink.hpp>
+#include <support/text.hpp>
 #include <chrono>
 #include <cstddef>
 #include <cstring>

@@ -1,6 +1,6 @@
 #pragma once
 // Runs one benchmark with one method, as often and as finely as asked: ours in double and in float128, and other
-// people's simulators (scene_peers/).
+// people's simulators (peers/).
 
 #include <functional>
 #include <memory>

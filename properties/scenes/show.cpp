@@ -1,7 +1,7 @@
 #include <scenes/show.hpp>
 
 #include <Eigen/Eigenvalues>
-#include <campaign/embedded.hpp>
+#include <support/embedded.hpp>
 #include <cmath>
 #include <liecheck/scene/run.hpp>
 #include <liecheck/scene_file/scene_file.hpp>

@@ -6,7 +6,7 @@
 // processor time of a whole run over its duration, all points of a scene interleaved (timing/benchmarks.hpp).
 
 #include <atomic>
-#include <scene_peers/peer.hpp>
+#include <scenes/peers/peer.hpp>
 #include <scenes/drift.hpp>
 #include <scenes/order.hpp>
 #include <scenes/truth.hpp>

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <campaign/case_id.hpp>
-#include <campaign/expression.hpp>
+#include <hard_cases/expression.hpp>
 #include <cmath>
 #include <limits>
 #include <stdexcept>

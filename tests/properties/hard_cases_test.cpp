@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <campaign/hard_cases.hpp>
+#include <hard_cases/hard_cases.hpp>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 #include <algorithm>
-#include <campaign/weak_tests.hpp>
+#include <search/weak_tests.hpp>
 #include <set>
 #include <subjects/known_bugs.hpp>
 

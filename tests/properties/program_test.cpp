@@ -6,7 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <campaign/text.hpp>
+#include <support/text.hpp>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>

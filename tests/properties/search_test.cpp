@@ -4,9 +4,9 @@
 
 #include <campaign/campaign.hpp>
 #include <campaign/coverage_report.hpp>
-#include <campaign/hunt.hpp>
-#include <campaign/shrink.hpp>
-#include <campaign/snippet.hpp>
+#include <search/hunt.hpp>
+#include <search/shrink.hpp>
+#include <failures/program.hpp>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>

@@ -7,7 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 #include <algorithm>
-#include <campaign/merge.hpp>
+#include <store/merge.hpp>
 #include <csignal>
 #include <filesystem>
 #include <fstream>

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <bit>
-#include <campaign/lanes.hpp>
-#include <campaign/sweep.hpp>
+#include <coefficients/simd_lanes.hpp>
+#include <coefficients/sweep.hpp>
 #include <cmath>
 #include <limits>
 #include <oracles/closed.hpp>

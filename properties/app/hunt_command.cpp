@@ -1,0 +1,203 @@
+#include <app/hunt_command.hpp>
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <campaign/campaign.hpp>
+#include <hard_cases/corpus.hpp>
+#include <support/progress.hpp>
+#include <support/text.hpp>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <set>
+
+namespace liecheck::properties {
+
+namespace {
+
+std::function<void(std::uint64_t, double, double)> progress_of(const std::string& what) {
+  return [line = std::make_shared<Progress>(what)](std::uint64_t n, double share, double worst) {
+    line->show(share, [&](double elapsed) {
+      return fmt::format("{} evaluations  {:.0f}/s  worst {:.3g}", n,
+                         elapsed > 0 ? static_cast<double>(n) / elapsed : 0, std::max(0.0, worst));
+    });
+  };
+}
+
+/// A name of the corpus: small letters, digits and '_'.
+std::string corpus_name(std::string text) {
+  for (char& c : text)
+    c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : (std::isalnum(c) ? c : '_');
+  return text;
+}
+
+/// A line of fixtures/hard_cases: name | property in scalar | numbers | class | reason | origin.
+std::string corpus_line(const Series& series, const Worst& w, const std::string& origin) {
+  const Output& o = series.outputs.at(static_cast<std::size_t>(w.output));
+  const CaseId& id = w.broken ? w.first_broken_id : w.id;
+  const std::string digest = hexadecimal(sha256(id.text())).substr(0, 8);
+  const std::string what = w.broken
+                               ? fmt::format("{} {} of {} is broken", o.operation, o.block, series.subject)
+                               : fmt::format("{} {} of {} errs by {:.3g} {}", o.operation, o.block,
+                                             series.subject, w.score, w.by_kappa ? "eps kappa" : "eps");
+  return fmt::format("hunted_{}_{} | {} in {} | {} | hunted | {} | {}\n",
+                     corpus_name(o.operation + "_" + o.block), digest, series.property, series.scalar,
+                     fmt::join(id.input, ", "), what, origin);
+}
+
+std::string outcome_name(Outcome outcome) {
+  return outcome == Outcome::not_finite ? "NaN or Inf"
+         : outcome == Outcome::refused  ? "refused"
+                                        : "wrong branch";
+}
+
+/// What is known of one output's worst case. True where it is beyond its budget.
+bool print_worst(const Series& series, const Worst& w, const std::string& replay_flags) {
+  const Output& o = series.outputs.at(static_cast<std::size_t>(w.output));
+  fmt::print("\n{}: {}, {}\n", series.property, o.operation, o.block);
+  bool failed = w.broken > 0;
+  if (w.broken)
+    fmt::print("  broken    {} of the evaluations: {}\n  replay    liecheck replay {}{}\n", w.broken,
+               outcome_name(w.first_broken.residual.outcome), w.first_broken_id.text(), replay_flags);
+  if (w.score < 0) {
+    fmt::print("  worst     nothing could be measured\n");
+    return failed;
+  }
+  const std::string band = series.bands()[w.judged.residual.band].name;
+  const char* unit = w.by_kappa ? "eps kappa" : "eps";
+  std::string verdict = "within budget";
+  for (const Judged& j : series.replay(w.id)) {
+    if (j.residual.output != w.output) continue;
+    if (j.failed) failed = true, verdict = "FAIL";
+    verdict = fmt::format("budget {} {}: {}", j.budget->limit,
+                          j.budget->rule == Rule::forward ? "eps" : "eps kappa", verdict);
+    break;
+  }
+  fmt::print("  worst     {:.4g} {}, a lower bound of the maximum; {}\n", w.score, unit, verdict);
+  fmt::print("  error     {:.4g} eps", w.judged.residual.error);
+  if (w.by_kappa) fmt::print(", kappa {:.3g}", w.judged.residual.kappa);
+  fmt::print(", band {}\n  found     at evaluation {}, half of it at evaluation {}\n", band, w.at, w.half_at);
+  fmt::print("  decimal   {}\n  hexadecimal {}\n  replay    liecheck replay {}{}\n",
+             fmt::join(w.decimal, ", "), fmt::join(w.id.input, ", "), w.id.text(), replay_flags);
+  return failed;
+}
+
+void print_comparison(const Worst& hunted, const Worst& random, std::uint64_t evaluations) {
+  if (random.score < 0)
+    fmt::print("  random    nothing measured in {} uniform samples\n", evaluations);
+  else
+    fmt::print(
+        "  random    {:.4g} in {} uniform samples (angles on [0, pi], any axis): hunted / random = {:.3g}\n",
+        random.score, evaluations, hunted.score / random.score);
+}
+
+/// The selected series that measure the operation. Throws where there is none, naming what is known.
+std::vector<std::unique_ptr<Series>> series_of(const HuntFlags& f, const Robot& robot) {
+  Selection selection{{f.subject}, {}, {f.scalar}};
+  if (!f.property.empty()) selection.properties = {f.property};
+  auto all = select(selection, robot);
+  if (all.empty()) throw std::invalid_argument(fmt::format("{} is not offered in {}", f.subject, f.scalar));
+  std::set<std::string> operations, blocks;
+  for (const auto& s : all)
+    for (const Output& o : s->outputs) {
+      operations.insert(o.operation);
+      if (o.operation == f.options.operation) blocks.insert(o.block);
+    }
+  const std::string& op = f.options.operation;
+  if (!operations.count(op))
+    throw std::invalid_argument(fmt::format("--op: unknown operation '{}'; {} is measured on: {}", op,
+                                            f.subject, fmt::join(operations, ", ")));
+  if (!f.options.block.empty() && !blocks.count(f.options.block))
+    throw std::invalid_argument(fmt::format("--block: {} has no block '{}'; known: {}", op, f.options.block,
+                                            fmt::join(blocks, ", ")));
+  std::erase_if(all, [&](const auto& s) {
+    return std::none_of(s->outputs.begin(), s->outputs.end(), [&](const Output& o) {
+      return o.operation == op && (f.options.block.empty() || o.block == f.options.block);
+    });
+  });
+  return all;
+}
+
+/// The file that --corpus names. Throws where it is something else.
+class CorpusFile {
+ public:
+  explicit CorpusFile(std::string path) : path_(std::move(path)) {
+    if (path_.empty()) return;
+    const bool existed = std::filesystem::exists(path_);
+    if (existed && !std::filesystem::is_regular_file(path_))
+      throw std::invalid_argument(fmt::format("--corpus: {}: not a regular file", path_));
+    if (existed && std::filesystem::file_size(path_) > 0)
+      for (const HardCase& c : read_corpus(path_)) names_.insert(c.name);
+    if (!std::ofstream(path_, std::ios::app))
+      throw std::invalid_argument(fmt::format("--corpus: {}: cannot be written", path_));
+  }
+  void add(const std::string& line) {
+    if (names_.insert(line.substr(0, line.find(" | "))).second) lines_ += line;
+  }
+  /// Appends what was added.
+  void close() const {
+    if (path_.empty() || lines_.empty()) return;
+    std::fstream file(path_, std::ios::in | std::ios::out | std::ios::ate);
+    std::string before;
+    if (file.tellg() == 0) {
+      before = "# name | property | input | class | reason | origin\n";
+    } else if (file.seekg(-1, std::ios::end).get() != '\n') {
+      before = "\n";
+    }
+    file.seekp(0, std::ios::end);
+    file << before << lines_;
+    file.close();
+    if (!file) throw std::runtime_error(fmt::format("--corpus: {}: cannot be written", path_));
+  }
+
+ private:
+  std::string path_, lines_;
+  std::set<std::string> names_;
+};
+
+}  // namespace
+
+int run_hunt(const HuntFlags& f, const Robot& robot) {
+  const auto all = series_of(f, robot);
+  CorpusFile corpus(f.corpus);
+  const std::string robot_flag = robot.path.empty() ? "" : robot_flags(robot);
+  bool failed = false;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const Series& series = *all[k];
+    HuntOptions options = f.options;
+    // Laws that measure the operation share the budget of evaluations or of time.
+    options.evaluations =
+        f.options.evaluations ? std::max<std::uint64_t>(1, f.options.evaluations / all.size()) : 0;
+    options.seconds = f.options.seconds / static_cast<double>(all.size());
+    options.progress = progress_of(fmt::format("hunt {} {}", series.property, options.operation));
+    const HuntResult hunted = series.hunt(options);
+    options.progress = nullptr;
+    HuntResult random;
+    if (f.versus_random && !hunted.stopped) {
+      options.evaluations = hunted.evaluations;
+      options.random = true;
+      options.progress = progress_of(fmt::format("random {} {}", series.property, options.operation));
+      random = series.hunt(options);
+      options.progress = nullptr;
+    }
+    fmt::print("{}hunt of {} on {} {} in {}, seed {}: {} evaluations in {:.1f} s\n", k ? "\n" : "",
+               options.operation, series.subject, series.subject_version, series.scalar, options.seed,
+               hunted.evaluations, hunted.elapsed);
+    for (std::size_t i = 0; i < hunted.worst.size(); ++i) {
+      const Worst& w = hunted.worst[i];
+      failed = print_worst(series, w, series.robot == "none" ? "" : robot_flag) || failed;
+      if (i < random.worst.size()) print_comparison(w, random.worst[i], random.evaluations);
+      if (w.score >= 0 || w.broken)
+        corpus.add(
+            corpus_line(series, w,
+                        fmt::format("liecheck hunt --subject {} --op {} --seed {}, {} evaluations",
+                                    series.subject, options.operation, options.seed, hunted.evaluations)));
+    }
+    if (stop_requested) break;
+  }
+  corpus.close();
+  if (stop_requested) fmt::print("\ninterrupted: the worst so far\n");
+  return stop_requested ? 3 : failed ? 1 : 0;
+}
+
+}  // namespace liecheck::properties

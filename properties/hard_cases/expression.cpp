@@ -1,0 +1,311 @@
+#include <hard_cases/expression.hpp>
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <boost/math/constants/constants.hpp>
+#include <campaign/case_id.hpp>
+#include <cctype>
+#include <oracles/real.hpp>
+#include <stdexcept>
+
+namespace liecheck::properties {
+
+namespace {
+
+using boost::multiprecision::float128;
+using Number = oracles::Real100;
+using Numbers = std::vector<Number>;
+
+Number power_of_two(int e) {
+  return ldexp(Number(1), e);
+}
+
+/// The spacing of the format at x.
+Number ulp(const Number& x, const Format& f) {
+  return power_of_two(std::max(oracles::exponent_of(x), f.min_exponent + 1) - f.digits);
+}
+
+/// To nearest, ties to even; the sign of zero is kept. May round up to 2^max_exponent, which is no number of f.
+Number rounded(const Number& x, const Format& f) {
+  if (x == 0) return x;
+  const Number unit = ulp(x, f), scaled = abs(x) / unit, down = floor(scaled), rest = scaled - down;
+  const Number half = Number(1) / 2;
+  const bool up = rest > half || (rest == half && fmod(down, Number(2)) != 0);
+  const Number magnitude = (up ? Number(down + 1) : down) * unit;
+  return x < 0 ? Number(-magnitude) : magnitude;
+}
+
+/// x rounded to f, then k neighbours towards infinity.
+Number stepped(const Number& x, long k, const Format& f) {
+  Number y = rounded(x, f);
+  for (long i = 0; i < std::abs(k); ++i) {
+    // The spacing below a power of two is half of that above it.
+    const Number outward = ulp(y, f);
+    const bool away = y == 0 || (y > 0) == (k > 0);
+    Number step = outward;
+    if (!away && abs(y) == power_of_two(oracles::exponent_of(y) - 1) &&
+        oracles::exponent_of(y) - 1 > f.min_exponent)
+      step = outward / 2;
+    y = k > 0 ? Number(y + step) : Number(y - step);
+  }
+  return y;
+}
+
+float128 to_float128(const Number& x) {  // exact for at most 113 bits
+  Number rest = x;
+  float128 sum = 0;
+  for (int turn = 0; turn < 4 && rest != 0; ++turn) {
+    const int e = oracles::exponent_of(rest);
+    const double chunk = static_cast<double>(Number(trunc(Number(ldexp(rest, 53 - e)))));
+    sum += ldexp(float128(chunk), e - 53);
+    rest -= ldexp(Number(chunk), e - 53);
+  }
+  return x == 0 && mpfr_signbit(x.backend().data()) ? float128(-0.0) : sum;
+}
+
+class Parser {
+ public:
+  Parser(std::string_view text, const Format& format) : text_(text), f_(format) {}
+
+  Numbers whole() {
+    Numbers all = list();
+    skip_space();
+    if (at_ < text_.size()) fail(fmt::format("'{}' is not expected here", text_.substr(at_, 12)));
+    return all;
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& why) const {
+    throw std::invalid_argument(fmt::format("'{}', column {}: {}", text_, at_ + 1, why));
+  }
+  void skip_space() {
+    while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_]))) ++at_;
+  }
+  bool take(char c) {
+    skip_space();
+    if (at_ >= text_.size() || text_[at_] != c) return false;
+    ++at_;
+    return true;
+  }
+
+  Numbers list() {
+    if (++depth_ > 50) fail("nested too deeply");
+    Numbers all = sum();
+    while (take(',')) {
+      const Numbers next = sum();
+      all.insert(all.end(), next.begin(), next.end());
+      if (all.size() > 1000) fail("too many numbers");
+    }
+    --depth_;
+    return all;
+  }
+  Numbers sum() {
+    Numbers left = product();
+    for (;;) {
+      if (take('+'))
+        left = combine(left, product(), [](const Number& a, const Number& b) { return Number(a + b); });
+      else if (take('-'))
+        left = combine(left, product(), [](const Number& a, const Number& b) { return Number(a - b); });
+      else
+        return left;
+    }
+  }
+  Numbers product() {
+    Numbers left = sign();
+    for (;;) {
+      if (take('*'))
+        left = combine(left, sign(), [](const Number& a, const Number& b) { return Number(a * b); });
+      else if (take('/'))
+        left = combine(left, sign(), [](const Number& a, const Number& b) { return Number(a / b); });
+      else
+        return left;
+    }
+  }
+  Numbers sign() {
+    if (++depth_ > 50) fail("nested too deeply");
+    Numbers value;
+    if (take('-')) {
+      value = sign();
+      for (Number& x : value) x = -x;
+    } else {
+      value = power();
+    }
+    --depth_;
+    return value;
+  }
+  Numbers power() {
+    const Numbers base = primary();
+    if (!take('^')) return base;
+    return combine(base, sign(), [](const Number& a, const Number& b) { return Number(pow(a, b)); });
+  }
+
+  /// Number by number; a single number goes with every one of the other side.
+  template <class F>
+  Numbers combine(const Numbers& a, const Numbers& b, F f) {
+    if (a.size() != b.size() && a.size() != 1 && b.size() != 1)
+      fail(fmt::format("{} numbers against {}", a.size(), b.size()));
+    Numbers all;
+    for (std::size_t i = 0; i < std::max(a.size(), b.size()); ++i)
+      all.push_back(checked(f(a[a.size() == 1 ? 0 : i], b[b.size() == 1 ? 0 : i])));
+    return all;
+  }
+  Number checked(const Number& x) const {
+    if (!isfinite(x)) fail("no finite number");
+    if (x != 0 && std::abs(oracles::exponent_of(x)) > 100000) fail("a number beyond every scalar's range");
+    return x;
+  }
+
+  Numbers primary() {
+    skip_space();
+    if (take('(')) {
+      const Numbers inner = list();
+      if (!take(')')) fail("')' is missing");
+      return inner;
+    }
+    if (at_ < text_.size() && (std::isdigit(static_cast<unsigned char>(text_[at_])) || text_[at_] == '.'))
+      return {literal()};
+    std::size_t end = at_;
+    while (end < text_.size() && (std::isalnum(static_cast<unsigned char>(text_[end])) || text_[end] == '_'))
+      ++end;
+    const std::string name(text_.substr(at_, end - at_));
+    if (name.empty())
+      fail(at_ < text_.size() ? fmt::format("a number is expected, not '{}'", text_[at_])
+                              : "a number is missing at the end");
+    if (end < text_.size() && text_[end] == '(') {
+      const std::size_t start = at_;
+      at_ = end + 1;
+      const Numbers arguments = list();
+      if (!take(')')) fail("')' is missing");
+      const std::size_t after = at_;
+      at_ = start;  // where a complaint points
+      Numbers value = call(name, arguments);
+      at_ = after;
+      return value;
+    }
+    const Numbers value{constant(name)};
+    at_ = end;
+    return value;
+  }
+
+  Number literal() {
+    std::size_t end = at_;
+    const bool hexadecimal = text_.substr(at_, 2) == "0x" || text_.substr(at_, 2) == "0X";
+    const auto exponent = [&](char c) { return hexadecimal ? c == 'p' || c == 'P' : c == 'e' || c == 'E'; };
+    while (end < text_.size() &&
+           (std::isalnum(static_cast<unsigned char>(text_[end])) || text_[end] == '.' ||
+            ((text_[end] == '-' || text_[end] == '+') && end > at_ && exponent(text_[end - 1]))))
+      ++end;
+    const std::string word(text_.substr(at_, end - at_));
+    if (word.size() > 60) fail("a number is at most 60 characters long");
+    Number value;
+    try {
+      value = oracles::exact<Number>(parse_float<float128>(word));
+      // 100 digits of a decimal, so that 0.1 is rounded once; what strtoflt128 took is a well-formed number.
+      if (!hexadecimal) value = Number(word);
+    } catch (const std::exception&) {
+      fail(fmt::format("'{}' is not a number", word));
+    }
+    checked(value);
+    at_ = end;
+    return value;
+  }
+
+  Number constant(const std::string& name) const {
+    if (name == "pi") return boost::math::constants::pi<Number>();
+    if (name == "eps") return power_of_two(1 - f_.digits);
+    if (name == "min_normal") return power_of_two(f_.min_exponent);
+    if (name == "denorm_min") return power_of_two(f_.min_exponent + 1 - f_.digits);
+    if (name == "max") return power_of_two(f_.max_exponent) - power_of_two(f_.max_exponent - f_.digits);
+    fail(
+        fmt::format("'{}' is unknown; constants: pi, eps, min_normal, denorm_min, max; functions: sqrt, sin, "
+                    "cos, round, nextup, nextdown, scaled, unit, about, rotation",
+                    name));
+  }
+
+  Numbers call(const std::string& name, const Numbers& x) const {
+    const auto takes = [&](std::size_t low, std::size_t high) {
+      if (x.size() < low || x.size() > high)
+        fail(low == high ? fmt::format("{} takes {} numbers, not {}", name, low, x.size())
+                         : fmt::format("{} takes {} to {} numbers, not {}", name, low, high, x.size()));
+    };
+    const auto each = [&](auto f) {
+      Numbers all;
+      for (const Number& v : x) all.push_back(checked(f(v)));
+      return all;
+    };
+    if (name == "sqrt") return each([](const Number& v) { return Number(sqrt(v)); });
+    if (name == "sin") return each([](const Number& v) { return Number(sin(v)); });
+    if (name == "cos") return each([](const Number& v) { return Number(cos(v)); });
+    if (name == "round") return each([&](const Number& v) { return rounded(v, f_); });
+    if (name == "scaled") {  // |x|^(max_exponent / 1024): the same share of the exponent range as in double
+      return each([&](const Number& v) {
+        const Number m = v == 0 ? Number(0) : Number(pow(Number(abs(v)), Number(f_.max_exponent) / 1024));
+        return v < 0 ? Number(-m) : m;
+      });
+    }
+    if (name == "nextup" || name == "nextdown") {
+      takes(1, 2);
+      const Number k = x.size() == 2 ? x[1] : Number(1);
+      if (k != floor(k) || abs(k) > 1000) fail(name + ": the number of steps is an integer of at most 1000");
+      const long steps = static_cast<long>(static_cast<double>(k));
+      return {stepped(x[0], name == "nextup" ? steps : -steps, f_)};
+    }
+    if (name == "unit") {
+      takes(2, 4);
+      Number squares(0);
+      for (const Number& v : x) squares += v * v;
+      return each([&](const Number& v) { return Number(v / sqrt(squares)); });
+    }
+    if (name == "about") {  // quaternion x y z w of an axis and an angle
+      takes(4, 4);
+      const Number n = sqrt(Number(x[0] * x[0] + x[1] * x[1] + x[2] * x[2])), half = x[3] / 2;
+      Numbers q;
+      for (std::size_t i = 0; i < 3; ++i) q.push_back(checked(Number(x[i] / n * sin(half))));
+      q.push_back(cos(half));
+      return q;
+    }
+    if (name == "rotation") {  // the matrix of x y z w, row by row
+      takes(4, 4);
+      const Number &a = x[0], &b = x[1], &c = x[2], &w = x[3];
+      const Number s = checked(Number(2 / (a * a + b * b + c * c + w * w)));
+      return {1 - s * (b * b + c * c), s * (a * b - c * w),     s * (a * c + b * w),
+              s * (a * b + c * w),     1 - s * (a * a + c * c), s * (b * c - a * w),
+              s * (a * c - b * w),     s * (b * c + a * w),     1 - s * (a * a + b * b)};
+    }
+    constant(name);  // names what is known
+    fail(name + " is a constant");
+  }
+
+  std::string_view text_;
+  const Format& f_;
+  std::size_t at_ = 0;
+  int depth_ = 0;
+};
+
+}  // namespace
+
+Format format_of(const std::string& scalar) {
+  if (scalar == "float") return {scalar, 24, -126, 128};
+  if (scalar == "double") return {scalar, 53, -1022, 1024};
+  if (scalar == "float128") return {scalar, 113, -16382, 16384};
+  throw std::invalid_argument(fmt::format("unknown scalar '{}'; known: float, double, float128", scalar));
+}
+
+std::vector<std::string> evaluate(std::string_view text, const Format& format) {
+  const Numbers values = Parser(text, format).whole();
+  std::vector<std::string> all;
+  bool zero = true, meant = false;
+  for (const Number& x : values) {
+    const Number y = rounded(x, format);
+    if (abs(y) >= power_of_two(format.max_exponent))
+      throw std::invalid_argument(
+          fmt::format("'{}': {} is beyond the range of {}", text, static_cast<double>(x), format.name));
+    zero = zero && y == 0;
+    meant = meant || x != 0;
+    all.push_back(hexadecimal_float(to_float128(y)));
+  }
+  if (zero && meant) throw std::invalid_argument(fmt::format("'{}' rounds to zero in {}", text, format.name));
+  return all;
+}
+
+}  // namespace liecheck::properties

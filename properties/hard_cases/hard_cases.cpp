@@ -1,0 +1,194 @@
+#include <hard_cases/hard_cases.hpp>
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <atomic>
+#include <campaign/campaign.hpp>
+#include <support/threads.hpp>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <tuple>
+
+namespace liecheck::properties {
+
+namespace {
+
+struct Description {
+  const char* name;
+  char letter;
+};
+constexpr Description descriptions[] = {{"stable", 'S'},     {"refused", 'R'},    {"ill-posed", 'P'},
+                                        {"unresolved", 'U'}, {"inaccurate", 'I'}, {"wrong branch", 'B'},
+                                        {"not finite", 'N'}};
+
+Verdict verdict_of(const Judged& j, const Output& output) {
+  switch (j.residual.outcome) {
+    case Outcome::not_finite:
+      return Verdict::not_finite;
+    case Outcome::wrong_branch:
+      return Verdict::wrong_branch;
+    case Outcome::unresolved:
+      return Verdict::unresolved;
+    case Outcome::refused:
+      return Verdict::refused;
+    case Outcome::measured:
+      break;
+  }
+  if (j.ill_posed) return Verdict::ill_posed;
+  if (!j.failed) return Verdict::stable;
+  return output.block == "sign" ? Verdict::wrong_branch : Verdict::inaccurate;
+}
+
+HardCell cell_of(const Series& series, const CaseId& id, const Trial& trial) {
+  HardCell cell;
+  cell.subject = series.subject, cell.scalar = series.scalar;
+  cell.refusal = trial.refusal;
+  cell.id = id, cell.id.input = trial.input;
+  std::tuple<Verdict, double> worst{Verdict::stable, -1};
+  for (const Judged& j : trial.judged) {
+    const Output& output = series.outputs.at(j.residual.output);
+    const Verdict verdict = verdict_of(j, output);
+    const bool excess = j.budget->rule == Rule::excess;
+    const double figure = excess ? j.excess : j.residual.error;
+    // A limit of 0 asks for exactness: any error is beyond every ratio.
+    const double score = figure == 0 ? 0 : figure / j.budget->limit;
+    const bool failed = j.failed || verdict == Verdict::unresolved;
+    cell.failed = cell.failed || failed;
+    if (std::tuple(verdict, score) <= worst) continue;
+    worst = {verdict, score};
+    cell.verdict = verdict;
+    cell.operation = output.operation, cell.block = output.block;
+    cell.band = series.bands()[j.residual.band].name;
+    cell.error = j.residual.error, cell.kappa = j.residual.kappa;
+    cell.budget = j.budget->limit, cell.excess = excess;
+  }
+  return cell;
+}
+
+bool contains(const std::vector<std::string>& list, const std::string& name) {
+  return std::find(list.begin(), list.end(), name) != list.end();
+}
+
+/// One row for each case and law, with the series that it runs on.
+struct Task {
+  HardRow row;
+  std::vector<const Series*> series;
+};
+
+std::vector<Task> tasks_of(const std::vector<HardCase>& cases, const Selection& selection,
+                           const std::vector<std::unique_ptr<Series>>& all) {
+  const auto known = property_names();
+  std::vector<Task> tasks;
+  for (const HardCase& c : cases)
+    for (const std::string& property : c.properties) {
+      if (!contains(known, property))
+        throw std::invalid_argument(
+            fmt::format("{}: unknown property '{}'; known: {}", c.place(), property, fmt::join(known, ", ")));
+      if (!selection.properties.empty() && !contains(selection.properties, property)) continue;
+      Task task{{&c, property, {}, {}}, {}};
+      for (const auto& s : all) {
+        if (s->property != property || (!c.scalars.empty() && !contains(c.scalars, s->scalar))) continue;
+        if (s->robot != "none")
+          throw std::invalid_argument(fmt::format(
+              "{}: property {} depends on the robot: no input fits every one", c.place(), property));
+        task.series.push_back(s.get());
+        auto& input = task.row.input[s->scalar];
+        if (input.empty()) input = numbers_of(c, s->fields, format_of(s->scalar));
+      }
+      if (!task.series.empty()) tasks.push_back(std::move(task));
+    }
+  return tasks;
+}
+
+void run(Task& task) {
+  for (const Series* s : task.series) {
+    CaseId id = s->id(0, 0);
+    id.raw = true;
+    id.input = task.row.input.at(s->scalar);
+    Trial trial;
+    try {
+      trial = s->attempt(id);
+    } catch (const std::invalid_argument& e) {
+      throw std::invalid_argument(
+          fmt::format("{}: {}: {}", task.row.entry->place(), task.row.entry->name, e.what()));
+    }
+    task.row.input[s->scalar] = trial.input;
+    if (!trial.judged.empty()) task.row.cells.push_back(cell_of(*s, id, trial));
+  }
+}
+
+}  // namespace
+
+const char* name_of(Verdict v) {
+  return descriptions[static_cast<int>(v)].name;
+}
+char letter_of(Verdict v) {
+  return descriptions[static_cast<int>(v)].letter;
+}
+
+std::vector<HardRow> run_hard_cases(const Selection& selection, const Robot& robot,
+                                    const std::vector<HardCase>& cases, unsigned jobs) {
+  const auto all = select(selection, robot);
+  std::vector<Task> tasks = tasks_of(cases, selection, all);
+  std::atomic<std::size_t> next{0};
+  std::atomic<bool> stop{false};
+  std::vector<char> ran(tasks.size(), 0);
+  run_on_threads(jobs, stop, [&] {
+    for (std::size_t i = next++; i < tasks.size() && !stop && !stop_requested; i = next++) {
+      run(tasks[i]);
+      ran[i] = 1;
+    }
+  });
+  std::vector<HardRow> rows;
+  for (std::size_t i = 0; i < tasks.size(); ++i)
+    if (ran[i]) rows.push_back(std::move(tasks[i].row));
+  return rows;
+}
+
+bool any_failed(const std::vector<HardRow>& rows) {
+  return std::any_of(rows.begin(), rows.end(), [](const HardRow& r) {
+    return std::any_of(r.cells.begin(), r.cells.end(), [](const HardCell& c) { return c.failed; });
+  });
+}
+
+nlohmann::json hard_cases_json(const std::vector<HardRow>& rows) {
+  using nlohmann::json;
+  const auto number = [](double x) -> json {
+    if (std::isnan(x)) return "nan";
+    if (std::isinf(x)) return "inf";
+    return x;
+  };
+  json all = json::array();
+  for (const HardRow& row : rows) {
+    json cells = json::array();
+    for (const HardCell& c : row.cells) {
+      cells.push_back({{"subject", c.subject},
+                       {"scalar", c.scalar},
+                       {"verdict", name_of(c.verdict)},
+                       {"failed", c.failed},
+                       {"error", number(c.error)},
+                       {"kappa", number(c.kappa)},
+                       {"budget", c.budget},
+                       {"rule", c.excess ? "excess" : "forward"},
+                       {"operation", c.operation},
+                       {"block", c.block},
+                       {"band", c.band},
+                       {"replay", "liecheck replay " + c.id.text()}});
+      if (!c.refusal.empty()) cells.back()["refusal"] = c.refusal;
+    }
+    const HardCase& e = *row.entry;
+    all.push_back({{"name", e.name},
+                   {"class", e.hard_class},
+                   {"reason", e.reason},
+                   {"origin", e.origin},
+                   {"place", e.place()},
+                   {"property", row.property},
+                   {"expression", e.input},
+                   {"input", row.input},
+                   {"cells", cells}});
+  }
+  return all;
+}
+
+}  // namespace liecheck::properties

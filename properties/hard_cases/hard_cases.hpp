@@ -1,0 +1,50 @@
+#pragma once
+// The hard cases, each run on every selected subject that offers its law: a verdict for each.
+
+#include <hard_cases/corpus.hpp>
+#include <campaign/series.hpp>
+#include <nlohmann/json_fwd.hpp>
+
+namespace liecheck::properties {
+
+/// From good to bad; a cell has the worst of its blocks.
+enum class Verdict { stable, refused, ill_posed, unresolved, inaccurate, wrong_branch, not_finite };
+
+const char* name_of(Verdict v);
+/// One letter, for tables: S, R, P, U, I, B, N.
+char letter_of(Verdict v);
+
+/// One hard case on one subject in one scalar.
+struct HardCell {
+  std::string subject, scalar;
+  Verdict verdict = Verdict::stable;
+  bool failed = false;  ///< counts to the exit code: all but stable, ill-posed and a refusal of
+                        ///< what is no rotation
+  std::string operation, block, band;  ///< of the block that gave the verdict, or came nearest to it
+  double error = 0, kappa = 0;         ///< [eps], [1]; kappa 0 where it was not asked for
+  double budget = 0;                   ///< eps, or eps kappa under the excess rule
+  bool excess = false;
+  std::string refusal;  ///< the error's text
+  CaseId id;
+};
+
+/// One hard case of one law.
+struct HardRow {
+  const HardCase* entry = nullptr;
+  std::string property;
+  std::map<std::string, std::vector<std::string>> input;  ///< by scalar, hexadecimal floats
+  std::vector<HardCell> cells;
+};
+
+/// Runs `cases` (which must outlive the rows) on every selected series. Throws std::invalid_argument naming
+/// file, line and value where a case does not fit its law.
+std::vector<HardRow> run_hard_cases(const Selection& selection, const Robot& robot,
+                                    const std::vector<HardCase>& cases = built_in_corpus(),
+                                    unsigned jobs = 1);
+
+bool any_failed(const std::vector<HardRow>& rows);
+
+/// The record's key "hard_cases"; documented in the README.
+nlohmann::json hard_cases_json(const std::vector<HardRow>& rows);
+
+}  // namespace liecheck::properties

@@ -1,0 +1,90 @@
+// DART: generalized coordinates on the group, BSD-2-Clause. Semi-implicit Euler.
+
+#include <dart/config.hpp>
+#include <dart/dynamics/BodyNode.hpp>
+#include <dart/dynamics/FreeJoint.hpp>
+#include <dart/dynamics/RevoluteJoint.hpp>
+#include <dart/dynamics/Skeleton.hpp>
+#include <dart/simulation/World.hpp>
+
+#include <scenes/peers/peer.hpp>
+
+namespace liecheck::properties {
+namespace {
+
+namespace dd = dart::dynamics;
+
+class DartRunner final : public PeerRunner {
+ public:
+  explicit DartRunner(const Benchmark& scene) : PeerRunner(scene) {
+    robot_ = dd::Skeleton::create("robot");
+    dd::BodyNode* parent = nullptr;
+    for (const PeerBody& b : bodies_) {
+      // names of their own, or DART talks about new ones
+      const dd::BodyNode::AspectProperties name("body" + std::to_string(robot_->getNumBodyNodes()));
+      dd::RevoluteJoint::Properties joint;
+      joint.mName = "joint" + std::to_string(robot_->getNumBodyNodes());
+      if (b.free) {
+        const auto made = robot_->createJointAndBodyNodePair<dd::FreeJoint>(parent, {}, name);
+        root_ = made.first, parent = made.second;
+      } else {
+        const auto made = robot_->createJointAndBodyNodePair<dd::RevoluteJoint>(parent, joint, name);
+        made.first->setAxis(b.axis);
+        Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
+        X.translation() = b.at;
+        made.first->setTransformFromParentBodyNode(X);
+        parent = made.second;
+      }
+      parent->setInertia(dd::Inertia(b.mass, b.centre, Eigen::Matrix3d(b.moments.asDiagonal())));
+    }
+    world_ = dart::simulation::World::create();
+    world_->setGravity(scene.gravity);
+    world_->addSkeleton(robot_);
+  }
+
+ protected:
+  void reset(double h) override {
+    world_->setTimeStep(h);
+    world_->reset();
+    if (!root_) {
+      robot_->setPositions(scene_.q0), robot_->setVelocities(scene_.v0);
+      return;
+    }
+    Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
+    X.translation() = scene_.q0.head<3>(), X.linear() = attitude_of(scene_.q0).toRotationMatrix();
+    root_->setTransform(X);
+    Eigen::Vector6d V;
+    V << scene_.v0.tail<3>(), scene_.v0.head<3>();
+    root_->setRelativeSpatialVelocity(V);
+  }
+  void step() override { world_->step(); }
+  void read(Eigen::VectorXd& q, Eigen::VectorXd& v) const override {
+    if (!root_) {
+      q = robot_->getPositions(), v = robot_->getVelocities();
+      return;
+    }
+    const dd::BodyNode* body = robot_->getBodyNode(0);
+    const Eigen::Isometry3d X = body->getWorldTransform();
+    set_free(q, v, X.translation(), Eigen::Quaterniond(X.linear()), body->getLinearVelocity(),
+             body->getAngularVelocity());
+  }
+
+ private:
+  dd::SkeletonPtr robot_;
+  dart::simulation::WorldPtr world_;
+  dd::FreeJoint* root_ = nullptr;
+};
+
+Peer peer() {
+  return {"DART", DART_VERSION,
+          [](const Benchmark& s) -> std::vector<PeerMethod> {
+            if (peer_bodies(s).empty()) return {};
+            return {{"semi-implicit Euler", 1}};
+          },
+          [](const Benchmark& s, const std::string&) { return std::make_unique<DartRunner>(s); }};
+}
+
+}  // namespace
+}  // namespace liecheck::properties
+
+LIECHECK_SCENE_PEER(liecheck::properties::peer())

@@ -1,0 +1,67 @@
+// Simbody: generalized coordinates, Apache-2.0. Runge-Kutta pairs and Verlet, each with a given accuracy.
+// Its headers do not compile as C++20 (their operator== is ambiguous there): simbody_model.cpp is C++17.
+
+#include <fmt/format.h>
+#include <scenes/peers/peer.hpp>
+#include <scenes/peers/simbody_model.hpp>
+
+namespace liecheck::properties {
+namespace {
+
+class SimbodyRunner final : public PeerRunner {
+ public:
+  SimbodyRunner(const Benchmark& scene, const std::string& method)
+      : PeerRunner(scene),
+        model_(make_simbody_model({bodies_, scene.gravity, scene.q0, scene.v0, scene.duration}, method)) {}
+
+  long run(const Effort& effort, long samples,
+           const std::function<void(double, const Moment&)>& watch) override {
+    model_->start(effort.tolerance);
+    watch(0, moment());
+    for (long k = 1; k <= samples; ++k) {
+      const double t = double(k) * scene_.duration / double(samples);
+      to(t);
+      watch(t, moment());
+    }
+    return model_->steps();
+  }
+  void pass(const Effort& effort) override {
+    model_->start(effort.tolerance);
+    to(scene_.duration);
+  }
+
+ protected:
+  void reset(double) override {}
+  void step() override {}
+  void read(Eigen::VectorXd& q, Eigen::VectorXd& v) const override {
+    if (!bodies_[0].free) {
+      model_->read(q, v);
+      return;
+    }
+    const FreeState s = model_->free_state();
+    set_free(q, v, s.p, s.Q, s.velocity_W, s.omega_W);
+  }
+
+ private:
+  void to(double t) {
+    const std::string why = model_->to(t);
+    if (!why.empty()) throw Diverged(why);
+  }
+  std::unique_ptr<SimbodyModel> model_;
+};
+
+Peer peer() {
+  return {"Simbody", simbody_version(),
+          [](const Benchmark& s) -> std::vector<PeerMethod> {
+            if (peer_bodies(s).empty()) return {};
+            return {{"RKMerson", 4, true}, {"RKFehlberg", 5, true}, {"Verlet", 2, true}};
+          },
+          [](const Benchmark& s, const std::string& method) {
+            return std::make_unique<SimbodyRunner>(s, method);
+          }};
+}
+
+}  // namespace
+}  // namespace liecheck::properties
+
+LIECHECK_SCENE_PEER(liecheck::properties::peer())

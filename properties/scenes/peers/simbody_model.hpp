@@ -1,0 +1,37 @@
+#pragma once
+// Simbody behind an interface without its headers. C++17.
+
+#include <memory>
+#include <scenes/peers/peer_body.hpp>
+#include <string>
+#include <vector>
+
+namespace liecheck::properties {
+
+struct SimbodyScene {
+  std::vector<PeerBody> bodies;
+  Eigen::Vector3d gravity;
+  Eigen::VectorXd q0, v0;  ///< of a free body [p; x y z w], [u; omega] in its axes; else angles and rates
+  double duration;
+};
+struct FreeState {
+  Eigen::Vector3d p;
+  Eigen::Quaterniond Q;
+  Eigen::Vector3d velocity_W, omega_W;
+};
+
+class SimbodyModel {
+ public:
+  virtual ~SimbodyModel() = default;
+  virtual void start(double accuracy) = 0;
+  /// Empty, or why it could not go on.
+  virtual std::string to(double t) = 0;
+  virtual void read(Eigen::VectorXd& q, Eigen::VectorXd& v) const = 0;
+  virtual FreeState free_state() const = 0;
+  virtual long steps() const = 0;
+};
+/// method: RKMerson, RKFehlberg or Verlet.
+std::unique_ptr<SimbodyModel> make_simbody_model(const SimbodyScene& scene, const std::string& method);
+std::string simbody_version();
+
+}  // namespace liecheck::properties

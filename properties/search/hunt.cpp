@@ -1,0 +1,140 @@
+#include <search/hunt.hpp>
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <array>
+#include <campaign/campaign.hpp>
+#include <search/mutations.hpp>
+#include <chrono>
+
+namespace liecheck::properties {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t islands = 4;
+constexpr double sweep_share = 0.2;  ///< of the evaluations, before the first climb
+
+template <class S>
+struct Elite {
+  double score = -1;
+  std::vector<S> x;
+};
+
+/// The archive of one output, and what its worst case is.
+template <class S>
+struct Climb {
+  Worst worst;
+  std::vector<S> x;
+  std::vector<std::pair<std::uint64_t, double>> history;
+  std::vector<std::array<Elite<S>, islands>> cells;
+
+  /// The best of three cells drawn at random, or the best there is.
+  const Elite<S>* pick(Source& source, std::size_t island) const {
+    const Elite<S>* best = nullptr;
+    const bool all = source.chance(1, 3);
+    for (std::size_t k = 0; k < (all ? cells.size() : 3); ++k) {
+      const Elite<S>& e = cells[all ? k : source.below(cells.size())][island];
+      if (!e.x.empty() && (!best || e.score > best->score)) best = &e;
+    }
+    return best;
+  }
+};
+
+template <class S>
+CaseId raw_id(const std::vector<S>& x) {
+  CaseId id;
+  id.raw = true;
+  for (const S& v : x) id.input.push_back(hexadecimal_float(v));
+  return id;
+}
+
+}  // namespace
+
+template <class S>
+HuntResult hunt_worst(const HuntProblem<S>& problem, const HuntOptions& options) {
+  const Moves<S> moves(problem.fields);
+  Source source(sha256(fmt::format("hunt.{}.{}.{}", options.seed, options.random, problem.key)));
+  std::vector<Climb<S>> climbs;
+  for (const Worst& w : problem.objectives) {
+    climbs.push_back({w, {}, {}, {}});
+    climbs.back().cells.resize(problem.bands);
+  }
+  HuntResult result;
+  if (climbs.empty()) return result;
+  const auto start = Clock::now();
+  const auto elapsed = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
+
+  const auto evaluate = [&](const std::vector<S>& x, std::size_t island) {
+    ++result.evaluations;
+    for (const Judged& j : problem.measure(x)) {
+      for (Climb<S>& c : climbs) {
+        // A refusal is of the whole law, whatever output it is recorded under.
+        if (c.worst.output != j.residual.output && j.residual.outcome != Outcome::refused) continue;
+        if (j.residual.outcome != Outcome::measured) {
+          if (j.residual.outcome != Outcome::unresolved && c.worst.broken++ == 0) {
+            c.worst.first_broken = j;
+            c.worst.first_broken_id = raw_id(x);
+          }
+          continue;
+        }
+        const double score = problem.score(c.worst, j);
+        if (!(score >= 0)) continue;
+        Elite<S>& e = c.cells[j.residual.band][island];
+        if (score >= e.score) e = {score, x};
+        if (score > c.worst.score) {
+          c.worst.score = score, c.worst.judged = j, c.worst.at = result.evaluations, c.x = x;
+          c.history.push_back({result.evaluations, score});
+        }
+      }
+    }
+  };
+
+  double share = 0;
+  for (std::uint64_t turn = 0, attempts = 0; share < 1 && !stop_requested; ++turn) {
+    const std::size_t island = turn % islands, target = turn / islands % climbs.size();
+    std::vector<S> x;
+    const Elite<S>* from = options.random || share < sweep_share || source.chance(1, 50)
+                               ? nullptr
+                               : climbs[target].pick(source, island);
+    if (from) {
+      x = from->x;
+      moves.apply(x, problem.generate(source), source);
+      // An input that does not validate costs no evaluation; a climb walled in by them starts afresh.
+      if (!problem.valid(x) && ++attempts % 64 != 0) {
+        if (options.evaluations == 0) share = elapsed() / options.seconds;
+        continue;
+      }
+    }
+    if (x.empty() || !problem.valid(x)) {
+      x = problem.generate(source);
+      if (options.random || turn % 4 == 3) moves.uniform(x, source);  // smooth errors peak anywhere
+    }
+    evaluate(x, island);
+    share = options.evaluations
+                ? static_cast<double>(result.evaluations) / static_cast<double>(options.evaluations)
+                : elapsed() / options.seconds;
+    if (options.progress && turn % 64 == 0)
+      options.progress(result.evaluations, share, climbs[target].worst.score);
+  }
+  result.stopped = stop_requested;
+  result.elapsed = elapsed();
+  for (Climb<S>& c : climbs) {
+    c.worst.id = raw_id(c.x);
+    for (const S& v : c.x) c.worst.decimal.push_back(decimal_float(v));
+    for (const auto& [at, score] : c.history)
+      if (score >= c.worst.score / 2) {
+        c.worst.half_at = at;
+        break;
+      }
+    result.worst.push_back(std::move(c.worst));
+  }
+  return result;
+}
+
+template HuntResult hunt_worst(const HuntProblem<float>&, const HuntOptions&);
+template HuntResult hunt_worst(const HuntProblem<double>&, const HuntOptions&);
+template HuntResult hunt_worst(const HuntProblem<float128>&, const HuntOptions&);
+
+}  // namespace liecheck::properties

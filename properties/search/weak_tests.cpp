@@ -1,0 +1,186 @@
+#include <search/weak_tests.hpp>
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <random>
+
+namespace liecheck::properties {
+namespace {
+
+using O = Operations<double>;
+using V3 = Vec<double, 3>;
+using V4 = Vec<double, 4>;
+using V6 = Vec<double, 6>;
+using V7 = Vec<double, 7>;
+using M3 = Mat<double, 3>;
+using M6 = Mat<double, 6>;
+
+M3 hat(const V3& v) {
+  M3 m;
+  m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
+  return m;
+}
+template <class A, class B>
+bool differ(const A& a, const B& b, double tolerance) {
+  return !((a - b).norm() <= tolerance);
+}
+M6 motion_matrix(const M3& R, const V3& p) {
+  M6 X = M6::Zero();
+  X.topLeftCorner<3, 3>() = X.bottomRightCorner<3, 3>() = R;
+  X.topRightCorner<3, 3>() = hat(p) * R;
+  return X;
+}
+V7 configuration(const V3& p, const V4& Q) {
+  V7 q;
+  q << p, Q;
+  return q;
+}
+V6 twist(const V3& rho, const V3& phi) {
+  V6 xi;
+  xi << rho, phi;
+  return xi;
+}
+
+/// Known values: quarter and half turns about the axes, as unit tests have them.
+bool fixed_grid(const O& o) {
+  bool killed = false;
+  for (int axis = 0; axis < 3; ++axis)
+    for (double angle : {0.0, M_PI / 6, M_PI / 4, M_PI / 2, 1.0, 3.0}) {
+      const V3 n = V3::Unit(axis), phi = angle * n, p(1, 2, 3);
+      const M3 R = Eigen::AngleAxisd(angle, n).toRotationMatrix();
+      V4 Q = V4::Zero();
+      Q << std::sin(angle / 2) * n, std::cos(angle / 2);
+      killed |= differ(o.exp3_matrix(phi), R, 1e-9) || differ(o.exp3_quaternion(phi), Q, 1e-9);
+      killed |= differ(o.log3_matrix(R), phi, 1e-9) || differ(o.log3_quaternion(Q), phi, 1e-9);
+      killed |= differ(o.rotate_point(Q, p), R * p, 1e-9);
+      const V6 xi = twist(n, phi);  // a screw along its axis
+      killed |= differ(o.exp6(xi).p, n, 1e-9) || differ(o.log6({R, n}), xi, 1e-9);
+      const V7 origin = configuration(V3::Zero(), V4::Unit(3));
+      killed |= differ(o.integrate(origin, xi), configuration(n, Q), 1e-9);
+      killed |= differ(o.difference(origin, configuration(n, Q)), xi, 1e-9);
+      const V6 V = V6::LinSpaced(1, 6);
+      killed |= differ(o.act_motion({R, p}, V), motion_matrix(R, p) * V, 1e-9);
+      killed |= differ(o.act_force({R, p}, V), motion_matrix(R, p).transpose().inverse() * V, 1e-9);
+    }
+  return killed;
+}
+
+struct Sample {
+  std::mt19937_64 random{1234};
+  double number() { return std::uniform_real_distribution<double>(-1, 1)(random); }
+  V3 vector() { return {number(), number(), number()}; }
+  V4 quaternion() { return V4(number(), number(), number(), number()).normalized(); }
+  V6 small_twist() { return twist(vector(), vector()); }  // |phi| < 1.8
+};
+
+/// Against the textbook formulas, at the tolerance that is usual.
+bool random_poses(const O& o) {
+  Sample s;
+  bool killed = false;
+  constexpr double tolerance = 1e-4;
+  for (int i = 0; i < 1000; ++i) {
+    const V6 xi = s.small_twist(), V = s.small_twist(), F = s.small_twist();
+    const V3 phi = xi.tail<3>(), x = s.vector();
+    const double t = phi.norm();
+    const M3 K = hat(phi), I = M3::Identity(), R = Eigen::AngleAxisd(t, phi / t).toRotationMatrix();
+    const M3 J = I + (1 - std::cos(t)) / (t * t) * K + (t - std::sin(t)) / (t * t * t) * K * K;
+    const V3 p = J * xi.head<3>();
+    const Eigen::Quaterniond q(R);
+    const V4 Q = q.coeffs(), Q0 = s.quaternion();
+    const M3 R0 = Eigen::Quaterniond(Q0).toRotationMatrix();
+    killed |= differ(o.exp3_matrix(phi), R, tolerance) || differ(o.exp6(xi).p, p, tolerance);
+    killed |= differ(o.log3_matrix(R), phi, tolerance) || differ(o.log3_quaternion(Q), phi, tolerance);
+    killed |= differ(o.log6({R, p}), xi, tolerance) || differ(o.left_jacobian3(phi), J, tolerance);
+    killed |= differ(o.right_jacobian3(phi), J.transpose(), tolerance);
+    killed |= differ(o.left_jacobian3_inverse(phi), J.inverse(), tolerance);
+    killed |= differ(o.rotate_point(Q0, x), R0 * x, tolerance);
+    const V7 next = o.integrate(configuration(x, Q0), xi);
+    killed |= differ(next.head<3>(), x + R0 * p, tolerance);
+    killed |= differ(Eigen::Quaterniond(V4(next.tail<4>())).toRotationMatrix(), R0 * R, tolerance);
+    const M6 X = motion_matrix(R, x);
+    killed |= differ(o.act_motion({R, x}, V), X * V, tolerance);
+    killed |= differ(o.act_force({R, x}, F), X.transpose().inverse() * F, tolerance);
+    const Body<double> body{2, x, I};
+    M6 M = M6::Identity();
+    M.topLeftCorner<3, 3>() = 2 * I, M.topRightCorner<3, 3>() = -2 * hat(x);
+    M.bottomLeftCorner<3, 3>() = 2 * hat(x), M.bottomRightCorner<3, 3>() = I - 2 * hat(x) * hat(x);
+    killed |= differ(o.inertia_matrix(body), M, tolerance) || differ(o.momentum(body, V), M * V, tolerance);
+    killed |= !(std::fabs(o.kinetic_energy(body, V) - V.dot(M * V) / 2) <= tolerance);
+  }
+  return killed;
+}
+
+bool round_trips(const O& o) {
+  Sample s;
+  bool killed = false;
+  constexpr double tolerance = 1e-9;
+  for (int i = 0; i < 1000; ++i) {
+    const V6 xi = s.small_twist(), V = s.small_twist();
+    const V3 phi = xi.tail<3>(), x = s.vector();
+    const M3 I = M3::Identity();
+    killed |= differ(o.log6(o.exp6(xi)), xi, tolerance);
+    killed |= differ(o.log3_matrix(o.exp3_matrix(phi)), phi, tolerance);
+    killed |= differ(o.log3_quaternion(o.exp3_quaternion(phi)), phi, tolerance);
+    const V7 q0 = configuration(x, s.quaternion());
+    killed |= differ(o.difference(q0, o.integrate(q0, xi)), xi, tolerance);
+    killed |= differ(o.left_jacobian3(phi) * o.left_jacobian3_inverse(phi), I, tolerance);
+    killed |= differ(o.right_jacobian6(xi) * o.right_jacobian6_inverse(xi), M6::Identity(), tolerance);
+    killed |= differ(o.left_jacobian6(xi) * o.left_jacobian6_inverse(xi), M6::Identity(), tolerance);
+    const Pose<double> X{o.exp3_matrix(phi), x};
+    killed |= differ(o.act_inverse_motion(X, o.act_motion(X, V)), V, tolerance);
+    killed |= differ(o.act_inverse_force(X, o.act_force(X, V)), V, tolerance);
+    const Body<double> body{2, x, V3(1, 1.5, 2).asDiagonal()};
+    const auto back = o.act_inverse_inertia(X, o.act_inertia(X, body));
+    killed |= differ(back.I_C, body.I_C, tolerance) || differ(back.c, body.c, tolerance);
+  }
+  return killed;
+}
+
+/// Jacobians against central differences in double, h = 1e-6.
+bool finite_differences(const O& o) {
+  Sample s;
+  bool killed = false;
+  constexpr double h = 1e-6, tolerance = 1e-5;
+  for (int i = 0; i < 200; ++i) {
+    const V6 xi = s.small_twist();
+    const V7 q0 = configuration(s.vector(), s.quaternion()), q1 = o.integrate(q0, xi);
+    M6 right, arg0, difference0, difference1;
+    Mat<double, 7, 6> rate;
+    for (int k = 0; k < 6; ++k) {
+      const V6 e = h * V6::Unit(k);
+      const auto quotient = [&](const auto& plus, const auto& minus) {
+        return ((plus - minus) / (2 * h)).eval();
+      };
+      right.col(k) = quotient(o.difference(q1, o.integrate(q0, V6(xi + e))),
+                              o.difference(q1, o.integrate(q0, V6(xi - e))));
+      arg0.col(k) = quotient(o.difference(q1, o.integrate(o.integrate(q0, e), xi)),
+                             o.difference(q1, o.integrate(o.integrate(q0, V6(-e)), xi)));
+      difference0.col(k) =
+          quotient(o.difference(o.integrate(q0, e), q1), o.difference(o.integrate(q0, V6(-e)), q1));
+      difference1.col(k) =
+          quotient(o.difference(q0, o.integrate(q1, e)), o.difference(q0, o.integrate(q1, V6(-e))));
+      rate.col(k) = quotient(o.integrate(q0, e), o.integrate(q0, V6(-e)));
+    }
+    killed |= differ(o.right_jacobian6(xi), right, tolerance) ||
+              differ(o.d_integrate_arg1(q0, xi), right, tolerance);
+    killed |= differ(o.left_jacobian6(V6(-xi)), right, tolerance);
+    killed |= differ(o.right_jacobian3(xi.tail<3>()), right.bottomRightCorner<3, 3>(), tolerance);
+    killed |= differ(o.d_integrate_arg0(q0, xi), arg0, tolerance);
+    killed |= differ(o.d_difference_arg0(q0, q1), difference0, tolerance);
+    killed |= differ(o.d_difference_arg1(q0, q1), difference1, tolerance);
+    killed |= differ(o.integrate_coefficient_jacobian(q0), rate, tolerance);
+  }
+  return killed;
+}
+
+}  // namespace
+
+const std::vector<WeakStyle>& weak_styles() {
+  static const std::vector<WeakStyle> all{{"fixed grid", fixed_grid},
+                                          {"random, 1e-4", random_poses},
+                                          {"round trips", round_trips},
+                                          {"FD in double", finite_differences}};
+  return all;
+}
+
+}  // namespace liecheck::properties

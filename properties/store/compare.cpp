@@ -1,0 +1,118 @@
+#include <fmt/format.h>
+#include <algorithm>
+#include <store/merge.hpp>
+#include <cmath>
+#include <tuple>
+
+namespace liecheck::properties {
+
+namespace {
+
+using Name = std::tuple<std::string, std::string, std::string, std::string, std::string, std::string>;
+
+struct Measured {
+  const StoredSeries* series;
+  const Row* row;
+};
+
+std::map<Name, Measured> by_name(const StoredCampaign& c) {
+  std::map<Name, Measured> all;
+  for (const StoredSeries& s : c.series)
+    for (const auto& [cell, row] : s.tally.rows) {
+      const Label& l = s.labels.at(cell);
+      all[{s.subject, s.scalar, s.property, l.operation, l.block, l.band}] = {&s, &row};
+    }
+  return all;
+}
+
+/// Ignoring the band: is the operation's block measured at all?
+bool measured(const std::map<Name, Measured>& all, const Name& n) {
+  const auto [subject, scalar, property, operation, block, band] = n;
+  const auto at = all.lower_bound({subject, scalar, property, operation, block, ""});
+  return at != all.end() &&
+         std::tie(subject, scalar, property, operation, block) ==
+             std::tie(std::get<0>(at->first), std::get<1>(at->first), std::get<2>(at->first),
+                      std::get<3>(at->first), std::get<4>(at->first));
+}
+
+/// More than another order of operations, and more than the half ulp by which a rounded result may move.
+bool grown(double from, double to) {
+  return to > from * 1.1 && to > from + 0.5;
+}
+
+/// Are the errors of `b` larger than a sample of the same law would be once in 1e9? One-sided two-sample test
+/// of Kolmogorov and Smirnov: P(D > d) -> exp(-2 d^2 n m / (n + m)).
+bool shifted(const Histogram& a, const Histogram& b) {
+  const auto n = static_cast<double>(a.count()), m = static_cast<double>(b.count());
+  if (n == 0 || m == 0) return false;
+  double below_a = 0, below_b = 0, d = 0;
+  auto at = b.bins().begin();
+  for (const auto& [bin, count] : a.bins()) {
+    below_a += static_cast<double>(count) / n;
+    for (; at != b.bins().end() && at->first <= bin; ++at) below_b += static_cast<double>(at->second) / m;
+    d = std::max(d, below_a - below_b);
+  }
+  return 2 * d * d * n * m / (n + m) > std::log(1e9);
+}
+
+}  // namespace
+
+std::vector<std::string> worse(const StoredCampaign& a, const StoredCampaign& b) {
+  const auto before = by_name(a), after = by_name(b);
+  std::vector<std::string> lines;
+  for (const StoredSeries& s : b.series) {
+    const auto same = std::find_if(a.series.begin(), a.series.end(), [&](const StoredSeries& o) {
+      return o.subject == s.subject && o.scalar == s.scalar && o.property == s.property;
+    });
+    const std::size_t was = same == a.series.end() ? 0 : same->tally.disagreed.size();
+    if (s.tally.disagreed.size() > was)
+      lines.push_back(fmt::format("{} {} {}: the fast oracle disagrees with the slow one in {} cases, was {}",
+                                  s.subject, s.scalar, s.property, s.tally.disagreed.size(), was));
+  }
+  for (const auto& [name, old] : before) {
+    const auto [subject, scalar, property, operation, block, band] = name;
+    const auto say = [&, &subject = subject, &scalar = scalar, &property = property, &operation = operation,
+                      &block = block, &band = band](const std::string& what) {
+      lines.push_back(
+          fmt::format("{} {} {}: {}, {}, {}: {}", subject, scalar, property, operation, block, band, what));
+    };
+    const auto found = after.find(name);
+    if (found == after.end()) {
+      const bool same = std::any_of(b.series.begin(), b.series.end(), [&](const StoredSeries& s) {
+        return s.subject == old.series->subject && s.scalar == old.series->scalar &&
+               s.property == old.series->property && s.tally.inputs.sum() == old.series->tally.inputs.sum();
+      });
+      if (same || !measured(after, name)) say("no longer measured");
+      continue;
+    }
+    const Row &was = *old.row, &is = *found->second.row;
+    const bool same_inputs = old.series->tally.inputs.sum() == found->second.series->tally.inputs.sum();
+    const auto grew = [&](const char* what, std::uint64_t from, std::uint64_t to) {
+      if (same_inputs ? to > from : (from == 0 && to > 0))
+        say(fmt::format("{} {} of {} cases, were {} of {}", what, to, is.count, from, was.count));
+    };
+    grew("failed", was.failed, is.failed);
+    if (same_inputs) {  // over others it is the inputs that are so
+      grew("unresolved", was.unresolved, is.unresolved);
+      grew("ill-posed", was.ill_posed, is.ill_posed);
+    }
+    if (same_inputs && is.count < was.count)
+      say(fmt::format("measured {} times, were {}", is.count, was.count));
+    if (same_inputs) {
+      // Under the excess rule an error without its kappa says nothing.
+      const bool excess = was.max_excess > 0 || is.max_excess > 0;
+      const double from = excess ? was.max_excess : was.max_error, to = excess ? is.max_excess : is.max_error;
+      if (grown(from, to))
+        say(fmt::format("largest {} {:.4g} (case {}), was {:.4g} (case {})",
+                        excess ? "excess [eps kappa]" : "error [eps]", to, is.worst_index, from,
+                        was.worst_index));
+    } else if (shifted(was.errors, is.errors)) {
+      for (const double q : {0.5, 0.99})
+        if (const double from = was.errors.quantile(q), to = is.errors.quantile(q); grown(from, to))
+          say(fmt::format("{} error [eps] {:.4g}, was {:.4g}", q == 0.5 ? "median" : "99 % of", to, from));
+    }
+  }
+  return lines;
+}
+
+}  // namespace liecheck::properties

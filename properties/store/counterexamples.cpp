@@ -1,0 +1,40 @@
+#include <store/counterexamples.hpp>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace liecheck::properties {
+
+Counterexamples replay_counterexamples(const std::vector<Counterexample>& all,
+                                       const std::vector<SeriesResult>& series) {
+  Counterexamples result;
+  for (const Counterexample& c : all) {
+    const auto found = std::find_if(series.begin(), series.end(), [&](const SeriesResult& s) {
+      return s.series->property == c.property && s.series->subject == c.subject &&
+             s.series->scalar == c.scalar && s.series->robot == c.robot;
+    });
+    if (found == series.end()) {
+      ++result.skipped;
+      continue;
+    }
+    const CaseId id =
+        CaseId::parse("raw." + c.property + "." + c.subject + "." + c.scalar + "." + c.robot + "." + c.input);
+    std::vector<Judged> judged;
+    try {
+      judged = found->series->replay(id);
+    } catch (const std::invalid_argument&) {  // an input that the law no longer means
+      ++result.skipped;
+      continue;
+    }
+    ++result.replayed;
+    const auto fails = [&](const Judged& j) {
+      const Output& o = found->series->outputs.at(j.residual.output);
+      return j.failed && o.operation == c.operation && o.block == c.block;
+    };
+    if (std::any_of(judged.begin(), judged.end(), fails))
+      result.failing.push_back({c.operation, c.block, id.text()});
+  }
+  return result;
+}
+
+}  // namespace liecheck::properties

@@ -1,0 +1,104 @@
+#include <store/merge.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <tuple>
+
+namespace liecheck::properties {
+
+namespace {
+
+using nlohmann::json;
+
+json number(double x) {
+  if (std::isnan(x)) return "nan";
+  if (std::isinf(x)) return x > 0 ? "inf" : "-inf";
+  return x;
+}
+
+}  // namespace
+
+std::string export_text(const StoredCampaign& c) {
+  std::vector<const StoredSeries*> sorted;
+  for (const StoredSeries& s : c.series) sorted.push_back(&s);
+  const auto key = [](const StoredSeries* s) {
+    return std::tie(s->subject, s->scalar, s->property, s->robot);
+  };
+  std::sort(sorted.begin(), sorted.end(), [&](auto* a, auto* b) { return key(a) < key(b); });
+  SetDigest inputs, results;
+  std::uint64_t total = 0, failed = 0;
+  std::string series, cells, failures;
+  for (const StoredSeries* s : sorted) {
+    inputs.merge(s->tally.inputs);
+    results.merge(s->tally.results);
+    total += s->tally.cases;
+    const json name = {{"subject", s->subject}, {"scalar", s->scalar}, {"property", s->property}};
+    json line = name;
+    auto disagreed = s->tally.disagreed;
+    std::sort(disagreed.begin(), disagreed.end());
+    json done = json::array();
+    for (const auto& [first, last] : s->tally.done) done.push_back({first, last});
+    line.update({{"series", s->robot},
+                 {"version", s->subject_version},
+                 {"cases", s->tally.cases},
+                 {"done", done},
+                 {"fast", s->tally.fast},
+                 {"checked", s->tally.checked},
+                 {"disagreed", disagreed},
+                 {"coverage", s->tally.coverage.text()},
+                 {"inputs", hexadecimal(s->tally.inputs.sum())},
+                 {"results", hexadecimal(s->tally.results.sum())}});
+    series += line.dump() + "\n";
+    for (const auto& [cell, r] : s->tally.rows) {
+      const Label& l = s->labels.at(cell);
+      json histogram = json::array();
+      for (const auto& [bin, n] : r.errors.bins()) histogram.push_back({bin, n});
+      failed += r.failed;
+      line = name;
+      line.update(
+          {{"cell", {cell.first, cell.second}},
+           {"operation", l.operation},
+           {"block", l.block},
+           {"band", l.band},
+           {"count", r.count},
+           {"ill_posed", r.ill_posed},
+           {"unresolved", r.unresolved},
+           {"not_finite", r.not_finite},
+           {"wrong_branch", r.wrong_branch},
+           {"refused", r.refused},
+           {"failed", r.failed},
+           {"max_error", number(r.max_error)},
+           {"max_excess", number(r.max_excess)},
+           {"worst",
+            {{"index", r.worst_index}, {"score", number(r.worst_score)}, {"kappa", number(r.worst_kappa)}}},
+           {"histogram", histogram}});
+      cells += line.dump() + "\n";
+      const auto f = s->failures.find(cell);
+      if (f == s->failures.end()) continue;
+      line = name;
+      line.update({{"failure", {cell.first, cell.second}},
+                   {"operation", l.operation},
+                   {"block", l.block},
+                   {"band", l.band},
+                   {"index", f->second.index},
+                   {"input", f->second.input}});
+      failures += line.dump() + "\n";
+    }
+  }
+  const CampaignSpec& p = c.spec;
+  const json head = {
+      {"campaign", {{"seed", p.seed}, {"cases", p.cases}, {"first", p.first}, {"last", p.last}}},
+      {"program", p.program},
+      {"generator", p.generator},
+      {"budgets", p.budgets},
+      {"robot", p.robot.hash},
+      {"complete", c.complete()},
+      {"failed", failed},
+      {"total_cases", total},
+      {"inputs", hexadecimal(inputs.sum())},
+      {"results", hexadecimal(results.sum())}};
+  return head.dump() + "\n" + series + cells + failures;
+}
+
+}  // namespace liecheck::properties

@@ -1,0 +1,128 @@
+#include <store/merge.hpp>
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <filesystem>
+#include <stdexcept>
+
+namespace liecheck::properties {
+
+namespace {
+
+struct Part {
+  std::string file, text;
+  StoredCampaign campaign;
+};
+
+std::string shown(const Range& r) {
+  return fmt::format("{}..{}", r.first, r.second);
+}
+
+[[noreturn]] void refuse(const std::string& text) {
+  throw std::invalid_argument(text);
+}
+
+/// The first of `all` that shares a case of the series with these ranges, or null.
+const Part* overlapping(const std::vector<const Part*>& all, std::size_t series, const Ranges& done) {
+  for (const Part* p : all)
+    for (const auto& [first, last] : p->campaign.series[series].tally.done)
+      if (Ranges copy = done; !copy.add(first, last)) return p;
+  return nullptr;
+}
+
+}  // namespace
+
+StoredCampaign merge(const std::vector<std::string>& files, bool partial) {
+  std::vector<Part> parts;
+  for (const std::string& file : files) {
+    Part p{file, "", load_campaign(file)};
+    p.text = export_text(p.campaign);
+    if (!parts.empty())
+      if (const auto d = parts[0].campaign.spec.differences(p.campaign.spec, false); !d.empty())
+        refuse(fmt::format("{} and {} are parts of different campaigns: {}", parts[0].file, file, d));
+    if (p.campaign.spec.cases == 0)
+      refuse(fmt::format("{}: ran for a time, not for a count: not mergeable", file));
+    if (!partial && !p.campaign.complete()) {
+      for (const StoredSeries& s : p.campaign.series)
+        for (const Range& r : s.tally.done.gaps(p.campaign.spec.first, p.campaign.spec.last))
+          refuse(fmt::format("{}: unfinished: {} of {} in {} lacks cases {}; --resume it, or merge --partial",
+                             file, s.property, s.subject, s.scalar, shown(r)));
+    }
+    const bool again =
+        std::any_of(parts.begin(), parts.end(), [&](const Part& q) { return q.text == p.text; });
+    if (!again) parts.push_back(std::move(p));
+  }
+  if (parts.empty()) refuse("nothing to merge");
+  // The order of the files must not matter, nor which of them is named in an error.
+  std::sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) {
+    return std::tie(a.campaign.spec.first, a.text) < std::tie(b.campaign.spec.first, b.text);
+  });
+
+  StoredCampaign all = parts[0].campaign;
+  CampaignSpec& spec = all.spec;
+  spec.first = 0, spec.last = spec.cases;
+  std::vector<const Part*> taken{&parts[0]};
+  for (std::size_t k = 1; k < parts.size(); ++k) {
+    for (std::size_t i = 0; i < all.series.size(); ++i) {
+      StoredSeries& to = all.series[i];
+      const StoredSeries& from = parts[k].campaign.series[i];
+      if (const Part* other = overlapping(taken, i, from.tally.done)) {
+        const auto &a = other->campaign.spec, &b = parts[k].campaign.spec;
+        refuse(fmt::format("{} (cases {}) and {} (cases {}) overlap{}", other->file, shown({a.first, a.last}),
+                           parts[k].file, shown({b.first, b.last}),
+                           a.first == b.first && a.last == b.last ? ", with different results" : ""));
+      }
+      to.labels.insert(from.labels.begin(), from.labels.end());
+      to.tally.merge(from.tally);
+      for (const auto& [cell, failure] : from.failures)
+        if (to.tally.rows.at(cell).worst_index == failure.index) to.failures[cell] = failure;
+    }
+    taken.push_back(&parts[k]);
+  }
+  if (!partial)
+    for (const StoredSeries& s : all.series)
+      for (const Range& r : s.tally.done.gaps(spec.first, spec.last))
+        refuse(fmt::format("cases {} of 0..{} are in none of {}; --partial merges what is there", shown(r),
+                           spec.last, fmt::join(files, ", ")));
+  return all;
+}
+
+void merge_into(const std::string& out, const std::vector<std::string>& files, bool partial) {
+  namespace fs = std::filesystem;
+  const StoredCampaign merged = merge(files, partial);
+  std::vector<Counterexample> others;
+  for (const std::string& file : files) {
+    const auto some = Store(stored_file(file), Store::Open::existing).counterexamples();
+    others.insert(others.end(), some.begin(), some.end());
+  }
+  const std::string part = out + ".part";
+  std::error_code error;
+  fs::remove(part, error);
+  fs::remove(part + "-journal", error);
+  bool replace = false;
+  try {
+    if (fs::exists(out, error)) {
+      Store old(out, Store::Open::existing);
+      const int n = old.campaigns();
+      const StoredCampaign last = n > 0 ? old.load(n) : StoredCampaign{};
+      replace = n > 0 && last.spec.differences(merged.spec, false).empty();
+      if (replace)
+        for (std::size_t i = 0; i < merged.series.size(); ++i)
+          for (const auto& [from, to] : last.series[i].tally.done)
+            if (!merged.series[i].tally.done.covers(from, to))
+              refuse(fmt::format("{}: holds cases {} of this campaign, the merged files do not", out,
+                                 shown({from, to})));
+      old.copy_to(part);
+    }
+    Store(part, Store::Open::create).write(merged, replace, others);
+    fs::rename(part, out);
+  } catch (const fs::filesystem_error& e) {
+    fs::remove(part, error);
+    throw std::runtime_error(fmt::format("{}: cannot be written: {}", out, e.code().message()));
+  } catch (...) {
+    fs::remove(part, error);
+    throw;
+  }
+}
+
+}  // namespace liecheck::properties

@@ -1,0 +1,61 @@
+#include <support/progress.hpp>
+
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cstdio>
+
+namespace liecheck::properties {
+namespace {
+
+std::string clock_text(double seconds) {
+  const auto s = static_cast<long>(seconds + 0.5);
+  return s >= 3600 ? fmt::format("{}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60)
+                   : fmt::format("{}:{:02}", s / 60, s % 60);
+}
+
+int terminal_columns() {
+  winsize size{};
+  return ioctl(2, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
+}
+
+}  // namespace
+
+Progress::Progress(std::string what, bool quiet)
+    : what_(std::move(what)), terminal_(isatty(2) != 0), quiet_(quiet), start_(Clock::now()) {}
+
+Progress::~Progress() {
+  if (open_) std::fprintf(stderr, "\r%*s\r", std::max(terminal_columns() - 1, 0), "");
+}
+
+double Progress::elapsed() const {
+  return std::chrono::duration<double>(Clock::now() - start_).count();
+}
+
+void Progress::show(double share, const std::function<std::string(double)>& detail, bool last) {
+  if (quiet_) return;
+  const double now = elapsed();
+  if (!last && now - shown_ < (terminal_ ? 0.2 : 10.0)) return;
+  shown_ = now;
+  share = std::clamp(share, 0.0, 1.0);
+  const std::string left = share > 0 ? clock_text(now * (1 - share) / share) : "?";
+  const std::string text = fmt::format("{}{:3.0f} %  {}  left {}", what_.empty() ? "" : what_ + ": ",
+                                       share * 100, detail(now), left);
+  if (terminal_) {
+    const int columns = terminal_columns(), room = columns - 4 - static_cast<int>(text.size());
+    const int width = std::clamp(room, 0, 30), full = static_cast<int>(share * width);
+    const std::string bar = width < 5 ? "" : fmt::format("[{:#<{}}{:.<{}}] ", "", full, "", width - full);
+    // Padded over what stood there before; the last column stays free, or some terminals begin a new line.
+    const std::string line = fmt::format("{:<{}}", bar + text, bar.size() + text.size() + 3);
+    std::fprintf(stderr, "\r%.*s", std::max(columns - 1, 0), line.c_str());
+    if (last) std::fprintf(stderr, "\n");
+    open_ = !last;
+  } else {
+    std::fprintf(stderr, "%s\n", text.c_str());
+  }
+  std::fflush(stderr);
+}
+
+}  // namespace liecheck::properties
