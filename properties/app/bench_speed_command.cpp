@@ -13,7 +13,7 @@
 #include <invariants/tree_laws.hpp>
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <oracles/closed.hpp>
+#include <oracles/closed_forms.hpp>
 #include <oracles/error.hpp>
 #include <reports/files.hpp>
 #include <sstream>

@@ -3,7 +3,7 @@
 // document other bounds of their own, block -> limit, reason in place of those up to half a turn.
 // Tests and the report read the same table; the invariants do not know it.
 
-#include <generators/bands.hpp>
+#include <generators/angle_bands.hpp>
 #include <string>
 #include <vector>
 

@@ -9,7 +9,7 @@
 
 #include <boost/multiprecision/float128.hpp>
 #include <cstdint>
-#include <generators/source.hpp>
+#include <generators/random_bits.hpp>
 #include <string>
 #include <vector>
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <campaign/tally.hpp>
 #include <limits>
-#include <oracles/fast_error.hpp>
+#include <oracles/ball_error.hpp>
 #include <vector>
 
 namespace liecheck::properties {

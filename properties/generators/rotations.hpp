@@ -6,7 +6,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
-#include <generators/floats.hpp>
+#include <generators/random_floats.hpp>
 #include <vector>
 
 namespace liecheck::properties {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <generators/field.hpp>
+#include <generators/input_layout.hpp>
 #include <type_traits>
 #include <utility>
 #include <vector>

@@ -3,7 +3,7 @@
 // a subject refuses at its checked entrance, or is judged by the rotation nearest to the stored numbers.
 
 #include <invariants/common.hpp>
-#include <oracles/linear.hpp>
+#include <oracles/linear_algebra.hpp>
 
 namespace liecheck::properties {
 

@@ -4,7 +4,7 @@
 #include <invariants/common.hpp>
 #include <liecheck/scalar/scalar.hpp>
 #include <optional>
-#include <oracles/fast.hpp>
+#include <oracles/ball_oracles.hpp>
 #include <oracles/integrate.hpp>
 
 namespace liecheck::properties {

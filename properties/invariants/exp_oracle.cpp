@@ -2,7 +2,7 @@
 
 #include <generators/rotations.hpp>
 #include <invariants/common.hpp>
-#include <oracles/closed.hpp>
+#include <oracles/closed_forms.hpp>
 #include <oracles/exp.hpp>
 
 namespace liecheck::properties {

@@ -4,7 +4,7 @@
 #include <generators/rotations.hpp>
 #include <invariants/branch.hpp>
 #include <invariants/common.hpp>
-#include <oracles/closed.hpp>
+#include <oracles/closed_forms.hpp>
 #include <oracles/integrate.hpp>
 
 namespace liecheck::properties {

@@ -4,8 +4,8 @@
 #include <generators/rotations.hpp>
 #include <invariants/common.hpp>
 #include <optional>
-#include <oracles/closed.hpp>
-#include <oracles/fast.hpp>
+#include <oracles/closed_forms.hpp>
+#include <oracles/ball_oracles.hpp>
 
 namespace liecheck::properties {
 namespace {

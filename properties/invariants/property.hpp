@@ -7,9 +7,9 @@
 
 #include <cmath>
 #include <functional>
-#include <generators/bands.hpp>
-#include <generators/field.hpp>
-#include <generators/source.hpp>
+#include <generators/angle_bands.hpp>
+#include <generators/input_layout.hpp>
+#include <generators/random_bits.hpp>
 #include <memory>
 #include <oracles/real.hpp>
 #include <string>
@@ -122,7 +122,7 @@ class Law : public Property<S> {
   }
   bool measure_fast(const Subject<S>& subject, const std::vector<S>& input, Recorder& recorder,
                     std::size_t tier) const override {
-    using Tiers = typename oracles::FastTiers<S>::type;
+    using Tiers = typename oracles::BallTiers<S>::type;
     if constexpr (requires { P<S>::needs_kappa; })  // which takes a step that only the last tier has room for
       tier += std::tuple_size_v<Tiers> > 1;
     return [&]<std::size_t... I>(std::index_sequence<I...>) {

@@ -115,7 +115,7 @@ class TreeLaw : public Property<S> {
   }
   bool measure_fast(const Subject<S>& subject, const std::vector<S>& input, Recorder& recorder,
                     std::size_t tier) const override {
-    using Tiers = typename oracles::FastTiers<S>::type;
+    using Tiers = typename oracles::BallTiers<S>::type;
     if constexpr (std::tuple_size_v<Tiers> == 0) {
       return false;
     } else {  // the last tier: fewer digits are lost in these sums

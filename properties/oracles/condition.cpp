@@ -43,7 +43,7 @@ T step_of(const T& size) {
 template <class T>
 std::vector<T> movements(const FunctionOf<T>& f, const std::vector<T>& x,
                          const std::vector<ConditionBlockOf<T>>& blocks) {
-  if (std::is_same_v<T, FastFloat>) throw Undecided();
+  if (std::is_same_v<T, DoubleBall>) throw Undecided();
   constexpr bool one_sided = BallNumber<T>;
   std::vector<T> sums(blocks.size(), T(0));
   std::vector<T> moved = x, base;
@@ -95,7 +95,7 @@ std::vector<double> condition(const FunctionOf<T>& f, const std::vector<T>& x,
   template std::vector<double> condition(const FunctionOf<T>&, const std::vector<T>&, \
                                          const std::vector<ConditionBlockOf<T>>&);
 LIECHECK_CONDITION(Real)
-LIECHECK_CONDITION(FastFloat)
-LIECHECK_CONDITION(FastDouble)
+LIECHECK_CONDITION(DoubleBall)
+LIECHECK_CONDITION(DoubleDoubleBall)
 
 }  // namespace liecheck::oracles

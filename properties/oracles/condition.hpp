@@ -33,7 +33,7 @@ struct ConditionBlockOf {
 using ConditionBlock = ConditionBlockOf<Real>;
 
 /// One kappa for each block, infinite where a denominator is zero and the block moves. f is called 2 x.size()
-/// times; at the precision of Real it need not be confirmed, see closed.hpp.
+/// times; at the precision of Real it need not be confirmed, see closed_forms.hpp.
 /// In double-double balls the differences are one-sided, over x.size() + 1 calls, with the step 2^-64 in place of
 /// 1e-36; throws Undecided where that leaves less than two digits, and in balls of double, which have no room for such
 /// a step, always.

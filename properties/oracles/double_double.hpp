@@ -1,11 +1,11 @@
 #pragma once
-// Double-double arithmetic: x = hi + lo, |lo| <= ulp(hi) / 2, 106 bits in the exponent range of double.
+// Double-double arithmetic: x = high + low, |low| <= ulp(high) / 2, 106 bits in the exponent range of double.
 //
 // Relative errors, u = 2^-53, barring under- and overflow (Joldes, Muller & Popescu 2017, "Tight and rigorous
 // error bounds for basic building blocks of double-word arithmetic"; Lefevre et al. 2023 for the root):
 //   a + b   5 u^2 of |a| + |b|: algorithm 5, which has no bound relative to the sum; the last step is two_sum, since
-//           after a cancellation the low part may be the larger one. Errors u |a.lo + b.lo| <= u^2 (|a| + |b|) and
-//           u |s.lo + t| <= 3 u^2 (|a| + |b|), then none.
+//           after a cancellation the low part may be the larger one. Errors u |a.low + b.low| <= u^2 (|a| + |b|) and
+//           u |s.low + t| <= 3 u^2 (|a| + |b|), then none.
 //   a b     5 u^2    algorithm 11
 //   a / b   15 u^2   algorithm 17        sqrt  25/8 u^2
 // The same bits with and without fused multiply-add: the products are error-free either way.
@@ -16,7 +16,7 @@
 namespace liecheck::oracles {
 
 struct DoubleDouble {
-  double hi = 0, lo = 0;
+  double high = 0, low = 0;
 };
 
 namespace dd {
@@ -45,39 +45,39 @@ inline DoubleDouble two_product(double a, double b) {
 }  // namespace dd
 
 inline DoubleDouble operator-(const DoubleDouble& a) {
-  return {-a.hi, -a.lo};
+  return {-a.high, -a.low};
 }
 inline DoubleDouble operator+(const DoubleDouble& a, const DoubleDouble& b) {
-  const DoubleDouble s = dd::two_sum(a.hi, b.hi);
-  return dd::two_sum(s.hi, s.lo + (a.lo + b.lo));
+  const DoubleDouble s = dd::two_sum(a.high, b.high);
+  return dd::two_sum(s.high, s.low + (a.low + b.low));
 }
 inline DoubleDouble operator-(const DoubleDouble& a, const DoubleDouble& b) {
   return a + -b;
 }
 /// Within 3 u^2 of the sum itself, whatever cancels: algorithm 6.
 inline DoubleDouble accurate_sum(const DoubleDouble& a, const DoubleDouble& b) {
-  const DoubleDouble s = dd::two_sum(a.hi, b.hi), t = dd::two_sum(a.lo, b.lo);
-  const DoubleDouble v = dd::fast_two_sum(s.hi, s.lo + t.hi);
-  return dd::fast_two_sum(v.hi, t.lo + v.lo);
+  const DoubleDouble s = dd::two_sum(a.high, b.high), t = dd::two_sum(a.low, b.low);
+  const DoubleDouble v = dd::fast_two_sum(s.high, s.low + t.high);
+  return dd::fast_two_sum(v.high, t.low + v.low);
 }
 inline DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
-  const DoubleDouble p = dd::two_product(a.hi, b.hi);
-  return dd::fast_two_sum(p.hi, p.lo + (a.hi * b.lo + a.lo * b.hi));
+  const DoubleDouble p = dd::two_product(a.high, b.high);
+  return dd::fast_two_sum(p.high, p.low + (a.high * b.low + a.low * b.high));
 }
 inline DoubleDouble operator*(const DoubleDouble& a, double b) {
-  const DoubleDouble p = dd::two_product(a.hi, b);
-  return dd::fast_two_sum(p.hi, p.lo + a.lo * b);
+  const DoubleDouble p = dd::two_product(a.high, b);
+  return dd::fast_two_sum(p.high, p.low + a.low * b);
 }
 inline DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b) {
-  const double q = a.hi / b.hi;
+  const double q = a.high / b.high;
   const DoubleDouble r = b * q;
-  return dd::fast_two_sum(q, ((a.hi - r.hi) + (a.lo - r.lo)) / b.hi);
+  return dd::fast_two_sum(q, ((a.high - r.high) + (a.low - r.low)) / b.high);
 }
 inline DoubleDouble sqrt(const DoubleDouble& a) {
-  if (!(a.hi > 0)) return {0, 0};
-  const double s = std::sqrt(a.hi);
+  if (!(a.high > 0)) return {0, 0};
+  const double s = std::sqrt(a.high);
   const DoubleDouble square = dd::two_product(s, s);
-  return dd::fast_two_sum(s, ((a.hi - square.hi) - square.lo + a.lo) / (2 * s));
+  return dd::fast_two_sum(s, ((a.high - square.high) - square.low + a.low) / (2 * s));
 }
 
 }  // namespace liecheck::oracles

@@ -8,7 +8,7 @@
 //
 // Error of the measures themselves: 1e-45 absolute, in double relative 1e-16.
 
-#include <oracles/fast_error.hpp>
+#include <oracles/ball_error.hpp>
 #include <oracles/log.hpp>
 
 namespace liecheck::oracles {

@@ -1,6 +1,6 @@
 #include <oracles/exp.hpp>
 
-#include <oracles/closed.hpp>
+#include <oracles/closed_forms.hpp>
 #include <oracles/matrix_exponential.hpp>
 
 namespace liecheck::oracles {

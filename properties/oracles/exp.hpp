@@ -13,7 +13,8 @@
 //
 // Sources: Rodrigues 1840; Lynch, Park 2017, eqs. 3.51 and 3.88; Higham 2008, section 10.3.
 
-#include <oracles/agree.hpp>
+#include <oracles/agreement.hpp>
+#include <oracles/quaternion.hpp>
 
 namespace liecheck::oracles {
 

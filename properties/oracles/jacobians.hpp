@@ -5,7 +5,7 @@
 // are [[J, C], [0, J]] with J of SO(3) and the coupling block C [m], linear in rho.
 //
 // Three formulas:
-//   1. closed form in dual numbers, 100 digits (closed.hpp): the value of left_* and right_*;
+//   1. closed form in dual numbers, 100 digits (closed_forms.hpp): the value of left_* and right_*;
 //   2. phi1(ad xi) by scaling and squaring, 50 digits, or 100 where they do not reach: confirms all the rest;
 //   3. central differences straight from the definition, 100 digits: the value of *_fd, d_integrate_*,
 //      d_difference_*.
@@ -22,7 +22,7 @@
 // Sources: Chirikjian 2012, eq. 10.86; Sola, Deray, Atchuthan 2018, appendices B and D; Barfoot 2017,
 // eq. 7.86; Iserles et al. 2000, section 2 (phi1 = dexp).
 
-#include <oracles/agree.hpp>
+#include <oracles/agreement.hpp>
 
 namespace liecheck::oracles {
 

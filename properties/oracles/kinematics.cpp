@@ -1,6 +1,6 @@
 #include <oracles/kinematics.hpp>
 
-#include <oracles/closed.hpp>
+#include <oracles/closed_forms.hpp>
 
 namespace liecheck::oracles {
 namespace {

@@ -9,7 +9,8 @@
 //
 // Source: Sola 2017 (arXiv 1711.02508), section 4.
 
-#include <oracles/agree.hpp>
+#include <oracles/agreement.hpp>
+#include <oracles/quaternion.hpp>
 
 namespace liecheck::oracles {
 

@@ -15,7 +15,8 @@
 //
 // Sources: Higham 2008, sections 8.3 (polar) and 11.5 (logarithm); Daniilidis 1999 (dual quaternions).
 
-#include <oracles/agree.hpp>
+#include <oracles/agreement.hpp>
+#include <oracles/quaternion.hpp>
 
 namespace liecheck::oracles {
 

@@ -14,7 +14,7 @@
 // Error: k + 4 bits of the working precision, relative to the largest of the operands, k = log2 theta + 7.
 
 #include <algorithm>
-#include <oracles/linear.hpp>
+#include <oracles/linear_algebra.hpp>
 
 namespace liecheck::oracles {
 

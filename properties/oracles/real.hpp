@@ -8,7 +8,7 @@
 #include <boost/multiprecision/mpfr.hpp>
 #include <cmath>
 #include <limits>
-#include <oracles/ball.hpp>
+#include <oracles/ball_arithmetic.hpp>
 #include <type_traits>
 
 namespace liecheck::oracles {
@@ -23,7 +23,7 @@ using Real100 = Decimal<100>;
 
 /// A number that carries its own error bound.
 template <class T>
-concept BallNumber = std::is_same_v<T, FastFloat> || std::is_same_v<T, FastDouble>;
+concept BallNumber = std::is_same_v<T, DoubleBall> || std::is_same_v<T, DoubleDoubleBall>;
 template <class T>
 concept OracleNumber = std::is_same_v<T, Real> || std::is_same_v<T, Real100> || BallNumber<T>;
 

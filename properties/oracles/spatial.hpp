@@ -19,7 +19,8 @@
 //
 // Source: Featherstone 2008, sections 2.8, 2.9, 2.13 and table 2.2; linear part first here.
 
-#include <oracles/agree.hpp>
+#include <oracles/agreement.hpp>
+#include <oracles/quaternion.hpp>
 
 namespace liecheck::oracles {
 

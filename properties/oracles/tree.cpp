@@ -1,6 +1,6 @@
 #include <oracles/tree.hpp>
 
-#include <oracles/closed.hpp>
+#include <oracles/closed_forms.hpp>
 #include <oracles/homogeneous.hpp>
 
 namespace liecheck::oracles {
@@ -228,7 +228,7 @@ std::vector<T> solve(const std::vector<T>& L, std::vector<T> b) {
   template std::vector<T> solve(const std::vector<T>&, std::vector<T>);
 LIECHECK_TREE(Real)
 LIECHECK_TREE(Real100)
-LIECHECK_TREE(FastFloat)
-LIECHECK_TREE(FastDouble)
+LIECHECK_TREE(DoubleBall)
+LIECHECK_TREE(DoubleDoubleBall)
 
 }  // namespace liecheck::oracles

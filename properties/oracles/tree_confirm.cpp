@@ -1,6 +1,6 @@
 // Differences of poses against the product rule.
 
-#include <oracles/agree.hpp>
+#include <oracles/agreement.hpp>
 #include <oracles/homogeneous.hpp>
 #include <oracles/tree_sizes.hpp>
 

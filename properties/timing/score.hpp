@@ -2,7 +2,7 @@
 // The error of one operation on given inputs, by block, as the law measures it that the operation belongs to.
 
 #include <invariants/property.hpp>
-#include <oracles/ball.hpp>
+#include <oracles/ball_arithmetic.hpp>
 #include <timing/cost.hpp>
 
 namespace liecheck::properties {

@@ -6,7 +6,7 @@
 // scalar of 100 digits is how far two formulas of that width are apart.
 
 #include <algorithm>
-#include <oracles/closed.hpp>
+#include <oracles/closed_forms.hpp>
 #include <oracles/error.hpp>
 #include <oracles/log.hpp>
 #include <oracles/spatial_formulas.hpp>

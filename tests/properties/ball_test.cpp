@@ -1,8 +1,8 @@
 // Ball arithmetic: what it returns contains the exact value, and the radius stays small.
 
 #include <gtest/gtest.h>
-#include <oracles/closed.hpp>
-#include <oracles/fast_error.hpp>
+#include <oracles/closed_forms.hpp>
+#include <oracles/ball_error.hpp>
 #include <random>
 
 namespace liecheck::oracles {
@@ -29,7 +29,7 @@ class BallTest : public testing::Test {
   std::mt19937_64 random_{5};
 };
 
-using BallNumbers = testing::Types<FastFloat, FastDouble>;
+using BallNumbers = testing::Types<DoubleBall, DoubleDoubleBall>;
 TYPED_TEST_SUITE(BallTest, BallNumbers);
 
 TYPED_TEST(BallTest, OperationsContainTheExactResult) {

@@ -1,7 +1,7 @@
 #pragma once
 // Each operation of the slow oracle, at 50 digits and in its closed form at 100, against its enclosure.
 
-#include <oracles/closed.hpp>
+#include <oracles/closed_forms.hpp>
 #include <oracles/exp.hpp>
 #include <oracles/integrate.hpp>
 #include <oracles/jacobians.hpp>
@@ -14,7 +14,7 @@ namespace liecheck::enclosures {
 
 using namespace oracles;
 
-/// The oracle claims 1e-41 as confirmed (agree.hpp), and its numbers are of 168 bits: one rounding of a value that is
+/// The oracle claims 1e-41 as confirmed (agreement.hpp), and its numbers are of 168 bits: one rounding of a value that is
 /// right at 100 digits is 2^-168 = 2.7e-51. Of each block, relative to the scale that its header names.
 inline constexpr double claim = 1e-50;
 /// What a planted error is larger by: the 49th digit is wrong.

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <iostream>
 #include <map>
-#include <oracles/linear.hpp>
+#include <oracles/linear_algebra.hpp>
 #include <string>
 
 #include "enclosure.hpp"

@@ -6,7 +6,7 @@
 #include <charconv>
 #include <cstdlib>
 #include <cstring>
-#include <generators/bands.hpp>
+#include <generators/angle_bands.hpp>
 #include <generators/rotations.hpp>
 #include <iomanip>
 #include <sstream>

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 #include <campaign/judge.hpp>
 #include <invariants/common.hpp>
-#include <oracles/closed.hpp>
-#include <oracles/fast.hpp>
+#include <oracles/closed_forms.hpp>
+#include <oracles/ball_oracles.hpp>
 #include <random>
 
 namespace liecheck::properties {
@@ -78,7 +78,7 @@ S small(std::mt19937_64& random) {
 
 TYPED_TEST(FastBands, OfSubnormalAnglesAndOfPosesNearTheIdentityAreTheSlowOnes) {
   using S = TypeParam;
-  using oracles::FastDouble;
+  using oracles::DoubleDoubleBall;
   std::mt19937_64 random(11);
   std::size_t angles = 0, differences = 0, subnormal = 0;
   for (int i = 0; i < 3000; ++i) {
@@ -87,7 +87,7 @@ TYPED_TEST(FastBands, OfSubnormalAnglesAndOfPosesNearTheIdentityAreTheSlowOnes) 
     const std::size_t slow = band_of_angle<S>(oracles::exact_vector<3, Real>(phi));
     subnormal += slow == Bands::of<S>().underflowing(true);
     try {
-      EXPECT_EQ(band_of_angle<S>(oracles::exact_vector<3, FastDouble>(phi)), slow) << phi.transpose();
+      EXPECT_EQ(band_of_angle<S>(oracles::exact_vector<3, DoubleDoubleBall>(phi)), slow) << phi.transpose();
       ++angles;
     } catch (const oracles::Undecided&) {
     }
@@ -101,7 +101,7 @@ TYPED_TEST(FastBands, OfSubnormalAnglesAndOfPosesNearTheIdentityAreTheSlowOnes) 
       return band_of_difference<S>(x0, x1, oracles::difference(x0, x1));
     };
     try {
-      const std::size_t fast = band(FastDouble(0));
+      const std::size_t fast = band(DoubleDoubleBall(0));
       ++differences;
       EXPECT_EQ(fast, band(Real(0))) << q[0].transpose() << "; " << q[1].transpose();
     } catch (const oracles::Undecided&) {

@@ -5,7 +5,7 @@
 #include <array>
 #include <boost/math/constants/constants.hpp>
 #include <iostream>
-#include <oracles/closed.hpp>
+#include <oracles/closed_forms.hpp>
 #include <oracles/condition.hpp>
 #include <oracles/error.hpp>
 #include <oracles/exp.hpp>

@@ -8,7 +8,7 @@
 #include <coefficients/sweep.hpp>
 #include <cmath>
 #include <limits>
-#include <oracles/closed.hpp>
+#include <oracles/closed_forms.hpp>
 #include <random>
 
 namespace liecheck::properties {

@@ -4,7 +4,7 @@
 // A motion of this room follows from its equations alone: nothing here knows the library's spatial algebra, its
 // dynamics or its integrators.
 
-#include <oracles/linear.hpp>
+#include <oracles/quaternion.hpp>
 
 namespace liecheck::oracles {
 

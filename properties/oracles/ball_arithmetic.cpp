@@ -1,4 +1,4 @@
-#include <oracles/ball.hpp>
+#include <oracles/ball_arithmetic.hpp>
 
 #include <array>
 #include <boost/math/constants/constants.hpp>
@@ -12,8 +12,8 @@ template <class M>
 M rounded(const Real& x);
 template <>
 DoubleDouble rounded<DoubleDouble>(const Real& x) {
-  const auto hi = static_cast<double>(x);
-  return {hi, static_cast<double>(Real(x - hi))};
+  const auto high = static_cast<double>(x);
+  return {high, static_cast<double>(Real(x - high))};
 }
 template <>
 double rounded<double>(const Real& x) {
@@ -72,8 +72,8 @@ const std::array<M, N>& series() {
 template <int K, int N, int Exact>
 DoubleDouble sum(const DoubleDouble& x) {
   const auto& c = series<DoubleDouble, K, N>();
-  double tail = c[N - 1].hi;
-  for (int j = N - 2; j >= Exact; --j) tail = tail * x.hi + c[static_cast<std::size_t>(j)].hi;
+  double tail = c[N - 1].high;
+  for (int j = N - 2; j >= Exact; --j) tail = tail * x.high + c[static_cast<std::size_t>(j)].high;
   DoubleDouble s = x * tail + c[Exact - 1];
   for (int j = Exact - 2; j >= 0; --j) s = s * x + c[static_cast<std::size_t>(j)];
   return s;
@@ -173,7 +173,7 @@ Ball<M> stumpff_series(int k, const Ball<M>& x) {
   template void sin_cos(const T&, T&, T&); \
   template T atan2(const T&, const T&);    \
   template T stumpff_series(int k, const T&);
-LIECHECK_BALL_FUNCTIONS(FastFloat)
-LIECHECK_BALL_FUNCTIONS(FastDouble)
+LIECHECK_BALL_FUNCTIONS(DoubleBall)
+LIECHECK_BALL_FUNCTIONS(DoubleDoubleBall)
 
 }  // namespace liecheck::oracles

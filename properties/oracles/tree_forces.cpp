@@ -247,7 +247,7 @@ Vec6<T> TreeDynamics<T>::momentum_rate() const {
   template Vec6<T> TreeDynamics<T>::momentum_rate() const;
 LIECHECK_TREE(Real)
 LIECHECK_TREE(Real100)
-LIECHECK_TREE(FastFloat)
-LIECHECK_TREE(FastDouble)
+LIECHECK_TREE(DoubleBall)
+LIECHECK_TREE(DoubleDoubleBall)
 
 }  // namespace liecheck::oracles

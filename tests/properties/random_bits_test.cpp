@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <generators/source.hpp>
+#include <generators/random_bits.hpp>
 #include <set>
 
 namespace liecheck::properties {

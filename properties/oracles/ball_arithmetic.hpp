@@ -43,23 +43,25 @@ struct Rounding<double> {
   /// The sum of two exact numbers, and a bound of its error.
   static double exact_sum(double a, double b, double& radius) {
     const DoubleDouble s = dd::two_sum(a, b);
-    radius = std::fabs(s.lo);
-    return s.hi;
+    radius = std::fabs(s.low);
+    return s.high;
   }
 };
 template <>
 struct Rounding<DoubleDouble> {
   static constexpr int bits = 106;
   static constexpr double add = 0x1p-103, multiply = 0x1p-103, divide = 0x1p-101, root = 0x1p-104;
-  static double head(const DoubleDouble& m) { return m.hi; }
-  static double tail(const DoubleDouble& m) { return m.lo; }
+  static double head(const DoubleDouble& m) { return m.high; }
+  static double tail(const DoubleDouble& m) { return m.low; }
   static DoubleDouble make(double x) { return {x, 0}; }
-  static DoubleDouble scaled(const DoubleDouble& m, double factor) { return {m.hi * factor, m.lo * factor}; }
-  static bool exact_product(const DoubleDouble& a, const DoubleDouble& b) { return a.lo == 0 && b.lo == 0; }
+  static DoubleDouble scaled(const DoubleDouble& m, double factor) {
+    return {m.high * factor, m.low * factor};
+  }
+  static bool exact_product(const DoubleDouble& a, const DoubleDouble& b) { return a.low == 0 && b.low == 0; }
   static DoubleDouble exact_sum(const DoubleDouble& a, const DoubleDouble& b, double& radius) {
     const DoubleDouble m = accurate_sum(a, b);
-    const bool exact = (a.lo == 0 && b.lo == 0) || (a.hi == -b.hi && a.lo == -b.lo);
-    radius = exact ? 0 : add * std::fabs(m.hi) * (1 + 0x1p-50);
+    const bool exact = (a.low == 0 && b.low == 0) || (a.high == -b.high && a.low == -b.low);
+    radius = exact ? 0 : add * std::fabs(m.high) * (1 + 0x1p-50);
     return m;
   }
 };
@@ -166,21 +168,21 @@ struct Ball {
   static double up(double x) { return x * (1 + 0x1p-50); }
 };
 
-using FastFloat = Ball<double>;
-using FastDouble = Ball<DoubleDouble>;
+using DoubleBall = Ball<double>;
+using DoubleDoubleBall = Ball<DoubleDouble>;
 
 /// What judges a scalar fast, tried one after the other: at least twice its digits, in the exponent range of double.
 template <class S>
-struct FastTiers {
+struct BallTiers {
   using type = std::tuple<>;
 };
 template <>
-struct FastTiers<float> {
-  using type = std::tuple<FastFloat, FastDouble>;
+struct BallTiers<float> {
+  using type = std::tuple<DoubleBall, DoubleDoubleBall>;
 };
 template <>
-struct FastTiers<double> {
-  using type = std::tuple<FastDouble>;
+struct BallTiers<double> {
+  using type = std::tuple<DoubleDoubleBall>;
 };
 
 /// x with its radius widened by r.

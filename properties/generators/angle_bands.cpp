@@ -1,4 +1,4 @@
-#include <generators/bands.hpp>
+#include <generators/angle_bands.hpp>
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -16,14 +16,14 @@ Real power_of_ten(int e) {
   return pow(Real(10), e);
 }
 oracles::DoubleDouble double_double(const Real& x) {
-  const auto hi = static_cast<double>(x);
-  return {hi, static_cast<double>(Real(x - hi))};
+  const auto high = static_cast<double>(x);
+  return {high, static_cast<double>(Real(x - high))};
 }
 /// A constant as a ball; a power of two is exact.
 template <class T>
 T edge(const oracles::DoubleDouble& x) {
-  if constexpr (std::is_same_v<T, oracles::FastDouble>) return {x, x.lo == 0 ? 0 : 0x1p-105 * x.hi};
-  return {x.hi, 2 * std::fabs(x.lo)};
+  if constexpr (std::is_same_v<T, oracles::DoubleDoubleBall>) return {x, x.low == 0 ? 0 : 0x1p-105 * x.high};
+  return {x.high, 2 * std::fabs(x.low)};
 }
 }  // namespace
 
@@ -109,7 +109,7 @@ std::size_t Bands::classify_ball(const T& theta) const {
   if (theta <= T(1)) {
     // The edge next above by the heads, then proved.
     const auto above = std::upper_bound(fast_theta_edges_.begin(), fast_theta_edges_.end(), theta.head(),
-                                        [](double x, const auto& e) { return x < e.hi; });
+                                        [](double x, const auto& e) { return x < e.high; });
     auto i = static_cast<std::size_t>(above - fast_theta_edges_.begin());
     if (i > 0 && theta < edge<T>(fast_theta_edges_[i - 1])) --i;
     if (i < fast_theta_edges_.size() && theta >= edge<T>(fast_theta_edges_[i])) ++i;
@@ -128,7 +128,7 @@ std::size_t Bands::classify_ball(const T& theta) const {
   if (nearest >= 1 && abs(turns - T(nearest)) * T(2) * pi_value < T(1) / T(10)) return near_2pi_;
   return beyond_;
 }
-template std::size_t Bands::classify_ball(const oracles::FastFloat&) const;
-template std::size_t Bands::classify_ball(const oracles::FastDouble&) const;
+template std::size_t Bands::classify_ball(const oracles::DoubleBall&) const;
+template std::size_t Bands::classify_ball(const oracles::DoubleDoubleBall&) const;
 
 }  // namespace liecheck::properties

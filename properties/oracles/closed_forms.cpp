@@ -1,4 +1,4 @@
-#include <oracles/closed.hpp>
+#include <oracles/closed_forms.hpp>
 
 #include <mpfr.h>
 
@@ -258,7 +258,7 @@ JacobianBlocks<T> closed_left_jacobian_inverse(const Vec6<T>& xi) {
   template JacobianBlocks<T> closed_left_jacobian_inverse(const Vec6<T>&);
 LIECHECK_CLOSED_FORMS(Real)
 LIECHECK_CLOSED_FORMS(Real100)
-LIECHECK_CLOSED_FORMS(FastFloat)
-LIECHECK_CLOSED_FORMS(FastDouble)
+LIECHECK_CLOSED_FORMS(DoubleBall)
+LIECHECK_CLOSED_FORMS(DoubleDoubleBall)
 
 }  // namespace liecheck::oracles

@@ -7,7 +7,7 @@
 // near 2 pi), it is run again at 100 digits. If they still differ the value is unresolved and no verdict
 // rests on it.
 
-#include <oracles/linear.hpp>
+#include <oracles/linear_algebra.hpp>
 
 namespace liecheck::oracles {
 

@@ -47,8 +47,8 @@ class Bands {
   /// Of an angle that is exactly pi.
   std::size_t at_pi() const { return pi_; }
   /// The same of a ball; throws oracles::Undecided where it lies across an edge.
-  std::size_t classify(const oracles::FastFloat& theta) const { return classify_ball(theta); }
-  std::size_t classify(const oracles::FastDouble& theta) const { return classify_ball(theta); }
+  std::size_t classify(const oracles::DoubleBall& theta) const { return classify_ball(theta); }
+  std::size_t classify(const oracles::DoubleDoubleBall& theta) const { return classify_ball(theta); }
 
  private:
   Bands(int min_exponent, int digits);

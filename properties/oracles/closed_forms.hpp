@@ -25,7 +25,7 @@
 // Sources: Rodrigues 1840; Sola, Deray, Atchuthan 2018 (arXiv 1812.01537), appendices B and D, rewritten;
 // Barfoot 2017, eq. 7.86 (C).
 
-#include <oracles/linear.hpp>
+#include <oracles/quaternion.hpp>
 
 namespace liecheck::oracles {
 

@@ -1,6 +1,6 @@
-#include <oracles/fast.hpp>
+#include <oracles/ball_oracles.hpp>
 
-#include <oracles/closed.hpp>
+#include <oracles/closed_forms.hpp>
 
 namespace liecheck::oracles {
 namespace {
@@ -147,7 +147,7 @@ CoefficientJacobianValue<T> integrate_coefficient_jacobian(const Vec7<T>& q) {
   return {J, true};
 }
 
-#define LIECHECK_FAST_ORACLES(T)                                                       \
+#define LIECHECK_BALL_ORACLES(T)                                                       \
   template ExpValue<T> exp_se3(const Vec6<T>&);                                        \
   template LogValue<T> log_se3(const Quaternion<T>&, const Vec3<T>&);                  \
   template LogValue<T> log_se3_matrix(const Mat3<T>&, const Vec3<T>&);                 \
@@ -161,7 +161,7 @@ CoefficientJacobianValue<T> integrate_coefficient_jacobian(const Vec7<T>& q) {
   template RateValue<T> configuration_rate(const Vec7<T>&, const Vec6<T>&);            \
   template CoefficientJacobianValue<T> integrate_coefficient_jacobian(const Vec7<T>&); \
   template Quaternion<T> nearest_quaternion(const Mat3<T>&);
-LIECHECK_FAST_ORACLES(FastFloat)
-LIECHECK_FAST_ORACLES(FastDouble)
+LIECHECK_BALL_ORACLES(DoubleBall)
+LIECHECK_BALL_ORACLES(DoubleDoubleBall)
 
 }  // namespace liecheck::oracles

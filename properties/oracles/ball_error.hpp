@@ -4,7 +4,7 @@
 // Differences are formed in ball arithmetic, where they cancel; what is left, their norms, needs no more than
 // double (a relative 1e-14 covers it).
 
-#include <oracles/fast.hpp>
+#include <oracles/ball_oracles.hpp>
 
 namespace liecheck::oracles {
 

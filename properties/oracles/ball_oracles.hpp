@@ -1,6 +1,6 @@
 #pragma once
 // The fast oracles: the same questions as exp.hpp, log.hpp, integrate.hpp, jacobians.hpp, kinematics.hpp and
-// spatial.hpp, answered in ball arithmetic by the closed forms (closed.hpp). What they return is proved to be
+// spatial.hpp, answered in ball arithmetic by the closed forms (closed_forms.hpp). What they return is proved to be
 // within its radius of the exact value, so it is resolved by construction; where a comparison is open they throw
 // Undecided. Same names, overloaded on the number, so that a law is written once.
 

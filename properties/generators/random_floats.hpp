@@ -1,7 +1,7 @@
 #pragma once
 // Floating-point generators: the scales at which code breaks, not the reals.
 
-#include <generators/source.hpp>
+#include <generators/random_bits.hpp>
 
 namespace liecheck::properties {
 

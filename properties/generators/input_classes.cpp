@@ -1,0 +1,321 @@
+#include <generators/input_classes.hpp>
+
+#include <algorithm>
+#include <boost/multiprecision/float128.hpp>
+#include <generators/rotations.hpp>
+
+namespace liecheck::properties {
+
+namespace {
+
+using float128 = boost::multiprecision::float128;
+
+// The order of each list is that of the bits below.
+const std::vector<InputClass> vectors = {{"zero", 3500},
+                                         {"minus zero", 60},
+                                         {"along an axis", 60},
+                                         {"unit scale", 4},
+                                         {"below 1/32", 60},
+                                         {"above 32", 60},
+                                         {"1e-150, in float 1e-18", 150, Reach::full},
+                                         {"1e150, in float 1e18", 150, Reach::full},
+                                         {"equal to its neighbour", 20, Reach::beside},
+                                         {"beside its neighbour", 20, Reach::beside}};
+const std::vector<InputClass> rotation_vectors = {{"zero", 50},
+                                                  {"subnormal", 60},
+                                                  {"theta^2 underflows", 80},
+                                                  {"theta < 1e-3", 8},
+                                                  {"beside a cutoff", 15},
+                                                  {"generic", 45},
+                                                  {"pi - theta < 1e-3", 15},
+                                                  {"pi to 4 ulp", 30},
+                                                  {"beyond pi", 10, Reach::full},
+                                                  {"near 2 pi k", 30, Reach::full},
+                                                  {"huge", 60, Reach::full},
+                                                  {"along an axis", 20},
+                                                  {"nearly along an axis", 40},
+                                                  {"in a coordinate plane", 20}};
+const std::vector<InputClass> quaternions = {{"identity", 45},
+                                             {"near the identity", 20},
+                                             {"half a turn", 125},
+                                             {"near half a turn", 30},
+                                             {"-Q: w < 0", 4},
+                                             {"about an axis", 40},
+                                             {"off unit by 3 to 8 eps", 30},
+                                             {"subnormal part", 1000},
+                                             {"equal to its neighbour", 20, Reach::beside},
+                                             {"opposite to its neighbour", 60, Reach::beside},
+                                             {"beside its neighbour", 6, Reach::beside},
+                                             {"nearly half a turn from it", 15, Reach::beside}};
+const std::vector<InputClass> matrices = {{"identity", 45},
+                                          {"near the identity", 20},
+                                          {"half a turn", 125},
+                                          {"near half a turn", 30},
+                                          {"about an axis", 40}};
+const std::vector<InputClass> inertias = {
+    {"point", 16}, {"ball", 16}, {"needle", 8}, {"plate", 16}, {"general", 5}};
+const std::vector<InputClass> positives = {
+    {"simple", 4}, {"ratio below 1e-12, in float 1e-2", 14}, {"ratio above 1e12, in float 1e2", 14}};
+const std::vector<InputClass> trees = {{"one joint", 10},
+                                       {"chain of 3 and more", 10},
+                                       {"star of 3 and more", 12},
+                                       {"several on the world", 6},
+                                       {"4 deep", 20},
+                                       {"3 on one", 10}};
+const std::vector<InputClass> joints = {{"revolute", 4},    {"continuous", 4}, {"prismatic", 4},
+                                        {"helical", 4},     {"spherical", 4},  {"planar", 4},
+                                        {"translation", 4}, {"free-flyer", 4}, {"mimic", 25}};
+const std::vector<InputClass> masses = {{"all alike", 3}, {"ratio above 1e12, in float 100", 50}};
+const std::vector<InputClass> none;
+
+constexpr std::uint32_t bit(bool condition, int i) {
+  return condition ? 1u << i : 0u;
+}
+
+/// Wide enough for the square of a float; a double's range is minded below.
+template <class S>
+using Wide = std::conditional_t<std::is_same_v<S, float>, double, S>;
+
+template <class S>
+S largest(std::span<const S> x) {
+  using std::fabs;
+  S m(0);
+  for (const S& v : x) m = std::max(m, S(fabs(v)));
+  return m;
+}
+template <class S>
+int zeros(std::span<const S> x) {
+  return static_cast<int>(std::count(x.begin(), x.end(), S(0)));
+}
+template <class S>
+bool equal(std::span<const S> x, std::span<const S> y) {
+  return std::equal(x.begin(), x.end(), y.begin(), y.end());
+}
+
+template <class S>
+std::uint32_t of_vector(std::span<const S> x, std::span<const S> earlier) {
+  using std::fabs, std::ldexp, std::signbit;
+  static const S small = ldexp(S(1), -5), large = ldexp(S(1), 5), low = ldexp(S(1), 4 - widest<S>),
+                 high = ldexp(S(1), widest<S> - 4), half = ldexp(S(1), -4), twice = ldexp(S(1), 4);
+  const S m = largest(x);
+  const bool minus_zero = std::any_of(x.begin(), x.end(), [](const S& v) { return v == S(0) && signbit(v); });
+  std::uint32_t c = bit(m == S(0), 0) | bit(minus_zero, 1) |
+                    bit(m > S(0) && zeros(x) + 1 == int(x.size()), 2) | bit(m >= half && m <= twice, 3) |
+                    bit(m > S(0) && m < small, 4) | bit(m > large, 5) | bit(m > S(0) && m <= low, 6) |
+                    bit(m >= high, 7);
+  if (!earlier.empty()) {
+    S d(0);
+    for (std::size_t i = 0; i < x.size(); ++i) d = std::max(d, S(fabs(S(x[i] - earlier[i]))));
+    c |= bit(equal(x, earlier), 8) | bit(d > S(0) && d < largest(earlier) / S(1000), 9);
+  }
+  return c;
+}
+
+template <class S>
+std::uint32_t of_rotation_vector(std::span<const S> x) {
+  using std::fabs, std::sqrt;
+  using W = Wide<S>;
+  static const W pi = boost::math::constants::pi<W>(), ulp4 = W(8) * W(std::numeric_limits<S>::epsilon()),
+                 thousandth = W(1) / W(1000), tenth = W(1) / W(10);
+  static const S smallest = std::numeric_limits<S>::min(), root = S(sqrt(std::numeric_limits<S>::min()));
+  static const std::vector<W> cutoffs = [] {
+    std::vector<W> all(common_cutoffs<S>().begin(), common_cutoffs<S>().end());
+    std::sort(all.begin(), all.end());
+    return all;
+  }();
+  const S m = largest(x);
+  if (m == S(0)) return bit(true, 0);
+  W sum(0);
+  for (const S& v : x) sum += W(v) / W(m) * (W(v) / W(m));
+  const W theta = W(m) * W(sqrt(sum));
+  const auto near = [&](const W& c) { return W(fabs(W(theta - c))) <= ulp4 * c; };
+  const auto above = std::lower_bound(cutoffs.begin(), cutoffs.end(), theta);
+  const bool beside =
+      (above != cutoffs.end() && near(*above)) || (above != cutoffs.begin() && near(*(above - 1)));
+  bool near_turn = false;
+  if (theta > W(6) && theta < W(100)) {
+    const W turns = theta / (W(2) * pi);
+    near_turn = W(fabs(W(turns - W(static_cast<int>(turns + W(1) / W(2)))))) * W(6) < tenth;
+  }
+  int tiny = 0;
+  for (const S& v : x) tiny += S(fabs(v)) < m / S(1 << 10);
+  return bit(m < smallest, 1) | bit(m >= smallest && m < root, 2) | bit(theta < thousandth, 3) |
+         bit(beside, 4) | bit(theta > W(1) && theta < W(2), 5) |
+         bit(theta < pi && pi - theta < thousandth, 6) | bit(near(pi), 7) | bit(theta > pi + tenth, 8) |
+         bit(near_turn, 9) | bit(theta > W(100), 10) | bit(zeros(x) == 2, 11) |
+         bit(zeros(x) < 2 && tiny == 2, 12) | bit(zeros(x) == 1, 13);
+}
+
+template <class S>
+std::uint32_t of_quaternion(std::span<const S> q, std::span<const S> earlier) {
+  using std::fabs;
+  using W = std::conditional_t<std::is_same_v<S, float128>, S, long double>;
+  static const S millionth = S(1) / S(1000000), thousandth = S(1) / S(1000);
+  static const W eps = W(std::numeric_limits<S>::epsilon());
+  const auto v = q.template first<3>();
+  const S m = largest<S>(v), w = S(fabs(q[3]));
+  W norm2(0);
+  for (const S& c : q) norm2 += W(c) * W(c);
+  const W defect = W(fabs(W(norm2 - W(1))));
+  const bool subnormal = std::any_of(q.begin(), q.end(), [](const S& c) {
+    return c != S(0) && S(fabs(c)) < std::numeric_limits<S>::min() * S(16);
+  });
+  std::uint32_t c = bit(m == S(0), 0) | bit(m > S(0) && m < millionth, 1) | bit(w == S(0), 2) |
+                    bit(w > S(0) && w < millionth, 3) | bit(q[3] < S(0), 4) | bit(zeros<S>(v) == 2, 5) |
+                    bit(defect > W(3) * eps && defect <= W(8) * eps, 6) | bit(subnormal, 7);
+  if (!earlier.empty()) {
+    S minus(0), plus(0), dot(0);
+    for (std::size_t i = 0; i < 4; ++i) {
+      minus = std::max(minus, S(fabs(S(q[i] - earlier[i]))));
+      plus = std::max(plus, S(fabs(S(q[i] + earlier[i]))));
+      dot += q[i] * earlier[i];
+    }
+    const S d = std::min(minus, plus);
+    c |= bit(minus == S(0), 8) | bit(plus == S(0), 9) | bit(d > S(0) && d < thousandth, 10) |
+         bit(S(fabs(dot)) < thousandth, 11);
+  }
+  return c;
+}
+
+template <class S>
+std::uint32_t of_matrix(std::span<const S> R) {
+  using std::fabs;
+  static const S thousandth = S(1) / S(1000);
+  S off(0);
+  for (std::size_t k : {1, 2, 3, 5, 6, 7}) off = std::max(off, S(fabs(R[k])));
+  const S trace = R[0] + R[4] + R[8];
+  const bool symmetric = R[1] == R[3] && R[2] == R[6] && R[5] == R[7];
+  const bool axis = R[0] == S(1) || R[4] == S(1) || R[8] == S(1);
+  return bit(off == S(0) && trace == S(3), 0) | bit(off > S(0) && off < thousandth, 1) |
+         bit(symmetric && trace < S(0), 2) | bit(!symmetric && S(trace + S(1)) < thousandth, 3) |
+         bit(axis && trace < S(3), 4);
+}
+
+/// By the second moment tr(I)/2 - I: of rank 0, 1, 2 or 3. I: xx xy yy xz yz zz.
+template <class S>
+std::uint32_t of_inertia(std::span<const S> I) {
+  using std::fabs;
+  using W = Wide<S>;
+  const W trace = W(I[0]) + W(I[2]) + W(I[5]);
+  if (trace == W(0)) return bit(true, 0);
+  const W tolerance = W(64) * W(std::numeric_limits<S>::epsilon());
+  const auto second = [&](int k, bool diagonal) {
+    return (diagonal ? W(1) / W(2) : W(0)) - W(I[static_cast<std::size_t>(k)]) / trace;
+  };
+  const W xx = second(0, true), yy = second(2, true), zz = second(5, true);
+  const W xy = second(1, false), xz = second(3, false), yz = second(4, false);
+  const W minors = xx * yy - xy * xy + xx * zz - xz * xz + yy * zz - yz * yz;
+  const W determinant = xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * xz) + xz * (xy * yz - yy * xz);
+  const bool ball = I[0] == I[2] && I[2] == I[5] && I[1] == S(0) && I[3] == S(0) && I[4] == S(0);
+  const bool needle = W(fabs(minors)) <= tolerance, plate = !needle && W(fabs(determinant)) <= tolerance;
+  return bit(ball || W(fabs(W(minors - W(1) / W(12)))) <= tolerance, 1) | bit(needle, 2) | bit(plate, 3) |
+         bit(!needle && !plate, 4);
+}
+
+template <class S>
+std::uint32_t of_positive(const S& x) {
+  static const S low = std::is_same_v<S, float> ? S(1) / S(100) : S(1) / S(1000000000000ll);
+  return bit(x >= S(1) && x <= S(16) && x == S(static_cast<int>(x)), 0) | bit(x < low, 1) |
+         bit(x > S(1) / low, 2);
+}
+
+template <class S>
+std::uint32_t of_parents(std::span<const S> parents) {
+  int joints = 0, deepest = 0, widest_of = 0, roots = 0;
+  std::array<int, 64> depth{}, children{};
+  for (const S& p : parents) {
+    const int parent = static_cast<int>(p), i = joints;
+    if (parent < -1 || i >= 64) break;
+    ++joints;
+    depth[static_cast<std::size_t>(i)] = parent < 0 ? 1 : depth[static_cast<std::size_t>(parent)] + 1;
+    deepest = std::max(deepest, depth[static_cast<std::size_t>(i)]);
+    if (parent < 0)
+      ++roots;
+    else
+      widest_of = std::max(widest_of, ++children[static_cast<std::size_t>(parent)]);
+  }
+  const bool star = joints >= 3 && roots == 1 && deepest == 2;
+  return bit(joints == 1, 0) | bit(joints >= 3 && deepest == joints, 1) | bit(star, 2) | bit(roots > 1, 3) |
+         bit(deepest >= 4, 4) | bit(widest_of >= 3 || roots >= 3, 5);
+}
+/// Kinds, then primaries.
+template <class S>
+std::uint32_t of_joints(std::span<const S> x) {
+  std::uint32_t c = 0;
+  for (std::size_t i = 0; i < x.size() / 2; ++i) {
+    const int kind = static_cast<int>(x[i]);
+    if (kind >= 0) c |= bit(true, x[x.size() / 2 + i] >= S(0) ? 8 : kind);
+  }
+  return c;
+}
+template <class S>
+std::uint32_t of_masses(std::span<const S> x) {
+  static const S large = std::is_same_v<S, float> ? S(100) : S(1000000000000ll);
+  S low(0), high(0);
+  for (const S& m : x)
+    if (m > S(0)) low = low > S(0) ? std::min(low, m) : m, high = std::max(high, m);
+  return bit(high <= S(2) * low, 0) | bit(high / large > low, 1);
+}
+
+}  // namespace
+
+const std::vector<InputClass>& classes_of(Kind kind) {
+  switch (kind) {
+    case Kind::vector:
+      return vectors;
+    case Kind::rotation_vector:
+      return rotation_vectors;
+    case Kind::quaternion:
+      return quaternions;
+    case Kind::rotation_matrix:
+      return matrices;
+    case Kind::inertia:
+      return inertias;
+    case Kind::positive:
+      return positives;
+    case Kind::parents:
+      return trees;
+    case Kind::joints:
+      return joints;
+    case Kind::masses:
+      return masses;
+    default:
+      return none;
+  }
+}
+
+bool requires_class(const Field& field, const InputClass& c) {
+  return field.reach != Reach::any && (c.reach == Reach::limited || c.reach == field.reach);
+}
+
+template <class S>
+std::uint32_t classify(Kind kind, std::span<const S> x, std::span<const S> earlier) {
+  switch (kind) {
+    case Kind::vector:
+      return of_vector(x, earlier);
+    case Kind::rotation_vector:
+      return of_rotation_vector(x);
+    case Kind::quaternion:
+      return of_quaternion(x, earlier);
+    case Kind::rotation_matrix:
+      return of_matrix(x);
+    case Kind::inertia:
+      return of_inertia(x);
+    case Kind::positive:
+      return of_positive(x[0]);
+    case Kind::parents:
+      return of_parents(x);
+    case Kind::joints:
+      return of_joints(x);
+    case Kind::masses:
+      return of_masses(x);
+    default:
+      return 0;
+  }
+}
+
+template std::uint32_t classify(Kind, std::span<const float>, std::span<const float>);
+template std::uint32_t classify(Kind, std::span<const double>, std::span<const double>);
+template std::uint32_t classify(Kind, std::span<const float128>, std::span<const float128>);
+
+}  // namespace liecheck::properties
