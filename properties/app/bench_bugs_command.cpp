@@ -2,14 +2,15 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <campaign/campaign.hpp>
-#include <hard_cases/hard_cases.hpp>
-#include <search/weak_tests.hpp>
-#include <chrono>
 #include <app/store_commands.hpp>
+#include <campaign/campaign.hpp>
+#include <chrono>
+#include <hard_cases/hard_cases.hpp>
 #include <nlohmann/json.hpp>
 #include <reports/files.hpp>
+#include <search/weak_tests.hpp>
 #include <subjects/known_bugs.hpp>
+#include <support/stop.hpp>
 
 namespace liecheck::properties {
 namespace {

@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <app/bench_command.hpp>
-#include <campaign/campaign.hpp>
-#include <support/progress.hpp>
-#include <chrono>
 #include <app/store_commands.hpp>
+#include <campaign/campaign.hpp>
+#include <chrono>
 #include <cstdlib>
 #include <functional>
 #include <generators/rapidcheck.hpp>
@@ -17,6 +16,9 @@
 #include <oracles/error.hpp>
 #include <reports/files.hpp>
 #include <sstream>
+#include <support/environment.hpp>
+#include <support/progress.hpp>
+#include <support/stop.hpp>
 
 namespace liecheck::properties {
 namespace {
@@ -61,7 +63,9 @@ std::uint64_t check_exp6(const Subject<double>& subject, std::uint64_t cases, in
   static const bool configured = [cases] {
     return setenv("RC_PARAMS", fmt::format("max_success={} seed=42", cases).c_str(), 1) == 0;
   }();
-  const auto limit = [](const char* block) { return budget_of("liecheck", "exp6", block, Region::to_pi).limit; };
+  const auto limit = [](const char* block) {
+    return budget_of("liecheck", "exp6", block, Region::to_pi).limit;
+  };
   const double rotation = limit("rotation"), defect = limit("orthogonality defect"),
                translation = limit("translation");
   std::ostringstream quiet;

@@ -3,13 +3,14 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <campaign/campaign.hpp>
-#include <hard_cases/corpus.hpp>
-#include <support/progress.hpp>
-#include <support/text.hpp>
 #include <filesystem>
 #include <fstream>
+#include <hard_cases/corpus.hpp>
 #include <memory>
 #include <set>
+#include <support/progress.hpp>
+#include <support/stop.hpp>
+#include <support/text.hpp>
 
 namespace liecheck::properties {
 

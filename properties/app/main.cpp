@@ -4,29 +4,31 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <app/arguments.hpp>
-#include <atomic>
 #include <app/bench_command.hpp>
-#include <campaign/campaign.hpp>
-#include <support/text.hpp>
 #include <app/campaign_table.hpp>
-#include <cerrno>
-#include <app/hard_cases_command.hpp>
-#include <app/store_commands.hpp>
 #include <app/cost_command.hpp>
+#include <app/hard_cases_command.hpp>
+#include <app/hunt_command.hpp>
+#include <app/robot_command.hpp>
+#include <app/scene_command.hpp>
+#include <app/scene_sweep_command.hpp>
+#include <app/store_commands.hpp>
+#include <app/sweep_command.hpp>
+#include <atomic>
+#include <campaign/campaign.hpp>
+#include <cerrno>
 #include <csignal>
 #include <cstring>
 #include <ctime>
 #include <filesystem>
-#include <app/hunt_command.hpp>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <record/campaign.hpp>
 #include <reports/files.hpp>
 #include <reports/report.hpp>
-#include <app/robot_command.hpp>
-#include <app/scene_command.hpp>
-#include <app/scene_sweep_command.hpp>
 #include <set>
-#include <app/sweep_command.hpp>
+#include <support/stop.hpp>
+#include <support/text.hpp>
 #include <thread>
 #include <timing/kernels.hpp>
 
@@ -91,7 +93,7 @@ void stop_on_signals() {
     if (std::signal(number, on_signal) == SIG_IGN) std::signal(number, SIG_IGN);
 }
 
-std::optional<CampaignResult> campaign(const Flags& f, const Selection& selection) {
+std::optional<StoredRun> campaign(const Flags& f, const Selection& selection) {
   CampaignOptions options;
   options.selection = selection;
   options.seed = f.seed;
@@ -130,10 +132,10 @@ std::vector<HardRow> hard_cases_of(const Flags& f, const Selection& selection) {
 }
 
 /// Returns why it could not be written, to be told after the table: neither is lost with the other.
-std::string write_record(const std::filesystem::path& path, const CampaignResult& result,
+std::string write_record(const std::filesystem::path& path, const StoredRun& run,
                          const std::vector<HardRow>& hard_cases, const SweepResult* swept = nullptr,
                          const CostResult* cost = nullptr, const SceneSweepResult* scenes = nullptr) try {
-  auto record = record_of(result);
+  auto record = record_of(run.result, run.counterexamples, run.environment);
   add_hard_cases(record, hard_cases);
   if (swept) add_sweep(record, *swept);
   if (cost) add_cost(record, *cost);
@@ -160,9 +162,9 @@ int run_campaign_command(const Flags& f) {
   }
   const auto done = campaign(f, selection);
   if (!done) return within_budget;
-  const CampaignResult& result = *done;
-  const std::string lost = f.json.empty() ? "" : write_record(f.json, result, hard_cases);
-  print_counterexamples(result);
+  const CampaignResult& result = done->result;
+  const std::string lost = f.json.empty() ? "" : write_record(f.json, *done, hard_cases);
+  print_counterexamples(done->counterexamples);
   const int code = print_campaign(result, f.verbose);
   print_how_to_go_on(result, f.store);
   if (!lost.empty()) throw std::runtime_error(lost);
@@ -172,7 +174,8 @@ int run_campaign_command(const Flags& f) {
 
 int run_hard_cases_command(const Flags& f) {
   if (!f.json.empty()) check_writable(f.json);
-  CampaignResult result;
+  StoredRun run;
+  CampaignResult& result = run.result;
   result.options.cases = 0;
   result.robot = robot_of(f);
   const auto cases = corpus_with(f.files);
@@ -181,7 +184,7 @@ int run_hard_cases_command(const Flags& f) {
   result.incomplete = stop_requested;
   if (rows.empty() && !stop_requested)
     throw std::invalid_argument("nothing to run: no selected subject offers a hard case's property");
-  const std::string lost = f.json.empty() ? "" : write_record(f.json, result, rows);
+  const std::string lost = f.json.empty() ? "" : write_record(f.json, run, rows);
   print_hard_case_table(rows);
   print_hard_case_summary(rows, rows.size());
   if (!lost.empty()) throw std::runtime_error(lost);
@@ -268,8 +271,8 @@ int run_report(const Flags& f) {
     const std::filesystem::path path = std::filesystem::path(f.out) / "campaign.json";
     check_writable(path);
     const auto hard_cases = hard_cases_of(f, {});
-    const CampaignResult result = campaign(f, {}).value();
-    if (result.incomplete) std::fputs("interrupted: the report holds what was done\n", stderr);
+    const StoredRun run = campaign(f, {}).value();
+    if (run.result.incomplete) std::fputs("interrupted: the report holds what was done\n", stderr);
     std::optional<SweepResult> swept;
     if (!stop_requested) {
       swept = run_sweep({{}, "", f.jobs});
@@ -296,7 +299,7 @@ int run_report(const Flags& f) {
       scenes = run_scene_sweep(s);
       if (stop_requested) std::fputs("interrupted in the scenes: the report holds what was done\n", stderr);
     }
-    const std::string lost = write_record(path, result, hard_cases, swept ? &*swept : nullptr,
+    const std::string lost = write_record(path, run, hard_cases, swept ? &*swept : nullptr,
                                           cost ? &*cost : nullptr, scenes ? &*scenes : nullptr);
     if (!lost.empty()) throw std::runtime_error(lost);
     records.push_back(path);

@@ -1,16 +1,16 @@
 #include <app/scene_command.hpp>
 
 #include <fmt/format.h>
-#include <campaign/campaign.hpp>
-#include <support/progress.hpp>
-#include <cmath>
 #include <app/store_commands.hpp>
+#include <cmath>
 #include <filesystem>
 #include <liecheck/scene/run.hpp>
 #include <liecheck/scene_file/scene_file.hpp>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <reports/files.hpp>
+#include <support/progress.hpp>
+#include <support/stop.hpp>
 
 namespace liecheck::properties {
 namespace {

@@ -1,17 +1,17 @@
 #include <app/scene_sweep_command.hpp>
 
 #include <fmt/format.h>
-#include <campaign/campaign.hpp>
-#include <support/progress.hpp>
+#include <app/store_commands.hpp>
 #include <chrono>
 #include <cmath>
-#include <app/store_commands.hpp>
 #include <liecheck/scene/integrators/registry.hpp>
 #include <liecheck/scene_file/scene_file.hpp>
 #include <nlohmann/json.hpp>
 #include <reports/files.hpp>
 #include <scenes/builtin.hpp>
 #include <set>
+#include <support/progress.hpp>
+#include <support/stop.hpp>
 
 namespace liecheck::properties {
 namespace {

@@ -2,15 +2,16 @@
 
 #include <fmt/format.h>
 #include <app/arguments.hpp>
-#include <store/merge.hpp>
-#include <store/ranks.hpp>
-#include <support/text.hpp>
 #include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <record/campaign.hpp>
 #include <reports/files.hpp>
 #include <set>
 #include <stdexcept>
+#include <store/merge.hpp>
+#include <store/ranks.hpp>
+#include <support/text.hpp>
 
 namespace liecheck::properties {
 
@@ -42,8 +43,8 @@ std::string rank_file(const std::string& store, int rank, int size) {
 }
 
 /// One rank of several: its part into a file of its own; the first one merges.
-std::optional<CampaignResult> run_rank(const Ranks& ranks, CampaignOptions o, const Robot& robot,
-                                       const StoreFlags& f) {
+std::optional<StoredRun> run_rank(const Ranks& ranks, CampaignOptions o, const Robot& robot,
+                                  const StoreFlags& f) {
   if (f.store.empty()) throw std::invalid_argument("under mpirun a campaign needs --store FILE");
   if (!f.shard.empty()) throw std::invalid_argument("--shard: mpirun shares the cases out already");
   if (o.seconds) throw std::invalid_argument("--for: under mpirun the cases are shared out: give --cases");
@@ -52,13 +53,13 @@ std::optional<CampaignResult> run_rank(const Ranks& ranks, CampaignOptions o, co
   o.quiet = o.quiet || me > 0;
   if (!f.jobs || f.jobs->count() == 0) o.jobs = 1;
   const std::string file = rank_file(f.store, me, n);
-  std::optional<CampaignResult> result;
+  std::optional<StoredRun> run;
   int state = within_budget;
   try {
     Store store(file, Store::Open::create);
     if (me == 0 && is_store(f.store)) store.adopt(Store(f.store, Store::Open::existing).counterexamples());
-    result = run_campaign(o, robot, &store, f.resume);
-    if (result->incomplete) {
+    run = run_stored(o, robot, store, f.resume);
+    if (run->result.incomplete) {
       state = incomplete;
       // At once: an interrupted mpirun gives its ranks about a second.
       if (me == 0) fmt::print("to go on:\n  mpirun -n {} {}{}\n", n, f.command, f.resume ? "" : " --resume");
@@ -72,16 +73,17 @@ std::optional<CampaignResult> run_rank(const Ranks& ranks, CampaignOptions o, co
   state = ranks.largest(state == incomplete ? 1 : state == bad_input ? 2 : 0);
   if (me > 0) return std::nullopt;
   if (state == 2) throw std::runtime_error(fmt::format("{}: not merged: a rank failed", f.store));
-  result->incomplete = result->incomplete || state == 1;
-  if (result->incomplete || result->series.empty()) return result;
+  CampaignResult& mine = run->result;
+  mine.incomplete = mine.incomplete || state == 1;
+  if (mine.incomplete || mine.series.empty()) return run;
   std::vector<std::string> files;
   for (int k = 0; k < n; ++k) files.push_back(rank_file(f.store, k, n));
   merge_into(f.store, files, false);
-  CampaignResult all = result_of(load_campaign(f.store), f.store);
-  all.counterexamples = result->counterexamples;
-  all.elapsed = result->elapsed;
-  all.options.shards = o.shards;
-  all.failed = all.failed || !all.counterexamples.failing.empty();
+  StoredRun all = result_of(load_campaign(f.store), f.store);
+  all.counterexamples = run->counterexamples;
+  all.result.elapsed = mine.elapsed;
+  all.result.options.shards = o.shards;
+  all.result.failed = all.result.failed || !all.counterexamples.failing.empty();
   return all;
 }
 
@@ -118,18 +120,16 @@ void check_store_flags(const StoreFlags& f, bool timed) {
   if (!f.store.empty() && !rank_of_mpirun()) Store(f.store, Store::Open::create);
 }
 
-std::optional<CampaignResult> run_stored_campaign(CampaignOptions o, const Robot& robot,
-                                                  const StoreFlags& f) {
+std::optional<StoredRun> run_stored_campaign(CampaignOptions o, const Robot& robot, const StoreFlags& f) {
   if (!f.shard.empty()) parse_shard(f.shard, o);
   const Ranks ranks;
   if (ranks.size() > 1) return run_rank(ranks, o, robot, f);
-  if (f.store.empty()) return run_campaign(o, robot);
+  if (f.store.empty()) return StoredRun{run_campaign(o, robot), {}, {}};
   Store store(f.store, Store::Open::create);
-  return run_campaign(o, robot, &store, f.resume);
+  return run_stored(o, robot, store, f.resume);
 }
 
-void print_counterexamples(const CampaignResult& r) {
-  const Counterexamples& c = r.counterexamples;
+void print_counterexamples(const Counterexamples& c) {
   if (c.replayed + c.skipped == 0) return;
   constexpr std::size_t shown = 6;
   fmt::print("counterexamples of earlier runs: {} replayed, {} still fail, {} outside the selection\n",
@@ -208,7 +208,7 @@ std::vector<std::string> with_records_of_stores(const std::vector<std::string>& 
       all.push_back(record);
       continue;
     }
-    const CampaignResult result = result_of(load_campaign(record), record);
+    const StoredRun run = result_of(load_campaign(record), record);
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error)
@@ -216,7 +216,8 @@ std::vector<std::string> with_records_of_stores(const std::vector<std::string>& 
     std::string name = std::filesystem::path(record).stem().string();
     while (!names.insert(name).second) name += "_";
     all.push_back((std::filesystem::path(folder) / (name + ".json")).string());
-    reports::write_whole(all.back(), record_of(result).dump(1) + "\n");
+    reports::write_whole(all.back(),
+                         record_of(run.result, run.counterexamples, run.environment).dump(1) + "\n");
   }
   return all;
 }

@@ -2,8 +2,8 @@
 // The commands around stores: the campaign's flags, merge, export, compare.
 
 #include <CLI/CLI.hpp>
-#include <campaign/campaign.hpp>
 #include <optional>
+#include <store/stored_run.hpp>
 #include <string>
 #include <vector>
 
@@ -31,11 +31,11 @@ void check_store_flags(const StoreFlags& flags, bool timed);
 
 /// Runs a campaign into its store, over the ranks of mpirun where it started this; nothing on the ranks that
 /// leave the result to the first one.
-std::optional<CampaignResult> run_stored_campaign(CampaignOptions options, const Robot& robot,
-                                                  const StoreFlags& flags);
+std::optional<StoredRun> run_stored_campaign(CampaignOptions options, const Robot& robot,
+                                             const StoreFlags& flags);
 
 /// The section of earlier counterexamples, and how an interrupted campaign goes on.
-void print_counterexamples(const CampaignResult& result);
+void print_counterexamples(const Counterexamples& counterexamples);
 void print_how_to_go_on(const CampaignResult& result, const StoreFlags& flags);
 
 /// Merge, export and compare.

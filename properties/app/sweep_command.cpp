@@ -2,12 +2,13 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <campaign/campaign.hpp>
-#include <support/progress.hpp>
-#include <cmath>
 #include <app/store_commands.hpp>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <reports/files.hpp>
+#include <support/environment.hpp>
+#include <support/progress.hpp>
+#include <support/stop.hpp>
 
 namespace liecheck::properties {
 namespace {

@@ -2,21 +2,18 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <store/counterexamples.hpp>
 #include <campaign/coverage_report.hpp>
-#include <support/progress.hpp>
-#include <failures/program.hpp>
-#include <store/store.hpp>
-#include <support/text.hpp>
-#include <support/threads.hpp>
 #include <chrono>
 #include <exception>
+#include <failures/program.hpp>
 #include <limits>
 #include <mutex>
+#include <support/progress.hpp>
+#include <support/stop.hpp>
+#include <support/text.hpp>
+#include <support/threads.hpp>
 
 namespace liecheck::properties {
-
-std::atomic<bool> stop_requested{false};
 
 namespace {
 
@@ -29,7 +26,7 @@ double seconds_since(Clock::time_point t) {
 }  // namespace
 
 Range CampaignOptions::range() const {
-  if (range_of_store) return *range_of_store;
+  if (range_override) return *range_override;
   if (seconds) return {0, std::numeric_limits<std::int64_t>::max()};
   const auto at = [this](unsigned k) {
     return static_cast<std::uint64_t>(static_cast<unsigned __int128>(cases) * k / shards);
@@ -50,7 +47,7 @@ void CampaignResult::summarize() {
     for (const Covered& c : coverage_of(*s.series, s.tally)) covered = covered && !c.missing();
     if (options.seconds ? stop_requested.load() : !s.tally.done.covers(first, last)) incomplete = true;
   }
-  failed = failed || !counterexamples.failing.empty() || !covered;
+  failed = failed || !covered;
   const std::string header = fmt::format("liecheck g{} seed {}", generator_version, options.seed);
   inputs_digest = inputs.finish(header);
   results_digest = results.finish(header);
@@ -58,15 +55,15 @@ void CampaignResult::summarize() {
 
 namespace {
 
-/// The threads of one campaign: take a chunk, run it, add it, and now and then keep it.
+/// The threads of one campaign: take a chunk, run it, add it, and now and then save a checkpoint.
 class Engine {
  public:
-  Engine(CampaignResult& result, Store* store)
+  Engine(CampaignResult& result, Checkpoint* checkpoint)
       : result_(result),
         o_(result.options),
-        store_(store),
+        checkpoint_(checkpoint),
         start_(Clock::now()),
-        kept_(start_),
+        saved_(start_),
         missing_(missing()),
         progress_("", o_.quiet) {
     const auto [first, last] = o_.range();
@@ -76,7 +73,7 @@ class Engine {
   void run() {
     run_on_threads(o_.jobs, stop_requested, [this] { work(); });
     if (error_) std::rethrow_exception(error_);
-    keep();
+    save();
     show(true);
     result_.elapsed = seconds_since(start_);
   }
@@ -144,7 +141,7 @@ class Engine {
         add(s, from, to, tally);
         if (seconds < chunk_seconds && to - from >= queues_[s].size) queues_[s].size *= 2;
         if (seconds > 2 * chunk_seconds) queues_[s].size = std::max(std::uint64_t(1), queues_[s].size / 2);
-        if (seconds_since(kept_) >= o_.keep_seconds && !error_) keep();
+        if (seconds_since(saved_) >= o_.checkpoint_seconds && !error_) save();
         show(false);
       }
     } catch (...) {
@@ -155,9 +152,10 @@ class Engine {
 
   void add(std::size_t s, std::uint64_t from, std::uint64_t to, const Tally& tally) {
     result_.series[s].tally.merge(tally);
-    if (store_)
-      for (const auto& [cell, row] : tally.rows) touched_[s].insert(cell);
-    if (store_) touched_[s];
+    if (checkpoint_) {
+      auto& cells = changed_[s];
+      for (const auto& [cell, row] : tally.rows) cells.insert(cell);
+    }
     done_ += to - from;
   }
 
@@ -174,16 +172,16 @@ class Engine {
         last);
   }
 
-  void keep() {
-    if (store_ && !touched_.empty()) store_->commit(result_.series, touched_);
-    touched_.clear();
-    kept_ = Clock::now();
+  void save() {
+    if (checkpoint_ && !changed_.empty()) checkpoint_->save(result_.series, changed_);
+    changed_.clear();
+    saved_ = Clock::now();
   }
 
   CampaignResult& result_;
   const CampaignOptions& o_;
-  Store* store_;
-  Clock::time_point start_, kept_;
+  Checkpoint* checkpoint_;
+  Clock::time_point start_, saved_;
   std::uint64_t missing_;
   Progress progress_;
   std::mutex mutex_;
@@ -191,23 +189,19 @@ class Engine {
   std::size_t next_ = 0;
   std::uint64_t done_ = 0, round_size_ = first_chunk;
   double round_start_ = 0;
-  std::map<std::size_t, std::set<Cell>> touched_;
+  Checkpoint::ChangedRows changed_;
   std::exception_ptr error_;
 };
 
 }  // namespace
 
-CampaignResult run_campaign(const CampaignOptions& options, const Robot& robot, Store* store, bool resume) {
+CampaignResult run_campaign(const CampaignOptions& options, const Robot& robot, Checkpoint* checkpoint) {
   CampaignResult result;
   result.options = options;
   result.robot = robot;
   for (auto& s : select(options.selection, robot)) result.series.push_back({std::move(s), {}});
-  if (store && !result.series.empty()) {
-    if (options.shard == 1)
-      result.counterexamples = replay_counterexamples(store->counterexamples(), result.series);
-    store->begin(spec_of(options, robot, result.series), result.series, resume);
-  }
-  Engine(result, store).run();
+  if (checkpoint && !result.series.empty()) checkpoint->restore(result);
+  Engine(result, checkpoint).run();
   result.summarize();
   return result;
 }

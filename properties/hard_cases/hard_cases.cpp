@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <atomic>
 #include <campaign/campaign.hpp>
-#include <support/threads.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <support/stop.hpp>
+#include <support/threads.hpp>
 #include <tuple>
 
 namespace liecheck::properties {

@@ -1,15 +1,12 @@
-#include <campaign/campaign.hpp>
-
-#include <gnu/libc-version.h>
-#include <sys/utsname.h>
+#include <record/campaign.hpp>
 
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <support/environment.hpp>
 
 namespace liecheck::properties {
 
@@ -21,25 +18,6 @@ json number(double x) {
   if (std::isnan(x)) return "nan";
   if (std::isinf(x)) return "inf";
   return x;
-}
-
-std::string processor() {
-  std::ifstream file("/proc/cpuinfo");
-  std::string line;
-  while (std::getline(file, line))
-    if (line.rfind("model name", 0) == 0) return line.substr(line.find(':') + 2);
-  return "unknown";
-}
-
-json environment() {
-  utsname u{};
-  uname(&u);
-  return {{"cpu", processor()},
-          {"os", fmt::format("{} {}", u.sysname, u.machine)},
-          {"compiler", LIECHECK_COMPILER},
-          {"flags", LIECHECK_FLAGS},
-          {"fma_contraction", "off"},
-          {"libm", fmt::format("glibc {}", gnu_get_libc_version())}};
 }
 
 /// What each operation is, and in which frame its result stands.
@@ -131,11 +109,7 @@ json blocks() {
 
 }  // namespace
 
-std::string environment_text() {
-  return environment().dump();
-}
-
-json record_of(const CampaignResult& r) {
+json record_of(const CampaignResult& r, const Counterexamples& replayed, const std::string& environment) {
   json subjects_json = json::array(), operations = json::array(), laws = json::array(), rows = json::array();
   std::map<std::pair<std::string, std::string>, std::pair<const Series*, std::set<std::string>>>
       subjects_seen;
@@ -203,7 +177,7 @@ json record_of(const CampaignResult& r) {
                              {"not_offered", not_offered}});
   }
   json failing = json::array();
-  for (const auto& f : r.counterexamples.failing) failing.push_back(f.id);
+  for (const auto& f : replayed.failing) failing.push_back(f.id);
   return {
       {"version", LIECHECK_VERSION},
       {"generator_version", generator_version},
@@ -214,13 +188,11 @@ json record_of(const CampaignResult& r) {
                   : r.failed   ? "fail"
                                : "pass"},
       {"counterexamples",
-       {{"replayed", r.counterexamples.replayed},
-        {"skipped", r.counterexamples.skipped},
-        {"failing", failing}}},
+       {{"replayed", replayed.replayed}, {"skipped", replayed.skipped}, {"failing", failing}}},
       {"digest", {{"inputs", r.inputs_digest}, {"results", r.results_digest}}},
       {"robot",
        {{"name", r.robot.name}, {"hash", r.robot.hash}, {"root", r.robot.fixed ? "fixed" : "free-flyer"}}},
-      {"environment", r.environment.empty() ? environment() : json::parse(r.environment)},
+      {"environment", json::parse(environment.empty() ? environment_text() : environment)},
       {"subjects", subjects_json},
       {"absent", absent_subjects()},
       {"blocks", blocks()},

@@ -2,9 +2,9 @@
 
 #include <app/scene_sweep_command.hpp>
 
-#include <campaign/campaign.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <support/environment.hpp>
 
 namespace liecheck::properties {
 namespace {

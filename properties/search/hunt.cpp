@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <campaign/campaign.hpp>
-#include <search/mutations.hpp>
 #include <chrono>
+#include <search/mutations.hpp>
+#include <support/stop.hpp>
 
 namespace liecheck::properties {
 

@@ -12,6 +12,16 @@ struct Counterexample {
   auto operator<=>(const Counterexample&) const = default;
 };
 
+/// Of their replay.
+struct Counterexamples {
+  struct Failing {
+    std::string operation, block, id;
+  };
+  std::size_t replayed = 0;
+  std::size_t skipped = 0;  ///< of another robot or outside the selection
+  std::vector<Failing> failing;
+};
+
 Counterexamples replay_counterexamples(const std::vector<Counterexample>& all,
                                        const std::vector<SeriesResult>& series);
 

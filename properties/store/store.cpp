@@ -157,14 +157,13 @@ void Store::begin(const CampaignSpec& spec, std::vector<SeriesResult>& series, b
   t.commit();
 }
 
-void Store::commit(const std::vector<SeriesResult>& series,
-                   const std::map<std::size_t, std::set<Cell>>& touched) {
+void Store::commit(const std::vector<SeriesResult>& series, const Checkpoint::ChangedRows& changed) {
   Transaction t(database_);
   check_alone();
   Statement known(database_,
                   "SELECT 1 FROM failures WHERE campaign = ? AND series = ? AND output = ? AND band = ? "
                   "AND case_index = ?");
-  for (const auto& [i, cells] : touched) {
+  for (const auto& [i, cells] : changed) {
     const Series& s = *series[i].series;
     for (const Cell& cell : cells) {
       const Row& row = series[i].tally.rows.at(cell);

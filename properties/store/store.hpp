@@ -15,7 +15,6 @@
 
 #include <store/counterexamples.hpp>
 #include <store/sqlite.hpp>
-#include <set>
 
 namespace liecheck::properties {
 
@@ -78,8 +77,8 @@ class Store {
   /// Begins the campaign, or fills in what was done of it where `resume` and the store holds it. Throws
   /// std::invalid_argument naming what differs.
   void begin(const CampaignSpec& spec, std::vector<SeriesResult>& series, bool resume);
-  /// One transaction: the series and cells that were touched.
-  void commit(const std::vector<SeriesResult>& series, const std::map<std::size_t, std::set<Cell>>& touched);
+  /// One transaction: the series and cells that changed.
+  void commit(const std::vector<SeriesResult>& series, const Checkpoint::ChangedRows& changed);
   /// Adds a whole campaign, in the place of the last one or after it, and counterexamples of other files.
   void write(const StoredCampaign& campaign, bool replace_last, const std::vector<Counterexample>& others);
   /// Keeps counterexamples of another file, to be run first.
@@ -108,7 +107,5 @@ StoredCampaign load_campaign(const std::string& name);
 std::string stored_file(const std::string& name);
 /// Does the file begin as an SQLite database does?
 bool is_store(const std::string& name);
-/// With the laws and subjects of this program: what the report needs. Throws where it lacks one.
-CampaignResult result_of(const StoredCampaign& campaign, const std::string& name);
 
 }  // namespace liecheck::properties

@@ -1,14 +1,15 @@
-// What a stored campaign is, apart from the file: its identity, and its way back to a result.
+// What a stored campaign is, apart from the file: its identity and its name.
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <support/embedded.hpp>
-#include <store/store.hpp>
 #include <charconv>
 #include <filesystem>
 #include <fstream>
 #include <limits>
 #include <stdexcept>
+#include <store/store.hpp>
+#include <support/embedded.hpp>
+#include <support/environment.hpp>
 
 namespace liecheck::properties {
 
@@ -86,7 +87,8 @@ std::pair<std::string, int> split(const std::string& name) {
   int number = 0;
   const auto r = std::from_chars(p, end, number);
   if (r.ec != std::errc() || r.ptr != end) return {name, 0};
-  if (number < 1) throw std::runtime_error(fmt::format("{}: the campaigns of a store are numbered from 1", name));
+  if (number < 1)
+    throw std::runtime_error(fmt::format("{}: the campaigns of a store are numbered from 1", name));
   return {name.substr(0, at), number};
 }
 
@@ -100,43 +102,6 @@ StoredCampaign load_campaign(const std::string& name) {
   const auto [file, number] = split(name);
   Store store(file, Store::Open::existing);
   return store.load(number ? number : store.campaigns());
-}
-
-CampaignResult result_of(const StoredCampaign& c, const std::string& name) {
-  CampaignResult result;
-  CampaignOptions& o = result.options;
-  o.seed = c.spec.seed, o.cases = c.spec.cases;
-  if (c.spec.cases == 0) o.seconds = 0;
-  o.range_of_store = Range{c.spec.first, c.spec.last};
-  result.robot = c.spec.robot;
-  result.environment = c.spec.environment;
-  const auto refuse = [&](const std::string& what) {
-    throw std::runtime_error(fmt::format("{}: {}", name, what));
-  };
-  if (c.spec.program != LIECHECK_VERSION || c.spec.generator != generator_version)
-    refuse(fmt::format("of liecheck {}, generator {}; this is {}, generator {}", c.spec.program,
-                       c.spec.generator, LIECHECK_VERSION, generator_version));
-  auto all = select({}, c.spec.robot);
-  for (const StoredSeries& s : c.series) {
-    const auto found = std::find_if(all.begin(), all.end(), [&](const auto& x) {
-      return x && x->property == s.property && x->subject == s.subject && x->scalar == s.scalar;
-    });
-    if (found == all.end())
-      refuse(fmt::format("holds {} of {} in {}, which this program lacks", s.property, s.subject, s.scalar));
-    for (const auto& [cell, label] : s.labels) {
-      const auto [output, band] = cell;
-      const bool known = output >= 0 && output < int((*found)->outputs.size()) && band >= 0 &&
-                         band < int((*found)->bands().all().size()) &&
-                         (*found)->outputs[std::size_t(output)].operation == label.operation &&
-                         (*found)->outputs[std::size_t(output)].block == label.block &&
-                         (*found)->bands()[std::size_t(band)].name == label.band;
-      if (!known)
-        refuse(fmt::format("{} has no {}, {}, {}", s.property, label.operation, label.block, label.band));
-    }
-    result.series.push_back({std::move(*found), s.tally});
-  }
-  result.summarize();
-  return result;
 }
 
 }  // namespace liecheck::properties

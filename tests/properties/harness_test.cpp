@@ -9,6 +9,7 @@
 #include <campaign/case_id.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <record/campaign.hpp>
 
 namespace liecheck::properties {
 namespace {

@@ -7,11 +7,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 #include <algorithm>
-#include <store/merge.hpp>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <random>
+#include <store/merge.hpp>
+#include <store/stored_run.hpp>
 #include <thread>
 
 namespace liecheck::properties {
@@ -36,7 +37,7 @@ class Stores : public testing::Test {
   }
   std::string run(const std::string& name, const CampaignOptions& o, bool resume = false) const {
     Store store(file(name), Store::Open::create);
-    run_campaign(o, built_in_robot(), &store, resume);
+    run_stored(o, built_in_robot(), store, resume);
     return file(name);
   }
   std::vector<std::string> shards(unsigned n, std::uint64_t seed = 42) const {
@@ -94,7 +95,7 @@ TEST(RangesOfCases, AreDisjointAndCoalesced) {
 TEST_F(Stores, ExportTheSameForOneThreadTwoAndSevenShardsInAnyOrder) {
   const std::string one = text(run("one", options()));
   CampaignOptions two = options();
-  two.jobs = 2, two.keep_seconds = 0;
+  two.jobs = 2, two.checkpoint_seconds = 0;
   EXPECT_EQ(text(run("two", two)), one);
   auto parts = shards(7);
   std::mt19937 random(std::random_device{}());
@@ -131,7 +132,7 @@ TEST_F(Stores, GoOnAfterKillsToTheSameExport) {
     seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
   const std::string whole = text(file("whole" + std::to_string(o.cases)));
-  o.jobs = 2, o.keep_seconds = 0;  // a transaction for every chunk, so that kills meet them
+  o.jobs = 2, o.checkpoint_seconds = 0;  // a transaction for every chunk, so that kills meet them
   std::mt19937 random(std::random_device{}());
   std::uint64_t last = 0;
   int kills = 0, progressed = 0;
@@ -180,13 +181,13 @@ TEST_F(Stores, ReplayEarlierCounterexamplesBesideTheCountedCases) {
   run("a", options());
   CampaignOptions o = options(50, 7);
   Store store(file("a"), Store::Open::create);
-  const CampaignResult r = run_campaign(o, built_in_robot(), &store);
+  const StoredRun r = run_stored(o, built_in_robot(), store, false);
   EXPECT_GT(r.counterexamples.replayed, 0u);
   EXPECT_GT(r.counterexamples.failing.size(), 0u);
   EXPECT_EQ(text(file("a")), text(run("fresh", o)));
   EXPECT_EQ(text(file("a@1")), text(run("first", options())));
   o.shard = 2, o.shards = 2, o.seed = 8;
-  EXPECT_EQ(run_campaign(o, built_in_robot(), &store).counterexamples.replayed, 0u);
+  EXPECT_EQ(run_stored(o, built_in_robot(), store, false).counterexamples.replayed, 0u);
 }
 
 TEST_F(Stores, MergeNamesMissingOverlappingAndForeignRanges) {

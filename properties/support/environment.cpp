@@ -1,0 +1,35 @@
+#include <support/environment.hpp>
+
+#include <gnu/libc-version.h>
+#include <sys/utsname.h>
+
+#include <fmt/format.h>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+namespace liecheck::properties {
+namespace {
+
+std::string processor() {
+  std::ifstream file("/proc/cpuinfo");
+  std::string line;
+  while (std::getline(file, line))
+    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+  return "unknown";
+}
+
+}  // namespace
+
+std::string environment_text() {
+  utsname u{};
+  uname(&u);
+  return nlohmann::json{{"cpu", processor()},
+                        {"os", fmt::format("{} {}", u.sysname, u.machine)},
+                        {"compiler", LIECHECK_COMPILER},
+                        {"flags", LIECHECK_FLAGS},
+                        {"fma_contraction", "off"},
+                        {"libm", fmt::format("glibc {}", gnu_get_libc_version())}}
+      .dump();
+}
+
+}  // namespace liecheck::properties

@@ -1,0 +1,7 @@
+#include <support/stop.hpp>
+
+namespace liecheck::properties {
+
+std::atomic<bool> stop_requested{false};
+
+}  // namespace liecheck::properties

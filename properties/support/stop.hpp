@@ -1,0 +1,11 @@
+#pragma once
+// The request to stop, set by a signal handler and polled by long work.
+
+#include <atomic>
+
+namespace liecheck::properties {
+
+/// Set by Ctrl-C, SIGTERM and SIGHUP: work in progress is finished, no new work begins.
+extern std::atomic<bool> stop_requested;
+
+}  // namespace liecheck::properties
