@@ -6,11 +6,11 @@
 #include <map>
 #include <reports/cost_points.hpp>
 #include <reports/field.hpp>
-#include <reports/files.hpp>
 #include <reports/record.hpp>
 #include <reports/scenes.hpp>
 #include <stdexcept>
 #include <string_view>
+#include <support/files.hpp>
 
 namespace liecheck::reports {
 
@@ -153,7 +153,7 @@ double figure(const Json& value) {
 
 Json read_record(const std::filesystem::path& file) {
   const std::string name = file.string();
-  const std::string bytes = read_whole(file);
+  const std::string bytes = properties::read_whole(file);
   Json record = Json::parse(bytes, nullptr, false);
   if (record.is_discarded()) {
     FirstError error(name, bytes);

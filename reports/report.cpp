@@ -1,12 +1,13 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <reports/files.hpp>
 #include <reports/page.hpp>
 #include <reports/record.hpp>
 #include <reports/report.hpp>
 #include <stdexcept>
 #include <string_view>
+#include <support/files.hpp>
+#include <support/text.hpp>
 #include <system_error>
 
 namespace liecheck::reports {
@@ -20,7 +21,7 @@ constexpr std::array columns = {
 
 std::string cell(const Json& value) {
   if (value.is_null()) return "";
-  if (value.is_string()) return quoted(value);
+  if (value.is_string()) return properties::csv_field(value);
   if (value.is_number_float()) return fmt::format("{:.17g}", value.get<double>());
   return value.dump();
 }
@@ -34,8 +35,9 @@ std::string csv(const Merged& merged) {
     if (!has_worst(row))
       out += ",,";
     else
-      out += quoted(worst["id"]) + ',' + cell(worst.value("kappa", Json())) + ',' +
-             quoted(fmt::format("{}", fmt::join(worst["input"].get<std::vector<std::string>>(), " ")));
+      out += properties::csv_field(worst["id"]) + ',' + cell(worst.value("kappa", Json())) + ',' +
+             properties::csv_field(
+                 fmt::format("{}", fmt::join(worst["input"].get<std::vector<std::string>>(), " ")));
     out += "\r\n";
   }
   return out;
@@ -58,9 +60,9 @@ ReportFiles write_report(const std::vector<std::filesystem::path>& records,
         throw std::runtime_error(
             fmt::format("{}: a record, and the report in {} would overwrite it: choose another folder",
                         record.string(), out_dir.string()));
-  write_whole(files.json, numbers.dump(1) + '\n');
-  write_whole(files.csv, csv(merged));
-  write_whole(files.html, page(merged, numbers));
+  properties::write_whole(files.json, numbers.dump(1) + '\n');
+  properties::write_whole(files.csv, csv(merged));
+  properties::write_whole(files.html, page(merged, numbers));
   return files;
 }
 

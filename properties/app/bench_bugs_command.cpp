@@ -7,9 +7,9 @@
 #include <chrono>
 #include <hard_cases/hard_cases.hpp>
 #include <nlohmann/json.hpp>
-#include <reports/files.hpp>
 #include <search/weak_tests.hpp>
 #include <subjects/known_bugs.hpp>
+#include <support/files.hpp>
 #include <support/stop.hpp>
 
 namespace liecheck::properties {
@@ -110,16 +110,16 @@ int run_bench(const BenchFlags& f, const Robot& robot) {
   for (std::size_t i = 0; i < weak_styles().size(); ++i)
     fmt::print("{:<14} kills {:>3} of {}\n", weak_styles()[i].name, weak_kills[i], bugs);
   if (!f.json.empty())
-    reports::write_whole(f.json, nlohmann::json({{"version", LIECHECK_VERSION},
-                                                 {"seed", f.seed},
-                                                 {"scalar", f.scalar},
-                                                 {"seconds_each", f.seconds},
-                                                 {"verdict", stop_requested ? "incomplete"
-                                                             : killed == bugs && false_alarms == 0 ? "pass"
-                                                                                                   : "fail"},
-                                                 {"bugs", rows}})
-                                         .dump(1) +
-                                     "\n");
+    write_whole(f.json, nlohmann::json({{"version", LIECHECK_VERSION},
+                                        {"seed", f.seed},
+                                        {"scalar", f.scalar},
+                                        {"seconds_each", f.seconds},
+                                        {"verdict", stop_requested                        ? "incomplete"
+                                                    : killed == bugs && false_alarms == 0 ? "pass"
+                                                                                          : "fail"},
+                                        {"bugs", rows}})
+                                .dump(1) +
+                            "\n");
   if (stop_requested) return incomplete;
   return killed == bugs && false_alarms == 0 ? within_budget : property_failed;
 }

@@ -14,9 +14,9 @@
 #include <nlohmann/json.hpp>
 #include <oracles/closed_forms.hpp>
 #include <oracles/error.hpp>
-#include <reports/files.hpp>
 #include <sstream>
 #include <support/environment.hpp>
+#include <support/files.hpp>
 #include <support/progress.hpp>
 #include <support/stop.hpp>
 
@@ -160,17 +160,17 @@ int run_speed_bench(const BenchFlags& f, const Robot& robot) {
       "rc::check; 2 jobs {:.2f} times 1\n",
       mean, trees, over, jobs);
   if (!f.json.empty())
-    reports::write_whole(f.json, nlohmann::json({{"version", LIECHECK_VERSION},
-                                                 {"verdict", falsified ? "fail" : "pass"},
-                                                 {"seed", f.seed},
-                                                 {"environment", nlohmann::json::parse(environment_text())},
-                                                 {"rows", table},
-                                                 {"all_laws", mean},
-                                                 {"tree_laws", trees},
-                                                 {"exp6_over_rapidcheck", over},
-                                                 {"two_jobs_over_one", jobs}})
-                                         .dump(1) +
-                                     "\n");
+    write_whole(f.json, nlohmann::json({{"version", LIECHECK_VERSION},
+                                        {"verdict", falsified ? "fail" : "pass"},
+                                        {"seed", f.seed},
+                                        {"environment", nlohmann::json::parse(environment_text())},
+                                        {"rows", table},
+                                        {"all_laws", mean},
+                                        {"tree_laws", trees},
+                                        {"exp6_over_rapidcheck", over},
+                                        {"two_jobs_over_one", jobs}})
+                                .dump(1) +
+                            "\n");
   if (falsified)
     fmt::print("rc::check found exp6 beyond its budget {} times: its lines say nothing of speed\n",
                falsified);

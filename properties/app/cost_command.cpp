@@ -6,8 +6,8 @@
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <reports/files.hpp>
 #include <support/environment.hpp>
+#include <support/files.hpp>
 #include <support/progress.hpp>
 #include <support/stop.hpp>
 #include <timing/front.hpp>
@@ -157,7 +157,7 @@ void add_cost(json& record, const CostResult& result) {
 }
 
 int run_cost_command(const CostFlags& f) {
-  if (!f.json.empty()) reports::check_writable(f.json);
+  if (!f.json.empty()) check_writable(f.json);
   const CostResult r = run_cost(f);
   const json record = cost_record(r), &e = record["environment"];
   const auto text = [&](const char* name) { return e[name].get<std::string>(); };
@@ -177,7 +177,7 @@ int run_cost_command(const CostFlags& f) {
   print_rows(r);
   fmt::print("\n{} rows in {:.1f} s, seed {}{}\n", r.rows.size(), r.elapsed, r.options.seed,
              r.complete ? "" : "; interrupted: what was done");
-  if (!f.json.empty()) reports::write_whole(f.json, record.dump(1) + "\n");
+  if (!f.json.empty()) write_whole(f.json, record.dump(1) + "\n");
   return r.complete ? within_budget : incomplete;
 }
 

@@ -24,9 +24,9 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <record/campaign.hpp>
-#include <reports/files.hpp>
 #include <reports/report.hpp>
 #include <set>
+#include <support/files.hpp>
 #include <support/stop.hpp>
 #include <support/text.hpp>
 #include <thread>
@@ -35,8 +35,6 @@
 namespace {
 
 using namespace liecheck::properties;
-using liecheck::reports::check_writable;
-using liecheck::reports::write_whole;
 
 /// Once: finish the chunk. Twice: at once. Two within 0.3 s, longer than a busy machine delays one and shorter than a
 /// second thought, are one: `timeout` sends its own to the program and then to the program's whole group.
@@ -238,7 +236,7 @@ int run_hunt_command(const Flags& f, HuntFlags h) {
 int run_bench_command(const Flags& f, BenchFlags b, bool speed) {
   b.seed = f.seed;
   if (!f.duration.empty()) b.seconds = parse_duration(f.duration);
-  if (!f.json.empty()) liecheck::reports::check_writable(f.json);
+  if (!f.json.empty()) check_writable(f.json);
   b.json = f.json;
   const Robot& robot = robot_of(f);
   stop_on_signals();

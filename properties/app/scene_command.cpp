@@ -8,9 +8,10 @@
 #include <liecheck/scene_file/scene_file.hpp>
 #include <nlohmann/json.hpp>
 #include <numbers>
-#include <reports/files.hpp>
+#include <support/files.hpp>
 #include <support/progress.hpp>
 #include <support/stop.hpp>
+#include <support/text.hpp>
 
 namespace liecheck::properties {
 namespace {
@@ -21,8 +22,7 @@ using nlohmann::json;
 std::string csv_of(const scene::Run& run) {
   std::string text;
   for (std::size_t i = 0; i < run.columns.size(); ++i)
-    text +=
-        (i ? "," : "") + reports::quoted(fmt::format("{} [{}]", run.columns[i].name, run.columns[i].unit));
+    text += (i ? "," : "") + csv_field(fmt::format("{} [{}]", run.columns[i].name, run.columns[i].unit));
   text += '\n';
   for (std::size_t i = 0; i < run.rows.size(); ++i)
     fmt::format_to(std::back_inserter(text), "{}{}", run.rows[i], (i + 1) % run.columns.size() ? ',' : '\n');
@@ -90,7 +90,7 @@ int run_scene_command(const SceneFlags& flags) {
   if (!flags.json.empty()) scene.json = flags.json;
   check_apart(flags.file, scene.csv, scene.json);
   for (const std::string& path : {scene.csv, scene.json})
-    if (!path.empty()) reports::check_writable(path);
+    if (!path.empty()) check_writable(path);
   std::optional<Progress> progress(std::in_place, scene.name);
   const scene::Run run = scene::run(scene, [&](double share) {
     progress->show(share, [&](double) { return fmt::format("of {:g} s", scene.span.duration); });
@@ -104,8 +104,8 @@ int run_scene_command(const SceneFlags& flags) {
                "nothing; take "
                "a smaller step\n",
                run.largest_turn);
-  if (!scene.csv.empty()) reports::write_whole(scene.csv, csv_of(run));
-  if (!scene.json.empty()) reports::write_whole(scene.json, json_of(scene, run).dump(1) + "\n");
+  if (!scene.csv.empty()) write_whole(scene.csv, csv_of(run));
+  if (!scene.json.empty()) write_whole(scene.json, json_of(scene, run).dump(1) + "\n");
   if (run.outcome.diverged) {
     const scene::MethodInfo& method = scene::methodInfo(scene.integrator);
     fmt::print(stderr,

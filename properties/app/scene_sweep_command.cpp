@@ -7,9 +7,9 @@
 #include <liecheck/scene/integrators/registry.hpp>
 #include <liecheck/scene_file/scene_file.hpp>
 #include <nlohmann/json.hpp>
-#include <reports/files.hpp>
 #include <scenes/builtin.hpp>
 #include <set>
+#include <support/files.hpp>
 #include <support/progress.hpp>
 #include <support/stop.hpp>
 
@@ -169,7 +169,7 @@ SceneSweepResult run_scene_sweep(const SceneSweepFlags& f) {
 }
 
 int run_scene_sweep_command(const SceneSweepFlags& f) {
-  if (!f.json.empty()) reports::check_writable(f.json);
+  if (!f.json.empty()) check_writable(f.json);
   const SceneSweepResult r = run_scene_sweep(f);
   fmt::print(
       "error: against the exact motion, the largest at four quarters of the duration; of attitude [rad], or "
@@ -186,7 +186,7 @@ int run_scene_sweep_command(const SceneSweepFlags& f) {
   fmt::print("\n{} scenes in {:.1f} s{}\n", r.scenes.size(), r.elapsed,
              r.complete ? "" : "; interrupted: what was done");
   for (const std::string& line : r.wrong) fmt::print("not the order that is promised: {}\n", line);
-  if (!f.json.empty()) reports::write_whole(f.json, scene_sweep_record(r).dump(1) + "\n");
+  if (!f.json.empty()) write_whole(f.json, scene_sweep_record(r).dump(1) + "\n");
   bool lost = false;
   for (const SceneSweep& s : r.scenes)
     if (!comes_through(s)) {

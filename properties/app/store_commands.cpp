@@ -6,11 +6,11 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <record/campaign.hpp>
-#include <reports/files.hpp>
 #include <set>
 #include <stdexcept>
 #include <store/merge.hpp>
 #include <store/ranks.hpp>
+#include <support/files.hpp>
 #include <support/text.hpp>
 
 namespace liecheck::properties {
@@ -176,7 +176,7 @@ std::optional<int> StoreCommands::run() const {
   if (export_->parsed()) {
     const std::string text = export_text(load_campaign(store_));
     if (!export_out_.empty()) {
-      reports::write_whole(export_out_, text);
+      write_whole(export_out_, text);
     } else if (!(std::cout << text << std::flush)) {
       throw std::runtime_error("standard output: cannot be written");
     }
@@ -216,8 +216,7 @@ std::vector<std::string> with_records_of_stores(const std::vector<std::string>& 
     std::string name = std::filesystem::path(record).stem().string();
     while (!names.insert(name).second) name += "_";
     all.push_back((std::filesystem::path(folder) / (name + ".json")).string());
-    reports::write_whole(all.back(),
-                         record_of(run.result, run.counterexamples, run.environment).dump(1) + "\n");
+    write_whole(all.back(), record_of(run.result, run.counterexamples, run.environment).dump(1) + "\n");
   }
   return all;
 }

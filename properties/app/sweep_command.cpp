@@ -5,8 +5,8 @@
 #include <app/store_commands.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <reports/files.hpp>
 #include <support/environment.hpp>
+#include <support/files.hpp>
 #include <support/progress.hpp>
 #include <support/stop.hpp>
 
@@ -98,7 +98,7 @@ void add_sweep(json& record, const SweepResult& result) {
 }
 
 int run_sweep_command(const SweepFlags& f) {
-  if (!f.json.empty()) reports::check_writable(f.json);
+  if (!f.json.empty()) check_writable(f.json);
   const SweepResult r = run_sweep(f);
   fmt::print("{:<17}{:<10}{:>11}  {:>13}  {:<16}{:<15}{:>11}{:>9}  {}\n", "coefficient", "error", "floats",
              r.upper_bound() ? "bound [eps]" : "found [eps]", "at", "", "documented", "square", "status");
@@ -129,7 +129,7 @@ int run_sweep_command(const SweepFlags& f) {
       : r.upper_bound() ? "verdict pass"
                         : "verdict pass: no documented bound refuted",
       r.elapsed);
-  if (!f.json.empty()) reports::write_whole(f.json, sweep_record(r).dump(1) + "\n");
+  if (!f.json.empty()) write_whole(f.json, sweep_record(r).dump(1) + "\n");
   return !r.complete ? incomplete : r.failed() ? property_failed : within_budget;
 }
 

@@ -1,14 +1,17 @@
 #pragma once
-// Foreign text on its way to a terminal or a shell.
+// Text from elsewhere, escaped for a terminal, a shell or a CSV file.
 
 #include <string>
 
 namespace liecheck::properties {
 
-/// On one line and without control characters (C0, DEL, C1), which are escaped as \n, \t or \xNN.
+/// Returns the text on one line, its control characters (C0, DEL, C1) escaped as \n, \t or \xNN.
 std::string printable(const std::string& text);
 
-/// One word for a POSIX shell, quoted where it needs to be.
+/// Returns one word for a POSIX shell, quoted where necessary.
 std::string shell_quoted(const std::string& word);
+
+/// Returns a field of a CSV file (RFC 4180), quoted where necessary, quotes doubled.
+std::string csv_field(const std::string& text);
 
 }  // namespace liecheck::properties

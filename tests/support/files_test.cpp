@@ -1,4 +1,4 @@
-// What is read once, and what is replaced whole, in place, or not at all.
+// Files: read once; replaced whole, in place, or not at all.
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -7,14 +7,14 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <reports/files.hpp>
 #include <stdexcept>
 #include <string>
+#include <support/files.hpp>
 
 namespace {
 
 namespace fs = std::filesystem;
-using namespace liecheck::reports;
+using namespace liecheck::properties;
 
 class Files : public testing::Test {
  protected:
@@ -61,7 +61,7 @@ TEST_F(Files, LinksAreFollowedAndStay) {
   EXPECT_NE(refusal([&] { write_whole(dir / "loop", "x"); }), "nothing");
 }
 
-TEST_F(Files, WhatIsNoRegularFileIsNeverReplaced) {
+TEST_F(Files, ADeviceOrPipeIsNeverReplaced) {
   const fs::path pipe = dir / "pipe";
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
   check_writable(pipe);
@@ -79,7 +79,7 @@ TEST_F(Files, WhatIsNoRegularFileIsNeverReplaced) {
   ::close(ends[0]);
 }
 
-TEST_F(Files, WhereNothingCanBeWrittenIsSaidBefore) {
+TEST_F(Files, CheckWritableRefusesBeforeAnythingIsWritten) {
   for (const fs::path& file : {dir / "none" / "a", dir / "", fs::path("")})
     EXPECT_NE(refusal([&] { check_writable(file); }).find("cannot be written"), std::string::npos) << file;
   EXPECT_EQ(entries(), 0);

@@ -6,11 +6,11 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
-#include <reports/files.hpp>
 #include <stdexcept>
+#include <support/files.hpp>
 #include <utility>
 
-namespace liecheck::reports {
+namespace liecheck::properties {
 
 namespace {
 
@@ -32,7 +32,7 @@ class Descriptor {
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
   operator int() const { return number_; }
-  /// Some file systems tell of a failed write only here.
+  /// Some file systems report a failed write only here.
   bool close() { return ::close(std::exchange(number_, -1)) == 0; }
 
  private:
@@ -48,11 +48,11 @@ bool write_all(int descriptor, std::string_view text) {
   return true;
 }
 
-/// What is there behind the links.
+/// The file that a path names after its links.
 struct Target {
   fs::path file;
   bool in_place = false;
-  mode_t mode = 0;  ///< of the file to be replaced; 0 without one
+  mode_t mode = 0;  ///< of the file to be replaced; 0 where there is none
 };
 
 Target target_of(fs::path file) {
@@ -78,20 +78,20 @@ Target target_of(fs::path file) {
   return {file, !S_ISREG(status.st_mode), status.st_mode & 07777};
 }
 
-/// A new file beside the target, under a name that nobody has; removed unless it takes the target's place.
-class Beside {
+/// A temporary file beside the target, under an unused name; removed unless it replaces the target.
+class Temporary {
  public:
-  explicit Beside(const Target& target)
+  explicit Temporary(const Target& target)
       : name_(target.file.string() + ".XXXXXX"), descriptor_(::mkostemp(name_.data(), O_CLOEXEC)) {
     if (descriptor_ < 0) refuse(target.file, "cannot be written", std::strerror(errno));
     const mode_t mask = ::umask(0);
     ::umask(mask);
     ::fchmod(descriptor_, target.mode ? target.mode : 0666 & ~mask);
   }
-  ~Beside() {
+  ~Temporary() {
     if (!name_.empty()) ::unlink(name_.c_str());
   }
-  bool take_place(const fs::path& file, std::string_view text) {
+  bool replace(const fs::path& file, std::string_view text) {
     if (!write_all(descriptor_, text) || !descriptor_.close() || ::rename(name_.c_str(), file.c_str()) != 0)
       return false;
     name_.clear();
@@ -107,7 +107,7 @@ class Beside {
 
 std::string read_whole(const fs::path& file) {
   constexpr const char* what = "no readable record there";
-  // Without O_NONBLOCK a FIFO that nobody writes to would be waited for.
+  // Without O_NONBLOCK, open would wait for a writer of a FIFO.
   const Descriptor descriptor(::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
   struct stat status {};
   if (descriptor < 0 || ::fstat(descriptor, &status) != 0) refuse(file, what, std::strerror(errno));
@@ -135,7 +135,7 @@ void write_whole(const fs::path& file, std::string_view text) {
     if (descriptor >= 0) ::fcntl(descriptor, F_SETFL, O_WRONLY);
     written = descriptor >= 0 && write_all(descriptor, text) && descriptor.close();
   } else {
-    written = Beside(target).take_place(target.file, text);
+    written = Temporary(target).replace(target.file, text);
   }
   if (!written) refuse(file, "cannot be written", std::strerror(errno));
 }
@@ -143,16 +143,9 @@ void write_whole(const fs::path& file, std::string_view text) {
 void check_writable(const fs::path& file) {
   const Target target = target_of(file);
   if (!target.in_place)
-    Beside{target};
+    Temporary{target};
   else if (::access(target.file.c_str(), W_OK) != 0)
     refuse(file, "cannot be written", std::strerror(errno));
 }
 
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string out = "\"";
-  for (char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return out + '"';
-}
-
-}  // namespace liecheck::reports
+}  // namespace liecheck::properties
