@@ -1,6 +1,6 @@
 #include <subjects/tree_bugs.hpp>
 
-#include <subjects/own_tree.hpp>
+#include <subjects/liecheck_trees.hpp>
 
 namespace liecheck::properties {
 namespace {
@@ -21,7 +21,7 @@ struct Planted {
     return all;
   }
   static O with_armature(const T& tree, S factor) {
-    O o = own_tree<S>(tree);
+    O o = liecheck_tree<S>(tree);
     o.crba = [crba = o.crba, more = X(factor * armature(tree))](const X& q) -> M {
       M sum = crba(q);
       sum.diagonal() += more;
@@ -30,7 +30,7 @@ struct Planted {
     return o;
   }
   static O rnea_without_armature(const T& tree) {
-    O o = own_tree<S>(tree);
+    O o = liecheck_tree<S>(tree);
     o.rnea = [rnea = o.rnea, less = armature(tree)](const X& q, const X& v, const X& a, int i,
                                                     const V6& F) -> X {
       return rnea(q, v, a, i, F) - less.cwiseProduct(a);
@@ -40,19 +40,19 @@ struct Planted {
   static O gravity_sign(const T& tree) {
     T up = tree;
     for (S& g : up.gravity.x) g = -g;
-    O o = own_tree<S>(tree), wrong = own_tree<S>(up);
+    O o = liecheck_tree<S>(tree), wrong = liecheck_tree<S>(up);
     o.gravity = wrong.gravity, o.nonlinear_effects = wrong.nonlinear_effects, o.rnea = wrong.rnea;
     return o;
   }
   static O half_coriolis(const T& tree) {
-    O o = own_tree<S>(tree);
+    O o = liecheck_tree<S>(tree);
     o.nonlinear_effects = [o](const X& q, const X& v) -> X {
       return (o.nonlinear_effects(q, v) + o.gravity(q)) / S(2);
     };
     return o;
   }
   static O acceleration_of_the_first(const T& tree) {
-    O o = own_tree<S>(tree);
+    O o = liecheck_tree<S>(tree);
     o.rnea = [o, n = velocity_size(tree.joints[0].kind)](const X& q, const X& v, const X& a, int i,
                                                          const V6& F) -> X {
       X first = X::Zero(a.size());
@@ -62,47 +62,47 @@ struct Planted {
     return o;
   }
   static O damped(const T& tree) {
-    O o = own_tree<S>(tree);
+    O o = liecheck_tree<S>(tree);
     o.rnea = [o](const X& q, const X& v, const X& a, int i, const V6& F) -> X {
       return o.rnea(q, v, a, i, F) + o.crba(q).diagonal().cwiseProduct(a) / S(1000);
     };
     return o;
   }
   static O derivative_at_rest(const T& tree) {
-    O o = own_tree<S>(tree);
+    O o = liecheck_tree<S>(tree);
     o.rnea_derivatives = [o](const X& q, const X& v, const X& a, int i, const V6& F) {
       return o.rnea_derivatives(q, v, X::Zero(a.size()), i, F);
     };
     return o;
   }
   static O spatial_for_classical(const T& tree) {
-    O o = own_tree<S>(tree);
+    O o = liecheck_tree<S>(tree);
     o.frame_classical_acceleration = o.frame_acceleration;
     return o;
   }
   static O world_rate_for_aligned(const T& tree) {
-    O o = own_tree<S>(tree);
+    O o = liecheck_tree<S>(tree);
     o.frame_jacobian_rate = [o](const X& q, const X& v, Seen s) -> M {
       return o.frame_jacobian_rate(q, v, s == Seen::aligned ? Seen::world : s);
     };
     return o;
   }
   static O local_for_world(const T& tree) {
-    O o = own_tree<S>(tree);
+    O o = liecheck_tree<S>(tree);
     o.frame_jacobian = [o](const X& q, Seen s) -> M {
       return o.frame_jacobian(q, s == Seen::world ? Seen::local : s);
     };
     return o;
   }
   static O aligned_for_world(const T& tree) {
-    O o = own_tree<S>(tree);
+    O o = liecheck_tree<S>(tree);
     o.frame_velocity = [o](const X& q, const X& v, Seen s) -> V6 {
       return o.frame_velocity(q, v, s == Seen::world ? Seen::aligned : s);
     };
     return o;
   }
   static O momentum_of_the_point(const T& tree) {
-    O o = own_tree<S>(tree);
+    O o = liecheck_tree<S>(tree);
     o.momentum_map = [o](const X& q) -> M {
       M A = o.momentum_map(q);
       A.bottomRows(3) += A.topRows(3);

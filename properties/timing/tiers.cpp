@@ -1,7 +1,7 @@
 #include <timing/tiers.hpp>
 
 #include <boost/multiprecision/eigen.hpp>
-#include <subjects/library.hpp>
+#include <subjects/wide_scalars.hpp>
 #include <timing/wide.hpp>
 
 namespace liecheck::properties {
@@ -15,7 +15,7 @@ template <class T>
 void add_tier(CostPlan& plan, const std::string& scalar, int digits, std::size_t each,
               const std::map<std::string, std::vector<Field>>& fields_of_laws) {
   if (!plan.wants(plan.options.scalars, scalar) || !plan.wants(plan.options.subjects, "liecheck")) return;
-  static const Subject<T> library{"liecheck", library_version(), library_operations<T>(), {}};
+  static const Subject<T> library{"liecheck", liecheck_version(), wide_scalar_operations<T>(), {}};
   const double eps = std::ldexp(1.0, 1 - digits);
   add_cost_rows<T, double>(plan, scalar, eps, {&library}, each, false, fields_of_laws,
                            [&](const char* name, const char*, auto member, auto f,

@@ -23,8 +23,8 @@ using Digits100 =
 
 /// Everything but robots and the checked entrance. In float128, Digits50, Digits100 and, where QD is installed, dd_real.
 template <class S>
-Operations<S> library_operations();
+Operations<S> wide_scalar_operations();
 
-const char* library_version();
+const char* liecheck_version();
 
 }  // namespace liecheck::properties

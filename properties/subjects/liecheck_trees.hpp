@@ -6,6 +6,6 @@
 namespace liecheck::properties {
 
 template <class S>
-TreeOperations<S> own_tree(const Tree<S>& tree);
+TreeOperations<S> liecheck_tree(const Tree<S>& tree);
 
 }  // namespace liecheck::properties

@@ -1,5 +1,6 @@
 #pragma once
-// liecheck's own library in any scalar. What instantiates it is few scalars a file: gcc inlines less in a large one.
+// liecheck's own library as a subject, in any scalar. A file that instantiates it does so in few scalars: gcc inlines
+// less in a large one.
 
 #include <boost/multiprecision/eigen.hpp>
 #include <subjects/subject.hpp>
@@ -14,7 +15,7 @@
 namespace liecheck::properties {
 
 template <class S, Precision P = Precision::standard>
-struct Own {
+struct LiecheckOperations {
   using O = Operations<S>;
   using V3 = typename O::V3;
   using V4 = typename O::V4;
@@ -23,16 +24,32 @@ struct Own {
   using M3 = typename O::M3;
   using M6 = typename O::M6;
 
+  static Subject<S> make() {
+    Subject<S> s;
+    s.name = P == Precision::fast ? "liecheck:fast" : P == Precision::tight ? "liecheck:tight" : "liecheck";
+    s.version = LIECHECK_VERSION;
+    add_exp_log_and_jacobians(s.operations);
+    add_configurations(s.operations);
+    if constexpr (P != Precision::tight) {
+      s.operations.rotate_point = [](const V4& Q, const V3& x) -> V3 { return SO3<S>(Q).template act<P>(x); };
+    }
+    if constexpr (P == Precision::standard) add_spatial_algebra(s.operations);
+    return s;
+  }
+
+  static Subject<S> with_robots() {
+    Subject<S> s = make();
+    s.operations.robot = &robot;
+    return s;
+  }
+
+ private:
   static SE3<S> pose(const Pose<S>& X) { return {X.R, X.p}; }
   static Pose<S> stored(const SE3<S>& X) { return {X.rotation(), X.translation()}; }
   static Inertia<S> inertia(const Body<S>& b) { return {b.mass, b.c, b.I_C}; }
   static Body<S> body(const Inertia<S>& I) { return {I.mass(), I.lever(), I.inertia()}; }
 
-  static Subject<S> make() {
-    Subject<S> s;
-    s.name = P == Precision::fast ? "liecheck:fast" : P == Precision::tight ? "liecheck:tight" : "liecheck";
-    s.version = LIECHECK_VERSION;
-    O& o = s.operations;
+  static void add_exp_log_and_jacobians(O& o) {
     o.exp3_quaternion = [](const V3& phi) -> V4 { return quaternion::exp3<S, P>(phi).to_vector(); };
     o.exp3_matrix = [](const V3& phi) -> M3 { return exp3<S, P>(phi); };
     o.log3_quaternion = [](const V4& Q) -> V3 { return quaternion::log3<S, P>(SO3<S>(Q)); };
@@ -47,6 +64,13 @@ struct Own {
     o.right_jacobian6 = [](const V6& xi) -> M6 { return rightJacobian<S, P>(Motion<S>(xi)); };
     o.left_jacobian6_inverse = [](const V6& xi) -> M6 { return leftJacobianInverse<S, P>(Motion<S>(xi)); };
     o.right_jacobian6_inverse = [](const V6& xi) -> M6 { return rightJacobianInverse<S, P>(Motion<S>(xi)); };
+    if constexpr (std::is_floating_point_v<S> || std::is_same_v<S, float128>) {
+      o.check_quaternion = [](const V4& Q) { checkedQuaternion<S>(Q); };
+      o.check_rotation = [](const M3& R) { checkedRotation<S>(R); };
+    }
+  }
+
+  static void add_configurations(O& o) {
     o.integrate = [](const V7& q, const V6& d) -> V7 { return integrateSE3<S, P>(q, d); };
     o.difference = [](const V7& q0, const V7& q1) -> V6 { return differenceSE3<S, P>(q0, q1); };
     o.d_integrate_arg0 = [](const V7& q, const V6& d) -> M6 {
@@ -61,16 +85,15 @@ struct Own {
     o.d_difference_arg1 = [](const V7& a, const V7& b) -> M6 {
       return dDifferenceSE3<S, P>(a, b, ArgumentPosition::ARG1);
     };
-    if constexpr (std::is_floating_point_v<S> || std::is_same_v<S, float128>) {
-      o.check_quaternion = [](const V4& Q) { checkedQuaternion<S>(Q); };
-      o.check_rotation = [](const M3& R) { checkedRotation<S>(R); };
+    if constexpr (P == Precision::standard) {
+      o.integrate_coefficient_jacobian = [](const V7& q) -> Mat<S, 7, 6> {
+        return integrateCoeffWiseJacobianSE3<S>(q);
+      };
     }
-    if constexpr (P != Precision::tight)
-      o.rotate_point = [](const V4& Q, const V3& x) -> V3 { return SO3<S>(Q).template act<P>(x); };
-    if constexpr (P != Precision::standard) return s;  // the rest has no other precision
-    o.integrate_coefficient_jacobian = [](const V7& q) -> Mat<S, 7, 6> {
-      return integrateCoeffWiseJacobianSE3<S>(q);
-    };
+  }
+
+  /// Has one precision only.
+  static void add_spatial_algebra(O& o) {
     o.compose = [](const Pose<S>& X, const Pose<S>& Y) -> Pose<S> { return stored(pose(X) * pose(Y)); };
     o.inverse = [](const Pose<S>& X) -> Pose<S> { return stored(pose(X).inverse()); };
     o.act_point = [](const Pose<S>& X, const V3& x) -> V3 { return pose(X).act(x); };
@@ -99,13 +122,6 @@ struct Own {
       return inertia(I).kineticEnergy(Motion<S>(V));
     };
     o.inertia_matrix = [](const Body<S>& I) -> M6 { return inertia(I).matrix(); };
-    return s;
-  }
-
-  static Subject<S> with_robots() {
-    Subject<S> s = make();
-    s.operations.robot = &robot;
-    return s;
   }
 
   static RobotOperations<S> robot(const std::string& urdf, bool fixed) {

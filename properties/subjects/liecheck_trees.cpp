@@ -1,4 +1,4 @@
-#include <subjects/own_tree.hpp>
+#include <subjects/liecheck_trees.hpp>
 
 #include <liecheck/algorithms/centroidal.hpp>
 #include <liecheck/algorithms/derivatives.hpp>
@@ -9,7 +9,7 @@ namespace liecheck::properties {
 namespace {
 
 template <class S>
-struct OwnTree {
+struct LiecheckTree {
   using O = TreeOperations<S>;
   using X = typename O::X;
   using M = typename O::M;
@@ -140,10 +140,10 @@ struct OwnTree {
 }  // namespace
 
 template <class S>
-TreeOperations<S> own_tree(const Tree<S>& tree) {
-  return OwnTree<S>::bind(tree);
+TreeOperations<S> liecheck_tree(const Tree<S>& tree) {
+  return LiecheckTree<S>::bind(tree);
 }
-template TreeOperations<float> own_tree(const Tree<float>&);
-template TreeOperations<double> own_tree(const Tree<double>&);
+template TreeOperations<float> liecheck_tree(const Tree<float>&);
+template TreeOperations<double> liecheck_tree(const Tree<double>&);
 
 }  // namespace liecheck::properties

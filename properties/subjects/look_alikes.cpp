@@ -1,0 +1,135 @@
+// Correct variants, which no law may refuse: another order of operations, the other sign where the contract leaves
+// it free, long double inside, another formula.
+
+#include <subjects/planted_bugs.hpp>
+
+#include <cmath>
+
+namespace liecheck::properties {
+namespace {
+
+using L = long double;
+using L3 = Vec<L, 3>;
+using LM = Mat<L, 3>;
+
+template <class V>
+L3 wide(const V& v) {
+  return v.template cast<L>();
+}
+LM wide_hat(const L3& v) {
+  LM m;
+  m << L(0), -v.z(), v.y(), v.z(), L(0), -v.x(), -v.y(), v.x(), L(0);
+  return m;
+}
+
+}  // namespace
+
+template <class S>
+auto Bugs<S>::look_alikes_of_rotations() -> Entries {
+  return {
+      {"exp_minus_Q", "exp returns -Q", "Q and -Q are one rotation",
+       [](O& o) { o.exp3_quaternion = [](const V3& phi) -> V4 { return -good().exp3_quaternion(phi); }; }},
+      {"exp_long_double", "sine and cosine of the half angle in long double", "another formula",
+       [](O& o) {
+         o.exp3_quaternion = [](const V3& phi) -> V4 {
+           const L3 v = wide(phi);
+           const L t = v.stableNorm(), s = t > 0 ? std::sin(t / 2) / t : L(0.5);
+           V4 q;
+           q << narrow(s * v), S(std::cos(t / 2));
+           return q;
+         };
+       }},
+      {"log_long_double", "2 atan2(|v|, w) in long double", "another formula",
+       [](O& o) {
+         o.log3_quaternion = [](const V4& Q) -> V3 {
+           const L3 v = wide(Q.template head<3>());
+           const L w = L(Q[3]), s = v.stableNorm();
+           if (s == 0) return V3::Zero();
+           const L t = w < 0 ? -2 * std::atan2(s, -w) : 2 * std::atan2(s, w);
+           return narrow(t / s * v);
+         };
+       }},
+      {"log_other_half_turn", "at exactly half a turn the opposite axis", "either sign is right there",
+       [](O& o) {
+         o.log3_quaternion = [](const V4& Q) -> V3 {
+           const V3 phi = good().log3_quaternion(Q);
+           return Q[3] == S(0) ? V3(-phi) : phi;
+         };
+       }},
+      {"right_jacobian_transposed", "the right Jacobian of SO(3) is the transpose of the left one",
+       "an identity",
+       [](O& o) {
+         o.right_jacobian3 = [](const V3& phi) -> M3 { return good().left_jacobian3(phi).transpose(); };
+       }},
+      {"left_jacobian_of_minus", "the left Jacobian is the right one at -xi", "an identity",
+       [](O& o) { o.left_jacobian6 = [](const V6& xi) -> M6 { return good().right_jacobian6(V6(-xi)); }; }},
+      {"d_difference_by_log", "J_r^-1 of difference", "the definition",
+       [](O& o) {
+         o.d_difference_arg1 = [](const V7& a, const V7& b) -> M6 {
+           return good().right_jacobian6_inverse(good().difference(a, b));
+         };
+       }},
+  };
+}
+
+template <class S>
+auto Bugs<S>::look_alikes_of_poses_and_bodies() -> Entries {
+  return {
+      {"integrate_sign_by_dot", "the sign of Q1 by its dot product with Q0", "another way to the same sign",
+       [](O& o) {
+         o.integrate = [](const V7& q, const V6& d) -> V7 {
+           V7 r = good().integrate(q, d);
+           if (r.template tail<4>().dot(rotation_of(q)) < S(0)) r.template tail<4>() *= S(-1);
+           return r;
+         };
+       }},
+      {"rotate_long_double", "by the rotation matrix, in long double", "another formula",
+       [](O& o) {
+         o.rotate_point = [](const V4& Q, const V3& x) -> V3 {
+           const L3 v = wide(Q.template head<3>()), y = wide(x), vx = v.cross(y);
+           const L w = L(Q[3]), n = v.squaredNorm() + w * w;
+           return narrow(y + 2 / n * (w * vx + v.cross(vx)));
+         };
+       }},
+      {"motion_long_double", "Ad V in long double", "another precision",
+       [](O& o) {
+         o.act_motion = [](const P& X, const V6& V) -> V6 {
+           const LM R = X.R.template cast<L>();
+           const L3 w = R * wide(low(V));
+           return stack(narrow(R * wide(top(V)) + wide(X.p).cross(w)), narrow(w));
+         };
+       }},
+      {"force_by_matrix", "n_A = R n + [p] (R f) as a matrix product", "another operation order",
+       [](O& o) {
+         o.act_force = [](const P& X, const V6& F) -> V6 {
+           const LM R = X.R.template cast<L>();
+           const L3 f = R * wide(top(F));
+           return stack(narrow(f), narrow(R * wide(low(F)) + wide_hat(wide(X.p)) * f));
+         };
+       }},
+      {"inertia_other_order", "R (I R^T) for (R I) R^T", "another operation order",
+       [](O& o) {
+         o.act_inertia = [](const P& X, const B& I) -> B {
+           B b = good().act_inertia(X, I);
+           const LM R = X.R.template cast<L>(), M = R * (I.I_C.template cast<L>() * R.transpose());
+           b.I_C = M.template cast<S>();
+           return b;
+         };
+       }},
+      {"energy_by_momentum", "V . h / 2 in long double", "another route",
+       [](O& o) {
+         o.kinetic_energy = [](const B& I, const V6& V) -> S {
+           const L3 u = wide(top(V)), w = wide(low(V)), c = wide(I.c), u_C = u + w.cross(c);
+           const LM M = I.I_C.template cast<L>();
+           return S((L(I.mass) * u_C.dot(u_C) + w.dot(M * w)) / 2);
+         };
+       }},
+  };
+}
+
+template Bugs<float>::Entries Bugs<float>::look_alikes_of_rotations();
+template Bugs<double>::Entries Bugs<double>::look_alikes_of_rotations();
+template Bugs<float>::Entries Bugs<float>::look_alikes_of_poses_and_bodies();
+template Bugs<double>::Entries Bugs<double>::look_alikes_of_poses_and_bodies();
+
+}  // namespace liecheck::properties

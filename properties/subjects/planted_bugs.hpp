@@ -1,0 +1,86 @@
+#pragma once
+// What a known bug is: liecheck's own operations with one of them replaced. This class holds the shorthands that the
+// replacements use; the bugs themselves stand in rotation_bugs.cpp, configuration_bugs.cpp and
+// spatial_algebra_bugs.cpp, the correct variants in look_alikes.cpp, the bugs of trees of bodies in tree_bugs.cpp.
+
+#include <subjects/subject.hpp>
+
+namespace liecheck::properties {
+
+template <class S>
+struct Bugs {
+  using O = Operations<S>;
+  using V3 = typename O::V3;
+  using V4 = typename O::V4;
+  using V6 = typename O::V6;
+  using V7 = typename O::V7;
+  using M3 = typename O::M3;
+  using M6 = typename O::M6;
+  using M76 = Mat<S, 7, 6>;
+  using B = Body<S>;
+  using P = Pose<S>;
+
+  struct Entry {
+    const char *name, *fault, *origin;
+    void (*plant)(O&);
+  };
+  using Entries = std::vector<Entry>;
+
+  static Entries exp_of_rotations();
+  static Entries log_of_rotations();
+  static Entries exp_and_log_of_poses();
+  static Entries jacobians();
+  static Entries integration();
+  static Entries differences();
+  static Entries configuration_derivatives();
+  static Entries robots();
+  static Entries points_motions_and_forces();
+  static Entries inertias();
+  static Entries look_alikes_of_rotations();
+  static Entries look_alikes_of_poses_and_bodies();
+
+  /// The correct operations, of which each bug changes one; set before any bug runs.
+  static O& good() {
+    static O operations;
+    return operations;
+  }
+
+  static M3 hat(const V3& v) {
+    M3 m;
+    m << S(0), -v.z(), v.y(), v.z(), S(0), -v.x(), -v.y(), v.x(), S(0);
+    return m;
+  }
+  static V3 top(const V6& v) { return v.template head<3>(); }
+  static V3 low(const V6& v) { return v.template tail<3>(); }
+  static V6 stack(const V3& a, const V3& b) {
+    V6 v;
+    v << a, b;
+    return v;
+  }
+  static V4 multiply(const V4& a, const V4& b) {
+    V4 q;
+    q << a[3] * b.template head<3>() + b[3] * a.template head<3>() +
+             V3(a.template head<3>()).cross(V3(b.template head<3>())),
+        a[3] * b[3] - a.template head<3>().dot(b.template head<3>());
+    return q;
+  }
+  static V4 conjugate(const V4& q) { return {-q[0], -q[1], -q[2], q[3]}; }
+  static V4 rotation_of(const V7& q) { return q.template tail<4>(); }
+  static V7 moved(const V7& q, const V3& p, const V4& Q) {
+    V7 r;
+    r << q.template head<3>() + p, Q;
+    return r;
+  }
+  /// [[J, C], [0, J]] with another J.
+  static M6 blocks(const M3& J, const M3& C) {
+    M6 m = M6::Zero();
+    m.template topLeftCorner<3, 3>() = m.template bottomRightCorner<3, 3>() = J;
+    m.template topRightCorner<3, 3>() = C;
+    return m;
+  }
+  static P pose_exp(const V6& xi, M3 V) { return {good().exp3_matrix(low(xi)), V * top(xi)}; }
+  static S angle(const V3& phi) { return phi.norm(); }
+  static V3 narrow(const Vec<long double, 3>& v) { return v.template cast<S>(); }
+};
+
+}  // namespace liecheck::properties
