@@ -1,11 +1,11 @@
 #pragma once
-// When do two formulas agree?
+// When do two formulas of an oracle agree?
 //
 // An oracle's value comes from one formula at 100 digits and is resolved when another formula, at 50 digits,
 // agrees with it block by block to `agreement` = 1e-41 of the block: seven digits below the eps of float128,
-// 25 below that of double. Where the second formula loses more than it has (huge angles, cancelling blocks
-// near 2 pi), it is run again at 100 digits. If they still differ the value is unresolved and no verdict
-// rests on it.
+// 25 below that of double. Where 50 digits are too few for the second formula (huge angles, cancelling blocks
+// near 2 pi), it is evaluated again at 100 digits. If the two still differ the value is unresolved, and no verdict
+// is based on it.
 
 #include <oracles/linear_algebra.hpp>
 
@@ -33,8 +33,8 @@ bool agree(const T& a, const T& b, double bound = agreement, const T& scale = T(
 
 /// check(Real{}) or else check(Real100{}): the second formula, at 50 digits where that is enough.
 template <class Check>
-bool confirmed(bool fifty_may_do, Check&& check) {
-  return (fifty_may_do && check(Real())) || check(Real100());
+bool confirmed(bool fifty_digits_may_suffice, Check&& check) {
+  return (fifty_digits_may_suffice && check(Real())) || check(Real100());
 }
 
 }  // namespace liecheck::oracles

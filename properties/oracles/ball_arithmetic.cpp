@@ -7,7 +7,7 @@
 namespace liecheck::oracles {
 namespace {
 
-/// x rounded to a mid-point, within u^2 |x| / 2, or u |x|.
+/// x rounded to a midpoint: the error is at most u^2 |x| / 2 in double-double, u |x| in double.
 template <class M>
 M rounded(const Real& x);
 template <>
@@ -26,23 +26,24 @@ Ball<M> constant(const Real& x) {
   return {m, std::fabs(Rounding<M>::head(m)) * Rounding<M>::add};
 }
 
-constexpr int parts = 64;  ///< of a turn
+constexpr int table_size = 64;  ///< angles k 2 pi / 64
 
 template <class M>
 struct Tables {
-  std::array<double, 3> part;  ///< 2 pi / 64, within 2^-159 of itself
-  std::array<Ball<M>, parts> sine, cosine;
+  std::array<double, 3> step;  ///< 2 pi / 64 is their sum to a relative 2^-159
+  std::array<Ball<M>, table_size> sine, cosine;
   Tables() {
-    const Real angle = 2 * boost::math::constants::pi<Real>() / parts;
-    Real rest = angle;
-    for (double& p : part) {
-      p = static_cast<double>(rest);
-      rest -= p;
+    const Real angle = 2 * boost::math::constants::pi<Real>() / table_size;
+    Real remainder = angle;
+    for (double& s : step) {
+      s = static_cast<double>(remainder);
+      remainder -= s;
     }
-    for (int k = 0; k < parts; ++k) {
+    for (int k = 0; k < table_size; ++k) {
       const auto i = static_cast<std::size_t>(k);
-      sine[i] = k % (parts / 2) == 0 ? Ball<M>(0) : constant<M>(sin(Real(k * angle)));
-      cosine[i] = (k + parts / 4) % (parts / 2) == 0 ? Ball<M>(0) : constant<M>(cos(Real(k * angle)));
+      sine[i] = k % (table_size / 2) == 0 ? Ball<M>(0) : constant<M>(sin(Real(k * angle)));
+      cosine[i] =
+          (k + table_size / 4) % (table_size / 2) == 0 ? Ball<M>(0) : constant<M>(cos(Real(k * angle)));
     }
   }
 };
@@ -68,18 +69,18 @@ const std::array<M, N>& series() {
   return table;
 }
 
-/// sum_j (-x)^j / (2j + K)! of `exact` terms in double-double and the rest, below 2^-50 of the sum, in double.
-template <int K, int N, int Exact>
+/// sum_j (-x)^j / (2j + K)!: the first terms in double-double, the others, below 2^-50 of the sum, in double.
+template <int K, int N, int DoubleDoubleTerms>
 DoubleDouble sum(const DoubleDouble& x) {
   const auto& c = series<DoubleDouble, K, N>();
   double tail = c[N - 1].high;
-  for (int j = N - 2; j >= Exact; --j) tail = tail * x.high + c[static_cast<std::size_t>(j)].high;
-  DoubleDouble s = x * tail + c[Exact - 1];
-  for (int j = Exact - 2; j >= 0; --j) s = s * x + c[static_cast<std::size_t>(j)];
+  for (int j = N - 2; j >= DoubleDoubleTerms; --j) tail = tail * x.high + c[static_cast<std::size_t>(j)].high;
+  DoubleDouble s = x * tail + c[DoubleDoubleTerms - 1];
+  for (int j = DoubleDoubleTerms - 2; j >= 0; --j) s = s * x + c[static_cast<std::size_t>(j)];
   return s;
 }
-/// The same in double, 0 <= x <= 1: the terms fall by 1/12 and more, so that the last sum and constant cost 2 u, the
-/// last product u / 12 and all before it a twelfth of the whole: below 2.3 u.
+/// The same in double, 0 <= x <= 1: each term is at most 1/12 of the one before it. The last addition and the rounding
+/// of its constant err by 2 u, the last product by u / 12, and all earlier steps by 1/12 of these: below 2.3 u.
 template <int K, int N, int>
 double sum(double x) {
   const auto& c = series<double, K, N>();
@@ -100,15 +101,15 @@ struct SeriesError<double> {
   static constexpr double small = 0x1p-52, stumpff = 0x1p-51;
 };
 
-/// sin and cos of |r| <= 0.05. With x = r^2 <= 0.0025: sin r = r - r x c_3(x), cos r = 1 - x c_2(x). Left out:
-/// x^9/19! < 2^-140. In double-double: terms in double x^4 9!^-1 < 2^-52 of the whole, so 2^-104 of rounding; the
-/// double-double ones are below x/2, so their 2^-103 each is 2^-110 of the whole; one addition, 3 2^-106. In double:
-/// one subtraction, u, and what is below x/2 of the whole with five roundings.
+/// sin r and cos r for |r| <= 0.05. With x = r^2 <= 0.0025: sin r = r - r x c_3(x), cos r = 1 - x c_2(x). Errors
+/// relative to the result: truncation x^9/19! < 2^-140. In double-double, the terms in double are x^4 / 9! < 2^-52 and
+/// their rounding 2^-104; those in double-double are below x/2 and err by 2^-103 each, 2^-110 in all; the last addition
+/// errs by 3 2^-106. In double, the subtraction errs by u, and the terms below x/2 by five roundings.
 template <class M>
 void small_sin_cos(const Ball<M>& r, Ball<M>& sine, Ball<M>& cosine) {
   const M x = r.m * r.m;
   const M s = r.m - r.m * (x * sum<3, 8, 4>(x)), c = Rounding<M>::make(1) - x * sum<2, 9, 4>(x);
-  // A product that underflows: r x c_3 and x c_2 are then below 2^-900 of the whole, the square below 2^-1060.
+  // Where a product underflows, r x c_3 and x c_2 are below 2^-900 of the result and x is below 2^-1060.
   constexpr double small = SeriesError<M>::small;
   sine = {s, Ball<M>::up(r.r + small * std::fabs(Rounding<M>::head(s)))};
   cosine = {c, Ball<M>::up(r.r + small)};
@@ -118,21 +119,22 @@ template <class M>
 void table_sin_cos(const Ball<M>& x, Ball<M>& sine, Ball<M>& cosine) {
   if (!(x.size() < 0x1p40)) throw Undecided();
   const Tables<M>& t = tables<M>();
-  const double k = std::nearbyint(x.head() / t.part[0]);
+  const double k = std::nearbyint(x.head() / t.step[0]);
   if (k == 0) return small_sin_cos(x, sine, cosine);
-  // Each product is exact; of an exact x even the first differences lose nothing, however near x is to a pole.
-  Ball<M> rest = x;
-  for (const double p : t.part) rest -= Ball<M>(k) * Ball<M>(p);
-  rest.r = Ball<M>::up(rest.r + std::fabs(x.head()) * 0x1p-158);
+  // Each product is exact. Where x is exact the first differences keep their relative accuracy, however near x is to k
+  // 2 pi / 64.
+  Ball<M> remainder = x;
+  for (const double step : t.step) remainder -= Ball<M>(k) * Ball<M>(step);
+  remainder.r = Ball<M>::up(remainder.r + std::fabs(x.head()) * 0x1p-158);
   Ball<M> s, c;
-  small_sin_cos(rest, s, c);
-  const auto i = static_cast<std::size_t>(static_cast<long long>(k) & (parts - 1));
+  small_sin_cos(remainder, s, c);
+  const auto i = static_cast<std::size_t>(static_cast<long long>(k) & (table_size - 1));
   sine = t.sine[i] * c + t.cosine[i] * s;
   cosine = t.cosine[i] * c - t.sine[i] * s;
 }
 
-/// With a0 = atan2(y, x) in double: a0 + atan(t), t = (y cos a0 - x sin a0) / (x cos a0 + y sin a0), exact
-/// whatever a0 is; |t| < 2^-40, so that atan t = t - t^3/3 to t^5.
+/// a0 + atan(t) with a0 = atan2(y, x) in double and t = (y cos a0 - x sin a0) / (x cos a0 + y sin a0): an identity for
+/// any a0. Since |t| < 2^-20, atan t = t - t^3/3 with an error below |t|^5.
 template <class M>
 Ball<M> corrected_atan2(const Ball<M>& y, const Ball<M>& x) {
   const double a0 = std::atan2(y.head(), x.head());
@@ -146,8 +148,8 @@ Ball<M> corrected_atan2(const Ball<M>& y, const Ball<M>& x) {
   const Ball<M> t = (y * c - x * s) / (x * c + y * s);
   if (!(t.size() + t.r < 0x1p-20)) throw Undecided();
   const Ball<M> a = Ball<M>(a0) + (t - t * t * t / Ball<M>(3));
-  const double rest = t.size() + t.r;
-  return {a.m, Ball<M>::up(a.r + rest * rest * rest * rest * rest)};
+  const double t_bound = t.size() + t.r;
+  return {a.m, Ball<M>::up(a.r + t_bound * t_bound * t_bound * t_bound * t_bound)};
 }
 
 }  // namespace
@@ -161,8 +163,8 @@ Ball<M> atan2(const Ball<M>& y, const Ball<M>& x) {
   return corrected_atan2(y, x);
 }
 
-// Fourteen terms leave x^14/32! < 2^-113 of the sum; in double-double those from x^8 on, below 2^-56 of it, are in
-// double. Eight double-double steps whose terms fall by 1/30: 2^-101. |c_k'| <= 1/2.
+// Errors relative to the sum: the truncation after fourteen terms x^14/32! < 2^-113; the terms from x^8 on, which are
+// in double, are below 2^-56; eight double-double steps, whose terms decrease by a factor 30, 2^-101. |c_k'| <= 1/2.
 template <class M>
 Ball<M> stumpff_series(int k, const Ball<M>& x) {
   const M s = k == 4 ? sum<4, 14, 8>(x.m) : k == 5 ? sum<5, 14, 8>(x.m) : sum<6, 14, 8>(x.m);

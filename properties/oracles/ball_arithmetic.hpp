@@ -1,11 +1,11 @@
 #pragma once
-// Ball arithmetic: a number known to lie within r of m. Every operation adds its rounding error to r, so that
-// what a formula returns carries its own proved error bound; a comparison that the radius leaves open throws
-// Undecided, and the caller asks the oracle at 50 and 100 digits instead (Ziv 1991).
+// Ball arithmetic (midpoint-radius interval arithmetic): a number known to lie within r of m. Every operation adds its
+// rounding error to r, so that the result of a formula carries its own proved error bound. A comparison that the radius
+// leaves open throws Undecided, and the caller asks the oracle at 50 and 100 digits instead (Ziv 1991).
 //
-// The mid-point is a double, which judges most cases in float, or a double-double. Radii are computed in rounding
-// to nearest and inflated by 2^-50 a step, more than the four roundings they take. Where a product is so small that
-// its rounding error may underflow, 2^-1060 joins the radius.
+// The midpoint is a double, which decides most cases in float, or a double-double. Radii are computed in rounding to
+// nearest and increased by a relative 2^-50 at each step, which exceeds their at most four roundings. Where a product
+// is so small that its rounding error may underflow, 2^-1060 is added to the radius.
 
 #include <bit>
 #include <cmath>
@@ -18,13 +18,15 @@
 
 namespace liecheck::oracles {
 
-/// The bound is too wide to tell.
+/// The error bound is too wide to decide a comparison.
 struct Undecided : std::exception {
-  const char* what() const noexcept override { return "the error bound of a fast oracle cannot decide"; }
+  const char* what() const noexcept override {
+    return "the error bound of ball arithmetic is too wide to decide";
+  }
 };
 
-/// Rounding of a mid-point type: head is its nearest double, the constants bound the relative error of each
-/// operation, from above.
+/// Rounding of a midpoint type: head is the double nearest to it; the constants are upper bounds of the relative error
+/// of each operation.
 template <class M>
 struct Rounding;
 template <>
@@ -35,12 +37,12 @@ struct Rounding<double> {
   static double tail(double) { return 0; }
   static double make(double x) { return x; }
   static double scaled(double m, double factor) { return m * factor; }
-  /// Is the product of two exact numbers exact? Of any two of 26 bits it is.
+  /// True only where a b is exact: both have at most 26 significant bits.
   static bool exact_product(double a, double b) {
     const auto low = [](double x) { return std::bit_cast<std::uint64_t>(x) & ((1u << 27) - 1); };
     return (low(a) | low(b)) == 0;
   }
-  /// The sum of two exact numbers, and a bound of its error.
+  /// The sum of two exact numbers, and an upper bound of its error.
   static double exact_sum(double a, double b, double& radius) {
     const DoubleDouble s = dd::two_sum(a, b);
     radius = std::fabs(s.low);
@@ -128,7 +130,7 @@ struct Ball {
   friend bool operator<=(const Ball& a, const Ball& b) { return compare(a, b) <= 0; }
   friend bool operator>=(const Ball& a, const Ball& b) { return compare(a, b) >= 0; }
 
-  friend Ball abs(const Ball& a) { return a.head() < 0 ? -a : a; }  // no further from |x| than a is from x
+  friend Ball abs(const Ball& a) { return a.head() < 0 ? -a : a; }  // | |m| - |x| | <= |m - x| <= r
   friend bool isfinite(const Ball& a) { return std::isfinite(a.head()); }
 
   /// | sqrt(x) - sqrt(x') | <= sqrt |x - x'|, and |x - x'| / sqrt(x) where x is far from zero. The exact value
@@ -144,17 +146,18 @@ struct Ball {
     if (a.size() < 0x1p-900) r += 0x1p-520;
     return {m, r};
   }
-  /// 2^e a, exact but for what underflows.
+  /// 2^e a, exact unless it underflows.
   friend Ball power_scaled(const Ball& a, int e) {
     if (e < -1000 || e > 1000) return power_scaled(power_scaled(a, e / 2), e - e / 2);
     const auto factor = std::bit_cast<double>(static_cast<std::uint64_t>(1023 + e) << 52);
     const M m = Round::scaled(a.m, factor);
-    const double lost = std::fabs(Round::head(m)) < 0x1p-960 ? 0x1p-1073 : 0;
-    return {m, a.r * factor * (1 + 0x1p-50) + (a.exactly_zero() || e > 0 ? 0 : lost)};
+    const double underflow = std::fabs(Round::head(m)) < 0x1p-960 ? 0x1p-1073 : 0;
+    return {m, a.r * factor * (1 + 0x1p-50) + (a.exactly_zero() || e > 0 ? 0 : underflow)};
   }
   friend Ball doubled(const Ball& a) { return {Round::scaled(a.m, 2), 2 * a.r}; }
 
-  /// Of two exact numbers: what cancels is kept, and the sum of two doubles, or of x and -x, is exact.
+  /// The sum of two exact numbers keeps its relative accuracy under cancellation; that of two doubles, or of x and -x,
+  /// is exact.
   static Ball exact_sum(const Ball& a, const Ball& b) {
     Ball sum;
     sum.m = Round::exact_sum(a.m, b.m, sum.r);
@@ -171,7 +174,8 @@ struct Ball {
 using DoubleBall = Ball<double>;
 using DoubleDoubleBall = Ball<DoubleDouble>;
 
-/// What judges a scalar fast, tried one after the other: at least twice its digits, in the exponent range of double.
+/// The balls in which results of S are judged, tried in this order: their midpoints have at least twice the digits of S
+/// and the exponent range of double.
 template <class S>
 struct BallTiers {
   using type = std::tuple<>;
@@ -185,14 +189,14 @@ struct BallTiers<double> {
   using type = std::tuple<DoubleDoubleBall>;
 };
 
-/// x with its radius widened by r.
+/// x with r added to its radius.
 template <class M>
 Ball<M> widened(Ball<M> x, double r) {
   x.r = Ball<M>::up(x.r + r);
   return x;
 }
 
-/// sin and cos. |x| > 2^40 is not attempted.
+/// sin x and cos x; throws Undecided for |x| >= 2^40.
 template <class M>
 void sin_cos(const Ball<M>& x, Ball<M>& sine, Ball<M>& cosine);
 
@@ -200,7 +204,7 @@ void sin_cos(const Ball<M>& x, Ball<M>& sine, Ball<M>& cosine);
 template <class M>
 Ball<M> atan2(const Ball<M>& y, const Ball<M>& x);
 
-/// c_k(x) = sum_j (-x)^j / (2j + k)!, k = 4, 5 or 6, 0 <= x <= 1.
+/// c_k(x) = sum_j (-x)^j / (2j + k)! for k = 4, 5 or 6 and 0 <= x <= 1.
 template <class M>
 Ball<M> stumpff_series(int k, const Ball<M>& x);
 

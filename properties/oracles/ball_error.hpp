@@ -1,31 +1,33 @@
 #pragma once
-// The measures of error.hpp on balls: a double that is within 1e-4 of the error, relatively or in eps, or Undecided.
+// The errors of error.hpp in ball arithmetic: a double within 1e-4 of the error, relative to it or in eps; otherwise
+// Undecided is thrown.
 //
-// Differences are formed in ball arithmetic, where they cancel; what is left, their norms, needs no more than
-// double (a relative 1e-14 covers it).
+// Differences cancel and are therefore formed in ball arithmetic; their norms are computed in double, whose rounding a
+// relative 1e-14 bounds.
 
 #include <oracles/ball_oracles.hpp>
 
 namespace liecheck::oracles {
 
-/// The accuracy that a fast oracle promises of an error, relative or in eps.
+/// How accurately an oracle in ball arithmetic knows an error: relative to the error, or in eps.
 inline constexpr double error_accuracy = 1e-4;
 
-/// What a computed matrix errs by: as a rotation, and from the orthogonal ones; in eps.
+/// Errors of a computed rotation matrix in eps: of the rotation, and of orthogonality.
 struct MatrixErrors {
   double rotation, defect;
 };
 
+/// The error, if its uncertainty `slack` is small enough; otherwise throws Undecided.
 inline double settled(double error, double slack) {
   if (!(slack <= error_accuracy * (error > 1 ? error : 1))) throw Undecided();
-  return error == 0 && slack > 0 ? std::numeric_limits<double>::denorm_min() : error;  // 0 is exactly 0
+  return error == 0 && slack > 0 ? std::numeric_limits<double>::denorm_min() : error;  // 0 means exactly 0
 }
 
 inline double max(double a, double b) {
   return a > b ? a : b;
 }
 
-/// Norm of the mid-points, and a bound of the norm of the radii.
+/// The norm of the midpoints, and an upper bound of the norm of the radii.
 struct Length {
   double value = 0, radius = 0;
 };
@@ -37,7 +39,7 @@ Length length(const Vec<N, T>& v) {
     r = max(r, x.r);
   }
   if (!std::isfinite(largest)) throw Undecided();
-  // Scaled where squares would leave the exponent range; 2^+-600 are representable, and their squares not asked for.
+  // Scaled by 2^+-600 where squares would leave the exponent range.
   const double scale = largest < 0x1p-400 ? 0x1p600 : largest > 0x1p400 ? 0x1p-600 : 1;
   double square = 0;
   for (const T& x : v.x) {
@@ -67,7 +69,7 @@ double scalar_error(const T& computed, const T& exact, const T& scale = T(0)) {
   return vector_error<S>(Vec<1, T>{{computed}}, Vec<1, T>{{exact}}, scale);
 }
 
-/// A distance in eps.
+/// |distance| / eps.
 template <class S, BallNumber T>
 double in_eps(const T& distance) {
   constexpr double eps = std::numeric_limits<S>::epsilon();
@@ -104,20 +106,22 @@ double orthogonality_defect(const Mat3<T>& computed) {
   return settled(d.value / eps, d.radius / eps + 1e-14 * d.value / eps);
 }
 
-/// Both from E = computed - R, in balls, and the rest in double; far from R each by itself.
+/// For ||E|| < 1e-4, E = computed - R, both errors follow from E, formed in balls; all that follows is in double.
+/// Farther from R each error is computed by its own function.
 ///
-/// The polar factor U of computed = R (I + E') has the antisymmetric part of R^T E to within 3 ||E||^2: computed = U H
-/// gives U H - U = U (H - I), and only (U - R)(H - I) has one beside it. The vector of it is the sine of the angle.
+/// Rotation: with computed = U H, U the polar factor, U H - U = U (H - I), and R^T U - I has the antisymmetric part of
+/// R^T E to within 3 ||E||^2, since only that of R^T (U - R)(H - I) differs. The norm of its vector is the sine of the
+/// angle.
 ///
-/// computed^T computed - I = R^T E + E^T R + E^T E, since R is orthogonal: 2 (1 + ||E||) times what E is off by, and
-/// what double rounds.
+/// Defect: computed^T computed - I = R^T E + E^T R + E^T E, since R is orthogonal; its error is at most 2 (1 + ||E||)
+/// times that of E, plus the rounding in double.
 template <class S, BallNumber T>
 MatrixErrors matrix_errors(const Mat3<T>& computed, const Quaternion<T>& exact) {
   constexpr double eps = std::numeric_limits<S>::epsilon();
   const Mat3<T> ball = rotation_matrix(exact), E_ball = computed - ball;
   const Length size = length(Vec<9, T>{E_ball.x});
-  const double whole = size.value + size.radius;
-  if (!(whole < 1e-4))
+  const double E_bound = size.value + size.radius;
+  if (!(E_bound < 1e-4))
     return {rotation_error<S>(nearest_quaternion(computed), exact), orthogonality_defect<S>(computed)};
   double R[3][3], E[3][3], across[3][3];  // R^T E
   for (int i = 0; i < 3; ++i)
@@ -134,12 +138,12 @@ MatrixErrors matrix_errors(const Mat3<T>& computed, const Quaternion<T>& exact) 
       square += (i == j ? 1 : 2) * d * d;
     }
   const double sine = std::sqrt(skew), defect = std::sqrt(square);
-  const double bound = 3 * whole * whole + 2 * size.radius + 1e-14 * size.value;
+  const double bound = 3 * E_bound * E_bound + 2 * size.radius + 1e-14 * size.value;
   MatrixErrors errors{};
   errors.rotation = bound <= error_accuracy * max(sine, eps)
                         ? settled(sine / eps, bound / eps)
                         : rotation_error<S>(nearest_quaternion(computed), exact);
-  errors.defect = settled(defect / eps, (2 * (1 + whole) * size.radius + 1e-14 * size.value) / eps);
+  errors.defect = settled(defect / eps, (2 * (1 + E_bound) * size.radius + 1e-14 * size.value) / eps);
   return errors;
 }
 

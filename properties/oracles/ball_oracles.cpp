@@ -9,7 +9,7 @@ template <class T>
 LogValue<T> log_value(const Quaternion<T>& Q, const Vec3<T>& p) {
   const T w = Q[3];
   LogValue<T> r;
-  r.at_pi = w.exactly_zero();  // else |w| > its radius, or closed_log cannot tell the branch
+  r.at_pi = w.exactly_zero();  // otherwise |w| exceeds its radius, or closed_log throws Undecided
   const Vec6<T> value = closed_log(Q, p);
   r.rho = head3(value), r.phi = tail3(value);
   const T s = norm(head3(Q));
@@ -36,42 +36,42 @@ LogValue<T> log_se3(const Quaternion<T>& Q, const Vec3<T>& p) {
 }
 
 // One step X = R (I - D/2), D = R^T R - I, from R = U (I + D)^(1/2): U = R (I - D/2 + G), G symmetric with
-// ||G|| <= sum_{k>=2} binom(2k, k) 4^-k d^k < 0.4 d^2 for d = ||D|| < 1/100. To the antisymmetric part of U the
-// term R G adds that of (R - I) G alone.
+// ||G|| <= sum_{k>=2} binom(2k, k) 4^-k d^k < 0.4 d^2 for d = ||D|| < 1/100. The term R G changes the antisymmetric
+// part of U only by that of (R - I) G, since G is symmetric.
 template <BallNumber T>
 Quaternion<T> nearest_quaternion(const Mat3<T>& R) {
   Mat3<T> D = transpose(R) * R;
   for (int i = 0; i < 3; ++i) D(i, i) -= T(1);
-  double square = 0, turned = 0;
+  double square = 0, distance = 0;
   for (const T& x : D.x) square += (x.size() + x.r) * (x.size() + x.r);
   if (!(square < 1e-4)) throw Undecided();
   const double g = 0.45 * square;
   const Mat3<T> X = R - T(0.5) * (R * D);
   for (int i = 0; i < 9; ++i) {
     const double d = std::fabs(R.x[static_cast<std::size_t>(i)].head() - (i % 4 == 0 ? 1 : 0));
-    turned += d * d;
+    distance += d * d;
   }
-  const double skew = g * std::sqrt(turned) * (1 + 0x1p-40);
+  const double skew = g * std::sqrt(distance) * (1 + 0x1p-40);
   const double diagonal[3] = {X(0, 0).head(), X(1, 1).head(), X(2, 2).head()};
   const double trace = diagonal[0] + diagonal[1] + diagonal[2];
   int pivot = 3;
   double largest = trace;
   for (int i = 0; i < 3; ++i)
     if (diagonal[i] > largest) largest = diagonal[i], pivot = i;
-  const double whole = 1.1 * g;  // ||R|| < 1.1
+  const double bound = 1.1 * g;  // ||R|| < 1.1
   Quaternion<T> q;
   if (pivot == 3) {
-    q[3] = sqrt(widened(T(1) + X(0, 0) + X(1, 1) + X(2, 2), 3 * whole)) / T(2);
+    q[3] = sqrt(widened(T(1) + X(0, 0) + X(1, 1) + X(2, 2), 3 * bound)) / T(2);
     const Vec3<T> k = vee(X);
     for (int i = 0; i < 3; ++i) q[i] = widened(k[i], skew) / (T(2) * q[3]);
   } else {
     const int i = pivot, j = (i + 1) % 3, k = (i + 2) % 3;
-    q[i] = sqrt(widened(T(1) + X(i, i) - X(j, j) - X(k, k), 3 * whole)) / T(2);
+    q[i] = sqrt(widened(T(1) + X(i, i) - X(j, j) - X(k, k), 3 * bound)) / T(2);
     const T by = T(4) * q[i];
-    q[j] = widened(X(i, j) + X(j, i), 2 * whole) / by;
-    q[k] = widened(X(i, k) + X(k, i), 2 * whole) / by;
+    q[j] = widened(X(i, j) + X(j, i), 2 * bound) / by;
+    q[k] = widened(X(i, k) + X(k, i), 2 * bound) / by;
     const bool symmetric =
-        R(0, 1) == R(1, 0) && R(0, 2) == R(2, 0) && R(1, 2) == R(2, 1);  // half a turn, exactly
+        R(0, 1) == R(1, 0) && R(0, 2) == R(2, 0) && R(1, 2) == R(2, 1);  // theta = pi exactly
     q[3] = symmetric ? T(0) : widened(X(k, j) - X(j, k), 2 * skew) / by;
   }
   return q;

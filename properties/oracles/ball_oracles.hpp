@@ -1,8 +1,8 @@
 #pragma once
-// The fast oracles: the same questions as exp.hpp, log.hpp, integrate.hpp, jacobians.hpp, kinematics.hpp and
-// spatial.hpp, answered in ball arithmetic by the closed forms (closed_forms.hpp). What they return is proved to be
-// within its radius of the exact value, so it is resolved by construction; where a comparison is open they throw
-// Undecided. Same names, overloaded on the number, so that a law is written once.
+// The oracles in ball arithmetic: the functions of exp.hpp, log.hpp, integrate.hpp, jacobians.hpp, kinematics.hpp and
+// spatial.hpp by the closed forms (closed_forms.hpp). A result is proved to be within its radius of the exact value, so
+// it is resolved by construction; where a comparison cannot be decided they throw Undecided. The names are the same,
+// overloaded on the number, so that a law is written once. A campaign asks these oracles first, because they are fast.
 
 #include <oracles/exp.hpp>
 #include <oracles/integrate.hpp>
@@ -38,7 +38,8 @@ Jacobian6Value<T> left_jacobian_se3(const Vec6<T>& xi);
 template <BallNumber T>
 Jacobian6Value<T> left_jacobian_se3_inverse(const Vec6<T>& xi);
 
-/// J_r(xi) = J_l(-xi): [phi] and [rho] change sign, what is symmetric stays; both blocks are transposed.
+/// J_r(xi) = J_l(-xi): both blocks are transposed, because [phi] and [rho] change sign and their symmetric products do
+/// not.
 template <BallNumber T>
 Jacobian6Value<T> transposed(const Jacobian6Value<T>& left) {
   return {transpose(left.J), transpose(left.C), left.resolved};
@@ -60,14 +61,14 @@ Jacobian3Value<T> left_jacobian_so3_inverse(const Vec3<T>& phi) {
   return {left_jacobian_se3_inverse(stack(zero_vector<3, T>(), phi)).J, true};
 }
 
-/// Ad(exp(-delta)) = [[R^T, -R^T [p]], [0, R^T]] and J_r(delta).
+/// ARG0 = Ad(exp(-delta)) = [[R^T, -R^T [p]], [0, R^T]] and ARG1 = J_r(delta).
 template <BallNumber T>
 Jacobian6Value<T> d_integrate_arg0(const Vec7<T>& q, const Vec6<T>& delta);
 template <BallNumber T>
 Jacobian6Value<T> d_integrate_arg1(const Vec7<T>&, const Vec6<T>& delta) {
   return right_jacobian_se3(delta);
 }
-/// The six-by-six Jacobians of one twist: four questions, two evaluations in ball arithmetic.
+/// The four 6x6 Jacobians of one twist; in ball arithmetic the right ones are transposes of the left ones.
 template <class T>
 struct Jacobians {
   Jacobian6Value<T> left, right, left_inverse, right_inverse;
@@ -81,7 +82,7 @@ struct Jacobians {
   }
 };
 
-/// -J_l^-1 and J_r^-1 of difference(q0, q1).
+/// ARG0 = -J_l^-1 and ARG1 = J_r^-1 of difference(q0, q1).
 template <BallNumber T>
 Jacobian6Value<T> d_difference_arg0(const Vec7<T>& q0, const Vec7<T>& q1);
 template <BallNumber T>
@@ -153,7 +154,7 @@ Resolved<T> power(const Vec6<T>& F, const Vec6<T>& V) {
   return {formulas::power(F, V), true};
 }
 
-/// Of the polar factor of R, ||R^T R - I|| < 1/100, largest component positive.
+/// The quaternion of R's polar factor, its largest component positive, for ||R^T R - I|| < 1/100.
 template <BallNumber T>
 Quaternion<T> nearest_quaternion(const Mat3<T>& R);
 

@@ -5,7 +5,7 @@
 namespace liecheck::oracles {
 namespace {
 
-/// MPFR numbers whose precision is chosen at run time: only angles beyond 2^42 need them.
+/// An MPFR number whose precision is chosen at run time; only angles beyond 2^42 need it.
 class Long {
  public:
   explicit Long(long precision) { mpfr_init2(value_, precision); }
@@ -18,27 +18,27 @@ class Long {
   mpfr_t value_;
 };
 
-/// theta and theta mod 2 pi with an absolute error of 2^-bits: theta = ||phi|| at `exponent` bits more.
-/// Returns whether the number of whole turns is odd.
+/// theta = ||phi|| modulo 2 pi with an absolute error of 2^-bits, by `exponent` more bits. Returns whether an odd
+/// multiple of 2 pi was subtracted.
 template <class T>
 bool reduce(const Vec3<T>& phi, int exponent, T& reduced) {
   const long precision = 2L * bits<T> + exponent;
-  Long theta(precision), square(precision), turn(precision), turns(precision);
+  Long theta(precision), square(precision), period(precision), periods(precision);
   mpfr_set_zero(theta.get(), 1);
   for (int i = 0; i < 3; ++i) {
     mpfr_sqr(square.get(), phi[i].backend().data(), MPFR_RNDN);
     mpfr_add(theta.get(), theta.get(), square.get(), MPFR_RNDN);
   }
   mpfr_sqrt(theta.get(), theta.get(), MPFR_RNDN);
-  mpfr_const_pi(turn.get(), MPFR_RNDN);
-  mpfr_mul_2ui(turn.get(), turn.get(), 1, MPFR_RNDN);
-  mpfr_div(turns.get(), theta.get(), turn.get(), MPFR_RNDN);
-  mpfr_rint(turns.get(), turns.get(), MPFR_RNDN);
-  mpfr_mul(turn.get(), turn.get(), turns.get(), MPFR_RNDN);
-  mpfr_sub(theta.get(), theta.get(), turn.get(), MPFR_RNDN);
+  mpfr_const_pi(period.get(), MPFR_RNDN);
+  mpfr_mul_2ui(period.get(), period.get(), 1, MPFR_RNDN);
+  mpfr_div(periods.get(), theta.get(), period.get(), MPFR_RNDN);
+  mpfr_rint(periods.get(), periods.get(), MPFR_RNDN);
+  mpfr_mul(period.get(), period.get(), periods.get(), MPFR_RNDN);
+  mpfr_sub(theta.get(), theta.get(), period.get(), MPFR_RNDN);
   mpfr_set(reduced.backend().data(), theta.get(), MPFR_RNDN);
-  mpfr_div_2ui(turns.get(), turns.get(), 1, MPFR_RNDN);
-  return mpfr_integer_p(turns.get()) == 0;
+  mpfr_div_2ui(periods.get(), periods.get(), 1, MPFR_RNDN);
+  return mpfr_integer_p(periods.get()) == 0;
 }
 
 /// c_k(x), 0 <= x <= 1, k! c_k by Horner's rule: 1 - x/((k+1)(k+2)) (1 - x/((k+3)(k+4)) (1 - ...)).
@@ -72,12 +72,12 @@ HalfAngle<T> half_angle(const Vec3<T>& phi, const T& theta) {
   for (int i = 0; i < 3; ++i) h.n[i] = h.over_theta(phi[i]);
   const int exponent = exponent_of(h.theta);
   bool odd = false;
-  if constexpr (!BallNumber<T>) {  // a ball knows how much of a large angle it has left
+  if constexpr (!BallNumber<T>) {  // the radius of a ball includes the error of a large angle
     h.large = isfinite(h.theta) && exponent > bits<T> / 4;
     odd = h.large && reduce(phi, exponent, h.reduced);
   }
   if constexpr (BallNumber<T>) {
-    sin_cos(power_scaled(h.reduced, -1), h.s, h.c);  // exact, which a quotient is not
+    sin_cos(power_scaled(h.reduced, -1), h.s, h.c);  // the scaling is exact, a quotient is rounded
   } else {
     sin_cos(T(h.reduced / 2), h.s, h.c);
   }
@@ -92,21 +92,21 @@ template <BallNumber T>
 double bound(const Vec3<T>& v) {
   return std::fabs(v[0].head()) + std::fabs(v[1].head()) + std::fabs(v[2].head()) + v[0].r + v[1].r + v[2].r;
 }
-inline constexpr double tiny_angle =
-    0x1p-60;  ///< below it balls take the first order, its rest in the radius
+/// Below it balls take the first-order expansion and add its remainder to the radius.
+inline constexpr double tiny_angle = 0x1p-60;
 
 template <class T>
 UnitPose<T> closed_exp(const Vec6<T>& xi, const T& theta) {
   const Vec3<T> rho = head3(xi);
   if constexpr (BallNumber<T>) {
     const Vec3<T> phi = tail3(xi);
-    const double angle = bound(phi), rest = angle > 0 ? std::fmax(angle * angle, 0x1p-1000) : 0;
+    const double angle = bound(phi), remainder = angle > 0 ? std::fmax(angle * angle, 0x1p-1000) : 0;
     if (angle < tiny_angle) {
-      UnitPose<T> pose{{{T(0.5) * phi[0], T(0.5) * phi[1], T(0.5) * phi[2], widened(T(1), rest)}},
+      UnitPose<T> pose{{{T(0.5) * phi[0], T(0.5) * phi[1], T(0.5) * phi[2], widened(T(1), remainder)}},
                        rho + T(0.5) * cross(phi, rho)};
       for (int i = 0; i < 3; ++i) {
-        pose.Q[i] = widened(pose.Q[i], rest * angle);
-        if (rest > 0) pose.p[i] = widened(pose.p[i], rest * bound(rho));
+        pose.Q[i] = widened(pose.Q[i], remainder * angle);
+        if (remainder > 0) pose.p[i] = widened(pose.p[i], remainder * bound(rho));
       }
       return pose;
     }
@@ -116,7 +116,7 @@ UnitPose<T> closed_exp(const Vec6<T>& xi, const T& theta) {
   pose.Q = {{h.s * h.n[0], h.s * h.n[1], h.s * h.n[2], h.c}};
   pose.p = rho;
   if (h.theta != 0) {
-    const Vec3<T> along = h.over_theta(dot(tail3(xi), rho)) * h.n;  // exact where phi.rho cancels to zero
+    const Vec3<T> along = h.over_theta(dot(tail3(xi), rho)) * h.n;  // exactly zero where phi.rho is
     const T s2 = 2 * h.over_theta(h.s);
     pose.p = along + T(s2 * h.c) * (rho - along) + T(s2 * h.s) * cross(h.n, rho);
   }
@@ -132,11 +132,11 @@ Vec6<T> closed_log(const Quaternion<T>& Q, const Vec3<T>& p, bool as_signed) {
     const double sine = bound(v), cosine = w.head() - w.r;
     if (cosine > 0 &&
         sine < tiny_angle * cosine) {  // phi = 2 v / w (1 - O(s^2 / w^2)), V^-1 = I - [phi]/2 + O(phi^2)
-      const double ratio = 2 * sine / cosine, rest = std::fmax(ratio * ratio, 0x1p-1000);
+      const double ratio = 2 * sine / cosine, remainder = std::fmax(ratio * ratio, 0x1p-1000);
       Vec3<T> phi = T(T(2) / w) * v, rho = p - T(0.5) * cross(phi, p);
       for (int i = 0; i < 3; ++i) {
-        if (sine > 0) phi[i] = widened(phi[i], rest * ratio);
-        if (sine > 0) rho[i] = widened(rho[i], rest * bound(p) + 0x1p-1070);
+        if (sine > 0) phi[i] = widened(phi[i], remainder * ratio);
+        if (sine > 0) rho[i] = widened(rho[i], remainder * bound(p) + 0x1p-1070);
       }
       return stack(rho, phi);
     }
@@ -229,7 +229,7 @@ JacobianBlocks<T> closed_left_jacobian_inverse(const Vec6<T>& xi) {
   const T x = squared_norm(phi);
   if (x < 1) {
     if constexpr (BallNumber<T>) {
-      // With h = c3 - 2 c4, h' = (5 c5 - c4 - 8 c6) / 2 and c2' = -h / 2: g = h / (2 c2), and two bits lost in g'.
+      // With h = c3 - 2 c4, h' = (5 c5 - c4 - 8 c6) / 2 and c2' = -h / 2: g = h / (2 c2); g' loses two bits.
       const T c5 = stumpff_series(5, x), c6 = stumpff_series(6, x), c4 = T(1) / T(24) - x * c6;
       const T c2 = T(0.5) - x * c4, c3 = T(1) / T(6) - x * c5, h = c3 - doubled(c4);
       const T slope = T(0.5) * (T(5) * c5 - c4 - T(8) * c6);

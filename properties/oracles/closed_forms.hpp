@@ -1,6 +1,6 @@
 #pragma once
-// Closed forms over half angles, at either precision: formula B of every oracle, at 100 digits, and the
-// functions whose derivatives give condition numbers, at 50. Not checked here: the oracles check them.
+// Closed forms in the half angle, at any precision: at 100 digits they are formula B of every oracle; at 50 digits
+// they are the functions whose derivatives give the condition numbers. The oracles compare them with formula A.
 //
 // With theta = ||phi||, n = phi / theta, s = sin(theta/2), c = cos(theta/2):
 //   exp     Q = (s n, c),   p = a + (2 s c / theta) (rho - a) + (2 s^2 / theta) n x rho,
@@ -12,15 +12,15 @@
 //             + (phi.rho) ((2 c4 - c3) [phi] + (3 c5 - c4) [phi]^2)
 //   J_l^-1  I - [phi]/2 + g [phi]^2,   g(theta^2) = (1 - theta c / (2 s)) / theta^2,   and likewise
 //           -[rho]/2 + g ([phi][rho] + [rho][phi]) + 2 g' (phi.rho) [phi]^2; below theta = 1 by cofactors, and in
-//           balls by g = (c3 - 2 c4) / (2 c2).
+//           ball arithmetic by g = (c3 - 2 c4) / (2 c2).
 //
-// What cancels in them does so to an absolute error of one rounding beside terms of size one, so that at 100
-// digits each block keeps 90 digits of its norm down to theta = 0; c3, c4, c5 come from their series below 1.
-// A large angle costs two digits for each of its own (98 - 16 of C at 1e8), and so does each zero in the distance to
-// 2 pi k: tests/properties/enclosure_test.cpp holds them to 1e-98 (theta / d)^2 of the exact value.
+// Where terms of size one cancel they leave an absolute error of one rounding, so that at 100 digits each block has 90
+// correct digits relative to its norm down to theta = 0; c3, c4, c5 come from their series for theta < 1. An angle of n
+// digits costs 2 n digits (C has 98 - 16 at theta = 1e8), and so does a distance d of 1e-n to 2 pi k:
+// tests/properties/enclosure_test.cpp requires errors below 1e-98 (theta / d)^2.
 //
 // Domain: exp for every finite angle (beyond 2^42 at 50 and 2^83 at 100 digits, theta is reduced modulo 2 pi
-// at as many bits as it takes); the Jacobians for theta <= 1e24.
+// with as many bits as that needs); the Jacobians for theta <= 1e24.
 //
 // Sources: Rodrigues 1840; Sola, Deray, Atchuthan 2018 (arXiv 1812.01537), appendices B and D, rewritten;
 // Barfoot 2017, eq. 7.86 (C).
@@ -29,7 +29,7 @@
 
 namespace liecheck::oracles {
 
-/// Q unit; a pose when p is there.
+/// A pose; Q is unit.
 template <class T>
 struct UnitPose {
   Quaternion<T> Q;
@@ -42,9 +42,9 @@ template <class T>
 struct HalfAngle {
   T theta, reduced, s, c;
   Vec3<T> n;
-  bool large = false;  ///< was theta reduced? Otherwise `reduced` is theta itself
-  T inverse{};         ///< 1 / theta > 0, of a ball
-  /// x / theta; in balls a product, at a third of the cost and one more rounding.
+  bool large = false;  ///< whether theta was reduced; otherwise `reduced` equals theta
+  T inverse{};         ///< 1 / theta in ball arithmetic, for theta > 0
+  /// x / theta; in ball arithmetic a product, at a third of the cost and with one more rounding.
   T over_theta(const T& x) const {
     if constexpr (BallNumber<T>)
       return x * inverse;
@@ -59,7 +59,7 @@ struct JacobianBlocks {
   Mat3<T> J, C;
 };
 
-/// Q and p of T0^-1 T1, not normalised; p1_minus_p0 in the axes that p0 has.
+/// Q and p of T0^-1 T1, not normalised; p1_minus_p0 in the axes of p0.
 template <class T>
 struct RelativePose {
   Quaternion<T> Q;
@@ -82,8 +82,8 @@ UnitPose<T> closed_exp(const Vec6<T>& xi) {
   return closed_exp(xi, norm(tail3(xi)));
 }
 
-/// log of the pose of Q / ||Q|| and p; (rho, phi) with ||phi|| <= pi. With `as_signed` the sign of Q chooses
-/// the branch instead: theta/2 in [0, pi] is the angle of Q, so that nothing jumps at theta = pi.
+/// log of the pose of Q / ||Q|| and p: (rho, phi) with ||phi|| <= pi. With `as_signed` the sign of Q chooses
+/// the branch instead: theta/2 in [0, pi] is the angle of Q, so that the result is continuous at theta = pi.
 template <class T>
 Vec6<T> closed_log(const Quaternion<T>& Q, const Vec3<T>& p, bool as_signed = false);
 

@@ -13,7 +13,7 @@ T block_norm(const std::vector<T>& y, const ConditionBlockOf<T>& block) {
   return sqrt(square);
 }
 
-/// kappa to two digits.
+/// kappa as a double, accurate to two digits.
 double settled_kappa(const Real& kappa) {
   return static_cast<double>(kappa);
 }
@@ -23,14 +23,14 @@ double settled_kappa(const T& kappa) {
   return kappa.head();
 }
 
-/// The step of a number of that size.
+/// The step for a number of this absolute value.
 Real step_of(const Real& size) {
   static const Real relative("1e-36"), smallest("1e-40");
   const Real least = size * smallest, step = size > 1 ? relative : Real(size * relative);
   return step < least ? least : step;
 }
-/// What is differentiated takes numbers as stored: doubles, whose steps are exact. Nothing that is differentiated
-/// bends within 2^-1000.
+/// The arguments are stored doubles, so that these steps are exact. Every differentiated function is linear to rounding
+/// over steps of 2^-1000.
 template <BallNumber T>
 T step_of(const T& size) {
   const double step =

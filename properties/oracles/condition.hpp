@@ -1,13 +1,13 @@
 #pragma once
-// The componentwise condition number of a block y of f(x):  kappa = sum_i ||dy/dx_i|| |x_i| / denominator:
-// by how many times its own size may the result move when every stored number moves by a relative eps, to
-// first order and in the worst combination. A number that is zero is stored exactly and adds nothing.
+// The componentwise condition number of a block y of f(x),  kappa = sum_i ||dy/dx_i|| |x_i| / denominator:
+// the relative change of the result in eps, to first order and in the worst combination, when every stored number
+// changes by a relative eps. A number that is zero is stored exactly and adds nothing.
 //
 // The derivatives are central differences at 50 digits with the step |x_i| 1e-36 / max(1, |x_i|), at least
-// |x_i| 1e-40: two or three digits of kappa are wanted, and these steps leave some ten. The step is smaller
-// than the distance at which any scalar under test can stand from a pole (2 pi k of the inverse Jacobians): a
-// longer one would step across it and make kappa small where it is infinite. Where y is known to n digits less
-// than 50, so is kappa to n digits less than ten.
+// |x_i| 1e-40: kappa needs two or three digits, and these steps give about ten. The step is smaller than the
+// distance of any number of a scalar under test from a pole (2 pi k of the inverse Jacobians): a
+// longer one would step across the pole and make kappa small where it is infinite. Where y has n digits fewer
+// than 50, kappa has n digits fewer than ten.
 //
 // Sources: Higham 2002, section 1.6; Gohberg, Koltracht 1993 (componentwise condition).
 
@@ -23,8 +23,7 @@ template <class T>
 using FunctionOf = std::function<std::vector<T>(const std::vector<T>& x)>;
 using Function = FunctionOf<Real>;
 
-/// Consecutive numbers of a result, and what their change is measured by: the 2-norm of the block of f(x)
-/// unless told.
+/// Consecutive numbers of a result, and the denominator of their change: by default the 2-norm of that block of f(x).
 template <class T>
 struct ConditionBlockOf {
   int first = 0, size = 0;
@@ -32,11 +31,11 @@ struct ConditionBlockOf {
 };
 using ConditionBlock = ConditionBlockOf<Real>;
 
-/// One kappa for each block, infinite where a denominator is zero and the block moves. f is called 2 x.size()
-/// times; at the precision of Real it need not be confirmed, see closed_forms.hpp.
+/// One kappa for each block, infinite where a denominator is zero and the block's derivative is not. f is called
+/// 2 x.size() times; in Real it may be a closed form without confirmation (closed_forms.hpp).
 /// In double-double balls the differences are one-sided, over x.size() + 1 calls, with the step 2^-64 in place of
-/// 1e-36; throws Undecided where that leaves less than two digits, and in balls of double, which have no room for such
-/// a step, always.
+/// 1e-36. Undecided is thrown where kappa then has less than two digits, and always in balls of double, which are too
+/// short for any step.
 template <class T>
 std::vector<double> condition(const FunctionOf<T>& f, const std::vector<T>& x,
                               const std::vector<ConditionBlockOf<T>>& blocks);
@@ -50,8 +49,8 @@ inline std::vector<double> condition(const Function& f, const std::vector<Real>&
 template <class T>
 std::vector<T> movements(const FunctionOf<T>& f, const std::vector<T>& x,
                          const std::vector<ConditionBlockOf<T>>& blocks);
-/// movement / denominator, to two digits or Undecided; 0 where nothing moves. In balls what is below 1/2 may be
-/// anything below 1: a kappa counts from 1 up.
+/// movement / denominator, to two digits or Undecided; 0 where the movement is. In balls a kappa below 1/2 is only
+/// known to be below 1, which suffices: errors are divided by max(kappa, 1).
 template <class T>
 double condition_number(const T& movement, const T& denominator);
 

@@ -1,12 +1,12 @@
 #pragma once
-// How far a computed value is from the exact one, in eps of the scalar S that computed it (DESIGN.md, 3).
+// How far a computed value is from the exact one, in eps of the scalar S that computed it.
 //
-// Computed values are given as their exact numbers (exact_vector, exact_matrix), after all_finite has been
-// asked. A value that is not a number nevertheless gives infinity: it can never compare as a pass.
+// Computed values are given as their exact numbers (exact_vector, exact_matrix), after all_finite has returned
+// true. A NaN nevertheless gives infinity, so that it can never pass.
 // The rotation error of a matrix is that of its polar factor's quaternion, 4 sin(angle / 4) of the angle
-// between the two rotations; how far the matrix is from orthogonal does not enter, it is a block of its own.
+// between the two rotations; the distance from orthogonality is a block of its own.
 //
-// Error of the measures themselves: 1e-45 absolute, in double relative 1e-16.
+// The errors are accurate to 1e-45 absolutely; as doubles, to 1e-16 relatively.
 
 #include <oracles/ball_error.hpp>
 #include <oracles/log.hpp>
@@ -15,14 +15,14 @@ namespace liecheck::oracles {
 
 /// 2 min(||Q/||Q|| - exact||, ||Q/||Q|| + exact||), exact unit.
 Real rotation_distance(const Quaternion<>& computed, const Quaternion<>& exact);
-/// The same for the polar factor of a stored matrix; infinite where that is no rotation.
+/// The same for the polar factor of a stored matrix; infinite where the matrix is not near a rotation.
 Real rotation_distance(const Mat3<>& computed, const Quaternion<>& exact);
 /// | ||Q||^2 - 1 |
 Real norm_distance(const Quaternion<>& computed);
 /// || R^T R - I ||_F
 Real orthogonality_distance(const Mat3<>& computed);
 
-/// eps of S, exactly. (Not numeric_limits' function: Boost 1.74's for float128 needs GNU extensions.)
+/// eps of S, exactly. (numeric_limits<float128>::epsilon() of Boost 1.74 needs GNU extensions.)
 template <class S>
 const Real& epsilon() {
   static const Real value = ldexp(Real(1), 1 - std::numeric_limits<S>::digits);
@@ -59,7 +59,7 @@ double in_eps(const Real& distance) {
   return e >= 0 ? e : std::numeric_limits<double>::infinity();
 }
 
-/// Is every number of a vector or matrix of any scalar finite?
+/// Whether every element of a vector or matrix of any scalar is finite.
 template <class M>
 bool all_finite(const M& m) {
   if constexpr (requires { m.rows(); }) {
@@ -120,8 +120,8 @@ double scalar_error(const Real& computed, const Real& exact, const Real& scale =
 struct TwistError {
   double linear = 0, angular = 0;
 };
-/// The two blocks of a log or difference against the branch that the computed rotation vector is on: at
-/// exactly pi either is right. linear_scale joins the linear block's denominator (||p1 - p0|| for
+/// The two blocks of a log or difference, compared with the branch that the computed rotation vector is on: at
+/// theta = pi both are right. The linear block's denominator is at least linear_scale (||p1 - p0|| for
 /// difference).
 template <class S, class T>
 TwistError log_error(const Vec6<T>& computed, const LogValue<T>& exact, const T& linear_scale = T(0)) {

@@ -6,16 +6,16 @@
 namespace liecheck::oracles {
 namespace {
 
-/// The affine exponential of any xi: whole turns are taken out first where squaring them would cost more than
-/// 80 bits. exp(xi) = exp((1-s) xi) exp(s xi), and s xi of whole turns is the screw (I, s n (n.rho)).
+/// The affine exponential of any xi. Where squaring would lose more than 80 bits, theta is reduced modulo 2 pi first:
+/// exp(xi) = exp((1-s) xi) exp(s xi) with s theta = 2 pi k, and exp(s xi) = (I, s n (n.rho)).
 template <class T>
 AffineExponential<T> any_affine_exponential(const Vec6<T>& xi) {
   const HalfAngle<T> h = half_angle(tail3(xi));
   if (!h.large || exponent_of(h.theta) <= 80) return affine_exponential(xi);
-  const T rest = h.reduced / h.theta;
-  AffineExponential<T> r = affine_exponential(T(rest) * xi);
-  const T screw = (1 - rest) * dot(tail3(xi), head3(xi)) / h.theta;
-  r.p = r.p + screw * h.n;
+  const T one_minus_s = h.reduced / h.theta;
+  AffineExponential<T> r = affine_exponential(T(one_minus_s) * xi);
+  const T advance = (1 - one_minus_s) * dot(tail3(xi), head3(xi)) / h.theta;
+  r.p = r.p + advance * h.n;
   return r;
 }
 

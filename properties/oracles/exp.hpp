@@ -5,8 +5,8 @@
 // power series of the 4x4 matrix at 50 digits, at 100 where 50 do not reach (theta > 2^20, or p near zero
 // because theta is near 2 pi k).
 //
-// Domain: every finite xi. Beyond theta = 2^80 both formulas take theta modulo 2 pi from one reduction, made
-// twice, at two precisions.
+// Domain: every finite xi. Beyond theta = 2^80 both formulas reduce theta modulo 2 pi by the same function, at two
+// precisions.
 //
 // Error: R - I relative to min(1, theta), p relative to ||p||, the vector part of Q relative to itself for
 // theta <= pi: each below 1e-41 as confirmed, 1e-50 (the rounding of the result) as computed.

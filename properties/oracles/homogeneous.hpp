@@ -1,11 +1,11 @@
 #pragma once
-// Homogeneous matrices without their last row, which is 0 0 0 1 of a pose and zero of its derivatives.
+// Homogeneous matrices without their last row, which is 0 0 0 1 for a pose and zero for its derivatives.
 
 #include <oracles/tree.hpp>
 
 namespace liecheck::oracles::homogeneous {
 
-/// A B, where B's last row is 0 0 0 last.
+/// A B, where the last row of B is 0 0 0 last.
 template <class T>
 Mat34<T> product(const Mat34<T>& A, const Mat34<T>& B, int last) {
   Mat34<T> r;
@@ -53,13 +53,13 @@ Vec3<T> unit(const Vec3<T>& v) {
   const T n = norm(v);
   return {{v[0] / n, v[1] / n, v[2] / n}};
 }
-/// c I + s [n] + (1 - c) n n^T.
+/// The rotation about n by the angle of cosine c and sine s: c I + s [n] + (1 - c) n n^T.
 template <class T>
-Mat3<T> turn(const Vec3<T>& n, const T& c, const T& s) {
+Mat3<T> rotation_about(const Vec3<T>& n, const T& c, const T& s) {
   Mat3<T> R = s * hat(n);
-  const T rest = T(1) - c;
+  const T versine = T(1) - c;
   for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) R(i, j) += rest * n[i] * n[j] + (i == j ? c : T(0));
+    for (int j = 0; j < 3; ++j) R(i, j) += versine * n[i] * n[j] + (i == j ? c : T(0));
   return R;
 }
 

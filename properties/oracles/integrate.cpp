@@ -12,7 +12,7 @@ Quaternion<T> quaternion_of(const Vec7<T>& q) {
   return {{q[3], q[4], q[5], q[6]}};
 }
 
-/// Q0* (Q1 - sQ0), s = +-1 the sign that makes it small: the second formula of the relative vector part.
+/// Does Q0* (Q1 - s Q0), s = +-1 the sign that makes it small, have the same vector part? This is the second formula.
 bool vector_part_confirmed(const Quaternion<Real100>& Q0, const Quaternion<Real100>& Q1,
                            const Quaternion<Real100>& relative) {
   const Quaternion<Real100> D = relative[3] < 0 ? Q1 + Q0 : Q1 - Q0;

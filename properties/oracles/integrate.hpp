@@ -3,7 +3,7 @@
 // q = (p, Q) [m, -], Q stored x y z w and meaning Q / ||Q||.
 //
 // Values at 100 digits with quaternions, confirmed at 50 with rotation matrices (integrate) and by the square
-// roots of log.hpp. The relative quaternion is formed twice: from the pairs a_i b_j - a_j b_i of Q0 and Q1,
+// roots of log.hpp. The relative quaternion is formed twice: from the minors a_i b_j - a_j b_i of Q0 and Q1,
 // and as Q0* (Q1 -+ Q0) / ||.||; products of stored numbers (113 bits at most) are exact in 334 bits, so that
 // poses 1e-300 apart keep their relative accuracy.
 //
@@ -21,7 +21,7 @@ struct IntegrateValue {
   Quaternion<T> Q;  ///< Q0 times the continuous quaternion of exp(delta)
   Vec3<T> p;
   T theta;           ///< ||phi|| of the increment
-  T increment_norm;  ///< of the increment of p
+  T increment_norm;  ///< norm of the increment of p
   bool resolved = false;
 };
 using IntegrateResult = IntegrateValue<Real>;

@@ -8,14 +8,14 @@ namespace {
 
 enum class Form { direct, inverse };
 
-/// Is K the inverse of V? K V = I + r means that K errs by ||r|| relative to itself.
+/// Is K the inverse of V? Where K V = I + r, the relative error of K is ||r||.
 template <class T>
 bool inverse_agrees(const Mat3<T>& V, const Mat3<T>& K) {
   return frobenius(K * V - identity<3, T>()) <= T(agreement);
 }
 
-/// Is [[J, C], [0, J]] the matrix V = phi1(ad xi), or its inverse: V.a C + V.b J = r means that C errs by J
-/// r? Where C is structurally zero it is compared on the scale given.
+/// Is [[J, C], [0, J]] the matrix V = phi1(ad xi), or its inverse? Where V.a C + V.b J = r, the error of the inverse's
+/// C is J r. A structurally zero C is compared with C_scale.
 template <class T>
 bool phi1_agrees(const Vec6<Real100>& xi, Form form, const JacobianBlocks<Real100>& expected,
                  const Real100& C_scale) {
@@ -56,7 +56,7 @@ Jacobian3Result left_jacobian(const Vec3<Real100>& phi, Form form) {
   return {cast<Real>(J), resolved};
 }
 
-/// The step of every difference here; one unit of length is ||rho||.
+/// The step of every difference in this file; lengths are in units of ||rho||.
 Real100 step() {
   return ldexp(Real100(1), -110);
 }
@@ -76,11 +76,11 @@ Mat6<Real100> central_differences(F&& f) {
   return m;
 }
 
-/// From lengths in which `unit` is one back to metres; confirms the structure [[J, C], [0, J]] and, in the
-/// scaled lengths, the blocks against phi1 or Ad.
+/// The unit of length of the differences. `result` confirms the structure [[J, C], [0, J]] and, in this unit, the
+/// blocks by phi1 or Ad, and converts C back to metres.
 struct Scaled {
-  Real100 unit;       ///< [m]; 1 where there is no length
-  bool none = false;  ///< no length at all: C is exactly zero
+  Real100 unit;       ///< [m]; 1 where the given length is zero
+  bool none = false;  ///< the given length is zero: so is C, exactly
 
   explicit Scaled(const Vec3<Real100>& length) : unit(norm(length)) {
     none = unit == 0;
@@ -102,15 +102,15 @@ Vec7<Real100> configuration(const UnitPose<Real100>& pose) {
   return {{pose.p[0], pose.p[1], pose.p[2], pose.Q[0], pose.Q[1], pose.Q[2], pose.Q[3]}};
 }
 
-/// q with its position at the origin: integrate and difference are invariant to a common translation, which
-/// would only cost digits.
+/// q with its position at the origin: integrate and difference are invariant to a common translation, and a large one
+/// would cost digits.
 Vec7<Real100> at_origin(const Vec7<>& q) {
   Vec7<Real100> r = cast<Real100>(q);
   r[0] = r[1] = r[2] = 0;
   return r;
 }
 
-/// Ad(exp(-delta)) = [[R^T, -R^T [p]], [0, R^T]], exp by scaling and squaring.
+/// Ad(exp(-delta)) = [[R^T, -R^T [p]], [0, R^T]] with exp by scaling and squaring.
 template <class T>
 JacobianBlocks<T> adjoint_of_inverse(const Vec6<T>& delta) {
   const AffineExponential<T> X = affine_exponential(delta);
@@ -118,7 +118,7 @@ JacobianBlocks<T> adjoint_of_inverse(const Vec6<T>& delta) {
   return {Rt, T(-1) * (Rt * hat(X.p))};
 }
 
-/// difference(q0, q1) near a central value of relative quaternion `centre`, without the jump at half a turn.
+/// difference(q0, q1) on the branch of the relative quaternion `centre`, so that it is continuous at theta = pi.
 Vec6<Real100> difference_on_branch(const Vec7<Real100>& q0, const Vec7<Real100>& q1,
                                    const Quaternion<Real100>& centre) {
   const RelativePose<Real100> r = relative_pose(q0, q1);
@@ -148,7 +148,7 @@ Jacobian6Result d_difference(const Vec7<>& q0, const Vec7<>& q1, Branch branch, 
   });
 }
 
-/// delta with rho in units of its own length.
+/// delta with rho in units of scaled.unit.
 Vec6<Real100> in_units(const Vec6<>& delta, const Scaled& scaled) {
   Vec6<Real100> r = cast<Real100>(delta);
   for (int i = 0; i < 3; ++i) r[i] /= scaled.unit;
@@ -192,7 +192,7 @@ Jacobian6Result right_jacobian_fd(const Vec6<>& xi) {
   Mat6<T> m;
   for (int i = 0; i < 6; ++i) {
     Vec3<T> dp, dphi = zero_vector<3, T>();
-    if (i < 3) {  // exp is affine in rho: its difference quotient is its value at e_i
+    if (i < 3) {  // exp is affine in rho: the difference quotient equals the value at e_i
       Vec6<T> e = centre;
       for (int k = 0; k < 3; ++k) e[k] = k == i ? 1 : 0;
       dp = affine_exponential(e).p;

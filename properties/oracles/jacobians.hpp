@@ -6,15 +6,15 @@
 //
 // Three formulas:
 //   1. closed form in dual numbers, 100 digits (closed_forms.hpp): the value of left_* and right_*;
-//   2. phi1(ad xi) by scaling and squaring, 50 digits, or 100 where they do not reach: confirms all the rest;
+//   2. phi1(ad xi) by scaling and squaring, at 50 digits, or 100 where 50 are too few: confirms the other two;
 //   3. central differences straight from the definition, 100 digits: the value of *_fd, d_integrate_*,
 //      d_difference_*.
 // Inverses have closed forms too and are confirmed by their product with phi1; they are singular at
 // theta = 2 pi k and resolved as long as |theta - 2 pi k| > 1e-40.
 //
 // Error model of the differences. With lengths scaled so that ||rho|| = 1 (C is linear in rho) every third
-// derivative is of order one: error = h^2 + 2^(20 + log2 theta - 334) / h. The step h = 2^-110 gives 1e-66 of
-// truncation and 1e-61 of rounding at theta = 100, 1e-55 at 1e8.
+// derivative is of order one: error = h^2 + 2^(20 + log2 theta - 334) / h. The step h = 2^-110 gives a truncation
+// error of 1e-66 and a rounding error of 1e-61 at theta = 100, 1e-55 at 1e8.
 //
 // Domain: theta <= 1e24 (left_*, right_*), <= 1e8 (the differences).
 // Error: each block relative to its own norm, below 1e-41.
@@ -56,14 +56,13 @@ Jacobian6Result right_jacobian_se3_inverse(const Vec6<>& xi);
 /// Column i = vee(exp(-xi) d/dh exp(xi + h e_i)), exp by scaling and squaring.
 Jacobian6Result right_jacobian_fd(const Vec6<>& xi);
 
-/// The blocks (0,0) and (1,1) are equal; the block (1,0) is zero.
 /// ARG0 = d/dh difference(integrate(q, delta), integrate(integrate(q, h e_i), delta)) = Ad(exp(-delta)).
 Jacobian6Result d_integrate_arg0(const Vec7<>& q, const Vec6<>& delta);
 /// ARG1 = d/dh difference(integrate(q, delta), integrate(q, delta + h e_i)) = J_r(delta).
 Jacobian6Result d_integrate_arg1(const Vec7<>& q, const Vec6<>& delta);
 
-/// At exactly half a turn difference has two values, of opposite axes, and each has its own derivative:
-/// `other` asks for the one that LogResult::other belongs to.
+/// At theta = pi difference has two values, of opposite axes, and each has its own derivative: `other` selects that of
+/// LogResult::other.
 enum class Branch { value, other };
 
 /// ARG0 = d/dh difference(integrate(q0, h e_i), q1) = -J_l^-1(delta), on the branch of the central value.

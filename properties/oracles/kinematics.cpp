@@ -11,7 +11,7 @@ Quaternion<T> attitude(const Vec7<>& q) {
   return normalized(Quaternion<T>{{T(q[3]), T(q[4]), T(q[5]), T(q[6])}});
 }
 
-/// (integrate(q, t v) - integrate(q, -t v)) / (2 t), p taken from the origin.
+/// (integrate(q, t v) - integrate(q, -t v)) / (2 t) with q's position at the origin.
 struct Difference {
   Vec3<T> p_dot;
   Quaternion<T> Q_dot;

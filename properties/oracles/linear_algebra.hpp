@@ -1,6 +1,6 @@
 #pragma once
-// Fixed-size vectors and matrices over an oracle's number: what the oracles need, without heap and without
-// expression temporaries, which at 50 digits cost as much as the arithmetic.
+// Fixed-size vectors and matrices of an oracle's numbers, without heap allocation and without expression temporaries,
+// which at 50 digits cost as much as the arithmetic.
 
 #include <array>
 #include <oracles/real.hpp>
@@ -16,7 +16,7 @@ struct Vec {
   static constexpr int size() { return N; }
 };
 
-/// Row by row.
+/// Stored row by row.
 template <int R, int C, class T = Real>
 struct Mat {
   std::array<T, R * C> x;
@@ -84,8 +84,8 @@ T squared_norm(const Vec<N, T>& v) {
 }
 template <int N, class T>
 T norm(const Vec<N, T>& v) {
-  if constexpr (BallNumber<T>) {  // whose exponents are those of double
-    const T* only = nullptr;      // of a vector along an axis the norm is exact
+  if constexpr (BallNumber<T>) {  // scaled, because their exponent range is that of double
+    const T* only = nullptr;      // the norm of a vector along an axis is exact
     int others = -1;
     for (const T& x : v.x)
       if (!x.exactly_zero()) only = &x, ++others;
@@ -293,7 +293,7 @@ Mat6<T> assemble(const Mat3<T>& a, const Mat3<T>& b, const Mat3<T>& c, const Mat
   return m;
 }
 
-/// A [p]: its rows are those of A, each crossed with p.
+/// A [p]: each row of A crossed with p.
 template <class T>
 Mat3<T> times_hat(const Mat3<T>& A, const Vec3<T>& p) {
   Mat3<T> r;
@@ -304,7 +304,7 @@ Mat3<T> times_hat(const Mat3<T>& A, const Vec3<T>& p) {
   return r;
 }
 
-/// 2 x, exact.
+/// 2 x, without rounding.
 template <class T>
 T twice(const T& x) {
   if constexpr (BallNumber<T>) {

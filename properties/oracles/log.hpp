@@ -11,7 +11,7 @@
 // Domain: every finite Q != 0 and p; R with ||R^T R - I|| < 1/2 and det R > 0, otherwise unresolved.
 //
 // Error: phi relative to ||phi||, rho to ||rho||: below 1e-41 as confirmed. pi - theta relative to itself,
-// down to 1e-60. At exactly pi either axis is right: `other` is the log with the opposite one.
+// down to 1e-60. At theta = pi both axes are right: `other` is the log with the opposite axis.
 //
 // Sources: Higham 2008, sections 8.3 (polar) and 11.5 (logarithm); Daniilidis 1999 (dual quaternions).
 
@@ -24,8 +24,8 @@ template <class T>
 struct LogValue {
   Vec3<T> rho, phi;
   T theta;             ///< ||phi||
-  T pi_minus_theta;    ///< relative accuracy of its own
-  bool at_pi = false;  ///< |cos(theta/2)| < 1e-60: `other` is as right
+  T pi_minus_theta;    ///< accurate relative to itself
+  bool at_pi = false;  ///< |cos(theta/2)| < 1e-60: `other` is right, too
   Vec6<T> other;       ///< (rho, phi) of the opposite axis where at_pi, otherwise (rho, phi)
   bool resolved = false;
 
@@ -47,14 +47,14 @@ struct NearestRotation {
 /// The polar factor of a stored matrix.
 NearestRotation nearest_rotation(const Mat3<>& R);
 
-/// The same at 100 digits, for the oracles themselves.
+/// The polar factor's quaternion at 100 digits, for other oracles.
 struct NearestQuaternion {
   Quaternion<Real100> Q;  ///< unit, w >= 0
   bool resolved = false;
 };
 NearestQuaternion nearest_quaternion(const Mat3<Real100>& R);
 
-/// log at the precision of the argument, which difference needs; Q need not be unit.
+/// log of a pose at 100 digits, for difference; Q need not be unit.
 LogResult log_of(const Quaternion<Real100>& Q, const Vec3<Real100>& p);
 
 }  // namespace liecheck::oracles

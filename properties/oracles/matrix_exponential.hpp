@@ -1,6 +1,6 @@
 #pragma once
-// Formula A of the oracles: power series of the matrix itself, by scaling and squaring. It knows nothing of
-// angles, axes, sines or quaternions.
+// Formula A of the oracles: the power series of the matrix, by scaling and squaring, without angles, axes, sines
+// or quaternions.
 //
 // phi1(A) = sum_j A^j / (j+1)!,   exp(A) = I + A phi1(A).
 // A is scaled by 2^-k to ||A|| < 2^-6; the series is evaluated in blocks of five powers (Paterson,
@@ -71,7 +71,7 @@ void scale(Dual3<T>& m, int power) {
 }
 
 inline constexpr int block_size = 5;
-/// Of degree blocks * block_size - 1; the remainder at 2^-6 is below 2^-(bits + 10).
+/// The series has degree blocks * block_size - 1; its truncation error at 2^-6 is below 2^-(bits + 10).
 template <class T>
 inline constexpr int blocks = bits<T> > 200 ? 8 : 5;
 
@@ -110,7 +110,7 @@ Matrix phi1(const Matrix& A) {
   return sum;
 }
 
-/// k with || [phi] || 2^-k < 2^-6.
+/// k such that || [phi] || 2^-k < 2^-6.
 template <class T>
 int halvings(const Vec3<T>& phi) {
   const int e = std::max({exponent_of(phi[0]), exponent_of(phi[1]), exponent_of(phi[2])});

@@ -18,13 +18,13 @@ Quaternion<T> quaternion_product(const Quaternion<T>& a, const Quaternion<T>& b)
            a[3] * b[3] - (a[0] * b[0] + a[1] * b[1] + a[2] * b[2])}};
 }
 
-/// a* (x) b, grouped in the pairs a_i b_j - a_j b_i: where the pairs are exact (products of two 113-bit
-/// numbers at 334 bits) the vector part keeps its relative accuracy however near a and b are, since the
-/// squares of the six pairs add up to ||v||^2 (Lagrange, Pluecker).
+/// a* (x) b, grouped in the minors a_i b_j - a_j b_i: where these are exact (products of two 113-bit
+/// numbers at 334 bits) the vector part v keeps its relative accuracy however near a and b are, since the
+/// squares of the six minors add up to ||v||^2 (Lagrange, Pluecker).
 template <class T>
 Quaternion<T> conjugate_product(const Quaternion<T>& a, const Quaternion<T>& b) {
-  const auto pair = [&](int i, int j) -> T { return a[i] * b[j] - a[j] * b[i]; };
-  return {{pair(3, 0) - pair(1, 2), pair(3, 1) - pair(2, 0), pair(3, 2) - pair(0, 1),
+  const auto minor = [&](int i, int j) -> T { return a[i] * b[j] - a[j] * b[i]; };
+  return {{minor(3, 0) - minor(1, 2), minor(3, 1) - minor(2, 0), minor(3, 2) - minor(0, 1),
            a[3] * b[3] + (a[0] * b[0] + a[1] * b[1] + a[2] * b[2])}};
 }
 
@@ -42,7 +42,7 @@ Vec3<T> rotate(const Quaternion<T>& q, const Vec3<T>& x, bool inverse = false) {
   return x + s * (w * vx + cross(v, vx));
 }
 
-/// R(Q) - I = 2 w [v] + 2 [v]^2 of a unit quaternion: relative accuracy however small the angle is.
+/// R(Q) - I = 2 w [v] + 2 [v]^2 of a unit quaternion, accurate relative to itself however small the angle is.
 template <class T>
 Mat3<T> rotation_minus_identity(const Quaternion<T>& q) {
   Mat3<T> E;

@@ -1,8 +1,8 @@
 #pragma once
 // The oracles' numbers: binary floating point of 50 and of 100 decimal digits (168 and 334 bits), on the
-// stack, with MPFR's exponent range of +-2^30, so that nothing here under- or overflows.
+// stack, with MPFR's exponent range of +-2^30, so that no operation under- or overflows.
 //
-// Every function of this room is thread safe: there is no mutable state but MPFR's own thread-local caches.
+// Every function of this folder is thread safe: the only mutable state is MPFR's thread-local caches.
 
 #include <boost/multiprecision/float128.hpp>
 #include <boost/multiprecision/mpfr.hpp>
@@ -39,19 +39,19 @@ template <class T, class S>
 T exact(const S& x) {
   if constexpr (std::is_same_v<S, T>) {
     return x;
-  } else if constexpr (BallNumber<S>) {  // the mid-point alone: stored numbers have no radius
+  } else if constexpr (BallNumber<S>) {  // the midpoint: stored numbers have radius 0
     return T(S::Round::head(x.m)) + T(S::Round::tail(x.m));
   } else if constexpr (std::is_same_v<S, Real> || std::is_same_v<S, Real100> || std::is_floating_point_v<S>) {
     return T(x);
   } else {
     if (!isfinite(x)) return T(static_cast<double>(x));
     int exponent = 0;
-    S rest = frexp(x, &exponent);
+    S remainder = frexp(x, &exponent);
     T sum(0);
-    while (rest != S(0)) {  // at most 53 bits a turn, each subtraction exact
-      const double chunk = static_cast<double>(rest);
+    while (remainder != S(0)) {  // at most 53 bits at a time; each subtraction is exact
+      const double chunk = static_cast<double>(remainder);
       sum += T(chunk);
-      rest -= S(chunk);
+      remainder -= S(chunk);
     }
     return ldexp(sum, exponent);
   }
@@ -68,7 +68,7 @@ inline void set_product(T& r, const T& a, const T& b) {
   }
 }
 
-/// max(a, b) and min(a, b): of balls without deciding, the larger radius holds for both.
+/// max(a, b) and min(a, b). Balls are not compared: the radius of the result covers either choice.
 template <class T>
 T larger(const T& a, const T& b) {
   if constexpr (BallNumber<T>) {
@@ -90,7 +90,7 @@ inline void sin_cos(const Real100& x, Real100& sine, Real100& cosine) {
   mpfr_sin_cos(sine.backend().data(), cosine.backend().data(), x.backend().data(), MPFR_RNDN);
 }
 
-/// e with |x| < 2^e, tight; a large negative number for x = 0.
+/// The smallest e with |x| < 2^e; a large negative number for x = 0.
 template <class T>
 inline int exponent_of(const T& x) {
   if constexpr (BallNumber<T>)

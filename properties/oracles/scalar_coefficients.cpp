@@ -45,11 +45,11 @@ Terms combined(Quad p, const Terms& a, Quad q, const Terms& b) {
   return c;
 }
 
-/// A Taylor polynomial of the third order about a point, and what it leaves.
+/// A third-order Taylor polynomial about a point, and a bound of its error.
 struct Cubic {
   std::array<Long, 4> t;
-  Long rest;  ///< beyond the fourth order and roundings, over the interval
-  Long least(Long w) const { return std::fabs(t[0]) - sum(w) + std::fabs(t[0]) - rest; }
+  Long error;  ///< of truncation and rounding, on the interval
+  Long least(Long w) const { return std::fabs(t[0]) - sum(w) + std::fabs(t[0]) - error; }
   Long sum(Long w) const {
     return std::fabs(t[0]) + w * (std::fabs(t[1]) + w * (std::fabs(t[2]) + w * std::fabs(t[3])));
   }
@@ -76,7 +76,7 @@ class Series {
       for (int n = 3; n > 0; --n) c.t[n] = c.t[n] * m + c.t[n - 1];
       c.t[0] = c.t[0] * m + a_[j];
     }
-    c.rest = fourth_ * w * w * w * w + 0x1p-58L * size_;
+    c.error = fourth_ * w * w * w * w + 0x1p-58L * size_;
     return c;
   }
 
@@ -115,7 +115,7 @@ std::vector<Quotient> quotients() {
 /// G about m, over |t - m| <= w.
 Cubic arctangent(Long m, Long w) {
   const Long end = m + w;
-  if (end < 0x1p-20L)  // 1 - t/3 + t^2/5 - t^3/7, expanded about m; the rest is below t^4 / 9
+  if (end < 0x1p-20L)  // 1 - t/3 + t^2/5 - t^3/7, expanded about m; truncated: below t^4 / 9
     return {{1 - m * (1 / 3.0L - m * (1 / 5.0L - m / 7)), -1 / 3.0L + m * (2 / 5.0L - m * 3 / 7),
              1 / 5.0L - m * 3 / 7, -1 / 7.0L},
             end * end * end * end / 9 + 0x1p-61L};
@@ -124,9 +124,9 @@ Cubic arctangent(Long m, Long w) {
   Long h = 1 / (1 + m);
   for (int n = 0; n < 3; ++n, h /= -(1 + m))
     c.t[n + 1] = (h - static_cast<Long>(2 * n + 1) * c.t[n]) / (static_cast<Long>(2 * (n + 1)) * m);
-  // glibc's atanl errs by an ulp; what the recursion loses by cancelling at small m, u^n takes back.
-  c.rest = q >= 0.5L ? std::numeric_limits<Long>::infinity()
-                     : c.t[0] * (1.4143L * q * q * q * q / (1 - q) + 0x1p-58L);
+  // glibc's atanl errs by an ulp; the recursion cancels at small m, but its terms are multiplied by u^n.
+  c.error = q >= 0.5L ? std::numeric_limits<Long>::infinity()
+                      : c.t[0] * (1.4143L * q * q * q * q / (1 - q) + 0x1p-58L);
   return c;
 }
 
@@ -152,11 +152,11 @@ LocalExpansion expand(Coefficient which, double low, double high) {
     a = f.a.about(m, w);
     b = f.b.about(m, w);
   }
-  // Double takes the coefficients and Horner's scheme: sixteen roundings at most, with those of f p(u) - 1.
+  // The coefficients and Horner's scheme are in double: with those of f p(u) - 1, at most sixteen roundings.
   LocalExpansion e{centre, 0, {}};
   if (is_absolute(which)) {  // then B = 1
     for (int n = 0; n < 4; ++n) e.p[n] = static_cast<double>(a.t[n]);
-    e.bound = static_cast<double>((a.rest + 0x1p-49L * a.sum(w)) * (1 + 0x1p-40L));
+    e.bound = static_cast<double>((a.error + 0x1p-49L * a.sum(w)) * (1 + 0x1p-40L));
     return e;
   }
   Cubic r{{0, 0, 0, 0}, 0};
@@ -166,18 +166,19 @@ LocalExpansion expand(Coefficient which, double low, double high) {
     r.t[n] /= a.t[0];
     e.p[n] = static_cast<double>(r.t[n]);
   }
-  // |r A - B|: the orders 4 to 6 of the product, the rests, and the roundings of the division.
+  // |r A - B|: the orders 4 to 6 of the product, the errors of A and B, and the roundings of the division.
   const Long size = r.sum(w);
-  Long left = size * (a.rest + 0x1p-60L * a.sum(w)) + b.rest, power = w * w * w * w;
+  Long residual = size * (a.error + 0x1p-60L * a.sum(w)) + b.error, power = w * w * w * w;
   for (int n = 4; n <= 6; ++n, power *= w) {
     Long order = 0;
     for (int i = n - 3; i <= 3; ++i) order += r.t[i] * a.t[n - i];
-    left += std::fabs(order) * power;
+    residual += std::fabs(order) * power;
   }
   const Long least = b.least(w);
-  e.bound = least > 0
-                ? static_cast<double>((left / least + 0x1p-49L * size / std::fabs(r.t[0])) * (1 + 0x1p-40L))
-                : std::numeric_limits<double>::infinity();
+  e.bound =
+      least > 0
+          ? static_cast<double>((residual / least + 0x1p-49L * size / std::fabs(r.t[0])) * (1 + 0x1p-40L))
+          : std::numeric_limits<double>::infinity();
   return e;
 }
 

@@ -1,17 +1,17 @@
 #pragma once
-// The scalar coefficients of exp, log and their Jacobians as cubic polynomials over short intervals, in double,
-// each with a proven bound: an oracle cheap enough for every float there is.
+// The scalar coefficients of exp, log and their Jacobians as cubic polynomials on short intervals, in double, each
+// with a proved error bound: an oracle that is fast enough for every float.
 //
-// Up to half a turn each coefficient is a quotient A(x) / B(x) of power series that converge everywhere; with
+// For theta <= pi each coefficient is a quotient A(x) / B(x) of power series that converge everywhere; with
 // h = theta/2, y = h^2 = x/4, N = (sin h - h cos h) / h^3 and D = sin h / h:
 //
 //     c_k = sum_j (-x)^j / (2j + k)!           c_3 - 2 c_4, c_4 - 3 c_5: differences of those
 //     d   = N / (4 D)      d2 = 2 d' = (N' D - N D') / (2 D^2)
 //     sin h / theta = D/2  cos h = sum_j (-y)^j / (2j)!
 //
-// Their coefficients are formed in binary128; about the middle of an interval, Taylor's polynomials of A and B
-// to the third order are summed in 64 bits, and divided. The bound adds Lagrange's rest of A and of B (majorants
-// of the fourth derivative over [0, 10]), what the division leaves, and every rounding. The two coefficients of
+// Their coefficients are formed in binary128; about the middle of an interval, the third-order Taylor polynomials of
+// A and B are summed in 64 bits, and divided. The bound adds Lagrange's remainders of A and of B (majorants of the
+// fourth derivative on [0, 10]), the remainder of the division, and every rounding. The two coefficients of
 // the logarithm are G(t) = atan(sqrt t) / sqrt t = int_0^1 ds / (1 + t s^2), whose Taylor coefficients follow
 // from 2 t G' + G = 1/(1+t); |G| <= sqrt(2) G(m) for |t - m| <= m/2, because sqrt(t) G grows, and Cauchy's
 // estimate bounds the rest.
@@ -40,7 +40,7 @@ enum class Coefficient {
 };
 inline constexpr int coefficient_count = 14;
 
-/// Those that cross zero, or whose error matters beside 1: measured absolutely.
+/// Whether the error is measured absolutely: the coefficient crosses zero, or is added to 1.
 constexpr bool is_absolute(Coefficient c) {
   return c == Coefficient::c0 || c == Coefficient::c1 || c == Coefficient::half_cosine;
 }
@@ -54,14 +54,15 @@ struct LocalExpansion {
     const double u = x - centre;
     return p[0] + u * (p[1] + u * (p[2] + u * p[3]));
   }
-  /// Upper bound of |x p'(u)| over |u| <= half_width, x <= centre + half_width: what the relative rounding of x
-  /// does, absolute or relative like the coefficient's error (|x (1/F)'| F = |x F'/F|), for |p| >= least.
+  /// Upper bound of |x p'(u)| for |u| <= half_width, x <= centre + half_width: the condition number of the coefficient,
+  /// by which a relative rounding error of x is multiplied; absolute or relative like the coefficient's error
+  /// (|x (1/F)'| F = |x F'/F|), in the latter case divided by a lower bound of |p|.
   double condition(double half_width, bool absolute) const;
 };
 
 /// Precondition: 0 <= low <= high are floats, x - (low + high)/2 is exact in double (floats of one binade, or
 /// all of them below one power of two), and high <= 9.8697 for the coefficients of x. Never throws; where the
-/// interval is too wide for three terms the bound says so.
+/// interval is too wide for a cubic the bound is large.
 LocalExpansion expand(Coefficient c, double low, double high);
 
 }  // namespace liecheck::oracles

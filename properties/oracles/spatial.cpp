@@ -7,20 +7,16 @@ namespace liecheck::oracles {
 namespace {
 
 template <class T>
-using Frame = PoseOf<T>;
-template <class T>
-using Solid = BodyOf<T>;
-template <class T>
-Frame<T> cast(const Pose& X) {
+PoseOf<T> cast(const Pose& X) {
   return {oracles::cast<T>(X.R), oracles::cast<T>(X.p)};
 }
 template <class T>
-Solid<T> cast(const Body& I) {
+BodyOf<T> cast(const Body& I) {
   return {T(I.mass), oracles::cast<T>(I.c), oracles::cast<T>(I.I_C)};
 }
 using oracles::cast;
 
-/// Compared relative to `b`, at 100 digits not below 1e-50 of the size of the terms.
+/// agree(a, b) with a scale of at least 1e-50 of the terms at 100 digits, where the result may be exactly zero.
 template <int N, class T>
 bool agree_but_for_zero(const Vec<N, T>& a, const Vec<N, T>& b, const T& terms) {
   static const T zero = pow(T(10), -50);
@@ -33,12 +29,12 @@ bool blocks_agree(const Vec6<T>& a, const Vec6<T>& b, const T& linear, const T& 
 
 /// [[R, [p]R], [0, R]]
 template <class T>
-Mat6<T> motion_matrix(const Frame<T>& X) {
+Mat6<T> motion_matrix(const PoseOf<T>& X) {
   return assemble(X.R, hat(X.p) * X.R, zeros<3, 3, T>(), X.R);
 }
 /// [[R^T, -R^T [p]], [0, R^T]]
 template <class T>
-Mat6<T> inverse_motion_matrix(const Frame<T>& X) {
+Mat6<T> inverse_motion_matrix(const PoseOf<T>& X) {
   const Mat3<T> Rt = transpose(X.R);
   return assemble(Rt, T(-1) * (Rt * hat(X.p)), zeros<3, 3, T>(), Rt);
 }
@@ -48,11 +44,12 @@ Mat6<T> motion_cross_matrix(const Vec6<T>& V) {
   return assemble(hat(tail3(V)), hat(head3(V)), zeros<3, 3, T>(), hat(tail3(V)));
 }
 template <class T>
-Mat6<T> matrix_of(const Solid<T>& I) {
+Mat6<T> matrix_of(const BodyOf<T>& I) {
   return formulas::inertia_matrix(I);
 }
 
-/// value(Real100) confirmed by matrix(T) V; terms: the sizes that may cancel in the linear and angular part.
+/// value(Real100) confirmed by matrix(T) V. terms(T): the sizes of the terms that may cancel in the linear and in the
+/// angular part.
 template <class Value, class Matrix, class Terms>
 SpatialResult spatial_result(Value&& value, Matrix&& matrix, const Vec6<>& V, Terms&& terms) {
   const Vec6<Real100> exact_value = value(Real100());
@@ -161,9 +158,9 @@ SpatialResult cross_force(const Vec6<>& V, const Vec6<>& F) {
 
 namespace {
 
-/// Is the congruence of the 6x6 matrices, which holds for a rotation only, what `move` does?
+/// Does `move` equal the congruence of the 6x6 matrices? It holds only where X.R is a rotation.
 template <class T, class Move>
-bool congruent(const Frame<T>& X, const Solid<T>& I, bool back, Move&& move) {
+bool congruent(const PoseOf<T>& X, const BodyOf<T>& I, bool back, Move&& move) {
   static const T zero = std::is_same_v<T, Real100> ? pow(T(10), -50) : T(0);
   const Mat6<T> Y = back ? motion_matrix(X) : inverse_motion_matrix(X);
   const Mat6<T> a = transpose(Y) * matrix_of(I) * Y, b = matrix_of(move(X, I));
@@ -175,15 +172,15 @@ bool congruent(const Frame<T>& X, const Solid<T>& I, bool back, Move&& move) {
 }
 
 BodyResult inertia_result(const Pose& X, const Body& I, bool back) {
-  const auto move = [back]<class T>(const Frame<T>& Y, const Solid<T>& B) {
+  const auto move = [back]<class T>(const PoseOf<T>& Y, const BodyOf<T>& B) {
     return back ? formulas::act_inverse_inertia(Y, B) : formulas::act_inertia(Y, B);
   };
-  const Frame<Real100> stored = cast<Real100>(X);
-  const Solid<Real100> value = move(stored, cast<Real100>(I));
+  const PoseOf<Real100> stored = cast<Real100>(X);
+  const BodyOf<Real100> value = move(stored, cast<Real100>(I));
   const NearestQuaternion nearest = nearest_quaternion(stored.R);
   const Mat3<Real100> R = rotation_matrix(nearest.Q);
   const bool resolved = nearest.resolved && confirmed(true, [&]<class T>(T) {
-                          return congruent(Frame<T>{cast<T>(R), cast<T>(X.p)}, cast<T>(I), back, move);
+                          return congruent(PoseOf<T>{cast<T>(R), cast<T>(X.p)}, cast<T>(I), back, move);
                         });
   return {{Real(value.mass), cast<Real>(value.c), cast<Real>(value.I_C)}, resolved};
 }
@@ -199,7 +196,7 @@ BodyResult act_inverse_inertia(const Pose& X, const Body& I) {
 
 Matrix6Result inertia_matrix(const Body& I) {
   const Mat6<Real100> M = matrix_of(cast<Real100>(I));
-  // I_O once more, as I_C + m (||c||^2 I - c c^T)
+  // the second formula: I_O = I_C + m (||c||^2 I - c c^T)
   Mat3<> I_O = I.I_C;
   const Real cc = squared_norm(I.c);
   for (int i = 0; i < 3; ++i)
@@ -218,7 +215,7 @@ SpatialResult momentum(const Body& I, const Vec6<>& V) {
 
 ScalarResult kinetic_energy(const Body& I, const Vec6<>& V) {
   using T = Real100;
-  const Solid<T> B = cast<T>(I);
+  const BodyOf<T> B = cast<T>(I);
   const T E = formulas::kinetic_energy(B, cast<T>(V));
   const bool resolved = confirmed(true, [&]<class S>(S) {
     const Vec6<S> V_s = cast<S>(V), h = matrix_of(cast<S>(I)) * V_s;

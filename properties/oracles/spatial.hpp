@@ -1,21 +1,21 @@
 #pragma once
-// Spatial algebra on the stored numbers: motions, forces and inertias seen from another frame, the two cross
-// products, momentum and kinetic energy.
+// Spatial algebra on the stored numbers: motions, forces and inertias in another frame, the two cross products,
+// momentum and kinetic energy.
 //
-// A pose (R, p) is taken as it is stored: these are polynomials of its twelve numbers, R^-1 written R^T,
+// A pose (R, p) is used as stored: the results are polynomials of its twelve numbers, with R^T in place of R^-1,
 //   X   = [[R, [p]R], [0, R]]          V_A = X V_B         X^-1 = [[R^T, -R^T [p]], [0, R^T]]
 //   X*  = [[R, 0], [[p]R, R]]          F_A = X* F_B        X*^-1 = [[R^T, 0], [-R^T [p], R^T]]
 //   inertia  (m, c, I_C) -> (m, R c + p, R I_C R^T);   I_O = I_C + m (||c||^2 I - c c^T)
 //   M = [[m I, -m [c]], [m [c], I_O]],  h = M V,  E = V^T M V / 2 = m ||u + w x c||^2 / 2 + w^T I_C w / 2.
 //
-// Value: component by component at 100 digits. Confirmed by the 6x6 matrices at 50, at 100 where terms
-// cancel; a moved inertia by the congruence X* M X^-1, at the rotation nearest to R, for which alone it is an
-// identity.
+// Value: component by component at 100 digits. Confirmed by the 6x6 matrices at 50 digits, at 100 where terms
+// cancel; a transformed inertia by the congruence X* M X^-1 at the rotation nearest to R, because the congruence
+// is an identity only for rotations.
 //
-// Domain: all finite numbers; for inertias also R near a rotation.
+// Domain: all finite numbers; inertias also need an R near a rotation.
 //
-// Error: each 3-vector or block relative to itself below 1e-41 or, where its terms cancel to less than 1e-50
-// of their size, 1e-91 of the terms.
+// Error: each 3-vector or block relative to itself below 1e-41; where its terms cancel to less than 1e-50 of
+// their size, 1e-91 of the terms.
 //
 // Source: Featherstone 2008, sections 2.8, 2.9, 2.13 and table 2.2; linear part first here.
 
@@ -40,7 +40,7 @@ struct BodyOf {
 };
 using Body = BodyOf<Real>;
 
-/// What an oracle returns: the value, and whether its formulas agree.
+/// The result of an oracle: its value, and whether its two formulas agree.
 template <class V>
 struct Resolved {
   V value;
@@ -54,13 +54,13 @@ using Matrix6Result = Resolved<Mat6<>>;
 
 /// The pose of Q / ||Q|| and p, to 50 digits.
 Pose pose_of(const Quaternion<>& Q, const Vec3<>& p);
-/// xx, xy, yy, xz, yz, zz
+/// The symmetric matrix of xx, xy, yy, xz, yz, zz.
 template <class T>
 Mat3<T> symmetric(const Vec6<T>& u) {
   return {{u[0], u[1], u[3], u[1], u[2], u[4], u[3], u[4], u[5]}};
 }
 
-PointResult rotate_point(const Quaternion<>& Q, const Vec3<>& x);  ///< by Q / ||Q||
+PointResult rotate_point(const Quaternion<>& Q, const Vec3<>& x);  ///< x rotated by Q / ||Q||
 PointResult act_point(const Pose& X, const Vec3<>& x);             ///< R x + p
 PointResult act_inverse_point(const Pose& X, const Vec3<>& x);     ///< R^T (x - p)
 

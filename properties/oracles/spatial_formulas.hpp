@@ -1,5 +1,5 @@
 #pragma once
-// Spatial algebra component by component, in any of the oracles' numbers: see spatial.hpp.
+// The formulas of spatial.hpp component by component, in any of the oracles' numbers.
 
 #include <oracles/spatial.hpp>
 
@@ -44,7 +44,7 @@ BodyOf<T> act_inverse_inertia(const PoseOf<T>& X, const BodyOf<T>& I) {
   const Mat3<T> Rt = transpose(X.R);
   return {I.mass, Rt * (I.c - X.p), Rt * I.I_C * X.R};
 }
-/// c x (c x .) is -(||c||^2 I - c c^T)
+/// [c]^2 = -(||c||^2 I - c c^T)
 template <class T>
 Mat6<T> inertia_matrix(const BodyOf<T>& I) {
   const Mat3<T> C = hat(I.c);

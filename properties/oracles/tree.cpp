@@ -8,18 +8,18 @@ namespace {
 
 using namespace homogeneous;
 
-/// E(q), from the joint's own numbers.
+/// E(q); q: the joint's own numbers.
 template <class T>
 Mat34<T> joint_pose(const JointOf<T>& j, const T* q) {
   const Vec3<T> none = zero_vector<3, T>();
   const auto circle = [&](const Vec3<T>& n, const T& c, const T& s) {
     const T r = norm(Vec<2, T>{{c, s}});
-    return turn<T>(n, c / r, s / r);
+    return rotation_about<T>(n, c / r, s / r);
   };
   const auto angle = [&](const T& theta) {
     T s, c;
     sin_cos(theta, s, c);
-    return turn<T>(unit(j.axis), c, s);
+    return rotation_about<T>(unit(j.axis), c, s);
   };
   switch (j.kind) {
     case JointKind::revolute:
@@ -40,11 +40,11 @@ Mat34<T> joint_pose(const JointOf<T>& j, const T* q) {
       return matrix(unit_rotation(Quaternion<T>{{q[3], q[4], q[5], q[6]}}), Vec3<T>{{q[0], q[1], q[2]}});
   }
 }
-/// s_k.
+/// The columns s_k of the joint's motion subspace.
 template <class T>
 std::vector<Vec6<T>> joint_columns(const JointOf<T>& j) {
   const Vec3<T> none = zero_vector<3, T>();
-  const auto some = [&](std::initializer_list<int> which) {
+  const auto unit_columns = [&](std::initializer_list<int> which) {
     std::vector<Vec6<T>> all;
     for (int k : which) {
       all.push_back(zero_vector<6, T>());
@@ -61,13 +61,13 @@ std::vector<Vec6<T>> joint_columns(const JointOf<T>& j) {
     case JointKind::prismatic:
       return {stack(unit(j.axis), none)};
     case JointKind::spherical:
-      return some({3, 4, 5});
+      return unit_columns({3, 4, 5});
     case JointKind::planar:
-      return some({0, 1, 5});
+      return unit_columns({0, 1, 5});
     case JointKind::translation:
-      return some({0, 1, 2});
+      return unit_columns({0, 1, 2});
     default:
-      return some({0, 1, 2, 3, 4, 5});
+      return unit_columns({0, 1, 2, 3, 4, 5});
   }
 }
 /// The coordinate that a mimic follows.
@@ -82,8 +82,9 @@ T primary_coordinate(const TreeOf<T>& tree, int primary, const std::vector<T>& q
     return T(atan2(y[1], y[0]));
 }
 
+/// sum_k s_k v_k of joint i.
 template <class T>
-Vec6<T> combined(const TreeOf<T>& tree, std::size_t i, const std::vector<T>& v) {
+Vec6<T> joint_twist(const TreeOf<T>& tree, std::size_t i, const std::vector<T>& v) {
   const JointOf<T>& j = tree.joints[i];
   Vec6<T> sum = zero_vector<6, T>();
   int k = tree.idx_v[i];
@@ -130,12 +131,12 @@ TreeDynamics<T>::TreeDynamics(const TreeOf<T>& tree, const Numbers& q, const Num
     Mat34<T> L = product(matrix(unit_rotation(j.Q), j.p), E, 1);
     if (!displaced.empty()) {
       if constexpr (!BallNumber<T>) {
-        const UnitPose<T> d = closed_exp(combined(tree, i, displaced));
+        const UnitPose<T> d = closed_exp(joint_twist(tree, i, displaced));
         L = product(L, matrix(rotation_matrix(d.Q), d.p), 1);
       }
     }
-    const Mat34<T> V = generator(combined(tree, i, v)),
-                   A = product(V, V, 0) + generator(combined(tree, i, a));
+    const Mat34<T> V = generator(joint_twist(tree, i, v)),
+                   A = product(V, V, 0) + generator(joint_twist(tree, i, a));
     const bool root = j.parent < 0;
     const auto p = static_cast<std::size_t>(root ? 0 : j.parent);
     at_.X[i] = root ? L : product(at_.X[p], L, 1);
@@ -154,13 +155,13 @@ TreeDynamics<T>::TreeDynamics(const TreeOf<T>& tree, const Numbers& q, const Num
     Mat3<T> dR;
     Vec3<T> d_o;
     if (differentiated_) {
-      const Mat34<T> D = generator(combined(tree, i, dq)), dV = generator(combined(tree, i, dv));
+      const Mat34<T> D = generator(joint_twist(tree, i, dq)), dV = generator(joint_twist(tree, i, dv));
       Mat34<T>&dX = change_.X[i], &dX1 = change_.X1[i], &dX2 = change_.X2[i];
       dX = product(at_.X[i], D, 0);
       if (!root) dX = dX + product(change_.X[p], L, 1);
       dX1 = product(dX, V, 0) + product(at_.X[i], dV, 0);
       dX2 = product(dX, A, 0) +
-            product(at_.X[i], product(dV, V, 0) + product(V, dV, 0) + generator(combined(tree, i, da)), 0);
+            product(at_.X[i], product(dV, V, 0) + product(V, dV, 0) + generator(joint_twist(tree, i, da)), 0);
       if (!root) {
         const Mat34<T> d = product(change_.X1[p], L, 1) + product(X1_L, D, 0);
         dX1 = dX1 + d;
@@ -185,8 +186,8 @@ TreeDynamics<T>::TreeDynamics(const TreeOf<T>& tree, const Numbers& q, const Num
 /// R' = [w] R and R'' = ([w'] + [w]^2) R.
 template <class T>
 FrameMotion<T>::FrameMotion(const MotionOf<T>& m, std::size_t joint, const Quaternion<T>& Q,
-                            const Vec3<T>& place) {
-  const Mat34<T> F = matrix(unit_rotation(Q), place);
+                            const Vec3<T>& position) {
+  const Mat34<T> F = matrix(unit_rotation(Q), position);
   const Mat34<T> X = product(m.X[joint], F, 1), X1 = product(m.X1[joint], F, 1),
                  X2 = product(m.X2[joint], F, 1);
   R = rotation_of(X), p = origin_of(X), p1 = origin_of(X1), p2 = origin_of(X2);

@@ -1,19 +1,19 @@
 #pragma once
-// The motion of a tree of rigid bodies, and the forces that make it, from its poses alone.
+// Kinematics and inverse dynamics of a tree of rigid bodies, derived from its poses alone.
 //
-// No spatial algebra: a pose is a homogeneous matrix X, X_i = X_p L_i, L_i = P_i E_i(q), E' = E V for the velocity
-// V = sum_k [s_k] v_k of the joint (s_k constant, [s] = [[w]x u; 0 0]). The product rule gives X', X'' and, for a
-// displacement q exp([d]), their derivatives. With U_k = dX/dq_k and a body's second moments of mass
+// No spatial algebra is used: a pose is a homogeneous matrix X, X_i = X_p L_i, L_i = P_i E_i(q), E' = E V for the
+// velocity V = sum_k [s_k] v_k of the joint (s_k constant, [s] = [[w]x u; 0 0]). The product rule gives X', X'' and,
+// for a displacement q exp([d]), their derivatives. With U_k = dX/dq_k and a body's second moments of mass
 // J = sum m (x; 1)(x; 1)^T, the kinetic energy is T = sum tr(X' J X'^T) / 2, and Lagrange's equations are
 //
 //   tau_k = sum_i tr(U_ik J_i (X_i'' - g)^T),   M_kl = sum_i tr(U_ik J_i U_il^T)
 //
 // Sources: Uicker 1965; Paul 1981, chapter 6.
 //
-// Confirmed at 100 digits: X', X'' and U against central differences of the poses along q exp(t v + t^2 a / 2) and
-// q exp(t e_k), and the derivative of tau against that of tau, to 1e-30.
+// Confirmed at 100 digits, to 1e-30: X', X'' and U by central differences of the poses along q exp(t v + t^2 a / 2) and
+// q exp(t e_k), and the derivative of tau by central differences of tau.
 //
-// Domain: stored quaternions, axes and (cos, sin) not zero; they mean the unit ones.
+// Domain: stored quaternions, axes and (cos, sin) are not zero; each stands for its normalised value.
 
 #include <oracles/spatial.hpp>
 #include <vector>
@@ -22,7 +22,7 @@ namespace liecheck::oracles {
 
 enum class JointKind { revolute, continuous, prismatic, helical, spherical, planar, translation, free_flyer };
 
-/// Of q and of v. A mimic has neither.
+/// How many numbers of q, and of v, a joint has that is no mimic; a mimic has none.
 constexpr int configuration_size(JointKind k) {
   return k == JointKind::free_flyer                            ? 7
          : k == JointKind::translation                         ? 3
@@ -40,8 +40,8 @@ template <class T>
 struct JointOf {
   JointKind kind = JointKind::revolute;
   int parent = -1;   ///< an earlier joint, -1: the world
-  int primary = -1;  ///< of a mimic: moves by multiplier y + offset of that joint's coordinate y
-  Quaternion<T> Q;   ///< pose in the parent's frame at q = neutral
+  int primary = -1;  ///< of a mimic: its coordinate is multiplier y + offset, y the coordinate of this joint
+  Quaternion<T> Q;   ///< with p: the pose in the parent's frame at q = neutral
   Vec3<T> p, axis;
   T pitch, multiplier, offset, armature;
   BodyOf<T> body;  ///< in the joint's frame
@@ -52,8 +52,8 @@ struct TreeOf {
   std::vector<JointOf<T>> joints;
   Vec3<T> gravity;
   int nq = 0, nv = 0;
-  std::vector<int> idx_q, idx_v;  ///< of a mimic its primary's
-  /// Sets those four.
+  std::vector<int> idx_q, idx_v;  ///< a mimic has those of its primary
+  /// Sets nq, nv, idx_q and idx_v.
   void index() {
     nq = nv = 0;
     idx_q.clear(), idx_v.clear();
@@ -75,7 +75,7 @@ struct WrenchOf {
 };
 
 template <class T>
-using Mat34 = Mat<3, 4, T>;  // the last row of a pose is 0 0 0 1, that of its derivatives zero
+using Mat34 = Mat<3, 4, T>;  // without the last row: 0 0 0 1 for a pose, zero for its derivatives
 
 /// X, X' and X'' of each joint.
 template <class T>
@@ -83,7 +83,7 @@ struct MotionOf {
   std::vector<Mat34<T>> X, X1, X2;
 };
 
-/// One column of a joint's motion: what it does to all behind it, a twist at the world's origin in the world's axes.
+/// The twist that one velocity of a joint gives to all bodies behind it, at the world's origin in the world's axes.
 template <class T>
 struct ColumnOf {
   int joint = 0, v = 0;
@@ -94,8 +94,8 @@ template <class T>
 class TreeDynamics {
  public:
   using Numbers = std::vector<T>;
-  /// q [nq], v, a [nv]. With a direction (dq, dv, da), also the derivatives along it. Where `displaced` [nv] is given,
-  /// at q exp(displaced).
+  /// q [nq], v, a [nv]. A direction (dq, dv, da) [nv each] adds the derivatives along it. With `displaced` [nv] all is
+  /// evaluated at q exp(displaced).
   TreeDynamics(const TreeOf<T>& tree, const Numbers& q, const Numbers& v, const Numbers& a,
                const Numbers& dq = {}, const Numbers& dv = {}, const Numbers& da = {},
                const Numbers& displaced = {});
@@ -104,18 +104,18 @@ class TreeDynamics {
   const std::vector<ColumnOf<T>>& columns() const { return columns_; }
   const Mat<4, 4, T>& moments(std::size_t joint) const { return J_[joint]; }
 
-  /// M a + h - the work of external wrenches [nv], armature included.
+  /// tau = M a + h - (generalised forces of the external wrenches) [nv], armature included.
   Numbers torque(const std::vector<WrenchOf<T>>& fext = {}) const;
-  /// Its derivative along the direction.
+  /// The derivative of torque() along the direction.
   Numbers torque_derivative(const std::vector<WrenchOf<T>>& fext = {}) const;
-  /// [nv x nv], row by row.
+  /// M [nv x nv], row by row.
   Numbers mass() const;
-  T kinetic_energy() const;  ///< without that of the armatures
+  T kinetic_energy() const;  ///< of the bodies, without the armatures
   T potential_energy() const;
-  T energy_rate() const;  ///< of the sum of both
+  T energy_rate() const;  ///< time derivative of kinetic + potential energy
   Vec3<T> centre() const;
-  Vec6<T> momentum() const;       ///< at the centre of mass
-  Vec6<T> momentum_rate() const;  ///< likewise, of that
+  Vec6<T> momentum() const;       ///< about the centre of mass
+  Vec6<T> momentum_rate() const;  ///< its time derivative
 
  private:
   const TreeOf<T>& tree_;
@@ -125,26 +125,28 @@ class TreeDynamics {
   std::vector<Mat<4, 4, T>> J_;
   bool differentiated_;
 
+  /// Is `ancestor` the joint or one of its ancestors?
   bool carries(int ancestor, std::size_t joint) const;
 };
 
-/// Of a frame fixed to a joint at (Q, p), seen from there, from the world, or from its origin in the world's axes.
+/// The motion of a frame that is fixed to a joint at the pose (Q, position), in the world's axes.
 template <class T>
 struct FrameMotion {
   Mat3<T> R;
-  Vec3<T> p, p1, p2, w,
-      w1;  ///< position, velocity, acceleration; angular velocity, acceleration: in the world
-  FrameMotion(const MotionOf<T>& m, std::size_t joint, const Quaternion<T>& Q, const Vec3<T>& place);
+  Vec3<T> p, p1, p2;  ///< position, velocity, acceleration
+  Vec3<T> w, w1;      ///< angular velocity, angular acceleration
+  FrameMotion(const MotionOf<T>& m, std::size_t joint, const Quaternion<T>& Q, const Vec3<T>& position);
 };
 
-/// Do differences of poses confirm the matrices of this state (and of the direction dq, where there is one)?
+/// Do differences of poses confirm X', X'' and U of this state, and differences of tau its derivative along dq, if
+/// given?
 bool confirmed(const TreeOf<Real>& tree, const std::vector<Real>& q, const std::vector<Real>& v,
                const std::vector<Real>& a, const std::vector<Real>& dq = {});
 
-/// A = L D L^T [n x n], row by row: 1 / D on the diagonal. Empty where A is not positive definite.
+/// The factors of A = L D L^T [n x n], row by row, with 1 / D on the diagonal. Empty where A is not positive definite.
 template <class T>
 std::vector<T> positive_factor(std::vector<T> A, std::size_t n);
-/// A^-1 b.
+/// A^-1 b for the factors of A.
 template <class T>
 std::vector<T> solve(const std::vector<T>& factor, std::vector<T> b);
 

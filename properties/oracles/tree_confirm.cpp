@@ -1,4 +1,4 @@
-// Differences of poses against the product rule.
+// Confirms the product rule of tree.cpp by differences of poses.
 
 #include <oracles/agreement.hpp>
 #include <oracles/homogeneous.hpp>
@@ -101,7 +101,7 @@ bool confirmed(const TreeOf<Real>& tree, const std::vector<Real>& q, const std::
     for (const Real& value : x) y.push_back(static_cast<double>(value));
     return y;
   };
-  // beside what cancels, not beside the result: that may be zero
+  // compared with the terms, not with the result, which may be zero
   const TreeSizes<Tangent> terms(converted<double>(tree), rough(q), rough(v), rough(a), {}, rough(dq));
   H off(0), size(0);
   for (std::size_t k = 0; k < derivative.size(); ++k) {

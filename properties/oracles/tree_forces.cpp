@@ -1,4 +1,4 @@
-// Forces, inertias, energies and momenta: sums over the mass of the bodies.
+// Forces, inertias, energies and momenta: sums over the mass elements of the bodies.
 
 #include <oracles/homogeneous.hpp>
 #include <oracles/tree.hpp>
@@ -11,7 +11,7 @@ using namespace homogeneous;
 template <class T>
 using Mat44 = Mat<4, 4, T>;
 
-/// A J, A's last row 0 0 0 last; the last row of the result is J's.
+/// A J, where the last row of A is 0 0 0 last.
 template <class T>
 Mat44<T> times(const Mat34<T>& A, const Mat44<T>& J, int last) {
   Mat44<T> r = zeros<4, 4, T>();
@@ -50,7 +50,7 @@ T work(const Vec3<T>& u, const Vec3<T>& w, const Mat<4, 3, T>& Y) {
   return sum;
 }
 template <class T>
-Mat34<T> falling(Mat34<T> A, const Vec3<T>& g) {
+Mat34<T> minus_gravity(Mat34<T> A, const Vec3<T>& g) {
   for (int i = 0; i < 3; ++i) A(i, 3) -= g[i];
   return A;
 }
@@ -68,7 +68,7 @@ std::vector<T> TreeDynamics<T>::torque(const std::vector<WrenchOf<T>>& fext) con
   const std::size_t n = J_.size();
   std::vector<Mat<4, 3, T>> Y(n);
   for (std::size_t i = 0; i < n; ++i)
-    Y[i] = times_transposed(times(at_.X[i], J_[i], 1), falling(at_.X2[i], tree_.gravity));
+    Y[i] = times_transposed(times(at_.X[i], J_[i], 1), minus_gravity(at_.X2[i], tree_.gravity));
   for (std::size_t i = n; i-- > 0;)
     if (const int p = tree_.joints[i].parent; p >= 0) {
       auto& sum = Y[static_cast<std::size_t>(p)];
@@ -98,7 +98,7 @@ std::vector<T> TreeDynamics<T>::torque_derivative(const std::vector<WrenchOf<T>>
   const std::size_t n = J_.size();
   std::vector<Mat<4, 3, T>> Y(n), dY(n);
   for (std::size_t i = 0; i < n; ++i) {
-    const Mat34<T> A = falling(at_.X2[i], tree_.gravity);
+    const Mat34<T> A = minus_gravity(at_.X2[i], tree_.gravity);
     const Mat<4, 4, T> XJ = times(at_.X[i], J_[i], 1);
     Y[i] = times_transposed(XJ, A);
     dY[i] = times_transposed(times(change_.X[i], J_[i], 0), A) + times_transposed(XJ, change_.X2[i]);
@@ -138,7 +138,7 @@ std::vector<T> TreeDynamics<T>::torque_derivative(const std::vector<WrenchOf<T>>
 template <class T>
 std::vector<T> TreeDynamics<T>::mass() const {
   const std::size_t n = J_.size(), nv = static_cast<std::size_t>(tree_.nv);
-  std::vector<Mat44<T>> moments(n);  // in the world's axes, of all that a joint carries
+  std::vector<Mat44<T>> moments(n);  // of the subtree of each joint, in the world's axes
   for (std::size_t i = 0; i < n; ++i) {
     const Mat<4, 3, T> Y = times_transposed(times(at_.X[i], J_[i], 1), at_.X[i]);
     for (int r = 0; r < 4; ++r) {
@@ -196,7 +196,7 @@ template <class T>
 T TreeDynamics<T>::energy_rate() const {
   T sum(0);
   for (std::size_t i = 0; i < J_.size(); ++i) {
-    const auto Y = times_transposed(times(at_.X1[i], J_[i], 0), falling(at_.X2[i], tree_.gravity));
+    const auto Y = times_transposed(times(at_.X1[i], J_[i], 0), minus_gravity(at_.X2[i], tree_.gravity));
     sum += Y(0, 0) + Y(1, 1) + Y(2, 2);
   }
   return sum;
@@ -228,7 +228,7 @@ Vec6<T> TreeDynamics<T>::momentum() const {
   return about<T>(centre(), J_.size(),
                   [&](std::size_t i) { return times_transposed(times(at_.X[i], J_[i], 1), at_.X1[i]); });
 }
-/// The two velocities in sum m x' x x' are one: what is left is sum m (x - c) x x'', and c' x p = 0.
+/// The derivative of sum m (x - c) x x' is sum m (x - c) x x'', since x' x x' = 0 and c' x p = 0.
 template <class T>
 Vec6<T> TreeDynamics<T>::momentum_rate() const {
   return about<T>(centre(), J_.size(),

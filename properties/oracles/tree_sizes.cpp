@@ -3,8 +3,9 @@
 namespace liecheck::oracles {
 namespace {
 
-/// The oracle's own terms, at the world's origin, lose less than this: what is exactly zero, it finds to be that.
-constexpr double oracle_noise = 1e-20;
+/// An upper bound of the oracle's rounding error relative to its terms, which it sums at the world's origin. This share
+/// of the distance from there is added to lever arms, so that an exact zero has a scale, too.
+constexpr double oracle_rounding = 1e-20;
 
 double size(const Vec3<double>& v) {
   return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
@@ -16,12 +17,12 @@ double size_of(const Mat3<double>& m) {
   return std::sqrt(square);
 }
 
-/// The linear and the angular part of a joint's motion by each of its numbers, in size.
-struct Parts {
+/// Norms of the linear and of the angular part of a twist.
+struct TwistSize {
   double u = 0, w = 0;
 };
-/// Which of a joint's numbers slide and which turn.
-Parts part(const JointOf<double>& j, int k) {
+/// The norms of column k of a joint's motion subspace S.
+TwistSize column_size(const JointOf<double>& j, int k) {
   const double factor = j.primary >= 0 ? std::fabs(j.multiplier) : 1;
   switch (j.kind) {
     case JointKind::revolute:
@@ -34,29 +35,29 @@ Parts part(const JointOf<double>& j, int k) {
     case JointKind::translation:
       return {factor, 0};
     case JointKind::planar:
-      return k < 2 ? Parts{1, 0} : Parts{0, 1};
+      return k < 2 ? TwistSize{1, 0} : TwistSize{0, 1};
     default:
-      return k < 3 ? Parts{1, 0} : Parts{0, 1};
+      return k < 3 ? TwistSize{1, 0} : TwistSize{0, 1};
   }
 }
-/// Norms of the two parts of S x.
-Parts moved(const JointOf<double>& j, const double* x) {
+/// The norms of S x.
+TwistSize motion_size(const JointOf<double>& j, const double* x) {
   double u = 0, w = 0;
   for (int k = 0; k < velocity_size(j.kind); ++k) {
-    const Parts p = part(j, k);
+    const TwistSize p = column_size(j, k);
     u += p.u * p.u * x[k] * x[k], w += p.w * p.w * x[k] * x[k];
   }
   return {std::sqrt(u), std::sqrt(w)};
 }
-/// Of a mimic, its |m q| + |o|; of another joint of one number, |q|.
+/// |m q| + |o| of a mimic, |q| of another joint with one coordinate.
 double coordinate(const TreeOf<double>& tree, const JointOf<double>& j, const double* x) {
   const bool circle =
       j.primary >= 0 && tree.joints[static_cast<std::size_t>(j.primary)].kind == JointKind::continuous;
   const double y = circle ? std::fabs(std::atan2(x[1], x[0])) : std::fabs(x[0]);
   return j.primary >= 0 ? std::fabs(j.multiplier) * y + std::fabs(j.offset) : y;
 }
-/// |p_E(q)|.
-double slide(const TreeOf<double>& tree, std::size_t i, const std::vector<double>& q) {
+/// |p_E(q)|: how far the joint is translated.
+double translation_size(const TreeOf<double>& tree, std::size_t i, const std::vector<double>& q) {
   const JointOf<double>& j = tree.joints[i];
   const double* x = &q[static_cast<std::size_t>(tree.idx_q[i])];
   if (j.kind == JointKind::prismatic || j.kind == JointKind::helical)
@@ -65,8 +66,9 @@ double slide(const TreeOf<double>& tree, std::size_t i, const std::vector<double
   if (j.kind == JointKind::translation || j.kind == JointKind::free_flyer) return size({{x[0], x[1], x[2]}});
   return 0;
 }
-/// 1 + twice the angles of all mimics: what the roundings of those turn, on the way out and on the way back.
-double of_mimics(const TreeOf<double>& tree, const std::vector<double>& q) {
+/// 1 + twice the sum of all mimics' angles: the rounding of each angle rotates the motions of the outward pass and the
+/// forces of the inward pass.
+double mimic_factor(const TreeOf<double>& tree, const std::vector<double>& q) {
   double angles = 0;
   for (std::size_t i = 0; i < tree.joints.size(); ++i) {
     const JointOf<double>& j = tree.joints[i];
@@ -84,11 +86,34 @@ double value(const Tangent& x) {
 
 }  // namespace
 
+/// Forces and moments on the bodies, and the lever arms from the first joint (`about_root`).
+template <class N>
+struct TreeSizes<N>::Loads {
+  std::vector<N> force, moment, from_root;
+  explicit Loads(std::size_t n) : force(n, N(0)), moment(n, N(0)), from_root(n, N(0)) {}
+};
+
 template <class N>
 TreeSizes<N>::TreeSizes(const TreeOf<double>& tree, const Numbers& q, const Numbers& v, const Numbers& a,
                         const std::vector<WrenchOf<double>>& fext, const Numbers& dq, const Numbers& dv,
                         bool about_root) {
   const std::size_t n = tree.joints.size(), nv = static_cast<std::size_t>(tree.nv);
+  Loads loads(n);
+  joints.resize(n);
+  tau.assign(nv, N(0));
+  mass.assign(nv * nv, 0);
+  outward(tree, q, v, a, fext, dq, dv, about_root, loads);
+  inward(tree, loads);
+  add_armatures(tree, a);
+  add_mass_matrix(tree);
+  multiply(mimic_factor(tree, q));
+}
+
+template <class N>
+void TreeSizes<N>::outward(const TreeOf<double>& tree, const Numbers& q, const Numbers& v, const Numbers& a,
+                           const std::vector<WrenchOf<double>>& fext, const Numbers& dq, const Numbers& dv,
+                           bool about_root, Loads& loads) {
+  auto& [force, moment, from_root] = loads;
   const auto with = [](double x, double d) {
     if constexpr (std::is_same_v<N, Tangent>)
       return Tangent(x, d);
@@ -96,32 +121,31 @@ TreeSizes<N>::TreeSizes(const TreeOf<double>& tree, const Numbers& q, const Numb
       return (void)d, x;
   };
   const double g = size(tree.gravity);
-  std::vector<N> force(n, N(0)), moment(n, N(0)), away(n, N(0));
-  joints.resize(n);
-  for (std::size_t i = 0; i < n; ++i) {
+  for (std::size_t i = 0; i < joints.size(); ++i) {
     const JointOf<double>& j = tree.joints[i];
     const auto at = static_cast<std::size_t>(tree.idx_v[i]);
     Joint world, &own = joints[i];
     world.ac = N(g);
     const Joint& p = j.parent < 0 ? world : joints[static_cast<std::size_t>(j.parent)];
-    const Parts V = moved(j, &v[at]), A = moved(j, &a[at]);
-    const Parts D = dq.empty() ? Parts{} : moved(j, &dq[at]), dV = dv.empty() ? Parts{} : moved(j, &dv[at]);
+    const TwistSize V = motion_size(j, &v[at]), A = motion_size(j, &a[at]);
+    const TwistSize D = dq.empty() ? TwistSize{} : motion_size(j, &dq[at]),
+                    dV = dv.empty() ? TwistSize{} : motion_size(j, &dv[at]);
     const N w = with(V.w, dV.w), u = with(V.u, dV.u);
-    own.r = with(size(j.p) + slide(tree, i, q), D.u);
-    own.turn = with(1, D.w);
-    own.w = own.turn * p.w + w;
-    own.u = own.turn * (p.u + p.w * own.r) + u;
-    own.al = own.turn * p.al + N(A.w) + own.w * w;
-    own.ac = own.turn * (p.ac + p.al * own.r) + N(A.u) + own.u * w + own.w * u;
+    own.r = with(size(j.p) + translation_size(tree, i, q), D.u);
+    own.rotation = with(1, D.w);
+    own.w = own.rotation * p.w + w;
+    own.u = own.rotation * (p.u + p.w * own.r) + u;
+    own.al = own.rotation * p.al + N(A.w) + own.w * w;
+    own.ac = own.rotation * (p.ac + p.al * own.r) + N(A.u) + own.u * w + own.w * u;
     own.position = p.position + own.r;
-    away[i] = !about_root || i == 0 ? N(0)
-              : j.parent < 0        ? joints[0].position + own.position
-                                    : away[static_cast<std::size_t>(j.parent)] + own.r;
+    from_root[i] = !about_root || i == 0 ? N(0)
+                   : j.parent < 0        ? joints[0].position + own.position
+                                         : from_root[static_cast<std::size_t>(j.parent)] + own.r;
     const double m = j.body.mass, I = size_of(j.body.I_C);
-    const N c = N(size(j.body.c)) + away[i], at_root = own.u + own.w * away[i];
+    const N c = N(size(j.body.c)) + from_root[i], at_root = own.u + own.w * from_root[i];
     const N momentum = N(m) * (at_root + own.w * c);
-    force[i] = N(m) * (own.ac + own.al * (away[i] + c)) + own.w * momentum;
-    moment[i] = N(I) * (own.al + own.w * own.w) + (c + N(oracle_noise) * own.position) * force[i] +
+    force[i] = N(m) * (own.ac + own.al * (from_root[i] + c)) + own.w * momentum;
+    moment[i] = N(I) * (own.al + own.w * own.w) + (c + N(oracle_rounding) * own.position) * force[i] +
                 at_root * momentum;
     for (const auto& F : fext)
       if (F.joint == static_cast<int>(i)) {
@@ -129,47 +153,60 @@ TreeSizes<N>::TreeSizes(const TreeOf<double>& tree, const Numbers& q, const Numb
         moment[i] += N(size(tail3(F.F)));
       }
     const double lever = size(j.body.c), speed = value(own.u) + value(own.w) * lever;
-    own.mass = N(m), own.first = N(m * lever), own.second = N(I + m * lever * lever);
+    own.mass = N(m), own.first_moment = N(m * lever), own.second_moment = N(I + m * lever * lever);
     linear += m * speed;
     angular += I * value(own.w) + m * (lever + 2 * value(own.position)) * speed;
     kinetic += (m * speed * speed + I * value(own.w) * value(own.w)) / 2;
     potential += m * g * (value(own.position) + lever);
   }
-  tau.assign(nv, N(0));
-  mass.assign(nv * nv, 0);
-  for (std::size_t i = n; i-- > 0;) {
+}
+
+template <class N>
+void TreeSizes<N>::inward(const TreeOf<double>& tree, Loads& loads) {
+  auto& [force, moment, from_root] = loads;
+  for (std::size_t i = joints.size(); i-- > 0;) {
     const JointOf<double>& j = tree.joints[i];
     for (int k = 0; k < velocity_size(j.kind); ++k) {
-      const Parts p = part(j, k);
+      const TwistSize s = column_size(j, k);
       tau[static_cast<std::size_t>(tree.idx_v[i] + k)] +=
-          N(p.u) * force[i] + N(p.w) * (moment[i] + away[i] * force[i]);
+          N(s.u) * force[i] + N(s.w) * (moment[i] + from_root[i] * force[i]);
     }
     if (j.parent < 0) continue;
     const auto p = static_cast<std::size_t>(j.parent);
     Joint &parent = joints[p], &own = joints[i];
-    force[p] += own.turn * force[i];
-    moment[p] += own.turn * moment[i] + own.r * own.turn * force[i];
-    parent.second += own.second + N(2) * own.r * own.first + own.r * own.r * own.mass;
-    parent.first += own.first + own.r * own.mass;
+    force[p] += own.rotation * force[i];
+    moment[p] += own.rotation * moment[i] + own.r * own.rotation * force[i];
+    parent.second_moment += own.second_moment + N(2) * own.r * own.first_moment + own.r * own.r * own.mass;
+    parent.first_moment += own.first_moment + own.r * own.mass;
     parent.mass += own.mass;
   }
-  for (std::size_t i = 0; i < n; ++i)
+}
+
+template <class N>
+void TreeSizes<N>::add_armatures(const TreeOf<double>& tree, const Numbers& a) {
+  for (std::size_t i = 0; i < joints.size(); ++i)
     if (const JointOf<double>& j = tree.joints[i]; j.primary < 0)
       for (int k = tree.idx_v[i]; k < tree.idx_v[i] + velocity_size(j.kind); ++k) {
         const auto at = static_cast<std::size_t>(k);
         tau[at] += N(std::fabs(j.armature * a[at]));
-        mass[at * nv + at] += j.armature;
+        mass[at * static_cast<std::size_t>(tree.nv) + at] += j.armature;
       }
-  for (std::size_t l = 0; l < n; ++l)
+}
+
+/// M_kl = s_k . (the wrench that s_l gives its subtree), as in the composite rigid body algorithm.
+template <class N>
+void TreeSizes<N>::add_mass_matrix(const TreeOf<double>& tree) {
+  const auto nv = static_cast<std::size_t>(tree.nv);
+  for (std::size_t l = 0; l < joints.size(); ++l)
     for (int kl = 0; kl < velocity_size(tree.joints[l].kind); ++kl) {
-      const Parts s = part(tree.joints[l], kl);
+      const TwistSize s = column_size(tree.joints[l], kl);
       const Joint& own = joints[l];
-      double f = value(own.mass) * s.u + value(own.first) * s.w,
-             m = value(own.first) * s.u + value(own.second) * s.w;
+      double f = value(own.mass) * s.u + value(own.first_moment) * s.w,
+             m = value(own.first_moment) * s.u + value(own.second_moment) * s.w;
       for (int i = static_cast<int>(l); i >= 0;) {
         const JointOf<double>& j = tree.joints[static_cast<std::size_t>(i)];
         for (int k = 0; k < velocity_size(j.kind); ++k) {
-          const Parts t = part(j, k);
+          const TwistSize t = column_size(j, k);
           const auto row = static_cast<std::size_t>(tree.idx_v[static_cast<std::size_t>(i)] + k);
           const auto column = static_cast<std::size_t>(tree.idx_v[l] + kl);
           mass[row * nv + column] += t.u * f + t.w * m;
@@ -179,7 +216,10 @@ TreeSizes<N>::TreeSizes(const TreeOf<double>& tree, const Numbers& q, const Numb
         i = j.parent;
       }
     }
-  const double factor = of_mimics(tree, q);
+}
+
+template <class N>
+void TreeSizes<N>::multiply(double factor) {
   for (N& x : tau) x = N(factor) * x;
   for (double& x : mass) x *= factor;
   for (Joint& j : joints)

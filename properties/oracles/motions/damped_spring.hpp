@@ -1,5 +1,5 @@
 #pragma once
-// The damped spring: m q'' + d q' + k (q - q_rest) = f, in every regime.
+// The damped spring m q'' + d q' + k (q - q_rest) = f: underdamped, critically damped and overdamped.
 //
 //   delta = d / 2m,  D = k/m - delta^2:   x = e^(-delta t) (x0 C + (v0 + delta x0) S),   q = x + q_rest + f/k
 //   C, S = cos wt, sin(wt)/w for D = w^2 > 0;  1, t for D = 0;  cosh wt, sinh(wt)/w for D = -w^2 < 0
@@ -11,7 +11,7 @@ namespace liecheck::oracles {
 template <class T = Real>
 struct DampedSpring {
   T mass, damping, stiffness;  ///< kg, N s/m, N/m > 0; or kg m^2, N m s, N m
-  T rest;                      ///< q at which the spring is slack
+  T rest;                      ///< q_rest: q at which the spring is unstretched
   T force;                     ///< constant [N] or [N m]
   CoordinateState<T> initial;
 

@@ -14,14 +14,14 @@ const T& pi() {
   return value;
 }
 
-/// The multiple m of pi nearest to phi.
+/// m such that m pi is the multiple of pi nearest to phi.
 template <class T>
-T turns(const T& phi) {
+T half_periods(const T& phi) {
   return floor(T(phi / pi<T>() + T(0.5)));
 }
 
-/// |phi| <= pi/2, by Carlson's integrals: DLMF 19.25.5 and 19.25.14. (Boost 1.74's ellint_3 does not compile for
-/// these numbers.)
+/// F and Pi for |phi| <= pi/2, by Carlson's integrals: DLMF 19.25.5 and 19.25.14. (Boost 1.74's ellint_3 does not
+/// compile for these numbers.)
 template <class T>
 T first_kind_within(const T& phi, const T& k) {
   T s, c;
@@ -48,9 +48,10 @@ Jacobi<T> jacobi(const T& u, const T& k) {
     r.am = 2 * atan(T(tanh(T(u / 2))));
     return r;
   }
-  const T K = first_kind_within<T>(pi<T>() / 2, k), m = floor(T(u / (2 * K) + T(0.5))), rest = u - 2 * K * m;
-  r.sn = boost::math::jacobi_elliptic(k, rest, &r.cn, static_cast<T*>(nullptr));
-  r.dn = sqrt(T((1 - k) * (1 + k) + k * k * r.cn * r.cn));  // Boost's is a quotient that is 0/0 at u = K
+  const T K = first_kind_within<T>(pi<T>() / 2, k), m = floor(T(u / (2 * K) + T(0.5))),
+          reduced = u - 2 * K * m;
+  r.sn = boost::math::jacobi_elliptic(k, reduced, &r.cn, static_cast<T*>(nullptr));
+  r.dn = sqrt(T((1 - k) * (1 + k) + k * k * r.cn * r.cn));  // Boost's quotient is 0/0 at u = K
   r.am = atan2(r.sn, r.cn) + pi<T>() * m;
   if (fmod(m, T(2)) != 0) r.sn = -r.sn, r.cn = -r.cn;
   return r;
@@ -59,16 +60,16 @@ Jacobi<T> jacobi(const T& u, const T& k) {
 template <class T>
 T first_kind(const T& phi, const T& k) {
   if (k == 1) return asinh(T(tan(phi)));
-  const T m = turns(phi);
-  const T rest = first_kind_within<T>(phi - m * pi<T>(), k);
-  return m == 0 ? rest : T(rest + 2 * m * first_kind_within<T>(pi<T>() / 2, k));
+  const T m = half_periods(phi);
+  const T reduced = first_kind_within<T>(phi - m * pi<T>(), k);
+  return m == 0 ? reduced : T(reduced + 2 * m * first_kind_within<T>(pi<T>() / 2, k));
 }
 
 template <class T>
 T third_kind(const T& n, const T& phi, const T& k) {
-  const T m = turns(phi);
-  const T rest = third_kind_within<T>(n, phi - m * pi<T>(), k);
-  return m == 0 ? rest : T(rest + 2 * m * third_kind_within<T>(n, pi<T>() / 2, k));
+  const T m = half_periods(phi);
+  const T reduced = third_kind_within<T>(n, phi - m * pi<T>(), k);
+  return m == 0 ? reduced : T(reduced + 2 * m * third_kind_within<T>(n, pi<T>() / 2, k));
 }
 
 template Jacobi<Real> jacobi(const Real&, const Real&);

@@ -5,7 +5,7 @@
 //   am(u): u = F(am | k),   sn = sin am,   cn = cos am,   dn = sqrt(1 - k^2 sn^2)
 //   F(phi | k) = int_0^phi ds / sqrt(1 - k^2 sin^2 s),   Pi(n; phi | k) = int_0^phi ds / ((1 - n sin^2 s) sqrt(...))
 //
-// For 0 <= k < 1 and n < 1. A modulus near 1 costs the digits of 1 - k: there, take 100 digits.
+// Domain: 0 <= k < 1 and n < 1. A modulus near 1 loses the digits of 1 - k: use 100 digits there.
 
 #include <oracles/real.hpp>
 
@@ -16,11 +16,11 @@ struct Jacobi {
   T sn, cn, dn, am;
 };
 
-/// 0 <= k <= 1; am is unwound: am(u + 2K) = am(u) + pi.
+/// For 0 <= k <= 1. am is continuous: am(u + 2K) = am(u) + pi.
 template <class T>
 Jacobi<T> jacobi(const T& u, const T& k);
 
-/// F(phi | k) for any phi; at k = 1 for |phi| < pi / 2.
+/// F(phi | k) for any phi; for k = 1 only |phi| < pi / 2.
 template <class T>
 T first_kind(const T& phi, const T& k);
 

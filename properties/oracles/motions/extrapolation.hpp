@@ -1,6 +1,6 @@
 #pragma once
-// A reference where there is no closed form: Gragg's modified midpoint rule extrapolated in h^2 (Bulirsch and Stoer),
-// to two orders that must agree. Hairer, Norsett and Wanner (1993), section II.9.
+// A reference solution where there is no closed form: Gragg's modified midpoint rule extrapolated in h^2 (Bulirsch and
+// Stoer), to two orders that must agree. Hairer, Norsett and Wanner (1993), section II.9.
 
 #include <oracles/motions/state.hpp>
 #include <vector>
@@ -10,12 +10,12 @@ namespace liecheck::oracles {
 template <class State, class T>
 struct Extrapolated {
   State y;
-  T disagreement;  ///< of the two orders at the end, max norm
+  T disagreement;  ///< norm of the difference of the two orders at the end
   int steps = 0;
 };
 
-/// y(t1) of y' = f(y), y(0) = y0, by steps of order 2 `columns`, each with an error of at most `tolerance`
-/// (1 + ||y||) by the last column's difference. State: Vec<N, T>.
+/// y(t1) of y' = f(y), y(0) = y, by steps of order 2 `columns`. The error estimate of each step, the difference of the
+/// last two columns, is at most `tolerance` (1 + ||y||).
 template <int N, class T, class F>
 Vec<N, T> extrapolate(const F& f, Vec<N, T> y, const T& t1, int columns, const T& tolerance,
                       int* steps = nullptr) {
@@ -63,7 +63,7 @@ Vec<N, T> extrapolate(const F& f, Vec<N, T> y, const T& t1, int columns, const T
   return y;
 }
 
-/// Orders 2 x 14 and 2 x 16.
+/// The solution of order 32, and its difference from that of order 28.
 template <int N, class T, class F>
 Extrapolated<Vec<N, T>, T> reference(const F& f, const Vec<N, T>& y0, const T& t1, const T& tolerance) {
   Extrapolated<Vec<N, T>, T> r;

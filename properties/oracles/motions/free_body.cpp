@@ -41,21 +41,21 @@ FreeBody<T>::FreeBody(const Body<T>& body, const BodyState<T>& initial, const Ve
     if (equal((i + 1) % 3, (i + 2) % 3)) axial = i;
   if (norm(cross(L, w)) <= T(1e-45) * norm(L) * norm(w)) {
     family_ = "constant twist";
-    turn_ = [start](const T& t) { return constant_twist(start, t); };
+    attitude_ = [start](const T& t) { return constant_twist(start, t); };
   } else if (axial >= 0) {
     family_ = "axisymmetric torque-free body";
     AxisymmetricBody<T> form{I[(axial + 1) % 3], I[axial], zero_vector<3, T>(), start};
     form.axis[axial] = 1;
-    turn_ = [form](const T& t) { return form.at(t); };
+    attitude_ = [form](const T& t) { return form.at(t); };
   } else {
     family_ = "triaxial torque-free body";
-    turn_ = [form = TriaxialBody<T>(I, start)](const T& t) { return form.at(t); };
+    attitude_ = [form = TriaxialBody<T>(I, start)](const T& t) { return form.at(t); };
   }
 }
 
 template <class T>
 BodyState<T> FreeBody<T>::at(const T& t) const {
-  const AttitudeState<T> s = turn_(t);
+  const AttitudeState<T> s = attitude_(t);
   BodyState<T> r;
   r.Q = quaternion_product(s.Q, quaternion_of(transpose(R_BP_)));
   r.omega = R_BP_ * s.omega;

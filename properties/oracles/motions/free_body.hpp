@@ -1,5 +1,6 @@
 #pragma once
-// A free rigid body under constant gravity: its centre of mass falls, it turns about it as if nothing acted.
+// A free rigid body under constant gravity: its centre of mass falls freely, and its attitude is that of the
+// torque-free body.
 //
 //   p_WBo = p_C - R c,  u = R^T v_C - omega x c,  with R(t) of constant_twist, axisymmetric or triaxial in the body's
 //   principal axes P: R_WB = R_WP R_BP^T
@@ -10,8 +11,8 @@
 
 namespace liecheck::oracles {
 
-/// Eigenvalues of a symmetric matrix and, as columns, right-handed eigenvectors, by Jacobi's rotations: exact for a
-/// diagonal matrix, which keeps its order.
+/// Eigenvalues of a symmetric matrix and, as columns, right-handed eigenvectors, by Jacobi's rotations. The result is
+/// exact for a diagonal matrix, whose order is kept.
 template <class T>
 void principal_axes(Mat3<T> m, Vec3<T>& moments, Mat3<T>& axes);
 
@@ -23,13 +24,13 @@ class FreeBody {
   FreeBody(const Body<T>& body, const BodyState<T>& initial, const Vec3<T>& gravity);
 
   BodyState<T> at(const T& t) const;
-  /// Which closed form the attitude has.
+  /// The name of the attitude's closed form.
   const std::string& family() const { return family_; }
 
  private:
   Vec3<T> lever_, gravity_, p_, v_;
   Mat3<T> R_BP_;
-  std::function<AttitudeState<T>(const T&)> turn_;  ///< of P in the world, omega in P
+  std::function<AttitudeState<T>(const T&)> attitude_;  ///< R_WP and omega in the axes of P
   std::string family_;
 };
 

@@ -5,13 +5,13 @@
 
 namespace liecheck::oracles {
 
-/// Roots of f: u0 lies between u1 and u2, beyond which f < 0. Newton from outside converges without overshoot where f is
-/// convex towards the root; each root ends in the deflated quadratic.
+/// The roots of f: u3 by Newton's method from an upper bound, where f is convex and the iteration cannot overshoot; u1
+/// and u2, between which u0 lies, from the deflated quadratic.
 template <class T>
 void LagrangeTop<T>::solve_cubic(const T& alpha, const T& beta, const T& u0, const T& rate) {
   // f / beta = u^3 - p u^2 + q u - r
   const T p = (alpha + a_ * a_) / beta, q = 2 * a_ * b_ / beta - 1, r = (b_ * b_ - alpha) / beta;
-  // u3 from above: beyond the inflection p/3 the cubic is convex, and a bound of the roots is a start.
+  // Beyond the inflection p/3 the cubic is convex; the start is an upper bound of all roots.
   T u = 1 + larger<T>(abs(p), larger<T>(abs(q), abs(r)));
   for (int i = 0; i < 2000; ++i) {
     const T next = u - (((u - p) * u + q) * u - r) / ((3 * u - 2 * p) * u + q);
@@ -19,7 +19,8 @@ void LagrangeTop<T>::solve_cubic(const T& alpha, const T& beta, const T& u0, con
     u = next;
   }
   u3_ = u;
-  // u1 + u2 and the square of half their distance; f(u0) = rate^2 = beta (u0-u1)(u2-u0)(u3-u0) keeps the latter exact.
+  // (u1 + u2)/2 and (u2 - u1)/2, whose square follows from f(u0) = rate^2 = beta (u0-u1)(u2-u0)(u3-u0) without
+  // cancellation.
   const T centre = (p - u3_) / 2, off = u0 - centre, product = rate * rate / (beta * (u3_ - u0));
   const T half = sqrt(T(off * off + product));
   u1_ = centre - half, u2_ = centre + half;
@@ -35,8 +36,8 @@ LagrangeTop<T>::LagrangeTop(const T& transverse, const T& axial, const T& torque
   const Mat3<T> R = rotation_matrix(initial_.Q);
   const T u0 = R(2, 2), wz = w[2], ratio = axial / transverse;
   spin_ = wz;
-  asleep_ = R(0, 2) == 0 && R(1, 2) == 0 && w[0] == 0 && w[1] == 0;
-  if (asleep_) {
+  sleeping_ = R(0, 2) == 0 && R(1, 2) == 0 && w[0] == 0 && w[1] == 0;
+  if (sleeping_) {
     u1_ = u2_ = u0;
     return;
   }
@@ -64,7 +65,7 @@ T LagrangeTop<T>::fraction(int sign, const T& am) const {
 
 template <class T>
 AttitudeState<T> LagrangeTop<T>::at(const T& t) const {
-  if (asleep_) {
+  if (sleeping_) {
     return {quaternion_product(initial_.Q, rotation_by<T>(Vec3<T>{{T(0), T(0), T(t * spin_)}})),
             initial_.omega};
   }

@@ -1,8 +1,8 @@
 #pragma once
-// A planar chain of links from a fixed point, by absolute angles theta_i (no closed form: `reference`):
+// A planar chain of links from a fixed point, in absolute angles theta_i. It has no closed form: `reference` solves
 //   sum_j K_ij (cos(theta_i - theta_j) theta_j'' + sin(theta_i - theta_j) theta_j'^2) = -g k_i cos theta_i
 //   K_ii = I_i + m_i c_i^2 + l_i^2 M_i,  K_ij = l_i k_j for i < j,  k_i = m_i c_i + l_i M_i,  M_i = mass beyond link i
-// The joint angles of a tree of revolute joints are differences of these.
+// The joint angles of a tree of revolute joints are differences of the theta_i.
 
 #include <oracles/motions/extrapolation.hpp>
 
@@ -32,7 +32,7 @@ struct PlanarChain {
     return K;
   }
 
-  /// (theta, theta')' of theirs.
+  /// The time derivative of y = (theta, theta').
   Vec<2 * N, T> operator()(const Vec<2 * N, T>& y) const {
     const Mat<N, N, T> K = couplings();
     Mat<N, N + 1, T> A;
@@ -60,7 +60,7 @@ struct PlanarChain {
     return rate;
   }
 
-  /// Kinetic and potential [J].
+  /// Kinetic + potential energy [J].
   T energy(const Vec<2 * N, T>& y) const {
     const Mat<N, N, T> K = couplings();
     T sum(0), beyond(0);

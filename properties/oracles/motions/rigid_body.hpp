@@ -1,13 +1,13 @@
 #pragma once
-// The equations that the closed forms solve, for the references and for the tests that hold one to the other:
+// The equations of motion that the closed forms solve, for reference solutions and for tests of the closed forms:
 //   Q' = Q (omega, 0) / 2,   I omega' = (I omega) x omega + n_B
 
 #include <oracles/motions/state.hpp>
 
 namespace liecheck::oracles {
 
-/// x y z w, then omega: a body that turns about a fixed point O or its centre of mass, with a constant force f_W
-/// [N] at r_B [m] from there.
+/// The rate of (x y z w, omega) of a body that rotates about a fixed point or about its centre of mass, with a constant
+/// force f_W [N] at r_B [m] from that point.
 template <class T = Real>
 struct RigidBodyEquations {
   Mat3<T> inertia, inverse_inertia;  ///< about that point [kg m^2]

@@ -1,8 +1,8 @@
 #pragma once
-// States of motions: what a closed form or a reference gives at a time t [s].
+// States of motions, which a closed form or a reference solution gives at a time t [s].
 //
-// A motion of this room follows from its equations alone: nothing here knows the library's spatial algebra, its
-// dynamics or its integrators.
+// The motions of this folder follow from their equations alone, without the library's spatial algebra, dynamics and
+// integrators.
 
 #include <oracles/quaternion.hpp>
 
@@ -13,11 +13,11 @@ template <class T = Real>
 struct BodyState {
   Vec3<T> p;        ///< p_WBo_W [m]
   Quaternion<T> Q;  ///< R_WB, unit, x y z w
-  Vec3<T> u;        ///< v_WBo_B: of the origin of B, in the axes of B [m/s]
+  Vec3<T> u;        ///< v_WBo_B: velocity of the origin of B, in the axes of B [m/s]
   Vec3<T> omega;    ///< in the axes of B [rad/s]
 };
 
-/// A body that turns about a fixed point.
+/// A body that rotates about a fixed point.
 template <class T = Real>
 struct AttitudeState {
   Quaternion<T> Q;
@@ -30,7 +30,7 @@ struct CoordinateState {
   T q, v;
 };
 
-/// Mass [kg], centre of mass p_BoBcm_B [m], inertia about it in the axes of B [kg m^2].
+/// Mass [kg], centre of mass p_BoBcm_B [m], inertia about the centre of mass in the axes of B [kg m^2].
 template <class T = Real>
 struct Body {
   T mass;
@@ -69,7 +69,7 @@ Quaternion<T> quaternion_of(const Mat3<T>& R) {
   return normalized(q);
 }
 
-/// Angle between two rotations, 2 asin ||vec(Q1* Q2)||, in [0, pi] [rad]: relative accuracy however near they are.
+/// Angle between two rotations, 2 asin ||vec(Q1* Q2)||, in [0, pi] [rad], accurate relative to itself.
 template <class T>
 T angle_between(const Quaternion<T>& a, const Quaternion<T>& b) {
   const Quaternion<T> d = conjugate_product(normalized(a), normalized(b));

@@ -17,7 +17,7 @@ TriaxialBody<T>::TriaxialBody(const Vec3<T>& moments, const AttitudeState<T>& in
   const auto gap = [&](int i, int j) -> T { return 1 / moments[i] - 1 / moments[j]; };
   Vec3<T> L;
   for (int i = 0; i < 3; ++i) L[i] = moments[i] * initial.omega[i];
-  // L^2/I_b - 2T: of two terms of opposite sign the larger one's axis is c.
+  // L^2/I_b - 2T has two terms of opposite sign; c is the axis of the larger one.
   const T of_low = L[low] * L[low] * gap(low, middle), of_high = L[high] * L[high] * gap(middle, high);
   const bool about_high = of_high > of_low;
   a_ = about_high ? low : high, b_ = middle, c_ = about_high ? high : low;
@@ -78,9 +78,9 @@ T TriaxialBody<T>::period() const {
 
 template <class T>
 T TriaxialBody<T>::flip_time(int n) const {
-  const T half = period() * lambda_ / 2;  // 2 K: sn vanishes at its multiples
-  const T first = floor(T(s0_ / half)) + 1;
-  return ((first + n) * half - s0_) / lambda_;
+  const T two_K = period() * lambda_ / 2;  // sn vanishes at its multiples
+  const T first = floor(T(s0_ / two_K)) + 1;
+  return ((first + n) * two_K - s0_) / lambda_;
 }
 
 template class TriaxialBody<Real>;
