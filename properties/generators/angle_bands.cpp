@@ -19,7 +19,7 @@ oracles::DoubleDouble double_double(const Real& x) {
   const auto high = static_cast<double>(x);
   return {high, static_cast<double>(Real(x - high))};
 }
-/// A constant as a ball; a power of two is exact.
+/// A band's edge as a ball; a power of two is exact.
 template <class T>
 T edge(const oracles::DoubleDouble& x) {
   if constexpr (std::is_same_v<T, oracles::DoubleDoubleBall>) return {x, x.low == 0 ? 0 : 0x1p-105 * x.high};
@@ -76,8 +76,8 @@ Bands::Bands(int min_exponent, int digits) {
   beyond_ = push("beyond pi", Axis::none, 3.2, 6.2, Region::beyond_pi);
   near_2pi_ = push("near 2pi k", Axis::none, 6.2, 100, Region::beyond_pi);
   huge_ = push("huge", Axis::none, 100, 0, Region::beyond_pi);
-  for (const Real& e : theta_edges_) fast_theta_edges_.push_back(double_double(e));
-  for (const Real& e : pi_edges_) fast_pi_edges_.push_back(double_double(e));
+  for (const Real& e : theta_edges_) ball_theta_edges_.push_back(double_double(e));
+  for (const Real& e : pi_edges_) ball_pi_edges_.push_back(double_double(e));
 }
 
 std::size_t Bands::classify(const Real& theta) const {
@@ -96,9 +96,9 @@ std::size_t Bands::classify(const Real& theta) const {
     return pi_;
   }
   if (theta > 100) return huge_;
-  const Real turns = theta / (2 * pi_value);
-  const Real nearest = round(turns);
-  if (nearest >= 1 && abs(turns - nearest) * 2 * pi_value < Real(1) / 10) return near_2pi_;
+  const Real periods = theta / (2 * pi_value);
+  const Real nearest = round(periods);
+  if (nearest >= 1 && abs(periods - nearest) * 2 * pi_value < Real(1) / 10) return near_2pi_;
   return beyond_;
 }
 
@@ -107,25 +107,25 @@ std::size_t Bands::classify_ball(const T& theta) const {
   static const T pi_value = edge<T>(double_double(pi()));
   if (theta == T(0)) return first_theta_;
   if (theta <= T(1)) {
-    // The edge next above by the heads, then proved.
-    const auto above = std::upper_bound(fast_theta_edges_.begin(), fast_theta_edges_.end(), theta.head(),
+    // The next edge above by the midpoints, then confirmed in ball arithmetic.
+    const auto above = std::upper_bound(ball_theta_edges_.begin(), ball_theta_edges_.end(), theta.head(),
                                         [](double x, const auto& e) { return x < e.high; });
-    auto i = static_cast<std::size_t>(above - fast_theta_edges_.begin());
-    if (i > 0 && theta < edge<T>(fast_theta_edges_[i - 1])) --i;
-    if (i < fast_theta_edges_.size() && theta >= edge<T>(fast_theta_edges_[i])) ++i;
+    auto i = static_cast<std::size_t>(above - ball_theta_edges_.begin());
+    if (i > 0 && theta < edge<T>(ball_theta_edges_[i - 1])) --i;
+    if (i < ball_theta_edges_.size() && theta >= edge<T>(ball_theta_edges_[i])) ++i;
     return std::min<std::size_t>(first_theta_ + 1 + i, generic_ - 1);
   }
   const T left = pi_value - theta;
   if (left > T(1)) return generic_;
   if (left >= T(0)) {
-    for (std::size_t i = 0; i < fast_pi_edges_.size(); ++i)
-      if (left >= edge<T>(fast_pi_edges_[i])) return first_pi_ + i;
+    for (std::size_t i = 0; i < ball_pi_edges_.size(); ++i)
+      if (left >= edge<T>(ball_pi_edges_[i])) return first_pi_ + i;
     return pi_;
   }
   if (theta > T(100)) return huge_;
-  const T turns = theta / (T(2) * pi_value);
-  const double nearest = std::nearbyint(turns.head());
-  if (nearest >= 1 && abs(turns - T(nearest)) * T(2) * pi_value < T(1) / T(10)) return near_2pi_;
+  const T periods = theta / (T(2) * pi_value);
+  const double nearest = std::nearbyint(periods.head());
+  if (nearest >= 1 && abs(periods - T(nearest)) * T(2) * pi_value < T(1) / T(10)) return near_2pi_;
   return beyond_;
 }
 template std::size_t Bands::classify_ball(const oracles::DoubleBall&) const;

@@ -1,8 +1,8 @@
 #pragma once
-// Angle bands: where on [0, infinity) a case lies, by the exact angle.
+// Angle bands: the intervals of [0, infinity) by which cases are sorted, according to the exact angle.
 //
-// Log-spaced on both sides of the two places where formulas degenerate, 0 and pi, and scaled to the scalar:
-// the lowest bands are those in which theta or theta^2 underflows in that scalar.
+// They are log-spaced near 0 and on both sides of pi, where formulas degenerate, and scaled to the scalar: in the
+// lowest bands theta or theta^2 underflows in that scalar.
 
 #include <cmath>
 #include <limits>
@@ -12,20 +12,20 @@
 
 namespace liecheck::properties {
 
-/// What a band is measured along.
+/// The quantity that a band is an interval of.
 enum class Axis { none, theta, pi_minus_theta };
 
-/// Which rule of the budget table holds there.
+/// Which rule of the budget table applies.
 enum class Region { to_pi, beyond_pi };
 
 struct Band {
   std::string name;
   Axis axis = Axis::none;
-  double low = 0, high = 0;  ///< along the axis [rad]; 0 where a double cannot hold it
+  double low = 0, high = 0;  ///< of that quantity [rad]; 0 where it underflows in double
   Region region = Region::to_pi;
 };
 
-/// The bands of one scalar, in the order of the report. Index 0 is "all": no angle is involved.
+/// The bands of one scalar, in the order of the report. Index 0 is "all", for cases without an angle.
 class Bands {
  public:
   template <class S>
@@ -42,11 +42,11 @@ class Bands {
 
   /// The band of an exact angle theta >= 0 [rad].
   std::size_t classify(const oracles::Real& theta) const;
-  /// Of an angle > 0 below 2^-900: below the smallest normal number, or not.
+  /// The band of an angle in (0, 2^-900): "subnormal" or "theta^2 underflows".
   std::size_t underflowing(bool is_subnormal) const { return first_theta_ + (is_subnormal ? 1 : 2); }
-  /// Of an angle that is exactly pi.
+  /// The band of an angle that is exactly pi.
   std::size_t at_pi() const { return pi_; }
-  /// The same of a ball; throws oracles::Undecided where it lies across an edge.
+  /// The band of a ball; throws oracles::Undecided where the ball contains an edge.
   std::size_t classify(const oracles::DoubleBall& theta) const { return classify_ball(theta); }
   std::size_t classify(const oracles::DoubleDoubleBall& theta) const { return classify_ball(theta); }
 
@@ -58,7 +58,7 @@ class Bands {
 
   std::vector<Band> bands_;
   std::vector<oracles::Real> theta_edges_, pi_edges_;
-  std::vector<oracles::DoubleDouble> fast_theta_edges_, fast_pi_edges_;  ///< within 2^-106 relative
+  std::vector<oracles::DoubleDouble> ball_theta_edges_, ball_pi_edges_;  ///< within 2^-106 relative
   std::size_t first_theta_ = 0, generic_ = 0, first_pi_ = 0, pi_ = 0, beyond_ = 0, near_2pi_ = 0, huge_ = 0;
 };
 

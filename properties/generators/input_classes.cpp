@@ -19,16 +19,16 @@ const std::vector<InputClass> vectors = {{"zero", 3500},
                                          {"above 32", 60},
                                          {"1e-150, in float 1e-18", 150, Reach::full},
                                          {"1e150, in float 1e18", 150, Reach::full},
-                                         {"equal to its neighbour", 20, Reach::beside},
-                                         {"beside its neighbour", 20, Reach::beside}};
+                                         {"equal to the previous one", 20, Reach::beside},
+                                         {"near the previous one", 20, Reach::beside}};
 const std::vector<InputClass> rotation_vectors = {{"zero", 50},
                                                   {"subnormal", 60},
                                                   {"theta^2 underflows", 80},
                                                   {"theta < 1e-3", 8},
-                                                  {"beside a cutoff", 15},
+                                                  {"within 4 ulp of a cutoff", 15},
                                                   {"generic", 45},
                                                   {"pi - theta < 1e-3", 15},
-                                                  {"pi to 4 ulp", 30},
+                                                  {"within 4 ulp of pi", 30},
                                                   {"beyond pi", 10, Reach::full},
                                                   {"near 2 pi k", 30, Reach::full},
                                                   {"huge", 60, Reach::full},
@@ -37,42 +37,39 @@ const std::vector<InputClass> rotation_vectors = {{"zero", 50},
                                                   {"in a coordinate plane", 20}};
 const std::vector<InputClass> quaternions = {{"identity", 45},
                                              {"near the identity", 20},
-                                             {"half a turn", 125},
-                                             {"near half a turn", 30},
+                                             {"theta = pi", 125},
+                                             {"near theta = pi", 30},
                                              {"-Q: w < 0", 4},
                                              {"about an axis", 40},
                                              {"off unit by 3 to 8 eps", 30},
                                              {"subnormal part", 1000},
-                                             {"equal to its neighbour", 20, Reach::beside},
-                                             {"opposite to its neighbour", 60, Reach::beside},
-                                             {"beside its neighbour", 6, Reach::beside},
-                                             {"nearly half a turn from it", 15, Reach::beside}};
+                                             {"equal to the previous one", 20, Reach::beside},
+                                             {"minus the previous one", 60, Reach::beside},
+                                             {"near the previous one", 6, Reach::beside},
+                                             {"relative angle near pi", 15, Reach::beside}};
 const std::vector<InputClass> matrices = {{"identity", 45},
                                           {"near the identity", 20},
-                                          {"half a turn", 125},
-                                          {"near half a turn", 30},
+                                          {"theta = pi", 125},
+                                          {"near theta = pi", 30},
                                           {"about an axis", 40}};
 const std::vector<InputClass> inertias = {
-    {"point", 16}, {"ball", 16}, {"needle", 8}, {"plate", 16}, {"general", 5}};
+    {"point", 16}, {"sphere", 16}, {"needle", 8}, {"plate", 16}, {"general", 5}};
 const std::vector<InputClass> positives = {
     {"simple", 4}, {"ratio below 1e-12, in float 1e-2", 14}, {"ratio above 1e12, in float 1e2", 14}};
-const std::vector<InputClass> trees = {{"one joint", 10},
-                                       {"chain of 3 and more", 10},
-                                       {"star of 3 and more", 12},
-                                       {"several on the world", 6},
-                                       {"4 deep", 20},
-                                       {"3 on one", 10}};
+const std::vector<InputClass> trees = {{"one joint", 10},          {"chain of 3 and more", 10},
+                                       {"star of 3 and more", 12}, {"several roots", 6},
+                                       {"4 joints deep", 20},      {"3 children of one parent", 10}};
 const std::vector<InputClass> joints = {{"revolute", 4},    {"continuous", 4}, {"prismatic", 4},
                                         {"helical", 4},     {"spherical", 4},  {"planar", 4},
                                         {"translation", 4}, {"free-flyer", 4}, {"mimic", 25}};
-const std::vector<InputClass> masses = {{"all alike", 3}, {"ratio above 1e12, in float 100", 50}};
+const std::vector<InputClass> masses = {{"ratio up to 2", 3}, {"ratio above 1e12, in float 100", 50}};
 const std::vector<InputClass> none;
 
 constexpr std::uint32_t bit(bool condition, int i) {
   return condition ? 1u << i : 0u;
 }
 
-/// Wide enough for the square of a float; a double's range is minded below.
+/// A type in which the square of a float does not overflow; other scalars are divided by their largest element first.
 template <class S>
 using Wide = std::conditional_t<std::is_same_v<S, float>, double, S>;
 
@@ -96,13 +93,13 @@ template <class S>
 std::uint32_t of_vector(std::span<const S> x, std::span<const S> earlier) {
   using std::fabs, std::ldexp, std::signbit;
   static const S small = ldexp(S(1), -5), large = ldexp(S(1), 5), low = ldexp(S(1), 4 - widest<S>),
-                 high = ldexp(S(1), widest<S> - 4), half = ldexp(S(1), -4), twice = ldexp(S(1), 4);
+                 high = ldexp(S(1), widest<S> - 4), sixteenth = ldexp(S(1), -4), sixteen = ldexp(S(1), 4);
   const S m = largest(x);
   const bool minus_zero = std::any_of(x.begin(), x.end(), [](const S& v) { return v == S(0) && signbit(v); });
   std::uint32_t c = bit(m == S(0), 0) | bit(minus_zero, 1) |
-                    bit(m > S(0) && zeros(x) + 1 == int(x.size()), 2) | bit(m >= half && m <= twice, 3) |
-                    bit(m > S(0) && m < small, 4) | bit(m > large, 5) | bit(m > S(0) && m <= low, 6) |
-                    bit(m >= high, 7);
+                    bit(m > S(0) && zeros(x) + 1 == int(x.size()), 2) |
+                    bit(m >= sixteenth && m <= sixteen, 3) | bit(m > S(0) && m < small, 4) |
+                    bit(m > large, 5) | bit(m > S(0) && m <= low, 6) | bit(m >= high, 7);
   if (!earlier.empty()) {
     S d(0);
     for (std::size_t i = 0; i < x.size(); ++i) d = std::max(d, S(fabs(S(x[i] - earlier[i]))));
@@ -132,17 +129,17 @@ std::uint32_t of_rotation_vector(std::span<const S> x) {
   const auto above = std::lower_bound(cutoffs.begin(), cutoffs.end(), theta);
   const bool beside =
       (above != cutoffs.end() && near(*above)) || (above != cutoffs.begin() && near(*(above - 1)));
-  bool near_turn = false;
+  bool near_2pi_k = false;
   if (theta > W(6) && theta < W(100)) {
-    const W turns = theta / (W(2) * pi);
-    near_turn = W(fabs(W(turns - W(static_cast<int>(turns + W(1) / W(2)))))) * W(6) < tenth;
+    const W periods = theta / (W(2) * pi);
+    near_2pi_k = W(fabs(W(periods - W(static_cast<int>(periods + W(1) / W(2)))))) * W(6) < tenth;
   }
   int tiny = 0;
   for (const S& v : x) tiny += S(fabs(v)) < m / S(1 << 10);
   return bit(m < smallest, 1) | bit(m >= smallest && m < root, 2) | bit(theta < thousandth, 3) |
          bit(beside, 4) | bit(theta > W(1) && theta < W(2), 5) |
          bit(theta < pi && pi - theta < thousandth, 6) | bit(near(pi), 7) | bit(theta > pi + tenth, 8) |
-         bit(near_turn, 9) | bit(theta > W(100), 10) | bit(zeros(x) == 2, 11) |
+         bit(near_2pi_k, 9) | bit(theta > W(100), 10) | bit(zeros(x) == 2, 11) |
          bit(zeros(x) < 2 && tiny == 2, 12) | bit(zeros(x) == 1, 13);
 }
 
@@ -191,7 +188,7 @@ std::uint32_t of_matrix(std::span<const S> R) {
          bit(axis && trace < S(3), 4);
 }
 
-/// By the second moment tr(I)/2 - I: of rank 0, 1, 2 or 3. I: xx xy yy xz yz zz.
+/// By the rank, 0 to 3, of the second moment of mass tr(I)/2 - I. I: xx xy yy xz yz zz.
 template <class S>
 std::uint32_t of_inertia(std::span<const S> I) {
   using std::fabs;
@@ -206,9 +203,9 @@ std::uint32_t of_inertia(std::span<const S> I) {
   const W xy = second(1, false), xz = second(3, false), yz = second(4, false);
   const W minors = xx * yy - xy * xy + xx * zz - xz * xz + yy * zz - yz * yz;
   const W determinant = xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * xz) + xz * (xy * yz - yy * xz);
-  const bool ball = I[0] == I[2] && I[2] == I[5] && I[1] == S(0) && I[3] == S(0) && I[4] == S(0);
+  const bool sphere = I[0] == I[2] && I[2] == I[5] && I[1] == S(0) && I[3] == S(0) && I[4] == S(0);
   const bool needle = W(fabs(minors)) <= tolerance, plate = !needle && W(fabs(determinant)) <= tolerance;
-  return bit(ball || W(fabs(W(minors - W(1) / W(12)))) <= tolerance, 1) | bit(needle, 2) | bit(plate, 3) |
+  return bit(sphere || W(fabs(W(minors - W(1) / W(12)))) <= tolerance, 1) | bit(needle, 2) | bit(plate, 3) |
          bit(!needle && !plate, 4);
 }
 
@@ -238,7 +235,7 @@ std::uint32_t of_parents(std::span<const S> parents) {
   return bit(joints == 1, 0) | bit(joints >= 3 && deepest == joints, 1) | bit(star, 2) | bit(roots > 1, 3) |
          bit(deepest >= 4, 4) | bit(widest_of >= 3 || roots >= 3, 5);
 }
-/// Kinds, then primaries.
+/// x: the kinds of all joints, then their primaries.
 template <class S>
 std::uint32_t of_joints(std::span<const S> x) {
   std::uint32_t c = 0;

@@ -1,12 +1,12 @@
 #pragma once
-// What a property's input is made of: groups of numbers, each of a kind that generators, searches, shrinking and
-// coverage know.
+// The layout of a property's input: groups of numbers, each of a kind that determines how it is generated, mutated,
+// shrunk and counted.
 
 #include <string>
 
 namespace liecheck::properties {
 
-/// How a group of numbers of an input is shrunk while it stays valid.
+/// What a group of numbers means.
 enum class Kind {
   vector,
   rotation_vector,
@@ -16,14 +16,18 @@ enum class Kind {
   positive,
   choice,
   opaque,
-  parents,  ///< of the joints of a tree, -2 where there is none
-  joints,   ///< their kinds, and the primaries of mimics
-  masses    ///< of their bodies, 0 where there is none
+  parents,  ///< of the joints of a tree, -2 for an absent joint
+  joints,   ///< kinds of the joints of a tree, then the primaries of mimics
+  masses    ///< of the bodies of a tree, 0 for an absent one
 };
 
-/// How far the generator of a group goes: angles beyond pi and scales to 1e150, or what the law allows; beside:
-/// as far, and often next to the group of its kind before it; any: nothing is promised of it.
-enum class Reach { limited, full, beside, any };
+/// Which classes of inputs the generator of a group gives.
+enum class Reach {
+  limited,  ///< what the law allows
+  full,     ///< also angles beyond pi and scales up to 1e150
+  beside,   ///< the same, and often values near the previous group of the same kind
+  any       ///< no class is required
+};
 
 /// A group of consecutive numbers of a property's input.
 struct Field {

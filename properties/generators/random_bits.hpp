@@ -1,11 +1,11 @@
 #pragma once
 // The stream of random bits of one case.
 //
-// A case is addressable: the same key gives the same bits on any thread, shard or machine. RapidCheck's own
-// loop splits one stream and sizes by what came before; here SplitMix64 (Steele, Lea & Flood 2014) starts from the
-// case's key alone. RapidCheck's generator would do so too, but for the tenth of a campaign's time that its
-// cryptographic hash takes. Numbers are made with + - x / sqrt and ldexp only, which IEEE 754 rounds correctly
-// everywhere, and without std::*_distribution, whose algorithms are not specified.
+// A case is addressable: the same key gives the same bits on any thread, shard or machine. In RapidCheck's own loop a
+// case depends on the cases before it; here SplitMix64 (Steele, Lea & Flood 2014) starts from the case's key alone.
+// (RapidCheck's random engine could be seeded likewise, but its cryptographic hash takes a tenth of a campaign's time.)
+// Numbers are computed with + - x / sqrt and ldexp only, which IEEE 754 rounds correctly everywhere, and without
+// std::*_distribution, whose algorithms are not specified.
 
 #include <array>
 #include <cmath>
@@ -25,7 +25,7 @@ class Source {
   /// 64 fresh bits.
   std::uint64_t bits() { return mixed(state_ += 0x9e3779b97f4a7c15); }
 
-  /// Uniform on 0 ... n - 1, n >= 1 and small: the bias is n / 2^64.
+  /// Uniform on 0 ... n - 1 for a small n >= 1: the bias is n / 2^64.
   std::uint64_t below(std::uint64_t n) {
     return static_cast<std::uint64_t>((static_cast<unsigned __int128>(bits()) * n) >> 64);
   }
@@ -58,7 +58,7 @@ class Source {
   }
 
  private:
-  /// A bijection in which each bit of z turns each bit of the result with probability 1/2.
+  /// A bijection in which each bit of z inverts each bit of the result with probability 1/2.
   static std::uint64_t mixed(std::uint64_t z) {
     z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
     z = (z ^ (z >> 27)) * 0x94d049bb133111eb;

@@ -1,5 +1,5 @@
 #pragma once
-// Floating-point generators: the scales at which code breaks, not the reals.
+// Random floating-point numbers at the scales at which code breaks.
 
 #include <generators/random_bits.hpp>
 
@@ -38,7 +38,7 @@ S log_uniform(Source& source, const S& low, const S& high) {
   return low;
 }
 
-/// A subnormal number, or the smallest normal ones: uniform bits below the smallest normal.
+/// A subnormal number: log-uniform below the smallest normal number.
 template <class S>
 S subnormal(Source& source) {
   const S unit = std::numeric_limits<S>::denorm_min();
@@ -47,14 +47,14 @@ S subnormal(Source& source) {
   return S(ldexp(S(1) + source.unit<S>(), bits - 1)) * unit;
 }
 
-/// A number with few significant bits in [-2, 2]: what people write in tests.
+/// A multiple of 1/4 in [-2, 2], as people write in tests.
 template <class S>
 S simple(Source& source) {
   return S(source.between(-8, 8)) / S(4);
 }
 
-/// A signed length, speed or force: mostly of unit scale, sometimes simple, zero, tiny or large.
-/// `decades` bounds the scale: |x| in 10^-decades ... 10^decades.
+/// A signed length, speed or force: mostly in [-2, 2], sometimes simple, zero, tiny or large, with |x| between
+/// 2^-binades and 2^binades.
 template <class S>
 S magnitude(Source& source, int binades) {
   const S sign = source.chance(1, 2) ? S(1) : S(-1);

@@ -1,6 +1,7 @@
 #pragma once
-// The generators as RapidCheck's, for others' tests: the angles, scales and axes at which code breaks, and shrinking
-// that ends in short numbers. RapidCheck's own floating-point generators and shrinkers are weak (its issues 134, 139).
+// The generators for RapidCheck, for use in other projects' tests: the angles, scales and axes at which code breaks,
+// and shrinking that ends in short numbers. RapidCheck's own floating-point generators and shrinkers are weak (its
+// issues 134, 139).
 //
 //   rc::check("log is the inverse of exp", [] {
 //     const auto xi = *liecheck::properties::gen::twist<double>(AngleRange::to_pi);
@@ -18,7 +19,7 @@ namespace liecheck::properties::gen {
 
 namespace detail {
 
-/// Every input with one group made simpler.
+/// All inputs that differ from x by one simpler group.
 template <class S>
 std::vector<std::vector<S>> simpler(const std::vector<S>& x, const std::vector<Field>& fields) {
   std::vector<std::vector<S>> all;
@@ -26,7 +27,7 @@ std::vector<std::vector<S>> simpler(const std::vector<S>& x, const std::vector<F
   for (const Field& f : fields) {
     const std::vector<S> group(from, from + f.size);
     for (const auto& candidate : shrinks::candidates<S>(group, f.kind)) {
-      if (candidate == group) break;  // the rest is no simpler
+      if (candidate == group) break;  // the following candidates are not simpler
       all.push_back(x);
       std::copy(candidate.begin(), candidate.end(), all.back().begin() + (from - x.begin()));
     }
@@ -35,7 +36,7 @@ std::vector<std::vector<S>> simpler(const std::vector<S>& x, const std::vector<F
   return all;
 }
 
-/// At most `depth` steps: a cycle of roundings must end.
+/// At most `depth` shrinking steps, because rounding may return to an earlier value.
 template <class S>
 rc::Shrinkable<std::vector<S>> shrinkable(const std::vector<S>& x, const std::vector<Field>& fields,
                                           int depth) {
@@ -47,7 +48,7 @@ rc::Shrinkable<std::vector<S>> shrinkable(const std::vector<S>& x, const std::ve
   });
 }
 
-/// `make` writes the groups; `read` turns them into what the test takes.
+/// `make` writes the groups of numbers; `read` converts them to the type that the test uses.
 template <class S, class Make, class Read>
 auto generator(std::vector<Field> fields, Make make, Read read) {
   const rc::Gen<std::vector<S>> numbers([fields, make](const rc::Random& random, int) {
@@ -74,7 +75,7 @@ Eigen::Matrix<S, 3, 3> as_matrix(const std::vector<S>& x) {
 
 }  // namespace detail
 
-/// Three lengths, speeds or forces: unit scale, zero, simple, tiny and huge, up to 2^binades.
+/// Three lengths, speeds or forces: of unit scale, zero, simple, tiny and huge, up to 2^binades.
 template <class S>
 rc::Gen<Eigen::Matrix<S, 3, 1>> vector(int binades = widest<S>) {
   return detail::generator<S>(
@@ -103,7 +104,7 @@ rc::Gen<Eigen::Matrix<S, 6, 1>> twist(AngleRange range = AngleRange::unbounded, 
       [](const std::vector<S>& x) { return detail::as_vector<6>(x); });
 }
 
-/// A quaternion, | |Q|^2 - 1 | <= 8 eps, either sign.
+/// A quaternion of either sign with | |Q|^2 - 1 | <= 8 eps.
 template <class S>
 rc::Gen<Eigen::Quaternion<S>> unit_quaternion() {
   return detail::generator<S>(

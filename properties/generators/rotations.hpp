@@ -11,7 +11,7 @@
 
 namespace liecheck::properties {
 
-/// How far angles may go.
+/// The range of generated angles.
 enum class AngleRange { to_pi, unbounded };
 
 /// Angles [rad] at which implementations are known to change formula: powers of ten, and roots of the machine
@@ -28,7 +28,7 @@ const std::vector<S>& common_cutoffs() {
     for (const S& t : {S(S(1) / S(2)), S(S(1) / S(4)), S(S(1) / S(100) / S(20)), S(sqrt(S(1) / S(10))),
                        S(sqrt(std::numeric_limits<S>::min()))})
       c.push_back(t);
-    // From half a turn on; the first is this library's own end of its series.
+    // From pi on, and pi / 2; the first is where this library's own series end.
     const S pi = boost::math::constants::pi<S>();
     for (const S& t : {S(pi * (S(1) + S(4) * eps)), pi, S(pi / S(2)), S(S(2) * pi)}) c.push_back(t);
     return c;
@@ -115,16 +115,16 @@ Eigen::Matrix<S, 3, 1> rotation_vector(Source& source, AngleRange range) {
   return t * direction<S>(source);
 }
 
-/// 2^widest is 3e150 in double, the same share of the range elsewhere: squares are finite.
+/// 2^widest is 3e150 in double, and the same share of the exponent range in other scalars, so that squares are finite.
 template <class S>
 inline constexpr int widest = std::numeric_limits<S>::max_exponent / 256 * 125;
 template <>
 inline constexpr int widest<float> = 62;
 
-/// A vector of three magnitudes.
+/// Three magnitudes, or a direction times one scale.
 template <class S>
 Eigen::Matrix<S, 3, 1> vector3(Source& source, int binades = widest<S>) {
-  if (source.chance(1, 4)) {  // one common scale, the two ends often, a direction of its own
+  if (source.chance(1, 4)) {  // one scale for all three, often the smallest or the largest
     using std::ldexp;
     const int beyond = binades + binades / 8;
     const int exponent = std::clamp(source.between(-beyond, beyond), -binades, binades);
@@ -135,7 +135,7 @@ Eigen::Matrix<S, 3, 1> vector3(Source& source, int binades = widest<S>) {
 }
 
 /// A quaternion x y z w, unit to a few eps: | |Q|^2 - 1 | <= 8 eps. Small angles by a log-uniform vector part,
-/// angles near half a turn by a log-uniform scalar part; either sign.
+/// angles near pi by a log-uniform scalar part; either sign.
 template <class S>
 Eigen::Matrix<S, 4, 1> unit_quaternion(Source& source) {
   using std::sqrt;
@@ -154,7 +154,7 @@ Eigen::Matrix<S, 4, 1> unit_quaternion(Source& source) {
       break;
     }
     case 3:
-    case 4: {  // near half a turn
+    case 4: {  // near theta = pi
       const S w = source.chance(1, 6) ? S(0) : binade_uniform<S>(source, -digits - 8, 0);
       q << S(sqrt((S(1) - w) * (S(1) + w))) * n, w;
       break;
@@ -165,7 +165,7 @@ Eigen::Matrix<S, 4, 1> unit_quaternion(Source& source) {
     }
   }
   q /= S(sqrt(q.squaredNorm()));
-  if (source.chance(1, 4)) {  // off unit within the documented defect
+  if (source.chance(1, 4)) {  // a norm off 1, within the documented bound
     q *= S(1) + S(source.between(-5, 5)) * std::numeric_limits<S>::epsilon() / S(2);
   }
   if (source.chance(1, 2)) q = -q;
@@ -184,7 +184,7 @@ Eigen::Matrix<S, 3, 3> rotation_matrix(const Eigen::Matrix<S, 4, 1>& q) {
   return R;
 }
 
-/// Q0 (v, w): a quaternion near Q0 for a small v. Unit to a few eps.
+/// a (x) b, unit to a few eps.
 template <class S>
 Eigen::Matrix<S, 4, 1> quaternion_product(const Eigen::Matrix<S, 4, 1>& a, const Eigen::Matrix<S, 4, 1>& b) {
   return {S(S(a[3] * b[0] + a[0] * b[3]) + S(a[1] * b[2] - a[2] * b[1])),
@@ -193,7 +193,7 @@ Eigen::Matrix<S, 4, 1> quaternion_product(const Eigen::Matrix<S, 4, 1>& a, const
           S(S(a[3] * b[3] - a[0] * b[0]) - S(a[1] * b[1] + a[2] * b[2]))};
 }
 
-/// A quaternion at a chosen distance of Q0: equal, its opposite, a few ulps away, near, or anywhere.
+/// A quaternion Q relative to Q0: equal, -Q0, a few ulps away, near, at a relative angle near pi, or anywhere.
 template <class S>
 Eigen::Matrix<S, 4, 1> quaternion_near(Source& source, const Eigen::Matrix<S, 4, 1>& Q0) {
   using std::sqrt;
@@ -211,7 +211,7 @@ Eigen::Matrix<S, 4, 1> quaternion_near(Source& source, const Eigen::Matrix<S, 4,
       const S s = binade_uniform<S>(source, -std::numeric_limits<S>::digits - 4, 0);
       Eigen::Matrix<S, 4, 1> d;
       d << s * direction<S>(source), S(sqrt((S(1) - s) * (S(1) + s)));
-      if (source.chance(1, 3)) {  // nearly half a turn apart instead
+      if (source.chance(1, 3)) {  // a relative angle near pi instead
         const S w = d[3];
         const S norm = S(sqrt(d.template head<3>().squaredNorm()));
         d.template head<3>() *= w / norm;
@@ -228,7 +228,7 @@ Eigen::Matrix<S, 4, 1> quaternion_near(Source& source, const Eigen::Matrix<S, 4,
   return q;
 }
 
-/// A point at a chosen distance of p0.
+/// A point equal to p0, a few ulps away, near, or anywhere.
 template <class S>
 Eigen::Matrix<S, 3, 1> point_near(Source& source, const Eigen::Matrix<S, 3, 1>& p0) {
   Eigen::Matrix<S, 3, 1> p = p0;

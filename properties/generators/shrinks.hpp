@@ -1,6 +1,6 @@
 #pragma once
-// Simpler values of a group of numbers, simplest first: what people would write in a bug report. Each is valid for its
-// kind to rounding.
+// Simpler values of a group of numbers, simplest first, as people would write them in a bug report. Each is a valid
+// value of its kind, up to rounding.
 
 #include <algorithm>
 #include <cmath>
@@ -50,7 +50,7 @@ S norm(const std::vector<S>& g) {
 template <class S>
 using Candidates = std::vector<std::vector<S>>;
 
-/// Every number rounded, coarsest first.
+/// All numbers rounded, most coarsely first.
 template <class S>
 void add_rounded(Candidates<S>& all, const std::vector<S>& g) {
   for (int size : {1, 2, 4, 8, 16, 32})
@@ -62,7 +62,8 @@ void add_rounded(Candidates<S>& all, const std::vector<S>& g) {
     }
 }
 
-/// Vectors: along an axis of length 1, a short decimal, a power of two or as long; a zero more; unit scale.
+/// Vectors: along an axis, with length 1, a short decimal, a power of two or the length of g; one more element zero;
+/// unit scale.
 template <class S>
 Candidates<S> vectors(const std::vector<S>& g, bool rotation) {
   using std::frexp, std::ldexp;
@@ -88,7 +89,8 @@ Candidates<S> vectors(const std::vector<S>& g, bool rotation) {
   return all;
 }
 
-/// Quaternions: the identity, half and quarter turns, the same angle about an axis, few bits made unit again.
+/// Quaternions: the identity, rotations by pi and pi/2 about an axis, by the same angle about an axis, rounded and
+/// normalised.
 template <class S>
 Candidates<S> quaternions(const std::vector<S>& g) {
   using std::sqrt;
@@ -99,7 +101,7 @@ Candidates<S> quaternions(const std::vector<S>& g) {
       all.push_back({S(0), S(0), S(0), c});
       all.back()[i] = s;
     }
-  Candidates<S> rounded{g};  // g made unit is simpler than g off unit
+  Candidates<S> rounded{g};  // the normalised g is simpler than g
   for (std::size_t i = 0; i < 4; ++i) {
     rounded.push_back(g);
     rounded.back()[i] = S(0);
@@ -113,7 +115,7 @@ Candidates<S> quaternions(const std::vector<S>& g) {
   return all;
 }
 
-/// Matrices: the identity, half and quarter turns about the axes, the same angle about them.
+/// Matrices: the identity, rotations by pi, pi/2 and the same angle about the axes.
 template <class S>
 Candidates<S> matrices(const std::vector<S>& R) {
   Candidates<S> all{{S(1), S(0), S(0), S(0), S(1), S(0), S(0), S(0), S(1)}};
@@ -132,7 +134,7 @@ Candidates<S> matrices(const std::vector<S>& R) {
   return all;
 }
 
-/// Inertias (xx xy yy xz yz zz): balls of unit size and of the same, the products of inertia away, rounded.
+/// Inertias (xx xy yy xz yz zz): spheres of unit size and of the same trace, no products of inertia, rounded.
 template <class S>
 Candidates<S> inertias(const std::vector<S>& g) {
   const S third = (g[0] + g[2] + g[5]) / S(3);
@@ -162,13 +164,13 @@ Candidates<S> candidates(const std::vector<S>& g, Kind kind) {
       add_rounded(all, g);
       return all;
     }
-    case Kind::masses: {  // none must appear
+    case Kind::masses: {  // an absent body keeps mass 0
       Candidates<S> all{g};
       for (S& x : all.back()) x = x > S(0) ? S(1) : S(0);
       add_rounded(all, g);
       return all;
     }
-    case Kind::parents: {  // without the last joint, as many as may go
+    case Kind::parents: {  // fewer joints, the last ones removed
       Candidates<S> all;
       for (std::size_t n = 1; n < g.size() && g[n] >= S(-1); ++n) {
         all.push_back(g);

@@ -6,8 +6,8 @@
 
 namespace liecheck::properties::shrinks {
 
-/// Without joint k: what was on it is on its parent, the frame and the wrench too. Nothing where a mimic follows it or
-/// it is the only one.
+/// The tree without joint k: its children, the frame and the wrench are moved to its parent. Nothing where joint k is a
+/// mimic's primary or the only joint.
 template <class S>
 std::optional<std::vector<S>> without_joint(const std::vector<S>& x, int k) {
   const TreeLayout at{tree_slots};
@@ -40,7 +40,7 @@ std::optional<std::vector<S>> without_joint(const std::vector<S>& x, int k) {
   return y;
 }
 
-/// Without one of its joints; without the wrench; the frame on the first joint.
+/// The trees with one joint fewer, without the wrench, or with the frame on the first joint.
 template <class S>
 std::vector<std::vector<S>> simpler_trees(const std::vector<S>& x) {
   const TreeLayout at{tree_slots};

@@ -1,9 +1,10 @@
 #pragma once
-// Trees of up to five bodies of every joint type, as one list of numbers of fixed length: valid by construction.
+// Random trees of up to five bodies with every joint type, as one list of numbers of fixed length, valid by
+// construction.
 //
-// parents [slots], absent where there is no such body; kinds [slots]; primaries [slots], -1 for what is no mimic;
-// masses [slots]; gravity; a frame and a wrench, each on a joint; then for each slot what TreeSlot tells. An absent body's numbers
-// are zero, with unit rotations.
+// The list: parents [slots], absent_joint for an absent joint; kinds [slots]; primaries [slots], -1 for a joint that is
+// no mimic; masses [slots]; gravity; a frame and a wrench, each on a joint; then the numbers of each slot (TreeSlot).
+// The numbers of an absent joint are zero, its rotations the identity.
 
 #include <generators/rotations.hpp>
 #include <oracles/tree.hpp>
@@ -13,7 +14,7 @@ namespace liecheck::properties {
 inline constexpr int tree_slots = 5;
 inline constexpr int absent_joint = -2;
 
-/// Where the numbers of a slot stand in it.
+/// The offsets of a slot's numbers in the slot.
 struct TreeSlot {
   enum { Q = 0, p = 4, axis = 7, pitch = 10, multiplier, offset, armature, c, I = c + 3 };
   enum {
@@ -26,7 +27,7 @@ struct TreeSlot {
     size = d + 6
   };
 };
-/// Where they stand in the whole list.
+/// The offsets in the whole list.
 struct TreeLayout {
   int slots;
   int parents() const { return 0; }
@@ -42,17 +43,17 @@ struct TreeLayout {
 
 namespace tree_detail {
 
-inline constexpr int reach = 8;  // binades of lengths, speeds and forces beside unit scale
+inline constexpr int reach = 8;  // lengths, speeds and forces are between 2^-reach and 2^reach
 
-/// The numbers of a body that is not there.
+/// Sets the numbers of an absent joint.
 template <class S>
 void clear_slot(S* slot) {
   std::fill_n(slot, +TreeSlot::size, S(0));
   slot[TreeSlot::Q + 3] = slot[TreeSlot::q_Q + 3] = slot[TreeSlot::q_circle] = S(1);
 }
 
-/// m sum a_k^2 (1 - e_k e_k^T) for radii of gyration a_k about turned axes: xx xy yy xz yz zz. Points, needles and
-/// plates, which some joint may not feel, where there is an armature.
+/// m sum a_k^2 (1 - e_k e_k^T) for random radii of gyration a_k and axes e_k: xx xy yy xz yz zz. With `degenerate` also
+/// points, needles and plates; they may give a joint no inertia, so that it needs an armature.
 template <class S>
 Eigen::Matrix<S, 6, 1> inertia(Source& source, const S& mass, bool degenerate) {
   using V3 = Eigen::Matrix<S, 3, 1>;
@@ -91,7 +92,7 @@ void put(S* to, const Eigen::MatrixBase<Derived>& v) {
 
 }  // namespace tree_detail
 
-/// The numbers of q, v, a and the direction d that a joint has: coordinates where its kind reads them, the rest zero.
+/// Sets a joint's numbers of q, v, a and the direction d; the coordinates that its kind does not have stay zero.
 template <class S>
 void random_joint_state(Source& source, oracles::JointKind kind, bool mimics, S* slot) {
   using oracles::JointKind;
@@ -123,13 +124,14 @@ void random_joint_state(Source& source, oracles::JointKind kind, bool mimics, S*
     }
 }
 
-/// A joint on which others may be: what a wrench or a frame is on.
+/// A frame: a joint and a pose in its frame.
 template <class S>
-void random_place(Source& source, int joints, S* to) {
+void random_frame(Source& source, int joints, S* to) {
   to[0] = S(source.between(0, joints - 1));
   tree_detail::put(to + 1, unit_quaternion<S>(source));
   tree_detail::put(to + 5, vector3<S>(source, tree_detail::reach));
 }
+/// A wrench: a joint, or -1 for none, a force and a moment.
 template <class S>
 void random_wrench(Source& source, int joints, S* to) {
   to[0] = source.chance(1, 4) ? S(-1) : S(source.between(0, joints - 1));
@@ -137,7 +139,7 @@ void random_wrench(Source& source, int joints, S* to) {
   tree_detail::put(to + 4, vector3<S>(source, tree_detail::reach));
 }
 
-/// A tree and a state of it. `floating`: its first joint is the only one on the world, and is free.
+/// A tree and a state. With `floating` the first joint is a free-flyer and the only one on the world.
 template <class S>
 std::vector<S> random_tree(Source& source, bool floating) {
   using oracles::JointKind;
@@ -145,25 +147,25 @@ std::vector<S> random_tree(Source& source, bool floating) {
   using tree_detail::put;
   const TreeLayout at{tree_slots};
   std::vector<S> x(at.size(), S(0));
-  const auto whole = [&](int i) -> S& { return x[static_cast<std::size_t>(i)]; };
+  const auto number = [&](int i) -> S& { return x[static_cast<std::size_t>(i)]; };
   const int joints = source.chance(1, 8) ? tree_slots : source.between(1, tree_slots);
-  const int shape = source.between(0, 3);  // a chain, a star, a fan on the world or a bush, any
+  const int shape = source.between(0, 3);  // a chain, a star, all joints on the world, random parents
   int ratio = 0;
   if (source.chance(1, 2)) ratio = std::is_same_v<S, float> ? 4 : 21;
-  put(&whole(at.gravity()), source.chance(1, 8) ? vector3<S>(source, tree_detail::reach)
-                                                : Eigen::Matrix<S, 3, 1>(S(0), S(0), S(-981) / S(100)));
+  put(&number(at.gravity()), source.chance(1, 8) ? vector3<S>(source, tree_detail::reach)
+                                                 : Eigen::Matrix<S, 3, 1>(S(0), S(0), S(-981) / S(100)));
   for (int i = 0; i < tree_slots; ++i) {
-    S* slot = &whole(at.slot(i));
+    S* slot = &number(at.slot(i));
     tree_detail::clear_slot(slot);
-    whole(at.primaries() + i) = S(-1);
-    whole(at.parents() + i) = whole(at.kinds() + i) = S(absent_joint);
+    number(at.primaries() + i) = S(-1);
+    number(at.parents() + i) = number(at.kinds() + i) = S(absent_joint);
     if (i >= joints) continue;
     int parent = shape == 0   ? i - 1
                  : shape == 1 ? (i > 0 ? 0 : -1)
                  : shape == 2 ? -1
                               : source.between(-1, i - 1);
     if (floating && i > 0) parent = std::max(parent, 0);
-    whole(at.parents() + i) = S(parent);
+    number(at.parents() + i) = S(parent);
     auto kind = static_cast<JointKind>(source.below(8));
     if (i == 0 && (floating || source.chance(1, 4))) kind = JointKind::free_flyer;
     int primary = -1;
@@ -171,11 +173,11 @@ std::vector<S> random_tree(Source& source, bool floating) {
         kind == JointKind::revolute || kind == JointKind::prismatic || kind == JointKind::helical;
     if (simple && source.chance(1, 3))
       for (int k = 0; k < i; ++k) {
-        const auto other = static_cast<JointKind>(static_cast<int>(whole(at.kinds() + k)));
-        if (whole(at.primaries() + k) < S(0) && velocity_size(other) == 1) primary = k;
+        const auto other = static_cast<JointKind>(static_cast<int>(number(at.kinds() + k)));
+        if (number(at.primaries() + k) < S(0) && velocity_size(other) == 1) primary = k;
       }
-    whole(at.kinds() + i) = S(static_cast<int>(kind));
-    whole(at.primaries() + i) = S(primary);
+    number(at.kinds() + i) = S(static_cast<int>(kind));
+    number(at.primaries() + i) = S(primary);
     put(slot + TreeSlot::Q, unit_quaternion<S>(source));
     put(slot + TreeSlot::p, vector3<S>(source, tree_detail::reach));
     put(slot + TreeSlot::axis, direction<S>(source));
@@ -188,15 +190,15 @@ std::vector<S> random_tree(Source& source, bool floating) {
     S scale = ratio ? binade_uniform<S>(source, -ratio, ratio) : S(1);
     if (ratio && source.chance(1, 4)) scale = S(ldexp(S(1), source.chance(1, 2) ? ratio : -ratio));
     const S mass = (S(1) + source.unit<S>()) * scale;
-    whole(at.masses() + i) = mass;
+    number(at.masses() + i) = mass;
     if (source.chance(1, 2) && primary < 0)
       slot[TreeSlot::armature] = mass * binade_uniform<S>(source, -8, 2);
     put(slot + TreeSlot::c, vector3<S>(source, 2));
     put(slot + TreeSlot::I, tree_detail::inertia<S>(source, mass, slot[TreeSlot::armature] > S(0)));
     random_joint_state(source, kind, primary >= 0, slot);
   }
-  random_place(source, joints, &whole(at.frame()));
-  random_wrench(source, joints, &whole(at.wrench()));
+  random_frame(source, joints, &number(at.frame()));
+  random_wrench(source, joints, &number(at.wrench()));
   return x;
 }
 

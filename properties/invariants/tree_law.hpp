@@ -104,7 +104,7 @@ class TreeLaw : public Property<S> {
       random_joint_state(source,
                          static_cast<oracles::JointKind>(static_cast<int>(fixed_[index(at_.kinds() + i)])),
                          fixed_[index(at_.primaries() + i)] >= S(0), x.data() + at_.slot(i));
-    random_place(source, at_.slots, x.data() + at_.frame());
+    random_frame(source, at_.slots, x.data() + at_.frame());
     random_wrench(source, at_.slots, x.data() + at_.wrench());
     return state_of(x);
   }

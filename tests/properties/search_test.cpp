@@ -120,7 +120,7 @@ TEST(CoverageReport, NamesWhatANarrowedGeneratorNeverReaches) {
   const auto all = coverage_of(*s, tally);
   const std::string line = coverage_line(all, tally.coverage.cases());
   EXPECT_EQ(line.rfind("NOT COVERED", 0), 0u);
-  for (const char* what : {"phi: zero", "phi: beside a cutoff", "phi: pi to 4 ulp", "rho: 1e150"})
+  for (const char* what : {"phi: zero", "phi: within 4 ulp of a cutoff", "phi: within 4 ulp of pi", "rho: 1e150"})
     EXPECT_NE(line.find(what), std::string::npos) << what;
 }
 
