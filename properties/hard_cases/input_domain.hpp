@@ -1,5 +1,5 @@
 #pragma once
-// The domain of DESIGN 3: rotations off unit, or off orthogonal, by at most 8 eps, and no reflections. Beyond it
+// The domain of docs/measuring.md: rotations off unit, or off orthogonal, by at most 8 eps, and no reflections. Beyond it
 // a subject refuses at its checked entrance, or is judged by the rotation nearest to the stored numbers.
 
 #include <invariants/common.hpp>

@@ -18,7 +18,9 @@ class FrameJacobian final : public TreeLaw<FrameJacobian, S> {
   std::string equation() const override {
     return "J v = V, J a + J' v = V' in each reference frame; of the exact v and a";
   }
-  std::string source() const override { return "ROWS S17, S25"; }
+  std::string source() const override {
+    return "Featherstone 2008, section 2.8; Pinocchio 3.8, reference frames";
+  }
   std::vector<Output> outputs() const override {
     return {{"frame_jacobian", "linear"},
             {"frame_jacobian", "angular"},

@@ -19,7 +19,9 @@ class FrameMotionLaw final : public TreeLaw<FrameMotionLaw, S> {
            "w'), "
            "(p'', w'); local R^T of them; world at the world's origin";
   }
-  std::string source() const override { return "ROWS S16, S17; Featherstone 2008, sections 2.2, 2.10"; }
+  std::string source() const override {
+    return "Featherstone 2008, sections 2.2, 2.10; Pinocchio 3.8, reference frames";
+  }
   enum { rotation, position, linear, angular };  // of velocity; then of both accelerations
   std::vector<Output> outputs() const override {
     return {{"frame_pose", "rotation"},

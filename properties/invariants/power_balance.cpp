@@ -14,7 +14,7 @@ class PowerBalance final : public TreeLaw<PowerBalance, S> {
   std::string equation() const override {
     return "rnea(q, v, a)^T v = d/dt (T + V) = sum_i tr(X_i' J_i (X_i'' - g)^T) + sum_k armature_k v_k a_k";
   }
-  std::string source() const override { return "Goldstein 1980, section 2.6; DESIGN 2"; }
+  std::string source() const override { return "Goldstein 1980, section 2.6"; }
   std::vector<Output> outputs() const override { return {{"tree_power", "power"}}; }
 
   template <class T>

@@ -27,7 +27,7 @@ class RobotConfiguration final : public Law<RobotConfiguration, S> {
   std::string equation() const override {
     return "q1 = integrate(q0, d) and difference(q0, q1) per joint; q ~ q' for Q' = -Q";
   }
-  std::string source() const override { return "Pinocchio 3.8, joint-configuration; ROWS S5, S8, S10, S11"; }
+  std::string source() const override { return "Pinocchio 3.8, joint-configuration"; }
   std::vector<Output> outputs() const override {
     return {{"robot_integrate", "rotation"},
             {"robot_integrate", "translation"},

@@ -4,9 +4,9 @@
 #include <generators/rotations.hpp>
 #include <invariants/common.hpp>
 #include <optional>
+#include <oracles/ball_oracles.hpp>
 #include <oracles/closed_forms.hpp>
 #include <oracles/exp.hpp>
-#include <oracles/ball_oracles.hpp>
 
 namespace liecheck::properties {
 namespace {
@@ -18,7 +18,7 @@ class SmallAngleBranches final : public Law<SmallAngleBranches, S> {
   std::string law() const override { return "no jump of the error across a change of formula"; }
   std::string equation() const override { return "|(y+ - y+_exact) - (y- - y-_exact)| over adjacent inputs"; }
   std::string source() const override {
-    return "DESIGN 3, jump; cutoffs after Pinocchio, Sophus, manif, smooth, GTSAM";
+    return "docs/measuring.md, jump; cutoffs after Pinocchio, Sophus, manif, smooth, GTSAM";
   }
   std::vector<Output> outputs() const override {
     return {{"exp3_quaternion", "jump"}, {"exp6", "jump"},

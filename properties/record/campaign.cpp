@@ -68,7 +68,7 @@ json operation_of(const std::string& name) {
   return {{"operation", name}, {"definition", "see the law"}, {"frame", "joint by joint, body axes"}};
 }
 
-/// DESIGN's table of blocks, as the report prints it.
+/// The table of blocks of docs/measuring.md, as the report prints it.
 json blocks() {
   const char* table[][4] = {
       {"rotation", "2 min |Q/|Q| -+ Q_exact|; of a matrix, of its polar factor", "absolute", "rad"},

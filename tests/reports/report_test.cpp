@@ -392,7 +392,7 @@ Json hard_case(const std::string& subject, const std::string& verdict) {
   return {{"name", "zero"},
           {"class", "zero"},
           {"reason", "0/0"},
-          {"origin", "DESIGN 4"},
+          {"origin", "docs/measuring.md"},
           {"property", "exp_oracle"},
           {"expression", "phi = 0, 0, 0"},
           {"input", {{"double", Json::array({"0x0p+0"})}}},
