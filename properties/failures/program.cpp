@@ -156,7 +156,7 @@ std::string snippet(const Series& series, const Output& output, const std::vecto
       "// c++ -std=gnu++20 -I lib $(pkg-config --cflags eigen3) case.cpp{}{}\n"
       "#include <iostream>\n{}#include <liecheck/{}>\nusing namespace liecheck;\nint main() {{\n  using S = "
       "{};\n",
-      wide ? " -lquadmath" : "", series.robot == "none" ? "" : " -lliecheck_lib -lurdfdom_model",
+      wide ? " -lquadmath" : "", series.robot == "none" ? "" : " -lliecheck_lib -ltinyxml2",
       wide ? "#include <boost/multiprecision/eigen.hpp>\n#include <boost/multiprecision/float128.hpp>\n" : "",
       call->header, wide ? "boost::multiprecision::float128" : series.scalar);
   const char* suffix = wide ? "Q" : series.scalar == "float" ? "f" : "";

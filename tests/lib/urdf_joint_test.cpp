@@ -1,4 +1,4 @@
-// urdf/urdf.hpp. Row S21: what is said of bad links and joints, and of what a joint has no use for.
+// urdf/urdf.hpp: errors in links and joints, and warnings of elements that a joint's type does not use.
 
 #include <gtest/gtest.h>
 
@@ -42,7 +42,9 @@ TEST(BadUrdf, NumbersThatAreNoneOrNotFiniteAreRefusedInTheirLine) {
   expectRefused(twoLinks("fixed", "<origin xyz='0 1'/>"), 4, "2 numbers, not 3", "0 1");
   expectRefused(twoLinks("fixed", "<origin xyz='0 1 2 3'/>"), 4, "4 numbers, not 3", "0 1 2 3");
   expectRefused(oneLink(inertial("")), 3, "0 numbers, not 1", "");
-  EXPECT_NO_THROW(buildModelFromUrdfText(oneLink(inertial("+1.5e0", " 2 "))));
+  const Model<double> m = buildModelFromUrdfText(oneLink(inertial("+1.5e0", " \t2\n")), RootJoint::FreeFlyer);
+  EXPECT_EQ(m.inertias[1].mass(), 1.5);
+  EXPECT_EQ(m.inertias[1].inertia()(0, 0), 2);
 }
 
 TEST(BadUrdf, AnIncompleteInertialIsRefused) {
@@ -107,7 +109,7 @@ TEST(BadUrdf, AMissingLimitIsRefusedWhereTheTypeNeedsOne) {
   EXPECT_NO_THROW(buildModelFromUrdfText(twoLinks("continuous", "")));
 }
 
-TEST(BadUrdf, WhatUrdfdomDislikesInAJointIsNamedWithItsLine) {
+TEST(BadUrdf, AnIncompleteMimicCalibrationSafetyControllerOrDynamicsIsNamedWithItsLine) {
   expectRefused(twoLinks("continuous", "\n<mimic/>"), 5, "joint 'j' has a <mimic> that names no joint", "");
   expectRefused(twoLinks("continuous", "\n<calibration rising='x'/>"), 5, "<calibration> rising", "x");
   expectRefused(twoLinks("continuous", "\n<safety_controller k_velocity='nan'/>"), 5, "k_velocity", "nan");

@@ -1,4 +1,4 @@
-// urdf/urdf.hpp. Rows S2 to S5: what a good file becomes.
+// urdf/urdf.hpp: the model of a valid file.
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,6 @@ namespace {
 using namespace liecheck;
 using namespace liecheck::test;
 
-// S3: names, indices and types can be listed; children come in alphabetical order, depth first.
 TEST(Urdf, ARobotOfEveryJointTypeIsReadInAlphabeticalOrderDepthFirst) {
   const Model<double> m = buildModelFromUrdf(fixture("mixed_joints.urdf"), RootJoint::FreeFlyer);
   EXPECT_EQ(m.name, "mixed_joints");
@@ -49,7 +48,6 @@ TEST(Urdf, WithoutARootJointTheRootLinkIsWeldedToTheUniverse) {
   EXPECT_EQ(m.frames[1].parentJoint, 0);
 }
 
-// S2
 TEST(Urdf, AFixedJointIsTwoFramesAndItsInertiaIsMergedIntoTheSupportingJoint) {
   const Model<double> m = buildModelFromUrdf(fixture("mixed_joints.urdf"), RootJoint::FreeFlyer);
   const int mast = m.getJointId("mast_slide");
@@ -116,7 +114,6 @@ TEST(Urdf, AFloatingJointIsAFreeFlyer) {
   EXPECT_EQ(neutral(m)[6], 1);
 }
 
-// S4
 TEST(Urdf, UnknownNamesAreNjointsAndNframes) {
   const Model<double> m = buildModelFromUrdf(fixture("quadruped.urdf"), RootJoint::FreeFlyer);
   EXPECT_EQ(m.getJointId("fifth_leg"), 14);

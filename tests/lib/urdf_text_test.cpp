@@ -1,4 +1,4 @@
-// urdf/urdf_text.hpp, urdf_markup.hpp: files, and texts that are no robot.
+// urdf/urdf.hpp, description.hpp, xml_check.hpp: files that cannot be read, and texts that are no robot.
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -93,6 +93,8 @@ TEST(BadUrdf, SomethingThatIsNoRobotIsRefused) {
   expectRefused("<!-- nothing -->", 1, "no element", "");
   expectRefused("<robot><link name='a'/></robot>", 1, "a robot without a name", "");
   expectRefused("<robot name='r'>\n</robot>", 1, "a robot without links", "r");
+  expectRefused("<robot name='r' version='2.0'><link name='a'/></robot>", 1, "a URDF version other than 1.0",
+                "2.0");
   expectRefused("<robot name='r'>\n<link/></robot>", 2, "a link without a name", "");
 }
 

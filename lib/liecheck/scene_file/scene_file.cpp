@@ -6,7 +6,8 @@
 #include <liecheck/scene/run.hpp>
 #include <liecheck/scene_file/robot.hpp>
 #include <liecheck/scene_file/values.hpp>
-#include <liecheck/urdf/urdf_markup.hpp>
+#include <liecheck/text/text_file.hpp>
+#include <liecheck/text/utf8.hpp>
 #include <set>
 
 namespace liecheck {
@@ -158,7 +159,7 @@ Scene read(const Text& text, const std::string& content, const std::string& fold
   if (content.size() > max_scene_bytes)
     text.refuse(0, "is longer than a scene may be: " + std::to_string(max_scene_bytes) + " bytes");
   if (content.find('\0') != std::string::npos) text.refuse(0, "is no text: it holds a zero byte");
-  if (const std::size_t bad = urdf_detail::firstNotUtf8(content); bad < content.size())
+  if (const std::size_t bad = firstInvalidUtf8(content); bad < content.size())
     text.refuse(1 + int(std::count(content.begin(), content.begin() + long(bad), '\n')), "is not UTF-8");
   YAML::Node root;
   try {
@@ -228,10 +229,9 @@ scene::Scene loadSceneText(const std::string& text, const std::string& source_na
 scene::Scene loadScene(const std::string& path) {
   std::string text;
   try {
-    text = readUrdf(path);  // any text: a regular file or a pipe, read once
-  } catch (const UrdfError& e) {
-    throw SceneError(path, 0,
-                     std::string(e.what()).substr(std::min(path.size() + 2, std::string(e.what()).size())));
+    text = readTextFile(path, max_scene_bytes);
+  } catch (const FileError& e) {
+    throw SceneError(path, 0, e.what());
   }
   return loadSceneText(text, path, std::filesystem::path(path).parent_path().string());
 }

@@ -1,64 +1,39 @@
 #pragma once
 // URDF text -> Model<double>.
 //
-// Children of a link are visited in alphabetical order of joint names, depth first. A revolute, continuous,
-// prismatic, planar or floating joint is a joint of the model, with a JOINT frame of its name and a BODY frame of
-// its child link's; a fixed joint is a FIXED_JOINT and a BODY frame, and its child's inertia is merged into the
-// joint that supports it. Limits, damping and friction are those of the model; a continuous joint has no position
-// limits, and one without <limit> no others either. Geometry is not read, packages are not looked for.
+// The joints below a link are visited in alphabetical order of their names, depth first. A revolute, continuous,
+// prismatic, planar or floating joint becomes a joint of the model, with a JOINT frame of its name and a BODY frame named
+// after its child link; a fixed joint becomes a FIXED_JOINT frame and a BODY frame, and the inertia of its child link is
+// added to the joint that supports it. Limits, damping and friction are stored in the model; a continuous joint has no
+// position limits, and without <limit> no effort and velocity limits either. Geometry is not read and packages are not
+// searched for.
+//
+// The text is parsed once, by TinyXML-2, and not by urdfdom: that would be a second parser behind the same checks, since
+// urdfdom reports errors without a line, on a logger of the whole process, and where a number of an <inertial> ends in
+// white space it continues with a link without mass. Trees and numbers are urdfdom's to the last bit, as
+// tests/lib/urdfdom_test.cpp checks; the one difference is that any white space may surround a number.
 
 #include <liecheck/multibody/model.hpp>
-#include <optional>
-#include <stdexcept>
+#include <liecheck/urdf/error.hpp>
+#include <liecheck/urdf/options.hpp>
 #include <string>
 #include <vector>
 
 namespace liecheck {
 
-/// How the root link is connected to the world.
-enum class RootJoint {
-  Fixed,     ///< welded
-  FreeFlyer  ///< by a free-flyer named "root_joint", joint 1
-};
-
-/// What becomes of a joint with <mimic>.
-enum class MimicJoints {
-  Independent,  ///< a joint of its own, as in Pinocchio; a warning says so
-  Tied          ///< a Mimic, without numbers in q and v
-};
-
-struct UrdfOptions {
-  RootJoint root = RootJoint::Fixed;
-  std::optional<Joint<double>> root_joint = {};  ///< instead of root, any other one; named "root_joint" too
-  MimicJoints mimic = MimicJoints::Independent;
-  bool strict = false;  ///< a warning is an error
-};
-
-/// A robot, and what was lost or looks wrong: one line each, `FILE:LINE: what (value)`. Warned of are axes, limits,
-/// damping and friction that the joint's type has no use for, mimic joints that are independent, links whose inertia
-/// no body has (an error unless what they are fixed to makes up for it), and joints that carry no mass, on which aba may throw SingularInertia.
+/// A robot and its warnings, one line each: `FILE:LINE: what (value)`. There are warnings for axes, limits, damping and
+/// friction that a joint's type does not use, for mimic joints that are treated as independent, for links with an inertia
+/// that no body has (an error unless the bodies that they are fixed to make up for it), and for joints that carry no
+/// mass, for which aba may throw SingularInertia.
 struct UrdfRobot {
   Model<double> model;
   std::vector<std::string> warnings;
 };
 
-/// A robot that cannot be read. what() is one line, `FILE:LINE: what (value)`, or `FILE: what (value)` and
-/// line() 0 where no line is at fault.
-class UrdfError : public std::runtime_error {
- public:
-  UrdfError(const std::string& file, int line, const std::string& what, const std::string& value);
-  const std::string& file() const { return file_; }
-  int line() const { return line_; }
-
- private:
-  std::string file_;
-  int line_;
-};
-
-/// A text longer than this is refused: 64 MiB, a thousand times the URDF of a humanoid.
+/// The largest size of a URDF text, 64 MiB: a thousand times that of a humanoid.
 constexpr std::size_t max_urdf_bytes = std::size_t(64) << 20;
 
-/// The text of a URDF file, which is opened and read once: a regular file, or a pipe that somebody writes to.
+/// The text of a URDF file, which is opened and read once: a regular file, or a pipe with a writer.
 /// Throws UrdfError.
 std::string readUrdf(const std::string& path);
 

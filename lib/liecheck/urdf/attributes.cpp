@@ -1,21 +1,21 @@
 #include <charconv>
 #include <cmath>
-#include <liecheck/urdf/urdf.hpp>
-#include <liecheck/urdf/urdf_numbers.hpp>
+#include <liecheck/urdf/attributes.hpp>
+#include <string>
 
 namespace liecheck::urdf_detail {
 namespace {
 
 using tinyxml2::XMLAttribute, tinyxml2::XMLElement;
 
-/// Numbers that an element's attributes hold: how many, and whether the attribute may be left out. Elements
-/// are looked up below link, joint and material only: extensions of other programs are not ours to judge.
-struct Numbers {
+/// An attribute that holds `count` numbers. Only elements below link, joint and material are checked: extensions of
+/// other programs may use the same names otherwise.
+struct NumericAttribute {
   std::string_view element, attribute;
   int count;
   bool required;
 };
-constexpr Numbers numbers[] = {
+constexpr NumericAttribute numeric_attributes[] = {
     {"origin", "xyz", 3, false},
     {"origin", "rpy", 3, false},
     {"axis", "xyz", 3, true},
@@ -48,7 +48,7 @@ constexpr Numbers numbers[] = {
     {"safety_controller", "k_velocity", 1, true},
 };
 
-std::optional<double> number(std::string_view text) {
+std::optional<double> oneNumber(std::string_view text) {
   if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -56,14 +56,13 @@ std::optional<double> number(std::string_view text) {
   return value;
 }
 
-void check(const XMLElement& e, const Numbers& n, const std::string& source) {
+void check(const XMLElement& e, const NumericAttribute& n, const Messages& messages) {
   const auto refuse = [&](int line, const std::string& why, const char* value) {
-    throw UrdfError(source, line, "<" + std::string(n.element) + "> " + std::string(n.attribute) + why,
-                    value);
+    messages.refuse(line, "<" + std::string(n.element) + "> " + std::string(n.attribute) + why, value);
   };
   for (const XMLAttribute* a = e.FirstAttribute(); a; a = a->Next()) {
     if (a->Name() != n.attribute) continue;
-    const auto values = list(a->Value());
+    const auto values = numbersIn(a->Value());
     if (!values) refuse(a->GetLineNum(), " is not finite numbers", a->Value());
     if (int(values->size()) != n.count)
       refuse(a->GetLineNum(),
@@ -76,32 +75,39 @@ void check(const XMLElement& e, const Numbers& n, const std::string& source) {
 
 }  // namespace
 
-std::optional<std::vector<double>> list(std::string_view text) {
+std::optional<std::vector<double>> numbersIn(std::string_view text) {
   std::vector<double> values;
   constexpr std::string_view space = " \t\r\n";
   for (std::size_t i = text.find_first_not_of(space); i != std::string_view::npos;
        i = text.find_first_not_of(space, i)) {
     const std::size_t end = std::min(text.find_first_of(space, i), text.size());
-    const auto value = number(text.substr(i, end - i));
+    const auto value = oneNumber(text.substr(i, end - i));
     if (!value) return {};
     values.push_back(*value);
     i = end;
-    if (i == text.size()) break;
   }
   return values;
 }
 
-double numberOf(std::string_view text) {
-  return list(text).value().at(0);
-}
-
-void checkNumbersBelow(const XMLElement& e, const std::string& source) {
+void checkNumbersBelow(const XMLElement& e, const Messages& messages) {
   for (const XMLElement* child = e.FirstChildElement(); child; child = child->NextSiblingElement()) {
     const std::string_view element = child->Value();
-    for (const Numbers& n : numbers)
-      if (element == n.element) check(*child, n, source);
-    checkNumbersBelow(*child, source);
+    for (const NumericAttribute& n : numeric_attributes)
+      if (element == n.element) check(*child, n, messages);
+    checkNumbersBelow(*child, messages);
   }
+}
+
+double number(const XMLElement& e, const char* attribute, double fallback) {
+  const char* text = e.Attribute(attribute);
+  return text ? numbersIn(text).value().at(0) : fallback;
+}
+
+Vector3<double> vector(const XMLElement& e, const char* attribute, const Vector3<double>& fallback) {
+  const char* text = e.Attribute(attribute);
+  if (!text) return fallback;
+  const std::vector<double> x = numbersIn(text).value();
+  return {x.at(0), x.at(1), x.at(2)};
 }
 
 }  // namespace liecheck::urdf_detail

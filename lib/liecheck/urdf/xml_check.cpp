@@ -1,39 +1,19 @@
 #include <algorithm>
-#include <liecheck/urdf/urdf_markup.hpp>
+#include <liecheck/text/utf8.hpp>
+#include <liecheck/urdf/xml_check.hpp>
 #include <string_view>
 
 namespace liecheck::urdf_detail {
 
-std::size_t firstNotUtf8(std::string_view text) {
-  std::size_t i = 0;
-  while (i < text.size()) {
-    if (static_cast<unsigned char>(text[i]) < 0x80) {
-      ++i;
-      continue;
-    }
-    const auto byte = [&](std::size_t k) {
-      return i + k < text.size() ? static_cast<unsigned char>(text[i + k]) : 0U;
-    };
-    const unsigned first = byte(0), second = byte(1);
-    const std::size_t more = first < 0xE0 ? 1 : first < 0xF0 ? 2 : 3;
-    const unsigned low = first == 0xE0 ? 0xA0 : first == 0xF0 ? 0x90 : 0x80;
-    const unsigned high = first == 0xED ? 0x9F : first == 0xF4 ? 0x8F : 0xBF;
-    if (first < 0xC2 || first > 0xF4 || second < low || second > high) return i;
-    for (std::size_t k = 2; k <= more; ++k)
-      if ((byte(k) & 0xC0U) != 0x80) return i;
-    i += more + 1;
-  }
-  return text.size();
-}
-
 namespace {
 
-/// What TinyXML lets pass or would recurse on: a walk over the tags alone, without recursion. Comments,
-/// declarations and quoted '>' are understood. Refuses elements nested deeper than max_element_depth, text
-/// outside the root element, attribute values without quotes, and markup that does not end.
-class Markup {
+/// One pass over the tags, without recursion; comments, declarations and quoted '>' are skipped. Refuses what TinyXML-2
+/// accepts or recurses on: elements nested deeper than max_element_depth, closing tags without an opening one (TinyXML-2
+/// ignores all that follows), text outside the root element, attribute values without quotes, and markup that does not
+/// end.
+class TagCheck {
  public:
-  Markup(const std::string& text, const std::string& source_name) : text_(text), source_(source_name) {}
+  TagCheck(const std::string& text, const Messages& messages) : text_(text), messages_(messages) {}
 
   void check() {
     while (at_ < text_.size()) {
@@ -64,13 +44,13 @@ class Markup {
     if (found == std::string::npos) refuse("malformed XML, or cut off", std::string(what) + " does not end");
     advance(found + end.size());
   }
-  /// One that only names the document is let pass.
+  /// A DOCTYPE that only names the document is accepted.
   void doctype() {
-    const std::size_t own = std::min(text_.find('[', at_), text_.size());
-    if (own < text_.find('>', at_)) {
-      advance(own);
+    const std::size_t declarations = std::min(text_.find('[', at_), text_.size());
+    if (declarations < text_.find('>', at_)) {
+      advance(declarations);
       refuse("a DOCTYPE with declarations of its own (entities) is not supported",
-             text_.substr(own, text_.find('>', own) - own));
+             text_.substr(declarations, text_.find('>', declarations) - declarations));
     }
     skipPast(">", "a declaration");
   }
@@ -110,25 +90,25 @@ class Markup {
     advance(end + 1);
   }
   [[noreturn]] void refuse(const std::string& what, const std::string& value) const {
-    throw UrdfError(source_, line_, what, value);
+    messages_.refuse(line_, what, value);
   }
 
   const std::string& text_;
-  const std::string& source_;
+  const Messages& messages_;
   std::size_t at_ = 0;
   int line_ = 1, depth_ = 0;
 };
 
 }  // namespace
 
-void checkMarkup(const std::string& text, const std::string& source_name) {
+void checkXml(const std::string& text, const Messages& messages) {
   const auto refuse = [&](std::size_t at, const std::string& what) {
-    throw UrdfError(source_name, 1 + int(std::count(text.begin(), text.begin() + long(at), '\n')), what,
+    messages.refuse(1 + int(std::count(text.begin(), text.begin() + long(at), '\n')), what,
                     "byte " + std::to_string(at));
   };
   if (const std::size_t nul = text.find('\0'); nul != std::string::npos) refuse(nul, "a zero byte: not text");
-  if (const std::size_t bad = firstNotUtf8(text); bad < text.size()) refuse(bad, "not UTF-8");
-  Markup(text, source_name).check();
+  if (const std::size_t bad = firstInvalidUtf8(text); bad < text.size()) refuse(bad, "not UTF-8");
+  TagCheck(text, messages).check();
 }
 
 }  // namespace liecheck::urdf_detail

@@ -1,0 +1,26 @@
+#pragma once
+// The attributes of URDF elements that hold numbers.
+
+#include <tinyxml2.h>
+
+#include <liecheck/spatial/types.hpp>
+#include <liecheck/urdf/error.hpp>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace liecheck::urdf_detail {
+
+/// The numbers in a text, separated by white space, in C notation whatever the locale; nothing if one of them is not a
+/// number, not finite, or outside the range of double.
+std::optional<std::vector<double>> numbersIn(std::string_view text);
+
+/// Throws UrdfError unless the attributes below e that URDF defines as numbers are present and finite.
+void checkNumbersBelow(const tinyxml2::XMLElement& e, const Messages& messages);
+
+/// An attribute of e, which checkNumbersBelow has checked; fallback where it is missing.
+double number(const tinyxml2::XMLElement& e, const char* attribute, double fallback = 0);
+Vector3<double> vector(const tinyxml2::XMLElement& e, const char* attribute,
+                       const Vector3<double>& fallback = Vector3<double>::Zero());
+
+}  // namespace liecheck::urdf_detail

@@ -1,0 +1,293 @@
+#include <tinyxml2.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <liecheck/multibody/inertia_validity.hpp>
+#include <liecheck/urdf/attributes.hpp>
+#include <liecheck/urdf/description.hpp>
+#include <liecheck/urdf/xml_check.hpp>
+#include <set>
+#include <string_view>
+
+namespace liecheck::urdf_detail {
+namespace {
+
+using tinyxml2::XMLDocument, tinyxml2::XMLElement, tinyxml2::XMLNode;
+
+/// <origin> of an element: p = xyz [m], R = R_z(yaw) R_y(pitch) R_x(roll) of rpy [rad], as the quaternion that urdfdom
+/// makes of it, to the last bit.
+SE3<double> origin(const XMLElement& of) {
+  const XMLElement* e = of.FirstChildElement("origin");
+  if (!e) return SE3<double>::Identity();
+  const Vector3<double> half = vector(*e, "rpy") / 2;
+  const auto [sx, sy, sz] = std::array{std::sin(half[0]), std::sin(half[1]), std::sin(half[2])};
+  const auto [cx, cy, cz] = std::array{std::cos(half[0]), std::cos(half[1]), std::cos(half[2])};
+  const double x = sx * cy * cz - cx * sy * sz, y = cx * sy * cz + sx * cy * sz,
+               z = cx * cy * sz - sx * sy * cz, w = cx * cy * cz + sx * sy * sz;
+  const double norm = std::sqrt(x * x + y * y + z * z + w * w);
+  return {SO3<double>(Vector4<double>(x / norm, y / norm, z / norm, w / norm)), vector(*e, "xyz")};
+}
+
+class Reader {
+ public:
+  Reader(const UrdfOptions& options, Messages& messages) : options_(options), messages_(messages) {}
+
+  Description robot(const XMLDocument& document) {
+    const XMLElement* robot = document.RootElement();
+    if (!robot) refuse(1, "no element, expected <robot>", "");
+    for (const XMLNode* node = document.FirstChild(); node; node = node->NextSibling()) {
+      if (node->ToElement() && node->ToElement() != robot)
+        refuse(node->GetLineNum(), "a second root element", node->Value());
+    }
+    if (std::string_view(robot->Value()) != "robot")
+      refuse(robot->GetLineNum(), "expected <robot>", robot->Value());
+    robot_.line = robot->GetLineNum(), robot_.name = name(*robot, "robot");
+    if (const char* version = robot->Attribute("version"); version && version != std::string_view("1.0"))
+      refuse(robot_.line, "a URDF version other than 1.0", version);
+    for (const XMLElement* e = robot->FirstChildElement("material"); e; e = e->NextSiblingElement("material"))
+      material(*e);
+    for (const XMLElement* e = robot->FirstChildElement("link"); e; e = e->NextSiblingElement("link"))
+      link(*e);
+    if (robot_.links.empty()) refuse(robot_.line, "a robot without links", robot_.name);
+    for (const XMLElement* e = robot->FirstChildElement("joint"); e; e = e->NextSiblingElement("joint"))
+      joint(*e);
+    mimics();
+    tree();
+    return std::move(robot_);
+  }
+
+ private:
+  [[noreturn]] void refuse(int line, const std::string& what, const std::string& value) const {
+    messages_.refuse(line, what, value);
+  }
+
+  std::string name(const XMLElement& e, const std::string& what) const {
+    const char* value = e.Attribute("name");
+    if (!value || !*value) refuse(e.GetLineNum(), "a " + what + " without a name", value ? value : "");
+    return value;
+  }
+
+  void material(const XMLElement& e) {
+    checkNumbersBelow(e, messages_);
+    const char* material_name = e.Attribute("name");
+    if (!material_name) return;
+    const auto [first, is_new] = material_line_.emplace(material_name, e.GetLineNum());
+    if (!is_new)
+      refuse(e.GetLineNum(),
+             "a second material of that name, the first is in line " + std::to_string(first->second),
+             material_name);
+  }
+
+  void link(const XMLElement& e) {
+    const std::string link_name = name(e, "link");
+    const auto [entry, is_new] = robot_.links.try_emplace(link_name);
+    LinkDescription& link = entry->second;
+    if (!is_new)
+      refuse(e.GetLineNum(), "a second link of that name, the first is in line " + std::to_string(link.line),
+             link_name);
+    link.line = e.GetLineNum();
+    checkNumbersBelow(e, messages_);
+    if (const XMLElement* inertial = e.FirstChildElement("inertial")) {
+      const XMLElement* mass = inertial->FirstChildElement("mass");
+      if (!mass) refuse(inertial->GetLineNum(), "an <inertial> without <mass>", link_name);
+      if (!inertial->FirstChildElement("inertia"))
+        refuse(inertial->GetLineNum(), "an <inertial> without <inertia>", link_name);
+      link.inertia = origin(*inertial).act(body(*inertial, link_name));
+    }
+  }
+
+  /// At the centre of mass, in the axes of the inertial. Mass >= 0; moments that no body has are noted.
+  Inertia<double> body(const XMLElement& inertial, const std::string& link_name) {
+    const XMLElement &mass = *inertial.FirstChildElement("mass"),
+                     &inertia = *inertial.FirstChildElement("inertia");
+    const auto of = [&](const char* moment) { return number(inertia, moment); };
+    const double m = number(mass, "value");
+    if (m < 0)
+      refuse(mass.GetLineNum(), "link '" + link_name + "' has a negative mass", mass.Attribute("value"));
+    Matrix3<double> I;
+    I << of("ixx"), of("ixy"), of("ixz"), of("ixy"), of("iyy"), of("iyz"), of("ixz"), of("iyz"), of("izz");
+    const Inertia<double> body(m, Vector3<double>::Zero(), I);
+    const std::string why = whyUnphysical(body, printed_inertia_slack);
+    const std::size_t colon = why.find(": ");
+    if (!why.empty())
+      robot_.unphysical_links.push_back({link_name, inertia.GetLineNum(),
+                                         "link '" + link_name + "': " + why.substr(0, colon),
+                                         colon == why.npos ? "" : why.substr(colon + 2)});
+    return body;
+  }
+
+  void joint(const XMLElement& e) {
+    const std::string joint_name = name(e, "joint"), joint_text = "joint '" + joint_name + "'";
+    const auto [entry, is_new] = robot_.joints.try_emplace(joint_name);
+    JointDescription& joint = entry->second;
+    if (!is_new)
+      refuse(e.GetLineNum(),
+             "a second joint of that name, the first is in line " + std::to_string(joint.line), joint_name);
+    joint.line = e.GetLineNum();
+    if (joint_name == "universe" ||
+        (joint_name == "root_joint" && (options_.root_joint || options_.root == RootJoint::FreeFlyer)))
+      refuse(joint.line, "a joint has the name that the model's own root has", joint_name);
+    joint.type = type(e, joint_text);
+    checkNumbersBelow(e, messages_);
+    joint.X_PJ = origin(e);
+    const bool one_coordinate = joint.type == JointType::Revolute || joint.type == JointType::Continuous ||
+                                joint.type == JointType::Prismatic;
+    const XMLElement *mimic = e.FirstChildElement("mimic"), *dynamics = e.FirstChildElement("dynamics");
+    if (mimic && !mimic->Attribute("joint"))
+      refuse(mimic->GetLineNum(), joint_text + " has a <mimic> that names no joint", "");
+    if (dynamics && !dynamics->Attribute("damping") && !dynamics->Attribute("friction"))
+      refuse(dynamics->GetLineNum(), joint_text + " has a <dynamics> without damping and friction", "");
+    if (dynamics) joint.dynamics = {number(*dynamics, "damping"), number(*dynamics, "friction")};
+    if (one_coordinate) joint.axis = axis(e, joint_text);
+    limit(e, joint_text, joint);
+    if (mimic && one_coordinate) {
+      joint.mimic = {mimic->Attribute("joint"), number(*mimic, "multiplier", 1), number(*mimic, "offset")};
+      mimics_.push_back({joint_name, joint.mimic->primary, mimic->GetLineNum()});
+    }
+    if (!one_coordinate && joint.type != JointType::Fixed) unused(e, joint_text, joint.type);
+    joint.parent = linkOf(e, "parent", joint_text), joint.child = linkOf(e, "child", joint_text);
+    const auto [other, first_parent] = parent_joint_.emplace(joint.child, joint_name);
+    if (!first_parent)
+      refuse(joint.line, joint_text + " and joint '" + other->second + "' have the same child: a loop",
+             joint.child);
+  }
+
+  JointType type(const XMLElement& e, const std::string& joint_text) const {
+    static const std::map<std::string_view, JointType> types = {
+        {"fixed", JointType::Fixed},           {"revolute", JointType::Revolute},
+        {"continuous", JointType::Continuous}, {"prismatic", JointType::Prismatic},
+        {"planar", JointType::Planar},         {"floating", JointType::Floating}};
+    const char* text = e.Attribute("type");
+    if (!text) refuse(e.GetLineNum(), joint_text + " has no type", "");
+    const auto found = types.find(text);
+    if (found == types.end()) refuse(e.GetLineNum(), joint_text + ": unknown joint type", text);
+    return found->second;
+  }
+
+  void limit(const XMLElement& e, const std::string& joint_text, JointDescription& joint) const {
+    const XMLElement* limit = e.FirstChildElement("limit");
+    const bool bounded = joint.type == JointType::Revolute || joint.type == JointType::Prismatic;
+    if (!limit) {
+      if (bounded)
+        refuse(joint.line, joint_text + " has no <limit>, which its type needs", e.Attribute("type"));
+      return;
+    }
+    joint.limit = {number(*limit, "lower"), number(*limit, "upper"), number(*limit, "effort"),
+                   number(*limit, "velocity")};
+    const auto [lower, upper, effort, velocity] = *joint.limit;
+    if (effort < 0)
+      refuse(limit->GetLineNum(), joint_text + " has a negative effort limit", limit->Attribute("effort"));
+    if (velocity < 0)
+      refuse(limit->GetLineNum(), joint_text + " has a negative velocity limit",
+             limit->Attribute("velocity"));
+    if (bounded && lower > upper)
+      refuse(limit->GetLineNum(), joint_text + " has crossed limits, lower > upper",
+             std::to_string(lower) + " > " + std::to_string(upper));
+    if (joint.type == JointType::Continuous && lower != upper)
+      messages_.warn(limit->GetLineNum(),
+                     joint_text + " has position limits, which a continuous joint has no use for",
+                     std::to_string(lower) + " " + std::to_string(upper));
+  }
+
+  /// Warns of the elements that a planar or floating joint ignores. A planar joint moves in its x y plane whatever its
+  /// axis.
+  void unused(const XMLElement& e, const std::string& joint_text, JointType type) const {
+    const XMLElement* axis = e.FirstChildElement("axis");
+    const std::string xyz = axis ? axis->Attribute("xyz") : "none, so 1 0 0";
+    if (type == JointType::Planar && (!axis || vector(*axis, "xyz") != Vector3<double>::UnitZ()))
+      messages_.warn(axis ? axis->GetLineNum() : e.GetLineNum(),
+                     joint_text + " is planar and its axis is ignored: it moves in its x y plane", xyz);
+    if (type == JointType::Floating && axis)
+      messages_.warn(axis->GetLineNum(), joint_text + " is floating and its axis is ignored", xyz);
+    for (const char* element : {"limit", "dynamics", "mimic"})
+      if (const XMLElement* found = e.FirstChildElement(element))
+        messages_.warn(found->GetLineNum(), joint_text + ": its <" + element + "> is ignored",
+                       e.Attribute("type"));
+  }
+
+  void mimics() {
+    for (const auto& [joint_name, primary, line] : mimics_) {
+      if (!robot_.joints.contains(primary))
+        refuse(line, "joint '" + joint_name + "' mimics a joint that does not exist", primary);
+      if (options_.mimic == MimicJoints::Independent)
+        messages_.warn(line, "joint '" + joint_name + "' is a mimic and is treated as independent", primary);
+    }
+  }
+
+  Vector3<double> axis(const XMLElement& e, const std::string& joint_text) const {
+    const XMLElement* axis = e.FirstChildElement("axis");
+    if (!axis) return Vector3<double>::UnitX();
+    const Vector3<double> xyz = vector(*axis, "xyz");
+    if (xyz.isZero(0)) refuse(axis->GetLineNum(), joint_text + " has a zero axis", axis->Attribute("xyz"));
+    return xyz;
+  }
+
+  std::string linkOf(const XMLElement& e, const char* role, const std::string& joint_text) const {
+    const XMLElement* element = e.FirstChildElement(role);
+    const char* link_name = element ? element->Attribute("link") : nullptr;
+    if (!link_name) refuse(e.GetLineNum(), joint_text + " has no " + role + " link", "");
+    if (!robot_.links.contains(link_name))
+      refuse(element->GetLineNum(), joint_text + ": its " + role + " link does not exist", link_name);
+    return link_name;
+  }
+
+  /// One root, every link reached from it.
+  void tree() {
+    for (const auto& [joint_name, joint] : robot_.joints)
+      robot_.joints_below[joint.parent].push_back(joint_name);
+    std::vector<std::string> roots;
+    for (const auto& [link_name, link] : robot_.links)
+      if (!parent_joint_.contains(link_name)) roots.push_back(link_name);
+    if (roots.empty()) refuse(robot_.line, "every link has a parent: a loop", robot_.links.begin()->first);
+    if (roots.size() > 1)
+      refuse(robot_.links.at(roots[1]).line, "two roots, the other is '" + roots[0] + "'", roots[1]);
+    robot_.root = roots[0];
+    std::set<std::string> reached = {robot_.root};
+    while (!roots.empty()) {
+      const auto below = robot_.joints_below.find(roots.back());
+      roots.pop_back();
+      if (below == robot_.joints_below.end()) continue;
+      for (const std::string& joint_name : below->second) {
+        const std::string& child = robot_.joints.at(joint_name).child;
+        reached.insert(child);
+        roots.push_back(child);
+      }
+    }
+    for (const auto& [link_name, link] : robot_.links)
+      if (!reached.contains(link_name))
+        refuse(link.line, "not connected to the root: its joints form a loop", link_name);
+  }
+
+  struct MimicLine {
+    std::string joint, primary;
+    int line;
+  };
+
+  const UrdfOptions& options_;
+  Messages& messages_;
+  Description robot_;
+  std::map<std::string, int> material_line_;
+  std::map<std::string, std::string> parent_joint_;  // of a link
+  std::vector<MimicLine> mimics_;
+};
+
+}  // namespace
+
+Description describe(const std::string& text, const UrdfOptions& options, Messages& messages) {
+  if (text.find_first_not_of(" \t\r\n") == std::string::npos)
+    messages.refuse(1, "empty", std::to_string(text.size()) + " bytes");
+  checkXml(text, messages);
+  XMLDocument document;
+  document.Parse(text.data(), text.size());
+  if (const tinyxml2::XMLError error = document.ErrorID()) {
+    const char* why =
+        error == tinyxml2::XML_ERROR_MISMATCHED_ELEMENT  ? "an element that nothing of its name closes"
+        : error == tinyxml2::XML_ERROR_PARSING_ATTRIBUTE ? "an attribute without a value, or twice"
+                                                         : document.ErrorName();
+    messages.refuse(std::max(document.ErrorLineNum(), 1), "malformed XML, or cut off", why);
+  }
+  return Reader(options, messages).robot(document);
+}
+
+}  // namespace liecheck::urdf_detail
