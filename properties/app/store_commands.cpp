@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <store/merge.hpp>
 #include <store/ranks.hpp>
+#include <store/store_path.hpp>
 #include <support/files.hpp>
 #include <support/text.hpp>
 

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 #include <algorithm>
-#include <store/merge.hpp>
 #include <cmath>
+#include <store/merge.hpp>
 #include <tuple>
 
 namespace liecheck::properties {

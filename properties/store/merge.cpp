@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <stdexcept>
+#include <store/store.hpp>
+#include <store/store_path.hpp>
 
 namespace liecheck::properties {
 

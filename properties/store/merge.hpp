@@ -1,7 +1,7 @@
 #pragma once
 // What is done with stored campaigns: one canonical text, several into one, one against another.
 
-#include <store/store.hpp>
+#include <store/stored_campaign.hpp>
 
 namespace liecheck::properties {
 

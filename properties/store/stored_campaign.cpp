@@ -1,15 +1,9 @@
-// What a stored campaign is, apart from the file: its identity and its name.
-
 #include <fmt/format.h>
 #include <algorithm>
-#include <charconv>
-#include <filesystem>
-#include <fstream>
-#include <limits>
-#include <stdexcept>
-#include <store/store.hpp>
+#include <store/stored_campaign.hpp>
 #include <support/embedded.hpp>
 #include <support/environment.hpp>
+#include <tuple>
 
 namespace liecheck::properties {
 
@@ -66,42 +60,6 @@ bool StoredCampaign::complete() const {
   return spec.cases > 0 && std::all_of(series.begin(), series.end(), [this](const StoredSeries& s) {
            return s.tally.done.covers(spec.first, spec.last);
          });
-}
-
-bool is_store(const std::string& name) {
-  std::error_code error;  // a pipe is read once, and not here
-  if (!std::filesystem::is_regular_file(name, error)) return false;
-  std::ifstream file(name, std::ios::binary);
-  char head[16] = {};
-  file.read(head, sizeof head);
-  return file && std::string(head, sizeof head) == std::string("SQLite format 3\0", 16);
-}
-
-namespace {
-
-/// "FILE@N" to FILE and N; a file of the whole name wins, and N is 0 then.
-std::pair<std::string, int> split(const std::string& name) {
-  const auto at = name.rfind('@');
-  if (at == std::string::npos || std::filesystem::exists(name)) return {name, 0};
-  const char *p = name.data() + at + 1, *end = name.data() + name.size();
-  int number = 0;
-  const auto r = std::from_chars(p, end, number);
-  if (r.ec != std::errc() || r.ptr != end) return {name, 0};
-  if (number < 1)
-    throw std::runtime_error(fmt::format("{}: the campaigns of a store are numbered from 1", name));
-  return {name.substr(0, at), number};
-}
-
-}  // namespace
-
-std::string stored_file(const std::string& name) {
-  return split(name).first;
-}
-
-StoredCampaign load_campaign(const std::string& name) {
-  const auto [file, number] = split(name);
-  Store store(file, Store::Open::existing);
-  return store.load(number ? number : store.campaigns());
 }
 
 }  // namespace liecheck::properties

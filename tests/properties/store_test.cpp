@@ -12,6 +12,7 @@
 #include <fstream>
 #include <random>
 #include <store/merge.hpp>
+#include <store/store_path.hpp>
 #include <store/stored_run.hpp>
 #include <thread>
 
@@ -235,7 +236,7 @@ TEST_F(Stores, OfAnotherKindOrDamagedAreRefusedWithOneLine) {
   EXPECT_SAYS(error([&] { run("text", options()); }), "not an SQLite database");
   EXPECT_SAYS(error([&] { load_campaign(file("none")); }), "no such store");
   EXPECT_SAYS(error([&] { Store(folder_.string(), Store::Open::create); }), "not a regular file");
-  Database(file("foreign"), true).run("CREATE TABLE t(x)");
+  SQLite::Database(file("foreign"), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE).exec("CREATE TABLE t(x)");
   EXPECT_SAYS(error([&] { run("foreign", options()); }), "another program");
   const std::string good = run("good", options());
   const std::string bytes = written("good");

@@ -1,0 +1,54 @@
+#pragma once
+// Sealed rows: SQLite notices damage to the structure of its pages, but not to the numbers in them. So the last column
+// of a row, its seal, holds the first 64 bits of the SHA-256 of the others.
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <SQLiteCpp/VariadicBind.h>
+
+#include <bit>
+#include <cstdint>
+#include <string>
+
+namespace liecheck::properties {
+
+/// The value that SQLite stores: its integers have 64 bits and a sign.
+inline std::int64_t stored(std::int64_t value) {
+  return value;
+}
+inline std::int64_t stored(int value) {
+  return value;
+}
+inline std::int64_t stored(std::uint64_t value) {
+  return std::bit_cast<std::int64_t>(value);
+}
+inline double stored(double value) {
+  return value;
+}
+inline const std::string& stored(const std::string& value) {
+  return value;
+}
+
+/// A stored value as the text that its seal hashes.
+std::string sealed_text(std::int64_t value);
+std::string sealed_text(double value);
+std::string sealed_text(const std::string& value);
+std::int64_t seal_of(const std::string& texts);
+
+/// Resets a statement and binds all its parameters.
+template <class... A>
+SQLite::Statement& bind_row(SQLite::Statement& statement, const A&... values) {
+  statement.tryReset();
+  SQLite::bind(statement, stored(values)...);
+  return statement;
+}
+
+/// As bind_row; the last parameter is the seal of the values.
+template <class... A>
+SQLite::Statement& bind_sealed_row(SQLite::Statement& statement, const A&... values) {
+  return bind_row(statement, values..., seal_of((sealed_text(stored(values)) + ...)));
+}
+
+/// Does the last column of the statement's row seal the others?
+bool has_true_seal(const SQLite::Statement& row);
+
+}  // namespace liecheck::properties

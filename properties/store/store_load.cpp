@@ -1,0 +1,206 @@
+// What is read from a store, with the checks that nothing of it is missing or damaged.
+
+#include <fmt/format.h>
+#include <charconv>
+#include <limits>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+#include <store/row_seal.hpp>
+#include <store/store.hpp>
+
+namespace liecheck::properties {
+
+namespace {
+
+/// False where the text is not a histogram.
+bool parse(const std::string& text, Histogram& h) {
+  const char *p = text.data(), *end = p + text.size();
+  while (p != end) {
+    int bin = 0;
+    std::uint64_t n = 0;
+    const auto b = std::from_chars(p, end, bin);
+    if (b.ec != std::errc() || b.ptr == end || *b.ptr != ':') return false;
+    const auto c = std::from_chars(b.ptr + 1, end, n);
+    if (c.ec != std::errc() || (c.ptr != end && *c.ptr != ' ')) return false;
+    h.add_bin(bin, n);
+    p = c.ptr == end ? end : c.ptr + 1;
+  }
+  return true;
+}
+
+bool parse(const std::string& text, SetDigest& digest) {
+  Sha256 sum{};
+  if (text.size() != 64) return false;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const char* p = text.data() + 16 * i;
+    const auto r = std::from_chars(p, p + 16, sum[i], 16);
+    if (r.ec != std::errc() || r.ptr != p + 16) return false;
+  }
+  digest.merge(sum);
+  return true;
+}
+
+std::uint64_t count(const SQLite::Statement& row, int column) {
+  return std::bit_cast<std::uint64_t>(row.getColumn(column).getInt64());
+}
+
+int number(const SQLite::Statement& row, int column) {
+  return row.getColumn(column).getInt();
+}
+
+double real(const SQLite::Statement& row, int column) {
+  const SQLite::Column value = row.getColumn(column);
+  return value.isNull() ? std::numeric_limits<double>::quiet_NaN() : value.getDouble();
+}
+
+std::string text(const SQLite::Statement& row, int column) {
+  return row.getColumn(column).getString();
+}
+
+/// Reads one campaign.
+class Loader {
+ public:
+  Loader(const SQLite::Database& database, const std::string& path, int number)
+      : database_(database), path_(path), number_(number) {}
+
+  /// Nothing where the store has no campaign of this number.
+  std::optional<StoredCampaign> load() {
+    if (!load_spec()) return std::nullopt;
+    load_series();
+    load_done();
+    load_cells();
+    load_failures();
+    check_totals();
+    return std::move(campaign_);
+  }
+
+ private:
+  void check(bool good, const char* what) const {
+    if (!good) throw std::runtime_error(fmt::format("{}: corrupt: {}", path_, what));
+  }
+  void check_seal(const SQLite::Statement& row) const { check(has_true_seal(row), "a row was changed"); }
+  SQLite::Statement select(const char* query) const {
+    SQLite::Statement rows(database_, query);
+    rows.bind(1, number_);
+    return rows;
+  }
+  StoredSeries& series_at(const SQLite::Statement& row) {
+    const std::uint64_t i = count(row, 1);
+    check(i < campaign_.series.size(), "a row of no series");
+    return campaign_.series[i];
+  }
+
+  bool load_spec() {
+    auto row = select("SELECT * FROM campaigns WHERE id = ?");
+    if (!row.executeStep()) return false;
+    check_seal(row);
+    CampaignSpec& spec = campaign_.spec;
+    spec.seed = count(row, 1), spec.cases = count(row, 2);
+    spec.first = count(row, 3), spec.last = count(row, 4);
+    spec.generator = number(row, 5), spec.program = text(row, 6), spec.budgets = text(row, 7);
+    spec.robot.name = text(row, 8), spec.robot.hash = text(row, 9), spec.robot.urdf = text(row, 10);
+    spec.environment = text(row, 11);
+    return true;
+  }
+
+  void load_series() {
+    auto row = select("SELECT * FROM series WHERE campaign = ? ORDER BY series");
+    while (row.executeStep()) {
+      check_seal(row);
+      check(count(row, 1) == campaign_.series.size(), "a series is missing");
+      StoredSeries s;
+      s.property = text(row, 2), s.subject = text(row, 3), s.subject_version = text(row, 4);
+      s.scalar = text(row, 5), s.robot = text(row, 6);
+      s.tally.cases = count(row, 7);
+      check(parse(text(row, 8), s.tally.inputs) && parse(text(row, 9), s.tally.results),
+            "a digest is not one");
+      cells_.push_back(count(row, 10));
+      s.tally.fast = count(row, 11), s.tally.checked = count(row, 12);
+      std::istringstream disagreed(text(row, 13));
+      for (std::uint64_t index = 0; disagreed >> index;) s.tally.disagreed.push_back(index);
+      check(s.tally.coverage.parse(text(row, 14)), "a coverage is not one");
+      campaign_.spec.series.push_back(s.text());
+      campaign_.series.push_back(std::move(s));
+    }
+    check(!campaign_.series.empty(), "a campaign without a series");
+  }
+
+  void load_done() {
+    auto row = select("SELECT * FROM done WHERE campaign = ?");
+    while (row.executeStep()) {
+      const std::uint64_t first = count(row, 2), last = count(row, 3);
+      check(first < last && first >= campaign_.spec.first && last <= campaign_.spec.last &&
+                series_at(row).tally.done.add(first, last),
+            "a range of cases overlaps or lies outside the campaign");
+    }
+  }
+
+  void load_cells() {
+    auto row = select("SELECT * FROM cells WHERE campaign = ?");
+    while (row.executeStep()) {
+      check_seal(row);
+      StoredSeries& s = series_at(row);
+      const Cell cell{number(row, 2), number(row, 3)};
+      s.labels[cell] = {text(row, 4), text(row, 5), text(row, 6)};
+      Row& r = s.tally.rows[cell];
+      r.count = count(row, 7), r.ill_posed = count(row, 8), r.unresolved = count(row, 9);
+      r.not_finite = count(row, 10), r.wrong_branch = count(row, 11), r.refused = count(row, 12);
+      r.failed = count(row, 13), r.max_error = real(row, 14), r.max_excess = real(row, 15);
+      r.worst_score = real(row, 16), r.worst_index = count(row, 17), r.worst_kappa = real(row, 18);
+      check(parse(text(row, 19), r.errors), "a histogram is not one");
+    }
+  }
+
+  void load_failures() {
+    auto row = select("SELECT * FROM failures WHERE campaign = ?");
+    while (row.executeStep()) {
+      check_seal(row);
+      series_at(row).failures[{number(row, 2), number(row, 3)}] = {count(row, 4), text(row, 5)};
+    }
+  }
+
+  void check_totals() const {
+    for (std::size_t i = 0; i < campaign_.series.size(); ++i) {
+      const StoredSeries& s = campaign_.series[i];
+      check(s.tally.done.count() == s.tally.cases, "the cases do not add up");
+      check(s.tally.rows.size() == cells_[i], "a cell is missing");
+      for (const auto& [cell, row] : s.tally.rows)
+        check((row.failed > 0) == s.failures.contains(cell), "a failure is missing");
+    }
+  }
+
+  const SQLite::Database& database_;
+  const std::string& path_;
+  int number_;
+  StoredCampaign campaign_;
+  std::vector<std::uint64_t> cells_;  ///< how many each series must have
+};
+
+}  // namespace
+
+StoredCampaign Store::load(int number) try {
+  if (auto campaign = Loader(database_, path_, number).load()) return std::move(*campaign);
+  const int held = campaigns();
+  fail(held == 0 ? "holds no campaign" : fmt::format("holds {} campaigns, there is no {}", held, number));
+} catch (const SQLite::Exception& e) {
+  fail(e);
+}
+
+std::vector<Counterexample> Store::counterexamples() try {
+  std::vector<Counterexample> all;
+  SQLite::Statement row(
+      database_,
+      "SELECT s.property, s.subject, s.scalar, s.robot, c.operation, c.block, f.input FROM failures f "
+      "JOIN series s USING(campaign, series) JOIN cells c USING(campaign, series, output, band) "
+      "UNION SELECT property, subject, scalar, robot, operation, block, input FROM counterexamples "
+      "ORDER BY 1, 2, 3, 4, 5, 6, 7");
+  while (row.executeStep())
+    all.push_back(
+        {text(row, 0), text(row, 1), text(row, 2), text(row, 3), text(row, 4), text(row, 5), text(row, 6)});
+  return all;
+} catch (const SQLite::Exception& e) {
+  fail(e);
+}
+
+}  // namespace liecheck::properties

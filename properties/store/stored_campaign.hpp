@@ -1,0 +1,54 @@
+#pragma once
+// What a store holds of a campaign: what was asked, and for each series its tally with the names of its cells.
+
+#include <campaign/campaign.hpp>
+
+namespace liecheck::properties {
+
+using Cell = Rows::Cell;  ///< (output, band)
+
+/// The identity of a campaign: two runs with equal specs are one campaign.
+struct CampaignSpec {
+  std::uint64_t seed = 0;
+  std::uint64_t cases = 0;            ///< of each series; 0: as many as the time allows
+  std::uint64_t first = 0, last = 0;  ///< the range of cases of this shard
+  int generator = generator_version;
+  std::string program;  ///< its version
+  std::string budgets;  ///< the first 16 digits of the SHA-256 of the budget table
+  Robot robot;
+  std::string environment;          ///< JSON of the machine that ran it; not compared
+  std::vector<std::string> series;  ///< their names, SeriesName::text
+
+  /// Returns "seed 1 against 2; ...", empty where both are one campaign.
+  std::string differences(const CampaignSpec& other, bool with_range = true) const;
+};
+CampaignSpec spec_of(const CampaignOptions& options, const Robot& robot,
+                     const std::vector<SeriesResult>& series);
+
+struct Label {
+  std::string operation, block, band;
+};
+struct Failure {
+  std::uint64_t index = 0;  ///< of the case
+  std::string input;        ///< hexadecimal floats, joined by commas
+};
+
+struct SeriesName {
+  std::string property, subject, subject_version, scalar, robot;
+  std::string text() const;
+};
+SeriesName name_of(const Series& series);
+
+struct StoredSeries : SeriesName {
+  Tally tally;
+  std::map<Cell, Label> labels;
+  std::map<Cell, Failure> failures;
+};
+
+struct StoredCampaign {
+  CampaignSpec spec;
+  std::vector<StoredSeries> series;
+  bool complete() const;  ///< every series has its whole range; never where only the time was given
+};
+
+}  // namespace liecheck::properties
