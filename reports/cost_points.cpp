@@ -3,44 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <reports/field.hpp>
 
 namespace liecheck::reports {
-
-void check_cost(const Field& cost) {
-  cost.texts({"version", "clock", "no_counter"});
-  cost["verdict"].one_of({"pass", "incomplete"});
-  cost["seed"].seed();
-  cost["repetitions"].count(1);
-  for (const char* name : {"seconds", "elapsed"}) cost[name].number();
-  cost["environment"].texts({"cpu", "governor", "os", "compiler", "flags"});
-  const auto spread = [](const Field& s) {
-    if (s.null()) return;  // not timed
-    s["repetitions"].count(1);
-    for (const char* name : {"median", "low", "high"})
-      if (s[name].number() == 0) s[name].refuse("a time > 0");
-  };
-  cost["rows"].each([&](const Field& row) {
-    row.texts({"subject", "version", "scalar", "operation", "worst_block"});
-    if (row["eps"].number() == 0) row["eps"].refuse("0 < eps");
-    if (!row["error"].null()) row["error"].measured();
-    for (const char* name : {"dominated_throughput", "dominated_latency"})
-      if (!row[name].null()) row[name].text();
-    row["sets"].each([&](const Field& set) {
-      set["set"].text();
-      set["inputs"].count(1);
-      if (!set["instructions"].null()) set["instructions"].number();
-      for (const char* name : {"throughput_ns", "latency_ns"}) spread(set[name]);
-      set["blocks"].each([](const Field& b) {
-        b["block"].text();
-        for (const char* name : {"max_eps", "p99_eps", "median_eps"}) b[name].measured();
-        for (const char* name : {"measured", "not_finite", "wrong_branch", "unresolved", "refused"})
-          b[name].count();
-      });
-    });
-    row["sets"].not_empty();
-  });
-}
 
 bool other_flags(const Json& row) {
   return row["subject"].get_ref<const std::string&>().find('@') != std::string::npos;
@@ -73,8 +37,8 @@ std::vector<CostStep> cost_steps(const std::vector<CostPoint>& points, const std
     if (p.operation == operation && p.dominated_latency.empty() && p.latency > 0) front.push_back(&p);
   std::sort(front.begin(), front.end(), [](auto* a, auto* b) { return a->latency < b->latency; });
   std::vector<CostStep> steps;
-  // Half the error at least: the largest of a sample is known no better. (Where intervals overlap both points are on
-  // the front, and the slower one may even err more.)
+  // A step halves the error at least, because a maximum over a sample is not known better than that. (Where the
+  // intervals of two times overlap, neither dominates, and the slower one may even have the larger error.)
   const CostPoint* last = nullptr;
   for (const CostPoint* p : front) {
     if (last && !(p->error <= last->error / 2 && p->error < last->error)) continue;

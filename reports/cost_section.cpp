@@ -10,7 +10,7 @@ namespace liecheck::reports {
 
 namespace {
 
-/// What a tracker or controller calls; the advice is for all of them together.
+/// The operations that a tracker or controller calls; the advice takes all of them together.
 const std::vector<std::string> core = {"exp6", "log6", "integrate", "difference"};
 
 std::string time_text(double ns) {
@@ -25,46 +25,47 @@ std::string digits(double error) {
                            : "every digit";
 }
 
-/// For a 1 kHz controller and for an offline calibration, each with the rule by which the figures choose.
+/// Which subject and scalar to take for a 1 kHz controller and for an offline calibration, and by which rule.
 std::string advice(const std::vector<CostPoint>& points) {
   const auto all = cost_candidates(points, core);
   if (all.empty())
-    return "<p>No advice: it takes a subject that offers exp6, log6, integrate and difference.</p>\n";
+    return "<p>There is no advice, because no subject offers all of exp6, log6, integrate and "
+           "difference.</p>\n";
   constexpr double hour = 3.6e6, encoder = 1e-7, calls = 100, tick = 1e6;
   std::string out = "<dl class=\"advice\">\n";
   const auto item = [&](const char* what, const std::string& text) {
     out += fmt::format("<dt>{}</dt><dd>{}</dd>\n", what, text);
   };
   const std::string rule = fmt::format(
-      "The rule: an hour is {:.1e} ticks; should every tick’s error add to the last, their sum stays below "
+      "The rule: an hour has {:.1e} ticks. If the errors of all ticks add up, their sum must stay below "
       "1e-7, "
-      "which is finer than an encoder of 24 bits. Of those that keep it, the fastest.",
+      "which is finer than an encoder of 24 bits. The fastest that meets this is taken.",
       hour);
   if (const auto* c = fastest_within(all, encoder / hour)) {
     const double share = calls * c->latency / tick;
     item("For a 1 kHz controller",
-         fmt::format(
-             "take <b>{}</b>: {} of each of exp6, log6, integrate and difference wait {} in all, {:.2g} % of "
-             "a tick of 1 ms{}, and keep {}. {}",
-             escaped(c->name()), calls, time_text(calls * c->latency), share * 100,
-             share > 1 ? " (too much: call fewer)" : "", digits(c->error), rule));
+         fmt::format("take <b>{}</b>: {} calls of each of exp6, log6, integrate and difference, one after "
+                     "the other, take "
+                     "{}, {:.2g} % of a tick of 1 ms{}, with {} correct. {}",
+                     escaped(c->name()), calls, time_text(calls * c->latency), share * 100,
+                     share > 1 ? " (too much: call fewer)" : "", digits(c->error), rule));
   } else {
-    item("For a 1 kHz controller", "nothing measured here is accurate enough. " + rule);
+    item("For a 1 kHz controller", "no subject measured here is accurate enough. " + rule);
   }
   const std::string offline =
-      "The rule: finite differences and normal equations square a condition number of up to 1e8 and so take "
+      "The rule: finite differences and normal equations square a condition number of up to 1e8 and so lose "
       "16 "
-      "digits; six are to be left. Of those that keep 22 digits, the fastest.";
+      "digits, and six must remain. The fastest with 22 correct digits is taken.";
   const auto* wide = fastest_within(all, 1e-22);
   const auto* in_double = most_accurate(all, "double");
-  const std::string narrow = in_double ? fmt::format(" Where all must stay in double: <b>{}</b>, {}.",
+  const std::string narrow = in_double ? fmt::format(" The most accurate in double is <b>{}</b>, {}.",
                                                      escaped(in_double->name()), digits(in_double->error))
                                        : "";
   item("For an offline calibration",
        (wide ? fmt::format("take <b>{}</b>: {} at {} for one call of each of the four, {} for a million. {}",
                            escaped(wide->name()), digits(wide->error), time_text(wide->latency),
                            time_text(wide->latency * 1e6), offline)
-             : "nothing measured here keeps 22 digits. " + offline) +
+             : "no subject measured here has 22 correct digits. " + offline) +
            narrow);
   return out + "</dl>\n";
 }
@@ -86,8 +87,9 @@ std::string price_table(const std::vector<CostPoint>& points, const std::vector<
            std::isinf(more) ? "—" : time_text(ns / more)});
     }
   return table(
-      "The price of each further digit: from one point of the front to the next that at least halves the "
-      "error, by latency",
+      "The price of each further digit: each step goes from one undominated row to the next slower one with "
+      "at "
+      "most half the error, by latency",
       {"operation", "from", "to", "correct digits", "digits gained, time added", "time", "a digit costs"},
       rows, true);
 }
@@ -126,13 +128,14 @@ std::string flags_table(const Json& cost) {
   }
   return table("Compilers and flags: liecheck in double, latency and the largest error found", heads, rows,
                true) +
-         "<p class=\"note\">Each column is the same source in a module of its own, called as the others are. "
-         "<code>-ffast-math</code> lets a compiler reorder sums, so that what compensates roundings is lost, "
-         "and take "
-         "NaN and infinity for impossible.</p>\n";
+         "<p class=\"note\">Each column is the same source, compiled to a separate module and called in the "
+         "same "
+         "way. With <code>-ffast-math</code> a compiler may reorder sums, which disables compensated "
+         "summation, "
+         "and may assume that NaN and infinity do not occur.</p>\n";
 }
 
-/// Every row and block, folded.
+/// Every row and block, in a folded table.
 std::string all_points(const Json& cost) {
   std::vector<Cells> rows;
   for (const Json& row : cost["rows"])
@@ -176,20 +179,20 @@ std::string cost_section(const Merged& merged) {
     const std::string counter = cost["no_counter"];
     out += advice(points);
     out += fmt::format(
-        "<p class=\"note\">Every subject was called through a pointer to a function on the same inputs of "
-        "its "
-        "scalar, drawn from five bands of angles, and its error measured on them: a maximum is a <b>lower "
-        "bound</b>. A time is processor time: the median of at most {} repetitions, of all rows in random "
-        "order "
-        "in one run, without those during which another program shared the core; in brackets the interval "
-        "that "
-        "holds it with 95 %. Latency: each call waits for the one before. Throughput: none waits. The row "
-        "<code>call</code> is the shortest operation of the same signature; it is in every time. "
-        "<b>Dominated</b>: another is faster for certain and errs no more, or errs less and is not slower. "
+        "<p class=\"note\">Every subject is called through a function pointer on the same inputs of its "
+        "scalar, which "
+        "are drawn from five bands of angles, and its error is measured on the same inputs; a maximum is a "
+        "<b>lower "
+        "bound</b>. A time is processor time: the median of at most {} repetitions. All rows are repeated in "
+        "random order in one run, and repetitions during which another program used the core are left out. "
         "The "
-        "error is the largest of any block but defects of norm or orthogonality. Scalars wider than double "
-        "take "
-        "inputs in double, against closed forms at 100 digits.</p>\n",
+        "brackets hold the interval that contains the median with 95 %. Latency: each call waits for the one "
+        "before. Throughput: no call waits. The row <code>call</code> is the shortest operation of the same "
+        "signature; every time includes it. A row is <b>dominated</b> where another one is faster (disjoint "
+        "intervals) and has no larger error, or has a smaller error and is not slower. The error is the "
+        "largest "
+        "of any block except the defects of norm and orthogonality. Scalars wider than double get inputs in "
+        "double and are compared with closed forms at 100 digits.</p>\n",
         cost["repetitions"].dump());
     out += fmt::format(
         "<p class=\"note\">Machine: {}, governor {}, {}; {}, <code>{}</code>; instructions {}. Seed {}; "
@@ -197,14 +200,14 @@ std::string cost_section(const Merged& merged) {
         text_of(e, "cpu"), text_of(e, "governor"), text_of(e, "os"), text_of(e, "compiler"),
         text_of(e, "flags"), counter.empty() ? "counted" : "not counted (" + escaped(counter) + ")",
         cost["seed"].dump(), cost["elapsed"].get<double>(),
-        cost["verdict"] == "incomplete" ? "; <b>interrupted: what was done</b>" : "");
+        cost["verdict"] == "incomplete" ? "; <b>interrupted: these are the results so far</b>" : "");
     out +=
         "<form class=\"cost-controls\" aria-label=\"Which times are drawn\"></form>\n"
         "<div class=\"cost-charts\"></div>\n";
     out += price_table(points, operations) + flags_table(cost) + all_points(cost);
   }
   return out.empty()
-             ? "<p>These records hold no times; <code>liecheck report</code> without a record measures "
+             ? "<p>These records hold no times: <code>liecheck report</code> without a record measures "
                "them, as does <code>liecheck cost</code>.</p>\n"
              : out;
 }

@@ -1,12 +1,12 @@
-# cmake -DPARTS=a;b -DOUTPUT=x.cpp -P embed.cmake
-# Writes a C++ file with one raw string literal a part, and part(name) to find it by its file name.
-set(text "#include <reports/page_parts.hpp>\n#include <stdexcept>\n#include <string>\n\n")
-string(APPEND text "namespace liecheck::reports {\n\nstd::string_view part(std::string_view name) {\n")
-foreach(path IN LISTS PARTS)
+# cmake -DFILES=a;b -DOUTPUT=x.cpp -P embed.cmake
+# Writes a C++ file with one raw string literal a file, and embedded_file(name) to find it by its name.
+set(text "#include <reports/embedded_files.hpp>\n#include <stdexcept>\n#include <string>\n\n")
+string(APPEND text "namespace liecheck::reports {\n\nstd::string_view embedded_file(std::string_view name) {\n")
+foreach(path IN LISTS FILES)
   get_filename_component(name ${path} NAME)
   file(READ ${path} content)
   string(APPEND text "  if (name == \"${name}\") return R\"liecheck(${content})liecheck\";\n")
 endforeach()
-string(APPEND text "  throw std::logic_error(\"no such part of the page: \" + std::string(name));\n}\n\n")
+string(APPEND text "  throw std::logic_error(\"no such embedded file: \" + std::string(name));\n}\n\n")
 string(APPEND text "}  // namespace liecheck::reports\n")
 file(WRITE ${OUTPUT} "${text}")

@@ -1,5 +1,5 @@
 #pragma once
-// Pieces of HTML that the page's sections are made of.
+// Elements of HTML, and the sections of the page that need no file of their own header.
 
 #include <reports/record.hpp>
 #include <string>
@@ -24,10 +24,10 @@ std::string code(const std::string& text);
 /// A field that is text, escaped.
 std::string text_of(const Json& row, const char* name);
 
-/// What accuracy costs in time: advice, the price of each further digit, every point.
+/// Section "What accuracy costs in time": advice, the price of each further digit, every row.
 std::string cost_section(const Merged& merged);
 
-/// The scalar coefficients at every float: the sweeps of the records.
+/// Section "Scalar coefficients: every float".
 std::string sweep_section(const Merged& merged);
 
 }  // namespace liecheck::reports

@@ -6,7 +6,7 @@
 namespace liecheck::reports {
 namespace {
 
-/// The key, which is none of packed()'s own.
+/// The key, which must not look like one of packed()'s.
 const std::string& plain(const std::string& key) {
   if (key.starts_with('*')) throw std::invalid_argument("a key may not begin with a star: " + key);
   return key;
@@ -37,7 +37,7 @@ Json packed_rows(const Json& list) {
   return {{"*keys", std::move(keys)}, {"*columns", std::move(columns)}};
 }
 
-/// Each value once, and where it stands.
+/// Distinct values, and the index of each element among them.
 Json packed_words(const Json& list) {
   Json words = Json::array(), at = Json::array();
   std::unordered_map<std::string, std::size_t> places;

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <reports/embedded_files.hpp>
 #include <reports/html.hpp>
 #include <reports/packed.hpp>
 #include <reports/page.hpp>
-#include <reports/page_parts.hpp>
 #include <reports/scenes.hpp>
 #include <reports/summary.hpp>
 #include <stdexcept>
@@ -16,14 +16,14 @@ namespace liecheck::reports {
 
 namespace {
 
-/// JSON that cannot end the script element it stands in.
+/// JSON text without "<", so that it cannot end the script element around it.
 std::string inlined(const Json& value) {
   std::string out;
   for (char c : value.dump()) out += c == '<' ? std::string("\\u003c") : std::string(1, c);
   return out;
 }
 
-/// "max 2.31e+03 eps", or the outcome that took its place.
+/// "2.31e+03 eps", or "NaN or Inf", or "wrong branch".
 std::string judged_text(const Json& row) {
   if (row["not_finite"] > 0 || !std::isfinite(judged(row))) return "<b>NaN or Inf</b>";
   if (row["wrong_branch"] > 0) return "<b>wrong branch</b>";
@@ -34,7 +34,7 @@ std::string place(const Json& row) {
   return fmt::format("{} {}, {}", text_of(row, "operation"), text_of(row, "block"), text_of(row, "band"));
 }
 
-/// With a time limit (`total_cases` equals `cases`) there is no number of cases for each.
+/// A campaign with a time limit (`total_cases` equals `cases`) has no number of cases for each series.
 std::string cases_text(const Json& record) {
   const Json total = record.value("total_cases", Json());
   if (total == record["cases"]) return fmt::format("{} cases in all", total.dump());
@@ -52,9 +52,9 @@ std::string verdict_section(const Merged& merged) {
                                : "INCOMPLETE",
       verdict_word == "pass" ? "Every band judged is within its budget."
       : verdict_word == "fail"
-          ? "At least one band of at least one subject is over its budget, or a hard case failed; see "
-            "below whose."
-          : "The campaign did not settle all that it set out to.");
+          ? "At least one band of at least one subject is over its budget, or a hard case failed; the "
+            "tables below name them."
+          : "The campaign was interrupted, or left cases unresolved.");
   out += "<dl class=\"summary\">\n";
   const auto item = [&out](std::string_view name, const std::string& value) {
     out += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>\n", name, value);
@@ -98,12 +98,12 @@ std::string verdict_section(const Merged& merged) {
   for (const Standing& s : all)
     if (s.subject == "textbook") control_failed += s.failed, control_rows += s.passed + s.failed;
   if (control_rows > 0)
-    out +=
-        control_failed > 0
-            ? "<p><b>textbook</b> is the positive control: the closed forms of the textbooks with one cutoff "
-              "for small angles. It is meant to fail, and does: the harness sees the fault.</p>\n"
-            : "<p class=\"verdict fail\"><strong>CONTROL PASSED</strong> textbook, the positive control, is "
-              "meant to fail and did not: do not trust this report.</p>\n";
+    out += control_failed > 0
+               ? "<p><b>textbook</b> is the positive control: it implements the closed forms of textbooks "
+                 "with one "
+                 "cutoff for small angles. It is expected to fail, and it does.</p>\n"
+               : "<p class=\"verdict fail\"><strong>CONTROL PASSED</strong> The positive control textbook is "
+                 "expected to fail and did not: do not trust this report.</p>\n";
   if (merged.results.empty()) out += "<p class=\"verdict incomplete\">The records hold no results.</p>\n";
   return out;
 }
@@ -148,15 +148,46 @@ std::string offenders_section(const Merged& merged) {
                rows, true);
 }
 
-/// Rows of a list that every record carries (blocks, operations, properties), each entry once.
+/// "delta: 6 [m, rad], body axes", one line for each part of an operation's arguments or results.
+std::string layout_text(const Json& layout) {
+  Cells parts;
+  for (const Json& part : layout) {
+    const Json& size = part["size"];
+    parts.push_back(fmt::format("{}: {} [{}], {}", text_of(part, "name"),
+                                size.is_string() ? text_of(part, "size") : size.dump(), text_of(part, "unit"),
+                                text_of(part, "frame")));
+  }
+  return fmt::format("{}", fmt::join(parts, "<br>"));
+}
+
+/// Rows of a list that every record has (blocks, operations, properties), each entry once. A field that the record
+/// lacks is left empty.
 std::vector<Cells> listed(const Merged& merged, const char* list, std::initializer_list<const char*> fields) {
   std::vector<Cells> rows;
   for (const Json& record : merged.records)
     for (const Json& entry : record[list]) {
       Cells row;
-      for (const char* field : fields) row.push_back(text_of(entry, field));
+      for (const char* field : fields) {
+        const Json value = entry.value(field, Json(""));
+        row.push_back(value.is_array() ? layout_text(value) : escaped(value));
+      }
       if (std::find(rows.begin(), rows.end(), row) == rows.end()) rows.push_back(row);
     }
+  return rows;
+}
+
+/// The definitions of blocks; operations that share one are named in one row.
+std::vector<Cells> block_rows(const Merged& merged) {
+  std::vector<Cells> rows;
+  for (const Cells& row : listed(merged, "blocks", {"operation", "block", "error", "denominator", "unit"})) {
+    const auto same = std::find_if(rows.begin(), rows.end(), [&](const Cells& other) {
+      return std::equal(row.begin() + 1, row.end(), other.begin() + 1);
+    });
+    if (same == rows.end())
+      rows.push_back(row);
+    else
+      same->front() += ", " + row.front();
+  }
   return rows;
 }
 
@@ -167,11 +198,12 @@ std::string definitions_section(const Merged& merged) {
                        fmt::format("2<sup>{}</sup>", std::ilogb(s.eps))};
     if (s.eps > 0 && std::find(eps.begin(), eps.end(), row) == eps.end()) eps.push_back(row);
   }
-  return table("Error of each block", {"block", "error", "denominator", "unit"},
-               listed(merged, "blocks", {"block", "error", "denominator", "unit"})) +
+  return table("Error of each block of each operation",
+               {"operations", "block", "error", "denominator", "unit"}, block_rows(merged)) +
          table("Unit of error of each scalar", {"scalar", "eps", "power of two"}, eps) +
-         table("Operations", {"operation", "definition", "frame and order"},
-               listed(merged, "operations", {"operation", "definition", "frame"})) +
+         table("Operations", {"operation", "definition", "frame and order", "arguments", "results", "source"},
+               listed(merged, "operations",
+                      {"operation", "definition", "frame", "arguments", "results", "source"})) +
          table("Properties", {"property", "law", "equation", "source"},
                listed(merged, "properties", {"property", "law", "equation", "source"}));
 }
@@ -216,14 +248,18 @@ std::string machine_section(const Merged& merged) {
 
 std::string page(const Merged& merged, const Json& numbers) {
   const std::map<std::string, std::function<std::string()>, std::less<>> slots = {
-      {"style", [] { return std::string(part("page.css")) + std::string(part("stability.css")) + std::string(part("scenes.css")); }},
-      {"chart library", [] { return std::string(part("chart.min.js")); }},
+      {"style",
+       [] {
+         return std::string(embedded_file("page.css")) + std::string(embedded_file("stability.css")) +
+                std::string(embedded_file("scenes.css"));
+       }},
+      {"chart library", [] { return std::string(embedded_file("chart.min.js")); }},
       {"scripts",
        [] {
          std::string all;
-         for (const char* name :
-              {"axes.js", "charts.js", "figure.js", "tables.js", "page.js", "stability.js", "cost.js", "scenes.js", "films.js"})
-           all += part(name);
+         for (const char* name : {"axes.js", "charts.js", "figure.js", "tables.js", "page.js", "stability.js",
+                                  "cost.js", "scenes.js", "films.js"})
+           all += embedded_file(name);
          return all;
        }},
       {"numbers", [&] { return inlined(packed(numbers)); }},
@@ -237,9 +273,9 @@ std::string page(const Merged& merged, const Json& numbers) {
       {"definitions", [&] { return definitions_section(merged); }},
       {"coverage", [&] { return coverage_section(merged); }},
       {"machine", [&] { return machine_section(merged); }}};
-  // One pass over the frame: what a slot brings in is not searched for slots.
+  // One pass over page.html: text that replaces a slot is not searched for slots.
   std::string out;
-  std::string_view rest = part("page.html");
+  std::string_view rest = embedded_file("page.html");
   for (;;) {
     const auto open = rest.find("{{");
     out += rest.substr(0, open);

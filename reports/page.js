@@ -1,6 +1,6 @@
 // The page: reads the inlined figures, builds the controls and fills the sections.
 
-// Undoes packed.hpp: columns are rows again, places are what stands there.
+// Undoes packed.hpp: makes rows of columns, and values of the places of values.
 function unpacked(x) {
   if (Array.isArray(x)) return x.map(unpacked);
   if (x === null || typeof x !== "object") return x;
@@ -15,7 +15,7 @@ const unique = values => [...new Set(values)];
 const subjects = unique(results.map(r => r.subject));
 const scalars = unique(results.map(r => r.scalar));
 const operations = unique(results.map(r => r.operation));
-const find = (list, key, value) => numbers.records.flatMap(r => r[list]).find(e => e[key] === value);
+const find = (list, matches) => numbers.records.flatMap(r => r[list]).find(matches);
 
 const chosen = {
   scalar: scalars.includes("double") ? "double" : scalars[0], operation: "", hidden: new Set(),
@@ -34,16 +34,17 @@ function groups(rows) {  // rows of one operation, block and property, in the or
 
 function caption(rows) {
   const {operation, block, property} = rows[0];
-  const o = find("operations", "operation", operation), b = find("blocks", "block", block);
-  const p = find("properties", "property", property);
+  const o = find("operations", e => e.operation === operation), p = find("properties", e => e.property === property);
+  // A record of 0.1 defines a block once for all operations.
+  const b = find("blocks", e => e.block === block && (e.operation ?? operation) === operation);
   const unit = b && b.denominator === "absolute" && b.unit !== "1" ? `, in eps · ${b.unit}` : "";
-  return [o && `${o.definition}; ${o.frame}.`, b && `Error: ${b.error}, denominator: ${b.denominator}${unit}.`,
+  return [o && `${[o.definition, o.frame].filter(Boolean).join("; ")}.`, b && `Error: ${b.error}, denominator: ${b.denominator}${unit}.`,
     p ? `Law ${property}: ${p.law}.` : `Law ${property}.`].filter(Boolean).join(" ").replace(/\.\./g, ".");
 }
 
 const onAxis = r => r.axis !== "none" && r.count > 0;
 
-// What is seen first: the small-angle cliff in exp6's translation, or else in the block of the largest error.
+// The chart at the top: the error of exp6's translation at small angles, or else of the block with the largest error.
 function fillCover() {
   const section = document.getElementById("cover");
   forget(section);

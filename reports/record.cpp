@@ -4,10 +4,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
-#include <reports/cost_points.hpp>
-#include <reports/field.hpp>
 #include <reports/record.hpp>
-#include <reports/scenes.hpp>
 #include <stdexcept>
 #include <string_view>
 #include <support/files.hpp>
@@ -16,89 +13,56 @@ namespace liecheck::reports {
 
 namespace {
 
-void check_result(const Field& row) {
-  row.texts({"subject", "scalar", "property", "operation", "block", "band"});
-  row["axis"].one_of({"theta", "pi_minus_theta", "none"});
-  for (const char* name : {"low", "high", "budget"}) row[name].number();
-  for (const char* name : {"max_eps", "p99_eps", "median_eps", "max_excess"}) row[name].measured();
-  const std::uint64_t count = row["count"].count(row["status"].is("empty") ? 0 : 1);
-  for (const char* name : {"ill_posed", "unresolved", "not_finite", "wrong_branch"})
-    row[name].count(0, count);
-  for (const char* name : {"refused", "failed"})  // younger than the other outcomes
-    if (row.has(name)) row[name].count(0, count);
-  if (row.has("reason")) row["reason"].text();
-  row["rule"].one_of({"forward", "excess"});
-  row["status"].one_of({"pass", "fail", "unresolved", "ill-posed", "empty"});
-  const Field worst = row["worst"];
-  if (worst.null()) return;  // a band without a judged case has no worst one
-  worst["id"].text();
-  worst["input"].each([](const Field& x) { x.text(); });
-  if (worst.has("kappa")) worst["kappa"].measured();
+/// A list that later versions added; an empty one where the record is older.
+const Json& list_in(const Json& object, const char* name) {
+  static const Json none = Json::array();
+  const auto list = object.find(name);
+  return list == object.end() ? none : *list;
 }
 
-void check_hard_case(const Field& hard) {
-  hard.texts({"name", "class", "reason", "origin", "property", "expression"});
-  const Field input = hard["input"];
-  hard["cells"].each([&](const Field& cell) {
-    cell.texts({"subject", "scalar", "operation", "block", "band", "replay"});
-    cell["verdict"].one_of(
-        {"stable", "refused", "ill-posed", "unresolved", "inaccurate", "wrong branch", "not finite"});
-    cell["rule"].one_of({"forward", "excess"});
-    cell["failed"].boolean();
-    cell["budget"].number();
-    for (const char* name : {"error", "kappa"}) cell[name].measured();
-    if (cell.has("refusal")) cell["refusal"].text();
-    input[cell.string("scalar").c_str()].each([](const Field& x) { x.text(); });
+/// Refuses what only other fields of the same record tell to be wrong.
+void check_relations(std::string_view file, const Json& record) {
+  const auto seed = [&](const char* field, const Json& value) {  // the schema cannot bound it: types.json
+    if (!value.is_number_unsigned() && value.get<std::int64_t>() < 0)
+      refuse(file, field, "a seed, 0 to 2^64 - 1", value);
+  };
+  const auto at_most = [&](const std::string& field, const Json& row, const char* name, const char* limit) {
+    if (row.contains(name) && row[name] > row[limit])
+      refuse(file, field + "." + name, fmt::format("a count from 0 to {}", row[limit].dump()), row[name]);
+  };
+  const auto each = [](const std::string& field, const Json& list, auto check) {
+    for (std::size_t i = 0; i < list.size(); ++i) check(fmt::format("{}[{}]", field, i), list[i]);
+  };
+  seed("seed", record["seed"]);
+  each("results", record["results"], [&](const std::string& field, const Json& row) {
+    if (row["count"] == 0 && row["status"] != "empty")
+      refuse(file, field + ".count", "a count from 1", row["count"]);
+    for (const char* name : {"ill_posed", "unresolved", "not_finite", "wrong_branch", "refused", "failed"})
+      at_most(field, row, name, "count");
   });
-}
-
-void check_sweep(const Field& sweep) {
-  sweep.texts({"version", "scalar"});
-  sweep["verdict"].one_of({"pass", "fail", "incomplete"});
-  sweep["bound"].one_of({"upper", "lower"});
-  sweep["stride"].count(1);
-  sweep["elapsed"].number();
-  const bool upper = sweep["bound"].is("upper");
-  sweep["coefficients"].each([upper](const Field& c) {
-    c.texts({"name", "equation", "argument", "max_at", "reason"});
-    c["kind"].one_of({"relative", "absolute"});
-    c["constant"].count(0, c["evaluated"].count());
-    if (upper || !c["bound_eps"].null()) c["bound_eps"].measured();
-    c["max_eps"].measured();
-    for (const char* name : {"max_at_decimal", "oracle_bound_eps", "square_eps", "documented_eps"})
-      c[name].number();
-    c["status"].one_of({"pass", "fail", "sampled"});
+  each("hard_cases", list_in(record, "hard_cases"), [&](const std::string& field, const Json& hard) {
+    for (const Json& cell : hard["cells"])
+      if (const std::string scalar = cell["scalar"]; !hard["input"].contains(scalar))
+        throw std::runtime_error(fmt::format("{}: field {}.input.{} is missing", file, field, scalar));
   });
-}
-
-void check_record(const Field& record) {
-  record.texts({"version"});
-  record["generator_version"].count(1);
-  record["seed"].seed();
-  record["cases"].count();
-  if (record.has("total_cases")) record["total_cases"].count();
-  record["verdict"].one_of({"pass", "fail", "incomplete"});
-  record["digest"].texts({"inputs", "results"});
-  record["environment"].texts({"cpu", "os", "compiler", "flags", "fma_contraction", "libm"});
-  if (!record["robot"].null()) record["robot"].texts({"name", "hash"});
-  record["subjects"].each([](const Field& subject) {
-    subject.texts({"name", "version", "scalar"});
-    if (subject["eps"].number() == 0 || subject["eps"].number() >= 1) subject["eps"].refuse("0 < eps < 1");
-    subject["not_offered"].each([](const Field& name) { name.text(); });
-  });
-  record["absent"].each([](const Field& name) { name.text(); });
-  record["blocks"].each([](const Field& b) { b.texts({"block", "error", "denominator", "unit"}); });
-  record["operations"].each([](const Field& o) { o.texts({"operation", "definition", "frame"}); });
-  record["properties"].each([](const Field& p) { p.texts({"property", "law", "equation", "source"}); });
-  record["results"].each(check_result);
-  if (record.has("hard_cases")) record["hard_cases"].each(check_hard_case);  // younger than the rest
-  if (record.has("sweep")) check_sweep(record["sweep"]);                     // younger still
-  if (record.has("cost")) check_cost(record["cost"]);
-  if (record.has("scenes")) check_scenes(record["scenes"]);
+  if (record.contains("cost")) seed("cost.seed", record["cost"]["seed"]);
+  if (record.contains("sweep"))
+    each("sweep.coefficients", record["sweep"]["coefficients"], [&](const std::string& field, const Json& c) {
+      if (record["sweep"]["bound"] == "upper" && c["bound_eps"].is_null())
+        refuse(file, field + ".bound_eps", "a number >= 0, \"inf\" or \"nan\"", nullptr);
+      at_most(field, c, "constant", "evaluated");
+    });
+  if (record.contains("scenes"))
+    each("scenes.films", list_in(record["scenes"], "films"), [&](const std::string& field, const Json& film) {
+      each(field + ".frames", film["frames"], [&](const std::string& frame, const Json& poses) {
+        if (poses.size() != film["links"].size())
+          refuse(file, frame, fmt::format("{} entries", film["links"].size()), poses);
+      });
+    });
 }
 
 /// "line 3, column 14" of a byte, both counted from 1, columns in bytes.
-std::string place(std::string_view bytes, std::size_t at) {
+std::string line_and_column(std::string_view bytes, std::size_t at) {
   const std::string_view before = bytes.substr(0, at);
   const auto line = 1 + std::count(before.begin(), before.end(), '\n');
   const auto newline = before.rfind('\n');
@@ -126,10 +90,11 @@ class FirstError final : public nlohmann::json_sax<Json> {
     constexpr int out_of_range = 406;  // of a double
     if (e.id == out_of_range)
       throw std::runtime_error(fmt::format("{}: {}: a number beyond double: {}", file_,
-                                           place(bytes_, byte - std::min(byte, token.size())), token));
+                                           line_and_column(bytes_, byte - std::min(byte, token.size())),
+                                           token));
     const std::size_t at = byte > 0 ? byte - 1 : 0;
     throw std::runtime_error(
-        fmt::format("{}: not JSON: {}: unexpected {}", file_, place(bytes_, at),
+        fmt::format("{}: not JSON: {}: unexpected {}", file_, line_and_column(bytes_, at),
                     at < bytes_.size() ? fmt::format("\"{:#04x}\"", static_cast<unsigned char>(bytes_[at]))
                                        : "end of the file"));
   }
@@ -151,6 +116,11 @@ double figure(const Json& value) {
   return value == "inf" ? Limits::infinity() : Limits::quiet_NaN();
 }
 
+void check_record(std::string_view file, const Json& record) {
+  check_schema(file, record);
+  check_relations(file, record);
+}
+
 Json read_record(const std::filesystem::path& file) {
   const std::string name = file.string();
   const std::string bytes = properties::read_whole(file);
@@ -159,7 +129,7 @@ Json read_record(const std::filesystem::path& file) {
     FirstError error(name, bytes);
     Json::sax_parse(bytes, &error);
   }
-  check_record(Field(name, "", record));
+  check_record(name, record);
   return record;
 }
 
@@ -179,7 +149,7 @@ Merged merge_records(const std::vector<std::filesystem::path>& files) {
                                              fmt::join(key, " / "), first->second));
       merged.results.push_back(std::move(row));
     }
-    for (const Json& hard : record.value("hard_cases", Json::array()))
+    for (const Json& hard : list_in(record, "hard_cases"))
       for (const Json& cell : hard["cells"]) {
         const std::vector<std::string> key = {hard["name"], hard["property"], cell["subject"],
                                               cell["scalar"]};

@@ -1,22 +1,23 @@
 #pragma once
-// A stored campaign record: its schema, checked once at this door; the other files of the room trust it.
+// Reads a stored record of a campaign and checks all of it; the other files of this room rely on that.
 //
-// Errors that a campaign could not express as a number (JSON has no NaN) are the strings "inf" and "nan".
+// JSON has no infinity and no NaN: the strings "inf" and "nan" stand for them.
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
+#include <reports/schema.hpp>
 #include <string>
 #include <vector>
 
 namespace liecheck::reports {
-
-using Json = nlohmann::ordered_json;
 
 /// Campaigns side by side: what each was (`records`, without rows) and the rows of all of them, in order.
 struct Merged {
   std::vector<Json> records;
   std::vector<Json> results;
 };
+
+/// Refuses a record that does not meet the schema, or whose fields contradict one another.
+void check_record(std::string_view file, const Json& record);
 
 /// Reads and checks one record. Throws std::runtime_error naming file, field and value.
 Json read_record(const std::filesystem::path& file);

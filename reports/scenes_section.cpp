@@ -22,20 +22,23 @@ std::string nanoseconds(const Json& x) {
 }
 
 std::string verdict(const Json& s) {
-  if (s["verdict"] == "incomplete") return "<p class=\"note\"><b>Interrupted: what was done.</b></p>\n";
+  if (s["verdict"] == "incomplete")
+    return "<p class=\"note\"><b>The run was interrupted: these are the results so far.</b></p>\n";
   std::size_t orders = 0;
   for (const Json& scene : s["scenes"]) orders += scene["orders"].size();
   if (orders == 0) return "";
   if (s["wrong_orders"].empty())
-    return "<p>Every integrator shows its order to 0.1 over five halvings of the step on every scene below "
-           "on which it is "
-           "not exact.</p>\n";
-  std::string out = "<p class=\"verdict fail\"><strong>ORDER</strong> not what was promised:</p>\n<ul>\n";
+    return "<p>Every integrator shows its order to 0.1 over five halvings of the step, on every scene below "
+           "on "
+           "which it is not exact.</p>\n";
+  std::string out =
+      "<p class=\"verdict fail\"><strong>ORDER</strong> Some integrators do not show their "
+      "order:</p>\n<ul>\n";
   for (const Json& line : s["wrong_orders"]) out += "<li>" + escaped(line.get<std::string>()) + "</li>\n";
   return out + "</ul>\n";
 }
 
-/// Integrators by scenes: the order seen, over how many halvings, in which scalar; and the floor in double.
+/// A table of integrators by scenes: the order observed, over how many halvings, in which scalar; the floor in double.
 std::string orders(const Json& s) {
   Cells heads = {"integrator", "order"};
   std::vector<std::string> names;
@@ -72,11 +75,11 @@ std::string orders(const Json& s) {
   return table(
       "The order that each integrator shows, over how many halvings of the step, and in which scalar; then "
       "its "
-      "smallest error in double: its floor where smaller steps did not lower it",
+      "smallest error in double, called its floor where smaller steps did not lower it",
       heads, rows, true);
 }
 
-/// Of the coarsest run that errs at most 1e-3.
+/// The drift in the coarsest run with an error of at most 1e-3.
 std::string drifts(const Json& s) {
   std::vector<Cells> rows;
   for (const Json& scene : s["scenes"])
@@ -99,11 +102,12 @@ std::string drifts(const Json& s) {
       }
     }
   if (rows.empty()) return "";
-  return "<details><summary>Drift of energy and momentum: what goes on and what comes back</summary>\n" +
+  return "<details><summary>Drift of energy and momentum: slope and oscillation</summary>\n" +
          table(
-             "Of the coarsest run that errs at most 1e-3, relative to the start: the slope of the best line, "
-             "and the largest "
-             "distance from it. Momentum: angular, as a vector, where nothing acts from outside",
+             "In the coarsest run with an error of at most 1e-3: the slope of the least-squares line and the "
+             "largest distance from it, relative to the value at the start. The momentum is the angular "
+             "momentum "
+             "vector of scenes without external forces",
              {"scene", "method", "steps", "error", "energy: slope [1/s]", "oscillation",
               "momentum: slope [1/s]", "oscillation"},
              rows, true) +
@@ -122,9 +126,9 @@ std::string spins(const Json& s) {
   std::string out;
   if (!rows.empty())
     out += table(
-        "A triaxial body without torque, many turns: the error of its attitude against the closed form. "
-        "Limit: turns "
-        "· 2π · eps, what a last digit of its angular velocity becomes",
+        "A triaxial body without torque over many turns: the error of its attitude against the closed form. "
+        "The "
+        "limit, turns · 2π · eps, is the effect of an error of eps in the angular velocity",
         {"integrator", "order", "turns", "steps a turn", "error [rad]", "limit [rad]", "error / limit",
          "time"},
         rows, true);
@@ -138,16 +142,15 @@ std::string spins(const Json& s) {
                     fmt::format("{:.1f} s", f["horizon"].get<double>())});
   }
   if (!rows.empty())
-    out +=
-        table(
-            "Dzhanibekov’s body, ω₀ = (d, 1, d) rad/s, moments 1, 2, 3 kg m²: relative error of the times "
-            "of its flips "
-            "by gauss12, and the honest horizon: up to which flip they are right to 1e-6",
-            {"d", "scalar", "first flip [s]", "relative error of each flip", "right to 1e-6", "horizon"},
-            rows, true) +
-        "<p class=\"note\">Near the axis what rounding left in the unstable direction grows by 1/d², so that "
-        "a second flip is "
-        "known to about eps/d² and no better, by any integrator that keeps its state in that scalar.</p>\n";
+    out += table(
+               "Dzhanibekov effect, ω₀ = (d, 1, d) rad/s, moments of inertia 1, 2, 3 kg m², by gauss12: "
+               "relative "
+               "error of the time of each flip, and the horizon up to which all flips are right to 1e-6",
+               {"d", "scalar", "first flip [s]", "relative error of each flip", "right to 1e-6", "horizon"},
+               rows, true) +
+           "<p class=\"note\">Near the axis, rounding errors in the unstable direction grow by 1/d². Any "
+           "integrator "
+           "with its state in that scalar therefore finds a second flip to about eps/d² and no better.</p>\n";
   return out;
 }
 
@@ -156,17 +159,18 @@ std::string peers(const Json& s) {
   for (const Json& p : s["peers"])
     rows.push_back({text_of(p, "scene"), text_of(p, "peer"), text_of(p, "integrator"), p["points"].dump(),
                     fmt::format("<b>{:.3f}</b>", figure(p["ratio"])), number(p["error"]), code(p["ours"]),
-                    p["unmatched"] ? "a point of it is more accurate than any of ours" : ""});
+                    p["unmatched"] ? "one of its points is more accurate than any of liecheck’s" : ""});
   for (const Json& name : s["absent"])
     rows.push_back(
         {"all", escaped(name.get<std::string>()), "—", "0", "—", "—", "—", "absent from this build"});
   if (rows.empty()) return "";
   return table(
-      "Beside other simulators, without contact: at an error no larger, our time over theirs. The worst of "
-      "all their "
-      "points; below 1 we are faster everywhere",
-      {"scene", "simulator", "its method", "points", "our time / its time", "at error", "by our", ""}, rows,
-      true);
+      "Comparison with other simulators, without contact: the time of liecheck over theirs, at an error that "
+      "is "
+      "no larger, the largest over all their points. Below 1, liecheck is faster at every point",
+      {"scene", "simulator", "its method", "points", "liecheck’s time / its time", "at error",
+       "liecheck’s method", ""},
+      rows, true);
 }
 
 std::string costs(const Json& s) {
@@ -177,10 +181,11 @@ std::string costs(const Json& s) {
   if (rows.empty()) return "";
   return "<details open><summary>What each effect costs</summary>\n" +
          table(
-             "Stages of three plans, as liecheck scene explain measures them; a scene that does not call for "
-             "an effect does "
-             "not have its stage",
-             {"scene", "stage", "each", "time", "equation", "energy", "because"}, rows, true) +
+             "The stages of three plans, as liecheck scene explain measures them. A scene has only the "
+             "stages of the "
+             "effects that it names",
+             {"scene", "stage", "runs each", "time", "equation", "energy", "why the plan has it"}, rows,
+             true) +
          "</details>\n";
 }
 
@@ -197,21 +202,24 @@ std::string scenes_section(const Merged& merged) {
     for (std::size_t i = 0; i < s.value("films", Json::array()).size(); ++i) own.push_back(film++);
     if (!own.empty()) out += fmt::format("<div class=\"films\" data-films=\"{}\"></div>\n", own.dump());
     out += fmt::format(
-        "<p class=\"note\">A method runs a scene with ever smaller steps (an adaptive one with ever smaller "
-        "tolerances). Error: "
-        "against the exact motion, the largest at four quarters of the duration; that of attitudes on the "
-        "group. Time: "
-        "processor time of a whole run over the duration, all points of a scene interleaved, medians. "
-        "Further down and further "
-        "to the left is better. Dashed: other simulators, contact and damping off. {:.0f} s.</p>\n"
+        "<p class=\"note\">Each method runs a scene with smaller and smaller steps, an adaptive method with "
+        "smaller "
+        "and smaller tolerances. The error is the largest difference from the exact motion at the four "
+        "quarters of "
+        "the duration; for attitudes it is the angle between them. The time is the median of the processor "
+        "time of a "
+        "whole run, divided by the duration; the runs of all points of a scene are interleaved. Lower and "
+        "further "
+        "left is better. Dashed lines are other simulators, with contact and damping off. All took {:.0f} "
+        "s.</p>\n"
         "<form class=\"scene-controls\" aria-label=\"Which scenes are drawn\"></form>\n<div "
         "class=\"scene-charts\"></div>\n",
         s["elapsed"].get<double>());
     out += peers(s) + orders(s) + spins(s) + drifts(s) + costs(s);
   }
-  return out.empty() ? "<p>These records hold no scenes; <code>liecheck report</code> without a record "
-                       "simulates them, as does "
-                       "<code>liecheck scene sweep</code>.</p>\n"
+  return out.empty() ? "<p>These records hold no scenes: <code>liecheck report</code> without a record "
+                       "simulates them, "
+                       "as does <code>liecheck scene sweep</code>.</p>\n"
                      : out;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// What the rows of a report come to: the verdict, how each subject fared, the worst offenders.
+// A summary of the rows of a report: the verdict, the standing of each subject, the worst rows.
 
 #include <cstdint>
 #include <reports/record.hpp>
@@ -18,11 +18,11 @@ struct Standing {
   std::vector<std::string> not_offered;
 };
 
-/// The figure a row is judged by: max_eps under rule "forward", max_excess under "excess".
+/// The figure that the budget of a row limits: max_eps under rule "forward", max_excess under "excess".
 double judged(const Json& row);
 
-/// "fail" with any band failed, "incomplete" with any unresolved, "pass", or "no verdict" without a judged
-/// one.
+/// "fail" if any band failed, else "incomplete" if any is unresolved, else "pass"; "no verdict" without a judged
+/// band.
 std::string word(const Standing& standing);
 
 /// Whether row a is the worse error: not finite or on a wrong branch before any number, then the larger ratio

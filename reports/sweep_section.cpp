@@ -28,18 +28,18 @@ std::string sweep_section(const Merged& merged) {
            text_of(c, "reason")});
     }
     out += table(
-        upper ? fmt::format("Every float, in {:.0f} s: an upper bound of the error in {}, the oracle’s own "
-                            "error included",
+        upper ? fmt::format("Every float, in {:.0f} s: an upper bound of the error in {}, which includes the "
+                            "error of the oracle",
                             sweep["elapsed"].get<double>(), sweep["scalar"].get<std::string>())
               : fmt::format("{}: the largest error found, a lower bound",
                             sweep["stride"] == 1 ? std::string("Interrupted")
                                                  : fmt::format("Every {}th float", sweep["stride"].dump())),
         {"coefficient", "equation", "error", "floats",
          upper ? "true upper bound [eps]" : "largest found [eps]", "documented [eps]", "status", "x", "at",
-         "decimal", "from θ [eps]", "why so much"},
+         "decimal", "from θ [eps]", "reason of the documented bound"},
         rows, true);
   }
-  return out.empty() ? "<p>These records hold no sweep; <code>liecheck report</code> without a record runs "
+  return out.empty() ? "<p>These records hold no sweep: <code>liecheck report</code> without a record runs "
                        "one, as does <code>liecheck sweep</code>.</p>\n"
                      : out;
 }

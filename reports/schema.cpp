@@ -1,0 +1,117 @@
+// The only file that compiles valijson.
+
+#include <fmt/format.h>
+
+#include <map>
+#include <reports/embedded_files.hpp>
+#include <reports/schema.hpp>
+#include <stdexcept>
+#include <valijson/adapters/nlohmann_json_adapter.hpp>
+#include <valijson/schema.hpp>
+#include <valijson/schema_parser.hpp>
+#include <valijson/validator.hpp>
+
+namespace liecheck::reports {
+namespace {
+
+/// A schema file; only schema() reads them, once.
+const Json& schema_file(const std::string& name) {
+  static std::map<std::string, Json> all;
+  const auto [file, is_new] = all.try_emplace(name);
+  if (is_new) file->second = Json::parse(embedded_file(name));
+  return file->second;
+}
+
+/// A node of the schema file `name` without references; annotations beside a reference replace those that it brings.
+Json resolved(const std::string& name, const Json& node) {
+  if (node.is_array()) {
+    Json all = Json::array();
+    for (const Json& part : node) all.push_back(resolved(name, part));
+    return all;
+  }
+  if (!node.is_object()) return node;
+  Json all = Json::object();
+  if (node.contains("$ref")) {
+    const std::string reference = node["$ref"];
+    const auto hash = std::min(reference.find('#'), reference.size());
+    const std::string file = hash == 0 ? name : reference.substr(0, hash);
+    const Json::json_pointer place(hash == reference.size() ? "" : reference.substr(hash + 1));
+    all = resolved(file, schema_file(file).at(place));
+  }
+  for (const auto& [key, part] : node.items())
+    if (key != "$ref" && key != "definitions") all[key] = resolved(name, part);
+  return all;
+}
+
+/// Whether values meet a node of the schema.
+class Rule {
+ public:
+  explicit Rule(const Json& node) {
+    valijson::SchemaParser().populateSchema(valijson::adapters::NlohmannJsonAdapter(node), schema_);
+  }
+  bool is_met_by(const Json& value) {
+    return validator_.validate(schema_, valijson::adapters::NlohmannJsonAdapter(value), nullptr);
+  }
+
+ private:
+  valijson::Schema schema_;
+  valijson::Validator validator_;
+};
+
+/// What a node of the schema asks of a value, in words.
+std::string expected(const Json& node) {
+  if (node.contains("enum"))
+    return fmt::format("one of {}", fmt::join(node["enum"].get<std::vector<std::string>>(), ", "));
+  if (node["type"] == "object") return "an object";
+  if (node["type"].is_array() && node["type"][0] == "object") return "an object or null";
+  return node.value("title", "an array");
+}
+
+/// Refuses the innermost part of `value` that does not meet its node of the schema. valijson tells only whether a value
+/// is valid: its lists of errors grow with the file, and none says what was found.
+[[noreturn]] void refuse_part(std::string_view file, const std::string& field, const Json& node,
+                              const Json& value) {
+  const auto check = [file](const std::string& inner, const Json& rule, const Json& part) {
+    if (!Rule(rule).is_met_by(part)) refuse_part(file, inner, rule, part);
+  };
+  if (value.is_array() && node.contains("items")) {
+    Rule rule(node["items"]);
+    for (std::size_t i = 0; i < value.size(); ++i)
+      if (!rule.is_met_by(value[i]))
+        refuse_part(file, fmt::format("{}[{}]", field, i), node["items"], value[i]);
+  }
+  if (value.is_object()) {
+    const std::string prefix = field.empty() ? "" : field + ".";
+    for (const Json& name : node.value("required", Json::array()))
+      if (!value.contains(name.get<std::string>()))
+        throw std::runtime_error(
+            fmt::format("{}: field {}{} is missing", file, prefix, name.get<std::string>()));
+    const Json properties = node.value("properties", Json::object());
+    for (const auto& [name, part] : value.items())
+      if (properties.contains(name))
+        check(prefix + name, properties[name], part);
+      else if (node.contains("additionalProperties"))
+        check(prefix + name, node["additionalProperties"], part);
+  }
+  refuse(file, field, expected(node), value);
+}
+
+}  // namespace
+
+const Json& schema() {
+  static const Json whole = resolved("record.json", {{"$ref", "record.json"}});
+  return whole;
+}
+
+void refuse(std::string_view file, std::string_view field, std::string_view expected, const Json& found) {
+  std::string text = found.dump(-1, ' ', true);
+  if (text.size() > 60) text = text.substr(0, 57) + "...";
+  throw std::runtime_error(fmt::format("{}: field {}: expected {}, found {}", file,
+                                       field.empty() ? "(top level)" : field, expected, text));
+}
+
+void check_schema(std::string_view file, const Json& record) {
+  if (!Rule(schema()).is_met_by(record)) refuse_part(file, "", schema(), record);
+}
+
+}  // namespace liecheck::reports
