@@ -278,6 +278,7 @@ inline Json full_record() {
   all["hard_cases"][0]["cells"][0]["refusal"] = "not a unit quaternion";
   all["sweep"] = swept();
   all["cost"] = cost();
+  all["cost"]["rows"] = Json::array({cost_row("liecheck", "double", "exp6", 1e-16, 40)});
   all["cost"]["environment"].update(environment);
   all["cost"]["bands"] = {{{"band", "theta 1"}, {"axis", "theta"}, {"low", 0.1}, {"high", 1}}};
   all["scenes"] = scenes();

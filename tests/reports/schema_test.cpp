@@ -59,7 +59,8 @@ TEST(Schema, ChecksEveryFieldThatItDocuments) {
                  EXPECT_NE(wrong.find(", found "), wrong.npos) << wrong;
                  changed.erase(key);
                  const Json required = object_rule.value("required", Json::array());
-                 EXPECT_EQ(std::count(required.begin(), required.end(), key) == 1,
+                 // A hard case must have the input of every scalar that its cells name.
+                 EXPECT_EQ(field.ends_with(".*") || std::count(required.begin(), required.end(), key) == 1,
                            refusal_with(object, changed).find(key + " is missing") != wrong.npos)
                      << field;
                });
