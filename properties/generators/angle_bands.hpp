@@ -6,7 +6,7 @@
 
 #include <cmath>
 #include <limits>
-#include <oracles/real.hpp>
+#include <oracles/number.hpp>
 #include <string>
 #include <vector>
 

@@ -5,7 +5,7 @@
 #include <boost/math/constants/constants.hpp>
 #include <campaign/case_id.hpp>
 #include <cctype>
-#include <oracles/real.hpp>
+#include <oracles/number.hpp>
 #include <stdexcept>
 
 namespace liecheck::properties {

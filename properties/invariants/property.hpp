@@ -11,7 +11,7 @@
 #include <generators/input_layout.hpp>
 #include <generators/random_bits.hpp>
 #include <memory>
-#include <oracles/real.hpp>
+#include <oracles/number.hpp>
 #include <string>
 #include <string_view>
 #include <subjects/subject.hpp>

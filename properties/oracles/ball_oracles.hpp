@@ -8,7 +8,7 @@
 #include <oracles/integrate.hpp>
 #include <oracles/jacobians.hpp>
 #include <oracles/kinematics.hpp>
-#include <oracles/spatial_formulas.hpp>
+#include <oracles/spatial.hpp>
 
 namespace liecheck::oracles {
 

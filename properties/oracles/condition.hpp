@@ -13,7 +13,7 @@
 
 #include <functional>
 #include <optional>
-#include <oracles/real.hpp>
+#include <oracles/number.hpp>
 #include <utility>
 #include <vector>
 

@@ -1,9 +1,14 @@
 #pragma once
 // Homogeneous matrices without their last row, which is 0 0 0 1 for a pose and zero for its derivatives.
 
-#include <oracles/tree.hpp>
+#include <oracles/quaternion.hpp>
 
-namespace liecheck::oracles::homogeneous {
+namespace liecheck::oracles {
+
+template <class T>
+using Mat34 = Mat<3, 4, T>;
+
+namespace homogeneous {
 
 /// A B, where the last row of B is 0 0 0 last.
 template <class T>
@@ -63,4 +68,5 @@ Mat3<T> rotation_about(const Vec3<T>& n, const T& c, const T& s) {
   return R;
 }
 
-}  // namespace liecheck::oracles::homogeneous
+}  // namespace homogeneous
+}  // namespace liecheck::oracles

@@ -3,7 +3,7 @@
 // which at 50 digits cost as much as the arithmetic.
 
 #include <array>
-#include <oracles/real.hpp>
+#include <oracles/number.hpp>
 
 namespace liecheck::oracles {
 

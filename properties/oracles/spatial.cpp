@@ -1,7 +1,6 @@
 #include <oracles/spatial.hpp>
 
 #include <oracles/log.hpp>
-#include <oracles/spatial_formulas.hpp>
 
 namespace liecheck::oracles {
 namespace {

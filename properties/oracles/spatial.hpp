@@ -20,25 +20,9 @@
 // Source: Featherstone 2008, sections 2.8, 2.9, 2.13 and table 2.2; linear part first here.
 
 #include <oracles/agreement.hpp>
-#include <oracles/quaternion.hpp>
+#include <oracles/spatial_formulas.hpp>
 
 namespace liecheck::oracles {
-
-template <class T>
-struct PoseOf {
-  Mat3<T> R;
-  Vec3<T> p;
-};
-using Pose = PoseOf<Real>;
-
-/// A rigid body's mass, centre of mass and inertia about the centre of mass.
-template <class T>
-struct BodyOf {
-  T mass;
-  Vec3<T> c;
-  Mat3<T> I_C;
-};
-using Body = BodyOf<Real>;
 
 /// The result of an oracle: its value, and whether its two formulas agree.
 template <class V>
@@ -54,11 +38,6 @@ using Matrix6Result = Resolved<Mat6<>>;
 
 /// The pose of Q / ||Q|| and p, to 50 digits.
 Pose pose_of(const Quaternion<>& Q, const Vec3<>& p);
-/// The symmetric matrix of xx, xy, yy, xz, yz, zz.
-template <class T>
-Mat3<T> symmetric(const Vec6<T>& u) {
-  return {{u[0], u[1], u[3], u[1], u[2], u[4], u[3], u[4], u[5]}};
-}
 
 PointResult rotate_point(const Quaternion<>& Q, const Vec3<>& x);  ///< x rotated by Q / ||Q||
 PointResult act_point(const Pose& X, const Vec3<>& x);             ///< R x + p

@@ -1,9 +1,33 @@
 #pragma once
 // The formulas of spatial.hpp component by component, in any of the oracles' numbers.
 
-#include <oracles/spatial.hpp>
+#include <oracles/quaternion.hpp>
 
-namespace liecheck::oracles::formulas {
+namespace liecheck::oracles {
+
+template <class T>
+struct PoseOf {
+  Mat3<T> R;
+  Vec3<T> p;
+};
+using Pose = PoseOf<Real>;
+
+/// A rigid body's mass, centre of mass and inertia about the centre of mass.
+template <class T>
+struct BodyOf {
+  T mass;
+  Vec3<T> c;
+  Mat3<T> I_C;
+};
+using Body = BodyOf<Real>;
+
+/// The symmetric matrix of xx, xy, yy, xz, yz, zz.
+template <class T>
+Mat3<T> symmetric(const Vec6<T>& u) {
+  return {{u[0], u[1], u[3], u[1], u[2], u[4], u[3], u[4], u[5]}};
+}
+
+namespace formulas {
 
 template <class T>
 Vec6<T> act_motion(const PoseOf<T>& X, const Vec6<T>& V) {
@@ -67,4 +91,5 @@ T power(const Vec6<T>& F, const Vec6<T>& V) {
   return sum;
 }
 
-}  // namespace liecheck::oracles::formulas
+}  // namespace formulas
+}  // namespace liecheck::oracles

@@ -1,7 +1,6 @@
 #include <oracles/tree.hpp>
 
 #include <oracles/closed_forms.hpp>
-#include <oracles/homogeneous.hpp>
 
 namespace liecheck::oracles {
 namespace {

@@ -15,6 +15,7 @@
 //
 // Domain: stored quaternions, axes and (cos, sin) are not zero; each stands for its normalised value.
 
+#include <oracles/homogeneous.hpp>
 #include <oracles/spatial.hpp>
 #include <vector>
 
@@ -73,9 +74,6 @@ struct WrenchOf {
   int joint = -1;
   Vec6<T> F;
 };
-
-template <class T>
-using Mat34 = Mat<3, 4, T>;  // without the last row: 0 0 0 1 for a pose, zero for its derivatives
 
 /// X, X' and X'' of each joint.
 template <class T>

@@ -1,7 +1,6 @@
 // Confirms the product rule of tree.cpp by differences of poses.
 
 #include <oracles/agreement.hpp>
-#include <oracles/homogeneous.hpp>
 #include <oracles/tree_sizes.hpp>
 
 namespace liecheck::oracles {

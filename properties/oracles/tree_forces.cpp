@@ -1,6 +1,5 @@
 // Forces, inertias, energies and momenta: sums over the mass elements of the bodies.
 
-#include <oracles/homogeneous.hpp>
 #include <oracles/tree.hpp>
 
 namespace liecheck::oracles {
