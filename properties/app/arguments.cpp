@@ -1,24 +1,28 @@
 #include <app/arguments.hpp>
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 #include <charconv>
 #include <stdexcept>
-#include <vector>
 
 namespace liecheck::properties {
 
-std::uint64_t decimal(const std::string& what, const std::string& text, std::uint64_t low,
+namespace {
+
+/// Throws CLI::ValidationError naming the flag.
+std::uint64_t decimal(const std::string& flag, const std::string& text, std::uint64_t low,
                       std::uint64_t high) {
   std::uint64_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   const bool plain =
       error == std::errc() && end == text.data() + text.size() && std::to_string(value) == text;
   if (!plain || value < low || value > high)
-    throw CLI::ValidationError(what,
+    throw CLI::ValidationError(flag,
                                fmt::format("'{}' is not a decimal number from {} to {}", text, low, high));
   return value;
 }
 
+/// [s]. Throws std::invalid_argument.
 double parse_duration(const std::string& text) {
   double value = 0;
   const auto [end, error] =
@@ -30,23 +34,97 @@ double parse_duration(const std::string& text) {
   return value * factor;
 }
 
-CLI::Option* filled(CLI::Option* option, const std::string& value_name) {
-  return option->type_name(value_name)
-      ->check([](const std::string& value) { return std::string(value.empty() ? "may not be empty" : ""); },
-              "");
+/// What is wrong with a duration; "" where nothing is.
+std::string duration_error(const std::string& text) {
+  try {
+    parse_duration(text);
+    return "";
+  } catch (const std::exception& e) {
+    return e.what();
+  }
 }
 
-std::string usage_error(const CLI::App& app, const CLI::ParseError& e) {
-  const CLI::App* at = &app;
-  while (!at->get_subcommands().empty()) at = at->get_subcommands().front();
-  const auto commands = at->get_subcommands([](const CLI::App*) { return true; });
-  const auto rest = at->remaining();
-  if (commands.empty() || (rest.empty() && at == &app)) return e.what();
-  std::vector<std::string> known;
-  for (const CLI::App* command : commands) known.push_back(command->get_name());
-  if (rest.empty()) return fmt::format("{}: which one? {}", at->get_name(), fmt::join(known, ", "));
-  return fmt::format("unknown {} '{}'; commands{}: {}", rest[0].rfind('-', 0) == 0 ? "option" : "command",
-                     rest[0], at == &app ? "" : " of " + at->get_name(), fmt::join(known, ", "));
+std::string empty_error(const std::string& value) {
+  return value.empty() ? "may not be empty" : "";
+}
+
+CLI::Option* named(CLI::Option* option, const std::string& value) {
+  return value.empty() ? option : option->type_name(value)->check(empty_error, "");
+}
+
+std::string long_name(const std::string& names) {
+  return names.substr(names.rfind("--"));
+}
+
+}  // namespace
+
+Flag Flag::required() const {
+  return Flag(option_->required());
+}
+Flag Flag::needs(Flag other) const {
+  return Flag(option_->needs(other.option_));
+}
+Flag Flag::excludes(Flag other) const {
+  return Flag(option_->excludes(other.option_));
+}
+Flag Flag::with_default_in_help() const {
+  return Flag(option_->capture_default_str());
+}
+Flag Flag::without_default_in_help() const {
+  return Flag(option_->default_str(""));
+}
+Flag Flag::once_for_each_value() const {
+  return Flag(option_->allow_extra_args(false));
+}
+bool Flag::given() const {
+  return option_ && option_->count() > 0;
+}
+
+Arguments::Arguments(CLI::App& parent, const std::string& name, const std::string& help)
+    : command_(*parent.add_subcommand(name, help)) {}
+
+Flag Arguments::text(const std::string& names, std::string& target, const std::string& value,
+                     const std::string& help) {
+  return Flag(named(command_.add_option(names, target, help), value));
+}
+
+Flag Arguments::choice(const std::string& names, std::string& target, const std::vector<std::string>& words,
+                       const std::string& value, const std::string& help) {
+  return Flag(named(command_.add_option(names, target, help)->check(CLI::IsMember(words)), value));
+}
+
+Flag Arguments::list(const std::string& names, std::vector<std::string>& target, const std::string& value,
+                     const std::string& help) {
+  return Flag(named(command_.add_option(names, target, help), value));
+}
+
+Flag Arguments::toggle(const std::string& names, bool& target, const std::string& help) {
+  return Flag(command_.add_flag(names, target, help));
+}
+
+Flag Arguments::add_number(const std::string& names, const std::string& shown, std::uint64_t low,
+                           std::uint64_t high, const std::string& help,
+                           const std::function<void(std::uint64_t)>& set) {
+  const auto read = [set, flag = long_name(names), low, high](const std::string& text) {
+    set(decimal(flag, text, low, high));
+  };
+  return Flag(
+      command_.add_option_function<std::string>(names, read, help)->type_name("N")->default_str(shown));
+}
+
+Flag Arguments::numbers(const std::string& names, std::vector<long>& target, std::uint64_t low,
+                        std::uint64_t high, const std::string& help) {
+  const auto read = [&target, flag = long_name(names), low, high](const std::vector<std::string>& texts) {
+    for (const std::string& text : texts) target.push_back(static_cast<long>(decimal(flag, text, low, high)));
+  };
+  return Flag(command_.add_option_function<std::vector<std::string>>(names, read, help)->type_name("N"));
+}
+
+Flag Arguments::add_duration(const std::string& names, const std::string& help,
+                             const std::function<void(double)>& set) {
+  const auto read = [set](const std::string& text) { set(parse_duration(text)); };
+  return Flag(named(command_.add_option_function<std::string>(names, read, help), "DURATION")
+                  ->check(duration_error, ""));
 }
 
 }  // namespace liecheck::properties

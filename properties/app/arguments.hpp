@@ -1,40 +1,77 @@
 #pragma once
-// What a command line may hold, stricter than CLI11's own conversions (octal, hexadecimal, "" as 0, -1 as 2^64-1).
+// The arguments of a command: CLI11 with stricter values (it reads octal, hexadecimal, "" as 0 and -1 as 2^64-1).
+// CLI11 takes five seconds to compile and stays behind this header.
 
-#include <CLI/CLI.hpp>
+#include <app/command.hpp>
 #include <cstdint>
+#include <functional>
 #include <string>
+#include <vector>
+
+namespace CLI {
+class Option;
+}
 
 namespace liecheck::properties {
 
-/// A whole number written with decimal digits alone, from low to high. Throws CLI::ValidationError naming
-/// `what`.
-std::uint64_t decimal(const std::string& what, const std::string& text, std::uint64_t low,
-                      std::uint64_t high);
+/// A flag, or a value without a flag, of a command.
+class Flag {
+ public:
+  explicit Flag(CLI::Option* option = nullptr) : option_(option) {}
+  Flag required() const;
+  Flag needs(Flag other) const;
+  Flag excludes(Flag other) const;
+  Flag with_default_in_help() const;
+  Flag without_default_in_help() const;
+  Flag once_for_each_value() const;  ///< of a list: "--steps 4 --steps 8", not "--steps 4 8"
+  bool given() const;                ///< once the command line is parsed
 
-/// "30s", "5m", "1h" or plain seconds, up to 10^7 s. Throws std::invalid_argument.
-double parse_duration(const std::string& text);
+ private:
+  CLI::Option* option_;
+};
 
-/// A number option with its default in the help.
-template <class T>
-CLI::Option* add_number(CLI::App& command, const std::string& names, T& target, std::uint64_t low,
-                        std::uint64_t high, const std::string& help) {
-  const std::string flag = names.substr(names.rfind("--"));
-  return command
-      .add_option_function<std::string>(
-          names,
-          [&target, flag, low, high](const std::string& s) {
-            target = static_cast<T>(decimal(flag, s, low, high));
-          },
-          help)
-      ->type_name("N")
-      ->default_str(std::to_string(target));
-}
+/// Adds a command to a program and flags to the command. A target is filled when the command line is parsed, and must
+/// live until then. `value` names the value in the help; where it is "", the value may be empty.
+class Arguments {
+ public:
+  Arguments(CLI::App& parent, const std::string& name, const std::string& help);
 
-/// Gives an option's value a name in the help, and refuses an empty one.
-CLI::Option* filled(CLI::Option* option, const std::string& value_name);
+  Flag text(const std::string& names, std::string& target, const std::string& value, const std::string& help);
+  /// One of some words.
+  Flag choice(const std::string& names, std::string& target, const std::vector<std::string>& words,
+              const std::string& value, const std::string& help);
+  /// Repeatable.
+  Flag list(const std::string& names, std::vector<std::string>& target, const std::string& value,
+            const std::string& help);
+  Flag toggle(const std::string& names, bool& target, const std::string& help);
 
-/// What CLI11 says, but a word that is no command is named.
-std::string usage_error(const CLI::App& app, const CLI::ParseError& error);
+  /// A whole number in decimal digits, from low to high, with its default in the help.
+  template <class T>
+  Flag number(const std::string& names, T& target, std::uint64_t low, std::uint64_t high,
+              const std::string& help) {
+    return add_number(names, std::to_string(target), low, high, help,
+                      [&target](std::uint64_t n) { target = static_cast<T>(n); });
+  }
+  /// The same, repeatable.
+  Flag numbers(const std::string& names, std::vector<long>& target, std::uint64_t low, std::uint64_t high,
+               const std::string& help);
+
+  /// "30s", "5m", "1h" or plain seconds, up to 10^7 s. T: double, or std::optional<double>.
+  template <class T>
+  Flag duration(const std::string& names, T& seconds, const std::string& help) {
+    return add_duration(names, help, [&seconds](double s) { seconds = s; });
+  }
+
+  /// The command, once its flags are added.
+  Command command(std::function<int()> run) const { return {&command_, std::move(run)}; }
+
+ private:
+  Flag add_number(const std::string& names, const std::string& shown, std::uint64_t low, std::uint64_t high,
+                  const std::string& help, const std::function<void(std::uint64_t)>& set);
+  Flag add_duration(const std::string& names, const std::string& help,
+                    const std::function<void(double)>& set);
+
+  CLI::App& command_;
+};
 
 }  // namespace liecheck::properties

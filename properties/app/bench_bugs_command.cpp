@@ -1,127 +1,149 @@
-#include <app/bench_command.hpp>
-
 #include <fmt/format.h>
 #include <algorithm>
-#include <app/store_commands.hpp>
-#include <campaign/campaign.hpp>
+#include <app/commands.hpp>
+#include <app/record_file.hpp>
+#include <app/shared_flags.hpp>
+#include <app/signals.hpp>
 #include <chrono>
 #include <hard_cases/hard_cases.hpp>
+#include <memory>
 #include <nlohmann/json.hpp>
+#include <record/bench.hpp>
 #include <search/weak_tests.hpp>
 #include <subjects/known_bugs.hpp>
 #include <support/files.hpp>
 #include <support/stop.hpp>
 
 namespace liecheck::properties {
+
 namespace {
 
-struct Kill {
-  bool killed = false;
-  std::string by;  ///< law, operation, block
-  std::uint64_t cases = 0;
-  double seconds = 0;
+struct Flags {
+  BugBench bench;  ///< its seed, scalar and seconds; of a look-alike a tenth of them
+  std::string json;
+  RobotFlags robot;
 };
 
-/// The hard cases first, as in every campaign; then rounds of cases over all laws, until one fails.
-Kill hunt_down(const std::string& subject, const BenchFlags& f, double seconds, const Robot& robot) {
-  const auto start = std::chrono::steady_clock::now();
-  const auto elapsed = [&] {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  };
-  Kill kill;
-  const auto finish = [&](std::string by) {
-    kill.killed = true, kill.by = std::move(by), kill.seconds = elapsed();
-    return kill;
-  };
-  const auto all = select({{subject}, {}, {f.scalar}}, robot);
-  constexpr std::uint64_t round = 64;
-  for (std::uint64_t from = 0; elapsed() < seconds && !stop_requested; from += round) {
-    for (const auto& s : all) {
-      Tally tally;
-      for (std::uint64_t i = from; i < from + round; ++i) s->run(f.seed, i, tally);
-      kill.cases += round;
-      for (const auto& [cell, row] : tally.rows)
-        if (row.failed > 0) {
-          const Output& o = s->outputs.at(static_cast<std::size_t>(cell.first));
-          return finish(fmt::format("{}: {}, {}", s->property, o.operation, o.block));
-        }
+/// What failed first of 64 cases of a series, from case `from` on: "law: operation, block". "" where nothing did.
+std::string failure_of(const Series& s, std::uint64_t seed, std::uint64_t from, std::uint64_t cases) {
+  Tally tally;
+  for (std::uint64_t i = from; i < from + cases; ++i) s.run(seed, i, tally);
+  for (const auto& [cell, row] : tally.rows)
+    if (row.failed > 0) {
+      const Output& o = s.outputs.at(static_cast<std::size_t>(cell.first));
+      return fmt::format("{}: {}, {}", s.property, o.operation, o.block);
     }
-    if (from == 0) {
-      const auto rows = run_hard_cases({{subject}, {}, {f.scalar}}, robot);
-      kill.cases += rows.size();
-      for (const HardRow& row : rows)
-        for (const HardCell& cell : row.cells)
-          if (cell.failed)
-            return finish(fmt::format("hard case {}: {}, {}", row.entry->name, cell.operation, cell.block));
+  return "";
+}
+
+std::string failure_of(const std::vector<HardRow>& rows) {
+  for (const HardRow& row : rows)
+    for (const HardCell& cell : row.cells)
+      if (cell.failed)
+        return fmt::format("hard case {}: {}, {}", row.entry->name, cell.operation, cell.block);
+  return "";
+}
+
+/// Rounds of cases over all laws, the hard cases after the first one, until something fails.
+void hunt_down(BugRow& bug, const BugBench& bench, const Robot& robot) {
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  const auto elapsed = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
+  const double seconds = bug.alike() ? bench.seconds_each / 10 : bench.seconds_each;
+  const Selection selection{{bug.name}, {}, {bench.scalar}};
+  const auto all = select(selection, robot);
+  constexpr std::uint64_t round = 64;
+  for (std::uint64_t from = 0; bug.by.empty() && elapsed() < seconds && !stop_requested; from += round) {
+    for (const auto& s : all) {
+      bug.cases += round;
+      bug.by = failure_of(*s, bench.seed, from, round);
+      if (!bug.by.empty()) break;
+    }
+    if (from == 0 && bug.by.empty()) {
+      const auto rows = run_hard_cases(selection, robot);
+      bug.cases += rows.size();
+      bug.by = failure_of(rows);
     }
   }
-  kill.seconds = elapsed();
-  return kill;
+  bug.seconds = elapsed();
+  bug.killed = !bug.by.empty();
+}
+
+void print_header() {
+  fmt::print("{:<34} {:<10}{:>9}{:>9}  {:<52}", "known bug", "", "cases", "s", "killed by");
+  for (const WeakStyle& w : weak_styles()) fmt::print("{:>14}", w.name);
+  fmt::print("\n");
+}
+
+void print_row(const BugRow& bug) {
+  std::string marks;
+  for (const auto& [name, seen] : bug.weaker_styles) marks += fmt::format("{:>14}", seen ? "killed" : "-");
+  const char* verdict =
+      bug.alike() ? (bug.killed ? "REFUSED" : "passes") : (bug.killed ? "killed" : "SURVIVES");
+  fmt::print("{:<34} {:<10}{:>9}{:>9.3f}  {:<52}{}\n", bug.name, verdict, bug.cases, bug.seconds,
+             bug.by.empty() ? "-" : bug.by, marks);
+  std::fflush(stdout);
+}
+
+void print_summary(const BugBench& b) {
+  double slowest = 0;
+  for (const BugRow& bug : b.rows)
+    if (!bug.alike()) slowest = std::max(slowest, bug.seconds);
+  if (!b.complete)
+    fmt::print("\ninterrupted after {} of {} subjects", b.rows.size(), known_bug_table().size());
+  fmt::print(
+      "\nkilled {} of {} bugs, the slowest in {:.2f} s of {} s each; {} of {} look-alikes refused; seed {}, "
+      "{}\n",
+      b.killed(), b.bugs(), slowest, b.seconds_each, b.refused_alikes(), b.alikes(), b.seed, b.scalar);
+  for (std::size_t i = 0; i < weak_styles().size(); ++i)
+    fmt::print("{:<14} kills {:>3} of {}\n", weak_styles()[i].name,
+               std::count_if(b.rows.begin(), b.rows.end(),
+                             [i](const BugRow& bug) { return !bug.alike() && bug.weaker_styles[i].second; }),
+               b.bugs());
+}
+
+int run(const Flags& f) {
+  if (!f.json.empty()) check_writable(f.json);
+  const Robot robot = f.robot.read();
+  stop_on_signals();
+  BugBench bench = f.bench;
+  const auto tested = subjects<double>();
+  print_header();
+  for (const KnownBug& known : known_bug_table()) {
+    if (stop_requested) break;
+    BugRow bug;
+    bug.name = known.name, bug.fault = known.fault, bug.origin = known.origin;
+    hunt_down(bug, bench, robot);
+    if (stop_requested && !bug.killed) break;  // it was not given its time
+    const auto subject =
+        std::find_if(tested.begin(), tested.end(), [&](const auto* s) { return s->name == bug.name; });
+    for (const WeakStyle& w : weak_styles())
+      bug.weaker_styles.emplace_back(w.name, w.kills((*subject)->operations));
+    print_row(bug);
+    bench.rows.push_back(std::move(bug));
+  }
+  bench.complete = !stop_requested;
+  print_summary(bench);
+  if (!f.json.empty()) write_record(f.json, record_of(bench));
+  return !bench.complete ? incomplete : bench.passed() ? within_budget : property_failed;
 }
 
 }  // namespace
 
-int run_bench(const BenchFlags& f, const Robot& robot) {
-  const auto tested = subjects<double>();
-  nlohmann::json rows = nlohmann::json::array();
-  std::size_t bugs = 0, killed = 0, alikes = 0, false_alarms = 0;
-  double slowest = 0;
-  std::vector<std::size_t> weak_kills(weak_styles().size(), 0);
-  fmt::print("{:<34} {:<10}{:>9}{:>9}  {:<52}", "known bug", "", "cases", "s", "killed by");
-  for (const WeakStyle& w : weak_styles()) fmt::print("{:>14}", w.name);
-  fmt::print("\n");
-  for (const KnownBug& bug : known_bug_table()) {
-    if (stop_requested) break;
-    const bool alike = bug.name.rfind("alike:", 0) == 0;
-    const Kill kill = hunt_down(bug.name, f, alike ? f.seconds / 10 : f.seconds, robot);
-    if (stop_requested && !kill.killed) break;  // it was not given its time
-    const auto subject =
-        std::find_if(tested.begin(), tested.end(), [&](const auto* s) { return s->name == bug.name; });
-    nlohmann::json weak = nlohmann::json::object();
-    std::string marks;
-    for (std::size_t i = 0; i < weak_styles().size(); ++i) {
-      const bool seen = weak_styles()[i].kills((*subject)->operations);
-      if (!alike) weak_kills[i] += seen;
-      weak[weak_styles()[i].name] = seen;
-      marks += fmt::format("{:>14}", seen ? "killed" : "-");
-    }
-    (alike ? alikes : bugs) += 1;
-    (alike ? false_alarms : killed) += kill.killed;
-    if (!alike) slowest = std::max(slowest, kill.seconds);
-    fmt::print("{:<34} {:<10}{:>9}{:>9.3f}  {:<52}{}\n", bug.name,
-               alike ? (kill.killed ? "REFUSED" : "passes") : (kill.killed ? "killed" : "SURVIVES"),
-               kill.cases, kill.seconds, kill.by.empty() ? "-" : kill.by, marks);
-    std::fflush(stdout);
-    rows.push_back({{"name", bug.name},
-                    {"fault", bug.fault},
-                    {"origin", bug.origin},
-                    {"killed", kill.killed},
-                    {"by", kill.by},
-                    {"cases", kill.cases},
-                    {"seconds", kill.seconds},
-                    {"weaker_styles", weak}});
-  }
-  if (stop_requested)
-    fmt::print("\ninterrupted after {} of {} subjects", bugs + alikes, known_bug_table().size());
-  fmt::print(
-      "\nkilled {} of {} bugs, the slowest in {:.2f} s of {} s each; {} of {} look-alikes refused; seed {}, "
-      "{}\n",
-      killed, bugs, slowest, f.seconds, false_alarms, alikes, f.seed, f.scalar);
-  for (std::size_t i = 0; i < weak_styles().size(); ++i)
-    fmt::print("{:<14} kills {:>3} of {}\n", weak_styles()[i].name, weak_kills[i], bugs);
-  if (!f.json.empty())
-    write_whole(f.json, nlohmann::json({{"version", LIECHECK_VERSION},
-                                        {"seed", f.seed},
-                                        {"scalar", f.scalar},
-                                        {"seconds_each", f.seconds},
-                                        {"verdict", stop_requested                        ? "incomplete"
-                                                    : killed == bugs && false_alarms == 0 ? "pass"
-                                                                                          : "fail"},
-                                        {"bugs", rows}})
-                                .dump(1) +
-                            "\n");
-  if (stop_requested) return incomplete;
-  return killed == bugs && false_alarms == 0 ? within_budget : property_failed;
+Command bench_bugs_command(CLI::App& bench) {
+  const auto f = std::make_shared<Flags>();
+  BugBench& b = f->bench;
+  b.scalar = "double";
+  Arguments a(bench, "bugs",
+              "how soon the laws kill each known bug, beside four weaker styles of test. "
+              "Exit 0 all killed and no look-alike refused, 1 otherwise, 2 bad input, 3 stopped");
+  a.choice("--scalar", b.scalar, {"float", "double"}, "SCALAR", "float or double").with_default_in_help();
+  add_seed(a, b.seed, "seed of the cases");
+  a.duration("--for-each", b.seconds_each,
+             "how long for each bug, and a tenth of it for each look-alike: 30s, 5m; default 60s");
+  a.text("--json", f->json, "FILE", "write the table to FILE");
+  f->robot.add(a);
+  return a.command([f] { return run(*f); });
 }
 
 }  // namespace liecheck::properties

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <app/bench_command.hpp>
-#include <app/store_commands.hpp>
+#include <app/commands.hpp>
+#include <app/record_file.hpp>
+#include <app/shared_flags.hpp>
+#include <app/signals.hpp>
 #include <campaign/campaign.hpp>
 #include <chrono>
 #include <cstdlib>
@@ -11,24 +13,32 @@
 #include <generators/rapidcheck.hpp>
 #include <invariants/tree_laws.hpp>
 #include <iostream>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <oracles/closed_forms.hpp>
 #include <oracles/error.hpp>
+#include <record/bench.hpp>
 #include <sstream>
-#include <support/environment.hpp>
 #include <support/files.hpp>
 #include <support/progress.hpp>
 #include <support/stop.hpp>
 
 namespace liecheck::properties {
+
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// The best rate of five rounds [cases/s].
+struct Flags {
+  std::uint64_t seed = 42;
+  double seconds = 0.5;  ///< of each of the rounds of a row
+  std::string json;
+};
+
+/// What is timed: its best rate of five rounds [cases/s].
 struct Timed {
   std::string name;
-  std::function<double()> round;  ///< its rate
+  std::function<double()> round;  ///< returns its rate
   double best = 0;
 };
 
@@ -58,7 +68,7 @@ struct Chunks {
 };
 
 /// exp6 as a careful author tests it with RapidCheck: the law's generator, the closed form at 50 digits and the law's
-/// budgets, for angles to half a turn, where they need no condition number. Adds to `falsified` where rc::check does.
+/// budgets, for angles up to pi, where they need no condition number. Adds to `falsified` where rc::check does.
 std::uint64_t check_exp6(const Subject<double>& subject, std::uint64_t cases, int& falsified) {
   static const bool configured = [cases] {
     return setenv("RC_PARAMS", fmt::format("max_success={} seed=42", cases).c_str(), 1) == 0;
@@ -85,96 +95,128 @@ std::uint64_t check_exp6(const Subject<double>& subject, std::uint64_t cases, in
   return run;
 }
 
-}  // namespace
+/// What the bench times: exp6 alone, and rc::check on it; every law of liecheck in float and double; whole campaigns.
+class Bench {
+ public:
+  explicit Bench(const Flags& f) : f_(f), robot_(built_in_robot()) {
+    const auto tested = subjects<double>();
+    only_exp6_ =
+        **std::find_if(tested.begin(), tested.end(), [](const auto* s) { return s->name == "liecheck"; });
+    const auto operation = only_exp6_.operations.exp6;
+    only_exp6_.operations = {};
+    only_exp6_.operations.exp6 = operation;
+    exp6_ = series_of("exp_oracle", only_exp6_, robot_);
+    laws_ = select({{"liecheck"}, {}, {"float", "double"}}, robot_);
+    rows_.push_back(chunks("exp6 double", *exp6_));
+    rows_.push_back({"exp6 double, rc::check, 50 digits", [this] {
+                       return rate(f_.seconds, [this] { return check_exp6(only_exp6_, 1000, falsified_); });
+                     }});
+    for (const auto& s : laws_) rows_.push_back(chunks(s->property + " " + s->scalar, *s));
+    rows_.push_back({"campaign, 1 job", [this] { return campaign(1); }});
+    rows_.push_back({"campaign, 2 jobs", [this] { return campaign(2); }});
+  }
 
-int run_speed_bench(const BenchFlags& f, const Robot& robot) {
-  const auto tested = subjects<double>();
-  const Subject<double>& liecheck =
-      **std::find_if(tested.begin(), tested.end(), [](const auto* s) { return s->name == "liecheck"; });
-  Subject<double> only_exp6 = liecheck;
-  only_exp6.operations = {};
-  only_exp6.operations.exp6 = liecheck.operations.exp6;
-  const auto exp6 = series_of("exp_oracle", only_exp6, robot);
-  const auto all = select({{"liecheck"}, {}, {"float", "double"}}, robot);
-
-  int falsified = 0;
-  std::vector<Timed> rows;
-  const auto chunks = [&](const Series& s) {
-    return [&f, run = std::make_shared<Chunks>(Chunks{&s, f.seed, 0, {}})] { return rate(f.seconds, *run); };
-  };
-  rows.push_back({"exp6 double", chunks(*exp6)});
-  rows.push_back({"exp6 double, rc::check, 50 digits",
-                  [&] { return rate(f.seconds, [&] { return check_exp6(only_exp6, 1000, falsified); }); }});
-  for (const auto& s : all) rows.push_back({s->property + " " + s->scalar, chunks(*s)});
-  std::vector<std::string> plain;
-  for (const auto& s : all)
-    if (!is_tree_law(s->property)) plain.push_back(s->property);
-  const auto campaign = [&](unsigned jobs) {
-    return [&, jobs] {
-      CampaignOptions o;
-      o.selection = {{"liecheck"}, plain, {"float", "double"}};
-      o.seed = f.seed, o.jobs = jobs, o.quiet = true;
-      o.cases = static_cast<std::uint64_t>(std::max(1.0, 20000 * f.seconds));
-      return rate(0, [&] { return run_campaign(o, robot).total_cases; });
-    };
-  };
-  rows.push_back({"campaign, 1 job", campaign(1)});
-  rows.push_back({"campaign, 2 jobs", campaign(2)});
-
-  constexpr int rounds = 5;
-  const auto all_steps = static_cast<double>(rounds * rows.size());
-  double steps = 0;
-  {
+  /// Rounds over all rows, so that what disturbs the machine disturbs all of them alike. Stops at stop_requested.
+  void run() {
+    constexpr int rounds = 5;
+    const auto all_steps = static_cast<double>(rounds * rows_.size());
+    double steps = 0;
     Progress progress("bench speed");
-    for (int round = 0; round < rounds && !stop_requested; ++round)
-      for (Timed& row : rows) {
-        if (stop_requested) break;
+    for (int round = 0; round < rounds; ++round)
+      for (Timed& row : rows_) {
+        if (stop_requested) return;
         progress.show(steps++ / all_steps,
                       [&](double) { return fmt::format("round {}: {}", round + 1, row.name); });
         row.best = std::max(row.best, row.round());
       }
   }
-  if (stop_requested) {
-    std::fputs("interrupted: a rate is the best of five rounds, which were not run\n", stderr);
-    return incomplete;
+
+  SpeedBench result() const {
+    SpeedBench b;
+    b.seed = f_.seed;
+    for (const Timed& row : rows_) b.rates.emplace_back(row.name, row.best);
+    b.all_laws = mean_rate(false);
+    b.tree_laws = mean_rate(true);
+    b.exp6_over_rapidcheck = rows_[0].best / rows_[1].best;
+    b.two_jobs_over_one = rows_.back().best / rows_[rows_.size() - 2].best;
+    b.falsified = falsified_;
+    return b;
   }
 
-  nlohmann::json table = nlohmann::json::array();
-  fmt::print("{:<40}{:>14}\n", "best of five rounds, one core", "cases/s");
-  for (const Timed& row : rows) {
-    fmt::print("{:<40}{:>14.0f}\n", row.name, row.best);
-    table.push_back({{"name", row.name}, {"cases_per_second", row.best}});
+ private:
+  Timed chunks(const std::string& name, const Series& s) const {
+    return {name, [this, run = std::make_shared<Chunks>(Chunks{&s, f_.seed, 0, {}})] {
+              return rate(f_.seconds, *run);
+            }};
   }
-  // A case of a law of trees is a model, its Data and its dynamics: a figure of its own.
-  const auto mean_of = [&](bool trees) {
+
+  double campaign(unsigned jobs) const {
+    CampaignOptions o;
+    o.selection = {{"liecheck"}, {}, {"float", "double"}};
+    for (const auto& s : laws_)
+      if (!is_tree_law(s->property)) o.selection.properties.push_back(s->property);
+    o.seed = f_.seed, o.jobs = jobs, o.quiet = true;
+    o.cases = static_cast<std::uint64_t>(std::max(1.0, 20000 * f_.seconds));
+    return rate(0, [&] { return run_campaign(o, robot_).total_cases; });
+  }
+
+  /// As many cases of each law. A case of a law of trees is a model, its Data and its dynamics: a figure of its own.
+  double mean_rate(bool trees) const {
     double seconds = 0, laws = 0;
-    for (std::size_t i = 0; i < all.size(); ++i)
-      if (is_tree_law(all[i]->property) == trees) seconds += 1 / rows[2 + i].best, ++laws;
+    for (std::size_t i = 0; i < laws_.size(); ++i)
+      if (is_tree_law(laws_[i]->property) == trees) seconds += 1 / rows_[2 + i].best, ++laws;
     return laws / seconds;
-  };
-  const double mean = mean_of(false), trees = mean_of(true), over = rows[0].best / rows[1].best,
-               jobs = rows.back().best / rows[rows.size() - 2].best;
+  }
+
+  const Flags& f_;
+  Robot robot_;
+  Subject<double> only_exp6_;
+  std::unique_ptr<Series> exp6_;
+  std::vector<std::unique_ptr<Series>> laws_;
+  std::vector<Timed> rows_;
+  int falsified_ = 0;  ///< how often rc::check did
+};
+
+void print(const SpeedBench& b) {
+  fmt::print("{:<40}{:>14}\n", "best of five rounds, one core", "cases/s");
+  for (const auto& [name, rate] : b.rates) fmt::print("{:<40}{:>14.0f}\n", name, rate);
   fmt::print(
       "\nall laws but those of trees, as many cases of each: {:.0f} cases/s; of trees {:.0f}; exp6 {:.1f} "
       "times "
       "rc::check; 2 jobs {:.2f} times 1\n",
-      mean, trees, over, jobs);
-  if (!f.json.empty())
-    write_whole(f.json, nlohmann::json({{"version", LIECHECK_VERSION},
-                                        {"verdict", falsified ? "fail" : "pass"},
-                                        {"seed", f.seed},
-                                        {"environment", nlohmann::json::parse(environment_text())},
-                                        {"rows", table},
-                                        {"all_laws", mean},
-                                        {"tree_laws", trees},
-                                        {"exp6_over_rapidcheck", over},
-                                        {"two_jobs_over_one", jobs}})
-                                .dump(1) +
-                            "\n");
-  if (falsified)
+      b.all_laws, b.tree_laws, b.exp6_over_rapidcheck, b.two_jobs_over_one);
+}
+
+int run(const Flags& f) {
+  if (!f.json.empty()) check_writable(f.json);
+  Bench bench(f);
+  stop_on_signals();
+  bench.run();
+  if (stop_requested) {
+    std::fputs("interrupted: a rate is the best of five rounds, which were not run\n", stderr);
+    return incomplete;
+  }
+  const SpeedBench b = bench.result();
+  print(b);
+  if (!f.json.empty()) write_record(f.json, record_of(b));
+  if (b.falsified)
     fmt::print("rc::check found exp6 beyond its budget {} times: its lines say nothing of speed\n",
-               falsified);
-  return falsified ? property_failed : within_budget;
+               b.falsified);
+  return b.falsified ? property_failed : within_budget;
+}
+
+}  // namespace
+
+Command bench_speed_command(CLI::App& bench) {
+  const auto f = std::make_shared<Flags>();
+  Arguments a(
+      bench, "speed",
+      "cases a second against an oracle, on one core: exp6 beside rc::check with an oracle of 50 digits, "
+      "every law, and two jobs beside one. Exit 0, 2 bad input, 3 stopped");
+  add_seed(a, f->seed, "seed of the cases");
+  a.duration("--for-each", f->seconds, "how long each of the five rounds of a row takes; default 0.5s");
+  a.text("--json", f->json, "FILE", "write the table to FILE");
+  return a.command([f] { return run(*f); });
 }
 
 }  // namespace liecheck::properties

@@ -1,20 +1,27 @@
-#include <app/hunt_command.hpp>
-
 #include <fmt/format.h>
 #include <algorithm>
-#include <campaign/campaign.hpp>
+#include <app/commands.hpp>
+#include <app/shared_flags.hpp>
+#include <app/signals.hpp>
 #include <filesystem>
 #include <fstream>
 #include <hard_cases/corpus.hpp>
 #include <memory>
+#include <search/hunt.hpp>
 #include <set>
 #include <support/progress.hpp>
 #include <support/stop.hpp>
-#include <support/text.hpp>
 
 namespace liecheck::properties {
 
 namespace {
+
+struct Flags {
+  HuntOptions options;
+  std::string subject, scalar = "double", property, corpus;
+  bool versus_random = false;
+  RobotFlags robot;
+};
 
 std::function<void(std::uint64_t, double, double)> progress_of(const std::string& what) {
   return [line = std::make_shared<Progress>(what)](std::uint64_t n, double share, double worst) {
@@ -25,7 +32,7 @@ std::function<void(std::uint64_t, double, double)> progress_of(const std::string
   };
 }
 
-/// A name of the corpus: small letters, digits and '_'.
+/// As names of the corpus are: small letters, digits and '_'.
 std::string corpus_name(std::string text) {
   for (char& c : text)
     c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : (std::isalnum(c) ? c : '_');
@@ -52,7 +59,7 @@ std::string outcome_name(Outcome outcome) {
                                         : "wrong branch";
 }
 
-/// What is known of one output's worst case. True where it is beyond its budget.
+/// Prints the worst case of one output. Is it beyond its budget?
 bool print_worst(const Series& series, const Worst& w, const std::string& replay_flags) {
   const Output& o = series.outputs.at(static_cast<std::size_t>(w.output));
   fmt::print("\n{}: {}, {}\n", series.property, o.operation, o.block);
@@ -92,28 +99,33 @@ void print_comparison(const Worst& hunted, const Worst& random, std::uint64_t ev
         random.score, evaluations, hunted.score / random.score);
 }
 
-/// The selected series that measure the operation. Throws where there is none, naming what is known.
-std::vector<std::unique_ptr<Series>> series_of(const HuntFlags& f, const Robot& robot) {
-  Selection selection{{f.subject}, {}, {f.scalar}};
-  if (!f.property.empty()) selection.properties = {f.property};
-  auto all = select(selection, robot);
-  if (all.empty()) throw std::invalid_argument(fmt::format("{} is not offered in {}", f.subject, f.scalar));
+/// Throws where no series measures the operation and its block, naming what is known.
+void check_measured(const std::vector<std::unique_ptr<Series>>& all, const Flags& f) {
+  const std::string &op = f.options.operation, &block = f.options.block;
   std::set<std::string> operations, blocks;
   for (const auto& s : all)
     for (const Output& o : s->outputs) {
       operations.insert(o.operation);
-      if (o.operation == f.options.operation) blocks.insert(o.block);
+      if (o.operation == op) blocks.insert(o.block);
     }
-  const std::string& op = f.options.operation;
   if (!operations.count(op))
     throw std::invalid_argument(fmt::format("--op: unknown operation '{}'; {} is measured on: {}", op,
                                             f.subject, fmt::join(operations, ", ")));
-  if (!f.options.block.empty() && !blocks.count(f.options.block))
-    throw std::invalid_argument(fmt::format("--block: {} has no block '{}'; known: {}", op, f.options.block,
-                                            fmt::join(blocks, ", ")));
+  if (!block.empty() && !blocks.count(block))
+    throw std::invalid_argument(
+        fmt::format("--block: {} has no block '{}'; known: {}", op, block, fmt::join(blocks, ", ")));
+}
+
+/// The selected series that measure the operation.
+std::vector<std::unique_ptr<Series>> series_of(const Flags& f, const Robot& robot) {
+  Selection selection{{f.subject}, {}, {f.scalar}};
+  if (!f.property.empty()) selection.properties = {f.property};
+  auto all = select(selection, robot);
+  if (all.empty()) throw std::invalid_argument(fmt::format("{} is not offered in {}", f.subject, f.scalar));
+  check_measured(all, f);
   std::erase_if(all, [&](const auto& s) {
     return std::none_of(s->outputs.begin(), s->outputs.end(), [&](const Output& o) {
-      return o.operation == op && (f.options.block.empty() || o.block == f.options.block);
+      return o.operation == f.options.operation && (f.options.block.empty() || o.block == f.options.block);
     });
   });
   return all;
@@ -156,49 +168,78 @@ class CorpusFile {
   std::set<std::string> names_;
 };
 
-}  // namespace
+/// Hunts on one series and, where asked, samples as many inputs at random. Is some worst case beyond its budget?
+bool hunt_on(const Series& series, HuntOptions options, const Flags& f, const std::string& robot_flag,
+             CorpusFile& corpus) {
+  options.progress = progress_of(fmt::format("hunt {} {}", series.property, options.operation));
+  const HuntResult hunted = series.hunt(options);
+  options.progress = nullptr;
+  HuntResult random;
+  if (f.versus_random && !hunted.stopped) {
+    options.evaluations = hunted.evaluations;
+    options.random = true;
+    options.progress = progress_of(fmt::format("random {} {}", series.property, options.operation));
+    random = series.hunt(options);
+    options.progress = nullptr;  // clears its line
+  }
+  fmt::print("hunt of {} on {} {} in {}, seed {}: {} evaluations in {:.1f} s\n", options.operation,
+             series.subject, series.subject_version, series.scalar, options.seed, hunted.evaluations,
+             hunted.elapsed);
+  const std::string origin = fmt::format("liecheck hunt --subject {} --op {} --seed {}, {} evaluations",
+                                         series.subject, options.operation, options.seed, hunted.evaluations);
+  bool failed = false;
+  for (std::size_t i = 0; i < hunted.worst.size(); ++i) {
+    const Worst& w = hunted.worst[i];
+    failed = print_worst(series, w, series.robot == "none" ? "" : robot_flag) || failed;
+    if (i < random.worst.size()) print_comparison(w, random.worst[i], random.evaluations);
+    if (w.score >= 0 || w.broken) corpus.add(corpus_line(series, w, origin));
+  }
+  return failed;
+}
 
-int run_hunt(const HuntFlags& f, const Robot& robot) {
+int run(const Flags& f) {
+  const Robot robot = f.robot.read();
+  stop_on_signals();
   const auto all = series_of(f, robot);
   CorpusFile corpus(f.corpus);
   const std::string robot_flag = robot.path.empty() ? "" : robot_flags(robot);
+  // Laws that measure the operation share the number of evaluations or the time.
+  HuntOptions options = f.options;
+  options.seconds /= static_cast<double>(all.size());
+  if (options.evaluations) options.evaluations = std::max<std::uint64_t>(1, options.evaluations / all.size());
   bool failed = false;
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    const Series& series = *all[k];
-    HuntOptions options = f.options;
-    // Laws that measure the operation share the budget of evaluations or of time.
-    options.evaluations =
-        f.options.evaluations ? std::max<std::uint64_t>(1, f.options.evaluations / all.size()) : 0;
-    options.seconds = f.options.seconds / static_cast<double>(all.size());
-    options.progress = progress_of(fmt::format("hunt {} {}", series.property, options.operation));
-    const HuntResult hunted = series.hunt(options);
-    options.progress = nullptr;
-    HuntResult random;
-    if (f.versus_random && !hunted.stopped) {
-      options.evaluations = hunted.evaluations;
-      options.random = true;
-      options.progress = progress_of(fmt::format("random {} {}", series.property, options.operation));
-      random = series.hunt(options);
-      options.progress = nullptr;
-    }
-    fmt::print("{}hunt of {} on {} {} in {}, seed {}: {} evaluations in {:.1f} s\n", k ? "\n" : "",
-               options.operation, series.subject, series.subject_version, series.scalar, options.seed,
-               hunted.evaluations, hunted.elapsed);
-    for (std::size_t i = 0; i < hunted.worst.size(); ++i) {
-      const Worst& w = hunted.worst[i];
-      failed = print_worst(series, w, series.robot == "none" ? "" : robot_flag) || failed;
-      if (i < random.worst.size()) print_comparison(w, random.worst[i], random.evaluations);
-      if (w.score >= 0 || w.broken)
-        corpus.add(
-            corpus_line(series, w,
-                        fmt::format("liecheck hunt --subject {} --op {} --seed {}, {} evaluations",
-                                    series.subject, options.operation, options.seed, hunted.evaluations)));
-    }
-    if (stop_requested) break;
+  for (std::size_t k = 0; k < all.size() && !(k > 0 && stop_requested); ++k) {
+    if (k > 0) fmt::print("\n");
+    failed = hunt_on(*all[k], options, f, robot_flag, corpus) || failed;
   }
   corpus.close();
   if (stop_requested) fmt::print("\ninterrupted: the worst so far\n");
-  return stop_requested ? 3 : failed ? 1 : 0;
+  return stop_requested ? incomplete : failed ? property_failed : within_budget;
+}
+
+}  // namespace
+
+Command hunt_command(CLI::App& program) {
+  const auto f = std::make_shared<Flags>();
+  HuntOptions& o = f->options;
+  Arguments a(program, "hunt",
+              "search for the worst input of an operation. Exit 0 within budget, 1 "
+              "beyond it, 2 bad input, 3 incomplete");
+  a.text("--subject", f->subject, "NAME", "the subject").required();
+  a.text("--op", o.operation, "NAME", "the operation, as failures and reports name it").required();
+  a.text("--block", o.block, "NAME", "one block of its result; default each");
+  a.text("--property", f->property, "NAME", "one law that measures it; default each");
+  a.text("--scalar", f->scalar, "SCALAR", "float, double or float128").with_default_in_help();
+  a.toggle("--excess", o.excess, "maximise error / kappa, beyond half a turn too");
+  add_seed(a, o.seed, "seed of the search");
+  const Flag evaluations = a.number("--evaluations", o.evaluations, 1, std::uint64_t(1) << 40,
+                                    "how many measurements instead: the same search on every machine")
+                               .without_default_in_help();
+  a.duration("--for", o.seconds, "how long: 30s, 5m, 1h; default 30s").excludes(evaluations);
+  a.toggle("--versus-random", f->versus_random, "also sample as many inputs uniformly, and compare");
+  a.text("--corpus", f->corpus, "FILE", "append what is found to FILE, as lines of fixtures/hard_cases");
+  f->robot.add(a);
+  return a.command([f] { return run(*f); });
 }
 
 }  // namespace liecheck::properties

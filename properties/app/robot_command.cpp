@@ -1,19 +1,32 @@
 #include <fmt/format.h>
-
+#include <app/arguments.hpp>
+#include <app/commands.hpp>
 #include <liecheck/urdf/urdf.hpp>
-#include <app/robot_command.hpp>
+#include <memory>
 
 namespace liecheck::properties {
 
-int run_robot_command(const RobotFlags& flags) {
+namespace {
+
+struct Flags {
+  std::string file, root = "fixed";
+  bool tied = false, strict = false;
+};
+
+UrdfOptions options_of(const Flags& f) {
   UrdfOptions options;
-  options.strict = flags.strict;
-  options.mimic = flags.tied ? MimicJoints::Tied : MimicJoints::Independent;
-  if (flags.root == "free-flyer") options.root = RootJoint::FreeFlyer;
-  if (flags.root == "planar") options.root_joint = Planar<double>();
-  if (flags.root == "spherical") options.root_joint = Spherical<double>();
-  if (flags.root == "translation") options.root_joint = Translation<double>();
-  const auto [model, warnings] = loadUrdf(flags.file, options);
+  options.strict = f.strict;
+  options.mimic = f.tied ? MimicJoints::Tied : MimicJoints::Independent;
+  if (f.root == "free-flyer") options.root = RootJoint::FreeFlyer;
+  if (f.root == "planar") options.root_joint = Planar<double>();
+  if (f.root == "spherical") options.root_joint = Spherical<double>();
+  if (f.root == "translation") options.root_joint = Translation<double>();
+  return options;
+}
+
+/// The joints with both their offsets, and the warnings.
+int run(const Flags& f) {
+  const auto [model, warnings] = loadUrdf(f.file, options_of(f));
   double mass = 0;
   for (const auto& body : model.inertias) mass += body.mass();
   fmt::print("{}: nq {}, nv {}, {} joints with the universe, {} frames, {:.6g} kg\n", model.name, model.nq,
@@ -23,7 +36,20 @@ int run_robot_command(const RobotFlags& flags) {
     fmt::print("{:>5} {:>6} {:>5} {:>5}  {:<38} {}\n", i, model.parents[i], model.idx_qs[i], model.idx_vs[i],
                shortname<double>(model.joints[i]), model.names[i]);
   for (const std::string& warning : warnings) fmt::print(stderr, "warning: {}\n", warning);
-  return 0;
+  return within_budget;
+}
+
+}  // namespace
+
+Command robot_command(CLI::App& program) {
+  const auto f = std::make_shared<Flags>();
+  Arguments a(program, "robot", "what a URDF becomes: joints, offsets, warnings. Exit 0, 2 bad input");
+  a.text("FILE", f->file, "URDF", "the URDF").required();
+  a.choice("--root", f->root, {"fixed", "free-flyer", "planar", "spherical", "translation"}, "",
+           "how its root is connected to the world");
+  a.toggle("--mimic", f->tied, "mimic joints have no numbers of their own");
+  a.toggle("--strict", f->strict, "a warning is an error");
+  return a.command([f] { return run(*f); });
 }
 
 }  // namespace liecheck::properties

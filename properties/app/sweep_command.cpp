@@ -2,18 +2,29 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <app/store_commands.hpp>
+#include <app/commands.hpp>
+#include <app/record_file.hpp>
+#include <app/shared_flags.hpp>
+#include <app/signals.hpp>
 #include <cmath>
+#include <memory>
 #include <nlohmann/json.hpp>
-#include <support/environment.hpp>
+#include <record/coefficients.hpp>
+#include <stdexcept>
 #include <support/files.hpp>
 #include <support/progress.hpp>
 #include <support/stop.hpp>
 
 namespace liecheck::properties {
+
 namespace {
 
-using nlohmann::json;
+struct Flags {
+  std::vector<std::string> coefficients;
+  std::string json;
+  unsigned jobs = default_jobs();
+  std::uint32_t stride = 1;
+};
 
 std::vector<Coefficient> named(const std::vector<std::string>& names) {
   std::vector<Coefficient> all;
@@ -29,87 +40,23 @@ std::vector<Coefficient> named(const std::vector<std::string>& names) {
   return all;
 }
 
-const char* kind(const SweptCoefficient& c) {
-  return oracles::is_absolute(c.claim->coefficient) ? "absolute" : "relative";
+/// An upper bound is rounded up, an error that was found to the nearest.
+std::string bound_or_error(const SweepResult& r, const SweptCoefficient& c) {
+  const double x = r.upper_bound() ? std::ceil(c.bound_eps * 1e5) / 1e5 : c.max_eps;
+  return std::isfinite(x) ? fmt::format("{:.5f}", x) : "NaN or Inf";
 }
 
-/// pass and fail are of every float; a sample that refutes nothing passes nothing.
-const char* status(const SweepResult& r, const SweptCoefficient& c) {
-  return r.failed(c) ? "fail" : r.upper_bound() ? "pass" : "sampled";
-}
-
-json number(double x) {
-  return std::isfinite(x) ? json(x) : json("inf");
-}
-
-std::string shown(double x) {  // a bound: rounded up
-  return std::isfinite(x) ? fmt::format("{:.5f}", std::ceil(x * 1e5) / 1e5) : "NaN or Inf";
-}
-
-}  // namespace
-
-SweepResult run_sweep(const SweepFlags& f) {
-  SweepOptions options;
-  options.coefficients = named(f.coefficients);
-  options.jobs = f.jobs;
-  options.stride = f.stride;
-  options.stop = &stop_requested;
-  Progress progress("sweep");
-  options.progress = [&](double share) {
-    progress.show(share, [](double) { return std::string("of the floats"); });
-  };
-  return sweep(options);
-}
-
-json sweep_record(const SweepResult& r) {
-  json rows = json::array();
-  for (const SweptCoefficient& c : r.coefficients)
-    rows.push_back({{"name", c.claim->name},
-                    {"equation", c.claim->equation},
-                    {"argument", c.claim->argument},
-                    {"kind", kind(c)},
-                    {"evaluated", c.evaluated},
-                    {"constant", c.constant},
-                    {"max_eps", number(c.max_eps)},
-                    {"max_at", fmt::format("{:a}", c.max_at)},
-                    {"max_at_decimal", c.max_at},
-                    {"bound_eps", r.upper_bound() ? number(c.bound_eps) : json()},
-                    {"oracle_bound_eps", c.oracle_bound_eps},
-                    {"square_eps", c.square_eps},
-                    {"documented_eps", c.claim->documented_eps},
-                    {"reason", c.claim->reason},
-                    {"status", status(r, c)}});
-  return {{"version", LIECHECK_VERSION},
-          {"verdict", r.failed()    ? "fail"
-                      : !r.complete ? "incomplete"
-                                    : "pass"},
-          {"bound", r.upper_bound() ? "upper" : "lower"},
-          {"scalar", "float"},
-          {"stride", r.stride},
-          {"elapsed", r.elapsed},
-          {"environment", json::parse(environment_text())},
-          {"coefficients", rows}};
-}
-
-void add_sweep(json& record, const SweepResult& result) {
-  record["sweep"] = sweep_record(result);
-  record["sweep"].erase("environment");  // the record's
-  if (result.failed()) record["verdict"] = "fail";
-}
-
-int run_sweep_command(const SweepFlags& f) {
-  if (!f.json.empty()) check_writable(f.json);
-  const SweepResult r = run_sweep(f);
+void print_rows(const SweepResult& r) {
   fmt::print("{:<17}{:<10}{:>11}  {:>13}  {:<16}{:<15}{:>11}{:>9}  {}\n", "coefficient", "error", "floats",
              r.upper_bound() ? "bound [eps]" : "found [eps]", "at", "", "documented", "square", "status");
   for (const SweptCoefficient& c : r.coefficients)
-    fmt::print("{:<17}{:<10}{:>11}  {:>13}  {:<16}{:<15.9g}{:>11}{:>9}  {}\n", c.claim->name, kind(c),
-               c.evaluated,
-               r.upper_bound()            ? shown(c.bound_eps)
-               : std::isfinite(c.max_eps) ? fmt::format("{:.5f}", c.max_eps)
-                                          : "NaN or Inf",
-               fmt::format("{:a}", c.max_at), c.max_at, c.claim->documented_eps,
-               c.square_eps > 0 ? fmt::format("{:.3f}", c.square_eps) : "-", status(r, c));
+    fmt::print("{:<17}{:<10}{:>11}  {:>13}  {:<16}{:<15.9g}{:>11}{:>9}  {}\n", c.claim->name, error_kind(c),
+               c.evaluated, bound_or_error(r, c), fmt::format("{:a}", c.max_at), c.max_at,
+               c.claim->documented_eps, c.square_eps > 0 ? fmt::format("{:.3f}", c.square_eps) : "-",
+               status_of(r, c));
+}
+
+void print_summary(const SweepResult& r) {
   double oracle = 0;
   for (const SweptCoefficient& c : r.coefficients) oracle = std::max(oracle, c.oracle_bound_eps);
   if (r.upper_bound())
@@ -129,8 +76,44 @@ int run_sweep_command(const SweepFlags& f) {
       : r.upper_bound() ? "verdict pass"
                         : "verdict pass: no documented bound refuted",
       r.elapsed);
-  if (!f.json.empty()) write_whole(f.json, sweep_record(r).dump(1) + "\n");
+}
+
+int run(const Flags& f) {
+  stop_on_signals();
+  if (!f.json.empty()) check_writable(f.json);
+  const SweepResult r = run_sweep(f.coefficients, f.jobs, f.stride);
+  print_rows(r);
+  print_summary(r);
+  if (!f.json.empty()) write_record(f.json, record_of(r));
   return !r.complete ? incomplete : r.failed() ? property_failed : within_budget;
+}
+
+}  // namespace
+
+SweepResult run_sweep(const std::vector<std::string>& coefficients, unsigned jobs, std::uint32_t stride) {
+  SweepOptions options;
+  options.coefficients = named(coefficients);
+  options.jobs = jobs;
+  options.stride = stride;
+  options.stop = &stop_requested;
+  Progress progress("sweep");
+  options.progress = [&](double share) {
+    progress.show(share, [](double) { return std::string("of the floats"); });
+  };
+  return sweep(options);
+}
+
+Command sweep_command(CLI::App& program) {
+  const auto f = std::make_shared<Flags>();
+  Arguments a(
+      program, "sweep",
+      "an upper bound of the error of every scalar coefficient over every float. Exit 0 the documented "
+      "bounds hold, 1 one does not, 2 bad input, 3 stopped");
+  a.list("--coefficient", f->coefficients, "NAME", "a coefficient, repeatable; default all");
+  a.number("--stride", f->stride, 1, 1u << 30, "only every Nth float: a lower bound, sooner");
+  add_jobs(a, f->jobs);
+  a.text("--json", f->json, "FILE", "write the bounds to FILE");
+  return a.command([f] { return run(*f); });
 }
 
 }  // namespace liecheck::properties

@@ -3,9 +3,6 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <atomic>
-#include <campaign/campaign.hpp>
-#include <cmath>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <support/stop.hpp>
 #include <support/threads.hpp>
@@ -151,45 +148,6 @@ bool any_failed(const std::vector<HardRow>& rows) {
   return std::any_of(rows.begin(), rows.end(), [](const HardRow& r) {
     return std::any_of(r.cells.begin(), r.cells.end(), [](const HardCell& c) { return c.failed; });
   });
-}
-
-nlohmann::json hard_cases_json(const std::vector<HardRow>& rows) {
-  using nlohmann::json;
-  const auto number = [](double x) -> json {
-    if (std::isnan(x)) return "nan";
-    if (std::isinf(x)) return "inf";
-    return x;
-  };
-  json all = json::array();
-  for (const HardRow& row : rows) {
-    json cells = json::array();
-    for (const HardCell& c : row.cells) {
-      cells.push_back({{"subject", c.subject},
-                       {"scalar", c.scalar},
-                       {"verdict", name_of(c.verdict)},
-                       {"failed", c.failed},
-                       {"error", number(c.error)},
-                       {"kappa", number(c.kappa)},
-                       {"budget", c.budget},
-                       {"rule", c.excess ? "excess" : "forward"},
-                       {"operation", c.operation},
-                       {"block", c.block},
-                       {"band", c.band},
-                       {"replay", "liecheck replay " + c.id.text()}});
-      if (!c.refusal.empty()) cells.back()["refusal"] = c.refusal;
-    }
-    const HardCase& e = *row.entry;
-    all.push_back({{"name", e.name},
-                   {"class", e.hard_class},
-                   {"reason", e.reason},
-                   {"origin", e.origin},
-                   {"place", e.place()},
-                   {"property", row.property},
-                   {"expression", e.input},
-                   {"input", row.input},
-                   {"cells", cells}});
-  }
-  return all;
 }
 
 }  // namespace liecheck::properties

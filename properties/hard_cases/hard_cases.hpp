@@ -3,7 +3,6 @@
 
 #include <hard_cases/corpus.hpp>
 #include <campaign/series.hpp>
-#include <nlohmann/json_fwd.hpp>
 
 namespace liecheck::properties {
 
@@ -43,8 +42,5 @@ std::vector<HardRow> run_hard_cases(const Selection& selection, const Robot& rob
                                     unsigned jobs = 1);
 
 bool any_failed(const std::vector<HardRow>& rows);
-
-/// The record's key "hard_cases"; documented in the README.
-nlohmann::json hard_cases_json(const std::vector<HardRow>& rows);
 
 }  // namespace liecheck::properties

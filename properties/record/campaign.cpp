@@ -1,10 +1,8 @@
 #include <record/campaign.hpp>
 
-#include <fmt/format.h>
 #include <algorithm>
-#include <cmath>
 #include <map>
-#include <nlohmann/json.hpp>
+#include <record/number.hpp>
 #include <set>
 #include <support/environment.hpp>
 
@@ -13,12 +11,6 @@ namespace liecheck::properties {
 namespace {
 
 using nlohmann::json;
-
-json number(double x) {
-  if (std::isnan(x)) return "nan";
-  if (std::isinf(x)) return "inf";
-  return x;
-}
 
 /// What each operation is, and in which frame its result stands.
 json operation_of(const std::string& name) {
@@ -107,77 +99,110 @@ json blocks() {
   return all;
 }
 
+const char* name_of(Axis axis) {
+  return axis == Axis::theta ? "theta" : axis == Axis::pi_minus_theta ? "pi_minus_theta" : "none";
+}
+
+const char* status_of(const Row& row) {
+  return row.failed ? "fail" : row.unresolved ? "unresolved" : row.ill_posed == row.count ? "ill-posed" : "pass";
+}
+
+/// One output of a series in one band.
+json row_record(const Series& series, const Output& o, const Band& b, const Row& row, std::uint64_t seed) {
+  const Budget& budget = budget_of(series.subject, o.operation, o.block, b.region);
+  const CaseId id = series.id(seed, row.worst_index);
+  return {{"subject", series.subject},
+          {"scalar", series.scalar},
+          {"property", series.property},
+          {"operation", o.operation},
+          {"block", o.block},
+          {"band", b.name},
+          {"axis", name_of(b.axis)},
+          {"low", b.low},
+          {"high", b.high},
+          {"count", row.count},
+          {"max_eps", row.not_finite > 0 ? json("inf") : number(row.max_error)},
+          {"p99_eps", number(std::min(row.errors.quantile(0.99), row.max_error))},
+          {"median_eps", number(std::min(row.errors.quantile(0.5), row.max_error))},
+          {"max_excess", number(row.max_excess)},
+          {"budget", budget.limit},
+          {"rule", budget.rule == Rule::forward ? "forward" : "excess"},
+          {"reason", budget.reason},
+          {"ill_posed", row.ill_posed},
+          {"unresolved", row.unresolved},
+          {"not_finite", row.not_finite},
+          {"wrong_branch", row.wrong_branch},
+          {"refused", row.refused},
+          {"failed", row.failed},
+          {"status", status_of(row)},
+          {"worst", {{"id", id.text()}, {"input", series.input(id)}, {"kappa", number(row.worst_kappa)}}}};
+}
+
+/// Every row, and the operations in the order in which the rows name them.
+std::pair<json, json> rows_and_operations(const CampaignResult& r) {
+  json rows = json::array(), operations = json::array();
+  std::set<std::string> seen;
+  for (const auto& [series, tally] : r.series)
+    for (const auto& [cell, row] : tally.rows) {
+      const Output& o = series->outputs.at(static_cast<std::size_t>(cell.first));
+      const Band& band = series->bands()[static_cast<std::size_t>(cell.second)];
+      if (seen.insert(o.operation).second) operations.push_back(operation_of(o.operation));
+      rows.push_back(row_record(*series, o, band, row, r.options.seed));
+    }
+  return {rows, operations};
+}
+
+json laws(const CampaignResult& r) {
+  json all = json::array();
+  std::set<std::string> seen;
+  for (const auto& [series, tally] : r.series)
+    if (seen.insert(series->property).second)
+      all.push_back({{"property", series->property},
+                     {"law", series->law},
+                     {"equation", series->equation},
+                     {"source", series->source}});
+  return all;
+}
+
+/// Each with the operations of this campaign that it does not offer.
+json subjects_record(const CampaignResult& r) {
+  struct Offered {
+    const Series* series;
+    std::set<std::string> operations;
+  };
+  std::map<std::pair<std::string, std::string>, Offered> subjects;
+  std::set<std::string> operations;
+  for (const auto& [series, tally] : r.series) {
+    for (const Output& o : series->outputs) operations.insert(o.operation);
+    Offered& offered = subjects[{series->subject, series->scalar}];
+    offered.series = series.get();
+    for (const auto& [cell, row] : tally.rows)
+      offered.operations.insert(series->outputs.at(static_cast<std::size_t>(cell.first)).operation);
+  }
+  json all = json::array();
+  for (const auto& [key, offered] : subjects) {
+    std::vector<std::string> not_offered;
+    std::set_difference(operations.begin(), operations.end(), offered.operations.begin(),
+                        offered.operations.end(), std::back_inserter(not_offered));
+    all.push_back({{"name", key.first},
+                   {"version", offered.series->subject_version},
+                   {"scalar", key.second},
+                   {"eps", offered.series->eps},
+                   {"not_offered", not_offered}});
+  }
+  return all;
+}
+
+json counterexamples_record(const Counterexamples& c) {
+  json failing = json::array();
+  for (const auto& f : c.failing) failing.push_back(f.id);
+  return {{"replayed", c.replayed}, {"skipped", c.skipped}, {"failing", failing}};
+}
+
 }  // namespace
 
-json record_of(const CampaignResult& r, const Counterexamples& replayed, const std::string& environment) {
-  json subjects_json = json::array(), operations = json::array(), laws = json::array(), rows = json::array();
-  std::map<std::pair<std::string, std::string>, std::pair<const Series*, std::set<std::string>>>
-      subjects_seen;
-  std::set<std::string> all_operations, properties_seen, operations_seen;
-  for (const auto& [series, tally] : r.series)
-    for (const Output& o : series->outputs) all_operations.insert(o.operation);
-  for (const auto& [series, tally] : r.series) {
-    auto& seen = subjects_seen[{series->subject, series->scalar}];
-    seen.first = series.get();
-    if (properties_seen.insert(series->property).second)
-      laws.push_back({{"property", series->property},
-                      {"law", series->law},
-                      {"equation", series->equation},
-                      {"source", series->source}});
-    for (const auto& [key, row] : tally.rows) {
-      const Output& o = series->outputs.at(static_cast<std::size_t>(key.first));
-      const Band& b = series->bands()[static_cast<std::size_t>(key.second)];
-      const Budget& budget = budget_of(series->subject, o.operation, o.block, b.region);
-      seen.second.insert(o.operation);
-      if (operations_seen.insert(o.operation).second) operations.push_back(operation_of(o.operation));
-      const CaseId id = series->id(r.options.seed, row.worst_index);
-      const bool not_finite = row.not_finite > 0;
-      const char* axis = b.axis == Axis::theta            ? "theta"
-                         : b.axis == Axis::pi_minus_theta ? "pi_minus_theta"
-                                                          : "none";
-      rows.push_back(
-          {{"subject", series->subject},
-           {"scalar", series->scalar},
-           {"property", series->property},
-           {"operation", o.operation},
-           {"block", o.block},
-           {"band", b.name},
-           {"axis", axis},
-           {"low", b.low},
-           {"high", b.high},
-           {"count", row.count},
-           {"max_eps", not_finite ? json("inf") : number(row.max_error)},
-           {"p99_eps", number(std::min(row.errors.quantile(0.99), row.max_error))},
-           {"median_eps", number(std::min(row.errors.quantile(0.5), row.max_error))},
-           {"max_excess", number(row.max_excess)},
-           {"budget", budget.limit},
-           {"rule", budget.rule == Rule::forward ? "forward" : "excess"},
-           {"reason", budget.reason},
-           {"ill_posed", row.ill_posed},
-           {"unresolved", row.unresolved},
-           {"not_finite", row.not_finite},
-           {"wrong_branch", row.wrong_branch},
-           {"refused", row.refused},
-           {"failed", row.failed},
-           {"status", row.failed                   ? "fail"
-                      : row.unresolved             ? "unresolved"
-                      : row.ill_posed == row.count ? "ill-posed"
-                                                   : "pass"},
-           {"worst", {{"id", id.text()}, {"input", series->input(id)}, {"kappa", number(row.worst_kappa)}}}});
-    }
-  }
-  for (const auto& [key, seen] : subjects_seen) {
-    std::vector<std::string> not_offered;
-    for (const std::string& o : all_operations)
-      if (!seen.second.count(o)) not_offered.push_back(o);
-    subjects_json.push_back({{"name", key.first},
-                             {"version", seen.first->subject_version},
-                             {"scalar", key.second},
-                             {"eps", seen.first->eps},
-                             {"not_offered", not_offered}});
-  }
-  json failing = json::array();
-  for (const auto& f : replayed.failing) failing.push_back(f.id);
+json record_of(const CampaignResult& r, const Counterexamples& replayed, const std::string& earlier_environment) {
+  const auto [rows, operations] = rows_and_operations(r);
   return {
       {"version", LIECHECK_VERSION},
       {"generator_version", generator_version},
@@ -187,17 +212,16 @@ json record_of(const CampaignResult& r, const Counterexamples& replayed, const s
       {"verdict", r.incomplete ? "incomplete"
                   : r.failed   ? "fail"
                                : "pass"},
-      {"counterexamples",
-       {{"replayed", replayed.replayed}, {"skipped", replayed.skipped}, {"failing", failing}}},
+      {"counterexamples", counterexamples_record(replayed)},
       {"digest", {{"inputs", r.inputs_digest}, {"results", r.results_digest}}},
       {"robot",
        {{"name", r.robot.name}, {"hash", r.robot.hash}, {"root", r.robot.fixed ? "fixed" : "free-flyer"}}},
-      {"environment", json::parse(environment.empty() ? environment_text() : environment)},
-      {"subjects", subjects_json},
+      {"environment", earlier_environment.empty() ? environment() : json::parse(earlier_environment)},
+      {"subjects", subjects_record(r)},
       {"absent", absent_subjects()},
       {"blocks", blocks()},
       {"operations", operations},
-      {"properties", laws},
+      {"properties", laws(r)},
       {"results", rows}};
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// The JSON record of a campaign.
+// A campaign as a record: what `--json` writes and the report reads, documented in the README.
 
 #include <campaign/campaign.hpp>
 #include <nlohmann/json_fwd.hpp>
@@ -7,9 +7,8 @@
 
 namespace liecheck::properties {
 
-/// The record that `--json` writes and the report reads; documented in the README. `environment` is JSON of the run
-/// where that was another one; empty: this machine and program.
+/// `earlier_environment` is the JSON of an earlier run; empty: this machine and program.
 nlohmann::json record_of(const CampaignResult& result, const Counterexamples& replayed = {},
-                         const std::string& environment = {});
+                         const std::string& earlier_environment = {});
 
 }  // namespace liecheck::properties

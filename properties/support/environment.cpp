@@ -20,16 +20,25 @@ std::string processor() {
 
 }  // namespace
 
-std::string environment_text() {
+nlohmann::json environment() {
   utsname u{};
   uname(&u);
-  return nlohmann::json{{"cpu", processor()},
-                        {"os", fmt::format("{} {}", u.sysname, u.machine)},
-                        {"compiler", LIECHECK_COMPILER},
-                        {"flags", LIECHECK_FLAGS},
-                        {"fma_contraction", "off"},
-                        {"libm", fmt::format("glibc {}", gnu_get_libc_version())}}
-      .dump();
+  return {{"cpu", processor()},
+          {"os", fmt::format("{} {}", u.sysname, u.machine)},
+          {"compiler", LIECHECK_COMPILER},
+          {"flags", LIECHECK_FLAGS},
+          {"fma_contraction", "off"},
+          {"libm", fmt::format("glibc {}", gnu_get_libc_version())}};
+}
+
+std::string environment_text() {
+  return environment().dump();
+}
+
+std::string frequency_governor() {
+  std::ifstream file("/sys/devices/system/cpu/cpu0/cpufreq/scaling_governor");
+  std::string name;
+  return std::getline(file, name) ? name : "not told";
 }
 
 }  // namespace liecheck::properties

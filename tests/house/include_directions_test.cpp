@@ -61,7 +61,7 @@ std::vector<std::string> violations(const std::string& path, const std::string& 
     } else if (path.rfind("reports/", 0) == 0) {
       allowed = !lib && !has(harness, r);
     } else if (path.rfind("properties/", 0) == 0) {
-      allowed = r != "reports" || path.find('/', 11) == path.npos;  // the program's own files
+      allowed = r != "reports" || path.rfind("properties/app/", 0) == 0;
     }
     if (!allowed) bad.push_back(path + " includes " + include);
   }

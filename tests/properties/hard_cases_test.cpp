@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <record/hard_cases.hpp>
 #include <set>
 
 namespace liecheck::properties {
@@ -197,7 +198,7 @@ TEST(Corpus, TakesAHuntedInputAsItIs) {
 TEST(HardCases, AreRecordedWithInputAndReplay) {
   const auto cases = parse_corpus("here.txt", off_unit);
   const auto record =
-      hard_cases_json(run_hard_cases({{"liecheck", "textbook"}, {}, {"double"}}, built_in_robot(), cases));
+      record_of(run_hard_cases({{"liecheck", "textbook"}, {}, {"double"}}, built_in_robot(), cases));
   for (const char* key : {"name", "class", "reason", "origin", "property", "expression", "input", "cells"})
     EXPECT_TRUE(record.at(0).contains(key)) << key;
   for (const char* key : {"subject", "scalar", "verdict", "failed", "error", "kappa", "budget", "rule",

@@ -1,9 +1,7 @@
-// The JSON of what the page shows of scenes: sweep, costs of stages, films.
-
-#include <app/scene_sweep_command.hpp>
+#include <record/scenes.hpp>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
+#include <record/number.hpp>
 #include <scenes/show.hpp>
 
 namespace liecheck::properties {
@@ -11,7 +9,7 @@ namespace {
 
 using nlohmann::json;
 
-/// A hundredth of a millimetre is less than a pixel.
+/// To 1e-5: a hundredth of a millimetre is less than a pixel.
 template <class Numbers>
 json rounded(const Numbers& numbers) {
   json list = json::array();
@@ -44,22 +42,25 @@ json film_record(const Film& film) {
           {"frames", frames}};
 }
 
+json cost_record(const StageCost& c) {
+  return {{"scene", c.scene},
+          {"stage", c.stage},
+          {"equation", c.equation},
+          {"energy", c.energy},
+          {"when", c.when},
+          {"why", c.why},
+          {"nanoseconds", c.nanoseconds ? number(*c.nanoseconds) : json()}};
+}
+
 }  // namespace
 
-void add_scene_sweep(json& record, const SceneSweepResult& result) {
-  json scenes = scene_sweep_record(result), costs = json::array(), all = json::array();
-  for (const StageCost& c : stage_costs())
-    costs.push_back({{"scene", c.scene},
-                     {"stage", c.stage},
-                     {"equation", c.equation},
-                     {"energy", c.energy},
-                     {"when", c.when},
-                     {"why", c.why},
-                     {"nanoseconds", c.nanoseconds ? json(*c.nanoseconds) : json()}});
-  for (const Film& film : films()) all.push_back(film_record(film));
+void add_scenes(json& record, const SceneSweepResult& result) {
+  json costs = json::array(), motions = json::array();
+  for (const StageCost& c : stage_costs()) costs.push_back(cost_record(c));
+  for (const Film& film : films()) motions.push_back(film_record(film));
+  json& scenes = record["scenes"] = record_of(result);
   scenes["costs"] = costs;
-  scenes["films"] = all;
-  record["scenes"] = scenes;
+  scenes["films"] = motions;
 }
 
 }  // namespace liecheck::properties

@@ -1,0 +1,146 @@
+#include <app/campaign_run.hpp>
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cstdlib>
+#include <stdexcept>
+#include <store/merge.hpp>
+#include <store/ranks.hpp>
+#include <store/store_path.hpp>
+
+namespace liecheck::properties {
+
+namespace {
+
+/// "I/N" with I in 1..N.
+void parse_shard(const std::string& text, CampaignOptions& o) {
+  const auto slash = text.find('/');
+  const auto number = [&](const std::string& part) {
+    const bool digits = !part.empty() && part.size() < 7 && part.find_first_not_of("0123456789") == part.npos;
+    return digits ? static_cast<unsigned>(std::stoul(part)) : 0u;
+  };
+  const unsigned i = number(text.substr(0, slash)),
+                 n = slash == text.npos ? 0 : number(text.substr(slash + 1));
+  if (i < 1 || i > n)
+    throw std::invalid_argument(fmt::format("--shard: '{}' is not I/N with 1 <= I <= N < 1000000", text));
+  o.shard = i, o.shards = n;
+}
+
+/// This process's rank, if it has one.
+const char* rank_of_mpirun() {
+  for (const char* name : {"OMPI_COMM_WORLD_RANK", "PMI_RANK", "PMIX_RANK"})
+    if (const char* rank = std::getenv(name)) return rank;
+  return nullptr;
+}
+
+std::string rank_file(const std::string& store, int rank, int size) {
+  return fmt::format("{}.{}-of-{}", store, rank + 1, size);
+}
+
+/// The rank's part goes into a file of its own; the first rank merges them.
+std::optional<StoredRun> run_rank(const Ranks& ranks, CampaignOptions o, const Robot& robot,
+                                  const StoreFlags& f) {
+  if (f.store.empty()) throw std::invalid_argument("under mpirun a campaign needs --store FILE");
+  if (!f.shard.empty()) throw std::invalid_argument("--shard: mpirun shares the cases out already");
+  if (o.seconds) throw std::invalid_argument("--for: under mpirun the cases are shared out: give --cases");
+  const int me = ranks.rank(), n = ranks.size();
+  o.shard = static_cast<unsigned>(me + 1), o.shards = static_cast<unsigned>(n);
+  o.quiet = o.quiet || me > 0;
+  const std::string file = rank_file(f.store, me, n);
+  std::optional<StoredRun> run;
+  int state = within_budget;
+  try {
+    Store store(file, Store::Open::create);
+    if (me == 0 && is_store(f.store)) store.adopt(Store(f.store, Store::Open::existing).counterexamples());
+    run = run_stored(o, robot, store, f.resume);
+    if (run->result.incomplete) {
+      state = incomplete;
+      // At once: an interrupted mpirun gives its ranks about a second.
+      if (me == 0)
+        fmt::print("to go on:\n  mpirun -n {} {}{}\n", n, f.typed_line, f.resume ? "" : " --resume");
+      std::fflush(stdout);
+    }
+  } catch (const std::exception& e) {
+    fmt::print(stderr, "liecheck: rank {} of {}: {}\n", me + 1, n, e.what());
+    state = bad_input;
+  }
+  // Only the first one ends with the verdict: mpirun ends the others where one of them reports failure.
+  state = ranks.largest(state == incomplete ? 1 : state == bad_input ? 2 : 0);
+  if (me > 0) return std::nullopt;
+  if (state == 2) throw std::runtime_error(fmt::format("{}: not merged: a rank failed", f.store));
+  CampaignResult& mine = run->result;
+  mine.incomplete = mine.incomplete || state == 1;
+  if (mine.incomplete || mine.series.empty()) return run;
+  std::vector<std::string> files;
+  for (int k = 0; k < n; ++k) files.push_back(rank_file(f.store, k, n));
+  merge_into(f.store, files, false);
+  StoredRun all = result_of(load_campaign(f.store), f.store);
+  all.counterexamples = run->counterexamples;
+  all.result.elapsed = mine.elapsed;
+  all.result.options.shards = o.shards;
+  all.result.failed = all.result.failed || !all.counterexamples.failing.empty();
+  return all;
+}
+
+}  // namespace
+
+void StoreFlags::add(Arguments& a) {
+  const Flag file = a.text("--store", store, "FILE", "keep everything in FILE (SQLite), chunk by chunk");
+  a.toggle("--resume", resume, "go on with the campaign that the store holds").needs(file);
+  a.text("--shard", shard, "I/N", "only part I of N of every series; merge puts them together");
+}
+
+bool StoreFlags::first_shard() const {
+  if (const char* rank = rank_of_mpirun()) return std::atoi(rank) == 0;
+  return shard.empty() || std::atoi(shard.c_str()) == 1;
+}
+
+void StoreFlags::check(bool timed) const {
+  CampaignOptions o;
+  if (!shard.empty()) {
+    parse_shard(shard, o);
+    if (timed) throw std::invalid_argument("--for: a shard is a part of a count: give --cases");
+  }
+  if (!store.empty() && !rank_of_mpirun()) Store(store, Store::Open::create);
+}
+
+std::optional<StoredRun> run_stored_campaign(const Selection& selection, const Robot& robot,
+                                             const CaseFlags& cases, const StoreFlags& f) {
+  CampaignOptions o;
+  o.selection = selection;
+  o.seed = cases.seed;
+  o.cases = cases.cases;
+  o.seconds = cases.seconds;
+  o.jobs = cases.jobs;
+  if (!f.shard.empty()) parse_shard(f.shard, o);
+  const Ranks ranks;
+  if (ranks.size() > 1) {
+    if (!cases.jobs_flag.given()) o.jobs = 1;
+    return run_rank(ranks, o, robot, f);
+  }
+  if (f.store.empty()) return StoredRun{run_campaign(o, robot), {}, {}};
+  Store store(f.store, Store::Open::create);
+  return run_stored(o, robot, store, f.resume);
+}
+
+void print_counterexamples(const Counterexamples& c) {
+  if (c.replayed + c.skipped == 0) return;
+  constexpr std::size_t shown = 6;
+  fmt::print("counterexamples of earlier runs: {} replayed, {} still fail, {} outside the selection\n",
+             c.replayed, c.failing.size(), c.skipped);
+  for (std::size_t i = 0; i < std::min(shown, c.failing.size()); ++i)
+    fmt::print("  {}, {}: liecheck replay {}\n", c.failing[i].operation, c.failing[i].block, c.failing[i].id);
+  if (c.failing.size() > shown) fmt::print("  and {} more\n", c.failing.size() - shown);
+  fmt::print("\n");
+}
+
+void print_how_to_resume(const CampaignResult& r, const StoreFlags& f) {
+  const bool ranks = r.options.shards > 1 && f.shard.empty();  // they have printed it
+  if (!r.incomplete || ranks) return;
+  if (f.store.empty())
+    fmt::print("interrupted: nothing was kept; --store FILE keeps what is done\n");
+  else
+    fmt::print("to go on:\n  {}{}\n", f.typed_line, f.resume ? "" : " --resume");
+}
+
+}  // namespace liecheck::properties

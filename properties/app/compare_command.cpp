@@ -1,0 +1,46 @@
+#include <fmt/format.h>
+#include <app/arguments.hpp>
+#include <app/commands.hpp>
+#include <memory>
+#include <store/merge.hpp>
+#include <store/store_path.hpp>
+
+namespace liecheck::properties {
+
+namespace {
+
+struct Flags {
+  std::string before, after;
+};
+
+/// On stderr: a comparison of a part is a comparison of what was done.
+void print_if_partial(const std::string& name, const StoredCampaign& c) {
+  if (c.spec.cases == 0) return;
+  if (!c.complete())
+    fmt::print(stderr, "liecheck: {}: unfinished\n", name);
+  else if (c.spec.last - c.spec.first < c.spec.cases)
+    fmt::print(stderr, "liecheck: {}: a shard, cases {} to {} of {} in each series\n", name, c.spec.first,
+               c.spec.last - 1, c.spec.cases);
+}
+
+int run(const Flags& f) {
+  const StoredCampaign a = load_campaign(f.before), b = load_campaign(f.after);
+  print_if_partial(f.before, a);
+  print_if_partial(f.after, b);
+  const auto lines = worse(a, b);
+  for (const std::string& line : lines) fmt::print("{}\n", line);
+  fmt::print("{} worse\n", lines.empty() ? "nothing is" : fmt::format("{} cells are", lines.size()));
+  return lines.empty() ? within_budget : property_failed;
+}
+
+}  // namespace
+
+Command compare_command(CLI::App& program) {
+  const auto f = std::make_shared<Flags>();
+  Arguments a(program, "compare", "what got worse from store A to store B. Exit 1 if anything did");
+  a.text("A", f->before, "", "the store before").required();
+  a.text("B", f->after, "", "the store after").required();
+  return a.command([f] { return run(*f); });
+}
+
+}  // namespace liecheck::properties

@@ -1,0 +1,37 @@
+#include <app/arguments.hpp>
+#include <app/commands.hpp>
+#include <iostream>
+#include <memory>
+#include <stdexcept>
+#include <store/merge.hpp>
+#include <store/store_path.hpp>
+#include <support/files.hpp>
+
+namespace liecheck::properties {
+
+namespace {
+
+struct Flags {
+  std::string store, out;
+};
+
+int run(const Flags& f) {
+  const std::string text = export_text(load_campaign(f.store));
+  if (!f.out.empty())
+    write_whole(f.out, text);
+  else if (!(std::cout << text << std::flush))
+    throw std::runtime_error("standard output: cannot be written");
+  return within_budget;
+}
+
+}  // namespace
+
+Command export_command(CLI::App& program) {
+  const auto f = std::make_shared<Flags>();
+  Arguments a(program, "export", "the canonical text of a store: the same however the cases were run");
+  a.text("STORE", f->store, "", "a store, or STORE@N for its Nth campaign").required();
+  a.text("--out", f->out, "FILE", "write to FILE instead of the standard output");
+  return a.command([f] { return run(*f); });
+}
+
+}  // namespace liecheck::properties

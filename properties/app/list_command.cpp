@@ -1,0 +1,42 @@
+#include <fmt/format.h>
+#include <app/arguments.hpp>
+#include <app/commands.hpp>
+#include <campaign/series.hpp>
+#include <set>
+
+namespace liecheck::properties {
+
+namespace {
+
+void print_subjects(const std::vector<std::unique_ptr<Series>>& all) {
+  fmt::print("subjects\n");
+  for (const std::string& name : subject_names()) {
+    std::set<std::string> scalars;
+    std::string version;
+    for (const auto& s : all)
+      if (s->subject == name) scalars.insert(s->scalar), version = s->subject_version;
+    if (!scalars.empty()) fmt::print("  {:<12}{} in {}\n", name, version, fmt::join(scalars, ", "));
+  }
+  fmt::print(
+      "  textbook:1e-1 ... textbook:1e-12: variants with their cutoff there, run where they are named\n"
+      "  bug:NAME, alike:NAME: known bugs and look-alikes, as 'liecheck bench bugs' names them; likewise\n");
+}
+
+int run() {
+  const auto all = select({}, built_in_robot());
+  print_subjects(all);
+  fmt::print("properties\n");
+  std::set<std::string> seen;
+  for (const auto& s : all)
+    if (seen.insert(s->property).second)
+      fmt::print("  {:<24}{}\n  {:<24}{}\n", s->property, s->law, "", s->equation);
+  return within_budget;
+}
+
+}  // namespace
+
+Command list_command(CLI::App& program) {
+  return Arguments(program, "list", "the subjects and properties").command(run);
+}
+
+}  // namespace liecheck::properties

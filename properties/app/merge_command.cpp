@@ -1,0 +1,37 @@
+#include <fmt/format.h>
+#include <app/arguments.hpp>
+#include <app/commands.hpp>
+#include <memory>
+#include <store/merge.hpp>
+#include <store/store_path.hpp>
+
+namespace liecheck::properties {
+
+namespace {
+
+struct Flags {
+  std::string out;
+  std::vector<std::string> in;
+  bool partial = false;
+};
+
+int run(const Flags& f) {
+  merge_into(f.out, f.in, f.partial);
+  const StoredCampaign c = load_campaign(f.out);
+  fmt::print("{}: cases {}..{} of {} series, {}\n", f.out, c.spec.first, c.spec.last, c.series.size(),
+             c.complete() ? "complete" : "incomplete");
+  return c.complete() ? within_budget : incomplete;
+}
+
+}  // namespace
+
+Command merge_command(CLI::App& program) {
+  const auto f = std::make_shared<Flags>();
+  Arguments a(program, "merge", "put the shards of a campaign together; FILE@N is campaign N of a store");
+  a.text("OUT", f->out, "", "the store to write; its other campaigns are kept").required();
+  a.list("IN", f->in, "", "the shards' stores, in any order").required();
+  a.toggle("--partial", f->partial, "let cases be missing: OUT is unfinished then, and --resume goes on");
+  return a.command([f] { return run(*f); });
+}
+
+}  // namespace liecheck::properties

@@ -1,0 +1,73 @@
+#include <fmt/format.h>
+#include <app/commands.hpp>
+#include <app/shared_flags.hpp>
+#include <memory>
+#include <stdexcept>
+
+namespace liecheck::properties {
+
+namespace {
+
+struct Flags {
+  std::string id;
+  RobotFlags robot;
+};
+
+/// Throws std::invalid_argument where the case belongs to no series, or to one on another robot.
+std::unique_ptr<Series> series_of(const CaseId& id, const std::string& text, const Robot& robot) {
+  auto found = select({{id.subject}, {id.property}, {id.scalar}}, robot);
+  if (found.empty())
+    throw std::invalid_argument(
+        fmt::format("{} in {} does not offer {}", id.subject, id.scalar, id.property));
+  const Series& series = *found.front();
+  if (series.robot == "none" && id.robot != "none")
+    throw std::invalid_argument(fmt::format(
+        "case ID '{}' names robot {}, but {} takes no robot: expected none", text, id.robot, id.property));
+  if (series.robot != id.robot)
+    throw std::invalid_argument(fmt::format(
+        "case ID names robot {}, this one is {}: give its URDF with --robot", id.robot, series.robot));
+  return std::move(found.front());
+}
+
+void print_judged(const Series& series, const Judged& j) {
+  static const char* const outcomes[] = {"", "NaN or Inf", "wrong branch", "unresolved", "refused"};
+  const Output& o = series.outputs.at(j.residual.output);
+  fmt::print("{:<26}{:<22}{:<24}{:>12.5g} eps  {:<22} kappa {:<10.3g}{} {}\n", o.operation, o.block,
+             series.bands()[j.residual.band].name, j.residual.error, fmt::format("{:a}", j.residual.error),
+             j.residual.kappa,
+             j.failed      ? "FAIL"
+             : j.ill_posed ? "ill-posed"
+                           : "pass",
+             outcomes[static_cast<int>(j.residual.outcome)]);
+}
+
+int run(const Flags& f) {
+  const CaseId id = CaseId::parse(f.id);
+  const auto series = series_of(id, f.id, f.robot.read());
+  const Trial trial = series->attempt(id);
+  fmt::print("{}: {}\n{} {} in {}\ninput {}\n", series->property, series->law, series->subject,
+             series->subject_version, series->scalar, fmt::join(trial.input, " "));
+  bool failed = false;
+  if (!trial.refusal.empty()) fmt::print("refused: {}\n", trial.refusal);
+  for (const Judged& j : trial.judged) {
+    if (!j.failed && j.residual.outcome == Outcome::refused) continue;  // as it should
+    failed = failed || j.failed;
+    print_judged(*series, j);
+  }
+  return failed ? property_failed : within_budget;
+}
+
+}  // namespace
+
+Command replay_command(CLI::App& program) {
+  const auto f = std::make_shared<Flags>();
+  Arguments a(
+      program, "replay",
+      "run one case again and print its residuals, bit for bit. Exit 0 within budget, 1 failed, 2 bad "
+      "input");
+  a.text("ID", f->id, "", "the case's address, as a failure or a report prints it").required();
+  f->robot.add(a, "the robot that the ID names");
+  return a.command([f] { return run(*f); });
+}
+
+}  // namespace liecheck::properties

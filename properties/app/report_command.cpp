@@ -1,0 +1,141 @@
+#include <fmt/format.h>
+#include <app/campaign_run.hpp>
+#include <app/commands.hpp>
+#include <app/cost_command.hpp>
+#include <app/record_file.hpp>
+#include <app/scene_sweep_command.hpp>
+#include <app/signals.hpp>
+#include <app/sweep_command.hpp>
+#include <filesystem>
+#include <hard_cases/hard_cases.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <record/campaign.hpp>
+#include <reports/report.hpp>
+#include <set>
+#include <stdexcept>
+#include <store/store_path.hpp>
+#include <support/files.hpp>
+#include <support/stop.hpp>
+#include <timing/kernels.hpp>
+
+namespace liecheck::properties {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Flags {
+  std::vector<std::string> records;
+  std::string out = "liecheck-report";
+  bool no_cost = false, no_scenes = false;
+  CaseFlags cases;
+};
+
+void create_folder(const std::string& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error)
+    throw std::runtime_error(fmt::format("--out {}: cannot be created: {}", folder, error.message()));
+}
+
+/// The records' files. Of a store its record is written into `folder`.
+std::vector<fs::path> record_files(const std::vector<std::string>& records, const std::string& folder) {
+  std::vector<fs::path> all;
+  std::set<std::string> names;
+  for (const std::string& record : records) {
+    if (!is_store(stored_file(record))) {
+      all.push_back(record);
+      continue;
+    }
+    const StoredRun run = result_of(load_campaign(record), record);
+    create_folder(folder);
+    std::string name = fs::path(record).stem().string();
+    while (!names.insert(name).second) name += "_";
+    all.push_back(fs::path(folder) / (name + ".json"));
+    write_record(all.back(), record_of(run.result, run.counterexamples, run.environment));
+  }
+  return all;
+}
+
+void print_interrupted(const char* where) {
+  std::fprintf(stderr, "interrupted%s: the report holds what was done\n", where);
+}
+
+CostResult times(std::uint64_t seed) {
+  CostOptions options;
+  options.seed = seed;
+  options.seconds = 30;
+  options.flags = has_kernels();
+  return run_cost(options);
+}
+
+SceneSweepResult scenes() {
+  SceneSweepFlags s;
+  s.options.order_scenes = 3;
+  s.flips = 3;
+  s.options.order_seconds = 6;
+  s.options.longest = 0.004;
+  s.options.seconds = 12;
+  s.options.repetitions = 7;
+  return run_scene_sweep(s);
+}
+
+/// Runs everything that a report shows and writes the record.
+fs::path run_campaign_of_report(const Flags& f) {
+  create_folder(f.out);
+  const fs::path file = fs::path(f.out) / "campaign.json";
+  check_writable(file);
+  const Robot robot = f.cases.robot.read();
+  const auto hard_cases = run_hard_cases({}, robot, built_in_corpus(), f.cases.jobs);
+  stop_on_signals();
+  const StoredRun run = run_stored_campaign({}, robot, f.cases, {}).value();
+  if (run.result.incomplete) print_interrupted("");
+  std::optional<SweepResult> sweep;
+  if (!stop_requested) {
+    sweep = run_sweep({}, f.cases.jobs);
+    if (stop_requested) print_interrupted(" in the sweep");
+  }
+  std::optional<CostResult> cost;
+  if (!stop_requested && !f.no_cost) {
+    cost = times(f.cases.seed);
+    if (stop_requested) print_interrupted(" in the times");
+  }
+  std::optional<SceneSweepResult> swept_scenes;
+  if (!stop_requested && !f.no_scenes) {
+    swept_scenes = scenes();
+    if (stop_requested) print_interrupted(" in the scenes");
+  }
+  const RecordParts parts{&hard_cases, sweep ? &*sweep : nullptr, cost ? &*cost : nullptr,
+                          swept_scenes ? &*swept_scenes : nullptr};
+  const std::string lost = try_write_record(file, run, parts);
+  if (!lost.empty()) throw std::runtime_error(lost);
+  return file;
+}
+
+int run(const Flags& f) {
+  std::vector<fs::path> records = record_files(f.records, f.out);
+  if (records.empty()) records.push_back(run_campaign_of_report(f));
+  const auto files = reports::write_report(records, f.out);
+  fmt::print("{}\n", fs::absolute(files.html).string());
+  return stop_requested ? incomplete : within_budget;
+}
+
+}  // namespace
+
+Command report_command(CLI::App& program) {
+  const auto f = std::make_shared<Flags>();
+  Arguments a(
+      program, "report",
+      "write the accuracy report of records, or of a campaign over every subject. Exit 0 when it is written, "
+      "whatever its verdict, 2 bad input, 3 its campaign was interrupted");
+  const Flag records = a.list("RECORD", f->records, "FILE",
+                              "stores, or records that campaign --json wrote; none: run the campaign first");
+  a.text("--out", f->out, "DIR", "folder of report.html, report.json and report.csv").with_default_in_help();
+  a.toggle("--no-cost", f->no_cost, "leave out the times, which take about 35 s").excludes(records);
+  a.toggle("--no-scenes", f->no_scenes, "leave out the scenes, which take about 40 s").excludes(records);
+  for (const Flag& flag : f->cases.add(a)) flag.excludes(records);
+  return a.command([f] { return run(*f); });
+}
+
+}  // namespace liecheck::properties

@@ -1,0 +1,52 @@
+#include <fmt/format.h>
+#include <app/arguments.hpp>
+#include <app/commands.hpp>
+#include <liecheck/scene/run.hpp>
+#include <liecheck/scene_file/scene_file.hpp>
+#include <memory>
+#include <stdexcept>
+
+namespace liecheck::properties {
+
+namespace {
+
+/// With the time of each stage here and now.
+scene::Plan measured_plan(const scene::Scene& scene) try {
+  return scene::plan(scene, true);
+} catch (const scene::StepFailed& e) {
+  throw std::invalid_argument(scene.source + ": a step from the start fails: " + e.what() +
+                              ": take a smaller step or a slower start");
+}
+
+int run(const std::string& file) {
+  const scene::Scene scene = loadScene(file);
+  const scene::Plan plan = measured_plan(scene);
+  fmt::print("{}: {}\n", scene.name, scene.reason.empty() ? "no reason given" : scene.reason);
+  fmt::print("{} of nq {}, nv {}; {} steps of {:g} s by {}, watched {} times\n\n",
+             plan.lone_body ? "a lone rigid body" : "a tree", scene.model.nq, scene.model.nv,
+             scene.span.steps, scene.span.duration / double(scene.span.steps), scene.integrator,
+             (scene.span.steps + scene.span.every - 1) / scene.span.every + 1);
+  fmt::print("{:<34}{:<12}{:>10}  {}\n", "stage", "each", "ns", "because");
+  for (const auto& s : plan.stages) {
+    fmt::print("{:<34}{:<12}{:>10}  {}\n", s.name, s.when,
+               s.nanoseconds ? fmt::format("{:.1f}", *s.nanoseconds) : "-", s.why);
+    if (!s.equation.empty()) fmt::print("    {}\n", s.equation);
+  }
+  fmt::print("\n{:<34}{}\n", "left out", "because");
+  for (const auto& l : plan.left_out) fmt::print("{:<34}{}\n", l.name, l.why);
+  return within_budget;
+}
+
+}  // namespace
+
+Command scene_explain_command(CLI::App& scene) {
+  const auto file = std::make_shared<std::string>();
+  Arguments a(
+      scene, "explain",
+      "its plan: what is computed, what was left out and why, and what each stage costs. Exit 0, 2 bad "
+      "input");
+  a.text("FILE", *file, "SCENE", "the scene").required();
+  return a.command([file] { return run(*file); });
+}
+
+}  // namespace liecheck::properties

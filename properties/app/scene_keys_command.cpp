@@ -1,0 +1,15 @@
+#include <fmt/format.h>
+#include <app/arguments.hpp>
+#include <app/commands.hpp>
+#include <liecheck/scene_file/scene_file.hpp>
+
+namespace liecheck::properties {
+
+Command scene_keys_command(CLI::App& scene) {
+  return Arguments(scene, "keys", "every key that a scene may have. Exit 0").command([] {
+    fmt::print("{}", sceneSchema());
+    return within_budget;
+  });
+}
+
+}  // namespace liecheck::properties

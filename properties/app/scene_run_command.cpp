@@ -1,0 +1,119 @@
+#include <fmt/format.h>
+#include <app/arguments.hpp>
+#include <app/commands.hpp>
+#include <app/record_file.hpp>
+#include <app/signals.hpp>
+#include <liecheck/scene/run.hpp>
+#include <liecheck/scene_file/scene_file.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <record/scene_run.hpp>
+#include <stdexcept>
+#include <support/files.hpp>
+#include <support/progress.hpp>
+#include <support/stop.hpp>
+#include <support/text.hpp>
+
+namespace liecheck::properties {
+
+namespace {
+
+struct Flags {
+  std::string file;
+  std::string csv, json;  ///< instead of the scene's own
+};
+
+/// Numbers as the shortest decimals that read back as the same doubles.
+std::string csv_of(const scene::Run& run) {
+  std::string text;
+  for (std::size_t i = 0; i < run.columns.size(); ++i)
+    text += (i ? "," : "") + csv_field(fmt::format("{} [{}]", run.columns[i].name, run.columns[i].unit));
+  text += '\n';
+  for (std::size_t i = 0; i < run.rows.size(); ++i)
+    fmt::format_to(std::back_inserter(text), "{}{}", run.rows[i], (i + 1) % run.columns.size() ? ',' : '\n');
+  return text;
+}
+
+void print_figures(const scene::Scene& scene, const scene::Run& run) {
+  const double h = scene.span.duration / double(scene.span.steps);
+  fmt::print("{}: {} in {} steps of {:g} s by {}, {:.3g} s on one core\n", scene.name,
+             fmt::format("{:g} s", run.outcome.t), run.outcome.steps, h, scene.integrator, run.seconds);
+  if (run.counts.steps > 0)
+    fmt::print("  {} steps of its own, {} rejected, {} iterations\n", run.counts.steps, run.counts.rejected,
+               run.counts.iterations);
+  for (const auto& f : run.figures)
+    fmt::print("  {:<36}{:>24} {}\n", f.name, f.value ? fmt::format("{:.17g}", *f.value) : "-",
+               f.unit == "1" ? "" : f.unit);
+}
+
+/// On stderr: why the run ended early, and what may help.
+void print_early_end(const scene::Scene& scene, const scene::Run& run) {
+  if (run.outcome.diverged) {
+    const scene::MethodInfo& method = scene::methodInfo(scene.integrator);
+    fmt::print(stderr,
+               "liecheck: {}: diverged at step {} of {} (t = {:g} s): {}; what was done until then is kept. "
+               "Take {}\n",
+               scene.source, run.outcome.steps + 1, scene.span.steps, run.outcome.t, run.outcome.why,
+               method.adaptive           ? "another tolerance, or softer effects"
+               : method.evaluations == 0 ? "a smaller step"
+                                         : "a smaller step, or an implicit method");
+  }
+  if (run.outcome.stopped)
+    fmt::print(stderr, "interrupted at t = {:g} s of {:g} s: what was done until then is kept\n",
+               run.outcome.t, scene.span.duration);
+}
+
+/// Throws std::invalid_argument where two of the scene's files are one.
+void check_apart(const std::string& scene, const std::string& csv, const std::string& json) {
+  const auto same = [](const std::string& a, const std::string& b) {
+    return !a.empty() && !b.empty() &&
+           std::filesystem::weakly_canonical(a) == std::filesystem::weakly_canonical(b);
+  };
+  for (const std::string& output : {csv, json})
+    if (same(scene, output))
+      throw std::invalid_argument(output + " is the scene itself: give the output another name");
+  if (same(csv, json))
+    throw std::invalid_argument(csv + " would be the CSV and the JSON: give one another name");
+}
+
+int run(const Flags& flags) {
+  stop_on_signals();
+  scene::Scene scene = loadScene(flags.file);
+  if (!flags.csv.empty()) scene.csv = flags.csv;
+  if (!flags.json.empty()) scene.json = flags.json;
+  check_apart(flags.file, scene.csv, scene.json);
+  for (const std::string& path : {scene.csv, scene.json})
+    if (!path.empty()) check_writable(path);
+  std::optional<Progress> progress(std::in_place, scene.name);
+  const scene::Run run = scene::run(scene, [&](double share) {
+    progress->show(share, [&](double) { return fmt::format("of {:g} s", scene.span.duration); });
+    return !stop_requested.load();
+  });
+  progress.reset();
+  print_figures(scene, run);
+  if (run.largest_turn > std::numbers::pi)
+    fmt::print(stderr,
+               "warning: a step turned by {:.3g} rad: beyond half a turn the increments of a step mean "
+               "nothing; take "
+               "a smaller step\n",
+               run.largest_turn);
+  if (!scene.csv.empty()) write_whole(scene.csv, csv_of(run));
+  if (!scene.json.empty()) write_record(scene.json, record_of(scene, run));
+  print_early_end(scene, run);
+  return run.outcome.diverged || run.outcome.stopped ? incomplete : within_budget;
+}
+
+}  // namespace
+
+Command scene_run_command(CLI::App& scene) {
+  const auto f = std::make_shared<Flags>();
+  Arguments a(scene, "run",
+              "simulate it. Exit 0, 2 bad input, 3 it diverged or was stopped: what was done is kept");
+  a.text("FILE", f->file, "SCENE", "the scene").required();
+  a.text("--csv", f->csv, "FILE", "write the samples to FILE, not where the scene says");
+  a.text("--json", f->json, "FILE", "write samples and figures to FILE, likewise");
+  return a.command([f] { return run(*f); });
+}
+
+}  // namespace liecheck::properties

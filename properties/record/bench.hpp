@@ -1,0 +1,51 @@
+#pragma once
+// What the harness is worth, as a record: how soon each known bug is found, and how many cases a second are run.
+
+#include <cstdint>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace liecheck::properties {
+
+/// How soon a known bug was found; of a look-alike, whether it was refused.
+struct BugRow {
+  std::string name, fault, origin;
+  bool killed = false;
+  std::string by;  ///< law, operation and block that failed
+  std::uint64_t cases = 0;
+  double seconds = 0;
+  std::vector<std::pair<std::string, bool>> weaker_styles;  ///< name, and whether it would have seen the bug
+
+  bool alike() const { return name.rfind("alike:", 0) == 0; }
+};
+
+struct BugBench {
+  std::uint64_t seed = 42;
+  std::string scalar;
+  double seconds_each = 60;
+  std::vector<BugRow> rows;
+  bool complete = false;
+
+  std::size_t bugs() const;
+  std::size_t killed() const;
+  std::size_t alikes() const;
+  std::size_t refused_alikes() const;
+  /// Was every bug killed and no look-alike refused?
+  bool passed() const { return killed() == bugs() && refused_alikes() == 0; }
+};
+
+nlohmann::json record_of(const BugBench& bench);
+
+struct SpeedBench {
+  std::uint64_t seed = 42;
+  std::vector<std::pair<std::string, double>> rates;  ///< name, best rate of the rounds [cases/s]
+  double all_laws = 0, tree_laws = 0;                 ///< harmonic means [cases/s]
+  double exp6_over_rapidcheck = 0, two_jobs_over_one = 0;
+  int falsified = 0;  ///< how often rc::check refused exp6, whose rates say nothing then
+};
+
+nlohmann::json record_of(const SpeedBench& bench);
+
+}  // namespace liecheck::properties

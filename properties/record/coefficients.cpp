@@ -1,0 +1,55 @@
+#include <record/coefficients.hpp>
+
+#include <fmt/format.h>
+#include <record/number.hpp>
+#include <support/environment.hpp>
+
+namespace liecheck::properties {
+
+using nlohmann::json;
+
+const char* error_kind(const SweptCoefficient& c) {
+  return oracles::is_absolute(c.claim->coefficient) ? "absolute" : "relative";
+}
+
+const char* status_of(const SweepResult& r, const SweptCoefficient& c) {
+  return r.failed(c) ? "fail" : r.upper_bound() ? "pass" : "sampled";
+}
+
+json record_of(const SweepResult& r) {
+  json rows = json::array();
+  for (const SweptCoefficient& c : r.coefficients)
+    rows.push_back({{"name", c.claim->name},
+                    {"equation", c.claim->equation},
+                    {"argument", c.claim->argument},
+                    {"kind", error_kind(c)},
+                    {"evaluated", c.evaluated},
+                    {"constant", c.constant},
+                    {"max_eps", number(c.max_eps)},
+                    {"max_at", fmt::format("{:a}", c.max_at)},
+                    {"max_at_decimal", c.max_at},
+                    {"bound_eps", r.upper_bound() ? number(c.bound_eps) : json()},
+                    {"oracle_bound_eps", c.oracle_bound_eps},
+                    {"square_eps", c.square_eps},
+                    {"documented_eps", c.claim->documented_eps},
+                    {"reason", c.claim->reason},
+                    {"status", status_of(r, c)}});
+  return {{"version", LIECHECK_VERSION},
+          {"verdict", r.failed()    ? "fail"
+                      : !r.complete ? "incomplete"
+                                    : "pass"},
+          {"bound", r.upper_bound() ? "upper" : "lower"},
+          {"scalar", "float"},
+          {"stride", r.stride},
+          {"elapsed", r.elapsed},
+          {"environment", environment()},
+          {"coefficients", rows}};
+}
+
+void add_sweep(json& record, const SweepResult& result) {
+  record["sweep"] = record_of(result);
+  record["sweep"].erase("environment");  // the campaign's record has it
+  if (result.failed()) record["verdict"] = "fail";
+}
+
+}  // namespace liecheck::properties

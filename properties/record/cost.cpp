@@ -1,0 +1,96 @@
+#include <record/cost.hpp>
+
+#include <record/number.hpp>
+#include <support/environment.hpp>
+#include <timing/front.hpp>
+#include <timing/inputs.hpp>
+
+namespace liecheck::properties {
+
+using nlohmann::json;
+
+namespace {
+
+json set_record(const CostSet& set) {
+  json blocks = json::array();
+  for (const BlockErrors& b : set.blocks)
+    blocks.push_back({{"block", b.block},
+                      {"measured", b.errors.size()},
+                      {"max_eps", number(b.largest())},
+                      {"p99_eps", number(b.quantile(0.99))},
+                      {"median_eps", number(b.quantile(0.5))},
+                      {"not_finite", b.not_finite},
+                      {"wrong_branch", b.wrong_branch},
+                      {"unresolved", b.unresolved},
+                      {"refused", b.refused}});
+  return {{"set", set.set},
+          {"inputs", set.inputs},
+          {"throughput_ns", record_of(set.throughput)},
+          {"latency_ns", record_of(set.latency)},
+          {"instructions", set.instructions > 0 ? json(set.instructions) : json()},
+          {"blocks", blocks}};
+}
+
+json row_records(const std::vector<CostRow>& rows) {
+  const std::vector<int> throughput = dominators(rows, TimeOf::throughput),
+                         latency = dominators(rows, TimeOf::latency);
+  const auto dominator = [&](int i) {
+    return i < 0 ? json() : json(implementation_of(rows[static_cast<std::size_t>(i)]));
+  };
+  json all = json::array();
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const CostRow& row = rows[i];
+    json sets = json::array();
+    for (const CostSet& set : row.sets) sets.push_back(set_record(set));
+    const bool scored = !row.sets.back().blocks.empty();
+    all.push_back({{"subject", row.subject},
+                   {"version", row.version},
+                   {"scalar", row.scalar},
+                   {"operation", row.operation},
+                   {"eps", row.eps},
+                   {"error", scored ? number(error_of(row)) : json()},
+                   {"worst_block", worst_block(row)},
+                   {"dominated_throughput", dominator(throughput[i])},
+                   {"dominated_latency", dominator(latency[i])},
+                   {"sets", sets}});
+  }
+  return all;
+}
+
+}  // namespace
+
+json record_of(const Spread& s) {
+  if (s.repetitions == 0) return nullptr;
+  return {{"median", s.median}, {"low", s.low}, {"high", s.high}, {"repetitions", s.repetitions}};
+}
+
+std::string implementation_of(const CostRow& row) {
+  return row.subject + " " + row.scalar;
+}
+
+json record_of(const CostResult& r) {
+  json bands = json::array(), where = environment();
+  for (const CostBand& b : cost_bands)
+    bands.push_back({{"band", b.name},
+                     {"axis", b.from_pi ? "pi_minus_theta" : "theta"},
+                     {"low", b.low},
+                     {"high", b.high}});
+  where["governor"] = frequency_governor();
+  return {{"version", LIECHECK_VERSION},
+          {"verdict", r.complete ? "pass" : "incomplete"},
+          {"seed", r.options.seed},
+          {"repetitions", r.options.repetitions},
+          {"seconds", r.options.seconds},
+          {"elapsed", r.elapsed},
+          {"clock", "processor time of the thread"},
+          {"no_counter", r.no_counter},
+          {"environment", where},
+          {"bands", bands},
+          {"rows", row_records(r.rows)}};
+}
+
+void add_cost(json& record, const CostResult& result) {
+  record["cost"] = record_of(result);
+}
+
+}  // namespace liecheck::properties

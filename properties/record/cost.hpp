@@ -1,0 +1,20 @@
+#pragma once
+// Time beside error in a record: key "cost", documented in the README.
+
+#include <nlohmann/json_fwd.hpp>
+#include <timing/cost.hpp>
+
+namespace liecheck::properties {
+
+nlohmann::json record_of(const CostResult& result);
+
+/// Adds it to a campaign's record.
+void add_cost(nlohmann::json& record, const CostResult& result);
+
+/// null where nothing was timed.
+nlohmann::json record_of(const Spread& time);
+
+/// Subject and scalar, such as "liecheck double".
+std::string implementation_of(const CostRow& row);
+
+}  // namespace liecheck::properties

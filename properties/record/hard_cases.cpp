@@ -1,0 +1,54 @@
+#include <record/hard_cases.hpp>
+
+#include <record/number.hpp>
+
+namespace liecheck::properties {
+
+using nlohmann::json;
+
+namespace {
+
+json cell_record(const HardCell& c) {
+  json cell = {{"subject", c.subject},
+               {"scalar", c.scalar},
+               {"verdict", name_of(c.verdict)},
+               {"failed", c.failed},
+               {"error", number(c.error)},
+               {"kappa", number(c.kappa)},
+               {"budget", c.budget},
+               {"rule", c.excess ? "excess" : "forward"},
+               {"operation", c.operation},
+               {"block", c.block},
+               {"band", c.band},
+               {"replay", "liecheck replay " + c.id.text()}};
+  if (!c.refusal.empty()) cell["refusal"] = c.refusal;
+  return cell;
+}
+
+}  // namespace
+
+json record_of(const std::vector<HardRow>& rows) {
+  json all = json::array();
+  for (const HardRow& row : rows) {
+    json cells = json::array();
+    for (const HardCell& c : row.cells) cells.push_back(cell_record(c));
+    const HardCase& e = *row.entry;
+    all.push_back({{"name", e.name},
+                   {"class", e.hard_class},
+                   {"reason", e.reason},
+                   {"origin", e.origin},
+                   {"place", e.place()},
+                   {"property", row.property},
+                   {"expression", e.input},
+                   {"input", row.input},
+                   {"cells", cells}});
+  }
+  return all;
+}
+
+void add_hard_cases(json& record, const std::vector<HardRow>& rows) {
+  record["hard_cases"] = record_of(rows);
+  if (any_failed(rows) && record["verdict"] == "pass") record["verdict"] = "fail";
+}
+
+}  // namespace liecheck::properties

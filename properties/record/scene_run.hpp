@@ -1,0 +1,11 @@
+#pragma once
+// The run of one scene as a record: what `liecheck scene run --json` writes, documented in fixtures/scenes/README.md.
+
+#include <liecheck/scene/run.hpp>
+#include <nlohmann/json_fwd.hpp>
+
+namespace liecheck::properties {
+
+nlohmann::json record_of(const scene::Scene& scene, const scene::Run& run);
+
+}  // namespace liecheck::properties

@@ -1,0 +1,23 @@
+#pragma once
+// A sweep of scenes as a record, documented in the README.
+
+#include <nlohmann/json_fwd.hpp>
+#include <scenes/spins.hpp>
+#include <scenes/sweep.hpp>
+
+namespace liecheck::properties {
+
+/// All that `liecheck scene sweep` measures.
+struct SceneSweepResult {
+  std::vector<SceneSweep> scenes;
+  std::vector<std::string> wrong;  ///< orders that are not what was promised
+  std::vector<PeerComparison> peers;
+  std::vector<LongSpin> spins;
+  std::vector<Flips> flips;
+  bool complete = false;
+  double elapsed = 0;  ///< [s]
+};
+
+nlohmann::json record_of(const SceneSweepResult& result);
+
+}  // namespace liecheck::properties
