@@ -1,4 +1,4 @@
-// Each closed form of a motion against an integration of its equations at 100 digits, and against what they keep.
+// Each closed form of a motion against an integration of its equations at 100 digits, and against conserved quantities.
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ using namespace liecheck::oracles;
 using T = Real100;
 using Attitude = AttitudeState<T>;
 
-// The two orders agree to 1e-44; a closed form at 100 digits has more.
+// The two orders of the reference solution agree to 1e-44; a closed form at 100 digits is more accurate.
 const T tolerance("1e-46"), close("1e-41");
 
 Mat3<T> diagonal(const Vec3<T>& d) {
@@ -29,7 +29,7 @@ Mat3<T> diagonal(const Vec3<T>& d) {
   return m;
 }
 
-/// The greater of the errors of attitude [rad] and of the angular velocity, relative.
+/// The larger of the attitude error [rad] and the relative error of the angular velocity.
 T distance(const Attitude& a, const Attitude& b) {
   return larger<T>(angle_between(a.Q, b.Q), norm(a.omega - b.omega) / (1 + norm(b.omega)));
 }
@@ -82,7 +82,7 @@ TEST(TriaxialBody, FlipsWhereTheMiddleComponentVanishes) {
   }
 }
 
-TEST(TriaxialBody, RefusesWhatItHasNoAnswerFor) {
+TEST(TriaxialBody, RefusesEqualMomentsAndPrincipalAxes) {
   const auto make = [](const Vec3<T>& moments, const Vec3<T>& omega) {
     TriaxialBody<T>(moments, Attitude{some_attitude(), omega});
   };
@@ -107,7 +107,7 @@ TEST(ConstantTwist, IsTheLimitOfEqualMoments) {
   EXPECT_LT(distance(constant_twist(initial, T(5)), body.at(T(5))), T("1e-90"));
 }
 
-TEST(FreeBody, FallsAndTurnsAboutItsCentreOfMassInAnyAxes) {
+TEST(FreeBody, FallsAndRotatesAboutItsCentreOfMassInAnyAxes) {
   const Vec3<T> c{{T("0.1"), T("-0.2"), T("0.3")}}, g{{T(0), T(1), T("-9.81")}};
   const Mat3<T> I{{T(3), T("0.4"), T("-0.2"), T("0.4"), T(2), T("0.1"), T("-0.2"), T("0.1"), T("1.5")}};
   const BodyState<T> initial{
@@ -131,7 +131,7 @@ TEST(FreeBody, FallsAndTurnsAboutItsCentreOfMassInAnyAxes) {
   EXPECT_EQ(family({{T(2), T(2), T(2)}}, {{T(3), T(1), T(2)}}), "constant twist");
 }
 
-TEST(Pendulum, SolvesItsEquationSwingingTurningAndBetween) {
+TEST(Pendulum, SolvesItsEquationOscillatingRotatingAndOnTheSeparatrix) {
   const T w("1.5");
   for (const auto& [q, v] : {std::pair<T, T>{T(1), T(0)},
                              {T(-2), T(1)},
@@ -181,17 +181,17 @@ void check_top(const Quaternion<T>& Q, const Vec3<T>& omega) {
 TEST(LagrangeTop, SolvesItsEquations) {
   check_top(some_attitude(), {{T(1), T("0.5"), T(7)}});
   check_top(some_attitude(), {{T("-0.2"), T(2), T(-9)}});
-  check_top(normalized(Quaternion<T>{{T("0.1"), T(0), T(0), T(1)}}), {{T(0), T(0), T(12)}});  // let go
+  check_top(normalized(Quaternion<T>{{T("0.1"), T(0), T(0), T(1)}}), {{T(0), T(0), T(12)}});  // released
   check_top(normalized(Quaternion<T>{{T("1e-6"), T(0), T(0), T(1)}}),
-            {{T("1e-6"), T(0), T(20)}});                         // almost asleep
-  check_top({{T(0), T(0), T(0), T(1)}}, {{T(0), T(0), T(20)}});  // asleep
+            {{T("1e-6"), T(0), T(20)}});                         // almost a sleeping top
+  check_top({{T(0), T(0), T(0), T(1)}}, {{T(0), T(0), T(20)}});  // a sleeping top
 }
 
 TEST(LagrangeTop, PrecessesSteadilyAtTheRatesOfItsQuadratic) {
   const T transverse("1.2"), axial("0.5"), torque(3), cosine("0.6"), sine("0.8"), spin(20);
   for (int i = 0; i < 2; ++i) {
     const T rate = steady_precession(transverse, axial, torque, cosine, spin)[i];
-    // leaning in the plane of x and z: R = R_y(theta)
+    // inclined in the x-z plane: R = R_y(theta)
     const Quaternion<T> Q{{T(0), sqrt(T((1 - cosine) / 2)), T(0), sqrt(T((1 + cosine) / 2))}};
     const LagrangeTop<T> top(transverse, axial, torque, {Q, {{-sine * rate, T(0), spin}}});
     const T t(2);
@@ -216,12 +216,12 @@ TEST(PlanarChain, KeepsItsEnergyAndOneLinkIsAPendulum) {
   PlanarChain<1, T> one;
   one.links = {Link<T>{T(2), T("0.5"), T(1), T("0.3")}};
   one.gravity = T("9.81");
-  const T half_turn = acos(T(0)), w = sqrt(T(2 * one.gravity * T("0.5") / one.couplings()(0, 0)));
-  const auto end = reference<2, T>(one, {{T("0.4") - half_turn, T(1)}}, T(1), tolerance);
-  EXPECT_LT(abs(Pendulum<T>{w, {T("0.4"), T(1)}}.at(T(1)).q - half_turn - end.y[0]), close);
+  const T right_angle = acos(T(0)), w = sqrt(T(2 * one.gravity * T("0.5") / one.couplings()(0, 0)));
+  const auto end = reference<2, T>(one, {{T("0.4") - right_angle, T(1)}}, T(1), tolerance);
+  EXPECT_LT(abs(Pendulum<T>{w, {T("0.4"), T(1)}}.at(T(1)).q - right_angle - end.y[0]), close);
 }
 
-TEST(Reference, SeesASignErrorInTheEquationsItHoldsAClosedFormTo) {
+TEST(Reference, DiffersFromTheClosedFormWhereItsEquationsHaveASignError) {
   const Attitude initial{some_attitude(), {{T(1), T(2), T(-1)}}};
   const Vec3<T> moments{{T(1), T(2), T(3)}}, negative{{T(-1), T("-0.5"), T(-1) / 3}};
   const RigidBodyEquations<T> wrong{diagonal(moments), diagonal(negative)};  // I omega' = omega x I omega

@@ -1,8 +1,8 @@
-// Ball arithmetic: what it returns contains the exact value, and the radius stays small.
+// Ball arithmetic: results contain the exact values, and their radii are small.
 
 #include <gtest/gtest.h>
-#include <oracles/closed_forms.hpp>
 #include <oracles/ball_error.hpp>
+#include <oracles/closed_forms.hpp>
 #include <random>
 
 namespace liecheck::oracles {
@@ -12,7 +12,7 @@ template <BallNumber B>
 Real mid(const B& b) {
   return exact<Real>(b);
 }
-/// |mid - exact| as a share of the radius; 0 where both are 0.
+/// |midpoint - exact| / radius; 0 where the midpoint is exact.
 template <BallNumber B>
 double share(const B& b, const Real& value) {
   const double d = static_cast<double>(Real(abs(mid(b) - value)));
@@ -114,7 +114,7 @@ TYPED_TEST(BallTest, APolarFactorContainsTheOneAtHundredDigits) {
   }
 }
 
-TYPED_TEST(BallTest, ComparisonsThatTheRadiusLeavesOpenThrow) {
+TYPED_TEST(BallTest, ComparisonsThatTheRadiusCannotDecideThrow) {
   const TypeParam third = TypeParam(1) / TypeParam(3);
   EXPECT_THROW((void)(third * TypeParam(3) == TypeParam(1)), Undecided);
   EXPECT_THROW((void)(third * TypeParam(3) < TypeParam(1)), Undecided);

@@ -1,18 +1,19 @@
 #pragma once
-// Rigorous enclosures, in MPFI's interval arithmetic, of what the slow oracle computes: the oracle's oracle.
+// Rigorous enclosures, in MPFI's interval arithmetic, of what the oracles at 50 and 100 digits compute.
 //
 // Every function returns intervals that contain the exact value, by formulas other than the oracle's:
 //   c_k(x)      the power series with its remainder (alternating: at most the first omitted term) for x < 256, by
-//               sin and cos of the whole angle beyond; the oracle has half angles and squarings of matrices
+//               sin and cos of the full angle beyond; the oracles use half angles and squarings of matrices
 //   exp         R = I + c1 [phi] + c2 [phi]^2,   p = c1 rho + c2 phi x rho + c3 phi (phi.rho)
-//   log         theta / 2 = a + atan((s cos a - c sin a) / (c cos a + s sin a)) from a rounded guess a; rho solves
+//   log         theta / 2 = a + atan((s cos a - c sin a) / (c cos a + s sin a)) with a rounded guess a; rho solves
 //               V(phi) rho = p
 //   polar       Krawczyk's operator proves that a rotation R(d) R(Q0), d in a tiny box, makes X^T R symmetric
-//   J, C        I + c2 [phi] + c3 [phi]^2 and its derivative along rho, c_k' from its own series; the oracle has c4, c5
-//   inverses    K* = K + (I - K J) K* around the oracle's K: a Neumann bound on what K lacks
+//   J, C        I + c2 [phi] + c3 [phi]^2 and its derivative along rho, c_k' from its own series;
+//               the oracles use c4, c5
+//   inverses    K* = K + (I - K J) K* around the oracle's K, with a Neumann bound of the error of K
 //
-// T is an Interval; its precision must hold the arguments and an angle's whole turns, else the result is wide, never
-// wrong. What cannot be decided, as the sign of an interval around zero, throws Undecided.
+// T is an Interval. Where its precision is too small for the arguments or for reducing an angle modulo 2 pi, the result
+// is wide, never wrong. What cannot be decided, such as the sign of an interval around zero, throws Undecided.
 //
 // Sources: Tucker 2011 (interval arithmetic), Neumaier 1990, chapter 5 (Krawczyk), Rump 2010, section 10 (Neumann).
 
@@ -49,7 +50,7 @@ struct Undecided : std::runtime_error {
 
 // ---- intervals
 
-/// The largest |y| of y in x, and its exponent: |y| < 2^e.
+/// The largest |y| for y in x, and e with |y| < 2^e.
 template <class T>
 auto largest(const T& x) {
   auto m = upper(x);
@@ -105,7 +106,7 @@ Stumpff<T> stumpff(const T& x) {
     for (int j = 0;; ++j) {
       const int next = (2 * j + k + 1) * (2 * j + k + 2);
       if (next > 1024 && exponent(term) < enough)
-        break;  // from here on each term is below a quarter of its last
+        break;  // from here on each term is below a quarter of the one before
       c += term;
       d -= term * (j + 1) / next;
       term = -(term * x) / next;
@@ -124,7 +125,7 @@ M3<T> hat(const V3<T>& v) {
   m << T(0), -v[2], v[1], v[2], T(0), -v[0], -v[1], v[0], T(0);
   return m;
 }
-/// The vector of m - m^T: twice vee.
+/// The vector of m - m^T.
 template <class T>
 V3<T> twice_vee(const M3<T>& m) {
   return {m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1)};

@@ -1,5 +1,5 @@
 #pragma once
-// Each operation of the slow oracle, at 50 digits and in its closed form at 100, against its enclosure.
+// Each operation of the oracles, at 50 digits and in its closed form at 100, against its enclosure.
 
 #include <oracles/closed_forms.hpp>
 #include <oracles/exp.hpp>
@@ -14,19 +14,20 @@ namespace liecheck::enclosures {
 
 using namespace oracles;
 
-/// The oracle claims 1e-41 as confirmed (agreement.hpp), and its numbers are of 168 bits: one rounding of a value that is
-/// right at 100 digits is 2^-168 = 2.7e-51. Of each block, relative to the scale that its header names.
+/// The allowed error of each block, relative to the scale that its header names. The oracles promise 1e-41
+/// (agreement.hpp); rounding a value of 100 correct digits to 168 bits costs 2^-168 = 2.7e-51.
 inline constexpr double claim = 1e-50;
-/// What a planted error is larger by: the 49th digit is wrong.
+/// A planted error is larger by this factor: the 49th digit is wrong.
 inline constexpr double wrong = 10;
 
-/// The same of the closed forms at 100 digits: 334 bits, of which a large angle takes two digits for each of its own,
-/// and so does the distance d to 2 pi k: 1e-98 (theta / d)^2.
+/// The allowed error of the closed forms at 100 digits (334 bits): 1e-98 (theta / d)^2 for an angle theta at the
+/// distance d from 2 pi k (closed_forms.hpp).
 inline double claim_at_100_digits(const Real& theta) {
   if (theta < 1) return 1e-98;
   if (theta > 1e25) return 1e-90;  // reduced with digits to spare
-  const Real turn = 2 * boost::math::constants::pi<Real>(), turns = round(Real(theta / turn));
-  const Real d = turns == 0 ? theta : abs(Real(theta - turns * turn)), loss = d < 1 ? Real(theta / d) : theta;
+  const Real period = 2 * boost::math::constants::pi<Real>(), periods = round(Real(theta / period));
+  const Real d = periods == 0 ? theta : abs(Real(theta - periods * period)),
+             loss = d < 1 ? Real(theta / d) : theta;
   return 1e-98 * static_cast<double>(Real(loss * loss));
 }
 
@@ -131,7 +132,7 @@ class Checks {
   }
   void logs(const std::string& what, const LogResult& r, const Log<T>& exact, const Log<T>& other) {
     if (!r.resolved) ledger_.unresolved(what);
-    // At half a turn either axis is right, and which is `other` depends on how w was rounded
+    // At theta = pi both axes are right, and which of them is `other` depends on the rounding of w.
     const V3<T> phi = point<T>(r.phi);
     const bool swapped = r.at_pi && upper(T(phi.dot(exact.phi))) < 0;
     const Log<T>&first = swapped ? other : exact, &second = swapped ? exact : other;

@@ -1,5 +1,5 @@
 #pragma once
-// Compares the oracle's numbers with enclosures, and remembers how far they were at worst.
+// Compares the oracles' numbers with enclosures, and keeps the largest errors.
 
 #include <gtest/gtest.h>
 #include <iostream>
@@ -11,7 +11,7 @@
 
 namespace liecheck::enclosures {
 
-/// x, without rounding; infinite ends where the interval has fewer bits.
+/// x without rounding; an interval with infinite ends where T has too few bits.
 template <class T, unsigned Digits>
 T point(const oracles::Decimal<Digits>& x) {
   T r;
@@ -32,7 +32,7 @@ Eigen::Matrix<T, R, C> point(const oracles::Mat<R, C, S>& m) {
   return r;
 }
 
-/// What one block of a value may err by, relative to max(||exact||, scale), at the least and at the most.
+/// Lower and upper bound of the error of one block relative to max(||exact||, scale).
 struct Excess {
   double least, most;
 };
@@ -59,7 +59,8 @@ Excess excess(const Eigen::Matrix<T, R, C>& exact, const Eigen::Matrix<T, R, C>&
 
 class Ledger {
  public:
-  /// Is `value`, of the oracle, within `claim` of the enclosure, and a value that is wrong by `wrong` not?
+  /// Fails unless the oracle's `value` is within `claim` of the enclosure, and the value with an error of `wrong` is
+  /// not.
   template <class T, int R, int C>
   void check(const std::string& what, const Eigen::Matrix<T, R, C>& exact,
              const Eigen::Matrix<T, R, C>& value, double claim, double wrong, const T& scale = T(0)) {
@@ -71,7 +72,7 @@ class Ledger {
       ADD_FAILURE() << what << ": the oracle errs by " << e.least << " ... " << e.most << ", claims " << claim
                     << "\n"
                     << input;
-    // The largest number, wrong in a digit that the claim covers
+    // The planted error is in the largest number.
     Eigen::Matrix<T, R, C> planted = value;
     int k = 0;
     for (int i = 1; i < R * C; ++i)
@@ -89,7 +90,7 @@ class Ledger {
       std::cout << what << ": " << w.checks << " enclosed, at worst " << w.most << "\n";
   }
 
-  std::string input;  ///< of the check that comes
+  std::string input;  ///< of the next check, for messages
 
  private:
   struct Worst {

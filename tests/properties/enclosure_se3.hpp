@@ -35,13 +35,13 @@ template <class T>
 Blocks<T> left_jacobian(const V6<T>& xi) {
   const V3<T> rho = xi.template head<3>(), phi = xi.template tail<3>();
   const Stumpff<T> s = stumpff<T>(phi.dot(phi));
-  const T dx = 2 * phi.dot(rho);  // of x = phi.phi along rho
+  const T dx = 2 * phi.dot(rho);  // derivative of x = phi.phi along rho
   const M3<T> F = hat<T>(phi), P = hat<T>(rho), FF = F * F;
   return {M3<T>::Identity() + F * s.c[2] + FF * s.c[3],
           P * s.c[2] + (F * P + P * F) * s.c[3] + F * T(s.d[2] * dx) + FF * T(s.d[3] * dx)};
 }
 
-/// Of A = [[J, C], [0, J]], near the approximate inverse K of J.
+/// The inverse of A = [[J, C], [0, J]]; K: an approximate inverse of J.
 template <class T>
 Blocks<T> inverse(const Blocks<T>& A, const M3<T>& K) {
   const M3<T> E = M3<T>::Identity() - K * A.J;
@@ -52,7 +52,7 @@ Blocks<T> inverse(const Blocks<T>& A, const M3<T>& K) {
   }
   e = sqrt(e);
   if (!(upper(e) < 0.5)) throw Undecided("no approximate inverse");
-  // K* = K + E K*, so that ||K* - K|| <= ||E|| ||K|| / (1 - ||E||) = r, and once more
+  // K* = K + E K*, so that ||K* - K|| <= ||E|| ||K|| / (1 - ||E||) = r; inserted once more
   const T r = around_zero<T>(e * sqrt(k) / (1 - e));
   const M3<T> exact = K + E * (K + M3<T>::Constant(r));
   return {exact, -(exact * A.C * exact)};
@@ -88,8 +88,8 @@ struct Log {
   T theta, pi_minus_theta;
 };
 
-/// Of Q / ||Q|| and p. `opposite`: on the branch of the opposite axis, theta >= pi. Where w may be zero it must be so
-/// within 2^-300, and which branch is which is left open.
+/// log of the pose of Q / ||Q|| and p. `opposite`: on the branch of the opposite axis, theta >= pi. Where the interval
+/// of w contains zero it must be within 2^-300 of it, and the two branches may be exchanged.
 template <class T>
 Log<T> log(Q4<T> Q, const V3<T>& p, bool opposite = false) {
   const bool open = lower(Q[3]) < 0 && upper(Q[3]) > 0;
@@ -107,7 +107,7 @@ Log<T> log(Q4<T> Q, const V3<T>& p, bool opposite = false) {
   return r;
 }
 
-/// The rotation nearest to R, near the approximation Q0.
+/// The rotation nearest to R; Q0: an approximation of it.
 template <class T>
 Q4<T> nearest(const M3<T>& R, const Q4<T>& Q0) {
   const M3<T> B = rotation<T>(Q0).transpose() * R;
@@ -142,7 +142,7 @@ Q4<T> nearest(const M3<T>& R, const Q4<T>& Q0) {
   return product<T>(Q0, small);  // X^T R is symmetric, and positive: within 1/2 + 0.05 of I
 }
 
-/// q = (p, Q), Q meaning Q / ||Q||.
+/// q = (p, Q), where Q stands for Q / ||Q||.
 template <class T>
 Exp<T> integrate(const V7<T>& q, const V6<T>& delta) {
   const Q4<T> Q0 = q.template tail<4>();

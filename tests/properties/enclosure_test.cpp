@@ -1,7 +1,7 @@
-// The slow oracle lies where interval arithmetic proves the exact value to be.
+// The results of the oracles lie where interval arithmetic proves the exact value to be.
 //
-// Inputs: the project's generators in float, double and float128, as many for each band of angles, and directed ones
-// where no generator goes. The seed is LIECHECK_SEED, or 42.
+// Inputs: the project's generators in float, double and float128, equally many for each band of angles, and chosen
+// inputs outside of the generators' range. The seed is LIECHECK_SEED, or 42.
 
 #include <charconv>
 #include <cstdlib>
@@ -39,8 +39,8 @@ std::uint64_t seed() {
 
 constexpr int per_band = 3;
 
-/// Inputs of `draw`, at most `per_band` of each band of their exact `angle` [rad]. Every band comes up (with the seed
-/// that is fixed) from `lowest` to pi, or beyond.
+/// Inputs of `draw`, at most `per_band` for each band of their exact `angle` [rad]. With the default seed every band
+/// from `lowest` to pi, or beyond, must occur.
 template <class S, class Draw, class Angle, class Use>
 void in_every_band(std::uint64_t series, std::uint64_t draws, const Real& lowest, bool beyond, Draw&& draw,
                    Angle&& angle, Use&& use) {
@@ -161,7 +161,7 @@ TYPED_TEST(Enclosure, HoldsDifferenceAndItsDerivativesInEveryBand) {
       });
 }
 
-// ---- directed inputs
+// ---- chosen inputs
 
 using InDouble = Enclosure<double>;
 
@@ -174,7 +174,7 @@ const std::vector<Vec3<>>& lengths() {
   return all;
 }
 
-TEST_F(InDouble, HoldsTwistsWhereAnglesAreSubnormalOrWholeTurnsAndLengthsExtreme) {
+TEST_F(InDouble, HoldsTwistsWhereAnglesAreSubnormalOrNearTwoPiAndLengthsExtreme) {
   for (const double theta : {0.0, 5e-324, 3e-310, 1e-160, 1.0, 3.141592653589793, 3.1415926535897936,
                              6.283185307179586, 6.283185307179587, 15.9, 16.0, 16.1, 1e8, 1e24})
     for (const Vec3<>& rho : lengths())
@@ -203,7 +203,7 @@ TEST_F(InDouble, HoldsExpOfHugeAnglesWithoutTheOraclesReduction) {
   Checks<Interval<5400>>(ledger_).exp(xi);
 }
 
-TEST_F(InDouble, HoldsLogsAtExactlyHalfATurnAndBesideIt) {
+TEST_F(InDouble, HoldsLogsAtThetaEqualToPiAndNearIt) {
   for (const double w : {0.0, -0.0, 5e-324, -5e-324, 1e-200, -1e-70, 1e-50, -1e-17})
     for (const Vec3<>& p : lengths())
       for (const Vec3<>& v : {vector(0.6, 0, 0.8), vector(0, -1, 0), vector(3e-310, 1, 1e-20)}) {
@@ -221,7 +221,7 @@ TEST_F(InDouble, HoldsLogsAtExactlyHalfATurnAndBesideIt) {
   }
 }
 
-TEST_F(InDouble, HoldsLogsAtTheIdentityAndAtAngleSubnormal) {
+TEST_F(InDouble, HoldsLogsAtTheIdentityAndAtSubnormalAngles) {
   for (const double t : {0.0, 5e-324, 1e-310, 1e-160, 1e-20})
     for (const double w : {1.0, -1.0, 1 + 2.2e-16})
       for (const Vec3<>& p : lengths()) {
@@ -240,7 +240,7 @@ TEST_F(InDouble, HoldsLogsAtTheIdentityAndAtAngleSubnormal) {
 
 // ---- the enclosures themselves
 
-/// sum_j A^j / (j + 1)!, the rest bounded by a geometric series of Frobenius norms.
+/// sum_j A^j / (j + 1)!, with the remainder bounded by a geometric series of Frobenius norms.
 template <class T, int N>
 Eigen::Matrix<T, N, N> phi1(const Eigen::Matrix<T, N, N>& A) {
   using M = Eigen::Matrix<T, N, N>;

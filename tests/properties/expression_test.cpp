@@ -1,10 +1,10 @@
-// Numbers written once for every scalar: each form in float and in double, bit for bit, and what is refused.
+// The expressions of hard cases, in float and in double, bit for bit, and the errors in them.
 
 #include <gtest/gtest.h>
 
 #include <campaign/case_id.hpp>
-#include <hard_cases/expression.hpp>
 #include <cmath>
+#include <hard_cases/expression.hpp>
 #include <limits>
 #include <stdexcept>
 

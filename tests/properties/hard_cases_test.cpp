@@ -1,11 +1,11 @@
-// The corpus, how its lines are read, and that every verdict is reached by a subject that deserves it.
+// The corpus of hard cases: its lines, their parser, and that each verdict is given to a subject that deserves it.
 
 #include <gtest/gtest.h>
 
-#include <hard_cases/hard_cases.hpp>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <hard_cases/hard_cases.hpp>
 #include <nlohmann/json.hpp>
 #include <record/hard_cases.hpp>
 #include <set>

@@ -1,5 +1,4 @@
-// The harness under test: every law is seen to fail on a planted bug, NaN is never a pass, and cases, digests
-// and replays are what they say.
+// Tests of the harness: every law fails on a planted bug, NaN never passes, cases and digests are reproducible.
 
 #include <gtest/gtest.h>
 #include <invariants/tree_laws.hpp>
@@ -34,7 +33,7 @@ Subject<double> planted(const std::string& name, void (*plant)(O&)) {
   return s;
 }
 
-// A left-out inverse Jacobian, a swapped side, a transposed Adjoint, a forced sign ...: one bug for each law.
+// One bug for each law: an omitted inverse Jacobian, a swapped side, a transposed adjoint, a forced sign ...
 const Registered<double> bugs[] = {
     Registered<double>(planted("exp_oracle",
                                [](O& o) {
@@ -142,7 +141,7 @@ CampaignResult run(const std::string& subject, const std::string& property, std:
 class Planted : public testing::TestWithParam<const char*> {};
 
 TEST_P(Planted, BugIsCaughtByItsLawAndTheLawPassesWithoutIt) {
-  // A jump is seen where two neighbours stand on either side of its cutoff: about one case in 130.
+  // A jump shows where two neighbouring inputs are on either side of its cutoff: in about one case of 130.
   EXPECT_TRUE(run(std::string("planted_") + GetParam(), GetParam(), 2000).failed);
   EXPECT_FALSE(run("liecheck", GetParam(), 100).failed);
 }

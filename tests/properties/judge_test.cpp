@@ -1,10 +1,10 @@
-// The comparisons on which the fast oracles' verdicts rest.
+// The comparisons on which verdicts by ball arithmetic depend.
 
 #include <gtest/gtest.h>
 #include <campaign/judge.hpp>
 #include <invariants/common.hpp>
-#include <oracles/closed_forms.hpp>
 #include <oracles/ball_oracles.hpp>
+#include <oracles/closed_forms.hpp>
 #include <random>
 
 namespace liecheck::properties {
@@ -24,7 +24,7 @@ TEST(Agreement, ErrorsAndConditionNumbersMayDifferByTheirAccuracyAndNoMore) {
   EXPECT_FALSE(agreed(measured(2, 15), measured(2, 30)));
   EXPECT_FALSE(agreed(measured(2, 31), measured(2, 30)));
   EXPECT_TRUE(agreed(measured(2, 0.4), measured(2, 0.9)));  // both count as 1
-  EXPECT_TRUE(agreed(measured(2, 0), measured(2, 30)));     // not asked for
+  EXPECT_TRUE(agreed(measured(2, 0), measured(2, 30)));     // 0: kappa was not computed
   EXPECT_FALSE(agree({measured(1, 1)}, {}));
 }
 
@@ -39,7 +39,7 @@ TEST(TheJudge, SeesALawThatClaimsTooLargeALeastKappa) {
   };
   EXPECT_EQ(outcome(100, 99), Outcome::measured);
   EXPECT_EQ(outcome(100, 110), Outcome::unresolved);
-  EXPECT_EQ(outcome(0.5, 1), Outcome::measured);  // none claimed: a kappa counts from 1 up
+  EXPECT_EQ(outcome(0.5, 1), Outcome::measured);  // errors are divided by max(kappa, 1)
 }
 
 TEST(TallyRows, AreFoundAgainAfterCopyMoveAndErasure) {
@@ -48,7 +48,7 @@ TEST(TallyRows, AreFoundAgainAfterCopyMoveAndErasure) {
   Rows copy = a, moved = std::move(a);
   copy.of(1, 2).count = 6;
   EXPECT_EQ(moved.of(1, 2).count, 5u);
-  a.of(1, 2).count = 7;  // NOLINT(bugprone-use-after-move): empty, and of use
+  a.of(1, 2).count = 7;  // NOLINT(bugprone-use-after-move): empty, and usable
   EXPECT_EQ(moved.at({1, 2}).count, 5u);
   copy.erase(copy.begin());
   EXPECT_EQ(copy.of(1, 2).count, 0u);
@@ -58,11 +58,11 @@ TEST(TallyRows, AreFoundAgainAfterCopyMoveAndErasure) {
 }
 
 template <class S>
-class FastBands : public testing::Test {};
+class BallBands : public testing::Test {};
 using Scalars = testing::Types<float, double>;
-TYPED_TEST_SUITE(FastBands, Scalars);
+TYPED_TEST_SUITE(BallBands, Scalars);
 
-/// Small numbers of every size, the least and the smallest normal one and their neighbours included.
+/// Small numbers of every size, with the smallest subnormal and normal numbers and their neighbours.
 template <class S>
 S small(std::mt19937_64& random) {
   using Limits = std::numeric_limits<S>;
@@ -76,7 +76,7 @@ S small(std::mt19937_64& random) {
   return random() % 2 ? x : -x;
 }
 
-TYPED_TEST(FastBands, OfSubnormalAnglesAndOfPosesNearTheIdentityAreTheSlowOnes) {
+TYPED_TEST(BallBands, OfSubnormalAnglesAndOfPosesNearTheIdentityAreThoseOfFiftyDigits) {
   using S = TypeParam;
   using oracles::DoubleDoubleBall;
   std::mt19937_64 random(11);

@@ -1,4 +1,4 @@
-// The oracles against themselves, against worked examples, and against planted faults.
+// The oracles: agreement of their two formulas, worked examples, and planted errors.
 
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ namespace {
 
 using float128 = boost::multiprecision::float128;
 
-/// budget: as the oracles promise, and as 50 digits leave
+/// Relative errors: what the oracles promise, and what 50 digits allow.
 const Real promised("1e-41"), rounding("1e-49");
 
 Real pi() {
@@ -67,7 +67,7 @@ const std::vector<Vec3<>>& axes() {
   static const std::vector<Vec3<>> all{vector(0, 0, 1), vector(1, 1e-20, 0), vector(0.3, -0.5, 0.8)};
   return all;
 }
-/// A generic one, one that every axis in the x-z plane is nearly perpendicular to, and tiny and large ones.
+/// A generic vector, one along y (perpendicular to every axis in the x-z plane), a tiny one and a large one.
 std::vector<Vec3<>> lengths() {
   return {vector(0.25, -0.75, 1.5), vector(0, 1, 0), scaled(vector(1, 2, 3), "1e-300"),
           scaled(vector(-3, 1, 2), "1e200")};
@@ -93,7 +93,7 @@ TEST(OracleNumbers, ConvertEveryScalarExactlyIncludingSubnormals) {
   EXPECT_EQ(exact<Real>(0.1), Real("0.1000000000000000055511151231257827021181583404541015625"));
   const float128 tenth = float128(1) / 10;
   const Real converted = exact<Real>(tenth);
-  EXPECT_EQ(converted * 10 - 1, ldexp(Real(1), -114));  // 1/10 in 113 bits is 2^-114 above, tenfold
+  EXPECT_EQ(converted * 10 - 1, ldexp(Real(1), -114));  // 10 times the rounding error of 1/10 in 113 bits
   EXPECT_EQ(exact<Real>(float128(ldexp(float128(1), -16494))), ldexp(Real(1), -16494));
   EXPECT_EQ(exact<Real>(std::numeric_limits<double>::denorm_min()), ldexp(Real(1), -1074));
   EXPECT_EQ(exact<Real>(float128(-ldexp(float128(2) - ldexp(float128(1), -112), 16383))),
@@ -151,27 +151,26 @@ TEST(ExpOracle, ResolvesEveryBandOfAngles) {
       }
 }
 
-TEST(ExpOracle, QuarterTurnAlongAnArcEndsAtTwoOverPi) {
+TEST(ExpOracle, AQuarterCircleOfUnitLengthEndsAtTwoOverPi) {
   const ExpResult e = exp_se3({{Real(1), Real(0), Real(0), Real(0), Real(0), pi() / 2}});
   EXPECT_TRUE(e.resolved);
   expect_near(e.p, {{2 / pi(), 2 / pi(), Real(0)}}, rounding, "p");
 }
 
 TEST(ExpOracle, KeepsTheContinuousSignOfTheQuaternion) {
-  for (const auto& [turns, sign] : {std::pair{0.9, -1}, {1.1, -1}, {1.9, 1}, {2.1, 1}, {2.9, -1}}) {
-    const ExpResult e = exp_so3(along(vector(0, 0, 1), turns * 2 * pi()));
-    EXPECT_EQ(e.Q[3] < 0 ? -1 : 1, sign) << turns;
+  for (const auto& [periods, sign] : {std::pair{0.9, -1}, {1.1, -1}, {1.9, 1}, {2.1, 1}, {2.9, -1}}) {
+    const ExpResult e = exp_so3(along(vector(0, 0, 1), periods * 2 * pi()));
+    EXPECT_EQ(e.Q[3] < 0 ? -1 : 1, sign) << periods;
   }
 }
 
-TEST(ExpOracle, AWholeTurnLeavesOnlyTheScrew) {
-  // rho across the axis comes back to where it started, but for the distance of theta to 2 pi k
+TEST(ExpOracle, NearTwoPiALengthAcrossTheAxisIsMultipliedByTheDistanceToTwoPi) {
   for (const char* off : {"1e-10", "1e-34", "1e-40"}) {
     const Real d(off);
     const ExpResult e = exp_se3(stack(vector(1, 0, 0), along(vector(0, 0, 1), 2 * pi() + d)));
     EXPECT_TRUE(e.resolved) << off;
     const Real t = 2 * pi() + d;
-    // theta itself is known to 1e-50 only, because pi is
+    // theta has only 50 digits, because pi has
     EXPECT_LE(abs(e.p[0] - sin(d) / t), Real("1e-48")) << off;
     EXPECT_LE(abs(e.p[1] - 2 * sin(d / 2) * sin(d / 2) / t), Real("1e-48")) << off;
   }
@@ -179,11 +178,11 @@ TEST(ExpOracle, AWholeTurnLeavesOnlyTheScrew) {
 
 TEST(ExpOracle, ReducesHugeAnglesModuloTwoPiExactly) {
   // sin and cos of 1e300 / 2 by MPFR's own reduction, at an argument that 50 digits hold exactly
-  const Real theta = Real(1e300), half = theta / 2;
+  const Real theta = Real(1e300), half_angle = theta / 2;
   const ExpResult e = exp_so3({{Real(0), Real(0), theta}});
   EXPECT_TRUE(e.resolved);
-  EXPECT_LE(abs(e.Q[2] - sin(half)), rounding);
-  EXPECT_LE(abs(e.Q[3] - cos(half)), rounding);
+  EXPECT_LE(abs(e.Q[2] - sin(half_angle)), rounding);
+  EXPECT_LE(abs(e.Q[3] - cos(half_angle)), rounding);
 }
 
 TEST(LogOracle, InvertsExpInEveryBandUpToPi) {
@@ -196,7 +195,7 @@ TEST(LogOracle, InvertsExpInEveryBandUpToPi) {
         for (const Quaternion<>& Q : {e.Q, -e.Q, Real(1.125) * e.Q}) {
           const LogResult l = log_se3(Q, e.p);
           EXPECT_TRUE(l.resolved) << a.name;
-          if (l.pi_minus_theta < Real("1e-47")) continue;  // 50 digits of pi lie on either side of it
+          if (l.pi_minus_theta < Real("1e-47")) continue;  // pi rounded to 50 digits may be above pi
           EXPECT_LE(norm(l.phi - phi), Real(rounding * a.theta)) << a.name;
           expect_near(l.rho, rho, rounding * 10, a.name);
           EXPECT_LE(abs(l.theta + l.pi_minus_theta - pi()), rounding * 10) << a.name;
@@ -205,7 +204,7 @@ TEST(LogOracle, InvertsExpInEveryBandUpToPi) {
   }
 }
 
-TEST(LogOracle, ComesBackToTheSamePoseBeyondPi) {
+TEST(LogOracle, OfAPoseBeyondPiHasTheSameExp) {
   for (const Angle& a : angles()) {
     if (a.theta <= pi()) continue;
     const ExpResult e = exp_se3(stack(vector(1, 2, 3), along(vector(0.3, -0.5, 0.8), a.theta)));
@@ -218,7 +217,7 @@ TEST(LogOracle, ComesBackToTheSamePoseBeyondPi) {
   }
 }
 
-TEST(LogOracle, GivesBothAxesAtExactlyPi) {
+TEST(LogOracle, GivesBothAxesAtThetaEqualToPi) {
   const LogResult l = log_se3({{Real(0.6), Real(0), Real(0.8), Real(0)}}, vector(1, 2, 3));
   EXPECT_TRUE(l.resolved);
   ASSERT_TRUE(l.at_pi);
@@ -267,7 +266,7 @@ TEST(LogOracle, RefusesAReflection) {
 
 // ---- integrate and difference
 
-TEST(IntegrateOracle, YawedByAQuarterTurnLocalXMovesAlongWorldY) {
+TEST(IntegrateOracle, AtAYawOfNinetyDegreesLocalXIsAlongWorldY) {
   const Real h = sqrt(Real(0.5));
   const IntegrateResult r = integrate({{Real(0), Real(0), Real(0), Real(0), Real(0), h, h}},
                                       {{Real(2), Real(0), Real(0), Real(0), Real(0), Real(0)}});
@@ -293,7 +292,7 @@ TEST(IntegrateOracle, AndDifferenceAreInverseInEveryBandUpToPi) {
   }
 }
 
-TEST(DifferenceOracle, OfPosesSubnormallyNearKeepsItsRelativeAccuracy) {
+TEST(DifferenceOracle, KeepsItsRelativeAccuracyWhereItIsSubnormal) {
   const Vec7<> q0{{Real(5), Real(0), Real(0), Real(0), Real(0.6), Real(0), Real(0.8)}};
   Vec7<> q1 = q0;
   q1[1] = Real(3e-300);
@@ -331,10 +330,10 @@ TEST(DifferenceOracle, OfNearPosesInFloat128IsResolved) {
 
 // ---- Jacobians
 
-/// Near 2 pi k the inverse is singular, and an angle is known to 1e-50 only.
+/// The inverse is singular at 2 pi k, and theta is accurate to 1e-50 only.
 bool near_singular(const Real& theta) {
-  const Real turns = theta / (2 * pi());
-  return theta > 1 && abs(turns - round(turns)) * 2 * pi() < Real("1e-40");
+  const Real periods = theta / (2 * pi());
+  return theta > 1 && abs(periods - round(periods)) * 2 * pi() < Real("1e-40");
 }
 
 TEST(JacobianOracle, ClosedFormAndPhi1AgreeInEveryBand) {
@@ -380,7 +379,7 @@ TEST(JacobianOracle, OfAPureRotationHasNoCouplingBlock) {
   }
 }
 
-TEST(JacobianOracle, AtZeroIsTheIdentityAndHalfTheLengthInTheCouplingBlock) {
+TEST(JacobianOracle, AtZeroIsTheIdentityWithHalfOfHatRhoAsCouplingBlock) {
   const Vec3<> rho = vector(1, -2, 3);
   const Jacobian6Result r = left_jacobian_se3(stack(rho, vector(0, 0, 0)));
   EXPECT_TRUE(r.resolved);
@@ -410,7 +409,7 @@ TEST(DerivativeOracle, OfDifferenceFromItsDefinitionIsResolvedUpToPi) {
   }
 }
 
-TEST(DerivativeOracle, OfDifferenceAtExactlyHalfATurnFollowsTheBranchAskedFor) {
+TEST(DerivativeOracle, OfDifferenceAtThetaEqualToPiIsThatOfTheGivenBranch) {
   const Vec7<> q0{{Real(0), Real(0), Real(0), Real(0), Real(0), Real(0), Real(1)}};
   const Vec7<> q1{{Real(1), Real(2), Real(3), Real(0.6), Real(0), Real(0.8), Real(0)}};
   const LogResult l = difference(q0, q1);
@@ -447,7 +446,7 @@ Body two_kilograms() {
   return I;
 }
 
-TEST(SpatialOracle, TwoKilogramsTurningAtTwoRadiansASecondHaveHalfAJouleByBothRoutes) {
+TEST(SpatialOracle, AWorkedExampleHasItsInertiaEnergyAndMomentum) {
   const Body I = two_kilograms();
   const Matrix6Result M = inertia_matrix(I);
   EXPECT_TRUE(M.resolved);
@@ -464,19 +463,19 @@ TEST(SpatialOracle, TwoKilogramsTurningAtTwoRadiansASecondHaveHalfAJouleByBothRo
             rounding);
 }
 
-TEST(SpatialOracle, EveryOperationIsResolvedAndUndoneByItsInverse) {
+TEST(SpatialOracle, EveryOperationIsResolvedAndInvertedByItsInverse) {
   const ExpResult e = exp_se3(stack(vector(3, -1, 2), vector(0.3, -0.5, 0.8)));
   Pose X{e.R, e.p};
   for (Real& x : X.R.x) x = Real(static_cast<double>(x));  // rounded: orthogonal to 1e-16
   const Vec6<> V = stack(vector(0.1, 2, -3), vector(1, 1, 0.5)),
                F = stack(vector(5, -1, 2), vector(0.2, 7, 3));
   const Real nearly("1e-15");
-  const auto undone = [&](const SpatialResult& there, const SpatialResult& back, const Vec6<>& v) {
+  const auto inverted = [&](const SpatialResult& there, const SpatialResult& back, const Vec6<>& v) {
     EXPECT_TRUE(there.resolved && back.resolved);
     expect_near(back.value, v, nearly, "back");
   };
-  undone(act_motion(X, V), act_inverse_motion(X, act_motion(X, V).value), V);
-  undone(act_force(X, F), act_inverse_force(X, act_force(X, F).value), F);
+  inverted(act_motion(X, V), act_inverse_motion(X, act_motion(X, V).value), V);
+  inverted(act_force(X, F), act_inverse_force(X, act_force(X, F).value), F);
   const PointResult x = act_point(X, vector(1, 2, 3)), y = act_inverse_point(X, x.value);
   EXPECT_TRUE(x.resolved && y.resolved);
   expect_near(y.value, vector(1, 2, 3), nearly, "point");
@@ -528,7 +527,7 @@ TEST(ConditionOracle, OfADifferenceOfNearNumbersIsTheCancellation) {
   EXPECT_NEAR(kappa[1], 2, 1e-9);
 }
 
-TEST(ConditionOracle, OfExpNearAWholeTurnGrowsAsTheInverseOfTheDistance) {
+TEST(ConditionOracle, OfExpNearTwoPiGrowsAsTheInverseOfTheDistance) {
   const Function p_of_exp = [](const std::vector<Real>& x) {
     const UnitPose<Real> pose = closed_exp(Vec6<>{{x[0], x[1], x[2], x[3], x[4], x[5]}});
     return std::vector<Real>(pose.p.x.begin(), pose.p.x.end());
@@ -543,7 +542,7 @@ TEST(ConditionOracle, DoesNotCountANumberThatIsZero) {
   EXPECT_NEAR(condition(sum, {Real(0), Real(3)}, {{0, 1}})[0], 1, 1e-9);
 }
 
-TEST(ErrorMeasure, OfARotationTakesEitherSignAndIgnoresTheNorm) {
+TEST(ErrorMeasure, OfARotationIsThatOfTheNearerSignWhateverTheNorm) {
   const Quaternion<> Q = exp_so3(vector(0.1, 0.2, 0.3)).Q;
   EXPECT_LE(rotation_error<double>(Q, Q), 1e-30);
   EXPECT_LE(rotation_error<double>(Real(-1.01) * Q, Q), 1e-30);
@@ -587,13 +586,13 @@ TEST(ErrorMeasure, OfAVectorIsRelativeDownToTheSmallestDenominator) {
   EXPECT_NEAR(
       vector_error<double>(vector(1, 2, 2 + 3e-16), y, Real(30)) * std::numeric_limits<double>::epsilon(),
       static_cast<double>(exact<Real>(2 + 3e-16) - 2) / 30, 1e-20);
-  // a lost subnormal is no error of one
-  const double lost = vector_error<double>(vector(0, 0, 0), vector(5e-324, 0, 0));
-  EXPECT_LE(lost, 1.0001);
-  EXPECT_GT(lost, 0);
+  // a result of 0 in place of the smallest subnormal number errs by 1 eps
+  const double underflowed = vector_error<double>(vector(0, 0, 0), vector(5e-324, 0, 0));
+  EXPECT_LE(underflowed, 1.0001);
+  EXPECT_GT(underflowed, 0);
 }
 
-TEST(ErrorMeasure, OfALogAtExactlyPiTakesEitherAxis) {
+TEST(ErrorMeasure, OfALogAtThetaEqualToPiIsThatOfTheNearerAxis) {
   const LogResult l = log_se3({{Real(0.6), Real(0), Real(0.8), Real(0)}}, vector(1, 2, 3));
   const TwistError a = log_error<double>(l.value(), l), b = log_error<double>(l.other, l);
   EXPECT_LE(a.angular + a.linear + b.angular + b.linear, 1e-20);

@@ -5,17 +5,17 @@
 namespace liecheck::properties {
 namespace {
 
-TEST(SourceOfBits, IsSplitMix64) {
+TEST(RandomBits, AreThoseOfSplitMix64) {
   Source source({0, 0, 0, 0});  // the first numbers from state 0, as published with the generator
   EXPECT_EQ(source.bits(), 0xe220a8397b1dcdafu);
   EXPECT_EQ(source.bits(), 0x6e789e6aa1b965f4u);
   EXPECT_EQ(source.bits(), 0x06c45d188009454fu);
 }
 
-TEST(SourceOfBits, GivesNeighbouringCasesStreamsOfTheirOwn) {
+TEST(RandomBits, OfNeighbouringCasesAreIndependent) {
   std::set<std::uint64_t> seen;
   constexpr std::size_t cases = 2000, numbers = 20;
-  int ones = 0;  // in the first numbers of neighbours, apart: half of 64
+  int ones = 0;  // bits that differ in the first numbers of neighbours: 32 of 64 are expected
   for (std::uint64_t i = 0; i < cases; ++i) {
     Source a({7, 8, 9, i}), b({7, 8, 9, i + 1});
     ones += __builtin_popcountll(a.bits() ^ b.bits());

@@ -1,4 +1,4 @@
-// The generators as RapidCheck's: rc::check finds a planted bug and shrinks it to what people write.
+// The generators in RapidCheck: rc::check finds a planted bug and shrinks it to short numbers.
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 namespace liecheck::properties {
 namespace {
 
-/// Runs rc's loop quietly; the last failing value is the smallest.
+/// Runs rc's loop without output; the last failing value is the smallest.
 template <class T, class Fails>
 std::optional<T> smallest_failure(const rc::Gen<T>& gen, Fails fails) {
   std::optional<T> last;
@@ -36,11 +36,11 @@ TEST(RapidCheck, FindsABandOfAnglesAndShrinksToAShortNumberAlongAnAxis) {
   EXPECT_EQ(found->norm(), std::strtod(text, nullptr)) << found->transpose();
 }
 
-TEST(RapidCheck, FindsHalfATurnAndMinusQ) {
-  const auto half =
+TEST(RapidCheck, FindsThetaEqualToPiAndMinusQ) {
+  const auto at_pi =
       smallest_failure(gen::unit_quaternion<double>(), [](const auto& Q) { return std::abs(Q.w()) < 1e-9; });
-  ASSERT_TRUE(half);
-  EXPECT_EQ(half->coeffs(), Eigen::Vector4d(1, 0, 0, 0));
+  ASSERT_TRUE(at_pi);
+  EXPECT_EQ(at_pi->coeffs(), Eigen::Vector4d(1, 0, 0, 0));
   EXPECT_TRUE(smallest_failure(gen::unit_quaternion<float>(), [](const auto& Q) { return Q.w() < 0; }));
 }
 

@@ -1,18 +1,18 @@
-// Worst-case search, coverage, shrinking and what is printed of a failure.
+// Worst-case search, coverage, shrinking, and the printed program of a failure.
 
 #include <gtest/gtest.h>
 
 #include <campaign/campaign.hpp>
 #include <campaign/coverage_report.hpp>
-#include <search/hunt.hpp>
-#include <search/shrink.hpp>
-#include <failures/program.hpp>
 #include <cstdio>
 #include <cstdlib>
+#include <failures/program.hpp>
 #include <filesystem>
 #include <fstream>
 #include <generators/trees.hpp>
 #include <regex>
+#include <search/hunt.hpp>
+#include <search/shrink.hpp>
 #include <set>
 
 namespace liecheck::properties {
@@ -114,13 +114,14 @@ TEST(CoverageReport, NamesWhatANarrowedGeneratorNeverReaches) {
   for (int i = 0; i < 6000; ++i) {
     Source source(sha256("narrow" + std::to_string(i)));
     std::vector<double> x(6);
-    for (double& v : x) v = source.symmetric<double>();  // what a plain test draws
+    for (double& v : x) v = source.symmetric<double>();  // as a plain test would
     tally.coverage.add(s->fields, x);
   }
   const auto all = coverage_of(*s, tally);
   const std::string line = coverage_line(all, tally.coverage.cases());
   EXPECT_EQ(line.rfind("NOT COVERED", 0), 0u);
-  for (const char* what : {"phi: zero", "phi: within 4 ulp of a cutoff", "phi: within 4 ulp of pi", "rho: 1e150"})
+  for (const char* what :
+       {"phi: zero", "phi: within 4 ulp of a cutoff", "phi: within 4 ulp of pi", "rho: 1e150"})
     EXPECT_NE(line.find(what), std::string::npos) << what;
 }
 
@@ -137,7 +138,7 @@ TEST(CoverageReport, AsksNothingOfAFewCasesAndPassesOnTheWholeGenerator) {
   EXPECT_GT(std::count_if(all.begin(), all.end(), [](const Covered& c) { return c.required; }), 15);
 }
 
-TEST(Shrinking, EndsInWhatPeopleWrite) {
+TEST(Shrinking, EndsInShortNumbers) {
   using V = std::vector<double>;
   const auto shrink = [](const V& x, Kind kind, auto fails) {
     return shrink_input<double>(x, {{"x", kind, static_cast<int>(x.size()), ""}}, fails, 5000);

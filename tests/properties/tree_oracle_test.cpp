@@ -1,4 +1,4 @@
-// oracles/tree.hpp against Lagrange's equations from the energies alone; the generator of trees; sizes.
+// oracles/tree.hpp against Lagrange's equations of the energies; oracles/tree_sizes.hpp as an upper bound.
 
 #include <gtest/gtest.h>
 
@@ -17,8 +17,8 @@ TreeCase<T> case_of(std::uint64_t index, bool floating = false) {
   const std::vector<double> x = random_tree<double>(source, floating);
   return TreeCase<T>(TreeLayout{tree_slots}, x, std::vector<T>(x.begin(), x.end()));
 }
-/// Coordinates that add: q' = v.
-bool holonomic(const TreeCase<T>& c) {
+/// Are all coordinates those of vector spaces, with q' = v?
+bool vector_space(const TreeCase<T>& c) {
   for (const auto& j : c.tree.joints)
     if (j.kind != JointKind::revolute && j.kind != JointKind::prismatic && j.kind != JointKind::helical &&
         j.kind != JointKind::translation)
@@ -31,7 +31,7 @@ TEST(TreeOracle, TorquesAreLagrangesEquationsOfTheEnergies) {
   const T h = ldexp(T(1), -100);
   for (std::uint64_t index = 0; tried < 20; ++index) {
     TreeCase<T> c = case_of(index);
-    if (!holonomic(c)) continue;
+    if (!vector_space(c)) continue;
     ++tried;
     for (auto& j : c.tree.joints) j.armature = 0;
     const std::size_t n = c.v.size();
@@ -50,7 +50,7 @@ TEST(TreeOracle, TorquesAreLagrangesEquationsOfTheEnergies) {
     for (std::size_t k = 0; k < n; ++k) {
       Numbers e(n, T(0));
       e[k] = 1;
-      const auto momentum = [&](const T& t) {  // dT/dv_k: T is a square in v, so that any step is exact
+      const auto momentum = [&](const T& t) {  // dT/dv_k: T is quadratic in v, so that any step is exact
         const Numbers q = moved(c.q, c.v, t), v = moved(c.v, c.a, t);
         return T((kinetic(q, moved(v, e, T(1))) - kinetic(q, moved(v, e, T(-1)))) / 2);
       };
@@ -86,14 +86,14 @@ TEST(TreeOracle, WithoutForcesOnItsBaseAFloatingRobotKeepsItsMomentum) {
   for (std::uint64_t index = 0; tried < 20; ++index) {
     TreeCase<T> c = case_of(index, true);
     c.tree.joints[0].armature = 0;
-    const Numbers still(c.v.size(), T(0));
-    const TreeDynamics<T> standing(c.tree, c.q, c.v, still);
-    Numbers rest = standing.torque();
-    for (std::size_t k = 0; k < rest.size(); ++k) rest[k] = (k < 6 ? T(0) : c.a[k]) - rest[k];
-    const Numbers factor = positive_factor(standing.mass(), rest.size());
-    if (factor.empty()) continue;  // a point on a free base without an armature
+    const Numbers zero(c.v.size(), T(0));
+    const TreeDynamics<T> unaccelerated(c.tree, c.q, c.v, zero);
+    Numbers force = unaccelerated.torque();  // then the right-hand side of M a = tau - h
+    for (std::size_t k = 0; k < force.size(); ++k) force[k] = (k < 6 ? T(0) : c.a[k]) - force[k];
+    const Numbers factor = positive_factor(unaccelerated.mass(), force.size());
+    if (factor.empty()) continue;  // a point mass on a free base without an armature
     ++tried;
-    const Numbers a = solve(factor, rest);
+    const Numbers a = solve(factor, force);
     const TreeDynamics<T> d(c.tree, c.q, c.v, a);
     const Vec6<T> rate = d.momentum_rate();
     T mass(0);
