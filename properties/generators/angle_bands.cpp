@@ -88,11 +88,11 @@ std::size_t Bands::classify(const Real& theta) const {
     return std::min<std::size_t>(first_theta_ + 1 + static_cast<std::size_t>(edge - theta_edges_.begin()),
                                  generic_ - 1);
   }
-  const Real left = pi_value - theta;
-  if (left > 1) return generic_;
-  if (left >= 0) {
+  const Real pi_minus_theta = pi_value - theta;
+  if (pi_minus_theta > 1) return generic_;
+  if (pi_minus_theta >= 0) {
     for (std::size_t i = 0; i < pi_edges_.size(); ++i)
-      if (left >= pi_edges_[i]) return first_pi_ + i;
+      if (pi_minus_theta >= pi_edges_[i]) return first_pi_ + i;
     return pi_;
   }
   if (theta > 100) return huge_;
@@ -115,11 +115,11 @@ std::size_t Bands::classify_ball(const T& theta) const {
     if (i < ball_theta_edges_.size() && theta >= edge<T>(ball_theta_edges_[i])) ++i;
     return std::min<std::size_t>(first_theta_ + 1 + i, generic_ - 1);
   }
-  const T left = pi_value - theta;
-  if (left > T(1)) return generic_;
-  if (left >= T(0)) {
+  const T pi_minus_theta = pi_value - theta;
+  if (pi_minus_theta > T(1)) return generic_;
+  if (pi_minus_theta >= T(0)) {
     for (std::size_t i = 0; i < ball_pi_edges_.size(); ++i)
-      if (left >= edge<T>(ball_pi_edges_[i])) return first_pi_ + i;
+      if (pi_minus_theta >= edge<T>(ball_pi_edges_[i])) return first_pi_ + i;
     return pi_;
   }
   if (theta > T(100)) return huge_;

@@ -54,7 +54,7 @@ std::vector<T> movements(const FunctionOf<T>& f, const std::vector<T>& x,
 template <class T>
 double condition_number(const T& movement, const T& denominator);
 
-/// The condition numbers of several blocks of one formula, computed together when the first one is asked for.
+/// The condition numbers of several blocks of one formula, computed together when the first one is needed.
 /// `arguments()` gives the stored numbers.
 template <class T, class F, class Arguments>
 class Sensitivity {

@@ -14,7 +14,7 @@
 // fourth derivative on [0, 10]), the remainder of the division, and every rounding. The two coefficients of
 // the logarithm are G(t) = atan(sqrt t) / sqrt t = int_0^1 ds / (1 + t s^2), whose Taylor coefficients follow
 // from 2 t G' + G = 1/(1+t); |G| <= sqrt(2) G(m) for |t - m| <= m/2, because sqrt(t) G grows, and Cauchy's
-// estimate bounds the rest.
+// estimate bounds the remainder.
 
 #include <array>
 #include <string_view>
