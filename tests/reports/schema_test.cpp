@@ -67,4 +67,51 @@ TEST(Schema, ChecksEveryFieldThatItDocuments) {
   EXPECT_GT(done.size(), 200u);
 }
 
+/// What a node of the schema allows, as docs/record.md says it.
+std::string kind(const Json& rule) {
+  if (rule.contains("enum"))
+    return fmt::format("`{}`", fmt::join(rule["enum"].get<std::vector<std::string>>(), "`, `"));
+  const bool or_null = rule["type"].is_array() && rule["type"].back() == "null";
+  if (rule.contains("properties") || rule.contains("additionalProperties"))
+    return or_null ? "object or null" : "object";
+  if (!rule.contains("items") || (rule["items"]["type"] == "number" && rule.contains("minItems")))
+    return rule["title"];
+  const Json& item = rule["items"];
+  return item.contains("properties") ? "list of objects" : "list, each " + kind(item);
+}
+
+/// A table of the fields of each object, outer ones first; of equal objects one table.
+std::string tables(const Json& rule, const std::string& name, std::map<std::string, std::string>& done) {
+  if (rule.contains("items")) return tables(rule["items"], name + "[]", done);
+  Json members = rule.value("properties", Json::object());
+  if (rule.contains("additionalProperties")) members["*"] = rule["additionalProperties"];
+  if (members.empty()) return "";
+  const std::string title = fmt::format("\n### {}\n\n", name.empty() ? "The record" : "`" + name + "`");
+  const auto [same, is_new] = done.try_emplace(members.dump(), name);
+  if (!is_new) return title + fmt::format("The fields are those of `{}`.\n", same->second);
+  std::vector<std::string> keys = rule.value("required", std::vector<std::string>());
+  const std::size_t required = keys.size();
+  for (const auto& [key, member] : members.items())
+    if (std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(key);
+  std::string out = title + "| field | value | meaning |\n|---|---|---|\n", inner;
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    const Json& member = members[keys[i]];
+    out += fmt::format("| `{}` | {}{} | {} |\n", keys[i], kind(member), i < required ? "" : "; may be absent",
+                       member["description"].get<std::string>());
+    inner += tables(member, (name.empty() ? "" : name + ".") + keys[i], done);
+  }
+  return out + inner;
+}
+
+TEST(Schema, IsWhatThePageOfTheRecordSays) {
+  std::ifstream file(LIECHECK_SOURCE_DIR "/docs/record.md");
+  const std::string page{std::istreambuf_iterator<char>(file), {}};
+  const std::string mark = "## Fields\n";
+  std::map<std::string, std::string> done;
+  const std::string text = page.substr(0, page.find(mark) + mark.size()) + tables(schema(), "", done);
+  const std::string right = testing::TempDir() + "record.md";
+  if (text != page) std::ofstream(right) << text;
+  EXPECT_TRUE(text == page) << "copy " << right << " to docs/record.md";
+}
+
 }  // namespace

@@ -1,0 +1,113 @@
+// The records that the program writes meet their schema, have every field that it documents and no other, and define
+// every operation and block that they measure.
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <reports/record.hpp>
+#include <string>
+#include <utility>
+
+#include "../reports/documented_fields.hpp"
+
+namespace {
+
+using namespace liecheck::reports;
+
+/// What a command writes with --json. Its exit code is its verdict, which is not asked for here.
+Json written(const std::string& arguments) {
+  const auto file =
+      std::filesystem::path(testing::TempDir()) / ("liecheck_record_" + std::to_string(::getpid()) + ".json");
+  const std::string line =
+      LIECHECK_PROGRAM " " + arguments + " --json '" + file.string() + "' >/dev/null 2>&1";
+  const int status = std::system(line.c_str());
+  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) < 2) << arguments;
+  std::ifstream in(file);
+  const Json record = Json::parse(in);
+  std::filesystem::remove(file);
+  return record;
+}
+
+const Json& campaign() {
+  static const Json record = written("campaign --subject all --cases 20 -j 1");
+  return record;
+}
+
+/// The schema of a record without the sections that a campaign does not write.
+Json schema_of_campaign() {
+  Json rule = schema();
+  for (const char* section : {"sweep", "cost", "scenes"}) rule["properties"].erase(section);
+  return rule;
+}
+
+void expect_agreement(const Json& rule, const Json& value) {
+  const Disagreement found = compare_fields(rule, value);
+  EXPECT_EQ(found.absent, std::set<std::string>());
+  EXPECT_EQ(found.undocumented, std::set<std::string>());
+}
+
+TEST(Record, OfACampaignHasEveryDocumentedFieldAndNoOther) {
+  EXPECT_NO_THROW(check_record("campaign.json", campaign()));
+  expect_agreement(schema_of_campaign(), campaign());
+  Json spoilt = campaign();
+  spoilt["results"][7].erase("budget");
+  EXPECT_THROW(check_record("campaign.json", spoilt), std::runtime_error);
+}
+
+/// What a record lacks of the definitions of the operations and blocks in its results.
+std::set<std::string> missing_definitions(const Json& record) {
+  std::map<std::string, std::string> operations;  // by definition
+  std::set<std::string> bad;
+  std::set<std::pair<std::string, std::string>> blocks;
+  for (const Json& o : record["operations"]) {
+    const std::string name = o["operation"], definition = o["definition"];
+    const auto [first, is_new] = operations.emplace(definition, name);
+    if (!is_new) bad.insert(name + " shares the definition of " + first->second);
+    for (const char* field : {"definition", "source"})
+      if (o.value(field, "") == "") bad.insert(name + " has no " + field);
+    if (o.value("results", Json::array()).empty()) bad.insert(name + " has no results");
+  }
+  for (const Json& b : record["blocks"])
+    if (!b.contains("operation"))
+      bad.insert(b["block"].get<std::string>() + " is defined without an operation");
+    else if (!blocks.emplace(b["operation"], b["block"]).second)
+      bad.insert(b.dump() + " is not the only definition");
+    else if (b["error"] == "" || b["denominator"] == "" || b["unit"] == "")
+      bad.insert(b.dump() + " is empty");
+  std::set<std::string> defined;
+  for (const auto& [definition, name] : operations) defined.insert(name);
+  for (const Json& row : record["results"]) {
+    const std::string operation = row["operation"], block = row["block"];
+    if (!defined.count(operation)) bad.insert(operation + " is not defined");
+    if (!blocks.count({operation, block})) bad.insert(operation + ", " + block + " is not defined");
+  }
+  return bad;
+}
+
+TEST(Record, DefinesEveryOperationAndBlockByItself) {
+  EXPECT_EQ(missing_definitions(campaign()), std::set<std::string>());
+  Json less = campaign();
+  const Json &row = less["results"][0], &blocks = less["blocks"];
+  for (std::size_t i = blocks.size(); i-- > 0;)
+    if (blocks[i]["block"] == row["block"] && blocks[i].value("operation", "") == row["operation"])
+      less["blocks"].erase(i);
+  EXPECT_EQ(missing_definitions(less).size(), 1u);
+  less = campaign();
+  less["operations"][0]["definition"] = less["operations"][1]["definition"];
+  EXPECT_FALSE(missing_definitions(less).empty());
+}
+
+TEST(Record, OfCostAndSweepHasEveryDocumentedFieldAndNoOther) {
+  Json record = campaign();
+  record["cost"] = written("cost --op exp6 --for 1s");
+  record["sweep"] = written("sweep --coefficient c2 --stride 1000003 -j 1");
+  EXPECT_NO_THROW(check_record("report.json", record));
+  for (const char* section : {"cost", "sweep"})
+    expect_agreement(schema()["properties"][section], record[section]);
+}
+
+}  // namespace
