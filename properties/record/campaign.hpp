@@ -1,5 +1,5 @@
 #pragma once
-// A campaign as a record: what `--json` writes and the report reads, documented in the README.
+// A campaign as a record: what `--json` writes and the report reads, documented in docs/record.md.
 
 #include <campaign/campaign.hpp>
 #include <nlohmann/json_fwd.hpp>

@@ -1,5 +1,5 @@
 #pragma once
-// The sweep of the scalar coefficients in a record: key "sweep", documented in the README.
+// The sweep of the scalar coefficients in a record: key "sweep", documented in docs/record.md.
 
 #include <coefficients/sweep.hpp>
 #include <nlohmann/json_fwd.hpp>

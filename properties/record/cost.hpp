@@ -1,5 +1,5 @@
 #pragma once
-// Time beside error in a record: key "cost", documented in the README.
+// Time beside error in a record: key "cost", documented in docs/record.md.
 
 #include <nlohmann/json_fwd.hpp>
 #include <timing/cost.hpp>

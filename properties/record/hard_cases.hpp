@@ -1,5 +1,5 @@
 #pragma once
-// The hard cases in a record: key "hard_cases", documented in the README.
+// The hard cases in a record: key "hard_cases", documented in docs/record.md.
 
 #include <hard_cases/hard_cases.hpp>
 #include <nlohmann/json_fwd.hpp>

@@ -1,5 +1,5 @@
 #pragma once
-// A sweep of scenes as a record, documented in the README.
+// A sweep of scenes as a record, documented in docs/record.md.
 
 #include <nlohmann/json_fwd.hpp>
 #include <scenes/spins.hpp>

@@ -1,5 +1,5 @@
 #pragma once
-// Scenes in a campaign's record: key "scenes", documented in the README.
+// Scenes in a campaign's record: key "scenes", documented in docs/record.md.
 
 #include <record/scene_sweep.hpp>
 

@@ -6,7 +6,7 @@
 
 namespace liecheck::properties {
 
-/// Processor, operating system, compiler with its flags, and C library; documented in the README.
+/// Processor, operating system, compiler with its flags, and C library; documented in docs/record.md.
 nlohmann::json environment();
 
 /// The same as text.
