@@ -90,8 +90,8 @@ TYPED_TEST(PrecisionOf, TightIsFiniteWhereItsProductsOverflow) {
             4);
 }
 
-TEST(DoubleDouble, SineAndCosineAreOfUnitNorm) {
-  using D = DoubleDouble<double>;
+TEST(DoubleWord, SineAndCosineAreOfUnitNorm) {
+  using D = DoubleWord<double>;
   for (const double a : {3.5, 100.0, 1e8, 1e300}) {
     const D s = sin(D(a)), c = cos(D(a)), defect = s * s + c * c - D(1);
     EXPECT_LE(std::abs(defect.high), 0x1p-101) << a;
@@ -100,8 +100,8 @@ TEST(DoubleDouble, SineAndCosineAreOfUnitNorm) {
   }
 }
 
-TEST(DoubleDouble, KeepsTwiceTheDigits) {
-  using D = DoubleDouble<double>;
+TEST(DoubleWord, KeepsTwiceTheDigits) {
+  using D = DoubleWord<double>;
   const D third = D(1) / D(3), root = sqrt(D(2));
   const auto defect = [](const D& a) { return std::abs(a.high + a.low); };
   EXPECT_LE(defect(third * D(3) - D(1)), 0x1p-103);

@@ -46,7 +46,7 @@ class StumpffOf : public testing::Test {
     for (int i = 0; i < 1500; ++i) all.push_back(S(std::pow(10.0, exponent(random))));
     for (int i = 0; i < 1500; ++i)
       all.push_back(S(9.8 * std::uniform_real_distribution<double>(0, 1)(random)));
-    std::erase_if(all, [](S x) { return !within_half_turn(x); });
+    std::erase_if(all, [](S x) { return !within_pi(x); });
     return all;
   }
 };
@@ -71,7 +71,7 @@ double worst(const std::vector<S>& xs, double floor, Ours ours, Truth truth) {
 TYPED_TEST(StumpffOf, HighCoefficientsKeepTheirRelativeBounds) {
   using S = TypeParam;
   auto xs = this->squared_angles();
-  std::erase_if(xs, [](S x) { return !within_half_turn(S(4) * x); });
+  std::erase_if(xs, [](S x) { return !within_pi(S(4) * x); });
   EXPECT_LE(
       worst(
           xs, 0, [](S x) { return HalfAngle<S>(S(4) * x).c2; }, [](const ClosedForms& f) { return f.c2; }),
@@ -93,7 +93,7 @@ TYPED_TEST(StumpffOf, HighCoefficientsKeepTheirRelativeBounds) {
 TYPED_TEST(StumpffOf, CosineAndSineAreWithinOneAndAHalfEpsAbsolute) {
   using S = TypeParam;
   auto xs = this->squared_angles();
-  std::erase_if(xs, [](S x) { return !within_half_turn(S(4) * x); });
+  std::erase_if(xs, [](S x) { return !within_pi(S(4) * x); });
   EXPECT_LE(
       worst(
           xs, 1, [](S x) { return HalfAngle<S>(S(4) * x).c0; }, [](const ClosedForms& f) { return f.c0; }),
@@ -168,10 +168,10 @@ TYPED_TEST(StumpffOf, LimitsAtZeroAreExactToHalfAnUlp) {
 
 TYPED_TEST(StumpffOf, TheSeriesEndAtPi) {
   using S = TypeParam;
-  EXPECT_TRUE(within_half_turn(S(9.8696)));
-  EXPECT_FALSE(within_half_turn(S(9.8697)));
-  EXPECT_FALSE(within_half_turn(std::numeric_limits<S>::infinity()));
-  EXPECT_FALSE(within_half_turn(std::numeric_limits<S>::quiet_NaN()));
+  EXPECT_TRUE(within_pi(S(9.8696)));
+  EXPECT_FALSE(within_pi(S(9.8697)));
+  EXPECT_FALSE(within_pi(std::numeric_limits<S>::infinity()));
+  EXPECT_FALSE(within_pi(std::numeric_limits<S>::quiet_NaN()));
 }
 
 TYPED_TEST(StumpffOf, LogarithmCoefficientsAtTheirEnds) {

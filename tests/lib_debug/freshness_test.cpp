@@ -1,4 +1,4 @@
-// multibody/field.hpp in a debug build: reading what is stale is an error that names the call that is missing.
+// multibody/field.hpp in a debug build: reading a stale field throws, and names the missing call.
 
 #include <gtest/gtest.h>
 

@@ -50,7 +50,7 @@ void approximation(const std::string& name, const char* series, double bound, co
   EXPECT_TRUE(text.starts_with("proved:")) << name << ": " << text;
 }
 
-/// That |GOAL| <= bound eps for x in [0, domain] of F, of the program so far.
+/// Proves |goal| <= bound eps for x in [0, domain] of F, from the operations recorded so far.
 template <class F>
 void proof(const std::string& name, const std::string& goal, double bound, const char* domain,
            const std::string& hints, int seconds) {
@@ -65,7 +65,7 @@ void proof(const std::string& name, const std::string& goal, double bound, const
 }
 
 /// |computed - exact| <= bound eps of the exact value, for x in [0, domain] of F.
-/// Gappa halves the interval until it succeeds, or the time is up.
+/// Gappa bisects the interval until it succeeds or `seconds` are over.
 template <class F, bool FUSED, class Evaluate>
 void evaluation(const std::string& name, Evaluate&& evaluate, double bound, const char* domain,
                 int seconds = 60) {
@@ -75,10 +75,9 @@ void evaluation(const std::string& name, Evaluate&& evaluate, double bound, cons
            "", seconds);
 }
 
-/// |computed - exact| <= bound eps of a sum 1 - linear + small of HalfAngle, whose first two terms are a TwoParts with
-/// their rounding:
+/// |computed - exact| <= bound eps of a sum 1 - linear + small of HalfAngle, computed as a double word:
 ///     head = 1 - linear,  other = 1 - head,  rest = other - linear,  tail = rest + small,  value = head + tail.
-/// Gappa is told of the identities that make rest the rounding of head; it checks them.
+/// The hints are the identities that make rest the rounding error of head; Gappa checks them.
 template <class F, bool FUSED, class Evaluate>
 void sum_of_parts(const std::string& name, Evaluate&& evaluate, double bound, const char* domain) {
   program = {};
@@ -144,8 +143,8 @@ TYPED_TEST(Proofs, TheFifthStumpffFunction) {
   evaluations<TypeParam>(name, code, 0.6, 0.57, half_turn);
 }
 
-// c_k = 1/k! - h c_{k+2}: what the polynomials are away from c_4 and c_5 adds at most h c_{k+2}/c_k < 1/5 of it, and
-// 1/6 as it is rounded 1/6 eps.
+// c_k = 1/k! - h c_{k+2}: the approximation error of c_4 and c_5 adds at most h c_{k+2}/c_k < 1/5 of itself, and the
+// rounding of 1/6 adds 1/6 eps.
 TYPED_TEST(Proofs, TheSecondAndThirdFollow) {
   using F = TypeParam;
   evaluations<F>(
@@ -154,8 +153,8 @@ TYPED_TEST(Proofs, TheSecondAndThirdFollow) {
       this->named("c3"), [](const auto& x) { return half(x).c3; }, 0.58, 0.52, half_turn);
 }
 
-// 1 - h/2 + h^2 c_4 and 1 - h/6 + h^2 c_5, absolute: what the polynomials, and the rounded 1/24, are away from theirs
-// adds at most 0.07 and 0.06 eps.
+// 1 - h/2 + h^2 c_4 and 1 - h/6 + h^2 c_5, absolute errors: the approximation errors of the polynomials, and the rounding
+// of 1/24, add at most 0.07 and 0.06 eps.
 TYPED_TEST(Proofs, CosineAndSineOfHalfTheAngle) {
   using F = TypeParam;
   const auto cosine = [](const auto& x) { return half(x).c0; };
@@ -168,7 +167,7 @@ TYPED_TEST(Proofs, CosineAndSineOfHalfTheAngle) {
 
 TYPED_TEST(Proofs, TheAngleOverItsSine) {
   const auto name = this->named("inverse_sinc");
-  // As the logarithm takes it: 1 and what is left, whose polynomial is evaluated without its first term.
+  // As LogarithmCoefficients computes it: 1 plus the polynomial without its first term.
   const auto code = [](const auto& s) {
     using S = std::decay_t<decltype(s)>;
     return mul_add(evaluate<InverseSincSeries, 1>(s), s, S(1));
@@ -177,7 +176,7 @@ TYPED_TEST(Proofs, TheAngleOverItsSine) {
   evaluations<TypeParam>(name, code, 2, 1.5, unit);
 }
 
-// A proof that would go through for any figure proves nothing.
+// A check that accepts any bound would prove nothing.
 TEST(ProofsThatMustFail, ASmallerBoundIsNotProved) {
   EXPECT_NONFATAL_FAILURE((approximation<double, Fourth>("must_fail", fourth, 0.24, half_turn)),
                           "not proved");

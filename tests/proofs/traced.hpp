@@ -1,6 +1,6 @@
 #pragma once
-// A scalar that writes down what the library's templates do with it, in Gappa's language: each operation once as
-// it is rounded, t3, and once exactly, T3. What is proved is then the code itself, and no copy of its formulas.
+// A scalar that records, in Gappa's language, the operations that the library's templates apply to it: each operation
+// once rounded, t3, and once exact, T3. So the proofs are about the code itself, not a copy of its formulas.
 
 #include <fmt/format.h>
 #include <cmath>
@@ -11,7 +11,7 @@
 
 namespace liecheck::proofs {
 
-/// The operations so far, one a line.
+/// The operations recorded so far, one in each line.
 struct Program {
   std::string text;
   int operations = 0;
@@ -27,7 +27,7 @@ class Traced {
   Traced() = default;
   Traced(F x) : value_(x) {}
   Traced(int x) : value_(static_cast<F>(x)) {}
-  /// A number of F, the same in both: its name.
+  /// A variable of F of that name, the same number in both.
   static Traced input(const std::string& name) { return Traced(name, name); }
 
   std::string rounded() const { return name_.empty() ? fmt::format("{:a}", value_) : name_; }
@@ -67,7 +67,7 @@ class Traced {
     return operation("rnd({} * {} + {})", "{} * {} + {}", a, b, c);
   }
 
-  // For the concept alone: what branches, or asks libm, is not traced.
+  // Declared for the concept Scalar: branches and functions of libm cannot be traced.
   friend bool operator<(const Traced&, const Traced&) { return refused(), false; }
   friend bool operator<=(const Traced&, const Traced&) { return refused(), false; }
   friend Traced sqrt(const Traced&) { return refused(); }

@@ -1,6 +1,6 @@
 #pragma once
-// Articulated bodies: the motion that forces make. Featherstone (2008), table 7.1, in world axes at each joint's
-// own origin, where a transform to the parent is a shift by r and nothing turns.
+// Articulated-body algorithm, forward dynamics: Featherstone (2008), table 7.1, in world axes at each joint's own origin,
+// so that the transform to the parent is a translation by r.
 //
 //   U = I^A S, D = S^T U + armature, u = tau - S^T p^A
 //   I^A_p += X* (I^A - U D^-1 U^T) X^-1,   p^A_p += X* (p^A + I^a c + U D^-1 u),   c = v x S qd
@@ -13,7 +13,7 @@ namespace liecheck {
 
 namespace algorithms_detail {
 
-/// I^A seen from a point from which its reference point is r away: B' = B - A [r], D' = D + [r] B' + ([r] B)^T.
+/// sum += I^A with its reference point moved by -r:  B' = B - A [r],  D' = D + [r] B' + ([r] B)^T,  I^A = [A, B; B^T, D].
 template <Scalar S>
 void addShifted(Matrix6<S>& sum, const Matrix6<S>& I, const Vector3<S>& r) {
   const Matrix3<S> A = I.template topLeftCorner<3, 3>(), B = I.template topRightCorner<3, 3>();
@@ -30,8 +30,7 @@ void addShifted(Matrix6<S>& sum, const Matrix6<S>& I, const Vector3<S>& r) {
   sum.template bottomRightCorner<3, 3>() += I.template bottomRightCorner<3, 3>() + r_moved + r_B.transpose();
 }
 
-/// L with L L^T = D > 0 [n x n]; 1 / D of a joint with one coordinate. Throws SingularInertia where the joint moves
-/// nothing.
+/// L with L L^T = D > 0 [N x N]; for N = 1 it is 1 / D. Throws SingularInertia where the joint moves no inertia.
 template <int N, Scalar S>
 Eigen::Matrix<S, N, N> factorOf(const Model<S>& model, int joint, const Eigen::Matrix<S, N, N>& D,
                                 const Eigen::Matrix<S, N, 1>& scale) {
@@ -49,7 +48,7 @@ Eigen::Matrix<S, N, N> factorOf(const Model<S>& model, int joint, const Eigen::M
   return L;
 }
 
-/// With mimics, whose torques tie branches together, no tree of articulated bodies: M qdd = tau - h by factors.
+/// aba of a model with mimics, which couple branches: M qdd = tau - h by the factor of M.
 template <Scalar S>
 const VectorX<S>& denseForwardDynamics(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, In<S> tau,
                                        External<S> fext) {
@@ -66,8 +65,8 @@ const VectorX<S>& denseForwardDynamics(const Model<S>& model, Data<S>& data, In<
 
 }  // namespace algorithms_detail
 
-/// qdd [nv; m/s^2, rad/s^2] = M(q)^-1 (tau - h(q, v) + sum J^T fext). Throws SingularInertia. Updates liMi, oMi, ddq
-/// (with mimics also v, M).
+/// qdd [nv; m/s^2, rad/s^2] = M(q)^-1 (tau - h(q, v) + sum J^T fext), tau [nv; N, N m]. Throws SingularInertia. Updates
+/// liMi, oMi, ddq (with mimics also v, M).
 template <Scalar S>
 const VectorX<S>& aba(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, In<S> tau,
                       External<S> fext = {}) {
@@ -85,7 +84,7 @@ const VectorX<S>& aba(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, In
       relative = relative + column(w.S_columns, joint.column + k) * v[joint.idx_v + k];
     w.velocity[i] = p == 0 ? relative : shifted(w.velocity[p], w.r[i]) + relative;
     w.bias[i] = joint.velocityProduct(w.velocity[i], relative);
-    const Inertia<S> I = turned(R, model.inertias[i]);
+    const Inertia<S> I = rotated(R, model.inertias[i]);
     w.articulated[i] = I.matrix();
     w.force[i] = w.velocity[i].cross(I * w.velocity[i]);
     if (!fext.empty()) w.force[i] = w.force[i] - SE3<S>(R, Vector3<S>::Zero()).act(fext[i]);
@@ -100,9 +99,9 @@ const VectorX<S>& aba(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, In
       auto U = w.U.template middleCols<n>(joint.column);
       auto u = w.u.template segment<n>(joint.column);
       Matrix6<S>& I = w.articulated[i];
-      constexpr int half = Joint::turns ? 3 : 6;  // of s, where the other is zero
-      U.noalias() = I.template rightCols<half>() * s.template bottomRows<half>();
-      Eigen::Matrix<S, n, n> D = s.template bottomRows<half>().transpose() * U.template bottomRows<half>();
+      constexpr int rows = Joint::rotates ? 3 : 6;  // the rows of s that are not zero
+      U.noalias() = I.template rightCols<rows>() * s.template bottomRows<rows>();
+      Eigen::Matrix<S, n, n> D = s.template bottomRows<rows>().transpose() * U.template bottomRows<rows>();
       const Eigen::Matrix<S, n, 1> scale = (s.cwiseAbs().transpose() * U.cwiseAbs()).diagonal();
       D.diagonal() += model.armature.template segment<n>(joint.idx_v);
       const Eigen::Matrix<S, n, n> L = factorOf<n, S>(model, joint.index, D, scale);
@@ -111,7 +110,7 @@ const VectorX<S>& aba(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, In
       Eigen::Matrix<S, 6, n> UD = U;
       if constexpr (n == 1) {
         UD *= L;
-      } else {  // U L^-T and L^-1 u from here on: where D is ill-conditioned, D^-1 would lose its digits twice
+      } else {  // from here on U L^-T and L^-1 u: D^-1 of an ill-conditioned D would lose its digits twice
         const auto lower = L.template triangularView<Eigen::Lower>();
         UD = lower.solve(Eigen::Matrix<S, n, 6>(U.transpose())).transpose();
         u = lower.solve(Eigen::Matrix<S, n, 1>(u));
@@ -131,13 +130,13 @@ const VectorX<S>& aba(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, In
     const auto s = w.S_columns.template middleCols<n>(joint.column);
     const auto U = w.U.template middleCols<n>(joint.column);
     const Vector6<S> a = (shifted(w.gravitated[p], w.r[i]) + w.bias[i]).to_vector();
-    const Eigen::Matrix<S, n, 1> rest = w.u.template segment<n>(joint.column) - U.transpose() * a;
+    const Eigen::Matrix<S, n, 1> residual = w.u.template segment<n>(joint.column) - U.transpose() * a;
     const Eigen::Matrix<S, n, n> L = w.D_factor[i].template topLeftCorner<n, n>();
     Eigen::Matrix<S, n, 1> qdd;
     if constexpr (n == 1)
-      qdd = L * rest;
+      qdd = L * residual;
     else
-      qdd = L.transpose().template triangularView<Eigen::Upper>().solve(rest);
+      qdd = L.transpose().template triangularView<Eigen::Upper>().solve(residual);
     ddq.template segment<n>(joint.idx_v) = qdd;
     w.gravitated[i] = Motion<S>(Vector6<S>(a + s * qdd));
   });

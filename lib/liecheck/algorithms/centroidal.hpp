@@ -1,6 +1,6 @@
 #pragma once
-// The robot as one body: centre of mass c, momentum h_G about it in the world's axes, and A_G with h_G = A_G v.
-// Orin, Goswami & Lee (2013). What is welded to the world does not count. Precondition: the robot has mass.
+// Centroidal quantities: centre of mass c, momentum h_G about it in the world's axes, and A_G with h_G = A_G v. Orin,
+// Goswami & Lee (2013). Bodies fixed to the world are left out. Precondition: the mass that moves is not 0.
 
 #include <liecheck/algorithms/crba.hpp>
 
@@ -16,7 +16,7 @@ S computeTotalMass(const Model<S>& model) {
 
 namespace algorithms_detail {
 
-/// sum m_i x_i / m of a vector x_i at each body's centre of mass.
+/// sum m_i x(i) / m.
 template <Scalar S, class F>
 Vector3<S> massAverage(const Model<S>& model, F x) {
   Vector3<S> sum = Vector3<S>::Zero();
@@ -27,7 +27,7 @@ template <Scalar S>
 Vector3<S> centreOfBody(const Model<S>& model, const Data<S>& data, std::size_t i) {
   return data.oMi[i].act(model.inertias[i].lever());
 }
-/// Velocity, and classical acceleration, of a body's centre of mass, in the world's axes.
+/// Velocity and classical acceleration of body i's centre of mass, in the world's axes.
 template <Scalar S>
 Vector3<S> velocityOfBody(const Model<S>& model, const Data<S>& data, std::size_t i) {
   return data.oMi[i].rotation() * shifted(data.v[i], model.inertias[i].lever()).linear();
@@ -35,20 +35,20 @@ Vector3<S> velocityOfBody(const Model<S>& model, const Data<S>& data, std::size_
 template <Scalar S>
 Vector3<S> accelerationOfBody(const Model<S>& model, const Data<S>& data, std::size_t i) {
   const Vector3<S>& c = model.inertias[i].lever();
-  const Vector3<S> turning = cross<S>(data.v[i].angular(), shifted(data.v[i], c).linear());
-  return data.oMi[i].rotation() * Vector3<S>(shifted(data.a[i], c).linear() + turning);
+  const Vector3<S> omega_u = cross<S>(data.v[i].angular(), shifted(data.v[i], c).linear());
+  return data.oMi[i].rotation() * Vector3<S>(shifted(data.a[i], c).linear() + omega_u);
 }
 
 }  // namespace algorithms_detail
 
-/// c [m]. Updates liMi, oMi, com. q [nq].
+/// The centre of mass c [m]. Updates liMi, oMi, com. q [nq].
 template <Scalar S>
 const Vector3<S>& centerOfMass(const Model<S>& model, Data<S>& data, In<S> q) {
   forwardKinematics(model, data, q);
   return data.com.write(Level::Position) = algorithms_detail::massAverage(
              model, [&](std::size_t i) { return algorithms_detail::centreOfBody(model, data, i); });
 }
-/// c and c_dot. Updates liMi, oMi, v, com, vcom. q [nq], v [nv].
+/// Computes c [m] and c_dot [m/s]; returns c. Updates liMi, oMi, v, com, vcom. q [nq], v [nv].
 template <Scalar S>
 const Vector3<S>& centerOfMass(const Model<S>& model, Data<S>& data, In<S> q, In<S> v) {
   forwardKinematics(model, data, q, v);
@@ -57,7 +57,7 @@ const Vector3<S>& centerOfMass(const Model<S>& model, Data<S>& data, In<S> q, In
   return data.com.write(Level::Position) = algorithms_detail::massAverage(
              model, [&](std::size_t i) { return algorithms_detail::centreOfBody(model, data, i); });
 }
-/// c, c_dot and c_ddot. Updates liMi, oMi, v, a, com, vcom, acom. q [nq], v, a [nv].
+/// Computes c, c_dot and c_ddot [m, m/s, m/s^2]; returns c. Updates liMi, oMi, v, a, com, vcom, acom. q [nq], v, a [nv].
 template <Scalar S>
 const Vector3<S>& centerOfMass(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, In<S> a) {
   centerOfMass(model, data, q, v);
@@ -67,7 +67,7 @@ const Vector3<S>& centerOfMass(const Model<S>& model, Data<S>& data, In<S> q, In
   return data.com();
 }
 
-/// A_G [6 x nv]: column of v_k is the momentum about c that it makes, I^c_j s_k. Updates liMi, oMi, com, Ag. q [nq].
+/// A_G [6 x nv]: h_G = A_G v. Column k is the momentum Ic_j s_k about c. Updates liMi, oMi, com, Ag. q [nq].
 template <Scalar S>
 const Matrix6X<S>& computeCentroidalMap(const Model<S>& model, Data<S>& data, In<S> q) {
   using namespace algorithms_detail;
@@ -83,14 +83,14 @@ const Matrix6X<S>& computeCentroidalMap(const Model<S>& model, Data<S>& data, In
   }
   return Ag;
 }
-/// [3 x nv]: c_dot = Jcom v, the linear rows of A_G over the mass. Updates liMi, oMi, com, Ag, Jcom. q [nq].
+/// Jcom [3 x nv]: c_dot = Jcom v. It is the linear rows of A_G over the mass. Updates liMi, oMi, com, Ag, Jcom. q [nq].
 template <Scalar S>
 const Matrix3X<S>& jacobianCenterOfMass(const Model<S>& model, Data<S>& data, In<S> q) {
   const S mass = computeTotalMass(model);
   return data.Jcom.write(Level::Position) = computeCentroidalMap(model, data, q).template topRows<3>() / mass;
 }
 
-/// h_G [kg m/s, kg m^2/s]. Updates liMi, oMi, v, com, vcom, hg. q [nq], v [nv].
+/// The momentum h_G about c [kg m/s, kg m^2/s]. Updates liMi, oMi, v, com, vcom, hg. q [nq], v [nv].
 template <Scalar S>
 const Force<S>& computeCentroidalMomentum(const Model<S>& model, Data<S>& data, In<S> q, In<S> v) {
   using namespace algorithms_detail;
@@ -102,8 +102,8 @@ const Force<S>& computeCentroidalMomentum(const Model<S>& model, Data<S>& data, 
                   .act(model.inertias[i] * data.v[i]);
   return hg;
 }
-/// h_G and its rate [N, N m], the sum of the forces I a + v x* I v about c. Updates liMi, oMi, v, a, com, vcom, acom,
-/// hg, dhg. q [nq], v, a [nv].
+/// Computes h_G and its rate [N, N m], the sum of the forces I a + v x* I v about c; returns the rate. Updates liMi, oMi,
+/// v, a, com, vcom, acom, hg, dhg. q [nq], v, a [nv].
 template <Scalar S>
 const Force<S>& computeCentroidalMomentumTimeVariation(const Model<S>& model, Data<S>& data, In<S> q, In<S> v,
                                                        In<S> a) {

@@ -1,14 +1,14 @@
 #pragma once
 // The joint-space inertia matrix M(q), its factors and its inverse.
 //
-//   M_ij = S_i^T Ic_j S_j,  i an ancestor of j or j itself;  Ic_j the inertia of all that joint j carries.
-//   Composite rigid bodies, Featherstone (2008), table 6.2; L^T L factors and their sparsity, table 6.3.
+//   M_ij = S_i^T Ic_j S_j,  i an ancestor of j or j itself;  Ic_j is the inertia of all bodies that joint j carries.
+//   Composite-rigid-body algorithm: Featherstone (2008), table 6.2. L^T L factors and their sparsity: table 6.3.
 
 #include <liecheck/algorithms/kinematics.hpp>
 
 namespace liecheck {
 
-/// A call that needs M^-1 met a joint that moves no inertia; what() names it.
+/// Thrown where M^-1 is needed and a joint moves no inertia; what() names the joint.
 class SingularInertia : public std::domain_error {
  public:
   SingularInertia(const std::string& joint_name, int joint_index, bool finite = true)
@@ -22,106 +22,129 @@ class SingularInertia : public std::domain_error {
 
 namespace algorithms_detail {
 
-/// data.work.inertia[i]: of all that joint i carries, in world axes at its origin; [0] without what is welded to the
-/// world. Updates liMi, oMi.
+/// data.work.inertia[i] = Ic_i, in world axes at joint i's origin; [0] without what is fixed to the world. Updates
+/// liMi, oMi, work.r and work.S_columns.
 template <Scalar S>
 void compositeInertias(const Model<S>& model, Data<S>& data, In<S> q) {
-  auto& I = data.work.inertia;
-  I[0] = {};
+  auto& Ic = data.work.inertia;
+  Ic[0] = {};
   columnsInWorldAxes(model, data, q, [&](const auto& joint) {
     const std::size_t i = std::size_t(joint.index);
     multibody_detail::build(
-        I[i], [&]() __attribute__((always_inline)) {
-          return CompositeInertia<S>::turned(data.oMi[i].rotation(), model.inertias[i]);
+        Ic[i], [&]() __attribute__((always_inline)) {
+          return CompositeInertia<S>::rotated(data.oMi[i].rotation(), model.inertias[i]);
         });
   });
   for (std::size_t i = model.joints.size() - 1; i > 0; --i)
-    I[std::size_t(model.parents[i])].join(I[i], data.work.r[i], data.work.joined[i]);
+    Ic[std::size_t(model.parents[i])].join(Ic[i], data.work.r[i], data.work.joined[i]);
 }
 
-/// Momentum I s of a column s [6] about its joint's origin, f = m (u + omega x c), n = I_C omega + c x f, then moved down
-/// the tree: force x y z and moment u v w, as numbers that stay in registers, where a Force is stored and read again.
+/// The momentum F = I s of a column s [6] of a motion subspace: force x y z = m (u + omega x c) and moment u v w =
+/// I_C omega + c x force, at first about the origin of the column's joint. It holds scalars, which stay in registers,
+/// where a Force would be stored and loaded again.
 template <Scalar S>
 struct ColumnMomentum {
   S x, y, z, u, v, w;
-  /// turn: the column is a turn alone, s = (0, omega).
-  [[gnu::always_inline]] ColumnMomentum(const CompositeInertia<S>& I, const S* s, bool turn = false) {
+  /// rotation: s = (0, omega).
+  [[gnu::always_inline]] ColumnMomentum(const CompositeInertia<S>& I, const S* s, bool rotation = false) {
     const S a = s[3], b = s[4], c = s[5];
     x = mul_add(b, I.c[2], S(-(c * I.c[1])));
     y = mul_add(c, I.c[0], S(-(a * I.c[2])));
     z = mul_add(a, I.c[1], S(-(b * I.c[0])));
-    if (!turn) x += s[0], y += s[1], z += s[2];
+    if (!rotation) x += s[0], y += s[1], z += s[2];
     x *= I.mass, y *= I.mass, z *= I.mass;
     u = mul_add(I.xx, a, mul_add(I.xy, b, S(I.xz * c)));
     v = mul_add(I.xy, a, mul_add(I.yy, b, S(I.yz * c)));
     w = mul_add(I.xz, a, mul_add(I.yz, b, S(I.zz * c)));
     shift(I.c);
   }
-  /// To a point from which this one is d [m] away: n + d x f.
+  /// Moves the reference point by -d [m]: moment + d x force.
   [[gnu::always_inline]] void shift(const Vector3<S>& d) {
     u += mul_add(d[1], z, S(-(d[2] * y)));
     v += mul_add(d[2], x, S(-(d[0] * z)));
     w += mul_add(d[0], y, S(-(d[1] * x)));
   }
-  /// What a motion s [6], a displacement s [3] and a turn s [3] feel of it: s^T F.
-  [[gnu::always_inline]] S on(const S* s) const { return onDisplacement(s) + onTurn(s + 3); }
-  [[gnu::always_inline]] S onDisplacement(const S* s) const {
+  /// s^T F of a column s [6], of a translation s = (u, 0) and of a rotation s = (0, omega), u and omega [3].
+  [[gnu::always_inline]] S project(const S* s) const {
+    return projectOnTranslation(s) + projectOnRotation(s + 3);
+  }
+  [[gnu::always_inline]] S projectOnTranslation(const S* s) const {
     return mul_add(x, s[0], mul_add(y, s[1], S(z * s[2])));
   }
-  [[gnu::always_inline]] S onTurn(const S* s) const {
+  [[gnu::always_inline]] S projectOnRotation(const S* s) const {
     return mul_add(u, s[0], mul_add(v, s[1], S(w * s[2])));
   }
   Force<S> force() const { return {Vector3<S>(x, y, z), Vector3<S>(u, v, w)}; }
 };
 
-/// M of composite inertias and columns. With mimics several columns act on one number of v, and their terms are added up;
-/// else column m acts on v[m] alone, and what stands between branches is not touched: M is zero there when it comes.
+/// Row and column k of M. With mimics several columns of motion subspaces act on one number of v, and their terms are
+/// added up; else column m acts on v[m] alone, and every entry is written once. Written through pointers, since M(m, k)
+/// and M(k, m) cost 5 to 10 % of crba's time.
 template <bool mimics, Scalar S>
-void massMatrix(const Model<S>& model, const Data<S>& data, MatrixX<S>& M) {
-  if constexpr (mimics) M = model.armature.asDiagonal();
+struct RowAndColumn {
+  const Model<S>& model;
+  MatrixX<S>& M;
+  int k;
+  S* const column = M.data() + (mimics ? 0 : k * M.rows());
+  S* const row = M.data() + (mimics ? 0 : k);
+
+  /// M_mk = M_km = h.
+  [[gnu::always_inline]] void set(int m, const S& h) const {
+    if constexpr (mimics) {
+      const int vk = model.column_to_v[std::size_t(k)], vm = model.column_to_v[std::size_t(m)];
+      M(vk, vm) += h;
+      if (m != k) M(vm, vk) += h;
+    } else {
+      column[m] = row[m * M.rows()] = h;
+    }
+  }
+  /// M_kk = h + armature.
+  [[gnu::always_inline]] void setDiagonal(const S& h) const {
+    set(k, mimics ? h : S(h + model.armature[k]));  // with mimics the armature is there already
+  }
+};
+
+/// M_mk = M_km = s_m^T F of every column m of joint j up to k, and of every ancestor of j, F = Ic_j s_k. The fast kernel
+/// of crba: it leaves out the products with the zeros of a joint that rotates about an axis, s = (0, omega), and of a
+/// free-flyer, S = [R, 0; 0, R]. GAIN
+template <bool rotation, bool mimics, Scalar S>
+[[gnu::always_inline]] inline void projectOnSupport(const Model<S>& model, const Data<S>& data, std::size_t j,
+                                                    ColumnMomentum<S> F, const RowAndColumn<mimics, S>& M_k) {
   const S* const columns = data.work.S_columns.data();
   const int *const firsts = model.idx_columns.data(), *const counts = model.column_counts.data();
-  for (std::size_t j = model.joints.size() - 1; j > 0; --j) {
-    const auto fill = [&](int k, auto turns) __attribute__((always_inline)) {
-      // M(m, k) and M(k, m) are 5 to 10 % slower. Which of the two is the row is the same: M is symmetric.
-      S* const column_k = M.data() + (mimics ? 0 : k * M.rows());
-      S* const row_k = M.data() + (mimics ? 0 : k);
-      const auto set = [&](int m, const S& h) __attribute__((always_inline)) {
-        if constexpr (mimics) {
-          const int vk = model.column_to_v[std::size_t(k)], vm = model.column_to_v[std::size_t(m)];
-          M(vk, vm) += h;
-          if (m != k) M(vm, vk) += h;
-        } else {
-          column_k[m] = row_k[m * M.rows()] = h;
-        }
-      };
-      ColumnMomentum<S> F(data.work.inertia[j], columns + 6 * k, turns);
-      if constexpr (!turns)
-        for (int m = firsts[j]; m < k; ++m) set(m, F.on(columns + 6 * m));
-      const S own = turns ? F.onTurn(columns + 6 * k + 3) : F.on(columns + 6 * k);
-      set(k, mimics ? own : S(own + model.armature[k]));
-      for (std::size_t i = j, p; (p = std::size_t(model.parents[i])) > 0; i = p) {
-        F.shift(data.work.r[i]);
-        const int first = firsts[p], count = counts[p];
-        const S* s = columns + 6 * first;
-        if (turnsAboutAxis<S>(model.joints[p])) {
-          set(first, F.onTurn(s + 3));
-        } else if (count == 6) {  // a free-flyer's: [R, 0; 0, R]
-          for (int m = first; m < first + 3; ++m, s += 6)
-            set(m, F.onDisplacement(s)), set(m + 3, F.onTurn(s));
-        } else {
-          for (int m = first; m < first + count; ++m, s += 6) set(m, F.on(s));
-        }
-      }
-    };
-    if (turnsAboutAxis<S>(model.joints[j]))
-      fill(firsts[j], std::true_type());
-    else
-      for (int k = firsts[j]; k < firsts[j] + counts[j]; ++k) fill(k, std::false_type());
+  const int k = M_k.k;
+  if constexpr (!rotation)
+    for (int m = firsts[j]; m < k; ++m) M_k.set(m, F.project(columns + 6 * m));
+  M_k.setDiagonal(rotation ? F.projectOnRotation(columns + 6 * k + 3) : F.project(columns + 6 * k));
+  for (std::size_t i = j, p; (p = std::size_t(model.parents[i])) > 0; i = p) {
+    F.shift(data.work.r[i]);
+    const int first = firsts[p], count = counts[p];
+    const S* s = columns + 6 * first;
+    if (rotatesAboutAxis<S>(model.joints[p])) {
+      M_k.set(first, F.projectOnRotation(s + 3));
+    } else if (count == 6) {
+      for (int m = first; m < first + 3; ++m, s += 6)
+        M_k.set(m, F.projectOnTranslation(s)), M_k.set(m + 3, F.projectOnRotation(s));
+    } else {
+      for (int m = first; m < first + count; ++m, s += 6) M_k.set(m, F.project(s));
+    }
   }
 }
 
-/// The joint's own inertia is lost in the rounding of what was taken from it: no pivot.
+/// f(j, k, rotation) of every column k of every joint j's motion subspace, children first; rotation is
+/// std::true_type where joint j rotates about an axis.
+template <Scalar S, class F>
+[[gnu::always_inline]] inline void forEachColumn(const Model<S>& model, F f) {
+  for (std::size_t j = model.joints.size() - 1; j > 0; --j) {
+    const int first = model.idx_columns[j];
+    if (rotatesAboutAxis<S>(model.joints[j]))
+      f(j, first, std::true_type());
+    else
+      for (int k = first; k < first + model.column_counts[j]; ++k) f(j, k, std::false_type());
+  }
+}
+
+/// Throws SingularInertia where a pivot of the factorization is rounding error of M_kk alone.
 template <Scalar S>
 void checkPivot(const Model<S>& model, int v_index, const S& pivot, const S& before) {
   if (pivot > S(64) * eps<S>() * before) return;
@@ -132,8 +155,8 @@ void checkPivot(const Model<S>& model, int v_index, const S& pivot, const S& bef
     }
 }
 
-/// The number of v in front of number k on its way to the universe, -1 at the base. Mimics couple branches, so
-/// with them each follows the one before: no sparsity is assumed.
+/// The index in v of the coordinate before coordinate k on the way to the universe, -1 at the base. Mimics couple
+/// branches, so with them it is k - 1: no sparsity is assumed.
 template <Scalar S>
 int previousVelocity(const Model<S>& model, int k) {
   if (model.has_mimics) return k - 1;
@@ -144,7 +167,7 @@ int previousVelocity(const Model<S>& model, int k) {
   return -1;
 }
 
-/// data.work.factor = L with M = L^T L, lower, as sparse as the tree. Throws SingularInertia. Needs M.
+/// data.work.factor = L with M = L^T L, lower triangular, as sparse as the tree. Throws SingularInertia. Needs M.
 template <Scalar S>
 void factorize(const Model<S>& model, Data<S>& data) {
   const auto before = [&](int k) { return previousVelocity(model, k); };
@@ -159,7 +182,7 @@ void factorize(const Model<S>& model, Data<S>& data) {
       for (int j = i; j >= 0; j = before(j)) L(i, j) -= L(k, i) * L(k, j);
   }
 }
-/// x := M^-1 x, by the factor.
+/// x := M^-1 x by the factor L.
 template <Scalar S, class Column>
 void solve(const Model<S>& model, const MatrixX<S>& L, Column&& x) {
   for (int k = model.nv - 1; k >= 0; --k) {
@@ -174,20 +197,33 @@ void solve(const Model<S>& model, const MatrixX<S>& L, Column&& x) {
 
 }  // namespace algorithms_detail
 
-/// M(q) [nv x nv], whole, symmetric to the last bit, armature on its diagonal. Updates liMi, oMi, M. q [nq].
+/// M(q) [nv x nv; kg, kg m, kg m^2], both triangles, symmetric to the last bit, armature on its diagonal. Featherstone
+/// (2008), table 6.2:  Ic_j = I_j + sum of Ic_c over the children c of j;  F = Ic_j s_k;  M_mk = s_m^T F for every column
+/// m of j and of its ancestors. Throws std::logic_error where Data has no room for M. Updates liMi, oMi, M. q [nq].
 template <Scalar S>
 const MatrixX<S>& crba(const Model<S>& model, Data<S>& data, In<S> q) {
+  using namespace algorithms_detail;
   data.require(Dense::Mass, "crba");
-  algorithms_detail::compositeInertias(model, data, q);
-  auto& M = data.M.write(Level::Position);  // zero between branches since data was made
+  compositeInertias(model, data, q);  // Ic_j
+  MatrixX<S>& M = data.M.write(Level::Position);
+  const auto fill = [&](auto mimics) {
+    if constexpr (mimics) M = model.armature.asDiagonal();
+    forEachColumn(
+        model, [&](std::size_t j, int k, auto rotation) __attribute__((always_inline)) {
+          // F = Ic_j s_k
+          const ColumnMomentum<S> F(data.work.inertia[j], data.work.S_columns.data() + 6 * k, rotation);
+          // M_mk = M_km = s_m^T F; entries between branches are zero since Data was made.
+          projectOnSupport<rotation>(model, data, j, F, RowAndColumn<mimics, S>{model, M, k});
+        });
+  };
   if (model.has_mimics)
-    algorithms_detail::massMatrix<true>(model, data, M);
+    fill(std::true_type());
   else
-    algorithms_detail::massMatrix<false>(model, data, M);
+    fill(std::false_type());
   return M;
 }
 
-/// M(q)^-1 [nv x nv], whole and symmetric. Throws SingularInertia. Updates liMi, oMi, M, Minv. q [nq].
+/// M(q)^-1 [nv x nv], both triangles, symmetric to the last bit. Throws SingularInertia. Updates liMi, oMi, M, Minv. q [nq].
 template <Scalar S>
 const MatrixX<S>& computeMinverse(const Model<S>& model, Data<S>& data, In<S> q) {
   crba(model, data, q);

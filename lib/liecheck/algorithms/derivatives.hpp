@@ -1,14 +1,14 @@
 #pragma once
 // First derivatives of inverse and forward dynamics, by tangent increments of q (integrate) and by v.
 //
-// All in world axes at one point O. Turning joint j by s_k moves all that it carries rigidly, so with p = parent(j)
-// every body i behind it changes, beside that rigid motion, by
+// All in world axes at one point O. An increment s_k of joint j moves all that j carries rigidly. With p = parent(j), the
+// velocity and acceleration of every body i that j carries change, beside that rigid motion, by
 //
 //   by q_k:  dv_i = w,  da_i = z + w x v_i,  w = v_p x s,  z = a_p x s + v_p x w
 //   by v_k:  dv_i = s,  da_i = y + s x v_i,  y = (v_j + v_p) x s
 //   df_i = I_i (z or y) + B_i (w or s),      B x = -I (v x x) + x x* (I v) + v x* (I x)
 //
-// and the force that joint j carries by s x* F_j more. Carpentier & Mansard (2018); Singh, Russell & Wensing (2022).
+// and the force F_j through joint j changes by s x* F_j more. Carpentier & Mansard (2018); Singh, Russell & Wensing (2022).
 
 #include <liecheck/algorithms/aba.hpp>
 
@@ -16,7 +16,7 @@ namespace liecheck {
 
 namespace algorithms_detail {
 
-/// B [6 x 6] of a body: see above.
+/// B [6 x 6] of a body with inertia I and velocity v.
 template <Scalar S>
 Matrix6<S> coriolis(const Matrix6<S>& I, const Motion<S>& v) {
   const Vector6<S> h = I * v.to_vector();

@@ -1,5 +1,5 @@
 #pragma once
-// Kinetic and potential energy. What is welded to the world counts in neither.
+// Kinetic and potential energy, without the bodies fixed to the world.
 
 #include <liecheck/algorithms/kinematics.hpp>
 
@@ -26,7 +26,8 @@ const S& computePotentialEnergy(const Model<S>& model, Data<S>& data, In<S> q) {
   return energy;
 }
 
-/// Their sum [J]: without forces and friction it does not change. Updates what both update.
+/// Kinetic plus potential energy [J], constant where no force and no friction acts. Updates liMi, oMi, v, kinetic_energy,
+/// potential_energy. q [nq], v [nv].
 template <Scalar S>
 S computeMechanicalEnergy(const Model<S>& model, Data<S>& data, In<S> q, In<S> v) {
   return computeKineticEnergy(model, data, q, v) + computePotentialEnergy(model, data, q);

@@ -1,22 +1,22 @@
 #pragma once
-// Frames and joints seen from three sides.
+// Velocities and accelerations of joints and frames, in one of three reference frames.
 //
 //   LOCAL                reference point and axes of the frame itself
 //   WORLD                the world's axes, at the world's origin: its linear part is not the velocity of the frame
 //   LOCAL_WORLD_ALIGNED  the world's axes, at the frame's origin: its linear part is p_dot
 //
-// Classical acceleration = spatial + omega x u; only that one, in LOCAL_WORLD_ALIGNED, has p_ddot as linear part.
+// Classical acceleration = spatial acceleration + (omega x u, 0); in LOCAL_WORLD_ALIGNED its linear part is p_ddot.
 
 #include <liecheck/algorithms/kinematics.hpp>
 
 namespace liecheck {
 
-/// Pinocchio's names.
+/// The names are Pinocchio's.
 enum class ReferenceFrame { WORLD, LOCAL, LOCAL_WORLD_ALIGNED };
 
 namespace algorithms_detail {
 
-/// What a joint carries at a pose: a frame, or at the identity the joint's own moving side.
+/// A frame at X_JF on a joint's moving side; of the joint itself, X_JF is the identity.
 template <Scalar S>
 struct Placed {
   std::size_t joint;
@@ -39,7 +39,7 @@ Placed<S> placedJoint(const Model<S>& model, const Data<S>& data, int joint) {
                                 std::to_string(model.njoints));
   return {std::size_t(joint), SE3<S>::Identity()};
 }
-/// A motion known in LOCAL of a frame at X_WF.
+/// V, given in LOCAL of a frame at X_WF, in another reference frame.
 template <Scalar S>
 Motion<S> expressed(const Motion<S>& V, const SE3<S>& X_WF, ReferenceFrame reference) {
   if (reference == ReferenceFrame::WORLD) return X_WF.act(V);
@@ -62,7 +62,7 @@ Motion<S> classicalAccelerationOf(const Data<S>& data, const Placed<S>& F, Refer
 
 }  // namespace algorithms_detail
 
-/// Poses of all frames from those of the joints. Updates oMf, and no velocity. Needs oMi.
+/// The poses of all frames, from those of the joints. Updates oMf. Needs oMi.
 template <Scalar S>
 void updateFramePlacements(const Model<S>& model, Data<S>& data) {
   data.check(model);
@@ -71,14 +71,15 @@ void updateFramePlacements(const Model<S>& model, Data<S>& data) {
   for (std::size_t k = 0; k < model.frames.size(); ++k)
     oMf[k] = oMi[std::size_t(model.frames[k].parentJoint)] * model.frames[k].placement;
 }
-/// Updates liMi, oMi, oMf. q [nq].
+/// The poses of all joints and frames. Updates liMi, oMi, oMf. q [nq].
 template <Scalar S>
 void framesForwardKinematics(const Model<S>& model, Data<S>& data, In<S> q) {
   forwardKinematics(model, data, q);
   updateFramePlacements(model, data);
 }
 
-/// Velocity of a joint's moving side, and of a frame [m/s, rad/s]. Needs oMi, v.
+/// Velocity of a joint's moving side, or of a frame [m/s, rad/s]. Throws std::invalid_argument for an index that does not
+/// exist, here and below. Needs oMi, v.
 template <Scalar S>
 Motion<S> getVelocity(const Model<S>& model, const Data<S>& data, int joint, ReferenceFrame reference) {
   using namespace algorithms_detail;
@@ -89,7 +90,7 @@ Motion<S> getFrameVelocity(const Model<S>& model, const Data<S>& data, int frame
   using namespace algorithms_detail;
   return velocityOf(data, placedFrame(model, data, frame), reference);
 }
-/// Their spatial acceleration [m/s^2, rad/s^2]. Needs oMi, a.
+/// Spatial acceleration of a joint's moving side, or of a frame [m/s^2, rad/s^2]. Needs oMi, a.
 template <Scalar S>
 Motion<S> getAcceleration(const Model<S>& model, const Data<S>& data, int joint, ReferenceFrame reference) {
   using namespace algorithms_detail;
@@ -101,7 +102,7 @@ Motion<S> getFrameAcceleration(const Model<S>& model, const Data<S>& data, int f
   using namespace algorithms_detail;
   return accelerationOf(data, placedFrame(model, data, frame), reference);
 }
-/// Their classical acceleration. Needs oMi, v, a.
+/// Classical acceleration of a joint's moving side, or of a frame [m/s^2, rad/s^2]. Needs oMi, v, a.
 template <Scalar S>
 Motion<S> getClassicalAcceleration(const Model<S>& model, const Data<S>& data, int joint,
                                    ReferenceFrame reference) {
@@ -115,14 +116,14 @@ Motion<S> getFrameClassicalAcceleration(const Model<S>& model, const Data<S>& da
   return classicalAccelerationOf(data, placedFrame(model, data, frame), reference);
 }
 
-/// What an inertial measurement unit reads.
+/// The reading of an inertial measurement unit.
 template <class S>
 struct ImuReading {
   Vector3<S> angular_velocity;  ///< omega, in the frame's axes [rad/s]
   Vector3<S> specific_force;    ///< R^T (p_ddot - g), in the frame's axes [m/s^2]: at rest 9.81 upward
 };
-/// The reading of one mounted at a frame: p_ddot is that of the frame's own origin, so the lever terms
-/// omega_dot x r + omega x (omega x r) of the mounting pose are in it. Needs oMi, v, a.
+/// The reading of an inertial measurement unit at a frame. p_ddot is that of the frame's own origin, so it includes the
+/// terms omega_dot x r + omega x (omega x r) of the offset r from the joint. Needs oMi, v, a.
 template <Scalar S>
 ImuReading<S> imu(const Model<S>& model, const Data<S>& data, int frame) {
   using namespace algorithms_detail;

@@ -1,7 +1,7 @@
 #pragma once
 // Jacobians of joints and frames: J v is the velocity in the same reference frame, and J a + dJ v its rate.
 //
-// dJ is the time derivative of J's numbers. In LOCAL and WORLD that makes the spatial acceleration; in
+// dJ is the time derivative of J's entries. In LOCAL and WORLD J a + dJ v is the spatial acceleration, in
 // LOCAL_WORLD_ALIGNED the classical one, because there the reference point moves with the frame.
 
 #include <liecheck/algorithms/frames.hpp>
@@ -10,8 +10,8 @@ namespace liecheck {
 
 namespace algorithms_detail {
 
-/// f(place, k, column k of its S, d) for every column between the universe and what a joint carries: S in world axes at
-/// the column's own origin, d [m] from there to where F is, summed along the tree: no difference of two far places.
+/// f(place, k, s_k, d) for every column k of every joint between the universe and the frame F: s_k in world axes at the
+/// joint's origin, d [m] the vector from there to F's origin, summed along the tree, not a difference of far points.
 template <Scalar S, class Function>
 void forEachSupportingColumn(const Model<S>& model, const Data<S>& data, const Placed<S>& F, Function f) {
   const auto& oMi = data.oMi();
@@ -26,7 +26,7 @@ void forEachSupportingColumn(const Model<S>& model, const Data<S>& data, const P
   }
 }
 
-/// The Jacobian [6 x nv] of what a joint carries, in data.work.jacobian. Needs J.
+/// data.work.jacobian = the Jacobian [6 x nv] of F. Needs J.
 template <Scalar S>
 const Matrix6X<S>& jacobianOf(const Model<S>& model, Data<S>& data, const Placed<S>& F,
                               ReferenceFrame reference) {
@@ -48,8 +48,9 @@ const Matrix6X<S>& jacobianOf(const Model<S>& model, Data<S>& data, const Placed
   return J;
 }
 
-/// Its time derivative. With s' = v_i x s the rate of a column at a fixed point of space: WORLD s';
-/// LOCAL_WORLD_ALIGNED s' + (omega_s x p_dot, 0); LOCAL X^-1 (s' - V x s). Needs dJ.
+/// data.work.jacobian = the time derivative of the Jacobian [6 x nv] of F. With s' = v_i x s, the rate of a column at a
+/// fixed point of space, a column is s' in WORLD, s' + (omega_s x p_dot, 0) in LOCAL_WORLD_ALIGNED and X^-1 (s' - V x s)
+/// in LOCAL. Needs dJ.
 template <Scalar S>
 const Matrix6X<S>& jacobianRateOf(const Model<S>& model, Data<S>& data, const Placed<S>& F,
                                   ReferenceFrame reference) {
@@ -76,7 +77,7 @@ const Matrix6X<S>& jacobianRateOf(const Model<S>& model, Data<S>& data, const Pl
 
 }  // namespace algorithms_detail
 
-/// Every joint's columns in WORLD [6 x nv]; what the getters below need. Updates liMi, oMi, J. q [nq].
+/// J [6 x nv], the columns of every joint in WORLD, for the getters below. Updates liMi, oMi, J. q [nq].
 template <Scalar S>
 const Matrix6X<S>& computeJointJacobians(const Model<S>& model, Data<S>& data, In<S> q) {
   data.begin(model, q);
@@ -89,7 +90,7 @@ const Matrix6X<S>& computeJointJacobians(const Model<S>& model, Data<S>& data, I
     algorithms_detail::placeJoint(joint, q, p, liMi[i], oMi);
     const Matrix3<S>& R = oMi[i].rotation();
     const Vector3<S>& o = oMi[i].translation();
-    if constexpr (Joint::turns) {
+    if constexpr (Joint::rotates) {
       const Vector3<S> w = joint.joint.axis.in(R);
       auto J_i = J.col(joint.idx_v);
       J_i.template head<3>() = cross<S>(o, w);
@@ -118,7 +119,7 @@ const Matrix6X<S>& computeJointJacobians(const Model<S>& model, Data<S>& data, I
   return J;
 }
 
-/// And their time derivative. Updates liMi, oMi, J, dJ. q [nq], v [nv].
+/// J and its time derivative dJ [6 x nv]; returns dJ. Updates liMi, oMi, J, dJ. q [nq], v [nv].
 template <Scalar S>
 const Matrix6X<S>& computeJointJacobiansTimeVariation(const Model<S>& model, Data<S>& data, In<S> q,
                                                       In<S> v) {
@@ -143,8 +144,7 @@ const Matrix6X<S>& computeJointJacobiansTimeVariation(const Model<S>& model, Dat
   return dJ;
 }
 
-/// Jacobian of a joint, and of a frame [6 x nv]; the reference is to data's storage, which the next getter
-/// overwrites. Needs J.
+/// Jacobian [6 x nv] of a joint, or of a frame; a reference to data's storage, which the next getter overwrites. Needs J.
 template <Scalar S>
 const Matrix6X<S>& getJointJacobian(const Model<S>& model, Data<S>& data, int joint,
                                     ReferenceFrame reference) {
@@ -157,7 +157,7 @@ const Matrix6X<S>& getFrameJacobian(const Model<S>& model, Data<S>& data, int fr
   using namespace algorithms_detail;
   return jacobianOf(model, data, placedFrame(model, data, frame), reference);
 }
-/// Their time derivatives, stored likewise. Needs dJ.
+/// Time derivative of the Jacobian [6 x nv] of a joint, or of a frame; stored in the same place. Needs dJ.
 template <Scalar S>
 const Matrix6X<S>& getJointJacobianTimeVariation(const Model<S>& model, Data<S>& data, int joint,
                                                  ReferenceFrame reference) {

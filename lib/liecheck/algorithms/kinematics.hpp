@@ -14,8 +14,8 @@ template <Scalar S>
 [[gnu::always_inline]] inline Vector3<S> added(const Vector3<S>& a, const Vector3<S>& b) {
   return each<S>([&](int i) { return S(a[i] + b[i]); });
 }
-/// The pose of a joint in its parent p's frame, and in the world. Returns the way from the parent's origin, in world
-/// axes [m]: not a difference of two far places.
+/// Computes the pose of a joint in the frame of its parent p, and in the world. Returns the vector from the parent's
+/// origin, in world axes [m], which is not a difference of two far points.
 template <class Place, Scalar S>
 [[gnu::always_inline]] inline Vector3<S> placeJoint(const Place& joint, const VectorX<S>& q, std::size_t p,
                                                     SE3<S>& liMi, std::vector<SE3<S>>& oMi) {
@@ -36,7 +36,7 @@ template <class Place, Scalar S>
 }
 }  // namespace algorithms_detail
 
-/// Updates liMi, oMi. q [nq].
+/// Poses of the joints. Updates liMi, oMi. q [nq].
 template <Scalar S>
 void forwardKinematics(const Model<S>& model, Data<S>& data, In<S> q) {
   data.begin(model, q);
@@ -48,7 +48,7 @@ void forwardKinematics(const Model<S>& model, Data<S>& data, In<S> q) {
   });
 }
 
-/// Updates liMi, oMi, v. q [nq], v [nv].
+/// Poses and velocities of the joints. Updates liMi, oMi, v. q [nq], v [nv].
 template <Scalar S>
 void forwardKinematics(const Model<S>& model, Data<S>& data, In<S> q, In<S> v) {
   data.begin(model, q, v);
@@ -63,7 +63,7 @@ void forwardKinematics(const Model<S>& model, Data<S>& data, In<S> q, In<S> v) {
   });
 }
 
-/// Updates liMi, oMi, v, a. q [nq], v [nv], a [nv].
+/// Poses, velocities and accelerations of the joints. Updates liMi, oMi, v, a. q [nq], v [nv], a [nv].
 template <Scalar S>
 void forwardKinematics(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, In<S> a) {
   data.begin(model, q, v, a);
@@ -83,7 +83,7 @@ void forwardKinematics(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, I
 
 namespace algorithms_detail {
 
-/// For what works in world axes (Data::Work): poses, r and S_columns of every joint, and f(joint). Updates liMi, oMi.
+/// The poses of every joint, work.r and work.S_columns in world axes (Data::Work), then f(joint). Updates liMi, oMi.
 template <Scalar S, class F>
 void columnsInWorldAxes(const Model<S>& model, Data<S>& data, In<S> q, F f) {
   data.begin(model, q);
@@ -98,7 +98,7 @@ void columnsInWorldAxes(const Model<S>& model, Data<S>& data, In<S> q, F f) {
     f(joint);
   });
 }
-/// Column k of joints' subspaces, 6 numbers each, in world axes at the joint's own origin.
+/// Column k of the motion subspaces, 6 numbers each, in world axes at the joint's own origin.
 template <Scalar S>
 [[gnu::always_inline]] inline Motion<S> column(const S* columns, int k) {
   const S* s = columns + 6 * k;
@@ -109,19 +109,19 @@ template <Scalar S>
   return column(columns.data(), k);
 }
 
-/// A motion, the same one, at a point d [m] away from its reference point: u + omega x d.
+/// V with its reference point moved by d [m]: u + omega x d.
 template <Scalar S>
 [[gnu::always_inline]] inline Motion<S> shifted(const Motion<S>& V, const Vector3<S>& d) {
   return {added(V.linear(), cross<S>(V.angular(), d)), V.angular()};
 }
-/// A force at a point from which its reference point is d [m] away: n + d x f.
+/// F with its reference point moved by -d [m]: n + d x f.
 template <Scalar S>
 [[gnu::always_inline]] inline Force<S> shifted(const Force<S>& F, const Vector3<S>& d) {
   return {F.linear(), added(F.angular(), cross<S>(d, F.linear()))};
 }
-/// An inertia in axes turned by R.
+/// I in axes rotated by R.
 template <Scalar S>
-Inertia<S> turned(const Matrix3<S>& R, const Inertia<S>& I) {
+Inertia<S> rotated(const Matrix3<S>& R, const Inertia<S>& I) {
   return SE3<S>(R, Vector3<S>::Zero()).act(I);
 }
 template <Scalar S>

@@ -1,9 +1,9 @@
 #pragma once
-// Recursive Newton-Euler: the forces that make a motion. Featherstone (2008), table 5.1.
+// Recursive Newton-Euler algorithm, inverse dynamics: Featherstone (2008), table 5.1.
 //
 //   f_i = I_i a_i + v_i x* I_i v_i - fext_i + sum_children X* f_c,   tau_i = S_i^T f_i + armature qdd
 //
-// with a of the universe = -g, so that gravity needs no term of its own.
+// with the acceleration -g of the universe, which stands for gravity.
 
 #include <liecheck/algorithms/kinematics.hpp>
 
@@ -11,8 +11,7 @@ namespace liecheck {
 
 namespace algorithms_detail {
 
-/// tau [nv] from forces on the bodies in data.f; the f become those through the joints. data.f[0] is set to what
-/// the world feels of them.
+/// tau [nv] from the forces f on the bodies. f[i] becomes the force of the parent on joint i, f[0] that on the world.
 template <Scalar S>
 void backwardForces(const Model<S>& model, const std::vector<SE3<S>>& liMi, std::vector<Force<S>>& f,
                     VectorX<S>& tau) {
@@ -27,7 +26,7 @@ void backwardForces(const Model<S>& model, const std::vector<SE3<S>>& liMi, std:
   }
 }
 
-/// tau of (q, v, a), or of (q, v, 0) where a is null. Updates liMi, v and, where a is there, f.
+/// tau of (q, v, a), or of (q, v, 0) where a is null. Updates liMi, v and, unless a is null, f.
 template <Scalar S>
 void inverseDynamics(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, const VectorX<S>* a,
                      const External<S>& fext, VectorX<S>& tau) {
@@ -53,8 +52,8 @@ void inverseDynamics(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, con
 
 }  // namespace algorithms_detail
 
-/// tau [nv; N, N m] = M(q) a + h(q, v) - sum J^T fext: the joint forces that give the acceleration a [nv]. Updates
-/// liMi, v, f, tau.
+/// tau [nv; N, N m] = M(q) a + h(q, v) - sum J^T fext: the generalised forces of the acceleration a [nv]. q [nq], v [nv].
+/// Updates liMi, v, f, tau.
 template <Scalar S>
 const VectorX<S>& rnea(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, In<S> a,
                        External<S> fext = {}) {
@@ -71,7 +70,7 @@ const VectorX<S>& nonLinearEffects(const Model<S>& model, Data<S>& data, In<S> q
   return data.nle();
 }
 
-/// g(q) - sum J^T fext [nv; N, N m]: what holds the robot at rest under external forces. Updates liMi, g.
+/// g(q) - sum J^T fext [nv; N, N m]: the generalised forces of static equilibrium. Updates liMi, g.
 template <Scalar S>
 const VectorX<S>& computeStaticTorque(const Model<S>& model, Data<S>& data, In<S> q, External<S> fext) {
   data.begin(model, q);
@@ -90,7 +89,7 @@ const VectorX<S>& computeStaticTorque(const Model<S>& model, Data<S>& data, In<S
   algorithms_detail::backwardForces(model, liMi, f, data.g.write(Level::Position));
   return data.g();
 }
-/// g(q) [nv; N, N m]: tau at v = a = 0. Updates liMi, g.
+/// g(q) [nv; N, N m]: the generalised gravity, tau at v = a = 0. Updates liMi, g.
 template <Scalar S>
 const VectorX<S>& computeGeneralizedGravity(const Model<S>& model, Data<S>& data, In<S> q) {
   return computeStaticTorque(model, data, q, {});

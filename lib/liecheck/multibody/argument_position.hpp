@@ -1,11 +1,11 @@
 #pragma once
-// Which argument of f(a, b) a derivative is taken by. Pinocchio's names.
+// The argument of f(a, b) by which a derivative is taken. The names are Pinocchio's.
 
 namespace liecheck {
 
 enum class ArgumentPosition {
-  ARG0,  ///< by the first argument: the configuration it starts from
-  ARG1   ///< by the second: the increment of integrate, the end of difference
+  ARG0,  ///< the first: the configuration q of integrate, the first configuration of difference
+  ARG1   ///< the second: the increment of integrate, the second configuration of difference
 };
 
 }  // namespace liecheck

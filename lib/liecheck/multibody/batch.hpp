@@ -1,17 +1,17 @@
 #pragma once
-// exp, log, integrate, difference and act of many poses at once: one row a number, one column a pose, so that the
-// same numbers of neighbours lie side by side (structure of arrays) and one instruction serves several of them.
+// exp, log, integrate, difference and act of many poses at once, in a structure of arrays: each row holds one number of
+// all poses, each column one pose, so that one instruction works on several poses.
 //
-// Each column is what the function of one pose gives, within the bounds that it states; columns off the usual path
-// (beyond half a turn, near poses, half a turn within 1e-3, quaternions far from unit, results that are not finite)
-// and those left over at the end are computed by that function itself.
+// The result in each column is that of the function of one pose, within the error bounds that it states. Columns that
+// need a branch (|phi| > pi, near poses, |phi| within 1e-3 of pi, quaternions far from unit, results that are not finite)
+// and the last ones that do not fill a vector register are computed by that function.
 
 #include <liecheck/multibody/se3_configuration.hpp>
-#include <liecheck/spatial/pack.hpp>
+#include <liecheck/scalar/simd.hpp>
 
 namespace liecheck::batch {
 
-/// ROWS numbers of each of any number of poses.
+/// ROWS numbers of each of m poses [ROWS x m].
 template <class S, int ROWS>
 using Rows = Eigen::Array<S, ROWS, Eigen::Dynamic, Eigen::RowMajor>;
 
@@ -28,11 +28,11 @@ template <class T, class S, int ROWS>
   return v;
 }
 
-/// f over the columns of the arguments; settled(result, arguments..., lane): is the lane on the usual path?
-template <int ROWS, class S, class F, class Settled, int... IN>
-Rows<S, ROWS> map(F f, Settled settled, const Rows<S, IN>&... arguments) {
-  using P = Pack<S, register_bytes / int(sizeof(S))>;
-  constexpr Eigen::Index width = sizeof(P) / sizeof(S);
+/// f of every column of the arguments. usual_path(result, arguments...): which lanes needed no branch.
+template <int ROWS, class S, class F, class UsualPath, int... IN>
+Rows<S, ROWS> map(F f, UsualPath usual_path, const Rows<S, IN>&... arguments) {
+  using P = Simd<S, register_bytes / int(sizeof(S))>;
+  constexpr Eigen::Index width = P::size;
   const Eigen::Index n = std::get<0>(std::forward_as_tuple(arguments...)).cols();
   Rows<S, ROWS> all(ROWS, n);
   const auto alone = [&](Eigen::Index i) {
@@ -44,7 +44,7 @@ Rows<S, ROWS> map(F f, Settled settled, const Rows<S, IN>&... arguments) {
     const auto usual = [&](const auto&... loaded) __attribute__((always_inline)) {
       const Eigen::Matrix<P, ROWS, 1> r = f(loaded...);
       for (int k = 0; k < ROWS; ++k) r[k].store(&all(k, i));
-      return settled(r, loaded...);
+      return usual_path(r, loaded...);
     }
     (load<P>(arguments, i)...);
     bool all_usual = true;
@@ -57,13 +57,13 @@ Rows<S, ROWS> map(F f, Settled settled, const Rows<S, IN>&... arguments) {
   return all;
 }
 
-/// In which lanes is |v|^2 in [least, most]? Not where it is NaN.
+/// The lanes in which |v|^2 of the three numbers from `first` on is in [least, most]; NaN is not.
 template <class P, class V>
 [[gnu::always_inline]] inline auto within(const V& v, int first, Lane<P> least, Lane<P> most) {
   const P x = v[first] * v[first] + (v[first + 1] * v[first + 1] + v[first + 2] * v[first + 2]);
   return (x.v >= least) & (x.v <= most);
 }
-/// In which lanes is |Q|^2 1 up to 16 eps?
+/// The lanes in which |Q|^2 of the four numbers from `first` on is 1 up to 16 eps.
 template <class P, class V>
 [[gnu::always_inline]] inline auto unit(const V& v, int first) {
   const P x = (v[first] * v[first] + v[first + 1] * v[first + 1]) +
@@ -72,61 +72,63 @@ template <class P, class V>
   return (x.v >= -most) & (x.v <= most);
 }
 template <class S>
-constexpr S huge = std::numeric_limits<S>::max() * eps<S>() * eps<S>();  ///< of a squared length
+constexpr S huge = std::numeric_limits<S>::max() * eps<S>() * eps<S>();  ///< largest squared length
 
 }  // namespace detail
 
-/// integrateSE3 of each column: q [7; m], delta [6; m, rad].
+/// integrateSE3 of each column: q [7 x m; m], delta [6 x m; m, rad]. Result [7 x m].
 template <std::floating_point S>
 Rows<S, 7> integrate(const Rows<S, 7>& q, const Rows<S, 6>& delta) {
   const auto f = [](const auto& a, const auto& b) { return integrateSE3(a, b); };
-  const auto settled = []<class P>(const Vector7<P>&, const Vector7<P>&, const Vector6<P>& b) {
+  const auto usual_path = []<class P>(const Vector7<P>&, const Vector7<P>&, const Vector6<P>& b) {
     return detail::within<P>(b, 3, 0, stumpff_detail::series_limit<S>()) &
            detail::within<P>(b, 0, 0, detail::huge<S>);
   };
-  return detail::map<7, S>(f, settled, q, delta);
+  return detail::map<7, S>(f, usual_path, q, delta);
 }
 
-/// differenceSE3 of each column: q0, q1 [7; m]; result [6; m, rad].
+/// differenceSE3 of each column: q0, q1 [7 x m; m]. Result [6 x m; m, rad].
 template <std::floating_point S>
 Rows<S, 6> difference(const Rows<S, 7>& q0, const Rows<S, 7>& q1) {
   const auto f = [](const auto& a, const auto& b) { return differenceSE3(a, b); };
-  const auto settled = []<class P>(const Vector6<P>& r, const Vector7<P>& a, const Vector7<P>& b) {
+  const auto usual_path = []<class P>(const Vector6<P>& r, const Vector7<P>& a, const Vector7<P>& b) {
     return detail::within<P>(r, 3, S(10000) * eps<S>(), S(9.86)) &
            detail::within<P>(r, 0, 0, detail::huge<S>) & detail::unit<P>(a, 3) & detail::unit<P>(b, 3);
   };
-  return detail::map<6, S>(f, settled, q0, q1);
+  return detail::map<6, S>(f, usual_path, q0, q1);
 }
 
-/// quaternion::exp6 of each column: xi [6; m, rad]; result [7; m].
+/// quaternion::exp6 of each column: xi [6 x m; m, rad]. Result [7 x m; m].
 template <std::floating_point S>
 Rows<S, 7> exp6(const Rows<S, 6>& xi) {
   const auto f = []<class T>(const Vector6<T>& a) { return quaternion::exp6<T>(Motion<T>(a)); };
-  const auto settled = []<class P>(const Vector7<P>&, const Vector6<P>& a) {
+  const auto usual_path = []<class P>(const Vector7<P>&, const Vector6<P>& a) {
     return detail::within<P>(a, 3, 0, stumpff_detail::series_limit<S>());
   };
-  return detail::map<7, S>(f, settled, xi);
+  return detail::map<7, S>(f, usual_path, xi);
 }
 
-/// quaternion::log6 of each column: q [7; m]; result [6; m, rad].
+/// quaternion::log6 of each column: q [7 x m; m]. Result [6 x m; m, rad].
 template <std::floating_point S>
 Rows<S, 6> log6(const Rows<S, 7>& q) {
   const auto f = []<class T>(const Vector7<T>& a) { return quaternion::log6<T>(a).to_vector(); };
-  const auto settled = []<class P>(const Vector6<P>&, const Vector7<P>& a) { return detail::unit<P>(a, 3); };
-  return detail::map<6, S>(f, settled, q);
+  const auto usual_path = []<class P>(const Vector6<P>&, const Vector7<P>& a) {
+    return detail::unit<P>(a, 3);
+  };
+  return detail::map<6, S>(f, usual_path, q);
 }
 
-/// R(Q) x + p of each column: q = [p; x y z w] [7; m], x [3, m].
+/// R(Q) x + p of each column: q = [p; x y z w] [7 x m; m], x [3 x m; m]. Result [3 x m; m].
 template <std::floating_point S>
 Rows<S, 3> act(const Rows<S, 7>& q, const Rows<S, 3>& x) {
   const auto f = []<class T>(const Vector7<T>& a, const Vector3<T>& b) {
     const Vector3<T> r = SO3<T>(Vector4<T>(a[3], a[4], a[5], a[6])).act(b);
     return Vector3<T>(a[0] + r[0], a[1] + r[1], a[2] + r[2]);
   };
-  const auto settled = []<class P>(const Vector3<P>&, const Vector7<P>&, const Vector3<P>& b) {
+  const auto usual_path = []<class P>(const Vector3<P>&, const Vector7<P>&, const Vector3<P>& b) {
     return detail::within<P>(b, 0, 0, detail::huge<S>);
   };
-  return detail::map<3, S>(f, settled, q, x);
+  return detail::map<3, S>(f, usual_path, q, x);
 }
 
 }  // namespace liecheck::batch

@@ -1,15 +1,15 @@
 #pragma once
-// The inertia of several bodies rigidly joined, to be summed along a tree: mass [kg], centre of mass c [m] and the
-// six numbers of I_C [kg m^2], all in one frame's axes. What spatial/inertia.hpp says once a body, this does once a
-// joint and state, in scalars.
+// The inertia of several bodies rigidly joined, as it is summed along a tree: mass [kg], centre of mass c [m] and the
+// six numbers of I_C [kg m^2], all in one frame's axes. spatial/inertia.hpp with the same formulas is for a body; this
+// one is computed for every joint and state, so it holds scalars and keeps the quotients of masses.
 
 #include <liecheck/spatial/se3.hpp>
 
 namespace liecheck {
 
-/// Two masses m1, m2 [kg] as one: m1 + m2, each one's share of it, and m1 m2/(m1 + m2); all 0 where there is no mass.
-/// Kept from state to state, and divided anew only where a mass is another than before: two divisions a joint hold up the
-/// whole chain.
+/// m1 + m2, m1/(m1 + m2), m2/(m1 + m2) and m1 m2/(m1 + m2) of two masses [kg]; all 0 where both are 0. They are kept
+/// from state to state and computed again only where a mass has changed, since two divisions a joint delay the whole
+/// chain.
 template <Scalar S>
 struct JoinedMass {
   S first = S(0), second = S(0);
@@ -30,8 +30,8 @@ struct CompositeInertia {
   Vector3<S> c = Vector3<S>::Zero();
   S xx = S(0), xy = S(0), xz = S(0), yy = S(0), yz = S(0), zz = S(0);
 
-  /// A body's, in axes turned by R: c = R c_B, I_C = R I_C,B R^T.
-  [[gnu::always_inline]] static CompositeInertia turned(const Matrix3<S>& R, const Inertia<S>& I) {
+  /// The inertia of a body in axes rotated by R: c = R c_B, I_C = R I_C,B R^T.
+  [[gnu::always_inline]] static CompositeInertia rotated(const Matrix3<S>& R, const Inertia<S>& I) {
     const Matrix3<S> RI = product<S>(R, I.inertia());
     const auto entry = [&](int i, int j) __attribute__((always_inline)) {
       return mul_add(RI(i, 0), R(j, 0), mul_add(RI(i, 1), R(j, 1), S(RI(i, 2) * R(j, 2))));
@@ -41,18 +41,19 @@ struct CompositeInertia {
         entry(2, 2)};
   }
 
-  /// Adds another whose frame stands r [m] away, in the same axes; `joined` keeps what the masses make. With
+  /// Adds another inertia whose origin is at r [m], in the same axes; `joined` belongs to this pair. With
   /// t = m_2/(m + m_2), d = c_2 + r - c,  c = (1 - t) c + t (c_2 + r),  I_C += I_2 + m t (|d|^2 1 - d d^T)  (parallel
-  /// axes, once). Not c += t d: that leaves a heavy second body with the rounding errors of a light first one's distance.
+  /// axes, once). c += t d would give the sum of a light body and a heavy one the rounding error of the light one's
+  /// distance.
   [[gnu::always_inline]] void join(const CompositeInertia& other, const Vector3<S>& r,
                                    JoinedMass<S>& joined) {
     joined.join(mass, other.mass);
-    const S &m = joined.reduced, &rest = joined.first_share, &share = joined.second_share;
-    const S there[3] = {other.c[0] + r[0], other.c[1] + r[1], other.c[2] + r[2]};
-    const S x = there[0] - c[0], y = there[1] - c[1], z = there[2] - c[2];
+    const S &m = joined.reduced, &share = joined.first_share, &other_share = joined.second_share;
+    const S other_c[3] = {other.c[0] + r[0], other.c[1] + r[1], other.c[2] + r[2]};
+    const S x = other_c[0] - c[0], y = other_c[1] - c[1], z = other_c[2] - c[2];
     const S mx = m * x, my = m * y, mz = m * z;
     mass = joined.total;
-    for (int i = 0; i < 3; ++i) c[i] = mul_add(rest, c[i], S(share * there[i]));
+    for (int i = 0; i < 3; ++i) c[i] = mul_add(share, c[i], S(other_share * other_c[i]));
     xx += mul_add(my, y, mul_add(mz, z, other.xx));
     yy += mul_add(mx, x, mul_add(mz, z, other.yy));
     zz += mul_add(mx, x, mul_add(my, y, other.zz));

@@ -1,14 +1,14 @@
 #pragma once
 // The configuration space of a whole robot: joint by joint, each on its own segment of q [nq] and of v [nv].
 //
-// Values and error bounds are those of the joints (se3_configuration.hpp, joints/). Every function checks the
-// sizes of its arguments and throws std::invalid_argument with both numbers. Numbers from outside enter
-// through checkedConfiguration and checkedTangent; the other functions trust the values.
+// Values and error bounds are those of the joints (se3_configuration.hpp, joints/). Every function throws
+// std::invalid_argument with both numbers where the size of an argument is wrong. Check numbers from outside with
+// checkedConfiguration and checkedTangent; the other functions do not look at the values.
 
 #include <liecheck/multibody/invalid_configuration.hpp>
+#include <liecheck/multibody/joint_place.hpp>
 #include <liecheck/multibody/model.hpp>
 #include <liecheck/multibody/norm.hpp>
-#include <liecheck/multibody/place.hpp>
 #include <liecheck/spatial/checked_rotation.hpp>
 #include <type_traits>
 
@@ -16,7 +16,7 @@ namespace liecheck {
 
 namespace configuration_detail {
 
-/// The scalar is deduced from the model alone, so that any Eigen expression may stand for a vector.
+/// The scalar is deduced from the model alone, so that any Eigen expression may be passed as a vector.
 template <class S>
 using Vector = std::type_identity_t<VectorX<S>>;
 template <class S>
@@ -36,13 +36,13 @@ using multibody_detail::forEachJoint;
 
 }  // namespace configuration_detail
 
-/// Two configurations that differ by 64 eps or less are the same: sixteen operations at 4 eps each.
+/// Configurations that differ by at most 64 eps count as the same: the error of sixteen operations of 4 eps each.
 template <Scalar S>
 S samenessBudget() {
   return S(64) * eps<S>();
 }
 
-/// q [nq] of no motion: a free-flyer (0 0 0, 0 0 0 1), a continuous joint (1, 0), else 0.
+/// The neutral configuration [nq]: (0 0 0, 0 0 0 1) of a free-flyer, (1, 0) of a continuous joint, else 0.
 template <Scalar S>
 VectorX<S> neutral(const Model<S>& model) {
   VectorX<S> q(model.nq);
@@ -51,8 +51,8 @@ VectorX<S> neutral(const Model<S>& model) {
   return q;
 }
 
-/// q with every quaternion and every (cos, sin) made unit. Throws InvalidConfiguration where one is zero or
-/// not finite.
+/// q [nq] with every quaternion and every (cos, sin) normalised. Throws InvalidConfiguration where one is zero or not
+/// finite.
 template <Scalar S>
 VectorX<S> normalized(const Model<S>& model, const configuration_detail::Vector<S>& q) {
   configuration_detail::checkConfigurationSize<S>(model, q, "q");
@@ -63,13 +63,13 @@ VectorX<S> normalized(const Model<S>& model, const configuration_detail::Vector<
   });
   return result;
 }
-/// The same in place; q is unchanged where it throws.
+/// q = normalized(model, q); q is unchanged where it throws.
 template <Scalar S>
 void normalize(const Model<S>& model, VectorX<S>& q) {
   q = normalized(model, q);
 }
 
-/// Is ||Q|^2 - 1| <= budget of every quaternion and (cos, sin)?
+/// Is ||Q|^2 - 1| <= budget for every quaternion and every (cos, sin)?
 template <Scalar S>
 bool isNormalized(const Model<S>& model, const configuration_detail::Vector<S>& q,
                   const configuration_detail::Value<S>& budget = normDefectBudget<S>()) {
@@ -81,7 +81,7 @@ bool isNormalized(const Model<S>& model, const configuration_detail::Vector<S>& 
   return all;
 }
 
-/// T exp(delta) joint by joint [nq]; delta [nv] is an increment: dt v is made by the caller.
+/// T exp(delta) joint by joint [nq]; delta [nv; m, rad] is an increment, such as dt v.
 template <Scalar S>
 VectorX<S> integrate(const Model<S>& model, const configuration_detail::Vector<S>& q,
                      const configuration_detail::Vector<S>& delta) {
@@ -114,7 +114,7 @@ VectorX<S> interpolate(const Model<S>& model, const configuration_detail::Vector
   return integrate(model, q0, u * difference(model, q0, q1));
 }
 
-/// |difference|^2 of each joint but the universe [njoints - 1]. Metres and radians are added as they come.
+/// |difference|^2 of each joint but the universe [njoints - 1]. Squares of metres and of radians are added.
 template <Scalar S>
 VectorX<S> squaredDistance(const Model<S>& model, const configuration_detail::Vector<S>& q0,
                            const configuration_detail::Vector<S>& q1) {
@@ -127,7 +127,7 @@ VectorX<S> squaredDistance(const Model<S>& model, const configuration_detail::Ve
   return result;
 }
 
-/// sqrt(sum_i (weights_i difference_i)^2). weights [nv], in 1/m and 1/rad as fits.
+/// sqrt(sum_i (weights_i difference_i)^2), weights [nv; 1/m, 1/rad].
 template <Scalar S>
 S distance(const Model<S>& model, const configuration_detail::Vector<S>& q0,
            const configuration_detail::Vector<S>& q1, const configuration_detail::Vector<S>& weights) {
@@ -135,16 +135,15 @@ S distance(const Model<S>& model, const configuration_detail::Vector<S>& q0,
   const VectorX<S> delta = difference(model, q0, q1).cwiseProduct(weights);
   return multibody_detail::norm(delta);
 }
-/// |difference(q0, q1)| = sqrt(sum of squaredDistance), as Pinocchio defines it: metres and radians weigh the
-/// same.
+/// |difference(q0, q1)| = sqrt(sum of squaredDistance), as Pinocchio defines it: a metre counts as a radian.
 template <Scalar S>
 S distance(const Model<S>& model, const configuration_detail::Vector<S>& q0,
            const configuration_detail::Vector<S>& q1) {
   return distance(model, q0, q1, VectorX<S>::Ones(model.nv));
 }
 
-/// Are they one configuration, joint by joint, up to budget (rad, and relative to max(1 m, |p|))? Q and -Q
-/// are.
+/// Are q0 and q1 the same configuration, joint by joint, up to budget [rad, and relative to max(1 m, |p|)]? Q and -Q
+/// are the same.
 template <Scalar S>
 bool isSameConfiguration(const Model<S>& model, const configuration_detail::Vector<S>& q0,
                          const configuration_detail::Vector<S>& q1,
@@ -158,7 +157,8 @@ bool isSameConfiguration(const Model<S>& model, const configuration_detail::Vect
   return same;
 }
 
-/// How integrate(q, delta) follows q (ARG0) or delta (ARG1), tangent to tangent [nv x nv], block-diagonal.
+/// The derivative of integrate(q, delta) by q (ARG0) or by delta (ARG1), in tangent increments of both [nv x nv],
+/// block-diagonal.
 template <Scalar S>
 MatrixX<S> dIntegrate(const Model<S>& model, const configuration_detail::Vector<S>& q,
                       const configuration_detail::Vector<S>& delta, ArgumentPosition argument) {
@@ -171,7 +171,7 @@ MatrixX<S> dIntegrate(const Model<S>& model, const configuration_detail::Vector<
   return J;
 }
 
-/// How difference(q0, q1) follows q0 (ARG0) or q1 (ARG1), tangent to tangent [nv x nv], block-diagonal.
+/// The derivative of difference(q0, q1) by q0 (ARG0) or by q1 (ARG1), by tangent increments [nv x nv], block-diagonal.
 template <Scalar S>
 MatrixX<S> dDifference(const Model<S>& model, const configuration_detail::Vector<S>& q0,
                        const configuration_detail::Vector<S>& q1, ArgumentPosition argument) {
@@ -184,7 +184,7 @@ MatrixX<S> dDifference(const Model<S>& model, const configuration_detail::Vector
   return J;
 }
 
-/// d q / d delta of integrate(q, delta) at delta = 0: stored numbers by tangent [nq x nv].
+/// The derivative of the stored numbers of integrate(q, delta) by delta, at delta = 0 [nq x nv].
 template <Scalar S>
 MatrixX<S> integrateCoeffWiseJacobian(const Model<S>& model, const configuration_detail::Vector<S>& q) {
   configuration_detail::checkConfigurationSize<S>(model, q, "q");
@@ -195,9 +195,9 @@ MatrixX<S> integrateCoeffWiseJacobian(const Model<S>& model, const configuration
   return J;
 }
 
-/// q itself [nq], if it is a configuration: right size, finite, every quaternion and (cos, sin) unit up to
-/// normDefectBudget. Throws InvalidConfiguration, for a wrong size std::invalid_argument. Pass normalized(q)
-/// where the numbers were rounded on their way.
+/// q itself [nq]. Throws InvalidConfiguration unless it is finite and every quaternion and (cos, sin) is unit up to
+/// normDefectBudget, and std::invalid_argument where its size is wrong. Normalise q first where it was rounded, as in a
+/// text.
 template <Scalar S>
 VectorX<S> checkedConfiguration(const Model<S>& model, const configuration_detail::Vector<S>& q) {
   configuration_detail::checkConfigurationSize<S>(model, q, "q");
@@ -208,7 +208,7 @@ VectorX<S> checkedConfiguration(const Model<S>& model, const configuration_detai
   return q;
 }
 
-/// v itself [nv], if it has that size and is finite.
+/// v itself [nv]. Throws InvalidConfiguration unless it is finite, and std::invalid_argument where its size is wrong.
 template <Scalar S>
 VectorX<S> checkedTangent(const Model<S>& model, const configuration_detail::Vector<S>& v) {
   configuration_detail::checkTangentSize<S>(model, v, "v");

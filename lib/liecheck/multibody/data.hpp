@@ -1,15 +1,15 @@
 #pragma once
 // Data: the results of one computation on one robot, and the storage that the algorithms work in, so that they
 // allocate nothing. Each thread has its own; the Model is shared. Changing q changes nothing here until an
-// algorithm runs; each says which fields it updates (field.hpp: what is stale).
+// algorithm runs; each states which fields it updates (data_field.hpp: when a field is stale).
 //
-// Fields are read as data.tau() or data.oMi[i]. Names and meanings are Pinocchio's. What an algorithm returns is a
-// reference to its field: copy it before the next call, where both are needed.
+// Fields are read as data.tau() or data.oMi[i]. Names and meanings are Pinocchio's. An algorithm returns a reference to
+// its field: copy the value where it is needed after the next call.
 
 #include <liecheck/multibody/composite_inertia.hpp>
-#include <liecheck/multibody/field.hpp>
+#include <liecheck/multibody/data_field.hpp>
+#include <liecheck/multibody/joint_place.hpp>
 #include <liecheck/multibody/model.hpp>
-#include <liecheck/multibody/place.hpp>
 #include <memory>
 #include <span>
 
@@ -20,18 +20,18 @@ using Matrix6X = Eigen::Matrix<S, 6, Eigen::Dynamic>;
 template <class S>
 using Matrix3X = Eigen::Matrix<S, 3, Eigen::Dynamic>;
 
-/// A vector argument: the scalar is deduced from the model alone, so any Eigen expression may stand for it.
+/// A vector argument: the scalar is deduced from the model alone, so any Eigen expression may be passed.
 template <class S>
 using In = const std::type_identity_t<VectorX<S>>&;
-/// External forces [njoints], that of each joint's body in that joint's axes at its origin; empty means none.
+/// External forces [njoints; N, N m] on each joint's body, in that joint's axes at its origin; empty means none.
 template <class S>
 using External = std::type_identity_t<std::span<const Force<S>>>;
 
-/// The nv x nv matrices that a Data has room for. They grow with the square of nv, so they are asked for.
+/// The nv x nv matrices that a Data has room for; their size grows with the square of nv.
 enum class Dense {
   None,
   Mass,        ///< M, Minv: crba, computeMinverse, and aba of a model with mimics
-  Derivatives  ///< those and dtau_dq, dtau_dv, ddq_dq, ddq_dv
+  Derivatives  ///< those of Mass, and dtau_dq, dtau_dv, ddq_dq, ddq_dv
 };
 
 template <Scalar S>
@@ -50,14 +50,14 @@ class Data {
   Field<Each<SE3<S>>> oMi;   ///< [njoints] X_world,joint
   Field<Each<SE3<S>>> oMf;   ///< [nframes] X_world,frame
   Field<Each<Motion<S>>> v;  ///< [njoints] velocity of joint i, in its axes, at its origin [m/s, rad/s]
-  Field<Each<Motion<S>>> a;  ///< [njoints] spatial acceleration, likewise, without gravity [m/s^2, rad/s^2]
+  Field<Each<Motion<S>>> a;  ///< [njoints] spatial acceleration, as v, without gravity [m/s^2, rad/s^2]
   Field<Each<Force<S>>> f;  ///< [njoints] force of the parent on joint i, in i's axes, at its origin [N, N m]
-  Field<VectorX<S>> tau;    ///< [nv; N, N m] of rnea
+  Field<VectorX<S>> tau;    ///< [nv; N, N m] generalised forces of rnea
   Field<VectorX<S>> nle;    ///< [nv; N, N m] h(q, v): tau at a = 0
   Field<VectorX<S>> g;      ///< [nv; N, N m] tau at v = a = 0
-  Field<VectorX<S>> ddq;    ///< [nv; m/s^2, rad/s^2] of aba
-  Field<Matrix6X<S>> J, dJ;   ///< [6 x nv] every joint's columns in WORLD, and their time derivative
-  Field<MatrixX<S>> M, Minv;  ///< [nv x nv] joint-space inertia, whole and symmetric, and its inverse
+  Field<VectorX<S>> ddq;    ///< [nv; m/s^2, rad/s^2] acceleration of aba
+  Field<Matrix6X<S>> J, dJ;   ///< [6 x nv] every joint's Jacobian in WORLD, and its time derivative
+  Field<MatrixX<S>> M, Minv;  ///< [nv x nv] joint-space inertia and its inverse, both triangles
   Field<MatrixX<S>> dtau_dq, dtau_dv, ddq_dq, ddq_dv;  ///< [nv x nv] by tangent increments of q, and by v
   Field<S> kinetic_energy, potential_energy;           ///< [J]
   Field<Vector3<S>> com, vcom, acom;                   ///< centre of mass, in the world [m, m/s, m/s^2]
@@ -65,36 +65,36 @@ class Data {
   Field<Matrix6X<S>> Ag;                               ///< [6 x nv] hg = Ag v
   Field<Force<S>> hg, dhg;  ///< momentum at the centre of mass in the world's axes, and its rate
 
-  /// What algorithms compute with. "In world axes" means there: axes of the world, at the joint's own origin, so
-  /// that no digits are lost far from the world's origin.
+  /// Storage of the algorithms. "In world axes" means in the world's axes, at the joint's own origin, so that no digits
+  /// are lost far from the world's origin.
   struct Work {
     Each<Motion<S>> gravitated;  ///< acceleration minus gravity
-    Each<Vector3<S>> r;          ///< from the parent's origin, in world axes (derivatives.hpp: then from O)
+    Each<Vector3<S>> r;          ///< vector from the parent's origin, in world axes (derivatives.hpp: from O)
     Each<Motion<S>> velocity, bias;     ///< in world axes
     Each<Force<S>> force;               ///< in world axes
-    Each<CompositeInertia<S>> inertia;  ///< in world axes: of all that a joint carries
-    Each<JoinedMass<S>> joined;         ///< of what a joint carries and its parent did before it
+    Each<CompositeInertia<S>> inertia;  ///< in world axes: of all bodies that a joint carries
+    Each<JoinedMass<S>> joined;         ///< masses of a joint and of its parent when they are joined
     Each<Matrix6<S>> articulated, coriolis, D_factor;
     Matrix6X<S> S_columns, dS, U, z, w, y;  ///< [6 x ncolumns]
-    Matrix6X<S> jacobian;                   ///< [6 x nv] what a Jacobian getter returned last
+    Matrix6X<S> jacobian;                   ///< [6 x nv] result of the last Jacobian getter
     VectorX<S> u;                           ///< [ncolumns]
-    MatrixX<S> factor;                      ///< [nv x nv] of M
+    MatrixX<S> factor;                      ///< [nv x nv] L of M = L^T L
   };
   Work work;
 
-  /// Throws std::invalid_argument unless made of this model as it is now.
+  /// Throws std::invalid_argument unless this Data was made of the model as it is now.
   void check(const Model<S>& model) const {
     if (model.revision != revision_)
       throw std::invalid_argument(
           "this Data was made of another model, or before a joint or a frame was added to this one");
   }
-  /// Throws std::logic_error where the matrices were not asked for.
+  /// Throws std::logic_error where this Data has no room for the matrices.
   void require(Dense dense, const char* call) const {
     if (int(dense_) < int(dense))
       throw std::logic_error(std::string(call) + " needs nv x nv matrices: make Data(model, Dense::" +
                              (dense == Dense::Mass ? "Mass)" : "Derivatives)"));
   }
-  /// For algorithms: from now on the state is (q), (q, v) or (q, v, a). Checks the model and the sizes.
+  /// For algorithms: sets the current state q, (q, v) or (q, v, a), and checks the model and the sizes.
   void begin(const Model<S>& model, In<S> q) {
     check(model);
     update(q, q_, model.nq, "q", "nq", clock_->q);
@@ -168,7 +168,7 @@ Data<S>::Data(const Model<S>& model, Dense dense)
   work.jacobian.resize(6, model.nv);
   work.u.resize(model.ncolumns);
   if (dense == Dense::None) return;
-  M.scratch().setZero(model.nv, model.nv);  // of which crba never touches what stands between branches
+  M.scratch().setZero(model.nv, model.nv);  // crba never writes the entries between branches
   for (MatrixX<S>* m : {&Minv.scratch(), &work.factor}) m->resize(model.nv, model.nv);
   if (dense == Dense::Mass) return;
   for (Field<MatrixX<S>>* m : {&dtau_dq, &dtau_dv, &ddq_dq, &ddq_dv}) m->scratch().resize(model.nv, model.nv);

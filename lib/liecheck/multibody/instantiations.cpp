@@ -1,4 +1,4 @@
-// What float and double share with nobody: compiled once, declared extern in the headers.
+// Explicit instantiations for float and double, declared extern in the headers.
 
 #include <liecheck/multibody/configuration.hpp>
 #include <liecheck/multibody/data.hpp>

@@ -1,5 +1,5 @@
 #pragma once
-// What is refused where numbers enter, and how it is said.
+// The checks of q and v from outside, and the exception that they throw.
 
 #include <liecheck/multibody/model.hpp>
 #include <locale>
@@ -7,11 +7,10 @@
 
 namespace liecheck {
 
-/// A vector q or v that no robot has: names the joint, its index, the place in the vector and the value
-/// there.
+/// Thrown for a vector q or v that is not valid: names the joint, its index, the index in the vector and the value there.
 class InvalidConfiguration : public std::invalid_argument {
  public:
-  /// index: in q (or v); value: the number there, or |Q|^2 where the norm is at fault.
+  /// index in q (or v), and the value there, or |Q|^2 where the norm is wrong.
   InvalidConfiguration(const std::string& what, const std::string& joint_name, int joint_index, int index,
                        double value)
       : std::invalid_argument(what),
@@ -47,7 +46,7 @@ void refuseNonFinite(const Model<S>& model, const Place& place, const VectorX<S>
     if (!finite<S>(tangent[i])) refuse<S>(model, place.index, "v", place.idx_v + i, tangent[i], "not finite");
 }
 
-/// Not finite, or a unit vector that is zero: no normalisation helps.
+/// Refuses numbers that are not finite and unit vectors that are zero, which no normalisation repairs.
 template <Scalar S, class Place>
 void refuseUnrepairable(const Model<S>& model, const Place& place, const VectorX<S>& q) {
   using J = std::remove_cvref_t<decltype(place.joint)>;

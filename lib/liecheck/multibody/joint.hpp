@@ -1,9 +1,8 @@
 #pragma once
-// Joint: one concept, a variant of models.
+// Joint: the concept of a joint model, and the variant of all joint models.
 //
-// A joint model knows its own segment of q (nq numbers) and of v (nv numbers) and nothing of where the
-// segment lies: offsets, names and the tree are the Model's. Adding a joint type is one file in joints/ and
-// one line here.
+// A joint model works on its own segment of q (nq numbers) and of v (nv numbers); offsets, names and the tree are in
+// Model. A new joint type is one file in joints/ and one line here.
 
 #include <concepts>
 #include <liecheck/multibody/joints/continuous.hpp>
@@ -21,12 +20,11 @@
 
 namespace liecheck {
 
-/// What the whole-vector functions of configuration.hpp and the algorithms need of a joint. Sizes are constants,
-/// so that segments are fixed-size and nothing is allocated. The stored unit vector u (quaternion or cos, sin)
-/// begins at unit_begin, nq where there is none; normDefect is |u|^2 - 1 of it, or 0. subspace() is S, 6 x
-/// columns: V = S v is the velocity relative to the parent in the child's axes, constant for every joint here,
-/// so no velocity product comes from a joint itself. `X transform(X_PJ, q)` is the pose in the parent's frame
-/// (for a mimic, by its primary's coordinate). columns is nv, but for a mimic.
+/// What configuration.hpp and the algorithms need of a joint. Sizes are constants, so that segments are fixed-size and
+/// nothing is allocated. The stored unit vector u (quaternion or cos, sin) begins at unit_begin, which is nq where there
+/// is none; normDefect is |u|^2 - 1, or 0. subspace() is S [6 x columns]: V = S v is the velocity relative to the parent
+/// in the child's axes; S is constant for every joint here, so no joint adds a velocity product. transform(X_PJ, q) is
+/// the pose in the parent's frame (of a mimic, by its primary's coordinate). columns is nv, of a mimic 1.
 template <class J>
 concept JointModel = requires(const J joint, const typename J::Configuration q, const typename J::Tangent v,
                               const typename J::Configuration::Scalar budget, ArgumentPosition argument) {
@@ -47,7 +45,7 @@ concept JointModel = requires(const J joint, const typename J::Configuration q, 
   { joint.integrateCoeffWiseJacobian(q) } -> std::same_as<typename J::CoefficientJacobian>;
 };
 
-/// A fixed connection is no joint: its inertia is merged, its frames stay (Model::addFixedJoint).
+/// A fixed joint is none of them: its inertia is merged, its frames stay (Model::addFixedJoint).
 template <Scalar S>
 using Joint = std::variant<Universe<S>, FreeFlyer<S>, Revolute<S>, Continuous<S>, Prismatic<S>, Helical<S>,
                            Spherical<S>, Planar<S>, Translation<S>, Mimic<S>>;
@@ -57,25 +55,25 @@ static_assert(JointModel<Universe<double>> && JointModel<FreeFlyer<double>> && J
               JointModel<Helical<double>> && JointModel<Spherical<double>> && JointModel<Planar<double>> &&
               JointModel<Translation<double>> && JointModel<Mimic<double>>);
 
-/// ||u|^2 - 1| <= budget: is the joint's quaternion, or (cos, sin), unit? NaN is not.
+/// ||u|^2 - 1| <= budget for the joint's quaternion, or (cos, sin), u; false for NaN.
 template <JointModel J>
 bool isNormalized(const J& joint, const typename J::Configuration& q,
                   const typename J::Configuration::Scalar& budget) {
   return absolute<typename J::Configuration::Scalar>(joint.normDefect(q)) <= budget;
 }
 
-/// |difference(q0, q1)|^2 of one joint [rad^2, m^2, or for a free-flyer m^2 + rad^2, as Pinocchio has it].
+/// |difference(q0, q1)|^2 of one joint [rad^2, m^2, or of a free-flyer m^2 + rad^2, as in Pinocchio].
 template <JointModel J>
 typename J::Configuration::Scalar squaredDistance(const J& joint, const typename J::Configuration& q0,
                                                   const typename J::Configuration& q1) {
   return joint.difference(q0, q1).squaredNorm();
 }
 
-/// A turn about one axis through its own origin: S = (0, axis).
+/// Does the joint rotate about an axis through its origin: S = (0, axis)?
 template <Scalar S, class J>
-inline constexpr bool turns_about_axis = std::is_same_v<J, Revolute<S>> || std::is_same_v<J, Continuous<S>>;
+inline constexpr bool rotates_about_axis = std::is_same_v<J, Revolute<S>> || std::is_same_v<J, Continuous<S>>;
 template <Scalar S>
-bool turnsAboutAxis(const Joint<S>& joint) {
+bool rotatesAboutAxis(const Joint<S>& joint) {
   return std::holds_alternative<Revolute<S>>(joint) || std::holds_alternative<Continuous<S>>(joint);
 }
 
@@ -87,7 +85,7 @@ template <Scalar S>
 int nv(const Joint<S>& joint) {
   return std::visit([](const auto& j) { return int(j.nv); }, joint);
 }
-/// Of the motion subspace: nv, but 1 for a mimic.
+/// The number of columns of the motion subspace: nv, of a mimic 1.
 template <Scalar S>
 int columns(const Joint<S>& joint) {
   return std::visit([](const auto& j) { return int(j.columns); }, joint);
@@ -96,7 +94,7 @@ template <Scalar S>
 std::string shortname(const Joint<S>& joint) {
   return std::visit([](const auto& j) { return j.shortname(); }, joint);
 }
-/// The same joint with its constants as T.
+/// The joint with its constants converted to T.
 template <Scalar T, Scalar S>
 Joint<T> cast(const Joint<S>& joint) {
   return std::visit([](const auto& j) { return Joint<T>(j.template cast<T>()); }, joint);

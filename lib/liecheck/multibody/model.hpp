@@ -1,11 +1,10 @@
 #pragma once
-// Model: what a robot is. Constants only; the results of a computation are Data's, so one constant Model
-// serves any number of threads.
+// Model: the constants of a robot. Results of computations are in Data, so any number of threads can share one Model.
 //
-// Joint 0 is the universe. Joint i > 0 hangs on parents[i] < i at jointPlacements[i] and owns nqs[i] numbers
-// of q from idx_qs[i], nvs[i] of v from idx_vs[i]. A mimic owns none; its idx_qs and idx_vs are its primary's.
-// Names and conventions are Pinocchio's. Fields are read freely; gravity, limits, friction, damping and armature
-// may be set, the others change through the functions only.
+// Joint 0 is the universe. Joint i > 0 is fixed to joint parents[i] < i at jointPlacements[i] and has nqs[i] numbers
+// of q from idx_qs[i], nvs[i] of v from idx_vs[i]. A mimic has none; its idx_qs and idx_vs are its primary's.
+// Names and conventions are Pinocchio's. Every field may be read; gravity, limits, friction, damping and armature may
+// be set, the others are changed by the functions only.
 
 #include <atomic>
 #include <liecheck/multibody/frame.hpp>
@@ -19,7 +18,7 @@
 namespace liecheck {
 
 namespace multibody_detail {
-/// A number never given before in this process.
+/// A number that was not returned before in this process.
 inline int nextRevision() {
   static std::atomic<int> last{0};
   return ++last;
@@ -33,9 +32,9 @@ class Model {
   int nq = 0, nv = 0, njoints = 0, nframes = 0;
 
   std::vector<std::string> names;       ///< of joints
-  std::vector<int> parents;             ///< joint i hangs on joint parents[i]
+  std::vector<int> parents;             ///< of joint i: the joint that carries it
   std::vector<SE3<S>> jointPlacements;  ///< X_PJ at q = neutral
-  std::vector<Inertia<S>> inertias;     ///< of all that joint i carries, in its frame
+  std::vector<Inertia<S>> inertias;     ///< of all bodies fixed to joint i, in its frame
   std::vector<Joint<S>> joints;
   std::vector<int> idx_qs, idx_vs, nqs, nvs;
   std::vector<Frame<S>> frames;
@@ -48,15 +47,14 @@ class Model {
 
   Vector3<S> gravity{S(0), S(0), S(-981) / S(100)};  ///< acceleration of a free fall, in the world [m/s^2]
 
-  /// Infinite where nobody says otherwise: effort [nv; N, N m], velocity [nv; m/s, rad/s], position [nq].
+  /// Infinite by default: effort [nv; N, N m], velocity [nv; m/s, rad/s], position [nq].
   VectorX<S> effortLimit, velocityLimit, lowerPositionLimit, upperPositionLimit;
-  /// At each joint [nv], zero where nobody says otherwise: dry friction [N, N m], viscous damping [N s/m,
-  /// N m s], inertia of its motor behind the gear [kg, kg m^2]. Armature enters the dynamics; friction and
-  /// damping are told, not applied.
+  /// Zero by default, of each joint [nv]: dry friction [N, N m], viscous damping [N s/m, N m s], inertia of its motor
+  /// at the output of the gear [kg, kg m^2]. Armature enters the dynamics; friction and damping are stored, not used.
   VectorX<S> friction, damping, armature;
 
-  /// Changes with each joint and frame added, to a number that no other model has but its copies: Data made of
-  /// another model, or before, is refused.
+  /// A number that changes with each joint and frame added, and that only copies of this model share: Data that was made
+  /// of another model, or before, is refused.
   int revision = 0;
 
   Model() {
@@ -64,7 +62,8 @@ class Model {
     addFrameUnchecked({"universe", 0, 0, SE3<S>::Identity(), FrameType::FIXED_JOINT});
   }
 
-  /// Hangs a joint on joint parent at X_PJ; returns its index. No body, no frame yet.
+  /// Adds a joint, without body and frame, to joint `parent` at X_PJ; returns its index. Throws std::invalid_argument where
+  /// the parent or the primary of a mimic does not exist, the name is taken or the joint is a universe.
   int addJoint(int parent, const Joint<S>& joint, const SE3<S>& X_PJ, const std::string& joint_name) {
     checkJoint(parent, "the parent of joint '" + joint_name + "'");
     if (existJointName(joint_name))
@@ -80,7 +79,8 @@ class Model {
     return addJointUnchecked(parent, joint, X_PJ, joint_name);
   }
 
-  /// Adds a frame; returns its index. Two frames may share a name if their types differ (a joint and a link).
+  /// Adds a frame; returns its index. Two frames may share a name if their types differ (a joint and a link). Throws
+  /// std::invalid_argument where a parent does not exist, or a frame of that name and type does.
   int addFrame(const Frame<S>& frame) {
     checkJoint(frame.parentJoint, "the parent of frame '" + frame.name + "'");
     if (frame.parentFrame < 0 || frame.parentFrame >= nframes)
@@ -92,7 +92,7 @@ class Model {
     return addFrameUnchecked(frame);
   }
 
-  /// The frame of a joint, named as it is. parent_frame defaults to the frame of its parent joint.
+  /// Adds the frame of a joint, of the same name. parent_frame defaults to the frame of its parent joint.
   int addJointFrame(int joint, int parent_frame = -1) {
     checkJoint(joint, "a joint frame's joint");
     if (parent_frame < 0) {
@@ -102,7 +102,7 @@ class Model {
     return addFrame({names[std::size_t(joint)], joint, parent_frame, SE3<S>::Identity(), FrameType::JOINT});
   }
 
-  /// The frame of a link fixed to a joint at X_JB. parent_frame defaults to the frame of that joint.
+  /// Adds the frame of a link fixed to a joint at X_JB. parent_frame defaults to the frame of that joint.
   int addBodyFrame(const std::string& body, int joint, const SE3<S>& X_JB = SE3<S>::Identity(),
                    int parent_frame = -1) {
     checkJoint(joint, "the parent of body '" + body + "'");
@@ -110,15 +110,15 @@ class Model {
     return addFrame({body, joint, parent_frame, X_JB, FrameType::BODY});
   }
 
-  /// A fixed connection, a frame of its name and no joint: whatever is behind it at X_JF moves with that joint.
+  /// Adds a fixed joint: a frame of that name at X_JF, and no joint, since all that it carries moves with `joint`.
   int addFixedJoint(const std::string& fixed_name, int joint, const SE3<S>& X_JF, int parent_frame = -1) {
     checkJoint(joint, "the parent of fixed joint '" + fixed_name + "'");
     if (parent_frame < 0) parent_frame = frameOfJoint(joint);
     return addFrame({fixed_name, joint, parent_frame, X_JF, FrameType::FIXED_JOINT});
   }
 
-  /// Fixes a body to a joint: I_B is in the body's frame, X_JB the body's pose in the joint's frame. The
-  /// inertia is transformed here, once.
+  /// Fixes a body to a joint: I_B in the body's frame, X_JB the pose of that in the joint's frame. The inertia is
+  /// transformed here, once.
   void appendBodyToJoint(int joint, const Inertia<S>& I_B, const SE3<S>& X_JB = SE3<S>::Identity()) {
     checkJoint(joint, "a body's parent");
     Inertia<S>& I_J = inertias[std::size_t(joint)];

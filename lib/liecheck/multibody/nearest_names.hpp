@@ -1,5 +1,5 @@
 #pragma once
-// What a misspelt name may have meant.
+// The names nearest to a misspelt one.
 
 #include <algorithm>
 #include <numeric>
@@ -8,7 +8,7 @@
 
 namespace liecheck::multibody_detail {
 
-/// Letters to insert, delete or replace to turn a into b. Levenshtein (1966).
+/// The number of letters to insert, delete or replace to get b from a. Levenshtein (1966).
 inline int editDistance(const std::string& a, const std::string& b) {
   std::vector<int> row(b.size() + 1);
   std::iota(row.begin(), row.end(), 0);

@@ -7,7 +7,7 @@ namespace liecheck {
 
 namespace multibody_detail {
 
-/// 2-norm of a vector of any size; NaN if one entry is. Error 2 eps + n/2 eps. (Eigen's stableNorm asks for
+/// 2-norm of a vector of n numbers; NaN if one is. Error 2 eps + n/2 eps. (Eigen's stableNorm asks for
 /// numeric_limits::max, which float128 of Boost 1.74 has in GNU mode only.)
 template <class Vector>
 typename Vector::Scalar norm(const Vector& v) {

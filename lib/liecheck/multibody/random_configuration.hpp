@@ -1,5 +1,5 @@
 #pragma once
-// A configuration drawn at random.
+// Random configurations.
 
 #include <liecheck/multibody/configuration.hpp>
 
@@ -7,7 +7,7 @@ namespace liecheck {
 
 namespace random_configuration_detail {
 
-/// In [0, 1), 53 bits of a generator of 64 (or two draws of 32): the same numbers everywhere.
+/// A number in [0, 1) of 53 bits from a generator of 64 bits, or two draws of 32: the same on every machine.
 template <Scalar S, class Generator>
 S uniform(Generator& bits) {
   static_assert(Generator::min() == 0, "a generator of whole words");

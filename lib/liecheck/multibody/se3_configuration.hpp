@@ -10,8 +10,8 @@
 // Tangent vectors of both sides are body-fixed: the Jacobians are 6 x 6 and say how the body-fixed increment
 // of the result follows that of the argument (Sola, Deray & Atchuthan 2018, eqs. 41 and 46).
 //
-// Domain: finite q with ||Q|^2 - 1| <= d. The rotation meant is Q/|Q|; results depend on d as each function
-// says. Configurations from outside enter through checkedConfiguration of configuration.hpp.
+// Domain: finite q with ||Q|^2 - 1| <= d. Q stands for the rotation of Q/|Q|; each function says how its result depends
+// on d. Check configurations from outside with checkedConfiguration of configuration.hpp.
 
 #include <liecheck/multibody/argument_position.hpp>
 #include <liecheck/scalar/compensated.hpp>
@@ -22,8 +22,8 @@ namespace liecheck {
 
 namespace se3_configuration_detail {
 
-/// Q (3 - |Q|^2) / 2: |Q| = 1 up to 3/8 (|Q|^2 - 1)^2. One Newton step of 1/sqrt: it holds a norm that is
-/// known to be 1 up to rounding, and repairs nothing. Shape 2 (cos, sin) or 4 (quaternion).
+/// u (3 - |u|^2) / 2, of norm 1 up to 3/8 (|u|^2 - 1)^2: one Newton step of 1/sqrt, for a norm that is 1 up to
+/// rounding. u is (cos, sin) [2] or a quaternion [4].
 template <Scalar S, int N>
 Eigen::Matrix<S, N, 1> firstOrderNormalize(const Eigen::Matrix<S, N, 1>& u) {
   return u * ((S(3) - u.squaredNorm()) / S(2));
@@ -35,31 +35,36 @@ template <Scalar S>
   return mul_add(a, b, S(a + b));
 }
 
-/// Q0 Q1 [x y z w] of two quaternions of norm about 1, in twice the digits.
+/// Q0 Q1 [x y z w] of two quaternions of norm about 1, in double words.
 template <Scalar S, Precision P>
 struct Product {
-  CutSum<Quad<S>, 1, P> sum;
+  SplitDot<Quad<S>, 1, P> sum;
   [[gnu::always_inline]] Product(const Quad<S>& a, const Quad<S>& q) {
     const LeftFactor<S, P> p(a);
     sum = by_lane<S, P>([&](auto l) __attribute__((always_inline)) {
       return empty_sum<P>(l, q)
-          .add_product(at(l, p.w_x), cut<P, 0, 1, 2, 0>(l, q))
-          .add_product(at(l, p.self), cut<P, 3, 3, 3, 3>(l, q))
-          .add_product(at(l, p.y), cut<P, 2, 0, 1, 1>(l, q))
-          .add_product(-at(l, p.z), cut<P, 1, 2, 0, 2>(l, q));
+          .add_product(at(l, p.w_x), split_lanes<P, 0, 1, 2, 0>(l, q))
+          .add_product(at(l, p.self), split_lanes<P, 3, 3, 3, 3>(l, q))
+          .add_product(at(l, p.y), split_lanes<P, 2, 0, 1, 1>(l, q))
+          .add_product(-at(l, p.z), split_lanes<P, 1, 2, 0, 2>(l, q));
     });
   }
-  /// Of norm 1 up to 3/8 of the squared defect, each number rounded once; excess = |Q0|^2 |Q1|^2 - 1.
+  /// The product with a norm of 1 up to 3/8 excess^2, excess = |Q0|^2 |Q1|^2 - 1; each number is rounded once.
   [[gnu::always_inline]] Vector4<S> normalized(const S& excess) const {
     const Quad<S> q = sum.high + mul_add(Quad<S>(excess / S(-2)), sum.high, sum.low());
     return Vector4<S>(q.v[0], q.v[1], q.v[2], q.v[3]);
   }
 };
 
-/// D = Q1 - s Q0 and vec(Q0* D), s = sgn(Q0 . Q1), of configurations.
+/// D = Q1 - s Q0 and vec(Q0* D), s = +-1, of the quaternions of q0 and q1.
+template <Scalar S>
+struct NearRotation {
+  Vector4<S> D;
+  Vector3<S> v;
+};
 template <Scalar S, Precision P>
-std::pair<Vector4<S>, Vector3<S>> nearRotation(const Vector7<S>& q0, const Vector7<S>& q1, const S& turn) {
-  const auto step = [&](int i) { return mul_add(turn, q1[3 + i], S(-q0[3 + i])); };
+NearRotation<S> nearRotation(const Vector7<S>& q0, const Vector7<S>& q1, const S& s) {
+  const auto step = [&](int i) { return mul_add(s, q1[3 + i], S(-q0[3 + i])); };
   const Vector4<S> D(step(0), step(1), step(2), step(3));
   const auto entry = [&](int i, int j, int k) {
     return CompensatedSum<S, P>()
@@ -71,44 +76,47 @@ std::pair<Vector4<S>, Vector3<S>> nearRotation(const Vector7<S>& q0, const Vecto
   };
   return {D, Vector3<S>(entry(0, 1, 2), entry(1, 2, 0), entry(2, 0, 1))};
 }
+/// vec(Q0* D); where |v| < |D|/2 compensated in fast precision too.
 template <Scalar S, Precision P>
-[[gnu::noinline]] Vector3<S> nearest(const Vector7<S>& q0, const Vector7<S>& q1, const S& turn) {
-  const auto [D, v] = nearRotation<S, P>(q0, q1, turn);
+[[gnu::noinline]] Vector3<S> nearRotationVector(const Vector7<S>& q0, const Vector7<S>& q1, const S& s) {
+  const auto [D, v] = nearRotation<S, P>(q0, q1, s);
   if constexpr (P == Precision::fast)
     if (S(4) * dot<S>(v, v) < mul_add(D[3], D[3], mul_add(D[0], D[0], mul_add(D[1], D[1], S(D[2] * D[2])))))
-      return nearRotation<S, Precision::standard>(q0, q1, turn).second;
+      return nearRotation<S, Precision::standard>(q0, q1, s).v;
   return v;
 }
 
-/// log(Q0* Q1), from the product with what its rounding leaves: its vector part is accurate relative to itself
-/// however near the two rotations are.
+/// log(Q0* Q1), from the product in double words: its vector part is accurate relative to itself however near the two
+/// rotations are.
 ///
 /// Near poses: with D = Q1 - s Q0, s = sgn(Q0 . Q1), vec(Q0* Q1) = vec(Q0* D) because vec(Q0* Q0) = 0 exactly, and
-/// the subtraction is exact in all but small numbers; its products are summed in twice the digits, because the
-/// difference of the norms may make D much longer than vec. Fast precision comes here below |v| = 1/8, and sums
-/// in twice the digits where D is much longer.
+/// the subtraction is exact in all but small numbers; its products are summed in double words, because the
+/// difference of the norms may make D much longer than vec. Fast precision uses this form for |v| < 1/8, and double
+/// words where D is much longer.
 template <Scalar S, Precision P>
 [[gnu::always_inline]] inline exp_log_detail::RotationLogarithm<S, P> relativeLogarithm(
     const Vector7<S>& q0, const Vector7<S>& q1) {
   const SO3<S> Q0(Vector4<S>(q0[3], q0[4], q0[5], q0[6])), Q1(Vector4<S>(q1[3], q1[4], q1[5], q1[6]));
   const auto sum = Product<S, P>(Q0.conjugate(), Q1.numbers()).sum;
-  const Quad<S> Q = sum.value(), rest = sum.rest(Q);
-  S w = Q.v[3], w_low = rest.v[3];
-  // Near half a turn the sign of w decides the axis.
+  const Quad<S> Q = sum.value(), Q_low = sum.rounding_error(Q);
+  DoubleWord<S> w(Q.v[3], Q_low.v[3]);
+  // Near theta = pi the sign of w decides the axis.
   if constexpr (!side_by_side<S>)
-    if (absolute<S>(w) < eps<S>() * (P == Precision::fast ? S(16) : S(1) / S(16)))
-      w = exact_dot<S, 4>(q0.template tail<4>(), q1.template tail<4>()), w_low = S(0);
-  const S turn = sign<S>(w);
-  const S both = product_excess<S>(Q0.template normExcess<P>(), Q1.template normExcess<P>());
-  const auto half = [&turn](const Quad<S>& q) { return each<S>([&](int i) { return S(turn * q.v[i]); }); };
-  Vector3<S> v = half(Q), v_low = half(rest);
+    if (absolute<S>(w.high) < eps<S>() * (P == Precision::fast ? S(16) : S(1) / S(16)))
+      w = DoubleWord<S>(exact_dot<S, 4>(q0.template tail<4>(), q1.template tail<4>()));
+  const S s = sign<S>(w.high);
+  const S excess = product_excess<S>(Q0.template normExcess<P>(), Q1.template normExcess<P>());
+  const auto vector_part = [&s](const Quad<S>& q) { return each<S>([&](int i) { return S(s * q.v[i]); }); };
+  Vector3<S> v = vector_part(Q), v_low = vector_part(Q_low);
   if constexpr (!side_by_side<S>)
     if (dot<S>(v, v) < (P == Precision::fast ? S(1) / S(64) : S(2048) * eps<S>()))
-      v = nearest<S, P>(q0, q1, turn), v_low = Vector3<S>::Zero();
-  return exp_log_detail::RotationLogarithm<S, P>(v, v_low, absolute<S>(w), S(turn * w_low), both);
+      v = nearRotationVector<S, P>(q0, q1, s), v_low = Vector3<S>::Zero();
+  return exp_log_detail::RotationLogarithm<S, P>(v, v_low, DoubleWord<S>(absolute<S>(w.high), S(s * w.low)),
+                                                 DoubleWord<S>(excess));
 }
 
-/// integrateSE3 and differenceSE3 of translations whose products can be cut; far: of any, scaled down for that.
+/// integrateSE3 and differenceSE3 of translations that can be split (SO3::splittable); integrateFar and differenceFar
+/// scale larger ones down for that.
 template <Scalar S, Precision P>
 [[gnu::always_inline]] inline Vector7<S> integrate(const Vector7<S>& q, const Vector6<S>& delta) {
   const Vector3<S> phi(delta[3], delta[4], delta[5]);
@@ -117,15 +125,16 @@ template <Scalar S, Precision P>
         const Vector3<S> rho(delta[0], delta[1], delta[2]);
         const SO3<S> Q0(Vector4<S>(q[3], q[4], q[5], q[6]));
         // Q0 . Q1 = |Q0|^2 cos(theta/2).
-        const S turn = sign<S>(k.cosine_half), sine = turn * k.sine_half;
-        const S x = sine * k.axis[0], y = sine * k.axis[1], z = sine * k.axis[2], w = turn * k.cosine_half;
+        const S s = sign<S>(k.cosine_half), sine = s * k.sine_half;
+        const S x = sine * k.axis[0], y = sine * k.axis[1], z = sine * k.axis[2], w = s * k.cosine_half;
         const Vector3<S> step = Q0.template actWithin<P>(exp_log_detail::arc(k, rho), norm1<S>(rho));
-        const S more = mul_add(w, w, S(-1)) + mul_add(x, x, mul_add(y, y, S(z * z)));
-        const Vector4<S> Q1 = Product<S, P>(Q0.numbers(), quad<S>(x, y, z, w))
-                                  .normalized(product_excess<S>(Q0.template normExcess<P>(), more));
+        const S excess = mul_add(w, w, S(-1)) + mul_add(x, x, mul_add(y, y, S(z * z)));
+        const Vector4<S> Q1 = Product<S, P>(Q0.numbers(), Quad<S>(x, y, z, w))
+                                  .normalized(product_excess<S>(Q0.template normExcess<P>(), excess));
         Vector7<S> result;
-        for (int i = 0; i < 3; ++i) result[i] = q[i] + step[i];
-        for (int i = 0; i < 4; ++i) result[3 + i] = Q1[i];
+        // Not in loops, as in difference below.
+        result[0] = q[0] + step[0], result[1] = q[1] + step[1], result[2] = q[2] + step[2];
+        result[3] = Q1[0], result[4] = Q1[1], result[5] = Q1[2], result[6] = Q1[3];
         return result;
       });
 }
@@ -133,107 +142,109 @@ template <Scalar S, Precision P>
 [[gnu::noinline, gnu::cold]] Vector7<S> integrateFar(Vector7<S> q, Vector6<S> delta) {
   const Vector3<S> p0 = q.template head<3>();
   q.template head<3>().setZero();
-  delta.template head<3>() *= SO3<S>::down();
+  delta.template head<3>() *= SO3<S>::scale_down();
   Vector7<S> result = integrate<S, P>(q, delta);
-  for (int i = 0; i < 3; ++i) result[i] = p0[i] + result[i] / SO3<S>::down();
+  for (int i = 0; i < 3; ++i) result[i] = p0[i] + result[i] / SO3<S>::scale_down();
   return result;
 }
 template <Scalar S, Precision P>
 [[gnu::always_inline]] inline Vector6<S> difference(const Vector7<S>& q0, const Vector7<S>& q1) {
   const auto log = relativeLogarithm<S, P>(q0, q1);
   const SO3<S> Q0(Vector4<S>(q0[3], q0[4], q0[5], q0[6]));
-  const Quad<S> p0 = quad<S>(q0[0], q0[1], q0[2], S(0)), p1 = quad<S>(q1[0], q1[1], q1[2], S(0)),
+  const Quad<S> p0 = Quad<S>(q0[0], q0[1], q0[2], S(0)), p1 = Quad<S>(q1[0], q1[1], q1[2], S(0)),
                 p_01 = p1 - p0;
-  const S most = absolute<S>(p_01.v[0]) + absolute<S>(p_01.v[1]) + absolute<S>(p_01.v[2]);
+  const S bound = absolute<S>(p_01.v[0]) + absolute<S>(p_01.v[1]) + absolute<S>(p_01.v[2]);
   const Vector3<S> p = [&]() __attribute__((always_inline)) {
-    if constexpr (P == Precision::fast || !one_register<S>) return Q0.template actInvWithin<P>(p_01, most);
-    const Quad<S> minus_p0 = p_01 - p1, low = (p1 - (p_01 - minus_p0)) - (p0 + minus_p0);  // Knuth's two sum
-    return Q0.template actInvWithin<P>(p_01, most, low);
+    if constexpr (P == Precision::fast || !one_register<S>) return Q0.template actInvWithin<P>(p_01, bound);
+    // two_sum(p1, -p0) in one register.
+    const Quad<S> minus_p0 = p_01 - p1, low = (p1 - (p_01 - minus_p0)) - (p0 + minus_p0);
+    return Q0.template actInvWithin<P>(p_01, bound, low);
   }
   ();
   const Vector3<S> rho = log.arc(p);
   Vector6<S> delta;
-  for (int i = 0; i < 3; ++i) delta[i] = rho[i], delta[3 + i] = log.phi[i];
+  // Not in a loop, which becomes wide loads of rho right after its narrow stores.
+  delta[0] = rho[0], delta[3] = log.phi[0];
+  delta[1] = rho[1], delta[4] = log.phi[1];
+  delta[2] = rho[2], delta[5] = log.phi[2];
   return delta;
 }
 template <Scalar S, Precision P>
 [[gnu::noinline, gnu::cold]] Vector6<S> differenceFar(Vector7<S> q0, Vector7<S> q1) {
-  q0.template head<3>() *= SO3<S>::down();
-  q1.template head<3>() *= SO3<S>::down();
+  q0.template head<3>() *= SO3<S>::scale_down();
+  q1.template head<3>() *= SO3<S>::scale_down();
   Vector6<S> result = difference<S, P>(q0, q1);
-  result.template head<3>() /= SO3<S>::down();
+  result.template head<3>() /= SO3<S>::scale_down();
   return result;
 }
 
 }  // namespace se3_configuration_detail
 
-/// T exp(delta) as [p; x y z w]; Q1 . Q0 >= 0: the quaternion nearer to the one it came from. Pose q [7; m],
-/// delta [6; m, rad].
-/// Error: rotation 2 eps, translation 4 eps of max(|p1|, |p0|, |rho|), up to half a turn; beyond, the excess
-/// rule. Norm: ||Q1|^2 - 1| <= 3 eps + 3/4 d^2; the rotation is that of Q0/|Q0| whatever d.
+/// T exp(delta) as [p; x y z w] with Q1 . Q0 >= 0: of Q1 and -Q1 the one nearer to Q0. Pose q [7; m], delta [6; m, rad].
+/// Error: rotation 2 eps, translation 4 eps of max(|p1|, |p0|, |rho|), for |phi| <= pi; beyond, the excess rule. Norm:
+/// ||Q1|^2 - 1| <= 3 eps + 3/4 d^2; the rotation is that of Q0/|Q0| for every d.
 template <Scalar S, Precision P = Precision::standard>
 Vector7<S> integrateSE3(const Vector7<S>& q, const Vector6<S>& delta) {
-  if constexpr (P == Precision::tight)
-    return tight_detail::rounded<S>(
-        [](const auto& a, const auto& b) { return integrateSE3<DoubleDouble<S>, Precision::fast>(a, b); },
-        [&] { return integrateSE3<S>(q, delta); }, q, delta);
-  if constexpr (P != Precision::fast && !side_by_side<S>)
-    if (!SO3<S>::cuttable(norm1<S>(Vector3<S>(delta[0], delta[1], delta[2])))) [[unlikely]]
-      return se3_configuration_detail::integrateFar<S, P>(q, delta);
-  return se3_configuration_detail::integrate<S, P>(q, delta);
+  return evaluate<S, P>(
+      []<Scalar T, Precision Q>(Arithmetic<T, Q>, const Vector7<T>& x, const Vector6<T>& d)
+          __attribute__((always_inline)) {
+            if constexpr (Q != Precision::fast && !side_by_side<T>)
+              if (!SO3<T>::splittable(norm1<T>(Vector3<T>(d[0], d[1], d[2])))) [[unlikely]]
+                return se3_configuration_detail::integrateFar<T, Q>(x, d);
+            return se3_configuration_detail::integrate<T, Q>(x, d);
+          },
+      q, delta);
 }
 
-/// (rho, phi) = log(T0^-1 T1) [6; m, rad], |phi| <= pi, the same for Q and -Q; at exactly half a turn either
-/// sign. Error 2 eps of |phi|, and 4 eps of max(|rho|, |p1 - p0|), at any distance; it does not depend on
-/// |Q0|, |Q1|.
+/// (rho, phi) = log(T0^-1 T1) [6; m, rad], |phi| <= pi, the same for Q and -Q; at |phi| = pi either sign of the axis.
+/// Error 2 eps of |phi|, and 4 eps of max(|rho|, |p1 - p0|), at any distance; it does not depend on |Q0|, |Q1|.
 template <Scalar S, Precision P = Precision::standard>
 Vector6<S> differenceSE3(const Vector7<S>& q0, const Vector7<S>& q1) {
-  if constexpr (P == Precision::tight)
-    return tight_detail::rounded<S>(
-        [](const auto& a, const auto& b) { return differenceSE3<DoubleDouble<S>, Precision::fast>(a, b); },
-        [&] { return differenceSE3<S>(q0, q1); }, q0, q1);
-  if constexpr (P != Precision::fast && !side_by_side<S>)
-    if (!SO3<S>::cuttable(norm1<S>(Vector3<S>(q1[0] - q0[0], q1[1] - q0[1], q1[2] - q0[2])))) [[unlikely]]
-      return se3_configuration_detail::differenceFar<S, P>(q0, q1);
-  return se3_configuration_detail::difference<S, P>(q0, q1);
+  return evaluate<S, P>(
+      []<Scalar T, Precision Q>(Arithmetic<T, Q>, const Vector7<T>& a,
+                                const Vector7<T>& b) __attribute__((always_inline)) {
+        if constexpr (Q != Precision::fast && !side_by_side<T>)
+          if (!SO3<T>::splittable(norm1<T>(Vector3<T>(b[0] - a[0], b[1] - a[1], b[2] - a[2])))) [[unlikely]]
+            return se3_configuration_detail::differenceFar<T, Q>(a, b);
+        return se3_configuration_detail::difference<T, Q>(a, b);
+      },
+      q0, q1);
 }
 
-/// How integrate follows q (ARG0: Ad(exp(-delta))) or delta (ARG1: the right Jacobian of exp). 6 x 6; neither
-/// depends on q. Error 6 eps of each 3 x 3 block up to half a turn; beyond, the excess rule.
+/// The derivative of integrate by q (ARG0: Ad(exp(-delta))) or by delta (ARG1: J_r(delta)) [6 x 6]; neither depends on q.
+/// Error 6 eps of each 3 x 3 block for |phi| <= pi; beyond, the excess rule.
 template <Scalar S, Precision P = Precision::standard>
-Matrix6<S> dIntegrateSE3([[maybe_unused]] const Vector7<S>& q, const Vector6<S>& delta,
-                         ArgumentPosition argument) {
-  if constexpr (P == Precision::tight)
-    return tight_detail::rounded<S>(
-        [=](const auto& a, const auto& b) {
-          return dIntegrateSE3<DoubleDouble<S>, Precision::fast>(a, b, argument);
-        },
-        [&] { return dIntegrateSE3<S>(q, delta, argument); }, q, delta);
-  if (argument == ArgumentPosition::ARG1) return rightJacobian<S, P>(Motion<S>(delta));
-  const auto minus = [&delta](int first) __attribute__((always_inline)) {
-    return each<S>([&delta, first](int i) { return S(-delta[first + i]); });
-  };
-  return exp_log_detail::with_pose<S, P>(
-      minus(0), minus(3), [](const SE3<S>& T) __attribute__((always_inline)) { return T.toActionMatrix(); });
+Matrix6<S> dIntegrateSE3(const Vector7<S>&, const Vector6<S>& delta, ArgumentPosition argument) {
+  return evaluate<S, P>(
+      [argument]<Scalar T, Precision Q>(Arithmetic<T, Q>, const Vector6<T>& d)
+          __attribute__((always_inline)) {
+            if (argument == ArgumentPosition::ARG1) return rightJacobian<T, Q>(Motion<T>(d));
+            const auto minus = [&d](int first) __attribute__((always_inline)) {
+              return each<T>([&d, first](int i) { return T(-d[first + i]); });
+            };
+            return exp_log_detail::with_pose<T, Q>(
+                minus(0), minus(3),
+                [](const SE3<T>& X) __attribute__((always_inline)) { return X.toActionMatrix(); });
+          },
+      delta);
 }
 
-/// How difference follows q0 (ARG0: -J_l^-1) or q1 (ARG1: J_r^-1). 6 x 6. At exactly half a turn: of the
-/// branch that differenceSE3 returns. Error 6 eps of each 3 x 3 block, that of difference included.
+/// The derivative of difference by q0 (ARG0: -J_l^-1) or by q1 (ARG1: J_r^-1) [6 x 6]. At |phi| = pi it is that of the
+/// branch which differenceSE3 returns. Error 6 eps of each 3 x 3 block, that of difference included.
 template <Scalar S, Precision P = Precision::standard>
 Matrix6<S> dDifferenceSE3(const Vector7<S>& q0, const Vector7<S>& q1, ArgumentPosition argument) {
-  if constexpr (P == Precision::tight)
-    return tight_detail::rounded<S>(
-        [=](const auto& a, const auto& b) {
-          return dDifferenceSE3<DoubleDouble<S>, Precision::fast>(a, b, argument);
-        },
-        [&] { return dDifferenceSE3<S>(q0, q1, argument); }, q0, q1);
-  const Motion<S> xi(differenceSE3<S, P>(q0, q1));
-  if (argument == ArgumentPosition::ARG0) return -leftJacobianInverse<S, P>(xi);
-  return rightJacobianInverse<S, P>(xi);
+  return evaluate<S, P>(
+      [argument]<Scalar T, Precision Q>(Arithmetic<T, Q>, const Vector7<T>& a, const Vector7<T>& b)
+          __attribute__((always_inline)) {
+            const Motion<T> xi(differenceSE3<T, Q>(a, b));
+            if (argument == ArgumentPosition::ARG0) return Matrix6<T>(-leftJacobianInverse<T, Q>(xi));
+            return rightJacobianInverse<T, Q>(xi);
+          },
+      q0, q1);
 }
 
-/// The derivative of the seven stored numbers by a body-fixed increment, at zero increment, 7 x 6:
-/// [R, 0; 0, 1/2 (w I + [v])] over [0, -1/2 v^T], R of Q/|Q|, the rest of the stored Q. Error 2 eps.
+/// The derivative of the seven stored numbers by a body-fixed increment, at zero increment [7 x 6]:
+/// [R, 0; 0, 1/2 (w I + [v])] over [0, -1/2 v^T], R of Q/|Q|, v and w of the stored Q. Error 2 eps.
 template <Scalar S>
 Eigen::Matrix<S, 7, 6> integrateCoeffWiseJacobianSE3(const Vector7<S>& q) {
   const SO3<S> Q(Vector4<S>(q.template tail<4>()));

@@ -1,11 +1,15 @@
 #pragma once
-// How much of the time an operation may spend on its last digits: the one place that chooses.
+// How much time an operation may spend on its last digits. spatial/evaluate.hpp is the one place that acts on it.
 
 namespace liecheck {
 
-/// fast      one rounding a product, nothing carried: 16 eps of each block;
-/// standard  roundings carried where they would show: the bounds that each function states, 2 to 6 eps;
-/// tight     in twice the digits and rounded at the end: 1 eps of each block up to half a turn.
+/// fast      every product and sum is rounded: 16 eps of each block;
+/// standard  compensated where a rounding error would show: the bounds that each function states, 2 to 6 eps;
+/// tight     computed in double words and rounded once: 1 eps of each block for theta <= pi.
 enum class Precision { fast, standard, tight };
+
+/// An argument that names the scalar and the precision in which a formula is evaluated.
+template <class S, Precision P>
+struct Arithmetic {};
 
 }  // namespace liecheck

@@ -1,5 +1,5 @@
 #pragma once
-// THE file of small-angle series and guards.
+// The one file of small-angle series and guards.
 //
 // Every coefficient of exp, log and their Jacobians is a function of x = theta^2 that is smooth at 0 although
 // its textbook closed form is 0/0 there. With the Stumpff functions
@@ -15,14 +15,14 @@
 //
 //     c_0(4h) = 2 c_0^2 - 1,  c_1(4h) = c_0 c_1,  c_2(4h) = c_1^2 / 2,  c_3(4h) = (c_2 + c_0 c_3) / 4.
 //
-// There is no cutoff at small angles, hence no cliff and no jump: the number of terms follows from the digits of the
-// scalar. The one branch, at theta = pi, is where the half-angle forms are as good as the series.
+// There is no cutoff at small angles, hence no jump of the error: the number of terms follows from the digits of the
+// scalar. The one branch, at theta = pi, is where the forms in sines are as accurate as the series.
 //
 // Derivatives in x (not in theta): c_k' = (k c_{k+2} - c_{k+1}) / 2.
 //
-// In float the error bounds below are verified at every argument it has (`liecheck sweep`; HalfAngle with x_low
-// = 0, LogarithmCoefficients with cosine = 1). Those of the polynomials are proved, in float and double, with fused
-// multiply-adds and without (tests/proofs). The rest of the wider scalars, by the same formulas, rests on samples.
+// The error bounds below are verified in float at every argument (`liecheck sweep`; HalfAngle with x.low = 0,
+// LogarithmCoefficients with cosine = 1). Those of the polynomials are proved, in float and double, with and without
+// fused multiply-adds (tests/proofs). All others, of wider scalars, are sampled.
 
 #include <array>
 #include <bit>
@@ -30,13 +30,12 @@
 #include <liecheck/scalar/precision.hpp>
 #include <liecheck/scalar/scalar.hpp>
 #include <limits>
-#include <utility>
 
 namespace liecheck {
 
 namespace stumpff_detail {
 
-/// c_K(x/4) = sum_j (-x/4)^j / (2j + K)! on [0, 10]; pi^2 = 9.87. Of x, which is known before x/4 is.
+/// c_K(x/4) = sum_j (-x/4)^j / (2j + K)! on [0, 10]; pi^2 = 9.87. A series in x, which is known earlier than x/4.
 template <Scalar S, int K>
 struct StumpffSeries {
   static constexpr int most = std::numeric_limits<S>::digits / 5 + 10, outer = 1;
@@ -55,7 +54,8 @@ using Fourth = StumpffSeries<S, 4>;
 template <class S>
 using Fifth = StumpffSeries<S, 5>;
 
-/// h / sin h = sum_j j!^2 / (2j + 1)! (2 s)^j, s = 1 - cos h, on [0, 1]: all terms positive. Error 2.2 eps, fused 1.7.
+/// h / sin h = sum_j j!^2 / (2j + 1)! (2 s)^j, s = 1 - cos h, on [0, 1]: all terms positive. Error 2.2 eps, with fused
+/// multiply-adds 1.7.
 template <Scalar S>
 struct InverseSincSeries {
   static constexpr int most = std::numeric_limits<S>::digits + 10, outer = 2;
@@ -64,9 +64,9 @@ struct InverseSincSeries {
   static constexpr S ratio(int j) { return S(j) / S(2 * j + 1); }
 };
 
-/// A series economised on its domain (Lanczos 1938; Clenshaw 1962): of Taylor's MOST terms the highest power goes again
-/// and again with a multiple of the shifted Chebyshev polynomial, while what that costs, in all, is below eps/32 of
-/// the first term. The first `terms` of `a` are used.
+/// A series economised on its domain (Lanczos 1938; Clenshaw 1962): starting with the first `most` terms of Taylor's
+/// series, the highest power is removed by subtracting a multiple of the shifted Chebyshev polynomial, again and again
+/// while the sum of these changes stays below eps/32 of the first term. `terms` coefficients of `a` are left.
 template <Scalar S, class Series>
 struct Economised {
   static constexpr int most = Series::most;
@@ -75,16 +75,16 @@ struct Economised {
 
   constexpr Economised() {
     const S length = Series::domain(), limit = std::numeric_limits<S>::epsilon() / S(32) * Series::first();
-    a[0] = Series::first();  // of x / length
+    a[0] = Series::first();  // a is a polynomial in x / length
     for (int j = 1; j < most; ++j) a[j] = a[j - 1] * Series::ratio(j) * length;
-    S cost(0);
+    S change(0);
     for (;; --terms) {
       // T*_n(t) = sum_j t_j t^j, t_{j-1} = -t_j j (2j - 1) / (2 (n^2 - (j-1)^2)), t_n = 2^(2n-1).
       const int n = terms - 1;
-      S share = a[n] * S(2);
-      for (int i = 0; i < n; ++i) share = share / S(4);
-      cost = cost + (share < S(0) ? S(-share) : share);
-      if (limit < cost) break;
+      S multiple = a[n] * S(2);
+      for (int i = 0; i < n; ++i) multiple = multiple / S(4);
+      change = change + (multiple < S(0) ? S(-multiple) : multiple);
+      if (limit < change) break;
       S t = a[n];
       for (int j = n; j > 0; --j) {
         t = -t * S(j * (2 * j - 1)) / S(2 * (n * n - (j - 1) * (j - 1)));
@@ -96,7 +96,7 @@ struct Economised {
   }
 };
 
-/// The polynomial of terms FROM ... FROM + COUNT - 1 over x^FROM, the powers in pairs (Estrin 1960).
+/// sum of a_j x^(j - FROM), j = FROM ... FROM + COUNT - 1, by Estrin's scheme (1960); squares[i] = x^(2^i).
 template <int FROM, int COUNT, class A, class S, std::size_t M>
 [[gnu::always_inline]] inline S estrin(const A& a, const std::array<S, M>& squares) {
   if constexpr (COUNT == 1) {
@@ -108,7 +108,7 @@ template <int FROM, int COUNT, class A, class S, std::size_t M>
   }
 }
 
-/// The economised series, its terms from FROM on over x^FROM. FROM is 0 or 1.
+/// sum of a_j x^(j - FROM), j >= FROM, of the economised series. FROM is 0 or 1.
 template <template <class> class Series, int FROM = 0, Scalar S>
 [[gnu::always_inline]] inline S evaluate(const S& x) {
   using Of = Series<Lane<S>>;
@@ -116,7 +116,7 @@ template <template <class> class Series, int FROM = 0, Scalar S>
     static constexpr Economised<Lane<S>, Of> p;
     std::array<S, std::bit_width(unsigned(p.terms - 1))> squares{x};
     for (std::size_t i = 1; i < squares.size(); ++i) squares[i] = squares[i - 1] * squares[i - 1];
-    // The first terms last: one rounding of the size of the sum, not one for each pair.
+    // The first terms are added last (Horner), so that one rounding has the size of the sum, not one for each pair.
     S sum = estrin<Of::outer, p.terms - Of::outer>(p.a, squares);
     for (int j = Of::outer; j-- > FROM;) sum = mul_add(sum, x, S(p.a[j]));
     return sum;
@@ -128,7 +128,7 @@ template <template <class> class Series, int FROM = 0, Scalar S>
   }
 }
 
-/// A few ulp above pi^2, so that theta = pi rounded up is inside: the domain of the series, which hold to 10.
+/// A few ulp above pi^2, so that theta = pi rounded up is inside the domain; the series are valid to 10.
 template <Scalar S>
 S series_limit() {
   if constexpr (std::is_floating_point_v<S>) return pi<S>() * pi<S>() * (S(1) + S(8) * eps<S>());
@@ -138,54 +138,56 @@ S series_limit() {
 
 }  // namespace stumpff_detail
 
-/// Are the series valid for this x = theta^2? Beyond it (theta > pi, or x overflowed) use the sine forms.
+/// Is theta <= pi for this x = theta^2, so that the series are valid? Else (or where x overflowed) use sines.
 template <Scalar S>
-[[gnu::always_inline]] inline bool within_half_turn(const S& x) {
+[[gnu::always_inline]] inline bool within_pi(const S& x) {
   return x <= stumpff_detail::series_limit<S>();
 }
 
-/// theta^2 of a rotation vector as value + low, to twice the digits for theta < 4.
+/// theta^2 = phi . phi as a double word, to twice the digits for theta < 4; in fast precision low = 0.
 template <Scalar S, Precision P, class Vector>
-[[gnu::always_inline]] inline std::pair<S, S> squared_angle(const Vector& phi) {
+[[gnu::always_inline]] inline DoubleWord<S> squared_angle(const Vector& phi) {
   const S x = mul_add(phi[0], phi[0], mul_add(phi[1], phi[1], S(phi[2] * phi[2])));
   if constexpr (P == Precision::fast) return {x, S(0)};
-  CutSum<S, 4> sum;
+  SplitDot<S, 4> sum;
   sum.add_square(S(phi[0])).add_square(S(phi[1])).add_square(S(phi[2]));
   return {x, (sum.high - x) + sum.low_a};
 }
 
-/// Half a turn's worth of angle from theta^2 = x + x_low on [0, pi^2]: the Stumpff functions c_0 ... c_5 at
-/// h = x/4, which are cos(theta/2), 2 sin(theta/2)/theta and on; and, by doubling the angle, those of theta itself
-/// (all from c_4(h) and c_5(h), with sums of positive terms or ones that cancel little). The rounding of theta^2,
-/// up to 1.5 eps, would turn into 2.4 eps of angle at pi: x_low takes it back to first order. Error at h: c_0 0.65
-/// and c_1 0.45 eps absolute, c_2 0.7, c_3 0.9, c_4 and c_5 1.1 eps relative (all proved); slopes of theta 2.6 and
-/// 2.4 eps relative, since c_2 - c_3 cancels a factor 2 and c_3 - 2 c_4 one of 3.
+/// The Stumpff functions c_0 ... c_5 at h = x/4, from theta^2 = x in [0, pi^2]: c_0 = cos(theta/2), c_1 = 2
+/// sin(theta/2)/theta and so on; and, by doubling the angle, those at x itself (all from c_4(h) and c_5(h), by sums of
+/// positive terms or ones that cancel little). The rounding error of theta^2, up to 1.5 eps, would cause an error of 2.4
+/// eps of the angle at pi: x.low corrects that to first order. Error at h: c_0 0.65 and c_1 0.45 eps absolute, c_2 0.7,
+/// c_3 0.9, c_4 and c_5 1.1 eps relative (all proved); second_slope 2.6 and third_slope 2.4 eps relative, since
+/// c_2 - c_3 cancels a factor 2 and c_3 - 2 c_4 one of 3.
 template <Scalar S, Precision P = Precision::standard>
 struct HalfAngle {
   S c0, c1, c2, c3, c4, c5;
-  [[gnu::always_inline]] explicit HalfAngle(const S& x, const S& x_low = S(0)) {
-    const S h = x / S(4), square = h * h;
-    c4 = stumpff_detail::evaluate<stumpff_detail::Fourth>(x);
-    c5 = stumpff_detail::evaluate<stumpff_detail::Fifth>(x);
+  [[gnu::always_inline]] explicit HalfAngle(const S& x) : HalfAngle(DoubleWord<S>(x)) {}
+  [[gnu::always_inline]] explicit HalfAngle(const DoubleWord<S>& x) {
+    const S h = x.high / S(4), square = h * h;
+    c4 = stumpff_detail::evaluate<stumpff_detail::Fourth>(x.high);
+    c5 = stumpff_detail::evaluate<stumpff_detail::Fifth>(x.high);
     c2 = mul_add(S(-h), c4, S(1) / S(2));
     c3 = mul_add(S(-h), c5, S(1) / S(6));
     if constexpr (P == Precision::fast) {
       c1 = mul_add(S(-h), c3, S(1));
       c0 = mul_add(S(-h), c2, S(1));
     } else {
-      // 1 - h/2 + h^2 c_4 and 1 - h/8 - h (1/24 - h c_5): the first two terms with their rounding, then what is
-      // small beside them; c_0' = -c_1/2 and c_1' = (c_3 - c_2)/2 take x_low.
-      const auto sum = [&h](const S& part, const S& small) __attribute__((always_inline)) {
-        const S linear = h * part, head = S(1) - linear;
-        return TwoParts<S>(head, ((S(1) - head) - linear) + small);
+      // c_0 = 1 - h/2 + h^2 c_4 and c_1 = 1 - h/8 - h (1/24 - h c_5), each as a double word: the first two terms, and
+      // their rounding error with the small terms. c_0' = -c_1/2 and c_1' = (c_3 - c_2)/2 correct by x.low.
+      const auto sum = [&h](const S& factor, const S& small) __attribute__((always_inline)) {
+        const S linear = h * factor, head = S(1) - linear;
+        return DoubleWord<S>(head, ((S(1) - head) - linear) + small);
       };
-      // to 1/100: it is an eps of the result.
-      const S step = x_low / S(8),
+      // The slopes to 1/100: the correction is an eps of the result.
+      const S step = x.low / S(8),
               slope1 = mul_add(h, mul_add(h, S(-1) / S(840), S(1) / S(30)), S(-1) / S(3)),
               slope0 = mul_add(h, mul_add(h, S(1) / S(120), S(-1) / S(6)), S(1));
       half_sine_ = sum(S(1) / S(8), mul_add(h, mul_add(h, c5, S(-1) / S(24)), S(step * slope1)));
+      c1 = half_sine_.high + half_sine_.low;
       half_cosine_ = sum(S(1) / S(2), mul_add(square, c4, S(-step * slope0)));
-      c1 = half_sine_.value, c0 = half_cosine_.value;
+      c0 = half_cosine_.high + half_cosine_.low;
     }
   }
   /// sin(theta/2) / theta.
@@ -193,12 +195,12 @@ struct HalfAngle {
   /// c_1(x) = sin(theta) / theta.
   [[gnu::always_inline]] S sine() const {
     if constexpr (P == Precision::fast) return c0 * c1;
-    return product(half_cosine_, half_sine_);
+    return rounded_product(half_cosine_, half_sine_);
   }
   /// c_2(x) = (1 - cos(theta)) / theta^2.
   [[gnu::always_inline]] S versine() const {
     if constexpr (P == Precision::fast) return c1 * c1 / S(2);
-    return liecheck::square(half_sine_) / S(2);
+    return rounded_square(half_sine_) / S(2);
   }
   /// c_3(x).
   [[gnu::always_inline]] S third() const { return mul_add(c0, c3, c2) / S(4); }
@@ -210,10 +212,10 @@ struct HalfAngle {
   }
 
  private:
-  TwoParts<S> half_cosine_, half_sine_;  // c0 and c1, not in fast precision
+  DoubleWord<S> half_cosine_, half_sine_;  // c0 and c1; not set in fast precision
 };
 
-/// The coefficient of [phi]^2 in the inverse Jacobian of SO(3), and its slope.
+/// The coefficient d of [phi]^2 in the inverse Jacobian of SO(3), and twice its slope in x.
 ///     d(x)  = (1 - (theta/2) cot(theta/2)) / theta^2 = (c_2 - c_3) / (4 c_1) at x/4    1/12 at 0, 1/pi^2 at pi
 ///     d2(x) = 2 d'(x)                                                                  1/360 at 0
 /// on [0, pi^2]. Error, relative: d 2.6 eps; d2 5 eps, where both differences of its numerator cancel a factor 4.
@@ -224,101 +226,96 @@ struct InverseCoefficient {
     // At h = x/4: c_2 - c_3 = 1/3 - h (c_4 - c_5); 2 d' = (c_4 - 3 c_5 + c_3 (c_2 - 2 c_3)) / (16 c_1^2), all positive.
     const HalfAngle<S, Precision::fast> k(x);
     const S minus_h = x / S(-4), step = mul_add(minus_h, S(k.c4 - k.c5), S(1) / S(3)),
-            less = mul_add(minus_h, mul_add(S(-2), k.c5, k.c4), S(1) / S(6));
+            difference = mul_add(minus_h, mul_add(S(-2), k.c5, k.c4), S(1) / S(6));  // c_2 - 2 c_3
     d = step / (S(4) * k.c1);
-    d2 = mul_add(k.c3, less, mul_add(S(-3), k.c5, k.c4)) / (S(16) * k.c1 * k.c1);
+    d2 = mul_add(k.c3, difference, mul_add(S(-3), k.c5, k.c4)) / (S(16) * k.c1 * k.c1);
   }
 };
 
-/// What the logarithm needs of a quaternion (v, w) of any scale, with h = theta/2 = atan2(|v|, w), w >= 0:
+/// The coefficients of the logarithm of a quaternion (v, w) of any norm, with h = theta/2 = atan2(|v|, w), w >= 0:
 ///     angle_over_sine = 2 h / |v|       phi = angle_over_sine v
 ///     alpha = h cot h                   (theta/2) cot(theta/2)
 ///     along = (1 - alpha) / |v|^2       so that J^-1 p = p - phi x p / 2 + along v x (v x p)
-/// h / sin h is a smooth function of w/|Q| alone, and 1/|Q| = r (1 - e/2), r the rounded root (1 for |Q| near 1, as it
-/// is up to rounding) and e = r^2 |Q|^2 - 1, to first order. Where |v|^2 underflows: 2/w, 1, 0. Precondition: w >= 0
-/// and |Q|^2 a normal number. Error, for |Q|^2 in [1/8, 8] known to eps/4 of it: angle_over_sine 1.5 eps, alpha 2.5 eps
-/// relative; else 2.5 and 3.5.
+/// h / sin h is a smooth function of w/|Q| alone. To first order 1/|Q| = r (1 - e/2), where r = fl(1/|Q|) (1 where |Q|
+/// is 1 up to rounding) and e = r^2 |Q|^2 - 1. Where |v|^2 underflows the results are 2/w, 1 and 0. Precondition: w >= 0
+/// and |Q|^2 a normal number. Error, where |Q|^2 in [1/8, 8] is known to eps/4 of itself: angle_over_sine 1.5 eps, alpha
+/// 2.5 eps relative; else 2.5 and 3.5.
 template <Scalar S>
 struct LogarithmCoefficients {
   S angle_over_sine, alpha, along;
-  S base, rest;  ///< angle_over_sine before it is rounded: 2 r + 2 r (h / sin h (1 - e/2) - 1)
+  DoubleWord<S> ratio;  ///< angle_over_sine before rounding: 2 r + 2 r (h / sin h (1 - e/2) - 1)
   LogarithmCoefficients(const S& squared_sine, const S& cosine)
       : LogarithmCoefficients(squared_sine, cosine, excess_of(squared_sine, cosine)) {}
-  /// |Q|^2 = 1 + excess + excess_low, w = cosine + cosine_low.
-  [[gnu::always_inline]] LogarithmCoefficients(const S& squared_sine, const S& cosine, const S& excess,
-                                               const S& excess_low = S(0), const S& cosine_low = S(0)) {
-    S e = excess + excess_low, c = cosine, c_low = cosine_low;
-    base = S(2);
+  /// |Q|^2 = 1 + excess.
+  [[gnu::always_inline]] LogarithmCoefficients(const S& squared_sine, const DoubleWord<S>& cosine,
+                                               const DoubleWord<S>& excess) {
+    S e = excess.high + excess.low;
+    DoubleWord<S> c = cosine;
+    ratio.high = S(2);
     if constexpr (!side_by_side<S>)
-      if (!(e * e < eps<S>() / S(8))) scale(squared_sine, excess, excess_low, e, c, c_low);
-    const S half = e / S(2), s = mul_add(half, c, S((S(1) - c) - c_low)),  // 1 - cos h
-        more = s * stumpff_detail::evaluate<stumpff_detail::InverseSincSeries, 1>(s);
-    rest = base * mul_add(S(-half), S(1) + more, more);
-    angle_over_sine = base + rest;
-    alpha = angle_over_sine * cosine / S(2);
-    along = mul_add(S(-more), S(S(1) - s), s) / (squared_sine + std::numeric_limits<S>::min());
+      if (!(e * e < eps<S>() / S(8))) normalize(squared_sine, excess, e, c);
+    const S half_e = e / S(2), s = mul_add(half_e, c.high, S((S(1) - c.high) - c.low)),  // 1 - cos h
+        series = s * stumpff_detail::evaluate<stumpff_detail::InverseSincSeries, 1>(s);  // h / sin h - 1
+    ratio.low = ratio.high * mul_add(S(-half_e), S(1) + series, series);
+    angle_over_sine = ratio.high + ratio.low;
+    alpha = angle_over_sine * cosine.high / S(2);
+    along = mul_add(S(-series), S(S(1) - s), s) / (squared_sine + std::numeric_limits<S>::min());
   }
 
  private:
-  using Pair = std::pair<S, S>;
-  LogarithmCoefficients(const S& squared_sine, const S& cosine, const Pair& excess)
-      : LogarithmCoefficients(squared_sine, cosine, excess.first, excess.second) {}
-  static Pair excess_of(const S& squared_sine, const S& cosine) {
-    const auto [square, square_low] = two_product<S>(cosine, cosine);
-    const auto [sum, rest] = two_sum<S>(square, squared_sine);
-    const auto [excess, low] = two_sum<S>(sum, S(-1));
-    return {excess, low + (rest + square_low)};
+  static DoubleWord<S> excess_of(const S& squared_sine, const S& cosine) {
+    const auto square = two_prod<S>(cosine, cosine);
+    const auto sum = two_sum<S>(square.high, squared_sine);
+    const auto excess = two_sum<S>(sum.high, S(-1));
+    return {excess.high, excess.low + (sum.low + square.low)};
   }
-  /// Any |Q|: by r, with e while |Q|^2 is near enough to 1 for its parts to tell.
-  void scale(const S& squared_sine, const S& excess, const S& excess_low, S& e, S& c, S& c_low) {
+  /// For |Q| away from 1: sets r, e (only where |Q|^2 is near enough to 1 for its low part to matter) and c = w r.
+  [[gnu::always_inline]] void normalize(const S& squared_sine, const DoubleWord<S>& excess, S& e,
+                                        DoubleWord<S>& c) {
     using std::sqrt;
-    const S rough = mul_add(c, c, squared_sine);
+    const S rough = mul_add(c.high, c.high, squared_sine);
     if (S(1) / S(8) < rough && rough < S(8)) {
-      const auto [all, all_low] = two_sum<S>(excess, excess_low);
-      const auto [square, lost] = two_sum<S>(S(1), all);
-      const S r = S(1) / S(sqrt(square));
-      const auto [length, length_low] = two_product<S>(r, square);
-      const auto [one, one_low] = two_product<S>(r, length);
-      e = (one - S(1)) + (one_low + r * (length_low + r * (lost + all_low)));
-      const auto [product, product_low] = two_product<S>(r, c);
-      c_low = product_low + r * c_low;
-      c = product;
-      base = S(2) * r;
+      const auto sum = two_sum<S>(excess.high, excess.low), square = two_sum<S>(S(1), sum.high);
+      const S r = S(1) / S(sqrt(square.high));
+      const auto length = two_prod<S>(r, square.high), one = two_prod<S>(r, length.high);
+      e = (one.high - S(1)) + (one.low + r * (length.low + r * (square.low + sum.low)));
+      const auto product = two_prod<S>(r, c.high);
+      c = {product.high, product.low + r * c.low};
+      ratio.high = S(2) * r;
     } else {
       const S r = S(1) / S(sqrt(rough));
       e = S(0);
-      c = c * r;
-      c_low = S(0);
-      base = S(2) * r;
+      c = {c.high * r, S(0)};
+      ratio.high = S(2) * r;
     }
   }
 };
 
 namespace stumpff_detail {
 
-/// What RotationCoefficients holds beyond half a turn: from sines, with the axis of unit length.
+/// RotationCoefficients for theta > pi: by sines, with an axis of unit length.
 template <Scalar S>
-struct BeyondHalfTurn {
+struct BeyondPi {
   S theta, k1, k2, k3, slope2, slope3, sine_half, cosine_half;
 };
 template <Scalar S>
-[[gnu::noinline]] BeyondHalfTurn<S> beyond_half_turn(const S& theta) {
+[[gnu::noinline]] BeyondPi<S> beyond_pi(const S& theta) {
   using std::cos, std::sin;
-  BeyondHalfTurn<S> k;
+  BeyondPi<S> k;
   k.theta = theta;
   k.sine_half = sin(theta / S(2));
   k.cosine_half = cos(theta / S(2));
   k.k1 = S(2) * k.sine_half * k.cosine_half / theta;
   k.k2 = S(2) * k.sine_half * k.sine_half / theta;
   k.k3 = S(1) - k.k1;
-  // x (c_3 - 2 c_4) = 2 c_2 - c_1 and x (c_4 - 3 c_5) = 3 c_3 - c_2: no cancellation beyond half a turn.
+  // x (2 c_4 - c_3) = c_1 - 2 c_2 and x (3 c_5 - c_4) = c_2 - 3 c_3: no cancellation for theta > pi.
   const S c2 = k.k2 / theta;
-  k.slope2 = S(2) * c2 - k.k1;
-  k.slope3 = (S(3) * (k.k3 / theta) / theta - c2) * theta;
+  k.slope2 = k.k1 - S(2) * c2;
+  k.slope3 = (c2 - S(3) * (k.k3 / theta) / theta) * theta;
   return k;
 }
 
-/// theta from theta^2 = x, which may have overflowed.
+/// theta = |phi| from theta^2 = x, which may have overflowed.
 template <Scalar S, class Vector>
 S large_angle(const Vector& phi, const S& x) {
   using std::sqrt;
@@ -327,32 +324,33 @@ S large_angle(const Vector& phi, const S& x) {
 
 }  // namespace stumpff_detail
 
-/// A rotation vector phi with the coefficients that exp and its Jacobians need, valid for every finite phi.
-/// The axis a is phi itself up to half a turn, and the unit vector phi/theta beyond, so that nothing overflows;
-/// the coefficients are scaled to match: with t = 1 or theta,
+/// The coefficients of exp and its Jacobians at a rotation vector phi. Domain: every finite phi. The axis a is phi
+/// itself for theta <= pi, and the unit vector phi/theta beyond, so that nothing overflows; the coefficients are scaled
+/// to match: with t = 1 or theta,
 ///     k1 = c_1,  k2 = c_2 t,  k3 = c_3 t^2     J = I + k2 [a] + k3 [a]^2; for t = 1, R = I + k1 [a] + k2 [a]^2
-///     slope2 = (c_3 - 2 c_4) t^2,  slope3 = (c_4 - 3 c_5) t^3, and (sine_half a, cosine_half) is the quaternion.
-/// Error: as for HalfAngle up to half a turn; beyond it 2 eps + theta eps (excess rule).
+///     slope2 = 2 c_2' t^2 = (2 c_4 - c_3) t^2,  slope3 = 2 c_3' t^3 = (3 c_5 - c_4) t^3,
+///     and (sine_half a, cosine_half) is the quaternion.
+/// Error: as for HalfAngle for theta <= pi; beyond it 2 eps + theta eps (excess rule).
 template <Scalar S, class Vector, Precision P = Precision::standard>
 struct RotationCoefficients {
   Vector axis;
-  S theta;  ///< set beyond half a turn only
-  bool half_turn;
+  S theta;  ///< set for theta > pi only
+  bool within_pi;
   S k1, k2, k3, slope2, slope3, sine_half, cosine_half;
 
-  /// theta^2 = x + x_low, within half a turn.
-  [[gnu::always_inline]] RotationCoefficients(const Vector& phi, const S& x, const S& x_low)
-      : axis(phi), theta(0), half_turn(true) {
-    const HalfAngle<S, P> k(x, x_low);
+  /// theta^2 = x, theta <= pi.
+  [[gnu::always_inline]] RotationCoefficients(const Vector& phi, const DoubleWord<S>& x)
+      : axis(phi), theta(0), within_pi(true) {
+    const HalfAngle<S, P> k(x);
     k1 = k.sine(), k2 = k.versine(), k3 = k.third();
-    slope2 = k.second_slope(), slope3 = k.third_slope();
+    slope2 = -k.second_slope(), slope3 = -k.third_slope();
     sine_half = k.sine_over_angle(), cosine_half = k.c0;
   }
-  /// Beyond half a turn.
-  RotationCoefficients(const Vector& phi, const stumpff_detail::BeyondHalfTurn<S>& k)
+  /// theta > pi.
+  RotationCoefficients(const Vector& phi, const stumpff_detail::BeyondPi<S>& k)
       : axis(phi / k.theta),
         theta(k.theta),
-        half_turn(false),
+        within_pi(false),
         k1(k.k1),
         k2(k.k2),
         k3(k.k3),
@@ -364,20 +362,19 @@ struct RotationCoefficients {
 
 namespace stumpff_detail {
 template <Scalar S, Precision P, class Vector, class F>
-[[gnu::noinline, gnu::cold]] auto with_beyond_half_turn(const Vector& phi, const S& x, F f) {
-  return f(RotationCoefficients<S, Vector, P>(phi, beyond_half_turn<S>(large_angle<S>(phi, x))));
+[[gnu::noinline, gnu::cold]] auto with_coefficients_beyond_pi(const Vector& phi, const S& x, F f) {
+  return f(RotationCoefficients<S, Vector, P>(phi, beyond_pi<S>(large_angle<S>(phi, x))));
 }
 }  // namespace stumpff_detail
 
-/// f(k) with the coefficients k of phi: f is compiled twice, so that angles beyond half a turn, which are rare, cost the
-/// others nothing.
+/// f(k) with the coefficients k of phi. f is compiled twice, so that the rare theta > pi costs the others nothing.
 template <Scalar S, Precision P, class Vector, class F>
 [[gnu::always_inline]] inline auto with_coefficients(const Vector& phi, F f) {
-  const auto [x, x_low] = squared_angle<S, P>(phi);
+  const auto x = squared_angle<S, P>(phi);
   if constexpr (!side_by_side<S>)
-    if (!within_half_turn(x)) [[unlikely]]
-      return stumpff_detail::with_beyond_half_turn<S, P>(Vector(phi[0], phi[1], phi[2]), x, f);
-  return f(RotationCoefficients<S, Vector, P>(phi, x, x_low));
+    if (!within_pi(x.high)) [[unlikely]]
+      return stumpff_detail::with_coefficients_beyond_pi<S, P>(Vector(phi[0], phi[1], phi[2]), x.high, f);
+  return f(RotationCoefficients<S, Vector, P>(phi, x));
 }
 
 }  // namespace liecheck

@@ -8,7 +8,7 @@
 // The state meant is q with q_low put behind it and v + v_low; |q_low| <= 2 eps |q|, so that whoever leaves it out
 // loses nothing but the last digit. What remains is the rounding of the increments themselves: eps |delta|.
 
-#include <liecheck/multibody/place.hpp>
+#include <liecheck/multibody/joint_place.hpp>
 #include <liecheck/multibody/se3_configuration.hpp>
 
 namespace liecheck::scene {

@@ -11,7 +11,7 @@
 //
 // Domain: |phi| < 2 pi, where J_r^-1 is singular. Error 8 eps |w| for |phi| <= pi.
 
-#include <liecheck/multibody/place.hpp>
+#include <liecheck/multibody/joint_place.hpp>
 #include <liecheck/spatial/jacobians.hpp>
 
 namespace liecheck::scene {
@@ -20,7 +20,7 @@ namespace liecheck::scene {
 template <Scalar S>
 [[gnu::always_inline]] inline Vector3<S> tangentRate(const Vector3<S>& phi, const Vector3<S>& omega) {
   const S x = dot<S>(phi, phi);
-  if (!within_half_turn(x)) return product<S>(rightJacobianInverse<S>(phi), omega);
+  if (!within_pi(x)) return product<S>(rightJacobianInverse<S>(phi), omega);
   const InverseCoefficient<S> c(x);
   const Vector3<S> once = cross<S>(phi, omega), twice = cross<S>(phi, once);
   return each<S>([&](int i) { return mul_add(c.d, twice[i], S(omega[i] + once[i] / S(2))); });
@@ -32,7 +32,7 @@ template <Scalar S>
   const Vector3<S> rho(xi[0], xi[1], xi[2]), phi(xi[3], xi[4], xi[5]);
   const Vector3<S> u(w[0], w[1], w[2]), omega(w[3], w[4], w[5]);
   const S x = dot<S>(phi, phi);
-  if (!within_half_turn(x)) return rightJacobianInverse<S>(Motion<S>(rho, phi)) * w;
+  if (!within_pi(x)) return rightJacobianInverse<S>(Motion<S>(rho, phi)) * w;
   const InverseCoefficient<S> c(x);
   const Vector3<S> a = cross<S>(phi, omega), aa = cross<S>(phi, a);
   const Vector3<S> b =

@@ -1,5 +1,5 @@
 #pragma once
-// Where rotations from outside enter: what is not one, up to rounding, is refused with what is wrong.
+// Checks of rotations from outside: numbers that are no rotation, up to rounding, are refused with the reason.
 
 #include <liecheck/spatial/so3.hpp>
 #include <locale>
@@ -8,8 +8,8 @@
 
 namespace liecheck {
 
-/// How far |Q|^2 may be from 1, and R^T R from I, where every error bound of this library holds: 8 eps, twice
-/// what a normalisation, a product or an integrate leaves behind.
+/// The largest ||Q|^2 - 1| and |R^T R - I| for which the error bounds of this library hold: 8 eps, twice the rounding
+/// error of a normalisation, a product or an integrate.
 template <Scalar S>
 S normDefectBudget() {
   return S(8) * eps<S>();
@@ -35,8 +35,8 @@ void refuseNonFinite(const char* what, const M& numbers) {
 
 }  // namespace checked_rotation_detail
 
-/// The rotation of x y z w, if they are finite and unit up to normDefectBudget. Throws std::invalid_argument
-/// with the value at fault.
+/// The rotation of the quaternion x y z w. Throws std::invalid_argument with the wrong value unless all are finite and
+/// ||Q|^2 - 1| <= normDefectBudget.
 template <Scalar S>
 SO3<S> checkedQuaternion(const Vector4<S>& xyzw) {
   using checked_rotation_detail::refuse;
@@ -50,8 +50,8 @@ SO3<S> checkedQuaternion(const Vector4<S>& xyzw) {
   return SO3<S>(xyzw);
 }
 
-/// R itself, if it is finite, orthogonal up to normDefectBudget (Frobenius) and no reflection. Throws
-/// std::invalid_argument with the value at fault.
+/// R itself [3 x 3]. Throws std::invalid_argument with the wrong value unless R is finite, |R^T R - I| (Frobenius) <=
+/// normDefectBudget and det R > 0.
 template <Scalar S>
 Matrix3<S> checkedRotation(const Matrix3<S>& R) {
   using checked_rotation_detail::refuse;

@@ -4,22 +4,21 @@
 //   R = exp [phi],  p = J(phi) rho = c1 rho + c2 phi x rho + c3 phi (phi . rho),  J = I + c2 [phi] + c3 [phi]^2
 //   (Murray, Li & Sastry 1994, eq. 2.36), with the Stumpff coefficients of stumpff.hpp.
 //
-// Domain: every finite rotation vector and every rotation. Up to half a turn the stated bounds are absolute
-// for rotations and relative for vectors, down to subnormal angles; beyond half a turn they are multiplied by
-// the condition number (excess rule). exp has no branch below pi. log returns |phi| <= pi; at exactly pi
-// either sign of the axis.
+// Domain: every finite rotation vector and every rotation. For |phi| <= pi the stated bounds are absolute for
+// rotations and relative for vectors, down to subnormal angles; beyond pi they are multiplied by the condition
+// number (excess rule). exp has no branch below pi. log returns |phi| <= pi; at exactly pi either sign of the axis.
 
 #include <liecheck/scalar/stumpff.hpp>
+#include <liecheck/spatial/evaluate.hpp>
 #include <liecheck/spatial/motion.hpp>
 #include <liecheck/spatial/se3.hpp>
 #include <liecheck/spatial/so3.hpp>
-#include <liecheck/spatial/tight.hpp>
 
 namespace liecheck {
 
 namespace exp_log_detail {
 
-/// J(phi) rho from the coefficients. Error 3.5 eps of the result up to half a turn.
+/// J(phi) rho from the coefficients k of phi. Error 3.5 eps of the result for |phi| <= pi.
 template <Scalar S, Precision P>
 [[gnu::always_inline]] inline Vector3<S> arc(const RotationCoefficients<S, Vector3<S>, P>& k,
                                              const Vector3<S>& rho) {
@@ -41,10 +40,10 @@ template <Scalar S>
                  mul_add(v[2], x, S(-s[1])), mul_add(v[1], z, s[0]), S(1) - (xx + yy));
 }
 
-/// exp [phi] = I + k1 [a] + k2 [a]^2 up to half a turn; beyond, where a is a rounded unit vector, by the quaternion.
+/// exp [phi] = I + k1 [a] + k2 [a]^2 for |phi| <= pi; beyond, where a is a rounded unit vector, by the quaternion.
 template <Scalar S, Precision P>
 [[gnu::always_inline]] inline Matrix3<S> matrix(const RotationCoefficients<S, Vector3<S>, P>& k) {
-  if (!k.half_turn)
+  if (!k.within_pi)
     return SO3<S>(each<S>([&k](int i) { return k.sine_half * k.axis[i]; }), k.cosine_half).matrix();
   return quadratic<S>(k.axis, k.k1, k.k2);
 }
@@ -53,55 +52,53 @@ template <Scalar S, Precision P>
 template <Scalar S, Precision P, class F>
 [[gnu::always_inline]] inline auto with_pose(const Vector3<S>& rho, const Vector3<S>& phi, F f) {
   return with_coefficients<S, P>(
-      phi, [&rho, &f ](const auto& k) __attribute__((always_inline)) {
-        return f(SE3<S>(matrix(k), arc(k, rho)));
-      });
+      phi, [&rho, &f ](const auto& k)
+               __attribute__((always_inline)) { return f(SE3<S>(matrix(k), arc(k, rho))); });
 }
 
-/// A rotation vector phi = k v, and what J^-1(phi) needs, from a quaternion (v, w) of any scale.
+/// phi = angle_over_sine v and the coefficients of J^-1(phi), from a quaternion (v, w) of any norm.
 template <Scalar S, Precision P = Precision::standard>
 struct RotationLogarithm {
   Vector3<S> v, phi;
   LogarithmCoefficients<S> c;
 
   [[gnu::always_inline]] explicit RotationLogarithm(const SO3<S>& Q)
-      : RotationLogarithm(Q, Q.template normExcessParts<P>()) {}
-  [[gnu::always_inline]] explicit RotationLogarithm(const typename SO3<S>::Unrounded& Q)
-      : RotationLogarithm(Q, Q.Q.template normExcessParts<P>()) {}
-  /// From v + v_low, w + w_low with w >= 0, and |Q|^2 = 1 + excess + excess_low.
+      : RotationLogarithm(Q, Q.template normExcessDoubleWord<P>()) {}
+  [[gnu::always_inline]] explicit RotationLogarithm(const typename SO3<S>::DoubleWords& Q)
+      : RotationLogarithm(Q, Q.high.template normExcessDoubleWord<P>()) {}
+  /// From v = sine + sine_low and w = cosine >= 0, with |Q|^2 = 1 + excess.
   [[gnu::always_inline]] RotationLogarithm(const Vector3<S>& sine, const Vector3<S>& sine_low,
-                                           const S& cosine, const S& cosine_low, const S& excess,
-                                           const S& excess_low = S(0))
-      : v(sine), c(dot<S>(v, v), cosine, excess, excess_low, cosine_low) {
-    phi =
-        each<S>([&](int i) { return mul_add(c.base, v[i], mul_add(c.rest, v[i], S(c.base * sine_low[i]))); });
+                                           const DoubleWord<S>& cosine, const DoubleWord<S>& excess)
+      : v(sine), c(dot<S>(v, v), cosine, excess) {
+    phi = each<S>([&](int i) {
+      return mul_add(c.ratio.high, v[i], mul_add(c.ratio.low, v[i], S(c.ratio.high * sine_low[i])));
+    });
   }
 
-  /// rho = J^-1(phi) p = p - 1/2 phi x p + (1 - alpha) n x (n x p), alpha = (theta/2) cot(theta/2), n = v/|v|: along the
-  /// axis p passes as it is. Error 3 eps |rho|, that of phi included.
+  /// rho = J^-1(phi) p = p - 1/2 phi x p + (1 - alpha) n x (n x p), alpha = (theta/2) cot(theta/2), n = v/|v|: the part of
+  /// p along the axis is not changed. Error 3 eps |rho|, that of phi included.
   [[gnu::always_inline]] Vector3<S> arc(const Vector3<S>& p) const {
-    const Vector3<S> across = cross<S>(v, p), back = cross<S>(v, across);
+    // phi = ratio v before it is rounded.
+    const Vector3<S> v_p = cross<S>(v, p), v_v_p = cross<S>(v, v_p);
+    const DoubleWord<S> minus_half(c.ratio.high / S(-2), c.ratio.low / S(-2));
     return each<S>([&](int i) {
-      return mul_add(turn(), across[i], mul_add(turn_low(), across[i], mul_add(c.along, back[i], p[i])));
+      return mul_add(minus_half.high, v_p[i],
+                     mul_add(minus_half.low, v_p[i], mul_add(c.along, v_v_p[i], p[i])));
     });
   }
 
  private:
-  using Parts = std::pair<S, S>;
-  [[gnu::always_inline]] RotationLogarithm(const SO3<S>& Q, const Parts& excess)
-      : v(half(Q, Q.to_vector())), c(dot<S>(v, v), absolute<S>(Q.w()), excess.first, excess.second) {
-    phi = each<S>([&](int i) { return mul_add(c.base, v[i], S(c.rest * v[i])); });
+  [[gnu::always_inline]] RotationLogarithm(const SO3<S>& Q, const DoubleWord<S>& excess)
+      : v(vector_part(Q, Q.to_vector())), c(dot<S>(v, v), absolute<S>(Q.w()), excess) {
+    phi = each<S>([&](int i) { return mul_add(c.ratio.high, v[i], S(c.ratio.low * v[i])); });
   }
-  [[gnu::always_inline]] RotationLogarithm(const typename SO3<S>::Unrounded& Q, const Parts& excess)
-      : RotationLogarithm(half(Q.Q, Q.Q.to_vector()), half(Q.Q, Q.low), absolute<S>(Q.Q.w()),
-                          S(sign<S>(Q.Q.w()) * Q.low[3]), excess.first,
-                          S(excess.second + S(2) * Q.Q.to_vector().dot(Q.low))) {}
-  /// Minus half the angle over its sine, as it is before it is rounded.
-  S turn() const { return c.base / S(-2); }
-  S turn_low() const { return c.rest / S(-2); }
-  /// The vector part, of the one of Q and -Q whose scalar part is positive.
-  [[gnu::always_inline]] static Vector3<S> half(const SO3<S>& Q, const Vector4<S>& q) {
-    return each<S>([&q, turn = sign<S>(Q.w())](int i) { return S(turn * q[i]); });
+  [[gnu::always_inline]] RotationLogarithm(const typename SO3<S>::DoubleWords& Q, const DoubleWord<S>& excess)
+      : RotationLogarithm(vector_part(Q.high, Q.high.to_vector()), vector_part(Q.high, Q.low),
+                          DoubleWord<S>(absolute<S>(Q.high.w()), S(sign<S>(Q.high.w()) * Q.low[3])),
+                          DoubleWord<S>(excess.high, S(excess.low + S(2) * Q.high.to_vector().dot(Q.low)))) {}
+  /// sgn(w) (q_0, q_1, q_2), w the scalar part of Q: of Q and -Q the one with a positive scalar part is used.
+  [[gnu::always_inline]] static Vector3<S> vector_part(const SO3<S>& Q, const Vector4<S>& q) {
+    return each<S>([&q, s = sign<S>(Q.w())](int i) { return S(s * q[i]); });
   }
 };
 
@@ -112,92 +109,96 @@ namespace quaternion {
 /// Q = (sin(theta/2) n, cos(theta/2)) of a rotation vector phi [3, rad]. Rotation error 2 eps.
 template <Scalar S, Precision P = Precision::standard>
 SO3<S> exp3(const Vector3<S>& phi) {
-  if constexpr (P == Precision::tight)
-    return tight_detail::rounded<S>(
-        [](const auto& a) { return quaternion::exp3<DoubleDouble<S>, Precision::fast>(a); },
-        [&] { return quaternion::exp3<S>(phi); }, phi);
-  return with_coefficients<S, P>(
-      phi, [](const auto& k) __attribute__((always_inline)) {
-        return SO3<S>(each<S>([&k](int i) { return k.sine_half * k.axis[i]; }), k.cosine_half);
-      });
+  return evaluate<S, P>(
+      []<Scalar T, Precision Q>(Arithmetic<T, Q>, const Vector3<T>& x) __attribute__((always_inline)) {
+        return with_coefficients<T, Q>(
+            x, [](const auto& k) __attribute__((always_inline)) {
+              return SO3<T>(each<T>([&k](int i) { return k.sine_half * k.axis[i]; }), k.cosine_half);
+            });
+      },
+      phi);
 }
 
 /// phi [3, rad] = 2 atan2(|v|, |w|)/|v| sgn(w) v, |phi| <= pi. It does not depend on |Q|. Error 2 eps relative.
 template <Scalar S, Precision P = Precision::standard>
 Vector3<S> log3(const SO3<S>& Q) {
-  if constexpr (P == Precision::tight)
-    return tight_detail::rounded<S>(
-        [](const auto& a) { return quaternion::log3<DoubleDouble<S>, Precision::fast>(a); },
-        [&] { return quaternion::log3<S>(Q); }, Q);
-  return exp_log_detail::RotationLogarithm<S, P>(Q).phi;
+  return evaluate<S, P>(
+      []<Scalar T, Precision R>(Arithmetic<T, R>, const SO3<T>& x)
+          __attribute__((always_inline)) { return exp_log_detail::RotationLogarithm<T, R>(x).phi; },
+      Q);
 }
 
-/// (p, Q) = exp(xi), [p; x y z w], shape 7. Rotation 2 eps, translation 4 eps.
+/// (p, Q) = exp(xi) as [p; x y z w] [7], xi = (rho [m], phi [rad]). Rotation 2 eps, translation 4 eps.
 template <Scalar S, Precision P = Precision::standard>
 Vector7<S> exp6(const Motion<S>& xi) {
-  if constexpr (P == Precision::tight)
-    return tight_detail::rounded<S>(
-        [](const auto& a) { return quaternion::exp6<DoubleDouble<S>, Precision::fast>(a); },
-        [&] { return quaternion::exp6<S>(xi); }, xi);
-  return with_coefficients<S, P>(
-      xi.angular(), [&xi](const auto& k) __attribute__((always_inline)) {
-        Vector7<S> q;
-        q << exp_log_detail::arc(k, xi.linear()), k.sine_half * k.axis, k.cosine_half;
-        return q;
-      });
+  return evaluate<S, P>(
+      []<Scalar T, Precision Q>(Arithmetic<T, Q>, const Motion<T>& x) __attribute__((always_inline)) {
+        return with_coefficients<T, Q>(
+            x.angular(), [&x](const auto& k) __attribute__((always_inline)) {
+              Vector7<T> q;
+              q << exp_log_detail::arc(k, x.linear()), k.sine_half * k.axis, k.cosine_half;
+              return q;
+            });
+      },
+      xi);
 }
 
-/// log of (p, Q) [p; x y z w]. Error 2 eps of phi, 4 eps of rho.
+/// log of the pose q = [p; x y z w] [7]. Error 2 eps of phi, 4 eps of rho.
 template <Scalar S, Precision P = Precision::standard>
 Motion<S> log6(const Vector7<S>& q) {
-  if constexpr (P == Precision::tight)
-    return tight_detail::rounded<S>(
-        [](const auto& a) { return quaternion::log6<DoubleDouble<S>, Precision::fast>(a); },
-        [&] { return quaternion::log6<S>(q); }, q);
-  const exp_log_detail::RotationLogarithm<S, P> l(SO3<S>(Vector4<S>(q.template tail<4>())));
-  return {l.arc(q.template head<3>()), l.phi};
+  return evaluate<S, P>(
+      []<Scalar T, Precision Q>(Arithmetic<T, Q>, const Vector7<T>& x) __attribute__((always_inline)) {
+        const exp_log_detail::RotationLogarithm<T, Q> l(SO3<T>(Vector4<T>(x.template tail<4>())));
+        return Motion<T>(l.arc(x.template head<3>()), l.phi);
+      },
+      q);
 }
 
 }  // namespace quaternion
 
-/// R = exp [phi], 3 x 3, phi [3, rad]. Rotation error 2 eps.
+/// R = exp [phi] [3 x 3], phi [3, rad]. Rotation error 2 eps.
 template <Scalar S, Precision P = Precision::standard>
 Matrix3<S> exp3(const Vector3<S>& phi) {
-  if constexpr (P == Precision::tight)
-    return tight_detail::rounded<S>([](const auto& a) { return exp3<DoubleDouble<S>, Precision::fast>(a); },
-                                    [&] { return exp3<S>(phi); }, phi);
-  return with_coefficients<S, P>(
-      phi, [](const auto& k) __attribute__((always_inline)) { return exp_log_detail::matrix(k); });
+  return evaluate<S, P>(
+      []<Scalar T, Precision Q>(Arithmetic<T, Q>, const Vector3<T>& x) __attribute__((always_inline)) {
+        return with_coefficients<T, Q>(
+            x, [](const auto& k) __attribute__((always_inline)) { return exp_log_detail::matrix(k); });
+      },
+      phi);
 }
 
-/// phi [3, rad] of the rotation nearest to R, for |R^T R - I| <= 8 eps. Error 3 eps relative; in
-/// fast precision another |R^T R - I|.
+/// phi [3, rad] of the rotation nearest to R, for |R^T R - I| <= 8 eps. Error 3 eps relative; in fast precision, which
+/// uses R as it is, |R^T R - I| more.
 template <Scalar S, Precision P = Precision::standard>
 Vector3<S> log3(const Matrix3<S>& R) {
-  if constexpr (P == Precision::tight)
-    return tight_detail::rounded<S>(  // not fast, which takes R as it is
-        [](const auto& a) { return log3<DoubleDouble<S>>(a); }, [&] { return log3<S>(R); }, R);
-  return exp_log_detail::RotationLogarithm<S, P>(SO3<S>::template unroundedFromMatrix<P>(R)).phi;
+  return evaluate<S, P, Precision::standard>(
+      []<Scalar T, Precision Q>(Arithmetic<T, Q>, const Matrix3<T>& x) __attribute__((always_inline)) {
+        return exp_log_detail::RotationLogarithm<T, Q>(SO3<T>::template doubleWordsFromMatrix<Q>(x)).phi;
+      },
+      R);
 }
 
 /// T = exp(xi), xi = (rho [m], phi [rad]). Rotation 2 eps, translation 4 eps.
 template <Scalar S, Precision P = Precision::standard>
 SE3<S> exp6(const Motion<S>& xi) {
-  if constexpr (P == Precision::tight)
-    return tight_detail::rounded<S>([](const auto& a) { return exp6<DoubleDouble<S>, Precision::fast>(a); },
-                                    [&] { return exp6<S>(xi); }, xi);
-  return exp_log_detail::with_pose<S, P>(
-      xi.linear(), xi.angular(), [](const SE3<S>& T) __attribute__((always_inline)) { return T; });
+  return evaluate<S, P>(
+      []<Scalar T, Precision Q>(Arithmetic<T, Q>, const Motion<T>& x) __attribute__((always_inline)) {
+        return exp_log_detail::with_pose<T, Q>(
+            x.linear(), x.angular(), [](const SE3<T>& X) __attribute__((always_inline)) { return X; });
+      },
+      xi);
 }
 
-/// xi = log T, the inverse of exp6 for |phi| < pi. Error 3 eps of phi, 4 eps of rho.
+/// xi = log T, the inverse of exp6 for |phi| < pi. Error 3 eps of phi, 4 eps of rho; in fast precision as log3.
 template <Scalar S, Precision P = Precision::standard>
 Motion<S> log6(const SE3<S>& T) {
-  if constexpr (P == Precision::tight)
-    return tight_detail::rounded<S>(  // not fast, which takes R as it is
-        [](const auto& a) { return log6<DoubleDouble<S>>(a); }, [&] { return log6<S>(T); }, T);
-  const exp_log_detail::RotationLogarithm<S, P> l(SO3<S>::template unroundedFromMatrix<P>(T.rotation()));
-  return {l.arc(T.translation()), l.phi};
+  return evaluate<S, P, Precision::standard>(
+      []<Scalar U, Precision Q>(Arithmetic<U, Q>, const SE3<U>& x) __attribute__((always_inline)) {
+        const exp_log_detail::RotationLogarithm<U, Q> l(
+            SO3<U>::template doubleWordsFromMatrix<Q>(x.rotation()));
+        return Motion<U>(l.arc(x.translation()), l.phi);
+      },
+      T);
 }
 
 }  // namespace liecheck

@@ -36,7 +36,7 @@ template <Scalar S>
 }
 
 /// Coefficients of the rotation block and of its derivative along rho, scaled to the axis a = phi / t as in
-/// RotationCoefficients: for J_l (k0 = 0) and for its inverse.
+/// RotationCoefficients: those of J_l, and those of its inverse.
 template <Scalar S, Precision P>
 struct BlockCoefficients {
   Vector3<S> axis;
@@ -48,19 +48,12 @@ struct BlockCoefficients {
     b.axis = k.axis;
     b.b1 = k.k2;
     b.b2 = k.k3;
-    if (k.half_turn) {
-      b.r0 = k.k2;
-      b.r1 = k.k3;
-      b.r2 = -k.slope2;
-      b.r3 = -k.slope3;
-    } else {
-      // x g = 2 c2 - c1 and x h = 3 c3 - c2, beyond half a turn without cancellation at 0.
-      b.r0 = k.k2 / k.theta;
-      b.r1 = k.k3 / k.theta;
-      b.r2 = k.k1 - S(2) * b.r0;
-      b.r3 = b.r0 - S(3) * (k.k3 / k.theta) / k.theta;
-      b.r3 *= k.theta;
-    }
+    if (k.within_pi)
+      b.r0 = k.k2, b.r1 = k.k3;
+    else
+      b.r0 = k.k2 / k.theta, b.r1 = k.k3 / k.theta;
+    b.r2 = k.slope2;
+    b.r3 = k.slope3;
     return b;
   }
 
@@ -74,8 +67,8 @@ struct BlockCoefficients {
     b.r3 = c.d2;
     return b;
   }
-  static BlockCoefficients inverseBeyondHalfTurn(const Vector3<S>& phi, const S& x) {
-    const auto k = stumpff_detail::beyond_half_turn<S>(stumpff_detail::large_angle<S>(phi, x));
+  static BlockCoefficients inverseBeyondPi(const Vector3<S>& phi, const S& x) {
+    const auto k = stumpff_detail::beyond_pi<S>(stumpff_detail::large_angle<S>(phi, x));
     const S cot = k.cosine_half / k.sine_half;
     BlockCoefficients b;
     b.axis = phi / k.theta;
@@ -84,7 +77,7 @@ struct BlockCoefficients {
     b.r0 = S(-1) / S(2);
     b.r1 = b.b2 / k.theta;
     b.r2 = S(0);
-    // 2 d' theta^3 = (theta/4) / sin^2(theta/2) - cot(theta/2)/2 ... from d = (1 - (theta/2) cot(theta/2))/theta^2
+    // 2 d' theta^3 of d = (1 - (theta/2) cot(theta/2)) / theta^2.
     b.r3 = k.theta / S(4) / (k.sine_half * k.sine_half) + cot / S(2) - S(2) / k.theta;
     return b;
   }
@@ -106,105 +99,90 @@ struct BlockCoefficients {
   }
 };
 
-/// f(coefficients) of J_l and of its inverse, the rare path apart.
+/// f(coefficients of J_l(phi)).
 template <Scalar S, Precision P, class F>
-[[gnu::always_inline]] inline auto exponential(const Vector3<S>& phi, F f) {
+[[gnu::always_inline]] inline auto with_left_jacobian(const Vector3<S>& phi, F f) {
   return with_coefficients<S, P>(
       phi, [&f](const auto& k) __attribute__((always_inline)) { return f(BlockCoefficients<S, P>::of(k)); });
 }
+/// f(coefficients of J_l^-1(phi)); the rare |phi| > pi is compiled apart.
 template <Scalar S, Precision P, class F>
-[[gnu::noinline, gnu::cold]] auto inverseBeyondHalfTurn(const Vector3<S>& phi, const S& x, F f) {
-  return f(BlockCoefficients<S, P>::inverseBeyondHalfTurn(phi, x));
+[[gnu::noinline, gnu::cold]] auto with_left_inverse_beyond_pi(const Vector3<S>& phi, const S& x, F f) {
+  return f(BlockCoefficients<S, P>::inverseBeyondPi(phi, x));
 }
 template <Scalar S, Precision P, class F>
-[[gnu::always_inline]] inline auto inverse(const Vector3<S>& phi, F f) {
-  const S x = squared_angle<S, Precision::fast>(phi).first;
-  if (!within_half_turn(x)) [[unlikely]]
-    return inverseBeyondHalfTurn<S, P>(each<S>([&phi](int i) { return phi[i]; }), x, f);
+[[gnu::always_inline]] inline auto with_left_inverse(const Vector3<S>& phi, F f) {
+  const S x = squared_angle<S, Precision::fast>(phi).high;
+  if (!within_pi(x)) [[unlikely]]
+    return with_left_inverse_beyond_pi<S, P>(each<S>([&phi](int i) { return phi[i]; }), x, f);
   return f(BlockCoefficients<S, P>::inverse(phi, x));
 }
 
 }  // namespace jacobian_detail
 
-/// J_l(phi), 3 x 3. phi [3, rad].
+/// J_l(phi) [3 x 3], phi [3, rad].
 template <Scalar S, Precision P = Precision::standard>
 Matrix3<S> leftJacobian(const Vector3<S>& phi) {
-  if constexpr (P == Precision::tight)
-    return tight_detail::rounded<S>(
-        [](const auto& a) { return leftJacobian<DoubleDouble<S>, Precision::fast>(a); },
-        [&] { return leftJacobian<S>(phi); }, phi);
-  return jacobian_detail::exponential<S, P>(
-      phi, [](const auto& b) __attribute__((always_inline)) { return b.block(); });
+  return evaluate<S, P>(
+      []<Scalar T, Precision Q>(Arithmetic<T, Q>, const Vector3<T>& x) __attribute__((always_inline)) {
+        return jacobian_detail::with_left_jacobian<T, Q>(
+            x, [](const auto& b) __attribute__((always_inline)) { return b.block(); });
+      },
+      phi);
 }
-/// J_r(phi) = J_l(-phi), 3 x 3.
+/// J_r(phi) = J_l(-phi) [3 x 3].
 template <Scalar S, Precision P = Precision::standard>
 Matrix3<S> rightJacobian(const Vector3<S>& phi) {
-  if constexpr (P == Precision::tight)
-    return tight_detail::rounded<S>(
-        [](const auto& a) { return rightJacobian<DoubleDouble<S>, Precision::fast>(a); },
-        [&] { return rightJacobian<S>(phi); }, phi);
   return leftJacobian<S, P>(-phi);
 }
-/// J_l^-1(phi), 3 x 3. Singular at |phi| = 2 pi k, k >= 1.
+/// J_l^-1(phi) [3 x 3]. Singular at |phi| = 2 pi k, k >= 1.
 template <Scalar S, Precision P = Precision::standard>
 Matrix3<S> leftJacobianInverse(const Vector3<S>& phi) {
-  if constexpr (P == Precision::tight)
-    return tight_detail::rounded<S>(
-        [](const auto& a) { return leftJacobianInverse<DoubleDouble<S>, Precision::fast>(a); },
-        [&] { return leftJacobianInverse<S>(phi); }, phi);
-  return jacobian_detail::inverse<S, P>(
-      phi, [](const auto& b) __attribute__((always_inline)) { return b.block(); });
+  return evaluate<S, P>(
+      []<Scalar T, Precision Q>(Arithmetic<T, Q>, const Vector3<T>& x) __attribute__((always_inline)) {
+        return jacobian_detail::with_left_inverse<T, Q>(
+            x, [](const auto& b) __attribute__((always_inline)) { return b.block(); });
+      },
+      phi);
 }
-/// J_r^-1(phi), 3 x 3.
+/// J_r^-1(phi) = J_l^-1(-phi) [3 x 3].
 template <Scalar S, Precision P = Precision::standard>
 Matrix3<S> rightJacobianInverse(const Vector3<S>& phi) {
-  if constexpr (P == Precision::tight)
-    return tight_detail::rounded<S>(
-        [](const auto& a) { return rightJacobianInverse<DoubleDouble<S>, Precision::fast>(a); },
-        [&] { return rightJacobianInverse<S>(phi); }, phi);
   return leftJacobianInverse<S, P>(-phi);
 }
 
-/// J_l(xi), 6 x 6. xi = (rho [m], phi [rad]).
+/// J_l(xi) [6 x 6], xi = (rho [m], phi [rad]).
 template <Scalar S, Precision P = Precision::standard>
 Matrix6<S> leftJacobian(const Motion<S>& xi) {
-  if constexpr (P == Precision::tight)
-    return tight_detail::rounded<S>(
-        [](const auto& a) { return leftJacobian<DoubleDouble<S>, Precision::fast>(a); },
-        [&] { return leftJacobian<S>(xi); }, xi);
-  return jacobian_detail::exponential<S, P>(
-      xi.angular(), [&xi](const auto& b) __attribute__((always_inline)) { return b.matrix(xi.linear()); });
+  return evaluate<S, P>(
+      []<Scalar T, Precision Q>(Arithmetic<T, Q>, const Motion<T>& x) __attribute__((always_inline)) {
+        return jacobian_detail::with_left_jacobian<T, Q>(
+            x.angular(), [&x](const auto& b) __attribute__((always_inline)) { return b.matrix(x.linear()); });
+      },
+      xi);
 }
-/// J_r(xi) = J_l(-xi), 6 x 6.
+/// J_r(xi) = J_l(-xi) [6 x 6].
 template <Scalar S, Precision P = Precision::standard>
 Matrix6<S> rightJacobian(const Motion<S>& xi) {
-  if constexpr (P == Precision::tight)
-    return tight_detail::rounded<S>(
-        [](const auto& a) { return rightJacobian<DoubleDouble<S>, Precision::fast>(a); },
-        [&] { return rightJacobian<S>(xi); }, xi);
   return leftJacobian<S, P>(-xi);
 }
-/// J_l^-1(xi), 6 x 6. Singular at |phi| = 2 pi k, k >= 1.
+/// J_l^-1(xi) [6 x 6]. Singular at |phi| = 2 pi k, k >= 1.
 template <Scalar S, Precision P = Precision::standard>
 Matrix6<S> leftJacobianInverse(const Motion<S>& xi) {
-  if constexpr (P == Precision::tight)
-    return tight_detail::rounded<S>(
-        [](const auto& a) { return leftJacobianInverse<DoubleDouble<S>, Precision::fast>(a); },
-        [&] { return leftJacobianInverse<S>(xi); }, xi);
-  return jacobian_detail::inverse<S, P>(
-      xi.angular(), [&xi](const auto& b) __attribute__((always_inline)) { return b.matrix(xi.linear()); });
+  return evaluate<S, P>(
+      []<Scalar T, Precision Q>(Arithmetic<T, Q>, const Motion<T>& x) __attribute__((always_inline)) {
+        return jacobian_detail::with_left_inverse<T, Q>(
+            x.angular(), [&x](const auto& b) __attribute__((always_inline)) { return b.matrix(x.linear()); });
+      },
+      xi);
 }
-/// J_r^-1(xi), 6 x 6.
+/// J_r^-1(xi) = J_l^-1(-xi) [6 x 6].
 template <Scalar S, Precision P = Precision::standard>
 Matrix6<S> rightJacobianInverse(const Motion<S>& xi) {
-  if constexpr (P == Precision::tight)
-    return tight_detail::rounded<S>(
-        [](const auto& a) { return rightJacobianInverse<DoubleDouble<S>, Precision::fast>(a); },
-        [&] { return rightJacobianInverse<S>(xi); }, xi);
   return leftJacobianInverse<S, P>(-xi);
 }
 
-/// Pinocchio's names: Jexp is the right Jacobian, Jlog the inverse right Jacobian at the logarithm.
+/// Pinocchio's names: Jexp is J_r, and Jlog is J_r^-1 at the logarithm.
 template <Scalar S, Precision P = Precision::standard>
 Matrix3<S> Jexp3(const Vector3<S>& phi) {
   return rightJacobian<S, P>(phi);

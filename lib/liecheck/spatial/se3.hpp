@@ -5,7 +5,7 @@
 //   forces    F_A = X^-T F_B       f_A = R f_B,                     n_A = R n_B + p x (R f_B)
 //   inertias  I_A = X^-T I_B X^-1  m,  c_A = R c_B + p,             I_C,A = R I_C,B R^T
 //
-// The cross term stands in the linear part of motions and in the moment of forces, so F^T V is invariant.
+// The cross term is in the linear part of motions and in the moment of forces, so F^T V is invariant.
 
 #include <liecheck/spatial/force.hpp>
 #include <liecheck/spatial/inertia.hpp>
@@ -38,7 +38,7 @@ class SE3 {
         rows<S>(R_(0, 0), R_(1, 0), R_(2, 0), R_(0, 1), R_(1, 1), R_(2, 1), R_(0, 2), R_(1, 2), R_(2, 2)),
         transposed_product<S>(R_, each<S>([this](int i) { return -p_[i]; })));
   }
-  /// X_AB^-1 X_AC, the difference of translations formed first.
+  /// X_AB^-1 X_AC = (R_AB^T R_AC, R_AB^T (p_AC - p_AB)).
   SE3 actInv(const SE3& o) const {
     return SE3(Matrix3<S>(R_.transpose() * o.R_), Vector3<S>(R_.transpose() * (o.p_ - p_)));
   }
@@ -95,7 +95,7 @@ class SE3 {
   }
 
  private:
-  /// Column j of R on the diagonal of X, of [p] R at (row, column), of zeros across.
+  /// Writes columns j and 3 + j of X: R in the diagonal blocks, [p] R in the block at (row, column), 0 in the fourth.
   [[gnu::always_inline]] void column(Matrix6<S>& X, int row, int column, int j) const {
     const S &x = R_(0, j), &y = R_(1, j), &z = R_(2, j);
     const Vector3<S> l = cross<S>(p_, Vector3<S>(x, y, z));

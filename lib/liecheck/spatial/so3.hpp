@@ -3,12 +3,12 @@
 //
 //   x_A = R_AB x_B,   R(Q) = I + 2 (w [v] + [v]^2) / |Q|^2
 //
-// Every function below is exact in intent for the stored quaternion: the rotation meant is that of Q/|Q|, so a
-// quaternion that is off unit by rounding costs no accuracy. Q and -Q are one rotation.
+// A stored quaternion stands for the rotation of Q/|Q|, so a norm that is 1 up to rounding costs no accuracy. Q and -Q
+// are one rotation.
 
 #include <liecheck/scalar/compensated.hpp>
 #include <liecheck/scalar/stumpff.hpp>
-#include <liecheck/spatial/quad.hpp>
+#include <liecheck/spatial/quaternion_product.hpp>
 #include <liecheck/spatial/types.hpp>
 
 namespace liecheck {
@@ -18,7 +18,7 @@ class SO3 {
  public:
   /// Uninitialised: NaN in debug.
   SO3() { mark_uninitialised(q_); }
-  /// From x y z w; not normalised. Precondition: norm not zero.
+  /// From x y z w, which is not normalised. Precondition: not zero.
   explicit SO3(const Vector4<S>& xyzw) : q_(xyzw) {}
   SO3(const Vector3<S>& v, const S& w) : q_(v[0], v[1], v[2], w) {}
 
@@ -29,15 +29,16 @@ class SO3 {
   Vector3<S> vec() const { return q_.template head<3>(); }
   const S& w() const { return q_[3]; }
   S squaredNorm() const { return q_.squaredNorm(); }
-  /// |Q|^2 - 1, to eps/16 while |Q| is near 1; and in two parts, to eps/16 of |Q|^2 for |Q| <= 1.
+  /// |Q|^2 - 1. Error eps/16 while |Q| is near 1.
   template <Precision P = Precision::standard>
   [[gnu::always_inline]] S normExcess() const {
-    const auto [high, low] = normExcessParts<P>();
-    return high + low;
+    const auto excess = normExcessDoubleWord<P>();
+    return excess.high + excess.low;
   }
+  /// |Q|^2 - 1 as a double word. Error eps/16 of |Q|^2 for |Q| <= 1.
   template <Precision P = Precision::standard>
-  [[gnu::always_inline]] std::pair<S, S> normExcessParts() const {
-    const auto squares = CutSum<Quad<S>, 1, P>().add_square(Cut<Quad<S>, 1, P>(numbers()));
+  [[gnu::always_inline]] DoubleWord<S> normExcessDoubleWord() const {
+    const auto squares = SplitDot<Quad<S>, 1, P>().add_square(SplitFactor<Quad<S>, 1, P>(numbers()));
     return {sum(squares.high) - S(1), sum(squares.low_a)};
   }
 
@@ -53,14 +54,14 @@ class SO3 {
                    (w1 * z2 + z1 * w2) + (x1 * y2 - y1 * x2), (w1 * w2 - x1 * x2) - (y1 * y2 + z1 * z2)));
   }
 
-  /// R p, the vector part of (Q p) Q* / |Q|^2: neither product is longer than p. Shape 3, unit of p. Error 1 eps |p|.
+  /// R p [3, unit of p], the vector part of (Q p) Q* / |Q|^2: neither product is longer than p. Error 1 eps |p|.
   template <Precision P = Precision::standard>
   [[gnu::always_inline]] Vector3<S> act(const Vector3<S>& p) const {
-    const S most = norm1<S>(p);
+    const S bound = norm1<S>(p);
     if constexpr (P != Precision::fast && !side_by_side<S>)
-      if (!cuttable(most)) [[unlikely]]
-        return S(1) / down() * actWithin<P>(Vector3<S>(p * down()), S(most * down()));
-    return actWithin<P>(p, most);
+      if (!splittable(bound)) [[unlikely]]
+        return S(1) / scale_down() * actWithin<P>(Vector3<S>(p * scale_down()), S(bound * scale_down()));
+    return actWithin<P>(p, bound);
   }
   /// R^T p.
   template <Precision P = Precision::standard>
@@ -68,23 +69,26 @@ class SO3 {
     return inverse().template act<P>(p);
   }
 
-  /// R p of p no longer than `most` and cuttable, with the error in eps of that.
+  /// R p of |p| <= bound. Error 1 eps of bound. Precondition: splittable(bound).
   template <Precision P>
-  [[gnu::always_inline]] Vector3<S> actWithin(const Vector3<S>& p, const S& most) const {
-    return turned<P>(numbers(), quad<S>(p[0], p[1], p[2], S(0)), most);
+  [[gnu::always_inline]] Vector3<S> actWithin(const Vector3<S>& p, const S& bound) const {
+    return rotated<P>(numbers(), Quad<S>(p[0], p[1], p[2], S(0)), bound);
   }
-  /// R^T (p + LOW); the fourth numbers are 0.
+  /// R^T p, or R^T (p + p_low) of a double word; the fourth numbers are 0. Precondition: splittable(bound).
   template <Precision P, class... Low>
-  [[gnu::always_inline]] Vector3<S> actInvWithin(const Quad<S>& p, const S& most, const Low&... p_low) const {
-    return turned<P>(conjugate(), p, most, p_low...);
+  [[gnu::always_inline]] Vector3<S> actInvWithin(const Quad<S>& p, const S& bound,
+                                                 const Low&... p_low) const {
+    return rotated<P>(conjugate(), p, bound, p_low...);
   }
-  /// Does the place where numbers up to `most` are cut still have a number? Else: what scales them down.
-  [[gnu::always_inline]] static bool cuttable(const S& most) { return finite<S>(S(most * cut_factor())); }
-  static S down() { return eps<S>(); }
-  [[gnu::always_inline]] Quad<S> conjugate() const { return numbers() * quad<S>(S(-1), S(-1), S(-1), S(1)); }
-  [[gnu::always_inline]] Quad<S> numbers() const { return quad<S>(q_[0], q_[1], q_[2], q_[3]); }
+  /// Is the place where numbers up to `bound` are split finite? Else they are multiplied by scale_down() first.
+  [[gnu::always_inline]] static bool splittable(const S& bound) {
+    return finite<S>(S(bound * split_factor()));
+  }
+  static S scale_down() { return eps<S>(); }
+  [[gnu::always_inline]] Quad<S> conjugate() const { return numbers() * Quad<S>(S(-1), S(-1), S(-1), S(1)); }
+  [[gnu::always_inline]] Quad<S> numbers() const { return Quad<S>(q_[0], q_[1], q_[2], q_[3]); }
 
-  /// R, 3 x 3. Error 2 eps in each entry; exact function of Q/|Q|.
+  /// R [3 x 3] of Q/|Q|. Error 2 eps of each entry.
   [[gnu::always_inline]] Matrix3<S> matrix() const {
     const S s = scale();
     const S &x = q_[0], &y = q_[1], &z = q_[2], &w = q_[3];
@@ -95,7 +99,7 @@ class SO3 {
                    S(1) - (xx + yy));
   }
 
-  /// Q/|Q|. Precondition: Q is not zero and finite. Safe from overflow and underflow of |Q|^2.
+  /// Q/|Q|, without overflow or underflow of |Q|^2. Precondition: Q is finite and not zero.
   SO3 normalized() const {
     const S scale = q_.cwiseAbs().maxCoeff();
     const Vector4<S> scaled = q_ / scale;
@@ -103,30 +107,34 @@ class SO3 {
     return SO3(Vector4<S>(scaled / S(sqrt(scaled.squaredNorm()))));
   }
 
-  /// With what the rounding of each number leaves.
-  struct Unrounded;
+  /// A quaternion x y z w of double words: high + low.
+  struct DoubleWords {
+    SO3 high;
+    Vector4<S> low;
+  };
 
   /// The rotation nearest to R in the Frobenius norm, to first order in R^T R - I (one Newton step of the polar
-  /// factor, error O(|R^T R - I|^2)), by the largest of the four pivots (Shepperd 1978). The result is scaled
-  /// arbitrarily (|Q| in [1/2, 1]): its rotation is what counts. For |R^T R - I| <= 8 eps the error is 2 eps,
-  /// and 2 eps relative to |v| when the angle is small. Fast precision takes R as it is: another |R^T R - I|.
+  /// factor, error O(|R^T R - I|^2)), by the largest of the four pivots (Shepperd 1978). The norm of the result is
+  /// arbitrary, in [1/2, 1]. Error, for |R^T R - I| <= 8 eps, 2 eps of the rotation, and 2 eps relative of its vector
+  /// part when the angle is small. In fast precision R is used as it is: |R^T R - I| is added to the error.
   template <Precision P = Precision::standard>
   static SO3 fromMatrix(const Matrix3<S>& R) {
-    return unroundedFromMatrix<P>(R).Q;
+    return doubleWordsFromMatrix<P>(R).high;
   }
+  /// The same before its last rounding.
   template <Precision P = Precision::standard>
-  static Unrounded unroundedFromMatrix(const Matrix3<S>& R) {
+  static DoubleWords doubleWordsFromMatrix(const Matrix3<S>& R) {
     if constexpr (P == Precision::fast)
       return largestPivot<P>(R, Matrix3<S>(Matrix3<S>::Zero()), Vector3<S>(Vector3<S>::Zero()));
     // Polar factor R (I - E/2), E = R^T R - I; C = -R E / 2 is the correction. Its antisymmetric part is
     // formed from differences R_ii - R_jj so that it vanishes with the angle, as the exact one does.
-    using C = Cut<S, 1, P>;
-    const C column[3][3] = {
+    using Factor = SplitFactor<S, 1, P>;
+    const Factor column[3][3] = {
         {R(0, 0), R(1, 0), R(2, 0)}, {R(0, 1), R(1, 1), R(2, 1)}, {R(0, 2), R(1, 2), R(2, 2)}};
     const auto gram = [&column](int i, int j) __attribute__((always_inline)) {
-      const C* const a = column[i];
-      const C* const b = column[j];
-      return CutSum<S, 1, P>{S(i == j ? -1 : 0)}
+      const Factor* const a = column[i];
+      const Factor* const b = column[j];
+      return SplitDot<S, 1, P>{S(i == j ? -1 : 0)}
           .add_product(a[0], b[0])
           .add_product(a[1], b[1])
           .add_product(a[2], b[2])
@@ -136,8 +144,7 @@ class SO3 {
             zx = gram(0, 2);
     const Matrix3<S> E = rows<S>(xx, xy, zx, xy, yy, yz, zx, yz, zz);
     const S half = S(1) / S(2);
-    const auto antisymmetric = [&](int i, int j,
-                                   int k) {  // of C: entry (k, j) minus entry (j, k), i j k cyclic
+    const auto antisymmetric = [&](int i, int j, int k) {  // C_kj - C_jk, i j k cyclic
       return S(-half * (R(k, i) * E(i, j) - R(j, i) * E(i, k) + E(j, k) * (R(k, k) - R(j, j)) +
                         R(k, j) * E(j, j) - R(j, k) * E(k, k)));
     };
@@ -146,71 +153,68 @@ class SO3 {
   }
 
  private:
-  [[gnu::always_inline]] static S cut_factor() {
+  [[gnu::always_inline]] static S split_factor() {
     using std::ldexp;
     return S(ldexp(S(1), std::numeric_limits<S>::digits / 2 + 1));
   }
-  /// Of x + LOW, with x in the first three numbers.
+  /// The first three numbers of x (of the double words x + x_low) rotated by Q.
   template <Precision P, class... Low>
-  [[gnu::always_inline]] Vector3<S> turned(const Quad<S>& Q, const Quad<S>& x, const S& most,
-                                           const Low&... x_low) const {
+  [[gnu::always_inline]] Vector3<S> rotated(const Quad<S>& Q, const Quad<S>& x, const S& bound,
+                                            const Low&... x_low) const {
     const LeftFactor<S, P> q(Q);
-    const Quad<S> places(S(most * cut_factor()));
+    const Quad<S> sigma(S(bound * split_factor()));
     // Q p = (w p + v x p, -v . p) = g, then w g - g_w v + v x g.
     const auto Qp = by_lane<S, P>([&](auto l) __attribute__((always_inline)) {
       return empty_sum<P>(l, x)
-          .add_product(at(l, q.w_x), cut<P, 0, 1, 2, 0>(l, x, x_low..., places))
-          .add_product(at(l, q.y), cut<P, 2, 0, 1, 1>(l, x, x_low..., places))
-          .add_product(-at(l, q.z), cut<P, 1, 2, 0, 2>(l, x, x_low..., places));
+          .add_product(at(l, q.w_x), split_lanes<P, 0, 1, 2, 0>(l, x, x_low..., sigma))
+          .add_product(at(l, q.y), split_lanes<P, 2, 0, 1, 1>(l, x, x_low..., sigma))
+          .add_product(-at(l, q.z), split_lanes<P, 1, 2, 0, 2>(l, x, x_low..., sigma));
     });
     const Quad<S> g = Qp.high, low = Qp.low();
     const auto r = by_lane<S, P>([&](auto l) __attribute__((always_inline)) {
       return empty_sum<P>(l, x)
-          .add_product(at(l, q.w_x), cut<P, 0, 1, 2, 3>(l, g, low, places))
-          .add_product(-at(l, q.self), cut<P, 3, 3, 3, 3>(l, g, low, places))
-          .add_product(at(l, q.y), cut<P, 2, 0, 1, 3>(l, g, low, places))
-          .add_product(-at(l, q.z), cut<P, 1, 2, 0, 3>(l, g, low, places));
+          .add_product(at(l, q.w_x), split_lanes<P, 0, 1, 2, 3>(l, g, low, sigma))
+          .add_product(-at(l, q.self), split_lanes<P, 3, 3, 3, 3>(l, g, low, sigma))
+          .add_product(at(l, q.y), split_lanes<P, 2, 0, 1, 3>(l, g, low, sigma))
+          .add_product(-at(l, q.z), split_lanes<P, 1, 2, 0, 3>(l, g, low, sigma));
     });
     const S excess = normExcess<P>(), correction = -excess / (S(1) + excess);
     const Quad<S> result = r.high + mul_add(Quad<S>(correction), r.high, r.low());
     return Vector3<S>(result.v[0], result.v[1], result.v[2]);
   }
-  /// Of R + C, C small and of antisymmetric part c (C_32 - C_23, ...).
+  /// The quaternion of R + C by the largest pivot; C is small, c = (C_32 - C_23, ...) its antisymmetric part.
   template <Precision P>
-  [[gnu::always_inline]] static Unrounded largestPivot(const Matrix3<S>& R, const Matrix3<S>& C,
-                                                       const Vector3<S>& c) {
+  [[gnu::always_inline]] static DoubleWords largestPivot(const Matrix3<S>& R, const Matrix3<S>& C,
+                                                         const Vector3<S>& c) {
     if (R(0, 0) + R(1, 1) + R(2, 2) > S(0)) return scalarPivot<P>(R, C, c);
     const bool y = R(1, 1) > R(0, 0);
     if (R(2, 2) > (y ? R(1, 1) : R(0, 0))) return vectorPivot<P, 2>(R, C, c);
     return y ? vectorPivot<P, 1>(R, C, c) : vectorPivot<P, 0>(R, C, c);
   }
-  /// a + b + small, and what its rounding leaves.
+  /// a + b + small.
   template <Precision P>
-  [[gnu::always_inline]] static std::pair<S, S> entry(const S& a, const S& b, const S& small) {
+  [[gnu::always_inline]] static DoubleWord<S> entry(const S& a, const S& b, const S& small) {
     if constexpr (P == Precision::fast) return {a + b, S(0)};
-    const auto [sum, rest] = two_sum<S>(a, b);
-    const S tail = rest + small, value = sum + tail;
-    return {value, (sum - value) + tail};
+    const auto [sum, error] = two_sum<S>(a, b);
+    return fast_two_sum<S>(sum, S(error + small));
   }
   /// 1 + x + y + z + small.
   template <Precision P>
-  [[gnu::always_inline]] static std::pair<S, S> pivotEntry(const S& x, const S& y, const S& z,
-                                                           const S& small) {
+  [[gnu::always_inline]] static DoubleWord<S> pivotEntry(const S& x, const S& y, const S& z, const S& small) {
     if constexpr (P == Precision::fast) return {S(1) + (x + y + z), S(0)};
-    const auto [first, rest] = two_sum<S>(S(1), x);
-    const auto [second, more] = two_sum<S>(y, z);
-    return entry<P>(first, second, S(rest + (more + small)));
+    const auto a = two_sum<S>(S(1), x), b = two_sum<S>(y, z);
+    return entry<P>(a.high, b.high, S(a.low + (b.low + small)));
   }
-  /// Number I of the antisymmetric part.
+  /// Entry I of (R_32 - R_23, ...) + c.
   template <Precision P, int I>
-  [[gnu::always_inline]] static std::pair<S, S> antisymmetricEntry(const Matrix3<S>& R, const Vector3<S>& c) {
+  [[gnu::always_inline]] static DoubleWord<S> antisymmetricEntry(const Matrix3<S>& R, const Vector3<S>& c) {
     constexpr int J = (I + 1) % 3, K = (I + 2) % 3;
     return entry<P>(R(K, J), S(-R(J, K)), c[I]);
   }
   /// By 4 w^2 = 1 + tr R.
   template <Precision P>
-  [[gnu::always_inline]] static Unrounded scalarPivot(const Matrix3<S>& R, const Matrix3<S>& C,
-                                                      const Vector3<S>& c) {
+  [[gnu::always_inline]] static DoubleWords scalarPivot(const Matrix3<S>& R, const Matrix3<S>& C,
+                                                        const Vector3<S>& c) {
     const auto x = antisymmetricEntry<P, 0>(R, c), y = antisymmetricEntry<P, 1>(R, c),
                z = antisymmetricEntry<P, 2>(R, c),
                w = pivotEntry<P>(R(0, 0), R(1, 1), R(2, 2), S(C(0, 0) + C(1, 1) + C(2, 2)));
@@ -218,37 +222,36 @@ class SO3 {
   }
   /// By 4 v_I^2 = 1 + R_II - R_JJ - R_KK, the largest: 4 v_I (v_J, v_K, w) from the other entries.
   template <Precision P, int I>
-  [[gnu::always_inline]] static Unrounded vectorPivot(const Matrix3<S>& R, const Matrix3<S>& C,
-                                                      const Vector3<S>& c) {
+  [[gnu::always_inline]] static DoubleWords vectorPivot(const Matrix3<S>& R, const Matrix3<S>& C,
+                                                        const Vector3<S>& c) {
     constexpr int J = (I + 1) % 3, K = (I + 2) % 3;
-    std::pair<S, S> v[3];
+    DoubleWord<S> v[3];
     v[I] = pivotEntry<P>(R(I, I), S(-R(J, J)), S(-R(K, K)), S(C(I, I) - C(J, J) - C(K, K)));
     v[J] = entry<P>(R(I, J), R(J, I), S(C(I, J) + C(J, I)));
     v[K] = entry<P>(R(I, K), R(K, I), S(C(I, K) + C(K, I)));
     const auto w = antisymmetricEntry<P, I>(R, c);
-    // What the rounding of C, or R's distance from a rotation, may leave of it.
+    // Below it, w may be all rounding error of C, or R's distance from a rotation.
     const S least = P == Precision::fast ? S(64) * eps<S>() : S(1024) * eps<S>() * eps<S>();
     if constexpr (!side_by_side<S>)
-      if (absolute<S>(w.first) < least) [[unlikely]]
-        return {nearHalfTurn(R, Vector3<S>(v[0].first, v[1].first, v[2].first)),
-                Vector4<S>(Vector4<S>::Zero())};
+      if (absolute<S>(w.high) < least) [[unlikely]]
+        return {nearPi(R, Vector3<S>(v[0].high, v[1].high, v[2].high)), Vector4<S>(Vector4<S>::Zero())};
     return quarter(v[0], v[1], v[2], w);
   }
-  using Parts = std::pair<S, S>;
-  [[gnu::always_inline]] static Unrounded quarter(const Parts& x, const Parts& y, const Parts& z,
-                                                  const Parts& w) {
+  /// (x, y, z, w) / 4.
+  [[gnu::always_inline]] static DoubleWords quarter(const DoubleWord<S>& x, const DoubleWord<S>& y,
+                                                    const DoubleWord<S>& z, const DoubleWord<S>& w) {
     const S q = S(1) / S(4);
-    return {SO3(Vector4<S>(q * x.first, q * y.first, q * z.first, q * w.first)),
-            Vector4<S>(q * x.second, q * y.second, q * z.second, q * w.second)};
+    return {SO3(Vector4<S>(q * x.high, q * y.high, q * z.high, q * w.high)),
+            Vector4<S>(q * x.low, q * y.low, q * z.low, q * w.low)};
   }
-  /// The rotation nearest to R is the eigenvector (v, w) of the largest eigenvalue, 3 here, of Davenport's matrix
-  /// [R + R^T - tr(R) I, a; a^T, tr R], a = (R_32 - R_23, ...) (Davenport 1968; Markley & Mortari 2000): so
-  /// (3 - tr R) w = a . v, tr R = -1, and w has the sign of a . v however small it is. The eigenvalues beside it are
-  /// both -1: one step of the power method, v += (R + R^T - tr(R) I) v, leaves eps of an error in v; with it in
-  /// twice the digits, w is lost where a is perpendicular to v up to eps^2 alone.
-  [[gnu::noinline, gnu::cold]] static SO3 nearHalfTurn(const Matrix3<S>& R, Vector3<S> v) {
+  /// The rotation nearest to R near theta = pi, from an approximation v of its axis. It is the eigenvector (v, w) of the
+  /// largest eigenvalue, 3 here, of Davenport's matrix [R + R^T - tr(R) I, a; a^T, tr R], a = (R_32 - R_23, ...)
+  /// (Davenport 1968; Markley & Mortari 2000): so (3 - tr R) w = a . v, tr R = -1, and w has the sign of a . v however
+  /// small it is. The next two eigenvalues are -1: one step of the power method, v += (R + R^T - tr(R) I) v, leaves an
+  /// error of eps in v; with v in double words, w is lost only where a is perpendicular to v up to eps^2.
+  [[gnu::noinline, gnu::cold]] static SO3 nearPi(const Matrix3<S>& R, Vector3<S> v) {
     v /= S(2) * S(v.cwiseAbs().maxCoeff());
-    Eigen::Matrix<S, 12, 1> entries, factors;  // of a . v, v as high + low
+    Eigen::Matrix<S, 12, 1> entries, factors;  // of a . v, v in double words
     Vector3<S> high;
     for (int i = 0; i < 3; ++i) {
       CompensatedSum<S> sum;
@@ -256,7 +259,7 @@ class SO3 {
       for (int j = 0; j < 3; ++j) {
         sum.add_product(R(i, j), v[j]).add_product(R(j, i), v[j]).add_product(S(-R(j, j)), v[i]);
       }
-      const auto [value, low] = sum.pair();
+      const auto [value, low] = sum.double_word();
       high[i] = value;
       const int j = (i + 1) % 3, k = (i + 2) % 3;
       entries.template segment<4>(4 * i) << R(k, j), R(j, k), R(k, j), R(j, k);
@@ -264,16 +267,10 @@ class SO3 {
     }
     return SO3(Vector3<S>(high / S(4)), exact_dot<S, 12>(entries, factors) / S(16));
   }
-  /// 2 / |Q|^2, rounded twice: an error here is common to all entries, so it would stretch what it rotates.
+  /// 2 / |Q|^2, rounded twice: its error is common to all entries, so it would change the length of what is rotated.
   [[gnu::always_inline]] S scale() const { return S(2) / (S(1) + normExcess<>()); }
 
   Vector4<S> q_;
-};
-
-template <Scalar S>
-struct SO3<S>::Unrounded {
-  SO3 Q;
-  Vector4<S> low = Vector4<S>::Zero();
 };
 
 }  // namespace liecheck

@@ -1,5 +1,5 @@
 #pragma once
-// Fixed-size matrices of the spatial rooms. The notation table is in the README.
+// Vectors and matrices, and the small products that are written entry by entry. Notation: see the README.
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -25,7 +25,7 @@ using Matrix6 = Eigen::Matrix<S, 6, 6>;
 template <class S>
 using MatrixX = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
 
-/// A value that was never set: NaN in debug builds so that its use shows, zero cost otherwise.
+/// Sets m to NaN in debug builds, so that using a value that was never set shows; does nothing otherwise.
 template <class Derived>
 void mark_uninitialised([[maybe_unused]] Eigen::MatrixBase<Derived>& m) {
 #ifndef NDEBUG
@@ -44,7 +44,7 @@ template <class S>
   return m;
 }
 
-/// (f(0), f(1), f(2)): entry by entry, where wider loads would wait for narrow stores.
+/// (f(0), f(1), f(2)), entry by entry: a wide load right after narrow stores would stall.
 template <class S, class F>
 [[gnu::always_inline]] inline Vector3<S> each(F f) {
   return Vector3<S>(f(0), f(1), f(2));
@@ -62,7 +62,7 @@ template <class S>
   return mul_add(a.x(), b.x(), mul_add(a.y(), b.y(), S(a.z() * b.z())));
 }
 
-/// |a_0| + |a_1| + |a_2|, no less than |a|.
+/// |a_0| + |a_1| + |a_2|, an upper bound of |a|.
 template <class S>
 [[gnu::always_inline]] inline S norm1(const Vector3<S>& a) {
   return absolute<S>(a[0]) + absolute<S>(a[1]) + absolute<S>(a[2]);

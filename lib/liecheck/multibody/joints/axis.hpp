@@ -1,5 +1,5 @@
 #pragma once
-// The axis of a one-degree-of-freedom joint: a unit vector in the joint's frame.
+// The axis of a joint with one degree of freedom: a unit vector in the joint's frame.
 
 #include <liecheck/spatial/types.hpp>
 #include <stdexcept>
@@ -10,7 +10,7 @@ namespace liecheck {
 template <Scalar S>
 class Axis {
  public:
-  /// direction [3], any length but zero; a unit coordinate axis is kept to the last bit.
+  /// direction [3] of any length but zero; coordinate axes stay exact. Throws std::invalid_argument for others.
   explicit Axis(const Vector3<S>& direction) : unit_(direction) {
     if (!direction.allFinite() || direction.isZero(S(0)))
       throw std::invalid_argument("the axis of a joint must be finite and not zero");
@@ -25,8 +25,7 @@ class Axis {
 
   const Vector3<S>& to_vector() const { return unit_; }
 
-  /// "X", "Y" or "Z" for those unit vectors exactly, else empty. -X is not aligned: a joint along it turns
-  /// the other way.
+  /// "X", "Y" or "Z" for exactly those unit vectors, else empty. -X is not aligned: its joint rotates the other way.
   std::string aligned() const {
     return coordinate_ < 0 || unit_[coordinate_] < S(0) ? std::string() : std::string(1, "XYZ"[coordinate_]);
   }
@@ -37,41 +36,41 @@ class Axis {
   }
 
   /// R_PJ R(a, theta) of cos theta and sin theta, R(a, theta) = c I + s [a] + (1 - c) a a^T (Rodrigues 1840).
-  /// About a coordinate axis or against it two columns turn and the third is kept to the last bit. Error 3 eps.
-  [[gnu::always_inline]] Matrix3<S> turned(const Matrix3<S>& R_PJ, const S& c, const S& s) const {
+  /// About +-X, +-Y and +-Z one column of R_PJ is not changed. Error 3 eps.
+  [[gnu::always_inline]] Matrix3<S> rotated(const Matrix3<S>& R_PJ, const S& c, const S& s) const {
     switch (coordinate_) {
       case 0:
-        return turnedAbout<0>(R_PJ, c, S(unit_[0] * s));
+        return rotatedAbout<0>(R_PJ, c, S(unit_[0] * s));
       case 1:
-        return turnedAbout<1>(R_PJ, c, S(unit_[1] * s));
+        return rotatedAbout<1>(R_PJ, c, S(unit_[1] * s));
       case 2:
-        return turnedAbout<2>(R_PJ, c, S(unit_[2] * s));
+        return rotatedAbout<2>(R_PJ, c, S(unit_[2] * s));
     }
     return product<S>(R_PJ, rotation(c, s));
   }
 
-  /// R a.
+  /// R a, the axis in the axes of R.
   [[gnu::always_inline]] Vector3<S> in(const Matrix3<S>& R) const {
     if (coordinate_ >= 0) return each<S>([&](int i) { return S(unit_[coordinate_] * R(i, coordinate_)); });
     return product<S>(R, unit_);
   }
 
-  /// The same numbers as T; narrowing rounds each, widening is not made unit again.
+  /// The same numbers converted to T, and not normalised again.
   template <Scalar T>
   Axis<T> cast() const {
     return typename Axis<T>::Unit{Vector3<T>(unit_.template cast<T>())};
   }
 
-  /// A vector that is unit already.
+  /// A vector that is normalised already.
   struct Unit {
     Vector3<S> vector;
   };
   Axis(const Unit& unit) : unit_(unit.vector) { align(); }
 
  private:
-  /// Entry by entry: the result is made in registers.
+  /// Entry by entry, so that the result stays in registers.
   template <int I>
-  [[gnu::always_inline]] static Matrix3<S> turnedAbout(const Matrix3<S>& R, const S& c, const S& s) {
+  [[gnu::always_inline]] static Matrix3<S> rotatedAbout(const Matrix3<S>& R, const S& c, const S& s) {
     const auto entry = [&](int i, int column) __attribute__((always_inline)) {
       constexpr int j = (I + 1) % 3, k = (I + 2) % 3;
       return column == I   ? R(i, I)
@@ -93,7 +92,7 @@ class Axis {
   }
 
   Vector3<S> unit_;
-  int coordinate_ = -1;  ///< unit = +-e_coordinate, or -1 where it is along no coordinate axis
+  int coordinate_ = -1;  ///< unit = +-e_coordinate; -1 where the axis is along no coordinate axis
 };
 
 }  // namespace liecheck

@@ -1,11 +1,10 @@
 #pragma once
-// A turn about an axis without end: q = (cos, sin) of the angle, v [rad/s]. nq = 2, nv = 1, so idx_q and
-// idx_v of the joints behind it drift apart.
+// A continuous joint, a rotation about an axis without limits: q = (cos, sin) of the angle, v [rad/s]. nq = 2, nv = 1.
 //
-//   integrate(u, a) = (c cos a - s sin a, s cos a + c sin a)      difference(u0, u1) = atan2(u0 x u1, u0 .
-//   u1)
+//   integrate(u, a) = (c cos a - s sin a, s cos a + c sin a)
+//   difference(u0, u1) = atan2(u0 x u1, u0 . u1)
 //
-// Domain: finite u with ||u|^2 - 1| <= d; the angle meant is that of u/|u|.
+// Domain: finite u with ||u|^2 - 1| <= d, which stands for the angle of u/|u|.
 
 #include <liecheck/multibody/joints/revolute.hpp>
 #include <liecheck/multibody/se3_configuration.hpp>
@@ -30,7 +29,7 @@ struct Continuous {
   }
 
   static Configuration neutral() { return Configuration(S(1), S(0)); }
-  /// u/|u|. Safe from overflow and underflow of |u|^2. Precondition: u finite, not zero.
+  /// u/|u|, without overflow or underflow of |u|^2. Precondition: u is finite and not zero.
   static Configuration normalized(const Configuration& u) {
     const Configuration scaled = u / u.cwiseAbs().maxCoeff();
     using std::sqrt;
@@ -38,7 +37,7 @@ struct Continuous {
   }
   static S normDefect(const Configuration& u) { return u.squaredNorm() - S(1); }
 
-  /// Error 2 eps of the angle, absolute, whatever its size; norm 3 eps + 3/4 d^2.
+  /// Error of the angle 2 eps absolute, for any delta; norm 3 eps + 3/4 d^2.
   static Configuration integrate(const Configuration& u, const Tangent& delta) {
     using std::cos, std::sin;
     const S c = cos(delta[0]), s = sin(delta[0]);
@@ -46,8 +45,8 @@ struct Continuous {
         Configuration(u[0] * c - u[1] * s, u[1] * c + u[0] * s));
   }
 
-  /// In [-pi, pi], pi of either sign at exactly half a turn. Error 3 eps relative at any distance: u0 x u1 is
-  /// formed as u0 x (u1 - u0), in twice the digits where the norms' difference makes even that cancel.
+  /// The angle from u0 to u1 in [-pi, pi]; for opposite u0 and u1 it is pi or -pi. Error 3 eps relative at any distance:
+  /// u0 x u1 is computed as u0 x (u1 - u0), by compensated summation where that cancels too.
   static Tangent difference(const Configuration& u0, const Configuration& u1) {
     using std::atan2;
     const Configuration d = u1 - u0;
@@ -68,7 +67,7 @@ struct Continuous {
   static Jacobian dDifference(const Configuration&, const Configuration&, ArgumentPosition argument) {
     return Jacobian(argument == ArgumentPosition::ARG0 ? S(-1) : S(1));
   }
-  /// (-sin, cos).
+  /// d(cos, sin)/d angle = (-sin, cos).
   static CoefficientJacobian integrateCoeffWiseJacobian(const Configuration& u) {
     return CoefficientJacobian(-u[1], u[0]);
   }
@@ -76,7 +75,7 @@ struct Continuous {
   /// X_PJ (R(axis, angle), 0). Error 4 eps + 3/4 d^2.
   [[gnu::always_inline]] SE3<S> transform(const SE3<S>& X_PJ, const Configuration& q) const {
     const Configuration u = se3_configuration_detail::firstOrderNormalize<S, 2>(q);
-    return SE3<S>(axis.turned(X_PJ.rotation(), u[0], u[1]), X_PJ.translation());
+    return SE3<S>(axis.rotated(X_PJ.rotation(), u[0], u[1]), X_PJ.translation());
   }
   /// (0, axis).
   Subspace subspace() const { return Revolute<S>(axis).subspace(); }

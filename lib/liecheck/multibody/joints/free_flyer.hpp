@@ -1,6 +1,6 @@
 #pragma once
-// A body free in space: q = [p; x y z w], v = (u, omega) in the body's axes. nq = 7, nv = 6. The formulas and
-// their error bounds stand in se3_configuration.hpp.
+// A free-flyer, a body that moves freely: q = [p; x y z w], v = (u, omega) in the body's axes. nq = 7, nv = 6. Formulas
+// and error bounds: se3_configuration.hpp.
 
 #include <algorithm>
 #include <liecheck/multibody/norm.hpp>
@@ -35,8 +35,7 @@ struct FreeFlyer {
     return differenceSE3<S>(q0, q1);
   }
 
-  /// The angle between the two within budget [rad], and |p1 - p0| <= budget max(1 m, |p0|, |p1|). Q and -Q
-  /// are the same.
+  /// angle <= budget [rad] and |p1 - p0| <= budget max(1 m, |p0|, |p1|). Q and -Q are the same.
   static bool isSame(const Configuration& q0, const Configuration& q1, const S& budget) {
     const Vector3<S> p0 = q0.template head<3>(), p1 = q1.template head<3>();
     const S scale = std::max({S(1), multibody_detail::norm(p0), multibody_detail::norm(p1)});

@@ -1,6 +1,6 @@
 #pragma once
 // N coordinates in which integrate is a plain sum: a revolute angle [rad], a prismatic position [m], or none.
-// The configuration part of Universe, Revolute, Prismatic, Helical, Translation and Mimic.
+// Base class of Universe, Revolute, Prismatic, Helical, Translation and Mimic.
 
 #include <algorithm>
 #include <liecheck/multibody/argument_position.hpp>
@@ -29,7 +29,7 @@ struct LinearCoordinates {
   static Configuration integrate(const Configuration& q, const Tangent& delta) { return q + delta; }
   static Tangent difference(const Configuration& q0, const Configuration& q1) { return q1 - q0; }
 
-  /// |q1 - q0| <= budget max(1, |q0|, |q1|): numbers a turn apart are different configurations.
+  /// |q1 - q0| <= budget max(1, |q0|, |q1|): angles that differ by 2 pi are different configurations.
   static bool isSame(const Configuration& q0, const Configuration& q1, const S& budget) {
     for (int i = 0; i < N; ++i) {
       const S scale = std::max({S(1), absolute<S>(q0[i]), absolute<S>(q1[i])});

@@ -1,10 +1,10 @@
 #pragma once
-// A joint tied to another, its primary: it has no numbers of its own and moves by
+// A mimic joint: it has no numbers of its own and follows another joint, its primary, by
 //
 //   x = multiplier y + offset,  y the primary's coordinate [rad or m],  so  S_mimic = multiplier S(x)
 //
-// and its torque is felt at the primary, times the multiplier. y of a continuous primary is atan2(sin, cos):
-// with a multiplier that is no integer, the mimic jumps where the primary passes half a turn.
+// and its generalised force, times the multiplier, is added to the primary's. y of a continuous primary is
+// atan2(sin, cos): unless the multiplier is an integer, the mimic jumps where the primary passes the angle pi.
 
 #include <liecheck/multibody/joints/helical.hpp>
 #include <liecheck/multibody/joints/prismatic.hpp>
@@ -19,7 +19,7 @@ struct Mimic : LinearCoordinates<S, 0> {
   using Subspace = Vector6<S>;
 
   Moved moved;
-  int primary;  ///< index of the joint that it follows
+  int primary;  ///< index of the joint that the mimic follows
   S multiplier, offset;
 
   Mimic(const Moved& moved, int primary, const S& multiplier, const S& offset = S(0))
@@ -28,7 +28,7 @@ struct Mimic : LinearCoordinates<S, 0> {
       throw std::invalid_argument("the multiplier and the offset of a mimic joint must be finite");
   }
 
-  /// By the primary's coordinate y.
+  /// X_PJ times the pose at x = multiplier y + offset, y the primary's coordinate.
   SE3<S> transform(const SE3<S>& X_PJ, const Vector1<S>& y) const {
     const Vector1<S> x(S(multiplier * y[0] + offset));
     return std::visit([&](const auto& joint) { return joint.transform(X_PJ, x); }, moved);

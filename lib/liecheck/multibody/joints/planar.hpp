@@ -1,7 +1,7 @@
 #pragma once
-// A body that slides and turns in the x y plane of its parent: q = [x y, cos sin] of the angle,
-// v = (u_x, u_y, omega_z) in the child's axes [m/s, rad/s]. nq = 4, nv = 3: SE(2), the subgroup of SE(3) with
-// p_z = 0 and rotations about z, whose formulas and bounds (exp_log.hpp, jacobians.hpp) it takes.
+// A planar joint: translations and rotations in the x y plane of the parent. q = [x y, cos sin] of the angle,
+// v = (u_x, u_y, omega_z) in the child's axes [m/s, rad/s]. nq = 4, nv = 3. It is SE(2), the subgroup of SE(3) with
+// p_z = 0 and rotations about z; formulas and bounds are those of exp_log.hpp and jacobians.hpp.
 
 #include <liecheck/multibody/joints/continuous.hpp>
 #include <liecheck/multibody/norm.hpp>
@@ -48,7 +48,7 @@ struct Planar {
         Vector3<S>(u[0] * dx + u[1] * dy, u[0] * dy - u[1] * dx, S(0)));
     return Tangent(rho[0], rho[1], omega);
   }
-  /// The angle between the two within budget [rad], and |p1 - p0| <= budget max(1 m, |p0|, |p1|).
+  /// angle <= budget [rad] and |p1 - p0| <= budget max(1 m, |p0|, |p1|).
   static bool isSame(const Configuration& q0, const Configuration& q1, const S& budget) {
     const Vector2 p0 = q0.template head<2>(), p1 = q1.template head<2>();
     const S scale = std::max({S(1), multibody_detail::norm(p0), multibody_detail::norm(p1)});
@@ -75,7 +75,7 @@ struct Planar {
   /// X_PJ (R(z, angle), (x, y, 0)).
   static SE3<S> transform(const SE3<S>& X_PJ, const Configuration& q) {
     const Vector2 u = se3_configuration_detail::firstOrderNormalize<S, 2>(q.template tail<2>());
-    return SE3<S>(Axis<S>::Z().turned(X_PJ.rotation(), u[0], u[1]), X_PJ.act(Vector3<S>(q[0], q[1], S(0))));
+    return SE3<S>(Axis<S>::Z().rotated(X_PJ.rotation(), u[0], u[1]), X_PJ.act(Vector3<S>(q[0], q[1], S(0))));
   }
   /// Columns u_x, u_y and omega_z of the identity.
   static Subspace subspace() {

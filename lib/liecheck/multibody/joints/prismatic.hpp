@@ -1,5 +1,5 @@
 #pragma once
-// A slide along an axis by q [m], v [m/s]. nq = nv = 1.
+// A prismatic joint: a translation along an axis by q [m], v [m/s]. nq = nv = 1.
 
 #include <liecheck/multibody/joints/axis.hpp>
 #include <liecheck/multibody/joints/linear_coordinates.hpp>

@@ -1,5 +1,5 @@
 #pragma once
-// A turn about an axis by q [rad], v [rad/s]. nq = nv = 1.
+// A revolute joint: a rotation about an axis by q [rad], v [rad/s]. nq = nv = 1.
 
 #include <liecheck/multibody/joints/axis.hpp>
 #include <liecheck/multibody/joints/linear_coordinates.hpp>
@@ -16,7 +16,7 @@ struct Revolute : LinearCoordinates<S, 1> {
   /// X_PJ (R(axis, q), 0). Error 4 eps.
   [[gnu::always_inline]] SE3<S> transform(const SE3<S>& X_PJ, const Vector1<S>& q) const {
     using std::cos, std::sin;
-    return SE3<S>(axis.turned(X_PJ.rotation(), S(cos(q[0])), S(sin(q[0]))), X_PJ.translation());
+    return SE3<S>(axis.rotated(X_PJ.rotation(), S(cos(q[0])), S(sin(q[0]))), X_PJ.translation());
   }
   /// (0, axis).
   Vector6<S> subspace() const {

@@ -1,6 +1,6 @@
 #pragma once
-// A ball: q = [x y z w], v = omega [3, rad/s] in the child's axes. nq = 4, nv = 3. It is a free-flyer that does
-// not move; formulas and error bounds stand in se3_configuration.hpp.
+// A spherical joint: q = [x y z w], v = omega [3, rad/s] in the child's axes. nq = 4, nv = 3. It is a free-flyer without
+// translation; formulas and error bounds: se3_configuration.hpp.
 
 #include <liecheck/multibody/joints/free_flyer.hpp>
 
@@ -27,7 +27,7 @@ struct Spherical {
   static Tangent difference(const Configuration& Q0, const Configuration& Q1) {
     return differenceSE3<S>(pose(Q0), pose(Q1)).template tail<3>();
   }
-  /// The angle between the two within budget [rad]. Q and -Q are the same.
+  /// angle <= budget [rad]. Q and -Q are the same.
   static bool isSame(const Configuration& Q0, const Configuration& Q1, const S& budget) {
     return multibody_detail::norm(difference(Q0, Q1)) <= budget;
   }

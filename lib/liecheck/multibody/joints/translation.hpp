@@ -1,5 +1,5 @@
 #pragma once
-// A slide in all three directions by q [3, m], v [m/s] in the parent's axes, which are the child's too.
+// A translation joint: a displacement by q [3, m], v [m/s], in the axes of the parent, which are also the child's.
 // nq = nv = 3.
 
 #include <liecheck/multibody/joints/linear_coordinates.hpp>

@@ -1,5 +1,5 @@
 #pragma once
-// Joint 0, the universe: fixed to the world, no numbers in q.
+// The universe, joint 0: it is fixed to the world and has no numbers in q.
 
 #include <liecheck/multibody/joints/linear_coordinates.hpp>
 #include <liecheck/spatial/se3.hpp>

@@ -10,7 +10,7 @@
 
 #include <algorithm>
 #include <array>
-#include <liecheck/scalar/double_double.hpp>
+#include <liecheck/scalar/double_word.hpp>
 #include <liecheck/scene/integrators/method.hpp>
 
 namespace liecheck::scene {
@@ -23,7 +23,7 @@ struct GaussPoints {
   std::array<std::array<S, s>, s> a, e;
 
   GaussPoints() {
-    using T = DoubleDouble<S>;
+    using T = DoubleWord<S>;
     std::array<T, s> x, w;
     for (int i = 0; i < s; ++i) {
       using std::cos;

@@ -1,5 +1,5 @@
 #pragma once
-// A joint with its place in the tree, in q [nq], in v [nv] and among the columns of the motion subspaces.
+// A joint of a Model with its place in the tree, in q [nq], in v [nv] and among the columns of the motion subspaces.
 // Segments are fixed-size: nothing is allocated.
 
 #include <liecheck/multibody/model.hpp>
@@ -8,14 +8,14 @@
 
 namespace liecheck::multibody_detail {
 
-/// Throws std::invalid_argument with both numbers.
+/// Throws std::invalid_argument with both sizes where they differ.
 inline void checkSize(Eigen::Index actual, int expected, const char* what, const char* dimension) {
   if (actual != expected)
     throw std::invalid_argument(std::string(what) + " has " + std::to_string(actual) +
                                 " numbers, the model's " + dimension + " is " + std::to_string(expected));
 }
 
-/// to = f(), made where it stays: what is copied right after it was written, in wider pieces, waits for that.
+/// to = f(), constructed in place: a copy by wide loads right after the narrow stores of f() would stall.
 template <class T, class F>
 [[gnu::always_inline]] inline void build(T& to, F f) {
   if constexpr (std::is_trivially_destructible_v<T>)
@@ -25,14 +25,14 @@ template <class T, class F>
 }
 
 template <Scalar S, class J>
-struct Place {
+struct JointPlace {
   static constexpr bool mimics = std::is_same_v<J, Mimic<S>>;
   static constexpr int columns = J::columns;
   using Coordinates = Eigen::Matrix<S, columns, 1>;
 
   const Model<S>& model;
   const J& joint;
-  int index, idx_q, idx_v, column;  ///< idx_q and idx_v of a mimic are its primary's
+  int index, idx_q, idx_v, column;  ///< of the joint; idx_q and idx_v of a mimic are its primary's
 
   typename J::Configuration configuration(const VectorX<S>& q) const {
     return q.template segment<J::nq>(idx_q);
@@ -43,51 +43,51 @@ struct Place {
   auto jacobian(MatrixX<S>& M) const { return M.template block<J::nv, J::nv>(idx_v, idx_v); }
   auto coefficientJacobian(MatrixX<S>& M) const { return M.template block<J::nq, J::nv>(idx_q, idx_v); }
 
-  /// Pose in the parent joint's frame.
+  /// The pose in the parent joint's frame.
   [[gnu::always_inline]] SE3<S> transform(const VectorX<S>& q) const {
     const SE3<S>& X_PJ = model.jointPlacements[std::size_t(index)];
     if constexpr (mimics) {
       using std::atan2;
-      const bool turns = model.nqs[std::size_t(joint.primary)] == 2;
-      const S y = turns ? S(atan2(q[idx_q + 1], q[idx_q])) : q[idx_q];
+      const bool continuous = model.nqs[std::size_t(joint.primary)] == 2;
+      const S y = continuous ? S(atan2(q[idx_q + 1], q[idx_q])) : q[idx_q];
       return joint.transform(X_PJ, Vector1<S>(y));
     } else {
       return joint.transform(X_PJ, configuration(q));
     }
   }
-  static constexpr bool turns = turns_about_axis<S, J>;  ///< half of S is zero, and most joints are one
+  static constexpr bool rotates = rotates_about_axis<S, J>;  ///< S = (0, axis), as of most joints
 
-  /// S v [6]: the velocity relative to the parent, in the joint's axes, at its origin. For v' it is what v'
-  /// adds to the acceleration: S is constant, so there is no more.
+  /// S v [6]: the velocity relative to the parent, in the joint's axes, at its origin; and with v' the term S v' of the
+  /// acceleration.
   Motion<S> motion(const VectorX<S>& v) const {
-    if constexpr (turns)
+    if constexpr (rotates)
       return {Vector3<S>::Zero(), Vector3<S>(v[idx_v] * joint.axis.to_vector())};
     else if constexpr (columns == 6)
       return Motion<S>(Vector6<S>(v.template segment<6>(idx_v)));
     else
       return Motion<S>(Vector6<S>(joint.subspace() * v.template segment<columns>(idx_v)));
   }
-  /// V x (S v), of such a motion.
+  /// V x (S v), relative = S v.
   static Motion<S> velocityProduct(const Motion<S>& V, const Motion<S>& relative) {
-    if constexpr (turns) {
+    if constexpr (rotates) {
       const Vector3<S>& w = relative.angular();
       return {cross<S>(V.linear(), w), cross<S>(V.angular(), w)};
     } else {
       return V.cross(relative);
     }
   }
-  /// S^T F [columns]: what the joint feels of a force.
+  /// The generalised force S^T F [columns].
   Coordinates project(const Force<S>& F) const {
-    if constexpr (turns)
+    if constexpr (rotates)
       return Coordinates(joint.axis.to_vector().dot(F.angular()));
     else if constexpr (columns == 6)
       return F.to_vector();
     else
       return joint.subspace().transpose() * F.to_vector();
   }
-  /// S in axes turned by R: 6 numbers a column, one by one, where wider loads would wait for narrow stores.
+  /// S in axes rotated by R, to 6 x columns numbers, column by column; stored one by one, since wide loads would stall.
   [[gnu::always_inline]] void subspaceIn(const Matrix3<S>& R, S* to) const {
-    if constexpr (turns) {
+    if constexpr (rotates) {
       const Vector3<S> w = joint.axis.in(R);
       to[0] = to[1] = to[2] = S(0);
       to[3] = w[0], to[4] = w[1], to[5] = w[2];
@@ -107,13 +107,13 @@ struct Place {
   }
 };
 
-/// f(place) of joint i, not of the universe.
+/// f(place) of joint i; nothing for the universe.
 template <Scalar S, class F>
 void visitJoint(const Model<S>& model, std::size_t i, F f) {
   std::visit(
       [&]<class J>(const J& joint) {
         if constexpr (!std::is_same_v<J, Universe<S>>)
-          f(Place<S, J>{model, joint, int(i), model.idx_qs[i], model.idx_vs[i], model.idx_columns[i]});
+          f(JointPlace<S, J>{model, joint, int(i), model.idx_qs[i], model.idx_vs[i], model.idx_columns[i]});
       },
       model.joints[i]);
 }

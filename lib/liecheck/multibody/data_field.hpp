@@ -1,25 +1,25 @@
 #pragma once
-// A result in Data that knows whether it is fresh.
+// A field of Data: a result that knows whether it belongs to the current state.
 //
-// Every algorithm states the inputs that its results depend on: q, (q, v) or (q, v, a). A result is stale when it
-// was never computed, or when an input that it depends on has changed since by a call of another algorithm. In
-// debug builds reading it then throws StaleField; checked() does in every build. Reading costs nothing in release.
+// Every algorithm states the inputs that its results depend on: q, (q, v) or (q, v, a). A field is stale when it was
+// never computed, or when an algorithm has been called since with another value of such an input. Reading a stale field
+// throws StaleField in debug builds, and checked() does in every build. In release builds reading costs nothing.
 
 #include <stdexcept>
 #include <string>
 
 namespace liecheck {
 
-/// A result was read that belongs to no state, or to another one; what() names the call that is missing.
+/// Thrown where a stale field is read; what() names the call that is missing.
 class StaleField : public std::logic_error {
  public:
   using std::logic_error::logic_error;
 };
 
-/// The inputs a result depends on.
+/// The inputs that a field depends on: q, (q, v) or (q, v, a).
 enum class Level { Position, Velocity, Acceleration };
 
-/// Which state is the current one: a number for each input, which changes when the input does.
+/// The current state: for each input a number that changes when the input does.
 struct Clock {
   long q = 0, v = 0, a = 0;
 };
@@ -27,7 +27,7 @@ struct Clock {
 template <class T>
 class Field {
  public:
-  /// name: of the field; call: the one that computes it.
+  /// name of the field, and the call that computes it.
   Field(const Clock& clock, const char* name, const char* call, T value = T())
       : clock_(&clock), name_(name), call_(call), value_(std::move(value)) {}
 
@@ -55,13 +55,13 @@ class Field {
     return value_;
   }
 
-  /// For algorithms: the value, to be computed now for the current state.
+  /// For algorithms: the value, which they compute now for the current state.
   T& write(Level level) {
     stamp_ = {clock_->q, level == Level::Position ? 0 : clock_->v,
               level == Level::Acceleration ? clock_->a : 0};
     return value_;
   }
-  /// For algorithms: storage that they use for something else than its meaning.
+  /// For algorithms: the storage, used for something else; the field becomes stale.
   T& scratch() {
     stamp_ = {};
     return value_;

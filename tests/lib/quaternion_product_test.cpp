@@ -1,22 +1,22 @@
-// Four numbers at a time are four numbers: in one register, in an array, and in any place.
+// The product of quaternions in one register and in an array, of any size of numbers.
 
 #include <gtest/gtest.h>
 
 #include <liecheck/multibody/se3_configuration.hpp>
-#include <liecheck/scalar/double_double.hpp>
+#include <liecheck/scalar/double_word.hpp>
 #include <random>
 
 namespace liecheck {
 namespace {
 
 template <class S>
-class QuadOf : public testing::Test {};
-using Scalars = testing::Types<float, double, DoubleDouble<double>>;
-TYPED_TEST_SUITE(QuadOf, Scalars);
+class QuaternionProductOf : public testing::Test {};
+using Scalars = testing::Types<float, double, DoubleWord<double>>;
+TYPED_TEST_SUITE(QuaternionProductOf, Scalars);
 
-TYPED_TEST(QuadOf, IsPermutedAsItsNumbersAre) {
+TYPED_TEST(QuaternionProductOf, IsPermutedAsItsNumbersAre) {
   using S = TypeParam;
-  const auto q = permute<2, 0, 3, 3>(quad<S>(S(1), S(2), S(3), S(4)));
+  const auto q = permute<2, 0, 3, 3>(Quad<S>(S(1), S(2), S(3), S(4)));
   EXPECT_EQ(double(q.v[0]), 3);
   EXPECT_EQ(double(q.v[1]), 1);
   EXPECT_EQ(double(q.v[2]), 4);
@@ -25,7 +25,7 @@ TYPED_TEST(QuadOf, IsPermutedAsItsNumbersAre) {
 }
 
 /// The products of the eight units of the quaternions, in the order 1 i j k of w x y z.
-TYPED_TEST(QuadOf, ProductOfUnitsIsHamiltons) {
+TYPED_TEST(QuaternionProductOf, ProductOfUnitsIsHamiltons) {
   using S = TypeParam;
   const auto unit = [](int i) { return Vector4<S>(S(i == 1), S(i == 2), S(i == 3), S(i == 0)); };
   constexpr int table[4][4] = {
@@ -42,8 +42,8 @@ TYPED_TEST(QuadOf, ProductOfUnitsIsHamiltons) {
     }
 }
 
-/// Products that all round, against the same in twice the digits: high + low err by an eps times the root of eps.
-TEST(Quad, ProductHoldsTwiceTheDigits) {
+/// Products that all round, against double words: the error of high + low is an eps times the root of eps.
+TEST(QuaternionProduct, HoldsTwiceTheDigits) {
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> uniform(-1, 1);
   double worst = 0;
@@ -55,7 +55,7 @@ TEST(Quad, ProductHoldsTwiceTheDigits) {
                                                                                     SO3<double>(b).numbers())
                          .sum;
     const auto low = sum.low();
-    using D = DoubleDouble<double>;
+    using D = DoubleWord<double>;
     const D x(a[0]), y(a[1]), z(a[2]), w(a[3]);
     const D exact[4] = {w * D(b[0]) + x * D(b[3]) + y * D(b[2]) - z * D(b[1]),
                         w * D(b[1]) + y * D(b[3]) + z * D(b[0]) - x * D(b[2]),
@@ -70,8 +70,8 @@ TEST(Quad, ProductHoldsTwiceTheDigits) {
   EXPECT_LE(worst, 8 * std::ldexp(eps<double>(), -26));
 }
 
-/// Translations so long that the place where they are cut overflows: scaled down, and as accurate.
-TYPED_TEST(QuadOf, TranslationsNearTheEndOfTheRangeKeepTheirDigits) {
+/// Translations so long that the place where they are split overflows are scaled down, and as accurate.
+TYPED_TEST(QuaternionProductOf, TranslationsNearTheEndOfTheRangeKeepTheirDigits) {
   using S = TypeParam;
   if constexpr (std::is_floating_point_v<S>) {
     const S huge = std::numeric_limits<S>::max() / S(16), far = S(1) / std::numeric_limits<S>::max_exponent;
