@@ -106,7 +106,7 @@ struct RowAndColumn {
 
 /// M_mk = M_km = s_m^T F of every column m of joint j up to k, and of every ancestor of j, F = Ic_j s_k. The fast kernel
 /// of crba: it leaves out the products with the zeros of a joint that rotates about an axis, s = (0, omega), and of a
-/// free-flyer, S = [R, 0; 0, R]. GAIN
+/// free-flyer, S = [R, 0; 0, R].
 template <bool rotation, bool mimics, Scalar S>
 [[gnu::always_inline]] inline void projectOnSupport(const Model<S>& model, const Data<S>& data, std::size_t j,
                                                     ColumnMomentum<S> F, const RowAndColumn<mimics, S>& M_k) {
