@@ -39,8 +39,8 @@ function horizontalAxis(rows) {
   return {position, ticks, slots: slots.length, slot, low, min: slots.length ? first : low, max: high};
 }
 
-// The vertical axis for a set of rows: log10 of the error in eps, a floor for 0 and one for what is too small to draw,
-// and ceilings for what is not an error in eps: NaN and Inf, a wrong branch.
+// The vertical axis for a set of rows: log10 of the error in eps, one floor for 0 and one for errors too small to draw,
+// and ceilings for a wrong branch and for NaN and Inf.
 const SMALLEST = -3;  // smaller errors share a tick of their own, above that of 0
 
 function verticalAxis(rows, statistics) {
@@ -48,7 +48,7 @@ function verticalAxis(rows, statistics) {
   const logs = values.filter(v => v > 0).map(Math.log10).filter(v => v >= SMALLEST);
   logs.push(...rows.filter(r => r.rule === "forward" && r.budget > 0).map(r => Math.log10(r.budget)));
   const least = Math.floor(Math.min(0, ...logs)), most = Math.ceil(Math.max(1, ...logs) + .2);
-  const gap = Math.max(1, .08 * (most - least));  // so that the labels of floor and ceiling stand free
+  const gap = Math.max(1, .08 * (most - least));  // so that the labels of floor and ceiling do not overlap others
   const below = values.some(v => v > 0 && Math.log10(v) < SMALLEST);
   const tiny = below ? least - gap : least;
   const floor = values.some(v => v === 0) ? tiny - gap : tiny;
@@ -65,7 +65,7 @@ function verticalAxis(rows, statistics) {
   return {ticks, ceilings, rim: most + .6 * gap, place, min: floor - .4 * gap, max: top};
 }
 
-// The ticks that find room in `width` pixels: every slot; every decade, every second, fifth, … that is clear of them.
+// The ticks that fit into `width` pixels: all slots, and each decade, or each second, fifth, …, that is clear of them.
 function roomy(ticks, span, width) {
   const decade = width / span;
   const step = [1, 2, 5, 10, 20, 50].find(s => s * decade >= 38) ?? 100;
@@ -75,7 +75,7 @@ function roomy(ticks, span, width) {
 }
 
 const notFinite = row => row.not_finite > 0 || typeof row.max_eps === "string";
-// What is no error in eps stands above the axis, in a row of its own.
+// Outcomes without an error in eps have rows of their own above the axis.
 const OUTCOMES = [
   {name: "wrong branch", lines: ["wrong", "branch"], holds: row => row.wrong_branch > 0},
   {name: "NaN or Inf", lines: ["NaN", "or Inf"], holds: notFinite}];

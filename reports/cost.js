@@ -1,4 +1,4 @@
-// Error against time: a pair of charts for each operation, the scalars that processors have and every precision.
+// Error against time: a pair of charts for each operation, one of float and double and one of every precision.
 
 const costs = numbers.records.flatMap(r => r.cost ? [r.cost] : []);
 const SCALARS = {float: "triangle", double: "circle", float128: "rect", "double-double": "crossRot", digits50: "rectRot",
@@ -25,7 +25,7 @@ function costPoints(rows, kind) {
 const costName = row => `${row.subject} ${row.scalar}`;
 const costDigits = error => error > 0 ? `${(-Math.log10(error)).toFixed(1)} digits` : "exact";
 
-// Names beside the points, those of the front first; a name that would lie on another is left out.
+// Names beside the points, undominated ones first; a name that would overlap another is left out.
 const costNames = {
   id: "costNames",
   afterDatasetsDraw(chart) {
@@ -60,7 +60,7 @@ function costPlot(head, points, kind, names) {
   const stairs = [];
   best.forEach((p, i) => { stairs.push({x: p.x, y: i ? best[i - 1].y : most}, {x: p.x, y: p.y}); });
   if (best.length) stairs.push({x: high, y: best.at(-1).y});
-  const canvas = element("canvas", {role: "img", "aria-label": `Error against ${kind}, ${head}. On the front: ` + best.map(p =>
+  const canvas = element("canvas", {role: "img", "aria-label": `Error against ${kind}, ${head}. Not dominated: ` + best.map(p =>
     `${costName(p.row)}, ${short(p.x)} ns, ${costDigits(p.error)}`).join("; ") + "."});
   const holder = element("div", {class: "canvas"}, canvas);
   const decades = Math.log10(most / least), step = [1, 2, 5, 10, 20].find(s => decades / s <= 9) ?? 50;

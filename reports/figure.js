@@ -20,8 +20,8 @@ function draw(holder) {
   make();
 }
 
-// On paper: every chart, at the size it has there; the browser scales a canvas, it does not redraw it. The tables
-// of bands that have no chart are unfolded; the others stay on the screen and in report.csv.
+// Before printing, every chart is drawn at its printed size, because the browser scales a canvas and does not redraw
+// it. Tables of bands without a chart are unfolded; the others are not printed and are in report.csv.
 let unfolded = [];
 function toPaper() {
   [...waiting.keys()].forEach(draw);
@@ -35,7 +35,7 @@ function fromPaper() {
   for (const holder of document.querySelectorAll(".canvas")) Chart.getChart(holder.firstElementChild)?.resize();
 }
 
-function forget(container) {  // its charts, before it is filled anew
+function forget(container) {  // destroys its charts, before it is filled again
   for (const holder of container.querySelectorAll(".canvas")) {
     watcher.unobserve(holder);
     waiting.delete(holder);
@@ -68,7 +68,7 @@ function legend(rows, statistics) {
   return list;
 }
 
-// What the chart shows, for those who do not see it.
+// The text of a chart for screen readers.
 function spoken(rows, head) {
   const parts = subjects.flatMap(s => {
     const own = rows.filter(r => r.subject === s && r.count > 0);

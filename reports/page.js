@@ -35,7 +35,7 @@ function groups(rows) {  // rows of one operation, block and property, in the or
 function caption(rows) {
   const {operation, block, property} = rows[0];
   const o = find("operations", e => e.operation === operation), p = find("properties", e => e.property === property);
-  // A record of 0.1 defines a block once for all operations.
+  // Older records define a block once for all operations.
   const b = find("blocks", e => e.block === block && (e.operation ?? operation) === operation);
   const unit = b && b.denominator === "absolute" && b.unit !== "1" ? `, in eps · ${b.unit}` : "";
   return [o && `${[o.definition, o.frame].filter(Boolean).join("; ")}.`, b && `Error: ${b.error}, denominator: ${b.denominator}${unit}.`,

@@ -1,4 +1,4 @@
-// Work and precision: error against time for each second of motion, a line for each method.
+// Work-precision diagrams: error against time per simulated second, one line for each method.
 
 const sweeps = numbers.records.flatMap(r => r.scenes ? [r.scenes] : []);
 const ERRORS = {attitude: "attitude [rad]", position: "position [m]", angular_velocity: "angular velocity [rad/s]",
@@ -97,7 +97,7 @@ document.querySelectorAll(".scene-charts").forEach((home, i) => {
       const block = scene.series.some(s => s.points.some(p => p[form.elements.block.value] !== null)) ? form.elements.block.value : "position";
       const chart = workPrecision(scene, block, looks, peers.checked);
       grid.append(element("figure", {class: "plot"}, element("h4", {}, scene.scene),
-        element("figcaption", {}, `${scene.what}. Truth: ${scene.truth}.`), chart ?? element("p", {}, "Nothing of this was timed.")));
+        element("figcaption", {}, `${scene.what}. Truth: ${scene.truth}.`), chart ?? element("p", {}, "No run of this scene was timed.")));
     }
     home.append(grid);
   };

@@ -12,7 +12,7 @@ const VERDICTS = [
 const rankOf = cell => VERDICTS.findIndex(v => v.name === cell.verdict) + (cell.failed ? 100 : 0);
 const verdictOf = cell => VERDICTS.find(v => v.name === cell.verdict);
 
-// One entry a case: its laws, and for each column the cells of all laws, worst first.
+// One entry for each case: its laws, and for each column the cells of all laws, worst first.
 function hardCases() {
   const cases = new Map();
   for (const row of numbers.records.flatMap(r => r.hard_cases ?? [])) {
@@ -95,7 +95,7 @@ function caseRow(hard, columns) {
   return row;
 }
 
-// A class: a head row with each column's failures, and its cases, made when first opened.
+// The row of a class with each column's failures; the rows of its cases are made when it is first opened.
 function classBody(name, cases, columns, open) {
   const body = element("tbody"), toggle = element("button", {type: "button", class: "class", "aria-expanded": "false"});
   const head = element("tr", {class: "class"}, element("th", {scope: "rowgroup"}, toggle));

@@ -28,10 +28,10 @@ async function copy(text, button) {
 }
 
 const number = text => element("td", {class: "number"}, text);
-// Without a case there is no error: a zero here would read as a perfect one.
+// A band without cases has no error; 0 would mean exact results.
 const measured = (row, name) => number(row.count > 0 ? short(row[name]) : "—");
 
-// `first`: the columns that tell rows apart, beside the band.
+// `first`: the columns that identify a row together with the band.
 function bandTable(caption, rows, first) {
   const heads = [...first, "band", "cases", "max [eps], a lower bound", "p99 [eps]", "median [eps]", "max excess",
     "judged by", "budget", "status", "other outcomes", "worst case"];
@@ -49,7 +49,7 @@ function bandTable(caption, rows, first) {
     element("table", {}, element("caption", {}, caption), head, body));
 }
 
-// The same, folded and filled when opened: a page may have tens of thousands of rows.
+// The same table, folded. It is filled when opened, because a page may have tens of thousands of rows.
 function foldedTable(caption, rows, first) {
   const fold = element("details", {}, element("summary", {}, `${caption} (${rows.length} rows)`));
   fold.fill = () => { if (fold.children.length === 1) fold.append(bandTable(caption, rows, first)); };

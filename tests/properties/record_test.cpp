@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "../reports/documented_fields.hpp"
+#include "../reports/sample_record.hpp"
 
 namespace {
 
@@ -102,12 +103,25 @@ TEST(Record, DefinesEveryOperationAndBlockByItself) {
 }
 
 TEST(Record, OfCostAndSweepHasEveryDocumentedFieldAndNoOther) {
-  Json record = campaign();
-  record["cost"] = written("cost --op exp6 --for 1s");
-  record["sweep"] = written("sweep --coefficient c2 --stride 1000003 -j 1");
-  EXPECT_NO_THROW(check_record("report.json", record));
+  Json whole = record();
+  whole["cost"] = written("cost --op exp6 --for 1s");
+  whole["sweep"] = written("sweep --coefficient c2 --stride 1000003 -j 1");
+  EXPECT_NO_THROW(check_record("report.json", whole));
   for (const char* section : {"cost", "sweep"})
-    expect_agreement(schema()["properties"][section], record[section]);
+    expect_agreement(schema()["properties"][section], whole[section]);
+}
+
+TEST(Record, OfScenesHasNoUndocumentedField) {
+  Json whole = record();
+  whole["scenes"] = written("scene sweep " LIECHECK_FIXTURES
+                            "/scenes/stable_major_spin.yaml --integrator rk2 --no-peers --for 1s");
+  EXPECT_NO_THROW(check_record("report.json", whole));
+  const Disagreement found = compare_fields(schema()["properties"]["scenes"], whole["scenes"]);
+  EXPECT_EQ(found.undocumented, std::set<std::string>());
+  for (const std::string& field : found.absent)  // a report's record alone has these
+    EXPECT_TRUE(field.starts_with("costs") || field.starts_with("films") || field.starts_with("peers[]") ||
+                field.starts_with("spins[]") || field.starts_with("flips[]"))
+        << field;
 }
 
 }  // namespace

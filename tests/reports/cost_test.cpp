@@ -1,4 +1,4 @@
-// What the report says of error against time: the price of a digit and whom it advises to whom.
+// The section of error against time: the price of a digit, and which subject it advises.
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// What the report says of simulated scenes.
+// The section of simulated scenes.
 
 #include <gtest/gtest.h>
 
