@@ -1,5 +1,5 @@
-// The store: nothing is lost by kill -9, the same cases give the same export however they were run, and what is
-// not a sound store of this campaign is refused with one line.
+// The store: kill -9 loses no transaction, the same cases give the same export however they were run, and a file that is
+// not an undamaged store of this campaign is refused with one line.
 
 #include <gtest/gtest.h>
 
@@ -8,6 +8,7 @@
 #include <unistd.h>
 #include <algorithm>
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <random>
@@ -26,6 +27,7 @@ class Stores : public testing::Test {
   void SetUp() override {
     std::string name = (fs::temp_directory_path() / "liecheck_XXXXXX").string();
     folder_ = mkdtemp(name.data());
+    fmt::print("LIECHECK_SEED={}\n", seed_);
   }
   void TearDown() override { fs::remove_all(folder_); }
   std::string file(const std::string& name) const { return (folder_ / name).string(); }
@@ -73,7 +75,16 @@ class Stores : public testing::Test {
     return {std::istreambuf_iterator<char>(f), {}};
   }
 
+  /// Of the damage, the kills and the orders of files.
+  static unsigned seed() {
+    const char* given = std::getenv("LIECHECK_SEED");
+    return given ? static_cast<unsigned>(std::strtoul(given, nullptr, 10)) : std::random_device{}();
+  }
+
   fs::path folder_;
+  const unsigned seed_ = seed();
+  std::mt19937 random_{seed_};
+  const testing::ScopedTrace trace_{__FILE__, __LINE__, fmt::format("to repeat: LIECHECK_SEED={}", seed_)};
 };
 
 #define EXPECT_SAYS(what, words) EXPECT_NE((what).find(words), std::string::npos) << (what)
@@ -99,10 +110,9 @@ TEST_F(Stores, ExportTheSameForOneThreadTwoAndSevenShardsInAnyOrder) {
   two.jobs = 2, two.checkpoint_seconds = 0;
   EXPECT_EQ(text(run("two", two)), one);
   auto parts = shards(7);
-  std::mt19937 random(std::random_device{}());
   for (int i = 0; i < 3; ++i) {
-    std::shuffle(parts.begin(), parts.end(), random);
-    merge_into(file("merged"), parts, false);  // again into the same file: nothing changes
+    std::shuffle(parts.begin(), parts.end(), random_);
+    merge_into(file("merged"), parts, false);  // the second time into the same file: it does not change
     EXPECT_EQ(text(file("merged")), one);
   }
   EXPECT_EQ(Store(file("merged"), Store::Open::existing).campaigns(), 1);
@@ -133,8 +143,7 @@ TEST_F(Stores, GoOnAfterKillsToTheSameExport) {
     seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
   const std::string whole = text(file("whole" + std::to_string(o.cases)));
-  o.jobs = 2, o.checkpoint_seconds = 0;  // a transaction for every chunk, so that kills meet them
-  std::mt19937 random(std::random_device{}());
+  o.jobs = 2, o.checkpoint_seconds = 0;  // a transaction for every chunk, so that kills interrupt some
   std::uint64_t last = 0;
   int kills = 0, progressed = 0;
   while (kills < 30) {
@@ -143,14 +152,15 @@ TEST_F(Stores, GoOnAfterKillsToTheSameExport) {
       run("killed", o, true);
       _exit(0);
     }
-    // Later and later: a busy machine may take long to begin.
-    std::this_thread::sleep_for(std::chrono::milliseconds(random() % static_cast<unsigned>(30 + 10 * kills)));
+    // Later each time: a busy machine may be slow to start the process.
+    std::this_thread::sleep_for(
+        std::chrono::milliseconds(random_() % static_cast<unsigned>(30 + 10 * kills)));
     kill(child, SIGKILL);
     int status = 0;
     waitpid(child, &status, 0);
     if (WIFEXITED(status)) break;
     ++kills;
-    Store store(file("killed"), Store::Open::create);  // created or not: never half
+    Store store(file("killed"), Store::Open::create);  // whole, or not there yet
     if (store.campaigns() == 0) continue;
     std::uint64_t done = 0;
     for (const auto& s : store.load(1).series) done += s.tally.cases;
@@ -240,11 +250,10 @@ TEST_F(Stores, OfAnotherKindOrDamagedAreRefusedWithOneLine) {
   EXPECT_SAYS(error([&] { run("foreign", options()); }), "another program");
   const std::string good = run("good", options());
   const std::string bytes = written("good");
-  std::mt19937 random(std::random_device{}());
   int refused = 0;
-  for (int i = 0; i < 40; ++i) {  // a damaged byte is refused, or it was in no use
+  for (int i = 0; i < 40; ++i) {  // a damaged byte is refused, or was unused
     std::string bad = bytes;
-    bad[random() % bad.size()] ^= static_cast<char>(1 + random() % 255);
+    bad[random_() % bad.size()] ^= static_cast<char>(1 + random_() % 255);
     std::ofstream(file("bad"), std::ios::binary) << bad;
     std::string now;
     const std::string why = error([&] { now = text(file("bad")); });
@@ -263,7 +272,7 @@ TEST_F(Stores, KeepTheirDataWhereTheDiskIsFullOrReadOnly) {
   const std::string name = run("full", options(210));
   const std::string before = text(name);
   const std::string more = "campaign --subject textbook --scalar double --seed 7 --cases 2000 --store ";
-  // A limit on the file's size fails as a full disk does: blocks of 512 bytes.
+  // A limit on the file's size [512 bytes] acts as a full disk.
   const auto limit = std::to_string(fs::file_size(name) / 512 + 16);
   EXPECT_EQ(std::system(("ulimit -f " + limit + "; '" LIECHECK_PROGRAM "' " + more + name + " >/dev/null 2>" +
                          file("stderr"))
@@ -287,7 +296,7 @@ TEST_F(Stores, KeepTheirDataWhereTheDiskIsFullOrReadOnly) {
 TEST_F(Stores, StopAtASignalAndSayHowToGoOn) {
   const std::string store = "'" + file("a b") + "'";
   const std::string quoted = "campaign --no-hard-cases --subject textbook --cases 100000000 --store " + store;
-  // The handlers stand before the store does.
+  // The signal handlers are installed before the store is created.
   const int code =
       std::system(("'" LIECHECK_PROGRAM "' " + quoted + " >" + file("stdout") + " 2>&1 & while ! test -s " +
                    store + "; do sleep 0.1; done; sleep 1; kill -TERM $!; wait $!")
