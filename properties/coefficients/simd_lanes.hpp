@@ -1,9 +1,7 @@
 #pragma once
-// Two scalars that run the library's templates on many floats at once: eight in lanes, and all between two.
+// A scalar that runs the library's templates on eight floats at once.
 
-#include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <liecheck/scalar/scalar.hpp>
 #include <limits>
 
@@ -53,84 +51,7 @@ struct Lanes {
   friend bool isfinite(const Lanes&);
 };
 
-/// Every float from low to high. Rounding to nearest is monotone, so what an operation returns for any operands
-/// between lies between what it returns at their ends: results hold every float that the code can return. An
-/// answer that the ends do not settle (a comparison, a function of libm) sets `undecided`. It takes branches: it knows
-/// where its ends would part.
-struct Span {
-  using Lane = float;
-  float low, high;
-  static inline thread_local bool undecided = false;
-
-  Span() = default;
-  Span(float from, float to) : low(from), high(to) {}
-  Span(float x) : low(x), high(x) {}
-  Span(int x) : Span(static_cast<float>(x)) {}
-
-  static Span of(std::initializer_list<float> corners) {
-    const auto [least, most] = std::minmax_element(corners.begin(), corners.end());
-    return {*least, *most};
-  }
-  static Span unknown() {
-    undecided = true;
-    return 0;
-  }
-  friend Span operator+(const Span& x, const Span& y) { return {x.low + y.low, x.high + y.high}; }
-  friend Span operator-(const Span& x, const Span& y) { return {x.low - y.high, x.high - y.low}; }
-  friend Span operator-(const Span& x) { return {-x.high, -x.low}; }
-  friend Span operator*(const Span& x, const Span& y) {
-    return of({x.low * y.low, x.low * y.high, x.high * y.low, x.high * y.high});
-  }
-  friend Span operator/(const Span& x, const Span& y) {
-    if (y.low <= 0 && y.high >= 0) return unknown();
-    return of({x.low / y.low, x.low / y.high, x.high / y.low, x.high / y.high});
-  }
-  Span& operator*=(const Span& y) { return *this = *this * y; }
-  friend Span mul_add(const Span& x, const Span& y, const Span& z) {
-#if defined(__FMA__)
-    const Span lows = of({std::fma(x.low, y.low, z.low), std::fma(x.low, y.high, z.low),
-                          std::fma(x.high, y.low, z.low), std::fma(x.high, y.high, z.low)}),
-               highs = of({std::fma(x.low, y.low, z.high), std::fma(x.low, y.high, z.high),
-                           std::fma(x.high, y.low, z.high), std::fma(x.high, y.high, z.high)});
-    return {lows.low, highs.high};
-#else
-    return x * y + z;
-#endif
-  }
-  friend bool operator<=(const Span& x, const Span& y) {
-    if (!(x.high <= y.low || x.low > y.high)) undecided = true;
-    return x.high <= y.low;
-  }
-  friend bool operator<(const Span& x, const Span& y) {
-    if (!(x.high < y.low || x.low >= y.high)) undecided = true;
-    return x.high < y.low;
-  }
-  friend Span sqrt(const Span& x) {
-    return {std::sqrt(x.low), std::sqrt(x.high)};
-  }
-  friend Span sin(const Span&) {
-    return unknown();
-  }
-  friend Span cos(const Span&) {
-    return unknown();
-  }
-  friend Span atan2(const Span&, const Span&) {
-    return unknown();
-  }
-  friend Span fabs(const Span&) {
-    return unknown();
-  }
-  friend Span ldexp(const Span& x, int e) {
-    return {std::ldexp(x.low, e), std::ldexp(x.high, e)};
-  }
-  friend bool isfinite(const Span& x) {
-    return std::isfinite(x.low) && std::isfinite(x.high);
-  }
-};
-
 }  // namespace liecheck::properties
 
 template <>
 struct std::numeric_limits<liecheck::properties::Lanes> : std::numeric_limits<float> {};
-template <>
-struct std::numeric_limits<liecheck::properties::Span> : std::numeric_limits<float> {};

@@ -2,40 +2,41 @@
 #include <array>
 #include <atomic>
 #include <bit>
-#include <coefficients/sweep.hpp>
-#include <support/threads.hpp>
 #include <chrono>
 #include <cmath>
+#include <coefficients/sweep.hpp>
 #include <limits>
 #include <memory>
 #include <mutex>
+#include <support/threads.hpp>
 
 namespace liecheck::properties {
 namespace {
 
 constexpr double eps = std::numeric_limits<float>::epsilon();
-constexpr std::uint32_t block = 1u << 12, run = 1u << 20, unit = 1u << 22;  // floats
-constexpr std::size_t lanes = 8;
-/// Beyond it an interval is too wide for its cubic: 1e-4 eps.
-constexpr double widest_bound = 1e-11;
+/// Numbers of consecutive floats: of one evaluation, of the largest interval tried for one value, of a task of a thread.
+constexpr std::uint32_t block = 1U << 12, interval = 1U << 20, task = 1U << 22;
+constexpr std::size_t padding = 8;  ///< CoefficientCode::evaluate may read and write beyond the end
+/// Above this bound of the oracle, 1e-4 eps, an interval is too wide for a cubic polynomial.
+constexpr double largest_oracle_bound = 1e-11;
 
 float float_of(std::uint32_t bits) {
   return std::bit_cast<float>(bits);
 }
 
-/// What is known of one coefficient.
-struct Found {
+/// The largest values over the floats swept so far, of one coefficient.
+struct Largest {
   std::uint64_t evaluated = 0, constant = 0;
   double error = 0, oracle = 0, condition = 0;
-  std::uint32_t at = 0;  ///< bits
+  std::uint32_t at = 0;  ///< bits of the float with the largest error
 
-  void measured(double e, std::uint32_t bits) {
+  void add(double e, std::uint32_t bits) {
     if (e > error || (e == error && bits < at)) error = e, at = bits;
   }
-  void merge(const Found& f) {
+  void merge(const Largest& f) {
     evaluated += f.evaluated, constant += f.constant;
     oracle = std::max(oracle, f.oracle), condition = std::max(condition, f.condition);
-    measured(f.error, f.at);
+    add(f.error, f.at);
   }
 };
 
@@ -44,7 +45,7 @@ Pair both(double x) {
   return Pair{x, x};
 }
 
-/// |f p(u) - 1|, or |f - p(u)|; infinite where f is no number.
+/// |f p(u) - 1|, or |f - p(u)|; `most` = infinity where f is NaN.
 template <bool absolute, class T>
 T error_of(const T& x, const T& f, const std::array<T, 5>& p, const T& one, const T& zero, const T& most) {
   const T u = x - p[4];
@@ -75,79 +76,79 @@ double error_at(float x, float f, const oracles::LocalExpansion& o, bool absolut
                   : error_of<false, double>(x, f, p, 1, 0, most);
 }
 
-/// One thread's work on one CoefficientCode.
+/// Sweeps one CoefficientCode, on one thread.
 class Sweeper {
  public:
   Sweeper(const CoefficientCode& code, std::uint32_t stride, const std::vector<bool>& wanted)
-      : code_(code), stride_(stride), wanted_(wanted), found_(code.outputs.size()) {
+      : code_(code), stride_(stride), wanted_(wanted), largest_(code.outputs.size()) {
     for (std::size_t k = 0; k < code.outputs.size(); ++k) out_[k] = results_[k].data();
   }
-  const std::vector<Found>& found() const { return found_; }
+  const std::vector<Largest>& largest() const { return largest_; }
 
-  /// The floats whose bits are in [first, end), end - first <= unit, first a multiple of unit.
+  /// Sweeps the floats whose bits are in [first, end). Precondition: they belong to one task.
   void sweep(std::uint32_t first, std::uint32_t end) {
-    for (std::uint32_t from = first; from < end; from += run) {
-      const std::uint32_t to = std::min(end, from + run);
-      if (constant(from, to)) continue;
+    for (std::uint32_t from = first; from < end; from += interval) {
+      const std::uint32_t to = std::min(end, from + interval);
+      if (sweep_ends(from, to)) continue;
       for (std::uint32_t b = from; b < to; b += block) {
         const std::uint32_t until = std::min(to, b + block);
-        if (!constant(b, until)) one_block(b, until);
+        if (!sweep_ends(b, until)) sweep_block(b, until);
       }
     }
   }
 
  private:
-  /// Where the code returns one value over all of the interval and the exact one is monotone, the two ends
-  /// hold the largest error.
-  bool constant(std::uint32_t from, std::uint32_t end) {
+  /// Where the code returns one value over the whole interval and the exact coefficient is monotone, the largest error
+  /// is at one of the ends; returns false elsewhere.
+  bool sweep_ends(std::uint32_t from, std::uint32_t end) {
     if (stride_ != 1) return false;
     const float low = float_of(from), high = float_of(end - 1);
     float value[outputs_at_most];
     if (!code_.constant(low, high, value)) return false;
     std::array<oracles::LocalExpansion, outputs_at_most> all;
     const double w = (static_cast<double>(high) - low) / 2;
-    for (std::size_t k = 0; k < found_.size(); ++k) {
+    for (std::size_t k = 0; k < largest_.size(); ++k) {
       const auto& o = all[k] = oracles::expand(code_.outputs[k], low, high);
       const bool monotone = std::fabs(o.p[1]) > w * (2 * std::fabs(o.p[2]) + w * 3 * std::fabs(o.p[3]));
-      if (!monotone || !(o.bound <= widest_bound)) return false;
+      if (!monotone || !(o.bound <= largest_oracle_bound)) return false;
     }
-    for (std::size_t k = 0; k < found_.size(); ++k) {
+    for (std::size_t k = 0; k < largest_.size(); ++k) {
       if (!wanted_[k]) continue;
-      note(k, all[k], w, end - from);
-      found_[k].constant += end - from;
+      add_interval(k, all[k], w, end - from);
+      largest_[k].constant += end - from;
       const bool absolute = oracles::is_absolute(code_.outputs[k]);
-      found_[k].measured(error_at(low, value[k], all[k], absolute), from);
-      found_[k].measured(error_at(high, value[k], all[k], absolute), end - 1);
+      largest_[k].add(error_at(low, value[k], all[k], absolute), from);
+      largest_[k].add(error_at(high, value[k], all[k], absolute), end - 1);
     }
     return true;
   }
 
-  void one_block(std::uint32_t from, std::uint32_t end) {
+  void sweep_block(std::uint32_t from, std::uint32_t end) {
     const std::uint64_t next = (std::uint64_t{from} + stride_ - 1) / stride_ * stride_;
     if (next >= end) return;
     const std::size_t n = (end - 1 - next) / stride_ + 1;
     for (std::size_t i = 0; i < n; ++i) x_[i] = float_of(static_cast<std::uint32_t>(next + i * stride_));
-    for (std::size_t i = n; i < (n + lanes - 1) / lanes * lanes; ++i) x_[i] = x_[n - 1];
+    for (std::size_t i = n; i < (n + padding - 1) / padding * padding; ++i) x_[i] = x_[n - 1];
     code_.evaluate(x_.data(), n, out_.data());
     const float low = x_[0], high = x_[n - 1];
-    for (std::size_t k = 0; k < found_.size(); ++k) {
+    for (std::size_t k = 0; k < largest_.size(); ++k) {
       if (!wanted_[k]) continue;
       const bool absolute = oracles::is_absolute(code_.outputs[k]);
       const auto o = oracles::expand(code_.outputs[k], low, high);
-      note(k, o, (static_cast<double>(high) - low) / 2, n);
+      add_interval(k, o, (static_cast<double>(high) - low) / 2, n);
       float* f = out_[k];
-      for (std::size_t i = n; i < (n + lanes - 1) / lanes * lanes; ++i) f[i] = f[n - 1];
+      for (std::size_t i = n; i < (n + padding - 1) / padding * padding; ++i) f[i] = f[n - 1];
       const double most =
           absolute ? largest_error<true>(x_.data(), f, n, o) : largest_error<false>(x_.data(), f, n, o);
-      if (!(most > found_[k].error)) continue;  // the first one is kept
+      if (!(most > largest_[k].error)) continue;  // of equal errors the first one counts
       for (std::size_t i = 0; i < n; ++i)
-        found_[k].measured(error_at(x_[i], f[i], o, absolute),
-                           static_cast<std::uint32_t>(next + i * stride_));
+        largest_[k].add(error_at(x_[i], f[i], o, absolute), static_cast<std::uint32_t>(next + i * stride_));
     }
   }
 
-  void note(std::size_t k, const oracles::LocalExpansion& o, double w, std::uint64_t n) {
-    Found& f = found_[k];
+  /// Of half width w, with n floats.
+  void add_interval(std::size_t k, const oracles::LocalExpansion& o, double w, std::uint64_t n) {
+    Largest& f = largest_[k];
     f.evaluated += n;
     f.oracle = std::max(f.oracle, o.bound);
     f.condition = std::max(f.condition, o.condition(w, oracles::is_absolute(code_.outputs[k])));
@@ -157,18 +158,52 @@ class Sweeper {
   const CoefficientCode& code_;
   std::uint32_t stride_;
   const std::vector<bool>& wanted_;
-  std::vector<Found> found_;
-  std::array<float, block + lanes> x_;
-  std::array<std::array<float, block + lanes>, outputs_at_most> results_;
+  std::vector<Largest> largest_;
+  std::array<float, block + padding> x_;
+  std::array<std::array<float, block + padding>, outputs_at_most> results_;
   std::array<float*, outputs_at_most> out_;
 };
 
-const CoefficientClaim& claim_of(Coefficient c) {
-  return coefficient_claims().at(static_cast<std::size_t>(c));
+/// One CoefficientCode with its tasks, numbered from first_task.
+struct Part {
+  const CoefficientCode* code;
+  std::vector<bool> wanted;
+  std::vector<Largest> largest;
+  std::uint64_t tasks, first_task;
+};
+
+/// The parts that compute a selected coefficient; an empty selection means all.
+std::vector<Part> parts_of(const std::vector<CoefficientCode>& code,
+                           const std::vector<Coefficient>& selected) {
+  std::vector<Part> parts;
+  std::uint64_t tasks = 0;
+  for (const CoefficientCode& c : code) {
+    Part part{&c, {}, std::vector<Largest>(c.outputs.size()), 0, tasks};
+    for (const Coefficient o : c.outputs)
+      part.wanted.push_back(selected.empty() || std::count(selected.begin(), selected.end(), o));
+    if (std::find(part.wanted.begin(), part.wanted.end(), true) == part.wanted.end()) continue;
+    part.tasks = std::bit_cast<std::uint32_t>(c.last) / task + 1;
+    tasks += part.tasks;
+    parts.push_back(std::move(part));
+  }
+  return parts;
 }
 
 double rounded_up(double x) {
   return x * (1 + 0x1p-50);
+}
+
+SweptCoefficient swept(Coefficient c, const Largest& f) {
+  SweptCoefficient s{&coefficient_claims().at(static_cast<std::size_t>(c))};
+  s.evaluated = f.evaluated, s.constant = f.constant;
+  s.max_eps = f.error / eps, s.max_at = float_of(f.at);
+  s.oracle_bound_eps = rounded_up(f.oracle / eps);
+  if (c != Coefficient::angle_over_sine && c != Coefficient::alpha)
+    s.square_eps = rounded_up(f.condition / 2);
+  // For relative errors |f/F - 1| <= |f p - 1| + |f/F| |p F - 1|, and |f/F| <= 1 + error.
+  const double factor = oracles::is_absolute(c) ? 1 : 1 + f.error + 2 * f.oracle;
+  s.bound_eps = rounded_up((f.error + factor * f.oracle) / eps);
+  return s;
 }
 
 }  // namespace
@@ -183,24 +218,8 @@ bool SweepResult::failed() const {
 
 SweepResult sweep(const SweepOptions& options, const std::vector<CoefficientCode>& code) {
   const auto start = std::chrono::steady_clock::now();
-  struct Part {
-    const CoefficientCode* code;
-    std::vector<bool> wanted;
-    std::vector<Found> found;
-    std::uint64_t units, first_unit;
-  };
-  std::vector<Part> parts;
-  std::uint64_t units = 0;
-  for (const CoefficientCode& c : code) {
-    Part part{&c, {}, std::vector<Found>(c.outputs.size()), 0, units};
-    for (const Coefficient o : c.outputs)
-      part.wanted.push_back(options.coefficients.empty() ||
-                            std::count(options.coefficients.begin(), options.coefficients.end(), o));
-    if (std::find(part.wanted.begin(), part.wanted.end(), true) == part.wanted.end()) continue;
-    part.units = std::bit_cast<std::uint32_t>(c.last) / unit + 1;
-    units += part.units;
-    parts.push_back(std::move(part));
-  }
+  std::vector<Part> parts = parts_of(code, options.coefficients);
+  const std::uint64_t tasks = parts.empty() ? 0 : parts.back().first_task + parts.back().tasks;
   std::atomic<std::uint64_t> next{0}, done{0};
   std::atomic<bool> never{false};
   std::atomic<bool>& stop = options.stop ? *options.stop : never;
@@ -209,43 +228,31 @@ SweepResult sweep(const SweepOptions& options, const std::vector<CoefficientCode
     std::vector<std::unique_ptr<Sweeper>> own;
     for (const Part& p : parts) own.push_back(std::make_unique<Sweeper>(*p.code, options.stride, p.wanted));
     while (!stop) {
-      const std::uint64_t u = next++;
-      if (u >= units) break;
+      const std::uint64_t t = next++;
+      if (t >= tasks) break;
       std::size_t k = 0;
-      while (u >= parts[k].first_unit + parts[k].units) ++k;
-      const std::uint64_t first = (u - parts[k].first_unit) * unit;
+      while (t >= parts[k].first_task + parts[k].tasks) ++k;
+      const std::uint64_t first = (t - parts[k].first_task) * task;
       const std::uint64_t end = std::uint64_t{std::bit_cast<std::uint32_t>(parts[k].code->last)} + 1;
       own[k]->sweep(static_cast<std::uint32_t>(first),
-                    static_cast<std::uint32_t>(std::min(end, first + unit)));
+                    static_cast<std::uint32_t>(std::min(end, first + task)));
       const std::uint64_t so_far = ++done;
       const std::lock_guard lock(mutex);
-      options.progress(static_cast<double>(so_far) / static_cast<double>(units));
+      options.progress(static_cast<double>(so_far) / static_cast<double>(tasks));
     }
     const std::lock_guard lock(mutex);
     for (std::size_t k = 0; k < parts.size(); ++k)
-      for (std::size_t i = 0; i < parts[k].found.size(); ++i) parts[k].found[i].merge(own[k]->found()[i]);
+      for (std::size_t i = 0; i < parts[k].largest.size(); ++i)
+        parts[k].largest[i].merge(own[k]->largest()[i]);
   };
   run_on_threads(options.jobs, stop, work);
 
   SweepResult result;
   result.stride = options.stride;
-  result.complete = done == units;
+  result.complete = done == tasks;
   for (const Part& p : parts)
-    for (std::size_t i = 0; i < p.found.size(); ++i) {
-      if (!p.wanted[i]) continue;
-      const Found& f = p.found[i];
-      const Coefficient c = p.code->outputs[i];
-      SweptCoefficient s{&claim_of(c)};
-      s.evaluated = f.evaluated, s.constant = f.constant;
-      s.max_eps = f.error / eps, s.max_at = float_of(f.at);
-      s.oracle_bound_eps = rounded_up(f.oracle / eps);
-      if (c != Coefficient::angle_over_sine && c != Coefficient::alpha)
-        s.square_eps = rounded_up(f.condition / 2);
-      // Relatively |f/F - 1| <= |f p - 1| + |f/F| |p F - 1|, and |f/F| <= 1 + error.
-      const double factor = oracles::is_absolute(c) ? 1 : 1 + f.error + 2 * f.oracle;
-      s.bound_eps = rounded_up((f.error + factor * f.oracle) / eps);
-      result.coefficients.push_back(s);
-    }
+    for (std::size_t i = 0; i < p.largest.size(); ++i)
+      if (p.wanted[i]) result.coefficients.push_back(swept(p.code->outputs[i], p.largest[i]));
   result.elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;
 }

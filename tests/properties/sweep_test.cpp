@@ -1,12 +1,12 @@
-// Every float: the oracle against closed forms at 100 digits, the proofs that skip enumeration, planted faults.
+// The sweep of every float: its oracle against closed forms at 100 digits, its intervals of one value, planted errors.
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <bit>
-#include <coefficients/simd_lanes.hpp>
-#include <coefficients/sweep.hpp>
 #include <cmath>
+#include <coefficients/float_interval.hpp>
+#include <coefficients/sweep.hpp>
 #include <limits>
 #include <oracles/closed_forms.hpp>
 #include <random>
@@ -88,7 +88,7 @@ TEST(SweepOracle, KeepsItsBoundAgainstClosedFormsAt100Digits) {
   }
 }
 
-/// Where what the cubic leaves is all of the bound, and not its roundings.
+/// Over these the truncation error of the cubic is the bound, not its rounding errors.
 TEST(SweepOracle, KeepsItsBoundOverWideIntervals) {
   for (const CoefficientClaim& claim : coefficient_claims()) {
     const bool absolute = oracles::is_absolute(claim.coefficient);
@@ -103,11 +103,11 @@ TEST(SweepOracle, KeepsItsBoundOverWideIntervals) {
         tightest = std::max(tightest, error / e.bound);
       }
     }
-    EXPECT_GT(tightest, 1e-4) << claim.name;  // Cauchy is generous, but not idle
+    EXPECT_GT(tightest, 1e-4) << claim.name;  // Cauchy's estimate is generous, but not vacuous
   }
 }
 
-TEST(SweepRuns, ShownToBeConstantAreConstant) {
+TEST(SweepIntervals, ProvedConstantAreConstant) {
   std::mt19937 random(3);
   for (const CoefficientCode& code : library_coefficients()) {
     int seen = 0, refused = 0;
@@ -137,20 +137,20 @@ TEST(SweepRuns, ShownToBeConstantAreConstant) {
   }
 }
 
-TEST(SweepRuns, ASpanHoldsWhatItsPointsReturn) {
+TEST(SweepIntervals, AnIntervalHoldsTheResultsOfItsPoints) {
   std::mt19937 random(8);
   std::uniform_real_distribution<float> any(-2, 2), share(0, 1);
   for (int i = 0; i < 20000; ++i) {
-    const auto span = [&] {
+    const auto interval = [&] {
       const float a = any(random), b = any(random);
-      return Span(std::min(a, b), std::max(a, b));
+      return FloatInterval(std::min(a, b), std::max(a, b));
     };
-    const auto inside = [&](const Span& s) {
+    const auto inside = [&](const FloatInterval& s) {
       return std::clamp(s.low + share(random) * (s.high - s.low), s.low, s.high);
     };
-    const Span a = span(), b = span(), c = span();
+    const FloatInterval a = interval(), b = interval(), c = interval();
     const float x = inside(a), y = inside(b), z = inside(c);
-    const auto holds = [](const Span& s, float v) { return s.low <= v && v <= s.high; };
+    const auto holds = [](const FloatInterval& s, float v) { return s.low <= v && v <= s.high; };
     ASSERT_TRUE(holds(a + b, x + y) && holds(a - b, x - y) && holds(a * b, x * y));
     ASSERT_TRUE(holds(mul_add(a, b, c), x * y + z) || holds(mul_add(a, b, c), std::fma(x, y, z)));
     EXPECT_TRUE(b.low <= 0 || holds(a / b, x / y));
@@ -168,7 +168,7 @@ TEST(Sweep, OfEveryThousandthFloatRefutesNothingAndIsALowerBound) {
   for (const auto& c : r.coefficients) {
     const std::uint32_t last = std::bit_cast<std::uint32_t>(code_of(c.claim->coefficient).last);
     EXPECT_EQ(c.evaluated, last / 1009 + 1) << c.claim->name;
-    EXPECT_GT(c.max_eps, 0.25) << c.claim->name;  // nothing is rounded so well
+    EXPECT_GT(c.max_eps, 0.25) << c.claim->name;  // no code rounds better
   }
   options.jobs = 2;
   const SweepResult again = sweep(options);
@@ -178,7 +178,7 @@ TEST(Sweep, OfEveryThousandthFloatRefutesNothingAndIsALowerBound) {
   }
 }
 
-/// c_4 by so many terms.
+/// c_4 by its first terms.
 float short_series(float x, int terms) {
   float sum = 0;
   for (int j = terms; j-- > 0;)
@@ -206,7 +206,7 @@ TEST(Sweep, SeesASeriesThatIsOneTermShort) {
   EXPECT_GT(r.coefficients[0].max_at, 2.4f);
 }
 
-TEST(Sweep, SeesWhatIsNoNumber) {
+TEST(Sweep, SeesNaN) {
   SweepOptions options;
   options.stride = 10007;
   const auto r =
@@ -237,7 +237,7 @@ TEST(Sweep, OfEveryFloatSeesTheOneThatIsWrong) {
   EXPECT_GE(r.coefficients[0].bound_eps, r.coefficients[0].max_eps);
 }
 
-TEST(Sweep, StopsWhenToldAndIsThenNoUpperBound) {
+TEST(Sweep, StopsOnRequestAndIsThenNoUpperBound) {
   std::atomic<bool> stop{false};
   SweepOptions options;
   options.coefficients = {half_cosine};

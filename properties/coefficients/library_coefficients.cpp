@@ -1,8 +1,10 @@
 #include <bit>
+#include <coefficients/float_interval.hpp>
+#include <coefficients/library_coefficients.hpp>
 #include <coefficients/simd_lanes.hpp>
-#include <coefficients/sweep.hpp>
 #include <cstring>
 #include <liecheck/scalar/stumpff.hpp>
+#include <limits>
 #include <stdexcept>
 
 namespace liecheck::properties {
@@ -10,11 +12,15 @@ namespace {
 
 using enum Coefficient;
 
+constexpr std::size_t most_outputs = 6;
+
+// Each computes some coefficients of one argument, in any scalar S.
+
 struct SixStumpff {
   static inline const std::vector<Coefficient> outputs = {c0, c1, c2, c3, c4, c5};
   template <class S>
   static void of(const S& x, S* out) {
-    const HalfAngle<S> c(S(4) * x);  // at x itself
+    const HalfAngle<S> c(S(4) * x);  // its functions of a quarter of the argument, here of x itself
     out[0] = c.c0, out[1] = c.c1, out[2] = c.c2, out[3] = c.c3, out[4] = c.c4, out[5] = c.c5;
   }
 };
@@ -52,18 +58,17 @@ struct Logarithm {
   }
 };
 
-/// Eight at a time; the first of each run with float itself, which must agree to the bit.
+/// Eight floats at a time; the first one again with the scalar float, whose bits must agree.
 template <class Code>
 void in_lanes(const float* x, std::size_t n, float* const* out) {
-  constexpr std::size_t most = 6;
   const std::size_t outputs = Code::outputs.size();
   for (std::size_t i = 0; i < n; i += Lanes::count) {
-    Lanes in, all[most];
+    Lanes in, all[most_outputs];
     std::memcpy(&in, x + i, sizeof in);
     Code::of(in, all);
     for (std::size_t k = 0; k < outputs; ++k) std::memcpy(out[k] + i, &all[k], sizeof in);
   }
-  float alone[most];
+  float alone[most_outputs];
   Code::of(x[0], alone);
   for (std::size_t k = 0; k < outputs; ++k)
     if (std::bit_cast<std::uint32_t>(alone[k]) != std::bit_cast<std::uint32_t>(out[k][0]))
@@ -73,7 +78,7 @@ void in_lanes(const float* x, std::size_t n, float* const* out) {
 template <class Code>
 void one_by_one(const float* x, std::size_t n, float* const* out) {
   for (std::size_t i = 0; i < n; ++i) {
-    float each[2];
+    float each[most_outputs];
     Code::of(x[i], each);
     out[0][i] = each[0], out[1][i] = each[1];
   }
@@ -81,10 +86,10 @@ void one_by_one(const float* x, std::size_t n, float* const* out) {
 
 template <class Code>
 bool constant_over(float low, float high, float* out) {
-  Span all[6];
-  Span::undecided = false;
-  Code::of(Span(low, high), all);
-  if (Span::undecided) return false;
+  FloatInterval all[most_outputs];
+  FloatInterval::undecided = false;
+  Code::of(FloatInterval(low, high), all);
+  if (FloatInterval::undecided) return false;
   for (std::size_t k = 0; k < Code::outputs.size(); ++k) {
     if (!(all[k].low == all[k].high)) return false;
     out[k] = all[k].low;
@@ -110,12 +115,12 @@ const std::vector<CoefficientCode>& library_coefficients() {
 const std::vector<CoefficientClaim>& coefficient_claims() {
   static const std::vector<CoefficientClaim> all = {
       {c0, "c0", "cos theta", "theta^2", 0.6,
-       "1 - x/2 and x^2 c4, the first rounding carried; to theta = pi/2"},
+       "1 - x/2 + x^2 c4, the rounding error of the first difference added; to theta = pi/2"},
       {c1, "c1", "sin theta / theta", "theta^2", 0.6, "1 - x/8 and smaller terms, as c0; to theta = pi/2"},
       {c2, "c2", "(1 - cos theta) / theta^2", "theta^2", 0.7, "1/2 - x c4, to theta = pi/2"},
       {c3, "c3", "(theta - sin theta) / theta^3", "theta^2", 0.9, "1/6 - x c5, to theta = pi/2"},
-      {c4, "c4", "(1/2 - c2) / theta^2", "theta^2", 1.1, "economised polynomial, its first term last"},
-      {c5, "c5", "(1/6 - c3) / theta^2", "theta^2", 1.1, "economised polynomial, its first term last"},
+      {c4, "c4", "(1/2 - c2) / theta^2", "theta^2", 1.1, "economised polynomial, its first term added last"},
+      {c5, "c5", "(1/6 - c3) / theta^2", "theta^2", 1.1, "economised polynomial, its first term added last"},
       {Coefficient::c3_minus_2c4, "c3_minus_2c4", "c3 - 2 c4 = -2 dc2/dx", "theta^2", 2.6,
        "c1 (c2 - c3) / 4 at x/4: the difference cancels a factor 2"},
       {Coefficient::c4_minus_3c5, "c4_minus_3c5", "c4 - 3 c5 = -2 dc3/dx", "theta^2", 2.4,
