@@ -25,7 +25,7 @@ std::map<Name, Measured> by_name(const StoredCampaign& c) {
   return all;
 }
 
-/// Ignoring the band: is the operation's block measured at all?
+/// Is the operation's block measured in any band?
 bool measured(const std::map<Name, Measured>& all, const Name& n) {
   const auto [subject, scalar, property, operation, block, band] = n;
   const auto at = all.lower_bound({subject, scalar, property, operation, block, ""});
@@ -35,13 +35,13 @@ bool measured(const std::map<Name, Measured>& all, const Name& n) {
                       std::get<3>(at->first), std::get<4>(at->first));
 }
 
-/// More than another order of operations, and more than the half ulp by which a rounded result may move.
+/// By more than another order of operations and the half ulp of a rounded result explain.
 bool grown(double from, double to) {
   return to > from * 1.1 && to > from + 0.5;
 }
 
-/// Are the errors of `b` larger than a sample of the same law would be once in 1e9? One-sided two-sample test
-/// of Kolmogorov and Smirnov: P(D > d) -> exp(-2 d^2 n m / (n + m)).
+/// Are the errors of `b` larger than those of `a`, at the significance level 1e-9? One-sided two-sample test of
+/// Kolmogorov and Smirnov: P(D > d) -> exp(-2 d^2 n m / (n + m)).
 bool shifted(const Histogram& a, const Histogram& b) {
   const auto n = static_cast<double>(a.count()), m = static_cast<double>(b.count());
   if (n == 0 || m == 0) return false;
@@ -92,14 +92,14 @@ std::vector<std::string> worse(const StoredCampaign& a, const StoredCampaign& b)
         say(fmt::format("{} {} of {} cases, were {} of {}", what, to, is.count, from, was.count));
     };
     grew("failed", was.failed, is.failed);
-    if (same_inputs) {  // over others it is the inputs that are so
+    if (same_inputs) {  // otherwise the inputs may be the reason
       grew("unresolved", was.unresolved, is.unresolved);
       grew("ill-posed", was.ill_posed, is.ill_posed);
     }
     if (same_inputs && is.count < was.count)
       say(fmt::format("measured {} times, were {}", is.count, was.count));
     if (same_inputs) {
-      // Under the excess rule an error without its kappa says nothing.
+      // Under the excess rule only error / kappa is comparable.
       const bool excess = was.max_excess > 0 || is.max_excess > 0;
       const double from = excess ? was.max_excess : was.max_error, to = excess ? is.max_excess : is.max_error;
       if (grown(from, to))

@@ -22,7 +22,7 @@ Counterexamples replay_counterexamples(const std::vector<Counterexample>& all,
     std::vector<Judged> judged;
     try {
       judged = found->series->replay(id);
-    } catch (const std::invalid_argument&) {  // an input that the law no longer means
+    } catch (const std::invalid_argument&) {  // the law has changed and does not accept this input
       ++result.skipped;
       continue;
     }

@@ -1,18 +1,17 @@
 #pragma once
-// Failing inputs of earlier runs, run again before anything new.
+// Counterexamples: failing inputs of earlier runs, replayed before the cases of a new one.
 
 #include <campaign/campaign.hpp>
 
 namespace liecheck::properties {
 
-/// A failing input, as a store keeps it.
 struct Counterexample {
   std::string property, subject, scalar, robot, operation, block;
   std::string input;  ///< hexadecimal floats, joined by commas
   auto operator<=>(const Counterexample&) const = default;
 };
 
-/// Of their replay.
+/// The result of the replay.
 struct Counterexamples {
   struct Failing {
     std::string operation, block, id;

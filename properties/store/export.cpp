@@ -17,73 +17,93 @@ json number(double x) {
   return x;
 }
 
-}  // namespace
+json key_of(const StoredSeries& s) {
+  return {{"subject", s.subject}, {"scalar", s.scalar}, {"property", s.property}};
+}
 
-std::string export_text(const StoredCampaign& c) {
+std::string series_line(const StoredSeries& s) {
+  auto disagreed = s.tally.disagreed;
+  std::sort(disagreed.begin(), disagreed.end());
+  json done = json::array();
+  for (const auto& [first, last] : s.tally.done) done.push_back({first, last});
+  json line = key_of(s);
+  line.update({{"series", s.robot},
+               {"version", s.subject_version},
+               {"cases", s.tally.cases},
+               {"done", done},
+               {"fast", s.tally.fast},
+               {"checked", s.tally.checked},
+               {"disagreed", disagreed},
+               {"coverage", s.tally.coverage.text()},
+               {"inputs", hexadecimal(s.tally.inputs.sum())},
+               {"results", hexadecimal(s.tally.results.sum())}});
+  return line.dump() + "\n";
+}
+
+std::string cell_line(const StoredSeries& s, const Cell& cell, const Row& r) {
+  const Label& l = s.labels.at(cell);
+  json histogram = json::array();
+  for (const auto& [bin, n] : r.errors.bins()) histogram.push_back({bin, n});
+  json line = key_of(s);
+  line.update(
+      {{"cell", {cell.first, cell.second}},
+       {"operation", l.operation},
+       {"block", l.block},
+       {"band", l.band},
+       {"count", r.count},
+       {"ill_posed", r.ill_posed},
+       {"unresolved", r.unresolved},
+       {"not_finite", r.not_finite},
+       {"wrong_branch", r.wrong_branch},
+       {"refused", r.refused},
+       {"failed", r.failed},
+       {"max_error", number(r.max_error)},
+       {"max_excess", number(r.max_excess)},
+       {"worst",
+        {{"index", r.worst_index}, {"score", number(r.worst_score)}, {"kappa", number(r.worst_kappa)}}},
+       {"histogram", histogram}});
+  return line.dump() + "\n";
+}
+
+std::string failure_line(const StoredSeries& s, const Cell& cell, const Failure& failure) {
+  const Label& l = s.labels.at(cell);
+  json line = key_of(s);
+  line.update({{"failure", {cell.first, cell.second}},
+               {"operation", l.operation},
+               {"block", l.block},
+               {"band", l.band},
+               {"index", failure.index},
+               {"input", failure.input}});
+  return line.dump() + "\n";
+}
+
+/// By subject, scalar, property and robot.
+std::vector<const StoredSeries*> sorted_series(const StoredCampaign& c) {
   std::vector<const StoredSeries*> sorted;
   for (const StoredSeries& s : c.series) sorted.push_back(&s);
   const auto key = [](const StoredSeries* s) {
     return std::tie(s->subject, s->scalar, s->property, s->robot);
   };
   std::sort(sorted.begin(), sorted.end(), [&](auto* a, auto* b) { return key(a) < key(b); });
+  return sorted;
+}
+
+}  // namespace
+
+std::string export_text(const StoredCampaign& c) {
   SetDigest inputs, results;
   std::uint64_t total = 0, failed = 0;
   std::string series, cells, failures;
-  for (const StoredSeries* s : sorted) {
+  for (const StoredSeries* s : sorted_series(c)) {
     inputs.merge(s->tally.inputs);
     results.merge(s->tally.results);
     total += s->tally.cases;
-    const json name = {{"subject", s->subject}, {"scalar", s->scalar}, {"property", s->property}};
-    json line = name;
-    auto disagreed = s->tally.disagreed;
-    std::sort(disagreed.begin(), disagreed.end());
-    json done = json::array();
-    for (const auto& [first, last] : s->tally.done) done.push_back({first, last});
-    line.update({{"series", s->robot},
-                 {"version", s->subject_version},
-                 {"cases", s->tally.cases},
-                 {"done", done},
-                 {"fast", s->tally.fast},
-                 {"checked", s->tally.checked},
-                 {"disagreed", disagreed},
-                 {"coverage", s->tally.coverage.text()},
-                 {"inputs", hexadecimal(s->tally.inputs.sum())},
-                 {"results", hexadecimal(s->tally.results.sum())}});
-    series += line.dump() + "\n";
-    for (const auto& [cell, r] : s->tally.rows) {
-      const Label& l = s->labels.at(cell);
-      json histogram = json::array();
-      for (const auto& [bin, n] : r.errors.bins()) histogram.push_back({bin, n});
-      failed += r.failed;
-      line = name;
-      line.update(
-          {{"cell", {cell.first, cell.second}},
-           {"operation", l.operation},
-           {"block", l.block},
-           {"band", l.band},
-           {"count", r.count},
-           {"ill_posed", r.ill_posed},
-           {"unresolved", r.unresolved},
-           {"not_finite", r.not_finite},
-           {"wrong_branch", r.wrong_branch},
-           {"refused", r.refused},
-           {"failed", r.failed},
-           {"max_error", number(r.max_error)},
-           {"max_excess", number(r.max_excess)},
-           {"worst",
-            {{"index", r.worst_index}, {"score", number(r.worst_score)}, {"kappa", number(r.worst_kappa)}}},
-           {"histogram", histogram}});
-      cells += line.dump() + "\n";
-      const auto f = s->failures.find(cell);
-      if (f == s->failures.end()) continue;
-      line = name;
-      line.update({{"failure", {cell.first, cell.second}},
-                   {"operation", l.operation},
-                   {"block", l.block},
-                   {"band", l.band},
-                   {"index", f->second.index},
-                   {"input", f->second.input}});
-      failures += line.dump() + "\n";
+    series += series_line(*s);
+    for (const auto& [cell, row] : s->tally.rows) {
+      failed += row.failed;
+      cells += cell_line(*s, cell, row);
+      if (const auto f = s->failures.find(cell); f != s->failures.end())
+        failures += failure_line(*s, cell, f->second);
     }
   }
   const CampaignSpec& p = c.spec;

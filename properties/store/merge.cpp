@@ -24,7 +24,7 @@ std::string shown(const Range& r) {
   throw std::invalid_argument(text);
 }
 
-/// The first of `all` that shares a case of the series with these ranges, or null.
+/// Returns the first of `all` that has done a case in these ranges of the series, or null.
 const Part* overlapping(const std::vector<const Part*>& all, std::size_t series, const Ranges& done) {
   for (const Part* p : all)
     for (const auto& [first, last] : p->campaign.series[series].tally.done)
@@ -55,7 +55,7 @@ StoredCampaign merge(const std::vector<std::string>& files, bool partial) {
     if (!again) parts.push_back(std::move(p));
   }
   if (parts.empty()) refuse("nothing to merge");
-  // The order of the files must not matter, nor which of them is named in an error.
+  // Neither the result nor an error may depend on the order of the files.
   std::sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) {
     return std::tie(a.campaign.spec.first, a.text) < std::tie(b.campaign.spec.first, b.text);
   });

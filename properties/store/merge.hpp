@@ -1,29 +1,29 @@
 #pragma once
-// What is done with stored campaigns: one canonical text, several into one, one against another.
+// Operations on stored campaigns: canonical text (export), merge, comparison.
 
 #include <store/stored_campaign.hpp>
 
 namespace liecheck::properties {
 
-/// The canonical export: JSON lines, sorted; no time, chunk, path, machine or shard in it, so that the same
-/// cases give the same bytes however they were run. The campaign, its series, its cells, its failures.
+/// The canonical text of a campaign, its series, cells and failures: sorted JSON lines without time, chunk, path,
+/// machine or shard, so that the same cases give the same bytes however they were run.
 std::string export_text(const StoredCampaign& campaign);
 
-/// Shards into one campaign. Each case once: the same part twice with the same content counts once, anything
-/// else that overlaps, lacks a range (unless `partial`) or belongs to another campaign throws
-/// std::invalid_argument naming files and ranges. The order of the files does not matter.
+/// Merges shards into one campaign, in any order. The same shard given twice counts once; shards that otherwise overlap,
+/// leave out a range (unless `partial`) or belong to different campaigns throw std::invalid_argument naming files and
+/// ranges.
 StoredCampaign merge(const std::vector<std::string>& files, bool partial);
 
-/// Merges into a file: beside it first, then renamed. Where it exists, its other campaigns are kept.
+/// Merges into a store, which is written beside `out` and renamed. Other campaigns of an existing `out` are kept.
 void merge_into(const std::string& out, const std::vector<std::string>& files, bool partial);
 
-/// What got worse from a to b, a line each.
+/// Returns a line for each cell of b that is worse than in a.
 ///
-/// Over the same inputs every difference is the program's, not the sample's: a new failing, unresolved,
-/// ill-posed or unmeasured case is worse, and so is a maximum that grew by more than 10 % and by more than
-/// 0.5 eps (less is another order of operations, or the half ulp by which a correctly rounded result may move).
-/// Over other inputs a maximum is the sample's: failures and the like count where there were none, and errors
-/// whose median or 99 % point grew as much, where chance would do so once in 1e9.
+/// Over the same inputs every difference comes from the program: a new failing, unresolved, ill-posed or unmeasured case
+/// is worse, and so is a maximum that grew by more than 10 % and by more than 0.5 eps (a smaller change may come from
+/// another order of operations, or be the half ulp of a correctly rounded result). Over different inputs a maximum
+/// depends on the sample: worse are failures where there were none, and a median or 99 % quantile that grew as much,
+/// where chance alone would cause that once in 1e9.
 std::vector<std::string> worse(const StoredCampaign& a, const StoredCampaign& b);
 
 }  // namespace liecheck::properties

@@ -12,8 +12,9 @@ namespace liecheck::properties {
 
 namespace {
 
-/// What the launcher says (Open MPI; MPICH and Slurm); 1 where none started this, 0 where it does not say (PMIx).
-int processes() {
+/// The number of processes from the environment of the launcher (Open MPI; MPICH and Slurm): 1 where none started this
+/// process, 0 where the launcher does not give it (PMIx).
+int launched_processes() {
   for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"})
     if (const char* text = std::getenv(name)) return std::atoi(text);
   return std::getenv("PMIX_RANK") ? 0 : 1;
@@ -24,13 +25,13 @@ int processes() {
 #ifdef LIECHECK_MPI
 
 Ranks::Ranks() {
-  const int told = processes();
-  if (told == 1) return;
+  const int launched = launched_processes();
+  if (launched == 1) return;
   MPI_Init(nullptr, nullptr);
   MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
   MPI_Comm_size(MPI_COMM_WORLD, &size_);
   started_ = true;
-  if (size_ == 1 && told > 1) {
+  if (size_ == 1 && launched > 1) {
     MPI_Finalize();
     throw std::runtime_error(
         "started by another MPI than the one it was built with: give --shard I/N instead");
@@ -50,7 +51,7 @@ int Ranks::largest(int mine) const {
 #else
 
 Ranks::Ranks() {
-  if (processes() > 1)
+  if (launched_processes() > 1)
     throw std::runtime_error("started by mpirun, but built without MPI: every process would do all the work");
 }
 Ranks::~Ranks() = default;

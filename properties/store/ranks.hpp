@@ -1,18 +1,17 @@
 #pragma once
-// The processes of one `mpirun -n N liecheck ...`; one alone where the program was not started by mpirun or was
-// built without MPI.
+// The ranks of `mpirun -n N liecheck ...`: rank 0 of 1 where mpirun did not start the program.
 
 namespace liecheck::properties {
 
 class Ranks {
  public:
-  Ranks();   ///< starts MPI where mpirun started this process
-  ~Ranks();  ///< ends it
+  Ranks();   ///< initialises MPI where mpirun started this process
+  ~Ranks();  ///< finalises it
   Ranks(const Ranks&) = delete;
   Ranks& operator=(const Ranks&) = delete;
   int rank() const { return rank_; }
   int size() const { return size_; }
-  /// Waits for all ranks; the largest of their numbers.
+  /// Waits for all ranks and returns the largest of their values.
   int largest(int mine) const;
 
  private:

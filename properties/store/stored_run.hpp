@@ -1,5 +1,5 @@
 #pragma once
-// A campaign that runs on a store: earlier counterexamples first, a checkpoint in every transaction.
+// Campaigns that run on a store: earlier counterexamples first, each checkpoint a transaction.
 
 #include <store/store.hpp>
 

@@ -7,8 +7,8 @@
 
 namespace liecheck::properties {
 
-/// A bar with the time left, rewritten five times a second, on a terminal; a plain line every ten seconds elsewhere.
-/// What is left on a terminal by work that ends without a last line is cleared.
+/// On a terminal, a bar with the remaining time, rewritten at most five times a second; elsewhere, a plain line every ten
+/// seconds. The destructor clears a bar that has no last line.
 class Progress {
  public:
   explicit Progress(std::string what = "", bool quiet = false);
@@ -16,7 +16,7 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
   ~Progress();
 
-  /// share of the work in [0, 1]; detail(elapsed [s]), such as a count and its rate, is asked for where a line is due.
+  /// `share` of the work in [0, 1]. detail(elapsed [s]), such as a count and its rate, is called where a line is due.
   void show(double share, const std::function<std::string(double)>& detail, bool last = false);
   double elapsed() const;  ///< [s]
 

@@ -1,5 +1,5 @@
 #pragma once
-// Threads that all begin or none.
+// Work on several threads, of which either all start or none.
 
 #include <fmt/format.h>
 
@@ -13,12 +13,12 @@
 
 namespace liecheck::properties {
 
-/// Runs work() on `count` threads, this one among them, until all have returned. Nothing is begun before all
-/// of them exist; where the system gives fewer, std::runtime_error says how many. The first exception of
-/// work sets `stop`, which work must heed, and is thrown again at the end.
+/// Runs work() on `count` threads, the calling one included, and waits until all have returned. No work begins before
+/// all threads exist; where the system gives fewer, throws std::runtime_error with their number. The first exception of
+/// work() sets `stop`, which work() must poll, and is rethrown at the end.
 template <class Work>
 void run_on_threads(unsigned count, std::atomic<bool>& stop, const Work& work) {
-  enum Gate { closed, open, called_off };
+  enum Gate { closed, open, cancelled };
   std::atomic<int> gate{closed};
   std::mutex mutex;
   std::exception_ptr error;
@@ -43,7 +43,7 @@ void run_on_threads(unsigned count, std::atomic<bool>& stop, const Work& work) {
   } catch (const std::exception& e) {  // std::system_error, or std::bad_alloc
     why = fmt::format("--jobs {}: only {} threads can be had: {}", count, threads.size() + 1, e.what());
   }
-  gate = why.empty() ? open : called_off;
+  gate = why.empty() ? open : cancelled;
   gate.notify_all();
   if (why.empty()) guarded();
   for (auto& t : threads) t.join();
