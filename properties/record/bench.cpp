@@ -1,8 +1,8 @@
 #include <record/bench.hpp>
 
 #include <algorithm>
-#include <record/number.hpp>
 #include <support/environment.hpp>
+#include <support/json_number.hpp>
 
 namespace liecheck::properties {
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <map>
-#include <record/number.hpp>
 #include <set>
 #include <support/environment.hpp>
+#include <support/json_number.hpp>
 
 namespace liecheck::properties {
 
@@ -104,7 +104,10 @@ const char* name_of(Axis axis) {
 }
 
 const char* status_of(const Row& row) {
-  return row.failed ? "fail" : row.unresolved ? "unresolved" : row.ill_posed == row.count ? "ill-posed" : "pass";
+  return row.failed                   ? "fail"
+         : row.unresolved             ? "unresolved"
+         : row.ill_posed == row.count ? "ill-posed"
+                                      : "pass";
 }
 
 /// One output of a series in one band.
@@ -201,7 +204,8 @@ json counterexamples_record(const Counterexamples& c) {
 
 }  // namespace
 
-json record_of(const CampaignResult& r, const Counterexamples& replayed, const std::string& earlier_environment) {
+json record_of(const CampaignResult& r, const Counterexamples& replayed,
+               const std::string& earlier_environment) {
   const auto [rows, operations] = rows_and_operations(r);
   return {
       {"version", LIECHECK_VERSION},

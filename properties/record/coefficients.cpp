@@ -1,8 +1,8 @@
 #include <record/coefficients.hpp>
 
 #include <fmt/format.h>
-#include <record/number.hpp>
 #include <support/environment.hpp>
+#include <support/json_number.hpp>
 
 namespace liecheck::properties {
 

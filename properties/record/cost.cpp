@@ -1,7 +1,7 @@
 #include <record/cost.hpp>
 
-#include <record/number.hpp>
 #include <support/environment.hpp>
+#include <support/json_number.hpp>
 #include <timing/front.hpp>
 #include <timing/inputs.hpp>
 

@@ -1,6 +1,6 @@
 #include <record/hard_cases.hpp>
 
-#include <record/number.hpp>
+#include <support/json_number.hpp>
 
 namespace liecheck::properties {
 

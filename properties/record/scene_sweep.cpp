@@ -1,8 +1,8 @@
 #include <record/scene_sweep.hpp>
 
 #include <record/cost.hpp>
-#include <record/number.hpp>
 #include <support/environment.hpp>
+#include <support/json_number.hpp>
 
 namespace liecheck::properties {
 namespace {

@@ -1,8 +1,8 @@
 #include <record/scenes.hpp>
 
 #include <cmath>
-#include <record/number.hpp>
 #include <scenes/show.hpp>
+#include <support/json_number.hpp>
 
 namespace liecheck::properties {
 namespace {

@@ -1,8 +1,8 @@
 #include <store/merge.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
+#include <support/json_number.hpp>
 #include <tuple>
 
 namespace liecheck::properties {
@@ -10,12 +10,6 @@ namespace liecheck::properties {
 namespace {
 
 using nlohmann::json;
-
-json number(double x) {
-  if (std::isnan(x)) return "nan";
-  if (std::isinf(x)) return x > 0 ? "inf" : "-inf";
-  return x;
-}
 
 json key_of(const StoredSeries& s) {
   return {{"subject", s.subject}, {"scalar", s.scalar}, {"property", s.property}};

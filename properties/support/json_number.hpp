@@ -1,5 +1,5 @@
 #pragma once
-// Numbers in a record. JSON has no NaN and no infinity: they are the strings "nan", "inf" and "-inf".
+// Numbers in JSON, which has no NaN and no infinity: these are the strings "nan", "inf" and "-inf".
 
 #include <cmath>
 #include <nlohmann/json.hpp>
