@@ -1,0 +1,13 @@
+// liecheck's own library in 100 digits: timed by `liecheck cost` alone.
+
+#include <subjects/liecheck_operations.hpp>
+#include <subjects/wide_scalars.hpp>
+
+namespace liecheck::properties {
+
+template <>
+Operations<Digits100> wide_scalar_operations() {
+  return LiecheckOperations<Digits100>::make().operations;
+}
+
+}  // namespace liecheck::properties

@@ -1,0 +1,13 @@
+// liecheck's own library in 50 digits: timed by `liecheck cost` alone.
+
+#include <subjects/liecheck_operations.hpp>
+#include <subjects/wide_scalars.hpp>
+
+namespace liecheck::properties {
+
+template <>
+Operations<Digits50> wide_scalar_operations() {
+  return LiecheckOperations<Digits50>::make().operations;
+}
+
+}  // namespace liecheck::properties

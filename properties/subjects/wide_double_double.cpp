@@ -1,0 +1,16 @@
+// liecheck's own library in QD's double-double: timed by `liecheck cost` alone.
+
+#include <subjects/wide_scalars.hpp>
+
+#ifdef LIECHECK_QD
+#include <subjects/liecheck_operations.hpp>
+
+namespace liecheck::properties {
+
+template <>
+Operations<dd_real> wide_scalar_operations() {
+  return LiecheckOperations<dd_real>::make().operations;
+}
+
+}  // namespace liecheck::properties
+#endif

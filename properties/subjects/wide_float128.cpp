@@ -1,0 +1,22 @@
+// liecheck's own library in float128: a subject of campaigns, and a row of `liecheck cost`.
+
+#include <subjects/liecheck_operations.hpp>
+#include <subjects/wide_scalars.hpp>
+
+namespace liecheck::properties {
+namespace {
+
+const Registered<float128> in_float128(LiecheckOperations<float128>::with_robots());
+
+}  // namespace
+
+template <>
+Operations<float128> wide_scalar_operations() {
+  return LiecheckOperations<float128>::make().operations;
+}
+
+const char* liecheck_version() {
+  return LIECHECK_VERSION;
+}
+
+}  // namespace liecheck::properties
