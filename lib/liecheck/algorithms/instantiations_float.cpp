@@ -1,7 +1,8 @@
-// float, compiled once; declared extern in the headers.
+// Explicit instantiations for float, declared extern in the headers. The derivatives have a file of their own
+// (instantiations_derivatives.cpp), so that none needs more than 1.2 GB to compile.
 
+#include <liecheck/algorithms/aba.hpp>
 #include <liecheck/algorithms/centroidal.hpp>
-#include <liecheck/algorithms/derivatives.hpp>
 #include <liecheck/algorithms/energy.hpp>
 #include <liecheck/algorithms/jacobians.hpp>
 
@@ -36,9 +37,5 @@ template const Force<float>& computeCentroidalMomentum<float>(const Model<float>
                                                               In<float>);
 template const Force<float>& computeCentroidalMomentumTimeVariation<float>(const Model<float>&, Data<float>&,
                                                                            In<float>, In<float>, In<float>);
-template void computeRNEADerivatives<float>(const Model<float>&, Data<float>&, In<float>, In<float>,
-                                            In<float>, External<float>);
-template void computeABADerivatives<float>(const Model<float>&, Data<float>&, In<float>, In<float>, In<float>,
-                                           External<float>);
 
 }  // namespace liecheck
