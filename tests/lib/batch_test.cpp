@@ -1,4 +1,4 @@
-// Many poses at once against one at a time.
+// multibody/batch.hpp: many poses at once against one at a time.
 
 #include <gtest/gtest.h>
 #include <liecheck/multibody/batch.hpp>

@@ -1,4 +1,4 @@
-// Where rotations from outside enter.
+// spatial/checked_rotation.hpp.
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
-// multibody/configuration.hpp and the free-flyer's kernels below it. Rows S5 to S15, S22, S23.
+// multibody/configuration.hpp, and the functions of the free-flyer that it calls.
 //
-// Expected values are closed forms worked out by hand, or central differences; accuracy over all angles is
-// the campaign's business, not this file's.
+// Expected values are closed forms computed by hand, or central differences; campaigns measure the accuracy over all
+// angles.
 
 #include <gtest/gtest.h>
 
@@ -15,12 +15,12 @@ using namespace liecheck;
 template <class S>
 constexpr S half_pi = std::numbers::pi_v<S> / 2;
 
-/// Identity at the origin, a free-flyer's neutral.
+/// The neutral configuration of a free-flyer.
 template <class S>
 Vector7<S> identity() {
   return Vector7<S>::Unit(6);
 }
-/// At p, turned about z by angle.
+/// A free-flyer at p, rotated about z by angle.
 template <class S>
 Vector7<S> yawed(S angle, const Vector3<S>& p = Vector3<S>::Zero()) {
   Vector7<S> q;
@@ -45,8 +45,8 @@ auto error(const A& a, const B& b) {
   return (a - b).norm();
 }
 
-/// Joints whose offsets in q and v differ: a prismatic joint, a free-flyer behind it, a continuous joint, a
-/// revolute.
+/// Joints whose offsets in q and v differ: a prismatic joint that carries a free-flyer, a continuous joint and a revolute
+/// joint.
 template <class S>
 Model<S> someRobot() {
   Model<S> m;
@@ -79,7 +79,7 @@ class Configuration : public testing::Test {
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(Configuration, Scalars);
 
-// S9: an arc, not a step and a turn.
+// The path is an arc, not a translation and then a rotation.
 TYPED_TEST(Configuration, IntegrateFromTheIdentityEndsOnTheArc) {
   using S = TypeParam;
   Vector6<S> d;
@@ -90,7 +90,6 @@ TYPED_TEST(Configuration, IntegrateFromTheIdentityEndsOnTheArc) {
   EXPECT_LE(error(q.template tail<4>(), yawed(half_pi<S>).template tail<4>()), 4 * this->eps);
 }
 
-// S8
 TYPED_TEST(Configuration, AtAYawOf90DegreesBodyXMovesAlongWorldY) {
   using S = TypeParam;
   const Vector3<S> p(S(1), S(2), S(3));
@@ -106,7 +105,6 @@ TYPED_TEST(Configuration, AnIncrementOfZeroChangesNothing) {
   EXPECT_EQ(differenceSE3<S>(q, q), (Vector6<S>::Zero()));
 }
 
-// S10
 TYPED_TEST(Configuration, DifferenceUndoesIntegrateBelowHalfATurn) {
   using S = TypeParam;
   const Vector6<S> d = increment<S>();
@@ -158,7 +156,7 @@ TYPED_TEST(Configuration, AxisNearHalfATurnHasTheSignOfAScalarPartThatUnderflows
 TEST(ExactDot, KeepsTheSignThroughChainsOfCancellations) {
   using Vector = Eigen::Matrix<float, 4, 1>;
   const float u = 0x1p-23f;
-  // (1 + u)^2 - (1 + 2 u) - u^2 + t = t, whatever t is.
+  // (1 + u)^2 - (1 + 2 u) - u^2 + t = t for every t.
   for (const float t : {0x1p-100f, 0x1p-149f, -0x1p-60f, -0x1p-130f}) {
     const Vector a(1 + u, -(1 + 2 * u), -u, t), b(1 + u, 1, u, 0x1p-100f);
     const float d = exact_dot<float, 4>(a, b), exact = t * 0x1p-100f;
@@ -183,8 +181,8 @@ TYPED_TEST(Configuration, AtExactlyHalfATurnDifferenceIsPiAboutEitherSignOfTheAx
   EXPECT_EQ(d.template head<5>().norm(), S(0));
 }
 
-/// The rotation vector from the definitions, in long double; its vector part from Q1 - Q0: for double's
-/// quaternions accurate to 2^-11 eps |Q1 - Q0|. Precondition: less than half a turn, not none.
+/// The rotation vector from the definitions, in long double; its vector part from Q1 - Q0, for quaternions in double
+/// accurate to 2^-11 eps |Q1 - Q0|. Precondition: 0 < |phi| < pi.
 template <class S>
 Eigen::Matrix<long double, 3, 1> nearRotation(const Vector7<S>& q0, const Vector7<S>& q1) {
   using L4 = Eigen::Matrix<long double, 4, 1>;
@@ -206,8 +204,8 @@ TYPED_TEST(Configuration, DifferenceOfNearPosesIsAccurateRelativeToItself) {
     EXPECT_LE(error(phi.template cast<long double>(), expected), 4 * this->eps * expected.norm()) << angle;
   }
 }
-// Every coefficient three ulp up, in a quaternion of nearly equal ones: Q1 - Q0 is almost parallel to Q0 and
-// all but a thousandth of its product (a millionth in double) cancels.
+// Q0 has nearly equal coefficients, and Q1 each of them three ulp larger: Q1 - Q0 is almost parallel to Q0, and all but
+// a thousandth of its product with Q0 (a millionth in double) cancels.
 TYPED_TEST(Configuration, ADifferenceOfNormsIsNoRotation) {
   using S = TypeParam;
   const S a = std::cbrt(this->eps) / 8;
@@ -222,7 +220,6 @@ TYPED_TEST(Configuration, ADifferenceOfNormsIsNoRotation) {
             4 * this->eps * expected.norm() + this->eps * this->eps / 256);
 }
 
-// S11
 TYPED_TEST(Configuration, DifferenceIsTheSameForQAndMinusQ) {
   using S = TypeParam;
   const Vector7<S> q0 = generic<S>(), q1 = integrateSE3<S>(q0, increment<S>());
@@ -231,7 +228,6 @@ TYPED_TEST(Configuration, DifferenceIsTheSameForQAndMinusQ) {
   EXPECT_EQ(differenceSE3<S>(q0, q1), differenceSE3<S>(q0, opposite));
 }
 
-// S13
 TYPED_TEST(Configuration, IntegrateReturnsTheQuaternionNearerToTheOneItCameFrom) {
   using S = TypeParam;
   for (const S sign : {S(1), S(-1)}) {
@@ -242,12 +238,12 @@ TYPED_TEST(Configuration, IntegrateReturnsTheQuaternionNearerToTheOneItCameFrom)
       EXPECT_GE(next.template tail<4>().dot(q.template tail<4>()), S(0)) << sign << ' ' << angle;
     }
   }
-  // It does not force w >= 0: this one has w < 0 and goes on with w < 0.
+  // w >= 0 is not enforced: where w < 0, it stays so.
   EXPECT_LT(generic<S>()[6], S(0));
   EXPECT_LT(integrateSE3<S>(generic<S>(), Vector6<S>(S(0.1) * Vector6<S>::Unit(4)))[6], S(0));
 }
 
-// S14: c1, c2 and c3 have no cutoff, so neighbours of every usual one give neighbouring results.
+// c1, c2 and c3 have no cutoff, so neighbours of every usual cutoff give neighbouring results.
 TYPED_TEST(Configuration, NothingJumpsAcrossUsualCutoffsOfSmallAngles) {
   using S = TypeParam;
   for (const S cutoff : {std::sqrt(this->eps), std::sqrt(std::sqrt(this->eps)), S(1e-8), S(1e-5), S(1e-3)}) {
@@ -262,7 +258,6 @@ TYPED_TEST(Configuration, NothingJumpsAcrossUsualCutoffsOfSmallAngles) {
   }
 }
 
-// S15
 TYPED_TEST(Configuration, FirstOrderNormalizationErrsByThreeEighthsOfTheSquaredDefect) {
   using S = TypeParam;
   const S defect = std::sqrt(this->eps) * 8;
@@ -277,7 +272,6 @@ TYPED_TEST(Configuration, AThousandIncrementsStayOnTheUnitSphere) {
   EXPECT_LE(std::abs(q.template tail<4>().squaredNorm() - 1), 4 * this->eps);
 }
 
-// S7 and S23
 TYPED_TEST(Configuration, TheCoefficientJacobianIsRAndHalfTheQuaternionProduct) {
   using S = TypeParam;
   const Vector7<S> q = generic<S>();
@@ -305,7 +299,7 @@ TEST(CoefficientJacobian, IsTheDerivativeOfTheStoredNumbersOfEveryJoint) {
   }
 }
 
-// S22: the error is read in the tangent space of the result, by argument.
+// The error is measured in the tangent space of the result, for each argument.
 TEST(Derivatives, OfIntegrateAreTangentToTangentForBothArguments) {
   const Model<double> m = someRobot<double>();
   const VectorX<double> q = someConfiguration<double>(), d = someIncrement<double>();
@@ -350,7 +344,6 @@ TYPED_TEST(Configuration, DIntegrateByTheConfigurationIsTheAdjointOfTheInverseIn
   EXPECT_LE(error(J, expected), 32 * this->eps);
 }
 
-// S5 and S12
 TYPED_TEST(Configuration, NeutralOfALoneFreeFlyerEndsInOneNotInZero) {
   using S = TypeParam;
   Model<S> m;
@@ -423,7 +416,6 @@ TYPED_TEST(Configuration, InterpolateGoesTheGeodesicOfEveryJoint) {
   EXPECT_LE(error(interpolate(m, q0, q1, S(0.25)), integrate(m, q0, d / 4)), 32 * this->eps);
 }
 
-// S11
 TYPED_TEST(Configuration, MinusQIsTheSameConfigurationAlthoughItsNumbersDiffer) {
   using S = TypeParam;
   const Model<S> m = someRobot<S>();
@@ -482,7 +474,6 @@ TYPED_TEST(Configuration, DistanceOfFarPlacesIsFinite) {
   EXPECT_EQ(distance(nothing, neutral(nothing), neutral(nothing)), S(0));
 }
 
-// S12
 TYPED_TEST(Configuration, NormalizeWorksInPlaceAndByValue) {
   using S = TypeParam;
   const Model<S> m = someRobot<S>();
@@ -524,7 +515,6 @@ std::string refusal(F f) {
   return {};
 }
 
-// S6
 TEST(Sizes, AWrongSizeIsRefusedWithBothNumbersByEveryFunction) {
   using Q = VectorX<double>;
   const Model<double> m = someRobot<double>();
@@ -566,7 +556,7 @@ TEST(Sizes, AWrongSizeIsRefusedWithBothNumbersByEveryFunction) {
   expectV([&] { checkedTangent(m, long_v); });
 }
 
-/// The refusal of q or v at the checked entrance.
+/// The exception that checkedConfiguration or checkedTangent throws.
 template <class F>
 InvalidConfiguration invalid(F f) {
   try {

@@ -1,5 +1,5 @@
 #pragma once
-// Counts what a thread allocates, for one program: included by one of its files.
+// Counts the allocations of a thread. Include it in one file of a program.
 
 #include <cstddef>
 

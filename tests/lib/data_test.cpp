@@ -1,4 +1,4 @@
-// multibody/data.hpp. Row S1: Model and Data apart; nothing is allocated; what is stale is known.
+// multibody/data.hpp: Model and Data are separate, algorithms allocate nothing, stale fields are found.
 
 #include <gtest/gtest.h>
 
@@ -37,7 +37,7 @@ TEST(Data, NothingChangesUntilAnAlgorithmRunsAndThenOnlyWhatItSays) {
   const auto velocity = d.v[6].to_vector();
   s.q = integrate(m, s.q, s.v);
   EXPECT_EQ(d.oMi[6].rotation(), pose);
-  forwardKinematics(m, d, s.q);  // S16: positions only
+  forwardKinematics(m, d, s.q);  // positions only
   EXPECT_NE(d.oMi[6].rotation(), pose);
   EXPECT_FALSE(d.v.isFresh());
   EXPECT_EQ(d.v.scratch()[6].to_vector(), velocity);
@@ -59,7 +59,6 @@ TEST(Data, OfAnotherModelOrOfAnEarlierOneIsRefused) {
             std::string::npos);
 }
 
-// S6
 TEST(Data, AVectorOfTheWrongSizeIsNamedWithBothNumbers) {
   const Model<double> m = randomModel(3, 6);
   Data<double> d(m);
@@ -140,7 +139,7 @@ TEST(Data, NoAlgorithmAllocates) {
     f();
     return allocations - before;
   };
-  EXPECT_EQ(count([] { Vec(3).setZero(); }), 1);  // it would be seen
+  EXPECT_EQ(count([] { Vec(3).setZero(); }), 1);  // count() works
   for (unsigned seed : {5U, 6U}) {
     Random random(seed);
     Model<double> m = randomModel(seed, 22);
@@ -190,7 +189,7 @@ TEST(Data, AChainOfTenThousandJointsHasRoomAndRuns) {
   const Vec q = Vec::Zero(m.nv);
   forwardKinematics(m, d, q);
   EXPECT_NEAR(d.oMi[10000].translation().x(), 1000, 1e-9);
-  // Held level: the first joint carries 10000 bodies, 500 m away on the average.
+  // A horizontal chain: the first joint carries 10000 bodies, at 500 m on average.
   EXPECT_NEAR(rnea(m, d, q, q, q)[0], -9.81 * 10000 * 500, 1e-4);
   EXPECT_LE(aba(m, d, q, q, d.tau()).norm(), 1e-3);
 }

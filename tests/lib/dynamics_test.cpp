@@ -1,5 +1,5 @@
-// algorithms/rnea, crba, aba, energy, centroidal, derivatives. Rows S24, S21: laws on random trees of every joint
-// type, and the equations of motion from poses alone.
+// algorithms/rnea, crba, aba, energy, centroidal, derivatives: identities on random trees of every joint type, and the
+// equations of motion from poses alone.
 
 #include <gtest/gtest.h>
 
@@ -31,7 +31,7 @@ void forEachRobot(F f) {
     f(m, randomState(m, random), random);
   }
 }
-/// Rounding of a sum of n terms that each carry a few operations: 8 n eps of the sum of their sizes.
+/// Error bound of a sum of n terms of a few operations each: 8 n eps of the sum of their sizes.
 double budget(const Model<double>& m) {
   return 8 * m.nv * eps<double>();
 }
@@ -50,8 +50,8 @@ TEST(Dynamics, RneaOfAbaIsTau) {
 
 TEST(Dynamics, CrbaIsRneaColumnByColumnSymmetricAndPositive) {
   forEachRobot([](const Model<double>& m, const State& s, Random&) {
-    // What stands between branches must be made zero by somebody: an allocator that hands out again what was freed last
-    // (glibc's does, a sanitizer's does not) shows it where nobody does.
+    // Entries between branches must be set to zero: an allocator that returns the memory freed last (glibc's, not a
+    // sanitizer's) shows it where they are not.
     std::vector<Mat>(8, Mat::Constant(m.nv, m.nv, std::numeric_limits<double>::quiet_NaN()));
     Data<double> d(m, Dense::Mass), shared(m, Dense::Derivatives);
     const Mat M = crba(m, d, s.q);
@@ -122,7 +122,7 @@ TEST(Dynamics, PowerOfTheForcesIsTheRateOfTheEnergy) {
       return Eigen::Matrix<Real, 1, 1>(computeMechanicalEnergy(ml, d, along(ml, s, t), VecL(v + t * a)));
     })[0];
     const Real power = rnea(ml, d, VecL(s.q.cast<Real>()), v, a).dot(v);
-    // v(t) of the path is v + t a + O(t^2), which the rate at 0 does not see.
+    // v(t) of the path is v + t a + O(t^2); O(t^2) does not change the rate at 0.
     EXPECT_NEAR(double(rate), double(power), 1e-13 * (double(d.tau().norm() * v.norm())));
   });
 }
@@ -248,7 +248,7 @@ TEST(Dynamics, DerivativesAreThoseOfDifferencesInLongDouble) {
   }
 }
 
-// S21, and the invariances: where the world stands, how joints are numbered and how a body is cut do not matter.
+// Invariances: the pose of the world, the order of the joints and the division of a body into two do not matter.
 TEST(Dynamics, MovingTheWorldRelabellingAndCuttingABodyChangeNothing) {
   for (unsigned seed = 61; seed <= 64; ++seed) {
     Random random(seed);
@@ -259,7 +259,7 @@ TEST(Dynamics, MovingTheWorldRelabellingAndCuttingABodyChangeNothing) {
       Model<double> m;
       m.gravity = world.rotation() * m.gravity;
       m.addJoint(0, Revolute<double>(Axis<double>::Y()), world * behind, "trunk");
-      if (split) {  // two halves, one of them described in a frame of its own
+      if (split) {  // two halves, one of them in another frame
         const Inertia<double> half(trunk.mass() / 2, trunk.lever(), trunk.inertia() / 2);
         m.appendBodyToJoint(1, half);
         m.appendBodyToJoint(1, cut.actInv(half), cut);
@@ -336,7 +336,7 @@ TEST(Dynamics, AMimicIsTheFreeRobotConstrained) {
   }
 }
 
-// crba keeps shares of masses from state to state: what a Data computed before must not be seen.
+// crba keeps quotients of masses from state to state: results must not depend on what a Data computed before.
 TEST(Dynamics, AnInertiaThatChangesIsFelt) {
   forEachRobot([](const Model<double>& m, const State& s, Random& random) {
     Model<double> changing = m;
@@ -354,7 +354,7 @@ TEST(Dynamics, AnInertiaThatChangesIsFelt) {
   });
 }
 
-// 2 kg on a 1 m rod: by hand.
+// 2 kg on a 1 m rod, computed by hand.
 TEST(Dynamics, APendulumFallsAsItShould) {
   Model<double> m;
   m.addJoint(0, Revolute<double>(Axis<double>::Y()), SE3<double>::Identity(), "hinge");
@@ -363,7 +363,7 @@ TEST(Dynamics, APendulumFallsAsItShould) {
   const Vec zero = Vec::Zero(1);
   EXPECT_DOUBLE_EQ(crba(m, d, zero)(0, 0), 2);
   EXPECT_DOUBLE_EQ(computeGeneralizedGravity(m, d, zero)[0],
-                   -19.62);  // a turn about +y lowers what is along +x
+                   -19.62);  // a rotation about +y lowers what is along +x
   EXPECT_DOUBLE_EQ(aba(m, d, zero, zero, zero)[0], 9.81);
 }
 
@@ -389,7 +389,7 @@ TEST(Dynamics, MasslessLinksAreNamedWhereTheyMakeTheDynamicsSingular) {
   };
   named([&] { aba(m, d, q, v, v); }, "ball");
   named([&] { computeMinverse(m, d, q); }, "ball");
-  m.armature.tail<3>().setConstant(1e-3);  // its motors have inertia: the wrist is carried by nothing still
+  m.armature.tail<3>().setConstant(1e-3);  // inertia of the motors
   named([&] { aba(m, d, q, v, v); }, "wrist");
   named([&] { computeMinverse(m, d, q); }, "wrist");
   m.armature[1] = 1e-3;

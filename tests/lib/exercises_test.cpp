@@ -1,4 +1,4 @@
-// Row S26: four exercises, each a short program to read.
+// Four exercises, each a short program to read.
 
 #include <gtest/gtest.h>
 
@@ -40,7 +40,8 @@ TEST(Exercises, WithAYawOfNinetyDegreesAnIncrementAlongTheBodysXMovesAlongTheWor
   const Vec turned = integrate(m, neutral(m), Vec(quarter * Vec::Unit(6, 5)));
   const Vec moved = integrate(m, turned, Vec(Vec::Unit(6, 0)));
   EXPECT_LE((moved.head<3>() - V3(0, 1, 0)).norm(), 4 * eps<double>());
-  EXPECT_GT((moved.head<3>() - (turned + Vec::Unit(7, 0)).head<3>()).norm(), 1);  // q + v dt is another place
+  EXPECT_GT((moved.head<3>() - (turned + Vec::Unit(7, 0)).head<3>()).norm(),
+            1);  // q + v dt is another position
 }
 
 TEST(Exercises, TheArcIsNotAStepAndATurnAndItsInverseIsLocal) {
@@ -49,7 +50,7 @@ TEST(Exercises, TheArcIsNotAStepAndATurnAndItsInverseIsLocal) {
   const Vec q = integrate(m, neutral(m), delta);
   EXPECT_LE((q.head<3>() - V3(1 / quarter, 1 / quarter, 0)).norm(), 4 * eps<double>());
   EXPECT_LE((difference(m, neutral(m), q) - delta).norm(), 8 * eps<double>());
-  // Beyond half a turn the pose is the same and the vector is not.
+  // For |phi| > pi log6 returns another vector of the same pose.
   const Vec long_way = (Vec(6) << 0, 0, 0, 0, 0, 3 * quarter).finished();
   const Vec there = integrate(m, neutral(m), long_way), back = difference(m, neutral(m), there);
   EXPECT_NEAR(back[5], -quarter, 8 * eps<double>());

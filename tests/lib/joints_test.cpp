@@ -1,5 +1,5 @@
-// multibody/joints: the configuration spaces of every joint, by differences in long double and by what they embed
-// in. multibody/random_configuration.hpp, inertia_validity.hpp, nearest_names.hpp. Rows S10, S21, S22, S23.
+// multibody/joints: the configuration spaces of every joint, against differences in long double and against the
+// free-flyer. multibody/random_configuration.hpp, inertia_validity.hpp, nearest_names.hpp.
 
 #include <gtest/gtest.h>
 
@@ -29,7 +29,6 @@ Model<double> oneOfEach(unsigned seed) {
   return randomModel(seed, joint_kinds);
 }
 
-// S10
 TEST(Joints, DifferenceUndoesIntegrateForEveryJoint) {
   for (unsigned seed = 201; seed < 221; ++seed) {
     const Model<double> m = oneOfEach(seed);
@@ -59,7 +58,6 @@ TEST(Joints, IntegrateAndDifferenceAreThoseOfLongDoubleToAFewUlp) {
   }
 }
 
-// S22
 TEST(Joints, DIntegrateAndDDifferenceAreTheDerivativesOnWholeConfigurations) {
   for (unsigned seed = 261; seed < 269; ++seed) {
     const Model<double> m = oneOfEach(seed);
@@ -88,7 +86,7 @@ TEST(Joints, DIntegrateAndDDifferenceAreTheDerivativesOnWholeConfigurations) {
     same(dIntegrate(m, q, delta, ArgumentPosition::ARG1), by_delta);
     same(dDifference(m, q, q1, ArgumentPosition::ARG0), by_q0);
     same(dDifference(m, q, q1, ArgumentPosition::ARG1), by_q1);
-    MatrixX<Real> coefficients(m.nq, m.nv);  // S23
+    MatrixX<Real> coefficients(m.nq, m.nv);
     for (int k = 0; k < m.nv; ++k)
       coefficients.col(k) =
           derivative<Real>([&](Real t) { return integrate(ml, ql, VecL(t * VecL::Unit(m.nv, k))); });
@@ -177,7 +175,7 @@ TEST(RandomConfiguration, KeepsTheLimitsAndIsTheSameForTheSameSeed) {
   EXPECT_LE((sum / 1000).cwiseAbs().maxCoeff(), 0.125 + 0.1);
 }
 
-// S21: positive entries prove nothing.
+// An inertia with positive entries may be impossible.
 TEST(Inertia, WhatNoBodyHasIsSaid) {
   const auto of = [](double m, const V3& moments) {
     const Matrix3<double> R = exp3<double>(V3(0.3, -0.4, 0.5)), I = R * moments.asDiagonal() * R.transpose();
@@ -212,7 +210,6 @@ TEST(Inertia, ThePseudoInertiaIsPositiveWhereTheInertiaIsPhysical) {
   EXPECT_EQ(pseudoInertia(rod)(0, 3), 1);
 }
 
-// S4
 TEST(Model, ARequiredNameThatIsUnknownIsAnsweredWithTheNearest) {
   Model<double> m;
   for (const char* name : {"left_hip", "left_knee", "right_hip", "head"}) {

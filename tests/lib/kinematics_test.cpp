@@ -1,4 +1,4 @@
-// algorithms/kinematics, frames, jacobians. Rows S16, S17, S18, S25: against differences of poses, and by hand.
+// algorithms/kinematics, frames, jacobians, against differences of poses and values computed by hand.
 
 #include <gtest/gtest.h>
 
@@ -35,7 +35,6 @@ double budget(const Model<double>& m) {
   return 8 * m.nv * eps<double>();
 }
 
-// S16
 TEST(Kinematics, PosesAreTheProductOfPlacementsAndMotions) {
   Model<double> m;
   m.addJoint(0, Revolute<double>(Axis<double>::Z()), {Matrix3<double>::Identity().eval(), V3(1, 0, 0)},
@@ -78,12 +77,12 @@ TEST(Kinematics, VelocityAndClassicalAccelerationOfAFrameAreDerivativesOfItsPose
       EXPECT_LE(relative(Matrix3<double>((skew<double>(a.angular()) + W * W) * R),
                          Matrix3<double>(second.leftCols<3>()), 1),
                 1e-11);
-      // S7, S17: WORLD is the same motion at the world's origin, LOCAL in the frame's axes.
+      // WORLD is the same motion at the world's origin, LOCAL in the frame's axes.
       const auto world = getFrameVelocity(m, d, k, ReferenceFrame::WORLD);
       EXPECT_LE(relative(world.linear(), V3(v.linear() + X.col(3).cross(v.angular())), 1), budget(m));
       const auto local = getFrameVelocity(m, d, k, ReferenceFrame::LOCAL);
       EXPECT_LE(relative(V3(R * local.linear()), v.linear(), 1), budget(m));
-      // The spatial acceleration in LOCAL is the rate of the numbers of the LOCAL velocity.
+      // The spatial acceleration in LOCAL is the time derivative of the LOCAL velocity.
       const auto twist = [&](Real t) {
         forwardKinematics(ml, dl, along(ml, s, t), VecL(s.v.cast<Real>() + t * s.a.cast<Real>()));
         return getFrameVelocity(ml, dl, k, ReferenceFrame::LOCAL).to_vector();
@@ -95,7 +94,6 @@ TEST(Kinematics, VelocityAndClassicalAccelerationOfAFrameAreDerivativesOfItsPose
   });
 }
 
-// S25
 TEST(Jacobians, TimesVAreVelocitiesAndTheirRatesMakeAccelerations) {
   forEachRobot([](const Model<double>& m, const State& s) {
     Data<double> d(m);
@@ -158,7 +156,7 @@ TEST(Jacobians, TimeVariationsAreTheDerivativesOfTheirNumbers) {
   });
 }
 
-// S17: what each reference means, on a wheel that turns 2 m from the world's origin.
+// The three reference frames, on a wheel that rotates 2 m from the world's origin.
 TEST(Frames, TheThreeReferencesOfATurningWheel) {
   Model<double> m;
   m.addJoint(0, Revolute<double>(Axis<double>::Z()), {Matrix3<double>::Identity().eval(), V3(2, 0, 0)},
@@ -178,7 +176,6 @@ TEST(Frames, TheThreeReferencesOfATurningWheel) {
             V3(-9, 0, 0));
 }
 
-// S18
 TEST(Imu, AtRestItReadsGravityUpwardAndOnAWheelTheCentripetalForceToo) {
   Model<double> m;
   m.addJoint(0, Revolute<double>(Axis<double>::Z()), here, "wheel");
@@ -204,7 +201,7 @@ TEST(Imu, InFreeFallItReadsNothing) {
   EXPECT_LE(imu(m, d, sensor).specific_force.norm(), eps<double>());
 }
 
-// S5: with a placement, q[:3] is not a world position.
+// With a placement, q[:3] is not a position in the world.
 TEST(Frames, AFreeFlyerWithAPlacementStandsElsewhereThanQSays) {
   Model<double> m;
   m.addJoint(0, FreeFlyer<double>(), {Matrix3<double>::Identity().eval(), V3(0, 0, 1)}, "base");

@@ -1,5 +1,5 @@
-// The three precisions against the same code at 50 digits, up to half a turn: tight within 1 eps of each block, fast
-// within 16. The oracles hold the same at any angle: `liecheck hunt --subject liecheck:tight`.
+// The three precisions against the same code at 50 digits, for |phi| <= pi: tight within 1 eps of each block, fast
+// within 16. `liecheck hunt --subject liecheck:tight` checks the same at all angles, against the oracles.
 
 #include <gtest/gtest.h>
 #include <boost/multiprecision/cpp_bin_float.hpp>

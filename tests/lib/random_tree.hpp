@@ -21,7 +21,7 @@ class Random {
     return v;
   }
   SE3<double> pose() { return {quaternion::exp3<double>(vector(2)), vector(0.5)}; }
-  /// A solid box of random sides, turned: valid by construction. Mass in [mass/10, mass].
+  /// A solid box of random sides and attitude, so a valid inertia. Mass in [mass/10, mass].
   Inertia<double> body(double mass) {
     const double m = mass * uniform(0.1, 1);
     const V3 s = V3(uniform(0.05, 0.4), uniform(0.05, 0.4), uniform(0.05, 0.4)).cwiseAbs2() * (m / 12);
@@ -71,7 +71,7 @@ inline Joint<double> jointOfKind(int kind, Random& random) {
 
 enum class Shape { Chain, Star, Tree };
 
-/// n joints, each kind in turn from a random one; masses of one kg shrink by mass_ratio towards the last.
+/// n joints, of all kinds in turn from a random one on; the masses decrease from 1 kg to 1/mass_ratio kg.
 inline Model<double> randomModel(unsigned seed, int n, Shape shape = Shape::Tree, double mass_ratio = 1) {
   Random random(seed);
   Model<double> m;
@@ -99,8 +99,8 @@ inline State randomState(const Model<double>& m, Random& random) {
 }
 
 /// d/dt at 0 of f, a value with + - and * by a number, by central differences of order 8, step 1/1024. The
-/// truncation is (w/1024)^8/630 of a function that turns at w rad/s, 3e-16 for w = 30 (chains in which every joint
-/// turns); the rounding 1024 eps of f's own: 1e-16 in long double.
+/// truncation error is (w/1024)^8/630 of a function that rotates at w rad/s, 3e-16 for w = 30 (chains in which every
+/// joint rotates); the rounding error is 1024 eps of f, 1e-16 in long double.
 template <class S, class F>
 auto derivative(F f) {
   const S h = S(1) / S(1024);
@@ -110,7 +110,7 @@ auto derivative(F f) {
           h)
       .eval();
 }
-/// d^2/dt^2 at 0, likewise; its rounding is 2^20 eps: 1e-13 in long double.
+/// d^2/dt^2 at 0 of f, by the same differences; the rounding error is 2^20 eps, 1e-13 in long double.
 template <class S, class F>
 auto secondDerivative(F f) {
   const S h = S(1) / S(1024);
@@ -122,7 +122,7 @@ auto secondDerivative(F f) {
       .eval();
 }
 
-/// Of a difference, relative to the largest of the two and floor.
+/// |a - b| / max(|a|, |b|, floor).
 template <class A, class B>
 double relative(const A& a, const B& b, double floor = 0) {
   return double((a - b).norm()) / std::max({double(a.norm()), double(b.norm()), floor, 1e-300});

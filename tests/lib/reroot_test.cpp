@@ -1,5 +1,5 @@
-// The same free-floating robot told from another of its bodies: a joint between the base and a child is turned
-// round, q' = q^-1, and the child becomes the base. Nobody pushes the base, so every joint must feel the same.
+// Equivalent models of a free-floating robot: a joint between the base and a child is reversed, q' = q^-1, and the child
+// becomes the base. No force acts on the base, so the generalised forces of all joints must be equal.
 
 #include <gtest/gtest.h>
 
@@ -32,8 +32,8 @@ Model<double> floatingModel(unsigned seed, int n) {
   return m;
 }
 
-/// Joint 2, a child of the base, turned round. Velocities: S v' = -Ad(T(q)) S v, v' = turn v; with S constant
-/// a' = turn a. The base is joint 1 and the turned joint is joint 2 in both.
+/// The robot with joint 2, a child of the base, reversed. Velocities: S v' = -Ad(T(q)) S v, v' = turn v; with S constant
+/// a' = turn a. The base is joint 1 and the reversed joint is joint 2 in both models.
 struct Rerooted {
   Model<double> model;
   Vec q, v, a;
@@ -91,8 +91,8 @@ TEST(Reroot, EveryJointFeelsTheSameAndTheNewBaseIsNotPushed) {
                         nonLinearEffects(m, d, s.q, s.v).norm() +
                         (crba(other.model, e, other.q).cwiseAbs() * other.a.cwiseAbs()).norm() +
                         nonLinearEffects(other.model, e, other.q, other.v).norm();
-    // A few roundings of each of nv terms, and of the pose, velocity and acceleration of the new base; likewise below,
-    // of the sizes of each sum's terms.
+    // A few rounding errors of each of nv terms, and of the pose, velocity and acceleration of the new base, relative to
+    // the sizes of each sum's terms; the bounds below are of the same kind.
     const double budget = 16 * m.nv * eps<double>();
     EXPECT_LE((tau - s.tau).norm(), budget * size);
 

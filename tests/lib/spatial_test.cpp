@@ -1,4 +1,4 @@
-// The spatial room: worked examples, and identities that do not use the function under test.
+// lib/liecheck/spatial: worked examples, and identities that do not use the function under test.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The small-angle coefficients against their closed forms in theta at 150 digits, which need no series: at
-// theta = 1e-15 the worst of them cancels 75 digits and keeps as many.
+// theta = 1e-15 the worst of them cancels 75 digits, and 75 are left.
 
 #include <gtest/gtest.h>
 #include <algorithm>
@@ -38,7 +38,7 @@ struct ClosedForms {
 template <class S>
 class StumpffOf : public testing::Test {
  public:
-  /// theta^2 at 0, log-uniform below pi^2, and around its end.
+  /// theta^2 at 0, log-uniform below pi^2, and near pi^2.
   static std::vector<S> squared_angles() {
     std::mt19937_64 random(7);
     std::uniform_real_distribution<double> exponent(-30, std::log10(9.8));
@@ -134,8 +134,8 @@ TYPED_TEST(StumpffOf, HalfAnglesKeepTheirBounds) {
   using S = TypeParam;
   const auto xs = this->squared_angles();
   const auto half = [](const auto& pick) { return [pick](S x) { return pick(HalfAngle<S>(x)); }; };
-  // c_0(4 h) = 2 c_0(h)^2 - 1 and c_1(4 h) = c_0(h) c_1(h), solved for h; c_0(h) >= 0 up to half a turn, and
-  // near it both sides are taken from the half angle itself.
+  // c_0(4 h) = 2 c_0(h)^2 - 1 and c_1(4 h) = c_0(h) c_1(h), solved for h; c_0(h) >= 0 for theta <= pi, and near pi both
+  // sides are computed from the half angle itself.
   double sine = 0, cosine = 0;
   for (const S x : xs) {
     if (x < S(1e-30)) continue;

@@ -1,4 +1,4 @@
-// multibody/field.hpp in a debug build: reading a stale field throws, and names the missing call.
+// multibody/data_field.hpp in a debug build: reading a stale field throws, and names the missing call.
 
 #include <gtest/gtest.h>
 
@@ -35,7 +35,7 @@ TEST(Freshness, ReadingAStaleFieldNamesTheMissingCall) {
   EXPECT_EQ(stale([&] { d.v[1]; }), "nothing");
   EXPECT_EQ(stale([&] { d.oMf[0]; }),
             "Data::oMf was never computed: call updateFramePlacements(model, data) first");
-  // S16: a position-level call leaves old velocities old, and so they are known to be.
+  // A call for positions leaves the velocities stale.
   forwardKinematics(m, d, one);
   EXPECT_EQ(stale([&] { getFrameVelocity(m, d, 0, ReferenceFrame::LOCAL); }),
             "Data::v belongs to an earlier state: call forwardKinematics(model, data, q, v) first");

@@ -1,6 +1,6 @@
-// The bounds of the polynomials in scalar/stumpff.hpp, proved: how far the polynomial is from the function by Sollya,
-// how far what is computed is from the polynomial by Gappa, from the operations that the code itself writes down
-// (traced.hpp). The scripts stay in the build's folder `proofs`.
+// Proofs of the error bounds of the polynomials in scalar/stumpff.hpp: of the approximation error by Sollya, of the
+// rounding error by Gappa, from the operations that the code itself records (traced.hpp). The scripts stay in the folder
+// `proofs` of the build.
 
 #include <fmt/format.h>
 #include <gtest/gtest-spi.h>
