@@ -1,110 +1,202 @@
-// Who may include whom, and that the README and CI say the same.
+// Who may include whom: the order of the folders of lib and properties ("rooms"), and no cycles inside a folder.
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <map>
-#include <regex>
-#include <sstream>
-#include <string>
-#include <vector>
+#include <set>
 
+#include "source_files.hpp"
+
+namespace liecheck::house {
 namespace {
 
-namespace fs = std::filesystem;
+struct Room {
+  std::string name;
+  std::vector<std::string> may_include;  ///< only rooms above it in the list, so that there is no cycle
+};
 
-std::string read(const fs::path& p) {
-  std::ifstream f(p);
-  std::ostringstream text;
-  text << f.rdbuf();
-  return text.str();
+/// lib/liecheck; includes start with "liecheck/".
+const std::vector<Room> library = {
+    {"text", {}},
+    {"scalar", {}},
+    {"spatial", {"scalar"}},
+    {"multibody", {"scalar", "spatial"}},
+    {"algorithms", {"scalar", "spatial", "multibody"}},
+    {"urdf", {"text", "scalar", "spatial", "multibody"}},
+    {"scene", {"scalar", "spatial", "multibody", "algorithms"}},
+    {"scene_file", {"text", "scalar", "spatial", "multibody", "algorithms", "scene", "urdf"}},
+};
+
+/// properties and reports; "lib" is any room of the library. The oracles never see lib: a sign error that both have would
+/// agree with itself.
+const std::vector<Room> harness = {
+    {"lib", {}},
+    {"support", {}},
+    {"oracles", {}},
+    {"operations", {}},
+    {"generators", {"oracles"}},
+    {"subjects", {"lib", "oracles", "operations"}},
+    {"invariants", {"lib", "support", "oracles", "operations", "generators", "subjects"}},
+    {"campaign", {"lib", "support", "oracles", "operations", "generators", "subjects", "invariants"}},
+    {"search", {"support", "oracles", "operations", "generators", "subjects", "invariants", "campaign"}},
+    {"hard_cases", {"support", "oracles", "operations", "generators", "subjects", "invariants", "campaign"}},
+    {"failures",
+     {"lib", "support", "operations", "generators", "subjects", "invariants", "campaign", "search"}},
+    {"store", {"support", "campaign", "search", "hard_cases", "failures"}},
+    {"coefficients", {"lib", "support", "oracles"}},
+    {"timing", {"lib", "support", "oracles", "operations", "generators", "subjects", "invariants"}},
+    {"scenes", {"lib", "support", "oracles", "timing"}},
+    {"record",
+     {"lib", "support", "oracles", "operations", "generators", "subjects", "invariants", "campaign", "search",
+      "hard_cases", "failures", "store", "coefficients", "timing", "scenes"}},
+    {"reports", {"support"}},
+    {"app",
+     {"lib", "support", "oracles", "operations", "generators", "subjects", "invariants", "campaign", "search",
+      "hard_cases", "failures", "store", "coefficients", "timing", "scenes", "record", "reports"}},
+};
+
+const Room* find(const std::vector<Room>& rooms, const std::string& name) {
+  const auto at = std::find_if(rooms.begin(), rooms.end(), [&](const Room& r) { return r.name == name; });
+  return at == rooms.end() ? nullptr : &*at;
 }
 
-/// The first folder of an include, after "liecheck/" where it is the library's: "scalar", "oracles", "reports".
-std::string room(std::string include, bool& lib) {
-  lib = include.rfind("liecheck/", 0) == 0;
-  if (lib) include = include.substr(9);
-  return include.substr(0, include.find('/'));
+/// What a path or an include names after a prefix, up to the next slash; empty where it does not start with it.
+std::string folder_after(const std::string& prefix, const std::string& path) {
+  const auto end = path.find('/', prefix.size());
+  return path.rfind(prefix, 0) == 0 && end != path.npos ? path.substr(prefix.size(), end - prefix.size())
+                                                        : "";
 }
 
-/// The includes of a file that its place in the house forbids.
+std::vector<std::string> includes_of(const std::string& text) {
+  static const std::string keyword = "#include ";
+  std::vector<std::string> all;
+  for (auto at = text.find(keyword); at != text.npos; at = text.find(keyword, at)) {
+    const bool line_start = at == 0 || text[at - 1] == '\n';
+    at += keyword.size();
+    if (line_start) all.push_back(text.substr(at + 1, text.find_first_of(">\"\n", at + 1) - at - 1));
+  }
+  return all;
+}
+
+/// The includes of a file that the order of the rooms forbids.
 std::vector<std::string> violations(const std::string& path, const std::string& text) {
-  static const std::map<std::string, std::vector<std::string>> lib_rooms = {
-      {"text", {"text"}},
-      {"scalar", {"scalar"}},
-      {"spatial", {"scalar", "spatial"}},
-      {"multibody", {"scalar", "spatial", "multibody"}},
-      {"algorithms", {"scalar", "spatial", "multibody", "algorithms"}},
-      {"urdf", {"text", "scalar", "spatial", "multibody", "urdf"}},
-      {"scene", {"scalar", "spatial", "multibody", "algorithms", "scene"}},
-      {"scene_file",
-       {"scalar", "spatial", "multibody", "algorithms", "scene", "text", "urdf", "scene_file"}}};
-  static const std::vector<std::string> harness = {"generators", "oracles", "subjects", "invariants",
-                                                   "campaign",   "timing",  "scenes",   "scene_peers"};
-  const auto has = [](const auto& list, const std::string& x) {
-    return std::find(list.begin(), list.end(), x) != list.end();
-  };
   std::vector<std::string> bad;
-  static const std::regex line(R"(#include\s*[<"]([^>"]+)[>"])");
-  for (std::sregex_iterator i(text.begin(), text.end(), line), end; i != end; ++i) {
-    const std::string include = (*i)[1];
-    bool lib = false;
-    const std::string r = room(include, lib);
-    bool allowed = true;
-    if (path.rfind("lib/liecheck/", 0) == 0) {
-      const std::string own = path.substr(13, path.find('/', 13) - 13);
-      allowed = lib ? lib_rooms.count(own) && has(lib_rooms.at(own), r) : !has(harness, r) && r != "reports";
-    } else if (path.rfind("properties/oracles/", 0) == 0) {
-      allowed = !lib && r != "reports" && (r == "oracles" || !has(harness, r));
-    } else if (path.rfind("reports/", 0) == 0) {
-      allowed = !lib && !has(harness, r);
-    } else if (path.rfind("properties/", 0) == 0) {
-      allowed = r != "reports" || path.rfind("properties/app/", 0) == 0;
-    }
-    if (!allowed) bad.push_back(path + " includes " + include);
+  const bool of_library = path.rfind("lib/", 0) == 0;
+  const std::string own = of_library                       ? folder_after("lib/liecheck/", path)
+                          : path.rfind("reports/", 0) == 0 ? "reports"
+                                                           : folder_after("properties/", path);
+  const Room* room = find(of_library ? library : harness, own);
+  if (!room) return {path + " is in no room of this test"};
+  for (const std::string& include : includes_of(text)) {
+    const std::string lib_room = folder_after("liecheck/", include), other = folder_after("", include);
+    if (lib_room.empty() && !find(harness, other)) continue;  // another project's
+    const std::string to = of_library ? lib_room : lib_room.empty() ? other : "lib";
+    const auto& allowed = room->may_include;
+    if (to != own && std::find(allowed.begin(), allowed.end(), to) == allowed.end())
+      bad.push_back(path + " includes " + include);
   }
   return bad;
 }
 
-TEST(IncludeDirections, AreKeptByEveryFile) {
-  const fs::path top = LIECHECK_SOURCE_DIR;
-  int files = 0;
-  for (const char* folder : {"lib", "properties", "reports"}) {
-    for (const auto& entry : fs::recursive_directory_iterator(top / folder)) {
-      const auto extension = entry.path().extension();
-      if (extension != ".hpp" && extension != ".cpp") continue;
-      ++files;
-      for (const auto& v : violations(fs::relative(entry.path(), top).string(), read(entry.path())))
-        ADD_FAILURE() << v;
+TEST(Rooms, AreInAnOrderWithoutCycles) {
+  for (const auto* rooms : {&library, &harness}) {
+    std::set<std::string> before;
+    for (const Room& room : *rooms) {
+      for (const std::string& other : room.may_include)
+        EXPECT_TRUE(before.count(other)) << room.name << " includes " << other << ", which is not above it";
+      before.insert(room.name);
     }
   }
-  EXPECT_GT(files, 50);
 }
 
-TEST(IncludeDirections, ViolationsAreSeen) {
-  EXPECT_EQ(violations("properties/oracles/a.cpp", "#include <liecheck/spatial/se3.hpp>\n").size(), 1u);
-  EXPECT_EQ(violations("properties/oracles/a.cpp", "#include <subjects/subject.hpp>\n").size(), 1u);
-  EXPECT_EQ(violations("lib/liecheck/spatial/a.hpp", "#include <liecheck/multibody/model.hpp>\n").size(), 1u);
-  EXPECT_EQ(violations("lib/liecheck/multibody/a.hpp", "#include \"oracles/exp.hpp\"\n").size(), 1u);
-  EXPECT_EQ(violations("reports/a.cpp", "#include <campaign/campaign.hpp>\n").size(), 1u);
-  EXPECT_EQ(violations("properties/campaign/a.cpp", "#include <reports/report.hpp>\n").size(), 1u);
-  EXPECT_EQ(violations("lib/liecheck/scene/a.cpp", "#include <liecheck/urdf/urdf.hpp>\n").size(), 1u);
-  EXPECT_EQ(violations("lib/liecheck/algorithms/a.hpp", "#include <liecheck/scene/tree.hpp>\n").size(), 1u);
-  EXPECT_TRUE(violations("lib/liecheck/scene_file/a.cpp", "#include <liecheck/urdf/urdf.hpp>\n").empty());
-  EXPECT_TRUE(violations("lib/liecheck/urdf/a.cpp",
-                         "#include <liecheck/multibody/model.hpp>\n#include <Eigen/Core>\n")
-                  .empty());
+TEST(Rooms, AreKeptByEveryFile) {
+  const Files files = sources({"lib", "properties", "reports"});
+  EXPECT_GT(files.size(), 200u);
+  for (const auto& [path, text] : files)
+    for (const std::string& v : violations(path, text)) ADD_FAILURE() << v;
+}
+
+TEST(Rooms, ViolationsAreSeen) {
+  const auto count = [](const char* path, const char* include) {
+    return violations(path, "#pragma once\n#include <" + std::string(include) + ">\n").size();
+  };
+  EXPECT_EQ(count("properties/oracles/a.cpp", "liecheck/spatial/se3.hpp"), 1u);
+  EXPECT_EQ(count("properties/oracles/a.cpp", "subjects/subject.hpp"), 1u);
+  EXPECT_EQ(count("properties/campaign/a.cpp", "store/store.hpp"), 1u);
+  EXPECT_EQ(count("properties/campaign/a.cpp", "reports/report.hpp"), 1u);
+  EXPECT_EQ(count("properties/record/a.cpp", "app/arguments.hpp"), 1u);
+  EXPECT_EQ(count("properties/support/a.cpp", "campaign/campaign.hpp"), 1u);
+  EXPECT_EQ(count("properties/a.cpp", "support/text.hpp"), 1u);
+  EXPECT_EQ(count("properties/elsewhere/a.cpp", "support/text.hpp"), 1u);
+  EXPECT_EQ(count("reports/a.cpp", "campaign/campaign.hpp"), 1u);
+  EXPECT_EQ(count("lib/liecheck/spatial/a.hpp", "liecheck/multibody/model.hpp"), 1u);
+  EXPECT_EQ(count("lib/liecheck/multibody/a.hpp", "oracles/exp.hpp"), 1u);
+  EXPECT_EQ(count("lib/liecheck/scene/a.cpp", "liecheck/urdf/urdf.hpp"), 1u);
+  EXPECT_EQ(count("lib/liecheck/algorithms/a.hpp", "liecheck/scene/tree.hpp"), 1u);
+  EXPECT_EQ(count("lib/liecheck/scene_file/a.cpp", "liecheck/urdf/urdf.hpp"), 0u);
+  EXPECT_EQ(count("lib/liecheck/urdf/a.cpp", "Eigen/Core"), 0u);
+  EXPECT_EQ(count("properties/campaign/a.cpp", "invariants/property.hpp"), 0u);
+}
+
+/// Groups of files that include each other, directly or through others. x.hpp and x.cpp count as one file, "x".
+std::vector<std::string> cycles(const Files& files) {
+  std::map<std::string, std::set<std::string>> arrows;
+  const auto unit = [](const std::string& path) { return path.substr(0, path.rfind('.')); };
+  for (const auto& [path, text] : files)
+    for (const std::string& include : includes_of(text))
+      for (const std::string& candidate :
+           {"lib/" + include, "properties/" + include, include,
+            (fs::path(path).parent_path() / include).lexically_normal().string()})
+        if (files.count(candidate) && unit(candidate) != unit(path))
+          arrows[unit(path)].insert(unit(candidate));
+  std::map<std::string, std::set<std::string>> reached;
+  for (const auto& [from, unused] : arrows) {
+    std::vector<std::string> open{from};
+    while (!open.empty()) {
+      const std::string at = open.back();
+      open.pop_back();
+      if (const auto next = arrows.find(at); next != arrows.end())
+        for (const std::string& to : next->second)
+          if (reached[from].insert(to).second) open.push_back(to);
+    }
+  }
+  std::set<std::string> all;
+  for (const auto& [from, to] : reached) {
+    if (!to.count(from)) continue;
+    std::string group;
+    for (const std::string& other : to)
+      if (reached[other].count(from)) group += (group.empty() ? "" : ", ") + other;
+    all.insert(group);
+  }
+  return {all.begin(), all.end()};
+}
+
+TEST(Includes, HaveNoCycle) {
+  for (const std::string& group : cycles(sources({"lib", "properties", "reports"})))
+    ADD_FAILURE() << "these include each other: " << group;
+}
+
+TEST(Includes, ACycleIsSeen) {
+  Files files{{"lib/liecheck/urdf/a.hpp", "#include <liecheck/urdf/b.hpp>\n"},
+              {"lib/liecheck/urdf/b.hpp", ""},
+              {"lib/liecheck/urdf/b.cpp", "#include <liecheck/urdf/b.hpp>\n"}};
+  EXPECT_TRUE(cycles(files).empty());
+  files["lib/liecheck/urdf/b.cpp"] += "#include <liecheck/urdf/a.hpp>\n";
+  EXPECT_EQ(cycles(files), std::vector<std::string>{"lib/liecheck/urdf/a, lib/liecheck/urdf/b"});
+}
+
+TEST(TheHarness, HasFoldersOnlyAtItsRoot) {
+  for (const auto& entry : fs::directory_iterator(top() / "properties"))
+    EXPECT_TRUE(entry.is_directory() || entry.path().filename() == "CMakeLists.txt") << entry.path();
 }
 
 TEST(Readme, SaysTheLineThatContinuousIntegrationRuns) {
-  const fs::path top = LIECHECK_SOURCE_DIR;
-  const std::string ci = read(top / ".ci/run");
+  const std::string ci = read(top() / ".ci/run");
   const auto at = ci.find("apt-get update");
   ASSERT_NE(at, std::string::npos);
   const std::string line = ci.substr(at, ci.find('\n', at) - at);
-  EXPECT_NE(read(top / "README.md").find(line), std::string::npos) << line;
+  EXPECT_NE(read(top() / "README.md").find(line), std::string::npos) << line;
 }
 
 }  // namespace
+}  // namespace liecheck::house
