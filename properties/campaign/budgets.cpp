@@ -2,66 +2,94 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <support/embedded.hpp>
+#include <array>
 #include <map>
 #include <sstream>
 #include <stdexcept>
+#include <support/embedded.hpp>
 
 namespace liecheck::properties {
 
 namespace {
 
-/// The lines of budgets.csv: for every subject under "", and what a subject replaces under its name.
-std::map<std::string, std::vector<Budget>> read() {
-  std::map<std::string, std::vector<Budget>> tables;
+Basis basis_of(const std::string& name, const std::string& line) {
+  static const std::map<std::string, Basis> known{
+      {"hunted", Basis::hunted}, {"derived", Basis::derived}, {"row", Basis::row}, {"exact", Basis::exact}};
+  const auto found = known.find(name);
+  if (found == known.end()) throw std::logic_error("budgets.csv: unknown basis in: " + line);
+  return found->second;
+}
+
+/// "exp6", "liecheck inverse" or, of every operation, "liecheck:fast".
+void set_operation(Budget& b, const std::string& cell) {
+  const std::size_t space = cell.find(' ');
+  if (space != std::string::npos)
+    b.subject = cell.substr(0, space), b.operation = cell.substr(space + 1);
+  else
+    (cell.find(':') == std::string::npos ? b.operation : b.subject) = cell;
+}
+
+Budget parsed(const std::string& line) {
+  std::istringstream in(line);
+  std::array<std::string, 8> cells;
+  for (std::string& cell : cells) std::getline(in, cell, ',');
+  Budget b;
+  std::getline(in, b.reason);
+  const auto& [operation, block, region, rule, limit, basis, value, hard_case] = cells;
+  if (rule != "forward" && rule != "excess") throw std::logic_error("budgets.csv: unknown rule in: " + line);
+  if (b.reason.empty()) throw std::logic_error("budgets.csv: no reason given in: " + line);
+  set_operation(b, operation);
+  b.block = block, b.region = region;
+  b.rule = rule == "forward" ? Rule::forward : Rule::excess;
+  b.limit = std::stod(limit);
+  b.basis = basis_of(basis, line);
+  b.value = std::stod(value);
+  b.fma = hard_case.ends_with(" fma");
+  b.hard_case = b.fma ? hard_case.substr(0, hard_case.size() - 4) : hard_case;
+  if (b.basis == Basis::hunted)
+    b.reason += fmt::format("; hunted: {} by {}{}", value, b.hard_case, b.fma ? ", fused" : "");
+  return b;
+}
+
+std::vector<Budget> read() {
+  std::vector<Budget> lines;
   std::istringstream text(budgets_csv);
   std::string line;
   while (std::getline(text, line) && line[0] == '#') {
   }  // comments, then the header
-  while (std::getline(text, line)) {
-    if (line.empty() || line[0] == '#') continue;
-    std::istringstream cells(line);
-    Budget b;
-    std::string rule, limit;
-    std::getline(cells, b.operation, ',');
-    std::getline(cells, b.block, ',');
-    std::getline(cells, b.region, ',');
-    std::getline(cells, rule, ',');
-    std::getline(cells, limit, ',');
-    std::getline(cells, b.reason);
-    if (rule != "forward" && rule != "excess")
-      throw std::logic_error("budgets.csv: unknown rule in: " + line);
-    if (b.reason.empty()) throw std::logic_error("budgets.csv: no reason given in: " + line);
-    b.rule = rule == "forward" ? Rule::forward : Rule::excess;
-    b.limit = std::stod(limit);
-    std::string subject;
-    if (b.operation.find(':') != std::string::npos) {
-      const std::size_t end = std::min(b.operation.find(' '), b.operation.size());
-      subject = b.operation.substr(0, end);
-      b.operation = b.operation.substr(std::min(end + 1, b.operation.size()));
-    }
-    tables[subject].push_back(std::move(b));
-  }
-  const std::vector<Budget> everyone = tables.at("");
-  for (auto& [subject, table] : tables) {
-    if (subject.empty()) continue;
-    std::vector<Budget> all = everyone;
+  while (std::getline(text, line))
+    if (!line.empty() && line[0] != '#') lines.push_back(parsed(line));
+  return lines;
+}
+
+/// The lines of every subject under "", and under a subject's name those with its own limits in their place.
+std::map<std::string, std::vector<Budget>> by_subject() {
+  std::map<std::string, std::vector<Budget>> own, tables;
+  for (const Budget& b : budget_lines()) own[b.subject].push_back(b);
+  for (const auto& [subject, lines] : own) {
+    std::vector<Budget> all = own.at("");
     for (Budget& b : all) {
-      if (b.rule == Rule::excess || b.region == "beyond_pi") continue;
-      const auto own = std::find_if(table.begin(), table.end(), [&b](const Budget& o) {
+      if (subject.empty() || b.rule == Rule::excess || b.region == "beyond_pi") continue;
+      const auto replaces = [&b](const Budget& o) {
         return (o.operation.empty() || o.operation == b.operation) && (o.block == b.block || o.block == "*");
-      });
-      if (own != table.end()) b.limit = own->limit, b.reason = own->reason;
+      };
+      const auto found = std::find_if(lines.begin(), lines.end(), replaces);
+      if (found != lines.end()) b.limit = found->limit, b.reason = found->reason;
     }
-    table = std::move(all);
+    tables[subject] = std::move(all);
   }
   return tables;
 }
 
 }  // namespace
 
+const std::vector<Budget>& budget_lines() {
+  static const auto lines = read();
+  return lines;
+}
+
 const std::vector<Budget>& budgets(const std::string& subject) {
-  static const auto tables = read();
+  static const auto tables = by_subject();
   const auto own = tables.find(subject);
   return own != tables.end() ? own->second : tables.at("");
 }

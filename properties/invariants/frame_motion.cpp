@@ -45,7 +45,8 @@ class FrameMotionLaw final : public TreeLaw<FrameMotionLaw, S> {
     const std::vector<double> three(3, 1);
     if (o.frame) {
       const Pose<S> X = o.frame(c.q);
-      c.record(r, rotation, this->flat(X.R), list(f.R), std::vector<double>(9, 1), std::sqrt(3.0), resolved);
+      c.record(r, rotation, this->flat(X.R), list(f.R), std::vector<double>(9, 1),
+               std::sqrt(3.0) * oracles::mimic_factor(c.rough.tree, c.rough.q), resolved);
       c.record(r, position, VecX<S>(X.p), list(f.p), three, sizes.position, resolved);
     }
     for (const Seen view : every_view) {

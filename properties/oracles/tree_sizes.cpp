@@ -66,8 +66,8 @@ double translation_size(const TreeOf<double>& tree, std::size_t i, const std::ve
   if (j.kind == JointKind::translation || j.kind == JointKind::free_flyer) return size({{x[0], x[1], x[2]}});
   return 0;
 }
-/// 1 + twice the sum of all mimics' angles: the rounding of each angle rotates the motions of the outward pass and the
-/// forces of the inward pass.
+}  // namespace
+
 double mimic_factor(const TreeOf<double>& tree, const std::vector<double>& q) {
   double angles = 0;
   for (std::size_t i = 0; i < tree.joints.size(); ++i) {
@@ -77,6 +77,8 @@ double mimic_factor(const TreeOf<double>& tree, const std::vector<double>& q) {
   }
   return 1 + 2 * angles;
 }
+
+namespace {
 double value(double x) {
   return x;
 }

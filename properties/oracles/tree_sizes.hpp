@@ -34,6 +34,10 @@ inline Tangent& operator+=(Tangent& a, const Tangent& b) {
   return a = a + b;
 }
 
+/// 1 + twice the sum of all mimics' angles: the rounding of each angle rotates the motions of the outward pass and the
+/// forces of the inward pass. TreeSizes has it in its terms.
+double mimic_factor(const TreeOf<double>& tree, const std::vector<double>& q);
+
 /// N: double or Tangent.
 template <class N>
 struct TreeSizes {

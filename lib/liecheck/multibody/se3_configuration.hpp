@@ -230,7 +230,8 @@ Matrix6<S> dIntegrateSE3(const Vector7<S>&, const Vector6<S>& delta, ArgumentPos
 }
 
 /// The derivative of difference by q0 (ARG0: -J_l^-1) or by q1 (ARG1: J_r^-1) [6 x 6]. At |phi| = pi it is that of the
-/// branch which differenceSE3 returns. Error 6 eps of each 3 x 3 block, that of difference included.
+/// branch which differenceSE3 returns. Error, that of difference included: 4.2 eps of a rotation block,
+/// 7.5 eps of the coupling block.
 template <Scalar S, Precision P = Precision::standard>
 Matrix6<S> dDifferenceSE3(const Vector7<S>& q0, const Vector7<S>& q1, ArgumentPosition argument) {
   return evaluate<S, P>(

@@ -1,0 +1,174 @@
+// Every limit of budgets.csv is what its basis allows: derived, or a hunted maximum that the corpus shows, times 1.25.
+
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <campaign/budgets.hpp>
+#include <campaign/series.hpp>
+#include <cctype>
+#include <fstream>
+#include <hard_cases/corpus.hpp>
+#include <invariants/tree_laws.hpp>
+#include <map>
+#include <memory>
+#include <regex>
+#include <set>
+#include <timing/kernels.hpp>
+
+namespace liecheck::properties {
+namespace {
+
+constexpr double margin = 1.25;  // for what a hunt did not find
+constexpr double again = 0.97;   // of the value: it has three digits, and libm's last bit is the machine's
+
+std::string name_of(const Budget& b) {
+  return fmt::format("{} {}, {}, {}", b.subject, b.operation, b.block, b.region);
+}
+
+/// The anchors of docs/measuring.md, as a web page makes them of its headings.
+std::set<std::string> anchors() {
+  std::ifstream page(std::string(LIECHECK_FIXTURES) + "/../docs/measuring.md");
+  std::set<std::string> all;
+  for (std::string line; std::getline(page, line);) {
+    if (line.rfind("## ", 0) != 0) continue;
+    std::string anchor;
+    for (const char c : line.substr(3))
+      if (std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == ' ')
+        anchor += c == ' ' ? '-' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    all.insert(anchor);
+  }
+  return all;
+}
+
+TEST(Budgets, NoLimitIsMoreThanItsBasisAllows) {
+  for (const Budget& b : budget_lines()) {
+    if (b.basis == Basis::exact) {
+      EXPECT_EQ(b.limit, 0) << name_of(b);
+      EXPECT_EQ(b.value, 0) << name_of(b);
+      continue;
+    }
+    EXPECT_GE(b.limit, b.value) << name_of(b);
+    EXPECT_LE(b.limit, margin * b.value) << name_of(b);
+    EXPECT_GT(b.value, 0) << name_of(b);
+  }
+}
+
+TEST(Budgets, ARowThatFollowsAnotherHasItsLimit) {
+  for (const Budget& b : budget_lines()) {
+    if (b.basis != Basis::row) continue;
+    const std::size_t slash = b.hard_case.find('/');
+    ASSERT_NE(slash, std::string::npos) << name_of(b);
+    const Region region = b.region == "beyond_pi" ? Region::beyond_pi : Region::to_pi;
+    const Budget& other =
+        budget_of(b.subject, b.hard_case.substr(0, slash), b.hard_case.substr(slash + 1), region);
+    EXPECT_EQ(b.limit, other.limit) << name_of(b);
+    EXPECT_NE(other.basis, Basis::row) << name_of(b) << ": it names no row with a basis of its own";
+  }
+}
+
+TEST(Budgets, BeyondPiALimitIsThatUpToPiAndTwoForTheAngle) {
+  int rows = 0;
+  for (const Budget& b : budget_lines()) {
+    if (b.region != "beyond_pi") continue;
+    EXPECT_DOUBLE_EQ(b.limit, 2 + budget_of(b.subject, b.operation, b.block, Region::to_pi).limit)
+        << name_of(b);
+    ++rows;
+  }
+  EXPECT_GT(rows, 0);
+}
+
+TEST(Budgets, ADerivationIsASumOrASectionOfTheDocs) {
+  const std::set<std::string> known = anchors();
+  EXPECT_TRUE(known.count("beyond-pi"));
+  const std::regex section("docs/measuring\\.md#([a-z0-9-]+)"), total("= ([0-9.]+)");
+  for (const Budget& b : budget_lines()) {
+    std::smatch found;
+    if (std::regex_search(b.reason, found, section))
+      EXPECT_TRUE(known.count(found[1])) << name_of(b);
+    else if (b.basis == Basis::derived) {
+      ASSERT_TRUE(std::regex_search(b.reason, found, total)) << name_of(b) << ": " << b.reason;
+      EXPECT_EQ(std::stod(found[1]), b.value) << name_of(b);
+    }
+  }
+}
+
+/// The largest error of a hard case, or error over kappa, in what a line is about; negative where nothing is measured.
+double largest(const Budget& b, const Series& series, const std::vector<std::string>& input) {
+  CaseId id = series.id(0, 0);
+  id.raw = true;
+  id.input = input;
+  double worst = -1;
+  for (const Judged& j : series.attempt(id).judged) {
+    const Output& o = series.outputs.at(static_cast<std::size_t>(j.residual.output));
+    const Region region = series.bands()[j.residual.band].region;
+    if ((!b.operation.empty() && o.operation != b.operation) || (b.block != "*" && o.block != b.block) ||
+        (b.region != "any" && (b.region == "to_pi") != (region == Region::to_pi)) ||
+        j.budget->rule != b.rule || j.residual.outcome != Outcome::measured)
+      continue;
+    worst = std::max(worst, b.rule == Rule::excess ? j.excess : j.residual.error);
+  }
+  return worst;
+}
+
+/// The series of a case on a subject, made once; null where this build or this processor has not got the subject.
+class SeriesOfCases {
+ public:
+  const Series* of(const std::string& property, const std::string& scalar, const std::string& subject,
+                   bool fma) {
+    auto& series = made_[property + scalar + subject + (fma ? " fma" : "")];
+    if (!series && !fma) {
+      auto all = select({{subject}, {property}, {scalar}}, robot_);
+      if (!all.empty()) series = std::move(all[0]);
+    } else if (!series && !is_tree_law(property) && scalar == "double" && subject == "liecheck") {
+      if (const Subject<double>* module = fused()) series = series_of(property, *module, robot_);
+    }
+    return series.get();
+  }
+
+ private:
+  const Subject<double>* fused() {
+#if defined(__x86_64__)
+    if (modules_.empty() && has_kernels() && __builtin_cpu_supports("fma")) modules_ = load_kernels();
+#endif
+    for (const auto& m : modules_)
+      if (m.name == "liecheck@gcc-O3-native") return &m;
+    return nullptr;
+  }
+
+  Robot robot_ = built_in_robot();
+  std::vector<Subject<double>> modules_;
+  std::map<std::string, std::unique_ptr<Series>> made_;
+};
+
+TEST(Budgets, EveryHuntedMaximumIsFoundAgainInTheCorpus) {
+  std::map<std::string, const HardCase*> corpus;
+  for (const HardCase& c : built_in_corpus()) corpus[c.name] = &c;
+  SeriesOfCases all;
+  int replayed = 0;
+  for (const Budget& b : budget_lines()) {
+    if (b.basis != Basis::hunted) continue;
+    ASSERT_TRUE(corpus.count(b.hard_case)) << name_of(b) << ": no hard case " << b.hard_case;
+    const HardCase& c = *corpus.at(b.hard_case);
+    ASSERT_EQ(c.properties.size(), 1u) << c.name;
+    ASSERT_EQ(c.scalars.size(), 1u) << c.name;
+    const std::string subject = b.subject.empty() ? "liecheck" : b.subject;
+    const Series* series = all.of(c.properties[0], c.scalars[0], subject, b.fma);
+    if (!series && b.fma) continue;  // no module has it: of double, without trees, on a processor that has it
+    ASSERT_TRUE(series) << name_of(b);
+    const double found = largest(b, *series, numbers_of(c, series->fields, format_of(c.scalars[0])));
+    EXPECT_GE(found, again * b.value) << name_of(b) << ": " << c.name;
+    EXPECT_LE(found, b.limit) << name_of(b) << ": " << c.name;
+    ++replayed;
+  }
+  EXPECT_GT(replayed, 20);
+}
+
+TEST(Budgets, ReasonsStandByThemselves) {
+  for (const Budget& b : budget_lines())
+    for (const char* cited : {"DESIGN", "ROWS", "issue"})
+      EXPECT_EQ(b.reason.find(cited), std::string::npos) << name_of(b);
+}
+
+}  // namespace
+}  // namespace liecheck::properties
