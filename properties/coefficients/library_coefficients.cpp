@@ -1,8 +1,7 @@
 #include <bit>
 #include <coefficients/float_interval.hpp>
 #include <coefficients/library_coefficients.hpp>
-#include <coefficients/simd_lanes.hpp>
-#include <cstring>
+#include <liecheck/scalar/simd.hpp>
 #include <liecheck/scalar/stumpff.hpp>
 #include <limits>
 #include <stdexcept>
@@ -58,21 +57,21 @@ struct Logarithm {
   }
 };
 
-/// Eight floats at a time; the first one again with the scalar float, whose bits must agree.
+/// Four floats at a time; the first one again with the scalar float, whose bits must agree.
 template <class Code>
-void in_lanes(const float* x, std::size_t n, float* const* out) {
+void in_simd(const float* x, std::size_t n, float* const* out) {
   const std::size_t outputs = Code::outputs.size();
-  for (std::size_t i = 0; i < n; i += Lanes::count) {
-    Lanes in, all[most_outputs];
-    std::memcpy(&in, x + i, sizeof in);
-    Code::of(in, all);
-    for (std::size_t k = 0; k < outputs; ++k) std::memcpy(out[k] + i, &all[k], sizeof in);
+  using Floats = Simd<float, 4>;
+  for (std::size_t i = 0; i < n; i += Floats::size) {
+    Floats results[most_outputs];
+    Code::of(Floats::load(x + i), results);
+    for (std::size_t k = 0; k < outputs; ++k) results[k].store(out[k] + i);
   }
   float alone[most_outputs];
   Code::of(x[0], alone);
   for (std::size_t k = 0; k < outputs; ++k)
     if (std::bit_cast<std::uint32_t>(alone[k]) != std::bit_cast<std::uint32_t>(out[k][0]))
-      throw std::logic_error("a coefficient in lanes of floats differs from float's");
+      throw std::logic_error("a coefficient differs between Simd<float> and float");
 }
 
 template <class Code>
@@ -98,15 +97,15 @@ bool constant_over(float low, float high, float* out) {
 }
 
 template <class Code>
-CoefficientCode lanes_code(float part = 1) {
-  return {Code::outputs, part * stumpff_detail::series_limit<float>(), in_lanes<Code>, constant_over<Code>};
+CoefficientCode simd_code(float part = 1) {
+  return {Code::outputs, part * stumpff_detail::series_limit<float>(), in_simd<Code>, constant_over<Code>};
 }
 
 }  // namespace
 
 const std::vector<CoefficientCode>& library_coefficients() {
   static const std::vector<CoefficientCode> all = {
-      lanes_code<SixStumpff>(0.25F), lanes_code<Differences>(), lanes_code<Inverse>(), lanes_code<Half>(),
+      simd_code<SixStumpff>(0.25F), simd_code<Differences>(), simd_code<Inverse>(), simd_code<Half>(),
       CoefficientCode{Logarithm::outputs, std::numeric_limits<float>::max(), one_by_one<Logarithm>,
                       constant_over<Logarithm>}};
   return all;

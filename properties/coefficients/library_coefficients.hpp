@@ -25,7 +25,7 @@ const std::vector<CoefficientClaim>& coefficient_claims();
 struct CoefficientCode {
   std::vector<Coefficient> outputs;
   float last;  ///< the largest argument swept; the smallest is 0
-  /// Computes out[k][i] of x[i], k an output, i < n; reads and writes up to 7 floats beyond n.
+  /// Computes out[k][i] of x[i], k an output, i < n; reads and writes up to 3 floats beyond n.
   std::function<void(const float* x, std::size_t n, float* const* out)> evaluate;
   /// Computes out[k] and returns true where every argument in [low, high] provably has these same results.
   std::function<bool(float low, float high, float* out)> constant;

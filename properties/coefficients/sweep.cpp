@@ -16,7 +16,7 @@ namespace {
 constexpr double eps = std::numeric_limits<float>::epsilon();
 /// Numbers of consecutive floats: of one evaluation, of the largest interval tried for one value, of a task of a thread.
 constexpr std::uint32_t block = 1U << 12, interval = 1U << 20, task = 1U << 22;
-constexpr std::size_t padding = 8;  ///< CoefficientCode::evaluate may read and write beyond the end
+constexpr std::size_t padding = 4;  ///< CoefficientCode::evaluate may read and write beyond the end
 /// Above this bound of the oracle, 1e-4 eps, an interval is too wide for a cubic polynomial.
 constexpr double largest_oracle_bound = 1e-11;
 
