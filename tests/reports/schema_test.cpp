@@ -74,7 +74,7 @@ std::string kind(const Json& rule) {
   const bool or_null = rule["type"].is_array() && rule["type"].back() == "null";
   if (rule.contains("properties") || rule.contains("additionalProperties"))
     return or_null ? "object or null" : "object";
-  if (!rule.contains("items") || (rule["items"]["type"] == "number" && rule.contains("minItems")))
+  if (!rule.contains("items") || (rule["items"]["type"] == "number" && rule.contains("maxItems")))
     return rule["title"];
   const Json& item = rule["items"];
   return item.contains("properties") ? "list of objects" : "list, each " + kind(item);
