@@ -6,6 +6,7 @@
 #include <liecheck/scene/lone_body.hpp>
 #include <liecheck/scene/simulate.hpp>
 #include <liecheck/scene/tree.hpp>
+#include <oracles/number.hpp>
 #include <scenes/runner.hpp>
 
 namespace liecheck::properties {

@@ -8,6 +8,7 @@
 #include <limits>
 #include <numbers>
 #include <oracles/motions/triaxial.hpp>
+#include <oracles/number.hpp>
 #include <scenes/runner.hpp>
 #include <scenes/truth.hpp>
 

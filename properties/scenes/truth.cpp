@@ -10,6 +10,7 @@
 #include <oracles/motions/lagrange_top.hpp>
 #include <oracles/motions/pendulum.hpp>
 #include <oracles/motions/planar_chain.hpp>
+#include <oracles/number.hpp>
 
 namespace liecheck::properties {
 namespace {
