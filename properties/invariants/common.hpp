@@ -13,10 +13,10 @@ using oracles::Real;
 /// Records the outcome where the computed value is not finite or the oracle did not resolve; else calls
 /// `measured`, which records the error.
 template <class M, class F>
-void judged_value(Recorder& r, std::initializer_list<int> outputs, std::size_t band, const M& computed,
+void judged_value(Recorder& r, std::initializer_list<Output> outputs, std::size_t band, const M& computed,
                   bool resolved, F measured) {
   if (!oracles::all_finite(computed) || !resolved) {
-    for (int o : outputs) r.outcome(o, band, resolved ? Outcome::not_finite : Outcome::unresolved);
+    for (const Output& o : outputs) r.outcome(o, band, resolved ? Outcome::not_finite : Outcome::unresolved);
     return;
   }
   measured();
@@ -131,7 +131,7 @@ double norm_defect_at(const std::vector<S>& input, std::size_t first) {
 /// The 3 x 3 rotation and coupling blocks of a 6 x 6 Jacobian, against the oracle. The other two blocks are
 /// structural: the lower left one is zero and the two diagonal ones are the same.
 template <class S, class T>
-void record_jacobian6(Recorder& r, int rotation, int coupling, std::size_t band, const Mat<S, 6>& J,
+void record_jacobian6(Recorder& r, const Output& rotation, const Output& coupling, std::size_t band, const Mat<S, 6>& J,
                       const oracles::Jacobian6Value<T>& exact, const T& rho, bool beyond,
                       Kappa kappa_rotation = nullptr, Kappa kappa_coupling = nullptr) {
   judged_value(r, {rotation, coupling}, band, J, exact.resolved, [&] {

@@ -24,13 +24,14 @@ class DIntegrate final : public Law<DIntegrate, S> {
     return "Sola, Deray & Atchuthan 2018, eqs. 79-85; central differences at 100 digits";
   }
   std::vector<Output> outputs() const override {
-    std::vector<Output> all;
-    for (const char* op :
-         {"d_integrate_arg0", "d_integrate_arg1", "d_difference_arg0", "d_difference_arg1"}) {
-      all.push_back({op, "jacobian"});
-      all.push_back({op, "coupling"});
-    }
-    return all;
+    return {op::d_integrate_arg0[block::jacobian],
+            op::d_integrate_arg0[block::coupling],
+            op::d_integrate_arg1[block::jacobian],
+            op::d_integrate_arg1[block::coupling],
+            op::d_difference_arg0[block::jacobian],
+            op::d_difference_arg0[block::coupling],
+            op::d_difference_arg1[block::jacobian],
+            op::d_difference_arg1[block::coupling]};
   }
   std::vector<Field> fields() const override {
     return {{"p0", Kind::vector, 3, "m"},  {"Q0", Kind::quaternion, 4, "1"},
@@ -39,7 +40,7 @@ class DIntegrate final : public Law<DIntegrate, S> {
   }
   bool offered(const Subject<S>& s) const override {
     const auto& o = s.operations;
-    return o.d_integrate_arg0 || o.d_integrate_arg1 || o.d_difference_arg0 || o.d_difference_arg1;
+    return o[op::d_integrate_arg0] || o[op::d_integrate_arg1] || o[op::d_difference_arg0] || o[op::d_difference_arg1];
   }
   std::vector<S> generate(Source& source) const override {
     std::vector<S> x;
@@ -74,13 +75,13 @@ class DIntegrate final : public Law<DIntegrate, S> {
     Real rho = norm(head3(xd));
     // A rotation vector of exactly pi_S is beyond pi for float: its kappa is 1 to a few per cent there.
     const bool beyond = bands[band].region == Region::beyond_pi;
-    if (o.d_integrate_arg0)
-      record_jacobian6<S>(r, 0, 1, band, o.d_integrate_arg0(q0, d), oracles::d_integrate_arg0(x0, xd), rho,
+    if (o[op::d_integrate_arg0])
+      record_jacobian6<S>(r, op::d_integrate_arg0[block::jacobian], op::d_integrate_arg0[block::coupling], band, o[op::d_integrate_arg0](q0, d), oracles::d_integrate_arg0(x0, xd), rho,
                           beyond);
-    if (o.d_integrate_arg1)
-      record_jacobian6<S>(r, 2, 3, band, o.d_integrate_arg1(q0, d), oracles::d_integrate_arg1(x0, xd), rho,
+    if (o[op::d_integrate_arg1])
+      record_jacobian6<S>(r, op::d_integrate_arg1[block::jacobian], op::d_integrate_arg1[block::coupling], band, o[op::d_integrate_arg1](q0, d), oracles::d_integrate_arg1(x0, xd), rho,
                           beyond);
-    if (!o.d_difference_arg0 && !o.d_difference_arg1) return;
+    if (!o[op::d_difference_arg0] && !o[op::d_difference_arg1]) return;
     const auto exact = oracles::difference(x0, x1);
     std::optional<oracles::Jacobian6Value<Real>> inverse;
     band = band_of_difference<S>(x0, x1, exact);
@@ -98,10 +99,10 @@ class DIntegrate final : public Law<DIntegrate, S> {
         return arg1 ? oracles::d_difference_arg1(x0, x1) : oracles::d_difference_arg0(x0, x1);
       }
     };
-    if (o.d_difference_arg0)
-      record_jacobian6<S>(r, 4, 5, band, o.d_difference_arg0(q0, q1), of_difference(false), rho, false);
-    if (o.d_difference_arg1)
-      record_jacobian6<S>(r, 6, 7, band, o.d_difference_arg1(q0, q1), of_difference(true), rho, false);
+    if (o[op::d_difference_arg0])
+      record_jacobian6<S>(r, op::d_difference_arg0[block::jacobian], op::d_difference_arg0[block::coupling], band, o[op::d_difference_arg0](q0, q1), of_difference(false), rho, false);
+    if (o[op::d_difference_arg1])
+      record_jacobian6<S>(r, op::d_difference_arg1[block::jacobian], op::d_difference_arg1[block::coupling], band, o[op::d_difference_arg1](q0, q1), of_difference(true), rho, false);
   }
 };
 

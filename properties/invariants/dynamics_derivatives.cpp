@@ -20,12 +20,12 @@ class DynamicsDerivatives final : public TreeLaw<DynamicsDerivatives, S> {
            "at qdd, likewise by v; norms as in forward_dynamics";
   }
   std::string source() const override { return "Carpentier & Mansard 2018"; }
-  enum { torque_q, torque_v, acceleration_q, acceleration_v };
+  static constexpr Output torque_q = op::rnea_derivatives[block::by_q],
+                          torque_v = op::rnea_derivatives[block::by_v],
+                          acceleration_q = op::aba_derivatives[block::by_q],
+                          acceleration_v = op::aba_derivatives[block::by_v];
   std::vector<Output> outputs() const override {
-    return {{"rnea_derivatives", "by q"},
-            {"rnea_derivatives", "by v"},
-            {"aba_derivatives", "by q"},
-            {"aba_derivatives", "by v"}};
+    return {torque_q, torque_v, acceleration_q, acceleration_v};
   }
 
   template <class T, class Case>
@@ -58,9 +58,9 @@ class DynamicsDerivatives final : public TreeLaw<DynamicsDerivatives, S> {
       for (const oracles::Tangent& x : t.tau) values.push_back(x.x);
       return weighted_size(t.tau, w) + 1e-12 * reach * weighted_size(values, w);
     };
-    if (o.rnea_derivatives) {
-      const auto [dq, dv] = o.rnea_derivatives(c.q, c.v, c.a, c.F_joint, c.F);
-      const auto record = [&](int output, const MatX<S>& J, const oracles::TreeDynamics<T>& exact, bool q) {
+    if (o[op::rnea_derivatives]) {
+      const auto [dq, dv] = o[op::rnea_derivatives](c.q, c.v, c.a, c.F_joint, c.F);
+      const auto record = [&](const Output& output, const MatX<S>& J, const oracles::TreeDynamics<T>& exact, bool q) {
         if (!oracles::all_finite(J)) return r.outcome(output, 0, Outcome::not_finite);
         c.record(r, output, along(J), exact.torque_derivative(c.exact.wrench), w,
                  terms_of(sizes(c.rough.a, q)), resolved);
@@ -68,7 +68,7 @@ class DynamicsDerivatives final : public TreeLaw<DynamicsDerivatives, S> {
       record(torque_q, dq, by_q(c.exact.a), true);
       record(torque_v, dv, by_v(c.exact.a), false);
     }
-    if (!o.aba_derivatives || std::count(roots.begin(), roots.end(), 0.0) > 0) return;
+    if (!o[op::aba_derivatives] || std::count(roots.begin(), roots.end(), 0.0) > 0) return;
     const std::vector<T> factor = oracles::positive_factor(M, c.nv());
     if (factor.empty()) return;
     std::vector<T> a = standing.torque(c.exact.wrench);
@@ -84,12 +84,12 @@ class DynamicsDerivatives final : public TreeLaw<DynamicsDerivatives, S> {
     const double size = weighted_size(c.sizes(at_rest, at_rest).mass, products(w));
     const bool singular = !(64 * size * inverse * std::numeric_limits<S>::epsilon() < 1);
     try {
-      const auto [dq, dv] = o.aba_derivatives(c.q, c.v, c.a, c.F_joint, c.F);
+      const auto [dq, dv] = o[op::aba_derivatives](c.q, c.v, c.a, c.F_joint, c.F);
       // An error of qdd, which is one itself, is one of what qdd makes: terms of M's derivative by it.
       const double a_error = inverse * weighted_size(c.sizes(c.rough.v, this->rough_list(a), true).tau, w);
       std::vector<double> a_moved(c.nv());
       for (std::size_t k = 0; k < a_moved.size(); ++k) a_moved[k] = a_error * w[k];
-      const auto record = [&](int output, const MatX<S>& J, const oracles::TreeDynamics<T>& at, bool q) {
+      const auto record = [&](const Output& output, const MatX<S>& J, const oracles::TreeDynamics<T>& at, bool q) {
         if (!oracles::all_finite(J)) return r.outcome(output, 0, Outcome::not_finite);
         std::vector<T> exact = at.torque_derivative(c.exact.wrench);
         for (T& x : exact) x = -x;

@@ -16,20 +16,20 @@ class ExpOracle final : public Law<ExpOracle, S> {
   std::string equation() const override { return "exp(rho, phi) = sum_k [[phi], rho; 0, 0]^k / k!"; }
   std::string source() const override { return "Higham 2008, section 10.3 (scaling and squaring)"; }
   std::vector<Output> outputs() const override {
-    return {{"exp3_quaternion", "rotation"},
-            {"exp3_quaternion", "norm defect"},
-            {"exp3_matrix", "rotation"},
-            {"exp3_matrix", "orthogonality defect"},
-            {"exp6", "rotation"},
-            {"exp6", "orthogonality defect"},
-            {"exp6", "translation"}};
+    return {op::exp3_quaternion[block::rotation],
+            op::exp3_quaternion[block::norm_defect],
+            op::exp3_matrix[block::rotation],
+            op::exp3_matrix[block::orthogonality_defect],
+            op::exp6[block::rotation],
+            op::exp6[block::orthogonality_defect],
+            op::exp6[block::translation]};
   }
   std::vector<Field> fields() const override {
     return {{"rho", Kind::vector, 3, "m", Reach::full},
             {"phi", Kind::rotation_vector, 3, "rad", Reach::full}};
   }
   bool offered(const Subject<S>& s) const override {
-    return s.operations.exp3_quaternion || s.operations.exp3_matrix || s.operations.exp6;
+    return s.operations[op::exp3_quaternion] || s.operations[op::exp3_matrix] || s.operations[op::exp6];
   }
   std::vector<S> generate(Source& source) const override {
     std::vector<S> x;
@@ -61,7 +61,7 @@ class ExpOracle final : public Law<ExpOracle, S> {
     // no step of condition.hpp tells a derivative.
     const double theta = at_most(exact.theta), share = theta < 0x1p40 ? 0.99 : 0;
     const double least_rotation = share * theta;
-    const auto matrix = [&](int rotation, int defect, const Mat<S, 3>& R) {
+    const auto matrix = [&](const Output& rotation, const Output& defect, const Mat<S, 3>& R) {
       judged_value(r, {rotation, defect}, band, R, exact.resolved, [&] {
         const auto stored = oracles::exact_matrix<3, 3, Real>(R);
         const auto errors = oracles::matrix_errors<S>(stored, exact.Q);
@@ -69,22 +69,26 @@ class ExpOracle final : public Law<ExpOracle, S> {
         r.record(defect, band, errors.defect);
       });
     };
-    if (o.exp3_quaternion) {
-      const Vec<S, 4> Q = o.exp3_quaternion(phi);
-      judged_value(r, {0, 1}, band, Q, exact.resolved, [&] {
+    if (o[op::exp3_quaternion]) {
+      const Vec<S, 4> Q = o[op::exp3_quaternion](phi);
+      constexpr Output rotation = op::exp3_quaternion[block::rotation],
+                       defect = op::exp3_quaternion[block::norm_defect];
+      judged_value(r, {rotation, defect}, band, Q, exact.resolved, [&] {
         const auto stored = oracles::exact_vector<4, Real>(Q);
-        r.record(0, band, oracles::rotation_error<S>(stored, exact.Q), Kappa(kappa_rotation, least_rotation));
-        r.record(1, band, oracles::norm_defect<S>(stored));
+        r.record(rotation, band, oracles::rotation_error<S>(stored, exact.Q), Kappa(kappa_rotation, least_rotation));
+        r.record(defect, band, oracles::norm_defect<S>(stored));
       });
     }
-    if (o.exp3_matrix) matrix(2, 3, o.exp3_matrix(phi));
-    if (o.exp6) {
-      const Pose<S> T = o.exp6(xi);
-      matrix(4, 5, T.R);
-      judged_value(r, {6}, band, T.p, exact.resolved, [&] {
+    if (o[op::exp3_matrix]) matrix(op::exp3_matrix[block::rotation], op::exp3_matrix[block::orthogonality_defect],
+             o[op::exp3_matrix](phi));
+    if (o[op::exp6]) {
+      const Pose<S> T = o[op::exp6](xi);
+      matrix(op::exp6[block::rotation], op::exp6[block::orthogonality_defect], T.R);
+      constexpr Output translation = op::exp6[block::translation];
+      judged_value(r, {translation}, band, T.p, exact.resolved, [&] {
         const auto kappa_translation = [&] { return kappa.kappa(0, norm(exact.p)); };
         const double least = share * at_most(head3(exact_xi)) / at_most(exact.p);
-        r.record(6, band, oracles::vector_error<S>(oracles::exact_vector<3, Real>(T.p), exact.p),
+        r.record(translation, band, oracles::vector_error<S>(oracles::exact_vector<3, Real>(T.p), exact.p),
                  Kappa(kappa_translation, least));
       });
     }

@@ -22,9 +22,11 @@ class ForwardDynamics final : public TreeLaw<ForwardDynamics, S> {
   std::string source() const override {
     return "Featherstone 2008, chapters 6, 7; Demmel 1989 for the scaling";
   }
-  enum { acceleration, inverse, torque };
+  static constexpr Output acceleration = op::tree_aba[block::acceleration],
+                          inverse = op::tree_mass_inverse[block::matrix],
+                          torque = op::rnea_of_aba[block::torque];
   std::vector<Output> outputs() const override {
-    return {{"tree_aba", "acceleration"}, {"tree_mass_inverse", "matrix"}, {"rnea_of_aba", "torque"}};
+    return {acceleration, inverse, torque};
   }
 
   template <class T, class Case>
@@ -56,13 +58,13 @@ class ForwardDynamics final : public TreeLaw<ForwardDynamics, S> {
     const bool resolved = c.resolved();
     try {
       const TreeOperations<S> o = subject.tree(described(c.stored));
-      if (o.aba) {
-        const VecX<S> computed = o.aba(c.q, c.v, c.a, c.F_joint, c.F);
+      if (o[op::tree_aba]) {
+        const VecX<S> computed = o[op::tree_aba](c.q, c.v, c.a, c.F_joint, c.F);
         c.record(r, acceleration, computed, a, roots, size_inverse * terms, resolved);
-        if (o.rnea) c.record(r, torque, o.rnea(c.q, c.v, computed, c.F_joint, c.F), tau, w, terms, resolved);
+        if (o[op::tree_rnea]) c.record(r, torque, o[op::tree_rnea](c.q, c.v, computed, c.F_joint, c.F), tau, w, terms, resolved);
       }
-      if (o.mass_inverse)
-        c.record(r, inverse, this->flat(o.mass_inverse(c.q)), inverse_exact, products(roots),
+      if (o[op::tree_mass_inverse])
+        c.record(r, inverse, this->flat(o[op::tree_mass_inverse](c.q)), inverse_exact, products(roots),
                  size * size_inverse * size_inverse, resolved);
     } catch (const std::domain_error&) {  // M^-1 has no digits there: it may be refused
       if (!singular) throw;

@@ -18,14 +18,12 @@ class FrameJacobian final : public TreeLaw<FrameJacobian, S> {
   std::string equation() const override {
     return "J v = V, J a + J' v = V' in each reference frame; of the exact v and a";
   }
-  std::string source() const override {
-    return "Featherstone 2008, section 2.8; Pinocchio 3.8, reference frames";
-  }
+  std::string source() const override { return "Featherstone 2008, sections 2.2, 2.10; Pinocchio 3.8, frames"; }
   std::vector<Output> outputs() const override {
-    return {{"frame_jacobian", "linear"},
-            {"frame_jacobian", "angular"},
-            {"frame_jacobian_rate", "linear"},
-            {"frame_jacobian_rate", "angular"}};
+    return {op::frame_jacobian[block::linear],
+            op::frame_jacobian[block::angular],
+            op::frame_jacobian_rate[block::linear],
+            op::frame_jacobian_rate[block::angular]};
   }
 
   template <class T, class Case>
@@ -35,12 +33,12 @@ class FrameJacobian final : public TreeLaw<FrameJacobian, S> {
     const FrameSizes& sizes = frame.sizes;
     for (const Seen view : every_view) {
       const FrameViews<T> exact = seen_from(view, frame.motion);
-      const MatX<S> J = o.frame_jacobian ? o.frame_jacobian(c.q, view) : MatX<S>();
-      const MatX<S> dJ = o.frame_jacobian_rate ? o.frame_jacobian_rate(c.q, c.v, view) : MatX<S>();
+      const MatX<S> J = o[op::frame_jacobian] ? o[op::frame_jacobian](c.q, view) : MatX<S>();
+      const MatX<S> dJ = o[op::frame_jacobian_rate] ? o[op::frame_jacobian_rate](c.q, c.v, view) : MatX<S>();
       if (J.size())
-        both<T>(c, r, 0, {{&J, &c.exact.v}}, exact.velocity, {sizes.velocity(view), sizes.w}, frame.resolved);
+        both<op::frame_jacobian, T>(c, r, {{&J, &c.exact.v}}, exact.velocity, {sizes.velocity(view), sizes.w}, frame.resolved);
       if (J.size() && dJ.size())
-        both<T>(c, r, 2, {{&J, &c.exact.a}, {&dJ, &c.exact.v}},
+        both<op::frame_jacobian_rate, T>(c, r, {{&J, &c.exact.a}, {&dJ, &c.exact.v}},
                 view == Seen::aligned ? exact.classical : exact.acceleration,
                 {sizes.acceleration(view), sizes.al}, frame.resolved);
     }
@@ -48,13 +46,14 @@ class FrameJacobian final : public TreeLaw<FrameJacobian, S> {
 
  private:
   /// The two halves of a sum of matrices times exact vectors.
-  template <class T, class Case>
-  static void both(const Case& c, Recorder& r, int output,
+  template <const auto& operation, class T, class Case>
+  static void both(const Case& c, Recorder& r,
                    const std::vector<std::pair<const MatX<S>*, const std::vector<T>*>>& sums,
                    const oracles::Vec6<T>& exact, const std::array<double, 2>& sizes, bool resolved) {
+    constexpr Output outputs[] = {operation[block::linear], operation[block::angular]};
     for (const auto& [J, x] : sums)
       if (!oracles::all_finite(*J)) {
-        for (int part = 0; part < 2; ++part) r.outcome(output + part, 0, Outcome::not_finite);
+        for (const Output& output : outputs) r.outcome(output, 0, Outcome::not_finite);
         return;
       }
     for (int part = 0; part < 2; ++part) {
@@ -66,7 +65,7 @@ class FrameJacobian final : public TreeLaw<FrameJacobian, S> {
                 oracles::exact<T>((*J)(3 * part + i, k)) * (*x)[static_cast<std::size_t>(k)];
         value.push_back(exact[3 * part + i]);
       }
-      c.record(r, output + part, computed, value, {1, 1, 1}, sizes[static_cast<std::size_t>(part)], resolved);
+      c.record(r, outputs[part], computed, value, {1, 1, 1}, sizes[static_cast<std::size_t>(part)], resolved);
     }
   }
 };

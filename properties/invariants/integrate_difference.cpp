@@ -24,15 +24,15 @@ class IntegrateDifference final : public Law<IntegrateDifference, S> {
   }
   std::string source() const override { return "Sola, Deray & Atchuthan 2018, eqs. 25-28"; }
   std::vector<Output> outputs() const override {
-    return {{"integrate", "rotation"},
-            {"integrate", "translation"},
-            {"integrate", "norm defect"},
-            {"difference", "rotation vector"},
-            {"difference", "linear"},
-            {"difference_of_integrate", "rotation vector"},
-            {"difference_of_integrate", "linear"},
-            {"integrate_of_difference", "rotation"},
-            {"integrate_of_difference", "translation"}};
+    return {op::integrate[block::rotation],
+            op::integrate[block::translation],
+            op::integrate[block::norm_defect],
+            op::difference[block::rotation_vector],
+            op::difference[block::linear],
+            op::difference_of_integrate[block::rotation_vector],
+            op::difference_of_integrate[block::linear],
+            op::integrate_of_difference[block::rotation],
+            op::integrate_of_difference[block::translation]};
   }
   std::vector<Field> fields() const override {
     return {
@@ -41,7 +41,7 @@ class IntegrateDifference final : public Law<IntegrateDifference, S> {
         {"rho", Kind::vector, 3, "m", Reach::full},  {"phi", Kind::rotation_vector, 3, "rad", Reach::full}};
   }
   bool offered(const Subject<S>& s) const override {
-    return s.operations.integrate || s.operations.difference;
+    return s.operations[op::integrate] || s.operations[op::difference];
   }
   std::vector<S> generate(Source& source) const override {
     std::vector<S> x;
@@ -70,8 +70,8 @@ class IntegrateDifference final : public Law<IntegrateDifference, S> {
     const auto xd = exact_vector<6, Real>(d);
     const Bands& bands = Bands::of<S>();
 
-    if (o.integrate) {
-      const Vec<S, 7> q = o.integrate(q0, d);
+    if (o[op::integrate]) {
+      const Vec<S, 7> q = o[op::integrate](q0, d);
       const auto exact = oracles::integrate(x0, xd);
       const std::size_t band = band_of_angle<S>(tail3(xd));
       const Real scale = largest(norm(exact.p), norm(head<3>(x0)), exact.increment_norm);
@@ -88,39 +88,46 @@ class IntegrateDifference final : public Law<IntegrateDifference, S> {
             return flat;
           },
           stored, {{0, 3}, {3, 4}});
-      judged_value(r, {0, 1, 2}, band, q, exact.resolved, [&] {
-        r.record(0, band, rotation_error<S>(quaternion<Real>(q), exact.Q),
+      constexpr Output rotation = op::integrate[block::rotation],
+                       translation = op::integrate[block::translation],
+                       defect = op::integrate[block::norm_defect];
+      judged_value(r, {rotation, translation, defect}, band, q, exact.resolved, [&] {
+        r.record(rotation, band, rotation_error<S>(quaternion<Real>(q), exact.Q),
                  [&] { return kappa.kappa(1, Real(1) / Real(2)); });
-        r.record(1, band, vector_error<S>(exact_vector<3, Real>(q), exact.p, scale),
+        r.record(translation, band, vector_error<S>(exact_vector<3, Real>(q), exact.p, scale),
                  [&] { return kappa.kappa(0, scale); });
-        r.record(2, band, norm_defect<S>(quaternion<Real>(q)));
+        r.record(defect, band, norm_defect<S>(quaternion<Real>(q)));
       });
-      if (o.difference && all_finite(q) && exact.resolved && bands[band].region == Region::to_pi)
-        back(r, o.difference(q0, q), xd, x0, exact_vector<7, Real>(q), band);
+      if (o[op::difference] && all_finite(q) && exact.resolved && bands[band].region == Region::to_pi)
+        back(r, o[op::difference](q0, q), xd, x0, exact_vector<7, Real>(q), band);
     }
-    if (o.difference) {
-      const Vec<S, 6> v = o.difference(q0, q1);
+    if (o[op::difference]) {
+      const Vec<S, 6> v = o[op::difference](q0, q1);
       const auto exact = oracles::difference(x0, x1);
       const std::size_t band = band_of_difference<S>(x0, x1, exact);
-      judged_value(r, {3, 4}, band, v, exact.resolved, [&] {
+      constexpr Output angular = op::difference[block::rotation_vector],
+                       linear = op::difference[block::linear];
+      judged_value(r, {angular, linear}, band, v, exact.resolved, [&] {
         const auto error = log_error<S>(exact_vector<6, Real>(v), exact, exact.separation);
         if (on_other_branch<S>(tail3(exact_vector<6, Real>(v)), exact.phi, error.angular)) {
-          for (int output : {3, 4}) r.outcome(output, band, Outcome::wrong_branch);
+          for (const Output& output : {angular, linear}) r.outcome(output, band, Outcome::wrong_branch);
           return;
         }
-        r.record(3, band, error.angular);
-        r.record(4, band, error.linear);
+        r.record(angular, band, error.angular);
+        r.record(linear, band, error.linear);
       });
-      if (o.integrate && all_finite(v) && exact.resolved) {
-        const Vec<S, 7> q = o.integrate(q0, v);
+      if (o[op::integrate] && all_finite(v) && exact.resolved) {
+        const Vec<S, 7> q = o[op::integrate](q0, v);
         Quaternion<Real> Q1 = quaternion<Real>(q1);
         const Real n = norm(Q1);
         for (Real& c : Q1.x) c /= n;
-        judged_value(r, {7, 8}, band, q, true, [&] {
+        constexpr Output rotation = op::integrate_of_difference[block::rotation],
+                         translation = op::integrate_of_difference[block::translation];
+        judged_value(r, {rotation, translation}, band, q, true, [&] {
           const Real scale =
               largest(norm(exact_vector<3, Real>(q1)), norm(exact_vector<3, Real>(q0)), exact.separation);
-          r.record(7, band, rotation_error<S>(quaternion<Real>(q), Q1));
-          r.record(8, band, vector_error<S>(exact_vector<3, Real>(q), exact_vector<3, Real>(q1), scale));
+          r.record(rotation, band, rotation_error<S>(quaternion<Real>(q), Q1));
+          r.record(translation, band, vector_error<S>(exact_vector<3, Real>(q), exact_vector<3, Real>(q1), scale));
         });
       }
     }
@@ -149,9 +156,11 @@ class IntegrateDifference final : public Law<IntegrateDifference, S> {
   static void back(Recorder& r, const Vec<S, 6>& v, const oracles::Vec6<Real>& xd,
                    const oracles::Vec<7, Real>& x0, const oracles::Vec<7, Real>& xq, std::size_t band) {
     using namespace oracles;
+    constexpr Output angular = op::difference_of_integrate[block::rotation_vector],
+                     linear = op::difference_of_integrate[block::linear];
     if (!all_finite(v)) {
-      r.outcome(5, band, Outcome::not_finite);
-      r.outcome(6, band, Outcome::not_finite);
+      r.outcome(angular, band, Outcome::not_finite);
+      r.outcome(linear, band, Outcome::not_finite);
       return;
     }
     const auto xv = exact_vector<6, Real>(v);
@@ -190,7 +199,7 @@ class IntegrateDifference final : public Law<IntegrateDifference, S> {
       return sum;
     };
     const Real rho = norm(head3(xd)), phi = norm(tail3(xd));
-    r.record(5, band, vector_error<S>(tail3(xv), tail3(xd)),
+    r.record(angular, band, vector_error<S>(tail3(xv), tail3(xd)),
              [&] { return kappa.kappa(1, larger(phi, least_denominator<S, Real>())); });
     const Real scale = larger(rho, at.separation);
     // M is J^-1 R^T, which shortens no vector: the positions alone move rho by at least sum_i |x_i|.
@@ -200,7 +209,7 @@ class IntegrateDifference final : public Law<IntegrateDifference, S> {
     const auto kappa_linear = [&] {
       return condition_number<Real>(kappa.movement(0) + movement_of_positions(), by);
     };
-    r.record(6, band, vector_error<S>(head3(xv), head3(xd), scale),
+    r.record(linear, band, vector_error<S>(head3(xv), head3(xd), scale),
              Kappa(kappa_linear, 0.99 * moved / at_most(by)));
   }
 };

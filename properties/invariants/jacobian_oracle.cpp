@@ -20,16 +20,18 @@ class JacobianOracle final : public Law<JacobianOracle, S> {
   }
   std::string source() const override { return "Chirikjian 2011, section 10.5; Higham 2008, section 10.7.4"; }
   std::vector<Output> outputs() const override {
-    std::vector<Output> all;
-    for (const char* op :
-         {"left_jacobian3", "right_jacobian3", "left_jacobian3_inverse", "right_jacobian3_inverse"})
-      all.push_back({op, "jacobian"});
-    for (const char* op :
-         {"left_jacobian6", "right_jacobian6", "left_jacobian6_inverse", "right_jacobian6_inverse"}) {
-      all.push_back({op, "jacobian"});
-      all.push_back({op, "coupling"});
-    }
-    return all;
+    return {op::left_jacobian3[block::jacobian],
+            op::right_jacobian3[block::jacobian],
+            op::left_jacobian3_inverse[block::jacobian],
+            op::right_jacobian3_inverse[block::jacobian],
+            op::left_jacobian6[block::jacobian],
+            op::left_jacobian6[block::coupling],
+            op::right_jacobian6[block::jacobian],
+            op::right_jacobian6[block::coupling],
+            op::left_jacobian6_inverse[block::jacobian],
+            op::left_jacobian6_inverse[block::coupling],
+            op::right_jacobian6_inverse[block::jacobian],
+            op::right_jacobian6_inverse[block::coupling]};
   }
   std::vector<Field> fields() const override {
     return {{"rho", Kind::vector, 3, "m", Reach::full},
@@ -37,8 +39,8 @@ class JacobianOracle final : public Law<JacobianOracle, S> {
   }
   bool offered(const Subject<S>& s) const override {
     const auto& o = s.operations;
-    return o.left_jacobian3 || o.right_jacobian3 || o.left_jacobian3_inverse || o.right_jacobian3_inverse ||
-           o.left_jacobian6 || o.right_jacobian6 || o.left_jacobian6_inverse || o.right_jacobian6_inverse;
+    return o[op::left_jacobian3] || o[op::right_jacobian3] || o[op::left_jacobian3_inverse] || o[op::right_jacobian3_inverse] ||
+           o[op::left_jacobian6] || o[op::right_jacobian6] || o[op::left_jacobian6_inverse] || o[op::right_jacobian6_inverse];
   }
   std::vector<S> generate(Source& source) const override {
     std::vector<S> x;
@@ -93,29 +95,31 @@ class JacobianOracle final : public Law<JacobianOracle, S> {
       const Real n = frobenius(exact.J), own = frobenius(exact.C), least = rho * smaller(n, Real(1));
       return beyond ? larger(own, least) : own;
     };
-    const auto three = [&](int output, auto* f, const Jacobian6Value<Real>& exact, bool inverse) {
-      if (!f) return;
-      const Mat<S, 3> J = f(phi);
+    const auto three = [&](const auto& operation, const Output& output, const Jacobian6Value<Real>& exact,
+                           bool inverse) {
+      if (!o[operation]) return;
+      const Mat<S, 3> J = o[operation](phi);
       judged_value(r, {output}, band, J, exact.resolved, [&] {
         r.record(output, band, matrix_error<S>(exact_matrix<3, 3, Real>(J), exact.J),
                  [&] { return kappa(inverse, false, size(exact, false)); });
       });
     };
-    const auto six = [&](int output, auto* f, const Jacobian6Value<Real>& exact, bool inverse) {
-      if (!f) return;
+    const auto six = [&](const auto& operation, const Output& diagonal, const Output& upper,
+                         const Jacobian6Value<Real>& exact, bool inverse) {
+      if (!o[operation]) return;
       record_jacobian6<S>(
-          r, output, output + 1, band, f(xi), exact, rho, beyond,
+          r, diagonal, upper, band, o[operation](xi), exact, rho, beyond,
           [&] { return kappa(inverse, false, size(exact, false)); },
           [&] { return kappa(inverse, true, size(exact, true)); });
     };
-    three(0, o.left_jacobian3, exact.left, false);
-    three(1, o.right_jacobian3, exact.right, false);
-    three(2, o.left_jacobian3_inverse, exact.left_inverse, true);
-    three(3, o.right_jacobian3_inverse, exact.right_inverse, true);
-    six(4, o.left_jacobian6, exact.left, false);
-    six(6, o.right_jacobian6, exact.right, false);
-    six(8, o.left_jacobian6_inverse, exact.left_inverse, true);
-    six(10, o.right_jacobian6_inverse, exact.right_inverse, true);
+    three(op::left_jacobian3, op::left_jacobian3[block::jacobian], exact.left, false);
+    three(op::right_jacobian3, op::right_jacobian3[block::jacobian], exact.right, false);
+    three(op::left_jacobian3_inverse, op::left_jacobian3_inverse[block::jacobian], exact.left_inverse, true);
+    three(op::right_jacobian3_inverse, op::right_jacobian3_inverse[block::jacobian], exact.right_inverse, true);
+    six(op::left_jacobian6, op::left_jacobian6[block::jacobian], op::left_jacobian6[block::coupling], exact.left, false);
+    six(op::right_jacobian6, op::right_jacobian6[block::jacobian], op::right_jacobian6[block::coupling], exact.right, false);
+    six(op::left_jacobian6_inverse, op::left_jacobian6_inverse[block::jacobian], op::left_jacobian6_inverse[block::coupling], exact.left_inverse, true);
+    six(op::right_jacobian6_inverse, op::right_jacobian6_inverse[block::jacobian], op::right_jacobian6_inverse[block::coupling], exact.right_inverse, true);
   }
 };
 

@@ -39,11 +39,8 @@ class KinematicIdentities final : public Law<KinematicIdentities, S> {
   }
   std::string source() const override { return "Sola 2017 (arXiv 1711.02508), section 4, eqs. 197-201"; }
 
-  std::vector<Output> outputs() const override {
-    const std::string operation = "integrate_coefficient_jacobian";
-    return {{operation, "translation"},        {operation, "rotation rate"},     {operation, "R_dot"},
-            {operation, "translation matrix"}, {operation, "quaternion matrix"}, {operation, "zeros"}};
-  }
+  static constexpr Output outputs_[] = {op::integrate_coefficient_jacobian[block::translation], op::integrate_coefficient_jacobian[block::rotation_rate], op::integrate_coefficient_jacobian[block::R_dot], op::integrate_coefficient_jacobian[block::translation_matrix], op::integrate_coefficient_jacobian[block::quaternion_matrix], op::integrate_coefficient_jacobian[block::zeros]};
+  std::vector<Output> outputs() const override { return {std::begin(outputs_), std::end(outputs_)}; }
   std::vector<Field> fields() const override {
     return {{"p", Kind::vector, 3, "m", Reach::full},
             {"Q", Kind::quaternion, 4, "1"},
@@ -51,7 +48,7 @@ class KinematicIdentities final : public Law<KinematicIdentities, S> {
             {"omega", Kind::vector, 3, "rad/s", Reach::full}};
   }
   bool offered(const Subject<S>& subject) const override {
-    return subject.operations.integrate_coefficient_jacobian != nullptr;
+    return subject.operations[op::integrate_coefficient_jacobian] != nullptr;
   }
   std::vector<S> generate(Source& source) const override {
     std::vector<S> input;
@@ -71,14 +68,14 @@ class KinematicIdentities final : public Law<KinematicIdentities, S> {
 
   template <class Real>
   void in(const Subject<S>& subject, const std::vector<S>& input, Recorder& recorder) const {
-    const auto operation = subject.operations.integrate_coefficient_jacobian;
+    const auto operation = subject.operations[op::integrate_coefficient_jacobian];
     if (!operation) return;
     Reader<S> reader(input);
     const Vec<S, 7> q = reader.template take<7>();
     const Vec<S, 6> v = reader.template take<6>();
     const Mat<S, 7, 6> computed = operation(q);
     const auto all = [&](int first, int last, Outcome outcome) {
-      for (int i = first; i <= last; ++i) recorder.outcome(i, 0, outcome);
+      for (int i = first; i <= last; ++i) recorder.outcome(outputs_[i], 0, outcome);
     };
     if (!oracles::all_finite(computed)) return all(0, 5, Outcome::not_finite);
 
@@ -92,24 +89,23 @@ class KinematicIdentities final : public Law<KinematicIdentities, S> {
     if (rate.resolved) {
       const oracles::Vec7<Real> q_dot = J * v_e;
       const oracles::Quaternion<Real> Q_dot{{q_dot[3], q_dot[4], q_dot[5], q_dot[6]}};
-      recorder.record(0, 0, oracles::vector_error<S>(head3(q_dot), rate.p_dot), one);
-      recorder.record(1, 0, oracles::vector_error<S>(Q_dot, Q_norm * rate.Q_dot), one);
-      recorder.record(2, 0, oracles::matrix_error<S>(rotation_rate(Q, Q_dot), rate.R_dot), one);
+      recorder.record(op::integrate_coefficient_jacobian[block::translation], 0, oracles::vector_error<S>(head3(q_dot), rate.p_dot), one);
+      recorder.record(op::integrate_coefficient_jacobian[block::rotation_rate], 0, oracles::vector_error<S>(Q_dot, Q_norm * rate.Q_dot), one);
+      recorder.record(op::integrate_coefficient_jacobian[block::R_dot], 0, oracles::matrix_error<S>(rotation_rate(Q, Q_dot), rate.R_dot), one);
     } else {
       all(0, 2, Outcome::unresolved);
     }
 
     const oracles::CoefficientJacobianValue<Real> exact = oracles::integrate_coefficient_jacobian(q_e);
     if (exact.resolved) {
-      recorder.record(3, 0, oracles::matrix_error<S>(corner<3>(J, 0, 0), corner<3>(exact.value, 0, 0)), one);
-      recorder.record(
-          4, 0, oracles::matrix_error<S>(corner<4>(J, 3, 3), Q_norm * corner<4>(exact.value, 3, 3)), one);
+      recorder.record(op::integrate_coefficient_jacobian[block::translation_matrix], 0, oracles::matrix_error<S>(corner<3>(J, 0, 0), corner<3>(exact.value, 0, 0)), one);
+      recorder.record(op::integrate_coefficient_jacobian[block::quaternion_matrix], 0, oracles::matrix_error<S>(corner<4>(J, 3, 3), Q_norm * corner<4>(exact.value, 3, 3)), one);
     } else {
       all(3, 4, Outcome::unresolved);
     }
     const bool zero =
         computed.template block<3, 3>(0, 3).isZero(0) && computed.template block<4, 3>(3, 0).isZero(0);
-    recorder.record(5, 0, zero ? 0.0 : std::numeric_limits<double>::infinity(), one);
+    recorder.record(op::integrate_coefficient_jacobian[block::zeros], 0, zero ? 0.0 : std::numeric_limits<double>::infinity(), one);
   }
 
  private:

@@ -61,26 +61,18 @@ class KineticEnergy final : public Law<KineticEnergy, S> {
   }
   std::string source() const override { return "Featherstone 2008, eqs. 2.62-2.67, sections 2.13, 2.14"; }
 
-  enum {
-    energy,
-    momentum_linear,
-    momentum_angular,
-    matrix,
-    act_mass,
-    act_lever,
-    act_tensor,
-    inverse_mass,
-    inverse_lever,
-    inverse_tensor,
-    frames
-  };
-
   std::vector<Output> outputs() const override {
-    return {
-        {"kinetic_energy", "energy"},       {"momentum", "linear"},          {"momentum", "angular"},
-        {"inertia_matrix", "matrix"},       {"act_inertia", "mass"},         {"act_inertia", "lever"},
-        {"act_inertia", "inertia"},         {"act_inverse_inertia", "mass"}, {"act_inverse_inertia", "lever"},
-        {"act_inverse_inertia", "inertia"}, {"energy_frames", "energy"}};
+    return {op::kinetic_energy[block::energy],
+            op::momentum[block::linear],
+            op::momentum[block::angular],
+            op::inertia_matrix[block::matrix],
+            op::act_inertia[block::mass],
+            op::act_inertia[block::lever],
+            op::act_inertia[block::inertia],
+            op::act_inverse_inertia[block::mass],
+            op::act_inverse_inertia[block::lever],
+            op::act_inverse_inertia[block::inertia],
+            op::energy_frames[block::energy]};
   }
   std::vector<Field> fields() const override {
     return {{"R", Kind::rotation_matrix, 9, "1"}, {"p", Kind::vector, 3, "m"},
@@ -90,7 +82,7 @@ class KineticEnergy final : public Law<KineticEnergy, S> {
   }
   bool offered(const Subject<S>& subject) const override {
     const auto& o = subject.operations;
-    return o.kinetic_energy || o.momentum || o.inertia_matrix || o.act_inertia || o.act_inverse_inertia;
+    return o[op::kinetic_energy] || o[op::momentum] || o[op::inertia_matrix] || o[op::act_inertia] || o[op::act_inverse_inertia];
   }
 
   std::vector<S> generate(Source& source) const override {
@@ -143,31 +135,31 @@ class KineticEnergy final : public Law<KineticEnergy, S> {
       return all;
     };
 
-    if (o.kinetic_energy) {
-      const Vec<S, 1> E(o.kinetic_energy(x.I, x.V));
+    if (o[op::kinetic_energy]) {
+      const Vec<S, 1> E(o[op::kinetic_energy](x.I, x.V));
       const oracles::Resolved<Real> exact = oracles::kinetic_energy(x.I_e, x.V_e);
-      record(recorder, energy, E, oracles::Vec<1, Real>{{exact.value}}, exact.resolved, energy_formula<Real>,
+      record(recorder, op::kinetic_energy[block::energy], E, oracles::Vec<1, Real>{{exact.value}}, exact.resolved, energy_formula<Real>,
              body_numbers, 0);
     }
-    if (o.momentum) {
-      const Vec<S, 6> h = o.momentum(x.I, x.V);
+    if (o[op::momentum]) {
+      const Vec<S, 6> h = o[op::momentum](x.I, x.V);
       const oracles::Resolved<oracles::Vec6<Real>> exact = oracles::momentum(x.I_e, x.V_e);
-      record(recorder, momentum_linear, Vec<S, 3>(h.template head<3>()), head3(exact.value), exact.resolved,
+      record(recorder, op::momentum[block::linear], Vec<S, 3>(h.template head<3>()), head3(exact.value), exact.resolved,
              momentum_formula<Real>, body_numbers, 0);
-      record(recorder, momentum_angular, Vec<S, 3>(h.template tail<3>()), tail3(exact.value), exact.resolved,
+      record(recorder, op::momentum[block::angular], Vec<S, 3>(h.template tail<3>()), tail3(exact.value), exact.resolved,
              momentum_formula<Real>, body_numbers, 3);
     }
-    if (o.inertia_matrix) measure_matrix(recorder, o.inertia_matrix(x.I), oracles::inertia_matrix(x.I_e));
-    if (o.act_inertia)
-      measure_body(recorder, act_mass, o.act_inertia(x.X, x.I), oracles::act_inertia(x.X_e, x.I_e), x,
+    if (o[op::inertia_matrix]) measure_matrix(recorder, o[op::inertia_matrix](x.I), oracles::inertia_matrix(x.I_e));
+    if (o[op::act_inertia])
+      measure_body<op::act_inertia>(recorder, o[op::act_inertia](x.X, x.I), oracles::act_inertia(x.X_e, x.I_e), x,
                    lever_formula<Real>);
-    if (o.act_inverse_inertia)
-      measure_body(recorder, inverse_mass, o.act_inverse_inertia(x.X, x.I),
+    if (o[op::act_inverse_inertia])
+      measure_body<op::act_inverse_inertia>(recorder, o[op::act_inverse_inertia](x.X, x.I),
                    oracles::act_inverse_inertia(x.X_e, x.I_e), x, inverse_lever_formula<Real>);
-    if (o.kinetic_energy && o.act_inertia && o.act_motion) {
-      const Vec<S, 2> T(o.kinetic_energy(o.act_inertia(x.X, x.I), o.act_motion(x.X, x.V)),
-                        o.kinetic_energy(x.I, x.V));
-      if (!oracles::all_finite(T)) return recorder.outcome(frames, 0, Outcome::not_finite);
+    if (o[op::kinetic_energy] && o[op::act_inertia] && o[op::act_motion]) {
+      const Vec<S, 2> T(o[op::kinetic_energy](o[op::act_inertia](x.X, x.I), o[op::act_motion](x.X, x.V)),
+                        o[op::kinetic_energy](x.I, x.V));
+      if (!oracles::all_finite(T)) return recorder.outcome(op::energy_frames[block::energy], 0, Outcome::not_finite);
       const auto T_e = oracles::exact_vector<2, Real>(T);
       const oracles::Vec3<Real> u = head3(x.V_e), w = tail3(x.V_e);
       const Real w_norm = norm(w), s = norm(u) + w_norm * (norm(x.I_e.c) + Real(2) * norm(x.X_e.p));
@@ -176,7 +168,7 @@ class KineticEnergy final : public Law<KineticEnergy, S> {
                          frobenius(x.I_e.I_C) * w_norm * w_norm / Real(2);
       // The scale alone: the subject's T_B is no exact value.
       const Real size = oracles::larger(scale, oracles::least_denominator<S, Real>());
-      recorder.record(frames, 0, oracles::in_eps<S>(Real(abs(T_e[0] - T_e[1]) / size)), [] { return 1.0; });
+      recorder.record(op::energy_frames[block::energy], 0, oracles::in_eps<S>(Real(abs(T_e[0] - T_e[1]) / size)), [] { return 1.0; });
     }
   }
 
@@ -269,7 +261,7 @@ class KineticEnergy final : public Law<KineticEnergy, S> {
   }
 
   template <int N, class Real, class Formula, class Numbers>
-  static void record(Recorder& recorder, int output, const Vec<S, N>& computed,
+  static void record(Recorder& recorder, const Output& output, const Vec<S, N>& computed,
                      const oracles::Vec<N, Real>& exact, bool resolved, const Formula& formula, Numbers&& x,
                      int first) {
     if (!oracles::all_finite(computed)) return recorder.outcome(output, 0, Outcome::not_finite);
@@ -286,41 +278,41 @@ class KineticEnergy final : public Law<KineticEnergy, S> {
   template <class Real>
   static void measure_matrix(Recorder& recorder, const Mat<S, 6>& computed,
                              const oracles::Resolved<oracles::Mat6<Real>>& exact) {
-    if (!oracles::all_finite(computed)) return recorder.outcome(matrix, 0, Outcome::not_finite);
-    if (!exact.resolved) return recorder.outcome(matrix, 0, Outcome::unresolved);
+    if (!oracles::all_finite(computed)) return recorder.outcome(op::inertia_matrix[block::matrix], 0, Outcome::not_finite);
+    if (!exact.resolved) return recorder.outcome(op::inertia_matrix[block::matrix], 0, Outcome::unresolved);
     const auto M = oracles::exact_matrix<6, 6, Real>(computed);
     double error = 0;
     for (int i = 0; i < 2; ++i)
       for (int j = 0; j < 2; ++j)
-        error = std::max(error, oracles::matrix_error<S>(block(M, i, j), block(exact.value, i, j)));
-    recorder.record(matrix, 0, error, [] { return 1.0; });
+        error = std::max(error, oracles::matrix_error<S>(oracles::block(M, i, j), oracles::block(exact.value, i, j)));
+    recorder.record(op::inertia_matrix[block::matrix], 0, error, [] { return 1.0; });
   }
 
-  /// Mass, lever and inertia about the centre of mass are outputs first, first + 1 and first + 2.
-  template <class Real, class Formula>
-  static void measure_body(Recorder& recorder, int first, const Body<S>& computed,
+  /// Mass, lever and inertia about the centre of mass, of act_inertia or act_inverse_inertia.
+  template <const auto& operation, class Real, class Formula>
+  static void measure_body(Recorder& recorder, const Body<S>& computed,
                            const oracles::Resolved<oracles::BodyOf<Real>>& exact, const Case<Real>& x,
                            const Formula& formula) {
     const auto one = [] { return 1.0; };
     const Vec<S, 1> mass(computed.mass);
     if (!oracles::all_finite(mass)) {
-      recorder.outcome(first, 0, Outcome::not_finite);
+      recorder.outcome(operation[block::mass], 0, Outcome::not_finite);
     } else if (!exact.resolved) {
-      recorder.outcome(first, 0, Outcome::unresolved);
+      recorder.outcome(operation[block::mass], 0, Outcome::unresolved);
     } else {
-      recorder.record(first, 0,
+      recorder.record(operation[block::mass], 0,
                       oracles::scalar_error<S>(oracles::exact<Real>(computed.mass), exact.value.mass), one);
     }
     record(
-        recorder, first + 1, Vec<S, 3>(computed.c), exact.value.c, exact.resolved, formula,
+        recorder, operation[block::lever], Vec<S, 3>(computed.c), exact.value.c, exact.resolved, formula,
         [&] { return numbers<Real>(x.X_e.R, x.X_e.p, x.I_e.c); }, 0);
     if (!oracles::all_finite(computed.I_C)) {
-      recorder.outcome(first + 2, 0, Outcome::not_finite);
+      recorder.outcome(operation[block::inertia], 0, Outcome::not_finite);
     } else if (!exact.resolved) {
-      recorder.outcome(first + 2, 0, Outcome::unresolved);
+      recorder.outcome(operation[block::inertia], 0, Outcome::unresolved);
     } else {
       const auto I_C = oracles::exact_matrix<3, 3, Real>(computed.I_C);
-      recorder.record(first + 2, 0, oracles::matrix_error<S>(I_C, exact.value.I_C), one);
+      recorder.record(operation[block::inertia], 0, oracles::matrix_error<S>(I_C, exact.value.I_C), one);
     }
   }
 };

@@ -18,10 +18,10 @@ class LogOracle final : public Law<LogOracle, S> {
   std::string equation() const override { return "exp(log(R, p)) = (R, p), |phi| <= pi"; }
   std::string source() const override { return "Higham 2008, section 11.5 (inverse scaling and squaring)"; }
   std::vector<Output> outputs() const override {
-    return {{"log3_quaternion", "rotation vector"},
-            {"log3_matrix", "rotation vector"},
-            {"log6", "rotation vector"},
-            {"log6", "linear"}};
+    return {op::log3_quaternion[block::rotation_vector],
+            op::log3_matrix[block::rotation_vector],
+            op::log6[block::rotation_vector],
+            op::log6[block::linear]};
   }
   std::vector<Field> fields() const override {
     return {{"Q", Kind::quaternion, 4, "1"},
@@ -29,7 +29,7 @@ class LogOracle final : public Law<LogOracle, S> {
             {"p", Kind::vector, 3, "m", Reach::full}};
   }
   bool offered(const Subject<S>& s) const override {
-    return s.operations.log3_quaternion || s.operations.log3_matrix || s.operations.log6;
+    return s.operations[op::log3_quaternion] || s.operations[op::log3_matrix] || s.operations[op::log6];
   }
   std::vector<S> generate(Source& source) const override {
     std::vector<S> x;
@@ -52,32 +52,33 @@ class LogOracle final : public Law<LogOracle, S> {
     const Vec<S, 4> Q = read.template take<4>();
     const Mat<S, 3> R = read.take_matrix();
     const Vec<S, 3> p = read.template take<3>();
-    if (o.log3_quaternion) {
+    if (o[op::log3_quaternion]) {
       const auto exact = oracles::log_so3(oracles::exact_vector<4, Real>(Q));
-      rotation_vector_error(r, 0, o.log3_quaternion(Q), exact);
+      rotation_vector_error(r, op::log3_quaternion[block::rotation_vector], o[op::log3_quaternion](Q), exact);
     }
-    if (!o.log3_matrix && !o.log6) return;
+    if (!o[op::log3_matrix] && !o[op::log6]) return;
     const auto exact =
         oracles::log_se3_matrix(oracles::exact_matrix<3, 3, Real>(R), oracles::exact_vector<3, Real>(p));
-    if (o.log3_matrix) rotation_vector_error(r, 1, o.log3_matrix(R), exact);
-    if (o.log6) {
+    if (o[op::log3_matrix]) rotation_vector_error(r, op::log3_matrix[block::rotation_vector], o[op::log3_matrix](R), exact);
+    if (o[op::log6]) {
       const std::size_t band = band_of_log<S>(exact);
-      const Vec<S, 6> xi = o.log6({R, p});
-      judged_value(r, {2, 3}, band, xi, exact.resolved, [&] {
+      const Vec<S, 6> xi = o[op::log6]({R, p});
+      constexpr Output angular = op::log6[block::rotation_vector], linear = op::log6[block::linear];
+      judged_value(r, {angular, linear}, band, xi, exact.resolved, [&] {
         const auto error = oracles::log_error<S>(oracles::exact_vector<6, Real>(xi), exact);
         if (on_other_branch<S>(tail3(oracles::exact_vector<6, Real>(xi)), exact.phi, error.angular)) {
-          for (int o : {2, 3}) r.outcome(o, band, Outcome::wrong_branch);
+          for (const Output& block : {angular, linear}) r.outcome(block, band, Outcome::wrong_branch);
           return;
         }
-        r.record(2, band, error.angular);
-        r.record(3, band, error.linear);
+        r.record(angular, band, error.angular);
+        r.record(linear, band, error.linear);
       });
     }
   }
 
  private:
   template <class Real>
-  static void rotation_vector_error(Recorder& r, int output, const Vec<S, 3>& phi,
+  static void rotation_vector_error(Recorder& r, const Output& output, const Vec<S, 3>& phi,
                                     const oracles::LogValue<Real>& exact) {
     const std::size_t band = band_of_log<S>(exact);
     judged_value(r, {output}, band, phi, exact.resolved, [&] {

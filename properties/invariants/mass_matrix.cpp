@@ -19,9 +19,11 @@ class MassMatrix final : public TreeLaw<MassMatrix, S> {
            "M_ll)";
   }
   std::string source() const override { return "Featherstone 2008, chapter 6"; }
-  enum { symmetric, definite, columns };
+  static constexpr Output symmetric = op::crba_symmetric[block::matrix],
+                          definite = op::crba_positive[block::matrix],
+                          columns = op::crba_columns[block::matrix];
   std::vector<Output> outputs() const override {
-    return {{"crba_symmetric", "matrix"}, {"crba_positive", "matrix"}, {"crba_columns", "matrix"}};
+    return {symmetric, definite, columns};
   }
 
   template <class T, class Case>
@@ -29,10 +31,10 @@ class MassMatrix final : public TreeLaw<MassMatrix, S> {
     Tree<S> weightless = described(c.stored);
     weightless.gravity = {{S(0), S(0), S(0)}};
     const TreeOperations<S> o = subject.tree(weightless);
-    if (!o.crba) return;
-    const MatX<S> M = o.crba(c.q);
+    if (!o[op::tree_crba]) return;
+    const MatX<S> M = o[op::tree_crba](c.q);
     if (!oracles::all_finite(M)) {
-      for (int output : {symmetric, definite, columns}) r.outcome(output, 0, Outcome::not_finite);
+      for (const Output& output : {symmetric, definite, columns}) r.outcome(output, 0, Outcome::not_finite);
       return;
     }
     r.record(symmetric, 0, M == M.transpose() ? 0 : std::numeric_limits<double>::infinity());
@@ -55,11 +57,11 @@ class MassMatrix final : public TreeLaw<MassMatrix, S> {
       r.record(definite, 0, positive ? 0 : std::numeric_limits<double>::infinity(),
                [&] { return 16 * inverse * terms; });
     }
-    if (!o.rnea) return;
+    if (!o[op::tree_rnea]) return;
     const VecX<S> none = VecX<S>::Zero(c.q.size() ? static_cast<int>(c.nv()) : 0);
     MatX<S> by_columns(none.size(), none.size());
     for (int k = 0; k < none.size(); ++k)
-      by_columns.col(k) = o.rnea(c.q, none, VecX<S>::Unit(none.size(), k), -1, Vec<S, 6>::Zero());
+      by_columns.col(k) = o[op::tree_rnea](c.q, none, VecX<S>::Unit(none.size(), k), -1, Vec<S, 6>::Zero());
     if (!oracles::all_finite(by_columns)) return r.outcome(columns, 0, Outcome::not_finite);
     const std::vector<T> one = this->template exact_list<T>(this->flat(M)),
                          other = this->template exact_list<T>(this->flat(by_columns));

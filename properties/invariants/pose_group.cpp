@@ -18,11 +18,11 @@ class PoseGroup final : public Law<PoseGroup, S> {
   }
   std::string source() const override { return "Murray, Li & Sastry 1994, eqs. 2.19-2.22"; }
   std::vector<Output> outputs() const override {
-    return {{"compose", "matrix"},
-            {"compose", "translation"},
-            {"inverse", "matrix"},
-            {"inverse", "translation"},
-            {"act_point", "point"}};
+    return {op::compose[block::matrix],
+            op::compose[block::translation],
+            op::inverse[block::matrix],
+            op::inverse[block::translation],
+            op::act_point[block::point]};
   }
   std::vector<Field> fields() const override {
     return {{"R", Kind::rotation_matrix, 9, "1"},
@@ -32,7 +32,7 @@ class PoseGroup final : public Law<PoseGroup, S> {
   }
   bool offered(const Subject<S>& subject) const override {
     const auto& o = subject.operations;
-    return o.compose || o.inverse || o.act_point;
+    return o[op::compose] || o[op::inverse] || o[op::act_point];
   }
   std::vector<S> generate(Source& source) const override {
     std::vector<S> x;
@@ -62,8 +62,8 @@ class PoseGroup final : public Law<PoseGroup, S> {
     const Vec3<Real> none{{Real(0), Real(0), Real(0)}};
     const PoseOf<Real> x = stored<Real>(X), y = stored<Real>(Y), linear{x.R, none};
 
-    if (o.compose) {
-      const auto XY = o.compose(X, Y);
+    if (o[op::compose]) {
+      const auto XY = o[op::compose](X, Y);
       const auto p = oracles::act_point(x, y.p);
       oracles::Vec<9, Real> columns, computed;
       bool resolved = true;
@@ -73,25 +73,25 @@ class PoseGroup final : public Law<PoseGroup, S> {
         for (int i = 0; i < 3; ++i)
           columns[3 * j + i] = column.value[i], computed[3 * j + i] = exact<Real>(XY.R(i, j));
       }
-      judged_value(r, {0}, 0, XY.R, resolved, [&] { r.record(0, 0, vector_error<S>(computed, columns)); });
-      judged_value(r, {1}, 0, XY.p, p.resolved, [&] {
-        r.record(1, 0, vector_error<S>(exact_vector<3, Real>(XY.p), p.value, larger(norm(x.p), norm(y.p))));
+      judged_value(r, {op::compose[block::matrix]}, 0, XY.R, resolved, [&] { r.record(op::compose[block::matrix], 0, vector_error<S>(computed, columns)); });
+      judged_value(r, {op::compose[block::translation]}, 0, XY.p, p.resolved, [&] {
+        r.record(op::compose[block::translation], 0, vector_error<S>(exact_vector<3, Real>(XY.p), p.value, larger(norm(x.p), norm(y.p))));
       });
     }
-    if (o.inverse) {
-      const auto inverse = o.inverse(X);
+    if (o[op::inverse]) {
+      const auto inverse = o[op::inverse](X);
       const auto p = oracles::act_inverse_point(x, none);
-      judged_value(r, {2}, 0, inverse.R, true, [&] {
-        r.record(2, 0, matrix_error<S>(exact_matrix<3, 3, Real>(inverse.R), transpose(x.R)));
+      judged_value(r, {op::inverse[block::matrix]}, 0, inverse.R, true, [&] {
+        r.record(op::inverse[block::matrix], 0, matrix_error<S>(exact_matrix<3, 3, Real>(inverse.R), transpose(x.R)));
       });
-      judged_value(r, {3}, 0, inverse.p, p.resolved,
-                   [&] { r.record(3, 0, vector_error<S>(exact_vector<3, Real>(inverse.p), p.value)); });
+      judged_value(r, {op::inverse[block::translation]}, 0, inverse.p, p.resolved,
+                   [&] { r.record(op::inverse[block::translation], 0, vector_error<S>(exact_vector<3, Real>(inverse.p), p.value)); });
     }
-    if (o.act_point) {
-      const properties::Vec<S, 3> point = o.act_point(X, Y.p);
+    if (o[op::act_point]) {
+      const properties::Vec<S, 3> point = o[op::act_point](X, Y.p);
       const auto p = oracles::act_point(x, y.p);
-      judged_value(r, {4}, 0, point, p.resolved, [&] {
-        r.record(4, 0, vector_error<S>(exact_vector<3, Real>(point), p.value), [&] {
+      judged_value(r, {op::act_point[block::point]}, 0, point, p.resolved, [&] {
+        r.record(op::act_point[block::point], 0, vector_error<S>(exact_vector<3, Real>(point), p.value), [&] {
           return std::max(1.0,
                           kappa_of<Real>(
                               [](const std::vector<Real>& v) {

@@ -15,7 +15,7 @@ class PowerBalance final : public TreeLaw<PowerBalance, S> {
     return "rnea(q, v, a)^T v = d/dt (T + V) = sum_i tr(X_i' J_i (X_i'' - g)^T) + sum_k armature_k v_k a_k";
   }
   std::string source() const override { return "Goldstein 1980, section 2.6"; }
-  std::vector<Output> outputs() const override { return {{"tree_power", "power"}}; }
+  std::vector<Output> outputs() const override { return {op::tree_power[block::power]}; }
 
   template <class T>
   static T rate(const TreeCase<T>& x) {
@@ -33,9 +33,9 @@ class PowerBalance final : public TreeLaw<PowerBalance, S> {
   template <class T, class Case>
   void of(const Operations<S>& subject, const Case& c, Recorder& r) const {
     const TreeOperations<S> o = subject.tree(described(c.stored));
-    if (!o.rnea) return;
-    const VecX<S> tau = o.rnea(c.q, c.v, c.a, -1, Vec<S, 6>::Zero());
-    if (!oracles::all_finite(tau)) return r.outcome(0, 0, Outcome::not_finite);
+    if (!o[op::tree_rnea]) return;
+    const VecX<S> tau = o[op::tree_rnea](c.q, c.v, c.a, -1, Vec<S, 6>::Zero());
+    if (!oracles::all_finite(tau)) return r.outcome(op::tree_power[block::power], 0, Outcome::not_finite);
     T power(0);
     double terms = 0;
     const auto sizes = c.sizes(c.rough.v, c.rough.a);
@@ -43,7 +43,7 @@ class PowerBalance final : public TreeLaw<PowerBalance, S> {
       power += oracles::exact<T>(tau[static_cast<int>(k)]) * c.exact.v[k];
       terms += sizes.tau[k] * std::fabs(c.rough.v[k]);
     }
-    c.record(r, 0, std::vector<T>{power}, {rate(c.exact)}, {1}, terms, c.resolved());
+    c.record(r, op::tree_power[block::power], std::vector<T>{power}, {rate(c.exact)}, {1}, terms, c.resolved());
   }
 };
 

@@ -45,15 +45,20 @@ class PowerPairing final : public Law<PowerPairing, S> {
   std::string source() const override { return "Featherstone 2008, eq. 2.7, sections 2.8, 2.9, table 2.2"; }
 
   std::vector<Output> outputs() const override {
-    std::vector<Output> all;
-    for (const char* operation : {"act_motion", "act_inverse_motion", "act_force", "act_inverse_force",
-                                  "cross_motion", "cross_force"}) {
-      all.push_back({operation, "linear"});
-      all.push_back({operation, "angular"});
-    }
-    all.push_back({"power", "power"});
-    all.push_back({"rotate_point", "point"});
-    return all;
+    return {op::act_motion[block::linear],
+            op::act_motion[block::angular],
+            op::act_inverse_motion[block::linear],
+            op::act_inverse_motion[block::angular],
+            op::act_force[block::linear],
+            op::act_force[block::angular],
+            op::act_inverse_force[block::linear],
+            op::act_inverse_force[block::angular],
+            op::cross_motion[block::linear],
+            op::cross_motion[block::angular],
+            op::cross_force[block::linear],
+            op::cross_force[block::angular],
+            op::power[block::power],
+            op::rotate_point[block::point]};
   }
   std::vector<Field> fields() const override {
     return {{"R", Kind::rotation_matrix, 9, "1"}, {"p", Kind::vector, 3, "m"},
@@ -64,8 +69,8 @@ class PowerPairing final : public Law<PowerPairing, S> {
   }
   bool offered(const Subject<S>& subject) const override {
     const auto& o = subject.operations;
-    return o.act_motion || o.act_inverse_motion || o.act_force || o.act_inverse_force || o.cross_motion ||
-           o.cross_force || o.rotate_point;
+    return o[op::act_motion] || o[op::act_inverse_motion] || o[op::act_force] || o[op::act_inverse_force] || o[op::cross_motion] ||
+           o[op::cross_force] || o[op::rotate_point];
   }
   std::vector<S> generate(Source& source) const override {
     std::vector<S> input;
@@ -108,55 +113,55 @@ class PowerPairing final : public Law<PowerPairing, S> {
     const auto V_e = oracles::exact_vector<6, Real>(V), F_e = oracles::exact_vector<6, Real>(F),
                W_e = oracles::exact_vector<6, Real>(W);
 
-    const auto act = [&](int output, auto* operation, const Vec<S, 6>& v, const Vector6& v_e, auto oracle,
+    const auto act = [&](const auto& operation, const Output& linear, const Output& angular, const Vec<S, 6>& v, const Vector6& v_e, auto oracle,
                          auto formula) {
-      if (!operation) return;
+      if (!o[operation]) return;
       compare(
-          recorder, output, Vec<S, 6>(operation(X, v)), [&] { return oracle(X_e, v_e); },
+          recorder, linear, angular, Vec<S, 6>(o[operation](X, v)), [&] { return oracle(X_e, v_e); },
           [&](const std::vector<Real>& x) { return numbers<Real>(formula(pose(x), six(x, 12))); },
           [&] { return numbers<Real>(X_e.R, X_e.p, v_e); });
     };
     act(
-        0, o.act_motion, V, V_e,
+        op::act_motion, op::act_motion[block::linear], op::act_motion[block::angular], V, V_e,
         [](const Transform& Y, const Vector6& v) { return oracles::act_motion(Y, v); },
         [](const Transform& Y, const Vector6& v) { return oracles::formulas::act_motion(Y, v); });
     act(
-        2, o.act_inverse_motion, V, V_e,
+        op::act_inverse_motion, op::act_inverse_motion[block::linear], op::act_inverse_motion[block::angular], V, V_e,
         [](const Transform& Y, const Vector6& v) { return oracles::act_inverse_motion(Y, v); },
         [](const Transform& Y, const Vector6& v) { return oracles::formulas::act_inverse_motion(Y, v); });
     act(
-        4, o.act_force, F, F_e, [](const Transform& Y, const Vector6& v) { return oracles::act_force(Y, v); },
+        op::act_force, op::act_force[block::linear], op::act_force[block::angular], F, F_e, [](const Transform& Y, const Vector6& v) { return oracles::act_force(Y, v); },
         [](const Transform& Y, const Vector6& v) { return oracles::formulas::act_force(Y, v); });
     act(
-        6, o.act_inverse_force, F, F_e,
+        op::act_inverse_force, op::act_inverse_force[block::linear], op::act_inverse_force[block::angular], F, F_e,
         [](const Transform& Y, const Vector6& v) { return oracles::act_inverse_force(Y, v); },
         [](const Transform& Y, const Vector6& v) { return oracles::formulas::act_inverse_force(Y, v); });
-    if (o.cross_motion)
+    if (o[op::cross_motion])
       compare(
-          recorder, 8, Vec<S, 6>(o.cross_motion(V, W)), [&] { return oracles::cross_motion(V_e, W_e); },
+          recorder, op::cross_motion[block::linear], op::cross_motion[block::angular], Vec<S, 6>(o[op::cross_motion](V, W)), [&] { return oracles::cross_motion(V_e, W_e); },
           [](const std::vector<Real>& x) {
             return numbers<Real>(oracles::formulas::cross_motion(six(x, 0), six(x, 6)));
           },
           [&] { return numbers<Real>(V_e, W_e); });
-    if (o.cross_force)
+    if (o[op::cross_force])
       compare(
-          recorder, 10, Vec<S, 6>(o.cross_force(V, F)), [&] { return oracles::cross_force(V_e, F_e); },
+          recorder, op::cross_force[block::linear], op::cross_force[block::angular], Vec<S, 6>(o[op::cross_force](V, F)), [&] { return oracles::cross_force(V_e, F_e); },
           [](const std::vector<Real>& x) {
             return numbers<Real>(oracles::formulas::cross_force(six(x, 0), six(x, 6)));
           },
           [&] { return numbers<Real>(V_e, F_e); });
 
-    if (o.act_motion && o.act_force) {
-      const Vec<S, 6> V_A = o.act_motion(X, V), F_A = o.act_force(X, F);
+    if (o[op::act_motion] && o[op::act_force]) {
+      const Vec<S, 6> V_A = o[op::act_motion](X, V), F_A = o[op::act_force](X, F);
       measure_power(recorder, X_e, V_e, F_e, V_A, F_A);
     }
-    if (o.rotate_point) {
-      const Vec<S, 3> y = o.rotate_point(Q, X.p);
-      if (!oracles::all_finite(y)) return recorder.outcome(13, 0, Outcome::not_finite);
+    if (o[op::rotate_point]) {
+      const Vec<S, 3> y = o[op::rotate_point](Q, X.p);
+      if (!oracles::all_finite(y)) return recorder.outcome(op::rotate_point[block::point], 0, Outcome::not_finite);
       const auto Q_e = oracles::exact_vector<4, Real>(Q);
       const oracles::Resolved<Vector3> exact = oracles::rotate_point(Q_e, X_e.p);
-      if (!exact.resolved) return recorder.outcome(13, 0, Outcome::unresolved);
-      recorder.record(13, 0, oracles::vector_error<S>(oracles::exact_vector<3, Real>(y), exact.value), [&] {
+      if (!exact.resolved) return recorder.outcome(op::rotate_point[block::point], 0, Outcome::unresolved);
+      recorder.record(op::rotate_point[block::point], 0, oracles::vector_error<S>(oracles::exact_vector<3, Real>(y), exact.value), [&] {
         const auto formula = [](const std::vector<Real>& x) {
           return numbers<Real>(oracles::rotate(oracles::Quaternion<Real>{{x[0], x[1], x[2], x[3]}},
                                                Vector3{{x[4], x[5], x[6]}}));
@@ -176,23 +181,24 @@ class PowerPairing final : public Law<PowerPairing, S> {
                                         oracles::larger(norm(exact), oracles::least_denominator<S, Real>())));
   }
 
-  /// The linear block is `output`, the angular one the next.
+  /// Records both blocks of a vector.
   template <class Oracle, class Formula, class Numbers>
-  static void compare(Recorder& recorder, int output, const Vec<S, 6>& computed, Oracle&& oracle,
+  static void compare(Recorder& recorder, const Output& linear, const Output& angular, const Vec<S, 6>& computed, Oracle&& oracle,
                       const Formula& formula, Numbers&& x) {
     const bool finite[2] = {oracles::all_finite(Vec<S, 3>(computed.template head<3>())),
                             oracles::all_finite(Vec<S, 3>(computed.template tail<3>()))};
     const auto exact = oracle();
     using Real = std::decay_t<decltype(exact.value[0])>;
     for (int block = 0; block < 2; ++block) {
+      const Output& output = block == 0 ? linear : angular;
       if (!finite[block]) {
-        recorder.outcome(output + block, 0, Outcome::not_finite);
+        recorder.outcome(output, 0, Outcome::not_finite);
       } else if (!exact.resolved) {
-        recorder.outcome(output + block, 0, Outcome::unresolved);
+        recorder.outcome(output, 0, Outcome::unresolved);
       } else {
         const oracles::Vec3<Real> value = block == 0 ? head3(exact.value) : tail3(exact.value);
         const Vec<S, 3> part = computed.template segment<3>(3 * block);
-        recorder.record(output + block, 0,
+        recorder.record(output, 0,
                         oracles::vector_error<S>(oracles::exact_vector<3, Real>(part), value),
                         [&] { return kappa<Real>(formula, x(), 3 * block, value); });
       }
@@ -203,7 +209,7 @@ class PowerPairing final : public Law<PowerPairing, S> {
   static void measure_power(Recorder& recorder, const oracles::PoseOf<Real>& X,
                             const oracles::Vec6<Real>& V_B, const oracles::Vec6<Real>& F_B,
                             const Vec<S, 6>& V_A, const Vec<S, 6>& F_A) {
-    constexpr int output = 12;
+    constexpr Output output = op::power[block::power];
     if (!oracles::all_finite(V_A) || !oracles::all_finite(F_A))
       return recorder.outcome(output, 0, Outcome::not_finite);
     const auto A = oracles::power(oracles::exact_vector<6, Real>(F_A), oracles::exact_vector<6, Real>(V_A));

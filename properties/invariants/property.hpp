@@ -19,12 +19,6 @@
 
 namespace liecheck::properties {
 
-/// What is measured: one block of one operation's result.
-struct Output {
-  std::string operation;
-  std::string block;
-};
-
 enum class Outcome : std::uint8_t { measured, not_finite, wrong_branch, unresolved, refused };
 
 /// One measured number. error in eps of the subject's scalar, kappa >= 1 or 0 where it was not asked for.
@@ -61,8 +55,8 @@ class Kappa {
 class Recorder {
  public:
   virtual ~Recorder() = default;
-  virtual void record(int output, std::size_t band, double error_eps, Kappa kappa = nullptr) = 0;
-  virtual void outcome(int output, std::size_t band, Outcome outcome) = 0;
+  virtual void record(const Output& output, std::size_t band, double error_eps, Kappa kappa = nullptr) = 0;
+  virtual void outcome(const Output& output, std::size_t band, Outcome outcome) = 0;
 };
 
 /// The robot that configuration properties run on.

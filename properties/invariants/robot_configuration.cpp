@@ -29,15 +29,15 @@ class RobotConfiguration final : public Law<RobotConfiguration, S> {
   }
   std::string source() const override { return "Pinocchio 3.8, joint-configuration"; }
   std::vector<Output> outputs() const override {
-    return {{"robot_integrate", "rotation"},
-            {"robot_integrate", "translation"},
-            {"robot_integrate", "continuous"},
-            {"robot_integrate", "joint"},
-            {"robot_difference", "rotation vector"},
-            {"robot_difference", "linear"},
-            {"robot_difference", "continuous"},
-            {"robot_difference", "joint"},
-            {"robot_is_same", "same"}};
+    return {op::robot_integrate[block::rotation],
+            op::robot_integrate[block::translation],
+            op::robot_integrate[block::continuous],
+            op::robot_integrate[block::joint],
+            op::robot_difference[block::rotation_vector],
+            op::robot_difference[block::linear],
+            op::robot_difference[block::continuous],
+            op::robot_difference[block::joint],
+            op::robot_is_same[block::same]};
   }
   std::vector<Field> fields() const override {
     std::vector<Field> all;
@@ -124,8 +124,8 @@ class RobotConfiguration final : public Law<RobotConfiguration, S> {
     if (!robot) return;
     Reader<S> read(input);
     const VecX<S> q0 = read.take_dynamic(nq_), q1 = read.take_dynamic(nq_), d = read.take_dynamic(nv_);
-    const VecX<S> q = robot->integrate(q0, d);
-    const VecX<S> v = robot->difference(q0, q1);
+    const VecX<S> q = (*robot)[op::robot_integrate](q0, d);
+    const VecX<S> v = (*robot)[op::robot_difference](q0, q1);
     VecX<S> opposite = q0;
     for (const Segment& s : segments_) {
       if (s.nq == 7) {
@@ -135,20 +135,19 @@ class RobotConfiguration final : public Law<RobotConfiguration, S> {
         const auto xd = exact_vector<6, Real>(d.segment(s.v, 6));
         const auto next = oracles::integrate(x0, xd);
         std::size_t band = band_of_angle<S>(tail3(xd));
-        judged_value(r, {0, 1}, band, q.segment(s.q, 7), next.resolved, [&] {
+        judged_value(r, {op::robot_integrate[block::rotation], op::robot_integrate[block::translation]}, band, q.segment(s.q, 7), next.resolved, [&] {
           const auto got = exact_vector<7, Real>(q.segment(s.q, 7));
-          r.record(0, band, rotation_error<S>(Quaternion<Real>{{got[3], got[4], got[5], got[6]}}, next.Q));
+          r.record(op::robot_integrate[block::rotation], band, rotation_error<S>(Quaternion<Real>{{got[3], got[4], got[5], got[6]}}, next.Q));
           const Real p0 = norm(Vec3<Real>{{x0[0], x0[1], x0[2]}});
-          r.record(
-              1, band,
+          r.record(op::robot_integrate[block::translation], band,
               vector_error<S>(Vec3<Real>{{got[0], got[1], got[2]}}, next.p, larger(p0, next.increment_norm)));
         });
         const auto delta = oracles::difference(x0, x1);
         band = band_of_difference<S>(x0, x1, delta);
-        judged_value(r, {4, 5}, band, v.segment(s.v, 6), delta.resolved, [&] {
+        judged_value(r, {op::robot_difference[block::rotation_vector], op::robot_difference[block::linear]}, band, v.segment(s.v, 6), delta.resolved, [&] {
           const auto error = log_error<S>(exact_vector<6, Real>(v.segment(s.v, 6)), delta, delta.separation);
-          r.record(4, band, error.angular);
-          r.record(5, band, error.linear);
+          r.record(op::robot_difference[block::rotation_vector], band, error.angular);
+          r.record(op::robot_difference[block::linear], band, error.linear);
         });
       } else if (s.nq == 2) {
         // A planar rotation is the spatial one about z: the same oracles at half the angle's quaternion.
@@ -157,32 +156,32 @@ class RobotConfiguration final : public Law<RobotConfiguration, S> {
         Real sin_a, cos_a;
         sin_cos(a, sin_a, cos_a);
         const Real c = (c0 * cos_a - s0 * sin_a) / n0, sn = (s0 * cos_a + c0 * sin_a) / n0;
-        judged_value(r, {2}, 0, q.segment(s.q, 2), true, [&] {
-          r.record(2, 0,
+        judged_value(r, {op::robot_integrate[block::continuous]}, 0, q.segment(s.q, 2), true, [&] {
+          r.record(op::robot_integrate[block::continuous], 0,
                    in_eps<S>(norm(oracles::Vec<2, Real>{
                        {Real(exact<Real>(q[s.q]) - c), Real(exact<Real>(q[s.q + 1]) - sn)}})));
         });
         const Real c1 = exact<Real>(q1[s.q]), s1 = exact<Real>(q1[s.q + 1]);
         const Real angle_between = atan2(Real(c0 * s1 - s0 * c1), Real(c0 * c1 + s0 * s1));
-        judged_value(r, {6}, 0, v.segment(s.v, 1), true, [&] {
+        judged_value(r, {op::robot_difference[block::continuous]}, 0, v.segment(s.v, 1), true, [&] {
           const double plus = scalar_error<S>(exact<Real>(v[s.v]), angle_between);
           const Real opposite_angle = -angle_between;
           const bool half_turn = c0 * s1 == s0 * c1 && angle_between != Real(0);
-          r.record(6, 0,
+          r.record(op::robot_difference[block::continuous], 0,
                    half_turn ? std::min(plus, scalar_error<S>(exact<Real>(v[s.v]), opposite_angle)) : plus);
         });
       } else {
         const Real a = exact<Real>(q0[s.q]), b = exact<Real>(d[s.v]), e = exact<Real>(q1[s.q]);
-        judged_value(r, {3, 7}, 0, q.segment(s.q, 1), true, [&] {
-          r.record(3, 0, scalar_error<S>(exact<Real>(q[s.q]), Real(a + b)));
-          r.record(7, 0, scalar_error<S>(exact<Real>(v[s.v]), Real(e - a)));
+        judged_value(r, {op::robot_integrate[block::joint], op::robot_difference[block::joint]}, 0, q.segment(s.q, 1), true, [&] {
+          r.record(op::robot_integrate[block::joint], 0, scalar_error<S>(exact<Real>(q[s.q]), Real(a + b)));
+          r.record(op::robot_difference[block::joint], 0, scalar_error<S>(exact<Real>(v[s.v]), Real(e - a)));
         });
       }
     }
-    if (robot->is_same(q0, opposite))
-      r.record(8, 0, 0);
+    if ((*robot)[op::robot_is_same](q0, opposite))
+      r.record(op::robot_is_same[block::same], 0, 0);
     else
-      r.outcome(8, 0, Outcome::wrong_branch);
+      r.outcome(op::robot_is_same[block::same], 0, Outcome::wrong_branch);
   }
 
  private:

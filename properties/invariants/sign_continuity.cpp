@@ -16,15 +16,17 @@ class SignContinuity final : public Law<SignContinuity, S> {
     return "integrate returns the quaternion nearer to the one it came from";
   }
   std::string equation() const override { return "Q_{k+1} . Q_k >= 0 for q_{k+1} = integrate(q_k, d)"; }
-  std::string source() const override { return "Pinocchio 3.8, SpecialEuclideanOperation::integrate"; }
-  std::vector<Output> outputs() const override { return {{"integrate", "sign"}}; }
+  std::string source() const override {
+    return "Pinocchio 3.8, SpecialEuclideanOperation::integrate";
+  }
+  std::vector<Output> outputs() const override { return {op::integrate[block::sign]}; }
   std::vector<Field> fields() const override {
     return {{"p", Kind::vector, 3, "m"},
             {"Q", Kind::quaternion, 4, "1"},
             {"rho", Kind::vector, 3, "m"},
             {"phi", Kind::rotation_vector, 3, "rad"}};
   }
-  bool offered(const Subject<S>& s) const override { return s.operations.integrate; }
+  bool offered(const Subject<S>& s) const override { return s.operations[op::integrate]; }
   std::vector<S> generate(Source& source) const override {
     std::vector<S> x;
     append(x, vector3<S>(source, 8));
@@ -44,12 +46,12 @@ class SignContinuity final : public Law<SignContinuity, S> {
     const Vec<S, 6> d = read.template take<6>();
     const std::size_t band = band_of_angle<S>(tail3(exact_vector<6, Real>(d)));
     for (int k = 0; k < steps; ++k) {
-      const Vec<S, 7> next = subject.operations.integrate(q, d);
-      if (!all_finite(next)) return r.outcome(0, band, Outcome::not_finite);
+      const Vec<S, 7> next = subject.operations[op::integrate](q, d);
+      if (!all_finite(next)) return r.outcome(op::integrate[block::sign], band, Outcome::not_finite);
       Real product(0);
       for (int i = 3; i < 7; ++i) product += exact<Real>(q[i]) * exact<Real>(next[i]);
       const Real defect = larger(Real(-product), Real(0));  // a tie may go either way, to rounding
-      r.record(0, band, in_eps<S>(defect));
+      r.record(op::integrate[block::sign], band, in_eps<S>(defect));
       q = next;
     }
   }

@@ -4,9 +4,9 @@
 #include <generators/rotations.hpp>
 #include <invariants/common.hpp>
 #include <optional>
-#include <oracles/ball_oracles.hpp>
 #include <oracles/closed_forms.hpp>
 #include <oracles/exp.hpp>
+#include <oracles/ball_oracles.hpp>
 
 namespace liecheck::properties {
 namespace {
@@ -18,12 +18,15 @@ class SmallAngleBranches final : public Law<SmallAngleBranches, S> {
   std::string law() const override { return "no jump of the error across a change of formula"; }
   std::string equation() const override { return "|(y+ - y+_exact) - (y- - y-_exact)| over adjacent inputs"; }
   std::string source() const override {
-    return "docs/measuring.md, jump; cutoffs after Pinocchio, Sophus, manif, smooth, GTSAM";
+    return "docs/measuring.md, jump; cutoffs of Pinocchio, Sophus, manif, smooth and GTSAM";
   }
   std::vector<Output> outputs() const override {
-    return {{"exp3_quaternion", "jump"}, {"exp6", "jump"},
-            {"left_jacobian3", "jump"},  {"left_jacobian3_inverse", "jump"},
-            {"right_jacobian6", "jump"}, {"right_jacobian6_inverse", "jump"}};
+    return {op::exp3_quaternion[block::jump],
+            op::exp6[block::jump],
+            op::left_jacobian3[block::jump],
+            op::left_jacobian3_inverse[block::jump],
+            op::right_jacobian6[block::jump],
+            op::right_jacobian6_inverse[block::jump]};
   }
   std::vector<Field> fields() const override {
     return {{"rho", Kind::vector, 3, "m"},
@@ -32,8 +35,8 @@ class SmallAngleBranches final : public Law<SmallAngleBranches, S> {
   }
   bool offered(const Subject<S>& s) const override {
     const auto& o = s.operations;
-    return o.exp3_quaternion || o.exp6 || o.left_jacobian3 || o.left_jacobian3_inverse || o.right_jacobian6 ||
-           o.right_jacobian6_inverse;
+    return o[op::exp3_quaternion] || o[op::exp6] || o[op::left_jacobian3] || o[op::left_jacobian3_inverse] || o[op::right_jacobian6] ||
+           o[op::right_jacobian6_inverse];
   }
   std::vector<S> generate(Source& source) const override {
     std::vector<S> x;
@@ -65,7 +68,7 @@ class SmallAngleBranches final : public Law<SmallAngleBranches, S> {
       return;  // forward rule only: beyond half a turn the oracles of the laws above judge
 
     // Differences of errors, block by block, in eps of the block's size.
-    const auto jump = [&](int output, auto&& computed, auto&& exact) {
+    const auto jump = [&](const Output& output, auto&& computed, auto&& exact) {
       const auto y0 = computed(0), y1 = computed(1);
       if (!all_finite(y0) || !all_finite(y1)) return r.outcome(output, band, Outcome::not_finite);
       const auto e0 = exact(0), e1 = exact(1);
@@ -97,38 +100,38 @@ class SmallAngleBranches final : public Law<SmallAngleBranches, S> {
       for (int i = 0; i < 9; ++i) v[i] = m(i / 3, i % 3);
       return v;
     };
-    if (o.exp3_quaternion)
+    if (o[op::exp3_quaternion])
       jump(
-          0,
+          op::exp3_quaternion[block::jump],
           [&](int k) {  // of Q and -Q the one along (phi, 1), as the exact one is up to half a turn
             const Vec<S, 3> phi = xi[k].template tail<3>();
-            const Vec<S, 4> Q = o.exp3_quaternion(phi);
+            const Vec<S, 4> Q = o[op::exp3_quaternion](phi);
             return Q.template head<3>().dot(phi) + Q[3] < S(0) ? Vec<S, 4>(-Q) : Q;
           },
           [&](int k) { return to_list(exp_so3(tail3(x[k])).Q); });
-    if (o.exp6)
+    if (o[op::exp6])
       jump(
-          1, [&](int k) { return Vec<S, 3>(o.exp6(xi[k]).p); },
+          op::exp6[block::jump], [&](int k) { return Vec<S, 3>(o[op::exp6](xi[k]).p); },
           [&](int k) { return to_list(exp_se3(x[k]).p); });
-    if (o.left_jacobian3)
+    if (o[op::left_jacobian3])
       jump(
-          2, [&](int k) { return rows(o.left_jacobian3(xi[k].template tail<3>())); },
+          op::left_jacobian3[block::jump], [&](int k) { return rows(o[op::left_jacobian3](xi[k].template tail<3>())); },
           [&](int k) { return flat(BallNumber<Real> ? direct(k).J : left_jacobian_so3(tail3(x[k])).J); });
-    if (o.left_jacobian3_inverse)
+    if (o[op::left_jacobian3_inverse])
       jump(
-          3, [&](int k) { return rows(o.left_jacobian3_inverse(xi[k].template tail<3>())); },
+          op::left_jacobian3_inverse[block::jump], [&](int k) { return rows(o[op::left_jacobian3_inverse](xi[k].template tail<3>())); },
           [&](int k) {
             return flat(BallNumber<Real> ? inverted(k).J : left_jacobian_so3_inverse(tail3(x[k])).J);
           });
-    if (o.right_jacobian6)
+    if (o[op::right_jacobian6])
       jump(
-          4, [&](int k) { return rows(o.right_jacobian6(xi[k]).template topRightCorner<3, 3>()); },
+          op::right_jacobian6[block::jump], [&](int k) { return rows(o[op::right_jacobian6](xi[k]).template topRightCorner<3, 3>()); },
           [&](int k) {
             return flat(BallNumber<Real> ? transpose(direct(k).C) : right_jacobian_se3(x[k]).C);
           });
-    if (o.right_jacobian6_inverse)
+    if (o[op::right_jacobian6_inverse])
       jump(
-          5, [&](int k) { return rows(o.right_jacobian6_inverse(xi[k]).template topRightCorner<3, 3>()); },
+          op::right_jacobian6_inverse[block::jump], [&](int k) { return rows(o[op::right_jacobian6_inverse](xi[k]).template topRightCorner<3, 3>()); },
           [&](int k) {
             return flat(BallNumber<Real> ? transpose(inverted(k).C) : right_jacobian_se3_inverse(x[k]).C);
           });

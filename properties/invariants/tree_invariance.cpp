@@ -22,12 +22,12 @@ class TreeInvariance final : public TreeLaw<TreeInvariance, S> {
            "the tree "
            "itself";
   }
-  std::string source() const override { return "issue 5"; }
-  enum { world, order, parts };
+  std::string source() const override { return "invariance of Lagrange's equations under a change of description: Goldstein 1980, section 1.4"; }
+  static constexpr Output world = op::rnea_of_a_moved_world[block::torque],
+                          order = op::rnea_of_reordered_joints[block::torque],
+                          parts = op::rnea_of_split_bodies[block::torque];
   std::vector<Output> outputs() const override {
-    return {{"rnea_of_a_moved_world", "torque"},
-            {"rnea_of_reordered_joints", "torque"},
-            {"rnea_of_split_bodies", "torque"}};
+    return {world, order, parts};
   }
 
   template <class T, class Case>
@@ -38,13 +38,13 @@ class TreeInvariance final : public TreeLaw<TreeInvariance, S> {
     const std::vector<T> exact = moving.torque(c.exact.wrench);
     const double terms = weighted_size(c.sizes(c.rough.v, c.rough.a, true).tau, w);
     const bool resolved = c.resolved();
-    const auto record = [&](int output, const VecX<S>& tau) {
+    const auto record = [&](const Output& output, const VecX<S>& tau) {
       c.record(r, output, tau, exact, w, terms, resolved);
     };
     const TreeOperations<S> moved = subject.tree(in_a_moved_world(tree));
-    if (!moved.rnea) return;
-    record(world, moved.rnea(c.q, c.v, c.a, c.F_joint, c.F));
-    record(parts, subject.tree(in_parts(tree)).rnea(c.q, c.v, c.a, c.F_joint, c.F));
+    if (!moved[op::tree_rnea]) return;
+    record(world, moved[op::tree_rnea](c.q, c.v, c.a, c.F_joint, c.F));
+    record(parts, subject.tree(in_parts(tree))[op::tree_rnea](c.q, c.v, c.a, c.F_joint, c.F));
     if (std::any_of(tree.joints.begin(), tree.joints.end(), [](const auto& j) { return j.primary >= 0; }))
       return;
     const std::vector<int> turn = reordered(tree);
@@ -67,7 +67,7 @@ class TreeInvariance final : public TreeLaw<TreeInvariance, S> {
       }
       return y;
     };
-    record(order, shuffled(subject.tree(other).rnea(shuffled(c.q, true, false), shuffled(c.v, false, false),
+    record(order, shuffled(subject.tree(other)[op::tree_rnea](shuffled(c.q, true, false), shuffled(c.v, false, false),
                                                     shuffled(c.a, false, false),
                                                     c.F_joint < 0 ? -1 : place[at(c.F_joint)], c.F),
                            false, true));

@@ -84,7 +84,7 @@ class TreeLaw : public Property<S> {
   std::string program(const Output& output, const std::vector<S>& input) const override {
     const std::vector<S> full = full_of(input);
     const TreeCase<double> c(at_, full, std::vector<double>(full.begin(), full.end()));
-    return tree_program(c, output.operation, std::is_same_v<S, float> ? "float" : "double");
+    return tree_program(c, output.record->call, std::is_same_v<S, float> ? "float" : "double");
   }
   bool offered(const Subject<S>& s) const override { return s.operations.tree; }
   /// Only one that the user gave: the built-in one is too little for them.
@@ -174,12 +174,12 @@ class TreeLaw : public Property<S> {
                                   direction ? exact.d : std::vector<T>());
     }
     /// Records a computed vector, and kappa = terms / ||exact||.
-    void record(Recorder& r, int output, const VecX<S>& computed, const std::vector<T>& exact_value,
+    void record(Recorder& r, const Output& output, const VecX<S>& computed, const std::vector<T>& exact_value,
                 const std::vector<double>& w, double terms, bool confirmed) const {
       if (!oracles::all_finite(computed)) return r.outcome(output, 0, Outcome::not_finite);
       record(r, output, exact_list<T>(computed), exact_value, w, terms, confirmed);
     }
-    void record(Recorder& r, int output, const std::vector<T>& computed, const std::vector<T>& exact_value,
+    void record(Recorder& r, const Output& output, const std::vector<T>& computed, const std::vector<T>& exact_value,
                 const std::vector<double>& w, double terms, bool confirmed) const {
       if (!confirmed) return r.outcome(output, 0, Outcome::unresolved);
       const T size = oracles::larger(weighted_norm(exact_value, w), oracles::least_denominator<S, T>());

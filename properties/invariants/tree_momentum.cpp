@@ -21,13 +21,13 @@ class TreeMomentum final : public TreeLaw<TreeMomentum, S> {
            "of forward_dynamics";
   }
   std::string source() const override { return "Orin & Goswami 2008; Noether 1918"; }
-  enum { linear, angular, map_linear, map_angular, conserved };
+  static constexpr Output linear = op::tree_momentum[block::linear],
+                          angular = op::tree_momentum[block::angular],
+                          map_linear = op::tree_momentum_map[block::linear],
+                          map_angular = op::tree_momentum_map[block::angular],
+                          conserved = op::momentum_conserved[block::torque];
   std::vector<Output> outputs() const override {
-    return {{"tree_momentum", "linear"},
-            {"tree_momentum", "angular"},
-            {"tree_momentum_map", "linear"},
-            {"tree_momentum_map", "angular"},
-            {"momentum_conserved", "torque"}};
+    return {linear, angular, map_linear, map_angular, conserved};
   }
 
   template <class T, class Case>
@@ -43,32 +43,32 @@ class TreeMomentum final : public TreeLaw<TreeMomentum, S> {
     };
     const oracles::Vec6<T> h = moving.momentum();
     const auto sizes = c.sizes(c.rough.v, c.rough.v);
-    const auto record = [&](int output, int part, const std::vector<T>& computed) {
-      c.record(r, output + part, computed, half(h, part), {1, 1, 1}, part == 0 ? sizes.linear : sizes.angular,
+    const auto record = [&](const Output& output, int part, const std::vector<T>& computed) {
+      c.record(r, output, computed, half(h, part), {1, 1, 1}, part == 0 ? sizes.linear : sizes.angular,
                resolved);
     };
     for (int part = 0; part < 2; ++part) {
-      if (o.momentum) {
-        const VecX<S> computed = o.momentum(c.q, c.v).template segment<3>(3 * part);
+      if (o[op::tree_momentum]) {
+        const VecX<S> computed = o[op::tree_momentum](c.q, c.v).template segment<3>(3 * part);
         if (oracles::all_finite(computed))
-          record(linear, part, this->template exact_list<T>(computed));
+          record(part == 0 ? linear : angular, part, this->template exact_list<T>(computed));
         else
-          r.outcome(linear + part, 0, Outcome::not_finite);
+          r.outcome(part == 0 ? linear : angular, 0, Outcome::not_finite);
       }
-      if (o.momentum_map) {
-        const MatX<S> A = o.momentum_map(c.q).middleRows(3 * part, 3);
+      if (o[op::tree_momentum_map]) {
+        const MatX<S> A = o[op::tree_momentum_map](c.q).middleRows(3 * part, 3);
         std::vector<T> computed(3, T(0));
         for (int i = 0; i < 3; ++i)
           for (int k = 0; k < A.cols(); ++k)
             computed[static_cast<std::size_t>(i)] +=
                 oracles::exact<T>(A(i, k)) * c.exact.v[static_cast<std::size_t>(k)];
         if (oracles::all_finite(A))
-          record(map_linear, part, computed);
+          record(part == 0 ? map_linear : map_angular, part, computed);
         else
-          r.outcome(map_linear + part, 0, Outcome::not_finite);
+          r.outcome(part == 0 ? map_linear : map_angular, 0, Outcome::not_finite);
       }
     }
-    if (o.aba && c.exact.tree.joints[0].kind == oracles::JointKind::free_flyer) conservation<T>(o, c, r);
+    if (o[op::tree_aba] && c.exact.tree.joints[0].kind == oracles::JointKind::free_flyer) conservation<T>(o, c, r);
   }
 
  private:
@@ -82,7 +82,7 @@ class TreeMomentum final : public TreeLaw<TreeMomentum, S> {
     if (std::count(roots.begin(), roots.end(), 0.0) > 0) return;
     VecX<S> computed;
     try {
-      computed = o.aba(c.q, c.v, tau, -1, Vec<S, 6>::Zero());
+      computed = o[op::tree_aba](c.q, c.v, tau, -1, Vec<S, 6>::Zero());
     } catch (const std::domain_error&) {
       return;  // M has lost its digits: forward_dynamics tells whether rightly
     }

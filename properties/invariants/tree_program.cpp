@@ -1,73 +1,11 @@
 #include <invariants/tree_program.hpp>
 
 #include <fmt/format.h>
-#include <map>
 
 namespace liecheck::properties {
 namespace {
 
 using oracles::JointKind;
-
-struct Call {
-  const char* header;
-  const char* before;  ///< what fills Data, "" for nothing
-  const char* result;  ///< printed; `seen` in it: in each reference frame
-};
-
-/// Of model, data, q, v, a, d, tau, on (the forces) and frame.
-const Call* call_of(const std::string& operation) {
-  static const Call motion{"frames", "forwardKinematics(model, data, q, v, a);", ""};
-  static const auto of_frame = [](const char* result) { return Call{motion.header, motion.before, result}; };
-  static const Call rnea{"rnea", "", "rnea(model, data, q, v, a, on).transpose()"};
-  static const Call crba{"crba", "", "crba(model, data, q)"};
-  static const std::map<std::string, Call> calls = {
-      {"tree_rnea", rnea},
-      {"rnea_of_a_moved_world", rnea},
-      {"rnea_of_reordered_joints", rnea},
-      {"rnea_of_split_bodies", rnea},
-      {"tree_nonlinear_effects", {"rnea", "", "nonLinearEffects(model, data, q, v).transpose()"}},
-      {"tree_gravity", {"rnea", "", "computeGeneralizedGravity(model, data, q).transpose()"}},
-      {"tree_power", {"rnea", "", "rnea(model, data, q, v, a).dot(v)"}},
-      {"tree_crba", crba},
-      {"crba_symmetric", crba},
-      {"crba_positive", crba},
-      {"crba_columns", crba},
-      {"tree_kinetic_energy", {"energy", "", "computeKineticEnergy(model, data, q, v)"}},
-      {"tree_potential_energy", {"energy", "", "computePotentialEnergy(model, data, q)"}},
-      {"tree_aba", {"aba", "", "aba(model, data, q, v, tau, on).transpose()"}},
-      {"tree_mass_inverse", {"crba", "", "computeMinverse(model, data, q)"}},
-      {"rnea_of_aba",
-       {"aba", "a = aba(model, data, q, v, tau, on);", "(rnea(model, data, q, v, a, on) - tau).transpose()"}},
-      {"tree_momentum",
-       {"centroidal", "", "computeCentroidalMomentum(model, data, q, v).to_vector().transpose()"}},
-      {"tree_momentum_map", {"centroidal", "", "(computeCentroidalMap(model, data, q) * v).transpose()"}},
-      {"momentum_conserved",
-       {"aba", "model.gravity.setZero(), tau.head(6).setZero();\n  a = aba(model, data, q, v, tau);",
-        "rnea(model, data, q, v, a).head(6).transpose()"}},
-      {"rnea_derivatives",
-       {"derivatives", "computeRNEADerivatives(model, data, q, v, a, on);",
-        "(data.dtau_dq() * d).transpose() << '\\n' << (data.dtau_dv() * d).transpose()"}},
-      {"aba_derivatives",
-       {"derivatives", "computeABADerivatives(model, data, q, v, tau, on);",
-        "(data.ddq_dq() * d).transpose() << '\\n' << (data.ddq_dv() * d).transpose()"}},
-      {"frame_pose",
-       {"frames", "framesForwardKinematics(model, data, q);", "data.oMf[frame].toActionMatrix()"}},
-      {"frame_velocity", of_frame("getFrameVelocity(model, data, frame, seen).to_vector().transpose()")},
-      {"frame_acceleration",
-       of_frame("getFrameAcceleration(model, data, frame, seen).to_vector().transpose()")},
-      {"frame_classical_acceleration",
-       of_frame("getFrameClassicalAcceleration(model, data, frame, seen).to_vector().transpose()")},
-      {"frame_jacobian",
-       {"jacobians", "computeJointJacobians(model, data, q);",
-        "(getFrameJacobian(model, data, frame, seen) * v).transpose()"}},
-      {"frame_jacobian_rate",
-       {"jacobians", "computeJointJacobiansTimeVariation(model, data, q, v);",
-        "(getFrameJacobian(model, data, frame, seen) * a + getFrameJacobianTimeVariation(model, data, frame, "
-        "seen) * "
-        "v).transpose()"}}};
-  const auto found = calls.find(operation);
-  return found == calls.end() ? nullptr : &found->second;
-}
 
 std::string number(double x) {
   return fmt::format("S({:a})", x);
@@ -114,15 +52,13 @@ std::string vector(const char* name, const std::vector<double>& x) {
 
 }  // namespace
 
-std::string tree_program(const TreeCase<double>& c, const std::string& operation, const std::string& scalar) {
-  const Call* call = call_of(operation);
-  if (!call) return "";
+std::string tree_program(const TreeCase<double>& c, const Call& call, const std::string& scalar) {
   std::string text = fmt::format(
       "// c++ -std=gnu++20 -I lib $(pkg-config --cflags eigen3) case.cpp -lliecheck_lib\n"
-      "#include <iostream>\n#include <vector>\n#include <liecheck/algorithms/{}.hpp>\nusing namespace "
+      "#include <iostream>\n#include <vector>\n#include <liecheck/{}>\nusing namespace "
       "liecheck;\n"
       "int main() {{\n  using S = {};\n  Model<S> model;\n  model.gravity = {};\n  int i = 0;\n",
-      call->header, scalar, three(c.tree.gravity));
+      call.header, scalar, three(c.tree.gravity));
   for (std::size_t k = 0; k < c.tree.joints.size(); ++k) {
     const oracles::JointOf<double>& j = c.tree.joints[k];
     const std::string kind = j.primary < 0 ? joint(j)
@@ -139,7 +75,7 @@ std::string tree_program(const TreeCase<double>& c, const std::string& operation
       text +=
           fmt::format("  model.armature.tail(model.nvs[{}]).setConstant({});\n", k + 1, number(j.armature));
   }
-  const std::string uses = std::string(call->before) + call->result;
+  const std::string uses = std::string(call.before) + std::string(call.expression);
   const auto mentions = [&](const std::string& word) { return uses.find(word) != std::string::npos; };
   if (mentions("frame"))
     text +=
@@ -158,13 +94,13 @@ std::string tree_program(const TreeCase<double>& c, const std::string& operation
           fmt::format("Vector3<S>({})", list(std::vector<double>(w.F.x.begin() + 3, w.F.x.end()))));
   }
   text += "  std::cout.precision(17);\n";
-  if (*call->before) text += fmt::format("  {}\n", call->before);
+  if (!call.before.empty()) text += fmt::format("  {}\n", call.before);
   if (mentions("seen"))
     return text +
            "  for (auto seen : {ReferenceFrame::WORLD, ReferenceFrame::LOCAL, "
            "ReferenceFrame::LOCAL_WORLD_ALIGNED})\n" +
-           fmt::format("    std::cout << {} << '\\n';\n}}\n", call->result);
-  return text + fmt::format("  std::cout << {} << '\\n';\n}}\n", call->result);
+           fmt::format("    std::cout << {} << '\\n';\n}}\n", call.expression);
+  return text + fmt::format("  std::cout << {} << '\\n';\n}}\n", call.expression);
 }
 
 }  // namespace liecheck::properties

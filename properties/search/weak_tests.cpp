@@ -50,17 +50,17 @@ bool fixed_grid(const O& o) {
       const M3 R = Eigen::AngleAxisd(angle, n).toRotationMatrix();
       V4 Q = V4::Zero();
       Q << std::sin(angle / 2) * n, std::cos(angle / 2);
-      killed |= differ(o.exp3_matrix(phi), R, 1e-9) || differ(o.exp3_quaternion(phi), Q, 1e-9);
-      killed |= differ(o.log3_matrix(R), phi, 1e-9) || differ(o.log3_quaternion(Q), phi, 1e-9);
-      killed |= differ(o.rotate_point(Q, p), R * p, 1e-9);
+      killed |= differ(o[op::exp3_matrix](phi), R, 1e-9) || differ(o[op::exp3_quaternion](phi), Q, 1e-9);
+      killed |= differ(o[op::log3_matrix](R), phi, 1e-9) || differ(o[op::log3_quaternion](Q), phi, 1e-9);
+      killed |= differ(o[op::rotate_point](Q, p), R * p, 1e-9);
       const V6 xi = twist(n, phi);  // a screw along its axis
-      killed |= differ(o.exp6(xi).p, n, 1e-9) || differ(o.log6({R, n}), xi, 1e-9);
+      killed |= differ(o[op::exp6](xi).p, n, 1e-9) || differ(o[op::log6]({R, n}), xi, 1e-9);
       const V7 origin = configuration(V3::Zero(), V4::Unit(3));
-      killed |= differ(o.integrate(origin, xi), configuration(n, Q), 1e-9);
-      killed |= differ(o.difference(origin, configuration(n, Q)), xi, 1e-9);
+      killed |= differ(o[op::integrate](origin, xi), configuration(n, Q), 1e-9);
+      killed |= differ(o[op::difference](origin, configuration(n, Q)), xi, 1e-9);
       const V6 V = V6::LinSpaced(1, 6);
-      killed |= differ(o.act_motion({R, p}, V), motion_matrix(R, p) * V, 1e-9);
-      killed |= differ(o.act_force({R, p}, V), motion_matrix(R, p).transpose().inverse() * V, 1e-9);
+      killed |= differ(o[op::act_motion]({R, p}, V), motion_matrix(R, p) * V, 1e-9);
+      killed |= differ(o[op::act_force]({R, p}, V), motion_matrix(R, p).transpose().inverse() * V, 1e-9);
     }
   return killed;
 }
@@ -88,24 +88,24 @@ bool random_poses(const O& o) {
     const Eigen::Quaterniond q(R);
     const V4 Q = q.coeffs(), Q0 = s.quaternion();
     const M3 R0 = Eigen::Quaterniond(Q0).toRotationMatrix();
-    killed |= differ(o.exp3_matrix(phi), R, tolerance) || differ(o.exp6(xi).p, p, tolerance);
-    killed |= differ(o.log3_matrix(R), phi, tolerance) || differ(o.log3_quaternion(Q), phi, tolerance);
-    killed |= differ(o.log6({R, p}), xi, tolerance) || differ(o.left_jacobian3(phi), J, tolerance);
-    killed |= differ(o.right_jacobian3(phi), J.transpose(), tolerance);
-    killed |= differ(o.left_jacobian3_inverse(phi), J.inverse(), tolerance);
-    killed |= differ(o.rotate_point(Q0, x), R0 * x, tolerance);
-    const V7 next = o.integrate(configuration(x, Q0), xi);
+    killed |= differ(o[op::exp3_matrix](phi), R, tolerance) || differ(o[op::exp6](xi).p, p, tolerance);
+    killed |= differ(o[op::log3_matrix](R), phi, tolerance) || differ(o[op::log3_quaternion](Q), phi, tolerance);
+    killed |= differ(o[op::log6]({R, p}), xi, tolerance) || differ(o[op::left_jacobian3](phi), J, tolerance);
+    killed |= differ(o[op::right_jacobian3](phi), J.transpose(), tolerance);
+    killed |= differ(o[op::left_jacobian3_inverse](phi), J.inverse(), tolerance);
+    killed |= differ(o[op::rotate_point](Q0, x), R0 * x, tolerance);
+    const V7 next = o[op::integrate](configuration(x, Q0), xi);
     killed |= differ(next.head<3>(), x + R0 * p, tolerance);
     killed |= differ(Eigen::Quaterniond(V4(next.tail<4>())).toRotationMatrix(), R0 * R, tolerance);
     const M6 X = motion_matrix(R, x);
-    killed |= differ(o.act_motion({R, x}, V), X * V, tolerance);
-    killed |= differ(o.act_force({R, x}, F), X.transpose().inverse() * F, tolerance);
+    killed |= differ(o[op::act_motion]({R, x}, V), X * V, tolerance);
+    killed |= differ(o[op::act_force]({R, x}, F), X.transpose().inverse() * F, tolerance);
     const Body<double> body{2, x, I};
     M6 M = M6::Identity();
     M.topLeftCorner<3, 3>() = 2 * I, M.topRightCorner<3, 3>() = -2 * hat(x);
     M.bottomLeftCorner<3, 3>() = 2 * hat(x), M.bottomRightCorner<3, 3>() = I - 2 * hat(x) * hat(x);
-    killed |= differ(o.inertia_matrix(body), M, tolerance) || differ(o.momentum(body, V), M * V, tolerance);
-    killed |= !(std::fabs(o.kinetic_energy(body, V) - V.dot(M * V) / 2) <= tolerance);
+    killed |= differ(o[op::inertia_matrix](body), M, tolerance) || differ(o[op::momentum](body, V), M * V, tolerance);
+    killed |= !(std::fabs(o[op::kinetic_energy](body, V) - V.dot(M * V) / 2) <= tolerance);
   }
   return killed;
 }
@@ -118,19 +118,19 @@ bool round_trips(const O& o) {
     const V6 xi = s.small_twist(), V = s.small_twist();
     const V3 phi = xi.tail<3>(), x = s.vector();
     const M3 I = M3::Identity();
-    killed |= differ(o.log6(o.exp6(xi)), xi, tolerance);
-    killed |= differ(o.log3_matrix(o.exp3_matrix(phi)), phi, tolerance);
-    killed |= differ(o.log3_quaternion(o.exp3_quaternion(phi)), phi, tolerance);
+    killed |= differ(o[op::log6](o[op::exp6](xi)), xi, tolerance);
+    killed |= differ(o[op::log3_matrix](o[op::exp3_matrix](phi)), phi, tolerance);
+    killed |= differ(o[op::log3_quaternion](o[op::exp3_quaternion](phi)), phi, tolerance);
     const V7 q0 = configuration(x, s.quaternion());
-    killed |= differ(o.difference(q0, o.integrate(q0, xi)), xi, tolerance);
-    killed |= differ(o.left_jacobian3(phi) * o.left_jacobian3_inverse(phi), I, tolerance);
-    killed |= differ(o.right_jacobian6(xi) * o.right_jacobian6_inverse(xi), M6::Identity(), tolerance);
-    killed |= differ(o.left_jacobian6(xi) * o.left_jacobian6_inverse(xi), M6::Identity(), tolerance);
-    const Pose<double> X{o.exp3_matrix(phi), x};
-    killed |= differ(o.act_inverse_motion(X, o.act_motion(X, V)), V, tolerance);
-    killed |= differ(o.act_inverse_force(X, o.act_force(X, V)), V, tolerance);
+    killed |= differ(o[op::difference](q0, o[op::integrate](q0, xi)), xi, tolerance);
+    killed |= differ(o[op::left_jacobian3](phi) * o[op::left_jacobian3_inverse](phi), I, tolerance);
+    killed |= differ(o[op::right_jacobian6](xi) * o[op::right_jacobian6_inverse](xi), M6::Identity(), tolerance);
+    killed |= differ(o[op::left_jacobian6](xi) * o[op::left_jacobian6_inverse](xi), M6::Identity(), tolerance);
+    const Pose<double> X{o[op::exp3_matrix](phi), x};
+    killed |= differ(o[op::act_inverse_motion](X, o[op::act_motion](X, V)), V, tolerance);
+    killed |= differ(o[op::act_inverse_force](X, o[op::act_force](X, V)), V, tolerance);
     const Body<double> body{2, x, V3(1, 1.5, 2).asDiagonal()};
-    const auto back = o.act_inverse_inertia(X, o.act_inertia(X, body));
+    const auto back = o[op::act_inverse_inertia](X, o[op::act_inertia](X, body));
     killed |= differ(back.I_C, body.I_C, tolerance) || differ(back.c, body.c, tolerance);
   }
   return killed;
@@ -143,7 +143,7 @@ bool finite_differences(const O& o) {
   constexpr double h = 1e-6, tolerance = 1e-5;
   for (int i = 0; i < 200; ++i) {
     const V6 xi = s.small_twist();
-    const V7 q0 = configuration(s.vector(), s.quaternion()), q1 = o.integrate(q0, xi);
+    const V7 q0 = configuration(s.vector(), s.quaternion()), q1 = o[op::integrate](q0, xi);
     M6 right, arg0, difference0, difference1;
     Mat<double, 7, 6> rate;
     for (int k = 0; k < 6; ++k) {
@@ -151,24 +151,24 @@ bool finite_differences(const O& o) {
       const auto quotient = [&](const auto& plus, const auto& minus) {
         return ((plus - minus) / (2 * h)).eval();
       };
-      right.col(k) = quotient(o.difference(q1, o.integrate(q0, V6(xi + e))),
-                              o.difference(q1, o.integrate(q0, V6(xi - e))));
-      arg0.col(k) = quotient(o.difference(q1, o.integrate(o.integrate(q0, e), xi)),
-                             o.difference(q1, o.integrate(o.integrate(q0, V6(-e)), xi)));
+      right.col(k) = quotient(o[op::difference](q1, o[op::integrate](q0, V6(xi + e))),
+                              o[op::difference](q1, o[op::integrate](q0, V6(xi - e))));
+      arg0.col(k) = quotient(o[op::difference](q1, o[op::integrate](o[op::integrate](q0, e), xi)),
+                             o[op::difference](q1, o[op::integrate](o[op::integrate](q0, V6(-e)), xi)));
       difference0.col(k) =
-          quotient(o.difference(o.integrate(q0, e), q1), o.difference(o.integrate(q0, V6(-e)), q1));
+          quotient(o[op::difference](o[op::integrate](q0, e), q1), o[op::difference](o[op::integrate](q0, V6(-e)), q1));
       difference1.col(k) =
-          quotient(o.difference(q0, o.integrate(q1, e)), o.difference(q0, o.integrate(q1, V6(-e))));
-      rate.col(k) = quotient(o.integrate(q0, e), o.integrate(q0, V6(-e)));
+          quotient(o[op::difference](q0, o[op::integrate](q1, e)), o[op::difference](q0, o[op::integrate](q1, V6(-e))));
+      rate.col(k) = quotient(o[op::integrate](q0, e), o[op::integrate](q0, V6(-e)));
     }
-    killed |= differ(o.right_jacobian6(xi), right, tolerance) ||
-              differ(o.d_integrate_arg1(q0, xi), right, tolerance);
-    killed |= differ(o.left_jacobian6(V6(-xi)), right, tolerance);
-    killed |= differ(o.right_jacobian3(xi.tail<3>()), right.bottomRightCorner<3, 3>(), tolerance);
-    killed |= differ(o.d_integrate_arg0(q0, xi), arg0, tolerance);
-    killed |= differ(o.d_difference_arg0(q0, q1), difference0, tolerance);
-    killed |= differ(o.d_difference_arg1(q0, q1), difference1, tolerance);
-    killed |= differ(o.integrate_coefficient_jacobian(q0), rate, tolerance);
+    killed |= differ(o[op::right_jacobian6](xi), right, tolerance) ||
+              differ(o[op::d_integrate_arg1](q0, xi), right, tolerance);
+    killed |= differ(o[op::left_jacobian6](V6(-xi)), right, tolerance);
+    killed |= differ(o[op::right_jacobian3](xi.tail<3>()), right.bottomRightCorner<3, 3>(), tolerance);
+    killed |= differ(o[op::d_integrate_arg0](q0, xi), arg0, tolerance);
+    killed |= differ(o[op::d_difference_arg0](q0, q1), difference0, tolerance);
+    killed |= differ(o[op::d_difference_arg1](q0, q1), difference1, tolerance);
+    killed |= differ(o[op::integrate_coefficient_jacobian](q0), rate, tolerance);
   }
   return killed;
 }

@@ -52,11 +52,11 @@ struct CeresRotation {
     Subject<S> s;
     s.name = "ceres";
     s.version = CERES_VERSION_STRING;
-    s.operations.exp3_quaternion = exp3_quaternion;
-    s.operations.exp3_matrix = exp3_matrix;
-    s.operations.log3_quaternion = log3_quaternion;
-    s.operations.log3_matrix = log3_matrix;
-    s.operations.rotate_point = rotate_point;
+    s.operations[op::exp3_quaternion] = exp3_quaternion;
+    s.operations[op::exp3_matrix] = exp3_matrix;
+    s.operations[op::log3_quaternion] = log3_quaternion;
+    s.operations[op::log3_matrix] = log3_matrix;
+    s.operations[op::rotate_point] = rotate_point;
     return s;
   }
 };

@@ -11,44 +11,44 @@ auto Bugs<S>::integration() -> Entries {
   return {
       {"integrate_w_first", "the increment's quaternion is read w x y z", "stack-of-tasks/pinocchio issue 16",
        [](O& o) {
-         o.integrate = [](const V7& q, const V6& d) -> V7 {
-           const V4 e = good().exp3_quaternion(low(d));
+         o[op::integrate] = [](const V7& q, const V6& d) -> V7 {
+           const V4 e = good()[op::exp3_quaternion](low(d));
            const V4 wrong(e[3], e[0], e[1], e[2]);
-           return moved(q, good().rotate_point(rotation_of(q), good().exp6(d).p),
+           return moved(q, good()[op::rotate_point](rotation_of(q), good()[op::exp6](d).p),
                         multiply(rotation_of(q), wrong));
          };
        }},
       {"integrate_left", "the increment multiplies on the left", "RobotLocomotion/drake issue 1129",
        [](O& o) {
-         o.integrate = [](const V7& q, const V6& d) -> V7 {
-           V7 r = good().integrate(q, d);
-           r.template tail<4>() = multiply(good().exp3_quaternion(low(d)), rotation_of(q));
+         o[op::integrate] = [](const V7& q, const V6& d) -> V7 {
+           V7 r = good()[op::integrate](q, d);
+           r.template tail<4>() = multiply(good()[op::exp3_quaternion](low(d)), rotation_of(q));
            return r;
          };
        }},
       {"integrate_world_velocity", "the linear increment is taken in world axes",
        "ethz-asl/ros_vrpn_client pull 41",
        [](O& o) {
-         o.integrate = [](const V7& q, const V6& d) -> V7 {
-           V7 r = good().integrate(q, d);
-           r.template head<3>() = q.template head<3>() + good().exp6(d).p;
+         o[op::integrate] = [](const V7& q, const V6& d) -> V7 {
+           V7 r = good()[op::integrate](q, d);
+           r.template head<3>() = q.template head<3>() + good()[op::exp6](d).p;
            return r;
          };
        }},
       {"integrate_euler", "p + R rho: the arc is a straight line",
        "robotology-legacy/mex-wholebodymodel issue 30 (velocities of the base)",
        [](O& o) {
-         o.integrate = [](const V7& q, const V6& d) -> V7 {
-           V7 r = good().integrate(q, d);
-           r.template head<3>() = q.template head<3>() + good().rotate_point(rotation_of(q), top(d));
+         o[op::integrate] = [](const V7& q, const V6& d) -> V7 {
+           V7 r = good()[op::integrate](q, d);
+           r.template head<3>() = q.template head<3>() + good()[op::rotate_point](rotation_of(q), top(d));
            return r;
          };
        }},
       {"integrate_no_normalization", "the product of quaternions keeps the defect of its factors",
        "collabora/libsurvive pull 79",
        [](O& o) {
-         o.integrate = [](const V7& q, const V6& d) -> V7 {
-           V7 r = good().integrate(q, d);
+         o[op::integrate] = [](const V7& q, const V6& d) -> V7 {
+           V7 r = good()[op::integrate](q, d);
            const S n = rotation_of(q).norm();
            r.template tail<4>() *= n * n * n * n;
            return r;
@@ -57,8 +57,8 @@ auto Bugs<S>::integration() -> Entries {
       {"integrate_no_sign_flip", "the quaternion jumps to its opposite where w of the product is negative",
        "DOI-USGS/ale issue 603",
        [](O& o) {
-         o.integrate = [](const V7& q, const V6& d) -> V7 {
-           V7 r = good().integrate(q, d);
+         o[op::integrate] = [](const V7& q, const V6& d) -> V7 {
+           V7 r = good()[op::integrate](q, d);
            if (r[6] < S(0)) r.template tail<4>() *= S(-1);
            return r;
          };
@@ -66,11 +66,11 @@ auto Bugs<S>::integration() -> Entries {
       {"integrate_stale", "the pose of the call before is returned for small increments",
        "loco-3d/crocoddyl issue 363 (data of the SE3 residual not updated)",
        [](O& o) {
-         o.integrate = [](const V7& q, const V6& d) -> V7 {
+         o[op::integrate] = [](const V7& q, const V6& d) -> V7 {
            thread_local V4 stale = V4::Unit(3);
-           V7 r = good().integrate(q, d);
+           V7 r = good()[op::integrate](q, d);
            if (angle(low(d)) > S(0.1))
-             stale = good().exp3_quaternion(low(d));
+             stale = good()[op::exp3_quaternion](low(d));
            else if (angle(low(d)) > S(1e-3))
              r.template tail<4>() = multiply(rotation_of(q), stale);
            return r;
@@ -84,29 +84,29 @@ auto Bugs<S>::differences() -> Entries {
   return {
       {"difference_world", "the relative translation stays in world axes", "loco-3d/crocoddyl issue 330",
        [](O& o) {
-         o.difference = [](const V7& a, const V7& b) -> V6 {
+         o[op::difference] = [](const V7& a, const V7& b) -> V6 {
            V7 origin = a;
            origin.template head<3>().setZero();
            V7 other = b;
-           other.template head<3>() = good().rotate_point(rotation_of(a), V3((b - a).template head<3>()));
-           return good().difference(origin, other);
+           other.template head<3>() = good()[op::rotate_point](rotation_of(a), V3((b - a).template head<3>()));
+           return good()[op::difference](origin, other);
          };
        }},
       {"difference_order", "from q1 to q0", "naver/roma issue 3",
-       [](O& o) { o.difference = [](const V7& a, const V7& b) -> V6 { return good().difference(b, a); }; }},
+       [](O& o) { o[op::difference] = [](const V7& a, const V7& b) -> V6 { return good()[op::difference](b, a); }; }},
       {"difference_naive", "log(Q0* Q1) without care for near poses: relative error 1 at 1e-16",
        "stack-of-tasks/pinocchio issue 1964",
        [](O& o) {
-         o.difference = [](const V7& a, const V7& b) -> V6 {
-           V6 v = good().difference(a, b);
-           v.template tail<3>() = good().log3_quaternion(multiply(conjugate(rotation_of(a)), rotation_of(b)));
+         o[op::difference] = [](const V7& a, const V7& b) -> V6 {
+           V6 v = good()[op::difference](a, b);
+           v.template tail<3>() = good()[op::log3_quaternion](multiply(conjugate(rotation_of(a)), rotation_of(b)));
            return v;
          };
        }},
       {"difference_double_cover", "Q and -Q are a whole turn apart", "bdero/flutter_scene pull 275",
        [](O& o) {
-         o.difference = [](const V7& a, const V7& b) -> V6 {
-           V6 v = good().difference(a, b);
+         o[op::difference] = [](const V7& a, const V7& b) -> V6 {
+           V6 v = good()[op::difference](a, b);
            const S t = angle(low(v));
            if (rotation_of(a).dot(rotation_of(b)) < S(0) && t > S(0))
              v.template tail<3>() *= (t - S(6.283185307179586)) / t;
@@ -116,13 +116,13 @@ auto Bugs<S>::differences() -> Entries {
       {"first_order_on_input", "first-order normalization of both inputs, which need not be near one",
        "RobotLocomotion/drake issue 14800",
        [](O& o) {
-         o.difference = [](const V7& a, const V7& b) -> V6 {
+         o[op::difference] = [](const V7& a, const V7& b) -> V6 {
            const auto once = [](V7 q) {
              q.template tail<4>() *= (S(2.999) - rotation_of(q).squaredNorm()) / S(2);
              q.template head<3>() *= rotation_of(q).norm();
              return q;
            };
-           return good().difference(once(a), once(b));
+           return good()[op::difference](once(a), once(b));
          };
        }},
   };
@@ -133,29 +133,29 @@ auto Bugs<S>::configuration_derivatives() -> Entries {
   return {
       {"d_integrate_adjoint", "ARG0 is Ad(exp(d)), its inverse missing", "colmap/colmap pull 3155",
        [](O& o) {
-         o.d_integrate_arg0 = [](const V7& q, const V6& d) -> M6 {
-           return good().d_integrate_arg0(q, V6(-d));
+         o[op::d_integrate_arg0] = [](const V7& q, const V6& d) -> M6 {
+           return good()[op::d_integrate_arg0](q, V6(-d));
          };
        }},
       {"d_integrate_transposed", "ARG0 is transposed", "pypose/pypose pull 2",
        [](O& o) {
-         o.d_integrate_arg0 = [](const V7& q, const V6& d) -> M6 {
-           return good().d_integrate_arg0(q, d).transpose();
+         o[op::d_integrate_arg0] = [](const V7& q, const V6& d) -> M6 {
+           return good()[op::d_integrate_arg0](q, d).transpose();
          };
        }},
       {"d_difference_sign", "ARG0 lacks its minus", "borglab/gtsam pull 1938 (derivatives near the identity)",
        [](O& o) {
-         o.d_difference_arg0 = [](const V7& a, const V7& b) -> M6 { return -good().d_difference_arg0(a, b); };
+         o[op::d_difference_arg0] = [](const V7& a, const V7& b) -> M6 { return -good()[op::d_difference_arg0](a, b); };
        }},
       {"d_difference_left", "ARG1 is J_l^-1", "artivis/manif pull 22",
        [](O& o) {
-         o.d_difference_arg1 = [](const V7& a, const V7& b) -> M6 { return -good().d_difference_arg0(a, b); };
+         o[op::d_difference_arg1] = [](const V7& a, const V7& b) -> M6 { return -good()[op::d_difference_arg0](a, b); };
        }},
       {"coefficient_world", "Q_dot = (w, 0) Q / 2: the angular velocity is taken in world axes",
        "robotology-legacy/mex-wholebodymodel issue 30",
        [](O& o) {
-         o.integrate_coefficient_jacobian = [](const V7& q) -> M76 {
-           M76 J = good().integrate_coefficient_jacobian(q);
+         o[op::integrate_coefficient_jacobian] = [](const V7& q) -> M76 {
+           M76 J = good()[op::integrate_coefficient_jacobian](q);
            const M3 K = hat(V3(q.template segment<3>(3))) / S(2);
            J.template block<3, 3>(3, 3) -= S(2) * K;
            return J;
@@ -163,8 +163,8 @@ auto Bugs<S>::configuration_derivatives() -> Entries {
        }},
       {"coefficient_not_halved", "Q_dot lacks its 1/2", "betaflight/betaflight pull 5182",
        [](O& o) {
-         o.integrate_coefficient_jacobian = [](const V7& q) -> M76 {
-           M76 J = good().integrate_coefficient_jacobian(q);
+         o[op::integrate_coefficient_jacobian] = [](const V7& q) -> M76 {
+           M76 J = good()[op::integrate_coefficient_jacobian](q);
            J.template bottomRightCorner<4, 3>() *= S(2);
            return J;
          };
@@ -180,7 +180,7 @@ auto Bugs<S>::robots() -> Entries {
        [](O& o) {
          o.robot = [](const std::string& urdf, bool fixed) {
            RobotOperations<S> r = good().robot(urdf, fixed);
-           r.integrate = [inner = r.integrate](const VecX<S>& q, const VecX<S>& d) -> VecX<S> {
+           r[op::robot_integrate] = [inner = r.integrate](const VecX<S>& q, const VecX<S>& d) -> VecX<S> {
              VecX<S> shifted = d;
              for (Eigen::Index i = 6; i + 1 < d.size(); ++i) shifted[i + 1] = d[i];
              return inner(q, shifted);
@@ -192,7 +192,7 @@ auto Bugs<S>::robots() -> Entries {
        [](O& o) {
          o.robot = [](const std::string& urdf, bool fixed) {
            RobotOperations<S> r = good().robot(urdf, fixed);
-           r.is_same = [](const VecX<S>& a, const VecX<S>& b) { return a == b; };
+           r[op::robot_is_same] = [](const VecX<S>& a, const VecX<S>& b) { return a == b; };
            return r;
          };
        }},

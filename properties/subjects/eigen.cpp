@@ -66,16 +66,16 @@ struct EigenGeometry {
     Subject<S> s;
     s.name = "eigen";
     s.version = fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION);
-    s.operations.exp3_quaternion = exp3_quaternion;
-    s.operations.exp3_matrix = exp3_matrix;
-    s.operations.log3_quaternion = log3_quaternion;
-    s.operations.log3_matrix = log3_matrix;
-    s.operations.exp6 = exp6;
-    s.operations.log6 = log6;
-    s.operations.compose = compose;
-    s.operations.inverse = inverse;
-    s.operations.act_point = act_point;
-    s.operations.rotate_point = rotate_point;
+    s.operations[op::exp3_quaternion] = exp3_quaternion;
+    s.operations[op::exp3_matrix] = exp3_matrix;
+    s.operations[op::log3_quaternion] = log3_quaternion;
+    s.operations[op::log3_matrix] = log3_matrix;
+    s.operations[op::exp6] = exp6;
+    s.operations[op::log6] = log6;
+    s.operations[op::compose] = compose;
+    s.operations[op::inverse] = inverse;
+    s.operations[op::act_point] = act_point;
+    s.operations[op::rotate_point] = rotate_point;
     return s;
   }
 };

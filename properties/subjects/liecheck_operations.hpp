@@ -31,7 +31,7 @@ struct LiecheckOperations {
     add_exp_log_and_jacobians(s.operations);
     add_configurations(s.operations);
     if constexpr (P != Precision::tight) {
-      s.operations.rotate_point = [](const V4& Q, const V3& x) -> V3 { return SO3<S>(Q).template act<P>(x); };
+      s.operations[op::rotate_point] = [](const V4& Q, const V3& x) -> V3 { return SO3<S>(Q).template act<P>(x); };
     }
     if constexpr (P == Precision::standard) add_spatial_algebra(s.operations);
     return s;
@@ -50,20 +50,20 @@ struct LiecheckOperations {
   static Body<S> body(const Inertia<S>& I) { return {I.mass(), I.lever(), I.inertia()}; }
 
   static void add_exp_log_and_jacobians(O& o) {
-    o.exp3_quaternion = [](const V3& phi) -> V4 { return quaternion::exp3<S, P>(phi).to_vector(); };
-    o.exp3_matrix = [](const V3& phi) -> M3 { return exp3<S, P>(phi); };
-    o.log3_quaternion = [](const V4& Q) -> V3 { return quaternion::log3<S, P>(SO3<S>(Q)); };
-    o.log3_matrix = [](const M3& R) -> V3 { return log3<S, P>(R); };
-    o.exp6 = [](const V6& xi) -> Pose<S> { return stored(exp6<S, P>(Motion<S>(xi))); };
-    o.log6 = [](const Pose<S>& T) -> V6 { return log6<S, P>(pose(T)).to_vector(); };
-    o.left_jacobian3 = [](const V3& phi) -> M3 { return leftJacobian<S, P>(phi); };
-    o.right_jacobian3 = [](const V3& phi) -> M3 { return rightJacobian<S, P>(phi); };
-    o.left_jacobian3_inverse = [](const V3& phi) -> M3 { return leftJacobianInverse<S, P>(phi); };
-    o.right_jacobian3_inverse = [](const V3& phi) -> M3 { return rightJacobianInverse<S, P>(phi); };
-    o.left_jacobian6 = [](const V6& xi) -> M6 { return leftJacobian<S, P>(Motion<S>(xi)); };
-    o.right_jacobian6 = [](const V6& xi) -> M6 { return rightJacobian<S, P>(Motion<S>(xi)); };
-    o.left_jacobian6_inverse = [](const V6& xi) -> M6 { return leftJacobianInverse<S, P>(Motion<S>(xi)); };
-    o.right_jacobian6_inverse = [](const V6& xi) -> M6 { return rightJacobianInverse<S, P>(Motion<S>(xi)); };
+    o[op::exp3_quaternion] = [](const V3& phi) -> V4 { return quaternion::exp3<S, P>(phi).to_vector(); };
+    o[op::exp3_matrix] = [](const V3& phi) -> M3 { return exp3<S, P>(phi); };
+    o[op::log3_quaternion] = [](const V4& Q) -> V3 { return quaternion::log3<S, P>(SO3<S>(Q)); };
+    o[op::log3_matrix] = [](const M3& R) -> V3 { return log3<S, P>(R); };
+    o[op::exp6] = [](const V6& xi) -> Pose<S> { return stored(exp6<S, P>(Motion<S>(xi))); };
+    o[op::log6] = [](const Pose<S>& T) -> V6 { return log6<S, P>(pose(T)).to_vector(); };
+    o[op::left_jacobian3] = [](const V3& phi) -> M3 { return leftJacobian<S, P>(phi); };
+    o[op::right_jacobian3] = [](const V3& phi) -> M3 { return rightJacobian<S, P>(phi); };
+    o[op::left_jacobian3_inverse] = [](const V3& phi) -> M3 { return leftJacobianInverse<S, P>(phi); };
+    o[op::right_jacobian3_inverse] = [](const V3& phi) -> M3 { return rightJacobianInverse<S, P>(phi); };
+    o[op::left_jacobian6] = [](const V6& xi) -> M6 { return leftJacobian<S, P>(Motion<S>(xi)); };
+    o[op::right_jacobian6] = [](const V6& xi) -> M6 { return rightJacobian<S, P>(Motion<S>(xi)); };
+    o[op::left_jacobian6_inverse] = [](const V6& xi) -> M6 { return leftJacobianInverse<S, P>(Motion<S>(xi)); };
+    o[op::right_jacobian6_inverse] = [](const V6& xi) -> M6 { return rightJacobianInverse<S, P>(Motion<S>(xi)); };
     if constexpr (std::is_floating_point_v<S> || std::is_same_v<S, float128>) {
       o.check_quaternion = [](const V4& Q) { checkedQuaternion<S>(Q); };
       o.check_rotation = [](const M3& R) { checkedRotation<S>(R); };
@@ -71,22 +71,22 @@ struct LiecheckOperations {
   }
 
   static void add_configurations(O& o) {
-    o.integrate = [](const V7& q, const V6& d) -> V7 { return integrateSE3<S, P>(q, d); };
-    o.difference = [](const V7& q0, const V7& q1) -> V6 { return differenceSE3<S, P>(q0, q1); };
-    o.d_integrate_arg0 = [](const V7& q, const V6& d) -> M6 {
+    o[op::integrate] = [](const V7& q, const V6& d) -> V7 { return integrateSE3<S, P>(q, d); };
+    o[op::difference] = [](const V7& q0, const V7& q1) -> V6 { return differenceSE3<S, P>(q0, q1); };
+    o[op::d_integrate_arg0] = [](const V7& q, const V6& d) -> M6 {
       return dIntegrateSE3<S, P>(q, d, ArgumentPosition::ARG0);
     };
-    o.d_integrate_arg1 = [](const V7& q, const V6& d) -> M6 {
+    o[op::d_integrate_arg1] = [](const V7& q, const V6& d) -> M6 {
       return dIntegrateSE3<S, P>(q, d, ArgumentPosition::ARG1);
     };
-    o.d_difference_arg0 = [](const V7& a, const V7& b) -> M6 {
+    o[op::d_difference_arg0] = [](const V7& a, const V7& b) -> M6 {
       return dDifferenceSE3<S, P>(a, b, ArgumentPosition::ARG0);
     };
-    o.d_difference_arg1 = [](const V7& a, const V7& b) -> M6 {
+    o[op::d_difference_arg1] = [](const V7& a, const V7& b) -> M6 {
       return dDifferenceSE3<S, P>(a, b, ArgumentPosition::ARG1);
     };
     if constexpr (P == Precision::standard) {
-      o.integrate_coefficient_jacobian = [](const V7& q) -> Mat<S, 7, 6> {
+      o[op::integrate_coefficient_jacobian] = [](const V7& q) -> Mat<S, 7, 6> {
         return integrateCoeffWiseJacobianSE3<S>(q);
       };
     }
@@ -94,34 +94,34 @@ struct LiecheckOperations {
 
   /// Has one precision only.
   static void add_spatial_algebra(O& o) {
-    o.compose = [](const Pose<S>& X, const Pose<S>& Y) -> Pose<S> { return stored(pose(X) * pose(Y)); };
-    o.inverse = [](const Pose<S>& X) -> Pose<S> { return stored(pose(X).inverse()); };
-    o.act_point = [](const Pose<S>& X, const V3& x) -> V3 { return pose(X).act(x); };
-    o.act_motion = [](const Pose<S>& X, const V6& V) -> V6 { return pose(X).act(Motion<S>(V)).to_vector(); };
-    o.act_inverse_motion = [](const Pose<S>& X, const V6& V) -> V6 {
+    o[op::compose] = [](const Pose<S>& X, const Pose<S>& Y) -> Pose<S> { return stored(pose(X) * pose(Y)); };
+    o[op::inverse] = [](const Pose<S>& X) -> Pose<S> { return stored(pose(X).inverse()); };
+    o[op::act_point] = [](const Pose<S>& X, const V3& x) -> V3 { return pose(X).act(x); };
+    o[op::act_motion] = [](const Pose<S>& X, const V6& V) -> V6 { return pose(X).act(Motion<S>(V)).to_vector(); };
+    o[op::act_inverse_motion] = [](const Pose<S>& X, const V6& V) -> V6 {
       return pose(X).actInv(Motion<S>(V)).to_vector();
     };
-    o.act_force = [](const Pose<S>& X, const V6& F) -> V6 { return pose(X).act(Force<S>(F)).to_vector(); };
-    o.act_inverse_force = [](const Pose<S>& X, const V6& F) -> V6 {
+    o[op::act_force] = [](const Pose<S>& X, const V6& F) -> V6 { return pose(X).act(Force<S>(F)).to_vector(); };
+    o[op::act_inverse_force] = [](const Pose<S>& X, const V6& F) -> V6 {
       return pose(X).actInv(Force<S>(F)).to_vector();
     };
-    o.cross_motion = [](const V6& V, const V6& W) -> V6 {
+    o[op::cross_motion] = [](const V6& V, const V6& W) -> V6 {
       return Motion<S>(V).cross(Motion<S>(W)).to_vector();
     };
-    o.cross_force = [](const V6& V, const V6& F) -> V6 {
+    o[op::cross_force] = [](const V6& V, const V6& F) -> V6 {
       return Motion<S>(V).cross(Force<S>(F)).to_vector();
     };
-    o.act_inertia = [](const Pose<S>& X, const Body<S>& I) -> Body<S> {
+    o[op::act_inertia] = [](const Pose<S>& X, const Body<S>& I) -> Body<S> {
       return body(pose(X).act(inertia(I)));
     };
-    o.act_inverse_inertia = [](const Pose<S>& X, const Body<S>& I) -> Body<S> {
+    o[op::act_inverse_inertia] = [](const Pose<S>& X, const Body<S>& I) -> Body<S> {
       return body(pose(X).actInv(inertia(I)));
     };
-    o.momentum = [](const Body<S>& I, const V6& V) -> V6 { return (inertia(I) * Motion<S>(V)).to_vector(); };
-    o.kinetic_energy = [](const Body<S>& I, const V6& V) -> S {
+    o[op::momentum] = [](const Body<S>& I, const V6& V) -> V6 { return (inertia(I) * Motion<S>(V)).to_vector(); };
+    o[op::kinetic_energy] = [](const Body<S>& I, const V6& V) -> S {
       return inertia(I).kineticEnergy(Motion<S>(V));
     };
-    o.inertia_matrix = [](const Body<S>& I) -> M6 { return inertia(I).matrix(); };
+    o[op::inertia_matrix] = [](const Body<S>& I) -> M6 { return inertia(I).matrix(); };
   }
 
   static RobotOperations<S> robot(const std::string& urdf, bool fixed) {
@@ -129,14 +129,11 @@ struct LiecheckOperations {
         buildModelFromUrdfText(urdf, fixed ? RootJoint::Fixed : RootJoint::FreeFlyer, "the campaign's robot")
             .template cast<S>());
     RobotOperations<S> r;
-    r.integrate = [model](const VecX<S>& q, const VecX<S>& d) -> VecX<S> { return integrate(*model, q, d); };
-    r.difference = [model](const VecX<S>& a, const VecX<S>& b) -> VecX<S> {
+    r[op::robot_integrate] = [model](const VecX<S>& q, const VecX<S>& d) -> VecX<S> { return integrate(*model, q, d); };
+    r[op::robot_difference] = [model](const VecX<S>& a, const VecX<S>& b) -> VecX<S> {
       return difference(*model, a, b);
     };
-    r.d_integrate = [model](const VecX<S>& q, const VecX<S>& d, int argument) -> MatX<S> {
-      return dIntegrate(*model, q, d, argument == 0 ? ArgumentPosition::ARG0 : ArgumentPosition::ARG1);
-    };
-    r.is_same = [model](const VecX<S>& a, const VecX<S>& b) { return isSameConfiguration(*model, a, b); };
+    r[op::robot_is_same] = [model](const VecX<S>& a, const VecX<S>& b) { return isSameConfiguration(*model, a, b); };
     return r;
   }
 };

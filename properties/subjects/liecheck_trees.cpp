@@ -11,9 +11,9 @@ namespace {
 template <class S>
 struct LiecheckTree {
   using O = TreeOperations<S>;
-  using X = typename O::X;
-  using M = typename O::M;
-  using V6 = typename O::V6;
+  using X = VecX<S>;
+  using M = MatX<S>;
+  using V6 = Vec<S, 6>;
 
   static Vec<S, 3> vector(const oracles::Vec3<S>& v) { return {v[0], v[1], v[2]}; }
   static SE3<S> pose(const oracles::Quaternion<S>& Q, const oracles::Vec3<S>& p) {
@@ -84,52 +84,52 @@ struct LiecheckTree {
                                 : ReferenceFrame::LOCAL_WORLD_ALIGNED;
     };
     O o;
-    o.rnea = [b](const X& q, const X& v, const X& a, int i, const V6& F) -> X {
+    o[op::tree_rnea] = [b](const X& q, const X& v, const X& a, int i, const V6& F) -> X {
       return rnea(b->m, b->d, q, v, a, b->on(i, F));
     };
-    o.aba = [b](const X& q, const X& v, const X& tau, int i, const V6& F) -> X {
+    o[op::tree_aba] = [b](const X& q, const X& v, const X& tau, int i, const V6& F) -> X {
       return aba(b->m, b->d, q, v, tau, b->on(i, F));
     };
-    o.nonlinear_effects = [b](const X& q, const X& v) -> X { return nonLinearEffects(b->m, b->d, q, v); };
-    o.gravity = [b](const X& q) -> X { return computeGeneralizedGravity(b->m, b->d, q); };
-    o.crba = [b](const X& q) -> M { return crba(b->m, b->d, q); };
-    o.mass_inverse = [b](const X& q) -> M { return computeMinverse(b->m, b->d, q); };
-    o.rnea_derivatives = [b](const X& q, const X& v, const X& a, int i, const V6& F) -> std::pair<M, M> {
+    o[op::tree_nonlinear_effects] = [b](const X& q, const X& v) -> X { return nonLinearEffects(b->m, b->d, q, v); };
+    o[op::tree_gravity] = [b](const X& q) -> X { return computeGeneralizedGravity(b->m, b->d, q); };
+    o[op::tree_crba] = [b](const X& q) -> M { return crba(b->m, b->d, q); };
+    o[op::tree_mass_inverse] = [b](const X& q) -> M { return computeMinverse(b->m, b->d, q); };
+    o[op::rnea_derivatives] = [b](const X& q, const X& v, const X& a, int i, const V6& F) -> std::pair<M, M> {
       computeRNEADerivatives(b->m, b->d, q, v, a, b->on(i, F));
       return {b->d.dtau_dq(), b->d.dtau_dv()};
     };
-    o.aba_derivatives = [b](const X& q, const X& v, const X& tau, int i, const V6& F) -> std::pair<M, M> {
+    o[op::aba_derivatives] = [b](const X& q, const X& v, const X& tau, int i, const V6& F) -> std::pair<M, M> {
       computeABADerivatives(b->m, b->d, q, v, tau, b->on(i, F));
       return {b->d.ddq_dq(), b->d.ddq_dv()};
     };
-    o.kinetic_energy = [b](const X& q, const X& v) -> S { return computeKineticEnergy(b->m, b->d, q, v); };
-    o.potential_energy = [b](const X& q) -> S { return computePotentialEnergy(b->m, b->d, q); };
-    o.momentum = [b](const X& q, const X& v) -> V6 {
+    o[op::tree_kinetic_energy] = [b](const X& q, const X& v) -> S { return computeKineticEnergy(b->m, b->d, q, v); };
+    o[op::tree_potential_energy] = [b](const X& q) -> S { return computePotentialEnergy(b->m, b->d, q); };
+    o[op::tree_momentum] = [b](const X& q, const X& v) -> V6 {
       return computeCentroidalMomentum(b->m, b->d, q, v).to_vector();
     };
-    o.momentum_map = [b](const X& q) -> M { return computeCentroidalMap(b->m, b->d, q); };
-    o.frame = [b](const X& q) -> Pose<S> {
+    o[op::tree_momentum_map] = [b](const X& q) -> M { return computeCentroidalMap(b->m, b->d, q); };
+    o[op::frame_pose] = [b](const X& q) -> Pose<S> {
       framesForwardKinematics(b->m, b->d, q);
       const SE3<S>& T = b->d.oMf[static_cast<std::size_t>(b->frame)];
       return {T.rotation(), T.translation()};
     };
-    o.frame_velocity = [b, seen](const X& q, const X& v, Seen s) -> V6 {
+    o[op::frame_velocity] = [b, seen](const X& q, const X& v, Seen s) -> V6 {
       forwardKinematics(b->m, b->d, q, v);
       return getFrameVelocity(b->m, b->d, b->frame, seen(s)).to_vector();
     };
-    o.frame_acceleration = [b, seen](const X& q, const X& v, const X& a, Seen s) -> V6 {
+    o[op::frame_acceleration] = [b, seen](const X& q, const X& v, const X& a, Seen s) -> V6 {
       forwardKinematics(b->m, b->d, q, v, a);
       return getFrameAcceleration(b->m, b->d, b->frame, seen(s)).to_vector();
     };
-    o.frame_classical_acceleration = [b, seen](const X& q, const X& v, const X& a, Seen s) -> V6 {
+    o[op::frame_classical_acceleration] = [b, seen](const X& q, const X& v, const X& a, Seen s) -> V6 {
       forwardKinematics(b->m, b->d, q, v, a);
       return getFrameClassicalAcceleration(b->m, b->d, b->frame, seen(s)).to_vector();
     };
-    o.frame_jacobian = [b, seen](const X& q, Seen s) -> M {
+    o[op::frame_jacobian] = [b, seen](const X& q, Seen s) -> M {
       computeJointJacobians(b->m, b->d, q);
       return getFrameJacobian(b->m, b->d, b->frame, seen(s));
     };
-    o.frame_jacobian_rate = [b, seen](const X& q, const X& v, Seen s) -> M {
+    o[op::frame_jacobian_rate] = [b, seen](const X& q, const X& v, Seen s) -> M {
       computeJointJacobiansTimeVariation(b->m, b->d, q, v);
       return getFrameJacobianTimeVariation(b->m, b->d, b->frame, seen(s));
     };

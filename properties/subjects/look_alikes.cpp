@@ -28,10 +28,10 @@ template <class S>
 auto Bugs<S>::look_alikes_of_rotations() -> Entries {
   return {
       {"exp_minus_Q", "exp returns -Q", "Q and -Q are one rotation",
-       [](O& o) { o.exp3_quaternion = [](const V3& phi) -> V4 { return -good().exp3_quaternion(phi); }; }},
+       [](O& o) { o[op::exp3_quaternion] = [](const V3& phi) -> V4 { return -good()[op::exp3_quaternion](phi); }; }},
       {"exp_long_double", "sine and cosine of the half angle in long double", "another formula",
        [](O& o) {
-         o.exp3_quaternion = [](const V3& phi) -> V4 {
+         o[op::exp3_quaternion] = [](const V3& phi) -> V4 {
            const L3 v = wide(phi);
            const L t = v.stableNorm(), s = t > 0 ? std::sin(t / 2) / t : L(0.5);
            V4 q;
@@ -41,7 +41,7 @@ auto Bugs<S>::look_alikes_of_rotations() -> Entries {
        }},
       {"log_long_double", "2 atan2(|v|, w) in long double", "another formula",
        [](O& o) {
-         o.log3_quaternion = [](const V4& Q) -> V3 {
+         o[op::log3_quaternion] = [](const V4& Q) -> V3 {
            const L3 v = wide(Q.template head<3>());
            const L w = L(Q[3]), s = v.stableNorm();
            if (s == 0) return V3::Zero();
@@ -51,22 +51,22 @@ auto Bugs<S>::look_alikes_of_rotations() -> Entries {
        }},
       {"log_other_half_turn", "at exactly half a turn the opposite axis", "either sign is right there",
        [](O& o) {
-         o.log3_quaternion = [](const V4& Q) -> V3 {
-           const V3 phi = good().log3_quaternion(Q);
+         o[op::log3_quaternion] = [](const V4& Q) -> V3 {
+           const V3 phi = good()[op::log3_quaternion](Q);
            return Q[3] == S(0) ? V3(-phi) : phi;
          };
        }},
       {"right_jacobian_transposed", "the right Jacobian of SO(3) is the transpose of the left one",
        "an identity",
        [](O& o) {
-         o.right_jacobian3 = [](const V3& phi) -> M3 { return good().left_jacobian3(phi).transpose(); };
+         o[op::right_jacobian3] = [](const V3& phi) -> M3 { return good()[op::left_jacobian3](phi).transpose(); };
        }},
       {"left_jacobian_of_minus", "the left Jacobian is the right one at -xi", "an identity",
-       [](O& o) { o.left_jacobian6 = [](const V6& xi) -> M6 { return good().right_jacobian6(V6(-xi)); }; }},
+       [](O& o) { o[op::left_jacobian6] = [](const V6& xi) -> M6 { return good()[op::right_jacobian6](V6(-xi)); }; }},
       {"d_difference_by_log", "J_r^-1 of difference", "the definition",
        [](O& o) {
-         o.d_difference_arg1 = [](const V7& a, const V7& b) -> M6 {
-           return good().right_jacobian6_inverse(good().difference(a, b));
+         o[op::d_difference_arg1] = [](const V7& a, const V7& b) -> M6 {
+           return good()[op::right_jacobian6_inverse](good()[op::difference](a, b));
          };
        }},
   };
@@ -77,15 +77,15 @@ auto Bugs<S>::look_alikes_of_poses_and_bodies() -> Entries {
   return {
       {"integrate_sign_by_dot", "the sign of Q1 by its dot product with Q0", "another way to the same sign",
        [](O& o) {
-         o.integrate = [](const V7& q, const V6& d) -> V7 {
-           V7 r = good().integrate(q, d);
+         o[op::integrate] = [](const V7& q, const V6& d) -> V7 {
+           V7 r = good()[op::integrate](q, d);
            if (r.template tail<4>().dot(rotation_of(q)) < S(0)) r.template tail<4>() *= S(-1);
            return r;
          };
        }},
       {"rotate_long_double", "by the rotation matrix, in long double", "another formula",
        [](O& o) {
-         o.rotate_point = [](const V4& Q, const V3& x) -> V3 {
+         o[op::rotate_point] = [](const V4& Q, const V3& x) -> V3 {
            const L3 v = wide(Q.template head<3>()), y = wide(x), vx = v.cross(y);
            const L w = L(Q[3]), n = v.squaredNorm() + w * w;
            return narrow(y + 2 / n * (w * vx + v.cross(vx)));
@@ -93,7 +93,7 @@ auto Bugs<S>::look_alikes_of_poses_and_bodies() -> Entries {
        }},
       {"motion_long_double", "Ad V in long double", "another precision",
        [](O& o) {
-         o.act_motion = [](const P& X, const V6& V) -> V6 {
+         o[op::act_motion] = [](const P& X, const V6& V) -> V6 {
            const LM R = X.R.template cast<L>();
            const L3 w = R * wide(low(V));
            return stack(narrow(R * wide(top(V)) + wide(X.p).cross(w)), narrow(w));
@@ -101,7 +101,7 @@ auto Bugs<S>::look_alikes_of_poses_and_bodies() -> Entries {
        }},
       {"force_by_matrix", "n_A = R n + [p] (R f) as a matrix product", "another operation order",
        [](O& o) {
-         o.act_force = [](const P& X, const V6& F) -> V6 {
+         o[op::act_force] = [](const P& X, const V6& F) -> V6 {
            const LM R = X.R.template cast<L>();
            const L3 f = R * wide(top(F));
            return stack(narrow(f), narrow(R * wide(low(F)) + wide_hat(wide(X.p)) * f));
@@ -109,8 +109,8 @@ auto Bugs<S>::look_alikes_of_poses_and_bodies() -> Entries {
        }},
       {"inertia_other_order", "R (I R^T) for (R I) R^T", "another operation order",
        [](O& o) {
-         o.act_inertia = [](const P& X, const B& I) -> B {
-           B b = good().act_inertia(X, I);
+         o[op::act_inertia] = [](const P& X, const B& I) -> B {
+           B b = good()[op::act_inertia](X, I);
            const LM R = X.R.template cast<L>(), M = R * (I.I_C.template cast<L>() * R.transpose());
            b.I_C = M.template cast<S>();
            return b;
@@ -118,7 +118,7 @@ auto Bugs<S>::look_alikes_of_poses_and_bodies() -> Entries {
        }},
       {"energy_by_momentum", "V . h / 2 in long double", "another route",
        [](O& o) {
-         o.kinetic_energy = [](const B& I, const V6& V) -> S {
+         o[op::kinetic_energy] = [](const B& I, const V6& V) -> S {
            const L3 u = wide(top(V)), w = wide(low(V)), c = wide(I.c), u_C = u + w.cross(c);
            const LM M = I.I_C.template cast<L>();
            return S((L(I.mass) * u_C.dot(u_C) + w.dot(M * w)) / 2);

@@ -31,20 +31,20 @@ struct Manif {
     s.name = "manif";
     s.version = "headers";
     O& o = s.operations;
-    o.exp3_quaternion = [](const V3& phi) -> V4 { return T3(phi).exp().quat().coeffs(); };
-    o.exp3_matrix = [](const V3& phi) -> M3 { return T3(phi).exp().rotation(); };
-    o.log3_quaternion = [](const V4& Q) -> V3 { return SO3(Eigen::Quaternion<S>(Q)).log().coeffs(); };
-    o.exp6 = [](const V6& xi) -> Pose<S> { return stored(T6(xi).exp()); };
-    o.left_jacobian3 = [](const V3& phi) -> M3 { return T3(phi).ljac(); };
-    o.right_jacobian3 = [](const V3& phi) -> M3 { return T3(phi).rjac(); };
-    o.left_jacobian3_inverse = [](const V3& phi) -> M3 { return T3(phi).ljacinv(); };
-    o.right_jacobian3_inverse = [](const V3& phi) -> M3 { return T3(phi).rjacinv(); };
-    o.left_jacobian6 = [](const V6& xi) -> M6 { return T6(xi).ljac(); };
-    o.right_jacobian6 = [](const V6& xi) -> M6 { return T6(xi).rjac(); };
-    o.left_jacobian6_inverse = [](const V6& xi) -> M6 { return T6(xi).ljacinv(); };
-    o.right_jacobian6_inverse = [](const V6& xi) -> M6 { return T6(xi).rjacinv(); };
-    o.integrate = [](const V7& q, const V6& d) -> V7 { return (configuration(q) + T6(d)).coeffs(); };
-    o.difference = [](const V7& a, const V7& b) -> V6 {
+    o[op::exp3_quaternion] = [](const V3& phi) -> V4 { return T3(phi).exp().quat().coeffs(); };
+    o[op::exp3_matrix] = [](const V3& phi) -> M3 { return T3(phi).exp().rotation(); };
+    o[op::log3_quaternion] = [](const V4& Q) -> V3 { return SO3(Eigen::Quaternion<S>(Q)).log().coeffs(); };
+    o[op::exp6] = [](const V6& xi) -> Pose<S> { return stored(T6(xi).exp()); };
+    o[op::left_jacobian3] = [](const V3& phi) -> M3 { return T3(phi).ljac(); };
+    o[op::right_jacobian3] = [](const V3& phi) -> M3 { return T3(phi).rjac(); };
+    o[op::left_jacobian3_inverse] = [](const V3& phi) -> M3 { return T3(phi).ljacinv(); };
+    o[op::right_jacobian3_inverse] = [](const V3& phi) -> M3 { return T3(phi).rjacinv(); };
+    o[op::left_jacobian6] = [](const V6& xi) -> M6 { return T6(xi).ljac(); };
+    o[op::right_jacobian6] = [](const V6& xi) -> M6 { return T6(xi).rjac(); };
+    o[op::left_jacobian6_inverse] = [](const V6& xi) -> M6 { return T6(xi).ljacinv(); };
+    o[op::right_jacobian6_inverse] = [](const V6& xi) -> M6 { return T6(xi).rjacinv(); };
+    o[op::integrate] = [](const V7& q, const V6& d) -> V7 { return (configuration(q) + T6(d)).coeffs(); };
+    o[op::difference] = [](const V7& a, const V7& b) -> V6 {
       return (configuration(b) - configuration(a)).coeffs();
     };
     return s;

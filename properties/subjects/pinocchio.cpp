@@ -47,57 +47,57 @@ struct Pinocchio {
     s.name = "pinocchio";
     s.version = PINOCCHIO_VERSION;
     O& o = s.operations;
-    o.exp3_quaternion = [](const V3& phi) -> V4 {
+    o[op::exp3_quaternion] = [](const V3& phi) -> V4 {
       Quaternion q;
       ::pinocchio::quaternion::exp3(phi, q);
       return q.coeffs();
     };
-    o.exp3_matrix = [](const V3& phi) -> M3 { return ::pinocchio::exp3(phi); };
-    o.log3_quaternion = [](const V4& Q) -> V3 { return ::pinocchio::quaternion::log3(quaternion(Q)); };
-    o.log3_matrix = [](const M3& R) -> V3 { return ::pinocchio::log3(R); };
-    o.exp6 = [](const V6& xi) -> Pose<S> { return stored(::pinocchio::exp6(xi)); };
-    o.log6 = [](const Pose<S>& T) -> V6 { return ::pinocchio::log6(pose(T)).toVector(); };
-    o.right_jacobian3 = [](const V3& phi) -> M3 {
+    o[op::exp3_matrix] = [](const V3& phi) -> M3 { return ::pinocchio::exp3(phi); };
+    o[op::log3_quaternion] = [](const V4& Q) -> V3 { return ::pinocchio::quaternion::log3(quaternion(Q)); };
+    o[op::log3_matrix] = [](const M3& R) -> V3 { return ::pinocchio::log3(R); };
+    o[op::exp6] = [](const V6& xi) -> Pose<S> { return stored(::pinocchio::exp6(xi)); };
+    o[op::log6] = [](const Pose<S>& T) -> V6 { return ::pinocchio::log6(pose(T)).toVector(); };
+    o[op::right_jacobian3] = [](const V3& phi) -> M3 {
       return filled<M3>([&](M3& J) { ::pinocchio::Jexp3(phi, J); });
     };
-    o.right_jacobian3_inverse = [](const V3& phi) -> M3 {
+    o[op::right_jacobian3_inverse] = [](const V3& phi) -> M3 {
       return filled<M3>([&](M3& J) { ::pinocchio::Jlog3(S(phi.norm()), phi, J); });
     };
-    o.right_jacobian6 = [](const V6& xi) -> M6 {
+    o[op::right_jacobian6] = [](const V6& xi) -> M6 {
       return filled<M6>([&](M6& J) { ::pinocchio::Jexp6(Motion(xi), J); });
     };
-    o.integrate = [](const V7& q, const V6& d) -> V7 {
+    o[op::integrate] = [](const V7& q, const V6& d) -> V7 {
       return filled<V7>([&](V7& r) { Group().integrate(q, d, r); });
     };
-    o.difference = [](const V7& a, const V7& b) -> V6 {
+    o[op::difference] = [](const V7& a, const V7& b) -> V6 {
       return filled<V6>([&](V6& r) { Group().difference(a, b, r); });
     };
-    o.d_integrate_arg0 = [](const V7& q, const V6& d) -> M6 {
+    o[op::d_integrate_arg0] = [](const V7& q, const V6& d) -> M6 {
       return filled<M6>([&](M6& J) { Group().dIntegrate_dq(q, d, J); });
     };
-    o.d_integrate_arg1 = [](const V7& q, const V6& d) -> M6 {
+    o[op::d_integrate_arg1] = [](const V7& q, const V6& d) -> M6 {
       return filled<M6>([&](M6& J) { Group().dIntegrate_dv(q, d, J); });
     };
-    o.d_difference_arg0 = [](const V7& a, const V7& b) -> M6 {
+    o[op::d_difference_arg0] = [](const V7& a, const V7& b) -> M6 {
       return filled<M6>([&](M6& J) { Group().dDifference(a, b, J, ::pinocchio::ARG0); });
     };
-    o.d_difference_arg1 = [](const V7& a, const V7& b) -> M6 {
+    o[op::d_difference_arg1] = [](const V7& a, const V7& b) -> M6 {
       return filled<M6>([&](M6& J) { Group().dDifference(a, b, J, ::pinocchio::ARG1); });
     };
-    o.compose = [](const Pose<S>& X, const Pose<S>& Y) -> Pose<S> { return stored(pose(X) * pose(Y)); };
-    o.inverse = [](const Pose<S>& X) -> Pose<S> { return stored(pose(X).inverse()); };
-    o.act_point = [](const Pose<S>& X, const V3& x) -> V3 { return pose(X).act(x); };
-    o.rotate_point = [](const V4& Q, const V3& x) -> V3 { return quaternion(Q) * x; };
-    o.act_motion = [](const Pose<S>& X, const V6& V) -> V6 { return pose(X).act(Motion(V)).toVector(); };
-    o.act_inverse_motion = [](const Pose<S>& X, const V6& V) -> V6 {
+    o[op::compose] = [](const Pose<S>& X, const Pose<S>& Y) -> Pose<S> { return stored(pose(X) * pose(Y)); };
+    o[op::inverse] = [](const Pose<S>& X) -> Pose<S> { return stored(pose(X).inverse()); };
+    o[op::act_point] = [](const Pose<S>& X, const V3& x) -> V3 { return pose(X).act(x); };
+    o[op::rotate_point] = [](const V4& Q, const V3& x) -> V3 { return quaternion(Q) * x; };
+    o[op::act_motion] = [](const Pose<S>& X, const V6& V) -> V6 { return pose(X).act(Motion(V)).toVector(); };
+    o[op::act_inverse_motion] = [](const Pose<S>& X, const V6& V) -> V6 {
       return pose(X).actInv(Motion(V)).toVector();
     };
-    o.act_force = [](const Pose<S>& X, const V6& F) -> V6 { return pose(X).act(Force(F)).toVector(); };
-    o.act_inverse_force = [](const Pose<S>& X, const V6& F) -> V6 {
+    o[op::act_force] = [](const Pose<S>& X, const V6& F) -> V6 { return pose(X).act(Force(F)).toVector(); };
+    o[op::act_inverse_force] = [](const Pose<S>& X, const V6& F) -> V6 {
       return pose(X).actInv(Force(F)).toVector();
     };
-    o.cross_motion = [](const V6& V, const V6& W) -> V6 { return Motion(V).cross(Motion(W)).toVector(); };
-    o.cross_force = [](const V6& V, const V6& F) -> V6 { return Motion(V).cross(Force(F)).toVector(); };
+    o[op::cross_motion] = [](const V6& V, const V6& W) -> V6 { return Motion(V).cross(Motion(W)).toVector(); };
+    o[op::cross_force] = [](const V6& V, const V6& F) -> V6 { return Motion(V).cross(Force(F)).toVector(); };
     return s;
   }
 };

@@ -78,7 +78,7 @@ struct Bugs {
     m.template topRightCorner<3, 3>() = C;
     return m;
   }
-  static P pose_exp(const V6& xi, M3 V) { return {good().exp3_matrix(low(xi)), V * top(xi)}; }
+  static P pose_exp(const V6& xi, M3 V) { return {good()[op::exp3_matrix](low(xi)), V * top(xi)}; }
   static S angle(const V3& phi) { return phi.norm(); }
   static V3 narrow(const Vec<long double, 3>& v) { return v.template cast<S>(); }
 };

@@ -35,29 +35,29 @@ struct Smooth {
     s.name = "smooth";
     s.version = "headers";
     auto& o = s.operations;
-    o.exp3_quaternion = [](const Vec<S, 3>& phi) -> Vec<S, 4> { return SO3::exp(phi).coeffs(); };
-    o.exp3_matrix = [](const Vec<S, 3>& phi) -> Mat<S, 3> { return SO3::exp(phi).matrix(); };
-    o.log3_quaternion = [](const Vec<S, 4>& Q) -> Vec<S, 3> {
+    o[op::exp3_quaternion] = [](const Vec<S, 3>& phi) -> Vec<S, 4> { return SO3::exp(phi).coeffs(); };
+    o[op::exp3_matrix] = [](const Vec<S, 3>& phi) -> Mat<S, 3> { return SO3::exp(phi).matrix(); };
+    o[op::log3_quaternion] = [](const Vec<S, 4>& Q) -> Vec<S, 3> {
       SO3 X;
       X.coeffs() = Q;
       return X.log();
     };
-    o.exp6 = [](const Vec<S, 6>& xi) -> Pose<S> {
+    o[op::exp6] = [](const Vec<S, 6>& xi) -> Pose<S> {
       const SE3 X = SE3::exp(xi);
       return {X.so3().matrix(), X.r3()};
     };
-    o.left_jacobian3 = [](const Vec<S, 3>& phi) -> Mat<S, 3> { return SO3::dl_exp(phi); };
-    o.right_jacobian3 = [](const Vec<S, 3>& phi) -> Mat<S, 3> { return SO3::dr_exp(phi); };
-    o.left_jacobian3_inverse = [](const Vec<S, 3>& phi) -> Mat<S, 3> { return SO3::dl_expinv(phi); };
-    o.right_jacobian3_inverse = [](const Vec<S, 3>& phi) -> Mat<S, 3> { return SO3::dr_expinv(phi); };
-    o.left_jacobian6 = [](const Vec<S, 6>& xi) -> Mat<S, 6> { return SE3::dl_exp(xi); };
-    o.right_jacobian6 = [](const Vec<S, 6>& xi) -> Mat<S, 6> { return SE3::dr_exp(xi); };
-    o.left_jacobian6_inverse = [](const Vec<S, 6>& xi) -> Mat<S, 6> { return SE3::dl_expinv(xi); };
-    o.right_jacobian6_inverse = [](const Vec<S, 6>& xi) -> Mat<S, 6> { return SE3::dr_expinv(xi); };
-    o.integrate = [](const Vec<S, 7>& q, const Vec<S, 6>& d) -> Vec<S, 7> {
+    o[op::left_jacobian3] = [](const Vec<S, 3>& phi) -> Mat<S, 3> { return SO3::dl_exp(phi); };
+    o[op::right_jacobian3] = [](const Vec<S, 3>& phi) -> Mat<S, 3> { return SO3::dr_exp(phi); };
+    o[op::left_jacobian3_inverse] = [](const Vec<S, 3>& phi) -> Mat<S, 3> { return SO3::dl_expinv(phi); };
+    o[op::right_jacobian3_inverse] = [](const Vec<S, 3>& phi) -> Mat<S, 3> { return SO3::dr_expinv(phi); };
+    o[op::left_jacobian6] = [](const Vec<S, 6>& xi) -> Mat<S, 6> { return SE3::dl_exp(xi); };
+    o[op::right_jacobian6] = [](const Vec<S, 6>& xi) -> Mat<S, 6> { return SE3::dr_exp(xi); };
+    o[op::left_jacobian6_inverse] = [](const Vec<S, 6>& xi) -> Mat<S, 6> { return SE3::dl_expinv(xi); };
+    o[op::right_jacobian6_inverse] = [](const Vec<S, 6>& xi) -> Mat<S, 6> { return SE3::dr_expinv(xi); };
+    o[op::integrate] = [](const Vec<S, 7>& q, const Vec<S, 6>& d) -> Vec<S, 7> {
       return (configuration(q) + d).coeffs();
     };
-    o.difference = [](const Vec<S, 7>& a, const Vec<S, 7>& b) -> Vec<S, 6> {
+    o[op::difference] = [](const Vec<S, 7>& a, const Vec<S, 7>& b) -> Vec<S, 6> {
       return configuration(b) - configuration(a);
     };
     return s;

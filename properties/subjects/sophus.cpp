@@ -37,30 +37,30 @@ struct SophusGroups {
     s.name = "sophus";
     s.version = "headers";
     O& o = s.operations;
-    o.exp3_quaternion = [](const V3& phi) -> V4 { return SO3::exp(phi).unit_quaternion().coeffs(); };
-    o.exp3_matrix = [](const V3& phi) -> M3 { return SO3::exp(phi).matrix(); };
-    o.log3_quaternion = [](const V4& Q) -> V3 { return rotation(Q).log(); };
-    o.log3_matrix = [](const M3& R) -> V3 { return SO3(R).log(); };
-    o.exp6 = [](const V6& xi) -> Pose<S> { return stored(SE3::exp(xi)); };
-    o.log6 = [](const Pose<S>& T) -> V6 { return SE3(T.R, T.p).log(); };
-    o.left_jacobian3 = [](const V3& phi) -> M3 { return SO3::leftJacobian(phi); };
-    o.left_jacobian3_inverse = [](const V3& phi) -> M3 { return SO3::leftJacobianInverse(phi); };
-    o.right_jacobian3 = [](const V3& phi) -> M3 { return SO3::leftJacobian(V3(-phi)); };
-    o.right_jacobian3_inverse = [](const V3& phi) -> M3 { return SO3::leftJacobianInverse(V3(-phi)); };
-    o.left_jacobian6 = [](const V6& xi) -> M6 { return SE3::leftJacobian(xi); };
-    o.left_jacobian6_inverse = [](const V6& xi) -> M6 { return SE3::leftJacobianInverse(xi); };
-    o.right_jacobian6 = [](const V6& xi) -> M6 { return SE3::leftJacobian(V6(-xi)); };
-    o.right_jacobian6_inverse = [](const V6& xi) -> M6 { return SE3::leftJacobianInverse(V6(-xi)); };
-    o.integrate = [](const V7& q, const V6& d) -> V7 {
+    o[op::exp3_quaternion] = [](const V3& phi) -> V4 { return SO3::exp(phi).unit_quaternion().coeffs(); };
+    o[op::exp3_matrix] = [](const V3& phi) -> M3 { return SO3::exp(phi).matrix(); };
+    o[op::log3_quaternion] = [](const V4& Q) -> V3 { return rotation(Q).log(); };
+    o[op::log3_matrix] = [](const M3& R) -> V3 { return SO3(R).log(); };
+    o[op::exp6] = [](const V6& xi) -> Pose<S> { return stored(SE3::exp(xi)); };
+    o[op::log6] = [](const Pose<S>& T) -> V6 { return SE3(T.R, T.p).log(); };
+    o[op::left_jacobian3] = [](const V3& phi) -> M3 { return SO3::leftJacobian(phi); };
+    o[op::left_jacobian3_inverse] = [](const V3& phi) -> M3 { return SO3::leftJacobianInverse(phi); };
+    o[op::right_jacobian3] = [](const V3& phi) -> M3 { return SO3::leftJacobian(V3(-phi)); };
+    o[op::right_jacobian3_inverse] = [](const V3& phi) -> M3 { return SO3::leftJacobianInverse(V3(-phi)); };
+    o[op::left_jacobian6] = [](const V6& xi) -> M6 { return SE3::leftJacobian(xi); };
+    o[op::left_jacobian6_inverse] = [](const V6& xi) -> M6 { return SE3::leftJacobianInverse(xi); };
+    o[op::right_jacobian6] = [](const V6& xi) -> M6 { return SE3::leftJacobian(V6(-xi)); };
+    o[op::right_jacobian6_inverse] = [](const V6& xi) -> M6 { return SE3::leftJacobianInverse(V6(-xi)); };
+    o[op::integrate] = [](const V7& q, const V6& d) -> V7 {
       const SE3 T = configuration(q) * SE3::exp(d);
       V7 r;
       r << T.translation(), T.unit_quaternion().coeffs();
       return r;
     };
-    o.difference = [](const V7& a, const V7& b) -> V6 {
+    o[op::difference] = [](const V7& a, const V7& b) -> V6 {
       return (configuration(a).inverse() * configuration(b)).log();
     };
-    o.rotate_point = [](const V4& Q, const V3& x) -> V3 { return rotation(Q) * x; };
+    o[op::rotate_point] = [](const V4& Q, const V3& x) -> V3 { return rotation(Q) * x; };
     return s;
   }
 };

@@ -11,22 +11,22 @@ auto Bugs<S>::points_motions_and_forces() -> Entries {
   return {
       {"rotate_unnormalized", "Q x Q* without 1 / |Q|^2", "Mayitzin/ahrs issue 96",
        [](O& o) {
-         o.rotate_point = [](const V4& Q, const V3& x) -> V3 {
-           return Q.squaredNorm() * Q.squaredNorm() * good().rotate_point(Q, x);
+         o[op::rotate_point] = [](const V4& Q, const V3& x) -> V3 {
+           return Q.squaredNorm() * Q.squaredNorm() * good()[op::rotate_point](Q, x);
          };
        }},
       {"rotate_conjugate", "the inverse rotation", "Guo-ziwei/fusion pull 2",
        [](O& o) {
-         o.rotate_point = [](const V4& Q, const V3& x) -> V3 { return good().rotate_point(conjugate(Q), x); };
+         o[op::rotate_point] = [](const V4& Q, const V3& x) -> V3 { return good()[op::rotate_point](conjugate(Q), x); };
        }},
       {"force_as_motion", "forces are transformed as motions", "bdaiinstitute/spatialmath-python pull 207",
-       [](O& o) { o.act_force = [](const P& X, const V6& F) -> V6 { return good().act_motion(X, F); }; }},
+       [](O& o) { o[op::act_force] = [](const P& X, const V6& F) -> V6 { return good()[op::act_motion](X, F); }; }},
       {"force_transposed", "forces by Ad^T for Ad^-T", "bdaiinstitute/spatialmath-python pull 207",
-       [](O& o) { o.act_force = o.act_inverse_force; }},
+       [](O& o) { o[op::act_force] = o[op::act_inverse_force]; }},
       {"adjoint_block", "the coupling block of Ad is below: the angular-first matrix",
        "rail-berkeley/hil-serl issue 36",
        [](O& o) {
-         o.act_motion = [](const P& X, const V6& V) -> V6 {
+         o[op::act_motion] = [](const P& X, const V6& V) -> V6 {
            const V3 u = X.R * top(V);
            return stack(u, X.R * low(V) + X.p.cross(u));
          };
@@ -34,11 +34,11 @@ auto Bugs<S>::points_motions_and_forces() -> Entries {
       {"cross_dual_sign", "the force cross product lacks its minus transpose",
        "UMich-CURLY-teaching/UMich-ROB-530-public issue 2",
        [](O& o) {
-         o.cross_force = [](const V6& V, const V6& F) -> V6 { return -good().cross_force(V, F); };
+         o[op::cross_force] = [](const V6& V, const V6& F) -> V6 { return -good()[op::cross_force](V, F); };
        }},
       {"cross_half", "u x w_W is missing in the motion cross product", "pvangoor/pylie pull 1",
        [](O& o) {
-         o.cross_motion = [](const V6& V, const V6& W) -> V6 {
+         o[op::cross_motion] = [](const V6& V, const V6& W) -> V6 {
            return stack(low(V).cross(top(W)), low(V).cross(low(W)));
          };
        }},
@@ -51,27 +51,27 @@ auto Bugs<S>::inertias() -> Entries {
       {"inertia_not_rotated", "a moved body keeps the axes of its inertia",
        "erwincoumans/tiny-differentiable-simulator pull 102",
        [](O& o) {
-         o.act_inertia = [](const P& X, const B& I) -> B { return {I.mass, X.R * I.c + X.p, I.I_C}; };
+         o[op::act_inertia] = [](const P& X, const B& I) -> B { return {I.mass, X.R * I.c + X.p, I.I_C}; };
        }},
       {"inertia_rotated_back", "R^T I R for R I R^T", "Rhoban/onshape-to-robot issue 85",
        [](O& o) {
-         o.act_inertia = [](const P& X, const B& I) -> B {
+         o[op::act_inertia] = [](const P& X, const B& I) -> B {
            return {I.mass, X.R * I.c + X.p, X.R.transpose() * I.I_C * X.R};
          };
        }},
       {"inertia_shift_com", "the shift is applied before the centre of mass is rotated",
        "simbody/simbody issue 334",
        [](O& o) {
-         o.act_inertia = [](const P& X, const B& I) -> B {
-           B b = good().act_inertia(X, I);
+         o[op::act_inertia] = [](const P& X, const B& I) -> B {
+           B b = good()[op::act_inertia](X, I);
            b.c = X.R * (I.c + X.p);
            return b;
          };
        }},
       {"parallel_axis_sign", "the parallel-axis term has the wrong sign", "dimforge/parry pull 334",
        [](O& o) {
-         o.inertia_matrix = [](const B& I) -> M6 {
-           M6 M = good().inertia_matrix(I);
+         o[op::inertia_matrix] = [](const B& I) -> M6 {
+           M6 M = good()[op::inertia_matrix](I);
            const M3 C = hat(I.c);
            M.template bottomRightCorner<3, 3>() = I.I_C + I.mass * (C * C);
            return M;
@@ -80,8 +80,8 @@ auto Bugs<S>::inertias() -> Entries {
       {"parallel_axis_doubled", "the parallel-axis term is added twice",
        "ros/solidworks_urdf_exporter issue 117",
        [](O& o) {
-         o.inertia_matrix = [](const B& I) -> M6 {
-           M6 M = good().inertia_matrix(I);
+         o[op::inertia_matrix] = [](const B& I) -> M6 {
+           M6 M = good()[op::inertia_matrix](I);
            const M3 C = hat(I.c);
            M.template bottomRightCorner<3, 3>() -= I.mass * (C * C);
            return M;
@@ -89,16 +89,16 @@ auto Bugs<S>::inertias() -> Entries {
        }},
       {"momentum_diagonal", "only the diagonal of the inertia enters", "avianphysics/avian pull 745",
        [](O& o) {
-         o.momentum = [](const B& I, const V6& V) -> V6 {
+         o[op::momentum] = [](const B& I, const V6& V) -> V6 {
            B diagonal = I;
            diagonal.I_C = I.I_C.diagonal().asDiagonal();
-           return good().momentum(diagonal, V);
+           return good()[op::momentum](diagonal, V);
          };
        }},
       {"energy_origin", "the inertia about the centre of mass is used with the velocity of the origin",
        "utiasSTARS/pyb-sim-models pull 4",
        [](O& o) {
-         o.kinetic_energy = [](const B& I, const V6& V) -> S {
+         o[op::kinetic_energy] = [](const B& I, const V6& V) -> S {
            return (I.mass * top(V).squaredNorm() + low(V).dot(I.I_C * low(V))) / S(2);
          };
        }},

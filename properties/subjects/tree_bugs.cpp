@@ -9,9 +9,9 @@ template <class S>
 struct Planted {
   using T = Tree<S>;
   using O = TreeOperations<S>;
-  using X = typename O::X;
-  using M = typename O::M;
-  using V6 = typename O::V6;
+  using X = VecX<S>;
+  using M = MatX<S>;
+  using V6 = Vec<S, 6>;
 
   static X armature(const T& tree) {
     X all = X::Zero(tree.nv);
@@ -22,7 +22,7 @@ struct Planted {
   }
   static O with_armature(const T& tree, S factor) {
     O o = liecheck_tree<S>(tree);
-    o.crba = [crba = o.crba, more = X(factor * armature(tree))](const X& q) -> M {
+    o[op::tree_crba] = [crba = o[op::tree_crba], more = X(factor * armature(tree))](const X& q) -> M {
       M sum = crba(q);
       sum.diagonal() += more;
       return sum;
@@ -31,7 +31,7 @@ struct Planted {
   }
   static O rnea_without_armature(const T& tree) {
     O o = liecheck_tree<S>(tree);
-    o.rnea = [rnea = o.rnea, less = armature(tree)](const X& q, const X& v, const X& a, int i,
+    o[op::tree_rnea] = [rnea = o[op::tree_rnea], less = armature(tree)](const X& q, const X& v, const X& a, int i,
                                                     const V6& F) -> X {
       return rnea(q, v, a, i, F) - less.cwiseProduct(a);
     };
@@ -41,70 +41,70 @@ struct Planted {
     T up = tree;
     for (S& g : up.gravity.x) g = -g;
     O o = liecheck_tree<S>(tree), wrong = liecheck_tree<S>(up);
-    o.gravity = wrong.gravity, o.nonlinear_effects = wrong.nonlinear_effects, o.rnea = wrong.rnea;
+    o[op::tree_gravity] = wrong[op::tree_gravity], o[op::tree_nonlinear_effects] = wrong[op::tree_nonlinear_effects], o[op::tree_rnea] = wrong[op::tree_rnea];
     return o;
   }
   static O half_coriolis(const T& tree) {
     O o = liecheck_tree<S>(tree);
-    o.nonlinear_effects = [o](const X& q, const X& v) -> X {
-      return (o.nonlinear_effects(q, v) + o.gravity(q)) / S(2);
+    o[op::tree_nonlinear_effects] = [o](const X& q, const X& v) -> X {
+      return (o[op::tree_nonlinear_effects](q, v) + o[op::tree_gravity](q)) / S(2);
     };
     return o;
   }
   static O acceleration_of_the_first(const T& tree) {
     O o = liecheck_tree<S>(tree);
-    o.rnea = [o, n = velocity_size(tree.joints[0].kind)](const X& q, const X& v, const X& a, int i,
+    o[op::tree_rnea] = [o, n = velocity_size(tree.joints[0].kind)](const X& q, const X& v, const X& a, int i,
                                                          const V6& F) -> X {
       X first = X::Zero(a.size());
       first.head(n) = a.head(n);
-      return o.rnea(q, v, first, i, F);
+      return o[op::tree_rnea](q, v, first, i, F);
     };
     return o;
   }
   static O damped(const T& tree) {
     O o = liecheck_tree<S>(tree);
-    o.rnea = [o](const X& q, const X& v, const X& a, int i, const V6& F) -> X {
-      return o.rnea(q, v, a, i, F) + o.crba(q).diagonal().cwiseProduct(a) / S(1000);
+    o[op::tree_rnea] = [o](const X& q, const X& v, const X& a, int i, const V6& F) -> X {
+      return o[op::tree_rnea](q, v, a, i, F) + o[op::tree_crba](q).diagonal().cwiseProduct(a) / S(1000);
     };
     return o;
   }
   static O derivative_at_rest(const T& tree) {
     O o = liecheck_tree<S>(tree);
-    o.rnea_derivatives = [o](const X& q, const X& v, const X& a, int i, const V6& F) {
-      return o.rnea_derivatives(q, v, X::Zero(a.size()), i, F);
+    o[op::rnea_derivatives] = [o](const X& q, const X& v, const X& a, int i, const V6& F) {
+      return o[op::rnea_derivatives](q, v, X::Zero(a.size()), i, F);
     };
     return o;
   }
   static O spatial_for_classical(const T& tree) {
     O o = liecheck_tree<S>(tree);
-    o.frame_classical_acceleration = o.frame_acceleration;
+    o[op::frame_classical_acceleration] = o[op::frame_acceleration];
     return o;
   }
   static O world_rate_for_aligned(const T& tree) {
     O o = liecheck_tree<S>(tree);
-    o.frame_jacobian_rate = [o](const X& q, const X& v, Seen s) -> M {
-      return o.frame_jacobian_rate(q, v, s == Seen::aligned ? Seen::world : s);
+    o[op::frame_jacobian_rate] = [o](const X& q, const X& v, Seen s) -> M {
+      return o[op::frame_jacobian_rate](q, v, s == Seen::aligned ? Seen::world : s);
     };
     return o;
   }
   static O local_for_world(const T& tree) {
     O o = liecheck_tree<S>(tree);
-    o.frame_jacobian = [o](const X& q, Seen s) -> M {
-      return o.frame_jacobian(q, s == Seen::world ? Seen::local : s);
+    o[op::frame_jacobian] = [o](const X& q, Seen s) -> M {
+      return o[op::frame_jacobian](q, s == Seen::world ? Seen::local : s);
     };
     return o;
   }
   static O aligned_for_world(const T& tree) {
     O o = liecheck_tree<S>(tree);
-    o.frame_velocity = [o](const X& q, const X& v, Seen s) -> V6 {
-      return o.frame_velocity(q, v, s == Seen::world ? Seen::aligned : s);
+    o[op::frame_velocity] = [o](const X& q, const X& v, Seen s) -> V6 {
+      return o[op::frame_velocity](q, v, s == Seen::world ? Seen::aligned : s);
     };
     return o;
   }
   static O momentum_of_the_point(const T& tree) {
     O o = liecheck_tree<S>(tree);
-    o.momentum_map = [o](const X& q) -> M {
-      M A = o.momentum_map(q);
+    o[op::tree_momentum_map] = [o](const X& q) -> M {
+      M A = o[op::tree_momentum_map](q);
       A.bottomRows(3) += A.topRows(3);
       return A;
     };

@@ -31,31 +31,31 @@ Subject<double> with(const std::string& name, void (*plant)(O&)) {
 const Registered<double> planted[] = {
     Registered<double>(with("verdict_inaccurate",
                             [](O& o) {
-                              o.log3_quaternion = [](const O::V4& Q) -> O::V3 {
-                                return own().log3_quaternion(Q) * (1 + 1e-14);
+                              o[op::log3_quaternion] = [](const O::V4& Q) -> O::V3 {
+                                return own()[op::log3_quaternion](Q) * (1 + 1e-14);
                               };
                             })),
     Registered<double>(with("verdict_wrong_branch",
                             [](O& o) {  // the long way round
-                              o.log3_quaternion = [](const O::V4& Q) -> O::V3 {
-                                const O::V3 phi = own().log3_quaternion(Q);
+                              o[op::log3_quaternion] = [](const O::V4& Q) -> O::V3 {
+                                const O::V3 phi = own()[op::log3_quaternion](Q);
                                 return phi * (1 - 2 * M_PI / phi.norm());
                               };
                             })),
     Registered<double>(with("verdict_sign",
                             [](O& o) {
-                              o.integrate = [](const O::V7& q, const O::V6& d) {
-                                O::V7 r = own().integrate(q, d);
+                              o[op::integrate] = [](const O::V7& q, const O::V6& d) {
+                                O::V7 r = own()[op::integrate](q, d);
                                 if (r[6] < 0) r.tail<4>() *= -1;
                                 return r;
                               };
                             })),
     Registered<double>(
         with("verdict_not_finite",
-             [](O& o) { o.log3_quaternion = [](const O::V4&) { return O::V3(O::V3::Constant(NAN)); }; })),
+             [](O& o) { o[op::log3_quaternion] = [](const O::V4&) { return O::V3(O::V3::Constant(NAN)); }; })),
     Registered<double>(with("verdict_refused",
                             [](O& o) {
-                              o.log3_quaternion = [](const O::V4&) -> O::V3 {
+                              o[op::log3_quaternion] = [](const O::V4&) -> O::V3 {
                                 throw std::range_error("no logarithms today");
                               };
                             })),

@@ -37,44 +37,44 @@ Subject<double> planted(const std::string& name, void (*plant)(O&)) {
 const Registered<double> bugs[] = {
     Registered<double>(planted("exp_oracle",
                                [](O& o) {
-                                 o.exp6 = [](const V6& xi) {
-                                   auto T = own().exp6(xi);
+                                 o[op::exp6] = [](const V6& xi) {
+                                   auto T = own()[op::exp6](xi);
                                    T.p *= 1 + 1e-14;
                                    return T;
                                  };
                                })),
     Registered<double>(planted("log_oracle",
                                [](O& o) {
-                                 o.log6 = [](const Pose<double>& T) {
-                                   V6 xi = own().log6(T);
+                                 o[op::log6] = [](const Pose<double>& T) {
+                                   V6 xi = own()[op::log6](T);
                                    xi.head<3>() = T.p;
                                    return xi;
                                  };
                                })),
     Registered<double>(
         planted("jacobian_oracle",
-                [](O& o) { o.left_jacobian6 = [](const V6& xi) { return own().right_jacobian6(xi); }; })),
+                [](O& o) { o[op::left_jacobian6] = [](const V6& xi) { return own()[op::right_jacobian6](xi); }; })),
     Registered<double>(planted(
         "integrate_difference",
-        [](O& o) { o.difference = [](const V7& a, const V7& b) { return own().difference(b, a); }; })),
+        [](O& o) { o[op::difference] = [](const V7& a, const V7& b) { return own()[op::difference](b, a); }; })),
     Registered<double>(planted("sign_continuity",
                                [](O& o) {
-                                 o.integrate = [](const V7& q, const V6& d) {
-                                   V7 r = own().integrate(q, d);
+                                 o[op::integrate] = [](const V7& q, const V6& d) {
+                                   V7 r = own()[op::integrate](q, d);
                                    if (r[6] < 0) r.tail<4>() *= -1;
                                    return r;
                                  };
                                })),
     Registered<double>(planted("d_integrate",
                                [](O& o) {
-                                 o.d_integrate_arg0 = [](const V7& q, const V6& d) {
-                                   return M6(own().d_integrate_arg0(q, d).transpose());
+                                 o[op::d_integrate_arg0] = [](const V7& q, const V6& d) {
+                                   return M6(own()[op::d_integrate_arg0](q, d).transpose());
                                  };
                                })),
     Registered<double>(planted("small_angle_branches",
                                [](O& o) {
-                                 o.exp6 = [](const V6& xi) {
-                                   auto T = own().exp6(xi);
+                                 o[op::exp6] = [](const V6& xi) {
+                                   auto T = own()[op::exp6](xi);
                                    if (xi.tail<3>().norm() < 1e-4)
                                      T.p = xi.head<3>() + xi.tail<3>().cross(xi.head<3>()) / 2;
                                    return T;
@@ -83,8 +83,8 @@ const Registered<double> bugs[] = {
     Registered<double>(planted(
         "kinematic_identities",
         [](O& o) {
-          o.integrate_coefficient_jacobian = [](const V7& q) {
-            Mat<double, 7, 6> J = own().integrate_coefficient_jacobian(q);
+          o[op::integrate_coefficient_jacobian] = [](const V7& q) {
+            Mat<double, 7, 6> J = own()[op::integrate_coefficient_jacobian](q);
             J.block<3, 3>(3, 3).transposeInPlace();  // Q_dot = 1/2 (omega, 0) Q: the world-frame velocity
             return J;
           };
@@ -92,24 +92,24 @@ const Registered<double> bugs[] = {
     Registered<double>(
         planted("kinetic_energy",
                 [](O& o) {
-                  o.kinetic_energy = [](const Body<double>& b, const V6& V) {  // the parallel-axis term twice
+                  o[op::kinetic_energy] = [](const Body<double>& b, const V6& V) {  // the parallel-axis term twice
                     const V3 w = V.tail<3>();
-                    return own().kinetic_energy(b, V) + b.mass * w.cross(b.c).squaredNorm() / 2;
+                    return own()[op::kinetic_energy](b, V) + b.mass * w.cross(b.c).squaredNorm() / 2;
                   };
                 })),
     Registered<double>(planted("power_pairing",
                                [](O& o) {
-                                 o.act_motion = [](const Pose<double>& X, const V6& V) {
-                                   return own().act_motion(X, V);
+                                 o[op::act_motion] = [](const Pose<double>& X, const V6& V) {
+                                   return own()[op::act_motion](X, V);
                                  };
-                                 o.act_force = [](const Pose<double>& X, const V6& F) {
-                                   return own().act_motion(X, F);
+                                 o[op::act_force] = [](const Pose<double>& X, const V6& F) {
+                                   return own()[op::act_motion](X, F);
                                  };  // as a motion
                                })),
     Registered<double>(planted("pose_group",
                                [](O& o) {
-                                 o.inverse = [](const Pose<double>& X) {
-                                   auto Y = own().inverse(X);
+                                 o[op::inverse] = [](const Pose<double>& X) {
+                                   auto Y = own()[op::inverse](X);
                                    Y.p = -(X.R * X.p);  // not transposed
                                    return Y;
                                  };
@@ -118,14 +118,14 @@ const Registered<double> bugs[] = {
                                [](O& o) {
                                  o.robot = [](const std::string& urdf, bool fixed) {
                                    auto r = own().robot(urdf, fixed);
-                                   r.is_same = [](const VecX<double>& a, const VecX<double>& b) {
+                                   r[op::robot_is_same] = [](const VecX<double>& a, const VecX<double>& b) {
                                      return (a - b).norm() < 1e-12;
                                    };
                                    return r;
                                  };
                                })),
     Registered<double>(
-        planted("nan", [](O& o) { o.exp3_quaternion = [](const V3&) { return V4(V4::Constant(NAN)); }; })),
+        planted("nan", [](O& o) { o[op::exp3_quaternion] = [](const V3&) { return V4(V4::Constant(NAN)); }; })),
 };
 
 CampaignResult run(const std::string& subject, const std::string& property, std::uint64_t cases = 300,

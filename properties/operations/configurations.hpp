@@ -1,0 +1,102 @@
+#pragma once
+// Configurations of a free-flyer: integrate, difference and their derivatives; and the same of a whole robot.
+
+#include <operations/blocks.hpp>
+#include <operations/layouts.hpp>
+
+namespace liecheck::properties::op {
+
+inline constexpr std::string_view configuration_header = "multibody/se3_configuration.hpp",
+                                  robot_header = "multibody/configuration.hpp>\n#include <liecheck/urdf/urdf.hpp",
+                                  plus_source = "Sola, Deray & Atchuthan 2018, eqs. 25-28",
+                                  adjoint_source = "Sola, Deray & Atchuthan 2018, eqs. 79-85";
+
+inline constexpr auto integrate = operation<struct Integrate>(
+    {"integrate", "q1 = T0 exp(delta)", plus_source}, q1_result,
+    {rotation_of_quaternion,
+     {block::translation, "|p - p_exact|", "max(|p_exact|, |p0|, |p_exact - p0|)", "m"},
+     {block::norm_defect, "| |Q1|^2 - 1 |", "absolute", "1"},
+     {block::sign, "max(0, -Q0 . Q1)", "absolute", "1"}},
+    {configuration_header, "integrateSE3<S>(q0, delta)"}, q0, delta);
+inline constexpr auto difference = operation<struct Difference>(
+    {"difference", "delta = log(T0^-1 T1)", plus_source}, delta_result,
+    {rotation_vector, {block::linear, "|rho - rho_exact|", "max(|rho_exact|, |p1 - p0|)", "m"}},
+    {configuration_header, "differenceSE3<S>(q0, q1)"}, q0, q1);
+
+/// The laws of local inverses form these from integrate and difference.
+inline constexpr Operation difference_of_integrate{
+    "difference_of_integrate",
+    "difference(q0, integrate(q0, delta)) = delta, |phi| < pi",
+    plus_source,
+    {&q0, &delta},
+    {&delta_result},
+    {{block::rotation_vector, "|phi' - phi|", "|phi|", "rad"},
+     {block::linear, "|rho' - rho|", "max(|rho|, |p1 - p0|)", "m"}},
+    {configuration_header, "differenceSE3<S>(q0, integrateSE3<S>(q0, delta))"}};
+inline constexpr Operation integrate_of_difference{
+    "integrate_of_difference",
+    "integrate(q0, difference(q0, q1)) = q1 as a pose",
+    plus_source,
+    {&q0, &q1},
+    {&q1_result},
+    {{block::rotation, "2 min(|Q1' - Q1/|Q1||, |Q1' + Q1/|Q1||)", "absolute", "rad"},
+     {block::translation, "|p1' - p1|", "max(|p1|, |p0|, |p1 - p0|)", "m"}},
+    {configuration_header, "integrateSE3<S>(q0, differenceSE3<S>(q0, q1))"}};
+
+inline constexpr Block tangent_jacobian{
+    block::jacobian, "larger |J - J_exact| of the two 3 x 3 diagonal blocks, Frobenius", "|J_exact|", "1"};
+inline constexpr Block tangent_coupling{block::coupling, "|C - C_exact| of the upper right 3 x 3 block, Frobenius",
+                                        "|C_exact|", "m"};
+
+inline constexpr auto d_integrate_arg0 = operation<struct DIntegrateArg0>(
+    {"d_integrate_arg0", "d integrate(q0, delta) / d q0 = Ad(exp(-delta))", adjoint_source}, J6_tangent,
+    {tangent_jacobian, tangent_coupling},
+    {configuration_header, "dIntegrateSE3<S>(q0, delta, ArgumentPosition::ARG0)"}, q0, delta);
+inline constexpr auto d_integrate_arg1 = operation<struct DIntegrateArg1>(
+    {"d_integrate_arg1", "d integrate(q0, delta) / d delta = J_r(delta)", adjoint_source}, J6_tangent,
+    {tangent_jacobian, tangent_coupling},
+    {configuration_header, "dIntegrateSE3<S>(q0, delta, ArgumentPosition::ARG1)"}, q0, delta);
+inline constexpr auto d_difference_arg0 = operation<struct DDifferenceArg0>(
+    {"d_difference_arg0", "d difference(q0, q1) / d q0 = -J_l(difference)^-1", adjoint_source}, J6_tangent,
+    {tangent_jacobian, tangent_coupling},
+    {configuration_header, "dDifferenceSE3<S>(q0, q1, ArgumentPosition::ARG0)"}, q0, q1);
+inline constexpr auto d_difference_arg1 = operation<struct DDifferenceArg1>(
+    {"d_difference_arg1", "d difference(q0, q1) / d q1 = J_r(difference)^-1", adjoint_source}, J6_tangent,
+    {tangent_jacobian, tangent_coupling},
+    {configuration_header, "dDifferenceSE3<S>(q0, q1, ArgumentPosition::ARG1)"}, q0, q1);
+
+inline constexpr auto integrate_coefficient_jacobian = operation<struct IntegrateCoefficientJacobian>(
+    {"integrate_coefficient_jacobian", "J = d integrate(q, delta) / d delta at delta = 0, of the stored numbers",
+     "Sola 2017 (arXiv 1711.02508), eqs. 197-201"},
+    J76,
+    {{block::translation, "|J_p v - R u|", "|R u|", "m/s"},
+     {block::rotation_rate, "|J_Q v - 1/2 Q (omega, 0)|", "|1/2 Q (omega, 0)|", "1/s"},
+     {block::R_dot, "|R_dot of Q_dot = J_Q v, less R [omega]|, Frobenius", "|R [omega]|", "1/s"},
+     {block::translation_matrix, "|J_p - R|, Frobenius", "|R|", "1"},
+     {block::quaternion_matrix, "|J_Q - 1/2 [Qw I + [Qxyz]; -Qxyz^T]|, Frobenius", "|J_Q exact|", "1"},
+     {block::zeros, "0 where the structural zeros are zero, else infinite", "absolute", "1"}},
+    {configuration_header, "integrateCoeffWiseJacobianSE3<S>(q)"}, q);
+
+// The whole configuration vector of a robot.
+inline constexpr auto robot_integrate = operation<struct RobotIntegrate, true>(
+    {"robot_integrate", "q1 = integrate(q0, delta), joint by joint", "Pinocchio 3.8, joint-configuration"},
+    robot_q_result,
+    {rotation_of_quaternion,
+     {block::translation, "|p - p_exact| of a free-flyer", "max(|p_exact|, |p0|, |p_exact - p0|)", "m"},
+     {block::continuous, "|(cos, sin) - (cos, sin)_exact|", "absolute", "rad"},
+     {block::joint, "|q1 - (q0 + delta)|", "|q0 + delta|", "rad or m"}},
+    {robot_header, "integrate(model, q0, delta)"}, robot_q0, robot_delta);
+inline constexpr auto robot_difference = operation<struct RobotDifference, true>(
+    {"robot_difference", "delta = difference(q0, q1), joint by joint", "Pinocchio 3.8, joint-configuration"},
+    robot_delta_result,
+    {rotation_vector,
+     {block::linear, "|rho - rho_exact| of a free-flyer", "max(|rho_exact|, |p1 - p0|)", "m"},
+     {block::continuous, "|angle - angle_exact|; at pi either sign", "|angle_exact|", "rad"},
+     {block::joint, "|delta - (q1 - q0)|", "|q1 - q0|", "rad or m"}},
+    {robot_header, "difference(model, q0, q1)"}, robot_q0, robot_q1);
+inline constexpr auto robot_is_same = operation<struct RobotIsSame, true>(
+    {"robot_is_same", "q and q' with Q' = -Q are one configuration", "Pinocchio 3.8, joint-configuration"},
+    same_result, {{block::same, "0 where they compare as one, else a wrong branch", "absolute", "1"}},
+    {robot_header, "isSameConfiguration(model, q0, q1)"}, robot_q0, robot_q1);
+
+}  // namespace liecheck::properties::op

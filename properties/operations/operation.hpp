@@ -1,0 +1,222 @@
+#pragma once
+// The record of an operation: everything about it that is not code, written once.
+//
+// From a record follow the slot of a subject (Slots), the outputs of a law (exp6[block::rotation]), the definitions
+// in the JSON record, the printed program of a failure, the inputs and calls of `cost`, and the table of
+// docs/operations.md. To add an operation, write its record in this room, measure it in a law, and fill its slot in
+// the subjects that have it.
+//
+// An operation that a subject offers is a constant of a type of its own, Typed<...>: the types of its arguments and
+// of its result give the signature of the slot. A quantity that only a law forms, such as the power in two frames, is
+// a plain Operation without a slot.
+
+#include <array>
+#include <functional>
+#include <initializer_list>
+#include <operations/values.hpp>
+#include <string_view>
+#include <utility>
+
+namespace liecheck::properties {
+
+/// At most N values of a constant.
+template <class T, std::size_t N>
+struct Few {
+  std::array<T, N> items{};
+  std::size_t count = 0;
+  constexpr Few() = default;
+  constexpr Few(std::initializer_list<T> list) {
+    for (const T& x : list) items[count++] = x;
+  }
+  constexpr const T* begin() const { return items.data(); }
+  constexpr const T* end() const { return items.data() + count; }
+  constexpr std::size_t size() const { return count; }
+  constexpr const T& operator[](std::size_t i) const { return items[i]; }
+};
+
+/// The size of a part that the robot determines.
+enum Size : int { nq = -1, nv = -2, nv_by_nv = -3, six_by_nv = -4 };
+
+/// Consecutive numbers of one unit. Matrices are stored row by row.
+struct Part {
+  std::string_view name;
+  int size = 0;  ///< or a Size
+  std::string_view unit;
+};
+
+/// An argument or a result: its parts, in which axes they stand, and the type of liecheck's that holds it in a printed
+/// program ("" where it is its only part).
+struct Layout {
+  std::string_view name;
+  Few<Part, 4> parts;
+  std::string_view frame;
+  std::string_view type = "";
+};
+
+/// The name of a block. Constants of this type stand in block::, so that a misspelt name does not compile.
+struct BlockName {
+  std::string_view text;
+};
+
+/// One part of a result that is measured by itself: error = numerator / denominator, in eps of the scalar.
+struct Block {
+  BlockName name;
+  std::string_view error;        ///< the numerator
+  std::string_view denominator;  ///< "absolute" for 1
+  std::string_view unit;         ///< of the numerator
+};
+
+/// How liecheck's own function is called in a printed program, over the arguments' names.
+struct Call {
+  std::string_view header;      ///< below liecheck/
+  std::string_view expression;  ///< is printed
+  std::string_view before = "";  ///< a statement that must run first
+};
+
+struct Operation;
+
+/// One block of one operation: what a law records, a budget limits and a row of the record reports.
+struct Output {
+  std::string_view operation, block;
+  const Operation* record = nullptr;
+  const Block* definition = nullptr;
+};
+
+struct Operation {
+  std::string_view name;
+  std::string_view definition;  ///< the defining equation
+  std::string_view source;      ///< author, year, equation
+  Few<const Layout*, 6> arguments;
+  Few<const Layout*, 2> results;
+  Few<Block, 6> blocks;
+  Call call;
+
+  /// Compile-time look-up: a block that the record lacks is an error of the compiler.
+  consteval Output operator[](BlockName block) const {
+    for (const Block& b : blocks)
+      if (b.name.text == block.text) return {name, block.text, this, &b};
+    throw "the operation has no such block";
+  }
+};
+
+// The types of arguments and results, for every scalar S.
+namespace type {
+struct Vector3 {
+  template <class S>
+  using of = Vec<S, 3>;
+};
+struct Vector4 {
+  template <class S>
+  using of = Vec<S, 4>;
+};
+struct Vector6 {
+  template <class S>
+  using of = Vec<S, 6>;
+};
+struct Vector7 {
+  template <class S>
+  using of = Vec<S, 7>;
+};
+struct Matrix3 {
+  template <class S>
+  using of = Mat<S, 3>;
+};
+struct Matrix6 {
+  template <class S>
+  using of = Mat<S, 6>;
+};
+struct Matrix76 {
+  template <class S>
+  using of = Mat<S, 7, 6>;
+};
+struct PoseValue {
+  template <class S>
+  using of = Pose<S>;
+};
+struct BodyValue {
+  template <class S>
+  using of = Body<S>;
+};
+struct Scalar {
+  template <class S>
+  using of = S;
+};
+struct Vector {
+  template <class S>
+  using of = VecX<S>;
+};
+struct Matrix {
+  template <class S>
+  using of = MatX<S>;
+};
+struct TwoMatrices {
+  template <class S>
+  using of = std::pair<MatX<S>, MatX<S>>;
+};
+struct Index {
+  template <class>
+  using of = int;
+};
+struct Reference {
+  template <class>
+  using of = Seen;
+};
+struct Truth {
+  template <class>
+  using of = bool;
+};
+}  // namespace type
+
+/// A layout with the type that holds it.
+template <class Type>
+struct Value : Layout {};
+
+/// An operation with a slot. Id makes its type its own; Bound: it is a closure over a robot or a tree.
+template <class Id, bool Bound, class Result, class... Arguments>
+struct Typed : Operation {
+  template <class S>
+  using Plain = typename Result::template of<S>(const typename Arguments::template of<S>&...);
+  template <class S>
+  using Function = std::conditional_t<Bound, std::function<Plain<S>>, Plain<S>*>;
+};
+
+struct Text {
+  std::string_view name, definition, source;
+};
+
+/// operation<struct Exp6>({name, definition, source}, result, {blocks}, call, arguments...). Layouts are constants with
+/// static storage: their addresses are kept.
+template <class Id, bool Bound = false, class Result, class... Arguments>
+consteval Typed<Id, Bound, Result, Arguments...> operation(Text text, const Value<Result>& result,
+                                                           std::initializer_list<Block> blocks, Call call,
+                                                           const Value<Arguments>&... arguments) {
+  return {{text.name, text.definition, text.source, {&arguments...}, {&result}, blocks, call}};
+}
+
+/// The functions of a subject in one scalar, by operation: slots[op::exp6]. A null one is not offered.
+template <class S, const auto&... Operations>
+class Slots {
+  template <class O>
+  struct Slot {
+    typename O::template Function<S> function = nullptr;
+  };
+  struct All : Slot<std::remove_cvref_t<decltype(Operations)>>... {
+  } all_;
+
+ public:
+  template <class O>
+  auto& operator[](const O&) {
+    return static_cast<Slot<O>&>(all_).function;
+  }
+  template <class O>
+  const auto& operator[](const O&) const {
+    return static_cast<const Slot<O>&>(all_).function;
+  }
+  /// visit(operation), for each.
+  template <class Visit>
+  static void for_each(Visit visit) {
+    (visit(Operations), ...);
+  }
+};
+
+}  // namespace liecheck::properties

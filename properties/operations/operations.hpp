@@ -1,0 +1,43 @@
+#pragma once
+// Every operation, as the slots of a subject and as a list.
+
+#include <operations/configurations.hpp>
+#include <operations/exponentials.hpp>
+#include <operations/spatial.hpp>
+#include <operations/trees.hpp>
+#include <vector>
+
+namespace liecheck::properties {
+
+/// What a library offers on fixed-size values.
+template <class S>
+using SpatialSlots =
+    Slots<S, op::exp3_quaternion, op::exp3_matrix, op::log3_quaternion, op::log3_matrix, op::exp6, op::log6,
+          op::compose, op::inverse, op::act_point, op::act_motion, op::act_inverse_motion, op::act_force,
+          op::act_inverse_force, op::cross_motion, op::cross_force, op::rotate_point, op::act_inertia,
+          op::act_inverse_inertia, op::momentum, op::kinetic_energy, op::inertia_matrix, op::integrate,
+          op::difference, op::left_jacobian3, op::right_jacobian3, op::left_jacobian3_inverse,
+          op::right_jacobian3_inverse, op::left_jacobian6, op::right_jacobian6, op::left_jacobian6_inverse,
+          op::right_jacobian6_inverse, op::d_integrate_arg0, op::d_integrate_arg1, op::d_difference_arg0,
+          op::d_difference_arg1, op::integrate_coefficient_jacobian>;
+
+/// What a library offers on the whole configuration vector of one robot.
+template <class S>
+using RobotOperations = Slots<S, op::robot_integrate, op::robot_difference, op::robot_is_same>;
+
+/// What a library offers on one tree of bodies.
+template <class S>
+using TreeOperations =
+    Slots<S, op::tree_rnea, op::tree_aba, op::tree_nonlinear_effects, op::tree_gravity, op::tree_crba,
+          op::tree_mass_inverse, op::rnea_derivatives, op::aba_derivatives, op::tree_kinetic_energy,
+          op::tree_potential_energy, op::tree_momentum, op::tree_momentum_map, op::frame_pose,
+          op::frame_velocity, op::frame_acceleration, op::frame_classical_acceleration, op::frame_jacobian,
+          op::frame_jacobian_rate>;
+
+/// Slots first, then the quantities that laws form of them.
+const std::vector<const Operation*>& all_operations();
+
+/// Throws std::logic_error for a name that no record has.
+const Operation& operation_named(std::string_view name);
+
+}  // namespace liecheck::properties
