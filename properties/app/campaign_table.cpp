@@ -1,5 +1,6 @@
 #include <app/campaign_table.hpp>
 
+#include <failures/description.hpp>
 #include <fmt/format.h>
 #include <algorithm>
 #include <app/command.hpp>

@@ -172,14 +172,14 @@ class CorpusFile {
 bool hunt_on(const Series& series, HuntOptions options, const Flags& f, const std::string& robot_flag,
              CorpusFile& corpus) {
   options.progress = progress_of(fmt::format("hunt {} {}", series.property, options.operation));
-  const HuntResult hunted = series.hunt(options);
+  const HuntResult hunted = hunt(series, options);
   options.progress = nullptr;
   HuntResult random;
   if (f.versus_random && !hunted.stopped) {
     options.evaluations = hunted.evaluations;
     options.random = true;
     options.progress = progress_of(fmt::format("random {} {}", series.property, options.operation));
-    random = series.hunt(options);
+    random = hunt(series, options);
     options.progress = nullptr;  // clears its line
   }
   fmt::print("hunt of {} on {} {} in {}, seed {}: {} evaluations in {:.1f} s\n", options.operation,

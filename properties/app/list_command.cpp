@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 #include <app/arguments.hpp>
 #include <app/commands.hpp>
-#include <campaign/series.hpp>
+#include <campaign/selection.hpp>
 #include <set>
 
 namespace liecheck::properties {

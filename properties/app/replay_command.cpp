@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <hard_cases/attempt.hpp>
 #include <app/commands.hpp>
 #include <app/shared_flags.hpp>
 #include <memory>
@@ -44,7 +45,7 @@ void print_judged(const Series& series, const Judged& j) {
 int run(const Flags& f) {
   const CaseId id = CaseId::parse(f.id);
   const auto series = series_of(id, f.id, f.robot.read());
-  const Trial trial = series->attempt(id);
+  const Trial trial = attempt(*series, id);
   fmt::print("{}: {}\n{} {} in {}\ninput {}\n", series->property, series->law, series->subject,
              series->subject_version, series->scalar, fmt::join(trial.input, " "));
   bool failed = false;

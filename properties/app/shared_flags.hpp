@@ -2,7 +2,7 @@
 // Flags that several commands have: seed, jobs, robot, and which subjects and properties.
 
 #include <app/arguments.hpp>
-#include <campaign/series.hpp>
+#include <campaign/selection.hpp>
 #include <optional>
 
 namespace liecheck::properties {

@@ -94,7 +94,7 @@ const std::vector<Budget>& budgets(const std::string& subject) {
   return own != tables.end() ? own->second : tables.at("");
 }
 
-const Budget& budget_of(const std::string& subject, const std::string& operation, const std::string& block,
+const Budget& budget_of(const std::string& subject, std::string_view operation, std::string_view block,
                         Region region) {
   const char* wanted = region == Region::to_pi ? "to_pi" : "beyond_pi";
   for (const Budget& b : budgets(subject))

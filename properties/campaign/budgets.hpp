@@ -5,6 +5,7 @@
 
 #include <generators/angle_bands.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace liecheck::properties {
@@ -34,7 +35,7 @@ const std::vector<Budget>& budget_lines();
 const std::vector<Budget>& budgets(const std::string& subject);
 
 /// The budget of a block in a band, for a subject. Throws std::logic_error where the table has no line.
-const Budget& budget_of(const std::string& subject, const std::string& operation, const std::string& block,
+const Budget& budget_of(const std::string& subject, std::string_view operation, std::string_view block,
                         Region region);
 
 }  // namespace liecheck::properties

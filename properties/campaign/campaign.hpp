@@ -1,7 +1,8 @@
 #pragma once
 // A campaign: every selected series over a range of cases, on some threads, to one record.
 
-#include <campaign/series.hpp>
+#include <campaign/robots.hpp>
+#include <campaign/selection.hpp>
 #include <map>
 #include <optional>
 #include <set>
@@ -60,9 +61,5 @@ class Checkpoint {
 /// every half second and at the end; at stop_requested it finishes the chunks in progress.
 CampaignResult run_campaign(const CampaignOptions& options, const Robot& robot,
                             Checkpoint* checkpoint = nullptr);
-
-/// One failure as text: law, subject, scalar, block, error, kappa, shrunk input, replay command.
-std::string describe_failure(const Series& series, std::uint64_t seed, int output, int band, const Row& row,
-                             const Robot& robot);
 
 }  // namespace liecheck::properties

@@ -13,20 +13,25 @@ namespace liecheck::properties {
 /// A fast condition number is good to two digits (oracles::condition_number).
 inline constexpr double kappa_accuracy = 0.02;
 
-/// By output, to half a turn and beyond.
-using Limits = std::vector<std::array<const Budget*, 2>>;
+/// The budgets of one output, up to theta = pi and beyond.
+struct OutputLimits {
+  const Block* definition;
+  std::array<const Budget*, 2> budgets;
+};
+/// By output, in the order of the law.
+using Limits = std::vector<OutputLimits>;
 
 /// Collects the residuals of one case and compares each with its budget.
 class Judge final : public Recorder {
  public:
   /// accuracy: of the errors given, relative or in eps, whichever is larger; 0 at 50 digits.
   /// every_kappa: also where the error passes for every kappa, so that what is ill-posed is never stable.
-  Judge(const Limits& budgets, const Bands& bands, double eps, double accuracy, bool every_kappa = false)
-      : budgets_(budgets), bands_(bands), eps_(eps), accuracy_(accuracy), every_kappa_(every_kappa) {
-    judged.reserve(budgets.size());
+  Judge(const Limits& limits, const Bands& bands, double eps, double accuracy, bool every_kappa = false)
+      : limits_(limits), bands_(bands), eps_(eps), accuracy_(accuracy), every_kappa_(every_kappa) {
+    judged.reserve(limits.size());
   }
 
-  void record(int output, std::size_t band, double error, Kappa kappa) override {
+  void record(const Output& output, std::size_t band, double error, Kappa kappa) override {
     Judged j = start(output, band);
     j.residual.error = error;
     // An error too large for a double under the excess rule may still be what rounding the input does: kappa
@@ -56,7 +61,7 @@ class Judge final : public Recorder {
     }
     judged.push_back(j);
   }
-  void outcome(int output, std::size_t band, Outcome outcome) override {
+  void outcome(const Output& output, std::size_t band, Outcome outcome) override {
     Judged j = start(output, band);
     j.residual.outcome = outcome;
     j.failed = outcome != Outcome::unresolved;
@@ -71,11 +76,13 @@ class Judge final : public Recorder {
   std::vector<Judged> judged;
 
  private:
-  Judged start(int output, std::size_t band) const {
+  Judged start(const Output& output, std::size_t band) const {
+    std::size_t i = 0;
+    while (limits_.at(i).definition != output.definition) ++i;
     Judged j;
-    j.residual.output = static_cast<std::uint16_t>(output);
+    j.residual.output = static_cast<std::uint16_t>(i);
     j.residual.band = static_cast<std::uint16_t>(band);
-    j.budget = budgets_.at(static_cast<std::size_t>(output))[bands_[band].region == Region::to_pi ? 0 : 1];
+    j.budget = limits_[i].budgets[bands_[band].region == Region::to_pi ? 0 : 1];
     return j;
   }
   /// Throws where an error of that accuracy may be on either side of the limit.
@@ -83,7 +90,7 @@ class Judge final : public Recorder {
     if (accuracy > 0 && value > 0 && std::fabs(value - limit) <= 2 * accuracy * std::max(1.0, limit))
       throw oracles::Undecided();
   }
-  const Limits& budgets_;
+  const Limits& limits_;
   const Bands& bands_;
   double eps_, accuracy_;
   bool every_kappa_;

@@ -10,6 +10,6 @@ namespace liecheck::properties {
 /// Compiles against liecheck's public headers and Eigen; prints the operation's result. `numbers` are an input of
 /// the series' property in hexadecimal. Another subject's case calls liecheck's function of the same meaning, with a
 /// comment that says so.
-std::string snippet(const Series& series, const Output& output, const std::vector<std::string>& numbers);
+std::string program_of(const Series& series, const Output& output, const std::vector<std::string>& numbers);
 
 }  // namespace liecheck::properties

@@ -1,5 +1,6 @@
 #include <hard_cases/hard_cases.hpp>
 
+#include <hard_cases/attempt.hpp>
 #include <fmt/format.h>
 #include <algorithm>
 #include <atomic>
@@ -106,7 +107,7 @@ void run(Task& task) {
     id.input = task.row.input.at(s->scalar);
     Trial trial;
     try {
-      trial = s->attempt(id);
+      trial = attempt(*s, id);
     } catch (const std::invalid_argument& e) {
       throw std::invalid_argument(
           fmt::format("{}: {}: {}", task.row.entry->place(), task.row.entry->name, e.what()));

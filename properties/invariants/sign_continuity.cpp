@@ -21,8 +21,8 @@ class SignContinuity final : public Law<SignContinuity, S> {
   }
   std::vector<Output> outputs() const override { return {op::integrate[block::sign]}; }
   std::vector<Field> fields() const override {
-    return {{"p", Kind::vector, 3, "m"},
-            {"Q", Kind::quaternion, 4, "1"},
+    return {{"p0", Kind::vector, 3, "m"},
+            {"Q0", Kind::quaternion, 4, "1"},
             {"rho", Kind::vector, 3, "m"},
             {"phi", Kind::rotation_vector, 3, "rad"}};
   }

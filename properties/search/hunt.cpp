@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <array>
-#include <campaign/campaign.hpp>
+#include <campaign/typed_series.hpp>
 #include <chrono>
 #include <search/mutations.hpp>
 #include <support/stop.hpp>
@@ -51,16 +51,42 @@ CaseId raw_id(const std::vector<S>& x) {
   return id;
 }
 
-}  // namespace
+/// What is searched for: an output, and the figure of it that is maximised.
+template <class S>
+std::vector<Worst> objectives_of(const TypedSeries<S>& series, const HuntOptions& options, const Limits& limits) {
+  std::vector<Worst> all;
+  for (std::size_t i = 0; i < series.outputs.size(); ++i) {
+    const Output& o = series.outputs[i];
+    if (o.operation != options.operation || (!options.block.empty() && o.block != options.block)) continue;
+    Worst w;
+    w.output = static_cast<int>(i);
+    w.by_kappa = limits[i].budgets[0]->rule == Rule::excess && limits[i].budgets[1]->rule == Rule::excess;
+    all.push_back(w);
+  }
+  return all;
+}
+
+/// Negative where the case is outside the hunt.
+double score_of(const Worst& w, const Judged& j) {
+  if (j.budget->rule == Rule::forward) return j.residual.error;
+  return w.by_kappa && !j.ill_posed ? j.excess : -1.0;
+}
 
 template <class S>
-HuntResult hunt_worst(const HuntProblem<S>& problem, const HuntOptions& options) {
-  const Moves<S> moves(problem.fields);
-  Source source(sha256(fmt::format("hunt.{}.{}.{}", options.seed, options.random, problem.key)));
+HuntResult hunt_in(const TypedSeries<S>& series, const HuntOptions& options) {
+  // With `excess` every case is judged by error / kappa, whatever its budget.
+  static const Budget ratio{"", "", "any", Rule::excess, -1, ""};
+  Limits limits = series.limits();
+  if (options.excess)
+    for (OutputLimits& l : limits) l.budgets = {&ratio, &ratio};
+  const Property<S>& law = series.tested_law();
+  const Mutations<S> mutations(series.fields);
+  Source source(sha256(fmt::format("hunt.{}.{}.{}.{}.{}", options.seed, options.random, series.property,
+                                   series.scalar, options.operation)));
   std::vector<Climb<S>> climbs;
-  for (const Worst& w : problem.objectives) {
+  for (const Worst& w : objectives_of(series, options, limits)) {
     climbs.push_back({w, {}, {}, {}});
-    climbs.back().cells.resize(problem.bands);
+    climbs.back().cells.resize(series.bands().all().size());
   }
   HuntResult result;
   if (climbs.empty()) return result;
@@ -69,7 +95,7 @@ HuntResult hunt_worst(const HuntProblem<S>& problem, const HuntOptions& options)
 
   const auto evaluate = [&](const std::vector<S>& x, std::size_t island) {
     ++result.evaluations;
-    for (const Judged& j : problem.measure(x)) {
+    for (const Judged& j : series.measure(x, limits)) {
       for (Climb<S>& c : climbs) {
         // A refusal is of the whole law, whatever output it is recorded under.
         if (c.worst.output != j.residual.output && j.residual.outcome != Outcome::refused) continue;
@@ -80,7 +106,7 @@ HuntResult hunt_worst(const HuntProblem<S>& problem, const HuntOptions& options)
           }
           continue;
         }
-        const double score = problem.score(c.worst, j);
+        const double score = score_of(c.worst, j);
         if (!(score >= 0)) continue;
         Elite<S>& e = c.cells[j.residual.band][island];
         if (score >= e.score) e = {score, x};
@@ -101,16 +127,16 @@ HuntResult hunt_worst(const HuntProblem<S>& problem, const HuntOptions& options)
                                : climbs[target].pick(source, island);
     if (from) {
       x = from->x;
-      moves.apply(x, problem.generate(source), source);
+      mutations.apply(x, law.generate(source), source);
       // An input that does not validate costs no evaluation; a climb walled in by them starts afresh.
-      if (!problem.valid(x) && ++attempts % 64 != 0) {
+      if (!law.valid(x) && ++attempts % 64 != 0) {
         if (options.evaluations == 0) share = elapsed() / options.seconds;
         continue;
       }
     }
-    if (x.empty() || !problem.valid(x)) {
-      x = problem.generate(source);
-      if (options.random || turn % 4 == 3) moves.uniform(x, source);  // smooth errors peak anywhere
+    if (x.empty() || !law.valid(x)) {
+      x = law.generate(source);
+      if (options.random || turn % 4 == 3) mutations.uniform(x, source);  // smooth errors peak anywhere
     }
     evaluate(x, island);
     share = options.evaluations
@@ -134,8 +160,15 @@ HuntResult hunt_worst(const HuntProblem<S>& problem, const HuntOptions& options)
   return result;
 }
 
-template HuntResult hunt_worst(const HuntProblem<float>&, const HuntOptions&);
-template HuntResult hunt_worst(const HuntProblem<double>&, const HuntOptions&);
-template HuntResult hunt_worst(const HuntProblem<float128>&, const HuntOptions&);
+}  // namespace
+
+HuntResult hunt(const Series& series, const HuntOptions& options) {
+  HuntResult result = with_scalar(series, [&](const auto& typed) { return hunt_in(typed, options); });
+  for (Worst& w : result.worst)
+    for (CaseId* id : {&w.id, &w.first_broken_id})
+      id->property = series.property, id->subject = series.subject, id->scalar = series.scalar,
+      id->robot = series.robot;
+  return result;
+}
 
 }  // namespace liecheck::properties

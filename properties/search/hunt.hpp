@@ -2,7 +2,7 @@
 // Worst-case search: the input on which one operation of one subject errs most.
 //
 // A random sweep over the bands fills an archive with the worst input of each band and output; then each step
-// takes one of them, moves it (moves.hpp) and keeps the result where it is the worst of its band so far, as
+// takes one of them, mutates it (mutations.hpp) and keeps the result where it is the worst of its band so far, as
 // in Mouret & Clune 2015 (MAP-Elites). Every decade of angle is climbed by itself, and a climb that walks into
 // another band goes on there. Four islands keep the climbs from being one. What is found is a lower bound.
 
@@ -46,22 +46,8 @@ struct HuntResult {
   bool stopped = false;
 };
 
-/// What a search needs to know of a series.
-template <class S>
-struct HuntProblem {
-  std::vector<Field> fields;
-  std::vector<Worst> objectives;  ///< output and by_kappa set
-  std::size_t bands = 1;
-  std::string key;  ///< names the stream of random bits
-  std::function<std::vector<S>(Source&)> generate;
-  std::function<bool(const std::vector<S>&)> valid;
-  std::function<std::vector<Judged>(const std::vector<S>&)> measure;
-  /// What is maximised; negative where the case is outside the hunt.
-  std::function<double(const Worst&, const Judged&)> score;
-};
-
-/// Stops early at stop_requested. Deterministic for a number of evaluations.
-template <class S>
-HuntResult hunt_worst(const HuntProblem<S>& problem, const HuntOptions& options);
+/// The worst input of each block of an operation; no block where the series' law does not measure it. Stops early at
+/// stop_requested. Deterministic for a number of evaluations.
+HuntResult hunt(const Series& series, const HuntOptions& options);
 
 }  // namespace liecheck::properties

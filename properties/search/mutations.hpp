@@ -1,8 +1,8 @@
 #pragma once
-// Moves of a search: one random change of an input, made for the kind of each group of numbers.
+// Mutations of a search: one random change of an input, made for the kind of each group of numbers.
 //
 // A step is small in units in the last place or large, log-uniformly: a defect may be one ulp wide or a decade.
-// Moves keep rotations unit and inertias untouched; what a property's valid() rejects, the search throws away.
+// Mutations keep rotations unit and inertias untouched; what a property's valid() rejects, the search throws away.
 
 #include <generators/rotations.hpp>
 #include <invariants/property.hpp>
@@ -11,9 +11,9 @@
 namespace liecheck::properties {
 
 template <class S>
-class Moves {
+class Mutations {
  public:
-  explicit Moves(const std::vector<Field>& fields) {
+  explicit Mutations(const std::vector<Field>& fields) {
     std::size_t from = 0;
     for (const Field& f : fields) {
       groups_.push_back({f.kind, from, static_cast<std::size_t>(f.size)});

@@ -6,12 +6,23 @@
 // decimals, few bits. Bounded by a number of evaluations and by two seconds.
 
 #include <algorithm>
+#include <campaign/series.hpp>
 #include <chrono>
 #include <functional>
 #include <generators/shrinks.hpp>
 #include <vector>
 
 namespace liecheck::properties {
+
+/// The smallest input found that still fails in the same way.
+struct Shrunk {
+  CaseId id;
+  std::vector<std::string> decimal;
+  Judged judged;
+};
+
+/// Shrinks a failing case of one output: at most `evaluations` measurements and two seconds.
+Shrunk shrink(const Series& series, const CaseId& id, int output, int evaluations);
 
 template <class S>
 std::vector<S> shrink_input(

@@ -79,6 +79,18 @@ std::vector<S> cost_input(const std::vector<Field>& fields, const CostBand& band
         append(x, before);
         break;
       }
+      case Kind::positive:
+        x.push_back(S(1) + source.unit<S>());
+        break;
+      case Kind::inertia: {  // three unit masses in a cube of 2 m
+        Mat<S, 3> I = Mat<S, 3>::Zero();
+        for (int k = 0; k < 3; ++k) {
+          const Vec<S, 3> r(source.symmetric<S>(), source.symmetric<S>(), source.symmetric<S>());
+          I += r.squaredNorm() * Mat<S, 3>::Identity() - r * r.transpose();
+        }
+        for (const S& v : {I(0, 0), I(0, 1), I(1, 1), I(0, 2), I(1, 2), I(2, 2)}) x.push_back(v);
+        break;
+      }
       default:
         throw std::logic_error("no cost input for field " + f.name);
     }

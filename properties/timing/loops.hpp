@@ -44,6 +44,16 @@ template <class S>
 std::size_t bits_of(const Pose<S>& X) {
   return bits_of_numbers<S>(X.R) ^ bits_of_numbers<S>(X.p);
 }
+template <class S>
+std::size_t bits_of(const Body<S>& I) {
+  return bits_of_numbers<S>(I.c) ^ bits_of_numbers<S>(I.I_C);
+}
+template <class S>
+std::size_t bits_of(const S& x) {
+  std::uint32_t w;
+  std::memcpy(&w, &x, sizeof w);
+  return w;
+}
 
 template <class S, int R, int C>
 const S& first_number(const Eigen::Matrix<S, R, C>& m) {
@@ -53,6 +63,10 @@ template <class S>
 const S& first_number(const Pose<S>& X) {
   return X.R(0, 0);
 }
+template <class S>
+const S& first_number(const Body<S>& I) {
+  return I.mass;
+}
 template <class S, int R, int C>
 void fill(Eigen::Matrix<S, R, C>& m, const S& x) {
   m.setConstant(x);
@@ -60,6 +74,14 @@ void fill(Eigen::Matrix<S, R, C>& m, const S& x) {
 template <class S>
 void fill(Pose<S>& X, const S& x) {
   X.R.setConstant(x), X.p.setConstant(x);
+}
+template <class S>
+void fill(Body<S>& I, const S& x) {
+  I.mass = x, I.c.setConstant(x), I.I_C.setConstant(x);
+}
+template <class S>
+void fill(S& y, const S& x) {
+  y = x;
 }
 
 /// The shortest operation of its signature: every number of the result is the first number given.

@@ -66,20 +66,21 @@ std::vector<const Subject<S>*> subjects_of(const CostPlan& plan) {
   return all;
 }
 
+using Laws = std::vector<std::unique_ptr<Property<double>>>;
+
 template <class S>
-void add_scalar(CostPlan& plan, const std::string& scalar,
-                const std::map<std::string, std::vector<Field>>& fields_of_laws) {
+void add_scalar(CostPlan& plan, const std::string& scalar, const Laws& laws) {
   if (!plan.wants(plan.options.scalars, scalar)) return;
-  std::map<std::string, std::unique_ptr<Property<S>>> laws;
-  for (auto& law : make_properties<S>()) laws.emplace(law->name(), std::move(law));
-  add_cost_rows<S, S>(
-      plan, scalar, static_cast<double>(std::numeric_limits<S>::epsilon()), subjects_of<S>(plan),
-      plan.options.inputs_per_band, true, fields_of_laws,
-      [&](const char* name, const char* law, auto member, auto f, const std::vector<std::vector<S>>& inputs) {
-        Subject<S> only;
-        only.operations.*member = f;
-        return score(*laws.at(law), name, only, inputs);
-      });
+  std::map<std::string, std::unique_ptr<Property<S>>> laws_in_S;
+  for (auto& law : make_properties<S>()) laws_in_S.emplace(law->name(), std::move(law));
+  add_cost_rows<S, S>(plan, scalar, static_cast<double>(std::numeric_limits<S>::epsilon()), subjects_of<S>(plan),
+                      plan.options.inputs_per_band, true, laws,
+                      [&](const auto& operation, const Property<double>& law, auto f,
+                          const std::vector<std::vector<S>>& inputs) {
+                        Subject<S> only;
+                        only.operations[operation] = f;
+                        return score(*laws_in_S.at(law.name()), operation, only, inputs);
+                      });
 }
 
 void check_known(const std::vector<std::string>& given, const std::vector<std::string>& known,
@@ -94,7 +95,10 @@ void check_known(const std::vector<std::string>& given, const std::vector<std::s
 
 std::vector<std::string> cost_operations() {
   std::vector<std::string> all;
-  for_each_cost_operation<double>([&](const char* name, auto&&...) { all.push_back(name); });
+  const Laws laws = make_properties<double>();
+  SpatialSlots<double>::for_each([&](const Operation& operation) {
+    if (law_of(operation, laws)) all.emplace_back(operation.name);
+  });
   return all;
 }
 
@@ -111,11 +115,10 @@ CostResult measure_cost(const CostOptions& options) {
   check_known(options.scalars, cost_scalars(), "--scalar", "scalar");
   const auto start = std::chrono::steady_clock::now();
   CostPlan plan{options, {}, {}};
-  std::map<std::string, std::vector<Field>> fields_of_laws;
-  for (const auto& law : make_properties<double>()) fields_of_laws[law->name()] = law->fields();
-  add_scalar<float>(plan, "float", fields_of_laws);
-  add_scalar<double>(plan, "double", fields_of_laws);
-  add_tiers(plan, fields_of_laws);
+  const Laws laws = make_properties<double>();
+  add_scalar<float>(plan, "float", laws);
+  add_scalar<double>(plan, "double", laws);
+  add_tiers(plan, laws);
   if (plan.rows.empty() && !plan.stopped())
     throw std::invalid_argument(
         "nothing to time: no selected subject offers a selected operation in that scalar");

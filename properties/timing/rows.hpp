@@ -2,11 +2,11 @@
 // One scalar's rows: every operation of every subject, scored, and ready to be timed.
 
 #include <algorithm>
+#include <timing/arguments.hpp>
 #include <timing/benchmarks.hpp>
 #include <timing/cost.hpp>
 #include <timing/inputs.hpp>
 #include <timing/loops.hpp>
-#include <timing/operations.hpp>
 
 namespace liecheck::properties {
 
@@ -45,48 +45,61 @@ void shuffle(std::vector<T>& all, std::uint64_t seed) {
   for (std::size_t n = all.size(); n > 1; --n) std::swap(all[n - 1], all[source.below(n)]);
 }
 
-/// score(name, law, member, function, flat inputs) -> blocks. Input is the scalar in which inputs are sampled; S holds it
-/// exactly. bands: time each band as well as all together.
+/// The row of one operation for each subject that offers it. score(operation, law, function, inputs) -> blocks. Input is
+/// the scalar in which inputs are sampled; S holds it exactly. bands: time each band as well as all together.
+template <class S, class Input, class Score, class Op, class R, class... A>
+void add_operation_rows(CostPlan& plan, const CostRow& common, const std::vector<const Subject<S>*>& subjects,
+                        std::size_t each, bool bands, const Property<double>& law, const Score& score,
+                        const Op& operation, R (*)(const A&...)) {
+  const std::vector<Field> fields = law.fields();
+  const FieldPositions positions(fields);
+  const auto flat = cost_inputs<Input>(fields, plan.options.seed, each);
+  std::vector<std::tuple<A...>> tuples;
+  for (const auto& x : flat)
+    tuples.push_back(arguments_of(operation, positions, std::vector<S>(x.begin(), x.end())));
+  const auto inputs = std::make_shared<const std::vector<std::tuple<A...>>>(tuples);
+  shuffle(tuples, plan.options.seed);
+  const auto shuffled = std::make_shared<const std::vector<std::tuple<A...>>>(std::move(tuples));
+  const auto add = [&](const std::string& subject, const std::string& version, R (*f)(const A&...),
+                       bool scored) {
+    CostRow row = common;
+    row.subject = subject, row.version = version;
+    const bool by_band = bands && subject.find('@') == std::string::npos;  // other flags: all together
+    CostSet mixed{"mixed", flat.size(), {}, {}, 0, {}};
+    for (std::size_t b = 0; b < cost_bands.size() && !plan.stopped(); ++b) {
+      const auto from = flat.begin() + static_cast<std::ptrdiff_t>(b * each);
+      CostSet set{cost_bands[b].name, each, {}, {}, 0, {}};
+      if (scored)
+        set.blocks = score(operation, law, f,
+                           std::vector<std::vector<Input>>(from, from + static_cast<std::ptrdiff_t>(each)));
+      merge_blocks(mixed.blocks, set.blocks);
+      if (by_band)
+        plan.timed.push_back({plan.rows.size(), b, loops_of<R, A...>(f, inputs, b * each, each)});
+      row.sets.push_back(std::move(set));
+    }
+    if (plan.stopped()) return;
+    plan.timed.push_back(
+        {plan.rows.size(), row.sets.size(), loops_of<R, A...>(f, shuffled, 0, flat.size())});
+    row.sets.push_back(std::move(mixed));
+    plan.rows.push_back(std::move(row));
+  };
+  const auto rows_before = plan.rows.size();
+  for (const Subject<S>* s : subjects)
+    if (s->operations[operation]) add(s->name, s->version, s->operations[operation], true);
+  if (plan.rows.size() > rows_before) add("call", "", &timing_detail::call_only<R, A...>, false);
+}
+
+/// The rows of every operation that a subject offers and a law measures.
 template <class S, class Input, class Score>
 void add_cost_rows(CostPlan& plan, const std::string& scalar, double eps,
-                   std::vector<const Subject<S>*> subjects, std::size_t each, bool bands,
-                   const std::map<std::string, std::vector<Field>>& fields_of_laws, Score score) {
-  for_each_cost_operation<S>([&]<class R, class... A>(const char* name, const char* law,
-                                                      R (*Operations<S>::*member)(const A&...),
-                                                      auto arguments) {
-    if (plan.stopped() || !plan.wants(plan.options.operations, name)) return;
-    const auto flat = cost_inputs<Input>(fields_of_laws.at(law), plan.options.seed, each);
-    std::vector<std::tuple<A...>> tuples;
-    for (const auto& x : flat) tuples.push_back(arguments(std::vector<S>(x.begin(), x.end())));
-    const auto inputs = std::make_shared<const std::vector<std::tuple<A...>>>(tuples);
-    shuffle(tuples, plan.options.seed);
-    const auto shuffled = std::make_shared<const std::vector<std::tuple<A...>>>(std::move(tuples));
-    const auto add = [&](const std::string& subject, const std::string& version, R (*f)(const A&...),
-                         bool scored) {
-      CostRow row{subject, version, scalar, name, eps, {}};
-      const bool by_band = bands && subject.find('@') == std::string::npos;  // other flags: all together
-      CostSet mixed{"mixed", flat.size(), {}, {}, 0, {}};
-      for (std::size_t b = 0; b < cost_bands.size() && !plan.stopped(); ++b) {
-        const auto from = flat.begin() + static_cast<std::ptrdiff_t>(b * each);
-        CostSet set{cost_bands[b].name, each, {}, {}, 0, {}};
-        if (scored)
-          set.blocks = score(name, law, member, f,
-                             std::vector<std::vector<Input>>(from, from + static_cast<std::ptrdiff_t>(each)));
-        merge_blocks(mixed.blocks, set.blocks);
-        if (by_band)
-          plan.timed.push_back({plan.rows.size(), b, loops_of<R, A...>(f, inputs, b * each, each)});
-        row.sets.push_back(std::move(set));
-      }
-      if (plan.stopped()) return;
-      plan.timed.push_back(
-          {plan.rows.size(), row.sets.size(), loops_of<R, A...>(f, shuffled, 0, flat.size())});
-      row.sets.push_back(std::move(mixed));
-      plan.rows.push_back(std::move(row));
-    };
-    const auto rows_before = plan.rows.size();
-    for (const Subject<S>* s : subjects)
-      if (s->operations.*member) add(s->name, s->version, s->operations.*member, true);
-    if (plan.rows.size() > rows_before) add("call", "", &timing_detail::call_only<R, A...>, false);
+                   const std::vector<const Subject<S>*>& subjects, std::size_t each, bool bands,
+                   const std::vector<std::unique_ptr<Property<double>>>& laws, const Score& score) {
+  SpatialSlots<S>::for_each([&]<class Op>(const Op& operation) {
+    const Property<double>* law = law_of(operation, laws);
+    if (!law || plan.stopped() || !plan.wants(plan.options.operations, std::string(operation.name))) return;
+    const CostRow common{"", "", scalar, std::string(operation.name), eps, {}};
+    const typename Op::template Function<S> signature = nullptr;
+    add_operation_rows<S, Input>(plan, common, subjects, each, bands, *law, score, operation, signature);
   });
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // The error of one operation on given inputs, by block, as the law measures it that the operation belongs to.
 
+#include <algorithm>
 #include <invariants/property.hpp>
 #include <oracles/ball_arithmetic.hpp>
 #include <timing/cost.hpp>
@@ -10,13 +11,11 @@ namespace liecheck::properties {
 /// Collects what a law records of one operation.
 class BlockCollector final : public Recorder {
  public:
-  BlockCollector(const std::vector<Output>& outputs, const std::string& operation) {
-    for (const Output& o : outputs) {
-      place_.push_back(o.operation == operation ? static_cast<int>(blocks.size()) : -1);
-      if (o.operation == operation) blocks.push_back({o.block, {}});
-    }
+  BlockCollector(const std::vector<Output>& outputs, const Operation& operation) {
+    for (const Output& o : outputs)
+      if (o.record == &operation) measured_.push_back(o.definition), blocks.push_back({std::string(o.block), {}});
   }
-  void record(int output, std::size_t, double error, Kappa) override {
+  void record(const Output& output, std::size_t, double error, Kappa) override {
     if (BlockErrors* b = at(output)) {
       if (error < std::numeric_limits<double>::infinity())
         b->errors.push_back(error);
@@ -24,7 +23,7 @@ class BlockCollector final : public Recorder {
         ++b->not_finite;
     }
   }
-  void outcome(int output, std::size_t, Outcome outcome) override {
+  void outcome(const Output& output, std::size_t, Outcome outcome) override {
     if (BlockErrors* b = at(output)) switch (outcome) {
         case Outcome::not_finite:
           ++b->not_finite;
@@ -45,17 +44,17 @@ class BlockCollector final : public Recorder {
   std::vector<BlockErrors> blocks;
 
  private:
-  BlockErrors* at(int output) {
-    const int i = place_.at(static_cast<std::size_t>(output));
-    return i < 0 ? nullptr : &blocks[static_cast<std::size_t>(i)];
+  BlockErrors* at(const Output& output) {
+    const auto found = std::find(measured_.begin(), measured_.end(), output.definition);
+    return found == measured_.end() ? nullptr : &blocks[static_cast<std::size_t>(found - measured_.begin())];
   }
-  std::vector<int> place_;
+  std::vector<const Block*> measured_;
 };
 
 /// `subject` offers this operation alone, so that nothing else is measured. By ball arithmetic, at 50 and 100 digits
 /// where that does not decide.
 template <class S>
-std::vector<BlockErrors> score(const Property<S>& law, const std::string& operation,
+std::vector<BlockErrors> score(const Property<S>& law, const Operation& operation,
                                const Subject<S>& subject, const std::vector<std::vector<S>>& inputs) {
   BlockCollector all(law.outputs(), operation);
   for (const auto& x : inputs) {

@@ -13,17 +13,17 @@ const RegisteredAbsent absent("liecheck in double-double (QD)");
 
 template <class T>
 void add_tier(CostPlan& plan, const std::string& scalar, int digits, std::size_t each,
-              const std::map<std::string, std::vector<Field>>& fields_of_laws) {
+              const std::vector<std::unique_ptr<Property<double>>>& laws) {
   if (!plan.wants(plan.options.scalars, scalar) || !plan.wants(plan.options.subjects, "liecheck")) return;
   static const Subject<T> library{"liecheck", liecheck_version(), wide_scalar_operations<T>(), {}};
   const double eps = std::ldexp(1.0, 1 - digits);
-  add_cost_rows<T, double>(plan, scalar, eps, {&library}, each, false, fields_of_laws,
-                           [&](const char* name, const char*, auto member, auto f,
+  add_cost_rows<T, double>(plan, scalar, eps, {&library}, each, false, laws,
+                           [&](const auto& operation, const Property<double>& law, auto f,
                                const std::vector<std::vector<double>>& inputs) {
                              Operations<T> only;
-                             only.*member = f;
+                             only[operation] = f;
                              WideScore<T> score(only, eps);
-                             for (const auto& x : inputs) score.add(name, x);
+                             score.add_all(operation, law, inputs);
                              return std::move(score.blocks);
                            });
 }
@@ -39,16 +39,16 @@ const std::vector<std::string>& cost_scalars() {
   return all;
 }
 
-void add_tiers(CostPlan& plan, const std::map<std::string, std::vector<Field>>& fields_of_laws) {
+void add_tiers(CostPlan& plan, const std::vector<std::unique_ptr<Property<double>>>& laws) {
   // A thirty-second and a sixty-fourth of the inputs of double: a call takes a hundred and a thousand times as long.
   const std::size_t each = plan.options.inputs_per_band, few = std::max<std::size_t>(1, each / 32),
                     fewer = std::max<std::size_t>(1, each / 64);
 #ifdef LIECHECK_QD
-  add_tier<dd_real>(plan, "double-double", std::numeric_limits<dd_real>::digits, few, fields_of_laws);
+  add_tier<dd_real>(plan, "double-double", std::numeric_limits<dd_real>::digits, few, laws);
 #endif
-  add_tier<float128>(plan, "float128", std::numeric_limits<float128>::digits, few, fields_of_laws);
-  add_tier<Digits50>(plan, "digits50", std::numeric_limits<Digits50>::digits, fewer, fields_of_laws);
-  add_tier<Digits100>(plan, "digits100", std::numeric_limits<Digits100>::digits, fewer, fields_of_laws);
+  add_tier<float128>(plan, "float128", std::numeric_limits<float128>::digits, few, laws);
+  add_tier<Digits50>(plan, "digits50", std::numeric_limits<Digits50>::digits, fewer, laws);
+  add_tier<Digits100>(plan, "digits100", std::numeric_limits<Digits100>::digits, fewer, laws);
 }
 
 }  // namespace liecheck::properties

@@ -10,8 +10,8 @@
 #include <oracles/error.hpp>
 #include <oracles/log.hpp>
 #include <oracles/spatial_formulas.hpp>
+#include <timing/arguments.hpp>
 #include <timing/cost.hpp>
-#include <timing/operations.hpp>
 
 namespace liecheck::properties {
 
@@ -24,25 +24,37 @@ class WideScore {
   /// eps: of T.
   WideScore(const Operations<T>& operations, double eps) : o_(operations), eps_(eps) {}
 
-  /// x: the numbers of the operation's law, doubles that T holds exactly.
-  void add(const std::string& operation, const std::vector<double>& x) {
-    std::vector<T> t(x.begin(), x.end());
-    for_each_cost_operation<T>([&](const char* name, const char*, auto member, auto arguments) {
-      if (operation == name) compare(operation, std::apply(o_.*member, arguments(t)), x);
-    });
+  /// Calls the operation on arguments that are doubles, which T holds exactly, and adds its errors.
+  template <class Operation, class... A>
+  void add(const Operation& operation, const A&... arguments) {
+    compare(operation, o_[operation](arguments...), exact(arguments)...);
+  }
+  /// The same for inputs of a law.
+  template <class Operation>
+  void add_all(const Operation& operation, const Property<double>& law,
+               const std::vector<std::vector<double>>& inputs) {
+    const std::vector<Field> fields = law.fields();
+    const FieldPositions positions(fields);
+    for (const auto& x : inputs)
+      std::apply([&](const auto&... argument) { add(operation, argument...); },
+                 arguments_of(operation, positions, std::vector<T>(x.begin(), x.end())));
   }
   std::vector<BlockErrors> blocks;
 
  private:
   template <int N>
-  static oracles::Vec<N, Wide> numbers(const std::vector<double>& x, std::size_t first) {
-    oracles::Vec<N, Wide> v;
-    for (int i = 0; i < N; ++i) v[i] = Wide(x[first + static_cast<std::size_t>(i)]);
-    return v;
+  static oracles::Vec<N, Wide> exact(const Vec<T, N>& v) {
+    oracles::Vec<N, Wide> x;
+    for (int i = 0; i < N; ++i) x[i] = wide(v[i]);
+    return x;
   }
-  static oracles::PoseOf<Wide> pose(const std::vector<double>& x, std::size_t first) {
-    return {{numbers<9>(x, first).x}, numbers<3>(x, first + 9)};
+  static oracles::Mat3<Wide> exact(const Mat<T, 3>& m) {
+    oracles::Mat3<Wide> x;
+    for (int i = 0; i < 9; ++i) x(i / 3, i % 3) = wide(m(i / 3, i % 3));
+    return x;
   }
+  static oracles::PoseOf<Wide> exact(const Pose<T>& X) { return {exact(X.R), exact(X.p)}; }
+  static oracles::BodyOf<Wide> exact(const Body<T>& I) { return {wide(I.mass), exact(I.c), exact(I.I_C)}; }
   template <int R, int C>
   static List list(const oracles::Mat<R, C, Wide>& m) {
     return {m.x.begin(), m.x.end()};
@@ -119,86 +131,181 @@ class WideScore {
         std::max(norm(minus(part(0, 0), list(diagonal))), norm(minus(part(1, 1), list(diagonal)))) / size);
     relative("coupling", part(0, 1), list(coupling));
   }
+  template <class M>
+  void jacobian6(const M& J, const oracles::JacobianBlocks<Wide>& exact) {
+    jacobian6(J, exact.J, exact.C);
+  }
   /// J_l(xi), J_r(xi) = J_l(-xi), or their inverses, with that sign.
   static oracles::JacobianBlocks<Wide> jacobian(const oracles::Vec6<Wide>& xi, bool left, bool inverse) {
     const auto at = left ? xi : Wide(-1) * xi;
     return inverse ? oracles::closed_left_jacobian_inverse(at) : oracles::closed_left_jacobian(at);
   }
 
-  template <int N>
-  void compare(const std::string& op, const Vec<T, N>& y, const std::vector<double>& x) {
-    const List computed = list(y);
-    const auto none = oracles::Vec3<Wide>{{Wide(0), Wide(0), Wide(0)}};
-    if (op == "exp3_quaternion") {
-      rotation(computed, oracles::closed_exp(oracles::stack(none, numbers<3>(x, 3))).Q);
-    } else if (op == "log3_quaternion") {
-      relative("rotation vector", computed,
-               list(oracles::tail3(oracles::closed_log(numbers<4>(x, 0), none))));
-    } else if (op == "log3_matrix") {
-      const auto Q = oracles::nearest_quaternion(pose(x, 4).R).Q;
-      relative("rotation vector", computed, list(oracles::tail3(oracles::closed_log(Q, none))));
-    } else if (op == "log6") {
-      log(computed, oracles::closed_log(oracles::nearest_quaternion(pose(x, 4).R).Q, pose(x, 4).p));
-    } else if (op == "integrate") {
-      const auto q0 = numbers<7>(x, 0);
-      const auto exact = oracles::closed_integrate(q0, numbers<6>(x, 14));
-      const List p0 = slice(list(q0), 0, 3), p = list(exact.p);
-      rotation(slice(computed, 3, 4), exact.Q);
-      relative("translation", slice(computed, 0, 3), p, std::max(norm(p0), norm(minus(p, p0))));
-    } else if (op == "difference") {
-      const auto q0 = numbers<7>(x, 0), q1 = numbers<7>(x, 7);
-      log(computed, oracles::closed_difference(q0, q1),
-          norm(minus(slice(list(q1), 0, 3), slice(list(q0), 0, 3))));
-    } else if (op == "act_point") {
-      const auto X = pose(x, 0);
-      relative("point", computed, list(X.R * numbers<3>(x, 21) + X.p));
-    } else if (op == "rotate_point") {
-      relative("point", computed, list(oracles::rotate(numbers<4>(x, 30), numbers<3>(x, 9))));
-    } else if (op == "act_motion") {
-      const List exact = list(oracles::formulas::act_motion(pose(x, 0), numbers<6>(x, 12)));
-      relative("linear", slice(computed, 0, 3), slice(exact, 0, 3));
-      relative("angular", slice(computed, 3, 3), slice(exact, 3, 3));
-    }
+  using V3 = oracles::Vec3<Wide>;
+  using V4 = oracles::Quaternion<Wide>;
+  using V6 = oracles::Vec6<Wide>;
+  using V7 = oracles::Vec7<Wide>;
+  using M3 = oracles::Mat3<Wide>;
+  using X = oracles::PoseOf<Wide>;
+  using I = oracles::BodyOf<Wide>;
+  template <const auto& operation>
+  using As = const std::remove_cvref_t<decltype(operation)>&;
+  static V3 zero() { return {{Wide(0), Wide(0), Wide(0)}}; }
+
+  // exp and log
+  void compare(As<op::exp3_quaternion>, const Vec<T, 4>& Q, const V3& phi) {
+    rotation(list(Q), oracles::closed_exp(oracles::stack(zero(), phi)).Q);
   }
-  void compare(const std::string& op, const Mat<T, 3>& y, const std::vector<double>& x) {
-    const auto xi = oracles::stack(oracles::Vec3<Wide>{{Wide(0), Wide(0), Wide(0)}}, numbers<3>(x, 3));
-    if (op == "exp3_matrix") return rotation_of_matrix(list(y), oracles::closed_exp(xi).Q);
-    relative("jacobian", list(y), list(jacobian(xi, has(op, "left"), has(op, "inverse")).J));
+  void compare(As<op::exp3_matrix>, const Mat<T, 3>& R, const V3& phi) {
+    rotation_of_matrix(list(R), oracles::closed_exp(oracles::stack(zero(), phi)).Q);
   }
-  void compare(const std::string& op, const Pose<T>& y, const std::vector<double>& x) {
-    if (op == "exp6") {
-      const auto exact = oracles::closed_exp(numbers<6>(x, 0));
-      rotation_of_matrix(list(y.R), exact.Q);
-      relative("translation", list(y.p), list(exact.p));
-    } else if (op == "compose") {
-      const auto X = pose(x, 0), Y = pose(x, 12);
-      relative("matrix", list(y.R), list(X.R * Y.R));
-      relative("translation", list(y.p), list(X.R * Y.p + X.p), std::max(norm(list(X.p)), norm(list(Y.p))));
-    } else {
-      const auto X = pose(x, 0), Rt = oracles::PoseOf<Wide>{oracles::transpose(X.R), X.p};
-      relative("matrix", list(y.R), list(Rt.R));
-      relative("translation", list(y.p), list(Wide(-1) * (Rt.R * X.p)));
-    }
+  void compare(As<op::exp6>, const Pose<T>& Y, const V6& xi) {
+    const auto exact = oracles::closed_exp(xi);
+    rotation_of_matrix(list(Y.R), exact.Q);
+    relative("translation", list(Y.p), list(exact.p));
   }
-  void compare(const std::string& op, const Mat<T, 6>& y, const std::vector<double>& x) {
-    if (op == "d_integrate_arg0") {
-      const auto inverse = oracles::closed_exp(Wide(-1) * numbers<6>(x, 14));
-      const auto R = oracles::rotation_matrix(inverse.Q);
-      return jacobian6(y, R, oracles::hat(inverse.p) * R);
-    }
-    if (op.rfind("d_difference", 0) == 0) {
-      const auto delta = oracles::closed_difference(numbers<7>(x, 0), numbers<7>(x, 7));
-      const bool first = has(op, "arg0");
-      const auto exact = jacobian(delta, first, true);
-      const Wide sign(first ? -1 : 1);
-      return jacobian6(y, sign * exact.J, sign * exact.C);
-    }
-    const auto exact = op == "d_integrate_arg1"
-                           ? jacobian(numbers<6>(x, 14), false, false)
-                           : jacobian(numbers<6>(x, 0), has(op, "left"), has(op, "inverse"));
-    jacobian6(y, exact.J, exact.C);
+  void compare(As<op::log3_quaternion>, const Vec<T, 3>& phi, const V4& Q) {
+    relative("rotation vector", list(phi), list(oracles::tail3(oracles::closed_log(Q, zero()))));
   }
-  static bool has(const std::string& text, const char* part) { return text.find(part) != text.npos; }
+  void compare(As<op::log3_matrix>, const Vec<T, 3>& phi, const M3& R) {
+    const auto Q = oracles::nearest_quaternion(R).Q;
+    relative("rotation vector", list(phi), list(oracles::tail3(oracles::closed_log(Q, zero()))));
+  }
+  void compare(As<op::log6>, const Vec<T, 6>& xi, const X& pose) {
+    log(list(xi), oracles::closed_log(oracles::nearest_quaternion(pose.R).Q, pose.p));
+  }
+
+  // configurations
+  void compare(As<op::integrate>, const Vec<T, 7>& q, const V7& q0, const V6& delta) {
+    const auto exact = oracles::closed_integrate(q0, delta);
+    const List computed = list(q), p0 = slice(list(q0), 0, 3), p = list(exact.p);
+    rotation(slice(computed, 3, 4), exact.Q);
+    relative("translation", slice(computed, 0, 3), p, std::max(norm(p0), norm(minus(p, p0))));
+  }
+  void compare(As<op::difference>, const Vec<T, 6>& delta, const V7& q0, const V7& q1) {
+    log(list(delta), oracles::closed_difference(q0, q1),
+        norm(minus(slice(list(q1), 0, 3), slice(list(q0), 0, 3))));
+  }
+  void compare(As<op::d_integrate_arg0>, const Mat<T, 6>& J, const V7&, const V6& delta) {
+    const auto inverse = oracles::closed_exp(Wide(-1) * delta);
+    const auto R = oracles::rotation_matrix(inverse.Q);
+    jacobian6(J, R, oracles::hat(inverse.p) * R);
+  }
+  void compare(As<op::d_integrate_arg1>, const Mat<T, 6>& J, const V7&, const V6& delta) {
+    jacobian6(J, jacobian(delta, false, false));
+  }
+  void compare(As<op::d_difference_arg0>, const Mat<T, 6>& J, const V7& q0, const V7& q1) {
+    const auto exact = jacobian(oracles::closed_difference(q0, q1), true, true);
+    jacobian6(J, Wide(-1) * exact.J, Wide(-1) * exact.C);
+  }
+  void compare(As<op::d_difference_arg1>, const Mat<T, 6>& J, const V7& q0, const V7& q1) {
+    jacobian6(J, jacobian(oracles::closed_difference(q0, q1), false, true));
+  }
+  void compare(As<op::integrate_coefficient_jacobian>, const Mat<T, 7, 6>& J, const V7& q) {
+    const V4 Q{{q[3], q[4], q[5], q[6]}};
+    relative("translation matrix", list(Mat<T, 3>(J.template topLeftCorner<3, 3>())),
+             list(oracles::rotation_matrix(Wide(1) / oracles::norm(Q) * Q)));
+    List half;
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j < 3; ++j)
+        half.push_back((i == 3 ? -q[3 + j] : i == j ? q[6] : ((j - i + 3) % 3 == 1 ? -1 : 1) * q[6 - i - j]) / 2);
+    relative("quaternion matrix", list(Mat<T, 4, 3>(J.template bottomRightCorner<4, 3>())), half);
+  }
+
+  // Jacobians of exp
+  template <class J3>
+  void three(const J3& J, const V3& phi, bool left, bool inverse) {
+    relative("jacobian", list(J), list(jacobian(oracles::stack(zero(), phi), left, inverse).J));
+  }
+  void compare(As<op::left_jacobian3>, const Mat<T, 3>& J, const V3& phi) { three(J, phi, true, false); }
+  void compare(As<op::right_jacobian3>, const Mat<T, 3>& J, const V3& phi) { three(J, phi, false, false); }
+  void compare(As<op::left_jacobian3_inverse>, const Mat<T, 3>& J, const V3& phi) { three(J, phi, true, true); }
+  void compare(As<op::right_jacobian3_inverse>, const Mat<T, 3>& J, const V3& phi) { three(J, phi, false, true); }
+  void compare(As<op::left_jacobian6>, const Mat<T, 6>& J, const V6& xi) { jacobian6(J, jacobian(xi, true, false)); }
+  void compare(As<op::right_jacobian6>, const Mat<T, 6>& J, const V6& xi) {
+    jacobian6(J, jacobian(xi, false, false));
+  }
+  void compare(As<op::left_jacobian6_inverse>, const Mat<T, 6>& J, const V6& xi) {
+    jacobian6(J, jacobian(xi, true, true));
+  }
+  void compare(As<op::right_jacobian6_inverse>, const Mat<T, 6>& J, const V6& xi) {
+    jacobian6(J, jacobian(xi, false, true));
+  }
+
+  // poses, motions and forces
+  void compare(As<op::compose>, const Pose<T>& Z, const X& x, const X& y) {
+    relative("matrix", list(Z.R), list(x.R * y.R));
+    relative("translation", list(Z.p), list(x.R * y.p + x.p), std::max(norm(list(x.p)), norm(list(y.p))));
+  }
+  void compare(As<op::inverse>, const Pose<T>& Z, const X& x) {
+    const M3 Rt = oracles::transpose(x.R);
+    relative("matrix", list(Z.R), list(Rt));
+    relative("translation", list(Z.p), list(Wide(-1) * (Rt * x.p)));
+  }
+  void compare(As<op::act_point>, const Vec<T, 3>& x_A, const X& x, const V3& p) {
+    relative("point", list(x_A), list(x.R * p + x.p));
+  }
+  void compare(As<op::rotate_point>, const Vec<T, 3>& x_A, const V4& Q, const V3& p) {
+    relative("point", list(x_A), list(oracles::rotate(Q, p)));
+  }
+  void six(const Vec<T, 6>& computed, const V6& exact) {
+    const List all = list(computed), right = list(exact);
+    relative("linear", slice(all, 0, 3), slice(right, 0, 3));
+    relative("angular", slice(all, 3, 3), slice(right, 3, 3));
+  }
+  void compare(As<op::act_motion>, const Vec<T, 6>& y, const X& x, const V6& V) {
+    six(y, oracles::formulas::act_motion(x, V));
+  }
+  void compare(As<op::act_inverse_motion>, const Vec<T, 6>& y, const X& x, const V6& V) {
+    six(y, oracles::formulas::act_inverse_motion(x, V));
+  }
+  void compare(As<op::act_force>, const Vec<T, 6>& y, const X& x, const V6& F) {
+    six(y, oracles::formulas::act_force(x, F));
+  }
+  void compare(As<op::act_inverse_force>, const Vec<T, 6>& y, const X& x, const V6& F) {
+    six(y, oracles::formulas::act_inverse_force(x, F));
+  }
+  void compare(As<op::cross_motion>, const Vec<T, 6>& y, const V6& V, const V6& W) {
+    six(y, oracles::formulas::cross_motion(V, W));
+  }
+  void compare(As<op::cross_force>, const Vec<T, 6>& y, const V6& V, const V6& F) {
+    six(y, oracles::formulas::cross_force(V, F));
+  }
+
+  // inertias
+  void body(const Body<T>& y, const Wide& mass, const V3& c, const M3& I_C) {
+    relative("mass", {wide(y.mass)}, {mass});
+    relative("lever", list(y.c), list(c));
+    relative("inertia", list(y.I_C), list(I_C));
+  }
+  void compare(As<op::act_inertia>, const Body<T>& y, const X& x, const I& b) {
+    body(y, b.mass, x.R * b.c + x.p, x.R * b.I_C * oracles::transpose(x.R));
+  }
+  void compare(As<op::act_inverse_inertia>, const Body<T>& y, const X& x, const I& b) {
+    const M3 Rt = oracles::transpose(x.R);
+    body(y, b.mass, Rt * (b.c - x.p), Rt * b.I_C * x.R);
+  }
+  void compare(As<op::momentum>, const Vec<T, 6>& h, const I& b, const V6& V) {
+    six(h, oracles::formulas::momentum(b, V));
+  }
+  void compare(As<op::kinetic_energy>, const T& energy, const I& b, const V6& V) {
+    relative("energy", {wide(energy)}, {oracles::formulas::kinetic_energy(b, V)});
+  }
+  void compare(As<op::inertia_matrix>, const Mat<T, 6>& M, const I& b) {
+    const M3 lever = oracles::hat(b.c);
+    M3 mass;
+    for (int i = 0; i < 9; ++i) mass(i / 3, i % 3) = i % 4 == 0 ? b.mass : Wide(0);
+    const M3 exact[2][2] = {{mass, Wide(-1) * (b.mass * lever)},
+                            {b.mass * lever, b.I_C + Wide(-1) * (b.mass * (lever * lever))}};
+    Wide worst(0);
+    for (int i = 0; i < 2; ++i)
+      for (int j = 0; j < 2; ++j) {
+        const List right = list(exact[i][j]);
+        const Wide distance = norm(minus(list(Mat<T, 3>(M.template block<3, 3>(3 * i, 3 * j))), right));
+        worst = std::max(worst, distance > 0 ? Wide(distance / norm(right)) : distance);
+      }
+    add_distance("matrix", worst);
+  }
 
   const Operations<T>& o_;
   double eps_;

@@ -110,24 +110,26 @@ TEST(Benchmarks, EveryRowIsRepeatedAndAStopKeepsWhatIsDone) {
 
 /// The operation of both tables, its law's error and that of the closed forms at 100 digits.
 void compare_scores(const Subject<double>& subject) {
-  std::map<std::string, std::unique_ptr<Property<double>>> laws;
-  for (auto& p : make_properties<double>()) laws.emplace(p->name(), std::move(p));
-  for_each_cost_operation<double>([&](const char* name, const char* law, auto member, auto) {
-    if (!(subject.operations.*member)) return;
+  const auto laws = make_properties<double>();
+  SpatialSlots<double>::for_each([&](const auto& operation) {
+    const std::string name(operation.name);
+    const Property<double>* law = law_of(operation, laws);
+    ASSERT_TRUE(law) << name;
+    if (!subject.operations[operation]) return;
     Subject<double> only;
-    only.operations.*member = subject.operations.*member;
-    const auto inputs = cost_inputs<double>(laws.at(law)->fields(), 42, 4);
-    const auto blocks = score(*laws.at(law), name, only, inputs);
+    only.operations[operation] = subject.operations[operation];
+    const auto inputs = cost_inputs<double>(law->fields(), 42, 4);
+    const auto blocks = score(*law, operation, only, inputs);
     WideScore<double> wide(only.operations, 0x1p-52);
-    for (const auto& x : inputs) wide.add(name, x);
+    wide.add_all(operation, *law, inputs);
+    EXPECT_FALSE(wide.blocks.empty()) << name;
     for (const BlockErrors& w : wide.blocks) {
       const auto found =
           std::find_if(blocks.begin(), blocks.end(), [&](auto& b) { return b.block == w.block; });
       ASSERT_NE(found, blocks.end()) << name << " " << w.block;
       ASSERT_EQ(found->errors.size(), w.errors.size()) << name << " " << w.block;
       const bool matrix = w.block == "rotation" &&
-                          std::string(name).find("quaternion") == std::string::npos &&
-                          std::string(name) != "integrate";
+                          name.find("quaternion") == std::string::npos && name != "integrate";
       for (std::size_t i = 0; i < w.errors.size(); ++i) {
         // A matrix: with its defect, of at most a few eps.
         const double slack = matrix ? 4 : 1e-6 * std::max(1.0, w.errors[i]);

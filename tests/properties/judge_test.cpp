@@ -30,11 +30,12 @@ TEST(Agreement, ErrorsAndConditionNumbersMayDifferByTheirAccuracyAndNoMore) {
 
 TEST(TheJudge, SeesALawThatClaimsTooLargeALeastKappa) {
   const Budget excess{"", "", "any", Rule::excess, 8, ""};
-  const Limits limits{{&excess, &excess}};
+  constexpr Output output = op::exp6[block::translation];
+  const Limits limits{{output.definition, {&excess, &excess}}};
   const auto outcome = [&](double kappa, double least) {
     Judge judge(limits, Bands::of<double>(), 0x1p-52, 0, true);
     const auto f = [kappa] { return kappa; };
-    judge.record(0, 0, 1.0, Kappa(f, least));
+    judge.record(output, 0, 1.0, Kappa(f, least));
     return judge.judged.at(0).residual.outcome;
   };
   EXPECT_EQ(outcome(100, 99), Outcome::measured);

@@ -30,7 +30,7 @@ Worst hunt(const std::string& subject, const std::string& operation, const std::
   options.operation = operation, options.block = block;
   options.evaluations = evaluations;
   options.random = random;
-  return series(subject, property)->hunt(options).worst.at(0);
+  return hunt(*series(subject, property), options).worst.at(0);
 }
 
 TEST(Hunt, FindsTheCliffsThatUniformSamplingMisses) {
@@ -70,7 +70,7 @@ TEST(Hunt, MaximisesTheErrorOverKappaWhereAsked) {
   options.operation = "exp6", options.block = "translation";
   options.evaluations = 500;
   options.excess = true;
-  const Worst w = series("textbook", "exp_oracle")->hunt(options).worst.at(0);
+  const Worst w = hunt(*series("textbook", "exp_oracle"), options).worst.at(0);
   EXPECT_TRUE(w.by_kappa);
   EXPECT_GE(w.judged.residual.kappa, 1);
   EXPECT_NEAR(w.score, w.judged.residual.error / w.judged.residual.kappa, 1e-9 * w.score);
@@ -190,7 +190,7 @@ TEST(Shrinking, LeavesTheJointsThatMatter) {
 
 TEST(Shrinking, KeepsTheOutputAndTheOutcome) {
   const Worst w = hunt("textbook:1e-6", "exp6", "translation", 500);
-  const Shrunk s = series("textbook:1e-6", "exp_oracle")->shrink(w.id, w.output, 2000);
+  const Shrunk s = shrink(*series("textbook:1e-6", "exp_oracle"), w.id, w.output, 2000);
   EXPECT_TRUE(s.judged.failed);
   EXPECT_EQ(s.judged.residual.output, w.output);
   EXPECT_EQ(s.judged.residual.outcome, Outcome::measured);
@@ -212,7 +212,7 @@ TEST(Snippets, Compile) {
       std::set<std::string> seen;
       for (const Output& o : s->outputs) {
         if (!seen.insert(o.operation).second) continue;
-        std::string text = snippet(*s, o, s->input(s->id(42, 1)));
+        std::string text = program_of(*s, o, s->input(s->id(42, 1)));
         ASSERT_FALSE(text.empty()) << o.operation;
         static const std::regex include("#include [^\n]*\n");
         for (std::sregex_iterator i(text.begin(), text.end(), include), end; i != end; ++i) unit += i->str();

@@ -1,0 +1,38 @@
+#include <campaign/robots.hpp>
+
+#include <campaign/digest.hpp>
+#include <generators/random_bits.hpp>
+#include <liecheck/urdf/urdf.hpp>
+#include <support/embedded.hpp>
+#include <support/text.hpp>
+
+namespace liecheck::properties {
+
+Robot robot_of(const std::string& urdf, const std::string& path, bool fixed) {
+  Robot r;
+  r.urdf = urdf, r.path = path, r.fixed = fixed;
+  r.hash = hexadecimal(sha256(fixed ? urdf + "\nroot fixed\n" : urdf)).substr(0, 16);
+  const std::string source = path.empty() ? "the built-in robot" : path;
+  const auto model = buildModelFromUrdfText(urdf, fixed ? RootJoint::Fixed : RootJoint::FreeFlyer, source);
+  if (model.nv == 0)
+    throw UrdfError(source, 0, "nothing moves: no joint but fixed ones, and --root fixed", model.name);
+  for (std::size_t j = 1; j < model.joints.size(); ++j)
+    if (model.nqs[j] == 4)
+      throw UrdfError(source, 0, "a planar joint: no law measures one yet", model.names[j]);
+  r.name = model.name;
+  return r;
+}
+
+Robot load_robot(const std::string& path, bool fixed) {
+  return robot_of(readUrdf(path), path, fixed);
+}
+
+std::string robot_flags(const Robot& robot) {
+  return " --robot " + shell_quoted(robot.path) + (robot.fixed ? " --root fixed" : "");
+}
+
+Robot built_in_robot() {
+  return robot_of(built_in_robot_urdf, "");
+}
+
+}  // namespace liecheck::properties

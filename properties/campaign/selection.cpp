@@ -1,0 +1,86 @@
+#include <campaign/selection.hpp>
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <campaign/typed_series.hpp>
+#include <set>
+#include <stdexcept>
+
+namespace liecheck::properties {
+
+namespace {
+
+/// A variant of a subject, such as textbook:1e-4, runs where it is named.
+bool on_request(const std::string& subject) {
+  return subject.find(':') != std::string::npos;
+}
+
+template <class S>
+void add_series(const Selection& selection, const Robot& robot, std::vector<std::unique_ptr<Series>>& all) {
+  const auto wanted = [](const std::vector<std::string>& list, const std::string& name) {
+    return list.empty() || std::find(list.begin(), list.end(), name) != list.end();
+  };
+  if (!wanted(selection.scalars, scalar_name<S>())) return;
+  for (const Subject<S>* subject : subjects<S>()) {
+    if (!wanted(selection.subjects, subject->name)) continue;
+    if (selection.subjects.empty() && on_request(subject->name)) continue;
+    for (auto& property : make_properties<S>()) {
+      if (!wanted(selection.properties, property->name()) || !property->offered(*subject)) continue;
+      all.push_back(std::make_unique<TypedSeries<S>>(std::move(property), *subject, robot));
+    }
+  }
+}
+
+void check_names(const std::vector<std::string>& given, const std::vector<std::string>& known,
+                 const char* what) {
+  for (const std::string& name : given) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    std::vector<std::string> plain;
+    std::copy_if(known.begin(), known.end(), std::back_inserter(plain),
+                 [](auto& n) { return !on_request(n); });
+    throw std::invalid_argument(fmt::format(
+        "--{0}: unknown {0} '{1}'; known: {2}{3}", what, name, fmt::join(plain, ", "),
+        plain.size() < known.size() ? ", and the variants and bugs that 'liecheck list' tells of" : ""));
+  }
+}
+
+}  // namespace
+
+std::vector<std::unique_ptr<Series>> select(const Selection& selection, const Robot& robot) {
+  check_subjects(selection.subjects);
+  check_names(selection.properties, property_names(), "property");
+  check_names(selection.scalars, {"float", "double", "float128"}, "scalar");
+  std::vector<std::unique_ptr<Series>> all;
+  add_series<float>(selection, robot, all);
+  add_series<double>(selection, robot, all);
+  add_series<float128>(selection, robot, all);
+  return all;
+}
+
+std::unique_ptr<Series> series_of(const std::string& property, const Subject<double>& subject,
+                                  const Robot& robot) {
+  check_names({property}, property_names(), "property");
+  for (auto& p : make_properties<double>())
+    if (p->name() == property) return std::make_unique<TypedSeries<double>>(std::move(p), subject, robot);
+  return nullptr;
+}
+
+std::vector<std::string> subject_names() {
+  std::set<std::string> names;
+  for (const auto* s : subjects<float>()) names.insert(s->name);
+  for (const auto* s : subjects<double>()) names.insert(s->name);
+  for (const auto* s : subjects<float128>()) names.insert(s->name);
+  return {names.begin(), names.end()};
+}
+
+void check_subjects(const std::vector<std::string>& names) {
+  check_names(names, subject_names(), "subject");
+}
+
+std::vector<std::string> property_names() {
+  std::vector<std::string> names;
+  for (const auto& p : make_properties<double>()) names.push_back(p->name());
+  return names;
+}
+
+}  // namespace liecheck::properties

@@ -1,0 +1,23 @@
+#pragma once
+// Which laws run on which subjects.
+
+#include <campaign/series.hpp>
+
+namespace liecheck::properties {
+
+/// Every law on every named subject; empty lists mean "all".
+struct Selection {
+  std::vector<std::string> subjects, properties, scalars;
+};
+/// Throws std::invalid_argument for a name that is not known.
+std::vector<std::unique_ptr<Series>> select(const Selection& selection, const Robot& robot);
+/// One law on any subject, in double; `subject` must outlive it. Throws std::invalid_argument.
+std::unique_ptr<Series> series_of(const std::string& property, const Subject<double>& subject,
+                                  const Robot& robot);
+
+std::vector<std::string> subject_names();
+/// Throws std::invalid_argument for a name that is not known.
+void check_subjects(const std::vector<std::string>& names);
+std::vector<std::string> property_names();
+
+}  // namespace liecheck::properties

@@ -1,0 +1,12 @@
+#pragma once
+// What is printed of a failure.
+
+#include <campaign/series.hpp>
+
+namespace liecheck::properties {
+
+/// Law, subject, scalar, block, error, kappa, shrunk input, replay command and a C++ program of the worst case.
+std::string describe_failure(const Series& series, std::uint64_t seed, int output, int band, const Row& row,
+                             const Robot& robot);
+
+}  // namespace liecheck::properties
