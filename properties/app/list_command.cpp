@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 #include <app/arguments.hpp>
 #include <app/commands.hpp>
+#include <campaign/robots.hpp>
 #include <campaign/selection.hpp>
+#include <operations/table.hpp>
 #include <set>
 
 namespace liecheck::properties {
@@ -22,7 +24,15 @@ void print_subjects(const std::vector<std::unique_ptr<Series>>& all) {
       "  bug:NAME, alike:NAME: known bugs and look-alikes, as 'liecheck bench bugs' names them; likewise\n");
 }
 
-int run() {
+struct ListFlags {
+  bool operations = false;
+};
+
+int run(const ListFlags& flags) {
+  if (flags.operations) {
+    fmt::print("{}", operations_table());
+    return within_budget;
+  }
   const auto all = select({}, built_in_robot());
   print_subjects(all);
   fmt::print("properties\n");
@@ -36,7 +46,11 @@ int run() {
 }  // namespace
 
 Command list_command(CLI::App& program) {
-  return Arguments(program, "list", "the subjects and properties").command(run);
+  const auto flags = std::make_shared<ListFlags>();
+  Arguments list(program, "list", "the subjects and properties");
+  list.toggle("--operations", flags->operations,
+              "the operations instead: definitions, arguments, results and blocks, in Markdown");
+  return list.command([flags] { return run(*flags); });
 }
 
 }  // namespace liecheck::properties

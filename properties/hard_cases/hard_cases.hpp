@@ -2,7 +2,7 @@
 // The hard cases, each run on every selected subject that offers its law: a verdict for each.
 
 #include <hard_cases/corpus.hpp>
-#include <campaign/series.hpp>
+#include <campaign/selection.hpp>
 
 namespace liecheck::properties {
 

@@ -11,7 +11,7 @@ namespace liecheck::properties {
 
 namespace {
 
-struct Part {
+struct Shard {
   std::string file, text;
   StoredCampaign campaign;
 };
@@ -25,8 +25,8 @@ std::string shown(const Range& r) {
 }
 
 /// Returns the first of `all` that has done a case in these ranges of the series, or null.
-const Part* overlapping(const std::vector<const Part*>& all, std::size_t series, const Ranges& done) {
-  for (const Part* p : all)
+const Shard* overlapping(const std::vector<const Shard*>& all, std::size_t series, const Ranges& done) {
+  for (const Shard* p : all)
     for (const auto& [first, last] : p->campaign.series[series].tally.done)
       if (Ranges copy = done; !copy.add(first, last)) return p;
   return nullptr;
@@ -35,9 +35,9 @@ const Part* overlapping(const std::vector<const Part*>& all, std::size_t series,
 }  // namespace
 
 StoredCampaign merge(const std::vector<std::string>& files, bool partial) {
-  std::vector<Part> parts;
+  std::vector<Shard> parts;
   for (const std::string& file : files) {
-    Part p{file, "", load_campaign(file)};
+    Shard p{file, "", load_campaign(file)};
     p.text = export_text(p.campaign);
     if (!parts.empty())
       if (const auto d = parts[0].campaign.spec.differences(p.campaign.spec, false); !d.empty())
@@ -51,24 +51,24 @@ StoredCampaign merge(const std::vector<std::string>& files, bool partial) {
                              file, s.property, s.subject, s.scalar, shown(r)));
     }
     const bool again =
-        std::any_of(parts.begin(), parts.end(), [&](const Part& q) { return q.text == p.text; });
+        std::any_of(parts.begin(), parts.end(), [&](const Shard& q) { return q.text == p.text; });
     if (!again) parts.push_back(std::move(p));
   }
   if (parts.empty()) refuse("nothing to merge");
   // Neither the result nor an error may depend on the order of the files.
-  std::sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) {
+  std::sort(parts.begin(), parts.end(), [](const Shard& a, const Shard& b) {
     return std::tie(a.campaign.spec.first, a.text) < std::tie(b.campaign.spec.first, b.text);
   });
 
   StoredCampaign all = parts[0].campaign;
   CampaignSpec& spec = all.spec;
   spec.first = 0, spec.last = spec.cases;
-  std::vector<const Part*> taken{&parts[0]};
+  std::vector<const Shard*> taken{&parts[0]};
   for (std::size_t k = 1; k < parts.size(); ++k) {
     for (std::size_t i = 0; i < all.series.size(); ++i) {
       StoredSeries& to = all.series[i];
       const StoredSeries& from = parts[k].campaign.series[i];
-      if (const Part* other = overlapping(taken, i, from.tally.done)) {
+      if (const Shard* other = overlapping(taken, i, from.tally.done)) {
         const auto &a = other->campaign.spec, &b = parts[k].campaign.spec;
         refuse(fmt::format("{} (cases {}) and {} (cases {}) overlap{}", other->file, shown({a.first, a.last}),
                            parts[k].file, shown({b.first, b.last}),
