@@ -1,10 +1,10 @@
 #include <app/campaign_table.hpp>
 
-#include <failures/description.hpp>
 #include <fmt/format.h>
 #include <algorithm>
 #include <app/command.hpp>
 #include <campaign/coverage_report.hpp>
+#include <failures/description.hpp>
 #include <limits>
 #include <map>
 #include <support/text.hpp>

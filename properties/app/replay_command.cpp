@@ -1,7 +1,7 @@
 #include <fmt/format.h>
-#include <hard_cases/attempt.hpp>
 #include <app/commands.hpp>
 #include <app/shared_flags.hpp>
+#include <hard_cases/attempt.hpp>
 #include <memory>
 #include <stdexcept>
 

@@ -29,7 +29,8 @@ std::string variable_of(const Layout& argument) {
   std::vector<std::string_view> parts;
   for (const Part& part : argument.parts) parts.push_back(part.name);
   return argument.type.starts_with("Vector")
-             ? fmt::format("  {0} {1};\n  {1} << {2};\n", argument.type, argument.name, fmt::join(parts, ", "))
+             ? fmt::format("  {0} {1};\n  {1} << {2};\n", argument.type, argument.name,
+                           fmt::join(parts, ", "))
              : fmt::format("  const {} {}({});\n", argument.type, argument.name, fmt::join(parts, ", "));
 }
 

@@ -1,9 +1,9 @@
 #include <hard_cases/hard_cases.hpp>
 
-#include <hard_cases/attempt.hpp>
 #include <fmt/format.h>
 #include <algorithm>
 #include <atomic>
+#include <hard_cases/attempt.hpp>
 #include <stdexcept>
 #include <support/stop.hpp>
 #include <support/threads.hpp>

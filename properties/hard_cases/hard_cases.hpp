@@ -1,8 +1,8 @@
 #pragma once
 // The hard cases, each run on every selected subject that offers its law: a verdict for each.
 
-#include <hard_cases/corpus.hpp>
 #include <campaign/selection.hpp>
+#include <hard_cases/corpus.hpp>
 
 namespace liecheck::properties {
 

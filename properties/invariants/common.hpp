@@ -131,8 +131,8 @@ double norm_defect_at(const std::vector<S>& input, std::size_t first) {
 /// The 3 x 3 rotation and coupling blocks of a 6 x 6 Jacobian, against the oracle. The other two blocks are
 /// structural: the lower left one is zero and the two diagonal ones are the same.
 template <class S, class T>
-void record_jacobian6(Recorder& r, const Output& rotation, const Output& coupling, std::size_t band, const Mat<S, 6>& J,
-                      const oracles::Jacobian6Value<T>& exact, const T& rho, bool beyond,
+void record_jacobian6(Recorder& r, const Output& rotation, const Output& coupling, std::size_t band,
+                      const Mat<S, 6>& J, const oracles::Jacobian6Value<T>& exact, const T& rho, bool beyond,
                       Kappa kappa_rotation = nullptr, Kappa kappa_coupling = nullptr) {
   judged_value(r, {rotation, coupling}, band, J, exact.resolved, [&] {
     const auto all = oracles::exact_matrix<6, 6, T>(J);

@@ -24,14 +24,10 @@ class DIntegrate final : public Law<DIntegrate, S> {
     return "Sola, Deray & Atchuthan 2018, eqs. 79-85; central differences at 100 digits";
   }
   std::vector<Output> outputs() const override {
-    return {op::d_integrate_arg0[block::jacobian],
-            op::d_integrate_arg0[block::coupling],
-            op::d_integrate_arg1[block::jacobian],
-            op::d_integrate_arg1[block::coupling],
-            op::d_difference_arg0[block::jacobian],
-            op::d_difference_arg0[block::coupling],
-            op::d_difference_arg1[block::jacobian],
-            op::d_difference_arg1[block::coupling]};
+    return {op::d_integrate_arg0[block::jacobian],  op::d_integrate_arg0[block::coupling],
+            op::d_integrate_arg1[block::jacobian],  op::d_integrate_arg1[block::coupling],
+            op::d_difference_arg0[block::jacobian], op::d_difference_arg0[block::coupling],
+            op::d_difference_arg1[block::jacobian], op::d_difference_arg1[block::coupling]};
   }
   std::vector<Field> fields() const override {
     return {{"p0", Kind::vector, 3, "m"},  {"Q0", Kind::quaternion, 4, "1"},
@@ -40,7 +36,8 @@ class DIntegrate final : public Law<DIntegrate, S> {
   }
   bool offered(const Subject<S>& s) const override {
     const auto& o = s.operations;
-    return o[op::d_integrate_arg0] || o[op::d_integrate_arg1] || o[op::d_difference_arg0] || o[op::d_difference_arg1];
+    return o[op::d_integrate_arg0] || o[op::d_integrate_arg1] || o[op::d_difference_arg0] ||
+           o[op::d_difference_arg1];
   }
   std::vector<S> generate(Source& source) const override {
     std::vector<S> x;
@@ -76,10 +73,12 @@ class DIntegrate final : public Law<DIntegrate, S> {
     // A rotation vector of exactly pi_S is beyond pi for float: its kappa is 1 to a few per cent there.
     const bool beyond = bands[band].region == Region::beyond_pi;
     if (o[op::d_integrate_arg0])
-      record_jacobian6<S>(r, op::d_integrate_arg0[block::jacobian], op::d_integrate_arg0[block::coupling], band, o[op::d_integrate_arg0](q0, d), oracles::d_integrate_arg0(x0, xd), rho,
+      record_jacobian6<S>(r, op::d_integrate_arg0[block::jacobian], op::d_integrate_arg0[block::coupling],
+                          band, o[op::d_integrate_arg0](q0, d), oracles::d_integrate_arg0(x0, xd), rho,
                           beyond);
     if (o[op::d_integrate_arg1])
-      record_jacobian6<S>(r, op::d_integrate_arg1[block::jacobian], op::d_integrate_arg1[block::coupling], band, o[op::d_integrate_arg1](q0, d), oracles::d_integrate_arg1(x0, xd), rho,
+      record_jacobian6<S>(r, op::d_integrate_arg1[block::jacobian], op::d_integrate_arg1[block::coupling],
+                          band, o[op::d_integrate_arg1](q0, d), oracles::d_integrate_arg1(x0, xd), rho,
                           beyond);
     if (!o[op::d_difference_arg0] && !o[op::d_difference_arg1]) return;
     const auto exact = oracles::difference(x0, x1);
@@ -100,9 +99,11 @@ class DIntegrate final : public Law<DIntegrate, S> {
       }
     };
     if (o[op::d_difference_arg0])
-      record_jacobian6<S>(r, op::d_difference_arg0[block::jacobian], op::d_difference_arg0[block::coupling], band, o[op::d_difference_arg0](q0, q1), of_difference(false), rho, false);
+      record_jacobian6<S>(r, op::d_difference_arg0[block::jacobian], op::d_difference_arg0[block::coupling],
+                          band, o[op::d_difference_arg0](q0, q1), of_difference(false), rho, false);
     if (o[op::d_difference_arg1])
-      record_jacobian6<S>(r, op::d_difference_arg1[block::jacobian], op::d_difference_arg1[block::coupling], band, o[op::d_difference_arg1](q0, q1), of_difference(true), rho, false);
+      record_jacobian6<S>(r, op::d_difference_arg1[block::jacobian], op::d_difference_arg1[block::coupling],
+                          band, o[op::d_difference_arg1](q0, q1), of_difference(true), rho, false);
   }
 };
 

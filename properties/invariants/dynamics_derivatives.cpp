@@ -60,7 +60,8 @@ class DynamicsDerivatives final : public TreeLaw<DynamicsDerivatives, S> {
     };
     if (o[op::rnea_derivatives]) {
       const auto [dq, dv] = o[op::rnea_derivatives](c.q, c.v, c.a, c.F_joint, c.F);
-      const auto record = [&](const Output& output, const MatX<S>& J, const oracles::TreeDynamics<T>& exact, bool q) {
+      const auto record = [&](const Output& output, const MatX<S>& J, const oracles::TreeDynamics<T>& exact,
+                              bool q) {
         if (!oracles::all_finite(J)) return r.outcome(output, 0, Outcome::not_finite);
         c.record(r, output, along(J), exact.torque_derivative(c.exact.wrench), w,
                  terms_of(sizes(c.rough.a, q)), resolved);
@@ -89,7 +90,8 @@ class DynamicsDerivatives final : public TreeLaw<DynamicsDerivatives, S> {
       const double a_error = inverse * weighted_size(c.sizes(c.rough.v, this->rough_list(a), true).tau, w);
       std::vector<double> a_moved(c.nv());
       for (std::size_t k = 0; k < a_moved.size(); ++k) a_moved[k] = a_error * w[k];
-      const auto record = [&](const Output& output, const MatX<S>& J, const oracles::TreeDynamics<T>& at, bool q) {
+      const auto record = [&](const Output& output, const MatX<S>& J, const oracles::TreeDynamics<T>& at,
+                              bool q) {
         if (!oracles::all_finite(J)) return r.outcome(output, 0, Outcome::not_finite);
         std::vector<T> exact = at.torque_derivative(c.exact.wrench);
         for (T& x : exact) x = -x;

@@ -75,11 +75,13 @@ class ExpOracle final : public Law<ExpOracle, S> {
                        defect = op::exp3_quaternion[block::norm_defect];
       judged_value(r, {rotation, defect}, band, Q, exact.resolved, [&] {
         const auto stored = oracles::exact_vector<4, Real>(Q);
-        r.record(rotation, band, oracles::rotation_error<S>(stored, exact.Q), Kappa(kappa_rotation, least_rotation));
+        r.record(rotation, band, oracles::rotation_error<S>(stored, exact.Q),
+                 Kappa(kappa_rotation, least_rotation));
         r.record(defect, band, oracles::norm_defect<S>(stored));
       });
     }
-    if (o[op::exp3_matrix]) matrix(op::exp3_matrix[block::rotation], op::exp3_matrix[block::orthogonality_defect],
+    if (o[op::exp3_matrix])
+      matrix(op::exp3_matrix[block::rotation], op::exp3_matrix[block::orthogonality_defect],
              o[op::exp3_matrix](phi));
     if (o[op::exp6]) {
       const Pose<S> T = o[op::exp6](xi);

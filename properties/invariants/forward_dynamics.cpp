@@ -25,9 +25,7 @@ class ForwardDynamics final : public TreeLaw<ForwardDynamics, S> {
   static constexpr Output acceleration = op::tree_aba[block::acceleration],
                           inverse = op::tree_mass_inverse[block::matrix],
                           torque = op::rnea_of_aba[block::torque];
-  std::vector<Output> outputs() const override {
-    return {acceleration, inverse, torque};
-  }
+  std::vector<Output> outputs() const override { return {acceleration, inverse, torque}; }
 
   template <class T, class Case>
   void of(const Operations<S>& subject, const Case& c, Recorder& r) const {
@@ -61,7 +59,8 @@ class ForwardDynamics final : public TreeLaw<ForwardDynamics, S> {
       if (o[op::tree_aba]) {
         const VecX<S> computed = o[op::tree_aba](c.q, c.v, c.a, c.F_joint, c.F);
         c.record(r, acceleration, computed, a, roots, size_inverse * terms, resolved);
-        if (o[op::tree_rnea]) c.record(r, torque, o[op::tree_rnea](c.q, c.v, computed, c.F_joint, c.F), tau, w, terms, resolved);
+        if (o[op::tree_rnea])
+          c.record(r, torque, o[op::tree_rnea](c.q, c.v, computed, c.F_joint, c.F), tau, w, terms, resolved);
       }
       if (o[op::tree_mass_inverse])
         c.record(r, inverse, this->flat(o[op::tree_mass_inverse](c.q)), inverse_exact, products(roots),

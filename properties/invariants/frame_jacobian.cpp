@@ -18,12 +18,12 @@ class FrameJacobian final : public TreeLaw<FrameJacobian, S> {
   std::string equation() const override {
     return "J v = V, J a + J' v = V' in each reference frame; of the exact v and a";
   }
-  std::string source() const override { return "Featherstone 2008, sections 2.2, 2.10; Pinocchio 3.8, frames"; }
+  std::string source() const override {
+    return "Featherstone 2008, sections 2.2, 2.10; Pinocchio 3.8, frames";
+  }
   std::vector<Output> outputs() const override {
-    return {op::frame_jacobian[block::linear],
-            op::frame_jacobian[block::angular],
-            op::frame_jacobian_rate[block::linear],
-            op::frame_jacobian_rate[block::angular]};
+    return {op::frame_jacobian[block::linear], op::frame_jacobian[block::angular],
+            op::frame_jacobian_rate[block::linear], op::frame_jacobian_rate[block::angular]};
   }
 
   template <class T, class Case>
@@ -36,11 +36,12 @@ class FrameJacobian final : public TreeLaw<FrameJacobian, S> {
       const MatX<S> J = o[op::frame_jacobian] ? o[op::frame_jacobian](c.q, view) : MatX<S>();
       const MatX<S> dJ = o[op::frame_jacobian_rate] ? o[op::frame_jacobian_rate](c.q, c.v, view) : MatX<S>();
       if (J.size())
-        both<op::frame_jacobian, T>(c, r, {{&J, &c.exact.v}}, exact.velocity, {sizes.velocity(view), sizes.w}, frame.resolved);
+        both<op::frame_jacobian, T>(c, r, {{&J, &c.exact.v}}, exact.velocity, {sizes.velocity(view), sizes.w},
+                                    frame.resolved);
       if (J.size() && dJ.size())
         both<op::frame_jacobian_rate, T>(c, r, {{&J, &c.exact.a}, {&dJ, &c.exact.v}},
-                view == Seen::aligned ? exact.classical : exact.acceleration,
-                {sizes.acceleration(view), sizes.al}, frame.resolved);
+                                         view == Seen::aligned ? exact.classical : exact.acceleration,
+                                         {sizes.acceleration(view), sizes.al}, frame.resolved);
     }
   }
 

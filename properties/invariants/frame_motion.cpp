@@ -48,20 +48,24 @@ class FrameMotionLaw final : public TreeLaw<FrameMotionLaw, S> {
     }
     for (const Seen view : every_view) {
       const FrameViews<T> exact = seen_from(view, f);
-      const auto both = [&](const Output& linear, const Output& angular, const Vec<S, 6>& computed, const oracles::Vec6<T>& value,
-                            double size_linear, double size_angular) {
+      const auto both = [&](const Output& linear, const Output& angular, const Vec<S, 6>& computed,
+                            const oracles::Vec6<T>& value, double size_linear, double size_angular) {
         c.record(r, linear, VecX<S>(computed.template head<3>()), list(head3(value)), three, size_linear,
                  resolved);
         c.record(r, angular, VecX<S>(computed.template tail<3>()), list(tail3(value)), three, size_angular,
                  resolved);
       };
       if (o[op::frame_velocity])
-        both(op::frame_velocity[block::linear], op::frame_velocity[block::angular], o[op::frame_velocity](c.q, c.v, view), exact.velocity, sizes.velocity(view), sizes.w);
+        both(op::frame_velocity[block::linear], op::frame_velocity[block::angular],
+             o[op::frame_velocity](c.q, c.v, view), exact.velocity, sizes.velocity(view), sizes.w);
       if (o[op::frame_acceleration])
-        both(op::frame_acceleration[block::linear], op::frame_acceleration[block::angular], o[op::frame_acceleration](c.q, c.v, c.a, view), exact.acceleration,
-             sizes.acceleration(view), sizes.al);
+        both(op::frame_acceleration[block::linear], op::frame_acceleration[block::angular],
+             o[op::frame_acceleration](c.q, c.v, c.a, view), exact.acceleration, sizes.acceleration(view),
+             sizes.al);
       if (o[op::frame_classical_acceleration])
-        both(op::frame_classical_acceleration[block::linear], op::frame_classical_acceleration[block::angular], o[op::frame_classical_acceleration](c.q, c.v, c.a, view), exact.classical,
+        both(op::frame_classical_acceleration[block::linear],
+             op::frame_classical_acceleration[block::angular],
+             o[op::frame_classical_acceleration](c.q, c.v, c.a, view), exact.classical,
              sizes.acceleration(view), sizes.al);
     }
   }

@@ -127,7 +127,8 @@ class IntegrateDifference final : public Law<IntegrateDifference, S> {
           const Real scale =
               largest(norm(exact_vector<3, Real>(q1)), norm(exact_vector<3, Real>(q0)), exact.separation);
           r.record(rotation, band, rotation_error<S>(quaternion<Real>(q), Q1));
-          r.record(translation, band, vector_error<S>(exact_vector<3, Real>(q), exact_vector<3, Real>(q1), scale));
+          r.record(translation, band,
+                   vector_error<S>(exact_vector<3, Real>(q), exact_vector<3, Real>(q1), scale));
         });
       }
     }

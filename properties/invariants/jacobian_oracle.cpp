@@ -4,8 +4,8 @@
 #include <generators/rotations.hpp>
 #include <invariants/common.hpp>
 #include <optional>
-#include <oracles/closed_forms.hpp>
 #include <oracles/ball_oracles.hpp>
+#include <oracles/closed_forms.hpp>
 
 namespace liecheck::properties {
 namespace {
@@ -20,18 +20,12 @@ class JacobianOracle final : public Law<JacobianOracle, S> {
   }
   std::string source() const override { return "Chirikjian 2011, section 10.5; Higham 2008, section 10.7.4"; }
   std::vector<Output> outputs() const override {
-    return {op::left_jacobian3[block::jacobian],
-            op::right_jacobian3[block::jacobian],
-            op::left_jacobian3_inverse[block::jacobian],
-            op::right_jacobian3_inverse[block::jacobian],
-            op::left_jacobian6[block::jacobian],
-            op::left_jacobian6[block::coupling],
-            op::right_jacobian6[block::jacobian],
-            op::right_jacobian6[block::coupling],
-            op::left_jacobian6_inverse[block::jacobian],
-            op::left_jacobian6_inverse[block::coupling],
-            op::right_jacobian6_inverse[block::jacobian],
-            op::right_jacobian6_inverse[block::coupling]};
+    return {op::left_jacobian3[block::jacobian],          op::right_jacobian3[block::jacobian],
+            op::left_jacobian3_inverse[block::jacobian],  op::right_jacobian3_inverse[block::jacobian],
+            op::left_jacobian6[block::jacobian],          op::left_jacobian6[block::coupling],
+            op::right_jacobian6[block::jacobian],         op::right_jacobian6[block::coupling],
+            op::left_jacobian6_inverse[block::jacobian],  op::left_jacobian6_inverse[block::coupling],
+            op::right_jacobian6_inverse[block::jacobian], op::right_jacobian6_inverse[block::coupling]};
   }
   std::vector<Field> fields() const override {
     return {{"rho", Kind::vector, 3, "m", Reach::full},
@@ -39,8 +33,9 @@ class JacobianOracle final : public Law<JacobianOracle, S> {
   }
   bool offered(const Subject<S>& s) const override {
     const auto& o = s.operations;
-    return o[op::left_jacobian3] || o[op::right_jacobian3] || o[op::left_jacobian3_inverse] || o[op::right_jacobian3_inverse] ||
-           o[op::left_jacobian6] || o[op::right_jacobian6] || o[op::left_jacobian6_inverse] || o[op::right_jacobian6_inverse];
+    return o[op::left_jacobian3] || o[op::right_jacobian3] || o[op::left_jacobian3_inverse] ||
+           o[op::right_jacobian3_inverse] || o[op::left_jacobian6] || o[op::right_jacobian6] ||
+           o[op::left_jacobian6_inverse] || o[op::right_jacobian6_inverse];
   }
   std::vector<S> generate(Source& source) const override {
     std::vector<S> x;
@@ -115,11 +110,16 @@ class JacobianOracle final : public Law<JacobianOracle, S> {
     three(op::left_jacobian3, op::left_jacobian3[block::jacobian], exact.left, false);
     three(op::right_jacobian3, op::right_jacobian3[block::jacobian], exact.right, false);
     three(op::left_jacobian3_inverse, op::left_jacobian3_inverse[block::jacobian], exact.left_inverse, true);
-    three(op::right_jacobian3_inverse, op::right_jacobian3_inverse[block::jacobian], exact.right_inverse, true);
-    six(op::left_jacobian6, op::left_jacobian6[block::jacobian], op::left_jacobian6[block::coupling], exact.left, false);
-    six(op::right_jacobian6, op::right_jacobian6[block::jacobian], op::right_jacobian6[block::coupling], exact.right, false);
-    six(op::left_jacobian6_inverse, op::left_jacobian6_inverse[block::jacobian], op::left_jacobian6_inverse[block::coupling], exact.left_inverse, true);
-    six(op::right_jacobian6_inverse, op::right_jacobian6_inverse[block::jacobian], op::right_jacobian6_inverse[block::coupling], exact.right_inverse, true);
+    three(op::right_jacobian3_inverse, op::right_jacobian3_inverse[block::jacobian], exact.right_inverse,
+          true);
+    six(op::left_jacobian6, op::left_jacobian6[block::jacobian], op::left_jacobian6[block::coupling],
+        exact.left, false);
+    six(op::right_jacobian6, op::right_jacobian6[block::jacobian], op::right_jacobian6[block::coupling],
+        exact.right, false);
+    six(op::left_jacobian6_inverse, op::left_jacobian6_inverse[block::jacobian],
+        op::left_jacobian6_inverse[block::coupling], exact.left_inverse, true);
+    six(op::right_jacobian6_inverse, op::right_jacobian6_inverse[block::jacobian],
+        op::right_jacobian6_inverse[block::coupling], exact.right_inverse, true);
   }
 };
 

@@ -39,7 +39,12 @@ class KinematicIdentities final : public Law<KinematicIdentities, S> {
   }
   std::string source() const override { return "Sola 2017 (arXiv 1711.02508), section 4, eqs. 197-201"; }
 
-  static constexpr Output outputs_[] = {op::integrate_coefficient_jacobian[block::translation], op::integrate_coefficient_jacobian[block::rotation_rate], op::integrate_coefficient_jacobian[block::R_dot], op::integrate_coefficient_jacobian[block::translation_matrix], op::integrate_coefficient_jacobian[block::quaternion_matrix], op::integrate_coefficient_jacobian[block::zeros]};
+  static constexpr Output outputs_[] = {op::integrate_coefficient_jacobian[block::translation],
+                                        op::integrate_coefficient_jacobian[block::rotation_rate],
+                                        op::integrate_coefficient_jacobian[block::R_dot],
+                                        op::integrate_coefficient_jacobian[block::translation_matrix],
+                                        op::integrate_coefficient_jacobian[block::quaternion_matrix],
+                                        op::integrate_coefficient_jacobian[block::zeros]};
   std::vector<Output> outputs() const override { return {std::begin(outputs_), std::end(outputs_)}; }
   std::vector<Field> fields() const override {
     return {{"p", Kind::vector, 3, "m", Reach::full},
@@ -89,23 +94,30 @@ class KinematicIdentities final : public Law<KinematicIdentities, S> {
     if (rate.resolved) {
       const oracles::Vec7<Real> q_dot = J * v_e;
       const oracles::Quaternion<Real> Q_dot{{q_dot[3], q_dot[4], q_dot[5], q_dot[6]}};
-      recorder.record(op::integrate_coefficient_jacobian[block::translation], 0, oracles::vector_error<S>(head3(q_dot), rate.p_dot), one);
-      recorder.record(op::integrate_coefficient_jacobian[block::rotation_rate], 0, oracles::vector_error<S>(Q_dot, Q_norm * rate.Q_dot), one);
-      recorder.record(op::integrate_coefficient_jacobian[block::R_dot], 0, oracles::matrix_error<S>(rotation_rate(Q, Q_dot), rate.R_dot), one);
+      recorder.record(op::integrate_coefficient_jacobian[block::translation], 0,
+                      oracles::vector_error<S>(head3(q_dot), rate.p_dot), one);
+      recorder.record(op::integrate_coefficient_jacobian[block::rotation_rate], 0,
+                      oracles::vector_error<S>(Q_dot, Q_norm * rate.Q_dot), one);
+      recorder.record(op::integrate_coefficient_jacobian[block::R_dot], 0,
+                      oracles::matrix_error<S>(rotation_rate(Q, Q_dot), rate.R_dot), one);
     } else {
       all(0, 2, Outcome::unresolved);
     }
 
     const oracles::CoefficientJacobianValue<Real> exact = oracles::integrate_coefficient_jacobian(q_e);
     if (exact.resolved) {
-      recorder.record(op::integrate_coefficient_jacobian[block::translation_matrix], 0, oracles::matrix_error<S>(corner<3>(J, 0, 0), corner<3>(exact.value, 0, 0)), one);
-      recorder.record(op::integrate_coefficient_jacobian[block::quaternion_matrix], 0, oracles::matrix_error<S>(corner<4>(J, 3, 3), Q_norm * corner<4>(exact.value, 3, 3)), one);
+      recorder.record(op::integrate_coefficient_jacobian[block::translation_matrix], 0,
+                      oracles::matrix_error<S>(corner<3>(J, 0, 0), corner<3>(exact.value, 0, 0)), one);
+      recorder.record(op::integrate_coefficient_jacobian[block::quaternion_matrix], 0,
+                      oracles::matrix_error<S>(corner<4>(J, 3, 3), Q_norm * corner<4>(exact.value, 3, 3)),
+                      one);
     } else {
       all(3, 4, Outcome::unresolved);
     }
     const bool zero =
         computed.template block<3, 3>(0, 3).isZero(0) && computed.template block<4, 3>(3, 0).isZero(0);
-    recorder.record(op::integrate_coefficient_jacobian[block::zeros], 0, zero ? 0.0 : std::numeric_limits<double>::infinity(), one);
+    recorder.record(op::integrate_coefficient_jacobian[block::zeros], 0,
+                    zero ? 0.0 : std::numeric_limits<double>::infinity(), one);
   }
 
  private:

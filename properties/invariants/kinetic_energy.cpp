@@ -62,16 +62,11 @@ class KineticEnergy final : public Law<KineticEnergy, S> {
   std::string source() const override { return "Featherstone 2008, eqs. 2.62-2.67, sections 2.13, 2.14"; }
 
   std::vector<Output> outputs() const override {
-    return {op::kinetic_energy[block::energy],
-            op::momentum[block::linear],
-            op::momentum[block::angular],
-            op::inertia_matrix[block::matrix],
-            op::act_inertia[block::mass],
-            op::act_inertia[block::lever],
-            op::act_inertia[block::inertia],
-            op::act_inverse_inertia[block::mass],
-            op::act_inverse_inertia[block::lever],
-            op::act_inverse_inertia[block::inertia],
+    return {op::kinetic_energy[block::energy],     op::momentum[block::linear],
+            op::momentum[block::angular],          op::inertia_matrix[block::matrix],
+            op::act_inertia[block::mass],          op::act_inertia[block::lever],
+            op::act_inertia[block::inertia],       op::act_inverse_inertia[block::mass],
+            op::act_inverse_inertia[block::lever], op::act_inverse_inertia[block::inertia],
             op::energy_frames[block::energy]};
   }
   std::vector<Field> fields() const override {
@@ -82,7 +77,8 @@ class KineticEnergy final : public Law<KineticEnergy, S> {
   }
   bool offered(const Subject<S>& subject) const override {
     const auto& o = subject.operations;
-    return o[op::kinetic_energy] || o[op::momentum] || o[op::inertia_matrix] || o[op::act_inertia] || o[op::act_inverse_inertia];
+    return o[op::kinetic_energy] || o[op::momentum] || o[op::inertia_matrix] || o[op::act_inertia] ||
+           o[op::act_inverse_inertia];
   }
 
   std::vector<S> generate(Source& source) const override {
@@ -138,28 +134,31 @@ class KineticEnergy final : public Law<KineticEnergy, S> {
     if (o[op::kinetic_energy]) {
       const Vec<S, 1> E(o[op::kinetic_energy](x.I, x.V));
       const oracles::Resolved<Real> exact = oracles::kinetic_energy(x.I_e, x.V_e);
-      record(recorder, op::kinetic_energy[block::energy], E, oracles::Vec<1, Real>{{exact.value}}, exact.resolved, energy_formula<Real>,
-             body_numbers, 0);
+      record(recorder, op::kinetic_energy[block::energy], E, oracles::Vec<1, Real>{{exact.value}},
+             exact.resolved, energy_formula<Real>, body_numbers, 0);
     }
     if (o[op::momentum]) {
       const Vec<S, 6> h = o[op::momentum](x.I, x.V);
       const oracles::Resolved<oracles::Vec6<Real>> exact = oracles::momentum(x.I_e, x.V_e);
-      record(recorder, op::momentum[block::linear], Vec<S, 3>(h.template head<3>()), head3(exact.value), exact.resolved,
-             momentum_formula<Real>, body_numbers, 0);
-      record(recorder, op::momentum[block::angular], Vec<S, 3>(h.template tail<3>()), tail3(exact.value), exact.resolved,
-             momentum_formula<Real>, body_numbers, 3);
+      record(recorder, op::momentum[block::linear], Vec<S, 3>(h.template head<3>()), head3(exact.value),
+             exact.resolved, momentum_formula<Real>, body_numbers, 0);
+      record(recorder, op::momentum[block::angular], Vec<S, 3>(h.template tail<3>()), tail3(exact.value),
+             exact.resolved, momentum_formula<Real>, body_numbers, 3);
     }
-    if (o[op::inertia_matrix]) measure_matrix(recorder, o[op::inertia_matrix](x.I), oracles::inertia_matrix(x.I_e));
+    if (o[op::inertia_matrix])
+      measure_matrix(recorder, o[op::inertia_matrix](x.I), oracles::inertia_matrix(x.I_e));
     if (o[op::act_inertia])
-      measure_body<op::act_inertia>(recorder, o[op::act_inertia](x.X, x.I), oracles::act_inertia(x.X_e, x.I_e), x,
-                   lever_formula<Real>);
+      measure_body<op::act_inertia>(recorder, o[op::act_inertia](x.X, x.I),
+                                    oracles::act_inertia(x.X_e, x.I_e), x, lever_formula<Real>);
     if (o[op::act_inverse_inertia])
       measure_body<op::act_inverse_inertia>(recorder, o[op::act_inverse_inertia](x.X, x.I),
-                   oracles::act_inverse_inertia(x.X_e, x.I_e), x, inverse_lever_formula<Real>);
+                                            oracles::act_inverse_inertia(x.X_e, x.I_e), x,
+                                            inverse_lever_formula<Real>);
     if (o[op::kinetic_energy] && o[op::act_inertia] && o[op::act_motion]) {
       const Vec<S, 2> T(o[op::kinetic_energy](o[op::act_inertia](x.X, x.I), o[op::act_motion](x.X, x.V)),
                         o[op::kinetic_energy](x.I, x.V));
-      if (!oracles::all_finite(T)) return recorder.outcome(op::energy_frames[block::energy], 0, Outcome::not_finite);
+      if (!oracles::all_finite(T))
+        return recorder.outcome(op::energy_frames[block::energy], 0, Outcome::not_finite);
       const auto T_e = oracles::exact_vector<2, Real>(T);
       const oracles::Vec3<Real> u = head3(x.V_e), w = tail3(x.V_e);
       const Real w_norm = norm(w), s = norm(u) + w_norm * (norm(x.I_e.c) + Real(2) * norm(x.X_e.p));
@@ -168,7 +167,8 @@ class KineticEnergy final : public Law<KineticEnergy, S> {
                          frobenius(x.I_e.I_C) * w_norm * w_norm / Real(2);
       // The scale alone: the subject's T_B is no exact value.
       const Real size = oracles::larger(scale, oracles::least_denominator<S, Real>());
-      recorder.record(op::energy_frames[block::energy], 0, oracles::in_eps<S>(Real(abs(T_e[0] - T_e[1]) / size)), [] { return 1.0; });
+      recorder.record(op::energy_frames[block::energy], 0,
+                      oracles::in_eps<S>(Real(abs(T_e[0] - T_e[1]) / size)), [] { return 1.0; });
     }
   }
 
@@ -278,13 +278,15 @@ class KineticEnergy final : public Law<KineticEnergy, S> {
   template <class Real>
   static void measure_matrix(Recorder& recorder, const Mat<S, 6>& computed,
                              const oracles::Resolved<oracles::Mat6<Real>>& exact) {
-    if (!oracles::all_finite(computed)) return recorder.outcome(op::inertia_matrix[block::matrix], 0, Outcome::not_finite);
+    if (!oracles::all_finite(computed))
+      return recorder.outcome(op::inertia_matrix[block::matrix], 0, Outcome::not_finite);
     if (!exact.resolved) return recorder.outcome(op::inertia_matrix[block::matrix], 0, Outcome::unresolved);
     const auto M = oracles::exact_matrix<6, 6, Real>(computed);
     double error = 0;
     for (int i = 0; i < 2; ++i)
       for (int j = 0; j < 2; ++j)
-        error = std::max(error, oracles::matrix_error<S>(oracles::block(M, i, j), oracles::block(exact.value, i, j)));
+        error = std::max(
+            error, oracles::matrix_error<S>(oracles::block(M, i, j), oracles::block(exact.value, i, j)));
     recorder.record(op::inertia_matrix[block::matrix], 0, error, [] { return 1.0; });
   }
 

@@ -20,8 +20,7 @@ class Lagrange final : public TreeLaw<Lagrange, S> {
   std::string source() const override { return "Uicker 1965; Paul 1981, chapter 6"; }
   static constexpr Output torque = op::tree_rnea[block::torque],
                           nonlinear = op::tree_nonlinear_effects[block::torque],
-                          gravity = op::tree_gravity[block::torque],
-                          mass = op::tree_crba[block::matrix],
+                          gravity = op::tree_gravity[block::torque], mass = op::tree_crba[block::matrix],
                           kinetic = op::tree_kinetic_energy[block::energy],
                           potential = op::tree_potential_energy[block::energy];
   std::vector<Output> outputs() const override {
@@ -37,28 +36,31 @@ class Lagrange final : public TreeLaw<Lagrange, S> {
     const std::vector<T> M = moving.mass();
     const std::vector<double> roots = mass_roots(M, c.nv()), w = inverses(roots);
     const std::vector<double> at_rest(c.nv(), 0);
-    const auto torque_of = [&](const Output& output, const VecX<S>& computed, const oracles::TreeDynamics<T>& d,
-                               const oracles::TreeSizes<double>& sizes, bool pushed) {
+    const auto torque_of = [&](const Output& output, const VecX<S>& computed,
+                               const oracles::TreeDynamics<T>& d, const oracles::TreeSizes<double>& sizes,
+                               bool pushed) {
       c.record(r, output, computed, pushed ? d.torque(c.exact.wrench) : d.torque(), w,
                weighted_size(sizes.tau, w), resolved);
     };
     const auto sizes = c.sizes(c.rough.v, c.rough.a, true);
-    if (o[op::tree_rnea]) torque_of(torque, o[op::tree_rnea](c.q, c.v, c.a, c.F_joint, c.F), moving, sizes, true);
+    if (o[op::tree_rnea])
+      torque_of(torque, o[op::tree_rnea](c.q, c.v, c.a, c.F_joint, c.F), moving, sizes, true);
     if (o[op::tree_nonlinear_effects])
       torque_of(nonlinear, o[op::tree_nonlinear_effects](c.q, c.v), c.dynamics(c.exact.v, still),
                 c.sizes(c.rough.v, at_rest), false);
     if (o[op::tree_gravity])
-      torque_of(gravity, o[op::tree_gravity](c.q), c.dynamics(still, still), c.sizes(at_rest, at_rest), false);
+      torque_of(gravity, o[op::tree_gravity](c.q), c.dynamics(still, still), c.sizes(at_rest, at_rest),
+                false);
     if (o[op::tree_crba])
-      c.record(r, mass, this->flat(o[op::tree_crba](c.q)), M, products(w), weighted_size(sizes.mass, products(w)),
-               resolved);
+      c.record(r, mass, this->flat(o[op::tree_crba](c.q)), M, products(w),
+               weighted_size(sizes.mass, products(w)), resolved);
     const std::vector<double> one{1};
     if (o[op::tree_kinetic_energy])
-      c.record(r, kinetic, VecX<S>::Constant(1, o[op::tree_kinetic_energy](c.q, c.v)), {moving.kinetic_energy()}, one,
-               sizes.kinetic, resolved);
+      c.record(r, kinetic, VecX<S>::Constant(1, o[op::tree_kinetic_energy](c.q, c.v)),
+               {moving.kinetic_energy()}, one, sizes.kinetic, resolved);
     if (o[op::tree_potential_energy])
-      c.record(r, potential, VecX<S>::Constant(1, o[op::tree_potential_energy](c.q)), {moving.potential_energy()}, one,
-               sizes.potential, resolved);
+      c.record(r, potential, VecX<S>::Constant(1, o[op::tree_potential_energy](c.q)),
+               {moving.potential_energy()}, one, sizes.potential, resolved);
   }
 };
 

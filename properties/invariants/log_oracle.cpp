@@ -18,10 +18,8 @@ class LogOracle final : public Law<LogOracle, S> {
   std::string equation() const override { return "exp(log(R, p)) = (R, p), |phi| <= pi"; }
   std::string source() const override { return "Higham 2008, section 11.5 (inverse scaling and squaring)"; }
   std::vector<Output> outputs() const override {
-    return {op::log3_quaternion[block::rotation_vector],
-            op::log3_matrix[block::rotation_vector],
-            op::log6[block::rotation_vector],
-            op::log6[block::linear]};
+    return {op::log3_quaternion[block::rotation_vector], op::log3_matrix[block::rotation_vector],
+            op::log6[block::rotation_vector], op::log6[block::linear]};
   }
   std::vector<Field> fields() const override {
     return {{"Q", Kind::quaternion, 4, "1"},
@@ -59,7 +57,8 @@ class LogOracle final : public Law<LogOracle, S> {
     if (!o[op::log3_matrix] && !o[op::log6]) return;
     const auto exact =
         oracles::log_se3_matrix(oracles::exact_matrix<3, 3, Real>(R), oracles::exact_vector<3, Real>(p));
-    if (o[op::log3_matrix]) rotation_vector_error(r, op::log3_matrix[block::rotation_vector], o[op::log3_matrix](R), exact);
+    if (o[op::log3_matrix])
+      rotation_vector_error(r, op::log3_matrix[block::rotation_vector], o[op::log3_matrix](R), exact);
     if (o[op::log6]) {
       const std::size_t band = band_of_log<S>(exact);
       const Vec<S, 6> xi = o[op::log6]({R, p});

@@ -22,9 +22,7 @@ class MassMatrix final : public TreeLaw<MassMatrix, S> {
   static constexpr Output symmetric = op::crba_symmetric[block::matrix],
                           definite = op::crba_positive[block::matrix],
                           columns = op::crba_columns[block::matrix];
-  std::vector<Output> outputs() const override {
-    return {symmetric, definite, columns};
-  }
+  std::vector<Output> outputs() const override { return {symmetric, definite, columns}; }
 
   template <class T, class Case>
   void of(const Operations<S>& subject, const Case& c, Recorder& r) const {

@@ -18,11 +18,8 @@ class PoseGroup final : public Law<PoseGroup, S> {
   }
   std::string source() const override { return "Murray, Li & Sastry 1994, eqs. 2.19-2.22"; }
   std::vector<Output> outputs() const override {
-    return {op::compose[block::matrix],
-            op::compose[block::translation],
-            op::inverse[block::matrix],
-            op::inverse[block::translation],
-            op::act_point[block::point]};
+    return {op::compose[block::matrix], op::compose[block::translation], op::inverse[block::matrix],
+            op::inverse[block::translation], op::act_point[block::point]};
   }
   std::vector<Field> fields() const override {
     return {{"R", Kind::rotation_matrix, 9, "1"},
@@ -73,19 +70,24 @@ class PoseGroup final : public Law<PoseGroup, S> {
         for (int i = 0; i < 3; ++i)
           columns[3 * j + i] = column.value[i], computed[3 * j + i] = exact<Real>(XY.R(i, j));
       }
-      judged_value(r, {op::compose[block::matrix]}, 0, XY.R, resolved, [&] { r.record(op::compose[block::matrix], 0, vector_error<S>(computed, columns)); });
+      judged_value(r, {op::compose[block::matrix]}, 0, XY.R, resolved,
+                   [&] { r.record(op::compose[block::matrix], 0, vector_error<S>(computed, columns)); });
       judged_value(r, {op::compose[block::translation]}, 0, XY.p, p.resolved, [&] {
-        r.record(op::compose[block::translation], 0, vector_error<S>(exact_vector<3, Real>(XY.p), p.value, larger(norm(x.p), norm(y.p))));
+        r.record(op::compose[block::translation], 0,
+                 vector_error<S>(exact_vector<3, Real>(XY.p), p.value, larger(norm(x.p), norm(y.p))));
       });
     }
     if (o[op::inverse]) {
       const auto inverse = o[op::inverse](X);
       const auto p = oracles::act_inverse_point(x, none);
       judged_value(r, {op::inverse[block::matrix]}, 0, inverse.R, true, [&] {
-        r.record(op::inverse[block::matrix], 0, matrix_error<S>(exact_matrix<3, 3, Real>(inverse.R), transpose(x.R)));
+        r.record(op::inverse[block::matrix], 0,
+                 matrix_error<S>(exact_matrix<3, 3, Real>(inverse.R), transpose(x.R)));
       });
-      judged_value(r, {op::inverse[block::translation]}, 0, inverse.p, p.resolved,
-                   [&] { r.record(op::inverse[block::translation], 0, vector_error<S>(exact_vector<3, Real>(inverse.p), p.value)); });
+      judged_value(r, {op::inverse[block::translation]}, 0, inverse.p, p.resolved, [&] {
+        r.record(op::inverse[block::translation], 0,
+                 vector_error<S>(exact_vector<3, Real>(inverse.p), p.value));
+      });
     }
     if (o[op::act_point]) {
       const properties::Vec<S, 3> point = o[op::act_point](X, Y.p);

@@ -43,7 +43,8 @@ class PowerBalance final : public TreeLaw<PowerBalance, S> {
       power += oracles::exact<T>(tau[static_cast<int>(k)]) * c.exact.v[k];
       terms += sizes.tau[k] * std::fabs(c.rough.v[k]);
     }
-    c.record(r, op::tree_power[block::power], std::vector<T>{power}, {rate(c.exact)}, {1}, terms, c.resolved());
+    c.record(r, op::tree_power[block::power], std::vector<T>{power}, {rate(c.exact)}, {1}, terms,
+             c.resolved());
   }
 };
 

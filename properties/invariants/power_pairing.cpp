@@ -69,8 +69,8 @@ class PowerPairing final : public Law<PowerPairing, S> {
   }
   bool offered(const Subject<S>& subject) const override {
     const auto& o = subject.operations;
-    return o[op::act_motion] || o[op::act_inverse_motion] || o[op::act_force] || o[op::act_inverse_force] || o[op::cross_motion] ||
-           o[op::cross_force] || o[op::rotate_point];
+    return o[op::act_motion] || o[op::act_inverse_motion] || o[op::act_force] || o[op::act_inverse_force] ||
+           o[op::cross_motion] || o[op::cross_force] || o[op::rotate_point];
   }
   std::vector<S> generate(Source& source) const override {
     std::vector<S> input;
@@ -113,8 +113,8 @@ class PowerPairing final : public Law<PowerPairing, S> {
     const auto V_e = oracles::exact_vector<6, Real>(V), F_e = oracles::exact_vector<6, Real>(F),
                W_e = oracles::exact_vector<6, Real>(W);
 
-    const auto act = [&](const auto& operation, const Output& linear, const Output& angular, const Vec<S, 6>& v, const Vector6& v_e, auto oracle,
-                         auto formula) {
+    const auto act = [&](const auto& operation, const Output& linear, const Output& angular,
+                         const Vec<S, 6>& v, const Vector6& v_e, auto oracle, auto formula) {
       if (!o[operation]) return;
       compare(
           recorder, linear, angular, Vec<S, 6>(o[operation](X, v)), [&] { return oracle(X_e, v_e); },
@@ -126,26 +126,29 @@ class PowerPairing final : public Law<PowerPairing, S> {
         [](const Transform& Y, const Vector6& v) { return oracles::act_motion(Y, v); },
         [](const Transform& Y, const Vector6& v) { return oracles::formulas::act_motion(Y, v); });
     act(
-        op::act_inverse_motion, op::act_inverse_motion[block::linear], op::act_inverse_motion[block::angular], V, V_e,
-        [](const Transform& Y, const Vector6& v) { return oracles::act_inverse_motion(Y, v); },
+        op::act_inverse_motion, op::act_inverse_motion[block::linear], op::act_inverse_motion[block::angular],
+        V, V_e, [](const Transform& Y, const Vector6& v) { return oracles::act_inverse_motion(Y, v); },
         [](const Transform& Y, const Vector6& v) { return oracles::formulas::act_inverse_motion(Y, v); });
     act(
-        op::act_force, op::act_force[block::linear], op::act_force[block::angular], F, F_e, [](const Transform& Y, const Vector6& v) { return oracles::act_force(Y, v); },
+        op::act_force, op::act_force[block::linear], op::act_force[block::angular], F, F_e,
+        [](const Transform& Y, const Vector6& v) { return oracles::act_force(Y, v); },
         [](const Transform& Y, const Vector6& v) { return oracles::formulas::act_force(Y, v); });
     act(
-        op::act_inverse_force, op::act_inverse_force[block::linear], op::act_inverse_force[block::angular], F, F_e,
-        [](const Transform& Y, const Vector6& v) { return oracles::act_inverse_force(Y, v); },
+        op::act_inverse_force, op::act_inverse_force[block::linear], op::act_inverse_force[block::angular], F,
+        F_e, [](const Transform& Y, const Vector6& v) { return oracles::act_inverse_force(Y, v); },
         [](const Transform& Y, const Vector6& v) { return oracles::formulas::act_inverse_force(Y, v); });
     if (o[op::cross_motion])
       compare(
-          recorder, op::cross_motion[block::linear], op::cross_motion[block::angular], Vec<S, 6>(o[op::cross_motion](V, W)), [&] { return oracles::cross_motion(V_e, W_e); },
+          recorder, op::cross_motion[block::linear], op::cross_motion[block::angular],
+          Vec<S, 6>(o[op::cross_motion](V, W)), [&] { return oracles::cross_motion(V_e, W_e); },
           [](const std::vector<Real>& x) {
             return numbers<Real>(oracles::formulas::cross_motion(six(x, 0), six(x, 6)));
           },
           [&] { return numbers<Real>(V_e, W_e); });
     if (o[op::cross_force])
       compare(
-          recorder, op::cross_force[block::linear], op::cross_force[block::angular], Vec<S, 6>(o[op::cross_force](V, F)), [&] { return oracles::cross_force(V_e, F_e); },
+          recorder, op::cross_force[block::linear], op::cross_force[block::angular],
+          Vec<S, 6>(o[op::cross_force](V, F)), [&] { return oracles::cross_force(V_e, F_e); },
           [](const std::vector<Real>& x) {
             return numbers<Real>(oracles::formulas::cross_force(six(x, 0), six(x, 6)));
           },
@@ -157,17 +160,20 @@ class PowerPairing final : public Law<PowerPairing, S> {
     }
     if (o[op::rotate_point]) {
       const Vec<S, 3> y = o[op::rotate_point](Q, X.p);
-      if (!oracles::all_finite(y)) return recorder.outcome(op::rotate_point[block::point], 0, Outcome::not_finite);
+      if (!oracles::all_finite(y))
+        return recorder.outcome(op::rotate_point[block::point], 0, Outcome::not_finite);
       const auto Q_e = oracles::exact_vector<4, Real>(Q);
       const oracles::Resolved<Vector3> exact = oracles::rotate_point(Q_e, X_e.p);
       if (!exact.resolved) return recorder.outcome(op::rotate_point[block::point], 0, Outcome::unresolved);
-      recorder.record(op::rotate_point[block::point], 0, oracles::vector_error<S>(oracles::exact_vector<3, Real>(y), exact.value), [&] {
-        const auto formula = [](const std::vector<Real>& x) {
-          return numbers<Real>(oracles::rotate(oracles::Quaternion<Real>{{x[0], x[1], x[2], x[3]}},
-                                               Vector3{{x[4], x[5], x[6]}}));
-        };
-        return kappa<Real>(formula, numbers<Real>(Q_e, X_e.p), 0, exact.value);
-      });
+      recorder.record(
+          op::rotate_point[block::point], 0,
+          oracles::vector_error<S>(oracles::exact_vector<3, Real>(y), exact.value), [&] {
+            const auto formula = [](const std::vector<Real>& x) {
+              return numbers<Real>(oracles::rotate(oracles::Quaternion<Real>{{x[0], x[1], x[2], x[3]}},
+                                                   Vector3{{x[4], x[5], x[6]}}));
+            };
+            return kappa<Real>(formula, numbers<Real>(Q_e, X_e.p), 0, exact.value);
+          });
     }
   }
 
@@ -183,8 +189,8 @@ class PowerPairing final : public Law<PowerPairing, S> {
 
   /// Records both blocks of a vector.
   template <class Oracle, class Formula, class Numbers>
-  static void compare(Recorder& recorder, const Output& linear, const Output& angular, const Vec<S, 6>& computed, Oracle&& oracle,
-                      const Formula& formula, Numbers&& x) {
+  static void compare(Recorder& recorder, const Output& linear, const Output& angular,
+                      const Vec<S, 6>& computed, Oracle&& oracle, const Formula& formula, Numbers&& x) {
     const bool finite[2] = {oracles::all_finite(Vec<S, 3>(computed.template head<3>())),
                             oracles::all_finite(Vec<S, 3>(computed.template tail<3>()))};
     const auto exact = oracle();
@@ -198,8 +204,7 @@ class PowerPairing final : public Law<PowerPairing, S> {
       } else {
         const oracles::Vec3<Real> value = block == 0 ? head3(exact.value) : tail3(exact.value);
         const Vec<S, 3> part = computed.template segment<3>(3 * block);
-        recorder.record(output, 0,
-                        oracles::vector_error<S>(oracles::exact_vector<3, Real>(part), value),
+        recorder.record(output, 0, oracles::vector_error<S>(oracles::exact_vector<3, Real>(part), value),
                         [&] { return kappa<Real>(formula, x(), 3 * block, value); });
       }
     }

@@ -135,20 +135,26 @@ class RobotConfiguration final : public Law<RobotConfiguration, S> {
         const auto xd = exact_vector<6, Real>(d.segment(s.v, 6));
         const auto next = oracles::integrate(x0, xd);
         std::size_t band = band_of_angle<S>(tail3(xd));
-        judged_value(r, {op::robot_integrate[block::rotation], op::robot_integrate[block::translation]}, band, q.segment(s.q, 7), next.resolved, [&] {
-          const auto got = exact_vector<7, Real>(q.segment(s.q, 7));
-          r.record(op::robot_integrate[block::rotation], band, rotation_error<S>(Quaternion<Real>{{got[3], got[4], got[5], got[6]}}, next.Q));
-          const Real p0 = norm(Vec3<Real>{{x0[0], x0[1], x0[2]}});
-          r.record(op::robot_integrate[block::translation], band,
-              vector_error<S>(Vec3<Real>{{got[0], got[1], got[2]}}, next.p, larger(p0, next.increment_norm)));
-        });
+        judged_value(r, {op::robot_integrate[block::rotation], op::robot_integrate[block::translation]}, band,
+                     q.segment(s.q, 7), next.resolved, [&] {
+                       const auto got = exact_vector<7, Real>(q.segment(s.q, 7));
+                       r.record(
+                           op::robot_integrate[block::rotation], band,
+                           rotation_error<S>(Quaternion<Real>{{got[3], got[4], got[5], got[6]}}, next.Q));
+                       const Real p0 = norm(Vec3<Real>{{x0[0], x0[1], x0[2]}});
+                       r.record(op::robot_integrate[block::translation], band,
+                                vector_error<S>(Vec3<Real>{{got[0], got[1], got[2]}}, next.p,
+                                                larger(p0, next.increment_norm)));
+                     });
         const auto delta = oracles::difference(x0, x1);
         band = band_of_difference<S>(x0, x1, delta);
-        judged_value(r, {op::robot_difference[block::rotation_vector], op::robot_difference[block::linear]}, band, v.segment(s.v, 6), delta.resolved, [&] {
-          const auto error = log_error<S>(exact_vector<6, Real>(v.segment(s.v, 6)), delta, delta.separation);
-          r.record(op::robot_difference[block::rotation_vector], band, error.angular);
-          r.record(op::robot_difference[block::linear], band, error.linear);
-        });
+        judged_value(r, {op::robot_difference[block::rotation_vector], op::robot_difference[block::linear]},
+                     band, v.segment(s.v, 6), delta.resolved, [&] {
+                       const auto error =
+                           log_error<S>(exact_vector<6, Real>(v.segment(s.v, 6)), delta, delta.separation);
+                       r.record(op::robot_difference[block::rotation_vector], band, error.angular);
+                       r.record(op::robot_difference[block::linear], band, error.linear);
+                     });
       } else if (s.nq == 2) {
         // A planar rotation is the spatial one about z: the same oracles at half the angle's quaternion.
         const Real c0 = exact<Real>(q0[s.q]), s0 = exact<Real>(q0[s.q + 1]), a = exact<Real>(d[s.v]);
@@ -172,10 +178,13 @@ class RobotConfiguration final : public Law<RobotConfiguration, S> {
         });
       } else {
         const Real a = exact<Real>(q0[s.q]), b = exact<Real>(d[s.v]), e = exact<Real>(q1[s.q]);
-        judged_value(r, {op::robot_integrate[block::joint], op::robot_difference[block::joint]}, 0, q.segment(s.q, 1), true, [&] {
-          r.record(op::robot_integrate[block::joint], 0, scalar_error<S>(exact<Real>(q[s.q]), Real(a + b)));
-          r.record(op::robot_difference[block::joint], 0, scalar_error<S>(exact<Real>(v[s.v]), Real(e - a)));
-        });
+        judged_value(r, {op::robot_integrate[block::joint], op::robot_difference[block::joint]}, 0,
+                     q.segment(s.q, 1), true, [&] {
+                       r.record(op::robot_integrate[block::joint], 0,
+                                scalar_error<S>(exact<Real>(q[s.q]), Real(a + b)));
+                       r.record(op::robot_difference[block::joint], 0,
+                                scalar_error<S>(exact<Real>(v[s.v]), Real(e - a)));
+                     });
       }
     }
     if ((*robot)[op::robot_is_same](q0, opposite))

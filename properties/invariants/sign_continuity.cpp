@@ -16,9 +16,7 @@ class SignContinuity final : public Law<SignContinuity, S> {
     return "integrate returns the quaternion nearer to the one it came from";
   }
   std::string equation() const override { return "Q_{k+1} . Q_k >= 0 for q_{k+1} = integrate(q_k, d)"; }
-  std::string source() const override {
-    return "Pinocchio 3.8, SpecialEuclideanOperation::integrate";
-  }
+  std::string source() const override { return "Pinocchio 3.8, SpecialEuclideanOperation::integrate"; }
   std::vector<Output> outputs() const override { return {op::integrate[block::sign]}; }
   std::vector<Field> fields() const override {
     return {{"p0", Kind::vector, 3, "m"},

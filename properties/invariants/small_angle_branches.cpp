@@ -4,9 +4,9 @@
 #include <generators/rotations.hpp>
 #include <invariants/common.hpp>
 #include <optional>
+#include <oracles/ball_oracles.hpp>
 #include <oracles/closed_forms.hpp>
 #include <oracles/exp.hpp>
-#include <oracles/ball_oracles.hpp>
 
 namespace liecheck::properties {
 namespace {
@@ -21,12 +21,9 @@ class SmallAngleBranches final : public Law<SmallAngleBranches, S> {
     return "docs/measuring.md, jump; cutoffs of Pinocchio, Sophus, manif, smooth and GTSAM";
   }
   std::vector<Output> outputs() const override {
-    return {op::exp3_quaternion[block::jump],
-            op::exp6[block::jump],
-            op::left_jacobian3[block::jump],
-            op::left_jacobian3_inverse[block::jump],
-            op::right_jacobian6[block::jump],
-            op::right_jacobian6_inverse[block::jump]};
+    return {op::exp3_quaternion[block::jump], op::exp6[block::jump],
+            op::left_jacobian3[block::jump],  op::left_jacobian3_inverse[block::jump],
+            op::right_jacobian6[block::jump], op::right_jacobian6_inverse[block::jump]};
   }
   std::vector<Field> fields() const override {
     return {{"rho", Kind::vector, 3, "m"},
@@ -35,8 +32,8 @@ class SmallAngleBranches final : public Law<SmallAngleBranches, S> {
   }
   bool offered(const Subject<S>& s) const override {
     const auto& o = s.operations;
-    return o[op::exp3_quaternion] || o[op::exp6] || o[op::left_jacobian3] || o[op::left_jacobian3_inverse] || o[op::right_jacobian6] ||
-           o[op::right_jacobian6_inverse];
+    return o[op::exp3_quaternion] || o[op::exp6] || o[op::left_jacobian3] || o[op::left_jacobian3_inverse] ||
+           o[op::right_jacobian6] || o[op::right_jacobian6_inverse];
   }
   std::vector<S> generate(Source& source) const override {
     std::vector<S> x;
@@ -115,23 +112,27 @@ class SmallAngleBranches final : public Law<SmallAngleBranches, S> {
           [&](int k) { return to_list(exp_se3(x[k]).p); });
     if (o[op::left_jacobian3])
       jump(
-          op::left_jacobian3[block::jump], [&](int k) { return rows(o[op::left_jacobian3](xi[k].template tail<3>())); },
+          op::left_jacobian3[block::jump],
+          [&](int k) { return rows(o[op::left_jacobian3](xi[k].template tail<3>())); },
           [&](int k) { return flat(BallNumber<Real> ? direct(k).J : left_jacobian_so3(tail3(x[k])).J); });
     if (o[op::left_jacobian3_inverse])
       jump(
-          op::left_jacobian3_inverse[block::jump], [&](int k) { return rows(o[op::left_jacobian3_inverse](xi[k].template tail<3>())); },
+          op::left_jacobian3_inverse[block::jump],
+          [&](int k) { return rows(o[op::left_jacobian3_inverse](xi[k].template tail<3>())); },
           [&](int k) {
             return flat(BallNumber<Real> ? inverted(k).J : left_jacobian_so3_inverse(tail3(x[k])).J);
           });
     if (o[op::right_jacobian6])
       jump(
-          op::right_jacobian6[block::jump], [&](int k) { return rows(o[op::right_jacobian6](xi[k]).template topRightCorner<3, 3>()); },
+          op::right_jacobian6[block::jump],
+          [&](int k) { return rows(o[op::right_jacobian6](xi[k]).template topRightCorner<3, 3>()); },
           [&](int k) {
             return flat(BallNumber<Real> ? transpose(direct(k).C) : right_jacobian_se3(x[k]).C);
           });
     if (o[op::right_jacobian6_inverse])
       jump(
-          op::right_jacobian6_inverse[block::jump], [&](int k) { return rows(o[op::right_jacobian6_inverse](xi[k]).template topRightCorner<3, 3>()); },
+          op::right_jacobian6_inverse[block::jump],
+          [&](int k) { return rows(o[op::right_jacobian6_inverse](xi[k]).template topRightCorner<3, 3>()); },
           [&](int k) {
             return flat(BallNumber<Real> ? transpose(inverted(k).C) : right_jacobian_se3_inverse(x[k]).C);
           });

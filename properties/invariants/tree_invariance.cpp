@@ -22,13 +22,13 @@ class TreeInvariance final : public TreeLaw<TreeInvariance, S> {
            "the tree "
            "itself";
   }
-  std::string source() const override { return "invariance of Lagrange's equations under a change of description: Goldstein 1980, section 1.4"; }
+  std::string source() const override {
+    return "invariance of Lagrange's equations under a change of description: Goldstein 1980, section 1.4";
+  }
   static constexpr Output world = op::rnea_of_a_moved_world[block::torque],
                           order = op::rnea_of_reordered_joints[block::torque],
                           parts = op::rnea_of_split_bodies[block::torque];
-  std::vector<Output> outputs() const override {
-    return {world, order, parts};
-  }
+  std::vector<Output> outputs() const override { return {world, order, parts}; }
 
   template <class T, class Case>
   void of(const Operations<S>& subject, const Case& c, Recorder& r) const {
@@ -67,9 +67,9 @@ class TreeInvariance final : public TreeLaw<TreeInvariance, S> {
       }
       return y;
     };
-    record(order, shuffled(subject.tree(other)[op::tree_rnea](shuffled(c.q, true, false), shuffled(c.v, false, false),
-                                                    shuffled(c.a, false, false),
-                                                    c.F_joint < 0 ? -1 : place[at(c.F_joint)], c.F),
+    record(order, shuffled(subject.tree(other)[op::tree_rnea](
+                               shuffled(c.q, true, false), shuffled(c.v, false, false),
+                               shuffled(c.a, false, false), c.F_joint < 0 ? -1 : place[at(c.F_joint)], c.F),
                            false, true));
   }
 

@@ -179,8 +179,9 @@ class TreeLaw : public Property<S> {
       if (!oracles::all_finite(computed)) return r.outcome(output, 0, Outcome::not_finite);
       record(r, output, exact_list<T>(computed), exact_value, w, terms, confirmed);
     }
-    void record(Recorder& r, const Output& output, const std::vector<T>& computed, const std::vector<T>& exact_value,
-                const std::vector<double>& w, double terms, bool confirmed) const {
+    void record(Recorder& r, const Output& output, const std::vector<T>& computed,
+                const std::vector<T>& exact_value, const std::vector<double>& w, double terms,
+                bool confirmed) const {
       if (!confirmed) return r.outcome(output, 0, Outcome::unresolved);
       const T size = oracles::larger(weighted_norm(exact_value, w), oracles::least_denominator<S, T>());
       const double kappa = terms / approximate(size);

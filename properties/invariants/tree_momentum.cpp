@@ -68,7 +68,8 @@ class TreeMomentum final : public TreeLaw<TreeMomentum, S> {
           r.outcome(part == 0 ? map_linear : map_angular, 0, Outcome::not_finite);
       }
     }
-    if (o[op::tree_aba] && c.exact.tree.joints[0].kind == oracles::JointKind::free_flyer) conservation<T>(o, c, r);
+    if (o[op::tree_aba] && c.exact.tree.joints[0].kind == oracles::JointKind::free_flyer)
+      conservation<T>(o, c, r);
   }
 
  private:

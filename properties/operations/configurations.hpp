@@ -7,7 +7,8 @@
 namespace liecheck::properties::op {
 
 inline constexpr std::string_view configuration_header = "multibody/se3_configuration.hpp",
-                                  robot_header = "multibody/configuration.hpp>\n#include <liecheck/urdf/urdf.hpp",
+                                  robot_header =
+                                      "multibody/configuration.hpp>\n#include <liecheck/urdf/urdf.hpp",
                                   plus_source = "Sola, Deray & Atchuthan 2018, eqs. 25-28",
                                   adjoint_source = "Sola, Deray & Atchuthan 2018, eqs. 79-85";
 
@@ -45,8 +46,8 @@ inline constexpr Operation integrate_of_difference{
 
 inline constexpr Block tangent_jacobian{
     block::jacobian, "larger |J - J_exact| of the two 3 x 3 diagonal blocks, Frobenius", "|J_exact|", "1"};
-inline constexpr Block tangent_coupling{block::coupling, "|C - C_exact| of the upper right 3 x 3 block, Frobenius",
-                                        "|C_exact|", "m"};
+inline constexpr Block tangent_coupling{
+    block::coupling, "|C - C_exact| of the upper right 3 x 3 block, Frobenius", "|C_exact|", "m"};
 
 inline constexpr auto d_integrate_arg0 = operation<struct DIntegrateArg0>(
     {"d_integrate_arg0", "d integrate(q0, delta) / d q0 = Ad(exp(-delta))", adjoint_source}, J6_tangent,
@@ -66,7 +67,8 @@ inline constexpr auto d_difference_arg1 = operation<struct DDifferenceArg1>(
     {configuration_header, "dDifferenceSE3<S>(q0, q1, ArgumentPosition::ARG1)"}, q0, q1);
 
 inline constexpr auto integrate_coefficient_jacobian = operation<struct IntegrateCoefficientJacobian>(
-    {"integrate_coefficient_jacobian", "J = d integrate(q, delta) / d delta at delta = 0, of the stored numbers",
+    {"integrate_coefficient_jacobian",
+     "J = d integrate(q, delta) / d delta at delta = 0, of the stored numbers",
      "Sola 2017 (arXiv 1711.02508), eqs. 197-201"},
     J76,
     {{block::translation, "|J_p v - R u|", "|R u|", "m/s"},

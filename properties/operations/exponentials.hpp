@@ -6,10 +6,12 @@
 
 namespace liecheck::properties::op {
 
-inline constexpr std::string_view exp_log_header = "spatial/exp_log.hpp", jacobians_header = "spatial/jacobians.hpp";
+inline constexpr std::string_view exp_log_header = "spatial/exp_log.hpp",
+                                  jacobians_header = "spatial/jacobians.hpp";
 
 inline constexpr auto exp3_quaternion = operation<struct Exp3Quaternion>(
-    {"exp3_quaternion", "Q = (sin(theta/2) n, cos(theta/2)) of phi = theta n", "Murray, Li & Sastry 1994, section 2.3"},
+    {"exp3_quaternion", "Q = (sin(theta/2) n, cos(theta/2)) of phi = theta n",
+     "Murray, Li & Sastry 1994, section 2.3"},
     Q_result,
     {rotation_of_quaternion,
      norm_of_quaternion,
@@ -46,12 +48,13 @@ inline constexpr Block jacobian3{block::jacobian, "|J - J_exact|, Frobenius", "|
 inline constexpr Block jacobian3_jump{
     block::jump, "|(J+ - J+_exact) - (J- - J-_exact)| over adjacent inputs, Frobenius", "|J_exact|", "1"};
 /// Both diagonal blocks of a 6 x 6 Jacobian; infinite where the block below them is not zero.
-inline constexpr Block jacobian6{block::jacobian, "larger |J - J_exact| of the two 3 x 3 diagonal blocks, Frobenius",
-                                 "|J_exact|", "1"};
+inline constexpr Block jacobian6{
+    block::jacobian, "larger |J - J_exact| of the two 3 x 3 diagonal blocks, Frobenius", "|J_exact|", "1"};
 inline constexpr Block coupling6{block::coupling, "|C - C_exact| of the upper right 3 x 3 block, Frobenius",
                                  "|C_exact|; beyond pi max(|C_exact|, |rho| min(1, |J_exact|))", "m"};
 inline constexpr Block coupling6_jump{
-    block::jump, "|(C+ - C+_exact) - (C- - C-_exact)| of the upper right block over adjacent inputs, Frobenius",
+    block::jump,
+    "|(C+ - C+_exact) - (C- - C-_exact)| of the upper right block over adjacent inputs, Frobenius",
     "|C_exact|", "m"};
 
 inline constexpr std::string_view jacobians3_source = "Sola, Deray & Atchuthan 2018, eqs. 143-146",
@@ -60,9 +63,9 @@ inline constexpr std::string_view jacobians3_source = "Sola, Deray & Atchuthan 2
 inline constexpr auto left_jacobian3 = operation<struct LeftJacobian3>(
     {"left_jacobian3", "J_l(phi) = c1 I + c2 [phi] + c3 phi phi^T", jacobians3_source}, J3_left,
     {jacobian3, jacobian3_jump}, {jacobians_header, "leftJacobian<S>(phi)"}, phi);
-inline constexpr auto right_jacobian3 = operation<struct RightJacobian3>(
-    {"right_jacobian3", "J_r(phi) = J_l(-phi)", jacobians3_source}, J3_right, {jacobian3},
-    {jacobians_header, "rightJacobian<S>(phi)"}, phi);
+inline constexpr auto right_jacobian3 =
+    operation<struct RightJacobian3>({"right_jacobian3", "J_r(phi) = J_l(-phi)", jacobians3_source}, J3_right,
+                                     {jacobian3}, {jacobians_header, "rightJacobian<S>(phi)"}, phi);
 inline constexpr auto left_jacobian3_inverse = operation<struct LeftJacobian3Inverse>(
     {"left_jacobian3_inverse", "J_l(phi)^-1", jacobians3_source}, J3_left, {jacobian3, jacobian3_jump},
     {jacobians_header, "leftJacobianInverse<S>(phi)"}, phi);
@@ -70,8 +73,8 @@ inline constexpr auto right_jacobian3_inverse = operation<struct RightJacobian3I
     {"right_jacobian3_inverse", "J_r(phi)^-1", jacobians3_source}, J3_right, {jacobian3},
     {jacobians_header, "rightJacobianInverse<S>(phi)"}, phi);
 inline constexpr auto left_jacobian6 = operation<struct LeftJacobian6>(
-    {"left_jacobian6", "J_l(rho, phi) = [[J_l(phi), C(rho, phi)], [0, J_l(phi)]]", jacobians6_source}, J6_left,
-    {jacobian6, coupling6}, {jacobians_header, "leftJacobian<S>(Motion<S>(xi))"}, xi);
+    {"left_jacobian6", "J_l(rho, phi) = [[J_l(phi), C(rho, phi)], [0, J_l(phi)]]", jacobians6_source},
+    J6_left, {jacobian6, coupling6}, {jacobians_header, "leftJacobian<S>(Motion<S>(xi))"}, xi);
 inline constexpr auto right_jacobian6 = operation<struct RightJacobian6>(
     {"right_jacobian6", "J_r(rho, phi) = J_l(-rho, -phi)", jacobians6_source}, J6_right,
     {jacobian6, coupling6, coupling6_jump}, {jacobians_header, "rightJacobian<S>(Motion<S>(xi))"}, xi);

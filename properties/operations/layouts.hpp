@@ -10,7 +10,8 @@ namespace liecheck::properties::op {
 inline constexpr Value<type::Vector3> phi{{"phi", {{"phi", 3, "rad"}}, "body axes"}};
 inline constexpr Value<type::Vector4> Q{{"Q", {{"Q", 4, "1"}}, "from B to A"}};
 inline constexpr Value<type::Matrix3> R{{"R", {{"R", 9, "1"}}, "from B to A"}};
-inline constexpr Value<type::Vector6> xi{{"xi", {{"rho", 3, "m"}, {"phi", 3, "rad"}}, "body axes", "Vector6<S>"}};
+inline constexpr Value<type::Vector6> xi{
+    {"xi", {{"rho", 3, "m"}, {"phi", 3, "rad"}}, "body axes", "Vector6<S>"}};
 inline constexpr Value<type::PoseValue> X{{"X", {{"R", 9, "1"}, {"p", 3, "m"}}, "from B to A", "SE3<S>"}};
 inline constexpr Value<type::PoseValue> Y{{"Y", {{"R_Y", 9, "1"}, {"p_Y", 3, "m"}}, "from C to B", "SE3<S>"}};
 inline constexpr Value<type::Vector3> p_Y{{"p_Y", {{"p_Y", 3, "m"}}, "B"}};
@@ -41,15 +42,19 @@ inline constexpr Value<type::Vector> tree_q{{"q", {{"q", nq, "m, 1, rad"}}, "joi
 inline constexpr Value<type::Vector> tree_v{{"v", {{"v", nv, "m/s, rad/s"}}, "joint by joint"}};
 inline constexpr Value<type::Vector> tree_a{{"a", {{"a", nv, "m/s^2, rad/s^2"}}, "joint by joint"}};
 inline constexpr Value<type::Vector> tree_tau{{"tau", {{"tau", nv, "N, N m"}}, "joint by joint"}};
-inline constexpr Value<type::Index> wrench_joint{{"wrench_joint", {{"wrench_joint", 1, "1"}}, "-1: no wrench"}};
+inline constexpr Value<type::Index> wrench_joint{
+    {"wrench_joint", {{"wrench_joint", 1, "1"}}, "-1: no wrench"}};
 inline constexpr Value<type::Vector6> wrench{
     {"wrench", {{"force", 3, "N"}, {"moment", 3, "N m"}}, "axes and origin of that joint's body"}};
 inline constexpr Value<type::Reference> seen{{"seen", {}, "WORLD, LOCAL or LOCAL_WORLD_ALIGNED"}};
 
 // results
-inline constexpr Value<type::Vector3> phi_result{{"phi", {{"phi", 3, "rad"}}, "body axes; at pi either sign"}};
-inline constexpr Value<type::Vector4> Q_result{{"Q", {{"Q", 4, "1"}}, "right-handed, angle about n positive"}};
-inline constexpr Value<type::Matrix3> R_result{{"R", {{"R", 9, "1"}}, "right-handed, angle about n positive"}};
+inline constexpr Value<type::Vector3> phi_result{
+    {"phi", {{"phi", 3, "rad"}}, "body axes; at pi either sign"}};
+inline constexpr Value<type::Vector4> Q_result{
+    {"Q", {{"Q", 4, "1"}}, "right-handed, angle about n positive"}};
+inline constexpr Value<type::Matrix3> R_result{
+    {"R", {{"R", 9, "1"}}, "right-handed, angle about n positive"}};
 inline constexpr Value<type::PoseValue> T_result{
     {"T", {{"R", 9, "1"}, {"p", 3, "m"}}, "parent axes; increment in body axes"}};
 inline constexpr Value<type::PoseValue> X_result{{"X", {{"R", 9, "1"}, {"p", 3, "m"}}, "axes of A"}};
@@ -74,7 +79,8 @@ inline constexpr Value<type::Vector6> F_A{{"F_A", {{"f", 3, "N"}, {"n", 3, "N m"
 inline constexpr Value<type::Vector6> F_B{{"F_B", {{"f", 3, "N"}, {"n", 3, "N m"}}, "B"}};
 inline constexpr Value<type::Vector6> bracket{
     {"[V, W]", {{"linear", 3, "m/s^2"}, {"angular", 3, "rad/s^2"}}, "B"}};
-inline constexpr Value<type::Vector6> dual_bracket{{"V x* F", {{"linear", 3, "N/s"}, {"angular", 3, "N m/s"}}, "B"}};
+inline constexpr Value<type::Vector6> dual_bracket{
+    {"V x* F", {{"linear", 3, "N/s"}, {"angular", 3, "N m/s"}}, "B"}};
 inline constexpr Value<type::BodyValue> I_A{
     {"I_A", {{"mass", 1, "kg"}, {"c", 3, "m"}, {"I_C", 9, "kg m^2"}}, "A"}};
 inline constexpr Value<type::BodyValue> I_B{
@@ -84,16 +90,19 @@ inline constexpr Value<type::Vector6> h{
 inline constexpr Value<type::Scalar> kinetic{{"T", {{"T", 1, "J"}}, "any frame"}};
 inline constexpr Value<type::Matrix6> I_O{{"M", {{"M", 36, "kg, kg m, kg m^2"}}, "B, about its origin"}};
 inline constexpr Value<type::Vector> robot_q_result{{"q1", {{"q1", nq, "m, 1, rad"}}, "joint by joint"}};
-inline constexpr Value<type::Vector> robot_delta_result{{"delta", {{"delta", nv, "m, rad"}}, "body axes, joint by joint"}};
+inline constexpr Value<type::Vector> robot_delta_result{
+    {"delta", {{"delta", nv, "m, rad"}}, "body axes, joint by joint"}};
 inline constexpr Value<type::Truth> same_result{{"same", {{"same", 1, "1"}}, "yes or no"}};
 inline constexpr Value<type::Vector> tau_result{{"tau", {{"tau", nv, "N, N m"}}, "joint by joint"}};
-inline constexpr Value<type::Vector> acceleration_result{{"a", {{"a", nv, "m/s^2, rad/s^2"}}, "joint by joint"}};
+inline constexpr Value<type::Vector> acceleration_result{
+    {"a", {{"a", nv, "m/s^2, rad/s^2"}}, "joint by joint"}};
 inline constexpr Value<type::Matrix> M_result{{"M", {{"M", nv_by_nv, "kg, kg m, kg m^2"}}, "joint by joint"}};
 inline constexpr Value<type::Matrix> M_inverse_result{
     {"M^-1", {{"M^-1", nv_by_nv, "1/kg, 1/(kg m), 1/(kg m^2)"}}, "joint by joint"}};
 inline constexpr Value<type::TwoMatrices> derivatives_result{
     {"D", {{"by q", nv_by_nv, "per m, rad"}, {"by v", nv_by_nv, "per m/s, rad/s"}}, "joint by joint"}};
-inline constexpr Value<type::Scalar> potential{{"V", {{"V", 1, "J"}}, "world axes, zero at the world's origin"}};
+inline constexpr Value<type::Scalar> potential{
+    {"V", {{"V", 1, "J"}}, "world axes, zero at the world's origin"}};
 inline constexpr Value<type::Vector6> momentum_result{
     {"h_g", {{"linear", 3, "kg m/s"}, {"angular", 3, "kg m^2/s"}}, "world axes, at the centre of mass"}};
 inline constexpr Value<type::Matrix> momentum_map_result{

@@ -68,8 +68,8 @@ struct Block {
 
 /// How liecheck's own function is called in a printed program, over the arguments' names.
 struct Call {
-  std::string_view header;      ///< below liecheck/
-  std::string_view expression;  ///< is printed
+  std::string_view header;       ///< below liecheck/
+  std::string_view expression;   ///< is printed
   std::string_view before = "";  ///< a statement that must run first
 };
 

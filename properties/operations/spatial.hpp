@@ -40,9 +40,9 @@ inline constexpr auto act_motion = operation<struct ActMotion>(
 inline constexpr auto act_inverse_motion = operation<struct ActInverseMotion>(
     {"act_inverse_motion", "V_B = X^-1 V_A = (R^T (u - p x omega), R^T omega)", motions_source}, V_B,
     {linear_velocity, angular_velocity}, {se3_header, "X.actInv(V).to_vector()"}, X, V);
-inline constexpr auto act_force = operation<struct ActForce>(
-    {"act_force", "F_A = X^-T F_B = (R f, R n + p x R f)", motions_source}, F_A, {force, moment},
-    {se3_header, "X.act(F).to_vector()"}, X, F);
+inline constexpr auto act_force =
+    operation<struct ActForce>({"act_force", "F_A = X^-T F_B = (R f, R n + p x R f)", motions_source}, F_A,
+                               {force, moment}, {se3_header, "X.act(F).to_vector()"}, X, F);
 inline constexpr auto act_inverse_force = operation<struct ActInverseForce>(
     {"act_inverse_force", "F_B = X^T F_A = (R^T f, R^T (n - p x f))", motions_source}, F_B, {force, moment},
     {se3_header, "X.actInv(F).to_vector()"}, X, F);
@@ -53,7 +53,8 @@ inline constexpr auto cross_motion = operation<struct CrossMotion>(
     {se3_header, "V.cross(W).to_vector()"}, V, W);
 inline constexpr auto cross_force = operation<struct CrossForce>(
     {"cross_force", "ad_V* F = -ad_V^T F = (omega x f, omega x n + u x f)", crosses_source}, dual_bracket,
-    {{block::linear, "|l - l_exact|", "|l_exact|", "N/s"}, {block::angular, "|a - a_exact|", "|a_exact|", "N m/s"}},
+    {{block::linear, "|l - l_exact|", "|l_exact|", "N/s"},
+     {block::angular, "|a - a_exact|", "|a_exact|", "N m/s"}},
     {se3_header, "V.cross(F).to_vector()"}, V, F);
 
 /// The law of power pairing forms it from act_motion and act_force.

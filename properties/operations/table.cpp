@@ -32,17 +32,19 @@ std::string names_of(const Layouts& layouts) {
 std::string operations_table() {
   std::string text =
       "# Operations\n\n"
-      "What each operation takes and returns, and how the error of each block of its result is measured: numerator over\n"
+      "What each operation takes and returns, and how the error of each block of its result is measured: "
+      "numerator over\n"
       "denominator, in eps of the scalar. `liecheck list --operations` prints this page from the records in\n"
       "`properties/operations`.\n\n"
       "| operation | definition | takes | returns, axes | source |\n|---|---|---|---|---|\n";
   for (const Operation* o : all_operations())
-    text += fmt::format("| {} | {} | {} | {}; {} | {} |\n", o->name, cell(o->definition), names_of(o->arguments),
-                        names_of(o->results), cell(o->results[0]->frame), o->source);
+    text += fmt::format("| {} | {} | {} | {}; {} | {} |\n", o->name, cell(o->definition),
+                        names_of(o->arguments), names_of(o->results), cell(o->results[0]->frame), o->source);
   text += "\n| operation | block | numerator | denominator | unit |\n|---|---|---|---|---|\n";
   for (const Operation* o : all_operations())
     for (const Block& b : o->blocks)
-      text += fmt::format("| {} | {} | {} | {} | {} |\n", o->name, b.name.text, cell(b.error), cell(b.denominator), b.unit);
+      text += fmt::format("| {} | {} | {} | {} | {} |\n", o->name, b.name.text, cell(b.error),
+                          cell(b.denominator), b.unit);
   return text;
 }
 

@@ -47,13 +47,15 @@ inline constexpr auto tree_mass_inverse = operation<struct TreeMassInverse, true
     {"algorithms/crba.hpp", "computeMinverse(model, data, q)"}, tree_q);
 
 inline constexpr auto rnea_derivatives = operation<struct RneaDerivatives, true>(
-    {"rnea_derivatives", "(d tau / d q, d tau / d v) of inverse dynamics, q along integrate", derivatives_source},
+    {"rnea_derivatives", "(d tau / d q, d tau / d v) of inverse dynamics, q along integrate",
+     derivatives_source},
     derivatives_result,
     {{block::by_q, "|((dtau/dq - exact) d)_k / sqrt(M_kk)| for a direction d",
       "|((dtau/dq exact) d)_k / sqrt(M_kk)|", torque_unit},
      {block::by_v, "|((dtau/dv - exact) d)_k / sqrt(M_kk)| for a direction d",
       "|((dtau/dv exact) d)_k / sqrt(M_kk)|", torque_unit}},
-    {"algorithms/derivatives.hpp", "(data.dtau_dq() * d).transpose() << '\\n' << (data.dtau_dv() * d).transpose()",
+    {"algorithms/derivatives.hpp",
+     "(data.dtau_dq() * d).transpose() << '\\n' << (data.dtau_dv() * d).transpose()",
      "computeRNEADerivatives(model, data, q, v, a, on);"},
     tree_q, tree_v, tree_a, wrench_joint, wrench);
 inline constexpr auto aba_derivatives = operation<struct AbaDerivatives, true>(
@@ -64,7 +66,8 @@ inline constexpr auto aba_derivatives = operation<struct AbaDerivatives, true>(
       torque_unit},
      {block::by_v, "|((da/dv - exact) d)_k sqrt(M_kk)| for a direction d", "|((da/dv exact) d)_k sqrt(M_kk)|",
       torque_unit}},
-    {"algorithms/derivatives.hpp", "(data.ddq_dq() * d).transpose() << '\\n' << (data.ddq_dv() * d).transpose()",
+    {"algorithms/derivatives.hpp",
+     "(data.ddq_dq() * d).transpose() << '\\n' << (data.ddq_dv() * d).transpose()",
      "computeABADerivatives(model, data, q, v, tau, on);"},
     tree_q, tree_v, tree_tau, wrench_joint, wrench);
 
@@ -99,7 +102,8 @@ inline constexpr auto frame_velocity = operation<struct FrameVelocity, true>(
     frame_velocity_result,
     {{block::linear, "|u - u_exact| in each reference", "|u_exact|", "m/s"},
      {block::angular, "|omega - omega_exact| in each reference", "|omega_exact|", "rad/s"}},
-    {"algorithms/frames.hpp", "getFrameVelocity(model, data, frame, seen).to_vector().transpose()", frames_before},
+    {"algorithms/frames.hpp", "getFrameVelocity(model, data, frame, seen).to_vector().transpose()",
+     frames_before},
     tree_q, tree_v, seen);
 inline constexpr auto frame_acceleration = operation<struct FrameAcceleration, true>(
     {"frame_acceleration", "V', the spatial acceleration, as seen", frame_source}, frame_acceleration_result,
@@ -114,8 +118,8 @@ inline constexpr auto frame_classical_acceleration = operation<struct FrameClass
     frame_acceleration_result,
     {{block::linear, "|p'' - p''_exact| in each reference", "|p''_exact|", "m/s^2"},
      {block::angular, "|omega' - exact| in each reference", "|omega' exact|", "rad/s^2"}},
-    {"algorithms/frames.hpp", "getFrameClassicalAcceleration(model, data, frame, seen).to_vector().transpose()",
-     frames_before},
+    {"algorithms/frames.hpp",
+     "getFrameClassicalAcceleration(model, data, frame, seen).to_vector().transpose()", frames_before},
     tree_q, tree_v, tree_a, seen);
 inline constexpr auto frame_jacobian = operation<struct FrameJacobian, true>(
     {"frame_jacobian", "J(q): V = J v, as seen", frame_source}, frame_jacobian_result,
@@ -130,7 +134,8 @@ inline constexpr auto frame_jacobian_rate = operation<struct FrameJacobianRate, 
       "|A_linear exact|", "m/s^2"},
      {block::angular, "|(J a + J' v - A_exact) angular|", "|omega'_exact|", "rad/s^2"}},
     {"algorithms/jacobians.hpp",
-     "(getFrameJacobian(model, data, frame, seen) * a + getFrameJacobianTimeVariation(model, data, frame, seen) * "
+     "(getFrameJacobian(model, data, frame, seen) * a + getFrameJacobianTimeVariation(model, data, frame, "
+     "seen) * "
      "v).transpose()",
      "computeJointJacobiansTimeVariation(model, data, q, v);"},
     tree_q, tree_v, seen);
@@ -169,14 +174,13 @@ inline constexpr Operation crba_columns{
     {&M_result},
     {{block::matrix, "|(M - [rnea(q, 0, e_k)])_kl / sqrt(M_kk M_ll)|, Frobenius", mass_size, "1"}},
     {"algorithms/crba.hpp", "crba(model, data, q)"}};
-inline constexpr Operation tree_power{
-    "tree_power",
-    "rnea(q, v, a)^T v = d/dt (T + V)",
-    "Goldstein 1980, section 2.6",
-    {&tree_q, &tree_v, &tree_a},
-    {&tau_result},
-    {{block::power, "|tau^T v - d/dt (T + V)|", "|d/dt (T + V)|", "W"}},
-    {"algorithms/rnea.hpp", "rnea(model, data, q, v, a).dot(v)"}};
+inline constexpr Operation tree_power{"tree_power",
+                                      "rnea(q, v, a)^T v = d/dt (T + V)",
+                                      "Goldstein 1980, section 2.6",
+                                      {&tree_q, &tree_v, &tree_a},
+                                      {&tau_result},
+                                      {{block::power, "|tau^T v - d/dt (T + V)|", "|d/dt (T + V)|", "W"}},
+                                      {"algorithms/rnea.hpp", "rnea(model, data, q, v, a).dot(v)"}};
 inline constexpr Operation momentum_conserved{
     "momentum_conserved",
     "tau_base(q, v, aba(q, v, (0, tau))) = 0 for g = 0",
@@ -203,13 +207,12 @@ inline constexpr Operation rnea_of_reordered_joints{
     {&tau_result},
     {torque},
     {"algorithms/rnea.hpp", rnea_call}};
-inline constexpr Operation rnea_of_split_bodies{
-    "rnea_of_split_bodies",
-    "tau does not change where each body is two fixed halves",
-    rnea_source,
-    {&tree_q, &tree_v, &tree_a, &wrench_joint, &wrench},
-    {&tau_result},
-    {torque},
-    {"algorithms/rnea.hpp", rnea_call}};
+inline constexpr Operation rnea_of_split_bodies{"rnea_of_split_bodies",
+                                                "tau does not change where each body is two fixed halves",
+                                                rnea_source,
+                                                {&tree_q, &tree_v, &tree_a, &wrench_joint, &wrench},
+                                                {&tau_result},
+                                                {torque},
+                                                {"algorithms/rnea.hpp", rnea_call}};
 
 }  // namespace liecheck::properties::op

@@ -124,7 +124,8 @@ json counterexamples_record(const Counterexamples& c) {
 
 }  // namespace
 
-json record_of(const CampaignResult& r, const Counterexamples& replayed, const std::string& earlier_environment) {
+json record_of(const CampaignResult& r, const Counterexamples& replayed,
+               const std::string& earlier_environment) {
   const Results results = results_of(r);
   return {
       {"version", LIECHECK_VERSION},

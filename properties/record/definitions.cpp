@@ -29,12 +29,14 @@ template <class Layouts>
 json parts_of(const Layouts& layouts) {
   json list = json::array();
   for (const Layout* l : layouts) {
-    if (l->parts.size() == 0) list.push_back({{"name", l->name}, {"size", 1}, {"unit", "1"}, {"frame", l->frame}});
+    if (l->parts.size() == 0)
+      list.push_back({{"name", l->name}, {"size", 1}, {"unit", "1"}, {"frame", l->frame}});
     for (const Part& p : l->parts)
-      list.push_back({{"name", l->parts.size() == 1 ? std::string(p.name) : fmt::format("{}.{}", l->name, p.name)},
-                      {"size", size_of(p)},
-                      {"unit", p.unit},
-                      {"frame", l->frame}});
+      list.push_back(
+          {{"name", l->parts.size() == 1 ? std::string(p.name) : fmt::format("{}.{}", l->name, p.name)},
+           {"size", size_of(p)},
+           {"unit", p.unit},
+           {"frame", l->frame}});
   }
   return list;
 }

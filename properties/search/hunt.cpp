@@ -53,7 +53,8 @@ CaseId raw_id(const std::vector<S>& x) {
 
 /// What is searched for: an output, and the figure of it that is maximised.
 template <class S>
-std::vector<Worst> objectives_of(const TypedSeries<S>& series, const HuntOptions& options, const Limits& limits) {
+std::vector<Worst> objectives_of(const TypedSeries<S>& series, const HuntOptions& options,
+                                 const Limits& limits) {
   std::vector<Worst> all;
   for (std::size_t i = 0; i < series.outputs.size(); ++i) {
     const Output& o = series.outputs[i];

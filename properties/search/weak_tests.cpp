@@ -89,7 +89,8 @@ bool random_poses(const O& o) {
     const V4 Q = q.coeffs(), Q0 = s.quaternion();
     const M3 R0 = Eigen::Quaterniond(Q0).toRotationMatrix();
     killed |= differ(o[op::exp3_matrix](phi), R, tolerance) || differ(o[op::exp6](xi).p, p, tolerance);
-    killed |= differ(o[op::log3_matrix](R), phi, tolerance) || differ(o[op::log3_quaternion](Q), phi, tolerance);
+    killed |=
+        differ(o[op::log3_matrix](R), phi, tolerance) || differ(o[op::log3_quaternion](Q), phi, tolerance);
     killed |= differ(o[op::log6]({R, p}), xi, tolerance) || differ(o[op::left_jacobian3](phi), J, tolerance);
     killed |= differ(o[op::right_jacobian3](phi), J.transpose(), tolerance);
     killed |= differ(o[op::left_jacobian3_inverse](phi), J.inverse(), tolerance);
@@ -104,7 +105,8 @@ bool random_poses(const O& o) {
     M6 M = M6::Identity();
     M.topLeftCorner<3, 3>() = 2 * I, M.topRightCorner<3, 3>() = -2 * hat(x);
     M.bottomLeftCorner<3, 3>() = 2 * hat(x), M.bottomRightCorner<3, 3>() = I - 2 * hat(x) * hat(x);
-    killed |= differ(o[op::inertia_matrix](body), M, tolerance) || differ(o[op::momentum](body, V), M * V, tolerance);
+    killed |= differ(o[op::inertia_matrix](body), M, tolerance) ||
+              differ(o[op::momentum](body, V), M * V, tolerance);
     killed |= !(std::fabs(o[op::kinetic_energy](body, V) - V.dot(M * V) / 2) <= tolerance);
   }
   return killed;
@@ -124,8 +126,10 @@ bool round_trips(const O& o) {
     const V7 q0 = configuration(x, s.quaternion());
     killed |= differ(o[op::difference](q0, o[op::integrate](q0, xi)), xi, tolerance);
     killed |= differ(o[op::left_jacobian3](phi) * o[op::left_jacobian3_inverse](phi), I, tolerance);
-    killed |= differ(o[op::right_jacobian6](xi) * o[op::right_jacobian6_inverse](xi), M6::Identity(), tolerance);
-    killed |= differ(o[op::left_jacobian6](xi) * o[op::left_jacobian6_inverse](xi), M6::Identity(), tolerance);
+    killed |=
+        differ(o[op::right_jacobian6](xi) * o[op::right_jacobian6_inverse](xi), M6::Identity(), tolerance);
+    killed |=
+        differ(o[op::left_jacobian6](xi) * o[op::left_jacobian6_inverse](xi), M6::Identity(), tolerance);
     const Pose<double> X{o[op::exp3_matrix](phi), x};
     killed |= differ(o[op::act_inverse_motion](X, o[op::act_motion](X, V)), V, tolerance);
     killed |= differ(o[op::act_inverse_force](X, o[op::act_force](X, V)), V, tolerance);
@@ -155,10 +159,10 @@ bool finite_differences(const O& o) {
                               o[op::difference](q1, o[op::integrate](q0, V6(xi - e))));
       arg0.col(k) = quotient(o[op::difference](q1, o[op::integrate](o[op::integrate](q0, e), xi)),
                              o[op::difference](q1, o[op::integrate](o[op::integrate](q0, V6(-e)), xi)));
-      difference0.col(k) =
-          quotient(o[op::difference](o[op::integrate](q0, e), q1), o[op::difference](o[op::integrate](q0, V6(-e)), q1));
-      difference1.col(k) =
-          quotient(o[op::difference](q0, o[op::integrate](q1, e)), o[op::difference](q0, o[op::integrate](q1, V6(-e))));
+      difference0.col(k) = quotient(o[op::difference](o[op::integrate](q0, e), q1),
+                                    o[op::difference](o[op::integrate](q0, V6(-e)), q1));
+      difference1.col(k) = quotient(o[op::difference](q0, o[op::integrate](q1, e)),
+                                    o[op::difference](q0, o[op::integrate](q1, V6(-e))));
       rate.col(k) = quotient(o[op::integrate](q0, e), o[op::integrate](q0, V6(-e)));
     }
     killed |= differ(o[op::right_jacobian6](xi), right, tolerance) ||

@@ -120,7 +120,10 @@ void Store::commit(const std::vector<SeriesResult>& series, const Checkpoint::Ch
     for (const Cell& cell : cells) {
       const Row& row = series[i].tally.rows.at(cell);
       const Output& o = s.outputs.at(static_cast<std::size_t>(cell.first));
-      write_cell(i, cell, {std::string(o.operation), std::string(o.block), s.bands()[static_cast<std::size_t>(cell.second)].name}, row);
+      write_cell(i, cell,
+                 {std::string(o.operation), std::string(o.block),
+                  s.bands()[static_cast<std::size_t>(cell.second)].name},
+                 row);
       if (row.failed &&
           !bind_row(known, campaign_, i, cell.first, cell.second, row.worst_index).executeStep())
         write_failure(

@@ -88,18 +88,22 @@ auto Bugs<S>::differences() -> Entries {
            V7 origin = a;
            origin.template head<3>().setZero();
            V7 other = b;
-           other.template head<3>() = good()[op::rotate_point](rotation_of(a), V3((b - a).template head<3>()));
+           other.template head<3>() =
+               good()[op::rotate_point](rotation_of(a), V3((b - a).template head<3>()));
            return good()[op::difference](origin, other);
          };
        }},
       {"difference_order", "from q1 to q0", "naver/roma issue 3",
-       [](O& o) { o[op::difference] = [](const V7& a, const V7& b) -> V6 { return good()[op::difference](b, a); }; }},
+       [](O& o) {
+         o[op::difference] = [](const V7& a, const V7& b) -> V6 { return good()[op::difference](b, a); };
+       }},
       {"difference_naive", "log(Q0* Q1) without care for near poses: relative error 1 at 1e-16",
        "stack-of-tasks/pinocchio issue 1964",
        [](O& o) {
          o[op::difference] = [](const V7& a, const V7& b) -> V6 {
            V6 v = good()[op::difference](a, b);
-           v.template tail<3>() = good()[op::log3_quaternion](multiply(conjugate(rotation_of(a)), rotation_of(b)));
+           v.template tail<3>() =
+               good()[op::log3_quaternion](multiply(conjugate(rotation_of(a)), rotation_of(b)));
            return v;
          };
        }},
@@ -145,11 +149,15 @@ auto Bugs<S>::configuration_derivatives() -> Entries {
        }},
       {"d_difference_sign", "ARG0 lacks its minus", "borglab/gtsam pull 1938 (derivatives near the identity)",
        [](O& o) {
-         o[op::d_difference_arg0] = [](const V7& a, const V7& b) -> M6 { return -good()[op::d_difference_arg0](a, b); };
+         o[op::d_difference_arg0] = [](const V7& a, const V7& b) -> M6 {
+           return -good()[op::d_difference_arg0](a, b);
+         };
        }},
       {"d_difference_left", "ARG1 is J_l^-1", "artivis/manif pull 22",
        [](O& o) {
-         o[op::d_difference_arg1] = [](const V7& a, const V7& b) -> M6 { return -good()[op::d_difference_arg0](a, b); };
+         o[op::d_difference_arg1] = [](const V7& a, const V7& b) -> M6 {
+           return -good()[op::d_difference_arg0](a, b);
+         };
        }},
       {"coefficient_world", "Q_dot = (w, 0) Q / 2: the angular velocity is taken in world axes",
        "robotology-legacy/mex-wholebodymodel issue 30",

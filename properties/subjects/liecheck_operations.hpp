@@ -31,7 +31,9 @@ struct LiecheckOperations {
     add_exp_log_and_jacobians(s.operations);
     add_configurations(s.operations);
     if constexpr (P != Precision::tight) {
-      s.operations[op::rotate_point] = [](const V4& Q, const V3& x) -> V3 { return SO3<S>(Q).template act<P>(x); };
+      s.operations[op::rotate_point] = [](const V4& Q, const V3& x) -> V3 {
+        return SO3<S>(Q).template act<P>(x);
+      };
     }
     if constexpr (P == Precision::standard) add_spatial_algebra(s.operations);
     return s;
@@ -62,8 +64,12 @@ struct LiecheckOperations {
     o[op::right_jacobian3_inverse] = [](const V3& phi) -> M3 { return rightJacobianInverse<S, P>(phi); };
     o[op::left_jacobian6] = [](const V6& xi) -> M6 { return leftJacobian<S, P>(Motion<S>(xi)); };
     o[op::right_jacobian6] = [](const V6& xi) -> M6 { return rightJacobian<S, P>(Motion<S>(xi)); };
-    o[op::left_jacobian6_inverse] = [](const V6& xi) -> M6 { return leftJacobianInverse<S, P>(Motion<S>(xi)); };
-    o[op::right_jacobian6_inverse] = [](const V6& xi) -> M6 { return rightJacobianInverse<S, P>(Motion<S>(xi)); };
+    o[op::left_jacobian6_inverse] = [](const V6& xi) -> M6 {
+      return leftJacobianInverse<S, P>(Motion<S>(xi));
+    };
+    o[op::right_jacobian6_inverse] = [](const V6& xi) -> M6 {
+      return rightJacobianInverse<S, P>(Motion<S>(xi));
+    };
     if constexpr (std::is_floating_point_v<S> || std::is_same_v<S, float128>) {
       o.check_quaternion = [](const V4& Q) { checkedQuaternion<S>(Q); };
       o.check_rotation = [](const M3& R) { checkedRotation<S>(R); };
@@ -97,11 +103,15 @@ struct LiecheckOperations {
     o[op::compose] = [](const Pose<S>& X, const Pose<S>& Y) -> Pose<S> { return stored(pose(X) * pose(Y)); };
     o[op::inverse] = [](const Pose<S>& X) -> Pose<S> { return stored(pose(X).inverse()); };
     o[op::act_point] = [](const Pose<S>& X, const V3& x) -> V3 { return pose(X).act(x); };
-    o[op::act_motion] = [](const Pose<S>& X, const V6& V) -> V6 { return pose(X).act(Motion<S>(V)).to_vector(); };
+    o[op::act_motion] = [](const Pose<S>& X, const V6& V) -> V6 {
+      return pose(X).act(Motion<S>(V)).to_vector();
+    };
     o[op::act_inverse_motion] = [](const Pose<S>& X, const V6& V) -> V6 {
       return pose(X).actInv(Motion<S>(V)).to_vector();
     };
-    o[op::act_force] = [](const Pose<S>& X, const V6& F) -> V6 { return pose(X).act(Force<S>(F)).to_vector(); };
+    o[op::act_force] = [](const Pose<S>& X, const V6& F) -> V6 {
+      return pose(X).act(Force<S>(F)).to_vector();
+    };
     o[op::act_inverse_force] = [](const Pose<S>& X, const V6& F) -> V6 {
       return pose(X).actInv(Force<S>(F)).to_vector();
     };
@@ -117,7 +127,9 @@ struct LiecheckOperations {
     o[op::act_inverse_inertia] = [](const Pose<S>& X, const Body<S>& I) -> Body<S> {
       return body(pose(X).actInv(inertia(I)));
     };
-    o[op::momentum] = [](const Body<S>& I, const V6& V) -> V6 { return (inertia(I) * Motion<S>(V)).to_vector(); };
+    o[op::momentum] = [](const Body<S>& I, const V6& V) -> V6 {
+      return (inertia(I) * Motion<S>(V)).to_vector();
+    };
     o[op::kinetic_energy] = [](const Body<S>& I, const V6& V) -> S {
       return inertia(I).kineticEnergy(Motion<S>(V));
     };
@@ -129,11 +141,15 @@ struct LiecheckOperations {
         buildModelFromUrdfText(urdf, fixed ? RootJoint::Fixed : RootJoint::FreeFlyer, "the campaign's robot")
             .template cast<S>());
     RobotOperations<S> r;
-    r[op::robot_integrate] = [model](const VecX<S>& q, const VecX<S>& d) -> VecX<S> { return integrate(*model, q, d); };
+    r[op::robot_integrate] = [model](const VecX<S>& q, const VecX<S>& d) -> VecX<S> {
+      return integrate(*model, q, d);
+    };
     r[op::robot_difference] = [model](const VecX<S>& a, const VecX<S>& b) -> VecX<S> {
       return difference(*model, a, b);
     };
-    r[op::robot_is_same] = [model](const VecX<S>& a, const VecX<S>& b) { return isSameConfiguration(*model, a, b); };
+    r[op::robot_is_same] = [model](const VecX<S>& a, const VecX<S>& b) {
+      return isSameConfiguration(*model, a, b);
+    };
     return r;
   }
 };

@@ -90,7 +90,9 @@ struct LiecheckTree {
     o[op::tree_aba] = [b](const X& q, const X& v, const X& tau, int i, const V6& F) -> X {
       return aba(b->m, b->d, q, v, tau, b->on(i, F));
     };
-    o[op::tree_nonlinear_effects] = [b](const X& q, const X& v) -> X { return nonLinearEffects(b->m, b->d, q, v); };
+    o[op::tree_nonlinear_effects] = [b](const X& q, const X& v) -> X {
+      return nonLinearEffects(b->m, b->d, q, v);
+    };
     o[op::tree_gravity] = [b](const X& q) -> X { return computeGeneralizedGravity(b->m, b->d, q); };
     o[op::tree_crba] = [b](const X& q) -> M { return crba(b->m, b->d, q); };
     o[op::tree_mass_inverse] = [b](const X& q) -> M { return computeMinverse(b->m, b->d, q); };
@@ -98,11 +100,14 @@ struct LiecheckTree {
       computeRNEADerivatives(b->m, b->d, q, v, a, b->on(i, F));
       return {b->d.dtau_dq(), b->d.dtau_dv()};
     };
-    o[op::aba_derivatives] = [b](const X& q, const X& v, const X& tau, int i, const V6& F) -> std::pair<M, M> {
+    o[op::aba_derivatives] = [b](const X& q, const X& v, const X& tau, int i,
+                                 const V6& F) -> std::pair<M, M> {
       computeABADerivatives(b->m, b->d, q, v, tau, b->on(i, F));
       return {b->d.ddq_dq(), b->d.ddq_dv()};
     };
-    o[op::tree_kinetic_energy] = [b](const X& q, const X& v) -> S { return computeKineticEnergy(b->m, b->d, q, v); };
+    o[op::tree_kinetic_energy] = [b](const X& q, const X& v) -> S {
+      return computeKineticEnergy(b->m, b->d, q, v);
+    };
     o[op::tree_potential_energy] = [b](const X& q) -> S { return computePotentialEnergy(b->m, b->d, q); };
     o[op::tree_momentum] = [b](const X& q, const X& v) -> V6 {
       return computeCentroidalMomentum(b->m, b->d, q, v).to_vector();

@@ -28,7 +28,9 @@ template <class S>
 auto Bugs<S>::look_alikes_of_rotations() -> Entries {
   return {
       {"exp_minus_Q", "exp returns -Q", "Q and -Q are one rotation",
-       [](O& o) { o[op::exp3_quaternion] = [](const V3& phi) -> V4 { return -good()[op::exp3_quaternion](phi); }; }},
+       [](O& o) {
+         o[op::exp3_quaternion] = [](const V3& phi) -> V4 { return -good()[op::exp3_quaternion](phi); };
+       }},
       {"exp_long_double", "sine and cosine of the half angle in long double", "another formula",
        [](O& o) {
          o[op::exp3_quaternion] = [](const V3& phi) -> V4 {
@@ -59,10 +61,14 @@ auto Bugs<S>::look_alikes_of_rotations() -> Entries {
       {"right_jacobian_transposed", "the right Jacobian of SO(3) is the transpose of the left one",
        "an identity",
        [](O& o) {
-         o[op::right_jacobian3] = [](const V3& phi) -> M3 { return good()[op::left_jacobian3](phi).transpose(); };
+         o[op::right_jacobian3] = [](const V3& phi) -> M3 {
+           return good()[op::left_jacobian3](phi).transpose();
+         };
        }},
       {"left_jacobian_of_minus", "the left Jacobian is the right one at -xi", "an identity",
-       [](O& o) { o[op::left_jacobian6] = [](const V6& xi) -> M6 { return good()[op::right_jacobian6](V6(-xi)); }; }},
+       [](O& o) {
+         o[op::left_jacobian6] = [](const V6& xi) -> M6 { return good()[op::right_jacobian6](V6(-xi)); };
+       }},
       {"d_difference_by_log", "J_r^-1 of difference", "the definition",
        [](O& o) {
          o[op::d_difference_arg1] = [](const V7& a, const V7& b) -> M6 {

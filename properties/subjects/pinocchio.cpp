@@ -96,7 +96,9 @@ struct Pinocchio {
     o[op::act_inverse_force] = [](const Pose<S>& X, const V6& F) -> V6 {
       return pose(X).actInv(Force(F)).toVector();
     };
-    o[op::cross_motion] = [](const V6& V, const V6& W) -> V6 { return Motion(V).cross(Motion(W)).toVector(); };
+    o[op::cross_motion] = [](const V6& V, const V6& W) -> V6 {
+      return Motion(V).cross(Motion(W)).toVector();
+    };
     o[op::cross_force] = [](const V6& V, const V6& F) -> V6 { return Motion(V).cross(Force(F)).toVector(); };
     return s;
   }

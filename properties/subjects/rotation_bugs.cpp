@@ -42,7 +42,9 @@ auto Bugs<S>::exp_of_rotations() -> Entries {
            return good()[op::exp3_matrix](V3(phi * ((t - turn * std::floor(t / turn)) / t)));
          };
          if (sizeof(S) == 4)
-           o[op::exp3_matrix] = [](const V3& phi) -> M3 { return good()[op::exp3_matrix](V3(phi * S(1.00001f))); };
+           o[op::exp3_matrix] = [](const V3& phi) -> M3 {
+             return good()[op::exp3_matrix](V3(phi * S(1.00001f)));
+           };
        }},
       {"exp_no_overflow_guard", "theta^2 overflows and gives NaN",
        "gazebosim/gz-math pull 620 (guards by theta^2)",
@@ -145,7 +147,9 @@ auto Bugs<S>::log_of_rotations() -> Entries {
          };
        }},
       {"log_transposed", "the rotation is inverted: R^T for R", "tud-phi/ros2-mocap_optitrack pull 17",
-       [](O& o) { o[op::log3_matrix] = [](const M3& R) -> V3 { return good()[op::log3_matrix](M3(R.transpose())); }; }},
+       [](O& o) {
+         o[op::log3_matrix] = [](const M3& R) -> V3 { return good()[op::log3_matrix](M3(R.transpose())); };
+       }},
   };
 }
 
@@ -173,7 +177,9 @@ auto Bugs<S>::exp_and_log_of_poses() -> Entries {
          o[op::exp6] = [](const V6& xi) -> P { return pose_exp(xi, good()[op::right_jacobian3](low(xi))); };
        }},
       {"exp6_angular_first", "the twist is taken angular part first", "rail-berkeley/hil-serl issue 36",
-       [](O& o) { o[op::exp6] = [](const V6& xi) -> P { return good()[op::exp6](stack(low(xi), top(xi))); }; }},
+       [](O& o) {
+         o[op::exp6] = [](const V6& xi) -> P { return good()[op::exp6](stack(low(xi), top(xi))); };
+       }},
       {"log6_no_V_inverse", "the linear part of log is p", "gbionics/idyntree issue 561",
        [](O& o) { o[op::log6] = [](const P& T) -> V6 { return stack(T.p, good()[op::log3_matrix](T.R)); }; }},
       {"log6_theta_divided", "V^-1 is divided by theta where it should be multiplied",
@@ -250,7 +256,9 @@ auto Bugs<S>::jacobians() -> Entries {
       {"inverse_jacobian_sign", "the first-order term of the inverse has the wrong sign",
        "artivis/manif pull 22",
        [](O& o) {
-         o[op::right_jacobian6_inverse] = [](const V6& xi) -> M6 { return good()[op::left_jacobian6_inverse](xi); };
+         o[op::right_jacobian6_inverse] = [](const V6& xi) -> M6 {
+           return good()[op::left_jacobian6_inverse](xi);
+         };
        }},
   };
 }

@@ -17,10 +17,14 @@ auto Bugs<S>::points_motions_and_forces() -> Entries {
        }},
       {"rotate_conjugate", "the inverse rotation", "Guo-ziwei/fusion pull 2",
        [](O& o) {
-         o[op::rotate_point] = [](const V4& Q, const V3& x) -> V3 { return good()[op::rotate_point](conjugate(Q), x); };
+         o[op::rotate_point] = [](const V4& Q, const V3& x) -> V3 {
+           return good()[op::rotate_point](conjugate(Q), x);
+         };
        }},
       {"force_as_motion", "forces are transformed as motions", "bdaiinstitute/spatialmath-python pull 207",
-       [](O& o) { o[op::act_force] = [](const P& X, const V6& F) -> V6 { return good()[op::act_motion](X, F); }; }},
+       [](O& o) {
+         o[op::act_force] = [](const P& X, const V6& F) -> V6 { return good()[op::act_motion](X, F); };
+       }},
       {"force_transposed", "forces by Ad^T for Ad^-T", "bdaiinstitute/spatialmath-python pull 207",
        [](O& o) { o[op::act_force] = o[op::act_inverse_force]; }},
       {"adjoint_block", "the coupling block of Ad is below: the angular-first matrix",

@@ -31,8 +31,8 @@ struct Planted {
   }
   static O rnea_without_armature(const T& tree) {
     O o = liecheck_tree<S>(tree);
-    o[op::tree_rnea] = [rnea = o[op::tree_rnea], less = armature(tree)](const X& q, const X& v, const X& a, int i,
-                                                    const V6& F) -> X {
+    o[op::tree_rnea] = [rnea = o[op::tree_rnea], less = armature(tree)](const X& q, const X& v, const X& a,
+                                                                        int i, const V6& F) -> X {
       return rnea(q, v, a, i, F) - less.cwiseProduct(a);
     };
     return o;
@@ -41,7 +41,9 @@ struct Planted {
     T up = tree;
     for (S& g : up.gravity.x) g = -g;
     O o = liecheck_tree<S>(tree), wrong = liecheck_tree<S>(up);
-    o[op::tree_gravity] = wrong[op::tree_gravity], o[op::tree_nonlinear_effects] = wrong[op::tree_nonlinear_effects], o[op::tree_rnea] = wrong[op::tree_rnea];
+    o[op::tree_gravity] = wrong[op::tree_gravity],
+    o[op::tree_nonlinear_effects] = wrong[op::tree_nonlinear_effects],
+    o[op::tree_rnea] = wrong[op::tree_rnea];
     return o;
   }
   static O half_coriolis(const T& tree) {
@@ -54,7 +56,7 @@ struct Planted {
   static O acceleration_of_the_first(const T& tree) {
     O o = liecheck_tree<S>(tree);
     o[op::tree_rnea] = [o, n = velocity_size(tree.joints[0].kind)](const X& q, const X& v, const X& a, int i,
-                                                         const V6& F) -> X {
+                                                                   const V6& F) -> X {
       X first = X::Zero(a.size());
       first.head(n) = a.head(n);
       return o[op::tree_rnea](q, v, first, i, F);

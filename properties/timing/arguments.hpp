@@ -77,7 +77,8 @@ template <class S>
 const Property<S>* law_of(const Operation& operation, const std::vector<std::unique_ptr<Property<S>>>& laws) {
   for (const auto& law : laws)
     for (const Output& o : law->outputs())
-      if (o.record == &operation && FieldPositions(law->fields()).has_arguments_of(operation)) return law.get();
+      if (o.record == &operation && FieldPositions(law->fields()).has_arguments_of(operation))
+        return law.get();
   return nullptr;
 }
 

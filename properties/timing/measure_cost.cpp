@@ -73,8 +73,8 @@ void add_scalar(CostPlan& plan, const std::string& scalar, const Laws& laws) {
   if (!plan.wants(plan.options.scalars, scalar)) return;
   std::map<std::string, std::unique_ptr<Property<S>>> laws_in_S;
   for (auto& law : make_properties<S>()) laws_in_S.emplace(law->name(), std::move(law));
-  add_cost_rows<S, S>(plan, scalar, static_cast<double>(std::numeric_limits<S>::epsilon()), subjects_of<S>(plan),
-                      plan.options.inputs_per_band, true, laws,
+  add_cost_rows<S, S>(plan, scalar, static_cast<double>(std::numeric_limits<S>::epsilon()),
+                      subjects_of<S>(plan), plan.options.inputs_per_band, true, laws,
                       [&](const auto& operation, const Property<double>& law, auto f,
                           const std::vector<std::vector<S>>& inputs) {
                         Subject<S> only;

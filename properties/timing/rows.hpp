@@ -73,13 +73,11 @@ void add_operation_rows(CostPlan& plan, const CostRow& common, const std::vector
         set.blocks = score(operation, law, f,
                            std::vector<std::vector<Input>>(from, from + static_cast<std::ptrdiff_t>(each)));
       merge_blocks(mixed.blocks, set.blocks);
-      if (by_band)
-        plan.timed.push_back({plan.rows.size(), b, loops_of<R, A...>(f, inputs, b * each, each)});
+      if (by_band) plan.timed.push_back({plan.rows.size(), b, loops_of<R, A...>(f, inputs, b * each, each)});
       row.sets.push_back(std::move(set));
     }
     if (plan.stopped()) return;
-    plan.timed.push_back(
-        {plan.rows.size(), row.sets.size(), loops_of<R, A...>(f, shuffled, 0, flat.size())});
+    plan.timed.push_back({plan.rows.size(), row.sets.size(), loops_of<R, A...>(f, shuffled, 0, flat.size())});
     row.sets.push_back(std::move(mixed));
     plan.rows.push_back(std::move(row));
   };

@@ -13,7 +13,8 @@ class BlockCollector final : public Recorder {
  public:
   BlockCollector(const std::vector<Output>& outputs, const Operation& operation) {
     for (const Output& o : outputs)
-      if (o.record == &operation) measured_.push_back(o.definition), blocks.push_back({std::string(o.block), {}});
+      if (o.record == &operation)
+        measured_.push_back(o.definition), blocks.push_back({std::string(o.block), {}});
   }
   void record(const Output& output, std::size_t, double error, Kappa) override {
     if (BlockErrors* b = at(output)) {
@@ -54,8 +55,8 @@ class BlockCollector final : public Recorder {
 /// `subject` offers this operation alone, so that nothing else is measured. By ball arithmetic, at 50 and 100 digits
 /// where that does not decide.
 template <class S>
-std::vector<BlockErrors> score(const Property<S>& law, const Operation& operation,
-                               const Subject<S>& subject, const std::vector<std::vector<S>>& inputs) {
+std::vector<BlockErrors> score(const Property<S>& law, const Operation& operation, const Subject<S>& subject,
+                               const std::vector<std::vector<S>>& inputs) {
   BlockCollector all(law.outputs(), operation);
   for (const auto& x : inputs) {
     BlockCollector one(law.outputs(), operation);

@@ -208,7 +208,10 @@ class WideScore {
     List half;
     for (int i = 0; i < 4; ++i)
       for (int j = 0; j < 3; ++j)
-        half.push_back((i == 3 ? -q[3 + j] : i == j ? q[6] : ((j - i + 3) % 3 == 1 ? -1 : 1) * q[6 - i - j]) / 2);
+        half.push_back((i == 3   ? -q[3 + j]
+                        : i == j ? q[6]
+                                 : ((j - i + 3) % 3 == 1 ? -1 : 1) * q[6 - i - j]) /
+                       2);
     relative("quaternion matrix", list(Mat<T, 4, 3>(J.template bottomRightCorner<4, 3>())), half);
   }
 
@@ -219,9 +222,15 @@ class WideScore {
   }
   void compare(As<op::left_jacobian3>, const Mat<T, 3>& J, const V3& phi) { three(J, phi, true, false); }
   void compare(As<op::right_jacobian3>, const Mat<T, 3>& J, const V3& phi) { three(J, phi, false, false); }
-  void compare(As<op::left_jacobian3_inverse>, const Mat<T, 3>& J, const V3& phi) { three(J, phi, true, true); }
-  void compare(As<op::right_jacobian3_inverse>, const Mat<T, 3>& J, const V3& phi) { three(J, phi, false, true); }
-  void compare(As<op::left_jacobian6>, const Mat<T, 6>& J, const V6& xi) { jacobian6(J, jacobian(xi, true, false)); }
+  void compare(As<op::left_jacobian3_inverse>, const Mat<T, 3>& J, const V3& phi) {
+    three(J, phi, true, true);
+  }
+  void compare(As<op::right_jacobian3_inverse>, const Mat<T, 3>& J, const V3& phi) {
+    three(J, phi, false, true);
+  }
+  void compare(As<op::left_jacobian6>, const Mat<T, 6>& J, const V6& xi) {
+    jacobian6(J, jacobian(xi, true, false));
+  }
   void compare(As<op::right_jacobian6>, const Mat<T, 6>& J, const V6& xi) {
     jacobian6(J, jacobian(xi, false, false));
   }

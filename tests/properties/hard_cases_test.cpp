@@ -50,9 +50,9 @@ const Registered<double> planted[] = {
                                 return r;
                               };
                             })),
-    Registered<double>(
-        with("verdict_not_finite",
-             [](O& o) { o[op::log3_quaternion] = [](const O::V4&) { return O::V3(O::V3::Constant(NAN)); }; })),
+    Registered<double>(with(
+        "verdict_not_finite",
+        [](O& o) { o[op::log3_quaternion] = [](const O::V4&) { return O::V3(O::V3::Constant(NAN)); }; })),
     Registered<double>(with("verdict_refused",
                             [](O& o) {
                               o[op::log3_quaternion] = [](const O::V4&) -> O::V3 {

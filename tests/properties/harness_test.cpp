@@ -51,12 +51,15 @@ const Registered<double> bugs[] = {
                                    return xi;
                                  };
                                })),
-    Registered<double>(
-        planted("jacobian_oracle",
-                [](O& o) { o[op::left_jacobian6] = [](const V6& xi) { return own()[op::right_jacobian6](xi); }; })),
     Registered<double>(planted(
-        "integrate_difference",
-        [](O& o) { o[op::difference] = [](const V7& a, const V7& b) { return own()[op::difference](b, a); }; })),
+        "jacobian_oracle",
+        [](O& o) { o[op::left_jacobian6] = [](const V6& xi) { return own()[op::right_jacobian6](xi); }; })),
+    Registered<double>(planted("integrate_difference",
+                               [](O& o) {
+                                 o[op::difference] = [](const V7& a, const V7& b) {
+                                   return own()[op::difference](b, a);
+                                 };
+                               })),
     Registered<double>(planted("sign_continuity",
                                [](O& o) {
                                  o[op::integrate] = [](const V7& q, const V6& d) {
@@ -89,14 +92,14 @@ const Registered<double> bugs[] = {
             return J;
           };
         })),
-    Registered<double>(
-        planted("kinetic_energy",
-                [](O& o) {
-                  o[op::kinetic_energy] = [](const Body<double>& b, const V6& V) {  // the parallel-axis term twice
-                    const V3 w = V.tail<3>();
-                    return own()[op::kinetic_energy](b, V) + b.mass * w.cross(b.c).squaredNorm() / 2;
-                  };
-                })),
+    Registered<double>(planted(
+        "kinetic_energy",
+        [](O& o) {
+          o[op::kinetic_energy] = [](const Body<double>& b, const V6& V) {  // the parallel-axis term twice
+            const V3 w = V.tail<3>();
+            return own()[op::kinetic_energy](b, V) + b.mass * w.cross(b.c).squaredNorm() / 2;
+          };
+        })),
     Registered<double>(planted("power_pairing",
                                [](O& o) {
                                  o[op::act_motion] = [](const Pose<double>& X, const V6& V) {
@@ -124,8 +127,8 @@ const Registered<double> bugs[] = {
                                    return r;
                                  };
                                })),
-    Registered<double>(
-        planted("nan", [](O& o) { o[op::exp3_quaternion] = [](const V3&) { return V4(V4::Constant(NAN)); }; })),
+    Registered<double>(planted(
+        "nan", [](O& o) { o[op::exp3_quaternion] = [](const V3&) { return V4(V4::Constant(NAN)); }; })),
 };
 
 CampaignResult run(const std::string& subject, const std::string& property, std::uint64_t cases = 300,

@@ -28,7 +28,8 @@ std::vector<std::string> faults_of(const json& record) {
     if (text.empty()) faults.push_back(name + " has an empty definition");
   };
   for (const json& o : record.at("operations"))
-    unique(operations, o.at("operation").get<std::string>(), o.at("definition").get<std::string>(), o["operation"]);
+    unique(operations, o.at("operation").get<std::string>(), o.at("definition").get<std::string>(),
+           o["operation"]);
   for (const json& b : record.at("blocks"))
     unique(blocks, std::pair(b.at("operation").get<std::string>(), b.at("block").get<std::string>()),
            b.at("error").get<std::string>() + " / " + b.at("denominator").get<std::string>(),
@@ -62,7 +63,8 @@ TEST(Record, DefinesEveryOperationAndBlockOfARealCampaign) {
   EXPECT_EQ(faults_of(record), std::vector<std::string>());
   std::set<std::string> measured;
   for (const json& row : record["results"]) measured.insert(row["operation"]);
-  EXPECT_EQ(measured.size(), all_operations().size()) << "a record that no law measures, or a law that found nothing";
+  EXPECT_EQ(measured.size(), all_operations().size())
+      << "a record that no law measures, or a law that found nothing";
 
   json without_operation = record;
   without_operation["operations"].erase(3);
@@ -96,9 +98,15 @@ template <class M>
 int numbers_in(const M& m) {
   return static_cast<int>(m.size());
 }
-int numbers_in(const Pose<double>&) { return 12; }
-int numbers_in(const Body<double>&) { return 13; }
-int numbers_in(double) { return 1; }
+int numbers_in(const Pose<double>&) {
+  return 12;
+}
+int numbers_in(const Body<double>&) {
+  return 13;
+}
+int numbers_in(double) {
+  return 1;
+}
 
 template <class Id, bool Bound, class Result, class... Arguments>
 void check_sizes(const Typed<Id, Bound, Result, Arguments...>& o) {
@@ -108,7 +116,8 @@ void check_sizes(const Typed<Id, Bound, Result, Arguments...>& o) {
     for (const Part& p : l.parts) n += p.size;
     return n;
   };
-  for (std::size_t i = 0; i < sizes.size(); ++i) EXPECT_EQ(parts(*o.arguments[i]), sizes[i]) << o.name << " " << i;
+  for (std::size_t i = 0; i < sizes.size(); ++i)
+    EXPECT_EQ(parts(*o.arguments[i]), sizes[i]) << o.name << " " << i;
   EXPECT_EQ(parts(*o.results[0]), numbers_in(typename Result::template of<double>())) << o.name;
 }
 
