@@ -139,7 +139,10 @@ HuntResult hunt_in(const TypedSeries<S>& series, const HuntOptions& options) {
       x = law.generate(source);
       if (options.random || turn % 4 == 3) mutations.uniform(x, source);  // smooth errors peak anywhere
     }
-    evaluate(x, island);
+    if (law.valid(x))
+      evaluate(x, island);
+    else
+      ++result.evaluations;  // a generated input that the law would not take from a user is not reported
     share = options.evaluations
                 ? static_cast<double>(result.evaluations) / static_cast<double>(options.evaluations)
                 : elapsed() / options.seconds;

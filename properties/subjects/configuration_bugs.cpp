@@ -188,7 +188,7 @@ auto Bugs<S>::robots() -> Entries {
        [](O& o) {
          o.robot = [](const std::string& urdf, bool fixed) {
            RobotOperations<S> r = good().robot(urdf, fixed);
-           r[op::robot_integrate] = [inner = r.integrate](const VecX<S>& q, const VecX<S>& d) -> VecX<S> {
+           r[op::robot_integrate] = [inner = r[op::robot_integrate]](const VecX<S>& q, const VecX<S>& d) -> VecX<S> {
              VecX<S> shifted = d;
              for (Eigen::Index i = 6; i + 1 < d.size(); ++i) shifted[i + 1] = d[i];
              return inner(q, shifted);
