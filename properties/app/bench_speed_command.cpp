@@ -86,7 +86,7 @@ std::uint64_t check_exp6(const Subject<double>& subject, std::uint64_t cases, in
     const Vec<double, 6> xi = *gen::twist<double>(AngleRange::to_pi);
     ++run;
     const auto exact = closed_exp(exact_vector<6, Real>(xi));
-    const Pose<double> T = subject.operations.exp6(xi);
+    const Pose<double> T = subject.operations[op::exp6](xi);
     RC_ASSERT(rotation_error<double>(exact_matrix<3, 3, Real>(T.R), exact.Q) <= rotation);
     RC_ASSERT(orthogonality_defect<double>(exact_matrix<3, 3, Real>(T.R)) <= defect);
     RC_ASSERT(vector_error<double>(exact_vector<3, Real>(T.p), exact.p) <= translation);
@@ -102,9 +102,9 @@ class Bench {
     const auto tested = subjects<double>();
     only_exp6_ =
         **std::find_if(tested.begin(), tested.end(), [](const auto* s) { return s->name == "liecheck"; });
-    const auto operation = only_exp6_.operations.exp6;
+    const auto operation = only_exp6_.operations[op::exp6];
     only_exp6_.operations = {};
-    only_exp6_.operations.exp6 = operation;
+    only_exp6_.operations[op::exp6] = operation;
     exp6_ = series_of("exp_oracle", only_exp6_, robot_);
     laws_ = select({{"liecheck"}, {}, {"float", "double"}}, robot_);
     rows_.push_back(chunks("exp6 double", *exp6_));

@@ -3,6 +3,7 @@
 #include <app/commands.hpp>
 #include <app/shared_flags.hpp>
 #include <app/signals.hpp>
+#include <campaign/robots.hpp>
 #include <filesystem>
 #include <fstream>
 #include <hard_cases/corpus.hpp>
@@ -49,7 +50,7 @@ std::string corpus_line(const Series& series, const Worst& w, const std::string&
                                : fmt::format("{} {} of {} errs by {:.3g} {}", o.operation, o.block,
                                              series.subject, w.score, w.by_kappa ? "eps kappa" : "eps");
   return fmt::format("hunted_{}_{} | {} in {} | {} | hunted | {} | {}\n",
-                     corpus_name(o.operation + "_" + o.block), digest, series.property, series.scalar,
+                     corpus_name(fmt::format("{}_{}", o.operation, o.block)), digest, series.property, series.scalar,
                      fmt::join(id.input, ", "), what, origin);
 }
 
@@ -102,7 +103,7 @@ void print_comparison(const Worst& hunted, const Worst& random, std::uint64_t ev
 /// Throws where no series measures the operation and its block, naming what is known.
 void check_measured(const std::vector<std::unique_ptr<Series>>& all, const Flags& f) {
   const std::string &op = f.options.operation, &block = f.options.block;
-  std::set<std::string> operations, blocks;
+  std::set<std::string_view> operations, blocks;
   for (const auto& s : all)
     for (const Output& o : s->outputs) {
       operations.insert(o.operation);
