@@ -1,5 +1,6 @@
-// overhead minimal|scene lone|quadruped STEPS URDF: so many steps, for an instruction counter from outside. Prints the state in
-// hexadecimal: both ways must agree to the last bit.
+// overhead minimal|scene|tree lone|quadruped STEPS URDF: makes STEPS steps, for an instruction counter outside, and prints
+// the state in hexadecimal. `minimal` is the loop written by hand, `scene` the system that a scene would choose, `tree`
+// the equations of articulated bodies also for a lone body.
 
 #include <cstdio>
 #include <cstdlib>
@@ -41,7 +42,8 @@ void scene_way(const Model<double>& model, const VectorX<double>& q, const Vecto
 
 int main(int argc, char** argv) {
   if (argc != 5) return 2;
-  const bool by_hand = std::strcmp(argv[1], "minimal") == 0, lone = std::strcmp(argv[2], "lone") == 0;
+  const bool by_hand = std::strcmp(argv[1], "minimal") == 0, as_tree = std::strcmp(argv[1], "tree") == 0;
+  const bool lone = std::strcmp(argv[2], "lone") == 0;
   const long steps = std::atol(argv[3]);
   const double h = 0x1p-10;
   Model<double> model;
@@ -62,7 +64,7 @@ int main(int argc, char** argv) {
   } else if (by_hand) {
     test::MinimalTree tree(model);
     minimal(tree, q, v, steps, h);
-  } else if (lone) {
+  } else if (lone && !as_tree) {
     scene_way<scene::LoneBody<double>>(model, q, v, steps, h);
   } else {
     scene_way<scene::Tree<double>>(model, q, v, steps, h);

@@ -1,20 +1,26 @@
 #!/bin/sh
-# overhead.sh PROGRAM URDF: instructions a step of a scene's run over those of the loop written by hand, for the lone
-# body and for a quadruped, counted by valgrind. Fails above 2 % or where a bit differs. Exit 77: no valgrind.
+# overhead.sh PROGRAM URDF: instructions per step, counted by valgrind. Fails where a scene's run of a lone body or of a
+# quadruped takes above 2 % more than the loop written by hand or differs from it in a bit, and where LoneBody takes more
+# than a tenth of what Tree takes for the same body. Exit 77: no valgrind.
 command -v valgrind > /dev/null || { echo "valgrind is missing"; exit 77; }
-count() {  # what robot steps
+PROGRAM=$1 URDF=$2 status=0
+count() {  # way robot steps
   valgrind --tool=callgrind --callgrind-out-file=/dev/null "$PROGRAM" "$1" "$2" "$3" "$URDF" 2>&1 > /dev/null |
     sed -n 's/.*Collected : //p'
 }
-PROGRAM=$1 URDF=$2 status=0
+thousand_steps() {  # way robot
+  echo $(($(count "$1" "$2" 1200) - $(count "$1" "$2" 200)))
+}
+compare() {  # robot, way, instructions, another way, instructions, largest ratio of the first to the second
+  awk -v r="$1" -v x="$2" -v a="$3" -v y="$4" -v b="$5" -v limit="$6" \
+    'BEGIN { printf "%s: %.1f instructions per step by %s, %.1f by %s: ratio %.4f\n", r, a / 1000, x, b / 1000, y, a / b
+             exit !(a > 0 && a <= limit * b) }' || status=1
+}
 for robot in lone quadruped; do
   [ "$("$PROGRAM" minimal $robot 1000 "$URDF")" = "$("$PROGRAM" scene $robot 1000 "$URDF")" ] ||
     { echo "$robot: the bits differ"; status=1; }
-  few=200 many=1200
-  least=$((($(count minimal $robot $many) - $(count minimal $robot $few))))
-  ours=$((($(count scene $robot $many) - $(count scene $robot $few))))
-  awk -v r=$robot -v a=$least -v b=$ours -v n=$((many - few)) \
-    'BEGIN { printf "%s: %.1f instructions a step by hand, %.1f by the scene: %+.2f %%\n", r, a / n, b / n, 100 * (b - a) / a
-             exit b > 1.02 * a }' || status=1
+  scene=$(thousand_steps scene $robot)
+  compare $robot "a scene" "$scene" "the loop by hand" "$(thousand_steps minimal $robot)" 1.02
+  [ $robot = quadruped ] || compare $robot LoneBody "$scene" Tree "$(thousand_steps tree $robot)" 0.1
 done
 exit $status
