@@ -1,4 +1,4 @@
-// scene_file: what is refused and how it is said; the fixtures; the program.
+// scene_file: errors and their messages; the fixtures; the program.
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -57,13 +57,13 @@ TEST(SceneFile, ABadOneIsNamedWithFileLineAndRemedy) {
       {3, "effects: [gravty]",
        "s.yaml:3: 'gravty' is not known in effects, the nearest are 'gravity', 'drag' and 'wrench'"},
       {3, "effects: [gravity: {acceleration: [0, 0, -9.81 m/h]}]",
-       "s.yaml:3: gravity.acceleration[2]: 'm/h' is no unit of this: write a number in m/s^2"},
+       "s.yaml:3: gravity.acceleration[2]: 'm/h' is not a unit of this quantity: write a number in m/s^2"},
       {3, "effects: [gravity: {acceleration: [0, 0, -9.81 furlong]}]",
        "s.yaml:3: gravity.acceleration[2]: unknown unit 'furlong' in 'furlong', the nearest are 'turn', "
        "'deg' and "
        "'g'"},
       {3, "effects: [gravity: {acceleration: [0, 0, -9.81 kg]}]",
-       "s.yaml:3: gravity.acceleration[2]: 'kg' is no unit of this: write a number in m/s^2"},
+       "s.yaml:3: gravity.acceleration[2]: 'kg' is not a unit of this quantity: write a number in m/s^2"},
       {3, "effects: [gravity: {acceleration: [0, -9.81]}]",
        "s.yaml:3: gravity.acceleration is a list of 3 numbers, as [0, 0, 1], not of 2"},
       {3, "effects: [gravity: {accelerate: 1}]",
@@ -88,7 +88,7 @@ TEST(SceneFile, ABadOneIsNamedWithFileLineAndRemedy) {
       {4, "integrator: {name: rkmk4, step: nan}",
        "s.yaml:4: integrator.step: 'nan' is not finite: write a number in s"},
       {4, "integrator: {name: rkmk4, step: 1e999}",
-       "s.yaml:4: integrator.step: '1e999' is beyond the numbers that double has"},
+       "s.yaml:4: integrator.step: '1e999' is outside the range of double"},
       {4, "integrator: {name: rkmk4, step: [1]}", "s.yaml:4: integrator.step is one number, not a list"},
       {4, "integrator: {name: rkmk4, step: fast}", "s.yaml:4: integrator.step: 'fast' is not a number in s"},
       {4, "integrator: {name: rkmk4, step: 3 ms}",
@@ -104,16 +104,17 @@ TEST(SceneFile, ABadOneIsNamedWithFileLineAndRemedy) {
       {5, "duration: 0 s", "s.yaml:5: duration is '0 s': it must be above 0"},
       {6, "observers: [imu: {frame: head}]",
        "s.yaml:6: no frame is named 'head', the nearest are 'body', 'universe' and 'root_joint'"},
-      {6, "observers: [imu: {frame: body, seed: 1.5}]", "s.yaml:6: imu.seed is no whole number up to 9e15"},
+      {6, "observers: [imu: {frame: body, seed: 1.5}]",
+       "s.yaml:6: imu.seed is not a whole number up to 9e15"},
       {6, "observer: [energy]",
        "s.yaml:6: the scene has no key 'observer', the nearest are 'observers', 'scene' and 'effects'"},
-      {7, "duration: 2 s", "s.yaml:7: key 'duration' of the scene stands twice: keep one"},
-      {7, "truth: [a", "s.yaml:8: is no YAML: end of sequence flow not found"},
+      {7, "duration: 2 s", "s.yaml:7: key 'duration' of the scene is given twice: keep one"},
+      {7, "truth: [a", "s.yaml:8: is not YAML: end of sequence flow not found"},
       {7, "actuation: [pd: {stiffness: 1}]", "s.yaml:7: pd needs 'damping' [N m s/rad|N s/m]: d"},
       {7, "actuation: [table: {times: [0, 0], forces: [1, 2]}]",
-       "s.yaml:7: table.times[1] is not after the time before it: times grow"},
+       "s.yaml:7: table.times[1] is not after the time before it: times must increase"},
       {7, "actuation: [table: {joints: root_joint, times: [0, 1], forces: [1]}]",
-       "s.yaml:7: a table of 2 times and 1 forces: there is one for each"},
+       "s.yaml:7: a table of 2 times and 1 forces: give one force for each time"},
       {7, "frames: [{name: body, on: body}]",
        "s.yaml:7: the robot has a frame 'body' already: take another name"},
       {1, "robot: {body: bax, size: [1, 2, 3]}",
@@ -141,9 +142,9 @@ TEST(SceneFile, ABadOneIsNamedWithFileLineAndRemedy) {
       {2, "initial: {start: sleeping_top, rate: 1}",
        "s.yaml:2: start 'sleeping_top' is of a top on a spherical root, symmetric about its z axis"},
       {3, "effects: [joint_damping: {coefficient: 1}]",
-       "s.yaml:3: the robot has no joint that this could act on, but a free-flyer to be named"},
+       "s.yaml:3: the robot has no joint that this could act on but a free-flyer, which must be named"},
       {3, "effects: [joint_damping: {joints: [universe], coefficient: 1}]",
-       "s.yaml:3: none of the joints named has a number of its own"},
+       "s.yaml:3: none of the joints named has a coordinate"},
       {1, "robot: {body: box, size: [1, 2, 3], root: spherical, axis: [1, 0, 0]}",
        "s.yaml:1: robot.axis is of a revolute, continuous or prismatic root, not of 'spherical'"},
       {2, "initial: {start: dzhanibekov, angular_velocity: [1, 2, 3]}",
@@ -151,7 +152,7 @@ TEST(SceneFile, ABadOneIsNamedWithFileLineAndRemedy) {
       {6, "observers: [energy]\ntruth: triaxal",
        "s.yaml:7: no closed form is named 'triaxal', the nearest are 'triaxial', 'free_fall' and 'pendulum'"},
       {1, "robot: {body: box, size: [1, -2, 3]}", "s.yaml:1: a side of a box is below 0"},
-      {3, "effects: [gravity, gravity]", "s.yaml:3: 'gravity' stands twice with the same keys: keep one"},
+      {3, "effects: [gravity, gravity]", "s.yaml:3: 'gravity' is given twice with the same keys: keep one"},
       {3, "effects: [contact: {frames: [body, body]}]",
        "s.yaml:3: contact.frames names 'body' twice: keep one"},
       {3, "effects: [wrench: {frame: body, from: 2, until: 1}]",
@@ -159,7 +160,7 @@ TEST(SceneFile, ABadOneIsNamedWithFileLineAndRemedy) {
       {6, "observers: [energy, energy]",
        "s.yaml:6: observer 'energy' writes kinetic, which another one writes already: keep one"},
       {6, "observers: [energy]\nreason: \"a\\nb\"",
-       "s.yaml:7: reason holds a control character or ends a line: keep it to one line of text"},
+       "s.yaml:7: reason holds a control character or a line break: write one line of text"},
       {6, "observers: [energy]\nreason: \xff", "s.yaml:7: is not UTF-8"},
       {5, "duration: 1e308 s",
        "s.yaml:4: duration is not a whole number of integrator.step: it would be more than 1e15 of them"},
@@ -176,8 +177,9 @@ TEST(SceneFile, ABadOneIsNamedWithFileLineAndRemedy) {
 }
 
 TEST(SceneFile, WhatIsNoSceneAtAllIsRefused) {
-  EXPECT_EQ(refusal(""), "s.yaml: is no scene: it has no keys such as 'robot: {body: box, size: [1, 1, 1]}'");
-  EXPECT_EQ(refusal(std::string("a\0b", 3)), "s.yaml: is no text: it holds a zero byte");
+  EXPECT_EQ(refusal(""),
+            "s.yaml: is not a scene: it has no keys such as 'robot: {body: box, size: [1, 1, 1]}'");
+  EXPECT_EQ(refusal(std::string("a\0b", 3)), "s.yaml: is not text: it holds a zero byte");
   EXPECT_NE(refusal("%PDF-1.4 \x01\x02"), "nothing");
   EXPECT_NE(refusal(std::string(100000, '[')), "nothing");  // no stack is deep enough
   EXPECT_NE(refusal(std::string(2 << 20, 'a')).find("longer than a scene may be"), std::string::npos);
@@ -335,7 +337,7 @@ TEST(Program, WhatIsWatchedIsFiniteOrTheRunDiverges) {
   const std::string fast = file("fast.yaml", with(2, "initial: {angular_velocity: [0, 0, 1e160]}"));
   const auto [refused, why] = program("scene run " + fast);
   EXPECT_EQ(refused, 2) << why;
-  EXPECT_NE(why.find(fast + ": at the start kinetic is no finite number"), std::string::npos) << why;
+  EXPECT_NE(why.find(fast + ": at the start kinetic is not a finite number"), std::string::npos) << why;
   // a change whose square is beyond double is not infinite itself
   const auto [coarse, figures] =
       program("scene run " + file("coarse.yaml", chain("{name: rkmk4, step: 2.5 s}")));

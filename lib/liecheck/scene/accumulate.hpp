@@ -1,12 +1,12 @@
 #pragma once
-// Sums of many small increments that keep what each rounding leaves over (Kahan 1965; on the group, for SE(3)).
+// Compensated summation of many small increments (Kahan 1965), also on the group SE(3).
 //
 //   v:  (v, v_low) += dv, by two_sum
-//   q:  (q, q_low) := q exp(delta); of a free-flyer q_low = (what is missing of p, in the world's axes [m];
-//       the rotation vector that is missing behind Q, in the body's axes [rad])
+//   q:  (q, q_low) := q exp(delta); of a free-flyer q_low = (rounding error of p, in the world's axes [m];
+//       rotation vector from the stored Q to the accumulated rotation, in the body's axes [rad])
 //
-// The state meant is q with q_low put behind it and v + v_low; |q_low| <= 2 eps |q|, so that whoever leaves it out
-// loses nothing but the last digit. What remains is the rounding of the increments themselves: eps |delta|.
+// The accumulated state is q exp(q_low) and v + v_low. |q_low| <= 2 eps |q|: q alone is the state rounded. What remains
+// is the rounding error of the increments themselves, eps |delta|.
 
 #include <liecheck/multibody/joint_place.hpp>
 #include <liecheck/multibody/se3_configuration.hpp>
@@ -21,13 +21,13 @@ template <Scalar S>
   low = rest;
 }
 
-/// Vectors, number by number.
+/// The same for each element of a vector.
 template <class V>
 [[gnu::always_inline]] inline void accumulateAll(V& x, V& low, const V& dx) {
   for (int i = 0; i < x.size(); ++i) accumulate<typename V::Scalar>(x[i], low[i], dx[i]);
 }
 
-/// Q exp(low) exp(phi) as a quaternion and the rotation vector that its rounding leaves over.
+/// (Q, low) := Q exp(low) step, as a quaternion and the rotation vector of its rounding error.
 template <Scalar S>
 void accumulateRotation(Eigen::Ref<Vector4<S>> Q, Eigen::Ref<Vector3<S>> low, const SO3<S>& step) {
   const auto product = se3_configuration_detail::Product<S, Precision::standard>(
@@ -52,7 +52,7 @@ void accumulateRotation(Eigen::Ref<Vector4<S>> Q, Eigen::Ref<Vector3<S>> low, co
   low = S(2) * missing.vec();
 }
 
-/// q exp(delta) of a free-flyer, likewise.
+/// (q, low) := q exp(delta) of a free-flyer.
 template <Scalar S>
 void accumulateSE3(Vector7<S>& q, Vector6<S>& low, const Vector6<S>& delta) {
   const Vector3<S> phi(delta[3], delta[4], delta[5]), rho(delta[0], delta[1], delta[2]);
@@ -67,7 +67,7 @@ void accumulateSE3(Vector7<S>& q, Vector6<S>& low, const Vector6<S>& delta) {
   });
 }
 
-/// Of one joint. low [nv]; continuous and planar joints leave nothing over.
+/// (q, low) := q exp(delta) of one joint, low [nv]. Continuous and planar joints are not compensated.
 template <Scalar S, class J>
 void accumulateOf(const J& joint, typename J::Configuration& q, typename J::Tangent& low,
                   const typename J::Tangent& delta) {

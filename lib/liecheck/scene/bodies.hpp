@@ -1,5 +1,5 @@
 #pragma once
-// Built-in bodies: homogeneous, centred, their axes along x y z unless told.
+// Built-in bodies: homogeneous; centred and with principal axes along x y z by default.
 
 #include <liecheck/scene/parameters.hpp>
 #include <liecheck/spatial/exp_log.hpp>

@@ -1,4 +1,4 @@
-// double, compiled once; declared extern in the registries.
+// Explicit instantiations for double of all but the methods of trees.
 
 #include <liecheck/scene/effects/registry.hpp>
 #include <liecheck/scene/integrators/registry.hpp>
@@ -6,8 +6,6 @@
 namespace liecheck::scene {
 template std::unique_ptr<Method<LoneBody<double>>> makeMethod<LoneBody<double>>(const std::string&,
                                                                                 const MethodOptions&);
-template std::unique_ptr<Method<Tree<double>>> makeMethod<Tree<double>>(const std::string&,
-                                                                        const MethodOptions&);
 template const std::vector<EffectEntry<double>>& effectEntries<double>();
 template const std::vector<EffectEntry<double>>& actuationEntries<double>();
 }  // namespace liecheck::scene

@@ -1,12 +1,13 @@
 #pragma once
-// A lone rigid body, free in space: Newton and Euler, not the tree. q = [p; x y z w], v = (u, omega) in its axes at
-// its origin, c the centre of mass, I_C the inertia about it:
+// One free rigid body by the Newton-Euler equations, without the recursions of a tree. q = [p; x y z w], v = (u, omega) in
+// the body's axes at its origin, c the centre of mass, I_C the inertia about c:
 //
 //   u_C = u + omega x c
 //   omega_dot = I_C^-1 (n - c x f - omega x I_C omega)        diagonal I_C: (I_j - I_k)/I_i omega_j omega_k
-//   u_dot     = f/m - omega x u_C + R^T g - omega_dot x c     the derivative of u's numbers
+//   u_dot     = f/m - omega x u_C + R^T g - omega_dot x c     derivative of u in the body's axes
 //
-// Error: of omega_dot 4 eps of the sum of absolute values of its terms; diagonal, without force, 3 eps relative.
+// Error of omega_dot: 4 eps of the sum of the absolute values of its terms; 3 eps relative where I_C is diagonal and no
+// force acts.
 
 #include <array>
 #include <liecheck/algorithms/crba.hpp>
@@ -24,7 +25,7 @@ class LoneBody {
   using Configuration = Vector7<S>;
   using Tangent = Vector6<S>;
 
-  /// May this model be one? One free-flyer at the world's origin that carries everything.
+  /// Is the model one free-flyer at the world's origin and nothing else?
   static bool fits(const Model<S>& model) {
     return model.njoints == 2 && std::holds_alternative<FreeFlyer<S>>(model.joints[1]) &&
            model.jointPlacements[1].rotation().isIdentity(S(0)) &&
@@ -63,7 +64,7 @@ class LoneBody {
   static constexpr int nq() { return 7; }
   static constexpr int nv() { return 6; }
   const Model<S>& model() const { return model_; }
-  const Effects<S>& effects() const { return effects_; }  ///< without those that act on the model
+  const Effects<S>& effects() const { return effects_; }  ///< without the effects that act on the model
   Kinematics needs() const { return needs_; }
   /// Does no force and no gravity act? Then momentum is conserved.
   bool forceFree() const { return effects_.empty() && !heavy_; }
@@ -75,7 +76,7 @@ class LoneBody {
     if (!effects_.empty()) force_ = force(t, q, v);
     equations(q, v, a);
   }
-  /// v_dot under the force that was computed last.
+  /// v_dot under the force that was computed last, by acceleration().
   [[gnu::noinline]] void equations(const Configuration& q, const Tangent& v, Tangent& a) const {
     if (plain_) return plainEquations(v, a);
     const Vector3<S> omega(v[3], v[4], v[5]);
@@ -119,7 +120,7 @@ class LoneBody {
     for (const auto& e : effects_) e->add(now, {{tau_.data(), 6}, f_});
     return f_[1] + Force<S>(tau_);
   }
-  /// What effects and observers see of a state; accelerations where a = v_dot is given. Valid until the next call.
+  /// The state as effects and observers read it, with accelerations where a = v_dot is given. Valid until the next call.
   Now<S> here(const S& t, const Configuration& q, const Tangent& v, Kinematics kinematics,
               const Tangent* a = nullptr) {
     if (kinematics != Kinematics::None) X_[1] = SE3<S>(rotationOf(q), Vector3<S>(q[0], q[1], q[2]));
@@ -139,14 +140,14 @@ class LoneBody {
     return Vector3<S>(euler_[0] * (omega[1] * omega[2]), euler_[1] * (omega[2] * omega[0]),
                       euler_[2] * (omega[0] * omega[1]));
   }
-  /// Diagonal, centred, free: nothing else is left.
+  /// The equations of a diagonal inertia, c = 0 and no force.
   [[gnu::always_inline]] void plainEquations(const Tangent& v, Tangent& a) const {
     const Vector3<S> omega(v[3], v[4], v[5]), angular = euler(omega);
     const Vector3<S> turning = liecheck::cross<S>(omega, Vector3<S>(v[0], v[1], v[2]));
     for (int i = 0; i < 3; ++i) a[i] = -turning[i], a[3 + i] = angular[i];
   }
   static SO3<S> rotationOf(const Configuration& q) { return SO3<S>(Vector4<S>(q[3], q[4], q[5], q[6])); }
-  /// By cofactors; of a diagonal matrix exact to half an ulp.
+  /// By cofactors; for a diagonal matrix correctly rounded.
   static Matrix3<S> inverse(const Matrix3<S>& J) {
     if (J.isDiagonal(S(0))) return Matrix3<S>(Vector3<S>(J.diagonal().cwiseInverse()).asDiagonal());
     Matrix3<S> result;

@@ -1,6 +1,6 @@
 #pragma once
-// What a part of a scene (an effect, an observer, a named start) may be told, and what one scene tells it. The keys are
-// data: the reader of scene files checks and documents with them, and knows no effect by name.
+// The keys that a part of a scene (an effect, an observer, a named start) takes, and their values in one scene. Keys are
+// data: the reader of scene files checks and documents all parts by them and knows no effect by name.
 
 #include <cstddef>
 #include <map>
@@ -17,15 +17,15 @@ enum class Kind {
   Vector,     ///< three numbers
   Direction,  ///< three numbers, not all zero
   Numbers,    ///< a list of numbers
-  Times,      ///< a list that grows
-  Frame,      ///< a name of the robot's
+  Times,      ///< a strictly increasing list
+  Frame,      ///< the name of a frame of the robot
   Frames,
-  Joints,  ///< names of the robot's, or "all": every joint but a free-flyer
+  Joints,  ///< names of joints of the robot, or "all": every joint but a free-flyer
   Choice,  ///< one of the words in `unit`, separated by |
   Flag     ///< true or false
 };
 
-/// Without a default the key must be given; with "" it may be missing and then nothing takes its place.
+/// One key. A null fallback makes it required; with "" it is optional and has no default.
 struct Key {
   const char* name;
   Kind kind;
@@ -40,7 +40,7 @@ struct Value {
   bool operator==(const Value&) const = default;
 };
 
-/// What a scene says, every key checked, defaults filled in.
+/// The values of a part's keys, checked, with defaults filled in.
 class Parameters {
  public:
   std::map<std::string, Value> values;
@@ -62,19 +62,19 @@ class Parameters {
   }
 };
 
-/// A named part of a scene, and where it stands in its file (0 where it came from nowhere).
+/// A named part of a scene and its line in the scene file (0: not from a file).
 struct Request {
   std::string name;
   Parameters parameters;
   int line = 0;
 };
 
-/// What a part is: its schema and its words for the plan.
+/// The schema of a part and the texts that a plan shows.
 struct PartInfo {
   const char* name;
   const char* equation;
-  const char* energy;  ///< of effects: conserves, adds, takes
-  const char* cost;    ///< what it makes a plan hold
+  const char* energy;  ///< of effects: whether they conserve, add or dissipate energy
+  const char* cost;    ///< the computations that it adds to a plan
   std::vector<Key> keys;
 };
 

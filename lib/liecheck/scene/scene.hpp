@@ -1,6 +1,6 @@
 #pragma once
-// Scene: what is asked for. Which robot, from where, with which effects, by which method, how long, and what is watched.
-// Nothing here reads a file; scene_file/ makes one of text.
+// Scene: a simulation as data. Robot, initial state, effects, integrator, duration and observers. scene_file/ reads one
+// from text.
 
 #include <liecheck/multibody/configuration.hpp>
 #include <liecheck/scene/effects/registry.hpp>
@@ -12,8 +12,8 @@ namespace liecheck::scene {
 
 struct Scene {
   std::string name, reason;
-  std::string source;   ///< what messages call it
-  Model<double> model;  ///< its gravity and armature are nobody's: effects set them
+  std::string source;   ///< its name in messages, such as the file
+  Model<double> model;  ///< gravity and armature are unset; effects set them
   VectorX<double> q, v;
   Surroundings around;
   std::vector<Request> effects;  ///< and actuations, in the order in which they are added
@@ -25,7 +25,7 @@ struct Scene {
   std::string csv, json;
 };
 
-/// The effects for a robot in S: the scene's model, cast.
+/// The scene's effects on `model`, which is the scene's model cast to S.
 template <Scalar S>
 Effects<S> makeEffects(const Scene& scene, const Model<S>& model) {
   Effects<S> all;
@@ -33,7 +33,7 @@ Effects<S> makeEffects(const Scene& scene, const Model<S>& model) {
   return all;
 }
 
-/// One body and nothing that only a tree has (armature)? Throws as makeEffects.
+/// Is the robot one free body, without armature, which only Tree has? Throws as makeEffects.
 inline bool isLoneBody(const Scene& scene) {
   if (!LoneBody<double>::fits(scene.model)) return false;
   Model<double> model = scene.model;
@@ -42,7 +42,7 @@ inline bool isLoneBody(const Scene& scene) {
   return model.armature.isZero(0);
 }
 
-/// The system in S. Sys is LoneBody<S>, where isLoneBody, or Tree<S>.
+/// The scene's robot and effects as a Sys: Tree<S>, or LoneBody<S> where isLoneBody.
 template <System Sys>
 Sys makeSystem(const Scene& scene) {
   const auto model = scene.model.template cast<typename Sys::Scalar>();

@@ -1,27 +1,27 @@
 #pragma once
-// A run: steps of one method, watched at every nth, stopped where it diverges.
+// Simulation loop: steps of one method, sampled every nth step, stopped where the motion diverges.
 
 #include <liecheck/scene/integrators/method.hpp>
 
 namespace liecheck::scene {
 
-/// How long, in how many steps, and how often it is watched.
+/// Duration, number of steps, and steps between samples.
 struct Span {
   double duration = 0;  ///< [s]
-  long steps = 1;       ///< of duration / steps each; of an adaptive method, between which it chooses its own
-  long every = 1;       ///< watched after each so many, at the start and at the end
+  long steps = 1;       ///< of duration / steps each; an adaptive method subdivides them
+  long every = 1;       ///< steps between samples; the start and the end are sampled too
 };
 
 struct Outcome {
-  long steps = 0;  ///< good ones
+  long steps = 0;  ///< completed steps
   double t = 0;    ///< after them [s]
   bool diverged = false, stopped = false;
-  std::string why;  ///< it diverged
+  std::string why;  ///< the reason where it diverged
 };
 
-/// watch(state, step) -> bool: go on? It throws StepFailed at a state that it cannot use, which then is no good one. A
-/// step that fails leaves the state before it in place, a state that watch refuses stays. Outcome says after how many
-/// good steps, and why. t of step n is n (duration / steps) in S, rounded once.
+/// watch(state, step) returns false to stop, and throws StepFailed to refuse the state, whose step then does not count. A
+/// step that fails leaves the state before it in place; a state that watch refuses stays. t of step n is
+/// n (duration / steps) in S, rounded once.
 /// Precondition: span.steps >= 1, every >= 1, duration finite and > 0.
 template <class Sys, class M, class Watch>
 Outcome simulate(Sys& system, M& method, State<Sys>& state, const Span& span, Watch&& watch) {

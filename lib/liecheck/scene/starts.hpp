@@ -1,6 +1,5 @@
 #pragma once
-// Named hard cases: initial states that break what is only nearly right. Of a robot whose joint 1 is a free-flyer or a
-// ball and carries one body.
+// Named initial states that are hard to integrate, for a robot of one body on a free-flyer or spherical joint.
 
 #include <Eigen/Eigenvalues>
 #include <liecheck/multibody/configuration.hpp>
@@ -16,17 +15,18 @@ struct StartEntry {
 
 namespace starts_detail {
 
-/// The first quaternion of q and the first angular velocity of v, of joint 1.
-struct Turning {
+/// Where the quaternion of joint 1 begins in q, and its angular velocity in v.
+struct RotationIndices {
   int q, v;
 };
-inline Turning turning(const Model<double>& model, const char* name) {
+inline RotationIndices rotationIndices(const Model<double>& model, const char* name) {
   if (model.njoints == 2 && std::holds_alternative<FreeFlyer<double>>(model.joints[1])) return {3, 3};
   if (model.njoints == 2 && std::holds_alternative<Spherical<double>>(model.joints[1])) return {0, 0};
   throw std::invalid_argument(std::string("start '") + name +
                               "' is of one body on a free_flyer or spherical root: this robot is another");
 }
-/// Principal axes of inertia about the joint's centre of turning, as columns, moments growing; exact where diagonal.
+/// Principal axes of inertia as columns, in the order of growing moments, about the origin of the joint or about the
+/// centre of mass; exact where the inertia is diagonal.
 inline Matrix3<double> principalAxes(const Model<double>& model, bool about_origin) {
   const Inertia<double>& I = model.inertias[1];
   const Matrix3<double> J = about_origin ? I.inertiaAboutOrigin() : I.inertia();
@@ -41,23 +41,25 @@ inline Matrix3<double> principalAxes(const Model<double>& model, bool about_orig
 }
 template <int AXIS>
 void spin(const Parameters& p, const Model<double>& model, VectorX<double>&, VectorX<double>& v) {
-  const Turning at = turning(model, AXIS == 0 ? "minor_spin" : AXIS == 1 ? "dzhanibekov" : "major_spin");
+  const RotationIndices at = rotationIndices(model, AXIS == 0   ? "minor_spin"
+                                                    : AXIS == 1 ? "dzhanibekov"
+                                                                : "major_spin");
   const Matrix3<double> axes = principalAxes(model, at.q == 0);
   Vector3<double> omega = Vector3<double>::Zero();
   omega[AXIS] = 1;
   omega[AXIS == 1 ? 0 : 1] = p.number("perturbation");
   const Vector3<double> in_body = p.number("rate") * (axes * omega);
   v.segment<3>(at.v) = in_body;
-  if (at.q == 3)  // about the centre of mass, which rests
+  if (at.q == 3)  // the centre of mass is at rest
     v.head<3>() = -cross<double>(in_body, model.inertias[1].lever());
 }
 /// R = R_x(angle).
-inline void tilt(VectorX<double>& q, const Turning& at, double angle) {
+inline void tilt(VectorX<double>& q, const RotationIndices& at, double angle) {
   q.segment<4>(at.q) << std::sin(angle / 2), 0, 0, std::cos(angle / 2);
 }
-inline void top(const Parameters& p, const Model<double>& model, const char* name, Turning& at, double& I1,
-                double& I3, double& mgl) {
-  at = turning(model, name);
+inline void top(const Parameters& p, const Model<double>& model, const char* name, RotationIndices& at,
+                double& I1, double& I3, double& mgl) {
+  at = rotationIndices(model, name);
   const Inertia<double>& I = model.inertias[1];
   const Matrix3<double> J = I.inertiaAboutOrigin();
   if (at.q != 0 || !J.isDiagonal(0) || J(0, 0) != J(1, 1) || I.lever()[0] != 0 || I.lever()[1] != 0)
@@ -67,7 +69,7 @@ inline void top(const Parameters& p, const Model<double>& model, const char* nam
 }
 inline void sleeping(const Parameters& p, const Model<double>& model, VectorX<double>& q,
                      VectorX<double>& v) {
-  Turning at;
+  RotationIndices at;
   double I1, I3, mgl;
   top(p, model, "sleeping_top", at, I1, I3, mgl);
   tilt(q, at, p.number("tilt"));
@@ -76,7 +78,7 @@ inline void sleeping(const Parameters& p, const Model<double>& model, VectorX<do
 /// Steady precession: I1 cos(theta) s^2 - I3 omega_3 s + m g l = 0 for its rate s (Goldstein 1980, eq. 5-73).
 inline void precessing(const Parameters& p, const Model<double>& model, VectorX<double>& q,
                        VectorX<double>& v) {
-  Turning at;
+  RotationIndices at;
   double I1, I3, mgl;
   top(p, model, "precessing_top", at, I1, I3, mgl);
   const double theta = p.number("nutation"), rate = p.number("rate"), b = I3 * rate, a = I1 * std::cos(theta);
@@ -84,7 +86,8 @@ inline void precessing(const Parameters& p, const Model<double>& model, VectorX<
   if (!(root >= 0) || b == 0)
     throw std::invalid_argument("a top this slow does not precess steadily: rate is at least " +
                                 std::to_string(std::sqrt(4 * std::abs(a * mgl)) / I3) + " rad/s");
-  const double sum = b + std::copysign(std::sqrt(root), b);  // the larger root first: no cancellation
+  const double sum =
+      b + std::copysign(std::sqrt(root), b);  // the root of larger magnitude first: no cancellation
   const double s = p.word("branch") == "slow" || a == 0 ? 2 * mgl / sum : sum / (2 * a);
   tilt(q, at, theta);
   v.segment<3>(at.v) << 0, s * std::sin(theta), rate;
@@ -94,16 +97,16 @@ inline void precessing(const Parameters& p, const Model<double>& model, VectorX<
 
 inline const std::vector<StartEntry>& startEntries() {
   using namespace starts_detail;
-  static const std::vector<Key> spinning = {
-      {"rate", Kind::Number, "rad/s", "1", "about the axis"},
-      {"perturbation", Kind::Number, "1", "0",
-       "of the spin about the middle axis, for dzhanibekov about that of the smallest moment, over rate"}};
+  static const std::vector<Key> spinning = {{"rate", Kind::Number, "rad/s", "1", "about the axis"},
+                                            {"perturbation", Kind::Number, "1", "0",
+                                             "angular velocity about the middle axis (for dzhanibekov: about "
+                                             "the axis of the smallest moment), divided by rate"}};
   static const std::vector<StartEntry> all = {
       {{"major_spin", "about the axis of the largest moment: stable", "", "", spinning}, spin<2>},
       {{"minor_spin", "about the axis of the smallest moment: stable", "", "", spinning}, spin<0>},
       {{"dzhanibekov",
-        "about the axis of the middle moment: it turns over, after a time that grows as log(1/perturbation)",
-        "", "", spinning},
+        "about the axis of the middle moment: it flips after a time that grows as log(1/perturbation)", "",
+        "", spinning},
        spin<1>},
       {{"sleeping_top",
         "upright, or nearly",
@@ -111,16 +114,16 @@ inline const std::vector<StartEntry>& startEntries() {
         "",
         {{"rate", Kind::Number, "rad/s", nullptr, "about its axis"},
          {"tilt", Kind::Number, "rad", "0", "from the vertical"},
-         {"gravity", Kind::Positive, "m/s^2", "9.81", "the same as that of the effect"}}},
+         {"gravity", Kind::Positive, "m/s^2", "9.81", "magnitude, the same as that of the effect"}}},
        sleeping},
       {{"precessing_top",
         "steady precession without nutation",
         "",
         "",
-        {{"rate", Kind::Number, "rad/s", nullptr, "omega_3: of the body about its axis"},
+        {{"rate", Kind::Number, "rad/s", nullptr, "omega_3: spin of the body about its axis"},
          {"nutation", Kind::Number, "rad", nullptr, "from the vertical"},
-         {"branch", Kind::Choice, "slow|fast", "slow", "of the two precessions"},
-         {"gravity", Kind::Positive, "m/s^2", "9.81", "the same as that of the effect"}}},
+         {"branch", Kind::Choice, "slow|fast", "slow", "which of the two steady precessions"},
+         {"gravity", Kind::Positive, "m/s^2", "9.81", "magnitude, the same as that of the effect"}}},
        precessing}};
   return all;
 }

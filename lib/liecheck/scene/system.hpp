@@ -1,21 +1,21 @@
 #pragma once
-// What moves: configurations on a Lie group, velocities in its tangent space, and a law that gives accelerations.
+// System: configurations on a Lie group, velocities in its tangent space, and the law of motion that gives accelerations.
 //
 //   q(t) = integrate(q0, delta),  delta_dot = J_r^-1(delta) v,  v_dot = acceleration(t, q, v)
 //
-// Integrators know nothing else of a robot. The two systems are LoneBody (fixed sizes) and Tree.
+// It is all that integrators know of a robot. The two systems are LoneBody (fixed sizes) and Tree.
 
 #include <liecheck/spatial/types.hpp>
 
 namespace liecheck::scene {
 
-/// Every function writes into a vector that has the right size already, so that a step allocates nothing.
+/// Every function writes into a vector that already has the right size, so that a step does not allocate.
 /// - acceleration: v_dot [nv], the law of motion with all effects;
-/// - readsConfiguration: does it depend on q? If not, nobody computes the q of a stage;
+/// - readsConfiguration: does the acceleration depend on q? If not, the q of a stage is not computed;
 /// - integrate: q exp(delta) joint by joint;
-/// - accumulate: the same in place, with what rounding leaves over (accumulate.hpp);
+/// - accumulate: the same in place, with compensated rounding errors (accumulate.hpp);
 /// - tangentRate: J_r^-1(delta) v;
-/// - coefficientRate, normalize: q_dot of the stored numbers, and their repair, for the practice of integrating those.
+/// - coefficientRate, normalize: q_dot of the stored numbers and their normalisation, for quaternion_rk4.
 template <class X>
 concept System = Scalar<typename X::Scalar> &&
     requires(X& x, const X& c, const typename X::Scalar& t, const typename X::Configuration& q,
@@ -31,8 +31,8 @@ concept System = Scalar<typename X::Scalar> &&
   c.normalize(q_out);
 };
 
-/// A moment of the motion: t [s], q [nq], v [nv], and what rounding left over of q and v (zero unless a method
-/// accumulates it).
+/// The state at one time: t [s], q [nq], v [nv], and the compensated rounding errors of q and v (zero unless a method
+/// accumulates them).
 template <class System>
 struct State {
   using S = typename System::Scalar;

@@ -1,9 +1,9 @@
 #pragma once
-// How fast the increment of a moving configuration changes: q(t) = integrate(q0, delta(t)) moves at v where
+// Rate of the increment of a moving configuration: q(t) = integrate(q0, delta(t)) moves at v where
 //
 //   delta_dot = J_r^-1(delta) v          (dexp^-1 of Munthe-Kaas 1999, right-trivialised)
 //
-// With J_r^-1(xi) w = J_l^-1(-xi) w of jacobians.hpp, applied and not formed: xi = (rho, phi), w = (u, omega),
+// J_r^-1(xi) w = J_l^-1(-xi) w of jacobians.hpp, without forming the matrix: xi = (rho, phi), w = (u, omega),
 //
 //   omega + 1/2 phi x omega + d phi x (phi x omega)
 //   u + 1/2 (phi x u + rho x omega) + d (phi x (phi x u) + phi x (rho x omega) + rho x (phi x omega))
@@ -47,7 +47,7 @@ template <Scalar S>
   return rate;
 }
 
-/// J_r^-1 of one joint: only where its increments do not commute is there anything to do.
+/// J_r^-1(delta) v of one joint: v itself where the increments of the joint commute.
 template <Scalar S, class J>
 typename J::Tangent tangentRateOf(const J&, const typename J::Tangent& delta, const typename J::Tangent& v) {
   if constexpr (std::is_same_v<J, FreeFlyer<S>> || std::is_same_v<J, Spherical<S>>) {

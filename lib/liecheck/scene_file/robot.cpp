@@ -35,7 +35,7 @@ std::optional<Joint<double>> rootJoint(const scene::Parameters& p) {
   return std::nullopt;
 }
 
-/// The root's joint; an axis is of one that has one.
+/// The root's joint; only a joint about or along an axis takes one.
 std::optional<Joint<double>> readRootJoint(const Text& text, const YAML::Node& robot, int line,
                                            const scene::Parameters& p) {
   const std::string& kind = p.word("root");
@@ -88,7 +88,7 @@ Model<double> fromBody(const Text& text, const YAML::Node& robot) {
   text.refuse(robot["body"], "no built-in body is named '" + kind + "'" + nearest(kind, names));
 }
 
-/// Frames of the scene's own, fixed to frames of the robot.
+/// Adds the frames that the scene defines, fixed to frames of the robot.
 void addFrames(const Text& text, const YAML::Node& frames, Model<double>& model) {
   if (!frames.IsDefined() || frames.IsNull()) return;
   if (!frames.IsSequence()) text.refuse(frames, "frames is a list of {name, on, position, attitude}");
@@ -113,7 +113,7 @@ void addFrames(const Text& text, const YAML::Node& frames, Model<double>& model)
   }
 }
 
-/// The numbers of one joint's position or velocity: one, or a list of its own length.
+/// The numbers of one joint's position or velocity: one, or a list of `count` numbers.
 std::vector<double> jointNumbers(const Text& text, const YAML::Node& node, const std::string& what, int count,
                                  const char* unit) {
   if (count == 1 && node.IsScalar()) return {text.number(node, what, unit)};
@@ -132,7 +132,7 @@ void readJoints(const Text& text, const YAML::Node& initial, scene::Scene& scene
     const Model<double>& m = scene.model;
     const bool angle = !velocity && m.nqs[i] == 2;
     const int count = velocity ? m.nvs[i] : angle ? 1 : m.nqs[i];
-    if (i == 0 || count == 0) text.refuse(entry.first, "joint '" + name + "' has no numbers of its own");
+    if (i == 0 || count == 0) text.refuse(entry.first, "joint '" + name + "' has no coordinates");
     const auto x = jointNumbers(text, entry.second, std::string("initial.") + key + "." + name, count,
                                 velocity ? "rad/s|m/s" : "rad|m");
     if (angle) {

@@ -25,7 +25,7 @@ using scene::PartInfo;
 using scene::Request;
 using scene::Scene;
 
-/// An item of a list of parts: a word, or one word with its keys.
+/// An item of a list of parts: a name, or a name with its keys.
 Request request(const Text& text, const YAML::Node& node, const std::string& what,
                 const std::vector<const PartInfo*>& known, const Model<double>& model) {
   std::string name;
@@ -72,7 +72,7 @@ std::vector<const PartInfo*> infos(const Entries& entries) {
   return all;
 }
 
-/// Which method, in which steps, how long, and how often it is watched.
+/// Reads the integrator, its step, the duration and the sampling interval.
 void readTime(const Text& text, const YAML::Node& root, Scene& scene) {
   const YAML::Node method = root["integrator"], duration = root["duration"], output = root["output"];
   if (!method.IsDefined()) text.refuse(0, "the scene needs 'integrator': {name: rkmk4, step: 1 ms}");
@@ -85,7 +85,7 @@ void readTime(const Text& text, const YAML::Node& root, Scene& scene) {
   });
   if (info.lone_body_only && !isLoneBody(scene))
     text.refuse(method["name"], "integrator '" + scene.integrator +
-                                    "' is of one body on a free_flyer root: take implicit_midpoint");
+                                    "' is for one body on a free_flyer root only: take implicit_midpoint");
   if (method["tolerance"].IsDefined()) {
     if (!info.adaptive)
       text.refuse(method["tolerance"], "integrator '" + scene.integrator + "' takes a step, not a tolerance");
@@ -125,7 +125,7 @@ void readTime(const Text& text, const YAML::Node& root, Scene& scene) {
   }
 }
 
-/// Could it run? What a part says against this robot is told with its line.
+/// Constructs the system and every observer, so that errors of a part have its line.
 void checkParts(const Text& text, const YAML::Node& root, const Scene& scene) {
   text.at(Text::lineOf(root["robot"]), [&] {
     return isLoneBody(scene) ? (scene::makeSystem<scene::LoneBody<double>>(scene), 0)
@@ -138,7 +138,7 @@ void checkParts(const Text& text, const YAML::Node& root, const Scene& scene) {
       if (r.parameters.has(key.name)) {
         const double x = r.parameters.number(key.name);
         if (x != std::floor(x) || x > 9e15)
-          text.refuse(r.line, r.name + "." + key.name + " is no whole number up to 9e15");
+          text.refuse(r.line, r.name + "." + key.name + " is not a whole number up to 9e15");
       }
     Scene one = scene;
     one.observers = {r};
@@ -158,7 +158,7 @@ void checkParts(const Text& text, const YAML::Node& root, const Scene& scene) {
 Scene read(const Text& text, const std::string& content, const std::string& folder) {
   if (content.size() > max_scene_bytes)
     text.refuse(0, "is longer than a scene may be: " + std::to_string(max_scene_bytes) + " bytes");
-  if (content.find('\0') != std::string::npos) text.refuse(0, "is no text: it holds a zero byte");
+  if (content.find('\0') != std::string::npos) text.refuse(0, "is not text: it holds a zero byte");
   if (const std::size_t bad = firstInvalidUtf8(content); bad < content.size())
     text.refuse(1 + int(std::count(content.begin(), content.begin() + long(bad), '\n')), "is not UTF-8");
   YAML::Node root;
@@ -168,10 +168,10 @@ Scene read(const Text& text, const std::string& content, const std::string& fold
       text.refuse(Text::lineOf(documents[1]), "holds several documents: a scene is one");
     if (!documents.empty()) root = documents[0];
   } catch (const YAML::Exception& e) {
-    text.refuse(e.mark.is_null() ? 0 : e.mark.line + 1, "is no YAML: " + e.msg);
+    text.refuse(e.mark.is_null() ? 0 : e.mark.line + 1, "is not YAML: " + e.msg);
   }
   if (!root.IsMap())
-    text.refuse(0, "is no scene: it has no keys such as 'robot: {body: box, size: [1, 1, 1]}'");
+    text.refuse(0, "is not a scene: it has no keys such as 'robot: {body: box, size: [1, 1, 1]}'");
   text.checkKeys(root, "the scene",
                  {"scene", "reason", "robot", "frames", "ground", "initial", "effects", "actuation",
                   "integrator", "duration", "observers", "output", "truth"});
@@ -205,7 +205,7 @@ Scene read(const Text& text, const std::string& content, const std::string& fold
   for (const Request& r : scene.effects)
     for (const Request& other : scene.effects)
       if (&other < &r && other.name == r.name && other.parameters == r.parameters)
-        text.refuse(r.line, "'" + r.name + "' stands twice with the same keys: keep one");
+        text.refuse(r.line, "'" + r.name + "' is given twice with the same keys: keep one");
   for (const Request& r : scene.effects)
     text.at(r.line, [&] { return scene::makeEffect<double>(r, scene.model, scene.around); });
   scene.observers = requests(text, root["observers"], "observers", scene::observerInfos(), scene.model);
@@ -221,7 +221,7 @@ scene::Scene loadSceneText(const std::string& text, const std::string& source_na
                            const std::string& folder) {
   try {
     return scene_file_detail::read(scene_file_detail::Text(source_name), text, folder);
-  } catch (const YAML::Exception& e) {  // of a conversion that the schema let through
+  } catch (const YAML::Exception& e) {  // from a conversion that the schema did not check
     throw SceneError(source_name, e.mark.is_null() ? 0 : e.mark.line + 1, e.msg);
   }
 }

@@ -1,13 +1,13 @@
 #pragma once
-// Scene text (YAML) -> Scene. Every key is checked against the schema of its part; README.md of fixtures/scenes has the
-// table, made from the same schema.
+// Scene text (YAML) -> Scene. Every key is checked against the schema of its part; the table in fixtures/scenes/README.md
+// is made from the same schema.
 
 #include <liecheck/scene/scene.hpp>
 
 namespace liecheck {
 
-/// A scene that cannot be read, or asks for what makes no sense. what() is one line: `FILE:LINE: what is wrong, and what
-/// to write instead`, or `FILE: ...` and line() 0 where no line is at fault.
+/// A scene that cannot be read or is inconsistent. what() is one line: `FILE:LINE: what is wrong, and what to write
+/// instead`, or `FILE: ...` and line() 0 where no line is at fault.
 class SceneError : public std::runtime_error {
  public:
   SceneError(const std::string& file, int line, const std::string& what);
@@ -19,15 +19,15 @@ class SceneError : public std::runtime_error {
   int line_;
 };
 
-/// A text longer than this is refused.
+/// The largest size of a scene text.
 constexpr std::size_t max_scene_bytes = std::size_t(1) << 20;
-/// So is a scene whose samples hold more numbers than this: 400 MB.
+/// The largest count of numbers in the samples of a scene: 400 MB.
 constexpr double max_scene_numbers = 5e7;
 
 /// The scene of a file, and of the URDF that it names, relative to its folder. Throws SceneError.
 scene::Scene loadScene(const std::string& path);
 
-/// The scene of a text; source_name stands for FILE in messages, folder is where a URDF is looked for. Throws SceneError.
+/// The scene of a text; source_name stands for FILE in messages, the path of a URDF is relative to folder. Throws SceneError.
 scene::Scene loadSceneText(const std::string& text, const std::string& source_name = "scene text",
                            const std::string& folder = ".");
 

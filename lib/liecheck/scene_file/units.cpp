@@ -11,7 +11,7 @@
 namespace liecheck {
 namespace {
 
-/// Powers of m, kg, s, rad, doubled: sqrt(Hz) is s^(-1/2).
+/// Twice the powers of m, kg, s, rad: sqrt(Hz) is s^(-1/2).
 using Dimension = std::array<int, 4>;
 struct Unit {
   double factor = 1;
@@ -85,7 +85,7 @@ Unit parseUnit(const std::string& text) {
       const auto [after, error] = std::from_chars(text.data() + i + 1, text.data() + text.size(), power);
       if (error != std::errc() || power < -9 || power > 9 || power == 0)
         throw std::invalid_argument("the power of '" + name + "' in unit '" + text +
-                                    "' is no number from -9 to 9");
+                                    "' is not a number from -9 to 9");
       i = std::size_t(after - text.data());
       if (i < text.size() && text[i] != ' ' && text[i] != '/')
         throw std::invalid_argument("unit '" + text + "' cannot be read after '" + text.substr(0, i) + "'");
@@ -106,7 +106,7 @@ double parseQuantity(const std::string& text, const std::string& unit) {
   const auto [end, error] = std::from_chars(begin, last, value);
   const std::string wanted = unit == "1" ? "a number" : "a number in " + unit;
   if (error == std::errc::result_out_of_range)
-    throw std::invalid_argument("'" + text + "' is beyond the numbers that double has");
+    throw std::invalid_argument("'" + text + "' is outside the range of double");
   if (error != std::errc()) throw std::invalid_argument("'" + text + "' is not " + wanted);
   std::string rest(end, last);
   rest.erase(0, std::min(rest.find_first_not_of(' '), rest.size()));
@@ -117,13 +117,12 @@ double parseQuantity(const std::string& text, const std::string& unit) {
     const std::size_t bar = std::min(unit.find('|', at), unit.size());
     if (given.dimension == parseUnit(unit.substr(at, bar - at)).dimension) {
       value *= given.factor;
-      if (!std::isfinite(value))
-        throw std::invalid_argument("'" + text + "' is beyond the numbers that double has");
+      if (!std::isfinite(value)) throw std::invalid_argument("'" + text + "' is outside the range of double");
       return value;
     }
     at = bar + 1;
   }
-  throw std::invalid_argument("'" + rest + "' is no unit of this: write " + wanted);
+  throw std::invalid_argument("'" + rest + "' is not a unit of this quantity: write " + wanted);
 }
 
 }  // namespace liecheck

@@ -60,7 +60,7 @@ void Text::checkKeys(const YAML::Node& node, const std::string& what,
     if (std::find(keys.begin(), keys.end(), key) == keys.end())
       refuse(entry.first, what + " has no key '" + key + "'" + nearest(key, keys));
     if (!seen.insert(key).second)
-      refuse(entry.first, "key '" + key + "' of " + what + " stands twice: keep one");
+      refuse(entry.first, "key '" + key + "' of " + what + " is given twice: keep one");
   }
 }
 
@@ -68,7 +68,7 @@ std::string Text::word(const YAML::Node& node, const std::string& what) const {
   if (!node.IsScalar() || node.Scalar().empty()) refuse(node, what + " is a word, not " + kindOf(node));
   for (const char c : node.Scalar())
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
-      refuse(node, what + " holds a control character or ends a line: keep it to one line of text");
+      refuse(node, what + " holds a control character or a line break: write one line of text");
   return node.Scalar();
 }
 
@@ -132,7 +132,8 @@ Value Text::value(const YAML::Node& node, const std::string& what, const Key& ke
       if (key.kind == Kind::Times)
         for (std::size_t i = 1; i < v.numbers.size(); ++i)
           if (!(v.numbers[i] > v.numbers[i - 1]))
-            refuse(node, what + "[" + std::to_string(i) + "] is not after the time before it: times grow");
+            refuse(node,
+                   what + "[" + std::to_string(i) + "] is not after the time before it: times must increase");
       break;
     case Kind::Frame:
       frame(node);

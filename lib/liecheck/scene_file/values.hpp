@@ -1,5 +1,5 @@
 #pragma once
-// Nodes of a scene's text, checked: names, kinds, units, with the line in each message.
+// Checked values of YAML nodes: names, kinds and units, with the line in each message.
 
 #include <yaml-cpp/yaml.h>
 #include <liecheck/multibody/model.hpp>
@@ -9,7 +9,7 @@
 
 namespace liecheck::scene_file_detail {
 
-/// Says FILE:LINE.
+/// The scene file whose nodes are read; its messages begin with FILE:LINE.
 class Text {
  public:
   explicit Text(std::string file) : file_(std::move(file)) {}
@@ -21,14 +21,14 @@ class Text {
   static int lineOf(const YAML::Node& node);
   const std::string& file() const { return file_; }
 
-  /// A map with none but these keys, none twice, and no other. what: "integrator", for messages.
+  /// Refuses a node that is not a map, a key that is not among `keys`, and a key twice. what: "integrator", for messages.
   void checkKeys(const YAML::Node& node, const std::string& what, const std::vector<std::string>& keys) const;
   std::string word(const YAML::Node& node, const std::string& what) const;
   double number(const YAML::Node& node, const std::string& what, const std::string& unit,
                 scene::Kind kind = scene::Kind::Number) const;
   std::vector<double> numbers(const YAML::Node& node, const std::string& what, const std::string& unit,
                               int count = -1) const;
-  /// f(), its std::invalid_argument told with this line.
+  /// f(), with its std::invalid_argument and std::domain_error as a SceneError of this line.
   template <class F>
   auto at(int line, F f) const {
     try {
@@ -40,8 +40,8 @@ class Text {
     }
   }
 
-  /// The parameters of a part, its defaults filled in. Keys in `others` are somebody else's. Frames and joints must be
-  /// the model's, where there is one.
+  /// The parameters of a part with its defaults. Keys in `others` are accepted and not read. Names of frames and joints
+  /// must be those of the model, where it is given.
   scene::Parameters parameters(const YAML::Node& node, int line, const std::string& what,
                                const std::vector<scene::Key>& schema, const Model<double>* model,
                                const std::vector<std::string>& others = {}) const;

@@ -1,5 +1,5 @@
 #pragma once
-// The inertia of a motor behind its gear, on the diagonal of M.
+// Rotor inertia reflected through a gear, on the diagonal of M.
 
 #include <liecheck/scene/effects/coordinates.hpp>
 

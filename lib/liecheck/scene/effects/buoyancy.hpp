@@ -1,5 +1,5 @@
 #pragma once
-// Buoyancy of a body that is wholly in a fluid: a force at the centre of its volume, against gravity.
+// Buoyancy of a fully immersed body: a force against gravity at the centre of its volume.
 
 #include <liecheck/scene/effects/coordinates.hpp>
 

@@ -1,5 +1,5 @@
 #pragma once
-// Actuation that does not change.
+// Constant actuation.
 
 #include <liecheck/scene/effects/coordinates.hpp>
 

@@ -3,7 +3,7 @@
 //
 //   x = height - z,  f_n = k x (1 + c x_dot)_+,  f_t = -mu f_n u_t / sqrt(|u_t|^2 + v_s^2)
 //
-// Continuous at first touch. It never pulls. A point at rest on a slope creeps below v_s.
+// The force is continuous at first touch and never pulls. A point at rest on a slope creeps at less than v_s.
 
 #include <algorithm>
 #include <liecheck/scene/effects/coordinates.hpp>

@@ -1,17 +1,18 @@
 #pragma once
-// The numbers of q and v that joint effects act on.
+// The coordinates and frames that effects act on.
 
 #include <liecheck/scene/effects/effect.hpp>
 
 namespace liecheck::scene {
 
-/// Number k of v, and number i of q whose rate it is, -1 where no single number of q has it (ball, plane, unbounded
-/// turn).
+/// An index of v and the index of q whose rate it is; q = -1 where no single element of q has that rate (spherical,
+/// planar and continuous joints).
 struct Coordinate {
   int v, q;
 };
 
-/// Of the joints named; "all" is every joint but free-flyers and mimics. Throws std::invalid_argument where that is none.
+/// The coordinates of the named joints; "all" is every joint but free-flyers and mimics. Throws std::invalid_argument
+/// where there are none.
 template <Scalar S>
 std::vector<Coordinate> coordinates(const Model<S>& model, const std::vector<std::string>& names) {
   std::vector<Coordinate> all;
@@ -24,11 +25,11 @@ std::vector<Coordinate> coordinates(const Model<S>& model, const std::vector<std
   }
   if (all.empty())
     throw std::invalid_argument(
-        every ? "the robot has no joint that this could act on, but a free-flyer to be named"
-              : "none of the joints named has a number of its own");
+        every ? "the robot has no joint that this could act on but a free-flyer, which must be named"
+              : "none of the joints named has a coordinate");
   return all;
 }
-/// Those that have a position of their own. Throws std::invalid_argument where a named joint has none.
+/// Those whose position is one element of q. Throws std::invalid_argument where that of a named joint is not.
 template <Scalar S>
 std::vector<Coordinate> positions(const Model<S>& model, const std::vector<std::string>& names) {
   std::vector<Coordinate> with;
@@ -39,15 +40,14 @@ std::vector<Coordinate> positions(const Model<S>& model, const std::vector<std::
       const int joint = model.column_to_joint[std::size_t(c.v)];
       throw std::invalid_argument(
           "joint '" + model.names[std::size_t(joint)] +
-          "' has no single number as its position: name revolute, prismatic, helical or "
-          "translation joints");
+          "' has no scalar position: name revolute, prismatic, helical or translation joints");
     }
   }
-  if (with.empty()) throw std::invalid_argument("no joint of the robot has a single number as its position");
+  if (with.empty()) throw std::invalid_argument("no joint of the robot has a scalar position");
   return with;
 }
 
-/// A frame of the robot by its place: the joint that carries it and X_JF.
+/// A frame of the robot as the joint that carries it and its placement X_JF.
 template <Scalar S>
 struct Spot {
   std::size_t joint;

@@ -1,9 +1,9 @@
 #pragma once
-// Effect: what acts on a robot besides its own inertia. One file each; the list is effects/registry.hpp.
+// Effect: a force, or a constant of the equations of motion (gravity, armature). One file each; the list is
+// effects/registry.hpp.
 //
-// An effect adds its forces to a load, or changes a constant of the equations of motion (gravity, armature). It says
-// which kinematics it reads, so that a plan holds only those that somebody needs. What a scene does not call for is
-// not in the list: it costs nothing and cannot disturb a bit.
+// An effect declares which kinematics it reads, so that a plan computes no others. An effect that the scene does not name
+// is not in the system: it costs no instruction and changes no bit.
 
 #include <liecheck/multibody/model.hpp>
 #include <liecheck/scene/parameters.hpp>
@@ -12,8 +12,8 @@
 
 namespace liecheck::scene {
 
-/// What is known when an effect adds its forces, or an observer looks: time [s], q [nq], v [nv], and, where needs()
-/// asks for them, poses X_WJ, velocities V and spatial accelerations A of the joints in their own axes [njoints].
+/// The state that effects and observers read: time [s], q [nq], v [nv], and, where needs() asks for them, poses X_WJ,
+/// velocities V and spatial accelerations A of the joints in their own axes [njoints].
 template <Scalar S>
 struct Now {
   S t;
@@ -22,8 +22,8 @@ struct Now {
   std::span<const Motion<S>> V, A;
 };
 
-/// Where forces are added: generalized ones tau [nv; N, N m], and those on the bodies [njoints], each in its joint's
-/// axes at its origin.
+/// The sum of forces that effects add to: generalised forces tau [nv; N, N m], and forces f on the bodies [njoints], each in
+/// its joint's axes at its origin.
 template <Scalar S>
 struct Load {
   std::span<S> tau;
@@ -39,16 +39,16 @@ class Effect {
   virtual ~Effect() = default;
   virtual Acts acts() const = 0;
   virtual Kinematics needs() const { return Kinematics::None; }
-  /// Does the force depend on velocities? Then a step that is implicit in them iterates.
+  /// Does the force depend on velocities? Then a step that is implicit in the velocity iterates.
   virtual bool dependsOnVelocity() const { return false; }
-  /// Of those that act on the model: gravity, armature.
+  /// Sets gravity or armature; of effects that act on the model.
   virtual void prepare(Model<S>&) const {}
   virtual void add(const Now<S>&, const Load<S>&) const {}
-  /// The potential energy [J] of its force; zero where it has none. Needs poses.
+  /// The potential energy [J] of its force; zero for a force without potential. Reads poses.
   virtual S potential(const Now<S>&) const { return S(0); }
 };
 
-/// What effects share: the ground, if a scene has one.
+/// The surroundings that effects share: the ground, if a scene has one.
 struct Surroundings {
   bool ground = false;
   double height = 0;  ///< of the ground: the plane z = height [m]

@@ -1,5 +1,5 @@
 #pragma once
-// Actuation by a table of times: straight lines between its rows, its ends before and after.
+// Actuation by a table over time: linear interpolation between its rows, constant before the first and after the last.
 
 #include <algorithm>
 #include <liecheck/scene/effects/coordinates.hpp>
@@ -11,7 +11,7 @@ inline const PartInfo force_table_info{"table",
                                        "adds or takes: power tau(t) v",
                                        "a search in the table",
                                        {{"joints", Kind::Joints, "", "all", "which; each gets the same"},
-                                        {"times", Kind::Times, "s", nullptr, "t_i, growing"},
+                                        {"times", Kind::Times, "s", nullptr, "t_i, increasing"},
                                         {"forces", Kind::Numbers, "N m|N", nullptr, "tau_i"}}};
 
 template <Scalar S>
@@ -23,7 +23,7 @@ class ForceTable final : public Effect<S> {
     for (const double f : p.numbers("forces")) forces_.push_back(S(f));
     if (times_.size() != forces_.size())
       throw std::invalid_argument("a table of " + std::to_string(times_.size()) + " times and " +
-                                  std::to_string(forces_.size()) + " forces: there is one for each");
+                                  std::to_string(forces_.size()) + " forces: give one force for each time");
   }
   Acts acts() const override { return Acts::OnJoints; }
   void add(const Now<S>& now, const Load<S>& load) const override {

@@ -1,6 +1,5 @@
 #pragma once
-// Gravity: every body accelerates by g. It enters the equations of motion as a base that accelerates by -g, so there is
-// no pass of its own.
+// Gravity. It enters the equations of motion as a base that accelerates by -g, which needs no pass over the bodies.
 
 #include <liecheck/scene/effects/coordinates.hpp>
 

@@ -1,5 +1,5 @@
 #pragma once
-// Dry friction at joints, regularised: a force against the motion that vanishes smoothly at rest.
+// Regularised dry friction at joints: a force against the motion that vanishes smoothly at v = 0.
 
 #include <liecheck/scene/effects/coordinates.hpp>
 

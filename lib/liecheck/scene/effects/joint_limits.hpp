@@ -1,5 +1,5 @@
 #pragma once
-// Position limits as springs beyond them, damped while they are pressed; they never pull.
+// Position limits as Hunt-Crossley springs: they act beyond the limit and never pull.
 
 #include <algorithm>
 #include <liecheck/scene/effects/coordinates.hpp>
@@ -31,8 +31,8 @@ class JointLimits final : public Effect<S> {
     for (const Limited& j : at_) {
       const S& q = now.q[std::size_t(j.at.q)];
       const S& v = now.v[std::size_t(j.at.v)];
-      if (q < j.low) load.tau[std::size_t(j.at.v)] += press(S(j.low - q), S(-v));
-      if (q > j.high) load.tau[std::size_t(j.at.v)] -= press(S(q - j.high), v);
+      if (q < j.low) load.tau[std::size_t(j.at.v)] += force(S(j.low - q), S(-v));
+      if (q > j.high) load.tau[std::size_t(j.at.v)] -= force(S(q - j.high), v);
     }
   }
   S potential(const Now<S>& now) const override {
@@ -50,8 +50,8 @@ class JointLimits final : public Effect<S> {
     Coordinate at;
     S low, high;
   };
-  /// Of depth x that grows by rate.
-  S press(const S& x, const S& rate) const { return std::max(S(k_ * x * (S(1) + c_ * rate)), S(0)); }
+  /// The force at depth x that grows at `rate`.
+  S force(const S& x, const S& rate) const { return std::max(S(k_ * x * (S(1) + c_ * rate)), S(0)); }
   S k_, c_;
   std::vector<Limited> at_;
 };

@@ -1,5 +1,5 @@
 #pragma once
-// Actuation towards a position.
+// Proportional-derivative control towards a position.
 
 #include <algorithm>
 #include <liecheck/scene/effects/coordinates.hpp>

@@ -58,17 +58,22 @@ const std::vector<EffectEntry<S>>& actuationEntries() {
   return all;
 }
 
-/// The effect of a request whose keys were checked. Throws std::invalid_argument where it makes no sense for this robot.
+/// The entry of an effect or actuation. Throws std::invalid_argument for an unknown name.
+template <Scalar S>
+const EffectEntry<S>& effectEntry(const std::string& name) {
+  for (const auto* list : {&effectEntries<S>(), &actuationEntries<S>()})
+    for (const EffectEntry<S>& e : *list)
+      if (name == e.info->name) return e;
+  throw std::invalid_argument("no effect is named '" + name + "'");
+}
+/// The effect of a request whose keys were checked. Throws std::invalid_argument where it does not fit the robot.
 template <Scalar S>
 std::shared_ptr<const Effect<S>> makeEffect(const Request& request, const Model<S>& model,
                                             const Surroundings& around) {
-  for (const auto* list : {&effectEntries<S>(), &actuationEntries<S>()})
-    for (const EffectEntry<S>& e : *list)
-      if (request.name == e.info->name) return e.make(request.parameters, model, around);
-  throw std::invalid_argument("no effect is named '" + request.name + "'");
+  return effectEntry<S>(request.name).make(request.parameters, model, around);
 }
 
-// double is compiled once, in instantiations.cpp; other scalars where they are used.
+// Explicit instantiation for double, in instantiations.cpp.
 extern template const std::vector<EffectEntry<double>>& effectEntries<double>();
 extern template const std::vector<EffectEntry<double>>& actuationEntries<double>();
 

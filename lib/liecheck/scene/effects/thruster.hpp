@@ -1,5 +1,5 @@
 #pragma once
-// A thruster: a force along a direction of its frame, with the moment that its propeller leaves.
+// A thruster: a force along a direction fixed in its frame, and the reaction moment of its propeller.
 
 #include <liecheck/scene/effects/coordinates.hpp>
 

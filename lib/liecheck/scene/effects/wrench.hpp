@@ -1,5 +1,5 @@
 #pragma once
-// A force and a moment at a frame's origin, constant while they last.
+// A force and a moment at a frame's origin, constant in a time interval.
 
 #include <liecheck/scene/effects/coordinates.hpp>
 

@@ -16,7 +16,7 @@
 namespace liecheck::scene {
 
 /// c_i, b_i, a_ij of s Gauss points on [0, 1], and e_ij that carries a polynomial through the points of one step to
-/// those of the next. Computed in twice the digits: half an ulp each.
+/// those of the next. Computed in double-double: half an ulp each.
 template <Scalar S, int s>
 struct GaussPoints {
   std::array<S, s> c, b;
@@ -29,7 +29,8 @@ struct GaussPoints {
       using std::cos;
       T z(S(cos(pi<S>() * (S(i) + S(3) / S(4)) / (S(s) + S(1) / S(2)))));
       T slope(1);
-      for (int newton = 0; newton < 8; ++newton) {  // of Legendre's polynomial, from 3 digits: 6 suffice
+      for (int newton = 0; newton < 8;
+           ++newton) {  // root of the Legendre polynomial, from 3 digits: 6 iterations suffice
         T p0(1), p1 = z;
         for (int n = 2; n <= s; ++n) {
           const T p2 = (T(2 * n - 1) * z * p1 - T(n - 1) * p0) / T(n);
@@ -51,7 +52,7 @@ struct GaussPoints {
     for (std::size_t i = 0; i < s; ++i) {
       c[i] = S(x[i]), b[i] = S(w[i]);
       for (std::size_t j = 0; j < s; ++j) {
-        T sum(0);  // of the integral from 0 to c_i, by the same points: exact
+        T sum(0);  // the integral from 0 to c_i by the same points, which is exact
         for (std::size_t k = 0; k < s; ++k) sum += w[k] * lagrange(j, x[i] * x[k]);
         a[i][j] = S(x[i] * sum);
         e[i][j] = S(lagrange(j, T(1) + x[i]));
@@ -92,7 +93,7 @@ class Collocation final : public Method<Sys> {
         K_[i] = K_new_, A_[i] = A_new_;
       }
       ++counts_.iterations;
-      // Small parts of v may still move where the largest have settled: once more.
+      // Small elements of v may still change when the largest have converged: one more iteration.
       if (change == S(0) || (change <= S(64) * eps<S>() * scale && !(change < before) && ++settled == 2))
         break;
       if (k == limit || !finite<S>(change))

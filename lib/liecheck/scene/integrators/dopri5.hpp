@@ -1,11 +1,11 @@
 #pragma once
-// An embedded pair that chooses its own steps: Dormand and Prince 5(4) on the group, its error that of the tangent
+// Adaptive steps by the embedded pair of Dormand and Prince, 5(4), on the group; the error is that of the tangent
 // increment and of the velocity.
 //
 //   e = h sum (b_i - b^_i) (K_i, A_i);  accepted where |e_delta| <= tolerance [m, rad] and |e_v| <= tolerance (1 + |v|),
 //   maximum norms;  next h = h clamp(0.9 |e|^(-1/5), 1/5, 5)
 //
-// step(h) moves by exactly h, in as many steps of its own as it takes. Order 5.
+// step(h) advances by exactly h, in any number of steps of its own. Order 5.
 
 #include <liecheck/scene/integrators/munthe_kaas.hpp>
 #include <optional>

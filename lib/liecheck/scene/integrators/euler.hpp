@@ -1,5 +1,5 @@
 #pragma once
-// Explicit Euler with integrate: what a first simulator does.
+// Explicit Euler with integrate, the simplest simulator.
 //
 //   q1 = integrate(q0, h v0),  v1 = v0 + h a(q0, v0)
 //

@@ -9,34 +9,34 @@
 
 namespace liecheck::scene {
 
-/// What a method promises. Errors of q are |difference(q, exact)|; order p: they fall like h^p.
+/// The properties of a method. Errors of q are |difference(q, exact)|; order p: they are O(h^p).
 struct MethodInfo {
   const char* name;
   int order;
-  int evaluations;          ///< of the acceleration, a step; 0: as many as it takes
+  int evaluations;          ///< of the acceleration, per step; 0: not fixed
   bool adaptive;            ///< chooses its own steps, by a tolerance
-  bool preserves_energy;    ///< in the mean: its error has no slope
+  bool preserves_energy;    ///< its error oscillates without drift
   bool preserves_momentum;  ///< spatial momentum of a free body as a vector, up to rounding
   bool lone_body_only;
   const char* equation;
   const char* source;
-  bool increments = false;  ///< it computes J_r^-1 of each stage's increment
+  bool increments = false;  ///< each stage computes J_r^-1 of its increment
 };
 
-/// A step that could not be made: what() says why, without the time.
+/// A step that failed: what() is the reason, without the time.
 class StepFailed : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// A step that somebody stopped: no fault of the motion.
+/// A step that was stopped on request.
 class Interrupted : public StepFailed {
  public:
   Interrupted() : StepFailed("interrupted") {}
 };
 
-/// Before a state takes increments of q and v: throws StepFailed unless the sum of their squares is finite, so that what
-/// diverges is stopped with the last good state, a factor 1e154 before double has no larger numbers.
+/// Checks increments before they are added to a state: throws StepFailed unless the sum of their squares is finite, so that
+/// a motion that diverges stops with its last finite state, near 1e154 in double.
 template <class A, class B>
 [[gnu::always_inline]] inline void checkFinite(const A& delta, const B& dv) {
   using S = typename A::Scalar;
@@ -44,14 +44,14 @@ template <class A, class B>
   if (!(sum <= std::numeric_limits<S>::max())) throw StepFailed("a number is no longer finite");
 }
 
-/// What the adaptive ones and the implicit ones did.
+/// Counts of adaptive and implicit methods.
 struct MethodCounts {
   long steps = 0, rejected = 0, iterations = 0;
 };
 
-/// begin: once, before the first step and whenever the state was set from outside (this may allocate, step may not).
-/// step: the state moves by exactly h [s], t is left alone; throws StepFailed (or what the system throws) and then leaves
-/// the state as it was, which stays finite: checkFinite comes first.
+/// begin: call before the first step and whenever the state was set from outside; it may allocate, step does not.
+/// step: advances q and v by exactly h [s], not t. It throws StepFailed, or what the system throws, and then leaves the
+/// state unchanged.
 template <class Sys>
 class Method {
  public:
@@ -62,11 +62,11 @@ class Method {
   virtual MethodCounts counts() const { return {}; }
 };
 
-/// Of the method that a scene asks for.
+/// The options of the method that a scene names.
 struct MethodOptions {
-  /// Of adaptive ones: error of a step [m, rad, m/s, rad/s], absolute + relative to |v|.
+  /// Of adaptive methods: error of a step [m, rad, m/s, rad/s], absolute + relative to |v|.
   double tolerance = 1e-9;
-  /// Asked by those now and then inside a step, which may hold any number of their own: stop?
+  /// Adaptive methods call it every 256 steps of their own; true interrupts the step.
   std::function<bool()> stop = {};
 };
 

@@ -6,7 +6,7 @@
 //   q1 = integrate(q0, h sum b_i K_i),   v1 = v0 + h sum b_i A_i
 //
 // With the exact J_r^-1 the order is the tableau's (Munthe-Kaas 1999). Sums over steps are compensated
-// (accumulate.hpp). Domain: less than half a turn a step; at a whole turn J_r^-1 is singular.
+// (accumulate.hpp). Domain: |phi| < pi in a step; at 2 pi J_r^-1 is singular.
 
 #include <array>
 #include <liecheck/scene/integrators/method.hpp>
@@ -48,7 +48,7 @@ class MuntheKaasStages {
     reads_ = system.readsConfiguration();
     rest(system, state, h, std::make_index_sequence<T::stages - 1>());
   }
-  /// h sum w_j K_j and h sum w_j A_j with the weights of row W: T::b, or the error's.
+  /// h sum w_j K_j and h sum w_j A_j with the weights W: T::b, or those of the error.
   template <const auto& W>
   void sum(const S& h, Tangent& delta, Tangent& dv) const {
     add<W>(K_, h, delta, std::make_index_sequence<T::stages>());
@@ -69,7 +69,7 @@ class MuntheKaasStages {
     system.acceleration(S(state.t + coefficient<S, T::c[I]>() * h), q_, v_, A_[I]);
     system.tangentRate(delta_, v_, K_[I]);
   }
-  /// Apart, so that who needs no q has a loop without it.
+  /// Not inlined: a system that reads no q has a loop without it.
   [[gnu::noinline]] void place(const Sys& system, const State<Sys>& state) {
     system.integrate(state.q, delta_, q_);
   }

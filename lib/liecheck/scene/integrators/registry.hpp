@@ -20,7 +20,7 @@
 
 namespace liecheck::scene {
 
-/// All of them, simplest first.
+/// All methods, the simplest first.
 inline const std::vector<MethodInfo>& methodInfos() {
   using Any = LoneBody<double>;
   static const std::vector<MethodInfo> all = {Euler<Any>::info,          SemiImplicitEuler<Any>::info,
@@ -59,13 +59,13 @@ std::unique_ptr<Method<Sys>> makeMethod(const std::string& name, const MethodOpt
   if constexpr (std::is_same_v<Sys, LoneBody<typename Sys::Scalar>>) {
     if (name == "variational") return std::make_unique<Variational<typename Sys::Scalar>>();
   } else if (name == "variational") {
-    throw std::invalid_argument("integrator 'variational' is of a lone free body: take implicit_midpoint");
+    throw std::invalid_argument("integrator 'variational' is for one free body only: take implicit_midpoint");
   }
   methodInfo(name);  // throws
   throw std::logic_error("integrator '" + name + "' is listed but not made");
 }
 
-// double is compiled once, in instantiations.cpp; other scalars where they are used.
+// Explicit instantiation for double, in instantiations.cpp and instantiations_tree.cpp.
 extern template std::unique_ptr<Method<LoneBody<double>>> makeMethod<LoneBody<double>>(const std::string&,
                                                                                        const MethodOptions&);
 extern template std::unique_ptr<Method<Tree<double>>> makeMethod<Tree<double>>(const std::string&,

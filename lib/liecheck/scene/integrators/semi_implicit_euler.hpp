@@ -1,10 +1,10 @@
 #pragma once
-// Semi-implicit Euler with integrate: the usual practice of real-time simulators.
+// Semi-implicit Euler with integrate, as in most real-time simulators.
 //
 //   v1 = v0 + h a(q0, v0),  q1 = integrate(q0, h v1)
 //
-// Order 1. On a vector space it is symplectic and its energy error has no slope; with the gyroscopic terms of a turning
-// body it has one.
+// Order 1. On a vector space it is symplectic and its energy does not drift; with the gyroscopic terms of a rotating
+// body it does.
 
 #include <liecheck/scene/integrators/method.hpp>
 

@@ -7,12 +7,12 @@ namespace liecheck::scene {
 
 inline const PartInfo energy_info{
     "energy",
-    "T = 1/2 sum V^T I V + 1/2 armature v^2,  V = those of the effects that have one",
+    "T = 1/2 sum V^T I V + 1/2 armature v^2,  V = sum of the potentials of effects",
     "",
     "poses and velocities at samples",
     {}};
 
-/// T [J] of a state seen with velocities.
+/// T [J] of a state with velocities.
 inline double kineticEnergy(const Model<double>& model, const Now<double>& now) {
   double energy = 0;
   for (std::size_t i = 1; i < model.inertias.size(); ++i) energy += model.inertias[i].kineticEnergy(now.V[i]);

@@ -1,6 +1,6 @@
 #pragma once
-// When a body turns over: the times at which its angular velocity about an axis of its own changes sign, on the cubic
-// through omega and omega_dot at both ends of a step. Error h^4/384 |omega^(4)| / |omega_dot| [s], beside the method's.
+// Flips of a body: the times at which its angular velocity about a body-fixed axis changes sign, by the cubic Hermite
+// interpolant of omega at both ends of a step. Error h^4/384 |omega^(4)| / |omega_dot| [s], in addition to the method's.
 
 #include <liecheck/scene/effects/coordinates.hpp>
 #include <liecheck/scene/observers/observer.hpp>
@@ -42,7 +42,7 @@ class FlipsObserver final : public Observer {
   const std::vector<double>& times() const { return times_; }
 
  private:
-  /// The root of the cubic, by bisection: 60 halvings leave half an ulp of the step.
+  /// The root of the cubic, by bisection: 60 bisections reduce it below half an ulp of the step.
   double crossing(double t1, double w1, double rate1) const {
     const double h = t1 - t_;
     double low = 0, high = 1;

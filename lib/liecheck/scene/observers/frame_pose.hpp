@@ -1,5 +1,5 @@
 #pragma once
-// Where frames are, and how fast.
+// Pose and velocity of a frame.
 
 #include <liecheck/scene/effects/coordinates.hpp>
 #include <liecheck/scene/observers/observer.hpp>

@@ -4,7 +4,7 @@
 //   gyroscope      omega + b_g + n_g                 b_dot: white noise of density `*_walk`
 //   accelerometer  R^T (p_ddot - g) + b_a + n_a      n: white noise of density d, a sample each interval T: sigma = d/sqrt(T)
 //
-// (El-Sheimy, Hou & Niu 2008.) p_ddot is that of the frame's own origin: the lever's terms are in it.
+// (El-Sheimy, Hou & Niu 2008.) p_ddot is the acceleration of the frame's origin, with the terms of its lever arm.
 
 #include <cstdint>
 #include <liecheck/scene/effects/coordinates.hpp>
@@ -27,7 +27,7 @@ inline const PartInfo imu_info{
      {"accel_walk", Kind::NotNegative, "m/s^3/sqrt(Hz)", "0", "density of b_a's rate"},
      {"seed", Kind::NotNegative, "1", "42", "of the noise, a whole number"}}};
 
-/// Normal numbers that are the same on every machine with the same libm: Box & Muller (1958) of mt19937_64.
+/// Normally distributed numbers, the same on every machine with the same libm: Box & Muller (1958) of mt19937_64.
 class NormalNumbers {
  public:
   explicit NormalNumbers(std::uint64_t seed) : bits_(seed) {}

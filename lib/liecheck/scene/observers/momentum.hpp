@@ -22,7 +22,7 @@ inline Force<double> centroidalMomentum(const Model<double>& model, const Now<do
   if (mass > 0) c /= mass;
   Vector3<double> P = Vector3<double>::Zero(), L = P;
   for (std::size_t i = 1; i < model.inertias.size(); ++i) {
-    // of each body about its own centre, so that nothing is added that cancels again
+    // about the centre of mass of each body: terms that cancel are not added
     const Inertia<double>& I = model.inertias[i];
     const Matrix3<double>& R = now.X_WJ[i].rotation();
     const Vector3<double> u = now.V[i].linear() + cross<double>(now.V[i].angular(), I.lever());

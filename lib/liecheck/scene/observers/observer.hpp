@@ -1,5 +1,6 @@
 #pragma once
-// Observer: what is watched of a motion. One file each; the list is observers/registry.hpp. It changes nothing.
+// Observer: quantities of a motion that are recorded. One file each; the list is observers/registry.hpp. An observer does
+// not change the motion.
 
 #include <liecheck/scene/effects/effect.hpp>
 #include <optional>
@@ -9,14 +10,14 @@ namespace liecheck::scene {
 struct Column {
   std::string name, unit;
 };
-/// A number that a whole run has, or none where nothing was to be seen.
+/// A number that summarises a run; no value where it is undefined.
 struct Figure {
   std::string name, unit;
   std::optional<double> value;
 };
 
-/// Fixed for a run: its robot with the constants that effects changed, those effects that have a potential, its ground,
-/// and the time between two looks [s].
+/// Constants of a run: its robot with the gravity and armature that effects set, its effects, and the time between two
+/// samples [s].
 struct Watched {
   const Model<double>* model;
   const Effects<double>* effects;
@@ -27,7 +28,7 @@ class Observer {
  public:
   virtual ~Observer() = default;
   virtual Kinematics needs() const = 0;
-  /// After each step, not only at samples.
+  /// Is step() called after each step?
   virtual bool everyStep() const { return false; }
   virtual std::vector<Column> columns() const = 0;
   /// Called at the start, after each step (everyStep), and at samples, in that order.

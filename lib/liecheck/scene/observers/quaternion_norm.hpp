@@ -1,5 +1,5 @@
 #pragma once
-// How far a stored unit vector (quaternion, cos and sin) is from unit length, at every step.
+// Norm defect of stored unit vectors (quaternions; cos and sin of continuous and planar joints), at every step.
 
 #include <liecheck/scene/observers/observer.hpp>
 

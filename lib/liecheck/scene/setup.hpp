@@ -1,0 +1,55 @@
+#pragma once
+// Setup: the robot, effects and observers of a scene, ready for a plan or a run in double.
+
+#include <liecheck/scene/attitude_error.hpp>
+#include <liecheck/scene/observers/registry.hpp>
+#include <liecheck/scene/run.hpp>
+#include <liecheck/scene/scene.hpp>
+
+namespace liecheck::scene {
+
+template <class Sys>
+class Setup {
+ public:
+  const Scene& scene;
+  const Effects<double> effects;  ///< all, also those that act on the model
+  Sys system;
+  State<Sys> start;
+  const Watched watched;
+  std::vector<std::unique_ptr<Observer>> observers;
+  std::optional<AttitudeError<Sys>> attitude_error;
+  Kinematics needs = Kinematics::None, every_step_needs = Kinematics::None;  ///< of the observers
+  bool every_step = false;  ///< does an observer look at each step?
+
+  explicit Setup(const Scene&);
+  Setup(const Setup&) = delete;
+  Setup& operator=(const Setup&) = delete;
+
+  /// [s]
+  double step() const { return scene.span.duration / double(scene.span.steps); }
+
+  std::vector<Column> columns() const;
+  /// A state as observers read it. Valid until the next call.
+  Now<double> look(const State<Sys>&, Kinematics);
+
+ private:
+  typename Sys::Tangent a_;
+};
+
+extern template class Setup<LoneBody<double>>;
+extern template class Setup<Tree<double>>;
+extern template class AttitudeError<LoneBody<double>>;
+extern template class AttitudeError<Tree<double>>;
+
+/// f(setup) with the system that fits the scene.
+template <class F>
+auto withSetup(const Scene& scene, F f) {
+  if (isLoneBody(scene)) {
+    Setup<LoneBody<double>> setup(scene);
+    return f(setup);
+  }
+  Setup<Tree<double>> setup(scene);
+  return f(setup);
+}
+
+}  // namespace liecheck::scene
