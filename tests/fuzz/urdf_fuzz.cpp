@@ -1,6 +1,7 @@
-// urdf_fuzz INPUTS SEED FOLDER: mutates the texts of a folder and gives them to the URDF entrance. An input that it
-// cannot take is written to the working folder as urdf_fuzz.failing; so is one that takes more than five seconds or
-// kills the process, before it is tried, as urdf_fuzz.last where LIECHECK_FUZZ_KEEP is set. Exit code 0 or 1.
+// urdf_fuzz INPUTS SEED FOLDER: mutates the URDF texts of a folder and gives them to the URDF reader. An input that breaks
+// the reader's promise (urdf_input.hpp) or takes more than five seconds is written to urdf_fuzz.failing in the working
+// folder. Where LIECHECK_FUZZ_KEEP is set, every input is written to urdf_fuzz.last before it is tried, so that one that
+// kills the process is kept. Exit code 0 or 1.
 
 #include <chrono>
 #include <cstdio>
@@ -39,7 +40,7 @@ int main(int argc, char** argv) {
   const bool keep = std::getenv("LIECHECK_FUZZ_KEEP") != nullptr;
   long robots = 0;
   double slowest = 0;
-  std::vector<std::string> found;  // mutants that loaded, to go on from
+  std::vector<std::string> found;  // mutants that loaded, to be mutated further
   for (long i = 0; i < inputs; ++i) {
     const auto pick = [&]() -> const std::string& {
       const std::size_t k = mutator.below(corpus.size() + found.size());

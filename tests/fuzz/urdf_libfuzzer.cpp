@@ -1,4 +1,4 @@
-// The same entrance for libFuzzer, where clang is found: urdf_libfuzzer [flags] FOLDER.
+// The same input for libFuzzer, where clang is found: urdf_libfuzzer [flags] FOLDER.
 
 #include <cstddef>
 #include <cstdint>

@@ -1,5 +1,5 @@
 #pragma once
-// URDF texts to be read, and what is said of bad ones.
+// URDF texts for tests, and the messages of invalid ones.
 
 #include <gtest/gtest.h>
 
@@ -30,7 +30,7 @@ inline std::string inertial(const std::string& mass, const std::string& ixx = "1
          "' ixy='0' ixz='0' iyy='1' iyz='0' izz='1'/></inertial>";
 }
 
-/// What is said of a bad text; fails if nothing is.
+/// The message for an invalid text; fails if it is accepted.
 inline std::string refusal(const std::string& text, RootJoint root = RootJoint::Fixed) {
   testing::internal::CaptureStderr();
   std::string said;
@@ -46,7 +46,7 @@ inline std::string refusal(const std::string& text, RootJoint root = RootJoint::
   EXPECT_EQ(said.find('\n'), std::string::npos) << said;
   return said;
 }
-/// It is refused in that line, the words are said, and the value stands at the end in brackets.
+/// The message names that line, contains the words, and ends with the value in parentheses.
 inline void expectRefused(const std::string& text, int line, const std::string& words,
                           const std::string& value) {
   const std::string said = refusal(text);

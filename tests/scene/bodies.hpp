@@ -1,5 +1,5 @@
 #pragma once
-// Robots and short ways for the tests of scenes.
+// Robots and helpers for the tests of scenes.
 
 #include <liecheck/multibody/configuration.hpp>
 #include <liecheck/scene/integrators/registry.hpp>
@@ -29,7 +29,7 @@ inline Inertia<double> awkward() {
   return {1.5, V3(0.1, -0.2, 0.3), Matrix3<double>((I + I.transpose()) / 2)};
 }
 
-/// Gravity across its axes: with it the motion depends on q.
+/// Gravity along no axis of the body: the motion depends on q.
 inline scene::Effects<double> gravity() {
   scene::Request request{"gravity", {}, 0};
   request.parameters.values["acceleration"] = {{1, -2, -9.81}, {}};

@@ -1,6 +1,6 @@
 #pragma once
-// What a step costs at least: the same arithmetic written out by hand for one robot, one method and no effect, without
-// systems, methods, effects or plans. The measure of what those cost, and the same bits.
+// Lower bound of the cost of a step: the same arithmetic written out for one robot, one method and no effect, without
+// systems, methods, effects or plans. overhead.cpp measures their cost against it; the bits are the same.
 
 #include <liecheck/algorithms/aba.hpp>
 #include <liecheck/scene/accumulate.hpp>

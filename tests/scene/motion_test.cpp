@@ -1,4 +1,4 @@
-// scene/integrators, scene/lone_body.hpp, scene/tree.hpp, scene/simulate.hpp: what each method promises.
+// scene/integrators, scene/lone_body.hpp, scene/tree.hpp, scene/simulate.hpp: the properties of each method.
 
 #include <gtest/gtest.h>
 
@@ -156,14 +156,14 @@ TEST(Variational, KeepsMomentumAsAVectorAndEnergyWithoutSlope) {
       n, norm / eps<double>(), worst, most - least, slope);
   EXPECT_LE(norm, 4 * eps<double>());
   EXPECT_LE(worst, 1);
-  // What an oscillation of that size leaves in a fit over a span that is no whole number of its periods: 6/pi of its
-  // amplitude for each period in the span.
+  // The slope that a least-squares fit finds in an oscillation over a span that is not a whole number of its periods:
+  // 6/pi of its amplitude divided by the number of periods.
   const double periods = double(crossings) / 0.95;
   EXPECT_GT(periods, 100);
   EXPECT_LE(std::abs(slope), 2 * (most - least) / periods);
 }
 
-/// Practice loses it: the test above would see it.
+/// An explicit method does not keep it, so that the test above can fail.
 TEST(Variational, OthersLoseMomentum) {
   Body body(freeBody(awkward()));
   const Inertia<double> I = awkward();
