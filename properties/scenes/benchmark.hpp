@@ -15,7 +15,7 @@ struct Scene;
 
 namespace liecheck::properties {
 
-using Quad = boost::multiprecision::float128;
+using float128 = boost::multiprecision::float128;
 
 /// A configuration [nq] and a velocity [nv] in the library's coordinates, exactly.
 struct Moment {
@@ -31,7 +31,7 @@ struct Benchmark {
   /// The effects, and those of them that a closed form knows: gravity in the world [m/s^2]; of each coordinate [nv]
   /// stiffness, its rest position and viscous damping. Empty: none.
   std::function<scene::Effects<double>()> effects = [] { return scene::Effects<double>(); };
-  std::function<scene::Effects<Quad>()> effects_quad = [] { return scene::Effects<Quad>(); };
+  std::function<scene::Effects<float128>()> effects_float128 = [] { return scene::Effects<float128>(); };
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();
   Eigen::VectorXd stiffness, rest, damping;
   bool others = false;  ///< something else acts

@@ -2,14 +2,11 @@
 
 #include <chrono>
 #include <cmath>
-#include <liecheck/scene/integrators/gauss12.hpp>
-#include <liecheck/scene/lone_body.hpp>
-#include <liecheck/scene/simulate.hpp>
 #include <limits>
 #include <numbers>
 #include <oracles/motions/triaxial.hpp>
 #include <oracles/number.hpp>
-#include <scenes/runner.hpp>
+#include <scenes/liecheck_runner.hpp>
 #include <scenes/truth.hpp>
 
 namespace liecheck::properties {
@@ -37,21 +34,21 @@ Flips flips_of(const Benchmark& b, double delta, const char* scalar, std::size_t
                                              {{Real100(b.v0[3]), Real100(b.v0[4]), Real100(b.v0[5])}}});
   for (std::size_t n = 0; n < count; ++n) r.exact.push_back(static_cast<double>(form.flip_time(int(n))));
   Body body(b.robot.cast<S>());
-  scene::Gauss12<Body> method, finder;
+  const auto method = make_method<Body>("gauss12"), finder = make_method<Body>("gauss12");
   scene::State<Body> state(body, b.q0.cast<S>(), b.v0.cast<S>());
   const S h = S(1) / S(per_second);
   const auto steps = long(1.5 * r.exact.back() * per_second) + 8;
   scene::State<Body> before = state;
   bool same = true;  // the flips that were found are those of the closed form so far
   const scene::Outcome o = scene::simulate(
-      body, method, state, {static_cast<double>(S(steps) * h), steps, 1}, [&](const auto& now, long n) {
+      body, *method, state, {static_cast<double>(S(steps) * h), steps, 1}, [&](const auto& now, long n) {
         if (n > 0 && (now.v[4] < S(0)) != (before.v[4] < S(0))) {
           S at = h * before.v[4] / (before.v[4] - now.v[4]);  // Newton's method from the chord's zero
           typename Body::Tangent rate;
           for (int i = 0; i < 8; ++i) {
             scene::State<Body> trial = before;
-            finder.begin(body, trial);
-            finder.step(body, trial, at);
+            finder->begin(body, trial);
+            finder->step(body, trial, at);
             body.acceleration(S(0), trial.q, trial.v, rate);
             at -= trial.v[4] / rate[4];
           }
@@ -112,7 +109,7 @@ std::vector<Flips> dzhanibekov_flips(std::size_t flips, std::atomic<bool>* stop)
     if (stop && *stop) break;
     // What decides a later flip is the energy above the separatrix, delta^2, of which double keeps eps / delta^2.
     const bool lost = all.back().predicted < flips;
-    if (lost && (e <= 8 || e == 12)) all.push_back(flips_of<Quad>(b, delta, "float128", flips, 4));
+    if (lost && (e <= 8 || e == 12)) all.push_back(flips_of<float128>(b, delta, "float128", flips, 4));
   }
   return all;
 }

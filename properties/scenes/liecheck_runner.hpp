@@ -1,0 +1,115 @@
+#pragma once
+// liecheck as a Runner: in double, and in float128.
+
+#include <fmt/format.h>
+#include <liecheck/scene/integrators/registry.hpp>
+#include <liecheck/scene/lone_body.hpp>
+#include <liecheck/scene/simulate.hpp>
+#include <liecheck/scene/tree.hpp>
+#include <oracles/number.hpp>
+#include <scenes/runner.hpp>
+
+namespace liecheck::properties {
+
+/// In float128, a method of order 4 or more: nothing needs the others there, and each is dear to compile. Throws
+/// std::invalid_argument for one of them.
+template <class Sys>
+std::unique_ptr<scene::Method<Sys>> make_float128_method(const std::string& name,
+                                                         const scene::MethodOptions& options = {}) {
+  if (name == "quaternion_rk4") return std::make_unique<scene::QuaternionRk4<Sys>>();
+  if (name == "rkmk4") return std::make_unique<scene::Rkmk4<Sys>>();
+  if (name == "cf4") return std::make_unique<scene::CommutatorFree4<Sys>>();
+  if (name == "dopri5") return std::make_unique<scene::Dopri5<Sys>>(options);
+  if (name == "rkmk6") return std::make_unique<scene::Rkmk6<Sys>>();
+  if (name == "gauss6") return std::make_unique<scene::Gauss6<Sys>>();
+  if (name == "gauss12") return std::make_unique<scene::Gauss12<Sys>>();
+  scene::methodInfo(name);  // throws where there is none
+  throw std::invalid_argument("float128 runs integrators of order 4 and above, not '" + name + "'");
+}
+
+using Float128LoneBody = scene::LoneBody<float128>;
+using Float128Tree = scene::Tree<float128>;
+// Each is compiled in a file of its own.
+extern template std::unique_ptr<scene::Method<Float128LoneBody>> make_float128_method(
+    const std::string&, const scene::MethodOptions&);
+extern template std::unique_ptr<scene::Method<Float128Tree>> make_float128_method(
+    const std::string&, const scene::MethodOptions&);
+
+template <class Sys>
+std::unique_ptr<scene::Method<Sys>> make_method(const std::string& name,
+                                                const scene::MethodOptions& options = {}) {
+  if constexpr (std::is_same_v<typename Sys::Scalar, float128>)
+    return make_float128_method<Sys>(name, options);
+  else
+    return scene::makeMethod<Sys>(name, options);
+}
+
+template <class Sys>
+class LiecheckRunner final : public Runner {
+ public:
+  using S = typename Sys::Scalar;
+  LiecheckRunner(const Benchmark& scene, const std::string& method, const scene::Effects<S>& effects)
+      : system_(scene.robot.cast<S>(), effects),
+        start_(system_, typename Sys::Configuration(scene.q0.cast<S>()),
+               typename Sys::Tangent(scene.v0.cast<S>())),
+        state_(start_),
+        duration_(scene.duration),
+        name_(method) {
+    make_method<Sys>(name_);
+  }
+
+  long run(const Effort& effort, long samples,
+           const std::function<void(double, const Moment&)>& watch) override {
+    Moment m;
+    long made = 0;
+    simulate(
+        effort, effort.steps / samples,
+        [&](const scene::State<Sys>& state) {
+          m.q.clear(), m.v.clear();
+          for (int i = 0; i < state.q.size(); ++i)
+            m.q.push_back(oracles::exact<oracles::Real>(S(state.q[i])));
+          for (int i = 0; i < state.v.size(); ++i)
+            m.v.push_back(oracles::exact<oracles::Real>(S(state.v[i])));
+          watch(static_cast<double>(state.t), m);
+        },
+        &made);
+    return made;
+  }
+  void pass(const Effort& effort) override {
+    simulate(
+        effort, effort.steps, [](const scene::State<Sys>&) {}, nullptr);
+  }
+
+ private:
+  template <class Watch>
+  void simulate(const Effort& effort, long every, const Watch& watch, long* made) {
+    if (!method_ || effort.tolerance != tolerance_) {
+      tolerance_ = effort.tolerance;
+      method_ =
+          make_method<Sys>(name_, {tolerance_ > 0 ? tolerance_ : std::numeric_limits<double>::infinity()});
+    }
+    const long before = method_->counts().steps;
+    state_ = start_;
+    const scene::Outcome o = scene::simulate(system_, *method_, state_, {duration_, effort.steps, every},
+                                             [&](const auto& state, long) {
+                                               watch(state);
+                                               return true;
+                                             });
+    if (o.diverged) throw Diverged(fmt::format("at {:.6g} s, after {} steps: {}", o.t, o.steps, o.why));
+    if (made) *made = method_->what().adaptive ? method_->counts().steps - before : o.steps;
+  }
+
+  Sys system_;
+  scene::State<Sys> start_, state_;
+  double duration_, tolerance_ = -1;
+  std::string name_;
+  std::unique_ptr<scene::Method<Sys>> method_;
+};
+
+template <class Sys>
+std::unique_ptr<Runner> liecheck_runner(const Benchmark& scene, const std::string& method,
+                                        const scene::Effects<typename Sys::Scalar>& effects) {
+  return std::make_unique<LiecheckRunner<Sys>>(scene, method, effects);
+}
+
+}  // namespace liecheck::properties

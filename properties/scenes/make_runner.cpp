@@ -1,0 +1,23 @@
+#include <scenes/liecheck_runner.hpp>
+
+namespace liecheck::properties {
+
+extern template std::unique_ptr<Runner> liecheck_runner<Float128LoneBody>(const Benchmark&,
+                                                                          const std::string&,
+                                                                          const scene::Effects<float128>&);
+extern template std::unique_ptr<Runner> liecheck_runner<Float128Tree>(const Benchmark&, const std::string&,
+                                                                      const scene::Effects<float128>&);
+
+std::unique_ptr<Runner> make_runner(const Benchmark& scene, const std::string& method,
+                                    const std::string& scalar) {
+  const bool lone = scene::LoneBody<double>::fits(scene.robot);
+  if (scalar == "float128") {
+    const auto make = lone ? liecheck_runner<Float128LoneBody> : liecheck_runner<Float128Tree>;
+    return make(scene, method, scene.effects_float128());
+  }
+  if (scalar != "double") throw std::invalid_argument("a scene runs in double or float128, not in " + scalar);
+  const auto make = lone ? liecheck_runner<scene::LoneBody<double>> : liecheck_runner<scene::Tree<double>>;
+  return make(scene, method, scene.effects());
+}
+
+}  // namespace liecheck::properties
