@@ -1,5 +1,7 @@
 #include <app/shared_flags.hpp>
 
+#include <campaign/robots.hpp>
+
 #include <algorithm>
 #include <thread>
 

@@ -106,7 +106,6 @@ class PowerPairing final : public Law<PowerPairing, S> {
                     W = reader.template take<6>();
     const Vec<S, 4> Q = reader.template take<4>();
 
-    using Vector3 = oracles::Vec3<Real>;
     using Vector6 = oracles::Vec6<Real>;
     using Transform = oracles::PoseOf<Real>;
     const Transform X_e{oracles::exact_matrix<3, 3, Real>(X.R), oracles::exact_vector<3, Real>(X.p)};
@@ -158,23 +157,7 @@ class PowerPairing final : public Law<PowerPairing, S> {
       const Vec<S, 6> V_A = o[op::act_motion](X, V), F_A = o[op::act_force](X, F);
       measure_power(recorder, X_e, V_e, F_e, V_A, F_A);
     }
-    if (o[op::rotate_point]) {
-      const Vec<S, 3> y = o[op::rotate_point](Q, X.p);
-      if (!oracles::all_finite(y))
-        return recorder.outcome(op::rotate_point[block::point], 0, Outcome::not_finite);
-      const auto Q_e = oracles::exact_vector<4, Real>(Q);
-      const oracles::Resolved<Vector3> exact = oracles::rotate_point(Q_e, X_e.p);
-      if (!exact.resolved) return recorder.outcome(op::rotate_point[block::point], 0, Outcome::unresolved);
-      recorder.record(
-          op::rotate_point[block::point], 0,
-          oracles::vector_error<S>(oracles::exact_vector<3, Real>(y), exact.value), [&] {
-            const auto formula = [](const std::vector<Real>& x) {
-              return numbers<Real>(oracles::rotate(oracles::Quaternion<Real>{{x[0], x[1], x[2], x[3]}},
-                                                   Vector3{{x[4], x[5], x[6]}}));
-            };
-            return kappa<Real>(formula, numbers<Real>(Q_e, X_e.p), 0, exact.value);
-          });
-    }
+    if (o[op::rotate_point]) measure_rotation(recorder, Q, o[op::rotate_point](Q, X.p), X_e.p);
   }
 
  private:
@@ -208,6 +191,24 @@ class PowerPairing final : public Law<PowerPairing, S> {
                         [&] { return kappa<Real>(formula, x(), 3 * block, value); });
       }
     }
+  }
+
+  template <class Real>
+  static void measure_rotation(Recorder& recorder, const Vec<S, 4>& Q, const Vec<S, 3>& y,
+                               const oracles::Vec3<Real>& x) {
+    constexpr Output output = op::rotate_point[block::point];
+    if (!oracles::all_finite(y)) return recorder.outcome(output, 0, Outcome::not_finite);
+    const auto Q_e = oracles::exact_vector<4, Real>(Q);
+    const oracles::Resolved<oracles::Vec3<Real>> exact = oracles::rotate_point(Q_e, x);
+    if (!exact.resolved) return recorder.outcome(output, 0, Outcome::unresolved);
+    const double error = oracles::vector_error<S>(oracles::exact_vector<3, Real>(y), exact.value);
+    recorder.record(output, 0, error, [&] {
+      const auto formula = [](const std::vector<Real>& v) {
+        return numbers<Real>(oracles::rotate(oracles::Quaternion<Real>{{v[0], v[1], v[2], v[3]}},
+                                             oracles::Vec3<Real>{{v[4], v[5], v[6]}}));
+      };
+      return kappa<Real>(formula, numbers<Real>(Q_e, x), 0, exact.value);
+    });
   }
 
   template <class Real>

@@ -64,22 +64,8 @@ class SmallAngleBranches final : public Law<SmallAngleBranches, S> {
         bands[band].region == Region::beyond_pi)
       return;  // forward rule only: beyond half a turn the oracles of the laws above judge
 
-    // Differences of errors, block by block, in eps of the block's size.
     const auto jump = [&](const Output& output, auto&& computed, auto&& exact) {
-      const auto y0 = computed(0), y1 = computed(1);
-      if (!all_finite(y0) || !all_finite(y1)) return r.outcome(output, band, Outcome::not_finite);
-      const auto e0 = exact(0), e1 = exact(1);
-      Real squared(0), size(0);
-      for (int i = 0; i < static_cast<int>(e0.size()); ++i) {
-        const auto at = static_cast<std::size_t>(i);
-        const Real difference =
-            (oracles::exact<Real>(y1(i)) - e1[at]) - (oracles::exact<Real>(y0(i)) - e0[at]);
-        squared += difference * difference;
-        size += e0[at] * e0[at];
-      }
-      size = sqrt(size);
-      size = larger(size, least_denominator<S, Real>());
-      r.record(output, band, in_eps<S>(Real(sqrt(squared) / size)));
+      record_jump<Real>(r, output, band, computed, exact);
     };
     // The Jacobians of SO(3) are blocks of those of SE(3): balls take both from one evaluation.
     std::optional<Jacobian6Value<Real>> left[2], left_inverse[2];
@@ -136,6 +122,26 @@ class SmallAngleBranches final : public Law<SmallAngleBranches, S> {
           [&](int k) {
             return flat(BallNumber<Real> ? transpose(inverted(k).C) : right_jacobian_se3_inverse(x[k]).C);
           });
+  }
+
+ private:
+  /// The difference of the errors at both inputs, in eps of the block's size.
+  template <class Real, class Computed, class Exact>
+  static void record_jump(Recorder& r, const Output& output, std::size_t band, const Computed& computed,
+                          const Exact& exact) {
+    const auto y0 = computed(0), y1 = computed(1);
+    if (!oracles::all_finite(y0) || !oracles::all_finite(y1))
+      return r.outcome(output, band, Outcome::not_finite);
+    const auto e0 = exact(0), e1 = exact(1);
+    Real squared(0), size(0);
+    for (int i = 0; i < static_cast<int>(e0.size()); ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      const Real difference = (oracles::exact<Real>(y1(i)) - e1[at]) - (oracles::exact<Real>(y0(i)) - e0[at]);
+      squared += difference * difference;
+      size += e0[at] * e0[at];
+    }
+    size = oracles::larger(Real(sqrt(size)), oracles::least_denominator<S, Real>());
+    r.record(output, band, oracles::in_eps<S>(Real(sqrt(squared) / size)));
   }
 };
 

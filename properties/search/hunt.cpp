@@ -23,6 +23,20 @@ struct Elite {
   std::vector<S> x;
 };
 
+template <class S>
+CaseId raw_id(const std::vector<S>& x) {
+  CaseId id;
+  id.raw = true;
+  for (const S& v : x) id.input.push_back(hexadecimal_float(v));
+  return id;
+}
+
+/// Negative where the case is outside the hunt.
+double score_of(const Worst& w, const Judged& j) {
+  if (j.budget->rule == Rule::forward) return j.residual.error;
+  return w.by_kappa && !j.ill_posed ? j.excess : -1.0;
+}
+
 /// The archive of one output, and what its worst case is.
 template <class S>
 struct Climb {
@@ -41,15 +55,39 @@ struct Climb {
     }
     return best;
   }
-};
 
-template <class S>
-CaseId raw_id(const std::vector<S>& x) {
-  CaseId id;
-  id.raw = true;
-  for (const S& v : x) id.input.push_back(hexadecimal_float(v));
-  return id;
-}
+  /// One measurement of the input x.
+  void take(const Judged& j, const std::vector<S>& input, std::size_t island, std::uint64_t evaluation) {
+    // A refusal is of the whole law, whatever output it is recorded under.
+    if (worst.output != j.residual.output && j.residual.outcome != Outcome::refused) return;
+    if (j.residual.outcome != Outcome::measured) {
+      if (j.residual.outcome != Outcome::unresolved && worst.broken++ == 0)
+        worst.first_broken = j, worst.first_broken_id = raw_id(input);
+      return;
+    }
+    const double score = score_of(worst, j);
+    if (!(score >= 0)) return;
+    Elite<S>& e = cells[j.residual.band][island];
+    if (score >= e.score) e = {score, input};
+    if (score > worst.score) {
+      worst.score = score, worst.judged = j, worst.at = evaluation, x = input;
+      history.push_back({evaluation, score});
+    }
+  }
+
+  /// The worst case with its input, and when the search came within a factor of two of it.
+  Worst summary() const {
+    Worst w = worst;
+    w.id = raw_id(x);
+    for (const S& v : x) w.decimal.push_back(decimal_float(v));
+    for (const auto& [at, score] : history)
+      if (score >= w.score / 2) {
+        w.half_at = at;
+        break;
+      }
+    return w;
+  }
+};
 
 /// What is searched for: an output, and the figure of it that is maximised.
 template <class S>
@@ -65,12 +103,6 @@ std::vector<Worst> objectives_of(const TypedSeries<S>& series, const HuntOptions
     all.push_back(w);
   }
   return all;
-}
-
-/// Negative where the case is outside the hunt.
-double score_of(const Worst& w, const Judged& j) {
-  if (j.budget->rule == Rule::forward) return j.residual.error;
-  return w.by_kappa && !j.ill_posed ? j.excess : -1.0;
 }
 
 template <class S>
@@ -96,27 +128,8 @@ HuntResult hunt_in(const TypedSeries<S>& series, const HuntOptions& options) {
 
   const auto evaluate = [&](const std::vector<S>& x, std::size_t island) {
     ++result.evaluations;
-    for (const Judged& j : series.measure(x, limits)) {
-      for (Climb<S>& c : climbs) {
-        // A refusal is of the whole law, whatever output it is recorded under.
-        if (c.worst.output != j.residual.output && j.residual.outcome != Outcome::refused) continue;
-        if (j.residual.outcome != Outcome::measured) {
-          if (j.residual.outcome != Outcome::unresolved && c.worst.broken++ == 0) {
-            c.worst.first_broken = j;
-            c.worst.first_broken_id = raw_id(x);
-          }
-          continue;
-        }
-        const double score = score_of(c.worst, j);
-        if (!(score >= 0)) continue;
-        Elite<S>& e = c.cells[j.residual.band][island];
-        if (score >= e.score) e = {score, x};
-        if (score > c.worst.score) {
-          c.worst.score = score, c.worst.judged = j, c.worst.at = result.evaluations, c.x = x;
-          c.history.push_back({result.evaluations, score});
-        }
-      }
-    }
+    for (const Judged& j : series.measure(x, limits))
+      for (Climb<S>& c : climbs) c.take(j, x, island, result.evaluations);
   };
 
   double share = 0;
@@ -151,16 +164,7 @@ HuntResult hunt_in(const TypedSeries<S>& series, const HuntOptions& options) {
   }
   result.stopped = stop_requested;
   result.elapsed = elapsed();
-  for (Climb<S>& c : climbs) {
-    c.worst.id = raw_id(c.x);
-    for (const S& v : c.x) c.worst.decimal.push_back(decimal_float(v));
-    for (const auto& [at, score] : c.history)
-      if (score >= c.worst.score / 2) {
-        c.worst.half_at = at;
-        break;
-      }
-    result.worst.push_back(std::move(c.worst));
-  }
+  for (Climb<S>& c : climbs) result.worst.push_back(c.summary());
   return result;
 }
 

@@ -84,7 +84,6 @@ void computeRNEADerivatives(const Model<S>& model, Data<S>& data, In<S> q, In<S>
     work.force[i] = I * A[i] + V[i].cross(I * V[i]);
     if (!fext.empty()) work.force[i] = work.force[i] - X.act(fext[i]);
   }
-
   for (std::size_t j = model.joints.size() - 1; j > 0; --j) {
     const Matrix6<S>&I = work.articulated[j], &B = work.coriolis[j];
     columns(j, [&](int k, int vk) {

@@ -12,11 +12,6 @@
 
 namespace liecheck {
 
-SceneError::SceneError(const std::string& file, int line, const std::string& what)
-    : std::runtime_error(file + (line > 0 ? ":" + std::to_string(line) : "") + ": " + what),
-      file_(file),
-      line_(line) {}
-
 namespace scene_file_detail {
 namespace {
 

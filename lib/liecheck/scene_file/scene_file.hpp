@@ -3,21 +3,9 @@
 // is made from the same schema.
 
 #include <liecheck/scene/scene.hpp>
+#include <liecheck/scene_file/scene_error.hpp>
 
 namespace liecheck {
-
-/// A scene that cannot be read or is inconsistent. what() is one line: `FILE:LINE: what is wrong, and what to write
-/// instead`, or `FILE: ...` and line() 0 where no line is at fault.
-class SceneError : public std::runtime_error {
- public:
-  SceneError(const std::string& file, int line, const std::string& what);
-  const std::string& file() const { return file_; }
-  int line() const { return line_; }
-
- private:
-  std::string file_;
-  int line_;
-};
 
 /// The largest size of a scene text.
 constexpr std::size_t max_scene_bytes = std::size_t(1) << 20;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <liecheck/multibody/nearest_names.hpp>
-#include <liecheck/scene_file/scene_file.hpp>
+#include <liecheck/scene_file/scene_error.hpp>
 #include <liecheck/scene_file/units.hpp>
 #include <set>
 
