@@ -23,7 +23,7 @@ inline constexpr auto exp3_matrix = operation<struct Exp3Matrix>(
     {rotation_of_matrix, orthogonality_of_matrix}, {exp_log_header, "exp3<S>(phi)"}, phi);
 
 inline constexpr auto log3_quaternion = operation<struct Log3Quaternion>(
-    {"log3_quaternion", "phi of Q/|Q|, |phi| <= pi", "Sola, Deray & Atchuthan 2018, eq. 105"}, phi_result,
+    {"log3_quaternion", "phi of Q/|Q|, |phi| <= pi", "Sola, Deray & Atchuthan 2018, appendix B"}, phi_result,
     {rotation_vector}, {exp_log_header, "quaternion::log3<S>(SO3<S>(Q))"}, Q);
 
 inline constexpr auto log3_matrix = operation<struct Log3Matrix>(

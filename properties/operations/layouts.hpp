@@ -88,6 +88,7 @@ inline constexpr Value<type::BodyValue> I_B{
 inline constexpr Value<type::Vector6> h{
     {"h", {{"linear", 3, "kg m/s"}, {"angular", 3, "kg m^2/s"}}, "B, about its origin"}};
 inline constexpr Value<type::Scalar> kinetic{{"T", {{"T", 1, "J"}}, "any frame"}};
+inline constexpr Value<type::Scalar> power_result{{"P", {{"P", 1, "W"}}, "any frame"}};
 inline constexpr Value<type::Matrix6> I_O{{"M", {{"M", 36, "kg, kg m, kg m^2"}}, "B, about its origin"}};
 inline constexpr Value<type::Vector> robot_q_result{{"q1", {{"q1", nq, "m, 1, rad"}}, "joint by joint"}};
 inline constexpr Value<type::Vector> robot_delta_result{

@@ -26,7 +26,7 @@ inline constexpr auto act_point = operation<struct ActPoint>(
     {"act_point", "x_A = R x_B + p", poses_source}, x_A,
     {{block::point, "|x_A - (R x_B + p)|", "|R x_B + p|", "m"}}, {se3_header, "X.act(p_Y)"}, X, p_Y);
 inline constexpr auto rotate_point = operation<struct RotatePoint>(
-    {"rotate_point", "x_A = R(Q/|Q|) x_B", "Sola 2017 (arXiv 1711.02508), eq. 106"}, x_A,
+    {"rotate_point", "x_A = R(Q/|Q|) x_B", "Sola 2017 (arXiv 1711.02508), section 2"}, x_A,
     {{block::point, "|x_A - R(Q/|Q|) x_B|", "|x_B|", "m"}}, {se3_header, "SO3<S>(Q).act(p)"}, Q, p);
 
 inline constexpr Block linear_velocity{block::linear, "|u - u_exact|", "|u_exact|", "m/s"},
@@ -63,7 +63,7 @@ inline constexpr Operation power{
     "F_A^T V_A = F_B^T V_B",
     "Featherstone 2008, eq. 2.7",
     {&X, &V, &F},
-    {&kinetic},
+    {&power_result},
     {{block::power, "|F_A^T V_A - F_B^T V_B|", "|f| (|u| + |p| |omega|) + (|n| + |p| |f|) |omega|", "W"}},
     {se3_header, "X.act(F).to_vector().dot(X.act(V).to_vector()) - F.to_vector().dot(V.to_vector())"}};
 

@@ -178,7 +178,7 @@ inline constexpr Operation tree_power{"tree_power",
                                       "rnea(q, v, a)^T v = d/dt (T + V)",
                                       "Goldstein 1980, section 2.6",
                                       {&tree_q, &tree_v, &tree_a},
-                                      {&tau_result},
+                                      {&power_result},
                                       {{block::power, "|tau^T v - d/dt (T + V)|", "|d/dt (T + V)|", "W"}},
                                       {"algorithms/rnea.hpp", "rnea(model, data, q, v, a).dot(v)"}};
 inline constexpr Operation momentum_conserved{

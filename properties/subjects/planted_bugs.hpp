@@ -3,6 +3,7 @@
 // replacements use; the bugs themselves stand in rotation_bugs.cpp, configuration_bugs.cpp and
 // spatial_algebra_bugs.cpp, the correct variants in look_alikes.cpp, the bugs of trees of bodies in tree_bugs.cpp.
 
+#include <Eigen/Geometry>
 #include <subjects/subject.hpp>
 
 namespace liecheck::properties {

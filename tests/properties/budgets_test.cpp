@@ -5,9 +5,11 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <campaign/budgets.hpp>
-#include <campaign/series.hpp>
+#include <campaign/robots.hpp>
+#include <campaign/selection.hpp>
 #include <cctype>
 #include <fstream>
+#include <hard_cases/attempt.hpp>
 #include <hard_cases/corpus.hpp>
 #include <invariants/tree_laws.hpp>
 #include <map>
@@ -99,7 +101,7 @@ double largest(const Budget& b, const Series& series, const std::vector<std::str
   id.raw = true;
   id.input = input;
   double worst = -1;
-  for (const Judged& j : series.attempt(id).judged) {
+  for (const Judged& j : attempt(series, id).judged) {
     const Output& o = series.outputs.at(static_cast<std::size_t>(j.residual.output));
     const Region region = series.bands()[j.residual.band].region;
     if ((!b.operation.empty() && o.operation != b.operation) || (b.block != "*" && o.block != b.block) ||

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <campaign/robots.hpp>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>

@@ -4,7 +4,7 @@
 
 #include <limits>
 #include <record/bench.hpp>
-#include <record/number.hpp>
+#include <support/json_number.hpp>
 
 namespace liecheck::properties {
 namespace {

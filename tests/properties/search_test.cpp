@@ -209,7 +209,7 @@ TEST(Snippets, Compile) {
   int k = 0;
   for (const char* scalar : {"double", "float"})
     for (const auto& s : select({{"liecheck"}, {}, {scalar}}, built_in_robot())) {
-      std::set<std::string> seen;
+      std::set<std::string_view> seen;
       for (const Output& o : s->outputs) {
         if (!seen.insert(o.operation).second) continue;
         std::string text = program_of(*s, o, s->input(s->id(42, 1)));
