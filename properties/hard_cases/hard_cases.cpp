@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <hard_cases/attempt.hpp>
+#include <invariants/tree_laws.hpp>
 #include <stdexcept>
 #include <support/stop.hpp>
 #include <support/threads.hpp>
@@ -88,6 +89,7 @@ std::vector<Task> tasks_of(const std::vector<HardCase>& cases, const Selection& 
       Task task{{&c, property, {}, {}}, {}};
       for (const auto& s : all) {
         if (s->property != property || (!c.scalars.empty() && !contains(c.scalars, s->scalar))) continue;
+        if (s->robot != "none" && is_tree_law(property)) continue;  // the case is a tree of its own
         if (s->robot != "none")
           throw std::invalid_argument(fmt::format(
               "{}: property {} depends on the robot: no input fits every one", c.place(), property));

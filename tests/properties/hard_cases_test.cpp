@@ -81,7 +81,7 @@ TEST(HardCases, GiveEachVerdictToTheSubjectThatDeservesIt) {
   EXPECT_EQ(verdict(cell("verdict_wrong_branch", unit_quaternion)), std::pair(Verdict::wrong_branch, true));
   EXPECT_EQ(verdict(cell("verdict_not_finite", unit_quaternion)), std::pair(Verdict::not_finite, true));
   EXPECT_EQ(verdict(cell("verdict_sign",
-                         "a | sign_continuity | Q = -unit(0, 0, 1, 9); phi = 0, 0, 0.1 | c | r | o")),
+                         "a | sign_continuity | Q0 = -unit(0, 0, 1, 9); phi = 0, 0, 0.1 | c | r | o")),
             std::pair(Verdict::wrong_branch, true));
   EXPECT_EQ(verdict(cell("liecheck", "a | exp_oracle | phi = 1e8, 0, 0 | c | r | o", "float")),
             std::pair(Verdict::ill_posed, false));
@@ -224,7 +224,7 @@ TEST(HardCasesOfTheProgram, CountToItsExitCode) {
   EXPECT_EQ(exit_of("hard-cases --subject nobody"), 2);
   // One generated case of this law passes; its hard cases do not.
   const std::string one =
-      "campaign --subject eigen --scalar double --property power_pairing --cases 1 --seed 3";
+      "campaign --subject eigen --scalar double --property power_pairing --cases 1 --seed 2";
   EXPECT_EQ(exit_of(one), 1);
   EXPECT_EQ(exit_of(one + " --no-hard-cases"), 0);
 }

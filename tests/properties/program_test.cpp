@@ -6,13 +6,13 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <support/text.hpp>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <support/text.hpp>
 
 namespace {
 

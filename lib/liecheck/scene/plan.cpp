@@ -1,4 +1,5 @@
 #include <chrono>
+#include <liecheck/scene/run.hpp>
 #include <liecheck/scene/setup.hpp>
 
 namespace liecheck::scene {

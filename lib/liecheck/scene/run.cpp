@@ -1,5 +1,6 @@
 #include <chrono>
 #include <cmath>
+#include <liecheck/scene/run.hpp>
 #include <liecheck/scene/setup.hpp>
 
 namespace liecheck::scene {

@@ -3,7 +3,7 @@
 
 #include <liecheck/scene/attitude_error.hpp>
 #include <liecheck/scene/observers/registry.hpp>
-#include <liecheck/scene/run.hpp>
+#include <liecheck/scene/observers/observer.hpp>
 #include <liecheck/scene/scene.hpp>
 
 namespace liecheck::scene {
