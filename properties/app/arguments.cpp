@@ -34,7 +34,7 @@ double parse_duration(const std::string& text) {
   return value * factor;
 }
 
-/// What is wrong with a duration; "" where nothing is.
+/// The error of a duration, or "".
 std::string duration_error(const std::string& text) {
   try {
     parse_duration(text);

@@ -37,7 +37,7 @@ class Arguments {
   Arguments(CLI::App& parent, const std::string& name, const std::string& help);
 
   Flag text(const std::string& names, std::string& target, const std::string& value, const std::string& help);
-  /// One of some words.
+  /// A value that is one of these words.
   Flag choice(const std::string& names, std::string& target, const std::vector<std::string>& words,
               const std::string& value, const std::string& help);
   /// Repeatable.

@@ -35,7 +35,7 @@ struct Flags {
   std::string json;
 };
 
-/// What is timed: its best rate of five rounds [cases/s].
+/// The best rate of five rounds [cases/s].
 struct Timed {
   std::string name;
   std::function<double()> round;  ///< returns its rate

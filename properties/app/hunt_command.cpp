@@ -33,7 +33,7 @@ std::function<void(std::uint64_t, double, double)> progress_of(const std::string
   };
 }
 
-/// As names of the corpus are: small letters, digits and '_'.
+/// A name for the corpus: lower-case letters, digits and '_'.
 std::string corpus_name(std::string text) {
   for (char& c : text)
     c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : (std::isalnum(c) ? c : '_');
@@ -231,7 +231,7 @@ Command hunt_command(CLI::App& program) {
   a.text("--block", o.block, "NAME", "one block of its result; default each");
   a.text("--property", f->property, "NAME", "one law that measures it; default each");
   a.text("--scalar", f->scalar, "SCALAR", "float, double or float128").with_default_in_help();
-  a.toggle("--excess", o.excess, "maximise error / kappa, beyond half a turn too");
+  a.toggle("--excess", o.excess, "maximise error / kappa, beyond theta = pi too");
   add_seed(a, o.seed, "seed of the search");
   const Flag evaluations = a.number("--evaluations", o.evaluations, 1, std::uint64_t(1) << 40,
                                     "how many measurements instead: the same search on every machine")

@@ -39,7 +39,7 @@ std::vector<Command> add_commands(CLI::App& program, const std::string& typed_li
   return all;
 }
 
-/// What CLI11 says, but a word that is no command is named.
+/// CLI11's message; a word that is no command is named in it.
 std::string usage_error(const CLI::App& program, const CLI::ParseError& e) {
   const CLI::App* at = &program;
   while (!at->get_subcommands().empty()) at = at->get_subcommands().front();

@@ -10,7 +10,7 @@ namespace liecheck::properties {
 
 namespace {
 
-/// With the time of each stage here and now.
+/// Prints each stage with its time, measured on this machine.
 scene::Plan measured_plan(const scene::Scene& scene) try {
   return scene::plan(scene, true);
 } catch (const scene::StepFailed& e) {

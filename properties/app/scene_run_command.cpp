@@ -94,7 +94,7 @@ int run(const Flags& flags) {
   print_figures(scene, run);
   if (run.largest_turn > std::numbers::pi)
     fmt::print(stderr,
-               "warning: a step turned by {:.3g} rad: beyond half a turn the increments of a step mean "
+               "warning: a step turned by {:.3g} rad: beyond pi the increments of a step mean "
                "nothing; take "
                "a smaller step\n",
                run.largest_turn);

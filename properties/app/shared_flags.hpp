@@ -7,19 +7,19 @@
 
 namespace liecheck::properties {
 
-/// --seed, of what `help` says.
+/// Adds --seed; `help` says of what.
 Flag add_seed(Arguments& arguments, std::uint64_t& seed, const std::string& help);
 
-/// -j, --jobs.
+/// Adds -j, --jobs.
 Flag add_jobs(Arguments& arguments, unsigned& jobs);
-/// One for each core: its default.
+/// The number of threads; one for each core by default.
 unsigned default_jobs();
 
 /// --robot and --root.
 struct RobotFlags {
   std::string file, root = "free-flyer";
 
-  /// Of `add`: --robot, which --root needs.
+  /// The flag --robot of `add`, which --root needs.
   Flag add(Arguments& arguments,
            const std::string& help = "robot for configuration properties; built in: mixed_joints");
   /// Reads the file, which may be a pipe: call it once.

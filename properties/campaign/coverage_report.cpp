@@ -7,8 +7,8 @@ namespace liecheck::properties {
 
 namespace {
 
-/// A generator of angles gives a band at least one case in so many, as measured: decades are wide; half a turn to the
-/// last bit and the ends of the exponent's range are not, least of all among float128's 16,000 binades.
+/// The generators of angles reach a band with at least one case in this many, as measured. A decade is a wide band; theta =
+/// pi to the last bit and the ends of the exponent range are narrow ones, above all among float128's 16,000 binades.
 std::uint64_t band_one_in(const Band& b, const std::string& scalar) {
   const bool wide = b.axis == Axis::none || (b.low > 0 && b.high / b.low < 11);
   return wide ? 1000 : scalar == "float128" ? 40000 : 4000;

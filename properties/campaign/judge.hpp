@@ -18,7 +18,7 @@ struct OutputLimits {
   const Block* definition;
   std::array<const Budget*, 2> budgets;
 };
-/// By output, in the order of the law.
+/// The limits of a law's outputs, in their order.
 using Limits = std::vector<OutputLimits>;
 
 /// Collects the residuals of one case and compares each with its budget.

@@ -27,7 +27,7 @@ class Ranges {
     ranges_[first] = last;
     return true;
   }
-  /// What of [first, last) is not there.
+  /// The parts of [first, last) that are missing.
   std::vector<Range> gaps(std::uint64_t first, std::uint64_t last) const {
     std::vector<Range> all;
     for (const auto& [from, to] : ranges_) {

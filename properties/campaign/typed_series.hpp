@@ -31,9 +31,9 @@ class TypedSeries final : public Series {
 
   std::vector<Judged> measure(const std::vector<S>& x) const { return measure(x, limits_); }
   std::vector<Judged> measure(const std::vector<S>& x, const Limits& limits) const;
-  /// By ball arithmetic alone; false where it leaves a verdict open.
+  /// Measures by ball arithmetic alone. Returns false where a verdict stays open.
   bool measure_by_balls(const std::vector<S>& x, Judge& judge) const;
-  /// At 50 and 100 digits. `refusal` receives what the subject threw.
+  /// Measures at 50 and 100 digits. `refusal` receives what the subject threw.
   std::vector<Judged> measure_by_digits(const std::vector<S>& x, const Limits& limits,
                                         bool every_kappa = false, std::string* refusal = nullptr) const;
   Judge judge_of_balls() const { return {limits_, bands(), eps, oracles::error_accuracy}; }

@@ -1,5 +1,5 @@
 #pragma once
-// What is printed of a failure.
+// The printed description of a failure.
 
 #include <campaign/series.hpp>
 

@@ -53,7 +53,7 @@ class DIntegrate final : public Law<DIntegrate, S> {
     return x;
   }
   bool valid(const std::vector<S>& x) const override {
-    // Up to half a turn and its neighbours: beyond it, ARG0 is a law of exp and ARG1 one of the Jacobians.
+    // Up to theta = pi and its neighbours: beyond it, ARG0 is a law of exp and ARG1 one of the Jacobians.
     using std::sqrt;
     return Property<S>::valid(x) && norm_defect_at<S>(x, 3) <= 8 && norm_defect_at<S>(x, 10) <= 8 &&
            sqrt(x[17] * x[17] + x[18] * x[18] + x[19] * x[19]) <= pi<S>() * (S(1) + S(4) * eps<S>());

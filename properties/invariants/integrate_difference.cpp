@@ -1,5 +1,5 @@
 // integrate and difference of free-flyer configurations against their oracles, and as local inverses in both
-// directions. Beyond half a turn the pose comes back, not the vector.
+// directions. Beyond theta = pi the pose is recovered, not the rotation vector.
 
 #include <generators/rotations.hpp>
 #include <invariants/branch.hpp>
@@ -152,7 +152,7 @@ class IntegrateDifference final : public Law<IntegrateDifference, S> {
   }
 
   /// difference(q, integrate(q, d)) against d itself. The rounding of the intermediate configuration is part of
-  /// this law, so kappa is that of difference at it; within rounding of half a turn the other axis is as right.
+  /// this law, so kappa is that of difference at it; where theta is pi to rounding, the opposite axis is right too.
   template <class Real>
   static void back(Recorder& r, const Vec<S, 6>& v, const oracles::Vec6<Real>& xd,
                    const oracles::Vec<7, Real>& x0, const oracles::Vec<7, Real>& xq, std::size_t band) {
@@ -166,7 +166,7 @@ class IntegrateDifference final : public Law<IntegrateDifference, S> {
     }
     const auto xv = exact_vector<6, Real>(v);
     const auto at = oracles::difference(x0, xq);
-    // Did the rounding of q carry it across half a turn? Then the exact answer is on the other axis, and the
+    // Did the rounding of q carry theta across pi? Then the exact answer is on the other axis, and the
     // law (the same pose) is what integrate_of_difference measures.
     Real along(0);
     for (int i = 3; i < 6; ++i) along += xv[i] * xd[i];

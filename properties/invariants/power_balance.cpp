@@ -1,4 +1,4 @@
-// What the joints do is what the energy gains.
+// The power of the joint forces is the rate of the total energy.
 
 #include <invariants/tree_law.hpp>
 

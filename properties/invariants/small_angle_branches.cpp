@@ -62,7 +62,7 @@ class SmallAngleBranches final : public Law<SmallAngleBranches, S> {
     const std::size_t band = band_of_angle<S>(tail3(x[0]));
     if (bands[band_of_angle<S>(tail3(x[1]))].region == Region::beyond_pi ||
         bands[band].region == Region::beyond_pi)
-      return;  // forward rule only: beyond half a turn the oracles of the laws above judge
+      return;  // the forward rule only: beyond pi the laws of exp and of its Jacobians judge
 
     const auto jump = [&](const Output& output, auto&& computed, auto&& exact) {
       record_jump<Real>(r, output, band, computed, exact);
@@ -86,7 +86,7 @@ class SmallAngleBranches final : public Law<SmallAngleBranches, S> {
     if (o[op::exp3_quaternion])
       jump(
           op::exp3_quaternion[block::jump],
-          [&](int k) {  // of Q and -Q the one along (phi, 1), as the exact one is up to half a turn
+          [&](int k) {  // the sign of the exact quaternion: along (phi, 1) up to pi
             const Vec<S, 3> phi = xi[k].template tail<3>();
             const Vec<S, 4> Q = o[op::exp3_quaternion](phi);
             return Q.template head<3>().dot(phi) + Q[3] < S(0) ? Vec<S, 4>(-Q) : Q;

@@ -1,4 +1,4 @@
-// The same robot told otherwise has the same dynamics.
+// Equivalent models of one robot have the same dynamics.
 
 #include <invariants/tree_law.hpp>
 
@@ -16,7 +16,7 @@ class TreeInvariance final : public TreeLaw<TreeInvariance, S> {
            "body is put together";
   }
   std::string equation() const override {
-    return "rnea of a world turned by half a turn and moved; of branches in the opposite order; of each body "
+    return "rnea in a world frame rotated by pi about x and moved; of branches in the opposite order; of each body "
            "as two "
            "halves, one fixed at a pose, turned by a third of a turn; all against Lagrange's equations of "
            "the tree "

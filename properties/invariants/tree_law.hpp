@@ -160,7 +160,7 @@ class TreeLaw : public Property<S> {
                                       const Direction&... direction) const {
       return {exact.tree, exact.q, v, a, direction...};
     }
-    /// What cancels in it.
+    /// The sizes of the terms that cancel in the result.
     oracles::TreeSizes<double> sizes(const std::vector<double>& v, const std::vector<double>& a,
                                      bool pushed = false) const {
       return {rough.tree, rough.q, v, a, pushed ? rough.wrench : std::vector<oracles::WrenchOf<double>>()};

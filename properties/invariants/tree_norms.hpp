@@ -1,5 +1,5 @@
 #pragma once
-// How vectors of mixed units are measured.
+// Norms of vectors that mix units.
 //
 // Entry k of v moves inertia M_kk, so that sqrt(M_kk) v_k and tau_k / sqrt(M_kk) are of one unit, whatever the joint
 // and however light its bodies: norms of vectors are those of these numbers, and of M that of M_kl / sqrt(M_kk M_ll)
@@ -49,7 +49,7 @@ double approximate(const T& x) {
   else
     return static_cast<double>(x);
 }
-/// The same of sizes, in double.
+/// The same norm of a vector of sizes, in double.
 inline double weighted_size(const std::vector<double>& x, const std::vector<double>& w) {
   return weighted_norm(x, w);
 }
@@ -58,7 +58,7 @@ inline double weighted_size(const std::vector<oracles::Tangent>& x, const std::v
   for (std::size_t k = 0; k < x.size(); ++k) sum += w[k] * x[k].d * (w[k] * x[k].d);
   return std::sqrt(sum);
 }
-/// Of each pair of entries.
+/// The products w_k w_l of all pairs of entries, row by row.
 inline std::vector<double> products(const std::vector<double>& w) {
   std::vector<double> all;
   for (double a : w)

@@ -56,7 +56,7 @@ struct Climb {
     return best;
   }
 
-  /// One measurement of the input x.
+  /// Keeps the input where its measurement is the worst of its band, or of all.
   void take(const Judged& j, const std::vector<S>& input, std::size_t island, std::uint64_t evaluation) {
     // A refusal is of the whole law, whatever output it is recorded under.
     if (worst.output != j.residual.output && j.residual.outcome != Outcome::refused) return;

@@ -208,7 +208,7 @@ class Mutations {
     v = s.chance(1, 2) && g.kind == Kind::vector && o.kind == Kind::vector ? w : V3(S(n / m) * w);
   }
 
-  /// A rotation moved: nearer to or farther from the identity, half a turn or an earlier quaternion of the input.
+  /// Moves a rotation towards or away from the identity, theta = pi or an earlier quaternion of the input.
   V4 moved(const V4& q, std::size_t from, std::vector<S>& x, Source& s) const {
     V4 base = V4::Unit(3), d = q;
     const Group& o = groups_[s.below(groups_.size())];
@@ -222,7 +222,7 @@ class Mutations {
       case 1:
         d.template head<3>() *= factor(s);
         break;
-      case 2:  // the angle to half a turn
+      case 2:  // the distance of the angle to pi
         d[3] *= factor(s);
         break;
       case 3:
@@ -244,7 +244,7 @@ class Mutations {
     const Mat<S, 3> R = rotation_matrix<S>(q);
     for (std::size_t k = 0; k < 9; ++k) x[from + k] = R(static_cast<int>(k / 3), static_cast<int>(k % 3));
   }
-  /// By the largest pivot.
+  /// The quaternion of a matrix, by its largest pivot.
   static V4 of_matrix(const std::vector<S>& x, std::size_t from) {
     const auto R = [&](int i, int j) { return x[from + static_cast<std::size_t>(3 * i + j)]; };
     const S t = R(0, 0) + R(1, 1) + R(2, 2);

@@ -23,7 +23,7 @@ struct Smooth {
   using SO3 = ::smooth::SO3<S>;
   using SE3 = ::smooth::SE3<S>;
 
-  /// Of the numbers as they are: nothing is normalised.
+  /// Takes the numbers as they are stored: nothing is normalised.
   static SE3 configuration(const Vec<S, 7>& q) {
     SE3 X;
     X.coeffs() = q;

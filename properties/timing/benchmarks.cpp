@@ -94,7 +94,7 @@ void initialize_once() {
   static_cast<void>(done);
 }
 
-/// As many passes as take that long, after one that warms up.
+/// The number of passes that take that long, after one pass that fills the caches.
 std::int64_t passes_in(double seconds, const Timed& row) {
   using Clock = std::chrono::steady_clock;
   row.pass();

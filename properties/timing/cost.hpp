@@ -77,7 +77,7 @@ CostResult measure_cost(const CostOptions& options);
 
 std::vector<std::string> cost_operations();
 std::vector<std::string> cost_subjects();
-/// From the least to the most digits.
+/// The scalars that are timed, from the fewest to the most digits.
 const std::vector<std::string>& cost_scalars();
 
 }  // namespace liecheck::properties

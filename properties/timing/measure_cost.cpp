@@ -49,7 +49,7 @@ void merge_blocks(std::vector<BlockErrors>& all, const std::vector<BlockErrors>&
 
 namespace {
 
-/// Without any named: what runs unasked, and the library's own variants.
+/// The subjects that are named; without names those of a campaign and liecheck's own variants.
 template <class S>
 std::vector<const Subject<S>*> subjects_of(const CostPlan& plan) {
   std::vector<const Subject<S>*> all;

@@ -10,7 +10,7 @@
 
 namespace liecheck::properties {
 
-/// Where the times of a row's set go.
+/// The row and the set that receive the times of these loops.
 struct TimedSet {
   std::size_t row, set;
   Loops loops;

@@ -61,7 +61,7 @@ std::vector<BlockErrors> score(const Property<S>& law, const Operation& operatio
   for (const auto& x : inputs) {
     BlockCollector one(law.outputs(), operation);
     try {
-      // From the narrowest balls to the widest, until one decides.
+      // Tries the tiers of ball arithmetic from the cheapest on, until one decides.
       for (std::size_t tier = 0;; ++tier) {
         one = BlockCollector(law.outputs(), operation);
         try {
