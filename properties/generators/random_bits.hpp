@@ -1,7 +1,8 @@
 #pragma once
 // The stream of random bits of one case.
 //
-// A case is addressable: the same key gives the same bits on any thread, shard or machine. In RapidCheck's own loop a
+// A case is addressable: the same key (CaseId::key, campaign/case_id.hpp, from seed, law, scalar, robot and index) gives
+// the same bits on any thread, shard or machine. In RapidCheck's own loop a
 // case depends on the cases before it; here SplitMix64 (Steele, Lea & Flood 2014) starts from the case's key alone.
 // (RapidCheck's random engine could be seeded likewise, but its cryptographic hash takes a tenth of a campaign's time.)
 // Numbers are computed with + - x / sqrt and ldexp only, which IEEE 754 rounds correctly everywhere, and without

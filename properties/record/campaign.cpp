@@ -38,6 +38,7 @@ json row_record(const Series& series, const Output& o, const Band& b, const Row&
           {"low", b.low},
           {"high", b.high},
           {"count", row.count},
+          // A result that is NaN or infinite has an infinite error.
           {"max_eps", row.not_finite > 0 ? json("inf") : number(row.max_error)},
           {"p99_eps", number(std::min(row.errors.quantile(0.99), row.max_error))},
           {"median_eps", number(std::min(row.errors.quantile(0.5), row.max_error))},
