@@ -22,10 +22,10 @@ struct Budget {
   double limit;        ///< eps (forward) or eps kappa (excess)
   std::string reason;  ///< with the largest error found, where the limit was hunted
   Basis basis = Basis::derived;
-  double value = 0;       ///< the largest error found, the bound derived, or that of the row
-  std::string hard_case;  ///< hunted: the name of the case that shows it; row: operation/block
-  bool fma = false;       ///< that case errs so much with fused multiply-adds only
-  std::string subject;    ///< empty: every subject; else its own line, of the block `*`: of every block
+  double value = 0;            ///< the largest error found, the bound derived, or that of the row
+  std::string hard_case = {};  ///< hunted: the name of the case that shows it; row: operation/block
+  bool fma = false;            ///< that case errs so much with fused multiply-adds only
+  std::string subject = {};    ///< empty: every subject; else its own line, of the block `*`: of every block
 };
 
 /// The lines as they stand in the file.
