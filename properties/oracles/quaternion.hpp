@@ -1,5 +1,5 @@
 #pragma once
-// Quaternions x y z w, in any of the oracles' numbers, and the rotation matrices of unit ones.
+// Quaternions x y z w over any scalar type of the oracles, and the rotation matrices of unit quaternions.
 
 #include <oracles/linear_algebra.hpp>
 
@@ -9,7 +9,7 @@ namespace liecheck::oracles {
 template <class T = Real>
 using Quaternion = Vec<4, T>;
 
-/// a (x) b.
+/// The quaternion product a b.
 template <class T>
 Quaternion<T> quaternion_product(const Quaternion<T>& a, const Quaternion<T>& b) {
   return {{a[3] * b[0] + a[0] * b[3] + (a[1] * b[2] - a[2] * b[1]),
@@ -18,7 +18,7 @@ Quaternion<T> quaternion_product(const Quaternion<T>& a, const Quaternion<T>& b)
            a[3] * b[3] - (a[0] * b[0] + a[1] * b[1] + a[2] * b[2])}};
 }
 
-/// a* (x) b, grouped in the minors a_i b_j - a_j b_i: where these are exact (products of two 113-bit
+/// The quaternion product a* b, grouped in the minors a_i b_j - a_j b_i: where these are exact (products of two 113-bit
 /// numbers at 334 bits) the vector part v keeps its relative accuracy however near a and b are, since the
 /// squares of the six minors add up to ||v||^2 (Lagrange, Pluecker).
 template <class T>
@@ -42,7 +42,7 @@ Vec3<T> rotate(const Quaternion<T>& q, const Vec3<T>& x, bool inverse = false) {
   return x + s * (w * vx + cross(v, vx));
 }
 
-/// R(Q) - I = 2 w [v] + 2 [v]^2 of a unit quaternion, accurate relative to itself however small the angle is.
+/// R(Q) - I = 2 w [v] + 2 [v]^2 of a unit quaternion, with full relative accuracy however small the angle is.
 template <class T>
 Mat3<T> rotation_minus_identity(const Quaternion<T>& q) {
   Mat3<T> E;

@@ -68,8 +68,8 @@ class Series {
       power *= domain;
     }
   }
-  /// sum_j C(j, n) a_j m^(j - n). Horner's scheme and the rounding of a_j and C err by at most 64 units of
-  /// 2^-64 in sum_j |a_j| (m + w)^j, w <= 1, over all four terms.
+  /// The Taylor coefficients about m, t[n] = sum_j C(j, n) a_j m^(j - n). On |x - m| <= w <= 1 the rounding of a_j and of
+  /// Horner's scheme changes the cubic by at most 64 * 2^-64 sum_j |a_j| (m + w)^j.
   Cubic about(Long m, Long w) const {
     Cubic c{{0, 0, 0, 0}, 0};
     for (int j = term_count; j-- > 0;) {  // Horner's scheme of the value and of its derivatives / n!
@@ -112,10 +112,10 @@ std::vector<Quotient> quotients() {
   return all;
 }
 
-/// G about m, over |t - m| <= w.
+/// The Taylor cubic of G (scalar_coefficients.hpp) about m, with a bound of its error for |t - m| <= w.
 Cubic arctangent(Long m, Long w) {
   const Long end = m + w;
-  if (end < 0x1p-20L)  // 1 - t/3 + t^2/5 - t^3/7, expanded about m; truncated: below t^4 / 9
+  if (end < 0x1p-20L)  // 1 - t/3 + t^2/5 - t^3/7, expanded about m; truncation error < t^4 / 9
     return {{1 - m * (1 / 3.0L - m * (1 / 5.0L - m / 7)), -1 / 3.0L + m * (2 / 5.0L - m * 3 / 7),
              1 / 5.0L - m * 3 / 7, -1 / 7.0L},
             end * end * end * end / 9 + 0x1p-61L};
@@ -124,7 +124,8 @@ Cubic arctangent(Long m, Long w) {
   Long h = 1 / (1 + m);
   for (int n = 0; n < 3; ++n, h /= -(1 + m))
     c.t[n + 1] = (h - static_cast<Long>(2 * n + 1) * c.t[n]) / (static_cast<Long>(2 * (n + 1)) * m);
-  // glibc's atanl errs by an ulp; the recursion cancels at small m, but its terms are multiplied by u^n.
+  // glibc's atanl has an error of one ulp. At small m the recursion for t[n] cancels digits, but t[n] is multiplied by
+  // (t - m)^n, where |t - m| <= w < m / 4.
   c.error = q >= 0.5L ? std::numeric_limits<Long>::infinity()
                       : c.t[0] * (1.4143L * q * q * q * q / (1 - q) + 0x1p-58L);
   return c;
@@ -152,7 +153,8 @@ LocalExpansion expand(Coefficient which, double low, double high) {
     a = f.a.about(m, w);
     b = f.b.about(m, w);
   }
-  // The coefficients and Horner's scheme are in double: with those of f p(u) - 1, at most sixteen roundings.
+  // The terms with 2^-49 bound at most sixteen roundings in double: of the coefficients p, of Horner's scheme, and of
+  // f p(u) - 1, which the caller computes.
   LocalExpansion e{centre, 0, {}};
   if (is_absolute(which)) {  // then B = 1
     for (int n = 0; n < 4; ++n) e.p[n] = static_cast<double>(a.t[n]);

@@ -1,7 +1,7 @@
 #pragma once
-// Google Benchmark, all repetitions of all rows in random order. Those during which another program had a part of the
-// execution units, as a loop before and after each tells, do not count: they slow some code by half and some not at
-// all.
+// Times operations with Google Benchmark; all repetitions of all rows run in random order. Repetitions during which
+// another program used part of the execution units are discarded, because that slows some code by half and other code
+// not at all. They are recognised by a reference loop that is timed before and after each repetition.
 
 #include <atomic>
 #include <functional>
@@ -12,14 +12,15 @@ namespace liecheck::properties {
 
 struct Timed {
   std::function<void()> pass;
-  std::size_t calls = 1;             ///< of what is timed, in one pass
+  std::size_t calls = 1;             ///< of the timed operation, in one pass
   std::vector<double> ns;            ///< per call, one for each repetition that counts
   std::vector<double> instructions;  ///< per call; empty without a counter
 };
 
 struct Interleaving {
-  /// Of all of it, about; a repetition is at least one pass. Repetitions that are left 1 s after 1.3 times as long, on a
-  /// busy machine, are not run: chance leaves out as many of every row.
+  /// Approximate duration of the whole measurement [s]; a repetition is at least one pass. On a busy machine, the
+  /// repetitions that have not started after 1.3 seconds + 1 s are skipped; since the order is random, every row loses
+  /// about as many.
   double seconds = 1;
   std::size_t repetitions = 40;
   std::atomic<bool>* stop = nullptr;

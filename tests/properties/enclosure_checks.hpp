@@ -1,5 +1,6 @@
 #pragma once
-// Each operation of the oracles, at 50 digits and in its closed form at 100, against its enclosure.
+// Compares two results of each operation of the oracles, the value stored with 50 digits and the closed form evaluated
+// at 100 digits, with an interval that contains the exact result.
 
 #include <oracles/closed_forms.hpp>
 #include <oracles/exp.hpp>
@@ -14,17 +15,18 @@ namespace liecheck::enclosures {
 
 using namespace oracles;
 
-/// The allowed error of each block, relative to the scale that its header names. The oracles promise 1e-41
-/// (agreement.hpp); rounding a value of 100 correct digits to 168 bits costs 2^-168 = 2.7e-51.
+/// The allowed error of each block, relative to max(||exact||, scale) with the scale passed to near(). The oracles
+/// promise 1e-41 (agreement.hpp); rounding a value of 100 correct digits to 168 bits costs 2^-168 = 2.7e-51.
 inline constexpr double claim = 1e-50;
-/// A planted error is larger by this factor: the 49th digit is wrong.
+/// Negative control: Ledger::check adds an error of this many times the allowed one (for `claim`, in the 49th digit) to
+/// each value, and the comparison must then fail.
 inline constexpr double wrong = 10;
 
 /// The allowed error of the closed forms at 100 digits (334 bits): 1e-98 (theta / d)^2 for an angle theta at the
 /// distance d from 2 pi k (closed_forms.hpp).
 inline double claim_at_100_digits(const Real& theta) {
   if (theta < 1) return 1e-98;
-  if (theta > 1e25) return 1e-90;  // reduced with digits to spare
+  if (theta > 1e25) return 1e-90;  // there closed_forms.hpp reduces theta with more than 334 bits
   const Real period = 2 * boost::math::constants::pi<Real>(), periods = round(Real(theta / period));
   const Real d = periods == 0 ? theta : abs(Real(theta - periods * period)),
              loss = d < 1 ? Real(theta / d) : theta;

@@ -1,14 +1,16 @@
 #pragma once
-// First derivatives of inverse and forward dynamics, by tangent increments of q (integrate) and by v.
+// First derivatives of inverse and forward dynamics with respect to tangent increments of q (integrate) and to v.
 //
-// All in world axes at one point O. An increment s_k of joint j moves all that j carries rigidly. With p = parent(j), the
-// velocity and acceleration of every body i that j carries change, beside that rigid motion, by
+// All quantities are in world axes at one point O. An increment of joint j along column s_k of its motion subspace moves
+// the subtree of j (its body and all descendants) as one rigid body. With p = parent(j), the velocity and acceleration of
+// every body i of the subtree change, in addition to that rigid motion, by
 //
-//   by q_k:  dv_i = w,  da_i = z + w x v_i,  w = v_p x s,  z = a_p x s + v_p x w
-//   by v_k:  dv_i = s,  da_i = y + s x v_i,  y = (v_j + v_p) x s
+//   for q_k:  dv_i = w,  da_i = z + w x v_i,  w = v_p x s,  z = a_p x s + v_p x w
+//   for v_k:  dv_i = s,  da_i = y + s x v_i,  y = (v_j + v_p) x s
 //   df_i = I_i (z or y) + B_i (w or s),      B x = -I (v x x) + x x* (I v) + v x* (I x)
 //
-// and the force F_j through joint j changes by s x* F_j more. Carpentier & Mansard (2018); Singh, Russell & Wensing (2022).
+// For q_k the force F_j through joint j also moves with the subtree, which adds the change s x* F_j.
+// Carpentier & Mansard (2018); Singh, Russell & Wensing (2022).
 
 #include <liecheck/algorithms/aba.hpp>
 
@@ -59,8 +61,8 @@ void computeRNEADerivatives(const Model<S>& model, Data<S>& data, In<S> q, In<S>
   A[0] = Motion<S>(Vector3<S>(-model.gravity), Vector3<S>::Zero());
   for (std::size_t i = 1; i < model.joints.size(); ++i) {
     const std::size_t p = std::size_t(model.parents[i]);
-    // From O: summed along the tree, so that no digits are lost far from the world's origin. Parents come first: r[p] is
-    // from O already, r[i] still from p.
+    // r[i] becomes the vector from O to joint i, summed along the tree so that no digits are lost far from the world's
+    // origin. Parents come first: here r[p] starts at O already, r[i] still at joint p.
     work.r[i] = p == 0 ? Vector3<S>(oMi[i].translation() - O) : Vector3<S>(work.r[p] + work.r[i]);
     const SE3<S> X(oMi[i].rotation(), work.r[i]);
     Motion<S> relative = Motion<S>::Zero(), driven = Motion<S>::Zero();
@@ -113,8 +115,8 @@ void computeRNEADerivatives(const Model<S>& model, Data<S>& data, In<S> q, In<S>
   }
 }
 
-/// dqdd/dq, dqdd/dv and dqdd/dtau = M^-1 [nv x nv] of aba(q, v, tau, fext): -M^-1 times those of rnea at qdd. Throws
-/// SingularInertia. Updates liMi, oMi, ddq, M, Minv, dtau_dq, dtau_dv, ddq_dq, ddq_dv.
+/// dqdd/dq, dqdd/dv and dqdd/dtau = M^-1 [nv x nv] of aba(q, v, tau, fext). The first two are -M^-1 times dtau/dq and
+/// dtau/dv of rnea at a = qdd. Throws SingularInertia. Updates liMi, oMi, ddq, M, Minv, dtau_dq, dtau_dv, ddq_dq, ddq_dv.
 template <Scalar S>
 void computeABADerivatives(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, In<S> tau,
                            External<S> fext = {}) {

@@ -1,9 +1,9 @@
 #pragma once
 // Velocities and accelerations of joints and frames, in one of three reference frames.
 //
-//   LOCAL                reference point and axes of the frame itself
-//   WORLD                the world's axes, at the world's origin: its linear part is not the velocity of the frame
-//   LOCAL_WORLD_ALIGNED  the world's axes, at the frame's origin: its linear part is p_dot
+//   LOCAL                axes and origin of the frame itself
+//   WORLD                axes and origin of the world: the linear velocity is not that of the frame's own origin
+//   LOCAL_WORLD_ALIGNED  the world's axes, at the frame's origin: the linear velocity is p_dot
 //
 // Classical acceleration = spatial acceleration + (omega x u, 0); in LOCAL_WORLD_ALIGNED its linear part is p_ddot.
 
@@ -16,7 +16,7 @@ enum class ReferenceFrame { WORLD, LOCAL, LOCAL_WORLD_ALIGNED };
 
 namespace algorithms_detail {
 
-/// A frame at X_JF on a joint's moving side; of the joint itself, X_JF is the identity.
+/// A frame with pose X_JF in the frame of a joint's moving side. For the joint frame itself X_JF is the identity.
 template <Scalar S>
 struct Placed {
   std::size_t joint;
@@ -39,7 +39,7 @@ Placed<S> placedJoint(const Model<S>& model, const Data<S>& data, int joint) {
                                 std::to_string(model.njoints));
   return {std::size_t(joint), SE3<S>::Identity()};
 }
-/// V, given in LOCAL of a frame at X_WF, in another reference frame.
+/// Converts V, the velocity or acceleration of a frame at X_WF expressed in LOCAL, to another reference frame.
 template <Scalar S>
 Motion<S> expressed(const Motion<S>& V, const SE3<S>& X_WF, ReferenceFrame reference) {
   if (reference == ReferenceFrame::WORLD) return X_WF.act(V);

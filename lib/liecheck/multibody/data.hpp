@@ -58,7 +58,7 @@ class Data {
   Field<VectorX<S>> ddq;    ///< [nv; m/s^2, rad/s^2] acceleration of aba
   Field<Matrix6X<S>> J, dJ;   ///< [6 x nv] every joint's Jacobian in WORLD, and its time derivative
   Field<MatrixX<S>> M, Minv;  ///< [nv x nv] joint-space inertia and its inverse, both triangles
-  Field<MatrixX<S>> dtau_dq, dtau_dv, ddq_dq, ddq_dv;  ///< [nv x nv] by tangent increments of q, and by v
+  Field<MatrixX<S>> dtau_dq, dtau_dv, ddq_dq, ddq_dv;  ///< [nv x nv]; dq: tangent increment of q
   Field<S> kinetic_energy, potential_energy;           ///< [J]
   Field<Vector3<S>> com, vcom, acom;                   ///< centre of mass, in the world [m, m/s, m/s^2]
   Field<Matrix3X<S>> Jcom;                             ///< [3 x nv] vcom = Jcom v
@@ -72,8 +72,8 @@ class Data {
     Each<Vector3<S>> r;          ///< vector from the parent's origin, in world axes (derivatives.hpp: from O)
     Each<Motion<S>> velocity, bias;     ///< in world axes
     Each<Force<S>> force;               ///< in world axes
-    Each<CompositeInertia<S>> inertia;  ///< in world axes: of all bodies that a joint carries
-    Each<JoinedMass<S>> joined;         ///< masses of a joint and of its parent when they are joined
+    Each<CompositeInertia<S>> inertia;  ///< composite inertias of subtrees, in world axes
+    Each<JoinedMass<S>> joined;         ///< cached mass ratios for adding subtree i to its parent
     Each<Matrix6<S>> articulated, coriolis, D_factor;
     Matrix6X<S> S_columns, dS, U, z, w, y;  ///< [6 x ncolumns]
     Matrix6X<S> jacobian;                   ///< [6 x nv] result of the last Jacobian getter
@@ -82,7 +82,7 @@ class Data {
   };
   Work work;
 
-  /// Throws std::invalid_argument unless this Data was made of the model as it is now.
+  /// Throws std::invalid_argument unless this Data was made from this model in its current form.
   void check(const Model<S>& model) const {
     if (model.revision != revision_)
       throw std::invalid_argument(

@@ -32,7 +32,7 @@ class Model {
   int nq = 0, nv = 0, njoints = 0, nframes = 0;
 
   std::vector<std::string> names;       ///< of joints
-  std::vector<int> parents;             ///< of joint i: the joint that carries it
+  std::vector<int> parents;             ///< of joint i: its parent joint
   std::vector<SE3<S>> jointPlacements;  ///< X_PJ at q = neutral
   std::vector<Inertia<S>> inertias;     ///< of all bodies fixed to joint i, in its frame
   std::vector<Joint<S>> joints;
@@ -53,8 +53,8 @@ class Model {
   /// at the output of the gear [kg, kg m^2]. Armature enters the dynamics; friction and damping are stored, not used.
   VectorX<S> friction, damping, armature;
 
-  /// A number that changes with each joint and frame added, and that only copies of this model share: Data that was made
-  /// of another model, or before, is refused.
+  /// Changes whenever a joint or a frame is added, and is the same only in copies of this model. Data checks it and
+  /// refuses every other model, and its own model after such an addition.
   int revision = 0;
 
   Model() {
@@ -139,7 +139,7 @@ class Model {
     return getJointId(joint_name);
   }
 
-  /// The frame's index; nframes if there is none of that name. Precondition: one frame has that name.
+  /// The frame's index; nframes if there is none of that name. Throws std::invalid_argument if several have it.
   int getFrameId(const std::string& frame_name) const {
     if (frame_ids_.count(frame_name) > 1)
       throw std::invalid_argument("several frames are named '" + frame_name + "': say of which type");

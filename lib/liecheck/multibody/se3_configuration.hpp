@@ -56,7 +56,7 @@ struct Product {
   }
 };
 
-/// D = Q1 - s Q0 and vec(Q0* D), s = +-1, of the quaternions of q0 and q1.
+/// D = s Q1 - Q0 and v = vec(Q0* D), s = +-1, where Q0 and Q1 are the quaternions of q0 and q1.
 template <Scalar S>
 struct NearRotation {
   Vector4<S> D;
@@ -76,7 +76,7 @@ NearRotation<S> nearRotation(const Vector7<S>& q0, const Vector7<S>& q1, const S
   };
   return {D, Vector3<S>(entry(0, 1, 2), entry(1, 2, 0), entry(2, 0, 1))};
 }
-/// vec(Q0* D); where |v| < |D|/2 compensated in fast precision too.
+/// v = vec(Q0* D). Where |v| < |D|/2, fast precision uses compensated sums too.
 template <Scalar S, Precision P>
 [[gnu::noinline]] Vector3<S> nearRotationVector(const Vector7<S>& q0, const Vector7<S>& q1, const S& s) {
   const auto [D, v] = nearRotation<S, P>(q0, q1, s);
@@ -86,13 +86,13 @@ template <Scalar S, Precision P>
   return v;
 }
 
-/// log(Q0* Q1), from the product in double words: its vector part is accurate relative to itself however near the two
-/// rotations are.
+/// log(Q0* Q1), from the product in double words. The vector part of the product has full relative accuracy however
+/// near the two rotations are.
 ///
-/// Near poses: with D = Q1 - s Q0, s = sgn(Q0 . Q1), vec(Q0* Q1) = vec(Q0* D) because vec(Q0* Q0) = 0 exactly, and
-/// the subtraction is exact in all but small numbers; its products are summed in double words, because the
-/// difference of the norms may make D much longer than vec. Fast precision uses this form for |v| < 1/8, and double
-/// words where D is much longer.
+/// Near rotations: with s = sgn(Q0 . Q1) and D = s Q1 - Q0, s vec(Q0* Q1) = vec(Q0* D), because vec(Q0* Q0) = 0. The
+/// subtraction D is exact except in components that are small themselves. The products of Q0* D are summed with
+/// compensation, because D is much longer than vec(Q0* D) where the norms of Q0 and Q1 differ. Fast precision uses this
+/// form for |v| < 1/8, and compensates only where |v| < |D|/2.
 template <Scalar S, Precision P>
 [[gnu::always_inline]] inline exp_log_detail::RotationLogarithm<S, P> relativeLogarithm(
     const Vector7<S>& q0, const Vector7<S>& q1) {
@@ -115,8 +115,8 @@ template <Scalar S, Precision P>
                                                  DoubleWord<S>(excess));
 }
 
-/// integrateSE3 and differenceSE3 of translations that can be split (SO3::splittable); integrateFar and differenceFar
-/// scale larger ones down for that.
+/// integrateSE3 and differenceSE3 for translations so small that splitting them into a high and a low part does not
+/// overflow (SO3::splittable). integrateFar and differenceFar scale larger translations down first.
 template <Scalar S, Precision P>
 [[gnu::always_inline]] inline Vector7<S> integrate(const Vector7<S>& q, const Vector6<S>& delta) {
   const Vector3<S> phi(delta[3], delta[4], delta[5]);
@@ -163,7 +163,8 @@ template <Scalar S, Precision P>
   ();
   const Vector3<S> rho = log.arc(p);
   Vector6<S> delta;
-  // Not in a loop, which becomes wide loads of rho right after its narrow stores.
+  // Not in a loop: the compiler would vectorise it, and load rho in wide registers right after storing it number by
+  // number, which stalls (failed store forwarding).
   delta[0] = rho[0], delta[3] = log.phi[0];
   delta[1] = rho[1], delta[4] = log.phi[1];
   delta[2] = rho[2], delta[5] = log.phi[2];
@@ -181,8 +182,9 @@ template <Scalar S, Precision P>
 }  // namespace se3_configuration_detail
 
 /// T exp(delta) as [p; x y z w] with Q1 . Q0 >= 0: of Q1 and -Q1 the one nearer to Q0. Pose q [7; m], delta [6; m, rad].
-/// Error: rotation 2 eps, translation 4 eps of max(|p1|, |p0|, |rho|), for |phi| <= pi; beyond, the excess rule. Norm:
-/// ||Q1|^2 - 1| <= 3 eps + 3/4 d^2; the rotation is that of Q0/|Q0| for every d.
+/// Error: rotation 2 eps, translation 4 eps of max(|p1|, |p0|, |rho|), for |phi| <= pi; for larger |phi|, multiplied by
+/// the condition number (excess rule, docs/measuring.md). ||Q1|^2 - 1| <= 3 eps + 3/4 d^2; whatever d is, the rotation of
+/// the result is the one that Q0/|Q0| gives.
 template <Scalar S, Precision P = Precision::standard>
 Vector7<S> integrateSE3(const Vector7<S>& q, const Vector6<S>& delta) {
   return evaluate<S, P>(
@@ -211,8 +213,9 @@ Vector6<S> differenceSE3(const Vector7<S>& q0, const Vector7<S>& q1) {
       q0, q1);
 }
 
-/// The derivative of integrate by q (ARG0: Ad(exp(-delta))) or by delta (ARG1: J_r(delta)) [6 x 6]; neither depends on q.
-/// Error 6 eps of each 3 x 3 block for |phi| <= pi; beyond, the excess rule.
+/// The derivative of integrate with respect to q (ARG0: Ad(exp(-delta))) or delta (ARG1: J_r(delta)) [6 x 6]; neither
+/// depends on q. Error 6 eps of each 3 x 3 block for |phi| <= pi; for larger |phi|, multiplied by the condition number
+/// (excess rule, docs/measuring.md).
 template <Scalar S, Precision P = Precision::standard>
 Matrix6<S> dIntegrateSE3(const Vector7<S>&, const Vector6<S>& delta, ArgumentPosition argument) {
   return evaluate<S, P>(
@@ -229,8 +232,8 @@ Matrix6<S> dIntegrateSE3(const Vector7<S>&, const Vector6<S>& delta, ArgumentPos
       delta);
 }
 
-/// The derivative of difference by q0 (ARG0: -J_l^-1) or by q1 (ARG1: J_r^-1) [6 x 6]. At |phi| = pi it is that of the
-/// branch which differenceSE3 returns. Error, that of difference included: 4.2 eps of a rotation block,
+/// The derivative of difference with respect to q0 (ARG0: -J_l^-1) or q1 (ARG1: J_r^-1) [6 x 6]. At |phi| = pi it is
+/// that of the branch which differenceSE3 returns. Error, that of difference included: 4.2 eps of a rotation block,
 /// 7.5 eps of the coupling block.
 template <Scalar S, Precision P = Precision::standard>
 Matrix6<S> dDifferenceSE3(const Vector7<S>& q0, const Vector7<S>& q1, ArgumentPosition argument) {
@@ -244,8 +247,9 @@ Matrix6<S> dDifferenceSE3(const Vector7<S>& q0, const Vector7<S>& q1, ArgumentPo
       q0, q1);
 }
 
-/// The derivative of the seven stored numbers by a body-fixed increment, at zero increment [7 x 6]:
-/// [R, 0; 0, 1/2 (w I + [v])] over [0, -1/2 v^T], R of Q/|Q|, v and w of the stored Q. Error 2 eps.
+/// The derivative of the seven stored numbers with respect to a body-fixed increment, at zero increment [7 x 6]:
+/// [R, 0; 0, 1/2 (w I + [v]); 0, -1/2 v^T], with R the rotation matrix of Q/|Q|, and v, w those of the stored Q. Error
+/// 2 eps.
 template <Scalar S>
 Eigen::Matrix<S, 7, 6> integrateCoeffWiseJacobianSE3(const Vector7<S>& q) {
   const SO3<S> Q(Vector4<S>(q.template tail<4>()));

@@ -37,7 +37,7 @@ struct Storage<S, N> {
 
 }  // namespace simd_detail
 
-/// N numbers v[i]; every operation gives in each place, bit for bit, what S itself gives.
+/// N numbers v[i]. Every operation gives in each lane the same bits as the operation of S.
 template <class S, int N>
 struct Simd {
   using Lane = S;
@@ -101,7 +101,7 @@ struct Simd {
   Simd& operator+=(const Simd& b) { return *this = *this + b; }
   Simd& operator*=(const Simd& b) { return *this = *this * b; }
 
-  /// (f(0), ..., f(N - 1)): the compiler makes one instruction of it where there is one.
+  /// (f(0), ..., f(N - 1)); the compiler merges the N operations into one vector instruction where the target has it.
   template <class F>
   [[gnu::always_inline]] static Simd each(F f) {
     if constexpr (in_register) {
@@ -115,7 +115,7 @@ struct Simd {
       (std::make_integer_sequence<int, N>());
     }
   }
-  /// Found before the library's by argument-dependent look-up; fused where that of S is.
+  /// Chosen over the library's generic mul_add by argument-dependent look-up; fused where mul_add of S is.
   [[gnu::always_inline]] friend Simd mul_add(const Simd& a, const Simd& b, const Simd& c) {
 #if defined(__FMA__)
     if constexpr (std::floating_point<S>)
@@ -149,7 +149,7 @@ struct Simd {
   friend Simd ldexp(const Simd& a, int e) {
     return a * Simd(std::ldexp(S(1), e));
   }
-  /// In all N places.
+  /// isfinite(a) and a < b are true if they hold in all N lanes.
   friend bool isfinite(const Simd& a) {
     bool all = true;
     for (int i = 0; i < N; ++i) all = all && std::isfinite(a.v[i]);

@@ -1,5 +1,6 @@
 #pragma once
-// attitude_error: the angle between a run and a reference motion by gauss12 in `refinement` times the steps.
+// attitude_error: the angle between the simulated motion and a reference motion, which gauss12 integrates with
+// `refinement` times as many steps.
 
 #include <liecheck/scene/observers/registry.hpp>
 #include <liecheck/scene/scene.hpp>
@@ -12,8 +13,9 @@ class AttitudeError {
   AttitudeError(const Scene& scene, const Sys& system, const Parameters& p)
       : scene_(scene), refinement_(long(p.number("refinement"))), reference_(startOf(scene, system)) {}
 
-  /// The largest angle [rad] between the quaternions of a joint in `state`, which is that after step n, and in the
-  /// reference motion. go_on is asked during the integration; false throws Interrupted.
+  /// The largest angle [rad], over all joints with a quaternion, between `state` (the state after step n) and the
+  /// reference motion at the same time. go_on is called while the reference is integrated; if it returns false,
+  /// Interrupted is thrown.
   double sample(Sys& system, const State<Sys>& state, long n, const std::function<bool()>& go_on);
   double largest() const { return largest_; }
 

@@ -15,7 +15,8 @@ namespace liecheck::urdf_detail {
 /// number, not finite, or outside the range of double.
 std::optional<std::vector<double>> numbersIn(std::string_view text);
 
-/// Throws UrdfError unless the attributes below e that URDF defines as numbers are present and finite.
+/// Checks the numeric attributes of all elements below e: throws UrdfError if one that URDF requires is missing, or if
+/// one does not hold the right count of finite numbers.
 void checkNumbersBelow(const tinyxml2::XMLElement& e, const Messages& messages);
 
 /// An attribute of e, which checkNumbersBelow has checked; fallback where it is missing.

@@ -13,7 +13,7 @@ struct Prismatic : LinearCoordinates<S, 1> {
   explicit Prismatic(const Axis<S>& unit_axis) : axis(unit_axis) {}
   explicit Prismatic(const Vector3<S>& direction) : axis(direction) {}
 
-  /// X_PJ (I, q axis).
+  /// X_PJ times the pose with rotation I and translation q axis.
   SE3<S> transform(const SE3<S>& X_PJ, const Vector1<S>& q) const {
     return SE3<S>(X_PJ.rotation(), X_PJ.act(Vector3<S>(q[0] * axis.to_vector())));
   }

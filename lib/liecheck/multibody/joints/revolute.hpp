@@ -13,7 +13,7 @@ struct Revolute : LinearCoordinates<S, 1> {
   explicit Revolute(const Axis<S>& unit_axis) : axis(unit_axis) {}
   explicit Revolute(const Vector3<S>& direction) : axis(direction) {}
 
-  /// X_PJ (R(axis, q), 0). Error 4 eps.
+  /// X_PJ times the pose with rotation R(axis, q) and translation 0. Error 4 eps.
   [[gnu::always_inline]] SE3<S> transform(const SE3<S>& X_PJ, const Vector1<S>& q) const {
     using std::cos, std::sin;
     return SE3<S>(axis.rotated(X_PJ.rotation(), S(cos(q[0])), S(sin(q[0]))), X_PJ.translation());
