@@ -193,24 +193,26 @@ consteval Typed<Id, Bound, Result, Arguments...> operation(Text text, const Valu
   return {{text.name, text.definition, text.source, {&arguments...}, {&result}, blocks, call}};
 }
 
+template <class S, class O>
+struct Slot {
+  typename O::template Function<S> function = nullptr;
+};
+
 /// The functions of a subject in one scalar, by operation: slots[op::exp6]. A null one is not offered.
 template <class S, const auto&... Operations>
-class Slots {
-  template <class O>
-  struct Slot {
-    typename O::template Function<S> function = nullptr;
-  };
-  struct All : Slot<std::remove_cvref_t<decltype(Operations)>>... {
-  } all_;
-
+class Slots : Slot<S, std::remove_cvref_t<decltype(Operations)>>... {
  public:
   template <class O>
   auto& operator[](const O&) {
-    return static_cast<Slot<O>&>(all_).function;
+    return static_cast<Slot<S, O>&>(*this).function;
   }
   template <class O>
   const auto& operator[](const O&) const {
-    return static_cast<const Slot<O>&>(all_).function;
+    return static_cast<const Slot<S, O>&>(*this).function;
+  }
+  /// Copies one operation's function.
+  void take(const Operation& operation, const Slots& from) {
+    ((&Operations == &operation ? void((*this)[Operations] = from[Operations]) : void()), ...);
   }
   /// visit(operation), for each.
   template <class Visit>

@@ -1,7 +1,7 @@
 #pragma once
 // The library's operations in scalars that no law of the campaign runs in.
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <oracles/real.hpp>
 #include <subjects/subject.hpp>
 #ifdef LIECHECK_QD
 #include <qd/dd_real.h>
@@ -16,10 +16,8 @@ inline dd_real frexp(const dd_real& a, int* exponent) {
 namespace liecheck::properties {
 
 /// 168 and 334 bits, without allocations.
-using Digits50 =
-    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
-using Digits100 =
-    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<100>, boost::multiprecision::et_off>;
+using Digits50 = oracles::Real;
+using Digits100 = oracles::Real100;
 
 /// Everything but robots and the checked entrance. In float128, Digits50, Digits100 and, where QD is installed, dd_real.
 template <class S>

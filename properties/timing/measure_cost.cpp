@@ -75,11 +75,13 @@ void add_scalar(CostPlan& plan, const std::string& scalar, const Laws& laws) {
   for (auto& law : make_properties<S>()) laws_in_S.emplace(law->name(), std::move(law));
   add_cost_rows<S, S>(plan, scalar, static_cast<double>(std::numeric_limits<S>::epsilon()),
                       subjects_of<S>(plan), plan.options.inputs_per_band, true, laws,
-                      [&](const auto& operation, const Property<double>& law, auto f,
-                          const std::vector<std::vector<S>>& inputs) {
+                      [&](const Operation& operation, const Property<double>& law, const Subject<S>& subject,
+                          const Signature&, AnyFunction) -> Score<S> {
                         Subject<S> only;
-                        only.operations[operation] = f;
-                        return score(*laws_in_S.at(law.name()), operation, only, inputs);
+                        only.operations.take(operation, subject.operations);
+                        return [only, &operation, &law = *laws_in_S.at(law.name())](const auto& inputs) {
+                          return score(law, operation, only, inputs);
+                        };
                       });
 }
 
@@ -125,8 +127,8 @@ CostResult measure_cost(const CostOptions& options) {
 
   std::vector<Timed> timed;
   for (const TimedSet& t : plan.timed)
-    for (const auto* pass : {&t.loops.throughput, &t.loops.latency})
-      timed.push_back({*pass, t.loops.calls, {}, {}});
+    for (const auto pass : {&Signature::throughput, &Signature::latency})
+      timed.push_back({t.pass(pass), t.n, {}, {}});
   CostResult result{options, {}, false, 0, ""};
   result.no_counter =
       run_interleaved(timed, {options.seconds, options.repetitions, options.stop, options.progress});

@@ -2,18 +2,30 @@
 // One scalar's rows: every operation of every subject, scored, and ready to be timed.
 
 #include <algorithm>
+#include <functional>
+#include <subjects/subject.hpp>
 #include <timing/arguments.hpp>
 #include <timing/benchmarks.hpp>
 #include <timing/cost.hpp>
 #include <timing/inputs.hpp>
-#include <timing/loops.hpp>
+#include <timing/signature.hpp>
 
 namespace liecheck::properties {
 
-/// The row and the set that receive the times of these loops.
+/// n calls of one function, and the row and the set that receive their times.
 struct TimedSet {
   std::size_t row, set;
-  Loops loops;
+  Signature signature;
+  AnyFunction function;
+  std::shared_ptr<const char> arguments;
+  std::size_t first, n;
+
+  using Pass = void (*Signature::*)(AnyFunction, const char*, std::size_t);
+  std::function<void()> pass(Pass which) const {
+    return [run = signature.*which, f = function, from = arguments.get() + first * signature.size, n = n] {
+      run(f, from, n);
+    };
+  }
 };
 
 struct CostPlan {
@@ -38,66 +50,80 @@ std::vector<std::vector<S>> cost_inputs(const std::vector<Field>& fields, std::u
   return all;
 }
 
-/// All bands together are called in an order that a processor cannot foresee.
-template <class T>
-void shuffle(std::vector<T>& all, std::uint64_t seed) {
-  Source source({seed, 0, 0, 0x6d6978});
-  for (std::size_t n = all.size(); n > 1; --n) std::swap(all[n - 1], all[source.below(n)]);
-}
+/// The errors of one operation of one subject on inputs in the scalar Input, by block.
+template <class Input>
+using Score = std::function<std::vector<BlockErrors>(const std::vector<std::vector<Input>>& inputs)>;
 
-/// The row of one operation for each subject that offers it. score(operation, law, function, inputs) -> blocks. Input is
-/// the scalar in which inputs are sampled; S holds it exactly. bands: time each band as well as all together.
-template <class S, class Input, class Score, class Op, class R, class... A>
-void add_operation_rows(CostPlan& plan, const CostRow& common, const std::vector<const Subject<S>*>& subjects,
-                        std::size_t each, bool bands, const Property<double>& law, const Score& score,
-                        const Op& operation, R (*)(const A&...)) {
+/// An operation of a subject. score: null for what is timed only.
+template <class Input>
+struct Offered {
+  std::string subject, version;
+  AnyFunction function;
+  Score<Input> score;
+};
+
+/// The row of one operation for each subject that offers it. bands: time each band as well as all together.
+template <class Input>
+void add_operation_rows(CostPlan& plan, const CostRow& common, std::size_t each, bool bands,
+                        const Property<double>& law, const Operation& operation, const Signature& signature,
+                        const std::vector<Offered<Input>>& all) {
   const std::vector<Field> fields = law.fields();
-  const FieldPositions positions(fields);
-  const auto flat = cost_inputs<Input>(fields, plan.options.seed, each);
-  std::vector<std::tuple<A...>> tuples;
-  for (const auto& x : flat)
-    tuples.push_back(arguments_of(operation, positions, std::vector<S>(x.begin(), x.end())));
-  const auto inputs = std::make_shared<const std::vector<std::tuple<A...>>>(tuples);
-  shuffle(tuples, plan.options.seed);
-  const auto shuffled = std::make_shared<const std::vector<std::tuple<A...>>>(std::move(tuples));
-  const auto add = [&](const std::string& subject, const std::string& version, R (*f)(const A&...),
-                       bool scored) {
+  const auto inputs = cost_inputs<Input>(fields, plan.options.seed, each);
+  std::vector<std::vector<double>> numbers;
+  for (const auto& x : inputs) numbers.push_back(FieldPositions(fields).arguments_of(operation, x));
+  const auto in_order = signature.arguments(numbers);
+  // All bands together are called in an order that a processor cannot foresee.
+  Source source({plan.options.seed, 0, 0, 0x6d6978});
+  for (std::size_t n = numbers.size(); n > 1; --n) std::swap(numbers[n - 1], numbers[source.below(n)]);
+  const auto shuffled = signature.arguments(numbers);
+  for (const Offered<Input>& offered : all) {
     CostRow row = common;
-    row.subject = subject, row.version = version;
-    const bool by_band = bands && subject.find('@') == std::string::npos;  // other flags: all together
-    CostSet mixed{"mixed", flat.size(), {}, {}, 0, {}};
+    row.subject = offered.subject, row.version = offered.version;
+    const bool by_band = bands && row.subject.find('@') == std::string::npos;  // other flags: all together
+    CostSet mixed{"mixed", inputs.size(), {}, {}, 0, {}};
     for (std::size_t b = 0; b < cost_bands.size() && !plan.stopped(); ++b) {
-      const auto from = flat.begin() + static_cast<std::ptrdiff_t>(b * each);
+      const auto from = inputs.begin() + static_cast<std::ptrdiff_t>(b * each);
       CostSet set{cost_bands[b].name, each, {}, {}, 0, {}};
-      if (scored)
-        set.blocks = score(operation, law, f,
-                           std::vector<std::vector<Input>>(from, from + static_cast<std::ptrdiff_t>(each)));
+      if (offered.score) set.blocks = offered.score({from, from + static_cast<std::ptrdiff_t>(each)});
       merge_blocks(mixed.blocks, set.blocks);
-      if (by_band) plan.timed.push_back({plan.rows.size(), b, loops_of<R, A...>(f, inputs, b * each, each)});
+      if (by_band)
+        plan.timed.push_back({plan.rows.size(), b, signature, offered.function, in_order, b * each, each});
       row.sets.push_back(std::move(set));
     }
     if (plan.stopped()) return;
-    plan.timed.push_back({plan.rows.size(), row.sets.size(), loops_of<R, A...>(f, shuffled, 0, flat.size())});
+    plan.timed.push_back(
+        {plan.rows.size(), row.sets.size(), signature, offered.function, shuffled, 0, inputs.size()});
     row.sets.push_back(std::move(mixed));
     plan.rows.push_back(std::move(row));
-  };
-  const auto rows_before = plan.rows.size();
-  for (const Subject<S>* s : subjects)
-    if (s->operations[operation]) add(s->name, s->version, s->operations[operation], true);
-  if (plan.rows.size() > rows_before) add("call", "", &timing_detail::call_only<R, A...>, false);
+  }
 }
 
-/// The rows of every operation that a subject offers and a law measures.
-template <class S, class Input, class Score>
+/// The rows of every operation that a subject offers and a law measures. Input is the scalar in which inputs are sampled;
+/// S holds it exactly. score(operation, law, subject, signature, function) is the Score of one subject's function.
+template <class S, class Input, class MakeScore>
 void add_cost_rows(CostPlan& plan, const std::string& scalar, double eps,
                    const std::vector<const Subject<S>*>& subjects, std::size_t each, bool bands,
-                   const std::vector<std::unique_ptr<Property<double>>>& laws, const Score& score) {
-  SpatialSlots<S>::for_each([&]<class Op>(const Op& operation) {
+                   const std::vector<std::unique_ptr<Property<double>>>& laws, const MakeScore& score) {
+  const auto add = [&](const Operation& operation, const Signature& signature,
+                       const std::vector<AnyFunction>& functions) {
     const Property<double>* law = law_of(operation, laws);
-    if (!law || plan.stopped() || !plan.wants(plan.options.operations, std::string(operation.name))) return;
-    const CostRow common{"", "", scalar, std::string(operation.name), eps, {}};
-    const typename Op::template Function<S> signature = nullptr;
-    add_operation_rows<S, Input>(plan, common, subjects, each, bands, *law, score, operation, signature);
+    const std::string name(operation.name);
+    if (!law || plan.stopped() || !plan.wants(plan.options.operations, name)) return;
+    std::vector<Offered<Input>> offered;
+    for (std::size_t i = 0; i < subjects.size(); ++i)
+      if (const AnyFunction f = functions[i])
+        offered.push_back(
+            {subjects[i]->name, subjects[i]->version, f, score(operation, *law, *subjects[i], signature, f)});
+    if (offered.empty()) return;
+    offered.push_back({"call", "", signature.call_only, nullptr});
+    const CostRow common{"", "", scalar, name, eps, {}};
+    add_operation_rows<Input>(plan, common, each, bands, *law, operation, signature, offered);
+  };
+  SpatialSlots<S>::for_each([&]<class Op>(const Op& operation) {
+    std::vector<AnyFunction> functions;
+    for (const Subject<S>* s : subjects)
+      functions.push_back(reinterpret_cast<AnyFunction>(s->operations[operation]));
+    add(operation, signature_of<S>(typename Op::template Function<S>(nullptr)), functions);
   });
 }
 

@@ -2,7 +2,7 @@
 
 #include <boost/multiprecision/eigen.hpp>
 #include <subjects/wide_scalars.hpp>
-#include <timing/wide.hpp>
+#include <timing/wide_errors.hpp>
 
 namespace liecheck::properties {
 namespace {
@@ -11,6 +11,21 @@ namespace {
 const RegisteredAbsent absent("liecheck in double-double (QD)");
 #endif
 
+/// The errors of a function on arguments that are doubles, which its scalar holds exactly.
+Score<double> wide_score(const Operation& operation, const Property<double>& law, const Signature& signature,
+                         AnyFunction f, double eps) {
+  return [&operation, fields = law.fields(), signature, f, eps](const auto& inputs) {
+    std::vector<BlockErrors> blocks;
+    for (const auto& x : inputs) {
+      WideNumbers in, out;
+      const auto arguments = signature.arguments({FieldPositions(fields).arguments_of(operation, x)});
+      signature.call(f, arguments.get(), in, out);
+      add_wide_errors(blocks, operation, eps, in, out);
+    }
+    return blocks;
+  };
+}
+
 template <class T>
 void add_tier(CostPlan& plan, const std::string& scalar, int digits, std::size_t each,
               const std::vector<std::unique_ptr<Property<double>>>& laws) {
@@ -18,14 +33,9 @@ void add_tier(CostPlan& plan, const std::string& scalar, int digits, std::size_t
   static const Subject<T> library{"liecheck", liecheck_version(), wide_scalar_operations<T>(), {}};
   const double eps = std::ldexp(1.0, 1 - digits);
   add_cost_rows<T, double>(plan, scalar, eps, {&library}, each, false, laws,
-                           [&](const auto& operation, const Property<double>& law, auto f,
-                               const std::vector<std::vector<double>>& inputs) {
-                             Operations<T> only;
-                             only[operation] = f;
-                             WideScore<T> score(only, eps);
-                             score.add_all(operation, law, inputs);
-                             return std::move(score.blocks);
-                           });
+                           [&](const Operation& operation, const Property<double>& law, const Subject<T>&,
+                               const Signature& signature,
+                               AnyFunction f) { return wide_score(operation, law, signature, f, eps); });
 }
 
 }  // namespace

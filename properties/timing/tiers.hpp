@@ -5,7 +5,7 @@
 
 namespace liecheck::properties {
 
-/// Rows of double-double (QD, where it is installed), float128 and of 50 and 100 digits (Boost's cpp_bin_float), where the options want them.
+/// Rows of double-double (QD, where it is installed), float128 and of 50 and 100 digits (MPFR), where the options want them.
 void add_tiers(CostPlan& plan, const std::vector<std::unique_ptr<Property<double>>>& laws);
 
 }  // namespace liecheck::properties

@@ -10,7 +10,7 @@
 #include <timing/kernels.hpp>
 #include <timing/rows.hpp>
 #include <timing/score.hpp>
-#include <timing/wide.hpp>
+#include <timing/wide_errors.hpp>
 
 namespace {
 
@@ -88,10 +88,13 @@ double nanoseconds(const std::function<void()>& pass, std::size_t calls) {
 }
 
 TEST(Loops, LatencyWaitsForTheLastResultAndThroughputDoesNot) {
-  using Inputs = std::vector<std::tuple<Vec<double, 3>>>;
-  const auto inputs = std::make_shared<const Inputs>(640, Vec<double, 3>(1, 2, 3));
-  const Loops l = loops_of<Vec<double, 3>, Vec<double, 3>>(&chain, inputs, 0, 640);
-  EXPECT_GT(nanoseconds(l.latency, l.calls), 1.5 * nanoseconds(l.throughput, l.calls));
+  const Signature s = signature_of<double>(&chain);
+  const std::size_t n = 640;
+  const auto arguments = s.arguments(std::vector<std::vector<double>>(n, {1, 2, 3}));
+  const auto time = [&](auto pass) {
+    return nanoseconds([&] { pass(reinterpret_cast<AnyFunction>(&chain), arguments.get(), n); }, n);
+  };
+  EXPECT_GT(time(s.latency), 1.5 * time(s.throughput));
 }
 
 TEST(Benchmarks, EveryRowIsRepeatedAndAStopKeepsWhatIsDone) {
@@ -108,22 +111,32 @@ TEST(Benchmarks, EveryRowIsRepeatedAndAStopKeepsWhatIsDone) {
   EXPECT_EQ(kept, 9U);
 }
 
-/// The operation of both tables, its law's error and that of the closed forms at 100 digits.
-void compare_scores(const Subject<double>& subject) {
+/// The errors of every operation by its law, and by the closed forms at 100 digits.
+TEST(WideErrors, AgreeWithTheLawsInDouble) {
+  const auto all = subjects<double>();
+  const Subject<double>& subject =
+      **std::find_if(all.begin(), all.end(), [](const auto* s) { return s->name == "liecheck"; });
   const auto laws = make_properties<double>();
   SpatialSlots<double>::for_each([&](const auto& operation) {
     const std::string name(operation.name);
+    const auto function = subject.operations[operation];
     const Property<double>* law = law_of(operation, laws);
-    ASSERT_TRUE(law) << name;
-    if (!subject.operations[operation]) return;
+    ASSERT_TRUE(law && function) << name;
     Subject<double> only;
-    only.operations[operation] = subject.operations[operation];
-    const auto inputs = cost_inputs<double>(law->fields(), 42, 4);
+    only.operations.take(operation, subject.operations);
+    const Signature signature = signature_of<double>(function);
+    const auto fields = law->fields();
+    const auto inputs = cost_inputs<double>(fields, 42, 4);
     const auto blocks = score(*law, operation, only, inputs);
-    WideScore<double> wide(only.operations, 0x1p-52);
-    wide.add_all(operation, *law, inputs);
-    EXPECT_FALSE(wide.blocks.empty()) << name;
-    for (const BlockErrors& w : wide.blocks) {
+    std::vector<BlockErrors> wide;
+    for (const auto& x : inputs) {
+      WideNumbers in, out;
+      const auto arguments = signature.arguments({FieldPositions(fields).arguments_of(operation, x)});
+      signature.call(reinterpret_cast<AnyFunction>(function), arguments.get(), in, out);
+      add_wide_errors(wide, operation, 0x1p-52, in, out);
+    }
+    EXPECT_FALSE(wide.empty()) << name;
+    for (const BlockErrors& w : wide) {
       const auto found =
           std::find_if(blocks.begin(), blocks.end(), [&](auto& b) { return b.block == w.block; });
       ASSERT_NE(found, blocks.end()) << name << " " << w.block;
@@ -131,7 +144,7 @@ void compare_scores(const Subject<double>& subject) {
       const bool matrix =
           w.block == "rotation" && name.find("quaternion") == std::string::npos && name != "integrate";
       for (std::size_t i = 0; i < w.errors.size(); ++i) {
-        // A matrix: with its defect, of at most a few eps.
+        // The error of a rotation matrix contains its defect here, which is at most a few eps.
         const double slack = matrix ? 4 : 1e-6 * std::max(1.0, w.errors[i]);
         EXPECT_NEAR(found->errors[i], w.errors[i], slack) << name << " " << w.block << " " << i;
       }
@@ -152,11 +165,6 @@ TEST(Kernels, AFolderWithoutAnyAndAnotherLayoutAreErrors) {
     EXPECT_NE(std::string(e.what()).find("gcc.so"), std::string::npos) << e.what();
   }
   std::filesystem::remove_all(folder);
-}
-
-TEST(WideScore, AgreesWithTheLawsInDouble) {
-  for (const auto* s : subjects<double>())
-    if (s->name == "liecheck") compare_scores(*s);
 }
 
 }  // namespace

@@ -1,0 +1,154 @@
+#pragma once
+// What timing needs to know of a function R(const A&...), for code that does not know these types: how its arguments
+// are made and read, and one pass over a set of them, whose calls wait for one another or not. The passes are the same
+// code for every subject.
+
+#include <cstdint>
+#include <cstring>
+#include <memory>
+#include <operations/values.hpp>
+#include <timing/wide_errors.hpp>
+#include <tuple>
+
+namespace liecheck::properties {
+
+/// A function of a subject, without its type.
+using AnyFunction = void (*)();
+
+struct Signature {
+  /// The arguments of all calls, one std::tuple<A...> after another, from their numbers in the order of the layouts.
+  std::shared_ptr<const char> (*arguments)(const std::vector<std::vector<double>>& numbers);
+  std::size_t size;  ///< of one std::tuple<A...> in bytes
+  /// A pass over n of them.
+  void (*throughput)(AnyFunction, const char* arguments, std::size_t n);
+  void (*latency)(AnyFunction, const char* arguments, std::size_t n);
+  /// One call, with the exact values of what goes in and comes out.
+  void (*call)(AnyFunction, const char* arguments, WideNumbers& in, WideNumbers& out);
+  /// The shortest function of this signature: every number of the result is the first number given.
+  AnyFunction call_only;
+};
+
+namespace timing_detail {
+
+/// visit(matrix or scalar), for each part of a value in the order of its layout.
+template <class Value>
+void for_each_part(Value& v, auto visit) {
+  if constexpr (requires { v.I_C; })  // a body
+    visit(v.mass), visit(v.c), visit(v.I_C);
+  else if constexpr (requires { v.p; })  // a pose
+    visit(v.R), visit(v.p);
+  else
+    visit(v);
+}
+/// visit(number), for each number of a value; matrices row by row.
+template <class Value>
+void for_each_number(Value& value, auto visit) {
+  for_each_part(value, [&](auto& part) {
+    if constexpr (requires { part.rows(); }) {
+      for (int i = 0; i < part.rows(); ++i)
+        for (int j = 0; j < part.cols(); ++j) visit(part(i, j));
+    } else {
+      visit(part);
+    }
+  });
+}
+
+/// Zero, which the compiler cannot know.
+inline std::size_t opaque_zero() {
+  volatile std::size_t zero = 0;
+  return zero;
+}
+
+/// Some bits of the first, a middle and the last number of each part of a result: the last is written last, and the
+/// middle one is in the other block of a vector or Jacobian.
+template <class R>
+std::size_t bits_of(const R& result) {
+  std::size_t bits = 0;
+  for_each_part(result, [&](const auto& part) {
+    const auto add = [&](const auto& number) {
+      std::uint32_t word;
+      std::memcpy(&word, &number, sizeof word);
+      bits ^= word;
+    };
+    if constexpr (requires { part.rows(); })
+      for (const auto i : {Eigen::Index(0), part.size() / 2, part.size() - 1}) add(part.data()[i]);
+    else
+      add(part);
+  });
+  return bits;
+}
+
+template <class R, class A, class... Rest>
+R call_only(const A& a, const Rest&...) {
+  R r;
+  const auto* first = [&] {
+    if constexpr (requires { a.mass; })
+      return &a.mass;
+    else if constexpr (requires { a.p; })
+      return a.R.data();
+    else
+      return a.data();
+  }();
+  for_each_part(r, [&](auto& part) {
+    if constexpr (requires { part.rows(); })
+      part.setConstant(*first);
+    else
+      part = *first;
+  });
+  return r;
+}
+
+template <class S, class R, class... A>
+struct Passes {
+  using Arguments = std::tuple<A...>;
+  using Function = R (*)(const A&...);
+
+  static std::shared_ptr<const char> arguments(const std::vector<std::vector<double>>& numbers) {
+    const std::shared_ptr<Arguments[]> all(new Arguments[numbers.size()]);
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      const double* next = numbers[i].data();
+      std::apply([&](A&... a) { (for_each_number(a, [&](S& x) { x = S(*next++); }), ...); }, all[i]);
+    }
+    return {all, reinterpret_cast<const char*>(all.get())};
+  }
+  static void throughput(AnyFunction function, const char* arguments, std::size_t n) {
+    const auto f = reinterpret_cast<Function>(function);
+    const auto* x = reinterpret_cast<const Arguments*>(arguments);
+    for (const auto* const end = x + n; x != end; ++x) {
+      const R r = std::apply(f, *x);
+      asm volatile("" : : "r"(&r) : "memory");
+    }
+  }
+  /// The address of the next arguments depends on the last result.
+  static void latency(AnyFunction function, const char* arguments, std::size_t n) {
+    const auto f = reinterpret_cast<Function>(function);
+    const std::size_t zero = opaque_zero();
+    const auto* x = reinterpret_cast<const Arguments*>(arguments);
+    for (std::size_t i = 0; i < n; ++i) {
+      const R r = std::apply(f, *x);
+      x += 1 + (bits_of(r) & zero);
+    }
+  }
+  static void call(AnyFunction function, const char* arguments, WideNumbers& in, WideNumbers& out) {
+    const auto& x = *reinterpret_cast<const Arguments*>(arguments);
+    const auto append_to = [](WideNumbers& all) {
+      return [&](const S& number) { all.push_back(wide(number)); };
+    };
+    std::apply([&](const A&... a) { (for_each_number(a, append_to(in)), ...); }, x);
+    const R r = std::apply(reinterpret_cast<Function>(function), x);
+    for_each_number(r, append_to(out));
+  }
+};
+
+}  // namespace timing_detail
+
+/// S: the scalar of the arguments, which holds their numbers exactly.
+template <class S, class R, class... A>
+Signature signature_of(R (*)(const A&...)) {
+  using P = timing_detail::Passes<S, R, A...>;
+  return {&P::arguments,  sizeof(std::tuple<A...>),
+          &P::throughput, &P::latency,
+          &P::call,       reinterpret_cast<AnyFunction>(&timing_detail::call_only<R, A...>)};
+}
+
+}  // namespace liecheck::properties
