@@ -1,6 +1,6 @@
 #pragma once
-// Forward dynamics by the articulated-body algorithm: Featherstone (2008), table 7.1. All quantities are in world axes
-// at each joint's origin, so the transform to the parent is a translation by r.
+// Forward dynamics by the articulated-body algorithm: Featherstone (2008), table 7.1. All quantities are in
+// world axes at each joint's origin, so the transform to the parent is a translation by r.
 //
 //   U = I^A S, D = S^T U + armature, u = tau - S^T p^A
 //   I^A_p += X* (I^A - U D^-1 U^T) X^-1,   p^A_p += X* (p^A + I^a c + U D^-1 u),   c = v x S qd
@@ -13,7 +13,8 @@ namespace liecheck {
 
 namespace algorithms_detail {
 
-/// Adds I^A to sum with its reference point moved by -r:  B' = B - A [r],  D' = D + [r] B' + ([r] B)^T,  I^A = [A, B; B^T, D].
+/// Adds I^A to sum with its reference point moved by -r:  B' = B - A [r],  D' = D + [r] B' + ([r] B)^T,  I^A
+/// = [A, B; B^T, D].
 template <Scalar S>
 void addShifted(Matrix6<S>& sum, const Matrix6<S>& I, const Vector3<S>& r) {
   const Matrix3<S> A = I.template topLeftCorner<3, 3>(), B = I.template topRightCorner<3, 3>();
@@ -30,7 +31,8 @@ void addShifted(Matrix6<S>& sum, const Matrix6<S>& I, const Vector3<S>& r) {
   sum.template bottomRightCorner<3, 3>() += I.template bottomRightCorner<3, 3>() + r_moved + r_B.transpose();
 }
 
-/// The Cholesky factor L of D = L L^T > 0 [N x N], or 1 / D if N = 1. Throws SingularInertia if the joint moves no inertia.
+/// The Cholesky factor L of D = L L^T > 0 [N x N], or 1 / D if N = 1. Throws SingularInertia if the joint
+/// moves no inertia.
 template <int N, Scalar S>
 Eigen::Matrix<S, N, N> factorOf(const Model<S>& model, int joint, const Eigen::Matrix<S, N, N>& D,
                                 const Eigen::Matrix<S, N, 1>& scale) {
@@ -143,7 +145,8 @@ const VectorX<S>& aba(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, In
   return ddq;
 }
 
-// Explicit instantiations for float and double: instantiations_*.cpp. Other scalars are instantiated where used.
+// Explicit instantiations for float and double: instantiations_*.cpp. Other scalars are instantiated where
+// used.
 extern template const VectorX<float>& aba<float>(const Model<float>&, Data<float>&, In<float>, In<float>,
                                                  In<float>, External<float>);
 extern template const VectorX<double>& aba<double>(const Model<double>&, Data<double>&, In<double>,

@@ -1,6 +1,7 @@
 #pragma once
-// Centroidal quantities: centre of mass c, momentum h_G about c in world axes, and centroidal map A_G with h_G = A_G v.
-// Orin, Goswami & Lee (2013). Bodies fixed to the world are excluded. Precondition: the total mass is not 0.
+// Centroidal quantities: centre of mass c, momentum h_G about c in world axes, and centroidal map A_G with
+// h_G = A_G v. Orin, Goswami & Lee (2013). Bodies fixed to the world are excluded. Precondition: the total
+// mass is not 0.
 
 #include <liecheck/algorithms/crba.hpp>
 
@@ -83,7 +84,8 @@ const Matrix6X<S>& computeCentroidalMap(const Model<S>& model, Data<S>& data, In
   }
   return Ag;
 }
-/// Jcom [3 x nv]: c_dot = Jcom v. It is the linear rows of A_G divided by the mass. Updates liMi, oMi, com, Ag, Jcom. q [nq].
+/// Jcom [3 x nv]: c_dot = Jcom v. It is the linear rows of A_G divided by the mass. Updates liMi, oMi, com,
+/// Ag, Jcom. q [nq].
 template <Scalar S>
 const Matrix3X<S>& jacobianCenterOfMass(const Model<S>& model, Data<S>& data, In<S> q) {
   const S mass = computeTotalMass(model);
@@ -120,7 +122,8 @@ const Force<S>& computeCentroidalMomentumTimeVariation(const Model<S>& model, Da
   return dhg;
 }
 
-// Explicit instantiations for float and double: instantiations_*.cpp. Other scalars are instantiated where used.
+// Explicit instantiations for float and double: instantiations_*.cpp. Other scalars are instantiated where
+// used.
 extern template const Vector3<float>& centerOfMass<float>(const Model<float>&, Data<float>&, In<float>);
 extern template const Vector3<float>& centerOfMass<float>(const Model<float>&, Data<float>&, In<float>,
                                                           In<float>);

@@ -22,8 +22,8 @@ class SingularInertia : public std::domain_error {
 
 namespace algorithms_detail {
 
-/// Sets data.work.inertia[i] = Ic_i, in world axes at joint i's origin; Ic_0 excludes bodies fixed to the world. Updates
-/// liMi, oMi, work.r and work.S_columns.
+/// Sets data.work.inertia[i] = Ic_i, in world axes at joint i's origin; Ic_0 excludes bodies fixed to the
+/// world. Updates liMi, oMi, work.r and work.S_columns.
 template <Scalar S>
 void compositeInertias(const Model<S>& model, Data<S>& data, In<S> q) {
   auto& Ic = data.work.inertia;
@@ -39,9 +39,9 @@ void compositeInertias(const Model<S>& model, Data<S>& data, In<S> q) {
     Ic[std::size_t(model.parents[i])].join(Ic[i], data.work.r[i], data.work.joined[i]);
 }
 
-/// The momentum F = I s of a column s = (t, omega) [6] of a motion subspace: force (x, y, z) = m (t + omega x c), moment
-/// (u, v, w) = I_C omega + c x force. The reference point is initially the origin of the column's joint. Members are
-/// scalars so that they stay in registers; a Force would be stored and loaded again.
+/// The momentum F = I s of a column s = (t, omega) [6] of a motion subspace: force (x, y, z) = m (t + omega x
+/// c), moment (u, v, w) = I_C omega + c x force. The reference point is initially the origin of the column's
+/// joint. Members are scalars so that they stay in registers; a Force would be stored and loaded again.
 template <Scalar S>
 struct ColumnMomentum {
   S x, y, z, u, v, w;
@@ -77,9 +77,10 @@ struct ColumnMomentum {
   Force<S> force() const { return {Vector3<S>(x, y, z), Vector3<S>(u, v, w)}; }
 };
 
-/// Row and column k of M. With mimic joints, several columns of motion subspaces belong to one number of v, and their
-/// terms are summed. Without them, column m belongs to v[m] alone, and every entry is written once. Entries are written
-/// through pointers, since indexing by M(m, k) and M(k, m) costs 5 to 10 % of crba's time.
+/// Row and column k of M. With mimic joints, several columns of motion subspaces belong to one number of v,
+/// and their terms are summed. Without them, column m belongs to v[m] alone, and every entry is written once.
+/// Entries are written through pointers, since indexing by M(m, k) and M(k, m) costs 5 to 10 % of crba's
+/// time.
 template <bool mimics, Scalar S>
 struct RowAndColumn {
   const Model<S>& model;
@@ -104,11 +105,12 @@ struct RowAndColumn {
   }
 };
 
-/// Sets M_mk = M_km = s_m^T F, F = Ic_j s_k, for the columns m <= k of joint j and all columns m of its ancestors. This is
-/// the inner loop of crba. In world axes, F is moved to the parent without a rotation. Products with the known zeros of
-/// a rotation about an axis, s = (0, omega), and of a free-flyer, S = [R, 0; 0, R], are skipped. With compositeInertias it
-/// takes 0.4 of the time of the same algorithm written with Motion, Force and Inertia in joint frames (measured with
-/// gcc 12 -O2, double, free-flyers with 4 and with 10 legs of 3 revolute joints).
+/// Sets M_mk = M_km = s_m^T F, F = Ic_j s_k, for the columns m <= k of joint j and all columns m of its
+/// ancestors. This is the inner loop of crba. In world axes, F is moved to the parent without a rotation.
+/// Products with the known zeros of a rotation about an axis, s = (0, omega), and of a free-flyer, S = [R, 0;
+/// 0, R], are skipped. With compositeInertias it takes 0.4 of the time of the same algorithm written with
+/// Motion, Force and Inertia in joint frames (measured with gcc 12 -O2, double, free-flyers with 4 and with
+/// 10 legs of 3 revolute joints).
 template <bool rotation, bool mimics, Scalar S>
 [[gnu::always_inline]] inline void projectOnSupport(const Model<S>& model, const Data<S>& data, std::size_t j,
                                                     ColumnMomentum<S> F, const RowAndColumn<mimics, S>& M_k) {
@@ -146,7 +148,8 @@ template <Scalar S, class F>
   }
 }
 
-/// Throws SingularInertia if a pivot of the factorization is no larger than the rounding error of M_kk (`before`).
+/// Throws SingularInertia if a pivot of the factorization is no larger than the rounding error of M_kk
+/// (`before`).
 template <Scalar S>
 void checkPivot(const Model<S>& model, int v_index, const S& pivot, const S& before) {
   if (pivot > S(64) * eps<S>() * before) return;
@@ -157,8 +160,8 @@ void checkPivot(const Model<S>& model, int v_index, const S& pivot, const S& bef
     }
 }
 
-/// The index in v of the coordinate that precedes coordinate k on the path to the universe, -1 if there is none. Mimics
-/// couple branches, so a model with mimics is treated as dense and the result is k - 1.
+/// The index in v of the coordinate that precedes coordinate k on the path to the universe, -1 if there is
+/// none. Mimics couple branches, so a model with mimics is treated as dense and the result is k - 1.
 template <Scalar S>
 int previousVelocity(const Model<S>& model, int k) {
   if (model.has_mimics) return k - 1;
@@ -169,7 +172,8 @@ int previousVelocity(const Model<S>& model, int k) {
   return -1;
 }
 
-/// Sets data.work.factor = L, lower triangular with M = L^T L and the sparsity of the tree. Throws SingularInertia. Needs M.
+/// Sets data.work.factor = L, lower triangular with M = L^T L and the sparsity of the tree. Throws
+/// SingularInertia. Needs M.
 template <Scalar S>
 void factorize(const Model<S>& model, Data<S>& data) {
   const auto before = [&](int k) { return previousVelocity(model, k); };
@@ -201,7 +205,8 @@ void solve(const Model<S>& model, const MatrixX<S>& L, Column&& x) {
 
 /// M(q) [nv x nv; kg, kg m, kg m^2], both triangles, symmetric to the last bit, armature on its diagonal. Featherstone
 /// (2008), table 6.2:  Ic_j = I_j + sum of Ic_c over the children c of j;  F = Ic_j s_k;  M_mk = s_m^T F for every column
-/// m of j and of its ancestors. Throws std::logic_error if Data has not allocated M. Updates liMi, oMi, M. q [nq].
+/// m of j and of its ancestors. Throws std::logic_error if Data has not allocated M. Updates liMi, oMi, M. q
+/// [nq].
 template <Scalar S>
 const MatrixX<S>& crba(const Model<S>& model, Data<S>& data, In<S> q) {
   using namespace algorithms_detail;
@@ -238,7 +243,8 @@ const MatrixX<S>& computeMinverse(const Model<S>& model, Data<S>& data, In<S> q)
   return Minv;
 }
 
-// Explicit instantiations for float and double: instantiations_*.cpp. Other scalars are instantiated where used.
+// Explicit instantiations for float and double: instantiations_*.cpp. Other scalars are instantiated where
+// used.
 extern template const MatrixX<float>& crba<float>(const Model<float>&, Data<float>&, In<float>);
 extern template const MatrixX<float>& computeMinverse<float>(const Model<float>&, Data<float>&, In<float>);
 extern template const MatrixX<double>& crba<double>(const Model<double>&, Data<double>&, In<double>);

@@ -26,14 +26,15 @@ const S& computePotentialEnergy(const Model<S>& model, Data<S>& data, In<S> q) {
   return energy;
 }
 
-/// Kinetic plus potential energy [J]. It is constant if no force but gravity acts and the armature is 0. Updates liMi,
-/// oMi, v, kinetic_energy, potential_energy. q [nq], v [nv].
+/// Kinetic plus potential energy [J]. It is constant if no force but gravity acts and the armature is 0.
+/// Updates liMi, oMi, v, kinetic_energy, potential_energy. q [nq], v [nv].
 template <Scalar S>
 S computeMechanicalEnergy(const Model<S>& model, Data<S>& data, In<S> q, In<S> v) {
   return computeKineticEnergy(model, data, q, v) + computePotentialEnergy(model, data, q);
 }
 
-// Explicit instantiations for float and double: instantiations_*.cpp. Other scalars are instantiated where used.
+// Explicit instantiations for float and double: instantiations_*.cpp. Other scalars are instantiated where
+// used.
 extern template const float& computeKineticEnergy<float>(const Model<float>&, Data<float>&, In<float>,
                                                          In<float>);
 extern template const float& computePotentialEnergy<float>(const Model<float>&, Data<float>&, In<float>);

@@ -121,8 +121,8 @@ struct ImuReading {
   Vector3<S> angular_velocity;  ///< omega, in the frame's axes [rad/s]
   Vector3<S> specific_force;    ///< R^T (p_ddot - g), in the frame's axes [m/s^2]; 9.81 upward at rest
 };
-/// The reading of an inertial measurement unit at a frame. p_ddot is the acceleration of the frame's origin, so it includes
-/// omega_dot x r + omega x (omega x r), where r is the offset from the joint. Needs oMi, v, a.
+/// The reading of an inertial measurement unit at a frame. p_ddot is the acceleration of the frame's origin,
+/// so it includes omega_dot x r + omega x (omega x r), where r is the offset from the joint. Needs oMi, v, a.
 template <Scalar S>
 ImuReading<S> imu(const Model<S>& model, const Data<S>& data, int frame) {
   using namespace algorithms_detail;
@@ -133,7 +133,8 @@ ImuReading<S> imu(const Model<S>& model, const Data<S>& data, int frame) {
           Vector3<S>(a.linear() - R_WF.transpose() * model.gravity)};
 }
 
-// Explicit instantiations for float and double: instantiations_*.cpp. Other scalars are instantiated where used.
+// Explicit instantiations for float and double: instantiations_*.cpp. Other scalars are instantiated where
+// used.
 extern template void updateFramePlacements<float>(const Model<float>&, Data<float>&);
 extern template void updateFramePlacements<double>(const Model<double>&, Data<double>&);
 

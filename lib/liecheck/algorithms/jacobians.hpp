@@ -1,8 +1,9 @@
 #pragma once
 // Jacobians J of joints and frames, and dJ, the time derivative of J's entries.
 //
-// J v is the velocity in J's reference frame, and J a + dJ v is its rate. In LOCAL and WORLD this rate is the spatial
-// acceleration. In LOCAL_WORLD_ALIGNED it is the classical one, because the reference point moves with the frame.
+// J v is the velocity in J's reference frame, and J a + dJ v is its rate. In LOCAL and WORLD this rate is the
+// spatial acceleration. In LOCAL_WORLD_ALIGNED it is the classical one, because the reference point moves
+// with the frame.
 
 #include <liecheck/algorithms/frames.hpp>
 
@@ -10,8 +11,9 @@ namespace liecheck {
 
 namespace algorithms_detail {
 
-/// Calls f(place, k, s_k, d) for every column k of every joint between the universe and the frame F. s_k is in world axes
-/// at the joint's origin. d [m] is the vector from that origin to F's, summed along the tree to avoid cancellation.
+/// Calls f(place, k, s_k, d) for every column k of every joint between the universe and the frame F. s_k is
+/// in world axes at the joint's origin. d [m] is the vector from that origin to F's, summed along the tree to
+/// avoid cancellation.
 template <Scalar S, class Function>
 void forEachSupportingColumn(const Model<S>& model, const Data<S>& data, const Placed<S>& F, Function f) {
   const auto& oMi = data.oMi();
@@ -48,9 +50,9 @@ const Matrix6X<S>& jacobianOf(const Model<S>& model, Data<S>& data, const Placed
   return J;
 }
 
-/// Sets data.work.jacobian to the time derivative of the Jacobian [6 x nv] of F. s' = v_i x s is the rate of column s at a
-/// point fixed in space. The column's derivative is s' in WORLD, s' + (omega_s x p_dot, 0) in LOCAL_WORLD_ALIGNED and
-/// X^-1 (s' - V x s) in LOCAL. Needs dJ.
+/// Sets data.work.jacobian to the time derivative of the Jacobian [6 x nv] of F. s' = v_i x s is the rate of
+/// column s at a point fixed in space. The column's derivative is s' in WORLD, s' + (omega_s x p_dot, 0) in
+/// LOCAL_WORLD_ALIGNED and X^-1 (s' - V x s) in LOCAL. Needs dJ.
 template <Scalar S>
 const Matrix6X<S>& jacobianRateOf(const Model<S>& model, Data<S>& data, const Placed<S>& F,
                                   ReferenceFrame reference) {
@@ -144,7 +146,8 @@ const Matrix6X<S>& computeJointJacobiansTimeVariation(const Model<S>& model, Dat
   return dJ;
 }
 
-/// Jacobian [6 x nv] of a joint, or of a frame. The reference is to storage that the next getter overwrites. Needs J.
+/// Jacobian [6 x nv] of a joint, or of a frame. The reference is to storage that the next getter overwrites.
+/// Needs J.
 template <Scalar S>
 const Matrix6X<S>& getJointJacobian(const Model<S>& model, Data<S>& data, int joint,
                                     ReferenceFrame reference) {
@@ -171,7 +174,8 @@ const Matrix6X<S>& getFrameJacobianTimeVariation(const Model<S>& model, Data<S>&
   return jacobianRateOf(model, data, placedFrame(model, data, frame), reference);
 }
 
-// Explicit instantiations for float and double: instantiations_*.cpp. Other scalars are instantiated where used.
+// Explicit instantiations for float and double: instantiations_*.cpp. Other scalars are instantiated where
+// used.
 extern template const Matrix6X<float>& computeJointJacobians<float>(const Model<float>&, Data<float>&,
                                                                     In<float>);
 extern template const Matrix6X<float>& computeJointJacobiansTimeVariation<float>(const Model<float>&,

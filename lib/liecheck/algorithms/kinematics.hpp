@@ -83,7 +83,8 @@ void forwardKinematics(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, I
 
 namespace algorithms_detail {
 
-/// Computes the pose, work.r and work.S_columns (see Data::Work) of every joint, then calls f(joint). Updates liMi, oMi.
+/// Computes the pose, work.r and work.S_columns (see Data::Work) of every joint, then calls f(joint). Updates
+/// liMi, oMi.
 template <Scalar S, class F>
 void columnsInWorldAxes(const Model<S>& model, Data<S>& data, In<S> q, F f) {
   data.begin(model, q);
@@ -131,7 +132,8 @@ void checkForces(const Model<S>& model, const External<S>& forces) {
 }
 
 }  // namespace algorithms_detail
-// Explicit instantiations for float and double: instantiations_*.cpp. Other scalars are instantiated where used.
+// Explicit instantiations for float and double: instantiations_*.cpp. Other scalars are instantiated where
+// used.
 extern template void forwardKinematics<float>(const Model<float>&, Data<float>&, In<float>);
 extern template void forwardKinematics<float>(const Model<float>&, Data<float>&, In<float>, In<float>);
 extern template void forwardKinematics<float>(const Model<float>&, Data<float>&, In<float>, In<float>,

@@ -11,8 +11,8 @@ namespace liecheck {
 
 namespace algorithms_detail {
 
-/// Computes tau [nv] from the forces f on the bodies. f[i] becomes the force that the parent exerts on joint i, f[0] the
-/// total force that the world exerts.
+/// Computes tau [nv] from the forces f on the bodies. f[i] becomes the force that the parent exerts on joint
+/// i, f[0] the total force that the world exerts.
 template <Scalar S>
 void backwardForces(const Model<S>& model, const std::vector<SE3<S>>& liMi, std::vector<Force<S>>& f,
                     VectorX<S>& tau) {
@@ -96,7 +96,8 @@ const VectorX<S>& computeGeneralizedGravity(const Model<S>& model, Data<S>& data
   return computeStaticTorque(model, data, q, {});
 }
 
-// Explicit instantiations for float and double: instantiations_*.cpp. Other scalars are instantiated where used.
+// Explicit instantiations for float and double: instantiations_*.cpp. Other scalars are instantiated where
+// used.
 extern template const VectorX<float>& rnea<float>(const Model<float>&, Data<float>&, In<float>, In<float>,
                                                   In<float>, External<float>);
 extern template const VectorX<float>& nonLinearEffects<float>(const Model<float>&, Data<float>&, In<float>,

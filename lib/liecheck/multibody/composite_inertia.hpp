@@ -1,14 +1,15 @@
 #pragma once
-// The inertia of rigidly joined bodies, summed along a tree: mass [kg], centre of mass c [m] and the six numbers of
-// I_C [kg m^2], all in one frame's axes. The formulas are those of spatial/inertia.hpp. This class is faster, since it is
-// computed for every joint and state: it holds scalars and caches the ratios of masses.
+// The inertia of rigidly joined bodies, summed along a tree: mass [kg], centre of mass c [m] and the six
+// numbers of I_C [kg m^2], all in one frame's axes. The formulas are those of spatial/inertia.hpp. This class
+// is faster, since it is computed for every joint and state: it holds scalars and caches the ratios of
+// masses.
 
 #include <liecheck/spatial/se3.hpp>
 
 namespace liecheck {
 
-/// m1 + m2, m1/(m1 + m2), m2/(m1 + m2) and m1 m2/(m1 + m2) of two masses [kg]; all 0 if both are 0. They are recomputed
-/// only if a mass has changed, since two divisions per joint would delay the whole recursion.
+/// m1 + m2, m1/(m1 + m2), m2/(m1 + m2) and m1 m2/(m1 + m2) of two masses [kg]; all 0 if both are 0. They are
+/// recomputed only if a mass has changed, since two divisions per joint would delay the whole recursion.
 template <Scalar S>
 struct JoinedMass {
   S first = S(0), second = S(0);
@@ -40,9 +41,10 @@ struct CompositeInertia {
         entry(2, 2)};
   }
 
-  /// Adds another inertia whose origin is at r [m], in the same axes; `joined` caches the mass ratios of this pair. With
-  /// t = m_2/(m + m_2), d = c_2 + r - c,  c = (1 - t) c + t (c_2 + r),  I_C += I_2 + m t (|d|^2 1 - d d^T)  (parallel-axis
-  /// theorem). The form c += t d is less accurate: a light body far from a heavy one would add the rounding error of d.
+  /// Adds another inertia whose origin is at r [m], in the same axes; `joined` caches the mass ratios of this
+  /// pair. With t = m_2/(m + m_2), d = c_2 + r - c,  c = (1 - t) c + t (c_2 + r),  I_C += I_2 + m t (|d|^2 1
+  /// - d d^T)  (parallel-axis theorem). The form c += t d is less accurate: a light body far from a heavy one
+  /// would add the rounding error of d.
   [[gnu::always_inline]] void join(const CompositeInertia& other, const Vector3<S>& r,
                                    JoinedMass<S>& joined) {
     joined.join(mass, other.mass);

@@ -2,8 +2,8 @@
 // The configuration space of a whole robot. Each joint has a segment of q [nq] and a segment of v [nv].
 //
 // Values and error bounds are those of the joints (se3_configuration.hpp, joints/). Every function throws
-// std::invalid_argument with the actual and the expected size if an argument has the wrong size. Check input values
-// with checkedConfiguration and checkedTangent; of the other functions only normalized checks values.
+// std::invalid_argument with the actual and the expected size if an argument has the wrong size. Check input
+// values with checkedConfiguration and checkedTangent; of the other functions only normalized checks values.
 
 #include <liecheck/multibody/invalid_configuration.hpp>
 #include <liecheck/multibody/joint_place.hpp>
@@ -36,7 +36,8 @@ using multibody_detail::forEachJoint;
 
 }  // namespace configuration_detail
 
-/// Configurations that differ by at most 64 eps count as the same. This is the error of 16 operations of 4 eps each.
+/// Configurations that differ by at most 64 eps count as the same. This is the error of 16 operations of 4
+/// eps each.
 template <Scalar S>
 S samenessBudget() {
   return S(64) * eps<S>();
@@ -51,8 +52,8 @@ VectorX<S> neutral(const Model<S>& model) {
   return q;
 }
 
-/// q [nq] with every quaternion and every (cos, sin) normalised. Throws InvalidConfiguration if one of them is zero, or
-/// if q is not finite.
+/// q [nq] with every quaternion and every (cos, sin) normalised. Throws InvalidConfiguration if one of them
+/// is zero, or if q is not finite.
 template <Scalar S>
 VectorX<S> normalized(const Model<S>& model, const configuration_detail::Vector<S>& q) {
   configuration_detail::checkConfigurationSize<S>(model, q, "q");
@@ -114,7 +115,8 @@ VectorX<S> interpolate(const Model<S>& model, const configuration_detail::Vector
   return integrate(model, q0, u * difference(model, q0, q1));
 }
 
-/// |difference|^2 of each joint except the universe [njoints - 1]. Squares of metres and of radians are added.
+/// |difference|^2 of each joint except the universe [njoints - 1]. Squares of metres and of radians are
+/// added.
 template <Scalar S>
 VectorX<S> squaredDistance(const Model<S>& model, const configuration_detail::Vector<S>& q0,
                            const configuration_detail::Vector<S>& q1) {
@@ -142,8 +144,8 @@ S distance(const Model<S>& model, const configuration_detail::Vector<S>& q0,
   return distance(model, q0, q1, VectorX<S>::Ones(model.nv));
 }
 
-/// True if every joint's configuration in q0 and q1 differs by at most budget [rad; relative to max(1 m, |p|)]. Q and -Q
-/// are the same rotation.
+/// True if every joint's configuration in q0 and q1 differs by at most budget [rad; relative to max(1 m,
+/// |p|)]. Q and -Q are the same rotation.
 template <Scalar S>
 bool isSameConfiguration(const Model<S>& model, const configuration_detail::Vector<S>& q0,
                          const configuration_detail::Vector<S>& q1,
@@ -157,8 +159,8 @@ bool isSameConfiguration(const Model<S>& model, const configuration_detail::Vect
   return same;
 }
 
-/// The derivative [nv x nv] of integrate(q, delta) with respect to q (ARG0) or delta (ARG1), block-diagonal. It maps a
-/// tangent increment of the argument to one of the result.
+/// The derivative [nv x nv] of integrate(q, delta) with respect to q (ARG0) or delta (ARG1), block-diagonal.
+/// It maps a tangent increment of the argument to one of the result.
 template <Scalar S>
 MatrixX<S> dIntegrate(const Model<S>& model, const configuration_detail::Vector<S>& q,
                       const configuration_detail::Vector<S>& delta, ArgumentPosition argument) {
@@ -171,8 +173,8 @@ MatrixX<S> dIntegrate(const Model<S>& model, const configuration_detail::Vector<
   return J;
 }
 
-/// The derivative [nv x nv] of difference(q0, q1) with respect to tangent increments of q0 (ARG0) or q1 (ARG1).
-/// It is block-diagonal.
+/// The derivative [nv x nv] of difference(q0, q1) with respect to tangent increments of q0 (ARG0) or q1
+/// (ARG1). It is block-diagonal.
 template <Scalar S>
 MatrixX<S> dDifference(const Model<S>& model, const configuration_detail::Vector<S>& q0,
                        const configuration_detail::Vector<S>& q1, ArgumentPosition argument) {
@@ -196,8 +198,8 @@ MatrixX<S> integrateCoeffWiseJacobian(const Model<S>& model, const configuration
   return J;
 }
 
-/// Returns q [nq]. Throws InvalidConfiguration unless q is finite and every quaternion and (cos, sin) has unit norm up to
-/// normDefectBudget. If q was rounded, for example in a text file, normalise it first.
+/// Returns q [nq]. Throws InvalidConfiguration unless q is finite and every quaternion and (cos, sin) has
+/// unit norm up to normDefectBudget. If q was rounded, for example in a text file, normalise it first.
 template <Scalar S>
 VectorX<S> checkedConfiguration(const Model<S>& model, const configuration_detail::Vector<S>& q) {
   configuration_detail::checkConfigurationSize<S>(model, q, "q");
@@ -217,7 +219,8 @@ VectorX<S> checkedTangent(const Model<S>& model, const configuration_detail::Vec
   return v;
 }
 
-// Explicit instantiations for float and double: instantiations.cpp. Other scalars are instantiated where used.
+// Explicit instantiations for float and double: instantiations.cpp. Other scalars are instantiated where
+// used.
 extern template VectorX<float> neutral<float>(const Model<float>&);
 extern template VectorX<float> normalized<float>(const Model<float>&, const VectorX<float>&);
 extern template void normalize<float>(const Model<float>&, VectorX<float>&);

@@ -1,7 +1,7 @@
 #pragma once
-// Data: the results of the algorithms for one robot, and their workspace, so that they allocate nothing. Each thread
-// needs its own Data; the Model can be shared. Every algorithm states which fields it updates. data_field.hpp
-// defines when a field is stale.
+// Data: the results of the algorithms for one robot, and their workspace, so that they allocate nothing. Each
+// thread needs its own Data; the Model can be shared. Every algorithm states which fields it updates.
+// data_field.hpp defines when a field is stale.
 //
 // Fields are read as data.tau() or data.oMi[i]. Names and meanings are Pinocchio's. An algorithm returns a reference to
 // its field: copy the value if you need it after the next call.
@@ -65,8 +65,8 @@ class Data {
   Field<Matrix6X<S>> Ag;                               ///< [6 x nv] hg = Ag v
   Field<Force<S>> hg, dhg;  ///< momentum about the centre of mass in the world's axes, and its rate
 
-  /// Workspace of the algorithms. "In world axes" means in the world's axes with the joint's origin as reference point,
-  /// so that no digits are lost far from the world's origin.
+  /// Workspace of the algorithms. "In world axes" means in the world's axes with the joint's origin as
+  /// reference point, so that no digits are lost far from the world's origin.
   struct Work {
     Each<Motion<S>> gravitated;  ///< acceleration minus gravity
     Each<Vector3<S>> r;          ///< vector from the parent's origin, in world axes (derivatives.hpp: from O)

@@ -1,6 +1,6 @@
 #pragma once
-// A joint of a Model with its indices in the tree, in q [nq], in v [nv] and in the columns of the motion subspaces.
-// Segments have a fixed size, so nothing is allocated.
+// A joint of a Model with its indices in the tree, in q [nq], in v [nv] and in the columns of the motion
+// subspaces. Segments have a fixed size, so nothing is allocated.
 
 #include <liecheck/multibody/model.hpp>
 #include <new>
@@ -15,7 +15,8 @@ inline void checkSize(Eigen::Index actual, int expected, const char* what, const
                                 " numbers, the model's " + dimension + " is " + std::to_string(expected));
 }
 
-/// Sets to = f() by constructing in place. A copy would stall: its wide loads would follow the narrow stores of f().
+/// Sets to = f() by constructing in place. A copy would stall: its wide loads would follow the narrow stores
+/// of f().
 template <class T, class F>
 [[gnu::always_inline]] inline void build(T& to, F f) {
   if constexpr (std::is_trivially_destructible_v<T>)
@@ -57,8 +58,8 @@ struct JointPlace {
   }
   static constexpr bool rotates = rotates_about_axis<S, J>;  ///< S = (0, axis), as for most joints
 
-  /// S v [6]: the velocity relative to the parent, in the joint's axes, at its origin. Given the acceleration v', the
-  /// result is S v', a term of the spatial acceleration.
+  /// S v [6]: the velocity relative to the parent, in the joint's axes, at its origin. Given the acceleration
+  /// v', the result is S v', a term of the spatial acceleration.
   Motion<S> motion(const VectorX<S>& v) const {
     if constexpr (rotates)
       return {Vector3<S>::Zero(), Vector3<S>(v[idx_v] * joint.axis.to_vector())};
@@ -85,8 +86,8 @@ struct JointPlace {
     else
       return joint.subspace().transpose() * F.to_vector();
   }
-  /// Writes S, in axes rotated by R, to 6 x columns numbers, column by column. Numbers are copied one by one, since wide
-  /// loads would stall.
+  /// Writes S, in axes rotated by R, to 6 x columns numbers, column by column. Numbers are copied one by one,
+  /// since wide loads would stall.
   [[gnu::always_inline]] void subspaceIn(const Matrix3<S>& R, S* to) const {
     if constexpr (rotates) {
       const Vector3<S> w = joint.axis.in(R);

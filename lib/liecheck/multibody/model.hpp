@@ -1,10 +1,10 @@
 #pragma once
 // Model: the constants of a robot. Results of computations are in Data, so any number of threads can share one Model.
 //
-// Joint 0 is the universe. Joint i > 0 is attached to joint parents[i] < i at jointPlacements[i]. It has nqs[i] numbers
-// of q from idx_qs[i] on, and nvs[i] numbers of v from idx_vs[i] on. A mimic has none; its idx_qs and idx_vs are those
-// of its primary. Names and conventions are Pinocchio's. Code outside may set gravity, limits, friction, damping and
-// armature; only member functions change the other fields.
+// Joint 0 is the universe. Joint i > 0 is attached to joint parents[i] < i at jointPlacements[i]. It has
+// nqs[i] numbers of q from idx_qs[i] on, and nvs[i] numbers of v from idx_vs[i] on. A mimic has none; its
+// idx_qs and idx_vs are those of its primary. Names and conventions are Pinocchio's. Code outside may set
+// gravity, limits, friction, damping and armature; only member functions change the other fields.
 
 #include <atomic>
 #include <liecheck/multibody/frame.hpp>
@@ -39,8 +39,8 @@ class Model {
   std::vector<int> idx_qs, idx_vs, nqs, nvs;
   std::vector<Frame<S>> frames;
 
-  /// The columns of all motion subspaces: joint i has column_counts[i] columns from idx_columns[i] on. Column k is
-  /// multiplied by v[column_to_v[k]]. ncolumns is nv plus the number of mimics.
+  /// The columns of all motion subspaces: joint i has column_counts[i] columns from idx_columns[i] on. Column
+  /// k is multiplied by v[column_to_v[k]]. ncolumns is nv plus the number of mimics.
   int ncolumns = 0;
   std::vector<int> idx_columns, column_counts, column_to_v, column_to_joint;
   bool has_mimics = false;
@@ -49,12 +49,13 @@ class Model {
 
   /// Infinite by default: effort [nv; N, N m], velocity [nv; m/s, rad/s], position [nq].
   VectorX<S> effortLimit, velocityLimit, lowerPositionLimit, upperPositionLimit;
-  /// Zero by default [nv]: dry friction [N, N m], viscous damping [N s/m, N m s], inertia of the motor at the output of the
-  /// gear [kg, kg m^2]. Armature enters the dynamics; friction and damping are stored, but rnea and aba ignore them.
+  /// Zero by default [nv]: dry friction [N, N m], viscous damping [N s/m, N m s], inertia of the motor at the
+  /// output of the gear [kg, kg m^2]. Armature enters the dynamics; friction and damping are stored, but rnea
+  /// and aba ignore them.
   VectorX<S> friction, damping, armature;
 
-  /// Changes whenever a joint or a frame is added; only copies of this model have the same revision. Data refuses a model
-  /// with another revision than the one it was made from.
+  /// Changes whenever a joint or a frame is added; only copies of this model have the same revision. Data
+  /// refuses a model with another revision than the one it was made from.
   int revision = 0;
 
   Model() {
@@ -62,8 +63,9 @@ class Model {
     addFrameUnchecked({"universe", 0, 0, SE3<S>::Identity(), FrameType::FIXED_JOINT});
   }
 
-  /// Adds a joint, without body and frame, to joint `parent` at X_PJ; returns its index. Throws std::invalid_argument if
-  /// the parent or the primary of a mimic does not exist, the name is taken or the joint is a universe.
+  /// Adds a joint, without body and frame, to joint `parent` at X_PJ; returns its index. Throws
+  /// std::invalid_argument if the parent or the primary of a mimic does not exist, the name is taken or the
+  /// joint is a universe.
   int addJoint(int parent, const Joint<S>& joint, const SE3<S>& X_PJ, const std::string& joint_name) {
     checkJoint(parent, "the parent of joint '" + joint_name + "'");
     if (existJointName(joint_name))
@@ -111,14 +113,16 @@ class Model {
     return addFrame({body, joint, parent_frame, X_JB, FrameType::BODY});
   }
 
-  /// Adds a frame for a fixed joint, with its name, at X_JF. No joint is added, since the child link moves with `joint`.
+  /// Adds a frame for a fixed joint, with its name, at X_JF. No joint is added, since the child link moves
+  /// with `joint`.
   int addFixedJoint(const std::string& fixed_name, int joint, const SE3<S>& X_JF, int parent_frame = -1) {
     checkJoint(joint, "the parent of fixed joint '" + fixed_name + "'");
     if (parent_frame < 0) parent_frame = frameOfJoint(joint);
     return addFrame({fixed_name, joint, parent_frame, X_JF, FrameType::FIXED_JOINT});
   }
 
-  /// Fixes a body to a joint. I_B is in the body's frame, and X_JB is the pose of the body's frame in the joint's frame.
+  /// Fixes a body to a joint. I_B is in the body's frame, and X_JB is the pose of the body's frame in the
+  /// joint's frame.
   void appendBodyToJoint(int joint, const Inertia<S>& I_B, const SE3<S>& X_JB = SE3<S>::Identity()) {
     checkJoint(joint, "a body's parent");
     Inertia<S>& I_J = inertias[std::size_t(joint)];

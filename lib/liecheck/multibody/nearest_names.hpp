@@ -23,7 +23,8 @@ inline int editDistance(const std::string& a, const std::string& b) {
   return row[b.size()];
 }
 
-/// Returns ", the nearest are 'a', 'b' and 'c'" with up to three names, the nearest first; empty if there are no names.
+/// Returns ", the nearest are 'a', 'b' and 'c'" with up to three names, the nearest first; empty if there are
+/// no names.
 inline std::string nearestNames(const std::string& wanted, const std::vector<std::string>& names) {
   std::vector<std::pair<int, std::string>> ranked;
   for (const std::string& name : names) ranked.emplace_back(editDistance(wanted, name), name);

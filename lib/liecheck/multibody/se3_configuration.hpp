@@ -7,11 +7,11 @@
 //   d integrate          ARG0 Ad(exp(-delta))    ARG1  J_r(delta)
 //   d difference         ARG0 -J_l^-1(delta)     ARG1  J_r^-1(delta)
 //
-// The derivatives are 6 x 6. They map a body-fixed increment of the argument to the increment of the result, which is
-// body-fixed too (Sola, Deray & Atchuthan 2018, eqs. 41 and 46).
+// The derivatives are 6 x 6. They map a body-fixed increment of the argument to the increment of the result,
+// which is body-fixed too (Sola, Deray & Atchuthan 2018, eqs. 41 and 46).
 //
-// Domain: finite q with ||Q|^2 - 1| <= d. Q represents the rotation of Q/|Q|; each function states how its result
-// depends on d. Check input with checkedConfiguration of configuration.hpp.
+// Domain: finite q with ||Q|^2 - 1| <= d. Q represents the rotation of Q/|Q|; each function states how its
+// result depends on d. Check input with checkedConfiguration of configuration.hpp.
 
 #include <liecheck/multibody/argument_position.hpp>
 #include <liecheck/scalar/compensated.hpp>
@@ -22,8 +22,8 @@ namespace liecheck {
 
 namespace se3_configuration_detail {
 
-/// u (3 - |u|^2) / 2, which has norm 1 up to 3/8 (|u|^2 - 1)^2. This is one Newton step of 1/sqrt, which suffices for a
-/// norm that is 1 up to rounding errors. u is (cos, sin) [2] or a quaternion [4].
+/// u (3 - |u|^2) / 2, which has norm 1 up to 3/8 (|u|^2 - 1)^2. This is one Newton step of 1/sqrt, which
+/// suffices for a norm that is 1 up to rounding errors. u is (cos, sin) [2] or a quaternion [4].
 template <Scalar S, int N>
 Eigen::Matrix<S, N, 1> firstOrderNormalize(const Eigen::Matrix<S, N, 1>& u) {
   return u * ((S(3) - u.squaredNorm()) / S(2));
@@ -86,13 +86,13 @@ template <Scalar S, Precision P>
   return v;
 }
 
-/// log(Q0* Q1), from the product in double words. The vector part of the product has full relative accuracy, even if
-/// the two rotations are close.
+/// log(Q0* Q1), from the product in double words. The vector part of the product has full relative accuracy,
+/// even if the two rotations are close.
 ///
 /// For close rotations let s = sgn(Q0 . Q1) and D = s Q1 - Q0. Then s vec(Q0* Q1) = vec(Q0* D), because
-/// vec(Q0* Q0) = 0. The subtraction D is exact except in components that are small. The products of Q0* D are summed
-/// with compensation, because D is much longer than vec(Q0* D) if the norms of Q0 and Q1 differ. Fast precision uses this
-/// form for |v| < 1/8, and compensates only if |v| < |D|/2.
+/// vec(Q0* Q0) = 0. The subtraction D is exact except in components that are small. The products of Q0* D are
+/// summed with compensation, because D is much longer than vec(Q0* D) if the norms of Q0 and Q1 differ. Fast
+/// precision uses this form for |v| < 1/8, and compensates only if |v| < |D|/2.
 template <Scalar S, Precision P>
 [[gnu::always_inline]] inline exp_log_detail::RotationLogarithm<S, P> relativeLogarithm(
     const Vector7<S>& q0, const Vector7<S>& q1) {
@@ -163,8 +163,8 @@ template <Scalar S, Precision P>
   ();
   const Vector3<S> rho = log.arc(p);
   Vector6<S> delta;
-  // Written without a loop. The compiler would vectorise a loop and load rho in wide registers right after storing it
-  // number by number, which stalls (failed store forwarding).
+  // Written without a loop. The compiler would vectorise a loop and load rho in wide registers right after
+  // storing it number by number, which stalls (failed store forwarding).
   delta[0] = rho[0], delta[3] = log.phi[0];
   delta[1] = rho[1], delta[4] = log.phi[1];
   delta[2] = rho[2], delta[5] = log.phi[2];
@@ -182,9 +182,9 @@ template <Scalar S, Precision P>
 }  // namespace se3_configuration_detail
 
 /// T exp(delta) as [p; x y z w]. The sign of Q1 is such that Q1 . Q0 >= 0. Pose q [7; m], delta [6; m, rad].
-/// Error for |phi| <= pi: rotation 2 eps, translation 4 eps of max(|p1|, |p0|, |rho|). For larger |phi| these bounds are
-/// multiplied by the condition number (excess rule, docs/measuring.md). ||Q1|^2 - 1| <= 3 eps + 3/4 d^2. The rotation of
-/// the result is the one for Q0/|Q0|, whatever d is.
+/// Error for |phi| <= pi: rotation 2 eps, translation 4 eps of max(|p1|, |p0|, |rho|). For larger |phi| these
+/// bounds are multiplied by the condition number (excess rule, docs/measuring.md). ||Q1|^2 - 1| <= 3 eps +
+/// 3/4 d^2. The rotation of the result is the one for Q0/|Q0|, whatever d is.
 template <Scalar S, Precision P = Precision::standard>
 Vector7<S> integrateSE3(const Vector7<S>& q, const Vector6<S>& delta) {
   return evaluate<S, P>(
@@ -198,8 +198,9 @@ Vector7<S> integrateSE3(const Vector7<S>& q, const Vector6<S>& delta) {
       q, delta);
 }
 
-/// (rho, phi) = log(T0^-1 T1) [6; m, rad], |phi| <= pi, the same for Q and -Q. At |phi| = pi the axis has either sign.
-/// Error 2 eps of |phi|, and 4 eps of max(|rho|, |p1 - p0|), for any two poses. It does not depend on |Q0|, |Q1|.
+/// (rho, phi) = log(T0^-1 T1) [6; m, rad], |phi| <= pi, the same for Q and -Q. At |phi| = pi the axis has
+/// either sign. Error 2 eps of |phi|, and 4 eps of max(|rho|, |p1 - p0|), for any two poses. It does not
+/// depend on |Q0|, |Q1|.
 template <Scalar S, Precision P = Precision::standard>
 Vector6<S> differenceSE3(const Vector7<S>& q0, const Vector7<S>& q1) {
   return evaluate<S, P>(
@@ -214,8 +215,8 @@ Vector6<S> differenceSE3(const Vector7<S>& q0, const Vector7<S>& q1) {
 }
 
 /// The derivative of integrate with respect to q (ARG0: Ad(exp(-delta))) or delta (ARG1: J_r(delta)) [6 x 6]; neither
-/// depends on q. Error 6 eps of each 3 x 3 block for |phi| <= pi. For larger |phi| this bound is multiplied by the
-/// condition number (excess rule, docs/measuring.md).
+/// depends on q. Error 6 eps of each 3 x 3 block for |phi| <= pi. For larger |phi| this bound is multiplied
+/// by the condition number (excess rule, docs/measuring.md).
 template <Scalar S, Precision P = Precision::standard>
 Matrix6<S> dIntegrateSE3(const Vector7<S>&, const Vector6<S>& delta, ArgumentPosition argument) {
   return evaluate<S, P>(
@@ -233,8 +234,8 @@ Matrix6<S> dIntegrateSE3(const Vector7<S>&, const Vector6<S>& delta, ArgumentPos
 }
 
 /// The derivative of difference with respect to q0 (ARG0: -J_l^-1) or q1 (ARG1: J_r^-1) [6 x 6]. At |phi| = pi it is
-/// the derivative on the branch that differenceSE3 returns. Error, including that of difference: 4.2 eps of a rotation
-/// block, 7.5 eps of the coupling block.
+/// the derivative on the branch that differenceSE3 returns. Error, including that of difference: 4.2 eps of a
+/// rotation block, 7.5 eps of the coupling block.
 template <Scalar S, Precision P = Precision::standard>
 Matrix6<S> dDifferenceSE3(const Vector7<S>& q0, const Vector7<S>& q1, ArgumentPosition argument) {
   return evaluate<S, P>(
@@ -248,8 +249,8 @@ Matrix6<S> dDifferenceSE3(const Vector7<S>& q0, const Vector7<S>& q1, ArgumentPo
 }
 
 /// The derivative of the seven stored numbers with respect to a body-fixed increment, at zero increment [7 x 6]:
-/// [R, 0; 0, 1/2 (w I + [v]); 0, -1/2 v^T]. R is the rotation matrix of Q/|Q|; v and w are parts of the stored Q. Error
-/// 2 eps.
+/// [R, 0; 0, 1/2 (w I + [v]); 0, -1/2 v^T]. R is the rotation matrix of Q/|Q|; v and w are parts of the
+/// stored Q. Error 2 eps.
 template <Scalar S>
 Eigen::Matrix<S, 7, 6> integrateCoeffWiseJacobianSE3(const Vector7<S>& q) {
   const SO3<S> Q(Vector4<S>(q.template tail<4>()));

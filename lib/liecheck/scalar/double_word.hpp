@@ -1,6 +1,6 @@
 #pragma once
-// A double word is a number stored as the unevaluated sum high + low. Error-free transformations return double words:
-// Dekker (1971); Knuth, The Art of Computer Programming 2, 4.2.2; Ogita, Rump & Oishi (2005).
+// A double word is a number stored as the unevaluated sum high + low. Error-free transformations return
+// double words: Dekker (1971); Knuth, The Art of Computer Programming 2, 4.2.2; Ogita, Rump & Oishi (2005).
 
 #include <compare>
 #include <liecheck/scalar/scalar.hpp>
@@ -27,7 +27,8 @@ DoubleWord<S> fast_two_sum(const S& a, const S& b) {
   return {s, b - (s - a)};
 }
 
-/// a = high + low exactly, each with half the digits. Veltkamp (1968). Precondition: |a| < max / 2^(digits / 2 + 1).
+/// a = high + low exactly, each with half the digits. Veltkamp (1968). Precondition: |a| < max / 2^(digits /
+/// 2 + 1).
 template <Scalar S>
 DoubleWord<S> split(const S& a) {
   using std::ldexp;
@@ -103,7 +104,8 @@ struct DoubleWord {
     if (!(r > S(0)) || !finite<S>(r)) return DoubleWord(r);
     return fast_two_sum<S>(r, S(a - DoubleWord(r) * DoubleWord(r)) / (S(2) * r));
   }
-  /// Accurate to the digits of S only, which suffices up to theta = pi. sin^2 + cos^2 = 1 to twice those digits.
+  /// Accurate to the digits of S only, which suffices up to theta = pi. sin^2 + cos^2 = 1 to twice those
+  /// digits.
   friend DoubleWord sin(const DoubleWord& a) { return SineAndCosine(a).sine; }
   friend DoubleWord cos(const DoubleWord& a) { return SineAndCosine(a).cosine; }
   /// Accurate to the digits of S only.
@@ -113,7 +115,8 @@ struct DoubleWord {
   }
 
  private:
-  /// Uses the addition theorems, since low is many radians if high is huge, then one Newton step to normalise.
+  /// Uses the addition theorems, since low is many radians if high is huge, then one Newton step to
+  /// normalise.
   struct SineAndCosine {
     DoubleWord sine, cosine;
     explicit SineAndCosine(const DoubleWord& a) {

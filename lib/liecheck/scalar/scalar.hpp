@@ -60,8 +60,8 @@ struct Lane<S> {
 /// The type of a single number in S: S::Lane if S is a Simd, otherwise S itself.
 template <class S>
 using Lane = typename scalar_detail::Lane<S>::type;
-/// True for a type such as Simd, which holds several numbers and defines S::SideBySide. Functions take no branch for it:
-/// the caller ensures that all lanes need only the usual path.
+/// True for a type such as Simd, which holds several numbers and defines S::SideBySide. Functions take no
+/// branch for it: the caller ensures that all lanes need only the usual path.
 template <class S>
 inline constexpr bool side_by_side = requires {
   typename S::SideBySide;
@@ -89,7 +89,8 @@ template <Scalar S>
   return S(fabs(a));
 }
 
-/// -1 for a < 0, 1 for a > 0, either of them at 0. Floating-point types use no branch, since it would often be mispredicted.
+/// -1 for a < 0, 1 for a > 0, either of them at 0. Floating-point types use no branch, since it would often
+/// be mispredicted.
 template <Scalar S>
 [[gnu::always_inline]] inline S sign(const S& a) {
   if constexpr (std::is_floating_point_v<Lane<S>>) {
@@ -106,7 +107,8 @@ template <Scalar S>
   return bool(isfinite(a));
 }
 
-/// a * b + c: fused if the target has the instruction, otherwise rounded twice. The stated error bounds hold for both.
+/// a * b + c: fused if the target has the instruction, otherwise rounded twice. The stated error bounds hold
+/// for both.
 template <Scalar S>
 [[gnu::always_inline]] inline S mul_add(const S& a, const S& b, const S& c) {
 #if defined(__FMA__)

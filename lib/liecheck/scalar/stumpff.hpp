@@ -1,8 +1,8 @@
 #pragma once
 // The series for small angles.
 //
-// Every coefficient of exp, log and their Jacobians is a function of x = theta^2. It is smooth at 0, although its
-// textbook closed form is 0/0 there. The Stumpff functions need no special case at 0:
+// Every coefficient of exp, log and their Jacobians is a function of x = theta^2. It is smooth at 0, although
+// its textbook closed form is 0/0 there. The Stumpff functions need no special case at 0:
 //
 //     c_k(x) = sum_j (-x)^j / (2j + k)!        c_0 = cos theta             c_1 = sin theta / theta
 //                                              c_2 = (1 - cos theta)/theta^2   c_3 = (theta - sin theta)/theta^3
@@ -15,8 +15,9 @@
 //
 //     c_0(4h) = 2 c_0^2 - 1,  c_1(4h) = c_0 c_1,  c_2(4h) = c_1^2 / 2,  c_3(4h) = (c_2 + c_0 c_3) / 4.
 //
-// The error has no jump, since there is no threshold at small angles: the number of terms follows from the digits of the
-// scalar. The only branch is at theta = pi. Beyond it the closed forms in sines are used, which are accurate there.
+// The error has no jump, since there is no threshold at small angles: the number of terms follows from the
+// digits of the scalar. The only branch is at theta = pi. Beyond it the closed forms in sines are used, which
+// are accurate there.
 //
 // Derivatives in x (not in theta): c_k' = (k c_{k+2} - c_{k+1}) / 2.
 //
@@ -35,7 +36,8 @@ namespace liecheck {
 
 namespace stumpff_detail {
 
-/// c_K(x/4) = sum_j (-x/4)^j / (2j + K)! on [0, 10]; pi^2 = 9.87. The series is in x, so it need not wait for x/4.
+/// c_K(x/4) = sum_j (-x/4)^j / (2j + K)! on [0, 10]; pi^2 = 9.87. The series is in x, so it need not wait for
+/// x/4.
 template <Scalar S, int K>
 struct StumpffSeries {
   static constexpr int most = std::numeric_limits<S>::digits / 5 + 10, outer = 1;
@@ -54,8 +56,8 @@ using Fourth = StumpffSeries<S, 4>;
 template <class S>
 using Fifth = StumpffSeries<S, 5>;
 
-/// h / sin h = sum_j j!^2 / (2j + 1)! (2 s)^j for s = 1 - cos h in [0, 1]. All terms are positive. Error 2.2 eps, or
-/// 1.7 eps with fused multiply-adds.
+/// h / sin h = sum_j j!^2 / (2j + 1)! (2 s)^j for s = 1 - cos h in [0, 1]. All terms are positive. Error 2.2
+/// eps, or 1.7 eps with fused multiply-adds.
 template <Scalar S>
 struct InverseSincSeries {
   static constexpr int most = std::numeric_limits<S>::digits + 10, outer = 2;
@@ -64,9 +66,10 @@ struct InverseSincSeries {
   static constexpr S ratio(int j) { return S(j) / S(2 * j + 1); }
 };
 
-/// A series economised on its domain (Lanczos 1938; Clenshaw 1962). It starts with the first `most` terms of Taylor's
-/// series. Subtracting a multiple of the shifted Chebyshev polynomial removes the highest power. This is repeated while
-/// the sum of the changes stays below eps/32 of the first term. `terms` coefficients of `a` remain.
+/// A series economised on its domain (Lanczos 1938; Clenshaw 1962). It starts with the first `most` terms of
+/// Taylor's series. Subtracting a multiple of the shifted Chebyshev polynomial removes the highest power.
+/// This is repeated while the sum of the changes stays below eps/32 of the first term. `terms` coefficients
+/// of `a` remain.
 template <Scalar S, class Series>
 struct Economised {
   static constexpr int most = Series::most;
@@ -116,7 +119,8 @@ template <template <class> class Series, int FROM = 0, Scalar S>
     static constexpr Economised<Lane<S>, Of> p;
     std::array<S, std::bit_width(unsigned(p.terms - 1))> squares{x};
     for (std::size_t i = 1; i < squares.size(); ++i) squares[i] = squares[i - 1] * squares[i - 1];
-    // The first terms are added last (Horner), so that only one rounding error has the size of an ulp of the sum.
+    // The first terms are added last (Horner), so that only one rounding error has the size of an ulp of the
+    // sum.
     S sum = estrin<Of::outer, p.terms - Of::outer>(p.a, squares);
     for (int j = Of::outer; j-- > FROM;) sum = mul_add(sum, x, S(p.a[j]));
     return sum;
@@ -138,7 +142,8 @@ S series_limit() {
 
 }  // namespace stumpff_detail
 
-/// True if theta <= pi for x = theta^2, so that the series are valid. Otherwise, also if x overflowed, use sines.
+/// True if theta <= pi for x = theta^2, so that the series are valid. Otherwise, also if x overflowed, use
+/// sines.
 template <Scalar S>
 [[gnu::always_inline]] inline bool within_pi(const S& x) {
   return x <= stumpff_detail::series_limit<S>();
@@ -155,10 +160,11 @@ template <Scalar S, Precision P, class Vector>
 }
 
 /// The Stumpff functions c_0 ... c_5 at h = x/4, for theta^2 = x in [0, pi^2]: c_0 = cos(theta/2),
-/// c_1 = 2 sin(theta/2)/theta and so on. The member functions double the angle to get the values at x itself. The rounding
-/// error of theta^2, up to 1.5 eps, would cause an error of 2.4 eps of the angle at pi; x.low corrects it to first order.
-/// Error at h (all proved): c_0 0.65 and c_1 0.45 eps absolute; c_2 0.7, c_3 0.9, c_4 and c_5 1.1 eps relative. Error of
-/// second_slope 2.6 and third_slope 2.4 eps relative, since c_2 - c_3 cancels a factor 2 and c_3 - 2 c_4 a factor 3.
+/// c_1 = 2 sin(theta/2)/theta and so on. The member functions double the angle to get the values at x itself.
+/// The rounding error of theta^2, up to 1.5 eps, would cause an error of 2.4 eps of the angle at pi; x.low
+/// corrects it to first order. Error at h (all proved): c_0 0.65 and c_1 0.45 eps absolute; c_2 0.7, c_3 0.9,
+/// c_4 and c_5 1.1 eps relative. Error of second_slope 2.6 and third_slope 2.4 eps relative, since c_2 - c_3
+/// cancels a factor 2 and c_3 - 2 c_4 a factor 3.
 template <Scalar S, Precision P = Precision::standard>
 struct HalfAngle {
   S c0, c1, c2, c3, c4, c5;
@@ -173,8 +179,9 @@ struct HalfAngle {
       c1 = mul_add(S(-h), c3, S(1));
       c0 = mul_add(S(-h), c2, S(1));
     } else {
-      // c_0 = 1 - h/2 + h^2 c_4 and c_1 = 1 - h/8 - h (1/24 - h c_5), each as a double word: high is the sum of the first
-      // two terms, low is its rounding error plus the small terms. x.low enters by c_0' = -c_1/2, c_1' = (c_3 - c_2)/2.
+      // c_0 = 1 - h/2 + h^2 c_4 and c_1 = 1 - h/8 - h (1/24 - h c_5), each as a double word: high is the sum
+      // of the first two terms, low is its rounding error plus the small terms. x.low enters by c_0' =
+      // -c_1/2, c_1' = (c_3 - c_2)/2.
       const auto sum = [&h](const S& factor, const S& small) __attribute__((always_inline)) {
         const S linear = h * factor, head = S(1) - linear;
         return DoubleWord<S>(head, ((S(1) - head) - linear) + small);
@@ -217,12 +224,14 @@ struct HalfAngle {
 /// The coefficient d of [phi]^2 in the inverse Jacobian of SO(3), and twice its slope in x.
 ///     d(x)  = (1 - (theta/2) cot(theta/2)) / theta^2 = (c_2 - c_3) / (4 c_1) at x/4    1/12 at 0, 1/pi^2 at pi
 ///     d2(x) = 2 d'(x)                                                                  1/360 at 0
-/// on [0, pi^2]. Relative error: d 2.6 eps; d2 5 eps, since both differences in its numerator cancel a factor 4.
+/// on [0, pi^2]. Relative error: d 2.6 eps; d2 5 eps, since both differences in its numerator cancel a factor
+/// 4.
 template <Scalar S, Precision P = Precision::standard>
 struct InverseCoefficient {
   S d, d2;
   [[gnu::always_inline]] explicit InverseCoefficient(const S& x) {
-    // At h = x/4: c_2 - c_3 = 1/3 - h (c_4 - c_5), 2 d' = (c_4 - 3 c_5 + c_3 (c_2 - 2 c_3)) / (16 c_1^2): all positive.
+    // At h = x/4: c_2 - c_3 = 1/3 - h (c_4 - c_5), 2 d' = (c_4 - 3 c_5 + c_3 (c_2 - 2 c_3)) / (16 c_1^2): all
+    // positive.
     const HalfAngle<S, Precision::fast> k(x);
     const S minus_h = x / S(-4), step = mul_add(minus_h, S(k.c4 - k.c5), S(1) / S(3)),
             difference = mul_add(minus_h, mul_add(S(-2), k.c5, k.c4), S(1) / S(6));  // c_2 - 2 c_3
@@ -235,10 +244,10 @@ struct InverseCoefficient {
 ///     angle_over_sine = 2 h / |v|       phi = angle_over_sine v
 ///     alpha = h cot h                   (theta/2) cot(theta/2)
 ///     along = (1 - alpha) / |v|^2       so that J^-1 p = p - phi x p / 2 + along v x (v x p)
-/// h / sin h is a smooth function of w/|Q| alone. To first order 1/|Q| = r (1 - e/2), where e = r^2 |Q|^2 - 1 and
-/// r = fl(1/|Q|), or r = 1 if |Q| is 1 up to rounding errors. If |v|^2 underflows, the results are 2/w, 1 and 0.
-/// Precondition: w >= 0, and |Q|^2 is a normal number. Relative error if |Q|^2 is in [1/8, 8] and known to eps/4 of itself:
-/// angle_over_sine 1.5 eps, alpha 2.5 eps; otherwise 2.5 and 3.5 eps.
+/// h / sin h is a smooth function of w/|Q| alone. To first order 1/|Q| = r (1 - e/2), where e = r^2 |Q|^2 - 1
+/// and r = fl(1/|Q|), or r = 1 if |Q| is 1 up to rounding errors. If |v|^2 underflows, the results are 2/w, 1
+/// and 0. Precondition: w >= 0, and |Q|^2 is a normal number. Relative error if |Q|^2 is in [1/8, 8] and
+/// known to eps/4 of itself: angle_over_sine 1.5 eps, alpha 2.5 eps; otherwise 2.5 and 3.5 eps.
 template <Scalar S>
 struct LogarithmCoefficients {
   S angle_over_sine, alpha, along;
@@ -268,7 +277,8 @@ struct LogarithmCoefficients {
     const auto excess = two_sum<S>(sum.high, S(-1));
     return {excess.high, excess.low + (sum.low + square.low)};
   }
-  /// For |Q| away from 1: sets ratio.high = 2 r and c = w r, and sets e, which is 0 unless |Q|^2 is in (1/8, 8).
+  /// For |Q| away from 1: sets ratio.high = 2 r and c = w r, and sets e, which is 0 unless |Q|^2 is in (1/8,
+  /// 8).
   [[gnu::always_inline]] void normalize(const S& squared_sine, const DoubleWord<S>& excess, S& e,
                                         DoubleWord<S>& c) {
     using std::sqrt;
@@ -323,8 +333,9 @@ S large_angle(const Vector& phi, const S& x) {
 
 }  // namespace stumpff_detail
 
-/// The coefficients of exp and its Jacobians at a rotation vector phi. Domain: every finite phi. The axis is a = phi / t
-/// with t = 1 for theta <= pi. Beyond pi t = theta, so that nothing overflows. The coefficients are scaled by powers of t:
+/// The coefficients of exp and its Jacobians at a rotation vector phi. Domain: every finite phi. The axis is
+/// a = phi / t with t = 1 for theta <= pi. Beyond pi t = theta, so that nothing overflows. The coefficients
+/// are scaled by powers of t:
 ///     k1 = c_1,  k2 = c_2 t,  k3 = c_3 t^2     J = I + k2 [a] + k3 [a]^2; for t = 1, R = I + k1 [a] + k2 [a]^2
 ///     slope2 = 2 c_2' t^2 = (2 c_4 - c_3) t^2,  slope3 = 2 c_3' t^3 = (3 c_5 - c_4) t^3,
 ///     and (sine_half a, cosine_half) is the quaternion.
@@ -365,7 +376,8 @@ template <Scalar S, Precision P, class Vector, class F>
 }
 }  // namespace stumpff_detail
 
-/// Returns f(k) for the coefficients k of phi. f is compiled twice, so that theta <= pi does not pay for the rare theta > pi.
+/// Returns f(k) for the coefficients k of phi. f is compiled twice, so that theta <= pi does not pay for the
+/// rare theta > pi.
 template <Scalar S, Precision P, class Vector, class F>
 [[gnu::always_inline]] inline auto with_coefficients(const Vector& phi, F f) {
   const auto x = squared_angle<S, P>(phi);

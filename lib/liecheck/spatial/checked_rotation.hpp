@@ -1,5 +1,6 @@
 #pragma once
-// Checks of input rotations: numbers that are not a rotation, up to rounding errors, are refused with the reason.
+// Checks of input rotations: numbers that are not a rotation, up to rounding errors, are refused with the
+// reason.
 
 #include <liecheck/spatial/so3.hpp>
 #include <locale>
@@ -35,8 +36,8 @@ void refuseNonFinite(const char* what, const M& numbers) {
 
 }  // namespace checked_rotation_detail
 
-/// The rotation of the quaternion x y z w. Throws std::invalid_argument with the wrong value unless all four numbers are
-/// finite and ||Q|^2 - 1| <= normDefectBudget.
+/// The rotation of the quaternion x y z w. Throws std::invalid_argument with the wrong value unless all four
+/// numbers are finite and ||Q|^2 - 1| <= normDefectBudget.
 template <Scalar S>
 SO3<S> checkedQuaternion(const Vector4<S>& xyzw) {
   using checked_rotation_detail::refuse;
@@ -50,8 +51,8 @@ SO3<S> checkedQuaternion(const Vector4<S>& xyzw) {
   return SO3<S>(xyzw);
 }
 
-/// Returns R [3 x 3]. Throws std::invalid_argument with the wrong value unless R is finite, |R^T R - I| (Frobenius) <=
-/// normDefectBudget and det R > 0.
+/// Returns R [3 x 3]. Throws std::invalid_argument with the wrong value unless R is finite, |R^T R - I|
+/// (Frobenius) <= normDefectBudget and det R > 0.
 template <Scalar S>
 Matrix3<S> checkedRotation(const Matrix3<S>& R) {
   using checked_rotation_detail::refuse;

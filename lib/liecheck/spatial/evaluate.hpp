@@ -48,8 +48,8 @@ bool finite(const SE3<S>& X) {
 }  // namespace evaluate_detail
 
 /// formula(Arithmetic<S, P>(), arguments...) for fast and standard precision. In tight precision the arguments become
-/// double words, the formula is evaluated with precision WIDE, and the result is rounded once. Products of double words
-/// overflow a few binades before the result does; the formula is then evaluated in S.
+/// double words, the formula is evaluated with precision WIDE, and the result is rounded once. Products of
+/// double words overflow a few binades before the result does; the formula is then evaluated in S.
 template <Scalar S, Precision P, Precision WIDE = Precision::fast, class F, class... A>
 [[gnu::always_inline]] inline auto evaluate(F formula, const A&... arguments) {
   if constexpr (P == Precision::tight) {

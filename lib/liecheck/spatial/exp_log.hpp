@@ -5,8 +5,9 @@
 //   (Murray, Li & Sastry 1994, eq. 2.36), with the Stumpff coefficients of stumpff.hpp.
 //
 // Domain: every finite rotation vector and every rotation. For |phi| <= pi the stated bounds are absolute for
-// rotations and relative for vectors, down to subnormal angles. Beyond pi they are multiplied by the condition
-// number (excess rule). exp has no branch below pi. log returns |phi| <= pi; at exactly pi the axis has either sign.
+// rotations and relative for vectors, down to subnormal angles. Beyond pi they are multiplied by the
+// condition number (excess rule). exp has no branch below pi. log returns |phi| <= pi; at exactly pi the axis
+// has either sign.
 
 #include <liecheck/scalar/stumpff.hpp>
 #include <liecheck/spatial/evaluate.hpp>
@@ -40,7 +41,8 @@ template <Scalar S>
                  mul_add(v[2], x, S(-s[1])), mul_add(v[1], z, s[0]), S(1) - (xx + yy));
 }
 
-/// exp [phi] = I + k1 [a] + k2 [a]^2 for |phi| <= pi. For |phi| > pi, a is a rounded unit vector and the quaternion is used.
+/// exp [phi] = I + k1 [a] + k2 [a]^2 for |phi| <= pi. For |phi| > pi, a is a rounded unit vector and the
+/// quaternion is used.
 template <Scalar S, Precision P>
 [[gnu::always_inline]] inline Matrix3<S> matrix(const RotationCoefficients<S, Vector3<S>, P>& k) {
   if (!k.within_pi)
@@ -75,8 +77,9 @@ struct RotationLogarithm {
     });
   }
 
-  /// rho = J^-1(phi) p = p - 1/2 phi x p + (1 - alpha) n x (n x p), alpha = (theta/2) cot(theta/2), n = v/|v|. The part
-  /// of p along the axis is unchanged. Error 3 eps |rho|, including the effect of the error of phi.
+  /// rho = J^-1(phi) p = p - 1/2 phi x p + (1 - alpha) n x (n x p), alpha = (theta/2) cot(theta/2), n =
+  /// v/|v|. The part of p along the axis is unchanged. Error 3 eps |rho|, including the effect of the error
+  /// of phi.
   [[gnu::always_inline]] Vector3<S> arc(const Vector3<S>& p) const {
     // phi is replaced by ratio v, which is not rounded.
     const Vector3<S> v_p = cross<S>(v, p), v_v_p = cross<S>(v, v_p);
@@ -96,7 +99,8 @@ struct RotationLogarithm {
       : RotationLogarithm(vector_part(Q.high, Q.high.to_vector()), vector_part(Q.high, Q.low),
                           DoubleWord<S>(absolute<S>(Q.high.w()), S(sign<S>(Q.high.w()) * Q.low[3])),
                           DoubleWord<S>(excess.high, S(excess.low + S(2) * Q.high.to_vector().dot(Q.low)))) {}
-  /// sgn(w) (q_0, q_1, q_2), where w is the scalar part of Q. This selects Q or -Q so that the scalar part is positive.
+  /// sgn(w) (q_0, q_1, q_2), where w is the scalar part of Q. This selects Q or -Q so that the scalar part is
+  /// positive.
   [[gnu::always_inline]] static Vector3<S> vector_part(const SO3<S>& Q, const Vector4<S>& q) {
     return each<S>([&q, s = sign<S>(Q.w())](int i) { return S(s * q[i]); });
   }
@@ -167,8 +171,8 @@ Matrix3<S> exp3(const Vector3<S>& phi) {
       phi);
 }
 
-/// phi [3, rad] of the rotation nearest to R, for |R^T R - I| <= 8 eps. Relative error 3 eps. Fast precision does not
-/// orthogonalise R, which adds |R^T R - I| to the error.
+/// phi [3, rad] of the rotation nearest to R, for |R^T R - I| <= 8 eps. Relative error 3 eps. Fast precision
+/// does not orthogonalise R, which adds |R^T R - I| to the error.
 template <Scalar S, Precision P = Precision::standard>
 Vector3<S> log3(const Matrix3<S>& R) {
   return evaluate<S, P, Precision::standard>(

@@ -10,9 +10,9 @@
 //          J_l^-1 = [ J_l^-1(phi)  Qi ; 0  J_l^-1(phi) ],
 //                   Qi = dJ_l^-1 along rho = -1/2 [rho] + d ([phi][rho] + [rho][phi]) + d2 (phi . rho) [phi]^2
 //
-// with g = c3 - 2 c4, h = c4 - 3 c5; stumpff.hpp defines d and d2. The coupling block is the directional derivative
-// of the rotation block along rho, because (phi + e rho) with e^2 = 0 is the twist as a dual vector.
-// (Barfoot & Furgale 2014, eq. 102, is the same Q written with nested products.)
+// with g = c3 - 2 c4, h = c4 - 3 c5; stumpff.hpp defines d and d2. The coupling block is the directional
+// derivative of the rotation block along rho, because (phi + e rho) with e^2 = 0 is the twist as a dual
+// vector. (Barfoot & Furgale 2014, eq. 102, is the same Q written with nested products.)
 //
 // Error of each 3 x 3 block: 6 eps of its Frobenius norm for |phi| <= pi; beyond pi the excess rule applies.
 
@@ -35,8 +35,8 @@ template <Scalar S>
                  yz + t[0], S(-2) * (xx + yy));
 }
 
-/// Coefficients of the rotation block of J_l or J_l^-1 and of its derivative along rho, scaled to the axis a = phi / t as
-/// in RotationCoefficients.
+/// Coefficients of the rotation block of J_l or J_l^-1 and of its derivative along rho, scaled to the axis a
+/// = phi / t as in RotationCoefficients.
 template <Scalar S, Precision P>
 struct BlockCoefficients {
   Vector3<S> axis;

@@ -1,6 +1,6 @@
 #pragma once
-// The product of quaternions x y z w, with terms summed in double words. All four numbers are computed at once if they
-// fit one register of the target, otherwise one after another.
+// The product of quaternions x y z w, with terms summed in double words. All four numbers are computed at
+// once if they fit one register of the target, otherwise one after another.
 
 #include <liecheck/scalar/compensated.hpp>
 #include <liecheck/scalar/simd.hpp>
@@ -20,7 +20,8 @@ struct AllLanes {};
 template <int N>
 struct OneLane {};
 
-/// permute returns (q_I, q_J, q_K, q_L). pick returns the numbers of the permuted Quad that its first argument selects.
+/// permute returns (q_I, q_J, q_K, q_L). pick returns the numbers of the permuted Quad that its first
+/// argument selects.
 template <int I, int J, int K, int L, class Q>
 [[gnu::always_inline]] inline Q permute(const Q& q) {
   if constexpr (Q::in_register)
@@ -47,8 +48,8 @@ template <int N, class Q, int BITS, Precision P>
   return SplitFactor<S, BITS, P>::of(c.value.v[N], c.high.v[N], c.low.v[N]);
 }
 
-/// (q_I, q_J, q_K, q_L) as split factors. Without sigma they are split at a fixed digit, with sigma at its last digit.
-/// With low, the double words q + low are split.
+/// (q_I, q_J, q_K, q_L) as split factors. Without sigma they are split at a fixed digit, with sigma at its
+/// last digit. With low, the double words q + low are split.
 template <Precision P, int I, int J, int K, int L, class Lanes, class Q>
 [[gnu::always_inline]] inline auto split_lanes(Lanes lane, const Q& q) {
   const auto a = pick<I, J, K, L>(lane, q);
@@ -71,8 +72,8 @@ template <Precision P, class Lanes, class Q>
   return SplitDot<std::remove_cvref_t<decltype(pick<0, 1, 2, 3>(lane, q))>, 1, P>();
 }
 
-/// Computes f(lane), a SplitDot, for all four numbers: at once if they fit one register, otherwise one after another, so
-/// that few registers are in use at a time.
+/// Computes f(lane), a SplitDot, for all four numbers: at once if they fit one register, otherwise one after
+/// another, so that few registers are in use at a time.
 template <Scalar S, Precision P, class F>
 [[gnu::always_inline]] inline SplitDot<Quad<S>, 1, P> by_lane(F f) {
   if constexpr (one_register<S>) {

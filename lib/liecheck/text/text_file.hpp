@@ -14,8 +14,8 @@ struct FileError : std::runtime_error {
       : std::runtime_error(problem + " (" + value + ")"), problem(problem), value(value) {}
 };
 
-/// The bytes of a regular file, or of a pipe with a writer. The file is opened and read once. If it is longer than
-/// max_bytes, the first max_bytes + 1 bytes are returned. Throws FileError.
+/// The bytes of a regular file, or of a pipe with a writer. The file is opened and read once. If it is longer
+/// than max_bytes, the first max_bytes + 1 bytes are returned. Throws FileError.
 std::string readTextFile(const std::string& path, std::size_t max_bytes);
 
 }  // namespace liecheck

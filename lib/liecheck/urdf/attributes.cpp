@@ -8,8 +8,8 @@ namespace {
 
 using tinyxml2::XMLAttribute, tinyxml2::XMLElement;
 
-/// An attribute that holds `count` numbers. Only elements below link, joint and material are checked, since extensions
-/// of other programs may use the same names elsewhere.
+/// An attribute that holds `count` numbers. Only elements below link, joint and material are checked, since
+/// extensions of other programs may use the same names elsewhere.
 struct NumericAttribute {
   std::string_view element, attribute;
   int count;

@@ -68,7 +68,8 @@ class ModelBuilder {
   }
 
  private:
-  /// Adds the joints below the root link, depth first without recursion. Joints of one link are in alphabetical order.
+  /// Adds the joints below the root link, depth first without recursion. Joints of one link are in
+  /// alphabetical order.
   void addTree(int root_frame) {
     std::vector<std::pair<std::string, int>> todo;  // a joint, and the BODY frame of its parent link
     const auto push = [&](const std::string& link, int frame) {
@@ -120,8 +121,8 @@ class ModelBuilder {
       refuse("a joint that does not have exactly one degree of freedom");
   }
 
-  /// Checks the total inertia of the links fixed to each joint. An inertia that no body can have is an error at the link
-  /// at fault; a joint without mass is a warning.
+  /// Checks the total inertia of the links fixed to each joint. An inertia that no body can have is an error
+  /// at the link at fault; a joint without mass is a warning.
   void checkBodies() {
     for (const auto& [link, line, what, value] : robot_.unphysical_links) {
       const int joint = model_.frames[std::size_t(model_.getFrameId(link, FrameType::BODY))].parentJoint;

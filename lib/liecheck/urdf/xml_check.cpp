@@ -7,10 +7,10 @@ namespace liecheck::urdf_detail {
 
 namespace {
 
-/// Checks the tags in one pass without recursion, and skips comments, declarations and quoted '>'. It refuses what
-/// TinyXML-2 accepts or recurses on: elements nested deeper than max_element_depth, closing tags without an opening tag
-/// (TinyXML-2 ignores all that follows), text outside the root element, attribute values without quotes, and markup that
-/// does not end.
+/// Checks the tags in one pass without recursion, and skips comments, declarations and quoted '>'. It refuses
+/// what TinyXML-2 accepts or recurses on: elements nested deeper than max_element_depth, closing tags without
+/// an opening tag (TinyXML-2 ignores all that follows), text outside the root element, attribute values
+/// without quotes, and markup that does not end.
 class TagCheck {
  public:
   TagCheck(const std::string& text, const Messages& messages) : text_(text), messages_(messages) {}

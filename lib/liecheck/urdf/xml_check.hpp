@@ -6,12 +6,12 @@
 
 namespace liecheck::urdf_detail {
 
-/// The deepest nesting of elements that is read; a robot needs seven levels. The parser recurses, so a deeper nesting
-/// could overflow the stack.
+/// The deepest nesting of elements that is read; a robot needs seven levels. The parser recurses, so a deeper
+/// nesting could overflow the stack.
 constexpr int max_element_depth = 64;
 
-/// Throws UrdfError unless text is UTF-8 without zero bytes, every tag ends and every closing tag has an opening tag, and
-/// the nesting is at most max_element_depth.
+/// Throws UrdfError unless text is UTF-8 without zero bytes, every tag ends and every closing tag has an
+/// opening tag, and the nesting is at most max_element_depth.
 void checkXml(const std::string& text, const Messages& messages);
 
 }  // namespace liecheck::urdf_detail

@@ -10,7 +10,8 @@ namespace liecheck {
 template <Scalar S>
 class Axis {
  public:
-  /// Normalises direction [3]; coordinate axes stay exact. Throws std::invalid_argument if it is zero or not finite.
+  /// Normalises direction [3]; coordinate axes stay exact. Throws std::invalid_argument if it is zero or not
+  /// finite.
   explicit Axis(const Vector3<S>& direction) : unit_(direction) {
     if (!direction.allFinite() || direction.isZero(S(0)))
       throw std::invalid_argument("the axis of a joint must be finite and not zero");
@@ -25,7 +26,8 @@ class Axis {
 
   const Vector3<S>& to_vector() const { return unit_; }
 
-  /// "X", "Y" or "Z" for exactly these unit vectors, otherwise empty. -X is not aligned: its joint rotates the other way.
+  /// "X", "Y" or "Z" for exactly these unit vectors, otherwise empty. -X is not aligned: its joint rotates
+  /// the other way.
   std::string aligned() const {
     return coordinate_ < 0 || unit_[coordinate_] < S(0) ? std::string() : std::string(1, "XYZ"[coordinate_]);
   }
@@ -35,8 +37,8 @@ class Axis {
     return letter.empty() ? unaligned : prefix + letter;
   }
 
-  /// R_PJ R(a, theta), where c = cos theta, s = sin theta and R(a, theta) = c I + s [a] + (1 - c) a a^T (Rodrigues 1840).
-  /// A rotation about +-X, +-Y or +-Z leaves one column of R_PJ unchanged. Error 3 eps.
+  /// R_PJ R(a, theta), where c = cos theta, s = sin theta and R(a, theta) = c I + s [a] + (1 - c) a a^T
+  /// (Rodrigues 1840). A rotation about +-X, +-Y or +-Z leaves one column of R_PJ unchanged. Error 3 eps.
   [[gnu::always_inline]] Matrix3<S> rotated(const Matrix3<S>& R_PJ, const S& c, const S& s) const {
     switch (coordinate_) {
       case 0:

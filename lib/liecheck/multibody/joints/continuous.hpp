@@ -1,5 +1,6 @@
 #pragma once
-// A continuous joint: an unlimited rotation about an axis. q = (cos, sin) of the angle, v [rad/s]. nq = 2, nv = 1.
+// A continuous joint: an unlimited rotation about an axis. q = (cos, sin) of the angle, v [rad/s]. nq = 2, nv
+// = 1.
 //
 //   integrate(u, a) = (c cos a - s sin a, s cos a + c sin a)
 //   difference(u0, u1) = atan2(u0 x u1, u0 . u1)
@@ -45,8 +46,8 @@ struct Continuous {
         Configuration(u[0] * c - u[1] * s, u[1] * c + u[0] * s));
   }
 
-  /// The angle from u0 to u1 in [-pi, pi]; for opposite u0 and u1 it is pi or -pi. Relative error 3 eps for any angle:
-  /// u0 x u1 is computed as u0 x (u1 - u0), by compensated summation if that cancels too.
+  /// The angle from u0 to u1 in [-pi, pi]; for opposite u0 and u1 it is pi or -pi. Relative error 3 eps for
+  /// any angle: u0 x u1 is computed as u0 x (u1 - u0), by compensated summation if that cancels too.
   static Tangent difference(const Configuration& u0, const Configuration& u1) {
     using std::atan2;
     const Configuration d = u1 - u0;

@@ -1,5 +1,6 @@
 #pragma once
-// A helical joint: a rotation about an axis by q [rad] and a translation along the axis by pitch q [m]. nq = nv = 1.
+// A helical joint: a rotation about an axis by q [rad] and a translation along the axis by pitch q [m]. nq =
+// nv = 1.
 
 #include <liecheck/multibody/joints/revolute.hpp>
 
