@@ -13,8 +13,8 @@ namespace liecheck {
 
 namespace algorithms_detail {
 
-/// Adds I^A to sum with its reference point moved by -r:  B' = B - A [r],  D' = D + [r] B' + ([r] B)^T,  I^A
-/// = [A, B; B^T, D].
+/// Adds I^A = [A, B; B^T, D] to sum, with its reference point moved by -r: B' = B - A [r],
+/// D' = D + [r] B' + ([r] B)^T.
 template <Scalar S>
 void addShifted(Matrix6<S>& sum, const Matrix6<S>& I, const Vector3<S>& r) {
   const Matrix3<S> A = I.template topLeftCorner<3, 3>(), B = I.template topRightCorner<3, 3>();
@@ -31,8 +31,7 @@ void addShifted(Matrix6<S>& sum, const Matrix6<S>& I, const Vector3<S>& r) {
   sum.template bottomRightCorner<3, 3>() += I.template bottomRightCorner<3, 3>() + r_moved + r_B.transpose();
 }
 
-/// The Cholesky factor L of D = L L^T > 0 [N x N], or 1 / D if N = 1. Throws SingularInertia if the joint
-/// moves no inertia.
+/// The Cholesky factor L of D = L L^T [N x N], or 1 / D if N = 1. Throws SingularInertia unless D > 0.
 template <int N, Scalar S>
 Eigen::Matrix<S, N, N> factorOf(const Model<S>& model, int joint, const Eigen::Matrix<S, N, N>& D,
                                 const Eigen::Matrix<S, N, 1>& scale) {
@@ -145,8 +144,7 @@ const VectorX<S>& aba(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, In
   return ddq;
 }
 
-// Explicit instantiations for float and double: instantiations_*.cpp. Other scalars are instantiated where
-// used.
+// instantiations_*.cpp instantiates these for float and double.
 extern template const VectorX<float>& aba<float>(const Model<float>&, Data<float>&, In<float>, In<float>,
                                                  In<float>, External<float>);
 extern template const VectorX<double>& aba<double>(const Model<double>&, Data<double>&, In<double>,

@@ -39,13 +39,13 @@ void compositeInertias(const Model<S>& model, Data<S>& data, In<S> q) {
     Ic[std::size_t(model.parents[i])].join(Ic[i], data.work.r[i], data.work.joined[i]);
 }
 
-/// The momentum F = I s of a column s = (t, omega) [6] of a motion subspace: force (x, y, z) = m (t + omega x
-/// c), moment (u, v, w) = I_C omega + c x force. The reference point is initially the origin of the column's
-/// joint. Members are scalars so that they stay in registers; a Force would be stored and loaded again.
+/// The momentum F = I s of a column s = (t, omega) [6] of a motion subspace. Its force is
+/// (x, y, z) = m (t + omega x c), its moment (u, v, w) = I_C omega + c x force, initially about the origin of
+/// the column's joint. The members are scalars, which stay in registers; a Force would be reloaded.
 template <Scalar S>
 struct ColumnMomentum {
   S x, y, z, u, v, w;
-  /// rotation states that s = (0, omega).
+  /// If rotation is true, s = (0, omega).
   [[gnu::always_inline]] ColumnMomentum(const CompositeInertia<S>& I, const S* s, bool rotation = false) {
     const S a = s[3], b = s[4], c = s[5];
     x = mul_add(b, I.c[2], S(-(c * I.c[1])));
@@ -79,8 +79,7 @@ struct ColumnMomentum {
 
 /// Row and column k of M. With mimic joints, several columns of motion subspaces belong to one number of v,
 /// and their terms are summed. Without them, column m belongs to v[m] alone, and every entry is written once.
-/// Entries are written through pointers, since indexing by M(m, k) and M(k, m) costs 5 to 10 % of crba's
-/// time.
+/// Entries are written through pointers; M(m, k) and M(k, m) would cost 5 to 10 % of crba's time.
 template <bool mimics, Scalar S>
 struct RowAndColumn {
   const Model<S>& model;
@@ -106,11 +105,10 @@ struct RowAndColumn {
 };
 
 /// Sets M_mk = M_km = s_m^T F, F = Ic_j s_k, for the columns m <= k of joint j and all columns m of its
-/// ancestors. This is the inner loop of crba. In world axes, F is moved to the parent without a rotation.
-/// Products with the known zeros of a rotation about an axis, s = (0, omega), and of a free-flyer, S = [R, 0;
-/// 0, R], are skipped. With compositeInertias it takes 0.4 of the time of the same algorithm written with
-/// Motion, Force and Inertia in joint frames (measured with gcc 12 -O2, double, free-flyers with 4 and with
-/// 10 legs of 3 revolute joints).
+/// ancestors. This is the inner loop of crba. In world axes, F is moved to the parent without a rotation. For
+/// a rotation about an axis, s = (0, omega), and for a free-flyer, S = [R, 0; 0, R], products with zeros are
+/// skipped. With compositeInertias it takes 0.4 of the time of the same formulas written with Motion, Force
+/// and Inertia in joint frames (gcc 12 -O2, double, free-flyers with 4 and 10 legs of 3 revolute joints).
 template <bool rotation, bool mimics, Scalar S>
 [[gnu::always_inline]] inline void projectOnSupport(const Model<S>& model, const Data<S>& data, std::size_t j,
                                                     ColumnMomentum<S> F, const RowAndColumn<mimics, S>& M_k) {
@@ -148,8 +146,7 @@ template <Scalar S, class F>
   }
 }
 
-/// Throws SingularInertia if a pivot of the factorization is no larger than the rounding error of M_kk
-/// (`before`).
+/// Throws SingularInertia if a pivot of the factorization is not above the rounding error of M_kk (`before`).
 template <Scalar S>
 void checkPivot(const Model<S>& model, int v_index, const S& pivot, const S& before) {
   if (pivot > S(64) * eps<S>() * before) return;
@@ -172,8 +169,7 @@ int previousVelocity(const Model<S>& model, int k) {
   return -1;
 }
 
-/// Sets data.work.factor = L, lower triangular with M = L^T L and the sparsity of the tree. Throws
-/// SingularInertia. Needs M.
+/// Sets data.work.factor = L, lower triangular with M = L^T L. Throws SingularInertia. Needs M.
 template <Scalar S>
 void factorize(const Model<S>& model, Data<S>& data) {
   const auto before = [&](int k) { return previousVelocity(model, k); };
@@ -205,19 +201,17 @@ void solve(const Model<S>& model, const MatrixX<S>& L, Column&& x) {
 
 /// M(q) [nv x nv; kg, kg m, kg m^2], both triangles, symmetric to the last bit, armature on its diagonal. Featherstone
 /// (2008), table 6.2:  Ic_j = I_j + sum of Ic_c over the children c of j;  F = Ic_j s_k;  M_mk = s_m^T F for every column
-/// m of j and of its ancestors. Throws std::logic_error if Data has not allocated M. Updates liMi, oMi, M. q
-/// [nq].
+/// m of j and of its ancestors. Throws std::logic_error if Data has no M. Updates liMi, oMi, M. q [nq].
 template <Scalar S>
 const MatrixX<S>& crba(const Model<S>& model, Data<S>& data, In<S> q) {
   using namespace algorithms_detail;
   data.require(Dense::Mass, "crba");
-  compositeInertias(model, data, q);  // Ic_j
+  compositeInertias(model, data, q);
   MatrixX<S>& M = data.M.write(Level::Position);
   const auto fill = [&](auto mimics) {
     if constexpr (mimics) M = model.armature.asDiagonal();
     forEachColumn(
         model, [&](std::size_t j, int k, auto rotation) __attribute__((always_inline)) {
-          // F = Ic_j s_k
           const ColumnMomentum<S> F(data.work.inertia[j], data.work.S_columns.data() + 6 * k, rotation);
           // M_mk = M_km = s_m^T F; entries between branches keep their initial value 0.
           projectOnSupport<rotation>(model, data, j, F, RowAndColumn<mimics, S>{model, M, k});
@@ -243,8 +237,7 @@ const MatrixX<S>& computeMinverse(const Model<S>& model, Data<S>& data, In<S> q)
   return Minv;
 }
 
-// Explicit instantiations for float and double: instantiations_*.cpp. Other scalars are instantiated where
-// used.
+// instantiations_*.cpp instantiates these for float and double.
 extern template const MatrixX<float>& crba<float>(const Model<float>&, Data<float>&, In<float>);
 extern template const MatrixX<float>& computeMinverse<float>(const Model<float>&, Data<float>&, In<float>);
 extern template const MatrixX<double>& crba<double>(const Model<double>&, Data<double>&, In<double>);

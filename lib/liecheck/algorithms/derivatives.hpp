@@ -32,8 +32,8 @@ Matrix6<S> coriolis(const Matrix6<S>& I, const Motion<S>& v) {
 
 }  // namespace algorithms_detail
 
-/// dtau/dq, dtau/dv and dtau/da = M [nv x nv] of rnea(q, v, a, fext). Every fext moves with its body. Updates
-/// liMi, oMi, M, dtau_dq, dtau_dv.
+/// dtau/dq, dtau/dv and dtau/da = M [nv x nv] of rnea(q, v, a, fext). Every fext moves with its body.
+/// Updates liMi, oMi, M, dtau_dq, dtau_dv.
 template <Scalar S>
 void computeRNEADerivatives(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, In<S> a,
                             External<S> fext = {}) {
@@ -128,8 +128,7 @@ void computeABADerivatives(const Model<S>& model, Data<S>& data, In<S> q, In<S> 
   data.ddq_dv.write(Level::Velocity) = -(data.Minv().lazyProduct(data.dtau_dv()));
 }
 
-// Explicit instantiations for float and double: instantiations_*.cpp. Other scalars are instantiated where
-// used.
+// instantiations_*.cpp instantiates these for float and double.
 extern template void computeRNEADerivatives<float>(const Model<float>&, Data<float>&, In<float>, In<float>,
                                                    In<float>, External<float>);
 extern template void computeABADerivatives<float>(const Model<float>&, Data<float>&, In<float>, In<float>,

@@ -33,8 +33,7 @@ S computeMechanicalEnergy(const Model<S>& model, Data<S>& data, In<S> q, In<S> v
   return computeKineticEnergy(model, data, q, v) + computePotentialEnergy(model, data, q);
 }
 
-// Explicit instantiations for float and double: instantiations_*.cpp. Other scalars are instantiated where
-// used.
+// instantiations_*.cpp instantiates these for float and double.
 extern template const float& computeKineticEnergy<float>(const Model<float>&, Data<float>&, In<float>,
                                                          In<float>);
 extern template const float& computePotentialEnergy<float>(const Model<float>&, Data<float>&, In<float>);

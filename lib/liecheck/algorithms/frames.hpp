@@ -133,8 +133,7 @@ ImuReading<S> imu(const Model<S>& model, const Data<S>& data, int frame) {
           Vector3<S>(a.linear() - R_WF.transpose() * model.gravity)};
 }
 
-// Explicit instantiations for float and double: instantiations_*.cpp. Other scalars are instantiated where
-// used.
+// instantiations_*.cpp instantiates these for float and double.
 extern template void updateFramePlacements<float>(const Model<float>&, Data<float>&);
 extern template void updateFramePlacements<double>(const Model<double>&, Data<double>&);
 

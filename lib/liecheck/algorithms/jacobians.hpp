@@ -2,8 +2,7 @@
 // Jacobians J of joints and frames, and dJ, the time derivative of J's entries.
 //
 // J v is the velocity in J's reference frame, and J a + dJ v is its rate. In LOCAL and WORLD this rate is the
-// spatial acceleration. In LOCAL_WORLD_ALIGNED it is the classical one, because the reference point moves
-// with the frame.
+// spatial acceleration, in LOCAL_WORLD_ALIGNED the classical one, since the reference point moves.
 
 #include <liecheck/algorithms/frames.hpp>
 
@@ -12,8 +11,7 @@ namespace liecheck {
 namespace algorithms_detail {
 
 /// Calls f(place, k, s_k, d) for every column k of every joint between the universe and the frame F. s_k is
-/// in world axes at the joint's origin. d [m] is the vector from that origin to F's, summed along the tree to
-/// avoid cancellation.
+/// in world axes at the joint's origin. d [m] is the vector from there to F's origin, summed along the tree.
 template <Scalar S, class Function>
 void forEachSupportingColumn(const Model<S>& model, const Data<S>& data, const Placed<S>& F, Function f) {
   const auto& oMi = data.oMi();
@@ -146,8 +144,7 @@ const Matrix6X<S>& computeJointJacobiansTimeVariation(const Model<S>& model, Dat
   return dJ;
 }
 
-/// Jacobian [6 x nv] of a joint, or of a frame. The reference is to storage that the next getter overwrites.
-/// Needs J.
+/// Jacobian [6 x nv] of a joint, or of a frame. The next getter overwrites the result. Needs J.
 template <Scalar S>
 const Matrix6X<S>& getJointJacobian(const Model<S>& model, Data<S>& data, int joint,
                                     ReferenceFrame reference) {
@@ -174,8 +171,7 @@ const Matrix6X<S>& getFrameJacobianTimeVariation(const Model<S>& model, Data<S>&
   return jacobianRateOf(model, data, placedFrame(model, data, frame), reference);
 }
 
-// Explicit instantiations for float and double: instantiations_*.cpp. Other scalars are instantiated where
-// used.
+// instantiations_*.cpp instantiates these for float and double.
 extern template const Matrix6X<float>& computeJointJacobians<float>(const Model<float>&, Data<float>&,
                                                                     In<float>);
 extern template const Matrix6X<float>& computeJointJacobiansTimeVariation<float>(const Model<float>&,

@@ -2,8 +2,8 @@
 // Poses, velocities and accelerations of the joints.
 //
 //   oM_i = oM_p liM_i,   v_i = X^-1 v_p + S qd,   a_i = X^-1 a_p + S qdd + v_i x S qd      X = liM_i, p = parent(i)
-//   Featherstone (2008), eqs. 4.7 to 4.10. v_i and a_i are in joint i's axes at its origin. a_i is the spatial
-//   acceleration, the derivative of v_i's numbers; frames.hpp computes the classical acceleration.
+// Featherstone (2008), eqs. 4.7 to 4.10. v_i and a_i are in joint i's axes at its origin. a_i is the spatial
+// acceleration, the derivative of v_i's numbers; frames.hpp computes the classical acceleration.
 
 #include <liecheck/multibody/data.hpp>
 
@@ -83,8 +83,7 @@ void forwardKinematics(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, I
 
 namespace algorithms_detail {
 
-/// Computes the pose, work.r and work.S_columns (see Data::Work) of every joint, then calls f(joint). Updates
-/// liMi, oMi.
+/// Computes the pose, work.r and work.S_columns of every joint, then calls f(joint). Updates liMi, oMi.
 template <Scalar S, class F>
 void columnsInWorldAxes(const Model<S>& model, Data<S>& data, In<S> q, F f) {
   data.begin(model, q);
@@ -132,8 +131,7 @@ void checkForces(const Model<S>& model, const External<S>& forces) {
 }
 
 }  // namespace algorithms_detail
-// Explicit instantiations for float and double: instantiations_*.cpp. Other scalars are instantiated where
-// used.
+// instantiations_*.cpp instantiates these for float and double.
 extern template void forwardKinematics<float>(const Model<float>&, Data<float>&, In<float>);
 extern template void forwardKinematics<float>(const Model<float>&, Data<float>&, In<float>, In<float>);
 extern template void forwardKinematics<float>(const Model<float>&, Data<float>&, In<float>, In<float>,

@@ -96,8 +96,7 @@ const VectorX<S>& computeGeneralizedGravity(const Model<S>& model, Data<S>& data
   return computeStaticTorque(model, data, q, {});
 }
 
-// Explicit instantiations for float and double: instantiations_*.cpp. Other scalars are instantiated where
-// used.
+// instantiations_*.cpp instantiates these for float and double.
 extern template const VectorX<float>& rnea<float>(const Model<float>&, Data<float>&, In<float>, In<float>,
                                                   In<float>, External<float>);
 extern template const VectorX<float>& nonLinearEffects<float>(const Model<float>&, Data<float>&, In<float>,

@@ -1,12 +1,11 @@
 #pragma once
-// exp, log, integrate, difference and act of many poses at once. Poses are stored as a structure of arrays:
-// each column is one pose, and each row holds one number of all poses. One SIMD instruction then processes
-// several poses.
+// exp, log, integrate, difference and act of many poses at once, by SIMD instructions. Poses are stored as a
+// structure of arrays: each column is one pose, and each row holds one number of all poses.
 //
-// Every function has a counterpart for one pose, and each column of its result keeps the error bounds of that
-// counterpart. The counterpart itself computes two kinds of columns. One kind needs a branch (|phi| > pi,
-// near poses, |phi| within 1e-3 of pi, quaternions far from unit, results that are not finite). The other are
-// the last ones, too few for a register.
+// Every function has a counterpart for one pose, whose error bounds hold for each column. The counterpart
+// itself computes the columns that need a branch (|phi| > pi, near poses, |phi| within 1e-3 of pi,
+// quaternions far from unit, results that are not finite), and the last columns, which do not fill a
+// register.
 
 #include <liecheck/multibody/se3_configuration.hpp>
 #include <liecheck/scalar/simd.hpp>
@@ -30,8 +29,7 @@ template <class T, class S, int ROWS>
   return v;
 }
 
-/// Applies f to every column of the arguments. usual_path(result, arguments...) returns which lanes needed no
-/// branch.
+/// Applies f to every column. usual_path(result, arguments...) returns which lanes needed no branch.
 template <int ROWS, class S, class F, class UsualPath, int... IN>
 Rows<S, ROWS> map(F f, UsualPath usual_path, const Rows<S, IN>&... arguments) {
   using P = Simd<S, register_bytes / int(sizeof(S))>;
@@ -75,7 +73,7 @@ template <class P, class V>
   return (x.v >= -most) & (x.v <= most);
 }
 template <class S>
-constexpr S huge = std::numeric_limits<S>::max() * eps<S>() * eps<S>();  ///< largest squared length that needs no branch
+constexpr S huge = std::numeric_limits<S>::max() * eps<S>() * eps<S>();  ///< largest |v|^2 without a branch
 
 }  // namespace detail
 

@@ -1,8 +1,8 @@
 #pragma once
 // The inertia of rigidly joined bodies, summed along a tree: mass [kg], centre of mass c [m] and the six
 // numbers of I_C [kg m^2], all in one frame's axes. The formulas are those of spatial/inertia.hpp. This class
-// is faster, since it is computed for every joint and state: it holds scalars and caches the ratios of
-// masses.
+// is
+// faster: it holds scalars and caches mass ratios.
 
 #include <liecheck/spatial/se3.hpp>
 
@@ -41,10 +41,10 @@ struct CompositeInertia {
         entry(2, 2)};
   }
 
-  /// Adds another inertia whose origin is at r [m], in the same axes; `joined` caches the mass ratios of this
-  /// pair. With t = m_2/(m + m_2), d = c_2 + r - c,  c = (1 - t) c + t (c_2 + r),  I_C += I_2 + m t (|d|^2 1
-  /// - d d^T)  (parallel-axis theorem). The form c += t d is less accurate: a light body far from a heavy one
-  /// would add the rounding error of d.
+  /// Adds another inertia whose origin is at r [m], in the same axes; `joined` caches the mass ratios of the
+  /// pair. With t = m_2/(m + m_2), d = c_2 + r - c,  c = (1 - t) c + t (c_2 + r), I_C += I_2 + m t (|d|^2 1 -
+  /// d d^T)  (parallel-axis theorem). c += t d would be less accurate: the rounding error of d is large if
+  /// one of the bodies is light and far away.
   [[gnu::always_inline]] void join(const CompositeInertia& other, const Vector3<S>& r,
                                    JoinedMass<S>& joined) {
     joined.join(mass, other.mass);

@@ -36,8 +36,7 @@ using multibody_detail::forEachJoint;
 
 }  // namespace configuration_detail
 
-/// Configurations that differ by at most 64 eps count as the same. This is the error of 16 operations of 4
-/// eps each.
+/// Configurations are the same if they differ by at most 64 eps, the error of 16 operations of 4 eps each.
 template <Scalar S>
 S samenessBudget() {
   return S(64) * eps<S>();
@@ -52,8 +51,8 @@ VectorX<S> neutral(const Model<S>& model) {
   return q;
 }
 
-/// q [nq] with every quaternion and every (cos, sin) normalised. Throws InvalidConfiguration if one of them
-/// is zero, or if q is not finite.
+/// q [nq] with every quaternion and (cos, sin) normalised. Throws InvalidConfiguration if one is 0 or not
+/// finite.
 template <Scalar S>
 VectorX<S> normalized(const Model<S>& model, const configuration_detail::Vector<S>& q) {
   configuration_detail::checkConfigurationSize<S>(model, q, "q");
@@ -115,8 +114,7 @@ VectorX<S> interpolate(const Model<S>& model, const configuration_detail::Vector
   return integrate(model, q0, u * difference(model, q0, q1));
 }
 
-/// |difference|^2 of each joint except the universe [njoints - 1]. Squares of metres and of radians are
-/// added.
+/// |difference|^2 of each joint except the universe [njoints - 1]; squares of m and of rad are added.
 template <Scalar S>
 VectorX<S> squaredDistance(const Model<S>& model, const configuration_detail::Vector<S>& q0,
                            const configuration_detail::Vector<S>& q1) {
@@ -144,8 +142,7 @@ S distance(const Model<S>& model, const configuration_detail::Vector<S>& q0,
   return distance(model, q0, q1, VectorX<S>::Ones(model.nv));
 }
 
-/// True if every joint's configuration in q0 and q1 differs by at most budget [rad; relative to max(1 m,
-/// |p|)]. Q and -Q are the same rotation.
+/// True if all joints differ by at most budget [rad; relative to max(1 m, |p|)]. Q and -Q are the same.
 template <Scalar S>
 bool isSameConfiguration(const Model<S>& model, const configuration_detail::Vector<S>& q0,
                          const configuration_detail::Vector<S>& q1,
@@ -173,8 +170,7 @@ MatrixX<S> dIntegrate(const Model<S>& model, const configuration_detail::Vector<
   return J;
 }
 
-/// The derivative [nv x nv] of difference(q0, q1) with respect to tangent increments of q0 (ARG0) or q1
-/// (ARG1). It is block-diagonal.
+/// The derivative [nv x nv] of difference(q0, q1) with respect to q0 (ARG0) or q1 (ARG1), block-diagonal.
 template <Scalar S>
 MatrixX<S> dDifference(const Model<S>& model, const configuration_detail::Vector<S>& q0,
                        const configuration_detail::Vector<S>& q1, ArgumentPosition argument) {
@@ -219,8 +215,7 @@ VectorX<S> checkedTangent(const Model<S>& model, const configuration_detail::Vec
   return v;
 }
 
-// Explicit instantiations for float and double: instantiations.cpp. Other scalars are instantiated where
-// used.
+// instantiations.cpp instantiates these for float and double.
 extern template VectorX<float> neutral<float>(const Model<float>&);
 extern template VectorX<float> normalized<float>(const Model<float>&, const VectorX<float>&);
 extern template void normalize<float>(const Model<float>&, VectorX<float>&);

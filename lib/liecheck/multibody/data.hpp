@@ -50,8 +50,8 @@ class Data {
   Field<Each<SE3<S>>> oMi;   ///< [njoints] X_world,joint
   Field<Each<SE3<S>>> oMf;   ///< [nframes] X_world,frame
   Field<Each<Motion<S>>> v;  ///< [njoints] velocity of joint i, in its axes, at its origin [m/s, rad/s]
-  Field<Each<Motion<S>>> a;  ///< [njoints] spatial acceleration without gravity, in the axes of v [m/s^2, rad/s^2]
-  Field<Each<Force<S>>> f;  ///< [njoints] force that the parent exerts on joint i, in i's axes, at its origin [N, N m]
+  Field<Each<Motion<S>>> a;  ///< [njoints] spatial acceleration, in the axes of v [m/s^2, rad/s^2]
+  Field<Each<Force<S>>> f;  ///< [njoints] force of the parent on joint i, in i's axes, at its origin [N, N m]
   Field<VectorX<S>> tau;    ///< [nv; N, N m] generalised forces of rnea
   Field<VectorX<S>> nle;    ///< [nv; N, N m] h(q, v): tau at a = 0
   Field<VectorX<S>> g;      ///< [nv; N, N m] tau at v = a = 0

@@ -3,8 +3,7 @@
 //
 // Every field depends on q, (q, v) or (q, v, a). A field is stale if it was never computed, or if an
 // algorithm has since been called with another value of an input that the field depends on. Reading a stale
-// field throws StaleField in debug builds; checked() throws it in every build. In release builds reading
-// costs nothing.
+// field throws StaleField in debug builds; checked() throws it in every build.
 
 #include <stdexcept>
 #include <string>

@@ -7,8 +7,7 @@
 
 namespace liecheck {
 
-/// Thrown for an invalid q or v. It names the joint, the joint's index, the index in the vector and the value
-/// there.
+/// Thrown for an invalid q or v. It names the joint and its index, the index in the vector, and the value.
 class InvalidConfiguration : public std::invalid_argument {
  public:
   /// index is that in q or v. value is the number there, or |Q|^2 if the norm is wrong.

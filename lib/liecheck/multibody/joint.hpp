@@ -24,9 +24,8 @@ namespace liecheck {
 /// fixed size and nothing is allocated. A stored unit vector u (quaternion or (cos, sin)) begins at index
 /// unit_begin of the segment, and normDefect is |u|^2 - 1. Without a unit vector, unit_begin is nq and
 /// normDefect is 0. subspace() is S [6 x columns]: V = S v is the velocity relative to the parent in the
-/// child's axes. columns is nv, or 1 for a mimic. S is constant for every joint, so its time derivative does
-/// not appear. transform(X_PJ, q) is the pose in the parent's frame; a mimic expects the coordinate of its
-/// primary as q.
+/// child's axes. columns is nv, or 1 for a mimic. S is constant for every joint here. transform(X_PJ, q) is
+/// the pose in the parent's frame; for a mimic q is the coordinate of its primary.
 template <class J>
 concept JointModel = requires(const J joint, const typename J::Configuration q, const typename J::Tangent v,
                               const typename J::Configuration::Scalar budget, ArgumentPosition argument) {
@@ -64,8 +63,7 @@ bool isNormalized(const J& joint, const typename J::Configuration& q,
   return absolute<typename J::Configuration::Scalar>(joint.normDefect(q)) <= budget;
 }
 
-/// |difference(q0, q1)|^2 of one joint [rad^2, m^2, or m^2 + rad^2 as in Pinocchio for joints that have
-/// both].
+/// |difference(q0, q1)|^2 of one joint. As in Pinocchio, squares of m and of rad are added.
 template <JointModel J>
 typename J::Configuration::Scalar squaredDistance(const J& joint, const typename J::Configuration& q0,
                                                   const typename J::Configuration& q1) {

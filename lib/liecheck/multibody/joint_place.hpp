@@ -15,8 +15,7 @@ inline void checkSize(Eigen::Index actual, int expected, const char* what, const
                                 " numbers, the model's " + dimension + " is " + std::to_string(expected));
 }
 
-/// Sets to = f() by constructing in place. A copy would stall: its wide loads would follow the narrow stores
-/// of f().
+/// Constructs to = f() in place. A copy would stall: its wide loads would follow narrow stores.
 template <class T, class F>
 [[gnu::always_inline]] inline void build(T& to, F f) {
   if constexpr (std::is_trivially_destructible_v<T>)
@@ -86,8 +85,7 @@ struct JointPlace {
     else
       return joint.subspace().transpose() * F.to_vector();
   }
-  /// Writes S, in axes rotated by R, to 6 x columns numbers, column by column. Numbers are copied one by one,
-  /// since wide loads would stall.
+  /// Writes S, in axes rotated by R, to `to` [6 x columns], number by number, since wide loads would stall.
   [[gnu::always_inline]] void subspaceIn(const Matrix3<S>& R, S* to) const {
     if constexpr (rotates) {
       const Vector3<S> w = joint.axis.in(R);

@@ -50,8 +50,7 @@ class Model {
   /// Infinite by default: effort [nv; N, N m], velocity [nv; m/s, rad/s], position [nq].
   VectorX<S> effortLimit, velocityLimit, lowerPositionLimit, upperPositionLimit;
   /// Zero by default [nv]: dry friction [N, N m], viscous damping [N s/m, N m s], inertia of the motor at the
-  /// output of the gear [kg, kg m^2]. Armature enters the dynamics; friction and damping are stored, but rnea
-  /// and aba ignore them.
+  /// output of the gear [kg, kg m^2]. rnea and aba use the armature, but ignore friction and damping.
   VectorX<S> friction, damping, armature;
 
   /// Changes whenever a joint or a frame is added; only copies of this model have the same revision. Data
@@ -64,8 +63,7 @@ class Model {
   }
 
   /// Adds a joint, without body and frame, to joint `parent` at X_PJ; returns its index. Throws
-  /// std::invalid_argument if the parent or the primary of a mimic does not exist, the name is taken or the
-  /// joint is a universe.
+  /// std::invalid_argument if the parent or primary does not exist, the name is taken or it is a universe.
   int addJoint(int parent, const Joint<S>& joint, const SE3<S>& X_PJ, const std::string& joint_name) {
     checkJoint(parent, "the parent of joint '" + joint_name + "'");
     if (existJointName(joint_name))
@@ -113,16 +111,14 @@ class Model {
     return addFrame({body, joint, parent_frame, X_JB, FrameType::BODY});
   }
 
-  /// Adds a frame for a fixed joint, with its name, at X_JF. No joint is added, since the child link moves
-  /// with `joint`.
+  /// Adds the frame of a fixed joint at X_JF. No joint is added, since the child link moves with `joint`.
   int addFixedJoint(const std::string& fixed_name, int joint, const SE3<S>& X_JF, int parent_frame = -1) {
     checkJoint(joint, "the parent of fixed joint '" + fixed_name + "'");
     if (parent_frame < 0) parent_frame = frameOfJoint(joint);
     return addFrame({fixed_name, joint, parent_frame, X_JF, FrameType::FIXED_JOINT});
   }
 
-  /// Fixes a body to a joint. I_B is in the body's frame, and X_JB is the pose of the body's frame in the
-  /// joint's frame.
+  /// Fixes a body to a joint. I_B is in the body's frame, whose pose in the joint's frame is X_JB.
   void appendBodyToJoint(int joint, const Inertia<S>& I_B, const SE3<S>& X_JB = SE3<S>::Identity()) {
     checkJoint(joint, "a body's parent");
     Inertia<S>& I_J = inertias[std::size_t(joint)];
@@ -161,8 +157,7 @@ class Model {
   bool existFrame(const std::string& frame_name, FrameType type) const {
     return getFrameId(frame_name, type) < nframes;
   }
-  /// The frame's index. Throws std::invalid_argument with the nearest names if there is none of that name, or if
-  /// several frames share it.
+  /// The frame's index. Throws std::invalid_argument unless exactly one frame has that name.
   int requireFrameId(const std::string& frame_name) const {
     if (!existFrame(frame_name)) {
       std::vector<std::string> all;

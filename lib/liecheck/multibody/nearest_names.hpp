@@ -1,6 +1,4 @@
 #pragma once
-// Finds the names nearest to a misspelt name.
-
 #include <algorithm>
 #include <numeric>
 #include <string>
@@ -23,8 +21,7 @@ inline int editDistance(const std::string& a, const std::string& b) {
   return row[b.size()];
 }
 
-/// Returns ", the nearest are 'a', 'b' and 'c'" with up to three names, the nearest first; empty if there are
-/// no names.
+/// Returns ", the nearest are 'a', 'b' and 'c'" with up to three names, or "" if there are none.
 inline std::string nearestNames(const std::string& wanted, const std::vector<std::string>& names) {
   std::vector<std::pair<int, std::string>> ranked;
   for (const std::string& name : names) ranked.emplace_back(editDistance(wanted, name), name);

@@ -1,14 +1,11 @@
 #pragma once
-// Draws random configurations.
-
 #include <liecheck/multibody/configuration.hpp>
 
 namespace liecheck {
 
 namespace random_configuration_detail {
 
-/// A number in [0, 1) with 53 random bits, from one draw of a 64-bit generator or two draws of a 32-bit
-/// generator. The result is the same on every machine.
+/// A number in [0, 1) with 53 random bits, the same on every machine. A 32-bit generator is called twice.
 template <Scalar S, class Generator>
 S uniform(Generator& bits) {
   static_assert(Generator::min() == 0, "the generator must fill whole words");
@@ -20,9 +17,8 @@ S uniform(Generator& bits) {
 
 }  // namespace random_configuration_detail
 
-/// q [nq]: every number within [lowerPositionLimit, upperPositionLimit], rotations uniform over the group (Shoemake
-/// 1992). Throws std::invalid_argument, naming the joint, if a limit is infinite or lower > upper. Generator
-/// can be std::mt19937_64.
+/// q [nq]: every number within [lowerPositionLimit, upperPositionLimit], rotations uniform over the group
+/// (Shoemake 1992). Throws std::invalid_argument, naming the joint, if a limit is infinite or lower > upper.
 template <Scalar S, class Generator>
 VectorX<S> randomConfiguration(const Model<S>& model, Generator& bits) {
   using random_configuration_detail::uniform;

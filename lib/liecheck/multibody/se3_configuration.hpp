@@ -132,7 +132,7 @@ template <Scalar S, Precision P>
         const Vector4<S> Q1 = Product<S, P>(Q0.numbers(), Quad<S>(x, y, z, w))
                                   .normalized(product_excess<S>(Q0.template normExcess<P>(), excess));
         Vector7<S> result;
-        // Written without loops, for the reason given in difference below.
+        // Written without loops for speed; see difference below.
         result[0] = q[0] + step[0], result[1] = q[1] + step[1], result[2] = q[2] + step[2];
         result[3] = Q1[0], result[4] = Q1[1], result[5] = Q1[2], result[6] = Q1[3];
         return result;
@@ -199,8 +199,7 @@ Vector7<S> integrateSE3(const Vector7<S>& q, const Vector6<S>& delta) {
 }
 
 /// (rho, phi) = log(T0^-1 T1) [6; m, rad], |phi| <= pi, the same for Q and -Q. At |phi| = pi the axis has
-/// either sign. Error 2 eps of |phi|, and 4 eps of max(|rho|, |p1 - p0|), for any two poses. It does not
-/// depend on |Q0|, |Q1|.
+/// either sign. Error 2 eps of |phi|, and 4 eps of max(|rho|, |p1 - p0|), whatever |p1 - p0|, |Q0|, |Q1|.
 template <Scalar S, Precision P = Precision::standard>
 Vector6<S> differenceSE3(const Vector7<S>& q0, const Vector7<S>& q1) {
   return evaluate<S, P>(
@@ -249,8 +248,7 @@ Matrix6<S> dDifferenceSE3(const Vector7<S>& q0, const Vector7<S>& q1, ArgumentPo
 }
 
 /// The derivative of the seven stored numbers with respect to a body-fixed increment, at zero increment [7 x 6]:
-/// [R, 0; 0, 1/2 (w I + [v]); 0, -1/2 v^T]. R is the rotation matrix of Q/|Q|; v and w are parts of the
-/// stored Q. Error 2 eps.
+/// [R, 0; 0, 1/2 (w I + [v]); 0, -1/2 v^T], with R of Q/|Q|, and v and w of the stored Q. Error 2 eps.
 template <Scalar S>
 Eigen::Matrix<S, 7, 6> integrateCoeffWiseJacobianSE3(const Vector7<S>& q) {
   const SO3<S> Q(Vector4<S>(q.template tail<4>()));

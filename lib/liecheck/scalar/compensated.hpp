@@ -11,9 +11,8 @@
 
 namespace liecheck {
 
-/// sum a_i b_i as if computed in twice the digits, then rounded: error at most
-/// eps |sum| + n^2 eps^2 sum |a_i b_i|. Ogita, Rump & Oishi (2005), algorithm 5.3 (Dot2).
-/// In fast precision it is the plain sum.
+/// sum a_i b_i, computed as if in twice the digits and then rounded: error eps |sum| + n^2 eps^2 sum |a_i
+/// b_i|. Ogita, Rump & Oishi (2005), algorithm 5.3 (Dot2). In fast precision it is the plain sum.
 template <Scalar S, Precision P = Precision::standard>
 class CompensatedSum {
  public:
@@ -42,10 +41,10 @@ class CompensatedSum {
   S low_ = S(0);
 };
 
-/// A factor split at a fixed digit: value = high + low exactly, and high is a multiple of 2^-f, f = (digits -
-/// BITS)/2. A sum of products of high parts is then exact while it stays below 2^BITS (Rump, Ogita & Oishi
-/// 2008, algorithm 3.2, ExtractScalar). Domain: |value| < 2^(digits/2 - 1); products of larger factors are
-/// rounded as usual. In fast precision low is 0. S may be a Simd.
+/// A factor split at a fixed digit: value = high + low exactly, and high is a multiple of 2^-f,
+/// f = (digits - BITS)/2. A sum of products of high parts is exact while it is below 2^BITS (Rump, Ogita &
+/// Oishi 2008, algorithm 3.2, ExtractScalar). Domain: |value| < 2^(digits/2 - 1); products of larger factors
+/// are rounded as usual. In fast precision low is 0. S may be a Simd.
 template <class S, int BITS, Precision P = Precision::standard>
 struct SplitFactor {
   S value, high, low;
@@ -59,8 +58,7 @@ struct SplitFactor {
       low = x - high;
     }
   }
-  /// Splits at the last digit of sigma. sigma is 2^(places + 1) times a bound of the factors, which may have
-  /// any size.
+  /// Splits factors of any size at the last digit of sigma, which is 2^(places + 1) times a bound of them.
   [[gnu::always_inline]] SplitFactor(const S& x, const S& sigma) : value(x), high(x), low(S(0)) {
     if constexpr (P != Precision::fast) {
       high = (x + sigma) - sigma;
@@ -117,9 +115,9 @@ struct SplitDot {
   }
 };
 
-/// a b and a^2 of double words. The error is one rounding plus eps/2 of the products with low. With fused
-/// multiply-add the arguments need not be renormalised; without it they are, since the product of the high
-/// parts would be rounded too. Precondition: |a|, |b| < 2^(digits/2 - 1); |low| may exceed eps/2 |high|.
+/// a b and a^2 of double words. The error is one rounding plus eps/2 of the products with low. Without fused
+/// multiply-add the arguments are renormalised first, since the product of the high parts is rounded too.
+/// Precondition: |a|, |b| < 2^(digits/2 - 1); |low| may exceed eps/2 |high|.
 template <Scalar S>
 [[gnu::always_inline]] inline S rounded_product(const DoubleWord<S>& a, const DoubleWord<S>& b) {
 #if defined(__FMA__)
@@ -143,8 +141,7 @@ template <Scalar S>
 /// a . b of N numbers with the exact sign and a relative error of 2 eps, however much cancels and however
 /// small the products are. A sum that underflows becomes the smallest normal number with the sum's sign. The
 /// products are summed as a nonoverlapping expansion (Shewchuk 1997, theorem 10), the largest first, scaled
-/// so that no part underflows. After a cancellation the sum is scaled up again before the next products are
-/// added.
+/// so that no part underflows. After a cancellation the sum is scaled up again.
 template <Scalar S, int N, class V>
 S exact_dot(const V& a, const V& b) {
   using std::frexp, std::ldexp;

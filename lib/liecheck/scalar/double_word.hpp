@@ -27,8 +27,7 @@ DoubleWord<S> fast_two_sum(const S& a, const S& b) {
   return {s, b - (s - a)};
 }
 
-/// a = high + low exactly, each with half the digits. Veltkamp (1968). Precondition: |a| < max / 2^(digits /
-/// 2 + 1).
+/// a = high + low exactly, each with half the digits. Veltkamp (1968). Domain: |a| < max / 2^(digits/2 + 1).
 template <Scalar S>
 DoubleWord<S> split(const S& a) {
   using std::ldexp;
@@ -104,8 +103,7 @@ struct DoubleWord {
     if (!(r > S(0)) || !finite<S>(r)) return DoubleWord(r);
     return fast_two_sum<S>(r, S(a - DoubleWord(r) * DoubleWord(r)) / (S(2) * r));
   }
-  /// Accurate to the digits of S only, which suffices up to theta = pi. sin^2 + cos^2 = 1 to twice those
-  /// digits.
+  /// Accurate to the digits of S, which suffices up to theta = pi. sin^2 + cos^2 = 1 to twice those digits.
   friend DoubleWord sin(const DoubleWord& a) { return SineAndCosine(a).sine; }
   friend DoubleWord cos(const DoubleWord& a) { return SineAndCosine(a).cosine; }
   /// Accurate to the digits of S only.
@@ -115,8 +113,7 @@ struct DoubleWord {
   }
 
  private:
-  /// Uses the addition theorems, since low is many radians if high is huge, then one Newton step to
-  /// normalise.
+  /// Uses the addition theorems, since low is many radians if high is huge, and one Newton step to normalise.
   struct SineAndCosine {
     DoubleWord sine, cosine;
     explicit SineAndCosine(const DoubleWord& a) {

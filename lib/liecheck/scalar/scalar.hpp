@@ -89,8 +89,7 @@ template <Scalar S>
   return S(fabs(a));
 }
 
-/// -1 for a < 0, 1 for a > 0, either of them at 0. Floating-point types use no branch, since it would often
-/// be mispredicted.
+/// -1 for a < 0, 1 for a > 0, either at 0. It has no branch for floating-point types, for speed.
 template <Scalar S>
 [[gnu::always_inline]] inline S sign(const S& a) {
   if constexpr (std::is_floating_point_v<Lane<S>>) {
@@ -107,8 +106,7 @@ template <Scalar S>
   return bool(isfinite(a));
 }
 
-/// a * b + c: fused if the target has the instruction, otherwise rounded twice. The stated error bounds hold
-/// for both.
+/// a * b + c, rounded once if the target has the instruction, otherwise twice. Error bounds hold for both.
 template <Scalar S>
 [[gnu::always_inline]] inline S mul_add(const S& a, const S& b, const S& c) {
 #if defined(__FMA__)

@@ -1,6 +1,5 @@
 #pragma once
-// N numbers that one operation processes at once. They are in one vector register if they fit, otherwise in
-// an array.
+// N numbers that one operation processes at once, in one vector register if they fit, otherwise in an array.
 
 #include <liecheck/scalar/scalar.hpp>
 #include <utility>
@@ -102,8 +101,7 @@ struct Simd {
   Simd& operator+=(const Simd& b) { return *this = *this + b; }
   Simd& operator*=(const Simd& b) { return *this = *this * b; }
 
-  /// (f(0), ..., f(N - 1)). The compiler merges the N operations into one vector instruction if the target
-  /// has it.
+  /// (f(0), ..., f(N - 1)). The compiler can merge the N operations into one vector instruction.
   template <class F>
   [[gnu::always_inline]] static Simd each(F f) {
     if constexpr (in_register) {

@@ -16,8 +16,7 @@
 //     c_0(4h) = 2 c_0^2 - 1,  c_1(4h) = c_0 c_1,  c_2(4h) = c_1^2 / 2,  c_3(4h) = (c_2 + c_0 c_3) / 4.
 //
 // The error has no jump, since there is no threshold at small angles: the number of terms follows from the
-// digits of the scalar. The only branch is at theta = pi. Beyond it the closed forms in sines are used, which
-// are accurate there.
+// digits of the scalar. The only branch is at theta = pi, beyond which sines are as accurate as the series.
 //
 // Derivatives in x (not in theta): c_k' = (k c_{k+2} - c_{k+1}) / 2.
 //
@@ -36,8 +35,7 @@ namespace liecheck {
 
 namespace stumpff_detail {
 
-/// c_K(x/4) = sum_j (-x/4)^j / (2j + K)! on [0, 10]; pi^2 = 9.87. The series is in x, so it need not wait for
-/// x/4.
+/// c_K(x/4) = sum_j (-x/4)^j / (2j + K)! on [0, 10]; pi^2 = 9.87. It is written as a series in x, for speed.
 template <Scalar S, int K>
 struct StumpffSeries {
   static constexpr int most = std::numeric_limits<S>::digits / 5 + 10, outer = 1;
@@ -68,8 +66,7 @@ struct InverseSincSeries {
 
 /// A series economised on its domain (Lanczos 1938; Clenshaw 1962). It starts with the first `most` terms of
 /// Taylor's series. Subtracting a multiple of the shifted Chebyshev polynomial removes the highest power.
-/// This is repeated while the sum of the changes stays below eps/32 of the first term. `terms` coefficients
-/// of `a` remain.
+/// This is repeated while the changes sum to less than eps/32 of the first term. `terms` coefficients remain.
 template <Scalar S, class Series>
 struct Economised {
   static constexpr int most = Series::most;
@@ -119,8 +116,7 @@ template <template <class> class Series, int FROM = 0, Scalar S>
     static constexpr Economised<Lane<S>, Of> p;
     std::array<S, std::bit_width(unsigned(p.terms - 1))> squares{x};
     for (std::size_t i = 1; i < squares.size(); ++i) squares[i] = squares[i - 1] * squares[i - 1];
-    // The first terms are added last (Horner), so that only one rounding error has the size of an ulp of the
-    // sum.
+    // The first terms are added last (Horner), so that only one rounding error is as large as half an ulp.
     S sum = estrin<Of::outer, p.terms - Of::outer>(p.a, squares);
     for (int j = Of::outer; j-- > FROM;) sum = mul_add(sum, x, S(p.a[j]));
     return sum;
@@ -142,8 +138,7 @@ S series_limit() {
 
 }  // namespace stumpff_detail
 
-/// True if theta <= pi for x = theta^2, so that the series are valid. Otherwise, also if x overflowed, use
-/// sines.
+/// True if theta <= pi for x = theta^2, so that the series are valid. False also if x overflowed.
 template <Scalar S>
 [[gnu::always_inline]] inline bool within_pi(const S& x) {
   return x <= stumpff_detail::series_limit<S>();
@@ -180,8 +175,8 @@ struct HalfAngle {
       c0 = mul_add(S(-h), c2, S(1));
     } else {
       // c_0 = 1 - h/2 + h^2 c_4 and c_1 = 1 - h/8 - h (1/24 - h c_5), each as a double word: high is the sum
-      // of the first two terms, low is its rounding error plus the small terms. x.low enters by c_0' =
-      // -c_1/2, c_1' = (c_3 - c_2)/2.
+      // of two terms, low its rounding error plus the rest. For x.low, c_0' = -c_1/2 and c_1' = (c_3 -
+      // c_2)/2.
       const auto sum = [&h](const S& factor, const S& small) __attribute__((always_inline)) {
         const S linear = h * factor, head = S(1) - linear;
         return DoubleWord<S>(head, ((S(1) - head) - linear) + small);
@@ -224,14 +219,12 @@ struct HalfAngle {
 /// The coefficient d of [phi]^2 in the inverse Jacobian of SO(3), and twice its slope in x.
 ///     d(x)  = (1 - (theta/2) cot(theta/2)) / theta^2 = (c_2 - c_3) / (4 c_1) at x/4    1/12 at 0, 1/pi^2 at pi
 ///     d2(x) = 2 d'(x)                                                                  1/360 at 0
-/// on [0, pi^2]. Relative error: d 2.6 eps; d2 5 eps, since both differences in its numerator cancel a factor
-/// 4.
+/// on [0, pi^2]. Relative error: d 2.6 eps; d2 5 eps, since its numerator has two differences that cancel.
 template <Scalar S, Precision P = Precision::standard>
 struct InverseCoefficient {
   S d, d2;
   [[gnu::always_inline]] explicit InverseCoefficient(const S& x) {
-    // At h = x/4: c_2 - c_3 = 1/3 - h (c_4 - c_5), 2 d' = (c_4 - 3 c_5 + c_3 (c_2 - 2 c_3)) / (16 c_1^2): all
-    // positive.
+    // At h = x/4: c_2 - c_3 = 1/3 - h (c_4 - c_5), 2 d' = (c_4 - 3 c_5 + c_3 (c_2 - 2 c_3)) / (16 c_1^2).
     const HalfAngle<S, Precision::fast> k(x);
     const S minus_h = x / S(-4), step = mul_add(minus_h, S(k.c4 - k.c5), S(1) / S(3)),
             difference = mul_add(minus_h, mul_add(S(-2), k.c5, k.c4), S(1) / S(6));  // c_2 - 2 c_3
@@ -277,8 +270,7 @@ struct LogarithmCoefficients {
     const auto excess = two_sum<S>(sum.high, S(-1));
     return {excess.high, excess.low + (sum.low + square.low)};
   }
-  /// For |Q| away from 1: sets ratio.high = 2 r and c = w r, and sets e, which is 0 unless |Q|^2 is in (1/8,
-  /// 8).
+  /// For |Q| away from 1: sets ratio.high = 2 r, c = w r, and e, which is 0 unless 1/8 < |Q|^2 < 8.
   [[gnu::always_inline]] void normalize(const S& squared_sine, const DoubleWord<S>& excess, S& e,
                                         DoubleWord<S>& c) {
     using std::sqrt;
@@ -333,9 +325,9 @@ S large_angle(const Vector& phi, const S& x) {
 
 }  // namespace stumpff_detail
 
-/// The coefficients of exp and its Jacobians at a rotation vector phi. Domain: every finite phi. The axis is
-/// a = phi / t with t = 1 for theta <= pi. Beyond pi t = theta, so that nothing overflows. The coefficients
-/// are scaled by powers of t:
+/// The coefficients of exp and its Jacobians at any finite rotation vector phi. The axis is a = phi / t with
+/// t = 1 for theta <= pi; beyond pi, t = theta, to avoid overflow. The coefficients are scaled by powers of
+/// t:
 ///     k1 = c_1,  k2 = c_2 t,  k3 = c_3 t^2     J = I + k2 [a] + k3 [a]^2; for t = 1, R = I + k1 [a] + k2 [a]^2
 ///     slope2 = 2 c_2' t^2 = (2 c_4 - c_3) t^2,  slope3 = 2 c_3' t^3 = (3 c_5 - c_4) t^3,
 ///     and (sine_half a, cosine_half) is the quaternion.
@@ -376,8 +368,7 @@ template <Scalar S, Precision P, class Vector, class F>
 }
 }  // namespace stumpff_detail
 
-/// Returns f(k) for the coefficients k of phi. f is compiled twice, so that theta <= pi does not pay for the
-/// rare theta > pi.
+/// Returns f(k) for the coefficients k of phi. f is compiled twice, since theta > pi is rare and slower.
 template <Scalar S, Precision P, class Vector, class F>
 [[gnu::always_inline]] inline auto with_coefficients(const Vector& phi, F f) {
   const auto x = squared_angle<S, P>(phi);

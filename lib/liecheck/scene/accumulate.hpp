@@ -5,8 +5,8 @@
 //   q:  (q, q_low) := q exp(delta); for a free-flyer q_low = (rounding error of p, in the world's axes [m];
 //       rotation vector from the stored Q to the accumulated rotation, in the body's axes [rad])
 //
-// The accumulated state is q exp(q_low) and v + v_low. q and v alone are this state rounded: |q_low| <= 2 eps
-// |q|. The remaining error is the rounding error of each increment, eps |delta|.
+// The accumulated state is q exp(q_low) and v + v_low, with |q_low| <= 2 eps |q|. The remaining error is the
+// rounding error of each increment, eps |delta|.
 
 #include <liecheck/multibody/joint_place.hpp>
 #include <liecheck/multibody/se3_configuration.hpp>
@@ -27,8 +27,7 @@ template <class V>
   for (int i = 0; i < x.size(); ++i) accumulate<typename V::Scalar>(x[i], low[i], dx[i]);
 }
 
-/// Multiplies the rotation Q exp(low) by `step`. Q is the rounded product, low the rotation vector of its
-/// rounding error.
+/// Q exp(low) := Q exp(low) step. Q is the rounded product, low the rotation vector of its rounding error.
 template <Scalar S>
 void accumulateRotation(Eigen::Ref<Vector4<S>> Q, Eigen::Ref<Vector3<S>> low, const SO3<S>& step) {
   const auto product = se3_configuration_detail::Product<S, Precision::standard>(

@@ -1,14 +1,13 @@
 #pragma once
-// System of one free rigid body, by the Newton-Euler equations without the recursions of a tree. q = [p; x y
-// z w], v = (u, omega) in the body's axes at its origin. With the centre of mass c and the inertia I_C about
-// c:
+// System of one free rigid body, by the Newton-Euler equations. q = [p; x y z w], v = (u, omega) in the
+// body's axes at its origin. With the centre of mass c and the inertia I_C about c:
 //
 //   u_C = u + omega x c
 //   omega_dot = I_C^-1 (n - c x f - omega x I_C omega)        diagonal I_C: (I_j - I_k)/I_i omega_j omega_k
 //   u_dot     = f/m - omega x u_C + R^T g - omega_dot x c     derivative of u in the body's axes
 //
-// Error of omega_dot: 4 eps of the sum of the absolute values of its terms; 3 eps relative if I_C is diagonal
-// and no force acts.
+// Error of omega_dot: 4 eps of the sum of its terms' absolute values; 3 eps relative if I_C is diagonal and
+// no force acts.
 
 #include <array>
 #include <liecheck/algorithms/crba.hpp>
@@ -122,8 +121,7 @@ class LoneBody {
     for (const auto& e : effects_) e->add(now, {{tau_.data(), 6}, f_});
     return f_[1] + Force<S>(tau_);
   }
-  /// The state as effects and observers read it, with accelerations if a = v_dot is given. Valid until the
-  /// next call.
+  /// The state for effects and observers, with accelerations if a = v_dot is given, until the next call.
   Now<S> here(const S& t, const Configuration& q, const Tangent& v, Kinematics kinematics,
               const Tangent* a = nullptr) {
     if (kinematics != Kinematics::None) X_[1] = SE3<S>(rotationOf(q), Vector3<S>(q[0], q[1], q[2]));

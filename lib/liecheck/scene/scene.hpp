@@ -1,6 +1,5 @@
 #pragma once
-// Scene: the description of a simulation, with robot, initial state, effects, integrator, duration and
-// observers. scene_file/ reads a scene from text.
+// Scene: the description of a simulation. scene_file/ reads it from text.
 
 #include <liecheck/multibody/configuration.hpp>
 #include <liecheck/scene/effects/registry.hpp>

@@ -1,6 +1,5 @@
 #pragma once
-// Simulation loop: advances a state with one method, samples every nth step, and stops if the motion
-// diverges.
+// Simulation loop: advances a state with one method and stops if the motion diverges.
 
 #include <liecheck/scene/integrators/method.hpp>
 
@@ -22,8 +21,7 @@ struct Outcome {
 
 /// watch(state, step) returns false to stop. It throws StepFailed to refuse the state; the step is then not
 /// counted, but `state` remains as refused. If the method fails, `state` remains as before the step. The time
-/// after step n is computed as n (duration / steps), without adding up steps. Precondition: span.steps >= 1,
-/// every >= 1, duration finite and > 0.
+/// of step n is n (duration / steps). Precondition: span.steps >= 1, every >= 1, duration finite and > 0.
 template <class Sys, class M, class Watch>
 Outcome simulate(Sys& system, M& method, State<Sys>& state, const Span& span, Watch&& watch) {
   using S = typename Sys::Scalar;

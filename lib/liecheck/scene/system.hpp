@@ -15,8 +15,7 @@ namespace liecheck::scene {
 /// - integrate: q exp(delta) of every joint;
 /// - accumulate: integrate in place, with compensated rounding errors (accumulate.hpp);
 /// - tangentRate: J_r^-1(delta) v;
-/// - coefficientRate, normalize: the rate of the stored numbers of q and their normalisation, for
-/// quaternion_rk4.
+/// - coefficientRate, normalize: rate and normalisation of the stored numbers of q, for quaternion_rk4.
 template <class X>
 concept System = Scalar<typename X::Scalar> &&
     requires(X& x, const X& c, const typename X::Scalar& t, const typename X::Configuration& q,

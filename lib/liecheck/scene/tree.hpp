@@ -1,6 +1,5 @@
 #pragma once
-// System of any robot. It uses the articulated-body algorithm (aba.hpp) and computes only the poses and
-// velocities that effects read.
+// System of any robot, by the articulated-body algorithm. It computes only the kinematics that effects read.
 
 #include <liecheck/algorithms/aba.hpp>
 #include <liecheck/scene/accumulate.hpp>
@@ -10,8 +9,7 @@
 
 namespace liecheck::scene {
 
-/// The functions of a step are not inlined, so that methods compile in seconds. The calls cost 0.2 % of its
-/// instructions.
+/// The functions of a step are not inlined, so that methods compile in seconds. This costs 0.2 % of a step.
 template <Scalar S>
 class Tree {
  public:
@@ -102,8 +100,7 @@ class Tree {
     });
   }
 
-  /// The state as effects and observers read it, with accelerations if a = v_dot is given. Valid until the
-  /// next call.
+  /// The state for effects and observers, with accelerations if a = v_dot is given, until the next call.
   Now<S> here(const S& t, const Configuration& q, const Tangent& v, Kinematics kinematics,
               const Tangent* a = nullptr) {
     if (a)

@@ -1,6 +1,5 @@
 #pragma once
-// Reads quantities such as "9.81 m/s^2", "30 deg", "2 ms": a number and a unit. A number without unit is in
-// SI units.
+// Reads quantities such as "9.81 m/s^2", "30 deg", "2 ms". A number without a unit is in SI units.
 
 #include <string>
 

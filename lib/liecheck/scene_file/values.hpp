@@ -21,8 +21,7 @@ class Text {
   static int lineOf(const YAML::Node& node);
   const std::string& file() const { return file_; }
 
-  /// Refuses a node that is not a map, a key that is not among `keys`, and a repeated key. what names the
-  /// node in messages.
+  /// Refuses a node that is not a map, unknown keys and repeated keys. what names the node in messages.
   void checkKeys(const YAML::Node& node, const std::string& what, const std::vector<std::string>& keys) const;
   std::string word(const YAML::Node& node, const std::string& what) const;
   double number(const YAML::Node& node, const std::string& what, const std::string& unit,

@@ -1,6 +1,5 @@
 #pragma once
-// Checks of input rotations: numbers that are not a rotation, up to rounding errors, are refused with the
-// reason.
+// Checks of input rotations: numbers that are not a rotation up to rounding errors are refused.
 
 #include <liecheck/spatial/so3.hpp>
 #include <locale>

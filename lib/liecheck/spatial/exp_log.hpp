@@ -6,8 +6,7 @@
 //
 // Domain: every finite rotation vector and every rotation. For |phi| <= pi the stated bounds are absolute for
 // rotations and relative for vectors, down to subnormal angles. Beyond pi they are multiplied by the
-// condition number (excess rule). exp has no branch below pi. log returns |phi| <= pi; at exactly pi the axis
-// has either sign.
+// condition number (excess rule). log returns |phi| <= pi; at exactly pi the axis has either sign.
 
 #include <liecheck/scalar/stumpff.hpp>
 #include <liecheck/spatial/evaluate.hpp>
@@ -41,8 +40,7 @@ template <Scalar S>
                  mul_add(v[2], x, S(-s[1])), mul_add(v[1], z, s[0]), S(1) - (xx + yy));
 }
 
-/// exp [phi] = I + k1 [a] + k2 [a]^2 for |phi| <= pi. For |phi| > pi, a is a rounded unit vector and the
-/// quaternion is used.
+/// exp [phi] = I + k1 [a] + k2 [a]^2 for |phi| <= pi; beyond pi, where a is rounded, by the quaternion.
 template <Scalar S, Precision P>
 [[gnu::always_inline]] inline Matrix3<S> matrix(const RotationCoefficients<S, Vector3<S>, P>& k) {
   if (!k.within_pi)
@@ -77,9 +75,8 @@ struct RotationLogarithm {
     });
   }
 
-  /// rho = J^-1(phi) p = p - 1/2 phi x p + (1 - alpha) n x (n x p), alpha = (theta/2) cot(theta/2), n =
-  /// v/|v|. The part of p along the axis is unchanged. Error 3 eps |rho|, including the effect of the error
-  /// of phi.
+  /// rho = J^-1(phi) p = p - 1/2 phi x p + (1 - alpha) n x (n x p), with alpha = (theta/2) cot(theta/2) and
+  /// n = v/|v|. The part of p along the axis is unchanged. Error 3 eps |rho|, including the error of phi.
   [[gnu::always_inline]] Vector3<S> arc(const Vector3<S>& p) const {
     // phi is replaced by ratio v, which is not rounded.
     const Vector3<S> v_p = cross<S>(v, p), v_v_p = cross<S>(v, v_p);
@@ -99,8 +96,7 @@ struct RotationLogarithm {
       : RotationLogarithm(vector_part(Q.high, Q.high.to_vector()), vector_part(Q.high, Q.low),
                           DoubleWord<S>(absolute<S>(Q.high.w()), S(sign<S>(Q.high.w()) * Q.low[3])),
                           DoubleWord<S>(excess.high, S(excess.low + S(2) * Q.high.to_vector().dot(Q.low)))) {}
-  /// sgn(w) (q_0, q_1, q_2), where w is the scalar part of Q. This selects Q or -Q so that the scalar part is
-  /// positive.
+  /// sgn(w) (q_0, q_1, q_2), where w is the scalar part of Q. This selects Q or -Q such that w >= 0.
   [[gnu::always_inline]] static Vector3<S> vector_part(const SO3<S>& Q, const Vector4<S>& q) {
     return each<S>([&q, s = sign<S>(Q.w())](int i) { return S(s * q[i]); });
   }

@@ -35,8 +35,8 @@ template <Scalar S>
                  yz + t[0], S(-2) * (xx + yy));
 }
 
-/// Coefficients of the rotation block of J_l or J_l^-1 and of its derivative along rho, scaled to the axis a
-/// = phi / t as in RotationCoefficients.
+/// Coefficients of the rotation block of J_l or J_l^-1 and of its derivative along rho, for the axis a of
+/// RotationCoefficients.
 template <Scalar S, Precision P>
 struct BlockCoefficients {
   Vector3<S> axis;

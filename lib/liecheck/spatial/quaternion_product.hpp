@@ -20,8 +20,7 @@ struct AllLanes {};
 template <int N>
 struct OneLane {};
 
-/// permute returns (q_I, q_J, q_K, q_L). pick returns the numbers of the permuted Quad that its first
-/// argument selects.
+/// permute returns (q_I, q_J, q_K, q_L). pick returns the lanes of this result that its argument selects.
 template <int I, int J, int K, int L, class Q>
 [[gnu::always_inline]] inline Q permute(const Q& q) {
   if constexpr (Q::in_register)

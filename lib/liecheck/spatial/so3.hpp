@@ -3,8 +3,8 @@
 //
 //   x_A = R_AB x_B,   R(Q) = I + 2 (w [v] + [v]^2) / |Q|^2
 //
-// A stored quaternion represents the rotation of Q/|Q|, so the rounding error of its norm costs no accuracy.
-// Q and -Q are the same rotation.
+// Q represents the rotation of Q/|Q|, so an error of its norm costs no accuracy. Q and -Q are the same
+// rotation.
 
 #include <liecheck/scalar/compensated.hpp>
 #include <liecheck/scalar/stumpff.hpp>
@@ -80,8 +80,7 @@ class SO3 {
                                                  const Low&... p_low) const {
     return rotated<P>(conjugate(), p, bound, p_low...);
   }
-  /// True if numbers up to `bound` can be split without overflow. If not, multiply them by scale_down()
-  /// first.
+  /// True if numbers up to `bound` can be split without overflow. If not, scale them by scale_down() first.
   [[gnu::always_inline]] static bool splittable(const S& bound) {
     return finite<S>(S(bound * split_factor()));
   }
@@ -117,8 +116,8 @@ class SO3 {
   /// The rotation nearest to R in the Frobenius norm, to first order in R^T R - I: one Newton step of the
   /// polar factor, error O(|R^T R - I|^2). The quaternion follows from the largest of the four pivots
   /// (Shepperd 1978). Its norm is in [1/2, 1]. Error for |R^T R - I| <= 8 eps: 2 eps of the rotation, and 2
-  /// eps relative of its vector part if the angle is small. Fast precision omits the Newton step, which adds
-  /// |R^T R - I| to the error.
+  /// eps relative of its vector part if the angle is small. Without the Newton
+  /// step, fast precision adds |R^T R - I| to the error.
   template <Precision P = Precision::standard>
   static SO3 fromMatrix(const Matrix3<S>& R) {
     return doubleWordsFromMatrix<P>(R).high;
@@ -128,9 +127,8 @@ class SO3 {
   static DoubleWords doubleWordsFromMatrix(const Matrix3<S>& R) {
     if constexpr (P == Precision::fast)
       return largestPivot<P>(R, Matrix3<S>(Matrix3<S>::Zero()), Vector3<S>(Vector3<S>::Zero()));
-    // The polar factor is R (I - E/2) = R + C with E = R^T R - I and the correction C = -R E / 2. The
-    // antisymmetric part of C is formed from differences R_ii - R_jj, so that it vanishes with the angle as
-    // the exact one does.
+    // The polar factor is R (I - E/2) = R + C with E = R^T R - I and C = -R E / 2. The antisymmetric part of
+    // C is formed from differences R_ii - R_jj, so that it vanishes with the angle as the exact one does.
     using Factor = SplitFactor<S, 1, P>;
     const Factor column[3][3] = {
         {R(0, 0), R(1, 0), R(2, 0)}, {R(0, 1), R(1, 1), R(2, 1)}, {R(0, 2), R(1, 2), R(2, 2)}};
@@ -185,8 +183,7 @@ class SO3 {
     const Quad<S> result = r.high + mul_add(Quad<S>(correction), r.high, r.low());
     return Vector3<S>(result.v[0], result.v[1], result.v[2]);
   }
-  /// The quaternion of R + C by the largest pivot. C is small, and c = (C_32 - C_23, ...) is its
-  /// antisymmetric part.
+  /// The quaternion of R + C by the largest pivot; c = (C_32 - C_23, ...) is the antisymmetric part of C.
   template <Precision P>
   [[gnu::always_inline]] static DoubleWords largestPivot(const Matrix3<S>& R, const Matrix3<S>& C,
                                                          const Vector3<S>& c) {

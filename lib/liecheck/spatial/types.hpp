@@ -25,8 +25,7 @@ using Matrix6 = Eigen::Matrix<S, 6, 6>;
 template <class S>
 using MatrixX = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
 
-/// Sets m to NaN in debug builds, so that the use of an unset value is visible. Does nothing in release
-/// builds.
+/// Sets m to NaN in debug builds, so that the use of an unset value is visible. Release builds do nothing.
 template <class Derived>
 void mark_uninitialised([[maybe_unused]] Eigen::MatrixBase<Derived>& m) {
 #ifndef NDEBUG

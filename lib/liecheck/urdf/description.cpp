@@ -15,8 +15,7 @@ namespace {
 
 using tinyxml2::XMLDocument, tinyxml2::XMLElement, tinyxml2::XMLNode;
 
-/// The <origin> of an element: p = xyz [m], R = R_z(yaw) R_y(pitch) R_x(roll) with rpy [rad]. The quaternion
-/// is that of urdfdom to the last bit.
+/// The <origin> of an element: p = xyz [m], R = R_z(yaw) R_y(pitch) R_x(roll), rpy [rad], exactly as urdfdom.
 SE3<double> origin(const XMLElement& of) {
   const XMLElement* e = of.FirstChildElement("origin");
   if (!e) return SE3<double>::Identity();

@@ -44,8 +44,7 @@ struct LinkDescription {
 };
 
 struct Description {
-  /// A link with an inertia that no body can have. It is an error unless the sum with the links fixed to it
-  /// is valid.
+  /// A link whose inertia no body can have: an error unless the sum with the links fixed to it is valid.
   struct UnphysicalLink {
     std::string link;
     int line;
@@ -59,8 +58,7 @@ struct Description {
   std::vector<UnphysicalLink> unphysical_links;
 };
 
-/// Throws UrdfError unless text is one well-formed robot: a tree of named links, with joints of supported
-/// types, finite numbers and masses >= 0.
+/// Throws UrdfError unless text is one valid robot.
 Description describe(const std::string& text, const UrdfOptions& options, Messages& messages);
 
 }  // namespace liecheck::urdf_detail

@@ -68,8 +68,7 @@ class ModelBuilder {
   }
 
  private:
-  /// Adds the joints below the root link, depth first without recursion. Joints of one link are in
-  /// alphabetical order.
+  /// Adds the joints below the root link, depth first, and in alphabetical order for each link.
   void addTree(int root_frame) {
     std::vector<std::pair<std::string, int>> todo;  // a joint, and the BODY frame of its parent link
     const auto push = [&](const std::string& link, int frame) {

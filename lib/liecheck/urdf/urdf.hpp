@@ -33,8 +33,7 @@ struct UrdfRobot {
 /// The largest size of a URDF text, 64 MiB: a thousand times that of a humanoid.
 constexpr std::size_t max_urdf_bytes = std::size_t(64) << 20;
 
-/// The text of a URDF file, which is opened and read once: a regular file, or a pipe with a writer.
-/// Throws UrdfError.
+/// The text of a URDF file, read once. It may be a regular file, or a pipe with a writer. Throws UrdfError.
 std::string readUrdf(const std::string& path);
 
 /// The robot of a URDF file. Throws UrdfError.

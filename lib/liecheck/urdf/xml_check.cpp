@@ -106,7 +106,7 @@ void checkXml(const std::string& text, const Messages& messages) {
     messages.refuse(1 + int(std::count(text.begin(), text.begin() + long(at), '\n')), what,
                     "byte " + std::to_string(at));
   };
-  if (const std::size_t nul = text.find('\0'); nul != std::string::npos) refuse(nul, "a zero byte: this is not text");
+  if (const std::size_t nul = text.find('\0'); nul != std::string::npos) refuse(nul, "a zero byte: not text");
   if (const std::size_t bad = firstInvalidUtf8(text); bad < text.size()) refuse(bad, "not UTF-8");
   TagCheck(text, messages).check();
 }

@@ -6,8 +6,7 @@
 
 namespace liecheck::urdf_detail {
 
-/// The deepest nesting of elements that is read; a robot needs seven levels. The parser recurses, so a deeper
-/// nesting could overflow the stack.
+/// Limit of the nesting of elements, since the parser recurses on the stack. A robot needs seven levels.
 constexpr int max_element_depth = 64;
 
 /// Throws UrdfError unless text is UTF-8 without zero bytes, every tag ends and every closing tag has an

@@ -10,8 +10,7 @@ namespace liecheck {
 template <Scalar S>
 class Axis {
  public:
-  /// Normalises direction [3]; coordinate axes stay exact. Throws std::invalid_argument if it is zero or not
-  /// finite.
+  /// Normalises direction [3]; coordinate axes stay exact. Throws std::invalid_argument for 0, inf and NaN.
   explicit Axis(const Vector3<S>& direction) : unit_(direction) {
     if (!direction.allFinite() || direction.isZero(S(0)))
       throw std::invalid_argument("the axis of a joint must be finite and not zero");
@@ -26,8 +25,7 @@ class Axis {
 
   const Vector3<S>& to_vector() const { return unit_; }
 
-  /// "X", "Y" or "Z" for exactly these unit vectors, otherwise empty. -X is not aligned: its joint rotates
-  /// the other way.
+  /// "X", "Y" or "Z" for exactly these unit vectors, otherwise empty, also for -X, -Y and -Z.
   std::string aligned() const {
     return coordinate_ < 0 || unit_[coordinate_] < S(0) ? std::string() : std::string(1, "XYZ"[coordinate_]);
   }

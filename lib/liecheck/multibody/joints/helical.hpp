@@ -1,6 +1,5 @@
 #pragma once
-// A helical joint: a rotation about an axis by q [rad] and a translation along the axis by pitch q [m]. nq =
-// nv = 1.
+// A helical joint: rotation about an axis by q [rad] and translation along it by pitch q [m]. nq = nv = 1.
 
 #include <liecheck/multibody/joints/revolute.hpp>
 

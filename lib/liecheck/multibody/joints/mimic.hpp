@@ -1,12 +1,10 @@
 #pragma once
-// A mimic joint has no numbers in q and v. Its position x follows the position y of another joint, its
-// primary:
+// A mimic joint has no numbers in q and v. Its position x follows the position y of its primary joint:
 //
 //   x = multiplier y + offset [rad or m],  so  S_mimic = multiplier S(x)
 //
-// The generalised force of the mimic, times the multiplier, is added to the primary's. y of a continuous
-// primary is atan2(sin, cos): unless the multiplier is an integer, the mimic jumps when the primary passes
-// the angle pi.
+// The mimic's generalised force, times the multiplier, is added to the primary's. For a continuous primary,
+// y = atan2(sin, cos): unless the multiplier is an integer, the mimic jumps when the primary passes pi.
 
 #include <liecheck/multibody/joints/helical.hpp>
 #include <liecheck/multibody/joints/prismatic.hpp>

@@ -1,17 +1,15 @@
 #pragma once
-// The coordinates and frames that effects act on.
-
 #include <liecheck/scene/effects/effect.hpp>
 
 namespace liecheck::scene {
 
-/// One coordinate: an index in v, and the index of the element of q whose rate it is. The latter is -1 if
-/// there is no such element (spherical, planar and continuous joints).
+/// An index in v, and the index of the element of q that has this rate. q is -1 if there is no such element
+/// (spherical, planar and continuous joints).
 struct Coordinate {
   int v, q;
 };
 
-/// The coordinates of the named joints; "all" means every joint except free-flyers and mimics. Throws
+/// The coordinates of the named joints; "all" is every joint except free-flyers and mimics. Throws
 /// std::invalid_argument if there are none.
 template <Scalar S>
 std::vector<Coordinate> coordinates(const Model<S>& model, const std::vector<std::string>& names) {
@@ -29,8 +27,7 @@ std::vector<Coordinate> coordinates(const Model<S>& model, const std::vector<std
               : "none of the joints named has a coordinate");
   return all;
 }
-/// The coordinates whose position is one element of q. Throws std::invalid_argument if a named joint has
-/// other ones.
+/// The coordinates with a scalar position in q. Throws std::invalid_argument if a named joint has others.
 template <Scalar S>
 std::vector<Coordinate> positions(const Model<S>& model, const std::vector<std::string>& names) {
   std::vector<Coordinate> with;

@@ -1,6 +1,6 @@
 #pragma once
-// Effect: a force, or a constant of the equations of motion (gravity, armature). Each effect has its own
-// file; effects/registry.hpp lists them.
+// Effect: a force, or a constant of the equations of motion (gravity, armature). effects/registry.hpp lists
+// all.
 //
 // An effect declares which kinematics it reads, so that a step computes no others. An effect that the scene
 // does not name is not in the system, so it costs no time and does not change the results.
@@ -48,7 +48,7 @@ class Effect {
   virtual S potential(const Now<S>&) const { return S(0); }
 };
 
-/// The surroundings that effects share: the ground, if a scene has one.
+/// The surroundings that effects share: the ground, if the scene has one.
 struct Surroundings {
   bool ground = false;
   double height = 0;  ///< of the ground: the plane z = height [m]

@@ -1,6 +1,5 @@
 #pragma once
-// Actuation by a table over time. The force is interpolated linearly, and constant before the first and after
-// the last row.
+// Actuation by a table over time, with linear interpolation. Before and after it, the force is constant.
 
 #include <algorithm>
 #include <liecheck/scene/effects/coordinates.hpp>
@@ -11,7 +10,7 @@ inline const PartInfo force_table_info{"table",
                                        "tau += tau_i + (t - t_i)/(t_(i+1) - t_i) (tau_(i+1) - tau_i)",
                                        "adds or removes: power tau(t) v",
                                        "a search in the table",
-                                       {{"joints", Kind::Joints, "", "all", "which joints; one force for all"},
+                                       {{"joints", Kind::Joints, "", "all", "joints with this force"},
                                         {"times", Kind::Times, "s", nullptr, "t_i, increasing"},
                                         {"forces", Kind::Numbers, "N m|N", nullptr, "tau_i"}}};
 

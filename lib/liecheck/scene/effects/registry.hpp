@@ -66,8 +66,7 @@ const EffectEntry<S>& effectEntry(const std::string& name) {
       if (name == e.info->name) return e;
   throw std::invalid_argument("no effect is named '" + name + "'");
 }
-/// The effect of a request whose keys were checked. Throws std::invalid_argument if the effect does not fit
-/// the robot.
+/// The effect of a checked request. Throws std::invalid_argument if the effect does not fit the robot.
 template <Scalar S>
 std::shared_ptr<const Effect<S>> makeEffect(const Request& request, const Model<S>& model,
                                             const Surroundings& around) {

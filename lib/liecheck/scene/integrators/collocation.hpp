@@ -4,10 +4,10 @@
 //
 //   delta_i = h sum_j a_ij K_j,  v_i = v0 + h sum_j a_ij A_j,  K_i = J_r^-1(delta_i) v_i,  A_i = a(q0 exp delta_i, v_i)
 //
-// Order 2 s (Butcher 1964, Implicit Runge-Kutta processes; Hairer, Lubich & Wanner 2006, II.1.3). With s = 1 it is the
-// implicit midpoint rule on the group, which is symmetric. A fixed-point iteration solves the equations
-// (ibid., VIII.6). It starts from the last step's polynomial, ends when rounding errors prevent further
-// progress, and converges while h |da/d(q, v)| is below about 1.
+// Order 2 s (Butcher 1964, Implicit Runge-Kutta processes; Hairer, Lubich & Wanner 2006, II.1.3). With s = 1
+// it is the implicit midpoint rule on the group. A fixed-point iteration solves the equations (ibid.,
+// VIII.6). It starts from the last step's polynomial, ends when rounding errors prevent progress, and
+// converges while h |da/d(q, v)| is below about 1.
 
 #include <algorithm>
 #include <array>

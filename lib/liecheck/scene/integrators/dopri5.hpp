@@ -2,8 +2,8 @@
 // Adaptive steps on the group by the embedded 5(4) pair of Dormand and Prince. The error estimate e covers
 // the tangent increment and the velocity.
 //
-//   e = h sum (b_i - b^_i) (K_i, A_i);  accepted if |e_delta| <= tolerance [m, rad] and |e_v| <= tolerance (1 + |v|),
-//   maximum norms;  next h = h clamp(0.9 |e|^(-1/5), 1/5, 5)
+//   e = h sum (b_i - b^_i) (K_i, A_i),  next h = h clamp(0.9 |e|^(-1/5), 1/5, 5),
+//   accepted if |e_delta| <= tolerance [m, rad] and |e_v| <= tolerance (1 + |v|), in maximum norms
 //
 // step(h) advances by exactly h, in as many internal steps as the tolerance requires. Order 5.
 

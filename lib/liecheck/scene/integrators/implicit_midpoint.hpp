@@ -3,8 +3,7 @@
 //
 //   v_m = v0 + h/2 a(q0 exp(h v_m/2), v_m),   q1 = q0 exp(h v_m),   v1 = 2 v_m - v0
 //
-// Order 2, for every robot. It is symmetric (its own inverse under h -> -h), so that the energy of a
-// reversible motion does not drift.
+// Order 2. It is symmetric, its own inverse under h -> -h: the energy of a reversible motion does not drift.
 
 #include <liecheck/scene/integrators/collocation.hpp>
 

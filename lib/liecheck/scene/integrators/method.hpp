@@ -1,6 +1,5 @@
 #pragma once
-// Method: an integrator that advances a whole configuration on the group. Each method has its own file;
-// integrators/registry.hpp lists them.
+// Method: an integrator that advances a whole configuration on the group. integrators/registry.hpp lists all.
 
 #include <functional>
 #include <liecheck/scene/accumulate.hpp>
@@ -45,14 +44,13 @@ template <class A, class B>
   if (!(sum <= std::numeric_limits<S>::max())) throw StepFailed("a number is no longer finite");
 }
 
-/// Counts of adaptive and implicit methods.
+/// Counted by adaptive and implicit methods only.
 struct MethodCounts {
   long steps = 0, rejected = 0, iterations = 0;
 };
 
 /// Call begin before the first step, and whenever other code has set the state. begin may allocate; step does
-/// not. step advances q and v by exactly h [s], but not t. If step throws StepFailed, or what the system
-/// throws, the state is unchanged.
+/// not. step advances q and v by exactly h [s], but not t. If step throws, the state is unchanged.
 template <class Sys>
 class Method {
  public:

@@ -1,6 +1,6 @@
 #pragma once
-// Variational integrator of a lone rigid body, formulated in momenta. It is symplectic. The spatial momentum
-// is stored, and constant for a free body.
+// Variational, symplectic integrator of a lone rigid body. It stores the spatial momentum, which is constant
+// for a free body.
 //
 //   L_d(R0, R1) = phi^T I_C phi / (2 h),  phi = log(R0^T R1)
 //   h R0^T L = J_r^-1(phi) I_C phi,   R1 = R0 exp(phi),   c1 = c0 + h P/m        (Newton's method for phi)
@@ -8,8 +8,7 @@
 //
 // Order 2, symmetric. (Moser & Veselov 1991; Lee, Leok & McClamroch 2005; Bou-Rabee & Marsden 2009, sec. 4.) L is the
 // angular momentum about the centre of mass, P the linear momentum, both in the world's axes; begin()
-// computes them from the state. At the end of the step, forces that depend on the velocity are evaluated
-// implicitly.
+// computes them from the state. At the end of the step, velocity-dependent forces are evaluated implicitly.
 
 #include <liecheck/scene/integrators/method.hpp>
 #include <liecheck/scene/lone_body.hpp>
@@ -109,8 +108,8 @@ class Variational final : public Method<LoneBody<S>> {
     for (int i = 0; i < 3; ++i)
       accumulate<S>(P_[i], P_low_[i], S(h * f[i])), accumulate<S>(L_[i], L_low_[i], S(h * n[i]));
   }
-  /// Solves J_r^-1(phi) I phi = target for phi by Newton's method with the Jacobian I + ([phi] I - [I
-  /// phi])/2. It stops when the correction is a rounding error.
+  /// Solves J_r^-1(phi) I phi = target by Newton's method with the Jacobian I + ([phi] I - [I phi])/2, until
+  /// the correction is a rounding error.
   Vector3<S> solve(const Matrix3<S>& I, const Matrix3<S>& I_inverse, const Vector3<S>& target) {
     Vector3<S> phi = I_inverse * target;
     S before = std::numeric_limits<S>::max();

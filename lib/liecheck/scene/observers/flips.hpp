@@ -1,7 +1,7 @@
 #pragma once
-// Flips of a body: the times at which its angular velocity about a body-fixed axis changes sign. They are
-// roots of the cubic Hermite interpolant of omega over a step. Error h^4/384 |omega^(4)| / |omega_dot| [s],
-// plus that of the method.
+// Flips of a body: the times at which its angular velocity about a body-fixed axis changes sign, from the
+// cubic Hermite interpolant of omega over a step. Error h^4/384 |omega^(4)| / |omega_dot| [s], plus the
+// method's error.
 
 #include <liecheck/scene/effects/coordinates.hpp>
 #include <liecheck/scene/observers/observer.hpp>

@@ -2,10 +2,9 @@
 // An inertial measurement unit with noise and bias, mounted at a frame.
 //
 //   gyroscope      omega + b_g + n_g                 b_dot: white noise of density `*_walk`
-//   accelerometer  R^T (p_ddot - g) + b_a + n_a      n: white noise of density d, sampled every T: sigma = d/sqrt(T)
+//   accelerometer  R^T (p_ddot - g) + b_a + n_a      n: white noise of density d; sigma = d/sqrt(T)
 //
-// (El-Sheimy, Hou & Niu 2008.) p_ddot is the acceleration of the frame's origin, including the lever-arm
-// terms.
+// El-Sheimy, Hou & Niu (2008). T is the time between samples. p_ddot is the acceleration of the frame's origin.
 
 #include <cstdint>
 #include <liecheck/scene/effects/coordinates.hpp>
@@ -28,8 +27,7 @@ inline const PartInfo imu_info{
      {"accel_walk", Kind::NotNegative, "m/s^3/sqrt(Hz)", "0", "density of b_a's rate"},
      {"seed", Kind::NotNegative, "1", "42", "a whole number that selects the noise"}}};
 
-/// Normally distributed numbers from mt19937_64 by Box & Muller (1958). They are the same wherever libm is
-/// the same.
+/// Normally distributed numbers by Box & Muller (1958), the same on every machine with the same libm.
 class NormalNumbers {
  public:
   explicit NormalNumbers(std::uint64_t seed) : bits_(seed) {}

@@ -1,6 +1,5 @@
 #pragma once
-// Observer: records quantities of a motion without changing it. Each observer has its own file;
-// observers/registry.hpp lists them.
+// Observer: records quantities of a motion without changing it. observers/registry.hpp lists all observers.
 
 #include <liecheck/scene/effects/effect.hpp>
 #include <optional>
@@ -16,8 +15,7 @@ struct Figure {
   std::optional<double> value;
 };
 
-/// Constants of a run: the robot with the gravity and armature that effects set, all effects, and the time
-/// between two samples [s].
+/// Constants of a run: the robot with gravity and armature, all effects, and the time between samples [s].
 struct Watched {
   const Model<double>* model;
   const Effects<double>* effects;
