@@ -41,7 +41,7 @@ void compositeInertias(const Model<S>& model, Data<S>& data, In<S> q) {
 
 /// The momentum F = I s of a column s = (t, omega) [6] of a motion subspace. Its force is
 /// (x, y, z) = m (t + omega x c), its moment (u, v, w) = I_C omega + c x force, initially about the origin of
-/// the column's joint. The members are scalars, which stay in registers; a Force would be reloaded.
+/// the column's joint. Scalar members stay in registers; a Force would be stored and loaded again.
 template <Scalar S>
 struct ColumnMomentum {
   S x, y, z, u, v, w;

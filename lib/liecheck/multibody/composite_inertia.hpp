@@ -2,7 +2,7 @@
 // The inertia of rigidly joined bodies, summed along a tree: mass [kg], centre of mass c [m] and the six
 // numbers of I_C [kg m^2], all in one frame's axes. The formulas are those of spatial/inertia.hpp. This class
 // is
-// faster: it holds scalars and caches mass ratios.
+// faster, since it holds scalars and caches mass ratios.
 
 #include <liecheck/spatial/se3.hpp>
 
@@ -41,10 +41,9 @@ struct CompositeInertia {
         entry(2, 2)};
   }
 
-  /// Adds another inertia whose origin is at r [m], in the same axes; `joined` caches the mass ratios of the
-  /// pair. With t = m_2/(m + m_2), d = c_2 + r - c,  c = (1 - t) c + t (c_2 + r), I_C += I_2 + m t (|d|^2 1 -
-  /// d d^T)  (parallel-axis theorem). c += t d would be less accurate: the rounding error of d is large if
-  /// one of the bodies is light and far away.
+  /// Adds another inertia whose origin is at r [m], in the same axes; `joined` caches the pair's mass ratios.
+  ///   t = m_2/(m + m_2),  d = c_2 + r - c,  c = (1 - t) c + t (c_2 + r),  I_C += I_2 + m t (|d|^2 1 - d d^T)
+  /// c += t d would be less accurate: the rounding error of d is large if a light body is far away.
   [[gnu::always_inline]] void join(const CompositeInertia& other, const Vector3<S>& r,
                                    JoinedMass<S>& joined) {
     joined.join(mass, other.mass);

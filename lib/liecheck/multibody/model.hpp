@@ -3,7 +3,7 @@
 //
 // Joint 0 is the universe. Joint i > 0 is attached to joint parents[i] < i at jointPlacements[i]. It has
 // nqs[i] numbers of q from idx_qs[i] on, and nvs[i] numbers of v from idx_vs[i] on. A mimic has none; its
-// idx_qs and idx_vs are those of its primary. Names and conventions are Pinocchio's. Code outside may set
+// idx_qs and idx_vs are those of its primary. Names and conventions are Pinocchio's. Users may set
 // gravity, limits, friction, damping and armature; only member functions change the other fields.
 
 #include <atomic>

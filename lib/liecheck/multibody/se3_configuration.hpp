@@ -183,8 +183,8 @@ template <Scalar S, Precision P>
 
 /// T exp(delta) as [p; x y z w]. The sign of Q1 is such that Q1 . Q0 >= 0. Pose q [7; m], delta [6; m, rad].
 /// Error for |phi| <= pi: rotation 2 eps, translation 4 eps of max(|p1|, |p0|, |rho|). For larger |phi| these
-/// bounds are multiplied by the condition number (excess rule, docs/measuring.md). ||Q1|^2 - 1| <= 3 eps +
-/// 3/4 d^2. The rotation of the result is the one for Q0/|Q0|, whatever d is.
+/// bounds are multiplied by the condition number (excess rule, docs/measuring.md). The rotation of the result
+/// is the one for Q0/|Q0|, whatever d is. ||Q1|^2 - 1| <= 3 eps + 3/4 d^2.
 template <Scalar S, Precision P = Precision::standard>
 Vector7<S> integrateSE3(const Vector7<S>& q, const Vector6<S>& delta) {
   return evaluate<S, P>(

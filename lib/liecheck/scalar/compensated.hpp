@@ -11,8 +11,8 @@
 
 namespace liecheck {
 
-/// sum a_i b_i, computed as if in twice the digits and then rounded: error eps |sum| + n^2 eps^2 sum |a_i
-/// b_i|. Ogita, Rump & Oishi (2005), algorithm 5.3 (Dot2). In fast precision it is the plain sum.
+/// sum a_i b_i, computed as if in twice the digits and then rounded. Ogita, Rump & Oishi (2005), algorithm
+/// 5.3 (Dot2): error eps |sum| + n^2 eps^2 sum |a_i b_i|. In fast precision it is the plain sum.
 template <Scalar S, Precision P = Precision::standard>
 class CompensatedSum {
  public:

@@ -175,8 +175,7 @@ struct HalfAngle {
       c0 = mul_add(S(-h), c2, S(1));
     } else {
       // c_0 = 1 - h/2 + h^2 c_4 and c_1 = 1 - h/8 - h (1/24 - h c_5), each as a double word: high is the sum
-      // of two terms, low its rounding error plus the rest. For x.low, c_0' = -c_1/2 and c_1' = (c_3 -
-      // c_2)/2.
+      // of two terms, low its rounding error plus the rest. x.low is multiplied by the slopes of c_0 and c_1.
       const auto sum = [&h](const S& factor, const S& small) __attribute__((always_inline)) {
         const S linear = h * factor, head = S(1) - linear;
         return DoubleWord<S>(head, ((S(1) - head) - linear) + small);
@@ -325,9 +324,8 @@ S large_angle(const Vector& phi, const S& x) {
 
 }  // namespace stumpff_detail
 
-/// The coefficients of exp and its Jacobians at any finite rotation vector phi. The axis is a = phi / t with
-/// t = 1 for theta <= pi; beyond pi, t = theta, to avoid overflow. The coefficients are scaled by powers of
-/// t:
+/// The coefficients of exp and its Jacobians at any finite rotation vector phi, for the axis a = phi / t with
+/// t = 1 for theta <= pi; beyond pi, t = theta, to avoid overflow:
 ///     k1 = c_1,  k2 = c_2 t,  k3 = c_3 t^2     J = I + k2 [a] + k3 [a]^2; for t = 1, R = I + k1 [a] + k2 [a]^2
 ///     slope2 = 2 c_2' t^2 = (2 c_4 - c_3) t^2,  slope3 = 2 c_3' t^3 = (3 c_5 - c_4) t^3,
 ///     and (sine_half a, cosine_half) is the quaternion.

@@ -40,7 +40,8 @@ template <Scalar S>
                  mul_add(v[2], x, S(-s[1])), mul_add(v[1], z, s[0]), S(1) - (xx + yy));
 }
 
-/// exp [phi] = I + k1 [a] + k2 [a]^2 for |phi| <= pi; beyond pi, where a is rounded, by the quaternion.
+/// exp [phi] = I + k1 [a] + k2 [a]^2. For |phi| > pi the quaternion is used, since a is a rounded unit
+/// vector.
 template <Scalar S, Precision P>
 [[gnu::always_inline]] inline Matrix3<S> matrix(const RotationCoefficients<S, Vector3<S>, P>& k) {
   if (!k.within_pi)
@@ -78,7 +79,7 @@ struct RotationLogarithm {
   /// rho = J^-1(phi) p = p - 1/2 phi x p + (1 - alpha) n x (n x p), with alpha = (theta/2) cot(theta/2) and
   /// n = v/|v|. The part of p along the axis is unchanged. Error 3 eps |rho|, including the error of phi.
   [[gnu::always_inline]] Vector3<S> arc(const Vector3<S>& p) const {
-    // phi is replaced by ratio v, which is not rounded.
+    // phi is replaced by ratio v, with the unrounded ratio.
     const Vector3<S> v_p = cross<S>(v, p), v_v_p = cross<S>(v, v_p);
     const DoubleWord<S> minus_half(c.ratio.high / S(-2), c.ratio.low / S(-2));
     return each<S>([&](int i) {

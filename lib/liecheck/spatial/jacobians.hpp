@@ -35,8 +35,7 @@ template <Scalar S>
                  yz + t[0], S(-2) * (xx + yy));
 }
 
-/// Coefficients of the rotation block of J_l or J_l^-1 and of its derivative along rho, for the axis a of
-/// RotationCoefficients.
+/// Coefficients of the blocks of J_l or J_l^-1, for the axis a = phi / t of RotationCoefficients.
 template <Scalar S, Precision P>
 struct BlockCoefficients {
   Vector3<S> axis;

@@ -3,8 +3,7 @@
 //
 //   x_A = R_AB x_B,   R(Q) = I + 2 (w [v] + [v]^2) / |Q|^2
 //
-// Q represents the rotation of Q/|Q|, so an error of its norm costs no accuracy. Q and -Q are the same
-// rotation.
+// Q represents the rotation of Q/|Q|, so an error of |Q| costs no accuracy. Q and -Q are the same rotation.
 
 #include <liecheck/scalar/compensated.hpp>
 #include <liecheck/scalar/stumpff.hpp>
@@ -116,8 +115,8 @@ class SO3 {
   /// The rotation nearest to R in the Frobenius norm, to first order in R^T R - I: one Newton step of the
   /// polar factor, error O(|R^T R - I|^2). The quaternion follows from the largest of the four pivots
   /// (Shepperd 1978). Its norm is in [1/2, 1]. Error for |R^T R - I| <= 8 eps: 2 eps of the rotation, and 2
-  /// eps relative of its vector part if the angle is small. Without the Newton
-  /// step, fast precision adds |R^T R - I| to the error.
+  /// eps relative of its vector part if the angle is small. Fast precision omits the Newton step, which adds
+  /// |R^T R - I| to the error.
   template <Precision P = Precision::standard>
   static SO3 fromMatrix(const Matrix3<S>& R) {
     return doubleWordsFromMatrix<P>(R).high;

@@ -27,7 +27,7 @@ std::vector<Coordinate> coordinates(const Model<S>& model, const std::vector<std
               : "none of the joints named has a coordinate");
   return all;
 }
-/// The coordinates with a scalar position in q. Throws std::invalid_argument if a named joint has others.
+/// The coordinates with a scalar position in q. Throws std::invalid_argument if a named joint lacks one.
 template <Scalar S>
 std::vector<Coordinate> positions(const Model<S>& model, const std::vector<std::string>& names) {
   std::vector<Coordinate> with;

@@ -4,7 +4,7 @@
 //   gyroscope      omega + b_g + n_g                 b_dot: white noise of density `*_walk`
 //   accelerometer  R^T (p_ddot - g) + b_a + n_a      n: white noise of density d; sigma = d/sqrt(T)
 //
-// El-Sheimy, Hou & Niu (2008). T is the time between samples. p_ddot is the acceleration of the frame's origin.
+// El-Sheimy, Hou & Niu (2008). T is the time between samples, p_ddot the acceleration of the frame's origin.
 
 #include <cstdint>
 #include <liecheck/scene/effects/coordinates.hpp>
