@@ -175,12 +175,12 @@ struct HalfAngle {
       c0 = mul_add(S(-h), c2, S(1));
     } else {
       // c_0 = 1 - h/2 + h^2 c_4 and c_1 = 1 - h/8 - h (1/24 - h c_5), each as a double word: high is the sum
-      // of two terms, low its rounding error plus the rest. x.low is multiplied by the slopes of c_0 and c_1.
+      // of two terms, low its rounding error plus the rest. x.low enters with the slopes in x.
       const auto sum = [&h](const S& factor, const S& small) __attribute__((always_inline)) {
         const S linear = h * factor, head = S(1) - linear;
         return DoubleWord<S>(head, ((S(1) - head) - linear) + small);
       };
-      // The slopes are accurate to 1/100, which suffices: the correction is about eps of the result.
+      // Slopes c_0' = -c_1/2 and c_1' = (c_3 - c_2)/2, to 1/100: the correction is only about eps of the result.
       const S step = x.low / S(8),
               slope1 = mul_add(h, mul_add(h, S(-1) / S(840), S(1) / S(30)), S(-1) / S(3)),
               slope0 = mul_add(h, mul_add(h, S(1) / S(120), S(-1) / S(6)), S(1));
