@@ -407,7 +407,7 @@ TEST(Dynamics, AnInertiaThatOverflowsIsNotCalledNone) {
       inverse ? void(computeMinverse(m, d, q)) : void(aba(m, d, q, v, v));
       ADD_FAILURE() << "nothing was refused";
     } catch (const SingularInertia& e) {
-      EXPECT_NE(std::string(e.what()).find("'turntable' (joint 1) moves an inertia that is no finite number"),
+      EXPECT_NE(std::string(e.what()).find("'turntable' (joint 1) moves an inertia that is not finite"),
                 std::string::npos)
           << e.what();
     }

@@ -148,9 +148,10 @@ TEST(Joints, ConstantsThatAreNotFiniteAndMimicsOfNothingAreRefused) {
     m.addJoint(1, Mimic<double>(Revolute<double>(Axis<double>::X()), primary, 1), SE3<double>::Identity(),
                "follower");
   };
-  EXPECT_EQ(refusal([&] { follow(2); }), "the primary of joint 'follower' is joint 2: there are 2");
+  EXPECT_EQ(refusal([&] { follow(2); }),
+            "the primary of joint 'follower' is joint 2: the number of joints is 2");
   EXPECT_EQ(refusal([&] { follow(1); }),
-            "joint 'follower' mimics joint 'ball', which has not one coordinate");
+            "joint 'follower' mimics joint 'ball', which does not have exactly one degree of freedom");
 }
 
 TEST(RandomConfiguration, KeepsTheLimitsAndIsTheSameForTheSameSeed) {
@@ -224,7 +225,8 @@ TEST(Model, ARequiredNameThatIsUnknownIsAnsweredWithTheNearest) {
             }).rfind("no frame is named 'haed', the nearest are 'head', ", 0),
             0U);
   m.addBodyFrame("head", 4);
-  EXPECT_EQ(refusal([&] { m.requireFrameId("head"); }), "several frames are named 'head': say of which type");
+  EXPECT_EQ(refusal([&] { m.requireFrameId("head"); }),
+            "several frames are named 'head': give the type as well");
   EXPECT_EQ(m.getFrameId("head", FrameType::BODY), 5);
 }
 TEST(Model, LimitsAreInfiniteAndFrictionIsZeroWhereNobodySaysOtherwise) {

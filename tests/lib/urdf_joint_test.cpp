@@ -19,8 +19,8 @@ TEST(BadUrdf, AnUnknownJointTypeIsNamed) {
 TEST(BadUrdf, AZeroOrNonFiniteAxisIsRefused) {
   for (const char* type : {"revolute", "continuous", "prismatic"}) {
     expectRefused(twoLinks(type, limit + "<axis xyz='0 0 -0.0'/>"), 4, "zero axis", "0 0 -0.0");
-    expectRefused(twoLinks(type, limit + "<axis xyz='0 inf 0'/>"), 4, "not finite numbers", "0 inf 0");
-    expectRefused(twoLinks(type, limit + "<axis xyz='0 nan 0'/>"), 4, "not finite numbers", "0 nan 0");
+    expectRefused(twoLinks(type, limit + "<axis xyz='0 inf 0'/>"), 4, "hold finite numbers", "0 inf 0");
+    expectRefused(twoLinks(type, limit + "<axis xyz='0 nan 0'/>"), 4, "hold finite numbers", "0 nan 0");
     expectRefused(twoLinks(type, limit + "<axis/>"), 4, "<axis> xyz is missing", "");
   }
 }
@@ -97,11 +97,11 @@ TEST(BadUrdf, DuplicateNamesAreRefusedWithTheLineOfTheFirst) {
               "<link name='c'/><joint name='j' type='fixed'><parent link='b'/><child link='c'/></joint>");
   expectRefused(text, 5, "the first is in line 4", "j");
   std::string universe = twoLinks("fixed", "");
-  expectRefused(universe.replace(universe.find("'j'"), 3, "'universe'"), 4, "own root", "universe");
+  expectRefused(universe.replace(universe.find("'j'"), 3, "'universe'"), 4, "reserved", "universe");
   std::string root = twoLinks("fixed", "");
   root.replace(root.find("'j'"), 3, "'root_joint'");
   EXPECT_NO_THROW(buildModelFromUrdfText(root));
-  EXPECT_NE(refusal(root, RootJoint::FreeFlyer).find("own root"), std::string::npos);
+  EXPECT_NE(refusal(root, RootJoint::FreeFlyer).find("reserved"), std::string::npos);
 }
 
 TEST(BadUrdf, AMissingLimitIsRefusedWhereTheTypeNeedsOne) {
@@ -142,8 +142,8 @@ TEST(BadUrdf, AnInertiaThatNoBodyHasIsRefusedUnlessWhatItIsFixedToMakesUpForIt) 
   ASSERT_EQ(robot.warnings.size(), 1U);
   EXPECT_EQ(
       robot.warnings[0],
-      "r.urdf:3: link 'b': a principal moment of inertia is larger than the sum of the other two; what it is "
-      "fixed to makes up for it (1 1 2.1)");
+      "r.urdf:3: link 'b': a principal moment of inertia is larger than the sum of the other two; the sum "
+      "with the links fixed to it is valid (1 1 2.1)");
 }
 
 const std::string three = "<robot name='r'>\n<link name='a'/>\n<link name='b'/>\n<link name='c'/>\n";
@@ -165,7 +165,7 @@ TEST(BadUrdf, AMimicOfNothingOfItselfOfALaterJointOrOfAMimicIsRefused) {
   expectRefused(text("k", ""), 5, "joint 'j' mimics a joint that comes later", "k");
   expectRefused(text("", "k"), 6, "joint 'k' mimics itself", "k");
   expectRefused(text("", "j", "fixed"), 6, "mimics a joint that does not move", "j");
-  expectRefused(text("", "j", "floating"), 6, "mimics a joint that has not one coordinate", "j");
+  expectRefused(text("", "j", "floating"), 6, "mimics a joint that does not have exactly one", "j");
   std::string chained = text("", "j");
   chained.insert(chained.find("</robot>"), "<link name='d'/>" + mimicJoint("l", "revolute", "c", "d", "k"));
   EXPECT_NO_THROW(loadUrdfText(chained));
@@ -213,7 +213,7 @@ TEST(Urdf, WhatAJointTypeHasNoUseForIsWarnedOfAndStrictlyAnError) {
     const UrdfRobot r = loadUrdfText(text, {}, "r.urdf");
     EXPECT_EQ(r.warnings.size(), 2U);  // and of the link without mass
     EXPECT_EQ(r.warnings.back(),
-              "r.urdf:4: the link of a moving joint, and what is fixed to it, has no mass (j)");
+              "r.urdf:4: the link of a moving joint and the links fixed to it have no mass (j)");
     try {
       loadUrdfText(text, {.strict = true}, "r.urdf");
       ADD_FAILURE() << "strictly nothing was refused";

@@ -51,12 +51,12 @@ TEST(BadUrdf, AMissingFileADirectoryAndAnEmptyFileAreNamed) {
   std::filesystem::remove(path);
   expectRefused(" \n\t\n", 1, "empty", "4 bytes");
   ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);
-  EXPECT_EQ(said(path), path + ": cannot be read (a pipe, and nobody writes to it)");
+  EXPECT_EQ(said(path), path + ": cannot be read (a pipe without a writer)");
   std::filesystem::remove(path);
   EXPECT_EQ(said("/dev/null"), "/dev/null: cannot be read (neither a regular file nor a pipe)");
   std::ofstream(path).close();
   std::filesystem::resize_file(path, max_urdf_bytes + 1);
-  EXPECT_EQ(said(path), path + ": longer than a URDF may be (67108864 bytes)");
+  EXPECT_EQ(said(path), path + ": larger than the limit for a URDF (67108864 bytes)");
   std::filesystem::remove(path);
 }
 
@@ -65,9 +65,9 @@ TEST(BadUrdf, CutOffOrMalformedTextIsRefused) {
   EXPECT_NO_THROW(buildModelFromUrdfText(whole));
   for (std::size_t size = 1; size + 9 < whole.size(); ++size) refusal(whole.substr(0, size));
   expectRefused("<robot name='r'>\n<link name='a'>\n</robot>", 2, "malformed XML",
-                "an element that nothing of its name closes");
+                "an element without a closing tag of its name");
   expectRefused("<robot name='r'>\n<link name='a' name='b'/></robot>", 2, "malformed XML",
-                "an attribute without a value, or twice");
+                "an attribute without a value, or given twice");
   EXPECT_NE(refusal("<robot name='r'>\n<link name=a/></robot>").find("malformed"), std::string::npos);
   refusal("not XML at all");
   expectRefused(std::string("<robot name='r'>\n<link name='a'/>\0</robot>", 43), 2, "zero byte", "byte 33");
@@ -125,8 +125,8 @@ TEST(BadUrdf, TextThatIsNotUtf8IsRefusedInItsLine) {
 
 TEST(BadUrdf, TagsThatCloseNothingAndEntitiesAreNamed) {
   const std::string robot = "<robot name='r'>\n<link name='a'/></robot>\n";
-  expectRefused(robot + "</robot></robot>", 3, "closed that was not opened", "</robot>");
-  expectRefused("</robot>" + robot, 1, "closed that was not opened", "</robot>");
+  expectRefused(robot + "</robot></robot>", 3, "a closing tag without an opening tag", "</robot>");
+  expectRefused("</robot>" + robot, 1, "a closing tag without an opening tag", "</robot>");
   expectRefused("<!DOCTYPE robot [<!ENTITY x 'y'>]>\n" + robot, 1, "(entities) is not supported",
                 "[<!ENTITY x 'y'");
   EXPECT_NO_THROW(buildModelFromUrdfText("<!DOCTYPE robot>\n" + robot));

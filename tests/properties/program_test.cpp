@@ -164,7 +164,7 @@ TEST_F(Program, CaseIdsAreRefusedWithTheirPosition) {
 
 TEST_F(Program, ARobotIsReadOnceAndItsNameIsThatOfTheParser) {
   ASSERT_EQ(::mkfifo((dir / "fifo").c_str(), 0600), 0);
-  refused(robot + "--robot fifo", "fifo: cannot be read (a pipe, and nobody writes to it)");
+  refused(robot + "--robot fifo", "fifo: cannot be read (a pipe without a writer)");
   refused(robot + "--robot none.urdf", "liecheck: none.urdf: cannot be opened (No such file or directory)");
   store("bad.urdf", "<robot name='r\xff'>\n<link name='a'/></robot>");
   refused(robot + "--robot bad.urdf --json r.json", "bad.urdf:1: not UTF-8");

@@ -69,7 +69,7 @@ TEST(SceneFile, ABadOneIsNamedWithFileLineAndRemedy) {
       {3, "effects: [gravity: {accelerate: 1}]",
        "s.yaml:3: gravity has no key 'accelerate', the nearest is 'acceleration'"},
       {3, "effects: gravity",
-       "s.yaml:3: effects is a list, as '- energy' on lines of their own, or [energy]"},
+       "s.yaml:3: effects is a list: '- energy' on separate lines, or [energy]"},
       {3, "effects: [drag: {frame: bodi}]",
        "s.yaml:3: no frame is named 'bodi', the nearest are 'body', 'root_joint' and 'universe'"},
       {3, "effects: [drag: {linear: 1}]", "s.yaml:3: drag needs 'frame': where it acts"},
@@ -99,7 +99,7 @@ TEST(SceneFile, ABadOneIsNamedWithFileLineAndRemedy) {
       {4, "integrator: {name: rkmk4, step: 1 ms, tolerance: 1}",
        "s.yaml:4: integrator 'rkmk4' takes a step, not a tolerance"},
       {4, "integrator: {name: dopri5, tolerance: 1e-20}",
-       "s.yaml:4: integrator.tolerance is below 1e-15, which double cannot keep"},
+       "s.yaml:4: integrator.tolerance is below 1e-15, which double cannot reach"},
       {4, "", "s.yaml: the scene needs 'integrator': {name: rkmk4, step: 1 ms}"},
       {5, "duration: 0 s", "s.yaml:5: duration is '0 s': it must be above 0"},
       {6, "observers: [imu: {frame: head}]",
@@ -120,11 +120,11 @@ TEST(SceneFile, ABadOneIsNamedWithFileLineAndRemedy) {
       {1, "robot: {body: bax, size: [1, 2, 3]}",
        "s.yaml:1: no built-in body is named 'bax', the nearest are 'box', 'ball' and 'body'"},
       {1, "robot: {body: body, moments: [1, 1, 3]}",
-       "s.yaml:1: no body has these moments of inertia: each is above 0 and no larger than the sum of the "
-       "other two"},
+       "s.yaml:1: no body can have these moments of inertia: each must be above 0 and no larger than the "
+       "sum of the other two"},
       {1, "robot: {body: box, size: [1, 2, 3], mass: 0}", "s.yaml:1: robot.mass is '0': it must be above 0"},
       {1, "robot: {body: box, size: [1e200, 2, 3]}",
-       "s.yaml:1: its moments of inertia are too large for a double: its mass or its size is"},
+       "s.yaml:1: the moments of inertia overflow: take a smaller mass or size"},
       {1, "robot: {body: box, size: [1, 2, 3], root: revolute, axis: [0, 0, 0]}",
        "s.yaml:1: robot.axis is zero: it has no direction"},
       {1, "robot: {urdf: none.urdf}",
@@ -135,18 +135,18 @@ TEST(SceneFile, ABadOneIsNamedWithFileLineAndRemedy) {
       {1, "robot: {body: box, size: [1, 2, 3], root: flying}",
        "s.yaml:1: robot.root is 'flying', the nearest are 'fixed', 'planar' and 'continuous'"},
       {2, "initial: {quaternion: [0, 0, 0, 0]}",
-       "s.yaml:2: initial.quaternion is zero, which is no rotation"},
+       "s.yaml:2: initial.quaternion is zero, which is not a rotation"},
       {2, "initial: {start: dzanibekov}",
        "s.yaml:2: no start is named 'dzanibekov', the nearest are 'dzhanibekov', 'major_spin' and "
        "'minor_spin'"},
       {2, "initial: {start: sleeping_top, rate: 1}",
-       "s.yaml:2: start 'sleeping_top' is of a top on a spherical root, symmetric about its z axis"},
+       "s.yaml:2: start 'sleeping_top' needs a top on a spherical root, symmetric about its z axis"},
       {3, "effects: [joint_damping: {coefficient: 1}]",
-       "s.yaml:3: the robot has no joint that this could act on but a free-flyer, which must be named"},
+       "s.yaml:3: the robot has no joint that this can act on, except a free-flyer, which must be named"},
       {3, "effects: [joint_damping: {joints: [universe], coefficient: 1}]",
        "s.yaml:3: none of the joints named has a coordinate"},
       {1, "robot: {body: box, size: [1, 2, 3], root: spherical, axis: [1, 0, 0]}",
-       "s.yaml:1: robot.axis is of a revolute, continuous or prismatic root, not of 'spherical'"},
+       "s.yaml:1: robot.axis needs a revolute, continuous or prismatic root, not 'spherical'"},
       {2, "initial: {start: dzhanibekov, angular_velocity: [1, 2, 3]}",
        "s.yaml:2: start 'dzhanibekov' sets a velocity that initial gives too: keep one"},
       {6, "observers: [energy]\ntruth: triaxal",
@@ -158,12 +158,12 @@ TEST(SceneFile, ABadOneIsNamedWithFileLineAndRemedy) {
       {3, "effects: [wrench: {frame: body, from: 2, until: 1}]",
        "s.yaml:3: the wrench's 'until' is not after its 'from'"},
       {6, "observers: [energy, energy]",
-       "s.yaml:6: observer 'energy' writes kinetic, which another one writes already: keep one"},
+       "s.yaml:6: observer 'energy' writes kinetic, which another observer writes too: keep one"},
       {6, "observers: [energy]\nreason: \"a\\nb\"",
        "s.yaml:7: reason holds a control character or a line break: write one line of text"},
       {6, "observers: [energy]\nreason: \xff", "s.yaml:7: is not UTF-8"},
       {5, "duration: 1e308 s",
-       "s.yaml:4: duration is not a whole number of integrator.step: it would be more than 1e15 of them"},
+       "s.yaml:4: duration is not a whole number of integrator.step: it fits more than 1e15 times"},
       {2, "initial: {joints: {root: 1}}",
        "s.yaml:2: initial.joints has no key 'root', the nearest are 'root_joint' and 'universe'"},
   };
@@ -179,10 +179,10 @@ TEST(SceneFile, ABadOneIsNamedWithFileLineAndRemedy) {
 TEST(SceneFile, WhatIsNoSceneAtAllIsRefused) {
   EXPECT_EQ(refusal(""),
             "s.yaml: is not a scene: it has no keys such as 'robot: {body: box, size: [1, 1, 1]}'");
-  EXPECT_EQ(refusal(std::string("a\0b", 3)), "s.yaml: is not text: it holds a zero byte");
+  EXPECT_EQ(refusal(std::string("a\0b", 3)), "s.yaml: is not text: it contains a zero byte");
   EXPECT_NE(refusal("%PDF-1.4 \x01\x02"), "nothing");
   EXPECT_NE(refusal(std::string(100000, '[')), "nothing");  // no stack is deep enough
-  EXPECT_NE(refusal(std::string(2 << 20, 'a')).find("longer than a scene may be"), std::string::npos);
+  EXPECT_NE(refusal(std::string(2 << 20, 'a')).find("longer than the limit of a scene"), std::string::npos);
   EXPECT_NE(refusal("a: &x [*x]\n"), "nothing");
   EXPECT_THROW(loadScene((scenes / "missing.yaml").string()), SceneError);
   EXPECT_THROW(loadScene(scenes.string()), SceneError);

@@ -1,6 +1,6 @@
 #pragma once
-// Articulated-body algorithm, forward dynamics: Featherstone (2008), table 7.1, in world axes at each joint's own origin,
-// so that the transform to the parent is a translation by r.
+// Forward dynamics by the articulated-body algorithm: Featherstone (2008), table 7.1. All quantities are in
+// world axes at each joint's origin, so the transform to the parent is a translation by r.
 //
 //   U = I^A S, D = S^T U + armature, u = tau - S^T p^A
 //   I^A_p += X* (I^A - U D^-1 U^T) X^-1,   p^A_p += X* (p^A + I^a c + U D^-1 u),   c = v x S qd
@@ -13,7 +13,8 @@ namespace liecheck {
 
 namespace algorithms_detail {
 
-/// sum += I^A with its reference point moved by -r:  B' = B - A [r],  D' = D + [r] B' + ([r] B)^T,  I^A = [A, B; B^T, D].
+/// Adds I^A = [A, B; B^T, D] to sum, with its reference point moved by -r: B' = B - A [r],
+/// D' = D + [r] B' + ([r] B)^T.
 template <Scalar S>
 void addShifted(Matrix6<S>& sum, const Matrix6<S>& I, const Vector3<S>& r) {
   const Matrix3<S> A = I.template topLeftCorner<3, 3>(), B = I.template topRightCorner<3, 3>();
@@ -30,7 +31,7 @@ void addShifted(Matrix6<S>& sum, const Matrix6<S>& I, const Vector3<S>& r) {
   sum.template bottomRightCorner<3, 3>() += I.template bottomRightCorner<3, 3>() + r_moved + r_B.transpose();
 }
 
-/// L with L L^T = D > 0 [N x N]; for N = 1 it is 1 / D. Throws SingularInertia where the joint moves no inertia.
+/// The Cholesky factor L of D = L L^T [N x N], or 1 / D if N = 1. Throws SingularInertia unless D > 0.
 template <int N, Scalar S>
 Eigen::Matrix<S, N, N> factorOf(const Model<S>& model, int joint, const Eigen::Matrix<S, N, N>& D,
                                 const Eigen::Matrix<S, N, 1>& scale) {
@@ -48,7 +49,7 @@ Eigen::Matrix<S, N, N> factorOf(const Model<S>& model, int joint, const Eigen::M
   return L;
 }
 
-/// aba of a model with mimics, which couple branches: M qdd = tau - h by the factor of M.
+/// aba of a model with mimic joints. They couple branches, so M qdd = tau - h is solved with the factor of M.
 template <Scalar S>
 const VectorX<S>& denseForwardDynamics(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, In<S> tau,
                                        External<S> fext) {
@@ -110,7 +111,7 @@ const VectorX<S>& aba(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, In
       Eigen::Matrix<S, 6, n> UD = U;
       if constexpr (n == 1) {
         UD *= L;
-      } else {  // from here on U L^-T and L^-1 u: D^-1 of an ill-conditioned D would lose its digits twice
+      } else {  // U and u become U L^-T and L^-1 u: D^-1 itself is less accurate if D is ill-conditioned
         const auto lower = L.template triangularView<Eigen::Lower>();
         UD = lower.solve(Eigen::Matrix<S, n, 6>(U.transpose())).transpose();
         u = lower.solve(Eigen::Matrix<S, n, 1>(u));
@@ -143,7 +144,7 @@ const VectorX<S>& aba(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, In
   return ddq;
 }
 
-// float and double are compiled once, in instantiations_*.cpp; other scalars where they are used.
+// instantiations_*.cpp instantiates these for float and double.
 extern template const VectorX<float>& aba<float>(const Model<float>&, Data<float>&, In<float>, In<float>,
                                                  In<float>, External<float>);
 extern template const VectorX<double>& aba<double>(const Model<double>&, Data<double>&, In<double>,

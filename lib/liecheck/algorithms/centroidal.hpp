@@ -1,12 +1,12 @@
 #pragma once
-// Centroidal quantities: centre of mass c, momentum h_G about it in the world's axes, and A_G with h_G = A_G v. Orin,
-// Goswami & Lee (2013). Bodies fixed to the world are left out. Precondition: the mass that moves is not 0.
+// Centroidal quantities: centre of mass c, momentum h_G about c in world axes, and A_G with h_G = A_G v.
+// Orin, Goswami & Lee (2013). Bodies fixed to the world are excluded. Precondition: the total mass is not 0.
 
 #include <liecheck/algorithms/crba.hpp>
 
 namespace liecheck {
 
-/// The mass that moves [kg].
+/// Total mass of the bodies that are not fixed to the world [kg].
 template <Scalar S>
 S computeTotalMass(const Model<S>& model) {
   S mass(0);
@@ -83,7 +83,7 @@ const Matrix6X<S>& computeCentroidalMap(const Model<S>& model, Data<S>& data, In
   }
   return Ag;
 }
-/// Jcom [3 x nv]: c_dot = Jcom v. It is the linear rows of A_G over the mass. Updates liMi, oMi, com, Ag, Jcom. q [nq].
+/// Jcom [3 x nv], c_dot = Jcom v: the linear rows of A_G / mass. Updates liMi, oMi, com, Ag, Jcom. q [nq].
 template <Scalar S>
 const Matrix3X<S>& jacobianCenterOfMass(const Model<S>& model, Data<S>& data, In<S> q) {
   const S mass = computeTotalMass(model);
@@ -120,7 +120,7 @@ const Force<S>& computeCentroidalMomentumTimeVariation(const Model<S>& model, Da
   return dhg;
 }
 
-// float and double are compiled once, in instantiations_*.cpp; other scalars where they are used.
+// instantiations_*.cpp instantiates these for float and double.
 extern template const Vector3<float>& centerOfMass<float>(const Model<float>&, Data<float>&, In<float>);
 extern template const Vector3<float>& centerOfMass<float>(const Model<float>&, Data<float>&, In<float>,
                                                           In<float>);

@@ -8,22 +8,22 @@
 
 namespace liecheck {
 
-/// Thrown where M^-1 is needed and a joint moves no inertia; what() names the joint.
+/// Thrown if M^-1 is needed but a joint moves no inertia; what() names the joint.
 class SingularInertia : public std::domain_error {
  public:
   SingularInertia(const std::string& joint_name, int joint_index, bool finite = true)
       : std::domain_error(
             "joint '" + joint_name + "' (joint " + std::to_string(joint_index) + ") " +
             (finite ? "moves no inertia, so no force sets its acceleration: are the links behind it massless?"
-                    : "moves an inertia that is no finite number: q is too large")),
+                    : "moves an inertia that is not finite: q is too large")),
         joint_index(joint_index) {}
   int joint_index;
 };
 
 namespace algorithms_detail {
 
-/// data.work.inertia[i] = Ic_i, in world axes at joint i's origin; [0] without what is fixed to the world. Updates
-/// liMi, oMi, work.r and work.S_columns.
+/// Sets data.work.inertia[i] = Ic_i, in world axes at joint i's origin; Ic_0 excludes bodies fixed to the
+/// world. Updates liMi, oMi, work.r and work.S_columns.
 template <Scalar S>
 void compositeInertias(const Model<S>& model, Data<S>& data, In<S> q) {
   auto& Ic = data.work.inertia;
@@ -39,13 +39,13 @@ void compositeInertias(const Model<S>& model, Data<S>& data, In<S> q) {
     Ic[std::size_t(model.parents[i])].join(Ic[i], data.work.r[i], data.work.joined[i]);
 }
 
-/// The momentum F = I s of a column s [6] of a motion subspace: force x y z = m (u + omega x c) and moment u v w =
-/// I_C omega + c x force, at first about the origin of the column's joint. It holds scalars, which stay in registers,
-/// where a Force would be stored and loaded again.
+/// The momentum F = I s of a column s = (t, omega) [6] of a motion subspace. Its force is
+/// (x, y, z) = m (t + omega x c), its moment (u, v, w) = I_C omega + c x force, initially about the origin of
+/// the column's joint. Scalar members stay in registers; a Force would be stored and loaded again.
 template <Scalar S>
 struct ColumnMomentum {
   S x, y, z, u, v, w;
-  /// rotation: s = (0, omega).
+  /// If rotation is true, s = (0, omega).
   [[gnu::always_inline]] ColumnMomentum(const CompositeInertia<S>& I, const S* s, bool rotation = false) {
     const S a = s[3], b = s[4], c = s[5];
     x = mul_add(b, I.c[2], S(-(c * I.c[1])));
@@ -64,7 +64,7 @@ struct ColumnMomentum {
     v += mul_add(d[2], x, S(-(d[0] * z)));
     w += mul_add(d[0], y, S(-(d[1] * x)));
   }
-  /// s^T F of a column s [6], of a translation s = (u, 0) and of a rotation s = (0, omega), u and omega [3].
+  /// s^T F, for any column s [6]; for s = (t, 0), given t [3]; and for s = (0, omega), given omega [3].
   [[gnu::always_inline]] S project(const S* s) const {
     return projectOnTranslation(s) + projectOnRotation(s + 3);
   }
@@ -77,9 +77,9 @@ struct ColumnMomentum {
   Force<S> force() const { return {Vector3<S>(x, y, z), Vector3<S>(u, v, w)}; }
 };
 
-/// Row and column k of M. With mimics several columns of motion subspaces act on one number of v, and their terms are
-/// added up; else column m acts on v[m] alone, and every entry is written once. Written through pointers, since M(m, k)
-/// and M(k, m) cost 5 to 10 % of crba's time.
+/// Row and column k of M. With mimic joints, several columns of motion subspaces belong to one number of v,
+/// and their terms are summed. Without them, column m belongs to v[m] alone, and every entry is written once.
+/// Entries are written through pointers; M(m, k) and M(k, m) would cost 5 to 10 % of crba's time.
 template <bool mimics, Scalar S>
 struct RowAndColumn {
   const Model<S>& model;
@@ -100,15 +100,15 @@ struct RowAndColumn {
   }
   /// M_kk = h + armature.
   [[gnu::always_inline]] void setDiagonal(const S& h) const {
-    set(k, mimics ? h : S(h + model.armature[k]));  // with mimics the armature is there already
+    set(k, mimics ? h : S(h + model.armature[k]));  // with mimics M already contains the armature
   }
 };
 
-/// M_mk = M_km = s_m^T F of every column m of joint j up to k, and of every ancestor of j, F = Ic_j s_k. This is the fast
-/// kernel of crba: it works in world axes, where F is moved to the parent without a rotation, and leaves out the products
-/// with the zeros of a joint that rotates about an axis, s = (0, omega), and of a free-flyer, S = [R, 0; 0, R]. With
-/// compositeInertias it takes 0.4 of the time of the same three statements written with Motion, Force and Inertia in the
-/// joints' frames (measured with gcc 12 -O2, double, free-flyers with 4 and with 10 legs of 3 revolute joints).
+/// Sets M_mk = M_km = s_m^T F, F = Ic_j s_k, for the columns m <= k of joint j and all columns m of its
+/// ancestors. This is the inner loop of crba. In world axes, F is moved to the parent without a rotation. For
+/// a rotation about an axis, s = (0, omega), and for a free-flyer, S = [R, 0; 0, R], products with zeros are
+/// skipped. With compositeInertias it takes 0.4 of the time of the same formulas written with Motion, Force
+/// and Inertia in joint frames (gcc 12 -O2, double, free-flyers with 4 and 10 legs of 3 revolute joints).
 template <bool rotation, bool mimics, Scalar S>
 [[gnu::always_inline]] inline void projectOnSupport(const Model<S>& model, const Data<S>& data, std::size_t j,
                                                     ColumnMomentum<S> F, const RowAndColumn<mimics, S>& M_k) {
@@ -133,8 +133,8 @@ template <bool rotation, bool mimics, Scalar S>
   }
 }
 
-/// f(j, k, rotation) of every column k of every joint j's motion subspace, children first; rotation is
-/// std::true_type where joint j rotates about an axis.
+/// Calls f(j, k, rotation) for every column k of every joint j's motion subspace, children first; rotation is
+/// std::true_type if joint j rotates about an axis.
 template <Scalar S, class F>
 [[gnu::always_inline]] inline void forEachColumn(const Model<S>& model, F f) {
   for (std::size_t j = model.joints.size() - 1; j > 0; --j) {
@@ -146,7 +146,7 @@ template <Scalar S, class F>
   }
 }
 
-/// Throws SingularInertia where a pivot of the factorization is rounding error of M_kk alone.
+/// Throws SingularInertia if a pivot of the factorization is not above the rounding error of M_kk (`before`).
 template <Scalar S>
 void checkPivot(const Model<S>& model, int v_index, const S& pivot, const S& before) {
   if (pivot > S(64) * eps<S>() * before) return;
@@ -157,8 +157,8 @@ void checkPivot(const Model<S>& model, int v_index, const S& pivot, const S& bef
     }
 }
 
-/// The index in v of the coordinate before coordinate k on the way to the universe, -1 at the base. Mimics couple
-/// branches, so with them it is k - 1: no sparsity is assumed.
+/// The index in v of the coordinate that precedes coordinate k on the path to the universe, -1 if there is
+/// none. Mimics couple branches, so a model with mimics is treated as dense and the result is k - 1.
 template <Scalar S>
 int previousVelocity(const Model<S>& model, int k) {
   if (model.has_mimics) return k - 1;
@@ -169,7 +169,7 @@ int previousVelocity(const Model<S>& model, int k) {
   return -1;
 }
 
-/// data.work.factor = L with M = L^T L, lower triangular, as sparse as the tree. Throws SingularInertia. Needs M.
+/// Sets data.work.factor = L, lower triangular with M = L^T L. Throws SingularInertia. Needs M.
 template <Scalar S>
 void factorize(const Model<S>& model, Data<S>& data) {
   const auto before = [&](int k) { return previousVelocity(model, k); };
@@ -184,7 +184,7 @@ void factorize(const Model<S>& model, Data<S>& data) {
       for (int j = i; j >= 0; j = before(j)) L(i, j) -= L(k, i) * L(k, j);
   }
 }
-/// x := M^-1 x by the factor L.
+/// Replaces x by M^-1 x, computed with the factor L.
 template <Scalar S, class Column>
 void solve(const Model<S>& model, const MatrixX<S>& L, Column&& x) {
   for (int k = model.nv - 1; k >= 0; --k) {
@@ -201,20 +201,19 @@ void solve(const Model<S>& model, const MatrixX<S>& L, Column&& x) {
 
 /// M(q) [nv x nv; kg, kg m, kg m^2], both triangles, symmetric to the last bit, armature on its diagonal. Featherstone
 /// (2008), table 6.2:  Ic_j = I_j + sum of Ic_c over the children c of j;  F = Ic_j s_k;  M_mk = s_m^T F for every column
-/// m of j and of its ancestors. Throws std::logic_error where Data has no room for M. Updates liMi, oMi, M. q [nq].
+/// m of j and of its ancestors. Throws std::logic_error if Data has no M. Updates liMi, oMi, M. q [nq].
 template <Scalar S>
 const MatrixX<S>& crba(const Model<S>& model, Data<S>& data, In<S> q) {
   using namespace algorithms_detail;
   data.require(Dense::Mass, "crba");
-  compositeInertias(model, data, q);  // Ic_j
+  compositeInertias(model, data, q);
   MatrixX<S>& M = data.M.write(Level::Position);
   const auto fill = [&](auto mimics) {
     if constexpr (mimics) M = model.armature.asDiagonal();
     forEachColumn(
         model, [&](std::size_t j, int k, auto rotation) __attribute__((always_inline)) {
-          // F = Ic_j s_k
           const ColumnMomentum<S> F(data.work.inertia[j], data.work.S_columns.data() + 6 * k, rotation);
-          // M_mk = M_km = s_m^T F; entries between branches are zero since Data was made.
+          // M_mk = M_km = s_m^T F; entries between branches keep their initial value 0.
           projectOnSupport<rotation>(model, data, j, F, RowAndColumn<mimics, S>{model, M, k});
         });
   };
@@ -238,7 +237,7 @@ const MatrixX<S>& computeMinverse(const Model<S>& model, Data<S>& data, In<S> q)
   return Minv;
 }
 
-// float and double are compiled once, in instantiations_*.cpp; other scalars where they are used.
+// instantiations_*.cpp instantiates these for float and double.
 extern template const MatrixX<float>& crba<float>(const Model<float>&, Data<float>&, In<float>);
 extern template const MatrixX<float>& computeMinverse<float>(const Model<float>&, Data<float>&, In<float>);
 extern template const MatrixX<double>& crba<double>(const Model<double>&, Data<double>&, In<double>);

@@ -18,7 +18,7 @@ namespace liecheck {
 
 namespace algorithms_detail {
 
-/// B [6 x 6] of a body with inertia I and velocity v.
+/// The matrix B [6 x 6] above, of a body with inertia I and velocity v.
 template <Scalar S>
 Matrix6<S> coriolis(const Matrix6<S>& I, const Motion<S>& v) {
   const Vector6<S> h = I * v.to_vector();
@@ -32,8 +32,8 @@ Matrix6<S> coriolis(const Matrix6<S>& I, const Motion<S>& v) {
 
 }  // namespace algorithms_detail
 
-/// dtau/dq, dtau/dv and dtau/da = M [nv x nv] of rnea(q, v, a, fext), fext fixed to their bodies. Updates liMi, oMi, M,
-/// dtau_dq, dtau_dv.
+/// dtau/dq, dtau/dv and dtau/da = M [nv x nv] of rnea(q, v, a, fext). Every fext moves with its body.
+/// Updates liMi, oMi, M, dtau_dq, dtau_dv.
 template <Scalar S>
 void computeRNEADerivatives(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, In<S> a,
                             External<S> fext = {}) {
@@ -62,7 +62,7 @@ void computeRNEADerivatives(const Model<S>& model, Data<S>& data, In<S> q, In<S>
   for (std::size_t i = 1; i < model.joints.size(); ++i) {
     const std::size_t p = std::size_t(model.parents[i]);
     // r[i] becomes the vector from O to joint i, summed along the tree so that no digits are lost far from the world's
-    // origin. Parents come first: here r[p] starts at O already, r[i] still at joint p.
+    // origin. Parents come first: here r[p] is already relative to O, r[i] is still relative to joint p.
     work.r[i] = p == 0 ? Vector3<S>(oMi[i].translation() - O) : Vector3<S>(work.r[p] + work.r[i]);
     const SE3<S> X(oMi[i].rotation(), work.r[i]);
     Motion<S> relative = Motion<S>::Zero(), driven = Motion<S>::Zero();
@@ -128,7 +128,7 @@ void computeABADerivatives(const Model<S>& model, Data<S>& data, In<S> q, In<S> 
   data.ddq_dv.write(Level::Velocity) = -(data.Minv().lazyProduct(data.dtau_dv()));
 }
 
-// float and double are compiled once, in instantiations_*.cpp; other scalars where they are used.
+// instantiations_*.cpp instantiates these for float and double.
 extern template void computeRNEADerivatives<float>(const Model<float>&, Data<float>&, In<float>, In<float>,
                                                    In<float>, External<float>);
 extern template void computeABADerivatives<float>(const Model<float>&, Data<float>&, In<float>, In<float>,

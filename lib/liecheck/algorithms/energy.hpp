@@ -1,5 +1,5 @@
 #pragma once
-// Kinetic and potential energy, without the bodies fixed to the world.
+// Kinetic and potential energy of all bodies that are not fixed to the world.
 
 #include <liecheck/algorithms/kinematics.hpp>
 
@@ -26,14 +26,14 @@ const S& computePotentialEnergy(const Model<S>& model, Data<S>& data, In<S> q) {
   return energy;
 }
 
-/// Kinetic plus potential energy [J], constant where no force and no friction acts. Updates liMi, oMi, v, kinetic_energy,
-/// potential_energy. q [nq], v [nv].
+/// Kinetic plus potential energy [J]. It is constant if no force but gravity acts and the armature is 0.
+/// Updates liMi, oMi, v, kinetic_energy, potential_energy. q [nq], v [nv].
 template <Scalar S>
 S computeMechanicalEnergy(const Model<S>& model, Data<S>& data, In<S> q, In<S> v) {
   return computeKineticEnergy(model, data, q, v) + computePotentialEnergy(model, data, q);
 }
 
-// float and double are compiled once, in instantiations_*.cpp; other scalars where they are used.
+// instantiations_*.cpp instantiates these for float and double.
 extern template const float& computeKineticEnergy<float>(const Model<float>&, Data<float>&, In<float>,
                                                          In<float>);
 extern template const float& computePotentialEnergy<float>(const Model<float>&, Data<float>&, In<float>);

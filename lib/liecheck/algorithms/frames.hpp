@@ -2,7 +2,7 @@
 // Velocities and accelerations of joints and frames, in one of three reference frames.
 //
 //   LOCAL                axes and origin of the frame itself
-//   WORLD                axes and origin of the world: the linear velocity is not that of the frame's own origin
+//   WORLD                axes and origin of the world: the linear velocity is not that of the frame's origin
 //   LOCAL_WORLD_ALIGNED  the world's axes, at the frame's origin: the linear velocity is p_dot
 //
 // Classical acceleration = spatial acceleration + (omega x u, 0); in LOCAL_WORLD_ALIGNED its linear part is p_ddot.
@@ -16,7 +16,7 @@ enum class ReferenceFrame { WORLD, LOCAL, LOCAL_WORLD_ALIGNED };
 
 namespace algorithms_detail {
 
-/// A frame with pose X_JF in the frame of a joint's moving side. For the joint frame itself X_JF is the identity.
+/// A frame at pose X_JF in a joint's frame. For the joint frame itself X_JF is the identity.
 template <Scalar S>
 struct Placed {
   std::size_t joint;
@@ -116,14 +116,13 @@ Motion<S> getFrameClassicalAcceleration(const Model<S>& model, const Data<S>& da
   return classicalAccelerationOf(data, placedFrame(model, data, frame), reference);
 }
 
-/// The reading of an inertial measurement unit.
 template <class S>
 struct ImuReading {
   Vector3<S> angular_velocity;  ///< omega, in the frame's axes [rad/s]
-  Vector3<S> specific_force;    ///< R^T (p_ddot - g), in the frame's axes [m/s^2]: at rest 9.81 upward
+  Vector3<S> specific_force;    ///< R^T (p_ddot - g), in the frame's axes [m/s^2]; 9.81 upward at rest
 };
-/// The reading of an inertial measurement unit at a frame. p_ddot is that of the frame's own origin, so it includes the
-/// terms omega_dot x r + omega x (omega x r) of the offset r from the joint. Needs oMi, v, a.
+/// The reading of an inertial measurement unit at a frame. p_ddot is the acceleration of the frame's origin,
+/// so it includes omega_dot x r + omega x (omega x r), where r is the offset from the joint. Needs oMi, v, a.
 template <Scalar S>
 ImuReading<S> imu(const Model<S>& model, const Data<S>& data, int frame) {
   using namespace algorithms_detail;
@@ -134,7 +133,7 @@ ImuReading<S> imu(const Model<S>& model, const Data<S>& data, int frame) {
           Vector3<S>(a.linear() - R_WF.transpose() * model.gravity)};
 }
 
-// float and double are compiled once, in instantiations_*.cpp; other scalars where they are used.
+// instantiations_*.cpp instantiates these for float and double.
 extern template void updateFramePlacements<float>(const Model<float>&, Data<float>&);
 extern template void updateFramePlacements<double>(const Model<double>&, Data<double>&);
 

@@ -1,5 +1,5 @@
-// Explicit instantiations for double, declared extern in the headers. The derivatives have a file of their own
-// (instantiations_derivatives.cpp), so that none needs more than 1.2 GB to compile.
+// Explicit instantiations for double, declared extern in the headers. The derivatives are in a separate file,
+// instantiations_derivatives.cpp, so that no file needs more than 1.2 GB to compile.
 
 #include <liecheck/algorithms/aba.hpp>
 #include <liecheck/algorithms/centroidal.hpp>

@@ -1,8 +1,8 @@
 #pragma once
-// Jacobians of joints and frames: J v is the velocity in the same reference frame, and J a + dJ v its rate.
+// Jacobians J of joints and frames, and dJ, the time derivative of J's entries.
 //
-// dJ is the time derivative of J's entries. In LOCAL and WORLD J a + dJ v is the spatial acceleration, in
-// LOCAL_WORLD_ALIGNED the classical one, because there the reference point moves with the frame.
+// J v is the velocity in J's reference frame, and J a + dJ v is its rate. In LOCAL and WORLD this rate is the
+// spatial acceleration, in LOCAL_WORLD_ALIGNED the classical one, since the reference point moves.
 
 #include <liecheck/algorithms/frames.hpp>
 
@@ -10,8 +10,8 @@ namespace liecheck {
 
 namespace algorithms_detail {
 
-/// f(place, k, s_k, d) for every column k of every joint between the universe and the frame F: s_k in world axes at the
-/// joint's origin, d [m] the vector from there to F's origin, summed along the tree, not a difference of far points.
+/// Calls f(place, k, s_k, d) for every column k of every joint between the universe and the frame F. s_k is
+/// in world axes at the joint's origin. d [m] is the vector from there to F's origin, summed along the tree.
 template <Scalar S, class Function>
 void forEachSupportingColumn(const Model<S>& model, const Data<S>& data, const Placed<S>& F, Function f) {
   const auto& oMi = data.oMi();
@@ -26,7 +26,7 @@ void forEachSupportingColumn(const Model<S>& model, const Data<S>& data, const P
   }
 }
 
-/// data.work.jacobian = the Jacobian [6 x nv] of F. Needs J.
+/// Sets data.work.jacobian to the Jacobian [6 x nv] of F. Needs J.
 template <Scalar S>
 const Matrix6X<S>& jacobianOf(const Model<S>& model, Data<S>& data, const Placed<S>& F,
                               ReferenceFrame reference) {
@@ -48,9 +48,9 @@ const Matrix6X<S>& jacobianOf(const Model<S>& model, Data<S>& data, const Placed
   return J;
 }
 
-/// data.work.jacobian = the time derivative of the Jacobian [6 x nv] of F. With s' = v_i x s, the rate of a column at a
-/// fixed point of space, a column is s' in WORLD, s' + (omega_s x p_dot, 0) in LOCAL_WORLD_ALIGNED and X^-1 (s' - V x s)
-/// in LOCAL. Needs dJ.
+/// Sets data.work.jacobian to the time derivative of the Jacobian [6 x nv] of F. s' = v_i x s is the rate of
+/// column s at a point fixed in space. The column's derivative is s' in WORLD, s' + (omega_s x p_dot, 0) in
+/// LOCAL_WORLD_ALIGNED and X^-1 (s' - V x s) in LOCAL. Needs dJ.
 template <Scalar S>
 const Matrix6X<S>& jacobianRateOf(const Model<S>& model, Data<S>& data, const Placed<S>& F,
                                   ReferenceFrame reference) {
@@ -144,7 +144,7 @@ const Matrix6X<S>& computeJointJacobiansTimeVariation(const Model<S>& model, Dat
   return dJ;
 }
 
-/// Jacobian [6 x nv] of a joint, or of a frame; a reference to data's storage, which the next getter overwrites. Needs J.
+/// Jacobian [6 x nv] of a joint, or of a frame. The next getter overwrites the result. Needs J.
 template <Scalar S>
 const Matrix6X<S>& getJointJacobian(const Model<S>& model, Data<S>& data, int joint,
                                     ReferenceFrame reference) {
@@ -157,7 +157,7 @@ const Matrix6X<S>& getFrameJacobian(const Model<S>& model, Data<S>& data, int fr
   using namespace algorithms_detail;
   return jacobianOf(model, data, placedFrame(model, data, frame), reference);
 }
-/// Time derivative of the Jacobian [6 x nv] of a joint, or of a frame; stored in the same place. Needs dJ.
+/// Time derivative of the Jacobian [6 x nv] of a joint, or of a frame, in the same storage. Needs dJ.
 template <Scalar S>
 const Matrix6X<S>& getJointJacobianTimeVariation(const Model<S>& model, Data<S>& data, int joint,
                                                  ReferenceFrame reference) {
@@ -171,7 +171,7 @@ const Matrix6X<S>& getFrameJacobianTimeVariation(const Model<S>& model, Data<S>&
   return jacobianRateOf(model, data, placedFrame(model, data, frame), reference);
 }
 
-// float and double are compiled once, in instantiations_*.cpp; other scalars where they are used.
+// instantiations_*.cpp instantiates these for float and double.
 extern template const Matrix6X<float>& computeJointJacobians<float>(const Model<float>&, Data<float>&,
                                                                     In<float>);
 extern template const Matrix6X<float>& computeJointJacobiansTimeVariation<float>(const Model<float>&,

@@ -2,8 +2,8 @@
 // Poses, velocities and accelerations of the joints.
 //
 //   oM_i = oM_p liM_i,   v_i = X^-1 v_p + S qd,   a_i = X^-1 a_p + S qdd + v_i x S qd      X = liM_i, p = parent(i)
-//   Featherstone (2008), eqs. 4.7 to 4.10. v_i and a_i are in joint i's axes at its origin; a_i is the spatial
-//   acceleration, the derivative of v_i's numbers (classical: frames.hpp).
+// Featherstone (2008), eqs. 4.7 to 4.10. v_i and a_i are in joint i's axes at its origin. a_i is the spatial
+// acceleration, the derivative of v_i's numbers; frames.hpp computes the classical acceleration.
 
 #include <liecheck/multibody/data.hpp>
 
@@ -15,7 +15,7 @@ template <Scalar S>
   return each<S>([&](int i) { return S(a[i] + b[i]); });
 }
 /// Computes the pose of a joint in the frame of its parent p, and in the world. Returns the vector from the parent's
-/// origin, in world axes [m], which is not a difference of two far points.
+/// origin, in world axes [m], without the cancellation of a difference of two world positions.
 template <class Place, Scalar S>
 [[gnu::always_inline]] inline Vector3<S> placeJoint(const Place& joint, const VectorX<S>& q, std::size_t p,
                                                     SE3<S>& liMi, std::vector<SE3<S>>& oMi) {
@@ -83,7 +83,7 @@ void forwardKinematics(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, I
 
 namespace algorithms_detail {
 
-/// The poses of every joint, work.r and work.S_columns in world axes (Data::Work), then f(joint). Updates liMi, oMi.
+/// Computes the pose, work.r and work.S_columns of every joint, then calls f(joint). Updates liMi, oMi.
 template <Scalar S, class F>
 void columnsInWorldAxes(const Model<S>& model, Data<S>& data, In<S> q, F f) {
   data.begin(model, q);
@@ -98,7 +98,7 @@ void columnsInWorldAxes(const Model<S>& model, Data<S>& data, In<S> q, F f) {
     f(joint);
   });
 }
-/// Column k of the motion subspaces, 6 numbers each, in world axes at the joint's own origin.
+/// Column k of the motion subspaces, 6 numbers each, in world axes at the joint's origin.
 template <Scalar S>
 [[gnu::always_inline]] inline Motion<S> column(const S* columns, int k) {
   const S* s = columns + 6 * k;
@@ -109,12 +109,12 @@ template <Scalar S>
   return column(columns.data(), k);
 }
 
-/// V with its reference point moved by d [m]: u + omega x d.
+/// V with its reference point moved by d [m]: the linear velocity u becomes u + omega x d.
 template <Scalar S>
 [[gnu::always_inline]] inline Motion<S> shifted(const Motion<S>& V, const Vector3<S>& d) {
   return {added(V.linear(), cross<S>(V.angular(), d)), V.angular()};
 }
-/// F with its reference point moved by -d [m]: n + d x f.
+/// F with its reference point moved by -d [m]: the moment n becomes n + d x f.
 template <Scalar S>
 [[gnu::always_inline]] inline Force<S> shifted(const Force<S>& F, const Vector3<S>& d) {
   return {F.linear(), added(F.angular(), cross<S>(d, F.linear()))};
@@ -131,7 +131,7 @@ void checkForces(const Model<S>& model, const External<S>& forces) {
 }
 
 }  // namespace algorithms_detail
-// float and double are compiled once, in instantiations_*.cpp; other scalars where they are used.
+// instantiations_*.cpp instantiates these for float and double.
 extern template void forwardKinematics<float>(const Model<float>&, Data<float>&, In<float>);
 extern template void forwardKinematics<float>(const Model<float>&, Data<float>&, In<float>, In<float>);
 extern template void forwardKinematics<float>(const Model<float>&, Data<float>&, In<float>, In<float>,

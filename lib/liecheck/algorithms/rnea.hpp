@@ -1,9 +1,9 @@
 #pragma once
-// Recursive Newton-Euler algorithm, inverse dynamics: Featherstone (2008), table 5.1.
+// Inverse dynamics by the recursive Newton-Euler algorithm: Featherstone (2008), table 5.1.
 //
 //   f_i = I_i a_i + v_i x* I_i v_i - fext_i + sum_children X* f_c,   tau_i = S_i^T f_i + armature qdd
 //
-// with the acceleration -g of the universe, which stands for gravity.
+// Gravity is included by giving the universe the acceleration -g.
 
 #include <liecheck/algorithms/kinematics.hpp>
 
@@ -11,7 +11,8 @@ namespace liecheck {
 
 namespace algorithms_detail {
 
-/// tau [nv] from the forces f on the bodies. f[i] becomes the force of the parent on joint i, f[0] that on the world.
+/// Computes tau [nv] from the forces f on the bodies. f[i] becomes the force that the parent exerts on joint
+/// i, f[0] the total force that the world exerts.
 template <Scalar S>
 void backwardForces(const Model<S>& model, const std::vector<SE3<S>>& liMi, std::vector<Force<S>>& f,
                     VectorX<S>& tau) {
@@ -26,7 +27,7 @@ void backwardForces(const Model<S>& model, const std::vector<SE3<S>>& liMi, std:
   }
 }
 
-/// tau of (q, v, a), or of (q, v, 0) where a is null. Updates liMi, v and, unless a is null, f.
+/// Computes tau of (q, v, a), or of (q, v, 0) if a is null. Updates liMi, v and, unless a is null, f.
 template <Scalar S>
 void inverseDynamics(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, const VectorX<S>* a,
                      const External<S>& fext, VectorX<S>& tau) {
@@ -95,7 +96,7 @@ const VectorX<S>& computeGeneralizedGravity(const Model<S>& model, Data<S>& data
   return computeStaticTorque(model, data, q, {});
 }
 
-// float and double are compiled once, in instantiations_*.cpp; other scalars where they are used.
+// instantiations_*.cpp instantiates these for float and double.
 extern template const VectorX<float>& rnea<float>(const Model<float>&, Data<float>&, In<float>, In<float>,
                                                   In<float>, External<float>);
 extern template const VectorX<float>& nonLinearEffects<float>(const Model<float>&, Data<float>&, In<float>,

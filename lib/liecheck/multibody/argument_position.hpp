@@ -1,5 +1,5 @@
 #pragma once
-// The argument of f(a, b) by which a derivative is taken. The names are Pinocchio's.
+// Selects the argument of f(a, b) with respect to which a derivative is taken. The names are Pinocchio's.
 
 namespace liecheck {
 

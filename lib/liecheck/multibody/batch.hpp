@@ -1,10 +1,10 @@
 #pragma once
-// exp, log, integrate, difference and act of many poses at once, in a structure of arrays: each row holds one number of
-// all poses, each column one pose, so that one instruction works on several poses.
+// exp, log, integrate, difference and act of many poses at once, by SIMD instructions. Poses are stored as a
+// structure of arrays: each column is one pose, and each row holds one number of all poses.
 //
-// The result in each column is that of the function of one pose, within the error bounds that it states. Columns that
-// need a branch (|phi| > pi, near poses, |phi| within 1e-3 of pi, quaternions far from unit, results that are not finite)
-// and the last ones that do not fill a vector register are computed by that function.
+// Every function has a counterpart for one pose, whose error bounds hold for each column. The counterpart
+// itself computes the columns that need a branch (|phi| > pi, near poses, |phi| within 1e-3 of pi,
+// quaternions far from unit, results that are not finite), and the last ones, which do not fill a register.
 
 #include <liecheck/multibody/se3_configuration.hpp>
 #include <liecheck/scalar/simd.hpp>
@@ -28,7 +28,7 @@ template <class T, class S, int ROWS>
   return v;
 }
 
-/// f of every column of the arguments. usual_path(result, arguments...): which lanes needed no branch.
+/// Applies f to every column. usual_path(result, arguments...) returns which lanes needed no branch.
 template <int ROWS, class S, class F, class UsualPath, int... IN>
 Rows<S, ROWS> map(F f, UsualPath usual_path, const Rows<S, IN>&... arguments) {
   using P = Simd<S, register_bytes / int(sizeof(S))>;
@@ -57,13 +57,13 @@ Rows<S, ROWS> map(F f, UsualPath usual_path, const Rows<S, IN>&... arguments) {
   return all;
 }
 
-/// The lanes in which |v|^2 of the three numbers from `first` on is in [least, most]; NaN is not.
+/// The lanes in which the squared norm of v[first .. first + 2] is in [least, most]; false for NaN.
 template <class P, class V>
 [[gnu::always_inline]] inline auto within(const V& v, int first, Lane<P> least, Lane<P> most) {
   const P x = v[first] * v[first] + (v[first + 1] * v[first + 1] + v[first + 2] * v[first + 2]);
   return (x.v >= least) & (x.v <= most);
 }
-/// The lanes in which |Q|^2 of the four numbers from `first` on is 1 up to 16 eps.
+/// The lanes in which the squared norm of the quaternion v[first .. first + 3] is 1 up to 16 eps.
 template <class P, class V>
 [[gnu::always_inline]] inline auto unit(const V& v, int first) {
   const P x = (v[first] * v[first] + v[first + 1] * v[first + 1]) +
@@ -72,7 +72,7 @@ template <class P, class V>
   return (x.v >= -most) & (x.v <= most);
 }
 template <class S>
-constexpr S huge = std::numeric_limits<S>::max() * eps<S>() * eps<S>();  ///< largest squared length
+constexpr S huge = std::numeric_limits<S>::max() * eps<S>() * eps<S>();  ///< largest |v|^2 without a branch
 
 }  // namespace detail
 

@@ -1,15 +1,15 @@
 #pragma once
-// The inertia of several bodies rigidly joined, as it is summed along a tree: mass [kg], centre of mass c [m] and the
-// six numbers of I_C [kg m^2], all in one frame's axes. spatial/inertia.hpp with the same formulas is for a body; this
-// one is computed for every joint and state, so it holds scalars and keeps the quotients of masses.
+// The inertia of rigidly joined bodies, summed along a tree: mass [kg], centre of mass c [m] and the six
+// numbers of I_C [kg m^2], all in one frame's axes. The formulas are those of spatial/inertia.hpp. This class
+// is
+// faster, since it holds scalars and caches mass ratios.
 
 #include <liecheck/spatial/se3.hpp>
 
 namespace liecheck {
 
-/// m1 + m2, m1/(m1 + m2), m2/(m1 + m2) and m1 m2/(m1 + m2) of two masses [kg]; all 0 where both are 0. They are kept
-/// from state to state and computed again only where a mass has changed, since two divisions a joint delay the whole
-/// chain.
+/// m1 + m2, m1/(m1 + m2), m2/(m1 + m2) and m1 m2/(m1 + m2) of two masses [kg]; all 0 if both are 0. They are
+/// recomputed only if a mass has changed, since two divisions per joint would delay the whole recursion.
 template <Scalar S>
 struct JoinedMass {
   S first = S(0), second = S(0);
@@ -41,10 +41,9 @@ struct CompositeInertia {
         entry(2, 2)};
   }
 
-  /// Adds another inertia whose origin is at r [m], in the same axes; `joined` belongs to this pair. With
-  /// t = m_2/(m + m_2), d = c_2 + r - c,  c = (1 - t) c + t (c_2 + r),  I_C += I_2 + m t (|d|^2 1 - d d^T)  (parallel
-  /// axes, once). c += t d would give the sum of a light body and a heavy one the rounding error of the light one's
-  /// distance.
+  /// Adds another inertia whose origin is at r [m], in the same axes; `joined` caches the pair's mass ratios.
+  ///   t = m_2/(m + m_2),  d = c_2 + r - c,  c = (1 - t) c + t (c_2 + r),  I_C += I_2 + m t (|d|^2 1 - d d^T)
+  /// c += t d would be less accurate: the rounding error of d is large if a light body is far away.
   [[gnu::always_inline]] void join(const CompositeInertia& other, const Vector3<S>& r,
                                    JoinedMass<S>& joined) {
     joined.join(mass, other.mass);

@@ -1,9 +1,9 @@
 #pragma once
-// The configuration space of a whole robot: joint by joint, each on its own segment of q [nq] and of v [nv].
+// The configuration space of a whole robot. Each joint has a segment of q [nq] and a segment of v [nv].
 //
 // Values and error bounds are those of the joints (se3_configuration.hpp, joints/). Every function throws
-// std::invalid_argument with both numbers where the size of an argument is wrong. Check numbers from outside with
-// checkedConfiguration and checkedTangent; the other functions do not look at the values.
+// std::invalid_argument with the actual and the expected size if an argument has the wrong size. Check input
+// values with checkedConfiguration and checkedTangent; of the other functions only normalized checks values.
 
 #include <liecheck/multibody/invalid_configuration.hpp>
 #include <liecheck/multibody/joint_place.hpp>
@@ -36,7 +36,7 @@ using multibody_detail::forEachJoint;
 
 }  // namespace configuration_detail
 
-/// Configurations that differ by at most 64 eps count as the same: the error of sixteen operations of 4 eps each.
+/// Configurations are the same if they differ by at most 64 eps, the error of 16 operations of 4 eps each.
 template <Scalar S>
 S samenessBudget() {
   return S(64) * eps<S>();
@@ -51,7 +51,7 @@ VectorX<S> neutral(const Model<S>& model) {
   return q;
 }
 
-/// q [nq] with every quaternion and every (cos, sin) normalised. Throws InvalidConfiguration where one is zero or not
+/// q [nq] with every quaternion and (cos, sin) normalised. Throws InvalidConfiguration if one is 0 or not
 /// finite.
 template <Scalar S>
 VectorX<S> normalized(const Model<S>& model, const configuration_detail::Vector<S>& q) {
@@ -63,13 +63,13 @@ VectorX<S> normalized(const Model<S>& model, const configuration_detail::Vector<
   });
   return result;
 }
-/// q = normalized(model, q); q is unchanged where it throws.
+/// q = normalized(model, q); q is unchanged if normalized throws.
 template <Scalar S>
 void normalize(const Model<S>& model, VectorX<S>& q) {
   q = normalized(model, q);
 }
 
-/// Is ||Q|^2 - 1| <= budget for every quaternion and every (cos, sin)?
+/// True if ||Q|^2 - 1| <= budget for every quaternion and every (cos, sin).
 template <Scalar S>
 bool isNormalized(const Model<S>& model, const configuration_detail::Vector<S>& q,
                   const configuration_detail::Value<S>& budget = normDefectBudget<S>()) {
@@ -81,7 +81,7 @@ bool isNormalized(const Model<S>& model, const configuration_detail::Vector<S>& 
   return all;
 }
 
-/// T exp(delta) joint by joint [nq]; delta [nv; m, rad] is an increment, such as dt v.
+/// The configuration T exp(delta) of every joint [nq]; delta [nv; m, rad] is an increment, such as dt v.
 template <Scalar S>
 VectorX<S> integrate(const Model<S>& model, const configuration_detail::Vector<S>& q,
                      const configuration_detail::Vector<S>& delta) {
@@ -94,7 +94,7 @@ VectorX<S> integrate(const Model<S>& model, const configuration_detail::Vector<S
   return result;
 }
 
-/// log(T0^-1 T1) joint by joint, from q0 to q1 [nv]: integrate(q0, difference(q0, q1)) is q1.
+/// The increment log(T0^-1 T1) of every joint, from q0 to q1 [nv]: integrate(q0, difference(q0, q1)) is q1.
 template <Scalar S>
 VectorX<S> difference(const Model<S>& model, const configuration_detail::Vector<S>& q0,
                       const configuration_detail::Vector<S>& q1) {
@@ -114,7 +114,7 @@ VectorX<S> interpolate(const Model<S>& model, const configuration_detail::Vector
   return integrate(model, q0, u * difference(model, q0, q1));
 }
 
-/// |difference|^2 of each joint but the universe [njoints - 1]. Squares of metres and of radians are added.
+/// |difference|^2 of each joint except the universe [njoints - 1]; squares of m and of rad are added.
 template <Scalar S>
 VectorX<S> squaredDistance(const Model<S>& model, const configuration_detail::Vector<S>& q0,
                            const configuration_detail::Vector<S>& q1) {
@@ -135,15 +135,14 @@ S distance(const Model<S>& model, const configuration_detail::Vector<S>& q0,
   const VectorX<S> delta = difference(model, q0, q1).cwiseProduct(weights);
   return multibody_detail::norm(delta);
 }
-/// |difference(q0, q1)| = sqrt(sum of squaredDistance), as Pinocchio defines it: a metre counts as a radian.
+/// |difference(q0, q1)| = sqrt(sum of squaredDistance), as Pinocchio defines it: 1 m counts as much as 1 rad.
 template <Scalar S>
 S distance(const Model<S>& model, const configuration_detail::Vector<S>& q0,
            const configuration_detail::Vector<S>& q1) {
   return distance(model, q0, q1, VectorX<S>::Ones(model.nv));
 }
 
-/// Are q0 and q1 the same configuration, joint by joint, up to budget [rad, and relative to max(1 m, |p|)]? Q and -Q
-/// are the same.
+/// True if all joints differ by at most budget [rad; relative to max(1 m, |p|)]. Q and -Q are the same.
 template <Scalar S>
 bool isSameConfiguration(const Model<S>& model, const configuration_detail::Vector<S>& q0,
                          const configuration_detail::Vector<S>& q1,
@@ -157,8 +156,8 @@ bool isSameConfiguration(const Model<S>& model, const configuration_detail::Vect
   return same;
 }
 
-/// The derivative of integrate(q, delta) by q (ARG0) or by delta (ARG1), in tangent increments of both [nv x nv],
-/// block-diagonal.
+/// The derivative [nv x nv] of integrate(q, delta) with respect to q (ARG0) or delta (ARG1), block-diagonal.
+/// It maps a tangent increment of the argument to one of the result.
 template <Scalar S>
 MatrixX<S> dIntegrate(const Model<S>& model, const configuration_detail::Vector<S>& q,
                       const configuration_detail::Vector<S>& delta, ArgumentPosition argument) {
@@ -171,7 +170,7 @@ MatrixX<S> dIntegrate(const Model<S>& model, const configuration_detail::Vector<
   return J;
 }
 
-/// The derivative of difference(q0, q1) by q0 (ARG0) or by q1 (ARG1), by tangent increments [nv x nv], block-diagonal.
+/// The derivative [nv x nv] of difference(q0, q1) with respect to q0 (ARG0) or q1 (ARG1), block-diagonal.
 template <Scalar S>
 MatrixX<S> dDifference(const Model<S>& model, const configuration_detail::Vector<S>& q0,
                        const configuration_detail::Vector<S>& q1, ArgumentPosition argument) {
@@ -184,7 +183,7 @@ MatrixX<S> dDifference(const Model<S>& model, const configuration_detail::Vector
   return J;
 }
 
-/// The derivative of the stored numbers of integrate(q, delta) by delta, at delta = 0 [nq x nv].
+/// The derivative [nq x nv] of the stored numbers of integrate(q, delta) with respect to delta, at delta = 0.
 template <Scalar S>
 MatrixX<S> integrateCoeffWiseJacobian(const Model<S>& model, const configuration_detail::Vector<S>& q) {
   configuration_detail::checkConfigurationSize<S>(model, q, "q");
@@ -195,9 +194,8 @@ MatrixX<S> integrateCoeffWiseJacobian(const Model<S>& model, const configuration
   return J;
 }
 
-/// q itself [nq]. Throws InvalidConfiguration unless it is finite and every quaternion and (cos, sin) is unit up to
-/// normDefectBudget, and std::invalid_argument where its size is wrong. Normalise q first where it was rounded, as in a
-/// text.
+/// Returns q [nq]. Throws InvalidConfiguration unless q is finite and every quaternion and (cos, sin) has
+/// unit norm up to normDefectBudget. If q was rounded, for example in a text file, normalise it first.
 template <Scalar S>
 VectorX<S> checkedConfiguration(const Model<S>& model, const configuration_detail::Vector<S>& q) {
   configuration_detail::checkConfigurationSize<S>(model, q, "q");
@@ -208,7 +206,7 @@ VectorX<S> checkedConfiguration(const Model<S>& model, const configuration_detai
   return q;
 }
 
-/// v itself [nv]. Throws InvalidConfiguration unless it is finite, and std::invalid_argument where its size is wrong.
+/// Returns v [nv]. Throws InvalidConfiguration unless v is finite.
 template <Scalar S>
 VectorX<S> checkedTangent(const Model<S>& model, const configuration_detail::Vector<S>& v) {
   configuration_detail::checkTangentSize<S>(model, v, "v");
@@ -217,7 +215,7 @@ VectorX<S> checkedTangent(const Model<S>& model, const configuration_detail::Vec
   return v;
 }
 
-// float and double are compiled once, in instantiations.cpp; other scalars where they are used.
+// instantiations.cpp instantiates these for float and double.
 extern template VectorX<float> neutral<float>(const Model<float>&);
 extern template VectorX<float> normalized<float>(const Model<float>&, const VectorX<float>&);
 extern template void normalize<float>(const Model<float>&, VectorX<float>&);

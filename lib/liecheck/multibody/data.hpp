@@ -1,10 +1,10 @@
 #pragma once
-// Data: the results of one computation on one robot, and the storage that the algorithms work in, so that they
-// allocate nothing. Each thread has its own; the Model is shared. Changing q changes nothing here until an
-// algorithm runs; each states which fields it updates (data_field.hpp: when a field is stale).
+// Data: the results of the algorithms for one robot, and their workspace, so that they allocate nothing. Each
+// thread needs its own Data; the Model can be shared. Every algorithm states which fields it updates.
+// data_field.hpp defines when a field is stale.
 //
 // Fields are read as data.tau() or data.oMi[i]. Names and meanings are Pinocchio's. An algorithm returns a reference to
-// its field: copy the value where it is needed after the next call.
+// its field: copy the value if you need it after the next call.
 
 #include <liecheck/multibody/composite_inertia.hpp>
 #include <liecheck/multibody/data_field.hpp>
@@ -27,11 +27,11 @@ using In = const std::type_identity_t<VectorX<S>>&;
 template <class S>
 using External = std::type_identity_t<std::span<const Force<S>>>;
 
-/// The nv x nv matrices that a Data has room for; their size grows with the square of nv.
+/// The nv x nv matrices that a Data allocates; their size grows with the square of nv.
 enum class Dense {
   None,
   Mass,        ///< M, Minv: crba, computeMinverse, and aba of a model with mimics
-  Derivatives  ///< those of Mass, and dtau_dq, dtau_dv, ddq_dq, ddq_dv
+  Derivatives  ///< the matrices of Mass, and dtau_dq, dtau_dv, ddq_dq, ddq_dv
 };
 
 template <Scalar S>
@@ -50,7 +50,7 @@ class Data {
   Field<Each<SE3<S>>> oMi;   ///< [njoints] X_world,joint
   Field<Each<SE3<S>>> oMf;   ///< [nframes] X_world,frame
   Field<Each<Motion<S>>> v;  ///< [njoints] velocity of joint i, in its axes, at its origin [m/s, rad/s]
-  Field<Each<Motion<S>>> a;  ///< [njoints] spatial acceleration, as v, without gravity [m/s^2, rad/s^2]
+  Field<Each<Motion<S>>> a;  ///< [njoints] spatial acceleration, in the axes of v [m/s^2, rad/s^2]
   Field<Each<Force<S>>> f;  ///< [njoints] force of the parent on joint i, in i's axes, at its origin [N, N m]
   Field<VectorX<S>> tau;    ///< [nv; N, N m] generalised forces of rnea
   Field<VectorX<S>> nle;    ///< [nv; N, N m] h(q, v): tau at a = 0
@@ -58,15 +58,15 @@ class Data {
   Field<VectorX<S>> ddq;    ///< [nv; m/s^2, rad/s^2] acceleration of aba
   Field<Matrix6X<S>> J, dJ;   ///< [6 x nv] every joint's Jacobian in WORLD, and its time derivative
   Field<MatrixX<S>> M, Minv;  ///< [nv x nv] joint-space inertia and its inverse, both triangles
-  Field<MatrixX<S>> dtau_dq, dtau_dv, ddq_dq, ddq_dv;  ///< [nv x nv]; dq: tangent increment of q
+  Field<MatrixX<S>> dtau_dq, dtau_dv, ddq_dq, ddq_dv;  ///< [nv x nv]; _dq: by tangent increments of q
   Field<S> kinetic_energy, potential_energy;           ///< [J]
   Field<Vector3<S>> com, vcom, acom;                   ///< centre of mass, in the world [m, m/s, m/s^2]
   Field<Matrix3X<S>> Jcom;                             ///< [3 x nv] vcom = Jcom v
   Field<Matrix6X<S>> Ag;                               ///< [6 x nv] hg = Ag v
-  Field<Force<S>> hg, dhg;  ///< momentum at the centre of mass in the world's axes, and its rate
+  Field<Force<S>> hg, dhg;  ///< momentum about the centre of mass in the world's axes, and its rate
 
-  /// Storage of the algorithms. "In world axes" means in the world's axes, at the joint's own origin, so that no digits
-  /// are lost far from the world's origin.
+  /// Workspace of the algorithms. "In world axes" means in the world's axes with the joint's origin as
+  /// reference point, so that no digits are lost far from the world's origin.
   struct Work {
     Each<Motion<S>> gravitated;  ///< acceleration minus gravity
     Each<Vector3<S>> r;          ///< vector from the parent's origin, in world axes (derivatives.hpp: from O)
@@ -86,9 +86,9 @@ class Data {
   void check(const Model<S>& model) const {
     if (model.revision != revision_)
       throw std::invalid_argument(
-          "this Data was made of another model, or before a joint or a frame was added to this one");
+          "this Data was made from another model, or before a joint or a frame was added to this model");
   }
-  /// Throws std::logic_error where this Data has no room for the matrices.
+  /// Throws std::logic_error if this Data has not allocated the matrices.
   void require(Dense dense, const char* call) const {
     if (int(dense_) < int(dense))
       throw std::logic_error(std::string(call) + " needs nv x nv matrices: make Data(model, Dense::" +

@@ -1,16 +1,16 @@
 #pragma once
-// A field of Data: a result that knows whether it belongs to the current state.
+// A field of Data: a result that records whether it belongs to the current state.
 //
-// Every algorithm states the inputs that its results depend on: q, (q, v) or (q, v, a). A field is stale when it was
-// never computed, or when an algorithm has been called since with another value of such an input. Reading a stale field
-// throws StaleField in debug builds, and checked() does in every build. In release builds reading costs nothing.
+// Every field depends on q, (q, v) or (q, v, a). A field is stale if it was never computed, or if an
+// algorithm has since been called with another value of an input that the field depends on. Reading a stale
+// field throws StaleField in debug builds; checked() throws it in every build.
 
 #include <stdexcept>
 #include <string>
 
 namespace liecheck {
 
-/// Thrown where a stale field is read; what() names the call that is missing.
+/// Thrown if a stale field is read; what() names the missing call.
 class StaleField : public std::logic_error {
  public:
   using std::logic_error::logic_error;
@@ -19,7 +19,7 @@ class StaleField : public std::logic_error {
 /// The inputs that a field depends on: q, (q, v) or (q, v, a).
 enum class Level { Position, Velocity, Acceleration };
 
-/// The current state: for each input a number that changes when the input does.
+/// Identifies the current state: each input has a number that changes when the input changes.
 struct Clock {
   long q = 0, v = 0, a = 0;
 };
@@ -55,13 +55,13 @@ class Field {
     return value_;
   }
 
-  /// For algorithms: the value, which they compute now for the current state.
+  /// For algorithms: returns the value for writing and marks it as computed for the current state.
   T& write(Level level) {
     stamp_ = {clock_->q, level == Level::Position ? 0 : clock_->v,
               level == Level::Acceleration ? clock_->a : 0};
     return value_;
   }
-  /// For algorithms: the storage, used for something else; the field becomes stale.
+  /// For algorithms: returns the value for use as scratch storage; the field becomes stale.
   T& scratch() {
     stamp_ = {};
     return value_;

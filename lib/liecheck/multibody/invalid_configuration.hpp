@@ -1,5 +1,5 @@
 #pragma once
-// The checks of q and v from outside, and the exception that they throw.
+// Checks of the values of q and v, and the exception that they throw.
 
 #include <liecheck/multibody/model.hpp>
 #include <locale>
@@ -7,10 +7,10 @@
 
 namespace liecheck {
 
-/// Thrown for a vector q or v that is not valid: names the joint, its index, the index in the vector and the value there.
+/// Thrown for an invalid q or v. It names the joint and its index, the index in the vector, and the value.
 class InvalidConfiguration : public std::invalid_argument {
  public:
-  /// index in q (or v), and the value there, or |Q|^2 where the norm is wrong.
+  /// index is that in q or v. value is the number there, or |Q|^2 if the norm is wrong.
   InvalidConfiguration(const std::string& what, const std::string& joint_name, int joint_index, int index,
                        double value)
       : std::invalid_argument(what),
@@ -46,7 +46,7 @@ void refuseNonFinite(const Model<S>& model, const Place& place, const VectorX<S>
     if (!finite<S>(tangent[i])) refuse<S>(model, place.index, "v", place.idx_v + i, tangent[i], "not finite");
 }
 
-/// Refuses numbers that are not finite and unit vectors that are zero, which no normalisation repairs.
+/// Refuses what normalisation cannot repair: numbers that are not finite, and unit vectors that are zero.
 template <Scalar S, class Place>
 void refuseUnrepairable(const Model<S>& model, const Place& place, const VectorX<S>& q) {
   using J = std::remove_cvref_t<decltype(place.joint)>;
@@ -57,7 +57,7 @@ void refuseUnrepairable(const Model<S>& model, const Place& place, const VectorX
     constexpr int length = J::nq - J::unit_begin;
     if (segment.template tail<length>().isZero(S(0)))
       refuse<S>(model, place.index, "q", place.idx_q + J::unit_begin, S(0),
-                length == 4 ? "a zero quaternion is no rotation" : "(cos, sin) = (0, 0) is no angle");
+                length == 4 ? "a zero quaternion is not a rotation" : "(cos, sin) = (0, 0) is not an angle");
   }
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 // Joint: the concept of a joint model, and the variant of all joint models.
 //
-// A joint model works on its own segment of q (nq numbers) and of v (nv numbers); offsets, names and the tree are in
-// Model. A new joint type is one file in joints/ and one line here.
+// A joint model works on one segment of q (nq numbers) and one of v (nv numbers). Offsets, names and the tree
+// are in Model. To add a joint type, add a file to joints/ and add the type to the variant below.
 
 #include <concepts>
 #include <liecheck/multibody/joints/continuous.hpp>
@@ -20,11 +20,12 @@
 
 namespace liecheck {
 
-/// What configuration.hpp and the algorithms need of a joint. Sizes are constants, so that segments are fixed-size and
-/// nothing is allocated. The stored unit vector u (quaternion or cos, sin) begins at unit_begin, which is nq where there
-/// is none; normDefect is |u|^2 - 1, or 0. subspace() is S [6 x columns]: V = S v is the velocity relative to the parent
-/// in the child's axes; S is constant for every joint here, so no joint adds a velocity product. transform(X_PJ, q) is
-/// the pose in the parent's frame (of a mimic, by its primary's coordinate). columns is nv, of a mimic 1.
+/// What configuration.hpp and the algorithms require of a joint. Sizes are constants, so segments have a
+/// fixed size and nothing is allocated. A stored unit vector u (quaternion or (cos, sin)) begins at index
+/// unit_begin of the segment, and normDefect is |u|^2 - 1. Without a unit vector, unit_begin is nq and
+/// normDefect is 0. subspace() is S [6 x columns]: V = S v is the velocity relative to the parent in the
+/// child's axes. columns is nv, or 1 for a mimic. S is constant for every joint here. transform(X_PJ, q) is
+/// the pose in the parent's frame; for a mimic q is the coordinate of its primary.
 template <class J>
 concept JointModel = requires(const J joint, const typename J::Configuration q, const typename J::Tangent v,
                               const typename J::Configuration::Scalar budget, ArgumentPosition argument) {
@@ -45,7 +46,7 @@ concept JointModel = requires(const J joint, const typename J::Configuration q, 
   { joint.integrateCoeffWiseJacobian(q) } -> std::same_as<typename J::CoefficientJacobian>;
 };
 
-/// A fixed joint is none of them: its inertia is merged, its frames stay (Model::addFixedJoint).
+/// There is no type for fixed joints: Model::addFixedJoint adds only a frame.
 template <Scalar S>
 using Joint = std::variant<Universe<S>, FreeFlyer<S>, Revolute<S>, Continuous<S>, Prismatic<S>, Helical<S>,
                            Spherical<S>, Planar<S>, Translation<S>, Mimic<S>>;
@@ -62,14 +63,14 @@ bool isNormalized(const J& joint, const typename J::Configuration& q,
   return absolute<typename J::Configuration::Scalar>(joint.normDefect(q)) <= budget;
 }
 
-/// |difference(q0, q1)|^2 of one joint [rad^2, m^2, or of a free-flyer m^2 + rad^2, as in Pinocchio].
+/// |difference(q0, q1)|^2 of one joint. As in Pinocchio, squares of m and of rad are added.
 template <JointModel J>
 typename J::Configuration::Scalar squaredDistance(const J& joint, const typename J::Configuration& q0,
                                                   const typename J::Configuration& q1) {
   return joint.difference(q0, q1).squaredNorm();
 }
 
-/// Does the joint rotate about an axis through its origin: S = (0, axis)?
+/// True if the joint rotates about an axis through its origin, S = (0, axis).
 template <Scalar S, class J>
 inline constexpr bool rotates_about_axis = std::is_same_v<J, Revolute<S>> || std::is_same_v<J, Continuous<S>>;
 template <Scalar S>
@@ -85,7 +86,7 @@ template <Scalar S>
 int nv(const Joint<S>& joint) {
   return std::visit([](const auto& j) { return int(j.nv); }, joint);
 }
-/// The number of columns of the motion subspace: nv, of a mimic 1.
+/// The number of columns of the motion subspace.
 template <Scalar S>
 int columns(const Joint<S>& joint) {
   return std::visit([](const auto& j) { return int(j.columns); }, joint);

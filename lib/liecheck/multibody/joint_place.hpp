@@ -1,6 +1,6 @@
 #pragma once
-// A joint of a Model with its place in the tree, in q [nq], in v [nv] and among the columns of the motion subspaces.
-// Segments are fixed-size: nothing is allocated.
+// A joint of a Model with its indices in the tree, in q [nq], in v [nv] and in the columns of the motion
+// subspaces. Segments have a fixed size, so nothing is allocated.
 
 #include <liecheck/multibody/model.hpp>
 #include <new>
@@ -8,14 +8,14 @@
 
 namespace liecheck::multibody_detail {
 
-/// Throws std::invalid_argument with both sizes where they differ.
+/// Throws std::invalid_argument with both sizes if they differ.
 inline void checkSize(Eigen::Index actual, int expected, const char* what, const char* dimension) {
   if (actual != expected)
     throw std::invalid_argument(std::string(what) + " has " + std::to_string(actual) +
                                 " numbers, the model's " + dimension + " is " + std::to_string(expected));
 }
 
-/// to = f(), constructed in place: a copy by wide loads right after the narrow stores of f() would stall.
+/// Constructs to = f() in place. A copy would stall: its wide loads would follow narrow stores.
 template <class T, class F>
 [[gnu::always_inline]] inline void build(T& to, F f) {
   if constexpr (std::is_trivially_destructible_v<T>)
@@ -32,7 +32,7 @@ struct JointPlace {
 
   const Model<S>& model;
   const J& joint;
-  int index, idx_q, idx_v, column;  ///< of the joint; idx_q and idx_v of a mimic are its primary's
+  int index, idx_q, idx_v, column;  ///< of the joint; a mimic has idx_q and idx_v of its primary
 
   typename J::Configuration configuration(const VectorX<S>& q) const {
     return q.template segment<J::nq>(idx_q);
@@ -55,10 +55,10 @@ struct JointPlace {
       return joint.transform(X_PJ, configuration(q));
     }
   }
-  static constexpr bool rotates = rotates_about_axis<S, J>;  ///< S = (0, axis), as of most joints
+  static constexpr bool rotates = rotates_about_axis<S, J>;  ///< S = (0, axis), as for most joints
 
-  /// S v [6]: the velocity relative to the parent, in the joint's axes, at its origin; and with v' the term S v' of the
-  /// acceleration.
+  /// S v [6]: the velocity relative to the parent, in the joint's axes, at its origin. Given the acceleration
+  /// v', the result is S v', a term of the spatial acceleration.
   Motion<S> motion(const VectorX<S>& v) const {
     if constexpr (rotates)
       return {Vector3<S>::Zero(), Vector3<S>(v[idx_v] * joint.axis.to_vector())};
@@ -67,7 +67,7 @@ struct JointPlace {
     else
       return Motion<S>(Vector6<S>(joint.subspace() * v.template segment<columns>(idx_v)));
   }
-  /// V x (S v), relative = S v.
+  /// V x (S v), given relative = S v.
   static Motion<S> velocityProduct(const Motion<S>& V, const Motion<S>& relative) {
     if constexpr (rotates) {
       const Vector3<S>& w = relative.angular();
@@ -85,7 +85,7 @@ struct JointPlace {
     else
       return joint.subspace().transpose() * F.to_vector();
   }
-  /// S in axes rotated by R, to 6 x columns numbers, column by column; stored one by one, since wide loads would stall.
+  /// Writes S, in axes rotated by R, to `to` [6 x columns], number by number, since wide loads would stall.
   [[gnu::always_inline]] void subspaceIn(const Matrix3<S>& R, S* to) const {
     if constexpr (rotates) {
       const Vector3<S> w = joint.axis.in(R);
@@ -107,7 +107,7 @@ struct JointPlace {
   }
 };
 
-/// f(place) of joint i; nothing for the universe.
+/// Calls f(place) for joint i unless it is the universe.
 template <Scalar S, class F>
 void visitJoint(const Model<S>& model, std::size_t i, F f) {
   std::visit(
@@ -118,7 +118,7 @@ void visitJoint(const Model<S>& model, std::size_t i, F f) {
       model.joints[i]);
 }
 
-/// f(place) for every joint but the universe, parents first.
+/// Calls f(place) for every joint except the universe, parents first.
 template <Scalar S, class F>
 void forEachJoint(const Model<S>& model, F f) {
   for (std::size_t i = 1; i < model.joints.size(); ++i) visitJoint(model, i, f);

@@ -1,10 +1,10 @@
 #pragma once
 // Model: the constants of a robot. Results of computations are in Data, so any number of threads can share one Model.
 //
-// Joint 0 is the universe. Joint i > 0 is fixed to joint parents[i] < i at jointPlacements[i] and has nqs[i] numbers
-// of q from idx_qs[i], nvs[i] of v from idx_vs[i]. A mimic has none; its idx_qs and idx_vs are its primary's.
-// Names and conventions are Pinocchio's. Every field may be read; gravity, limits, friction, damping and armature may
-// be set, the others are changed by the functions only.
+// Joint 0 is the universe. Joint i > 0 is attached to joint parents[i] < i at jointPlacements[i]. It has
+// nqs[i] numbers of q from idx_qs[i] on, and nvs[i] numbers of v from idx_vs[i] on. A mimic has none; its
+// idx_qs and idx_vs are those of its primary. Names and conventions are Pinocchio's. Users may set
+// gravity, limits, friction, damping and armature; only member functions change the other fields.
 
 #include <atomic>
 #include <liecheck/multibody/frame.hpp>
@@ -18,7 +18,7 @@
 namespace liecheck {
 
 namespace multibody_detail {
-/// A number that was not returned before in this process.
+/// Returns a number that it has not returned before in this process.
 inline int nextRevision() {
   static std::atomic<int> last{0};
   return ++last;
@@ -32,15 +32,15 @@ class Model {
   int nq = 0, nv = 0, njoints = 0, nframes = 0;
 
   std::vector<std::string> names;       ///< of joints
-  std::vector<int> parents;             ///< of joint i: its parent joint
+  std::vector<int> parents;             ///< parent joint of joint i
   std::vector<SE3<S>> jointPlacements;  ///< X_PJ at q = neutral
-  std::vector<Inertia<S>> inertias;     ///< of all bodies fixed to joint i, in its frame
+  std::vector<Inertia<S>> inertias;     ///< of all bodies fixed to joint i, in joint i's frame
   std::vector<Joint<S>> joints;
   std::vector<int> idx_qs, idx_vs, nqs, nvs;
   std::vector<Frame<S>> frames;
 
-  /// Motion subspaces side by side: joint i has column_counts[i] columns from idx_columns[i], column k acts on
-  /// v[column_to_v[k]]. ncolumns is nv plus the mimics.
+  /// The columns of all motion subspaces: joint i has column_counts[i] columns from idx_columns[i] on. Column
+  /// k is multiplied by v[column_to_v[k]]. ncolumns is nv plus the number of mimics.
   int ncolumns = 0;
   std::vector<int> idx_columns, column_counts, column_to_v, column_to_joint;
   bool has_mimics = false;
@@ -49,12 +49,12 @@ class Model {
 
   /// Infinite by default: effort [nv; N, N m], velocity [nv; m/s, rad/s], position [nq].
   VectorX<S> effortLimit, velocityLimit, lowerPositionLimit, upperPositionLimit;
-  /// Zero by default, of each joint [nv]: dry friction [N, N m], viscous damping [N s/m, N m s], inertia of its motor
-  /// at the output of the gear [kg, kg m^2]. Armature enters the dynamics; friction and damping are stored, not used.
+  /// Zero by default [nv]: dry friction [N, N m], viscous damping [N s/m, N m s], inertia of the motor at the
+  /// output of the gear [kg, kg m^2]. rnea and aba use the armature, but ignore friction and damping.
   VectorX<S> friction, damping, armature;
 
-  /// Changes whenever a joint or a frame is added, and is the same only in copies of this model. Data checks it and
-  /// refuses every other model, and its own model after such an addition.
+  /// Changes whenever a joint or a frame is added; only copies of this model have the same revision. Data
+  /// refuses a model with another revision than the one it was made from.
   int revision = 0;
 
   Model() {
@@ -62,8 +62,8 @@ class Model {
     addFrameUnchecked({"universe", 0, 0, SE3<S>::Identity(), FrameType::FIXED_JOINT});
   }
 
-  /// Adds a joint, without body and frame, to joint `parent` at X_PJ; returns its index. Throws std::invalid_argument where
-  /// the parent or the primary of a mimic does not exist, the name is taken or the joint is a universe.
+  /// Adds a joint, without body and frame, to joint `parent` at X_PJ; returns its index. Throws
+  /// std::invalid_argument if the parent or primary does not exist, the name is taken or it is a universe.
   int addJoint(int parent, const Joint<S>& joint, const SE3<S>& X_PJ, const std::string& joint_name) {
     checkJoint(parent, "the parent of joint '" + joint_name + "'");
     if (existJointName(joint_name))
@@ -74,18 +74,19 @@ class Model {
       checkJoint(mimic->primary, "the primary of joint '" + joint_name + "'");
       if (nvs[std::size_t(mimic->primary)] != 1)
         throw std::invalid_argument("joint '" + joint_name + "' mimics joint '" +
-                                    names[std::size_t(mimic->primary)] + "', which has not one coordinate");
+                                    names[std::size_t(mimic->primary)] +
+                                    "', which does not have exactly one degree of freedom");
     }
     return addJointUnchecked(parent, joint, X_PJ, joint_name);
   }
 
   /// Adds a frame; returns its index. Two frames may share a name if their types differ (a joint and a link). Throws
-  /// std::invalid_argument where a parent does not exist, or a frame of that name and type does.
+  /// std::invalid_argument if a parent does not exist, or if a frame of that name and type exists.
   int addFrame(const Frame<S>& frame) {
     checkJoint(frame.parentJoint, "the parent of frame '" + frame.name + "'");
     if (frame.parentFrame < 0 || frame.parentFrame >= nframes)
       throw std::invalid_argument("the parent of frame '" + frame.name + "' is frame " +
-                                  std::to_string(frame.parentFrame) + ": there are " +
+                                  std::to_string(frame.parentFrame) + ": the number of frames is " +
                                   std::to_string(nframes));
     if (existFrame(frame.name, frame.type))
       throw std::invalid_argument("the model already has a frame of that type named '" + frame.name + "'");
@@ -110,15 +111,14 @@ class Model {
     return addFrame({body, joint, parent_frame, X_JB, FrameType::BODY});
   }
 
-  /// Adds a fixed joint: a frame of that name at X_JF, and no joint, since all that it carries moves with `joint`.
+  /// Adds the frame of a fixed joint at X_JF. No joint is added, since the child link moves with `joint`.
   int addFixedJoint(const std::string& fixed_name, int joint, const SE3<S>& X_JF, int parent_frame = -1) {
     checkJoint(joint, "the parent of fixed joint '" + fixed_name + "'");
     if (parent_frame < 0) parent_frame = frameOfJoint(joint);
     return addFrame({fixed_name, joint, parent_frame, X_JF, FrameType::FIXED_JOINT});
   }
 
-  /// Fixes a body to a joint: I_B in the body's frame, X_JB the pose of that in the joint's frame. The inertia is
-  /// transformed here, once.
+  /// Fixes a body to a joint. I_B is in the body's frame, whose pose in the joint's frame is X_JB.
   void appendBodyToJoint(int joint, const Inertia<S>& I_B, const SE3<S>& X_JB = SE3<S>::Identity()) {
     checkJoint(joint, "a body's parent");
     Inertia<S>& I_J = inertias[std::size_t(joint)];
@@ -142,7 +142,7 @@ class Model {
   /// The frame's index; nframes if there is none of that name. Throws std::invalid_argument if several have it.
   int getFrameId(const std::string& frame_name) const {
     if (frame_ids_.count(frame_name) > 1)
-      throw std::invalid_argument("several frames are named '" + frame_name + "': say of which type");
+      throw std::invalid_argument("several frames are named '" + frame_name + "': give the type as well");
     const auto found = frame_ids_.find(frame_name);
     return found == frame_ids_.end() ? nframes : found->second;
   }
@@ -157,8 +157,7 @@ class Model {
   bool existFrame(const std::string& frame_name, FrameType type) const {
     return getFrameId(frame_name, type) < nframes;
   }
-  /// The frame's index. Throws std::invalid_argument with the nearest names if there is none of that name, or if
-  /// several frames share it.
+  /// The frame's index. Throws std::invalid_argument unless exactly one frame has that name.
   int requireFrameId(const std::string& frame_name) const {
     if (!existFrame(frame_name)) {
       std::vector<std::string> all;
@@ -169,7 +168,7 @@ class Model {
     return getFrameId(frame_name);
   }
 
-  /// The same robot with its constants as T: each number converted, none recomputed.
+  /// The same robot with each constant converted to T; none is recomputed.
   template <Scalar T>
   Model<T> cast() const {
     Model<T> m;
@@ -243,14 +242,14 @@ class Model {
   }
   void checkJoint(int joint, const std::string& what) const {
     if (joint < 0 || joint >= njoints)
-      throw std::invalid_argument(what + " is joint " + std::to_string(joint) + ": there are " +
+      throw std::invalid_argument(what + " is joint " + std::to_string(joint) + ": the number of joints is " +
                                   std::to_string(njoints));
   }
   int frameOfJoint(int joint) const {
     const std::string& joint_name = names[std::size_t(joint)];
     const int frame = joint == 0 ? 0 : getFrameId(joint_name, FrameType::JOINT);
     if (frame == nframes)
-      throw std::invalid_argument("joint '" + joint_name + "' has no frame yet: addJointFrame");
+      throw std::invalid_argument("joint '" + joint_name + "' has no frame yet: call addJointFrame first");
     return frame;
   }
 

@@ -1,6 +1,4 @@
 #pragma once
-// The names nearest to a misspelt one.
-
 #include <algorithm>
 #include <numeric>
 #include <string>
@@ -23,7 +21,7 @@ inline int editDistance(const std::string& a, const std::string& b) {
   return row[b.size()];
 }
 
-/// ", the nearest are 'a', 'b' and 'c'": up to three of the names, the nearest first; empty if there are none.
+/// Returns ", the nearest are 'a', 'b' and 'c'" with up to three names, or "" if there are none.
 inline std::string nearestNames(const std::string& wanted, const std::vector<std::string>& names) {
   std::vector<std::pair<int, std::string>> ranked;
   for (const std::string& name : names) ranked.emplace_back(editDistance(wanted, name), name);

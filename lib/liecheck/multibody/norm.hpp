@@ -7,8 +7,8 @@ namespace liecheck {
 
 namespace multibody_detail {
 
-/// 2-norm of a vector of n numbers; NaN if one is. Error 2 eps + n/2 eps. (Eigen's stableNorm asks for
-/// numeric_limits::max, which float128 of Boost 1.74 has in GNU mode only.)
+/// 2-norm of a vector of n numbers; NaN if one of them is NaN. Error 2 eps + n/2 eps. (Eigen's stableNorm
+/// needs numeric_limits::max, which float128 of Boost 1.74 defines in GNU mode only.)
 template <class Vector>
 typename Vector::Scalar norm(const Vector& v) {
   using S = typename Vector::Scalar;

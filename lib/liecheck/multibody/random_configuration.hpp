@@ -1,16 +1,14 @@
 #pragma once
-// Random configurations.
-
 #include <liecheck/multibody/configuration.hpp>
 
 namespace liecheck {
 
 namespace random_configuration_detail {
 
-/// A number in [0, 1) of 53 bits from a generator of 64 bits, or two draws of 32: the same on every machine.
+/// A number in [0, 1) with 53 random bits, the same on every machine. A 32-bit generator is called twice.
 template <Scalar S, class Generator>
 S uniform(Generator& bits) {
-  static_assert(Generator::min() == 0, "a generator of whole words");
+  static_assert(Generator::min() == 0, "the generator must fill whole words");
   unsigned long long word = bits();
   if constexpr (Generator::max() <= 0xFFFFFFFFULL) word = word << 32 | (bits() & 0xFFFFFFFFULL);
   using std::ldexp;
@@ -19,9 +17,8 @@ S uniform(Generator& bits) {
 
 }  // namespace random_configuration_detail
 
-/// q [nq]: every number within [lowerPositionLimit, upperPositionLimit], rotations uniform over the group (Shoemake
-/// 1992). Throws std::invalid_argument, naming the joint, where a limit is infinite or crossed. Generator: such as
-/// std::mt19937_64.
+/// q [nq]: every number within [lowerPositionLimit, upperPositionLimit], rotations uniform over the group
+/// (Shoemake 1992). Throws std::invalid_argument, naming the joint, if a limit is infinite or lower > upper.
 template <Scalar S, class Generator>
 VectorX<S> randomConfiguration(const Model<S>& model, Generator& bits) {
   using random_configuration_detail::uniform;

@@ -7,11 +7,11 @@
 //   d integrate          ARG0 Ad(exp(-delta))    ARG1  J_r(delta)
 //   d difference         ARG0 -J_l^-1(delta)     ARG1  J_r^-1(delta)
 //
-// Tangent vectors of both sides are body-fixed: the Jacobians are 6 x 6 and say how the body-fixed increment
-// of the result follows that of the argument (Sola, Deray & Atchuthan 2018, eqs. 41 and 46).
+// The derivatives are 6 x 6. They map a body-fixed increment of the argument to the increment of the result,
+// which is body-fixed too (Sola, Deray & Atchuthan 2018, eqs. 41 and 46).
 //
-// Domain: finite q with ||Q|^2 - 1| <= d. Q stands for the rotation of Q/|Q|; each function says how its result depends
-// on d. Check configurations from outside with checkedConfiguration of configuration.hpp.
+// Domain: finite q with ||Q|^2 - 1| <= d. Q represents the rotation of Q/|Q|; each function states how its
+// result depends on d. Check input with checkedConfiguration of configuration.hpp.
 
 #include <liecheck/multibody/argument_position.hpp>
 #include <liecheck/scalar/compensated.hpp>
@@ -22,8 +22,8 @@ namespace liecheck {
 
 namespace se3_configuration_detail {
 
-/// u (3 - |u|^2) / 2, of norm 1 up to 3/8 (|u|^2 - 1)^2: one Newton step of 1/sqrt, for a norm that is 1 up to
-/// rounding. u is (cos, sin) [2] or a quaternion [4].
+/// u (3 - |u|^2) / 2, which has norm 1 up to 3/8 (|u|^2 - 1)^2. This is one Newton step of 1/sqrt, which
+/// suffices for a norm that is 1 up to rounding errors. u is (cos, sin) [2] or a quaternion [4].
 template <Scalar S, int N>
 Eigen::Matrix<S, N, 1> firstOrderNormalize(const Eigen::Matrix<S, N, 1>& u) {
   return u * ((S(3) - u.squaredNorm()) / S(2));
@@ -49,7 +49,7 @@ struct Product {
           .add_product(-at(l, p.z), split_lanes<P, 1, 2, 0, 2>(l, q));
     });
   }
-  /// The product with a norm of 1 up to 3/8 excess^2, excess = |Q0|^2 |Q1|^2 - 1; each number is rounded once.
+  /// The product, normalised up to 3/8 excess^2, excess = |Q0|^2 |Q1|^2 - 1. Each number is rounded once.
   [[gnu::always_inline]] Vector4<S> normalized(const S& excess) const {
     const Quad<S> q = sum.high + mul_add(Quad<S>(excess / S(-2)), sum.high, sum.low());
     return Vector4<S>(q.v[0], q.v[1], q.v[2], q.v[3]);
@@ -76,7 +76,7 @@ NearRotation<S> nearRotation(const Vector7<S>& q0, const Vector7<S>& q1, const S
   };
   return {D, Vector3<S>(entry(0, 1, 2), entry(1, 2, 0), entry(2, 0, 1))};
 }
-/// v = vec(Q0* D). Where |v| < |D|/2, fast precision uses compensated sums too.
+/// v = vec(Q0* D). If |v| < |D|/2, fast precision uses compensated sums too.
 template <Scalar S, Precision P>
 [[gnu::noinline]] Vector3<S> nearRotationVector(const Vector7<S>& q0, const Vector7<S>& q1, const S& s) {
   const auto [D, v] = nearRotation<S, P>(q0, q1, s);
@@ -86,13 +86,13 @@ template <Scalar S, Precision P>
   return v;
 }
 
-/// log(Q0* Q1), from the product in double words. The vector part of the product has full relative accuracy however
-/// near the two rotations are.
+/// log(Q0* Q1), from the product in double words. The vector part of the product has full relative accuracy,
+/// even if the two rotations are close.
 ///
-/// Near rotations: with s = sgn(Q0 . Q1) and D = s Q1 - Q0, s vec(Q0* Q1) = vec(Q0* D), because vec(Q0* Q0) = 0. The
-/// subtraction D is exact except in components that are small themselves. The products of Q0* D are summed with
-/// compensation, because D is much longer than vec(Q0* D) where the norms of Q0 and Q1 differ. Fast precision uses this
-/// form for |v| < 1/8, and compensates only where |v| < |D|/2.
+/// For close rotations let s = sgn(Q0 . Q1) and D = s Q1 - Q0. Then s vec(Q0* Q1) = vec(Q0* D), because
+/// vec(Q0* Q0) = 0. The subtraction D is exact except in components that are small. The products of Q0* D are
+/// summed with compensation, because D is much longer than vec(Q0* D) if the norms of Q0 and Q1 differ. Fast
+/// precision uses this form for |v| < 1/8, and compensates only if |v| < |D|/2.
 template <Scalar S, Precision P>
 [[gnu::always_inline]] inline exp_log_detail::RotationLogarithm<S, P> relativeLogarithm(
     const Vector7<S>& q0, const Vector7<S>& q1) {
@@ -100,7 +100,7 @@ template <Scalar S, Precision P>
   const auto sum = Product<S, P>(Q0.conjugate(), Q1.numbers()).sum;
   const Quad<S> Q = sum.value(), Q_low = sum.rounding_error(Q);
   DoubleWord<S> w(Q.v[3], Q_low.v[3]);
-  // Near theta = pi the sign of w decides the axis.
+  // Near theta = pi the sign of w decides the sign of the axis, so w is computed exactly.
   if constexpr (!side_by_side<S>)
     if (absolute<S>(w.high) < eps<S>() * (P == Precision::fast ? S(16) : S(1) / S(16)))
       w = DoubleWord<S>(exact_dot<S, 4>(q0.template tail<4>(), q1.template tail<4>()));
@@ -132,7 +132,7 @@ template <Scalar S, Precision P>
         const Vector4<S> Q1 = Product<S, P>(Q0.numbers(), Quad<S>(x, y, z, w))
                                   .normalized(product_excess<S>(Q0.template normExcess<P>(), excess));
         Vector7<S> result;
-        // Not in loops, as in difference below.
+        // Written without loops for speed; see difference below.
         result[0] = q[0] + step[0], result[1] = q[1] + step[1], result[2] = q[2] + step[2];
         result[3] = Q1[0], result[4] = Q1[1], result[5] = Q1[2], result[6] = Q1[3];
         return result;
@@ -163,8 +163,8 @@ template <Scalar S, Precision P>
   ();
   const Vector3<S> rho = log.arc(p);
   Vector6<S> delta;
-  // Not in a loop: the compiler would vectorise it, and load rho in wide registers right after storing it number by
-  // number, which stalls (failed store forwarding).
+  // Written without a loop. The compiler would vectorise a loop and load rho in wide registers right after
+  // storing it number by number, which stalls (failed store forwarding).
   delta[0] = rho[0], delta[3] = log.phi[0];
   delta[1] = rho[1], delta[4] = log.phi[1];
   delta[2] = rho[2], delta[5] = log.phi[2];
@@ -181,10 +181,10 @@ template <Scalar S, Precision P>
 
 }  // namespace se3_configuration_detail
 
-/// T exp(delta) as [p; x y z w] with Q1 . Q0 >= 0: of Q1 and -Q1 the one nearer to Q0. Pose q [7; m], delta [6; m, rad].
-/// Error: rotation 2 eps, translation 4 eps of max(|p1|, |p0|, |rho|), for |phi| <= pi; for larger |phi|, multiplied by
-/// the condition number (excess rule, docs/measuring.md). ||Q1|^2 - 1| <= 3 eps + 3/4 d^2; whatever d is, the rotation of
-/// the result is the one that Q0/|Q0| gives.
+/// T exp(delta) as [p; x y z w]. The sign of Q1 is such that Q1 . Q0 >= 0. Pose q [7; m], delta [6; m, rad].
+/// Error for |phi| <= pi: rotation 2 eps, translation 4 eps of max(|p1|, |p0|, |rho|). For larger |phi| these
+/// bounds are multiplied by the condition number (excess rule, docs/measuring.md). The rotation of the result
+/// is the one for Q0/|Q0|, whatever d is. ||Q1|^2 - 1| <= 3 eps + 3/4 d^2.
 template <Scalar S, Precision P = Precision::standard>
 Vector7<S> integrateSE3(const Vector7<S>& q, const Vector6<S>& delta) {
   return evaluate<S, P>(
@@ -198,8 +198,8 @@ Vector7<S> integrateSE3(const Vector7<S>& q, const Vector6<S>& delta) {
       q, delta);
 }
 
-/// (rho, phi) = log(T0^-1 T1) [6; m, rad], |phi| <= pi, the same for Q and -Q; at |phi| = pi either sign of the axis.
-/// Error 2 eps of |phi|, and 4 eps of max(|rho|, |p1 - p0|), at any distance; it does not depend on |Q0|, |Q1|.
+/// (rho, phi) = log(T0^-1 T1) [6; m, rad], |phi| <= pi, the same for Q and -Q. At |phi| = pi the axis has
+/// either sign. Error 2 eps of |phi|, and 4 eps of max(|rho|, |p1 - p0|), whatever |p1 - p0|, |Q0|, |Q1|.
 template <Scalar S, Precision P = Precision::standard>
 Vector6<S> differenceSE3(const Vector7<S>& q0, const Vector7<S>& q1) {
   return evaluate<S, P>(
@@ -214,8 +214,8 @@ Vector6<S> differenceSE3(const Vector7<S>& q0, const Vector7<S>& q1) {
 }
 
 /// The derivative of integrate with respect to q (ARG0: Ad(exp(-delta))) or delta (ARG1: J_r(delta)) [6 x 6]; neither
-/// depends on q. Error 6 eps of each 3 x 3 block for |phi| <= pi; for larger |phi|, multiplied by the condition number
-/// (excess rule, docs/measuring.md).
+/// depends on q. Error 6 eps of each 3 x 3 block for |phi| <= pi. For larger |phi| this bound is multiplied
+/// by the condition number (excess rule, docs/measuring.md).
 template <Scalar S, Precision P = Precision::standard>
 Matrix6<S> dIntegrateSE3(const Vector7<S>&, const Vector6<S>& delta, ArgumentPosition argument) {
   return evaluate<S, P>(
@@ -233,8 +233,8 @@ Matrix6<S> dIntegrateSE3(const Vector7<S>&, const Vector6<S>& delta, ArgumentPos
 }
 
 /// The derivative of difference with respect to q0 (ARG0: -J_l^-1) or q1 (ARG1: J_r^-1) [6 x 6]. At |phi| = pi it is
-/// that of the branch which differenceSE3 returns. Error, that of difference included: 4.2 eps of a rotation block,
-/// 7.5 eps of the coupling block.
+/// the derivative on the branch that differenceSE3 returns. Error, including that of difference: 4.2 eps of a
+/// rotation block, 7.5 eps of the coupling block.
 template <Scalar S, Precision P = Precision::standard>
 Matrix6<S> dDifferenceSE3(const Vector7<S>& q0, const Vector7<S>& q1, ArgumentPosition argument) {
   return evaluate<S, P>(
@@ -248,8 +248,7 @@ Matrix6<S> dDifferenceSE3(const Vector7<S>& q0, const Vector7<S>& q1, ArgumentPo
 }
 
 /// The derivative of the seven stored numbers with respect to a body-fixed increment, at zero increment [7 x 6]:
-/// [R, 0; 0, 1/2 (w I + [v]); 0, -1/2 v^T], with R the rotation matrix of Q/|Q|, and v, w those of the stored Q. Error
-/// 2 eps.
+/// [R, 0; 0, 1/2 (w I + [v]); 0, -1/2 v^T], with R of Q/|Q|, and v and w of the stored Q. Error 2 eps.
 template <Scalar S>
 Eigen::Matrix<S, 7, 6> integrateCoeffWiseJacobianSE3(const Vector7<S>& q) {
   const SO3<S> Q(Vector4<S>(q.template tail<4>()));

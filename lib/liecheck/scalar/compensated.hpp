@@ -1,6 +1,6 @@
 #pragma once
-// Sums and dot products whose terms cancel, as if computed in twice the digits: compensated (Ogita, Rump & Oishi
-// 2005), of factors split at a fixed place (Rump, Ogita & Oishi 2008), and exact (Shewchuk 1997).
+// Sums and dot products that stay accurate if their terms cancel: compensated (Ogita, Rump & Oishi 2005),
+// with factors split at a fixed digit (Rump, Ogita & Oishi 2008), and exact (Shewchuk 1997).
 
 #include <array>
 #include <bit>
@@ -11,9 +11,8 @@
 
 namespace liecheck {
 
-/// sum a_i b_i as if computed in twice the digits, then rounded: error at most
-/// eps |sum| + n^2 eps^2 sum |a_i b_i|. Ogita, Rump & Oishi (2005), algorithm 5.3 (Dot2).
-/// In fast precision the plain sum.
+/// sum a_i b_i, computed as if in twice the digits and then rounded. Ogita, Rump & Oishi (2005), algorithm
+/// 5.3 (Dot2): error eps |sum| + n^2 eps^2 sum |a_i b_i|. In fast precision it is the plain sum.
 template <Scalar S, Precision P = Precision::standard>
 class CompensatedSum {
  public:
@@ -42,10 +41,10 @@ class CompensatedSum {
   S low_ = S(0);
 };
 
-/// A factor split at a fixed place: value = high + low exactly, high a multiple of 2^-f, f = (digits - BITS)/2, so
-/// that a sum of products of high parts is exact while it stays below 2^BITS (Rump, Ogita & Oishi 2008, algorithm
-/// 3.2, ExtractScalar). Domain: |value| < 2^(digits/2 - 1); a product of larger ones is rounded as usual. In fast
-/// precision low is 0. S may be a Simd.
+/// A factor split at a fixed digit: value = high + low exactly, and high is a multiple of 2^-f,
+/// f = (digits - BITS)/2. A sum of products of high parts is exact while it is below 2^BITS (Rump, Ogita &
+/// Oishi 2008, algorithm 3.2, ExtractScalar). Domain: |value| < 2^(digits/2 - 1); products of larger factors
+/// are rounded as usual. In fast precision low is 0. S may be a Simd.
 template <class S, int BITS, Precision P = Precision::standard>
 struct SplitFactor {
   S value, high, low;
@@ -59,21 +58,21 @@ struct SplitFactor {
       low = x - high;
     }
   }
-  /// Split where sigma has its last digit: sigma is 2^(places + 1) times a bound of the factors, of any size.
+  /// Splits factors of any size at the last digit of sigma, which is 2^(places + 1) times a bound of them.
   [[gnu::always_inline]] SplitFactor(const S& x, const S& sigma) : value(x), high(x), low(S(0)) {
     if constexpr (P != Precision::fast) {
       high = (x + sigma) - sigma;
       low = x - high;
     }
   }
-  /// The double word x + x_low, split where sigma has its last digit.
+  /// Splits the double word x + x_low at the last digit of sigma.
   [[gnu::always_inline]] SplitFactor(const S& x, const S& x_low, const S& sigma) : SplitFactor(x, sigma) {
     if constexpr (P != Precision::fast) {
       low = low + x_low;
       value = high + low;
     }
   }
-  /// From parts that are split already.
+  /// Constructs a factor from parts that are already split.
   [[gnu::always_inline]] static SplitFactor of(const S& value, const S& high, const S& low) {
     SplitFactor c = value;
     c.high = high, c.low = low;
@@ -85,11 +84,11 @@ struct SplitFactor {
   }
 };
 
-/// sum a b of split factors as high + low(), high the exact sum of the products of high parts. Error
+/// sum a b of split factors as high + low(). high is the exact sum of the products of high parts. Error
 /// 2^-(digits/2 - BITS) eps of sum |a b|.
 template <class S, int BITS, Precision P = Precision::standard>
 struct SplitDot {
-  S high = S(0), low_a = S(0), low_b = S(0);  ///< low in two parts, so that neither sum waits for the other
+  S high = S(0), low_a = S(0), low_b = S(0);  ///< low as two sums that the processor can compute in parallel
   [[gnu::always_inline]] SplitDot& add_product(const SplitFactor<S, BITS, P>& a,
                                                const SplitFactor<S, BITS, P>& b) {
     high = mul_add(a.high, b.high, high);
@@ -109,15 +108,15 @@ struct SplitDot {
     if constexpr (P == Precision::fast) return high;
     return high + low();
   }
-  /// The sum minus `value`, which is value(): the low part of the double word.
+  /// The low part of the double word: the sum minus `value`. Precondition: `value` is value().
   [[gnu::always_inline]] S rounding_error(const S& value) const {
     if constexpr (P == Precision::fast) return S(0);
     return (high - value) + low();
   }
 };
 
-/// a b and a^2 of double words, with an error of one rounding and eps/2 of the products with low. Where
-/// multiplications are fused they need no renormalised parts; else the product of the high parts would be rounded too.
+/// a b and a^2 of double words. The error is one rounding plus eps/2 of the products with low. Without fused
+/// multiply-add the arguments are renormalised first, since the product of the high parts is rounded too.
 /// Precondition: |a|, |b| < 2^(digits/2 - 1); |low| may exceed eps/2 |high|.
 template <Scalar S>
 [[gnu::always_inline]] inline S rounded_product(const DoubleWord<S>& a, const DoubleWord<S>& b) {
@@ -139,24 +138,24 @@ template <Scalar S>
   return sum.high + (sum.low_a + S(2) * x.high * x.low);
 }
 
-/// a . b of N numbers with its exact sign and a relative error of 2 eps, however much cancels and however small the
-/// products are; a sum that underflows is the smallest normal number with its sign. The products are summed as a
-/// nonoverlapping expansion (Shewchuk 1997, theorem 10), the largest first, scaled so that no part underflows; after
-/// a cancellation the sum is scaled up again before the next products.
+/// a . b of N numbers with the exact sign and a relative error of 2 eps, however much cancels and however
+/// small the products are. A sum that underflows becomes the smallest normal number with the sum's sign. The
+/// products are summed as a nonoverlapping expansion (Shewchuk 1997, theorem 10), the largest first, scaled
+/// so that no part underflows. After a cancellation the sum is scaled up again.
 template <Scalar S, int N, class V>
 S exact_dot(const V& a, const V& b) {
   using std::frexp, std::ldexp;
   constexpr int gap = 2 * std::numeric_limits<S>::digits + 12, none = std::numeric_limits<int>::min();
   constexpr int log2_n = std::bit_width(unsigned(N));
   std::array<S, N> x, y;
-  std::array<int, N> exponent;  // none: added already, or zero
+  std::array<int, N> exponent;  // of each product; none if it is zero or already added
   for (int i = 0; i < N; ++i) {
     int ea = 0, eb = 0;
     x[i] = frexp(S(a[i]), &ea), y[i] = frexp(S(b[i]), &eb);
     exponent[i] = x[i] == S(0) || y[i] == S(0) ? none : ea + eb;
   }
   std::array<S, 2 * N> expansion;
-  int size = 0, scale = 0;  // the sum is that of the expansion times 2^scale
+  int size = 0, scale = 0;  // the result is 2^scale times the sum of the expansion
   const auto grow = [&](S t) {
     for (int i = 0; i < size; ++i) {
       const auto [sum, error] = two_sum(t, expansion[i]);
@@ -174,7 +173,7 @@ S exact_dot(const V& a, const V& b) {
       int e = 0;
       frexp(sum, &e);
       if (top < e + scale - std::numeric_limits<S>::digits - log2_n)
-        break;  // all others are below an eps of it
+        break;  // all other products are below eps of the sum
       if (top < e + scale) top = e + scale;
     }
     for (int i = 0; i < size; ++i) expansion[i] = S(ldexp(expansion[i], scale - top));

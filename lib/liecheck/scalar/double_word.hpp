@@ -1,6 +1,6 @@
 #pragma once
-// A number as the unevaluated sum high + low of two (a double word), and the error-free transformations that
-// return one: Dekker (1971); Knuth, The Art of Computer Programming 2, 4.2.2; Ogita, Rump & Oishi (2005).
+// A double word is a number stored as the unevaluated sum high + low. Error-free transformations return
+// double words: Dekker (1971); Knuth, The Art of Computer Programming 2, 4.2.2; Ogita, Rump & Oishi (2005).
 
 #include <compare>
 #include <liecheck/scalar/scalar.hpp>
@@ -27,7 +27,7 @@ DoubleWord<S> fast_two_sum(const S& a, const S& b) {
   return {s, b - (s - a)};
 }
 
-/// a exactly, high and low with half the digits each. Veltkamp (1968). Precondition: |a| < max / 2^(digits / 2 + 1).
+/// a = high + low exactly, each with half the digits. Veltkamp (1968). Domain: |a| < max / 2^(digits/2 + 1).
 template <Scalar S>
 DoubleWord<S> split(const S& a) {
   using std::ldexp;
@@ -103,7 +103,7 @@ struct DoubleWord {
     if (!(r > S(0)) || !finite<S>(r)) return DoubleWord(r);
     return fast_two_sum<S>(r, S(a - DoubleWord(r) * DoubleWord(r)) / (S(2) * r));
   }
-  /// Accurate to the digits of S only (nothing up to theta = pi needs more); but sin^2 + cos^2 = 1 to twice those.
+  /// Accurate to the digits of S, which suffices up to theta = pi. sin^2 + cos^2 = 1 to twice those digits.
   friend DoubleWord sin(const DoubleWord& a) { return SineAndCosine(a).sine; }
   friend DoubleWord cos(const DoubleWord& a) { return SineAndCosine(a).cosine; }
   /// Accurate to the digits of S only.
@@ -113,7 +113,7 @@ struct DoubleWord {
   }
 
  private:
-  /// By the sum of angles, since low is many radians when high is huge; then one Newton step of the norm.
+  /// Uses the addition theorems, since low is many radians if high is huge, and one Newton step to normalise.
   struct SineAndCosine {
     DoubleWord sine, cosine;
     explicit SineAndCosine(const DoubleWord& a) {

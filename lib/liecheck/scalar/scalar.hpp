@@ -1,9 +1,9 @@
 #pragma once
-// What a scalar must offer.
+// The requirements on a scalar type.
 //
 // The library is written once for float, double and any binary floating-point type with correctly rounded
-// + - * / sqrt: Boost's float128 and cpp_bin_float are the tested ones. Mathematical functions are found by
-// argument-dependent look-up (`using std::sqrt; sqrt(x)`), so a scalar brings its own.
+// + - * / sqrt. Boost's float128 and cpp_bin_float are tested. Mathematical functions are found by
+// argument-dependent look-up (`using std::sqrt; sqrt(x)`), so a scalar type provides its own functions.
 
 #include <cmath>
 #include <concepts>
@@ -27,9 +27,9 @@ concept HasFunctions = requires(const S a) {
 };
 }  // namespace scalar_detail
 
-/// A binary floating-point number. Why each requirement is there:
-/// - numeric_limits: the number of series terms and every guard follow from digits, epsilon and min;
-/// - field operations and order: the formulas;
+/// A binary floating-point number. The requirements have these purposes:
+/// - numeric_limits: the number of series terms and every threshold follow from digits, epsilon and min;
+/// - arithmetic and order: the formulas;
 /// - construction from int: constants are written S(1) / S(6), never as decimal literals;
 /// - the elementary functions: angles beyond pi, and logarithms.
 template <class S>
@@ -57,11 +57,11 @@ struct Lane<S> {
 };
 }  // namespace scalar_detail
 
-/// What S holds: S itself, or the S::Lane of a scalar that is many side by side.
+/// The type of a single number in S: S::Lane if S is a Simd, otherwise S itself.
 template <class S>
 using Lane = typename scalar_detail::Lane<S>::type;
-/// Many side by side, which say so by S::SideBySide, take no branch: whoever calls with them sees to it that all are
-/// on its usual side.
+/// True for a type such as Simd, which holds several numbers and defines S::SideBySide. Functions take no
+/// branch for it: the caller ensures that all lanes need only the usual path.
 template <class S>
 inline constexpr bool side_by_side = requires {
   typename S::SideBySide;
@@ -73,7 +73,7 @@ constexpr S eps() {
   return std::numeric_limits<S>::epsilon();
 }
 
-/// x such that cos x = -1, to the last bit of S.
+/// pi, rounded to S.
 template <Scalar S>
 S pi() {
   if constexpr (std::is_floating_point_v<S>) return std::numbers::pi_v<S>;
@@ -89,7 +89,7 @@ template <Scalar S>
   return S(fabs(a));
 }
 
-/// -1 for a < 0, 1 for a > 0, either at 0: without a branch that guesses wrong half of the time.
+/// -1 for a < 0, 1 for a > 0, either at 0. It has no branch for floating-point types, for speed.
 template <Scalar S>
 [[gnu::always_inline]] inline S sign(const S& a) {
   if constexpr (std::is_floating_point_v<Lane<S>>) {
@@ -106,8 +106,7 @@ template <Scalar S>
   return bool(isfinite(a));
 }
 
-/// a * b + c: fused where the target has the instruction, else rounded twice. The stated error bounds hold
-/// for both; nothing relies on the fusion.
+/// a * b + c, rounded once if the target has the instruction, otherwise twice. Error bounds hold for both.
 template <Scalar S>
 [[gnu::always_inline]] inline S mul_add(const S& a, const S& b, const S& c) {
 #if defined(__FMA__)

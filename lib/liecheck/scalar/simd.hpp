@@ -1,5 +1,5 @@
 #pragma once
-// N numbers on which one operation works at once: in one vector register where they fit, else in an array.
+// N numbers that one operation processes at once, in one vector register if they fit, otherwise in an array.
 
 #include <liecheck/scalar/scalar.hpp>
 #include <utility>
@@ -15,7 +15,7 @@ constexpr int register_bytes = 16;
 
 namespace simd_detail {
 
-/// mul_add of S, found by argument-dependent look-up where S brings its own.
+/// mul_add of S, found by argument-dependent look-up if S has its own.
 template <Scalar S>
 [[gnu::always_inline]] inline S fused(const S& a, const S& b, const S& c) {
   return mul_add(a, b, c);
@@ -37,7 +37,7 @@ struct Storage<S, N> {
 
 }  // namespace simd_detail
 
-/// N numbers v[i]. Every operation gives in each lane the same bits as the operation of S.
+/// N numbers v[i]. In each lane, every operation gives the same bits as the operation on S.
 template <class S, int N>
 struct Simd {
   using Lane = S;
@@ -60,7 +60,7 @@ struct Simd {
   template <class... A>
   requires(sizeof...(A) == N && N > 1) [[gnu::always_inline]] Simd(const A&... a) : v{a...} {}
 
-  /// N numbers from, and to, memory of any alignment.
+  /// load and store accept memory of any alignment.
   [[gnu::always_inline]] static Simd load(const S* from) requires in_register {
     return Vector(*reinterpret_cast<const typename simd_detail::Storage<S, N>::unaligned*>(from));
   }
@@ -101,7 +101,7 @@ struct Simd {
   Simd& operator+=(const Simd& b) { return *this = *this + b; }
   Simd& operator*=(const Simd& b) { return *this = *this * b; }
 
-  /// (f(0), ..., f(N - 1)); the compiler merges the N operations into one vector instruction where the target has it.
+  /// (f(0), ..., f(N - 1)). The compiler can merge the N operations into one vector instruction.
   template <class F>
   [[gnu::always_inline]] static Simd each(F f) {
     if constexpr (in_register) {
@@ -115,7 +115,7 @@ struct Simd {
       (std::make_integer_sequence<int, N>());
     }
   }
-  /// Chosen over the library's generic mul_add by argument-dependent look-up; fused where mul_add of S is.
+  /// Argument-dependent look-up chooses it over the generic mul_add. It is fused if mul_add of S is.
   [[gnu::always_inline]] friend Simd mul_add(const Simd& a, const Simd& b, const Simd& c) {
 #if defined(__FMA__)
     if constexpr (std::floating_point<S>)

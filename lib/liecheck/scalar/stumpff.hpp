@@ -1,28 +1,28 @@
 #pragma once
-// The one file of small-angle series and guards.
+// The series for small angles.
 //
-// Every coefficient of exp, log and their Jacobians is a function of x = theta^2 that is smooth at 0 although
-// its textbook closed form is 0/0 there. With the Stumpff functions
+// Every coefficient of exp, log and their Jacobians is a function of x = theta^2. It is smooth at 0, although
+// its textbook closed form is 0/0 there. The Stumpff functions need no special case at 0:
 //
 //     c_k(x) = sum_j (-x)^j / (2j + k)!        c_0 = cos theta             c_1 = sin theta / theta
 //                                              c_2 = (1 - cos theta)/theta^2   c_3 = (theta - sin theta)/theta^3
 //
-// nothing has to be guarded. c_4 and c_5 at h = x/4 in [0, (pi/2)^2] are polynomials, the lower ones follow by
+// c_4 and c_5 at h = x/4 in [0, (pi/2)^2] are computed as polynomials. The lower ones follow downwards by
 //
 //     c_k = 1/k! - x c_{k+2}                   (Stumpff 1959; Stiefel & Scheifele 1971, eq. 11.27)
 //
-// downwards, where the subtraction never cancels more than a factor 1.6, and those of x itself by doubling the angle:
+// whose subtraction cancels at most a factor 1.6. The values at x itself follow by doubling the angle:
 //
 //     c_0(4h) = 2 c_0^2 - 1,  c_1(4h) = c_0 c_1,  c_2(4h) = c_1^2 / 2,  c_3(4h) = (c_2 + c_0 c_3) / 4.
 //
-// There is no cutoff at small angles, hence no jump of the error: the number of terms follows from the digits of the
-// scalar. The one branch, at theta = pi, is where the forms in sines are as accurate as the series.
+// The error has no jump, since there is no threshold at small angles: the number of terms follows from the
+// digits of the scalar. The only branch is at theta = pi, beyond which sines are as accurate as the series.
 //
 // Derivatives in x (not in theta): c_k' = (k c_{k+2} - c_{k+1}) / 2.
 //
 // The error bounds below are verified in float at every argument (`liecheck sweep`; HalfAngle with x.low = 0,
 // LogarithmCoefficients with cosine = 1). Those of the polynomials are proved, in float and double, with and without
-// fused multiply-adds (tests/proofs). All others, of wider scalars, are sampled.
+// fused multiply-adds (tests/proofs). For wider scalars the bounds are verified at random arguments only.
 
 #include <array>
 #include <bit>
@@ -35,7 +35,7 @@ namespace liecheck {
 
 namespace stumpff_detail {
 
-/// c_K(x/4) = sum_j (-x/4)^j / (2j + K)! on [0, 10]; pi^2 = 9.87. A series in x, which is known earlier than x/4.
+/// c_K(x/4) = sum_j (-x/4)^j / (2j + K)! on [0, 10]; pi^2 = 9.87. It is written as a series in x, for speed.
 template <Scalar S, int K>
 struct StumpffSeries {
   static constexpr int most = std::numeric_limits<S>::digits / 5 + 10, outer = 1;
@@ -45,7 +45,7 @@ struct StumpffSeries {
     for (int i = 2; i <= K; ++i) factorial = factorial * S(i);
     return S(1) / factorial;
   }
-  /// Term j over term j - 1, at x = 1.
+  /// The ratio of term j to term j - 1, at x = 1.
   static constexpr S ratio(int j) { return S(-1) / S(4 * (2 * j + K - 1) * (2 * j + K)); }
 };
 
@@ -54,8 +54,8 @@ using Fourth = StumpffSeries<S, 4>;
 template <class S>
 using Fifth = StumpffSeries<S, 5>;
 
-/// h / sin h = sum_j j!^2 / (2j + 1)! (2 s)^j, s = 1 - cos h, on [0, 1]: all terms positive. Error 2.2 eps, with fused
-/// multiply-adds 1.7.
+/// h / sin h = sum_j j!^2 / (2j + 1)! (2 s)^j for s = 1 - cos h in [0, 1]. All terms are positive. Error 2.2
+/// eps, or 1.7 eps with fused multiply-adds.
 template <Scalar S>
 struct InverseSincSeries {
   static constexpr int most = std::numeric_limits<S>::digits + 10, outer = 2;
@@ -64,9 +64,9 @@ struct InverseSincSeries {
   static constexpr S ratio(int j) { return S(j) / S(2 * j + 1); }
 };
 
-/// A series economised on its domain (Lanczos 1938; Clenshaw 1962): starting with the first `most` terms of Taylor's
-/// series, the highest power is removed by subtracting a multiple of the shifted Chebyshev polynomial, again and again
-/// while the sum of these changes stays below eps/32 of the first term. `terms` coefficients of `a` are left.
+/// A series economised on its domain (Lanczos 1938; Clenshaw 1962). It starts with the first `most` terms of
+/// Taylor's series. Subtracting a multiple of the shifted Chebyshev polynomial removes the highest power.
+/// This is repeated while the changes sum to less than eps/32 of the first term. `terms` coefficients remain.
 template <Scalar S, class Series>
 struct Economised {
   static constexpr int most = Series::most;
@@ -116,7 +116,7 @@ template <template <class> class Series, int FROM = 0, Scalar S>
     static constexpr Economised<Lane<S>, Of> p;
     std::array<S, std::bit_width(unsigned(p.terms - 1))> squares{x};
     for (std::size_t i = 1; i < squares.size(); ++i) squares[i] = squares[i - 1] * squares[i - 1];
-    // The first terms are added last (Horner), so that one rounding has the size of the sum, not one for each pair.
+    // The first terms are added last (Horner), so that only one rounding error is as large as half an ulp.
     S sum = estrin<Of::outer, p.terms - Of::outer>(p.a, squares);
     for (int j = Of::outer; j-- > FROM;) sum = mul_add(sum, x, S(p.a[j]));
     return sum;
@@ -138,13 +138,13 @@ S series_limit() {
 
 }  // namespace stumpff_detail
 
-/// Is theta <= pi for this x = theta^2, so that the series are valid? Else (or where x overflowed) use sines.
+/// True if theta <= pi for x = theta^2, so that the series are valid. False also if x overflowed.
 template <Scalar S>
 [[gnu::always_inline]] inline bool within_pi(const S& x) {
   return x <= stumpff_detail::series_limit<S>();
 }
 
-/// theta^2 = phi . phi as a double word, to twice the digits for theta < 4; in fast precision low = 0.
+/// theta^2 = phi . phi as a double word, with twice the digits of S for theta < 4; in fast precision low = 0.
 template <Scalar S, Precision P, class Vector>
 [[gnu::always_inline]] inline DoubleWord<S> squared_angle(const Vector& phi) {
   const S x = mul_add(phi[0], phi[0], mul_add(phi[1], phi[1], S(phi[2] * phi[2])));
@@ -154,12 +154,12 @@ template <Scalar S, Precision P, class Vector>
   return {x, (sum.high - x) + sum.low_a};
 }
 
-/// The Stumpff functions c_0 ... c_5 at h = x/4, from theta^2 = x in [0, pi^2]: c_0 = cos(theta/2), c_1 = 2
-/// sin(theta/2)/theta and so on; and, by doubling the angle, those at x itself (all from c_4(h) and c_5(h), by sums of
-/// positive terms or ones that cancel little). The rounding error of theta^2, up to 1.5 eps, would cause an error of 2.4
-/// eps of the angle at pi: x.low corrects that to first order. Error at h: c_0 0.65 and c_1 0.45 eps absolute, c_2 0.7,
-/// c_3 0.9, c_4 and c_5 1.1 eps relative (all proved); second_slope 2.6 and third_slope 2.4 eps relative, since
-/// c_2 - c_3 cancels a factor 2 and c_3 - 2 c_4 one of 3.
+/// The Stumpff functions c_0 ... c_5 at h = x/4, for theta^2 = x in [0, pi^2]: c_0 = cos(theta/2),
+/// c_1 = 2 sin(theta/2)/theta and so on. The member functions double the angle to get the values at x itself.
+/// The rounding error of theta^2, up to 1.5 eps, would cause an error of 2.4 eps of the angle at pi; x.low
+/// corrects it to first order. Error at h (all proved): c_0 0.65 and c_1 0.45 eps absolute; c_2 0.7, c_3 0.9,
+/// c_4 and c_5 1.1 eps relative. Error of second_slope 2.6 and third_slope 2.4 eps relative, since c_2 - c_3
+/// cancels a factor 2 and c_3 - 2 c_4 a factor 3.
 template <Scalar S, Precision P = Precision::standard>
 struct HalfAngle {
   S c0, c1, c2, c3, c4, c5;
@@ -174,13 +174,13 @@ struct HalfAngle {
       c1 = mul_add(S(-h), c3, S(1));
       c0 = mul_add(S(-h), c2, S(1));
     } else {
-      // c_0 = 1 - h/2 + h^2 c_4 and c_1 = 1 - h/8 - h (1/24 - h c_5), each as a double word: the first two terms, and
-      // their rounding error with the small terms. c_0' = -c_1/2 and c_1' = (c_3 - c_2)/2 correct by x.low.
+      // c_0 = 1 - h/2 + h^2 c_4 and c_1 = 1 - h/8 - h (1/24 - h c_5), each as a double word: high is the sum
+      // of two terms, low its rounding error plus the rest. x.low enters with the slopes in x.
       const auto sum = [&h](const S& factor, const S& small) __attribute__((always_inline)) {
         const S linear = h * factor, head = S(1) - linear;
         return DoubleWord<S>(head, ((S(1) - head) - linear) + small);
       };
-      // The slopes to 1/100: the correction is an eps of the result.
+      // Slopes c_0' = -c_1/2 and c_1' = (c_3 - c_2)/2, to 1/100: the correction is only about eps of the result.
       const S step = x.low / S(8),
               slope1 = mul_add(h, mul_add(h, S(-1) / S(840), S(1) / S(30)), S(-1) / S(3)),
               slope0 = mul_add(h, mul_add(h, S(1) / S(120), S(-1) / S(6)), S(1));
@@ -218,12 +218,12 @@ struct HalfAngle {
 /// The coefficient d of [phi]^2 in the inverse Jacobian of SO(3), and twice its slope in x.
 ///     d(x)  = (1 - (theta/2) cot(theta/2)) / theta^2 = (c_2 - c_3) / (4 c_1) at x/4    1/12 at 0, 1/pi^2 at pi
 ///     d2(x) = 2 d'(x)                                                                  1/360 at 0
-/// on [0, pi^2]. Error, relative: d 2.6 eps; d2 5 eps, where both differences of its numerator cancel a factor 4.
+/// on [0, pi^2]. Relative error: d 2.6 eps; d2 5 eps, since its numerator has two differences that cancel.
 template <Scalar S, Precision P = Precision::standard>
 struct InverseCoefficient {
   S d, d2;
   [[gnu::always_inline]] explicit InverseCoefficient(const S& x) {
-    // At h = x/4: c_2 - c_3 = 1/3 - h (c_4 - c_5); 2 d' = (c_4 - 3 c_5 + c_3 (c_2 - 2 c_3)) / (16 c_1^2), all positive.
+    // At h = x/4: c_2 - c_3 = 1/3 - h (c_4 - c_5), 2 d' = (c_4 - 3 c_5 + c_3 (c_2 - 2 c_3)) / (16 c_1^2).
     const HalfAngle<S, Precision::fast> k(x);
     const S minus_h = x / S(-4), step = mul_add(minus_h, S(k.c4 - k.c5), S(1) / S(3)),
             difference = mul_add(minus_h, mul_add(S(-2), k.c5, k.c4), S(1) / S(6));  // c_2 - 2 c_3
@@ -236,17 +236,17 @@ struct InverseCoefficient {
 ///     angle_over_sine = 2 h / |v|       phi = angle_over_sine v
 ///     alpha = h cot h                   (theta/2) cot(theta/2)
 ///     along = (1 - alpha) / |v|^2       so that J^-1 p = p - phi x p / 2 + along v x (v x p)
-/// h / sin h is a smooth function of w/|Q| alone. To first order 1/|Q| = r (1 - e/2), where r = fl(1/|Q|) (1 where |Q|
-/// is 1 up to rounding) and e = r^2 |Q|^2 - 1. Where |v|^2 underflows the results are 2/w, 1 and 0. Precondition: w >= 0
-/// and |Q|^2 a normal number. Error, where |Q|^2 in [1/8, 8] is known to eps/4 of itself: angle_over_sine 1.5 eps, alpha
-/// 2.5 eps relative; else 2.5 and 3.5.
+/// h / sin h is a smooth function of w/|Q| alone. To first order 1/|Q| = r (1 - e/2), where e = r^2 |Q|^2 - 1
+/// and r = fl(1/|Q|), or r = 1 if |Q| is 1 up to rounding errors. If |v|^2 underflows, the results are 2/w, 1
+/// and 0. Precondition: w >= 0, and |Q|^2 is a normal number. Relative error if |Q|^2 is in [1/8, 8] and
+/// known to eps/4 of itself: angle_over_sine 1.5 eps, alpha 2.5 eps; otherwise 2.5 and 3.5 eps.
 template <Scalar S>
 struct LogarithmCoefficients {
   S angle_over_sine, alpha, along;
   DoubleWord<S> ratio;  ///< angle_over_sine before rounding: 2 r + 2 r (h / sin h (1 - e/2) - 1)
   LogarithmCoefficients(const S& squared_sine, const S& cosine)
       : LogarithmCoefficients(squared_sine, cosine, excess_of(squared_sine, cosine)) {}
-  /// |Q|^2 = 1 + excess.
+  /// excess is |Q|^2 - 1.
   [[gnu::always_inline]] LogarithmCoefficients(const S& squared_sine, const DoubleWord<S>& cosine,
                                                const DoubleWord<S>& excess) {
     S e = excess.high + excess.low;
@@ -269,7 +269,7 @@ struct LogarithmCoefficients {
     const auto excess = two_sum<S>(sum.high, S(-1));
     return {excess.high, excess.low + (sum.low + square.low)};
   }
-  /// For |Q| away from 1: sets r, e (only where |Q|^2 is near enough to 1 for its low part to matter) and c = w r.
+  /// For |Q| away from 1: sets ratio.high = 2 r, c = w r, and e, which is 0 unless 1/8 < |Q|^2 < 8.
   [[gnu::always_inline]] void normalize(const S& squared_sine, const DoubleWord<S>& excess, S& e,
                                         DoubleWord<S>& c) {
     using std::sqrt;
@@ -293,7 +293,7 @@ struct LogarithmCoefficients {
 
 namespace stumpff_detail {
 
-/// RotationCoefficients for theta > pi: by sines, with an axis of unit length.
+/// RotationCoefficients for theta > pi, computed with sines and an axis of unit length.
 template <Scalar S>
 struct BeyondPi {
   S theta, k1, k2, k3, slope2, slope3, sine_half, cosine_half;
@@ -324,13 +324,12 @@ S large_angle(const Vector& phi, const S& x) {
 
 }  // namespace stumpff_detail
 
-/// The coefficients of exp and its Jacobians at a rotation vector phi. Domain: every finite phi. The axis a is phi
-/// itself for theta <= pi, and the unit vector phi/theta beyond, so that nothing overflows; the coefficients are scaled
-/// to match: with t = 1 or theta,
+/// The coefficients of exp and its Jacobians at any finite rotation vector phi, for the axis a = phi / t with
+/// t = 1 for theta <= pi; beyond pi, t = theta, to avoid overflow:
 ///     k1 = c_1,  k2 = c_2 t,  k3 = c_3 t^2     J = I + k2 [a] + k3 [a]^2; for t = 1, R = I + k1 [a] + k2 [a]^2
 ///     slope2 = 2 c_2' t^2 = (2 c_4 - c_3) t^2,  slope3 = 2 c_3' t^3 = (3 c_5 - c_4) t^3,
 ///     and (sine_half a, cosine_half) is the quaternion.
-/// Error: as for HalfAngle for theta <= pi; beyond it 2 eps + theta eps (excess rule).
+/// Error: as for HalfAngle for theta <= pi; 2 eps + theta eps (excess rule) for theta > pi.
 template <Scalar S, class Vector, Precision P = Precision::standard>
 struct RotationCoefficients {
   Vector axis;
@@ -367,7 +366,7 @@ template <Scalar S, Precision P, class Vector, class F>
 }
 }  // namespace stumpff_detail
 
-/// f(k) with the coefficients k of phi. f is compiled twice, so that the rare theta > pi costs the others nothing.
+/// Returns f(k) for the coefficients k of phi. f is compiled twice, since theta > pi is rare and slower.
 template <Scalar S, Precision P, class Vector, class F>
 [[gnu::always_inline]] inline auto with_coefficients(const Vector& phi, F f) {
   const auto x = squared_angle<S, P>(phi);

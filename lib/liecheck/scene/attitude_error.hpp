@@ -1,6 +1,5 @@
 #pragma once
-// attitude_error: the angle between the simulated motion and a reference motion, which gauss12 integrates with
-// `refinement` times as many steps.
+// attitude_error: the angle to a reference motion, integrated by gauss12 with `refinement` times the steps.
 
 #include <liecheck/scene/observers/registry.hpp>
 #include <liecheck/scene/scene.hpp>
@@ -13,9 +12,8 @@ class AttitudeError {
   AttitudeError(const Scene& scene, const Sys& system, const Parameters& p)
       : scene_(scene), refinement_(long(p.number("refinement"))), reference_(startOf(scene, system)) {}
 
-  /// The largest angle [rad], over all joints with a quaternion, between `state` (the state after step n) and the
-  /// reference motion at the same time. go_on is called while the reference is integrated; if it returns false,
-  /// Interrupted is thrown.
+  /// The largest angle [rad], over all joints with a quaternion, between `state` after step n and the
+  /// reference motion. go_on is called during the integration; if it returns false, Interrupted is thrown.
   double sample(Sys& system, const State<Sys>& state, long n, const std::function<bool()>& go_on);
   double largest() const { return largest_; }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Built-in bodies: homogeneous; centred and with principal axes along x y z by default.
+// Built-in bodies. By default the centre of mass is at the origin and the principal axes are x, y and z.
 
 #include <liecheck/scene/parameters.hpp>
 #include <liecheck/spatial/exp_log.hpp>
@@ -19,12 +19,12 @@ inline const std::vector<BodyEntry>& bodyEntries() {
   static const auto mass = [](P p) { return p.number("mass"); };
   static const auto keys = [](std::vector<Key> own) {
     own.insert(own.begin(), {"mass", Kind::Positive, "kg", "1", "m"});
-    own.push_back({"centre", Kind::Vector, "m", "[0, 0, 0]", "its centre of mass, in its frame"});
-    own.push_back({"turned", Kind::Vector, "rad", "[0, 0, 0]", "rotation vector of its axes, in its frame"});
+    own.push_back({"centre", Kind::Vector, "m", "[0, 0, 0]", "centre of mass in the body's frame"});
+    own.push_back({"turned", Kind::Vector, "rad", "[0, 0, 0]", "rotation vector of the principal axes"});
     return own;
   };
   static const std::vector<BodyEntry> all = {
-      {{"box", "I = m/12 (b^2 + c^2)", "", "", keys({{"size", Kind::Vector, "m", nullptr, "its sides"}})},
+      {{"box", "I = m/12 (b^2 + c^2)", "", "", keys({{"size", Kind::Vector, "m", nullptr, "side lengths"}})},
        +mass,
        [](P p) {
          const auto& s = p.numbers("size");
@@ -61,20 +61,20 @@ inline const std::vector<BodyEntry>& bodyEntries() {
        +mass,
        [](P p) { return V(p.number("transverse"), p.number("transverse"), p.number("axial")); }},
       {{"body", "I = diag(moments) about the centre of mass", "", "",
-        keys({{"moments", Kind::Vector, "kg m^2", nullptr, "principal"}})},
+        keys({{"moments", Kind::Vector, "kg m^2", nullptr, "principal moments"}})},
        +mass,
        [](P p) { return V(p.numbers("moments")[0], p.numbers("moments")[1], p.numbers("moments")[2]); }}};
   return all;
 }
 
-/// Throws std::invalid_argument where no real body has such moments.
+/// Throws std::invalid_argument if no real body can have such moments.
 inline Inertia<double> inertiaOf(const BodyEntry& body, const Parameters& p) {
   const auto vector = [&](const char* key) {
     return Vector3<double>(p.numbers(key)[0], p.numbers(key)[1], p.numbers(key)[2]);
   };
   const Vector3<double> moments = body.moments(p), turned = vector("turned");
   if (!moments.allFinite())
-    throw std::invalid_argument("its moments of inertia are too large for a double: its mass or its size is");
+    throw std::invalid_argument("the moments of inertia overflow: take a smaller mass or size");
   Matrix3<double> I = moments.asDiagonal();
   if (!turned.isZero(0)) {
     const Matrix3<double> R = exp3<double>(turned), RI = R * I;
@@ -84,7 +84,7 @@ inline Inertia<double> inertiaOf(const BodyEntry& body, const Parameters& p) {
   const Inertia<double> inertia(body.mass(p), vector("centre"), I);
   if (!inertia.isValid() || !(moments.minCoeff() > 0))
     throw std::invalid_argument(
-        "no body has these moments of inertia: each is above 0 and no larger than the sum of the "
+        "no body can have these moments of inertia: each must be above 0 and no larger than the sum of the "
         "other two");
   return inertia;
 }

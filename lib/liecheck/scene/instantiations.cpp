@@ -1,4 +1,4 @@
-// Explicit instantiations for double of all but the methods of trees.
+// Explicit instantiations for double. Those of the methods of Tree are in instantiations_tree.cpp.
 
 #include <liecheck/scene/effects/registry.hpp>
 #include <liecheck/scene/integrators/registry.hpp>

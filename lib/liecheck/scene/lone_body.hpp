@@ -1,13 +1,13 @@
 #pragma once
-// One free rigid body by the Newton-Euler equations, without the recursions of a tree. q = [p; x y z w], v = (u, omega) in
-// the body's axes at its origin, c the centre of mass, I_C the inertia about c:
+// System of one free rigid body, by the Newton-Euler equations. q = [p; x y z w], v = (u, omega) in the
+// body's axes at its origin. With the centre of mass c and the inertia I_C about c:
 //
 //   u_C = u + omega x c
 //   omega_dot = I_C^-1 (n - c x f - omega x I_C omega)        diagonal I_C: (I_j - I_k)/I_i omega_j omega_k
 //   u_dot     = f/m - omega x u_C + R^T g - omega_dot x c     derivative of u in the body's axes
 //
-// Error of omega_dot: 4 eps of the sum of the absolute values of its terms; 3 eps relative where I_C is diagonal and no
-// force acts.
+// Error of omega_dot: 4 eps of the sum of its terms' absolute values; 3 eps relative if I_C is diagonal and
+// no force acts.
 
 #include <array>
 #include <liecheck/algorithms/crba.hpp>
@@ -25,14 +25,15 @@ class LoneBody {
   using Configuration = Vector7<S>;
   using Tangent = Vector6<S>;
 
-  /// Is the model one free-flyer at the world's origin and nothing else?
+  /// True if the model is one free-flyer at the world's origin and nothing else.
   static bool fits(const Model<S>& model) {
     return model.njoints == 2 && std::holds_alternative<FreeFlyer<S>>(model.joints[1]) &&
            model.jointPlacements[1].rotation().isIdentity(S(0)) &&
            model.jointPlacements[1].translation().isZero(S(0));
   }
 
-  /// Throws SingularInertia where a force meets no inertia, std::invalid_argument where the model does not fit.
+  /// Throws SingularInertia if the mass or a moment is 0 or an effect sets an armature, and
+  /// std::invalid_argument if the model does not fit.
   explicit LoneBody(const Model<S>& robot, Effects<S> effects = {}) : model_(robot) {
     if (!fits(robot)) throw std::invalid_argument("a lone body is one free-flyer at the world's origin");
     model_.gravity.setZero(), model_.armature.setZero();
@@ -66,7 +67,7 @@ class LoneBody {
   const Model<S>& model() const { return model_; }
   const Effects<S>& effects() const { return effects_; }  ///< without the effects that act on the model
   Kinematics needs() const { return needs_; }
-  /// Does no force and no gravity act? Then momentum is conserved.
+  /// True if no force and no gravity acts. Momentum is then conserved.
   bool forceFree() const { return effects_.empty() && !heavy_; }
 
   bool readsConfiguration() const { return !forceFree(); }
@@ -76,7 +77,7 @@ class LoneBody {
     if (!effects_.empty()) force_ = force(t, q, v);
     equations(q, v, a);
   }
-  /// v_dot under the force that was computed last, by acceleration().
+  /// Computes v_dot with the force that the last acceleration() computed.
   [[gnu::noinline]] void equations(const Configuration& q, const Tangent& v, Tangent& a) const {
     if (plain_) return plainEquations(v, a);
     const Vector3<S> omega(v[3], v[4], v[5]);
@@ -112,7 +113,7 @@ class LoneBody {
   }
   void normalize(Configuration& q) const { q = FreeFlyer<S>::normalized(q); }
 
-  /// The sum of all forces but gravity, at the origin, in the body's axes [N, N m].
+  /// The sum of all forces except gravity, at the origin, in the body's axes [N, N m].
   Force<S> force(const S& t, const Configuration& q, const Tangent& v) {
     const Now<S> now = here(t, q, v, needs_);
     tau_.setZero();
@@ -120,7 +121,7 @@ class LoneBody {
     for (const auto& e : effects_) e->add(now, {{tau_.data(), 6}, f_});
     return f_[1] + Force<S>(tau_);
   }
-  /// The state as effects and observers read it, with accelerations where a = v_dot is given. Valid until the next call.
+  /// The state for effects and observers, with accelerations if a = v_dot is given, until the next call.
   Now<S> here(const S& t, const Configuration& q, const Tangent& v, Kinematics kinematics,
               const Tangent* a = nullptr) {
     if (kinematics != Kinematics::None) X_[1] = SE3<S>(rotationOf(q), Vector3<S>(q[0], q[1], q[2]));
@@ -140,14 +141,14 @@ class LoneBody {
     return Vector3<S>(euler_[0] * (omega[1] * omega[2]), euler_[1] * (omega[2] * omega[0]),
                       euler_[2] * (omega[0] * omega[1]));
   }
-  /// The equations of a diagonal inertia, c = 0 and no force.
+  /// The equations for a diagonal inertia, c = 0 and no force.
   [[gnu::always_inline]] void plainEquations(const Tangent& v, Tangent& a) const {
     const Vector3<S> omega(v[3], v[4], v[5]), angular = euler(omega);
     const Vector3<S> turning = liecheck::cross<S>(omega, Vector3<S>(v[0], v[1], v[2]));
     for (int i = 0; i < 3; ++i) a[i] = -turning[i], a[3 + i] = angular[i];
   }
   static SO3<S> rotationOf(const Configuration& q) { return SO3<S>(Vector4<S>(q[3], q[4], q[5], q[6])); }
-  /// By cofactors; for a diagonal matrix correctly rounded.
+  /// Computed by cofactors; correctly rounded for a diagonal matrix.
   static Matrix3<S> inverse(const Matrix3<S>& J) {
     if (J.isDiagonal(S(0))) return Matrix3<S>(Vector3<S>(J.diagonal().cwiseInverse()).asDiagonal());
     Matrix3<S> result;

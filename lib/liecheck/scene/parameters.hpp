@@ -1,6 +1,6 @@
 #pragma once
-// The keys that a part of a scene (an effect, an observer, a named start) takes, and their values in one scene. Keys are
-// data: the reader of scene files checks and documents all parts by them and knows no effect by name.
+// The keys of a part of a scene (an effect, an observer, a named start), and their values in one scene. The
+// reader of scene files checks and documents all parts by their keys, without knowing any effect by name.
 
 #include <cstddef>
 #include <map>
@@ -20,17 +20,17 @@ enum class Kind {
   Times,      ///< a strictly increasing list
   Frame,      ///< the name of a frame of the robot
   Frames,
-  Joints,  ///< names of joints of the robot, or "all": every joint but a free-flyer
+  Joints,  ///< names of joints of the robot, or "all": every joint except free-flyers
   Choice,  ///< one of the words in `unit`, separated by |
   Flag     ///< true or false
 };
 
-/// One key. A null fallback makes it required; with "" it is optional and has no default.
+/// One key. It is required if fallback is null. If fallback is "", it is optional and has no default.
 struct Key {
   const char* name;
   Kind kind;
-  const char* unit;      ///< SI; "1" without
-  const char* fallback;  ///< as a scene would write it, or null
+  const char* unit;      ///< SI; "1" for a plain number
+  const char* fallback;  ///< as written in a scene, or null
   const char* meaning;
 };
 
@@ -57,12 +57,12 @@ class Parameters {
  private:
   const Value& at(const std::string& key) const {
     const auto found = values.find(key);
-    if (found == values.end()) throw std::logic_error("key '" + key + "' was read, and is not in the schema");
+    if (found == values.end()) throw std::logic_error("key '" + key + "' was read but is not in the schema");
     return found->second;
   }
 };
 
-/// A named part of a scene and its line in the scene file (0: not from a file).
+/// A named part of a scene and its line in the scene file (0 if it is not from a file).
 struct Request {
   std::string name;
   Parameters parameters;
@@ -74,7 +74,7 @@ struct PartInfo {
   const char* name;
   const char* equation;
   const char* energy;  ///< of effects: whether they conserve, add or dissipate energy
-  const char* cost;    ///< the computations that it adds to a plan
+  const char* cost;    ///< the computations that the part adds to a plan
   std::vector<Key> keys;
 };
 

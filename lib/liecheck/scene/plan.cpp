@@ -5,7 +5,7 @@
 namespace liecheck::scene {
 namespace {
 
-/// The least time of several repetitions [ns]: disturbances only add to it.
+/// The shortest time of several repetitions [ns], since disturbances can only add time.
 template <class F>
 double nanoseconds(F f) {
   using Clock = std::chrono::steady_clock;
@@ -105,15 +105,15 @@ class Planner {
   void addSamples() {
     if (setup_.every_step) {
       const Kinematics needs = setup_.every_step_needs;
-      add((needs == Kinematics::None ? "watching" : reads(needs)) + " every step", "", "step",
-          "an observer looks at each", [&] { setup_.look(state_, needs); });
+      add((needs == Kinematics::None ? "state" : reads(needs)) + " every step", "", "step",
+          "an observer reads every step", [&] { setup_.look(state_, needs); });
     }
     if (setup_.needs != Kinematics::None)
       add(reads(setup_.needs) + " for observers", "", "sample", "observers read them",
           [&] { setup_.look(state_, setup_.needs); });
     for (const Request& r : setup_.scene.observers) {
       if (r.name == attitude_error_info.name) continue;
-      // A new observer: measuring changes what it accumulates.
+      // A new observer, since measuring changes what an observer accumulates.
       const ObserverEntry& entry = observerEntry(r.name);
       const auto observer = entry.make(r.parameters, setup_.watched);
       std::vector<double> row(observer->columns().size());
@@ -135,19 +135,19 @@ class Planner {
     };
     for (const auto* list : {&effectEntries<double>(), &actuationEntries<double>()})
       for (const auto& e : *list)
-        if (!named(e.info->name)) left_out.push_back({e.info->name, "the scene does not call for it"});
+        if (!named(e.info->name)) left_out.push_back({e.info->name, "not in the scene"});
     for (std::size_t i = 0; i < setup_.effects.size(); ++i)
       if (setup_.effects[i]->acts() == Acts::OnModel) {
         const PartInfo& info = *effectEntry<double>(setup_.scene.effects[i].name).info;
-        left_out.push_back({std::string("a pass for ") + info.name, std::string("it costs ") + info.cost});
+        left_out.push_back({std::string("a stage for ") + info.name, std::string("it costs ") + info.cost});
       }
     if (plan_.lone_body)
-      left_out.push_back({"articulated bodies", "a lone free body takes the rigid-body equations"});
+      left_out.push_back({"articulated bodies", "a lone free body uses the rigid-body equations"});
     if (system_.needs() == Kinematics::None)
       left_out.push_back({"poses for effects", "no effect reads them"});
     if (setup_.needs != Kinematics::Accelerations)
-      left_out.push_back({"acceleration kinematics", "no observer reads them"});
-    if (setup_.observers.empty()) left_out.push_back({"kinematics at samples", "nothing is watched"});
+      left_out.push_back({"acceleration kinematics", "no observer reads accelerations"});
+    if (setup_.observers.empty()) left_out.push_back({"kinematics at samples", "the scene has no observers"});
   }
 
   Setup<Sys>& setup_;

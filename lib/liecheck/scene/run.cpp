@@ -10,7 +10,7 @@ double nowInSeconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// The largest divisor of n up to 256: the steps between two questions whether to go on.
+/// The largest divisor of n up to 256. The run checks after that many steps whether to go on.
 long largestDivisor(long n) {
   long best = 1;
   for (long d = 1; d <= std::min(n, 256L); ++d)
@@ -62,7 +62,7 @@ class Runner {
     result_.counts = method->counts();
     for (const auto& o : setup_.observers)
       for (Figure& f : o->figures()) {
-        if (f.value && !std::isfinite(*f.value)) f.value.reset();  // it includes a row that was refused
+        if (f.value && !std::isfinite(*f.value)) f.value.reset();  // it includes a refused row
         result_.figures.push_back(std::move(f));
       }
     if (setup_.attitude_error)
@@ -71,7 +71,7 @@ class Runner {
   }
 
  private:
-  /// Asks `on`, at most ten times a second.
+  /// Asks `on`, at most ten times a second, whether to go on.
   bool goesOn() {
     if (!on_) return true;
     const double now = nowInSeconds();
@@ -110,7 +110,7 @@ class Runner {
   const std::function<bool(double)>& on_;
   Run result_;
   std::vector<double> row_;
-  double asked_ = -1, share_ = 0;  // time of the last question [s]; share of the run that is done
+  double asked_ = -1, share_ = 0;  // time of the last call of on_ [s]; completed share of the run
 };
 
 }  // namespace

@@ -1,6 +1,5 @@
 #pragma once
-// Scene: a simulation as data. Robot, initial state, effects, integrator, duration and observers. scene_file/ reads one
-// from text.
+// Scene: the description of a simulation. scene_file/ reads it from text.
 
 #include <liecheck/multibody/configuration.hpp>
 #include <liecheck/scene/effects/registry.hpp>
@@ -12,16 +11,16 @@ namespace liecheck::scene {
 
 struct Scene {
   std::string name, reason;
-  std::string source;   ///< its name in messages, such as the file
+  std::string source;   ///< name of the scene in messages, such as the file
   Model<double> model;  ///< gravity and armature are unset; effects set them
   VectorX<double> q, v;
   Surroundings around;
-  std::vector<Request> effects;  ///< and actuations, in the order in which they are added
+  std::vector<Request> effects;  ///< effects and actuations, in the order of summation
   std::string integrator;
   MethodOptions options;
   Span span;
   std::vector<Request> observers;
-  std::string truth;  ///< the closed form that this motion has, by name, or empty
+  std::string truth;  ///< name of the closed form of this motion, or empty
   std::string csv, json;
 };
 
@@ -33,7 +32,7 @@ Effects<S> makeEffects(const Scene& scene, const Model<S>& model) {
   return all;
 }
 
-/// Is the robot one free body, without armature, which only Tree has? Throws as makeEffects.
+/// True if the robot is one free body without armature, so that LoneBody applies. Throws like makeEffects.
 inline bool isLoneBody(const Scene& scene) {
   if (!LoneBody<double>::fits(scene.model)) return false;
   Model<double> model = scene.model;
@@ -42,7 +41,7 @@ inline bool isLoneBody(const Scene& scene) {
   return model.armature.isZero(0);
 }
 
-/// The scene's robot and effects as a Sys: Tree<S>, or LoneBody<S> where isLoneBody.
+/// The scene's robot and effects as a Sys: Tree<S>, or LoneBody<S> if isLoneBody(scene).
 template <System Sys>
 Sys makeSystem(const Scene& scene) {
   const auto model = scene.model.template cast<typename Sys::Scalar>();

@@ -12,24 +12,24 @@ template <class Sys>
 class Setup {
  public:
   const Scene& scene;
-  const Effects<double> effects;  ///< all, also those that act on the model
+  const Effects<double> effects;  ///< all effects, including those that act on the model
   Sys system;
   State<Sys> start;
   const Watched watched;
   std::vector<std::unique_ptr<Observer>> observers;
   std::optional<AttitudeError<Sys>> attitude_error;
   Kinematics needs = Kinematics::None, every_step_needs = Kinematics::None;  ///< of the observers
-  bool every_step = false;  ///< does an observer look at each step?
+  bool every_step = false;  ///< true if an observer reads every step
 
   explicit Setup(const Scene&);
   Setup(const Setup&) = delete;
   Setup& operator=(const Setup&) = delete;
 
-  /// [s]
+  /// The step size [s].
   double step() const { return scene.span.duration / double(scene.span.steps); }
 
   std::vector<Column> columns() const;
-  /// A state as observers read it. Valid until the next call.
+  /// The state as observers read it. Valid until the next call.
   Now<double> look(const State<Sys>&, Kinematics);
 
  private:
@@ -41,7 +41,7 @@ extern template class Setup<Tree<double>>;
 extern template class AttitudeError<LoneBody<double>>;
 extern template class AttitudeError<Tree<double>>;
 
-/// f(setup) with the system that fits the scene.
+/// Returns f(setup), with the system that fits the scene.
 template <class F>
 auto withSetup(const Scene& scene, F f) {
   if (isLoneBody(scene)) {

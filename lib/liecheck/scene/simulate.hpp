@@ -1,5 +1,5 @@
 #pragma once
-// Simulation loop: steps of one method, sampled every nth step, stopped where the motion diverges.
+// Simulation loop: advances a state with one method and stops if the motion diverges.
 
 #include <liecheck/scene/integrators/method.hpp>
 
@@ -14,15 +14,14 @@ struct Span {
 
 struct Outcome {
   long steps = 0;  ///< completed steps
-  double t = 0;    ///< after them [s]
+  double t = 0;    ///< time after these steps [s]
   bool diverged = false, stopped = false;
-  std::string why;  ///< the reason where it diverged
+  std::string why;  ///< the reason if it diverged
 };
 
-/// watch(state, step) returns false to stop, and throws StepFailed to refuse the state, whose step then does not count. A
-/// step that fails leaves the state before it in place; a state that watch refuses stays. t of step n is
-/// n (duration / steps) in S, rounded once.
-/// Precondition: span.steps >= 1, every >= 1, duration finite and > 0.
+/// watch(state, step) returns false to stop. It throws StepFailed to refuse the state; the step is then not
+/// counted, but `state` keeps the refused values. If the method fails, `state` is as before the step. The
+/// time of step n is n (duration / steps). Precondition: steps >= 1, every >= 1, duration finite and > 0.
 template <class Sys, class M, class Watch>
 Outcome simulate(Sys& system, M& method, State<Sys>& state, const Span& span, Watch&& watch) {
   using S = typename Sys::Scalar;

@@ -9,13 +9,13 @@ namespace liecheck::scene {
 
 struct StartEntry {
   PartInfo info;
-  /// Sets q and v. Throws std::invalid_argument where it does not fit the robot.
+  /// Sets q and v. Throws std::invalid_argument if the start does not fit the robot.
   void (*set)(const Parameters&, const Model<double>&, VectorX<double>& q, VectorX<double>& v);
 };
 
 namespace starts_detail {
 
-/// Where the quaternion of joint 1 begins in q, and its angular velocity in v.
+/// The index in q of joint 1's quaternion, and the index in v of its angular velocity.
 struct RotationIndices {
   int q, v;
 };
@@ -23,10 +23,10 @@ inline RotationIndices rotationIndices(const Model<double>& model, const char* n
   if (model.njoints == 2 && std::holds_alternative<FreeFlyer<double>>(model.joints[1])) return {3, 3};
   if (model.njoints == 2 && std::holds_alternative<Spherical<double>>(model.joints[1])) return {0, 0};
   throw std::invalid_argument(std::string("start '") + name +
-                              "' is of one body on a free_flyer or spherical root: this robot is another");
+                              "' needs a robot of one body on a free_flyer or spherical root");
 }
-/// Principal axes of inertia as columns, in the order of growing moments, about the origin of the joint or about the
-/// centre of mass; exact where the inertia is diagonal.
+/// Principal axes of inertia as columns, in the order of increasing moments. The moments are about the
+/// joint's origin or about the centre of mass. The axes are exact if the inertia is diagonal.
 inline Matrix3<double> principalAxes(const Model<double>& model, bool about_origin) {
   const Inertia<double>& I = model.inertias[1];
   const Matrix3<double> J = about_origin ? I.inertiaAboutOrigin() : I.inertia();
@@ -64,7 +64,7 @@ inline void top(const Parameters& p, const Model<double>& model, const char* nam
   const Matrix3<double> J = I.inertiaAboutOrigin();
   if (at.q != 0 || !J.isDiagonal(0) || J(0, 0) != J(1, 1) || I.lever()[0] != 0 || I.lever()[1] != 0)
     throw std::invalid_argument(std::string("start '") + name +
-                                "' is of a top on a spherical root, symmetric about its z axis");
+                                "' needs a top on a spherical root, symmetric about its z axis");
   I1 = J(0, 0), I3 = J(2, 2), mgl = I.mass() * p.number("gravity") * I.lever()[2];
 }
 inline void sleeping(const Parameters& p, const Model<double>& model, VectorX<double>& q,
@@ -75,7 +75,7 @@ inline void sleeping(const Parameters& p, const Model<double>& model, VectorX<do
   tilt(q, at, p.number("tilt"));
   v.segment<3>(at.v) << 0, 0, p.number("rate");
 }
-/// Steady precession: I1 cos(theta) s^2 - I3 omega_3 s + m g l = 0 for its rate s (Goldstein 1980, eq. 5-73).
+/// Steady precession at the rate s: I1 cos(theta) s^2 - I3 omega_3 s + m g l = 0 (Goldstein 1980, eq. 5-73).
 inline void precessing(const Parameters& p, const Model<double>& model, VectorX<double>& q,
                        VectorX<double>& v) {
   RotationIndices at;
@@ -84,7 +84,7 @@ inline void precessing(const Parameters& p, const Model<double>& model, VectorX<
   const double theta = p.number("nutation"), rate = p.number("rate"), b = I3 * rate, a = I1 * std::cos(theta);
   const double root = b * b - 4 * a * mgl;
   if (!(root >= 0) || b == 0)
-    throw std::invalid_argument("a top this slow does not precess steadily: rate is at least " +
+    throw std::invalid_argument("a top this slow does not precess steadily: rate must be at least " +
                                 std::to_string(std::sqrt(4 * std::abs(a * mgl)) / I3) + " rad/s");
   const double sum =
       b + std::copysign(std::sqrt(root), b);  // the root of larger magnitude first: no cancellation
@@ -97,33 +97,33 @@ inline void precessing(const Parameters& p, const Model<double>& model, VectorX<
 
 inline const std::vector<StartEntry>& startEntries() {
   using namespace starts_detail;
-  static const std::vector<Key> spinning = {{"rate", Kind::Number, "rad/s", "1", "about the axis"},
+  static const std::vector<Key> spinning = {{"rate", Kind::Number, "rad/s", "1", "spin about the axis"},
                                             {"perturbation", Kind::Number, "1", "0",
                                              "angular velocity about the middle axis (for dzhanibekov: about "
                                              "the axis of the smallest moment), divided by rate"}};
   static const std::vector<StartEntry> all = {
-      {{"major_spin", "about the axis of the largest moment: stable", "", "", spinning}, spin<2>},
-      {{"minor_spin", "about the axis of the smallest moment: stable", "", "", spinning}, spin<0>},
+      {{"major_spin", "spin about the axis of the largest moment: stable", "", "", spinning}, spin<2>},
+      {{"minor_spin", "spin about the axis of the smallest moment: stable", "", "", spinning}, spin<0>},
       {{"dzhanibekov",
-        "about the axis of the middle moment: it flips after a time that grows as log(1/perturbation)", "",
+        "spin about the axis of the middle moment: flips after a time that grows as log(1/perturbation)", "",
         "", spinning},
        spin<1>},
       {{"sleeping_top",
-        "upright, or nearly",
+        "a top that spins upright or nearly upright",
         "",
         "",
-        {{"rate", Kind::Number, "rad/s", nullptr, "about its axis"},
-         {"tilt", Kind::Number, "rad", "0", "from the vertical"},
-         {"gravity", Kind::Positive, "m/s^2", "9.81", "magnitude, the same as that of the effect"}}},
+        {{"rate", Kind::Number, "rad/s", nullptr, "spin of the body about its axis"},
+         {"tilt", Kind::Number, "rad", "0", "angle from the vertical"},
+         {"gravity", Kind::Positive, "m/s^2", "9.81", "magnitude; use that of the effect gravity"}}},
        sleeping},
       {{"precessing_top",
         "steady precession without nutation",
         "",
         "",
         {{"rate", Kind::Number, "rad/s", nullptr, "omega_3: spin of the body about its axis"},
-         {"nutation", Kind::Number, "rad", nullptr, "from the vertical"},
+         {"nutation", Kind::Number, "rad", nullptr, "angle from the vertical"},
          {"branch", Kind::Choice, "slow|fast", "slow", "which of the two steady precessions"},
-         {"gravity", Kind::Positive, "m/s^2", "9.81", "magnitude, the same as that of the effect"}}},
+         {"gravity", Kind::Positive, "m/s^2", "9.81", "magnitude; use that of the effect gravity"}}},
        precessing}};
   return all;
 }

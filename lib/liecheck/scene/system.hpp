@@ -3,7 +3,7 @@
 //
 //   q(t) = integrate(q0, delta),  delta_dot = J_r^-1(delta) v,  v_dot = acceleration(t, q, v)
 //
-// It is all that integrators know of a robot. The two systems are LoneBody (fixed sizes) and Tree.
+// Integrators use a robot only through this interface. The two systems are LoneBody (fixed sizes) and Tree.
 
 #include <liecheck/spatial/types.hpp>
 
@@ -11,11 +11,11 @@ namespace liecheck::scene {
 
 /// Every function writes into a vector that already has the right size, so that a step does not allocate.
 /// - acceleration: v_dot [nv], the law of motion with all effects;
-/// - readsConfiguration: does the acceleration depend on q? If not, the q of a stage is not computed;
-/// - integrate: q exp(delta) joint by joint;
-/// - accumulate: the same in place, with compensated rounding errors (accumulate.hpp);
+/// - readsConfiguration: whether the acceleration depends on q; if not, the q of a stage is not computed;
+/// - integrate: q exp(delta) of every joint;
+/// - accumulate: integrate in place, with compensated rounding errors (accumulate.hpp);
 /// - tangentRate: J_r^-1(delta) v;
-/// - coefficientRate, normalize: q_dot of the stored numbers and their normalisation, for quaternion_rk4.
+/// - coefficientRate, normalize: rate and normalisation of the stored numbers of q, for quaternion_rk4.
 template <class X>
 concept System = Scalar<typename X::Scalar> &&
     requires(X& x, const X& c, const typename X::Scalar& t, const typename X::Configuration& q,

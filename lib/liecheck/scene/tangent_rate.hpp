@@ -1,15 +1,15 @@
 #pragma once
-// Rate of the increment of a moving configuration: q(t) = integrate(q0, delta(t)) moves at v where
+// Rate of the increment delta of a moving configuration: q(t) = integrate(q0, delta(t)) has the velocity v if
 //
 //   delta_dot = J_r^-1(delta) v          (dexp^-1 of Munthe-Kaas 1999, right-trivialised)
 //
-// J_r^-1(xi) w = J_l^-1(-xi) w of jacobians.hpp, without forming the matrix: xi = (rho, phi), w = (u, omega),
+// J_r^-1(xi) w is computed without forming the matrix. For xi = (rho, phi) and w = (u, omega) it is
 //
 //   omega + 1/2 phi x omega + d phi x (phi x omega)
 //   u + 1/2 (phi x u + rho x omega) + d (phi x (phi x u) + phi x (rho x omega) + rho x (phi x omega))
 //     + d2 (phi . rho) phi x (phi x omega)
 //
-// Domain: |phi| < 2 pi, where J_r^-1 is singular. Error 8 eps |w| for |phi| <= pi.
+// Domain: |phi| < 2 pi; at 2 pi J_r^-1 is singular. Error 8 eps |w| for |phi| <= pi.
 
 #include <liecheck/multibody/joint_place.hpp>
 #include <liecheck/spatial/jacobians.hpp>
@@ -47,7 +47,7 @@ template <Scalar S>
   return rate;
 }
 
-/// J_r^-1(delta) v of one joint: v itself where the increments of the joint commute.
+/// J_r^-1(delta) v of one joint. It is v if the increments of the joint commute.
 template <Scalar S, class J>
 typename J::Tangent tangentRateOf(const J&, const typename J::Tangent& delta, const typename J::Tangent& v) {
   if constexpr (std::is_same_v<J, FreeFlyer<S>> || std::is_same_v<J, Spherical<S>>) {

@@ -1,5 +1,5 @@
 #pragma once
-// Any robot by the articulated-body algorithm (aba.hpp), with the poses and velocities that its effects read and no others.
+// System of any robot, by the articulated-body algorithm. It computes only the kinematics that effects read.
 
 #include <liecheck/algorithms/aba.hpp>
 #include <liecheck/scene/accumulate.hpp>
@@ -9,7 +9,7 @@
 
 namespace liecheck::scene {
 
-/// What a step calls is not inlined, so that methods compile in seconds: the calls cost 0.2 % of the instructions of a step.
+/// The functions of a step are not inlined, so that methods compile in seconds. This costs 0.2 % of a step.
 template <Scalar S>
 class Tree {
  public:
@@ -59,7 +59,7 @@ class Tree {
     if (bodies_) f_.assign(f_.size(), Force<S>::Zero());
     for (const auto& e : effects_) e->add(now, {{tau_.data(), std::size_t(tau_.size())}, f_});
   }
-  /// v_dot under the forces of the last load().
+  /// Computes v_dot with the forces of the last load().
   [[gnu::noinline]] void equations(const Configuration& q, const Tangent& v, Tangent& a) {
     a = aba(model_, data_, q, v, tau_, bodies_ ? External<S>(f_) : External<S>());
   }
@@ -100,7 +100,7 @@ class Tree {
     });
   }
 
-  /// The state as effects and observers read it, with accelerations where a = v_dot is given. Valid until the next call.
+  /// The state for effects and observers, with accelerations if a = v_dot is given, until the next call.
   Now<S> here(const S& t, const Configuration& q, const Tangent& v, Kinematics kinematics,
               const Tangent* a = nullptr) {
     if (a)
@@ -134,7 +134,7 @@ class Tree {
   Kinematics needs_ = Kinematics::None;
   bool bodies_ = false;
   std::vector<Straight> straight_;
-  std::vector<std::size_t> curved_;  ///< the joints outside these ranges
+  std::vector<std::size_t> curved_;  ///< the joints that are not in such a range
   VectorX<S> tau_;
   std::vector<Force<S>> f_;
 };

@@ -35,13 +35,13 @@ std::optional<Joint<double>> rootJoint(const scene::Parameters& p) {
   return std::nullopt;
 }
 
-/// The root's joint; only a joint about or along an axis takes one.
+/// The root's joint. Refuses `axis` unless the joint has an axis.
 std::optional<Joint<double>> readRootJoint(const Text& text, const YAML::Node& robot, int line,
                                            const scene::Parameters& p) {
   const std::string& kind = p.word("root");
   if (robot["axis"].IsDefined() && kind != "revolute" && kind != "continuous" && kind != "prismatic")
     text.refuse(robot["axis"],
-                "robot.axis is of a revolute, continuous or prismatic root, not of '" + kind + "'");
+                "robot.axis needs a revolute, continuous or prismatic root, not '" + kind + "'");
   return text.at(line, [&] { return rootJoint(p); });
 }
 
@@ -155,7 +155,7 @@ void readRoot(const Text& text, const YAML::Node& initial, scene::Scene& scene) 
     if (!fits)
       text.refuse(
           node,
-          std::string("initial.") + key + " is of a robot whose root is free_flyer" +
+          std::string("initial.") + key + " needs a robot whose root is free_flyer" +
               (std::string(key) == "position" || std::string(key) == "velocity" ? "" : " or spherical") +
               ": name joints instead");
     const auto x = text.numbers(node, std::string("initial.") + key, unit, 3);
@@ -169,12 +169,12 @@ void readRoot(const Text& text, const YAML::Node& initial, scene::Scene& scene) 
          [&](const V3& x) { scene.q.segment<4>(at) = quaternion::exp3<double>(x).normalized().to_vector(); });
   if (const YAML::Node node = initial["quaternion"]; node.IsDefined()) {
     if (!(flyer || ball))
-      text.refuse(node, "initial.quaternion is of a robot whose root is free_flyer or spherical");
+      text.refuse(node, "initial.quaternion needs a robot whose root is free_flyer or spherical");
     if (initial["attitude"].IsDefined())
       text.refuse(node, "initial has an attitude and a quaternion: keep one");
     const auto x = text.numbers(node, "initial.quaternion", "1", 4);
     const Vector4<double> Q(x[0], x[1], x[2], x[3]);
-    if (Q.isZero(0)) text.refuse(node, "initial.quaternion is zero, which is no rotation");
+    if (Q.isZero(0)) text.refuse(node, "initial.quaternion is zero, which is not a rotation");
     scene.q.segment<4>(at) = SO3<double>(Q).normalized().to_vector();
   }
 }

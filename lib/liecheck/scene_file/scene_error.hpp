@@ -7,7 +7,7 @@
 namespace liecheck {
 
 /// A scene that cannot be read or is inconsistent. what() is one line: `FILE:LINE: what is wrong, and what to write
-/// instead`, or `FILE: ...` and line() 0 where no line is at fault.
+/// instead`. If no line is at fault, what() is `FILE: ...` and line() is 0.
 class SceneError : public std::runtime_error {
  public:
   SceneError(const std::string& file, int line, const std::string& what)

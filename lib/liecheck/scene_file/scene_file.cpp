@@ -50,7 +50,7 @@ std::vector<Request> requests(const Text& text, const YAML::Node& node, const st
   std::vector<Request> all;
   if (!node.IsDefined() || node.IsNull() || (node.IsScalar() && node.Scalar() == "none")) return all;
   if (!node.IsSequence())
-    text.refuse(node, what + " is a list, as '- energy' on lines of their own, or [energy]");
+    text.refuse(node, what + " is a list: '- energy' on separate lines, or [energy]");
   for (const auto& item : node) all.push_back(request(text, item, what, known, model));
   return all;
 }
@@ -86,7 +86,7 @@ void readTime(const Text& text, const YAML::Node& root, Scene& scene) {
       text.refuse(method["tolerance"], "integrator '" + scene.integrator + "' takes a step, not a tolerance");
     scene.options.tolerance = text.number(method["tolerance"], "integrator.tolerance", "1", Kind::Positive);
     if (scene.options.tolerance < 1e-15)
-      text.refuse(method["tolerance"], "integrator.tolerance is below 1e-15, which double cannot keep");
+      text.refuse(method["tolerance"], "integrator.tolerance is below 1e-15, which double cannot reach");
   }
   scene.span.duration = text.number(duration, "duration", "s", Kind::Positive);
   double every = 0;
@@ -99,7 +99,7 @@ void readTime(const Text& text, const YAML::Node& root, Scene& scene) {
   }
   const auto whole = [&](const YAML::Node& node, double length, double part, const std::string& says) {
     const double count = std::round(length / part);
-    if (!(count <= 1e15)) text.refuse(node, says + ": it would be more than 1e15 of them");
+    if (!(count <= 1e15)) text.refuse(node, says + ": it fits more than 1e15 times");
     if (!(count >= 1) || std::abs(count * part - length) > 1e-9 * length)
       text.refuse(node, says + ": it fits " + std::to_string(length / part) + " times");
     return long(count);
@@ -120,7 +120,7 @@ void readTime(const Text& text, const YAML::Node& root, Scene& scene) {
   }
 }
 
-/// Constructs the system and every observer, so that errors of a part have its line.
+/// Constructs the system and every observer, so that an error of a part is reported with the part's line.
 void checkParts(const Text& text, const YAML::Node& root, const Scene& scene) {
   text.at(Text::lineOf(root["robot"]), [&] {
     return isLoneBody(scene) ? (scene::makeSystem<scene::LoneBody<double>>(scene), 0)
@@ -141,26 +141,26 @@ void checkParts(const Text& text, const YAML::Node& root, const Scene& scene) {
     for (std::size_t i = 1; i < own.size(); ++i)  // after t
       if (!written.insert(own[i].name).second)
         text.refuse(r.line, "observer '" + r.name + "' writes " + own[i].name +
-                                ", which another one writes already: keep one");
+                                ", which another observer writes too: keep one");
     const double columns = double(own.size());
     const double samples = double(scene.span.steps) / double(scene.span.every) + 2;
     if (samples * columns > max_scene_numbers)
-      text.refuse(r.line, "observer '" + r.name + "' would keep " + std::to_string(samples * columns) +
+      text.refuse(r.line, "observer '" + r.name + "' would store " + std::to_string(samples * columns) +
                               " numbers: give output a larger 'every'");
   }
 }
 
 Scene read(const Text& text, const std::string& content, const std::string& folder) {
   if (content.size() > max_scene_bytes)
-    text.refuse(0, "is longer than a scene may be: " + std::to_string(max_scene_bytes) + " bytes");
-  if (content.find('\0') != std::string::npos) text.refuse(0, "is not text: it holds a zero byte");
+    text.refuse(0, "is longer than the limit of a scene: " + std::to_string(max_scene_bytes) + " bytes");
+  if (content.find('\0') != std::string::npos) text.refuse(0, "is not text: it contains a zero byte");
   if (const std::size_t bad = firstInvalidUtf8(content); bad < content.size())
     text.refuse(1 + int(std::count(content.begin(), content.begin() + long(bad), '\n')), "is not UTF-8");
   YAML::Node root;
   try {
     const auto documents = YAML::LoadAll(content);
     if (documents.size() > 1)
-      text.refuse(Text::lineOf(documents[1]), "holds several documents: a scene is one");
+      text.refuse(Text::lineOf(documents[1]), "contains several documents: a scene is one document");
     if (!documents.empty()) root = documents[0];
   } catch (const YAML::Exception& e) {
     text.refuse(e.mark.is_null() ? 0 : e.mark.line + 1, "is not YAML: " + e.msg);

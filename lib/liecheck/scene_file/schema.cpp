@@ -24,7 +24,7 @@ std::string keyed(const scene::PartInfo& info) {
   return escaped.empty() ? "none" : escaped;
 }
 
-/// A bar would end the cell.
+/// Escapes bars, since a bar would end the cell of the table.
 std::string cell(const char* text) {
   std::string escaped;
   for (; *text; ++text) escaped += *text == '|' ? std::string("\\|") : std::string(1, *text);
@@ -64,9 +64,9 @@ std::string sceneSchema() {
             (m.evaluations ? std::to_string(m.evaluations)
              : m.adaptive  ? "adaptive"
                            : "implicit") +
-            " | " + m.equation + (m.preserves_momentum ? "; keeps spatial momentum" : "") +
-            (m.preserves_energy ? "; energy without slope" : "") +
-            (m.lone_body_only ? "; a lone body only" : "") + " | " + m.source + " |\n";
+            " | " + m.equation + (m.preserves_momentum ? "; conserves spatial momentum" : "") +
+            (m.preserves_energy ? "; no energy drift" : "") +
+            (m.lone_body_only ? "; for a lone body only" : "") + " | " + m.source + " |\n";
   return text;
 }
 

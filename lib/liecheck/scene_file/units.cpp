@@ -11,7 +11,7 @@
 namespace liecheck {
 namespace {
 
-/// Twice the powers of m, kg, s, rad: sqrt(Hz) is s^(-1/2).
+/// Twice the powers of m, kg, s, rad. The factor 2 is for sqrt(Hz), which is s^(-1/2).
 using Dimension = std::array<int, 4>;
 struct Unit {
   double factor = 1;

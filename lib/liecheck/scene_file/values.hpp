@@ -9,7 +9,7 @@
 
 namespace liecheck::scene_file_detail {
 
-/// The scene file whose nodes are read; its messages begin with FILE:LINE.
+/// Reads the nodes of one scene file. Its messages begin with FILE:LINE.
 class Text {
  public:
   explicit Text(std::string file) : file_(std::move(file)) {}
@@ -21,14 +21,14 @@ class Text {
   static int lineOf(const YAML::Node& node);
   const std::string& file() const { return file_; }
 
-  /// Refuses a node that is not a map, a key that is not among `keys`, and a key twice. what: "integrator", for messages.
+  /// Refuses a node that is not a map, unknown keys and repeated keys. what names the node in messages.
   void checkKeys(const YAML::Node& node, const std::string& what, const std::vector<std::string>& keys) const;
   std::string word(const YAML::Node& node, const std::string& what) const;
   double number(const YAML::Node& node, const std::string& what, const std::string& unit,
                 scene::Kind kind = scene::Kind::Number) const;
   std::vector<double> numbers(const YAML::Node& node, const std::string& what, const std::string& unit,
                               int count = -1) const;
-  /// f(), with its std::invalid_argument and std::domain_error as a SceneError of this line.
+  /// Returns f(). Turns its std::invalid_argument and std::domain_error into a SceneError of this line.
   template <class F>
   auto at(int line, F f) const {
     try {
@@ -40,8 +40,8 @@ class Text {
     }
   }
 
-  /// The parameters of a part with its defaults. Keys in `others` are accepted and not read. Names of frames and joints
-  /// must be those of the model, where it is given.
+  /// The parameters of a part with its defaults. Keys in `others` are accepted but not read. If a model is
+  /// given, names of frames and joints must exist in it.
   scene::Parameters parameters(const YAML::Node& node, int line, const std::string& what,
                                const std::vector<scene::Key>& schema, const Model<double>* model,
                                const std::vector<std::string>& others = {}) const;
@@ -52,7 +52,7 @@ class Text {
   std::string file_;
 };
 
-/// ", the nearest are ..." of the names.
+/// nearestNames of multibody/nearest_names.hpp.
 std::string nearest(const std::string& wanted, const std::vector<std::string>& names);
 
 }  // namespace liecheck::scene_file_detail

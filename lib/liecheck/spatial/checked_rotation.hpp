@@ -1,5 +1,5 @@
 #pragma once
-// Checks of rotations from outside: numbers that are no rotation, up to rounding, are refused with the reason.
+// Checks of input rotations: numbers that are not a rotation up to rounding errors are refused.
 
 #include <liecheck/spatial/so3.hpp>
 #include <locale>
@@ -35,13 +35,13 @@ void refuseNonFinite(const char* what, const M& numbers) {
 
 }  // namespace checked_rotation_detail
 
-/// The rotation of the quaternion x y z w. Throws std::invalid_argument with the wrong value unless all are finite and
-/// ||Q|^2 - 1| <= normDefectBudget.
+/// The rotation of the quaternion x y z w. Throws std::invalid_argument with the wrong value unless all four
+/// numbers are finite and ||Q|^2 - 1| <= normDefectBudget.
 template <Scalar S>
 SO3<S> checkedQuaternion(const Vector4<S>& xyzw) {
   using checked_rotation_detail::refuse;
   checked_rotation_detail::refuseNonFinite<S>("quaternion", xyzw);
-  if (xyzw.isZero(S(0))) refuse<S>("quaternion: |Q|", S(0), "a zero quaternion is no rotation");
+  if (xyzw.isZero(S(0))) refuse<S>("quaternion: |Q|", S(0), "a zero quaternion is not a rotation");
   CompensatedSum<S> sum;
   for (int i = 0; i < 4; ++i) sum.add_product(xyzw[i], xyzw[i]);
   const S defect = sum.add(S(-1)).value();
@@ -50,8 +50,8 @@ SO3<S> checkedQuaternion(const Vector4<S>& xyzw) {
   return SO3<S>(xyzw);
 }
 
-/// R itself [3 x 3]. Throws std::invalid_argument with the wrong value unless R is finite, |R^T R - I| (Frobenius) <=
-/// normDefectBudget and det R > 0.
+/// Returns R [3 x 3]. Throws std::invalid_argument with the wrong value unless R is finite, |R^T R - I|
+/// (Frobenius) <= normDefectBudget and det R > 0.
 template <Scalar S>
 Matrix3<S> checkedRotation(const Matrix3<S>& R) {
   using checked_rotation_detail::refuse;
@@ -70,7 +70,7 @@ Matrix3<S> checkedRotation(const Matrix3<S>& R) {
     refuse<S>("rotation matrix: |R^T R - I|", defect, "not 0 up to 8 eps: take the nearest rotation first");
   const S determinant = R.col(0).dot(cross<S>(R.col(1), R.col(2)));
   if (!(determinant > S(0)))
-    refuse<S>("rotation matrix: determinant", determinant, "a reflection is no rotation");
+    refuse<S>("rotation matrix: determinant", determinant, "a reflection is not a rotation");
   return R;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Where a Precision is acted on: the same formula in S, or in double words and rounded once.
+// Evaluates a formula in S, or for tight precision in double words with one final rounding.
 
 #include <liecheck/scalar/double_word.hpp>
 #include <liecheck/scalar/precision.hpp>
@@ -48,8 +48,8 @@ bool finite(const SE3<S>& X) {
 }  // namespace evaluate_detail
 
 /// formula(Arithmetic<S, P>(), arguments...) for fast and standard precision. In tight precision the arguments become
-/// double words, the formula is evaluated in WIDE precision of those, and the result is rounded once; where a product
-/// overflows in double words, a few binades before the result does, the formula is evaluated in S.
+/// double words, the formula is evaluated with precision WIDE, and the result is rounded once. Products of
+/// double words overflow a few binades before the result does; the formula is then evaluated in S.
 template <Scalar S, Precision P, Precision WIDE = Precision::fast, class F, class... A>
 [[gnu::always_inline]] inline auto evaluate(F formula, const A&... arguments) {
   if constexpr (P == Precision::tight) {

@@ -5,8 +5,8 @@
 //   (Murray, Li & Sastry 1994, eq. 2.36), with the Stumpff coefficients of stumpff.hpp.
 //
 // Domain: every finite rotation vector and every rotation. For |phi| <= pi the stated bounds are absolute for
-// rotations and relative for vectors, down to subnormal angles; beyond pi they are multiplied by the condition
-// number (excess rule). exp has no branch below pi. log returns |phi| <= pi; at exactly pi either sign of the axis.
+// rotations and relative for vectors, down to subnormal angles. Beyond pi they are multiplied by the
+// condition number (excess rule). log returns |phi| <= pi; at exactly pi the axis has either sign.
 
 #include <liecheck/scalar/stumpff.hpp>
 #include <liecheck/spatial/evaluate.hpp>
@@ -18,7 +18,7 @@ namespace liecheck {
 
 namespace exp_log_detail {
 
-/// J(phi) rho from the coefficients k of phi. Error 3.5 eps of the result for |phi| <= pi.
+/// J(phi) rho, given the coefficients k of phi. Error 3.5 eps of the result for |phi| <= pi.
 template <Scalar S, Precision P>
 [[gnu::always_inline]] inline Vector3<S> arc(const RotationCoefficients<S, Vector3<S>, P>& k,
                                              const Vector3<S>& rho) {
@@ -40,7 +40,8 @@ template <Scalar S>
                  mul_add(v[2], x, S(-s[1])), mul_add(v[1], z, s[0]), S(1) - (xx + yy));
 }
 
-/// exp [phi] = I + k1 [a] + k2 [a]^2 for |phi| <= pi; beyond, where a is a rounded unit vector, by the quaternion.
+/// exp [phi] = I + k1 [a] + k2 [a]^2. For |phi| > pi the quaternion is used, since a is a rounded unit
+/// vector.
 template <Scalar S, Precision P>
 [[gnu::always_inline]] inline Matrix3<S> matrix(const RotationCoefficients<S, Vector3<S>, P>& k) {
   if (!k.within_pi)
@@ -48,7 +49,7 @@ template <Scalar S, Precision P>
   return quadratic<S>(k.axis, k.k1, k.k2);
 }
 
-/// f(exp(rho, phi)).
+/// Returns f(exp(rho, phi)).
 template <Scalar S, Precision P, class F>
 [[gnu::always_inline]] inline auto with_pose(const Vector3<S>& rho, const Vector3<S>& phi, F f) {
   return with_coefficients<S, P>(
@@ -66,7 +67,7 @@ struct RotationLogarithm {
       : RotationLogarithm(Q, Q.template normExcessDoubleWord<P>()) {}
   [[gnu::always_inline]] explicit RotationLogarithm(const typename SO3<S>::DoubleWords& Q)
       : RotationLogarithm(Q, Q.high.template normExcessDoubleWord<P>()) {}
-  /// From v = sine + sine_low and w = cosine >= 0, with |Q|^2 = 1 + excess.
+  /// The quaternion is v = sine + sine_low, w = cosine >= 0, with |Q|^2 = 1 + excess.
   [[gnu::always_inline]] RotationLogarithm(const Vector3<S>& sine, const Vector3<S>& sine_low,
                                            const DoubleWord<S>& cosine, const DoubleWord<S>& excess)
       : v(sine), c(dot<S>(v, v), cosine, excess) {
@@ -75,10 +76,10 @@ struct RotationLogarithm {
     });
   }
 
-  /// rho = J^-1(phi) p = p - 1/2 phi x p + (1 - alpha) n x (n x p), alpha = (theta/2) cot(theta/2), n = v/|v|: the part of
-  /// p along the axis is not changed. Error 3 eps |rho|, that of phi included.
+  /// rho = J^-1(phi) p = p - 1/2 phi x p + (1 - alpha) n x (n x p), with alpha = (theta/2) cot(theta/2) and
+  /// n = v/|v|. The part of p along the axis is unchanged. Error 3 eps |rho|, including the error of phi.
   [[gnu::always_inline]] Vector3<S> arc(const Vector3<S>& p) const {
-    // phi = ratio v before it is rounded.
+    // phi is replaced by ratio v, with the unrounded ratio.
     const Vector3<S> v_p = cross<S>(v, p), v_v_p = cross<S>(v, v_p);
     const DoubleWord<S> minus_half(c.ratio.high / S(-2), c.ratio.low / S(-2));
     return each<S>([&](int i) {
@@ -96,7 +97,7 @@ struct RotationLogarithm {
       : RotationLogarithm(vector_part(Q.high, Q.high.to_vector()), vector_part(Q.high, Q.low),
                           DoubleWord<S>(absolute<S>(Q.high.w()), S(sign<S>(Q.high.w()) * Q.low[3])),
                           DoubleWord<S>(excess.high, S(excess.low + S(2) * Q.high.to_vector().dot(Q.low)))) {}
-  /// sgn(w) (q_0, q_1, q_2), w the scalar part of Q: of Q and -Q the one with a positive scalar part is used.
+  /// sgn(w) (q_0, q_1, q_2), where w is the scalar part of Q. This selects Q or -Q such that w >= 0.
   [[gnu::always_inline]] static Vector3<S> vector_part(const SO3<S>& Q, const Vector4<S>& q) {
     return each<S>([&q, s = sign<S>(Q.w())](int i) { return S(s * q[i]); });
   }
@@ -167,8 +168,8 @@ Matrix3<S> exp3(const Vector3<S>& phi) {
       phi);
 }
 
-/// phi [3, rad] of the rotation nearest to R, for |R^T R - I| <= 8 eps. Error 3 eps relative; in fast precision, which
-/// uses R as it is, |R^T R - I| more.
+/// phi [3, rad] of the rotation nearest to R, for |R^T R - I| <= 8 eps. Relative error 3 eps. Fast precision
+/// does not orthogonalise R, which adds |R^T R - I| to the error.
 template <Scalar S, Precision P = Precision::standard>
 Vector3<S> log3(const Matrix3<S>& R) {
   return evaluate<S, P, Precision::standard>(

@@ -67,8 +67,8 @@ class Inertia {
     return (mass_ * u_C.squaredNorm() + rotational) / S(2);
   }
 
-  /// The inertia of the two bodies rigidly joined, in the same frame.
-  /// c = (m1 c1 + m2 c2)/m,  I_C = I1 + I2 + (m1 m2/m)(|d|^2 I - d d^T), d = c1 - c2 (parallel axes, once).
+  /// The inertia of two rigidly joined bodies, in the same frame:
+  /// c = (m1 c1 + m2 c2)/m,  I_C = I1 + I2 + (m1 m2/m)(|d|^2 I - d d^T), d = c1 - c2 (parallel-axis theorem).
   Inertia operator+(const Inertia& o) const {
     const S mass = mass_ + o.mass_;
     if (mass == S(0)) return Inertia(S(0), Vector3<S>::Zero(), Matrix3<S>(inertia_ + o.inertia_));
@@ -77,8 +77,9 @@ class Inertia {
     return Inertia(mass, c, offset.inertiaAboutOrigin());
   }
 
-  /// Could a real body have this inertia? Finite, m > 0, I_C symmetric, principal moments >= 0 and none larger than the
-  /// sum of the other two; each up to 16 eps of the largest moment, the rounding error of the eigenvalues.
+  /// True if a real body can have this inertia: finite numbers, m > 0, I_C symmetric, principal moments >= 0,
+  /// none larger than the sum of the other two. The tolerance is 16 eps of the largest entry, the rounding
+  /// error of the eigenvalues.
   bool isValid() const {
     if (!(mass_ > S(0)) || !finite(mass_) || !lever_.allFinite() || !inertia_.allFinite()) return false;
     const S scale = inertia_.cwiseAbs().maxCoeff();

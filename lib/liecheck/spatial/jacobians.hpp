@@ -10,11 +10,11 @@
 //          J_l^-1 = [ J_l^-1(phi)  Qi ; 0  J_l^-1(phi) ],
 //                   Qi = dJ_l^-1 along rho = -1/2 [rho] + d ([phi][rho] + [rho][phi]) + d2 (phi . rho) [phi]^2
 //
-// with g = c3 - 2 c4, h = c4 - 3 c5, d and d2 of stumpff.hpp: the coupling block is the directional derivative
-// of the rotation block along rho, because (phi + e rho) with e^2 = 0 is the twist as a dual vector.
-// (Barfoot & Furgale 2014, eq. 102, is the same Q written with nested products.)
+// with g = c3 - 2 c4, h = c4 - 3 c5; stumpff.hpp defines d and d2. The coupling block is the directional
+// derivative of the rotation block along rho, because (phi + e rho) with e^2 = 0 is the twist as a dual
+// vector. (Barfoot & Furgale 2014, eq. 102, is the same Q written with nested products.)
 //
-// Error: each 3 x 3 block 6 eps of its Frobenius norm for |phi| <= pi; beyond, by the excess rule.
+// Error of each 3 x 3 block: 6 eps of its Frobenius norm for |phi| <= pi; beyond pi the excess rule applies.
 
 #include <liecheck/scalar/stumpff.hpp>
 #include <liecheck/spatial/exp_log.hpp>
@@ -35,8 +35,7 @@ template <Scalar S>
                  yz + t[0], S(-2) * (xx + yy));
 }
 
-/// Coefficients of the rotation block and of its derivative along rho, scaled to the axis a = phi / t as in
-/// RotationCoefficients: those of J_l, and those of its inverse.
+/// Coefficients of the blocks of J_l or J_l^-1, for the axis a = phi / t of RotationCoefficients.
 template <Scalar S, Precision P>
 struct BlockCoefficients {
   Vector3<S> axis;
@@ -77,7 +76,7 @@ struct BlockCoefficients {
     b.r0 = S(-1) / S(2);
     b.r1 = b.b2 / k.theta;
     b.r2 = S(0);
-    // 2 d' theta^3 of d = (1 - (theta/2) cot(theta/2)) / theta^2.
+    // 2 d' theta^3, where d = (1 - (theta/2) cot(theta/2)) / theta^2.
     b.r3 = k.theta / S(4) / (k.sine_half * k.sine_half) + cot / S(2) - S(2) / k.theta;
     return b;
   }
@@ -99,13 +98,13 @@ struct BlockCoefficients {
   }
 };
 
-/// f(coefficients of J_l(phi)).
+/// Returns f(coefficients of J_l(phi)).
 template <Scalar S, Precision P, class F>
 [[gnu::always_inline]] inline auto with_left_jacobian(const Vector3<S>& phi, F f) {
   return with_coefficients<S, P>(
       phi, [&f](const auto& k) __attribute__((always_inline)) { return f(BlockCoefficients<S, P>::of(k)); });
 }
-/// f(coefficients of J_l^-1(phi)); the rare |phi| > pi is compiled apart.
+/// Returns f(coefficients of J_l^-1(phi)). The rare |phi| > pi is compiled as a separate function.
 template <Scalar S, Precision P, class F>
 [[gnu::noinline, gnu::cold]] auto with_left_inverse_beyond_pi(const Vector3<S>& phi, const S& x, F f) {
   return f(BlockCoefficients<S, P>::inverseBeyondPi(phi, x));

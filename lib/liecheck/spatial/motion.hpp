@@ -1,6 +1,6 @@
 #pragma once
 // Motion: a spatial velocity V_AB_E = (u, omega), linear part first, at a reference point, in a frame's axes
-// [m/s, rad/s]; also a twist increment [m, rad].
+// [m/s, rad/s]. The same class holds a twist increment [m, rad].
 
 #include <liecheck/spatial/types.hpp>
 

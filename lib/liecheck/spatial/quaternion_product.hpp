@@ -1,6 +1,6 @@
 #pragma once
-// The product of quaternions x y z w, its terms summed in double words. All four numbers are computed at once where
-// the target has a register for them, else one after another.
+// The product of quaternions x y z w, with terms summed in double words. All four numbers are computed at
+// once if they fit one register of the target, otherwise one after another.
 
 #include <liecheck/scalar/compensated.hpp>
 #include <liecheck/scalar/simd.hpp>
@@ -8,19 +8,19 @@
 
 namespace liecheck {
 
-/// A quaternion x y z w, or a vector with a fourth number beside it.
+/// A quaternion x y z w, or a vector padded with a fourth number.
 template <Scalar S>
 using Quad = Simd<S, 4>;
-/// Does a Quad fit one vector register? Then a few more operations on it cost little.
+/// True if a Quad fits one vector register. A few more operations on it then cost little.
 template <Scalar S>
 inline constexpr bool one_register = Quad<S>::in_register;
 
-/// The numbers of a Quad that a formula computes: all four, or number N alone (`by_lane`).
+/// Selects the numbers of a Quad that a formula computes: all four, or number N alone (see by_lane).
 struct AllLanes {};
 template <int N>
 struct OneLane {};
 
-/// (q_I, q_J, q_K, q_L); `pick`: of that, what `lane` names.
+/// permute returns (q_I, q_J, q_K, q_L). pick returns the lanes of this result that its argument selects.
 template <int I, int J, int K, int L, class Q>
 [[gnu::always_inline]] inline Q permute(const Q& q) {
   if constexpr (Q::in_register)
@@ -47,8 +47,8 @@ template <int N, class Q, int BITS, Precision P>
   return SplitFactor<S, BITS, P>::of(c.value.v[N], c.high.v[N], c.low.v[N]);
 }
 
-/// (q_I, q_J, q_K, q_L) as split factors: split at a fixed place, at that of sigma, and the double words q + low at that
-/// of sigma.
+/// (q_I, q_J, q_K, q_L) as split factors. Without sigma they are split at a fixed digit, with sigma at its
+/// last digit. With low, the double words q + low are split.
 template <Precision P, int I, int J, int K, int L, class Lanes, class Q>
 [[gnu::always_inline]] inline auto split_lanes(Lanes lane, const Q& q) {
   const auto a = pick<I, J, K, L>(lane, q);
@@ -65,14 +65,14 @@ template <Precision P, int I, int J, int K, int L, class Lanes, class Q>
   return SplitFactor<std::remove_cvref_t<decltype(a)>, 1, P>(a, pick<I, J, K, L>(lane, low),
                                                              pick<0, 1, 2, 3>(lane, sigma));
 }
-/// A sum of products, 0 as yet, of the numbers that `lane` names.
+/// An empty sum of products, for the numbers that `lane` selects.
 template <Precision P, class Lanes, class Q>
 [[gnu::always_inline]] inline auto empty_sum(Lanes lane, const Q& q) {
   return SplitDot<std::remove_cvref_t<decltype(pick<0, 1, 2, 3>(lane, q))>, 1, P>();
 }
 
-/// f(lane), a SplitDot, for all four numbers: at once where they share a register, else one after another, so that few
-/// numbers are in use at a time.
+/// Computes f(lane), a SplitDot, for all four numbers: at once if they fit one register, otherwise one after
+/// another, so that few registers are in use at a time.
 template <Scalar S, Precision P, class F>
 [[gnu::always_inline]] inline SplitDot<Quad<S>, 1, P> by_lane(F f) {
   if constexpr (one_register<S>) {

@@ -3,8 +3,7 @@
 //
 //   x_A = R_AB x_B,   R(Q) = I + 2 (w [v] + [v]^2) / |Q|^2
 //
-// A stored quaternion stands for the rotation of Q/|Q|, so a norm that is 1 up to rounding costs no accuracy. Q and -Q
-// are one rotation.
+// Q represents the rotation of Q/|Q|, so an error of |Q| costs no accuracy. Q and -Q are the same rotation.
 
 #include <liecheck/scalar/compensated.hpp>
 #include <liecheck/scalar/stumpff.hpp>
@@ -18,7 +17,7 @@ class SO3 {
  public:
   /// Uninitialised: NaN in debug.
   SO3() { mark_uninitialised(q_); }
-  /// From x y z w, which is not normalised. Precondition: not zero.
+  /// Stores x y z w without normalising it. Precondition: not zero.
   explicit SO3(const Vector4<S>& xyzw) : q_(xyzw) {}
   SO3(const Vector3<S>& v, const S& w) : q_(v[0], v[1], v[2], w) {}
 
@@ -45,7 +44,7 @@ class SO3 {
   SO3 inverse() const { return SO3(Vector4<S>(-q_[0], -q_[1], -q_[2], q_[3])); }
   SO3 operator-() const { return SO3(Vector4<S>(-q_)); }
 
-  /// Quaternion product, R_AC = R_AB R_BC. Error 1.5 eps in each component, times |Q_AB||Q_BC|.
+  /// Quaternion product, R_AC = R_AB R_BC. Error 1.5 eps |Q_AB||Q_BC| in each component.
   SO3 operator*(const SO3& o) const {
     const S &x1 = q_[0], &y1 = q_[1], &z1 = q_[2], &w1 = q_[3];
     const S &x2 = o.q_[0], &y2 = o.q_[1], &z2 = o.q_[2], &w2 = o.q_[3];
@@ -54,7 +53,7 @@ class SO3 {
                    (w1 * z2 + z1 * w2) + (x1 * y2 - y1 * x2), (w1 * w2 - x1 * x2) - (y1 * y2 + z1 * z2)));
   }
 
-  /// R p [3, unit of p], the vector part of (Q p) Q* / |Q|^2: neither product is longer than p. Error 1 eps |p|.
+  /// R p [3, unit of p], the vector part of (Q p) Q* / |Q|^2. Error 1 eps |p|.
   template <Precision P = Precision::standard>
   [[gnu::always_inline]] Vector3<S> act(const Vector3<S>& p) const {
     const S bound = norm1<S>(p);
@@ -69,18 +68,18 @@ class SO3 {
     return inverse().template act<P>(p);
   }
 
-  /// R p of |p| <= bound. Error 1 eps of bound. Precondition: splittable(bound).
+  /// R p for |p| <= bound. Error 1 eps of bound. Precondition: splittable(bound).
   template <Precision P>
   [[gnu::always_inline]] Vector3<S> actWithin(const Vector3<S>& p, const S& bound) const {
     return rotated<P>(numbers(), Quad<S>(p[0], p[1], p[2], S(0)), bound);
   }
-  /// R^T p, or R^T (p + p_low) of a double word; the fourth numbers are 0. Precondition: splittable(bound).
+  /// R^T p, or R^T (p + p_low) if p_low is given; the fourth numbers are 0. Precondition: splittable(bound).
   template <Precision P, class... Low>
   [[gnu::always_inline]] Vector3<S> actInvWithin(const Quad<S>& p, const S& bound,
                                                  const Low&... p_low) const {
     return rotated<P>(conjugate(), p, bound, p_low...);
   }
-  /// Is the place where numbers up to `bound` are split finite? Else they are multiplied by scale_down() first.
+  /// True if numbers up to `bound` can be split without overflow. If not, scale them by scale_down() first.
   [[gnu::always_inline]] static bool splittable(const S& bound) {
     return finite<S>(S(bound * split_factor()));
   }
@@ -113,21 +112,22 @@ class SO3 {
     Vector4<S> low;
   };
 
-  /// The rotation nearest to R in the Frobenius norm, to first order in R^T R - I (one Newton step of the polar
-  /// factor, error O(|R^T R - I|^2)), by the largest of the four pivots (Shepperd 1978). The norm of the result is
-  /// arbitrary, in [1/2, 1]. Error, for |R^T R - I| <= 8 eps, 2 eps of the rotation, and 2 eps relative of its vector
-  /// part when the angle is small. In fast precision R is used as it is: |R^T R - I| is added to the error.
+  /// The rotation nearest to R in the Frobenius norm, to first order in R^T R - I: one Newton step of the
+  /// polar factor, error O(|R^T R - I|^2). The quaternion follows from the largest of the four pivots
+  /// (Shepperd 1978). Its norm is in [1/2, 1]. Error for |R^T R - I| <= 8 eps: 2 eps of the rotation, and 2
+  /// eps relative of its vector part if the angle is small. Fast precision omits the Newton step, which adds
+  /// |R^T R - I| to the error.
   template <Precision P = Precision::standard>
   static SO3 fromMatrix(const Matrix3<S>& R) {
     return doubleWordsFromMatrix<P>(R).high;
   }
-  /// The same before its last rounding.
+  /// The result of fromMatrix before its last rounding.
   template <Precision P = Precision::standard>
   static DoubleWords doubleWordsFromMatrix(const Matrix3<S>& R) {
     if constexpr (P == Precision::fast)
       return largestPivot<P>(R, Matrix3<S>(Matrix3<S>::Zero()), Vector3<S>(Vector3<S>::Zero()));
-    // Polar factor R (I - E/2), E = R^T R - I; C = -R E / 2 is the correction. Its antisymmetric part is
-    // formed from differences R_ii - R_jj so that it vanishes with the angle, as the exact one does.
+    // The polar factor is R (I - E/2) = R + C with E = R^T R - I and C = -R E / 2. The antisymmetric part of
+    // C is formed from differences R_ii - R_jj, so that it vanishes with the angle as the exact one does.
     using Factor = SplitFactor<S, 1, P>;
     const Factor column[3][3] = {
         {R(0, 0), R(1, 0), R(2, 0)}, {R(0, 1), R(1, 1), R(2, 1)}, {R(0, 2), R(1, 2), R(2, 2)}};
@@ -157,7 +157,7 @@ class SO3 {
     using std::ldexp;
     return S(ldexp(S(1), std::numeric_limits<S>::digits / 2 + 1));
   }
-  /// The first three numbers of x (of the double words x + x_low) rotated by Q.
+  /// The first three numbers of x, or of x + x_low if x_low is given, rotated by Q.
   template <Precision P, class... Low>
   [[gnu::always_inline]] Vector3<S> rotated(const Quad<S>& Q, const Quad<S>& x, const S& bound,
                                             const Low&... x_low) const {
@@ -182,7 +182,7 @@ class SO3 {
     const Quad<S> result = r.high + mul_add(Quad<S>(correction), r.high, r.low());
     return Vector3<S>(result.v[0], result.v[1], result.v[2]);
   }
-  /// The quaternion of R + C by the largest pivot; C is small, c = (C_32 - C_23, ...) its antisymmetric part.
+  /// The quaternion of R + C by the largest pivot; c = (C_32 - C_23, ...) is the antisymmetric part of C.
   template <Precision P>
   [[gnu::always_inline]] static DoubleWords largestPivot(const Matrix3<S>& R, const Matrix3<S>& C,
                                                          const Vector3<S>& c) {
@@ -211,7 +211,7 @@ class SO3 {
     constexpr int J = (I + 1) % 3, K = (I + 2) % 3;
     return entry<P>(R(K, J), S(-R(J, K)), c[I]);
   }
-  /// By 4 w^2 = 1 + tr R.
+  /// Uses 4 w^2 = 1 + tr R as the pivot.
   template <Precision P>
   [[gnu::always_inline]] static DoubleWords scalarPivot(const Matrix3<S>& R, const Matrix3<S>& C,
                                                         const Vector3<S>& c) {
@@ -220,7 +220,7 @@ class SO3 {
                w = pivotEntry<P>(R(0, 0), R(1, 1), R(2, 2), S(C(0, 0) + C(1, 1) + C(2, 2)));
     return quarter(x, y, z, w);
   }
-  /// By 4 v_I^2 = 1 + R_II - R_JJ - R_KK, the largest: 4 v_I (v_J, v_K, w) from the other entries.
+  /// Uses 4 v_I^2 = 1 + R_II - R_JJ - R_KK as the pivot; the other entries give 4 v_I (v_J, v_K, w).
   template <Precision P, int I>
   [[gnu::always_inline]] static DoubleWords vectorPivot(const Matrix3<S>& R, const Matrix3<S>& C,
                                                         const Vector3<S>& c) {
@@ -230,7 +230,7 @@ class SO3 {
     v[J] = entry<P>(R(I, J), R(J, I), S(C(I, J) + C(J, I)));
     v[K] = entry<P>(R(I, K), R(K, I), S(C(I, K) + C(K, I)));
     const auto w = antisymmetricEntry<P, I>(R, c);
-    // Below it, w may be all rounding error of C, or R's distance from a rotation.
+    // If |w| < least, w may be nothing but the rounding error of C, or R's distance from a rotation.
     const S least = P == Precision::fast ? S(64) * eps<S>() : S(1024) * eps<S>() * eps<S>();
     if constexpr (!side_by_side<S>)
       if (absolute<S>(w.high) < least) [[unlikely]]
@@ -244,14 +244,15 @@ class SO3 {
     return {SO3(Vector4<S>(q * x.high, q * y.high, q * z.high, q * w.high)),
             Vector4<S>(q * x.low, q * y.low, q * z.low, q * w.low)};
   }
-  /// The rotation nearest to R near theta = pi, from an approximation v of its axis. It is the eigenvector (v, w) of the
-  /// largest eigenvalue, 3 here, of Davenport's matrix [R + R^T - tr(R) I, a; a^T, tr R], a = (R_32 - R_23, ...)
-  /// (Davenport 1968; Markley & Mortari 2000): so (3 - tr R) w = a . v, tr R = -1, and w has the sign of a . v however
-  /// small it is. The next two eigenvalues are -1: one step of the power method, v += (R + R^T - tr(R) I) v, leaves an
-  /// error of eps in v; with v in double words, w is lost only where a is perpendicular to v up to eps^2.
+  /// The rotation nearest to R near theta = pi, given an approximation v of its axis. The quaternion (v, w)
+  /// is an eigenvector of Davenport's matrix [R + R^T - tr(R) I, a; a^T, tr R], a = (R_32 - R_23, ...), for
+  /// its largest eigenvalue, which is 3 (Davenport 1968; Markley & Mortari 2000). Hence (3 - tr R) w = a . v
+  /// with tr R = -1, and w has the sign of a . v, even if it is tiny. The next two eigenvalues are -1, so one
+  /// step of the power method, v += (R + R^T - tr(R) I) v, reduces the error of v to eps. With v in double
+  /// words, w loses its sign only if a is perpendicular to v up to eps^2.
   [[gnu::noinline, gnu::cold]] static SO3 nearPi(const Matrix3<S>& R, Vector3<S> v) {
     v /= S(2) * S(v.cwiseAbs().maxCoeff());
-    Eigen::Matrix<S, 12, 1> entries, factors;  // of a . v, v in double words
+    Eigen::Matrix<S, 12, 1> entries, factors;  // a . v with v in double words is entries . factors
     Vector3<S> high;
     for (int i = 0; i < 3; ++i) {
       CompensatedSum<S> sum;
@@ -267,7 +268,7 @@ class SO3 {
     }
     return SO3(Vector3<S>(high / S(4)), exact_dot<S, 12>(entries, factors) / S(16));
   }
-  /// 2 / |Q|^2, rounded twice: its error is common to all entries, so it would change the length of what is rotated.
+  /// 2 / |Q|^2, rounded only twice, since its error would change the length of every rotated vector.
   [[gnu::always_inline]] S scale() const { return S(2) / (S(1) + normExcess<>()); }
 
   Vector4<S> q_;

@@ -1,5 +1,5 @@
 #pragma once
-// Vectors and matrices, and the small products that are written entry by entry. Notation: see the README.
+// Vectors and matrices, and small products that are written entry by entry. The README explains the notation.
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -25,7 +25,7 @@ using Matrix6 = Eigen::Matrix<S, 6, 6>;
 template <class S>
 using MatrixX = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
 
-/// Sets m to NaN in debug builds, so that using a value that was never set shows; does nothing otherwise.
+/// Sets m to NaN in debug builds, so that the use of an unset value is visible. Release builds do nothing.
 template <class Derived>
 void mark_uninitialised([[maybe_unused]] Eigen::MatrixBase<Derived>& m) {
 #ifndef NDEBUG
@@ -88,7 +88,7 @@ template <class S>
                  entry(2, 1), entry(2, 2));
 }
 
-/// a x b, each component one fused difference of products where the target has FMA: error 1.5 eps |a||b|.
+/// a x b. With FMA each component is a fused difference of products. Error 1.5 eps |a||b|.
 template <class S>
 [[gnu::always_inline]] inline Vector3<S> cross(const Vector3<S>& a, const Vector3<S>& b) {
   return Vector3<S>(mul_add(a[1], b[2], S(-(a[2] * b[1]))), mul_add(a[2], b[0], S(-(a[0] * b[2]))),

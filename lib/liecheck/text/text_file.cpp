@@ -29,7 +29,7 @@ std::string readTextFile(const std::string& path, std::size_t max_bytes) {
     if (size == text.size()) text.resize(std::min(2 * size, max_bytes + 1));
   }
   if (std::ferror(file.get())) refuse(std::strerror(errno));
-  if (pipe && size == 0) refuse("a pipe, and nobody writes to it");
+  if (pipe && size == 0) refuse("a pipe without a writer");
   text.resize(size);
   return text;
 }

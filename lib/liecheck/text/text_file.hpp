@@ -7,15 +7,15 @@
 
 namespace liecheck {
 
-/// A file that cannot be read. what() says why, `cannot be opened (No such file or directory)`.
+/// A file that cannot be read. what() says why, for example `cannot be opened (No such file or directory)`.
 struct FileError : std::runtime_error {
   std::string problem, value;
   FileError(const std::string& problem, const std::string& value)
       : std::runtime_error(problem + " (" + value + ")"), problem(problem), value(value) {}
 };
 
-/// The bytes of a regular file, or of a pipe with a writer, which is opened and read once; max_bytes + 1 of them where it
-/// is longer. Throws FileError.
+/// The bytes of a regular file, or of a pipe with a writer. The file is opened and read once. If it is longer
+/// than max_bytes, the first max_bytes + 1 bytes are returned. Throws FileError.
 std::string readTextFile(const std::string& path, std::size_t max_bytes);
 
 }  // namespace liecheck

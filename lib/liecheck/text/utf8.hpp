@@ -1,5 +1,5 @@
 #pragma once
-// Is a text UTF-8?
+// Checks whether a text is UTF-8.
 
 #include <cstddef>
 #include <string_view>

@@ -8,8 +8,8 @@ namespace {
 
 using tinyxml2::XMLAttribute, tinyxml2::XMLElement;
 
-/// An attribute that holds `count` numbers. Only elements below link, joint and material are checked: extensions of
-/// other programs may use the same names otherwise.
+/// An attribute that holds `count` numbers. Only elements below link, joint and material are checked, since
+/// extensions of other programs may use the same names elsewhere.
 struct NumericAttribute {
   std::string_view element, attribute;
   int count;
@@ -63,7 +63,7 @@ void check(const XMLElement& e, const NumericAttribute& n, const Messages& messa
   for (const XMLAttribute* a = e.FirstAttribute(); a; a = a->Next()) {
     if (a->Name() != n.attribute) continue;
     const auto values = numbersIn(a->Value());
-    if (!values) refuse(a->GetLineNum(), " is not finite numbers", a->Value());
+    if (!values) refuse(a->GetLineNum(), " does not hold finite numbers", a->Value());
     if (int(values->size()) != n.count)
       refuse(a->GetLineNum(),
              " has " + std::to_string(values->size()) + " numbers, not " + std::to_string(n.count),

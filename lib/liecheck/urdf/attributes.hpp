@@ -11,15 +11,15 @@
 
 namespace liecheck::urdf_detail {
 
-/// The numbers in a text, separated by white space, in C notation whatever the locale; nothing if one of them is not a
-/// number, not finite, or outside the range of double.
+/// The numbers in a text, separated by white space, in C notation whatever the locale. The result is empty if
+/// one of them is not a number, not finite, or outside the range of double.
 std::optional<std::vector<double>> numbersIn(std::string_view text);
 
 /// Checks the numeric attributes of all elements below e: throws UrdfError if one that URDF requires is missing, or if
 /// one does not hold the right count of finite numbers.
 void checkNumbersBelow(const tinyxml2::XMLElement& e, const Messages& messages);
 
-/// An attribute of e, which checkNumbersBelow has checked; fallback where it is missing.
+/// An attribute of e, which checkNumbersBelow has checked; returns fallback if the attribute is missing.
 double number(const tinyxml2::XMLElement& e, const char* attribute, double fallback = 0);
 Vector3<double> vector(const tinyxml2::XMLElement& e, const char* attribute,
                        const Vector3<double>& fallback = Vector3<double>::Zero());

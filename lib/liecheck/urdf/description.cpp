@@ -15,8 +15,7 @@ namespace {
 
 using tinyxml2::XMLDocument, tinyxml2::XMLElement, tinyxml2::XMLNode;
 
-/// <origin> of an element: p = xyz [m], R = R_z(yaw) R_y(pitch) R_x(roll) of rpy [rad], as the quaternion that urdfdom
-/// makes of it, to the last bit.
+/// The <origin> of an element: p = xyz [m], R = R_z(yaw) R_y(pitch) R_x(roll), rpy [rad], exactly as urdfdom.
 SE3<double> origin(const XMLElement& of) {
   const XMLElement* e = of.FirstChildElement("origin");
   if (!e) return SE3<double>::Identity();
@@ -97,7 +96,8 @@ class Reader {
     }
   }
 
-  /// At the centre of mass, in the axes of the inertial. Mass >= 0; moments that no body has are noted.
+  /// The inertia at the centre of mass, in the axes of <inertial>. Refuses a negative mass; moments that no
+  /// body can have are recorded in unphysical_links.
   Inertia<double> body(const XMLElement& inertial, const std::string& link_name) {
     const XMLElement &mass = *inertial.FirstChildElement("mass"),
                      &inertia = *inertial.FirstChildElement("inertia");
@@ -127,7 +127,7 @@ class Reader {
     joint.line = e.GetLineNum();
     if (joint_name == "universe" ||
         (joint_name == "root_joint" && (options_.root_joint || options_.root == RootJoint::FreeFlyer)))
-      refuse(joint.line, "a joint has the name that the model's own root has", joint_name);
+      refuse(joint.line, "this joint name is reserved for the model's root", joint_name);
     joint.type = type(e, joint_text);
     checkNumbersBelow(e, messages_);
     joint.X_PJ = origin(e);
@@ -186,12 +186,11 @@ class Reader {
              std::to_string(lower) + " > " + std::to_string(upper));
     if (joint.type == JointType::Continuous && lower != upper)
       messages_.warn(limit->GetLineNum(),
-                     joint_text + " has position limits, which a continuous joint has no use for",
+                     joint_text + " has position limits, which a continuous joint ignores",
                      std::to_string(lower) + " " + std::to_string(upper));
   }
 
-  /// Warns of the elements that a planar or floating joint ignores. A planar joint moves in its x y plane whatever its
-  /// axis.
+  /// Warns of elements that a planar or floating joint ignores. A planar joint always moves in its x y plane.
   void unused(const XMLElement& e, const std::string& joint_text, JointType type) const {
     const XMLElement* axis = e.FirstChildElement("axis");
     const std::string xyz = axis ? axis->Attribute("xyz") : "none, so 1 0 0";
@@ -232,7 +231,7 @@ class Reader {
     return link_name;
   }
 
-  /// One root, every link reached from it.
+  /// Checks that there is one root, and that every link is connected to it.
   void tree() {
     for (const auto& [joint_name, joint] : robot_.joints)
       robot_.joints_below[joint.parent].push_back(joint_name);
@@ -268,7 +267,7 @@ class Reader {
   Messages& messages_;
   Description robot_;
   std::map<std::string, int> material_line_;
-  std::map<std::string, std::string> parent_joint_;  // of a link
+  std::map<std::string, std::string> parent_joint_;  // by link
   std::vector<MimicLine> mimics_;
 };
 
@@ -282,8 +281,8 @@ Description describe(const std::string& text, const UrdfOptions& options, Messag
   document.Parse(text.data(), text.size());
   if (const tinyxml2::XMLError error = document.ErrorID()) {
     const char* why =
-        error == tinyxml2::XML_ERROR_MISMATCHED_ELEMENT  ? "an element that nothing of its name closes"
-        : error == tinyxml2::XML_ERROR_PARSING_ATTRIBUTE ? "an attribute without a value, or twice"
+        error == tinyxml2::XML_ERROR_MISMATCHED_ELEMENT  ? "an element without a closing tag of its name"
+        : error == tinyxml2::XML_ERROR_PARSING_ATTRIBUTE ? "an attribute without a value, or given twice"
                                                          : document.ErrorName();
     messages.refuse(std::max(document.ErrorLineNum(), 1), "malformed XML, or cut off", why);
   }

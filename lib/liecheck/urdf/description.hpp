@@ -1,5 +1,5 @@
 #pragma once
-// The links and joints that a URDF text describes, checked: everything wrong with them is a UrdfError with its line.
+// Reads and checks the links and joints of a URDF text. Every error in them is a UrdfError with its line.
 
 #include <liecheck/spatial/inertia.hpp>
 #include <liecheck/spatial/se3.hpp>
@@ -12,7 +12,7 @@
 
 namespace liecheck::urdf_detail {
 
-/// Inertias are printed with few digits: with three of them, a moment errs by this part of the largest moment.
+/// Allowed error of a printed inertia, relative to the largest moment: URDFs often print only three digits.
 constexpr double printed_inertia_slack = 1e-3;
 
 enum class JointType { Fixed, Revolute, Continuous, Prismatic, Planar, Floating };
@@ -30,9 +30,9 @@ struct JointDescription {
   };
   int line = 0;
   JointType type = JointType::Fixed;
-  std::string parent, child;  ///< the links that it connects
-  SE3<double> X_PJ;           ///< <origin>, in the parent link
-  Vector3<double> axis;       ///< any length but zero where the type has one coordinate
+  std::string parent, child;  ///< the links that the joint connects
+  SE3<double> X_PJ;           ///< <origin>, in the frame of the parent link
+  Vector3<double> axis;       ///< not normalised; not zero if the type has one coordinate
   std::optional<Limit> limit;
   std::optional<Dynamics> dynamics;
   std::optional<Mimic> mimic;
@@ -44,13 +44,13 @@ struct LinkDescription {
 };
 
 struct Description {
-  /// The inertia of a link that no body has: an error unless the bodies that the link is fixed to make up for it.
+  /// A link whose inertia no body can have: an error unless the sum with the links fixed to it is valid.
   struct UnphysicalLink {
     std::string link;
     int line;
     std::string what, value;
   };
-  std::string name, root;  ///< of the robot; the root link
+  std::string name, root;  ///< names of the robot and of its root link
   int line = 0;
   std::map<std::string, LinkDescription> links;
   std::map<std::string, JointDescription> joints;
@@ -58,8 +58,7 @@ struct Description {
   std::vector<UnphysicalLink> unphysical_links;
 };
 
-/// Throws UrdfError unless text is one well-formed robot: a tree of named links, joints of supported types, numbers that
-/// are finite, masses >= 0.
+/// Throws UrdfError unless text is one valid robot.
 Description describe(const std::string& text, const UrdfOptions& options, Messages& messages);
 
 }  // namespace liecheck::urdf_detail

@@ -7,8 +7,8 @@
 
 namespace liecheck {
 
-/// A robot that cannot be read. what() is one line, `FILE:LINE: what (value)`, or `FILE: what (value)` and line() 0
-/// where no line is at fault; a long value is cut to 80 bytes.
+/// A robot that cannot be read. what() is one line, `FILE:LINE: what (value)`. If no line is at fault, what()
+/// is `FILE: what (value)` and line() is 0. A long value is cut to 80 bytes.
 class UrdfError : public std::runtime_error {
  public:
   UrdfError(const std::string& file, int line, const std::string& what, const std::string& value);

@@ -12,16 +12,16 @@ enum class RootJoint {
   FreeFlyer  ///< by a free-flyer named "root_joint", joint 1
 };
 
-/// What becomes of a joint with <mimic>.
+/// How a joint with <mimic> is modelled.
 enum class MimicJoints {
-  Independent,  ///< a joint of its own, as in Pinocchio; a warning says so
-  Tied          ///< a Mimic, without numbers in q and v
+  Independent,  ///< as an independent joint, as in Pinocchio; adds a warning
+  Tied          ///< as a Mimic, without numbers in q and v
 };
 
 struct UrdfOptions {
   RootJoint root = RootJoint::Fixed;
   std::optional<Joint<double>> root_joint =
-      {};  ///< replaces root by any other joint, also named "root_joint"
+      {};  ///< any other joint instead of `root`, also named "root_joint"
   MimicJoints mimic = MimicJoints::Independent;
   bool strict = false;  ///< a warning is an error
 };

@@ -14,7 +14,7 @@ Mimic<double>::Moved oneDof(const JointDescription& joint) {
   return Revolute<double>(joint.axis);
 }
 
-/// The joint of the model; the primary of a tied mimic must be in the model already.
+/// The joint of the model. The primary of a tied mimic must already be in the model.
 Joint<double> modelJoint(const JointDescription& joint, const Model<double>& model, bool tied) {
   if (tied)
     return Mimic<double>(oneDof(joint), model.getJointId(joint.mimic->primary), joint.mimic->multiplier,
@@ -36,7 +36,7 @@ Joint<double> modelJoint(const JointDescription& joint, const Model<double>& mod
   throw std::logic_error("a fixed joint is not a joint of the model");
 }
 
-/// The limits and the friction of a joint with one degree of freedom.
+/// Sets the limits, damping and friction of a joint with one degree of freedom.
 void setLimits(Model<double>& model, const JointDescription& joint, int index) {
   if (model.nvs[std::size_t(index)] != 1) return;
   const int v = model.idx_vs[std::size_t(index)], q = model.idx_qs[std::size_t(index)];
@@ -68,7 +68,7 @@ class ModelBuilder {
   }
 
  private:
-  /// The joints below the root link, depth first, those of a link in alphabetical order; without recursion.
+  /// Adds the joints below the root link, depth first, and in alphabetical order for each link.
   void addTree(int root_frame) {
     std::vector<std::pair<std::string, int>> todo;  // a joint, and the BODY frame of its parent link
     const auto push = [&](const std::string& link, int frame) {
@@ -113,27 +113,28 @@ class ModelBuilder {
     };
     if (name == primary) refuse("itself");
     if (model_.existFrame(primary, FrameType::FIXED_JOINT)) refuse("a joint that does not move");
-    if (index == model_.njoints) refuse("a joint that comes later, depth first and by the alphabet");
+    if (index == model_.njoints) refuse("a joint that comes later (depth first, in alphabetical order)");
     if (std::holds_alternative<Mimic<double>>(model_.joints[std::size_t(index)]))
       refuse("a joint that is a mimic itself");
-    if (model_.nvs[std::size_t(index)] != 1) refuse("a joint that has not one coordinate");
+    if (model_.nvs[std::size_t(index)] != 1)
+      refuse("a joint that does not have exactly one degree of freedom");
   }
 
-  /// Inertias as the joints carry them: those that no body has are errors at the link at fault, joints without mass
-  /// are warnings.
+  /// Checks the total inertia of the links fixed to each joint. An inertia that no body can have is an error
+  /// at the link at fault; a joint without mass is a warning.
   void checkBodies() {
     for (const auto& [link, line, what, value] : robot_.unphysical_links) {
       const int joint = model_.frames[std::size_t(model_.getFrameId(link, FrameType::BODY))].parentJoint;
       if (!whyUnphysical(model_.inertias[std::size_t(joint)], urdf_detail::printed_inertia_slack).empty())
         messages_.refuse(line, what, value);
-      messages_.warn(line, what + "; what it is fixed to makes up for it", value);
+      messages_.warn(line, what + "; the sum with the links fixed to it is valid", value);
     }
     for (int i = 1; i < model_.njoints; ++i) {
       if (model_.inertias[std::size_t(i)].mass() > 0) continue;
       const std::string& name = model_.names[std::size_t(i)];
       const auto joint = robot_.joints.find(name);
       messages_.warn(joint == robot_.joints.end() ? robot_.line : joint->second.line,
-                     "the link of a moving joint, and what is fixed to it, has no mass", name);
+                     "the link of a moving joint and the links fixed to it have no mass", name);
     }
   }
 
@@ -161,7 +162,7 @@ std::string readUrdf(const std::string& path) {
   try {
     std::string text = readTextFile(path, max_urdf_bytes);
     if (text.size() > max_urdf_bytes)
-      throw FileError("longer than a URDF may be", std::to_string(max_urdf_bytes) + " bytes");
+      throw FileError("larger than the limit for a URDF", std::to_string(max_urdf_bytes) + " bytes");
     return text;
   } catch (const FileError& e) {
     throw UrdfError(path, 0, e.problem, e.value);

@@ -3,15 +3,15 @@
 //
 // The joints below a link are visited in alphabetical order of their names, depth first. A revolute, continuous,
 // prismatic, planar or floating joint becomes a joint of the model, with a JOINT frame of its name and a BODY frame named
-// after its child link; a fixed joint becomes a FIXED_JOINT frame and a BODY frame, and the inertia of its child link is
-// added to the joint that supports it. Limits, damping and friction are stored in the model; a continuous joint has no
-// position limits, and without <limit> no effort and velocity limits either. Geometry is not read and packages are not
-// searched for.
+// after its child link. A fixed joint becomes a FIXED_JOINT frame and a BODY frame, and the inertia of its
+// child link is added to the joint that supports it. Limits, damping and friction are stored in the model. A
+// continuous joint has no position limits; without <limit> it has no effort and velocity limits either.
+// Geometry and packages are not read.
 //
-// The text is parsed once, by TinyXML-2, and not by urdfdom: that would be a second parser behind the same checks, since
-// urdfdom reports errors without a line, on a logger of the whole process, and where a number of an <inertial> ends in
-// white space it continues with a link without mass. Trees and numbers are urdfdom's to the last bit, as
-// tests/lib/urdfdom_test.cpp checks; the one difference is that any white space may surround a number.
+// The text is parsed by TinyXML-2, not by urdfdom. urdfdom reports errors without a line, on a logger of the
+// whole process. If a number of an <inertial> ends in white space, it continues with a link without mass.
+// Trees and numbers are those of urdfdom to the last bit, as tests/lib/urdfdom_test.cpp checks. The only
+// difference is that any white space may surround a number.
 
 #include <liecheck/multibody/model.hpp>
 #include <liecheck/urdf/error.hpp>
@@ -22,9 +22,9 @@
 namespace liecheck {
 
 /// A robot and its warnings, one line each: `FILE:LINE: what (value)`. There are warnings for axes, limits, damping and
-/// friction that a joint's type does not use, for mimic joints that are treated as independent, for links with an inertia
-/// that no body has (an error unless the bodies that they are fixed to make up for it), and for joints that carry no
-/// mass, for which aba may throw SingularInertia.
+/// friction that a joint's type does not use, and for mimic joints that are treated as independent. A link
+/// with an inertia that no body can have is a warning if the sum with the links fixed to it is valid,
+/// otherwise an error. A joint that carries no mass is a warning; aba may then throw SingularInertia.
 struct UrdfRobot {
   Model<double> model;
   std::vector<std::string> warnings;
@@ -33,18 +33,17 @@ struct UrdfRobot {
 /// The largest size of a URDF text, 64 MiB: a thousand times that of a humanoid.
 constexpr std::size_t max_urdf_bytes = std::size_t(64) << 20;
 
-/// The text of a URDF file, which is opened and read once: a regular file, or a pipe with a writer.
-/// Throws UrdfError.
+/// The text of a URDF file, read once. It may be a regular file, or a pipe with a writer. Throws UrdfError.
 std::string readUrdf(const std::string& path);
 
 /// The robot of a URDF file. Throws UrdfError.
 UrdfRobot loadUrdf(const std::string& path, const UrdfOptions& options = {});
 
-/// The robot of a URDF text; source_name stands for FILE in messages. Throws UrdfError.
+/// The robot of a URDF text; messages show source_name as FILE. Throws UrdfError.
 UrdfRobot loadUrdfText(const std::string& text, const UrdfOptions& options = {},
                        const std::string& source_name = "URDF text");
 
-/// The same without the warnings.
+/// The model of loadUrdf or loadUrdfText, without the warnings.
 Model<double> buildModelFromUrdf(const std::string& path, RootJoint root = RootJoint::Fixed);
 Model<double> buildModelFromUrdfText(const std::string& text, RootJoint root = RootJoint::Fixed,
                                      const std::string& source_name = "URDF text");

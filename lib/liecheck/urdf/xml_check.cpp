@@ -7,10 +7,10 @@ namespace liecheck::urdf_detail {
 
 namespace {
 
-/// One pass over the tags, without recursion; comments, declarations and quoted '>' are skipped. Refuses what TinyXML-2
-/// accepts or recurses on: elements nested deeper than max_element_depth, closing tags without an opening one (TinyXML-2
-/// ignores all that follows), text outside the root element, attribute values without quotes, and markup that does not
-/// end.
+/// Checks the tags in one pass without recursion, and skips comments, declarations and quoted '>'. It refuses
+/// what TinyXML-2 accepts or recurses on: elements nested deeper than max_element_depth, closing tags without
+/// an opening tag (TinyXML-2 ignores all that follows), text outside the root element, attribute values
+/// without quotes, and markup that does not end.
 class TagCheck {
  public:
   TagCheck(const std::string& text, const Messages& messages) : text_(text), messages_(messages) {}
@@ -49,7 +49,7 @@ class TagCheck {
     const std::size_t declarations = std::min(text_.find('[', at_), text_.size());
     if (declarations < text_.find('>', at_)) {
       advance(declarations);
-      refuse("a DOCTYPE with declarations of its own (entities) is not supported",
+      refuse("a DOCTYPE with declarations (entities) is not supported",
              text_.substr(declarations, text_.find('>', declarations) - declarations));
     }
     skipPast(">", "a declaration");
@@ -83,7 +83,7 @@ class TagCheck {
     }
     if (end >= text_.size() || text_[end] != '>') refuse("malformed XML, or cut off", "a tag does not end");
     if (text_[at_ + 1] == '/') {
-      if (--depth_ < 0) refuse("an element is closed that was not opened", text_.substr(at_, end + 1 - at_));
+      if (--depth_ < 0) refuse("a closing tag without an opening tag", text_.substr(at_, end + 1 - at_));
     } else if (text_[end - 1] != '/' && ++depth_ > max_element_depth) {
       refuse("elements nested too deep", "more than " + std::to_string(max_element_depth));
     }

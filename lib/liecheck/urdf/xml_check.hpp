@@ -1,17 +1,16 @@
 #pragma once
-// Checks of an XML text that come before its parser, which recurses and is lenient.
+// Checks an XML text before it is parsed, since the parser recurses and is lenient.
 
 #include <liecheck/urdf/error.hpp>
 #include <string>
 
 namespace liecheck::urdf_detail {
 
-/// The deepest nesting of elements that is read; a robot needs seven. The parser recurses, so that deeper text could
-/// overflow the stack.
+/// Limit of the nesting of elements, since the parser recurses on the stack. A robot needs seven levels.
 constexpr int max_element_depth = 64;
 
-/// Throws UrdfError unless text is UTF-8 without zero bytes, and its tags end, nest no deeper than
-/// max_element_depth and close what they opened.
+/// Throws UrdfError unless text is UTF-8 without zero bytes, every tag ends and every closing tag has an
+/// opening tag, and the nesting is at most max_element_depth.
 void checkXml(const std::string& text, const Messages& messages);
 
 }  // namespace liecheck::urdf_detail

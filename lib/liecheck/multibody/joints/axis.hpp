@@ -10,7 +10,7 @@ namespace liecheck {
 template <Scalar S>
 class Axis {
  public:
-  /// direction [3] of any length but zero; coordinate axes stay exact. Throws std::invalid_argument for others.
+  /// Normalises direction [3]; coordinate axes stay exact. Throws std::invalid_argument for 0, inf and NaN.
   explicit Axis(const Vector3<S>& direction) : unit_(direction) {
     if (!direction.allFinite() || direction.isZero(S(0)))
       throw std::invalid_argument("the axis of a joint must be finite and not zero");
@@ -25,7 +25,7 @@ class Axis {
 
   const Vector3<S>& to_vector() const { return unit_; }
 
-  /// "X", "Y" or "Z" for exactly those unit vectors, else empty. -X is not aligned: its joint rotates the other way.
+  /// "X", "Y" or "Z" for exactly these unit vectors, otherwise empty, also for -X, -Y and -Z.
   std::string aligned() const {
     return coordinate_ < 0 || unit_[coordinate_] < S(0) ? std::string() : std::string(1, "XYZ"[coordinate_]);
   }
@@ -35,8 +35,8 @@ class Axis {
     return letter.empty() ? unaligned : prefix + letter;
   }
 
-  /// R_PJ R(a, theta) of cos theta and sin theta, R(a, theta) = c I + s [a] + (1 - c) a a^T (Rodrigues 1840).
-  /// About +-X, +-Y and +-Z one column of R_PJ is not changed. Error 3 eps.
+  /// R_PJ R(a, theta), where c = cos theta, s = sin theta and R(a, theta) = c I + s [a] + (1 - c) a a^T
+  /// (Rodrigues 1840). A rotation about +-X, +-Y or +-Z leaves one column of R_PJ unchanged. Error 3 eps.
   [[gnu::always_inline]] Matrix3<S> rotated(const Matrix3<S>& R_PJ, const S& c, const S& s) const {
     switch (coordinate_) {
       case 0:
@@ -49,19 +49,19 @@ class Axis {
     return product<S>(R_PJ, rotation(c, s));
   }
 
-  /// R a, the axis in the axes of R.
+  /// The axis rotated by R.
   [[gnu::always_inline]] Vector3<S> in(const Matrix3<S>& R) const {
     if (coordinate_ >= 0) return each<S>([&](int i) { return S(unit_[coordinate_] * R(i, coordinate_)); });
     return product<S>(R, unit_);
   }
 
-  /// The same numbers converted to T, and not normalised again.
+  /// The axis converted to T. It is not normalised again.
   template <Scalar T>
   Axis<T> cast() const {
     return typename Axis<T>::Unit{Vector3<T>(unit_.template cast<T>())};
   }
 
-  /// A vector that is normalised already.
+  /// A vector that is already normalised.
   struct Unit {
     Vector3<S> vector;
   };
@@ -92,7 +92,7 @@ class Axis {
   }
 
   Vector3<S> unit_;
-  int coordinate_ = -1;  ///< unit = +-e_coordinate; -1 where the axis is along no coordinate axis
+  int coordinate_ = -1;  ///< unit_ = +-e_coordinate, or -1 if the axis is along no coordinate axis
 };
 
 }  // namespace liecheck

@@ -1,10 +1,11 @@
 #pragma once
-// A continuous joint, a rotation about an axis without limits: q = (cos, sin) of the angle, v [rad/s]. nq = 2, nv = 1.
+// A continuous joint: an unlimited rotation about an axis. q = (cos, sin) of the angle, v [rad/s]; nq 2, nv
+// 1.
 //
 //   integrate(u, a) = (c cos a - s sin a, s cos a + c sin a)
 //   difference(u0, u1) = atan2(u0 x u1, u0 . u1)
 //
-// Domain: finite u with ||u|^2 - 1| <= d, which stands for the angle of u/|u|.
+// Domain: finite u with ||u|^2 - 1| <= d. u represents the angle of u/|u|.
 
 #include <liecheck/multibody/joints/revolute.hpp>
 #include <liecheck/multibody/se3_configuration.hpp>
@@ -37,7 +38,7 @@ struct Continuous {
   }
   static S normDefect(const Configuration& u) { return u.squaredNorm() - S(1); }
 
-  /// Error of the angle 2 eps absolute, for any delta; norm 3 eps + 3/4 d^2.
+  /// Absolute error of the angle 2 eps for any delta; error of the norm 3 eps + 3/4 d^2.
   static Configuration integrate(const Configuration& u, const Tangent& delta) {
     using std::cos, std::sin;
     const S c = cos(delta[0]), s = sin(delta[0]);
@@ -45,8 +46,8 @@ struct Continuous {
         Configuration(u[0] * c - u[1] * s, u[1] * c + u[0] * s));
   }
 
-  /// The angle from u0 to u1 in [-pi, pi]; for opposite u0 and u1 it is pi or -pi. Error 3 eps relative at any distance:
-  /// u0 x u1 is computed as u0 x (u1 - u0), by compensated summation where that cancels too.
+  /// The angle from u0 to u1 in [-pi, pi]; for opposite u0 and u1 it is pi or -pi. Relative error 3 eps for
+  /// any angle: u0 x u1 is computed as u0 x (u1 - u0), by compensated summation if that cancels too.
   static Tangent difference(const Configuration& u0, const Configuration& u1) {
     using std::atan2;
     const Configuration d = u1 - u0;

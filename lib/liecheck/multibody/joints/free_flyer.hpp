@@ -1,6 +1,6 @@
 #pragma once
-// A free-flyer, a body that moves freely: q = [p; x y z w], v = (u, omega) in the body's axes. nq = 7, nv = 6. Formulas
-// and error bounds: se3_configuration.hpp.
+// A free-flyer is a body that moves freely: q = [p; x y z w], v = (u, omega) in the body's axes. nq = 7,
+// nv = 6. Formulas and error bounds: se3_configuration.hpp.
 
 #include <algorithm>
 #include <liecheck/multibody/norm.hpp>

@@ -1,5 +1,5 @@
 #pragma once
-// A helical joint: a rotation about an axis by q [rad] and a translation along it by pitch q, pitch [m/rad]. nq = nv = 1.
+// A helical joint: rotation about an axis by q [rad] and translation along it by pitch q [m]. nq = nv = 1.
 
 #include <liecheck/multibody/joints/revolute.hpp>
 
@@ -9,7 +9,7 @@ template <Scalar S>
 struct Helical : LinearCoordinates<S, 1> {
   Axis<S> axis;
   S pitch;
-  /// pitch [m/rad], not m per revolution. Throws std::invalid_argument where it is not finite.
+  /// pitch [m/rad], not m per revolution. Throws std::invalid_argument if pitch is not finite.
   Helical(const Axis<S>& unit_axis, const S& pitch) : axis(unit_axis), pitch(pitch) {
     if (!finite<S>(pitch)) throw std::invalid_argument("the pitch of a helical joint must be finite");
   }

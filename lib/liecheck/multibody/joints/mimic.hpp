@@ -1,10 +1,10 @@
 #pragma once
-// A mimic joint: it has no numbers of its own and follows another joint, its primary, by
+// A mimic joint has no numbers in q and v. Its position x follows the position y of its primary joint:
 //
-//   x = multiplier y + offset,  y the primary's coordinate [rad or m],  so  S_mimic = multiplier S(x)
+//   x = multiplier y + offset [rad or m],  so  S_mimic = multiplier S(x)
 //
-// and its generalised force, times the multiplier, is added to the primary's. y of a continuous primary is
-// atan2(sin, cos): unless the multiplier is an integer, the mimic jumps where the primary passes the angle pi.
+// The mimic's generalised force, times the multiplier, is added to the primary's. For a continuous primary,
+// y = atan2(sin, cos): unless the multiplier is an integer, the mimic jumps when the primary passes pi.
 
 #include <liecheck/multibody/joints/helical.hpp>
 #include <liecheck/multibody/joints/prismatic.hpp>
@@ -28,7 +28,7 @@ struct Mimic : LinearCoordinates<S, 0> {
       throw std::invalid_argument("the multiplier and the offset of a mimic joint must be finite");
   }
 
-  /// X_PJ times the pose at x = multiplier y + offset, y the primary's coordinate.
+  /// X_PJ times the pose at x = multiplier y + offset.
   SE3<S> transform(const SE3<S>& X_PJ, const Vector1<S>& y) const {
     const Vector1<S> x(S(multiplier * y[0] + offset));
     return std::visit([&](const auto& joint) { return joint.transform(X_PJ, x); }, moved);

@@ -1,7 +1,7 @@
 #pragma once
 // A planar joint: translations and rotations in the x y plane of the parent. q = [x y, cos sin] of the angle,
-// v = (u_x, u_y, omega_z) in the child's axes [m/s, rad/s]. nq = 4, nv = 3. It is SE(2), the subgroup of SE(3) with
-// p_z = 0 and rotations about z; formulas and bounds are those of exp_log.hpp and jacobians.hpp.
+// v = (u_x, u_y, omega_z) in the child's axes [m/s, rad/s]. nq = 4, nv = 3. The configuration space is SE(2),
+// a subgroup of SE(3). Formulas and bounds are those of exp_log.hpp and jacobians.hpp.
 
 #include <liecheck/multibody/joints/continuous.hpp>
 #include <liecheck/multibody/norm.hpp>

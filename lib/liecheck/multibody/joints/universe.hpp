@@ -1,5 +1,5 @@
 #pragma once
-// The universe, joint 0: it is fixed to the world and has no numbers in q.
+// The universe is joint 0. It is fixed to the world and has no numbers in q.
 
 #include <liecheck/multibody/joints/linear_coordinates.hpp>
 #include <liecheck/spatial/se3.hpp>

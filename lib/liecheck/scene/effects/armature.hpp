@@ -1,5 +1,5 @@
 #pragma once
-// Rotor inertia reflected through a gear, on the diagonal of M.
+// Inertia of the motors, as seen at the output of their gears: it is added to the diagonal of M.
 
 #include <liecheck/scene/effects/coordinates.hpp>
 
@@ -9,8 +9,8 @@ inline const PartInfo armature_info{
     "armature",
     "M += diag(I_m)",
     "conserves: T += 1/2 I_m v^2",
-    "none: it is a constant of the articulated bodies",
-    {{"joints", Kind::Joints, "", "all", "which"},
+    "nothing: the articulated-body algorithm includes it",
+    {{"joints", Kind::Joints, "", "all", "which joints"},
      {"inertia", Kind::NotNegative, "kg m^2|kg", nullptr, "I_m at the joint"}}};
 
 template <Scalar S>

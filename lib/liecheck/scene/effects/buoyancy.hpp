@@ -1,5 +1,5 @@
 #pragma once
-// Buoyancy of a fully immersed body: a force against gravity at the centre of its volume.
+// Buoyancy of a fully immersed body: a force opposite to gravity, at the centre of the body's volume.
 
 #include <liecheck/scene/effects/coordinates.hpp>
 
@@ -10,10 +10,10 @@ inline const PartInfo buoyancy_info{
     "f = -rho V g at the frame's origin",
     "conserves: V = rho V g . p",
     "poses",
-    {{"frame", Kind::Frame, "", nullptr, "its origin is the centre of the volume"},
+    {{"frame", Kind::Frame, "", nullptr, "the frame whose origin is the centre of the volume"},
      {"volume", Kind::Positive, "m^3", nullptr, "V"},
      {"density", Kind::Positive, "kg/m^3", "1000", "rho of the fluid"},
-     {"acceleration", Kind::Vector, "m/s^2", "[0, 0, -9.81]", "g; the same as that of gravity"}}};
+     {"acceleration", Kind::Vector, "m/s^2", "[0, 0, -9.81]", "g; use the value of the effect gravity"}}};
 
 template <Scalar S>
 class Buoyancy final : public Effect<S> {

@@ -1,5 +1,5 @@
 #pragma once
-// Constant actuation.
+// A constant generalised force at joints.
 
 #include <liecheck/scene/effects/coordinates.hpp>
 
@@ -8,9 +8,10 @@ namespace liecheck::scene {
 inline const PartInfo constant_force_info{
     "constant",
     "tau += tau_0",
-    "adds or takes: power tau_0 v",
+    "adds or removes: power tau_0 v",
     "an addition for each coordinate",
-    {{"joints", Kind::Joints, "", "all", "which"}, {"force", Kind::Number, "N m|N", nullptr, "tau_0"}}};
+    {{"joints", Kind::Joints, "", "all", "which joints"},
+     {"force", Kind::Number, "N m|N", nullptr, "tau_0"}}};
 
 template <Scalar S>
 class ConstantForce final : public Effect<S> {

@@ -1,5 +1,6 @@
 #pragma once
-// Compliant contact of points with the ground, a plane z = height: Hunt and Crossley (1975), friction regularised.
+// Compliant contact of points with the ground z = height: Hunt and Crossley (1975), with regularised
+// friction.
 //
 //   x = height - z,  f_n = k x (1 + c x_dot)_+,  f_t = -mu f_n u_t / sqrt(|u_t|^2 + v_s^2)
 //
@@ -13,9 +14,9 @@ namespace liecheck::scene {
 inline const PartInfo contact_info{
     "contact",
     "f_n = k x (1 + c x_dot)_+,  f_t = -mu f_n u_t / sqrt(|u_t|^2 + v_s^2),  x = depth below the ground",
-    "conserves with c = mu = 0: V = 1/2 k x^2; takes else",
-    "velocities; a comparison for each point, a root for each that touches",
-    {{"frames", Kind::Frames, "", nullptr, "their origins are the points"},
+    "conserves with c = mu = 0: V = 1/2 k x^2; otherwise dissipates",
+    "velocities; a comparison for each point, a square root for each point in contact",
+    {{"frames", Kind::Frames, "", nullptr, "the frames whose origins are the contact points"},
      {"stiffness", Kind::Positive, "N/m", nullptr, "k"},
      {"dissipation", Kind::NotNegative, "s/m", "0", "c"},
      {"friction", Kind::NotNegative, "1", "0", "mu"},

@@ -1,18 +1,16 @@
 #pragma once
-// The coordinates and frames that effects act on.
-
 #include <liecheck/scene/effects/effect.hpp>
 
 namespace liecheck::scene {
 
-/// An index of v and the index of q whose rate it is; q = -1 where no single element of q has that rate (spherical,
-/// planar and continuous joints).
+/// An index in v, and the index of the element of q that has this rate. q is -1 if there is no such element
+/// (spherical, planar and continuous joints).
 struct Coordinate {
   int v, q;
 };
 
-/// The coordinates of the named joints; "all" is every joint but free-flyers and mimics. Throws std::invalid_argument
-/// where there are none.
+/// The coordinates of the named joints; "all" is every joint except free-flyers and mimics. Throws
+/// std::invalid_argument if there are none.
 template <Scalar S>
 std::vector<Coordinate> coordinates(const Model<S>& model, const std::vector<std::string>& names) {
   std::vector<Coordinate> all;
@@ -25,11 +23,11 @@ std::vector<Coordinate> coordinates(const Model<S>& model, const std::vector<std
   }
   if (all.empty())
     throw std::invalid_argument(
-        every ? "the robot has no joint that this could act on but a free-flyer, which must be named"
+        every ? "the robot has no joint that this can act on, except a free-flyer, which must be named"
               : "none of the joints named has a coordinate");
   return all;
 }
-/// Those whose position is one element of q. Throws std::invalid_argument where that of a named joint is not.
+/// The coordinates with a scalar position in q. Throws std::invalid_argument if a named joint lacks one.
 template <Scalar S>
 std::vector<Coordinate> positions(const Model<S>& model, const std::vector<std::string>& names) {
   std::vector<Coordinate> with;
@@ -47,7 +45,7 @@ std::vector<Coordinate> positions(const Model<S>& model, const std::vector<std::
   return with;
 }
 
-/// A frame of the robot as the joint that carries it and its placement X_JF.
+/// A frame of the robot, stored as the index of its joint and its pose X_JF in the joint's frame.
 template <Scalar S>
 struct Spot {
   std::size_t joint;
@@ -56,7 +54,7 @@ struct Spot {
       : Spot(model.frames[std::size_t(model.requireFrameId(frame))]) {}
 
   SE3<S> pose(const Now<S>& now) const { return now.X_WJ[joint] * X_JF; }
-  /// In the frame's axes, at its origin.
+  /// The frame's velocity, in its axes at its origin.
   Motion<S> velocity(const Now<S>& now) const { return X_JF.actInv(now.V[joint]); }
   /// Adds a force given in the frame's axes at its origin.
   void add(const Load<S>& load, const Force<S>& F_F) const { load.f[joint] = load.f[joint] + X_JF.act(F_F); }

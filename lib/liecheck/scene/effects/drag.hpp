@@ -1,5 +1,5 @@
 #pragma once
-// Drag of a fluid at rest, at a frame's origin.
+// Drag of a fluid at rest. It acts at a frame's origin.
 
 #include <liecheck/scene/effects/coordinates.hpp>
 
@@ -7,8 +7,8 @@ namespace liecheck::scene {
 
 inline const PartInfo drag_info{"drag",
                                 "f = -(c1 + c2 |u|) u,  n = -(k1 + k2 |omega|) omega",
-                                "takes: power -(c1 + c2 |u|) |u|^2 - (k1 + k2 |omega|) |omega|^2",
-                                "velocities; two roots",
+                                "dissipates: power -(c1 + c2 |u|) |u|^2 - (k1 + k2 |omega|) |omega|^2",
+                                "velocities; two square roots",
                                 {{"frame", Kind::Frame, "", nullptr, "where it acts"},
                                  {"linear", Kind::NotNegative, "N s/m", "0", "c1"},
                                  {"quadratic", Kind::NotNegative, "N s^2/m^2", "0", "c2 = 1/2 rho C_d A"},

@@ -1,9 +1,9 @@
 #pragma once
-// Effect: a force, or a constant of the equations of motion (gravity, armature). One file each; the list is
-// effects/registry.hpp.
+// Effect: a force, or a constant of the equations of motion (gravity, armature). effects/registry.hpp lists
+// all.
 //
-// An effect declares which kinematics it reads, so that a plan computes no others. An effect that the scene does not name
-// is not in the system: it costs no instruction and changes no bit.
+// An effect declares which kinematics it reads, so that a step computes no others. An effect that the scene
+// does not name is not in the system, so it costs no time and does not change the results.
 
 #include <liecheck/multibody/model.hpp>
 #include <liecheck/scene/parameters.hpp>
@@ -12,8 +12,8 @@
 
 namespace liecheck::scene {
 
-/// The state that effects and observers read: time [s], q [nq], v [nv], and, where needs() asks for them, poses X_WJ,
-/// velocities V and spatial accelerations A of the joints in their own axes [njoints].
+/// The state that effects and observers read: time [s], q [nq] and v [nv]. If needs() asks for them, also
+/// poses X_WJ, velocities V and spatial accelerations A of the joints, in the joint's axes [njoints].
 template <Scalar S>
 struct Now {
   S t;
@@ -22,8 +22,8 @@ struct Now {
   std::span<const Motion<S>> V, A;
 };
 
-/// The sum of forces that effects add to: generalised forces tau [nv; N, N m], and forces f on the bodies [njoints], each in
-/// its joint's axes at its origin.
+/// The sums to which effects add their forces: generalised forces tau [nv; N, N m], and forces f on the
+/// bodies [njoints], each in its joint's axes at the joint's origin.
 template <Scalar S>
 struct Load {
   std::span<S> tau;
@@ -39,16 +39,16 @@ class Effect {
   virtual ~Effect() = default;
   virtual Acts acts() const = 0;
   virtual Kinematics needs() const { return Kinematics::None; }
-  /// Does the force depend on velocities? Then a step that is implicit in the velocity iterates.
+  /// True if the force depends on velocities.
   virtual bool dependsOnVelocity() const { return false; }
-  /// Sets gravity or armature; of effects that act on the model.
+  /// Sets gravity or armature, for effects that act on the model.
   virtual void prepare(Model<S>&) const {}
   virtual void add(const Now<S>&, const Load<S>&) const {}
-  /// The potential energy [J] of its force; zero for a force without potential. Reads poses.
+  /// The potential energy [J] of the force; zero for a force without potential. Reads poses.
   virtual S potential(const Now<S>&) const { return S(0); }
 };
 
-/// The surroundings that effects share: the ground, if a scene has one.
+/// The surroundings that effects share: the ground, if the scene has one.
 struct Surroundings {
   bool ground = false;
   double height = 0;  ///< of the ground: the plane z = height [m]

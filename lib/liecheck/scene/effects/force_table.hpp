@@ -1,5 +1,5 @@
 #pragma once
-// Actuation by a table over time: linear interpolation between its rows, constant before the first and after the last.
+// Actuation by a table over time, with linear interpolation. Before and after it, the force is constant.
 
 #include <algorithm>
 #include <liecheck/scene/effects/coordinates.hpp>
@@ -8,9 +8,9 @@ namespace liecheck::scene {
 
 inline const PartInfo force_table_info{"table",
                                        "tau += tau_i + (t - t_i)/(t_(i+1) - t_i) (tau_(i+1) - tau_i)",
-                                       "adds or takes: power tau(t) v",
+                                       "adds or removes: power tau(t) v",
                                        "a search in the table",
-                                       {{"joints", Kind::Joints, "", "all", "which; each gets the same"},
+                                       {{"joints", Kind::Joints, "", "all", "joints with this force"},
                                         {"times", Kind::Times, "s", nullptr, "t_i, increasing"},
                                         {"forces", Kind::Numbers, "N m|N", nullptr, "tau_i"}}};
 

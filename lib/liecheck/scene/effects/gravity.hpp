@@ -1,5 +1,5 @@
 #pragma once
-// Gravity. It enters the equations of motion as a base that accelerates by -g, which needs no pass over the bodies.
+// Gravity. It is included by giving the base the acceleration -g, which needs no pass over the bodies.
 
 #include <liecheck/scene/effects/coordinates.hpp>
 
@@ -9,7 +9,7 @@ inline const PartInfo gravity_info{
     "gravity",
     "p_ddot += g",
     "conserves: V = -sum m g . c",
-    "lone body: R^T g; tree: none, the base accelerates",
+    "R^T g for a lone body; nothing for a tree, whose base accelerates",
     {{"acceleration", Kind::Vector, "m/s^2", "[0, 0, -9.81]", "g, in the world"}}};
 
 template <Scalar S>

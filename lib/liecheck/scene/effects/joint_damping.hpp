@@ -8,10 +8,10 @@ namespace liecheck::scene {
 inline const PartInfo joint_damping_info{
     "joint_damping",
     "tau -= d v",
-    "takes: power -d v^2",
+    "dissipates: power -d v^2",
     "a product for each coordinate",
-    {{"joints", Kind::Joints, "", "all", "which"},
-     {"coefficient", Kind::NotNegative, "N m s/rad|N s/m", "", "d; the URDF's if missing"}}};
+    {{"joints", Kind::Joints, "", "all", "which joints"},
+     {"coefficient", Kind::NotNegative, "N m s/rad|N s/m", "", "d; taken from the URDF if missing"}}};
 
 template <Scalar S>
 class JointDamping final : public Effect<S> {

@@ -8,11 +8,11 @@ namespace liecheck::scene {
 inline const PartInfo joint_friction_info{
     "joint_friction",
     "tau -= f v / sqrt(v^2 + v_s^2)",
-    "takes: power -f v^2 / sqrt(v^2 + v_s^2)",
-    "a root for each coordinate",
-    {{"joints", Kind::Joints, "", "all", "which"},
-     {"force", Kind::NotNegative, "N m|N", "", "f; the URDF's if missing"},
-     {"slip", Kind::Positive, "rad/s|m/s", "0.001", "v_s: a joint at rest creeps below it"}}};
+    "dissipates: power -f v^2 / sqrt(v^2 + v_s^2)",
+    "a square root for each coordinate",
+    {{"joints", Kind::Joints, "", "all", "which joints"},
+     {"force", Kind::NotNegative, "N m|N", "", "f; taken from the URDF if missing"},
+     {"slip", Kind::Positive, "rad/s|m/s", "0.001", "v_s: a joint at rest creeps at less than v_s"}}};
 
 template <Scalar S>
 class JointFriction final : public Effect<S> {

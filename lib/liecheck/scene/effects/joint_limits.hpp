@@ -1,5 +1,5 @@
 #pragma once
-// Position limits as Hunt-Crossley springs: they act beyond the limit and never pull.
+// Position limits as Hunt-Crossley springs. They act beyond the limit and never pull.
 
 #include <algorithm>
 #include <liecheck/scene/effects/coordinates.hpp>
@@ -9,9 +9,9 @@ namespace liecheck::scene {
 inline const PartInfo joint_limits_info{
     "joint_limits",
     "tau += k x (1 + c x_dot)_+ inwards, x = depth beyond the robot's position limit",
-    "conserves with c = 0: V = 1/2 k x^2; takes with c > 0",
+    "conserves with c = 0: V = 1/2 k x^2; dissipates with c > 0",
     "two comparisons for each coordinate that has limits",
-    {{"joints", Kind::Joints, "", "all", "which; they have one number as their position"},
+    {{"joints", Kind::Joints, "", "all", "which of the joints with a scalar position"},
      {"stiffness", Kind::Positive, "N m/rad|N/m", nullptr, "k"},
      {"dissipation", Kind::NotNegative, "s/rad|s/m", "0", "c of Hunt and Crossley (1975)"}}};
 
@@ -50,7 +50,7 @@ class JointLimits final : public Effect<S> {
     Coordinate at;
     S low, high;
   };
-  /// The force at depth x that grows at `rate`.
+  /// The force at depth x, where `rate` is the time derivative of x.
   S force(const S& x, const S& rate) const { return std::max(S(k_ * x * (S(1) + c_ * rate)), S(0)); }
   S k_, c_;
   std::vector<Limited> at_;

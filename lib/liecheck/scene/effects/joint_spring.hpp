@@ -10,7 +10,7 @@ inline const PartInfo joint_spring_info{
     "tau -= k (q - q_rest)",
     "conserves: V = 1/2 k (q - q_rest)^2",
     "a product for each coordinate",
-    {{"joints", Kind::Joints, "", "all", "which; they have one number as their position"},
+    {{"joints", Kind::Joints, "", "all", "which of the joints with a scalar position"},
      {"stiffness", Kind::NotNegative, "N m/rad|N/m", nullptr, "k"},
      {"rest", Kind::Number, "rad|m", "0", "q_rest"}}};
 

@@ -9,12 +9,12 @@ namespace liecheck::scene {
 inline const PartInfo pd_control_info{
     "pd",
     "tau += clamp(k (q_target - q) - d v, +- effort limit of the robot)",
-    "adds or takes",
+    "adds or removes",
     "two products for each coordinate",
-    {{"joints", Kind::Joints, "", "all", "which; they have one number as their position"},
+    {{"joints", Kind::Joints, "", "all", "which of the joints with a scalar position"},
      {"stiffness", Kind::NotNegative, "N m/rad|N/m", nullptr, "k"},
      {"damping", Kind::NotNegative, "N m s/rad|N s/m", nullptr, "d"},
-     {"target", Kind::Numbers, "rad|m", "[0]", "q_target: one for all, or one for each"}}};
+     {"target", Kind::Numbers, "rad|m", "[0]", "q_target: one for all coordinates, or one for each"}}};
 
 template <Scalar S>
 class PdControl final : public Effect<S> {

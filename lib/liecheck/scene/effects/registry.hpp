@@ -1,5 +1,5 @@
 #pragma once
-// The list of effects and of actuations. Adding one touches its file and this one.
+// The list of effects and actuations. A new one needs its own file and an entry here.
 
 #include <liecheck/scene/effects/armature.hpp>
 #include <liecheck/scene/effects/buoyancy.hpp>
@@ -66,7 +66,7 @@ const EffectEntry<S>& effectEntry(const std::string& name) {
       if (name == e.info->name) return e;
   throw std::invalid_argument("no effect is named '" + name + "'");
 }
-/// The effect of a request whose keys were checked. Throws std::invalid_argument where it does not fit the robot.
+/// The effect of a checked request. Throws std::invalid_argument if the effect does not fit the robot.
 template <Scalar S>
 std::shared_ptr<const Effect<S>> makeEffect(const Request& request, const Model<S>& model,
                                             const Surroundings& around) {

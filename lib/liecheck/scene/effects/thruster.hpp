@@ -14,9 +14,9 @@ inline const PartInfo thruster_info{
      {"thrust", Kind::Number, "N", nullptr, "T"},
      {"direction", Kind::Direction, "1", "[0, 0, 1]", "e, in the frame; any length but 0"},
      {"moment_ratio", Kind::Number, "m", "0",
-      "k: moment over thrust, > 0 where it turns the body counterclockwise"},
-     {"from", Kind::Number, "s", "", "when it begins; always there before, if missing"},
-     {"until", Kind::Number, "s", "", "when it ends; never, if missing"}}};
+      "k: moment divided by thrust, > 0 for a moment along e"},
+     {"from", Kind::Number, "s", "", "start time; without it, the force acts from the beginning"},
+     {"until", Kind::Number, "s", "", "end time; without it, the force never ends"}}};
 
 template <Scalar S>
 class Thruster final : public Effect<S> {

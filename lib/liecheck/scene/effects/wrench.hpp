@@ -8,14 +8,14 @@ namespace liecheck::scene {
 inline const PartInfo wrench_info{
     "wrench",
     "(f, n) at the frame's origin, from <= t < until",
-    "adds or takes: power f . u + n . omega",
-    "a force on one body; poses where its axes are the world's",
+    "adds or removes: power f . u + n . omega",
+    "a force on one body; poses if axes is world",
     {{"frame", Kind::Frame, "", nullptr, "where it acts"},
      {"force", Kind::Vector, "N", "[0, 0, 0]", "f"},
      {"moment", Kind::Vector, "N m", "[0, 0, 0]", "n about the frame's origin"},
-     {"axes", Kind::Choice, "frame|world", "frame", "whose axes f and n are in"},
-     {"from", Kind::Number, "s", "", "when it begins; always there before, if missing"},
-     {"until", Kind::Number, "s", "", "when it ends; never, if missing"}}};
+     {"axes", Kind::Choice, "frame|world", "frame", "the axes of f and n"},
+     {"from", Kind::Number, "s", "", "start time; without it, the force acts from the beginning"},
+     {"until", Kind::Number, "s", "", "end time; without it, the force never ends"}}};
 
 template <Scalar S>
 class Wrench final : public Effect<S> {

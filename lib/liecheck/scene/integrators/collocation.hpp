@@ -1,12 +1,13 @@
 #pragma once
-// Gauss collocation on the group: the implicit Runge-Kutta method of s Gauss points for the increment and the
-// velocity, in the same coordinates as munthe_kaas.hpp.
+// Gauss collocation on the group: the implicit Runge-Kutta method with s Gauss points for the increment and
+// the velocity, in the same coordinates as munthe_kaas.hpp.
 //
 //   delta_i = h sum_j a_ij K_j,  v_i = v0 + h sum_j a_ij A_j,  K_i = J_r^-1(delta_i) v_i,  A_i = a(q0 exp delta_i, v_i)
 //
-// Order 2 s (Butcher 1964, Implicit Runge-Kutta processes; Hairer, Lubich & Wanner 2006, II.1.3). With s = 1 it is the
-// implicit midpoint rule of the group, its own inverse under h -> -h. Solved by iteration, begun from the last step's
-// polynomial, until rounding stops it (ibid., VIII.6): it converges while h |da/d(q, v)| < 1 or so.
+// Order 2 s (Butcher 1964, Implicit Runge-Kutta processes; Hairer, Lubich & Wanner 2006, II.1.3). With s = 1
+// it is the implicit midpoint rule on the group. A fixed-point iteration solves the equations (ibid.,
+// VIII.6). It starts from the last step's polynomial, ends when rounding errors prevent progress, and
+// converges while h |da/d(q, v)| is below about 1.
 
 #include <algorithm>
 #include <array>
@@ -15,8 +16,8 @@
 
 namespace liecheck::scene {
 
-/// c_i, b_i, a_ij of s Gauss points on [0, 1], and e_ij that carries a polynomial through the points of one step to
-/// those of the next. Computed in double-double: half an ulp each.
+/// c_i, b_i, a_ij of s Gauss points on [0, 1]. e_ij extrapolates a polynomial through the points of one step
+/// to the points of the next step. All are computed in double words and accurate to half an ulp.
 template <Scalar S, int s>
 struct GaussPoints {
   std::array<S, s> c, b;
@@ -29,8 +30,7 @@ struct GaussPoints {
       using std::cos;
       T z(S(cos(pi<S>() * (S(i) + S(3) / S(4)) / (S(s) + S(1) / S(2)))));
       T slope(1);
-      for (int newton = 0; newton < 8;
-           ++newton) {  // root of the Legendre polynomial, from 3 digits: 6 iterations suffice
+      for (int newton = 0; newton < 8; ++newton) {  // root of the Legendre polynomial; 6 iterations suffice
         T p0(1), p1 = z;
         for (int n = 2; n <= s; ++n) {
           const T p2 = (T(2 * n - 1) * z * p1 - T(n - 1) * p0) / T(n);
@@ -52,7 +52,7 @@ struct GaussPoints {
     for (std::size_t i = 0; i < s; ++i) {
       c[i] = S(x[i]), b[i] = S(w[i]);
       for (std::size_t j = 0; j < s; ++j) {
-        T sum(0);  // the integral from 0 to c_i by the same points, which is exact
+        T sum(0);  // the integral from 0 to c_i; Gauss quadrature is exact
         for (std::size_t k = 0; k < s; ++k) sum += w[k] * lagrange(j, x[i] * x[k]);
         a[i][j] = S(x[i] * sum);
         e[i][j] = S(lagrange(j, T(1) + x[i]));
@@ -61,7 +61,7 @@ struct GaussPoints {
   }
 };
 
-/// I: a type with the method's info.
+/// I is a type with the method's info.
 template <System Sys, int s, class I>
 class Collocation final : public Method<Sys> {
  public:
@@ -97,8 +97,8 @@ class Collocation final : public Method<Sys> {
       if (change == S(0) || (change <= S(64) * eps<S>() * scale && !(change < before) && ++settled == 2))
         break;
       if (k == limit || !finite<S>(change))
-        throw StepFailed(std::string(I::info.name) + " finds no solution of its step in " +
-                         std::to_string(k + 1) + " iterations: take a smaller step");
+        throw StepFailed(std::string(I::info.name) + " did not converge in " + std::to_string(k + 1) +
+                         " iterations: take a smaller step");
       before = change;
     }
     sum(g.b, h, delta_, v_);

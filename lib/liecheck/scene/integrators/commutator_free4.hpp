@@ -4,7 +4,7 @@
 //   k1 = h v(q0),  k2 = h v(q0 e^(k1/2)),  k3 = h v(q0 e^(k2/2)),  k4 = h v(q0 e^(k1/2) e^(k3 - k1/2))
 //   q1 = q0 exp((3 k1 + 2 k2 + 2 k3 - k4)/12) exp((-k1 + 2 k2 + 2 k3 + 3 k4)/12)
 //
-// where v follows the classical Runge-Kutta method.
+// The velocity v follows the classical Runge-Kutta method.
 
 #include <liecheck/scene/integrators/method.hpp>
 

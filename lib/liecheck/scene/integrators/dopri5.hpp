@@ -1,11 +1,11 @@
 #pragma once
-// Adaptive steps by the embedded pair of Dormand and Prince, 5(4), on the group; the error is that of the tangent
-// increment and of the velocity.
+// Adaptive steps on the group by the embedded 5(4) pair of Dormand and Prince. The error estimate e covers
+// the tangent increment and the velocity.
 //
-//   e = h sum (b_i - b^_i) (K_i, A_i);  accepted where |e_delta| <= tolerance [m, rad] and |e_v| <= tolerance (1 + |v|),
-//   maximum norms;  next h = h clamp(0.9 |e|^(-1/5), 1/5, 5)
+//   e = h sum (b_i - b^_i) (K_i, A_i),  next h = h clamp(0.9 |e|^(-1/5), 1/5, 5),
+//   accepted if |e_delta| <= tolerance [m, rad] and |e_v| <= tolerance (1 + |v|), in maximum norms
 //
-// step(h) advances by exactly h, in any number of steps of its own. Order 5.
+// step(h) advances by exactly h, in as many internal steps as the tolerance requires. Order 5.
 
 #include <liecheck/scene/integrators/munthe_kaas.hpp>
 #include <optional>
@@ -38,7 +38,7 @@ class Dopri5 final : public Method<Sys> {
                                    false,
                                    false,
                                    false,
-                                   "embedded 5(4) for (delta, v), the error on the tangent",
+                                   "embedded 5(4) for (delta, v), error estimated in the tangent space",
                                    "Dormand & Prince 1980; Munthe-Kaas 1999",
                                    true};
   explicit Dopri5(const MethodOptions& options) : tolerance_(options.tolerance), stop_(options.stop) {}
@@ -64,7 +64,7 @@ class Dopri5 final : public Method<Sys> {
       const S scale = tolerance_ * (S(1) + at_->v.cwiseAbs().maxCoeff());
       const S error =
           max(S(e_delta_.cwiseAbs().maxCoeff() / tolerance_), S(e_v_.cwiseAbs().maxCoeff() / scale));
-      const bool good = error <= S(1);  // a NaN is not
+      const bool good = error <= S(1);  // false for NaN
       const S factor = error > S(0) ? S(S(9) / S(10) * S(pow(error, S(S(-1) / S(5))))) : S(5);
       const S next = trial * (finite<S>(error) ? max(S(S(1) / S(5)), min(S(5), factor)) : S(S(1) / S(5)));
       if (!last || next < h_ || !good) h_ = next;

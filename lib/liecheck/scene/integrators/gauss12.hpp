@@ -1,5 +1,5 @@
 #pragma once
-// 6 Gauss points on the group. Order 12.
+// Collocation at 6 Gauss points on the group. Order 12.
 
 #include <liecheck/scene/integrators/collocation.hpp>
 

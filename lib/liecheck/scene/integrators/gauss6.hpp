@@ -1,5 +1,5 @@
 #pragma once
-// 3 Gauss points on the group. Order 6.
+// Collocation at 3 Gauss points on the group. Order 6.
 
 #include <liecheck/scene/integrators/collocation.hpp>
 

@@ -1,10 +1,9 @@
 #pragma once
-// The implicit midpoint rule of the group: one Gauss point, where J_r^-1(delta/2) v = v.
+// The implicit midpoint rule on the group: collocation at one Gauss point, where J_r^-1(delta/2) v = v.
 //
 //   v_m = v0 + h/2 a(q0 exp(h v_m/2), v_m),   q1 = q0 exp(h v_m),   v1 = 2 v_m - v0
 //
-// Order 2. It is symmetric (its own inverse under h -> -h), so that the energy of a reversible motion does not drift; for
-// every robot.
+// Order 2. It is symmetric, its own inverse under h -> -h: the energy of a reversible motion does not drift.
 
 #include <liecheck/scene/integrators/collocation.hpp>
 

@@ -1,5 +1,5 @@
 #pragma once
-// Method: a step over a whole configuration, on the group. One file each; the list is integrators/registry.hpp.
+// Method: an integrator that advances a whole configuration on the group. integrators/registry.hpp lists all.
 
 #include <functional>
 #include <liecheck/scene/accumulate.hpp>
@@ -9,21 +9,21 @@
 
 namespace liecheck::scene {
 
-/// The properties of a method. Errors of q are |difference(q, exact)|; order p: they are O(h^p).
+/// The properties of a method. Order p means that the errors |difference(q, exact)| are O(h^p).
 struct MethodInfo {
   const char* name;
   int order;
-  int evaluations;          ///< of the acceleration, per step; 0: not fixed
-  bool adaptive;            ///< chooses its own steps, by a tolerance
-  bool preserves_energy;    ///< its error oscillates without drift
-  bool preserves_momentum;  ///< spatial momentum of a free body as a vector, up to rounding
+  int evaluations;          ///< of the acceleration, per step; 0 if not fixed
+  bool adaptive;            ///< chooses its steps by a tolerance
+  bool preserves_energy;    ///< the energy error oscillates without drift
+  bool preserves_momentum;  ///< the spatial momentum of a free body is constant up to rounding
   bool lone_body_only;
   const char* equation;
   const char* source;
   bool increments = false;  ///< each stage computes J_r^-1 of its increment
 };
 
-/// A step that failed: what() is the reason, without the time.
+/// A step that failed. what() is the reason, without the time.
 class StepFailed : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -35,8 +35,8 @@ class Interrupted : public StepFailed {
   Interrupted() : StepFailed("interrupted") {}
 };
 
-/// Checks increments before they are added to a state: throws StepFailed unless the sum of their squares is finite, so that
-/// a motion that diverges stops with its last finite state, near 1e154 in double.
+/// Checks increments before they are added to a state. Throws StepFailed unless the sum of their squares is
+/// finite. A diverging motion thus stops at its last finite state, near 1e154 in double.
 template <class A, class B>
 [[gnu::always_inline]] inline void checkFinite(const A& delta, const B& dv) {
   using S = typename A::Scalar;
@@ -44,14 +44,13 @@ template <class A, class B>
   if (!(sum <= std::numeric_limits<S>::max())) throw StepFailed("a number is no longer finite");
 }
 
-/// Counts of adaptive and implicit methods.
+/// Counted by adaptive and implicit methods only.
 struct MethodCounts {
   long steps = 0, rejected = 0, iterations = 0;
 };
 
-/// begin: call before the first step and whenever the state was set from outside; it may allocate, step does not.
-/// step: advances q and v by exactly h [s], not t. It throws StepFailed, or what the system throws, and then leaves the
-/// state unchanged.
+/// Call begin before the first step, and whenever other code has set the state. begin may allocate; step does
+/// not. step advances q and v by exactly h [s], but not t. If step throws, the state is unchanged.
 template <class Sys>
 class Method {
  public:
@@ -64,9 +63,9 @@ class Method {
 
 /// The options of the method that a scene names.
 struct MethodOptions {
-  /// Of adaptive methods: error of a step [m, rad, m/s, rad/s], absolute + relative to |v|.
+  /// For adaptive methods: largest error of a step [m, rad, m/s, rad/s], absolute + relative to |v|.
   double tolerance = 1e-9;
-  /// Adaptive methods call it every 256 steps of their own; true interrupts the step.
+  /// Adaptive methods call stop every 256 internal steps; if it returns true, the step is interrupted.
   std::function<bool()> stop = {};
 };
 

@@ -5,7 +5,7 @@
 //   K_i = J_r^-1(delta_i) v_i,    A_i = a(t + c_i h, integrate(q0, delta_i), v_i)
 //   q1 = integrate(q0, h sum b_i K_i),   v1 = v0 + h sum b_i A_i
 //
-// With the exact J_r^-1 the order is the tableau's (Munthe-Kaas 1999). Sums over steps are compensated
+// With the exact J_r^-1 the order is that of the tableau (Munthe-Kaas 1999). Sums over steps are compensated
 // (accumulate.hpp). Domain: |phi| < pi in a step; at 2 pi J_r^-1 is singular.
 
 #include <array>
@@ -41,14 +41,14 @@ class MuntheKaasStages {
     q_ = state.q, delta_ = v_ = state.v;
     K_.fill(state.v), A_.fill(state.v);
   }
-  /// K and A of all stages.
+  /// Computes K and A of all stages.
   void compute(Sys& system, const State<Sys>& state, const S& h) {
     system.acceleration(state.t, state.q, state.v, A_[0]);
     K_[0] = state.v;
     reads_ = system.readsConfiguration();
     rest(system, state, h, std::make_index_sequence<T::stages - 1>());
   }
-  /// h sum w_j K_j and h sum w_j A_j with the weights W: T::b, or those of the error.
+  /// h sum w_j K_j and h sum w_j A_j with the weights W, which are T::b or T::error.
   template <const auto& W>
   void sum(const S& h, Tangent& delta, Tangent& dv) const {
     add<W>(K_, h, delta, std::make_index_sequence<T::stages>());
@@ -69,7 +69,7 @@ class MuntheKaasStages {
     system.acceleration(S(state.t + coefficient<S, T::c[I]>() * h), q_, v_, A_[I]);
     system.tangentRate(delta_, v_, K_[I]);
   }
-  /// Not inlined: a system that reads no q has a loop without it.
+  /// Not inlined, so that the loop stays small for a system that reads no q.
   [[gnu::noinline]] void place(const Sys& system, const State<Sys>& state) {
     system.integrate(state.q, delta_, q_);
   }
@@ -97,7 +97,7 @@ class MuntheKaasStages {
   std::array<Tangent, T::stages> K_, A_;
 };
 
-/// The method of a tableau with an info.
+/// The method of a tableau T, with properties T::info.
 template <System Sys, class T>
 class MuntheKaas final : public Method<Sys> {
  public:
@@ -107,7 +107,7 @@ class MuntheKaas final : public Method<Sys> {
     if constexpr (std::is_floating_point_v<typename Sys::Scalar>)
       flattened(system, state, h);
     else
-      plain(system, state, h);  // gcc 12 fails on a tree's step that is one function of wide numbers
+      plain(system, state, h);  // gcc 12 cannot compile a flattened step of a Tree of wide scalars
   }
 
  private:

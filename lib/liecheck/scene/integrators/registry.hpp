@@ -1,5 +1,5 @@
 #pragma once
-// The list of methods. Adding one touches its file and this one.
+// The list of methods. A new one needs its own file and an entry here.
 
 #include <liecheck/multibody/nearest_names.hpp>
 #include <liecheck/scene/integrators/commutator_free4.hpp>
@@ -31,7 +31,7 @@ inline const std::vector<MethodInfo>& methodInfos() {
                                               Gauss6Info::info,          Gauss12Info::info};
   return all;
 }
-/// Throws std::invalid_argument with the nearest names.
+/// The properties of a method. Throws std::invalid_argument with the nearest names if the name is unknown.
 inline const MethodInfo& methodInfo(const std::string& name) {
   std::vector<std::string> names;
   for (const MethodInfo& m : methodInfos()) {
@@ -42,7 +42,7 @@ inline const MethodInfo& methodInfo(const std::string& name) {
                               multibody_detail::nearestNames(name, names));
 }
 
-/// Throws std::invalid_argument for an unknown name, and for variational of a tree.
+/// Throws std::invalid_argument for an unknown name, and for 'variational' if Sys is a Tree.
 template <System Sys>
 std::unique_ptr<Method<Sys>> makeMethod(const std::string& name, const MethodOptions& options = {}) {
   if (name == "euler") return std::make_unique<Euler<Sys>>();

@@ -1,5 +1,5 @@
 #pragma once
-// Butcher's seven stages of order 6 on the group.
+// Butcher's method of order 6 with seven stages, on the group.
 
 #include <liecheck/scene/integrators/munthe_kaas.hpp>
 

@@ -3,8 +3,8 @@
 //
 //   v1 = v0 + h a(q0, v0),  q1 = integrate(q0, h v1)
 //
-// Order 1. On a vector space it is symplectic and its energy does not drift; with the gyroscopic terms of a rotating
-// body it does.
+// Order 1. It is symplectic on a vector space, but with gyroscopic terms of a rotating body the energy
+// drifts.
 
 #include <liecheck/scene/integrators/method.hpp>
 

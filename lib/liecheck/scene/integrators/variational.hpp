@@ -1,14 +1,14 @@
 #pragma once
-// Variational integrator of a lone rigid body, in momenta: symplectic; the spatial momentum of a free body is a stored
-// constant.
+// Variational, symplectic integrator of a lone rigid body. It stores the spatial momentum, which is constant
+// for a free body.
 //
 //   L_d(R0, R1) = phi^T I_C phi / (2 h),  phi = log(R0^T R1)
 //   h R0^T L = J_r^-1(phi) I_C phi,   R1 = R0 exp(phi),   c1 = c0 + h P/m        (Newton's method for phi)
 //   v1 from I_C omega1 = R1^T L, m u_C = R1^T P;  forces: L += h/2 n, P += h/2 f before and after (Verlet)
 //
 // Order 2, symmetric. (Moser & Veselov 1991; Lee, Leok & McClamroch 2005; Bou-Rabee & Marsden 2009, sec. 4.) L is the
-// angular momentum about the centre of mass, P the linear momentum, both in the world's axes; begin() takes them from the
-// state. Forces that depend on the velocity are implicit at the end of the step.
+// angular momentum about the centre of mass, P the linear momentum, both in the world's axes; begin()
+// computes them from the state. At the end of the step, velocity-dependent forces are evaluated implicitly.
 
 #include <liecheck/scene/integrators/method.hpp>
 #include <liecheck/scene/lone_body.hpp>
@@ -70,7 +70,7 @@ class Variational final : public Method<LoneBody<S>> {
         const S change = (state.v - last).cwiseAbs().maxCoeff();
         if (!(change > S(4) * eps<S>() * state.v.cwiseAbs().maxCoeff())) break;
         if (k == limit)
-          throw StepFailed("variational finds no velocity at the end of the step: take a smaller step");
+          throw StepFailed("variational: the velocity after the step did not converge: take a smaller step");
       }
     }
     ++counts_.steps;
@@ -89,7 +89,7 @@ class Variational final : public Method<LoneBody<S>> {
   static Vector3<S> velocityOfCentre(const Body& body, const Motion<S>& V) {
     return V.linear() + liecheck::cross<S>(V.angular(), body.lever());
   }
-  /// R^T x of R = R(Q) exp(q_low).
+  /// R^T x for R = R(Q) exp(q_low).
   static Vector3<S> inBody(const State<Body>& state, const Vector3<S>& x) {
     const Vector3<S> y = rotationOf(state.q).actInv(x);
     return y - liecheck::cross<S>(Vector3<S>(state.q_low.template tail<3>()), y);
@@ -108,8 +108,8 @@ class Variational final : public Method<LoneBody<S>> {
     for (int i = 0; i < 3; ++i)
       accumulate<S>(P_[i], P_low_[i], S(h * f[i])), accumulate<S>(L_[i], L_low_[i], S(h * n[i]));
   }
-  /// Solves J_r^-1(phi) I phi = target for phi by Newton's method with the Jacobian I + ([phi] I - [I phi])/2, until the
-  /// correction is a rounding error.
+  /// Solves J_r^-1(phi) I phi = target by Newton's method with the Jacobian I + ([phi] I - [I phi])/2, until
+  /// the correction is a rounding error.
   Vector3<S> solve(const Matrix3<S>& I, const Matrix3<S>& I_inverse, const Vector3<S>& target) {
     Vector3<S> phi = I_inverse * target;
     S before = std::numeric_limits<S>::max();
@@ -129,7 +129,7 @@ class Variational final : public Method<LoneBody<S>> {
       before = size;
     }
     throw StepFailed(
-        "variational finds no rotation of its step: take a smaller step (the rotation must be below pi)");
+        "variational: the rotation did not converge: take a smaller step (the rotation must be below pi)");
   }
 
   Vector3<S> L_, P_, L_low_, P_low_;

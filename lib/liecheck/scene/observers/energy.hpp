@@ -36,7 +36,7 @@ class EnergyObserver final : public Observer {
     if (!first_) first_ = row[2];
     last_ = row[2], largest_ = std::max(largest_, std::abs(row[2] - *first_));
     ++count_;
-    // least squares of E(t) against t, about the first sample
+    // sums for a least-squares line through E(t), relative to the first sample
     const double t = now.t, e = row[2] - *first_;
     t_ += t, e_ += e, tt_ += t * t, te_ += t * e;
   }

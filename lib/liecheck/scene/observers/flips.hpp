@@ -1,6 +1,7 @@
 #pragma once
-// Flips of a body: the times at which its angular velocity about a body-fixed axis changes sign, by the cubic Hermite
-// interpolant of omega at both ends of a step. Error h^4/384 |omega^(4)| / |omega_dot| [s], in addition to the method's.
+// Flips of a body: the times at which its angular velocity about a body-fixed axis changes sign, from the
+// cubic Hermite interpolant of omega over a step. Error h^4/384 |omega^(4)| / |omega_dot| [s], plus the
+// method's error.
 
 #include <liecheck/scene/effects/coordinates.hpp>
 #include <liecheck/scene/observers/observer.hpp>
@@ -12,7 +13,7 @@ inline const PartInfo flips_info{
     "t with omega(t) . axis = 0, the axis fixed to the frame",
     "",
     "accelerations, every step",
-    {{"frame", Kind::Frame, "", nullptr, "of the body"},
+    {{"frame", Kind::Frame, "", nullptr, "a frame fixed to the body"},
      {"axis", Kind::Direction, "1", "[0, 1, 0]", "in the frame; any length but 0"}}};
 
 class FlipsObserver final : public Observer {
@@ -42,7 +43,7 @@ class FlipsObserver final : public Observer {
   const std::vector<double>& times() const { return times_; }
 
  private:
-  /// The root of the cubic, by bisection: 60 bisections reduce it below half an ulp of the step.
+  /// The root of the cubic. 60 bisections reduce its interval below half an ulp of the step.
   double crossing(double t1, double w1, double rate1) const {
     const double h = t1 - t_;
     double low = 0, high = 1;

@@ -10,7 +10,7 @@ inline const PartInfo frame_info{"frame",
                                  "X_WF = X_WJ X_JF,  p_dot = R u",
                                  "",
                                  "poses and velocities at samples",
-                                 {{"frame", Kind::Frame, "", nullptr, "which"}}};
+                                 {{"frame", Kind::Frame, "", nullptr, "the frame to record"}}};
 
 class FrameObserver final : public Observer {
  public:

@@ -2,9 +2,9 @@
 // An inertial measurement unit with noise and bias, mounted at a frame.
 //
 //   gyroscope      omega + b_g + n_g                 b_dot: white noise of density `*_walk`
-//   accelerometer  R^T (p_ddot - g) + b_a + n_a      n: white noise of density d, a sample each interval T: sigma = d/sqrt(T)
+//   accelerometer  R^T (p_ddot - g) + b_a + n_a      n: white noise of density d; sigma = d/sqrt(T)
 //
-// (El-Sheimy, Hou & Niu 2008.) p_ddot is the acceleration of the frame's origin, with the terms of its lever arm.
+// El-Sheimy, Hou & Niu (2008). T is the time between samples, p_ddot the acceleration of the frame's origin.
 
 #include <cstdint>
 #include <liecheck/scene/effects/coordinates.hpp>
@@ -25,9 +25,9 @@ inline const PartInfo imu_info{
      {"accel_noise", Kind::NotNegative, "m/s^2/sqrt(Hz)", "0", "density of n_a"},
      {"gyro_walk", Kind::NotNegative, "rad/s^2/sqrt(Hz)", "0", "density of b_g's rate"},
      {"accel_walk", Kind::NotNegative, "m/s^3/sqrt(Hz)", "0", "density of b_a's rate"},
-     {"seed", Kind::NotNegative, "1", "42", "of the noise, a whole number"}}};
+     {"seed", Kind::NotNegative, "1", "42", "a whole number that selects the noise"}}};
 
-/// Normally distributed numbers, the same on every machine with the same libm: Box & Muller (1958) of mt19937_64.
+/// Normally distributed numbers by Box & Muller (1958), the same on every machine with the same libm.
 class NormalNumbers {
  public:
   explicit NormalNumbers(std::uint64_t seed) : bits_(seed) {}

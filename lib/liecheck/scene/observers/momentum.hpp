@@ -1,5 +1,5 @@
 #pragma once
-// Linear and angular momentum in the world's axes, the angular one about the centre of mass.
+// Linear and angular momentum in the world's axes. The angular momentum is about the centre of mass.
 
 #include <liecheck/scene/observers/observer.hpp>
 
@@ -22,7 +22,7 @@ inline Force<double> centroidalMomentum(const Model<double>& model, const Now<do
   if (mass > 0) c /= mass;
   Vector3<double> P = Vector3<double>::Zero(), L = P;
   for (std::size_t i = 1; i < model.inertias.size(); ++i) {
-    // about the centre of mass of each body: terms that cancel are not added
+    // computed about the centre of mass of each body, to avoid cancellation
     const Inertia<double>& I = model.inertias[i];
     const Matrix3<double>& R = now.X_WJ[i].rotation();
     const Vector3<double> u = now.V[i].linear() + cross<double>(now.V[i].angular(), I.lever());

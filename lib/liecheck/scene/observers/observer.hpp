@@ -1,6 +1,5 @@
 #pragma once
-// Observer: quantities of a motion that are recorded. One file each; the list is observers/registry.hpp. An observer does
-// not change the motion.
+// Observer: records quantities of a motion without changing it. observers/registry.hpp lists all observers.
 
 #include <liecheck/scene/effects/effect.hpp>
 #include <optional>
@@ -10,14 +9,13 @@ namespace liecheck::scene {
 struct Column {
   std::string name, unit;
 };
-/// A number that summarises a run; no value where it is undefined.
+/// A number that summarises a run; no value if it is undefined.
 struct Figure {
   std::string name, unit;
   std::optional<double> value;
 };
 
-/// Constants of a run: its robot with the gravity and armature that effects set, its effects, and the time between two
-/// samples [s].
+/// Constants of a run: the robot with gravity and armature, all effects, and the time between samples [s].
 struct Watched {
   const Model<double>* model;
   const Effects<double>* effects;
@@ -28,10 +26,10 @@ class Observer {
  public:
   virtual ~Observer() = default;
   virtual Kinematics needs() const = 0;
-  /// Is step() called after each step?
+  /// True if step() is to be called after each step.
   virtual bool everyStep() const { return false; }
   virtual std::vector<Column> columns() const = 0;
-  /// Called at the start, after each step (everyStep), and at samples, in that order.
+  /// Called at the start and after each step if everyStep(), and before sample().
   virtual void step(const Now<double>&) {}
   /// Fills one number for each column.
   virtual void sample(const Now<double>& now, std::span<double> row) = 0;

@@ -24,7 +24,7 @@ class QuaternionNormObserver final : public Observer {
       const int n = model.nqs[i],
                 unit = std::visit([](const auto&j) { return int(j.unit_begin); }, model.joints[i]);
       if (unit == n) continue;
-      double square = -1;  // |Q|^2 - 1 in twice the digits, where it matters
+      double square = -1;  // becomes |Q|^2 - 1, computed with twice the digits
       CompensatedSum<double> sum;
       sum.add(square);
       for (int k = unit; k < n; ++k) {

@@ -1,6 +1,6 @@
 #pragma once
-// The list of observers. Adding one touches its file and this one. attitude_error is computed by the run itself, which
-// simulates the reference motion that it needs.
+// The list of observers. A new one needs its own file and an entry here. attitude_error has no Observer:
+// Setup creates an AttitudeError, since it must simulate a reference motion.
 
 #include <liecheck/scene/observers/observer.hpp>
 
@@ -8,14 +8,14 @@ namespace liecheck::scene {
 
 inline const PartInfo attitude_error_info{
     "attitude_error",
-    "max over joints of the angle between this run and one by gauss12 in `refinement` times the steps",
+    "max over joints of the angle to a reference run: gauss12 with `refinement` times as many steps",
     "",
-    "a second run beside this one",
+    "a second run",
     {{"refinement", Kind::Positive, "1", "1", "a whole number"}}};
 
 struct ObserverEntry {
   const PartInfo* info;
-  std::unique_ptr<Observer> (*make)(const Parameters&, const Watched&);  ///< null of attitude_error
+  std::unique_ptr<Observer> (*make)(const Parameters&, const Watched&);  ///< null for attitude_error
 };
 
 const std::vector<ObserverEntry>& observerEntries();
