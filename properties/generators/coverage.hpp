@@ -1,6 +1,6 @@
 #pragma once
-// The number of a campaign's inputs in each class of input_classes.hpp. A campaign without any input of a required
-// class fails: its generator is defective, or has been narrowed.
+// Counts a campaign's inputs in each class of input_classes.hpp. A campaign fails if a required class has no
+// input: its generator is then defective or too narrow.
 
 #include <array>
 #include <generators/input_classes.hpp>
@@ -13,7 +13,8 @@ class Coverage {
   template <class S>
   void add(const std::vector<Field>& fields, const std::vector<S>& input);
   void merge(const Coverage& o);
-  /// "CASES;N,N,...;N,...": the counts of every field, and their parser, which returns false for any other text.
+  /// text() writes the counts of every field as "CASES;N,N,...;N,...". parse() returns false for any other
+  /// text.
   std::string text() const;
   bool parse(const std::string& text);
   std::uint64_t cases() const { return cases_; }
@@ -26,8 +27,8 @@ class Coverage {
   std::vector<std::array<std::uint64_t, 24>> counts_;
 };
 
-/// A class is required where at least so many inputs of it are expected; to have none by chance then has probability
-/// e^-30.
+/// A class is required if at least this many of its inputs are expected. It is then empty by chance with a
+/// probability of e^-30.
 inline constexpr std::uint64_t expected_at_least = 30;
 
 }  // namespace liecheck::properties
