@@ -1,7 +1,7 @@
 #pragma once
-// The sweep computes each scalar coefficient of scalar/stumpff.hpp in float at every float argument and
-// compares it with oracles/scalar_coefficients.hpp. It gives an upper bound of all errors, not only the
-// largest one found.
+// The sweep compares each scalar coefficient of scalar/stumpff.hpp, in float at every float argument, with
+// oracles/scalar_coefficients.hpp. The result is an upper bound of all errors, not just the largest one
+// found.
 //
 // The argument is x = theta^2 as a float; if theta <= pi, x is in [0, pi^2]. An error is measured at the
 // exact value of that float. For a given theta the rounding of x adds another error. One rounding by eps/2
@@ -9,10 +9,10 @@
 // of three squares adds up to three times as much. HalfAngle corrects this error by the low part of x, which
 // is 0 here. Above the limit of the series, pi^2 (1 + 8 eps), the code uses sines, which are not swept.
 //
-// The two coefficients of the logarithm are swept at cosine = 1 over every finite float squared_sine = tan^2
-// h. This covers every half angle h in [0, pi/2) of quaternions whose w is a power of two. Other values of w
-// round differently (alpha once more), and there are too many pairs to sweep. `along` is consistent with
-// alpha by design and has no separate bound.
+// The two coefficients of the logarithm are swept at cosine = 1 over every finite float
+// squared_sine = tan^2 h, that is every half angle h in [0, pi/2) of quaternions whose w is a power of two.
+// Other w round differently (alpha once more), and there are too many pairs to sweep. `along` is consistent
+// with alpha by design and has no bound.
 
 #include <atomic>
 #include <coefficients/library_coefficients.hpp>

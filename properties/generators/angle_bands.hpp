@@ -12,7 +12,7 @@
 
 namespace liecheck::properties {
 
-/// The quantity that a band is an interval of.
+/// The quantity that a band limits.
 enum class Axis { none, theta, pi_minus_theta };
 
 /// Which rule of the budget table applies.

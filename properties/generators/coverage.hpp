@@ -13,8 +13,7 @@ class Coverage {
   template <class S>
   void add(const std::vector<Field>& fields, const std::vector<S>& input);
   void merge(const Coverage& o);
-  /// text() writes the counts of every field as "CASES;N,N,...;N,...". parse() returns false for any other
-  /// text.
+  /// text() writes all counts as "CASES;N,N,...;N,...". parse() returns false for any other text.
   std::string text() const;
   bool parse(const std::string& text);
   std::uint64_t cases() const { return cases_; }
@@ -27,8 +26,7 @@ class Coverage {
   std::vector<std::array<std::uint64_t, 24>> counts_;
 };
 
-/// A class is required if at least this many of its inputs are expected. It is then empty by chance with a
-/// probability of e^-30.
+/// A class is required if at least this many of its inputs are expected: none occur with probability e^-30.
 inline constexpr std::uint64_t expected_at_least = 30;
 
 }  // namespace liecheck::properties

@@ -10,20 +10,18 @@
 
 namespace liecheck::properties {
 
-/// A class of inputs of one kind. At least one in `one_in` cases of the generator is in it; a test measures
-/// this.
+/// A class of inputs of one kind. A generator gives it at least once in `one_in` cases; a test measures this.
 struct InputClass {
   std::string name;
   std::uint64_t one_in;
-  Reach reach = Reach::limited;  ///< of the fields that require the class; limited: all
+  Reach reach = Reach::limited;  ///< reach of the fields that require the class; limited: every field
 };
 
 /// The classes of a kind, empty for a kind without classes. Bit i of a mask stands for entry i.
 const std::vector<InputClass>& classes_of(Kind kind);
 bool requires_class(const Field& field, const InputClass& c);
 
-/// The mask of the classes that contain the numbers x. `earlier`: the previous group of the same kind, or
-/// empty.
+/// The mask of the classes that contain x. `earlier` is the previous group of the same kind, or empty.
 template <class S>
 std::uint32_t classify(Kind kind, std::span<const S> x, std::span<const S> earlier);
 

@@ -1,14 +1,14 @@
 #pragma once
-// The generators as generators of RapidCheck, for the tests of other projects. They produce the angles,
-// scales and axes at which code breaks, and shrink to short numbers. RapidCheck's own floating-point
-// generators and shrinkers are weak (its issues 134 and 139).
+// RapidCheck generators for the tests of other projects. They produce the angles, scales and axes at which
+// code breaks, and shrink to short numbers. RapidCheck's own floating-point generators and shrinkers are weak
+// (its issues 134 and 139).
 //
 //   rc::check("log is the inverse of exp", [] {
 //     const auto xi = *liecheck::properties::gen::twist<double>(AngleRange::to_pi);
 //     RC_ASSERT((log6(exp6(xi)) - xi).norm() <= 8e-16 * xi.norm());
 //   });
 //
-// The library has only headers. It needs Eigen, Boost's headers and RapidCheck (CMake: liecheck_generators).
+// The file is header-only and needs Eigen, Boost's headers and RapidCheck (CMake: liecheck_generators).
 
 #include <rapidcheck.h>
 
@@ -19,7 +19,7 @@ namespace liecheck::properties::gen {
 
 namespace detail {
 
-/// All inputs that differ from x in one group, which is simpler.
+/// All inputs in which one group of x is replaced by a simpler group.
 template <class S>
 std::vector<std::vector<S>> simpler(const std::vector<S>& x, const std::vector<Field>& fields) {
   std::vector<std::vector<S>> all;

@@ -72,8 +72,8 @@ S angle(Source& source, AngleRange range) {
   return binade_uniform<S>(source, 3, 27);  // up to 1e8
 }
 
-/// A direction: along an axis, in a coordinate plane, nearly along an axis, along a cube's diagonal, or any
-/// other. Its norm is 1 up to rounding.
+/// A unit vector, up to rounding: along an axis or nearly so, in a coordinate plane, a cube's diagonal, or
+/// any.
 template <class S>
 Eigen::Matrix<S, 3, 1> direction(Source& source) {
   using V = Eigen::Matrix<S, 3, 1>;

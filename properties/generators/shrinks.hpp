@@ -89,8 +89,7 @@ Candidates<S> vectors(const std::vector<S>& g, bool rotation) {
   return all;
 }
 
-/// Quaternions: the identity, and rotations about an axis by pi, pi/2 and the angle of g. Then g rounded and
-/// normalised.
+/// Quaternions: the identity; rotations about an axis by pi, pi/2 and g's angle; g rounded and normalised.
 template <class S>
 Candidates<S> quaternions(const std::vector<S>& g) {
   using std::sqrt;
@@ -134,8 +133,8 @@ Candidates<S> matrices(const std::vector<S>& R) {
   return all;
 }
 
-/// Inertias (xx xy yy xz yz zz): spheres of unit size and of g's trace, g without products of inertia, g
-/// rounded.
+/// Inertias (xx xy yy xz yz zz): the unit sphere, spheres of g's trace, g without products of inertia,
+/// rounded g.
 template <class S>
 Candidates<S> inertias(const std::vector<S>& g) {
   const S third = (g[0] + g[2] + g[5]) / S(3);

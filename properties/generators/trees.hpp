@@ -1,11 +1,10 @@
 #pragma once
-// Random trees of up to five bodies with every joint type, valid by construction. A tree is a list of numbers
-// of fixed length.
+// Random trees of up to five bodies with every joint type, each a list of numbers that is valid by
+// construction.
 //
 // The list has parents [slots], with absent_joint for an absent joint; kinds [slots]; primaries [slots], with
 // -1 for a joint that is not a mimic; masses [slots]; gravity; a frame and a wrench, each on a joint; and the
-// numbers of each slot (TreeSlot). The numbers of an absent joint are zero, and its rotations are the
-// identity.
+// numbers of each slot (TreeSlot). An absent joint has zeros and identity rotations.
 
 #include <generators/rotations.hpp>
 #include <oracles/tree.hpp>
@@ -54,8 +53,7 @@ void clear_slot(S* slot) {
 }
 
 /// m sum a_k^2 (1 - e_k e_k^T) for random radii of gyration a_k and axes e_k, as xx xy yy xz yz zz.
-/// `degenerate` also allows points, needles and plates; then the joint may have no inertia and needs an
-/// armature.
+/// `degenerate` also allows points, needles and plates, for which the joint may need an armature.
 template <class S>
 Eigen::Matrix<S, 6, 1> inertia(Source& source, const S& mass, bool degenerate) {
   using V3 = Eigen::Matrix<S, 3, 1>;

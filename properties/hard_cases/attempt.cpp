@@ -23,7 +23,7 @@ Trial attempt_in(const TypedSeries<S>& series, const CaseId& address) {
   try {
     check_entrance(series.tested_subject().operations, series.fields, x);
     trial.judged = series.measure_by_digits(x, series.limits(), true, &trial.refusal);
-    // The hard cases in the domain of ball arithmetic test it too.
+    // Hard cases in the domain of the ball arithmetic also test the ball arithmetic.
     if (trial.in_domain && trial.refusal.empty() && series.measure_by_balls(x, balls) &&
         !agree(balls.judged, series.measure_by_digits(x, series.limits())))
       for (Judged& j : trial.judged) j.residual.outcome = Outcome::unresolved;

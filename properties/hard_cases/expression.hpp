@@ -1,6 +1,6 @@
 #pragma once
-// The expression language of fixtures/hard_cases, in which a number is written once for every scalar. The
-// README there defines it.
+// The expression language of fixtures/hard_cases (see the README there): one text of a number for every
+// scalar.
 //
 // An expression is evaluated at 100 digits. Then each number is rounded once, to nearest even, to the scalar:
 // `pi` is the float nearest to pi in float and the double nearest to pi in double, and `nextup(pi)` is the

@@ -6,7 +6,7 @@
 
 namespace liecheck::properties {
 
-/// From good to bad; a cell has the worst of its blocks.
+/// From good to bad. The verdict of a cell is the worst one of its blocks.
 enum class Verdict { stable, refused, ill_posed, unresolved, inaccurate, wrong_branch, not_finite };
 
 const char* name_of(Verdict v);

@@ -1,7 +1,7 @@
 #pragma once
 // The input domain of docs/measuring.md: rotations that are off unit or off orthogonal by at most 8 eps, and
-// no reflections. Outside it a subject may refuse the input at its checked entrance. Otherwise it is judged
-// by the rotation nearest to the stored numbers.
+// no reflections. Outside it a subject may refuse the input at its checked entrance. If it does not, its
+// result is judged by the rotation nearest to the stored numbers.
 
 #include <invariants/common.hpp>
 #include <oracles/linear_algebra.hpp>

@@ -19,7 +19,7 @@
 
 namespace liecheck::properties {
 
-/// A list of at most N values, for constants.
+/// A list of at most N values that can be a constant.
 template <class T, std::size_t N>
 struct Few {
   std::array<T, N> items{};
@@ -44,8 +44,8 @@ struct Part {
   std::string_view unit;
 };
 
-/// An argument or a result: its parts, its axes, and the liecheck type that holds it in a printed program (""
-/// if it has only one part).
+/// An argument or a result: its parts, its axes, and its liecheck type in a printed program ("" for a single
+/// part).
 struct Layout {
   std::string_view name;
   Few<Part, 4> parts;

@@ -57,7 +57,7 @@ inline constexpr auto cross_force = operation<struct CrossForce>(
      {block::angular, "|a - a_exact|", "|a_exact|", "N m/s"}},
     {se3_header, "V.cross(F).to_vector()"}, V, F);
 
-/// The law power_pairing forms it from act_motion and act_force.
+/// The law power_pairing forms this quantity from act_motion and act_force.
 inline constexpr Operation power{
     "power",
     "F_A^T V_A = F_B^T V_B",
@@ -91,7 +91,7 @@ inline constexpr auto inertia_matrix = operation<struct InertiaMatrix>(
       "|M_exact| of that block", "kg, kg m, kg m^2"}},
     {inertia_header, "I.matrix()"}, I);
 
-/// The law kinetic_energy forms it from kinetic_energy, act_inertia and act_motion.
+/// The law kinetic_energy forms this quantity from kinetic_energy, act_inertia and act_motion.
 inline constexpr Operation energy_frames{
     "energy_frames",
     "T of (X I, X V) = T of (I, V)",

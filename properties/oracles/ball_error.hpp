@@ -106,12 +106,13 @@ double orthogonality_defect(const Mat3<T>& computed) {
   return settled(d.value / eps, d.radius / eps + 1e-14 * d.value / eps);
 }
 
-/// If E = computed - R has ||E|| < 1e-4, both errors follow from E. E is formed in ball arithmetic, all that
-/// follows in double. For a larger E rotation_error and orthogonality_defect compute the errors.
+/// If E = computed - R has ||E|| < 1e-4, both errors follow from E. E is formed in ball arithmetic,
+/// everything after it in double. For a larger E rotation_error and orthogonality_defect compute the errors.
 ///
-/// Rotation: computed = U H with the polar factor U, so that R^T
-/// E = (R^T U - I) + (H - I) + R^T (U - R)(H - I). Since H - I is symmetric, the antisymmetric parts of R^T E
-/// and R^T U - I differ by at most 3 ||E||^2. The norm of the vector of that part is the sine of the angle.
+/// Rotation: let computed = U H with the polar factor U. Then
+/// R^T E = (R^T U - I) + (H - I) + R^T (U - R)(H - I). Since H - I is symmetric, the antisymmetric parts of
+/// R^T E and R^T U - I differ by at most 3 ||E||^2. The norm of the vector of that part is the sine of the
+/// angle.
 ///
 /// Defect: computed^T computed - I = R^T E + E^T R + E^T E, since R is orthogonal. Its error is at most
 /// 2 (1 + ||E||) times that of E, plus the rounding in double.

@@ -3,7 +3,7 @@
 // kinematics.hpp and spatial.hpp by the closed forms of closed_forms.hpp. The radius of a result is a proved
 // bound of its error, so that every result is resolved. If a comparison cannot be decided, Undecided is
 // thrown. The names are overloaded on the number type, so that a law is written once. A campaign uses these
-// oracles first, because they are fast.
+// fast oracles first.
 
 #include <oracles/exp.hpp>
 #include <oracles/integrate.hpp>

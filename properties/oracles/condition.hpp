@@ -34,8 +34,8 @@ using ConditionBlock = ConditionBlockOf<Real>;
 /// One kappa for each block. It is infinite if the denominator is zero and the block's derivative is not. f
 /// is called 2 x.size() times; in Real f may be a closed form without a second formula (closed_forms.hpp).
 /// Double-double balls take one-sided differences with the step 2^-64 and x.size() + 1 calls; Undecided is
-/// thrown if kappa then has less than two digits. Balls of double always throw Undecided, because no step is
-/// accurate enough.
+/// thrown if kappa then has less than two digits. Balls of double always throw it: no step is accurate
+/// enough.
 template <class T>
 std::vector<double> condition(const FunctionOf<T>& f, const std::vector<T>& x,
                               const std::vector<ConditionBlockOf<T>>& blocks);

@@ -28,8 +28,7 @@ const Real& epsilon() {
   static const Real value = ldexp(Real(1), 1 - std::numeric_limits<S>::digits);
   return value;
 }
-/// The smallest denominator, min_normal / eps. For smaller results the subnormal numbers of S make relative
-/// errors meaningless.
+/// The smallest denominator, min_normal / eps: below it the last place of a number of S is subnormal.
 template <class S>
 const Real& smallest_denominator() {
   static const Real value = ldexp(Real(1), std::numeric_limits<S>::min_exponent - 1) / epsilon<S>();

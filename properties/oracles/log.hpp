@@ -1,7 +1,6 @@
 #pragma once
 // log of a pose (Q, p) or (R, p): (rho, phi) with exp(rho, phi) = (R, p) and ||phi|| <= pi.
-// A stored quaternion Q stands for Q / ||Q||. A stored matrix R stands for the nearest rotation, its polar
-// factor.
+// A stored quaternion Q stands for Q / ||Q||, a stored matrix R for the nearest rotation, its polar factor.
 //
 // Value: theta = 2 atan2(||v||, |w|) and the closed form of V^-1, at 100 digits. Second formula: inverse
 // scaling and squaring of the unit dual quaternion q + e p q / 2 at 50 digits. It takes ten square roots

@@ -2,8 +2,7 @@
 // Spatial algebra on stored numbers: motions, forces and inertias in another frame, the two cross products,
 // momentum and kinetic energy.
 //
-// A pose (R, p) is used as stored. The results are polynomials in its twelve numbers, with R^T in place of
-// R^-1:
+// A pose (R, p) is used as stored: the results are polynomials in its twelve numbers, with R^T for R^-1.
 //   X   = [[R, [p]R], [0, R]]          V_A = X V_B         X^-1 = [[R^T, -R^T [p]], [0, R^T]]
 //   X*  = [[R, 0], [[p]R, R]]          F_A = X* F_B        X*^-1 = [[R^T, 0], [-R^T [p], R^T]]
 //   inertia  (m, c, I_C) -> (m, R c + p, R I_C R^T);   I_O = I_C + m (||c||^2 I - c c^T)

@@ -1,6 +1,5 @@
 #pragma once
-// Kinematics and inverse dynamics of a tree of rigid bodies, derived only from its poses, without spatial
-// algebra.
+// Kinematics and inverse dynamics of a tree of rigid bodies from its poses alone, without spatial algebra.
 //
 // The pose of joint i is a homogeneous matrix X_i = X_p L_i, with the parent's pose X_p and L_i = P_i E_i(q).
 // The joint's velocity is V = sum_k [s_k] v_k with constant s_k and [s] = [[w]x u; 0 0], and E' = E V. The
@@ -143,8 +142,8 @@ struct FrameMotion {
 bool confirmed(const TreeOf<Real>& tree, const std::vector<Real>& q, const std::vector<Real>& v,
                const std::vector<Real>& a, const std::vector<Real>& dq = {});
 
-/// The factors of A = L D L^T [n x n], row by row, with 1 / D on the diagonal; empty unless A is positive
-/// definite.
+/// The factors of a positive definite A = L D L^T [n x n], row by row, with 1 / D on the diagonal; else
+/// empty.
 template <class T>
 std::vector<T> positive_factor(std::vector<T> A, std::size_t n);
 /// A^-1 b for the factors of A.

@@ -227,8 +227,8 @@ Vec6<T> TreeDynamics<T>::momentum() const {
   return about<T>(centre(), J_.size(),
                   [&](std::size_t i) { return times_transposed(times(at_.X[i], J_[i], 1), at_.X1[i]); });
 }
-/// The derivative of sum m (x - c) cross x' is sum m (x - c) cross x'': the other terms are zero, because x'
-/// cross x' = 0 and c' is parallel to sum m x'.
+/// The derivative of sum m (x - c) cross x' is sum m (x - c) cross x'', since x' cross x' = 0 and c' cross
+/// sum m x' = 0.
 template <class T>
 Vec6<T> TreeDynamics<T>::momentum_rate() const {
   return about<T>(centre(), J_.size(),

@@ -4,8 +4,7 @@ namespace liecheck::oracles {
 namespace {
 
 /// A bound of the oracle's rounding error relative to its terms, which are summed at the world's origin. This
-/// share of the distance from that origin is added to lever arms, so that an exactly zero result also has a
-/// scale.
+/// share of the distance from that origin is added to lever arms, so that an exact zero also has a scale.
 constexpr double oracle_rounding = 1e-20;
 
 double size(const Vec3<double>& v) {

@@ -1,6 +1,6 @@
 #pragma once
-// Jacobi's elliptic functions and Legendre's integrals for any real argument, by Boost.Math at the oracle's
-// precision.
+// Jacobi's elliptic functions and Legendre's integrals for real arguments, by Boost.Math in the oracles'
+// numbers.
 //
 //   am(u): u = F(am | k),   sn = sin am,   cn = cos am,   dn = sqrt(1 - k^2 sn^2)
 //   F(phi | k)     = int_0^phi ds / sqrt(1 - k^2 sin^2 s)

@@ -1,8 +1,6 @@
 #pragma once
-// A free rigid body under constant gravity: its centre of mass falls freely, and its attitude is that of the
-// torque-free body. P are the body's principal axes; R_WP(t) is that of constant_twist, axisymmetric or
-// triaxial.
-//
+// A free rigid body under constant gravity: the centre of mass falls freely, and the attitude is torque-free.
+// P are the body's principal axes. R_WP(t) comes from constant_twist, axisymmetric or triaxial.
 //   p_WBo = p_C - R c,   u = R^T v_C - omega x c,   R_WB = R_WP R_BP^T
 
 #include <functional>

@@ -1,8 +1,7 @@
 #pragma once
 // States of motions, which a closed form or a reference solution gives at a time t [s].
 //
-// The motions of this folder follow only from their equations. They do not use the library's spatial algebra,
-// dynamics and integrators.
+// The motions of this folder do not use the library's spatial algebra, dynamics and integrators.
 
 #include <oracles/quaternion.hpp>
 
