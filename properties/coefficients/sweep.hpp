@@ -1,7 +1,6 @@
 #pragma once
 // The sweep compares each scalar coefficient of scalar/stumpff.hpp, in float at every float argument, with
-// oracles/scalar_coefficients.hpp. The result is an upper bound of all errors, not just the largest one
-// found.
+// oracles/scalar_coefficients.hpp. The result bounds all errors; it is not just the largest error found.
 //
 // The argument is x = theta^2 as a float; if theta <= pi, x is in [0, pi^2]. An error is measured at the
 // exact value of that float. For a given theta the rounding of x adds another error. One rounding by eps/2

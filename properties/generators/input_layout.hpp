@@ -6,7 +6,6 @@
 
 namespace liecheck::properties {
 
-/// What a group of numbers means.
 enum class Kind {
   vector,
   rotation_vector,

@@ -11,7 +11,6 @@
 
 namespace liecheck::properties {
 
-/// The range of generated angles.
 enum class AngleRange { to_pi, unbounded };
 
 /// Angles [rad] at which implementations are known to change their formula: powers of ten, roots of the
@@ -72,8 +71,7 @@ S angle(Source& source, AngleRange range) {
   return binade_uniform<S>(source, 3, 27);  // up to 1e8
 }
 
-/// A unit vector, up to rounding: along an axis or nearly so, in a coordinate plane, a cube's diagonal, or
-/// any.
+/// A unit vector up to rounding: along an axis, nearly so, in a coordinate plane, a cube's diagonal, or any.
 template <class S>
 Eigen::Matrix<S, 3, 1> direction(Source& source) {
   using V = Eigen::Matrix<S, 3, 1>;

@@ -133,8 +133,7 @@ Candidates<S> matrices(const std::vector<S>& R) {
   return all;
 }
 
-/// Inertias (xx xy yy xz yz zz): the unit sphere, spheres of g's trace, g without products of inertia,
-/// rounded g.
+/// Inertias (xx xy yy xz yz zz): unit sphere, spheres of g's trace, g without products of inertia, rounded g.
 template <class S>
 Candidates<S> inertias(const std::vector<S>& g) {
   const S third = (g[0] + g[2] + g[5]) / S(3);

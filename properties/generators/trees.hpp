@@ -1,6 +1,5 @@
 #pragma once
-// Random trees of up to five bodies with every joint type, each a list of numbers that is valid by
-// construction.
+// Random trees of up to five bodies with every joint type, as lists of numbers, valid by construction.
 //
 // The list has parents [slots], with absent_joint for an absent joint; kinds [slots]; primaries [slots], with
 // -1 for a joint that is not a mimic; masses [slots]; gravity; a frame and a wrench, each on a joint; and the

@@ -1,6 +1,5 @@
 #pragma once
-// The expression language of fixtures/hard_cases (see the README there): one text of a number for every
-// scalar.
+// The expression language of fixtures/hard_cases (defined in its README). One expression serves every scalar.
 //
 // An expression is evaluated at 100 digits. Then each number is rounded once, to nearest even, to the scalar:
 // `pi` is the float nearest to pi in float and the double nearest to pi in double, and `nextup(pi)` is the

@@ -44,7 +44,7 @@ struct Part {
   std::string_view unit;
 };
 
-/// An argument or a result: its parts, its axes, and its liecheck type in a printed program ("" for a single
+/// An argument or a result: its parts, its axes, and its liecheck type in a printed program ("" for one
 /// part).
 struct Layout {
   std::string_view name;

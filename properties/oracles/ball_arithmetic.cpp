@@ -166,9 +166,9 @@ Ball<M> atan2(const Ball<M>& y, const Ball<M>& x) {
   return corrected_atan2(y, x);
 }
 
-// Errors relative to the sum: x^14/32! < 2^-113 by truncation after fourteen terms; the rounding of the terms
-// from x^8 on, in double and below 2^-56; 2^-101 in the eight double-double steps, as each term is at most
-// 1/30 of the one before it. The error of x adds less than its radius, as |c_k'| <= 1/2.
+// Errors relative to the sum: truncation after fourteen terms gives x^14/32! < 2^-113. The terms from x^8 on
+// are summed in double and are below 2^-56. The eight double-double steps give 2^-101, since each term is at
+// most 1/30 of the one before it. The error of x adds less than its radius, since |c_k'| <= 1/2.
 template <class M>
 Ball<M> stumpff_series(int k, const Ball<M>& x) {
   const M s = k == 4 ? sum<4, 14, 8>(x.m) : k == 5 ? sum<5, 14, 8>(x.m) : sum<6, 14, 8>(x.m);

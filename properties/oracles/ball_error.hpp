@@ -111,8 +111,7 @@ double orthogonality_defect(const Mat3<T>& computed) {
 ///
 /// Rotation: let computed = U H with the polar factor U. Then
 /// R^T E = (R^T U - I) + (H - I) + R^T (U - R)(H - I). Since H - I is symmetric, the antisymmetric parts of
-/// R^T E and R^T U - I differ by at most 3 ||E||^2. The norm of the vector of that part is the sine of the
-/// angle.
+/// R^T E and R^T U - I differ by at most 3 ||E||^2. The norm of such a part, as a vector, is sin(angle).
 ///
 /// Defect: computed^T computed - I = R^T E + E^T R + E^T E, since R is orthogonal. Its error is at most
 /// 2 (1 + ||E||) times that of E, plus the rounding in double.

@@ -23,7 +23,6 @@ double settled_kappa(const T& kappa) {
   return kappa.head();
 }
 
-/// The step for a number of absolute value `size`.
 Real step_of(const Real& size) {
   static const Real relative("1e-36"), smallest("1e-40");
   const Real least = size * smallest, step = size > 1 ? relative : Real(size * relative);

@@ -33,9 +33,8 @@ using ConditionBlock = ConditionBlockOf<Real>;
 
 /// One kappa for each block. It is infinite if the denominator is zero and the block's derivative is not. f
 /// is called 2 x.size() times; in Real f may be a closed form without a second formula (closed_forms.hpp).
-/// Double-double balls take one-sided differences with the step 2^-64 and x.size() + 1 calls; Undecided is
-/// thrown if kappa then has less than two digits. Balls of double always throw it: no step is accurate
-/// enough.
+/// Double-double balls take one-sided differences with the step 2^-64 and x.size() + 1 calls. Undecided is
+/// thrown if kappa then has less than two digits, and always for balls of double.
 template <class T>
 std::vector<double> condition(const FunctionOf<T>& f, const std::vector<T>& x,
                               const std::vector<ConditionBlockOf<T>>& blocks);
@@ -50,7 +49,7 @@ template <class T>
 std::vector<T> movements(const FunctionOf<T>& f, const std::vector<T>& x,
                          const std::vector<ConditionBlockOf<T>>& blocks);
 /// kappa = movement / denominator, or 0 if the movement is 0. Throws Undecided unless two digits are certain.
-/// A kappa below 1/2 needs no digits in balls, because errors are divided by max(kappa, 1).
+/// In balls a kappa below 1/2 is not checked, because errors are divided by max(kappa, 1).
 template <class T>
 double condition_number(const T& movement, const T& denominator);
 

@@ -2,11 +2,10 @@
 // Double-double arithmetic: x = high + low, |low| <= ulp(high) / 2, 106 bits in the exponent range of double.
 //
 // Bounds of the relative errors, u = 2^-53, if nothing underflows or overflows (Joldes, Muller & Popescu
-// 2017, "Tight and rigorous error bounds for basic building blocks of double-word arithmetic"; sqrt: Lefevre
-// et al. 2023):
+// 2017, "Tight and rigorous error bounds for basic building blocks of double-word arithmetic"):
 //   a + b   5 u^2 of |a| + |b|   algorithm 5; there is no bound relative to the sum
 //   a b     5 u^2    algorithm 11
-//   a / b   15 u^2   algorithm 17        sqrt  25/8 u^2
+//   a / b   15 u^2   algorithm 17        sqrt  25/8 u^2   Lefevre et al. 2023
 // The last step of a + b is two_sum, which is exact even if a cancellation makes the low part the larger one.
 // Before it a.low + b.low has an error of at most u^2 (|a| + |b|), and s.low + t of 3 u^2 (|a| + |b|).
 // Fused multiply-add does not change any bit: the products are error-free with and without it.

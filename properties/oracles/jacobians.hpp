@@ -6,7 +6,7 @@
 //
 // Three formulas:
 //   1. closed form in dual numbers at 100 digits (closed_forms.hpp): the value of left_* and right_*;
-//   2. phi1(ad xi) by scaling and squaring, at 50 digits, or 100 if 50 are too few: confirms the other two;
+//   2. phi1(ad xi), or Ad for d_integrate_arg0, by scaling and squaring, 50 or 100 digits: confirms 1 and 3;
 //   3. central differences of the definition at 100 digits: the value of *_fd, d_integrate_*, d_difference_*.
 // The inverses have closed forms too, and their product with phi1 confirms them. They are singular at
 // theta = 2 pi k and are resolved if |theta - 2 pi k| > 1e-40.

@@ -8,9 +8,8 @@
 //   E = exp(A) - I:   E(2A) = 2 E + E^2,            so that E keeps relative accuracy for tiny A;
 //   phi1(2A) = phi1(A) (I + E/2).
 //
-// The affine 4x4 matrix [[phi], rho; 0, 0] has E and p = phi1 rho, with p(2A) = 2 p + E p. The adjoint 6x6
-// matrix [[phi], [rho]; 0, [phi]] is the 3x3 matrix [phi] + e [rho] of dual numbers. A product takes three
-// 3x3 products.
+// The affine 4x4 matrix [[phi], rho; 0, 0] gives E and p = phi1 rho, with p(2A) = 2 p + E p. The adjoint 6x6
+// matrix [[phi], [rho]; 0, [phi]] is the 3x3 matrix [phi] + e [rho] of dual numbers: three 3x3 products for one.
 //
 // Error: k + 4 bits of the working precision, relative to the largest operand, with k = log2 theta + 7.
 

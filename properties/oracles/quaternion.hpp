@@ -9,7 +9,6 @@ namespace liecheck::oracles {
 template <class T = Real>
 using Quaternion = Vec<4, T>;
 
-/// The quaternion product a b.
 template <class T>
 Quaternion<T> quaternion_product(const Quaternion<T>& a, const Quaternion<T>& b) {
   return {{a[3] * b[0] + a[0] * b[3] + (a[1] * b[2] - a[2] * b[1]),

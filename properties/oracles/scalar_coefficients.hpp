@@ -9,7 +9,7 @@
 //     d   = N / (4 D)      d2 = 2 d' = (N' D - N D') / (2 D^2)
 //     sin h / theta = D/2  cos h = sum_j (-y)^j / (2j)!
 //
-// Their coefficients are computed in binary128. About the middle of an interval the third-order Taylor
+// The series' coefficients are computed in binary128. About the middle of an interval the third-order Taylor
 // polynomials of A and B are summed in 64 bits and divided. The bound adds the Lagrange remainders of A and B
 // (with bounds of the fourth derivatives on [0, 10]), the remainder of the division, and every rounding. The
 // coefficients of the logarithm are G(t) = atan(sqrt t) / sqrt t = int_0^1 ds / (1 + t s^2) and 2 G(t). The

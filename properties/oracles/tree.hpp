@@ -42,7 +42,7 @@ template <class T>
 struct JointOf {
   JointKind kind = JointKind::revolute;
   int parent = -1;   ///< an earlier joint, or -1 for the world
-  int primary = -1;  ///< of a mimic: the joint of y in its coordinate multiplier y + offset; else -1
+  int primary = -1;  ///< -1, or for a mimic the joint whose coordinate y gives multiplier y + offset
   Quaternion<T> Q;   ///< Q and p are the pose in the parent's frame at q = neutral
   Vec3<T> p, axis;
   T pitch, multiplier, offset, armature;
@@ -142,8 +142,7 @@ struct FrameMotion {
 bool confirmed(const TreeOf<Real>& tree, const std::vector<Real>& q, const std::vector<Real>& v,
                const std::vector<Real>& a, const std::vector<Real>& dq = {});
 
-/// The factors of a positive definite A = L D L^T [n x n], row by row, with 1 / D on the diagonal; else
-/// empty.
+/// Factors of a positive definite A = L D L^T [n x n], row by row, 1 / D on the diagonal; otherwise empty.
 template <class T>
 std::vector<T> positive_factor(std::vector<T> A, std::size_t n);
 /// A^-1 b for the factors of A.

@@ -1,6 +1,6 @@
 #pragma once
 // The sizes of the terms whose sums are the results of a tree. They follow from the recursive Newton-Euler
-// algorithm (Featherstone 2008, table 5.1), with the norms of all vectors and of all terms of sums.
+// algorithm (Featherstone 2008, table 5.1), with vectors replaced by norms and sums by sums of norms.
 //
 //   w_i = w_p + |w_J|,   u_i = u_p + w_p r + |u_J|,   r = |p| + |p_E(q)|
 //   al_i = al_p + |w_J'| + w_i |w_J|,   ac_i = ac_p + al_p r + |u_J'| + u_i |w_J| + w_i |u_J|,   ac_0 = |g|

@@ -1,6 +1,5 @@
 #pragma once
-// Jacobi's elliptic functions and Legendre's integrals for real arguments, by Boost.Math in the oracles'
-// numbers.
+// Jacobi's elliptic functions and Legendre's integrals for all real arguments, by Boost.Math.
 //
 //   am(u): u = F(am | k),   sn = sin am,   cn = cos am,   dn = sqrt(1 - k^2 sn^2)
 //   F(phi | k)     = int_0^phi ds / sqrt(1 - k^2 sin^2 s)

@@ -21,7 +21,7 @@ template <class T = Real>
 class LagrangeTop {
  public:
   /// transverse: I_t about O; axial: I_z [kg m^2]; torque: m g c > 0 [N m]. Throws std::domain_error if the
-  /// axis passes through the vertical (b = +-a) without staying there: its precession angle is undefined.
+  /// axis passes through the vertical (b = +-a) without staying there: the precession is then undefined.
   LagrangeTop(const T& transverse, const T& axial, const T& torque, const AttitudeState<T>& initial);
 
   AttitudeState<T> at(const T& t) const;
