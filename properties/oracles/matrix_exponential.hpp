@@ -9,7 +9,7 @@
 //   phi1(2A) = phi1(A) (I + E/2).
 //
 // The affine 4x4 matrix [[phi], rho; 0, 0] gives E and p = phi1 rho, with p(2A) = 2 p + E p. The adjoint 6x6
-// matrix [[phi], [rho]; 0, [phi]] is the 3x3 matrix [phi] + e [rho] of dual numbers: three 3x3 products for one.
+// matrix [[phi], [rho]; 0, [phi]] is the 3x3 matrix [phi] + e [rho] of dual numbers, with cheaper products.
 //
 // Error: k + 4 bits of the working precision, relative to the largest operand, with k = log2 theta + 7.
 
