@@ -1,5 +1,5 @@
 #pragma once
-// Interval arithmetic on floats, as a scalar of the library's templates.
+// Interval arithmetic on floats, as a scalar type for the library's templates.
 
 #include <algorithm>
 #include <cmath>
@@ -9,9 +9,9 @@
 
 namespace liecheck::properties {
 
-/// Every float in [low, high]. Rounding to nearest is monotone, so that the result of an operation on any operands lies
-/// between its results at their ends: an interval holds every float that the code can return. A comparison or a
-/// function that the ends do not determine sets `undecided`.
+/// All floats in [low, high]. Rounding to nearest is monotone, so that the results of an operation lie
+/// between its results at the ends of the operands. An interval therefore contains every float that the code
+/// can return. A comparison or function that the ends do not determine sets `undecided`.
 struct FloatInterval {
   using Lane = float;
   float low, high;

@@ -13,13 +13,13 @@ using enum Coefficient;
 
 constexpr std::size_t most_outputs = 6;
 
-// Each computes some coefficients of one argument, in any scalar S.
+// Each struct computes some coefficients of one argument, in any scalar S.
 
 struct SixStumpff {
   static inline const std::vector<Coefficient> outputs = {c0, c1, c2, c3, c4, c5};
   template <class S>
   static void of(const S& x, S* out) {
-    const HalfAngle<S> c(S(4) * x);  // its functions of a quarter of the argument, here of x itself
+    const HalfAngle<S> c(S(4) * x);  // HalfAngle evaluates at a quarter of its argument: at x
     out[0] = c.c0, out[1] = c.c1, out[2] = c.c2, out[3] = c.c3, out[4] = c.c4, out[5] = c.c5;
   }
 };
@@ -57,7 +57,7 @@ struct Logarithm {
   }
 };
 
-/// Four floats at a time; the first one again with the scalar float, whose bits must agree.
+/// Evaluates four floats at a time. The first one is evaluated again as a scalar float: the bits must agree.
 template <class Code>
 void in_simd(const float* x, std::size_t n, float* const* out) {
   const std::size_t outputs = Code::outputs.size();
@@ -114,25 +114,25 @@ const std::vector<CoefficientCode>& library_coefficients() {
 const std::vector<CoefficientClaim>& coefficient_claims() {
   static const std::vector<CoefficientClaim> all = {
       {c0, "c0", "cos theta", "theta^2", 0.6,
-       "1 - x/2 + x^2 c4, the rounding error of the first difference added; to theta = pi/2"},
-      {c1, "c1", "sin theta / theta", "theta^2", 0.6, "1 - x/8 and smaller terms, as c0; to theta = pi/2"},
-      {c2, "c2", "(1 - cos theta) / theta^2", "theta^2", 0.7, "1/2 - x c4, to theta = pi/2"},
-      {c3, "c3", "(theta - sin theta) / theta^3", "theta^2", 0.9, "1/6 - x c5, to theta = pi/2"},
-      {c4, "c4", "(1/2 - c2) / theta^2", "theta^2", 1.1, "economised polynomial, its first term added last"},
-      {c5, "c5", "(1/6 - c3) / theta^2", "theta^2", 1.1, "economised polynomial, its first term added last"},
+       "1 - x/2 + x^2 c4, where the rounding error of 1 - x/2 is added back; up to theta = pi/2"},
+      {c1, "c1", "sin theta / theta", "theta^2", 0.6, "1 - x/8 + smaller terms, like c0; up to theta = pi/2"},
+      {c2, "c2", "(1 - cos theta) / theta^2", "theta^2", 0.7, "1/2 - x c4, up to theta = pi/2"},
+      {c3, "c3", "(theta - sin theta) / theta^3", "theta^2", 0.9, "1/6 - x c5, up to theta = pi/2"},
+      {c4, "c4", "(1/2 - c2) / theta^2", "theta^2", 1.1, "economised polynomial; first term added last"},
+      {c5, "c5", "(1/6 - c3) / theta^2", "theta^2", 1.1, "economised polynomial; first term added last"},
       {Coefficient::c3_minus_2c4, "c3_minus_2c4", "c3 - 2 c4 = -2 dc2/dx", "theta^2", 2.6,
-       "c1 (c2 - c3) / 4 at x/4: the difference cancels a factor 2"},
+       "c1 (c2 - c3) / 4 at x/4: the difference loses a factor 2 by cancellation"},
       {Coefficient::c4_minus_3c5, "c4_minus_3c5", "c4 - 3 c5 = -2 dc3/dx", "theta^2", 2.4,
        "a sum of positive terms at x/4"},
       {d, "d", "(1 - (theta/2) cot(theta/2)) / theta^2", "theta^2", 2.6, "(c2 - c3) / (4 c1) at x/4"},
       {d2, "d2", "2 dd/dx", "theta^2", 5,
-       "(c4 - 3 c5 + c3 (c2 - 2 c3)) / (16 c1^2) at x/4: both differences cancel a factor 4"},
+       "(c4 - 3 c5 + c3 (c2 - 2 c3)) / (16 c1^2) at x/4: both differences lose a factor 4"},
       {half_sine, "sine_over_angle", "sin(theta/2) / theta", "theta^2", 0.6, "half of c1 at x/4"},
-      {half_cosine, "cosine", "cos(theta/2)", "theta^2", 0.6, "c0 at x/4: crosses zero at pi"},
+      {half_cosine, "cosine", "cos(theta/2)", "theta^2", 0.6, "c0 at x/4; it crosses zero at pi"},
       {angle_over_sine, "angle_over_sine", "2 h / tan h", "tan^2 h", 2.5,
-       "a root, a quotient and a polynomial of cos h"},
+       "a square root, a quotient and a polynomial in cos h"},
       {alpha, "alpha", "h cot h", "tan^2 h", 2.5,
-       "angle_over_sine times cosine; that product is exact at w = 1, and rounds elsewhere"}};
+       "angle_over_sine times cosine; this product is exact at w = 1 and rounded at other w"}};
   return all;
 }
 

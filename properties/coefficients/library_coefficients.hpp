@@ -25,9 +25,9 @@ const std::vector<CoefficientClaim>& coefficient_claims();
 struct CoefficientCode {
   std::vector<Coefficient> outputs;
   float last;  ///< the largest argument swept; the smallest is 0
-  /// Computes out[k][i] of x[i], k an output, i < n; reads and writes up to 3 floats beyond n.
+  /// Sets out[k][i] to output k at x[i] for i < n. Reads and writes up to 3 floats beyond n.
   std::function<void(const float* x, std::size_t n, float* const* out)> evaluate;
-  /// Computes out[k] and returns true where every argument in [low, high] provably has these same results.
+  /// If all arguments in [low, high] provably have the same results, sets out[k] to them and returns true.
   std::function<bool(float low, float high, float* out)> constant;
 };
 const std::vector<CoefficientCode>& library_coefficients();

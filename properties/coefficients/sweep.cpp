@@ -14,10 +14,11 @@ namespace liecheck::properties {
 namespace {
 
 constexpr double eps = std::numeric_limits<float>::epsilon();
-/// Numbers of consecutive floats: of one evaluation, of the largest interval tried for one value, of a task of a thread.
+/// Numbers of consecutive floats: in one evaluation, in the largest interval that is tried for a constant
+/// value, and in one task of a thread.
 constexpr std::uint32_t block = 1U << 12, interval = 1U << 20, task = 1U << 22;
 constexpr std::size_t padding = 4;  ///< CoefficientCode::evaluate may read and write beyond the end
-/// Above this bound of the oracle, 1e-4 eps, an interval is too wide for a cubic polynomial.
+/// If the oracle's bound exceeds this value, 1e-4 eps, an interval is too wide for a cubic polynomial.
 constexpr double largest_oracle_bound = 1e-11;
 
 float float_of(std::uint32_t bits) {
@@ -45,7 +46,7 @@ Pair both(double x) {
   return Pair{x, x};
 }
 
-/// |f p(u) - 1|, or |f - p(u)|; `most` = infinity where f is NaN.
+/// The error |f p(u) - 1|, or |f - p(u)| if `absolute`; `most` (infinity) if f is NaN.
 template <bool absolute, class T>
 T error_of(const T& x, const T& f, const std::array<T, 5>& p, const T& one, const T& zero, const T& most) {
   const T u = x - p[4];
@@ -98,8 +99,8 @@ class Sweeper {
   }
 
  private:
-  /// Where the code returns one value over the whole interval and the exact coefficient is monotone, the largest error
-  /// is at one of the ends; returns false elsewhere.
+  /// If the code returns one value over the whole interval and the exact coefficient is monotone, the largest
+  /// error is at one of the ends. Otherwise returns false.
   bool sweep_ends(std::uint32_t from, std::uint32_t end) {
     if (stride_ != 1) return false;
     const float low = float_of(from), high = float_of(end - 1);
@@ -146,7 +147,7 @@ class Sweeper {
     }
   }
 
-  /// Of half width w, with n floats.
+  /// Adds an interval of half width w with n floats.
   void add_interval(std::size_t k, const oracles::LocalExpansion& o, double w, std::uint64_t n) {
     Largest& f = largest_[k];
     f.evaluated += n;

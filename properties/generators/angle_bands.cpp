@@ -33,7 +33,7 @@ Bands::Bands(int min_exponent, int digits) {
     bands_.push_back({std::move(name), axis, low, high, region});
     return bands_.size() - 1;
   };
-  const int precision = static_cast<int>(std::floor(digits * std::log10(2.0)));  // 6, 15, 34
+  const int precision = static_cast<int>(std::floor(digits * std::log10(2.0)));  // 7, 15, 34
   push("all", Axis::none, 0, 0, Region::to_pi);
 
   first_theta_ = push("0", Axis::theta, 0, 0, Region::to_pi);
@@ -107,7 +107,7 @@ std::size_t Bands::classify_ball(const T& theta) const {
   static const T pi_value = edge<T>(double_double(pi()));
   if (theta == T(0)) return first_theta_;
   if (theta <= T(1)) {
-    // The next edge above by the midpoints, then confirmed in ball arithmetic.
+    // The midpoints give the next edge above; ball arithmetic confirms it.
     const auto above = std::upper_bound(ball_theta_edges_.begin(), ball_theta_edges_.end(), theta.head(),
                                         [](double x, const auto& e) { return x < e.high; });
     auto i = static_cast<std::size_t>(above - ball_theta_edges_.begin());

@@ -1,8 +1,8 @@
 #pragma once
-// Angle bands: the intervals of [0, infinity) by which cases are sorted, according to the exact angle.
+// Angle bands: intervals of [0, infinity). A case belongs to the band that contains its exact angle.
 //
-// They are log-spaced near 0 and on both sides of pi, where formulas degenerate, and scaled to the scalar: in the
-// lowest bands theta or theta^2 underflows in that scalar.
+// The bands are logarithmic near 0 and below pi, where formulas degenerate. They depend on the scalar: in the
+// lowest bands theta or theta^2 underflows.
 
 #include <cmath>
 #include <limits>
@@ -12,7 +12,7 @@
 
 namespace liecheck::properties {
 
-/// The quantity that a band is an interval of.
+/// The quantity that a band limits.
 enum class Axis { none, theta, pi_minus_theta };
 
 /// Which rule of the budget table applies.
@@ -21,7 +21,7 @@ enum class Region { to_pi, beyond_pi };
 struct Band {
   std::string name;
   Axis axis = Axis::none;
-  double low = 0, high = 0;  ///< of that quantity [rad]; 0 where it underflows in double
+  double low = 0, high = 0;  ///< of that quantity [rad]; 0 if it underflows in double
   Region region = Region::to_pi;
 };
 
@@ -46,7 +46,7 @@ class Bands {
   std::size_t underflowing(bool is_subnormal) const { return first_theta_ + (is_subnormal ? 1 : 2); }
   /// The band of an angle that is exactly pi.
   std::size_t at_pi() const { return pi_; }
-  /// The band of a ball; throws oracles::Undecided where the ball contains an edge.
+  /// The band of a ball. Throws oracles::Undecided if the ball contains an edge.
   std::size_t classify(const oracles::DoubleBall& theta) const { return classify_ball(theta); }
   std::size_t classify(const oracles::DoubleDoubleBall& theta) const { return classify_ball(theta); }
 
@@ -58,7 +58,7 @@ class Bands {
 
   std::vector<Band> bands_;
   std::vector<oracles::Real> theta_edges_, pi_edges_;
-  std::vector<oracles::DoubleDouble> ball_theta_edges_, ball_pi_edges_;  ///< within 2^-106 relative
+  std::vector<oracles::DoubleDouble> ball_theta_edges_, ball_pi_edges_;  ///< to a relative 2^-106
   std::size_t first_theta_ = 0, generic_ = 0, first_pi_ = 0, pi_ = 0, beyond_ = 0, near_2pi_ = 0, huge_ = 0;
 };
 

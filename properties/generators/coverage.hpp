@@ -1,19 +1,18 @@
 #pragma once
-// The number of a campaign's inputs in each class of input_classes.hpp. A campaign without any input of a required
-// class fails: its generator is defective, or has been narrowed.
+// Counts a campaign's inputs in each class of input_classes.hpp. A campaign fails if a required class has no
+// input: its generator is then defective or too narrow.
 
 #include <array>
 #include <generators/input_classes.hpp>
 
 namespace liecheck::properties {
 
-/// The number of inputs in each class of each field.
 class Coverage {
  public:
   template <class S>
   void add(const std::vector<Field>& fields, const std::vector<S>& input);
   void merge(const Coverage& o);
-  /// "CASES;N,N,...;N,...": the counts of every field, and their parser, which returns false for any other text.
+  /// text() writes all counts as "CASES;N,N,...;N,...". parse() returns false for any other text.
   std::string text() const;
   bool parse(const std::string& text);
   std::uint64_t cases() const { return cases_; }
@@ -26,8 +25,7 @@ class Coverage {
   std::vector<std::array<std::uint64_t, 24>> counts_;
 };
 
-/// A class is required where at least so many inputs of it are expected; to have none by chance then has probability
-/// e^-30.
+/// A class is required if at least this many of its inputs are expected. The chance of none is then e^-30.
 inline constexpr std::uint64_t expected_at_least = 30;
 
 }  // namespace liecheck::properties

@@ -10,7 +10,7 @@ namespace {
 
 using float128 = boost::multiprecision::float128;
 
-// The order of each list is that of the bits below.
+// Each list is in the order of the bits below.
 const std::vector<InputClass> vectors = {{"zero", 3500},
                                          {"minus zero", 60},
                                          {"along an axis", 60},
@@ -69,7 +69,7 @@ constexpr std::uint32_t bit(bool condition, int i) {
   return condition ? 1u << i : 0u;
 }
 
-/// A type in which the square of a float does not overflow; other scalars are divided by their largest element first.
+/// double for float, so that squares do not overflow. Other scalars are first divided by a large element.
 template <class S>
 using Wide = std::conditional_t<std::is_same_v<S, float>, double, S>;
 
@@ -188,7 +188,7 @@ std::uint32_t of_matrix(std::span<const S> R) {
          bit(axis && trace < S(3), 4);
 }
 
-/// By the rank, 0 to 3, of the second moment of mass tr(I)/2 - I. I: xx xy yy xz yz zz.
+/// The class follows from the rank, 0 to 3, of the second moment of mass tr(I)/2 - I. I: xx xy yy xz yz zz.
 template <class S>
 std::uint32_t of_inertia(std::span<const S> I) {
   using std::fabs;

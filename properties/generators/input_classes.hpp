@@ -1,6 +1,6 @@
 #pragma once
-// The classes of inputs on which code breaks, for each kind of a group of numbers, and how rarely a generator may give
-// each of them.
+// The classes of inputs on which code breaks, for each kind of a group of numbers, and the minimum share of
+// cases that a generator must produce for each class.
 
 #include <cstdint>
 #include <generators/input_layout.hpp>
@@ -10,18 +10,18 @@
 
 namespace liecheck::properties {
 
-/// A class of one kind's inputs. The generator gives at least one case in `one_in` of it; a test measures this.
+/// A class of inputs of one kind. A generator gives it at least once in `one_in` cases; a test measures this.
 struct InputClass {
   std::string name;
   std::uint64_t one_in;
-  Reach reach = Reach::limited;  ///< of the fields for which it is required
+  Reach reach = Reach::limited;  ///< reach of the fields that require the class; limited: every field
 };
 
-/// The classes of a kind; bit i of a mask is entry i. Empty for kinds without classes.
+/// The classes of a kind, empty for a kind without classes. Bit i of a mask stands for entry i.
 const std::vector<InputClass>& classes_of(Kind kind);
 bool requires_class(const Field& field, const InputClass& c);
 
-/// The mask of the classes of the numbers x. `earlier`: the previous group of the same kind, or empty.
+/// The mask of the classes that contain x. `earlier` is the previous group of the same kind, or empty.
 template <class S>
 std::uint32_t classify(Kind kind, std::span<const S> x, std::span<const S> earlier);
 

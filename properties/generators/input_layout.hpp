@@ -1,12 +1,11 @@
 #pragma once
-// The layout of a property's input: groups of numbers, each of a kind that determines how it is generated, mutated,
-// shrunk and counted.
+// The layout of a property's input: groups of numbers. The kind of a group determines how its numbers are
+// generated, mutated, shrunk and counted.
 
 #include <string>
 
 namespace liecheck::properties {
 
-/// What a group of numbers means.
 enum class Kind {
   vector,
   rotation_vector,
@@ -16,16 +15,16 @@ enum class Kind {
   positive,
   choice,
   opaque,
-  parents,  ///< of the joints of a tree, -2 for an absent joint
+  parents,  ///< parents of the joints of a tree, -2 for an absent joint
   joints,   ///< kinds of the joints of a tree, then the primaries of mimics
-  masses    ///< of the bodies of a tree, 0 for an absent one
+  masses    ///< masses of the bodies of a tree, 0 for an absent body
 };
 
-/// Which classes of inputs the generator of a group gives.
+/// The classes of inputs that the generator of a group must produce.
 enum class Reach {
-  limited,  ///< what the law allows
+  limited,  ///< angles up to pi and moderate scales
   full,     ///< also angles beyond pi and scales up to 1e150
-  beside,   ///< the same, and often values near the previous group of the same kind
+  beside,   ///< often values near the previous group of the same kind
   any       ///< no class is required
 };
 

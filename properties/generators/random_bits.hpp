@@ -1,12 +1,12 @@
 #pragma once
-// The stream of random bits of one case.
+// The stream of random bits of one case, by SplitMix64 (Steele, Lea & Flood 2014).
 //
-// A case is addressable: the same key (CaseId::key, campaign/case_id.hpp, from seed, law, scalar, robot and index) gives
-// the same bits on any thread, shard or machine. In RapidCheck's own loop a
-// case depends on the cases before it; here SplitMix64 (Steele, Lea & Flood 2014) starts from the case's key alone.
-// (RapidCheck's random engine could be seeded likewise, but its cryptographic hash takes a tenth of a campaign's time.)
-// Numbers are computed with + - x / sqrt and ldexp only, which IEEE 754 rounds correctly everywhere, and without
-// std::*_distribution, whose algorithms are not specified.
+// The stream depends only on the key of the case (CaseId::key in campaign/case_id.hpp: seed, law, scalar,
+// robot and index). A case therefore has the same bits on any thread, shard or machine. In RapidCheck's own
+// loop a case depends on the cases before it. (RapidCheck's random engine could be seeded with the key, but
+// its cryptographic hash takes a tenth of a campaign's time.)
+// Numbers are computed only with + - x / sqrt and ldexp, which IEEE 754 rounds correctly on every machine.
+// std::*_distribution is not used, because its algorithms are not specified.
 
 #include <array>
 #include <cmath>
@@ -59,7 +59,7 @@ class Source {
   }
 
  private:
-  /// A bijection in which each bit of z inverts each bit of the result with probability 1/2.
+  /// A bijection: changing one bit of z changes each bit of the result with probability 1/2.
   static std::uint64_t mixed(std::uint64_t z) {
     z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
     z = (z ^ (z >> 27)) * 0x94d049bb133111eb;

@@ -5,7 +5,7 @@
 
 namespace liecheck::properties {
 
-/// x moved by k units in the last place of its own binade (exact; away from zero for k > 0).
+/// x moved by k units in the last place of x's binade, exactly, and away from zero for k > 0.
 template <class S>
 S step_ulps(const S& x, int k) {
   using std::frexp, std::ldexp;
@@ -17,7 +17,7 @@ S step_ulps(const S& x, int k) {
   return x > S(0) ? S(x + S(k) * ulp) : S(x - S(k) * ulp);
 }
 
-/// Log-uniform on [2^low, 2^high): a uniform exponent, a uniform mantissa.
+/// Log-uniform on [2^low, 2^high), with a uniform exponent and a uniform mantissa.
 template <class S>
 S binade_uniform(Source& source, int low, int high) {
   using std::ldexp;
@@ -47,13 +47,13 @@ S subnormal(Source& source) {
   return S(ldexp(S(1) + source.unit<S>(), bits - 1)) * unit;
 }
 
-/// A multiple of 1/4 in [-2, 2], as people write in tests.
+/// A multiple of 1/4 in [-2, 2], as in handwritten tests.
 template <class S>
 S simple(Source& source) {
   return S(source.between(-8, 8)) / S(4);
 }
 
-/// A signed length, speed or force: mostly in [-2, 2], sometimes simple, zero, tiny or large, with |x| between
+/// A signed length, speed or force: mostly in [-2, 2], sometimes simple or zero, sometimes with |x| between
 /// 2^-binades and 2^binades.
 template <class S>
 S magnitude(Source& source, int binades) {

@@ -1,14 +1,14 @@
 #pragma once
-// The generators for RapidCheck, for use in other projects' tests: the angles, scales and axes at which code breaks,
-// and shrinking that ends in short numbers. RapidCheck's own floating-point generators and shrinkers are weak (its
-// issues 134, 139).
+// RapidCheck generators for the tests of other projects. They produce the angles, scales and axes at which
+// code breaks, and shrink to short numbers. RapidCheck's own floating-point generators and shrinkers are weak
+// (its issues 134 and 139).
 //
 //   rc::check("log is the inverse of exp", [] {
 //     const auto xi = *liecheck::properties::gen::twist<double>(AngleRange::to_pi);
 //     RC_ASSERT((log6(exp6(xi)) - xi).norm() <= 8e-16 * xi.norm());
 //   });
 //
-// Headers only; needs Eigen, Boost's headers and RapidCheck (CMake: liecheck_generators).
+// The file is header-only and needs Eigen, Boost's headers and RapidCheck (CMake: liecheck_generators).
 
 #include <rapidcheck.h>
 
@@ -19,7 +19,7 @@ namespace liecheck::properties::gen {
 
 namespace detail {
 
-/// All inputs that differ from x by one simpler group.
+/// All inputs in which one group of x is replaced by a simpler group.
 template <class S>
 std::vector<std::vector<S>> simpler(const std::vector<S>& x, const std::vector<Field>& fields) {
   std::vector<std::vector<S>> all;
@@ -75,7 +75,7 @@ Eigen::Matrix<S, 3, 3> as_matrix(const std::vector<S>& x) {
 
 }  // namespace detail
 
-/// Three lengths, speeds or forces: of unit scale, zero, simple, tiny and huge, up to 2^binades.
+/// Three lengths, speeds or forces: at unit scale, zero, simple, tiny or huge, up to 2^binades.
 template <class S>
 rc::Gen<Eigen::Matrix<S, 3, 1>> vector(int binades = widest<S>) {
   return detail::generator<S>(

@@ -1,6 +1,6 @@
 #pragma once
-// Angles, axes, rotation vectors, unit quaternions and rotation matrices: valid by construction, biased to
-// where code breaks.
+// Random angles, axes, rotation vectors, unit quaternions and rotation matrices. They are valid by
+// construction and prefer values at which code breaks.
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -11,11 +11,10 @@
 
 namespace liecheck::properties {
 
-/// The range of generated angles.
 enum class AngleRange { to_pi, unbounded };
 
-/// Angles [rad] at which implementations are known to change formula: powers of ten, and roots of the machine
-/// epsilon that authors choose. theta itself and sqrt of the same numbers (a cutoff on theta^2).
+/// Angles [rad] at which implementations are known to change their formula: powers of ten, roots of the
+/// machine epsilon, and the square roots of such numbers (for cutoffs on theta^2).
 template <class S>
 const std::vector<S>& common_cutoffs() {
   static const std::vector<S> all = [] {
@@ -28,7 +27,7 @@ const std::vector<S>& common_cutoffs() {
     for (const S& t : {S(S(1) / S(2)), S(S(1) / S(4)), S(S(1) / S(100) / S(20)), S(sqrt(S(1) / S(10))),
                        S(sqrt(std::numeric_limits<S>::min()))})
       c.push_back(t);
-    // From pi on, and pi / 2; the first is where this library's own series end.
+    // The last four are not used below pi. At the first of them the series of liecheck end.
     const S pi = boost::math::constants::pi<S>();
     for (const S& t : {S(pi * (S(1) + S(4) * eps)), pi, S(pi / S(2)), S(S(2) * pi)}) c.push_back(t);
     return c;
@@ -72,8 +71,7 @@ S angle(Source& source, AngleRange range) {
   return binade_uniform<S>(source, 3, 27);  // up to 1e8
 }
 
-/// A direction: along an axis, in a coordinate plane, nearly along an axis, a cube's diagonal, or anywhere.
-/// Unit to rounding.
+/// A unit vector up to rounding: along an axis, nearly so, in a coordinate plane, a cube's diagonal, or any.
 template <class S>
 Eigen::Matrix<S, 3, 1> direction(Source& source) {
   using V = Eigen::Matrix<S, 3, 1>;
@@ -115,7 +113,7 @@ Eigen::Matrix<S, 3, 1> rotation_vector(Source& source, AngleRange range) {
   return t * direction<S>(source);
 }
 
-/// 2^widest is 3e150 in double, and the same share of the exponent range in other scalars, so that squares are finite.
+/// 2^widest is 3e150 in double, and the same share of the exponent range in others: squares are finite.
 template <class S>
 inline constexpr int widest = std::numeric_limits<S>::max_exponent / 256 * 125;
 template <>
@@ -124,7 +122,7 @@ inline constexpr int widest<float> = 62;
 /// Three magnitudes, or a direction times one scale.
 template <class S>
 Eigen::Matrix<S, 3, 1> vector3(Source& source, int binades = widest<S>) {
-  if (source.chance(1, 4)) {  // one scale for all three, often the smallest or the largest
+  if (source.chance(1, 4)) {  // one scale for all, often the smallest or the largest
     using std::ldexp;
     const int beyond = binades + binades / 8;
     const int exponent = std::clamp(source.between(-beyond, beyond), -binades, binades);
@@ -134,8 +132,8 @@ Eigen::Matrix<S, 3, 1> vector3(Source& source, int binades = widest<S>) {
   return {magnitude<S>(source, binades), magnitude<S>(source, binades), magnitude<S>(source, binades)};
 }
 
-/// A quaternion x y z w, unit to a few eps: | |Q|^2 - 1 | <= 8 eps. Small angles by a log-uniform vector part,
-/// angles near pi by a log-uniform scalar part; either sign.
+/// A quaternion x y z w of either sign with | |Q|^2 - 1 | <= 8 eps. Small angles have a log-uniform vector
+/// part, angles near pi a log-uniform scalar part.
 template <class S>
 Eigen::Matrix<S, 4, 1> unit_quaternion(Source& source) {
   using std::sqrt;
@@ -165,7 +163,7 @@ Eigen::Matrix<S, 4, 1> unit_quaternion(Source& source) {
     }
   }
   q /= S(sqrt(q.squaredNorm()));
-  if (source.chance(1, 4)) {  // a norm off 1, within the documented bound
+  if (source.chance(1, 4)) {  // a norm that is not 1, within the documented bound
     q *= S(1) + S(source.between(-5, 5)) * std::numeric_limits<S>::epsilon() / S(2);
   }
   if (source.chance(1, 2)) q = -q;
@@ -184,7 +182,7 @@ Eigen::Matrix<S, 3, 3> rotation_matrix(const Eigen::Matrix<S, 4, 1>& q) {
   return R;
 }
 
-/// a (x) b, unit to a few eps.
+/// The quaternion product a b, unit to a few eps.
 template <class S>
 Eigen::Matrix<S, 4, 1> quaternion_product(const Eigen::Matrix<S, 4, 1>& a, const Eigen::Matrix<S, 4, 1>& b) {
   return {S(S(a[3] * b[0] + a[0] * b[3]) + S(a[1] * b[2] - a[2] * b[1])),
@@ -193,7 +191,7 @@ Eigen::Matrix<S, 4, 1> quaternion_product(const Eigen::Matrix<S, 4, 1>& a, const
           S(S(a[3] * b[3] - a[0] * b[0]) - S(a[1] * b[1] + a[2] * b[2]))};
 }
 
-/// A quaternion Q relative to Q0: equal, -Q0, a few ulps away, near, at a relative angle near pi, or anywhere.
+/// A quaternion equal to Q0 or -Q0, a few ulps away, near, at a relative angle near pi, or any other.
 template <class S>
 Eigen::Matrix<S, 4, 1> quaternion_near(Source& source, const Eigen::Matrix<S, 4, 1>& Q0) {
   using std::sqrt;
@@ -228,7 +226,7 @@ Eigen::Matrix<S, 4, 1> quaternion_near(Source& source, const Eigen::Matrix<S, 4,
   return q;
 }
 
-/// A point equal to p0, a few ulps away, near, or anywhere.
+/// A point equal to p0, a few ulps away, near, or any other.
 template <class S>
 Eigen::Matrix<S, 3, 1> point_near(Source& source, const Eigen::Matrix<S, 3, 1>& p0) {
   Eigen::Matrix<S, 3, 1> p = p0;

@@ -1,6 +1,6 @@
 #pragma once
-// Simpler values of a group of numbers, simplest first, as people would write them in a bug report. Each is a valid
-// value of its kind, up to rounding.
+// Simpler values of a group of numbers, as in a handwritten bug report, simplest first. Each value is valid
+// for its kind, up to rounding.
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@
 
 namespace liecheck::properties::shrinks {
 
-/// x with at most `bits` significant bits, towards zero.
+/// x rounded towards zero to at most `bits` significant bits.
 template <class S>
 S few_bits(const S& x, int bits) {
   using std::frexp, std::ldexp, std::trunc;
@@ -22,7 +22,7 @@ S few_bits(const S& x, int bits) {
   return S(ldexp(S(trunc(S(ldexp(m, bits)))), exponent - bits));
 }
 
-/// x rounded to a few decimal digits; x itself beyond a double's range.
+/// x rounded to `digits` decimal digits, or x itself outside the range of double.
 template <class S>
 S few_digits(const S& x, int digits) {
   const double d = static_cast<double>(x);
@@ -50,7 +50,7 @@ S norm(const std::vector<S>& g) {
 template <class S>
 using Candidates = std::vector<std::vector<S>>;
 
-/// All numbers rounded, most coarsely first.
+/// Adds g with all its numbers rounded, coarsest rounding first.
 template <class S>
 void add_rounded(Candidates<S>& all, const std::vector<S>& g) {
   for (int size : {1, 2, 4, 8, 16, 32})
@@ -62,8 +62,8 @@ void add_rounded(Candidates<S>& all, const std::vector<S>& g) {
     }
 }
 
-/// Vectors: along an axis, with length 1, a short decimal, a power of two or the length of g; one more element zero;
-/// unit scale.
+/// Vectors along an axis with length 1, a short decimal, a power of two or the length of g. Then g with one
+/// element set to zero, g at unit scale, and g rounded.
 template <class S>
 Candidates<S> vectors(const std::vector<S>& g, bool rotation) {
   using std::frexp, std::ldexp;
@@ -89,8 +89,7 @@ Candidates<S> vectors(const std::vector<S>& g, bool rotation) {
   return all;
 }
 
-/// Quaternions: the identity, rotations by pi and pi/2 about an axis, by the same angle about an axis, rounded and
-/// normalised.
+/// Quaternions: the identity; rotations about an axis by pi, pi/2 and g's angle; g rounded and normalised.
 template <class S>
 Candidates<S> quaternions(const std::vector<S>& g) {
   using std::sqrt;
@@ -115,7 +114,7 @@ Candidates<S> quaternions(const std::vector<S>& g) {
   return all;
 }
 
-/// Matrices: the identity, rotations by pi, pi/2 and the same angle about the axes.
+/// Matrices: the identity, and rotations about an axis by pi, pi/2 and the angle of R.
 template <class S>
 Candidates<S> matrices(const std::vector<S>& R) {
   Candidates<S> all{{S(1), S(0), S(0), S(0), S(1), S(0), S(0), S(0), S(1)}};
@@ -134,7 +133,7 @@ Candidates<S> matrices(const std::vector<S>& R) {
   return all;
 }
 
-/// Inertias (xx xy yy xz yz zz): spheres of unit size and of the same trace, no products of inertia, rounded.
+/// Inertias (xx xy yy xz yz zz): unit sphere, spheres of g's trace, g without products of inertia, rounded g.
 template <class S>
 Candidates<S> inertias(const std::vector<S>& g) {
   const S third = (g[0] + g[2] + g[5]) / S(3);

@@ -6,8 +6,8 @@
 
 namespace liecheck::properties::shrinks {
 
-/// The tree without joint k: its children, the frame and the wrench are moved to its parent. Nothing where joint k is a
-/// mimic's primary or the only joint.
+/// The tree without joint k, whose children, frame and wrench are moved to its parent. Empty if joint k is
+/// absent, a mimic's primary or the only joint.
 template <class S>
 std::optional<std::vector<S>> without_joint(const std::vector<S>& x, int k) {
   const TreeLayout at{tree_slots};

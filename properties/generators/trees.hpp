@@ -1,10 +1,9 @@
 #pragma once
-// Random trees of up to five bodies with every joint type, as one list of numbers of fixed length, valid by
-// construction.
+// Random trees of up to five bodies with every joint type, as lists of numbers, valid by construction.
 //
-// The list: parents [slots], absent_joint for an absent joint; kinds [slots]; primaries [slots], -1 for a joint that is
-// no mimic; masses [slots]; gravity; a frame and a wrench, each on a joint; then the numbers of each slot (TreeSlot).
-// The numbers of an absent joint are zero, its rotations the identity.
+// The list has parents [slots], with absent_joint for an absent joint; kinds [slots]; primaries [slots], with
+// -1 for a joint that is not a mimic; masses [slots]; gravity; a frame and a wrench, each on a joint; and the
+// numbers of each slot (TreeSlot). An absent joint has zeros and identity rotations.
 
 #include <generators/rotations.hpp>
 #include <oracles/tree.hpp>
@@ -14,7 +13,7 @@ namespace liecheck::properties {
 inline constexpr int tree_slots = 5;
 inline constexpr int absent_joint = -2;
 
-/// The offsets of a slot's numbers in the slot.
+/// The offsets of a joint's numbers in its slot.
 struct TreeSlot {
   enum { Q = 0, p = 4, axis = 7, pitch = 10, multiplier, offset, armature, c, I = c + 3 };
   enum {
@@ -52,8 +51,8 @@ void clear_slot(S* slot) {
   slot[TreeSlot::Q + 3] = slot[TreeSlot::q_Q + 3] = slot[TreeSlot::q_circle] = S(1);
 }
 
-/// m sum a_k^2 (1 - e_k e_k^T) for random radii of gyration a_k and axes e_k: xx xy yy xz yz zz. With `degenerate` also
-/// points, needles and plates; they may give a joint no inertia, so that it needs an armature.
+/// m sum a_k^2 (1 - e_k e_k^T) for random radii of gyration a_k and axes e_k, as xx xy yy xz yz zz.
+/// `degenerate` also allows points, needles and plates, for which the joint may need an armature.
 template <class S>
 Eigen::Matrix<S, 6, 1> inertia(Source& source, const S& mass, bool degenerate) {
   using V3 = Eigen::Matrix<S, 3, 1>;
@@ -92,7 +91,7 @@ void put(S* to, const Eigen::MatrixBase<Derived>& v) {
 
 }  // namespace tree_detail
 
-/// Sets a joint's numbers of q, v, a and the direction d; the coordinates that its kind does not have stay zero.
+/// Sets a joint's numbers of q, v, a and the direction d. Coordinates that its kind does not have stay zero.
 template <class S>
 void random_joint_state(Source& source, oracles::JointKind kind, bool mimics, S* slot) {
   using oracles::JointKind;
@@ -124,7 +123,7 @@ void random_joint_state(Source& source, oracles::JointKind kind, bool mimics, S*
     }
 }
 
-/// A frame: a joint and a pose in its frame.
+/// A frame: a joint and a pose relative to it.
 template <class S>
 void random_frame(Source& source, int joints, S* to) {
   to[0] = S(source.between(0, joints - 1));
@@ -139,7 +138,7 @@ void random_wrench(Source& source, int joints, S* to) {
   tree_detail::put(to + 4, vector3<S>(source, tree_detail::reach));
 }
 
-/// A tree and a state. With `floating` the first joint is a free-flyer and the only one on the world.
+/// A tree and a state. With `floating` the first joint is a free-flyer and the only child of the world.
 template <class S>
 std::vector<S> random_tree(Source& source, bool floating) {
   using oracles::JointKind;

@@ -23,7 +23,7 @@ Trial attempt_in(const TypedSeries<S>& series, const CaseId& address) {
   try {
     check_entrance(series.tested_subject().operations, series.fields, x);
     trial.judged = series.measure_by_digits(x, series.limits(), true, &trial.refusal);
-    // The hard cases test the ball arithmetic too, in the domain that it is made for.
+    // Hard cases in the domain of the ball arithmetic also test the ball arithmetic.
     if (trial.in_domain && trial.refusal.empty() && series.measure_by_balls(x, balls) &&
         !agree(balls.judged, series.measure_by_digits(x, series.limits())))
       for (Judged& j : trial.judged) j.residual.outcome = Outcome::unresolved;
@@ -36,7 +36,7 @@ Trial attempt_in(const TypedSeries<S>& series, const CaseId& address) {
   if (trial.in_domain) return trial;
   for (Judged& j : trial.judged) {
     if (j.residual.outcome == Outcome::refused) j.failed = false;
-    // The oracle has no answer because none exists: any result is on a wrong branch.
+    // No answer exists for such an input: any result is on a wrong branch.
     if (j.residual.outcome == Outcome::unresolved)
       j.residual.outcome = Outcome::wrong_branch, j.failed = true;
   }

@@ -35,7 +35,7 @@ std::vector<std::string> split(const std::string& text, char by) {
   throw std::invalid_argument(place + ": " + why);
 }
 
-/// What reaches a terminal and a record: UTF-8 without control characters.
+/// Refuses text that is unsafe in a terminal or a record: control characters, or text that is not UTF-8.
 void check_text(const std::string& place, const std::string& row) {
   const auto control =
       std::find_if(row.begin(), row.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; });
@@ -49,8 +49,8 @@ void check_text(const std::string& place, const std::string& row) {
   }
 }
 
-/// A field that a case leaves out: the k-th vector, from 0, is (1 + k, 2, 3 - 2 k); the identity, no rotation, a
-/// unit ball's inertia.
+/// The value of a field that a case leaves out: (1 + k, 2, 3 - 2 k) for the k-th vector, from 0; the
+/// identity; a zero rotation vector; the inertia of a unit ball.
 std::vector<std::string> default_value(const Field& field, int vectors_before, const Format& format) {
   switch (field.kind) {
     case Kind::vector:
@@ -120,8 +120,9 @@ std::vector<HardCase> parse_corpus(const std::string& file, const std::string& t
     check_text(c.place(), row);
     const auto columns = split(row, '|');
     if (columns.size() != 6)
-      refuse(c.place(), fmt::format("{} columns, not name | property | input | class | reason | origin: '{}'",
-                                    columns.size(), row.size() > 80 ? row.substr(0, 77) + "..." : row));
+      refuse(c.place(),
+             fmt::format("{} columns instead of name | property | input | class | reason | origin: '{}'",
+                         columns.size(), row.size() > 80 ? row.substr(0, 77) + "..." : row));
     static const char* const names[] = {"name", "property", "input", "class", "reason", "origin"};
     for (std::size_t i = 0; i < 6; ++i)
       if (columns[i].empty()) refuse(c.place(), fmt::format("column {} is empty", names[i]));
@@ -147,7 +148,7 @@ std::vector<HardCase> read_corpus(const std::string& path) {
   constexpr std::uintmax_t largest = 16 << 20;  // bytes: a hundred thousand lines
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error))
-    throw std::invalid_argument(fmt::format("{}: no regular file there", path.empty() ? "''" : path));
+    throw std::invalid_argument(fmt::format("{}: not a regular file", path.empty() ? "''" : path));
   if (std::filesystem::file_size(path, error) > largest)
     throw std::invalid_argument(fmt::format("{}: larger than {} bytes", path, largest));
   std::ifstream file(path, std::ios::binary);
@@ -175,7 +176,7 @@ void check_names_differ(const std::vector<HardCase>& cases) {
   for (const HardCase& c : cases) {
     const auto [first, fresh] = seen.emplace(c.name, &c);
     if (!fresh)
-      refuse(c.place(), fmt::format("name '{}' is already that of {}", c.name, first->second->place()));
+      refuse(c.place(), fmt::format("name '{}' is already used in {}", c.name, first->second->place()));
   }
 }
 

@@ -25,7 +25,7 @@ Number ulp(const Number& x, const Format& f) {
   return power_of_two(std::max(oracles::exponent_of(x), f.min_exponent + 1) - f.digits);
 }
 
-/// To nearest, ties to even; the sign of zero is kept. May round up to 2^max_exponent, which is no number of f.
+/// x rounded to nearest, ties to even, with the sign of zero. The result may be 2^max_exponent, beyond f.
 Number rounded(const Number& x, const Format& f) {
   if (x == 0) return x;
   const Number unit = ulp(x, f), scaled = abs(x) / unit, down = floor(scaled), rest = scaled - down;
@@ -35,7 +35,7 @@ Number rounded(const Number& x, const Format& f) {
   return x < 0 ? Number(-magnitude) : magnitude;
 }
 
-/// x rounded to f, then k neighbours towards infinity.
+/// x rounded to f, then moved by k neighbours towards +infinity (towards -infinity for k < 0).
 Number stepped(const Number& x, long k, const Format& f) {
   Number y = rounded(x, f);
   for (long i = 0; i < std::abs(k); ++i) {
@@ -54,7 +54,7 @@ Number stepped(const Number& x, long k, const Format& f) {
 float128 to_float128(const Number& x) {  // exact for at most 113 bits
   Number rest = x;
   float128 sum = 0;
-  for (int turn = 0; turn < 4 && rest != 0; ++turn) {
+  for (int part = 0; part < 4 && rest != 0; ++part) {
     const int e = oracles::exponent_of(rest);
     const double chunk = static_cast<double>(Number(trunc(Number(ldexp(rest, 53 - e)))));
     sum += ldexp(float128(chunk), e - 53);
@@ -139,7 +139,7 @@ class Parser {
     return combine(base, sign(), [](const Number& a, const Number& b) { return Number(pow(a, b)); });
   }
 
-  /// Number by number; a single number goes with every one of the other side.
+  /// Applies f number by number. A single number is combined with every number of the other side.
   template <class F>
   Numbers combine(const Numbers& a, const Numbers& b, F f) {
     if (a.size() != b.size() && a.size() != 1 && b.size() != 1)
@@ -150,7 +150,7 @@ class Parser {
     return all;
   }
   Number checked(const Number& x) const {
-    if (!isfinite(x)) fail("no finite number");
+    if (!isfinite(x)) fail("not a finite number");
     if (x != 0 && std::abs(oracles::exponent_of(x)) > 100000) fail("a number beyond every scalar's range");
     return x;
   }
@@ -177,7 +177,7 @@ class Parser {
       const Numbers arguments = list();
       if (!take(')')) fail("')' is missing");
       const std::size_t after = at_;
-      at_ = start;  // where a complaint points
+      at_ = start;  // the place that an error message names
       Numbers value = call(name, arguments);
       at_ = after;
       return value;
@@ -200,7 +200,7 @@ class Parser {
     Number value;
     try {
       value = oracles::exact<Number>(parse_float<float128>(word));
-      // 100 digits of a decimal, so that 0.1 is rounded once; what strtoflt128 took is a well-formed number.
+      // A decimal, which parse_float has checked, is read at 100 digits, so that 0.1 is rounded only once.
       if (!hexadecimal) value = Number(word);
     } catch (const std::exception&) {
       fail(fmt::format("'{}' is not a number", word));
@@ -272,7 +272,7 @@ class Parser {
               s * (a * b + c * w),     1 - s * (a * a + c * c), s * (b * c - a * w),
               s * (a * c - b * w),     s * (b * c + a * w),     1 - s * (a * a + b * b)};
     }
-    constant(name);  // names what is known
+    constant(name);  // throws for an unknown name
     fail(name + " is a constant");
   }
 

@@ -1,10 +1,10 @@
 #pragma once
-// Numbers written once for every scalar: the little language of fixtures/hard_cases (its README defines it).
+// The expression language of fixtures/hard_cases (defined in its README). One expression serves every scalar.
 //
-// An expression is evaluated at 100 digits and each number of its value is rounded once, to nearest even, to the
-// scalar at hand: `pi` is pi as a float in float and pi as a double in double, `nextup(pi)` its neighbour there.
-// What depends on the scalar are the constants eps, min_normal, denorm_min and max and the functions round,
-// nextup, nextdown and scaled.
+// An expression is evaluated at 100 digits. Then each number is rounded once, to nearest even, to the scalar:
+// `pi` is the float nearest to pi in float and the double nearest to pi in double, and `nextup(pi)` is the
+// next number above it. The constants eps, min_normal, denorm_min and max and the functions round, nextup,
+// nextdown and scaled depend on the scalar.
 
 #include <string>
 #include <string_view>
@@ -12,7 +12,7 @@
 
 namespace liecheck::properties {
 
-/// The binary format that an expression is rounded to: |x| in [2^min_exponent, 2^max_exponent) when normal.
+/// The binary format to which an expression is rounded. Normal |x| are in [2^min_exponent, 2^max_exponent).
 struct Format {
   std::string name;
   int digits = 0, min_exponent = 0, max_exponent = 0;
@@ -22,8 +22,8 @@ struct Format {
 Format format_of(const std::string& scalar);
 
 /// The numbers of a comma-separated list, each a hexadecimal float that the format holds exactly. Throws
-/// std::invalid_argument naming the place and what is wrong: syntax, an unknown name, a number beyond the
-/// format's range, or a list of which every number rounds to zero although one is not.
+/// std::invalid_argument with the place of a syntax error, an unknown name or a number beyond the format's
+/// range. Also throws if all numbers of the list round to zero but not all are zero.
 std::vector<std::string> evaluate(std::string_view text, const Format& format);
 
 }  // namespace liecheck::properties

@@ -51,7 +51,7 @@ HardCell cell_of(const Series& series, const CaseId& id, const Trial& trial) {
     const Verdict verdict = verdict_of(j, output);
     const bool excess = j.budget->rule == Rule::excess;
     const double figure = excess ? j.excess : j.residual.error;
-    // A limit of 0 asks for exactness: any error is beyond every ratio.
+    // A limit of 0 requires an exact result: any error has an infinite score.
     const double score = figure == 0 ? 0 : figure / j.budget->limit;
     const bool failed = j.failed || verdict == Verdict::unresolved;
     cell.failed = cell.failed || failed;
@@ -89,10 +89,10 @@ std::vector<Task> tasks_of(const std::vector<HardCase>& cases, const Selection& 
       Task task{{&c, property, {}, {}}, {}};
       for (const auto& s : all) {
         if (s->property != property || (!c.scalars.empty() && !contains(c.scalars, s->scalar))) continue;
-        if (s->robot != "none" && is_tree_law(property)) continue;  // the case is a tree of its own
+        if (s->robot != "none" && is_tree_law(property)) continue;  // the case contains its tree
         if (s->robot != "none")
           throw std::invalid_argument(fmt::format(
-              "{}: property {} depends on the robot: no input fits every one", c.place(), property));
+              "{}: property {} depends on the robot: no input fits every robot", c.place(), property));
         task.series.push_back(s.get());
         auto& input = task.row.input[s->scalar];
         if (input.empty()) input = numbers_of(c, s->fields, format_of(s->scalar));

@@ -1,12 +1,12 @@
 #pragma once
-// The hard cases, each run on every selected subject that offers its law: a verdict for each.
+// Runs the hard cases on every selected subject that offers their law, and gives a verdict for each.
 
 #include <campaign/selection.hpp>
 #include <hard_cases/corpus.hpp>
 
 namespace liecheck::properties {
 
-/// From good to bad; a cell has the worst of its blocks.
+/// From good to bad. The verdict of a cell is the worst one of its blocks.
 enum class Verdict { stable, refused, ill_posed, unresolved, inaccurate, wrong_branch, not_finite };
 
 const char* name_of(Verdict v);
@@ -17,10 +17,10 @@ char letter_of(Verdict v);
 struct HardCell {
   std::string subject, scalar;
   Verdict verdict = Verdict::stable;
-  bool failed = false;  ///< counts to the exit code: all but stable, ill-posed and a refusal of
-                        ///< what is no rotation
-  std::string operation, block, band;  ///< of the block that gave the verdict, or came nearest to it
-  double error = 0, kappa = 0;         ///< [eps], [1]; kappa 0 where it was not asked for
+  bool failed = false;                 ///< counts for the exit code: every verdict except stable, ill-posed,
+                                       ///< and the refusal of an input that is not a rotation
+  std::string operation, block, band;  ///< of the block with the worst verdict and error / budget
+  double error = 0, kappa = 0;         ///< [eps], [1]; kappa is 0 if it was not computed
   double budget = 0;                   ///< eps, or eps kappa under the excess rule
   bool excess = false;
   std::string refusal;  ///< the error's text
@@ -35,8 +35,8 @@ struct HardRow {
   std::vector<HardCell> cells;
 };
 
-/// Runs `cases` (which must outlive the rows) on every selected series. Throws std::invalid_argument naming
-/// file, line and value where a case does not fit its law.
+/// Runs `cases` (which must outlive the rows) on every selected series. Throws std::invalid_argument with
+/// file, line and value if a case does not fit its law.
 std::vector<HardRow> run_hard_cases(const Selection& selection, const Robot& robot,
                                     const std::vector<HardCase>& cases = built_in_corpus(),
                                     unsigned jobs = 1);

@@ -1,6 +1,7 @@
 #pragma once
-// The domain of docs/measuring.md: rotations off unit, or off orthogonal, by at most 8 eps, and no reflections. Beyond it
-// a subject refuses at its checked entrance, or is judged by the rotation nearest to the stored numbers.
+// The input domain of docs/measuring.md: rotations that are off unit or off orthogonal by at most 8 eps, and
+// no reflections. Outside it a subject may refuse the input at its checked entrance. If it does not, its
+// result is judged by the rotation nearest to the stored numbers.
 
 #include <invariants/common.hpp>
 #include <oracles/linear_algebra.hpp>
@@ -19,7 +20,7 @@ void for_each_rotation(const std::vector<Field>& fields, const std::vector<S>& x
   }
 }
 
-/// Puts the identity in place of every finite rotation outside the domain. Was there one?
+/// Replaces every finite rotation outside the domain by the identity. Returns whether there was one.
 template <class S>
 bool set_identity_where_off(const std::vector<Field>& fields, std::vector<S>& x) {
   bool any = false;
@@ -44,7 +45,7 @@ bool set_identity_where_off(const std::vector<Field>& fields, std::vector<S>& x)
   return any;
 }
 
-/// Throws what the subject's checked entrance throws.
+/// Calls the subject's checked entrance, whose exceptions pass through.
 template <class S>
 void check_entrance(const Operations<S>& o, const std::vector<Field>& fields, const std::vector<S>& x) {
   if (!o.check_quaternion && !o.check_rotation) return;

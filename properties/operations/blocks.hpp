@@ -1,5 +1,5 @@
 #pragma once
-// The names of blocks, and the definitions that several operations share word for word.
+// The names of blocks, and the blocks that several operations share.
 
 #include <operations/operation.hpp>
 

@@ -1,5 +1,5 @@
 #pragma once
-// Configurations of a free-flyer: integrate, difference and their derivatives; and the same of a whole robot.
+// The operations on configurations of a free-flyer, and of a whole robot.
 
 #include <operations/blocks.hpp>
 #include <operations/layouts.hpp>
@@ -24,7 +24,7 @@ inline constexpr auto difference = operation<struct Difference>(
     {rotation_vector, {block::linear, "|rho - rho_exact|", "max(|rho_exact|, |p1 - p0|)", "m"}},
     {configuration_header, "differenceSE3<S>(q0, q1)"}, q0, q1);
 
-/// The laws of local inverses form these from integrate and difference.
+/// Laws form the next two quantities from integrate and difference.
 inline constexpr Operation difference_of_integrate{
     "difference_of_integrate",
     "difference(q0, integrate(q0, delta)) = delta, |phi| < pi",
@@ -73,10 +73,10 @@ inline constexpr auto integrate_coefficient_jacobian = operation<struct Integrat
     J76,
     {{block::translation, "|J_p v - R u|", "|R u|", "m/s"},
      {block::rotation_rate, "|J_Q v - 1/2 Q (omega, 0)|", "|1/2 Q (omega, 0)|", "1/s"},
-     {block::R_dot, "|R_dot of Q_dot = J_Q v, less R [omega]|, Frobenius", "|R [omega]|", "1/s"},
+     {block::R_dot, "|R_dot - R [omega]| with R_dot from Q_dot = J_Q v, Frobenius", "|R [omega]|", "1/s"},
      {block::translation_matrix, "|J_p - R|, Frobenius", "|R|", "1"},
      {block::quaternion_matrix, "|J_Q - 1/2 [Qw I + [Qxyz]; -Qxyz^T]|, Frobenius", "|J_Q exact|", "1"},
-     {block::zeros, "0 where the structural zeros are zero, else infinite", "absolute", "1"}},
+     {block::zeros, "0 if the structural zeros are zero, else infinite", "absolute", "1"}},
     {configuration_header, "integrateCoeffWiseJacobianSE3<S>(q)"}, q);
 
 // The whole configuration vector of a robot.
@@ -93,12 +93,13 @@ inline constexpr auto robot_difference = operation<struct RobotDifference, true>
     robot_delta_result,
     {rotation_vector,
      {block::linear, "|rho - rho_exact| of a free-flyer", "max(|rho_exact|, |p1 - p0|)", "m"},
-     {block::continuous, "|angle - angle_exact|; at pi either sign", "|angle_exact|", "rad"},
+     {block::continuous, "|angle - angle_exact|; either sign at pi", "|angle_exact|", "rad"},
      {block::joint, "|delta - (q1 - q0)|", "|q1 - q0|", "rad or m"}},
     {robot_header, "difference(model, q0, q1)"}, robot_q0, robot_q1);
 inline constexpr auto robot_is_same = operation<struct RobotIsSame, true>(
-    {"robot_is_same", "q and q' with Q' = -Q are one configuration", "Pinocchio 3.8, joint-configuration"},
-    same_result, {{block::same, "0 where they compare as one, else a wrong branch", "absolute", "1"}},
+    {"robot_is_same", "q and q' with Q' = -Q are the same configuration",
+     "Pinocchio 3.8, joint-configuration"},
+    same_result, {{block::same, "0 if they compare as the same, else a wrong branch", "absolute", "1"}},
     {robot_header, "isSameConfiguration(model, q0, q1)"}, robot_q0, robot_q1);
 
 }  // namespace liecheck::properties::op

@@ -1,6 +1,6 @@
 #pragma once
-// The arguments and results of operations: names, parts, units and axes. A law's fields of the same names are what an
-// operation takes of the law's input.
+// The arguments and results of operations: names, parts, units and axes. An operation takes those fields of a
+// law's input that have the names of its parts.
 
 #include <operations/operation.hpp>
 
@@ -50,7 +50,7 @@ inline constexpr Value<type::Reference> seen{{"seen", {}, "WORLD, LOCAL or LOCAL
 
 // results
 inline constexpr Value<type::Vector3> phi_result{
-    {"phi", {{"phi", 3, "rad"}}, "body axes; at pi either sign"}};
+    {"phi", {{"phi", 3, "rad"}}, "body axes; either sign at pi"}};
 inline constexpr Value<type::Vector4> Q_result{
     {"Q", {{"Q", 4, "1"}}, "right-handed, angle about n positive"}};
 inline constexpr Value<type::Matrix3> R_result{
@@ -110,11 +110,12 @@ inline constexpr Value<type::Matrix> momentum_map_result{
     {"A_g", {{"A_g", six_by_nv, "kg, kg m, kg m^2"}}, "world axes, at the centre of mass"}};
 inline constexpr Value<type::PoseValue> frame_result{{"oMf", {{"R", 9, "1"}, {"p", 3, "m"}}, "world axes"}};
 inline constexpr Value<type::Vector6> frame_velocity_result{
-    {"V", {{"linear", 3, "m/s"}, {"angular", 3, "rad/s"}}, "as seen"}};
+    {"V", {{"linear", 3, "m/s"}, {"angular", 3, "rad/s"}}, "in the reference `seen`"}};
 inline constexpr Value<type::Vector6> frame_acceleration_result{
-    {"A", {{"linear", 3, "m/s^2"}, {"angular", 3, "rad/s^2"}}, "as seen"}};
-inline constexpr Value<type::Matrix> frame_jacobian_result{{"J", {{"J", six_by_nv, "1, m"}}, "as seen"}};
+    {"A", {{"linear", 3, "m/s^2"}, {"angular", 3, "rad/s^2"}}, "in the reference `seen`"}};
+inline constexpr Value<type::Matrix> frame_jacobian_result{
+    {"J", {{"J", six_by_nv, "1, m"}}, "in the reference `seen`"}};
 inline constexpr Value<type::Matrix> frame_jacobian_rate_result{
-    {"dJ", {{"dJ", six_by_nv, "1/s, m/s"}}, "as seen"}};
+    {"dJ", {{"dJ", six_by_nv, "1/s, m/s"}}, "in the reference `seen`"}};
 
 }  // namespace liecheck::properties::op

@@ -1,14 +1,14 @@
 #pragma once
 // The record of an operation: everything about it that is not code, written once.
 //
-// From a record follow the slot of a subject (Slots), the outputs of a law (exp6[block::rotation]), the definitions
-// in the JSON record, the printed program of a failure, the inputs and calls of `cost`, and the table of
-// docs/operations.md. To add an operation, write its record in this room, measure it in a law, and fill its slot in
-// the subjects that have it.
+// These follow from a record: the slot of a subject (Slots), the outputs of a law (exp6[block::rotation]),
+// the definitions in the JSON record, the printed program of a failure, the inputs and calls of `cost`, and
+// the table of docs/operations.md. To add an operation, write its record in this folder, measure it in a law,
+// and fill its slot in the subjects that have it.
 //
-// An operation that a subject offers is a constant of a type of its own, Typed<...>: the types of its arguments and
-// of its result give the signature of the slot. A quantity that only a law forms, such as the power in two frames, is
-// a plain Operation without a slot.
+// An operation that a subject offers is a constant with a unique type Typed<...>. The types of its arguments
+// and of its result give the signature of the slot. A quantity that only a law forms, such as the power in
+// two frames, is a plain Operation without a slot.
 
 #include <array>
 #include <functional>
@@ -19,7 +19,7 @@
 
 namespace liecheck::properties {
 
-/// At most N values of a constant.
+/// A list of at most N values that can be a constant.
 template <class T, std::size_t N>
 struct Few {
   std::array<T, N> items{};
@@ -44,8 +44,8 @@ struct Part {
   std::string_view unit;
 };
 
-/// An argument or a result: its parts, in which axes they stand, and the type of liecheck's that holds it in a printed
-/// program ("" where it is its only part).
+/// An argument or a result: its parts, its axes, and its liecheck type in a printed program ("" for one
+/// part).
 struct Layout {
   std::string_view name;
   Few<Part, 4> parts;
@@ -53,12 +53,12 @@ struct Layout {
   std::string_view type = "";
 };
 
-/// The name of a block. Constants of this type stand in block::, so that a misspelt name does not compile.
+/// The name of a block. These constants are in namespace block, so that a misspelt name does not compile.
 struct BlockName {
   std::string_view text;
 };
 
-/// One part of a result that is measured by itself: error = numerator / denominator, in eps of the scalar.
+/// A separately measured part of a result: error = numerator / denominator, in eps of the scalar.
 struct Block {
   BlockName name;
   std::string_view error;        ///< the numerator
@@ -66,10 +66,10 @@ struct Block {
   std::string_view unit;         ///< of the numerator
 };
 
-/// How liecheck's own function is called in a printed program, over the arguments' names.
+/// The call of liecheck's function in a printed program, with the arguments' names.
 struct Call {
   std::string_view header;       ///< below liecheck/
-  std::string_view expression;   ///< is printed
+  std::string_view expression;   ///< the program prints its value
   std::string_view before = "";  ///< a statement that must run first
 };
 
@@ -91,7 +91,7 @@ struct Operation {
   Few<Block, 6> blocks;
   Call call;
 
-  /// Compile-time look-up: a block that the record lacks is an error of the compiler.
+  /// Compile-time look-up: a block that the record lacks is a compile error.
   consteval Output operator[](BlockName block) const {
     for (const Block& b : blocks)
       if (b.name.text == block.text) return {name, block.text, this, &b};
@@ -171,7 +171,7 @@ struct Truth {
 template <class Type>
 struct Value : Layout {};
 
-/// An operation with a slot. Id makes its type its own; Bound: it is a closure over a robot or a tree.
+/// An operation with a slot. Id makes the type unique. Bound: the function belongs to one robot or tree.
 template <class Id, bool Bound, class Result, class... Arguments>
 struct Typed : Operation {
   template <class S>
@@ -184,8 +184,8 @@ struct Text {
   std::string_view name, definition, source;
 };
 
-/// operation<struct Exp6>({name, definition, source}, result, {blocks}, call, arguments...). Layouts are constants with
-/// static storage: their addresses are kept.
+/// operation<struct Exp6>({name, definition, source}, result, {blocks}, call, arguments...). Layouts must be
+/// constants with static storage, because their addresses are stored.
 template <class Id, bool Bound = false, class Result, class... Arguments>
 consteval Typed<Id, Bound, Result, Arguments...> operation(Text text, const Value<Result>& result,
                                                            std::initializer_list<Block> blocks, Call call,
@@ -198,7 +198,7 @@ struct Slot {
   typename O::template Function<S> function = nullptr;
 };
 
-/// The functions of a subject in one scalar, by operation: slots[op::exp6]. A null one is not offered.
+/// The functions of a subject in one scalar, by operation: slots[op::exp6]. A null function is not offered.
 template <class S, const auto&... Operations>
 class Slots : Slot<S, std::remove_cvref_t<decltype(Operations)>>... {
  public:
@@ -214,7 +214,7 @@ class Slots : Slot<S, std::remove_cvref_t<decltype(Operations)>>... {
   void take(const Operation& operation, const Slots& from) {
     ((&Operations == &operation ? void((*this)[Operations] = from[Operations]) : void()), ...);
   }
-  /// visit(operation), for each.
+  /// Calls visit(operation) for each operation.
   template <class Visit>
   static void for_each(Visit visit) {
     (visit(Operations), ...);

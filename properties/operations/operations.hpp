@@ -9,7 +9,7 @@
 
 namespace liecheck::properties {
 
-/// What a library offers on fixed-size values.
+/// The operations on fixed-size values.
 template <class S>
 using SpatialSlots =
     Slots<S, op::exp3_quaternion, op::exp3_matrix, op::log3_quaternion, op::log3_matrix, op::exp6, op::log6,
@@ -21,11 +21,11 @@ using SpatialSlots =
           op::right_jacobian6_inverse, op::d_integrate_arg0, op::d_integrate_arg1, op::d_difference_arg0,
           op::d_difference_arg1, op::integrate_coefficient_jacobian>;
 
-/// What a library offers on the whole configuration vector of one robot.
+/// The operations on the whole configuration vector of one robot.
 template <class S>
 using RobotOperations = Slots<S, op::robot_integrate, op::robot_difference, op::robot_is_same>;
 
-/// What a library offers on one tree of bodies.
+/// The operations on one tree of bodies.
 template <class S>
 using TreeOperations =
     Slots<S, op::tree_rnea, op::tree_aba, op::tree_nonlinear_effects, op::tree_gravity, op::tree_crba,
@@ -34,7 +34,7 @@ using TreeOperations =
           op::frame_velocity, op::frame_acceleration, op::frame_classical_acceleration, op::frame_jacobian,
           op::frame_jacobian_rate>;
 
-/// Slots first, then the quantities that laws form of them.
+/// All operations with slots, then the quantities that laws form from them.
 const std::vector<const Operation*>& all_operations();
 
 /// Throws std::logic_error for a name that no record has.

@@ -1,5 +1,5 @@
 #pragma once
-// Poses acting on points, motions, forces and inertias.
+// The operations of poses on points, motions, forces and inertias, and those of a single body.
 
 #include <operations/blocks.hpp>
 #include <operations/layouts.hpp>
@@ -57,7 +57,7 @@ inline constexpr auto cross_force = operation<struct CrossForce>(
      {block::angular, "|a - a_exact|", "|a_exact|", "N m/s"}},
     {se3_header, "V.cross(F).to_vector()"}, V, F);
 
-/// The law of power pairing forms it from act_motion and act_force.
+/// The law power_pairing forms this quantity from act_motion and act_force.
 inline constexpr Operation power{
     "power",
     "F_A^T V_A = F_B^T V_B",
@@ -87,11 +87,11 @@ inline constexpr auto kinetic_energy = operation<struct KineticEnergyOfABody>(
     {{block::energy, "|T - T_exact|", "T_exact", "J"}}, {inertia_header, "I.kineticEnergy(V)"}, I, V);
 inline constexpr auto inertia_matrix = operation<struct InertiaMatrix>(
     {"inertia_matrix", "M = [[m 1, -m [c]], [m [c], I_C + m (|c|^2 1 - c c^T)]]", inertias_source}, I_O,
-    {{block::matrix, "largest |M - M_exact| of the four 3 x 3 blocks, Frobenius, each over its own size",
+    {{block::matrix, "|M - M_exact| of the 3 x 3 block with the largest error, Frobenius",
       "|M_exact| of that block", "kg, kg m, kg m^2"}},
     {inertia_header, "I.matrix()"}, I);
 
-/// The law of kinetic energy forms it from kinetic_energy, act_inertia and act_motion.
+/// The law kinetic_energy forms this quantity from kinetic_energy, act_inertia and act_motion.
 inline constexpr Operation energy_frames{
     "energy_frames",
     "T of (X I, X V) = T of (I, V)",

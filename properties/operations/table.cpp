@@ -6,7 +6,7 @@
 namespace liecheck::properties {
 namespace {
 
-/// A vertical bar would end a cell of the table.
+/// Escapes vertical bars, which would end a cell of the table.
 std::string cell(std::string_view text) {
   std::string escaped;
   for (char c : text) escaped += c == '|' ? std::string("\\|") : std::string(1, c);

@@ -5,7 +5,7 @@
 
 namespace liecheck::properties {
 
-/// Markdown, ends with a newline.
+/// The page in Markdown, with a final newline.
 std::string operations_table();
 
 }  // namespace liecheck::properties

@@ -1,5 +1,5 @@
 #pragma once
-// The algorithms of trees of bodies, bound to one tree. q, v, a, tau as the subject orders them.
+// The algorithms on trees of bodies. Each is bound to one tree; q, v, a and tau are in the subject's order.
 
 #include <operations/blocks.hpp>
 #include <operations/layouts.hpp>
@@ -16,7 +16,7 @@ inline constexpr std::string_view lagrange_source = "Uicker 1965; Paul 1981, cha
                                   frames_before = "forwardKinematics(model, data, q, v, a);",
                                   rnea_call = "rnea(model, data, q, v, a, on).transpose()";
 
-/// Norms of generalised forces and accelerations weigh each by the mass matrix' diagonal.
+/// Norms of generalised forces and accelerations are weighted by the diagonal of the mass matrix.
 inline constexpr std::string_view torque_error = "|(tau - tau_exact)_k / sqrt(M_kk)|",
                                   torque_size = "|tau_exact,k / sqrt(M_kk)|", torque_unit = "sqrt(J)/s",
                                   mass_error = "|(M - M_exact)_kl / sqrt(M_kk M_ll)|, Frobenius",
@@ -47,7 +47,7 @@ inline constexpr auto tree_mass_inverse = operation<struct TreeMassInverse, true
     {"algorithms/crba.hpp", "computeMinverse(model, data, q)"}, tree_q);
 
 inline constexpr auto rnea_derivatives = operation<struct RneaDerivatives, true>(
-    {"rnea_derivatives", "(d tau / d q, d tau / d v) of inverse dynamics, q along integrate",
+    {"rnea_derivatives", "(d tau / d q, d tau / d v) of inverse dynamics, with q moved by integrate",
      derivatives_source},
     derivatives_result,
     {{block::by_q, "|((dtau/dq - exact) d)_k / sqrt(M_kk)| for a direction d",
@@ -98,7 +98,7 @@ inline constexpr auto frame_pose = operation<struct FramePose, true>(
     {"algorithms/frames.hpp", "data.oMf[frame].toActionMatrix()", "framesForwardKinematics(model, data, q);"},
     tree_q);
 inline constexpr auto frame_velocity = operation<struct FrameVelocity, true>(
-    {"frame_velocity", "V: R' = [omega] R and p' of the frame's pose, as seen", frame_source},
+    {"frame_velocity", "V: R' = [omega] R and p' of the frame's pose, in the reference `seen`", frame_source},
     frame_velocity_result,
     {{block::linear, "|u - u_exact| in each reference", "|u_exact|", "m/s"},
      {block::angular, "|omega - omega_exact| in each reference", "|omega_exact|", "rad/s"}},
@@ -106,15 +106,16 @@ inline constexpr auto frame_velocity = operation<struct FrameVelocity, true>(
      frames_before},
     tree_q, tree_v, seen);
 inline constexpr auto frame_acceleration = operation<struct FrameAcceleration, true>(
-    {"frame_acceleration", "V', the spatial acceleration, as seen", frame_source}, frame_acceleration_result,
+    {"frame_acceleration", "V', the spatial acceleration, in the reference `seen`", frame_source},
+    frame_acceleration_result,
     {{block::linear, "|V'_linear - exact| in each reference", "|V'_linear exact|", "m/s^2"},
      {block::angular, "|omega' - exact| in each reference", "|omega' exact|", "rad/s^2"}},
     {"algorithms/frames.hpp", "getFrameAcceleration(model, data, frame, seen).to_vector().transpose()",
      frames_before},
     tree_q, tree_v, tree_a, seen);
 inline constexpr auto frame_classical_acceleration = operation<struct FrameClassicalAcceleration, true>(
-    {"frame_classical_acceleration", "V' + (omega x u, 0), the acceleration of the frame's origin, as seen",
-     frame_source},
+    {"frame_classical_acceleration",
+     "V' + (omega x u, 0), the acceleration of the frame's origin, in the reference `seen`", frame_source},
     frame_acceleration_result,
     {{block::linear, "|p'' - p''_exact| in each reference", "|p''_exact|", "m/s^2"},
      {block::angular, "|omega' - exact| in each reference", "|omega' exact|", "rad/s^2"}},
@@ -122,15 +123,16 @@ inline constexpr auto frame_classical_acceleration = operation<struct FrameClass
      "getFrameClassicalAcceleration(model, data, frame, seen).to_vector().transpose()", frames_before},
     tree_q, tree_v, tree_a, seen);
 inline constexpr auto frame_jacobian = operation<struct FrameJacobian, true>(
-    {"frame_jacobian", "J(q): V = J v, as seen", frame_source}, frame_jacobian_result,
+    {"frame_jacobian", "J(q): V = J v, in the reference `seen`", frame_source}, frame_jacobian_result,
     {{block::linear, "|(J v - V_exact) linear| in each reference", "|u_exact|", "m/s"},
      {block::angular, "|(J v - V_exact) angular| in each reference", "|omega_exact|", "rad/s"}},
     {"algorithms/jacobians.hpp", "(getFrameJacobian(model, data, frame, seen) * v).transpose()",
      "computeJointJacobians(model, data, q);"},
     tree_q, seen);
 inline constexpr auto frame_jacobian_rate = operation<struct FrameJacobianRate, true>(
-    {"frame_jacobian_rate", "J'(q, v): V' = J a + J' v, as seen", frame_source}, frame_jacobian_rate_result,
-    {{block::linear, "|(J a + J' v - A_exact) linear|, A spatial, in LOCAL_WORLD_ALIGNED classical",
+    {"frame_jacobian_rate", "J'(q, v): V' = J a + J' v, in the reference `seen`", frame_source},
+    frame_jacobian_rate_result,
+    {{block::linear, "|(J a + J' v - A_exact) linear|; A is spatial, but classical in LOCAL_WORLD_ALIGNED",
       "|A_linear exact|", "m/s^2"},
      {block::angular, "|(J a + J' v - A_exact) angular|", "|omega'_exact|", "rad/s^2"}},
     {"algorithms/jacobians.hpp",
@@ -140,7 +142,7 @@ inline constexpr auto frame_jacobian_rate = operation<struct FrameJacobianRate, 
      "computeJointJacobiansTimeVariation(model, data, q, v);"},
     tree_q, tree_v, seen);
 
-// What laws form from these.
+// Quantities that laws form from these operations.
 inline constexpr Operation rnea_of_aba{
     "rnea_of_aba",
     "rnea(q, v, aba(q, v, tau, F), F) = tau",
@@ -156,7 +158,7 @@ inline constexpr Operation crba_symmetric{
     crba_source,
     {&tree_q},
     {&M_result},
-    {{block::matrix, "0 where M equals its transpose, else infinite", "absolute", "1"}},
+    {{block::matrix, "0 if M equals its transpose, else infinite", "absolute", "1"}},
     {"algorithms/crba.hpp", "crba(model, data, q)"}};
 inline constexpr Operation crba_positive{
     "crba_positive",
@@ -164,7 +166,7 @@ inline constexpr Operation crba_positive{
     crba_source,
     {&tree_q},
     {&M_result},
-    {{block::matrix, "0 where M has a Cholesky factor, else infinite", "absolute", "1"}},
+    {{block::matrix, "0 if M has a Cholesky factor, else infinite", "absolute", "1"}},
     {"algorithms/crba.hpp", "crba(model, data, q)"}};
 inline constexpr Operation crba_columns{
     "crba_columns",
@@ -193,7 +195,7 @@ inline constexpr Operation momentum_conserved{
      "model.gravity.setZero(), tau.head(6).setZero();\n  a = aba(model, data, q, v, tau);"}};
 inline constexpr Operation rnea_of_a_moved_world{
     "rnea_of_a_moved_world",
-    "tau does not change where the world frame turns by pi about x and moves by 100 m",
+    "tau does not change if the world frame is rotated by pi about x and moved by 100 m",
     rnea_source,
     {&tree_q, &tree_v, &tree_a, &wrench_joint, &wrench},
     {&tau_result},
@@ -201,14 +203,14 @@ inline constexpr Operation rnea_of_a_moved_world{
     {"algorithms/rnea.hpp", rnea_call}};
 inline constexpr Operation rnea_of_reordered_joints{
     "rnea_of_reordered_joints",
-    "tau does not change where branches are added in the opposite order",
+    "tau does not change if branches are added in the opposite order",
     rnea_source,
     {&tree_q, &tree_v, &tree_a, &wrench_joint, &wrench},
     {&tau_result},
     {torque},
     {"algorithms/rnea.hpp", rnea_call}};
 inline constexpr Operation rnea_of_split_bodies{"rnea_of_split_bodies",
-                                                "tau does not change where each body is two fixed halves",
+                                                "tau does not change if each body is split into two halves",
                                                 rnea_source,
                                                 {&tree_q, &tree_v, &tree_a, &wrench_joint, &wrench},
                                                 {&tau_result},

@@ -1,6 +1,6 @@
 #pragma once
-// The plain fixed-size values that operations take and return, in the conventions of the README's notation table:
-// twist and wrench linear part first, quaternion x y z w, a pose acts on points.
+// The plain fixed-size values that operations take and return. They follow the conventions of the README's
+// notation table: twist and wrench linear part first, quaternion x y z w, a pose acts on points.
 
 #include <Eigen/Core>
 #include <boost/multiprecision/float128.hpp>

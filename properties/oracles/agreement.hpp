@@ -1,17 +1,17 @@
 #pragma once
-// When do two formulas of an oracle agree?
+// Agreement of two formulas of an oracle.
 //
-// An oracle's value comes from one formula at 100 digits and is resolved when another formula, at 50 digits,
-// agrees with it block by block to `agreement` = 1e-41 of the block: seven digits below the eps of float128,
-// 25 below that of double. Where 50 digits are too few for the second formula (huge angles, cancelling blocks
-// near 2 pi), it is evaluated again at 100 digits. If the two still differ the value is unresolved, and no verdict
-// is based on it.
+// The value of an oracle comes from one formula at 100 digits. It is resolved if a second formula at
+// 50 digits agrees with it to a relative 1e-41 in each block, which is 7 digits below the eps of float128 and
+// 25 below that of double. The second formula is evaluated again at 100 digits if 50 are too few: at huge
+// angles, and for blocks that cancel near 2 pi. If the two formulas still differ, the value is unresolved and
+// no verdict uses it.
 
 #include <oracles/linear_algebra.hpp>
 
 namespace liecheck::oracles {
 
-/// Relative, per block.
+/// Relative to the norm of a block.
 inline constexpr double agreement = 1e-41;
 
 /// ||a - b|| <= bound max(||b||, scale). False for NaN.
@@ -31,7 +31,7 @@ bool agree(const T& a, const T& b, double bound = agreement, const T& scale = T(
   return abs(a - b) <= T(bound) * (scale > size ? scale : size);
 }
 
-/// check(Real{}) or else check(Real100{}): the second formula, at 50 digits where that is enough.
+/// Confirms by the second formula: check(Real()) if 50 digits may suffice; if it fails, check(Real100()).
 template <class Check>
 bool confirmed(bool fifty_digits_may_suffice, Check&& check) {
   return (fifty_digits_may_suffice && check(Real())) || check(Real100());

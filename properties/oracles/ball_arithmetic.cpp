@@ -7,7 +7,7 @@
 namespace liecheck::oracles {
 namespace {
 
-/// x rounded to a midpoint: the error is at most u^2 |x| / 2 in double-double, u |x| in double.
+/// x rounded to a midpoint type. The error is at most u^2 |x| / 2 in double-double and u |x| in double.
 template <class M>
 M rounded(const Real& x);
 template <>
@@ -26,11 +26,11 @@ Ball<M> constant(const Real& x) {
   return {m, std::fabs(Rounding<M>::head(m)) * Rounding<M>::add};
 }
 
-constexpr int table_size = 64;  ///< angles k 2 pi / 64
+constexpr int table_size = 64;  ///< the angles are k 2 pi / 64
 
 template <class M>
 struct Tables {
-  std::array<double, 3> step;  ///< 2 pi / 64 is their sum to a relative 2^-159
+  std::array<double, 3> step;  ///< their sum is 2 pi / 64 to a relative 2^-159
   std::array<Ball<M>, table_size> sine, cosine;
   Tables() {
     const Real angle = 2 * boost::math::constants::pi<Real>() / table_size;
@@ -69,7 +69,7 @@ const std::array<M, N>& series() {
   return table;
 }
 
-/// sum_j (-x)^j / (2j + K)!: the first terms in double-double, the others, below 2^-50 of the sum, in double.
+/// sum_j (-x)^j / (2j + K)!: the first terms in double-double, the rest (below 2^-50 of the sum) in double.
 template <int K, int N, int DoubleDoubleTerms>
 DoubleDouble sum(const DoubleDouble& x) {
   const auto& c = series<DoubleDouble, K, N>();
@@ -79,8 +79,9 @@ DoubleDouble sum(const DoubleDouble& x) {
   for (int j = DoubleDoubleTerms - 2; j >= 0; --j) s = s * x + c[static_cast<std::size_t>(j)];
   return s;
 }
-/// The same in double, 0 <= x <= 1: each term is at most 1/12 of the one before it. The last addition and the rounding
-/// of its constant err by 2 u, the last product by u / 12, and all earlier steps by 1/12 of these: below 2.3 u.
+/// The same sum in double for 0 <= x <= 1. The last addition and the rounding of its constant have errors of
+/// 2 u, the last product of u / 12. Each term is at most 1/12 of the one before it, so that the errors of
+/// each earlier step are 1/12 of those of the next step: less than 2.3 u in total.
 template <int K, int N, int>
 double sum(double x) {
   const auto& c = series<double, K, N>();
@@ -89,7 +90,7 @@ double sum(double x) {
   return s;
 }
 
-/// The relative error of small_sin_cos and of stumpff_series.
+/// Bounds of the relative errors of small_sin_cos and of stumpff_series.
 template <class M>
 struct SeriesError;
 template <>
@@ -101,15 +102,17 @@ struct SeriesError<double> {
   static constexpr double small = 0x1p-52, stumpff = 0x1p-51;
 };
 
-/// sin r and cos r for |r| <= 0.05. With x = r^2 <= 0.0025: sin r = r - r x c_3(x), cos r = 1 - x c_2(x). Errors
-/// relative to the result: truncation x^9/19! < 2^-140. In double-double, the terms in double are x^4 / 9! < 2^-52 and
-/// their rounding 2^-104; those in double-double are below x/2 and err by 2^-103 each, 2^-110 in all; the last addition
-/// errs by 3 2^-106. In double, the subtraction errs by u, and the terms below x/2 by five roundings.
+/// sin r = r - r x c_3(x) and cos r = 1 - x c_2(x) for |r| <= 0.05, x = r^2 <= 0.0025. Errors relative to the
+/// result: the truncation error is x^9/19! < 2^-140.
+/// - Double-double: the terms that are summed in double are below x^4 / 9! < 2^-52, and their rounding errors
+///   below 2^-104. The other terms are below x/2 and have errors of 2^-103 each, 2^-110 in total. The last
+///   addition has an error of 3 2^-106.
+/// - Double: the subtraction has an error of u, and the terms below x/2 have five roundings.
 template <class M>
 void small_sin_cos(const Ball<M>& r, Ball<M>& sine, Ball<M>& cosine) {
   const M x = r.m * r.m;
   const M s = r.m - r.m * (x * sum<3, 8, 4>(x)), c = Rounding<M>::make(1) - x * sum<2, 9, 4>(x);
-  // Where a product underflows, r x c_3 and x c_2 are below 2^-900 of the result and x is below 2^-1060.
+  // If a product underflows, x is below 2^-1060, and r x c_3 and x c_2 are below 2^-900 of the result.
   constexpr double small = SeriesError<M>::small;
   sine = {s, Ball<M>::up(r.r + small * std::fabs(Rounding<M>::head(s)))};
   cosine = {c, Ball<M>::up(r.r + small)};
@@ -121,8 +124,8 @@ void table_sin_cos(const Ball<M>& x, Ball<M>& sine, Ball<M>& cosine) {
   const Tables<M>& t = tables<M>();
   const double k = std::nearbyint(x.head() / t.step[0]);
   if (k == 0) return small_sin_cos(x, sine, cosine);
-  // Each product is exact. Where x is exact the first differences keep their relative accuracy, however near x is to k
-  // 2 pi / 64.
+  // In double-double each product is exact. If x is exact too, the first differences keep their relative
+  // accuracy, even if x is very close to k 2 pi / 64.
   Ball<M> remainder = x;
   for (const double step : t.step) remainder -= Ball<M>(k) * Ball<M>(step);
   remainder.r = Ball<M>::up(remainder.r + std::fabs(x.head()) * 0x1p-158);
@@ -133,8 +136,8 @@ void table_sin_cos(const Ball<M>& x, Ball<M>& sine, Ball<M>& cosine) {
   cosine = t.cosine[i] * c - t.sine[i] * s;
 }
 
-/// a0 + atan(t) with a0 = atan2(y, x) in double and t = (y cos a0 - x sin a0) / (x cos a0 + y sin a0): an identity for
-/// any a0. Since |t| < 2^-20, atan t = t - t^3/3 with an error below |t|^5.
+/// a0 + atan(t) with t = (y cos a0 - x sin a0) / (x cos a0 + y sin a0), an identity for any a0. Here a0 is
+/// atan2(y, x) in double, so that |t| < 2^-20 and atan t = t - t^3/3 with an error below |t|^5.
 template <class M>
 Ball<M> corrected_atan2(const Ball<M>& y, const Ball<M>& x) {
   const double a0 = std::atan2(y.head(), x.head());
@@ -142,7 +145,7 @@ Ball<M> corrected_atan2(const Ball<M>& y, const Ball<M>& x) {
     if (x.size() <= x.r || !std::isfinite(a0)) throw Undecided();
     return y;
   }
-  if (a0 < 0 && std::fabs(y.head()) <= y.r && x.head() < 0) throw Undecided();  // the branch cut
+  if (a0 < 0 && std::fabs(y.head()) <= y.r && x.head() < 0) throw Undecided();  // on the branch cut
   Ball<M> s, c;
   table_sin_cos(Ball<M>(a0), s, c);
   const Ball<M> t = (y * c - x * s) / (x * c + y * s);
@@ -163,8 +166,9 @@ Ball<M> atan2(const Ball<M>& y, const Ball<M>& x) {
   return corrected_atan2(y, x);
 }
 
-// Errors relative to the sum: the truncation after fourteen terms x^14/32! < 2^-113; the terms from x^8 on, which are
-// in double, are below 2^-56; eight double-double steps, whose terms decrease by a factor 30, 2^-101. |c_k'| <= 1/2.
+// Errors relative to the sum: truncation after fourteen terms gives x^14/32! < 2^-113. The terms from x^8 on
+// are summed in double and are below 2^-56. The eight double-double steps give 2^-101, since each term is at
+// most 1/30 of the one before it. The error of x adds less than its radius, since |c_k'| <= 1/2.
 template <class M>
 Ball<M> stumpff_series(int k, const Ball<M>& x) {
   const M s = k == 4 ? sum<4, 14, 8>(x.m) : k == 5 ? sum<5, 14, 8>(x.m) : sum<6, 14, 8>(x.m);

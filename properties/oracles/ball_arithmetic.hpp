@@ -1,11 +1,12 @@
 #pragma once
-// Ball arithmetic (midpoint-radius interval arithmetic): a number known to lie within r of m. Every operation adds its
-// rounding error to r, so that the result of a formula carries its own proved error bound. A comparison that the radius
-// leaves open throws Undecided, and the caller asks the oracle at 50 and 100 digits instead (Ziv 1991).
+// Ball arithmetic (midpoint-radius interval arithmetic): a ball is a number that lies within r of m. Every
+// operation adds its rounding error to r, so that the radius of a result is a proved bound of its error. If
+// the radius is too large to decide a comparison, Undecided is thrown. The caller then uses the oracle at 50
+// and 100 digits (Ziv 1991).
 //
-// The midpoint is a double, which decides most cases in float, or a double-double. Radii are computed in rounding to
-// nearest and increased by a relative 2^-50 at each step, which exceeds their at most four roundings. Where a product
-// is so small that its rounding error may underflow, 2^-1060 is added to the radius.
+// The midpoint is a double, which decides most cases in float, or a double-double. Radii are computed in
+// rounding to nearest. Each step increases them by a relative 2^-50, which exceeds its at most four
+// roundings. If a product is so small that its rounding error may underflow, 2^-1060 is added to the radius.
 
 #include <bit>
 #include <cmath>
@@ -25,8 +26,8 @@ struct Undecided : std::exception {
   }
 };
 
-/// Rounding of a midpoint type: head is the double nearest to it; the constants are upper bounds of the relative error
-/// of each operation.
+/// How a midpoint type rounds. head(m) is the double nearest to m. The constants bound the relative error of
+/// each operation, that of a sum relative to |a| + |b|.
 template <class M>
 struct Rounding;
 template <>
@@ -37,12 +38,12 @@ struct Rounding<double> {
   static double tail(double) { return 0; }
   static double make(double x) { return x; }
   static double scaled(double m, double factor) { return m * factor; }
-  /// True only where a b is exact: both have at most 26 significant bits.
+  /// True if both numbers have at most 26 significant bits, so that a b is exact.
   static bool exact_product(double a, double b) {
     const auto low = [](double x) { return std::bit_cast<std::uint64_t>(x) & ((1u << 27) - 1); };
     return (low(a) | low(b)) == 0;
   }
-  /// The sum of two exact numbers, and an upper bound of its error.
+  /// The rounded sum of two exact numbers. `radius` is set to a bound of its error.
   static double exact_sum(double a, double b, double& radius) {
     const DoubleDouble s = dd::two_sum(a, b);
     radius = std::fabs(s.low);
@@ -76,7 +77,7 @@ struct Ball {
   double r = 0;
 
   Ball() = default;
-  Ball(double x) : m(Round::make(x)) {}  // NOLINT: exact, like an int to a double
+  Ball(double x) : m(Round::make(x)) {}  // NOLINT: exact, like int to double
   Ball(int x) : m(Round::make(x)) {}     // NOLINT
   Ball(const M& mid, double radius) requires(!std::same_as<M, double>) : m(mid), r(radius) {}
   Ball(double mid, double radius) : m(Round::make(mid)), r(radius) {}
@@ -133,8 +134,8 @@ struct Ball {
   friend Ball abs(const Ball& a) { return a.head() < 0 ? -a : a; }  // | |m| - |x| | <= |m - x| <= r
   friend bool isfinite(const Ball& a) { return std::isfinite(a.head()); }
 
-  /// | sqrt(x) - sqrt(x') | <= sqrt |x - x'|, and |x - x'| / sqrt(x) where x is far from zero. The exact value
-  /// is known to be >= 0 (a sum of squares).
+  /// Precondition: the exact value is >= 0, as a sum of squares is. For x' in the ball the radius bounds
+  /// sqrt(x) - sqrt(x') by sqrt |x - x'|, or by |x - x'| / sqrt(x) if x is far from zero.
   friend Ball sqrt(const Ball& a) {
     if (a.exactly_zero()) return a;
     if (a.head() < -a.r) throw Undecided();
@@ -156,8 +157,8 @@ struct Ball {
   }
   friend Ball doubled(const Ball& a) { return {Round::scaled(a.m, 2), 2 * a.r}; }
 
-  /// The sum of two exact numbers keeps its relative accuracy under cancellation; that of two doubles, or of x and -x,
-  /// is exact.
+  /// a + b of two balls of radius 0. In double-double the error is relative to the sum even if it cancels,
+  /// and the sum is exact for two doubles and for x and -x.
   static Ball exact_sum(const Ball& a, const Ball& b) {
     Ball sum;
     sum.m = Round::exact_sum(a.m, b.m, sum.r);
@@ -174,8 +175,8 @@ struct Ball {
 using DoubleBall = Ball<double>;
 using DoubleDoubleBall = Ball<DoubleDouble>;
 
-/// The balls in which results of S are judged, tried in this order: their midpoints have at least twice the digits of S
-/// and the exponent range of double.
+/// The ball types that judge results of S, in the order of trial. Their midpoints have at least twice the
+/// digits of S, and the exponent range of double.
 template <class S>
 struct BallTiers {
   using type = std::tuple<>;

@@ -1,18 +1,18 @@
 #pragma once
-// The errors of error.hpp in ball arithmetic: a double within 1e-4 of the error, relative to it or in eps; otherwise
-// Undecided is thrown.
+// The errors of error.hpp in ball arithmetic. An error above 1 eps is accurate to a relative 1e-4, a smaller
+// one to 1e-4 eps. If the balls are too wide for that, Undecided is thrown.
 //
-// Differences cancel and are therefore formed in ball arithmetic; their norms are computed in double, whose rounding a
-// relative 1e-14 bounds.
+// Differences may cancel and are therefore formed in ball arithmetic. Their norms are computed in double,
+// with a relative rounding error below 1e-14.
 
 #include <oracles/ball_oracles.hpp>
 
 namespace liecheck::oracles {
 
-/// How accurately an oracle in ball arithmetic knows an error: relative to the error, or in eps.
+/// The accuracy of an error from ball arithmetic, relative to the larger of the error and 1 eps.
 inline constexpr double error_accuracy = 1e-4;
 
-/// Errors of a computed rotation matrix in eps: of the rotation, and of orthogonality.
+/// Errors of a computed rotation matrix [eps]: of its rotation, and of its orthogonality.
 struct MatrixErrors {
   double rotation, defect;
 };
@@ -20,7 +20,7 @@ struct MatrixErrors {
 /// The error, if its uncertainty `slack` is small enough; otherwise throws Undecided.
 inline double settled(double error, double slack) {
   if (!(slack <= error_accuracy * (error > 1 ? error : 1))) throw Undecided();
-  return error == 0 && slack > 0 ? std::numeric_limits<double>::denorm_min() : error;  // 0 means exactly 0
+  return error == 0 && slack > 0 ? std::numeric_limits<double>::denorm_min() : error;  // 0 only if exact
 }
 
 inline double max(double a, double b) {
@@ -39,7 +39,7 @@ Length length(const Vec<N, T>& v) {
     r = max(r, x.r);
   }
   if (!std::isfinite(largest)) throw Undecided();
-  // Scaled by 2^+-600 where squares would leave the exponent range.
+  // Scaled by 2^+-600 if squares would leave the exponent range.
   const double scale = largest < 0x1p-400 ? 0x1p600 : largest > 0x1p400 ? 0x1p-600 : 1;
   double square = 0;
   for (const T& x : v.x) {
@@ -106,15 +106,15 @@ double orthogonality_defect(const Mat3<T>& computed) {
   return settled(d.value / eps, d.radius / eps + 1e-14 * d.value / eps);
 }
 
-/// For ||E|| < 1e-4, E = computed - R, both errors follow from E, formed in balls; all that follows is in double.
-/// Farther from R each error is computed by its own function.
+/// If E = computed - R has ||E|| < 1e-4, both errors follow from E. E is formed in ball arithmetic,
+/// everything after it in double. For a larger E rotation_error and orthogonality_defect compute the errors.
 ///
-/// Rotation: with computed = U H, U the polar factor, U H - U = U (H - I), and R^T U - I has the antisymmetric part of
-/// R^T E to within 3 ||E||^2, since only that of R^T (U - R)(H - I) differs. The norm of its vector is the sine of the
-/// angle.
+/// Rotation: let computed = U H with the polar factor U. Then
+/// R^T E = (R^T U - I) + (H - I) + R^T (U - R)(H - I). Since H - I is symmetric, the antisymmetric parts of
+/// R^T E and R^T U - I differ by at most 3 ||E||^2. The norm of such a part, as a vector, is sin(angle).
 ///
-/// Defect: computed^T computed - I = R^T E + E^T R + E^T E, since R is orthogonal; its error is at most 2 (1 + ||E||)
-/// times that of E, plus the rounding in double.
+/// Defect: computed^T computed - I = R^T E + E^T R + E^T E, since R is orthogonal. Its error is at most
+/// 2 (1 + ||E||) times that of E, plus the rounding in double.
 template <class S, BallNumber T>
 MatrixErrors matrix_errors(const Mat3<T>& computed, const Quaternion<T>& exact) {
   constexpr double eps = std::numeric_limits<S>::epsilon();

@@ -35,9 +35,9 @@ LogValue<T> log_se3(const Quaternion<T>& Q, const Vec3<T>& p) {
   return log_value(Q, p);
 }
 
-// One step X = R (I - D/2), D = R^T R - I, from R = U (I + D)^(1/2): U = R (I - D/2 + G), G symmetric with
-// ||G|| <= sum_{k>=2} binom(2k, k) 4^-k d^k < 0.4 d^2 for d = ||D|| < 1/100. The term R G changes the antisymmetric
-// part of U only by that of (R - I) G, since G is symmetric.
+// The polar factor U = R (I + D)^(-1/2), D = R^T R - I, is approximated by X = R (I - D/2). Then U = X + R G
+// with a symmetric G and ||G|| <= sum_{k>=2} binom(2k, k) 4^-k d^k < 0.4 d^2 for d = ||D|| < 1/100. Since G
+// is symmetric, the antisymmetric part of R G is that of (R - I) G.
 template <BallNumber T>
 Quaternion<T> nearest_quaternion(const Mat3<T>& R) {
   Mat3<T> D = transpose(R) * R;
@@ -71,7 +71,7 @@ Quaternion<T> nearest_quaternion(const Mat3<T>& R) {
     q[j] = widened(X(i, j) + X(j, i), 2 * bound) / by;
     q[k] = widened(X(i, k) + X(k, i), 2 * bound) / by;
     const bool symmetric =
-        R(0, 1) == R(1, 0) && R(0, 2) == R(2, 0) && R(1, 2) == R(2, 1);  // theta = pi exactly
+        R(0, 1) == R(1, 0) && R(0, 2) == R(2, 0) && R(1, 2) == R(2, 1);  // theta is exactly pi
     q[3] = symmetric ? T(0) : widened(X(k, j) - X(j, k), 2 * skew) / by;
   }
   return q;

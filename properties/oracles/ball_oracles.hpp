@@ -1,8 +1,9 @@
 #pragma once
-// The oracles in ball arithmetic: the functions of exp.hpp, log.hpp, integrate.hpp, jacobians.hpp, kinematics.hpp and
-// spatial.hpp by the closed forms (closed_forms.hpp). A result is proved to be within its radius of the exact value, so
-// it is resolved by construction; where a comparison cannot be decided they throw Undecided. The names are the same,
-// overloaded on the number, so that a law is written once. A campaign asks these oracles first, because they are fast.
+// The oracles in ball arithmetic: the functions of exp.hpp, log.hpp, integrate.hpp, jacobians.hpp,
+// kinematics.hpp and spatial.hpp by the closed forms of closed_forms.hpp. The radius of a result is a proved
+// bound of its error, so that every result is resolved. If a comparison cannot be decided, Undecided is
+// thrown. The names are overloaded on the number type, so that a law is written once. A campaign uses these
+// fast oracles first.
 
 #include <oracles/exp.hpp>
 #include <oracles/integrate.hpp>
@@ -24,7 +25,7 @@ template <BallNumber T>
 LogValue<T> log_so3(const Quaternion<T>& Q) {
   return log_se3(Q, zero_vector<3, T>());
 }
-/// ||R^T R - I|| < 1/100.
+/// Throws Undecided unless ||R^T R - I|| < 1/100.
 template <BallNumber T>
 LogValue<T> log_se3_matrix(const Mat3<T>& R, const Vec3<T>& p);
 
@@ -38,8 +39,8 @@ Jacobian6Value<T> left_jacobian_se3(const Vec6<T>& xi);
 template <BallNumber T>
 Jacobian6Value<T> left_jacobian_se3_inverse(const Vec6<T>& xi);
 
-/// J_r(xi) = J_l(-xi): both blocks are transposed, because [phi] and [rho] change sign and their symmetric products do
-/// not.
+/// J_r(xi) = J_l(-xi) has the transposed blocks of J_l(xi): [phi] and [rho] change sign, but their symmetric
+/// products do not.
 template <BallNumber T>
 Jacobian6Value<T> transposed(const Jacobian6Value<T>& left) {
   return {transpose(left.J), transpose(left.C), left.resolved};
@@ -68,7 +69,7 @@ template <BallNumber T>
 Jacobian6Value<T> d_integrate_arg1(const Vec7<T>&, const Vec6<T>& delta) {
   return right_jacobian_se3(delta);
 }
-/// The four 6x6 Jacobians of one twist; in ball arithmetic the right ones are transposes of the left ones.
+/// The four 6x6 Jacobians of one twist. In ball arithmetic the right ones are transposes of the left ones.
 template <class T>
 struct Jacobians {
   Jacobian6Value<T> left, right, left_inverse, right_inverse;
@@ -154,7 +155,8 @@ Resolved<T> power(const Vec6<T>& F, const Vec6<T>& V) {
   return {formulas::power(F, V), true};
 }
 
-/// The quaternion of R's polar factor, its largest component positive, for ||R^T R - I|| < 1/100.
+/// The quaternion of R's polar factor, with a positive largest component. Throws Undecided unless
+/// ||R^T R - I|| < 1/100.
 template <BallNumber T>
 Quaternion<T> nearest_quaternion(const Mat3<T>& R);
 

@@ -18,8 +18,8 @@ class Long {
   mpfr_t value_;
 };
 
-/// theta = ||phi|| modulo 2 pi with an absolute error of 2^-bits, by `exponent` more bits. Returns whether an odd
-/// multiple of 2 pi was subtracted.
+/// Sets `reduced` to theta = ||phi|| modulo 2 pi with an absolute error of 2^-bits, by `exponent` more bits.
+/// Returns whether an odd multiple of 2 pi was subtracted.
 template <class T>
 bool reduce(const Vec3<T>& phi, int exponent, T& reduced) {
   const long precision = 2L * bits<T> + exponent;
@@ -41,7 +41,7 @@ bool reduce(const Vec3<T>& phi, int exponent, T& reduced) {
   return mpfr_integer_p(periods.get()) == 0;
 }
 
-/// c_k(x), 0 <= x <= 1, k! c_k by Horner's rule: 1 - x/((k+1)(k+2)) (1 - x/((k+3)(k+4)) (1 - ...)).
+/// c_k(x) for 0 <= x <= 1. Horner's rule gives k! c_k = 1 - x/((k+1)(k+2)) (1 - x/((k+3)(k+4)) (1 - ...)).
 template <class T>
 T stumpff_series(int k, const T& x) {
   constexpr int terms = bits < T >> 200 ? 34 : 20;  // x^j/(2j)! < 2^-bits
@@ -77,7 +77,7 @@ HalfAngle<T> half_angle(const Vec3<T>& phi, const T& theta) {
     odd = h.large && reduce(phi, exponent, h.reduced);
   }
   if constexpr (BallNumber<T>) {
-    sin_cos(power_scaled(h.reduced, -1), h.s, h.c);  // the scaling is exact, a quotient is rounded
+    sin_cos(power_scaled(h.reduced, -1), h.s, h.c);  // exact, unlike a quotient
   } else {
     sin_cos(T(h.reduced / 2), h.s, h.c);
   }
@@ -92,7 +92,7 @@ template <BallNumber T>
 double bound(const Vec3<T>& v) {
   return std::fabs(v[0].head()) + std::fabs(v[1].head()) + std::fabs(v[2].head()) + v[0].r + v[1].r + v[2].r;
 }
-/// Below it balls take the first-order expansion and add its remainder to the radius.
+/// Below this angle balls use the first-order expansion and add its remainder to the radius.
 inline constexpr double tiny_angle = 0x1p-60;
 
 template <class T>
@@ -116,7 +116,7 @@ UnitPose<T> closed_exp(const Vec6<T>& xi, const T& theta) {
   pose.Q = {{h.s * h.n[0], h.s * h.n[1], h.s * h.n[2], h.c}};
   pose.p = rho;
   if (h.theta != 0) {
-    const Vec3<T> along = h.over_theta(dot(tail3(xi), rho)) * h.n;  // exactly zero where phi.rho is
+    const Vec3<T> along = h.over_theta(dot(tail3(xi), rho)) * h.n;  // exactly zero if phi.rho is
     const T s2 = 2 * h.over_theta(h.s);
     pose.p = along + T(s2 * h.c) * (rho - along) + T(s2 * h.s) * cross(h.n, rho);
   }
@@ -175,9 +175,9 @@ Vec6<T> closed_difference(const Vec7<T>& q0, const Vec7<T>& q1) {
 
 namespace {
 
-/// I + e [phi] + f [phi]^2 and e [rho] + f ([phi][rho] + [rho][phi]) + g [phi] + h [phi]^2, where [phi]^2 has the
-/// elements phi_i phi_j and -(phi_j^2 + phi_k^2), [phi][rho] + [rho][phi] phi_i rho_j + phi_j rho_i and
-/// -2 (phi_j rho_j + phi_k rho_k).
+/// J = I + e [phi] + f [phi]^2 and C = e [rho] + f ([phi][rho] + [rho][phi]) + g [phi] + h [phi]^2. The
+/// elements of [phi]^2 are phi_i phi_j and -(phi_j^2 + phi_k^2). Those of [phi][rho] + [rho][phi] are
+/// phi_i rho_j + phi_j rho_i and -2 (phi_j rho_j + phi_k rho_k).
 template <class T>
 JacobianBlocks<T> blocks(const Vec3<T>& phi, const Vec3<T>& rho, const T& e, const T& f, const T& g,
                          const T& h) {
@@ -229,7 +229,7 @@ JacobianBlocks<T> closed_left_jacobian_inverse(const Vec6<T>& xi) {
   const T x = squared_norm(phi);
   if (x < 1) {
     if constexpr (BallNumber<T>) {
-      // With h = c3 - 2 c4, h' = (5 c5 - c4 - 8 c6) / 2 and c2' = -h / 2: g = h / (2 c2); g' loses two bits.
+      // g = h / (2 c2), h = c3 - 2 c4, h' = (5 c5 - c4 - 8 c6) / 2, c2' = -h / 2. Forming g' loses two bits.
       const T c5 = stumpff_series(5, x), c6 = stumpff_series(6, x), c4 = T(1) / T(24) - x * c6;
       const T c2 = T(0.5) - x * c4, c3 = T(1) / T(6) - x * c5, h = c3 - doubled(c4);
       const T slope = T(0.5) * (T(5) * c5 - c4 - T(8) * c6);

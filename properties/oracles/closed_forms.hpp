@@ -1,6 +1,6 @@
 #pragma once
-// Closed forms in the half angle, at any precision: at 100 digits they are formula B of every oracle; at 50 digits
-// they are the functions whose derivatives give the condition numbers. The oracles compare them with formula A.
+// Closed forms in the half angle, at any precision. At 100 digits they give the values of the oracles, which
+// compare them with a second formula. At 50 digits their derivatives give the condition numbers.
 //
 // With theta = ||phi||, n = phi / theta, s = sin(theta/2), c = cos(theta/2):
 //   exp     Q = (s n, c),   p = a + (2 s c / theta) (rho - a) + (2 s^2 / theta) n x rho,
@@ -10,17 +10,17 @@
 //           and, replacing phi by the dual number phi + e rho, the coupling block
 //           C = c2 [rho] + c3 ([phi][rho] + [rho][phi])
 //             + (phi.rho) ((2 c4 - c3) [phi] + (3 c5 - c4) [phi]^2)
-//   J_l^-1  I - [phi]/2 + g [phi]^2,   g(theta^2) = (1 - theta c / (2 s)) / theta^2,   and likewise
-//           -[rho]/2 + g ([phi][rho] + [rho][phi]) + 2 g' (phi.rho) [phi]^2; below theta = 1 by cofactors, and in
-//           ball arithmetic by g = (c3 - 2 c4) / (2 c2).
+//   J_l^-1  J = I - [phi]/2 + g [phi]^2,   g(theta^2) = (1 - theta c / (2 s)) / theta^2,
+//           C = -[rho]/2 + g ([phi][rho] + [rho][phi]) + 2 g' (phi.rho) [phi]^2
+//           below theta = 1: J_l is inverted by cofactors; in ball arithmetic g = (c3 - 2 c4) / (2 c2)
 //
-// Where terms of size one cancel they leave an absolute error of one rounding, so that at 100 digits each block has 90
-// correct digits relative to its norm down to theta = 0; c3, c4, c5 come from their series for theta < 1. An angle of n
-// digits costs 2 n digits (C has 98 - 16 at theta = 1e8), and so does a distance d of 1e-n to 2 pi k:
+// At 100 digits each block has 90 correct digits relative to its norm, down to theta = 0. If terms of size
+// one cancel, the absolute error is one rounding; for theta < 1 the c_k come from their series. An angle of n
+// digits costs 2 n digits (C has 98 - 16 at theta = 1e8), and so does a distance d of 1e-n to 2 pi k.
 // tests/properties/enclosure_test.cpp requires errors below 1e-98 (theta / d)^2.
 //
-// Domain: exp for every finite angle (beyond 2^42 at 50 and 2^83 at 100 digits, theta is reduced modulo 2 pi
-// with as many bits as that needs); the Jacobians for theta <= 1e24.
+// Domain: exp for every finite angle; the Jacobians for theta <= 1e24. Beyond theta = 2^42 at 50 digits and
+// 2^83 at 100 digits, exp reduces theta modulo 2 pi with as many bits as necessary.
 //
 // Sources: Rodrigues 1840; Sola, Deray, Atchuthan 2018 (arXiv 1812.01537), appendices B and D, rewritten;
 // Barfoot 2017, eq. 7.86 (C).
@@ -36,15 +36,15 @@ struct UnitPose {
   Vec3<T> p;
 };
 
-/// theta = 2 pi k + reduced with |reduced| <= pi; s and c are sin(theta/2) and cos(theta/2), n the unit axis,
-/// zero where theta is.
+/// theta = 2 pi k + reduced with |reduced| <= pi; s = sin(theta/2), c = cos(theta/2); n is the unit axis, or
+/// zero if theta is zero.
 template <class T>
 struct HalfAngle {
   T theta, reduced, s, c;
   Vec3<T> n;
   bool large = false;  ///< whether theta was reduced; otherwise `reduced` equals theta
-  T inverse{};         ///< 1 / theta in ball arithmetic, for theta > 0
-  /// x / theta; in ball arithmetic a product, at a third of the cost and with one more rounding.
+  T inverse{};         ///< 1 / theta; only in ball arithmetic, for theta > 0
+  /// x / theta. Ball arithmetic multiplies by `inverse`, with a third of the cost and one more rounding.
   T over_theta(const T& x) const {
     if constexpr (BallNumber<T>)
       return x * inverse;
@@ -59,7 +59,7 @@ struct JacobianBlocks {
   Mat3<T> J, C;
 };
 
-/// Q and p of T0^-1 T1, not normalised; p1_minus_p0 in the axes of p0.
+/// T0^-1 T1 as p and a quaternion Q that is not normalised. p1_minus_p0 is in the parent axes.
 template <class T>
 struct RelativePose {
   Quaternion<T> Q;
@@ -82,12 +82,12 @@ UnitPose<T> closed_exp(const Vec6<T>& xi) {
   return closed_exp(xi, norm(tail3(xi)));
 }
 
-/// log of the pose of Q / ||Q|| and p: (rho, phi) with ||phi|| <= pi. With `as_signed` the sign of Q chooses
-/// the branch instead: theta/2 in [0, pi] is the angle of Q, so that the result is continuous at theta = pi.
+/// log of the pose (Q / ||Q||, p): (rho, phi) with ||phi|| <= pi. With `as_signed` Q is never replaced by -Q:
+/// theta/2 in [0, pi] is the angle of Q itself, so that the result is continuous at theta = pi.
 template <class T>
 Vec6<T> closed_log(const Quaternion<T>& Q, const Vec3<T>& p, bool as_signed = false);
 
-/// T0 exp(delta); q0 = (p, Q) with Q meaning Q / ||Q||.
+/// T0 exp(delta), where q0 = (p, Q) is the pose (Q / ||Q||, p).
 template <class T>
 UnitPose<T> closed_integrate(const Vec7<T>& q0, const Vec6<T>& delta);
 
@@ -100,7 +100,7 @@ Vec6<T> closed_difference(const Vec7<T>& q0, const Vec7<T>& q1);
 template <class T>
 JacobianBlocks<T> closed_left_jacobian(const Vec6<T>& xi);
 
-/// Relative accuracy also near theta = 2 pi k, where it grows without bound.
+/// Accurate relative to its norm, also near theta = 2 pi k, where the norm grows without bound.
 template <class T>
 JacobianBlocks<T> closed_left_jacobian_inverse(const Vec6<T>& xi);
 

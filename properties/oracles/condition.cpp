@@ -23,14 +23,13 @@ double settled_kappa(const T& kappa) {
   return kappa.head();
 }
 
-/// The step for a number of this absolute value.
 Real step_of(const Real& size) {
   static const Real relative("1e-36"), smallest("1e-40");
   const Real least = size * smallest, step = size > 1 ? relative : Real(size * relative);
   return step < least ? least : step;
 }
-/// The arguments are stored doubles, so that these steps are exact. Every differentiated function is linear to rounding
-/// over steps of 2^-1000.
+/// The arguments are doubles, so that adding a step to them is exact. A step of 2^-1000 may exceed the
+/// argument, but every differentiated function is linear up to rounding over such a step.
 template <BallNumber T>
 T step_of(const T& size) {
   const double step =
@@ -68,7 +67,7 @@ std::vector<T> movements(const FunctionOf<T>& f, const std::vector<T>& x,
 
 template <class T>
 double condition_number(const T& movement, const T& denominator) {
-  if constexpr (BallNumber<T>)  // below 1 its digits do not matter
+  if constexpr (BallNumber<T>)  // the digits of a small kappa do not matter
     if (movement.size() + movement.r < 0.5 * (denominator.size() - denominator.r))
       return movement.size() / denominator.size();
   return movement == T(0) ? 0.0 : settled_kappa(T(movement / denominator));

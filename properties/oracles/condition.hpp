@@ -1,13 +1,13 @@
 #pragma once
-// The componentwise condition number of a block y of f(x),  kappa = sum_i ||dy/dx_i|| |x_i| / denominator:
-// the relative change of the result in eps, to first order and in the worst combination, when every stored number
-// changes by a relative eps. A number that is zero is stored exactly and adds nothing.
+// The componentwise condition number of a block y of f(x) is kappa = sum_i ||dy/dx_i|| |x_i| / denominator.
+// If every stored number x_i changes by a relative eps, y changes by at most kappa eps relative to the
+// denominator, to first order. A number that is zero is stored exactly and adds nothing.
 //
-// The derivatives are central differences at 50 digits with the step |x_i| 1e-36 / max(1, |x_i|), at least
-// |x_i| 1e-40: kappa needs two or three digits, and these steps give about ten. The step is smaller than the
-// distance of any number of a scalar under test from a pole (2 pi k of the inverse Jacobians): a
-// longer one would step across the pole and make kappa small where it is infinite. Where y has n digits fewer
-// than 50, kappa has n digits fewer than ten.
+// The derivatives are central differences at 50 digits. The step is |x_i| 1e-36 / max(1, |x_i|), but at least
+// |x_i| 1e-40. kappa needs two or three digits; these steps give about ten. The step is shorter than the
+// distance of any tested number from a pole, such as 2 pi k of the inverse Jacobians. A longer step could
+// cross the pole and make kappa small where it is infinite. If y has n digits fewer than 50, kappa has n
+// digits fewer than ten.
 //
 // Sources: Higham 2002, section 1.6; Gohberg, Koltracht 1993 (componentwise condition).
 
@@ -23,7 +23,7 @@ template <class T>
 using FunctionOf = std::function<std::vector<T>(const std::vector<T>& x)>;
 using Function = FunctionOf<Real>;
 
-/// Consecutive numbers of a result, and the denominator of their change: by default the 2-norm of that block of f(x).
+/// Consecutive numbers of f(x), and the denominator of their change (by default their 2-norm).
 template <class T>
 struct ConditionBlockOf {
   int first = 0, size = 0;
@@ -31,11 +31,10 @@ struct ConditionBlockOf {
 };
 using ConditionBlock = ConditionBlockOf<Real>;
 
-/// One kappa for each block, infinite where a denominator is zero and the block's derivative is not. f is called
-/// 2 x.size() times; in Real it may be a closed form without confirmation (closed_forms.hpp).
-/// In double-double balls the differences are one-sided, over x.size() + 1 calls, with the step 2^-64 in place of
-/// 1e-36. Undecided is thrown where kappa then has less than two digits, and always in balls of double, which are too
-/// short for any step.
+/// One kappa for each block. It is infinite if the denominator is zero and the block's derivative is not. f
+/// is called 2 x.size() times; in Real f may be a closed form without a second formula (closed_forms.hpp).
+/// Double-double balls take one-sided differences with the step 2^-64 and x.size() + 1 calls. Undecided is
+/// thrown if kappa then has less than two digits, and always for balls of double.
 template <class T>
 std::vector<double> condition(const FunctionOf<T>& f, const std::vector<T>& x,
                               const std::vector<ConditionBlockOf<T>>& blocks);
@@ -49,13 +48,13 @@ inline std::vector<double> condition(const Function& f, const std::vector<Real>&
 template <class T>
 std::vector<T> movements(const FunctionOf<T>& f, const std::vector<T>& x,
                          const std::vector<ConditionBlockOf<T>>& blocks);
-/// movement / denominator, to two digits or Undecided; 0 where the movement is. In balls a kappa below 1/2 is only
-/// known to be below 1, which suffices: errors are divided by max(kappa, 1).
+/// kappa = movement / denominator, or 0 if the movement is 0. Throws Undecided unless two digits are certain.
+/// In balls a kappa below 1/2 is not checked, because errors are divided by max(kappa, 1).
 template <class T>
 double condition_number(const T& movement, const T& denominator);
 
 /// The condition numbers of several blocks of one formula, computed together when the first one is needed.
-/// `arguments()` gives the stored numbers.
+/// `arguments()` returns the stored numbers.
 template <class T, class F, class Arguments>
 class Sensitivity {
  public:

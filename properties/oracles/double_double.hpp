@@ -1,14 +1,14 @@
 #pragma once
 // Double-double arithmetic: x = high + low, |low| <= ulp(high) / 2, 106 bits in the exponent range of double.
 //
-// Relative errors, u = 2^-53, barring under- and overflow (Joldes, Muller & Popescu 2017, "Tight and rigorous
-// error bounds for basic building blocks of double-word arithmetic"; Lefevre et al. 2023 for the root):
-//   a + b   5 u^2 of |a| + |b|: algorithm 5, which has no bound relative to the sum; the last step is two_sum, since
-//           after a cancellation the low part may be the larger one. Errors u |a.low + b.low| <= u^2 (|a| + |b|) and
-//           u |s.low + t| <= 3 u^2 (|a| + |b|), then none.
+// Bounds of the relative errors, u = 2^-53, if nothing underflows or overflows (Joldes, Muller & Popescu
+// 2017, "Tight and rigorous error bounds for basic building blocks of double-word arithmetic"):
+//   a + b   5 u^2 of |a| + |b|   algorithm 5; there is no bound relative to the sum
 //   a b     5 u^2    algorithm 11
-//   a / b   15 u^2   algorithm 17        sqrt  25/8 u^2
-// The same bits with and without fused multiply-add: the products are error-free either way.
+//   a / b   15 u^2   algorithm 17        sqrt  25/8 u^2   Lefevre et al. 2023
+// The last step of a + b is two_sum, which is exact even if a cancellation makes the low part the larger one.
+// Before it a.low + b.low has an error of at most u^2 (|a| + |b|), and s.low + t of 3 u^2 (|a| + |b|).
+// Fused multiply-add does not change any bit: the products are error-free with and without it.
 
 #include <cmath>
 #include <limits>
@@ -29,7 +29,7 @@ inline DoubleDouble two_sum(double a, double b) {
   const double s = a + b, t = s - a;
   return {s, (a - (s - t)) + (b - t)};
 }
-/// Dekker's product by Veltkamp's splitting; |a|, |b| < 2^995.
+/// a b = high + low exactly, by Dekker's product with Veltkamp's splitting, for |a|, |b| < 2^995.
 inline DoubleDouble two_product(double a, double b) {
 #if defined(__FMA__)
   const double p = a * b;
@@ -54,7 +54,7 @@ inline DoubleDouble operator+(const DoubleDouble& a, const DoubleDouble& b) {
 inline DoubleDouble operator-(const DoubleDouble& a, const DoubleDouble& b) {
   return a + -b;
 }
-/// Within 3 u^2 of the sum itself, whatever cancels: algorithm 6.
+/// a + b by algorithm 6: the error is at most 3 u^2 of the sum, even if a and b nearly cancel.
 inline DoubleDouble accurate_sum(const DoubleDouble& a, const DoubleDouble& b) {
   const DoubleDouble s = dd::two_sum(a.high, b.high), t = dd::two_sum(a.low, b.low);
   const DoubleDouble v = dd::fast_two_sum(s.high, s.low + t.high);

@@ -1,21 +1,21 @@
 #pragma once
-// How far a computed value is from the exact one, in eps of the scalar S that computed it.
+// The distance of a computed value from the exact one, in eps of the scalar S that computed it.
 //
-// Computed values are given as their exact numbers (exact_vector, exact_matrix), after all_finite has returned
-// true. A NaN nevertheless gives infinity, so that it can never pass.
-// The rotation error of a matrix is that of its polar factor's quaternion, 4 sin(angle / 4) of the angle
-// between the two rotations; the distance from orthogonality is a block of its own.
+// Computed values are passed as exact numbers (exact_vector, exact_matrix) after all_finite has returned
+// true. A NaN would still give infinity, so that it never passes a test. The rotation error of a matrix is
+// that of its polar factor's quaternion: 4 sin(angle / 4), where `angle` is between the computed and the
+// exact rotation. The distance from orthogonality is a separate block.
 //
-// The errors are accurate to 1e-45 absolutely; as doubles, to 1e-16 relatively.
+// The errors have an absolute accuracy of 1e-45; as doubles they have a relative accuracy of 1e-16.
 
 #include <oracles/ball_error.hpp>
 #include <oracles/log.hpp>
 
 namespace liecheck::oracles {
 
-/// 2 min(||Q/||Q|| - exact||, ||Q/||Q|| + exact||), exact unit.
+/// 2 min(||Q/||Q|| - exact||, ||Q/||Q|| + exact||) for a unit quaternion `exact`.
 Real rotation_distance(const Quaternion<>& computed, const Quaternion<>& exact);
-/// The same for the polar factor of a stored matrix; infinite where the matrix is not near a rotation.
+/// The same for the polar factor of a stored matrix. It is infinite if the matrix is not near a rotation.
 Real rotation_distance(const Mat3<>& computed, const Quaternion<>& exact);
 /// | ||Q||^2 - 1 |
 Real norm_distance(const Quaternion<>& computed);
@@ -28,15 +28,14 @@ const Real& epsilon() {
   static const Real value = ldexp(Real(1), 1 - std::numeric_limits<S>::digits);
   return value;
 }
-/// The smallest denominator, min_normal / eps: below it S has fewer digits, and relative error has no
-/// meaning.
+/// The smallest denominator, min_normal / eps: below it the last place of a number of S is subnormal.
 template <class S>
 const Real& smallest_denominator() {
   static const Real value = ldexp(Real(1), std::numeric_limits<S>::min_exponent - 1) / epsilon<S>();
   return value;
 }
 
-/// smallest_denominator in an oracle's number.
+/// smallest_denominator as a number of an oracle.
 template <class S, class T>
 T least_denominator() {
   if constexpr (BallNumber<T>) {
@@ -46,7 +45,7 @@ T least_denominator() {
   }
 }
 
-/// eps of S in an oracle's number.
+/// eps of S as a number of an oracle.
 template <class S, class T>
 T ulp_of_one() {
   return exact<T>(S(ldexp(S(1), 1 - std::numeric_limits<S>::digits)));
@@ -120,9 +119,9 @@ double scalar_error(const Real& computed, const Real& exact, const Real& scale =
 struct TwistError {
   double linear = 0, angular = 0;
 };
-/// The two blocks of a log or difference, compared with the branch that the computed rotation vector is on: at
-/// theta = pi both are right. The linear block's denominator is at least linear_scale (||p1 - p0|| for
-/// difference).
+/// The errors of the two blocks of a log or difference. At theta = pi two values are exact, and the one
+/// nearer to the computed rotation vector is used. The linear block's denominator is at least linear_scale,
+/// which is ||p1 - p0|| for difference.
 template <class S, class T>
 TwistError log_error(const Vec6<T>& computed, const LogValue<T>& exact, const T& linear_scale = T(0)) {
   const auto against = [&](const Vec6<T>& value) -> TwistError {

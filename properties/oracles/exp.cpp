@@ -6,8 +6,8 @@
 namespace liecheck::oracles {
 namespace {
 
-/// The affine exponential of any xi. Where squaring would lose more than 80 bits, theta is reduced modulo 2 pi first:
-/// exp(xi) = exp((1-s) xi) exp(s xi) with s theta = 2 pi k, and exp(s xi) = (I, s n (n.rho)).
+/// The affine exponential of any xi. If squaring would lose more than 80 bits, theta is first reduced modulo
+/// 2 pi: exp(xi) = exp((1-s) xi) exp(s xi) with s theta = 2 pi k and exp(s xi) = (I, s n (n.rho)).
 template <class T>
 AffineExponential<T> any_affine_exponential(const Vec6<T>& xi) {
   const HalfAngle<T> h = half_angle(tail3(xi));

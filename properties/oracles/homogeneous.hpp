@@ -10,7 +10,7 @@ using Mat34 = Mat<3, 4, T>;
 
 namespace homogeneous {
 
-/// A B, where the last row of B is 0 0 0 last.
+/// A B, where the last row of B is (0, 0, 0, last).
 template <class T>
 Mat34<T> product(const Mat34<T>& A, const Mat34<T>& B, int last) {
   Mat34<T> r;
@@ -35,7 +35,7 @@ Mat34<T> matrix(const Mat3<T>& R, const Vec3<T>& p) {
   }
   return X;
 }
-/// [[w]x u] of a twist (u, w).
+/// The matrix [[w]x u] of a twist (u, w).
 template <class T>
 Mat34<T> generator(const Vec6<T>& s) {
   return matrix(hat(tail3(s)), head3(s));

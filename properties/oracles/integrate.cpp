@@ -12,7 +12,7 @@ Quaternion<T> quaternion_of(const Vec7<T>& q) {
   return {{q[3], q[4], q[5], q[6]}};
 }
 
-/// Does Q0* (Q1 - s Q0), s = +-1 the sign that makes it small, have the same vector part? This is the second formula.
+/// The second formula: do Q0* (Q1 - s Q0) and `relative` have one vector part? s = +-1 makes Q1 - s Q0 small.
 bool vector_part_confirmed(const Quaternion<Real100>& Q0, const Quaternion<Real100>& Q1,
                            const Quaternion<Real100>& relative) {
   const Quaternion<Real100> D = relative[3] < 0 ? Q1 + Q0 : Q1 - Q0;
@@ -28,7 +28,7 @@ IntegrateResult integrate(const Vec7<>& q0, const Vec6<>& delta) {
   const UnitPose<Real100> pose = closed_integrate(start, cast<Real100>(delta));
   IntegrateResult r{cast<Real>(pose.Q), cast<Real>(pose.p), step.theta, norm(step.p), false};
 
-  // R0 (R, p) by matrices at 50 digits, with R and p as the matrix exponential has confirmed them
+  // the second formula: R0 (R, p) by matrices at 50 digits, with the confirmed R and p of exp
   const Quaternion<Real> Q0 = normalized(quaternion_of(q0));
   const Mat3<Real> R0 = rotation_matrix(Q0);
   const Vec3<Real> p = head3(q0) + R0 * step.p;

@@ -1,16 +1,16 @@
 #pragma once
-// integrate(q, delta) = T exp(delta) and difference(q0, q1) = log(T0^-1 T1) of free-flyer configurations
-// q = (p, Q) [m, -], Q stored x y z w and meaning Q / ||Q||.
+// integrate(q, delta) = T exp(delta) and difference(q0, q1) = log(T0^-1 T1) for free-flyer configurations
+// q = (p, Q) [m, -]. Q is stored as x y z w and stands for Q / ||Q||.
 //
-// Values at 100 digits with quaternions, confirmed at 50 with rotation matrices (integrate) and by the square
-// roots of log.hpp. The relative quaternion is formed twice: from the minors a_i b_j - a_j b_i of Q0 and Q1,
-// and as Q0* (Q1 -+ Q0) / ||.||; products of stored numbers (113 bits at most) are exact in 334 bits, so that
-// poses 1e-300 apart keep their relative accuracy.
+// Values: quaternions at 100 digits. Second formula: rotation matrices at 50 digits for poses, and the square
+// roots of log.hpp for the logarithm. The relative quaternion is formed from the minors a_i b_j - a_j b_i of
+// Q0 and Q1, and a second time as Q0* (Q1 -+ Q0), which has the same vector part. Products of stored numbers
+// (at most 113 bits) are exact in 334 bits, so that poses 1e-300 apart keep their relative accuracy.
 //
 // Domain: every finite q with Q != 0, every finite delta.
 //
-// Error: p of integrate relative to max(||p||, ||p0||, ||increment||), Q absolutely, rho relative to ||rho||,
-// phi to ||phi||: below 1e-41.
+// Error: below 1e-41, for p of integrate relative to max(||p||, ||p0||, ||increment||), for Q absolute, for
+// rho and phi relative to their norms.
 
 #include <oracles/log.hpp>
 
@@ -28,7 +28,7 @@ using IntegrateResult = IntegrateValue<Real>;
 
 template <class T>
 struct DifferenceValue : LogValue<T> {
-  T separation;  ///< ||p1 - p0||, exactly subtracted
+  T separation;  ///< ||p1 - p0||, from the exact difference
 };
 using DifferenceResult = DifferenceValue<Real>;
 

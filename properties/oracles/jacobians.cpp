@@ -8,14 +8,14 @@ namespace {
 
 enum class Form { direct, inverse };
 
-/// Is K the inverse of V? Where K V = I + r, the relative error of K is ||r||.
+/// Is K the inverse of V? If K V = I + r, the relative error of K is ||r||.
 template <class T>
 bool inverse_agrees(const Mat3<T>& V, const Mat3<T>& K) {
   return frobenius(K * V - identity<3, T>()) <= T(agreement);
 }
 
-/// Is [[J, C], [0, J]] the matrix V = phi1(ad xi), or its inverse? Where V.a C + V.b J = r, the error of the inverse's
-/// C is J r. A structurally zero C is compared with C_scale.
+/// Does [[J, C], [0, J]] equal V = phi1(ad xi), or the inverse of V? If V.a C + V.b J = r, the error of the
+/// inverse's C is J r. A structurally zero C is compared with C_scale.
 template <class T>
 bool phi1_agrees(const Vec6<Real100>& xi, Form form, const JacobianBlocks<Real100>& expected,
                  const Real100& C_scale) {
@@ -76,11 +76,11 @@ Mat6<Real100> central_differences(F&& f) {
   return m;
 }
 
-/// The unit of length of the differences. `result` confirms the structure [[J, C], [0, J]] and, in this unit, the
-/// blocks by phi1 or Ad, and converts C back to metres.
+/// The unit of length of the differences. `result` confirms, in this unit, the structure [[J, C], [0, J]] and
+/// the blocks (by phi1 or Ad). Then it converts C back to metres.
 struct Scaled {
-  Real100 unit;       ///< [m]; 1 where the given length is zero
-  bool none = false;  ///< the given length is zero: so is C, exactly
+  Real100 unit;       ///< [m]; 1 if the given length is zero
+  bool none = false;  ///< the given length is zero, and so is C
 
   explicit Scaled(const Vec3<Real100>& length) : unit(norm(length)) {
     none = unit == 0;
@@ -102,8 +102,8 @@ Vec7<Real100> configuration(const UnitPose<Real100>& pose) {
   return {{pose.p[0], pose.p[1], pose.p[2], pose.Q[0], pose.Q[1], pose.Q[2], pose.Q[3]}};
 }
 
-/// q with its position at the origin: integrate and difference are invariant to a common translation, and a large one
-/// would cost digits.
+/// q moved to the origin. A common translation does not change the derivatives of integrate and difference,
+/// but a large one would cost digits.
 Vec7<Real100> at_origin(const Vec7<>& q) {
   Vec7<Real100> r = cast<Real100>(q);
   r[0] = r[1] = r[2] = 0;
@@ -118,7 +118,7 @@ JacobianBlocks<T> adjoint_of_inverse(const Vec6<T>& delta) {
   return {Rt, T(-1) * (Rt * hat(X.p))};
 }
 
-/// difference(q0, q1) on the branch of the relative quaternion `centre`, so that it is continuous at theta = pi.
+/// difference(q0, q1) on the branch of the relative quaternion `centre`: it is continuous at theta = pi.
 Vec6<Real100> difference_on_branch(const Vec7<Real100>& q0, const Vec7<Real100>& q1,
                                    const Quaternion<Real100>& centre) {
   const RelativePose<Real100> r = relative_pose(q0, q1);
@@ -192,7 +192,7 @@ Jacobian6Result right_jacobian_fd(const Vec6<>& xi) {
   Mat6<T> m;
   for (int i = 0; i < 6; ++i) {
     Vec3<T> dp, dphi = zero_vector<3, T>();
-    if (i < 3) {  // exp is affine in rho: the difference quotient equals the value at e_i
+    if (i < 3) {  // p is linear in rho: the derivative is p at rho = e_i
       Vec6<T> e = centre;
       for (int k = 0; k < 3; ++k) e[k] = k == i ? 1 : 0;
       dp = affine_exponential(e).p;

@@ -1,23 +1,22 @@
 #pragma once
 // Left and right Jacobians of exp, their inverses, and the derivatives of integrate and difference.
 //
-// To first order exp(xi + d) = exp(J_l d) exp(xi) = exp(xi) exp(J_r d), and J_r(xi) = J_l(-xi). On SE(3) they
-// are [[J, C], [0, J]] with J of SO(3) and the coupling block C [m], linear in rho.
+// To first order exp(xi + d) = exp(J_l d) exp(xi) = exp(xi) exp(J_r d), and J_r(xi) = J_l(-xi). On SE(3) both
+// Jacobians are [[J, C], [0, J]], with J of SO(3) and the coupling block C [m], which is linear in rho.
 //
 // Three formulas:
-//   1. closed form in dual numbers, 100 digits (closed_forms.hpp): the value of left_* and right_*;
-//   2. phi1(ad xi) by scaling and squaring, at 50 digits, or 100 where 50 are too few: confirms the other two;
-//   3. central differences straight from the definition, 100 digits: the value of *_fd, d_integrate_*,
-//      d_difference_*.
-// Inverses have closed forms too and are confirmed by their product with phi1; they are singular at
-// theta = 2 pi k and resolved as long as |theta - 2 pi k| > 1e-40.
+//   1. closed form in dual numbers at 100 digits (closed_forms.hpp): the value of left_* and right_*;
+//   2. phi1(ad xi), or Ad for d_integrate_arg0, by scaling and squaring, 50 or 100 digits: confirms 1 and 3;
+//   3. central differences of the definition at 100 digits: the value of *_fd, d_integrate_*, d_difference_*.
+// The inverses have closed forms too, and their product with phi1 confirms them. They are singular at
+// theta = 2 pi k and are resolved if |theta - 2 pi k| > 1e-40.
 //
-// Error model of the differences. With lengths scaled so that ||rho|| = 1 (C is linear in rho) every third
-// derivative is of order one: error = h^2 + 2^(20 + log2 theta - 334) / h. The step h = 2^-110 gives a truncation
-// error of 1e-66 and a rounding error of 1e-61 at theta = 100, 1e-55 at 1e8.
+// Error of the differences: lengths are scaled so that ||rho|| = 1, and then every third derivative is of
+// order one. The error is h^2 + 2^(20 + log2 theta - 334) / h. The step h = 2^-110 gives a truncation error
+// of 1e-66, and a rounding error of 1e-61 at theta = 100 and 1e-55 at theta = 1e8.
 //
 // Domain: theta <= 1e24 (left_*, right_*), <= 1e8 (the differences).
-// Error: each block relative to its own norm, below 1e-41.
+// Error: below 1e-41 relative to the norm of each block.
 //
 // Sources: Chirikjian 2012, eq. 10.86; Sola, Deray, Atchuthan 2018, appendices B and D; Barfoot 2017,
 // eq. 7.86; Iserles et al. 2000, section 2 (phi1 = dexp).
@@ -53,7 +52,7 @@ Jacobian6Result right_jacobian_se3(const Vec6<>& xi);
 Jacobian6Result left_jacobian_se3_inverse(const Vec6<>& xi);
 Jacobian6Result right_jacobian_se3_inverse(const Vec6<>& xi);
 
-/// Column i = vee(exp(-xi) d/dh exp(xi + h e_i)), exp by scaling and squaring.
+/// Column i is vee(exp(-xi) d/dh exp(xi + h e_i)), with exp by scaling and squaring.
 Jacobian6Result right_jacobian_fd(const Vec6<>& xi);
 
 /// ARG0 = d/dh difference(integrate(q, delta), integrate(integrate(q, h e_i), delta)) = Ad(exp(-delta)).
@@ -61,8 +60,8 @@ Jacobian6Result d_integrate_arg0(const Vec7<>& q, const Vec6<>& delta);
 /// ARG1 = d/dh difference(integrate(q, delta), integrate(q, delta + h e_i)) = J_r(delta).
 Jacobian6Result d_integrate_arg1(const Vec7<>& q, const Vec6<>& delta);
 
-/// At theta = pi difference has two values, of opposite axes, and each has its own derivative: `other` selects that of
-/// LogResult::other.
+/// At theta = pi difference has two values with opposite axes, and each value has a different derivative.
+/// `other` selects the derivative of LogResult::other.
 enum class Branch { value, other };
 
 /// ARG0 = d/dh difference(integrate(q0, h e_i), q1) = -J_l^-1(delta), on the branch of the central value.

@@ -1,11 +1,11 @@
 #pragma once
 // The time derivative of a free-flyer configuration q = (p, Q) with body velocity v = (u, w) [m/s, rad/s]:
-//   p_dot = R u,   R_dot = R [w],   Q_dot = Q (w, 0) / 2,   R and Q those of Q / ||Q||.
+//   p_dot = R u,   R_dot = R [w],   Q_dot = Q (w, 0) / 2,   with Q normalised and R its matrix.
 //
-// Value: these products at 100 digits. Confirmed by central differences of integrate(q, t v) at t = 0, with
-// ||w|| t = 2^-110 at 100 digits (truncation error 2^-220, rounding error 2^-220; see jacobians.hpp).
+// Value: these products at 100 digits. Second formula: central differences of integrate(q, t v) at t = 0 with
+// ||w|| t = 2^-110, at 100 digits (truncation error 2^-220, rounding error 2^-220; see jacobians.hpp).
 //
-// Domain: all finite q with Q != 0, all finite v. Error: p_dot, Q_dot and R_dot each relative to its norm, below 1e-41.
+// Domain: all finite q with Q != 0, all finite v. Error: below 1e-41 relative to each norm.
 //
 // Source: Sola 2017 (arXiv 1711.02508), section 4.
 

@@ -1,6 +1,6 @@
 #pragma once
-// Fixed-size vectors and matrices of an oracle's numbers, without heap allocation and without expression temporaries,
-// which at 50 digits cost as much as the arithmetic.
+// Fixed-size vectors and matrices of the oracles' numbers. They avoid heap allocation and temporaries, which
+// at 50 digits cost as much as the arithmetic.
 
 #include <array>
 #include <oracles/number.hpp>
@@ -36,7 +36,7 @@ using Mat3 = Mat<3, 3, T>;
 template <class T = Real>
 using Mat6 = Mat<6, 6, T>;
 
-/// The exact numbers of anything with operator[] (an Eigen vector, an array).
+/// The elements of anything with operator[] (an Eigen vector, an array), converted exactly.
 template <int N, class T = Real, class V>
 Vec<N, T> exact_vector(const V& v) {
   Vec<N, T> r;
@@ -44,7 +44,7 @@ Vec<N, T> exact_vector(const V& v) {
   return r;
 }
 
-/// The exact numbers of anything with operator()(i, j) (an Eigen matrix).
+/// The elements of anything with operator()(i, j) (an Eigen matrix), converted exactly.
 template <int R, int C, class T = Real, class M>
 Mat<R, C, T> exact_matrix(const M& m) {
   Mat<R, C, T> r;
@@ -84,7 +84,7 @@ T squared_norm(const Vec<N, T>& v) {
 }
 template <int N, class T>
 T norm(const Vec<N, T>& v) {
-  if constexpr (BallNumber<T>) {  // scaled, because their exponent range is that of double
+  if constexpr (BallNumber<T>) {  // scaled, because balls have the exponent range of double
     const T* only = nullptr;      // the norm of a vector along an axis is exact
     int others = -1;
     for (const T& x : v.x)
@@ -293,7 +293,7 @@ Mat6<T> assemble(const Mat3<T>& a, const Mat3<T>& b, const Mat3<T>& c, const Mat
   return m;
 }
 
-/// A [p]: each row of A crossed with p.
+/// A [p]: each row is the cross product of the row of A with p.
 template <class T>
 Mat3<T> times_hat(const Mat3<T>& A, const Vec3<T>& p) {
   Mat3<T> r;

@@ -5,9 +5,9 @@
 namespace liecheck::oracles {
 namespace {
 
-/// Formula A. With the dual number S = 1 + w + e d_w, sqrt(q) = (q + 1) / sqrt(2 S). After k roots the vector
-/// part v + e d is small; log q = f(v.v) v with f(x) = asin(sqrt x) / sqrt x = sum_j a_j x^j, in dual
-/// numbers. Every step keeps the relative accuracy of v and of d, to which it adds a few roundings.
+/// The second formula. With the dual number S = 1 + w + e d_w, sqrt(q) = (q + 1) / sqrt(2 S). After k roots
+/// the vector part v + e d is small, and log q = f(v.v) v in dual numbers, f(x) = asin(sqrt x) / sqrt x =
+/// sum_j a_j x^j. Every step adds only a few roundings to the relative errors of v and of d.
 template <class T>
 Vec6<T> log_by_square_roots(Quaternion<T> Q, const Vec3<T>& p) {
   Q = normalized(Q);
@@ -50,8 +50,8 @@ Vec6<T> log_by_square_roots(Quaternion<T> Q, const Vec3<T>& p) {
   return stack(back * (f * d + along * v), T(back * f) * v);
 }
 
-/// The unit quaternion of a rotation matrix by its largest pivot (Shepperd 1978), w >= 0. The vector part has
-/// the relative accuracy of the antisymmetric part.
+/// The unit quaternion, w >= 0, of a rotation matrix by its largest pivot (Shepperd 1978). The relative
+/// accuracy of its vector part is that of the antisymmetric part of R.
 template <class T>
 Quaternion<T> quaternion_of(const Mat3<T>& R) {
   const T trace = R(0, 0) + R(1, 1) + R(2, 2);
@@ -103,7 +103,7 @@ NearestQuaternion nearest_quaternion(const Mat3<Real100>& R) {
   static const T half = T(1) / 2, converged = pow(T(10), -55);
   Mat3<T> X = R;
   bool last = false;
-  for (int i = 0; i < 30; ++i) {  // quadratic: five from 1e-3, four from 1e-8
+  for (int i = 0; i < 30; ++i) {  // quadratic convergence: five steps from 1e-3, four from 1e-8
     const Mat3<T> C = cofactors(X);
     const T by_det = 1 / determinant(X, C);
     const Mat3<T> next = half * (X + by_det * C);
@@ -113,8 +113,8 @@ NearestQuaternion nearest_quaternion(const Mat3<Real100>& R) {
     last = step < converged;
   }
   const Quaternion<T> Q = quaternion_of(X);
-  // The polar factor by definition: orthogonal (Q is unit and X its matrix), and X^T R symmetric. R is near
-  // enough to a rotation for X^T R to be positive then.
+  // X is the polar factor if it is orthogonal (Q is unit and X is its matrix) and X^T R is symmetric and
+  // positive. X^T R is positive because R is near a rotation.
   const Mat3<T> B = transpose(X) * R;
   const T sine = norm(head3(Q));
   const T asymmetry = norm(vee(B));

@@ -1,17 +1,17 @@
 #pragma once
 // log of a pose (Q, p) or (R, p): (rho, phi) with exp(rho, phi) = (R, p) and ||phi|| <= pi.
-// A stored quaternion Q means Q / ||Q||; a stored matrix R means the nearest rotation, its polar factor.
+// A stored quaternion Q stands for Q / ||Q||, a stored matrix R for the nearest rotation, its polar factor.
 //
-// Value: theta = 2 atan2(||v||, |w|) and the closed V^-1, at 100 digits. Confirmed at 50 digits by inverse
-// scaling and squaring of the unit dual quaternion q + e p q / 2: ten square roots
-// sqrt(q) = (q + 1) / ||q + 1||, the arcsine series near the identity, and doubling: no atan2, no V^-1.
-// The polar factor X (Newton, X <- (X + X^-T) / 2) is confirmed by its definition: X^T X = I, X^T R
-// symmetric.
+// Value: theta = 2 atan2(||v||, |w|) and the closed form of V^-1, at 100 digits. Second formula: inverse
+// scaling and squaring of the unit dual quaternion q + e p q / 2 at 50 digits. It takes ten square roots
+// sqrt(q) = (q + 1) / ||q + 1||, the arcsine series near the identity, and doublings, but no atan2 and no
+// V^-1. Newton's iteration X <- (X + X^-T) / 2 gives the polar factor X. Its definition confirms it:
+// X^T X = I, X^T R symmetric.
 //
-// Domain: every finite Q != 0 and p; R with ||R^T R - I|| < 1/2 and det R > 0, otherwise unresolved.
+// Domain: every finite Q != 0 and p; R with ||R^T R - I|| < 1/2 and det R > 0. Other R are unresolved.
 //
-// Error: phi relative to ||phi||, rho to ||rho||: below 1e-41 as confirmed. pi - theta relative to itself,
-// down to 1e-60. At theta = pi both axes are right: `other` is the log with the opposite axis.
+// Error: below 1e-41 for phi and rho, relative to their norms. pi - theta has relative accuracy down to
+// 1e-60. At theta = pi both axes are right: `other` is the log with the opposite axis.
 //
 // Sources: Higham 2008, sections 8.3 (polar) and 11.5 (logarithm); Daniilidis 1999 (dual quaternions).
 
@@ -24,9 +24,9 @@ template <class T>
 struct LogValue {
   Vec3<T> rho, phi;
   T theta;             ///< ||phi||
-  T pi_minus_theta;    ///< accurate relative to itself
-  bool at_pi = false;  ///< |cos(theta/2)| < 1e-60: `other` is right, too
-  Vec6<T> other;       ///< (rho, phi) of the opposite axis where at_pi, otherwise (rho, phi)
+  T pi_minus_theta;    ///< with relative accuracy
+  bool at_pi = false;  ///< |cos(theta/2)| < 1e-60: `other` is right too
+  Vec6<T> other;       ///< (rho, phi) of the opposite axis if at_pi, otherwise (rho, phi)
   bool resolved = false;
 
   Vec6<T> value() const { return stack(rho, phi); }

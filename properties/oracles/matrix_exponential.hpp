@@ -1,17 +1,17 @@
 #pragma once
-// Formula A of the oracles: the power series of the matrix, by scaling and squaring, without angles, axes, sines
-// or quaternions.
+// The second formula of the oracles: the power series of the matrix with scaling and squaring. It uses no
+// angles, axes, sines or quaternions.
 //
-// phi1(A) = sum_j A^j / (j+1)!,   exp(A) = I + A phi1(A).
-// A is scaled by 2^-k to ||A|| < 2^-6; the series is evaluated in blocks of five powers (Paterson,
-// Stockmeyer 1973) and doubled back (Higham 2008, sections 10.3 and 10.7.4):
+//   phi1(A) = sum_j A^j / (j+1)!,   exp(A) = I + A phi1(A).
+// A is scaled by 2^-k to ||A|| < 2^-6. The series is evaluated in blocks of five powers (Paterson, Stockmeyer
+// 1973). Doublings undo the scaling (Higham 2008, sections 10.3 and 10.7.4):
 //   E = exp(A) - I:   E(2A) = 2 E + E^2,            so that E keeps relative accuracy for tiny A;
 //   phi1(2A) = phi1(A) (I + E/2).
 //
-// The affine 4x4 matrix [[phi], rho; 0, 0] has E and p = phi1 rho, with p(2A) = 2 p + E p. The adjoint 6x6
-// [[phi], [rho]; 0, [phi]] is the 3x3 matrix of dual numbers [phi] + e [rho]: three 3x3 products for one 6x6.
+// The affine 4x4 matrix [[phi], rho; 0, 0] gives E and p = phi1 rho, with p(2A) = 2 p + E p. The adjoint 6x6
+// matrix [[phi], [rho]; 0, [phi]] is the 3x3 matrix [phi] + e [rho] of dual numbers, with cheaper products.
 //
-// Error: k + 4 bits of the working precision, relative to the largest of the operands, k = log2 theta + 7.
+// Error: k + 4 bits of the working precision, relative to the largest operand, with k = log2 theta + 7.
 
 #include <algorithm>
 #include <oracles/linear_algebra.hpp>

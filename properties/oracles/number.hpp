@@ -1,5 +1,5 @@
 #pragma once
-// What the oracles need of a number, be it Real, Real100 or a ball: exact conversion, products, the larger of two.
+// Operations on the oracles' number types (Real, Real100 and balls): exact conversion, product and maximum.
 
 #include <boost/multiprecision/float128.hpp>
 #include <cmath>
@@ -10,7 +10,7 @@
 
 namespace liecheck::oracles {
 
-/// A number that carries its own error bound.
+/// A number that is stored with a bound of its error.
 template <class T>
 concept BallNumber = std::is_same_v<T, DoubleBall> || std::is_same_v<T, DoubleDoubleBall>;
 template <class T>
@@ -22,13 +22,13 @@ inline constexpr int bits = std::numeric_limits<T>::digits10 > 60 ? 334 : 168;
 template <BallNumber T>
 inline constexpr int bits<T> = T::Round::bits;
 
-/// x in another scalar, without rounding for every scalar of at most 168 bits (float, double, float128 and
-/// Real). NaN and infinities stay what they are.
+/// x converted to T. The conversion is exact if S has at most 168 bits (float, double, float128 and Real).
+/// NaN and infinities are preserved.
 template <class T, class S>
 T exact(const S& x) {
   if constexpr (std::is_same_v<S, T>) {
     return x;
-  } else if constexpr (BallNumber<S>) {  // the midpoint: stored numbers have radius 0
+  } else if constexpr (BallNumber<S>) {  // only the midpoint: stored numbers have radius 0
     return T(S::Round::head(x.m)) + T(S::Round::tail(x.m));
   } else if constexpr (std::is_same_v<S, Real> || std::is_same_v<S, Real100> || std::is_floating_point_v<S>) {
     return T(x);
@@ -46,7 +46,7 @@ T exact(const S& x) {
   }
 }
 
-/// r = a b, without the temporary that operator* makes.
+/// r = a b without a temporary.
 template <class T>
 inline void set_product(T& r, const T& a, const T& b) {
   if constexpr (BallNumber<T>) {
@@ -57,7 +57,7 @@ inline void set_product(T& r, const T& a, const T& b) {
   }
 }
 
-/// max(a, b) and min(a, b). Balls are not compared: the radius of the result covers either choice.
+/// max(a, b) and min(a, b). Balls are not compared: |max(a, b) - max(a.m, b.m)| <= max(a.r, b.r).
 template <class T>
 T larger(const T& a, const T& b) {
   if constexpr (BallNumber<T>) {

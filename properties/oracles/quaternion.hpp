@@ -9,7 +9,6 @@ namespace liecheck::oracles {
 template <class T = Real>
 using Quaternion = Vec<4, T>;
 
-/// The quaternion product a b.
 template <class T>
 Quaternion<T> quaternion_product(const Quaternion<T>& a, const Quaternion<T>& b) {
   return {{a[3] * b[0] + a[0] * b[3] + (a[1] * b[2] - a[2] * b[1]),
@@ -18,9 +17,9 @@ Quaternion<T> quaternion_product(const Quaternion<T>& a, const Quaternion<T>& b)
            a[3] * b[3] - (a[0] * b[0] + a[1] * b[1] + a[2] * b[2])}};
 }
 
-/// The quaternion product a* b, grouped in the minors a_i b_j - a_j b_i: where these are exact (products of two 113-bit
-/// numbers at 334 bits) the vector part v keeps its relative accuracy however near a and b are, since the
-/// squares of the six minors add up to ||v||^2 (Lagrange, Pluecker).
+/// The quaternion product a* b, grouped in the minors a_i b_j - a_j b_i. The squares of the six minors add up
+/// to ||v||^2 (Lagrange, Pluecker). If the minors are exact (products of two 113-bit numbers at 334 bits),
+/// the vector part v therefore keeps its relative accuracy even if a and b are nearly equal.
 template <class T>
 Quaternion<T> conjugate_product(const Quaternion<T>& a, const Quaternion<T>& b) {
   const auto minor = [&](int i, int j) -> T { return a[i] * b[j] - a[j] * b[i]; };
@@ -33,7 +32,7 @@ Quaternion<T> normalized(const Quaternion<T>& q) {
   return T(1 / norm(q)) * q;
 }
 
-/// x rotated by Q / ||Q||: x + 2 (w v x x + v x (v x x)) / ||Q||^2; by its inverse for `inverse`.
+/// x rotated by Q / ||Q||, that is x + 2 (w v x x + v x (v x x)) / ||Q||^2, or by the inverse rotation.
 template <class T>
 Vec3<T> rotate(const Quaternion<T>& q, const Vec3<T>& x, bool inverse = false) {
   const Vec3<T> v = head3(q);
@@ -42,7 +41,7 @@ Vec3<T> rotate(const Quaternion<T>& q, const Vec3<T>& x, bool inverse = false) {
   return x + s * (w * vx + cross(v, vx));
 }
 
-/// R(Q) - I = 2 w [v] + 2 [v]^2 of a unit quaternion, with full relative accuracy however small the angle is.
+/// R(Q) - I = 2 w [v] + 2 [v]^2 of a unit quaternion, with full relative accuracy at any small angle.
 template <class T>
 Mat3<T> rotation_minus_identity(const Quaternion<T>& q) {
   Mat3<T> E;

@@ -1,8 +1,8 @@
 #pragma once
-// The oracles' numbers: binary floating point of 50 and of 100 decimal digits (168 and 334 bits), on the
-// stack, with MPFR's exponent range of +-2^30, so that no operation under- or overflows.
+// The number types of the oracles: binary floating point of 50 and of 100 decimal digits (168 and 334 bits),
+// stored on the stack. With MPFR's exponent range of +-2^30 no operation underflows or overflows.
 //
-// Every function of this folder is thread safe: the only mutable state is MPFR's thread-local caches.
+// Every function of this folder is thread-safe: its only mutable state is MPFR's thread-local caches.
 
 #include <boost/multiprecision/mpfr.hpp>
 

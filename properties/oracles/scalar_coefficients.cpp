@@ -15,7 +15,7 @@ using Terms = std::vector<Quad>;
 constexpr int term_count = 30;  // 10^30 / 60! < 2^-170
 constexpr Long domain = 10;     // pi^2 < 10
 
-/// (-scale)^j weight(j)
+/// The coefficients (-scale)^j weight(j).
 template <class Weight>
 Terms alternating(Quad scale, Weight weight) {
   Terms all;
@@ -68,11 +68,11 @@ class Series {
       power *= domain;
     }
   }
-  /// The Taylor coefficients about m, t[n] = sum_j C(j, n) a_j m^(j - n). On |x - m| <= w <= 1 the rounding of a_j and of
-  /// Horner's scheme changes the cubic by at most 64 * 2^-64 sum_j |a_j| (m + w)^j.
+  /// The Taylor coefficients about m, t[n] = sum_j C(j, n) a_j m^(j - n). For |x - m| <= w <= 1, rounding a_j
+  /// and Horner's scheme changes the cubic by at most 64 * 2^-64 sum_j |a_j| (m + w)^j.
   Cubic about(Long m, Long w) const {
     Cubic c{{0, 0, 0, 0}, 0};
-    for (int j = term_count; j-- > 0;) {  // Horner's scheme of the value and of its derivatives / n!
+    for (int j = term_count; j-- > 0;) {  // Horner's scheme for the value and the derivatives / n!
       for (int n = 3; n > 0; --n) c.t[n] = c.t[n] * m + c.t[n - 1];
       c.t[0] = c.t[0] * m + a_[j];
     }
@@ -124,8 +124,8 @@ Cubic arctangent(Long m, Long w) {
   Long h = 1 / (1 + m);
   for (int n = 0; n < 3; ++n, h /= -(1 + m))
     c.t[n + 1] = (h - static_cast<Long>(2 * n + 1) * c.t[n]) / (static_cast<Long>(2 * (n + 1)) * m);
-  // glibc's atanl has an error of one ulp. At small m the recursion for t[n] cancels digits, but t[n] is multiplied by
-  // (t - m)^n, where |t - m| <= w < m / 4.
+  // glibc's atanl has an error of one ulp. At small m the recursion for t[n] loses digits, but t[n] is
+  // multiplied by (t - m)^n, and |t - m| <= w < m / 4.
   c.error = q >= 0.5L ? std::numeric_limits<Long>::infinity()
                       : c.t[0] * (1.4143L * q * q * q * q / (1 - q) + 0x1p-58L);
   return c;
@@ -153,8 +153,8 @@ LocalExpansion expand(Coefficient which, double low, double high) {
     a = f.a.about(m, w);
     b = f.b.about(m, w);
   }
-  // The terms with 2^-49 bound at most sixteen roundings in double: of the coefficients p, of Horner's scheme, and of
-  // f p(u) - 1, which the caller computes.
+  // The terms with 2^-49 bound at most sixteen roundings in double: of the coefficients p, of Horner's
+  // scheme, and of f p(u) - 1, which the caller computes.
   LocalExpansion e{centre, 0, {}};
   if (is_absolute(which)) {  // then B = 1
     for (int n = 0; n < 4; ++n) e.p[n] = static_cast<double>(a.t[n]);

@@ -15,7 +15,7 @@ BodyOf<T> cast(const Body& I) {
 }
 using oracles::cast;
 
-/// agree(a, b) with a scale of at least 1e-50 of the terms at 100 digits, where the result may be exactly zero.
+/// agree(a, b). At 100 digits the scale is at least 1e-50 of the terms, as the result may be exactly zero.
 template <int N, class T>
 bool agree_but_for_zero(const Vec<N, T>& a, const Vec<N, T>& b, const T& terms) {
   static const T zero = pow(T(10), -50);
@@ -47,8 +47,8 @@ Mat6<T> matrix_of(const BodyOf<T>& I) {
   return formulas::inertia_matrix(I);
 }
 
-/// value(Real100) confirmed by matrix(T) V. terms(T): the sizes of the terms that may cancel in the linear and in the
-/// angular part.
+/// value(Real100), confirmed by matrix(T) V. terms(T) returns the sizes of the terms that may cancel in the
+/// linear part and in the angular part.
 template <class Value, class Matrix, class Terms>
 SpatialResult spatial_result(Value&& value, Matrix&& matrix, const Vec6<>& V, Terms&& terms) {
   const Vec6<Real100> exact_value = value(Real100());
@@ -157,7 +157,7 @@ SpatialResult cross_force(const Vec6<>& V, const Vec6<>& F) {
 
 namespace {
 
-/// Does `move` equal the congruence of the 6x6 matrices? It holds only where X.R is a rotation.
+/// Does `move` equal the congruence of the 6x6 matrices? It does only if X.R is a rotation.
 template <class T, class Move>
 bool congruent(const PoseOf<T>& X, const BodyOf<T>& I, bool back, Move&& move) {
   static const T zero = std::is_same_v<T, Real100> ? pow(T(10), -50) : T(0);

@@ -1,23 +1,23 @@
 #pragma once
-// Spatial algebra on the stored numbers: motions, forces and inertias in another frame, the two cross products,
+// Spatial algebra on stored numbers: motions, forces and inertias in another frame, the two cross products,
 // momentum and kinetic energy.
 //
-// A pose (R, p) is used as stored: the results are polynomials of its twelve numbers, with R^T in place of R^-1,
+// A pose (R, p) is used as stored: the results are polynomials in its twelve numbers, with R^T for R^-1.
 //   X   = [[R, [p]R], [0, R]]          V_A = X V_B         X^-1 = [[R^T, -R^T [p]], [0, R^T]]
 //   X*  = [[R, 0], [[p]R, R]]          F_A = X* F_B        X*^-1 = [[R^T, 0], [-R^T [p], R^T]]
 //   inertia  (m, c, I_C) -> (m, R c + p, R I_C R^T);   I_O = I_C + m (||c||^2 I - c c^T)
 //   M = [[m I, -m [c]], [m [c], I_O]],  h = M V,  E = V^T M V / 2 = m ||u + w x c||^2 / 2 + w^T I_C w / 2.
 //
-// Value: component by component at 100 digits. Confirmed by the 6x6 matrices at 50 digits, at 100 where terms
-// cancel; a transformed inertia by the congruence X* M X^-1 at the rotation nearest to R, because the congruence
-// is an identity only for rotations.
+// Value: component by component at 100 digits. Second formula: the 6x6 matrices at 50 digits, or at 100 if
+// terms cancel. A transformed inertia is confirmed by the congruence X* M X^-1 at the rotation nearest to R,
+// because the congruence is an identity only for rotations.
 //
 // Domain: all finite numbers; inertias also need an R near a rotation.
 //
-// Error: each 3-vector or block relative to itself below 1e-41; where its terms cancel to less than 1e-50 of
-// their size, 1e-91 of the terms.
+// Error: below 1e-41 relative to the norm of each 3-vector or block. If terms cancel to less than 1e-50 of
+// their size, the error is below 1e-91 of the terms.
 //
-// Source: Featherstone 2008, sections 2.8, 2.9, 2.13 and table 2.2; linear part first here.
+// Source: Featherstone 2008, sections 2.8, 2.9, 2.13 and table 2.2, here with the linear part first.
 
 #include <oracles/agreement.hpp>
 #include <oracles/spatial_formulas.hpp>

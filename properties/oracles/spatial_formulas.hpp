@@ -1,5 +1,5 @@
 #pragma once
-// The formulas of spatial.hpp component by component, in any of the oracles' numbers.
+// The formulas of spatial.hpp component by component, for any number type of the oracles.
 
 #include <oracles/quaternion.hpp>
 

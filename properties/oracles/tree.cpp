@@ -7,7 +7,7 @@ namespace {
 
 using namespace homogeneous;
 
-/// E(q); q: the joint's own numbers.
+/// E(q), where q points to the joint's part of the configuration.
 template <class T>
 Mat34<T> joint_pose(const JointOf<T>& j, const T* q) {
   const Vec3<T> none = zero_vector<3, T>();
@@ -94,7 +94,7 @@ Vec6<T> joint_twist(const TreeOf<T>& tree, std::size_t i, const std::vector<T>& 
   return sum;
 }
 
-/// sum m (x; 1)(x; 1)^T: the second moments tr(I_C) / 2 - I_C + m c c^T, m c and m.
+/// sum m (x; 1)(x; 1)^T: its blocks are the second moments tr(I_C) / 2 - I_C + m c c^T, then m c and m.
 template <class T>
 Mat<4, 4, T> second_moments(const BodyOf<T>& b) {
   Mat<4, 4, T> J;

@@ -1,17 +1,18 @@
 #pragma once
-// Kinematics and inverse dynamics of a tree of rigid bodies, derived from its poses alone.
+// Kinematics and inverse dynamics of a tree of rigid bodies from its poses alone, without spatial algebra.
 //
-// No spatial algebra is used: a pose is a homogeneous matrix X, X_i = X_p L_i, L_i = P_i E_i(q), E' = E V for the
-// velocity V = sum_k [s_k] v_k of the joint (s_k constant, [s] = [[w]x u; 0 0]). The product rule gives X', X'' and,
-// for a displacement q exp([d]), their derivatives. With U_k = dX/dq_k and a body's second moments of mass
-// J = sum m (x; 1)(x; 1)^T, the kinetic energy is T = sum tr(X' J X'^T) / 2, and Lagrange's equations are
+// The pose of joint i is a homogeneous matrix X_i = X_p L_i, with the parent's pose X_p and L_i = P_i E_i(q).
+// The joint's velocity is V = sum_k [s_k] v_k with constant s_k and [s] = [[w]x u; 0 0], and E' = E V. The
+// product rule gives X', X'' and their derivatives for a displacement q exp([d]). With U_k = dX/dq_k and a
+// body's second moments of mass J = sum m (x; 1)(x; 1)^T, the kinetic energy is T = sum tr(X' J X'^T) / 2.
+// Lagrange's equations are
 //
 //   tau_k = sum_i tr(U_ik J_i (X_i'' - g)^T),   M_kl = sum_i tr(U_ik J_i U_il^T)
 //
 // Sources: Uicker 1965; Paul 1981, chapter 6.
 //
-// Confirmed at 100 digits, to 1e-30: X', X'' and U by central differences of the poses along q exp(t v + t^2 a / 2) and
-// q exp(t e_k), and the derivative of tau by central differences of tau.
+// Second formula, at 100 digits and to 1e-30: central differences of the poses along q exp(t v + t^2 a / 2)
+// and q exp(t e_k) confirm X', X'' and U. Central differences of tau confirm the derivative of tau.
 //
 // Domain: stored quaternions, axes and (cos, sin) are not zero; each stands for its normalised value.
 
@@ -23,7 +24,7 @@ namespace liecheck::oracles {
 
 enum class JointKind { revolute, continuous, prismatic, helical, spherical, planar, translation, free_flyer };
 
-/// How many numbers of q, and of v, a joint has that is no mimic; a mimic has none.
+/// The size of a joint's part of q, and of v. A mimic has no part.
 constexpr int configuration_size(JointKind k) {
   return k == JointKind::free_flyer                            ? 7
          : k == JointKind::translation                         ? 3
@@ -40,9 +41,9 @@ constexpr int velocity_size(JointKind k) {
 template <class T>
 struct JointOf {
   JointKind kind = JointKind::revolute;
-  int parent = -1;   ///< an earlier joint, -1: the world
-  int primary = -1;  ///< of a mimic: its coordinate is multiplier y + offset, y the coordinate of this joint
-  Quaternion<T> Q;   ///< with p: the pose in the parent's frame at q = neutral
+  int parent = -1;   ///< an earlier joint, or -1 for the world
+  int primary = -1;  ///< -1, or for a mimic the joint whose coordinate y gives multiplier y + offset
+  Quaternion<T> Q;   ///< Q and p are the pose in the parent's frame at q = neutral
   Vec3<T> p, axis;
   T pitch, multiplier, offset, armature;
   BodyOf<T> body;  ///< in the joint's frame
@@ -53,7 +54,7 @@ struct TreeOf {
   std::vector<JointOf<T>> joints;
   Vec3<T> gravity;
   int nq = 0, nv = 0;
-  std::vector<int> idx_q, idx_v;  ///< a mimic has those of its primary
+  std::vector<int> idx_q, idx_v;  ///< a mimic has the indices of its primary
   /// Sets nq, nv, idx_q and idx_v.
   void index() {
     nq = nv = 0;
@@ -81,7 +82,7 @@ struct MotionOf {
   std::vector<Mat34<T>> X, X1, X2;
 };
 
-/// The twist that one velocity of a joint gives to all bodies behind it, at the world's origin in the world's axes.
+/// The twist of the bodies behind a joint for one unit velocity of it, at the world's origin in world axes.
 template <class T>
 struct ColumnOf {
   int joint = 0, v = 0;
@@ -92,8 +93,8 @@ template <class T>
 class TreeDynamics {
  public:
   using Numbers = std::vector<T>;
-  /// q [nq], v, a [nv]. A direction (dq, dv, da) [nv each] adds the derivatives along it. With `displaced` [nv] all is
-  /// evaluated at q exp(displaced).
+  /// q [nq]; v and a [nv]. With a direction (dq, dv, da) [nv each] the derivatives along it are computed too.
+  /// With `displaced` [nv] everything is evaluated at q exp(displaced).
   TreeDynamics(const TreeOf<T>& tree, const Numbers& q, const Numbers& v, const Numbers& a,
                const Numbers& dq = {}, const Numbers& dv = {}, const Numbers& da = {},
                const Numbers& displaced = {});
@@ -123,7 +124,7 @@ class TreeDynamics {
   std::vector<Mat<4, 4, T>> J_;
   bool differentiated_;
 
-  /// Is `ancestor` the joint or one of its ancestors?
+  /// Is `ancestor` the joint itself or one of its ancestors?
   bool carries(int ancestor, std::size_t joint) const;
 };
 
@@ -136,12 +137,12 @@ struct FrameMotion {
   FrameMotion(const MotionOf<T>& m, std::size_t joint, const Quaternion<T>& Q, const Vec3<T>& position);
 };
 
-/// Do differences of poses confirm X', X'' and U of this state, and differences of tau its derivative along dq, if
-/// given?
+/// Do differences of poses confirm X', X'' and U of this state? With dq: do differences of tau also confirm
+/// the derivative of tau along dq?
 bool confirmed(const TreeOf<Real>& tree, const std::vector<Real>& q, const std::vector<Real>& v,
                const std::vector<Real>& a, const std::vector<Real>& dq = {});
 
-/// The factors of A = L D L^T [n x n], row by row, with 1 / D on the diagonal. Empty where A is not positive definite.
+/// Factors of a positive definite A = L D L^T [n x n], row by row, 1 / D on the diagonal; otherwise empty.
 template <class T>
 std::vector<T> positive_factor(std::vector<T> A, std::size_t n);
 /// A^-1 b for the factors of A.

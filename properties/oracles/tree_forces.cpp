@@ -38,7 +38,7 @@ Mat<4, 3, T> times_transposed(const Mat44<T>& N, const Mat34<T>& A) {
     }
   return r;
 }
-/// tr([s] Y) for Y = sum m (x; 1) y^T: u . sum m y + w . sum m x x y.
+/// tr([s] Y) = u . sum m y + w . sum m (x cross y) for Y = sum m (x; 1) y^T.
 template <class T>
 T work(const Vec3<T>& u, const Vec3<T>& w, const Mat<4, 3, T>& Y) {
   T sum(0);
@@ -212,7 +212,7 @@ Vec3<T> TreeDynamics<T>::centre() const {
   return {{sum[0] / mass, sum[1] / mass, sum[2] / mass}};
 }
 namespace {
-/// sum m y and sum m (x - c) x y for Y_i = sum m (x; 1) y^T.
+/// sum m y and sum m (x - c) cross y, for Y_i = sum m (x; 1) y^T.
 template <class T, class F>
 Vec6<T> about(const Vec3<T>& c, std::size_t n, F&& Y_of) {
   Mat<4, 3, T> Y = zeros<4, 3, T>();
@@ -227,7 +227,8 @@ Vec6<T> TreeDynamics<T>::momentum() const {
   return about<T>(centre(), J_.size(),
                   [&](std::size_t i) { return times_transposed(times(at_.X[i], J_[i], 1), at_.X1[i]); });
 }
-/// The derivative of sum m (x - c) x x' is sum m (x - c) x x'', since x' x x' = 0 and c' x p = 0.
+/// The derivative of sum m (x - c) cross x' is sum m (x - c) cross x'', since x' cross x' = 0 and c' cross
+/// sum m x' = 0.
 template <class T>
 Vec6<T> TreeDynamics<T>::momentum_rate() const {
   return about<T>(centre(), J_.size(),

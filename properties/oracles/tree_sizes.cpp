@@ -3,8 +3,8 @@
 namespace liecheck::oracles {
 namespace {
 
-/// An upper bound of the oracle's rounding error relative to its terms, which it sums at the world's origin. This share
-/// of the distance from there is added to lever arms, so that an exact zero has a scale, too.
+/// A bound of the oracle's rounding error relative to its terms, which are summed at the world's origin. This
+/// share of the distance from that origin is added to lever arms, so that an exact zero also has a scale.
 constexpr double oracle_rounding = 1e-20;
 
 double size(const Vec3<double>& v) {
@@ -40,7 +40,7 @@ TwistSize column_size(const JointOf<double>& j, int k) {
       return k < 3 ? TwistSize{1, 0} : TwistSize{0, 1};
   }
 }
-/// The norms of S x.
+/// The norms of the linear and of the angular part of S x.
 TwistSize motion_size(const JointOf<double>& j, const double* x) {
   double u = 0, w = 0;
   for (int k = 0; k < velocity_size(j.kind); ++k) {
@@ -56,7 +56,7 @@ double coordinate(const TreeOf<double>& tree, const JointOf<double>& j, const do
   const double y = circle ? std::fabs(std::atan2(x[1], x[0])) : std::fabs(x[0]);
   return j.primary >= 0 ? std::fabs(j.multiplier) * y + std::fabs(j.offset) : y;
 }
-/// |p_E(q)|: how far the joint is translated.
+/// The norm |p_E(q)| of the joint's translation.
 double translation_size(const TreeOf<double>& tree, std::size_t i, const std::vector<double>& q) {
   const JointOf<double>& j = tree.joints[i];
   const double* x = &q[static_cast<std::size_t>(tree.idx_q[i])];
@@ -195,7 +195,7 @@ void TreeSizes<N>::add_armatures(const TreeOf<double>& tree, const Numbers& a) {
       }
 }
 
-/// M_kl = s_k . (the wrench that s_l gives its subtree), as in the composite rigid body algorithm.
+/// M_kl = s_k . f, where the wrench f accelerates the subtree of l by s_l (composite rigid body algorithm).
 template <class N>
 void TreeSizes<N>::add_mass_matrix(const TreeOf<double>& tree) {
   const auto nv = static_cast<std::size_t>(tree.nv);

@@ -1,19 +1,19 @@
 #pragma once
-// The size of the terms that a tree's results are sums of: the recursive Newton-Euler algorithm (Featherstone 2008,
-// table 5.1) with every vector replaced by its norm and every sum by the sum of the norms.
+// The sizes of the terms whose sums are the results of a tree. They follow from the recursive Newton-Euler
+// algorithm (Featherstone 2008, table 5.1), with vectors replaced by norms and sums by sums of norms.
 //
 //   w_i = w_p + |w_J|,   u_i = u_p + w_p r + |u_J|,   r = |p| + |p_E(q)|
 //   al_i = al_p + |w_J'| + w_i |w_J|,   ac_i = ac_p + al_p r + |u_J'| + u_i |w_J| + w_i |u_J|,   ac_0 = |g|
-//   f = m (ac + al c) + w m s,   n = |I_C| (al + w^2) + c f + u m s,   s = u + w c;   to the parent: f, n + r f
+//   f = m (ac + al c) + w m s,   n = |I_C| (al + w^2) + c f + u m s,   s = u + w c;   to parent: f, n + r f
 //
-// kappa = terms / ||result|| is the relative change of the result, in eps, when each vector of the problem changes by a
-// relative eps in any direction. The distance of the tree from the world's origin adds nothing. A mimic's angle m q + o
-// is rounded, which rotates all joints behind it by eps of the angle: the terms are multiplied by 1 + 2 (sum of those
-// angles). With `about_root`, forces and motions are taken at the origin of the first joint, and the distance from
-// there is one more lever arm.
+// kappa = terms / ||result|| bounds the relative change of the result, in eps, when each vector of the
+// problem changes by a relative eps in any direction. The distance of the tree from the world's origin adds
+// nothing. A mimic's angle m q + o is rounded, which rotates all joints behind it by eps of the angle. The
+// terms are therefore multiplied by 1 + 2 (sum of those angles). With `about_root`, forces and motions are
+// taken at the origin of the first joint, and the distance from that origin is one more lever arm.
 //
-// A displacement d of q rotates and translates the joints behind it: through Tangent, a number with its derivative, the
-// same recursions bound the terms of dtau.
+// A displacement d of q rotates and translates the joints behind it. With Tangent, a number and its
+// derivative, the same recursions bound the terms of dtau.
 
 #include <oracles/tree.hpp>
 
@@ -34,16 +34,16 @@ inline Tangent& operator+=(Tangent& a, const Tangent& b) {
   return a = a + b;
 }
 
-/// 1 + twice the sum of all mimics' angles: the rounding of each angle rotates the motions of the outward pass and the
-/// forces of the inward pass. TreeSizes has it in its terms.
+/// 1 + twice the sum of all mimics' angles: the rounding of each angle rotates the motions of the outward
+/// pass and the forces of the inward pass. The terms of TreeSizes include this factor.
 double mimic_factor(const TreeOf<double>& tree, const std::vector<double>& q);
 
-/// N: double or Tangent.
+/// N is double or Tangent.
 template <class N>
 struct TreeSizes {
   using Numbers = std::vector<double>;
   struct Joint {
-    N r{}, rotation{1};                         ///< lever arm from the parent; 1 + |w_d| of a displacement
+    N r{}, rotation{1};                         ///< lever arm from the parent; 1 + |w_d| for a displacement
     N w{}, u{}, al{}, ac{};                     ///< velocities; spatial accelerations minus gravity
     N position{};                               ///< distance from the world's origin
     N mass{}, first_moment{}, second_moment{};  ///< of the subtree, at the joint's origin

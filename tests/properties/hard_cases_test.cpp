@@ -180,7 +180,7 @@ TEST(Corpus, RefusesALineWithItsFileLineAndValue) {
   refused("a | kinetic_energy | mass = -1 | c | r | o", "not a valid input");
   refused("a | robot_configuration | q0 = 1 | c | r | o", "depends on the robot");
   EXPECT_NE(refusal("a | exp_oracle | phi = 1, 0, 0 | c | r | o\na | exp_oracle | phi = 2, 0, 0 | c | r | o")
-                .find("f.txt:2: name 'a' is already that of f.txt:1"),
+                .find("f.txt:2: name 'a' is already used in f.txt:1"),
             std::string::npos);
   refused("a | exp_oracle | phi = 1, 0, 0 | c | \x1b[2J | o", "control character 0x1b in column 38");
   refused("a | exp_oracle | phi = 1, 0, 0 | c | \xff | o", "not UTF-8");

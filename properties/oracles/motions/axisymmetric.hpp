@@ -1,5 +1,5 @@
 #pragma once
-// The torque-free body with two equal principal moments I_t, and the moment I_a about its axis a (unit, in B).
+// A torque-free body with two equal principal moments I_t and the moment I_a about its axis a (unit, in B).
 //
 //   omega = L/I_t + (1 - I_a/I_t) (a . omega) a, so that
 //   R(t) = exp([L_W / I_t] t) R0 exp([a] Omega t),   Omega = (1 - I_a/I_t) (a . omega0), constant

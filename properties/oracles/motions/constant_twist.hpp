@@ -1,6 +1,6 @@
 #pragma once
-// Constant twist: a torque-free body that rotates about a principal axis, or about any axis if its moments are equal.
-// omega x I omega = 0, so that R = R0 exp([omega] t).
+// Constant twist: a torque-free body that rotates about a principal axis, or about any axis if its moments
+// are equal. Then omega x I omega = 0 and R = R0 exp([omega] t).
 
 #include <oracles/motions/state.hpp>
 

@@ -10,7 +10,7 @@ namespace liecheck::oracles {
 
 template <class T = Real>
 struct DampedSpring {
-  T mass, damping, stiffness;  ///< kg, N s/m, N/m > 0; or kg m^2, N m s, N m
+  T mass, damping, stiffness;  ///< [kg, N s/m, N/m] or [kg m^2, N m s, N m]; stiffness > 0
   T rest;                      ///< q_rest: q at which the spring is unstretched
   T force;                     ///< constant [N] or [N m]
   CoordinateState<T> initial;

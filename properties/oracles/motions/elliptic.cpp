@@ -20,8 +20,8 @@ T half_periods(const T& phi) {
   return floor(T(phi / pi<T>() + T(0.5)));
 }
 
-/// F and Pi for |phi| <= pi/2, by Carlson's integrals: DLMF 19.25.5 and 19.25.14. (Boost 1.74's ellint_3 does not
-/// compile for these numbers.)
+/// F and Pi for |phi| <= pi/2, by Carlson's integrals: DLMF 19.25.5 and 19.25.14. (ellint_3 of Boost 1.74
+/// does not compile for these numbers.)
 template <class T>
 T first_kind_within(const T& phi, const T& k) {
   T s, c;
@@ -42,7 +42,7 @@ T third_kind_within(const T& n, const T& phi, const T& k) {
 template <class T>
 Jacobi<T> jacobi(const T& u, const T& k) {
   Jacobi<T> r;
-  if (k == 1) {  // hyperbolic: no period
+  if (k == 1) {  // hyperbolic functions, without a period
     r.sn = tanh(u);
     r.cn = r.dn = 1 / cosh(u);
     r.am = 2 * atan(T(tanh(T(u / 2))));

@@ -1,11 +1,10 @@
 #pragma once
-// Jacobi's elliptic functions and Legendre's integrals for any real argument, by Boost.Math at the oracle's
-// precision.
+// Jacobi's elliptic functions and Legendre's integrals for all real arguments, by Boost.Math.
 //
 //   am(u): u = F(am | k),   sn = sin am,   cn = cos am,   dn = sqrt(1 - k^2 sn^2)
-//   F(phi | k) = int_0^phi ds / sqrt(1 - k^2 sin^2 s),   Pi(n; phi | k) = int_0^phi ds / ((1 - n sin^2 s) sqrt(...))
-//
-// Domain: 0 <= k < 1 and n < 1. A modulus near 1 loses the digits of 1 - k: use 100 digits there.
+//   F(phi | k)     = int_0^phi ds / sqrt(1 - k^2 sin^2 s)
+//   Pi(n; phi | k) = int_0^phi ds / ((1 - n sin^2 s) sqrt(1 - k^2 sin^2 s))
+// Domain: 0 <= k < 1 and n < 1. Near k = 1 the leading digits of 1 - k are lost: use 100 digits there.
 
 #include <oracles/real.hpp>
 

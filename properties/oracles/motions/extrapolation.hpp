@@ -1,6 +1,6 @@
 #pragma once
-// A reference solution where there is no closed form: Gragg's modified midpoint rule extrapolated in h^2 (Bulirsch and
-// Stoer), to two orders that must agree. Hairer, Norsett and Wanner (1993), section II.9.
+// A reference solution for motions without a closed form: Gragg's modified midpoint rule, extrapolated in h^2
+// (Bulirsch and Stoer), to two orders that must agree. Hairer, Norsett and Wanner (1993), section II.9.
 
 #include <oracles/motions/state.hpp>
 #include <vector>
@@ -14,8 +14,8 @@ struct Extrapolated {
   int steps = 0;
 };
 
-/// y(t1) of y' = f(y), y(0) = y, by steps of order 2 `columns`. The error estimate of each step, the difference of the
-/// last two columns, is at most `tolerance` (1 + ||y||).
+/// y(t1) for y' = f(y) and y(0) = y, by steps of order 2 `columns`. The error estimate of a step is the
+/// difference of the last two columns. It is at most `tolerance` (1 + ||y||).
 template <int N, class T, class F>
 Vec<N, T> extrapolate(const F& f, Vec<N, T> y, const T& t1, int columns, const T& tolerance,
                       int* steps = nullptr) {
@@ -38,7 +38,7 @@ Vec<N, T> extrapolate(const F& f, Vec<N, T> y, const T& t1, int columns, const T
         Vec<N, T> next = before + T(2 * h) * f(now);
         before = now, now = next;
       }
-      Vec<N, T> value = now;  // Gragg's smoothing is not needed where nothing is stiff
+      Vec<N, T> value = now;  // Gragg's smoothing is only needed for stiff motions
       for (int k = 1; k <= j; ++k) {
         const T ratio = T(j + 1) / T(j + 1 - k), weight = 1 / (ratio * ratio - 1);
         const Vec<N, T> last = row[static_cast<std::size_t>(k - 1)];

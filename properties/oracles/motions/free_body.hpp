@@ -1,9 +1,7 @@
 #pragma once
-// A free rigid body under constant gravity: its centre of mass falls freely, and its attitude is that of the
-// torque-free body.
-//
-//   p_WBo = p_C - R c,  u = R^T v_C - omega x c,  with R(t) of constant_twist, axisymmetric or triaxial in the body's
-//   principal axes P: R_WB = R_WP R_BP^T
+// A free rigid body under constant gravity: the centre of mass falls freely, and the attitude is torque-free.
+// P are the body's principal axes. R_WP(t) comes from constant_twist, axisymmetric or triaxial.
+//   p_WBo = p_C - R c,   u = R^T v_C - omega x c,   R_WB = R_WP R_BP^T
 
 #include <functional>
 #include <oracles/motions/free_fall.hpp>
@@ -11,16 +9,16 @@
 
 namespace liecheck::oracles {
 
-/// Eigenvalues of a symmetric matrix and, as columns, right-handed eigenvectors, by Jacobi's rotations. The result is
-/// exact for a diagonal matrix, whose order is kept.
+/// The eigenvalues of a symmetric matrix and its right-handed eigenvectors, as columns, by Jacobi's
+/// rotations. A diagonal matrix has an exact result in the order of its diagonal.
 template <class T>
 void principal_axes(Mat3<T> m, Vec3<T>& moments, Mat3<T>& axes);
 
 template <class T = Real>
 class FreeBody {
  public:
-  /// gravity in world axes [m/s^2]. Moments equal to 1e-30 relative count as equal. Throws std::domain_error where
-  /// TriaxialBody does.
+  /// gravity in world axes [m/s^2]. Moments that differ by at most a relative 1e-30 count as equal. Throws
+  /// std::domain_error in the cases in which TriaxialBody does.
   FreeBody(const Body<T>& body, const BodyState<T>& initial, const Vec3<T>& gravity);
 
   BodyState<T> at(const T& t) const;

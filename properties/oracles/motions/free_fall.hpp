@@ -5,7 +5,7 @@
 
 namespace liecheck::oracles {
 
-/// In world axes [m], from p0 [m], v0 [m/s] and g [m/s^2].
+/// The position in world axes [m], from p0 [m], v0 [m/s] and g [m/s^2].
 template <class T>
 Vec3<T> free_fall(const Vec3<T>& p0, const Vec3<T>& v0, const Vec3<T>& g, const T& t) {
   return p0 + t * v0 + T(t * t / 2) * g;

@@ -5,8 +5,8 @@
 
 namespace liecheck::oracles {
 
-/// The roots of f: u3 by Newton's method from an upper bound, where f is convex and the iteration cannot overshoot; u1
-/// and u2, between which u0 lies, from the deflated quadratic.
+/// Sets the roots of f. Newton's method gives u3: it starts at an upper bound, where f is convex, so that it
+/// cannot overshoot. u1 and u2, between which u0 lies, are the roots of the remaining quadratic.
 template <class T>
 void LagrangeTop<T>::solve_cubic(const T& alpha, const T& beta, const T& u0, const T& rate) {
   // f / beta = u^3 - p u^2 + q u - r
@@ -19,8 +19,8 @@ void LagrangeTop<T>::solve_cubic(const T& alpha, const T& beta, const T& u0, con
     u = next;
   }
   u3_ = u;
-  // (u1 + u2)/2 and (u2 - u1)/2, whose square follows from f(u0) = rate^2 = beta (u0-u1)(u2-u0)(u3-u0) without
-  // cancellation.
+  // centre = (u1 + u2)/2, half = (u2 - u1)/2. The square of `half` follows without cancellation from
+  // f(u0) = rate^2 = beta (u0-u1)(u2-u0)(u3-u0).
   const T centre = (p - u3_) / 2, off = u0 - centre, product = rate * rate / (beta * (u3_ - u0));
   const T half = sqrt(T(off * off + product));
   u1_ = centre - half, u2_ = centre + half;

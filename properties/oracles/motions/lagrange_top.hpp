@@ -1,15 +1,17 @@
 #pragma once
-// Lagrange's top: a symmetric body with a fixed point O on its axis z and the centre of mass at a height c > 0 on this
-// axis; gravity is along -z of the world.
+// Lagrange's top: a symmetric body with a fixed point O on its axis z and the centre of mass at a height
+// c > 0 on this axis. Gravity is along -z of the world. theta is the angle between the two z axes, and
+// u = cos theta. I_t is about O. omega_z of the body and L_z in the world are constant:
 //
-// With u = cos theta, theta the angle between the two z axes, and I_t about O; omega_z and L_z (world) are constant:
 //   a = I_z omega_z / I_t,  b = L_z / I_t,  beta = 2 m g c / I_t,  alpha = |omega_xy|^2 + beta u0
-//   u'^2 = f(u) = (1 - u^2)(alpha - beta u) - (b - a u)^2,  roots u1 <= u2 <= 1 < u3:
-//   u = u1 + (u2 - u1) sn^2 s,  s = lambda t + s0,  lambda = sqrt(beta (u3 - u1)) / 2,  k^2 = (u2 - u1)/(u3 - u1)
-//   phi' = (b - a u)/(1 - u^2) = [(b - a)/(1 - u) + (b + a)/(1 + u)] / 2      (precession about the world's z)
+//   u'^2 = f(u) = (1 - u^2)(alpha - beta u) - (b - a u)^2,  roots u1 <= u2 <= 1 < u3
+//   u = u1 + (u2 - u1) sn^2 s,  s = lambda t + s0,  lambda = sqrt(beta (u3 - u1)) / 2,
+//   k^2 = (u2 - u1)/(u3 - u1)
+//   phi' = (b - a u)/(1 - u^2) = [(b - a)/(1 - u) + (b + a)/(1 + u)] / 2    (precession about the world's z)
 //   psi' = omega_z - u phi'   (spin)
-// each fraction an integral of the third kind: 1 -+ u = (1 -+ u1)(1 - n sn^2), n = +-(u2 - u1)/(1 -+ u1).
-// Steady precession: u1 = u2. Sleeping top: u = 1 at all times. Whittaker (1937), section 71; Goldstein, section 5.7.
+// Each fraction gives an integral of the third kind, as 1 -+ u = (1 -+ u1)(1 - n sn^2),
+// n = +-(u2 - u1)/(1 -+ u1). Steady precession has u1 = u2. A sleeping top has u = 1 at all times. Whittaker
+// (1937), section 71; Goldstein, section 5.7.
 
 #include <oracles/motions/state.hpp>
 
@@ -18,8 +20,8 @@ namespace liecheck::oracles {
 template <class T = Real>
 class LagrangeTop {
  public:
-  /// transverse: I_t about O, axial: I_z [kg m^2]; torque: m g c [N m], > 0. Throws std::domain_error where the axis
-  /// passes through the vertical (b = +-a) without staying there, since the precession angle is then undefined.
+  /// transverse: I_t about O; axial: I_z [kg m^2]; torque: m g c > 0 [N m]. Throws std::domain_error if the
+  /// axis passes through the vertical (b = +-a) without staying there: the precession is then undefined.
   LagrangeTop(const T& transverse, const T& axial, const T& torque, const AttitudeState<T>& initial);
 
   AttitudeState<T> at(const T& t) const;
@@ -38,8 +40,8 @@ class LagrangeTop {
   T a_, b_, u1_, u2_, u3_, k_, lambda_, s0_, upper0_, lower0_, spin_, phi0_, psi0_;
 };
 
-/// The two rates of precession [rad/s] at which a top whose axis is `cosine` from the vertical and whose spin is
-/// omega_z keeps that angle: I_t cos theta p^2 - I_z omega_z p + m g c = 0. The slower one first; NaN if there is none.
+/// The two precession rates p [rad/s] at which a top with spin omega_z keeps the angle acos(cosine) from the
+/// vertical: I_t cosine p^2 - I_z omega_z p + m g c = 0. The slower one is first. NaN if there is none.
 template <class T>
 Vec<2, T> steady_precession(const T& transverse, const T& axial, const T& torque, const T& cosine,
                             const T& omega_z) {

@@ -1,14 +1,15 @@
 #pragma once
-// A planar chain of links from a fixed point, in absolute angles theta_i. It has no closed form: `reference` solves
+// A planar chain of links from a fixed point in absolute angles theta_i, without a closed form. `reference`
+// solves
 //   sum_j K_ij (cos(theta_i - theta_j) theta_j'' + sin(theta_i - theta_j) theta_j'^2) = -g k_i cos theta_i
-//   K_ii = I_i + m_i c_i^2 + l_i^2 M_i,  K_ij = l_i k_j for i < j,  k_i = m_i c_i + l_i M_i,  M_i = mass beyond link i
-// The joint angles of a tree of revolute joints are differences of the theta_i.
+//   K_ii = I_i + m_i c_i^2 + l_i^2 M_i,  K_ij = l_i k_j for i < j,  k_i = m_i c_i + l_i M_i
+// M_i is the mass beyond link i. The angles of a tree of revolute joints are differences of the theta_i.
 
 #include <oracles/motions/extrapolation.hpp>
 
 namespace liecheck::oracles {
 
-/// mass [kg], centre of mass c and length l along the link [m], inertia about its centre of mass [kg m^2].
+/// Mass [kg], centre of mass and length along the link [m], inertia about the centre of mass [kg m^2].
 template <class T = Real>
 struct Link {
   T mass, centre, length, inertia;
@@ -17,7 +18,7 @@ struct Link {
 template <int N, class T = Real>
 struct PlanarChain {
   std::array<Link<T>, N> links;
-  T gravity = T(0);  ///< along -y [m/s^2]; angles from x
+  T gravity = T(0);  ///< along -y [m/s^2]; angles are measured from x
 
   Mat<N, N, T> couplings() const {
     Mat<N, N, T> K = zeros<N, N, T>();

@@ -1,13 +1,13 @@
 #pragma once
-// The equations of motion that the closed forms solve, for reference solutions and for tests of the closed forms:
+// The equations of motion that the closed forms solve, for reference solutions and tests:
 //   Q' = Q (omega, 0) / 2,   I omega' = (I omega) x omega + n_B
 
 #include <oracles/motions/state.hpp>
 
 namespace liecheck::oracles {
 
-/// The rate of (x y z w, omega) of a body that rotates about a fixed point or about its centre of mass, with a constant
-/// force f_W [N] at r_B [m] from that point.
+/// The time derivative of (x y z w, omega) of a body that rotates about a fixed point or its centre of mass.
+/// The constant force force_W [N] acts at at_B [m] from that point.
 template <class T = Real>
 struct RigidBodyEquations {
   Mat3<T> inertia, inverse_inertia;  ///< about that point [kg m^2]

@@ -1,8 +1,7 @@
 #pragma once
 // States of motions, which a closed form or a reference solution gives at a time t [s].
 //
-// The motions of this folder follow from their equations alone, without the library's spatial algebra, dynamics and
-// integrators.
+// The motions of this folder do not use the library's spatial algebra, dynamics and integrators.
 
 #include <oracles/quaternion.hpp>
 
@@ -69,7 +68,7 @@ Quaternion<T> quaternion_of(const Mat3<T>& R) {
   return normalized(q);
 }
 
-/// Angle between two rotations, 2 asin ||vec(Q1* Q2)||, in [0, pi] [rad], accurate relative to itself.
+/// Angle between two rotations, 2 asin ||vec(Q1* Q2)||, in [0, pi] [rad], with relative accuracy.
 template <class T>
 T angle_between(const Quaternion<T>& a, const Quaternion<T>& b) {
   const Quaternion<T> d = conjugate_product(normalized(a), normalized(b));
