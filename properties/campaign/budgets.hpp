@@ -20,12 +20,12 @@ struct Budget {
   std::string region;  ///< to_pi, beyond_pi or any
   Rule rule;
   double limit;        ///< eps (forward) or eps kappa (excess)
-  std::string reason;  ///< for a hunted limit with the largest error found
+  std::string reason;  ///< includes the largest error found if the limit was hunted
   Basis basis = Basis::derived;
-  double value = 0;            ///< the largest error found, the derived bound, or the row's value
-  std::string hard_case = {};  ///< hunted: name of the case; row: operation/block
+  double value = 0;            ///< the largest error found, the derived bound, or the other row's value
+  std::string hard_case = {};  ///< hunted: name of the case; row: operation/block of the other row
   bool fma = false;            ///< the case has that error only with fused multiply-adds
-  std::string subject = {};    ///< empty: every subject; else the block `*` means every block
+  std::string subject = {};    ///< empty: every subject. With a subject, block `*` means every block
 };
 
 /// The lines in the order of the file.
@@ -34,7 +34,7 @@ const std::vector<Budget>& budget_lines();
 /// The lines for a subject, with its own limits if it has any.
 const std::vector<Budget>& budgets(const std::string& subject);
 
-/// The budget of a block in a band, for a subject. Throws std::logic_error where the table has no line.
+/// The budget of a block in a band, for a subject. Throws std::logic_error if the table has no line.
 const Budget& budget_of(const std::string& subject, std::string_view operation, std::string_view block,
                         Region region);
 

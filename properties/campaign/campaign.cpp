@@ -115,8 +115,7 @@ class Engine {
     return false;
   }
 
-  /// With a time limit every series gets the same number of cases. A round takes about 5 % of the time at
-  /// most.
+  /// With a time limit each series gets the same number of cases. A round takes up to about 5 % of the time.
   bool begin_round() {
     const double now = seconds_since(start_), limit = *o_.seconds;
     if (now >= limit) return false;

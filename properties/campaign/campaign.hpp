@@ -36,7 +36,7 @@ struct CampaignResult {
   std::vector<SeriesResult> series;
   bool incomplete = false;
   bool failed = false;
-  bool covered = true;  ///< no class or band that so many cases must reach is missing
+  bool covered = true;  ///< every required class and band was reached
   std::string inputs_digest, results_digest;
   std::uint64_t total_cases = 0;
   double elapsed = 0;  ///< s
@@ -57,8 +57,8 @@ class Checkpoint {
 };
 
 /// Runs the cases of a campaign that its checkpoint does not have yet. Progress goes to stderr: a bar on a
-/// terminal, plain lines elsewhere. Threads take chunks of cases from each series in turn; the size of a
-/// chunk depends on the time of the last one. After stop_requested the chunks in progress are finished.
+/// terminal, plain lines elsewhere. Threads take chunks of cases from each series in turn; the time of a
+/// chunk sets the size of the next. After stop_requested the chunks in progress are finished.
 CampaignResult run_campaign(const CampaignOptions& options, const Robot& robot,
                             Checkpoint* checkpoint = nullptr);
 

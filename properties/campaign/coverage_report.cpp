@@ -7,9 +7,9 @@ namespace liecheck::properties {
 
 namespace {
 
-/// At least one case in this many falls in the band; the numbers are measured. A decade is a wide band.
-/// Narrow bands are theta = pi to the last bit and the ends of the exponent range, above all in float128 with
-/// its 16,000 binades.
+/// At least one case in this many falls in the band, as measured. A decade is a wide band. Narrow bands are
+/// theta = pi to the last bit and the ends of the exponent range, above all in float128 with its 16,000
+/// binades.
 std::uint64_t band_one_in(const Band& b, const std::string& scalar) {
   const bool wide = b.axis == Axis::none || (b.low > 0 && b.high / b.low < 11);
   return wide ? 1000 : scalar == "float128" ? 40000 : 4000;

@@ -29,7 +29,7 @@ class Histogram {
       add_outside(bin);
   }
   std::uint64_t count() const { return count_; }
-  /// Ascending.
+  /// In ascending order.
   const Bins& bins() const {
     sort_in();
     return bins_;
@@ -63,7 +63,7 @@ class Histogram {
     }();
     int exponent = 0;
     const double mantissa = 2 * std::frexp(x, &exponent);    // in [1, 2)
-    auto k = static_cast<std::size_t>((mantissa - 1) * 32);  // log2 m >= m - 1, and by less than 3/32
+    auto k = static_cast<std::size_t>((mantissa - 1) * 32);  // m - 1 <= log2 m < m - 1 + 3/32
     while (mantissa >= edges[k + 1]) ++k;
     return std::clamp((exponent - 1) * 32 + static_cast<int>(k), -8000, 40000);
   }

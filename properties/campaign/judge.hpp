@@ -1,5 +1,5 @@
 #pragma once
-// Verdicts: the residuals of one case are compared with their budgets, and fast verdicts with slow ones.
+// Verdicts: compares the residuals of one case with their budgets, and the verdicts of two oracles.
 
 #include <algorithm>
 #include <array>
@@ -24,9 +24,9 @@ using Limits = std::vector<OutputLimits>;
 /// Collects the residuals of one case and compares each with its budget.
 class Judge final : public Recorder {
  public:
-  /// `accuracy` of the recorded errors, relative or in eps, whichever is larger; 0 at 50 digits. With
-  /// `every_kappa`, kappa is computed even if the error passes for every kappa, so that an ill-posed case is
-  /// always recognised.
+  /// `accuracy` is that of the recorded errors, relative or in eps, whichever is larger; it is 0 at 50
+  /// digits. With `every_kappa`, kappa is computed even if the error passes for every kappa, so that an
+  /// ill-posed case is always recognised.
   Judge(const Limits& limits, const Bands& bands, double eps, double accuracy, bool every_kappa = false)
       : limits_(limits), bands_(bands), eps_(eps), accuracy_(accuracy), every_kappa_(every_kappa) {
     judged.reserve(limits.size());
@@ -55,8 +55,7 @@ class Judge final : public Recorder {
       if (!j.ill_posed) decided(j.excess, j.budget->limit, accuracy);
       j.failed = !j.ill_posed && !(j.excess <= j.budget->limit);
       if (j.failed && overflowed) j.residual.outcome = Outcome::not_finite;
-      // kappa is below the law's lower bound, so cases that passed by that bound may have been judged
-      // wrongly.
+      // kappa is below the law's lower bound, so verdicts that relied on the bound may be wrong.
       if (kappa.least() > 1 && k * (1 + 2 * kappa_accuracy) < kappa.least())
         j.residual.outcome = Outcome::unresolved;
     }

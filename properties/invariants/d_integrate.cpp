@@ -86,8 +86,8 @@ class DIntegrate final : public Law<DIntegrate, S> {
     band = band_of_difference<S>(x0, x1, exact);
     if (exact.at_pi) return;  // either branch is right there: jacobian_oracle measures J^-1 on each
     rho = norm(exact.rho);
-    // In ball arithmetic both share one logarithm and one inverse: arg1 is J_r^-1, whose blocks are the
-    // transposes of those of J_l^-1.
+    // In ball arithmetic arg0 and arg1 share one logarithm and one inverse: the blocks of J_r^-1 are the
+    // transposed blocks of J_l^-1.
     const auto of_difference = [&](bool arg1) -> oracles::Jacobian6Value<Real> {
       using namespace oracles;
       if constexpr (BallNumber<Real>) {

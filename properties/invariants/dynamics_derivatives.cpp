@@ -50,8 +50,8 @@ class DynamicsDerivatives final : public TreeLaw<DynamicsDerivatives, S> {
       return oracles::TreeSizes<oracles::Tangent>(c.rough.tree, c.rough.q, c.rough.v, a, c.rough.wrench,
                                                   q ? c.rough.d : none, q ? none : c.rough.d, true);
     };
-    // For a derivative that is zero the oracle returns about 1e-30 of the function. The term with 1e-12 makes
-    // kappa so large there that the case is ill-posed.
+    // For a derivative that is zero the oracle returns about 1e-30 times the function. The term with 1e-12
+    // makes kappa so large there that the case is ill-posed.
     const double reach = weighted_size(c.rough.d, std::vector<double>(c.nv(), 1));
     const auto terms_of = [&](const oracles::TreeSizes<oracles::Tangent>& t) {
       std::vector<double> values;
@@ -86,7 +86,7 @@ class DynamicsDerivatives final : public TreeLaw<DynamicsDerivatives, S> {
     const bool singular = !(64 * size * inverse * std::numeric_limits<S>::epsilon() < 1);
     try {
       const auto [dq, dv] = o[op::aba_derivatives](c.q, c.v, c.a, c.F_joint, c.F);
-      // The subject's qdd has an error itself, which the derivative of M times qdd carries into the result.
+      // The error of the subject's own qdd enters the result through the derivative of M(q) qdd.
       const double a_error = inverse * weighted_size(c.sizes(c.rough.v, this->rough_list(a), true).tau, w);
       std::vector<double> a_moved(c.nv());
       for (std::size_t k = 0; k < a_moved.size(); ++k) a_moved[k] = a_error * w[k];

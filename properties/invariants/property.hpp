@@ -84,7 +84,7 @@ class Property {
   virtual bool needs_robot() const { return false; }  ///< called after prepare
   /// Sets up what depends on the robot. Called once, before any case.
   virtual void prepare(const Robot&) {}
-  /// Generates a valid input from the source alone.
+  /// Generates a valid input from random bits alone.
   virtual std::vector<S> generate(Source& source) const = 0;
   /// Whether a shrunk or typed input meets the assumptions of the law. Default: every number is finite.
   virtual bool valid(const std::vector<S>& input) const {
@@ -101,8 +101,7 @@ class Property {
   /// Measures with the oracles at 50 and 100 digits.
   virtual void measure(const Subject<S>& subject, const std::vector<S>& input, Recorder& recorder) const = 0;
   /// Measures with the oracles in ball arithmetic; tier 0 is the cheapest. Returns false if there is no such
-  /// tier. Throws oracles::Undecided if an error bound is too wide; the caller then discards what was
-  /// recorded.
+  /// tier. Throws oracles::Undecided if an error bound is too wide; the recorded errors are then void.
   virtual bool measure_fast(const Subject<S>&, const std::vector<S>&, Recorder&, std::size_t /*tier*/) const {
     return false;
   }
@@ -119,7 +118,7 @@ class Law : public Property<S> {
   bool measure_fast(const Subject<S>& subject, const std::vector<S>& input, Recorder& recorder,
                     std::size_t tier) const override {
     using Tiers = typename oracles::BallTiers<S>::type;
-    if constexpr (requires { P<S>::needs_kappa; })  // differences for kappa need the last tier
+    if constexpr (requires { P<S>::needs_kappa; })  // the differences for kappa need the last tier
       tier += std::tuple_size_v<Tiers> > 1;
     return [&]<std::size_t... I>(std::index_sequence<I...>) {
       return ((tier == I && (static_cast<const P<S>*>(this)->template in<std::tuple_element_t<I, Tiers>>(

@@ -87,7 +87,7 @@ class TreeLaw : public Property<S> {
     return tree_program(c, output.record->call, std::is_same_v<S, float> ? "float" : "double");
   }
   bool offered(const Subject<S>& s) const override { return s.operations.tree; }
-  /// Only if the user gave a robot. The built-in robot is too simple for these laws.
+  /// True only if the user gave a robot. The built-in robot is too simple for these laws.
   bool needs_robot() const override { return robot_; }
   void prepare(const Robot& robot) override {
     if (robot.path.empty()) return;

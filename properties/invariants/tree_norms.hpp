@@ -1,8 +1,8 @@
 #pragma once
 // Norms of vectors that mix units.
 //
-// Entry k of v moves the inertia M_kk. So sqrt(M_kk) v_k has the same unit for every joint, and so has tau_k
-// / sqrt(M_kk). Norms of vectors use these weighted entries; the norm of M uses M_kl / sqrt(M_kk M_ll),
+// Entry k of v moves the inertia M_kk. So all sqrt(M_kk) v_k have one unit, and so have all tau_k /
+// sqrt(M_kk). Norms of vectors use these weighted entries; the norm of M uses M_kl / sqrt(M_kk M_ll),
 // because the error of a Cholesky factor is a few eps of that norm (Demmel 1989). The weights come from the
 // oracle. kappa also uses norms (oracles/tree_sizes.hpp): a rotation rounds each entry of a vector relative
 // to the norm of the vector, even an entry that is zero.

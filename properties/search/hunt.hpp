@@ -18,7 +18,7 @@ namespace liecheck::properties {
 struct HuntOptions {
   std::string operation, block;  ///< an empty block: every block of the operation
   std::uint64_t seed = 42;
-  std::uint64_t evaluations = 0;  ///< 0: by time
+  std::uint64_t evaluations = 0;  ///< 0: limited by time
   double seconds = 30;            ///< if no number of evaluations is given
   bool excess = false;            ///< maximise error / kappa instead of the error
   bool random = false;            ///< sample as a plain test does instead of hunting
@@ -31,7 +31,7 @@ struct Worst {
   bool by_kappa = false;  ///< score is error / kappa: by HuntOptions::excess or by the budgets' rule
   double score = -1;      ///< eps or eps kappa; negative if nothing was measured
   Judged judged;
-  CaseId id;  ///< raw
+  CaseId id;  ///< a raw case
   std::vector<std::string> decimal;
   std::uint64_t at = 0;       ///< the evaluation that found it
   std::uint64_t half_at = 0;  ///< the first evaluation within a factor of two of `score`

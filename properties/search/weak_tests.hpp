@@ -13,7 +13,7 @@ struct WeakStyle {
   bool kills(const Operations<double>& tested) const { return tested[op::exp6] && fails(tested); }
 };
 
-/// Fixed poses with known results; random poses with 1e-4; round trips; finite differences in double.
+/// Fixed poses with known results; random poses to 1e-4; round trips; finite differences in double.
 const std::vector<WeakStyle>& weak_styles();
 
 }  // namespace liecheck::properties

@@ -10,11 +10,11 @@ namespace liecheck::properties {
 std::string export_text(const StoredCampaign& campaign);
 
 /// Merges shards into one campaign, in any order. A shard that is given twice counts once. Throws
-/// std::invalid_argument with files and ranges if shards overlap otherwise, leave out a range (unless
+/// std::invalid_argument with files and ranges if different shards overlap, leave out a range (unless
 /// `partial`) or belong to different campaigns.
 StoredCampaign merge(const std::vector<std::string>& files, bool partial);
 
-/// Merges into the store `out`, by way of a new file that is renamed. Other campaigns of `out` are preserved.
+/// Merges into the store `out`, by a new file that is renamed. Other campaigns of `out` are preserved.
 void merge_into(const std::string& out, const std::vector<std::string>& files, bool partial);
 
 /// Returns a line for each cell of b that is worse than in a.

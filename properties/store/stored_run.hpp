@@ -5,7 +5,7 @@
 
 namespace liecheck::properties {
 
-/// The results of a campaign and of earlier counterexamples. The latter are in no total and no digest.
+/// The results of a campaign and of earlier counterexamples. Totals and digests leave out the latter.
 struct StoredRun {
   CampaignResult result;  ///< `failed` is also set if a counterexample still fails
   Counterexamples counterexamples;
