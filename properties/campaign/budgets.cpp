@@ -20,7 +20,7 @@ Basis basis_of(const std::string& name, const std::string& line) {
   return found->second;
 }
 
-/// "exp6", "liecheck inverse" or, of every operation, "liecheck:fast".
+/// Reads a cell: "exp6", "liecheck inverse" (SUBJECT OPERATION) or "liecheck:fast" (every operation).
 void set_operation(Budget& b, const std::string& cell) {
   const std::size_t space = cell.find(' ');
   if (space != std::string::npos)
@@ -47,7 +47,7 @@ Budget parsed(const std::string& line) {
   b.fma = hard_case.ends_with(" fma");
   b.hard_case = b.fma ? hard_case.substr(0, hard_case.size() - 4) : hard_case;
   if (b.basis == Basis::hunted)
-    b.reason += fmt::format("; hunted: {} by {}{}", value, b.hard_case, b.fma ? ", fused" : "");
+    b.reason += fmt::format("; hunted: {} by {}{}", value, b.hard_case, b.fma ? ", with FMA" : "");
   return b;
 }
 
@@ -62,7 +62,7 @@ std::vector<Budget> read() {
   return lines;
 }
 
-/// The lines of every subject under "", and under a subject's name those with its own limits in their place.
+/// The lines under "" are for every subject. The lines under a subject's name have its own limits instead.
 std::map<std::string, std::vector<Budget>> by_subject() {
   std::map<std::string, std::vector<Budget>> own, tables;
   for (const Budget& b : budget_lines()) own[b.subject].push_back(b);

@@ -54,7 +54,7 @@ void CampaignResult::summarize() {
 
 namespace {
 
-/// The threads of one campaign: take a chunk, run it, add it, and now and then save a checkpoint.
+/// Runs a campaign on threads. Each one takes a chunk, runs it, merges its tally and may save a checkpoint.
 class Engine {
  public:
   Engine(CampaignResult& result, Checkpoint* checkpoint)
@@ -93,7 +93,7 @@ class Engine {
     return n;
   }
 
-  /// Chunks go round all series, so that a campaign that is cut short has seen something of each.
+  /// Takes a chunk of each series in turn, so that a campaign that stops early has cases of every series.
   bool take(std::size_t& s, std::uint64_t& from, std::uint64_t& to) {
     const std::lock_guard lock(mutex_);
     for (std::size_t tried = 0; tried < queues_.size(); ++tried, ++next_) {
@@ -115,7 +115,7 @@ class Engine {
     return false;
   }
 
-  /// With a time limit every series gets as many cases; a round takes at most about 5 % of the time.
+  /// With a time limit each series gets the same number of cases. A round takes up to about 5 % of the time.
   bool begin_round() {
     const double now = seconds_since(start_), limit = *o_.seconds;
     if (now >= limit) return false;

@@ -1,5 +1,5 @@
 #pragma once
-// A campaign: every selected series over a range of cases, on some threads, to one record.
+// A campaign runs every selected series over a range of cases, on several threads.
 
 #include <campaign/robots.hpp>
 #include <campaign/selection.hpp>
@@ -16,12 +16,12 @@ struct CampaignOptions {
   std::optional<double> seconds;   ///< instead of `cases`
   unsigned shard = 1, shards = 1;  ///< the part of the cases of every series that this run does
   unsigned jobs = 1;
-  double checkpoint_seconds = 0.5;  ///< between two checkpoints; a kill loses about as much
+  double checkpoint_seconds = 0.5;  ///< between two checkpoints; a killed run loses about as much
   bool quiet = false;
 
   std::optional<Range> range_override;  ///< instead of the shard's range
 
-  /// The cases of every series. Without an end where only the time is given.
+  /// The cases of every series. The range has no end if only the time is given.
   Range range() const;
 };
 
@@ -36,29 +36,29 @@ struct CampaignResult {
   std::vector<SeriesResult> series;
   bool incomplete = false;
   bool failed = false;
-  bool covered = true;  ///< every class and band that so many cases must reach was reached
+  bool covered = true;  ///< every required class and band was reached
   std::string inputs_digest, results_digest;
   std::uint64_t total_cases = 0;
   double elapsed = 0;  ///< s
-  /// Digests, total and verdict from the series.
+  /// Computes the digests, the total and the verdict from the series.
   void summarize();
 };
 
-/// Where a campaign saves its progress, so that it can be resumed. The campaign does not know how.
+/// The interface through which a campaign saves its progress, so that it can be resumed.
 class Checkpoint {
  public:
   using ChangedRows = std::map<std::size_t, std::set<Rows::Cell>>;  ///< by the index of their series
   virtual ~Checkpoint() = default;
   /// Called once, before the first case: fills in the tallies of the cases that an earlier run has done.
   virtual void restore(CampaignResult& campaign) = 0;
-  /// Called by one thread at a time: the series and rows that changed since the last call. The campaign stops where
-  /// this throws.
+  /// Saves the series and rows that changed since the last call. Called by one thread at a time. The campaign
+  /// stops if this throws.
   virtual void save(const std::vector<SeriesResult>& series, const ChangedRows& changed) = 0;
 };
 
-/// Runs the campaign, or what its checkpoint lacks of it. Progress on stderr: a bar on a terminal, plain lines
-/// elsewhere. Threads take chunks of cases, sized by their time, from each series in turn. It saves a checkpoint about
-/// every half second and at the end; at stop_requested it finishes the chunks in progress.
+/// Runs the cases of a campaign that its checkpoint does not have yet. Progress goes to stderr: a bar on a
+/// terminal, plain lines elsewhere. Threads take chunks of cases from each series in turn; the time of a
+/// chunk sets the size of the next. After stop_requested the chunks in progress are finished.
 CampaignResult run_campaign(const CampaignOptions& options, const Robot& robot,
                             Checkpoint* checkpoint = nullptr);
 

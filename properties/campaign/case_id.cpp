@@ -36,7 +36,7 @@ bool is_float(const std::string& text) {
          end == text.c_str() + text.size();
 }
 
-/// The first `n` dot-separated parts, the rest whole.
+/// Splits the text at its first n - 1 dots.
 std::vector<std::string> parts(const std::string& text, std::size_t n) {
   std::vector<std::string> all;
   std::size_t from = 0;

@@ -7,8 +7,9 @@ namespace liecheck::properties {
 
 namespace {
 
-/// The generators of angles reach a band with at least one case in this many, as measured. A decade is a wide band; theta =
-/// pi to the last bit and the ends of the exponent range are narrow ones, above all among float128's 16,000 binades.
+/// At least one case in this many falls in the band, as measured. A decade is a wide band. Narrow bands are
+/// theta = pi to the last bit and the ends of the exponent range, above all in float128 with its 16,000
+/// binades.
 std::uint64_t band_one_in(const Band& b, const std::string& scalar) {
   const bool wide = b.axis == Axis::none || (b.low > 0 && b.high / b.low < 11);
   return wide ? 1000 : scalar == "float128" ? 40000 : 4000;
@@ -42,7 +43,7 @@ std::vector<Covered> coverage_of(const Series& series, const Tally& tally) {
   const bool beyond = has(series, Kind::rotation_vector, Reach::full);
   const bool angles = beyond || has(series, Kind::rotation_vector, Reach::limited) ||
                       has(series, Kind::quaternion, Reach::limited);
-  // A law that measured at no angle at all, such as the power's, has rows of band 0 only.
+  // A law that measures at no angle, such as power_pairing, has rows of band 0 only.
   if (angles && std::any_of(bands.begin(), bands.end(), [](auto count) { return count > 0; }))
     for (std::size_t b = 1; b < bands.size(); ++b)
       if (beyond || series.bands()[b].region == Region::to_pi)
@@ -57,10 +58,10 @@ std::string coverage_line(const std::vector<Covered>& all, std::uint64_t cases) 
     reached += c.count > 0, expected += c.required;
     if (c.missing())
       missing +=
-          fmt::format("{}{} ({} expected at least)", missing.empty() ? "" : "; ", c.what, cases / c.one_in);
+          fmt::format("{}{} (at least {} expected)", missing.empty() ? "" : "; ", c.what, cases / c.one_in);
   }
   if (!missing.empty()) return "NOT COVERED in " + std::to_string(cases) + " cases: " + missing;
-  return fmt::format("{} of {} classes and bands reached, {} required of so many cases", reached, all.size(),
+  return fmt::format("{} of {} classes and bands reached, {} required for so many cases", reached, all.size(),
                      expected);
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// SHA-256, and a digest of a set of records that does not depend on their order: the sum modulo 2^256 of the
-// records' 128-bit XXH3. Threads and chunks can be added up in any order. (XXH3: against chance, not malice.)
+// SHA-256, and a digest of a set of records: the sum modulo 2^256 of their 128-bit XXH3 hashes. It does not
+// depend on the order of records, threads and chunks. (XXH3 detects accidental changes, not deliberate ones.)
 
 #include <array>
 #include <cstddef>

@@ -1,5 +1,5 @@
 #pragma once
-// A mergeable log-scale histogram of errors: 32 bins an octave, so a quantile is right to 2.2 %.
+// A mergeable log-scale histogram of errors. It has 32 bins per octave, so quantiles are accurate to 2.2 %.
 
 #include <algorithm>
 #include <array>
@@ -22,14 +22,14 @@ class Histogram {
       return;
     }
     const int bin = bin_of(x);
-    const auto i = static_cast<std::size_t>(bin - first_);  // far beyond the window where below it
+    const auto i = static_cast<std::size_t>(bin - first_);  // a huge number if the bin is below the window
     if (i < window_.size())
       ++window_[i];
     else
       add_outside(bin);
   }
   std::uint64_t count() const { return count_; }
-  /// Ascending.
+  /// In ascending order.
   const Bins& bins() const {
     sort_in();
     return bins_;
@@ -39,7 +39,7 @@ class Histogram {
     merge_bins(o.bins());
     count_ += o.count_;
   }
-  /// The upper edge of the bin that holds the quantile; 0 where that is an exact zero.
+  /// The upper edge of the bin that holds the quantile; 0 if the quantile is an exact zero.
   double quantile(double q) const {
     const auto rank = static_cast<std::uint64_t>(std::ceil(q * static_cast<double>(count_)));
     std::uint64_t seen = 0;
@@ -53,7 +53,7 @@ class Histogram {
  private:
   static constexpr int zero = -1000000;
 
-  /// floor(32 log2 x), x > 0: exponent and a table of 2^(k/32), which log2 would cost five times as much.
+  /// floor(32 log2 x) for x > 0. The exponent and a table of 2^(k/32) are five times as fast as std::log2.
   static int bin_of(double x) {
     if (!std::isfinite(x)) return 40000;
     static const auto edges = [] {
@@ -63,11 +63,11 @@ class Histogram {
     }();
     int exponent = 0;
     const double mantissa = 2 * std::frexp(x, &exponent);    // in [1, 2)
-    auto k = static_cast<std::size_t>((mantissa - 1) * 32);  // log2 m >= m - 1, and by less than 3/32
+    auto k = static_cast<std::size_t>((mantissa - 1) * 32);  // m - 1 <= log2 m < m - 1 + 3/32
     while (mantissa >= edges[k + 1]) ++k;
     return std::clamp((exponent - 1) * 32 + static_cast<int>(k), -8000, 40000);
   }
-  /// Widens the window; what is too far from it waits beside.
+  /// Widens the window for the bin, or puts a bin too far from it on a waiting list.
   void add_outside(int bin) {
     constexpr int step = 128, widest = 4096;
     const int from = (bin >> 7) * step, to = from + step;
@@ -88,7 +88,7 @@ class Histogram {
     if (zeros_ > 0) add.emplace_back(zero, std::exchange(zeros_, 0));
     std::sort(waiting_.begin(), waiting_.end());
     auto next = waiting_.begin();
-    const auto upto = [&](int bin) {  // what waits below that bin
+    const auto upto = [&](int bin) {  // adds the waiting bins below `bin`
       for (; next != waiting_.end() && *next < bin; ++next) {
         if (add.empty() || add.back().first != *next) add.emplace_back(*next, 0);
         ++add.back().second;
@@ -121,8 +121,8 @@ class Histogram {
   mutable Bins bins_;
   // Not yet counted in bins_:
   mutable std::uint64_t zeros_ = 0;
-  mutable std::vector<std::uint64_t> window_;  ///< of the bins from first_ on
-  mutable std::vector<int> waiting_;           ///< beside the window
+  mutable std::vector<std::uint64_t> window_;  ///< counts of the bins from first_ on
+  mutable std::vector<int> waiting_;           ///< bins outside the window
   int first_ = 0;
   std::uint64_t count_ = 0;
 };

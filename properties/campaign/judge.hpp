@@ -1,5 +1,5 @@
 #pragma once
-// Verdicts: the residuals of one case against its budgets, and the fast oracle's against the slow one's.
+// Verdicts: compares the residuals of one case with their budgets, and the verdicts of two oracles.
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace liecheck::properties {
 
-/// A fast condition number is good to two digits (oracles::condition_number).
+/// The relative accuracy of a condition number in ball arithmetic (oracles::condition_number).
 inline constexpr double kappa_accuracy = 0.02;
 
 /// The budgets of one output, up to theta = pi and beyond.
@@ -24,8 +24,9 @@ using Limits = std::vector<OutputLimits>;
 /// Collects the residuals of one case and compares each with its budget.
 class Judge final : public Recorder {
  public:
-  /// accuracy: of the errors given, relative or in eps, whichever is larger; 0 at 50 digits.
-  /// every_kappa: also where the error passes for every kappa, so that what is ill-posed is never stable.
+  /// `accuracy` is that of the recorded errors, relative or in eps, whichever is larger; it is 0 at 50
+  /// digits. With `every_kappa`, kappa is computed even if the error passes for every kappa, so that an
+  /// ill-posed case is always recognised.
   Judge(const Limits& limits, const Bands& bands, double eps, double accuracy, bool every_kappa = false)
       : limits_(limits), bands_(bands), eps_(eps), accuracy_(accuracy), every_kappa_(every_kappa) {
     judged.reserve(limits.size());
@@ -34,8 +35,7 @@ class Judge final : public Recorder {
   void record(const Output& output, std::size_t band, double error, Kappa kappa) override {
     Judged j = start(output, band);
     j.residual.error = error;
-    // An error too large for a double under the excess rule may still be what rounding the input does: kappa
-    // tells.
+    // Under the excess rule an error too large for a double is no failure if kappa makes the case ill-posed.
     const bool overflowed = error == std::numeric_limits<double>::infinity();
     if (!(error >= 0) || (overflowed && (j.budget->rule == Rule::forward || !kappa))) {
       j.residual.outcome = Outcome::not_finite;
@@ -55,7 +55,7 @@ class Judge final : public Recorder {
       if (!j.ill_posed) decided(j.excess, j.budget->limit, accuracy);
       j.failed = !j.ill_posed && !(j.excess <= j.budget->limit);
       if (j.failed && overflowed) j.residual.outcome = Outcome::not_finite;
-      // The law claims that kappa is at least as much: cases that this let pass were not judged.
+      // kappa is below the law's lower bound, so verdicts that relied on the bound may be wrong.
       if (kappa.least() > 1 && k * (1 + 2 * kappa_accuracy) < kappa.least())
         j.residual.outcome = Outcome::unresolved;
     }
@@ -68,7 +68,7 @@ class Judge final : public Recorder {
     judged.push_back(j);
   }
 
-  /// Under the excess rule: no kappa from `least` up can make the error matter.
+  /// Whether the error passes under the excess rule for every kappa >= `least`, with a margin of 4.
   static bool passes_for_every_kappa(const Judged& j, double least = 1) {
     return j.residual.error <= j.budget->limit / 4 * least;
   }
@@ -85,7 +85,7 @@ class Judge final : public Recorder {
     j.budget = limits_[i].budgets[bands_[band].region == Region::to_pi ? 0 : 1];
     return j;
   }
-  /// Throws where an error of that accuracy may be on either side of the limit.
+  /// Throws Undecided if a value of this accuracy may be on either side of the limit.
   static void decided(double value, double limit, double accuracy) {
     if (accuracy > 0 && value > 0 && std::fabs(value - limit) <= 2 * accuracy * std::max(1.0, limit))
       throw oracles::Undecided();
@@ -96,8 +96,9 @@ class Judge final : public Recorder {
   bool every_kappa_;
 };
 
-/// Are the verdicts of the fast oracle those of the slow one, and its errors and condition numbers as near as they
-/// claim to be? A condition number below 1 counts as 1; one that only one of the two asked for is not compared.
+/// Whether both oracles give the same verdicts, and errors and condition numbers that agree within the
+/// accuracy of the fast one. A condition number below 1 counts as 1. One that only one oracle computed is not
+/// compared.
 inline bool agree(const std::vector<Judged>& fast, const std::vector<Judged>& slow) {
   if (fast.size() != slow.size()) return false;
   for (std::size_t i = 0; i < fast.size(); ++i) {

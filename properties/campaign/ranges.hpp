@@ -13,7 +13,7 @@ using Range = std::pair<std::uint64_t, std::uint64_t>;  ///< [first, last)
 
 class Ranges {
  public:
-  /// Adds [first, last). Adds nothing and returns false where a part of it is already there.
+  /// Adds [first, last). Adds nothing and returns false if a part of it is already in the set.
   bool add(std::uint64_t first, std::uint64_t last) {
     if (first >= last) return first == last;
     auto next = ranges_.lower_bound(first);

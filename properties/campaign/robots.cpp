@@ -15,10 +15,10 @@ Robot robot_of(const std::string& urdf, const std::string& path, bool fixed) {
   const std::string source = path.empty() ? "the built-in robot" : path;
   const auto model = buildModelFromUrdfText(urdf, fixed ? RootJoint::Fixed : RootJoint::FreeFlyer, source);
   if (model.nv == 0)
-    throw UrdfError(source, 0, "nothing moves: no joint but fixed ones, and --root fixed", model.name);
+    throw UrdfError(source, 0, "nothing moves: every joint is fixed, and --root is fixed", model.name);
   for (std::size_t j = 1; j < model.joints.size(); ++j)
     if (model.nqs[j] == 4)
-      throw UrdfError(source, 0, "a planar joint: no law measures one yet", model.names[j]);
+      throw UrdfError(source, 0, "a planar joint: no law supports one yet", model.names[j]);
   r.name = model.name;
   return r;
 }

@@ -5,12 +5,12 @@
 
 namespace liecheck::properties {
 
-/// Reads the robot and its hash. Throws what the URDF reader throws.
+/// Reads a URDF file. Throws what the URDF reader throws.
 Robot load_robot(const std::string& path, bool fixed = false);
 Robot built_in_robot();
-/// " --robot FILE", and its root where that is not free.
+/// " --robot FILE", followed by " --root fixed" for a robot with a fixed root.
 std::string robot_flags(const Robot& robot);
-/// `path` is what --robot was given; empty where the text came from elsewhere.
+/// `path` is the argument of --robot, or empty if the text is from elsewhere.
 Robot robot_of(const std::string& urdf, const std::string& path, bool fixed = false);
 
 }  // namespace liecheck::properties

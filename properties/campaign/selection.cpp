@@ -10,7 +10,7 @@ namespace liecheck::properties {
 
 namespace {
 
-/// A variant of a subject, such as textbook:1e-4, runs where it is named.
+/// A variant of a subject, such as textbook:1e-4, runs only if the user names it.
 bool on_request(const std::string& subject) {
   return subject.find(':') != std::string::npos;
 }
@@ -40,7 +40,7 @@ void check_names(const std::vector<std::string>& given, const std::vector<std::s
                  [](auto& n) { return !on_request(n); });
     throw std::invalid_argument(fmt::format(
         "--{0}: unknown {0} '{1}'; known: {2}{3}", what, name, fmt::join(plain, ", "),
-        plain.size() < known.size() ? ", and the variants and bugs that 'liecheck list' tells of" : ""));
+        plain.size() < known.size() ? ", and the variants and bugs that 'liecheck list' describes" : ""));
   }
 }
 

@@ -1,17 +1,17 @@
 #pragma once
-// Which laws run on which subjects.
+// Selects the laws, subjects and scalars of a campaign.
 
 #include <campaign/series.hpp>
 
 namespace liecheck::properties {
 
-/// Every law on every named subject; empty lists mean "all".
+/// Names of subjects, properties and scalars. An empty list means all of them.
 struct Selection {
   std::vector<std::string> subjects, properties, scalars;
 };
 /// Throws std::invalid_argument for a name that is not known.
 std::vector<std::unique_ptr<Series>> select(const Selection& selection, const Robot& robot);
-/// One law on any subject, in double; `subject` must outlive it. Throws std::invalid_argument.
+/// One law on any subject, in double. `subject` must outlive the series. Throws std::invalid_argument.
 std::unique_ptr<Series> series_of(const std::string& property, const Subject<double>& subject,
                                   const Robot& robot);
 

@@ -1,8 +1,8 @@
 #pragma once
 // A series: the cases of one law on one subject in one scalar.
 //
-// What is done with a single case beside running it stands in rooms of its own: search/shrink.hpp, search/hunt.hpp,
-// hard_cases/attempt.hpp and failures/program.hpp. They reach the law and the subject through typed_series.hpp.
+// search/shrink.hpp, search/hunt.hpp, hard_cases/attempt.hpp and failures/program.hpp work on single cases.
+// They reach the law and the subject through typed_series.hpp.
 
 #include <campaign/case_id.hpp>
 #include <campaign/tally.hpp>
@@ -25,7 +25,7 @@ class Series {
   /// Generates case `index`, measures it and adds it to the tally.
   virtual void run(std::uint64_t seed, std::uint64_t index, Tally& tally) const = 0;
   virtual std::vector<std::string> input(const CaseId& id) const = 0;  ///< hexadecimal floats
-  /// Measures one case again. Throws std::invalid_argument for a raw input that the law does not take.
+  /// Measures one case again. Throws std::invalid_argument for a raw input that the law rejects.
   virtual std::vector<Judged> replay(const CaseId& id) const = 0;
 };
 

@@ -32,7 +32,7 @@ void Row::add(const Judged& j, std::uint64_t index) {
       max_excess = std::max(max_excess, j.excess);
       score = j.budget->rule == Rule::forward ? j.residual.error : j.excess;
   }
-  // A case that failed is worse than any that did not, whatever its figure.
+  // A case that failed is worse than any case that passed, whatever its score.
   const bool had_failed = failed > 0;
   if (j.failed) ++failed;
   if (j.failed != had_failed ? j.failed

@@ -1,5 +1,5 @@
 #pragma once
-// What the cases of a series came to: a verdict for each measurement, a row for each output and band.
+// The results of a series: a verdict for each measurement, and a row of totals for each output and band.
 
 #include <campaign/budgets.hpp>
 #include <campaign/digest.hpp>
@@ -28,14 +28,14 @@ struct Row {
                 failed = 0;
   Histogram errors;
   double max_error = 0, max_excess = 0;
-  double worst_score = -1;  ///< the judged figure of the worst case; infinite for what has none
+  double worst_score = -1;  ///< error or excess of the worst case; infinite if not measured
   std::uint64_t worst_index = 0;
   double worst_kappa = 0;
   void add(const Judged& j, std::uint64_t index);
   void merge(const Row& o);
 };
 
-/// Rows by (output, band): a map, in which `of` finds a row again without a search.
+/// Rows by (output, band) in a map. `of` stores pointers to the rows, so that it needs no search.
 class Rows {
  public:
   using Cell = std::pair<int, int>;
@@ -69,7 +69,7 @@ class Rows {
   }
 
  private:
-  void swap(Rows& o) noexcept {  // the rows stay where they are
+  void swap(Rows& o) noexcept {  // the addresses of the rows stay valid
     map_.swap(o.map_);
     found_.swap(o.found_);
   }
@@ -83,9 +83,9 @@ struct Tally {
   Coverage coverage;
   std::uint64_t cases = 0;
   std::uint64_t fast = 0;                ///< decided by ball arithmetic
-  std::uint64_t checked = 0;             ///< of those, measured again at 50 and 100 digits
-  std::vector<std::uint64_t> disagreed;  ///< indices where that gave another answer
-  Ranges done;                           ///< which cases; set by who runs a range
+  std::uint64_t checked = 0;             ///< number of these that were measured again at 50 and 100 digits
+  std::vector<std::uint64_t> disagreed;  ///< indices of those with a different result
+  Ranges done;                           ///< the cases in this tally; the caller of Series::run sets it
   void merge(const Tally& o);
 };
 

@@ -39,7 +39,7 @@ class Bytes {
   std::size_t size_ = 0;
 };
 
-/// One case in this many is measured both ways, as a test of the ball arithmetic.
+/// One case in this many is measured in both ways, to test the ball arithmetic.
 constexpr std::uint64_t cross_check_interval = 512;
 
 std::uint64_t next_series_number() {
@@ -113,7 +113,7 @@ void TypedSeries<S>::run(std::uint64_t seed, std::uint64_t index, Tally& tally) 
   ++tally.cases;
 }
 
-/// The series' key of a seed, computed once a thread.
+/// The key of this series and a seed. Each thread stores the last one.
 template <class S>
 const Source::Key& TypedSeries<S>::key_of(std::uint64_t seed) const {
   thread_local struct {

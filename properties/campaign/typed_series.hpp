@@ -1,7 +1,8 @@
 #pragma once
-// A series with its scalar: the law, the subject, and how one input is measured.
+// A series for one scalar type. It holds the law and the subject, and measures an input.
 //
-// An input is measured by ball arithmetic first, and at 50 and 100 digits where that leaves a verdict open (Ziv 1991).
+// An input is measured by ball arithmetic first. If that leaves a verdict open, it is measured again at 50
+// and 100 digits (Ziv 1991).
 
 #include <campaign/judge.hpp>
 #include <campaign/series.hpp>
@@ -22,18 +23,18 @@ class TypedSeries final : public Series {
   const Subject<S>& tested_subject() const { return subject_; }
   const Limits& limits() const { return limits_; }
 
-  /// A generated input, or a raw one that the law takes. Throws std::invalid_argument.
+  /// The input of a generated or a raw case. Throws std::invalid_argument if the law rejects a raw one.
   std::vector<S> numbers(const CaseId& id) const;
-  /// A raw input as it was typed; only its count is checked.
+  /// A raw input as it was typed. Only the count of its numbers is checked.
   std::vector<S> parsed(const CaseId& id) const;
-  /// Throws std::invalid_argument where the law does not take the input.
+  /// Throws std::invalid_argument if the law rejects the input.
   void check_valid(const std::vector<S>& x, const CaseId& id) const;
 
   std::vector<Judged> measure(const std::vector<S>& x) const { return measure(x, limits_); }
   std::vector<Judged> measure(const std::vector<S>& x, const Limits& limits) const;
-  /// Measures by ball arithmetic alone. Returns false where a verdict stays open.
+  /// Measures by ball arithmetic alone. Returns false if a verdict stays open.
   bool measure_by_balls(const std::vector<S>& x, Judge& judge) const;
-  /// Measures at 50 and 100 digits. `refusal` receives what the subject threw.
+  /// Measures at 50 and 100 digits. `refusal` receives the message of an exception.
   std::vector<Judged> measure_by_digits(const std::vector<S>& x, const Limits& limits,
                                         bool every_kappa = false, std::string* refusal = nullptr) const;
   Judge judge_of_balls() const { return {limits_, bands(), eps, oracles::error_accuracy}; }
@@ -47,7 +48,7 @@ class TypedSeries final : public Series {
   const std::uint64_t number_;  ///< unique in this process, unlike an address, which a later series may reuse
 };
 
-/// f(typed series) for the scalar of the series.
+/// Calls f with the series as a TypedSeries of its scalar.
 template <class F>
 auto with_scalar(const Series& series, const F& f) {
   if (const auto* s = dynamic_cast<const TypedSeries<double>*>(&series)) return f(*s);

@@ -5,7 +5,7 @@
 
 namespace liecheck::properties {
 
-/// Law, subject, scalar, block, error, kappa, shrunk input, replay command and a C++ program of the worst case.
+/// The law, subject, block, error, kappa, shrunk input, replay command and C++ program of the worst case.
 std::string describe_failure(const Series& series, std::uint64_t seed, int output, int band, const Row& row,
                              const Robot& robot);
 

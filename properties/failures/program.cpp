@@ -10,7 +10,7 @@ namespace liecheck::properties {
 namespace {
 
 std::string declaration(const Field& f, std::vector<std::string> x) {
-  if (f.kind == Kind::inertia) {  // xx xy yy xz yz zz, to rows
+  if (f.kind == Kind::inertia) {  // from xx xy yy xz yz zz to rows
     x = {x[0], x[1], x[3], x[1], x[2], x[4], x[3], x[4], x[5]};
   }
   const std::string list = fmt::format("{}", fmt::join(x, ", "));
@@ -23,7 +23,7 @@ std::string declaration(const Field& f, std::vector<std::string> x) {
   return fmt::format("  {};  // {}\n  {} << {};\n", type, f.unit, f.name, list);
 }
 
-/// The variable that holds an argument of several parts, or "".
+/// Declares the variable that holds an argument of several parts; "" for an argument of one part.
 std::string variable_of(const Layout& argument) {
   if (argument.type.empty()) return "";
   std::vector<std::string_view> parts;
@@ -34,7 +34,7 @@ std::string variable_of(const Layout& argument) {
              : fmt::format("  const {} {}({});\n", argument.type, argument.name, fmt::join(parts, ", "));
 }
 
-/// The law's fields; a robot's, one for each part of a joint (q0_7, q0_0_p, ...), as the vectors that they make up.
+/// The law's fields. Those of a robot's joints (q0_7, q0_0_p, ...) are joined to vectors (q0, q1, delta).
 std::vector<Field> whole_vectors(const Series& series) {
   if (series.robot == "none") return series.fields;
   std::vector<Field> all;
@@ -47,7 +47,7 @@ std::vector<Field> whole_vectors(const Series& series) {
   return all;
 }
 
-/// The law's own program, where it has one.
+/// The law's own program, or "" if it has none.
 std::string law_program(const Series& series, const Output& output, const std::vector<std::string>& numbers) {
   return with_scalar(series, [&]<class S>(const TypedSeries<S>& typed) {
     std::vector<S> x;
@@ -62,7 +62,7 @@ std::string program_of(const Series& series, const Output& output, const std::ve
   const auto note = [&] {
     return series.subject == "liecheck"
                ? std::string()
-               : fmt::format("  // liecheck's own function: put {}'s in its place.\n", series.subject);
+               : fmt::format("  // This is liecheck's own function: replace it by {}'s.\n", series.subject);
   };
   if (std::string own = law_program(series, output, numbers); !own.empty()) {
     const std::string main = "int main() {\n";
@@ -87,7 +87,7 @@ std::string program_of(const Series& series, const Output& output, const std::ve
     for (const Part& part : argument->parts) needed.insert(part.name);
     variables += variable_of(*argument);
   }
-  // A law of two adjacent angles has their common direction and both angles in place of phi.
+  // A law on two adjacent angles has the fields `direction` and `theta` (both angles) in place of phi.
   const bool adjacent = std::any_of(series.fields.begin(), series.fields.end(),
                                     [](const Field& f) { return f.name == "theta" && f.size == 2; });
   std::size_t from = 0;

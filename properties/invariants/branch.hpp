@@ -1,15 +1,15 @@
 #pragma once
-// A rotation vector of the right rotation, but not the shortest one: theta - 2 pi k about the same axis.
+// A rotation vector on another branch of the logarithm: the rotation is right, the angle is theta - 2 pi k.
 
 #include <oracles/error.hpp>
 #include <oracles/exp.hpp>
 
 namespace liecheck::properties {
 
-/// Is the computed rotation vector, `error` eps away from the exact one, that of the same rotation on another
-/// branch? Its error is then 2 pi |k| by the choice of the branch and not by rounding. Same: within 1e-3 rad,
-/// half the digits of a float; another: the vectors differ by more than 1 rad. In balls it is left undecided
-/// where the vectors differ at all.
+/// Whether the computed rotation vector, with an error of `error` eps, is the same rotation on another
+/// branch. Then its error comes from the choice of the branch and not from rounding. Rotations count as the
+/// same within 1e-3 rad, half the digits of a float; branches differ if the vectors differ by more than 1
+/// rad. In ball arithmetic a relative error above 0.1 throws Undecided.
 template <class S, class T>
 bool on_other_branch(const oracles::Vec3<T>& computed, const oracles::Vec3<T>& exact, double error) {
   using namespace oracles;

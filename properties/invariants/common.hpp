@@ -1,5 +1,5 @@
 #pragma once
-// What several invariants share: recording a block only where subject and oracle are sound.
+// Helpers that several invariants share.
 
 #include <invariants/property.hpp>
 #include <oracles/condition.hpp>
@@ -10,8 +10,8 @@ namespace liecheck::properties {
 
 using oracles::Real;
 
-/// Records the outcome where the computed value is not finite or the oracle did not resolve; else calls
-/// `measured`, which records the error.
+/// Calls `measured`, which records the error, if the computed value is finite and the oracle resolved the
+/// exact value. Otherwise records the outcome for each output.
 template <class M, class F>
 void judged_value(Recorder& r, std::initializer_list<Output> outputs, std::size_t band, const M& computed,
                   bool resolved, F measured) {
@@ -22,7 +22,7 @@ void judged_value(Recorder& r, std::initializer_list<Output> outputs, std::size_
   measured();
 }
 
-/// kappa of one block of a formula over stored numbers.
+/// The condition number at x of `size` results of f, from result `first` on.
 template <class T>
 double kappa_of(const oracles::FunctionOf<T>& f, const std::vector<T>& x, int first, int size,
                 std::optional<T> denominator = std::nullopt) {
@@ -30,7 +30,7 @@ double kappa_of(const oracles::FunctionOf<T>& f, const std::vector<T>& x, int fi
       .front();
 }
 
-/// |x| or a little more.
+/// |x| or ||v||; in ball arithmetic an upper bound of it.
 template <class T>
 double at_most(const T& x) {
   if constexpr (oracles::BallNumber<T>)
@@ -59,8 +59,8 @@ oracles::Vec<N, T> from_list(const std::vector<T>& x, std::size_t first = 0) {
   return v;
 }
 
-/// The band of ||phi||. Near the smallest normal number a ball of the norm cannot tell one ulp from the next: there
-/// 2^600 phi, which is exact, is compared with 2^600 times the edge.
+/// The band of ||phi||. Below 2^-900 a ball of the norm is wider than one ulp. There 2^600 phi, which is
+/// exact, is compared with 2^600 times the border of the band.
 template <class S, class T>
 std::size_t band_of_angle(const oracles::Vec3<T>& phi, const T& theta) {
   if constexpr (oracles::BallNumber<T>) {
@@ -83,14 +83,14 @@ std::size_t band_of_angle(const oracles::Vec3<T>& phi) {
 /// The band of a logarithm's angle.
 template <class S, class T>
 std::size_t band_of_log(const oracles::LogValue<T>& log) {
-  // A ball of theta cannot tell it from pi there, and no edge is that near.
+  // A ball cannot distinguish such a theta from pi, and no other border of a band is that near.
   if constexpr (oracles::BallNumber<T>)
     if (log.pi_minus_theta.head() + log.pi_minus_theta.r < 1e-25) return Bands::of<S>().at_pi();
   return log.at_pi ? Bands::of<S>().at_pi() : Bands::of<S>().classify(log.theta);
 }
 
-/// The band of difference(q0, q1). Where both quaternions stand by the identity and their vector parts are so small
-/// that products underflow, 2^500 of them are taken: theta = 2 ||w0 v1 - w1 v0 - v0 x v1|| / |w| there.
+/// The band of difference(q0, q1). If products of the vector parts v0 and v1 would underflow, v0 and v1 are
+/// multiplied by 2^500 first. Then theta = 2 ||w0 v1 - w1 v0 - v0 x v1|| / |w0 w1|, up to the widened radius.
 template <class S, class T>
 std::size_t band_of_difference(const oracles::Vec<7, T>& q0, const oracles::Vec<7, T>& q1,
                                const oracles::LogValue<T>& log) {
@@ -108,11 +108,11 @@ std::size_t band_of_difference(const oracles::Vec<7, T>& q0, const oracles::Vec<
     }
     if (largest > 0 && largest < 0x1p-450) {
       Vec3<T> relative = q0[6] * v[1] - q1[6] * v[0];
-      if (unlike > 0 && opposed > 0)  // else the cross product is zero
+      if (unlike > 0 && opposed > 0)  // otherwise v0 = +-v1, and v0 x v1 is zero
         for (T& x : relative.x) x.r += 2 * largest * std::ldexp(largest, shift);
       T scaled = T(2) * norm(relative) / abs(q0[6] * q1[6]);
       if (scaled.exactly_zero()) return Bands::of<S>().classify(T(0));
-      scaled.r += scaled.size() * 0x1p-800;  // atan and the rest of w
+      scaled.r += scaled.size() * 0x1p-800;  // for atan(x) - x and the terms of w left out
       const double edge = std::ldexp(static_cast<double>(std::numeric_limits<S>::min()), shift);
       if (scaled.size() < std::ldexp(1.0, shift - 900)) return Bands::of<S>().underflowing(scaled < T(edge));
     }
@@ -120,7 +120,7 @@ std::size_t band_of_difference(const oracles::Vec<7, T>& q0, const oracles::Vec<
   return band_of_log<S>(log);
 }
 
-/// | |Q|^2 - 1 | in eps of the quaternion that starts at `first`.
+/// | |Q|^2 - 1 | in eps, for the quaternion Q that starts at `first`.
 template <class S>
 double norm_defect_at(const std::vector<S>& input, std::size_t first) {
   oracles::Quaternion<> Q;
@@ -128,8 +128,8 @@ double norm_defect_at(const std::vector<S>& input, std::size_t first) {
   return oracles::norm_defect<S>(Q);
 }
 
-/// The 3 x 3 rotation and coupling blocks of a 6 x 6 Jacobian, against the oracle. The other two blocks are
-/// structural: the lower left one is zero and the two diagonal ones are the same.
+/// Records the errors of the 3 x 3 rotation and coupling blocks of a 6 x 6 Jacobian. The lower left block
+/// must be zero. Both diagonal blocks have the same exact value.
 template <class S, class T>
 void record_jacobian6(Recorder& r, const Output& rotation, const Output& coupling, std::size_t band,
                       const Mat<S, 6>& J, const oracles::Jacobian6Value<T>& exact, const T& rho, bool beyond,

@@ -1,4 +1,4 @@
-// The Adjoint laws of dIntegrate and dDifference against high-precision finite differences of the definitions.
+// dIntegrate and dDifference, compared with finite differences of their definitions at high precision.
 
 #include <generators/rotations.hpp>
 #include <invariants/common.hpp>
@@ -53,7 +53,7 @@ class DIntegrate final : public Law<DIntegrate, S> {
     return x;
   }
   bool valid(const std::vector<S>& x) const override {
-    // Up to theta = pi and its neighbours: beyond it, ARG0 is a law of exp and ARG1 one of the Jacobians.
+    // theta is at most pi, up to a few ulp. Beyond pi, exp_oracle and jacobian_oracle measure the matrices.
     using std::sqrt;
     return Property<S>::valid(x) && norm_defect_at<S>(x, 3) <= 8 && norm_defect_at<S>(x, 10) <= 8 &&
            sqrt(x[17] * x[17] + x[18] * x[18] + x[19] * x[19]) <= pi<S>() * (S(1) + S(4) * eps<S>());
@@ -70,7 +70,7 @@ class DIntegrate final : public Law<DIntegrate, S> {
     const Bands& bands = Bands::of<S>();
     std::size_t band = band_of_angle<S>(tail3(xd));
     Real rho = norm(head3(xd));
-    // A rotation vector of exactly pi_S is beyond pi for float: its kappa is 1 to a few per cent there.
+    // The float nearest to pi is beyond pi. There kappa is 1 within a few per cent.
     const bool beyond = bands[band].region == Region::beyond_pi;
     if (o[op::d_integrate_arg0])
       record_jacobian6<S>(r, op::d_integrate_arg0[block::jacobian], op::d_integrate_arg0[block::coupling],
@@ -86,8 +86,8 @@ class DIntegrate final : public Law<DIntegrate, S> {
     band = band_of_difference<S>(x0, x1, exact);
     if (exact.at_pi) return;  // either branch is right there: jacobian_oracle measures J^-1 on each
     rho = norm(exact.rho);
-    // The coupling block is linear in rho, which difference itself knows to 4 eps of max(|rho|, |p1 - p0|).
-    // Balls share one logarithm and one inverse: arg1 is J_r^-1, the transpose of J_l^-1.
+    // In ball arithmetic arg0 and arg1 share one logarithm and one inverse: the blocks of J_r^-1 are the
+    // transposed blocks of J_l^-1.
     const auto of_difference = [&](bool arg1) -> oracles::Jacobian6Value<Real> {
       using namespace oracles;
       if constexpr (BallNumber<Real>) {

@@ -1,4 +1,4 @@
-// The derivatives of inverse and forward dynamics, along a direction.
+// The derivatives of inverse and forward dynamics, times a direction d.
 
 #include <invariants/tree_law.hpp>
 
@@ -16,8 +16,7 @@ class DynamicsDerivatives final : public TreeLaw<DynamicsDerivatives, S> {
   }
   std::string equation() const override {
     return "(dtau/dq) d = d/dt rnea(q exp(t d), v, a), (dtau/dv) d = d/dt rnea(q, v + t d, a); dqdd/dq = "
-           "-M^-1 dtau/dq "
-           "at qdd, likewise by v; norms as in forward_dynamics";
+           "-M^-1 dtau/dq at qdd, likewise by v; norms as in forward_dynamics";
   }
   std::string source() const override { return "Carpentier & Mansard 2018"; }
   static constexpr Output torque_q = op::rnea_derivatives[block::by_q],
@@ -51,7 +50,8 @@ class DynamicsDerivatives final : public TreeLaw<DynamicsDerivatives, S> {
       return oracles::TreeSizes<oracles::Tangent>(c.rough.tree, c.rough.q, c.rough.v, a, c.rough.wrench,
                                                   q ? c.rough.d : none, q ? none : c.rough.d, true);
     };
-    // What is zero comes out of the oracle as 1e-30 of what it is the derivative of: such a result has no digits.
+    // For a derivative that is zero the oracle returns about 1e-30 times the function. The term with 1e-12
+    // makes kappa so large there that the case is ill-posed.
     const double reach = weighted_size(c.rough.d, std::vector<double>(c.nv(), 1));
     const auto terms_of = [&](const oracles::TreeSizes<oracles::Tangent>& t) {
       std::vector<double> values;
@@ -86,7 +86,7 @@ class DynamicsDerivatives final : public TreeLaw<DynamicsDerivatives, S> {
     const bool singular = !(64 * size * inverse * std::numeric_limits<S>::epsilon() < 1);
     try {
       const auto [dq, dv] = o[op::aba_derivatives](c.q, c.v, c.a, c.F_joint, c.F);
-      // An error of qdd, which is one itself, is one of what qdd makes: terms of M's derivative by it.
+      // The error of the subject's own qdd enters the result through the derivative of M(q) qdd.
       const double a_error = inverse * weighted_size(c.sizes(c.rough.v, this->rough_list(a), true).tau, w);
       std::vector<double> a_moved(c.nv());
       for (std::size_t k = 0; k < a_moved.size(); ++k) a_moved[k] = a_error * w[k];
@@ -103,7 +103,7 @@ class DynamicsDerivatives final : public TreeLaw<DynamicsDerivatives, S> {
       };
       record(acceleration_q, dq, by_q(a), true);
       record(acceleration_v, dv, by_v(a), false);
-    } catch (const std::domain_error&) {  // M^-1 has no digits there: it may be refused
+    } catch (const std::domain_error&) {  // allowed if M is singular to rounding
       if (!singular) throw;
     }
   }

@@ -1,4 +1,4 @@
-// exp against the exponential of the 4 x 4 matrix, from zero to huge angles.
+// exp compared with the exponential of the 4 x 4 matrix, from zero to huge angles.
 
 #include <generators/rotations.hpp>
 #include <invariants/common.hpp>
@@ -56,9 +56,9 @@ class ExpOracle final : public Law<ExpOracle, S> {
         },
         [&] { return to_list(exact_xi); }, {{0, 3}, {3, 4}});
     const auto kappa_rotation = [&] { return kappa.kappa(1, Real(1) / Real(2)); };
-    // All numbers grown by one factor move the pose by no more than each by its own: d Q = theta / 2, d p = R rho.
-    // The hundredth less is for the roundings and radii of these doubles; at angles beyond 2^40, where balls give up,
-    // no step of condition.hpp tells a derivative.
+    // A lower bound of kappa: if all numbers of xi grow by one factor, the pose changes by dQ = theta / 2 and
+    // dp = R rho, which is at most the sum of the changes by each number. The factor 0.99 covers the rounding
+    // of these doubles. Beyond 2^40 the differences of condition.hpp are inaccurate.
     const double theta = at_most(exact.theta), share = theta < 0x1p40 ? 0.99 : 0;
     const double least_rotation = share * theta;
     const auto matrix = [&](const Output& rotation, const Output& defect, const Mat<S, 3>& R) {

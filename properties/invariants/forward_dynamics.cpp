@@ -1,4 +1,4 @@
-// Forward dynamics undoes inverse dynamics, and is M^-1 (tau - h).
+// Forward dynamics is M^-1 (tau - h) and the inverse of inverse dynamics.
 
 #include <invariants/tree_law.hpp>
 
@@ -11,12 +11,11 @@ class ForwardDynamics final : public TreeLaw<ForwardDynamics, S> {
   static constexpr bool floating = false;
   std::string name() const override { return "forward_dynamics"; }
   std::string law() const override {
-    return "forward dynamics is M^-1 (tau - h), and inverse dynamics undoes it";
+    return "forward dynamics is M^-1 (tau - h), and inverse dynamics is its inverse";
   }
   std::string equation() const override {
     return "aba(tau) = M^-1 (tau - h), rnea(aba(tau)) = tau; with A = M_kl / sqrt(M_kk M_ll), norms of "
-           "sqrt(M_kk) a_k "
-           "and tau_k / sqrt(M_kk), terms = ||A|| ||a|| + ||tau|| + those of tau: "
+           "sqrt(M_kk) a_k and tau_k / sqrt(M_kk), terms = ||A|| ||a|| + ||tau|| + the terms of rnea: "
            "kappa = ||A^-1|| terms / ||a||, terms / ||tau||, ||A|| ||A^-1||";
   }
   std::string source() const override {
@@ -34,7 +33,7 @@ class ForwardDynamics final : public TreeLaw<ForwardDynamics, S> {
     const auto standing = c.dynamics(c.exact.v, still);
     const std::vector<T> M = standing.mass();
     const std::vector<double> roots = mass_roots(M, c.nv()), w = inverses(roots);
-    if (std::count(roots.begin(), roots.end(), 0.0) > 0) return;  // a robot's massless link: M is singular
+    if (std::count(roots.begin(), roots.end(), 0.0) > 0) return;  // a massless link makes M singular
     const std::vector<T> factor = oracles::positive_factor(M, c.nv());
     if (factor.empty()) return;
     std::vector<T> a = standing.torque(c.exact.wrench), inverse_exact(M.size(), T(0));
@@ -65,7 +64,7 @@ class ForwardDynamics final : public TreeLaw<ForwardDynamics, S> {
       if (o[op::tree_mass_inverse])
         c.record(r, inverse, this->flat(o[op::tree_mass_inverse](c.q)), inverse_exact, products(roots),
                  size * size_inverse * size_inverse, resolved);
-    } catch (const std::domain_error&) {  // M^-1 has no digits there: it may be refused
+    } catch (const std::domain_error&) {  // allowed if M is singular to rounding
       if (!singular) throw;
     }
   }

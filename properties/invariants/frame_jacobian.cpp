@@ -1,4 +1,4 @@
-// Jacobians of frames times v are velocities, and with their rates accelerations.
+// The Jacobian of a frame times v is its velocity. J a + dJ v is its acceleration.
 
 #include <invariants/tree_frames.hpp>
 
@@ -11,12 +11,11 @@ class FrameJacobian final : public TreeLaw<FrameJacobian, S> {
   static constexpr bool floating = false;
   std::string name() const override { return "frame_jacobian"; }
   std::string law() const override {
-    return "a frame's Jacobian times v is its velocity, and J a + dJ v its spatial (LOCAL_WORLD_ALIGNED: "
-           "classical) "
-           "acceleration";
+    return "a frame's Jacobian times v is its velocity, J a + dJ v is its spatial acceleration "
+           "(classical in LOCAL_WORLD_ALIGNED)";
   }
   std::string equation() const override {
-    return "J v = V, J a + J' v = V' in each reference frame; of the exact v and a";
+    return "J v = V, J a + J' v = V' in each reference frame, for the exact v and a";
   }
   std::string source() const override {
     return "Featherstone 2008, sections 2.2, 2.10; Pinocchio 3.8, frames";
@@ -46,7 +45,7 @@ class FrameJacobian final : public TreeLaw<FrameJacobian, S> {
   }
 
  private:
-  /// The two halves of a sum of matrices times exact vectors.
+  /// Records the linear and the angular part of a sum of matrices times exact vectors.
   template <const auto& operation, class T, class Case>
   static void both(const Case& c, Recorder& r,
                    const std::vector<std::pair<const MatX<S>*, const std::vector<T>*>>& sums,

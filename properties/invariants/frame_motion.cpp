@@ -1,4 +1,4 @@
-// Pose, velocity and acceleration of a frame are the motion of its pose.
+// The pose of a frame, and its velocity and accelerations as derivatives of the pose.
 
 #include <invariants/tree_frames.hpp>
 
@@ -15,9 +15,8 @@ class FrameMotionLaw final : public TreeLaw<FrameMotionLaw, S> {
            "integrate, in WORLD, LOCAL and LOCAL_WORLD_ALIGNED";
   }
   std::string equation() const override {
-    return "R' = [w]R, R'' = ([w'] + [w]^2)R along q exp(t v + t^2 a / 2); aligned (p', w), (p'' - w x p', "
-           "w'), "
-           "(p'', w'); local R^T of them; world at the world's origin";
+    return "R' = [w]R, R'' = ([w'] + [w]^2)R along q exp(t v + t^2 a / 2); aligned: (p', w), (p'' - w x p', "
+           "w'), (p'', w'); local: R^T times these; world: at the world's origin";
   }
   std::string source() const override { return "Featherstone 2008, sections 2.2, 2.10"; }
   std::vector<Output> outputs() const override {
@@ -44,7 +43,8 @@ class FrameMotionLaw final : public TreeLaw<FrameMotionLaw, S> {
       const Pose<S> X = o[op::frame_pose](c.q);
       c.record(r, op::frame_pose[block::rotation], this->flat(X.R), list(f.R), std::vector<double>(9, 1),
                std::sqrt(3.0) * oracles::mimic_factor(c.rough.tree, c.rough.q), resolved);
-      c.record(r, op::frame_pose[block::translation], VecX<S>(X.p), list(f.p), three, sizes.position, resolved);
+      c.record(r, op::frame_pose[block::translation], VecX<S>(X.p), list(f.p), three, sizes.position,
+               resolved);
     }
     for (const Seen view : every_view) {
       const FrameViews<T> exact = seen_from(view, f);

@@ -1,5 +1,5 @@
-// integrate and difference of free-flyer configurations against their oracles, and as local inverses in both
-// directions. Beyond theta = pi the pose is recovered, not the rotation vector.
+// integrate and difference of free-flyer configurations, compared with their oracles and as local inverses in
+// both directions. difference(q, integrate(q, d)) is compared with d only up to theta = pi.
 
 #include <generators/rotations.hpp>
 #include <invariants/branch.hpp>
@@ -19,8 +19,7 @@ class IntegrateDifference final : public Law<IntegrateDifference, S> {
   }
   std::string equation() const override {
     return "integrate(q, d) = T exp(d); difference(q0, q1) = log(T0^-1 T1); difference(q, integrate(q, d)) = "
-           "d for "
-           "|phi| < pi; integrate(q0, difference(q0, q1)) = q1 as poses";
+           "d for |phi| < pi; integrate(q0, difference(q0, q1)) = q1 as poses";
   }
   std::string source() const override { return "Sola, Deray & Atchuthan 2018, eqs. 25-28"; }
   std::vector<Output> outputs() const override {
@@ -151,8 +150,8 @@ class IntegrateDifference final : public Law<IntegrateDifference, S> {
     return oracles::larger(oracles::larger(a, b), c);
   }
 
-  /// difference(q, integrate(q, d)) against d itself. The rounding of the intermediate configuration is part of
-  /// this law, so kappa is that of difference at it; where theta is pi to rounding, the opposite axis is right too.
+  /// Compares difference(q, integrate(q, d)) with d. The rounding of the intermediate configuration is part
+  /// of the error, so kappa is that of difference at that configuration.
   template <class Real>
   static void back(Recorder& r, const Vec<S, 6>& v, const oracles::Vec6<Real>& xd,
                    const oracles::Vec<7, Real>& x0, const oracles::Vec<7, Real>& xq, std::size_t band) {
@@ -166,12 +165,12 @@ class IntegrateDifference final : public Law<IntegrateDifference, S> {
     }
     const auto xv = exact_vector<6, Real>(v);
     const auto at = oracles::difference(x0, xq);
-    // Did the rounding of q carry theta across pi? Then the exact answer is on the other axis, and the
-    // law (the same pose) is what integrate_of_difference measures.
+    // If the rounding of q moved theta across pi, the exact result has the opposite axis.
+    // integrate_of_difference measures that case.
     Real along(0);
     for (int i = 3; i < 6; ++i) along += xv[i] * xd[i];
     if (at.pi_minus_theta < Real(64 * static_cast<double>(epsilon<S>())) && along < 0) return;
-    // The quaternions' numbers move both blocks; the positions' move rho alone, linearly: rho = M (p1 - p0).
+    // The quaternions affect both blocks. The positions affect rho alone, linearly: rho = M (p1 - p0).
     const auto pose = [](const oracles::Vec<7, Real>& q, const Real* Q) {
       oracles::Vec<7, Real> moved = q;
       for (int i = 0; i < 4; ++i) moved[3 + i] = Q[i];
@@ -203,7 +202,7 @@ class IntegrateDifference final : public Law<IntegrateDifference, S> {
     r.record(angular, band, vector_error<S>(tail3(xv), tail3(xd)),
              [&] { return kappa.kappa(1, larger(phi, least_denominator<S, Real>())); });
     const Real scale = larger(rho, at.separation);
-    // M is J^-1 R^T, which shortens no vector: the positions alone move rho by at least sum_i |x_i|.
+    // M = J^-1 R^T shortens no vector, so the positions alone move rho by at least sum_i |x_i|.
     double moved = 0;
     for (int i = 0; i < 3; ++i) moved += at_most(x0[i]) + at_most(xq[i]);
     const Real by = larger(scale, least_denominator<S, Real>());

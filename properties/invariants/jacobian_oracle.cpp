@@ -1,5 +1,5 @@
-// J and J^-1 of SO(3) and SE(3), left and right, each against the oracle (a round trip J J^-1 = I would hide
-// paired errors).
+// The left and right J and J^-1 of SO(3) and SE(3), each compared with the oracle. (In a product J J^-1 the
+// errors of both could cancel.)
 
 #include <generators/rotations.hpp>
 #include <invariants/common.hpp>
@@ -14,7 +14,7 @@ template <class S>
 class JacobianOracle final : public Law<JacobianOracle, S> {
  public:
   std::string name() const override { return "jacobian_oracle"; }
-  std::string law() const override { return "the Jacobians of exp and their inverses are the exact ones"; }
+  std::string law() const override { return "the Jacobians of exp and their inverses are exact"; }
   std::string equation() const override {
     return "J_l = phi_1(ad xi), J_r = phi_1(-ad xi), phi_1(A) = sum_k A^k/(k+1)!";
   }
@@ -55,7 +55,7 @@ class JacobianOracle final : public Law<JacobianOracle, S> {
     const std::size_t band = band_of_angle<S>(tail3(x));
     const bool beyond = Bands::of<S>()[band].region == Region::beyond_pi;
 
-    // The right Jacobian is the left one at -xi: both blocks have the same kappa.
+    // The right Jacobian is the left one at -xi, so its blocks have the same kappa.
     const auto flat = [](const JacobianBlocks<Real>& b) {
       std::vector<Real> all(b.J.x.begin(), b.J.x.end());
       all.insert(all.end(), b.C.x.begin(), b.C.x.end());
@@ -68,9 +68,9 @@ class JacobianOracle final : public Law<JacobianOracle, S> {
     const auto inverted = sensitivity<Real>(
         [&](const std::vector<Real>& v) { return flat(closed_left_jacobian_inverse(from_list<6>(v))); },
         stored, {{0, 9}, {9, 9}});
-    // The inverse has poles at 2 pi k. At an extremum between two of them the first derivative vanishes although
-    // a rounding of theta spans both: there the inverse relative distance to the pole is the condition number
-    // (Demmel 1987), and the larger of the two counts.
+    // The inverse has poles at theta = 2 pi k. Between two poles its norm has an extremum with derivative
+    // zero, although at a large theta one rounding of theta may reach from pole to pole. So kappa is at least
+    // theta over the distance to the nearest pole (Demmel 1987).
     std::optional<double> to_pole;
     const auto kappa = [&](bool inverse, bool coupling, const Real& denominator) {
       const std::size_t block = coupling ? 1 : 0;

@@ -1,5 +1,5 @@
-// The rate of a free-flyer configuration: the coefficient Jacobian times the body velocity. Everything but the
-// Jacobian itself is exact: its product with v and the rotation's rate that follows from the subject's Q_dot.
+// The rate of a free-flyer configuration is the coefficient Jacobian times the body velocity. The Jacobian is
+// the subject's. Its product with v, and the rate of R that follows from Q_dot, are computed exactly.
 
 #include <invariants/property.hpp>
 
@@ -13,7 +13,7 @@ namespace {
 
 using oracles::Real;
 
-/// The rate of R(Q / ||Q||) when Q moves at Q_dot.
+/// The rate of R(Q / ||Q||) when Q changes at the rate Q_dot.
 template <class Real>
 oracles::Mat3<Real> rotation_rate(const oracles::Quaternion<Real>& Q,
                                   const oracles::Quaternion<Real>& Q_dot) {
@@ -88,7 +88,7 @@ class KinematicIdentities final : public Law<KinematicIdentities, S> {
     const auto q_e = oracles::exact_vector<7, Real>(q);
     const auto v_e = oracles::exact_vector<6, Real>(v);
     const oracles::Quaternion<Real> Q{{q_e[3], q_e[4], q_e[5], q_e[6]}};
-    const Real Q_norm = norm(Q);  // the lower block is linear in the stored Q, the oracle's Q has norm one
+    const Real Q_norm = norm(Q);  // the lower block is linear in the stored Q; the oracle's Q has norm 1
 
     const oracles::RateValue<Real> rate = oracles::configuration_rate(q_e, v_e);
     if (rate.resolved) {

@@ -1,4 +1,4 @@
-// Kinetic energy does not depend on the frame, and the operations on inertias that it is made of.
+// Kinetic energy does not depend on the frame. The operations on inertias that it needs are measured as well.
 
 #include <invariants/common.hpp>
 
@@ -20,7 +20,7 @@ std::vector<T> numbers(const V&... v) {
   return x;
 }
 
-// The formulas for condition numbers. x: m, c, I_C (xx, xy, yy, xz, yz, zz), u, w.
+// Formulas for condition numbers, with x = (m, c, I_C as xx xy yy xz yz zz, u, w).
 template <class T>
 oracles::BodyOf<T> body(const std::vector<T>& x) {
   return {x[0], part(x, 1), oracles::symmetric(oracles::Vec6<T>{{x[4], x[5], x[6], x[7], x[8], x[9]}})};
@@ -33,7 +33,7 @@ template <class T>
 std::vector<T> energy_formula(const std::vector<T>& x) {
   return {oracles::formulas::kinetic_energy(body(x), stack(part(x, 10), part(x, 13)))};
 }
-// x: R, p, c
+// Formulas with x = (R, p, c).
 template <class T>
 oracles::Mat3<T> rotation(const std::vector<T>& x) {
   oracles::Mat3<T> R;
@@ -52,7 +52,7 @@ std::vector<T> inverse_lever_formula(const std::vector<T>& x) {
 template <class S>
 class KineticEnergy final : public Law<KineticEnergy, S> {
  public:
-  static constexpr bool needs_kappa = true;  ///< nearly always
+  static constexpr bool needs_kappa = true;  ///< in nearly every case
   std::string name() const override { return "kinetic_energy"; }
   std::string law() const override { return "the kinetic energy of a body is the same in every frame"; }
   std::string equation() const override {
@@ -96,8 +96,8 @@ class KineticEnergy final : public Law<KineticEnergy, S> {
     return input;
   }
 
-  /// R near a rotation, m > 0, I_C of a real body: its second moment tr(I_C) / 2 - I_C is positive semidefinite,
-  /// up to the rounding of I_C.
+  /// R must be near a rotation, m > 0, and I_C that of a physical body: its second moment tr(I_C) / 2 - I_C
+  /// is positive semidefinite, up to the rounding of I_C.
   bool valid(const std::vector<S>& input) const override {
     using std::abs, std::ldexp;
     if (!Property<S>::valid(input)) return false;
@@ -111,7 +111,7 @@ class KineticEnergy final : public Law<KineticEnergy, S> {
     const auto& I = x.I_e.I_C;
     const Real trace = I(0, 0) + I(1, 1) + I(2, 2);
     if (!(x.I.mass > S(0)) || trace < 0 || trace > ldexp(Real(1), 3 * binades + 8)) return false;
-    using oracles::Real100;  // a needle's determinant is eps^2 of its terms
+    using oracles::Real100;  // for a needle the determinant is eps^2 times its terms
     oracles::Mat3<Real100> second = Real100(-1) * oracles::cast<Real100>(I);
     for (int i = 0; i < 3; ++i) second(i, i) += Real100(trace) / 2 + Real100(eps32) * Real100(trace);
     const auto C = cofactors(second);
@@ -165,7 +165,7 @@ class KineticEnergy final : public Law<KineticEnergy, S> {
       const Real u_C = norm(u + cross(w, x.I_e.c));
       const Real scale = x.I_e.mass * s * (u_C + oracles::ulp_of_one<S, Real>() * s) +
                          frobenius(x.I_e.I_C) * w_norm * w_norm / Real(2);
-      // The scale alone: the subject's T_B is no exact value.
+      // Only the scale counts: T_B is a result of the subject, not an exact value.
       const Real size = oracles::larger(scale, oracles::least_denominator<S, Real>());
       recorder.record(op::energy_frames[block::energy], 0,
                       oracles::in_eps<S>(Real(abs(T_e[0] - T_e[1]) / size)), [] { return 1.0; });
@@ -199,7 +199,7 @@ class KineticEnergy final : public Law<KineticEnergy, S> {
     oracles::Vec6<Real> V_e;
   };
 
-  /// sum m_i (|r|^2 - r r^T): of a real body whatever the points are, being about their centre or not.
+  /// Adds m (|r|^2 - r r^T), the inertia of a point mass. Every sum of these belongs to a physical body.
   static void add_point(Mat<S, 3>& I, const S& mass, const Vec<S, 3>& r) {
     const S xx = r[0] * r[0], yy = r[1] * r[1], zz = r[2] * r[2];
     I(0, 0) += mass * S(yy + zz);
@@ -210,7 +210,7 @@ class KineticEnergy final : public Law<KineticEnergy, S> {
       I(j, i) = I(i, j);
     }
   }
-  /// From second moments along the principal axes, or a cloud of 3 to 5 points.
+  /// A random inertia, from radii of gyration about the principal axes or from a cloud of 3 to 5 points.
   static Mat<S, 3> inertia(Source& source, const S& mass) {
     Mat<S, 3> I = Mat<S, 3>::Zero();
     const auto length = [&] {
@@ -235,7 +235,7 @@ class KineticEnergy final : public Law<KineticEnergy, S> {
         a[2] = a[1];
         break;
       }
-      case 5:  // three axes of their own
+      case 5:  // three independent radii
         a << length(), length(), length();
         break;
       default: {  // a cloud
@@ -274,7 +274,7 @@ class KineticEnergy final : public Law<KineticEnergy, S> {
         });
   }
 
-  /// The largest of the four 3x3 blocks' errors, each relative to itself.
+  /// Records the largest error of the four 3 x 3 blocks, each relative to the norm of that block.
   template <class Real>
   static void measure_matrix(Recorder& recorder, const Mat<S, 6>& computed,
                              const oracles::Resolved<oracles::Mat6<Real>>& exact) {
@@ -290,7 +290,7 @@ class KineticEnergy final : public Law<KineticEnergy, S> {
     recorder.record(op::inertia_matrix[block::matrix], 0, error, [] { return 1.0; });
   }
 
-  /// Mass, lever and inertia about the centre of mass, of act_inertia or act_inverse_inertia.
+  /// Records the mass, lever and inertia (about the centre of mass) from act_inertia or act_inverse_inertia.
   template <const auto& operation, class Real, class Formula>
   static void measure_body(Recorder& recorder, const Body<S>& computed,
                            const oracles::Resolved<oracles::BodyOf<Real>>& exact, const Case<Real>& x,

@@ -1,4 +1,4 @@
-// Inverse dynamics, the mass matrix and the energies are those of Lagrange's equations.
+// Inverse dynamics, the mass matrix and the energies agree with Lagrange's equations.
 
 #include <invariants/tree_law.hpp>
 
@@ -11,7 +11,7 @@ class Lagrange final : public TreeLaw<Lagrange, S> {
   static constexpr bool floating = false;
   std::string name() const override { return "lagrange"; }
   std::string law() const override {
-    return "inverse dynamics, the mass matrix and the energies are those of Lagrange's equations";
+    return "inverse dynamics, the mass matrix and the energies agree with Lagrange's equations";
   }
   std::string equation() const override {
     return "tau_k = sum_i tr(U_ik J_i (X_i'' - g)^T), M_kl = sum_i tr(U_ik J_i U_il^T), U_ik = dX_i/dq_k; "

@@ -1,4 +1,4 @@
-// log against the exact logarithm of the stored numbers: of Q/|Q|, of the rotation nearest to R.
+// log compared with the exact logarithm of Q/|Q| or of the rotation nearest to R, for the stored numbers.
 
 #include <generators/rotations.hpp>
 #include <invariants/branch.hpp>

@@ -1,4 +1,4 @@
-// The mass matrix is symmetric, positive definite, and what inverse dynamics makes of unit accelerations.
+// The mass matrix is symmetric and positive definite. Its columns are the torques of unit accelerations.
 
 #include <invariants/tree_law.hpp>
 
@@ -15,8 +15,7 @@ class MassMatrix final : public TreeLaw<MassMatrix, S> {
            "accelerations";
   }
   std::string equation() const override {
-    return "M = M^T, x^T M x > 0, M e_k = rnea(q, 0, e_k) without gravity; of a column, M_kl / sqrt(M_kk "
-           "M_ll)";
+    return "M = M^T, x^T M x > 0, M e_k = rnea(q, 0, e_k) without gravity; norms of M_kl / sqrt(M_kk M_ll)";
   }
   std::string source() const override { return "Featherstone 2008, chapter 6"; }
   static constexpr Output symmetric = op::crba_symmetric[block::matrix],
@@ -43,7 +42,7 @@ class MassMatrix final : public TreeLaw<MassMatrix, S> {
     const double terms = weighted_size(c.sizes(at_rest, at_rest).mass, products(w));
     const std::vector<T> factor = oracles::positive_factor(exact, c.nv());
     if (!factor.empty()) {
-      double inverse = 0;  // ||A^-1|| of A = M_kl / sqrt(M_kk M_ll)
+      double inverse = 0;  // at least ||A^-1|| of A = M_kl / sqrt(M_kk M_ll)
       for (std::size_t k = 0; k < c.nv(); ++k) {
         std::vector<T> e = still;
         e[k] = T(roots[k]);
@@ -51,7 +50,7 @@ class MassMatrix final : public TreeLaw<MassMatrix, S> {
       }
       const VecX<S> flat = this->flat(M);
       const bool positive = !oracles::positive_factor(this->template exact_list<T>(flat), c.nv()).empty();
-      // What crba may be off by, 16 eps of its terms, makes a matrix nearer than that to a singular one any matrix.
+      // crba may err by 16 eps of its terms, so a matrix that near to a singular one may become indefinite.
       r.record(definite, 0, positive ? 0 : std::numeric_limits<double>::infinity(),
                [&] { return 16 * inverse * terms; });
     }

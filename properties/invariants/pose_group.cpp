@@ -1,5 +1,5 @@
-// Poses compose, invert and act on points as the 4 x 4 matrices that they are, each against the oracle on the
-// stored numbers: column by column, so that nothing is asked of R.
+// Poses compose, invert and act on points as their 4 x 4 matrices do. The oracle multiplies the stored
+// matrices column by column, so R need not be exactly orthogonal.
 
 #include <generators/rotations.hpp>
 #include <invariants/common.hpp>

@@ -1,4 +1,4 @@
-// The power of the joint forces is the rate of the total energy.
+// The power of the joint forces is the rate of change of the total energy.
 
 #include <invariants/tree_law.hpp>
 
@@ -10,7 +10,7 @@ class PowerBalance final : public TreeLaw<PowerBalance, S> {
  public:
   static constexpr bool floating = false;
   std::string name() const override { return "power_balance"; }
-  std::string law() const override { return "the power of the joint forces is the rate of the energy"; }
+  std::string law() const override { return "the power of joint forces is the energy's rate of change"; }
   std::string equation() const override {
     return "rnea(q, v, a)^T v = d/dt (T + V) = sum_i tr(X_i' J_i (X_i'' - g)^T) + sum_k armature_k v_k a_k";
   }

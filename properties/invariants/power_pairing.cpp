@@ -1,6 +1,6 @@
-// Power does not depend on the frame: motions and forces are dual. The pairing is measured on the subject's own
-// V_A and F_A, in exact arithmetic; each operation also against its oracle, since a pairing alone is kept by
-// every pair of errors that cancel.
+// Power does not depend on the frame: motions and forces are dual. The power F_A^T V_A of the subject's
+// results is computed exactly. Each operation is also compared with its oracle, because errors of V_A and F_A
+// may cancel in the power.
 
 #include <invariants/common.hpp>
 
@@ -11,7 +11,7 @@
 namespace liecheck::properties {
 namespace {
 
-/// The numbers of one operation as its formula takes them: a pose, then V or F; or two of those.
+/// Reads the pose from a formula's arguments (R, p, then V or F).
 template <class T>
 oracles::PoseOf<T> pose(const std::vector<T>& x) {
   oracles::PoseOf<T> X;
@@ -35,7 +35,7 @@ std::vector<T> numbers(const V&... v) {
 template <class S>
 class PowerPairing final : public Law<PowerPairing, S> {
  public:
-  static constexpr bool needs_kappa = true;  ///< nearly always
+  static constexpr bool needs_kappa = true;  ///< in nearly every case
   std::string name() const override { return "power_pairing"; }
   std::string law() const override { return "power is the same in every frame"; }
   std::string equation() const override {

@@ -1,9 +1,10 @@
 #pragma once
-// An invariant: one law, in words and as an equation, its source, the operations that it needs, its generator,
-// and `measure`: residual per block with scale and kappa. It measures; it never judges. Tests compare with the
-// budget table, reports tabulate.
+// An invariant is a class derived from Property. It gives a law in words and as an equation, a generator of
+// inputs, and `measure`, which records the error and kappa of each block. It does not decide whether a case
+// passes: campaign/judge.hpp compares the errors with the budget table.
 //
-// Adding one touches one file: derive from Property<S> as a template and register it with RegisteredProperty.
+// A new invariant needs one new file: derive a template from Property<S> and register it with
+// RegisteredProperty.
 
 #include <cmath>
 #include <functional>
@@ -21,7 +22,7 @@ namespace liecheck::properties {
 
 enum class Outcome : std::uint8_t { measured, not_finite, wrong_branch, unresolved, refused };
 
-/// One measured number. error in eps of the subject's scalar, kappa >= 1 or 0 where it was not asked for.
+/// One measurement. The error is in eps of the subject's scalar. kappa is 0 if it was not computed.
 struct Residual {
   std::uint16_t output = 0;
   std::uint16_t band = 0;
@@ -30,8 +31,8 @@ struct Residual {
   double kappa = 0;
 };
 
-/// A condition number on demand: refers to a callable that outlives the call it is given to. Where it is known to be
-/// `least` or more, an error within the budget for that much needs no more of it.
+/// A condition number that is computed only when needed. It refers to a callable, which must outlive it.
+/// `least` is a known lower bound: an error that passes with kappa = `least` does not need kappa.
 class Kappa {
  public:
   Kappa(std::nullptr_t = nullptr) {}  // NOLINT: none
@@ -51,7 +52,7 @@ class Kappa {
   double least_ = 1;
 };
 
-/// Receives what an invariant measures. `kappa` is called only where the budget's rule needs it.
+/// Receives the measurements of an invariant. `kappa` is called only if the budget's rule needs it.
 class Recorder {
  public:
   virtual ~Recorder() = default;
@@ -61,11 +62,11 @@ class Recorder {
 
 /// The robot that configuration properties run on.
 struct Robot {
-  std::string name;    ///< of its <robot> element
-  std::string urdf;    ///< the text
-  std::string path;    ///< as given; empty for the built-in one
-  bool fixed = false;  ///< its root is welded to the world; otherwise it floats
-  std::string hash;    ///< 16 hexadecimal digits of the SHA-256 of the text, and of whether it is fixed
+  std::string name;    ///< the name in its <robot> element
+  std::string urdf;    ///< the text of the URDF
+  std::string path;    ///< as the user gave it; empty for the built-in robot
+  bool fixed = false;  ///< its root is fixed to the world; otherwise it floats
+  std::string hash;    ///< 16 hexadecimal digits of a SHA-256 of `urdf` and `fixed`
 };
 
 template <class S>
@@ -78,35 +79,35 @@ class Property {
   virtual std::string source() const = 0;    ///< author, year, equation
   virtual std::vector<Output> outputs() const = 0;
   virtual std::vector<Field> fields() const = 0;
-  /// Does the subject offer at least one of the operations that the law speaks of?
+  /// Whether the subject offers at least one operation of the law.
   virtual bool offered(const Subject<S>& subject) const = 0;
-  virtual bool needs_robot() const { return false; }  ///< asked after prepare
-  /// Readies robot-dependent state; called once, before any case.
+  virtual bool needs_robot() const { return false; }  ///< called after prepare
+  /// Sets up what depends on the robot. Called once, before any case.
   virtual void prepare(const Robot&) {}
-  /// Valid by construction; uses only the source.
+  /// Generates a valid input from random bits alone.
   virtual std::vector<S> generate(Source& source) const = 0;
-  /// Is this (shrunk or typed) input one that the generator could mean? Default: every number is finite.
+  /// Whether a shrunk or typed input meets the assumptions of the law. Default: every number is finite.
   virtual bool valid(const std::vector<S>& input) const {
     using std::isfinite;
     for (const S& x : input)
       if (!isfinite(x)) return false;
     return true;
   }
-  /// Simpler inputs, where that takes more than one field; not all need be valid.
+  /// Simpler inputs that differ in more than one field. Some of them may be invalid.
   virtual std::vector<std::vector<S>> simpler(const std::vector<S>&) const { return {}; }
-  /// A C++ program that makes what was measured with liecheck's own functions; empty where the law has none of its
-  /// own, and the fields and the operation tell (campaign/snippet.hpp).
+  /// A C++ program that computes the output with liecheck's own functions. If it is empty,
+  /// failures/program.cpp writes the program from the fields and the operation.
   virtual std::string program(const Output&, const std::vector<S>&) const { return ""; }
-  /// Against the oracles at 50 and 100 digits.
+  /// Measures with the oracles at 50 and 100 digits.
   virtual void measure(const Subject<S>& subject, const std::vector<S>& input, Recorder& recorder) const = 0;
-  /// Against the fast oracles, the cheapest of which is tier 0; false where the law has none of that tier. Throws
-  /// oracles::Undecided where their error bound is too wide; what was recorded until then is void.
+  /// Measures with the oracles in ball arithmetic; tier 0 is the cheapest. Returns false if there is no such
+  /// tier. Throws oracles::Undecided if an error bound is too wide; the recorded errors are then void.
   virtual bool measure_fast(const Subject<S>&, const std::vector<S>&, Recorder&, std::size_t /*tier*/) const {
     return false;
   }
 };
 
-/// A law that is written once for every oracle's number: P<S> has
+/// A law that is written once for every number type of the oracles. P<S> has
 ///   template <class Real> void in(const Subject<S>&, const std::vector<S>&, Recorder&) const.
 template <template <class> class P, class S>
 class Law : public Property<S> {
@@ -117,7 +118,7 @@ class Law : public Property<S> {
   bool measure_fast(const Subject<S>& subject, const std::vector<S>& input, Recorder& recorder,
                     std::size_t tier) const override {
     using Tiers = typename oracles::BallTiers<S>::type;
-    if constexpr (requires { P<S>::needs_kappa; })  // which takes a step that only the last tier has room for
+    if constexpr (requires { P<S>::needs_kappa; })  // the differences for kappa need the last tier
       tier += std::tuple_size_v<Tiers> > 1;
     return [&]<std::size_t... I>(std::index_sequence<I...>) {
       return ((tier == I && (static_cast<const P<S>*>(this)->template in<std::tuple_element_t<I, Tiers>>(
@@ -138,7 +139,7 @@ template <class S>
 void add(std::unique_ptr<Property<S>> (*make)());
 }
 
-/// A static of this type in an invariant's file makes it known, in every scalar.
+/// A static object of this type in an invariant's file registers the invariant for every scalar.
 template <template <class> class P>
 struct RegisteredProperty {
   RegisteredProperty() {

@@ -1,5 +1,5 @@
-// integrate and difference on the whole configuration vector of a robot, joint by joint against the oracles,
-// and Q, -Q as one configuration.
+// integrate and difference on the whole configuration vector of a robot, compared with the oracles joint by
+// joint. Q and -Q must count as the same configuration.
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 namespace liecheck::properties {
 namespace {
 
-/// Where a joint's numbers stand. The size tells its kind: 7 free-flyer, 2 continuous (cos, sin), 1 other.
+/// The offsets of a joint in q and v, and its size: 7 for a free-flyer, 2 for continuous (cos, sin), else 1.
 struct Segment {
   int q, nq, v;
 };
@@ -156,7 +156,7 @@ class RobotConfiguration final : public Law<RobotConfiguration, S> {
                        r.record(op::robot_difference[block::linear], band, error.linear);
                      });
       } else if (s.nq == 2) {
-        // A planar rotation is the spatial one about z: the same oracles at half the angle's quaternion.
+        // The exact (cos, sin) after a rotation by d, and the exact angle between both configurations.
         const Real c0 = exact<Real>(q0[s.q]), s0 = exact<Real>(q0[s.q + 1]), a = exact<Real>(d[s.v]);
         const Real n0 = sqrt(Real(c0 * c0 + s0 * s0));
         Real sin_a, cos_a;
@@ -172,9 +172,9 @@ class RobotConfiguration final : public Law<RobotConfiguration, S> {
         judged_value(r, {op::robot_difference[block::continuous]}, 0, v.segment(s.v, 1), true, [&] {
           const double plus = scalar_error<S>(exact<Real>(v[s.v]), angle_between);
           const Real opposite_angle = -angle_between;
-          const bool half_turn = c0 * s1 == s0 * c1 && angle_between != Real(0);
+          const bool at_pi = c0 * s1 == s0 * c1 && angle_between != Real(0);
           r.record(op::robot_difference[block::continuous], 0,
-                   half_turn ? std::min(plus, scalar_error<S>(exact<Real>(v[s.v]), opposite_angle)) : plus);
+                   at_pi ? std::min(plus, scalar_error<S>(exact<Real>(v[s.v]), opposite_angle)) : plus);
         });
       } else {
         const Real a = exact<Real>(q0[s.q]), b = exact<Real>(d[s.v]), e = exact<Real>(q1[s.q]);
@@ -194,7 +194,7 @@ class RobotConfiguration final : public Law<RobotConfiguration, S> {
   }
 
  private:
-  /// (cos, sin) of an angle, near the axes too; unit to rounding.
+  /// A random (cos, sin), often near an axis, with norm 1 up to rounding.
   static Vec<S, 2> circle(Source& source) {
     using std::sqrt;
     const S s = source.chance(1, 2) ? source.symmetric<S>()

@@ -13,7 +13,7 @@ class SignContinuity final : public Law<SignContinuity, S> {
  public:
   std::string name() const override { return "sign_continuity"; }
   std::string law() const override {
-    return "integrate returns the quaternion nearer to the one it came from";
+    return "integrate returns the one of Q and -Q that is nearer to its input";
   }
   std::string equation() const override { return "Q_{k+1} . Q_k >= 0 for q_{k+1} = integrate(q_k, d)"; }
   std::string source() const override { return "Pinocchio 3.8, SpecialEuclideanOperation::integrate"; }
@@ -48,7 +48,7 @@ class SignContinuity final : public Law<SignContinuity, S> {
       if (!all_finite(next)) return r.outcome(op::integrate[block::sign], band, Outcome::not_finite);
       Real product(0);
       for (int i = 3; i < 7; ++i) product += exact<Real>(q[i]) * exact<Real>(next[i]);
-      const Real defect = larger(Real(-product), Real(0));  // a tie may go either way, to rounding
+      const Real defect = larger(Real(-product), Real(0));  // near 0 either sign is right, up to rounding
       r.record(op::integrate[block::sign], band, in_eps<S>(defect));
       q = next;
     }

@@ -1,5 +1,6 @@
-// No jump across any cutoff: two adjacent inputs, one on either side, have errors that differ by no more than
-// the block's budget. Cutoffs are those that authors choose (powers of ten, roots of eps, half turns).
+// The error does not jump where an implementation changes its formula: the errors at two adjacent angles
+// differ by at most the block's budget. The angles are near cutoffs that authors choose: powers of ten, roots
+// of eps, pi.
 
 #include <generators/rotations.hpp>
 #include <invariants/common.hpp>
@@ -62,12 +63,12 @@ class SmallAngleBranches final : public Law<SmallAngleBranches, S> {
     const std::size_t band = band_of_angle<S>(tail3(x[0]));
     if (bands[band_of_angle<S>(tail3(x[1]))].region == Region::beyond_pi ||
         bands[band].region == Region::beyond_pi)
-      return;  // the forward rule only: beyond pi the laws of exp and of its Jacobians judge
+      return;  // beyond pi, exp_oracle and jacobian_oracle measure these operations
 
     const auto jump = [&](const Output& output, auto&& computed, auto&& exact) {
       record_jump<Real>(r, output, band, computed, exact);
     };
-    // The Jacobians of SO(3) are blocks of those of SE(3): balls take both from one evaluation.
+    // The Jacobians of SO(3) are blocks of those of SE(3). In ball arithmetic one evaluation gives both.
     std::optional<Jacobian6Value<Real>> left[2], left_inverse[2];
     const auto direct = [&](int k) -> const Jacobian6Value<Real>& {
       if (!left[k]) left[k] = left_jacobian_se3(x[k]);
@@ -86,7 +87,7 @@ class SmallAngleBranches final : public Law<SmallAngleBranches, S> {
     if (o[op::exp3_quaternion])
       jump(
           op::exp3_quaternion[block::jump],
-          [&](int k) {  // the sign of the exact quaternion: along (phi, 1) up to pi
+          [&](int k) {  // up to pi the exact (v, w) has v . phi + w > 0
             const Vec<S, 3> phi = xi[k].template tail<3>();
             const Vec<S, 4> Q = o[op::exp3_quaternion](phi);
             return Q.template head<3>().dot(phi) + Q[3] < S(0) ? Vec<S, 4>(-Q) : Q;
@@ -125,7 +126,7 @@ class SmallAngleBranches final : public Law<SmallAngleBranches, S> {
   }
 
  private:
-  /// The difference of the errors at both inputs, in eps of the block's size.
+  /// Records the difference of the errors at both inputs, in eps of the norm of the block.
   template <class Real, class Computed, class Exact>
   static void record_jump(Recorder& r, const Output& output, std::size_t band, const Computed& computed,
                           const Exact& exact) {

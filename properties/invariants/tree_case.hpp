@@ -1,12 +1,12 @@
 #pragma once
-// The list of numbers that a tree of bodies is (generators/trees.hpp), as what it means.
+// Converts a list of numbers (generators/trees.hpp) to a tree of bodies and its state.
 
 #include <generators/trees.hpp>
 #include <subjects/tree.hpp>
 
 namespace liecheck::properties {
 
-/// A tree, a state of it, a frame and a wrench, in any number.
+/// A tree of bodies with its state, a frame and a wrench, in the number type T.
 template <class T>
 struct TreeCase {
   oracles::TreeOf<T> tree;
@@ -16,7 +16,7 @@ struct TreeCase {
   oracles::Quaternion<T> frame_Q;
   oracles::Vec3<T> frame_p;
 
-  /// `structure` tells which joints there are; `x` all numbers, laid out as it is.
+  /// Parents, kinds and other integers are read from `structure`, all other numbers from `x`.
   template <class S>
   TreeCase(TreeLayout at, const std::vector<S>& structure, const std::vector<T>& x) {
     using namespace oracles;
@@ -60,7 +60,7 @@ struct TreeCase {
   }
 };
 
-/// The subject's description of it.
+/// The tree as a subject receives it.
 template <class S>
 Tree<S> described(const TreeCase<S>& c) {
   Tree<S> t;

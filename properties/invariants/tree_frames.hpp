@@ -1,5 +1,5 @@
 #pragma once
-// The motion of a frame of a tree, as the three reference frames tell it.
+// The motion of a frame of a tree, expressed in each of the three reference frames.
 
 #include <invariants/tree_law.hpp>
 
@@ -12,9 +12,9 @@ struct FrameViews {
   oracles::Vec6<T> velocity, acceleration, classical;
 };
 
-/// From p', p'', w and w' of a frame at (R, p):
-///   aligned (p', w), (p'' - w x p', w'), (p'', w');  local R^T of those;
-///   world (p' + p x w, w), (p'' + p' x w + p x w', w'), and that with w x (p' + p x w) more.
+/// Velocity, spatial and classical acceleration from p', p'', w and w' of a frame at (R, p):
+///   aligned: (p', w), (p'' - w x p', w'), (p'', w');   local: R^T times these;
+///   world: (u, w), (s, w'), (s + w x u, w') with u = p' + p x w and s = p'' + p' x w + p x w'.
 template <class T>
 FrameViews<T> seen_from(Seen view, const oracles::FrameMotion<T>& f) {
   using namespace oracles;
@@ -28,7 +28,8 @@ FrameViews<T> seen_from(Seen view, const oracles::FrameMotion<T>& f) {
   const Vec3<T> u = f.p1 + cross(f.p, f.w), a = spatial + cross(f.p, f.w1);
   return {stack(u, f.w), stack(a, f.w1), stack(a + cross(f.w, u), f.w1)};
 }
-/// The sizes of the terms of those, linear and angular; of all views, but that world's adds the lever to its origin.
+/// The sizes of the terms of these vectors. They are the same in each reference frame, except that `world`
+/// adds terms for the lever arm to its origin.
 struct FrameSizes {
   double position, w, u, al, ac;
   template <class Case>
@@ -46,7 +47,7 @@ struct FrameSizes {
   }
 };
 
-/// What the laws of frames know of a case: the frame's exact motion at its v and a, and the sizes of the terms.
+/// The exact motion of a case's frame, and the sizes of its terms.
 template <class T>
 struct ExactFrame {
   oracles::FrameMotion<T> motion;

@@ -11,16 +11,13 @@ class TreeInvariance final : public TreeLaw<TreeInvariance, S> {
   static constexpr bool floating = false;
   std::string name() const override { return "tree_invariance"; }
   std::string law() const override {
-    return "joint torques do not depend on where the world's frame is, on the order of joints, or on how a "
-           "rigid "
-           "body is put together";
+    return "joint torques do not depend on the world's frame, on the order of the joints, or on how a rigid "
+           "body is split into parts";
   }
   std::string equation() const override {
-    return "rnea in a world frame rotated by pi about x and moved; of branches in the opposite order; of each body "
-           "as two "
-           "halves, one fixed at a pose, turned by a third of a turn; all against Lagrange's equations of "
-           "the tree "
-           "itself";
+    return "rnea equals Lagrange's equations of the original tree (1) in a world frame rotated by pi about x "
+           "and translated, (2) with the branches in reverse order, (3) with each body as two halves, one in "
+           "a frame rotated by 2 pi / 3";
   }
   std::string source() const override {
     return "invariance of Lagrange's equations under a change of description: Goldstein 1980, section 1.4";
@@ -47,22 +44,22 @@ class TreeInvariance final : public TreeLaw<TreeInvariance, S> {
     record(parts, subject.tree(in_parts(tree))[op::tree_rnea](c.q, c.v, c.a, c.F_joint, c.F));
     if (std::any_of(tree.joints.begin(), tree.joints.end(), [](const auto& j) { return j.primary >= 0; }))
       return;
-    const std::vector<int> turn = reordered(tree);
+    const std::vector<int> from = reordered(tree);
     Tree<S> other = tree;
-    std::vector<int> place(turn.size());
-    for (std::size_t i = 0; i < turn.size(); ++i) place[at(turn[i])] = static_cast<int>(i);
-    for (std::size_t i = 0; i < turn.size(); ++i) {
-      other.joints[i] = tree.joints[at(turn[i])];
+    std::vector<int> place(from.size());
+    for (std::size_t i = 0; i < from.size(); ++i) place[at(from[i])] = static_cast<int>(i);
+    for (std::size_t i = 0; i < from.size(); ++i) {
+      other.joints[i] = tree.joints[at(from[i])];
       if (int& p = other.joints[i].parent; p >= 0) p = place[at(p)];
     }
     other.index(), other.frame_joint = 0;
     const auto shuffled = [&](const VecX<S>& x, bool q, bool back) {
       VecX<S> y(x.size());
-      for (std::size_t i = 0; i < turn.size(); ++i) {
+      for (std::size_t i = 0; i < from.size(); ++i) {
         const auto& j = other.joints[i];
         const int n = q ? configuration_size(j.kind) : velocity_size(j.kind);
         const int here = q ? other.idx_q[i] : other.idx_v[i];
-        const int there = q ? tree.idx_q[at(turn[i])] : tree.idx_v[at(turn[i])];
+        const int there = q ? tree.idx_q[at(from[i])] : tree.idx_v[at(from[i])];
         y.segment(back ? there : here, n) = x.segment(back ? here : there, n);
       }
       return y;
@@ -75,7 +72,8 @@ class TreeInvariance final : public TreeLaw<TreeInvariance, S> {
 
  private:
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
-  /// Half a turn about x, and 100 m along it: no number but a position is rounded, of which no torque depends.
+  /// Rotates the world frame by pi about x and moves it by 100 m along x. Only positions of joints on the
+  /// world are rounded, and no torque depends on them.
   static Tree<S> in_a_moved_world(Tree<S> t) {
     for (auto& j : t.joints) {
       if (j.parent >= 0) continue;
@@ -86,8 +84,8 @@ class TreeInvariance final : public TreeLaw<TreeInvariance, S> {
     t.gravity = {{t.gravity[0], -t.gravity[1], -t.gravity[2]}};
     return t;
   }
-  /// Half of each body stays; the other half is a body whose frame is turned by a third of a turn about (1, 1, 1),
-  /// R e_x = e_y, and stands at 2 c: its centre of mass is at -R^T c there. Exact.
+  /// Splits each body into two equal halves. The frame of the second half is at 2 c, rotated by 2 pi / 3
+  /// about (1, 1, 1), so that R e_x = e_y. Its centre of mass in that frame is -R^T c. All numbers are exact.
   static Tree<S> in_parts(Tree<S> t) {
     const S half = S(1) / S(2);
     for (std::size_t i = 0; i < t.joints.size(); ++i) {
@@ -106,7 +104,7 @@ class TreeInvariance final : public TreeLaw<TreeInvariance, S> {
     }
     return t;
   }
-  /// Depth first, the last branch first: parents come before their children.
+  /// The joints depth first, from the last branch to the first. Parents come before their children.
   static std::vector<int> reordered(const Tree<S>& t) {
     std::vector<int> order;
     const auto visit = [&](auto& self, int parent) -> void {

@@ -1,6 +1,6 @@
 #pragma once
-// What the laws of trees of bodies share: the input and what it means, on random trees or, where a robot is given,
-// on that robot.
+// The base class of laws on trees of bodies. A case is a random tree with a state or, if the user gives a
+// robot, a state of that robot.
 
 #include <generators/tree_shrinks.hpp>
 #include <invariants/tree_case.hpp>
@@ -11,16 +11,16 @@
 
 namespace liecheck::properties {
 
-/// The full list of numbers of a robot at its neutral configuration, and which of them are its state.
+/// All numbers of a robot at its neutral configuration, and their layout.
 struct RobotNumbers {
   TreeLayout at{0};
   std::vector<double> numbers;
 };
-/// Of the tree that a URDF becomes. Throws what the URDF reader throws.
+/// Reads the robot's URDF. Throws what the URDF reader throws.
 RobotNumbers robot_numbers(const Robot& robot);
 
 namespace tree_law_detail {
-/// Are the eigenvalues of the second moment tr(I) / 2 - I more than `least` tr(I)? I: xx xy yy xz yz zz.
+/// Whether all eigenvalues of the second moment tr(I) / 2 - I exceed `least` tr(I). I is xx xy yy xz yz zz.
 template <class S>
 bool thicker(const S* I, long double trace, long double least) {
   if (trace == 0) return least < 0;
@@ -34,8 +34,8 @@ bool thicker(const S* I, long double trace, long double least) {
 }
 }  // namespace tree_law_detail
 
-/// A law P of trees, P<S> as in Law:
-///   template <class Real> void of(const TreeOperations<S>&, const CaseAt<Real>&, Recorder&) const.
+/// A law P on trees of bodies. P<S> has a constant `floating` and the function
+///   template <class Real> void of(const Operations<S>&, const CaseAt<Real>&, Recorder&) const.
 template <template <class> class P, class S>
 class TreeLaw : public Property<S> {
  public:
@@ -87,7 +87,7 @@ class TreeLaw : public Property<S> {
     return tree_program(c, output.record->call, std::is_same_v<S, float> ? "float" : "double");
   }
   bool offered(const Subject<S>& s) const override { return s.operations.tree; }
-  /// Only one that the user gave: the built-in one is too little for them.
+  /// True only if the user gave a robot. The built-in robot is too simple for these laws.
   bool needs_robot() const override { return robot_; }
   void prepare(const Robot& robot) override {
     if (robot.path.empty()) return;
@@ -118,7 +118,7 @@ class TreeLaw : public Property<S> {
     using Tiers = typename oracles::BallTiers<S>::type;
     if constexpr (std::tuple_size_v<Tiers> == 0) {
       return false;
-    } else {  // the last tier: fewer digits are lost in these sums
+    } else {  // balls of double lose too many digits in these sums
       if (tier > 0) return false;
       in<std::tuple_element_t<std::tuple_size_v<Tiers> - 1, Tiers>>(subject, input, recorder);
       return true;
@@ -126,7 +126,7 @@ class TreeLaw : public Property<S> {
   }
 
  protected:
-  /// What `of` is given: the exact state, and all that is computed of it once.
+  /// The case that `of` receives: the stored numbers, the same numbers in T and in double.
   template <class T>
   struct CaseAt {
     CaseAt(const TreeLaw& law, const std::vector<S>& full)
@@ -148,24 +148,24 @@ class TreeLaw : public Property<S> {
     std::vector<T> numbers;
     TreeCase<S> stored;
     TreeCase<T> exact;
-    TreeCase<double> rough;  ///< for sizes
+    TreeCase<double> rough;  ///< for the sizes of terms
     VecX<S> q, v, a, d;
     Vec<S, 6> F;
     int F_joint;
 
     std::size_t nv() const { return exact.v.size(); }
-    /// The oracle's answer to (q, v, a) or (q, v, a) and the direction (dq, dv, da).
+    /// The oracle at (q, v, a), with derivatives if a direction (dq, dv, da) is given.
     template <class... Direction>
     oracles::TreeDynamics<T> dynamics(const std::vector<T>& v, const std::vector<T>& a,
                                       const Direction&... direction) const {
       return {exact.tree, exact.q, v, a, direction...};
     }
-    /// The sizes of the terms that cancel in the result.
+    /// The sizes of the terms that may cancel in a result; with `pushed` also those of the wrench.
     oracles::TreeSizes<double> sizes(const std::vector<double>& v, const std::vector<double>& a,
                                      bool pushed = false) const {
       return {rough.tree, rough.q, v, a, pushed ? rough.wrench : std::vector<oracles::WrenchOf<double>>()};
     }
-    /// At 50 digits, do differences of poses confirm it? Balls leave that to the cases that are measured slowly.
+    /// Whether finite differences of poses confirm the oracle. Ball arithmetic does not check this.
     bool resolved(bool direction = false) const {
       if constexpr (oracles::BallNumber<T>)
         return true;
@@ -173,7 +173,7 @@ class TreeLaw : public Property<S> {
         return oracles::confirmed(exact.tree, exact.q, exact.v, exact.a,
                                   direction ? exact.d : std::vector<T>());
     }
-    /// Records a computed vector, and kappa = terms / ||exact||.
+    /// Records the error of a vector, in the norm with weights w, and kappa = terms / ||exact||.
     void record(Recorder& r, const Output& output, const VecX<S>& computed, const std::vector<T>& exact_value,
                 const std::vector<double>& w, double terms, bool confirmed) const {
       if (!oracles::all_finite(computed)) return r.outcome(output, 0, Outcome::not_finite);
@@ -206,7 +206,7 @@ class TreeLaw : public Property<S> {
     for (const T& v : x) y.push_back(approximate(v));
     return y;
   }
-  /// A matrix, row by row.
+  /// The entries of a matrix, row by row.
   static VecX<S> flat(const MatX<S>& M) { return M.transpose().reshaped(); }
 
  private:
@@ -217,7 +217,7 @@ class TreeLaw : public Property<S> {
     static_cast<const P<S>*>(this)->template of<T>(subject.operations, c, recorder);
   }
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
-  /// f(first, size) of each run of numbers that are a robot's state.
+  /// Calls f(first, size) for each range of numbers that belong to a robot's state.
   template <class F>
   void for_each_state(F f) const {
     f(at_.frame(), 15);
@@ -281,8 +281,8 @@ bool TreeLaw<P, S>::valid(const std::vector<S>& input) const {
     if (robot_) continue;
     const S mass = x[index(at_.masses() + i)], armature = x[index(slot + Slot::armature)];
     if (!(mass > S(0)) || !(armature >= S(0)) || !unit(slot + Slot::axis, 3)) return false;
-    // The second moment tr(I) / 2 - I of a body is positive semidefinite; here also of none so thin that a joint does
-    // not feel it, but for those with an armature.
+    // The second moment tr(I) / 2 - I must be positive semidefinite. Without an armature the body must also
+    // be thick enough to give its joint an inertia.
     const S* I = x.data() + slot + Slot::I;
     const long double trace =
         static_cast<long double>(I[0]) + static_cast<long double>(I[2]) + static_cast<long double>(I[5]);
@@ -300,7 +300,7 @@ bool TreeLaw<P, S>::valid(const std::vector<S>& input) const {
   return unit(at_.frame() + 1, 4);
 }
 
-/// Makes a law of trees known, as one.
+/// Registers a law on trees of bodies.
 template <template <class> class P>
 struct RegisteredTreeLaw : RegisteredProperty<P> {
   RegisteredTreeLaw() { add_tree_law(P<double>().name()); }

@@ -1,5 +1,5 @@
 #pragma once
-// Which laws are of whole trees of bodies. A case of theirs is a model and its dynamics: they are timed apart.
+// The names of the laws on trees of bodies. Each of their cases builds a model, so they are timed separately.
 
 #include <string>
 

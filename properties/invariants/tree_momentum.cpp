@@ -1,4 +1,4 @@
-// A floating robot's momentum, the map that gives it, and its conservation.
+// The momentum of a floating robot, the matrix A_g with h = A_g v, and the conservation of momentum.
 
 #include <invariants/tree_law.hpp>
 
@@ -11,14 +11,12 @@ class TreeMomentum final : public TreeLaw<TreeMomentum, S> {
   static constexpr bool floating = true;
   std::string name() const override { return "tree_momentum"; }
   std::string law() const override {
-    return "momentum at the centre of mass is A_g v; without gravity and forces on the base no joint torque "
-           "changes "
-           "it";
+    return "the momentum at the centre of mass is A_g v; without gravity and base forces, joint torques do "
+           "not change it";
   }
   std::string equation() const override {
     return "h = sum m (x'; (x - c) x x') = A_g v; tau_base(q, v, aba(q, v, (0, tau))) = 0 for g = 0, "
-           "relative to the terms "
-           "of forward_dynamics";
+           "relative to the terms of forward_dynamics";
   }
   std::string source() const override { return "Orin & Goswami 2008; Noether 1918"; }
   static constexpr Output linear = op::tree_momentum[block::linear],
@@ -75,7 +73,7 @@ class TreeMomentum final : public TreeLaw<TreeMomentum, S> {
  private:
   template <class T, class Case>
   static void conservation(const TreeOperations<S>& o, const Case& c, Recorder& r) {
-    if (c.exact.tree.joints[0].armature > T(0)) return;  // it holds the base to the world
+    if (c.exact.tree.joints[0].armature > T(0)) return;  // an armature connects the base to the world
     VecX<S> tau = c.a;
     tau.template head<6>().setZero();
     const std::vector<T> M = c.dynamics(c.exact.v, c.exact.v).mass();
@@ -85,7 +83,7 @@ class TreeMomentum final : public TreeLaw<TreeMomentum, S> {
     try {
       computed = o[op::tree_aba](c.q, c.v, tau, -1, Vec<S, 6>::Zero());
     } catch (const std::domain_error&) {
-      return;  // M has lost its digits: forward_dynamics tells whether rightly
+      return;  // forward_dynamics checks that M is singular to rounding
     }
     if (!oracles::all_finite(computed)) return r.outcome(conserved, 0, Outcome::not_finite);
     const std::vector<T> a = TreeMomentum::template exact_list<T>(computed);

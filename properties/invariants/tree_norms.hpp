@@ -1,18 +1,18 @@
 #pragma once
 // Norms of vectors that mix units.
 //
-// Entry k of v moves inertia M_kk, so that sqrt(M_kk) v_k and tau_k / sqrt(M_kk) are of one unit, whatever the joint
-// and however light its bodies: norms of vectors are those of these numbers, and of M that of M_kl / sqrt(M_kk M_ll)
-// (Demmel 1989: what a Cholesky factor does is a relative eps of the latter). The weights are the oracle's. kappa is of
-// norms (oracles/tree_sizes.hpp): a rotation rounds every number of a vector by the vector's size, so that a zero among
-// the stored numbers protects nothing.
+// Entry k of v moves the inertia M_kk. So all sqrt(M_kk) v_k have one unit, and so have all tau_k /
+// sqrt(M_kk). Norms of vectors use these weighted entries; the norm of M uses M_kl / sqrt(M_kk M_ll),
+// because the error of a Cholesky factor is a few eps of that norm (Demmel 1989). The weights come from the
+// oracle. kappa also uses norms (oracles/tree_sizes.hpp): a rotation rounds each entry of a vector relative
+// to the norm of the vector, even an entry that is zero.
 
 #include <invariants/common.hpp>
 #include <oracles/tree_sizes.hpp>
 
 namespace liecheck::properties {
 
-/// sqrt of the diagonal of M [nv x nv], 0 where nothing moves.
+/// The square roots of the diagonal of M [nv x nv]; 0 for an entry that is not positive.
 template <class T>
 std::vector<double> mass_roots(const std::vector<T>& M, std::size_t nv) {
   std::vector<double> roots(nv);
@@ -32,7 +32,7 @@ inline std::vector<double> inverses(std::vector<double> w) {
   return w;
 }
 
-/// ||w x||, each entry weighted.
+/// The norm of the vector with entries w_k x_k.
 template <class T>
 T weighted_norm(const std::vector<T>& x, const std::vector<double>& w) {
   T sum(0);
@@ -49,7 +49,7 @@ double approximate(const T& x) {
   else
     return static_cast<double>(x);
 }
-/// The same norm of a vector of sizes, in double.
+/// The same norm in double; of a Tangent, the norm of its derivative.
 inline double weighted_size(const std::vector<double>& x, const std::vector<double>& w) {
   return weighted_norm(x, w);
 }
@@ -66,7 +66,7 @@ inline std::vector<double> products(const std::vector<double>& w) {
   return all;
 }
 
-/// ||w (computed - exact)|| / max(||w exact||, least), in eps of S.
+/// ||w (computed - exact)|| / max(scale, min_normal / eps), in eps of S.
 template <class S, class T>
 double weighted_error(const std::vector<T>& computed, const std::vector<T>& exact,
                       const std::vector<double>& w, const T& scale) {

@@ -1,5 +1,5 @@
 #pragma once
-// A case of a tree of bodies as a C++ program.
+// Prints a case of a tree of bodies as a C++ program.
 
 #include <invariants/tree_case.hpp>
 #include <operations/operation.hpp>
@@ -7,7 +7,8 @@
 
 namespace liecheck::properties {
 
-/// Makes the model by hand and calls liecheck's own algorithm as the operation's record says; numbers are hexadecimal, exact.
+/// The program builds the model joint by joint and calls liecheck's algorithm as the operation's record says.
+/// Numbers are exact, in hexadecimal.
 std::string tree_program(const TreeCase<double>& c, const Call& call, const std::string& scalar);
 
 }  // namespace liecheck::properties

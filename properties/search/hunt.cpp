@@ -15,7 +15,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t islands = 4;
-constexpr double sweep_share = 0.2;  ///< of the evaluations, before the first climb
+constexpr double sampling_share = 0.2;  ///< part of the evaluations before the first climb
 
 template <class S>
 struct Elite {
@@ -31,13 +31,13 @@ CaseId raw_id(const std::vector<S>& x) {
   return id;
 }
 
-/// Negative where the case is outside the hunt.
+/// The figure that is maximised; negative if the case does not count.
 double score_of(const Worst& w, const Judged& j) {
   if (j.budget->rule == Rule::forward) return j.residual.error;
   return w.by_kappa && !j.ill_posed ? j.excess : -1.0;
 }
 
-/// The archive of one output, and what its worst case is.
+/// The archive of one output: the worst input of each band and island, and the worst of all.
 template <class S>
 struct Climb {
   Worst worst;
@@ -45,7 +45,7 @@ struct Climb {
   std::vector<std::pair<std::uint64_t, double>> history;
   std::vector<std::array<Elite<S>, islands>> cells;
 
-  /// The best of three cells drawn at random, or the best there is.
+  /// The best of three random cells or, with probability 1/3, of all cells.
   const Elite<S>* pick(Source& source, std::size_t island) const {
     const Elite<S>* best = nullptr;
     const bool all = source.chance(1, 3);
@@ -56,9 +56,9 @@ struct Climb {
     return best;
   }
 
-  /// Keeps the input where its measurement is the worst of its band, or of all.
+  /// Stores the input if its measurement is the worst of its band and island, or of all.
   void take(const Judged& j, const std::vector<S>& input, std::size_t island, std::uint64_t evaluation) {
-    // A refusal is of the whole law, whatever output it is recorded under.
+    // A refusal concerns the whole law, although it is recorded under one output.
     if (worst.output != j.residual.output && j.residual.outcome != Outcome::refused) return;
     if (j.residual.outcome != Outcome::measured) {
       if (j.residual.outcome != Outcome::unresolved && worst.broken++ == 0)
@@ -89,7 +89,7 @@ struct Climb {
   }
 };
 
-/// What is searched for: an output, and the figure of it that is maximised.
+/// The outputs to search, each with the figure that is maximised.
 template <class S>
 std::vector<Worst> objectives_of(const TypedSeries<S>& series, const HuntOptions& options,
                                  const Limits& limits) {
@@ -107,7 +107,7 @@ std::vector<Worst> objectives_of(const TypedSeries<S>& series, const HuntOptions
 
 template <class S>
 HuntResult hunt_in(const TypedSeries<S>& series, const HuntOptions& options) {
-  // With `excess` every case is judged by error / kappa, whatever its budget.
+  // With `excess` every case is judged by error / kappa, whatever rule its budget has.
   static const Budget ratio{"", "", "any", Rule::excess, -1, ""};
   Limits limits = series.limits();
   if (options.excess)
@@ -133,16 +133,16 @@ HuntResult hunt_in(const TypedSeries<S>& series, const HuntOptions& options) {
   };
 
   double share = 0;
-  for (std::uint64_t turn = 0, attempts = 0; share < 1 && !stop_requested; ++turn) {
-    const std::size_t island = turn % islands, target = turn / islands % climbs.size();
+  for (std::uint64_t step = 0, attempts = 0; share < 1 && !stop_requested; ++step) {
+    const std::size_t island = step % islands, target = step / islands % climbs.size();
     std::vector<S> x;
-    const Elite<S>* from = options.random || share < sweep_share || source.chance(1, 50)
+    const Elite<S>* from = options.random || share < sampling_share || source.chance(1, 50)
                                ? nullptr
                                : climbs[target].pick(source, island);
     if (from) {
       x = from->x;
       mutations.apply(x, law.generate(source), source);
-      // An input that does not validate costs no evaluation; a climb walled in by them starts afresh.
+      // An invalid input costs no evaluation. Every 64th one is replaced by a generated input.
       if (!law.valid(x) && ++attempts % 64 != 0) {
         if (options.evaluations == 0) share = elapsed() / options.seconds;
         continue;
@@ -150,16 +150,16 @@ HuntResult hunt_in(const TypedSeries<S>& series, const HuntOptions& options) {
     }
     if (x.empty() || !law.valid(x)) {
       x = law.generate(source);
-      if (options.random || turn % 4 == 3) mutations.uniform(x, source);  // smooth errors peak anywhere
+      if (options.random || step % 4 == 3) mutations.uniform(x, source);  // a smooth error may peak anywhere
     }
     if (law.valid(x))
       evaluate(x, island);
     else
-      ++result.evaluations;  // a generated input that the law would not take from a user is not reported
+      ++result.evaluations;  // valid() rejects this generated input, so it is not measured
     share = options.evaluations
                 ? static_cast<double>(result.evaluations) / static_cast<double>(options.evaluations)
                 : elapsed() / options.seconds;
-    if (options.progress && turn % 64 == 0)
+    if (options.progress && step % 64 == 0)
       options.progress(result.evaluations, share, climbs[target].worst.score);
   }
   result.stopped = stop_requested;

@@ -1,10 +1,11 @@
 #pragma once
-// Worst-case search: the input on which one operation of one subject errs most.
+// Worst-case search: finds the input with the largest error of one operation of one subject.
 //
-// A random sweep over the bands fills an archive with the worst input of each band and output; then each step
-// takes one of them, mutates it (mutations.hpp) and keeps the result where it is the worst of its band so far, as
-// in Mouret & Clune 2015 (MAP-Elites). Every decade of angle is climbed by itself, and a climb that walks into
-// another band goes on there. Four islands keep the climbs from being one. What is found is a lower bound.
+// Random sampling fills an archive with the worst input of each band and output. Each later step takes one of
+// these inputs, mutates it (mutations.hpp) and stores the result if it is the worst of its band so far
+// (MAP-Elites, Mouret & Clune 2015). So every decade of angle has its own search, and a mutation may also
+// improve another band. Four separate archives (islands) keep the search diverse. The error found is a lower
+// bound of the maximum.
 
 #include <campaign/series.hpp>
 #include <cstdint>
@@ -15,10 +16,10 @@
 namespace liecheck::properties {
 
 struct HuntOptions {
-  std::string operation, block;  ///< an empty block: each of the operation's
+  std::string operation, block;  ///< an empty block: every block of the operation
   std::uint64_t seed = 42;
-  std::uint64_t evaluations = 0;  ///< 0: by time
-  double seconds = 30;            ///< where no number of evaluations is given
+  std::uint64_t evaluations = 0;  ///< 0: limited by time
+  double seconds = 30;            ///< if no number of evaluations is given
   bool excess = false;            ///< maximise error / kappa instead of the error
   bool random = false;            ///< sample as a plain test does instead of hunting
   std::function<void(std::uint64_t evaluations, double share, double worst)> progress;
@@ -27,27 +28,27 @@ struct HuntOptions {
 /// The worst input of one output.
 struct Worst {
   int output = 0;
-  bool by_kappa = false;  ///< score is error / kappa: asked for, or the budget's rule everywhere
-  double score = -1;      ///< eps or eps kappa; negative where nothing was measured
+  bool by_kappa = false;  ///< score is error / kappa: by HuntOptions::excess or by the budgets' rule
+  double score = -1;      ///< eps or eps kappa; negative if nothing was measured
   Judged judged;
-  CaseId id;  ///< raw
+  CaseId id;  ///< a raw case
   std::vector<std::string> decimal;
   std::uint64_t at = 0;       ///< the evaluation that found it
-  std::uint64_t half_at = 0;  ///< the first evaluation within a factor of two of it
-  std::uint64_t broken = 0;   ///< NaN, Inf, wrong branch or refused
+  std::uint64_t half_at = 0;  ///< the first evaluation within a factor of two of `score`
+  std::uint64_t broken = 0;   ///< number of results that are NaN, Inf, wrong branch or refused
   Judged first_broken;
   CaseId first_broken_id;
 };
 
 struct HuntResult {
-  std::vector<Worst> worst;  ///< by output; empty where the series does not measure the operation
+  std::vector<Worst> worst;  ///< by output; empty if the series does not measure the operation
   std::uint64_t evaluations = 0;
   double elapsed = 0;  ///< s
   bool stopped = false;
 };
 
-/// The worst input of each block of an operation; no block where the series' law does not measure it. Stops early at
-/// stop_requested. Deterministic for a number of evaluations.
+/// Searches for the worst input of each block of an operation that the series measures. Stops early at
+/// stop_requested. The result is deterministic for a given number of evaluations.
 HuntResult hunt(const Series& series, const HuntOptions& options);
 
 }  // namespace liecheck::properties

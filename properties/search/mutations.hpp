@@ -1,8 +1,8 @@
 #pragma once
-// Mutations of a search: one random change of an input, made for the kind of each group of numbers.
+// Mutations for the worst-case search: random changes of an input, by the kind of each group of numbers.
 //
-// A step is small in units in the last place or large, log-uniformly: a defect may be one ulp wide or a decade.
-// Mutations keep rotations unit and inertias untouched; what a property's valid() rejects, the search throws away.
+// The size of a step is log-uniform, because a defect may be one ulp or a decade wide. Rotations stay
+// normalised up to rounding, and inertias are only scaled. The search discards an input that valid() rejects.
 
 #include <generators/rotations.hpp>
 #include <invariants/property.hpp>
@@ -21,7 +21,7 @@ class Mutations {
     }
   }
 
-  /// x after one to three moves. `other` is a valid input of the same property to borrow groups from.
+  /// Changes x by one to three moves. A group may be copied from `other`, a valid input of the same property.
   void apply(std::vector<S>& x, const std::vector<S>& other, Source& source) const {
     const int moves = source.chance(1, 2) ? 1 : source.between(2, 3);
     for (int i = 0; i < moves; ++i) {
@@ -34,12 +34,12 @@ class Mutations {
     }
   }
 
-  /// What a plain test samples: angles uniform on [0, pi] about a uniform axis, numbers uniform on [-1, 1);
-  /// groups without such a meaning stay as the generator made them.
+  /// Samples as a plain test does: numbers uniform on [-1, 1), angles uniform on [0, pi] about a uniform
+  /// axis. Groups of other kinds do not change.
   void uniform(std::vector<S>& x, Source& source) const {
     static const S pi = boost::math::constants::pi<S>();
     for (const Group& g : groups_) {
-      const V3 phi = S(pi * source.unit<S>()) * ball(source);
+      const V3 phi = S(pi * source.unit<S>()) * axis(source);
       if (g.kind == Kind::rotation_vector) at3(x, g.from) = phi;
       if (g.kind == Kind::quaternion) at4(x, g.from) = quaternion(phi);
       if (g.kind == Kind::rotation_matrix) put_matrix(x, g.from, quaternion(phi));
@@ -63,16 +63,16 @@ class Mutations {
     using std::sqrt;
     const S n = v.squaredNorm();
     if (n > std::numeric_limits<S>::min() && n < std::numeric_limits<S>::max()) return S(sqrt(n));
-    return v.cwiseAbs().maxCoeff();  // right to a factor: enough for a step
+    return v.cwiseAbs().maxCoeff();  // within a factor of sqrt 3, enough for a step
   }
 
-  /// +-2^-k (1/2 ... 1), k uniform from 0 to the scalar's digits.
+  /// +-2^-k u, with u uniform on [1/2, 1) and k uniform from 0 to the scalar's digits.
   static S step(Source& s) {
     using std::ldexp;
     const S size = S(ldexp(S(1) + s.unit<S>(), -1 - s.between(0, digits)));
     return s.chance(1, 2) ? size : S(-size);
   }
-  /// A factor near one, or a power of two times one.
+  /// 1 + step or, with probability 1/4, a factor between 2^-8 and 2^8.
   static S factor(Source& s) {
     using std::ldexp;
     return s.chance(1, 4) ? S(ldexp(S(1) + s.unit<S>(), s.between(-8, 7))) : S(S(1) + step(s));
@@ -81,8 +81,8 @@ class Mutations {
     const int k = 1 << s.between(0, 10);
     return s.chance(1, 2) ? k : -k;
   }
-  /// A uniform direction, unit to rounding.
-  static V3 ball(Source& s) {
+  /// A uniformly distributed direction, normalised up to rounding.
+  static V3 axis(Source& s) {
     V3 v = V3::UnitX();
     for (int attempt = 0; attempt < 32; ++attempt) {
       v << s.symmetric<S>(), s.symmetric<S>(), s.symmetric<S>();
@@ -91,7 +91,7 @@ class Mutations {
     }
     return v / length(v);
   }
-  /// Uniform angles need sin and cos, which the C library rounds its own way: only this comparison uses them.
+  /// The quaternion of phi. sin and cos depend on the C library's rounding, so only `uniform` uses this.
   static V4 quaternion(const V3& phi) {
     using std::cos, std::sin;
     const S half = length(phi) / S(2);
@@ -143,7 +143,7 @@ class Mutations {
         if (f > S(0)) x[g.from + s.below(g.size)] *= f;
         return;
       }
-      default:;  // a choice is only borrowed
+      default:;  // other kinds are only copied from `other`
     }
   }
 
@@ -162,11 +162,11 @@ class Mutations {
       case 3:
         v[i] *= factor(s);
         return;
-      case 4:  // turned
-        v += S(step(s) * n) * ball(s);
+      case 4:  // rotated
+        v += S(step(s) * n) * axis(s);
         if (length(v) > S(0) && s.chance(1, 2)) v *= n / length(v);
         return;
-      case 5:  // onto an axis, or off a plane
+      case 5:  // into a coordinate plane, or onto an axis
         if (s.chance(1, 2))
           v[i] = S(0);
         else
@@ -186,8 +186,8 @@ class Mutations {
     }
   }
 
-  /// A vector set to, beside, against or across another one of the input, or to what it becomes by a rotation
-  /// of the input: translations cancel there.
+  /// Makes v equal, nearly parallel, opposite or perpendicular to another vector of the input, which may be
+  /// rotated by a quaternion of the input first. Translations cancel in such cases.
   void relate(const Group& g, Eigen::Map<V3>& v, const S& n, std::vector<S>& x, Source& s) const {
     const Group& o = groups_[s.below(groups_.size())];
     if (o.size != 3 || o.from == g.from) return;
@@ -201,14 +201,14 @@ class Mutations {
     if (!(m > S(0))) return;
     if (s.chance(1, 2)) w = -w;
     if (s.chance(1, 3)) {
-      w = V3(w.cross(ball(s)));
+      w = V3(w.cross(axis(s)));
     } else if (s.chance(1, 2)) {
-      w += S(step(s) * m) * ball(s);
+      w += S(step(s) * m) * axis(s);
     }
     v = s.chance(1, 2) && g.kind == Kind::vector && o.kind == Kind::vector ? w : V3(S(n / m) * w);
   }
 
-  /// Moves a rotation towards or away from the identity, theta = pi or an earlier quaternion of the input.
+  /// Moves a rotation relative to the identity or to another quaternion of the input.
   V4 moved(const V4& q, std::size_t from, std::vector<S>& x, Source& s) const {
     V4 base = V4::Unit(3), d = q;
     const Group& o = groups_[s.below(groups_.size())];
@@ -222,11 +222,11 @@ class Mutations {
       case 1:
         d.template head<3>() *= factor(s);
         break;
-      case 2:  // the distance of the angle to pi
+      case 2:  // the distance of the angle from pi
         d[3] *= factor(s);
         break;
       case 3:
-        d.template head<3>() += S(step(s) * length(d.template head<3>())) * ball(s);
+        d.template head<3>() += S(step(s) * length(d.template head<3>())) * axis(s);
         break;
       case 4: {  // one component, to the last bit
         V4 p = q;

@@ -9,7 +9,7 @@ template <class S>
 Shrunk shrink_in(const TypedSeries<S>& series, const CaseId& address, int output, int evaluations) {
   const Property<S>& law = series.tested_law();
   const std::vector<S> x = series.numbers(address);
-  std::optional<Outcome> outcome;  // how the original input fails; a smaller one must fail alike
+  std::optional<Outcome> outcome;  // of the original input; a simpler input must fail in the same way
   const auto failure_of = [&](const std::vector<S>& y) -> std::optional<Judged> {
     if (!law.valid(y)) return std::nullopt;
     for (const Judged& j : series.measure(y))

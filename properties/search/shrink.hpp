@@ -1,9 +1,10 @@
 #pragma once
-// Shrinking: from a failing input to the smallest one that still fails in the same way.
+// Shrinking: replaces a failing input by a simpler one that still fails in the same way.
 //
-// Greedy passes over the law's own simpler inputs and over the groups of the input, each candidate kept only if it
-// stays valid and still fails: zero or identity, quarter and half turns, axis-aligned, unit scale, powers of two, short
-// decimals, few bits. Bounded by a number of evaluations and by two seconds.
+// Greedy passes try the law's own simpler inputs and simpler values of each group: zero or identity,
+// rotations by pi/2 and pi, axis-aligned vectors, unit scale, powers of two, short decimals, few bits. A
+// candidate is accepted if it is valid and still fails. The search stops after a number of evaluations or two
+// seconds.
 
 #include <algorithm>
 #include <campaign/series.hpp>
@@ -14,7 +15,7 @@
 
 namespace liecheck::properties {
 
-/// The smallest input found that still fails in the same way.
+/// The simplest input found that still fails in the same way.
 struct Shrunk {
   CaseId id;
   std::vector<std::string> decimal;

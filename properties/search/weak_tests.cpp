@@ -41,7 +41,7 @@ V6 twist(const V3& rho, const V3& phi) {
   return xi;
 }
 
-/// Known values: quarter and half turns about the axes, as unit tests have them.
+/// Known values at a few angles about the axes, as in unit tests.
 bool fixed_grid(const O& o) {
   bool killed = false;
   for (int axis = 0; axis < 3; ++axis)
@@ -73,7 +73,7 @@ struct Sample {
   V6 small_twist() { return twist(vector(), vector()); }  // |phi| < 1.8
 };
 
-/// Against the textbook formulas, at the tolerance that is usual.
+/// Random poses compared with the textbook formulas, with the usual tolerance.
 bool random_poses(const O& o) {
   Sample s;
   bool killed = false;
@@ -140,7 +140,7 @@ bool round_trips(const O& o) {
   return killed;
 }
 
-/// Jacobians against central differences in double, h = 1e-6.
+/// Jacobians compared with central differences in double, h = 1e-6.
 bool finite_differences(const O& o) {
   Sample s;
   bool killed = false;

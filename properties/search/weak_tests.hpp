@@ -1,5 +1,5 @@
 #pragma once
-// Four weaker styles of test, as they are written in practice, to compare the laws with: what would they have seen?
+// Four weaker styles of test that are common in practice. `liecheck bench bugs` compares the laws with them.
 
 #include <subjects/subject.hpp>
 #include <vector>
@@ -9,11 +9,11 @@ namespace liecheck::properties {
 struct WeakStyle {
   const char* name;
   bool (*fails)(const Operations<double>& tested);
-  /// Does a test of this style fail on these operations? They are tests of SE(3): of a tree alone, they see nothing.
+  /// Whether a test of this style fails on these operations. It passes if there is no exp6, as on trees.
   bool kills(const Operations<double>& tested) const { return tested[op::exp6] && fails(tested); }
 };
 
-/// A fixed grid of poses with known results; random poses at 1e-4; round trips; finite differences in double.
+/// Fixed poses with known results; random poses to 1e-4; round trips; finite differences in double.
 const std::vector<WeakStyle>& weak_styles();
 
 }  // namespace liecheck::properties

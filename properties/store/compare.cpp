@@ -25,7 +25,7 @@ std::map<Name, Measured> by_name(const StoredCampaign& c) {
   return all;
 }
 
-/// Is the operation's block measured in any band?
+/// Whether the operation's block is measured in any band.
 bool measured(const std::map<Name, Measured>& all, const Name& n) {
   const auto [subject, scalar, property, operation, block, band] = n;
   const auto at = all.lower_bound({subject, scalar, property, operation, block, ""});
@@ -35,13 +35,13 @@ bool measured(const std::map<Name, Measured>& all, const Name& n) {
                       std::get<3>(at->first), std::get<4>(at->first));
 }
 
-/// By more than another order of operations and the half ulp of a rounded result explain.
+/// Whether an error grew by more than another order of operations or the rounding of the result explains.
 bool grown(double from, double to) {
   return to > from * 1.1 && to > from + 0.5;
 }
 
-/// Are the errors of `b` larger than those of `a`, at the significance level 1e-9? One-sided two-sample test of
-/// Kolmogorov and Smirnov: P(D > d) -> exp(-2 d^2 n m / (n + m)).
+/// Whether the errors of `b` are larger than those of `a`, at the significance level 1e-9. One-sided
+/// two-sample Kolmogorov-Smirnov test: P(D > d) -> exp(-2 d^2 n m / (n + m)).
 bool shifted(const Histogram& a, const Histogram& b) {
   const auto n = static_cast<double>(a.count()), m = static_cast<double>(b.count());
   if (n == 0 || m == 0) return false;
@@ -92,7 +92,7 @@ std::vector<std::string> worse(const StoredCampaign& a, const StoredCampaign& b)
         say(fmt::format("{} {} of {} cases, were {} of {}", what, to, is.count, from, was.count));
     };
     grew("failed", was.failed, is.failed);
-    if (same_inputs) {  // otherwise the inputs may be the reason
+    if (same_inputs) {  // other inputs may be the reason for a difference
       grew("unresolved", was.unresolved, is.unresolved);
       grew("ill-posed", was.ill_posed, is.ill_posed);
     }
@@ -109,7 +109,8 @@ std::vector<std::string> worse(const StoredCampaign& a, const StoredCampaign& b)
     } else if (shifted(was.errors, is.errors)) {
       for (const double q : {0.5, 0.99})
         if (const double from = was.errors.quantile(q), to = is.errors.quantile(q); grown(from, to))
-          say(fmt::format("{} error [eps] {:.4g}, was {:.4g}", q == 0.5 ? "median" : "99 % of", to, from));
+          say(fmt::format("{} error [eps] {:.4g}, was {:.4g}", q == 0.5 ? "median" : "99 % quantile of the",
+                          to, from));
     }
   }
   return lines;

@@ -71,7 +71,7 @@ std::string failure_line(const StoredSeries& s, const Cell& cell, const Failure&
   return line.dump() + "\n";
 }
 
-/// By subject, scalar, property and robot.
+/// The series in the order of subject, scalar, property and robot.
 std::vector<const StoredSeries*> sorted_series(const StoredCampaign& c) {
   std::vector<const StoredSeries*> sorted;
   for (const StoredSeries& s : c.series) sorted.push_back(&s);

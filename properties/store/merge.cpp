@@ -24,7 +24,7 @@ std::string shown(const Range& r) {
   throw std::invalid_argument(text);
 }
 
-/// Returns the first of `all` that has done a case in these ranges of the series, or null.
+/// Returns the first shard that has run a case of these ranges in the series, or null.
 const Shard* overlapping(const std::vector<const Shard*>& all, std::size_t series, const Ranges& done) {
   for (const Shard* p : all)
     for (const auto& [first, last] : p->campaign.series[series].tally.done)
@@ -43,12 +43,12 @@ StoredCampaign merge(const std::vector<std::string>& files, bool partial) {
       if (const auto d = parts[0].campaign.spec.differences(p.campaign.spec, false); !d.empty())
         refuse(fmt::format("{} and {} are parts of different campaigns: {}", parts[0].file, file, d));
     if (p.campaign.spec.cases == 0)
-      refuse(fmt::format("{}: ran for a time, not for a count: not mergeable", file));
+      refuse(fmt::format("{}: ran for a time, not for a number of cases: it cannot be merged", file));
     if (!partial && !p.campaign.complete()) {
       for (const StoredSeries& s : p.campaign.series)
         for (const Range& r : s.tally.done.gaps(p.campaign.spec.first, p.campaign.spec.last))
-          refuse(fmt::format("{}: unfinished: {} of {} in {} lacks cases {}; --resume it, or merge --partial",
-                             file, s.property, s.subject, s.scalar, shown(r)));
+          refuse(fmt::format("{}: unfinished: {} of {} in {} lacks cases {}; use --resume or --partial", file,
+                             s.property, s.subject, s.scalar, shown(r)));
     }
     const bool again =
         std::any_of(parts.begin(), parts.end(), [&](const Shard& q) { return q.text == p.text; });
@@ -84,7 +84,7 @@ StoredCampaign merge(const std::vector<std::string>& files, bool partial) {
   if (!partial)
     for (const StoredSeries& s : all.series)
       for (const Range& r : s.tally.done.gaps(spec.first, spec.last))
-        refuse(fmt::format("cases {} of 0..{} are in none of {}; --partial merges what is there", shown(r),
+        refuse(fmt::format("cases {} of 0..{} are in none of {}; --partial merges the other cases", shown(r),
                            spec.last, fmt::join(files, ", ")));
   return all;
 }

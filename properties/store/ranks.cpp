@@ -12,8 +12,8 @@ namespace liecheck::properties {
 
 namespace {
 
-/// The number of processes from the environment of the launcher (Open MPI; MPICH and Slurm): 1 where none started this
-/// process, 0 where the launcher does not give it (PMIx).
+/// The number of processes, from the launcher's environment (Open MPI; MPICH and Slurm). It is 1 without a
+/// launcher, and 0 if the launcher does not give the number (PMIx).
 int launched_processes() {
   for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"})
     if (const char* text = std::getenv(name)) return std::atoi(text);
@@ -34,7 +34,7 @@ Ranks::Ranks() {
   if (size_ == 1 && launched > 1) {
     MPI_Finalize();
     throw std::runtime_error(
-        "started by another MPI than the one it was built with: give --shard I/N instead");
+        "started by another MPI than the one it was built with: use --shard I/N instead");
   }
 }
 

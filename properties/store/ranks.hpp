@@ -1,12 +1,12 @@
 #pragma once
-// The ranks of `mpirun -n N liecheck ...`: rank 0 of 1 where mpirun did not start the program.
+// The ranks of `mpirun -n N liecheck ...`; rank 0 of 1 if mpirun did not start the program.
 
 namespace liecheck::properties {
 
 class Ranks {
  public:
-  Ranks();   ///< initialises MPI where mpirun started this process
-  ~Ranks();  ///< finalises it
+  Ranks();   ///< initialises MPI if mpirun started this process
+  ~Ranks();  ///< finalises MPI
   Ranks(const Ranks&) = delete;
   Ranks& operator=(const Ranks&) = delete;
   int rank() const { return rank_; }

@@ -1,6 +1,6 @@
 #pragma once
-// Sealed rows: SQLite notices damage to the structure of its pages, but not to the numbers in them. So the last column
-// of a row, its seal, holds the first 64 bits of the SHA-256 of the others.
+// Sealed rows. SQLite notices damage to the structure of its pages, but not to the numbers in them. So the
+// last column of a row, its seal, holds the first 64 bits of the SHA-256 of the other columns.
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <SQLiteCpp/VariadicBind.h>
@@ -11,7 +11,7 @@
 
 namespace liecheck::properties {
 
-/// The value that SQLite stores: its integers have 64 bits and a sign.
+/// The value that SQLite stores. Its integers have 64 bits and a sign.
 inline std::int64_t stored(std::int64_t value) {
   return value;
 }
@@ -28,7 +28,7 @@ inline const std::string& stored(const std::string& value) {
   return value;
 }
 
-/// A stored value as the text that its seal hashes.
+/// The text of a stored value that is hashed for the seal.
 std::string sealed_text(std::int64_t value);
 std::string sealed_text(double value);
 std::string sealed_text(const std::string& value);
@@ -42,13 +42,13 @@ SQLite::Statement& bind_row(SQLite::Statement& statement, const A&... values) {
   return statement;
 }
 
-/// As bind_row; the last parameter is the seal of the values.
+/// The same, with the seal of the values as the last parameter.
 template <class... A>
 SQLite::Statement& bind_sealed_row(SQLite::Statement& statement, const A&... values) {
   return bind_row(statement, values..., seal_of((sealed_text(stored(values)) + ...)));
 }
 
-/// Does the last column of the statement's row seal the others?
+/// Whether the last column of the statement's row is the seal of the other columns.
 bool has_true_seal(const SQLite::Statement& row);
 
 }  // namespace liecheck::properties

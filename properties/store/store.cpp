@@ -1,4 +1,4 @@
-// The file of a store: opening it, its tables, its errors.
+// The file of a store: how it is opened, its tables and its errors.
 
 #include <store/store.hpp>
 
@@ -59,7 +59,7 @@ std::string reason_of(const SQLite::Exception& error, int system) {
     case SQLITE_NOTADB:
       return "not a store: the file is not an SQLite database";
     case SQLITE_CORRUPT:
-    case -1:  // SQLiteCpp's: a query gave fewer columns or rows than its tables say
+    case -1:  // from SQLiteCpp: a query gave fewer columns or rows than the schema has
       return "corrupt: the database is damaged";
     case SQLITE_CANTOPEN:
       return "cannot be opened" + why;
@@ -80,8 +80,8 @@ SQLite::Database open(const std::string& path, bool create) {
   const auto folder = fs::path(path).parent_path();
   if (!exists && ::access(folder.empty() ? "." : folder.c_str(), W_OK) != 0)
     throw error_of(path, fmt::format("cannot be created: {}", std::strerror(errno)));
-  // "./": names such as ":memory:" and "file:" mean a file here. SQLite opens a file that cannot be written for
-  // reading; one with a hot journal must be opened for writing even to be read.
+  // With "./" in front, names such as ":memory:" and "file:" mean a file. SQLite opens a write-protected file
+  // for reading only. A file with a hot journal must be opened for writing even to be read.
   constexpr int busy_timeout = 10000;  // [ms]
   try {
     return {path[0] == '/' ? path : "./" + path, SQLite::OPEN_READWRITE | (create ? SQLite::OPEN_CREATE : 0),

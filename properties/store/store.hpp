@@ -1,18 +1,18 @@
 #pragma once
-// The store: campaigns in one SQLite file, saved in a transaction every few chunks of cases. kill -9 and a power cut
-// lose what came after the last transaction, and nothing else.
+// A store holds campaigns in one SQLite file. A transaction saves the progress every few chunks of cases;
+// kill -9 or a power cut loses only what came after the last transaction.
 //
-// campaigns        what was asked: seed, cases, the range of this file, program, budgets, robot with its URDF
-// series           property x subject x scalar, with its number of cases done and its two digests (sums, hexadecimal)
+// campaigns        the options: seed, cases, the file's range, program, budgets, robot with its URDF
+// series           property x subject x scalar: number of cases done, two digests (hexadecimal sums)
 // done             the ranges [first, last) of cases done, coalesced
-// cells            series x output x band: counts of the outcomes, maxima, worst case, histogram "bin:count ..."
+// cells            series x output x band: counts of outcomes, maxima, worst case, histogram "bin:count ..."
 // failures         the worst input of each cell that fails, as hexadecimal floats
 // counterexamples  failures of other files that were merged into this one
 //
-// A file holds one campaign or several; the last one is the current one. Rows hold whole tallies, not differences: a
-// transaction rewrites each row that changed (rollback journal: one file between transactions). Integers without a
-// sign (seeds) are stored as their two's complement. Rows are sealed (row_seal.hpp), those of done and
-// counterexamples excepted.
+// A file holds one campaign or several; the last one is the current one. Rows hold whole tallies, not
+// differences, so a transaction rewrites each row that changed. The rollback journal leaves one file between
+// transactions. Unsigned integers (seeds) are stored as signed ones with the same bits. Rows are sealed
+// (row_seal.hpp), except those of done and counterexamples.
 //
 // Every error is one line of a std::runtime_error: "FILE: reason".
 
@@ -27,20 +27,20 @@ namespace liecheck::properties {
 class Store {
  public:
   enum class Open { existing, create };
-  /// Throws for a file that is not an undamaged store.
+  /// Throws if the file is not a store or is damaged.
   Store(const std::string& path, Open how);
 
-  int campaigns();                  ///< how many it holds
-  StoredCampaign load(int number);  ///< from 1
-  /// Those of every campaign in the file and those that merging brought, each once.
+  int campaigns();                  ///< the number of campaigns
+  StoredCampaign load(int number);  ///< the first one has number 1
+  /// The counterexamples of all campaigns in the file and of merged files, without duplicates.
   std::vector<Counterexample> counterexamples();
 
-  /// Begins the campaign, or fills in its tallies where `resume` and the store holds it. Throws
-  /// std::invalid_argument naming what differs.
+  /// Begins the campaign or, with `resume`, fills in the tallies of the stored one. Throws
+  /// std::invalid_argument with the differences if the stored campaign does not permit that.
   void begin(const CampaignSpec& spec, std::vector<SeriesResult>& series, bool resume);
-  /// Writes the series and cells that changed, in one transaction. Throws where another process has written since.
+  /// Writes the changed series and cells in one transaction. Throws if another process wrote to the file.
   void commit(const std::vector<SeriesResult>& series, const Checkpoint::ChangedRows& changed);
-  /// Writes a whole campaign in the place of the last one or after it, and adds counterexamples of other files.
+  /// Writes a whole campaign, in place of the last one or after it, and adds counterexamples of other files.
   void write(const StoredCampaign& campaign, bool replace_last, const std::vector<Counterexample>& others);
   /// Adds counterexamples of another file.
   void adopt(const std::vector<Counterexample>& others);

@@ -1,4 +1,4 @@
-// What is read from a store, with the checks that nothing of it is missing or damaged.
+// Reads campaigns from a store, and checks that nothing is missing or damaged.
 
 #include <fmt/format.h>
 #include <charconv>
@@ -13,7 +13,7 @@ namespace liecheck::properties {
 
 namespace {
 
-/// False where the text is not a histogram.
+/// Returns false if the text is not a histogram.
 bool parse(const std::string& text, Histogram& h) {
   const char *p = text.data(), *end = p + text.size();
   while (p != end) {
@@ -64,7 +64,7 @@ class Loader {
   Loader(const SQLite::Database& database, const std::string& path, int number)
       : database_(database), path_(path), number_(number) {}
 
-  /// Nothing where the store has no campaign of this number.
+  /// Returns nothing if the store has no campaign with this number.
   std::optional<StoredCampaign> load() {
     if (!load_spec()) return std::nullopt;
     load_series();
@@ -87,7 +87,7 @@ class Loader {
   }
   StoredSeries& series_at(const SQLite::Statement& row) {
     const std::uint64_t i = count(row, 1);
-    check(i < campaign_.series.size(), "a row of no series");
+    check(i < campaign_.series.size(), "a row belongs to no series");
     return campaign_.series[i];
   }
 
@@ -114,12 +114,12 @@ class Loader {
       s.scalar = text(row, 5), s.robot = text(row, 6);
       s.tally.cases = count(row, 7);
       check(parse(text(row, 8), s.tally.inputs) && parse(text(row, 9), s.tally.results),
-            "a digest is not one");
+            "a digest is malformed");
       cells_.push_back(count(row, 10));
       s.tally.fast = count(row, 11), s.tally.checked = count(row, 12);
       std::istringstream disagreed(text(row, 13));
       for (std::uint64_t index = 0; disagreed >> index;) s.tally.disagreed.push_back(index);
-      check(s.tally.coverage.parse(text(row, 14)), "a coverage is not one");
+      check(s.tally.coverage.parse(text(row, 14)), "a coverage is malformed");
       campaign_.spec.series.push_back(s.text());
       campaign_.series.push_back(std::move(s));
     }
@@ -148,7 +148,7 @@ class Loader {
       r.not_finite = count(row, 10), r.wrong_branch = count(row, 11), r.refused = count(row, 12);
       r.failed = count(row, 13), r.max_error = real(row, 14), r.max_excess = real(row, 15);
       r.worst_score = real(row, 16), r.worst_index = count(row, 17), r.worst_kappa = real(row, 18);
-      check(parse(text(row, 19), r.errors), "a histogram is not one");
+      check(parse(text(row, 19), r.errors), "a histogram is malformed");
     }
   }
 
@@ -174,7 +174,7 @@ class Loader {
   const std::string& path_;
   int number_;
   StoredCampaign campaign_;
-  std::vector<std::uint64_t> cells_;  ///< how many each series must have
+  std::vector<std::uint64_t> cells_;  ///< the number of cells that each series must have
 };
 
 }  // namespace
@@ -182,7 +182,7 @@ class Loader {
 StoredCampaign Store::load(int number) try {
   if (auto campaign = Loader(database_, path_, number).load()) return std::move(*campaign);
   const int held = campaigns();
-  fail(held == 0 ? "holds no campaign" : fmt::format("holds {} campaigns, there is no {}", held, number));
+  fail(held == 0 ? "holds no campaign" : fmt::format("holds {} campaigns, but not number {}", held, number));
 } catch (const SQLite::Exception& e) {
   fail(e);
 }

@@ -10,7 +10,7 @@ namespace liecheck::properties {
 
 namespace {
 
-/// Returns FILE and N; N is 0 where the argument has none.
+/// Returns FILE and N; N is 0 if the argument has none.
 std::pair<std::string, int> split(const std::string& name) {
   const auto at = name.rfind('@');
   if (at == std::string::npos || std::filesystem::exists(name)) return {name, 0};

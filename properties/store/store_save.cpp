@@ -1,4 +1,4 @@
-// What is written to a store: the progress of a running campaign, or a whole campaign.
+// Writes the progress of a running campaign, or a whole campaign, to a store.
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -84,15 +84,14 @@ void Store::begin(const CampaignSpec& spec, std::vector<SeriesResult>& series, b
     const std::string differs = last.spec.differences(spec);
     const char* state = last.complete() ? "complete" : "unfinished";
     if (resume && !differs.empty())
-      throw std::invalid_argument(
-          fmt::format("{}: holds another campaign than asked for: {}", path_, differs));
+      throw std::invalid_argument(fmt::format("{}: holds a different campaign: {}", path_, differs));
     if (!resume && differs.empty())
       throw std::invalid_argument(
-          fmt::format("{}: holds this campaign already, {}: --resume goes on with it", path_, state));
+          fmt::format("{}: holds this campaign already ({}): continue it with --resume", path_, state));
     if (!last.complete() && !resume && last.spec.cases > 0)
       throw std::invalid_argument(
-          fmt::format("{}: holds another campaign than asked for, unfinished: {}; finish that with --resume, "
-                      "or take another file",
+          fmt::format("{}: holds a different, unfinished campaign: {}; finish that one with --resume, "
+                      "or use another file",
                       path_, differs));
     if (differs.empty()) {
       for (std::size_t i = 0; i < series.size(); ++i) series[i].tally = last.series[i].tally;

@@ -1,5 +1,5 @@
 #pragma once
-// What a store holds of a campaign: what was asked, and for each series its tally with the names of its cells.
+// A stored campaign: its options, and for each series the tally and the names of the cells.
 
 #include <campaign/campaign.hpp>
 
@@ -10,7 +10,7 @@ using Cell = Rows::Cell;  ///< (output, band)
 /// The identity of a campaign: two runs with equal specs are one campaign.
 struct CampaignSpec {
   std::uint64_t seed = 0;
-  std::uint64_t cases = 0;            ///< of each series; 0: as many as the time allows
+  std::uint64_t cases = 0;            ///< of each series; 0 if only the time was given
   std::uint64_t first = 0, last = 0;  ///< the range of cases of this shard
   int generator = generator_version;
   std::string program;  ///< its version
@@ -19,7 +19,7 @@ struct CampaignSpec {
   std::string environment;          ///< JSON of the machine that ran it; not compared
   std::vector<std::string> series;  ///< their names, SeriesName::text
 
-  /// Returns "seed 1 against 2; ...", empty where both are one campaign.
+  /// Returns "seed 1 against 2; ...", or an empty text if both are the same campaign.
   std::string differences(const CampaignSpec& other, bool with_range = true) const;
 };
 CampaignSpec spec_of(const CampaignOptions& options, const Robot& robot,
@@ -48,7 +48,7 @@ struct StoredSeries : SeriesName {
 struct StoredCampaign {
   CampaignSpec spec;
   std::vector<StoredSeries> series;
-  bool complete() const;  ///< every series has its whole range; never where only the time was given
+  bool complete() const;  ///< every series has its whole range; false if only the time was given
 };
 
 }  // namespace liecheck::properties

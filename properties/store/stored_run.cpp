@@ -50,7 +50,7 @@ StoredRun result_of(const StoredCampaign& c, const std::string& name) {
     throw std::runtime_error(fmt::format("{}: {}", name, what));
   };
   if (c.spec.program != LIECHECK_VERSION || c.spec.generator != generator_version)
-    refuse(fmt::format("of liecheck {}, generator {}; this is {}, generator {}", c.spec.program,
+    refuse(fmt::format("written by liecheck {}, generator {}; this is {}, generator {}", c.spec.program,
                        c.spec.generator, LIECHECK_VERSION, generator_version));
   auto all = select({}, c.spec.robot);
   for (const StoredSeries& s : c.series) {

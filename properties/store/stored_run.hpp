@@ -1,22 +1,23 @@
 #pragma once
-// Campaigns that run on a store: earlier counterexamples first, each checkpoint a transaction.
+// Runs campaigns on a store: first its counterexamples, then the cases. Each checkpoint is a transaction.
 
 #include <store/store.hpp>
 
 namespace liecheck::properties {
 
-/// The result of a campaign and of the counterexamples of earlier runs, which count in no total and no digest.
+/// The results of a campaign and of earlier counterexamples. Totals and digests leave out the latter.
 struct StoredRun {
-  CampaignResult result;  ///< `failed` also where a counterexample still fails
+  CampaignResult result;  ///< `failed` is also set if a counterexample still fails
   Counterexamples counterexamples;
-  std::string environment;  ///< JSON, of the run where that was another one; empty: this machine
+  std::string environment;  ///< JSON of the machine of a loaded run; empty: this machine
 };
 
-/// Runs the campaign, or what the store lacks of it. The first shard runs the store's counterexamples first. Without
-/// `resume` the store must not hold this campaign yet. Throws std::invalid_argument naming what differs.
+/// Runs the cases of a campaign that the store does not have yet. The first shard runs the store's
+/// counterexamples first. Without `resume` the store must not hold this campaign yet. Throws
+/// std::invalid_argument with the differences.
 StoredRun run_stored(const CampaignOptions& options, const Robot& robot, Store& store, bool resume);
 
-/// A stored campaign with the laws and subjects of this program. Throws where it lacks one.
+/// Connects a stored campaign with the laws and subjects of this program. Throws if one is missing.
 StoredRun result_of(const StoredCampaign& campaign, const std::string& name);
 
 }  // namespace liecheck::properties
