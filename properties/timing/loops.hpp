@@ -1,5 +1,5 @@
 #pragma once
-// One pass over a set of inputs, the calls waiting for one another or not; the same code for every subject.
+// The timed loops over a set of inputs, for throughput and for latency. All subjects use the same code.
 
 #include <cstring>
 #include <functional>
@@ -10,7 +10,7 @@
 
 namespace liecheck::properties {
 
-/// Passes over `calls` inputs.
+/// Each function makes one pass over `calls` inputs.
 struct Loops {
   std::function<void()> throughput, latency;
   std::size_t calls = 0;
@@ -18,14 +18,14 @@ struct Loops {
 
 namespace timing_detail {
 
-/// Zero, which the compiler cannot know.
+/// Returns 0, which the compiler cannot know.
 inline std::size_t opaque_zero() {
   volatile std::size_t zero = 0;
   return zero;
 }
 
-/// Some bits of the first, a middle and the last number of a result: the last is written last, and the middle one is
-/// in the other block of a vector or Jacobian.
+/// Bits of the first, a middle and the last number of a result. The last is written last, and the middle one
+/// belongs to the other block of a vector or Jacobian.
 template <class S, class M>
 std::size_t bits_of_numbers(const M& m) {
   const auto word = [&](int i) {
@@ -84,7 +84,8 @@ void fill(S& y, const S& x) {
   y = x;
 }
 
-/// The shortest operation of its signature: every number of the result is the first number given.
+/// The shortest operation with its signature: it sets every number of the result to the first number of its
+/// input.
 template <class R, class A, class... Rest>
 R call_only(const A& a, const Rest&...) {
   R r;
@@ -94,11 +95,11 @@ R call_only(const A& a, const Rest&...) {
 
 }  // namespace timing_detail
 
-/// Inputs shared by every subject, so that none finds them nearer than another.
+/// Inputs shared by all subjects, so that no subject has them closer in the caches than another.
 template <class... A>
 using SharedInputs = std::shared_ptr<const std::vector<std::tuple<A...>>>;
 
-/// Passes over inputs first ... first + n - 1.
+/// Loops that call f on the inputs first ... first + n - 1.
 template <class R, class... A>
 Loops loops_of(R (*f)(const A&...), const SharedInputs<A...>& inputs, std::size_t first, std::size_t n) {
   Loops loops;
