@@ -20,8 +20,7 @@ struct StoreFlags {
   void check(bool timed) const;
 };
 
-/// Runs a campaign into its store; over the ranks of mpirun, if mpirun started the program. Then only the
-/// first rank returns a result.
+/// Runs a campaign into its store. Under mpirun, all ranks take part and only the first returns a result.
 std::optional<StoredRun> run_stored_campaign(const Selection& selection, const Robot& robot,
                                              const CaseFlags& cases, const StoreFlags& store);
 

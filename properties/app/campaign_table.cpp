@@ -14,7 +14,7 @@ namespace liecheck::properties {
 
 namespace {
 
-/// Every class and band of one series.
+/// Prints every class and band of one series.
 void print_coverage(const Series& s, const std::vector<Covered>& all, std::uint64_t cases) {
   fmt::print("{} {} in {}, {} cases\n", s.property, s.subject, s.scalar, cases);
   for (const Covered& c : all)
@@ -71,7 +71,7 @@ void print_series(const Series& series, const Tally& tally) {
              unresolved ? fmt::format(", {} unresolved", unresolved) : "");
 }
 
-/// Prints the first six outputs that failed in full, each in its worst band.
+/// Prints the first six failed outputs in full, each in its worst band.
 void print_failures(const CampaignResult& r) {
   constexpr int shown = 6;
   int failures = 0;

@@ -169,8 +169,7 @@ class CorpusFile {
   std::set<std::string> names_;
 };
 
-/// Hunts on one series and, if asked, samples as many random inputs. Returns whether a case exceeds its
-/// budget.
+/// Hunts on one series, and samples as many random inputs if asked. Returns whether a case fails its budget.
 bool hunt_on(const Series& series, HuntOptions options, const Flags& f, const std::string& robot_flag,
              CorpusFile& corpus) {
   options.progress = progress_of(fmt::format("hunt {} {}", series.property, options.operation));

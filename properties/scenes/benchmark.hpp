@@ -28,9 +28,8 @@ struct Benchmark {
   Eigen::VectorXd q0, v0;
   double duration = 1;     ///< [s]
   std::string integrator;  ///< given in the scene's file; may be empty
-  /// All effects. Those that closed forms cover are also given below as numbers: gravity in the world
-  /// [m/s^2], and the stiffness, rest position and viscous damping of each coordinate [nv], empty if there is
-  /// none.
+  /// All effects. Those that closed forms cover are repeated below: gravity in the world [m/s^2], and
+  /// stiffness, rest position and viscous damping of each coordinate [nv], empty if there is none.
   std::function<scene::Effects<double>()> effects = [] { return scene::Effects<double>(); };
   std::function<scene::Effects<float128>()> effects_float128 = [] { return scene::Effects<float128>(); };
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();

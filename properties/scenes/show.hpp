@@ -13,8 +13,7 @@ struct StageCost {
   std::string scene, stage, equation, energy, when, why;
   std::optional<double> nanoseconds;  ///< of one run
 };
-/// The stages of three scenes: a lone body with all effects on bodies, a hinge with all effects on joints,
-/// and a quadruped on the ground.
+/// The stages for a body and a hinge, each with all of its effects, and for a quadruped on the ground.
 std::vector<StageCost> stage_costs();
 
 /// A film of a motion. Each body is drawn as the homogeneous box with its mass and inertia, with lines from

@@ -29,8 +29,8 @@ struct Flips {
   std::size_t predicted = 0;
   double horizon = 0;
 };
-/// Runs delta = 1e-2 ... 1e-12 in double. A delta of which double misses flips also runs in float128, except
-/// 1e-9, 1e-10 and 1e-11.
+/// Runs delta = 1e-2 ... 1e-12 in double. If double misses flips, also in float128, except 1e-9, 1e-10,
+/// 1e-11.
 std::vector<Flips> dzhanibekov_flips(std::size_t flips = 6, std::atomic<bool>* stop = nullptr);
 
 }  // namespace liecheck::properties

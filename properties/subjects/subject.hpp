@@ -3,8 +3,7 @@
 //
 // To add a subject, write one file: fill the slots of an Operations<S>, such as o[op::exp6] = ..., and
 // register it with a static Registered<S>. A slot that stays null is reported as not offered. The folder
-// operations/ defines the arguments and results of each operation; the subject's file converts from the
-// library's conventions.
+// operations/ defines the arguments and results of each operation; the subject's file converts conventions.
 
 #include <operations/operations.hpp>
 #include <string>

@@ -1,7 +1,6 @@
 #pragma once
 // A tree of bodies as plain numbers, for the algorithms of operations/trees.hpp. Their vectors q, v, a and
-// tau list the joints in order and skip mimics. A wrench acts on the body of a joint, at the origin of the
-// joint's frame.
+// tau list the joints in order and skip mimics. A wrench acts on a body at the origin of its joint's frame.
 
 #include <oracles/tree.hpp>
 #include <subjects/subject.hpp>

@@ -6,7 +6,7 @@
 #ifdef LIECHECK_QD
 #include <qd/dd_real.h>
 
-/// Splits a = fraction 2^exponent exactly; exponent is that of the high part. Found by argument-dependent
+/// Splits a = fraction 2^exponent exactly, with the exponent of the high part. Found by argument-dependent
 /// lookup.
 inline dd_real frexp(const dd_real& a, int* exponent) {
   std::frexp(a.x[0], exponent);

@@ -1,6 +1,6 @@
 #pragma once
-// Reads a file once, and replaces a file as a whole. Devices and pipes are never replaced, because the
-// program may run as root.
+// Reads a file once, or replaces it as a whole. Devices and pipes are never replaced: the program may be
+// root.
 
 #include <filesystem>
 #include <string>

@@ -17,8 +17,7 @@ class Progress {
   ~Progress();
 
   /// `share`: how much of the work is done, in [0, 1]. detail(elapsed [s]) returns text for the line, such as
-  /// a count and a rate; it is called only if a line is printed. `last` ends the line instead of clearing it
-  /// later.
+  /// a count; it is called only if a line is printed. `last` ends the line, which then stays.
   void show(double share, const std::function<std::string(double)>& detail, bool last = false);
   double elapsed() const;  ///< [s]
 

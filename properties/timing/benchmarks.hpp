@@ -1,8 +1,7 @@
 #pragma once
-// Times operations with Google Benchmark; all repetitions of all rows run in random order. Repetitions during
-// which another program used part of the execution units are discarded, because that slows some code by half
-// and other code not at all. They are recognised by a reference loop that is timed before and after each
-// repetition.
+// Times operations with Google Benchmark; all repetitions of all rows run in random order. A repetition is
+// discarded if another program used part of the execution units, because that slows some code by half and
+// other code not at all. A reference loop, timed before and after each repetition, detects that.
 
 #include <atomic>
 #include <functional>

@@ -16,8 +16,7 @@
 
 namespace liecheck::properties {
 
-/// The median of repetitions and its 95 % confidence interval (by order statistics, for any distribution) [ns
-/// per call].
+/// The median of repetitions and its 95 % confidence interval by order statistics [ns per call].
 struct Spread {
   double median = 0, low = 0, high = 0;
   std::size_t repetitions = 0;

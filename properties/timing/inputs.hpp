@@ -1,6 +1,5 @@
 #pragma once
-// Random inputs on which time and error are measured. Each is drawn from one band of angles, by a Source
-// alone.
+// Random inputs on which time and error are measured, each from one band of angles.
 
 #include <array>
 #include <boost/math/constants/constants.hpp>
@@ -51,9 +50,8 @@ Vec<S, 4> quaternion_in(const CostBand& band, Source& source) {
 
 }  // namespace timing_detail
 
-/// One input of a law. Vectors are uniform in a cube of 2 m; rotations have an angle in the band. Of a pair
-/// of quaternions, the first has an angle in 0.1..pi-0.1, and the angle from the first to the second is in
-/// the band.
+/// One input of a law. Vectors are uniform in a cube of 2 m; rotations have an angle in the band. In a pair
+/// of quaternions, the first has an angle in 0.1..pi-0.1; the angle between the two is in the band.
 template <class S>
 std::vector<S> cost_input(const std::vector<Field>& fields, const CostBand& band, Source source) {
   using namespace timing_detail;

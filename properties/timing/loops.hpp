@@ -84,8 +84,7 @@ void fill(S& y, const S& x) {
   y = x;
 }
 
-/// The shortest operation with its signature: it sets every number of the result to the first number of its
-/// input.
+/// The shortest operation with its signature: every number of the result is the first number of the input.
 template <class R, class A, class... Rest>
 R call_only(const A& a, const Rest&...) {
   R r;
