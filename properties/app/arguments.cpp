@@ -22,7 +22,7 @@ std::uint64_t decimal(const std::string& flag, const std::string& text, std::uin
   return value;
 }
 
-/// [s]. Throws std::invalid_argument.
+/// Returns the duration in seconds. Throws std::invalid_argument.
 double parse_duration(const std::string& text) {
   double value = 0;
   const auto [end, error] =
@@ -34,7 +34,7 @@ double parse_duration(const std::string& text) {
   return value * factor;
 }
 
-/// The error of a duration, or "".
+/// What is wrong with a duration, or "".
 std::string duration_error(const std::string& text) {
   try {
     parse_duration(text);

@@ -19,12 +19,12 @@ namespace liecheck::properties {
 namespace {
 
 struct Flags {
-  BugBench bench;  ///< its seed, scalar and seconds; of a look-alike a tenth of them
+  BugBench bench;  ///< seed, scalar and seconds; a look-alike gets a tenth of the seconds
   std::string json;
   RobotFlags robot;
 };
 
-/// What failed first of 64 cases of a series, from case `from` on: "law: operation, block". "" where nothing did.
+/// Runs `cases` cases of a series, from case `from` on. Returns a failure as "law: operation, block", or "".
 std::string failure_of(const Series& s, std::uint64_t seed, std::uint64_t from, std::uint64_t cases) {
   Tally tally;
   for (std::uint64_t i = from; i < from + cases; ++i) s.run(seed, i, tally);
@@ -44,7 +44,7 @@ std::string failure_of(const std::vector<HardRow>& rows) {
   return "";
 }
 
-/// Rounds of cases over all laws, the hard cases after the first one, until something fails.
+/// Runs rounds of cases over all laws, and the hard cases after the first round, until a case fails.
 void hunt_down(BugRow& bug, const BugBench& bench, const Robot& robot) {
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
@@ -114,7 +114,7 @@ int run(const Flags& f) {
     BugRow bug;
     bug.name = known.name, bug.fault = known.fault, bug.origin = known.origin;
     hunt_down(bug, bench, robot);
-    if (stop_requested && !bug.killed) break;  // it was not given its time
+    if (stop_requested && !bug.killed) break;  // its time was cut short
     const auto subject =
         std::find_if(tested.begin(), tested.end(), [&](const auto* s) { return s->name == bug.name; });
     for (const WeakStyle& w : weak_styles())
@@ -135,12 +135,12 @@ Command bench_bugs_command(CLI::App& bench) {
   BugBench& b = f->bench;
   b.scalar = "double";
   Arguments a(bench, "bugs",
-              "how soon the laws kill each known bug, beside four weaker styles of test. "
+              "how soon the laws kill each known bug, compared with four weaker styles of test. "
               "Exit 0 all killed and no look-alike refused, 1 otherwise, 2 bad input, 3 stopped");
   a.choice("--scalar", b.scalar, {"float", "double"}, "SCALAR", "float or double").with_default_in_help();
   add_seed(a, b.seed, "seed of the cases");
   a.duration("--for-each", b.seconds_each,
-             "how long for each bug, and a tenth of it for each look-alike: 30s, 5m; default 60s");
+             "time for each bug: 30s, 5m; default 60s; each look-alike gets a tenth of it");
   a.text("--json", f->json, "FILE", "write the table to FILE");
   f->robot.add(a);
   return a.command([f] { return run(*f); });

@@ -31,18 +31,18 @@ using Clock = std::chrono::steady_clock;
 
 struct Flags {
   std::uint64_t seed = 42;
-  double seconds = 0.5;  ///< of each of the rounds of a row
+  double seconds = 0.5;  ///< duration of one round of a row
   std::string json;
 };
 
-/// The best rate of five rounds [cases/s].
+/// A row of the table: its result is the best rate of five rounds [cases/s].
 struct Timed {
   std::string name;
   std::function<double()> round;  ///< returns its rate
   double best = 0;
 };
 
-/// Runs steps, each of which returns its number of cases, for that long.
+/// Calls step() for `seconds` and returns the rate [cases/s]. step() returns the number of cases that it ran.
 template <class F>
 double rate(double seconds, F&& step) {
   const auto start = Clock::now();
@@ -67,8 +67,8 @@ struct Chunks {
   }
 };
 
-/// exp6 as a careful author tests it with RapidCheck: the law's generator, the closed form at 50 digits and the law's
-/// budgets, for angles up to pi, where they need no condition number. Adds to `falsified` where rc::check does.
+/// Tests exp6 as a careful author does with RapidCheck: with the law's generator and budgets and the closed
+/// form at 50 digits, up to theta = pi, where budgets need no condition number. `falsified` counts failures.
 std::uint64_t check_exp6(const Subject<double>& subject, std::uint64_t cases, int& falsified) {
   static const bool configured = [cases] {
     return setenv("RC_PARAMS", fmt::format("max_success={} seed=42", cases).c_str(), 1) == 0;
@@ -95,7 +95,7 @@ std::uint64_t check_exp6(const Subject<double>& subject, std::uint64_t cases, in
   return run;
 }
 
-/// What the bench times: exp6 alone, and rc::check on it; every law of liecheck in float and double; whole campaigns.
+/// Times exp6 by its law and by rc::check, every law of liecheck in float and double, and whole campaigns.
 class Bench {
  public:
   explicit Bench(const Flags& f) : f_(f), robot_(built_in_robot()) {
@@ -116,7 +116,7 @@ class Bench {
     rows_.push_back({"campaign, 2 jobs", [this] { return campaign(2); }});
   }
 
-  /// Rounds over all rows, so that what disturbs the machine disturbs all of them alike. Stops at stop_requested.
+  /// Runs five rounds over all rows, so that disturbances affect all rows alike. Polls stop_requested.
   void run() {
     constexpr int rounds = 5;
     const auto all_steps = static_cast<double>(rounds * rows_.size());
@@ -160,7 +160,8 @@ class Bench {
     return rate(0, [&] { return run_campaign(o, robot_).total_cases; });
   }
 
-  /// As many cases of each law. A case of a law of trees is a model, its Data and its dynamics: a figure of its own.
+  /// The rate if each law runs the same number of cases. Laws of trees have a separate rate, because each of
+  /// their cases builds a model and its Data and computes dynamics.
   double mean_rate(bool trees) const {
     double seconds = 0, laws = 0;
     for (std::size_t i = 0; i < laws_.size(); ++i)
@@ -174,16 +175,15 @@ class Bench {
   std::unique_ptr<Series> exp6_;
   std::vector<std::unique_ptr<Series>> laws_;
   std::vector<Timed> rows_;
-  int falsified_ = 0;  ///< how often rc::check did
+  int falsified_ = 0;  ///< how often rc::check failed
 };
 
 void print(const SpeedBench& b) {
   fmt::print("{:<40}{:>14}\n", "best of five rounds, one core", "cases/s");
   for (const auto& [name, rate] : b.rates) fmt::print("{:<40}{:>14.0f}\n", name, rate);
   fmt::print(
-      "\nall laws but those of trees, as many cases of each: {:.0f} cases/s; of trees {:.0f}; exp6 {:.1f} "
-      "times "
-      "rc::check; 2 jobs {:.2f} times 1\n",
+      "\nall laws together, except those of trees: {:.0f} cases/s; those of trees: {:.0f} cases/s; "
+      "exp6: {:.1f} times rc::check; 2 jobs: {:.2f} times 1 job\n",
       b.all_laws, b.tree_laws, b.exp6_over_rapidcheck, b.two_jobs_over_one);
 }
 
@@ -193,14 +193,14 @@ int run(const Flags& f) {
   stop_on_signals();
   bench.run();
   if (stop_requested) {
-    std::fputs("interrupted: a rate is the best of five rounds, which were not run\n", stderr);
+    std::fputs("interrupted: there are no rates, because five rounds are needed\n", stderr);
     return incomplete;
   }
   const SpeedBench b = bench.result();
   print(b);
   if (!f.json.empty()) write_record(f.json, record_of(b));
   if (b.falsified)
-    fmt::print("rc::check found exp6 beyond its budget {} times: its lines say nothing of speed\n",
+    fmt::print("rc::check found exp6 beyond its budget {} times: the rates of exp6 mean nothing\n",
                b.falsified);
   return b.falsified ? property_failed : within_budget;
 }
@@ -211,8 +211,8 @@ Command bench_speed_command(CLI::App& bench) {
   const auto f = std::make_shared<Flags>();
   Arguments a(
       bench, "speed",
-      "cases a second against an oracle, on one core: exp6 beside rc::check with an oracle of 50 digits, "
-      "every law, and two jobs beside one. Exit 0, 2 bad input, 3 stopped");
+      "cases per second against an oracle: exp6 compared with rc::check and an oracle of 50 digits, every "
+      "law, and two jobs compared with one. Exit 0, 1 rc::check failed, 2 bad input, 3 stopped");
   add_seed(a, f->seed, "seed of the cases");
   a.duration("--for-each", f->seconds, "how long each of the five rounds of a row takes; default 0.5s");
   a.text("--json", f->json, "FILE", "write the table to FILE");

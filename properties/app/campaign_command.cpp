@@ -21,7 +21,7 @@ struct Flags {
   bool no_hard_cases = false, verbose = false;
 };
 
-/// The hard cases, which come first in every campaign; of one in shards the first shard replays them.
+/// Replays the hard cases, which come first in every campaign; in the first shard only, if it has shards.
 std::vector<HardRow> replay_hard_cases(const Flags& f, const Selection& selection, const Robot& robot) {
   if (f.no_hard_cases || !f.store.first_shard()) return {};
   const auto rows = run_hard_cases(selection, robot, built_in_corpus(), f.cases.jobs);
@@ -43,7 +43,7 @@ int run(const Flags& f) {
   stop_on_signals();
   const auto hard_cases = replay_hard_cases(f, selection, robot);
   if (stop_requested) {
-    std::fputs("interrupted in the hard cases: no case was run\n", stderr);
+    std::fputs("interrupted during the hard cases: no case of the campaign was run\n", stderr);
     return incomplete;
   }
   const auto done = run_stored_campaign(selection, robot, f.cases, f.store);
@@ -67,7 +67,7 @@ Command campaign_command(CLI::App& program, const std::string& typed_line) {
   f->selection.add(a);
   a.toggle("--no-hard-cases", f->no_hard_cases, "skip the hard cases, which are replayed first");
   f->cases.add(a);
-  a.toggle("--verbose", f->verbose, "show how often each class and band of inputs came up");
+  a.toggle("--verbose", f->verbose, "show how often each class and band of inputs occurred");
   f->store.add(a);
   return a.command([f] { return run(*f); });
 }

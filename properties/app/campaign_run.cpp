@@ -12,7 +12,7 @@ namespace liecheck::properties {
 
 namespace {
 
-/// "I/N" with I in 1..N.
+/// Parses "I/N" with I in 1..N.
 void parse_shard(const std::string& text, CampaignOptions& o) {
   const auto slash = text.find('/');
   const auto number = [&](const std::string& part) {
@@ -26,7 +26,7 @@ void parse_shard(const std::string& text, CampaignOptions& o) {
   o.shard = i, o.shards = n;
 }
 
-/// This process's rank, if it has one.
+/// The rank that mpirun gave this process, or null.
 const char* rank_of_mpirun() {
   for (const char* name : {"OMPI_COMM_WORLD_RANK", "PMI_RANK", "PMIX_RANK"})
     if (const char* rank = std::getenv(name)) return rank;
@@ -37,12 +37,12 @@ std::string rank_file(const std::string& store, int rank, int size) {
   return fmt::format("{}.{}-of-{}", store, rank + 1, size);
 }
 
-/// The rank's part goes into a file of its own; the first rank merges them.
+/// Runs one rank's part into a separate file. The first rank merges these files.
 std::optional<StoredRun> run_rank(const Ranks& ranks, CampaignOptions o, const Robot& robot,
                                   const StoreFlags& f) {
   if (f.store.empty()) throw std::invalid_argument("under mpirun a campaign needs --store FILE");
-  if (!f.shard.empty()) throw std::invalid_argument("--shard: mpirun shares the cases out already");
-  if (o.seconds) throw std::invalid_argument("--for: under mpirun the cases are shared out: give --cases");
+  if (!f.shard.empty()) throw std::invalid_argument("--shard: mpirun already divides the cases into shards");
+  if (o.seconds) throw std::invalid_argument("--for: mpirun divides a fixed number of cases: give --cases");
   const int me = ranks.rank(), n = ranks.size();
   o.shard = static_cast<unsigned>(me + 1), o.shards = static_cast<unsigned>(n);
   o.quiet = o.quiet || me > 0;
@@ -55,16 +55,16 @@ std::optional<StoredRun> run_rank(const Ranks& ranks, CampaignOptions o, const R
     run = run_stored(o, robot, store, f.resume);
     if (run->result.incomplete) {
       state = incomplete;
-      // At once: an interrupted mpirun gives its ranks about a second.
+      // Printed at once, because an interrupted mpirun ends its ranks after about a second.
       if (me == 0)
-        fmt::print("to go on:\n  mpirun -n {} {}{}\n", n, f.typed_line, f.resume ? "" : " --resume");
+        fmt::print("to resume:\n  mpirun -n {} {}{}\n", n, f.typed_line, f.resume ? "" : " --resume");
       std::fflush(stdout);
     }
   } catch (const std::exception& e) {
     fmt::print(stderr, "liecheck: rank {} of {}: {}\n", me + 1, n, e.what());
     state = bad_input;
   }
-  // Only the first one ends with the verdict: mpirun ends the others where one of them reports failure.
+  // Only the first rank returns the verdict, because mpirun ends all ranks if one reports failure.
   state = ranks.largest(state == incomplete ? 1 : state == bad_input ? 2 : 0);
   if (me > 0) return std::nullopt;
   if (state == 2) throw std::runtime_error(fmt::format("{}: not merged: a rank failed", f.store));
@@ -85,9 +85,9 @@ std::optional<StoredRun> run_rank(const Ranks& ranks, CampaignOptions o, const R
 }  // namespace
 
 void StoreFlags::add(Arguments& a) {
-  const Flag file = a.text("--store", store, "FILE", "keep everything in FILE (SQLite), chunk by chunk");
-  a.toggle("--resume", resume, "go on with the campaign that the store holds").needs(file);
-  a.text("--shard", shard, "I/N", "only part I of N of every series; merge puts them together");
+  const Flag file = a.text("--store", store, "FILE", "save all results in FILE (SQLite), chunk by chunk");
+  a.toggle("--resume", resume, "continue the campaign in the store").needs(file);
+  a.text("--shard", shard, "I/N", "run only part I of N of every series; merge joins the parts");
 }
 
 bool StoreFlags::first_shard() const {
@@ -99,7 +99,8 @@ void StoreFlags::check(bool timed) const {
   CampaignOptions o;
   if (!shard.empty()) {
     parse_shard(shard, o);
-    if (timed) throw std::invalid_argument("--for: a shard is a part of a count: give --cases");
+    if (timed)
+      throw std::invalid_argument("--for: a shard is a part of a fixed number of cases: give --cases");
   }
   if (!store.empty() && !rank_of_mpirun()) Store(store, Store::Open::create);
 }
@@ -135,12 +136,12 @@ void print_counterexamples(const Counterexamples& c) {
 }
 
 void print_how_to_resume(const CampaignResult& r, const StoreFlags& f) {
-  const bool ranks = r.options.shards > 1 && f.shard.empty();  // they have printed it
+  const bool ranks = r.options.shards > 1 && f.shard.empty();  // then the first rank has printed it
   if (!r.incomplete || ranks) return;
   if (f.store.empty())
-    fmt::print("interrupted: nothing was kept; --store FILE keeps what is done\n");
+    fmt::print("interrupted: no case was saved; --store FILE saves them\n");
   else
-    fmt::print("to go on:\n  {}{}\n", f.typed_line, f.resume ? "" : " --resume");
+    fmt::print("to resume:\n  {}{}\n", f.typed_line, f.resume ? "" : " --resume");
 }
 
 }  // namespace liecheck::properties

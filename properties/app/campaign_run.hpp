@@ -14,21 +14,20 @@ struct StoreFlags {
   std::string typed_line;  ///< the whole command line, quoted for a shell
 
   void add(Arguments& arguments);
-  /// Is this the part that replays the hard cases and earlier counterexamples: the first shard, or the first rank?
+  /// Whether this is the first shard or rank, which replays the hard cases and earlier counterexamples.
   bool first_shard() const;
-  /// Before anything runs: throws for a wrong --shard, for --shard with --for, and for a store that cannot be used.
+  /// Throws for a wrong --shard, for --shard with --for, and for a store that cannot be used. Runs nothing.
   void check(bool timed) const;
 };
 
-/// Runs a campaign into its store, over the ranks of mpirun where that started the program. Nothing on the ranks that
-/// leave the result to the first one.
+/// Runs a campaign into its store. Under mpirun, all ranks take part and only the first returns a result.
 std::optional<StoredRun> run_stored_campaign(const Selection& selection, const Robot& robot,
                                              const CaseFlags& cases, const StoreFlags& store);
 
-/// The section of earlier counterexamples.
+/// Prints the section on counterexamples of earlier runs.
 void print_counterexamples(const Counterexamples& counterexamples);
 
-/// How an interrupted campaign is resumed.
+/// Prints how to resume an interrupted campaign.
 void print_how_to_resume(const CampaignResult& result, const StoreFlags& flags);
 
 }  // namespace liecheck::properties

@@ -14,7 +14,7 @@ namespace liecheck::properties {
 
 namespace {
 
-/// Every class and band of one series.
+/// Prints every class and band of one series.
 void print_coverage(const Series& s, const std::vector<Covered>& all, std::uint64_t cases) {
   fmt::print("{} {} in {}, {} cases\n", s.property, s.subject, s.scalar, cases);
   for (const Covered& c : all)
@@ -22,10 +22,10 @@ void print_coverage(const Series& s, const std::vector<Covered>& all, std::uint6
                100.0 * static_cast<double>(c.count) / static_cast<double>(std::max<std::uint64_t>(1, cases)),
                c.missing()  ? "  NOT COVERED"
                : c.required ? ""
-                            : "  not required of so few cases");
+                            : "  not required in so few cases");
 }
 
-/// A line for each property, of its series that covers least; where verbose, every series.
+/// Prints a line for each property: the series with the least coverage. If verbose, prints every series.
 void print_coverage(const CampaignResult& r, bool verbose) {
   struct Least {
     bool missing;
@@ -33,7 +33,7 @@ void print_coverage(const CampaignResult& r, bool verbose) {
     std::string series, line;
   };
   std::map<std::string, Least> least;
-  fmt::print("\n{:<24}{:<20}{}\n", "coverage", "", "of what the generator must reach");
+  fmt::print("\n{:<24}{:<20}{}\n", "coverage", "", "of the classes and bands that the generator must reach");
   for (const auto& [series, tally] : r.series) {
     const auto all = coverage_of(*series, tally);
     const std::uint64_t cases = tally.coverage.cases();
@@ -49,7 +49,7 @@ void print_coverage(const CampaignResult& r, bool verbose) {
   for (const auto& [property, l] : least) fmt::print("{:<24}{:<20}{}\n", property, l.series, l.line);
 }
 
-/// Its largest error as a multiple of its budget, over all rows.
+/// Prints a line with the largest error of a series as a multiple of the budget.
 void print_series(const Series& series, const Tally& tally) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   double worst = 0;
@@ -59,7 +59,7 @@ void print_series(const Series& series, const Tally& tally) {
     const Output& o = series.outputs.at(static_cast<std::size_t>(cell.first));
     const Budget& b = budget_of(series.subject, o.operation, o.block,
                                 series.bands()[static_cast<std::size_t>(cell.second)].region);
-    // an unresolved case is the one to replay, and has no figure
+    // the score of an unresolved case is infinite; then the largest measured error counts
     const double measured = b.rule == Rule::forward ? row.max_error : row.max_excess;
     worst =
         std::max(worst, (row.failed || row.worst_score < infinity ? row.worst_score : measured) / b.limit);
@@ -71,7 +71,7 @@ void print_series(const Series& series, const Tally& tally) {
              unresolved ? fmt::format(", {} unresolved", unresolved) : "");
 }
 
-/// Of each output that failed its worst band, the first six outputs in full.
+/// Prints the first six failed outputs in full, each in its worst band.
 void print_failures(const CampaignResult& r) {
   constexpr int shown = 6;
   int failures = 0;
@@ -99,8 +99,8 @@ void print_oracles(const CampaignResult& r) {
       fmt::print("ORACLES DISAGREE: {}\n", series->id(r.options.seed, index).text());
   }
   fmt::print(
-      "\noracles: {:.2f} % of the cases decided in ball arithmetic, the rest at 50 and 100 digits; {} of the "
-      "decided ones measured again at those, {} disagree\n",
+      "\noracles: ball arithmetic decided {:.2f} % of the cases, 50 and 100 digits decided the rest; {} of "
+      "the former were measured again with 50 and 100 digits, {} disagree\n",
       r.total_cases ? 100.0 * static_cast<double>(fast) / static_cast<double>(r.total_cases) : 0.0, checked,
       disagreed);
 }

@@ -5,7 +5,7 @@
 
 namespace liecheck::properties {
 
-/// Prints the table, the failures and the coverage, all of it where verbose. The exit code of the verdict.
+/// Prints the table, the failures and the coverage (all of it if verbose). Returns the verdict's exit code.
 int print_campaign(const CampaignResult& result, bool verbose);
 
 }  // namespace liecheck::properties

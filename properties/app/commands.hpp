@@ -1,6 +1,6 @@
 #pragma once
-// Every command of the program, each in the file of its name. They add themselves to the program or, "bench" and
-// "scene", to a group of commands.
+// Every command of the program, each in a file of its name. A function adds its command to the program or to
+// the group of commands "bench" or "scene".
 
 #include <app/command.hpp>
 #include <string>

@@ -13,7 +13,7 @@ struct Flags {
   std::string before, after;
 };
 
-/// On stderr: a comparison of a part is a comparison of what was done.
+/// Says on stderr that a campaign is only a part, because then the comparison is partial, too.
 void print_if_partial(const std::string& name, const StoredCampaign& c) {
   if (c.spec.cases == 0) return;
   if (!c.complete())
@@ -38,8 +38,8 @@ int run(const Flags& f) {
 Command compare_command(CLI::App& program) {
   const auto f = std::make_shared<Flags>();
   Arguments a(program, "compare", "what got worse from store A to store B. Exit 1 if anything did");
-  a.text("A", f->before, "", "the store before").required();
-  a.text("B", f->after, "", "the store after").required();
+  a.text("A", f->before, "", "the earlier store").required();
+  a.text("B", f->after, "", "the later store").required();
   return a.command([f] { return run(*f); });
 }
 

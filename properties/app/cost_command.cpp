@@ -62,13 +62,11 @@ void print_header(const CostResult& r, const nlohmann::json& environment) {
   fmt::print("{}, governor {}, {}, {}, {}\n", text("cpu"), text("governor"), text("os"), text("compiler"),
              text("flags"));
   fmt::print(
-      "time: processor time of a call, the median of at most {} undisturbed repetitions in random order, and "
-      "the\n"
-      "  interval that holds it with 95 %; the row call is the shortest operation of the signature, not "
-      "subtracted\n"
-      "error: the largest found (a lower bound), 99 % and median of the worst block, in eps of the scalar, "
-      "over the\n"
-      "  inputs that were timed; dominated: another is faster and errs no more, by latency\n"
+      "time: processor time of a call: median of at most {} undisturbed repetitions in random order, and\n"
+      "  its 95 % confidence interval; the row call, not subtracted, is the shortest operation of the "
+      "signature\n"
+      "error: the largest found (a lower bound), 99 % quantile and median of the worst block, in eps of the\n"
+      "  scalar, over the timed inputs; dominated: another row has a lower latency and no larger error\n"
       "instructions: {}\n",
       r.options.repetitions,
       r.no_counter.empty() ? "retired in user space, per call" : "not counted, " + r.no_counter);
@@ -82,7 +80,7 @@ int run(const Flags& f) {
   print_header(r, record["environment"]);
   print_rows(r);
   fmt::print("\n{} rows in {:.1f} s, seed {}{}\n", r.rows.size(), r.elapsed, r.options.seed,
-             r.complete ? "" : "; interrupted: what was done");
+             r.complete ? "" : "; interrupted: only what was done");
   if (!f.json.empty()) write_record(f.json, record);
   return r.complete ? within_budget : incomplete;
 }
@@ -96,7 +94,7 @@ CostResult run_cost(CostOptions options) {
     progress.show(share, [](double) { return std::string("of the repetitions"); });
   };
   CostResult r = measure_cost(options);
-  // One operation after the other, as their table lists them; of each from the least to the most digits.
+  // Sorts by operation, in the order of their table. The rows of an operation stay sorted by digits.
   const auto names = cost_operations();
   std::stable_sort(r.rows.begin(), r.rows.end(), [&](const CostRow& a, const CostRow& b) {
     return std::find(names.begin(), names.end(), a.operation) <
@@ -109,14 +107,14 @@ Command cost_command(CLI::App& program) {
   const auto f = std::make_shared<Flags>();
   CostOptions& o = f->options;
   Arguments a(program, "cost",
-              "time beside error, of every operation of every subject on the same inputs. "
+              "time and error of every operation of every subject on the same inputs. "
               "Exit 0, 2 bad input, 3 stopped");
   a.list("--op", o.operations, "NAME", "an operation, repeatable; default all");
   a.list("--subject", o.subjects, "NAME",
          "a subject, repeatable; default those of a campaign and liecheck's own variants");
   a.list("--scalar", o.scalars, "SCALAR",
          fmt::format("{}, repeatable; default all", fmt::join(cost_scalars(), ", ")));
-  a.toggle("--flags", o.flags, "also liecheck in double as other compilers and flags make it");
+  a.toggle("--flags", o.flags, "also liecheck in double with other compilers and flags");
   add_seed(a, o.seed, "seed of the inputs");
   a.duration("--for", o.seconds, "about how long all timing takes: 30s, 5m; default 60s");
   a.text("--json", f->json, "FILE", "write times and errors to FILE");

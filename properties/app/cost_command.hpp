@@ -1,12 +1,12 @@
 #pragma once
-// `liecheck cost`, which a report runs too.
+// `liecheck cost`, which a report also runs.
 
 #include <timing/cost.hpp>
 
 namespace liecheck::properties {
 
-/// Shows its progress, and stops at stop_requested. Throws std::invalid_argument naming what is not known, before
-/// anything runs.
+/// Shows progress, and stops once stop_requested is set. Before anything runs, throws std::invalid_argument
+/// that names an unknown operation, subject or scalar.
 CostResult run_cost(CostOptions options);
 
 }  // namespace liecheck::properties

@@ -19,7 +19,7 @@ struct Flags {
   unsigned jobs = default_jobs();
 };
 
-/// The built-in corpus and more files of hard cases.
+/// The built-in hard cases and those in `files`.
 std::vector<HardCase> corpus_with(const std::vector<std::string>& files) {
   std::vector<HardCase> all = built_in_corpus();
   for (const std::string& path : files) {
@@ -46,7 +46,7 @@ int run(const Flags& f) {
   print_hard_case_table(rows);
   print_hard_case_summary(rows, rows.size());
   if (!lost.empty()) throw std::runtime_error(lost);
-  if (stop_requested) std::fputs("interrupted: the rows that were done\n", stderr);
+  if (stop_requested) std::fputs("interrupted: the table has only the rows that were done\n", stderr);
   return stop_requested ? incomplete : any_failed(rows) ? property_failed : within_budget;
 }
 
@@ -55,7 +55,7 @@ int run(const Flags& f) {
 Command hard_cases_command(CLI::App& program) {
   const auto f = std::make_shared<Flags>();
   Arguments a(program, "hard-cases",
-              "a verdict on every hard case. Exit 0 none failed, 1 some did, 2 bad input");
+              "a verdict on every hard case. Exit 0 none failed, 1 some did, 2 bad input, 3 stopped");
   f->selection.add(a);
   a.list("--file", f->files, "FILE", "more hard cases, in the form of fixtures/hard_cases, repeatable");
   add_jobs(a, f->jobs);

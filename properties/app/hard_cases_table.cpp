@@ -42,7 +42,7 @@ void print_failure(const HardRow& r, const HardCell& c) {
 
 void print_hard_case_summary(const std::vector<HardRow>& rows, std::size_t shown_failures) {
   if (rows.empty()) {
-    fmt::print("hard cases: none of the selected properties\n");
+    fmt::print("hard cases: the selected properties have none\n");
     return;
   }
   fmt::print("{:<24}{:<10}{:>6}", "hard cases", "scalar", "cells");

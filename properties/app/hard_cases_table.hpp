@@ -5,10 +5,10 @@
 
 namespace liecheck::properties {
 
-/// The first section of every campaign: a line of counts for each subject and scalar, and the first failures.
+/// Prints the first section of every campaign: counts for each subject and scalar, and the first failures.
 void print_hard_case_summary(const std::vector<HardRow>& rows, std::size_t shown_failures);
 
-/// A line for each case, a letter for each subject and scalar.
+/// Prints a line for each case, with a letter for each subject and scalar.
 void print_hard_case_table(const std::vector<HardRow>& rows);
 
 }  // namespace liecheck::properties

@@ -33,7 +33,7 @@ std::function<void(std::uint64_t, double, double)> progress_of(const std::string
   };
 }
 
-/// A name for the corpus: lower-case letters, digits and '_'.
+/// The text as a name in the corpus: lower-case letters, digits and '_'.
 std::string corpus_name(std::string text) {
   for (char& c : text)
     c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : (std::isalnum(c) ? c : '_');
@@ -60,7 +60,7 @@ std::string outcome_name(Outcome outcome) {
                                         : "wrong branch";
 }
 
-/// Prints the worst case of one output. Is it beyond its budget?
+/// Prints the worst case of one output. Returns whether it exceeds its budget.
 bool print_worst(const Series& series, const Worst& w, const std::string& replay_flags) {
   const Output& o = series.outputs.at(static_cast<std::size_t>(w.output));
   fmt::print("\n{}: {}, {}\n", series.property, o.operation, o.block);
@@ -85,7 +85,7 @@ bool print_worst(const Series& series, const Worst& w, const std::string& replay
   fmt::print("  worst     {:.4g} {}, a lower bound of the maximum; {}\n", w.score, unit, verdict);
   fmt::print("  error     {:.4g} eps", w.judged.residual.error);
   if (w.by_kappa) fmt::print(", kappa {:.3g}", w.judged.residual.kappa);
-  fmt::print(", band {}\n  found     at evaluation {}, half of it at evaluation {}\n", band, w.at, w.half_at);
+  fmt::print(", band {}\n  found     at evaluation {}, half this error at {}\n", band, w.at, w.half_at);
   fmt::print("  decimal   {}\n  hexadecimal {}\n  replay    liecheck replay {}{}\n",
              fmt::join(w.decimal, ", "), fmt::join(w.id.input, ", "), w.id.text(), replay_flags);
   return failed;
@@ -100,7 +100,7 @@ void print_comparison(const Worst& hunted, const Worst& random, std::uint64_t ev
         random.score, evaluations, hunted.score / random.score);
 }
 
-/// Throws where no series measures the operation and its block, naming what is known.
+/// Throws if no series measures the operation and its block. The message names those that are known.
 void check_measured(const std::vector<std::unique_ptr<Series>>& all, const Flags& f) {
   const std::string &op = f.options.operation, &block = f.options.block;
   std::set<std::string_view> operations, blocks;
@@ -132,7 +132,7 @@ std::vector<std::unique_ptr<Series>> series_of(const Flags& f, const Robot& robo
   return all;
 }
 
-/// The file that --corpus names. Throws where it is something else.
+/// The file that --corpus names. Throws if it is not a regular file that can be written.
 class CorpusFile {
  public:
   explicit CorpusFile(std::string path) : path_(std::move(path)) {
@@ -148,7 +148,7 @@ class CorpusFile {
   void add(const std::string& line) {
     if (names_.insert(line.substr(0, line.find(" | "))).second) lines_ += line;
   }
-  /// Appends what was added.
+  /// Appends the added lines to the file.
   void close() const {
     if (path_.empty() || lines_.empty()) return;
     std::fstream file(path_, std::ios::in | std::ios::out | std::ios::ate);
@@ -169,7 +169,7 @@ class CorpusFile {
   std::set<std::string> names_;
 };
 
-/// Hunts on one series and, where asked, samples as many inputs at random. Is some worst case beyond its budget?
+/// Hunts on one series, and samples as many random inputs if asked. Returns whether a case fails its budget.
 bool hunt_on(const Series& series, HuntOptions options, const Flags& f, const std::string& robot_flag,
              CorpusFile& corpus) {
   options.progress = progress_of(fmt::format("hunt {} {}", series.property, options.operation));
@@ -214,7 +214,7 @@ int run(const Flags& f) {
     failed = hunt_on(*all[k], options, f, robot_flag, corpus) || failed;
   }
   corpus.close();
-  if (stop_requested) fmt::print("\ninterrupted: the worst so far\n");
+  if (stop_requested) fmt::print("\ninterrupted: these are the worst cases so far\n");
   return stop_requested ? incomplete : failed ? property_failed : within_budget;
 }
 
@@ -228,15 +228,15 @@ Command hunt_command(CLI::App& program) {
               "beyond it, 2 bad input, 3 incomplete");
   a.text("--subject", f->subject, "NAME", "the subject").required();
   a.text("--op", o.operation, "NAME", "the operation, as failures and reports name it").required();
-  a.text("--block", o.block, "NAME", "one block of its result; default each");
-  a.text("--property", f->property, "NAME", "one law that measures it; default each");
+  a.text("--block", o.block, "NAME", "one block of its result; default all blocks");
+  a.text("--property", f->property, "NAME", "one law that measures it; default all laws");
   a.text("--scalar", f->scalar, "SCALAR", "float, double or float128").with_default_in_help();
-  a.toggle("--excess", o.excess, "maximise error / kappa, beyond theta = pi too");
+  a.toggle("--excess", o.excess, "maximise error / kappa, also beyond theta = pi");
   add_seed(a, o.seed, "seed of the search");
   const Flag evaluations = a.number("--evaluations", o.evaluations, 1, std::uint64_t(1) << 40,
-                                    "how many measurements instead: the same search on every machine")
+                                    "measurements instead of a time: the same search on every machine")
                                .without_default_in_help();
-  a.duration("--for", o.seconds, "how long: 30s, 5m, 1h; default 30s").excludes(evaluations);
+  a.duration("--for", o.seconds, "duration: 30s, 5m, 1h; default 30s").excludes(evaluations);
   a.toggle("--versus-random", f->versus_random, "also sample as many inputs uniformly, and compare");
   a.text("--corpus", f->corpus, "FILE", "append what is found to FILE, as lines of fixtures/hard_cases");
   f->robot.add(a);

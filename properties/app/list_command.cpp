@@ -20,8 +20,8 @@ void print_subjects(const std::vector<std::unique_ptr<Series>>& all) {
     if (!scalars.empty()) fmt::print("  {:<12}{} in {}\n", name, version, fmt::join(scalars, ", "));
   }
   fmt::print(
-      "  textbook:1e-1 ... textbook:1e-12: variants with their cutoff there, run where they are named\n"
-      "  bug:NAME, alike:NAME: known bugs and look-alikes, as 'liecheck bench bugs' names them; likewise\n");
+      "  textbook:1e-1 ... textbook:1e-12: textbook with this cutoff; run only if named\n"
+      "  bug:NAME, alike:NAME: known bugs and look-alikes of 'liecheck bench bugs'; run only if named\n");
 }
 
 struct ListFlags {
@@ -49,7 +49,7 @@ Command list_command(CLI::App& program) {
   const auto flags = std::make_shared<ListFlags>();
   Arguments list(program, "list", "the subjects and properties");
   list.toggle("--operations", flags->operations,
-              "the operations instead: definitions, arguments, results and blocks, in Markdown");
+              "list the operations instead: definitions, arguments, results and blocks, in Markdown");
   return list.command([flags] { return run(*flags); });
 }
 

@@ -15,14 +15,14 @@ namespace {
 
 using namespace liecheck::properties;
 
-/// A command of commands.
+/// Adds a group of commands.
 CLI::App& group(CLI::App& program, const std::string& name, const std::string& help) {
   CLI::App& g = *program.add_subcommand(name, help);
   g.require_subcommand(1);
   return g;
 }
 
-/// In the order of the help.
+/// Adds all commands, in the order of the help.
 std::vector<Command> add_commands(CLI::App& program, const std::string& typed_line) {
   std::vector<Command> all;
   using Adder = std::function<Command(CLI::App&)>;
@@ -31,15 +31,15 @@ std::vector<Command> add_commands(CLI::App& program, const std::string& typed_li
   };
   const auto campaign = [&](CLI::App& parent) { return campaign_command(parent, typed_line); };
   add(program, {list_command, campaign, hard_cases_command, hunt_command});
-  add(group(program, "bench", "what the harness is worth"), {bench_bugs_command, bench_speed_command});
+  add(group(program, "bench", "benchmarks of the harness"), {bench_bugs_command, bench_speed_command});
   add(program, {sweep_command, robot_command, cost_command});
-  add(group(program, "scene", "a motion, described by a file: fixtures/scenes/README.md"),
+  add(group(program, "scene", "simulate a motion that a file describes: fixtures/scenes/README.md"),
       {scene_run_command, scene_explain_command, scene_sweep_command, scene_keys_command});
   add(program, {replay_command, report_command, merge_command, export_command, compare_command});
   return all;
 }
 
-/// CLI11's message; a word that is no command is named in it.
+/// CLI11's message, or one that names an unknown command or option.
 std::string usage_error(const CLI::App& program, const CLI::ParseError& e) {
   const CLI::App* at = &program;
   while (!at->get_subcommands().empty()) at = at->get_subcommands().front();
@@ -53,18 +53,18 @@ std::string usage_error(const CLI::App& program, const CLI::ParseError& e) {
                      rest[0], at == &program ? "" : " of " + at->get_name(), fmt::join(known, ", "));
 }
 
-/// The line that was typed, each argument quoted where a shell needs it.
+/// The command line, with each argument quoted if a shell needs it.
 std::string command_line(int argc, char** argv) {
   std::string line;
   for (int i = 0; i < argc; ++i) line += (i ? " " : "") + shell_quoted(argv[i]);
   return line;
 }
 
-/// The exit code once everything printed is out; bad_input where some of it is lost.
+/// Flushes standard output. Returns `code`, or bad_input if output was lost.
 int finish(int code) {
   errno = 0;
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.flush()) return code;
-  // Not fmt::print, which throws where stderr is lost too.
+  // Not fmt::print, which throws if stderr is lost, too.
   std::fprintf(stderr, "liecheck: standard output: cannot be written%s%s\n", errno ? ": " : "",
                errno ? std::strerror(errno) : "");
   return bad_input;
@@ -78,10 +78,10 @@ int refuse(const std::string& why) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  // A reader that has left and a limit on the size of a file are failed writes, not the end of the program.
+  // Now writing to a closed pipe or beyond a file size limit fails, but does not end the program.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
-  // No file that is opened later may take the place of a closed standard stream.
+  // Replaces closed standard streams, so that no file that is opened later takes their place.
   for (int fd = 0; fd < 3; ++fd)
     if (::fcntl(fd, F_GETFD) < 0 && ::open("/dev/null", O_RDONLY) != fd) return bad_input;
   CLI::App program{"liecheck " LIECHECK_VERSION

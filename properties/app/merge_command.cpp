@@ -27,10 +27,10 @@ int run(const Flags& f) {
 
 Command merge_command(CLI::App& program) {
   const auto f = std::make_shared<Flags>();
-  Arguments a(program, "merge", "put the shards of a campaign together; FILE@N is campaign N of a store");
-  a.text("OUT", f->out, "", "the store to write; its other campaigns are kept").required();
+  Arguments a(program, "merge", "merge the shards of a campaign; FILE@N is campaign N of a store");
+  a.text("OUT", f->out, "", "the store to write; its other campaigns stay").required();
   a.list("IN", f->in, "", "the shards' stores, in any order").required();
-  a.toggle("--partial", f->partial, "let cases be missing: OUT is unfinished then, and --resume goes on");
+  a.toggle("--partial", f->partial, "allow missing cases: then OUT is unfinished, and --resume runs them");
   return a.command([f] { return run(*f); });
 }
 

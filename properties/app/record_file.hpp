@@ -1,5 +1,5 @@
 #pragma once
-// Records as files.
+// Writes records to files.
 
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
@@ -17,7 +17,7 @@ struct SceneSweepResult;
 /// Throws std::runtime_error naming the file.
 void write_record(const std::filesystem::path& file, const nlohmann::json& record);
 
-/// What a campaign's record holds besides the campaign; null: nothing.
+/// What a campaign's record contains in addition to the campaign; null if nothing.
 struct RecordParts {
   const std::vector<HardRow>* hard_cases = nullptr;
   const SweepResult* sweep = nullptr;
@@ -25,8 +25,8 @@ struct RecordParts {
   const SceneSweepResult* scenes = nullptr;
 };
 
-/// Writes the record of a campaign where a file is named. Returns why it could not, for the caller to throw once its
-/// table is printed: neither the table nor the record is lost with the other.
+/// Writes the record of a campaign, unless `file` is empty. Returns why that failed, or "". The caller prints
+/// its table before it throws this error, so that the table is not lost.
 std::string try_write_record(const std::filesystem::path& file, const StoredRun& run,
                              const RecordParts& parts);
 

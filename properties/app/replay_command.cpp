@@ -14,7 +14,7 @@ struct Flags {
   RobotFlags robot;
 };
 
-/// Throws std::invalid_argument where the case belongs to no series, or to one on another robot.
+/// Throws std::invalid_argument if the case belongs to no series, or to a series on another robot.
 std::unique_ptr<Series> series_of(const CaseId& id, const std::string& text, const Robot& robot) {
   auto found = select({{id.subject}, {id.property}, {id.scalar}}, robot);
   if (found.empty())
@@ -26,7 +26,8 @@ std::unique_ptr<Series> series_of(const CaseId& id, const std::string& text, con
         "case ID '{}' names robot {}, but {} takes no robot: expected none", text, id.robot, id.property));
   if (series.robot != id.robot)
     throw std::invalid_argument(fmt::format(
-        "case ID names robot {}, this one is {}: give its URDF with --robot", id.robot, series.robot));
+        "case ID names robot {}, but this robot is {}: give the right URDF with --robot", id.robot,
+        series.robot));
   return std::move(found.front());
 }
 
@@ -51,7 +52,7 @@ int run(const Flags& f) {
   bool failed = false;
   if (!trial.refusal.empty()) fmt::print("refused: {}\n", trial.refusal);
   for (const Judged& j : trial.judged) {
-    if (!j.failed && j.residual.outcome == Outcome::refused) continue;  // as it should
+    if (!j.failed && j.residual.outcome == Outcome::refused) continue;  // refused as required
     failed = failed || j.failed;
     print_judged(*series, j);
   }

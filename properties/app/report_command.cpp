@@ -39,7 +39,7 @@ void create_folder(const std::string& folder) {
     throw std::runtime_error(fmt::format("--out {}: cannot be created: {}", folder, error.message()));
 }
 
-/// The records' files. Of a store its record is written into `folder`.
+/// The files of the records. If one is a store, its record is written into `folder`.
 std::vector<fs::path> record_files(const std::vector<std::string>& records, const std::string& folder) {
   std::vector<fs::path> all;
   std::set<std::string> names;
@@ -59,7 +59,7 @@ std::vector<fs::path> record_files(const std::vector<std::string>& records, cons
 }
 
 void print_interrupted(const char* where) {
-  std::fprintf(stderr, "interrupted%s: the report holds what was done\n", where);
+  std::fprintf(stderr, "interrupted%s: the report contains what was done\n", where);
 }
 
 CostResult times(std::uint64_t seed) {
@@ -94,17 +94,17 @@ fs::path run_campaign_of_report(const Flags& f) {
   std::optional<SweepResult> sweep;
   if (!stop_requested) {
     sweep = run_sweep({}, f.cases.jobs);
-    if (stop_requested) print_interrupted(" in the sweep");
+    if (stop_requested) print_interrupted(" during the sweep");
   }
   std::optional<CostResult> cost;
   if (!stop_requested && !f.no_cost) {
     cost = times(f.cases.seed);
-    if (stop_requested) print_interrupted(" in the times");
+    if (stop_requested) print_interrupted(" during the timing");
   }
   std::optional<SceneSweepResult> swept_scenes;
   if (!stop_requested && !f.no_scenes) {
     swept_scenes = scenes();
-    if (stop_requested) print_interrupted(" in the scenes");
+    if (stop_requested) print_interrupted(" during the scenes");
   }
   const RecordParts parts{&hard_cases, sweep ? &*sweep : nullptr, cost ? &*cost : nullptr,
                           swept_scenes ? &*swept_scenes : nullptr};
@@ -130,7 +130,7 @@ Command report_command(CLI::App& program) {
       "write the accuracy report of records, or of a campaign over every subject. Exit 0 when it is written, "
       "whatever its verdict, 2 bad input, 3 its campaign was interrupted");
   const Flag records = a.list("RECORD", f->records, "FILE",
-                              "stores, or records that campaign --json wrote; none: run the campaign first");
+                              "stores, or records that campaign --json wrote; default: run a campaign first");
   a.text("--out", f->out, "DIR", "folder of report.html, report.json and report.csv").with_default_in_help();
   a.toggle("--no-cost", f->no_cost, "leave out the times, which take about 35 s").excludes(records);
   a.toggle("--no-scenes", f->no_scenes, "leave out the scenes, which take about 40 s").excludes(records);

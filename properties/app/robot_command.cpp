@@ -24,7 +24,7 @@ UrdfOptions options_of(const Flags& f) {
   return options;
 }
 
-/// The joints with both their offsets, and the warnings.
+/// Prints the joints with their indices in q and v, and the warnings.
 int run(const Flags& f) {
   const auto [model, warnings] = loadUrdf(f.file, options_of(f));
   double mass = 0;
@@ -43,12 +43,12 @@ int run(const Flags& f) {
 
 Command robot_command(CLI::App& program) {
   const auto f = std::make_shared<Flags>();
-  Arguments a(program, "robot", "what a URDF becomes: joints, offsets, warnings. Exit 0, 2 bad input");
+  Arguments a(program, "robot", "show the model of a URDF: joints, indices, warnings. Exit 0, 2 bad input");
   a.text("FILE", f->file, "URDF", "the URDF").required();
   a.choice("--root", f->root, {"fixed", "free-flyer", "planar", "spherical", "translation"}, "",
-           "how its root is connected to the world");
-  a.toggle("--mimic", f->tied, "mimic joints have no numbers of their own");
-  a.toggle("--strict", f->strict, "a warning is an error");
+           "the joint between root and world");
+  a.toggle("--mimic", f->tied, "mimic joints follow their joint and have no coordinates in q and v");
+  a.toggle("--strict", f->strict, "treat a warning as an error");
   return a.command([f] { return run(*f); });
 }
 

@@ -10,7 +10,7 @@ namespace liecheck::properties {
 
 namespace {
 
-/// Prints each stage with its time, measured on this machine.
+/// The plan of a scene, with the time of each stage measured on this machine.
 scene::Plan measured_plan(const scene::Scene& scene) try {
   return scene::plan(scene, true);
 } catch (const scene::StepFailed& e) {
@@ -22,7 +22,7 @@ int run(const std::string& file) {
   const scene::Scene scene = loadScene(file);
   const scene::Plan plan = measured_plan(scene);
   fmt::print("{}: {}\n", scene.name, scene.reason.empty() ? "no reason given" : scene.reason);
-  fmt::print("{} of nq {}, nv {}; {} steps of {:g} s by {}, watched {} times\n\n",
+  fmt::print("{} of nq {}, nv {}; {} steps of {:g} s by {}, sampled {} times\n\n",
              plan.lone_body ? "a lone rigid body" : "a tree", scene.model.nq, scene.model.nv,
              scene.span.steps, scene.span.duration / double(scene.span.steps), scene.integrator,
              (scene.span.steps + scene.span.every - 1) / scene.span.every + 1);
@@ -43,8 +43,7 @@ Command scene_explain_command(CLI::App& scene) {
   const auto file = std::make_shared<std::string>();
   Arguments a(
       scene, "explain",
-      "its plan: what is computed, what was left out and why, and what each stage costs. Exit 0, 2 bad "
-      "input");
+      "show the plan of a scene: stages, their times, and what was left out and why. Exit 0, 2 bad input");
   a.text("FILE", *file, "SCENE", "the scene").required();
   return a.command([file] { return run(*file); });
 }

@@ -21,10 +21,10 @@ namespace {
 
 struct Flags {
   std::string file;
-  std::string csv, json;  ///< instead of the scene's own
+  std::string csv, json;  ///< replace the files that the scene names
 };
 
-/// Numbers as the shortest decimals that read back as the same doubles.
+/// The samples. Each number is the shortest decimal that reads back as the same double.
 std::string csv_of(const scene::Run& run) {
   std::string text;
   for (std::size_t i = 0; i < run.columns.size(); ++i)
@@ -40,19 +40,19 @@ void print_figures(const scene::Scene& scene, const scene::Run& run) {
   fmt::print("{}: {} in {} steps of {:g} s by {}, {:.3g} s on one core\n", scene.name,
              fmt::format("{:g} s", run.outcome.t), run.outcome.steps, h, scene.integrator, run.seconds);
   if (run.counts.steps > 0)
-    fmt::print("  {} steps of its own, {} rejected, {} iterations\n", run.counts.steps, run.counts.rejected,
+    fmt::print("  {} internal steps, {} rejected, {} iterations\n", run.counts.steps, run.counts.rejected,
                run.counts.iterations);
   for (const auto& f : run.figures)
     fmt::print("  {:<36}{:>24} {}\n", f.name, f.value ? fmt::format("{:.17g}", *f.value) : "-",
                f.unit == "1" ? "" : f.unit);
 }
 
-/// On stderr: why the run ended early, and what may help.
+/// Prints on stderr why the run ended early, and what may help.
 void print_early_end(const scene::Scene& scene, const scene::Run& run) {
   if (run.outcome.diverged) {
     const scene::MethodInfo& method = scene::methodInfo(scene.integrator);
     fmt::print(stderr,
-               "liecheck: {}: diverged at step {} of {} (t = {:g} s): {}; what was done until then is kept. "
+               "liecheck: {}: diverged at step {} of {} (t = {:g} s): {}; the samples until then are saved. "
                "Take {}\n",
                scene.source, run.outcome.steps + 1, scene.span.steps, run.outcome.t, run.outcome.why,
                method.adaptive           ? "another tolerance, or softer effects"
@@ -60,11 +60,11 @@ void print_early_end(const scene::Scene& scene, const scene::Run& run) {
                                          : "a smaller step, or an implicit method");
   }
   if (run.outcome.stopped)
-    fmt::print(stderr, "interrupted at t = {:g} s of {:g} s: what was done until then is kept\n",
+    fmt::print(stderr, "interrupted at t = {:g} s of {:g} s: the samples until then are saved\n",
                run.outcome.t, scene.span.duration);
 }
 
-/// Throws std::invalid_argument where two of the scene's files are one.
+/// Throws std::invalid_argument if two of the three files are the same.
 void check_apart(const std::string& scene, const std::string& csv, const std::string& json) {
   const auto same = [](const std::string& a, const std::string& b) {
     return !a.empty() && !b.empty() &&
@@ -94,9 +94,8 @@ int run(const Flags& flags) {
   print_figures(scene, run);
   if (run.largest_turn > std::numbers::pi)
     fmt::print(stderr,
-               "warning: a step turned by {:.3g} rad: beyond pi the increments of a step mean "
-               "nothing; take "
-               "a smaller step\n",
+               "warning: a step rotated by {:.3g} rad: beyond pi its result is meaningless; take a smaller "
+               "step\n",
                run.largest_turn);
   if (!scene.csv.empty()) write_whole(scene.csv, csv_of(run));
   if (!scene.json.empty()) write_record(scene.json, record_of(scene, run));
@@ -109,10 +108,10 @@ int run(const Flags& flags) {
 Command scene_run_command(CLI::App& scene) {
   const auto f = std::make_shared<Flags>();
   Arguments a(scene, "run",
-              "simulate it. Exit 0, 2 bad input, 3 it diverged or was stopped: what was done is kept");
+              "simulate a scene. Exit 0, 2 bad input, 3 diverged or stopped; samples until then are saved");
   a.text("FILE", f->file, "SCENE", "the scene").required();
-  a.text("--csv", f->csv, "FILE", "write the samples to FILE, not where the scene says");
-  a.text("--json", f->json, "FILE", "write samples and figures to FILE, likewise");
+  a.text("--csv", f->csv, "FILE", "write the samples to FILE, not to the scene's file");
+  a.text("--json", f->json, "FILE", "write samples and figures to FILE, not to the scene's file");
   return a.command([f] { return run(*f); });
 }
 

@@ -22,7 +22,7 @@ namespace liecheck::properties {
 
 namespace {
 
-/// Throws std::invalid_argument for an integrator or a number of steps that cannot be.
+/// Throws std::invalid_argument for an unknown integrator or a wrong number of steps.
 SceneSweepOptions options_of(const SceneSweepFlags& f) {
   SceneSweepOptions options = f.options;
   options.stop = &stop_requested;
@@ -30,14 +30,14 @@ SceneSweepOptions options_of(const SceneSweepFlags& f) {
   for (const long n : options.steps)
     if (n % 4 != 0)
       throw std::invalid_argument(
-          fmt::format("--steps {}: is no multiple of 4: errors are taken at each quarter", n));
+          fmt::format("--steps {}: not a multiple of 4: errors are measured at each quarter", n));
   if (f.no_orders || !options.steps.empty()) options.order_scenes = 0;
   if (f.no_times) options.seconds = 0;
   options.peers = !f.no_peers;
   return options;
 }
 
-/// The built-in scenes where no file is named.
+/// The scenes in the files, or the built-in scenes if there are no files.
 std::vector<Benchmark> scenes_of(const std::vector<std::string>& files) {
   if (files.empty()) return builtin_benchmarks();
   std::vector<Benchmark> scenes;
@@ -52,7 +52,7 @@ std::vector<Benchmark> scenes_of(const std::vector<std::string>& files) {
   return scenes;
 }
 
-/// Does some run of our own come through?
+/// Whether a run of liecheck reached the end; true if none was tried.
 bool comes_through(const SceneSweep& s) {
   bool tried = false;
   for (const SweepSeries& series : s.series)
@@ -64,7 +64,7 @@ bool comes_through(const SceneSweep& s) {
   return !tried;
 }
 
-/// Names the scenes on which every run of our own diverges. Are there any?
+/// Prints the scenes on which every run of liecheck diverges. Returns whether there are any.
 bool report_lost(const SceneSweepResult& r) {
   bool lost = false;
   for (const SceneSweep& s : r.scenes)
@@ -117,14 +117,13 @@ Command scene_sweep_command(CLI::App& scene) {
   const auto f = std::make_shared<SceneSweepFlags>();
   Arguments a(
       scene, "sweep",
-      "integrators x steps: error against the exact motion, order, drift, time, beside other simulators. "
-      "Exit 0, 1 an order is not what was promised, 2 bad input, 3 stopped, or every run of a scene "
-      "diverges");
+      "integrators x steps: error against the exact motion, order, drift, time, and other simulators. "
+      "Exit 0, 1 an order is wrong, 2 bad input, 3 stopped, or every run of a scene diverges");
   a.list("FILE", f->files, "SCENE", "scenes; default the built-in ones, and long spins");
   a.list("--integrator", f->options.integrators, "NAME", "an integrator, repeatable; default all");
   a.numbers("--steps", f->options.steps, 4, 1u << 30,
-            "steps over the whole duration, multiples of 4, repeatable; default from coarse to the floor of "
-            "rounding")
+            "steps over the whole duration, multiples of 4, repeatable; default: doubled until rounding "
+            "dominates")
       .once_for_each_value();
   a.toggle("--no-orders", f->no_orders, "do not measure orders");
   a.toggle("--no-times", f->no_times, "do not measure times");

@@ -11,7 +11,7 @@ std::string error_text(double e) {
   return std::isfinite(e) ? fmt::format("{:.1e}", e) : "-";
 }
 
-/// The fastest point that errs at most so much.
+/// The time of the fastest point with an error of at most `error` [us].
 std::string time_at(const SweepSeries& s, double error) {
   double best = 0;
   for (const SweepPoint& p : s.points)
@@ -26,7 +26,7 @@ std::string drift_text(const Drift& d) {
                    : fmt::format("{:>9} {:>8}", "-", "-");
 }
 
-/// Whose drift is shown: the first that errs at most 1e-3, or the most accurate.
+/// The point whose drift is shown: the first with an error of at most 1e-3, or the most accurate one.
 const SweepPoint* shown_point(const SweepSeries& s) {
   const SweepPoint* best = nullptr;
   for (const SweepPoint& p : s.points) {
@@ -54,7 +54,7 @@ void print_scene(const SceneSweep& s) {
   fmt::print("\n{}: {}; {} s\n  truth: {}{}\n", s.scene.name, s.scene.what, s.scene.duration, s.truth,
              s.closed ? ", a closed form" : fmt::format(", which agree to {:.0e}", s.disagreement));
   fmt::print("  {:<30}{:>9}  {:<44}{:<20}{}\n", "", "smallest", "µs for each simulated second, error at most",
-             "energy where <= 1e-3", "momentum");
+             "energy, error 1e-3", "momentum");
   fmt::print("  {:<30}{:>9}{:>8}{:>9}{:>9}{:>9}{:>9}  {:>9} {:>8}  {:>9} {:>8}\n", "method", "error", "1e-2",
              "1e-4", "1e-6", "1e-8", "1e-10", "slope/s", "osc.", "slope/s", "osc.");
   for (const SweepSeries& series : s.series) {
@@ -90,38 +90,35 @@ void print_spins(const SceneSweepResult& r) {
   for (const Flips& f : r.flips) {
     fmt::print("  d = {:<6.0e} {:<9}", f.perturbation, f.scalar);
     for (double e : f.relative) fmt::print(" {:>8}", std::isinf(e) ? "lost" : fmt::format("{:.1e}", e));
-    fmt::print("  to 1e-6: {} of {}, until {:.1f} s\n", f.predicted, f.relative.size(), f.horizon);
+    fmt::print("  right to 1e-6: {} of {}, until {:.1f} s\n", f.predicted, f.relative.size(), f.horizon);
   }
 }
 
 void print_peers(const SceneSweepResult& r) {
   if (r.peers.empty()) return;
   fmt::print(
-      "\nbeside other simulators: at an error no larger, our time over theirs, the worst of all their "
-      "points\n");
+      "\nother simulators: the largest ratio of our time to theirs over all their points, at an error that "
+      "is no larger\n");
   for (const PeerComparison& c : r.peers)
     fmt::print("  {:<14}{:<32}{:>6.3f} at {:.1e} by {}{}\n", c.scene, c.peer + " " + c.integrator, c.ratio,
-               c.error, c.ours, c.unmatched ? "; a point of it is more accurate than any of ours" : "");
+               c.error, c.ours, c.unmatched ? "; one of its points is more accurate than all of ours" : "");
 }
 
 }  // namespace
 
 void print_scene_sweep(const SceneSweepResult& r) {
   fmt::print(
-      "error: against the exact motion, the largest at four quarters of the duration; of attitude [rad], or "
-      "position "
-      "[m]\n  where nothing turns; + where a smaller step would err less still. Time: of the fastest run "
-      "that errs at "
-      "most so much\n  [microseconds per simulated second]. Drift: relative; slope of the best line, and the "
-      "largest "
-      "distance from it\n");
+      "error: the largest at four quarters of the duration, against the exact motion: of the attitude\n"
+      "  [rad], or of the position [m] if nothing rotates; + means that a smaller step would reduce it.\n"
+      "  Time: of the fastest run with at most this error [microseconds per simulated second].\n"
+      "  Drift: relative; slope of the least-squares line, and largest distance from it\n");
   for (const std::string& name : absent_peers()) fmt::print("{}: absent from this build\n", name);
   for (const SceneSweep& s : r.scenes) print_scene(s);
   print_spins(r);
   print_peers(r);
   fmt::print("\n{} scenes in {:.1f} s{}\n", r.scenes.size(), r.elapsed,
-             r.complete ? "" : "; interrupted: what was done");
-  for (const std::string& line : r.wrong) fmt::print("not the order that is promised: {}\n", line);
+             r.complete ? "" : "; interrupted: only what was done");
+  for (const std::string& line : r.wrong) fmt::print("wrong order: {}\n", line);
 }
 
 }  // namespace liecheck::properties

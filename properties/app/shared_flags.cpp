@@ -12,7 +12,7 @@ Flag add_seed(Arguments& a, std::uint64_t& seed, const std::string& help) {
 }
 
 Flag add_jobs(Arguments& a, unsigned& jobs) {
-  return a.number("-j,--jobs", jobs, 1, 1024, "threads; the digests do not depend on it");
+  return a.number("-j,--jobs", jobs, 1, 1024, "number of threads; the digests do not depend on it");
 }
 
 unsigned default_jobs() {
@@ -22,7 +22,7 @@ unsigned default_jobs() {
 Flag RobotFlags::add(Arguments& a, const std::string& help) {
   const Flag robot = a.text("--robot", file, "URDF", help);
   a.choice("--root", root, {"free-flyer", "fixed"}, "ROOT",
-           "how the robot stands in the world: free-flyer or fixed")
+           "root joint of the robot: free-flyer or fixed")
       .with_default_in_help()
       .needs(robot);
   return robot;

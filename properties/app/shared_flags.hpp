@@ -1,5 +1,5 @@
 #pragma once
-// Flags that several commands have: seed, jobs, robot, and which subjects and properties.
+// Flags that several commands have: seed, jobs, robot, subjects and properties.
 
 #include <app/arguments.hpp>
 #include <campaign/selection.hpp>
@@ -7,21 +7,21 @@
 
 namespace liecheck::properties {
 
-/// Adds --seed; `help` says of what.
+/// Adds --seed with this help.
 Flag add_seed(Arguments& arguments, std::uint64_t& seed, const std::string& help);
 
 /// Adds -j, --jobs.
 Flag add_jobs(Arguments& arguments, unsigned& jobs);
-/// The number of threads; one for each core by default.
+/// The default number of threads: one for each core.
 unsigned default_jobs();
 
 /// --robot and --root.
 struct RobotFlags {
   std::string file, root = "free-flyer";
 
-  /// The flag --robot of `add`, which --root needs.
+  /// Adds both flags. Returns --robot.
   Flag add(Arguments& arguments,
-           const std::string& help = "robot for configuration properties; built in: mixed_joints");
+           const std::string& help = "robot of the laws that need one; default: the built-in mixed_joints");
   /// Reads the file, which may be a pipe: call it once.
   Robot read() const;
 };
@@ -32,7 +32,7 @@ struct SelectionFlags {
   std::string json;
 
   void add(Arguments& arguments);
-  /// liecheck in float and double unless something else is named; "all" is everything.
+  /// By default liecheck in float and double; the subject "all" means all subjects.
   Selection selection() const;
 };
 
@@ -44,7 +44,7 @@ struct CaseFlags {
   unsigned jobs = default_jobs();
   Flag jobs_flag;
 
-  /// Returns all but --root.
+  /// Adds the flags. Returns all except --root.
   std::vector<Flag> add(Arguments& arguments);
 };
 

@@ -1,12 +1,11 @@
 #pragma once
-// Ctrl-C, SIGTERM and SIGHUP stop a command, which keeps what is done.
+// Ctrl-C, SIGTERM and SIGHUP stop a command, which then returns what is done.
 
 namespace liecheck::properties {
 
-/// The first signal sets stop_requested, the second ends the program at once. Two within 0.3 s, longer than a busy
-/// machine delays one and shorter than a second thought, are one: `timeout` sends its own to the program and then to
-/// the program's whole group. A signal that nohup ignores stays ignored. To be called once the robot is read, which may
-/// wait for a pipe.
+/// The first signal sets stop_requested; the second ends the program at once. Two signals within 0.3 s count
+/// as one, because `timeout` sends its signal to the program and then to its process group. A signal that
+/// nohup ignores stays ignored. Call this after the robot was read, because reading may wait for a pipe.
 void stop_on_signals();
 
 }  // namespace liecheck::properties

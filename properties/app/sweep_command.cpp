@@ -40,7 +40,7 @@ std::vector<Coefficient> named(const std::vector<std::string>& names) {
   return all;
 }
 
-/// An upper bound is rounded up, an error that was found to the nearest.
+/// Rounds an upper bound up, and an error that was found to nearest.
 std::string bound_or_error(const SweepResult& r, const SweptCoefficient& c) {
   const double x = r.upper_bound() ? std::ceil(c.bound_eps * 1e5) / 1e5 : c.max_eps;
   return std::isfinite(x) ? fmt::format("{:.5f}", x) : "NaN or Inf";
@@ -61,17 +61,16 @@ void print_summary(const SweepResult& r) {
   for (const SweptCoefficient& c : r.coefficients) oracle = std::max(oracle, c.oracle_bound_eps);
   if (r.upper_bound())
     fmt::print(
-        "\nbound: an upper bound of the error in float over every argument, the oracle's own error of at "
-        "most "
-        "{:.1e} eps included\n",
+        "\nbound: an upper bound of the error in float over every argument, including the oracle's own error "
+        "of at most {:.1e} eps\n",
         oracle);
   else
     fmt::print("\nfound: {}, a lower bound of the maximum\n",
                r.complete ? fmt::format("the largest error at every {}th float", r.stride)
                           : "interrupted, the largest error so far");
   fmt::print(
-      "square: what the rounding of x = theta^2 adds to first order, seen from theta [eps]\n{} in {:.1f} s\n",
-      r.failed()        ? "verdict fail: a documented bound is false"
+      "square: error due to the rounding of x = theta^2, to first order [eps]\n{} in {:.1f} s\n",
+      r.failed()        ? "verdict fail: a documented bound is wrong"
       : !r.complete     ? "verdict incomplete"
       : r.upper_bound() ? "verdict pass"
                         : "verdict pass: no documented bound refuted",
@@ -110,7 +109,7 @@ Command sweep_command(CLI::App& program) {
       "an upper bound of the error of every scalar coefficient over every float. Exit 0 the documented "
       "bounds hold, 1 one does not, 2 bad input, 3 stopped");
   a.list("--coefficient", f->coefficients, "NAME", "a coefficient, repeatable; default all");
-  a.number("--stride", f->stride, 1, 1u << 30, "only every Nth float: a lower bound, sooner");
+  a.number("--stride", f->stride, 1, 1u << 30, "evaluate only every Nth float: a lower bound, but faster");
   add_jobs(a, f->jobs);
   a.text("--json", f->json, "FILE", "write the bounds to FILE");
   return a.command([f] { return run(*f); });

@@ -1,12 +1,12 @@
 #pragma once
-// `liecheck sweep`, which a report runs too.
+// `liecheck sweep`, which a report also runs.
 
 #include <coefficients/sweep.hpp>
 
 namespace liecheck::properties {
 
-/// Every coefficient where none is named. Shows its progress, and stops at stop_requested. Throws
-/// std::invalid_argument naming a coefficient that is not known, before anything runs.
+/// Sweeps the named coefficients, or all if none is named. Shows progress, and stops once stop_requested is
+/// set. Before anything runs, throws std::invalid_argument that names an unknown coefficient.
 SweepResult run_sweep(const std::vector<std::string>& coefficients, unsigned jobs, std::uint32_t stride = 1);
 
 }  // namespace liecheck::properties

@@ -1,5 +1,5 @@
 #pragma once
-// What the harness is worth, as a record: how soon each known bug is found, and how many cases a second are run.
+// Results of `liecheck bench` as records: how soon known bugs are found, and how many cases run per second.
 
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
@@ -9,14 +9,14 @@
 
 namespace liecheck::properties {
 
-/// How soon a known bug was found; of a look-alike, whether it was refused.
+/// How soon a known bug was found, or whether a look-alike was refused.
 struct BugRow {
   std::string name, fault, origin;
   bool killed = false;
   std::string by;  ///< law, operation and block that failed
   std::uint64_t cases = 0;
   double seconds = 0;
-  std::vector<std::pair<std::string, bool>> weaker_styles;  ///< name, and whether it would have seen the bug
+  std::vector<std::pair<std::string, bool>> weaker_styles;  ///< name, and whether it finds the bug
 
   bool alike() const { return name.rfind("alike:", 0) == 0; }
 };
@@ -32,7 +32,7 @@ struct BugBench {
   std::size_t killed() const;
   std::size_t alikes() const;
   std::size_t refused_alikes() const;
-  /// Was every bug killed and no look-alike refused?
+  /// Whether every bug was killed and no look-alike refused.
   bool passed() const { return killed() == bugs() && refused_alikes() == 0; }
 };
 
@@ -43,7 +43,7 @@ struct SpeedBench {
   std::vector<std::pair<std::string, double>> rates;  ///< name, best rate of the rounds [cases/s]
   double all_laws = 0, tree_laws = 0;                 ///< harmonic means [cases/s]
   double exp6_over_rapidcheck = 0, two_jobs_over_one = 0;
-  int falsified = 0;  ///< how often rc::check refused exp6, whose rates say nothing then
+  int falsified = 0;  ///< how often rc::check failed on exp6; unless 0, the rates of exp6 mean nothing
 };
 
 nlohmann::json record_of(const SpeedBench& bench);

@@ -88,7 +88,7 @@ json laws(const CampaignResult& r) {
   return all;
 }
 
-/// Each with the operations of this campaign that it does not offer.
+/// The subjects, each with the operations of this campaign that it does not offer.
 json subjects_record(const CampaignResult& r) {
   struct Offered {
     const Series* series;

@@ -7,7 +7,7 @@
 
 namespace liecheck::properties {
 
-/// `earlier_environment` is the JSON of an earlier run; empty: this machine and program.
+/// `earlier_environment` is the environment of an earlier run as JSON; if empty, the present one is recorded.
 nlohmann::json record_of(const CampaignResult& result, const Counterexamples& replayed = {},
                          const std::string& earlier_environment = {});
 

@@ -9,12 +9,12 @@ namespace liecheck::properties {
 /// "absolute" or "relative": how the error of a coefficient is measured.
 const char* error_kind(const SweptCoefficient& c);
 
-/// "pass" and "fail" where every float was swept; "sampled" where a sample found nothing wrong.
+/// "fail" if an error exceeds the documented bound; otherwise "pass" if every float was swept, or "sampled".
 const char* status_of(const SweepResult& result, const SweptCoefficient& c);
 
 nlohmann::json record_of(const SweepResult& result);
 
-/// Adds it to a campaign's record, whose verdict becomes "fail" where a documented bound is false.
+/// Adds it to a campaign's record. The record's verdict becomes "fail" if a documented bound is wrong.
 void add_sweep(nlohmann::json& record, const SweepResult& result);
 
 }  // namespace liecheck::properties

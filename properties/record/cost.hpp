@@ -1,5 +1,5 @@
 #pragma once
-// Time beside error in a record: key "cost", documented in docs/record.md.
+// Time and error of operations in a record: key "cost", documented in docs/record.md.
 
 #include <nlohmann/json_fwd.hpp>
 #include <timing/cost.hpp>
@@ -11,7 +11,7 @@ nlohmann::json record_of(const CostResult& result);
 /// Adds it to a campaign's record.
 void add_cost(nlohmann::json& record, const CostResult& result);
 
-/// null where nothing was timed.
+/// Returns null if nothing was timed.
 nlohmann::json record_of(const Spread& time);
 
 /// Subject and scalar, such as "liecheck double".

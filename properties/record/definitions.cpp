@@ -24,7 +24,7 @@ json size_of(const Part& part) {
   }
 }
 
-/// One entry a part: "phi" of an argument that is one part, "X.R" of one of several.
+/// One entry for each part. Its name is "phi" if its argument has one part, and "X.R" if it has several.
 template <class Layouts>
 json parts_of(const Layouts& layouts) {
   json list = json::array();

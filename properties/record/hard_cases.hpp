@@ -8,7 +8,7 @@ namespace liecheck::properties {
 
 nlohmann::json record_of(const std::vector<HardRow>& rows);
 
-/// Adds them to a campaign's record, whose verdict becomes "fail" where one of them failed.
+/// Adds them to a campaign's record. The record's verdict becomes "fail" if one of them failed.
 void add_hard_cases(nlohmann::json& record, const std::vector<HardRow>& rows);
 
 }  // namespace liecheck::properties

@@ -1,5 +1,5 @@
 #pragma once
-// The run of one scene as a record: what `liecheck scene run --json` writes, documented in fixtures/scenes/README.md.
+// The run of one scene as a record, which `liecheck scene run --json` writes; documented in docs/record.md.
 
 #include <liecheck/scene/run.hpp>
 #include <nlohmann/json_fwd.hpp>

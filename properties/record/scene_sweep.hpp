@@ -10,7 +10,7 @@ namespace liecheck::properties {
 /// All that `liecheck scene sweep` measures.
 struct SceneSweepResult {
   std::vector<SceneSweep> scenes;
-  std::vector<std::string> wrong;  ///< orders that are not what was promised
+  std::vector<std::string> wrong;  ///< one line for each wrong order
   std::vector<PeerComparison> peers;
   std::vector<LongSpin> spins;
   std::vector<Flips> flips;

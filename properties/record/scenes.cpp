@@ -9,7 +9,7 @@ namespace {
 
 using nlohmann::json;
 
-/// To 1e-5: a hundredth of a millimetre is less than a pixel.
+/// Rounds to 1e-5, because 0.01 mm is less than a pixel.
 template <class Numbers>
 json rounded(const Numbers& numbers) {
   json list = json::array();

@@ -5,7 +5,7 @@
 
 namespace liecheck::properties {
 
-/// Adds the sweep, the cost of each stage of a plan and the films that the report shows, the last two made here.
+/// Adds the sweep. Measures and adds the costs of stages, and makes and adds the films that the report shows.
 void add_scenes(nlohmann::json& record, const SceneSweepResult& result);
 
 }  // namespace liecheck::properties

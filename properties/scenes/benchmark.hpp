@@ -1,5 +1,5 @@
 #pragma once
-// A scene as a benchmark: a robot, a start, a duration, and what acts.
+// A scene as a benchmark: a robot, its initial state, a duration and effects.
 
 #include <Eigen/Core>
 #include <boost/multiprecision/float128.hpp>
@@ -17,7 +17,7 @@ namespace liecheck::properties {
 
 using float128 = boost::multiprecision::float128;
 
-/// A configuration [nq] and a velocity [nv] in the library's coordinates, exactly.
+/// A configuration [nq] and a velocity [nv] in the library's coordinates, in high precision.
 struct Moment {
   std::vector<oracles::Real> q, v;
 };
@@ -27,21 +27,21 @@ struct Benchmark {
   Model<double> robot;
   Eigen::VectorXd q0, v0;
   double duration = 1;     ///< [s]
-  std::string integrator;  ///< that the scene's file names; may be empty
-  /// The effects, and those of them that a closed form knows: gravity in the world [m/s^2]; of each coordinate [nv]
-  /// stiffness, its rest position and viscous damping. Empty: none.
+  std::string integrator;  ///< given in the scene's file; may be empty
+  /// All effects. Those that closed forms cover are repeated below: gravity in the world [m/s^2], and
+  /// stiffness, rest position and viscous damping of each coordinate [nv], empty if there is none.
   std::function<scene::Effects<double>()> effects = [] { return scene::Effects<double>(); };
   std::function<scene::Effects<float128>()> effects_float128 = [] { return scene::Effects<float128>(); };
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();
   Eigen::VectorXd stiffness, rest, damping;
-  bool others = false;  ///< something else acts
+  bool others = false;  ///< whether there are other effects
 
   bool conservative() const { return !others && (damping.size() == 0 || damping.isZero(0)); }
-  /// Does nothing act from outside, so that momentum is kept?
+  /// Whether no external force acts, so that momentum is conserved.
   bool force_free() const;
 };
 
-/// Throws std::invalid_argument where an effect makes no sense for the robot.
+/// Throws std::invalid_argument if an effect does not fit the robot.
 Benchmark benchmark_of(const scene::Scene& scene);
 
 }  // namespace liecheck::properties

@@ -72,7 +72,7 @@ std::vector<Benchmark> builtin_benchmarks() {
     all.push_back(s);
   }
   {
-    Scene s = scene_of("top", "a heavy top that nods", 2);
+    Scene s = scene_of("top", "a heavy top with nutation", 2);
     add(s, Spherical<double>(), V3::Zero(), 1, {0, 0, 0.25}, {0.05, 0.05, 0.1});
     s = started(s, {0.1, 0, 12});
     s.q << 0.28, 0, 0, 0.96;
@@ -80,7 +80,7 @@ std::vector<Benchmark> builtin_benchmarks() {
     all.push_back(s);
   }
   {
-    Scene s = scene_of("chain", "three links in zero gravity that hang on the world", 2);
+    Scene s = scene_of("chain", "three links in zero gravity, the first attached to the world", 2);
     for (int i = 0; i < 3; ++i)
       add(s, Revolute<double>(V3(0, 0, 1)), i > 0 ? V3(0.5, 0, 0) : V3(V3::Zero()), 1, {0.25, 0, 0},
           {0.01, 0.02, 0.02});

@@ -1,5 +1,5 @@
 #pragma once
-// The scenes of a sweep that names none: exact motions, numbers that are exact in double.
+// The built-in scenes, which a sweep runs if no scene is given. Their exact motions are known (truth.hpp).
 
 #include <scenes/benchmark.hpp>
 

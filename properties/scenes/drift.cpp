@@ -65,7 +65,7 @@ void DriftWatch::see(double t, const Moment& m) {
   }
 }
 
-/// Relative to the largest kinetic energy where the energy itself is near zero.
+/// The energy at the start may be near zero, so that the scale is at least the largest kinetic energy.
 Drift DriftWatch::energy() const {
   return drift_of(parts_->t, parts_->energy, parts_->scale);
 }

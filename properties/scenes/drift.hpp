@@ -1,5 +1,5 @@
 #pragma once
-// Energy and momentum over a run, split into what goes on and what comes back.
+// The drift of energy and momentum over a run, split into a linear trend and an oscillation.
 
 #include <Eigen/Core>
 #include <scenes/benchmark.hpp>
@@ -7,26 +7,26 @@
 
 namespace liecheck::properties {
 
-/// Of a quantity that should not change, relative to its size at the start: the least-squares slope [1/s], and the
-/// largest distance from that line. `samples`: none where it is not kept by this scene.
+/// The drift of a conserved quantity, relative to its norm at the start: the slope of the least-squares line
+/// [1/s] and the largest distance from that line. `samples` is 0 if the scene does not conserve the quantity.
 struct Drift {
   std::size_t samples = 0;
   double slope = 0, oscillation = 0;
 };
 
-/// x [k] at times t [s], a vector each; its change is relative to |x(0)| or, where larger, to `scale`. The slope's norm,
-/// signed for one number.
+/// The drift of the vectors x[k] at times t[k] [s], relative to max(|x[0]|, scale). The slope of a vector is
+/// given by its norm; that of a single number has a sign.
 Drift drift_of(const std::vector<double>& t, const std::vector<Eigen::VectorXd>& x, double scale = 0);
 
-/// Watches a run of a scene, in double.
+/// Measures the drifts in a run of a scene, in double.
 class DriftWatch {
  public:
   explicit DriftWatch(const Benchmark& scene);
   ~DriftWatch();
   void see(double t, const Moment& moment);
-  /// Kinetic and potential, of gravity and of what effects say [J]; of a scene without friction.
+  /// The drift of the kinetic energy plus all potentials; without samples if the scene is not conservative.
   Drift energy() const;
-  /// Angular, about the centre of mass in the world's axes; of a scene on which nothing acts from outside.
+  /// The drift of the angular momentum about the centre of mass; without samples if external forces act.
   Drift momentum() const;
 
  private:

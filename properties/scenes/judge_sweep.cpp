@@ -15,7 +15,7 @@ std::vector<std::string> wrong_orders(const std::vector<SceneSweep>& all, std::s
       auto& count = seen[row.integrator];
       if (row.exact) continue;
       const ObservedOrder& o = row.observed;
-      if (!o.settled) continue;  // its steps are still too long here, or its errors too near to rounding
+      if (!o.settled) continue;  // its steps are too long here, or its errors too close to rounding errors
       if (!(std::abs(o.order - row.promised) <= 0.1))
         wrong.push_back(fmt::format("{} on {}: order {:.3f}, not {}", row.integrator, s.scene.name, o.order,
                                     row.promised));
@@ -32,8 +32,8 @@ std::vector<std::string> wrong_orders(const std::vector<SceneSweep>& all, std::s
 
 namespace {
 
-/// The least time in which a line of ours errs at most so much: at a point, or between two of them (log-log); 0 where
-/// it never does.
+/// The shortest time in which liecheck's series reaches an error of at most `error`, at a point or between
+/// two points (log-log); 0 if it never does.
 double time_for(const SweepSeries& ours, double error) {
   double best = 0;
   const auto offer = [&](double t) { best = best == 0 || t < best ? t : best; };

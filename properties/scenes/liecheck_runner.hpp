@@ -1,5 +1,5 @@
 #pragma once
-// liecheck as a Runner: in double, and in float128.
+// Runners that simulate with liecheck in double or float128.
 
 #include <fmt/format.h>
 #include <liecheck/scene/integrators/registry.hpp>
@@ -11,8 +11,8 @@
 
 namespace liecheck::properties {
 
-/// In float128, a method of order 4 or more: nothing needs the others there, and each is dear to compile. Throws
-/// std::invalid_argument for one of them.
+/// Returns a method of order 4 or more in float128. The others are not needed there, and each is slow to
+/// compile. Throws std::invalid_argument for any other name.
 template <class Sys>
 std::unique_ptr<scene::Method<Sys>> make_float128_method(const std::string& name,
                                                          const scene::MethodOptions& options = {}) {
@@ -23,13 +23,13 @@ std::unique_ptr<scene::Method<Sys>> make_float128_method(const std::string& name
   if (name == "rkmk6") return std::make_unique<scene::Rkmk6<Sys>>();
   if (name == "gauss6") return std::make_unique<scene::Gauss6<Sys>>();
   if (name == "gauss12") return std::make_unique<scene::Gauss12<Sys>>();
-  scene::methodInfo(name);  // throws where there is none
+  scene::methodInfo(name);  // throws if there is none
   throw std::invalid_argument("float128 runs integrators of order 4 and above, not '" + name + "'");
 }
 
 using Float128LoneBody = scene::LoneBody<float128>;
 using Float128Tree = scene::Tree<float128>;
-// Each is compiled in a file of its own.
+// These are compiled in float128_lone_body.cpp and float128_tree.cpp.
 extern template std::unique_ptr<scene::Method<Float128LoneBody>> make_float128_method(
     const std::string&, const scene::MethodOptions&);
 extern template std::unique_ptr<scene::Method<Float128Tree>> make_float128_method(

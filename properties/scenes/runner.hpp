@@ -1,6 +1,6 @@
 #pragma once
-// Runs one benchmark with one method, as often and as finely as asked: ours in double and in float128, and other
-// people's simulators (peers/).
+// The interface to run one benchmark with one method and any number of steps. liecheck in double and float128
+// and other simulators (peers/) implement it.
 
 #include <functional>
 #include <memory>
@@ -9,13 +9,13 @@
 
 namespace liecheck::properties {
 
-/// How much effort: steps over the whole duration, or for a method that chooses its own steps a tolerance.
+/// The number of steps over the whole duration, and a tolerance for a method that chooses its own steps.
 struct Effort {
   long steps = 0;
   double tolerance = 0;
 };
 
-/// What a run could not finish: what() says when and why.
+/// Thrown by a run that cannot finish; what() says when and why.
 class Diverged : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -24,16 +24,16 @@ class Diverged : public std::runtime_error {
 class Runner {
  public:
   virtual ~Runner() = default;
-  /// From the start to the end; watch(t, moment) at the start and after each of `samples` equal parts of the duration,
-  /// in which whole numbers of steps must lie. Returns how many steps were made. Throws Diverged.
+  /// Runs from start to end. Calls watch(t, moment) at the start and after each of `samples` equal parts of
+  /// the duration, each a whole number of steps. Returns the number of steps made. Throws Diverged.
   virtual long run(const Effort& effort, long samples,
                    const std::function<void(double t, const Moment& moment)>& watch) = 0;
-  /// The same unwatched, for its time.
+  /// Makes the same run without samples, so that it can be timed.
   virtual void pass(const Effort& effort) = 0;
 };
 
-/// Ours, scalar "double" or "float128". A tolerance of 0 lets an adaptive method accept every step that it is given.
-/// Throws std::invalid_argument where the method does not run this scene.
+/// Returns liecheck's runner; scalar is "double" or "float128". With a tolerance of 0, an adaptive method
+/// accepts every step. Throws std::invalid_argument if the method cannot run this scene.
 std::unique_ptr<Runner> make_runner(const Benchmark& scene, const std::string& method,
                                     const std::string& scalar);
 

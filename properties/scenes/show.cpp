@@ -47,7 +47,7 @@ duration: 1 s
 )";
 constexpr const char* dzhanibekov_text = R"(
 scene: Dzhanibekov's body
-reason: it spins about the axis of its middle moment, 1e-3 off, and turns over every few seconds
+reason: it spins about the axis of its middle moment, with a perturbation of 1e-3, and flips every few seconds
 robot: {body: box, mass: 2 kg, size: [0.1 m, 0.2 m, 0.4 m]}
 initial: {start: dzhanibekov, rate: 5 rad/s, perturbation: 1e-3}
 integrator: {name: gauss6, step: 20 ms}
@@ -56,7 +56,7 @@ output: {every: 40 ms}
 )";
 constexpr const char* top_text = R"(
 scene: a heavy top
-reason: it nods while it goes round
+reason: it nutates while it precesses
 robot: {body: top, mass: 1 kg, transverse: 0.005, axial: 0.008, centre: [0, 0, 0.15], root: spherical}
 initial: {attitude: [0.5, 0, 0], angular_velocity: [0, 0, 40]}
 effects: [gravity]
@@ -65,11 +65,11 @@ duration: 6 s
 output: {every: 20 ms}
 )";
 
-/// The quadruped of fixtures/robots, dropped from half a metre onto compliant ground.
+/// The quadruped of fixtures/robots, dropped onto compliant ground with its base at 0.45 m.
 scene::Scene quadruped() {
   scene::Scene s;
   s.name = "a quadruped dropped on compliant ground";
-  s.reason = "stiff contacts that come and go, and legs that a controller holds";
+  s.reason = "stiff contacts that open and close, and legs held by a PD controller";
   s.source = "built-in quadruped";
   s.model = buildModelFromUrdfText(quadruped_urdf, RootJoint::FreeFlyer);
   s.q = neutral(s.model), s.v = VectorX<double>::Zero(s.model.nv);
@@ -123,7 +123,7 @@ Film::Link link_of(const Model<double>& model, std::size_t i) {
       const Vector3<double> p = model.jointPlacements[child].translation();
       link.joints.push_back({p[0], p[1], p[2]});
     }
-  for (const Frame<double>& f : model.frames)  // ends that carry nothing
+  for (const Frame<double>& f : model.frames)  // feet, which carry no joint
     if (f.type == FrameType::BODY && std::size_t(f.parentJoint) == i && f.name.ends_with("foot")) {
       const Vector3<double> p = f.placement.translation();
       link.joints.push_back({p[0], p[1], p[2]});

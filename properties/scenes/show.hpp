@@ -1,5 +1,5 @@
 #pragma once
-// What the page shows of scenes besides the sweep: what each effect costs, and motions to look at.
+// What the report shows about scenes in addition to the sweep: the cost of each effect, and films of motions.
 
 #include <array>
 #include <optional>
@@ -11,13 +11,13 @@ namespace liecheck::properties {
 /// A stage of a plan, as `liecheck scene explain` measures it.
 struct StageCost {
   std::string scene, stage, equation, energy, when, why;
-  std::optional<double> nanoseconds;  ///< each time
+  std::optional<double> nanoseconds;  ///< of one run
 };
-/// Of a lone body with every effect of bodies, a hinge with every effect of joints, and a quadruped on the ground.
+/// The stages for a body and a hinge, each with all of its effects, and for a quadruped on the ground.
 std::vector<StageCost> stage_costs();
 
-/// A motion in pictures: of each body the box with its inertia (homogeneous, of its mass), and lines from its origin to
-/// the joints that hang on it.
+/// A film of a motion. Each body is drawn as the homogeneous box with its mass and inertia, with lines from
+/// its origin to the joints that it carries.
 struct Film {
   struct Link {
     std::string name;
@@ -29,7 +29,7 @@ struct Film {
   double interval = 0;           ///< between frames [s]
   std::optional<double> ground;  ///< height [m]
   std::vector<Link> links;
-  std::vector<std::vector<std::array<double, 7>>> frames;  ///< of each link p and Q, x y z w, in the world
+  std::vector<std::vector<std::array<double, 7>>> frames;  ///< poses of links in the world: p, Q as x y z w
 };
 std::vector<Film> films();
 

@@ -39,11 +39,11 @@ Flips flips_of(const Benchmark& b, double delta, const char* scalar, std::size_t
   const S h = S(1) / S(per_second);
   const auto steps = long(1.5 * r.exact.back() * per_second) + 8;
   scene::State<Body> before = state;
-  bool same = true;  // the flips that were found are those of the closed form so far
+  bool same = true;  // all flips so far agree with the closed form
   const scene::Outcome o = scene::simulate(
       body, *method, state, {static_cast<double>(S(steps) * h), steps, 1}, [&](const auto& now, long n) {
         if (n > 0 && (now.v[4] < S(0)) != (before.v[4] < S(0))) {
-          S at = h * before.v[4] / (before.v[4] - now.v[4]);  // Newton's method from the chord's zero
+          S at = h * before.v[4] / (before.v[4] - now.v[4]);  // Newton's method, from the zero of the chord
           typename Body::Tangent rate;
           for (int i = 0; i < 8; ++i) {
             scene::State<Body> trial = before;
@@ -107,7 +107,7 @@ std::vector<Flips> dzhanibekov_flips(std::size_t flips, std::atomic<bool>* stop)
     if (stop && *stop) break;
     all.push_back(flips_of<double>(b, delta, "double", flips, 8));
     if (stop && *stop) break;
-    // What decides a later flip is the energy above the separatrix, delta^2, of which double keeps eps / delta^2.
+    // Later flips depend on the energy above the separatrix, delta^2, with a relative error of eps / delta^2.
     const bool lost = all.back().predicted < flips;
     if (lost && (e <= 8 || e == 12)) all.push_back(flips_of<float128>(b, delta, "float128", flips, 4));
   }

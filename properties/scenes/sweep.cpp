@@ -17,7 +17,7 @@ double since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// The exact moments at the quarters, the start first.
+/// The exact states at the start and at the end of each quarter.
 struct Exact {
   std::string name;
   bool closed = false;
@@ -51,7 +51,7 @@ Exact exact_of(const Benchmark& s) {
     if (!coarse.empty()) {
       const MotionError d = motion_error(s.robot, fine.back(), coarse.back());
       if (d.leading() < 1e-20 || steps >= 4096) {
-        return {"our own gauss12 in float128, of two steps", false, d.leading(), fine};
+        return {"gauss12 in float128 with two steps", false, d.leading(), fine};
       }
     }
     coarse = fine;
@@ -69,7 +69,8 @@ MotionError error_of_run(Runner& runner, const Benchmark& s, const Exact& exact,
   return worst;
 }
 
-/// A first number of steps: about one a radian of the fastest turn at the start, or a sixteenth of the duration.
+/// The first number of steps: at least 16, and one for each radian of the fastest initial rotation. Above
+/// order 8, at least 4, and one for three radians.
 long first_steps(const Benchmark& s, int order) {
   double fastest = s.v0.size() ? s.v0.cwiseAbs().maxCoeff() : 0;
   long n = order > 8 ? quarters : 16;
@@ -91,7 +92,7 @@ Measured measure(Runner& runner, const Benchmark& s, const Exact& exact, const E
     m.seconds = since(start);
     m.point.error = error_of_run(runner, s, exact, effort, &m.point.steps);
     const long per_quarter = std::max(1L, std::min(32L, effort.steps / quarters));
-    long parts = per_quarter;  // that divide a quarter
+    long parts = per_quarter;  // the largest number up to that which divides a quarter's steps
     while ((effort.steps / quarters) % parts != 0) --parts;
     if (effort.tolerance == 0) {
       DriftWatch drift(s);
@@ -106,7 +107,7 @@ Measured measure(Runner& runner, const Benchmark& s, const Exact& exact, const E
   return m;
 }
 
-/// The points of one method, coarse to fine, with what runs each of them.
+/// The points of one method, from coarse to fine, with their runner.
 struct Line {
   SweepSeries series;
   std::shared_ptr<Runner> runner;
@@ -151,7 +152,7 @@ OrderRow measure_order(const Benchmark& s, const Exact& exact, const scene::Meth
     double error = std::numeric_limits<double>::infinity();
     try {
       error = error_of_run(*runner, s, exact, {n, 0}, &made).leading();
-    } catch (const Diverged&) {  // too long a step
+    } catch (const Diverged&) {  // the step is too long
     }
     row.errors.push_back(error), row.steps.push_back(n);
     if (row.errors.size() == 2 && std::max(row.errors[0], row.errors[1]) < 1e4 * eps) {
@@ -174,7 +175,7 @@ std::vector<SceneSweep> sweep_scenes(const std::vector<Benchmark>& scenes, const
   };
   const auto stopped = [&] { return o.stop && *o.stop; };
   std::vector<SceneSweep> all;
-  std::map<std::string, std::size_t> shown;  // on how many scenes a method's order was
+  std::map<std::string, std::size_t> shown;  // on how many closed forms a method's order was settled
   for (std::size_t i = 0; i < scenes.size() && !stopped(); ++i) {
     const Benchmark& s = scenes[i];
     const auto progress = [&](double share, const std::string& what) {

@@ -1,9 +1,10 @@
 #pragma once
-// Integrators x steps on scenes: what error, what drift, what time.
+// Measures the error, drift and time of integrators x steps on scenes.
 //
-// Error: against the truth (truth.hpp), the largest at four quarters of the duration. Where a scene has no truth, ours
-// in float128 by gauss12 takes its place, and says so. Drift: of energy and momentum over 128 moments (drift.hpp). Time:
-// processor time of a whole run over its duration, all points of a scene interleaved (timing/benchmarks.hpp).
+// The error is the largest at the ends of the four quarters of the duration, against the exact motion
+// (truth.hpp) or, if none is known, against liecheck's gauss12 in float128. The drift is that of energy and
+// momentum over at most 129 samples (drift.hpp). The time is processor time per simulated second; the runs of
+// all points of a scene are interleaved (timing/benchmarks.hpp).
 
 #include <atomic>
 #include <scenes/peers/peer.hpp>
@@ -16,11 +17,11 @@ namespace liecheck::properties {
 
 struct SweepPoint {
   Effort effort;
-  long steps = 0;  ///< that were made
+  long steps = 0;  ///< steps made
   MotionError error;
   Drift energy, momentum;
-  Spread time;           ///< [ns] per simulated second; no repetitions where not timed
-  std::string diverged;  ///< when and why; empty where it ended
+  Spread time;           ///< [ns] per simulated second; no repetitions if not timed
+  std::string diverged;  ///< when and why; empty if it did not
 };
 
 /// One method on one scene in double.
@@ -28,13 +29,13 @@ struct SweepSeries {
   std::string subject, version, integrator;  ///< subject: "liecheck" or a peer
   int order = 0;
   bool adaptive = false;
-  std::vector<SweepPoint> points;  ///< each with half the step of the one before, or a tenth of the tolerance
-  /// The smallest error in double; a floor where halving the step did not lower it any more.
+  std::vector<SweepPoint> points;  ///< each has half the step of the one before, or a tenth of the tolerance
+  /// The smallest error of any point, and whether smaller steps no longer lowered it.
   double smallest = 0;
   bool at_floor = false;
 };
 
-/// The order that a method shows on a scene with a truth. Exact: rounding is all that it errs by.
+/// The observed order of a method on a scene with a known motion. `exact`: rounding is the only error.
 struct OrderRow {
   std::string integrator, scalar;
   int promised = 0;
@@ -46,7 +47,7 @@ struct OrderRow {
 
 struct SceneSweep {
   Benchmark scene;
-  std::string truth;  ///< its name
+  std::string truth;  ///< name of the exact motion or of the reference
   bool closed = false;
   double disagreement = 0;
   std::vector<SweepSeries> series;
@@ -54,12 +55,12 @@ struct SceneSweep {
 };
 
 struct SceneSweepOptions {
-  std::vector<std::string> integrators;  ///< none: all
-  std::vector<long> steps;  ///< over the whole duration, multiples of 4; none: from coarse to the floor
-  std::size_t order_scenes = 1000;  ///< how many of each method's scenes its order is measured on; 0: none
-  double order_seconds = 20;        ///< about the longest that measuring one order takes
+  std::vector<std::string> integrators;  ///< empty: all
+  std::vector<long> steps;  ///< over the whole duration, multiples of 4; empty: from coarse to the floor
+  std::size_t order_scenes = 1000;  ///< number of closed forms that must show a method's order; 0: none
+  double order_seconds = 20;        ///< approximate limit for measuring one order [s]
   double longest = 0.02;            ///< longer runs are not timed [s]
-  double seconds = 20;              ///< about how long all timing takes; 0: none
+  double seconds = 20;              ///< approximate time for all timing [s]; 0: no timing
   std::size_t repetitions = 11;
   bool peers = true;
   std::atomic<bool>* stop = nullptr;
@@ -69,20 +70,20 @@ struct SceneSweepOptions {
 /// Throws std::invalid_argument naming an integrator that does not exist.
 std::vector<SceneSweep> sweep_scenes(const std::vector<Benchmark>& scenes, const SceneSweepOptions& options);
 
-/// Does every method show its order to 0.1 over five halvings wherever its order settles, and does it on at least
-/// `scenes` scenes with closed forms on which it is not exact? What is wrong, a line each.
+/// Returns a line for each settled order that is off by more than 0.1, and a line for each method whose order
+/// is right on fewer than `scenes` closed forms. Closed forms for which the method is exact do not count.
 std::vector<std::string> wrong_orders(const std::vector<SceneSweep>& all, std::size_t scenes = 3);
 
-/// A peer beside ours on a scene: over all its points, at an error no larger (between two points of ours on the line
-/// through them, log-log), the largest of our time over its time.
-/// ratio: below 1 where we are faster everywhere; none where no point of ours is as accurate.
+/// Compares liecheck with a peer on a scene. For each point of the peer, liecheck's time is the shortest with
+/// an error that is no larger; between two points it is interpolated (log-log). `ratio` is the largest of
+/// liecheck's time over the peer's time: below 1, liecheck is faster everywhere.
 struct PeerComparison {
   std::string scene, peer, integrator;
-  std::size_t points = 0;  ///< of the peer that were compared
-  double ratio = 0;        ///< the worst
-  double error = 0;        ///< there
-  std::string ours;        ///< what beat it there
-  bool unmatched = false;  ///< a point of the peer has no match of ours
+  std::size_t points = 0;  ///< points of the peer that were compared
+  double ratio = 0;
+  double error = 0;        ///< of the peer, at the point of the largest ratio
+  std::string ours;        ///< liecheck's integrator at that point
+  bool unmatched = false;  ///< a point of the peer is more accurate than all of liecheck's
 };
 std::vector<PeerComparison> compare_peers(const std::vector<SceneSweep>& all);
 

@@ -36,7 +36,7 @@ Body<T> body_of(const Inertia<double>& I) {
   return {T(I.mass()), exact_vector<3, T>(I.lever()), exact_matrix<3, 3, T>(I.inertia())};
 }
 
-/// Moment of inertia about an axis (unit) through the joint's origin, and the centre's distance vector from the axis.
+/// Moment of inertia about an axis (unit) through the joint's origin.
 T about_axis(const Body<T>& body, const Vec3<T>& axis) {
   return dot(axis, body.inertia * axis) + body.mass * squared_norm(cross(axis, body.lever));
 }
@@ -71,13 +71,12 @@ std::optional<Truth> revolute(const Benchmark& s, const Revolute<double>& joint)
   const T I = about_axis(body, axis);
   if (s.gravity.isZero(0)) return damped_spring(s, I, T(0));
   if (s.stiffness.size() || s.damping.size()) return {};
-  // m (axis x c(q)) . g = A cos q + B sin q: the torque, of a pendulum that hangs at atan2(A, B) + pi from there
+  // The torque of gravity: m (axis x c(q)) . g = A cos q + B sin q = -torque sin(q - hang).
   const Mat3<T> R = exact_matrix<3, 3, T>(s.robot.jointPlacements[1].rotation());
   const Vec3<T> g = transpose(R) * exact_vector<3, T>(s.gravity), lever = cross(axis, body.lever);
   const T A = body.mass * dot(lever, g), B = body.mass * dot(cross(axis, lever), g);
   const T torque = sqrt(T(A * A + B * B));
   if (torque == 0) return {};
-  // A cos q + B sin q = -torque sin(q - hang)
   const T hang = atan2(A, T(-B));
   const Pendulum<T> form{sqrt(T(torque / I)), {T(s.q0[0]) - hang, T(s.v0[0])}};
   return Truth{"pendulum", true, 0, [form, hang](double t) {
@@ -105,7 +104,7 @@ std::optional<Truth> top(const Benchmark& s) {
                }};
 }
 
-/// N links about one axis, all along one line in the plane, that hang on the world.
+/// A chain of N parallel revolute joints on the world. At q = 0, all joints and mass centres are on one line.
 template <int N>
 std::optional<Truth> chain(const Benchmark& s) {
   const auto& m = s.robot;
@@ -125,7 +124,7 @@ std::optional<Truth> chain(const Benchmark& s) {
     equations.links[i - 1] = {body.mass, dot(line, body.lever), dot(line, exact_vector<3, T>(to_next)),
                               dot(a, body.inertia * a)};
   }
-  if (along.cwiseAbs().maxCoeff() != 1 || axis.cwiseAbs().maxCoeff() != 1) return {};  // unit to the last bit
+  if (along.cwiseAbs().maxCoeff() != 1 || axis.cwiseAbs().maxCoeff() != 1) return {};  // not exact
   Vec<2 * N, T> start;
   T angle(0), rate(0);
   for (int i = 0; i < N; ++i) {
@@ -184,7 +183,7 @@ std::optional<Truth> truth_of(const Benchmark& s) {
     if (m.njoints == 3) return chain<2>(s);
     if (m.njoints == 4) return chain<3>(s);
     if (m.njoints == 5) return chain<4>(s);
-  } catch (const std::domain_error&) {  // on a separatrix, upside down: no closed form
+  } catch (const std::domain_error&) {  // no closed form: on a separatrix or upside down
   }
   return {};
 }
@@ -199,7 +198,7 @@ double MotionError::leading() const {
 }
 
 void MotionError::take_larger(const MotionError& o) {
-  // a number that is there, or the larger one; NaN of the error itself stays
+  // The larger one, or o's if either is NaN: *this may have no number yet, and NaN in o is an error, too.
   for (double MotionError::*x : {&MotionError::attitude, &MotionError::position,
                                  &MotionError::angular_velocity, &MotionError::linear_velocity})
     if (!(this->*x >= o.*x)) this->*x = o.*x;

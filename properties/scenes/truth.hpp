@@ -1,5 +1,5 @@
 #pragma once
-// Which exact motion a scene has, if it is one that is known.
+// The exact motion of a scene, if it is known.
 
 #include <optional>
 #include <scenes/benchmark.hpp>
@@ -8,22 +8,22 @@ namespace liecheck::properties {
 
 struct Truth {
   std::string name;
-  bool closed = false;      ///< a closed form; else a reference of two orders that agree
-  double disagreement = 0;  ///< of those two, at the end
-  /// At t [s], 0 <= t <= duration. A reference remembers what it has computed.
+  bool closed = false;      ///< a closed form; otherwise an extrapolation with two orders
+  double disagreement = 0;  ///< difference between these two at the end
+  /// The state at t [s], 0 <= t <= duration. Extrapolated states are cached.
   std::function<Moment(double t)> at;
 };
 
-/// Empty where no motion of oracles/motions is that of the scene.
+/// Empty if the scene has none of the motions in oracles/motions.
 std::optional<Truth> truth_of(const Benchmark& scene);
 
-/// The errors of a moment by block, each an absolute 2-norm: of attitudes the largest angle between one that the robot
-/// has and the exact one [rad]: of a free-flyer's or ball's frame, of a turning joint its own. NaN where the scene has
-/// no such number.
+/// The absolute errors of a state. The attitude error is the largest angle error of any joint [rad]: of the
+/// frame of a free-flyer or spherical joint, or of the angle of a revolute joint. The other errors are
+/// 2-norms over all joints. An error is NaN if the scene has no such quantity.
 struct MotionError {
   double attitude = 0, position = 0, angular_velocity = 0, linear_velocity = 0;
   static MotionError none();
-  /// The attitude's, or the position's where nothing turns.
+  /// The attitude error, or the position error if nothing rotates.
   double leading() const;
   void take_larger(const MotionError& other);
 };

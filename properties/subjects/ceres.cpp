@@ -1,4 +1,4 @@
-// Ceres Solver's rotation.h: angle-axis, quaternions (w first, reordered here) and column-major matrices.
+// Subject "ceres": rotation.h of Ceres Solver. Its quaternions store w first; this file reorders them.
 
 #include <subjects/subject.hpp>
 

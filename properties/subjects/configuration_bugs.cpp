@@ -1,4 +1,4 @@
-// Known bugs of configurations: integrate, difference, their derivatives, and whole robots.
+// Known bugs in integrate, difference and their derivatives, and in configurations of robots.
 
 #include <subjects/planted_bugs.hpp>
 
@@ -9,7 +9,8 @@ namespace liecheck::properties {
 template <class S>
 auto Bugs<S>::integration() -> Entries {
   return {
-      {"integrate_w_first", "the increment's quaternion is read w x y z", "stack-of-tasks/pinocchio issue 16",
+      {"integrate_w_first", "the increment's quaternion is read in the order w x y z",
+       "stack-of-tasks/pinocchio issue 16",
        [](O& o) {
          o[op::integrate] = [](const V7& q, const V6& d) -> V7 {
            const V4 e = good()[op::exp3_quaternion](low(d));
@@ -35,7 +36,7 @@ auto Bugs<S>::integration() -> Entries {
            return r;
          };
        }},
-      {"integrate_euler", "p + R rho: the arc is a straight line",
+      {"integrate_euler", "p + R rho: the path is a straight line instead of an arc",
        "robotology-legacy/mex-wholebodymodel issue 30 (velocities of the base)",
        [](O& o) {
          o[op::integrate] = [](const V7& q, const V6& d) -> V7 {
@@ -44,7 +45,7 @@ auto Bugs<S>::integration() -> Entries {
            return r;
          };
        }},
-      {"integrate_no_normalization", "the product of quaternions keeps the defect of its factors",
+      {"integrate_no_normalization", "the quaternion product is not normalised, so that its norm error grows",
        "collabora/libsurvive pull 79",
        [](O& o) {
          o[op::integrate] = [](const V7& q, const V6& d) -> V7 {
@@ -54,7 +55,7 @@ auto Bugs<S>::integration() -> Entries {
            return r;
          };
        }},
-      {"integrate_no_sign_flip", "the quaternion jumps to its opposite where w of the product is negative",
+      {"integrate_no_sign_flip", "Q is replaced by -Q if w of the product is negative",
        "DOI-USGS/ale issue 603",
        [](O& o) {
          o[op::integrate] = [](const V7& q, const V6& d) -> V7 {
@@ -63,7 +64,7 @@ auto Bugs<S>::integration() -> Entries {
            return r;
          };
        }},
-      {"integrate_stale", "the pose of the call before is returned for small increments",
+      {"integrate_stale", "a small increment uses the rotation of an earlier, larger increment",
        "loco-3d/crocoddyl issue 363 (data of the SE3 residual not updated)",
        [](O& o) {
          o[op::integrate] = [](const V7& q, const V6& d) -> V7 {
@@ -93,11 +94,11 @@ auto Bugs<S>::differences() -> Entries {
            return good()[op::difference](origin, other);
          };
        }},
-      {"difference_order", "from q1 to q0", "naver/roma issue 3",
+      {"difference_order", "the difference is taken from q1 to q0", "naver/roma issue 3",
        [](O& o) {
          o[op::difference] = [](const V7& a, const V7& b) -> V6 { return good()[op::difference](b, a); };
        }},
-      {"difference_naive", "log(Q0* Q1) without care for near poses: relative error 1 at 1e-16",
+      {"difference_naive", "log(Q0* Q1) cancels for nearby poses: relative error 1 at 1e-16",
        "stack-of-tasks/pinocchio issue 1964",
        [](O& o) {
          o[op::difference] = [](const V7& a, const V7& b) -> V6 {
@@ -107,7 +108,7 @@ auto Bugs<S>::differences() -> Entries {
            return v;
          };
        }},
-      {"difference_double_cover", "Q and -Q are a whole turn apart", "bdero/flutter_scene pull 275",
+      {"difference_double_cover", "Q and -Q have a difference of 2 pi", "bdero/flutter_scene pull 275",
        [](O& o) {
          o[op::difference] = [](const V7& a, const V7& b) -> V6 {
            V6 v = good()[op::difference](a, b);
@@ -117,7 +118,7 @@ auto Bugs<S>::differences() -> Entries {
            return v;
          };
        }},
-      {"first_order_on_input", "first-order normalization of both inputs, which need not be near one",
+      {"first_order_on_input", "first-order normalisation of both inputs, whose norms need not be near 1",
        "RobotLocomotion/drake issue 14800",
        [](O& o) {
          o[op::difference] = [](const V7& a, const V7& b) -> V6 {
@@ -135,7 +136,7 @@ auto Bugs<S>::differences() -> Entries {
 template <class S>
 auto Bugs<S>::configuration_derivatives() -> Entries {
   return {
-      {"d_integrate_adjoint", "ARG0 is Ad(exp(d)), its inverse missing", "colmap/colmap pull 3155",
+      {"d_integrate_adjoint", "ARG0 is Ad(exp(d)) instead of its inverse", "colmap/colmap pull 3155",
        [](O& o) {
          o[op::d_integrate_arg0] = [](const V7& q, const V6& d) -> M6 {
            return good()[op::d_integrate_arg0](q, V6(-d));
@@ -147,13 +148,14 @@ auto Bugs<S>::configuration_derivatives() -> Entries {
            return good()[op::d_integrate_arg0](q, d).transpose();
          };
        }},
-      {"d_difference_sign", "ARG0 lacks its minus", "borglab/gtsam pull 1938 (derivatives near the identity)",
+      {"d_difference_sign", "ARG0 lacks its minus sign",
+       "borglab/gtsam pull 1938 (derivatives near the identity)",
        [](O& o) {
          o[op::d_difference_arg0] = [](const V7& a, const V7& b) -> M6 {
            return -good()[op::d_difference_arg0](a, b);
          };
        }},
-      {"d_difference_left", "ARG1 is J_l^-1", "artivis/manif pull 22",
+      {"d_difference_left", "ARG1 is J_l^-1 instead of J_r^-1", "artivis/manif pull 22",
        [](O& o) {
          o[op::d_difference_arg1] = [](const V7& a, const V7& b) -> M6 {
            return -good()[op::d_difference_arg0](a, b);
@@ -169,7 +171,7 @@ auto Bugs<S>::configuration_derivatives() -> Entries {
            return J;
          };
        }},
-      {"coefficient_not_halved", "Q_dot lacks its 1/2", "betaflight/betaflight pull 5182",
+      {"coefficient_not_halved", "Q_dot lacks its factor 1/2", "betaflight/betaflight pull 5182",
        [](O& o) {
          o[op::integrate_coefficient_jacobian] = [](const V7& q) -> M76 {
            M76 J = good()[op::integrate_coefficient_jacobian](q);
@@ -183,7 +185,7 @@ auto Bugs<S>::configuration_derivatives() -> Entries {
 template <class S>
 auto Bugs<S>::robots() -> Entries {
   return {
-      {"robot_idx_v", "joints behind the base read their increment one place too early",
+      {"robot_idx_v", "joints after the base read their increment one index too early",
        "erdc/proteus pull 911",
        [](O& o) {
          o.robot = [](const std::string& urdf, bool fixed) {
@@ -196,7 +198,7 @@ auto Bugs<S>::robots() -> Entries {
            return r;
          };
        }},
-      {"robot_same_by_coefficients", "Q and -Q are two configurations", "moble/quaternion pull 150",
+      {"robot_same_by_coefficients", "Q and -Q are different configurations", "moble/quaternion pull 150",
        [](O& o) {
          o.robot = [](const std::string& urdf, bool fixed) {
            RobotOperations<S> r = good().robot(urdf, fixed);

@@ -1,4 +1,4 @@
-// Eigen's Geometry module, and the matrix exponential and logarithm of its MatrixFunctions.
+// Subject "eigen": Eigen's Geometry module, and the matrix exponential and logarithm of MatrixFunctions.
 
 #include <subjects/subject.hpp>
 

@@ -39,7 +39,7 @@ std::vector<Subject<S>> known_bugs(const Operations<S>& good) {
   std::vector<Subject<S>> all;
   for (const auto& entry : bugs_of_operations<S>()) {
     all.push_back({std::string("bug:") + entry.name, "a known bug", good, {}});
-    all.back().operations.tree = nullptr;  // the same as without the bug
+    all.back().operations.tree = nullptr;  // has no fault
     entry.plant(all.back().operations);
   }
   for (const auto& entry : tree_bugs<S>()) {

@@ -1,7 +1,7 @@
 #pragma once
-// Known bugs: liecheck's own subject with one deliberate fault each, modelled on real reports
-// (fixtures/known_bugs/README.md). They are named bug:NAME; correct look-alikes, which no law may refuse, are named
-// alike:NAME. Neither belongs to "all": they run where they are named.
+// A known bug, bug:NAME, is the subject liecheck with one deliberate fault, modelled on a real report
+// (fixtures/known_bugs/README.md). A look-alike, alike:NAME, is a correct variant that no law may refuse. The
+// subject "all" includes neither; they run only if they are named.
 
 #include <string>
 #include <subjects/subject.hpp>
@@ -11,11 +11,11 @@ namespace liecheck::properties {
 
 struct KnownBug {
   std::string name;    ///< bug:… or alike:…
-  std::string fault;   ///< in a line
-  std::string origin;  ///< the report that it is modelled on; of a look-alike, why it is right
+  std::string fault;   ///< one line; for a look-alike, how it differs from liecheck
+  std::string origin;  ///< the report that the bug is modelled on; for a look-alike, why it is correct
 };
 
-/// All of them, with `good` as what each is a copy of.
+/// All known bugs and look-alikes, made from copies of `good`.
 template <class S>
 std::vector<Subject<S>> known_bugs(const Operations<S>& good);
 const std::vector<KnownBug>& known_bug_table();

@@ -1,4 +1,4 @@
-// liecheck's own library in float and double; liecheck:fast and liecheck:tight run where they are named.
+// liecheck's own library in float and double. liecheck:fast and liecheck:tight run only if they are named.
 
 #include <subjects/liecheck_operations.hpp>
 #include <subjects/liecheck_trees.hpp>

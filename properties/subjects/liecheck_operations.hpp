@@ -1,6 +1,6 @@
 #pragma once
-// liecheck's own library as a subject, in any scalar. A file that instantiates it does so in few scalars: gcc inlines
-// less in a large one.
+// liecheck's own library as a subject, in any scalar. Each source file instantiates it for one or two
+// scalars, because gcc inlines less in a large file.
 
 #include <boost/multiprecision/eigen.hpp>
 #include <subjects/subject.hpp>
@@ -98,7 +98,7 @@ struct LiecheckOperations {
     }
   }
 
-  /// Has one precision only.
+  /// These operations have no fast or tight variant.
   static void add_spatial_algebra(O& o) {
     o[op::compose] = [](const Pose<S>& X, const Pose<S>& Y) -> Pose<S> { return stored(pose(X) * pose(Y)); };
     o[op::inverse] = [](const Pose<S>& X) -> Pose<S> { return stored(pose(X).inverse()); };

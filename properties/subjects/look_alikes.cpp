@@ -1,5 +1,5 @@
-// Correct variants, which no law may refuse: another order of operations, the other sign where the contract leaves
-// it free, long double inside, another formula.
+// Look-alikes: correct variants that no law may refuse. They use another order of operations, another formula
+// or long double, or the other sign if the contract allows both.
 
 #include <subjects/planted_bugs.hpp>
 
@@ -27,7 +27,7 @@ LM wide_hat(const L3& v) {
 template <class S>
 auto Bugs<S>::look_alikes_of_rotations() -> Entries {
   return {
-      {"exp_minus_Q", "exp returns -Q", "Q and -Q are one rotation",
+      {"exp_minus_Q", "exp returns -Q", "Q and -Q are the same rotation",
        [](O& o) {
          o[op::exp3_quaternion] = [](const V3& phi) -> V4 { return -good()[op::exp3_quaternion](phi); };
        }},
@@ -51,7 +51,7 @@ auto Bugs<S>::look_alikes_of_rotations() -> Entries {
            return narrow(t / s * v);
          };
        }},
-      {"log_other_half_turn", "at exactly half a turn the opposite axis", "either sign is right there",
+      {"log_other_half_turn", "the opposite axis at exactly theta = pi", "both signs are correct there",
        [](O& o) {
          o[op::log3_quaternion] = [](const V4& Q) -> V3 {
            const V3 phi = good()[op::log3_quaternion](Q);
@@ -81,7 +81,7 @@ auto Bugs<S>::look_alikes_of_rotations() -> Entries {
 template <class S>
 auto Bugs<S>::look_alikes_of_poses_and_bodies() -> Entries {
   return {
-      {"integrate_sign_by_dot", "the sign of Q1 by its dot product with Q0", "another way to the same sign",
+      {"integrate_sign_by_dot", "the dot product with Q0 decides the sign of Q1", "the same sign",
        [](O& o) {
          o[op::integrate] = [](const V7& q, const V6& d) -> V7 {
            V7 r = good()[op::integrate](q, d);
@@ -89,7 +89,7 @@ auto Bugs<S>::look_alikes_of_poses_and_bodies() -> Entries {
            return r;
          };
        }},
-      {"rotate_long_double", "by the rotation matrix, in long double", "another formula",
+      {"rotate_long_double", "Q x Q* by cross products in long double", "another formula",
        [](O& o) {
          o[op::rotate_point] = [](const V4& Q, const V3& x) -> V3 {
            const L3 v = wide(Q.template head<3>()), y = wide(x), vx = v.cross(y);
@@ -105,7 +105,8 @@ auto Bugs<S>::look_alikes_of_poses_and_bodies() -> Entries {
            return stack(narrow(R * wide(top(V)) + wide(X.p).cross(w)), narrow(w));
          };
        }},
-      {"force_by_matrix", "n_A = R n + [p] (R f) as a matrix product", "another operation order",
+      {"force_by_matrix", "n_A = R n + [p] (R f) as a matrix product in long double",
+       "another operation order",
        [](O& o) {
          o[op::act_force] = [](const P& X, const V6& F) -> V6 {
            const LM R = X.R.template cast<L>();
@@ -113,7 +114,7 @@ auto Bugs<S>::look_alikes_of_poses_and_bodies() -> Entries {
            return stack(narrow(f), narrow(R * wide(low(F)) + wide_hat(wide(X.p)) * f));
          };
        }},
-      {"inertia_other_order", "R (I R^T) for (R I) R^T", "another operation order",
+      {"inertia_other_order", "R (I R^T) instead of (R I) R^T", "another operation order",
        [](O& o) {
          o[op::act_inertia] = [](const P& X, const B& I) -> B {
            B b = good()[op::act_inertia](X, I);

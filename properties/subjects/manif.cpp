@@ -1,4 +1,4 @@
-// manif: SO3.h and SE3.h, tangents (rho, phi).
+// Subject "manif": SO3.h and SE3.h. Its tangent vectors are (rho, phi).
 
 #if __has_include(<manif/SE3.h>) && __has_include(<tl/optional.hpp>)
 

@@ -1,4 +1,4 @@
-// Pinocchio's spatial/explog.hpp and its free-flyer's Lie group: headers alone, the conventions are ours.
+// Subject "pinocchio": spatial/explog.hpp and the free-flyer's Lie group. It has liecheck's conventions.
 
 #if __has_include(<pinocchio/spatial/explog.hpp>) && __has_include(<pinocchio/config.hpp>)
 
@@ -34,7 +34,7 @@ struct Pinocchio {
   static Eigen::Map<const Quaternion> quaternion(const V4& Q) {
     return Eigen::Map<const Quaternion>(Q.data());
   }
-  /// f(result), which the function fills.
+  /// Calls f(r), which fills r, and returns r.
   template <class R, class F>
   static R filled(F f) {
     R r = R::Zero();

@@ -1,7 +1,7 @@
 #pragma once
-// What a known bug is: liecheck's own operations with one of them replaced. This class holds the shorthands that the
-// replacements use; the bugs themselves stand in rotation_bugs.cpp, configuration_bugs.cpp and
-// spatial_algebra_bugs.cpp, the correct variants in look_alikes.cpp, the bugs of trees of bodies in tree_bugs.cpp.
+// A known bug consists of liecheck's operations, some of which are replaced by a faulty function. Class Bugs
+// has helpers for these functions. The bugs are in rotation_bugs.cpp, configuration_bugs.cpp and
+// spatial_algebra_bugs.cpp, the look-alikes in look_alikes.cpp, the bugs of trees of bodies in tree_bugs.cpp.
 
 #include <Eigen/Geometry>
 #include <subjects/subject.hpp>
@@ -40,7 +40,7 @@ struct Bugs {
   static Entries look_alikes_of_rotations();
   static Entries look_alikes_of_poses_and_bodies();
 
-  /// The correct operations, of which each bug changes one; set before any bug runs.
+  /// The correct operations, which the replacements call. known_bugs() sets them.
   static O& good() {
     static O operations;
     return operations;
@@ -72,7 +72,7 @@ struct Bugs {
     r << q.template head<3>() + p, Q;
     return r;
   }
-  /// [[J, C], [0, J]] with another J.
+  /// The matrix [[J, C], [0, J]].
   static M6 blocks(const M3& J, const M3& C) {
     M6 m = M6::Zero();
     m.template topLeftCorner<3, 3>() = m.template bottomRightCorner<3, 3>() = J;

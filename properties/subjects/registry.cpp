@@ -29,7 +29,7 @@ Registered<S>::Registered(Subject<S> subject) {
 
 template <class S>
 std::vector<const Subject<S>*> subjects() {
-  if constexpr (std::is_floating_point_v<S>) {  // copies of liecheck's, which is registered by now
+  if constexpr (std::is_floating_point_v<S>) {  // bugs copy the subject liecheck, registered by now
     static std::once_flag once;
     std::call_once(once, [] {
       for (const auto& s : registry<S>())

@@ -1,4 +1,4 @@
-// Known bugs of exp and log of rotations and poses, and of their Jacobians.
+// Known bugs in exp and log of rotations and poses, and in their Jacobians.
 
 #include <subjects/planted_bugs.hpp>
 
@@ -27,7 +27,7 @@ auto Bugs<S>::exp_of_rotations() -> Entries {
            return q;
          };
        }},
-      {"exp_angle_not_halved", "the quaternion of exp turns by twice the angle",
+      {"exp_angle_not_halved", "the quaternion of exp rotates by twice the angle",
        "heliorc/imuf-release issue 9 (quaternion kinematics that degrade)",
        [](O& o) {
          o[op::exp3_quaternion] = [](const V3& phi) -> V4 { return good()[op::exp3_quaternion](S(2) * phi); };
@@ -56,7 +56,7 @@ auto Bugs<S>::exp_of_rotations() -> Entries {
            return M3::Identity() + std::sin(t) / t * K + (S(1) - std::cos(t)) / x * K * K;
          };
        }},
-      {"exp_cancelling_cosine", "(1 - cos theta) / theta^2 down to theta = 1e-6",
+      {"exp_cancelling_cosine", "(1 - cos theta) / theta^2, which cancels, is used down to theta = 1e-6",
        "gazebosim/gz-math pull 620",
        [](O& o) {
          o[op::exp3_matrix] = [](const V3& phi) -> M3 {
@@ -66,7 +66,7 @@ auto Bugs<S>::exp_of_rotations() -> Entries {
            return M3::Identity() + std::sin(t) / t * K + (S(1) - std::cos(t)) / (t * t) * K * K;
          };
        }},
-      {"exp_nan_at_zero", "0/0 at exactly zero", "kornia/kornia-rs pull 535",
+      {"exp_nan_at_zero", "0/0 at theta = 0", "kornia/kornia-rs pull 535",
        [](O& o) {
          o[op::exp6] = [](const V6& xi) -> P {
            P T = good()[op::exp6](xi);
@@ -80,7 +80,7 @@ auto Bugs<S>::exp_of_rotations() -> Entries {
 template <class S>
 auto Bugs<S>::log_of_rotations() -> Entries {
   return {
-      {"log_acos_w", "2 acos(w), which is NaN where |Q| is an ulp above one",
+      {"log_acos_w", "2 acos(w), which is NaN if w is one ulp above 1",
        "Yellow-Dog-Man/Resonite-Issues issue 4728",
        [](O& o) {
          o[op::log3_quaternion] = [](const V4& Q) -> V3 {
@@ -90,7 +90,7 @@ auto Bugs<S>::log_of_rotations() -> Entries {
            return S(2) * std::acos(q[3]) / s * q.template head<3>();
          };
        }},
-      {"log_no_sign", "the angle of a quaternion with negative w is beyond pi",
+      {"log_no_sign", "the angle exceeds pi if w is negative",
        "borglab/SwiftFusion pull 111",
        [](O& o) {
          o[op::log3_quaternion] = [](const V4& Q) -> V3 {
@@ -99,7 +99,7 @@ auto Bugs<S>::log_of_rotations() -> Entries {
            return S(2) * std::atan2(s, Q[3]) / s * Q.template head<3>();
          };
        }},
-      {"log_acos_trace", "acos((tr R - 1) / 2), which cancels near zero and is NaN above one",
+      {"log_acos_trace", "acos((tr R - 1) / 2), which cancels near theta = 0 and is NaN if tr R is above 3",
        "stack-of-tasks/pinocchio issue 2768",
        [](O& o) {
          o[op::log3_matrix] = [](const M3& R) -> V3 {
@@ -108,7 +108,7 @@ auto Bugs<S>::log_of_rotations() -> Entries {
            return t > S(3) ? good()[op::log3_matrix](R) : V3(t / (S(2) * std::sin(t)) * a);
          };
        }},
-      {"log_acos_clamped", "the trace is clamped, so that every small rotation is none",
+      {"log_acos_clamped", "acos((tr R - 1) / 2) with the argument clamped at 1 but not at -1",
        "bdaiinstitute/spatialmath-python pull 86",
        [](O& o) {
          o[op::log3_matrix] = [](const M3& R) -> V3 {
@@ -130,7 +130,7 @@ auto Bugs<S>::log_of_rotations() -> Entries {
            return exact.norm() * (axis.dot(exact) < S(0) ? S(-1) : S(1)) * axis;
          };
        }},
-      {"log_half_turn_zero", "half a turn has the logarithm zero", "OliverWu515/ommpc_controller issue 5",
+      {"log_half_turn_zero", "the logarithm is zero at theta = pi", "OliverWu515/ommpc_controller issue 5",
        [](O& o) {
          o[op::log3_matrix] = [](const M3& R) -> V3 {
            const V3 a(R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1));
@@ -146,7 +146,7 @@ auto Bugs<S>::log_of_rotations() -> Entries {
                                    : exact;
          };
        }},
-      {"log_transposed", "the rotation is inverted: R^T for R", "tud-phi/ros2-mocap_optitrack pull 17",
+      {"log_transposed", "the logarithm of R^T is returned", "tud-phi/ros2-mocap_optitrack pull 17",
        [](O& o) {
          o[op::log3_matrix] = [](const M3& R) -> V3 { return good()[op::log3_matrix](M3(R.transpose())); };
        }},
@@ -160,7 +160,7 @@ auto Bugs<S>::exp_and_log_of_poses() -> Entries {
        [](O& o) { o[op::exp6] = [](const V6& xi) -> P {
                     return {good()[op::exp6](xi).R, top(xi)};
                   }; }},
-      {"exp6_shared_cutoff", "one cutoff 1e-4 for every coefficient, two terms below it",
+      {"exp6_shared_cutoff", "one cutoff 1e-4 for every coefficient, and only the first series term below it",
        "pettni/smooth, one cutoff for every scalar",
        [](O& o) {
          o[op::exp6] = [](const V6& xi) -> P {
@@ -172,17 +172,18 @@ auto Bugs<S>::exp_and_log_of_poses() -> Entries {
            return pose_exp(xi, M3::Identity() + a * K + b * K * K);
          };
        }},
-      {"exp6_right_V", "the right Jacobian multiplies rho", "artivis/manif pull 22",
+      {"exp6_right_V", "the translation is J_r rho instead of J_l rho", "artivis/manif pull 22",
        [](O& o) {
          o[op::exp6] = [](const V6& xi) -> P { return pose_exp(xi, good()[op::right_jacobian3](low(xi))); };
        }},
-      {"exp6_angular_first", "the twist is taken angular part first", "rail-berkeley/hil-serl issue 36",
+      {"exp6_angular_first", "the twist is read with the angular part first",
+       "rail-berkeley/hil-serl issue 36",
        [](O& o) {
          o[op::exp6] = [](const V6& xi) -> P { return good()[op::exp6](stack(low(xi), top(xi))); };
        }},
-      {"log6_no_V_inverse", "the linear part of log is p", "gbionics/idyntree issue 561",
+      {"log6_no_V_inverse", "the linear part of log is p, not V^-1 p", "gbionics/idyntree issue 561",
        [](O& o) { o[op::log6] = [](const P& T) -> V6 { return stack(T.p, good()[op::log3_matrix](T.R)); }; }},
-      {"log6_theta_divided", "V^-1 is divided by theta where it should be multiplied",
+      {"log6_theta_divided", "V^-1 p is divided by theta instead of multiplied by it",
        "Le0nX/ModernRoboticsCpp issue 31",
        [](O& o) {
          o[op::log6] = [](const P& T) -> V6 {
@@ -191,7 +192,8 @@ auto Bugs<S>::exp_and_log_of_poses() -> Entries {
            return t > S(0) ? stack(top(xi) / (t * t), low(xi)) : xi;
          };
        }},
-      {"log6_series_coefficient", "V^-1 has 1/6 for 1/12 below 1e-3", "stack-of-tasks/pinocchio issue 1983",
+      {"log6_series_coefficient", "V^-1 has the coefficient 1/6 instead of 1/12 below theta = 1e-3",
+       "stack-of-tasks/pinocchio issue 1983",
        [](O& o) {
          o[op::log6] = [](const P& T) -> V6 {
            const V3 phi = good()[op::log3_matrix](T.R);
@@ -206,12 +208,12 @@ auto Bugs<S>::exp_and_log_of_poses() -> Entries {
 template <class S>
 auto Bugs<S>::jacobians() -> Entries {
   return {
-      {"jacobian_left_for_right", "the right Jacobian is the left one", "artivis/manif pull 22",
+      {"jacobian_left_for_right", "the left Jacobian is returned as the right one", "artivis/manif pull 22",
        [](O& o) {
          o[op::right_jacobian3] = o[op::left_jacobian3];
          o[op::right_jacobian6] = o[op::left_jacobian6];
        }},
-      {"jacobian6_no_coupling", "the coupling block is half of [rho]", "artivis/manif pull 22",
+      {"jacobian6_no_coupling", "the coupling block is [rho] / 2", "artivis/manif pull 22",
        [](O& o) {
          o[op::left_jacobian6] = [](const V6& xi) -> M6 {
            return blocks(good()[op::left_jacobian3](low(xi)), hat(top(xi)) / S(2));
@@ -228,7 +230,7 @@ auto Bugs<S>::jacobians() -> Entries {
            return J;
          };
        }},
-      {"jacobian6_cancelling", "the coupling block's coefficients cancel between 1e-5 and 0.1",
+      {"jacobian6_cancelling", "the coefficients of the coupling block cancel for theta from 1e-5 to 0.1",
        "RainerKuemmerle/g2o issue 221 (closed forms from 1e-5)",
        [](O& o) {
          o[op::right_jacobian6] = [](const V6& xi) -> M6 {
@@ -245,7 +247,8 @@ auto Bugs<S>::jacobians() -> Entries {
            return J;
          };
        }},
-      {"inverse_jacobian_coefficient", "1/10 for 1/12 below 1e-2", "stack-of-tasks/pinocchio issue 1964",
+      {"inverse_jacobian_coefficient", "the coefficient 1/10 instead of 1/12 below theta = 1e-2",
+       "stack-of-tasks/pinocchio issue 1964",
        [](O& o) {
          o[op::left_jacobian3_inverse] = [](const V3& phi) -> M3 {
            const M3 K = hat(phi);

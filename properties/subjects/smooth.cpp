@@ -1,4 +1,4 @@
-// smooth: so3.hpp and se3.hpp, tangents (v, w), storage [x y z, x y z w].
+// Subject "smooth": so3.hpp and se3.hpp. Its tangent vectors are (v, w); it stores poses as [x y z, x y z w].
 
 #include <subjects/subject.hpp>
 
@@ -23,7 +23,7 @@ struct Smooth {
   using SO3 = ::smooth::SO3<S>;
   using SE3 = ::smooth::SE3<S>;
 
-  /// Takes the numbers as they are stored: nothing is normalised.
+  /// Copies the numbers and normalises nothing.
   static SE3 configuration(const Vec<S, 7>& q) {
     SE3 X;
     X.coeffs() = q;

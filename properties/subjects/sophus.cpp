@@ -1,4 +1,4 @@
-// Sophus: so3.hpp and se3.hpp. What it refuses with SOPHUS_ENSURE is an exception here.
+// Subject "sophus": so3.hpp and se3.hpp. A failed SOPHUS_ENSURE throws an exception here.
 
 #if __has_include(<sophus/se3.hpp>)
 

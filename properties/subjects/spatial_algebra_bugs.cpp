@@ -1,4 +1,4 @@
-// Known bugs of spatial algebra: points, motions, forces and inertias.
+// Known bugs in spatial algebra: points, motions, forces and inertias.
 
 #include <subjects/planted_bugs.hpp>
 
@@ -15,7 +15,7 @@ auto Bugs<S>::points_motions_and_forces() -> Entries {
            return Q.squaredNorm() * Q.squaredNorm() * good()[op::rotate_point](Q, x);
          };
        }},
-      {"rotate_conjugate", "the inverse rotation", "Guo-ziwei/fusion pull 2",
+      {"rotate_conjugate", "the inverse rotation is applied", "Guo-ziwei/fusion pull 2",
        [](O& o) {
          o[op::rotate_point] = [](const V4& Q, const V3& x) -> V3 {
            return good()[op::rotate_point](conjugate(Q), x);
@@ -25,9 +25,10 @@ auto Bugs<S>::points_motions_and_forces() -> Entries {
        [](O& o) {
          o[op::act_force] = [](const P& X, const V6& F) -> V6 { return good()[op::act_motion](X, F); };
        }},
-      {"force_transposed", "forces by Ad^T for Ad^-T", "bdaiinstitute/spatialmath-python pull 207",
+      {"force_transposed", "forces are transformed by Ad^T instead of Ad^-T",
+       "bdaiinstitute/spatialmath-python pull 207",
        [](O& o) { o[op::act_force] = o[op::act_inverse_force]; }},
-      {"adjoint_block", "the coupling block of Ad is below: the angular-first matrix",
+      {"adjoint_block", "the coupling block of Ad is at the lower left, as for angular-first twists",
        "rail-berkeley/hil-serl issue 36",
        [](O& o) {
          o[op::act_motion] = [](const P& X, const V6& V) -> V6 {
@@ -35,7 +36,7 @@ auto Bugs<S>::points_motions_and_forces() -> Entries {
            return stack(u, X.R * low(V) + X.p.cross(u));
          };
        }},
-      {"cross_dual_sign", "the force cross product lacks its minus transpose",
+      {"cross_dual_sign", "the force cross product has the wrong sign",
        "UMich-CURLY-teaching/UMich-ROB-530-public issue 2",
        [](O& o) {
          o[op::cross_force] = [](const V6& V, const V6& F) -> V6 { return -good()[op::cross_force](V, F); };
@@ -52,12 +53,12 @@ auto Bugs<S>::points_motions_and_forces() -> Entries {
 template <class S>
 auto Bugs<S>::inertias() -> Entries {
   return {
-      {"inertia_not_rotated", "a moved body keeps the axes of its inertia",
+      {"inertia_not_rotated", "the inertia of a moved body is not rotated",
        "erwincoumans/tiny-differentiable-simulator pull 102",
        [](O& o) {
          o[op::act_inertia] = [](const P& X, const B& I) -> B { return {I.mass, X.R * I.c + X.p, I.I_C}; };
        }},
-      {"inertia_rotated_back", "R^T I R for R I R^T", "Rhoban/onshape-to-robot issue 85",
+      {"inertia_rotated_back", "R^T I R instead of R I R^T", "Rhoban/onshape-to-robot issue 85",
        [](O& o) {
          o[op::act_inertia] = [](const P& X, const B& I) -> B {
            return {I.mass, X.R * I.c + X.p, X.R.transpose() * I.I_C * X.R};
@@ -91,7 +92,7 @@ auto Bugs<S>::inertias() -> Entries {
            return M;
          };
        }},
-      {"momentum_diagonal", "only the diagonal of the inertia enters", "avianphysics/avian pull 745",
+      {"momentum_diagonal", "only the diagonal of the inertia is used", "avianphysics/avian pull 745",
        [](O& o) {
          o[op::momentum] = [](const B& I, const V6& V) -> V6 {
            B diagonal = I;

@@ -1,9 +1,9 @@
 #pragma once
-// A subject: a library under test in one scalar, as the functions that it offers.
+// A subject is a library under test in one scalar, given by the functions that it offers.
 //
-// Adding one touches one file: fill the slots of an Operations<S> (o[op::exp6] = ...), leave null what the library lacks
-// (it is reported as not offered), and register it with a static Registered<S>. What each operation takes and returns is
-// in its record (operations/); adapters do the reordering.
+// To add a subject, write one file: fill the slots of an Operations<S>, such as o[op::exp6] = ..., and
+// register it with a static Registered<S>. A slot that stays null is reported as not offered. The folder
+// operations/ defines the arguments and results of each operation; the subject's file converts conventions.
 
 #include <operations/operations.hpp>
 #include <string>
@@ -14,7 +14,7 @@ namespace liecheck::properties {
 template <class S>
 struct Tree;  // tree.hpp
 
-/// o[op::exp6] is the function of an operation; a null one is not offered.
+/// o[op::exp6] is the subject's function for exp6, null if it has none.
 template <class S>
 struct Operations : SpatialSlots<S> {
   using V3 = Vec<S, 3>;
@@ -24,15 +24,15 @@ struct Operations : SpatialSlots<S> {
   using M3 = Mat<S, 3>;
   using M6 = Mat<S, 6>;
 
-  // The checked entrance, where the library has one: throws for numbers that its operations do not take.
+  // The library's checks of inputs, if it has any. They throw for inputs that its operations do not accept.
   void (*check_quaternion)(const V4& Q) = nullptr;
   void (*check_rotation)(const M3& R) = nullptr;
 
-  /// Reads a URDF and binds the operations on whole configurations to it; fixed: its root is welded to the world,
-  /// otherwise it is a free-flyer.
+  /// Reads a URDF and returns the operations on configurations of this robot. If `fixed`, the root is welded
+  /// to the world; otherwise it is a free-flyer.
   RobotOperations<S> (*robot)(const std::string& urdf_text, bool fixed) = nullptr;
 
-  /// Builds a tree of bodies and binds its algorithms.
+  /// Builds a tree of bodies and returns the algorithms on it.
   TreeOperations<S> (*tree)(const Tree<S>& tree) = nullptr;
 };
 
@@ -41,21 +41,21 @@ struct Subject {
   std::string name;
   std::string version;
   Operations<S> operations;
-  /// Angles [rad] at which the subject is known to change formula; others are hunted by the common ones.
+  /// Angles [rad] at which the subject is known to change formula.
   std::vector<double> cutoffs;
 };
 
-/// Every subject of the scalar, in registration-independent (alphabetical) order.
+/// Every subject in this scalar, in alphabetical order.
 template <class S>
 std::vector<const Subject<S>*> subjects();
 
-/// A static of this type in a subject's file makes it known.
+/// A static object of this type registers a subject.
 template <class S>
 struct Registered {
   explicit Registered(Subject<S> subject);
 };
 
-/// Peers that the build did not find: their files register a name here instead.
+/// Names of the libraries that the build did not find. Their subject files register RegisteredAbsent instead.
 const std::vector<std::string>& absent_subjects();
 struct RegisteredAbsent {
   explicit RegisteredAbsent(std::string name);

@@ -1,6 +1,6 @@
-// textbook: the closed forms as books print them, with the usual single cutoff for every scalar, 1e-8. It is the
-// harness's permanent positive control: every campaign over all subjects must see its cliffs. The variants
-// textbook:1e-1 ... textbook:1e-12 have their cutoff there and run where they are named.
+// Subject "textbook": the closed forms as books print them, with one cutoff, 1e-8, for every scalar. It is
+// the positive control: every campaign over all subjects must find its large errors near the cutoff. The
+// variants textbook:1e-1 ... textbook:1e-12 have the cutoff in their name and run only if they are named.
 
 #include <subjects/subject.hpp>
 
@@ -14,7 +14,7 @@ namespace {
 
 template <class S>
 struct Textbook {
-  /// Below this angle [rad] the leading term replaces the closed form, whatever the scalar.
+  /// Below this angle [rad] the leading term replaces the closed form.
   double cutoff;
 
   using O = Operations<S>;
@@ -163,12 +163,12 @@ struct Textbook {
   V3 act_point(const Pose<S>& X, const V3& x) const { return X.R * x + X.p; }
   V3 rotate_point(const V4& Q, const V3& x) const { return matrix(Q) * x; }
 
-  static constexpr double power_of_ten(int e) {  // correctly rounded down to 1e-22
+  static constexpr double power_of_ten(int e) {  // correctly rounded for e >= -22
     double p = 1;
     for (int i = 0; i > e; --i) p *= 10;
     return 1 / p;
   }
-  /// A member function as an operation, its cutoff fixed at 10^-exponent.
+  /// Calls a member function with the cutoff 10^-exponent.
   template <auto f, int exponent, class R, class... A>
   static R call(A... a) {
     return (Textbook{power_of_ten(-exponent)}.*f)(a...);
@@ -178,7 +178,7 @@ struct Textbook {
   template <auto f, int exponent>
   struct Operation {
     template <class R, class... A>
-    operator Pointer<R, A...>() const {  // NOLINT: any operation that f can be
+    operator Pointer<R, A...>() const {  // NOLINT: implicit, for any signature of f
       return call<f, exponent, R, A...>;
     }
   };

@@ -1,13 +1,13 @@
 #pragma once
-// A tree of bodies in plain numbers, for the algorithms of operations/trees.hpp: q, v, a, tau joint by joint, nothing for
-// a mimic; a wrench acts on the body of a joint, in its axes at its origin.
+// A tree of bodies as plain numbers, for the algorithms of operations/trees.hpp. Their vectors q, v, a and
+// tau list the joints in order and skip mimics. A wrench acts on a body at the origin of its joint's frame.
 
 #include <oracles/tree.hpp>
 #include <subjects/subject.hpp>
 
 namespace liecheck::properties {
 
-/// A body fixed to a joint at (Q, p).
+/// A body that is fixed to a joint with the pose (Q, p).
 template <class S>
 struct FixedBody {
   int joint;
@@ -16,7 +16,7 @@ struct FixedBody {
   oracles::Vec3<S> p;
 };
 
-/// Joints that move, as the oracle has them; one frame; and bodies beside those of the joints.
+/// The oracle's tree of moving joints, with additional fixed bodies and one frame.
 template <class S>
 struct Tree : oracles::TreeOf<S> {
   std::vector<FixedBody<S>> fixed;

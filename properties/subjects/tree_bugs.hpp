@@ -1,5 +1,5 @@
 #pragma once
-// Known bugs of the dynamics of trees: liecheck's own algorithms with one fault each, modelled on real reports.
+// Known bugs in the dynamics of trees: liecheck's algorithms with one fault each, modelled on real reports.
 
 #include <subjects/tree.hpp>
 

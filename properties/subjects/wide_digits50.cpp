@@ -1,4 +1,4 @@
-// liecheck's own library in 50 digits: timed by `liecheck cost` alone.
+// liecheck's own library with 50 digits. Only `liecheck cost` uses it.
 
 #include <subjects/liecheck_operations.hpp>
 #include <subjects/wide_scalars.hpp>

@@ -1,4 +1,4 @@
-// liecheck's own library in QD's double-double: timed by `liecheck cost` alone.
+// liecheck's own library in the double-double type of the QD library. Only `liecheck cost` uses it.
 
 #include <subjects/wide_scalars.hpp>
 

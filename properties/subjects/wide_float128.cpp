@@ -1,4 +1,4 @@
-// liecheck's own library in float128: a subject of campaigns, and a row of `liecheck cost`.
+// liecheck's own library in float128, for campaigns and for `liecheck cost`.
 
 #include <subjects/liecheck_operations.hpp>
 #include <subjects/wide_scalars.hpp>

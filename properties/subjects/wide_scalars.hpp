@@ -1,12 +1,13 @@
 #pragma once
-// The library's operations in scalars that no law of the campaign runs in.
+// The library's operations in the wide scalars that `liecheck cost` times.
 
 #include <oracles/real.hpp>
 #include <subjects/subject.hpp>
 #ifdef LIECHECK_QD
 #include <qd/dd_real.h>
 
-/// The fraction in [1/2, 1), by its head; exact. Found by argument-dependent look-up.
+/// Splits a = fraction 2^exponent exactly, with the exponent of the high part. Found by argument-dependent
+/// lookup.
 inline dd_real frexp(const dd_real& a, int* exponent) {
   std::frexp(a.x[0], exponent);
   return dd_real(std::ldexp(a.x[0], -*exponent), std::ldexp(a.x[1], -*exponent));
@@ -15,11 +16,11 @@ inline dd_real frexp(const dd_real& a, int* exponent) {
 
 namespace liecheck::properties {
 
-/// 168 and 334 bits, without allocations.
+/// Significands of 168 and 334 bits, without memory allocations.
 using Digits50 = oracles::Real;
 using Digits100 = oracles::Real100;
 
-/// Everything but robots and the checked entrance. In float128, Digits50, Digits100 and, where QD is installed, dd_real.
+/// The operations without robots, in float128, Digits50, Digits100 and, if QD is installed, dd_real.
 template <class S>
 Operations<S> wide_scalar_operations();
 

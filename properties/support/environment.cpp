@@ -38,7 +38,7 @@ std::string environment_text() {
 std::string frequency_governor() {
   std::ifstream file("/sys/devices/system/cpu/cpu0/cpufreq/scaling_governor");
   std::string name;
-  return std::getline(file, name) ? name : "not told";
+  return std::getline(file, name) ? name : "unknown";
 }
 
 }  // namespace liecheck::properties

@@ -1,5 +1,5 @@
 #pragma once
-// The machine and the compiler behind a result.
+// The machine and the compiler that produced a result.
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -9,10 +9,10 @@ namespace liecheck::properties {
 /// Processor, operating system, compiler with its flags, and C library; documented in docs/record.md.
 nlohmann::json environment();
 
-/// The same as text.
+/// environment() as JSON text.
 std::string environment_text();
 
-/// The frequency governor of the first core; "not told" in a virtual machine that has none.
+/// The frequency governor of the first core; "unknown" if there is none, as in virtual machines.
 std::string frequency_governor();
 
 }  // namespace liecheck::properties

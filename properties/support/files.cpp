@@ -48,11 +48,11 @@ bool write_all(int descriptor, std::string_view text) {
   return true;
 }
 
-/// The file that a path names after its links.
+/// The file that a path names once its symbolic links are resolved.
 struct Target {
   fs::path file;
   bool in_place = false;
-  mode_t mode = 0;  ///< of the file to be replaced; 0 where there is none
+  mode_t mode = 0;  ///< of the file to be replaced; 0 if there is none
 };
 
 Target target_of(fs::path file) {
@@ -60,9 +60,9 @@ Target target_of(fs::path file) {
   std::error_code error;
   const fs::path given = file;
   for (int links = 0; fs::is_symlink(file, error); ++links) {
-    // A link of /proc stands for an open file, which may have no path (a pipe).
+    // A link in /proc refers to an open file, which may have no path (a pipe).
     const bool open_file = fs::weakly_canonical(file.parent_path(), error).string().starts_with("/proc/");
-    if (open_file && fs::is_regular_file(file, error)) refuse(given, what, "a file that is open already");
+    if (open_file && fs::is_regular_file(file, error)) refuse(given, what, "a file that is already open");
     if (open_file) break;
     if (links == 40) refuse(given, what, std::strerror(ELOOP));
     const fs::path to = fs::read_symlink(file, error);
@@ -78,7 +78,7 @@ Target target_of(fs::path file) {
   return {file, !S_ISREG(status.st_mode), status.st_mode & 07777};
 }
 
-/// A temporary file beside the target, under an unused name; removed unless it replaces the target.
+/// A temporary file in the folder of the target. It is removed unless it replaces the target.
 class Temporary {
  public:
   explicit Temporary(const Target& target)
@@ -106,7 +106,7 @@ class Temporary {
 }  // namespace
 
 std::string read_whole(const fs::path& file) {
-  constexpr const char* what = "no readable record there";
+  constexpr const char* what = "cannot be read";
   // Without O_NONBLOCK, open would wait for a writer of a FIFO.
   const Descriptor descriptor(::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
   struct stat status {};

@@ -1,5 +1,5 @@
 #pragma once
-// Numbers in JSON, which has no NaN and no infinity: these are the strings "nan", "inf" and "-inf".
+// Numbers in JSON. JSON has no NaN and no infinity; the strings "nan", "inf" and "-inf" stand for them.
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -12,7 +12,7 @@ inline nlohmann::json number(double x) {
   return x;
 }
 
-/// For quantities that are NaN where they are not defined (the attitude of a scene in which nothing rotates): null.
+/// The same, but NaN becomes null: for undefined quantities, such as an attitude if nothing rotates.
 inline nlohmann::json number_or_null(double x) {
   return std::isnan(x) ? nlohmann::json() : number(x);
 }

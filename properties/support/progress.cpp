@@ -47,7 +47,7 @@ void Progress::show(double share, const std::function<std::string(double)>& deta
     const int columns = terminal_columns(), room = columns - 4 - static_cast<int>(text.size());
     const int width = std::clamp(room, 0, 30), full = static_cast<int>(share * width);
     const std::string bar = width < 5 ? "" : fmt::format("[{:#<{}}{:.<{}}] ", "", full, "", width - full);
-    // Spaces overwrite the end of a longer line; the last column stays free, or some terminals begin a new line.
+    // Spaces overwrite a longer line. The last column stays free: some terminals begin a new line there.
     const std::string line = fmt::format("{:<{}}", bar + text, bar.size() + text.size() + 3);
     std::fprintf(stderr, "\r%.*s", std::max(columns - 1, 0), line.c_str());
     if (last) std::fprintf(stderr, "\n");

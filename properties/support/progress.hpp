@@ -1,5 +1,5 @@
 #pragma once
-// Progress of long work, on standard error.
+// Shows the progress of long work on standard error.
 
 #include <chrono>
 #include <functional>
@@ -7,8 +7,8 @@
 
 namespace liecheck::properties {
 
-/// On a terminal, a bar with the remaining time, rewritten at most five times a second; elsewhere, a plain line every ten
-/// seconds. The destructor clears a bar that has no last line.
+/// On a terminal, shows a bar with the remaining time, at most five times a second. Elsewhere, prints a line
+/// every ten seconds. The destructor clears the bar.
 class Progress {
  public:
   explicit Progress(std::string what = "", bool quiet = false);
@@ -16,7 +16,8 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
   ~Progress();
 
-  /// `share` of the work in [0, 1]. detail(elapsed [s]), such as a count and its rate, is called where a line is due.
+  /// `share`: how much of the work is done, in [0, 1]. detail(elapsed [s]) returns text for the line, such as
+  /// a count; it is called only if a line is printed. `last` ends the line, which then stays.
   void show(double share, const std::function<std::string(double)>& detail, bool last = false);
   double elapsed() const;  ///< [s]
 

@@ -5,7 +5,7 @@
 
 namespace liecheck::properties {
 
-/// Set by Ctrl-C, SIGTERM and SIGHUP: work in progress is finished, no new work begins.
+/// Set by Ctrl-C, SIGTERM and SIGHUP. Work in progress is then finished, and no new work begins.
 extern std::atomic<bool> stop_requested;
 
 }  // namespace liecheck::properties

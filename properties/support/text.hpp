@@ -1,17 +1,17 @@
 #pragma once
-// Text from elsewhere, escaped for a terminal, a shell or a CSV file.
+// Escapes text for a terminal, a shell or a CSV file.
 
 #include <string>
 
 namespace liecheck::properties {
 
-/// Returns the text on one line, its control characters (C0, DEL, C1) escaped as \n, \t or \xNN.
+/// Returns the text on one line, with control characters (C0, DEL, C1) escaped as \n, \t or \xNN.
 std::string printable(const std::string& text);
 
 /// Returns one word for a POSIX shell, quoted where necessary.
 std::string shell_quoted(const std::string& word);
 
-/// Returns a field of a CSV file (RFC 4180), quoted where necessary, quotes doubled.
+/// Returns a field of a CSV file (RFC 4180), quoted where necessary, with quotes doubled.
 std::string csv_field(const std::string& text);
 
 }  // namespace liecheck::properties

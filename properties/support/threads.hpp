@@ -1,5 +1,5 @@
 #pragma once
-// Work on several threads, of which either all start or none.
+// Runs work on several threads. Either all threads start the work, or none.
 
 #include <fmt/format.h>
 
@@ -13,9 +13,9 @@
 
 namespace liecheck::properties {
 
-/// Runs work() on `count` threads, the calling one included, and waits until all have returned. No work begins before
-/// all threads exist; where the system gives fewer, throws std::runtime_error with their number. The first exception of
-/// work() sets `stop`, which work() must poll, and is rethrown at the end.
+/// Runs work() on `count` threads, including the calling one, and waits until all have returned. Work begins
+/// when all threads exist. If the system provides fewer, throws std::runtime_error with their number. The
+/// first exception in work() sets `stop`, which work() must poll, and is rethrown at the end.
 template <class Work>
 void run_on_threads(unsigned count, std::atomic<bool>& stop, const Work& work) {
   enum Gate { closed, open, cancelled };
@@ -41,7 +41,7 @@ void run_on_threads(unsigned count, std::atomic<bool>& stop, const Work& work) {
         if (gate == open) guarded();
       });
   } catch (const std::exception& e) {  // std::system_error, or std::bad_alloc
-    why = fmt::format("--jobs {}: only {} threads can be had: {}", count, threads.size() + 1, e.what());
+    why = fmt::format("--jobs {}: only {} threads could be started: {}", count, threads.size() + 1, e.what());
   }
   gate = why.empty() ? open : cancelled;
   gate.notify_all();

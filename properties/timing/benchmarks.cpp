@@ -9,15 +9,15 @@
 namespace liecheck::properties {
 namespace {
 
-/// One repetition: whether it was run, and how fast the machine was around it.
+/// One repetition, and how long the reference loop took before or after it.
 struct Repetition {
   bool run = false;
-  double reference = 0;  ///< [s]
+  double reference = 0;  ///< the longer time of the two [s]
   double ns = 0, instructions = 0;
 };
 using Repetitions = std::vector<std::vector<Repetition>>;  ///< by row
 
-/// Each repetition's processor time, to the row that its name numbers.
+/// Stores the processor time of each repetition. The name of a benchmark is the index of its row.
 class Collector final : public benchmark::BenchmarkReporter {
  public:
   Collector(const std::vector<Timed>& all, Repetitions& into) : all_(all), into_(into) {}
@@ -38,8 +38,7 @@ class Collector final : public benchmark::BenchmarkReporter {
   Repetitions& into_;
 };
 
-/// How long a loop takes that waits for nothing but the execution units [s]: twice as long while another program has a
-/// part of them.
+/// The time of a loop that is limited by the execution units [s]. It doubles while another program uses them.
 double reference_time() {
   static double in[64] = {1, 2, 3}, out[64];
   const auto start = std::chrono::steady_clock::now();
@@ -50,8 +49,8 @@ double reference_time() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// What was run while the machine was as fast as it gets, by the loop that ran before and after: within a tenth of the
-/// fastest hundredth, or the eight that were nearest to that. The choice knows nothing of the times that it keeps.
+/// Keeps the repetitions whose reference loop took at most 1.1 times its first percentile, and at least eight
+/// of each row. The choice does not depend on the measured times.
 void keep_undisturbed(std::vector<Timed>& all, const Repetitions& repetitions) {
   std::vector<double> references;
   for (const auto& row : repetitions)
@@ -74,8 +73,8 @@ void keep_undisturbed(std::vector<Timed>& all, const Repetitions& repetitions) {
   }
 }
 
-/// The pass, its frames so many bytes further down the stack: where results lie relative to inputs modulo a page moves
-/// small operations by a fifth, and is chance in every process.
+/// Runs the pass with its stack frame moved down by `bytes`. The position of results relative to inputs
+/// modulo a page changes the time of small operations by a fifth, and is random in each process.
 [[gnu::noinline]] void run_below(std::size_t bytes, const std::function<void()>& pass) {
   void* const room = __builtin_alloca(bytes + 16);
   asm volatile("" : : "r"(room) : "memory");
@@ -94,7 +93,7 @@ void initialize_once() {
   static_cast<void>(done);
 }
 
-/// The number of passes that take that long, after one pass that fills the caches.
+/// The number of passes that take `seconds`. A first pass fills the caches.
 std::int64_t passes_in(double seconds, const Timed& row) {
   using Clock = std::chrono::steady_clock;
   row.pass();
@@ -127,14 +126,14 @@ std::string run_interleaved(std::vector<Timed>& all, const Interleaving& how) {
         [&, i, passes](benchmark::State& state) {
           Repetition r;
           r.run = !stopped() && !late();
-          if (!r.run) {  // SkipWithError ends the statistics of the library with an abort
+          if (!r.run) {  // after SkipWithError, the library's statistics would abort
             repetitions[i].push_back(r);
             for (auto _ : state) {
             }
             return;
           }
           const Timed& row = all[i];
-          // Over the repetitions all of a page, in steps of half a cache line.
+          // The shifts of 128 repetitions cover a page in steps of half a cache line.
           const std::size_t shift = 32 * ((repetitions[i].size() * 37) % 128);
           r.reference = reference_time();
           counter.start();

@@ -9,7 +9,7 @@ bool counts(const BlockErrors& b) {
   return b.block.find("defect") == std::string::npos;
 }
 
-/// Infinite where a case has no error at all.
+/// The largest error; infinite if a case has none.
 double largest(const BlockErrors& b) {
   return b.not_finite + b.wrong_branch + b.refused + b.unresolved > 0
              ? std::numeric_limits<double>::infinity()
@@ -41,13 +41,13 @@ std::vector<int> dominators(const std::vector<CostRow>& rows, TimeOf kind) {
   std::vector<int> by(rows.size(), -1);
   std::vector<double> error;
   for (const CostRow& row : rows) error.push_back(error_of(row));
-  const auto plays = [&](const CostRow& row) {
+  const auto compared = [&](const CostRow& row) {
     return !row.sets.back().blocks.empty() && time_of(row, kind).repetitions > 0 &&
            row.subject.find('@') == std::string::npos;
   };
   for (std::size_t i = 0; i < rows.size(); ++i)
     for (std::size_t j = 0; j < rows.size(); ++j) {
-      if (rows[i].operation != rows[j].operation || !plays(rows[i]) || !plays(rows[j])) continue;
+      if (rows[i].operation != rows[j].operation || !compared(rows[i]) || !compared(rows[j])) continue;
       const Spread &a = time_of(rows[i], kind), &b = time_of(rows[j], kind);
       const bool dominated =
           (b.high < a.low && error[j] <= error[i]) || (b.median <= a.median && error[j] < error[i]);

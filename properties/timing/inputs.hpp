@@ -1,5 +1,5 @@
 #pragma once
-// Inputs that are timed and scored: plain samples of a law's fields, one angle band at a time, from a key alone.
+// Random inputs on which time and error are measured, each from one band of angles.
 
 #include <array>
 #include <boost/math/constants/constants.hpp>
@@ -8,13 +8,13 @@
 
 namespace liecheck::properties {
 
-/// theta log-uniform on [low, high], or pi - theta; generic: uniform.
+/// theta, or pi - theta if `from_pi`, is in [low, high]: uniform if `uniform`, otherwise log-uniform.
 struct CostBand {
   const char* name;
   double low, high;
   bool from_pi, uniform;
 };
-/// Edges that float can tell from 0 and from pi.
+/// The edges differ from 0 and pi in float.
 inline constexpr std::array<CostBand, 5> cost_bands = {{{"theta 1e-12..1e-5", 1e-12, 1e-5, false, false},
                                                         {"theta 1e-5..1e-3", 1e-5, 1e-3, false, false},
                                                         {"theta 1e-3..0.1", 1e-3, 0.1, false, false},
@@ -50,8 +50,8 @@ Vec<S, 4> quaternion_in(const CostBand& band, Source& source) {
 
 }  // namespace timing_detail
 
-/// One input of a law: vectors uniform in a cube of 2 m, rotations and rotation vectors with angles in the band. Of
-/// two quaternions the first has any angle, and the band is that from it to the second.
+/// One input of a law. Vectors are uniform in a cube of 2 m; rotations have an angle in the band. In a pair
+/// of quaternions, the first has an angle in 0.1..pi-0.1; the angle between the two is in the band.
 template <class S>
 std::vector<S> cost_input(const std::vector<Field>& fields, const CostBand& band, Source source) {
   using namespace timing_detail;

@@ -1,5 +1,5 @@
 #pragma once
-// Instructions that this thread retires in user space, by Linux's hardware counter where there is one.
+// Counts the instructions that this thread retires in user space, if Linux offers a hardware counter.
 
 #include <cstdint>
 #include <string>
@@ -12,10 +12,10 @@ class InstructionCounter {
   ~InstructionCounter();
   InstructionCounter(const InstructionCounter&) = delete;
   InstructionCounter& operator=(const InstructionCounter&) = delete;
-  /// Why there is none ("perf_event_open: ..."); empty where there is.
+  /// Why there is no counter ("perf_event_open: ..."); empty if there is one.
   const std::string& absent() const { return absent_; }
   void start();
-  /// Since start(); 0 where there is no counter, or where it did not run all the time.
+  /// The instructions since start(); 0 if there is no counter, or if it did not run all the time.
   std::uint64_t stop();
 
  private:

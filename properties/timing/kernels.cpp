@@ -34,18 +34,18 @@ std::vector<Subject<double>> load_kernels(const std::filesystem::path& folder) {
   auto modules = modules_of(folder);
   if (modules.empty())
     throw std::runtime_error(
-        fmt::format("--flags: {}: no modules with other flags: build the target kernels", folder.string()));
+        fmt::format("--flags: {} has no modules: build the target kernels", folder.string()));
   std::sort(modules.begin(), modules.end());
   std::vector<Subject<double>> all;
   for (const auto& path : modules) {
     void* const module = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (!module) throw std::runtime_error(::dlerror());  // names the file
     const auto get = reinterpret_cast<const Kernels* (*)()>(::dlsym(module, "liecheck_kernels"));
-    if (!get) throw std::runtime_error(fmt::format("{}: no kernels of liecheck", path.string()));
+    if (!get) throw std::runtime_error(fmt::format("{}: not a kernel module of liecheck", path.string()));
     const Kernels& k = *get();
     if (k.layout != kernels_layout())
       throw std::runtime_error(
-          fmt::format("{}: built for another layout than this program: build both anew", path.string()));
+          fmt::format("{}: built with other type layouts than this program: rebuild both", path.string()));
     all.push_back({"liecheck@" + path.stem().string(), k.flags, *k.operations, {}});
   }
   return all;

@@ -1,10 +1,10 @@
 #pragma once
-// The library compiled with other compilers and flags, one module each beside the program.
+// Loads the library compiled with other compilers and flags. Each combination is a module (a shared library).
 //
-// A template instantiated twice in one program is one function, whichever flags the linker's choice had. So each set of
-// flags is an object of its own, timing/module/operations.cpp: hidden but for one function, and
-// loaded with RTLD_LOCAL. Flags that change how types lie in memory (Eigen aligns by the widest vector) are caught by
-// `layout`.
+// In one program, the linker keeps one copy of a template function, whatever its flags. So each set of flags
+// has a module, built from timing/module/operations.cpp. It exports one function and is loaded with
+// RTLD_LOCAL. Some flags change the layout of types in memory, because Eigen aligns by the widest vector
+// instructions; `layout` detects that.
 
 #include <array>
 #include <filesystem>
@@ -14,25 +14,25 @@ namespace liecheck::properties {
 
 struct Kernels {
   const char* flags;
-  std::array<std::size_t, 5> layout;  ///< kernels_layout() there
+  std::array<std::size_t, 5> layout;  ///< kernels_layout() of the module
   const Operations<double>* operations;
 };
 
-/// Sizes and alignments of what crosses the border.
+/// Sizes and alignments of the types that program and module share.
 constexpr std::array<std::size_t, 5> kernels_layout() {
   return {alignof(Vec<double, 4>), alignof(Mat<double, 6>), alignof(Pose<double>), sizeof(Pose<double>),
           sizeof(Operations<double>)};
 }
 
-/// Beside the running program: ../kernels.
+/// The folder ../kernels from the folder of the running program.
 std::filesystem::path kernels_folder();
 
-/// Is there a module in it?
+/// Whether the folder has a module.
 bool has_kernels(const std::filesystem::path& folder = kernels_folder());
 
-/// A subject for each module of the folder, alphabetical: "liecheck@gcc-O2", with the flags as its version. Loaded for
-/// good. Throws std::runtime_error naming the folder that has none, or a module that cannot be loaded or was built for
-/// another layout.
+/// Loads the modules of the folder. Returns a subject for each, in alphabetical order, with a name such as
+/// "liecheck@gcc-O2" and the flags as its version. Throws std::runtime_error naming a folder without modules,
+/// or a module that cannot be loaded or was built with other type layouts.
 std::vector<Subject<double>> load_kernels(const std::filesystem::path& folder = kernels_folder());
 
 }  // namespace liecheck::properties

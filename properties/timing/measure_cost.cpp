@@ -16,7 +16,8 @@ Spread spread_of(std::vector<double>& x) {
   if (x.empty()) return {};
   std::sort(x.begin(), x.end());
   const std::size_t n = x.size();
-  // The largest k with P(fewer than k of n fall below the true median) <= 1/40; the k-th from either end.
+  // The interval is from the k-th smallest to the k-th largest sample, with the largest k for which
+  // P(fewer than k of n samples are below the true median) <= 1/40.
   double probability = std::pow(0.5, static_cast<double>(n)), below = 0;
   std::size_t k = 0;
   while (k < n / 2 && below + probability <= 0.025) {
@@ -49,7 +50,7 @@ void merge_blocks(std::vector<BlockErrors>& all, const std::vector<BlockErrors>&
 
 namespace {
 
-/// The subjects that are named; without names those of a campaign and liecheck's own variants.
+/// The selected subjects; by default those of a campaign and liecheck's variants.
 template <class S>
 std::vector<const Subject<S>*> subjects_of(const CostPlan& plan) {
   std::vector<const Subject<S>*> all;

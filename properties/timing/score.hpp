@@ -1,5 +1,5 @@
 #pragma once
-// The error of one operation on given inputs, by block, as the law measures it that the operation belongs to.
+// The errors of one operation on given inputs, by block, as the operation's law measures them.
 
 #include <algorithm>
 #include <invariants/property.hpp>
@@ -8,7 +8,7 @@
 
 namespace liecheck::properties {
 
-/// Collects what a law records of one operation.
+/// Collects the errors and outcomes that a law records for one operation.
 class BlockCollector final : public Recorder {
  public:
   BlockCollector(const std::vector<Output>& outputs, const Operation& operation) {
@@ -52,8 +52,8 @@ class BlockCollector final : public Recorder {
   std::vector<const Block*> measured_;
 };
 
-/// `subject` offers this operation alone, so that nothing else is measured. By ball arithmetic, at 50 and 100 digits
-/// where that does not decide.
+/// `subject` must offer only this operation, so that nothing else is measured. Errors are measured by ball
+/// arithmetic, or with 50 and 100 digits if that does not decide.
 template <class S>
 std::vector<BlockErrors> score(const Property<S>& law, const Operation& operation, const Subject<S>& subject,
                                const std::vector<std::vector<S>>& inputs) {
@@ -61,7 +61,7 @@ std::vector<BlockErrors> score(const Property<S>& law, const Operation& operatio
   for (const auto& x : inputs) {
     BlockCollector one(law.outputs(), operation);
     try {
-      // Tries the tiers of ball arithmetic from the cheapest on, until one decides.
+      // Tries the tiers of ball arithmetic, the cheapest first, until one decides.
       for (std::size_t tier = 0;; ++tier) {
         one = BlockCollector(law.outputs(), operation);
         try {

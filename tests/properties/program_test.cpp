@@ -81,7 +81,7 @@ TEST_F(Program, EmptyValuesAndUnknownWordsAreNamed) {
   refused(quick + "--subject 'a\nb'", "unknown subject 'a\\nb'");
   refused("bench nope", "unknown command 'nope'; commands of bench: bugs, speed");
   refused("bench", "bench: which one? bugs, speed");
-  refused("campaign --for 1s --shard 1/2", "--for: a shard is a part of a count");
+  refused("campaign --for 1s --shard 1/2", "--for: a shard is a part of a fixed number");
   refused("campaign --subject eigen --scalar float128", "nothing to run");
   refused("report r.json --seed 3", "excludes");
 }

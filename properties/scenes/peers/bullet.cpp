@@ -1,5 +1,5 @@
-// Bullet, in double precision, zlib licence: rigid bodies with implicit or explicit gyroscopic terms, and
-// Featherstone's articulated bodies (btMultiBody) for chains.
+// Bullet in double precision (zlib licence). A free body is a btRigidBody with implicit or explicit
+// gyroscopic terms; a chain is a btMultiBody (Featherstone's algorithm).
 
 #include <BulletDynamics/Featherstone/btMultiBody.h>
 #include <BulletDynamics/Featherstone/btMultiBodyConstraintSolver.h>

@@ -1,4 +1,4 @@
-// DART: generalized coordinates on the group, BSD-2-Clause. Semi-implicit Euler.
+// DART (BSD-2-Clause): generalized coordinates on the Lie group, semi-implicit Euler.
 
 #include <dart/config.hpp>
 #include <dart/dynamics/BodyNode.hpp>
@@ -20,7 +20,7 @@ class DartRunner final : public PeerRunner {
     robot_ = dd::Skeleton::create("robot");
     dd::BodyNode* parent = nullptr;
     for (const PeerBody& b : bodies_) {
-      // names of their own, or DART talks about new ones
+      // Names are unique, because DART prints a message for each body that it renames.
       const dd::BodyNode::AspectProperties name("body" + std::to_string(robot_->getNumBodyNodes()));
       dd::RevoluteJoint::Properties joint;
       joint.mName = "joint" + std::to_string(robot_->getNumBodyNodes());

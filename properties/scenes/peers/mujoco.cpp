@@ -1,4 +1,4 @@
-// MuJoCo: generalized coordinates, Apache-2.0. Semi-implicit Euler, RK4, and Euler implicit in the velocity.
+// MuJoCo (Apache-2.0): generalized coordinates; semi-implicit Euler, RK4, and Euler implicit in the velocity.
 
 #include <mujoco/mujoco.h>
 

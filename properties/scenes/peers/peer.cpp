@@ -23,14 +23,14 @@ std::vector<Peer> load() {
     const auto path = program.parent_path().parent_path() / "scene_peers" / file;
     if (!std::filesystem::exists(path, error)) continue;
     void* const module = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
-    if (!module) {  // built, but its libraries have gone since
+    if (!module) {  // built, but a library that it needs is missing
       fmt::print(stderr, "{} is left out: {}\n", name, ::dlerror());
       continue;
     }
     const auto get = reinterpret_cast<const PeerModule* (*)()>(::dlsym(module, "liecheck_scene_peer"));
     if (!get || get()->layout != PeerModule().layout)
       throw std::runtime_error(
-          fmt::format("{}: built for another layout than this program: build both anew", path.string()));
+          fmt::format("{}: built with other type layouts than this program: rebuild both", path.string()));
     all.push_back(get()->peer);
   }
   return all;

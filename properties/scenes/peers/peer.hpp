@@ -1,8 +1,8 @@
 #pragma once
-// Other people's simulators on our scenes. One file each; what is not found at build time is absent.
+// Peers: other simulators that run our scenes. Those that CMake does not find are absent.
 //
-// A peer is set up as its manual says, contact and damping off, and stepped through its own public interface. It may
-// run scenes of one free body, or of a chain of revolute joints that hangs on the world.
+// A peer is set up as its manual says, without contact and damping, and stepped through its public interface.
+// It can run scenes with one free body, or with a chain of revolute joints on the world.
 
 #include <Eigen/Geometry>
 #include <memory>
@@ -14,7 +14,7 @@ namespace liecheck::properties {
 /// The bodies of a scene that peers can run; empty for any other.
 std::vector<PeerBody> peer_bodies(const Benchmark& scene);
 
-/// A way to step: adaptive ones take a tolerance.
+/// An integrator of a peer. An adaptive one takes a tolerance.
 struct PeerMethod {
   std::string name;
   int order = 0;
@@ -23,17 +23,18 @@ struct PeerMethod {
 
 struct Peer {
   std::string name, version;
-  /// Those that run the scene.
+  /// Returns the methods that can run the scene.
   std::function<std::vector<PeerMethod>(const Benchmark&)> methods;
   std::function<std::unique_ptr<Runner>(const Benchmark&, const std::string& method)> make;
 };
 
-/// Each is a module beside the program (folder scene_peers), loaded when it is asked for, so that no other command pays
-/// for it: those found, by name, and the names of the others. Throws std::runtime_error for a module of another build.
+/// The peers that CMake found, and the names of the others. Each peer is a shared library in the folder
+/// scene_peers of the build; it is loaded by the first call, so that other commands start fast. Throws
+/// std::runtime_error for a library of another build.
 const std::vector<Peer>& peers();
 std::vector<std::string> absent_peers();
 
-/// What a module exports: a peer, and the size of what it shares with the program.
+/// What such a library exports: a peer, and a number that depends on the sizes of the shared types.
 struct PeerModule {
   std::size_t layout = sizeof(Benchmark) + 1000 * sizeof(Peer);
   Peer peer;
@@ -44,7 +45,7 @@ struct PeerModule {
     return &module;                                                                                         \
   }
 
-/// Fixed steps: what a peer fills in.
+/// A runner with fixed steps. A peer implements reset, step and read.
 class PeerRunner : public Runner {
  public:
   explicit PeerRunner(const Benchmark& scene) : scene_(scene), bodies_(peer_bodies(scene)) {}
@@ -62,11 +63,11 @@ class PeerRunner : public Runner {
   const std::vector<PeerBody> bodies_;
 };
 
-/// Of a free body's configuration: R_WB, and of its velocity the parts.
+/// The attitude R_WB in the configuration of a free body.
 inline Eigen::Quaterniond attitude_of(const Eigen::VectorXd& q) {
   return Eigen::Quaterniond(q[6], q[3], q[4], q[5]);
 }
-/// q and v of a free body from its frame's position, attitude and world velocities.
+/// Sets q and v of a free body from the position, attitude and world velocities of its frame.
 inline void set_free(Eigen::VectorXd& q, Eigen::VectorXd& v, const Eigen::Vector3d& p,
                      const Eigen::Quaterniond& Q, const Eigen::Vector3d& velocity_W,
                      const Eigen::Vector3d& omega_W) {

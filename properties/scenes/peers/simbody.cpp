@@ -1,5 +1,5 @@
-// Simbody: generalized coordinates, Apache-2.0. Runge-Kutta pairs and Verlet, each with a given accuracy.
-// Its headers do not compile as C++20 (their operator== is ambiguous there): simbody_model.cpp is C++17.
+// Simbody (Apache-2.0): generalized coordinates; Runge-Kutta pairs and Verlet, each with a given accuracy.
+// simbody_model.cpp is C++17, because in C++20 the operator== of Simbody's headers is ambiguous.
 
 #include <fmt/format.h>
 #include <scenes/peers/peer.hpp>

@@ -24,7 +24,7 @@ class Model final : public SimbodyModel {
       SimTK::MobilizedBody& parent = mobods_.empty() ? matter_.updGround() : mobods_.back();
       if (b.free) {
         mobods_.push_back(SimTK::MobilizedBody::Free(parent, body));
-      } else {  // pins turn about z
+      } else {  // a pin rotates about z
         const SimTK::Rotation turned(SimTK::UnitVec3(of(b.axis)), SimTK::ZAxis);
         mobods_.push_back(SimTK::MobilizedBody::Pin(parent, SimTK::Transform(turned, of(b.at)), body,
                                                     SimTK::Transform(turned)));
@@ -58,9 +58,9 @@ class Model final : public SimbodyModel {
   std::string to(double t) override try {
     for (int idle = 0; integrator_->getTime() < t && !integrator_->isSimulationOver();) {
       const double before = integrator_->getTime();
-      integrator_->stepTo(t);  // returns at the start, too
+      integrator_->stepTo(t);  // also returns once at the start
       idle = integrator_->getTime() > before ? 0 : idle + 1;
-      if (idle > 3) return "at " + std::to_string(before) + " s: it does not get on";
+      if (idle > 3) return "at " + std::to_string(before) + " s: the time no longer increases";
     }
     return "";
   } catch (const std::exception& e) {

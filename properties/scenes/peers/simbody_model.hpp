@@ -1,5 +1,5 @@
 #pragma once
-// Simbody behind an interface without its headers. C++17.
+// An interface to Simbody without Simbody's headers. This file is C++17.
 
 #include <memory>
 #include <scenes/peers/peer_body.hpp>
@@ -11,7 +11,7 @@ namespace liecheck::properties {
 struct SimbodyScene {
   std::vector<PeerBody> bodies;
   Eigen::Vector3d gravity;
-  Eigen::VectorXd q0, v0;  ///< of a free body [p; x y z w], [u; omega] in its axes; else angles and rates
+  Eigen::VectorXd q0, v0;  ///< free body: [p; x y z w], [u; omega] in its axes; chain: angles, rates
   double duration;
 };
 struct FreeState {
@@ -24,7 +24,7 @@ class SimbodyModel {
  public:
   virtual ~SimbodyModel() = default;
   virtual void start(double accuracy) = 0;
-  /// Empty, or why it could not go on.
+  /// Runs up to time t. Returns why it could not, or "".
   virtual std::string to(double t) = 0;
   virtual void read(Eigen::VectorXd& q, Eigen::VectorXd& v) const = 0;
   virtual FreeState free_state() const = 0;
