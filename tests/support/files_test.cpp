@@ -1,4 +1,4 @@
-// Files: read once; replaced whole, in place, or not at all.
+// support/files.hpp: a file is read once. It is replaced whole, written in place, or left as it was.
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
