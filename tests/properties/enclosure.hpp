@@ -50,7 +50,7 @@ struct Undecided : std::runtime_error {
 
 // ---- intervals
 
-/// The largest |y| for y in x, and e with |y| < 2^e.
+/// largest(x) is the largest |y| for y in x; exponent(x) is an e with |y| < 2^e.
 template <class T>
 auto largest(const T& x) {
   auto m = upper(x);
