@@ -22,7 +22,7 @@ struct Comma : std::numpunct<char> {
   char do_decimal_point() const override { return ','; }
 };
 
-TEST(Urdf, NumbersHaveAPointWhateverTheLocale) {
+TEST(Urdf, NumbersHaveADecimalPointInEveryLocale) {
   const std::locale before = std::locale::global(std::locale(std::locale::classic(), new Comma));
   for (const char* name : {"de_DE.UTF-8", "fr_FR.UTF-8", "de_DE"})
     if (std::setlocale(LC_ALL, name)) break;
@@ -77,7 +77,7 @@ TEST(BadUrdf, CutOffOrMalformedTextIsRefused) {
                 "and more");
 }
 
-TEST(Urdf, WhatIsDrawnIsNotRead) {
+TEST(Urdf, VisualAndGazeboElementsAreNotRead) {
   EXPECT_EQ(buildModelFromUrdfText(
                 "<robot name='r'><link name='a'><visual><material name='none'/></visual><inertial>"
                 "<mass value='2'/><inertia ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' izz='1'/>"
@@ -139,7 +139,7 @@ TEST(BadUrdf, AMessageIsOneShortLine) {
             std::string::npos);
 }
 
-// The seeds of the fuzzer and what it found: each is a robot that runs, or is refused in one short line.
+// The seeds and the findings of the fuzzer. Each is a usable robot, or is refused with one short line.
 TEST(BadUrdf, TheCorpusOfTheFuzzerIsReadOrRefused) {
   int robots = 0, texts = 0;
   for (const auto& entry :
