@@ -205,7 +205,7 @@ TYPED_TEST(Configuration, DifferenceOfNearPosesIsAccurateRelativeToItself) {
 }
 // The coefficients of Q0 are nearly equal, and those of Q1 are three ulp larger. Q1 - Q0 is thus almost
 // parallel to Q0: all but a thousandth of their product (a millionth in double) cancels.
-TYPED_TEST(Configuration, ADifferenceOfNormsIsNoRotation) {
+TYPED_TEST(Configuration, QuaternionsThatDifferMainlyInNormKeepTheirSmallRotation) {
   using S = TypeParam;
   const S a = std::cbrt(this->eps) / 8;
   Vector7<S> q0 = Vector7<S>::Zero(), q1 = Vector7<S>::Zero();
@@ -485,7 +485,7 @@ TYPED_TEST(Configuration, NormalizeWorksInPlaceAndByValue) {
   normalize(m, scaled);
   EXPECT_LE(error(scaled, q), 8 * this->eps);
 }
-TYPED_TEST(Configuration, IsNormalizedSeesEachUnitVectorAndNaN) {
+TYPED_TEST(Configuration, IsNormalizedChecksEveryUnitVectorAndRefusesNaN) {
   using S = TypeParam;
   const Model<S> m = someRobot<S>();
   EXPECT_TRUE(isNormalized(m, someConfiguration<S>()));

@@ -130,7 +130,7 @@ TEST(Dynamics, PowerOfTheForcesIsTheRateOfTheEnergy) {
 // The equations of motion without spatial algebra. The force m (c_ddot - g) and the moment I alpha + omega x
 // I omega of each body are projected on the derivatives of c and R by each coordinate. All derivatives are
 // differences of poses.
-TEST(Dynamics, RneaIsTheProjectedNewtonEulerEquationOfPosesAlone) {
+TEST(Dynamics, RneaIsTheProjectedNewtonEulerEquation) {
   for (unsigned seed = 31; seed <= 36; ++seed) {
     Model<double> m = randomModel(seed, 11, seed % 2 ? Shape::Tree : Shape::Chain);
     m.armature.setZero();

@@ -90,7 +90,7 @@ TEST(InertiaOfABody, GivesTheTwoKilogramExampleByTwoFormulas) {
   EXPECT_LE((h.angular() - V3(0, 0, 0.48)).norm(), 4 * e);
 }
 
-TEST(InertiaOfABody, IsNotValidOnlyBecauseItsEntriesArePositive) {
+TEST(InertiaOfABody, MayBeInvalidAlthoughItsEntriesArePositive) {
   const auto with = [](double a, double b, double c) {
     return Inertia<double>(1, V3::Zero(), V3(a, b, c).asDiagonal().toDenseMatrix());
   };

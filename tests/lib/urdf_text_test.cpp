@@ -114,7 +114,7 @@ TEST(BadUrdf, APipeIsReadOnce) {
   ::close(ends[0]);
 }
 
-TEST(BadUrdf, TextThatIsNotUtf8IsRefusedInItsLine) {
+TEST(BadUrdf, TextThatIsNotUtf8IsRefusedWithItsLine) {
   for (const char* bad : {"\xff", "\x80", "\xc3", "\xc0\xaf", "\xed\xa0\x80", "\xf4\x90\x80\x80", "\xe2\x82"})
     EXPECT_EQ(refusal("<robot name='r'>\n<link name='" + std::string(bad) + "'/></robot>")
                   .rfind("bad.urdf:2: not UTF-8", 0),
@@ -123,7 +123,7 @@ TEST(BadUrdf, TextThatIsNotUtf8IsRefusedInItsLine) {
       buildModelFromUrdfText("<robot name='\xc3\xa9\xe2\x82\xac\xf0\x9f\xa4\x96'><link name='a'/></robot>"));
 }
 
-TEST(BadUrdf, TagsThatCloseNothingAndEntitiesAreNamed) {
+TEST(BadUrdf, UnmatchedClosingTagsAndEntitiesAreRefused) {
   const std::string robot = "<robot name='r'>\n<link name='a'/></robot>\n";
   expectRefused(robot + "</robot></robot>", 3, "closed that was not opened", "</robot>");
   expectRefused("</robot>" + robot, 1, "closed that was not opened", "</robot>");

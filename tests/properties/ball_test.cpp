@@ -12,7 +12,7 @@ template <BallNumber B>
 Real mid(const B& b) {
   return exact<Real>(b);
 }
-/// |midpoint - exact| / radius; 0 where the midpoint is exact.
+/// |midpoint - exact| / radius; 0 if the midpoint is exact.
 template <BallNumber B>
 double share(const B& b, const Real& value) {
   const double d = static_cast<double>(Real(abs(mid(b) - value)));

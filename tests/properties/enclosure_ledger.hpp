@@ -11,7 +11,7 @@
 
 namespace liecheck::enclosures {
 
-/// x without rounding; an interval with infinite ends where T has too few bits.
+/// x without rounding; an interval with infinite ends if T has too few bits.
 template <class T, unsigned Digits>
 T point(const oracles::Decimal<Digits>& x) {
   T r;

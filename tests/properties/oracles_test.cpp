@@ -111,7 +111,7 @@ TEST(OracleAgreement, RefusesAWrongDigitAtTheFortiethPlace) {
   wrong[1] = v[1] + Real("1e-43");
   EXPECT_TRUE(agree(wrong, v));
   const Vec3<> tiny = scaled(v, "1e-310");
-  EXPECT_FALSE(agree(Real(1 + Real("1e-40")) * tiny, tiny));  // relative, also where doubles are subnormal
+  EXPECT_FALSE(agree(Real(1 + Real("1e-40")) * tiny, tiny));  // relative, also for subnormal doubles
 }
 
 TEST(OracleAgreement, RefusesNotANumber) {

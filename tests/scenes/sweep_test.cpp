@@ -44,7 +44,7 @@ TEST(ObservedOrder, FindsAnUnexpectedOrderAndIgnoresACoarseStart) {
   EXPECT_LT(observe_order({1, 1e-3, 1e-15, 1.2e-15, 1e-15}, 4).halvings, 5);
 }
 
-TEST(WrongOrders, NamesMethodsThatAreOffOrSettleInFewerThanThreeScenes) {
+TEST(WrongOrders, NamesMethodsThatAreOffOrObservedInFewerThanThreeScenes) {
   const auto row = [](double order, int halvings) {
     OrderRow r{"rk2", "double", 2, false, {}, {}, {}};
     r.observed.order = order, r.observed.halvings = halvings, r.observed.settled = halvings >= 5;
@@ -122,7 +122,7 @@ TEST(LongSpins, OfTheBestMethodStayNearTheLimitOfConditioning) {
 }
 
 TEST(Dzhanibekov, FlipsWhenTheClosedFormSaysUpToItsHorizon) {
-  std::set<double> known;  // log10 of the perturbations whose flips are all found to 1e-6 in some scalar
+  std::set<double> known;  // log10 of perturbations whose flips are right to 1e-6 in some scalar
   for (const Flips& f : dzhanibekov_flips(2)) {
     ASSERT_EQ(f.relative.size(), 2U);
     if (f.predicted == 2) known.insert(std::round(std::log10(f.perturbation)));

@@ -51,7 +51,7 @@ TEST_F(Files, AFileIsReplacedWholeAndKeepsItsMode) {
   EXPECT_EQ(entries(), 2);
 }
 
-TEST_F(Files, LinksAreFollowedAndStay) {
+TEST_F(Files, SymbolicLinksAreFollowedAndNotReplaced) {
   fs::create_symlink("b", dir / "a");
   fs::create_symlink("c", dir / "b");
   write_whole(dir / "a", "text");
