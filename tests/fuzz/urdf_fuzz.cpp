@@ -1,7 +1,7 @@
-// urdf_fuzz INPUTS SEED FOLDER: mutates the URDF texts of a folder and gives them to the URDF reader. An input that breaks
-// the reader's promise (urdf_input.hpp) or takes more than five seconds is written to urdf_fuzz.failing in the working
-// folder. Where LIECHECK_FUZZ_KEEP is set, every input is written to urdf_fuzz.last before it is tried, so that one that
-// kills the process is kept. Exit code 0 or 1.
+// urdf_fuzz INPUTS SEED FOLDER: mutates the URDF texts of a folder and gives them to the URDF reader. An
+// input that breaks the reader's promise (urdf_input.hpp) or takes more than five seconds is written to
+// urdf_fuzz.failing in the working folder, and the exit code is 1. If LIECHECK_FUZZ_KEEP is set, every input
+// is first written to urdf_fuzz.last. An input that kills the process is then not lost.
 
 #include <chrono>
 #include <cstdio>
@@ -36,7 +36,7 @@ int main(int argc, char** argv) {
   std::vector<std::string> corpus;
   for (const auto& f : files) corpus.push_back(read(f));
   if (corpus.empty() || inputs < 0)
-    return std::fputs("urdf_fuzz: no inputs, or no *.urdf there\n", stderr), 2;
+    return std::fputs("urdf_fuzz: INPUTS is negative, or FOLDER has no *.urdf\n", stderr), 2;
   const bool keep = std::getenv("LIECHECK_FUZZ_KEEP") != nullptr;
   long robots = 0;
   double slowest = 0;

@@ -7,7 +7,7 @@
 namespace liecheck::test {
 namespace {
 
-/// Poses, forces and, if no joint is massless, accelerations at the neutral configuration.
+/// Computes forces and accelerations at the neutral configuration. aba may refuse massless links.
 void use(const UrdfRobot& robot) {
   const Model<double>& m = robot.model;
   Data<double> d(m, m.has_mimics && m.nv < 100 ? Dense::Mass : Dense::None);
@@ -38,7 +38,8 @@ bool try_urdf(const std::string& text) {
   UrdfOptions plain, all;
   all.root = RootJoint::FreeFlyer, all.mimic = MimicJoints::Tied, all.strict = true;
   const bool loads = try_with(text, plain);
-  if (try_with(text, all) && !loads) throw std::logic_error("strictly a robot, but not one otherwise");
+  if (try_with(text, all) && !loads)
+    throw std::logic_error("accepted with strict = true, but refused without");
   return loads;
 }
 

@@ -1,4 +1,4 @@
-// The same input for libFuzzer, where clang is found: urdf_libfuzzer [flags] FOLDER.
+// The check of urdf_input.hpp as a libFuzzer target, which needs clang: urdf_libfuzzer [flags] FOLDER.
 
 #include <cstddef>
 #include <cstdint>

@@ -13,7 +13,7 @@ class UrdfMutator {
  public:
   explicit UrdfMutator(std::uint64_t seed) : bits_(seed) {}
 
-  /// One to four changes; `other` is a text to take pieces from.
+  /// `text` after one to four changes, some of which insert pieces of `other`.
   std::string mutated(std::string text, const std::string& other) {
     for (std::size_t n = 1 + below(4); n > 0; --n) text = once(std::move(text), other);
     if (text.size() > 20000) text.resize(20000);
@@ -71,41 +71,41 @@ class UrdfMutator {
                                                    "1e308 1e308 1e308"};
     const std::size_t at = below(text.size() + 1);
     switch (below(12)) {
-      case 0:  // a bit
+      case 0:  // flip a bit
         if (at < text.size()) text[at] = static_cast<char>(text[at] ^ (1 << below(8)));
         return text;
-      case 1:  // a byte
+      case 1:  // replace a byte
         if (at < text.size()) text[at] = static_cast<char>(below(256));
         return text;
       case 2:
         return text.insert(at, words[below(words.size())]);
-      case 3:  // cut off, or a piece out
+      case 3:  // remove a piece, or everything that follows
         return below(4) ? text.erase(at, 1 + below(40)) : text.substr(0, at);
-      case 4: {  // a piece of another
+      case 4: {  // insert a piece of `other`
         const std::size_t from = below(other.size());
         return text.insert(at, other.substr(from, below(200)));
       }
       case 5:
-      case 6: {  // what stands in quotes
+      case 6: {  // replace a quoted text
         const Range q = quoted(text, at);
         return text.replace(q.from, q.size, below(2) ? words[below(words.size())] : number());
       }
-      case 7: {  // one name for another
+      case 7: {  // replace a quoted text by another one
         const Range a = quoted(text, at), b = quoted(text, below(text.size() + 1));
         return text.replace(a.from, a.size, text.substr(b.from, b.size));
       }
       case 8:
-      case 9: {  // an element again, or not at all
+      case 9: {  // remove or duplicate an element
         const Range e = element(text, at);
         const std::string copy = text.substr(e.from, e.size);
         if (below(2)) return text.erase(e.from, e.size);
         return text.insert(below(2) ? e.from : element(text, below(text.size() + 1)).from, copy);
       }
-      case 10: {  // an element of another
+      case 10: {  // insert an element of `other`
         const Range e = element(other, below(other.size() + 1));
         return text.insert(element(text, at).from, other.substr(e.from, e.size));
       }
-      default: {  // many times
+      default: {  // insert the start of an element many times
         const Range e = element(text, at);
         const std::string copy = text.substr(e.from, std::min<std::size_t>(e.size, 60));
         std::string all;
@@ -125,7 +125,7 @@ class UrdfMutator {
     const std::size_t close = text.find('"', open + 1);
     return {open + 1, (close == text.npos ? text.size() : close) - open - 1};
   }
-  /// A tag, or an element to the tag that closes it, from near there.
+  /// The next tag after `at`, or the element from this tag to its closing tag.
   Range element(const std::string& text, std::size_t at) {
     const std::size_t open = text.find('<', at);
     if (open == text.npos) return {text.size(), 0};

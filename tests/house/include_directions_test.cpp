@@ -1,4 +1,5 @@
-// Who may include whom: the order of the folders of lib and properties ("rooms"), and no cycles inside a folder.
+// Each folder ("room") of lib, properties and reports may include only rooms above it in a list. No files
+// include each other in a cycle.
 
 #include <gtest/gtest.h>
 
@@ -27,8 +28,7 @@ const std::vector<Room> library = {
     {"scene_file", {"text", "scalar", "spatial", "multibody", "algorithms", "scene", "urdf"}},
 };
 
-/// properties and reports; "lib" is any room of the library. The oracles never see lib: a sign error that both have would
-/// agree with itself.
+/// properties and reports; "lib" is any room of the library. Oracles that used lib would share its errors.
 const std::vector<Room> harness = {
     {"lib", {}},
     {"support", {}},
@@ -60,7 +60,7 @@ const Room* find(const std::vector<Room>& rooms, const std::string& name) {
   return at == rooms.end() ? nullptr : &*at;
 }
 
-/// What a path or an include names after a prefix, up to the next slash; empty where it does not start with it.
+/// The folder in `path` after `prefix`; empty if `path` does not start with `prefix` or has no further slash.
 std::string folder_after(const std::string& prefix, const std::string& path) {
   const auto end = path.find('/', prefix.size());
   return path.rfind(prefix, 0) == 0 && end != path.npos ? path.substr(prefix.size(), end - prefix.size())
@@ -89,7 +89,7 @@ std::vector<std::string> violations(const std::string& path, const std::string& 
   if (!room) return {path + " is in no room of this test"};
   for (const std::string& include : includes_of(text)) {
     const std::string lib_room = folder_after("liecheck/", include), other = folder_after("", include);
-    if (lib_room.empty() && !find(harness, other)) continue;  // another project's
+    if (lib_room.empty() && !find(harness, other)) continue;  // a header of another project
     const std::string to = of_library ? lib_room : lib_room.empty() ? other : "lib";
     const auto& allowed = room->may_include;
     if (to != own && std::find(allowed.begin(), allowed.end(), to) == allowed.end())
@@ -109,14 +109,14 @@ TEST(Rooms, AreInAnOrderWithoutCycles) {
   }
 }
 
-TEST(Rooms, AreKeptByEveryFile) {
+TEST(Rooms, EveryFileIncludesOnlyWhatItsRoomMay) {
   const Files files = sources({"lib", "properties", "reports"});
   EXPECT_GT(files.size(), 200u);
   for (const auto& [path, text] : files)
     for (const std::string& v : violations(path, text)) ADD_FAILURE() << v;
 }
 
-TEST(Rooms, ViolationsAreSeen) {
+TEST(Rooms, ForbiddenIncludesAreFound) {
   const auto count = [](const char* path, const char* include) {
     return violations(path, "#pragma once\n#include <" + std::string(include) + ">\n").size();
   };
@@ -176,7 +176,7 @@ TEST(Includes, HaveNoCycle) {
     ADD_FAILURE() << "these include each other: " << group;
 }
 
-TEST(Includes, ACycleIsSeen) {
+TEST(Includes, ACycleIsFound) {
   Files files{{"lib/liecheck/urdf/a.hpp", "#include <liecheck/urdf/b.hpp>\n"},
               {"lib/liecheck/urdf/b.hpp", ""},
               {"lib/liecheck/urdf/b.cpp", "#include <liecheck/urdf/b.hpp>\n"}};
@@ -185,12 +185,12 @@ TEST(Includes, ACycleIsSeen) {
   EXPECT_EQ(cycles(files), std::vector<std::string>{"lib/liecheck/urdf/a, lib/liecheck/urdf/b"});
 }
 
-TEST(TheHarness, HasFoldersOnlyAtItsRoot) {
+TEST(TheHarness, HasOnlyFoldersAtItsRoot) {
   for (const auto& entry : fs::directory_iterator(top() / "properties"))
     EXPECT_TRUE(entry.is_directory() || entry.path().filename() == "CMakeLists.txt") << entry.path();
 }
 
-TEST(Readme, SaysTheLineThatContinuousIntegrationRuns) {
+TEST(Readme, QuotesTheCommandThatContinuousIntegrationRuns) {
   const std::string ci = read(top() / ".ci/run");
   const auto at = ci.find("apt-get update");
   ASSERT_NE(at, std::string::npos);

@@ -1,5 +1,5 @@
-// Files of lib and properties have at most 400 lines and functions at most 80, or a comment that says why not; what is
-// cited is in the repository.
+// In lib and properties a file has at most 400 lines and a function at most 80, unless a comment gives the
+// reason. No file cites a document that is not in the repository.
 
 #include <gtest/gtest.h>
 
@@ -63,7 +63,7 @@ struct Function {
   int first, last;  ///< lines, from 1
 };
 
-/// The functions of a file outside of any other function, and lambdas that are constants of a namespace.
+/// A file's functions that are not inside another function, and lambdas that are constants of a namespace.
 std::vector<Function> functions_of(const std::string& text) {
   enum class Block { scope, function, initializer };
   static const std::regex scope(
@@ -114,7 +114,7 @@ std::vector<Function> functions_of(const std::string& text) {
   return all;
 }
 
-/// Line `number` from 1, of a file's lines.
+/// Does line `number` (from 1), or one of the five lines before it, say why `limit` is exceeded?
 bool says_why(const std::vector<std::string>& file, int number, int limit) {
   const std::string reason = "// Longer than " + std::to_string(limit) + " lines: ";
   for (int i = number - 1; i >= std::max(0, number - 6); --i)
@@ -122,7 +122,7 @@ bool says_why(const std::vector<std::string>& file, int number, int limit) {
   return false;
 }
 
-/// What is too long in a file and gives no reason.
+/// The file and its functions that are too long and give no reason.
 std::vector<std::string> too_long(const std::string& path, const std::string& text) {
   std::vector<std::string> file, bad;
   std::istringstream stream(text);
@@ -138,7 +138,7 @@ std::vector<std::string> too_long(const std::string& path, const std::string& te
   return bad;
 }
 
-TEST(Lengths, AreKeptOrExplained) {
+TEST(Lengths, AreWithinTheLimitsOrExplained) {
   int functions = 0;
   for (const auto& [path, text] : sources({"lib", "properties"})) {
     functions += static_cast<int>(functions_of(text).size());
@@ -147,7 +147,7 @@ TEST(Lengths, AreKeptOrExplained) {
   EXPECT_GT(functions, 1500);
 }
 
-TEST(Lengths, OfAPlantedFileAndAPlantedFunctionAreSeen) {
+TEST(Lengths, ThatAreTooLongAreFound) {
   const auto times = [](int n, const std::string& line) {
     std::string all;
     for (int i = 0; i < n; ++i) all += line;
@@ -200,7 +200,7 @@ std::vector<std::string> foreign_citations(const std::string& path, const std::s
   return bad;
 }
 
-TEST(Citations, AreOfDocumentsThatTheRepositoryHas) {
+TEST(Citations, AreOnlyOfDocumentsInTheRepository) {
   for (const char* folder : {"lib", "properties", "reports", "tests", "fixtures", "adapters", "docs"})
     if (fs::exists(top() / folder))
       for (const auto& entry : fs::recursive_directory_iterator(top() / folder))
@@ -211,7 +211,7 @@ TEST(Citations, AreOfDocumentsThatTheRepositoryHas) {
   for (const auto& c : foreign_citations("README.md", read(top() / "README.md"))) ADD_FAILURE() << c;
 }
 
-TEST(Citations, OfOtherDocumentsAreSeen) {
+TEST(Citations, OfOtherDocumentsAreFound) {
   const auto found = [](const std::string& text) { return foreign_citations("a.cpp", text).size(); };
   EXPECT_EQ(found("// see " + design + " 3\n"), 1u);
   EXPECT_EQ(found("return \"" + rows + " S17\";\n"), 1u);

@@ -1,4 +1,4 @@
-// multibody/batch.hpp: many poses at once against one at a time.
+// multibody/batch.hpp: compares operations on many poses at once with the same operations on single poses.
 
 #include <gtest/gtest.h>
 #include <liecheck/multibody/batch.hpp>
@@ -62,7 +62,7 @@ double apart(const A& a, const B& b) {
   return most;
 }
 
-TYPED_TEST(BatchOf, AgreesWithOneAtATimeForEverySizeAndSpecialValue) {
+TYPED_TEST(BatchOf, AgreesWithSinglePosesForEverySizeAndSpecialValue) {
   using S = TypeParam;
   for (const int n : {0, 1, 2, 3, 4, 5, 7, 8, 9, 15, 16, 17, 31, 1000}) {
     const Inputs<S> in(n);

@@ -22,7 +22,7 @@ class CheckedRotation : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(CheckedRotation, Scalars);
 
-TYPED_TEST(CheckedRotation, TakesWhatIsUnitUpToEightEps) {
+TYPED_TEST(CheckedRotation, AcceptsQuaternionsOfUnitNormUpToEightEps) {
   using S = TypeParam;
   const Vector4<S> Q(S(0.5), S(-0.5), S(0.5), S(0.5));
   EXPECT_EQ(checkedQuaternion<S>(Q).to_vector(), Q);
@@ -34,7 +34,7 @@ TYPED_TEST(CheckedRotation, TakesWhatIsUnitUpToEightEps) {
             std::string::npos);
 }
 
-TYPED_TEST(CheckedRotation, TakesMatricesOrthogonalUpToEightEpsAndNoReflection) {
+TYPED_TEST(CheckedRotation, AcceptsMatricesOrthogonalUpToEightEpsAndNoReflection) {
   using S = TypeParam;
   Matrix3<S> R = Matrix3<S>::Identity();
   EXPECT_EQ(checkedRotation<S>(R), R);
@@ -46,7 +46,7 @@ TYPED_TEST(CheckedRotation, TakesMatricesOrthogonalUpToEightEpsAndNoReflection) 
   EXPECT_NE(refusal([&] { checkedRotation<S>(R); }).find("reflection"), std::string::npos);
 }
 
-TYPED_TEST(CheckedRotation, RefusesWhatIsNotFiniteOrOverflows) {
+TYPED_TEST(CheckedRotation, RefusesNumbersThatAreNotFiniteOrOverflow) {
   using S = TypeParam;
   for (const S bad : {std::numeric_limits<S>::quiet_NaN(), std::numeric_limits<S>::infinity()}) {
     EXPECT_NE(refusal([&] { checkedQuaternion<S>(Vector4<S>(S(0), bad, S(0), S(1))); }).find("not finite"),

@@ -1,7 +1,6 @@
 // multibody/configuration.hpp, and the functions of the free-flyer that it calls.
 //
-// Expected values are closed forms computed by hand, or central differences; campaigns measure the accuracy over all
-// angles.
+// Expected values are computed by hand or by central differences. Campaigns measure accuracy at all angles.
 
 #include <gtest/gtest.h>
 
@@ -45,8 +44,8 @@ auto error(const A& a, const B& b) {
   return (a - b).norm();
 }
 
-/// Joints whose offsets in q and v differ: a prismatic joint that carries a free-flyer, a continuous joint and a revolute
-/// joint.
+/// A robot whose offsets in q and v differ: a prismatic joint that carries a free-flyer, a continuous joint
+/// and a revolute joint.
 template <class S>
 Model<S> someRobot() {
   Model<S> m;
@@ -79,7 +78,7 @@ class Configuration : public testing::Test {
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(Configuration, Scalars);
 
-// The path is an arc, not a translation and then a rotation.
+// The path is an arc, not a translation followed by a rotation.
 TYPED_TEST(Configuration, IntegrateFromTheIdentityEndsOnTheArc) {
   using S = TypeParam;
   Vector6<S> d;
@@ -105,14 +104,14 @@ TYPED_TEST(Configuration, AnIncrementOfZeroChangesNothing) {
   EXPECT_EQ(differenceSE3<S>(q, q), (Vector6<S>::Zero()));
 }
 
-TYPED_TEST(Configuration, DifferenceUndoesIntegrateBelowHalfATurn) {
+TYPED_TEST(Configuration, DifferenceInvertsIntegrateForThetaBelowPi) {
   using S = TypeParam;
   const Vector6<S> d = increment<S>();
   const Vector6<S> back = differenceSE3<S>(generic<S>(), integrateSE3<S>(generic<S>(), d));
-  // The positions, up to 4 m, were rounded once more.
+  // The positions, up to 4 m, are rounded too.
   EXPECT_LE(error(back, d), 32 * this->eps);
 }
-TYPED_TEST(Configuration, BeyondHalfATurnThePoseIsEqualAndTheVectorIsNot) {
+TYPED_TEST(Configuration, ForThetaBeyondPiThePoseIsEqualAndTheVectorIsNot) {
   using S = TypeParam;
   const Vector6<S> d = S(2) * increment<S>();
   const Vector7<S> q1 = integrateSE3<S>(generic<S>(), d);
@@ -125,11 +124,11 @@ TYPED_TEST(Configuration, BeyondHalfATurnThePoseIsEqualAndTheVectorIsNot) {
 TYPED_TEST(Configuration, TheLinearPartOfDifferenceIsNotTheDifferenceOfPositions) {
   using S = TypeParam;
   const Vector6<S> d = differenceSE3<S>(identity<S>(), yawed(half_pi<S>, Vector3<S>(S(1), S(0), S(0))));
-  // J^-1 (1, 0, 0) at a quarter turn about z: (pi/4, -pi/4, 0).
+  // J^-1 (1, 0, 0) at a rotation of pi/2 about z is (pi/4, -pi/4, 0).
   EXPECT_LE(error(d.template head<3>(), Vector3<S>(half_pi<S> / 2, -half_pi<S> / 2, S(0))), 4 * this->eps);
 }
-TEST(Difference, AxisNearHalfATurnHasTheSignOfAScalarPartOfTwiceTheDigits) {
-  // Q0 . Q1 = -1.2e-37 beside products of size 0.5: the axis is that of Q0* (-Q1).
+TEST(Difference, NearThetaEqualToPiTheAxisHasTheSignOfAScalarPartOfTwiceTheDigits) {
+  // Q0 . Q1 = -1.2e-37 is a sum of products of size 0.5. The axis is therefore that of Q0* (-Q1).
   Vector7<double> q0 = Vector7<double>::Zero(), q1 = q0;
   q0.tail<4>() << 0x1.3ac88f7ecf59fp-34, -0x1.84b28381d982dp-1, -0x1.1c1b307817c84p-49, 0x1.4d41166cb9cc6p-1;
   q1.tail<4>() << -0x1.1c1b307818c9dp-49, -0x1.4d41166cb9cc6p-1, -0x1.3ac88f7ecf59fp-34,
@@ -141,9 +140,9 @@ TEST(Difference, AxisNearHalfATurnHasTheSignOfAScalarPartOfTwiceTheDigits) {
   const double w = exact_dot<double, 4>(q0.tail<4>(), q1.tail<4>());
   EXPECT_NEAR(w, -1.2e-37, 0.1e-37);
 }
-TYPED_TEST(Configuration, AxisNearHalfATurnHasTheSignOfAScalarPartThatUnderflows) {
+TYPED_TEST(Configuration, NearThetaEqualToPiTheAxisHasTheSignOfAScalarPartThatUnderflows) {
   using S = TypeParam;
-  // Q0 . Q1 = -tiny^2, or +tiny^2: the products themselves are zero in S.
+  // Q0 . Q1 is -tiny^2 or +tiny^2, which underflows to zero in S.
   const S tiny = std::numeric_limits<S>::denorm_min() > S(0) ? std::numeric_limits<S>::denorm_min()
                                                              : std::numeric_limits<S>::min();
   for (const S sign : {S(-1), S(1)}) {
@@ -156,7 +155,7 @@ TYPED_TEST(Configuration, AxisNearHalfATurnHasTheSignOfAScalarPartThatUnderflows
 TEST(ExactDot, KeepsTheSignThroughChainsOfCancellations) {
   using Vector = Eigen::Matrix<float, 4, 1>;
   const float u = 0x1p-23f;
-  // (1 + u)^2 - (1 + 2 u) - u^2 + t = t for every t.
+  // (1 + u)^2 - (1 + 2 u) - u^2 + 2^-100 t = 2^-100 t for every t.
   for (const float t : {0x1p-100f, 0x1p-149f, -0x1p-60f, -0x1p-130f}) {
     const Vector a(1 + u, -(1 + 2 * u), -u, t), b(1 + u, 1, u, 0x1p-100f);
     const float d = exact_dot<float, 4>(a, b), exact = t * 0x1p-100f;
@@ -165,14 +164,14 @@ TEST(ExactDot, KeepsTheSignThroughChainsOfCancellations) {
   }
 }
 
-TEST(ExactDot, KeepsWhatIsSmallBesideACancelledSum) {
-  // (1 + e)(1 - e) - 1 = -e^2; a third product too small for the first pass is 2^-15 of that.
+TEST(ExactDot, KeepsAProductThatIsSmallComparedWithACancelledSum) {
+  // (1 + e)(1 - e) - 1 = -e^2. The third product is 2^-15 of this, too small for the first pass.
   const Vector4<double> a(1 + 0x1p-52, -1, 0x1p-59, 0), b(1 - 0x1p-52, 1, 0x1p-60, 0);
   EXPECT_EQ((exact_dot<double, 4>(a, b)), -0x1p-104 + 0x1p-119);
   const Vector4<float> c(1 + 0x1p-23f, -1, 0x1p-30f, 0), d(1 - 0x1p-23f, 1, 0x1p-31f, 0);
   EXPECT_EQ((exact_dot<float, 4>(c, d)), -0x1p-46f + 0x1p-61f);
 }
-TYPED_TEST(Configuration, AtExactlyHalfATurnDifferenceIsPiAboutEitherSignOfTheAxis) {
+TYPED_TEST(Configuration, AtThetaEqualToPiDifferenceHasEitherSignOfTheAxis) {
   using S = TypeParam;
   Vector7<S> q1 = Vector7<S>::Zero();
   q1[5] = S(1);
@@ -181,8 +180,8 @@ TYPED_TEST(Configuration, AtExactlyHalfATurnDifferenceIsPiAboutEitherSignOfTheAx
   EXPECT_EQ(d.template head<5>().norm(), S(0));
 }
 
-/// The rotation vector from the definitions, in long double; its vector part from Q1 - Q0, for quaternions in double
-/// accurate to 2^-11 eps |Q1 - Q0|. Precondition: 0 < |phi| < pi.
+/// The rotation vector in long double. The vector part of Q0* Q1 comes from Q1 - Q0; for quaternions in
+/// double it is accurate to 2^-11 eps |Q1 - Q0|. Precondition: 0 < |phi| < pi.
 template <class S>
 Eigen::Matrix<long double, 3, 1> nearRotation(const Vector7<S>& q0, const Vector7<S>& q1) {
   using L4 = Eigen::Matrix<long double, 4, 1>;
@@ -204,9 +203,9 @@ TYPED_TEST(Configuration, DifferenceOfNearPosesIsAccurateRelativeToItself) {
     EXPECT_LE(error(phi.template cast<long double>(), expected), 4 * this->eps * expected.norm()) << angle;
   }
 }
-// Q0 has nearly equal coefficients, and Q1 each of them three ulp larger: Q1 - Q0 is almost parallel to Q0, and all but
-// a thousandth of its product with Q0 (a millionth in double) cancels.
-TYPED_TEST(Configuration, ADifferenceOfNormsIsNoRotation) {
+// The coefficients of Q0 are nearly equal, and those of Q1 are three ulp larger. Q1 - Q0 is thus almost
+// parallel to Q0: all but a thousandth of their product (a millionth in double) cancels.
+TYPED_TEST(Configuration, QuaternionsThatDifferMainlyInNormKeepTheirSmallRotation) {
   using S = TypeParam;
   const S a = std::cbrt(this->eps) / 8;
   Vector7<S> q0 = Vector7<S>::Zero(), q1 = Vector7<S>::Zero();
@@ -228,7 +227,7 @@ TYPED_TEST(Configuration, DifferenceIsTheSameForQAndMinusQ) {
   EXPECT_EQ(differenceSE3<S>(q0, q1), differenceSE3<S>(q0, opposite));
 }
 
-TYPED_TEST(Configuration, IntegrateReturnsTheQuaternionNearerToTheOneItCameFrom) {
+TYPED_TEST(Configuration, IntegrateReturnsTheQuaternionNearerToTheFirstOne) {
   using S = TypeParam;
   for (const S sign : {S(1), S(-1)}) {
     for (const S angle : {S(0.5), S(3), S(3.3), S(6), S(9), S(20)}) {
@@ -238,12 +237,12 @@ TYPED_TEST(Configuration, IntegrateReturnsTheQuaternionNearerToTheOneItCameFrom)
       EXPECT_GE(next.template tail<4>().dot(q.template tail<4>()), S(0)) << sign << ' ' << angle;
     }
   }
-  // w >= 0 is not enforced: where w < 0, it stays so.
+  // w >= 0 is not enforced: a negative w stays negative.
   EXPECT_LT(generic<S>()[6], S(0));
   EXPECT_LT(integrateSE3<S>(generic<S>(), Vector6<S>(S(0.1) * Vector6<S>::Unit(4)))[6], S(0));
 }
 
-// c1, c2 and c3 have no cutoff, so neighbours of every usual cutoff give neighbouring results.
+// c1, c2 and c3 have no cutoff, so the neighbours of every usual cutoff give neighbouring results.
 TYPED_TEST(Configuration, NothingJumpsAcrossUsualCutoffsOfSmallAngles) {
   using S = TypeParam;
   for (const S cutoff : {std::sqrt(this->eps), std::sqrt(std::sqrt(this->eps)), S(1e-8), S(1e-5), S(1e-3)}) {
@@ -373,7 +372,7 @@ TYPED_TEST(Configuration, EachJointMovesItsOwnSegmentOnly) {
   }
 }
 
-TYPED_TEST(Configuration, AContinuousJointTurnsWithoutEnd) {
+TYPED_TEST(Configuration, AContinuousJointWrapsAround) {
   using S = TypeParam;
   using J = Continuous<S>;
   const auto turn = [](S a) { return typename J::Tangent(a); };
@@ -384,8 +383,7 @@ TYPED_TEST(Configuration, AContinuousJointTurnsWithoutEnd) {
   EXPECT_LE(std::abs(std::abs(J::difference(at(S(0)), typename J::Configuration(S(-1), S(0)))[0]) - pi<S>()),
             4 * this->eps);
 }
-// (c, s) = (3, 4)/5 is not exact, so its neighbours are compared by the exact cross product of what is
-// stored.
+// (c, s) = (3, 4)/5 is rounded. The expected value is thus the exact cross product of the stored numbers.
 TYPED_TEST(Configuration, NearContinuousAnglesKeepTheirRelativeAccuracy) {
   using S = TypeParam;
   using C = typename Continuous<S>::Configuration;
@@ -407,7 +405,7 @@ TYPED_TEST(Configuration, IntegrateAndDifferenceAgreeOnTheWholeVector) {
   EXPECT_LE(error(difference(m, q, integrate(m, q, d)), d), 32 * this->eps);
   EXPECT_LE(error(difference(m, integrate(m, q, d), q), -d), 32 * this->eps);
 }
-TYPED_TEST(Configuration, InterpolateGoesTheGeodesicOfEveryJoint) {
+TYPED_TEST(Configuration, InterpolateFollowsTheGeodesicOfEveryJoint) {
   using S = TypeParam;
   const Model<S> m = someRobot<S>();
   const VectorX<S> q0 = someConfiguration<S>(), d = someIncrement<S>(), q1 = integrate(m, q0, d);
@@ -464,7 +462,7 @@ TYPED_TEST(Configuration, WeightsMakeMetresAndRadiansComparable) {
   weights[0] = S(2), weights[8] = S(0.5);
   EXPECT_LE(std::abs(distance(m, q0, integrate(m, q0, d), weights) - std::sqrt(S(40))), 8 * this->eps);
 }
-TYPED_TEST(Configuration, DistanceOfFarPlacesIsFinite) {
+TYPED_TEST(Configuration, DistanceOfVeryFarConfigurationsIsFinite) {
   using S = TypeParam;
   Model<S> m;
   m.addJoint(0, Prismatic<S>(Axis<S>::X()), SE3<S>::Identity(), "slide");
@@ -487,7 +485,7 @@ TYPED_TEST(Configuration, NormalizeWorksInPlaceAndByValue) {
   normalize(m, scaled);
   EXPECT_LE(error(scaled, q), 8 * this->eps);
 }
-TYPED_TEST(Configuration, IsNormalizedSeesEachUnitVectorAndNaN) {
+TYPED_TEST(Configuration, IsNormalizedChecksEveryUnitVectorAndRefusesNaN) {
   using S = TypeParam;
   const Model<S> m = someRobot<S>();
   EXPECT_TRUE(isNormalized(m, someConfiguration<S>()));
@@ -503,7 +501,7 @@ TYPED_TEST(Configuration, IsNormalizedSeesEachUnitVectorAndNaN) {
   EXPECT_TRUE(isNormalized(m, q, S(1000) * this->eps));
 }
 
-/// What f throws, as text; fails if it throws nothing.
+/// The message of the exception that f throws. Fails if f throws nothing.
 template <class F>
 std::string refusal(F f) {
   try {
@@ -568,12 +566,12 @@ InvalidConfiguration invalid(F f) {
   return InvalidConfiguration("", "", -1, -1, 0);
 }
 
-TEST(CheckedEntrance, AGoodConfigurationAndTangentPassUnchanged) {
+TEST(CheckedInput, AValidConfigurationAndTangentPassUnchanged) {
   const Model<double> m = someRobot<double>();
   EXPECT_EQ(checkedConfiguration(m, someConfiguration<double>()), someConfiguration<double>());
   EXPECT_EQ(checkedTangent(m, someIncrement<double>()), someIncrement<double>());
 }
-TEST(CheckedEntrance, NonFiniteNumbersAreRefusedByJointIndexAndValue) {
+TEST(CheckedInput, NonFiniteNumbersAreRefusedWithJointIndexAndValue) {
   const Model<double> m = someRobot<double>();
   for (const double bad : {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
                            std::numeric_limits<double>::quiet_NaN()}) {
@@ -594,7 +592,7 @@ TEST(CheckedEntrance, NonFiniteNumbersAreRefusedByJointIndexAndValue) {
     }
   }
 }
-TEST(CheckedEntrance, AZeroUnitVectorCannotBeRepaired) {
+TEST(CheckedInput, AZeroUnitVectorCannotBeNormalised) {
   const Model<double> m = someRobot<double>();
   VectorX<double> q = someConfiguration<double>();
   q.segment<4>(4).setZero();
@@ -608,7 +606,7 @@ TEST(CheckedEntrance, AZeroUnitVectorCannotBeRepaired) {
   EXPECT_EQ(invalid([&] { checkedConfiguration(m, q); }).joint_name, "wheel");
   EXPECT_EQ(invalid([&] { normalized(m, q); }).index, 8);
 }
-TEST(CheckedEntrance, AUnitVectorFartherOffThanEightEpsIsRefusedWithItsSquaredNorm) {
+TEST(CheckedInput, AUnitVectorOffByMoreThanEightEpsIsRefusedWithItsSquaredNorm) {
   const Model<double> m = someRobot<double>();
   VectorX<double> q = neutral(m);
   q[7] = 1 + 3 * eps<double>();

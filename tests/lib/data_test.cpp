@@ -1,4 +1,4 @@
-// multibody/data.hpp: Model and Data are separate, algorithms allocate nothing, stale fields are found.
+// multibody/data.hpp: Model and Data are separate, algorithms allocate nothing, stale fields are detected.
 
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ std::string refusal(F f) {
   return "nothing";
 }
 
-TEST(Data, NothingChangesUntilAnAlgorithmRunsAndThenOnlyWhatItSays) {
+TEST(Data, ChangesOnlyInTheResultsOfTheAlgorithmThatRuns) {
   const Model<double> m = randomModel(3, 6);
   Random random(3);
   State s = randomState(m, random);
@@ -43,7 +43,7 @@ TEST(Data, NothingChangesUntilAnAlgorithmRunsAndThenOnlyWhatItSays) {
   EXPECT_EQ(d.v.scratch()[6].to_vector(), velocity);
 }
 
-TEST(Data, OfAnotherModelOrOfAnEarlierOneIsRefused) {
+TEST(Data, OfAnotherModelOrOfAnEarlierRevisionIsRefused) {
   Model<double> m = randomModel(3, 6);
   const Model<double> copy = m, other = randomModel(3, 6);
   Data<double> d(m);
@@ -72,7 +72,7 @@ TEST(Data, AVectorOfTheWrongSizeIsNamedWithBothNumbers) {
   EXPECT_EQ(refusal([&] { rnea(m, d, q, v, v, two); }), "fext has 2 numbers, the model's njoints is 7");
 }
 
-TEST(Data, MatricesOfTheSizeOfNvSquaredAreThereWhereAskedFor) {
+TEST(Data, HasMatricesOfSizeNvByNvOnlyIfRequested) {
   const Model<double> m = randomModel(3, 6);
   const Vec q = neutral(m), v = Vec::Zero(m.nv);
   Data<double> none(m), mass(m, Dense::Mass);
@@ -82,7 +82,7 @@ TEST(Data, MatricesOfTheSizeOfNvSquaredAreThereWhereAskedFor) {
   EXPECT_EQ(none.M.scratch().size(), 0);
 }
 
-TEST(Data, WhatIsStaleNamesTheCallThatIsMissing) {
+TEST(Data, AStaleFieldNamesTheMissingCall) {
   const Model<double> m = randomModel(3, 6);
   Random random(3);
   const State s = randomState(m, random), other = randomState(m, random);
@@ -132,7 +132,7 @@ TEST(Data, AConstantModelServesManyThreads) {
 
 TEST(Data, NoAlgorithmAllocates) {
 #ifndef LIECHECK_COUNTS_ALLOCATIONS
-  GTEST_SKIP() << "malloc belongs to the sanitizer here";
+  GTEST_SKIP() << "allocations are not counted in this build";
 #else
   const auto count = [](auto f) {
     const long before = allocations;
@@ -177,7 +177,7 @@ TEST(Data, NoAlgorithmAllocates) {
 #endif
 }
 
-TEST(Data, AChainOfTenThousandJointsHasRoomAndRuns) {
+TEST(Data, AChainOfTenThousandJointsRuns) {
   Model<double> m;
   for (int i = 0; i < 10000; ++i) {
     m.addJoint(i, Revolute<double>(Axis<double>::Y()), {Matrix3<double>::Identity().eval(), V3(0.1, 0, 0)},

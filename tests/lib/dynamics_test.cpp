@@ -20,7 +20,7 @@ using Real = long double;
 using Mat = MatrixX<double>;
 using VecL = VectorX<Real>;
 
-/// f(model, state, random) for trees, chains and stars of up to 22 joints.
+/// Calls f(model, state, random) for trees, chains and stars of up to 22 joints.
 template <class F>
 void forEachRobot(F f) {
   for (unsigned seed = 1; seed <= 24; ++seed) {
@@ -50,8 +50,8 @@ TEST(Dynamics, RneaOfAbaIsTau) {
 
 TEST(Dynamics, CrbaIsRneaColumnByColumnSymmetricAndPositive) {
   forEachRobot([](const Model<double>& m, const State& s, Random&) {
-    // Entries between branches must be set to zero: an allocator that returns the memory freed last (glibc's, not a
-    // sanitizer's) shows it where they are not.
+    // crba must set the entries between branches to zero. glibc's allocator gives this memory, full of NaN,
+    // to Data, so that an entry that is not set stays NaN. (A sanitizer's allocator does not.)
     std::vector<Mat>(8, Mat::Constant(m.nv, m.nv, std::numeric_limits<double>::quiet_NaN()));
     Data<double> d(m, Dense::Mass), shared(m, Dense::Derivatives);
     const Mat M = crba(m, d, s.q);
@@ -79,7 +79,7 @@ TEST(Dynamics, AbaIsTheInverseOfMTimesTauMinusH) {
   });
 }
 
-TEST(Dynamics, NonLinearEffectsAtRestAreTheGravityAndExternalForcesAreFelt) {
+TEST(Dynamics, NonLinearEffectsAtRestAreGravityAndExternalForcesActThroughTheJacobians) {
   forEachRobot([](const Model<double>& m, const State& s, Random& random) {
     Data<double> d(m);
     const Vec none = Vec::Zero(m.nv), g = computeGeneralizedGravity(m, d, s.q);
@@ -127,9 +127,10 @@ TEST(Dynamics, PowerOfTheForcesIsTheRateOfTheEnergy) {
   });
 }
 
-// The equations of motion without spatial algebra: forces m (c_ddot - g) at each centre of mass and moments
-// I alpha + omega x I omega, projected on how c and R follow each coordinate; every derivative is a difference of poses.
-TEST(Dynamics, RneaIsTheProjectedNewtonEulerEquationOfPosesAlone) {
+// The equations of motion without spatial algebra. The force m (c_ddot - g) and the moment I alpha + omega x
+// I omega of each body are projected on the derivatives of c and R by each coordinate. All derivatives are
+// differences of poses.
+TEST(Dynamics, RneaIsTheProjectedNewtonEulerEquation) {
   for (unsigned seed = 31; seed <= 36; ++seed) {
     Model<double> m = randomModel(seed, 11, seed % 2 ? Shape::Tree : Shape::Chain);
     m.armature.setZero();
@@ -248,8 +249,7 @@ TEST(Dynamics, DerivativesAreThoseOfDifferencesInLongDouble) {
   }
 }
 
-// Invariances: the pose of the world, the order of the joints and the division of a body into two do not matter.
-TEST(Dynamics, MovingTheWorldRelabellingAndCuttingABodyChangeNothing) {
+TEST(Dynamics, MovingTheWorldReorderingJointsAndSplittingABodyChangeNothing) {
   for (unsigned seed = 61; seed <= 64; ++seed) {
     Random random(seed);
     const SE3<double> X = random.pose(), far(X.rotation(), V3(1e6, -2e6, 3e6)), behind = random.pose();
@@ -290,8 +290,8 @@ TEST(Dynamics, MovingTheWorldRelabellingAndCuttingABodyChangeNothing) {
   }
 }
 
-// A mimic is the free robot on the line q = G y + offset: tau = G^T tau_free, M = G^T M_free G.
-TEST(Dynamics, AMimicIsTheFreeRobotConstrained) {
+// A mimic joint constrains the free robot to q = G y + offset. Then tau = G^T tau_free and M = G^T M_free G.
+TEST(Dynamics, ARobotWithAMimicIsTheFreeRobotConstrained) {
   for (unsigned seed = 71; seed <= 76; ++seed) {
     Random random(seed);
     const bool chained = seed % 2;
@@ -336,8 +336,8 @@ TEST(Dynamics, AMimicIsTheFreeRobotConstrained) {
   }
 }
 
-// crba keeps quotients of masses from state to state: results must not depend on what a Data computed before.
-TEST(Dynamics, AnInertiaThatChangesIsFelt) {
+// crba stores quotients of masses in Data. Its results must not depend on what the same Data computed before.
+TEST(Dynamics, CrbaUsesAnInertiaThatHasChanged) {
   forEachRobot([](const Model<double>& m, const State& s, Random& random) {
     Model<double> changing = m;
     Data<double> d(changing, Dense::Mass);
@@ -354,8 +354,8 @@ TEST(Dynamics, AnInertiaThatChangesIsFelt) {
   });
 }
 
-// 2 kg on a 1 m rod, computed by hand.
-TEST(Dynamics, APendulumFallsAsItShould) {
+// A point mass of 2 kg on a rod of 1 m.
+TEST(Dynamics, APendulumAcceleratesAsComputedByHand) {
   Model<double> m;
   m.addJoint(0, Revolute<double>(Axis<double>::Y()), SE3<double>::Identity(), "hinge");
   m.appendBodyToJoint(1, Inertia<double>(2, V3(1, 0, 0), Matrix3<double>::Zero()));
@@ -363,11 +363,11 @@ TEST(Dynamics, APendulumFallsAsItShould) {
   const Vec zero = Vec::Zero(1);
   EXPECT_DOUBLE_EQ(crba(m, d, zero)(0, 0), 2);
   EXPECT_DOUBLE_EQ(computeGeneralizedGravity(m, d, zero)[0],
-                   -19.62);  // a rotation about +y lowers what is along +x
+                   -19.62);  // a rotation about +y lowers a mass on +x
   EXPECT_DOUBLE_EQ(aba(m, d, zero, zero, zero)[0], 9.81);
 }
 
-TEST(Dynamics, MasslessLinksAreNamedWhereTheyMakeTheDynamicsSingular) {
+TEST(Dynamics, MasslessLinksAreNamedIfTheyMakeTheDynamicsSingular) {
   Model<double> m;
   const SE3<double> X(Matrix3<double>::Identity().eval(), V3(0.1, 0.2, 0.3));
   m.addJoint(0, Revolute<double>(Axis<double>::Y()), X, "shoulder");
@@ -396,7 +396,7 @@ TEST(Dynamics, MasslessLinksAreNamedWhereTheyMakeTheDynamicsSingular) {
   EXPECT_TRUE(aba(m, d, q, v, v).allFinite());
 }
 
-TEST(Dynamics, AnInertiaThatOverflowsIsNotCalledNone) {
+TEST(Dynamics, AnInertiaThatOverflowsIsReportedAsNotFinite) {
   Model<double> m;
   m.addJoint(0, Revolute<double>(Axis<double>::Z()), SE3<double>::Identity(), "turntable");
   m.addJoint(1, Prismatic<double>(Axis<double>::X()), SE3<double>::Identity(), "slide");

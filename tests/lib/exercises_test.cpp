@@ -1,4 +1,4 @@
-// Four exercises, each a short program to read.
+// Four exercises for the reader, each a short program.
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@ namespace {
 using namespace liecheck;
 using Vec = VectorX<double>;
 using V3 = Vector3<double>;
-constexpr double quarter = std::numbers::pi / 2;
+constexpr double half_pi = std::numbers::pi / 2;
 
 Model<double> aLoneFreeFlyer() {
   Model<double> m;
@@ -37,23 +37,23 @@ TEST(Exercises, SizesNeutralAndBothOffsetsOfEachJointOfAUrdf) {
 
 TEST(Exercises, WithAYawOfNinetyDegreesAnIncrementAlongTheBodysXMovesAlongTheWorldsY) {
   const Model<double> m = aLoneFreeFlyer();
-  const Vec turned = integrate(m, neutral(m), Vec(quarter * Vec::Unit(6, 5)));
+  const Vec turned = integrate(m, neutral(m), Vec(half_pi * Vec::Unit(6, 5)));
   const Vec moved = integrate(m, turned, Vec(Vec::Unit(6, 0)));
   EXPECT_LE((moved.head<3>() - V3(0, 1, 0)).norm(), 4 * eps<double>());
   EXPECT_GT((moved.head<3>() - (turned + Vec::Unit(7, 0)).head<3>()).norm(),
             1);  // q + v dt is another position
 }
 
-TEST(Exercises, TheArcIsNotAStepAndATurnAndItsInverseIsLocal) {
+TEST(Exercises, IntegrateFollowsAnArcAndDifferenceInvertsItUpToPi) {
   const Model<double> m = aLoneFreeFlyer();
-  const Vec delta = (Vec(6) << 1, 0, 0, 0, 0, quarter).finished();
+  const Vec delta = (Vec(6) << 1, 0, 0, 0, 0, half_pi).finished();
   const Vec q = integrate(m, neutral(m), delta);
-  EXPECT_LE((q.head<3>() - V3(1 / quarter, 1 / quarter, 0)).norm(), 4 * eps<double>());
+  EXPECT_LE((q.head<3>() - V3(1 / half_pi, 1 / half_pi, 0)).norm(), 4 * eps<double>());
   EXPECT_LE((difference(m, neutral(m), q) - delta).norm(), 8 * eps<double>());
   // For |phi| > pi log6 returns another vector of the same pose.
-  const Vec long_way = (Vec(6) << 0, 0, 0, 0, 0, 3 * quarter).finished();
+  const Vec long_way = (Vec(6) << 0, 0, 0, 0, 0, 3 * half_pi).finished();
   const Vec there = integrate(m, neutral(m), long_way), back = difference(m, neutral(m), there);
-  EXPECT_NEAR(back[5], -quarter, 8 * eps<double>());
+  EXPECT_NEAR(back[5], -half_pi, 8 * eps<double>());
   EXPECT_TRUE(isSameConfiguration(m, integrate(m, neutral(m), back), there));
 }
 

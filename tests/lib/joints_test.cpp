@@ -1,5 +1,5 @@
-// multibody/joints: the configuration spaces of every joint, against differences in long double and against the
-// free-flyer. multibody/random_configuration.hpp, inertia_validity.hpp, nearest_names.hpp.
+// multibody/joints: compares the configuration spaces of every joint with long double and with the
+// free-flyer. Also tests multibody/random_configuration.hpp, inertia_validity.hpp and nearest_names.hpp.
 
 #include <gtest/gtest.h>
 
@@ -29,7 +29,7 @@ Model<double> oneOfEach(unsigned seed) {
   return randomModel(seed, joint_kinds);
 }
 
-TEST(Joints, DifferenceUndoesIntegrateForEveryJoint) {
+TEST(Joints, DifferenceInvertsIntegrateForEveryJoint) {
   for (unsigned seed = 201; seed < 221; ++seed) {
     const Model<double> m = oneOfEach(seed);
     Random random(seed);
@@ -120,7 +120,7 @@ TEST(Joints, NamesOfJointTypesAreThoseOfPinocchio) {
   EXPECT_EQ(Translation<double>().shortname(), "JointModelTranslation");
 }
 
-TEST(Joints, AUnitVectorThatIsZeroIsNamedByItsJoint) {
+TEST(Joints, AZeroUnitVectorIsRefusedWithTheNameOfItsJoint) {
   Model<double> m;
   m.addJoint(0, Spherical<double>(), SE3<double>::Identity(), "ball");
   m.addJoint(1, Planar<double>(), SE3<double>::Identity(), "cart");
@@ -138,7 +138,7 @@ TEST(Joints, AUnitVectorThatIsZeroIsNamedByItsJoint) {
   EXPECT_NE(refusal([&] { checkedConfiguration(m, q); }).find("squared norm is not 1"), std::string::npos);
 }
 
-TEST(Joints, ConstantsThatAreNotFiniteAndMimicsOfNothingAreRefused) {
+TEST(Joints, ConstantsThatAreNotFiniteAndInvalidMimicsAreRefused) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_NE(refusal([&] { Helical<double>(Axis<double>::X(), nan); }), "nothing");
   EXPECT_NE(refusal([&] { Mimic<double>(Revolute<double>(Axis<double>::X()), 1, nan); }), "nothing");
@@ -176,8 +176,7 @@ TEST(RandomConfiguration, KeepsTheLimitsAndIsTheSameForTheSameSeed) {
   EXPECT_LE((sum / 1000).cwiseAbs().maxCoeff(), 0.125 + 0.1);
 }
 
-// An inertia with positive entries may be impossible.
-TEST(Inertia, WhatNoBodyHasIsSaid) {
+TEST(Inertia, WhyUnphysicalNamesTheReason) {
   const auto of = [](double m, const V3& moments) {
     const Matrix3<double> R = exp3<double>(V3(0.3, -0.4, 0.5)), I = R * moments.asDiagonal() * R.transpose();
     return Inertia<double>(m, V3(0.1, 0, 0), Matrix3<double>((I + I.transpose()) / 2));
@@ -194,7 +193,7 @@ TEST(Inertia, WhatNoBodyHasIsSaid) {
   crooked(0, 1) += 1e-3;
   EXPECT_EQ(whyUnphysical(Inertia<double>(2, V3::Zero(), crooked)), "the inertia is not symmetric");
 }
-TEST(Inertia, ThePseudoInertiaIsPositiveWhereTheInertiaIsPhysical) {
+TEST(Inertia, ThePseudoInertiaIsPositiveIfAndOnlyIfTheInertiaIsPhysical) {
   Random random(7);
   for (int i = 0; i < 200; ++i) {
     const V3 moments = random.vector(1).cwiseAbs();
@@ -205,13 +204,13 @@ TEST(Inertia, ThePseudoInertiaIsPositiveWhereTheInertiaIsPhysical) {
     if (std::abs(solver.eigenvalues()[0]) < 1e-12) continue;
     EXPECT_EQ(solver.eigenvalues()[0] > 0, whyUnphysical(body).empty());
   }
-  // A uniform rod of 1 kg along x from 0 to 2 m: second moments 4/3, first 1.
+  // A uniform rod of 1 kg along x from 0 to 2 m has the second moment 4/3 and the first moment 1.
   const Inertia<double> rod(1, V3(1, 0, 0), Matrix3<double>(V3(0, 1 / 3.0, 1 / 3.0).asDiagonal()));
   EXPECT_NEAR(pseudoInertia(rod)(0, 0), 4 / 3.0, 4 * eps<double>());
   EXPECT_EQ(pseudoInertia(rod)(0, 3), 1);
 }
 
-TEST(Model, ARequiredNameThatIsUnknownIsAnsweredWithTheNearest) {
+TEST(Model, AnUnknownRequiredNameIsRefusedWithTheNearestNames) {
   Model<double> m;
   for (const char* name : {"left_hip", "left_knee", "right_hip", "head"}) {
     m.addJoint(0, Revolute<double>(Axis<double>::X()), SE3<double>::Identity(), name);
@@ -229,7 +228,7 @@ TEST(Model, ARequiredNameThatIsUnknownIsAnsweredWithTheNearest) {
             "several frames are named 'head': give the type as well");
   EXPECT_EQ(m.getFrameId("head", FrameType::BODY), 5);
 }
-TEST(Model, LimitsAreInfiniteAndFrictionIsZeroWhereNobodySaysOtherwise) {
+TEST(Model, LimitsAreInfiniteAndFrictionIsZeroByDefault) {
   const Model<double> m = oneOfEach(1);
   EXPECT_EQ(m.effortLimit.size(), m.nv);
   EXPECT_EQ(m.upperPositionLimit.size(), m.nq);

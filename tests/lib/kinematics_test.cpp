@@ -17,7 +17,7 @@ constexpr ReferenceFrame every_reference[] = {ReferenceFrame::WORLD, ReferenceFr
                                               ReferenceFrame::LOCAL_WORLD_ALIGNED};
 const SE3<double> here = SE3<double>::Identity();
 
-/// f(model, state) for trees, chains and stars of every joint type.
+/// Calls f(model, state) for trees, chains and stars of every joint type.
 template <class F>
 void forEachRobot(F f) {
   for (unsigned seed = 101; seed <= 118; ++seed) {
@@ -94,7 +94,7 @@ TEST(Kinematics, VelocityAndClassicalAccelerationOfAFrameAreDerivativesOfItsPose
   });
 }
 
-TEST(Jacobians, TimesVAreVelocitiesAndTheirRatesMakeAccelerations) {
+TEST(Jacobians, TimesVAreVelocitiesAndWithTheirRatesGiveAccelerations) {
   forEachRobot([](const Model<double>& m, const State& s) {
     Data<double> d(m);
     forwardKinematics(m, d, s.q, s.v, s.a);
@@ -135,7 +135,7 @@ TEST(Jacobians, TimesVAreVelocitiesAndTheirRatesMakeAccelerations) {
   });
 }
 
-TEST(Jacobians, TimeVariationsAreTheDerivativesOfTheirNumbers) {
+TEST(Jacobians, TimeVariationsAreTheirDerivatives) {
   forEachRobot([](const Model<double>& m, const State& s) {
     const Model<Real> ml = m.cast<Real>();
     Data<Real> dl(ml);
@@ -156,8 +156,8 @@ TEST(Jacobians, TimeVariationsAreTheDerivativesOfTheirNumbers) {
   });
 }
 
-// The three reference frames, on a wheel that rotates 2 m from the world's origin.
-TEST(Frames, TheThreeReferencesOfATurningWheel) {
+// The wheel rotates 2 m from the world's origin.
+TEST(Frames, TheVelocityOfARotatingWheelInTheThreeReferences) {
   Model<double> m;
   m.addJoint(0, Revolute<double>(Axis<double>::Z()), {Matrix3<double>::Identity().eval(), V3(2, 0, 0)},
              "wheel");
@@ -168,8 +168,7 @@ TEST(Frames, TheThreeReferencesOfATurningWheel) {
   const auto u = [&](ReferenceFrame r) { return getFrameVelocity(m, d, rim, r).linear(); };
   EXPECT_EQ(u(ReferenceFrame::LOCAL), V3(0, 3, 0));
   EXPECT_EQ(u(ReferenceFrame::LOCAL_WORLD_ALIGNED), V3(0, 3, 0));
-  EXPECT_EQ(u(ReferenceFrame::WORLD),
-            V3(0, -6, 0));  // of the point of the wheel that is at the world's origin
+  EXPECT_EQ(u(ReferenceFrame::WORLD), V3(0, -6, 0));  // of the wheel's point at the world's origin
   // A constant twist has no spatial acceleration and a curved path.
   EXPECT_EQ(getFrameAcceleration(m, d, rim, ReferenceFrame::LOCAL_WORLD_ALIGNED).linear(), V3(0, 0, 0));
   EXPECT_EQ(getFrameClassicalAcceleration(m, d, rim, ReferenceFrame::LOCAL_WORLD_ALIGNED).linear(),
@@ -201,8 +200,7 @@ TEST(Imu, InFreeFallItReadsNothing) {
   EXPECT_LE(imu(m, d, sensor).specific_force.norm(), eps<double>());
 }
 
-// With a placement, q[:3] is not a position in the world.
-TEST(Frames, AFreeFlyerWithAPlacementStandsElsewhereThanQSays) {
+TEST(Frames, ThePlacementOfAFreeFlyerAddsToThePositionInQ) {
   Model<double> m;
   m.addJoint(0, FreeFlyer<double>(), {Matrix3<double>::Identity().eval(), V3(0, 0, 1)}, "base");
   Data<double> d(m);
@@ -210,7 +208,7 @@ TEST(Frames, AFreeFlyerWithAPlacementStandsElsewhereThanQSays) {
   EXPECT_EQ(d.oMi[1].translation(), V3(0, 0, 1));
 }
 
-TEST(Frames, AnIndexThatNoLookUpFoundIsRefusedWithBothNumbers) {
+TEST(Frames, AnIndexOutOfRangeIsRefusedWithBothNumbers) {
   const Model<double> m = randomModel(7, 3);
   Data<double> d(m);
   forwardKinematics(m, d, neutral(m), Vec(Vec::Zero(m.nv)));

@@ -41,7 +41,7 @@ bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-TEST(Model, AnEmptyModelIsTheUniverseWithoutNumbers) {
+TEST(Model, AnEmptyModelHasOnlyTheUniverse) {
   const Model<double> m;
   EXPECT_EQ(m.njoints, 1);
   EXPECT_EQ(m.nframes, 1);
@@ -53,7 +53,7 @@ TEST(Model, AnEmptyModelIsTheUniverseWithoutNumbers) {
   EXPECT_EQ(neutral(m).size(), 0);
 }
 
-TEST(Model, BehindTheBaseTheOffsetsInQAndVDiffer) {
+TEST(Model, AfterTheBaseTheOffsetsInQAndVDiffer) {
   const Model<double> m = robot();
   EXPECT_EQ(m.nq, 11);
   EXPECT_EQ(m.nv, 9);
@@ -65,13 +65,13 @@ TEST(Model, BehindTheBaseTheOffsetsInQAndVDiffer) {
   EXPECT_EQ(m.jointPlacements[3].translation(), V3(0, 2, 0));
 }
 
-TEST(Model, ANewJointCarriesNothing) {
+TEST(Model, ANewJointHasNoInertia) {
   const Model<double> m = robot();
   EXPECT_EQ(m.inertias[2].mass(), 0);
   EXPECT_EQ(m.inertias[2].inertia(), M3(M3::Zero()));
 }
 
-TEST(Model, AnUnknownJointIsNjointsAndAnUnknownFrameIsNframes) {
+TEST(Model, TheIdOfAnUnknownJointIsNjointsAndOfAnUnknownFrameNframes) {
   Model<double> m = robot();
   m.addJointFrame(1);
   EXPECT_EQ(m.getJointId("nobody"), m.njoints);
@@ -116,7 +116,7 @@ TEST(Model, DuplicatesAndBadParentsAreRefusedByName) {
   EXPECT_EQ(m.nframes, 3);
 }
 
-TEST(Model, FramesHangOnTheFrameOfTheirJointUnlessToldOtherwise) {
+TEST(Model, TheParentOfAFrameIsTheFrameOfItsJointUnlessGiven) {
   Model<double> m = robot();
   const int root = m.addJointFrame(1);
   const int wheel = m.addJointFrame(2);
@@ -133,7 +133,7 @@ TEST(Model, FramesHangOnTheFrameOfTheirJointUnlessToldOtherwise) {
   EXPECT_EQ(m.frames[wheel].name, "wheel");
 }
 
-TEST(Model, ANameThatAJointAndALinkShareNeedsItsType) {
+TEST(Model, ANameThatAJointAndALinkShareNeedsAFrameType) {
   Model<double> m = robot();
   const int joint = m.addJointFrame(1);
   const int body = m.addBodyFrame("root", 1);
@@ -157,7 +157,7 @@ TEST(Model, AppendBodyToJointTransformsTheInertiaOnce) {
   EXPECT_EQ(m.inertias[2].inertia(), M3(V3(3, 2, 3).asDiagonal()));
 }
 
-TEST(Model, RevisionChangesWithJointsAndFramesAndNoOtherModelHasIt) {
+TEST(Model, RevisionChangesWithJointsAndFramesAndIsUnique) {
   Model<double> m = robot();
   const int before = m.revision;
   const Model<double> copy = m, other = robot();
@@ -201,7 +201,7 @@ TEST(Model, CastKeepsStructureNamesAndEveryNumber) {
   EXPECT_EQ(f.cast<double>().frames.size(), m.frames.size());
 }
 
-TEST(Joint, ShortnamesArePinocchios) {
+TEST(Joint, ShortnamesAreThoseOfPinocchio) {
   const V3 tilted(1, 1, 0);
   EXPECT_EQ(FreeFlyer<double>().shortname(), "JointModelFreeFlyer");
   EXPECT_EQ(Revolute<double>(V3::UnitX()).shortname(), "JointModelRX");
@@ -215,7 +215,7 @@ TEST(Joint, ShortnamesArePinocchios) {
   EXPECT_EQ(Prismatic<double>(tilted).shortname(), "JointModelPrismaticUnaligned");
 }
 
-TEST(Joint, ATurnAlongOrAgainstACoordinateAxisKeepsItToTheLastBit) {
+TEST(Joint, ARotationAboutACoordinateAxisKeepsThatAxisBitForBit) {
   const Matrix3<double> R = Eigen::Quaterniond(0.1, -0.5, 0.7, 0.5).normalized().toRotationMatrix();
   const double angle = 2.3, c = std::cos(angle), s = std::sin(angle);
   for (int i = 0; i < 3; ++i)
@@ -225,7 +225,7 @@ TEST(Joint, ATurnAlongOrAgainstACoordinateAxisKeepsItToTheLastBit) {
       EXPECT_EQ(axis.in(R), V3(sign * R.col(i))) << direction.transpose();
       EXPECT_EQ(axis.cast<float>().in(R.cast<float>()), Vector3<float>(V3(sign * R.col(i)).cast<float>()));
       const Matrix3<double> turned =
-          axis.rotated(R, c, s);  // 3 eps; 3 of Eigen's rotation and 2 of its product
+          axis.rotated(R, c, s);  // 3 eps here, 3 in Eigen's rotation, 2 in its product
       EXPECT_EQ(turned.col(i), R.col(i)) << direction.transpose();
       EXPECT_LE((turned - R * Eigen::AngleAxisd(angle, direction).toRotationMatrix()).norm(),
                 8 * eps<double>())
@@ -233,7 +233,7 @@ TEST(Joint, ATurnAlongOrAgainstACoordinateAxisKeepsItToTheLastBit) {
     }
 }
 
-TEST(Joint, AnAxisIsMadeUnitAndMustHaveADirection) {
+TEST(Joint, AnAxisIsNormalisedAndMustHaveADirection) {
   EXPECT_EQ(Axis<double>(V3(0, 0, 5)).aligned(), "Z");
   EXPECT_LE((Axis<double>(V3(3, 0, 4)).to_vector() - V3(0.6, 0, 0.8)).norm(), 2 * eps<double>());
   EXPECT_LE((Axis<double>(V3(3e-200, 0, 4e-200)).to_vector() - V3(0.6, 0, 0.8)).norm(), 2 * eps<double>());

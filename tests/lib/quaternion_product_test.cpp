@@ -1,4 +1,4 @@
-// The product of quaternions in one register and in an array, of any size of numbers.
+// The quaternion product on Quad, which is a vector register or an array, for translations of any size.
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ class QuaternionProductOf : public testing::Test {};
 using Scalars = testing::Types<float, double, DoubleWord<double>>;
 TYPED_TEST_SUITE(QuaternionProductOf, Scalars);
 
-TYPED_TEST(QuaternionProductOf, IsPermutedAsItsNumbersAre) {
+TYPED_TEST(QuaternionProductOf, PermuteReordersTheNumbersOfAQuad) {
   using S = TypeParam;
   const auto q = permute<2, 0, 3, 3>(Quad<S>(S(1), S(2), S(3), S(4)));
   EXPECT_EQ(double(q.v[0]), 3);
@@ -24,12 +24,12 @@ TYPED_TEST(QuaternionProductOf, IsPermutedAsItsNumbersAre) {
   EXPECT_EQ(double(sum(q)), 12);
 }
 
-/// The products of the eight units of the quaternions, in the order 1 i j k of w x y z.
+/// The products of the units 1, i, j, k. unit(0) = 1 is the unit of w.
 TYPED_TEST(QuaternionProductOf, ProductOfUnitsIsHamiltons) {
   using S = TypeParam;
   const auto unit = [](int i) { return Vector4<S>(S(i == 1), S(i == 2), S(i == 3), S(i == 0)); };
   constexpr int table[4][4] = {
-      {1, 2, 3, 4}, {2, -1, 4, -3}, {3, -4, -1, 2}, {4, 3, -2, -1}};  // 1 + unit, signed
+      {1, 2, 3, 4}, {2, -1, 4, -3}, {3, -4, -1, 2}, {4, 3, -2, -1}};  // sign times (index + 1)
   for (int a = 0; a < 4; ++a)
     for (int b = 0; b < 4; ++b) {
       const auto sum = se3_configuration_detail::Product<S, Precision::standard>(SO3<S>(unit(a)).numbers(),
@@ -42,8 +42,8 @@ TYPED_TEST(QuaternionProductOf, ProductOfUnitsIsHamiltons) {
     }
 }
 
-/// Products that all round, against double words: the error of high + low is an eps times the root of eps.
-TEST(QuaternionProduct, HoldsTwiceTheDigits) {
+/// Compares rounded products with double words. The error of high + low is of size eps sqrt(eps).
+TEST(QuaternionProduct, HasTwiceTheDigits) {
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> uniform(-1, 1);
   double worst = 0;
@@ -66,16 +66,16 @@ TEST(QuaternionProduct, HoldsTwiceTheDigits) {
       worst = std::max(worst, std::abs(error));
     }
   }
-  // 8 roundings of numbers of 2^-26, the tails
+  // 8 rounding errors of the tails, which are of size 2^-26
   EXPECT_LE(worst, 8 * std::ldexp(eps<double>(), -26));
 }
 
-/// Translations so long that the place where they are split overflows are scaled down, and as accurate.
+/// Translations so long that splitting them would overflow are scaled down. They stay as accurate.
 TYPED_TEST(QuaternionProductOf, TranslationsNearTheEndOfTheRangeKeepTheirDigits) {
   using S = TypeParam;
   if constexpr (std::is_floating_point_v<S>) {
     const S huge = std::numeric_limits<S>::max() / S(16), far = S(1) / std::numeric_limits<S>::max_exponent;
-    const S less = std::ldexp(S(1), std::numeric_limits<S>::digits / 2 + 8);  // far from that end
+    const S less = std::ldexp(S(1), std::numeric_limits<S>::digits / 2 + 8);  // scales far from the overflow
     Vector7<S> q0, near0;
     q0 << huge, -huge / S(3), S(0), S(0.5), S(0.5), S(-0.5), S(0.5);
     Vector6<S> delta;

@@ -71,7 +71,7 @@ inline Joint<double> jointOfKind(int kind, Random& random) {
 
 enum class Shape { Chain, Star, Tree };
 
-/// n joints, of all kinds in turn from a random one on; the masses decrease from 1 kg to 1/mass_ratio kg.
+/// n joints that cycle through all kinds from a random one on; masses decrease from 1 kg to 1/mass_ratio kg.
 inline Model<double> randomModel(unsigned seed, int n, Shape shape = Shape::Tree, double mass_ratio = 1) {
   Random random(seed);
   Model<double> m;
@@ -98,9 +98,9 @@ inline State randomState(const Model<double>& m, Random& random) {
           random.tangent(m.nv, 3), random.tangent(m.nv, 5)};
 }
 
-/// d/dt at 0 of f, a value with + - and * by a number, by central differences of order 8, step 1/1024. The
-/// truncation error is (w/1024)^8/630 of a function that rotates at w rad/s, 3e-16 for w = 30 (chains in which every
-/// joint rotates); the rounding error is 1024 eps of f, 1e-16 in long double.
+/// The derivative of f at 0 by central differences of order 8 with step 1/1024. For a function that rotates
+/// at w rad/s the relative truncation error is (w/1024)^8/630: 3e-16 for w = 30 (chains in which every joint
+/// rotates). The rounding error is 1024 eps of f, 1e-16 in long double.
 template <class S, class F>
 auto derivative(F f) {
   const S h = S(1) / S(1024);
@@ -110,7 +110,7 @@ auto derivative(F f) {
           h)
       .eval();
 }
-/// d^2/dt^2 at 0 of f, by the same differences; the rounding error is 2^20 eps, 1e-13 in long double.
+/// The second derivative of f at 0 by such differences. The rounding error is 2^20 eps, 1e-13 in long double.
 template <class S, class F>
 auto secondDerivative(F f) {
   const S h = S(1) / S(1024);

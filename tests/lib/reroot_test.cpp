@@ -1,5 +1,5 @@
-// Equivalent models of a free-floating robot: a joint between the base and a child is reversed, q' = q^-1, and the child
-// becomes the base. No force acts on the base, so the generalised forces of all joints must be equal.
+// Compares two models of one free-floating robot. In the second model the joint between the base and a child
+// is reversed, q' = q^-1, and the child is the base. No force acts on the base: joint forces are equal.
 
 #include <gtest/gtest.h>
 
@@ -32,12 +32,12 @@ Model<double> floatingModel(unsigned seed, int n) {
   return m;
 }
 
-/// The robot with joint 2, a child of the base, reversed. Velocities: S v' = -Ad(T(q)) S v, v' = turn v; with S constant
-/// a' = turn a. The base is joint 1 and the reversed joint is joint 2 in both models.
+/// The robot with joint 2, a child of the base, reversed. S v' = -Ad(T(q)) S v gives v' = reversal v. Since S
+/// is constant, a' = reversal a. In both models the base is joint 1 and the reversed joint is joint 2.
 struct Rerooted {
   Model<double> model;
   Vec q, v, a;
-  Mat turn;
+  Mat reversal;
 
   Rerooted(const Model<double>& m, const State& s) {
     Data<double> d(m);
@@ -62,18 +62,18 @@ struct Rerooted {
     multibody_detail::visitJoint(m, 2, [&](const auto& place) {
       const Mat S = place.joint.subspace();
       const SE3<double> T = X * place.transform(s.q);
-      turn = -(S.transpose() * S).ldlt().solve(S.transpose() * T.toActionMatrix() * S);
+      reversal = -(S.transpose() * S).ldlt().solve(S.transpose() * T.toActionMatrix() * S);
     });
     q = s.q, v = s.v, a = s.a;
     const auto Q = SO3<double>::fromMatrix(d.oMi[2].rotation()).normalized();
     q.head<7>() << d.oMi[2].translation(), Q.to_vector();
     v.head<6>() = V.to_vector(), a.head<6>() = A.to_vector();
     q.segment(7, nq) = inverse.segment(7, nq);
-    v.segment(6, nv) = turn * s.v.segment(6, nv), a.segment(6, nv) = turn * s.a.segment(6, nv);
+    v.segment(6, nv) = reversal * s.v.segment(6, nv), a.segment(6, nv) = reversal * s.a.segment(6, nv);
   }
 };
 
-TEST(Reroot, EveryJointFeelsTheSameAndTheNewBaseIsNotPushed) {
+TEST(Reroot, JointForcesAreEqualAndTheNewBaseNeedsNoForce) {
   for (unsigned seed = 0; seed < 4 * joint_kinds; ++seed) {
     SCOPED_TRACE(seed);
     const Model<double> m = floatingModel(seed, 1 + int(seed % 7) * 2);
@@ -86,13 +86,13 @@ TEST(Reroot, EveryJointFeelsTheSameAndTheNewBaseIsNotPushed) {
     Data<double> e(other.model, Dense::Mass);
     Vec tau = rnea(other.model, e, other.q, other.v, other.a);
     const int nv = m.nvs[2];
-    tau.segment(6, nv) = (other.turn.transpose() * tau.segment(6, nv)).eval();
+    tau.segment(6, nv) = (other.reversal.transpose() * tau.segment(6, nv)).eval();
     const double size = (crba(m, d, s.q).cwiseAbs() * s.a.cwiseAbs()).norm() +
                         nonLinearEffects(m, d, s.q, s.v).norm() +
                         (crba(other.model, e, other.q).cwiseAbs() * other.a.cwiseAbs()).norm() +
                         nonLinearEffects(other.model, e, other.q, other.v).norm();
-    // A few rounding errors of each of nv terms, and of the pose, velocity and acceleration of the new base, relative to
-    // the sizes of each sum's terms; the bounds below are of the same kind.
+    // A few rounding errors in each of nv terms and in the pose, velocity and acceleration of the new base.
+    // All bounds below are relative to the sizes of the terms of a sum.
     const double budget = 16 * m.nv * eps<double>();
     EXPECT_LE((tau - s.tau).norm(), budget * size);
 

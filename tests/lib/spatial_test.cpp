@@ -14,7 +14,7 @@ using V3 = Vector3<double>;
 constexpr double pi_d = std::numbers::pi;
 constexpr double e = std::numeric_limits<double>::epsilon();
 
-TEST(Exponential, QuarterTurnWithUnitAdvanceEndsAtTwoOverPi) {
+TEST(Exponential, OfAUnitTranslationAndARotationOfHalfPiEndsAtTwoOverPi) {
   const auto T = exp6<double>(Motion<double>(V3(1, 0, 0), V3(0, 0, pi_d / 2)));
   EXPECT_LE((T.translation() - V3(2 / pi_d, 2 / pi_d, 0)).norm(), 4 * e);  // budget of exp6, translation
 }
@@ -40,7 +40,7 @@ TEST(Logarithm, OfMinusQIsThatOfQ) {
             quaternion::log3<double>(SO3<double>(Vector4<double>(-Q))));
 }
 
-TEST(Logarithm, AtExactlyHalfATurnHasLengthPi) {
+TEST(Logarithm, AtThetaEqualToPiHasLengthPi) {
   for (int i = 0; i < 3; ++i) {
     Matrix3<double> R = -Matrix3<double>::Identity();
     R(i, i) = 1;
@@ -79,7 +79,7 @@ TEST(CrossProducts, OnForcesIsMinusTheTransposeOfThatOnMotions) {
   EXPECT_EQ(V.cross(W).dot(F), -W.dot(V.cross(F)));  // small whole numbers: exact
 }
 
-TEST(InertiaOfABody, TheTwoKilogramExampleByTwoRoutes) {
+TEST(InertiaOfABody, GivesTheTwoKilogramExampleByTwoFormulas) {
   const Inertia<double> I(2, V3(0.3, 0, 0), V3(0.02, 0.05, 0.06).asDiagonal().toDenseMatrix());
   EXPECT_LE((I.inertiaAboutOrigin() - V3(0.02, 0.23, 0.24).asDiagonal().toDenseMatrix()).norm(), 2 * e);
   const Motion<double> V(V3::Zero(), V3(0, 0, 2));
@@ -90,7 +90,7 @@ TEST(InertiaOfABody, TheTwoKilogramExampleByTwoRoutes) {
   EXPECT_LE((h.angular() - V3(0, 0, 0.48)).norm(), 4 * e);
 }
 
-TEST(InertiaOfABody, PositiveEntriesProveNothing) {
+TEST(InertiaOfABody, MayBeInvalidAlthoughItsEntriesArePositive) {
   const auto with = [](double a, double b, double c) {
     return Inertia<double>(1, V3::Zero(), V3(a, b, c).asDiagonal().toDenseMatrix());
   };
@@ -102,7 +102,7 @@ TEST(InertiaOfABody, PositiveEntriesProveNothing) {
   EXPECT_FALSE(Inertia<double>(NAN, V3::Zero(), Matrix3<double>::Identity()).isValid());
 }
 
-TEST(RotationMatrix, ComesBackThroughEveryPivot) {
+TEST(RotationMatrix, IsInvertedByLogThroughEveryPivot) {
   for (const V3& axis : {V3(1, 0, 0), V3(0, 1, 0), V3(0, 0, 1), V3(1, 1, 1).normalized().eval()}) {
     for (double angle : {1e-9, 0.5, 2.0, 3.1, 3.14159}) {
       const V3 phi = angle * axis;

@@ -25,7 +25,7 @@ TEST(BadUrdf, AZeroOrNonFiniteAxisIsRefused) {
   }
 }
 
-TEST(BadUrdf, NumbersThatAreNoneOrNotFiniteAreRefusedInTheirLine) {
+TEST(BadUrdf, TextThatIsNoFiniteNumberIsRefusedWithItsLine) {
   for (const char* bad : {"x", "1..0", "1,5", "0x10", "nan", "-inf", "1e999", "--1", "1e", "+-1", "1_0"}) {
     const std::string value = bad;
     expectRefused(twoLinks("fixed", "\n<origin xyz='0 " + value + " 0'/>"), 5, "<origin> xyz",
@@ -104,7 +104,7 @@ TEST(BadUrdf, DuplicateNamesAreRefusedWithTheLineOfTheFirst) {
   EXPECT_NE(refusal(root, RootJoint::FreeFlyer).find("reserved"), std::string::npos);
 }
 
-TEST(BadUrdf, AMissingLimitIsRefusedWhereTheTypeNeedsOne) {
+TEST(BadUrdf, AMissingLimitIsRefusedIfTheTypeNeedsOne) {
   expectRefused(twoLinks("revolute", ""), 4, "no <limit>", "revolute");
   EXPECT_NO_THROW(buildModelFromUrdfText(twoLinks("continuous", "")));
 }
@@ -128,7 +128,7 @@ TEST(BadUrdf, CrossedAndNegativeLimitsAreRefused) {
                 "-1");
 }
 
-TEST(BadUrdf, AnInertiaThatNoBodyHasIsRefusedUnlessWhatItIsFixedToMakesUpForIt) {
+TEST(BadUrdf, AnImpossibleInertiaIsRefusedUnlessFixedLinksMakeItPossible) {
   expectRefused(oneLink("\n" + inertial("1", "3")), 4,
                 "link 'a': a principal moment of inertia is larger than the sum of the other two", "1 1 3");
   expectRefused(oneLink(inertial("1", "-1")), 3, "link 'a': a principal moment of inertia is negative",
@@ -177,7 +177,7 @@ TEST(BadUrdf, AMimicOfNothingOfItselfOfALaterJointOrOfAMimicIsRefused) {
   }
 }
 
-TEST(Urdf, AMimicIsIndependentWithAWarningOrTiedIfAskedFor) {
+TEST(Urdf, AMimicIsIndependentWithAWarningOrTiedIfRequested) {
   const std::string text = three + mimicJoint("j", "revolute", "a", "b", "") +
                            mimicJoint("k", "prismatic", "b", "c", "j") + "</robot>";
   const UrdfRobot free = loadUrdfText(text, {}, "r.urdf"),
@@ -192,7 +192,7 @@ TEST(Urdf, AMimicIsIndependentWithAWarningOrTiedIfAskedFor) {
   EXPECT_TRUE(std::holds_alternative<Prismatic<double>>(mimic.moved));
 }
 
-TEST(Urdf, LimitsDampingAndFrictionAreThoseOfTheModel) {
+TEST(Urdf, LimitsDampingAndFrictionAreReadIntoTheModel) {
   const UrdfRobot r = loadUrdfText(
       twoLinks("revolute",
                "<limit lower='-1' upper='2' effort='3' velocity='4'/><dynamics damping='5' friction='6'/>"));
@@ -207,16 +207,16 @@ TEST(Urdf, LimitsDampingAndFrictionAreThoseOfTheModel) {
   EXPECT_EQ(free.upperPositionLimit[0], INFINITY);
 }
 
-TEST(Urdf, WhatAJointTypeHasNoUseForIsWarnedOfAndStrictlyAnError) {
+TEST(Urdf, AnElementThatAJointTypeIgnoresIsAWarningAndIfStrictAnError) {
   const auto warned = [](const std::string& type, const std::string& elements) {
     const std::string text = twoLinks(type, elements);
     const UrdfRobot r = loadUrdfText(text, {}, "r.urdf");
-    EXPECT_EQ(r.warnings.size(), 2U);  // and of the link without mass
+    EXPECT_EQ(r.warnings.size(), 2U);  // the other one is about the link without mass
     EXPECT_EQ(r.warnings.back(),
               "r.urdf:4: the link of a moving joint and the links fixed to it have no mass (j)");
     try {
       loadUrdfText(text, {.strict = true}, "r.urdf");
-      ADD_FAILURE() << "strictly nothing was refused";
+      ADD_FAILURE() << "nothing was refused although strict";
     } catch (const UrdfError& e) {
       EXPECT_EQ(e.what(), r.warnings.front());
     }

@@ -24,8 +24,7 @@ TEST(Urdf, ARobotOfEveryJointTypeIsReadInAlphabeticalOrderDepthFirst) {
                                              "JointModelRevoluteUnboundedUnaligned", "JointModelPX"}));
 }
 
-// S5
-TEST(Urdf, BehindABaseAndAContinuousJointTheOffsetsInQAndVDriftApart) {
+TEST(Urdf, AfterABaseAndAContinuousJointTheOffsetsInQAndVDiffer) {
   const Model<double> m = buildModelFromUrdf(fixture("mixed_joints.urdf"), RootJoint::FreeFlyer);
   EXPECT_EQ(m.idx_qs, (std::vector<int>{0, 0, 7, 9, 10, 11, 12, 14}));
   EXPECT_EQ(m.idx_vs, (std::vector<int>{0, 0, 6, 7, 8, 9, 10, 11}));
@@ -48,7 +47,7 @@ TEST(Urdf, WithoutARootJointTheRootLinkIsWeldedToTheUniverse) {
   EXPECT_EQ(m.frames[1].parentJoint, 0);
 }
 
-TEST(Urdf, AFixedJointIsTwoFramesAndItsInertiaIsMergedIntoTheSupportingJoint) {
+TEST(Urdf, AFixedJointGivesTwoFramesAndItsInertiaIsMergedIntoTheSupportingJoint) {
   const Model<double> m = buildModelFromUrdf(fixture("mixed_joints.urdf"), RootJoint::FreeFlyer);
   const int mast = m.getJointId("mast_slide");
   EXPECT_EQ(m.getJointId("camera_mount"), m.njoints);
@@ -61,7 +60,7 @@ TEST(Urdf, AFixedJointIsTwoFramesAndItsInertiaIsMergedIntoTheSupportingJoint) {
   EXPECT_EQ(m.frames[mount.parentFrame].name, "mast");
   EXPECT_EQ(m.frames[camera.parentFrame].name, "camera_mount");
   EXPECT_EQ(camera.placement.translation(), V3(0.1, 0, 0.5));
-  // mast 1.5 kg at (0, 0, 0.25); camera 0.5 kg at (0.1, 0.2, 0.5), turned 90 degrees about z.
+  // mast 1.5 kg at (0, 0, 0.25); camera 0.5 kg at (0.1, 0.2, 0.5), rotated by 90 degrees about z.
   const Inertia<double>& I = m.inertias[mast];
   EXPECT_EQ(I.mass(), 2);
   EXPECT_LE((I.lever() - V3(0.025, 0.05, 0.3125)).norm(), 2 * eps<double>());
@@ -97,7 +96,7 @@ TEST(Urdf, PlacementsAreFixedAxisRollPitchYaw) {
   EXPECT_LE((Y.rotation() - (M3() << 0, 0, 1, 1, 0, 0, 0, 1, 0).finished()).norm(), 4 * eps<double>());
 }
 
-TEST(Urdf, TheInertiaOfALinkIsTurnedIntoItsAxes) {
+TEST(Urdf, TheInertiaOfALinkIsRotatedIntoItsAxes) {
   const Model<double> m = buildModelFromUrdfText(
       oneLink("<inertial><origin xyz='1 2 3' rpy='0 0 1.5707963267948966'/><mass value='2'/>"
               "<inertia ixx='1' ixy='0' ixz='0' iyy='2' iyz='0' izz='2.5'/></inertial>"),
@@ -114,13 +113,13 @@ TEST(Urdf, AFloatingJointIsAFreeFlyer) {
   EXPECT_EQ(neutral(m)[6], 1);
 }
 
-TEST(Urdf, UnknownNamesAreNjointsAndNframes) {
+TEST(Urdf, TheIdsOfUnknownNamesAreNjointsAndNframes) {
   const Model<double> m = buildModelFromUrdf(fixture("quadruped.urdf"), RootJoint::FreeFlyer);
   EXPECT_EQ(m.getJointId("fifth_leg"), 14);
   EXPECT_EQ(m.getFrameId("fifth_leg"), m.nframes);
 }
 
-TEST(Urdf, ARootJointOfAnyTypeAndAPlanarJoint) {
+TEST(Urdf, ARootJointOfAnyTypeAndAPlanarJointAreBuilt) {
   const std::string text = twoLinks("planar", "<axis xyz='0 0 1'/>");
   const UrdfRobot r = loadUrdfText(text, {.root_joint = Joint<double>(Spherical<double>())});
   EXPECT_EQ(r.model.nq, 4 + 4);
@@ -129,7 +128,7 @@ TEST(Urdf, ARootJointOfAnyTypeAndAPlanarJoint) {
   EXPECT_EQ(shortname<double>(r.model.joints[2]), "JointModelPlanar");
 }
 
-TEST(Urdf, AChainOfTenThousandJointsLoadsAndAStarOfThem) {
+TEST(Urdf, AChainAndAStarOfTenThousandJointsLoad) {
   std::string chain = "<robot name='r'><link name='l0'/>\n", star = chain;
   for (int i = 0; i < 10000; ++i) {
     const std::string b = std::to_string(i + 1), link = "<link name='l" + b + "'/><joint name='j" + b +

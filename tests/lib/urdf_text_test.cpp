@@ -22,7 +22,7 @@ struct Comma : std::numpunct<char> {
   char do_decimal_point() const override { return ','; }
 };
 
-TEST(Urdf, NumbersHaveAPointWhateverTheLocale) {
+TEST(Urdf, NumbersHaveADecimalPointInEveryLocale) {
   const std::locale before = std::locale::global(std::locale(std::locale::classic(), new Comma));
   for (const char* name : {"de_DE.UTF-8", "fr_FR.UTF-8", "de_DE"})
     if (std::setlocale(LC_ALL, name)) break;
@@ -77,7 +77,7 @@ TEST(BadUrdf, CutOffOrMalformedTextIsRefused) {
                 "and more");
 }
 
-TEST(Urdf, WhatIsDrawnIsNotRead) {
+TEST(Urdf, VisualAndGazeboElementsAreNotRead) {
   EXPECT_EQ(buildModelFromUrdfText(
                 "<robot name='r'><link name='a'><visual><material name='none'/></visual><inertial>"
                 "<mass value='2'/><inertia ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' izz='1'/>"
@@ -114,7 +114,7 @@ TEST(BadUrdf, APipeIsReadOnce) {
   ::close(ends[0]);
 }
 
-TEST(BadUrdf, TextThatIsNotUtf8IsRefusedInItsLine) {
+TEST(BadUrdf, TextThatIsNotUtf8IsRefusedWithItsLine) {
   for (const char* bad : {"\xff", "\x80", "\xc3", "\xc0\xaf", "\xed\xa0\x80", "\xf4\x90\x80\x80", "\xe2\x82"})
     EXPECT_EQ(refusal("<robot name='r'>\n<link name='" + std::string(bad) + "'/></robot>")
                   .rfind("bad.urdf:2: not UTF-8", 0),
@@ -123,7 +123,7 @@ TEST(BadUrdf, TextThatIsNotUtf8IsRefusedInItsLine) {
       buildModelFromUrdfText("<robot name='\xc3\xa9\xe2\x82\xac\xf0\x9f\xa4\x96'><link name='a'/></robot>"));
 }
 
-TEST(BadUrdf, TagsThatCloseNothingAndEntitiesAreNamed) {
+TEST(BadUrdf, UnmatchedClosingTagsAndEntitiesAreRefused) {
   const std::string robot = "<robot name='r'>\n<link name='a'/></robot>\n";
   expectRefused(robot + "</robot></robot>", 3, "a closing tag without an opening tag", "</robot>");
   expectRefused("</robot>" + robot, 1, "a closing tag without an opening tag", "</robot>");
@@ -139,7 +139,7 @@ TEST(BadUrdf, AMessageIsOneShortLine) {
             std::string::npos);
 }
 
-// The seeds of the fuzzer and what it found: each is a robot that runs, or is refused in one short line.
+// The seeds and the findings of the fuzzer. Each is a usable robot, or is refused with one short line.
 TEST(BadUrdf, TheCorpusOfTheFuzzerIsReadOrRefused) {
   int robots = 0, texts = 0;
   for (const auto& entry :

@@ -14,14 +14,14 @@ inline std::string fixture(const std::string& name) {
   return std::string(LIECHECK_FIXTURES) + "/robots/" + name;
 }
 
-/// Lines 2 to 5: two links a and b and the joint j between them, of that type, with those elements in line 4.
+/// A robot with links a and b and a joint j between them. Line 4 is the joint, which contains `elements`.
 inline std::string twoLinks(const std::string& type, const std::string& elements) {
   return "<robot name='two'>\n<link name='a'/>\n<link name='b'/>\n<joint name='j' type='" + type +
          "'><parent link='a'/><child link='b'/>" + elements + "</joint>\n</robot>\n";
 }
 inline const std::string limit = "<limit lower='-1' upper='1' effort='1' velocity='1'/>";
 
-/// Line 3 is inside link a.
+/// A robot with one link a. Line 3 is inside the link.
 inline std::string oneLink(const std::string& inside) {
   return "<robot name='one'>\n<link name='a'>\n" + inside + "\n</link>\n</robot>\n";
 }
@@ -46,7 +46,7 @@ inline std::string refusal(const std::string& text, RootJoint root = RootJoint::
   EXPECT_EQ(said.find('\n'), std::string::npos) << said;
   return said;
 }
-/// The message names that line, contains the words, and ends with the value in parentheses.
+/// Expects that the message names `line`, contains `words`, and ends with `value` in parentheses.
 inline void expectRefused(const std::string& text, int line, const std::string& words,
                           const std::string& value) {
   const std::string said = refusal(text);

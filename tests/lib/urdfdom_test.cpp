@@ -1,5 +1,5 @@
-// urdf/description.hpp beside urdfdom, which Pinocchio and ROS read robots with: the same tree, the same numbers to the
-// last bit, on the fixtures and on thousands of mutants of them.
+// Compares urdf/description.hpp with urdfdom, the URDF reader of Pinocchio and ROS. Both must give the same
+// tree and the same bits, on the fixtures and on thousands of mutants of them.
 
 #include <console_bridge/console.h>
 #include <gtest/gtest.h>
@@ -17,8 +17,8 @@ namespace {
 using namespace liecheck;
 using urdf_detail::Description, urdf_detail::JointType;
 
-/// While it lives, urdfdom's errors are kept here. An error in an <inertial> is nothing more than logged: urdfdom goes on
-/// with a link without mass.
+/// Collects the errors that urdfdom logs while this object exists. An error in an <inertial> is only logged:
+/// urdfdom continues with a link without mass.
 class Log : private console_bridge::OutputHandler {
  public:
   Log() { console_bridge::useOutputHandler(this); }
@@ -103,8 +103,8 @@ void expectSame(const Description& ours, const urdf::ModelInterface& theirs) {
   }
 }
 
-/// Reads a text with both; true if both accept it. Not compared are texts of which urdfdom logs an error, and those with
-/// entities or carriage returns: its XML parser drops the & of an undefined entity and keeps carriage returns.
+/// Compares both readers on a text; true if both accept it. Skips texts for which urdfdom logs an error, and
+/// texts with & or \r: its XML parser drops the & of an undefined entity and keeps carriage returns.
 bool compared(const std::string& text) {
   if (text.find_first_of("&\r") != text.npos) return false;
   Log log;
@@ -137,11 +137,11 @@ TEST(Urdfdom, ReadsTheSameNumbersFromTheFixturesAndTheirMutants) {
     SCOPED_TRACE(text);
     mutants += compared(text);
   }
-  EXPECT_GE(mutants, 500);  // 750
+  EXPECT_GE(mutants, 500);  // observed: 750
 }
 
-/// urdfdom 3 logs an error and goes on without the inertia, or refuses the robot.
-TEST(Urdfdom, RefusesWhiteSpaceThatEndsANumberAndLosesTheMassOfALink) {
+/// urdfdom 3 logs an error and then continues without the inertia or refuses the robot.
+TEST(Urdfdom, LosesTheMassOfALinkIfWhiteSpaceFollowsTheNumber) {
   const std::string text =
       "<robot name='r'><link name='a'><inertial><mass value='2 '/>"
       "<inertia ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' izz='1'/></inertial></link></robot>";

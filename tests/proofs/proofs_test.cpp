@@ -1,6 +1,6 @@
-// Proofs of the error bounds of the polynomials in scalar/stumpff.hpp: of the approximation error by Sollya, of the
-// rounding error by Gappa, from the operations that the code itself records (traced.hpp). The scripts stay in the folder
-// `proofs` of the build.
+// Proofs of the error bounds of the polynomials in scalar/stumpff.hpp. Sollya proves the approximation
+// errors. Gappa proves the rounding errors of the operations that the code records when it runs on the scalar
+// Traced (traced.hpp). The scripts stay in the build's folder `proofs`.
 
 #include <fmt/format.h>
 #include <gtest/gtest-spi.h>
@@ -18,7 +18,7 @@ namespace {
 
 using namespace stumpff_detail;
 
-/// What a program prints, and how it exits.
+/// The output of a program and its exit status.
 std::pair<std::string, int> run(const std::string& command) {
   std::FILE* pipe = popen((command + " 2>&1").c_str(), "r");
   std::string text;
@@ -27,7 +27,7 @@ std::pair<std::string, int> run(const std::string& command) {
   return {text, pclose(pipe)};
 }
 
-std::string kept(const std::string& name, const std::string& text) {
+std::string script_file(const std::string& name, const std::string& text) {
   const std::string path = std::string(LIECHECK_PROOFS) + "/" + name;
   std::ofstream file(path);
   file << text << std::flush;
@@ -35,7 +35,7 @@ std::string kept(const std::string& name, const std::string& text) {
   return path;
 }
 
-/// max |p/f - 1| <= bound eps on [0, domain].
+/// Proves max |p/f - 1| <= bound eps on [0, domain].
 template <class S, template <class> class Series>
 void approximation(const std::string& name, const char* series, double bound, const char* domain) {
   static constexpr Economised<S, Series<S>> p;
@@ -46,7 +46,7 @@ void approximation(const std::string& name, const char* series, double bound, co
                         domain, bound, std::numeric_limits<S>::digits - 1)
          << std::ifstream(std::string(LIECHECK_SOURCE_DIR) + "/tests/proofs/approximation.sollya").rdbuf();
   const auto [text, status] =
-      run(LIECHECK_SOLLYA " --flush " + kept(name + ".sollya", script.str()) + " < /dev/null");
+      run(LIECHECK_SOLLYA " --flush " + script_file(name + ".sollya", script.str()) + " < /dev/null");
   EXPECT_TRUE(text.starts_with("proved:")) << name << ": " << text;
 }
 
@@ -56,15 +56,16 @@ void proof(const std::string& name, const std::string& goal, double bound, const
            const std::string& hints, int seconds) {
   const auto [text, status] = run(
       fmt::format("timeout {} {} ", seconds, LIECHECK_GAPPA) +
-      kept(name + ".gappa",
-           fmt::format("@rnd = float<ieee_{}, ne>;\nx = rnd(X);\n{}{{ x in [0, {}] -> |{}| <= {}b-{} }}\n{}",
-                       8 * sizeof(F), program.text, domain, goal, std::lround(bound * 64),
-                       std::numeric_limits<F>::digits - 1 + 6, hints)));
+      script_file(
+          name + ".gappa",
+          fmt::format("@rnd = float<ieee_{}, ne>;\nx = rnd(X);\n{}{{ x in [0, {}] -> |{}| <= {}b-{} }}\n{}",
+                      8 * sizeof(F), program.text, domain, goal, std::lround(bound * 64),
+                      std::numeric_limits<F>::digits - 1 + 6, hints)));
   EXPECT_EQ(status, 0) << name << ": " << text;
   EXPECT_EQ(text.find("not trivially equal"), std::string::npos) << name << ": " << text;
 }
 
-/// |computed - exact| <= bound eps of the exact value, for x in [0, domain] of F.
+/// Proves |computed - exact| <= bound eps |exact| for x in [0, domain] of F.
 /// Gappa bisects the interval until it succeeds or `seconds` are over.
 template <class F, bool FUSED, class Evaluate>
 void evaluation(const std::string& name, Evaluate&& evaluate, double bound, const char* domain,
@@ -75,7 +76,7 @@ void evaluation(const std::string& name, Evaluate&& evaluate, double bound, cons
            "", seconds);
 }
 
-/// |computed - exact| <= bound eps of a sum 1 - linear + small of HalfAngle, computed as a double word:
+/// Proves |computed - exact| <= bound eps for 1 - linear + small, which HalfAngle sums as a double word:
 ///     head = 1 - linear,  other = 1 - head,  rest = other - linear,  tail = rest + small,  value = head + tail.
 /// The hints are the identities that make rest the rounding error of head; Gappa checks them.
 template <class F, bool FUSED, class Evaluate>
@@ -105,8 +106,8 @@ void evaluations(const std::string& name, Evaluate&& evaluate, double bound, dou
   evaluation<F, true>(name, evaluate, fused_bound, domain);
 }
 
-// pi^2 and a few ulp of float; 1 - cos h <= 1.
-constexpr const char *half_turn = "9.869608", *unit = "1";
+// Ends of domains: pi^2 plus a few ulp of float, and 1 >= 1 - cos h.
+constexpr const char *pi_squared = "9.869608", *unit = "1";
 constexpr const char* fourth =
     "first = 1/24;\nratio = proc(j) { return -1 / (4*(2*j + 3)*(2*j + 4)); };\nterms = 24;\nrest = 1;\n";
 constexpr const char* fifth =
@@ -132,37 +133,37 @@ TYPED_TEST_SUITE(Proofs, Scalars);
 TYPED_TEST(Proofs, TheFourthStumpffFunction) {
   const auto name = this->named("c4");
   const auto code = [](const auto& x) { return evaluate<Fourth>(x); };
-  approximation<TypeParam, Fourth>(name, fourth, 0.27, half_turn);
-  evaluations<TypeParam>(name, code, 0.55, 0.51, half_turn);
+  approximation<TypeParam, Fourth>(name, fourth, 0.27, pi_squared);
+  evaluations<TypeParam>(name, code, 0.55, 0.51, pi_squared);
 }
 
 TYPED_TEST(Proofs, TheFifthStumpffFunction) {
   const auto name = this->named("c5");
   const auto code = [](const auto& x) { return evaluate<Fifth>(x); };
-  approximation<TypeParam, Fifth>(name, fifth, 0.45, half_turn);
-  evaluations<TypeParam>(name, code, 0.6, 0.57, half_turn);
+  approximation<TypeParam, Fifth>(name, fifth, 0.45, pi_squared);
+  evaluations<TypeParam>(name, code, 0.6, 0.57, pi_squared);
 }
 
-// c_k = 1/k! - h c_{k+2}: the approximation error of c_4 and c_5 adds at most h c_{k+2}/c_k < 1/5 of itself, and the
+// c_k = 1/k! - h c_{k+2}. The approximation error of c_{k+2} adds at most h c_{k+2}/c_k < 1/5 of itself. The
 // rounding of 1/6 adds 1/6 eps.
-TYPED_TEST(Proofs, TheSecondAndThirdFollow) {
+TYPED_TEST(Proofs, TheSecondAndThirdStumpffFunctions) {
   using F = TypeParam;
   evaluations<F>(
-      this->named("c2"), [](const auto& x) { return half(x).c2; }, 0.54, 0.45, half_turn);
+      this->named("c2"), [](const auto& x) { return half(x).c2; }, 0.54, 0.45, pi_squared);
   evaluations<F>(
-      this->named("c3"), [](const auto& x) { return half(x).c3; }, 0.58, 0.52, half_turn);
+      this->named("c3"), [](const auto& x) { return half(x).c3; }, 0.58, 0.52, pi_squared);
 }
 
-// 1 - h/2 + h^2 c_4 and 1 - h/6 + h^2 c_5, absolute errors: the approximation errors of the polynomials, and the rounding
-// of 1/24, add at most 0.07 and 0.06 eps.
+// Absolute errors of 1 - h/2 + h^2 c_4 and 1 - h/6 + h^2 c_5. The approximation errors of the polynomials and
+// the rounding of 1/24 add at most 0.07 and 0.06 eps.
 TYPED_TEST(Proofs, CosineAndSineOfHalfTheAngle) {
   using F = TypeParam;
   const auto cosine = [](const auto& x) { return half(x).c0; };
   const auto sine = [](const auto& x) { return half(x).c1; };
-  sum_of_parts<F, false>(this->named("c0"), cosine, 0.57, half_turn);
-  sum_of_parts<F, true>(this->named("c0"), cosine, 0.57, half_turn);
-  sum_of_parts<F, false>(this->named("c1"), sine, 0.39, half_turn);
-  sum_of_parts<F, true>(this->named("c1"), sine, 0.34, half_turn);
+  sum_of_parts<F, false>(this->named("c0"), cosine, 0.57, pi_squared);
+  sum_of_parts<F, true>(this->named("c0"), cosine, 0.57, pi_squared);
+  sum_of_parts<F, false>(this->named("c1"), sine, 0.39, pi_squared);
+  sum_of_parts<F, true>(this->named("c1"), sine, 0.34, pi_squared);
 }
 
 TYPED_TEST(Proofs, TheAngleOverItsSine) {
@@ -176,16 +177,16 @@ TYPED_TEST(Proofs, TheAngleOverItsSine) {
   evaluations<TypeParam>(name, code, 2, 1.5, unit);
 }
 
-// A check that accepts any bound would prove nothing.
+// A smaller bound must fail: a check that accepts any bound proves nothing.
 TEST(ProofsThatMustFail, ASmallerBoundIsNotProved) {
-  EXPECT_NONFATAL_FAILURE((approximation<double, Fourth>("must_fail", fourth, 0.24, half_turn)),
+  EXPECT_NONFATAL_FAILURE((approximation<double, Fourth>("must_fail", fourth, 0.24, pi_squared)),
                           "not proved");
   EXPECT_NONFATAL_FAILURE(
       (evaluation<double, false>(
-          "must_fail", [](const auto& x) { return evaluate<Fourth>(x); }, 0.5, half_turn, 3)),
+          "must_fail", [](const auto& x) { return evaluate<Fourth>(x); }, 0.5, pi_squared, 3)),
       "must_fail");
   EXPECT_NONFATAL_FAILURE((sum_of_parts<double, false>(
-                              "must_fail", [](const auto& x) { return half(x).c1; }, 0.25, half_turn)),
+                              "must_fail", [](const auto& x) { return half(x).c1; }, 0.25, pi_squared)),
                           "must_fail");
 }
 

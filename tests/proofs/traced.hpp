@@ -1,6 +1,7 @@
 #pragma once
-// A scalar that records, in Gappa's language, the operations that the library's templates apply to it: each operation
-// once rounded, t3, and once exact, T3. So the proofs are about the code itself, not a copy of its formulas.
+// A scalar that records, in Gappa's language, the operations that the library's templates apply to it. Each
+// operation is recorded twice: rounded, as t3, and exact, as T3. The proofs are thus about the code itself,
+// not a copy of its formulas.
 
 #include <fmt/format.h>
 #include <cmath>
@@ -18,7 +19,7 @@ struct Program {
 };
 inline Program program;
 
-/// F rounded to nearest, with mul_add fused or rounded twice. Constants are folded as the compiler folds them.
+/// F rounded to nearest; mul_add is fused or rounded twice. Constants are folded as the compiler does.
 template <class F, bool FUSED>
 class Traced {
  public:
@@ -27,7 +28,7 @@ class Traced {
   Traced() = default;
   Traced(F x) : value_(x) {}
   Traced(int x) : value_(static_cast<F>(x)) {}
-  /// A variable of F of that name, the same number in both.
+  /// The variable `name`. It has no rounding error.
   static Traced input(const std::string& name) { return Traced(name, name); }
 
   std::string rounded() const { return name_.empty() ? fmt::format("{:a}", value_) : name_; }
@@ -67,7 +68,7 @@ class Traced {
     return operation("rnd({} * {} + {})", "{} * {} + {}", a, b, c);
   }
 
-  // Declared for the concept Scalar: branches and functions of libm cannot be traced.
+  // The concept Scalar requires these. Branches and functions of libm cannot be traced and throw.
   friend bool operator<(const Traced&, const Traced&) { return refused(), false; }
   friend bool operator<=(const Traced&, const Traced&) { return refused(), false; }
   friend Traced sqrt(const Traced&) { return refused(); }

@@ -12,7 +12,7 @@ template <BallNumber B>
 Real mid(const B& b) {
   return exact<Real>(b);
 }
-/// |midpoint - exact| / radius; 0 where the midpoint is exact.
+/// |midpoint - exact| / radius; 0 if the midpoint is exact.
 template <BallNumber B>
 double share(const B& b, const Real& value) {
   const double d = static_cast<double>(Real(abs(mid(b) - value)));
@@ -67,7 +67,7 @@ TYPED_TEST(BallTest, StumpffSeriesContainTheClosedForm) {
   }
 }
 
-TYPED_TEST(BallTest, ClosedFormsContainThoseAtHundredDigits) {
+TYPED_TEST(BallTest, ClosedFormsContainThoseAtAHundredDigits) {
   const auto contains = [](const auto& ball, const auto& exact, const char* what) {
     for (std::size_t i = 0; i < ball.x.size(); ++i)
       EXPECT_LE(share(ball.x[i], Real(exact.x[i])), 1) << what << i << " " << ball.x[i].head();
@@ -94,7 +94,7 @@ TYPED_TEST(BallTest, ClosedFormsContainThoseAtHundredDigits) {
   }
 }
 
-TYPED_TEST(BallTest, APolarFactorContainsTheOneAtHundredDigits) {
+TYPED_TEST(BallTest, APolarFactorContainsTheOneAtAHundredDigits) {
   for (int i = 0; i < 2000; ++i) {
     Vec3<TypeParam> phi;
     for (int k = 0; k < 3; ++k) phi[k] = TypeParam(this->number(i % 2 ? 0.4 : 8) * (i % 2 ? 1 : 1e-8));

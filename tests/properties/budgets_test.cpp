@@ -1,4 +1,5 @@
-// Every limit of budgets.csv is what its basis allows: derived, or a hunted maximum that the corpus shows, times 1.25.
+// Checks every limit of budgets.csv: it is at most 1.25 times its value. A value is derived, or is the
+// largest error of a hunt, which a hard case of the corpus reproduces.
 
 #include <gtest/gtest.h>
 
@@ -21,14 +22,14 @@
 namespace liecheck::properties {
 namespace {
 
-constexpr double margin = 1.25;  // for what a hunt did not find
-constexpr double again = 0.97;   // of the value: it has three digits, and libm's last bit is the machine's
+constexpr double margin = 1.25;      // for errors that a hunt did not find
+constexpr double reproduced = 0.97;  // share of the value that a replay reaches: libm's last bit varies
 
 std::string name_of(const Budget& b) {
   return fmt::format("{} {}, {}, {}", b.subject, b.operation, b.block, b.region);
 }
 
-/// The anchors of docs/measuring.md, as a web page makes them of its headings.
+/// The anchors of docs/measuring.md: its headings in lower case, with hyphens for spaces.
 std::set<std::string> anchors() {
   std::ifstream page(std::string(LIECHECK_FIXTURES) + "/../docs/measuring.md");
   std::set<std::string> all;
@@ -56,7 +57,7 @@ TEST(Budgets, NoLimitIsMoreThanItsBasisAllows) {
   }
 }
 
-TEST(Budgets, ARowThatFollowsAnotherHasItsLimit) {
+TEST(Budgets, ARowBasedOnAnotherRowHasItsLimit) {
   for (const Budget& b : budget_lines()) {
     if (b.basis != Basis::row) continue;
     const std::size_t slash = b.hard_case.find('/');
@@ -65,11 +66,11 @@ TEST(Budgets, ARowThatFollowsAnotherHasItsLimit) {
     const Budget& other =
         budget_of(b.subject, b.hard_case.substr(0, slash), b.hard_case.substr(slash + 1), region);
     EXPECT_EQ(b.limit, other.limit) << name_of(b);
-    EXPECT_NE(other.basis, Basis::row) << name_of(b) << ": it names no row with a basis of its own";
+    EXPECT_NE(other.basis, Basis::row) << name_of(b) << ": it names a row that is itself based on a row";
   }
 }
 
-TEST(Budgets, BeyondPiALimitIsThatUpToPiAndTwoForTheAngle) {
+TEST(Budgets, ALimitBeyondPiIsTwoLargerThanThatUpToPi) {
   int rows = 0;
   for (const Budget& b : budget_lines()) {
     if (b.region != "beyond_pi") continue;
@@ -80,7 +81,7 @@ TEST(Budgets, BeyondPiALimitIsThatUpToPiAndTwoForTheAngle) {
   EXPECT_GT(rows, 0);
 }
 
-TEST(Budgets, ADerivationIsASumOrASectionOfTheDocs) {
+TEST(Budgets, ADerivationIsASumOrNamesASectionOfTheDocs) {
   const std::set<std::string> known = anchors();
   EXPECT_TRUE(known.count("beyond-pi"));
   const std::regex section("docs/measuring\\.md#([a-z0-9-]+)"), total("= ([0-9.]+)");
@@ -95,7 +96,8 @@ TEST(Budgets, ADerivationIsASumOrASectionOfTheDocs) {
   }
 }
 
-/// The largest error of a hard case, or error over kappa, in what a line is about; negative where nothing is measured.
+/// The largest error (by the rule: error over kappa) of an input in the operation, block and region of a
+/// budget line. Negative if nothing is measured.
 double largest(const Budget& b, const Series& series, const std::vector<std::string>& input) {
   CaseId id = series.id(0, 0);
   id.raw = true;
@@ -113,7 +115,7 @@ double largest(const Budget& b, const Series& series, const std::vector<std::str
   return worst;
 }
 
-/// The series of a case on a subject, made once; null where this build or this processor has not got the subject.
+/// Makes each series once. of() returns null if this build or this processor lacks the subject.
 class SeriesOfCases {
  public:
   const Series* of(const std::string& property, const std::string& scalar, const std::string& subject,
@@ -143,7 +145,7 @@ class SeriesOfCases {
   std::map<std::string, std::unique_ptr<Series>> made_;
 };
 
-TEST(Budgets, EveryHuntedMaximumIsFoundAgainInTheCorpus) {
+TEST(Budgets, EveryHuntedMaximumIsReproducedByItsHardCase) {
   std::map<std::string, const HardCase*> corpus;
   for (const HardCase& c : built_in_corpus()) corpus[c.name] = &c;
   SeriesOfCases all;
@@ -156,10 +158,11 @@ TEST(Budgets, EveryHuntedMaximumIsFoundAgainInTheCorpus) {
     ASSERT_EQ(c.scalars.size(), 1u) << c.name;
     const std::string subject = b.subject.empty() ? "liecheck" : b.subject;
     const Series* series = all.of(c.properties[0], c.scalars[0], subject, b.fma);
-    if (!series && b.fma) continue;  // no module has it: of double, without trees, on a processor that has it
+    if (!series && b.fma)
+      continue;  // only double without trees has a module, and it needs a processor with FMA
     ASSERT_TRUE(series) << name_of(b);
     const double found = largest(b, *series, numbers_of(c, series->fields, format_of(c.scalars[0])));
-    EXPECT_GE(found, again * b.value) << name_of(b) << ": " << c.name;
+    EXPECT_GE(found, reproduced * b.value) << name_of(b) << ": " << c.name;
     EXPECT_LE(found, b.limit) << name_of(b) << ": " << c.name;
     ++replayed;
   }

@@ -1,9 +1,9 @@
 #pragma once
-// Rigorous enclosures, in MPFI's interval arithmetic, of what the oracles at 50 and 100 digits compute.
+// Rigorous enclosures, in MPFI's interval arithmetic, of the results of the oracles at 50 and 100 digits.
 //
 // Every function returns intervals that contain the exact value, by formulas other than the oracle's:
-//   c_k(x)      the power series with its remainder (alternating: at most the first omitted term) for x < 256, by
-//               sin and cos of the full angle beyond; the oracles use half angles and squarings of matrices
+//   c_k(x)      for x < 256 the power series; the remainder is at most the first omitted term (alternating);
+//               for x >= 256 sin and cos of the full angle; the oracles use half angles and matrix squarings
 //   exp         R = I + c1 [phi] + c2 [phi]^2,   p = c1 rho + c2 phi x rho + c3 phi (phi.rho)
 //   log         theta / 2 = a + atan((s cos a - c sin a) / (c cos a + s sin a)) with a rounded guess a; rho solves
 //               V(phi) rho = p
@@ -12,8 +12,9 @@
 //               the oracles use c4, c5
 //   inverses    K* = K + (I - K J) K* around the oracle's K, with a Neumann bound of the error of K
 //
-// T is an Interval. Where its precision is too small for the arguments or for reducing an angle modulo 2 pi, the result
-// is wide, never wrong. What cannot be decided, such as the sign of an interval around zero, throws Undecided.
+// T is an Interval. If its precision is too small for the arguments or for reducing an angle modulo 2 pi, the
+// result is wide, never wrong. A question that T cannot decide, such as the sign of an interval around zero,
+// throws Undecided.
 //
 // Sources: Tucker 2011 (interval arithmetic), Neumaier 1990, chapter 5 (Krawczyk), Rump 2010, section 10 (Neumann).
 
@@ -50,7 +51,7 @@ struct Undecided : std::runtime_error {
 
 // ---- intervals
 
-/// The largest |y| for y in x, and e with |y| < 2^e.
+/// largest(x) is the largest |y| for y in x; exponent(x) is an e with |y| < 2^e.
 template <class T>
 auto largest(const T& x) {
   auto m = upper(x);

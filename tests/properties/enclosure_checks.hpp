@@ -15,8 +15,8 @@ namespace liecheck::enclosures {
 
 using namespace oracles;
 
-/// The allowed error of each block, relative to max(||exact||, scale) with the scale passed to near(). The oracles
-/// promise 1e-41 (agreement.hpp); rounding a value of 100 correct digits to 168 bits costs 2^-168 = 2.7e-51.
+/// The allowed error of each block, relative to max(||exact||, scale) with the scale passed to near(). The
+/// oracles promise 1e-41 (agreement.hpp); rounding 100 correct digits to 168 bits adds 2^-168 = 2.7e-51.
 inline constexpr double claim = 1e-50;
 /// Negative control: Ledger::check adds an error of this many times the allowed one (for `claim`, in the 49th digit) to
 /// each value, and the comparison must then fail.

@@ -1,5 +1,5 @@
 #pragma once
-// Compares the oracles' numbers with enclosures, and keeps the largest errors.
+// Compares the oracles' numbers with enclosures, and records the largest errors.
 
 #include <gtest/gtest.h>
 #include <iostream>
@@ -11,7 +11,7 @@
 
 namespace liecheck::enclosures {
 
-/// x without rounding; an interval with infinite ends where T has too few bits.
+/// x without rounding; an interval with infinite ends if T has too few bits.
 template <class T, unsigned Digits>
 T point(const oracles::Decimal<Digits>& x) {
   T r;
@@ -59,8 +59,8 @@ Excess excess(const Eigen::Matrix<T, R, C>& exact, const Eigen::Matrix<T, R, C>&
 
 class Ledger {
  public:
-  /// Fails unless the oracle's `value` is within `claim` of the enclosure, and the value with an error of `wrong` is
-  /// not.
+  /// Fails unless the oracle's `value` is within `claim` of the enclosure, and the value plus an error of
+  /// `wrong` is not.
   template <class T, int R, int C>
   void check(const std::string& what, const Eigen::Matrix<T, R, C>& exact,
              const Eigen::Matrix<T, R, C>& value, double claim, double wrong, const T& scale = T(0)) {

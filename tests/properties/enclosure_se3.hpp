@@ -1,5 +1,5 @@
 #pragma once
-// The operations on SE(3) that enclosure.hpp describes.
+// Enclosures of the operations on SE(3), by the formulas in enclosure.hpp.
 
 #include "enclosure.hpp"
 
@@ -41,7 +41,7 @@ Blocks<T> left_jacobian(const V6<T>& xi) {
           P * s.c[2] + (F * P + P * F) * s.c[3] + F * T(s.d[2] * dx) + FF * T(s.d[3] * dx)};
 }
 
-/// The inverse of A = [[J, C], [0, J]]; K: an approximate inverse of J.
+/// The inverse of A = [[J, C], [0, J]]. K is an approximate inverse of J.
 template <class T>
 Blocks<T> inverse(const Blocks<T>& A, const M3<T>& K) {
   const M3<T> E = M3<T>::Identity() - K * A.J;
@@ -52,7 +52,7 @@ Blocks<T> inverse(const Blocks<T>& A, const M3<T>& K) {
   }
   e = sqrt(e);
   if (!(upper(e) < 0.5)) throw Undecided("no approximate inverse");
-  // K* = K + E K*, so that ||K* - K|| <= ||E|| ||K|| / (1 - ||E||) = r; inserted once more
+  // K* = K + E K*, so that ||K* - K|| <= ||E|| ||K|| / (1 - ||E||) = r. Insert it once.
   const T r = around_zero<T>(e * sqrt(k) / (1 - e));
   const M3<T> exact = K + E * (K + M3<T>::Constant(r));
   return {exact, -(exact * A.C * exact)};
@@ -88,8 +88,8 @@ struct Log {
   T theta, pi_minus_theta;
 };
 
-/// log of the pose of Q / ||Q|| and p. `opposite`: on the branch of the opposite axis, theta >= pi. Where the interval
-/// of w contains zero it must be within 2^-300 of it, and the two branches may be exchanged.
+/// The log of the pose (Q / ||Q||, p). `opposite` selects the branch of the opposite axis, theta >= pi. If
+/// the interval of w contains zero, it must be within 2^-300 of zero. The two branches may then be exchanged.
 template <class T>
 Log<T> log(Q4<T> Q, const V3<T>& p, bool opposite = false) {
   const bool open = lower(Q[3]) < 0 && upper(Q[3]) > 0;
@@ -107,7 +107,7 @@ Log<T> log(Q4<T> Q, const V3<T>& p, bool opposite = false) {
   return r;
 }
 
-/// The rotation nearest to R; Q0: an approximation of it.
+/// The rotation nearest to R. Q0 is an approximation of it.
 template <class T>
 Q4<T> nearest(const M3<T>& R, const Q4<T>& Q0) {
   const M3<T> B = rotation<T>(Q0).transpose() * R;
@@ -139,7 +139,7 @@ Q4<T> nearest(const M3<T>& R, const Q4<T>& Q0) {
   }
   Q4<T> small;
   small << d, T(1);
-  return product<T>(Q0, small);  // X^T R is symmetric, and positive: within 1/2 + 0.05 of I
+  return product<T>(Q0, small);  // X^T R is symmetric, and within 1/2 + 0.05 of I, so positive
 }
 
 /// q = (p, Q), where Q stands for Q / ||Q||.

@@ -1,7 +1,7 @@
-// The results of the oracles lie where interval arithmetic proves the exact value to be.
+// The oracles' results are compared with intervals that are proved to contain the exact values.
 //
-// Inputs: the project's generators in float, double and float128, equally many for each band of angles, and chosen
-// inputs outside of the generators' range. The seed is LIECHECK_SEED, or 42.
+// The inputs are those of the project's generators in float, double and float128, at most three for each
+// band of angles, and chosen inputs outside the generators' range. The seed is LIECHECK_SEED, or 42.
 
 #include <charconv>
 #include <cstdlib>
@@ -39,8 +39,8 @@ std::uint64_t seed() {
 
 constexpr int per_band = 3;
 
-/// Inputs of `draw`, at most `per_band` for each band of their exact `angle` [rad]. With the default seed every band
-/// from `lowest` to pi, or beyond, must occur.
+/// Calls `use` on inputs of `draw`, at most `per_band` for each band of their exact `angle` [rad]. With the
+/// default seed every band from `lowest` to pi must occur, and if `beyond` is true also those beyond pi.
 template <class S, class Draw, class Angle, class Use>
 void in_every_band(std::uint64_t series, std::uint64_t draws, const Real& lowest, bool beyond, Draw&& draw,
                    Angle&& angle, Use&& use) {
@@ -87,7 +87,7 @@ class Enclosure : public testing::Test {
 using Scalars = testing::Types<float, double, float128>;
 TYPED_TEST_SUITE(Enclosure, Scalars);
 
-TYPED_TEST(Enclosure, HoldsExpAndJacobiansOfTwistsInEveryBand) {
+TYPED_TEST(Enclosure, ContainsExpAndJacobiansOfTwistsInEveryBand) {
   in_every_band<TypeParam>(
       1, 100000, Real(0), true, draw_twist<TypeParam>, [](const Vec6<>& xi) { return norm(tail3(xi)); },
       [this](const Vec6<>& xi) {
@@ -103,7 +103,7 @@ struct StoredPose {
   Vec3<> p;
 };
 
-TYPED_TEST(Enclosure, HoldsLogOfQuaternionsAndMatricesInEveryBand) {
+TYPED_TEST(Enclosure, ContainsLogOfQuaternionsAndMatricesInEveryBand) {
   using S = TypeParam;
   in_every_band<S>(
       2, 20000, Real(std::numeric_limits<S>::epsilon()), false,
@@ -120,7 +120,7 @@ TYPED_TEST(Enclosure, HoldsLogOfQuaternionsAndMatricesInEveryBand) {
       });
 }
 
-TYPED_TEST(Enclosure, HoldsIntegrateAndItsDerivativesInEveryBand) {
+TYPED_TEST(Enclosure, ContainsIntegrateAndItsDerivativesInEveryBand) {
   using S = TypeParam;
   struct Step {
     Vec7<> q;
@@ -139,7 +139,7 @@ TYPED_TEST(Enclosure, HoldsIntegrateAndItsDerivativesInEveryBand) {
       });
 }
 
-TYPED_TEST(Enclosure, HoldsDifferenceAndItsDerivativesInEveryBand) {
+TYPED_TEST(Enclosure, ContainsDifferenceAndItsDerivativesInEveryBand) {
   using S = TypeParam;
   struct Pair {
     Vec7<> q0, q1;
@@ -163,7 +163,7 @@ TYPED_TEST(Enclosure, HoldsDifferenceAndItsDerivativesInEveryBand) {
 
 // ---- chosen inputs
 
-using InDouble = Enclosure<double>;
+using EnclosureInDouble = Enclosure<double>;
 
 Vec3<> vector(double x, double y, double z) {
   return {{Real(x), Real(y), Real(z)}};
@@ -174,7 +174,7 @@ const std::vector<Vec3<>>& lengths() {
   return all;
 }
 
-TEST_F(InDouble, HoldsTwistsWhereAnglesAreSubnormalOrNearTwoPiAndLengthsExtreme) {
+TEST_F(EnclosureInDouble, ContainsTwistsWithSubnormalAnglesAnglesNearTwoPiAndExtremeLengths) {
   for (const double theta : {0.0, 5e-324, 3e-310, 1e-160, 1.0, 3.141592653589793, 3.1415926535897936,
                              6.283185307179586, 6.283185307179587, 15.9, 16.0, 16.1, 1e8, 1e24})
     for (const Vec3<>& rho : lengths())
@@ -182,7 +182,7 @@ TEST_F(InDouble, HoldsTwistsWhereAnglesAreSubnormalOrNearTwoPiAndLengthsExtreme)
         const Vec6<> xi = stack(rho, Vec3<>{{exact<Real>(theta * static_cast<double>(axis[0])),
                                              exact<Real>(theta * static_cast<double>(axis[1])),
                                              exact<Real>(theta * static_cast<double>(axis[2]))}});
-        if (norm(tail3(xi)) > 1e24) continue;  // the Jacobians' domain
+        if (norm(tail3(xi)) > 1e24) continue;  // outside the Jacobians' domain
         ledger_.input = text("xi", xi);
         checks_.exp(xi);
         checks_.jacobians(xi);
@@ -191,7 +191,7 @@ TEST_F(InDouble, HoldsTwistsWhereAnglesAreSubnormalOrNearTwoPiAndLengthsExtreme)
       }
 }
 
-TEST_F(InDouble, HoldsExpOfHugeAnglesWithoutTheOraclesReduction) {
+TEST_F(EnclosureInDouble, ContainsExpOfHugeAnglesWithoutTheOraclesReduction) {
   for (const double theta : {1e26, 1e30, 2e60, 3e99, 1e100, 1e200, 7e250, -1.7e308})
     for (const Vec3<>& rho : lengths()) {
       const Vec6<> xi = stack(rho, vector(theta, theta / 3, 1));
@@ -203,7 +203,7 @@ TEST_F(InDouble, HoldsExpOfHugeAnglesWithoutTheOraclesReduction) {
   Checks<Interval<5400>>(ledger_).exp(xi);
 }
 
-TEST_F(InDouble, HoldsLogsAtThetaEqualToPiAndNearIt) {
+TEST_F(EnclosureInDouble, ContainsLogsAtThetaEqualToPiAndNearIt) {
   for (const double w : {0.0, -0.0, 5e-324, -5e-324, 1e-200, -1e-70, 1e-50, -1e-17})
     for (const Vec3<>& p : lengths())
       for (const Vec3<>& v : {vector(0.6, 0, 0.8), vector(0, -1, 0), vector(3e-310, 1, 1e-20)}) {
@@ -221,7 +221,7 @@ TEST_F(InDouble, HoldsLogsAtThetaEqualToPiAndNearIt) {
   }
 }
 
-TEST_F(InDouble, HoldsLogsAtTheIdentityAndAtSubnormalAngles) {
+TEST_F(EnclosureInDouble, ContainsLogsAtTheIdentityAndAtSubnormalAngles) {
   for (const double t : {0.0, 5e-324, 1e-310, 1e-160, 1e-20})
     for (const double w : {1.0, -1.0, 1 + 2.2e-16})
       for (const Vec3<>& p : lengths()) {
@@ -264,7 +264,7 @@ void expect_overlap(const Eigen::Matrix<T, R, C>& a, const Eigen::Matrix<T, R, C
   }
 }
 
-TEST_F(InDouble, EnclosuresMeetThePowerSeriesOfTheMatrices) {
+TEST_F(EnclosureInDouble, OverlapsThePowerSeriesOfTheMatrices) {
   // The coefficients change formula at theta = 16
   for (const double theta : {0.0, 1e-3, 0.5, 3.0, 6.3, 15.5, 16.5, 30.0}) {
     const V6<T> xi = point<T>(stack(vector(1, -2, 3), vector(theta * 0.6, 0, theta * 0.8)));
@@ -292,7 +292,7 @@ TEST_F(InDouble, EnclosuresMeetThePowerSeriesOfTheMatrices) {
   }
 }
 
-TEST_F(InDouble, WhatCannotBeEnclosedIsRefused) {
+TEST_F(EnclosureInDouble, ThrowsIfAResultCannotBeEnclosed) {
   const V3<T> p = point<T>(vector(1, 2, 3));
   const T wide = around_zero(T(1));
   EXPECT_THROW(enclosures::log<T>({T(1), T(0), T(0), wide}, p), Undecided);

@@ -1,4 +1,4 @@
-// The expressions of hard cases, in float and in double, bit for bit, and the errors in them.
+// The expressions of hard cases: their exact bits in float and double, and the messages of invalid ones.
 
 #include <gtest/gtest.h>
 
@@ -52,7 +52,7 @@ TYPED_TEST(Expression, DecimalAndHexadecimalNumbersAreRoundedOnce) {
   EXPECT_EQ(value<S>("1e-3"), S(1e-3L));
   EXPECT_EQ(value<S>("0.1"), S(0.1L));
   EXPECT_EQ(value<S>("0x1.8p-3"), S(0x1.8p-3));
-  EXPECT_EQ(value<S>("1 + eps/2"), S(1));                                            // a tie: to even
+  EXPECT_EQ(value<S>("1 + eps/2"), S(1));  // a tie is rounded to even
   EXPECT_EQ(value<S>("1 + 3*eps/2"), S(1) + 2 * std::numeric_limits<S>::epsilon());  // likewise
   EXPECT_EQ(value<S>("1 + eps/2 + eps^3"), S(1) + std::numeric_limits<S>::epsilon());
   EXPECT_TRUE(std::signbit(value<S>("-0")));
@@ -74,7 +74,7 @@ TYPED_TEST(Expression, NeighboursAreThoseOfNextafter) {
   EXPECT_EQ(value<S>("round(pi) - pi + pi"), pi);
 }
 
-TYPED_TEST(Expression, ListsGoNumberByNumber) {
+TYPED_TEST(Expression, ListsAreCombinedElementByElement) {
   using S = TypeParam;
   EXPECT_EQ(values<S>("2*(1, 2, 3) - (0, 1, 0), 7"), (std::vector<S>{2, 3, 6, 7}));
   EXPECT_EQ(values<S>("unit(2, -3, 6)"), (std::vector<S>{S(2.0L / 7), S(-3.0L / 7), S(6.0L / 7)}));
@@ -82,7 +82,7 @@ TYPED_TEST(Expression, ListsGoNumberByNumber) {
   EXPECT_EQ(values<S>("rotation(0, 0, 3, 3)"), (std::vector<S>{0, -1, 0, 1, 0, 0, 0, 0, 1}));
 }
 
-TEST(ExpressionScaled, TakesTheSameShareOfTheRange) {
+TEST(ExpressionScaled, IsTheSameShareOfTheExponentRange) {
   EXPECT_EQ(value<double>("scaled(1e150)"), 1e150);
   EXPECT_NEAR(value<float>("scaled(1e150)") / 5.62e18f, 1, 1e-2);
   EXPECT_EQ(value<double>("-scaled(1e150)"), value<double>("scaled(-1e150)"));

@@ -1,4 +1,4 @@
-// The corpus of hard cases: its lines, their parser, and that each verdict is given to a subject that deserves it.
+// The corpus of hard cases: its lines, their parser, and one planted subject for each verdict.
 
 #include <gtest/gtest.h>
 
@@ -37,7 +37,7 @@ const Registered<double> planted[] = {
                               };
                             })),
     Registered<double>(with("verdict_wrong_branch",
-                            [](O& o) {  // the long way round
+                            [](O& o) {  // the same rotation, theta > pi
                               o[op::log3_quaternion] = [](const O::V4& Q) -> O::V3 {
                                 const O::V3 phi = own()[op::log3_quaternion](Q);
                                 return phi * (1 - 2 * M_PI / phi.norm());
@@ -72,7 +72,7 @@ HardCell cell(const std::string& subject, const std::string& line, const std::st
 const char* const unit_quaternion = "a | log_oracle | Q = unit(1, 2, 3, 4) | c | r | o";
 const char* const off_unit = "a | log_oracle | Q = 1.001*unit(1, 2, 3, 4) | c | r | o";
 
-TEST(HardCases, GiveEachVerdictToTheSubjectThatDeservesIt) {
+TEST(HardCases, GiveEachPlantedSubjectItsVerdict) {
   const auto verdict = [](const HardCell& c) { return std::pair(c.verdict, c.failed); };
   EXPECT_EQ(verdict(cell("liecheck", unit_quaternion)), std::pair(Verdict::stable, false));
   const auto inaccurate = cell("verdict_inaccurate", unit_quaternion);
@@ -87,7 +87,7 @@ TEST(HardCases, GiveEachVerdictToTheSubjectThatDeservesIt) {
             std::pair(Verdict::ill_posed, false));
 }
 
-TEST(HardCases, ARefusalIsRightOnlyOfWhatIsNoRotation) {
+TEST(HardCases, ARefusalIsRightOnlyIfTheInputIsNoRotation) {
   const auto right = cell("liecheck", off_unit);
   EXPECT_EQ(right.verdict, Verdict::refused);
   EXPECT_FALSE(right.failed);
@@ -96,7 +96,7 @@ TEST(HardCases, ARefusalIsRightOnlyOfWhatIsNoRotation) {
   EXPECT_EQ(wrong.verdict, Verdict::refused);
   EXPECT_TRUE(wrong.failed);
   EXPECT_EQ(wrong.refusal, "no logarithms today");
-  // Without a checked entrance: judged by Q/|Q|, which textbook's acos does not know.
+  // textbook does not check its input. It is compared with the log of Q/|Q|, but takes acos of the w of Q.
   EXPECT_EQ(cell("textbook", off_unit).verdict, Verdict::inaccurate);
   EXPECT_EQ(cell("textbook", "a | log_oracle | R = -1, 0, 0, 0, -1, 0, 0, 0, -1 | c | r | o").verdict,
             Verdict::wrong_branch);
@@ -116,7 +116,7 @@ TEST(HardCases, AreAllStableOrRightlyRefusedByLiecheck) {
   }
 }
 
-TEST(Corpus, HasEveryClassAndAReasonAndAnOriginForEach) {
+TEST(Corpus, HasEveryClassAndEveryAxisAtPi) {
   std::set<std::string> classes;
   for (const HardCase& c : built_in_corpus()) classes.insert(c.hard_class);
   for (const char* wanted : {"theta^2 underflow",
@@ -143,13 +143,13 @@ TEST(Corpus, HasEveryClassAndAReasonAndAnOriginForEach) {
                              "mass ratio"})
     EXPECT_TRUE(classes.count(wanted)) << wanted;
   EXPECT_GE(built_in_corpus().size(), 150u);
-  std::set<std::string> directions;  // exactly pi about each of the 26 axes, and by R and Q as by phi
+  std::set<std::string> directions;  // exactly pi about each of the 26 axes, for log and for exp
   for (const HardCase& c : built_in_corpus())
     if (c.name.rfind("pi_log_", 0) == 0 || c.name.rfind("pi_exp_", 0) == 0) directions.insert(c.name);
   EXPECT_EQ(directions.size(), 52u);
 }
 
-TEST(Corpus, RefusesALineWithItsFileLineAndValue) {
+TEST(Corpus, RefusesAnInvalidLineWithItsFileLineAndValue) {
   const auto refusal = [](const std::string& text) -> std::string {
     try {
       run_hard_cases({{"liecheck"}, {}, {"double"}}, built_in_robot(), parse_corpus("f.txt", text));
@@ -188,7 +188,7 @@ TEST(Corpus, RefusesALineWithItsFileLineAndValue) {
     EXPECT_THROW(read_corpus(path), std::invalid_argument);
 }
 
-TEST(Corpus, TakesAHuntedInputAsItIs) {
+TEST(Corpus, TakesTheInputOfAHuntUnchanged) {
   const auto c =
       cell("liecheck",
            "hunted | exp_oracle in double | 0x1p+0, -0x1.8p-3, 0, 0x1.5p-30, 0, -0x0p+0 | hunted | r | o");
@@ -206,7 +206,7 @@ TEST(HardCases, AreRecordedWithInputAndReplay) {
                           "operation", "block", "band", "replay"})
     EXPECT_TRUE(record.at(0)["cells"].at(0).contains(key)) << key;
   EXPECT_EQ(record.at(0)["input"]["double"].size(), 16u);
-  // The replay line alone gives the same verdicts: exit 0 where refusing is right, 1 where the error stays.
+  // The replay line gives the same verdict: exit code 0 for the right refusal, 1 for the inaccurate result.
   for (int i : {0, 1}) {
     const std::string replay = record.at(0)["cells"].at(i)["replay"];
     const std::string command = std::string(LIECHECK_PROGRAM) + replay.substr(8) + " > /dev/null";
@@ -214,7 +214,7 @@ TEST(HardCases, AreRecordedWithInputAndReplay) {
   }
 }
 
-TEST(HardCasesOfTheProgram, CountToItsExitCode) {
+TEST(HardCasesOfTheProgram, DecideItsExitCode) {
   const auto exit_of = [](const std::string& arguments) {
     return WEXITSTATUS(std::system((LIECHECK_PROGRAM + (" " + arguments) + " > /dev/null 2>&1").c_str()));
   };

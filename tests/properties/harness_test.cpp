@@ -107,7 +107,7 @@ const Registered<double> bugs[] = {
                                  };
                                  o[op::act_force] = [](const Pose<double>& X, const V6& F) {
                                    return own()[op::act_motion](X, F);
-                                 };  // as a motion
+                                 };  // a wrench transformed as a twist
                                })),
     Registered<double>(planted("pose_group",
                                [](O& o) {
@@ -154,10 +154,10 @@ TEST_P(Planted, BugIsCaughtByItsLawAndTheLawPassesWithoutIt) {
   const std::string bug = "planted_" + GetParam();
   const auto known = subject_names();
   ASSERT_NE(std::find(known.begin(), known.end(), bug), known.end()) << "no bug is planted for this law";
-  // A jump shows where two neighbouring inputs are on either side of its cutoff: in about one case of 130.
+  // A jump shows only if two neighbouring inputs are on either side of its cutoff: in about one case of 130.
   const CampaignResult result = run(bug, GetParam(), 2000);
   ASSERT_EQ(result.series.size(), 1u);
-  EXPECT_GT(result.series.at(0).tally.rows.size(), 0u) << "the law measured nothing of the bug";
+  EXPECT_GT(result.series.at(0).tally.rows.size(), 0u) << "the law measured nothing";
   EXPECT_TRUE(result.failed);
   EXPECT_FALSE(run("liecheck", GetParam(), 100).failed);
 }
@@ -189,11 +189,11 @@ TEST(Harness, DigestsDoNotDependOnThreads) {
   EXPECT_NE(one.inputs_digest, run("liecheck", "exp_oracle", 201, 1).inputs_digest);
 }
 
-TEST(Harness, TextbookFailsWhereItsClosedFormsCancel) {
+TEST(Harness, TextbookFailsBecauseItsClosedFormsCancel) {
   EXPECT_TRUE(run("textbook", "exp_oracle").failed);
 }
 
-TEST(CaseIds, ComeBackFromTheirText) {
+TEST(CaseIds, AreParsedBackFromTheirText) {
   CaseId id;
   id.seed = 7, id.property = "exp_oracle", id.subject = "liecheck", id.scalar = "double", id.robot = "none",
   id.index = 12;
@@ -204,7 +204,7 @@ TEST(CaseIds, ComeBackFromTheirText) {
   EXPECT_THROW(CaseId::parse(""), std::invalid_argument);
 }
 
-TEST(Numbers, HexadecimalFloatsComeBackBitForBit) {
+TEST(Numbers, HexadecimalFloatsAreParsedBackBitForBit) {
   for (double x : {0.1, -0.0, 5e-324, 1.7e308}) EXPECT_EQ(parse_float<double>(hexadecimal_float(x)), x);
   EXPECT_THROW(parse_float<double>("1.0x"), std::invalid_argument);
   const float128 third = float128(1) / 3;

@@ -16,22 +16,22 @@ std::vector<double> errors(std::size_t n) {
     };
     x.push_back(k == 0   ? 0
                 : k == 1 ? std::numeric_limits<double>::infinity()
-                : k == 2 ? at(1000)  // beside the window
+                : k == 2 ? at(1000)  // outside the window
                          : at(8));
   }
   return x;
 }
 
-TEST(HistogramOf, ErrorsOfEverySizeIsTheSameInEveryOrderAndMerged) {
+TEST(Histogram, IsTheSameInEveryOrderAndAfterMerging) {
   const std::vector<double> x = errors(20000);
-  Histogram forward, backward, halves[2], merged, read;
+  Histogram forward, backward, parts[2], merged, read;
   for (std::size_t i = 0; i < x.size(); ++i) {
-    forward.add(x[i]), backward.add(x[x.size() - 1 - i]), halves[i % 2].add(x[i]);
+    forward.add(x[i]), backward.add(x[x.size() - 1 - i]), parts[i % 2].add(x[i]);
     if (i % 777 == 0) {
-      EXPECT_FALSE(forward.bins().empty());  // what waits is counted, and once
+      EXPECT_FALSE(forward.bins().empty());  // also sorts in the buffered values
     }
   }
-  merged.merge(halves[1]), merged.merge(halves[0]);
+  merged.merge(parts[1]), merged.merge(parts[0]);
   for (const auto& [bin, n] : forward.bins()) read.add_bin(bin, n);
   for (const Histogram* h : {&backward, &merged, &read}) {
     EXPECT_EQ(h->bins(), forward.bins());
@@ -43,7 +43,7 @@ TEST(HistogramOf, ErrorsOfEverySizeIsTheSameInEveryOrderAndMerged) {
   EXPECT_TRUE(std::is_sorted(forward.bins().begin(), forward.bins().end()));
 }
 
-TEST(HistogramOf, ErrorsHasTheirQuantilesToOneBin) {
+TEST(Histogram, HasTheQuantilesToOneBin) {
   std::vector<double> x = errors(20000);
   Histogram h;
   for (const double e : x) h.add(e);

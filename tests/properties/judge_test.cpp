@@ -28,7 +28,7 @@ TEST(Agreement, ErrorsAndConditionNumbersMayDifferByTheirAccuracyAndNoMore) {
   EXPECT_FALSE(agree({measured(1, 1)}, {}));
 }
 
-TEST(TheJudge, SeesALawThatClaimsTooLargeALeastKappa) {
+TEST(TheJudge, FindsALawWhoseLowerBoundOfKappaIsTooLarge) {
   const Budget excess{"", "", "any", Rule::excess, 8, ""};
   constexpr Output output = op::exp6[block::translation];
   const Limits limits{{output.definition, {&excess, &excess}}};
@@ -77,7 +77,7 @@ S small(std::mt19937_64& random) {
   return random() % 2 ? x : -x;
 }
 
-TYPED_TEST(BallBands, OfSubnormalAnglesAndOfPosesNearTheIdentityAreThoseOfFiftyDigits) {
+TYPED_TEST(BallBands, OfSubnormalAnglesAndOfPosesNearTheIdentityEqualThoseOfFiftyDigits) {
   using S = TypeParam;
   using oracles::DoubleDoubleBall;
   std::mt19937_64 random(11);
@@ -109,7 +109,7 @@ TYPED_TEST(BallBands, OfSubnormalAnglesAndOfPosesNearTheIdentityAreThoseOfFiftyD
     }
   }
   EXPECT_GT(subnormal, 200u);
-  EXPECT_GT(angles, 2800u);  // undecided: one ulp from an edge in the square alone
+  EXPECT_GT(angles, 2800u);  // the others have a square one ulp from an edge
   EXPECT_GT(differences, 2700u);
 }
 

@@ -1,4 +1,4 @@
-// The records of operations: complete, measured, and what the docs say. record_test.cpp holds the JSON record to them.
+// The list of operations: each is complete and measured by a law, and docs/operations.md shows the same list.
 
 #include <gtest/gtest.h>
 
@@ -13,11 +13,11 @@
 namespace liecheck::properties {
 namespace {
 
-TEST(Operations, AreEachMeasuredByALaw) {
+TEST(Operations, AreMeasuredByALawInEveryBlock) {
   std::set<std::pair<std::string_view, std::string_view>> measured;
   for (const auto& s : select({{"liecheck"}, {}, {"double"}}, built_in_robot()))
     for (const Output& o : s->outputs) {
-      EXPECT_EQ(o.record, &operation_named(o.operation)) << "a record that is not in the list";
+      EXPECT_EQ(o.record, &operation_named(o.operation)) << "an operation that is not in the list";
       measured.emplace(o.operation, o.block);
     }
   for (const Operation* o : all_operations())
@@ -25,7 +25,7 @@ TEST(Operations, AreEachMeasuredByALaw) {
       EXPECT_TRUE(measured.count({o->name, b.name.text})) << o->name << " " << b.name.text;
 }
 
-TEST(Operations, AreNamedOnceAndHaveBlocksWithUnits) {
+TEST(Operations, HaveUniqueNamesAndBlocksWithUnits) {
   std::set<std::string_view> names;
   for (const Operation* o : all_operations()) {
     EXPECT_TRUE(names.insert(o->name).second) << o->name;
@@ -66,11 +66,11 @@ void check_sizes(const Typed<Id, Bound, Result, Arguments...>& o) {
   EXPECT_EQ(parts(*o.results[0]), numbers_in(typename Result::template of<double>())) << o.name;
 }
 
-TEST(Operations, PartsOfLayoutsAreTheNumbersOfTheirTypes) {
+TEST(Operations, LayoutsHaveTheSizesOfTheirTypes) {
   SpatialSlots<double>::for_each([](const auto& o) { check_sizes(o); });
 }
 
-TEST(Operations, DocumentationIsWhatTheRecordsSay) {
+TEST(Operations, DocumentationShowsTheSameList) {
   std::ifstream file(std::string(LIECHECK_FIXTURES) + "/../docs/operations.md");
   std::ostringstream text;
   text << file.rdbuf();

@@ -23,7 +23,7 @@ namespace {
 
 using float128 = boost::multiprecision::float128;
 
-/// Relative errors: what the oracles promise, and what 50 digits allow.
+/// Relative errors: the bound that the oracles promise, and the rounding error of 50 digits.
 const Real promised("1e-41"), rounding("1e-49");
 
 Real pi() {
@@ -35,7 +35,7 @@ struct Angle {
   Real theta;
 };
 
-/// Bands of angles up to 1e24; `huge` adds those beyond.
+/// Angles in every band up to 1e24; `huge` adds larger ones.
 std::vector<Angle> angles(bool huge = true) {
   std::vector<Angle> all;
   for (const char* s : {"0",    "1e-4940", "1e-310",  "1e-160", "1e-80",   "1e-40", "1e-20", "1e-10", "1e-5",
@@ -76,7 +76,7 @@ std::vector<Vec3<>> lengths() {
 Vec7<> configuration(const Vec3<>& p, const Quaternion<>& Q) {
   return {{p[0], p[1], p[2], Q[0], Q[1], Q[2], Q[3]}};
 }
-Vec7<> somewhere() {  // off unit by 0.3
+Vec7<> somewhere() {  // |Q|^2 = 1.31
   return {{Real(0.5), Real(-2), Real(7), Real(0.3), Real(-0.4), Real(0.5), Real(0.9)}};
 }
 
@@ -111,7 +111,7 @@ TEST(OracleAgreement, RefusesAWrongDigitAtTheFortiethPlace) {
   wrong[1] = v[1] + Real("1e-43");
   EXPECT_TRUE(agree(wrong, v));
   const Vec3<> tiny = scaled(v, "1e-310");
-  EXPECT_FALSE(agree(Real(1 + Real("1e-40")) * tiny, tiny));  // relative, also where doubles are subnormal
+  EXPECT_FALSE(agree(Real(1 + Real("1e-40")) * tiny, tiny));  // relative, also for subnormal doubles
 }
 
 TEST(OracleAgreement, RefusesNotANumber) {
@@ -164,20 +164,20 @@ TEST(ExpOracle, KeepsTheContinuousSignOfTheQuaternion) {
   }
 }
 
-TEST(ExpOracle, NearTwoPiALengthAcrossTheAxisIsMultipliedByTheDistanceToTwoPi) {
+TEST(ExpOracle, NearTwoPiATranslationAcrossTheAxisShrinksWithTheDistanceToTwoPi) {
   for (const char* off : {"1e-10", "1e-34", "1e-40"}) {
     const Real d(off);
     const ExpResult e = exp_se3(stack(vector(1, 0, 0), along(vector(0, 0, 1), 2 * pi() + d)));
     EXPECT_TRUE(e.resolved) << off;
     const Real t = 2 * pi() + d;
-    // theta has only 50 digits, because pi has
+    // theta has only 50 digits, because pi has only 50
     EXPECT_LE(abs(e.p[0] - sin(d) / t), Real("1e-48")) << off;
     EXPECT_LE(abs(e.p[1] - 2 * sin(d / 2) * sin(d / 2) / t), Real("1e-48")) << off;
   }
 }
 
 TEST(ExpOracle, ReducesHugeAnglesModuloTwoPiExactly) {
-  // sin and cos of 1e300 / 2 by MPFR's own reduction, at an argument that 50 digits hold exactly
+  // MPFR reduces the argument 1e300 / 2 itself; 50 digits represent it exactly
   const Real theta = Real(1e300), half_angle = theta / 2;
   const ExpResult e = exp_so3({{Real(0), Real(0), theta}});
   EXPECT_TRUE(e.resolved);
@@ -204,7 +204,7 @@ TEST(LogOracle, InvertsExpInEveryBandUpToPi) {
   }
 }
 
-TEST(LogOracle, OfAPoseBeyondPiHasTheSameExp) {
+TEST(LogOracle, OfExpOfThetaBeyondPiHasTheSameExp) {
   for (const Angle& a : angles()) {
     if (a.theta <= pi()) continue;
     const ExpResult e = exp_se3(stack(vector(1, 2, 3), along(vector(0.3, -0.5, 0.8), a.theta)));
@@ -240,7 +240,7 @@ TEST(LogOracle, OfAMatrixIsThatOfTheNearestRotation) {
       const Mat3<> stored = e.R * stretch;
       const LogResult l = log_so3_matrix(stored);
       EXPECT_TRUE(l.resolved) << a.name;
-      // 50 digits of R hold phi to 1e-50 of the identity's ones
+      // R has entries of size 1 with 50 digits, so that phi has an absolute error of 1e-50
       EXPECT_LE(norm(l.phi - phi), Real("1e-47") + Real(rounding * a.theta)) << a.name;
     }
   }
@@ -279,7 +279,7 @@ TEST(IntegrateOracle, AndDifferenceAreInverseInEveryBandUpToPi) {
     if (a.theta >= pi()) continue;
     for (const Vec3<>& axis : axes()) {
       const Vec6<> delta = stack(vector(0.25, -0.75, 1.5), along(axis, a.theta));
-      // from the identity, where 50 digits of the result hold delta
+      // from the identity, because 50 digits of the result then determine delta
       const Vec7<> q0{{Real(0), Real(0), Real(0), Real(0), Real(0), Real(0), Real(1)}};
       const IntegrateResult r = integrate(q0, delta);
       const DifferenceResult d = difference(q0, configuration(r.p, r.Q));
@@ -292,7 +292,7 @@ TEST(IntegrateOracle, AndDifferenceAreInverseInEveryBandUpToPi) {
   }
 }
 
-TEST(DifferenceOracle, KeepsItsRelativeAccuracyWhereItIsSubnormal) {
+TEST(DifferenceOracle, KeepsItsRelativeAccuracyIfItIsSubnormal) {
   const Vec7<> q0{{Real(5), Real(0), Real(0), Real(0), Real(0.6), Real(0), Real(0.8)}};
   Vec7<> q1 = q0;
   q1[1] = Real(3e-300);
@@ -306,7 +306,7 @@ TEST(DifferenceOracle, KeepsItsRelativeAccuracyWhereItIsSubnormal) {
             Real(promised * x));
 }
 
-TEST(DifferenceOracle, OfAConfigurationAndItsOppositeQuaternionIsZero) {
+TEST(DifferenceOracle, OfQAndMinusQIsZero) {
   Vec7<> q1 = somewhere();
   for (int i = 3; i < 7; ++i) q1[i] = -q1[i];
   const DifferenceResult d = difference(somewhere(), q1);
@@ -330,7 +330,7 @@ TEST(DifferenceOracle, OfNearPosesInFloat128IsResolved) {
 
 // ---- Jacobians
 
-/// The inverse is singular at 2 pi k, and theta is accurate to 1e-50 only.
+/// The inverse is singular at 2 pi k, and theta is accurate only to 1e-50.
 bool near_singular(const Real& theta) {
   const Real periods = theta / (2 * pi());
   return theta > 1 && abs(periods - round(periods)) * 2 * pi() < Real("1e-40");
@@ -353,7 +353,7 @@ TEST(JacobianOracle, ClosedFormAndPhi1AgreeInEveryBand) {
       }
 }
 
-TEST(JacobianOracle, FiniteDifferencesAreTheRightJacobianUpToAHundredMillionRadians) {
+TEST(JacobianOracle, FiniteDifferencesAgreeWithTheRightJacobianUpToAHundredMillionRadians) {
   for (const Angle& a : angles(false)) {
     if (a.theta > Real("1e8")) continue;
     for (const Vec3<>& rho : lengths()) {
@@ -537,12 +537,12 @@ TEST(ConditionOracle, OfExpNearTwoPiGrowsAsTheInverseOfTheDistance) {
   EXPECT_NEAR(kappa[0] * 1e-10 / 6.283185307, 1, 1e-3);  // dp/dtheta theta / p = theta / distance
 }
 
-TEST(ConditionOracle, DoesNotCountANumberThatIsZero) {
+TEST(ConditionOracle, IgnoresAnInputThatIsZero) {
   const Function sum = [](const std::vector<Real>& x) { return std::vector<Real>{x[0] + x[1]}; };
   EXPECT_NEAR(condition(sum, {Real(0), Real(3)}, {{0, 1}})[0], 1, 1e-9);
 }
 
-TEST(ErrorMeasure, OfARotationIsThatOfTheNearerSignWhateverTheNorm) {
+TEST(ErrorMeasure, OfAQuaternionTakesTheNearerSignAndIgnoresTheNorm) {
   const Quaternion<> Q = exp_so3(vector(0.1, 0.2, 0.3)).Q;
   EXPECT_LE(rotation_error<double>(Q, Q), 1e-30);
   EXPECT_LE(rotation_error<double>(Real(-1.01) * Q, Q), 1e-30);
@@ -592,7 +592,7 @@ TEST(ErrorMeasure, OfAVectorIsRelativeDownToTheSmallestDenominator) {
   EXPECT_GT(underflowed, 0);
 }
 
-TEST(ErrorMeasure, OfALogAtThetaEqualToPiIsThatOfTheNearerAxis) {
+TEST(ErrorMeasure, OfALogAtThetaEqualToPiTakesTheNearerAxis) {
   const LogResult l = log_se3({{Real(0.6), Real(0), Real(0.8), Real(0)}}, vector(1, 2, 3));
   const TwistError a = log_error<double>(l.value(), l), b = log_error<double>(l.other, l);
   EXPECT_LE(a.angular + a.linear + b.angular + b.linear, 1e-20);

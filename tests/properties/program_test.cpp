@@ -1,4 +1,4 @@
-// The program as a user meets it: what it refuses, with which line and code, and what it never loses.
+// The program's command line: what it refuses, with which message and exit code, and what it never loses.
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 class Program : public testing::Test {
  protected:
   struct Run {
-    int code;  ///< -1 where a signal or the time limit ended it
+    int code;  ///< -1 if a signal or the time limit ended it
     std::string out, err;
   };
   fs::path dir = fs::path(testing::TempDir()) / ("liecheck_program_" + std::to_string(::getpid()));
@@ -40,7 +40,7 @@ class Program : public testing::Test {
     std::ofstream(dir / name, std::ios::binary) << text;
     return dir / name;
   }
-  /// Of a shell line in the test's folder, where $L is the program.
+  /// Runs a shell line in the test's folder. $L is the program.
   Run shell(const std::string& line) const {
     const std::string whole = "cd '" + dir.string() + "'; L='timeout 60 " + LIECHECK_PROGRAM + "'; { " +
                               line + "; } >out 2>err </dev/null";
@@ -49,7 +49,7 @@ class Program : public testing::Test {
             read(dir / "err")};
   }
   Run run(const std::string& arguments) const { return shell("$L " + arguments); }
-  /// Refused with 2 and one line that holds the words, before anything ran.
+  /// Expects exit code 2, an error of one line that contains `words`, and no output.
   void refused(const std::string& arguments, const std::string& words) const {
     const Run r = run(arguments);
     EXPECT_EQ(r.code, 2) << arguments << "\n" << r.err;
@@ -86,7 +86,7 @@ TEST_F(Program, EmptyValuesAndUnknownWordsAreNamed) {
   refused("report r.json --seed 3", "excludes");
 }
 
-TEST_F(Program, ASweepNamesWhatItRefusesAndSaysWhatItsBoundIs) {
+TEST_F(Program, ASweepRefusesBadArgumentsAndSaysWhichBoundItGives) {
   refused("sweep --coefficient c9", "--coefficient: unknown coefficient 'c9'; known: c0, c1, ");
   refused("sweep --coefficient ''", "--coefficient: may not be empty");
   refused("sweep --stride 0", "--stride: '0'");
@@ -105,7 +105,7 @@ TEST_F(Program, ASweepNamesWhatItRefusesAndSaysWhatItsBoundIs) {
   EXPECT_EQ(shell("timeout --preserve-status -s INT 0.3 $L sweep -j 1 --coefficient alpha").code, 3);
 }
 
-TEST_F(Program, AHuntAddsToACorpusAndToNothingElse) {
+TEST_F(Program, AHuntAppendsToACorpusAndRefusesAnyOtherFile) {
   const std::string hunt =
       "hunt --subject textbook --op exp6 --property exp_oracle --evaluations 400 --corpus ";
   store("notes.txt", "a list\nof mine\n");
@@ -120,7 +120,7 @@ TEST_F(Program, AHuntAddsToACorpusAndToNothingElse) {
   EXPECT_EQ(run("hard-cases --file cases.txt --property exp_oracle").code, 0);
 }
 
-TEST_F(Program, CostNamesWhatItRefusesAndKeepsWhatIsDone) {
+TEST_F(Program, CostRefusesBadArgumentsAndRecordsAnInterruptedRun) {
   refused("cost --op exp7", "--op: unknown operation 'exp7'; known: exp3_quaternion, ");
   refused("cost --subject nope", "--subject: unknown subject 'nope'; known: ");
   refused("cost --scalar half", "--scalar: unknown scalar 'half'; known: float, double, ");
@@ -154,7 +154,7 @@ TEST_F(Program, CostNamesWhatItRefusesAndKeepsWhatIsDone) {
   EXPECT_EQ(nlohmann::json::parse(read(dir / "i.json"))["verdict"], "incomplete");
 }
 
-TEST_F(Program, CaseIdsAreRefusedWithTheirPosition) {
+TEST_F(Program, InvalidCaseIdsAreRefusedWithThePosition) {
   const std::string id = "raw.exp_oracle.liecheck.double.none.";
   refused("replay " + id + "1,a,2", "'" + id + "1,a,2': number 2 is not a number: 'a'");
   refused("replay " + id + "1,2,3,", "number 4 is not a number: ''");
@@ -177,7 +177,7 @@ TEST_F(Program, ARobotIsReadOnceAndItsNameIsThatOfTheParser) {
   }
 }
 
-TEST_F(Program, WordsHoldForAShellAndForATerminal) {
+TEST_F(Program, TextIsQuotedForAShellAndEscapedForATerminal) {
   using liecheck::properties::printable, liecheck::properties::shell_quoted;
   for (const char* word : {"it's x.urdf", "", "a\nb", "$(echo x)", "*", "plain.urdf", "~", "-n"})
     EXPECT_EQ(shell("printf %s " + shell_quoted(word)).out, word);
@@ -196,7 +196,7 @@ TEST_F(Program, LostOutputIsAnError) {
   EXPECT_EQ(shell("$L nope 2>/dev/full").code, 2);
 }
 
-TEST_F(Program, NeitherTableNorRecordIsLostWithTheOther) {
+TEST_F(Program, TheTableAndTheRecordSurviveTheLossOfTheOther) {
   store("r.json.part", "of the user");
   shell("$L " + quick + "--json r.json >&-");
   EXPECT_EQ(nlohmann::json::parse(read(dir / "r.json"))["verdict"], "pass");
@@ -210,14 +210,14 @@ TEST_F(Program, NeitherTableNorRecordIsLostWithTheOther) {
   refused(quick + "--json gone/r.json", "gone/r.json: cannot be written: No such file");
 }
 
-TEST_F(Program, AHangUpKeepsTheRecord) {
+TEST_F(Program, AHangUpSignalStillWritesTheRecord) {
   const Run r =
       shell("timeout -s HUP 2 $L campaign --no-hard-cases --property exp_oracle --for 50 -j 1 --json r.json");
   EXPECT_EQ(nlohmann::json::parse(read(dir / "r.json"))["verdict"], "incomplete") << r.err;
 }
 
-// As `timeout` does, which tells the program and then its whole group.
-TEST_F(Program, TwoSignalsOfOneStopAreOne) {
+// `timeout` sends a signal to the program and then to its whole process group.
+TEST_F(Program, TwoSignalsAtOnceCountAsOne) {
   const Run r = shell(
       "${L#timeout 60 } campaign --no-hard-cases --property exp_oracle --for 50 -j 1 --json r.json & "
       "sleep 2; kill -TERM $!; kill -HUP $!; wait $!");
@@ -225,8 +225,8 @@ TEST_F(Program, TwoSignalsOfOneStopAreOne) {
   EXPECT_EQ(nlohmann::json::parse(read(dir / "r.json"))["verdict"], "incomplete") << r.err;
 }
 
-// Here in a record that nobody reads.
-TEST_F(Program, ALaterSignalStopsAtOnce) {
+// The program is blocked here: it writes its record to a pipe that is not read.
+TEST_F(Program, ALaterSecondSignalStopsTheProgramAtOnce) {
   const Run r = shell(
       "mkfifo unread; sleep 9 <unread & "
       "${L#timeout 60 } campaign --no-hard-cases --cases 20 -j 1 --json /dev/stdout >unread & "
@@ -234,9 +234,9 @@ TEST_F(Program, ALaterSignalStopsAtOnce) {
   EXPECT_EQ(r.code, 0) << r.err;
 }
 
-TEST_F(Program, ThreadsThatCannotBeHadAreALine) {
+TEST_F(Program, ThreadsThatCannotBeStartedAreAnErrorOfOneLine) {
   const Run r = shell("ulimit -v 400000; $L campaign --property exp_oracle --cases 2 -j 1024");
-  if (r.code == 0) GTEST_SKIP() << "the limit does not hold here";
+  if (r.code == 0) GTEST_SKIP() << "the memory limit has no effect here";
   EXPECT_EQ(r.code, 2) << r.err;
   EXPECT_NE(r.err.find("--jobs 1024: only "), std::string::npos) << r.err;
 }

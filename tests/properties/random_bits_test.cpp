@@ -23,7 +23,7 @@ TEST(RandomBits, OfNeighbouringCasesAreIndependent) {
     for (std::size_t k = 0; k < numbers; ++k) seen.insert(c.bits());
   }
   EXPECT_EQ(seen.size(), cases * numbers);
-  EXPECT_NEAR(ones / static_cast<double>(cases), 32, 0.6);  // 4 / sqrt(2000) = 0.09 a standard deviation
+  EXPECT_NEAR(ones / static_cast<double>(cases), 32, 0.6);  // the standard deviation is 4 / sqrt(2000) = 0.09
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The generators in RapidCheck: rc::check finds a planted bug and shrinks it to short numbers.
+// The generators for RapidCheck: rc::check finds a planted bug and shrinks it to short numbers.
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// What a record says of numbers that are not finite, and the verdict of a bench of known bugs.
+// How a record stores numbers that are not finite, and the verdict of a bench of known bugs.
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 namespace liecheck::properties {
 namespace {
 
-TEST(RecordNumbers, WithoutAJsonFormAreStrings) {
+TEST(RecordNumbers, ThatAreNotFiniteAreStrings) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   EXPECT_EQ(number(0.1), 0.1);
   EXPECT_EQ(number(std::nan("")), "nan");
@@ -20,7 +20,7 @@ TEST(RecordNumbers, WithoutAJsonFormAreStrings) {
   EXPECT_EQ(numbers(std::vector<double>{1, -infinity}).dump(), "[1.0,\"-inf\"]");
 }
 
-TEST(RecordOfKnownBugs, PassesWhereEveryBugIsKilledAndNoLookAlikeRefused) {
+TEST(RecordOfKnownBugs, PassesIfEveryBugAndNoLookAlikeIsKilled) {
   BugBench bench;
   bench.rows.resize(2);
   bench.rows[0].name = "bug:a", bench.rows[0].killed = true;

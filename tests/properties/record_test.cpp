@@ -19,7 +19,7 @@ namespace {
 
 using namespace liecheck::reports;
 
-/// What a command writes with --json. Its exit code is its verdict, which is not asked for here.
+/// The record that a command writes with --json. Its verdict, exit code 0 or 1, is ignored.
 Json written(const std::string& arguments) {
   const auto file =
       std::filesystem::path(testing::TempDir()) / ("liecheck_record_" + std::to_string(::getpid()) + ".json");
@@ -59,8 +59,8 @@ TEST(Record, OfACampaignHasEveryDocumentedFieldAndNoOther) {
   EXPECT_THROW(check_record("campaign.json", spoilt), std::runtime_error);
 }
 
-/// What a record lacks of the definitions of the operations and blocks in its results.
-std::set<std::string> missing_definitions(const Json& record) {
+/// Faults in the definitions of the operations and blocks in a record's results.
+std::set<std::string> faulty_definitions(const Json& record) {
   std::map<std::string, std::string> operations;  // by definition
   std::set<std::string> bad;
   std::set<std::pair<std::string, std::string>> blocks;
@@ -90,16 +90,16 @@ std::set<std::string> missing_definitions(const Json& record) {
 }
 
 TEST(Record, DefinesEveryOperationAndBlockByItself) {
-  EXPECT_EQ(missing_definitions(campaign()), std::set<std::string>());
+  EXPECT_EQ(faulty_definitions(campaign()), std::set<std::string>());
   Json less = campaign();
   const Json &row = less["results"][0], &blocks = less["blocks"];
   for (std::size_t i = blocks.size(); i-- > 0;)
     if (blocks[i]["block"] == row["block"] && blocks[i].value("operation", "") == row["operation"])
       less["blocks"].erase(i);
-  EXPECT_EQ(missing_definitions(less).size(), 1u);
+  EXPECT_EQ(faulty_definitions(less).size(), 1u);
   less = campaign();
   less["operations"][0]["definition"] = less["operations"][1]["definition"];
-  EXPECT_FALSE(missing_definitions(less).empty());
+  EXPECT_FALSE(faulty_definitions(less).empty());
 }
 
 TEST(Record, OfCostAndSweepHasEveryDocumentedFieldAndNoOther) {
@@ -118,7 +118,7 @@ TEST(Record, OfScenesHasNoUndocumentedField) {
   EXPECT_NO_THROW(check_record("report.json", whole));
   const Disagreement found = compare_fields(schema()["properties"]["scenes"], whole["scenes"]);
   EXPECT_EQ(found.undocumented, std::set<std::string>());
-  for (const std::string& field : found.absent)  // a report's record alone has these
+  for (const std::string& field : found.absent)  // only the record of a report has these
     EXPECT_TRUE(field.starts_with("costs") || field.starts_with("films") || field.starts_with("peers[]") ||
                 field.starts_with("spins[]") || field.starts_with("flips[]"))
         << field;

@@ -33,7 +33,7 @@ Worst hunt(const std::string& subject, const std::string& operation, const std::
   return hunt(*series(subject, property), options).worst.at(0);
 }
 
-TEST(Hunt, FindsTheCliffsThatUniformSamplingMisses) {
+TEST(Hunt, FindsErrorsTenTimesLargerThanUniformSampling) {
   for (const char* subject : {"textbook:1e-8", "textbook:1e-6", "textbook:1e-4"}) {
     const Worst hunted = hunt(subject, "exp6", "translation", 3000);
     EXPECT_GE(hunted.score, 10 * hunt(subject, "exp6", "translation", 3000, true).score) << subject;
@@ -42,7 +42,7 @@ TEST(Hunt, FindsTheCliffsThatUniformSamplingMisses) {
 }
 
 TEST(Hunt, ComesWithinAFactorOfTwoOfTheKnownPeak) {
-  // (1 - cos(theta))/theta^2 is 0 or 1 where it should be 1/2: theta/2 at 1e-8 and up to 1.06e-8.
+  // For theta in [1e-8, 1.06e-8], (1 - cos(theta))/theta^2 is computed as 0 or 1: an error of theta/2 in p.
   EXPECT_GE(hunt("textbook:1e-8", "exp6", "translation", 3000).score, 0.5 * 1e-8 / 2 / 0x1p-52);
 }
 
@@ -65,7 +65,7 @@ TEST(Hunt, ReplaysFromItsInput) {
   EXPECT_EQ(again.at(0).residual.error, w.judged.residual.error);
 }
 
-TEST(Hunt, MaximisesTheErrorOverKappaWhereAsked) {
+TEST(Hunt, MaximisesTheErrorOverKappaIfRequested) {
   HuntOptions options;
   options.operation = "exp6", options.block = "translation";
   options.evaluations = 500;
@@ -76,7 +76,7 @@ TEST(Hunt, MaximisesTheErrorOverKappaWhereAsked) {
   EXPECT_NEAR(w.score, w.judged.residual.error / w.judged.residual.kappa, 1e-9 * w.score);
 }
 
-TEST(Subjects, WithAVariantRunOnlyWhereTheyAreNamed) {
+TEST(Subjects, WithAVariantRunOnlyIfTheyAreNamed) {
   for (const auto& s : select({}, built_in_robot())) EXPECT_EQ(s->subject.find(':'), std::string::npos);
   EXPECT_EQ(series("textbook:1e-4", "exp_oracle")->subject_version, "cutoff 1e-4");
 }
@@ -86,7 +86,7 @@ class GeneratorStatements : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(GeneratorStatements, Scalars);
 
-TYPED_TEST(GeneratorStatements, AreKept) {
+TYPED_TEST(GeneratorStatements, AboutFrequenciesHoldForEveryClass) {
   constexpr int n = 20000;
   for (auto& property : make_properties<TypeParam>()) {
     property->prepare(built_in_robot());
@@ -108,7 +108,7 @@ TYPED_TEST(GeneratorStatements, AreKept) {
   }
 }
 
-TEST(CoverageReport, NamesWhatANarrowedGeneratorNeverReaches) {
+TEST(CoverageReport, NamesTheClassesThatANarrowGeneratorNeverReaches) {
   const auto s = series("liecheck", "exp_oracle");
   Tally tally;
   for (int i = 0; i < 6000; ++i) {
@@ -125,7 +125,7 @@ TEST(CoverageReport, NamesWhatANarrowedGeneratorNeverReaches) {
     EXPECT_NE(line.find(what), std::string::npos) << what;
 }
 
-TEST(CoverageReport, AsksNothingOfAFewCasesAndPassesOnTheWholeGenerator) {
+TEST(CoverageReport, RequiresNothingOfAFewCasesAndPassesForTheWholeGenerator) {
   CampaignOptions options;
   options.selection = {{"liecheck"}, {"exp_oracle"}, {"double"}};
   options.quiet = true;
@@ -158,7 +158,7 @@ TEST(Shrinking, EndsInShortNumbers) {
             (V{0, -1, 0, 1, 0, 0, 0, 0, 1}));
 }
 
-TEST(Shrinking, LeavesTheJointsThatMatter) {
+TEST(Shrinking, KeepsOnlyTheJointsThatMatter) {
   using V = std::vector<double>;
   const auto all = make_properties<double>();
   const auto law =
@@ -202,7 +202,7 @@ TEST(Shrinking, KeepsTheOutputAndTheOutcome) {
   EXPECT_GE(zeros, 4u);
 }
 
-/// The snippets of every law and operation in one translation unit, each under a name of its own.
+/// Compiles the snippets of every law and operation as one translation unit, each in its own function.
 TEST(Snippets, Compile) {
   namespace fs = std::filesystem;
   std::string unit, bodies;

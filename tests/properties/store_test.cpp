@@ -54,7 +54,7 @@ class Stores : public testing::Test {
   }
   static std::string text(const std::string& name) { return export_text(load_campaign(name)); }
 
-  /// The one line of an error, or "".
+  /// The message of the exception that f throws, or "".
   template <class F>
   static std::string error(F f) {
     try {
@@ -75,7 +75,7 @@ class Stores : public testing::Test {
     return {std::istreambuf_iterator<char>(f), {}};
   }
 
-  /// Of the damage, the kills and the orders of files.
+  /// The seed of the damaged bytes, the times of kills and the orders of files.
   static unsigned seed() {
     const char* given = std::getenv("LIECHECK_SEED");
     return given ? static_cast<unsigned>(std::strtoul(given, nullptr, 10)) : std::random_device{}();
@@ -112,7 +112,7 @@ TEST_F(Stores, ExportTheSameForOneThreadTwoAndSevenShardsInAnyOrder) {
   auto parts = shards(7);
   for (int i = 0; i < 3; ++i) {
     std::shuffle(parts.begin(), parts.end(), random_);
-    merge_into(file("merged"), parts, false);  // the second time into the same file: it does not change
+    merge_into(file("merged"), parts, false);  // merging into the same file again changes nothing
     EXPECT_EQ(text(file("merged")), one);
   }
   EXPECT_EQ(Store(file("merged"), Store::Open::existing).campaigns(), 1);
@@ -135,7 +135,7 @@ TEST_F(Stores, ExportTheSameForThreeRanks) {
   EXPECT_EQ(text(file("ranks")), text(file("one")));
 }
 
-TEST_F(Stores, GoOnAfterKillsToTheSameExport) {
+TEST_F(Stores, ResumeAfterKillsToTheSameExport) {
   CampaignOptions o = options(600);
   for (double seconds = 0; seconds < 1; o.cases *= 2) {  // long enough to be killed several times
     const auto start = std::chrono::steady_clock::now();
@@ -160,7 +160,7 @@ TEST_F(Stores, GoOnAfterKillsToTheSameExport) {
     waitpid(child, &status, 0);
     if (WIFEXITED(status)) break;
     ++kills;
-    Store store(file("killed"), Store::Open::create);  // whole, or not there yet
+    Store store(file("killed"), Store::Open::create);  // valid, or created now
     if (store.campaigns() == 0) continue;
     std::uint64_t done = 0;
     for (const auto& s : store.load(1).series) done += s.tally.cases;
@@ -188,7 +188,7 @@ TEST_F(Stores, RefuseAnotherCampaignAndNameWhatDiffers) {
   EXPECT_SAYS(error([&] { run("b", part, true); }), "cases 0..105 against 105..210");
 }
 
-TEST_F(Stores, ReplayEarlierCounterexamplesBesideTheCountedCases) {
+TEST_F(Stores, ReplayEarlierCounterexamplesOutsideTheCountedCases) {
   run("a", options());
   CampaignOptions o = options(50, 7);
   Store store(file("a"), Store::Open::create);
@@ -238,7 +238,7 @@ TEST_F(Stores, CompareFindsWhatGotWorse) {
   EXPECT_EQ(worse(a, b).size(), 1u);
   EXPECT_TRUE(worse(b, a).empty());
   for (const auto& line : worse(a, load_campaign(run("other", options(210, 43)))))
-    EXPECT_SAYS(line, "failed");  // a sample of textbook's failures, no shift
+    EXPECT_SAYS(line, "failed");  // another seed changes only how often textbook fails
 }
 
 TEST_F(Stores, OfAnotherKindOrDamagedAreRefusedWithOneLine) {
@@ -268,7 +268,7 @@ TEST_F(Stores, OfAnotherKindOrDamagedAreRefusedWithOneLine) {
   }
 }
 
-TEST_F(Stores, KeepTheirDataWhereTheDiskIsFullOrReadOnly) {
+TEST_F(Stores, KeepTheirDataIfTheDiskIsFullOrReadOnly) {
   const std::string name = run("full", options(210));
   const std::string before = text(name);
   const std::string more = "campaign --subject textbook --scalar double --seed 7 --cases 2000 --store ";
@@ -293,7 +293,7 @@ TEST_F(Stores, KeepTheirDataWhereTheDiskIsFullOrReadOnly) {
   EXPECT_EQ(text(file("full@1")), before);
 }
 
-TEST_F(Stores, StopAtASignalAndSayHowToGoOn) {
+TEST_F(Stores, StopAtASignalAndSayHowToResume) {
   const std::string store = "'" + file("a b") + "'";
   const std::string quoted = "campaign --no-hard-cases --subject textbook --cases 100000000 --store " + store;
   // The signal handlers are installed before the store is created.

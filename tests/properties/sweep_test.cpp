@@ -1,4 +1,4 @@
-// The sweep of every float: its oracle against closed forms at 100 digits, its intervals of one value, planted errors.
+// The sweep over every float: its oracle against 100-digit closed forms, constant intervals, planted errors.
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ namespace {
 using oracles::Real100;
 using enum oracles::Coefficient;
 
-/// The closed form in theta, or in tan h; it cancels at most 75 of the 100 digits for x >= 1e-15.
+/// The closed form in theta or in tan h. For x >= 1e-15 cancellation costs at most 75 of the 100 digits.
 Real100 closed_form(Coefficient which, double argument) {
   const Real100 x(argument), t = sqrt(x);
   if (which == angle_over_sine || which == alpha) return atan2(t, Real100(1)) / t * (which == alpha ? 1 : 2);
@@ -70,7 +70,7 @@ TEST(SweepOracle, KeepsItsBoundAgainstClosedFormsAt100Digits) {
                         last = std::bit_cast<std::uint32_t>(code_of(claim.coefficient).last);
     double most = 0;
     for (int i = 0; i < 600; ++i) {
-      // All binades, and half of them in the last four of the angles.
+      // All binades; every second interval is at x >= 0.5.
       const std::uint32_t near = i % 2 ? std::bit_cast<std::uint32_t>(0.5f) : first;
       const std::uint32_t from = std::uniform_int_distribution(near, last)(random) & ~4095u;
       const std::uint32_t to = std::min(last, from + 4095);
@@ -88,7 +88,7 @@ TEST(SweepOracle, KeepsItsBoundAgainstClosedFormsAt100Digits) {
   }
 }
 
-/// Over these the truncation error of the cubic is the bound, not its rounding errors.
+/// Over wide intervals the truncation error of the cubic exceeds its rounding errors.
 TEST(SweepOracle, KeepsItsBoundOverWideIntervals) {
   for (const CoefficientClaim& claim : coefficient_claims()) {
     const bool absolute = oracles::is_absolute(claim.coefficient);
@@ -103,11 +103,11 @@ TEST(SweepOracle, KeepsItsBoundOverWideIntervals) {
         tightest = std::max(tightest, error / e.bound);
       }
     }
-    EXPECT_GT(tightest, 1e-4) << claim.name;  // Cauchy's estimate is generous, but not vacuous
+    EXPECT_GT(tightest, 1e-4) << claim.name;  // Cauchy's estimate is not too pessimistic
   }
 }
 
-TEST(SweepIntervals, ProvedConstantAreConstant) {
+TEST(SweepIntervals, ThatAreProvedConstantAreConstant) {
   std::mt19937 random(3);
   for (const CoefficientCode& code : library_coefficients()) {
     int seen = 0, refused = 0;
@@ -137,7 +137,7 @@ TEST(SweepIntervals, ProvedConstantAreConstant) {
   }
 }
 
-TEST(SweepIntervals, AnIntervalHoldsTheResultsOfItsPoints) {
+TEST(SweepIntervals, AnIntervalContainsTheResultsOfItsPoints) {
   std::mt19937 random(8);
   std::uniform_real_distribution<float> any(-2, 2), share(0, 1);
   for (int i = 0; i < 20000; ++i) {
@@ -157,7 +157,7 @@ TEST(SweepIntervals, AnIntervalHoldsTheResultsOfItsPoints) {
   }
 }
 
-TEST(Sweep, OfEveryThousandthFloatRefutesNothingAndIsALowerBound) {
+TEST(Sweep, OfEvery1009thFloatFailsNothingAndIsALowerBound) {
   SweepOptions options;
   options.stride = 1009;
   const SweepResult r = sweep(options);
@@ -178,7 +178,7 @@ TEST(Sweep, OfEveryThousandthFloatRefutesNothingAndIsALowerBound) {
   }
 }
 
-/// c_4 by its first terms.
+/// The first `terms` terms of the series of c_4.
 float short_series(float x, int terms) {
   float sum = 0;
   for (int j = terms; j-- > 0;)
@@ -193,20 +193,20 @@ CoefficientCode planted(const std::function<float(float)>& f) {
   return {{c4}, code_of(c4).last, evaluate, [](float, float, float*) { return false; }};
 }
 
-TEST(Sweep, SeesASeriesThatIsOneTermShort) {
+TEST(Sweep, FailsASeriesThatIsOneTermShort) {
   SweepOptions options;
   options.stride = 10007;
   const auto terms = [&](int n) {
     return sweep(options, {planted([n](float x) { return short_series(x, n); })});
   };
-  // Left out at (pi/2)^2: x^5 4!/14! = 0.2 eps of c_4, and x^4 4!/12! = 15 eps.
+  // First omitted term at x = (pi/2)^2, relative to 1/4!: x^5 4!/14! = 0.2 eps, and x^4 4!/12! = 15 eps.
   EXPECT_FALSE(terms(5).failed());
   const SweepResult r = terms(4);
   EXPECT_TRUE(r.failed());
   EXPECT_GT(r.coefficients[0].max_at, 2.4f);
 }
 
-TEST(Sweep, SeesNaN) {
+TEST(Sweep, FailsNaN) {
   SweepOptions options;
   options.stride = 10007;
   const auto r =
@@ -215,7 +215,7 @@ TEST(Sweep, SeesNaN) {
   EXPECT_TRUE(std::isinf(r.coefficients[0].max_eps));
 }
 
-TEST(Sweep, OfEveryFloatSeesTheOneThatIsWrong) {
+TEST(Sweep, OfEveryFloatFindsTheOneThatIsWrong) {
   const float wrong = 0x1.2c3d5ep+1f;
   CoefficientCode code = code_of(half_sine);
   code.evaluate = [whole = code.evaluate, wrong](const float* x, std::size_t n, float* const* out) {

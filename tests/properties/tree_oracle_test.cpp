@@ -1,4 +1,4 @@
-// oracles/tree.hpp against Lagrange's equations of the energies; oracles/tree_sizes.hpp as an upper bound.
+// Compares oracles/tree.hpp with Lagrange's equations. Checks that oracles/tree_sizes.hpp is an upper bound.
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ TreeCase<T> case_of(std::uint64_t index, bool floating = false) {
   const std::vector<double> x = random_tree<double>(source, floating);
   return TreeCase<T>(TreeLayout{tree_slots}, x, std::vector<T>(x.begin(), x.end()));
 }
-/// Are all coordinates those of vector spaces, with q' = v?
+/// Does q' = v hold for every joint?
 bool vector_space(const TreeCase<T>& c) {
   for (const auto& j : c.tree.joints)
     if (j.kind != JointKind::revolute && j.kind != JointKind::prismatic && j.kind != JointKind::helical &&
@@ -26,7 +26,7 @@ bool vector_space(const TreeCase<T>& c) {
   return true;
 }
 
-TEST(TreeOracle, TorquesAreLagrangesEquationsOfTheEnergies) {
+TEST(TreeOracle, TorquesFollowFromLagrangesEquations) {
   int tried = 0;
   const T h = ldexp(T(1), -100);
   for (std::uint64_t index = 0; tried < 20; ++index) {
@@ -50,7 +50,7 @@ TEST(TreeOracle, TorquesAreLagrangesEquationsOfTheEnergies) {
     for (std::size_t k = 0; k < n; ++k) {
       Numbers e(n, T(0));
       e[k] = 1;
-      const auto momentum = [&](const T& t) {  // dT/dv_k: T is quadratic in v, so that any step is exact
+      const auto momentum = [&](const T& t) {  // dT/dv_k: T is quadratic in v, so any step is exact
         const Numbers q = moved(c.q, c.v, t), v = moved(c.v, c.a, t);
         return T((kinetic(q, moved(v, e, T(1))) - kinetic(q, moved(v, e, T(-1)))) / 2);
       };
@@ -64,7 +64,7 @@ TEST(TreeOracle, TorquesAreLagrangesEquationsOfTheEnergies) {
   }
 }
 
-TEST(TreeOracle, TheMassMatrixIsTheHessianOfTheKineticEnergyAndItsRateThatOfTheMomentum) {
+TEST(TreeOracle, VMVIsTwiceTheKineticEnergyAndThePowerIsTheRateOfTheEnergy) {
   for (std::uint64_t index = 0; index < 40; ++index) {
     TreeCase<T> c = case_of(index);
     for (auto& j : c.tree.joints) j.armature = 0;
@@ -88,10 +88,10 @@ TEST(TreeOracle, WithoutForcesOnItsBaseAFloatingRobotKeepsItsMomentum) {
     c.tree.joints[0].armature = 0;
     const Numbers zero(c.v.size(), T(0));
     const TreeDynamics<T> unaccelerated(c.tree, c.q, c.v, zero);
-    Numbers force = unaccelerated.torque();  // then the right-hand side of M a = tau - h
+    Numbers force = unaccelerated.torque();  // becomes the right-hand side of M a = tau - h
     for (std::size_t k = 0; k < force.size(); ++k) force[k] = (k < 6 ? T(0) : c.a[k]) - force[k];
     const Numbers factor = positive_factor(unaccelerated.mass(), force.size());
-    if (factor.empty()) continue;  // a point mass on a free base without an armature
+    if (factor.empty()) continue;  // singular: a point mass on a free base without an armature
     ++tried;
     const Numbers a = solve(factor, force);
     const TreeDynamics<T> d(c.tree, c.q, c.v, a);

@@ -29,7 +29,7 @@ inline Inertia<double> awkward() {
   return {1.5, V3(0.1, -0.2, 0.3), Matrix3<double>((I + I.transpose()) / 2)};
 }
 
-/// Gravity along no axis of the body: the motion depends on q.
+/// Gravity that is parallel to no axis. The acceleration in body axes then depends on q.
 inline scene::Effects<double> gravity() {
   scene::Request request{"gravity", {}, 0};
   request.parameters.values["acceleration"] = {{1, -2, -9.81}, {}};

@@ -16,11 +16,11 @@ sc::Scene sceneOf(const std::string& effects,
                            effects + "]\nintegrator: {name: rkmk4, step: 1 ms}\nduration: 1 s\n",
                        "s.yaml", std::string(LIECHECK_FIXTURES) + "/scenes");
 }
-/// The power of an effect's forces, and its potential, of a random state that every term of it sees.
-struct Seen {
+/// The power of an effect's forces and the rate of its potential, in a random state.
+struct Rates {
   double power, potential_rate;
 };
-Seen see(const std::string& effect) {
+Rates rates_of(const std::string& effect) {
   const sc::Scene scene = sceneOf(effect);
   auto tree = sc::makeSystem<sc::Tree<double>>(scene);
   const auto& e = tree.effects().at(0);
@@ -31,38 +31,38 @@ Seen see(const std::string& effect) {
   std::vector<double> tau(std::size_t(scene.model.nv), 0.0);
   std::vector<Force<double>> f(std::size_t(scene.model.njoints), Force<double>::Zero());
   e->add(now, {tau, f});
-  Seen seen{0, 0};
-  for (std::size_t k = 0; k < tau.size(); ++k) seen.power += tau[k] * v[int(k)];
-  for (std::size_t i = 1; i < f.size(); ++i) seen.power += f[i].dot(now.V[i]);
-  const double h = 1e-5;  // error h^2, rounding eps/h: 1e-10
+  Rates rates{0, 0};
+  for (std::size_t k = 0; k < tau.size(); ++k) rates.power += tau[k] * v[int(k)];
+  for (std::size_t i = 1; i < f.size(); ++i) rates.power += f[i].dot(now.V[i]);
+  const double h = 1e-5;  // truncation error h^2 and rounding error eps/h: 1e-10
   const auto V = [&](double s) {
     const VectorX<double> moved = integrate(scene.model, q, s * v);
     return e->potential(tree.here(0.25, moved, v, sc::Kinematics::Poses));
   };
-  seen.potential_rate = (V(h) - V(-h)) / (2 * h);
-  return seen;
+  rates.potential_rate = (V(h) - V(-h)) / (2 * h);
+  return rates;
 }
 
-TEST(Effects, ThatConserveTakeFromTheirPotentialWhatTheyGive) {
+TEST(Effects, PowerOfConservativeForcesIsTheLossOfTheirPotential) {
   for (const char* effect :
        {"joint_spring: {stiffness: 3, rest: 0.2}", "joint_limits: {joints: hinge1, stiffness: 50}",
         "buoyancy: {frame: bar3, volume: 2 l}", "contact: {frames: [bar5, bar2], stiffness: 40}"}) {
-    const Seen seen = see(effect);
-    EXPECT_NEAR(seen.power, -seen.potential_rate, 1e-6 * (1 + std::abs(seen.power))) << effect;
-    EXPECT_TRUE(std::abs(seen.power) > 1e-3 || std::string(effect).find("limits") != std::string::npos)
+    const Rates rates = rates_of(effect);
+    EXPECT_NEAR(rates.power, -rates.potential_rate, 1e-6 * (1 + std::abs(rates.power))) << effect;
+    EXPECT_TRUE(std::abs(rates.power) > 1e-3 || std::string(effect).find("limits") != std::string::npos)
         << effect;
   }
 }
 
-TEST(Effects, ThatTakeTakeAlways) {
+TEST(Effects, DissipativeForcesHaveNegativePower) {
   for (const char* effect :
        {"joint_damping: {coefficient: 0.3}", "joint_friction: {force: 0.2}", "joint_damping",
         "joint_friction",
         "drag: {frame: bar2, linear: 0.3, quadratic: 0.2, angular_linear: 0.1, angular_quadratic: 0.4}"})
-    EXPECT_LT(see(effect).power, -1e-4) << effect;
+    EXPECT_LT(rates_of(effect).power, -1e-4) << effect;
 }
 
-TEST(Effects, DragIsAgainstTheVelocityOfItsFrame) {
+TEST(Effects, DragOpposesTheVelocityOfItsFrame) {
   const sc::Scene s = sceneOf("drag: {frame: body, linear: 3, quadratic: 2}", "{body: ball, radius: 1}");
   auto body = sc::makeSystem<sc::LoneBody<double>>(s);
   Vector6<double> v;
@@ -73,14 +73,14 @@ TEST(Effects, DragIsAgainstTheVelocityOfItsFrame) {
   EXPECT_TRUE(F.angular().isZero(0));
 }
 
-TEST(Effects, AWrenchLastsFromUntilAndTurnsWithItsAxes) {
+TEST(Effects, AWrenchActsBetweenItsTimesAndInItsAxes) {
   for (const char* axes : {"frame", "world"}) {
     const sc::Scene s = sceneOf(
         std::string("wrench: {frame: body, force: [1, 0, 0], axes: ") + axes + ", from: 1 s, until: 2 s}",
         "{body: ball, radius: 1}");
     auto body = sc::makeSystem<sc::LoneBody<double>>(s);
     VectorX<double> q = s.q;
-    q.tail<4>() << 0, 0, std::sqrt(0.5), std::sqrt(0.5);  // a quarter turn about z
+    q.tail<4>() << 0, 0, std::sqrt(0.5), std::sqrt(0.5);  // 90 degrees about z
     const auto f = [&](double t) { return body.force(t, q, Vector6<double>::Zero()).linear(); };
     EXPECT_TRUE(f(0.5).isZero(0));
     EXPECT_TRUE(f(2).isZero(0));
@@ -90,7 +90,7 @@ TEST(Effects, AWrenchLastsFromUntilAndTurnsWithItsAxes) {
   }
 }
 
-TEST(Effects, ContactNeverPullsAndIsContinuousAtTouch) {
+TEST(Effects, ContactNeverPullsAndIsContinuousAtTouchdown) {
   const auto force = [&](double z, double rate) {
     sc::Scene s = loadSceneText(
         "robot: {body: ball, radius: 1}\nground: {height: 0}\neffects: [contact: {frames: body, stiffness: "
@@ -103,13 +103,13 @@ TEST(Effects, ContactNeverPullsAndIsContinuousAtTouch) {
     return body.force(0, s.q, v).linear();
   };
   EXPECT_TRUE(force(0, -1).isZero(0));
-  EXPECT_TRUE(force(-0.1, 10).isZero(0));  // leaving fast: it does not hold the body back
+  EXPECT_TRUE(force(-0.1, 10).isZero(0));  // the body leaves fast and is not held back
   const auto f = force(-0.1, -0.5);
   EXPECT_DOUBLE_EQ(f[2], 100 * 0.1 * (1 + 2 * 0.5));
   EXPECT_NEAR(f[0], -0.5 * f[2], 1e-6 * f[2]);
 }
 
-TEST(Effects, GravityMovesALoneBodyAsATree) {
+TEST(Effects, GravityAcceleratesALoneBodyAndATreeAlike) {
   const sc::Scene s = sceneOf("gravity", "{body: box, size: [1, 2, 3], centre: [0.1, 0.2, 0.3]}");
   auto body = sc::makeSystem<sc::LoneBody<double>>(s);
   auto tree = sc::makeSystem<sc::Tree<double>>(s);
@@ -121,7 +121,7 @@ TEST(Effects, GravityMovesALoneBodyAsATree) {
   EXPECT_LE((a - b).norm(), 64 * eps<double>() * b.norm());
 }
 
-TEST(Effects, ArmatureMakesATreeOfALoneBody) {
+TEST(Effects, ABodyWithArmatureIsSimulatedAsATree) {
   EXPECT_TRUE(sc::isLoneBody(sceneOf("gravity", "{body: ball, radius: 1}")));
   EXPECT_FALSE(
       sc::isLoneBody(sceneOf("armature: {joints: root_joint, inertia: 1}", "{body: ball, radius: 1}")));
@@ -140,12 +140,12 @@ sc::Run fixture(const std::string& name) {
 TEST(Fixtures, AHoveringQuadrotorDoesNotMove) {
   EXPECT_EQ(figure(fixture("quadrotor_hover"), "largest change of energy"), 0);
 }
-TEST(Fixtures, ASplitBodyIsALoneOneAndMovesAsItsTwinMadeByHand) {
+TEST(Fixtures, ABodySplitIntoLinksMovesAsTheSameBodyMadeByHand) {
   auto s = loadScene(std::string(LIECHECK_FIXTURES) + "/scenes/split_body.yaml");
   EXPECT_TRUE(sc::isLoneBody(s));
-  s.observers.resize(2);  // energy and momentum, which know no frames
+  s.observers.resize(2);  // energy and momentum, which use no frames
   const sc::Run split = sc::run(s);
-  // The numbers of split_body.urdf: mass, centre of mass in the first link's axes, moments, turn of the link.
+  // The numbers of split_body.urdf: mass, centre of mass in the first link's axes, moments, rotation.
   struct Part {
     double mass;
     Vector3<double> centre, moments;
@@ -167,12 +167,12 @@ TEST(Fixtures, ASplitBodyIsALoneOneAndMovesAsItsTwinMadeByHand) {
   s.model = test::freeBody({3, c, I});
   const sc::Run twin = sc::run(s);
   ASSERT_EQ(split.rows.size(), twin.rows.size());
-  // Inertias a few eps apart turn phases apart by t omega = 50 times that, and 10^4 steps round 100 times at random: 8 of
-  // each, in columns of at most 10.
+  // The inertias differ by a few eps, which t omega = 50 times amplifies in the phase. The rounding errors of
+  // 10^4 steps add up at random, to 100 eps. The bound is 8 times their sum, for columns of at most 10.
   for (std::size_t i = 0; i < split.rows.size(); ++i)
     EXPECT_NEAR(split.rows[i], twin.rows[i], 8 * (50 + 100) * eps<double>() * 10);
 }
-TEST(Fixtures, MomentumStaysInZeroGravity) {
+TEST(Fixtures, AngularMomentumIsConstantInZeroGravity) {
   EXPECT_LE(figure(fixture("chain_zero_gravity"), "largest change of angular momentum"), 1e-12);
 }
 TEST(Fixtures, ADroppedQuadrupedComesToRestOnItsFeet) {
@@ -183,7 +183,7 @@ TEST(Fixtures, ADroppedQuadrupedComesToRestOnItsFeet) {
     const double x = run.rows[last + i];
     EXPECT_TRUE(name != "trunk.z" || x > 0.25) << x;
     EXPECT_TRUE(name != "kinetic" || x < 0.001) << x;
-    EXPECT_TRUE(name != "trunk.accel_z" || std::abs(x - 9.81) < 0.05) << x;  // an IMU at rest reads upward
+    EXPECT_TRUE(name != "trunk.accel_z" || std::abs(x - 9.81) < 0.05) << x;  // an IMU at rest measures +g
   }
 }
 /// Flips of the body are half a period apart, whatever the step.
@@ -194,7 +194,7 @@ TEST(Fixtures, DzhanibekovFlipsAtEqualTimes) {
     EXPECT_NEAR(figure(run, "flip " + std::to_string(i)) - figure(run, "flip " + std::to_string(i - 1)),
                 first, 1e-6 * first);
 }
-TEST(Starts, APrecessingTopKeepsItsNutation) {
+TEST(Starts, APrecessingTopKeepsItsInclination) {
   const sc::Run run = fixture("precessing_top");
   const std::size_t n = run.columns.size();
   double least = 1, most = -1;

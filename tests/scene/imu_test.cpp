@@ -1,4 +1,4 @@
-// scene/observers/imu.hpp: what it reads of a motion known by hand, and the statistics of its noise.
+// scene/observers/imu.hpp: its readings in a motion computed by hand, and the statistics of its noise.
 
 #include <gtest/gtest.h>
 
@@ -30,9 +30,9 @@ sc::Run watched(const std::string& imu, const std::string& motion, const std::st
                                "s.yaml", "."));
 }
 
-/// A box that falls and spins about its z: its centre of mass, at c, falls freely, so that the specific force of its
-/// frame's origin is that of going round the centre, -omega^2 (-c) in the plane, nothing along z; gravity is not felt.
-TEST(Imu, ReadsTheSpecificForceOfItsOwnPointAndItsBiases) {
+/// A box in free fall spins about its z axis, and the origin of its frame circles its centre of mass c. The
+/// specific force at the origin is omega^2 c in the x-y plane and 0 along z. Gravity is not measured.
+TEST(Imu, ReadsTheSpecificForceAtItsFrameOriginPlusItsBiases) {
   const double w = 3;
   const sc::Run run =
       watched(", gyro_bias: [0.01, 0.02, 0.03], accel_bias: [1, 2, 3]",
@@ -44,7 +44,7 @@ TEST(Imu, ReadsTheSpecificForceOfItsOwnPointAndItsBiases) {
   for (int i = 0; i < 6; ++i)
     for (double x : column(run, std::string("body.") + names[i]))
       EXPECT_NEAR(x, expected[i], 1e-12)
-          << names[i];  // 200 steps of rkmk4, about an axis of inertia: rounding
+          << names[i];  // 200 steps of rkmk4 about a principal axis: rounding errors only
 }
 
 struct Statistics {
@@ -59,8 +59,9 @@ Statistics of(const std::vector<double>& x) {
   s.deviation = std::sqrt(s.deviation);
   return s;
 }
-/// White and normal with that deviation: mean, variance, correlation with the sample before and the share beyond one and
-/// two deviations, each within five of its own standard deviations: one in a million by chance, and the seed is fixed.
+/// Expects white Gaussian noise with standard deviation sigma. Checks the mean, the variance, the correlation
+/// with the sample before, and the share of samples beyond one and two sigma. Each may be off by five of its
+/// standard deviations, which happens by chance once in a million times; the seed is fixed.
 void expectWhite(const std::vector<double>& x, double sigma) {
   const Statistics s = of(x);
   const double n = double(x.size());
@@ -75,8 +76,8 @@ void expectWhite(const std::vector<double>& x, double sigma) {
   }
 }
 
-/// A sample each T = 10 ms of white noise of density d has the deviation d / sqrt(T).
-TEST(Imu, NoiseIsWhiteOfTheDensityAskedFor) {
+/// Samples of white noise of density d, taken every T = 10 ms, have the standard deviation d / sqrt(T).
+TEST(Imu, NoiseIsWhiteWithTheGivenDensity) {
   const sc::Run run = watched(", gyro_noise: 0.02, accel_noise: 0.3", "", "400 s");
   for (const char* axis : {"x", "y", "z"}) {
     SCOPED_TRACE(axis);
@@ -94,8 +95,8 @@ TEST(Imu, NoiseIsWhiteOfTheDensityAskedFor) {
   EXPECT_NE(watched(", gyro_noise: 0.02, accel_noise: 0.3, seed: 43", "", "1 s").rows.at(1), run.rows.at(1));
 }
 
-/// A bias whose rate is white noise of density d: its increments each T have the deviation d sqrt(T).
-TEST(Imu, ABiasWalksWithIncrementsOfTheDensityAskedFor) {
+/// The rate of a bias is white noise of density d. Its increments in T have the standard deviation d sqrt(T).
+TEST(Imu, TheIncrementsOfABiasAreWhiteWithTheGivenDensity) {
   const sc::Run run = watched(", gyro_bias: [5, 5, 5], gyro_walk: 0.004, accel_walk: 0.05", "", "400 s");
   for (const char* axis : {"x", "y", "z"}) {
     SCOPED_TRACE(axis);

@@ -1,6 +1,6 @@
 #pragma once
-// Lower bound of the cost of a step: the same arithmetic written out for one robot, one method and no effect, without
-// systems, methods, effects or plans. overhead.cpp measures their cost against it; the bits are the same.
+// Hand-written loops, as a lower bound of the cost of a step: one method for one kind of robot without
+// effects. They do not use the classes of lib/liecheck/scene, which give the same bits.
 
 #include <liecheck/algorithms/aba.hpp>
 #include <liecheck/scene/accumulate.hpp>
@@ -8,7 +8,7 @@
 
 namespace liecheck::test {
 
-/// Classical Runge-Kutta-Munthe-Kaas of a free body with a diagonal inertia about its origin, without forces.
+/// The classical Runge-Kutta-Munthe-Kaas method for a free body of diagonal inertia I_O, without forces.
 class MinimalBody {
  public:
   explicit MinimalBody(const Vector3<double>& I)
@@ -43,7 +43,7 @@ class MinimalBody {
   Vector3<double> k_;
 };
 
-/// The same method of a free-flyer with revolute joints behind it, without forces.
+/// The same method for a free-flyer that carries revolute joints, without forces.
 class MinimalTree {
  public:
   explicit MinimalTree(const Model<double>& robot)

@@ -21,14 +21,14 @@ const Vec start_v = [] {
 
 class EachMethod : public testing::TestWithParam<MethodInfo> {};
 
-/// From 80 and 160 steps, against gauss12 in 640. 0.15: the methods are near their order there, not at it.
-TEST_P(EachMethod, HasTheOrderThatItSays) {
+/// The order follows from the errors of 80 and 160 steps. There it differs by up to 0.15 from its limit.
+TEST_P(EachMethod, HasItsDocumentedOrder) {
   const MethodInfo info = GetParam();
   Body body(freeBody(awkward()), gravity());
   const Model<double>& m = body.model();
   const Vec q = neutral(m);
   const auto exact = after(body, "gauss12", q, start_v, 2, 640);
-  // gauss12 is exact to the last digits long before 80 steps
+  // gauss12 reaches its rounding error long before 80 steps
   const long few = info.order == 12 ? 4 : 80;
   const auto error = [&](long steps) {
     const auto s = after(body, info.name, q, start_v, 2, steps,
@@ -38,19 +38,19 @@ TEST_P(EachMethod, HasTheOrderThatItSays) {
   EXPECT_NEAR(std::log2(error(few) / error(2 * few)), info.order, info.order == 12 ? 1.5 : 0.15);
 }
 
-TEST_P(EachMethod, MovesATreeOfOneBodyAsItMovesTheBody) {
+TEST_P(EachMethod, MovesATreeOfOneBodyAsItMovesALoneBody) {
   const MethodInfo info = GetParam();
-  if (info.lone_body_only) GTEST_SKIP() << "of a lone body only";
+  if (info.lone_body_only) GTEST_SKIP() << "for a lone body only";
   const Model<double> m = freeBody(awkward());
   Body body(m, gravity());
   scene::Tree<double> tree(m, gravity());
   const auto a = after(body, info.name, neutral(m), start_v, 1, 100);
   const auto b = after(tree, info.name, neutral(m), start_v, 1, 100);
-  // 100 steps of 64 eps each: the two form a in another order
+  // 64 eps in each of 100 steps: the two systems compute the acceleration in another order
   EXPECT_LE(difference(m, Vec(a.q), b.q).norm() + (a.v - b.v).norm(), 6400 * eps<double>());
 }
 
-TEST_P(EachMethod, KeepsQuaternionsUnit) {
+TEST_P(EachMethod, KeepsQuaternionsAtUnitNorm) {
   Body body(freeBody(triaxial()));
   State<Body> state(body, neutral(body.model()), start_v);
   const auto method = scene::makeMethod<Body>(GetParam().name);
@@ -65,7 +65,7 @@ TEST_P(EachMethod, KeepsQuaternionsUnit) {
 
 TEST_P(EachMethod, AllocatesNothingInAStep) {
 #ifndef LIECHECK_COUNTS_ALLOCATIONS
-  GTEST_SKIP() << "malloc belongs to the sanitizer here";
+  GTEST_SKIP() << "allocations are not counted in this build";
 #else
   const auto count = [&](auto& system, const Vec& q, double h) {
     using Sys = std::remove_reference_t<decltype(system)>;
@@ -79,7 +79,7 @@ TEST_P(EachMethod, AllocatesNothingInAStep) {
   };
   const long before = allocations;
   Vec(3).setZero();
-  EXPECT_EQ(allocations - before, 1);  // it would be seen
+  EXPECT_EQ(allocations - before, 1);  // the counter works
   const Model<double> one = freeBody(awkward());
   Body body(one);
   EXPECT_EQ(count(body, neutral(one), 1e-3), 0);
@@ -90,11 +90,11 @@ TEST_P(EachMethod, AllocatesNothingInAStep) {
 #endif
 }
 
-TEST_P(EachMethod, StopsAtTheStepThatDivergesWithTheLastGoodState) {
+TEST_P(EachMethod, StopsAtADivergingStepWithTheLastGoodState) {
   const MethodInfo info = GetParam();
   Body body(freeBody(triaxial()));
   Vec v = start_v;
-  v.tail<3>() *= 1e200;  // its square is beyond double
+  v.tail<3>() *= 1e200;  // its square overflows
   State<Body> state(body, neutral(body.model()), v);
   const auto method = scene::makeMethod<Body>(info.name);
   const auto outcome =
@@ -109,7 +109,7 @@ TEST_P(EachMethod, StopsAtTheStepThatDivergesWithTheLastGoodState) {
 INSTANTIATE_TEST_SUITE_P(Scene, EachMethod, testing::ValuesIn(scene::methodInfos()),
                          [](const auto& i) { return std::string(i.param.name); });
 
-TEST(Methods, AnUnknownOneIsNamedWithTheNearest) {
+TEST(Methods, AnUnknownNameIsRefusedWithTheNearestNames) {
   try {
     scene::makeMethod<Body>("rkmk5");
     FAIL();
@@ -118,8 +118,8 @@ TEST(Methods, AnUnknownOneIsNamedWithTheNearest) {
   }
 }
 
-/// 10^6 steps here; `scene_long` does 10^7.
-TEST(Variational, KeepsMomentumAsAVectorAndEnergyWithoutSlope) {
+/// Makes 10^6 steps; the ctest `scene_long` makes 10^7.
+TEST(Variational, KeepsTheMomentumVectorAndTheEnergyWithoutDrift) {
   const long n = std::getenv("LIECHECK_STEPS") ? std::atol(std::getenv("LIECHECK_STEPS")) : 1'000'000;
   Body body(freeBody(awkward()));
   const Inertia<double> I = awkward();
@@ -156,15 +156,15 @@ TEST(Variational, KeepsMomentumAsAVectorAndEnergyWithoutSlope) {
       n, norm / eps<double>(), worst, most - least, slope);
   EXPECT_LE(norm, 4 * eps<double>());
   EXPECT_LE(worst, 1);
-  // The slope that a least-squares fit finds in an oscillation over a span that is not a whole number of its periods:
-  // 6/pi of its amplitude divided by the number of periods.
+  // A least-squares fit to an oscillation finds a slope unless it spans a whole number of periods. The slope
+  // is at most 6/pi of the amplitude divided by the number of periods.
   const double periods = double(crossings) / 0.95;
   EXPECT_GT(periods, 100);
   EXPECT_LE(std::abs(slope), 2 * (most - least) / periods);
 }
 
-/// An explicit method does not keep it, so that the test above can fail.
-TEST(Variational, OthersLoseMomentum) {
+/// An explicit method does not keep the momentum. This shows that the test above can fail.
+TEST(Variational, AnExplicitMethodLosesMomentum) {
   Body body(freeBody(awkward()));
   const Inertia<double> I = awkward();
   const auto s = after(body, "rkmk4", neutral(body.model()), start_v, 100, 10000);
@@ -173,19 +173,19 @@ TEST(Variational, OthersLoseMomentum) {
   EXPECT_GT((L - L0).norm(), 8 * std::sqrt(10000.0) * eps<double>() * L0.norm());
 }
 
-/// 100 turns here, against the same method at twice the steps: two different roundings of one motion.
-TEST(Gauss12, RoundsNoMoreThanConditioningAllows) {
+/// Compares 100 revolutions in 4000 and in 8000 steps, which differ only in their rounding errors.
+TEST(Gauss12, RoundingErrorsStayWithinTheConditioningOfTheMotion) {
   Body body(freeBody(triaxial()));
   Vec v = Vec::Zero(6);
   v.tail<3>() << 0.5, 0.25, 1;
-  const double turns = 100, duration = turns * 2 * pi<double>();
+  const double revolutions = 100, duration = revolutions * 2 * pi<double>();
   const auto a = after(body, "gauss12", neutral(body.model()), v, duration, 4000);
   const auto b = after(body, "gauss12", neutral(body.model()), v, duration, 8000);
   const double angle = differenceSE3<double>(a.q, b.q).tail<3>().norm();
-  EXPECT_LE(angle, 10 * turns * 2 * pi<double>() * eps<double>());
+  EXPECT_LE(angle, 10 * revolutions * 2 * pi<double>() * eps<double>());
 }
 
-/// That it takes fewer instructions is checked by overhead.sh.
+/// overhead.sh checks that LoneBody takes fewer instructions.
 TEST(LoneBody, AcceleratesAsTheTreeOfOneBodyDoes) {
   const Model<double> m = freeBody(awkward());
   Body body(m);

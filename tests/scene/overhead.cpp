@@ -1,6 +1,6 @@
-// overhead minimal|scene|tree lone|quadruped STEPS URDF: makes STEPS steps, for an instruction counter outside, and prints
-// the state in hexadecimal. `minimal` is the loop written by hand, `scene` the system that a scene would choose, `tree`
-// the equations of articulated bodies also for a lone body.
+// overhead minimal|scene|tree lone|quadruped STEPS URDF makes STEPS steps and prints the state in
+// hexadecimal; overhead.sh counts its instructions. `minimal` runs a hand-written loop, `scene` the system
+// that a scene would choose, and `tree` the equations of articulated bodies, also for a lone body.
 
 #include <cstdio>
 #include <cstdlib>

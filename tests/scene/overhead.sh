@@ -1,17 +1,17 @@
 #!/bin/sh
-# overhead.sh PROGRAM URDF: instructions per step, counted by valgrind. Fails where a scene's run of a lone body or of a
-# quadruped takes above 2 % more than the loop written by hand or differs from it in a bit, and where LoneBody takes more
-# than a tenth of what Tree takes for the same body. Exit 77: no valgrind.
+# overhead.sh PROGRAM URDF counts instructions per step with valgrind. It fails if a scene's run of a lone
+# body or a quadruped takes over 2 % more instructions than a hand-written loop, or gives other bits. It also
+# fails if LoneBody takes over a tenth of what Tree takes for the same body. Exit code 77: no valgrind.
 command -v valgrind > /dev/null || { echo "valgrind is missing"; exit 77; }
 PROGRAM=$1 URDF=$2 status=0
-count() {  # way robot steps
+count() {  # arguments: way robot steps
   valgrind --tool=callgrind --callgrind-out-file=/dev/null "$PROGRAM" "$1" "$2" "$3" "$URDF" 2>&1 > /dev/null |
     sed -n 's/.*Collected : //p'
 }
-thousand_steps() {  # way robot
+thousand_steps() {  # arguments: way robot
   echo $(($(count "$1" "$2" 1200) - $(count "$1" "$2" 200)))
 }
-compare() {  # robot, way, instructions, another way, instructions, largest ratio of the first to the second
+compare() {  # arguments: robot, way 1, its instructions, way 2, its instructions, largest ratio 1/2
   awk -v r="$1" -v x="$2" -v a="$3" -v y="$4" -v b="$5" -v limit="$6" \
     'BEGIN { printf "%s: %.1f instructions per step by %s, %.1f by %s: ratio %.4f\n", r, a / 1000, x, b / 1000, y, a / b
              exit !(a > 0 && a <= limit * b) }' || status=1

@@ -1,4 +1,4 @@
-// scene_file: errors and their messages; the fixtures; the program.
+// scene_file: the messages of errors, the fixtures, and the program `liecheck scene`.
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 const fs::path scenes = fs::path(LIECHECK_FIXTURES) / "scenes";
 
-/// A good scene, one line each, in which each bad one differs.
+/// The lines of a valid scene. Each invalid scene differs from it in one line.
 const std::vector<std::string> good = {"robot: {body: box, size: [1, 2, 3]}",
                                        "initial: {angular_velocity: [0, 0, 1]}",
                                        "effects: [gravity]",
@@ -41,7 +41,7 @@ std::string refusal(const std::string& text) {
   return "nothing";
 }
 
-TEST(SceneFile, AGoodOneIsRead) {
+TEST(SceneFile, AValidSceneIsRead) {
   const scene::Scene s = loadSceneText(with(99, ""));
   EXPECT_EQ(s.span.steps, 1000);
   EXPECT_EQ(s.model.nv, 6);
@@ -52,7 +52,7 @@ struct Bad {
   std::string text, message;
 };
 
-TEST(SceneFile, ABadOneIsNamedWithFileLineAndRemedy) {
+TEST(SceneFile, AnInvalidSceneIsRefusedWithFileLineAndRemedy) {
   const std::vector<Bad> table = {
       {3, "effects: [gravty]",
        "s.yaml:3: 'gravty' is not known in effects, the nearest are 'gravity', 'drag' and 'wrench'"},
@@ -176,19 +176,19 @@ TEST(SceneFile, ABadOneIsNamedWithFileLineAndRemedy) {
   }
 }
 
-TEST(SceneFile, WhatIsNoSceneAtAllIsRefused) {
+TEST(SceneFile, ATextThatIsNoSceneIsRefused) {
   EXPECT_EQ(refusal(""),
             "s.yaml: is not a scene: it has no keys such as 'robot: {body: box, size: [1, 1, 1]}'");
   EXPECT_EQ(refusal(std::string("a\0b", 3)), "s.yaml: is not text: it contains a zero byte");
   EXPECT_NE(refusal("%PDF-1.4 \x01\x02"), "nothing");
-  EXPECT_NE(refusal(std::string(100000, '[')), "nothing");  // no stack is deep enough
+  EXPECT_NE(refusal(std::string(100000, '[')), "nothing");  // a recursive parser would overflow its stack
   EXPECT_NE(refusal(std::string(2 << 20, 'a')).find("longer than the limit of a scene"), std::string::npos);
   EXPECT_NE(refusal("a: &x [*x]\n"), "nothing");
   EXPECT_THROW(loadScene((scenes / "missing.yaml").string()), SceneError);
   EXPECT_THROW(loadScene(scenes.string()), SceneError);
 }
 
-TEST(SceneFile, TheVariationalMethodIsOfALoneBody) {
+TEST(SceneFile, TheVariationalMethodNeedsALoneBody) {
   std::string text =
       "robot: {urdf: chain.urdf}\nintegrator: {name: variational, step: 1 ms}\nduration: 1 s\n";
   EXPECT_EQ(refusal(text),
@@ -209,7 +209,7 @@ TEST(Units, AreConvertedToSi) {
   EXPECT_THROW(parseQuantity("0x10", "1"), std::invalid_argument);
 }
 
-TEST(Fixtures, EachSceneSaysWhyRunsAndStaysFinite) {
+TEST(Fixtures, EachSceneGivesItsReasonRunsAndStaysFinite) {
   int count = 0;
   for (const auto& entry : fs::directory_iterator(scenes)) {
     if (entry.path().extension() != ".yaml") continue;
@@ -217,7 +217,7 @@ TEST(Fixtures, EachSceneSaysWhyRunsAndStaysFinite) {
     SCOPED_TRACE(entry.path().filename().string());
     scene::Scene s = loadScene(entry.path().string());
     EXPECT_FALSE(s.reason.empty());
-    // a twentieth of it
+    // a twentieth of its duration
     s.span.duration /= 20, s.span.steps = std::max(1L, s.span.steps / 20),
                            s.span.every = std::max(1L, s.span.steps / 10);
     const scene::Run run = scene::run(s);
@@ -228,8 +228,8 @@ TEST(Fixtures, EachSceneSaysWhyRunsAndStaysFinite) {
   EXPECT_GE(count, 25);
 }
 
-/// Effects of other scenes, and those named as none, leave no trace.
-TEST(Fixtures, WhatASceneDoesNotCallForChangesNoBit) {
+/// Effects that a scene does not list, or lists as none, do not change its results.
+TEST(Fixtures, EffectsThatASceneDoesNotListChangeNoBit) {
   const auto bits = [](const std::string& more) {
     return scene::run(
                loadSceneText(
@@ -244,7 +244,7 @@ TEST(Fixtures, WhatASceneDoesNotCallForChangesNoBit) {
   EXPECT_EQ(bits(""), bare);
 }
 
-TEST(Fixtures, TheReadmeHoldsTheSchema) {
+TEST(Fixtures, TheReadmeContainsTheSchema) {
   std::ifstream f(scenes / "README.md");
   std::ostringstream text;
   text << f.rdbuf();
@@ -252,7 +252,7 @@ TEST(Fixtures, TheReadmeHoldsTheSchema) {
       << "put into fixtures/scenes/README.md what 'liecheck scene keys' prints";
 }
 
-/// Its exit code, and what it says on both streams.
+/// The exit code of the program, and its output on both streams.
 std::pair<int, std::string> program(const std::string& arguments) {
   std::FILE* pipe = ::popen(("(" + std::string(LIECHECK_PROGRAM) + " " + arguments + ") 2>&1").c_str(), "r");
   std::string said;
@@ -266,7 +266,7 @@ std::string file(const std::string& name, const std::string& text) {
   return path;
 }
 
-TEST(Program, ABadSceneIsOneLineAndExitTwo) {
+TEST(Program, AnInvalidScenePrintsOneLineAndExitsWithTwo) {
   const std::string path = file("bad.yaml", with(3, "effects: [gravty]"));
   const auto [code, said] = program("scene run " + path);
   EXPECT_EQ(code, 2);
@@ -275,7 +275,7 @@ TEST(Program, ABadSceneIsOneLineAndExitTwo) {
                 ":3: 'gravty' is not known in effects, the nearest are 'gravity', 'drag' and 'wrench'\n");
 }
 
-TEST(Program, ADivergingRunKeepsWhatItHasAndExitsThree) {
+TEST(Program, ADivergingRunWritesItsSamplesAndExitsWithThree) {
   const std::string csv = testing::TempDir() + "diverging.csv";
   const std::string path =
       file("diverging.yaml",
@@ -305,8 +305,8 @@ std::string chain(const std::string& integrator) {
          integrator + "\nduration: 5 s\nobservers: [momentum]\noutput: {every: 2.5 s}\n";
 }
 
-TEST(Program, WhatIsWatchedIsFiniteOrTheRunDiverges) {
-  // so heavy that its energy is beyond double a step before its state is
+TEST(Program, ARunDivergesIfAnObservedNumberIsNotFinite) {
+  // so heavy that its energy overflows one step before its state does
   const std::string csv = testing::TempDir() + "overflow.csv";
   const std::string path = file(
       "overflow.yaml",
@@ -316,7 +316,7 @@ TEST(Program, WhatIsWatchedIsFiniteOrTheRunDiverges) {
   const auto [code, said] = program("scene run " + path + " --csv " + csv);
   EXPECT_EQ(code, 3) << said;
   EXPECT_NE(said.find(" is no longer finite"), std::string::npos) << said;
-  EXPECT_EQ(said.find("a number is"), std::string::npos) << said;  // it says which
+  EXPECT_EQ(said.find("a number is"), std::string::npos) << said;  // the message names the number
   EXPECT_EQ(said.find("inf "), std::string::npos) << said;
   EXPECT_EQ(said.find("nan"), std::string::npos) << said;
   std::ifstream rows(csv);
@@ -326,26 +326,26 @@ TEST(Program, WhatIsWatchedIsFiniteOrTheRunDiverges) {
   ASSERT_GT(lines, 10);
   EXPECT_EQ(last.find("inf"), std::string::npos) << last;
   EXPECT_EQ(last.find("nan"), std::string::npos) << last;
-  // a header, the start, and one for each good step, of which the last is told
+  // The CSV has a header, the start, and a row for each good step. The program reports the last good step.
   const std::string good = std::to_string(lines - 2);
   EXPECT_EQ(last.substr(0, last.find(',')), good);
   EXPECT_NE(said.find(good + " s in " + good + " steps of 1 s"), std::string::npos) << said;
   EXPECT_NE(said.find("diverged at step " + std::to_string(lines - 1) + " of 1000 (t = " + good + " s): "),
             std::string::npos)
       << said;
-  // not even the start
+  // A scene that is not finite at the start is refused.
   const std::string fast = file("fast.yaml", with(2, "initial: {angular_velocity: [0, 0, 1e160]}"));
   const auto [refused, why] = program("scene run " + fast);
   EXPECT_EQ(refused, 2) << why;
   EXPECT_NE(why.find(fast + ": at the start kinetic is not a finite number"), std::string::npos) << why;
-  // a change whose square is beyond double is not infinite itself
+  // A change whose square overflows is still finite.
   const auto [coarse, figures] =
       program("scene run " + file("coarse.yaml", chain("{name: rkmk4, step: 2.5 s}")));
   EXPECT_EQ(coarse, 0) << figures;
   EXPECT_EQ(figures.find(" inf "), std::string::npos) << figures;
 }
 
-TEST(Program, AStepBeyondHalfATurnIsAWarningButNotOfAMethodThatChoosesItsOwn) {
+TEST(Program, ARotationBeyondPiInAStepIsAWarningUnlessTheMethodChoosesItsSteps) {
   const auto [code, said] = program("scene run " + file("turns.yaml", chain("{name: rkmk4, step: 2.5 s}")));
   EXPECT_NE(said.find("beyond pi"), std::string::npos) << said;
   const auto [code2, said2] = program("scene run " + file("own.yaml", chain("{name: dopri5, step: 2.5 s}")));
@@ -353,20 +353,20 @@ TEST(Program, AStepBeyondHalfATurnIsAWarningButNotOfAMethodThatChoosesItsOwn) {
   EXPECT_EQ(said2.find("warning"), std::string::npos) << said2;
 }
 
-TEST(Program, AScenesFilesAreDifferentOnes) {
+TEST(Program, TheSceneTheCsvAndTheJsonMustBeDifferentFiles) {
   const std::string path = file("apart.yaml", with(5, "duration: 10 ms")),
                     out = testing::TempDir() + "apart.out";
   const auto [own, why] = program("scene run " + path + " --csv " + path);
   EXPECT_EQ(own, 2);
   EXPECT_NE(why.find(path + " is the scene itself"), std::string::npos) << why;
-  EXPECT_EQ(program("scene run " + path).first, 0);  // it is still there
+  EXPECT_EQ(program("scene run " + path).first, 0);  // the scene was not overwritten
   const auto [both, why_both] = program("scene run " + path + " --csv " + out + " --json " + out);
   EXPECT_EQ(both, 2);
   EXPECT_NE(why_both.find("would be the CSV and the JSON"), std::string::npos) << why_both;
   EXPECT_FALSE(fs::exists(out));
 }
 
-TEST(Program, ACsvHeadWithACommaIsQuoted) {
+TEST(Program, AColumnNameWithACommaIsQuotedInTheCsv) {
   const std::string csv = testing::TempDir() + "quoted.csv";
   const std::string path = file(
       "quoted.yaml", with(6, "frames: [{name: 'a,\"b', on: body}]\nobservers: [frame: {frame: 'a,\"b'}]"));
@@ -378,9 +378,9 @@ TEST(Program, ACsvHeadWithACommaIsQuoted) {
   EXPECT_EQ(head.find("t [s],\"a,\"\"b."), 0U) << head;
 }
 
-/// Signals are heard, before a kill two and a half seconds later, wherever a run is: between far samples, inside one step
-/// of a method that chooses its own, inside the second run of attitude_error. What no tolerance can follow is told at once.
-TEST(Program, HearsASignalWhereverItIs) {
+/// SIGTERM stops a run within 2.5 s: between distant samples, inside one step of a method that chooses its
+/// steps, or inside the second run of attitude_error. A tolerance that no step can meet is reported.
+TEST(Program, StopsAtASignalWhereverTheRunIs) {
   for (const auto& [name, line, text] :
        {std::tuple("far.yaml", 4, "integrator: {name: rkmk4, step: 1e-9}"),
         {"own.yaml", 4, "integrator: {name: dopri5, tolerance: 1e-14}"},
@@ -401,10 +401,10 @@ TEST(Program, HearsASignalWhereverItIs) {
   EXPECT_NE(said.find("no step is small enough for the tolerance"), std::string::npos) << said;
 }
 
-TEST(Program, AStopSignalKeepsWhatIsDoneAndExitsThree) {
+TEST(Program, AStopSignalWritesTheSamplesAndExitsWithThree) {
   const std::string csv = testing::TempDir() + "stopped.csv";
   const std::string path = file("long.yaml", with(5, "duration: 20000 s"));
-  // a shell has its background jobs ignore SIGINT
+  // SIGTERM, because the background jobs of a shell ignore SIGINT
   const auto [code, said] =
       program("scene run " + path + " --csv " + csv + " & p=$!; sleep 1; kill -TERM $p; wait $p");
   EXPECT_EQ(code, 3) << said;

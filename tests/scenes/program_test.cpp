@@ -1,4 +1,4 @@
-// liecheck scene sweep, as it is typed.
+// The command `liecheck scene sweep`.
 
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ Ran run(const std::string& arguments) {
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text};
 }
 
-TEST(SceneSweepProgram, RefusesWhatItCannotDoInOneLine) {
+TEST(SceneSweepProgram, RefusesBadArgumentsWithOneLine) {
   for (const auto& [arguments, says] :
        {std::pair<std::string, std::string>{"scene sweep --integrator rkmk5", "rkmk5"},
         {"scene sweep --steps 10", "--steps 10"},
@@ -53,7 +53,7 @@ TEST(SceneSweepProgram, SweepsASceneFileAndWritesItsRecord) {
   ASSERT_EQ(scene["orders"].size(), 2U);
   EXPECT_NEAR(scene["orders"][0]["observed"].get<double>(), 2, 0.1);
   EXPECT_NEAR(scene["orders"][1]["observed"].get<double>(), 4, 0.1);
-  EXPECT_LT(scene["series"][1]["smallest"].get<double>(), 1e-3);  // how far it gets depends on the machine
+  EXPECT_LT(scene["series"][1]["smallest"].get<double>(), 1e-3);  // it depends on the machine
   EXPECT_FALSE(scene["series"][1]["points"][0]["time_ns"].is_null());
   std::filesystem::remove(path);
 }

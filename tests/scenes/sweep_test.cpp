@@ -1,4 +1,4 @@
-// The sweep's own parts: orders, drift, truths, errors, peers.
+// The parts of the scene sweep: orders, drift, exact motions, errors, and other simulators ("peers").
 
 #include <gtest/gtest.h>
 
@@ -34,7 +34,7 @@ TEST(ObservedOrder, IsTheSlopeAboveTheFloor) {
   EXPECT_FALSE(observe_order(falling(1, 1, 8), 1).floor);
 }
 
-TEST(ObservedOrder, SeesAnOrderThatIsNotPromisedAndAStartThatIsTooCoarse) {
+TEST(ObservedOrder, FindsAnUnexpectedOrderAndIgnoresACoarseStart) {
   EXPECT_NEAR(observe_order(falling(3, 1e-1, 8), 4).order, 3, 1e-12);
   std::vector<double> errors = {2, 3, 2.5};
   for (double e : falling(2, 1, 8)) errors.push_back(e);
@@ -44,7 +44,7 @@ TEST(ObservedOrder, SeesAnOrderThatIsNotPromisedAndAStartThatIsTooCoarse) {
   EXPECT_LT(observe_order({1, 1e-3, 1e-15, 1.2e-15, 1e-15}, 4).halvings, 5);
 }
 
-TEST(WrongOrders, NamesWhatIsOffShortOrNotSeenOften) {
+TEST(WrongOrders, NamesMethodsThatAreOffOrObservedInFewerThanThreeScenes) {
   const auto row = [](double order, int halvings) {
     OrderRow r{"rk2", "double", 2, false, {}, {}, {}};
     r.observed.order = order, r.observed.halvings = halvings, r.observed.settled = halvings >= 5;
@@ -61,7 +61,7 @@ TEST(WrongOrders, NamesWhatIsOffShortOrNotSeenOften) {
   EXPECT_EQ(wrong_orders({good, good, exact}).size(), 1U);
 }
 
-TEST(Drift, IsALineAndWhatSwingsAboutIt) {
+TEST(Drift, IsALineAndTheOscillationAboutIt) {
   std::vector<double> t;
   std::vector<Eigen::VectorXd> x;
   for (int i = 0; i <= 400; ++i) {
@@ -86,7 +86,7 @@ TEST(MotionError, IsMeasuredOnTheGroup) {
   EXPECT_EQ(motion_error(b.robot, found, exact).position, 5);
 }
 
-/// The errors of gauss12 in double with that many steps.
+/// The largest errors of gauss12 in double with `steps` steps.
 MotionError error_of(const Benchmark& b, const Truth& truth, long steps) {
   MotionError worst = MotionError::none();
   make_runner(b, "gauss12", "double")->run({steps, 0}, 4, [&](double t, const Moment& m) {
@@ -95,7 +95,7 @@ MotionError error_of(const Benchmark& b, const Truth& truth, long steps) {
   return worst;
 }
 
-TEST(Truth, IsWhatTheLibrarySimulates) {
+TEST(Truth, IsTheMotionThatTheLibrarySimulates) {
   for (const Benchmark& b : builtin_benchmarks()) {
     const auto truth = truth_of(b);
     ASSERT_TRUE(truth) << b.name;
@@ -106,7 +106,7 @@ TEST(Truth, IsWhatTheLibrarySimulates) {
   }
 }
 
-TEST(Truth, DoesNotFollowAChangedRobotOrAnUnknownEffect) {
+TEST(Truth, DiffersForAChangedRobotAndIsMissingForAnUnknownEffect) {
   Benchmark b = builtin("top");
   const auto truth = truth_of(b);
   b.robot.inertias[1] = Inertia<double>(1.001, b.robot.inertias[1].lever(), b.robot.inertias[1].inertia());
@@ -121,8 +121,8 @@ TEST(LongSpins, OfTheBestMethodStayNearTheLimitOfConditioning) {
   EXPECT_LE(best, 10);
 }
 
-TEST(Dzhanibekov, FlipsWhereTheClosedFormSaysAndTheHorizonIsTold) {
-  std::set<double> known;  // perturbations whose flips are all known to 1e-6, in one scalar or the other
+TEST(Dzhanibekov, FlipsWhenTheClosedFormSaysUpToItsHorizon) {
+  std::set<double> known;  // log10 of perturbations whose flips are right to 1e-6 in some scalar
   for (const Flips& f : dzhanibekov_flips(2)) {
     ASSERT_EQ(f.relative.size(), 2U);
     if (f.predicted == 2) known.insert(std::round(std::log10(f.perturbation)));
@@ -132,7 +132,7 @@ TEST(Dzhanibekov, FlipsWhereTheClosedFormSaysAndTheHorizonIsTold) {
     }
     EXPECT_EQ(f.predicted == 0, f.horizon == 0);
     if (f.perturbation < 1e-11 && f.scalar == "double") {
-      EXPECT_GT(f.relative[1], 1e-6);  // nobody can know it
+      EXPECT_GT(f.relative[1], 1e-6);  // beyond the horizon of double
     }
   }
   EXPECT_EQ(known, (std::set<double>{-2, -3, -4, -5, -6, -7, -8, -12}));
@@ -157,7 +157,7 @@ TEST(Peers, FollowTheExactMotionOfEveryScene) {
     }
 }
 
-TEST(Peers, AreComparedAtAnErrorNoLarger) {
+TEST(Peers, AreComparedWithOurFastestPointWhoseErrorIsNoLarger) {
   const auto point = [](double error, double ns) {
     SweepPoint p;
     p.error = MotionError::none();

@@ -1,4 +1,4 @@
-// Files: read once; replaced whole, in place, or not at all.
+// support/files.hpp: a file is read once. It is replaced whole, written in place, or left as it was.
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -51,7 +51,7 @@ TEST_F(Files, AFileIsReplacedWholeAndKeepsItsMode) {
   EXPECT_EQ(entries(), 2);
 }
 
-TEST_F(Files, LinksAreFollowedAndStay) {
+TEST_F(Files, SymbolicLinksAreFollowedAndNotReplaced) {
   fs::create_symlink("b", dir / "a");
   fs::create_symlink("c", dir / "b");
   write_whole(dir / "a", "text");
