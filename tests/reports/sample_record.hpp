@@ -147,7 +147,7 @@ inline Json cost() {
     rows.push_back(cost_row("breaks", "quad", operation, "inf", 10));
     rows.push_back(cost_row("call", "double", operation, nullptr, 2));
   }
-  rows.push_back(cost_row("liecheck@gcc-O2", "double", "exp6", 2e-16, 1));  // fastest, but left out: other flags
+  rows.push_back(cost_row("liecheck@gcc-O2", "double", "exp6", 2e-16, 1));  // fastest, but left out
   rows.push_back(cost_row("one", "double", "exp6", 0, 20000));
   return {{"version", "0.1.0"},
           {"verdict", "pass"},
