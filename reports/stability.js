@@ -3,7 +3,7 @@
 // Ordered from best to worst. A cell shows the worst verdict of all laws of its case.
 const VERDICTS = [
   {name: "stable", mark: "✓", text: "within budget"},
-  {name: "refused", mark: "R", text: "refused with an error; counted as a failure only where the input is a rotation"},
+  {name: "refused", mark: "R", text: "refused with an error; counted as a failure only if the input is a rotation"},
   {name: "ill-posed", mark: "P", text: "eps · κ ≥ 1: the input determines no digit; neither stable nor a failure"},
   {name: "unresolved", mark: "?", text: "two precisions or formulas of the oracle disagree"},
   {name: "inaccurate", mark: "I", text: "finite, over budget: digits lost beyond κ"},
