@@ -1,6 +1,5 @@
-// Axes. A logarithmic axis has no place for 0, for subnormals or for bands of hundreds of decades: those get a
-// column each ("slot"), with a name and no position. The rest is log10, one unit a decade. Chart.js sees a
-// linear axis in these units; the ticks say what they mean.
+// Axes. A logarithmic axis has no place for 0, subnormals or bands of hundreds of decades. Each of those bands
+// gets a named column, a "slot". Chart.js sees a linear axis of log10 with slots at one end.
 
 const WIDE = 2.5;  // a band of more decades is a slot
 
@@ -16,8 +15,8 @@ function slotName(band) {
     .replace(/^pi$/, "π").replace(/1e(-?\d+)/g, (_, e) => power(+e)).replace("..", "…");
 }
 
-// The horizontal axis for rows of one axis kind: where each band stands, the ticks, and where the log part is.
-// Near 0 slots lie left of the decades. Near pi the axis is drawn reversed, so they end on the right as well.
+// The horizontal axis for rows of one axis kind: the position of each band, the ticks, and the ends of the axis.
+// Slots come before the decades. Near pi the axis is drawn reversed, so the slots are on the right.
 function horizontalAxis(rows) {
   const bands = new Map();
   for (const row of rows) if (!bands.has(row.band)) bands.set(row.band, row);
@@ -27,7 +26,7 @@ function horizontalAxis(rows) {
   const high = Math.ceil(Math.max(...decades.map(r => Math.log10(r.high)), low + 1));
   const position = new Map(), ticks = [];
   for (const r of decades) position.set(r.band, (Math.log10(r.low) + Math.log10(r.high)) / 2);
-  const slot = Math.max(1.7, .075 * (high - low));  // its width, in decades: room for an upright name on a phone
+  const slot = Math.max(1.7, .075 * (high - low));  // width of a slot in decades: room for an upright name on a phone
   const first = low - 1.5 - slot * slots.length;
   slots.forEach((r, i) => {
     const x = first + slot * (i + .5);
@@ -39,16 +38,16 @@ function horizontalAxis(rows) {
   return {position, ticks, slots: slots.length, slot, low, min: slots.length ? first : low, max: high};
 }
 
-// The vertical axis for a set of rows: log10 of the error in eps, one floor for 0 and one for errors too small to draw,
-// and ceilings for a wrong branch and for NaN and Inf.
-const SMALLEST = -3;  // smaller errors share a tick of their own, above that of 0
+// The vertical axis for a set of rows: log10 of the error in eps. Below it are one level for errors too small
+// to draw and one for 0; above it are levels ("ceilings") for a wrong branch and for NaN or Inf.
+const SMALLEST = -3;  // log10; all smaller errors share one tick, above that of 0
 
 function verticalAxis(rows, statistics) {
   const values = rows.flatMap(r => statistics.map(s => r[s])).filter(v => typeof v === "number");
   const logs = values.filter(v => v > 0).map(Math.log10).filter(v => v >= SMALLEST);
   logs.push(...rows.filter(r => r.rule === "forward" && r.budget > 0).map(r => Math.log10(r.budget)));
   const least = Math.floor(Math.min(0, ...logs)), most = Math.ceil(Math.max(1, ...logs) + .2);
-  const gap = Math.max(1, .08 * (most - least));  // so that the labels of floor and ceiling do not overlap others
+  const gap = Math.max(1, .08 * (most - least));  // keeps the labels of these levels from overlapping others
   const below = values.some(v => v > 0 && Math.log10(v) < SMALLEST);
   const tiny = below ? least - gap : least;
   const floor = values.some(v => v === 0) ? tiny - gap : tiny;
@@ -65,7 +64,7 @@ function verticalAxis(rows, statistics) {
   return {ticks, ceilings, rim: most + .6 * gap, place, min: floor - .4 * gap, max: top};
 }
 
-// The ticks that fit into `width` pixels: all slots, and each decade, or each second, fifth, …, that is clear of them.
+// The ticks that fit into `width` pixels: all slots, and each (or each 2nd, 5th, …) decade clear of them.
 function roomy(ticks, span, width) {
   const decade = width / span;
   const step = [1, 2, 5, 10, 20, 50].find(s => s * decade >= 38) ?? 100;
@@ -75,7 +74,7 @@ function roomy(ticks, span, width) {
 }
 
 const notFinite = row => row.not_finite > 0 || typeof row.max_eps === "string";
-// Outcomes without an error in eps have rows of their own above the axis.
+// Outcomes without an error in eps are drawn on levels of their own above the axis.
 const OUTCOMES = [
   {name: "wrong branch", lines: ["wrong", "branch"], holds: row => row.wrong_branch > 0},
   {name: "NaN or Inf", lines: ["NaN", "or Inf"], holds: notFinite}];

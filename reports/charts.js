@@ -1,6 +1,6 @@
-// Charts: one pair (near 0, near pi) for a block of an operation, made when they come into view.
+// Charts: a pair (near 0, near pi) for each block of an operation, created when it comes into view.
 
-// The colours of Okabe and Ito (2008), each with a marker shape, so that the chart can be read in black and white.
+// The colours of Okabe and Ito (2008), each with a marker shape, for readers of a black and white copy.
 const LOOKS = [
   {color: "#0072b2", shape: "circle"}, {color: "#d55e00", shape: "triangle"}, {color: "#009e73", shape: "rect"},
   {color: "#cc79a7", shape: "rectRot"}, {color: "#000000", shape: "crossRot"}, {color: "#e69f00", shape: "star"},
@@ -61,7 +61,7 @@ function datasets(rows, x, y, statistics) {
   return sets;
 }
 
-// Drawn here, not by Chart.js: the grey slots with their names, the budget, the line below outcomes without an error.
+// Draws what Chart.js does not: the named grey slots, the budget, and a line below outcomes without an error.
 const furniture = {
   id: "furniture",
   beforeDatasetsDraw(chart, _, {x, y, spans}) {
@@ -110,7 +110,7 @@ const furniture = {
     ctx.restore();
   }};
 
-// The budget over the bands, in spans; neighbours with one budget are joined.
+// The horizontal budget line of each band that is judged by the rule forward.
 function budgetSpans(rows, x) {
   const spans = new Map();
   for (const r of rows) {

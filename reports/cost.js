@@ -1,4 +1,4 @@
-// Error against time: a pair of charts for each operation, one of float and double and one of every precision.
+// Error against time: two charts for each operation, one of float and double and one of every precision.
 
 const costs = numbers.records.flatMap(r => r.cost ? [r.cost] : []);
 const SCALARS = {float: "triangle", double: "circle", float128: "rect", "double-double": "crossRot", digits50: "rectRot",
@@ -25,7 +25,7 @@ function costPoints(rows, kind) {
 const costName = row => `${row.subject} ${row.scalar}`;
 const costDigits = error => error > 0 ? `${(-Math.log10(error)).toFixed(1)} digits` : "exact";
 
-// Names beside the points, undominated ones first; a name that would overlap another is left out.
+// Draws names next to the points, undominated points first, and leaves out a name that would overlap another.
 const costNames = {
   id: "costNames",
   afterDatasetsDraw(chart) {
@@ -55,7 +55,7 @@ function costPlot(head, points, kind, names) {
   const least = Math.min(1, ...seen) / room, most = Math.max(10, ...seen) * room;
   for (const p of points) p.y = p.error === 0 ? least * 3 : Number.isFinite(p.error) ? p.error / DOUBLE_EPS : most / 3;
   const front = points.filter(p => !p.dominated).sort((a, b) => a.x - b.x);
-  const best = front.filter((p, i) => front.slice(0, i).every(q => q.y > p.y));  // intervals may overlap
+  const best = front.filter((p, i) => front.slice(0, i).every(q => q.y > p.y));  // if times overlap, neither dominates
   const xs = points.map(p => p.x), low = Math.min(...xs) / 1.8, high = Math.max(...xs) * 2.6;
   const stairs = [];
   best.forEach((p, i) => { stairs.push({x: p.x, y: i ? best[i - 1].y : most}, {x: p.x, y: p.y}); });
@@ -95,7 +95,7 @@ function costTip({row, all, error, dominated}) {
   const blocks = all.blocks.map(b => `${b.block}: max ${short(b.max_eps)}, p99 ${short(b.p99_eps)}, median ${short(b.median_eps)} eps of ${row.scalar}`);
   return [`latency ${time(all.latency_ns)}, throughput ${time(all.throughput_ns)}`,
     Number.isFinite(error) ? `${costDigits(error)} in the ${row.worst_block}; a lower bound of the error` : "a case without a result", ...blocks,
-    dominated ? `dominated by ${dominated}` : "on the front"];
+    dominated ? `dominated by ${dominated}` : "on the Pareto front"];
 }
 
 function costLegend(points, names) {
@@ -113,7 +113,7 @@ function costLegend(points, names) {
     list.append(element("li", {}, mark("circle", costColor(s, names), costColor(s, names)), s));
   for (const [scalar, shape] of Object.entries(SCALARS))
     if (points.some(p => p.row.scalar === scalar)) list.append(element("li", {}, mark(shape, INK, "#fff"), scalar));
-  list.append(element("li", {}, "filled: on the front; hollow: dominated; dashed: the front"));
+  list.append(element("li", {}, "filled: on the Pareto front; hollow: dominated; dashed line: the Pareto front"));
   return list;
 }
 

@@ -37,8 +37,8 @@ std::vector<CostStep> cost_steps(const std::vector<CostPoint>& points, const std
     if (p.operation == operation && p.dominated_latency.empty() && p.latency > 0) front.push_back(&p);
   std::sort(front.begin(), front.end(), [](auto* a, auto* b) { return a->latency < b->latency; });
   std::vector<CostStep> steps;
-  // A step halves the error at least, because a maximum over a sample is not known better than that. (Where the
-  // intervals of two times overlap, neither dominates, and the slower one may even have the larger error.)
+  // A step at least halves the error, because a maximum over a sample is not more precise than that. If the
+  // intervals of two times overlap, neither row dominates, and the slower row may have the larger error.
   const CostPoint* last = nullptr;
   for (const CostPoint* p : front) {
     if (last && !(p->error <= last->error / 2 && p->error < last->error)) continue;

@@ -10,7 +10,7 @@ namespace liecheck::reports {
 
 namespace {
 
-/// The operations that a tracker or controller calls; the advice takes all of them together.
+/// Operations that a tracker or controller calls. The advice adds up the times of all of them.
 const std::vector<std::string> core = {"exp6", "log6", "integrate", "difference"};
 
 std::string time_text(double ns) {
@@ -25,12 +25,11 @@ std::string digits(double error) {
                            : "every digit";
 }
 
-/// Which subject and scalar to take for a 1 kHz controller and for an offline calibration, and by which rule.
+/// Recommends a subject and scalar for a 1 kHz controller and for an offline calibration, with the rules.
 std::string advice(const std::vector<CostPoint>& points) {
   const auto all = cost_candidates(points, core);
   if (all.empty())
-    return "<p>There is no advice, because no subject offers all of exp6, log6, integrate and "
-           "difference.</p>\n";
+    return "<p>No advice: no subject offers all of exp6, log6, integrate and difference.</p>\n";
   constexpr double hour = 3.6e6, encoder = 1e-7, calls = 100, tick = 1e6;
   std::string out = "<dl class=\"advice\">\n";
   const auto item = [&](const char* what, const std::string& text) {
@@ -38,15 +37,13 @@ std::string advice(const std::vector<CostPoint>& points) {
   };
   const std::string rule = fmt::format(
       "The rule: an hour has {:.1e} ticks. If the errors of all ticks add up, their sum must stay below "
-      "1e-7, "
-      "which is finer than an encoder of 24 bits. The fastest that meets this is taken.",
+      "1e-7, which is finer than an encoder of 24 bits. The fastest choice that satisfies this is taken.",
       hour);
   if (const auto* c = fastest_within(all, encoder / hour)) {
     const double share = calls * c->latency / tick;
     item("For a 1 kHz controller",
          fmt::format("take <b>{}</b>: {} calls of each of exp6, log6, integrate and difference, one after "
-                     "the other, take "
-                     "{}, {:.2g} % of a tick of 1 ms{}, with {} correct. {}",
+                     "the other, take {}, {:.2g} % of a tick of 1 ms{}, with {} correct. {}",
                      escaped(c->name()), calls, time_text(calls * c->latency), share * 100,
                      share > 1 ? " (too much: call fewer)" : "", digits(c->error), rule));
   } else {
@@ -54,8 +51,7 @@ std::string advice(const std::vector<CostPoint>& points) {
   }
   const std::string offline =
       "The rule: finite differences and normal equations square a condition number of up to 1e8 and so lose "
-      "16 "
-      "digits, and six must remain. The fastest with 22 correct digits is taken.";
+      "16 digits, and six digits must remain. The fastest choice with 22 correct digits is taken.";
   const auto* wide = fastest_within(all, 1e-22);
   const auto* in_double = most_accurate(all, "double");
   const std::string narrow = in_double ? fmt::format(" The most accurate in double is <b>{}</b>, {}.",
@@ -87,9 +83,8 @@ std::string price_table(const std::vector<CostPoint>& points, const std::vector<
            std::isinf(more) ? "—" : time_text(ns / more)});
     }
   return table(
-      "The price of each further digit: each step goes from one undominated row to the next slower one with "
-      "at "
-      "most half the error, by latency",
+      "The price of each further digit, by latency: each step goes from one undominated row to the next "
+      "slower row with at most half the error",
       {"operation", "from", "to", "correct digits", "digits gained, time added", "time", "a digit costs"},
       rows, true);
 }
@@ -100,7 +95,7 @@ std::string spread_text(const Json& s) {
                      s["high"].get<double>());
 }
 
-/// Operations by compilers and flags: latency, and the largest error in eps.
+/// A table of operations by compilers and flags: latency, and the largest error in eps.
 std::string flags_table(const Json& cost) {
   std::vector<std::string> modules, flags, operations;
   std::map<std::pair<std::string, std::string>, std::string> cells;
@@ -129,13 +124,11 @@ std::string flags_table(const Json& cost) {
   return table("Compilers and flags: liecheck in double, latency and the largest error found", heads, rows,
                true) +
          "<p class=\"note\">Each column is the same source, compiled to a separate module and called in the "
-         "same "
-         "way. With <code>-ffast-math</code> a compiler may reorder sums, which disables compensated "
-         "summation, "
-         "and may assume that NaN and infinity do not occur.</p>\n";
+         "same way. With <code>-ffast-math</code> a compiler may reorder sums, which disables compensated "
+         "summation, and may assume that NaN and infinity do not occur.</p>\n";
 }
 
-/// Every row and block, in a folded table.
+/// A folded table of all rows and blocks.
 std::string all_points(const Json& cost) {
   std::vector<Cells> rows;
   for (const Json& row : cost["rows"])
@@ -156,7 +149,7 @@ std::string all_points(const Json& cost) {
            fmt::format("{}", fmt::join(errors, "; ")),
            mixed && row["dominated_latency"].is_string() ? text_of(row, "dominated_latency") : ""});
     }
-  return "<details><summary>Every figure: each operation, subject and scalar, over all inputs and band by "
+  return "<details><summary>All figures: each operation, subject and scalar, over all inputs and for each "
          "band</summary>\n" +
          table("Time and error on the same inputs",
                {"operation", "subject", "scalar", "inputs", "latency [ns]", "throughput [ns]", "instructions",
@@ -179,20 +172,17 @@ std::string cost_section(const Merged& merged) {
     const std::string counter = cost["no_counter"];
     out += advice(points);
     out += fmt::format(
-        "<p class=\"note\">Every subject is called through a function pointer on the same inputs of its "
-        "scalar, which "
-        "are drawn from five bands of angles, and its error is measured on the same inputs; a maximum is a "
-        "<b>lower "
-        "bound</b>. A time is processor time: the median of at most {} repetitions. All rows are repeated in "
-        "random order in one run, and repetitions during which another program used the core are left out. "
-        "The "
-        "brackets hold the interval that contains the median with 95 %. Latency: each call waits for the one "
-        "before. Throughput: no call waits. The row <code>call</code> is the shortest operation of the same "
-        "signature; every time includes it. A row is <b>dominated</b> where another one is faster (disjoint "
+        "<p class=\"note\">Every subject is called through a function pointer. All subjects of a scalar get "
+        "the same inputs, which are drawn from five bands of angles, and their errors are measured on these "
+        "inputs; a maximum is a <b>lower bound</b>. A time is processor time: the median of at most {} "
+        "repetitions. All rows are repeated in random order in one run, and repetitions during which another "
+        "program used the core are left out. Brackets hold the interval that contains the median with a "
+        "probability of 95 %. Latency: each call waits for the result of the one before. Throughput: no call "
+        "waits. The row <code>call</code> is the shortest operation of the same signature; its time is "
+        "included in every other time. A row is <b>dominated</b> if another row is faster (disjoint "
         "intervals) and has no larger error, or has a smaller error and is not slower. The error is the "
-        "largest "
-        "of any block except the defects of norm and orthogonality. Scalars wider than double get inputs in "
-        "double and are compared with closed forms at 100 digits.</p>\n",
+        "largest of any block except the defects of norm and orthogonality. Scalars wider than double get "
+        "inputs in double and are compared with closed forms at 100 digits.</p>\n",
         cost["repetitions"].dump());
     out += fmt::format(
         "<p class=\"note\">Machine: {}, governor {}, {}; {}, <code>{}</code>; instructions {}. Seed {}; "

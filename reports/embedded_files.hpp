@@ -1,11 +1,11 @@
 #pragma once
-// Files that embed.cmake puts into the program: the parts of the page, Chart.js and the schema of a record.
+// Files that embed.cmake compiles into the program: parts of the page, Chart.js and the schema of a record.
 
 #include <string_view>
 
 namespace liecheck::reports {
 
-/// The text of a file, by its name: "page.html", "chart.min.js", "record.json".
+/// The text of the file with this name: "page.html", "chart.min.js", "record.json".
 std::string_view embedded_file(std::string_view name);
 
 }  // namespace liecheck::reports

@@ -7,7 +7,7 @@ const element = (name, attributes = {}, ...children) => {
   return made;
 };
 
-const waiting = new Map();  // canvas holder -> what makes its chart
+const waiting = new Map();  // canvas holder -> function that creates its chart
 const watcher = new IntersectionObserver(entries => {
   for (const e of entries) if (e.isIntersecting) draw(e.target);
 }, {rootMargin: "600px"});
@@ -20,8 +20,8 @@ function draw(holder) {
   make();
 }
 
-// Before printing, every chart is drawn at its printed size, because the browser scales a canvas and does not redraw
-// it. Tables of bands without a chart are unfolded; the others are not printed and are in report.csv.
+// Before printing, charts are redrawn at their printed size, because the browser only scales a canvas. Tables of
+// bands without a chart are unfolded. The other tables are not printed; report.csv has their rows.
 let unfolded = [];
 function toPaper() {
   [...waiting.keys()].forEach(draw);
@@ -35,7 +35,7 @@ function fromPaper() {
   for (const holder of document.querySelectorAll(".canvas")) Chart.getChart(holder.firstElementChild)?.resize();
 }
 
-function forget(container) {  // destroys its charts, before it is filled again
+function forget(container) {  // destroys the charts of a container, before it is filled again
   for (const holder of container.querySelectorAll(".canvas")) {
     watcher.unobserve(holder);
     waiting.delete(holder);
@@ -68,7 +68,7 @@ function legend(rows, statistics) {
   return list;
 }
 
-// The text of a chart for screen readers.
+// A description of a chart for screen readers.
 function spoken(rows, head) {
   const parts = subjects.flatMap(s => {
     const own = rows.filter(r => r.subject === s && r.count > 0);
@@ -116,16 +116,16 @@ function tip({row, statistic}) {
     ...outcomes(row)];
 }
 
-// The charts of some rows (one scalar, one block of one operation) over one vertical range.
+// The charts of rows of one scalar and one block of an operation, with one vertical range.
 function charts(rows, statistics, kinds = ["theta", "pi_minus_theta"]) {
   const shown = kinds.map(k => [k, rows.filter(r => r.axis === k)]).filter(([, own]) => own.some(r => r.count > 0));
   const pair = element("div", {class: shown.length > 1 ? "pair" : "pair single"});
   const y = verticalAxis(shown.flatMap(([, own]) => own), statistics);
-  const foot = some => {  // room for the names of slots under the axis
+  const foot = some => {  // height of the axis, with room for the names of slots
     const longest = Math.max(0, ...some.filter(isSlot).map(r => slotName(r.band).length));
     return longest > 3 ? 34 + 5.8 * Math.min(longest, 18) : 50;
   };
-  const stacked = matchMedia("(max-width: 760px)").matches;  // side by side, both charts end at one height
+  const stacked = matchMedia("(max-width: 760px)").matches;  // side by side, both charts get the same height
   for (const [kind, own] of shown)
     pair.append(plot(own, kind, y, statistics, foot(stacked ? own : shown.flatMap(([, some]) => some))));
   return pair;

@@ -1,4 +1,4 @@
-// Films of motions: boxes in perspective on a canvas, with play, a scrubber, and a view that turns by dragging.
+// Films of motions: boxes in perspective on a canvas, with a play button, a time slider and a rotatable view.
 
 const films = numbers.records.flatMap(r => r.scenes?.films ?? []);
 const FACES = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]];  // -x +x -y +y -z +z
@@ -54,7 +54,7 @@ class Player {
     this.lift = Math.min(1.5, Math.max(-.2, this.lift + lift));
     this.show(this.time);
   }
-  // Every corner and joint of a frame, in the world.
+  // All corners and joints in film frame n, in world coordinates.
   solid(n) {
     return this.film.frames[n].flatMap((pose, i) => [...this.boxes[i], ...this.film.links[i].joints].map(p => placed(pose, p)));
   }
@@ -115,7 +115,7 @@ class Player {
       const p = this.boxes[i].map(c => placed(pose, c)), s = p.map(seen);
       FACES.forEach((face, f) => {
         const [a, b, c] = face.map(k => s[k]);
-        if ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]) >= 0) return;  // a face seen from behind
+        if ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]) >= 0) return;  // hidden: it faces away
         const q = face.map(k => p[k]), u = q[1].map((v, k) => v - q[0][k]), v = q[3].map((w, k) => w - q[0][k]);
         const normal = u[0] * v[1] - u[1] * v[0], area = Math.hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], normal) || 1;
         const light = .72 + .28 * Math.abs(normal) / area;
@@ -131,7 +131,7 @@ class Player {
       ctx.closePath(); ctx.fill(); ctx.stroke();
     }
   }
-  furthest() {  // the end of the longest axis of a lone body, whose path is drawn
+  furthest() {  // the end of a single body's longest axis; the path of this point is drawn
     const link = this.film.links[0], i = link.half.indexOf(Math.max(...link.half));
     return [0, 1, 2].map(k => link.centre[k] + link.axes[3 * k + i] * link.half[i]);
   }

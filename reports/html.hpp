@@ -1,5 +1,5 @@
 #pragma once
-// Elements of HTML, and the sections of the page that need no file of their own header.
+// HTML elements, and two sections of the page.
 
 #include <reports/record.hpp>
 #include <string>
@@ -7,21 +7,21 @@
 
 namespace liecheck::reports {
 
-/// Text, safe in an element or an attribute.
+/// The text with &, <, > and quotes escaped, for use in an element or an attribute.
 std::string escaped(const std::string& text);
 
-/// "1.23", "NaN", "Inf".
+/// Three digits, "NaN" or "Inf".
 std::string eps_text(double value);
 
 using Cells = std::vector<std::string>;  // HTML
 
-/// dense: cells on one line; the table scrolls sideways instead.
+/// Most cells of a dense table do not wrap; the table scrolls sideways instead.
 std::string table(const std::string& caption, const Cells& heads, const std::vector<Cells>& rows,
                   bool dense = false);
 
 std::string code(const std::string& text);
 
-/// A field that is text, escaped.
+/// A text field of a row, escaped.
 std::string text_of(const Json& row, const char* name);
 
 /// Section "What accuracy costs in time": advice, the price of each further digit, every row.

@@ -6,7 +6,7 @@
 namespace liecheck::reports {
 namespace {
 
-/// The key, which must not look like one of packed()'s.
+/// Returns the key; throws if it could be mistaken for a key that packed() adds.
 const std::string& plain(const std::string& key) {
   if (key.starts_with('*')) throw std::invalid_argument("a key may not begin with a star: " + key);
   return key;
@@ -37,7 +37,7 @@ Json packed_rows(const Json& list) {
   return {{"*keys", std::move(keys)}, {"*columns", std::move(columns)}};
 }
 
-/// Distinct values, and the index of each element among them.
+/// The distinct values of a list, and for each element the index of its value.
 Json packed_words(const Json& list) {
   Json words = Json::array(), at = Json::array();
   std::unordered_map<std::string, std::size_t> places;

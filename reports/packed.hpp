@@ -1,13 +1,13 @@
 #pragma once
-// A shorter form of the JSON in the page. page.js undoes it; report.json is written without it.
+// A compact form of the JSON inside the page. page.js restores the original; report.json is not packed.
 
 #include <reports/record.hpp>
 
 namespace liecheck::reports {
 
-/// The same value with each list of objects of the same keys as {"*keys": [...], "*columns": [[...], ...]}, and each
-/// list that gets shorter as {"*words": [...], "*at": [...]}: its distinct values, and for each element their index.
-/// Throws std::invalid_argument at a key that begins with a star.
+/// A list of objects with equal keys becomes {"*keys": [...], "*columns": [[...], ...]}. Another list becomes
+/// {"*words": [...], "*at": [...]} if that is shorter: its distinct values, and the index of each element.
+/// Throws std::invalid_argument if a key begins with a star.
 Json packed(const Json& value);
 
 }  // namespace liecheck::reports

@@ -34,7 +34,7 @@ std::string place(const Json& row) {
   return fmt::format("{} {}, {}", text_of(row, "operation"), text_of(row, "block"), text_of(row, "band"));
 }
 
-/// A campaign with a time limit (`total_cases` equals `cases`) has no number of cases for each series.
+/// If `total_cases` equals `cases`, the campaign had a time limit and no fixed number of cases for a law.
 std::string cases_text(const Json& record) {
   const Json total = record.value("total_cases", Json());
   if (total == record["cases"]) return fmt::format("{} cases in all", total.dump());
@@ -100,8 +100,7 @@ std::string verdict_section(const Merged& merged) {
   if (control_rows > 0)
     out += control_failed > 0
                ? "<p><b>textbook</b> is the positive control: it implements the closed forms of textbooks "
-                 "with one "
-                 "cutoff for small angles. It is expected to fail, and it does.</p>\n"
+                 "with one cutoff for small angles. It is expected to fail, and it does.</p>\n"
                : "<p class=\"verdict fail\"><strong>CONTROL PASSED</strong> The positive control textbook is "
                  "expected to fail and did not: do not trust this report.</p>\n";
   if (merged.results.empty()) out += "<p class=\"verdict incomplete\">The records hold no results.</p>\n";
@@ -160,8 +159,8 @@ std::string layout_text(const Json& layout) {
   return fmt::format("{}", fmt::join(parts, "<br>"));
 }
 
-/// Rows of a list that every record has (blocks, operations, properties), each entry once. A field that the record
-/// lacks is left empty.
+/// Table rows of a list ("blocks", "operations" or "properties") of all records, each row once. A missing
+/// field gives an empty cell.
 std::vector<Cells> listed(const Merged& merged, const char* list, std::initializer_list<const char*> fields) {
   std::vector<Cells> rows;
   for (const Json& record : merged.records)
@@ -176,7 +175,7 @@ std::vector<Cells> listed(const Merged& merged, const char* list, std::initializ
   return rows;
 }
 
-/// The definitions of blocks; operations that share one are named in one row.
+/// The definitions of blocks; operations with the same definition share a row.
 std::vector<Cells> block_rows(const Merged& merged) {
   std::vector<Cells> rows;
   for (const Cells& row : listed(merged, "blocks", {"operation", "block", "error", "denominator", "unit"})) {
@@ -273,7 +272,7 @@ std::string page(const Merged& merged, const Json& numbers) {
       {"definitions", [&] { return definitions_section(merged); }},
       {"coverage", [&] { return coverage_section(merged); }},
       {"machine", [&] { return machine_section(merged); }}};
-  // One pass over page.html: text that replaces a slot is not searched for slots.
+  // One pass over page.html: the text that replaces a slot is not searched for further slots.
   std::string out;
   std::string_view rest = embedded_file("page.html");
   for (;;) {

@@ -1,6 +1,6 @@
 // The page: reads the inlined figures, builds the controls and fills the sections.
 
-// Undoes packed.hpp: makes rows of columns, and values of the places of values.
+// The inverse of packed() in packed.hpp.
 function unpacked(x) {
   if (Array.isArray(x)) return x.map(unpacked);
   if (x === null || typeof x !== "object") return x;
@@ -23,7 +23,7 @@ const chosen = {
 
 const visible = () => results.filter(r => r.scalar === chosen.scalar && !chosen.hidden.has(r.subject));
 
-function groups(rows) {  // rows of one operation, block and property, in the order of the records
+function groups(rows) {  // lists of rows with equal operation, block and property, in the order of the records
   const found = new Map();
   for (const r of rows) {
     const key = JSON.stringify([r.operation, r.block, r.property]);
@@ -44,7 +44,7 @@ function caption(rows) {
 
 const onAxis = r => r.axis !== "none" && r.count > 0;
 
-// The chart at the top: the error of exp6's translation at small angles, or else of the block with the largest error.
+// The chart at the top: exp6's translation at small angles, or else the block with the largest error.
 function fillCover() {
   const section = document.getElementById("cover");
   forget(section);

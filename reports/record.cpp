@@ -13,16 +13,16 @@ namespace liecheck::reports {
 
 namespace {
 
-/// A list that later versions added; an empty one where the record is older.
+/// A list that older records lack; empty for them.
 const Json& list_in(const Json& object, const char* name) {
   static const Json none = Json::array();
   const auto list = object.find(name);
   return list == object.end() ? none : *list;
 }
 
-/// Refuses what only other fields of the same record tell to be wrong.
+/// Refuses values that contradict other fields of the record, and seeds below 0.
 void check_relations(std::string_view file, const Json& record) {
-  const auto seed = [&](const char* field, const Json& value) {  // the schema cannot bound it: types.json
+  const auto seed = [&](const char* field, const Json& value) {  // types.json says why the schema does not
     if (!value.is_number_unsigned() && value.get<std::int64_t>() < 0)
       refuse(file, field, "a seed, 0 to 2^64 - 1", value);
   };
@@ -61,7 +61,7 @@ void check_relations(std::string_view file, const Json& record) {
     });
 }
 
-/// "line 3, column 14" of a byte, both counted from 1, columns in bytes.
+/// "line 3, column 14" of the byte at index `at`; both count from 1, columns in bytes.
 std::string line_and_column(std::string_view bytes, std::size_t at) {
   const std::string_view before = bytes.substr(0, at);
   const auto line = 1 + std::count(before.begin(), before.end(), '\n');
@@ -69,7 +69,7 @@ std::string line_and_column(std::string_view bytes, std::size_t at) {
   return fmt::format("line {}, column {}", line, newline == before.npos ? at + 1 : at - newline);
 }
 
-/// Throws what is wrong with a text that is not JSON, and where: bytes are counted from 1 at both.
+/// Throws the first error of a text that is not JSON, with its line and column.
 class FirstError final : public nlohmann::json_sax<Json> {
  public:
   FirstError(const std::string& file, std::string_view bytes) : file_(file), bytes_(bytes) {}
@@ -87,7 +87,7 @@ class FirstError final : public nlohmann::json_sax<Json> {
   bool end_array() override { return true; }
   bool parse_error(std::size_t byte, const std::string& token,
                    const nlohmann::detail::exception& e) override {
-    constexpr int out_of_range = 406;  // of a double
+    constexpr int out_of_range = 406;  // a number beyond the range of double
     if (e.id == out_of_range)
       throw std::runtime_error(fmt::format("{}: {}: a number beyond double: {}", file_,
                                            line_and_column(bytes_, byte - std::min(byte, token.size())),

@@ -26,7 +26,7 @@ std::string cell(const Json& value) {
   return value.dump();
 }
 
-/// A row per result; the worst input as hexadecimal words parted by spaces.
+/// One line for each result; the numbers of the worst input are hexadecimal and separated by spaces.
 std::string csv(const Merged& merged) {
   std::string out = fmt::format("{},worst_id,worst_kappa,worst_input\r\n", fmt::join(columns, ","));
   for (const Json& row : merged.results) {
@@ -58,7 +58,7 @@ ReportFiles write_report(const std::vector<std::filesystem::path>& records,
     for (const auto& file : {files.html, files.json, files.csv})
       if (std::filesystem::equivalent(record, file, error))
         throw std::runtime_error(
-            fmt::format("{}: a record, and the report in {} would overwrite it: choose another folder",
+            fmt::format("{}: the report in {} would overwrite this record: choose another folder",
                         record.string(), out_dir.string()));
   properties::write_whole(files.json, numbers.dump(1) + '\n');
   properties::write_whole(files.csv, csv(merged));

@@ -8,7 +8,7 @@ const POINT_SHAPES = ["circle", "triangle", "rect", "rectRot", "star", "crossRot
 
 const methodName = s => s.subject === "liecheck" ? s.integrator : `${s.subject} ${s.integrator}`;
 
-// A colour and shape for each method of a sweep, the same in all its diagrams; peers are dashed and grey, black or brown.
+// A colour and shape for each method, the same in all diagrams. Other simulators have dashed lines.
 function methodLooks(sweep) {
   const looks = new Map(), peers = ["#6b6b6b", "#000000", "#8c564b", "#a9a9a9"];
   const subjects = unique(sweep.scenes.flatMap(s => s.series.map(x => x.subject))).filter(s => s !== "liecheck");
@@ -97,7 +97,7 @@ document.querySelectorAll(".scene-charts").forEach((home, i) => {
       const block = scene.series.some(s => s.points.some(p => p[form.elements.block.value] !== null)) ? form.elements.block.value : "position";
       const chart = workPrecision(scene, block, looks, peers.checked);
       grid.append(element("figure", {class: "plot"}, element("h4", {}, scene.scene),
-        element("figcaption", {}, `${scene.what}. Truth: ${scene.truth}.`), chart ?? element("p", {}, "No run of this scene was timed.")));
+        element("figcaption", {}, `${scene.what}. Reference: ${scene.truth}.`), chart ?? element("p", {}, "No run of this scene was timed.")));
     }
     home.append(grid);
   };

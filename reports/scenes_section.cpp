@@ -28,17 +28,17 @@ std::string verdict(const Json& s) {
   for (const Json& scene : s["scenes"]) orders += scene["orders"].size();
   if (orders == 0) return "";
   if (s["wrong_orders"].empty())
-    return "<p>Every integrator shows its order to 0.1 over five halvings of the step, on every scene below "
-           "on "
-           "which it is not exact.</p>\n";
+    return "<p>The observed order of every integrator is within 0.1 of its theoretical order, over five "
+           "halvings of the step, on every scene below on which the integrator is not exact.</p>\n";
   std::string out =
-      "<p class=\"verdict fail\"><strong>ORDER</strong> Some integrators do not show their "
-      "order:</p>\n<ul>\n";
+      "<p class=\"verdict fail\"><strong>ORDER</strong> The observed order of some integrators is "
+      "wrong:</p>\n"
+      "<ul>\n";
   for (const Json& line : s["wrong_orders"]) out += "<li>" + escaped(line.get<std::string>()) + "</li>\n";
   return out + "</ul>\n";
 }
 
-/// A table of integrators by scenes: the order observed, over how many halvings, in which scalar; the floor in double.
+/// A table of integrators by scenes: observed order, number of halvings, scalar, smallest error in double.
 std::string orders(const Json& s) {
   Cells heads = {"integrator", "order"};
   std::vector<std::string> names;
@@ -73,9 +73,8 @@ std::string orders(const Json& s) {
   }
   if (rows.empty()) return "";
   return table(
-      "The order that each integrator shows, over how many halvings of the step, and in which scalar; then "
-      "its "
-      "smallest error in double, called its floor where smaller steps did not lower it",
+      "The observed order of each integrator, with the number of halvings of the step and the scalar of the "
+      "runs; then its smallest error in double, called its floor if smaller steps did not lower it",
       heads, rows, true);
 }
 
@@ -104,10 +103,9 @@ std::string drifts(const Json& s) {
   if (rows.empty()) return "";
   return "<details><summary>Drift of energy and momentum: slope and oscillation</summary>\n" +
          table(
-             "In the coarsest run with an error of at most 1e-3: the slope of the least-squares line and the "
-             "largest distance from it, relative to the value at the start. The momentum is the angular "
-             "momentum "
-             "vector of scenes without external forces",
+             "Drift over time, in the coarsest run with an error of at most 1e-3: the slope of the "
+             "least-squares line and the largest distance from that line, relative to the value at the "
+             "start. The momentum is the angular momentum vector of scenes without external forces",
              {"scene", "method", "steps", "error", "energy: slope [1/s]", "oscillation",
               "momentum: slope [1/s]", "oscillation"},
              rows, true) +
@@ -127,8 +125,7 @@ std::string spins(const Json& s) {
   if (!rows.empty())
     out += table(
         "A triaxial body without torque over many turns: the error of its attitude against the closed form. "
-        "The "
-        "limit, turns · 2π · eps, is the effect of an error of eps in the angular velocity",
+        "The limit, turns · 2π · eps, is the effect of an error of eps in the angular velocity",
         {"integrator", "order", "turns", "steps a turn", "error [rad]", "limit [rad]", "error / limit",
          "time"},
         rows, true);
@@ -144,13 +141,13 @@ std::string spins(const Json& s) {
   if (!rows.empty())
     out += table(
                "Dzhanibekov effect, ω₀ = (d, 1, d) rad/s, moments of inertia 1, 2, 3 kg m², by gauss12: "
-               "relative "
-               "error of the time of each flip, and the horizon up to which all flips are right to 1e-6",
+               "relative error of the time of each flip, and the horizon up to which all flips are right to "
+               "1e-6",
                {"d", "scalar", "first flip [s]", "relative error of each flip", "right to 1e-6", "horizon"},
                rows, true) +
-           "<p class=\"note\">Near the axis, rounding errors in the unstable direction grow by 1/d². Any "
-           "integrator "
-           "with its state in that scalar therefore finds a second flip to about eps/d² and no better.</p>\n";
+           "<p class=\"note\">Near the axis, rounding errors in the unstable direction grow by 1/d². The "
+           "time of a second flip therefore has a relative error of about eps/d² or more, with any "
+           "integrator whose state is in that scalar.</p>\n";
   return out;
 }
 
@@ -165,9 +162,9 @@ std::string peers(const Json& s) {
         {"all", escaped(name.get<std::string>()), "—", "0", "—", "—", "—", "absent from this build"});
   if (rows.empty()) return "";
   return table(
-      "Comparison with other simulators, without contact: the time of liecheck over theirs, at an error that "
-      "is "
-      "no larger, the largest over all their points. Below 1, liecheck is faster at every point",
+      "Comparison with other simulators, without contact: liecheck’s time divided by the simulator’s time, "
+      "where liecheck’s error is no larger. The largest ratio over all points of the simulator is shown. "
+      "Below 1, liecheck is faster at every point",
       {"scene", "simulator", "its method", "points", "liecheck’s time / its time", "at error",
        "liecheck’s method", ""},
       rows, true);
@@ -181,9 +178,8 @@ std::string costs(const Json& s) {
   if (rows.empty()) return "";
   return "<details open><summary>What each effect costs</summary>\n" +
          table(
-             "The stages of three plans, as liecheck scene explain measures them. A scene has only the "
-             "stages of the "
-             "effects that it names",
+             "The stages of three plans, as liecheck scene explain measures them. A plan has only the stages "
+             "of the effects that its scene names",
              {"scene", "stage", "runs each", "time", "equation", "energy", "why the plan has it"}, rows,
              true) +
          "</details>\n";
@@ -202,24 +198,19 @@ std::string scenes_section(const Merged& merged) {
     for (std::size_t i = 0; i < s.value("films", Json::array()).size(); ++i) own.push_back(film++);
     if (!own.empty()) out += fmt::format("<div class=\"films\" data-films=\"{}\"></div>\n", own.dump());
     out += fmt::format(
-        "<p class=\"note\">Each method runs a scene with smaller and smaller steps, an adaptive method with "
-        "smaller "
-        "and smaller tolerances. The error is the largest difference from the exact motion at the four "
-        "quarters of "
-        "the duration; for attitudes it is the angle between them. The time is the median of the processor "
-        "time of a "
-        "whole run, divided by the duration; the runs of all points of a scene are interleaved. Lower and "
-        "further "
-        "left is better. Dashed lines are other simulators, with contact and damping off. All took {:.0f} "
-        "s.</p>\n"
-        "<form class=\"scene-controls\" aria-label=\"Which scenes are drawn\"></form>\n<div "
-        "class=\"scene-charts\"></div>\n",
+        "<p class=\"note\">Each method runs a scene with smaller and smaller steps; an adaptive method runs "
+        "it with smaller and smaller tolerances. The error is the largest difference from the exact motion "
+        "at the four quarters of the duration; for attitudes it is the angle between the two. The time is "
+        "the median of the processor time of a whole run, divided by the duration; the runs of all points of "
+        "a scene are interleaved. Lower and further left is better. Dashed lines are other simulators, with "
+        "contact and damping off. All runs together took {:.0f} s.</p>\n"
+        "<form class=\"scene-controls\" aria-label=\"Which scenes are drawn\"></form>\n"
+        "<div class=\"scene-charts\"></div>\n",
         s["elapsed"].get<double>());
     out += peers(s) + orders(s) + spins(s) + drifts(s) + costs(s);
   }
   return out.empty() ? "<p>These records hold no scenes: <code>liecheck report</code> without a record "
-                       "simulates them, "
-                       "as does <code>liecheck scene sweep</code>.</p>\n"
+                       "simulates them, as does <code>liecheck scene sweep</code>.</p>\n"
                      : out;
 }
 

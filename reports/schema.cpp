@@ -14,7 +14,7 @@
 namespace liecheck::reports {
 namespace {
 
-/// A schema file; only schema() reads them, once.
+/// A schema file, parsed at its first use; only schema() needs these files.
 const Json& schema_file(const std::string& name) {
   static std::map<std::string, Json> all;
   const auto [file, is_new] = all.try_emplace(name);
@@ -22,7 +22,8 @@ const Json& schema_file(const std::string& name) {
   return file->second;
 }
 
-/// A node of the schema file `name` without references; annotations beside a reference replace those that it brings.
+/// A node of the schema file `name`, with its references replaced by their targets. A key next to a reference
+/// overrides the same key of the target.
 Json resolved(const std::string& name, const Json& node) {
   if (node.is_array()) {
     Json all = Json::array();
@@ -43,7 +44,7 @@ Json resolved(const std::string& name, const Json& node) {
   return all;
 }
 
-/// Whether values meet a node of the schema.
+/// Checks values against a node of the schema.
 class Rule {
  public:
   explicit Rule(const Json& node) {
@@ -58,7 +59,7 @@ class Rule {
   valijson::Validator validator_;
 };
 
-/// What a node of the schema asks of a value, in words.
+/// What a node of the schema expects of a value, in words.
 std::string expected(const Json& node) {
   if (node.contains("enum"))
     return fmt::format("one of {}", fmt::join(node["enum"].get<std::vector<std::string>>(), ", "));
@@ -67,8 +68,8 @@ std::string expected(const Json& node) {
   return node.value("title", "an array");
 }
 
-/// Refuses the innermost part of `value` that does not meet its node of the schema. valijson tells only whether a value
-/// is valid: its lists of errors grow with the file, and none says what was found.
+/// Refuses the innermost part of `value` that does not satisfy its node of the schema. valijson's lists of
+/// errors are not used: they grow with the file and lack the value that was found.
 [[noreturn]] void refuse_part(std::string_view file, const std::string& field, const Json& node,
                               const Json& value) {
   const auto check = [file](const std::string& inner, const Json& rule, const Json& part) {

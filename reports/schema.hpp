@@ -1,5 +1,5 @@
 #pragma once
-// The JSON Schema of a record, properties/record/schema, which the program carries with it.
+// The JSON Schema of a record (properties/record/schema), which is compiled into the program.
 
 #include <nlohmann/json.hpp>
 #include <string>
@@ -7,16 +7,17 @@
 
 namespace liecheck::reports {
 
-/// Keys in alphabetical order, as liecheck writes them.
+/// Keeps keys in alphabetical order, as in the records that liecheck writes.
 using Json = nlohmann::json;
 
-/// The whole schema, with every reference replaced by what it names.
+/// The whole schema, with every reference replaced by its target.
 const Json& schema();
 
-/// Throws std::runtime_error, one line, that names the file, the field, what was expected there and what was found.
-[[noreturn]] void refuse(std::string_view file, std::string_view field, std::string_view expected, const Json& found);
+/// Throws std::runtime_error with one line: the file, the field, and what was expected and found there.
+[[noreturn]] void refuse(std::string_view file, std::string_view field, std::string_view expected,
+                         const Json& found);
 
-/// Refuses the first value of a record that does not meet the schema.
+/// Refuses the first value of a record that does not satisfy the schema.
 void check_schema(std::string_view file, const Json& record);
 
 }  // namespace liecheck::reports

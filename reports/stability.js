@@ -1,18 +1,18 @@
-// The stability page: hard case × (subject, scalar), by class; each cell opens its input and its replay command.
+// The stability table: hard cases × (subject, scalar), by class. A click on a cell shows its details.
 
-// From good to bad: a cell shows the worst of the laws that its case was run through.
+// Ordered from best to worst. A cell shows the worst verdict of all laws of its case.
 const VERDICTS = [
   {name: "stable", mark: "✓", text: "within budget"},
-  {name: "refused", mark: "R", text: "refused with an error; counted as a failure only where the input is a rotation"},
+  {name: "refused", mark: "R", text: "refused with an error; counted as a failure only if the input is a rotation"},
   {name: "ill-posed", mark: "P", text: "eps · κ ≥ 1: the input determines no digit; neither stable nor a failure"},
-  {name: "unresolved", mark: "?", text: "the oracle disagrees with itself"},
+  {name: "unresolved", mark: "?", text: "two precisions or formulas of the oracle disagree"},
   {name: "inaccurate", mark: "I", text: "finite, over budget: digits lost beyond κ"},
-  {name: "wrong branch", mark: "B", text: "another logarithm, the opposite quaternion, or an answer where there is none"},
+  {name: "wrong branch", mark: "B", text: "another logarithm, the opposite quaternion, or an answer to what is no rotation"},
   {name: "not finite", mark: "N", text: "NaN or Inf"}];
 const rankOf = cell => VERDICTS.findIndex(v => v.name === cell.verdict) + (cell.failed ? 100 : 0);
 const verdictOf = cell => VERDICTS.find(v => v.name === cell.verdict);
 
-// One entry for each case: its laws, and for each column the cells of all laws, worst first.
+// One entry for each case, with the cells of all its laws in each column, worst first.
 function hardCases() {
   const cases = new Map();
   for (const row of numbers.records.flatMap(r => r.hard_cases ?? [])) {
@@ -95,7 +95,7 @@ function caseRow(hard, columns) {
   return row;
 }
 
-// The row of a class with each column's failures; the rows of its cases are made when it is first opened.
+// The row of a class with the failures in each column. The rows of its cases are created when it is opened.
 function classBody(name, cases, columns, open) {
   const body = element("tbody"), toggle = element("button", {type: "button", class: "class", "aria-expanded": "false"});
   const head = element("tr", {class: "class"}, element("th", {scope: "rowgroup"}, toggle));

@@ -12,31 +12,31 @@ namespace liecheck::reports {
 struct Standing {
   std::string subject, version, scalar;
   double eps = 0;
-  int passed = 0, failed = 0, unresolved = 0, ill_posed = 0, empty = 0;  ///< bands, by status
+  int passed = 0, failed = 0, unresolved = 0, ill_posed = 0, empty = 0;  ///< number of bands, by status
   std::uint64_t cases = 0, not_finite = 0, wrong_branch = 0;             ///< cases
-  const Json* worst = nullptr;  ///< its worst judged row; null without any
+  const Json* worst = nullptr;  ///< its worst judged row; null if no row was judged
   std::vector<std::string> not_offered;
 };
 
 /// The figure that the budget of a row limits: max_eps under rule "forward", max_excess under "excess".
 double judged(const Json& row);
 
-/// "fail" if any band failed, else "incomplete" if any is unresolved, else "pass"; "no verdict" without a judged
-/// band.
+/// "fail" if any band failed; else "incomplete" if any is unresolved; else "pass", or "no verdict" without a
+/// judged band.
 std::string word(const Standing& standing);
 
-/// Whether row a is the worse error: not finite or on a wrong branch before any number, then the larger ratio
-/// to its budget.
+/// Whether row a is worse than row b. A row with a result that is not finite or on a wrong branch is worse
+/// than any other row. Otherwise the row with the larger ratio of error to budget is worse.
 bool worse(const Json& a, const Json& b);
 
-/// "fail" if any record failed, else "incomplete" if any is, else "pass"; without a row, nothing passed.
+/// "fail" if any record failed, else "incomplete" if any record is or if there is no row, else "pass".
 std::string verdict(const Merged& merged);
 
 /// Subjects in the order of the records.
 std::vector<Standing> standings(const Merged& merged);
 
-/// The failing rows, at most `limit`, no more than one for each subject, scalar, property, operation and
-/// block.
+/// At most `limit` failing rows, worst first, and at most one for each subject, scalar, property, operation
+/// and block.
 std::vector<const Json*> worst_offenders(const Merged& merged, std::size_t limit);
 
 }  // namespace liecheck::reports

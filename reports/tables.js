@@ -1,4 +1,4 @@
-// Tables of bands: every figure of the charts, the worst case of each band, and how to replay it.
+// Tables of bands: all figures of the charts, and the worst case of each band with its replay command.
 
 function replayCell(row) {
   if (!row.worst?.id) return element("td", {}, "—");
@@ -31,7 +31,7 @@ const number = text => element("td", {class: "number"}, text);
 // A band without cases has no error; 0 would mean exact results.
 const measured = (row, name) => number(row.count > 0 ? short(row[name]) : "—");
 
-// `first`: the columns that identify a row together with the band.
+// `first` names the columns that, together with the band, identify a row.
 function bandTable(caption, rows, first) {
   const heads = [...first, "band", "cases", "max [eps], a lower bound", "p99 [eps]", "median [eps]", "max excess",
     "judged by", "budget", "status", "other outcomes", "worst case"];

@@ -1,4 +1,4 @@
-// The section of error against time: the price of a digit, and which subject it advises.
+// The section of error against time: the price of a digit, and the recommended subjects.
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ namespace {
 
 using namespace liecheck::reports;
 
-TEST(CostReport, AStepOfTheFrontAtLeastHalvesTheError) {
+TEST(CostReport, EachStepAtLeastHalvesTheError) {
   const auto points = cost_points(cost());
   std::string steps;
   for (const CostStep& s : cost_steps(points, "exp6")) steps += s.from->name() + " > " + s.to->name() + "; ";
@@ -26,7 +26,7 @@ TEST(CostReport, AStepOfTheFrontAtLeastHalvesTheError) {
 
 TEST(CostReport, AdviceFollowsFromTheFigures) {
   const auto all = cost_candidates(cost_points(cost()), {"exp6", "log6", "integrate", "difference"});
-  EXPECT_EQ(all.size(), 7U);  // `one` lacks three of them
+  EXPECT_EQ(all.size(), 7U);  // subject `one` lacks three of the operations
   EXPECT_EQ(fastest_within(all, 1e-14)->name(), "fast in double");
   EXPECT_EQ(fastest_within(all, 1e-22)->name(), "default in quad");
   EXPECT_EQ(fastest_within(all, 1e-40), nullptr);
@@ -55,7 +55,7 @@ std::string refusal(const Json& cost) {
   return "";
 }
 
-TEST(CostReport, RefusesWhatIsNoTimeNamingTheField) {
+TEST(CostReport, NamesTheFieldThatItRefuses) {
   EXPECT_EQ(refusal(cost()), "");
   Json r = cost();
   r["rows"][0]["sets"][0]["latency_ns"]["median"] = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// The fields that the schema of a record documents, and those that a record has.
+// The fields that the schema documents, and the fields that a record has.
 
 #include <map>
 #include <reports/schema.hpp>
@@ -8,9 +8,10 @@
 
 namespace liecheck::reports {
 
-/// Calls visit(field, object, key, rule, object_rule) for every member of every object in a value that the schema's
-/// node `rule` describes, outer ones first. Lists are "[]" in a field, names that the schema leaves open "*":
-/// "results[].worst.id", "hard_cases[].input.*". The rule of a member that the schema does not know is null.
+/// Calls visit(field, object, key, rule, object_rule) for every member of every object in a value that the
+/// node `rule` of the schema describes, outer objects first. In `field`, "[]" stands for any index and "*"
+/// for a key that the schema leaves open: "results[].worst.id", "hard_cases[].input.*". The rule of an
+/// unknown member is null.
 template <class Value, class Visit>
 void visit_fields(const Json& rule, Value& value, const std::string& field, const Visit& visit) {
   if (value.is_array() && rule.contains("items"))
@@ -29,7 +30,7 @@ void visit_fields(const Json& rule, Value& value, const std::string& field, cons
   }
 }
 
-/// Every field that a node of the schema documents, with its node.
+/// Adds every field below a node of the schema to `all`, with the node of each field.
 inline void documented_fields(const Json& rule, const std::string& field, std::map<std::string, Json>& all) {
   if (rule.contains("items")) documented_fields(rule["items"], field + "[]", all);
   Json members = rule.value("properties", Json::object());
@@ -41,8 +42,8 @@ inline void documented_fields(const Json& rule, const std::string& field, std::m
   }
 }
 
-/// What a value and its node of the schema disagree about: fields that are documented and do not occur, and fields
-/// that occur and are not documented.
+/// Differences between a value and its node of the schema: documented fields that do not occur in the value,
+/// and fields that occur but are not documented.
 struct Disagreement {
   std::set<std::string> absent, undocumented;
 };

@@ -1,4 +1,4 @@
-// The report: what it refuses, what it merges, and that its three files say the same.
+// The report: which records it refuses, how it merges records, and that its three files agree.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ class Report : public testing::Test {
     std::ifstream in(file, std::ios::binary);
     return {std::istreambuf_iterator<char>(in), {}};
   }
-  /// The error line of a record with this text; it must name the file and leave nothing behind.
+  /// The error line for a record with this text. It must name the file, and no output may be written.
   std::string refusal(const std::string& text) const {
     const fs::path file = store("record.json", text);
     try {
@@ -63,17 +63,17 @@ bool has(const std::string& text, const std::string& part) {
   return text.find(part) != text.npos;
 }
 
-TEST_F(Report, RefusesARecordCutOff) {
+TEST_F(Report, RefusesATruncatedRecord) {
   const std::string text = record().dump();
   EXPECT_TRUE(has(refusal(text.substr(0, text.size() / 2)), "not JSON: line 1, column "));
   EXPECT_TRUE(has(refusal(""), "end of the file"));
 }
 
-TEST_F(Report, NamesLineAndColumnOfWhatIsNotJson) {
+TEST_F(Report, NamesLineAndColumnOfInvalidJson) {
   EXPECT_TRUE(has(refusal("{\n  \"version\": !\n}"), "not JSON: line 2, column 14: unexpected \"0x21\""));
 }
 
-TEST_F(Report, TakesBandsWithoutACase) {
+TEST_F(Report, AcceptsBandsWithoutACase) {
   Json r = record();
   r["results"][0].update({{"count", 0}, {"status", "empty"}, {"worst", nullptr}});
   const auto files = report(r);
@@ -99,7 +99,7 @@ TEST_F(Report, RefusesAMissingRecord) {
   EXPECT_THROW(write_report({}, dir / "out"), std::runtime_error);
 }
 
-TEST_F(Report, NamesTheFieldAndTheValueItRefuses) {
+TEST_F(Report, NamesTheFieldAndTheValueThatItRefuses) {
   EXPECT_TRUE(has(refusal("[1, 2]"), "(top level): expected an object, found [1,2]"));
   EXPECT_TRUE(has(refusal("{}"), "field version is missing"));
   Json r = record();
@@ -173,7 +173,7 @@ TEST_F(Report, MergesRecords) {
   EXPECT_TRUE(has(read(files.html), "accuracy report: fail"));
 }
 
-/// What page.js does.
+/// The same as unpacked() in page.js.
 Json unpacked(const Json& x) {
   Json all = x.is_array() ? Json::array() : Json::object();
   if (x.is_array())
@@ -201,7 +201,7 @@ Json unpacked(const Json& x) {
   return all;
 }
 
-TEST_F(Report, ItsPageHasTheNumbersOfItsJsonSmaller) {
+TEST_F(Report, ThePagePacksTheNumbersOfTheJson) {
   Json many = record();
   for (int i = 0; i < 40; ++i) many["results"].push_back(row("other", std::to_string(i), 0.1 * i));
   const auto files = report(many);
@@ -210,10 +210,10 @@ TEST_F(Report, ItsPageHasTheNumbersOfItsJsonSmaller) {
   const std::size_t begin = page.find(open) + open.size(), end = page.find("</script>", begin);
   const Json on_page = Json::parse(page.substr(begin, end - begin));
   EXPECT_EQ(unpacked(on_page).dump(), numbers.dump());
-  EXPECT_LT(end - begin, numbers.dump().size() / 2);  // 40 rows of 24 keys, of which one figure differs
+  EXPECT_LT(end - begin, numbers.dump().size() / 2);  // the 40 rows differ in the band and one figure
 }
 
-TEST(Packed, ComesBackWhateverItIs) {
+TEST(Packed, EveryValueIsRestored) {
   for (const char* text :
        {"null", "[]", "{}", "[{}, {}]", "[null, null, null, null]",
         "[1, 1.0, -0.0, 0.0, \"1\", true, 1, 1, 1, 1]", "[[], [], [], [1], [1]]", "[[1, 2], [1, 2], [1, 2]]",
@@ -228,13 +228,13 @@ TEST(Packed, ComesBackWhateverItIs) {
     EXPECT_THROW(packed(Json::parse(text)), std::invalid_argument);
 }
 
-TEST_F(Report, LeavesThreeFilesAndNoOther) {
+TEST_F(Report, WritesThreeFilesAndNoOther) {
   const auto files = report(record());
   EXPECT_EQ(std::distance(fs::directory_iterator(files.html.parent_path()), {}), 3);
   EXPECT_EQ(files.csv.filename(), "report.csv");
 }
 
-TEST_F(Report, WritesACsvThatQuotesAndKeepsEveryDigit) {
+TEST_F(Report, QuotesCsvFieldsAndWritesEveryDigit) {
   Json r = record();
   r["results"][0]["block"] = "a, \"b\"";
   r["results"][0]["max_eps"] = 0.1;
@@ -273,7 +273,7 @@ TEST_F(Report, NamesTheFieldOfASweepThatItRefuses) {
   EXPECT_TRUE(has(refusal(r.dump()), "coefficients[0].constant: expected a count from 0 to 1092479462"));
 }
 
-TEST_F(Report, MakesAPageThatDataCannotBreak) {
+TEST_F(Report, EscapesDataInThePage) {
   Json r = record();
   r["subjects"][0]["not_offered"] = {"</script><script>alert(1)</script>", "{{machine}}"};
   const std::string page = read(report(r).html);
@@ -291,7 +291,7 @@ TEST_F(Report, NeedsNoNetwork) {
   EXPECT_TRUE(has(page, "Chart.js v"));
 }
 
-TEST_F(Report, SaysWhenTheControlPassed) {
+TEST_F(Report, WarnsIfThePositiveControlPassed) {
   Json r = record();
   EXPECT_FALSE(has(read(report(r).html), "CONTROL PASSED"));
   r["results"][1] = row("textbook", "theta 1e-5..1e-4", 1);
@@ -305,7 +305,7 @@ TEST_F(Report, ShowsNanOrInfAsAnOutcome) {
   EXPECT_TRUE(has(read(report(r).html), "<b>NaN or Inf</b>"));
 }
 
-TEST_F(Report, HoldsTheHardCasesOfEveryRecord) {
+TEST_F(Report, ShowsTheHardCasesOfEveryRecord) {
   Json first = record(), second = record();
   first["hard_cases"] = Json::array({hard_case("liecheck", "stable")});
   second["hard_cases"] = Json::array({hard_case("textbook", "not finite")});
@@ -329,7 +329,7 @@ TEST_F(Report, NamesTheFieldOfAHardCaseThatItRefuses) {
   EXPECT_TRUE(has(refusal(r.dump()), "hard_cases[0].input.double is missing"));
 }
 
-TEST_F(Report, SaysSoWhenThereAreNoResults) {
+TEST_F(Report, StatesThatThereAreNoResults) {
   Json r = record();
   r["results"] = Json::array();
   EXPECT_TRUE(has(read(report(r).html), "incomplete\">The records hold no results."));

@@ -33,7 +33,7 @@ TEST(ScenesReport, ShowsOrderFloorSpinFlipsPeersAndCosts) {
   EXPECT_NE(scenes_section({}).find("hold no scenes"), std::string::npos);
 }
 
-TEST(ScenesReport, RefusesARecordThatIsNotOne) {
+TEST(ScenesReport, NamesTheFieldThatItRefuses) {
   Json s = scenes();
   s["films"][0]["frames"][0].push_back(s["films"][0]["frames"][0][0]);
   EXPECT_NE(complaint(s).find("scenes.films[0].frames[0]: expected 1 entries"), std::string::npos)

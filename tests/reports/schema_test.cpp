@@ -1,4 +1,4 @@
-// The schema of a record: every field that it documents is checked, and docs/record.md says what it says.
+// The schema of a record: every documented field is checked, and docs/record.md agrees with the schema.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -40,7 +40,7 @@ TEST(Schema, DocumentsEveryFieldOfARecordAndNoOther) {
 TEST(Schema, ChecksEveryFieldThatItDocuments) {
   Json record = full_record();
   const auto refusal_with = [&](Json& object, Json changed) {
-    std::swap(object, changed);  // and back, so that nobody's iterators are lost
+    std::swap(object, changed);  // swapped back below, so that the iterators of visit_fields stay valid
     const std::string line = refusal(record);
     std::swap(object, changed);
     return line;
@@ -59,7 +59,7 @@ TEST(Schema, ChecksEveryFieldThatItDocuments) {
                  EXPECT_NE(wrong.find(", found "), wrong.npos) << wrong;
                  changed.erase(key);
                  const Json required = object_rule.value("required", Json::array());
-                 // A hard case must have the input of every scalar that its cells name.
+                 // Open keys are required too: a hard case has an input for every scalar in its cells.
                  EXPECT_EQ(field.ends_with(".*") || std::count(required.begin(), required.end(), key) == 1,
                            refusal_with(object, changed).find(key + " is missing") != wrong.npos)
                      << field;
@@ -67,7 +67,7 @@ TEST(Schema, ChecksEveryFieldThatItDocuments) {
   EXPECT_GT(done.size(), 200u);
 }
 
-/// What a node of the schema allows, as docs/record.md says it.
+/// The values that a node of the schema allows, in the words of docs/record.md.
 std::string kind(const Json& rule) {
   if (rule.contains("enum"))
     return fmt::format("`{}`", fmt::join(rule["enum"].get<std::vector<std::string>>(), "`, `"));
@@ -80,7 +80,7 @@ std::string kind(const Json& rule) {
   return item.contains("properties") ? "list of objects" : "list, each " + kind(item);
 }
 
-/// A table of the fields of each object, outer ones first; of equal objects one table.
+/// Tables of the fields of each object, outer objects first; objects with equal fields share a table.
 std::string tables(const Json& rule, const std::string& name, std::map<std::string, std::string>& done) {
   if (rule.contains("items")) return tables(rule["items"], name + "[]", done);
   Json members = rule.value("properties", Json::object());
@@ -103,7 +103,7 @@ std::string tables(const Json& rule, const std::string& name, std::map<std::stri
   return out + inner;
 }
 
-TEST(Schema, IsWhatThePageOfTheRecordSays) {
+TEST(Schema, AgreesWithTheDocumentation) {
   std::ifstream file(LIECHECK_SOURCE_DIR "/docs/record.md");
   const std::string page{std::istreambuf_iterator<char>(file), {}};
   const std::string mark = "## Fields\n";
