@@ -121,29 +121,29 @@ std::string run_interleaved(std::vector<Timed>& all, const Interleaving& how) {
   benchmark::ClearRegisteredBenchmarks();
   for (std::size_t i = 0; i < all.size() && !stopped(); ++i) {
     const auto passes = passes_in(each, all[i]);
-    benchmark::RegisterBenchmark(
-        std::to_string(i).c_str(),
-        [&, i, passes](benchmark::State& state) {
-          Repetition r;
-          r.run = !stopped() && !late();
-          if (!r.run) {  // after SkipWithError, the library's statistics would abort
-            repetitions[i].push_back(r);
-            for (auto _ : state) {
-            }
-            return;
-          }
-          const Timed& row = all[i];
-          // The shifts of 128 repetitions cover a page in steps of half a cache line.
-          const std::size_t shift = 32 * ((repetitions[i].size() * 37) % 128);
-          r.reference = reference_time();
-          counter.start();
-          for (auto _ : state) run_below(shift, row.pass);
-          r.instructions = static_cast<double>(counter.stop()) /
-                           (static_cast<double>(passes) * static_cast<double>(row.calls));
-          r.reference = std::max(r.reference, reference_time());
-          repetitions[i].push_back(r);
-          how.progress(static_cast<double>(++done) / static_cast<double>(total));
-        })
+    benchmark::RegisterBenchmark(std::to_string(i).c_str(),
+                                 [&, i, passes](benchmark::State& state) {
+                                   Repetition r;
+                                   r.run = !stopped() && !late();
+                                   if (!r.run) {  // after SkipWithError, the library's statistics would abort
+                                     repetitions[i].push_back(r);
+                                     for (auto _ : state) {
+                                     }
+                                     return;
+                                   }
+                                   const Timed& row = all[i];
+                                   // The shifts of 128 repetitions cover a page in steps of half a cache line.
+                                   const std::size_t shift = 32 * ((repetitions[i].size() * 37) % 128);
+                                   r.reference = reference_time();
+                                   counter.start();
+                                   for (auto _ : state) run_below(shift, row.pass);
+                                   r.instructions =
+                                       static_cast<double>(counter.stop()) /
+                                       (static_cast<double>(passes) * static_cast<double>(row.calls));
+                                   r.reference = std::max(r.reference, reference_time());
+                                   repetitions[i].push_back(r);
+                                   how.progress(static_cast<double>(++done) / static_cast<double>(total));
+                                 })
         ->Iterations(passes)
         ->Repetitions(static_cast<int>(how.repetitions));
   }

@@ -129,15 +129,16 @@ CostResult measure_cost(const CostOptions& options) {
   std::vector<Timed> timed;
   for (const TimedSet& t : plan.timed)
     for (const auto pass : {&Signature::throughput, &Signature::latency})
-      timed.push_back({t.pass(pass), t.n, {}, {}});
+      if (t.signature.*pass) timed.push_back({t.pass(pass), t.n, {}, {}});
   CostResult result{options, {}, false, 0, ""};
   result.no_counter =
       run_interleaved(timed, {options.seconds, options.repetitions, options.stop, options.progress});
-  for (std::size_t i = 0; i < plan.timed.size(); ++i) {
-    CostSet& set = plan.rows[plan.timed[i].row].sets[plan.timed[i].set];
-    set.throughput = spread_of(timed[2 * i].ns);
-    set.latency = spread_of(timed[2 * i + 1].ns);
-    set.instructions = spread_of(timed[2 * i].instructions).median;
+  auto next = timed.begin();
+  for (const TimedSet& t : plan.timed) {
+    CostSet& set = plan.rows[t.row].sets[t.set];
+    set.instructions = spread_of(next->instructions).median;
+    set.throughput = spread_of((next++)->ns);
+    if (t.signature.latency) set.latency = spread_of((next++)->ns);
   }
   result.rows = std::move(plan.rows);
   result.complete = !plan.stopped();

@@ -2,9 +2,12 @@
 // One scalar's rows: every operation of every subject, scored, and ready to be timed.
 
 #include <algorithm>
+#include <array>
 #include <functional>
+#include <map>
 #include <subjects/subject.hpp>
 #include <timing/arguments.hpp>
+#include <timing/batches.hpp>
 #include <timing/benchmarks.hpp>
 #include <timing/cost.hpp>
 #include <timing/inputs.hpp>
@@ -54,10 +57,11 @@ std::vector<std::vector<S>> cost_inputs(const std::vector<Field>& fields, std::u
 template <class Input>
 using Score = std::function<std::vector<BlockErrors>(const std::vector<std::vector<Input>>& inputs)>;
 
-/// An operation of a subject. score: null for what is timed only.
+/// An operation of a subject. score: null for what is timed only. signature.latency: null for a batch.
 template <class Input>
 struct Offered {
   std::string subject, version;
+  Signature signature;
   AnyFunction function;
   Score<Input> score;
 };
@@ -65,21 +69,25 @@ struct Offered {
 /// The row of one operation for each subject that offers it. bands: time each band as well as all together.
 template <class Input>
 void add_operation_rows(CostPlan& plan, const CostRow& common, std::size_t each, bool bands,
-                        const Property<double>& law, const Operation& operation, const Signature& signature,
+                        const Property<double>& law, const Operation& operation,
                         const std::vector<Offered<Input>>& all) {
   const std::vector<Field> fields = law.fields();
   const auto inputs = cost_inputs<Input>(fields, plan.options.seed, each);
   std::vector<std::vector<double>> numbers;
   for (const auto& x : inputs) numbers.push_back(FieldPositions(fields).arguments_of(operation, x));
-  const auto in_order = signature.arguments(numbers);
   // All bands together are called in an order that a processor cannot foresee.
+  auto shuffled = numbers;
   Source source({plan.options.seed, 0, 0, 0x6d6978});
-  for (std::size_t n = numbers.size(); n > 1; --n) std::swap(numbers[n - 1], numbers[source.below(n)]);
-  const auto shuffled = signature.arguments(numbers);
+  for (std::size_t n = shuffled.size(); n > 1; --n) std::swap(shuffled[n - 1], shuffled[source.below(n)]);
+  std::map<decltype(Signature::arguments), std::array<std::shared_ptr<const char>, 2>> arguments;
   for (const Offered<Input>& offered : all) {
     CostRow row = common;
     row.subject = offered.subject, row.version = offered.version;
-    const bool by_band = bands && row.subject.find('@') == std::string::npos;  // other flags: all together
+    const Signature& signature = offered.signature;
+    auto& [in_order, in_any_order] = arguments[signature.arguments];
+    if (!in_order) in_order = signature.arguments(numbers), in_any_order = signature.arguments(shuffled);
+    // Batches and libraries compiled with other flags are timed on all bands together.
+    const bool by_band = bands && signature.latency && row.subject.find('@') == std::string::npos;
     CostSet mixed{"mixed", inputs.size(), {}, {}, 0, {}};
     for (std::size_t b = 0; b < cost_bands.size() && !plan.stopped(); ++b) {
       const auto from = inputs.begin() + static_cast<std::ptrdiff_t>(b * each);
@@ -92,7 +100,7 @@ void add_operation_rows(CostPlan& plan, const CostRow& common, std::size_t each,
     }
     if (plan.stopped()) return;
     plan.timed.push_back(
-        {plan.rows.size(), row.sets.size(), signature, offered.function, shuffled, 0, inputs.size()});
+        {plan.rows.size(), row.sets.size(), signature, offered.function, in_any_order, 0, inputs.size()});
     row.sets.push_back(std::move(mixed));
     plan.rows.push_back(std::move(row));
   }
@@ -111,13 +119,19 @@ void add_cost_rows(CostPlan& plan, const std::string& scalar, double eps,
     if (!law || plan.stopped() || !plan.wants(plan.options.operations, name)) return;
     std::vector<Offered<Input>> offered;
     for (std::size_t i = 0; i < subjects.size(); ++i)
-      if (const AnyFunction f = functions[i])
-        offered.push_back(
-            {subjects[i]->name, subjects[i]->version, f, score(operation, *law, *subjects[i], signature, f)});
+      if (const AnyFunction f = functions[i]) {
+        const Subject<S>& subject = *subjects[i];
+        Signature own = signature;
+        if constexpr (std::is_same_v<S, float> || std::is_same_v<S, double>)
+          if (subject.name == batch_subject) own = batch_signature<S>(operation);
+        if (own.arguments)
+          offered.push_back(
+              {subject.name, subject.version, own, f, score(operation, *law, subject, signature, f)});
+      }
     if (offered.empty()) return;
-    offered.push_back({"call", "", signature.call_only, nullptr});
+    offered.push_back({"call", "", signature, signature.call_only, nullptr});
     const CostRow common{"", "", scalar, name, eps, {}};
-    add_operation_rows<Input>(plan, common, each, bands, *law, operation, signature, offered);
+    add_operation_rows<Input>(plan, common, each, bands, *law, operation, offered);
   };
   SpatialSlots<S>::for_each([&]<class Op>(const Op& operation) {
     std::vector<AnyFunction> functions;

@@ -1,0 +1,37 @@
+// liecheck's batches. Every input fills a SIMD register, and the result is that of the last lane. `liecheck cost` times
+// whole batches (timing/batches.hpp).
+
+#include <subjects/subject.hpp>
+
+#include <liecheck/multibody/batch.hpp>
+
+namespace liecheck::properties {
+namespace {
+
+template <class S>
+struct Batch {
+  static constexpr Eigen::Index lanes = register_bytes / sizeof(S);
+
+  template <int N>
+  static batch::Rows<S, N> filled(const Vec<S, N>& v) {
+    return v.array().replicate(1, lanes);
+  }
+  static Subject<S> make() {
+    Subject<S> s;
+    s.name = "liecheck:batch";
+    s.version = LIECHECK_VERSION;
+    s.operations[op::integrate] = [](const Vec<S, 7>& q, const Vec<S, 6>& d) -> Vec<S, 7> {
+      return batch::integrate<S>(filled(q), filled(d)).col(lanes - 1);
+    };
+    s.operations[op::difference] = [](const Vec<S, 7>& q0, const Vec<S, 7>& q1) -> Vec<S, 6> {
+      return batch::difference<S>(filled(q0), filled(q1)).col(lanes - 1);
+    };
+    return s;
+  }
+};
+
+const Registered<float> in_float(Batch<float>::make());
+const Registered<double> in_double(Batch<double>::make());
+
+}  // namespace
+}  // namespace liecheck::properties
