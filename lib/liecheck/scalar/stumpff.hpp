@@ -1,5 +1,5 @@
 #pragma once
-// The series for small angles.
+// The series near 0 of exp, log and their Jacobians: the Stumpff functions.
 //
 // Every coefficient of exp, log and their Jacobians is a function of x = theta^2. It is smooth at 0, although
 // its textbook closed form is 0/0 there. The Stumpff functions need no special case at 0:

@@ -2,7 +2,7 @@
 // Exponential and logarithm of SO(3) and SE(3).
 //
 //   R = exp [phi],  p = J(phi) rho = c1 rho + c2 phi x rho + c3 phi (phi . rho),  J = I + c2 [phi] + c3 [phi]^2
-//   (Murray, Li & Sastry 1994, eq. 2.36), with the Stumpff coefficients of stumpff.hpp.
+//   (Murray, Li & Sastry 1994, eq. 2.36). The coefficients and their series near 0 are in scalar/stumpff.hpp.
 //
 // Domain: every finite rotation vector and every rotation. For |phi| <= pi the stated bounds are absolute for
 // rotations and relative for vectors, down to subnormal angles. Beyond pi they are multiplied by the
