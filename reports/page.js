@@ -1,6 +1,6 @@
 // The page: reads the inlined figures, builds the controls and fills the sections.
 
-// The inverse of packed() in packed.hpp.
+// The inverse of packed() in html.hpp.
 function unpacked(x) {
   if (Array.isArray(x)) return x.map(unpacked);
   if (x === null || typeof x !== "object") return x;

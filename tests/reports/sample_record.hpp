@@ -1,7 +1,7 @@
 #pragma once
 // Small sample records: one with only the required fields, one with every section and every documented field.
 
-#include <reports/schema.hpp>
+#include <reports/record.hpp>
 #include <string>
 
 namespace liecheck::reports {
