@@ -127,4 +127,8 @@ void add_cost_rows(CostPlan& plan, const std::string& scalar, double eps,
   });
 }
 
+/// Adds rows of the library in scalars wider than double, on double's inputs: double-double (QD, if it is installed),
+/// float128, and 50 and 100 digits (MPFR).
+void add_tiers(CostPlan& plan, const std::vector<std::unique_ptr<Property<double>>>& laws);
+
 }  // namespace liecheck::properties
