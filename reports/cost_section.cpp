@@ -91,13 +91,13 @@ std::string spread_text(const Json& s) {
 
 /// A table of operations by compilers and flags: latency, and the largest error in eps.
 std::string flags_table(const Json& cost) {
-  std::vector<std::string> modules, flags, operations;
+  std::vector<std::pair<std::string, std::string>> modules;  // subjects and their flags
+  std::vector<std::string> operations;
   std::map<std::pair<std::string, std::string>, std::string> cells;
   for (const Json& row : cost["rows"]) {
     if (!other_flags(row)) continue;
     const std::string subject = row["subject"], operation = row["operation"];
-    add_once(modules, subject);
-    if (flags.size() < modules.size()) flags.push_back(row["version"]);
+    add_once(modules, {subject, row["version"].get<std::string>()});
     add_once(operations, operation);
     const Json& all = row["sets"].back();
     const double error = figure(row["error"]) / row["eps"].get<double>();
@@ -107,12 +107,12 @@ std::string flags_table(const Json& cost) {
   }
   if (modules.empty()) return "";
   Cells heads = {"operation"};
-  for (std::size_t i = 0; i < modules.size(); ++i)
-    heads.push_back(escaped(modules[i].substr(modules[i].find('@') + 1)) + "<br>" + code(flags[i]));
+  for (const auto& [module, flags] : modules)
+    heads.push_back(escaped(module.substr(module.find('@') + 1)) + "<br>" + code(flags));
   std::vector<Cells> rows;
   for (const std::string& operation : operations) {
     Cells row = {code(operation)};
-    for (const std::string& module : modules) row.push_back(cells[{operation, module}]);
+    for (const auto& [module, flags] : modules) row.push_back(cells[{operation, module}]);
     rows.push_back(row);
   }
   return table("Compilers and flags: liecheck in double, latency and the largest error found", heads, rows,

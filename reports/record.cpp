@@ -107,30 +107,25 @@ void check_record(std::string_view file, const Json& record) {
   check_relations(file, record);
 }
 
-Json read_record(const std::filesystem::path& file) {
-  const std::string name = file.string();
-  const std::string bytes = properties::read_whole(file);
-  Json record = Json::parse(bytes, nullptr, false);
-  if (record.is_discarded()) {
-    FirstError error(name, bytes);
-    Json::sax_parse(bytes, &error);
-  }
-  check_record(name, record);
-  return record;
-}
-
 Merged merge_records(const std::vector<std::filesystem::path>& files) {
   if (files.empty()) throw std::runtime_error("no record given: a report needs at least one");
   Merged merged;
   std::map<std::vector<std::string>, std::string> seen;
   for (const auto& file : files) {
+    const std::string path = file.string();
     const auto refuse_twice = [&](const char* field, const char* row, std::vector<std::string> key) {
-      const auto [first, fresh] = seen.emplace(std::move(key), file.string());
+      const auto [first, fresh] = seen.emplace(std::move(key), path);
       if (!fresh)
-        throw std::runtime_error(fmt::format("{}: field {}: {}{} is already in {}", file.string(), field, row,
+        throw std::runtime_error(fmt::format("{}: field {}: {}{} is already in {}", path, field, row,
                                              fmt::join(first->first, " / "), first->second));
     };
-    Json record = read_record(file);
+    const std::string bytes = properties::read_whole(file);
+    Json record = Json::parse(bytes, nullptr, false);
+    if (record.is_discarded()) {
+      FirstError error(path, bytes);
+      Json::sax_parse(bytes, &error);
+    }
+    check_record(path, record);
     for (Json& row : record["results"]) {
       refuse_twice(
           "results", "row ",

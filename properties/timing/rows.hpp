@@ -1,5 +1,5 @@
 #pragma once
-// One scalar's rows: every operation of every subject, scored, and ready to be timed.
+// The rows of one scalar: every operation of every subject, with its errors, ready to be timed.
 
 #include <algorithm>
 #include <functional>
@@ -12,7 +12,7 @@
 
 namespace liecheck::properties {
 
-/// n calls of one function, and the row and the set that receive their times.
+/// n calls of one function. Their times are stored in this row and set.
 struct TimedSet {
   std::size_t row, set;
   Signature signature;
@@ -39,7 +39,7 @@ struct CostPlan {
   bool stopped() const { return options.stop && *options.stop; }
 };
 
-/// The same samples for every subject of a scalar: band after band, `each` of them.
+/// The inputs for every subject of a scalar: `each` inputs of every band, one band after another.
 template <class S>
 std::vector<std::vector<S>> cost_inputs(const std::vector<Field>& fields, std::uint64_t seed,
                                         std::size_t each) {
@@ -54,7 +54,7 @@ std::vector<std::vector<S>> cost_inputs(const std::vector<Field>& fields, std::u
 template <class Input>
 using Score = std::function<std::vector<BlockErrors>(const std::vector<std::vector<Input>>& inputs)>;
 
-/// An operation of a subject. score: null for what is timed only.
+/// An operation of a subject. `score` is null if the operation is only timed.
 template <class Input>
 struct Offered {
   std::string subject, version;
@@ -62,7 +62,7 @@ struct Offered {
   Score<Input> score;
 };
 
-/// The row of one operation for each subject that offers it. bands: time each band as well as all together.
+/// Adds the row of one operation for each subject that offers it. With `bands`, each band is also timed separately.
 template <class Input>
 void add_operation_rows(CostPlan& plan, const CostRow& common, std::size_t each, bool bands,
                         const Property<double>& law, const Operation& operation, const Signature& signature,
@@ -72,14 +72,14 @@ void add_operation_rows(CostPlan& plan, const CostRow& common, std::size_t each,
   std::vector<std::vector<double>> numbers;
   for (const auto& x : inputs) numbers.push_back(FieldPositions(fields).arguments_of(operation, x));
   const auto in_order = signature.arguments(numbers);
-  // All bands together are called in an order that a processor cannot foresee.
+  // The inputs of all bands are shuffled, so that a processor cannot predict their order.
   Source source({plan.options.seed, 0, 0, 0x6d6978});
   for (std::size_t n = numbers.size(); n > 1; --n) std::swap(numbers[n - 1], numbers[source.below(n)]);
   const auto shuffled = signature.arguments(numbers);
   for (const Offered<Input>& offered : all) {
     CostRow row = common;
     row.subject = offered.subject, row.version = offered.version;
-    const bool by_band = bands && row.subject.find('@') == std::string::npos;  // other flags: all together
+    const bool by_band = bands && row.subject.find('@') == std::string::npos;  // other flags: "mixed" only
     CostSet mixed{"mixed", inputs.size(), {}, {}, 0, {}};
     for (std::size_t b = 0; b < cost_bands.size() && !plan.stopped(); ++b) {
       const auto from = inputs.begin() + static_cast<std::ptrdiff_t>(b * each);
@@ -98,8 +98,8 @@ void add_operation_rows(CostPlan& plan, const CostRow& common, std::size_t each,
   }
 }
 
-/// The rows of every operation that a subject offers and a law measures. Input is the scalar in which inputs are sampled;
-/// S holds it exactly. score(operation, law, subject, signature, function) is the Score of one subject's function.
+/// Adds the rows of every operation that a subject offers and a law measures. Inputs are drawn in the scalar Input; S
+/// represents each of them exactly. score(operation, law, subject, signature, function) returns the Score of a function.
 template <class S, class Input, class MakeScore>
 void add_cost_rows(CostPlan& plan, const std::string& scalar, double eps,
                    const std::vector<const Subject<S>*>& subjects, std::size_t each, bool bands,
