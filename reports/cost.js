@@ -60,33 +60,27 @@ function costPlot(head, points, kind, names) {
   const stairs = [];
   best.forEach((p, i) => { stairs.push({x: p.x, y: i ? best[i - 1].y : most}, {x: p.x, y: p.y}); });
   if (best.length) stairs.push({x: high, y: best.at(-1).y});
-  const canvas = element("canvas", {role: "img", "aria-label": `Error against ${kind}, ${head}. Not dominated: ` + best.map(p =>
-    `${costName(p.row)}, ${short(p.x)} ns, ${costDigits(p.error)}`).join("; ") + "."});
-  const holder = element("div", {class: "canvas"}, canvas);
-  const decades = Math.log10(most / least), step = [1, 2, 5, 10, 20].find(s => decades / s <= 9) ?? 50;
-  const axis = (title, extra) => ({type: "logarithmic", grid: {color: "#ececec"}, title: {display: true, text: title, color: INK, font: FONT}, ...extra});
+  const label = `Error against ${kind}, ${head}. Not dominated: ` + best.map(p =>
+    `${costName(p.row)}, ${short(p.x)} ns, ${costDigits(p.error)}`).join("; ") + ".";
+  const span = Math.log10(most / least), step = [1, 2, 5, 10, 20].find(s => span / s <= 9) ?? 50;
   const mantissas = high / low > 100 ? [1] : high / low > 12 ? [1, 2, 5] : [1, 1.5, 2, 3, 4, 5, 7];
   const marks = [];
   for (let e = Math.floor(Math.log10(low)); e <= Math.log10(high); ++e)
     marks.push(...mantissas.map(m => m * 10 ** e).filter(v => v >= low && v <= high));
-  waiting.set(holder, () => new Chart(canvas, {
-    type: "line", plugins: [costNames],
-    data: {datasets: [
+  const tooltip = {filter: item => Boolean(item.raw.row), callbacks: {
+    title: items => items.length ? costName(items[0].raw.row) : "", label: item => costTip(item.raw)}};
+  const holder = chartHolder(label, 10, tooltip, () => ({
+    plugins: [costNames],
+    datasets: [
       {named: true, showLine: false, data: points, order: 0, pointRadius: 5.5, pointHoverRadius: 8, borderWidth: 2, pointBorderWidth: 2,
         pointStyle: c => SCALARS[c.raw?.row.scalar] ?? "circle", borderColor: c => c.raw ? costColor(c.raw.row.subject, names) : INK,
         backgroundColor: c => !c.raw || c.raw.dominated ? "#fff" : costColor(c.raw.row.subject, names)},
-      {data: stairs, order: 1, borderColor: INK, borderWidth: 1.5, borderDash: [6, 3], pointRadius: 0, pointHoverRadius: 0, pointHitRadius: 0}]},
-    options: {
-      animation: false, maintainAspectRatio: false, devicePixelRatio: Math.max(2, devicePixelRatio), layout: {padding: {right: 10, top: 4}},
-      interaction: {mode: "nearest", intersect: false},
-      scales: {x: axis(`${kind} of a call [ns]`, {min: low, max: high, afterBuildTicks: a => { a.ticks = marks.map(value => ({value})); },
-          ticks: {color: INK, font: FONT, autoSkip: true, maxRotation: 0, callback: v => v >= 1e5 || v < .1 ? power(Math.round(Math.log10(v))) : String(+v.toPrecision(2))}}),
-        y: axis("largest error found [eps of double]", {min: least, max: most, afterFit: a => { a.width = 62; },
-          afterBuildTicks: a => { a.ticks = []; for (let e = Math.ceil(Math.log10(least)); e <= Math.log10(most); ++e) if (e % step === 0) a.ticks.push({value: 10 ** e}); },
-          ticks: {color: INK, font: FONT, autoSkip: false, callback: v => power(Math.round(Math.log10(v)))}})},
-      plugins: {legend: {display: false}, tooltip: {filter: item => Boolean(item.raw.row), callbacks: {
-        title: items => items.length ? costName(items[0].raw.row) : "", label: item => costTip(item.raw)}}}}}));
-  watcher.observe(holder);
+      {data: stairs, order: 1, borderColor: INK, borderWidth: 1.5, borderDash: [6, 3], pointRadius: 0, pointHoverRadius: 0, pointHitRadius: 0}],
+    scales: {
+      x: chartAxis(`${kind} of a call [ns]`, {autoSkip: true,
+        callback: v => v >= 1e5 || v < .1 ? power(Math.round(Math.log10(v))) : String(+v.toPrecision(2))},
+        {type: "logarithmic", min: low, max: high, afterBuildTicks: axis => setTicks(axis, marks)}),
+      y: decadeAxis("largest error found [eps of double]", least, most, step, {afterFit: axis => { axis.width = 62; }})}}));
   return element("div", {class: "plot"}, element("h4", {}, head), holder);
 }
 
@@ -99,16 +93,8 @@ function costTip({row, all, error, dominated}) {
 }
 
 function costLegend(points, names) {
-  const list = element("ul", {class: "legend", "aria-label": "Legend"}), ns = "http://www.w3.org/2000/svg";
-  const mark = (shape, color, fill) => {
-    const svg = document.createElementNS(ns, "svg"), path = document.createElementNS(ns, "path");
-    for (const [k, v] of Object.entries({width: 14, height: 12, "aria-hidden": "true"})) svg.setAttribute(k, v);
-    const marks = {circle: "M3 6a4 4 0 1 0 8 0a4 4 0 1 0-8 0", triangle: "M7 2l5 8h-10z", rect: "M3 2h8v8h-8z", rectRot: "M7 1l5 5l-5 5l-5-5z",
-      crossRot: "M3 2l8 8m0-8l-8 8", star: "M3 2l8 8m0-8l-8 8M7 1v10m-5-5h10"};
-    for (const [k, v] of Object.entries({d: marks[shape], stroke: color, "stroke-width": 1.8, fill})) path.setAttribute(k, v);
-    svg.append(path);
-    return svg;
-  };
+  const list = element("ul", {class: "legend", "aria-label": "Legend"});
+  const mark = (shape, color, fill) => drawing(14, {d: MARKERS[shape], stroke: color, "stroke-width": 1.8, fill});
   for (const s of names.filter(n => points.some(p => p.row.subject === n)))
     list.append(element("li", {}, mark("circle", costColor(s, names), costColor(s, names)), s));
   for (const [scalar, shape] of Object.entries(SCALARS))
@@ -138,7 +124,6 @@ document.querySelectorAll(".cost-charts").forEach((home, i) => {
   form.append(choice("kind", "time", [["latency", "latency"], ["throughput", "throughput"]], "latency"),
     choice("operation", "operation", [["", "all"], ...names.map(o => [o, o])], first));
   const fill = () => fillCost(cost, home, form.elements.kind.value, form.elements.operation.value);
-  form.addEventListener("submit", event => event.preventDefault());
-  form.addEventListener("change", fill);
+  whenChanged(form, fill);
   fill();
 });

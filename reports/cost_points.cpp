@@ -11,17 +11,13 @@ bool other_flags(const Json& row) {
 }
 
 std::vector<CostPoint> cost_points(const Json& cost) {
-  const auto median = [](const Json& spread) {
-    return spread.is_null() ? 0.0 : spread["median"].get<double>();
-  };
-  const auto text = [](const Json& name) { return name.is_null() ? std::string() : name.get<std::string>(); };
   std::vector<CostPoint> points;
   for (const Json& row : cost["rows"]) {
     if (row["error"].is_null() || other_flags(row)) continue;
-    const Json& all = row["sets"].back();
+    const Json& latency = row["sets"].back()["latency_ns"];
     points.push_back({row["subject"], row["scalar"], row["operation"], figure(row["error"]),
-                      median(all["latency_ns"]), median(all["throughput_ns"]), text(row["dominated_latency"]),
-                      text(row["dominated_throughput"])});
+                      latency.is_null() ? 0 : latency["median"].get<double>(),
+                      !row["dominated_latency"].is_null()});
   }
   return points;
 }
@@ -34,7 +30,7 @@ double digits_of(const CostPoint& p) {
 std::vector<CostStep> cost_steps(const std::vector<CostPoint>& points, const std::string& operation) {
   std::vector<const CostPoint*> front;
   for (const CostPoint& p : points)
-    if (p.operation == operation && p.dominated_latency.empty() && p.latency > 0) front.push_back(&p);
+    if (p.operation == operation && !p.dominated && p.latency > 0) front.push_back(&p);
   std::sort(front.begin(), front.end(), [](auto* a, auto* b) { return a->latency < b->latency; });
   std::vector<CostStep> steps;
   // A step at least halves the error, because a maximum over a sample is not more precise than that. If the
@@ -48,32 +44,32 @@ std::vector<CostStep> cost_steps(const std::vector<CostPoint>& points, const std
   return steps;
 }
 
-std::vector<CostCandidate> cost_candidates(const std::vector<CostPoint>& points,
-                                           const std::vector<std::string>& operations) {
-  std::vector<CostCandidate> all;
+std::vector<CostPoint> cost_candidates(const std::vector<CostPoint>& points,
+                                       const std::vector<std::string>& operations) {
+  std::vector<CostPoint> all;
   for (const CostPoint& first : points) {
-    CostCandidate c{first.subject, first.scalar, 0, 0};
     if (operations.empty() || first.operation != operations.front()) continue;
+    CostPoint sum{first.subject, first.scalar, first.operation};
     std::size_t offered = 0;
     for (const CostPoint& p : points)
-      if (p.subject == c.subject && p.scalar == c.scalar && p.latency > 0 &&
+      if (p.name() == sum.name() && p.latency > 0 &&
           std::find(operations.begin(), operations.end(), p.operation) != operations.end())
-        ++offered, c.error = std::max(c.error, p.error), c.latency += p.latency;
-    if (offered == operations.size()) all.push_back(c);
+        ++offered, sum.error = std::max(sum.error, p.error), sum.latency += p.latency;
+    if (offered == operations.size()) all.push_back(sum);
   }
   return all;
 }
 
-const CostCandidate* fastest_within(const std::vector<CostCandidate>& all, double error) {
-  const CostCandidate* best = nullptr;
-  for (const CostCandidate& c : all)
+const CostPoint* fastest_within(const std::vector<CostPoint>& all, double error) {
+  const CostPoint* best = nullptr;
+  for (const CostPoint& c : all)
     if (c.error <= error && (!best || c.latency < best->latency)) best = &c;
   return best;
 }
 
-const CostCandidate* most_accurate(const std::vector<CostCandidate>& all, const std::string& scalar) {
-  const CostCandidate* best = nullptr;
-  for (const CostCandidate& c : all)
+const CostPoint* most_accurate(const std::vector<CostPoint>& all, const std::string& scalar) {
+  const CostPoint* best = nullptr;
+  for (const CostPoint& c : all)
     if (c.scalar == scalar && (!best || c.error < best->error)) best = &c;
   return best;
 }

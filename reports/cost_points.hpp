@@ -10,9 +10,9 @@ namespace liecheck::reports {
 /// One subject in one scalar on one operation, over all inputs.
 struct CostPoint {
   std::string subject, scalar, operation;
-  double error = 0;                    ///< largest relative error found; infinite if a case has no result
-  double latency = 0, throughput = 0;  ///< medians [ns]; 0 if not timed
-  std::string dominated_latency, dominated_throughput;  ///< the dominating row; empty if none
+  double error = 0;        ///< largest relative error found; infinite if a case has no result
+  double latency = 0;      ///< median [ns]; 0 if not timed
+  bool dominated = false;  ///< whether another row of the operation dominates this one, by latency
   std::string name() const { return subject + " in " + scalar; }
 };
 
@@ -32,18 +32,13 @@ struct CostStep {
 };
 std::vector<CostStep> cost_steps(const std::vector<CostPoint>& points, const std::string& operation);
 
-/// A subject in one scalar that offers every operation of a list.
-struct CostCandidate {
-  std::string subject, scalar;
-  double error = 0;    ///< largest error of any of the operations
-  double latency = 0;  ///< time of one call of each operation, in sum [ns]
-  std::string name() const { return subject + " in " + scalar; }
-};
-std::vector<CostCandidate> cost_candidates(const std::vector<CostPoint>& points,
-                                           const std::vector<std::string>& operations);
+/// A point for each subject and scalar that offers every operation of a list: the largest error of any of the
+/// operations, and the sum of their latencies. Its `operation` is the first one of the list.
+std::vector<CostPoint> cost_candidates(const std::vector<CostPoint>& points,
+                                       const std::vector<std::string>& operations);
 
 /// The fastest candidate with at most this error; null if there is none.
-const CostCandidate* fastest_within(const std::vector<CostCandidate>& all, double error);
-const CostCandidate* most_accurate(const std::vector<CostCandidate>& all, const std::string& scalar);
+const CostPoint* fastest_within(const std::vector<CostPoint>& all, double error);
+const CostPoint* most_accurate(const std::vector<CostPoint>& all, const std::string& scalar);
 
 }  // namespace liecheck::reports

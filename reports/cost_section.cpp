@@ -13,12 +13,6 @@ namespace {
 /// Operations that a tracker or controller calls. The advice adds up the times of all of them.
 const std::vector<std::string> core = {"exp6", "log6", "integrate", "difference"};
 
-std::string time_text(double ns) {
-  if (ns < 1000) return fmt::format("{:.3g} ns", ns);
-  if (ns < 1e6) return fmt::format("{:.3g} µs", ns / 1e3);
-  return ns < 1e9 ? fmt::format("{:.3g} ms", ns / 1e6) : fmt::format("{:.3g} s", ns / 1e9);
-}
-
 std::string digits(double error) {
   return std::isinf(error) ? "no digit"
          : error > 0       ? fmt::format("{:.1f} digits", -std::log10(error))
@@ -97,14 +91,14 @@ std::string spread_text(const Json& s) {
 
 /// A table of operations by compilers and flags: latency, and the largest error in eps.
 std::string flags_table(const Json& cost) {
-  std::vector<std::string> modules, flags, operations;
+  std::vector<std::pair<std::string, std::string>> modules;  // subjects and their flags
+  std::vector<std::string> operations;
   std::map<std::pair<std::string, std::string>, std::string> cells;
   for (const Json& row : cost["rows"]) {
     if (!other_flags(row)) continue;
     const std::string subject = row["subject"], operation = row["operation"];
-    if (std::find(modules.begin(), modules.end(), subject) == modules.end())
-      modules.push_back(subject), flags.push_back(row["version"]);
-    if (operations.empty() || operations.back() != operation) operations.push_back(operation);
+    add_once(modules, {subject, row["version"].get<std::string>()});
+    add_once(operations, operation);
     const Json& all = row["sets"].back();
     const double error = figure(row["error"]) / row["eps"].get<double>();
     cells[{operation, subject}] =
@@ -113,12 +107,12 @@ std::string flags_table(const Json& cost) {
   }
   if (modules.empty()) return "";
   Cells heads = {"operation"};
-  for (std::size_t i = 0; i < modules.size(); ++i)
-    heads.push_back(escaped(modules[i].substr(modules[i].find('@') + 1)) + "<br>" + code(flags[i]));
+  for (const auto& [module, flags] : modules)
+    heads.push_back(escaped(module.substr(module.find('@') + 1)) + "<br>" + code(flags));
   std::vector<Cells> rows;
   for (const std::string& operation : operations) {
     Cells row = {code(operation)};
-    for (const std::string& module : modules) row.push_back(cells[{operation, module}]);
+    for (const auto& [module, flags] : modules) row.push_back(cells[{operation, module}]);
     rows.push_back(row);
   }
   return table("Compilers and flags: liecheck in double, latency and the largest error found", heads, rows,
@@ -167,8 +161,7 @@ std::string cost_section(const Merged& merged) {
     const Json &cost = record["cost"], &e = cost["environment"];
     const auto points = cost_points(cost);
     std::vector<std::string> operations;
-    for (const CostPoint& p : points)
-      if (operations.empty() || operations.back() != p.operation) operations.push_back(p.operation);
+    for (const CostPoint& p : points) add_once(operations, p.operation);
     const std::string counter = cost["no_counter"];
     out += advice(points);
     out += fmt::format(

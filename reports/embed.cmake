@@ -1,6 +1,6 @@
 # cmake -DFILES=a;b -DOUTPUT=x.cpp -P embed.cmake
 # Writes a C++ file with a raw string literal for each file, and embedded_file(name), which returns it.
-set(text "#include <reports/embedded_files.hpp>\n#include <stdexcept>\n#include <string>\n\n")
+set(text "#include <reports/record.hpp>\n#include <stdexcept>\n#include <string>\n\n")
 string(APPEND text "namespace liecheck::reports {\n\nstd::string_view embedded_file(std::string_view name) {\n")
 foreach(path IN LISTS FILES)
   get_filename_component(name ${path} NAME)

@@ -44,17 +44,55 @@ function forget(container) {  // destroys the charts of a container, before it i
   container.replaceChildren();
 }
 
-function swatch(subject) {
-  const {color, shape} = lookOf(subject), ns = "http://www.w3.org/2000/svg";
-  const marks = {circle: "M12 6a4 4 0 1 0 8 0a4 4 0 1 0-8 0", triangle: "M16 2l5 8h-10z", rect: "M12 2h8v8h-8z",
-    rectRot: "M16 1l5 5l-5 5l-5-5z", crossRot: "M12 2l8 8m0-8l-8 8", cross: "M16 1v10m-5-5h10",
-    star: "M12 2l8 8m0-8l-8 8M16 1v10m-5-5h10"};
-  const svg = document.createElementNS(ns, "svg"), path = document.createElementNS(ns, "path");
-  for (const [k, v] of Object.entries({width: 32, height: 12, "aria-hidden": "true"})) svg.setAttribute(k, v);
-  for (const [k, v] of Object.entries({d: "M0 6h32" + marks[shape], stroke: color, "stroke-width": 1.8, fill: color}))
-    path.setAttribute(k, v);
-  svg.append(path);
+// Creates a chart when its place on the page comes near the view, and returns the element that holds it. make() returns
+// its datasets and scales; `right` is the padding [px], `tooltip` the options of the tooltip.
+function chartHolder(label, right, tooltip, make) {
+  const canvas = element("canvas", {role: "img", "aria-label": label});
+  const holder = element("div", {class: "canvas"}, canvas);
+  waiting.set(holder, () => {
+    const {datasets, scales, plugins = [], pluginOptions = {}} = make();
+    return new Chart(canvas, {type: "line", data: {datasets}, plugins, options: {
+      animation: false, maintainAspectRatio: false, devicePixelRatio: Math.max(2, devicePixelRatio),
+      layout: {padding: {right, top: 4}}, interaction: {mode: "nearest", intersect: false}, scales,
+      plugins: {legend: {display: false}, tooltip, ...pluginOptions}}});
+  });
+  watcher.observe(holder);
+  return holder;
+}
+
+const chartAxis = (title, ticks, rest) => ({grid: {color: "#ececec"}, title: {display: true, text: title, color: INK, font: FONT},
+  ticks: {color: INK, font: FONT, autoSkip: false, maxRotation: 0, ...ticks}, ...rest});
+const setTicks = (axis, values) => { axis.ticks = values.map(value => ({value})); };
+
+// The powers of ten in [min, max] whose exponent is a multiple of `step`.
+function powersOfTen(min, max, step) {
+  const all = [];
+  for (let e = Math.ceil(Math.log10(min)); e <= Math.log10(max) + 1e-9; ++e) if (e % step === 0) all.push(10 ** e);
+  return all;
+}
+const decadeAxis = (title, min, max, step, rest = {}) => chartAxis(title, {callback: v => power(Math.round(Math.log10(v)))},
+  {type: "logarithmic", min, max, afterBuildTicks: axis => setTicks(axis, powersOfTen(min, max, step)), ...rest});
+
+// The markers of points in legends, as SVG paths around (16, 6).
+const MARKERS = {circle: "M12 6a4 4 0 1 0 8 0a4 4 0 1 0-8 0", triangle: "M16 2l5 8h-10z", rect: "M12 2h8v8h-8z",
+  rectRot: "M16 1l5 5l-5 5l-5-5z", crossRot: "M12 2l8 8m0-8l-8 8", cross: "M16 1v10m-5-5h10",
+  star: "M12 2l8 8m0-8l-8 8M16 1v10m-5-5h10"};
+
+// An SVG of paths, which are given by their attributes. It shows `width` pixels around x = 16.
+function drawing(width, ...paths) {
+  const made = (name, attributes) => {
+    const node = document.createElementNS("http://www.w3.org/2000/svg", name);
+    for (const [key, value] of Object.entries(attributes)) node.setAttribute(key, value);
+    return node;
+  };
+  const svg = made("svg", {width, height: 12, viewBox: `${16 - width / 2} 0 ${width} 12`, "aria-hidden": "true"});
+  svg.append(...paths.map(attributes => made("path", attributes)));
   return svg;
+}
+
+function swatch(subject) {
+  const {color, shape} = lookOf(subject);
+  return drawing(32, {d: "M0 6h32" + MARKERS[shape], stroke: color, "stroke-width": 1.8, fill: color});
 }
 
 function legend(rows, statistics) {
@@ -81,31 +119,16 @@ function spoken(rows, head) {
 
 function plot(rows, kind, y, statistics, foot) {
   const {head, title, reverse} = KINDS[kind], x = horizontalAxis(rows);
-  const canvas = element("canvas", {role: "img", "aria-label": spoken(rows, head)});
-  const holder = element("div", {class: "canvas"}, canvas);
   for (const t of x.ticks) t.upright = t.label.length > 3 && rows.some(r => isSlot(r) && slotName(r.band) === t.label);
-  const ticks = source => ({color: INK, font: FONT, autoSkip: false, minRotation: 0, maxRotation: 0,
-    callback: v => source.find(t => t.value === v && !t.upright)?.label ?? ""});
-  const build = axis => { axis.ticks = roomy(x.ticks, x.max - x.min, axis.chart.width - 90).map(t => ({value: t.value})); };
-  waiting.set(holder, () => new Chart(canvas, {
-    type: "line",
-    data: {datasets: datasets(rows, x, y, statistics)},
-    plugins: [furniture],
-    options: {
-      animation: false, maintainAspectRatio: false, parsing: true, devicePixelRatio: Math.max(2, devicePixelRatio),
-      layout: {padding: {right: 14, top: 4}},
-      interaction: {mode: "nearest", intersect: false},
-      scales: {
-        x: {type: "linear", reverse, min: x.min, max: x.max, afterBuildTicks: build, ticks: ticks(x.ticks),
-          grid: {color: "#ececec"}, afterFit: axis => { axis.height = foot; },
-          title: {display: true, text: title, color: INK, font: FONT}},
-        y: {type: "linear", min: y.min, max: y.max, afterBuildTicks: axis => { axis.ticks = y.ticks.map(t => ({value: t.value})); }, ticks: ticks(y.ticks),
-          grid: {color: "#ececec"}, afterFit: axis => { axis.width = 66; },
-          title: {display: true, text: "error [eps]", color: INK, font: FONT}}},
-      plugins: {
-        furniture: {x, y, spans: budgetSpans(rows, x)}, legend: {display: false},
-        tooltip: {callbacks: {title: items => items.length ? `${items[0].raw.row.band}` : "", label: item => tip(item.raw)}}}}}));
-  watcher.observe(holder);
+  const ticks = source => ({minRotation: 0, callback: v => source.find(t => t.value === v && !t.upright)?.label ?? ""});
+  const tooltip = {callbacks: {title: items => items.length ? `${items[0].raw.row.band}` : "", label: item => tip(item.raw)}};
+  const holder = chartHolder(spoken(rows, head), 14, tooltip, () => ({
+    datasets: datasets(rows, x, y, statistics), plugins: [furniture], pluginOptions: {furniture: {x, y, spans: budgetSpans(rows, x)}},
+    scales: {
+      x: chartAxis(title, ticks(x.ticks), {type: "linear", reverse, min: x.min, max: x.max, afterFit: axis => { axis.height = foot; },
+        afterBuildTicks: axis => setTicks(axis, roomy(x.ticks, x.max - x.min, axis.chart.width - 90).map(t => t.value))}),
+      y: chartAxis("error [eps]", ticks(y.ticks), {type: "linear", min: y.min, max: y.max, afterFit: axis => { axis.width = 66; },
+        afterBuildTicks: axis => setTicks(axis, y.ticks.map(t => t.value))})}}));
   return element("div", {class: "plot"}, element("h4", {}, head), holder);
 }
 

@@ -7,22 +7,12 @@ namespace liecheck::reports {
 
 std::string escaped(const std::string& text) {
   std::string out;
-  for (char c : text) switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
-    }
+  for (char c : text)
+    out += c == '&'   ? "&amp;"
+           : c == '<' ? "&lt;"
+           : c == '>' ? "&gt;"
+           : c == '"' ? "&quot;"
+                      : std::string(1, c);
   return out;
 }
 
@@ -30,6 +20,12 @@ std::string eps_text(double value) {
   if (std::isnan(value)) return "NaN";
   if (std::isinf(value)) return "Inf";
   return fmt::format("{:.3g}", value);
+}
+
+std::string time_text(double ns) {
+  if (ns < 1000) return fmt::format("{:.3g} ns", ns);
+  if (ns < 1e6) return fmt::format("{:.3g} µs", ns / 1e3);
+  return ns < 1e9 ? fmt::format("{:.3g} ms", ns / 1e6) : fmt::format("{:.3g} s", ns / 1e9);
 }
 
 std::string table(const std::string& caption, const Cells& heads, const std::vector<Cells>& rows,
@@ -54,6 +50,11 @@ std::string code(const std::string& text) {
 
 std::string text_of(const Json& row, const char* name) {
   return escaped(row[name].get<std::string>());
+}
+
+std::string status_text(const std::string& status) {
+  const bool colored = status == "pass" || status == "fail";
+  return fmt::format("<span class=\"status{}\">{}</span>", colored ? " " + status : "", status);
 }
 
 }  // namespace liecheck::reports

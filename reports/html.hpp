@@ -1,5 +1,7 @@
 #pragma once
-// HTML elements, and two sections of the page.
+// HTML elements, the sections of the page, and the page. Verdict, standings, definitions and machine are plain HTML
+// without scripts. Scripts in the browser draw the charts and the tables of bands from the figures that the page
+// contains as JSON.
 
 #include <reports/record.hpp>
 #include <string>
@@ -13,6 +15,9 @@ std::string escaped(const std::string& text);
 /// Three digits, "NaN" or "Inf".
 std::string eps_text(double value);
 
+/// A time in ns, µs, ms or s, with three digits.
+std::string time_text(double ns);
+
 using Cells = std::vector<std::string>;  // HTML
 
 /// Most cells of a dense table do not wrap; the table scrolls sideways instead.
@@ -24,10 +29,25 @@ std::string code(const std::string& text);
 /// A text field of a row, escaped.
 std::string text_of(const Json& row, const char* name);
 
+/// A verdict or status; "pass" and "fail" have colours.
+std::string status_text(const std::string& status);
+
 /// Section "What accuracy costs in time": advice, the price of each further digit, every row.
 std::string cost_section(const Merged& merged);
 
 /// Section "Scalar coefficients: every float".
 std::string sweep_section(const Merged& merged);
+
+/// Films, charts of error against time, orders, drift, long spins, flips, other simulators, costs of effects.
+std::string scenes_section(const Merged& merged);
+
+/// A compact form of the JSON inside the page. page.js restores the original; report.json is not packed.
+/// A list of objects with equal keys becomes {"*keys": [...], "*columns": [[...], ...]}. Another list becomes
+/// {"*words": [...], "*at": [...]} if that is shorter: its distinct values, and the index of each element.
+/// Throws std::invalid_argument if a key begins with a star.
+Json packed(const Json& value);
+
+/// The whole page; `numbers` is the content of report.json.
+std::string page(const Merged& merged, const Json& numbers);
 
 }  // namespace liecheck::reports

@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <reports/packed.hpp>
+#include <reports/html.hpp>
 #include <stdexcept>
 #include <unordered_map>
 
@@ -14,16 +14,11 @@ const std::string& plain(const std::string& key) {
 
 bool are_rows(const Json& list) {
   if (list.size() < 2 || !list[0].is_object() || list[0].empty()) return false;
-  const auto same_keys = [&](const Json& row) {
-    if (!row.is_object() || row.size() != list[0].size()) return false;
-    auto expected = list[0].items().begin();
-    for (const auto& entry : row.items()) {
-      if (entry.key() != expected.key()) return false;
-      ++expected;
-    }
-    return true;
-  };
-  return std::all_of(list.begin(), list.end(), same_keys);
+  return std::all_of(list.begin(), list.end(), [&](const Json& row) {
+    return row.is_object() && row.size() == list[0].size() &&
+           std::all_of(list[0].items().begin(), list[0].items().end(),
+                       [&](const auto& entry) { return row.contains(entry.key()); });
+  });
 }
 
 Json packed_rows(const Json& list) {

@@ -2,13 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <map>
-#include <reports/embedded_files.hpp>
 #include <reports/html.hpp>
-#include <reports/packed.hpp>
-#include <reports/page.hpp>
-#include <reports/scenes.hpp>
 #include <reports/summary.hpp>
 #include <stdexcept>
 
@@ -44,18 +39,18 @@ std::string cases_text(const Json& record) {
 
 std::string verdict_section(const Merged& merged) {
   const std::string verdict_word = verdict(merged);
-  const auto all = standings(merged);
-  std::string out = fmt::format(
-      "<p class=\"verdict {0}\"><strong>{1}</strong> {2}</p>\n", verdict_word,
-      verdict_word == "pass"   ? "PASS"
-      : verdict_word == "fail" ? "FAIL"
-                               : "INCOMPLETE",
-      verdict_word == "pass" ? "Every band judged is within its budget."
+  const auto [label, meaning] =
+      verdict_word == "pass" ? std::pair("PASS", "Every band judged is within its budget.")
       : verdict_word == "fail"
-          ? "At least one band of at least one subject is over its budget, or a hard case failed; the "
-            "tables below name them."
-          : "The campaign was interrupted, or left cases unresolved.");
-  out += "<dl class=\"summary\">\n";
+          ? std::pair(
+                "FAIL",
+                "At least one band of at least one subject is over its budget, or a hard case failed; the "
+                "tables below name them.")
+          : std::pair("INCOMPLETE", "The campaign was interrupted, or left cases unresolved.");
+  const auto all = standings(merged);
+  std::string out =
+      fmt::format("<p class=\"verdict {}\"><strong>{}</strong> {}</p>\n<dl class=\"summary\">\n",
+                  verdict_word, label, meaning);
   const auto item = [&out](std::string_view name, const std::string& value) {
     out += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>\n", name, value);
   };
@@ -88,7 +83,7 @@ std::string verdict_section(const Merged& merged) {
                                  [](const Json& row) { return row["status"] == "fail"; })));
   int hard = 0, hard_failed = 0;
   for (const Json& r : merged.records)
-    for (const Json& row : r.value("hard_cases", Json::array()))
+    for (const Json& row : list_in(r, "hard_cases"))
       for (const Json& cell : row["cells"]) ++hard, hard_failed += cell["failed"].get<bool>();
   if (hard > 0)
     item("hard cases",
@@ -110,19 +105,15 @@ std::string verdict_section(const Merged& merged) {
 std::string standings_section(const Merged& merged) {
   std::vector<Cells> rows;
   for (const Standing& s : standings(merged)) {
-    const std::string standing = word(s);
-    rows.push_back({escaped(s.subject), escaped(s.version), escaped(s.scalar),
-                    fmt::format("<span class=\"status{}\">{}</span>",
-                                s.failed             ? " fail"
-                                : standing == "pass" ? " pass"
-                                                     : "",
-                                standing),
-                    fmt::format("{}", s.passed), fmt::format("{}", s.failed), fmt::format("{}", s.unresolved),
-                    fmt::format("{}", s.ill_posed), fmt::format("{}", s.empty),
-                    fmt::format("{}", s.not_finite), fmt::format("{}", s.wrong_branch),
-                    s.worst ? judged_text(*s.worst) + " (budget " + eps_text((*s.worst)["budget"]) +
-                                  "): " + place(*s.worst)
-                            : "—"});
+    Cells row = {escaped(s.subject), escaped(s.version), escaped(s.scalar), status_text(word(s))};
+    for (const int bands : {s.passed, s.failed, s.unresolved, s.ill_posed, s.empty})
+      row.push_back(std::to_string(bands));
+    row.push_back(std::to_string(s.not_finite));
+    row.push_back(std::to_string(s.wrong_branch));
+    row.push_back(s.worst ? fmt::format("{} (budget {}): {}", judged_text(*s.worst),
+                                        eps_text((*s.worst)["budget"]), place(*s.worst))
+                          : "—");
+    rows.push_back(row);
   }
   return table("Subjects",
                {"subject", "version", "scalar", "standing", "bands passed", "failed", "unresolved",
@@ -170,7 +161,7 @@ std::vector<Cells> listed(const Merged& merged, const char* list, std::initializ
         const Json value = entry.value(field, Json(""));
         row.push_back(value.is_array() ? layout_text(value) : escaped(value));
       }
-      if (std::find(rows.begin(), rows.end(), row) == rows.end()) rows.push_back(row);
+      add_once(rows, row);
     }
   return rows;
 }
@@ -195,7 +186,7 @@ std::string definitions_section(const Merged& merged) {
   for (const Standing& s : standings(merged)) {
     const Cells row = {escaped(s.scalar), fmt::format("{:.6g}", s.eps),
                        fmt::format("2<sup>{}</sup>", std::ilogb(s.eps))};
-    if (s.eps > 0 && std::find(eps.begin(), eps.end(), row) == eps.end()) eps.push_back(row);
+    if (s.eps > 0) add_once(eps, row);
   }
   return table("Error of each block of each operation",
                {"operations", "block", "error", "denominator", "unit"}, block_rows(merged)) +
@@ -213,10 +204,8 @@ std::string coverage_section(const Merged& merged) {
     for (const std::string& name : s.not_offered)
       rows.push_back({escaped(s.subject), escaped(s.scalar), escaped(name), "not offered"});
   for (const Json& record : merged.records)
-    for (const Json& name : record["absent"]) {
-      const Cells row = {escaped(name.get<std::string>()), "all", "all", "absent from this build"};
-      if (std::find(rows.begin(), rows.end(), row) == rows.end()) rows.push_back(row);
-    }
+    for (const std::string name : record["absent"])
+      add_once(rows, {escaped(name), "all", "all", "absent from this build"});
   if (rows.empty()) return "<p>Every subject offers every operation; none is absent.</p>\n";
   return table("Not measured", {"subject", "scalar", "operation", "why"}, rows);
 }
@@ -243,35 +232,32 @@ std::string machine_section(const Merged& merged) {
   return out;
 }
 
+/// The texts of these embedded files, one after another.
+std::string files(std::initializer_list<const char*> names) {
+  std::string all;
+  for (const char* name : names) all += embedded_file(name);
+  return all;
+}
+
 }  // namespace
 
 std::string page(const Merged& merged, const Json& numbers) {
-  const std::map<std::string, std::function<std::string()>, std::less<>> slots = {
-      {"style",
-       [] {
-         return std::string(embedded_file("page.css")) + std::string(embedded_file("stability.css")) +
-                std::string(embedded_file("scenes.css"));
-       }},
-      {"chart library", [] { return std::string(embedded_file("chart.min.js")); }},
-      {"scripts",
-       [] {
-         std::string all;
-         for (const char* name : {"axes.js", "charts.js", "figure.js", "tables.js", "page.js", "stability.js",
-                                  "cost.js", "scenes.js", "films.js"})
-           all += embedded_file(name);
-         return all;
-       }},
-      {"numbers", [&] { return inlined(packed(numbers)); }},
-      {"verdict word", [&] { return verdict(merged); }},
-      {"verdict", [&] { return verdict_section(merged); }},
-      {"standings", [&] { return standings_section(merged); }},
-      {"offenders", [&] { return offenders_section(merged); }},
-      {"sweep", [&] { return sweep_section(merged); }},
-      {"cost", [&] { return cost_section(merged); }},
-      {"scenes", [&] { return scenes_section(merged); }},
-      {"definitions", [&] { return definitions_section(merged); }},
-      {"coverage", [&] { return coverage_section(merged); }},
-      {"machine", [&] { return machine_section(merged); }}};
+  const std::map<std::string_view, std::string> slots = {
+      {"style", files({"page.css", "stability.css", "scenes.css"})},
+      {"chart library", files({"chart.min.js"})},
+      {"scripts", files({"axes.js", "charts.js", "figure.js", "tables.js", "page.js", "stability.js",
+                         "cost.js", "scenes.js", "films.js"})},
+      {"numbers", inlined(packed(numbers))},
+      {"verdict word", verdict(merged)},
+      {"verdict", verdict_section(merged)},
+      {"standings", standings_section(merged)},
+      {"offenders", offenders_section(merged)},
+      {"sweep", sweep_section(merged)},
+      {"cost", cost_section(merged)},
+      {"scenes", scenes_section(merged)},
+      {"definitions", definitions_section(merged)},
+      {"coverage", coverage_section(merged)},
+      {"machine", machine_section(merged)}};
   // One pass over page.html: the text that replaces a slot is not searched for further slots.
   std::string out;
   std::string_view rest = embedded_file("page.html");
@@ -283,7 +269,7 @@ std::string page(const Merged& merged, const Json& numbers) {
     const std::string_view name = rest.substr(open + 2, close - open - 2);
     const auto slot = slots.find(name);
     if (slot == slots.end()) throw std::logic_error("page.html: unknown slot " + std::string(name));
-    out += slot->second();
+    out += slot->second;
     rest.remove_prefix(close + 2);
   }
 }

@@ -1,6 +1,6 @@
 // The page: reads the inlined figures, builds the controls and fills the sections.
 
-// The inverse of packed() in packed.hpp.
+// The inverse of packed() in html.hpp.
 function unpacked(x) {
   if (Array.isArray(x)) return x.map(unpacked);
   if (x === null || typeof x !== "object") return x;
@@ -103,6 +103,12 @@ function boxes(name, title, options, off) {
   return set;
 }
 
+// Calls fill(event) when a control of the form changes. The form is never submitted.
+function whenChanged(form, fill) {
+  form.addEventListener("submit", event => event.preventDefault());
+  form.addEventListener("change", fill);
+}
+
 function fillControls() {
   const form = document.getElementById("controls");
   form.append(
@@ -110,8 +116,7 @@ function fillControls() {
     choice("operation", "operation", [["", "all"], ...operations.map(o => [o, o])], ""),
     boxes("subject", "subjects", subjects.map(s => [s, s]), chosen.hidden),
     boxes("statistic", "lines", Object.entries(STATISTICS).map(([k, s]) => [k, s.name]), new Set()));
-  form.addEventListener("submit", event => event.preventDefault());
-  form.addEventListener("change", event => {
+  whenChanged(form, event => {
     const data = new FormData(form);
     chosen.scalar = data.get("scalar");
     chosen.operation = data.get("operation");

@@ -13,13 +13,6 @@ namespace liecheck::reports {
 
 namespace {
 
-/// A list that older records lack; empty for them.
-const Json& list_in(const Json& object, const char* name) {
-  static const Json none = Json::array();
-  const auto list = object.find(name);
-  return list == object.end() ? none : *list;
-}
-
 /// Refuses values that contradict other fields of the record, and seeds below 0.
 void check_relations(std::string_view file, const Json& record) {
   const auto seed = [&](const char* field, const Json& value) {  // types.json says why the schema does not
@@ -70,23 +63,10 @@ std::string line_and_column(std::string_view bytes, std::size_t at) {
 }
 
 /// Throws the first error of a text that is not JSON, with its line and column.
-class FirstError final : public nlohmann::json_sax<Json> {
+class FirstError final : public nlohmann::detail::json_sax_acceptor<Json> {
  public:
   FirstError(const std::string& file, std::string_view bytes) : file_(file), bytes_(bytes) {}
-  bool null() override { return true; }
-  bool boolean(bool) override { return true; }
-  bool number_integer(number_integer_t) override { return true; }
-  bool number_unsigned(number_unsigned_t) override { return true; }
-  bool number_float(number_float_t, const string_t&) override { return true; }
-  bool string(string_t&) override { return true; }
-  bool binary(binary_t&) override { return true; }
-  bool start_object(std::size_t) override { return true; }
-  bool key(string_t&) override { return true; }
-  bool end_object() override { return true; }
-  bool start_array(std::size_t) override { return true; }
-  bool end_array() override { return true; }
-  bool parse_error(std::size_t byte, const std::string& token,
-                   const nlohmann::detail::exception& e) override {
+  bool parse_error(std::size_t byte, const std::string& token, const nlohmann::detail::exception& e) {
     constexpr int out_of_range = 406;  // a number beyond the range of double
     if (e.id == out_of_range)
       throw std::runtime_error(fmt::format("{}: {}: a number beyond double: {}", file_,
@@ -106,6 +86,12 @@ class FirstError final : public nlohmann::json_sax<Json> {
 
 }  // namespace
 
+const Json& list_in(const Json& object, const char* name) {
+  static const Json none = Json::array();
+  const auto list = object.find(name);
+  return list == object.end() ? none : *list;
+}
+
 bool has_worst(const Json& row) {
   return row["worst"].is_object() && row["worst"]["id"] != "";
 }
@@ -121,43 +107,34 @@ void check_record(std::string_view file, const Json& record) {
   check_relations(file, record);
 }
 
-Json read_record(const std::filesystem::path& file) {
-  const std::string name = file.string();
-  const std::string bytes = properties::read_whole(file);
-  Json record = Json::parse(bytes, nullptr, false);
-  if (record.is_discarded()) {
-    FirstError error(name, bytes);
-    Json::sax_parse(bytes, &error);
-  }
-  check_record(name, record);
-  return record;
-}
-
 Merged merge_records(const std::vector<std::filesystem::path>& files) {
   if (files.empty()) throw std::runtime_error("no record given: a report needs at least one");
   Merged merged;
   std::map<std::vector<std::string>, std::string> seen;
   for (const auto& file : files) {
-    Json record = read_record(file);
-    for (Json& row : record["results"]) {
-      std::vector<std::string> key;
-      for (const char* name : {"subject", "scalar", "property", "operation", "block", "band"})
-        key.push_back(row[name]);
-      const auto [first, fresh] = seen.emplace(key, file.string());
+    const std::string path = file.string();
+    const auto refuse_twice = [&](const char* field, const char* row, std::vector<std::string> key) {
+      const auto [first, fresh] = seen.emplace(std::move(key), path);
       if (!fresh)
-        throw std::runtime_error(fmt::format("{}: field results: row {} is already in {}", file.string(),
-                                             fmt::join(key, " / "), first->second));
+        throw std::runtime_error(fmt::format("{}: field {}: {}{} is already in {}", path, field, row,
+                                             fmt::join(first->first, " / "), first->second));
+    };
+    const std::string bytes = properties::read_whole(file);
+    Json record = Json::parse(bytes, nullptr, false);
+    if (record.is_discarded()) {
+      FirstError error(path, bytes);
+      Json::sax_parse(bytes, &error);
+    }
+    check_record(path, record);
+    for (Json& row : record["results"]) {
+      refuse_twice(
+          "results", "row ",
+          {row["subject"], row["scalar"], row["property"], row["operation"], row["block"], row["band"]});
       merged.results.push_back(std::move(row));
     }
     for (const Json& hard : list_in(record, "hard_cases"))
-      for (const Json& cell : hard["cells"]) {
-        const std::vector<std::string> key = {hard["name"], hard["property"], cell["subject"],
-                                              cell["scalar"]};
-        const auto [first, fresh] = seen.emplace(key, file.string());
-        if (!fresh)
-          throw std::runtime_error(fmt::format("{}: field hard_cases: {} is already in {}", file.string(),
-                                               fmt::join(key, " / "), first->second));
-      }
+      for (const Json& cell : hard["cells"])
+        refuse_twice("hard_cases", "", {hard["name"], hard["property"], cell["subject"], cell["scalar"]});
     record.erase("results");
     merged.records.push_back(std::move(record));
   }

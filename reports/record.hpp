@@ -1,14 +1,33 @@
 #pragma once
-// Reads records of campaigns and checks every field; the other files of this folder rely on that.
+// Reads records of campaigns and checks every field with the JSON Schema in properties/record/schema. The other
+// files of this folder rely on that.
 //
 // JSON has no infinity and no NaN: the strings "inf" and "nan" stand for them.
 
+#include <algorithm>
 #include <filesystem>
-#include <reports/schema.hpp>
+#include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace liecheck::reports {
+
+/// Keeps keys in alphabetical order, as in the records that liecheck writes.
+using Json = nlohmann::json;
+
+/// The text of a file that embed.cmake compiles into the program: "page.html", "chart.min.js", "record.json".
+std::string_view embedded_file(std::string_view name);
+
+/// The whole schema, with every reference replaced by its target.
+const Json& schema();
+
+/// Throws std::runtime_error with one line: the file, the field, and what was expected and found there.
+[[noreturn]] void refuse(std::string_view file, std::string_view field, std::string_view expected,
+                         const Json& found);
+
+/// Refuses the first value of a record that does not satisfy the schema.
+void check_schema(std::string_view file, const Json& record);
 
 /// Several records: `records` has each one without its rows, `results` the rows of all, in order.
 struct Merged {
@@ -19,17 +38,24 @@ struct Merged {
 /// Refuses a record that does not satisfy the schema, or whose fields contradict one another.
 void check_record(std::string_view file, const Json& record);
 
-/// Reads and checks one record. Throws std::runtime_error that names file, field and value.
-Json read_record(const std::filesystem::path& file);
-
-/// Reads and concatenates records. Throws if two rows have equal subject, scalar, property, operation, block
-/// and band, or if a hard case occurs twice for the same law, subject and scalar.
+/// Reads, checks and concatenates records. Throws std::runtime_error that names file, field and value. Also throws if
+/// two rows have equal subject, scalar, property, operation, block and band, or if a hard case occurs twice for the
+/// same law, subject and scalar.
 Merged merge_records(const std::vector<std::filesystem::path>& files);
+
+/// A list that older records lack; empty for them.
+const Json& list_in(const Json& object, const char* name);
 
 /// Whether a band has a worst case; a band without a judged case has none.
 bool has_worst(const Json& row);
 
 /// The number; infinity or NaN for the strings "inf" and "nan".
 double figure(const Json& value);
+
+/// Appends the item if the list does not contain it yet.
+template <class T>
+void add_once(std::vector<T>& list, const T& item) {
+  if (std::find(list.begin(), list.end(), item) == list.end()) list.push_back(item);
+}
 
 }  // namespace liecheck::reports

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <reports/page.hpp>
+#include <reports/html.hpp>
 #include <reports/record.hpp>
 #include <reports/report.hpp>
 #include <stdexcept>

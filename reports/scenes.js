@@ -32,26 +32,16 @@ function workPrecision(scene, block, looks, withPeers) {
   const low = decade(Math.min(...all.map(p => p.y)), Math.floor), high = decade(Math.min(10, Math.max(...all.map(p => p.y))), Math.ceil);
   const left = Math.min(...all.map(p => p.x)) / 1.5, right = Math.max(...all.map(p => p.x)) * 1.5;
   const best = lines.map(l => `${methodName(l.series)} down to ${short(Math.min(...l.points.map(p => p.y)))}`);
-  const canvas = element("canvas", {role: "img", "aria-label": `${scene.scene}: error of ${block} against time, log-log. Smallest errors: ${best.join("; ")}.`});
-  const holder = element("div", {class: "canvas"}, canvas);
-  const axis = (title, min, max, step) => ({type: "logarithmic", min, max, grid: {color: "#ececec"}, title: {display: true, text: title, color: INK, font: FONT},
-    afterBuildTicks: a => { a.ticks = []; for (let e = Math.ceil(Math.log10(min)); e <= Math.log10(max) + 1e-9; ++e) if (e % step === 0) a.ticks.push({value: 10 ** e}); },
-    ticks: {color: INK, font: FONT, autoSkip: false, maxRotation: 0, callback: v => power(Math.round(Math.log10(v)))}});
-  waiting.set(holder, () => new Chart(canvas, {
-    type: "line",
-    data: {datasets: lines.map(({series, points}) => {
+  const label = `${scene.scene}: error of ${block} against time, log-log. Smallest errors: ${best.join("; ")}.`;
+  const tooltip = {callbacks: {title: i => i.length ? methodName(i[0].raw.series) : "", label: i => sceneTip(i.raw)}};
+  return chartHolder(label, 12, tooltip, () => ({
+    datasets: lines.map(({series, points}) => {
       const {color, shape, dash} = looks.get(methodName(series));
       return {label: methodName(series), data: points, borderColor: color, backgroundColor: dash.length ? "#fff" : color, borderDash: dash,
         borderWidth: 1.6, pointStyle: shape, pointRadius: 3.6, pointHoverRadius: 7, pointBorderWidth: 1.4, clip: 6};
-    })},
-    options: {
-      animation: false, maintainAspectRatio: false, devicePixelRatio: Math.max(2, devicePixelRatio), layout: {padding: {right: 12, top: 4}},
-      interaction: {mode: "nearest", intersect: false},
-      scales: {x: axis("time for each simulated second [ns]", left, right, 1),
-        y: {...axis(`largest error of ${ERRORS[block]}`, low, high, Math.log10(high / low) > 9 ? 2 : 1), afterFit: a => { a.width = 62; }}},
-      plugins: {legend: {display: false}, tooltip: {callbacks: {title: i => i.length ? methodName(i[0].raw.series) : "", label: i => sceneTip(i.raw)}}}}}));
-  watcher.observe(holder);
-  return holder;
+    }),
+    scales: {x: decadeAxis("time for each simulated second [ns]", left, right, 1),
+      y: decadeAxis(`largest error of ${ERRORS[block]}`, low, high, Math.log10(high / low) > 9 ? 2 : 1, {afterFit: axis => { axis.width = 62; }})}}));
 }
 
 function sceneTip({p, series}) {
@@ -63,19 +53,13 @@ function sceneTip({p, series}) {
 }
 
 function sceneLegend(scenes, looks, withPeers) {
-  const list = element("ul", {class: "legend", "aria-label": "Legend"}), ns = "http://www.w3.org/2000/svg";
-  const marks = {circle: "M12 6a4 4 0 1 0 8 0a4 4 0 1 0-8 0", triangle: "M16 2l5 8h-10z", rect: "M12 2h8v8h-8z", rectRot: "M16 1l5 5l-5 5l-5-5z",
-    crossRot: "M12 2l8 8m0-8l-8 8", cross: "M16 1v10m-5-5h10", star: "M12 2l8 8m0-8l-8 8M16 1v10m-5-5h10"};
+  const list = element("ul", {class: "legend", "aria-label": "Legend"});
   const present = new Set(scenes.flatMap(s => s.series.map(methodName)));
   for (const [name, {own, color, shape, dash}] of looks) {
     if (!present.has(name) || (!own && !withPeers)) continue;
-    const svg = document.createElementNS(ns, "svg");
-    for (const [k, v] of Object.entries({width: 32, height: 12, "aria-hidden": "true"})) svg.setAttribute(k, v);
-    for (const [d, extra] of [["M0 6h32", {"stroke-dasharray": dash.join(" ")}], [marks[shape], {fill: own ? color : "#fff"}]]) {
-      const path = document.createElementNS(ns, "path");
-      for (const [k, v] of Object.entries({d, stroke: color, "stroke-width": 1.6, ...extra})) path.setAttribute(k, v);
-      svg.append(path);
-    }
+    const stroke = {stroke: color, "stroke-width": 1.6};
+    const svg = drawing(32, {d: "M0 6h32", ...stroke, "stroke-dasharray": dash.join(" ")},
+      {d: MARKERS[shape], ...stroke, fill: own ? color : "#fff"});
     list.append(element("li", {}, svg, name));
   }
   return list;
@@ -101,7 +85,6 @@ document.querySelectorAll(".scene-charts").forEach((home, i) => {
     }
     home.append(grid);
   };
-  form.addEventListener("submit", event => event.preventDefault());
-  form.addEventListener("change", fill);
+  whenChanged(form, fill);
   fill();
 });

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <reports/html.hpp>
-#include <reports/scenes.hpp>
 
 namespace liecheck::reports {
 namespace {
@@ -13,12 +12,6 @@ std::string number(const Json& x, const char* unit = "") {
   if (x.is_string()) return text_of(Json{{"x", x}}, "x");
   const double v = x.get<double>();
   return v == 0 ? "0" : fmt::format("{:.2g}{}", v, unit);
-}
-
-std::string nanoseconds(const Json& x) {
-  if (x.is_null()) return "—";
-  const double ns = x.get<double>();
-  return ns < 1000 ? fmt::format("{:.3g} ns", ns) : fmt::format("{:.3g} µs", ns / 1e3);
 }
 
 std::string verdict(const Json& s) {
@@ -45,9 +38,7 @@ std::string orders(const Json& s) {
   for (const Json& scene : s["scenes"]) {
     if (scene["orders"].empty()) continue;
     heads.push_back(text_of(scene, "scene") + (scene["closed"] ? "" : " (reference)"));
-    for (const Json& row : scene["orders"])
-      if (std::find(names.begin(), names.end(), row["integrator"]) == names.end())
-        names.push_back(row["integrator"]);
+    for (const Json& row : scene["orders"]) add_once<std::string>(names, row["integrator"]);
   }
   std::vector<Cells> rows;
   for (const std::string& name : names) {
@@ -172,9 +163,10 @@ std::string peers(const Json& s) {
 
 std::string costs(const Json& s) {
   std::vector<Cells> rows;
-  for (const Json& c : s.value("costs", Json::array()))
-    rows.push_back({text_of(c, "scene"), code(c["stage"]), text_of(c, "when"), nanoseconds(c["nanoseconds"]),
-                    text_of(c, "equation"), text_of(c, "energy"), text_of(c, "why")});
+  for (const Json& c : list_in(s, "costs"))
+    rows.push_back({text_of(c, "scene"), code(c["stage"]), text_of(c, "when"),
+                    c["nanoseconds"].is_null() ? "—" : time_text(c["nanoseconds"]), text_of(c, "equation"),
+                    text_of(c, "energy"), text_of(c, "why")});
   if (rows.empty()) return "";
   return "<details open><summary>What each effect costs</summary>\n" +
          table(
@@ -195,7 +187,7 @@ std::string scenes_section(const Merged& merged) {
     const Json& s = record["scenes"];
     out += verdict(s);
     Json own = Json::array();
-    for (std::size_t i = 0; i < s.value("films", Json::array()).size(); ++i) own.push_back(film++);
+    for (std::size_t i = 0; i < list_in(s, "films").size(); ++i) own.push_back(film++);
     if (!own.empty()) out += fmt::format("<div class=\"films\" data-films=\"{}\"></div>\n", own.dump());
     out += fmt::format(
         "<p class=\"note\">Each method runs a scene with smaller and smaller steps; an adaptive method runs "

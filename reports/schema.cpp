@@ -3,8 +3,7 @@
 #include <fmt/format.h>
 
 #include <map>
-#include <reports/embedded_files.hpp>
-#include <reports/schema.hpp>
+#include <reports/record.hpp>
 #include <stdexcept>
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
 #include <valijson/schema.hpp>

@@ -146,8 +146,7 @@ function fillStability() {
   form.append(choice("class", "class", [["", "all"], ...unique(cases.map(c => c.class)).map(c => [c, c])], ""),
     ...[["unstable", "only unstable rows"], ["open", "every class open"]].map(([name, label]) =>
       element("label", {}, element("input", {type: "checkbox", name}), label)));
-  form.addEventListener("submit", event => event.preventDefault());
-  form.addEventListener("change", event => {
+  whenChanged(form, event => {
     const data = new FormData(form);
     if (event.target.name === "class" || event.target.name === "unstable")
       form.elements.open.checked = data.get("class") !== "" || data.has("unstable");

@@ -44,11 +44,7 @@ std::vector<Standing> standings(const Merged& merged) {
   std::map<std::pair<std::string, std::string>, std::size_t> index;
   const auto of = [&](const std::string& subject, const std::string& scalar) -> Standing& {
     const auto [it, fresh] = index.emplace(std::pair(subject, scalar), all.size());
-    if (fresh) {
-      all.emplace_back();
-      all.back().subject = subject;
-      all.back().scalar = scalar;
-    }
+    if (fresh) all.emplace_back().subject = subject, all.back().scalar = scalar;
     return all[it->second];
   };
   for (const Json& record : merged.records)
@@ -56,10 +52,7 @@ std::vector<Standing> standings(const Merged& merged) {
       Standing& standing = of(s["name"], s["scalar"]);
       standing.version = s["version"];
       standing.eps = s["eps"];
-      for (const auto& name : s["not_offered"])
-        if (std::find(standing.not_offered.begin(), standing.not_offered.end(), name) ==
-            standing.not_offered.end())
-          standing.not_offered.push_back(name.get<std::string>());
+      for (const std::string name : s["not_offered"]) add_once(standing.not_offered, name);
     }
   for (const Json& row : merged.results) {
     Standing& s = of(row["subject"], row["scalar"]);
@@ -69,7 +62,6 @@ std::vector<Standing> standings(const Merged& merged) {
        : status == "unresolved" ? s.unresolved
        : status == "empty"      ? s.empty
                                 : s.ill_posed);
-    s.cases += row["count"].get<std::uint64_t>();
     s.not_finite += row["not_finite"].get<std::uint64_t>();
     s.wrong_branch += row["wrong_branch"].get<std::uint64_t>();
     const bool was_judged = status == "pass" || status == "fail";
@@ -88,9 +80,9 @@ std::vector<const Json*> worst_offenders(const Merged& merged, std::size_t limit
   std::set<std::vector<std::string>> seen;
   for (const Json* row : failing) {
     if (chosen.size() == limit) break;
-    std::vector<std::string> key;
-    for (const char* name : {"subject", "scalar", "property", "operation", "block"})
-      key.push_back((*row)[name]);
+    const Json& r = *row;
+    const std::vector<std::string> key = {r["subject"], r["scalar"], r["property"], r["operation"],
+                                          r["block"]};
     if (seen.insert(key).second) chosen.push_back(row);
   }
   return chosen;

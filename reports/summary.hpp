@@ -13,7 +13,7 @@ struct Standing {
   std::string subject, version, scalar;
   double eps = 0;
   int passed = 0, failed = 0, unresolved = 0, ill_posed = 0, empty = 0;  ///< number of bands, by status
-  std::uint64_t cases = 0, not_finite = 0, wrong_branch = 0;             ///< cases
+  std::uint64_t not_finite = 0, wrong_branch = 0;                        ///< number of cases
   const Json* worst = nullptr;  ///< its worst judged row; null if no row was judged
   std::vector<std::string> not_offered;
 };

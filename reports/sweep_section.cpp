@@ -15,14 +15,11 @@ std::string sweep_section(const Merged& merged) {
     for (const Json& c : sweep["coefficients"]) {
       const double bound = figure(c["bound_eps"].is_null() ? c["max_eps"] : c["bound_eps"]);
       const auto evaluated = c["evaluated"].get<std::uint64_t>();
-      const std::string status = c["status"];
       rows.push_back(
           {text_of(c, "name"), text_of(c, "equation"), text_of(c, "kind"), fmt::format("{}", evaluated),
            std::isfinite(bound) ? fmt::format("<b>{:.4f}</b>", upper ? std::ceil(bound * 1e4) / 1e4 : bound)
                                 : "<b>NaN or Inf</b>",
-           eps_text(c["documented_eps"]),
-           fmt::format("<span class=\"status{}\">{}</span>", status == "sampled" ? "" : " " + status, status),
-           text_of(c, "argument"), code(c["max_at"]),
+           eps_text(c["documented_eps"]), status_text(c["status"]), text_of(c, "argument"), code(c["max_at"]),
            fmt::format("{:.9g}", c["max_at_decimal"].get<double>()),
            c["square_eps"] > 0 ? fmt::format("{:.2f}", c["square_eps"].get<double>()) : "—",
            text_of(c, "reason")});

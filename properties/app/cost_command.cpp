@@ -13,7 +13,6 @@
 #include <support/files.hpp>
 #include <support/progress.hpp>
 #include <support/stop.hpp>
-#include <timing/front.hpp>
 
 namespace liecheck::properties {
 
@@ -44,7 +43,7 @@ void print_row(const CostRow& row, const std::string& dominator) {
 }
 
 void print_rows(const CostResult& r) {
-  const auto by = dominators(r.rows, TimeOf::latency);
+  const auto by = dominators(r.rows, &CostSet::latency);
   std::string operation;
   for (std::size_t i = 0; i < r.rows.size(); ++i) {
     if (r.rows[i].operation != operation) {

@@ -2,7 +2,6 @@
 
 #include <support/environment.hpp>
 #include <support/json_number.hpp>
-#include <timing/front.hpp>
 #include <timing/inputs.hpp>
 
 namespace liecheck::properties {
@@ -32,8 +31,8 @@ json set_record(const CostSet& set) {
 }
 
 json row_records(const std::vector<CostRow>& rows) {
-  const std::vector<int> throughput = dominators(rows, TimeOf::throughput),
-                         latency = dominators(rows, TimeOf::latency);
+  const std::vector<int> throughput = dominators(rows, &CostSet::throughput),
+                         latency = dominators(rows, &CostSet::latency);
   const auto dominator = [&](int i) {
     return i < 0 ? json() : json(implementation_of(rows[static_cast<std::size_t>(i)]));
   };

@@ -1,24 +1,25 @@
 #pragma once
-// The arguments of an operation out of the numbers of a law's input: parts and fields of one name are the same numbers.
+// Takes the arguments of an operation from the input of a law. A part of an argument has the numbers of the field with
+// the same name.
 
 #include <invariants/property.hpp>
 
 namespace liecheck::properties {
 
-/// The fields of a law, by name.
+/// Finds the fields of a law by name.
 class FieldPositions {
  public:
   explicit FieldPositions(const std::vector<Field>& fields) : fields_(fields) {}
 
-  /// Does the law's input hold every argument of the operation?
+  /// Whether the law's input has every argument of the operation.
   bool has_arguments_of(const Operation& operation) const {
     for (const Layout* argument : operation.arguments)
       for (const Part& part : argument->parts)
         if (!find(part.name).first) return false;
     return true;
   }
-  /// The numbers of an operation's arguments in the order of their layouts, as doubles, which hold a float exactly. The
-  /// six numbers of an inertia become the nine of its matrix.
+  /// The numbers of an operation's arguments, in the order of their layouts. A double holds a float exactly. The six
+  /// numbers of an inertia become the nine of its matrix.
   template <class S>
   std::vector<double> arguments_of(const Operation& operation, const std::vector<S>& x) const {
     std::vector<double> numbers;
@@ -45,7 +46,7 @@ class FieldPositions {
   const std::vector<Field>& fields_;
 };
 
-/// The first law, by name, that measures the operation on its own arguments; null where there is none.
+/// The first law, by name, that measures the operation on its own arguments; null if there is none.
 template <class S>
 const Property<S>* law_of(const Operation& operation, const std::vector<std::unique_ptr<Property<S>>>& laws) {
   for (const auto& law : laws)

@@ -1,13 +1,66 @@
 #include <timing/benchmarks.hpp>
 
 #include <benchmark/benchmark.h>
+#include <linux/perf_event.h>
+#include <sys/ioctl.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
-#include <timing/instructions.hpp>
+#include <cstring>
+#include <mutex>
 
 namespace liecheck::properties {
 namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Counts the instructions that this thread retires in user space, if Linux offers a hardware counter.
+class InstructionCounter {
+ public:
+  InstructionCounter() {
+    perf_event_attr a{};
+    a.size = sizeof a;
+    a.type = PERF_TYPE_HARDWARE;
+    a.config = PERF_COUNT_HW_INSTRUCTIONS;
+    a.disabled = a.exclude_kernel = a.exclude_hv = 1;
+    a.read_format = PERF_FORMAT_TOTAL_TIME_ENABLED | PERF_FORMAT_TOTAL_TIME_RUNNING;
+    file_ = static_cast<int>(::syscall(SYS_perf_event_open, &a, 0, -1, -1, 0));
+    if (file_ < 0) absent_ = std::string("perf_event_open: ") + std::strerror(errno);
+  }
+  ~InstructionCounter() {
+    if (file_ >= 0) ::close(file_);
+  }
+  InstructionCounter(const InstructionCounter&) = delete;
+  InstructionCounter& operator=(const InstructionCounter&) = delete;
+  /// Why there is no counter ("perf_event_open: ..."); empty if there is one.
+  const std::string& absent() const { return absent_; }
+  void start() {
+    if (file_ < 0) return;
+    ::ioctl(file_, PERF_EVENT_IOC_RESET, 0);
+    ::ioctl(file_, PERF_EVENT_IOC_ENABLE, 0);
+  }
+  /// The instructions since start(); 0 if there is no counter, or if it did not run all the time.
+  std::uint64_t stop() {
+    if (file_ < 0) return 0;
+    ::ioctl(file_, PERF_EVENT_IOC_DISABLE, 0);
+    struct {
+      std::uint64_t count, enabled, running;
+    } read{};
+    if (::read(file_, &read, sizeof read) != sizeof read || read.running < read.enabled) return 0;
+    return read.count;
+  }
+
+ private:
+  int file_ = -1;
+  std::string absent_;
+};
 
 /// One repetition, and how long the reference loop took before or after it.
 struct Repetition {
@@ -41,12 +94,12 @@ class Collector final : public benchmark::BenchmarkReporter {
 /// The time of a loop that is limited by the execution units [s]. It doubles while another program uses them.
 double reference_time() {
   static double in[64] = {1, 2, 3}, out[64];
-  const auto start = std::chrono::steady_clock::now();
+  const auto start = Clock::now();
   for (int i = 0; i < 200; ++i) {
     for (int j = 0; j < 64; ++j) out[j] = in[j] * in[63 - j] + in[j ^ 1];
     asm volatile("" : : "r"(out) : "memory");
   }
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return seconds_since(start);
 }
 
 /// Keeps the repetitions whose reference loop took at most 1.1 times its first percentile, and at least eight
@@ -82,38 +135,29 @@ void keep_undisturbed(std::vector<Timed>& all, const Repetitions& repetitions) {
   asm volatile("" : : "r"(room) : "memory");  // no tail call
 }
 
-void initialize_once() {
-  static const bool done = [] {
-    char name[] = "cost", interleave[] = "--benchmark_enable_random_interleaving=true";
-    char* arguments[] = {name, interleave, nullptr};
-    int n = 2;
-    benchmark::Initialize(&n, arguments);
-    return true;
-  }();
-  static_cast<void>(done);
+void initialize() {
+  char name[] = "cost", interleave[] = "--benchmark_enable_random_interleaving=true";
+  char* arguments[] = {name, interleave, nullptr};
+  int n = 2;
+  benchmark::Initialize(&n, arguments);
 }
 
 /// The number of passes that take `seconds`. A first pass fills the caches.
 std::int64_t passes_in(double seconds, const Timed& row) {
-  using Clock = std::chrono::steady_clock;
   row.pass();
   const auto start = Clock::now();
   row.pass();
-  const double one = std::chrono::duration<double>(Clock::now() - start).count();
-  return static_cast<std::int64_t>(std::clamp(seconds / std::max(one, 1e-8), 1.0, 1e7));
+  return static_cast<std::int64_t>(std::clamp(seconds / std::max(seconds_since(start), 1e-8), 1.0, 1e7));
 }
 
 }  // namespace
 
 std::string run_interleaved(std::vector<Timed>& all, const Interleaving& how) {
-  initialize_once();
+  static std::once_flag initialized;
+  std::call_once(initialized, initialize);
   InstructionCounter counter;
-  const auto start = std::chrono::steady_clock::now();
+  const auto start = Clock::now();
   const auto stopped = [&] { return how.stop && *how.stop; };
-  const auto late = [&] {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() >
-           1.3 * how.seconds + 1;
-  };
   const std::size_t total = all.size() * how.repetitions;
   const double each = how.seconds / static_cast<double>(std::max<std::size_t>(1, total));
   std::size_t done = 0;
@@ -123,17 +167,16 @@ std::string run_interleaved(std::vector<Timed>& all, const Interleaving& how) {
     const auto passes = passes_in(each, all[i]);
     benchmark::RegisterBenchmark(std::to_string(i).c_str(),
                                  [&, i, passes](benchmark::State& state) {
-                                   Repetition r;
-                                   r.run = !stopped() && !late();
+                                   const Timed& row = all[i];
+                                   // The shifts of 128 repetitions cover a page in steps of half a cache line.
+                                   const std::size_t shift = 32 * ((repetitions[i].size() * 37) % 128);
+                                   Repetition& r = repetitions[i].emplace_back();
+                                   r.run = !stopped() && seconds_since(start) <= 1.3 * how.seconds + 1;
                                    if (!r.run) {  // after SkipWithError, the library's statistics would abort
-                                     repetitions[i].push_back(r);
                                      for (auto _ : state) {
                                      }
                                      return;
                                    }
-                                   const Timed& row = all[i];
-                                   // The shifts of 128 repetitions cover a page in steps of half a cache line.
-                                   const std::size_t shift = 32 * ((repetitions[i].size() * 37) % 128);
                                    r.reference = reference_time();
                                    counter.start();
                                    for (auto _ : state) run_below(shift, row.pass);
@@ -141,7 +184,6 @@ std::string run_interleaved(std::vector<Timed>& all, const Interleaving& how) {
                                        static_cast<double>(counter.stop()) /
                                        (static_cast<double>(passes) * static_cast<double>(row.calls));
                                    r.reference = std::max(r.reference, reference_time());
-                                   repetitions[i].push_back(r);
                                    how.progress(static_cast<double>(++done) / static_cast<double>(total));
                                  })
         ->Iterations(passes)

@@ -1,13 +1,9 @@
-#include <timing/front.hpp>
-
+#include <algorithm>
 #include <limits>
+#include <timing/cost.hpp>
 
 namespace liecheck::properties {
 namespace {
-
-bool counts(const BlockErrors& b) {
-  return b.block.find("defect") == std::string::npos;
-}
 
 /// The largest error; infinite if a case has none.
 double largest(const BlockErrors& b) {
@@ -16,42 +12,40 @@ double largest(const BlockErrors& b) {
              : b.largest();
 }
 
-const Spread& time_of(const CostRow& row, TimeOf kind) {
-  return kind == TimeOf::throughput ? row.sets.back().throughput : row.sets.back().latency;
+/// The block with the largest error, and this error in eps.
+std::pair<std::string, double> worst(const CostRow& row) {
+  std::pair<std::string, double> all{"", -1};
+  for (const BlockErrors& b : row.sets.back().blocks)
+    if (b.block.find("defect") == std::string::npos && largest(b) > all.second) all = {b.block, largest(b)};
+  return all;
 }
 
 }  // namespace
 
 double error_of(const CostRow& row) {
-  double most = 0;
-  for (const BlockErrors& b : row.sets.back().blocks)
-    if (counts(b)) most = std::max(most, largest(b) * row.eps);
-  return most;
+  return std::max(0.0, worst(row).second * row.eps);
 }
 
 std::string worst_block(const CostRow& row) {
-  std::string name;
-  double most = -1;
-  for (const BlockErrors& b : row.sets.back().blocks)
-    if (counts(b) && largest(b) > most) most = largest(b), name = b.block;
-  return name;
+  return worst(row).first;
 }
 
-std::vector<int> dominators(const std::vector<CostRow>& rows, TimeOf kind) {
+std::vector<int> dominators(const std::vector<CostRow>& rows, Spread CostSet::*time) {
   std::vector<int> by(rows.size(), -1);
   std::vector<double> error;
   for (const CostRow& row : rows) error.push_back(error_of(row));
   const auto compared = [&](const CostRow& row) {
-    return !row.sets.back().blocks.empty() && time_of(row, kind).repetitions > 0 &&
+    return !row.sets.back().blocks.empty() && (row.sets.back().*time).repetitions > 0 &&
            row.subject.find('@') == std::string::npos;
   };
   for (std::size_t i = 0; i < rows.size(); ++i)
     for (std::size_t j = 0; j < rows.size(); ++j) {
       if (rows[i].operation != rows[j].operation || !compared(rows[i]) || !compared(rows[j])) continue;
-      const Spread &a = time_of(rows[i], kind), &b = time_of(rows[j], kind);
+      const Spread &a = rows[i].sets.back().*time, &b = rows[j].sets.back().*time;
       const bool dominated =
           (b.high < a.low && error[j] <= error[i]) || (b.median <= a.median && error[j] < error[i]);
-      if (dominated && (by[i] < 0 || b.median < time_of(rows[static_cast<std::size_t>(by[i])], kind).median))
+      const auto best = static_cast<std::size_t>(by[i]);
+      if (dominated && (by[i] < 0 || b.median < (rows[best].sets.back().*time).median))
         by[i] = static_cast<int>(j);
     }
   return by;

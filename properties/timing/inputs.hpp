@@ -1,6 +1,7 @@
 #pragma once
 // Random inputs on which time and error are measured, each from one band of angles.
 
+#include <algorithm>
 #include <array>
 #include <boost/math/constants/constants.hpp>
 #include <generators/rotations.hpp>
@@ -57,11 +58,9 @@ std::vector<S> cost_input(const std::vector<Field>& fields, const CostBand& band
   using namespace timing_detail;
   std::vector<S> x;
   Vec<S, 4> before = Vec<S, 4>::Zero();
-  const auto pairs = [&] {
-    for (const Field& f : fields)
-      if (f.kind == Kind::quaternion && f.reach == Reach::beside) return true;
-    return false;
-  }();
+  const bool pairs = std::any_of(fields.begin(), fields.end(), [](const Field& f) {
+    return f.kind == Kind::quaternion && f.reach == Reach::beside;
+  });
   for (const Field& f : fields) switch (f.kind) {
       case Kind::vector:
         append(x, Vec<S, 3>(source.symmetric<S>(), source.symmetric<S>(), source.symmetric<S>()));

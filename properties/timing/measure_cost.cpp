@@ -8,7 +8,6 @@
 #include <timing/kernels.hpp>
 #include <timing/rows.hpp>
 #include <timing/score.hpp>
-#include <timing/tiers.hpp>
 
 namespace liecheck::properties {
 

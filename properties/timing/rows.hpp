@@ -1,5 +1,5 @@
 #pragma once
-// One scalar's rows: every operation of every subject, scored, and ready to be timed.
+// The rows of one scalar: every operation of every subject, with its errors, ready to be timed.
 
 #include <algorithm>
 #include <array>
@@ -15,7 +15,7 @@
 
 namespace liecheck::properties {
 
-/// n calls of one function, and the row and the set that receive their times.
+/// n calls of one function. Their times are stored in this row and set.
 struct TimedSet {
   std::size_t row, set;
   Signature signature;
@@ -42,7 +42,7 @@ struct CostPlan {
   bool stopped() const { return options.stop && *options.stop; }
 };
 
-/// The same samples for every subject of a scalar: band after band, `each` of them.
+/// The inputs for every subject of a scalar: `each` inputs of every band, one band after another.
 template <class S>
 std::vector<std::vector<S>> cost_inputs(const std::vector<Field>& fields, std::uint64_t seed,
                                         std::size_t each) {
@@ -66,7 +66,7 @@ struct Offered {
   Score<Input> score;
 };
 
-/// The row of one operation for each subject that offers it. bands: time each band as well as all together.
+/// Adds the row of one operation for each subject that offers it. With `bands`, each band is also timed separately.
 template <class Input>
 void add_operation_rows(CostPlan& plan, const CostRow& common, std::size_t each, bool bands,
                         const Property<double>& law, const Operation& operation,
@@ -106,8 +106,8 @@ void add_operation_rows(CostPlan& plan, const CostRow& common, std::size_t each,
   }
 }
 
-/// The rows of every operation that a subject offers and a law measures. Input is the scalar in which inputs are sampled;
-/// S holds it exactly. score(operation, law, subject, signature, function) is the Score of one subject's function.
+/// Adds the rows of every operation that a subject offers and a law measures. Inputs are drawn in the scalar Input; S
+/// represents each of them exactly. score(operation, law, subject, signature, function) returns the Score of a function.
 template <class S, class Input, class MakeScore>
 void add_cost_rows(CostPlan& plan, const std::string& scalar, double eps,
                    const std::vector<const Subject<S>*>& subjects, std::size_t each, bool bands,
@@ -140,5 +140,9 @@ void add_cost_rows(CostPlan& plan, const std::string& scalar, double eps,
     add(operation, signature_of<S>(typename Op::template Function<S>(nullptr)), functions);
   });
 }
+
+/// Adds rows of the library in scalars wider than double, on double's inputs: double-double (QD, if it is installed),
+/// float128, and 50 and 100 digits (MPFR).
+void add_tiers(CostPlan& plan, const std::vector<std::unique_ptr<Property<double>>>& laws);
 
 }  // namespace liecheck::properties

@@ -17,27 +17,17 @@ class BlockCollector final : public Recorder {
         measured_.push_back(o.definition), blocks.push_back({std::string(o.block), {}});
   }
   void record(const Output& output, std::size_t, double error, Kappa) override {
-    if (BlockErrors* b = at(output)) {
-      if (error < std::numeric_limits<double>::infinity())
-        b->errors.push_back(error);
-      else
-        ++b->not_finite;
-    }
+    if (!(error < std::numeric_limits<double>::infinity()))
+      outcome(output, 0, Outcome::not_finite);
+    else if (BlockErrors* b = at(output))
+      b->errors.push_back(error);
   }
   void outcome(const Output& output, std::size_t, Outcome outcome) override {
-    if (BlockErrors* b = at(output)) switch (outcome) {
-        case Outcome::not_finite:
-          ++b->not_finite;
-          break;
-        case Outcome::wrong_branch:
-          ++b->wrong_branch;
-          break;
-        case Outcome::unresolved:
-          ++b->unresolved;
-          break;
-        default:
-          ++b->refused;
-      }
+    if (BlockErrors* b = at(output))
+      ++(outcome == Outcome::not_finite     ? b->not_finite
+         : outcome == Outcome::wrong_branch ? b->wrong_branch
+         : outcome == Outcome::unresolved   ? b->unresolved
+                                            : b->refused);
   }
   void refused() {
     for (BlockErrors& b : blocks) ++b.refused;

@@ -1,7 +1,7 @@
 #pragma once
-// What timing needs to know of a function R(const A&...), for code that does not know these types: how its arguments
-// are made and read, and one pass over a set of them, whose calls wait for one another or not. The passes are the same
-// code for every subject.
+// Calls a function R(const A&...) from code that does not know these types: makes and reads its arguments, and runs
+// passes over a set of arguments. The calls of a pass either wait for one another or do not. The passes are the same code
+// for every subject.
 
 #include <cstdint>
 #include <cstring>
@@ -16,21 +16,21 @@ namespace liecheck::properties {
 using AnyFunction = void (*)();
 
 struct Signature {
-  /// The arguments of all calls, one std::tuple<A...> after another, from their numbers in the order of the layouts.
+  /// Makes the arguments of all calls, one std::tuple<A...> each, from their numbers in the order of the layouts.
   std::shared_ptr<const char> (*arguments)(const std::vector<std::vector<double>>& numbers);
   std::size_t size;  ///< of one std::tuple<A...> in bytes
-  /// A pass over n of them.
+  /// A pass over the arguments of n calls.
   void (*throughput)(AnyFunction, const char* arguments, std::size_t n);
   void (*latency)(AnyFunction, const char* arguments, std::size_t n);
-  /// One call, with the exact values of what goes in and comes out.
+  /// One call; appends the exact values of its arguments to `in`, and those of its result to `out`.
   void (*call)(AnyFunction, const char* arguments, WideNumbers& in, WideNumbers& out);
-  /// The shortest function of this signature: every number of the result is the first number given.
+  /// The shortest function of this signature: every number of its result is the first number of its arguments.
   AnyFunction call_only;
 };
 
 namespace timing_detail {
 
-/// visit(matrix or scalar), for each part of a value in the order of its layout.
+/// Calls visit(matrix or scalar) for each part of a value, in the order of its layout.
 template <class Value>
 void for_each_part(Value& v, auto visit) {
   if constexpr (requires { v.I_C; })  // a body
@@ -40,7 +40,7 @@ void for_each_part(Value& v, auto visit) {
   else
     visit(v);
 }
-/// visit(number), for each number of a value; matrices row by row.
+/// Calls visit(number) for each number of a value; matrices row by row.
 template <class Value>
 void for_each_number(Value& value, auto visit) {
   for_each_part(value, [&](auto& part) {
@@ -53,14 +53,14 @@ void for_each_number(Value& value, auto visit) {
   });
 }
 
-/// Zero, which the compiler cannot know.
+/// Returns 0; the compiler cannot know this value.
 inline std::size_t opaque_zero() {
   volatile std::size_t zero = 0;
   return zero;
 }
 
-/// Some bits of the first, a middle and the last number of each part of a result: the last is written last, and the
-/// middle one is in the other block of a vector or Jacobian.
+/// Some bits of the first, a middle and the last number of each part of a result. The last number is usually written
+/// last. The middle number is in another block of a vector or Jacobian than the first.
 template <class R>
 std::size_t bits_of(const R& result) {
   std::size_t bits = 0;

@@ -1,7 +1,6 @@
-#include <timing/tiers.hpp>
-
 #include <boost/multiprecision/eigen.hpp>
 #include <subjects/wide_scalars.hpp>
+#include <timing/rows.hpp>
 #include <timing/wide_errors.hpp>
 
 namespace liecheck::properties {
@@ -27,11 +26,11 @@ Score<double> wide_score(const Operation& operation, const Property<double>& law
 }
 
 template <class T>
-void add_tier(CostPlan& plan, const std::string& scalar, int digits, std::size_t each,
+void add_tier(CostPlan& plan, const std::string& scalar, std::size_t each,
               const std::vector<std::unique_ptr<Property<double>>>& laws) {
   if (!plan.wants(plan.options.scalars, scalar) || !plan.wants(plan.options.subjects, "liecheck")) return;
   static const Subject<T> library{"liecheck", liecheck_version(), wide_scalar_operations<T>(), {}};
-  const double eps = std::ldexp(1.0, 1 - digits);
+  const double eps = std::ldexp(1.0, 1 - std::numeric_limits<T>::digits);
   add_cost_rows<T, double>(plan, scalar, eps, {&library}, each, false, laws,
                            [&](const Operation& operation, const Property<double>& law, const Subject<T>&,
                                const Signature& signature,
@@ -50,15 +49,15 @@ const std::vector<std::string>& cost_scalars() {
 }
 
 void add_tiers(CostPlan& plan, const std::vector<std::unique_ptr<Property<double>>>& laws) {
-  // A thirty-second and a sixty-fourth of the inputs of double: a call takes a hundred and a thousand times as long.
-  const std::size_t each = plan.options.inputs_per_band, few = std::max<std::size_t>(1, each / 32),
-                    fewer = std::max<std::size_t>(1, each / 64);
+  // Fewer inputs than in double, because a call takes a hundred or a thousand times as long.
+  const std::size_t few = std::max<std::size_t>(1, plan.options.inputs_per_band / 32),
+                    fewer = std::max<std::size_t>(1, plan.options.inputs_per_band / 64);
 #ifdef LIECHECK_QD
-  add_tier<dd_real>(plan, "double-double", std::numeric_limits<dd_real>::digits, few, laws);
+  add_tier<dd_real>(plan, "double-double", few, laws);
 #endif
-  add_tier<float128>(plan, "float128", std::numeric_limits<float128>::digits, few, laws);
-  add_tier<Digits50>(plan, "digits50", std::numeric_limits<Digits50>::digits, fewer, laws);
-  add_tier<Digits100>(plan, "digits100", std::numeric_limits<Digits100>::digits, fewer, laws);
+  add_tier<float128>(plan, "float128", few, laws);
+  add_tier<Digits50>(plan, "digits50", fewer, laws);
+  add_tier<Digits100>(plan, "digits100", fewer, laws);
 }
 
 }  // namespace liecheck::properties

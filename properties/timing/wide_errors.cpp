@@ -1,16 +1,19 @@
 #include <timing/wide_errors.hpp>
 
 #include <algorithm>
+#include <functional>
 #include <operations/operations.hpp>
 #include <oracles/closed_forms.hpp>
 #include <oracles/log.hpp>
 #include <oracles/spatial_formulas.hpp>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 
 namespace liecheck::properties {
 namespace {
 
+namespace formulas = oracles::formulas;
 using Wide = oracles::Real100;
 using V3 = oracles::Vec3<Wide>;
 using V4 = oracles::Quaternion<Wide>;
@@ -21,29 +24,29 @@ using M6 = oracles::Mat6<Wide>;
 using PoseValue = oracles::PoseOf<Wide>;
 using BodyValue = oracles::BodyOf<Wide>;
 
-/// Numbers read one after another.
+/// Reads numbers one after another, matrices row by row.
 class Reader {
  public:
   explicit Reader(const WideNumbers& all) : next_(all.data()) {}
-  Wide number() { return *next_++; }
-  template <int N>
-  oracles::Vec<N, Wide> vector() {
-    oracles::Vec<N, Wide> v;
-    for (Wide& x : v.x) x = *next_++;
-    return v;
+  template <class T>
+  T read() {
+    if constexpr (std::is_same_v<T, Wide>) {
+      return *next_++;
+    } else if constexpr (std::is_same_v<T, PoseValue>) {
+      return {read<M3>(), read<V3>()};  // braces evaluate in this order
+    } else if constexpr (std::is_same_v<T, BodyValue>) {
+      return {read<Wide>(), read<V3>(), read<M3>()};
+    } else {
+      T value;
+      for (Wide& number : value.x) number = *next_++;
+      return value;
+    }
   }
-  template <int R, int C = R>
-  oracles::Mat<R, C, Wide> matrix() {
-    return {vector<R * C>().x};
-  }
-  PoseValue pose() {
-    const M3 R = matrix<3>();
-    return {R, vector<3>()};
-  }
-  BodyValue body() {
-    const Wide mass = number();
-    const V3 c = vector<3>();
-    return {mass, c, matrix<3>()};
+  /// The value of a formula, whose arguments are read in their order.
+  template <class Value, class... A>
+  Value evaluate(Value (*formula)(const A&...)) {
+    const std::tuple<A...> arguments{read<A>()...};
+    return std::apply(formula, arguments);
   }
 
  private:
@@ -57,16 +60,16 @@ V4 quaternion_of(const V7& q) {
   return {{q[3], q[4], q[5], q[6]}};
 }
 
-/// The errors of one call.
-class Errors {
- public:
-  Errors(std::vector<BlockErrors>& blocks, double eps) : blocks_(blocks), eps_(eps) {}
+/// One call: its arguments x and its result y. Most functions below read the result and add its errors to the blocks.
+struct Case {
+  std::vector<BlockErrors>& blocks;
+  double eps;
+  Reader x, y;
 
   void distance(BlockName name, const Wide& distance) {
-    const auto error = static_cast<double>(Wide(distance / Wide(eps_)));
-    auto found = std::find_if(blocks_.begin(), blocks_.end(), [&](auto& b) { return b.block == name.text; });
-    if (found == blocks_.end())
-      found = blocks_.insert(blocks_.end(), BlockErrors{std::string(name.text), {}});
+    const auto error = static_cast<double>(Wide(distance / Wide(eps)));
+    auto found = std::find_if(blocks.begin(), blocks.end(), [&](auto& b) { return b.block == name.text; });
+    if (found == blocks.end()) found = blocks.insert(blocks.end(), BlockErrors{std::string(name.text), {}});
     if (std::isfinite(error))
       found->errors.push_back(error);
     else
@@ -90,33 +93,42 @@ class Errors {
     const V4 unit = oracles::normalized(Q);
     distance(block::rotation, 2 * std::min(Wide(norm(unit - exact)), Wide(norm(unit + exact))));
   }
-  void rotation(const M3& R, const V4& exact) {
-    distance(block::rotation, frobenius(R - oracles::rotation_matrix(exact)) / sqrt(Wide(2)));
+  void quaternion(const V4& exact) { rotation(y.read<V4>(), exact); }
+  void matrix(const V4& exact) {
+    distance(block::rotation, frobenius(y.read<M3>() - oracles::rotation_matrix(exact)) / sqrt(Wide(2)));
   }
-  void pose(const PoseValue& X, const oracles::UnitPose<Wide>& exact) {
-    rotation(X.R, exact.Q);
-    relative(block::translation, X.p, exact.p);
+  void pose(const oracles::UnitPose<Wide>& exact) {
+    matrix(exact.Q);
+    relative(block::translation, y.read<V3>(), exact.p);
   }
-  void log(const V6& xi, const V6& exact, const Wide& scale = Wide(0)) {
-    relative(block::rotation_vector, oracles::tail3(xi), oracles::tail3(exact));
-    relative(block::linear, oracles::head3(xi), oracles::head3(exact), scale);
+  void rotation_vector(const V3& exact) { relative(block::rotation_vector, y.read<V3>(), exact); }
+  void log_with(const V6& exact, const Wide& scale) {
+    const V6 xi = y.read<V6>();
+    relative(block::rotation_vector, tail3(xi), tail3(exact));
+    relative(block::linear, head3(xi), head3(exact), scale);
   }
-  void six(const V6& computed, const V6& exact) {
-    relative(block::linear, oracles::head3(computed), oracles::head3(exact));
-    relative(block::angular, oracles::tail3(computed), oracles::tail3(exact));
+  void log(const V6& exact) { log_with(exact, Wide(0)); }
+  void point(const V3& exact) { relative(block::point, y.read<V3>(), exact); }
+  void energy(const Wide& exact) { relative(block::energy, y.read<Wide>(), exact); }
+  void six(const V6& exact) {
+    relative(block::linear, y.read<V3>(), head3(exact));
+    relative(block::angular, y.read<V3>(), tail3(exact));
   }
-  void jacobian(const M6& J, const oracles::JacobianBlocks<Wide>& exact) {
+  void jacobian3(const M3& exact) { relative(block::jacobian, y.read<M3>(), exact); }
+  void jacobian6(const oracles::JacobianBlocks<Wide>& exact) {
+    const M6 J = y.read<M6>();
     const auto error = [&](int i) { return Wide(frobenius(oracles::block(J, i, i) - exact.J)); };
     distance(block::jacobian, std::max(error(0), error(1)) / frobenius(exact.J));
     relative(block::coupling, oracles::block(J, 0, 1), exact.C);
   }
-  void body(const BodyValue& computed, const BodyValue& exact) {
-    relative(block::mass, computed.mass, exact.mass);
-    relative(block::lever, computed.c, exact.c);
-    relative(block::inertia, computed.I_C, exact.I_C);
+  void body(const BodyValue& exact) {
+    relative(block::mass, y.read<Wide>(), exact.mass);
+    relative(block::lever, y.read<V3>(), exact.c);
+    relative(block::inertia, y.read<M3>(), exact.I_C);
   }
   /// The worst of the four 3 x 3 blocks.
-  void inertia_matrix(const M6& computed, const M6& exact) {
+  void inertia_matrix(const M6& exact) {
+    const M6 computed = y.read<M6>();
     Wide worst(0);
     for (int i = 0; i < 2; ++i)
       for (int j = 0; j < 2; ++j) {
@@ -126,182 +138,127 @@ class Errors {
       }
     distance(block::matrix, worst);
   }
-
- private:
-  std::vector<BlockErrors>& blocks_;
-  double eps_;
 };
 
+using Compare = std::function<void(Case&)>;
+
+/// Compares the result with a formula of the arguments.
+template <class Exact, class Formula>
+Compare against(void (Case::*compare)(const Exact&), Formula formula) {
+  return [=](Case& c) { (c.*compare)(c.x.evaluate(+formula)); };
+}
+
+V4 exp3(const V3& phi) {
+  return closed_exp(stack(zero(), phi)).Q;
+}
 /// J_l(xi), J_r(xi) = J_l(-xi), or their inverses, with that sign.
-oracles::JacobianBlocks<Wide> jacobian(const V6& xi, bool left, bool inverse) {
+template <bool left, bool inverse>
+oracles::JacobianBlocks<Wide> jacobian6(const V6& xi) {
   const V6 at = left ? xi : -xi;
-  return inverse ? oracles::closed_left_jacobian_inverse(at) : oracles::closed_left_jacobian(at);
+  return inverse ? closed_left_jacobian_inverse(at) : closed_left_jacobian(at);
 }
 template <bool left, bool inverse>
-void compare_jacobian3(Errors& e, Reader x, Reader y) {
-  const V3 phi = x.vector<3>();
-  e.relative(block::jacobian, y.matrix<3>(), jacobian(oracles::stack(zero(), phi), left, inverse).J);
+M3 jacobian3(const V3& phi) {
+  return jacobian6<left, inverse>(stack(zero(), phi)).J;
 }
-template <bool left, bool inverse>
-void compare_jacobian6(Errors& e, Reader x, Reader y) {
-  e.jacobian(y.matrix<6>(), jacobian(x.vector<6>(), left, inverse));
+
+void compare_integrate(Case& c) {
+  const V7 q0 = c.x.read<V7>(), q1 = c.y.read<V7>();
+  const auto exact = closed_integrate(q0, c.x.read<V6>());
+  const V3 p0 = head3(q0);
+  c.rotation(quaternion_of(q1), exact.Q);
+  c.relative(block::translation, head3(q1), exact.p, std::max(Wide(norm(p0)), Wide(norm(exact.p - p0))));
+}
+void compare_difference(Case& c) {
+  const V7 q0 = c.x.read<V7>(), q1 = c.x.read<V7>();
+  c.log_with(closed_difference(q0, q1), norm(head3(q1) - head3(q0)));
 }
 /// d q / d delta of integrate at delta = 0: R above, and half of the product Q * (e_j, 0) below.
-void compare_coefficient_jacobian(Errors& e, Reader x, Reader y) {
-  const V4 Q = quaternion_of(x.vector<7>());
-  const auto J = y.matrix<7, 6>();
+void compare_coefficient_jacobian(Case& c) {
+  const V4 Q = quaternion_of(c.x.read<V7>());
+  const auto J = c.y.read<oracles::Mat<7, 6, Wide>>();
   M3 translation;
   oracles::Mat<4, 3, Wide> computed, exact;
   for (int j = 0; j < 3; ++j) {
     for (int i = 0; i < 3; ++i) translation(i, j) = J(i, j);
     const V4 column =
-        Wide(0.5) * oracles::quaternion_product(Q, {{Wide(j == 0), Wide(j == 1), Wide(j == 2), Wide(0)}});
+        Wide(0.5) * quaternion_product(Q, {{Wide(j == 0), Wide(j == 1), Wide(j == 2), Wide(0)}});
     for (int i = 0; i < 4; ++i) computed(i, j) = J(3 + i, 3 + j), exact(i, j) = column[i];
   }
-  e.relative(block::translation_matrix, translation, oracles::rotation_matrix(oracles::normalized(Q)));
-  e.relative(block::quaternion_matrix, computed, exact);
+  c.relative(block::translation_matrix, translation, oracles::rotation_matrix(oracles::normalized(Q)));
+  c.relative(block::quaternion_matrix, computed, exact);
 }
-template <V6 (*formula)(const PoseValue&, const V6&)>
-void compare_action(Errors& e, Reader x, Reader y) {
-  const PoseValue X = x.pose();
-  e.six(y.vector<6>(), formula(X, x.vector<6>()));
+void compare_compose(Case& c) {
+  const PoseValue X = c.x.read<PoseValue>(), Y = c.x.read<PoseValue>(), Z = c.y.read<PoseValue>();
+  c.relative(block::matrix, Z.R, X.R * Y.R);
+  c.relative(block::translation, Z.p, X.R * Y.p + X.p, std::max(Wide(norm(X.p)), Wide(norm(Y.p))));
 }
-template <V6 (*formula)(const V6&, const V6&)>
-void compare_bracket(Errors& e, Reader x, Reader y) {
-  const V6 V = x.vector<6>();
-  e.six(y.vector<6>(), formula(V, x.vector<6>()));
+void compare_inverse(Case& c) {
+  const PoseValue X = c.x.read<PoseValue>(), Z = c.y.read<PoseValue>();
+  const M3 Rt = transpose(X.R);
+  c.relative(block::matrix, Z.R, Rt);
+  c.relative(block::translation, Z.p, -(Rt * X.p));
 }
 
-using Compare = void (*)(Errors& e, Reader x, Reader y);
 const std::pair<const Operation*, Compare> comparisons[] = {
     // exp and log
-    {&op::exp3_quaternion,
-     [](Errors& e, Reader x, Reader y) {
-       e.rotation(y.vector<4>(), oracles::closed_exp(oracles::stack(zero(), x.vector<3>())).Q);
-     }},
-    {&op::exp3_matrix,
-     [](Errors& e, Reader x, Reader y) {
-       e.rotation(y.matrix<3>(), oracles::closed_exp(oracles::stack(zero(), x.vector<3>())).Q);
-     }},
-    {&op::exp6, [](Errors& e, Reader x, Reader y) { e.pose(y.pose(), oracles::closed_exp(x.vector<6>())); }},
+    {&op::exp3_quaternion, against(&Case::quaternion, exp3)},
+    {&op::exp3_matrix, against(&Case::matrix, exp3)},
+    {&op::exp6, against(&Case::pose, [](const V6& xi) { return closed_exp(xi); })},
     {&op::log3_quaternion,
-     [](Errors& e, Reader x, Reader y) {
-       e.relative(block::rotation_vector, y.vector<3>(),
-                  oracles::tail3(oracles::closed_log(x.vector<4>(), zero())));
-     }},
+     against(&Case::rotation_vector, [](const V4& Q) { return tail3(closed_log(Q, zero())); })},
     {&op::log3_matrix,
-     [](Errors& e, Reader x, Reader y) {
-       const V4 Q = oracles::nearest_quaternion(x.matrix<3>()).Q;
-       e.relative(block::rotation_vector, y.vector<3>(), oracles::tail3(oracles::closed_log(Q, zero())));
-     }},
+     against(&Case::rotation_vector,
+             [](const M3& R) { return tail3(closed_log(nearest_quaternion(R).Q, zero())); })},
     {&op::log6,
-     [](Errors& e, Reader x, Reader y) {
-       const PoseValue X = x.pose();
-       e.log(y.vector<6>(), oracles::closed_log(oracles::nearest_quaternion(X.R).Q, X.p));
-     }},
+     against(&Case::log, [](const PoseValue& X) { return closed_log(nearest_quaternion(X.R).Q, X.p); })},
     // configurations
-    {&op::integrate,
-     [](Errors& e, Reader x, Reader y) {
-       const V7 q0 = x.vector<7>(), q1 = y.vector<7>();
-       const auto exact = oracles::closed_integrate(q0, x.vector<6>());
-       const V3 p0 = oracles::head3(q0);
-       e.rotation(quaternion_of(q1), exact.Q);
-       e.relative(block::translation, oracles::head3(q1), exact.p,
-                  std::max(Wide(norm(p0)), Wide(norm(exact.p - p0))));
-     }},
-    {&op::difference,
-     [](Errors& e, Reader x, Reader y) {
-       const V7 q0 = x.vector<7>(), q1 = x.vector<7>();
-       e.log(y.vector<6>(), oracles::closed_difference(q0, q1),
-             norm(oracles::head3(q1) - oracles::head3(q0)));
-     }},
-    {&op::d_integrate_arg0,
-     [](Errors& e, Reader x, Reader y) {
-       x.vector<7>();
-       const auto inverse = oracles::closed_exp(-x.vector<6>());
-       const M3 R = oracles::rotation_matrix(inverse.Q);
-       e.jacobian(y.matrix<6>(), {R, oracles::hat(inverse.p) * R});
-     }},
+    {&op::integrate, compare_integrate},
+    {&op::difference, compare_difference},
+    {&op::d_integrate_arg0, against(&Case::jacobian6,
+                                    [](const V7&, const V6& delta) {
+                                      const auto inverse = closed_exp(-delta);
+                                      const M3 R = oracles::rotation_matrix(inverse.Q);
+                                      return oracles::JacobianBlocks<Wide>{R, oracles::hat(inverse.p) * R};
+                                    })},
     {&op::d_integrate_arg1,
-     [](Errors& e, Reader x, Reader y) {
-       x.vector<7>();
-       e.jacobian(y.matrix<6>(), jacobian(x.vector<6>(), false, false));
-     }},
+     against(&Case::jacobian6, [](const V7&, const V6& delta) { return jacobian6<false, false>(delta); })},
     {&op::d_difference_arg0,
-     [](Errors& e, Reader x, Reader y) {
-       const V7 q0 = x.vector<7>();
-       const auto exact = jacobian(oracles::closed_difference(q0, x.vector<7>()), true, true);
-       e.jacobian(y.matrix<6>(), {Wide(-1) * exact.J, Wide(-1) * exact.C});
-     }},
+     against(&Case::jacobian6,
+             [](const V7& q0, const V7& q1) {
+               const auto exact = jacobian6<true, true>(closed_difference(q0, q1));
+               return oracles::JacobianBlocks<Wide>{Wide(-1) * exact.J, Wide(-1) * exact.C};
+             })},
     {&op::d_difference_arg1,
-     [](Errors& e, Reader x, Reader y) {
-       const V7 q0 = x.vector<7>();
-       e.jacobian(y.matrix<6>(), jacobian(oracles::closed_difference(q0, x.vector<7>()), false, true));
-     }},
-    {&op::integrate_coefficient_jacobian, &compare_coefficient_jacobian},
+     against(&Case::jacobian6,
+             [](const V7& q0, const V7& q1) { return jacobian6<false, true>(closed_difference(q0, q1)); })},
+    {&op::integrate_coefficient_jacobian, compare_coefficient_jacobian},
     // Jacobians of exp
-    {&op::left_jacobian3, &compare_jacobian3<true, false>},
-    {&op::right_jacobian3, &compare_jacobian3<false, false>},
-    {&op::left_jacobian3_inverse, &compare_jacobian3<true, true>},
-    {&op::right_jacobian3_inverse, &compare_jacobian3<false, true>},
-    {&op::left_jacobian6, &compare_jacobian6<true, false>},
-    {&op::right_jacobian6, &compare_jacobian6<false, false>},
-    {&op::left_jacobian6_inverse, &compare_jacobian6<true, true>},
-    {&op::right_jacobian6_inverse, &compare_jacobian6<false, true>},
+    {&op::left_jacobian3, against(&Case::jacobian3, jacobian3<true, false>)},
+    {&op::right_jacobian3, against(&Case::jacobian3, jacobian3<false, false>)},
+    {&op::left_jacobian3_inverse, against(&Case::jacobian3, jacobian3<true, true>)},
+    {&op::right_jacobian3_inverse, against(&Case::jacobian3, jacobian3<false, true>)},
+    {&op::left_jacobian6, against(&Case::jacobian6, jacobian6<true, false>)},
+    {&op::right_jacobian6, against(&Case::jacobian6, jacobian6<false, false>)},
+    {&op::left_jacobian6_inverse, against(&Case::jacobian6, jacobian6<true, true>)},
+    {&op::right_jacobian6_inverse, against(&Case::jacobian6, jacobian6<false, true>)},
     // poses, motions and forces
-    {&op::compose,
-     [](Errors& e, Reader x, Reader y) {
-       const PoseValue X = x.pose(), Y = x.pose(), Z = y.pose();
-       e.relative(block::matrix, Z.R, X.R * Y.R);
-       e.relative(block::translation, Z.p, X.R * Y.p + X.p, std::max(Wide(norm(X.p)), Wide(norm(Y.p))));
-     }},
-    {&op::inverse,
-     [](Errors& e, Reader x, Reader y) {
-       const PoseValue X = x.pose(), Z = y.pose();
-       const M3 Rt = oracles::transpose(X.R);
-       e.relative(block::matrix, Z.R, Rt);
-       e.relative(block::translation, Z.p, -(Rt * X.p));
-     }},
-    {&op::act_point,
-     [](Errors& e, Reader x, Reader y) {
-       const PoseValue X = x.pose();
-       e.relative(block::point, y.vector<3>(), X.R * x.vector<3>() + X.p);
-     }},
-    {&op::rotate_point,
-     [](Errors& e, Reader x, Reader y) {
-       const V4 Q = x.vector<4>();
-       e.relative(block::point, y.vector<3>(), oracles::rotate(Q, x.vector<3>()));
-     }},
-    {&op::act_motion, &compare_action<&oracles::formulas::act_motion<Wide>>},
-    {&op::act_inverse_motion, &compare_action<&oracles::formulas::act_inverse_motion<Wide>>},
-    {&op::act_force, &compare_action<&oracles::formulas::act_force<Wide>>},
-    {&op::act_inverse_force, &compare_action<&oracles::formulas::act_inverse_force<Wide>>},
-    {&op::cross_motion, &compare_bracket<&oracles::formulas::cross_motion<Wide>>},
-    {&op::cross_force, &compare_bracket<&oracles::formulas::cross_force<Wide>>},
+    {&op::compose, compare_compose},
+    {&op::inverse, compare_inverse},
+    {&op::act_point, against(&Case::point, [](const PoseValue& X, const V3& p) { return X.R * p + X.p; })},
+    {&op::rotate_point, against(&Case::point, [](const V4& Q, const V3& p) { return rotate(Q, p); })},
+    {&op::act_motion, against(&Case::six, formulas::act_motion<Wide>)},
+    {&op::act_inverse_motion, against(&Case::six, formulas::act_inverse_motion<Wide>)},
+    {&op::act_force, against(&Case::six, formulas::act_force<Wide>)},
+    {&op::act_inverse_force, against(&Case::six, formulas::act_inverse_force<Wide>)},
+    {&op::cross_motion, against(&Case::six, formulas::cross_motion<Wide>)},
+    {&op::cross_force, against(&Case::six, formulas::cross_force<Wide>)},
     // inertias
-    {&op::act_inertia,
-     [](Errors& e, Reader x, Reader y) {
-       const PoseValue X = x.pose();
-       e.body(y.body(), oracles::formulas::act_inertia(X, x.body()));
-     }},
-    {&op::act_inverse_inertia,
-     [](Errors& e, Reader x, Reader y) {
-       const PoseValue X = x.pose();
-       e.body(y.body(), oracles::formulas::act_inverse_inertia(X, x.body()));
-     }},
-    {&op::momentum,
-     [](Errors& e, Reader x, Reader y) {
-       const BodyValue I = x.body();
-       e.six(y.vector<6>(), oracles::formulas::momentum(I, x.vector<6>()));
-     }},
-    {&op::kinetic_energy,
-     [](Errors& e, Reader x, Reader y) {
-       const BodyValue I = x.body();
-       e.relative(block::energy, y.number(), oracles::formulas::kinetic_energy(I, x.vector<6>()));
-     }},
-    {&op::inertia_matrix, [](Errors& e, Reader x, Reader y) {
-       e.inertia_matrix(y.matrix<6>(), oracles::formulas::inertia_matrix(x.body()));
-     }}};
+    {&op::act_inertia, against(&Case::body, formulas::act_inertia<Wide>)},
+    {&op::act_inverse_inertia, against(&Case::body, formulas::act_inverse_inertia<Wide>)},
+    {&op::momentum, against(&Case::six, formulas::momentum<Wide>)},
+    {&op::kinetic_energy, against(&Case::energy, formulas::kinetic_energy<Wide>)},
+    {&op::inertia_matrix, against(&Case::inertia_matrix, formulas::inertia_matrix<Wide>)}};
 
 }  // namespace
 
@@ -309,8 +266,8 @@ void add_wide_errors(std::vector<BlockErrors>& blocks, const Operation& operatio
                      const WideNumbers& arguments, const WideNumbers& result) {
   for (const auto& [record, compare] : comparisons)
     if (record->name == operation.name) {
-      Errors errors(blocks, eps);
-      return compare(errors, Reader(arguments), Reader(result));
+      Case one{blocks, eps, Reader(arguments), Reader(result)};
+      return compare(one);
     }
   throw std::logic_error("no closed form of " + std::string(operation.name) + " at 100 digits");
 }

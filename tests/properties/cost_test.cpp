@@ -6,7 +6,6 @@
 #include <cmath>
 #include <fstream>
 #include <timing/benchmarks.hpp>
-#include <timing/front.hpp>
 #include <timing/kernels.hpp>
 #include <timing/rows.hpp>
 #include <timing/score.hpp>
@@ -43,7 +42,7 @@ TEST(Front, IsWhatNothingElseBeats) {
   const std::vector<CostRow> rows = {
       row("accurate", 1, 99, 100, 101), row("fast", 16, 49, 50, 51), row("slow", 1, 110, 111, 112),
       row("as fast as far as one can tell", 1, 95, 102, 105), row("worse", 17, 49, 50, 51)};
-  EXPECT_EQ(dominators(rows, TimeOf::latency), (std::vector<int>{-1, -1, 0, -1, 1}));
+  EXPECT_EQ(dominators(rows, &CostSet::latency), (std::vector<int>{-1, -1, 0, -1, 1}));
   EXPECT_EQ(error_of(rows[0]), 0x1p-52);  // a defect of the norm does not count
   EXPECT_EQ(worst_block(rows[0]), "translation");
 }
@@ -52,7 +51,7 @@ TEST(Front, ACaseWithoutAResultIsNoSmallError) {
   std::vector<CostRow> rows = {row("accurate", 1, 99, 100, 101), row("breaks", 0, 99, 100, 101)};
   rows[1].sets.back().blocks[0].not_finite = 1;
   EXPECT_TRUE(std::isinf(error_of(rows[1])));
-  EXPECT_EQ(dominators(rows, TimeOf::throughput), (std::vector<int>{-1, 0}));
+  EXPECT_EQ(dominators(rows, &CostSet::throughput), (std::vector<int>{-1, 0}));
 }
 
 TEST(CostInputs, AreTheSameForASeedAndLieInTheirBands) {

@@ -2,7 +2,7 @@
 // The fields that the schema documents, and the fields that a record has.
 
 #include <map>
-#include <reports/schema.hpp>
+#include <reports/record.hpp>
 #include <set>
 #include <string>
 

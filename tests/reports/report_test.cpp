@@ -7,7 +7,7 @@
 #include <fstream>
 #include <iterator>
 #include <numeric>
-#include <reports/packed.hpp>
+#include <reports/html.hpp>
 #include <reports/report.hpp>
 #include <stdexcept>
 #include <string>

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <reports/scenes.hpp>
+#include <reports/html.hpp>
 
 #include "sample_record.hpp"
 

@@ -1,0 +1,173 @@
+#include "sample_record.hpp"
+
+// JSON is parsed from text, because the compiler needs many seconds for initializer lists of JSON.
+
+namespace liecheck::reports {
+
+Json row(const std::string& subject, const std::string& band, double max_eps) {
+  Json all = Json::parse(
+      R"json({"axis": "theta", "block": "translation", "budget": 4, "count": 713, "high": 0.0001, "ill_posed": 0,
+ "low": 1e-05, "max_excess": 0, "median_eps": 0, "not_finite": 0, "operation": "exp6", "p99_eps": 0.1,
+ "property": "exp_oracle", "rule": "forward", "scalar": "double", "unresolved": 0, "wrong_branch": 0})json");
+  all["subject"] = subject;
+  all["band"] = band;
+  all["max_eps"] = max_eps;
+  all["status"] = max_eps > 4 ? "fail" : "pass";
+  all["worst"] = Json::parse(R"({"input": ["0x1p-3", "-0x0p+0"], "kappa": 1.25})");
+  all["worst"]["id"] = "g1.42.exp_oracle." + subject + ".double.none.7";
+  return all;
+}
+
+Json record() {
+  Json all = Json::parse(
+      R"json({"absent": ["ceres"], "blocks": [], "cases": 20000, "digest": {"inputs": "ab", "results": "cd"},
+ "environment": {"compiler": "g", "cpu": "c", "flags": "-O2", "fma_contraction": "off", "libm": "glibc", "os": "o"},
+ "generator_version": 1, "operations": [], "properties": [],
+ "robot": {"hash": "0000000000000000", "name": "none"}, "seed": 42,
+ "subjects": [{"eps": 2.220446049250313e-16, "name": "liecheck", "not_offered": ["log6"], "scalar": "double",
+   "version": "0.1.0"},
+  {"eps": 2.220446049250313e-16, "name": "textbook", "not_offered": ["log6"], "scalar": "double",
+   "version": "0.1.0"}],
+ "verdict": "pass", "version": "0.1.0"})json");
+  all["results"] = {row("liecheck", "theta 1e-5..1e-4", 0.5), row("textbook", "theta 1e-5..1e-4", 2311.5)};
+  return all;
+}
+
+Json swept() {
+  return Json::parse(R"json({"bound": "upper",
+ "coefficients": [{"argument": "theta^2", "bound_eps": 21.23866, "constant": 972947456, "documented_eps": 20,
+   "equation": "2 dd/dx", "evaluated": 1092479462, "kind": "relative", "max_at": "0x1.38968ap+3",
+   "max_at_decimal": 9.76837635, "max_eps": 21.23865, "name": "d2", "oracle_bound_eps": 1.5e-08,
+   "reason": "a < b", "square_eps": 0.32, "status": "fail"}],
+ "elapsed": 9.1, "scalar": "float", "stride": 1, "verdict": "fail", "version": "0.1.0"})json");
+}
+
+Json hard_case(const std::string& subject, const std::string& verdict) {
+  Json cell = Json::parse(
+      R"json({"band": "0", "block": "translation", "budget": 4, "kappa": 0, "operation": "exp6", "rule": "forward",
+ "scalar": "double"})json");
+  cell["subject"] = subject;
+  cell["verdict"] = verdict;
+  cell["failed"] = verdict != "stable";
+  cell["error"] = verdict == "stable" ? Json(0) : Json("inf");
+  cell["replay"] = "liecheck replay raw.exp_oracle." + subject + ".double.none.0x0p+0";
+  Json all = Json::parse(
+      R"json({"class": "zero", "expression": "phi = 0, 0, 0", "input": {"double": ["0x0p+0"]}, "name": "zero",
+ "origin": "docs/measuring.md", "property": "exp_oracle", "reason": "0/0"})json");
+  all["cells"].push_back(cell);
+  return all;
+}
+
+Json cost_row(const std::string& subject, const std::string& scalar, const std::string& operation,
+              const Json& error, double ns, const Json& dominated) {
+  Json time;
+  for (const char* name : {"median", "low", "high"}) time[name] = ns;
+  time["repetitions"] = 25u;
+  Json all = Json::parse(R"json({"dominated_throughput": null, "eps": 2.220446049250313e-16,
+ "sets": [{"blocks": [{"block": "translation", "max_eps": 2, "measured": 640, "median_eps": 0.5, "not_finite": 0,
+     "p99_eps": 1, "refused": 0, "unresolved": 0, "wrong_branch": 0}],
+   "inputs": 640, "instructions": null, "set": "mixed"}],
+ "version": "1", "worst_block": "translation"})json");
+  all["subject"] = subject;
+  all["scalar"] = scalar;
+  all["operation"] = operation;
+  all["error"] = error;
+  all["dominated_latency"] = dominated;
+  for (const char* name : {"throughput_ns", "latency_ns"}) all["sets"][0][name] = time;
+  return all;
+}
+
+Json cost() {
+  Json rows = Json::array();
+  for (const char* operation : {"exp6", "log6", "integrate", "difference"}) {
+    rows.push_back(cost_row("book", "double", operation, 1e-9, 50));
+    rows.push_back(cost_row("fast", "double", operation, 3e-15, 80));
+    rows.push_back(cost_row("default", "double", operation, 4e-16, 100));
+    rows.push_back(cost_row("library", "double", operation, 5e-16, 300, "default double"));
+    rows.push_back(cost_row("nearly", "double", operation, 3e-16, 101));
+    rows.push_back(cost_row("default", "quad", operation, 1e-32, 9000));
+    rows.push_back(cost_row("breaks", "quad", operation, "inf", 10));
+    rows.push_back(cost_row("call", "double", operation, nullptr, 2));
+  }
+  rows.push_back(cost_row("liecheck@gcc-O2", "double", "exp6", 2e-16, 1));  // fastest, but left out
+  rows.push_back(cost_row("one", "double", "exp6", 0, 20000));
+  Json all = Json::parse(R"json({"clock": "processor time", "elapsed": 33,
+ "environment": {"compiler": "gcc", "cpu": "c<1>", "flags": "-O2", "governor": "g", "os": "o"},
+ "no_counter": "perf_event_open: none", "repetitions": 25, "seconds": 30, "seed": 42, "verdict": "pass",
+ "version": "0.1.0"})json");
+  all["rows"] = rows;
+  return all;
+}
+
+Json scenes() {
+  const auto point = [](double error, const char* time) {
+    Json all = Json::parse(
+        R"json({"diverged": "", "energy": {"oscillation": 3e-08, "slope": -2e-09}, "linear_velocity": null,
+ "momentum": null, "position": null, "steps": 16, "tolerance": null})json");
+    for (const char* name : {"attitude", "angular_velocity"}) all[name] = error;
+    all["time_ns"] = Json::parse(time);
+    return all;
+  };
+  Json all = Json::parse(R"json({"absent": ["DART"],
+ "costs": [{"energy": "conserves", "equation": "g", "nanoseconds": 3.5, "scene": "s", "stage": "gravity",
+   "when": "evaluation", "why": "asked"}],
+ "elapsed": 20,
+ "films": [{"frames": [[[0, 0, -1, 0, 0, 0, 1]]], "ground": null, "integrator": "rkmk4", "interval": 0.02,
+   "links": [{"axes": [1, 0, 0, 0, 1, 0, 0, 0, 1], "centre": [0, 0, -1], "half": [1, 1, 1], "joints": [],
+     "name": "body"}],
+   "name": "n", "what": "w"}],
+ "flips": [{"exact": [34.8, 102.2], "horizon": 34.8, "integrator": "gauss12", "perturbation": 1e-08, "predicted": 1,
+   "relative": [5e-17, "inf"], "scalar": "double"}],
+ "peers": [{"error": 1e-06, "integrator": "RK4", "ours": "rkmk4", "peer": "MuJoCo", "points": 3, "ratio": 0.25,
+   "scene": "a<b>", "unmatched": false}],
+ "scenes": [{"closed": true, "disagreement": 0, "duration": 4,
+   "orders": [{"errors": [0.01, "inf"], "exact": false, "first": 0, "floor": null, "halvings": 5,
+     "integrator": "rkmk4", "observed": 4.003, "promised": 4, "scalar": "float128", "settled": true,
+     "steps": [16, 32]}],
+   "scene": "a<b>",
+   "series": [{"adaptive": false, "at_floor": true, "integrator": "rkmk4", "order": 4, "points": [],
+     "smallest": 2e-15, "subject": "liecheck", "version": "1"}],
+   "truth": "pendulum", "what": "swings"}],
+ "spins": [{"error": 7e-12, "integrator": "gauss12", "limit": 1.4e-12, "order": 12, "seconds": 0.5,
+   "steps_per_turn": 24, "turns": 1000}],
+ "verdict": "pass", "version": "0.1.0", "wrong_orders": []})json");
+  Json& points = all["scenes"][0]["series"][0]["points"];
+  points.push_back(point(1e-2, "null"));
+  points.push_back(point(5e-4, R"({"median": 100, "low": 90, "high": 110, "repetitions": 7})"));
+  return all;
+}
+
+Json full_record() {
+  Json all = record();
+  const Json environment = all["environment"];
+  all["robot"]["root"] = "fixed";
+  all.update(Json::parse(R"json({"total_cases": 40000,
+ "counterexamples": {"failing": ["g3.1.a.b.double.none.0"], "replayed": 1, "skipped": 0},
+ "blocks": [{"block": "translation", "denominator": "|p_exact|", "error": "|p - p_exact| of exp", "operation": "exp6",
+   "unit": "m"},
+  {"block": "translation", "denominator": "|rho_exact|", "error": "|rho - rho_exact| of log",
+   "operation": "log6", "unit": "m"}],
+ "operations": [{"arguments": [{"frame": "body", "name": "xi", "size": 6, "unit": "m, rad"},
+    {"frame": "joint", "name": "q", "size": "nq", "unit": "rad"}],
+   "definition": "T = exp(xi)", "expression": "SE3::exp(xi)", "frame": "body axes", "operation": "exp6",
+   "results": [{"frame": "body", "name": "T", "size": 6, "unit": "m, rad"},
+    {"frame": "joint", "name": "q", "size": "nq", "unit": "rad"}],
+   "source": "Murray, Li, Sastry 1994, eq. 2.36"}],
+ "properties": [{"equation": "T = exp(xi)", "law": "exp is exp", "property": "exp_oracle", "source": "definition"}]})json"));
+  for (Json& r : all["results"]) r.update({{"reason", "why"}, {"refused", 0}, {"failed", 0}});
+  all["hard_cases"] = {hard_case("liecheck", "refused")};
+  all["hard_cases"][0]["place"] = "zero.txt:3";
+  all["hard_cases"][0]["cells"][0]["refusal"] = "not a unit quaternion";
+  all["sweep"] = swept();
+  all["cost"] = cost();
+  all["cost"]["rows"] = Json::array({cost_row("liecheck", "double", "exp6", 1e-16, 40)});
+  all["cost"]["environment"].update(environment);
+  all["cost"]["bands"] = {{{"band", "theta 1"}, {"axis", "theta"}, {"low", 0.1}, {"high", 1}}};
+  all["scenes"] = scenes();
+  for (Json& p : all["scenes"]["scenes"][0]["series"][0]["points"]) p["momentum"] = p["energy"];
+  for (const char* name : {"sweep", "scenes"}) all[name]["environment"] = environment;
+  all["scenes"]["films"][0]["links"][0]["joints"] = {{0, 0, 1}};
+  return all;
+}
+
+}  // namespace liecheck::reports
