@@ -121,33 +121,24 @@ const Force<S>& computeCentroidalMomentumTimeVariation(const Model<S>& model, Da
 }
 
 // instantiations_*.cpp instantiates these for float and double.
-extern template const Vector3<float>& centerOfMass<float>(const Model<float>&, Data<float>&, In<float>);
-extern template const Vector3<float>& centerOfMass<float>(const Model<float>&, Data<float>&, In<float>,
-                                                          In<float>);
-extern template const Vector3<float>& centerOfMass<float>(const Model<float>&, Data<float>&, In<float>,
-                                                          In<float>, In<float>);
-extern template const Matrix6X<float>& computeCentroidalMap<float>(const Model<float>&, Data<float>&,
-                                                                   In<float>);
-extern template const Matrix3X<float>& jacobianCenterOfMass<float>(const Model<float>&, Data<float>&,
-                                                                   In<float>);
-extern template const Force<float>& computeCentroidalMomentum<float>(const Model<float>&, Data<float>&,
-                                                                     In<float>, In<float>);
-extern template const Force<float>& computeCentroidalMomentumTimeVariation<float>(const Model<float>&,
-                                                                                  Data<float>&, In<float>,
-                                                                                  In<float>, In<float>);
-extern template const Vector3<double>& centerOfMass<double>(const Model<double>&, Data<double>&, In<double>);
-extern template const Vector3<double>& centerOfMass<double>(const Model<double>&, Data<double>&, In<double>,
-                                                            In<double>);
-extern template const Vector3<double>& centerOfMass<double>(const Model<double>&, Data<double>&, In<double>,
-                                                            In<double>, In<double>);
-extern template const Matrix6X<double>& computeCentroidalMap<double>(const Model<double>&, Data<double>&,
-                                                                     In<double>);
-extern template const Matrix3X<double>& jacobianCenterOfMass<double>(const Model<double>&, Data<double>&,
-                                                                     In<double>);
-extern template const Force<double>& computeCentroidalMomentum<double>(const Model<double>&, Data<double>&,
-                                                                       In<double>, In<double>);
-extern template const Force<double>& computeCentroidalMomentumTimeVariation<double>(const Model<double>&,
-                                                                                    Data<double>&, In<double>,
-                                                                                    In<double>, In<double>);
+extern template const Vector3<float>& centerOfMass(const Model<float>&, Data<float>&, In<float>);
+extern template const Vector3<float>& centerOfMass(const Model<float>&, Data<float>&, In<float>, In<float>);
+extern template const Vector3<float>& centerOfMass(const Model<float>&, Data<float>&, In<float>, In<float>,
+                                                   In<float>);
+extern template decltype(computeCentroidalMap<float>) computeCentroidalMap<float>;
+extern template decltype(jacobianCenterOfMass<float>) jacobianCenterOfMass<float>;
+extern template decltype(computeCentroidalMomentum<float>) computeCentroidalMomentum<float>;
+extern template decltype(computeCentroidalMomentumTimeVariation<float>)
+    computeCentroidalMomentumTimeVariation<float>;
+extern template const Vector3<double>& centerOfMass(const Model<double>&, Data<double>&, In<double>);
+extern template const Vector3<double>& centerOfMass(const Model<double>&, Data<double>&, In<double>,
+                                                    In<double>);
+extern template const Vector3<double>& centerOfMass(const Model<double>&, Data<double>&, In<double>,
+                                                    In<double>, In<double>);
+extern template decltype(computeCentroidalMap<double>) computeCentroidalMap<double>;
+extern template decltype(jacobianCenterOfMass<double>) jacobianCenterOfMass<double>;
+extern template decltype(computeCentroidalMomentum<double>) computeCentroidalMomentum<double>;
+extern template decltype(computeCentroidalMomentumTimeVariation<double>)
+    computeCentroidalMomentumTimeVariation<double>;
 
 }  // namespace liecheck

@@ -134,7 +134,7 @@ ImuReading<S> imu(const Model<S>& model, const Data<S>& data, int frame) {
 }
 
 // instantiations_*.cpp instantiates these for float and double.
-extern template void updateFramePlacements<float>(const Model<float>&, Data<float>&);
-extern template void updateFramePlacements<double>(const Model<double>&, Data<double>&);
+extern template decltype(updateFramePlacements<float>) updateFramePlacements<float>;
+extern template decltype(updateFramePlacements<double>) updateFramePlacements<double>;
 
 }  // namespace liecheck

@@ -172,15 +172,10 @@ const Matrix6X<S>& getFrameJacobianTimeVariation(const Model<S>& model, Data<S>&
 }
 
 // instantiations_*.cpp instantiates these for float and double.
-extern template const Matrix6X<float>& computeJointJacobians<float>(const Model<float>&, Data<float>&,
-                                                                    In<float>);
-extern template const Matrix6X<float>& computeJointJacobiansTimeVariation<float>(const Model<float>&,
-                                                                                 Data<float>&, In<float>,
-                                                                                 In<float>);
-extern template const Matrix6X<double>& computeJointJacobians<double>(const Model<double>&, Data<double>&,
-                                                                      In<double>);
-extern template const Matrix6X<double>& computeJointJacobiansTimeVariation<double>(const Model<double>&,
-                                                                                   Data<double>&, In<double>,
-                                                                                   In<double>);
+extern template decltype(computeJointJacobians<float>) computeJointJacobians<float>;
+extern template decltype(computeJointJacobiansTimeVariation<float>) computeJointJacobiansTimeVariation<float>;
+extern template decltype(computeJointJacobians<double>) computeJointJacobians<double>;
+extern template decltype(computeJointJacobiansTimeVariation<double>)
+    computeJointJacobiansTimeVariation<double>;
 
 }  // namespace liecheck

@@ -216,55 +216,30 @@ VectorX<S> checkedTangent(const Model<S>& model, const configuration_detail::Vec
 }
 
 // instantiations.cpp instantiates these for float and double.
-extern template VectorX<float> neutral<float>(const Model<float>&);
-extern template VectorX<float> normalized<float>(const Model<float>&, const VectorX<float>&);
-extern template void normalize<float>(const Model<float>&, VectorX<float>&);
-extern template bool isNormalized<float>(const Model<float>&, const VectorX<float>&, const float&);
-extern template VectorX<float> integrate<float>(const Model<float>&, const VectorX<float>&,
-                                                const VectorX<float>&);
-extern template VectorX<float> difference<float>(const Model<float>&, const VectorX<float>&,
-                                                 const VectorX<float>&);
-extern template VectorX<float> interpolate<float>(const Model<float>&, const VectorX<float>&,
-                                                  const VectorX<float>&, const float&);
-extern template VectorX<float> squaredDistance<float>(const Model<float>&, const VectorX<float>&,
-                                                      const VectorX<float>&);
-extern template float distance<float>(const Model<float>&, const VectorX<float>&, const VectorX<float>&);
-extern template float distance<float>(const Model<float>&, const VectorX<float>&, const VectorX<float>&,
-                                      const VectorX<float>&);
-extern template bool isSameConfiguration<float>(const Model<float>&, const VectorX<float>&,
-                                                const VectorX<float>&, const float&);
-extern template MatrixX<float> dIntegrate<float>(const Model<float>&, const VectorX<float>&,
-                                                 const VectorX<float>&, ArgumentPosition);
-extern template MatrixX<float> dDifference<float>(const Model<float>&, const VectorX<float>&,
-                                                  const VectorX<float>&, ArgumentPosition);
-extern template MatrixX<float> integrateCoeffWiseJacobian<float>(const Model<float>&, const VectorX<float>&);
-extern template VectorX<float> checkedConfiguration<float>(const Model<float>&, const VectorX<float>&);
-extern template VectorX<float> checkedTangent<float>(const Model<float>&, const VectorX<float>&);
+extern template decltype(neutral<float>) neutral<float>;
+extern template decltype(normalized<float>) normalized<float>;
+extern template decltype(isNormalized<float>) isNormalized<float>;
+extern template decltype(integrate<float>) integrate<float>;
+extern template decltype(difference<float>) difference<float>;
+extern template decltype(squaredDistance<float>) squaredDistance<float>;
+extern template decltype(isSameConfiguration<float>) isSameConfiguration<float>;
+extern template decltype(dIntegrate<float>) dIntegrate<float>;
+extern template decltype(dDifference<float>) dDifference<float>;
+extern template decltype(integrateCoeffWiseJacobian<float>) integrateCoeffWiseJacobian<float>;
+extern template decltype(checkedConfiguration<float>) checkedConfiguration<float>;
+extern template decltype(checkedTangent<float>) checkedTangent<float>;
 
-extern template VectorX<double> neutral<double>(const Model<double>&);
-extern template VectorX<double> normalized<double>(const Model<double>&, const VectorX<double>&);
-extern template void normalize<double>(const Model<double>&, VectorX<double>&);
-extern template bool isNormalized<double>(const Model<double>&, const VectorX<double>&, const double&);
-extern template VectorX<double> integrate<double>(const Model<double>&, const VectorX<double>&,
-                                                  const VectorX<double>&);
-extern template VectorX<double> difference<double>(const Model<double>&, const VectorX<double>&,
-                                                   const VectorX<double>&);
-extern template VectorX<double> interpolate<double>(const Model<double>&, const VectorX<double>&,
-                                                    const VectorX<double>&, const double&);
-extern template VectorX<double> squaredDistance<double>(const Model<double>&, const VectorX<double>&,
-                                                        const VectorX<double>&);
-extern template double distance<double>(const Model<double>&, const VectorX<double>&, const VectorX<double>&);
-extern template double distance<double>(const Model<double>&, const VectorX<double>&, const VectorX<double>&,
-                                        const VectorX<double>&);
-extern template bool isSameConfiguration<double>(const Model<double>&, const VectorX<double>&,
-                                                 const VectorX<double>&, const double&);
-extern template MatrixX<double> dIntegrate<double>(const Model<double>&, const VectorX<double>&,
-                                                   const VectorX<double>&, ArgumentPosition);
-extern template MatrixX<double> dDifference<double>(const Model<double>&, const VectorX<double>&,
-                                                    const VectorX<double>&, ArgumentPosition);
-extern template MatrixX<double> integrateCoeffWiseJacobian<double>(const Model<double>&,
-                                                                   const VectorX<double>&);
-extern template VectorX<double> checkedConfiguration<double>(const Model<double>&, const VectorX<double>&);
-extern template VectorX<double> checkedTangent<double>(const Model<double>&, const VectorX<double>&);
+extern template decltype(neutral<double>) neutral<double>;
+extern template decltype(normalized<double>) normalized<double>;
+extern template decltype(isNormalized<double>) isNormalized<double>;
+extern template decltype(integrate<double>) integrate<double>;
+extern template decltype(difference<double>) difference<double>;
+extern template decltype(squaredDistance<double>) squaredDistance<double>;
+extern template decltype(isSameConfiguration<double>) isSameConfiguration<double>;
+extern template decltype(dIntegrate<double>) dIntegrate<double>;
+extern template decltype(dDifference<double>) dDifference<double>;
+extern template decltype(integrateCoeffWiseJacobian<double>) integrateCoeffWiseJacobian<double>;
+extern template decltype(checkedConfiguration<double>) checkedConfiguration<double>;
+extern template decltype(checkedTangent<double>) checkedTangent<double>;
 
 }  // namespace liecheck
