@@ -150,9 +150,8 @@ Value Text::value(const YAML::Node& node, const std::string& what, const Key& ke
         key.kind == Kind::Frames ? frame(node) : joint(node);
       }
       break;
-    case Kind::Choice:
-    case Kind::Flag: {
-      const auto choices = words(key.kind == Kind::Flag ? "true|false" : key.unit);
+    case Kind::Choice: {
+      const auto choices = words(key.unit);
       v.names = {word(node, what)};
       if (std::find(choices.begin(), choices.end(), v.names[0]) == choices.end())
         refuse(node, what + " is '" + v.names[0] + "'" + nearest(v.names[0], choices));
