@@ -1,5 +1,5 @@
 #pragma once
-// The list of methods. A new one needs a file, or a tableau in runge_kutta.hpp, and an entry in each list here.
+// The lists of methods. A new one needs a file, or a tableau in runge_kutta.hpp, and an entry in both lists.
 
 #include <liecheck/multibody/nearest_names.hpp>
 #include <liecheck/scene/integrators/collocation.hpp>
