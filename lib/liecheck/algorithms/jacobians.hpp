@@ -81,15 +81,11 @@ const Matrix6X<S>& jacobianRateOf(const Model<S>& model, Data<S>& data, const Pl
 template <Scalar S>
 const Matrix6X<S>& computeJointJacobians(const Model<S>& model, Data<S>& data, In<S> q) {
   data.begin(model, q);
-  auto& liMi = data.liMi.write(Level::Position);
-  auto& oMi = data.oMi.write(Level::Position);
   auto& J = data.J.write(Level::Position);
   if (model.has_mimics) J.setZero();
-  multibody_detail::forEachJoint(model, [&]<class Joint>(const Joint& joint) {
-    const std::size_t i = std::size_t(joint.index), p = std::size_t(model.parents[i]);
-    algorithms_detail::placeJoint(joint, q, p, liMi[i], oMi);
-    const Matrix3<S>& R = oMi[i].rotation();
-    const Vector3<S>& o = oMi[i].translation();
+  const auto setColumns = [&]<class Joint>(const Joint& joint, std::size_t i, std::size_t) {
+    const Matrix3<S>& R = data.oMi[i].rotation();
+    const Vector3<S>& o = data.oMi[i].translation();
     if constexpr (Joint::rotates) {
       const Vector3<S> w = joint.joint.axis.in(R);
       auto J_i = J.col(joint.idx_v);
@@ -115,7 +111,8 @@ const Matrix6X<S>& computeJointJacobians(const Model<S>& model, Data<S>& data, I
           J.col(joint.idx_v + k) = s.to_vector();
       }
     }
-  });
+  };
+  algorithms_detail::placeJoints(model, data, q, setColumns);
   return J;
 }
 
@@ -148,27 +145,23 @@ const Matrix6X<S>& computeJointJacobiansTimeVariation(const Model<S>& model, Dat
 template <Scalar S>
 const Matrix6X<S>& getJointJacobian(const Model<S>& model, Data<S>& data, int joint,
                                     ReferenceFrame reference) {
-  using namespace algorithms_detail;
-  return jacobianOf(model, data, placedJoint(model, data, joint), reference);
+  return jacobianOf(model, data, algorithms_detail::placedJoint(model, data, joint), reference);
 }
 template <Scalar S>
 const Matrix6X<S>& getFrameJacobian(const Model<S>& model, Data<S>& data, int frame,
                                     ReferenceFrame reference) {
-  using namespace algorithms_detail;
-  return jacobianOf(model, data, placedFrame(model, data, frame), reference);
+  return jacobianOf(model, data, algorithms_detail::placedFrame(model, data, frame), reference);
 }
 /// Time derivative of the Jacobian [6 x nv] of a joint, or of a frame, in the same storage. Needs dJ.
 template <Scalar S>
 const Matrix6X<S>& getJointJacobianTimeVariation(const Model<S>& model, Data<S>& data, int joint,
                                                  ReferenceFrame reference) {
-  using namespace algorithms_detail;
-  return jacobianRateOf(model, data, placedJoint(model, data, joint), reference);
+  return jacobianRateOf(model, data, algorithms_detail::placedJoint(model, data, joint), reference);
 }
 template <Scalar S>
 const Matrix6X<S>& getFrameJacobianTimeVariation(const Model<S>& model, Data<S>& data, int frame,
                                                  ReferenceFrame reference) {
-  using namespace algorithms_detail;
-  return jacobianRateOf(model, data, placedFrame(model, data, frame), reference);
+  return jacobianRateOf(model, data, algorithms_detail::placedFrame(model, data, frame), reference);
 }
 
 // instantiations_*.cpp instantiates these for float and double.

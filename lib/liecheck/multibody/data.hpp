@@ -20,9 +20,6 @@ using Matrix6X = Eigen::Matrix<S, 6, Eigen::Dynamic>;
 template <class S>
 using Matrix3X = Eigen::Matrix<S, 3, Eigen::Dynamic>;
 
-/// A vector argument: the scalar is deduced from the model alone, so any Eigen expression may be passed.
-template <class S>
-using In = const std::type_identity_t<VectorX<S>>&;
 /// External forces [njoints; N, N m] on each joint's body, in that joint's axes at its origin; empty means none.
 template <class S>
 using External = std::type_identity_t<std::span<const Force<S>>>;
