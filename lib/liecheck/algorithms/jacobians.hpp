@@ -81,11 +81,15 @@ const Matrix6X<S>& jacobianRateOf(const Model<S>& model, Data<S>& data, const Pl
 template <Scalar S>
 const Matrix6X<S>& computeJointJacobians(const Model<S>& model, Data<S>& data, In<S> q) {
   data.begin(model, q);
+  auto& liMi = data.liMi.write(Level::Position);
+  auto& oMi = data.oMi.write(Level::Position);
   auto& J = data.J.write(Level::Position);
   if (model.has_mimics) J.setZero();
-  const auto setColumns = [&]<class Joint>(const Joint& joint, std::size_t i, std::size_t) {
-    const Matrix3<S>& R = data.oMi[i].rotation();
-    const Vector3<S>& o = data.oMi[i].translation();
+  multibody_detail::forEachJoint(model, [&]<class Joint>(const Joint& joint) {
+    const std::size_t i = std::size_t(joint.index), p = std::size_t(model.parents[i]);
+    algorithms_detail::placeJoint(joint, q, p, liMi[i], oMi);
+    const Matrix3<S>& R = oMi[i].rotation();
+    const Vector3<S>& o = oMi[i].translation();
     if constexpr (Joint::rotates) {
       const Vector3<S> w = joint.joint.axis.in(R);
       auto J_i = J.col(joint.idx_v);
@@ -111,8 +115,7 @@ const Matrix6X<S>& computeJointJacobians(const Model<S>& model, Data<S>& data, I
           J.col(joint.idx_v + k) = s.to_vector();
       }
     }
-  };
-  algorithms_detail::placeJoints(model, data, q, setColumns);
+  });
   return J;
 }
 

@@ -34,34 +34,32 @@ template <class Place, Scalar S>
       });
   return r;
 }
-/// Computes the pose of every joint i, parents p first, then calls f(joint, i, p). Updates liMi, oMi.
-template <Scalar S, class F>
-void placeJoints(const Model<S>& model, Data<S>& data, const VectorX<S>& q, F f) {
-  auto& liMi = data.liMi.write(Level::Position);
-  auto& oMi = data.oMi.write(Level::Position);
-  multibody_detail::forEachJoint(model, [&](const auto& joint) {
-    const std::size_t i = std::size_t(joint.index), p = std::size_t(model.parents[i]);
-    placeJoint(joint, q, p, liMi[i], oMi);
-    f(joint, i, p);
-  });
-}
 }  // namespace algorithms_detail
 
 /// Poses of the joints. Updates liMi, oMi. q [nq].
 template <Scalar S>
 void forwardKinematics(const Model<S>& model, Data<S>& data, In<S> q) {
   data.begin(model, q);
-  algorithms_detail::placeJoints(model, data, q, [](const auto&, std::size_t, std::size_t) {});
+  auto& liMi = data.liMi.write(Level::Position);
+  auto& oMi = data.oMi.write(Level::Position);
+  multibody_detail::forEachJoint(model, [&](const auto& joint) {
+    const std::size_t i = std::size_t(joint.index), p = std::size_t(model.parents[i]);
+    algorithms_detail::placeJoint(joint, q, p, liMi[i], oMi);
+  });
 }
 
 /// Poses and velocities of the joints. Updates liMi, oMi, v. q [nq], v [nv].
 template <Scalar S>
 void forwardKinematics(const Model<S>& model, Data<S>& data, In<S> q, In<S> v) {
   data.begin(model, q, v);
+  auto& liMi = data.liMi.write(Level::Position);
+  auto& oMi = data.oMi.write(Level::Position);
   auto& V = data.v.write(Level::Velocity);
-  algorithms_detail::placeJoints(model, data, q, [&](const auto& joint, std::size_t i, std::size_t p) {
+  multibody_detail::forEachJoint(model, [&](const auto& joint) {
+    const std::size_t i = std::size_t(joint.index), p = std::size_t(model.parents[i]);
+    algorithms_detail::placeJoint(joint, q, p, liMi[i], oMi);
     V[i] = joint.motion(v);
-    if (p > 0) V[i] = data.liMi[i].actInv(V[p]) + V[i];
+    if (p > 0) V[i] = liMi[i].actInv(V[p]) + V[i];
   });
 }
 
@@ -69,14 +67,17 @@ void forwardKinematics(const Model<S>& model, Data<S>& data, In<S> q, In<S> v) {
 template <Scalar S>
 void forwardKinematics(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, In<S> a) {
   data.begin(model, q, v, a);
+  auto& liMi = data.liMi.write(Level::Position);
+  auto& oMi = data.oMi.write(Level::Position);
   auto& V = data.v.write(Level::Velocity);
   auto& A = data.a.write(Level::Acceleration);
-  algorithms_detail::placeJoints(model, data, q, [&](const auto& joint, std::size_t i, std::size_t p) {
-    const SE3<S>& X_PJ = data.liMi[i];
+  multibody_detail::forEachJoint(model, [&](const auto& joint) {
+    const std::size_t i = std::size_t(joint.index), p = std::size_t(model.parents[i]);
+    algorithms_detail::placeJoint(joint, q, p, liMi[i], oMi);
     const Motion<S> relative = joint.motion(v);
-    V[i] = p == 0 ? relative : X_PJ.actInv(V[p]) + relative;
+    V[i] = p == 0 ? relative : liMi[i].actInv(V[p]) + relative;
     A[i] = joint.motion(a) + joint.velocityProduct(V[i], relative);
-    if (p > 0) A[i] = X_PJ.actInv(A[p]) + A[i];
+    if (p > 0) A[i] = liMi[i].actInv(A[p]) + A[i];
   });
 }
 

@@ -3,8 +3,8 @@
 //
 //   v1 = v0 + h a(q0, v0),  q1 = integrate(q0, h v), v = v0 or v1
 //
-// Order 1. The energy of the explicit method grows. The semi-implicit one is symplectic on a vector space, but
-// with gyroscopic terms of a rotating body its energy drifts.
+// Order 1. The energy of the explicit method grows. The semi-implicit method is symplectic on a vector space,
+// but with gyroscopic terms of a rotating body its energy drifts.
 
 #include <liecheck/scene/integrators/method.hpp>
 
