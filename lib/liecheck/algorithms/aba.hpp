@@ -145,9 +145,7 @@ const VectorX<S>& aba(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, In
 }
 
 // instantiations_*.cpp instantiates these for float and double.
-extern template const VectorX<float>& aba<float>(const Model<float>&, Data<float>&, In<float>, In<float>,
-                                                 In<float>, External<float>);
-extern template const VectorX<double>& aba<double>(const Model<double>&, Data<double>&, In<double>,
-                                                   In<double>, In<double>, External<double>);
+extern template decltype(aba<float>) aba<float>;
+extern template decltype(aba<double>) aba<double>;
 
 }  // namespace liecheck

@@ -23,20 +23,11 @@ Vector3<S> massAverage(const Model<S>& model, F x) {
   for (std::size_t i = 1; i < model.joints.size(); ++i) sum += model.inertias[i].mass() * x(i);
   return sum / computeTotalMass(model);
 }
+/// The centre of mass. Updates com. Needs oMi.
 template <Scalar S>
-Vector3<S> centreOfBody(const Model<S>& model, const Data<S>& data, std::size_t i) {
-  return data.oMi[i].act(model.inertias[i].lever());
-}
-/// Velocity and classical acceleration of body i's centre of mass, in the world's axes.
-template <Scalar S>
-Vector3<S> velocityOfBody(const Model<S>& model, const Data<S>& data, std::size_t i) {
-  return data.oMi[i].rotation() * shifted(data.v[i], model.inertias[i].lever()).linear();
-}
-template <Scalar S>
-Vector3<S> accelerationOfBody(const Model<S>& model, const Data<S>& data, std::size_t i) {
-  const Vector3<S>& c = model.inertias[i].lever();
-  const Vector3<S> omega_u = cross<S>(data.v[i].angular(), shifted(data.v[i], c).linear());
-  return data.oMi[i].rotation() * Vector3<S>(shifted(data.a[i], c).linear() + omega_u);
+const Vector3<S>& averageOfCentres(const Model<S>& model, Data<S>& data) {
+  return data.com.write(Level::Position) = massAverage(
+             model, [&](std::size_t i) -> Vector3<S> { return data.oMi[i].act(model.inertias[i].lever()); });
 }
 
 }  // namespace algorithms_detail
@@ -45,25 +36,29 @@ Vector3<S> accelerationOfBody(const Model<S>& model, const Data<S>& data, std::s
 template <Scalar S>
 const Vector3<S>& centerOfMass(const Model<S>& model, Data<S>& data, In<S> q) {
   forwardKinematics(model, data, q);
-  return data.com.write(Level::Position) = algorithms_detail::massAverage(
-             model, [&](std::size_t i) { return algorithms_detail::centreOfBody(model, data, i); });
+  return algorithms_detail::averageOfCentres(model, data);
 }
 /// Computes c [m] and c_dot [m/s]; returns c. Updates liMi, oMi, v, com, vcom. q [nq], v [nv].
 template <Scalar S>
 const Vector3<S>& centerOfMass(const Model<S>& model, Data<S>& data, In<S> q, In<S> v) {
+  using namespace algorithms_detail;
   forwardKinematics(model, data, q, v);
-  data.vcom.write(Level::Velocity) = algorithms_detail::massAverage(
-      model, [&](std::size_t i) { return algorithms_detail::velocityOfBody(model, data, i); });
-  return data.com.write(Level::Position) = algorithms_detail::massAverage(
-             model, [&](std::size_t i) { return algorithms_detail::centreOfBody(model, data, i); });
+  data.vcom.write(Level::Velocity) = massAverage(model, [&](std::size_t i) -> Vector3<S> {
+    return data.oMi[i].rotation() * shifted(data.v[i], model.inertias[i].lever()).linear();
+  });
+  return averageOfCentres(model, data);
 }
 /// Computes c, c_dot and c_ddot [m, m/s, m/s^2]; returns c. Updates liMi, oMi, v, a, com, vcom, acom. q [nq], v, a [nv].
 template <Scalar S>
 const Vector3<S>& centerOfMass(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, In<S> a) {
+  using namespace algorithms_detail;
   centerOfMass(model, data, q, v);
   forwardKinematics(model, data, q, v, a);
-  data.acom.write(Level::Acceleration) = algorithms_detail::massAverage(
-      model, [&](std::size_t i) { return algorithms_detail::accelerationOfBody(model, data, i); });
+  data.acom.write(Level::Acceleration) = massAverage(model, [&](std::size_t i) -> Vector3<S> {
+    const Vector3<S>& c = model.inertias[i].lever();  // the classical acceleration of c
+    const Vector3<S> omega_u = cross<S>(data.v[i].angular(), shifted(data.v[i], c).linear());
+    return data.oMi[i].rotation() * Vector3<S>(shifted(data.a[i], c).linear() + omega_u);
+  });
   return data.com();
 }
 
@@ -121,33 +116,24 @@ const Force<S>& computeCentroidalMomentumTimeVariation(const Model<S>& model, Da
 }
 
 // instantiations_*.cpp instantiates these for float and double.
-extern template const Vector3<float>& centerOfMass<float>(const Model<float>&, Data<float>&, In<float>);
-extern template const Vector3<float>& centerOfMass<float>(const Model<float>&, Data<float>&, In<float>,
-                                                          In<float>);
-extern template const Vector3<float>& centerOfMass<float>(const Model<float>&, Data<float>&, In<float>,
-                                                          In<float>, In<float>);
-extern template const Matrix6X<float>& computeCentroidalMap<float>(const Model<float>&, Data<float>&,
-                                                                   In<float>);
-extern template const Matrix3X<float>& jacobianCenterOfMass<float>(const Model<float>&, Data<float>&,
-                                                                   In<float>);
-extern template const Force<float>& computeCentroidalMomentum<float>(const Model<float>&, Data<float>&,
-                                                                     In<float>, In<float>);
-extern template const Force<float>& computeCentroidalMomentumTimeVariation<float>(const Model<float>&,
-                                                                                  Data<float>&, In<float>,
-                                                                                  In<float>, In<float>);
-extern template const Vector3<double>& centerOfMass<double>(const Model<double>&, Data<double>&, In<double>);
-extern template const Vector3<double>& centerOfMass<double>(const Model<double>&, Data<double>&, In<double>,
-                                                            In<double>);
-extern template const Vector3<double>& centerOfMass<double>(const Model<double>&, Data<double>&, In<double>,
-                                                            In<double>, In<double>);
-extern template const Matrix6X<double>& computeCentroidalMap<double>(const Model<double>&, Data<double>&,
-                                                                     In<double>);
-extern template const Matrix3X<double>& jacobianCenterOfMass<double>(const Model<double>&, Data<double>&,
-                                                                     In<double>);
-extern template const Force<double>& computeCentroidalMomentum<double>(const Model<double>&, Data<double>&,
-                                                                       In<double>, In<double>);
-extern template const Force<double>& computeCentroidalMomentumTimeVariation<double>(const Model<double>&,
-                                                                                    Data<double>&, In<double>,
-                                                                                    In<double>, In<double>);
+extern template const Vector3<float>& centerOfMass(const Model<float>&, Data<float>&, In<float>);
+extern template const Vector3<float>& centerOfMass(const Model<float>&, Data<float>&, In<float>, In<float>);
+extern template const Vector3<float>& centerOfMass(const Model<float>&, Data<float>&, In<float>, In<float>,
+                                                   In<float>);
+extern template decltype(computeCentroidalMap<float>) computeCentroidalMap<float>;
+extern template decltype(jacobianCenterOfMass<float>) jacobianCenterOfMass<float>;
+extern template decltype(computeCentroidalMomentum<float>) computeCentroidalMomentum<float>;
+extern template decltype(computeCentroidalMomentumTimeVariation<float>)
+    computeCentroidalMomentumTimeVariation<float>;
+extern template const Vector3<double>& centerOfMass(const Model<double>&, Data<double>&, In<double>);
+extern template const Vector3<double>& centerOfMass(const Model<double>&, Data<double>&, In<double>,
+                                                    In<double>);
+extern template const Vector3<double>& centerOfMass(const Model<double>&, Data<double>&, In<double>,
+                                                    In<double>, In<double>);
+extern template decltype(computeCentroidalMap<double>) computeCentroidalMap<double>;
+extern template decltype(jacobianCenterOfMass<double>) jacobianCenterOfMass<double>;
+extern template decltype(computeCentroidalMomentum<double>) computeCentroidalMomentum<double>;
+extern template decltype(computeCentroidalMomentumTimeVariation<double>)
+    computeCentroidalMomentumTimeVariation<double>;
 
 }  // namespace liecheck

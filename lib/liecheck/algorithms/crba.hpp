@@ -238,10 +238,9 @@ const MatrixX<S>& computeMinverse(const Model<S>& model, Data<S>& data, In<S> q)
 }
 
 // instantiations_*.cpp instantiates these for float and double.
-extern template const MatrixX<float>& crba<float>(const Model<float>&, Data<float>&, In<float>);
-extern template const MatrixX<float>& computeMinverse<float>(const Model<float>&, Data<float>&, In<float>);
-extern template const MatrixX<double>& crba<double>(const Model<double>&, Data<double>&, In<double>);
-extern template const MatrixX<double>& computeMinverse<double>(const Model<double>&, Data<double>&,
-                                                               In<double>);
+extern template decltype(crba<float>) crba<float>;
+extern template decltype(computeMinverse<float>) computeMinverse<float>;
+extern template decltype(crba<double>) crba<double>;
+extern template decltype(computeMinverse<double>) computeMinverse<double>;
 
 }  // namespace liecheck

@@ -129,13 +129,9 @@ void computeABADerivatives(const Model<S>& model, Data<S>& data, In<S> q, In<S> 
 }
 
 // instantiations_*.cpp instantiates these for float and double.
-extern template void computeRNEADerivatives<float>(const Model<float>&, Data<float>&, In<float>, In<float>,
-                                                   In<float>, External<float>);
-extern template void computeABADerivatives<float>(const Model<float>&, Data<float>&, In<float>, In<float>,
-                                                  In<float>, External<float>);
-extern template void computeRNEADerivatives<double>(const Model<double>&, Data<double>&, In<double>,
-                                                    In<double>, In<double>, External<double>);
-extern template void computeABADerivatives<double>(const Model<double>&, Data<double>&, In<double>,
-                                                   In<double>, In<double>, External<double>);
+extern template decltype(computeRNEADerivatives<float>) computeRNEADerivatives<float>;
+extern template decltype(computeABADerivatives<float>) computeABADerivatives<float>;
+extern template decltype(computeRNEADerivatives<double>) computeRNEADerivatives<double>;
+extern template decltype(computeABADerivatives<double>) computeABADerivatives<double>;
 
 }  // namespace liecheck

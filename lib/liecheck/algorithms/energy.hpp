@@ -34,11 +34,9 @@ S computeMechanicalEnergy(const Model<S>& model, Data<S>& data, In<S> q, In<S> v
 }
 
 // instantiations_*.cpp instantiates these for float and double.
-extern template const float& computeKineticEnergy<float>(const Model<float>&, Data<float>&, In<float>,
-                                                         In<float>);
-extern template const float& computePotentialEnergy<float>(const Model<float>&, Data<float>&, In<float>);
-extern template const double& computeKineticEnergy<double>(const Model<double>&, Data<double>&, In<double>,
-                                                           In<double>);
-extern template const double& computePotentialEnergy<double>(const Model<double>&, Data<double>&, In<double>);
+extern template decltype(computeKineticEnergy<float>) computeKineticEnergy<float>;
+extern template decltype(computePotentialEnergy<float>) computePotentialEnergy<float>;
+extern template decltype(computeKineticEnergy<double>) computeKineticEnergy<double>;
+extern template decltype(computePotentialEnergy<double>) computePotentialEnergy<double>;
 
 }  // namespace liecheck

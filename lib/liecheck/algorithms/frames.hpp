@@ -82,38 +82,32 @@ void framesForwardKinematics(const Model<S>& model, Data<S>& data, In<S> q) {
 /// exist, here and below. Needs oMi, v.
 template <Scalar S>
 Motion<S> getVelocity(const Model<S>& model, const Data<S>& data, int joint, ReferenceFrame reference) {
-  using namespace algorithms_detail;
-  return velocityOf(data, placedJoint(model, data, joint), reference);
+  return velocityOf(data, algorithms_detail::placedJoint(model, data, joint), reference);
 }
 template <Scalar S>
 Motion<S> getFrameVelocity(const Model<S>& model, const Data<S>& data, int frame, ReferenceFrame reference) {
-  using namespace algorithms_detail;
-  return velocityOf(data, placedFrame(model, data, frame), reference);
+  return velocityOf(data, algorithms_detail::placedFrame(model, data, frame), reference);
 }
 /// Spatial acceleration of a joint's moving side, or of a frame [m/s^2, rad/s^2]. Needs oMi, a.
 template <Scalar S>
 Motion<S> getAcceleration(const Model<S>& model, const Data<S>& data, int joint, ReferenceFrame reference) {
-  using namespace algorithms_detail;
-  return accelerationOf(data, placedJoint(model, data, joint), reference);
+  return accelerationOf(data, algorithms_detail::placedJoint(model, data, joint), reference);
 }
 template <Scalar S>
 Motion<S> getFrameAcceleration(const Model<S>& model, const Data<S>& data, int frame,
                                ReferenceFrame reference) {
-  using namespace algorithms_detail;
-  return accelerationOf(data, placedFrame(model, data, frame), reference);
+  return accelerationOf(data, algorithms_detail::placedFrame(model, data, frame), reference);
 }
 /// Classical acceleration of a joint's moving side, or of a frame [m/s^2, rad/s^2]. Needs oMi, v, a.
 template <Scalar S>
 Motion<S> getClassicalAcceleration(const Model<S>& model, const Data<S>& data, int joint,
                                    ReferenceFrame reference) {
-  using namespace algorithms_detail;
-  return classicalAccelerationOf(data, placedJoint(model, data, joint), reference);
+  return classicalAccelerationOf(data, algorithms_detail::placedJoint(model, data, joint), reference);
 }
 template <Scalar S>
 Motion<S> getFrameClassicalAcceleration(const Model<S>& model, const Data<S>& data, int frame,
                                         ReferenceFrame reference) {
-  using namespace algorithms_detail;
-  return classicalAccelerationOf(data, placedFrame(model, data, frame), reference);
+  return classicalAccelerationOf(data, algorithms_detail::placedFrame(model, data, frame), reference);
 }
 
 template <class S>
@@ -134,7 +128,7 @@ ImuReading<S> imu(const Model<S>& model, const Data<S>& data, int frame) {
 }
 
 // instantiations_*.cpp instantiates these for float and double.
-extern template void updateFramePlacements<float>(const Model<float>&, Data<float>&);
-extern template void updateFramePlacements<double>(const Model<double>&, Data<double>&);
+extern template decltype(updateFramePlacements<float>) updateFramePlacements<float>;
+extern template decltype(updateFramePlacements<double>) updateFramePlacements<double>;
 
 }  // namespace liecheck

@@ -4,13 +4,9 @@
 
 namespace liecheck {
 
-template void computeRNEADerivatives<float>(const Model<float>&, Data<float>&, In<float>, In<float>,
-                                            In<float>, External<float>);
-template void computeABADerivatives<float>(const Model<float>&, Data<float>&, In<float>, In<float>, In<float>,
-                                           External<float>);
-template void computeRNEADerivatives<double>(const Model<double>&, Data<double>&, In<double>, In<double>,
-                                             In<double>, External<double>);
-template void computeABADerivatives<double>(const Model<double>&, Data<double>&, In<double>, In<double>,
-                                            In<double>, External<double>);
+template decltype(computeRNEADerivatives<float>) computeRNEADerivatives<float>;
+template decltype(computeABADerivatives<float>) computeABADerivatives<float>;
+template decltype(computeRNEADerivatives<double>) computeRNEADerivatives<double>;
+template decltype(computeABADerivatives<double>) computeABADerivatives<double>;
 
 }  // namespace liecheck

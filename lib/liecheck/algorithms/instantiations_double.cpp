@@ -7,44 +7,28 @@
 #include <liecheck/algorithms/jacobians.hpp>
 
 namespace liecheck {
-template void forwardKinematics<double>(const Model<double>&, Data<double>&, In<double>);
-template void forwardKinematics<double>(const Model<double>&, Data<double>&, In<double>, In<double>);
-template void forwardKinematics<double>(const Model<double>&, Data<double>&, In<double>, In<double>,
-                                        In<double>);
-template void updateFramePlacements<double>(const Model<double>&, Data<double>&);
-template const VectorX<double>& rnea<double>(const Model<double>&, Data<double>&, In<double>, In<double>,
-                                             In<double>, External<double>);
-template const VectorX<double>& nonLinearEffects<double>(const Model<double>&, Data<double>&, In<double>,
-                                                         In<double>);
-template const VectorX<double>& computeStaticTorque<double>(const Model<double>&, Data<double>&, In<double>,
-                                                            External<double>);
-template const VectorX<double>& computeGeneralizedGravity<double>(const Model<double>&, Data<double>&,
-                                                                  In<double>);
-template const Matrix6X<double>& computeJointJacobians<double>(const Model<double>&, Data<double>&,
-                                                               In<double>);
-template const Matrix6X<double>& computeJointJacobiansTimeVariation<double>(const Model<double>&,
-                                                                            Data<double>&, In<double>,
-                                                                            In<double>);
-template const MatrixX<double>& crba<double>(const Model<double>&, Data<double>&, In<double>);
-template const MatrixX<double>& computeMinverse<double>(const Model<double>&, Data<double>&, In<double>);
-template const VectorX<double>& aba<double>(const Model<double>&, Data<double>&, In<double>, In<double>,
-                                            In<double>, External<double>);
-template const double& computeKineticEnergy<double>(const Model<double>&, Data<double>&, In<double>,
-                                                    In<double>);
-template const double& computePotentialEnergy<double>(const Model<double>&, Data<double>&, In<double>);
-template const Vector3<double>& centerOfMass<double>(const Model<double>&, Data<double>&, In<double>);
-template const Vector3<double>& centerOfMass<double>(const Model<double>&, Data<double>&, In<double>,
-                                                     In<double>);
-template const Vector3<double>& centerOfMass<double>(const Model<double>&, Data<double>&, In<double>,
-                                                     In<double>, In<double>);
-template const Matrix6X<double>& computeCentroidalMap<double>(const Model<double>&, Data<double>&,
-                                                              In<double>);
-template const Matrix3X<double>& jacobianCenterOfMass<double>(const Model<double>&, Data<double>&,
-                                                              In<double>);
-template const Force<double>& computeCentroidalMomentum<double>(const Model<double>&, Data<double>&,
-                                                                In<double>, In<double>);
-template const Force<double>& computeCentroidalMomentumTimeVariation<double>(const Model<double>&,
-                                                                             Data<double>&, In<double>,
-                                                                             In<double>, In<double>);
+template void forwardKinematics(const Model<double>&, Data<double>&, In<double>);
+template void forwardKinematics(const Model<double>&, Data<double>&, In<double>, In<double>);
+template void forwardKinematics(const Model<double>&, Data<double>&, In<double>, In<double>, In<double>);
+template decltype(updateFramePlacements<double>) updateFramePlacements<double>;
+template decltype(rnea<double>) rnea<double>;
+template decltype(nonLinearEffects<double>) nonLinearEffects<double>;
+template decltype(computeStaticTorque<double>) computeStaticTorque<double>;
+template decltype(computeJointJacobians<double>) computeJointJacobians<double>;
+template decltype(computeJointJacobiansTimeVariation<double>) computeJointJacobiansTimeVariation<double>;
+template decltype(crba<double>) crba<double>;
+template decltype(computeMinverse<double>) computeMinverse<double>;
+template decltype(aba<double>) aba<double>;
+template decltype(computeKineticEnergy<double>) computeKineticEnergy<double>;
+template decltype(computePotentialEnergy<double>) computePotentialEnergy<double>;
+template const Vector3<double>& centerOfMass(const Model<double>&, Data<double>&, In<double>);
+template const Vector3<double>& centerOfMass(const Model<double>&, Data<double>&, In<double>, In<double>);
+template const Vector3<double>& centerOfMass(const Model<double>&, Data<double>&, In<double>, In<double>,
+                                             In<double>);
+template decltype(computeCentroidalMap<double>) computeCentroidalMap<double>;
+template decltype(jacobianCenterOfMass<double>) jacobianCenterOfMass<double>;
+template decltype(computeCentroidalMomentum<double>) computeCentroidalMomentum<double>;
+template decltype(computeCentroidalMomentumTimeVariation<double>)
+    computeCentroidalMomentumTimeVariation<double>;
 
 }  // namespace liecheck

@@ -7,35 +7,28 @@
 #include <liecheck/algorithms/jacobians.hpp>
 
 namespace liecheck {
-template void forwardKinematics<float>(const Model<float>&, Data<float>&, In<float>);
-template void forwardKinematics<float>(const Model<float>&, Data<float>&, In<float>, In<float>);
-template void forwardKinematics<float>(const Model<float>&, Data<float>&, In<float>, In<float>, In<float>);
-template void updateFramePlacements<float>(const Model<float>&, Data<float>&);
-template const VectorX<float>& rnea<float>(const Model<float>&, Data<float>&, In<float>, In<float>, In<float>,
-                                           External<float>);
-template const VectorX<float>& nonLinearEffects<float>(const Model<float>&, Data<float>&, In<float>,
-                                                       In<float>);
-template const VectorX<float>& computeStaticTorque<float>(const Model<float>&, Data<float>&, In<float>,
-                                                          External<float>);
-template const VectorX<float>& computeGeneralizedGravity<float>(const Model<float>&, Data<float>&, In<float>);
-template const Matrix6X<float>& computeJointJacobians<float>(const Model<float>&, Data<float>&, In<float>);
-template const Matrix6X<float>& computeJointJacobiansTimeVariation<float>(const Model<float>&, Data<float>&,
-                                                                          In<float>, In<float>);
-template const MatrixX<float>& crba<float>(const Model<float>&, Data<float>&, In<float>);
-template const MatrixX<float>& computeMinverse<float>(const Model<float>&, Data<float>&, In<float>);
-template const VectorX<float>& aba<float>(const Model<float>&, Data<float>&, In<float>, In<float>, In<float>,
-                                          External<float>);
-template const float& computeKineticEnergy<float>(const Model<float>&, Data<float>&, In<float>, In<float>);
-template const float& computePotentialEnergy<float>(const Model<float>&, Data<float>&, In<float>);
-template const Vector3<float>& centerOfMass<float>(const Model<float>&, Data<float>&, In<float>);
-template const Vector3<float>& centerOfMass<float>(const Model<float>&, Data<float>&, In<float>, In<float>);
-template const Vector3<float>& centerOfMass<float>(const Model<float>&, Data<float>&, In<float>, In<float>,
-                                                   In<float>);
-template const Matrix6X<float>& computeCentroidalMap<float>(const Model<float>&, Data<float>&, In<float>);
-template const Matrix3X<float>& jacobianCenterOfMass<float>(const Model<float>&, Data<float>&, In<float>);
-template const Force<float>& computeCentroidalMomentum<float>(const Model<float>&, Data<float>&, In<float>,
-                                                              In<float>);
-template const Force<float>& computeCentroidalMomentumTimeVariation<float>(const Model<float>&, Data<float>&,
-                                                                           In<float>, In<float>, In<float>);
+template void forwardKinematics(const Model<float>&, Data<float>&, In<float>);
+template void forwardKinematics(const Model<float>&, Data<float>&, In<float>, In<float>);
+template void forwardKinematics(const Model<float>&, Data<float>&, In<float>, In<float>, In<float>);
+template decltype(updateFramePlacements<float>) updateFramePlacements<float>;
+template decltype(rnea<float>) rnea<float>;
+template decltype(nonLinearEffects<float>) nonLinearEffects<float>;
+template decltype(computeStaticTorque<float>) computeStaticTorque<float>;
+template decltype(computeJointJacobians<float>) computeJointJacobians<float>;
+template decltype(computeJointJacobiansTimeVariation<float>) computeJointJacobiansTimeVariation<float>;
+template decltype(crba<float>) crba<float>;
+template decltype(computeMinverse<float>) computeMinverse<float>;
+template decltype(aba<float>) aba<float>;
+template decltype(computeKineticEnergy<float>) computeKineticEnergy<float>;
+template decltype(computePotentialEnergy<float>) computePotentialEnergy<float>;
+template const Vector3<float>& centerOfMass(const Model<float>&, Data<float>&, In<float>);
+template const Vector3<float>& centerOfMass(const Model<float>&, Data<float>&, In<float>, In<float>);
+template const Vector3<float>& centerOfMass(const Model<float>&, Data<float>&, In<float>, In<float>,
+                                            In<float>);
+template decltype(computeCentroidalMap<float>) computeCentroidalMap<float>;
+template decltype(jacobianCenterOfMass<float>) jacobianCenterOfMass<float>;
+template decltype(computeCentroidalMomentum<float>) computeCentroidalMomentum<float>;
+template decltype(computeCentroidalMomentumTimeVariation<float>)
+    computeCentroidalMomentumTimeVariation<float>;
 
 }  // namespace liecheck

@@ -148,39 +148,30 @@ const Matrix6X<S>& computeJointJacobiansTimeVariation(const Model<S>& model, Dat
 template <Scalar S>
 const Matrix6X<S>& getJointJacobian(const Model<S>& model, Data<S>& data, int joint,
                                     ReferenceFrame reference) {
-  using namespace algorithms_detail;
-  return jacobianOf(model, data, placedJoint(model, data, joint), reference);
+  return jacobianOf(model, data, algorithms_detail::placedJoint(model, data, joint), reference);
 }
 template <Scalar S>
 const Matrix6X<S>& getFrameJacobian(const Model<S>& model, Data<S>& data, int frame,
                                     ReferenceFrame reference) {
-  using namespace algorithms_detail;
-  return jacobianOf(model, data, placedFrame(model, data, frame), reference);
+  return jacobianOf(model, data, algorithms_detail::placedFrame(model, data, frame), reference);
 }
 /// Time derivative of the Jacobian [6 x nv] of a joint, or of a frame, in the same storage. Needs dJ.
 template <Scalar S>
 const Matrix6X<S>& getJointJacobianTimeVariation(const Model<S>& model, Data<S>& data, int joint,
                                                  ReferenceFrame reference) {
-  using namespace algorithms_detail;
-  return jacobianRateOf(model, data, placedJoint(model, data, joint), reference);
+  return jacobianRateOf(model, data, algorithms_detail::placedJoint(model, data, joint), reference);
 }
 template <Scalar S>
 const Matrix6X<S>& getFrameJacobianTimeVariation(const Model<S>& model, Data<S>& data, int frame,
                                                  ReferenceFrame reference) {
-  using namespace algorithms_detail;
-  return jacobianRateOf(model, data, placedFrame(model, data, frame), reference);
+  return jacobianRateOf(model, data, algorithms_detail::placedFrame(model, data, frame), reference);
 }
 
 // instantiations_*.cpp instantiates these for float and double.
-extern template const Matrix6X<float>& computeJointJacobians<float>(const Model<float>&, Data<float>&,
-                                                                    In<float>);
-extern template const Matrix6X<float>& computeJointJacobiansTimeVariation<float>(const Model<float>&,
-                                                                                 Data<float>&, In<float>,
-                                                                                 In<float>);
-extern template const Matrix6X<double>& computeJointJacobians<double>(const Model<double>&, Data<double>&,
-                                                                      In<double>);
-extern template const Matrix6X<double>& computeJointJacobiansTimeVariation<double>(const Model<double>&,
-                                                                                   Data<double>&, In<double>,
-                                                                                   In<double>);
+extern template decltype(computeJointJacobians<float>) computeJointJacobians<float>;
+extern template decltype(computeJointJacobiansTimeVariation<float>) computeJointJacobiansTimeVariation<float>;
+extern template decltype(computeJointJacobians<double>) computeJointJacobians<double>;
+extern template decltype(computeJointJacobiansTimeVariation<double>)
+    computeJointJacobiansTimeVariation<double>;
 
 }  // namespace liecheck

@@ -132,13 +132,12 @@ void checkForces(const Model<S>& model, const External<S>& forces) {
 
 }  // namespace algorithms_detail
 // instantiations_*.cpp instantiates these for float and double.
-extern template void forwardKinematics<float>(const Model<float>&, Data<float>&, In<float>);
-extern template void forwardKinematics<float>(const Model<float>&, Data<float>&, In<float>, In<float>);
-extern template void forwardKinematics<float>(const Model<float>&, Data<float>&, In<float>, In<float>,
-                                              In<float>);
-extern template void forwardKinematics<double>(const Model<double>&, Data<double>&, In<double>);
-extern template void forwardKinematics<double>(const Model<double>&, Data<double>&, In<double>, In<double>);
-extern template void forwardKinematics<double>(const Model<double>&, Data<double>&, In<double>, In<double>,
-                                               In<double>);
+extern template void forwardKinematics(const Model<float>&, Data<float>&, In<float>);
+extern template void forwardKinematics(const Model<float>&, Data<float>&, In<float>, In<float>);
+extern template void forwardKinematics(const Model<float>&, Data<float>&, In<float>, In<float>, In<float>);
+extern template void forwardKinematics(const Model<double>&, Data<double>&, In<double>);
+extern template void forwardKinematics(const Model<double>&, Data<double>&, In<double>, In<double>);
+extern template void forwardKinematics(const Model<double>&, Data<double>&, In<double>, In<double>,
+                                       In<double>);
 
 }  // namespace liecheck

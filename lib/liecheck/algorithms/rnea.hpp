@@ -97,21 +97,11 @@ const VectorX<S>& computeGeneralizedGravity(const Model<S>& model, Data<S>& data
 }
 
 // instantiations_*.cpp instantiates these for float and double.
-extern template const VectorX<float>& rnea<float>(const Model<float>&, Data<float>&, In<float>, In<float>,
-                                                  In<float>, External<float>);
-extern template const VectorX<float>& nonLinearEffects<float>(const Model<float>&, Data<float>&, In<float>,
-                                                              In<float>);
-extern template const VectorX<float>& computeStaticTorque<float>(const Model<float>&, Data<float>&, In<float>,
-                                                                 External<float>);
-extern template const VectorX<float>& computeGeneralizedGravity<float>(const Model<float>&, Data<float>&,
-                                                                       In<float>);
-extern template const VectorX<double>& rnea<double>(const Model<double>&, Data<double>&, In<double>,
-                                                    In<double>, In<double>, External<double>);
-extern template const VectorX<double>& nonLinearEffects<double>(const Model<double>&, Data<double>&,
-                                                                In<double>, In<double>);
-extern template const VectorX<double>& computeStaticTorque<double>(const Model<double>&, Data<double>&,
-                                                                   In<double>, External<double>);
-extern template const VectorX<double>& computeGeneralizedGravity<double>(const Model<double>&, Data<double>&,
-                                                                         In<double>);
+extern template decltype(rnea<float>) rnea<float>;
+extern template decltype(nonLinearEffects<float>) nonLinearEffects<float>;
+extern template decltype(computeStaticTorque<float>) computeStaticTorque<float>;
+extern template decltype(rnea<double>) rnea<double>;
+extern template decltype(nonLinearEffects<double>) nonLinearEffects<double>;
+extern template decltype(computeStaticTorque<double>) computeStaticTorque<double>;
 
 }  // namespace liecheck

@@ -16,12 +16,6 @@ namespace liecheck {
 
 namespace configuration_detail {
 
-/// The scalar is deduced from the model alone, so that any Eigen expression may be passed as a vector.
-template <class S>
-using Vector = std::type_identity_t<VectorX<S>>;
-template <class S>
-using Value = std::type_identity_t<S>;
-
 using multibody_detail::checkSize;
 template <Scalar S>
 void checkConfigurationSize(const Model<S>& model, const VectorX<S>& q, const char* what) {
@@ -54,7 +48,7 @@ VectorX<S> neutral(const Model<S>& model) {
 /// q [nq] with every quaternion and (cos, sin) normalised. Throws InvalidConfiguration if one is 0 or not
 /// finite.
 template <Scalar S>
-VectorX<S> normalized(const Model<S>& model, const configuration_detail::Vector<S>& q) {
+VectorX<S> normalized(const Model<S>& model, In<S> q) {
   configuration_detail::checkConfigurationSize<S>(model, q, "q");
   VectorX<S> result(model.nq);
   configuration_detail::forEachJoint(model, [&](const auto& place) {
@@ -71,8 +65,8 @@ void normalize(const Model<S>& model, VectorX<S>& q) {
 
 /// True if ||Q|^2 - 1| <= budget for every quaternion and every (cos, sin).
 template <Scalar S>
-bool isNormalized(const Model<S>& model, const configuration_detail::Vector<S>& q,
-                  const configuration_detail::Value<S>& budget = normDefectBudget<S>()) {
+bool isNormalized(const Model<S>& model, In<S> q,
+                  const std::type_identity_t<S>& budget = normDefectBudget<S>()) {
   configuration_detail::checkConfigurationSize<S>(model, q, "q");
   bool all = true;
   configuration_detail::forEachJoint(model, [&](const auto& place) {
@@ -83,8 +77,7 @@ bool isNormalized(const Model<S>& model, const configuration_detail::Vector<S>& 
 
 /// The configuration T exp(delta) of every joint [nq]; delta [nv; m, rad] is an increment, such as dt v.
 template <Scalar S>
-VectorX<S> integrate(const Model<S>& model, const configuration_detail::Vector<S>& q,
-                     const configuration_detail::Vector<S>& delta) {
+VectorX<S> integrate(const Model<S>& model, In<S> q, In<S> delta) {
   configuration_detail::checkConfigurationSize<S>(model, q, "q");
   configuration_detail::checkTangentSize<S>(model, delta, "delta");
   VectorX<S> result(model.nq);
@@ -96,8 +89,7 @@ VectorX<S> integrate(const Model<S>& model, const configuration_detail::Vector<S
 
 /// The increment log(T0^-1 T1) of every joint, from q0 to q1 [nv]: integrate(q0, difference(q0, q1)) is q1.
 template <Scalar S>
-VectorX<S> difference(const Model<S>& model, const configuration_detail::Vector<S>& q0,
-                      const configuration_detail::Vector<S>& q1) {
+VectorX<S> difference(const Model<S>& model, In<S> q0, In<S> q1) {
   configuration_detail::checkConfigurationSize<S>(model, q0, "q0");
   configuration_detail::checkConfigurationSize<S>(model, q1, "q1");
   VectorX<S> delta(model.nv);
@@ -109,15 +101,13 @@ VectorX<S> difference(const Model<S>& model, const configuration_detail::Vector<
 
 /// integrate(q0, u difference(q0, q1)) [nq]: the geodesic of every joint, q0 at u = 0, q1 at u = 1.
 template <Scalar S>
-VectorX<S> interpolate(const Model<S>& model, const configuration_detail::Vector<S>& q0,
-                       const configuration_detail::Vector<S>& q1, const configuration_detail::Value<S>& u) {
+VectorX<S> interpolate(const Model<S>& model, In<S> q0, In<S> q1, const std::type_identity_t<S>& u) {
   return integrate(model, q0, u * difference(model, q0, q1));
 }
 
 /// |difference|^2 of each joint except the universe [njoints - 1]; squares of m and of rad are added.
 template <Scalar S>
-VectorX<S> squaredDistance(const Model<S>& model, const configuration_detail::Vector<S>& q0,
-                           const configuration_detail::Vector<S>& q1) {
+VectorX<S> squaredDistance(const Model<S>& model, In<S> q0, In<S> q1) {
   configuration_detail::checkConfigurationSize<S>(model, q0, "q0");
   configuration_detail::checkConfigurationSize<S>(model, q1, "q1");
   VectorX<S> result(model.njoints - 1);
@@ -129,24 +119,21 @@ VectorX<S> squaredDistance(const Model<S>& model, const configuration_detail::Ve
 
 /// sqrt(sum_i (weights_i difference_i)^2), weights [nv; 1/m, 1/rad].
 template <Scalar S>
-S distance(const Model<S>& model, const configuration_detail::Vector<S>& q0,
-           const configuration_detail::Vector<S>& q1, const configuration_detail::Vector<S>& weights) {
+S distance(const Model<S>& model, In<S> q0, In<S> q1, In<S> weights) {
   configuration_detail::checkTangentSize<S>(model, weights, "weights");
   const VectorX<S> delta = difference(model, q0, q1).cwiseProduct(weights);
   return multibody_detail::norm(delta);
 }
 /// |difference(q0, q1)| = sqrt(sum of squaredDistance), as Pinocchio defines it: 1 m counts as much as 1 rad.
 template <Scalar S>
-S distance(const Model<S>& model, const configuration_detail::Vector<S>& q0,
-           const configuration_detail::Vector<S>& q1) {
+S distance(const Model<S>& model, In<S> q0, In<S> q1) {
   return distance(model, q0, q1, VectorX<S>::Ones(model.nv));
 }
 
 /// True if all joints differ by at most budget [rad; relative to max(1 m, |p|)]. Q and -Q are the same.
 template <Scalar S>
-bool isSameConfiguration(const Model<S>& model, const configuration_detail::Vector<S>& q0,
-                         const configuration_detail::Vector<S>& q1,
-                         const configuration_detail::Value<S>& budget = samenessBudget<S>()) {
+bool isSameConfiguration(const Model<S>& model, In<S> q0, In<S> q1,
+                         const std::type_identity_t<S>& budget = samenessBudget<S>()) {
   configuration_detail::checkConfigurationSize<S>(model, q0, "q0");
   configuration_detail::checkConfigurationSize<S>(model, q1, "q1");
   bool same = true;
@@ -159,8 +146,7 @@ bool isSameConfiguration(const Model<S>& model, const configuration_detail::Vect
 /// The derivative [nv x nv] of integrate(q, delta) with respect to q (ARG0) or delta (ARG1), block-diagonal.
 /// It maps a tangent increment of the argument to one of the result.
 template <Scalar S>
-MatrixX<S> dIntegrate(const Model<S>& model, const configuration_detail::Vector<S>& q,
-                      const configuration_detail::Vector<S>& delta, ArgumentPosition argument) {
+MatrixX<S> dIntegrate(const Model<S>& model, In<S> q, In<S> delta, ArgumentPosition argument) {
   configuration_detail::checkConfigurationSize<S>(model, q, "q");
   configuration_detail::checkTangentSize<S>(model, delta, "delta");
   MatrixX<S> J = MatrixX<S>::Zero(model.nv, model.nv);
@@ -172,8 +158,7 @@ MatrixX<S> dIntegrate(const Model<S>& model, const configuration_detail::Vector<
 
 /// The derivative [nv x nv] of difference(q0, q1) with respect to q0 (ARG0) or q1 (ARG1), block-diagonal.
 template <Scalar S>
-MatrixX<S> dDifference(const Model<S>& model, const configuration_detail::Vector<S>& q0,
-                       const configuration_detail::Vector<S>& q1, ArgumentPosition argument) {
+MatrixX<S> dDifference(const Model<S>& model, In<S> q0, In<S> q1, ArgumentPosition argument) {
   configuration_detail::checkConfigurationSize<S>(model, q0, "q0");
   configuration_detail::checkConfigurationSize<S>(model, q1, "q1");
   MatrixX<S> J = MatrixX<S>::Zero(model.nv, model.nv);
@@ -185,7 +170,7 @@ MatrixX<S> dDifference(const Model<S>& model, const configuration_detail::Vector
 
 /// The derivative [nq x nv] of the stored numbers of integrate(q, delta) with respect to delta, at delta = 0.
 template <Scalar S>
-MatrixX<S> integrateCoeffWiseJacobian(const Model<S>& model, const configuration_detail::Vector<S>& q) {
+MatrixX<S> integrateCoeffWiseJacobian(const Model<S>& model, In<S> q) {
   configuration_detail::checkConfigurationSize<S>(model, q, "q");
   MatrixX<S> J = MatrixX<S>::Zero(model.nq, model.nv);
   configuration_detail::forEachJoint(model, [&](const auto& place) {
@@ -197,7 +182,7 @@ MatrixX<S> integrateCoeffWiseJacobian(const Model<S>& model, const configuration
 /// Returns q [nq]. Throws InvalidConfiguration unless q is finite and every quaternion and (cos, sin) has
 /// unit norm up to normDefectBudget. If q was rounded, for example in a text file, normalise it first.
 template <Scalar S>
-VectorX<S> checkedConfiguration(const Model<S>& model, const configuration_detail::Vector<S>& q) {
+VectorX<S> checkedConfiguration(const Model<S>& model, In<S> q) {
   configuration_detail::checkConfigurationSize<S>(model, q, "q");
   configuration_detail::forEachJoint(model, [&](const auto& place) {
     invalid_configuration_detail::refuseUnrepairable<S>(model, place, q);
@@ -208,7 +193,7 @@ VectorX<S> checkedConfiguration(const Model<S>& model, const configuration_detai
 
 /// Returns v [nv]. Throws InvalidConfiguration unless v is finite.
 template <Scalar S>
-VectorX<S> checkedTangent(const Model<S>& model, const configuration_detail::Vector<S>& v) {
+VectorX<S> checkedTangent(const Model<S>& model, In<S> v) {
   configuration_detail::checkTangentSize<S>(model, v, "v");
   configuration_detail::forEachJoint(
       model, [&](const auto& place) { invalid_configuration_detail::refuseNonFinite<S>(model, place, v); });
@@ -216,55 +201,30 @@ VectorX<S> checkedTangent(const Model<S>& model, const configuration_detail::Vec
 }
 
 // instantiations.cpp instantiates these for float and double.
-extern template VectorX<float> neutral<float>(const Model<float>&);
-extern template VectorX<float> normalized<float>(const Model<float>&, const VectorX<float>&);
-extern template void normalize<float>(const Model<float>&, VectorX<float>&);
-extern template bool isNormalized<float>(const Model<float>&, const VectorX<float>&, const float&);
-extern template VectorX<float> integrate<float>(const Model<float>&, const VectorX<float>&,
-                                                const VectorX<float>&);
-extern template VectorX<float> difference<float>(const Model<float>&, const VectorX<float>&,
-                                                 const VectorX<float>&);
-extern template VectorX<float> interpolate<float>(const Model<float>&, const VectorX<float>&,
-                                                  const VectorX<float>&, const float&);
-extern template VectorX<float> squaredDistance<float>(const Model<float>&, const VectorX<float>&,
-                                                      const VectorX<float>&);
-extern template float distance<float>(const Model<float>&, const VectorX<float>&, const VectorX<float>&);
-extern template float distance<float>(const Model<float>&, const VectorX<float>&, const VectorX<float>&,
-                                      const VectorX<float>&);
-extern template bool isSameConfiguration<float>(const Model<float>&, const VectorX<float>&,
-                                                const VectorX<float>&, const float&);
-extern template MatrixX<float> dIntegrate<float>(const Model<float>&, const VectorX<float>&,
-                                                 const VectorX<float>&, ArgumentPosition);
-extern template MatrixX<float> dDifference<float>(const Model<float>&, const VectorX<float>&,
-                                                  const VectorX<float>&, ArgumentPosition);
-extern template MatrixX<float> integrateCoeffWiseJacobian<float>(const Model<float>&, const VectorX<float>&);
-extern template VectorX<float> checkedConfiguration<float>(const Model<float>&, const VectorX<float>&);
-extern template VectorX<float> checkedTangent<float>(const Model<float>&, const VectorX<float>&);
+extern template decltype(neutral<float>) neutral<float>;
+extern template decltype(normalized<float>) normalized<float>;
+extern template decltype(isNormalized<float>) isNormalized<float>;
+extern template decltype(integrate<float>) integrate<float>;
+extern template decltype(difference<float>) difference<float>;
+extern template decltype(squaredDistance<float>) squaredDistance<float>;
+extern template decltype(isSameConfiguration<float>) isSameConfiguration<float>;
+extern template decltype(dIntegrate<float>) dIntegrate<float>;
+extern template decltype(dDifference<float>) dDifference<float>;
+extern template decltype(integrateCoeffWiseJacobian<float>) integrateCoeffWiseJacobian<float>;
+extern template decltype(checkedConfiguration<float>) checkedConfiguration<float>;
+extern template decltype(checkedTangent<float>) checkedTangent<float>;
 
-extern template VectorX<double> neutral<double>(const Model<double>&);
-extern template VectorX<double> normalized<double>(const Model<double>&, const VectorX<double>&);
-extern template void normalize<double>(const Model<double>&, VectorX<double>&);
-extern template bool isNormalized<double>(const Model<double>&, const VectorX<double>&, const double&);
-extern template VectorX<double> integrate<double>(const Model<double>&, const VectorX<double>&,
-                                                  const VectorX<double>&);
-extern template VectorX<double> difference<double>(const Model<double>&, const VectorX<double>&,
-                                                   const VectorX<double>&);
-extern template VectorX<double> interpolate<double>(const Model<double>&, const VectorX<double>&,
-                                                    const VectorX<double>&, const double&);
-extern template VectorX<double> squaredDistance<double>(const Model<double>&, const VectorX<double>&,
-                                                        const VectorX<double>&);
-extern template double distance<double>(const Model<double>&, const VectorX<double>&, const VectorX<double>&);
-extern template double distance<double>(const Model<double>&, const VectorX<double>&, const VectorX<double>&,
-                                        const VectorX<double>&);
-extern template bool isSameConfiguration<double>(const Model<double>&, const VectorX<double>&,
-                                                 const VectorX<double>&, const double&);
-extern template MatrixX<double> dIntegrate<double>(const Model<double>&, const VectorX<double>&,
-                                                   const VectorX<double>&, ArgumentPosition);
-extern template MatrixX<double> dDifference<double>(const Model<double>&, const VectorX<double>&,
-                                                    const VectorX<double>&, ArgumentPosition);
-extern template MatrixX<double> integrateCoeffWiseJacobian<double>(const Model<double>&,
-                                                                   const VectorX<double>&);
-extern template VectorX<double> checkedConfiguration<double>(const Model<double>&, const VectorX<double>&);
-extern template VectorX<double> checkedTangent<double>(const Model<double>&, const VectorX<double>&);
+extern template decltype(neutral<double>) neutral<double>;
+extern template decltype(normalized<double>) normalized<double>;
+extern template decltype(isNormalized<double>) isNormalized<double>;
+extern template decltype(integrate<double>) integrate<double>;
+extern template decltype(difference<double>) difference<double>;
+extern template decltype(squaredDistance<double>) squaredDistance<double>;
+extern template decltype(isSameConfiguration<double>) isSameConfiguration<double>;
+extern template decltype(dIntegrate<double>) dIntegrate<double>;
+extern template decltype(dDifference<double>) dDifference<double>;
+extern template decltype(integrateCoeffWiseJacobian<double>) integrateCoeffWiseJacobian<double>;
+extern template decltype(checkedConfiguration<double>) checkedConfiguration<double>;
+extern template decltype(checkedTangent<double>) checkedTangent<double>;
 
 }  // namespace liecheck

@@ -20,9 +20,6 @@ using Matrix6X = Eigen::Matrix<S, 6, Eigen::Dynamic>;
 template <class S>
 using Matrix3X = Eigen::Matrix<S, 3, Eigen::Dynamic>;
 
-/// A vector argument: the scalar is deduced from the model alone, so any Eigen expression may be passed.
-template <class S>
-using In = const std::type_identity_t<VectorX<S>>&;
 /// External forces [njoints; N, N m] on each joint's body, in that joint's axes at its origin; empty means none.
 template <class S>
 using External = std::type_identity_t<std::span<const Force<S>>>;
@@ -41,29 +38,52 @@ class Data {
   using Each = std::vector<T>;
   static constexpr const char *fk = "forwardKinematics(model, data, q)",
                               *fk_v = "forwardKinematics(model, data, q, v)",
-                              *fk_a = "forwardKinematics(model, data, q, v, a)";
+                              *fk_a = "forwardKinematics(model, data, q, v, a)",
+                              *rnea_derivatives = "computeRNEADerivatives(model, data, q, v, a)",
+                              *aba_derivatives = "computeABADerivatives(model, data, q, v, tau)";
 
  public:
   explicit Data(const Model<S>& model, Dense dense = Dense::None);
 
-  Field<Each<SE3<S>>> liMi;  ///< [njoints] X_parent,joint
-  Field<Each<SE3<S>>> oMi;   ///< [njoints] X_world,joint
-  Field<Each<SE3<S>>> oMf;   ///< [nframes] X_world,frame
-  Field<Each<Motion<S>>> v;  ///< [njoints] velocity of joint i, in its axes, at its origin [m/s, rad/s]
-  Field<Each<Motion<S>>> a;  ///< [njoints] spatial acceleration, in the axes of v [m/s^2, rad/s^2]
-  Field<Each<Force<S>>> f;  ///< [njoints] force of the parent on joint i, in i's axes, at its origin [N, N m]
-  Field<VectorX<S>> tau;    ///< [nv; N, N m] generalised forces of rnea
-  Field<VectorX<S>> nle;    ///< [nv; N, N m] h(q, v): tau at a = 0
-  Field<VectorX<S>> g;      ///< [nv; N, N m] tau at v = a = 0
-  Field<VectorX<S>> ddq;    ///< [nv; m/s^2, rad/s^2] acceleration of aba
-  Field<Matrix6X<S>> J, dJ;   ///< [6 x nv] every joint's Jacobian in WORLD, and its time derivative
-  Field<MatrixX<S>> M, Minv;  ///< [nv x nv] joint-space inertia and its inverse, both triangles
-  Field<MatrixX<S>> dtau_dq, dtau_dv, ddq_dq, ddq_dv;  ///< [nv x nv]; _dq: by tangent increments of q
-  Field<S> kinetic_energy, potential_energy;           ///< [J]
-  Field<Vector3<S>> com, vcom, acom;                   ///< centre of mass, in the world [m, m/s, m/s^2]
-  Field<Matrix3X<S>> Jcom;                             ///< [3 x nv] vcom = Jcom v
-  Field<Matrix6X<S>> Ag;                               ///< [6 x nv] hg = Ag v
-  Field<Force<S>> hg, dhg;  ///< momentum about the centre of mass in the world's axes, and its rate
+  Field<Each<SE3<S>>> liMi{*clock_, "liMi", fk};  ///< [njoints] X_parent,joint
+  Field<Each<SE3<S>>> oMi{*clock_, "oMi", fk};    ///< [njoints] X_world,joint
+  Field<Each<SE3<S>>> oMf{*clock_, "oMf", "updateFramePlacements(model, data)"};  ///< [nframes] X_world,frame
+  /// [njoints] velocity [m/s, rad/s] and spatial acceleration [m/s^2, rad/s^2] of joint i, in its axes, at its
+  /// origin.
+  Field<Each<Motion<S>>> v{*clock_, "v", fk_v}, a{*clock_, "a", fk_a};
+  /// [njoints] force of the parent on joint i, in i's axes, at its origin [N, N m].
+  Field<Each<Force<S>>> f{*clock_, "f", "rnea(model, data, q, v, a)"};
+  /// [nv; N, N m] generalised forces of rnea; h(q, v), which is tau at a = 0; tau at v = a = 0.
+  Field<VectorX<S>> tau{*clock_, "tau", "rnea(model, data, q, v, a)"};
+  Field<VectorX<S>> nle{*clock_, "nle", "nonLinearEffects(model, data, q, v)"};
+  Field<VectorX<S>> g{*clock_, "g", "computeGeneralizedGravity(model, data, q)"};
+  /// [nv; m/s^2, rad/s^2] acceleration of aba.
+  Field<VectorX<S>> ddq{*clock_, "ddq", "aba(model, data, q, v, tau)"};
+  /// [6 x nv] every joint's Jacobian in WORLD, and its time derivative.
+  Field<Matrix6X<S>> J{*clock_, "J", "computeJointJacobians(model, data, q)"};
+  Field<Matrix6X<S>> dJ{*clock_, "dJ", "computeJointJacobiansTimeVariation(model, data, q, v)"};
+  /// [nv x nv] joint-space inertia and its inverse, both triangles.
+  Field<MatrixX<S>> M{*clock_, "M", "crba(model, data, q)"};
+  Field<MatrixX<S>> Minv{*clock_, "Minv", "computeMinverse(model, data, q)"};
+  /// [nv x nv]; _dq: by tangent increments of q.
+  Field<MatrixX<S>> dtau_dq{*clock_, "dtau_dq", rnea_derivatives},
+      dtau_dv{*clock_, "dtau_dv", rnea_derivatives};
+  Field<MatrixX<S>> ddq_dq{*clock_, "ddq_dq", aba_derivatives}, ddq_dv{*clock_, "ddq_dv", aba_derivatives};
+  /// [J].
+  Field<S> kinetic_energy{*clock_, "kinetic_energy", "computeKineticEnergy(model, data, q, v)"};
+  Field<S> potential_energy{*clock_, "potential_energy", "computePotentialEnergy(model, data, q)"};
+  /// Centre of mass, in the world [m, m/s, m/s^2].
+  Field<Vector3<S>> com{*clock_, "com", "centerOfMass(model, data, q)", Vector3<S>::Zero()};
+  Field<Vector3<S>> vcom{*clock_, "vcom", "centerOfMass(model, data, q, v)", Vector3<S>::Zero()};
+  Field<Vector3<S>> acom{*clock_, "acom", "centerOfMass(model, data, q, v, a)", Vector3<S>::Zero()};
+  /// [3 x nv] vcom = Jcom v.
+  Field<Matrix3X<S>> Jcom{*clock_, "Jcom", "jacobianCenterOfMass(model, data, q)"};
+  /// [6 x nv] hg = Ag v.
+  Field<Matrix6X<S>> Ag{*clock_, "Ag", "computeCentroidalMap(model, data, q)"};
+  /// Momentum about the centre of mass in the world's axes, and its rate.
+  Field<Force<S>> hg{*clock_, "hg", "computeCentroidalMomentum(model, data, q, v)", Force<S>::Zero()};
+  Field<Force<S>> dhg{*clock_, "dhg", "computeCentroidalMomentumTimeVariation(model, data, q, v, a)",
+                      Force<S>::Zero()};
 
   /// Workspace of the algorithms. "In world axes" means in the world's axes with the joint's origin as
   /// reference point, so that no digits are lost far from the world's origin.
@@ -124,39 +144,15 @@ class Data {
 
 template <Scalar S>
 Data<S>::Data(const Model<S>& model, Dense dense)
-    : liMi(*clock_, "liMi", fk, Each<SE3<S>>(model.joints.size(), SE3<S>::Identity())),
-      oMi(*clock_, "oMi", fk, Each<SE3<S>>(model.joints.size(), SE3<S>::Identity())),
-      oMf(*clock_, "oMf", "updateFramePlacements(model, data)", Each<SE3<S>>(model.frames.size())),
-      v(*clock_, "v", fk_v, Each<Motion<S>>(model.joints.size(), Motion<S>::Zero())),
-      a(*clock_, "a", fk_a, Each<Motion<S>>(model.joints.size(), Motion<S>::Zero())),
-      f(*clock_, "f", "rnea(model, data, q, v, a)", Each<Force<S>>(model.joints.size(), Force<S>::Zero())),
-      tau(*clock_, "tau", "rnea(model, data, q, v, a)", VectorX<S>(model.nv)),
-      nle(*clock_, "nle", "nonLinearEffects(model, data, q, v)", VectorX<S>(model.nv)),
-      g(*clock_, "g", "computeGeneralizedGravity(model, data, q)", VectorX<S>(model.nv)),
-      ddq(*clock_, "ddq", "aba(model, data, q, v, tau)", VectorX<S>(model.nv)),
-      J(*clock_, "J", "computeJointJacobians(model, data, q)", Matrix6X<S>(6, model.nv)),
-      dJ(*clock_, "dJ", "computeJointJacobiansTimeVariation(model, data, q, v)", Matrix6X<S>(6, model.nv)),
-      M(*clock_, "M", "crba(model, data, q)"),
-      Minv(*clock_, "Minv", "computeMinverse(model, data, q)"),
-      dtau_dq(*clock_, "dtau_dq", "computeRNEADerivatives(model, data, q, v, a)"),
-      dtau_dv(*clock_, "dtau_dv", "computeRNEADerivatives(model, data, q, v, a)"),
-      ddq_dq(*clock_, "ddq_dq", "computeABADerivatives(model, data, q, v, tau)"),
-      ddq_dv(*clock_, "ddq_dv", "computeABADerivatives(model, data, q, v, tau)"),
-      kinetic_energy(*clock_, "kinetic_energy", "computeKineticEnergy(model, data, q, v)"),
-      potential_energy(*clock_, "potential_energy", "computePotentialEnergy(model, data, q)"),
-      com(*clock_, "com", "centerOfMass(model, data, q)", Vector3<S>::Zero()),
-      vcom(*clock_, "vcom", "centerOfMass(model, data, q, v)", Vector3<S>::Zero()),
-      acom(*clock_, "acom", "centerOfMass(model, data, q, v, a)", Vector3<S>::Zero()),
-      Jcom(*clock_, "Jcom", "jacobianCenterOfMass(model, data, q)", Matrix3X<S>(3, model.nv)),
-      Ag(*clock_, "Ag", "computeCentroidalMap(model, data, q)", Matrix6X<S>(6, model.nv)),
-      hg(*clock_, "hg", "computeCentroidalMomentum(model, data, q, v)", Force<S>::Zero()),
-      dhg(*clock_, "dhg", "computeCentroidalMomentumTimeVariation(model, data, q, v, a)", Force<S>::Zero()),
-      revision_(model.revision),
-      dense_(dense),
-      q_(model.nq),
-      v_(model.nv),
-      a_(model.nv) {
+    : revision_(model.revision), dense_(dense), q_(model.nq), v_(model.nv), a_(model.nv) {
   const std::size_t n = model.joints.size();
+  liMi.scratch().assign(n, SE3<S>::Identity()), oMi.scratch().assign(n, SE3<S>::Identity());
+  oMf.scratch().resize(model.frames.size());
+  v.scratch().assign(n, Motion<S>::Zero()), a.scratch().assign(n, Motion<S>::Zero());
+  f.scratch().assign(n, Force<S>::Zero());
+  for (Field<VectorX<S>>* x : {&tau, &nle, &g, &ddq}) x->scratch().resize(model.nv);
+  for (Field<Matrix6X<S>>* m : {&J, &dJ, &Ag}) m->scratch().resize(6, model.nv);
+  Jcom.scratch().resize(3, model.nv);
   work.gravitated.assign(n, Motion<S>::Zero());
   work.r.assign(n, Vector3<S>::Zero());
   work.velocity.assign(n, Motion<S>::Zero()), work.bias.assign(n, Motion<S>::Zero());

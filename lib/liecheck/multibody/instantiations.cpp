@@ -12,52 +12,30 @@ template Model<double> Model<double>::cast<double>() const;
 template class Data<float>;
 template class Data<double>;
 
-template VectorX<float> neutral<float>(const Model<float>&);
-template VectorX<float> normalized<float>(const Model<float>&, const VectorX<float>&);
-template void normalize<float>(const Model<float>&, VectorX<float>&);
-template bool isNormalized<float>(const Model<float>&, const VectorX<float>&, const float&);
-template VectorX<float> integrate<float>(const Model<float>&, const VectorX<float>&, const VectorX<float>&);
-template VectorX<float> difference<float>(const Model<float>&, const VectorX<float>&, const VectorX<float>&);
-template VectorX<float> interpolate<float>(const Model<float>&, const VectorX<float>&, const VectorX<float>&,
-                                           const float&);
-template VectorX<float> squaredDistance<float>(const Model<float>&, const VectorX<float>&,
-                                               const VectorX<float>&);
-template float distance<float>(const Model<float>&, const VectorX<float>&, const VectorX<float>&);
-template float distance<float>(const Model<float>&, const VectorX<float>&, const VectorX<float>&,
-                               const VectorX<float>&);
-template bool isSameConfiguration<float>(const Model<float>&, const VectorX<float>&, const VectorX<float>&,
-                                         const float&);
-template MatrixX<float> dIntegrate<float>(const Model<float>&, const VectorX<float>&, const VectorX<float>&,
-                                          ArgumentPosition);
-template MatrixX<float> dDifference<float>(const Model<float>&, const VectorX<float>&, const VectorX<float>&,
-                                           ArgumentPosition);
-template MatrixX<float> integrateCoeffWiseJacobian<float>(const Model<float>&, const VectorX<float>&);
-template VectorX<float> checkedConfiguration<float>(const Model<float>&, const VectorX<float>&);
-template VectorX<float> checkedTangent<float>(const Model<float>&, const VectorX<float>&);
+template decltype(neutral<float>) neutral<float>;
+template decltype(normalized<float>) normalized<float>;
+template decltype(isNormalized<float>) isNormalized<float>;
+template decltype(integrate<float>) integrate<float>;
+template decltype(difference<float>) difference<float>;
+template decltype(squaredDistance<float>) squaredDistance<float>;
+template decltype(isSameConfiguration<float>) isSameConfiguration<float>;
+template decltype(dIntegrate<float>) dIntegrate<float>;
+template decltype(dDifference<float>) dDifference<float>;
+template decltype(integrateCoeffWiseJacobian<float>) integrateCoeffWiseJacobian<float>;
+template decltype(checkedConfiguration<float>) checkedConfiguration<float>;
+template decltype(checkedTangent<float>) checkedTangent<float>;
 
-template VectorX<double> neutral<double>(const Model<double>&);
-template VectorX<double> normalized<double>(const Model<double>&, const VectorX<double>&);
-template void normalize<double>(const Model<double>&, VectorX<double>&);
-template bool isNormalized<double>(const Model<double>&, const VectorX<double>&, const double&);
-template VectorX<double> integrate<double>(const Model<double>&, const VectorX<double>&,
-                                           const VectorX<double>&);
-template VectorX<double> difference<double>(const Model<double>&, const VectorX<double>&,
-                                            const VectorX<double>&);
-template VectorX<double> interpolate<double>(const Model<double>&, const VectorX<double>&,
-                                             const VectorX<double>&, const double&);
-template VectorX<double> squaredDistance<double>(const Model<double>&, const VectorX<double>&,
-                                                 const VectorX<double>&);
-template double distance<double>(const Model<double>&, const VectorX<double>&, const VectorX<double>&);
-template double distance<double>(const Model<double>&, const VectorX<double>&, const VectorX<double>&,
-                                 const VectorX<double>&);
-template bool isSameConfiguration<double>(const Model<double>&, const VectorX<double>&,
-                                          const VectorX<double>&, const double&);
-template MatrixX<double> dIntegrate<double>(const Model<double>&, const VectorX<double>&,
-                                            const VectorX<double>&, ArgumentPosition);
-template MatrixX<double> dDifference<double>(const Model<double>&, const VectorX<double>&,
-                                             const VectorX<double>&, ArgumentPosition);
-template MatrixX<double> integrateCoeffWiseJacobian<double>(const Model<double>&, const VectorX<double>&);
-template VectorX<double> checkedConfiguration<double>(const Model<double>&, const VectorX<double>&);
-template VectorX<double> checkedTangent<double>(const Model<double>&, const VectorX<double>&);
+template decltype(neutral<double>) neutral<double>;
+template decltype(normalized<double>) normalized<double>;
+template decltype(isNormalized<double>) isNormalized<double>;
+template decltype(integrate<double>) integrate<double>;
+template decltype(difference<double>) difference<double>;
+template decltype(squaredDistance<double>) squaredDistance<double>;
+template decltype(isSameConfiguration<double>) isSameConfiguration<double>;
+template decltype(dIntegrate<double>) dIntegrate<double>;
+template decltype(dDifference<double>) dDifference<double>;
+template decltype(integrateCoeffWiseJacobian<double>) integrateCoeffWiseJacobian<double>;
+template decltype(checkedConfiguration<double>) checkedConfiguration<double>;
+template decltype(checkedTangent<double>) checkedTangent<double>;
 
 }  // namespace liecheck

@@ -79,26 +79,19 @@ bool rotatesAboutAxis(const Joint<S>& joint) {
 }
 
 template <Scalar S>
-int nq(const Joint<S>& joint) {
-  return std::visit([](const auto& j) { return int(j.nq); }, joint);
-}
-template <Scalar S>
-int nv(const Joint<S>& joint) {
-  return std::visit([](const auto& j) { return int(j.nv); }, joint);
-}
-/// The number of columns of the motion subspace.
-template <Scalar S>
-int columns(const Joint<S>& joint) {
-  return std::visit([](const auto& j) { return int(j.columns); }, joint);
-}
-template <Scalar S>
 std::string shortname(const Joint<S>& joint) {
   return std::visit([](const auto& j) { return j.shortname(); }, joint);
 }
-/// The joint with its constants converted to T.
+/// The joint with its constants, if it has any, converted to T.
 template <Scalar T, Scalar S>
 Joint<T> cast(const Joint<S>& joint) {
-  return std::visit([](const auto& j) { return Joint<T>(j.template cast<T>()); }, joint);
+  const auto converted = []<template <Scalar> class J>(const J<S>& j) -> Joint<T> {
+    if constexpr (std::is_empty_v<J<S>>)
+      return J<T>();
+    else
+      return j.template cast<T>();
+  };
+  return std::visit(converted, joint);
 }
 
 }  // namespace liecheck

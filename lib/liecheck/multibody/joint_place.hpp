@@ -6,7 +6,13 @@
 #include <new>
 #include <type_traits>
 
-namespace liecheck::multibody_detail {
+namespace liecheck {
+
+/// A vector argument: the scalar is deduced from the model alone, so any Eigen expression may be passed.
+template <class S>
+using In = const std::type_identity_t<VectorX<S>>&;
+
+namespace multibody_detail {
 
 /// Throws std::invalid_argument with both sizes if they differ.
 inline void checkSize(Eigen::Index actual, int expected, const char* what, const char* dimension) {
@@ -124,4 +130,5 @@ void forEachJoint(const Model<S>& model, F f) {
   for (std::size_t i = 1; i < model.joints.size(); ++i) visitJoint(model, i, f);
 }
 
-}  // namespace liecheck::multibody_detail
+}  // namespace multibody_detail
+}  // namespace liecheck

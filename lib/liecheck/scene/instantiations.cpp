@@ -4,8 +4,7 @@
 #include <liecheck/scene/integrators/registry.hpp>
 
 namespace liecheck::scene {
-template std::unique_ptr<Method<LoneBody<double>>> makeMethod<LoneBody<double>>(const std::string&,
-                                                                                const MethodOptions&);
+template decltype(makeMethod<LoneBody<double>>) makeMethod<LoneBody<double>>;
 template const std::vector<EffectEntry<double>>& effectEntries<double>();
 template const std::vector<EffectEntry<double>>& actuationEntries<double>();
 }  // namespace liecheck::scene

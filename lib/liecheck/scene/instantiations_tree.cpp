@@ -1,6 +1,5 @@
 #include <liecheck/scene/integrators/registry.hpp>
 
 namespace liecheck::scene {
-template std::unique_ptr<Method<Tree<double>>> makeMethod<Tree<double>>(const std::string&,
-                                                                        const MethodOptions&);
+template decltype(makeMethod<Tree<double>>) makeMethod<Tree<double>>;
 }  // namespace liecheck::scene

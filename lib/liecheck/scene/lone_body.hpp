@@ -134,7 +134,6 @@ class LoneBody {
   const Vector3<S>& lever() const { return c_; }    ///< p_BoBcm_B [m]
   const Matrix3<S>& inertia() const { return I_; }  ///< I_C [kg m^2]
   const Matrix3<S>& inertiaInverse() const { return I_inverse_; }
-  bool diagonal() const { return diagonal_; }
 
  private:
   [[gnu::always_inline]] Vector3<S> euler(const Vector3<S>& omega) const {

@@ -21,8 +21,7 @@ enum class Kind {
   Frame,      ///< the name of a frame of the robot
   Frames,
   Joints,  ///< names of joints of the robot, or "all": every joint except free-flyers
-  Choice,  ///< one of the words in `unit`, separated by |
-  Flag     ///< true or false
+  Choice   ///< one of the words in `unit`, separated by |
 };
 
 /// One key. It is required if fallback is null. If fallback is "", it is optional and has no default.
@@ -51,7 +50,6 @@ class Parameters {
   const std::vector<double>& numbers(const std::string& key) const { return at(key).numbers; }
   const std::string& word(const std::string& key) const { return at(key).names.at(0); }
   const std::vector<std::string>& names(const std::string& key) const { return at(key).names; }
-  bool flag(const std::string& key) const { return word(key) == "true"; }
   bool operator==(const Parameters&) const = default;
 
  private:

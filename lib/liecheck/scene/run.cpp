@@ -115,12 +115,6 @@ class Runner {
 
 }  // namespace
 
-std::vector<const PartInfo*> observerInfos() {
-  std::vector<const PartInfo*> all;
-  for (const ObserverEntry& e : observerEntries()) all.push_back(e.info);
-  return all;
-}
-
 std::vector<Column> columnsOf(const Scene& scene) {
   return withSetup(scene, [](auto& setup) { return setup.columns(); });
 }

@@ -26,8 +26,6 @@ struct Plan {
 /// std::invalid_argument if a part does not fit the robot, and SingularInertia for a joint without inertia.
 Plan plan(const Scene& scene, bool measured = false);
 
-/// The schemas of all observers.
-std::vector<const PartInfo*> observerInfos();
 /// The columns of the samples of a run. Throws like plan().
 std::vector<Column> columnsOf(const Scene& scene);
 

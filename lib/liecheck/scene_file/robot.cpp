@@ -85,7 +85,7 @@ Model<double> fromBody(const Text& text, const YAML::Node& robot) {
     model.appendBodyToJoint(index, inertia);
     return model;
   }
-  text.refuse(robot["body"], "no built-in body is named '" + kind + "'" + nearest(kind, names));
+  text.refuse(robot["body"], "no built-in body is named '" + kind + "'" + nearestNames(kind, names));
 }
 
 /// Adds the frames that the scene defines, fixed to frames of the robot.
@@ -232,7 +232,7 @@ void readStart(const Text& text, const YAML::Node& initial, scene::Scene& scene)
           text.refuse(start, "start '" + name + "' sets a velocity that initial gives too: keep one");
       found = true;
     }
-    if (!found) text.refuse(start, "no start is named '" + name + "'" + nearest(name, names));
+    if (!found) text.refuse(start, "no start is named '" + name + "'" + nearestNames(name, names));
   }
   text.at(Text::lineOf(initial), [&] { scene.q = normalized(scene.model, scene.q); });
   if (!scene.v.allFinite()) text.refuse(initial, "the initial velocity is not finite");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <liecheck/scene/observers/registry.hpp>
 #include <liecheck/scene/run.hpp>
 #include <liecheck/scene_file/robot.hpp>
 #include <liecheck/scene_file/values.hpp>
@@ -42,15 +43,14 @@ Request request(const Text& text, const YAML::Node& node, const std::string& wha
     if (name == info->name) return {name, text.parameters(keys, line, name, info->keys, &model), line};
     names.emplace_back(info->name);
   }
-  text.refuse(line, "'" + name + "' is not known in " + what + nearest(name, names));
+  text.refuse(line, "'" + name + "' is not known in " + what + nearestNames(name, names));
 }
 
 std::vector<Request> requests(const Text& text, const YAML::Node& node, const std::string& what,
                               const std::vector<const PartInfo*>& known, const Model<double>& model) {
   std::vector<Request> all;
   if (!node.IsDefined() || node.IsNull() || (node.IsScalar() && node.Scalar() == "none")) return all;
-  if (!node.IsSequence())
-    text.refuse(node, what + " is a list: '- energy' on separate lines, or [energy]");
+  if (!node.IsSequence()) text.refuse(node, what + " is a list: '- energy' on separate lines, or [energy]");
   for (const auto& item : node) all.push_back(request(text, item, what, known, model));
   return all;
 }
@@ -58,12 +58,7 @@ std::vector<Request> requests(const Text& text, const YAML::Node& node, const st
 template <class Entries>
 std::vector<const PartInfo*> infos(const Entries& entries) {
   std::vector<const PartInfo*> all;
-  for (const auto& e : entries) {
-    if constexpr (requires { e.info->name; })
-      all.push_back(e.info);
-    else
-      all.push_back(&e.info);
-  }
+  for (const auto& e : entries) all.push_back(e.info);
   return all;
 }
 
@@ -182,7 +177,7 @@ Scene read(const Text& text, const std::string& content, const std::string& fold
     scene.truth = text.word(root["truth"], "truth");
     if (std::find(closed_forms.begin(), closed_forms.end(), scene.truth) == closed_forms.end())
       text.refuse(root["truth"],
-                  "no closed form is named '" + scene.truth + "'" + nearest(scene.truth, closed_forms));
+                  "no closed form is named '" + scene.truth + "'" + nearestNames(scene.truth, closed_forms));
   }
   readRobot(text, root, folder, scene);
   if (const YAML::Node ground = root["ground"]; ground.IsDefined() && !ground.IsNull()) {
@@ -203,7 +198,8 @@ Scene read(const Text& text, const std::string& content, const std::string& fold
         text.refuse(r.line, "'" + r.name + "' is given twice with the same keys: keep one");
   for (const Request& r : scene.effects)
     text.at(r.line, [&] { return scene::makeEffect<double>(r, scene.model, scene.around); });
-  scene.observers = requests(text, root["observers"], "observers", scene::observerInfos(), scene.model);
+  scene.observers =
+      requests(text, root["observers"], "observers", infos(scene::observerEntries()), scene.model);
   readTime(text, root, scene);
   checkParts(text, root, scene);
   return scene;

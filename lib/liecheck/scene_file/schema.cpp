@@ -1,10 +1,17 @@
 #include <liecheck/scene/bodies.hpp>
-#include <liecheck/scene/run.hpp>
+#include <liecheck/scene/observers/registry.hpp>
 #include <liecheck/scene/starts.hpp>
 #include <liecheck/scene_file/scene_file.hpp>
 
 namespace liecheck {
 namespace {
+
+/// Replaces bars, since a bar would end the cell of the table.
+std::string withoutBars(const std::string& text, const std::string& replacement) {
+  std::string replaced;
+  for (const char c : text) replaced += c == '|' ? replacement : std::string(1, c);
+  return replaced;
+}
 
 std::string keyed(const scene::PartInfo& info) {
   std::string text;
@@ -19,43 +26,34 @@ std::string keyed(const scene::PartInfo& info) {
     if (!key.fallback) text += " required";
     if (*key.meaning) text += std::string(", ") + key.meaning;
   }
-  std::string escaped;  // a bar would end the cell
-  for (const char c : text) escaped += c == '|' ? std::string(" or ") : std::string(1, c);
-  return escaped.empty() ? "none" : escaped;
-}
-
-/// Escapes bars, since a bar would end the cell of the table.
-std::string cell(const char* text) {
-  std::string escaped;
-  for (; *text; ++text) escaped += *text == '|' ? std::string("\\|") : std::string(1, *text);
-  return escaped;
+  return text.empty() ? "none" : withoutBars(text, " or ");
 }
 
 std::string row(const scene::PartInfo& info) {
-  return std::string("| `") + info.name + "` | " + cell(info.equation) + (*info.energy ? "; " : "") +
-         cell(info.energy) + " | " + keyed(info) + " |\n";
+  const std::string what = std::string(info.equation) + (*info.energy ? "; " : "") + info.energy;
+  return std::string("| `") + info.name + "` | " + withoutBars(what, "\\|") + " | " + keyed(info) + " |\n";
 }
 
-template <class Infos>
-std::string table(const std::string& title, const Infos& infos) {
+std::string row(const scene::PartInfo* info) {
+  return row(*info);
+}
+
+template <class Entries>
+std::string table(const std::string& title, const Entries& entries) {
   std::string text =
       "### " + title + "\n\n| name | what | keys [unit], with their defaults |\n|---|---|---|\n";
-  for (const auto& info : infos) text += row(info);
+  for (const auto& e : entries) text += row(e.info);
   return text + "\n";
 }
 
 }  // namespace
 
 std::string sceneSchema() {
-  std::vector<scene::PartInfo> bodies, starts, effects, actuations, observers;
-  for (const auto& e : scene::bodyEntries()) bodies.push_back(e.info);
-  for (const auto& e : scene::startEntries()) starts.push_back(e.info);
-  for (const auto& e : scene::effectEntries<double>()) effects.push_back(*e.info);
-  for (const auto& e : scene::actuationEntries<double>()) actuations.push_back(*e.info);
-  for (const auto* e : scene::observerInfos()) observers.push_back(*e);
-  std::string text = table("robot: {body: NAME, ...}", bodies) +
-                     table("initial: {start: NAME, ...}", starts) + table("effects", effects) +
-                     table("actuation", actuations) + table("observers", observers);
+  std::string text = table("robot: {body: NAME, ...}", scene::bodyEntries()) +
+                     table("initial: {start: NAME, ...}", scene::startEntries()) +
+                     table("effects", scene::effectEntries<double>()) +
+                     table("actuation", scene::actuationEntries<double>()) +
+                     table("observers", scene::observerEntries());
   text +=
       "### integrator: {name: NAME, step: ...}\n\n| name | order | evaluations | what | source "
       "|\n|---|---|---|---|---|\n";

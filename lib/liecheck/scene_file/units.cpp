@@ -19,45 +19,34 @@ struct Unit {
 };
 struct Symbol {
   const char* name;
-  Unit unit;
+  double factor;
+  Dimension dimension;
 };
 
 const std::vector<Symbol>& symbols() {
   constexpr double degree = std::numbers::pi / 180, turn = 2 * std::numbers::pi;
-  static const std::vector<Symbol> all = {{"m", {1, {2, 0, 0, 0}}},
-                                          {"km", {1e3, {2, 0, 0, 0}}},
-                                          {"cm", {1e-2, {2, 0, 0, 0}}},
-                                          {"mm", {1e-3, {2, 0, 0, 0}}},
-                                          {"um", {1e-6, {2, 0, 0, 0}}},
-                                          {"kg", {1, {0, 2, 0, 0}}},
-                                          {"g", {1e-3, {0, 2, 0, 0}}},
-                                          {"t", {1e3, {0, 2, 0, 0}}},
-                                          {"s", {1, {0, 0, 2, 0}}},
-                                          {"ms", {1e-3, {0, 0, 2, 0}}},
-                                          {"us", {1e-6, {0, 0, 2, 0}}},
-                                          {"min", {60, {0, 0, 2, 0}}},
-                                          {"h", {3600, {0, 0, 2, 0}}},
-                                          {"rad", {1, {0, 0, 0, 2}}},
-                                          {"mrad", {1e-3, {0, 0, 0, 2}}},
-                                          {"deg", {degree, {0, 0, 0, 2}}},
-                                          {"turn", {turn, {0, 0, 0, 2}}},
-                                          {"rpm", {turn / 60, {0, 0, -2, 2}}},
-                                          {"N", {1, {2, 2, -4, 0}}},
-                                          {"kN", {1e3, {2, 2, -4, 0}}},
-                                          {"mN", {1e-3, {2, 2, -4, 0}}},
-                                          {"Pa", {1, {-2, 2, -4, 0}}},
-                                          {"Hz", {1, {0, 0, -2, 0}}},
-                                          {"sqrt(Hz)", {1, {0, 0, -1, 0}}},
-                                          {"l", {1e-3, {6, 0, 0, 0}}},
-                                          {"%", {1e-2, {}}},
-                                          {"1", {1, {}}}};
+  constexpr Dimension none{}, m{2}, kg{0, 2}, s{0, 0, 2}, rad{0, 0, 0, 2}, N{2, 2, -4}, Hz{0, 0, -2};
+  static const std::vector<Symbol> all = {{"m", 1, m},         {"km", 1e3, m},
+                                          {"cm", 1e-2, m},     {"mm", 1e-3, m},
+                                          {"um", 1e-6, m},     {"kg", 1, kg},
+                                          {"g", 1e-3, kg},     {"t", 1e3, kg},
+                                          {"s", 1, s},         {"ms", 1e-3, s},
+                                          {"us", 1e-6, s},     {"min", 60, s},
+                                          {"h", 3600, s},      {"rad", 1, rad},
+                                          {"mrad", 1e-3, rad}, {"deg", degree, rad},
+                                          {"turn", turn, rad}, {"rpm", turn / 60, {0, 0, -2, 2}},
+                                          {"N", 1, N},         {"kN", 1e3, N},
+                                          {"mN", 1e-3, N},     {"Pa", 1, {-2, 2, -4}},
+                                          {"Hz", 1, Hz},       {"sqrt(Hz)", 1, {0, 0, -1}},
+                                          {"l", 1e-3, {6}},    {"%", 1e-2, none},
+                                          {"1", 1, none}};
   return all;
 }
 
 Unit symbolNamed(const std::string& name, const std::string& text) {
   std::vector<std::string> names;
   for (const Symbol& s : symbols()) {
-    if (name == s.name) return s.unit;
+    if (name == s.name) return {s.factor, s.dimension};
     names.emplace_back(s.name);
   }
   throw std::invalid_argument("unknown unit '" + name + "' in '" + text + "'" +
@@ -98,6 +87,16 @@ Unit parseUnit(const std::string& text) {
 
 }  // namespace
 
+std::vector<std::string> alternatives(const std::string& joined) {
+  std::vector<std::string> all;
+  for (std::size_t at = 0; at <= joined.size();) {
+    const std::size_t bar = std::min(joined.find('|', at), joined.size());
+    all.push_back(joined.substr(at, bar - at));
+    at = bar + 1;
+  }
+  return all;
+}
+
 double parseQuantity(const std::string& text, const std::string& unit) {
   double value = 0;
   const char* begin = text.data();
@@ -113,14 +112,11 @@ double parseQuantity(const std::string& text, const std::string& unit) {
   if (!std::isfinite(value)) throw std::invalid_argument("'" + text + "' is not finite: write " + wanted);
   if (rest.empty()) return value;
   const Unit given = parseUnit(rest);
-  for (std::size_t at = 0; at <= unit.size();) {
-    const std::size_t bar = std::min(unit.find('|', at), unit.size());
-    if (given.dimension == parseUnit(unit.substr(at, bar - at)).dimension) {
-      value *= given.factor;
-      if (!std::isfinite(value)) throw std::invalid_argument("'" + text + "' is outside the range of double");
-      return value;
-    }
-    at = bar + 1;
+  for (const std::string& expected : alternatives(unit)) {
+    if (given.dimension != parseUnit(expected).dimension) continue;
+    value *= given.factor;
+    if (!std::isfinite(value)) throw std::invalid_argument("'" + text + "' is outside the range of double");
+    return value;
   }
   throw std::invalid_argument("'" + rest + "' is not a unit of this quantity: write " + wanted);
 }

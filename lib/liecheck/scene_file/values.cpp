@@ -1,7 +1,6 @@
 #include <liecheck/scene_file/values.hpp>
 
 #include <algorithm>
-#include <liecheck/multibody/nearest_names.hpp>
 #include <liecheck/scene_file/scene_error.hpp>
 #include <liecheck/scene_file/units.hpp>
 #include <set>
@@ -26,21 +25,7 @@ std::string kindOf(const YAML::Node& node) {
   }
 }
 
-std::vector<std::string> words(const std::string& joined) {
-  std::vector<std::string> all;
-  for (std::size_t at = 0; at <= joined.size();) {
-    const std::size_t bar = std::min(joined.find('|', at), joined.size());
-    all.push_back(joined.substr(at, bar - at));
-    at = bar + 1;
-  }
-  return all;
-}
-
 }  // namespace
-
-std::string nearest(const std::string& wanted, const std::vector<std::string>& names) {
-  return multibody_detail::nearestNames(wanted, names);
-}
 
 void Text::refuse(int line, const std::string& what) const {
   throw SceneError(file_, line, what);
@@ -58,7 +43,7 @@ void Text::checkKeys(const YAML::Node& node, const std::string& what,
     if (!entry.first.IsScalar()) refuse(entry.first, "a key of " + what + " is " + kindOf(entry.first));
     const std::string key = entry.first.Scalar();
     if (std::find(keys.begin(), keys.end(), key) == keys.end())
-      refuse(entry.first, what + " has no key '" + key + "'" + nearest(key, keys));
+      refuse(entry.first, what + " has no key '" + key + "'" + nearestNames(key, keys));
     if (!seen.insert(key).second)
       refuse(entry.first, "key '" + key + "' of " + what + " is given twice: keep one");
   }
@@ -103,14 +88,12 @@ std::vector<double> Text::numbers(const YAML::Node& node, const std::string& wha
 Value Text::value(const YAML::Node& node, const std::string& what, const Key& key,
                   const Model<double>* model) const {
   Value v;
-  const auto frame = [&](const YAML::Node& n) {
+  const auto addName = [&](const YAML::Node& n) {
     const std::string name = word(n, what);
-    if (model) at(lineOf(n), [&] { return model->requireFrameId(name); });
-    v.names.push_back(name);
-  };
-  const auto joint = [&](const YAML::Node& n) {
-    const std::string name = word(n, what);
-    if (model && name != "all") at(lineOf(n), [&] { return model->requireJointId(name); });
+    if (model && key.kind != Kind::Joints)
+      at(lineOf(n), [&] { return model->requireFrameId(name); });
+    else if (model && name != "all")
+      at(lineOf(n), [&] { return model->requireJointId(name); });
     v.names.push_back(name);
   };
   switch (key.kind) {
@@ -136,26 +119,25 @@ Value Text::value(const YAML::Node& node, const std::string& what, const Key& ke
                    what + "[" + std::to_string(i) + "] is not after the time before it: times must increase");
       break;
     case Kind::Frame:
-      frame(node);
+      addName(node);
       break;
     case Kind::Frames:
     case Kind::Joints:
       if (node.IsSequence()) {
-        for (const auto& n : node) key.kind == Kind::Frames ? frame(n) : joint(n);
+        for (const auto& n : node) addName(n);
         if (v.names.empty()) refuse(node, what + " is an empty list");
         for (std::size_t i = 1; i < v.names.size(); ++i)
           if (std::find(v.names.begin(), v.names.begin() + long(i), v.names[i]) != v.names.begin() + long(i))
             refuse(node, what + " names '" + v.names[i] + "' twice: keep one");
       } else {
-        key.kind == Kind::Frames ? frame(node) : joint(node);
+        addName(node);
       }
       break;
-    case Kind::Choice:
-    case Kind::Flag: {
-      const auto choices = words(key.kind == Kind::Flag ? "true|false" : key.unit);
+    case Kind::Choice: {
+      const auto choices = alternatives(key.unit);
       v.names = {word(node, what)};
       if (std::find(choices.begin(), choices.end(), v.names[0]) == choices.end())
-        refuse(node, what + " is '" + v.names[0] + "'" + nearest(v.names[0], choices));
+        refuse(node, what + " is '" + v.names[0] + "'" + nearestNames(v.names[0], choices));
       break;
     }
   }

@@ -3,11 +3,14 @@
 
 #include <yaml-cpp/yaml.h>
 #include <liecheck/multibody/model.hpp>
+#include <liecheck/multibody/nearest_names.hpp>
 #include <liecheck/scene/parameters.hpp>
 #include <string>
 #include <vector>
 
 namespace liecheck::scene_file_detail {
+
+using multibody_detail::nearestNames;
 
 /// Reads the nodes of one scene file. Its messages begin with FILE:LINE.
 class Text {
@@ -51,8 +54,5 @@ class Text {
                      const Model<double>* model) const;
   std::string file_;
 };
-
-/// nearestNames of multibody/nearest_names.hpp.
-std::string nearest(const std::string& wanted, const std::vector<std::string>& names);
 
 }  // namespace liecheck::scene_file_detail

@@ -6,21 +6,20 @@
 
 namespace liecheck {
 
-template <Scalar S>
-class Force;
-
-template <Scalar S>
-class Motion {
+/// The two parts of a Motion or a Force V, and its operations as a vector of 6 numbers.
+template <class V, Scalar S>
+class SpatialVector {
  public:
   /// Uninitialised: NaN in debug.
-  Motion() {
+  SpatialVector() {
     mark_uninitialised(linear_);
     mark_uninitialised(angular_);
   }
-  Motion(const Vector3<S>& linear, const Vector3<S>& angular) : linear_(linear), angular_(angular) {}
-  explicit Motion(const Vector6<S>& v) : linear_(v.template head<3>()), angular_(v.template tail<3>()) {}
+  SpatialVector(const Vector3<S>& linear, const Vector3<S>& angular) : linear_(linear), angular_(angular) {}
+  explicit SpatialVector(const Vector6<S>& v)
+      : linear_(v.template head<3>()), angular_(v.template tail<3>()) {}
 
-  static Motion Zero() { return Motion(Vector3<S>::Zero(), Vector3<S>::Zero()); }
+  static V Zero() { return V(Vector3<S>::Zero(), Vector3<S>::Zero()); }
 
   const Vector3<S>& linear() const { return linear_; }
   const Vector3<S>& angular() const { return angular_; }
@@ -31,24 +30,35 @@ class Motion {
     return v;
   }
 
-  Motion operator+(const Motion& o) const { return {linear_ + o.linear_, angular_ + o.angular_}; }
-  Motion operator-(const Motion& o) const { return {linear_ - o.linear_, angular_ - o.angular_}; }
-  Motion operator-() const { return {-linear_, -angular_}; }
-  Motion operator*(const S& s) const { return {linear_ * s, angular_ * s}; }
+  V operator+(const V& o) const { return {linear_ + o.linear(), angular_ + o.angular()}; }
+  V operator-(const V& o) const { return {linear_ - o.linear(), angular_ - o.angular()}; }
+  V operator-() const { return {-linear_, -angular_}; }
+  V operator*(const S& s) const { return {linear_ * s, angular_ * s}; }
+
+ private:
+  Vector3<S> linear_, angular_;
+};
+
+template <Scalar S>
+class Force;
+
+template <Scalar S>
+class Motion : public SpatialVector<Motion<S>, S> {
+  using Base = SpatialVector<Motion<S>, S>;
+
+ public:
+  using Base::Base, Base::linear, Base::angular;
 
   /// ad_V W = (omega_V x u_W + u_V x omega_W, omega_V x omega_W). Featherstone (2008), eq. 2.31.
   Motion cross(const Motion& W) const {
-    return {liecheck::cross(angular_, W.linear_) + liecheck::cross(linear_, W.angular_),
-            liecheck::cross(angular_, W.angular_)};
+    return {liecheck::cross(angular(), W.linear()) + liecheck::cross(linear(), W.angular()),
+            liecheck::cross(angular(), W.angular())};
   }
   /// ad_V* F = -ad_V^T F = (omega x f, omega x n + u x f). Featherstone (2008), eq. 2.32.
   Force<S> cross(const Force<S>& F) const;
 
   /// Power F^T V [W]: the same in every frame.
   S dot(const Force<S>& F) const;
-
- private:
-  Vector3<S> linear_, angular_;
 };
 
 }  // namespace liecheck

@@ -1,3 +1,4 @@
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <liecheck/urdf/attributes.hpp>
@@ -8,44 +9,31 @@ namespace {
 
 using tinyxml2::XMLAttribute, tinyxml2::XMLElement;
 
-/// An attribute that holds `count` numbers. Only elements below link, joint and material are checked, since
-/// extensions of other programs may use the same names elsewhere.
-struct NumericAttribute {
-  std::string_view element, attribute;
+/// Attributes of one element that hold `count` numbers each. Only elements below link, joint and material are
+/// checked, since extensions of other programs may use the same names elsewhere.
+struct NumericAttributes {
+  std::string_view element;
+  std::array<const char*, 6> names;  ///< null after the last
   int count;
   bool required;
 };
-constexpr NumericAttribute numeric_attributes[] = {
-    {"origin", "xyz", 3, false},
-    {"origin", "rpy", 3, false},
-    {"axis", "xyz", 3, true},
-    {"mass", "value", 1, true},
-    {"inertia", "ixx", 1, true},
-    {"inertia", "ixy", 1, true},
-    {"inertia", "ixz", 1, true},
-    {"inertia", "iyy", 1, true},
-    {"inertia", "iyz", 1, true},
-    {"inertia", "izz", 1, true},
-    {"limit", "lower", 1, false},
-    {"limit", "upper", 1, false},
-    {"limit", "effort", 1, true},
-    {"limit", "velocity", 1, true},
-    {"dynamics", "damping", 1, false},
-    {"dynamics", "friction", 1, false},
-    {"mimic", "multiplier", 1, false},
-    {"mimic", "offset", 1, false},
-    {"box", "size", 3, true},
-    {"sphere", "radius", 1, true},
-    {"cylinder", "radius", 1, true},
-    {"cylinder", "length", 1, true},
-    {"mesh", "scale", 3, false},
-    {"color", "rgba", 4, true},
-    {"calibration", "rising", 1, false},
-    {"calibration", "falling", 1, false},
-    {"safety_controller", "soft_lower_limit", 1, false},
-    {"safety_controller", "soft_upper_limit", 1, false},
-    {"safety_controller", "k_position", 1, false},
-    {"safety_controller", "k_velocity", 1, true},
+constexpr NumericAttributes numeric_attributes[] = {
+    {"origin", {"xyz", "rpy"}, 3, false},
+    {"axis", {"xyz"}, 3, true},
+    {"mass", {"value"}, 1, true},
+    {"inertia", {"ixx", "ixy", "ixz", "iyy", "iyz", "izz"}, 1, true},
+    {"limit", {"lower", "upper"}, 1, false},
+    {"limit", {"effort", "velocity"}, 1, true},
+    {"dynamics", {"damping", "friction"}, 1, false},
+    {"mimic", {"multiplier", "offset"}, 1, false},
+    {"box", {"size"}, 3, true},
+    {"sphere", {"radius"}, 1, true},
+    {"cylinder", {"radius", "length"}, 1, true},
+    {"mesh", {"scale"}, 3, false},
+    {"color", {"rgba"}, 4, true},
+    {"calibration", {"rising", "falling"}, 1, false},
+    {"safety_controller", {"soft_lower_limit", "soft_upper_limit", "k_position"}, 1, false},
+    {"safety_controller", {"k_velocity"}, 1, true},
 };
 
 std::optional<double> oneNumber(std::string_view text) {
@@ -56,12 +44,13 @@ std::optional<double> oneNumber(std::string_view text) {
   return value;
 }
 
-void check(const XMLElement& e, const NumericAttribute& n, const Messages& messages) {
+void check(const XMLElement& e, const std::string& attribute, const NumericAttributes& n,
+           const Messages& messages) {
   const auto refuse = [&](int line, const std::string& why, const char* value) {
-    messages.refuse(line, "<" + std::string(n.element) + "> " + std::string(n.attribute) + why, value);
+    messages.refuse(line, "<" + std::string(n.element) + "> " + attribute + why, value);
   };
   for (const XMLAttribute* a = e.FirstAttribute(); a; a = a->Next()) {
-    if (a->Name() != n.attribute) continue;
+    if (a->Name() != attribute) continue;
     const auto values = numbersIn(a->Value());
     if (!values) refuse(a->GetLineNum(), " does not hold finite numbers", a->Value());
     if (int(values->size()) != n.count)
@@ -92,8 +81,9 @@ std::optional<std::vector<double>> numbersIn(std::string_view text) {
 void checkNumbersBelow(const XMLElement& e, const Messages& messages) {
   for (const XMLElement* child = e.FirstChildElement(); child; child = child->NextSiblingElement()) {
     const std::string_view element = child->Value();
-    for (const NumericAttribute& n : numeric_attributes)
-      if (element == n.element) check(*child, n, messages);
+    for (const NumericAttributes& n : numeric_attributes)
+      for (const char* name : n.names)
+        if (element == n.element && name) check(*child, name, n, messages);
     checkNumbersBelow(*child, messages);
   }
 }

@@ -58,11 +58,6 @@ struct FreeFlyer {
     return X_PJ * SE3<S>(SO3<S>(Vector4<S>(q.template tail<4>())), q.template head<3>());
   }
   static Subspace subspace() { return Subspace::Identity(); }
-
-  template <Scalar T>
-  FreeFlyer<T> cast() const {
-    return {};
-  }
 };
 
 }  // namespace liecheck

@@ -21,11 +21,7 @@ struct Helical : LinearCoordinates<S, 1> {
     return SE3<S>(Revolute<S>(axis).transform(X_PJ, q).rotation(), X_PJ.act(p));
   }
   /// (pitch axis, axis).
-  Vector6<S> subspace() const {
-    Vector6<S> s;
-    s << pitch * axis.to_vector(), axis.to_vector();
-    return s;
-  }
+  Vector6<S> subspace() const { return Motion<S>(pitch * axis.to_vector(), axis.to_vector()).to_vector(); }
 
   std::string shortname() const { return axis.shortname("JointModelH", "JointModelHelicalUnaligned"); }
   template <Scalar T>

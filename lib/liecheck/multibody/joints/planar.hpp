@@ -84,11 +84,6 @@ struct Planar {
     return s;
   }
 
-  template <Scalar T>
-  Planar<T> cast() const {
-    return {};
-  }
-
  private:
   using Vector2 = Eigen::Matrix<S, 2, 1>;
   static Vector6<S> inSpace(const Tangent& d) {

@@ -18,11 +18,7 @@ struct Prismatic : LinearCoordinates<S, 1> {
     return SE3<S>(X_PJ.rotation(), X_PJ.act(Vector3<S>(q[0] * axis.to_vector())));
   }
   /// (axis, 0).
-  Vector6<S> subspace() const {
-    Vector6<S> s;
-    s << axis.to_vector(), Vector3<S>::Zero();
-    return s;
-  }
+  Vector6<S> subspace() const { return Motion<S>(axis.to_vector(), Vector3<S>::Zero()).to_vector(); }
 
   std::string shortname() const { return axis.shortname("JointModelP", "JointModelPrismaticUnaligned"); }
   template <Scalar T>

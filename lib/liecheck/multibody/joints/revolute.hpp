@@ -19,11 +19,7 @@ struct Revolute : LinearCoordinates<S, 1> {
     return SE3<S>(axis.rotated(X_PJ.rotation(), S(cos(q[0])), S(sin(q[0]))), X_PJ.translation());
   }
   /// (0, axis).
-  Vector6<S> subspace() const {
-    Vector6<S> s;
-    s << Vector3<S>::Zero(), axis.to_vector();
-    return s;
-  }
+  Vector6<S> subspace() const { return Motion<S>(Vector3<S>::Zero(), axis.to_vector()).to_vector(); }
 
   std::string shortname() const { return axis.shortname("JointModelR", "JointModelRevoluteUnaligned"); }
   template <Scalar T>

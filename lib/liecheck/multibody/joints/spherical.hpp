@@ -53,11 +53,6 @@ struct Spherical {
     return s;
   }
 
-  template <Scalar T>
-  Spherical<T> cast() const {
-    return {};
-  }
-
  private:
   static Vector7<S> pose(const Configuration& Q) {
     Vector7<S> q;

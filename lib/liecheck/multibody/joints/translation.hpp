@@ -16,10 +16,6 @@ struct Translation : LinearCoordinates<S, 3> {
   static Eigen::Matrix<S, 6, 3> subspace() { return Eigen::Matrix<S, 6, 3>::Identity(); }
 
   std::string shortname() const { return "JointModelTranslation"; }
-  template <Scalar T>
-  Translation<T> cast() const {
-    return {};
-  }
 };
 
 }  // namespace liecheck

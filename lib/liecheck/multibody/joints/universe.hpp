@@ -11,10 +11,6 @@ struct Universe : LinearCoordinates<S, 0> {
   static SE3<S> transform(const SE3<S>& X_PJ, const Eigen::Matrix<S, 0, 1>&) { return X_PJ; }
   static Eigen::Matrix<S, 6, 0> subspace() { return {}; }
   std::string shortname() const { return "universe"; }
-  template <Scalar T>
-  Universe<T> cast() const {
-    return {};
-  }
 };
 
 }  // namespace liecheck

@@ -37,7 +37,6 @@ class Contact final : public Effect<S> {
   }
   Acts acts() const override { return Acts::OnBodies; }
   Kinematics needs() const override { return Kinematics::Velocities; }
-  bool dependsOnVelocity() const override { return true; }
   void add(const Now<S>& now, const Load<S>& load) const override {
     for (const Spot<S>& point : points_) {
       const SE3<S>& X = now.X_WJ[point.joint];

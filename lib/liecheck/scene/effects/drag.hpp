@@ -26,7 +26,6 @@ class Drag final : public Effect<S> {
         k2_(S(p.number("angular_quadratic"))) {}
   Acts acts() const override { return Acts::OnBodies; }
   Kinematics needs() const override { return Kinematics::Velocities; }
-  bool dependsOnVelocity() const override { return true; }
   void add(const Now<S>& now, const Load<S>& load) const override {
     const Motion<S> V = spot_.velocity(now);
     using std::sqrt;

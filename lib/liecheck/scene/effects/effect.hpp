@@ -39,8 +39,6 @@ class Effect {
   virtual ~Effect() = default;
   virtual Acts acts() const = 0;
   virtual Kinematics needs() const { return Kinematics::None; }
-  /// True if the force depends on velocities.
-  virtual bool dependsOnVelocity() const { return false; }
   /// Sets gravity or armature, for effects that act on the model.
   virtual void prepare(Model<S>&) const {}
   virtual void add(const Now<S>&, const Load<S>&) const {}

@@ -21,7 +21,6 @@ class JointDamping final : public Effect<S> {
       terms_.emplace_back(c.v, p.has("coefficient") ? S(p.number("coefficient")) : model.damping[c.v]);
   }
   Acts acts() const override { return Acts::OnJoints; }
-  bool dependsOnVelocity() const override { return true; }
   void add(const Now<S>& now, const Load<S>& load) const override {
     for (const auto& [k, d] : terms_) load.tau[std::size_t(k)] -= d * now.v[std::size_t(k)];
   }

@@ -26,7 +26,6 @@ class JointLimits final : public Effect<S> {
     }
   }
   Acts acts() const override { return Acts::OnJoints; }
-  bool dependsOnVelocity() const override { return c_ > S(0); }
   void add(const Now<S>& now, const Load<S>& load) const override {
     for (const Limited& j : at_) {
       const S& q = now.q[std::size_t(j.at.q)];

@@ -29,7 +29,6 @@ class PdControl final : public Effect<S> {
       target_.push_back(S(target[target.size() == 1 ? 0 : i])), limit_.push_back(model.effortLimit[at_[i].v]);
   }
   Acts acts() const override { return Acts::OnJoints; }
-  bool dependsOnVelocity() const override { return d_ > S(0); }
   void add(const Now<S>& now, const Load<S>& load) const override {
     for (std::size_t i = 0; i < at_.size(); ++i) {
       const std::size_t k = std::size_t(at_[i].v);

@@ -61,13 +61,41 @@ struct GaussPoints {
   }
 };
 
-/// I is a type with the method's info.
-template <System Sys, int s, class I>
+/// The properties of the method with s Gauss points.
+template <int s>
+inline constexpr MethodInfo collocation_info{};
+/// The implicit midpoint rule on the group, where J_r^-1(delta/2) v = v.
+///   v_m = v0 + h/2 a(q0 exp(h v_m/2), v_m),   q1 = q0 exp(h v_m),   v1 = 2 v_m - v0
+/// It is symmetric, its own inverse under h -> -h: the energy of a reversible motion does not drift.
+template <>
+inline constexpr MethodInfo collocation_info<1>{
+    .name = "implicit_midpoint",
+    .order = 2,
+    .equation = "v_m = v0 + h/2 a(q0 exp(h v_m/2), v_m), q1 = q0 exp(h v_m)",
+    .source = "Hairer, Lubich & Wanner 2006, II.1.3",
+    .increments = true,
+    .preserves_energy = true};
+template <>
+inline constexpr MethodInfo collocation_info<3>{
+    .name = "gauss6",
+    .order = 6,
+    .equation = "collocation of (delta, v) at 3 Gauss points, q1 = q0 exp(delta)",
+    .source = "Butcher 1964, Implicit Runge-Kutta processes; Munthe-Kaas 1999",
+    .increments = true};
+template <>
+inline constexpr MethodInfo collocation_info<6>{
+    .name = "gauss12",
+    .order = 12,
+    .equation = "collocation of (delta, v) at 6 Gauss points, q1 = q0 exp(delta)",
+    .source = "Butcher 1964, Implicit Runge-Kutta processes; Munthe-Kaas 1999",
+    .increments = true};
+
+template <System Sys, int s>
 class Collocation final : public Method<Sys> {
  public:
   using S = typename Sys::Scalar;
   using Tangent = typename Sys::Tangent;
-  const MethodInfo& what() const override { return I::info; }
+  const MethodInfo& what() const override { return collocation_info<s>; }
   MethodCounts counts() const override { return counts_; }
   void begin(Sys&, const State<Sys>& state) override {
     q_ = state.q, delta_ = v_ = K_new_ = A_new_ = state.v;
@@ -97,8 +125,8 @@ class Collocation final : public Method<Sys> {
       if (change == S(0) || (change <= S(64) * eps<S>() * scale && !(change < before) && ++settled == 2))
         break;
       if (k == limit || !finite<S>(change))
-        throw StepFailed(std::string(I::info.name) + " did not converge in " + std::to_string(k + 1) +
-                         " iterations: take a smaller step");
+        throw StepFailed(std::string(collocation_info<s>.name) + " did not converge in " +
+                         std::to_string(k + 1) + " iterations: take a smaller step");
       before = change;
     }
     sum(g.b, h, delta_, v_);
@@ -138,5 +166,12 @@ class Collocation final : public Method<Sys> {
   bool has_last_ = false;
   MethodCounts counts_;
 };
+
+template <System Sys>
+using ImplicitMidpoint = Collocation<Sys, 1>;
+template <System Sys>
+using Gauss6 = Collocation<Sys, 3>;
+template <System Sys>
+using Gauss12 = Collocation<Sys, 6>;
 
 }  // namespace liecheck::scene

@@ -14,15 +14,11 @@ template <System Sys>
 class CommutatorFree4 final : public Method<Sys> {
  public:
   using S = typename Sys::Scalar;
-  static constexpr MethodInfo info{"cf4",
-                                   4,
-                                   4,
-                                   false,
-                                   false,
-                                   false,
-                                   false,
-                                   "q1 = q0 exp((3k1+2k2+2k3-k4)/12) exp((-k1+2k2+2k3+3k4)/12)",
-                                   "Celledoni, Marthinsen & Owren 2003, sec. 4"};
+  static constexpr MethodInfo info{.name = "cf4",
+                                   .order = 4,
+                                   .evaluations = 4,
+                                   .equation = "q1 = q0 exp((3k1+2k2+2k3-k4)/12) exp((-k1+2k2+2k3+3k4)/12)",
+                                   .source = "Celledoni, Marthinsen & Owren 2003, sec. 4"};
   const MethodInfo& what() const override { return info; }
   void begin(Sys&, const State<Sys>& state) override {
     q2_ = q_ = state.q;

@@ -31,16 +31,13 @@ template <System Sys>
 class Dopri5 final : public Method<Sys> {
  public:
   using S = typename Sys::Scalar;
-  static constexpr MethodInfo info{"dopri5",
-                                   5,
-                                   0,
-                                   true,
-                                   false,
-                                   false,
-                                   false,
-                                   "embedded 5(4) for (delta, v), error estimated in the tangent space",
-                                   "Dormand & Prince 1980; Munthe-Kaas 1999",
-                                   true};
+  static constexpr MethodInfo info{
+      .name = "dopri5",
+      .order = 5,
+      .equation = "embedded 5(4) for (delta, v), error estimated in the tangent space",
+      .source = "Dormand & Prince 1980; Munthe-Kaas 1999",
+      .increments = true,
+      .adaptive = true};
   explicit Dopri5(const MethodOptions& options) : tolerance_(options.tolerance), stop_(options.stop) {}
   const MethodInfo& what() const override { return info; }
   MethodCounts counts() const override { return counts_; }

@@ -13,14 +13,13 @@ namespace liecheck::scene {
 struct MethodInfo {
   const char* name;
   int order;
-  int evaluations;          ///< of the acceleration, per step; 0 if not fixed
-  bool adaptive;            ///< chooses its steps by a tolerance
-  bool preserves_energy;    ///< the energy error oscillates without drift
-  bool preserves_momentum;  ///< the spatial momentum of a free body is constant up to rounding
-  bool lone_body_only;
-  const char* equation;
-  const char* source;
-  bool increments = false;  ///< each stage computes J_r^-1 of its increment
+  int evaluations = 0;  ///< of the acceleration, per step; 0 if not fixed
+  const char *equation, *source;
+  bool increments = false;          ///< each stage computes J_r^-1 of its increment
+  bool adaptive = false;            ///< chooses its steps by a tolerance
+  bool preserves_energy = false;    ///< the energy error oscillates without drift
+  bool preserves_momentum = false;  ///< the spatial momentum of a free body is constant up to rounding
+  bool lone_body_only = false;
 };
 
 /// A step that failed. what() is the reason, without the time.

@@ -10,9 +10,11 @@ template <System Sys>
 class QuaternionRk4 final : public Method<Sys> {
  public:
   using S = typename Sys::Scalar;
-  static constexpr MethodInfo info{
-      "quaternion_rk4", 4, 4, false, false, false, false, "classical Runge-Kutta on (q, v), q := q/|q|",
-      "Kutta 1901"};
+  static constexpr MethodInfo info{.name = "quaternion_rk4",
+                                   .order = 4,
+                                   .evaluations = 4,
+                                   .equation = "classical Runge-Kutta on (q, v), q := q/|q|",
+                                   .source = "Kutta 1901"};
   const MethodInfo& what() const override { return info; }
   void begin(Sys&, const State<Sys>& state) override {
     q_ = r1_ = r2_ = r3_ = r4_ = state.q;

@@ -1,18 +1,13 @@
 #pragma once
-// The list of methods. A new one needs its own file and an entry here.
+// The lists of methods. A new one needs a file, or a tableau in runge_kutta.hpp, and an entry in both lists.
 
 #include <liecheck/multibody/nearest_names.hpp>
+#include <liecheck/scene/integrators/collocation.hpp>
 #include <liecheck/scene/integrators/commutator_free4.hpp>
 #include <liecheck/scene/integrators/dopri5.hpp>
 #include <liecheck/scene/integrators/euler.hpp>
-#include <liecheck/scene/integrators/gauss12.hpp>
-#include <liecheck/scene/integrators/gauss6.hpp>
-#include <liecheck/scene/integrators/implicit_midpoint.hpp>
 #include <liecheck/scene/integrators/quaternion_rk4.hpp>
-#include <liecheck/scene/integrators/rk2.hpp>
-#include <liecheck/scene/integrators/rkmk4.hpp>
-#include <liecheck/scene/integrators/rkmk6.hpp>
-#include <liecheck/scene/integrators/semi_implicit_euler.hpp>
+#include <liecheck/scene/integrators/runge_kutta.hpp>
 #include <liecheck/scene/integrators/variational.hpp>
 #include <liecheck/scene/tree.hpp>
 #include <memory>
@@ -23,12 +18,11 @@ namespace liecheck::scene {
 /// All methods, the simplest first.
 inline const std::vector<MethodInfo>& methodInfos() {
   using Any = LoneBody<double>;
-  static const std::vector<MethodInfo> all = {Euler<Any>::info,          SemiImplicitEuler<Any>::info,
-                                              MidpointTableau::info,     ImplicitMidpointInfo::info,
-                                              Variational<double>::info, QuaternionRk4<Any>::info,
-                                              ClassicalTableau::info,    CommutatorFree4<Any>::info,
-                                              Dopri5<Any>::info,         ButcherTableau::info,
-                                              Gauss6Info::info,          Gauss12Info::info};
+  static const std::vector<MethodInfo> all = {
+      Euler<Any>::info,       SemiImplicitEuler<Any>::info, MidpointTableau::info,
+      collocation_info<1>,    Variational<double>::info,    QuaternionRk4<Any>::info,
+      ClassicalTableau::info, CommutatorFree4<Any>::info,   Dopri5<Any>::info,
+      ButcherTableau::info,   collocation_info<3>,          collocation_info<6>};
   return all;
 }
 /// The properties of a method. Throws std::invalid_argument with the nearest names if the name is unknown.
@@ -66,9 +60,7 @@ std::unique_ptr<Method<Sys>> makeMethod(const std::string& name, const MethodOpt
 }
 
 // Explicit instantiation for double, in instantiations.cpp and instantiations_tree.cpp.
-extern template std::unique_ptr<Method<LoneBody<double>>> makeMethod<LoneBody<double>>(const std::string&,
-                                                                                       const MethodOptions&);
-extern template std::unique_ptr<Method<Tree<double>>> makeMethod<Tree<double>>(const std::string&,
-                                                                               const MethodOptions&);
+extern template decltype(makeMethod<LoneBody<double>>) makeMethod<LoneBody<double>>;
+extern template decltype(makeMethod<Tree<double>>) makeMethod<Tree<double>>;
 
 }  // namespace liecheck::scene

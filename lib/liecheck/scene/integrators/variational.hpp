@@ -19,15 +19,14 @@ template <Scalar S>
 class Variational final : public Method<LoneBody<S>> {
  public:
   using Body = LoneBody<S>;
-  static constexpr MethodInfo info{"variational",
-                                   2,
-                                   0,
-                                   false,
-                                   true,
-                                   true,
-                                   true,
-                                   "h R0^T L = J_r^-1(phi) I phi, R1 = R0 exp(phi), L and P constant",
-                                   "Moser & Veselov 1991; Bou-Rabee & Marsden 2009"};
+  static constexpr MethodInfo info{
+      .name = "variational",
+      .order = 2,
+      .equation = "h R0^T L = J_r^-1(phi) I phi, R1 = R0 exp(phi), L and P constant",
+      .source = "Moser & Veselov 1991; Bou-Rabee & Marsden 2009",
+      .preserves_energy = true,
+      .preserves_momentum = true,
+      .lone_body_only = true};
   const MethodInfo& what() const override { return info; }
   MethodCounts counts() const override { return counts_; }
   void begin(Body& body, const State<Body>& state) override {
@@ -75,9 +74,6 @@ class Variational final : public Method<LoneBody<S>> {
     }
     ++counts_.steps;
   }
-  /// The conserved vectors [kg m^2/s, kg m/s], in the world's axes.
-  const Vector3<S>& angularMomentum() const { return L_; }
-  const Vector3<S>& linearMomentum() const { return P_; }
 
  private:
   static constexpr int limit = 50;
