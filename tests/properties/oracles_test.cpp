@@ -518,28 +518,30 @@ TEST(KinematicsOracle, CoefficientJacobianTimesVelocityIsTheRate) {
 // ---- condition and error
 
 TEST(ConditionOracle, OfADifferenceOfNearNumbersIsTheCancellation) {
-  const Function subtract = [](const std::vector<Real>& x) {
+  const FunctionOf<Real> subtract = [](const std::vector<Real>& x) {
     return std::vector<Real>{x[0] - x[1], x[0] * x[1]};
   };
   const std::vector<Real> x{Real(1), Real(1) - Real(1e-6)};
-  const std::vector<double> kappa = condition(subtract, x, {{0, 1}, {1, 1}});
-  EXPECT_NEAR(kappa[0] / 2e6, 1, 1e-3);
-  EXPECT_NEAR(kappa[1], 2, 1e-9);
+  const std::vector<Real> moved = movements(subtract, x, {{0, 1}, {1, 1}}), y = subtract(x);
+  EXPECT_NEAR(condition_number(moved[0], y[0]) / 2e6, 1, 1e-3);
+  EXPECT_NEAR(condition_number(moved[1], y[1]), 2, 1e-9);
 }
 
 TEST(ConditionOracle, OfExpNearTwoPiGrowsAsTheInverseOfTheDistance) {
-  const Function p_of_exp = [](const std::vector<Real>& x) {
+  const FunctionOf<Real> p_of_exp = [](const std::vector<Real>& x) {
     const UnitPose<Real> pose = closed_exp(Vec6<>{{x[0], x[1], x[2], x[3], x[4], x[5]}});
     return std::vector<Real>(pose.p.x.begin(), pose.p.x.end());
   };
   const std::vector<Real> xi{Real(1), Real(0), Real(0), Real(0), Real(0), 2 * pi() + Real("1e-10")};
-  const std::vector<double> kappa = condition(p_of_exp, xi, {{0, 3}});
-  EXPECT_NEAR(kappa[0] * 1e-10 / 6.283185307, 1, 1e-3);  // dp/dtheta theta / p = theta / distance
+  const std::vector<Real> p = p_of_exp(xi);
+  const double kappa =
+      condition_number(movements(p_of_exp, xi, {{0, 3}})[0], norm(Vec3<>{{p[0], p[1], p[2]}}));
+  EXPECT_NEAR(kappa * 1e-10 / 6.283185307, 1, 1e-3);  // dp/dtheta theta / p = theta / distance
 }
 
 TEST(ConditionOracle, IgnoresAnInputThatIsZero) {
-  const Function sum = [](const std::vector<Real>& x) { return std::vector<Real>{x[0] + x[1]}; };
-  EXPECT_NEAR(condition(sum, {Real(0), Real(3)}, {{0, 1}})[0], 1, 1e-9);
+  const FunctionOf<Real> sum = [](const std::vector<Real>& x) { return std::vector<Real>{x[0] + x[1]}; };
+  EXPECT_NEAR(condition_number(movements<Real>(sum, {Real(0), Real(3)}, {{0, 1}})[0], Real(3)), 1, 1e-9);
 }
 
 TEST(ErrorMeasure, OfAQuaternionTakesTheNearerSignAndIgnoresTheNorm) {
