@@ -160,14 +160,8 @@ Vec6<Real100> in_units(const Vec6<>& delta, const Scaled& scaled) {
 Jacobian3Result left_jacobian_so3(const Vec3<>& phi) {
   return left_jacobian(cast<Real100>(phi), Form::direct);
 }
-Jacobian3Result right_jacobian_so3(const Vec3<>& phi) {
-  return left_jacobian(cast<Real100>(-phi), Form::direct);
-}
 Jacobian3Result left_jacobian_so3_inverse(const Vec3<>& phi) {
   return left_jacobian(cast<Real100>(phi), Form::inverse);
-}
-Jacobian3Result right_jacobian_so3_inverse(const Vec3<>& phi) {
-  return left_jacobian(cast<Real100>(-phi), Form::inverse);
 }
 
 Jacobian6Result left_jacobian_se3(const Vec6<>& xi) {

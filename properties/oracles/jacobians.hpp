@@ -43,9 +43,7 @@ struct Jacobian6Value {
 using Jacobian6Result = Jacobian6Value<Real>;
 
 Jacobian3Result left_jacobian_so3(const Vec3<>& phi);
-Jacobian3Result right_jacobian_so3(const Vec3<>& phi);
 Jacobian3Result left_jacobian_so3_inverse(const Vec3<>& phi);
-Jacobian3Result right_jacobian_so3_inverse(const Vec3<>& phi);
 
 Jacobian6Result left_jacobian_se3(const Vec6<>& xi);
 Jacobian6Result right_jacobian_se3(const Vec6<>& xi);
