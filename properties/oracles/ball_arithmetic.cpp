@@ -118,8 +118,10 @@ void small_sin_cos(const Ball<M>& r, Ball<M>& sine, Ball<M>& cosine) {
   cosine = {c, Ball<M>::up(r.r + small)};
 }
 
+}  // namespace
+
 template <class M>
-void table_sin_cos(const Ball<M>& x, Ball<M>& sine, Ball<M>& cosine) {
+void sin_cos(const Ball<M>& x, Ball<M>& sine, Ball<M>& cosine) {
   if (!(x.size() < 0x1p40)) throw Undecided();
   const Tables<M>& t = tables<M>();
   const double k = std::nearbyint(x.head() / t.step[0]);
@@ -139,7 +141,7 @@ void table_sin_cos(const Ball<M>& x, Ball<M>& sine, Ball<M>& cosine) {
 /// a0 + atan(t) with t = (y cos a0 - x sin a0) / (x cos a0 + y sin a0), an identity for any a0. Here a0 is
 /// atan2(y, x) in double, so that |t| < 2^-20 and atan t = t - t^3/3 with an error below |t|^5.
 template <class M>
-Ball<M> corrected_atan2(const Ball<M>& y, const Ball<M>& x) {
+Ball<M> atan2(const Ball<M>& y, const Ball<M>& x) {
   const double a0 = std::atan2(y.head(), x.head());
   if (!std::isfinite(a0) || (y.exactly_zero() && x.head() >= 0)) {
     if (x.size() <= x.r || !std::isfinite(a0)) throw Undecided();
@@ -147,23 +149,12 @@ Ball<M> corrected_atan2(const Ball<M>& y, const Ball<M>& x) {
   }
   if (a0 < 0 && std::fabs(y.head()) <= y.r && x.head() < 0) throw Undecided();  // on the branch cut
   Ball<M> s, c;
-  table_sin_cos(Ball<M>(a0), s, c);
+  sin_cos(Ball<M>(a0), s, c);
   const Ball<M> t = (y * c - x * s) / (x * c + y * s);
   if (!(t.size() + t.r < 0x1p-20)) throw Undecided();
   const Ball<M> a = Ball<M>(a0) + (t - t * t * t / Ball<M>(3));
   const double t_bound = t.size() + t.r;
   return {a.m, Ball<M>::up(a.r + t_bound * t_bound * t_bound * t_bound * t_bound)};
-}
-
-}  // namespace
-
-template <class M>
-void sin_cos(const Ball<M>& x, Ball<M>& sine, Ball<M>& cosine) {
-  table_sin_cos(x, sine, cosine);
-}
-template <class M>
-Ball<M> atan2(const Ball<M>& y, const Ball<M>& x) {
-  return corrected_atan2(y, x);
 }
 
 // Errors relative to the sum: truncation after fourteen terms gives x^14/32! < 2^-113. The terms from x^8 on

@@ -10,6 +10,7 @@
 
 #include <bit>
 #include <cmath>
+#include <compare>
 #include <concepts>
 #include <cstdint>
 #include <exception>
@@ -116,20 +117,16 @@ struct Ball {
     return {m, r};
   }
 
-  /// -1, 0 or 1: the sign of a - b. Throws Undecided.
-  friend int compare(const Ball& a, const Ball& b) {
+  /// The sign of a - b. Throws Undecided.
+  friend std::weak_ordering operator<=>(const Ball& a, const Ball& b) {
     const double high = a.head() - b.head(), low = Round::tail(a.m) - Round::tail(b.m), d = high + low;
     const double slack = a.r + b.r;
-    if (slack == 0 && high == 0 && low == 0) return 0;
+    if (slack == 0 && high == 0 && low == 0) return std::weak_ordering::equivalent;
     const double rounding = 0x1p-51 * (std::fabs(high) + std::fabs(low));
     if (!(std::fabs(d) > up(slack + rounding))) throw Undecided();
-    return d > 0 ? 1 : -1;
+    return d > 0 ? std::weak_ordering::greater : std::weak_ordering::less;
   }
-  friend bool operator==(const Ball& a, const Ball& b) { return compare(a, b) == 0; }
-  friend bool operator<(const Ball& a, const Ball& b) { return compare(a, b) < 0; }
-  friend bool operator>(const Ball& a, const Ball& b) { return compare(a, b) > 0; }
-  friend bool operator<=(const Ball& a, const Ball& b) { return compare(a, b) <= 0; }
-  friend bool operator>=(const Ball& a, const Ball& b) { return compare(a, b) >= 0; }
+  friend bool operator==(const Ball& a, const Ball& b) { return (a <=> b) == 0; }
 
   friend Ball abs(const Ball& a) { return a.head() < 0 ? -a : a; }  // | |m| - |x| | <= |m - x| <= r
   friend bool isfinite(const Ball& a) { return std::isfinite(a.head()); }
