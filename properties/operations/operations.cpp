@@ -1,8 +1,5 @@
 #include <operations/operations.hpp>
 
-#include <stdexcept>
-#include <string>
-
 namespace liecheck::properties {
 
 const std::vector<const Operation*>& all_operations() {
@@ -21,12 +18,6 @@ const std::vector<const Operation*>& all_operations() {
     return list;
   }();
   return all;
-}
-
-const Operation& operation_named(std::string_view name) {
-  for (const Operation* o : all_operations())
-    if (o->name == name) return *o;
-  throw std::logic_error("no record of operation " + std::string(name));
 }
 
 }  // namespace liecheck::properties

@@ -37,7 +37,4 @@ using TreeOperations =
 /// All operations with slots, then the quantities that laws form from them.
 const std::vector<const Operation*>& all_operations();
 
-/// Throws std::logic_error for a name that no record has.
-const Operation& operation_named(std::string_view name);
-
 }  // namespace liecheck::properties
