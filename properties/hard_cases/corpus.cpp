@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <support/embedded.hpp>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
+#include <support/embedded.hpp>
 
 namespace liecheck::properties {
 
@@ -22,13 +22,9 @@ std::string trimmed(const std::string& text) {
 
 std::vector<std::string> split(const std::string& text, char by) {
   std::vector<std::string> parts;
-  std::size_t from = 0;
-  for (;;) {
-    const std::size_t to = std::min(text.find(by, from), text.size());
-    parts.push_back(trimmed(text.substr(from, to - from)));
-    if (to == text.size()) return parts;
-    from = to + 1;
-  }
+  std::istringstream in(text + by);
+  for (std::string part; std::getline(in, part, by);) parts.push_back(trimmed(part));
+  return parts;
 }
 
 [[noreturn]] void refuse(const std::string& place, const std::string& why) {
