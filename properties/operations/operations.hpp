@@ -5,6 +5,7 @@
 #include <operations/exponentials.hpp>
 #include <operations/spatial.hpp>
 #include <operations/trees.hpp>
+#include <string>
 #include <vector>
 
 namespace liecheck::properties {
@@ -36,5 +37,8 @@ using TreeOperations =
 
 /// All operations with slots, then the quantities that laws form from them.
 const std::vector<const Operation*>& all_operations();
+
+/// The page docs/operations.md in Markdown, with a final newline.
+std::string operations_table();
 
 }  // namespace liecheck::properties

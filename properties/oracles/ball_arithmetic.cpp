@@ -90,18 +90,6 @@ double sum(double x) {
   return s;
 }
 
-/// Bounds of the relative errors of small_sin_cos and of stumpff_series.
-template <class M>
-struct SeriesError;
-template <>
-struct SeriesError<DoubleDouble> {
-  static constexpr double small = 0x1p-102, stumpff = 0x1p-101;
-};
-template <>
-struct SeriesError<double> {
-  static constexpr double small = 0x1p-52, stumpff = 0x1p-51;
-};
-
 /// sin r = r - r x c_3(x) and cos r = 1 - x c_2(x) for |r| <= 0.05, x = r^2 <= 0.0025. Errors relative to the
 /// result: the truncation error is x^9/19! < 2^-140.
 /// - Double-double: the terms that are summed in double are below x^4 / 9! < 2^-52, and their rounding errors
@@ -113,7 +101,7 @@ void small_sin_cos(const Ball<M>& r, Ball<M>& sine, Ball<M>& cosine) {
   const M x = r.m * r.m;
   const M s = r.m - r.m * (x * sum<3, 8, 4>(x)), c = Rounding<M>::make(1) - x * sum<2, 9, 4>(x);
   // If a product underflows, x is below 2^-1060, and r x c_3 and x c_2 are below 2^-900 of the result.
-  constexpr double small = SeriesError<M>::small;
+  constexpr double small = Rounding<M>::small_sine;
   sine = {s, Ball<M>::up(r.r + small * std::fabs(Rounding<M>::head(s)))};
   cosine = {c, Ball<M>::up(r.r + small)};
 }
@@ -163,7 +151,7 @@ Ball<M> atan2(const Ball<M>& y, const Ball<M>& x) {
 template <class M>
 Ball<M> stumpff_series(int k, const Ball<M>& x) {
   const M s = k == 4 ? sum<4, 14, 8>(x.m) : k == 5 ? sum<5, 14, 8>(x.m) : sum<6, 14, 8>(x.m);
-  return {s, Ball<M>::up(x.r + SeriesError<M>::stumpff * Rounding<M>::head(s))};
+  return {s, Ball<M>::up(x.r + Rounding<M>::stumpff * Rounding<M>::head(s))};
 }
 
 #define LIECHECK_BALL_FUNCTIONS(T)         \

@@ -28,13 +28,15 @@ struct Undecided : std::exception {
 };
 
 /// How a midpoint type rounds. head(m) is the double nearest to m. The constants bound the relative error of
-/// each operation, that of a sum relative to |a| + |b|.
+/// each operation, that of a sum relative to |a| + |b|; of the sine and cosine of a small angle; and of
+/// stumpff_series.
 template <class M>
 struct Rounding;
 template <>
 struct Rounding<double> {
   static constexpr int bits = 53;
-  static constexpr double add = 0x1p-53, multiply = 0x1p-53, divide = 0x1p-53, root = 0x1p-53;
+  static constexpr double add = 0x1p-53, multiply = 0x1p-53, divide = 0x1p-53, root = 0x1p-53,
+                          small_sine = 0x1p-52, stumpff = 0x1p-51;
   static double head(double m) { return m; }
   static double tail(double) { return 0; }
   static double make(double x) { return x; }
@@ -54,7 +56,8 @@ struct Rounding<double> {
 template <>
 struct Rounding<DoubleDouble> {
   static constexpr int bits = 106;
-  static constexpr double add = 0x1p-103, multiply = 0x1p-103, divide = 0x1p-101, root = 0x1p-104;
+  static constexpr double add = 0x1p-103, multiply = 0x1p-103, divide = 0x1p-101, root = 0x1p-104,
+                          small_sine = 0x1p-102, stumpff = 0x1p-101;
   static double head(const DoubleDouble& m) { return m.high; }
   static double tail(const DoubleDouble& m) { return m.low; }
   static DoubleDouble make(double x) { return {x, 0}; }

@@ -6,7 +6,6 @@
 #include <campaign/selection.hpp>
 #include <fstream>
 #include <operations/operations.hpp>
-#include <operations/table.hpp>
 #include <set>
 #include <sstream>
 
