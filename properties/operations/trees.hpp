@@ -136,8 +136,7 @@ inline constexpr auto frame_jacobian_rate = operation<struct FrameJacobianRate, 
      {block::angular, "|(J a + J' v - A_exact) angular|", "|omega'_exact|", "rad/s^2"}},
     {"algorithms/jacobians.hpp",
      "(getFrameJacobian(model, data, frame, seen) * a + getFrameJacobianTimeVariation(model, data, frame, "
-     "seen) * "
-     "v).transpose()",
+     "seen) * v).transpose()",
      "computeJointJacobiansTimeVariation(model, data, q, v);"},
     tree_q, tree_v, seen);
 

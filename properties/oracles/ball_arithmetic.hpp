@@ -75,7 +75,6 @@ struct Rounding<DoubleDouble> {
 
 template <class M>
 struct Ball {
-  using Mid = M;
   using Round = Rounding<M>;
   M m{};
   double r = 0;

@@ -238,19 +238,15 @@ Mat3<T> block(const Mat6<T>& m, int i, int j) {
     for (int c = 0; c < 3; ++c) b(r, c) = m(3 * i + r, 3 * j + c);
   return b;
 }
-template <class T>
-void set_block(Mat6<T>& m, int i, int j, const Mat3<T>& b) {
-  for (int r = 0; r < 3; ++r)
-    for (int c = 0; c < 3; ++c) m(3 * i + r, 3 * j + c) = b(r, c);
-}
 /// [[a, b], [c, d]]
 template <class T>
 Mat6<T> assemble(const Mat3<T>& a, const Mat3<T>& b, const Mat3<T>& c, const Mat3<T>& d) {
   Mat6<T> m;
-  set_block(m, 0, 0, a);
-  set_block(m, 0, 1, b);
-  set_block(m, 1, 0, c);
-  set_block(m, 1, 1, d);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      m(i, j) = a(i, j), m(i, 3 + j) = b(i, j);
+      m(3 + i, j) = c(i, j), m(3 + i, 3 + j) = d(i, j);
+    }
   return m;
 }
 

@@ -8,6 +8,7 @@
 #include <oracles/jacobians.hpp>
 #include <string>
 
+#include "difference_jacobian.hpp"
 #include "enclosure_ledger.hpp"
 #include "enclosure_se3.hpp"
 

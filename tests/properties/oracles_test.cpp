@@ -18,6 +18,8 @@
 #include <thread>
 #include <vector>
 
+#include "difference_jacobian.hpp"
+
 namespace liecheck::oracles {
 namespace {
 
