@@ -3,7 +3,7 @@
 #include <app/commands.hpp>
 #include <campaign/robots.hpp>
 #include <campaign/selection.hpp>
-#include <operations/table.hpp>
+#include <operations/operations.hpp>
 #include <set>
 
 namespace liecheck::properties {

@@ -15,17 +15,28 @@ Real pi() {
 Real power_of_ten(int e) {
   return pow(Real(10), e);
 }
-oracles::DoubleDouble double_double(const Real& x) {
-  const auto high = static_cast<double>(x);
-  return {high, static_cast<double>(Real(x - high))};
+double head(const Real& x) {
+  return static_cast<double>(x);
 }
-/// A band's edge as a ball; a power of two is exact.
-template <class T>
-T edge(const oracles::DoubleDouble& x) {
-  if constexpr (std::is_same_v<T, oracles::DoubleDoubleBall>) return {x, x.low == 0 ? 0 : 0x1p-105 * x.high};
-  return {x.high, 2 * std::fabs(x.low)};
+template <class M>
+double head(const oracles::Ball<M>& x) {
+  return x.head();
 }
 }  // namespace
+
+Bands::Edge::Edge(const Real& x) : exact(x), rounded{head(x), 0} {
+  rounded.low = head(x - rounded.high);
+}
+/// A power of two is exact as a ball.
+template <class T>
+T Bands::Edge::as() const {
+  if constexpr (std::is_same_v<T, Real>)
+    return exact;
+  else if constexpr (std::is_same_v<T, oracles::DoubleDoubleBall>)
+    return {rounded, rounded.low == 0 ? 0 : 0x1p-105 * rounded.high};
+  else
+    return {rounded.high, 2 * std::fabs(rounded.low)};
+}
 
 // min_exponent: 2^min_exponent is the smallest normal number.
 Bands::Bands(int min_exponent, int digits) {
@@ -39,9 +50,9 @@ Bands::Bands(int min_exponent, int digits) {
   first_theta_ = push("0", Axis::theta, 0, 0, Region::to_pi);
   const Real smallest_normal = ldexp(Real(1), min_exponent);
   const Real smallest_square = sqrt(smallest_normal);
-  theta_edges_.push_back(smallest_normal);
+  theta_edges_.emplace_back(smallest_normal);
   push("subnormal", Axis::theta, 0, static_cast<double>(smallest_normal), Region::to_pi);
-  theta_edges_.push_back(smallest_square);
+  theta_edges_.emplace_back(smallest_square);
   push("theta^2 underflows", Axis::theta, static_cast<double>(smallest_normal),
        static_cast<double>(smallest_square), Region::to_pi);
 
@@ -59,7 +70,7 @@ Bands::Bands(int min_exponent, int digits) {
       const std::string high_name = fmt::format("1e{}", e);
       push("theta " + low_name + ".." + high_name, Axis::theta, static_cast<double>(low),
            static_cast<double>(high), Region::to_pi);
-      theta_edges_.push_back(high);
+      theta_edges_.emplace_back(high);
       low = high;
       low_name = high_name;
     }
@@ -70,65 +81,42 @@ Bands::Bands(int min_exponent, int digits) {
   for (int e = 0; e > -(precision + 1); --e) {
     push(fmt::format("pi-theta 1e{}..1e{}", e - 1, e), Axis::pi_minus_theta, std::pow(10.0, e - 1),
          std::pow(10.0, e), Region::to_pi);
-    pi_edges_.push_back(power_of_ten(e - 1));
+    pi_edges_.emplace_back(power_of_ten(e - 1));
   }
   pi_ = push("pi", Axis::pi_minus_theta, 0, bands_.back().low, Region::to_pi);
   beyond_ = push("beyond pi", Axis::none, 3.2, 6.2, Region::beyond_pi);
   near_2pi_ = push("near 2pi k", Axis::none, 6.2, 100, Region::beyond_pi);
   huge_ = push("huge", Axis::none, 100, 0, Region::beyond_pi);
-  for (const Real& e : theta_edges_) ball_theta_edges_.push_back(double_double(e));
-  for (const Real& e : pi_edges_) ball_pi_edges_.push_back(double_double(e));
 }
 
-std::size_t Bands::classify(const Real& theta) const {
-  static const Real pi_value = pi();
-  if (theta == 0) return first_theta_;
-  if (theta <= 1) {
-    const auto edge = std::upper_bound(theta_edges_.begin(), theta_edges_.end(), theta);
-    return std::min<std::size_t>(first_theta_ + 1 + static_cast<std::size_t>(edge - theta_edges_.begin()),
-                                 generic_ - 1);
-  }
-  const Real pi_minus_theta = pi_value - theta;
-  if (pi_minus_theta > 1) return generic_;
-  if (pi_minus_theta >= 0) {
-    for (std::size_t i = 0; i < pi_edges_.size(); ++i)
-      if (pi_minus_theta >= pi_edges_[i]) return first_pi_ + i;
-    return pi_;
-  }
-  if (theta > 100) return huge_;
-  const Real periods = theta / (2 * pi_value);
-  const Real nearest = round(periods);
-  if (nearest >= 1 && abs(periods - nearest) * 2 * pi_value < Real(1) / 10) return near_2pi_;
-  return beyond_;
-}
-
-template <class T>
-std::size_t Bands::classify_ball(const T& theta) const {
-  static const T pi_value = edge<T>(double_double(pi()));
+template <oracles::OracleNumber T>
+std::size_t Bands::classify(const T& theta) const {
+  static const T pi_value = Edge(pi()).as<T>();
   if (theta == T(0)) return first_theta_;
   if (theta <= T(1)) {
-    // The midpoints give the next edge above; ball arithmetic confirms it.
-    const auto above = std::upper_bound(ball_theta_edges_.begin(), ball_theta_edges_.end(), theta.head(),
-                                        [](double x, const auto& e) { return x < e.high; });
-    auto i = static_cast<std::size_t>(above - ball_theta_edges_.begin());
-    if (i > 0 && theta < edge<T>(ball_theta_edges_[i - 1])) --i;
-    if (i < ball_theta_edges_.size() && theta >= edge<T>(ball_theta_edges_[i])) ++i;
+    // The nearest doubles give the next edge above; exact numbers or balls confirm it.
+    const auto above = std::upper_bound(theta_edges_.begin(), theta_edges_.end(), head(theta),
+                                        [](double x, const Edge& e) { return x < e.rounded.high; });
+    auto i = static_cast<std::size_t>(above - theta_edges_.begin());
+    while (i > 0 && theta < theta_edges_[i - 1].as<T>()) --i;
+    while (i < theta_edges_.size() && theta >= theta_edges_[i].as<T>()) ++i;
     return std::min<std::size_t>(first_theta_ + 1 + i, generic_ - 1);
   }
   const T pi_minus_theta = pi_value - theta;
   if (pi_minus_theta > T(1)) return generic_;
   if (pi_minus_theta >= T(0)) {
-    for (std::size_t i = 0; i < ball_pi_edges_.size(); ++i)
-      if (pi_minus_theta >= edge<T>(ball_pi_edges_[i])) return first_pi_ + i;
+    for (std::size_t i = 0; i < pi_edges_.size(); ++i)
+      if (pi_minus_theta >= pi_edges_[i].as<T>()) return first_pi_ + i;
     return pi_;
   }
   if (theta > T(100)) return huge_;
   const T periods = theta / (T(2) * pi_value);
-  const double nearest = std::nearbyint(periods.head());
+  const double nearest = std::nearbyint(head(periods));
   if (nearest >= 1 && abs(periods - T(nearest)) * T(2) * pi_value < T(1) / T(10)) return near_2pi_;
   return beyond_;
 }
-template std::size_t Bands::classify_ball(const oracles::DoubleBall&) const;
-template std::size_t Bands::classify_ball(const oracles::DoubleDoubleBall&) const;
+template std::size_t Bands::classify(const Real&) const;
+template std::size_t Bands::classify(const oracles::DoubleBall&) const;
+template std::size_t Bands::classify(const oracles::DoubleDoubleBall&) const;
 
 }  // namespace liecheck::properties

@@ -40,25 +40,27 @@ class Bands {
   const std::vector<Band>& all() const { return bands_; }
   const Band& operator[](std::size_t i) const { return bands_[i]; }
 
-  /// The band of an exact angle theta >= 0 [rad].
-  std::size_t classify(const oracles::Real& theta) const;
+  /// The band of an angle theta >= 0 [rad], exact in Real. Throws oracles::Undecided if a ball contains an edge.
+  template <oracles::OracleNumber T>
+  std::size_t classify(const T& theta) const;
   /// The band of an angle in (0, 2^-900): "subnormal" or "theta^2 underflows".
   std::size_t underflowing(bool is_subnormal) const { return first_theta_ + (is_subnormal ? 1 : 2); }
   /// The band of an angle that is exactly pi.
   std::size_t at_pi() const { return pi_; }
-  /// The band of a ball. Throws oracles::Undecided if the ball contains an edge.
-  std::size_t classify(const oracles::DoubleBall& theta) const { return classify_ball(theta); }
-  std::size_t classify(const oracles::DoubleDoubleBall& theta) const { return classify_ball(theta); }
 
  private:
   Bands(int min_exponent, int digits);
 
-  template <class T>
-  std::size_t classify_ball(const T& theta) const;
-
+  /// An angle between two bands.
+  struct Edge {
+    oracles::Real exact;
+    oracles::DoubleDouble rounded;  ///< to a relative 2^-106
+    explicit Edge(const oracles::Real& x);
+    template <class T>
+    T as() const;
+  };
   std::vector<Band> bands_;
-  std::vector<oracles::Real> theta_edges_, pi_edges_;
-  std::vector<oracles::DoubleDouble> ball_theta_edges_, ball_pi_edges_;  ///< to a relative 2^-106
+  std::vector<Edge> theta_edges_, pi_edges_;
   std::size_t first_theta_ = 0, generic_ = 0, first_pi_ = 0, pi_ = 0, beyond_ = 0, near_2pi_ = 0, huge_ = 0;
 };
 

@@ -1,5 +1,6 @@
 #include <generators/coverage.hpp>
 
+#include <fmt/format.h>
 #include <bit>
 #include <boost/multiprecision/float128.hpp>
 #include <charconv>
@@ -38,10 +39,7 @@ template void Coverage::add(const std::vector<Field>&, const std::vector<float12
 
 std::string Coverage::text() const {
   std::string all = std::to_string(cases_);
-  for (const auto& field : counts_) {
-    char separator = ';';
-    for (const std::uint64_t n : field) all += separator + std::to_string(n), separator = ',';
-  }
+  for (const auto& field : counts_) all += fmt::format(";{}", fmt::join(field, ","));
   return all;
 }
 

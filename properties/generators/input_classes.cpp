@@ -109,7 +109,7 @@ std::uint32_t of_vector(std::span<const S> x, std::span<const S> earlier) {
 }
 
 template <class S>
-std::uint32_t of_rotation_vector(std::span<const S> x) {
+std::uint32_t of_rotation_vector(std::span<const S> x, std::span<const S>) {
   using std::fabs, std::sqrt;
   using W = Wide<S>;
   static const W pi = boost::math::constants::pi<W>(), ulp4 = W(8) * W(std::numeric_limits<S>::epsilon()),
@@ -175,7 +175,7 @@ std::uint32_t of_quaternion(std::span<const S> q, std::span<const S> earlier) {
 }
 
 template <class S>
-std::uint32_t of_matrix(std::span<const S> R) {
+std::uint32_t of_matrix(std::span<const S> R, std::span<const S>) {
   using std::fabs;
   static const S thousandth = S(1) / S(1000);
   S off(0);
@@ -190,7 +190,7 @@ std::uint32_t of_matrix(std::span<const S> R) {
 
 /// The class follows from the rank, 0 to 3, of the second moment of mass tr(I)/2 - I. I: xx xy yy xz yz zz.
 template <class S>
-std::uint32_t of_inertia(std::span<const S> I) {
+std::uint32_t of_inertia(std::span<const S> I, std::span<const S>) {
   using std::fabs;
   using W = Wide<S>;
   const W trace = W(I[0]) + W(I[2]) + W(I[5]);
@@ -210,14 +210,15 @@ std::uint32_t of_inertia(std::span<const S> I) {
 }
 
 template <class S>
-std::uint32_t of_positive(const S& x) {
+std::uint32_t of_positive(std::span<const S> number, std::span<const S>) {
+  const S& x = number[0];
   static const S low = std::is_same_v<S, float> ? S(1) / S(100) : S(1) / S(1000000000000ll);
   return bit(x >= S(1) && x <= S(16) && x == S(static_cast<int>(x)), 0) | bit(x < low, 1) |
          bit(x > S(1) / low, 2);
 }
 
 template <class S>
-std::uint32_t of_parents(std::span<const S> parents) {
+std::uint32_t of_parents(std::span<const S> parents, std::span<const S>) {
   int joints = 0, deepest = 0, widest_of = 0, roots = 0;
   std::array<int, 64> depth{}, children{};
   for (const S& p : parents) {
@@ -237,7 +238,7 @@ std::uint32_t of_parents(std::span<const S> parents) {
 }
 /// x: the kinds of all joints, then their primaries.
 template <class S>
-std::uint32_t of_joints(std::span<const S> x) {
+std::uint32_t of_joints(std::span<const S> x, std::span<const S>) {
   std::uint32_t c = 0;
   for (std::size_t i = 0; i < x.size() / 2; ++i) {
     const int kind = static_cast<int>(x[i]);
@@ -246,7 +247,7 @@ std::uint32_t of_joints(std::span<const S> x) {
   return c;
 }
 template <class S>
-std::uint32_t of_masses(std::span<const S> x) {
+std::uint32_t of_masses(std::span<const S> x, std::span<const S>) {
   static const S large = std::is_same_v<S, float> ? S(100) : S(1000000000000ll);
   S low(0), high(0);
   for (const S& m : x)
@@ -257,28 +258,10 @@ std::uint32_t of_masses(std::span<const S> x) {
 }  // namespace
 
 const std::vector<InputClass>& classes_of(Kind kind) {
-  switch (kind) {
-    case Kind::vector:
-      return vectors;
-    case Kind::rotation_vector:
-      return rotation_vectors;
-    case Kind::quaternion:
-      return quaternions;
-    case Kind::rotation_matrix:
-      return matrices;
-    case Kind::inertia:
-      return inertias;
-    case Kind::positive:
-      return positives;
-    case Kind::parents:
-      return trees;
-    case Kind::joints:
-      return joints;
-    case Kind::masses:
-      return masses;
-    default:
-      return none;
-  }
+  static const std::vector<InputClass>* const in_the_order_of_kinds[] = {
+      &vectors, &rotation_vectors, &quaternions, &matrices, &inertias, &positives, &none, &none,
+      &trees,   &joints,           &masses};
+  return *in_the_order_of_kinds[static_cast<std::size_t>(kind)];
 }
 
 bool requires_class(const Field& field, const InputClass& c) {
@@ -287,28 +270,12 @@ bool requires_class(const Field& field, const InputClass& c) {
 
 template <class S>
 std::uint32_t classify(Kind kind, std::span<const S> x, std::span<const S> earlier) {
-  switch (kind) {
-    case Kind::vector:
-      return of_vector(x, earlier);
-    case Kind::rotation_vector:
-      return of_rotation_vector(x);
-    case Kind::quaternion:
-      return of_quaternion(x, earlier);
-    case Kind::rotation_matrix:
-      return of_matrix(x);
-    case Kind::inertia:
-      return of_inertia(x);
-    case Kind::positive:
-      return of_positive(x[0]);
-    case Kind::parents:
-      return of_parents(x);
-    case Kind::joints:
-      return of_joints(x);
-    case Kind::masses:
-      return of_masses(x);
-    default:
-      return 0;
-  }
+  using Classifier = std::uint32_t(std::span<const S>, std::span<const S>);
+  static constexpr Classifier* in_the_order_of_kinds[] = {
+      of_vector, of_rotation_vector, of_quaternion, of_matrix, of_inertia, of_positive, nullptr,
+      nullptr,   of_parents,         of_joints,     of_masses};
+  Classifier* const of = in_the_order_of_kinds[static_cast<std::size_t>(kind)];
+  return of ? of(x, earlier) : 0;
 }
 
 template std::uint32_t classify(Kind, std::span<const float>, std::span<const float>);

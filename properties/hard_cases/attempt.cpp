@@ -1,10 +1,63 @@
 #include <hard_cases/attempt.hpp>
 
 #include <campaign/typed_series.hpp>
-#include <hard_cases/input_domain.hpp>
+#include <invariants/common.hpp>
+#include <oracles/linear_algebra.hpp>
 
 namespace liecheck::properties {
 namespace {
+
+// The input domain of docs/measuring.md: rotations that are off unit or off orthogonal by at most 8 eps, and
+// no reflections. Outside it a subject may refuse the input at its checked entrance. If it does not, its
+// result is judged by the rotation nearest to the stored numbers.
+
+/// f(is_quaternion, position, numbers) for every quaternion and rotation matrix of an input.
+template <class S, class F>
+void for_each_rotation(const std::vector<Field>& fields, const std::vector<S>& x, F f) {
+  std::size_t from = 0;
+  for (const Field& field : fields) {
+    const auto begin = x.begin() + static_cast<std::ptrdiff_t>(from);
+    if (field.kind == Kind::quaternion || field.kind == Kind::rotation_matrix)
+      f(field.kind == Kind::quaternion, from, std::vector<S>(begin, begin + field.size));
+    from += static_cast<std::size_t>(field.size);
+  }
+}
+
+/// Replaces every finite rotation outside the domain by the identity. Returns whether there was one.
+template <class S>
+bool set_identity_where_off(const std::vector<Field>& fields, std::vector<S>& x) {
+  bool any = false;
+  for_each_rotation(fields, std::vector<S>(x),
+                    [&](bool quaternion, std::size_t from, const std::vector<S>& values) {
+                      using std::isfinite;
+                      for (const S& v : values)
+                        if (!isfinite(v)) return;
+                      Reader<S> read(values);
+                      bool off = false;
+                      if (quaternion) {
+                        off = norm_defect_at<S>(values, 0) > 8;
+                      } else {
+                        const auto R = oracles::exact_matrix<3, 3, Real>(read.take_matrix());
+                        off = oracles::orthogonality_defect<S>(R) > 8 || determinant(R, cofactors(R)) <= 0;
+                      }
+                      if (!off) return;
+                      any = true;
+                      for (std::size_t i = 0; i < values.size(); ++i)
+                        x[from + i] = S((quaternion ? i == 3 : i % 4 == 0) ? 1 : 0);
+                    });
+  return any;
+}
+
+/// Calls the subject's checked entrance, whose exceptions pass through.
+template <class S>
+void check_entrance(const Operations<S>& o, const std::vector<Field>& fields, const std::vector<S>& x) {
+  if (!o.check_quaternion && !o.check_rotation) return;
+  for_each_rotation(fields, x, [&](bool quaternion, std::size_t, const std::vector<S>& values) {
+    Reader<S> read(values);
+    if (quaternion && o.check_quaternion) o.check_quaternion(read.template take<4>());
+    if (!quaternion && o.check_rotation) o.check_rotation(read.take_matrix());
+  });
+}
 
 template <class S>
 Trial attempt_in(const TypedSeries<S>& series, const CaseId& address) {

@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <support/embedded.hpp>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
+#include <support/embedded.hpp>
 
 namespace liecheck::properties {
 
@@ -22,13 +22,9 @@ std::string trimmed(const std::string& text) {
 
 std::vector<std::string> split(const std::string& text, char by) {
   std::vector<std::string> parts;
-  std::size_t from = 0;
-  for (;;) {
-    const std::size_t to = std::min(text.find(by, from), text.size());
-    parts.push_back(trimmed(text.substr(from, to - from)));
-    if (to == text.size()) return parts;
-    from = to + 1;
-  }
+  std::istringstream in(text + by);
+  for (std::string part; std::getline(in, part, by);) parts.push_back(trimmed(part));
+  return parts;
 }
 
 [[noreturn]] void refuse(const std::string& place, const std::string& why) {
@@ -52,22 +48,13 @@ void check_text(const std::string& place, const std::string& row) {
 /// The value of a field that a case leaves out: (1 + k, 2, 3 - 2 k) for the k-th vector, from 0; the
 /// identity; a zero rotation vector; the inertia of a unit ball.
 std::vector<std::string> default_value(const Field& field, int vectors_before, const Format& format) {
-  switch (field.kind) {
-    case Kind::vector:
-      if (field.size == 3)
-        return evaluate(fmt::format("{}, 2, {}", 1 + vectors_before, 3 - 2 * vectors_before), format);
-      break;
-    case Kind::rotation_vector:
-      return evaluate("0, 0, 0", format);
-    case Kind::quaternion:
-      return evaluate("0, 0, 0, 1", format);
-    case Kind::rotation_matrix:
-      return evaluate("1, 0, 0, 0, 1, 0, 0, 0, 1", format);
-    case Kind::inertia:
-      return evaluate("1, 0, 1, 0, 0, 1", format);
-    default:
-      break;
-  }
+  static const std::map<Kind, const char*> plain = {{Kind::rotation_vector, "0, 0, 0"},
+                                                    {Kind::quaternion, "0, 0, 0, 1"},
+                                                    {Kind::rotation_matrix, "1, 0, 0, 0, 1, 0, 0, 0, 1"},
+                                                    {Kind::inertia, "1, 0, 1, 0, 0, 1"}};
+  if (field.kind == Kind::vector && field.size == 3)
+    return evaluate(fmt::format("{}, 2, {}", 1 + vectors_before, 3 - 2 * vectors_before), format);
+  if (const auto found = plain.find(field.kind); found != plain.end()) return evaluate(found->second, format);
   throw std::invalid_argument(fmt::format("field {} must be given", field.name));
 }
 

@@ -100,25 +100,16 @@ class Parser {
     return all;
   }
   Numbers sum() {
-    Numbers left = product();
-    for (;;) {
-      if (take('+'))
-        left = combine(left, product(), [](const Number& a, const Number& b) { return Number(a + b); });
-      else if (take('-'))
-        left = combine(left, product(), [](const Number& a, const Number& b) { return Number(a - b); });
-      else
-        return left;
-    }
+    return chain("+-", [this] { return chain("*/", [this] { return sign(); }); });
   }
-  Numbers product() {
-    Numbers left = sign();
+  /// Operands that the given operators join from left to right.
+  template <class Operand>
+  Numbers chain(std::string_view operators, Operand operand) {
+    Numbers left = operand();
     for (;;) {
-      if (take('*'))
-        left = combine(left, sign(), [](const Number& a, const Number& b) { return Number(a * b); });
-      else if (take('/'))
-        left = combine(left, sign(), [](const Number& a, const Number& b) { return Number(a / b); });
-      else
-        return left;
+      const auto found = std::find_if(operators.begin(), operators.end(), [this](char c) { return take(c); });
+      if (found == operators.end()) return left;
+      left = combine(left, *found, operand());
     }
   }
   Numbers sign() {
@@ -136,17 +127,23 @@ class Parser {
   Numbers power() {
     const Numbers base = primary();
     if (!take('^')) return base;
-    return combine(base, sign(), [](const Number& a, const Number& b) { return Number(pow(a, b)); });
+    return combine(base, '^', sign());
   }
 
-  /// Applies f number by number. A single number is combined with every number of the other side.
-  template <class F>
-  Numbers combine(const Numbers& a, const Numbers& b, F f) {
+  static Number apply(const Number& a, char operation, const Number& b) {
+    return operation == '+'   ? a + b
+           : operation == '-' ? a - b
+           : operation == '*' ? a * b
+           : operation == '/' ? a / b
+                              : Number(pow(a, b));
+  }
+  /// Works number by number. A single number is combined with every number of the other side.
+  Numbers combine(const Numbers& a, char operation, const Numbers& b) {
     if (a.size() != b.size() && a.size() != 1 && b.size() != 1)
       fail(fmt::format("{} numbers against {}", a.size(), b.size()));
     Numbers all;
     for (std::size_t i = 0; i < std::max(a.size(), b.size()); ++i)
-      all.push_back(checked(f(a[a.size() == 1 ? 0 : i], b[b.size() == 1 ? 0 : i])));
+      all.push_back(checked(apply(a[a.size() == 1 ? 0 : i], operation, b[b.size() == 1 ? 0 : i])));
     return all;
   }
   Number checked(const Number& x) const {

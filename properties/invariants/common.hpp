@@ -22,12 +22,11 @@ void judged_value(Recorder& r, std::initializer_list<Output> outputs, std::size_
   measured();
 }
 
-/// The condition number at x of `size` results of f, from result `first` on.
+/// The condition number at x of `size` results of f, from result `first` on, relative to `denominator`.
 template <class T>
 double kappa_of(const oracles::FunctionOf<T>& f, const std::vector<T>& x, int first, int size,
-                std::optional<T> denominator = std::nullopt) {
-  return oracles::condition(f, x, std::vector<oracles::ConditionBlockOf<T>>{{first, size, denominator}})
-      .front();
+                const T& denominator) {
+  return oracles::condition_number(oracles::movements(f, x, {{first, size}}).front(), denominator);
 }
 
 /// |x| or ||v||; in ball arithmetic an upper bound of it.

@@ -163,7 +163,7 @@ class KineticEnergy final : public Law<KineticEnergy, S> {
       const oracles::Vec3<Real> u = head3(x.V_e), w = tail3(x.V_e);
       const Real w_norm = norm(w), s = norm(u) + w_norm * (norm(x.I_e.c) + Real(2) * norm(x.X_e.p));
       const Real u_C = norm(u + cross(w, x.I_e.c));
-      const Real scale = x.I_e.mass * s * (u_C + oracles::ulp_of_one<S, Real>() * s) +
+      const Real scale = x.I_e.mass * s * (u_C + oracles::epsilon<S, Real>() * s) +
                          frobenius(x.I_e.I_C) * w_norm * w_norm / Real(2);
       // Only the scale counts: T_B is a result of the subject, not an exact value.
       const Real size = oracles::larger(scale, oracles::least_denominator<S, Real>());

@@ -1,7 +1,6 @@
 #pragma once
 // The operations on configurations of a free-flyer, and of a whole robot.
 
-#include <operations/blocks.hpp>
 #include <operations/layouts.hpp>
 
 namespace liecheck::properties::op {
@@ -25,24 +24,17 @@ inline constexpr auto difference = operation<struct Difference>(
     {configuration_header, "differenceSE3<S>(q0, q1)"}, q0, q1);
 
 /// Laws form the next two quantities from integrate and difference.
-inline constexpr Operation difference_of_integrate{
-    "difference_of_integrate",
-    "difference(q0, integrate(q0, delta)) = delta, |phi| < pi",
-    plus_source,
-    {&q0, &delta},
-    {&delta_result},
+inline constexpr Operation difference_of_integrate = formed(
+    {"difference_of_integrate", "difference(q0, integrate(q0, delta)) = delta, |phi| < pi", plus_source},
+    delta_result,
     {{block::rotation_vector, "|phi' - phi|", "|phi|", "rad"},
      {block::linear, "|rho' - rho|", "max(|rho|, |p1 - p0|)", "m"}},
-    {configuration_header, "differenceSE3<S>(q0, integrateSE3<S>(q0, delta))"}};
-inline constexpr Operation integrate_of_difference{
-    "integrate_of_difference",
-    "integrate(q0, difference(q0, q1)) = q1 as a pose",
-    plus_source,
-    {&q0, &q1},
-    {&q1_result},
+    {configuration_header, "differenceSE3<S>(q0, integrateSE3<S>(q0, delta))"}, q0, delta);
+inline constexpr Operation integrate_of_difference = formed(
+    {"integrate_of_difference", "integrate(q0, difference(q0, q1)) = q1 as a pose", plus_source}, q1_result,
     {{block::rotation, "2 min(|Q1' - Q1/|Q1||, |Q1' + Q1/|Q1||)", "absolute", "rad"},
      {block::translation, "|p1' - p1|", "max(|p1|, |p0|, |p1 - p0|)", "m"}},
-    {configuration_header, "integrateSE3<S>(q0, differenceSE3<S>(q0, q1))"}};
+    {configuration_header, "integrateSE3<S>(q0, differenceSE3<S>(q0, q1))"}, q0, q1);
 
 inline constexpr Block tangent_jacobian{
     block::jacobian, "larger |J - J_exact| of the two 3 x 3 diagonal blocks, Frobenius", "|J_exact|", "1"};
@@ -82,7 +74,7 @@ inline constexpr auto integrate_coefficient_jacobian = operation<struct Integrat
 // The whole configuration vector of a robot.
 inline constexpr auto robot_integrate = operation<struct RobotIntegrate, true>(
     {"robot_integrate", "q1 = integrate(q0, delta), joint by joint", "Pinocchio 3.8, joint-configuration"},
-    robot_q_result,
+    robot_q1,
     {rotation_of_quaternion,
      {block::translation, "|p - p_exact| of a free-flyer", "max(|p_exact|, |p0|, |p_exact - p0|)", "m"},
      {block::continuous, "|(cos, sin) - (cos, sin)_exact|", "absolute", "rad"},

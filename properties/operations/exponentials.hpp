@@ -1,7 +1,6 @@
 #pragma once
 // Exponentials and logarithms of rotations and poses, and the Jacobians of exp.
 
-#include <operations/blocks.hpp>
 #include <operations/layouts.hpp>
 
 namespace liecheck::properties::op {

@@ -101,70 +101,43 @@ struct Operation {
 
 // The types of arguments and results, for every scalar S.
 namespace type {
-struct Vector3 {
+template <int R, int C = 1>
+struct Numbers {
   template <class S>
-  using of = Vec<S, 3>;
+  using of = Eigen::Matrix<S, R, C>;
 };
-struct Vector4 {
+template <template <class> class Record>
+struct RecordOf {
   template <class S>
-  using of = Vec<S, 4>;
+  using of = Record<S>;
 };
-struct Vector6 {
-  template <class S>
-  using of = Vec<S, 6>;
-};
-struct Vector7 {
-  template <class S>
-  using of = Vec<S, 7>;
-};
-struct Matrix3 {
-  template <class S>
-  using of = Mat<S, 3>;
-};
-struct Matrix6 {
-  template <class S>
-  using of = Mat<S, 6>;
-};
-struct Matrix76 {
-  template <class S>
-  using of = Mat<S, 7, 6>;
-};
-struct PoseValue {
-  template <class S>
-  using of = Pose<S>;
-};
-struct BodyValue {
-  template <class S>
-  using of = Body<S>;
+template <class T>
+struct Same {
+  template <class>
+  using of = T;
 };
 struct Scalar {
   template <class S>
   using of = S;
 };
-struct Vector {
-  template <class S>
-  using of = VecX<S>;
-};
-struct Matrix {
-  template <class S>
-  using of = MatX<S>;
-};
 struct TwoMatrices {
   template <class S>
   using of = std::pair<MatX<S>, MatX<S>>;
 };
-struct Index {
-  template <class>
-  using of = int;
-};
-struct Reference {
-  template <class>
-  using of = Seen;
-};
-struct Truth {
-  template <class>
-  using of = bool;
-};
+using Vector3 = Numbers<3>;
+using Vector4 = Numbers<4>;
+using Vector6 = Numbers<6>;
+using Vector7 = Numbers<7>;
+using Matrix3 = Numbers<3, 3>;
+using Matrix6 = Numbers<6, 6>;
+using Matrix76 = Numbers<7, 6>;
+using Vector = Numbers<Eigen::Dynamic>;
+using Matrix = Numbers<Eigen::Dynamic, Eigen::Dynamic>;
+using PoseValue = RecordOf<Pose>;
+using BodyValue = RecordOf<Body>;
+using Index = Same<int>;
+using Reference = Same<Seen>;
+using Truth = Same<bool>;
 }  // namespace type
 
 /// A layout with the type that holds it.
@@ -184,13 +157,19 @@ struct Text {
   std::string_view name, definition, source;
 };
 
-/// operation<struct Exp6>({name, definition, source}, result, {blocks}, call, arguments...). Layouts must be
-/// constants with static storage, because their addresses are stored.
+/// The record of a quantity that only a law forms. Layouts must be constants with static storage, because
+/// their addresses are stored.
+template <class... Arguments>
+consteval Operation formed(Text text, const Layout& result, std::initializer_list<Block> blocks, Call call,
+                           const Arguments&... arguments) {
+  return {text.name, text.definition, text.source, {&arguments...}, {&result}, blocks, call};
+}
+/// operation<struct Exp6>({name, definition, source}, result, {blocks}, call, arguments...).
 template <class Id, bool Bound = false, class Result, class... Arguments>
 consteval Typed<Id, Bound, Result, Arguments...> operation(Text text, const Value<Result>& result,
                                                            std::initializer_list<Block> blocks, Call call,
                                                            const Value<Arguments>&... arguments) {
-  return {{text.name, text.definition, text.source, {&arguments...}, {&result}, blocks, call}};
+  return {formed(text, result, blocks, call, arguments...)};
 }
 
 template <class S, class O>

@@ -1,9 +1,32 @@
 #include <operations/operations.hpp>
 
-#include <stdexcept>
-#include <string>
+#include <fmt/format.h>
 
 namespace liecheck::properties {
+namespace {
+
+/// Escapes vertical bars, which would end a cell of the table.
+std::string cell(std::string_view text) {
+  std::string escaped;
+  for (char c : text) escaped += c == '|' ? std::string("\\|") : std::string(1, c);
+  return escaped;
+}
+
+template <class Layouts>
+std::string names_of(const Layouts& layouts) {
+  std::string text;
+  for (const Layout* l : layouts) {
+    text += (text.empty() ? "" : ", ") + std::string(l->name);
+    if (l->parts.size() < 2) continue;
+    text += " = (";
+    for (std::size_t i = 0; i < l->parts.size(); ++i)
+      text += fmt::format("{}{} [{}]", i ? ", " : "", l->parts[i].name, l->parts[i].unit);
+    text += ")";
+  }
+  return cell(text);
+}
+
+}  // namespace
 
 const std::vector<const Operation*>& all_operations() {
   static const std::vector<const Operation*> all = [] {
@@ -23,10 +46,23 @@ const std::vector<const Operation*>& all_operations() {
   return all;
 }
 
-const Operation& operation_named(std::string_view name) {
+std::string operations_table() {
+  std::string text =
+      "# Operations\n\n"
+      "What each operation takes and returns, and how the error of each block of its result is measured: "
+      "numerator over\n"
+      "denominator, in eps of the scalar. `liecheck list --operations` prints this page from the records in\n"
+      "`properties/operations`.\n\n"
+      "| operation | definition | takes | returns, axes | source |\n|---|---|---|---|---|\n";
   for (const Operation* o : all_operations())
-    if (o->name == name) return *o;
-  throw std::logic_error("no record of operation " + std::string(name));
+    text += fmt::format("| {} | {} | {} | {}; {} | {} |\n", o->name, cell(o->definition),
+                        names_of(o->arguments), names_of(o->results), cell(o->results[0]->frame), o->source);
+  text += "\n| operation | block | numerator | denominator | unit |\n|---|---|---|---|---|\n";
+  for (const Operation* o : all_operations())
+    for (const Block& b : o->blocks)
+      text += fmt::format("| {} | {} | {} | {} | {} |\n", o->name, b.name.text, cell(b.error),
+                          cell(b.denominator), b.unit);
+  return text;
 }
 
 }  // namespace liecheck::properties

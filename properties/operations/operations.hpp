@@ -5,6 +5,7 @@
 #include <operations/exponentials.hpp>
 #include <operations/spatial.hpp>
 #include <operations/trees.hpp>
+#include <string>
 #include <vector>
 
 namespace liecheck::properties {
@@ -37,7 +38,7 @@ using TreeOperations =
 /// All operations with slots, then the quantities that laws form from them.
 const std::vector<const Operation*>& all_operations();
 
-/// Throws std::logic_error for a name that no record has.
-const Operation& operation_named(std::string_view name);
+/// The page docs/operations.md in Markdown, with a final newline.
+std::string operations_table();
 
 }  // namespace liecheck::properties

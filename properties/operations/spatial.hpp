@@ -1,7 +1,6 @@
 #pragma once
 // The operations of poses on points, motions, forces and inertias, and those of a single body.
 
-#include <operations/blocks.hpp>
 #include <operations/layouts.hpp>
 
 namespace liecheck::properties::op {
@@ -58,14 +57,11 @@ inline constexpr auto cross_force = operation<struct CrossForce>(
     {se3_header, "V.cross(F).to_vector()"}, V, F);
 
 /// The law power_pairing forms this quantity from act_motion and act_force.
-inline constexpr Operation power{
-    "power",
-    "F_A^T V_A = F_B^T V_B",
-    "Featherstone 2008, eq. 2.7",
-    {&X, &V, &F},
-    {&power_result},
+inline constexpr Operation power = formed(
+    {"power", "F_A^T V_A = F_B^T V_B", "Featherstone 2008, eq. 2.7"}, power_result,
     {{block::power, "|F_A^T V_A - F_B^T V_B|", "|f| (|u| + |p| |omega|) + (|n| + |p| |f|) |omega|", "W"}},
-    {se3_header, "X.act(F).to_vector().dot(X.act(V).to_vector()) - F.to_vector().dot(V.to_vector())"}};
+    {se3_header, "X.act(F).to_vector().dot(X.act(V).to_vector()) - F.to_vector().dot(V.to_vector())"}, X, V,
+    F);
 
 inline constexpr Block body_mass{block::mass, "|m - m_exact|", "m_exact", "kg"},
     body_lever{block::lever, "|c - c_exact|", "|c_exact|", "m"},
@@ -92,14 +88,10 @@ inline constexpr auto inertia_matrix = operation<struct InertiaMatrix>(
     {inertia_header, "I.matrix()"}, I);
 
 /// The law kinetic_energy forms this quantity from kinetic_energy, act_inertia and act_motion.
-inline constexpr Operation energy_frames{
-    "energy_frames",
-    "T of (X I, X V) = T of (I, V)",
-    inertias_source,
-    {&X, &I, &V},
-    {&kinetic},
-    {{block::energy, "|T_A - T_B|",
-      "m s (|u_C| + eps s) + |I_C| |omega|^2 / 2, s = |u| + |omega| (|c| + 2 |p|)", "J"}},
-    {inertia_header, "X.act(I).kineticEnergy(X.act(V)) - I.kineticEnergy(V)"}};
+inline constexpr Operation energy_frames =
+    formed({"energy_frames", "T of (X I, X V) = T of (I, V)", inertias_source}, kinetic,
+           {{block::energy, "|T_A - T_B|",
+             "m s (|u_C| + eps s) + |I_C| |omega|^2 / 2, s = |u| + |omega| (|c| + 2 |p|)", "J"}},
+           {inertia_header, "X.act(I).kineticEnergy(X.act(V)) - I.kineticEnergy(V)"}, X, I, V);
 
 }  // namespace liecheck::properties::op

@@ -1,7 +1,6 @@
 #pragma once
 // The algorithms on trees of bodies. Each is bound to one tree; q, v, a and tau are in the subject's order.
 
-#include <operations/blocks.hpp>
 #include <operations/layouts.hpp>
 
 namespace liecheck::properties::op {
@@ -24,16 +23,16 @@ inline constexpr std::string_view torque_error = "|(tau - tau_exact)_k / sqrt(M_
 inline constexpr Block torque{block::torque, torque_error, torque_size, torque_unit};
 
 inline constexpr auto tree_rnea = operation<struct TreeRnea, true>(
-    {"tree_rnea", "tau = M(q) a + h(q, v) - J^T F, inverse dynamics", rnea_source}, tau_result, {torque},
+    {"tree_rnea", "tau = M(q) a + h(q, v) - J^T F, inverse dynamics", rnea_source}, tree_tau, {torque},
     {"algorithms/rnea.hpp", rnea_call}, tree_q, tree_v, tree_a, wrench_joint, wrench);
 inline constexpr auto tree_nonlinear_effects = operation<struct TreeNonlinearEffects, true>(
-    {"tree_nonlinear_effects", "h(q, v): tau for a = 0 without a wrench", rnea_source}, tau_result, {torque},
+    {"tree_nonlinear_effects", "h(q, v): tau for a = 0 without a wrench", rnea_source}, tree_tau, {torque},
     {"algorithms/rnea.hpp", "nonLinearEffects(model, data, q, v).transpose()"}, tree_q, tree_v);
 inline constexpr auto tree_gravity = operation<struct TreeGravity, true>(
-    {"tree_gravity", "g(q) = h(q, 0)", rnea_source}, tau_result, {torque},
+    {"tree_gravity", "g(q) = h(q, 0)", rnea_source}, tree_tau, {torque},
     {"algorithms/rnea.hpp", "computeGeneralizedGravity(model, data, q).transpose()"}, tree_q);
 inline constexpr auto tree_aba = operation<struct TreeAba, true>(
-    {"tree_aba", "a = M(q)^-1 (tau - h(q, v) + J^T F), forward dynamics", aba_source}, acceleration_result,
+    {"tree_aba", "a = M(q)^-1 (tau - h(q, v) + J^T F), forward dynamics", aba_source}, tree_a,
     {{block::acceleration, "|(a - a_exact)_k sqrt(M_kk)|", "|a_exact,k sqrt(M_kk)|", "sqrt(J)/s"}},
     {"algorithms/aba.hpp", "aba(model, data, q, v, tau, on).transpose()"}, tree_q, tree_v, tree_tau,
     wrench_joint, wrench);
@@ -137,84 +136,50 @@ inline constexpr auto frame_jacobian_rate = operation<struct FrameJacobianRate, 
      {block::angular, "|(J a + J' v - A_exact) angular|", "|omega'_exact|", "rad/s^2"}},
     {"algorithms/jacobians.hpp",
      "(getFrameJacobian(model, data, frame, seen) * a + getFrameJacobianTimeVariation(model, data, frame, "
-     "seen) * "
-     "v).transpose()",
+     "seen) * v).transpose()",
      "computeJointJacobiansTimeVariation(model, data, q, v);"},
     tree_q, tree_v, seen);
 
 // Quantities that laws form from these operations.
-inline constexpr Operation rnea_of_aba{
-    "rnea_of_aba",
-    "rnea(q, v, aba(q, v, tau, F), F) = tau",
-    aba_source,
-    {&tree_q, &tree_v, &tree_tau, &wrench_joint, &wrench},
-    {&tau_result},
-    {{block::torque, "|(rnea(aba(tau)) - tau)_k / sqrt(M_kk)|", "|tau_k / sqrt(M_kk)|", torque_unit}},
-    {"algorithms/aba.hpp", "(rnea(model, data, q, v, a, on) - tau).transpose()",
-     "a = aba(model, data, q, v, tau, on);"}};
-inline constexpr Operation crba_symmetric{
-    "crba_symmetric",
-    "M = M^T",
-    crba_source,
-    {&tree_q},
-    {&M_result},
-    {{block::matrix, "0 if M equals its transpose, else infinite", "absolute", "1"}},
-    {"algorithms/crba.hpp", "crba(model, data, q)"}};
-inline constexpr Operation crba_positive{
-    "crba_positive",
-    "x^T M x > 0",
-    crba_source,
-    {&tree_q},
-    {&M_result},
-    {{block::matrix, "0 if M has a Cholesky factor, else infinite", "absolute", "1"}},
-    {"algorithms/crba.hpp", "crba(model, data, q)"}};
-inline constexpr Operation crba_columns{
-    "crba_columns",
-    "M e_k = rnea(q, 0, e_k) without gravity",
-    crba_source,
-    {&tree_q},
-    {&M_result},
-    {{block::matrix, "|(M - [rnea(q, 0, e_k)])_kl / sqrt(M_kk M_ll)|, Frobenius", mass_size, "1"}},
-    {"algorithms/crba.hpp", "crba(model, data, q)"}};
-inline constexpr Operation tree_power{"tree_power",
-                                      "rnea(q, v, a)^T v = d/dt (T + V)",
-                                      "Goldstein 1980, section 2.6",
-                                      {&tree_q, &tree_v, &tree_a},
-                                      {&power_result},
-                                      {{block::power, "|tau^T v - d/dt (T + V)|", "|d/dt (T + V)|", "W"}},
-                                      {"algorithms/rnea.hpp", "rnea(model, data, q, v, a).dot(v)"}};
-inline constexpr Operation momentum_conserved{
-    "momentum_conserved",
-    "tau_base(q, v, aba(q, v, (0, tau))) = 0 for g = 0",
-    "Noether 1918",
-    {&tree_q, &tree_v, &tree_tau},
-    {&tau_result},
+inline constexpr Operation rnea_of_aba =
+    formed({"rnea_of_aba", "rnea(q, v, aba(q, v, tau, F), F) = tau", aba_source}, tree_tau,
+           {{block::torque, "|(rnea(aba(tau)) - tau)_k / sqrt(M_kk)|", "|tau_k / sqrt(M_kk)|", torque_unit}},
+           {"algorithms/aba.hpp", "(rnea(model, data, q, v, a, on) - tau).transpose()",
+            "a = aba(model, data, q, v, tau, on);"},
+           tree_q, tree_v, tree_tau, wrench_joint, wrench);
+inline constexpr Operation crba_symmetric =
+    formed({"crba_symmetric", "M = M^T", crba_source}, M_result,
+           {{block::matrix, "0 if M equals its transpose, else infinite", "absolute", "1"}},
+           {"algorithms/crba.hpp", "crba(model, data, q)"}, tree_q);
+inline constexpr Operation crba_positive =
+    formed({"crba_positive", "x^T M x > 0", crba_source}, M_result,
+           {{block::matrix, "0 if M has a Cholesky factor, else infinite", "absolute", "1"}},
+           {"algorithms/crba.hpp", "crba(model, data, q)"}, tree_q);
+inline constexpr Operation crba_columns =
+    formed({"crba_columns", "M e_k = rnea(q, 0, e_k) without gravity", crba_source}, M_result,
+           {{block::matrix, "|(M - [rnea(q, 0, e_k)])_kl / sqrt(M_kk M_ll)|, Frobenius", mass_size, "1"}},
+           {"algorithms/crba.hpp", "crba(model, data, q)"}, tree_q);
+inline constexpr Operation tree_power =
+    formed({"tree_power", "rnea(q, v, a)^T v = d/dt (T + V)", "Goldstein 1980, section 2.6"}, power_result,
+           {{block::power, "|tau^T v - d/dt (T + V)|", "|d/dt (T + V)|", "W"}},
+           {"algorithms/rnea.hpp", "rnea(model, data, q, v, a).dot(v)"}, tree_q, tree_v, tree_a);
+inline constexpr Operation momentum_conserved = formed(
+    {"momentum_conserved", "tau_base(q, v, aba(q, v, (0, tau))) = 0 for g = 0", "Noether 1918"}, tree_tau,
     {{block::torque, "|tau_base,k / sqrt(M_kk)| of the exact inverse dynamics at the computed a",
       "|A| |a| + |tau| + the terms of inverse dynamics, in the same norms", torque_unit}},
     {"algorithms/aba.hpp", "rnea(model, data, q, v, a).head(6).transpose()",
-     "model.gravity.setZero(), tau.head(6).setZero();\n  a = aba(model, data, q, v, tau);"}};
-inline constexpr Operation rnea_of_a_moved_world{
-    "rnea_of_a_moved_world",
-    "tau does not change if the world frame is rotated by pi about x and moved by 100 m",
-    rnea_source,
-    {&tree_q, &tree_v, &tree_a, &wrench_joint, &wrench},
-    {&tau_result},
-    {torque},
-    {"algorithms/rnea.hpp", rnea_call}};
-inline constexpr Operation rnea_of_reordered_joints{
-    "rnea_of_reordered_joints",
-    "tau does not change if branches are added in the opposite order",
-    rnea_source,
-    {&tree_q, &tree_v, &tree_a, &wrench_joint, &wrench},
-    {&tau_result},
-    {torque},
-    {"algorithms/rnea.hpp", rnea_call}};
-inline constexpr Operation rnea_of_split_bodies{"rnea_of_split_bodies",
-                                                "tau does not change if each body is split into two halves",
-                                                rnea_source,
-                                                {&tree_q, &tree_v, &tree_a, &wrench_joint, &wrench},
-                                                {&tau_result},
-                                                {torque},
-                                                {"algorithms/rnea.hpp", rnea_call}};
+     "model.gravity.setZero(), tau.head(6).setZero();\n  a = aba(model, data, q, v, tau);"},
+    tree_q, tree_v, tree_tau);
+inline constexpr Operation rnea_of_a_moved_world = formed(
+    {"rnea_of_a_moved_world",
+     "tau does not change if the world frame is rotated by pi about x and moved by 100 m", rnea_source},
+    tree_tau, {torque}, {"algorithms/rnea.hpp", rnea_call}, tree_q, tree_v, tree_a, wrench_joint, wrench);
+inline constexpr Operation rnea_of_reordered_joints = formed(
+    {"rnea_of_reordered_joints", "tau does not change if branches are added in the opposite order",
+     rnea_source},
+    tree_tau, {torque}, {"algorithms/rnea.hpp", rnea_call}, tree_q, tree_v, tree_a, wrench_joint, wrench);
+inline constexpr Operation rnea_of_split_bodies = formed(
+    {"rnea_of_split_bodies", "tau does not change if each body is split into two halves", rnea_source},
+    tree_tau, {torque}, {"algorithms/rnea.hpp", rnea_call}, tree_q, tree_v, tree_a, wrench_joint, wrench);
 
 }  // namespace liecheck::properties::op

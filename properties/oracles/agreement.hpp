@@ -15,11 +15,6 @@ namespace liecheck::oracles {
 inline constexpr double agreement = 1e-41;
 
 /// ||a - b|| <= bound max(||b||, scale). False for NaN.
-template <int N, class T>
-bool agree(const Vec<N, T>& a, const Vec<N, T>& b, double bound = agreement, const T& scale = T(0)) {
-  const T size = norm(b);
-  return norm(a - b) <= T(bound) * (scale > size ? scale : size);
-}
 template <int R, int C, class T>
 bool agree(const Mat<R, C, T>& a, const Mat<R, C, T>& b, double bound = agreement, const T& scale = T(0)) {
   const T size = frobenius(b);

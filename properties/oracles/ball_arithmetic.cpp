@@ -90,18 +90,6 @@ double sum(double x) {
   return s;
 }
 
-/// Bounds of the relative errors of small_sin_cos and of stumpff_series.
-template <class M>
-struct SeriesError;
-template <>
-struct SeriesError<DoubleDouble> {
-  static constexpr double small = 0x1p-102, stumpff = 0x1p-101;
-};
-template <>
-struct SeriesError<double> {
-  static constexpr double small = 0x1p-52, stumpff = 0x1p-51;
-};
-
 /// sin r = r - r x c_3(x) and cos r = 1 - x c_2(x) for |r| <= 0.05, x = r^2 <= 0.0025. Errors relative to the
 /// result: the truncation error is x^9/19! < 2^-140.
 /// - Double-double: the terms that are summed in double are below x^4 / 9! < 2^-52, and their rounding errors
@@ -113,13 +101,15 @@ void small_sin_cos(const Ball<M>& r, Ball<M>& sine, Ball<M>& cosine) {
   const M x = r.m * r.m;
   const M s = r.m - r.m * (x * sum<3, 8, 4>(x)), c = Rounding<M>::make(1) - x * sum<2, 9, 4>(x);
   // If a product underflows, x is below 2^-1060, and r x c_3 and x c_2 are below 2^-900 of the result.
-  constexpr double small = SeriesError<M>::small;
+  constexpr double small = Rounding<M>::small_sine;
   sine = {s, Ball<M>::up(r.r + small * std::fabs(Rounding<M>::head(s)))};
   cosine = {c, Ball<M>::up(r.r + small)};
 }
 
+}  // namespace
+
 template <class M>
-void table_sin_cos(const Ball<M>& x, Ball<M>& sine, Ball<M>& cosine) {
+void sin_cos(const Ball<M>& x, Ball<M>& sine, Ball<M>& cosine) {
   if (!(x.size() < 0x1p40)) throw Undecided();
   const Tables<M>& t = tables<M>();
   const double k = std::nearbyint(x.head() / t.step[0]);
@@ -139,7 +129,7 @@ void table_sin_cos(const Ball<M>& x, Ball<M>& sine, Ball<M>& cosine) {
 /// a0 + atan(t) with t = (y cos a0 - x sin a0) / (x cos a0 + y sin a0), an identity for any a0. Here a0 is
 /// atan2(y, x) in double, so that |t| < 2^-20 and atan t = t - t^3/3 with an error below |t|^5.
 template <class M>
-Ball<M> corrected_atan2(const Ball<M>& y, const Ball<M>& x) {
+Ball<M> atan2(const Ball<M>& y, const Ball<M>& x) {
   const double a0 = std::atan2(y.head(), x.head());
   if (!std::isfinite(a0) || (y.exactly_zero() && x.head() >= 0)) {
     if (x.size() <= x.r || !std::isfinite(a0)) throw Undecided();
@@ -147,23 +137,12 @@ Ball<M> corrected_atan2(const Ball<M>& y, const Ball<M>& x) {
   }
   if (a0 < 0 && std::fabs(y.head()) <= y.r && x.head() < 0) throw Undecided();  // on the branch cut
   Ball<M> s, c;
-  table_sin_cos(Ball<M>(a0), s, c);
+  sin_cos(Ball<M>(a0), s, c);
   const Ball<M> t = (y * c - x * s) / (x * c + y * s);
   if (!(t.size() + t.r < 0x1p-20)) throw Undecided();
   const Ball<M> a = Ball<M>(a0) + (t - t * t * t / Ball<M>(3));
   const double t_bound = t.size() + t.r;
   return {a.m, Ball<M>::up(a.r + t_bound * t_bound * t_bound * t_bound * t_bound)};
-}
-
-}  // namespace
-
-template <class M>
-void sin_cos(const Ball<M>& x, Ball<M>& sine, Ball<M>& cosine) {
-  table_sin_cos(x, sine, cosine);
-}
-template <class M>
-Ball<M> atan2(const Ball<M>& y, const Ball<M>& x) {
-  return corrected_atan2(y, x);
 }
 
 // Errors relative to the sum: truncation after fourteen terms gives x^14/32! < 2^-113. The terms from x^8 on
@@ -172,7 +151,7 @@ Ball<M> atan2(const Ball<M>& y, const Ball<M>& x) {
 template <class M>
 Ball<M> stumpff_series(int k, const Ball<M>& x) {
   const M s = k == 4 ? sum<4, 14, 8>(x.m) : k == 5 ? sum<5, 14, 8>(x.m) : sum<6, 14, 8>(x.m);
-  return {s, Ball<M>::up(x.r + SeriesError<M>::stumpff * Rounding<M>::head(s))};
+  return {s, Ball<M>::up(x.r + Rounding<M>::stumpff * Rounding<M>::head(s))};
 }
 
 #define LIECHECK_BALL_FUNCTIONS(T)         \

@@ -10,6 +10,7 @@
 
 #include <bit>
 #include <cmath>
+#include <compare>
 #include <concepts>
 #include <cstdint>
 #include <exception>
@@ -27,13 +28,15 @@ struct Undecided : std::exception {
 };
 
 /// How a midpoint type rounds. head(m) is the double nearest to m. The constants bound the relative error of
-/// each operation, that of a sum relative to |a| + |b|.
+/// each operation, that of a sum relative to |a| + |b|; of the sine and cosine of a small angle; and of
+/// stumpff_series.
 template <class M>
 struct Rounding;
 template <>
 struct Rounding<double> {
   static constexpr int bits = 53;
-  static constexpr double add = 0x1p-53, multiply = 0x1p-53, divide = 0x1p-53, root = 0x1p-53;
+  static constexpr double add = 0x1p-53, multiply = 0x1p-53, divide = 0x1p-53, root = 0x1p-53,
+                          small_sine = 0x1p-52, stumpff = 0x1p-51;
   static double head(double m) { return m; }
   static double tail(double) { return 0; }
   static double make(double x) { return x; }
@@ -53,7 +56,8 @@ struct Rounding<double> {
 template <>
 struct Rounding<DoubleDouble> {
   static constexpr int bits = 106;
-  static constexpr double add = 0x1p-103, multiply = 0x1p-103, divide = 0x1p-101, root = 0x1p-104;
+  static constexpr double add = 0x1p-103, multiply = 0x1p-103, divide = 0x1p-101, root = 0x1p-104,
+                          small_sine = 0x1p-102, stumpff = 0x1p-101;
   static double head(const DoubleDouble& m) { return m.high; }
   static double tail(const DoubleDouble& m) { return m.low; }
   static DoubleDouble make(double x) { return {x, 0}; }
@@ -71,7 +75,6 @@ struct Rounding<DoubleDouble> {
 
 template <class M>
 struct Ball {
-  using Mid = M;
   using Round = Rounding<M>;
   M m{};
   double r = 0;
@@ -116,20 +119,16 @@ struct Ball {
     return {m, r};
   }
 
-  /// -1, 0 or 1: the sign of a - b. Throws Undecided.
-  friend int compare(const Ball& a, const Ball& b) {
+  /// The sign of a - b. Throws Undecided.
+  friend std::weak_ordering operator<=>(const Ball& a, const Ball& b) {
     const double high = a.head() - b.head(), low = Round::tail(a.m) - Round::tail(b.m), d = high + low;
     const double slack = a.r + b.r;
-    if (slack == 0 && high == 0 && low == 0) return 0;
+    if (slack == 0 && high == 0 && low == 0) return std::weak_ordering::equivalent;
     const double rounding = 0x1p-51 * (std::fabs(high) + std::fabs(low));
     if (!(std::fabs(d) > up(slack + rounding))) throw Undecided();
-    return d > 0 ? 1 : -1;
+    return d > 0 ? std::weak_ordering::greater : std::weak_ordering::less;
   }
-  friend bool operator==(const Ball& a, const Ball& b) { return compare(a, b) == 0; }
-  friend bool operator<(const Ball& a, const Ball& b) { return compare(a, b) < 0; }
-  friend bool operator>(const Ball& a, const Ball& b) { return compare(a, b) > 0; }
-  friend bool operator<=(const Ball& a, const Ball& b) { return compare(a, b) <= 0; }
-  friend bool operator>=(const Ball& a, const Ball& b) { return compare(a, b) >= 0; }
+  friend bool operator==(const Ball& a, const Ball& b) { return (a <=> b) == 0; }
 
   friend Ball abs(const Ball& a) { return a.head() < 0 ? -a : a; }  // | |m| - |x| | <= |m - x| <= r
   friend bool isfinite(const Ball& a) { return std::isfinite(a.head()); }

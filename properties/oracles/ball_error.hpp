@@ -31,8 +31,8 @@ inline double max(double a, double b) {
 struct Length {
   double value = 0, radius = 0;
 };
-template <int N, BallNumber T>
-Length length(const Vec<N, T>& v) {
+template <int R, int C, BallNumber T>
+Length length(const Mat<R, C, T>& v) {
   double largest = 0, r = 0;
   for (const T& x : v.x) {
     largest = max(largest, x.size());
@@ -46,11 +46,11 @@ Length length(const Vec<N, T>& v) {
     const double scaled = x.head() * scale;
     square += scaled * scaled;
   }
-  return {std::sqrt(square) / scale, r * N};
+  return {std::sqrt(square) / scale, r * (R * C)};
 }
 
-template <class S, int N, BallNumber T>
-double vector_error(const Vec<N, T>& computed, const Vec<N, T>& exact, const T& scale = T(0)) {
+template <class S, int R, int C, BallNumber T>
+double vector_error(const Mat<R, C, T>& computed, const Mat<R, C, T>& exact, const T& scale = T(0)) {
   constexpr double eps = std::numeric_limits<S>::epsilon();
   constexpr double floor = std::numeric_limits<S>::min() / eps;
   const Length error = length(computed - exact), size = length(exact);
@@ -60,15 +60,6 @@ double vector_error(const Vec<N, T>& computed, const Vec<N, T>& exact, const T& 
   const double in_eps = error.value / by / eps;
   return settled(in_eps, error.radius / by / eps + in_eps * relative_slack);
 }
-template <class S, int R, int C, BallNumber T>
-double matrix_error(const Mat<R, C, T>& computed, const Mat<R, C, T>& exact, const T& scale = T(0)) {
-  return vector_error<S>(Vec<R * C, T>{computed.x}, Vec<R * C, T>{exact.x}, scale);
-}
-template <class S, BallNumber T>
-double scalar_error(const T& computed, const T& exact, const T& scale = T(0)) {
-  return vector_error<S>(Vec<1, T>{{computed}}, Vec<1, T>{{exact}}, scale);
-}
-
 /// |distance| / eps.
 template <class S, BallNumber T>
 double in_eps(const T& distance) {
@@ -101,7 +92,7 @@ double orthogonality_defect(const Mat3<T>& computed) {
       if (i == j) D(i, j) -= T(1);
       D(j, i) = D(i, j);
     }
-  const Length d = length(Vec<9, T>{D.x});
+  const Length d = length(D);
   constexpr double eps = std::numeric_limits<S>::epsilon();
   return settled(d.value / eps, d.radius / eps + 1e-14 * d.value / eps);
 }
@@ -119,7 +110,7 @@ template <class S, BallNumber T>
 MatrixErrors matrix_errors(const Mat3<T>& computed, const Quaternion<T>& exact) {
   constexpr double eps = std::numeric_limits<S>::epsilon();
   const Mat3<T> ball = rotation_matrix(exact), E_ball = computed - ball;
-  const Length size = length(Vec<9, T>{E_ball.x});
+  const Length size = length(E_ball);
   const double E_bound = size.value + size.radius;
   if (!(E_bound < 1e-4))
     return {rotation_error<S>(nearest_quaternion(computed), exact), orthogonality_defect<S>(computed)};

@@ -70,20 +70,14 @@ HalfAngle<T> half_angle(const Vec3<T>& phi, const T& theta) {
   }
   if constexpr (BallNumber<T>) h.inverse = T(1) / h.theta;
   for (int i = 0; i < 3; ++i) h.n[i] = h.over_theta(phi[i]);
-  const int exponent = exponent_of(h.theta);
-  bool odd = false;
-  if constexpr (!BallNumber<T>) {  // the radius of a ball includes the error of a large angle
-    h.large = isfinite(h.theta) && exponent > bits<T> / 4;
-    odd = h.large && reduce(phi, exponent, h.reduced);
-  }
-  if constexpr (BallNumber<T>) {
+  if constexpr (BallNumber<T>) {                     // the radius includes the error of a large angle
     sin_cos(power_scaled(h.reduced, -1), h.s, h.c);  // exact, unlike a quotient
   } else {
+    const int exponent = exponent_of(h.theta);
+    h.large = isfinite(h.theta) && exponent > bits<T> / 4;
+    const bool odd = h.large && reduce(phi, exponent, h.reduced);
     sin_cos(T(h.reduced / 2), h.s, h.c);
-  }
-  if (odd) {
-    h.s = -h.s;
-    h.c = -h.c;
+    if (odd) h.s = -h.s, h.c = -h.c;
   }
   return h;
 }

@@ -4,7 +4,7 @@ namespace liecheck::oracles {
 namespace {
 
 template <class T>
-T block_norm(const std::vector<T>& y, const ConditionBlockOf<T>& block) {
+T block_norm(const std::vector<T>& y, const ConditionBlock& block) {
   T square(0);
   for (int k = block.first; k < block.first + block.size; ++k) {
     const T& y_k = y.at(static_cast<std::size_t>(k));
@@ -41,7 +41,7 @@ T step_of(const T& size) {
 
 template <class T>
 std::vector<T> movements(const FunctionOf<T>& f, const std::vector<T>& x,
-                         const std::vector<ConditionBlockOf<T>>& blocks) {
+                         const std::vector<ConditionBlock>& blocks) {
   if (std::is_same_v<T, DoubleBall>) throw Undecided();
   constexpr bool one_sided = BallNumber<T>;
   std::vector<T> sums(blocks.size(), T(0));
@@ -73,26 +73,10 @@ double condition_number(const T& movement, const T& denominator) {
   return movement == T(0) ? 0.0 : settled_kappa(T(movement / denominator));
 }
 
-template <class T>
-std::vector<double> condition(const FunctionOf<T>& f, const std::vector<T>& x,
-                              const std::vector<ConditionBlockOf<T>>& blocks) {
-  const std::vector<T> sums = movements(f, x, blocks);
-  std::vector<T> y;
-  std::vector<double> kappa;
-  for (std::size_t b = 0; b < blocks.size(); ++b) {
-    if (!blocks[b].denominator && y.empty()) y = f(x);
-    kappa.push_back(
-        condition_number(sums[b], blocks[b].denominator ? *blocks[b].denominator : block_norm(y, blocks[b])));
-  }
-  return kappa;
-}
-
-#define LIECHECK_CONDITION(T)                                                         \
-  template std::vector<T> movements(const FunctionOf<T>&, const std::vector<T>&,      \
-                                    const std::vector<ConditionBlockOf<T>>&);         \
-  template double condition_number(const T&, const T&);                               \
-  template std::vector<double> condition(const FunctionOf<T>&, const std::vector<T>&, \
-                                         const std::vector<ConditionBlockOf<T>>&);
+#define LIECHECK_CONDITION(T)                                                    \
+  template std::vector<T> movements(const FunctionOf<T>&, const std::vector<T>&, \
+                                    const std::vector<ConditionBlock>&);         \
+  template double condition_number(const T&, const T&);
 LIECHECK_CONDITION(Real)
 LIECHECK_CONDITION(DoubleBall)
 LIECHECK_CONDITION(DoubleDoubleBall)

@@ -12,7 +12,6 @@
 // Sources: Higham 2002, section 1.6; Gohberg, Koltracht 1993 (componentwise condition).
 
 #include <functional>
-#include <optional>
 #include <oracles/number.hpp>
 #include <utility>
 #include <vector>
@@ -21,35 +20,20 @@ namespace liecheck::oracles {
 
 template <class T>
 using FunctionOf = std::function<std::vector<T>(const std::vector<T>& x)>;
-using Function = FunctionOf<Real>;
 
-/// Consecutive numbers of f(x), and the denominator of their change (by default their 2-norm).
-template <class T>
-struct ConditionBlockOf {
+/// Consecutive numbers of f(x).
+struct ConditionBlock {
   int first = 0, size = 0;
-  std::optional<T> denominator{};
 };
-using ConditionBlock = ConditionBlockOf<Real>;
 
-/// One kappa for each block. It is infinite if the denominator is zero and the block's derivative is not. f
-/// is called 2 x.size() times; in Real f may be a closed form without a second formula (closed_forms.hpp).
-/// Double-double balls take one-sided differences with the step 2^-64 and x.size() + 1 calls. Undecided is
-/// thrown if kappa then has less than two digits, and always for balls of double.
-template <class T>
-std::vector<double> condition(const FunctionOf<T>& f, const std::vector<T>& x,
-                              const std::vector<ConditionBlockOf<T>>& blocks);
-
-inline std::vector<double> condition(const Function& f, const std::vector<Real>& x,
-                                     const std::vector<ConditionBlock>& blocks) {
-  return condition<Real>(f, x, blocks);
-}
-
-/// sum_i ||dy/dx_i|| |x_i| of each block: kappa times its denominator.
+/// sum_i ||dy/dx_i|| |x_i| of each block: kappa times its denominator. f is called 2 x.size() times; in Real f
+/// may be a closed form without a second formula (closed_forms.hpp). Double-double balls take one-sided
+/// differences with the step 2^-64 and x.size() + 1 calls. Undecided is always thrown for balls of double.
 template <class T>
 std::vector<T> movements(const FunctionOf<T>& f, const std::vector<T>& x,
-                         const std::vector<ConditionBlockOf<T>>& blocks);
-/// kappa = movement / denominator, or 0 if the movement is 0. Throws Undecided unless two digits are certain.
-/// In balls a kappa below 1/2 is not checked, because errors are divided by max(kappa, 1).
+                         const std::vector<ConditionBlock>& blocks);
+/// kappa = movement / denominator, or 0 if the movement is 0; infinite if only the denominator is 0. Throws
+/// Undecided unless two digits are certain. In balls a kappa below 1/2 is not checked, because errors are divided by max(kappa, 1).
 template <class T>
 double condition_number(const T& movement, const T& denominator);
 
@@ -58,7 +42,7 @@ double condition_number(const T& movement, const T& denominator);
 template <class T, class F, class Arguments>
 class Sensitivity {
  public:
-  Sensitivity(F f, Arguments arguments, std::vector<ConditionBlockOf<T>> blocks)
+  Sensitivity(F f, Arguments arguments, std::vector<ConditionBlock> blocks)
       : f_(std::move(f)), arguments_(std::move(arguments)), blocks_(std::move(blocks)) {}
   double kappa(std::size_t block, const T& denominator) const {
     return condition_number<T>(movement(block), denominator);
@@ -71,11 +55,11 @@ class Sensitivity {
  private:
   F f_;
   Arguments arguments_;
-  std::vector<ConditionBlockOf<T>> blocks_;
+  std::vector<ConditionBlock> blocks_;
   mutable std::vector<T> movements_;
 };
 template <class T, class F, class Arguments>
-Sensitivity<T, F, Arguments> sensitivity(F f, Arguments arguments, std::vector<ConditionBlockOf<T>> blocks) {
+Sensitivity<T, F, Arguments> sensitivity(F f, Arguments arguments, std::vector<ConditionBlock> blocks) {
   return {std::move(f), std::move(arguments), std::move(blocks)};
 }
 

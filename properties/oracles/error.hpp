@@ -22,33 +22,25 @@ Real norm_distance(const Quaternion<>& computed);
 /// || R^T R - I ||_F
 Real orthogonality_distance(const Mat3<>& computed);
 
+/// 2^e as a number of an oracle.
+template <class T>
+T two_to(int e) {
+  if constexpr (BallNumber<T>)
+    return std::ldexp(1.0, e);
+  else
+    return ldexp(T(1), e);
+}
 /// eps of S, exactly. (numeric_limits<float128>::epsilon() of Boost 1.74 needs GNU extensions.)
-template <class S>
-const Real& epsilon() {
-  static const Real value = ldexp(Real(1), 1 - std::numeric_limits<S>::digits);
+template <class S, class T = Real>
+const T& epsilon() {
+  static const T value = two_to<T>(1 - std::numeric_limits<S>::digits);
   return value;
 }
 /// The smallest denominator, min_normal / eps: below it the last place of a number of S is subnormal.
-template <class S>
-const Real& smallest_denominator() {
-  static const Real value = ldexp(Real(1), std::numeric_limits<S>::min_exponent - 1) / epsilon<S>();
+template <class S, class T = Real>
+const T& least_denominator() {
+  static const T value = two_to<T>(std::numeric_limits<S>::min_exponent + std::numeric_limits<S>::digits - 2);
   return value;
-}
-
-/// smallest_denominator as a number of an oracle.
-template <class S, class T>
-T least_denominator() {
-  if constexpr (BallNumber<T>) {
-    return T(static_cast<double>(std::numeric_limits<S>::min() / std::numeric_limits<S>::epsilon()));
-  } else {
-    return smallest_denominator<S>();
-  }
-}
-
-/// eps of S as a number of an oracle.
-template <class S, class T>
-T ulp_of_one() {
-  return exact<T>(S(ldexp(S(1), 1 - std::numeric_limits<S>::digits)));
 }
 
 /// distance / eps; infinity for NaN.
@@ -76,12 +68,9 @@ bool all_finite(const M& m) {
   return true;
 }
 
-template <class S>
-double rotation_error(const Quaternion<>& computed, const Quaternion<>& exact) {
-  return in_eps<S>(rotation_distance(computed, exact));
-}
-template <class S>
-double rotation_error(const Mat3<>& computed, const Quaternion<>& exact) {
+/// `computed` is a quaternion or a matrix.
+template <class S, int R, int C>
+double rotation_error(const Mat<R, C>& computed, const Quaternion<>& exact) {
   return in_eps<S>(rotation_distance(computed, exact));
 }
 template <class S>
@@ -98,22 +87,21 @@ MatrixErrors matrix_errors(const Mat3<>& computed, const Quaternion<>& exact) {
   return {rotation_error<S>(computed, exact), orthogonality_defect<S>(computed)};
 }
 
-/// ||computed - exact|| / max(||exact||, scale, min_normal / eps), in eps.
-template <class S, int N>
-double vector_error(const Vec<N>& computed, const Vec<N>& exact, const Real& scale = Real(0)) {
+/// ||computed - exact|| / max(||exact||, scale, min_normal / eps), in eps, with Frobenius norms of matrices.
+template <class S, int R, int C>
+double vector_error(const Mat<R, C>& computed, const Mat<R, C>& exact, const Real& scale = Real(0)) {
   Real size = norm(exact);
   if (scale > size) size = scale;
-  if (smallest_denominator<S>() > size) size = smallest_denominator<S>();
+  if (least_denominator<S>() > size) size = least_denominator<S>();
   return in_eps<S>(Real(norm(computed - exact) / size));
 }
-/// The same with Frobenius norms.
-template <class S, int R, int C>
-double matrix_error(const Mat<R, C>& computed, const Mat<R, C>& exact, const Real& scale = Real(0)) {
-  return vector_error<S>(Vec<R * C>{computed.x}, Vec<R * C>{exact.x}, scale);
+template <class S, int R, int C, class T>
+double matrix_error(const Mat<R, C, T>& computed, const Mat<R, C, T>& exact, const T& scale = T(0)) {
+  return vector_error<S>(computed, exact, scale);
 }
-template <class S>
-double scalar_error(const Real& computed, const Real& exact, const Real& scale = Real(0)) {
-  return vector_error<S>(Vec<1>{{computed}}, Vec<1>{{exact}}, scale);
+template <class S, class T>
+double scalar_error(const T& computed, const T& exact, const T& scale = T(0)) {
+  return vector_error<S>(Vec<1, T>{{computed}}, Vec<1, T>{{exact}}, scale);
 }
 
 struct TwistError {

@@ -28,7 +28,9 @@ bool confirm(const Vec6<Real>& xi, const UnitPose<Real100>& pose, const Mat3<Rea
   });
 }
 
-ExpResult result(const Vec6<Real>& xi) {
+}  // namespace
+
+ExpResult exp_se3(const Vec6<Real>& xi) {
   const Vec6<Real100> exact_xi = cast<Real100>(xi);
   const UnitPose<Real100> pose = closed_exp(exact_xi);
   const Mat3<Real100> E = rotation_minus_identity(pose.Q);
@@ -38,14 +40,8 @@ ExpResult result(const Vec6<Real>& xi) {
   return r;
 }
 
-}  // namespace
-
-ExpResult exp_se3(const Vec6<Real>& xi) {
-  return result(xi);
-}
-
 ExpResult exp_so3(const Vec3<Real>& phi) {
-  return result(stack(zero_vector<3, Real>(), phi));
+  return exp_se3(stack(zero_vector<3, Real>(), phi));
 }
 
 }  // namespace liecheck::oracles

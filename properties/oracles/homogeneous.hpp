@@ -48,15 +48,16 @@ template <class T>
 Vec3<T> origin_of(const Mat34<T>& X) {
   return {{X(0, 3), X(1, 3), X(2, 3)}};
 }
-template <class T>
-Mat3<T> unit_rotation(const Quaternion<T>& Q) {
-  const T n = norm(Q);
-  return rotation_matrix(Quaternion<T>{{Q[0] / n, Q[1] / n, Q[2] / n, Q[3] / n}});
+/// v / ||v||, by division.
+template <int N, class T>
+Vec<N, T> unit(Vec<N, T> v) {
+  const T n = norm(v);
+  for (T& x : v.x) x /= n;
+  return v;
 }
 template <class T>
-Vec3<T> unit(const Vec3<T>& v) {
-  const T n = norm(v);
-  return {{v[0] / n, v[1] / n, v[2] / n}};
+Mat3<T> unit_rotation(const Quaternion<T>& Q) {
+  return rotation_matrix(unit(Q));
 }
 /// The rotation about n by the angle of cosine c and sine s: c I + s [n] + (1 - c) n n^T.
 template <class T>

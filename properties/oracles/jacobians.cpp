@@ -160,14 +160,8 @@ Vec6<Real100> in_units(const Vec6<>& delta, const Scaled& scaled) {
 Jacobian3Result left_jacobian_so3(const Vec3<>& phi) {
   return left_jacobian(cast<Real100>(phi), Form::direct);
 }
-Jacobian3Result right_jacobian_so3(const Vec3<>& phi) {
-  return left_jacobian(cast<Real100>(-phi), Form::direct);
-}
 Jacobian3Result left_jacobian_so3_inverse(const Vec3<>& phi) {
   return left_jacobian(cast<Real100>(phi), Form::inverse);
-}
-Jacobian3Result right_jacobian_so3_inverse(const Vec3<>& phi) {
-  return left_jacobian(cast<Real100>(-phi), Form::inverse);
 }
 
 Jacobian6Result left_jacobian_se3(const Vec6<>& xi) {
@@ -181,35 +175,6 @@ Jacobian6Result left_jacobian_se3_inverse(const Vec6<>& xi) {
 }
 Jacobian6Result right_jacobian_se3_inverse(const Vec6<>& xi) {
   return left_jacobian(cast<Real100>(-xi), Form::inverse);
-}
-
-Jacobian6Result right_jacobian_fd(const Vec6<>& xi) {
-  using T = Real100;
-  const Scaled scaled(head3(cast<T>(xi)));
-  const Vec6<T> centre = in_units(xi, scaled);
-  const Mat3<T> Rt = transpose(identity<3, T>() + affine_exponential(centre).E);
-  const T h = step(), by_2h = 1 / (2 * h);
-  Mat6<T> m;
-  for (int i = 0; i < 6; ++i) {
-    Vec3<T> dp, dphi = zero_vector<3, T>();
-    if (i < 3) {  // p is linear in rho: the derivative is p at rho = e_i
-      Vec6<T> e = centre;
-      for (int k = 0; k < 3; ++k) e[k] = k == i ? 1 : 0;
-      dp = affine_exponential(e).p;
-    } else {
-      Vec6<T> plus = centre, minus = centre;
-      plus[i] += h;
-      minus[i] -= h;
-      const AffineExponential<T> a = affine_exponential(plus), b = affine_exponential(minus);
-      dp = by_2h * (a.p - b.p);
-      dphi = vee(Rt * (by_2h * (a.E - b.E)));
-    }
-    const Vec6<T> column = stack(Rt * dp, dphi);
-    for (int r = 0; r < 6; ++r) m(r, i) = column[r];
-  }
-  return scaled.result(m, [&](const JacobianBlocks<T>& blocks) {
-    return confirm(-centre, Form::direct, blocks, scaled.C_scale());
-  });
 }
 
 Jacobian6Result d_integrate_arg0(const Vec7<>& q, const Vec6<>& delta) {

@@ -7,7 +7,7 @@
 // Three formulas:
 //   1. closed form in dual numbers at 100 digits (closed_forms.hpp): the value of left_* and right_*;
 //   2. phi1(ad xi), or Ad for d_integrate_arg0, by scaling and squaring, 50 or 100 digits: confirms 1 and 3;
-//   3. central differences of the definition at 100 digits: the value of *_fd, d_integrate_*, d_difference_*.
+//   3. central differences of the definition at 100 digits: the value of d_integrate_*, d_difference_*.
 // The inverses have closed forms too, and their product with phi1 confirms them. They are singular at
 // theta = 2 pi k and are resolved if |theta - 2 pi k| > 1e-40.
 //
@@ -43,17 +43,12 @@ struct Jacobian6Value {
 using Jacobian6Result = Jacobian6Value<Real>;
 
 Jacobian3Result left_jacobian_so3(const Vec3<>& phi);
-Jacobian3Result right_jacobian_so3(const Vec3<>& phi);
 Jacobian3Result left_jacobian_so3_inverse(const Vec3<>& phi);
-Jacobian3Result right_jacobian_so3_inverse(const Vec3<>& phi);
 
 Jacobian6Result left_jacobian_se3(const Vec6<>& xi);
 Jacobian6Result right_jacobian_se3(const Vec6<>& xi);
 Jacobian6Result left_jacobian_se3_inverse(const Vec6<>& xi);
 Jacobian6Result right_jacobian_se3_inverse(const Vec6<>& xi);
-
-/// Column i is vee(exp(-xi) d/dh exp(xi + h e_i)), with exp by scaling and squaring.
-Jacobian6Result right_jacobian_fd(const Vec6<>& xi);
 
 /// ARG0 = d/dh difference(integrate(q, delta), integrate(integrate(q, h e_i), delta)) = Ad(exp(-delta)).
 Jacobian6Result d_integrate_arg0(const Vec7<>& q, const Vec6<>& delta);

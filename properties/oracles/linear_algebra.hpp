@@ -7,23 +7,18 @@
 
 namespace liecheck::oracles {
 
-template <int N, class T = Real>
-struct Vec {
-  std::array<T, N> x;
-
-  T& operator[](int i) { return x[static_cast<std::size_t>(i)]; }
-  const T& operator[](int i) const { return x[static_cast<std::size_t>(i)]; }
-  static constexpr int size() { return N; }
-};
-
-/// Stored row by row.
+/// Stored row by row. Element i of that list is m[i].
 template <int R, int C, class T = Real>
 struct Mat {
   std::array<T, R * C> x;
 
-  T& operator()(int i, int j) { return x[static_cast<std::size_t>(i * C + j)]; }
-  const T& operator()(int i, int j) const { return x[static_cast<std::size_t>(i * C + j)]; }
+  T& operator[](int i) { return x[static_cast<std::size_t>(i)]; }
+  const T& operator[](int i) const { return x[static_cast<std::size_t>(i)]; }
+  T& operator()(int i, int j) { return (*this)[i * C + j]; }
+  const T& operator()(int i, int j) const { return (*this)[i * C + j]; }
 };
+template <int N, class T = Real>
+using Vec = Mat<N, 1, T>;
 
 template <class T = Real>
 using Vec3 = Vec<3, T>;
@@ -53,10 +48,6 @@ Mat<R, C, T> exact_matrix(const M& m) {
   return r;
 }
 
-template <class T, int N, class S>
-Vec<N, T> cast(const Vec<N, S>& v) {
-  return exact_vector<N, T>(v);
-}
 template <class T, int R, int C, class S>
 Mat<R, C, T> cast(const Mat<R, C, S>& m) {
   return exact_matrix<R, C, T>(m);
@@ -73,17 +64,18 @@ T dot(const Vec3<T>& a, const Vec3<T>& b) {
   return sum;
 }
 
-template <int N, class T>
-T squared_norm(const Vec<N, T>& v) {
+/// The sum of the squares of all elements, in their order, and its square root.
+template <int R, int C, class T>
+T squared_norm(const Mat<R, C, T>& m) {
   T sum(0), t;
-  for (int i = 0; i < N; ++i) {
-    set_product(t, v[i], v[i]);
+  for (const T& x : m.x) {
+    set_product(t, x, x);
     sum += t;
   }
   return sum;
 }
-template <int N, class T>
-T norm(const Vec<N, T>& v) {
+template <int R, int C, class T>
+T norm(const Mat<R, C, T>& v) {
   if constexpr (BallNumber<T>) {  // scaled, because balls have the exponent range of double
     const T* only = nullptr;      // the norm of a vector along an axis is exact
     int others = -1;
@@ -95,7 +87,7 @@ T norm(const Vec<N, T>& v) {
       if (x.size() > largest) largest = x.size();
     if ((largest < 0x1p-400 && largest > 0) || largest > 0x1p400) {
       const int e = std::ilogb(largest);
-      Vec<N, T> scaled = v;
+      Mat<R, C, T> scaled = v;
       for (T& x : scaled.x) x = power_scaled(x, -e);
       return power_scaled(sqrt(squared_norm(scaled)), e);
     }
@@ -104,7 +96,7 @@ T norm(const Vec<N, T>& v) {
 }
 template <int R, int C, class T>
 T frobenius(const Mat<R, C, T>& m) {
-  return norm(Vec<R * C, T>{m.x});
+  return norm(m);
 }
 
 template <class T>
@@ -120,27 +112,6 @@ Vec3<T> cross(const Vec3<T>& a, const Vec3<T>& b) {
   return r;
 }
 
-template <int N, class T>
-Vec<N, T> operator+(Vec<N, T> a, const Vec<N, T>& b) {
-  for (int i = 0; i < N; ++i) a[i] += b[i];
-  return a;
-}
-template <int N, class T>
-Vec<N, T> operator-(Vec<N, T> a, const Vec<N, T>& b) {
-  for (int i = 0; i < N; ++i) a[i] -= b[i];
-  return a;
-}
-template <int N, class T>
-Vec<N, T> operator-(Vec<N, T> a) {
-  for (T& x : a.x) x = -x;
-  return a;
-}
-template <int N, class T>
-Vec<N, T> operator*(const T& s, Vec<N, T> a) {
-  for (T& x : a.x) x *= s;
-  return a;
-}
-
 template <int R, int C, class T>
 Mat<R, C, T> operator+(Mat<R, C, T> a, const Mat<R, C, T>& b) {
   for (std::size_t i = 0; i < a.x.size(); ++i) a.x[i] += b.x[i];
@@ -149,6 +120,11 @@ Mat<R, C, T> operator+(Mat<R, C, T> a, const Mat<R, C, T>& b) {
 template <int R, int C, class T>
 Mat<R, C, T> operator-(Mat<R, C, T> a, const Mat<R, C, T>& b) {
   for (std::size_t i = 0; i < a.x.size(); ++i) a.x[i] -= b.x[i];
+  return a;
+}
+template <int R, int C, class T>
+Mat<R, C, T> operator-(Mat<R, C, T> a) {
+  for (T& x : a.x) x = -x;
   return a;
 }
 template <int R, int C, class T>
@@ -171,19 +147,6 @@ Mat<R, C, T> operator*(const Mat<R, K, T>& a, const Mat<K, C, T>& b) {
     }
   return r;
 }
-template <int R, int C, class T>
-Vec<R, T> operator*(const Mat<R, C, T>& a, const Vec<C, T>& v) {
-  Vec<R, T> r;
-  T t;
-  for (int i = 0; i < R; ++i) {
-    set_product(r[i], a(i, 0), v[0]);
-    for (int k = 1; k < C; ++k) {
-      set_product(t, a(i, k), v[k]);
-      r[i] += t;
-    }
-  }
-  return r;
-}
 
 template <int R, int C, class T>
 Mat<C, R, T> transpose(const Mat<R, C, T>& a) {
@@ -201,9 +164,7 @@ Mat<R, C, T> zeros() {
 }
 template <int N, class T>
 Vec<N, T> zero_vector() {
-  Vec<N, T> r;
-  for (T& x : r.x) x = 0;
-  return r;
+  return zeros<N, 1, T>();
 }
 template <int N, class T>
 Mat<N, N, T> identity() {
@@ -277,19 +238,15 @@ Mat3<T> block(const Mat6<T>& m, int i, int j) {
     for (int c = 0; c < 3; ++c) b(r, c) = m(3 * i + r, 3 * j + c);
   return b;
 }
-template <class T>
-void set_block(Mat6<T>& m, int i, int j, const Mat3<T>& b) {
-  for (int r = 0; r < 3; ++r)
-    for (int c = 0; c < 3; ++c) m(3 * i + r, 3 * j + c) = b(r, c);
-}
 /// [[a, b], [c, d]]
 template <class T>
 Mat6<T> assemble(const Mat3<T>& a, const Mat3<T>& b, const Mat3<T>& c, const Mat3<T>& d) {
   Mat6<T> m;
-  set_block(m, 0, 0, a);
-  set_block(m, 0, 1, b);
-  set_block(m, 1, 0, c);
-  set_block(m, 1, 1, d);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      m(i, j) = a(i, j), m(i, 3 + j) = b(i, j);
+      m(3 + i, j) = c(i, j), m(3 + i, 3 + j) = d(i, j);
+    }
   return m;
 }
 

@@ -124,11 +124,6 @@ NearestQuaternion nearest_quaternion(const Mat3<Real100>& R) {
                  agree(rotation_matrix(Q), X)};
 }
 
-NearestRotation nearest_rotation(const Mat3<>& R) {
-  const NearestQuaternion nearest = nearest_quaternion(cast<Real100>(R));
-  return {cast<Real>(rotation_matrix(nearest.Q)), cast<Real>(nearest.Q), nearest.resolved};
-}
-
 LogResult log_se3(const Quaternion<>& Q, const Vec3<>& p) {
   return log_of(cast<Real100>(Q), cast<Real100>(p));
 }
@@ -142,10 +137,6 @@ LogResult log_se3_matrix(const Mat3<>& R, const Vec3<>& p) {
   LogResult r = log_of(nearest.Q, cast<Real100>(p));
   r.resolved = r.resolved && nearest.resolved;
   return r;
-}
-
-LogResult log_so3_matrix(const Mat3<>& R) {
-  return log_se3_matrix(R, zero_vector<3, Real>());
 }
 
 }  // namespace liecheck::oracles

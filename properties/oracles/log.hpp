@@ -36,18 +36,8 @@ using LogResult = LogValue<Real>;
 LogResult log_se3(const Quaternion<>& Q, const Vec3<>& p);
 LogResult log_so3(const Quaternion<>& Q);
 LogResult log_se3_matrix(const Mat3<>& R, const Vec3<>& p);
-LogResult log_so3_matrix(const Mat3<>& R);
 
-struct NearestRotation {
-  Mat3<> R;
-  Quaternion<> Q;  ///< unit, w >= 0
-  bool resolved = false;
-};
-
-/// The polar factor of a stored matrix.
-NearestRotation nearest_rotation(const Mat3<>& R);
-
-/// The polar factor's quaternion at 100 digits, for other oracles.
+/// The quaternion of the polar factor of a stored matrix, at 100 digits.
 struct NearestQuaternion {
   Quaternion<Real100> Q;  ///< unit, w >= 0
   bool resolved = false;

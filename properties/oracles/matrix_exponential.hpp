@@ -60,8 +60,8 @@ template <class T>
 void add_to_diagonal(Dual3<T>& m, const T& s) {
   add_to_diagonal(m.a, s);
 }
-template <class T>
-void scale(Mat3<T>& m, int power) {
+template <int R, int C, class T>
+void scale(Mat<R, C, T>& m, int power) {
   for (T& x : m.x) x = ldexp(x, power);
 }
 template <class T>
@@ -131,10 +131,8 @@ AffineExponential<T> affine_exponential(const Vec6<T>& xi) {
   Vec3<T> phi = tail3(xi);
   AffineExponential<T> r{{}, head3(xi)};
   const int k = series::halvings(phi);
-  for (int i = 0; i < 3; ++i) {
-    phi[i] = ldexp(phi[i], -k);
-    r.p[i] = ldexp(r.p[i], -k);
-  }
+  series::scale(phi, -k);
+  series::scale(r.p, -k);
   const Mat3<T> A = hat(phi), V = series::phi1<T>(A);
   r.E = A * V;
   r.p = V * r.p;
@@ -145,15 +143,13 @@ AffineExponential<T> affine_exponential(const Vec6<T>& xi) {
   return r;
 }
 
-/// phi1 of ad(xi) = [[phi], [rho]; 0, [phi]]: the left Jacobian of SE(3).
-template <class T>
-Dual3<T> phi1_adjoint(const Vec6<T>& xi) {
-  const int k = series::halvings(tail3(xi));
-  Dual3<T> A{hat(tail3(xi)), hat(head3(xi))};
+/// phi1 of a matrix, 3x3 or dual, that k halvings bring below 2^-6.
+template <class T, class Matrix>
+Matrix phi1_by_doublings(Matrix A, int k) {
   series::scale(A, -k);
-  Dual3<T> V = series::phi1<T>(A);
+  Matrix V = series::phi1<T>(A);
   if (k == 0) return V;
-  Dual3<T> E = A * V;
+  Matrix E = A * V;
   const T half = T(1) / 2;
   for (int i = 0; i < k; ++i) {
     V = V + half * (V * E);
@@ -161,22 +157,16 @@ Dual3<T> phi1_adjoint(const Vec6<T>& xi) {
   }
   return V;
 }
-
+/// phi1 of ad(xi) = [[phi], [rho]; 0, [phi]]: the left Jacobian of SE(3).
+template <class T>
+Dual3<T> phi1_adjoint(const Vec6<T>& xi) {
+  const Vec3<T> phi = tail3(xi);
+  return phi1_by_doublings<T>(Dual3<T>{hat(phi), hat(head3(xi))}, series::halvings(phi));
+}
 /// phi1 of [phi]: the left Jacobian of SO(3).
 template <class T>
 Mat3<T> phi1_so3(const Vec3<T>& phi) {
-  const int k = series::halvings(phi);
-  Mat3<T> A = hat(phi);
-  series::scale(A, -k);
-  Mat3<T> V = series::phi1<T>(A);
-  if (k == 0) return V;
-  Mat3<T> E = A * V;
-  const T half = T(1) / 2;
-  for (int i = 0; i < k; ++i) {
-    V = V + half * (V * E);
-    if (i + 1 < k) E = E + (E + E * E);
-  }
-  return V;
+  return phi1_by_doublings<T>(hat(phi), series::halvings(phi));
 }
 
 }  // namespace liecheck::oracles

@@ -16,10 +16,8 @@ using Decimal = boost::multiprecision::number<
 using Real = Decimal<50>;
 using Real100 = Decimal<100>;
 
-inline void sin_cos(const Real& x, Real& sine, Real& cosine) {
-  mpfr_sin_cos(sine.backend().data(), cosine.backend().data(), x.backend().data(), MPFR_RNDN);
-}
-inline void sin_cos(const Real100& x, Real100& sine, Real100& cosine) {
+template <unsigned Digits>
+void sin_cos(const Decimal<Digits>& x, Decimal<Digits>& sine, Decimal<Digits>& cosine) {
   mpfr_sin_cos(sine.backend().data(), cosine.backend().data(), x.backend().data(), MPFR_RNDN);
 }
 

@@ -42,11 +42,6 @@ template <class T>
 Mat6<T> motion_cross_matrix(const Vec6<T>& V) {
   return assemble(hat(tail3(V)), hat(head3(V)), zeros<3, 3, T>(), hat(tail3(V)));
 }
-template <class T>
-Mat6<T> matrix_of(const BodyOf<T>& I) {
-  return formulas::inertia_matrix(I);
-}
-
 /// value(Real100), confirmed by matrix(T) V. terms(T) returns the sizes of the terms that may cancel in the
 /// linear part and in the angular part.
 template <class Value, class Matrix, class Terms>
@@ -59,9 +54,14 @@ SpatialResult spatial_result(Value&& value, Matrix&& matrix, const Vec6<>& V, Te
   return {cast<Real>(exact_value), resolved};
 }
 
+/// The terms of a motion in another frame, ||u|| + ||p|| ||w|| and ||w||, and those of a force, with the two
+/// blocks in the opposite order.
 template <class T>
-std::pair<T, T> sizes(const T& linear, const T& angular) {
-  return {linear, angular};
+std::pair<T, T> moved_terms(const Pose& X, const Vec6<>& V, bool force) {
+  const Vec3<> lever = force ? tail3(V) : head3(V);
+  const T other(norm(force ? head3(V) : tail3(V)));
+  const T sum = T(norm(lever)) + T(norm(X.p)) * other;
+  return force ? std::pair(other, sum) : std::pair(sum, other);
 }
 
 }  // namespace
@@ -103,37 +103,25 @@ PointResult act_inverse_point(const Pose& X, const Vec3<>& x) {
 SpatialResult act_motion(const Pose& X, const Vec6<>& V) {
   return spatial_result([&]<class T>(T) { return formulas::act_motion(cast<T>(X), cast<T>(V)); },
                         [&]<class T>(T) { return motion_matrix(cast<T>(X)); }, V,
-                        [&]<class T>(T) {
-                          const T w(norm(tail3(V)));
-                          return sizes<T>(T(norm(head3(V))) + T(norm(X.p)) * w, w);
-                        });
+                        [&]<class T>(T) { return moved_terms<T>(X, V, false); });
 }
 
 SpatialResult act_inverse_motion(const Pose& X, const Vec6<>& V) {
   return spatial_result([&]<class T>(T) { return formulas::act_inverse_motion(cast<T>(X), cast<T>(V)); },
                         [&]<class T>(T) { return inverse_motion_matrix(cast<T>(X)); }, V,
-                        [&]<class T>(T) {
-                          const T w(norm(tail3(V)));
-                          return sizes<T>(T(norm(head3(V))) + T(norm(X.p)) * w, w);
-                        });
+                        [&]<class T>(T) { return moved_terms<T>(X, V, false); });
 }
 
 SpatialResult act_force(const Pose& X, const Vec6<>& F) {
   return spatial_result([&]<class T>(T) { return formulas::act_force(cast<T>(X), cast<T>(F)); },
                         [&]<class T>(T) { return transpose(inverse_motion_matrix(cast<T>(X))); }, F,
-                        [&]<class T>(T) {
-                          const T f(norm(head3(F)));
-                          return sizes<T>(f, T(norm(tail3(F))) + T(norm(X.p)) * f);
-                        });
+                        [&]<class T>(T) { return moved_terms<T>(X, F, true); });
 }
 
 SpatialResult act_inverse_force(const Pose& X, const Vec6<>& F) {
   return spatial_result([&]<class T>(T) { return formulas::act_inverse_force(cast<T>(X), cast<T>(F)); },
                         [&]<class T>(T) { return transpose(motion_matrix(cast<T>(X))); }, F,
-                        [&]<class T>(T) {
-                          const T f(norm(head3(F)));
-                          return sizes<T>(f, T(norm(tail3(F))) + T(norm(X.p)) * f);
-                        });
+                        [&]<class T>(T) { return moved_terms<T>(X, F, true); });
 }
 
 SpatialResult cross_motion(const Vec6<>& V, const Vec6<>& W) {
@@ -142,7 +130,7 @@ SpatialResult cross_motion(const Vec6<>& V, const Vec6<>& W) {
                         [&]<class T>(T) {
                           const T u(norm(head3(V))), w(norm(tail3(V))), u_W(norm(head3(W))),
                               w_W(norm(tail3(W)));
-                          return sizes<T>(w * u_W + u * w_W, w * w_W);
+                          return std::pair(T(w * u_W + u * w_W), T(w * w_W));
                         });
 }
 
@@ -151,7 +139,7 @@ SpatialResult cross_force(const Vec6<>& V, const Vec6<>& F) {
                         [&]<class T>(T) { return T(-1) * transpose(motion_cross_matrix(cast<T>(V))); }, F,
                         [&]<class T>(T) {
                           const T u(norm(head3(V))), w(norm(tail3(V))), f(norm(head3(F))), n(norm(tail3(F)));
-                          return sizes<T>(w * f, w * n + u * f);
+                          return std::pair(T(w * f), T(w * n + u * f));
                         });
 }
 
@@ -162,7 +150,7 @@ template <class T, class Move>
 bool congruent(const PoseOf<T>& X, const BodyOf<T>& I, bool back, Move&& move) {
   static const T zero = std::is_same_v<T, Real100> ? pow(T(10), -50) : T(0);
   const Mat6<T> Y = back ? motion_matrix(X) : inverse_motion_matrix(X);
-  const Mat6<T> a = transpose(Y) * matrix_of(I) * Y, b = matrix_of(move(X, I));
+  const Mat6<T> a = transpose(Y) * formulas::inertia_matrix(I) * Y, b = formulas::inertia_matrix(move(X, I));
   const T lever = norm(I.c) + norm(X.p), moment = zero * abs(I.mass) * lever;
   const T rotational = moment * lever + zero * frobenius(I.I_C);
   return agree(block(a, 0, 0), block(b, 0, 0)) && agree(block(a, 0, 1), block(b, 0, 1), agreement, moment) &&
@@ -194,7 +182,7 @@ BodyResult act_inverse_inertia(const Pose& X, const Body& I) {
 }
 
 Matrix6Result inertia_matrix(const Body& I) {
-  const Mat6<Real100> M = matrix_of(cast<Real100>(I));
+  const Mat6<Real100> M = formulas::inertia_matrix(cast<Real100>(I));
   // the second formula: I_O = I_C + m (||c||^2 I - c c^T)
   Mat3<> I_O = I.I_C;
   const Real cc = squared_norm(I.c);
@@ -205,10 +193,11 @@ Matrix6Result inertia_matrix(const Body& I) {
 
 SpatialResult momentum(const Body& I, const Vec6<>& V) {
   return spatial_result([&]<class T>(T) { return formulas::momentum(cast<T>(I), cast<T>(V)); },
-                        [&]<class T>(T) { return matrix_of(cast<T>(I)); }, V,
+                        [&]<class T>(T) { return formulas::inertia_matrix(cast<T>(I)); }, V,
                         [&]<class T>(T) {
                           const T u(norm(head3(V))), w(norm(tail3(V))), c(norm(I.c)), m = abs(T(I.mass));
-                          return sizes<T>(m * (u + c * w), T(frobenius(I.I_C)) * w + c * m * (u + c * w));
+                          return std::pair(T(m * (u + c * w)),
+                                           T(T(frobenius(I.I_C)) * w + c * m * (u + c * w)));
                         });
 }
 
@@ -217,7 +206,7 @@ ScalarResult kinetic_energy(const Body& I, const Vec6<>& V) {
   const BodyOf<T> B = cast<T>(I);
   const T E = formulas::kinetic_energy(B, cast<T>(V));
   const bool resolved = confirmed(true, [&]<class S>(S) {
-    const Vec6<S> V_s = cast<S>(V), h = matrix_of(cast<S>(I)) * V_s;
+    const Vec6<S> V_s = cast<S>(V), h = formulas::inertia_matrix(cast<S>(I)) * V_s;
     const S second = (dot(head3(V_s), head3(h)) + dot(tail3(V_s), tail3(h))) / 2;
     static const S zero = std::is_same_v<S, Real100> ? pow(S(10), -50) : S(0);
     const S speed = norm(head3(V_s)) + S(norm(I.c)) * norm(tail3(V_s));

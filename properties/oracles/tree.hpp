@@ -113,8 +113,11 @@ class TreeDynamics {
   T potential_energy() const;
   T energy_rate() const;  ///< time derivative of kinetic + potential energy
   Vec3<T> centre() const;
-  Vec6<T> momentum() const;       ///< about the centre of mass
-  Vec6<T> momentum_rate() const;  ///< its time derivative
+  /// The momentum about the centre of mass.
+  Vec6<T> momentum() const { return moment_about_centre(at_.X1); }
+  /// Its time derivative. That of sum m (x - c) cross x' is sum m (x - c) cross x'', since x' cross x' = 0 and
+  /// c' cross sum m x' = 0.
+  Vec6<T> momentum_rate() const { return moment_about_centre(at_.X2); }
 
  private:
   const TreeOf<T>& tree_;
@@ -126,6 +129,7 @@ class TreeDynamics {
 
   /// Is `ancestor` the joint itself or one of its ancestors?
   bool carries(int ancestor, std::size_t joint) const;
+  Vec6<T> moment_about_centre(const std::vector<Mat34<T>>& y) const;
 };
 
 /// The motion of a frame that is fixed to a joint at the pose (Q, position), in the world's axes.

@@ -53,6 +53,23 @@ Mat34<T> minus_gravity(Mat34<T> A, const Vec3<T>& g) {
   for (int i = 0; i < 3; ++i) A(i, 3) -= g[i];
   return A;
 }
+/// Replaces the value of each joint by the sum over its subtree.
+template <class T, class Value>
+void sum_subtrees(const TreeOf<T>& tree, std::vector<Value>& all) {
+  for (std::size_t i = all.size(); i-- > 0;)
+    if (const int p = tree.joints[i].parent; p >= 0) {
+      auto& sum = all[static_cast<std::size_t>(p)];
+      sum = sum + all[i];
+    }
+}
+/// add(k, armature) for each velocity k of a joint that is not a mimic.
+template <class T, class Add>
+void for_each_armature(const TreeOf<T>& tree, Add&& add) {
+  for (std::size_t i = 0; i < tree.joints.size(); ++i)
+    if (const JointOf<T>& j = tree.joints[i]; j.primary < 0)
+      for (int k = 0; k < velocity_size(j.kind); ++k)
+        add(static_cast<std::size_t>(tree.idx_v[i] + k), j.armature);
+}
 }  // namespace
 
 template <class T>
@@ -68,11 +85,7 @@ std::vector<T> TreeDynamics<T>::torque(const std::vector<WrenchOf<T>>& fext) con
   std::vector<Mat<4, 3, T>> Y(n);
   for (std::size_t i = 0; i < n; ++i)
     Y[i] = times_transposed(times(at_.X[i], J_[i], 1), minus_gravity(at_.X2[i], tree_.gravity));
-  for (std::size_t i = n; i-- > 0;)
-    if (const int p = tree_.joints[i].parent; p >= 0) {
-      auto& sum = Y[static_cast<std::size_t>(p)];
-      sum = sum + Y[i];
-    }
+  sum_subtrees(tree_, Y);
   Numbers tau(static_cast<std::size_t>(tree_.nv), T(0));
   for (const ColumnOf<T>& c : columns_)
     tau[static_cast<std::size_t>(c.v)] += work(c.u, c.w, Y[static_cast<std::size_t>(c.joint)]);
@@ -83,12 +96,7 @@ std::vector<T> TreeDynamics<T>::torque(const std::vector<WrenchOf<T>>& fext) con
       if (carries(c.joint, static_cast<std::size_t>(F.joint)))
         tau[static_cast<std::size_t>(c.v)] -= dot(c.u, f) + dot(c.w, m);
   }
-  for (std::size_t i = 0; i < n; ++i) {
-    const JointOf<T>& j = tree_.joints[i];
-    if (j.primary >= 0) continue;
-    for (int k = tree_.idx_v[i]; k < tree_.idx_v[i] + velocity_size(j.kind); ++k)
-      tau[static_cast<std::size_t>(k)] += j.armature * a_[static_cast<std::size_t>(k)];
-  }
+  for_each_armature(tree_, [&](std::size_t k, const T& armature) { tau[k] += armature * a_[k]; });
   return tau;
 }
 
@@ -102,11 +110,8 @@ std::vector<T> TreeDynamics<T>::torque_derivative(const std::vector<WrenchOf<T>>
     Y[i] = times_transposed(XJ, A);
     dY[i] = times_transposed(times(change_.X[i], J_[i], 0), A) + times_transposed(XJ, change_.X2[i]);
   }
-  for (std::size_t i = n; i-- > 0;)
-    if (const int p = tree_.joints[i].parent; p >= 0) {
-      const auto k = static_cast<std::size_t>(p);
-      Y[k] = Y[k] + Y[i], dY[k] = dY[k] + dY[i];
-    }
+  sum_subtrees(tree_, Y);
+  sum_subtrees(tree_, dY);
   Numbers tau(static_cast<std::size_t>(tree_.nv), T(0));
   for (std::size_t k = 0; k < columns_.size(); ++k) {
     const ColumnOf<T>&c = columns_[k], &dc = columns_change_[k];
@@ -125,12 +130,7 @@ std::vector<T> TreeDynamics<T>::torque_derivative(const std::vector<WrenchOf<T>>
                                                         dot(columns_[k].u, df) +
                                                         dot(columns_change_[k].w, m) + dot(columns_[k].w, dm);
   }
-  for (std::size_t i = 0; i < n; ++i) {
-    const JointOf<T>& j = tree_.joints[i];
-    if (j.primary >= 0) continue;
-    for (int k = tree_.idx_v[i]; k < tree_.idx_v[i] + velocity_size(j.kind); ++k)
-      tau[static_cast<std::size_t>(k)] += j.armature * da_[static_cast<std::size_t>(k)];
-  }
+  for_each_armature(tree_, [&](std::size_t k, const T& armature) { tau[k] += armature * da_[k]; });
   return tau;
 }
 
@@ -145,11 +145,7 @@ std::vector<T> TreeDynamics<T>::mass() const {
       moments[i](r, 3) = r < 3 ? Y(3, r) : J_[i](3, 3);
     }
   }
-  for (std::size_t i = n; i-- > 0;)
-    if (const int p = tree_.joints[i].parent; p >= 0) {
-      auto& sum = moments[static_cast<std::size_t>(p)];
-      sum = sum + moments[i];
-    }
+  sum_subtrees(tree_, moments);
   Numbers M(nv * nv, T(0));
   for (std::size_t l = 0; l < columns_.size(); ++l) {
     const ColumnOf<T>& c = columns_[l];
@@ -163,13 +159,7 @@ std::vector<T> TreeDynamics<T>::mass() const {
       if (k != l) M[vl * nv + vk] += m;
     }
   }
-  for (std::size_t i = 0; i < n; ++i) {
-    const JointOf<T>& j = tree_.joints[i];
-    if (j.primary >= 0) continue;
-    const auto first = static_cast<std::size_t>(tree_.idx_v[i]);
-    for (std::size_t k = first; k < first + static_cast<std::size_t>(velocity_size(j.kind)); ++k)
-      M[k * nv + k] += j.armature;
-  }
+  for_each_armature(tree_, [&](std::size_t k, const T& armature) { M[k * nv + k] += armature; });
   return M;
 }
 
@@ -211,28 +201,14 @@ Vec3<T> TreeDynamics<T>::centre() const {
   }
   return {{sum[0] / mass, sum[1] / mass, sum[2] / mass}};
 }
-namespace {
-/// sum m y and sum m (x - c) cross y, for Y_i = sum m (x; 1) y^T.
-template <class T, class F>
-Vec6<T> about(const Vec3<T>& c, std::size_t n, F&& Y_of) {
+/// sum m y and sum m (x - c) cross y, for the derivative y of x.
+template <class T>
+Vec6<T> TreeDynamics<T>::moment_about_centre(const std::vector<Mat34<T>>& y) const {
   Mat<4, 3, T> Y = zeros<4, 3, T>();
-  for (std::size_t i = 0; i < n; ++i) Y = Y + Y_of(i);
-  Vec3<T> linear{{Y(3, 0), Y(3, 1), Y(3, 2)}};
-  Vec3<T> angular{{Y(1, 2) - Y(2, 1), Y(2, 0) - Y(0, 2), Y(0, 1) - Y(1, 0)}};
-  return stack(linear, angular - cross(c, linear));
-}
-}  // namespace
-template <class T>
-Vec6<T> TreeDynamics<T>::momentum() const {
-  return about<T>(centre(), J_.size(),
-                  [&](std::size_t i) { return times_transposed(times(at_.X[i], J_[i], 1), at_.X1[i]); });
-}
-/// The derivative of sum m (x - c) cross x' is sum m (x - c) cross x'', since x' cross x' = 0 and c' cross
-/// sum m x' = 0.
-template <class T>
-Vec6<T> TreeDynamics<T>::momentum_rate() const {
-  return about<T>(centre(), J_.size(),
-                  [&](std::size_t i) { return times_transposed(times(at_.X[i], J_[i], 1), at_.X2[i]); });
+  for (std::size_t i = 0; i < J_.size(); ++i) Y = Y + times_transposed(times(at_.X[i], J_[i], 1), y[i]);
+  const Vec3<T> linear{{Y(3, 0), Y(3, 1), Y(3, 2)}};
+  const Vec3<T> angular{{Y(1, 2) - Y(2, 1), Y(2, 0) - Y(0, 2), Y(0, 1) - Y(1, 0)}};
+  return stack(linear, angular - cross(centre(), linear));
 }
 
 #define LIECHECK_TREE(T)                                                                             \
@@ -243,8 +219,7 @@ Vec6<T> TreeDynamics<T>::momentum_rate() const {
   template T TreeDynamics<T>::potential_energy() const;                                              \
   template T TreeDynamics<T>::energy_rate() const;                                                   \
   template Vec3<T> TreeDynamics<T>::centre() const;                                                  \
-  template Vec6<T> TreeDynamics<T>::momentum() const;                                                \
-  template Vec6<T> TreeDynamics<T>::momentum_rate() const;
+  template Vec6<T> TreeDynamics<T>::moment_about_centre(const std::vector<Mat34<T>>&) const;
 LIECHECK_TREE(Real)
 LIECHECK_TREE(Real100)
 LIECHECK_TREE(DoubleBall)

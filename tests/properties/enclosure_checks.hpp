@@ -8,6 +8,7 @@
 #include <oracles/jacobians.hpp>
 #include <string>
 
+#include "difference_jacobian.hpp"
 #include "enclosure_ledger.hpp"
 #include "enclosure_se3.hpp"
 
@@ -59,7 +60,7 @@ class Checks {
     blocks("right_jacobian", right, right_jacobian_se3(xi));
     if (norm(tail3(xi)) <= 1e9) blocks("right_jacobian_fd", right, right_jacobian_fd(xi));
     rotations("left_jacobian_so3", left, left_jacobian_so3(tail3(xi)));
-    rotations("right_jacobian_so3", right, right_jacobian_so3(tail3(xi)));
+    rotations("right_jacobian_so3", right, left_jacobian_so3(-tail3(xi)));
     const JacobianBlocks<Real100> J = closed_left_jacobian(cast<Real100>(xi)),
                                   K = closed_left_jacobian_inverse(cast<Real100>(xi));
     const M3<T> approximate = point<T>(K.J);
@@ -68,7 +69,7 @@ class Checks {
     blocks("left_jacobian_inverse", left_inverse, left_jacobian_se3_inverse(xi));
     blocks("right_jacobian_inverse", right_inverse, right_jacobian_se3_inverse(xi));
     rotations("left_jacobian_so3_inverse", left_inverse, left_jacobian_so3_inverse(tail3(xi)));
-    rotations("right_jacobian_so3_inverse", right_inverse, right_jacobian_so3_inverse(tail3(xi)));
+    rotations("right_jacobian_so3_inverse", right_inverse, left_jacobian_so3_inverse(-tail3(xi)));
     const double digits = claim_at_100_digits(norm(tail3(xi)));
     near("left_jacobian J at 100 digits", left.J, J.J, T(0), digits);
     near("left_jacobian C at 100 digits", left.C, J.C, T(0), digits);
@@ -83,10 +84,10 @@ class Checks {
   }
 
   void log(const Mat3<>& R, const Vec3<>& p) {
-    const NearestRotation r = nearest_rotation(R);
+    const NearestQuaternion r = nearest_quaternion(cast<Real100>(R));
     if (!r.resolved) ledger_.unresolved("nearest_rotation");
-    const Q4<T> q = nearest<T>(point<T>(R), point<T>(r.Q));
-    near("nearest_rotation R", M3<T>(rotation<T>(q)), r.R, T(1));
+    const Q4<T> q = nearest<T>(point<T>(R), point<T>(cast<Real>(r.Q)));
+    near("nearest_rotation R", M3<T>(rotation<T>(q)), cast<Real>(rotation_matrix(r.Q)), T(1));
     const V3<T> t = point<T>(p);
     logs("log of a matrix", log_se3_matrix(R, p), enclosures::log<T>(q, t), enclosures::log<T>(q, t, true));
   }

@@ -40,15 +40,4 @@ class LagrangeTop {
   T a_, b_, u1_, u2_, u3_, k_, lambda_, s0_, upper0_, lower0_, spin_, phi0_, psi0_;
 };
 
-/// The two precession rates p [rad/s] at which a top with spin omega_z keeps the angle acos(cosine) from the
-/// vertical: I_t cosine p^2 - I_z omega_z p + m g c = 0. The slower one is first. NaN if there is none.
-template <class T>
-Vec<2, T> steady_precession(const T& transverse, const T& axial, const T& torque, const T& cosine,
-                            const T& omega_z) {
-  const T half = axial * omega_z / 2, root = half * half - transverse * cosine * torque;
-  if (root < 0) return {{std::numeric_limits<T>::quiet_NaN(), std::numeric_limits<T>::quiet_NaN()}};
-  const T larger = half < 0 ? T(half - sqrt(root)) : T(half + sqrt(root));
-  return {{torque / larger, larger / (transverse * cosine)}};
-}
-
 }  // namespace liecheck::oracles

@@ -60,19 +60,6 @@ struct PlanarChain {
     for (int i = 0; i < N; ++i) rate[i] = y[N + i], rate[N + i] = A(i, N) / A(i, i);
     return rate;
   }
-
-  /// Kinetic + potential energy [J].
-  T energy(const Vec<2 * N, T>& y) const {
-    const Mat<N, N, T> K = couplings();
-    T sum(0), beyond(0);
-    for (int i = N - 1; i >= 0; --i) {
-      const Link<T>& link = links[static_cast<std::size_t>(i)];
-      for (int j = 0; j < N; ++j) sum += K(i, j) * cos(T(y[i] - y[j])) * y[N + i] * y[N + j] / 2;
-      sum += gravity * (link.mass * link.centre + link.length * beyond) * sin(y[i]);
-      beyond += link.mass;
-    }
-    return sum;
-  }
 };
 
 }  // namespace liecheck::oracles

@@ -31,7 +31,6 @@ class TriaxialBody {
   T period() const;
   /// The n-th time > 0 at which L_b = 0, the middle of a flip between +b and -b [s]; n = 0, 1, ...
   T flip_time(int n) const;
-  const T& modulus() const { return k_; }  ///< k
 
  private:
   Vec3<T> momentum_at(const T& sn, const T& cn, const T& dn) const;
