@@ -5,6 +5,7 @@
 #include <oracles/condition.hpp>
 #include <oracles/error.hpp>
 #include <oracles/jacobians.hpp>
+#include <oracles/spatial_formulas.hpp>
 
 namespace liecheck::properties {
 
@@ -48,15 +49,51 @@ double at_most(const oracles::Vec<N, T>& v) {
   }
 }
 
-template <int N, class T>
-std::vector<T> to_list(const oracles::Vec<N, T>& v) {
-  return {v.x.begin(), v.x.end()};
+/// The numbers of vectors and matrices of the oracles, one after another.
+template <class V, class... W>
+auto to_list(const V& v, const W&... others) {
+  std::vector<typename decltype(v.x)::value_type> all(v.x.begin(), v.x.end());
+  (all.insert(all.end(), others.x.begin(), others.x.end()), ...);
+  return all;
 }
 template <int N, class T>
 oracles::Vec<N, T> from_list(const std::vector<T>& x, std::size_t first = 0) {
   oracles::Vec<N, T> v;
   for (int i = 0; i < N; ++i) v[i] = x[first + static_cast<std::size_t>(i)];
   return v;
+}
+
+/// A pose from its 12 numbers R, p.
+template <class T>
+oracles::PoseOf<T> pose_from(const std::vector<T>& x) {
+  oracles::PoseOf<T> X;
+  std::copy_n(x.begin(), 9, X.R.x.begin());
+  std::copy_n(x.begin() + 9, 3, X.p.x.begin());
+  return X;
+}
+template <class T, class S>
+oracles::PoseOf<T> exact_pose(const Pose<S>& X) {
+  return {oracles::exact_matrix<3, 3, T>(X.R), oracles::exact_vector<3, T>(X.p)};
+}
+
+/// Whether a computed and an exact value can be compared. If not, records not_finite or unresolved.
+template <class M>
+bool comparable(Recorder& r, const Output& output, const M& computed, bool resolved) {
+  const bool finite = oracles::all_finite(computed);
+  if (!finite || !resolved) r.outcome(output, 0, finite ? Outcome::unresolved : Outcome::not_finite);
+  return finite && resolved;
+}
+
+/// Records the error of a vector. Its kappa is that of `formula` at the numbers x(): N results from `first`.
+template <class S, int N, class T, class Formula, class Numbers>
+void record_vector(Recorder& r, const Output& output, const Vec<S, N>& computed,
+                   const oracles::Vec<N, T>& exact, bool resolved, const Formula& formula, const Numbers& x,
+                   int first = 0) {
+  if (!comparable(r, output, computed, resolved)) return;
+  r.record(output, 0, oracles::vector_error<S>(oracles::exact_vector<N, T>(computed), exact), [&] {
+    const T size = oracles::larger(norm(exact), oracles::least_denominator<S, T>());
+    return std::max(1.0, kappa_of<T>(formula, x(), first, N, size));
+  });
 }
 
 /// The band of ||phi||. Below 2^-900 a ball of the norm is wider than one ulp. There 2^600 phi, which is
@@ -126,6 +163,14 @@ double norm_defect_at(const std::vector<S>& input, std::size_t first) {
   oracles::Quaternion<> Q;
   for (int i = 0; i < 4; ++i) Q[i] = oracles::exact<Real>(input[first + static_cast<std::size_t>(i)]);
   return oracles::norm_defect<S>(Q);
+}
+
+/// ||R^T R - I|| in eps, for the matrix R that starts at `first`.
+template <class S>
+double orthogonality_defect_at(const std::vector<S>& input, std::size_t first) {
+  oracles::Mat3<> R;
+  for (std::size_t i = 0; i < 9; ++i) R.x[i] = oracles::exact<Real>(input[first + i]);
+  return oracles::orthogonality_defect<S>(R);
 }
 
 /// Records the errors of the 3 x 3 rotation and coupling blocks of a 6 x 6 Jacobian. The lower left block

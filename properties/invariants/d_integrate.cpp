@@ -34,11 +34,6 @@ class DIntegrate final : public Law<DIntegrate, S> {
             {"p1", Kind::vector, 3, "m"},  {"Q1", Kind::quaternion, 4, "1", Reach::beside},
             {"rho", Kind::vector, 3, "m"}, {"phi", Kind::rotation_vector, 3, "rad"}};
   }
-  bool offered(const Subject<S>& s) const override {
-    const auto& o = s.operations;
-    return o[op::d_integrate_arg0] || o[op::d_integrate_arg1] || o[op::d_difference_arg0] ||
-           o[op::d_difference_arg1];
-  }
   std::vector<S> generate(Source& source) const override {
     std::vector<S> x;
     const int scale = std::numeric_limits<S>::max_exponent / 8;

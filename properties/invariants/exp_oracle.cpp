@@ -28,9 +28,6 @@ class ExpOracle final : public Law<ExpOracle, S> {
     return {{"rho", Kind::vector, 3, "m", Reach::full},
             {"phi", Kind::rotation_vector, 3, "rad", Reach::full}};
   }
-  bool offered(const Subject<S>& s) const override {
-    return s.operations[op::exp3_quaternion] || s.operations[op::exp3_matrix] || s.operations[op::exp6];
-  }
   std::vector<S> generate(Source& source) const override {
     std::vector<S> x;
     x.reserve(6);

@@ -39,9 +39,6 @@ class IntegrateDifference final : public Law<IntegrateDifference, S> {
         {"p1", Kind::vector, 3, "m", Reach::beside}, {"Q1", Kind::quaternion, 4, "1", Reach::beside},
         {"rho", Kind::vector, 3, "m", Reach::full},  {"phi", Kind::rotation_vector, 3, "rad", Reach::full}};
   }
-  bool offered(const Subject<S>& s) const override {
-    return s.operations[op::integrate] || s.operations[op::difference];
-  }
   std::vector<S> generate(Source& source) const override {
     std::vector<S> x;
     const auto p0 = vector3<S>(source);

@@ -31,12 +31,6 @@ class JacobianOracle final : public Law<JacobianOracle, S> {
     return {{"rho", Kind::vector, 3, "m", Reach::full},
             {"phi", Kind::rotation_vector, 3, "rad", Reach::full}};
   }
-  bool offered(const Subject<S>& s) const override {
-    const auto& o = s.operations;
-    return o[op::left_jacobian3] || o[op::right_jacobian3] || o[op::left_jacobian3_inverse] ||
-           o[op::right_jacobian3_inverse] || o[op::left_jacobian6] || o[op::right_jacobian6] ||
-           o[op::left_jacobian6_inverse] || o[op::right_jacobian6_inverse];
-  }
   std::vector<S> generate(Source& source) const override {
     std::vector<S> x;
     append(x, vector3<S>(source));

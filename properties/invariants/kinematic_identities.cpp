@@ -52,9 +52,6 @@ class KinematicIdentities final : public Law<KinematicIdentities, S> {
             {"u", Kind::vector, 3, "m/s", Reach::full},
             {"omega", Kind::vector, 3, "rad/s", Reach::full}};
   }
-  bool offered(const Subject<S>& subject) const override {
-    return subject.operations[op::integrate_coefficient_jacobian] != nullptr;
-  }
   std::vector<S> generate(Source& source) const override {
     std::vector<S> input;
     append(input, vector3<S>(source));

@@ -26,9 +26,6 @@ class LogOracle final : public Law<LogOracle, S> {
             {"R", Kind::rotation_matrix, 9, "1"},
             {"p", Kind::vector, 3, "m", Reach::full}};
   }
-  bool offered(const Subject<S>& s) const override {
-    return s.operations[op::log3_quaternion] || s.operations[op::log3_matrix] || s.operations[op::log6];
-  }
   std::vector<S> generate(Source& source) const override {
     std::vector<S> x;
     const auto Q = unit_quaternion<S>(source);
@@ -38,10 +35,8 @@ class LogOracle final : public Law<LogOracle, S> {
     return x;
   }
   bool valid(const std::vector<S>& input) const override {
-    if (!Property<S>::valid(input)) return false;
-    Reader<S> read(input);
-    if (oracles::norm_defect<S>(oracles::exact_vector<4, Real>(read.template take<4>())) > 8) return false;
-    return oracles::orthogonality_defect<S>(oracles::exact_matrix<3, 3, Real>(read.take_matrix())) <= 8;
+    return Property<S>::valid(input) && norm_defect_at(input, 0) <= 8 &&
+           orthogonality_defect_at(input, 4) <= 8;
   }
   template <class Real>
   void in(const Subject<S>& subject, const std::vector<S>& input, Recorder& r) const {

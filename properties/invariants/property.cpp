@@ -23,6 +23,16 @@ template void add<float128>(std::unique_ptr<Property<float128>> (*)());
 }  // namespace property_detail
 
 template <class S>
+bool Property<S>::offered(const Subject<S>& subject) const {
+  const auto all = outputs();
+  return std::any_of(all.begin(), all.end(),
+                     [&](const Output& o) { return subject.operations.has(*o.record); });
+}
+template bool Property<float>::offered(const Subject<float>&) const;
+template bool Property<double>::offered(const Subject<double>&) const;
+template bool Property<float128>::offered(const Subject<float128>&) const;
+
+template <class S>
 std::vector<std::unique_ptr<Property<S>>> make_properties() {
   std::vector<std::unique_ptr<Property<S>>> all;
   for (auto* make : makers<S>()) all.push_back(make());

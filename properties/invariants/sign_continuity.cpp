@@ -24,7 +24,6 @@ class SignContinuity final : public Law<SignContinuity, S> {
             {"rho", Kind::vector, 3, "m"},
             {"phi", Kind::rotation_vector, 3, "rad"}};
   }
-  bool offered(const Subject<S>& s) const override { return s.operations[op::integrate]; }
   std::vector<S> generate(Source& source) const override {
     std::vector<S> x;
     append(x, vector3<S>(source, 8));

@@ -31,11 +31,6 @@ class SmallAngleBranches final : public Law<SmallAngleBranches, S> {
             {"direction", Kind::opaque, 3, "1"},
             {"theta", Kind::opaque, 2, "rad"}};
   }
-  bool offered(const Subject<S>& s) const override {
-    const auto& o = s.operations;
-    return o[op::exp3_quaternion] || o[op::exp6] || o[op::left_jacobian3] || o[op::left_jacobian3_inverse] ||
-           o[op::right_jacobian6] || o[op::right_jacobian6_inverse];
-  }
   std::vector<S> generate(Source& source) const override {
     std::vector<S> x;
     append(x, vector3<S>(source, 8));
