@@ -134,18 +134,17 @@ class Law : public Property<S> {
 template <class S>
 std::vector<std::unique_ptr<Property<S>>> make_properties();
 
-namespace property_detail {
+/// Functions that make the registered properties, in any order.
 template <class S>
-void add(std::unique_ptr<Property<S>> (*make)());
-}
+inline constinit std::vector<std::unique_ptr<Property<S>> (*)()> property_makers;
 
 /// A static object of this type in an invariant's file registers the invariant for every scalar.
 template <template <class> class P>
 struct RegisteredProperty {
   RegisteredProperty() {
-    property_detail::add<float>(&make<float>);
-    property_detail::add<double>(&make<double>);
-    property_detail::add<float128>(&make<float128>);
+    property_makers<float>.push_back(&make<float>);
+    property_makers<double>.push_back(&make<double>);
+    property_makers<float128>.push_back(&make<float128>);
   }
   template <class S>
   static std::unique_ptr<Property<S>> make() {
