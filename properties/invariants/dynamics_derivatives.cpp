@@ -87,7 +87,7 @@ class DynamicsDerivatives final : public TreeLaw<DynamicsDerivatives, S> {
     try {
       const auto [dq, dv] = o[op::aba_derivatives](c.q, c.v, c.a, c.F_joint, c.F);
       // The error of the subject's own qdd enters the result through the derivative of M(q) qdd.
-      const double a_error = inverse * weighted_size(c.sizes(c.rough.v, this->rough_list(a), true).tau, w);
+      const double a_error = inverse * weighted_size(c.sizes(c.rough.v, rough_list(a), true).tau, w);
       std::vector<double> a_moved(c.nv());
       for (std::size_t k = 0; k < a_moved.size(); ++k) a_moved[k] = a_error * w[k];
       const auto record = [&](const Output& output, const MatX<S>& J, const oracles::TreeDynamics<T>& at,
@@ -97,7 +97,7 @@ class DynamicsDerivatives final : public TreeLaw<DynamicsDerivatives, S> {
         for (T& x : exact) x = -x;
         exact = oracles::solve(factor, exact);
         const double terms = size * approximate(weighted_norm(exact, roots)) +
-                             terms_of(sizes(this->rough_list(a), q)) +
+                             terms_of(sizes(rough_list(a), q)) +
                              (q ? weighted_size(sizes(a_moved, q).tau, w) : 0);
         c.record(r, output, along(J), exact, roots, inverse * terms, resolved);
       };

@@ -50,7 +50,7 @@ class ForwardDynamics final : public TreeLaw<ForwardDynamics, S> {
                  size_inverse = approximate(weighted_norm(inverse_exact, products(roots)));
     const double a_size = approximate(weighted_norm(a, roots));
     const double terms = size * a_size + approximate(weighted_norm(tau, w)) +
-                         weighted_size(c.sizes(c.rough.v, this->rough_list(a), true).tau, w);
+                         weighted_size(c.sizes(c.rough.v, rough_list(a), true).tau, w);
     const bool singular = !(64 * size * size_inverse * std::numeric_limits<S>::epsilon() < 1);
     const bool resolved = c.resolved();
     try {
@@ -62,7 +62,7 @@ class ForwardDynamics final : public TreeLaw<ForwardDynamics, S> {
           c.record(r, torque, o[op::tree_rnea](c.q, c.v, computed, c.F_joint, c.F), tau, w, terms, resolved);
       }
       if (o[op::tree_mass_inverse])
-        c.record(r, inverse, this->flat(o[op::tree_mass_inverse](c.q)), inverse_exact, products(roots),
+        c.record(r, inverse, flat(o[op::tree_mass_inverse](c.q)), inverse_exact, products(roots),
                  size * size_inverse * size_inverse, resolved);
     } catch (const std::domain_error&) {  // allowed if M is singular to rounding
       if (!singular) throw;

@@ -41,7 +41,7 @@ class FrameMotionLaw final : public TreeLaw<FrameMotionLaw, S> {
     const std::vector<double> three(3, 1);
     if (o[op::frame_pose]) {
       const Pose<S> X = o[op::frame_pose](c.q);
-      c.record(r, op::frame_pose[block::rotation], this->flat(X.R), list(f.R), std::vector<double>(9, 1),
+      c.record(r, op::frame_pose[block::rotation], flat(X.R), list(f.R), std::vector<double>(9, 1),
                std::sqrt(3.0) * oracles::mimic_factor(c.rough.tree, c.rough.q), resolved);
       c.record(r, op::frame_pose[block::translation], VecX<S>(X.p), list(f.p), three, sizes.position,
                resolved);

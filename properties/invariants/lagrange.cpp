@@ -52,7 +52,7 @@ class Lagrange final : public TreeLaw<Lagrange, S> {
       torque_of(gravity, o[op::tree_gravity](c.q), c.dynamics(still, still), c.sizes(at_rest, at_rest),
                 false);
     if (o[op::tree_crba])
-      c.record(r, mass, this->flat(o[op::tree_crba](c.q)), M, products(w),
+      c.record(r, mass, flat(o[op::tree_crba](c.q)), M, products(w),
                weighted_size(sizes.mass, products(w)), resolved);
     const std::vector<double> one{1};
     if (o[op::tree_kinetic_energy])

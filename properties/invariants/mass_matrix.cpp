@@ -48,8 +48,8 @@ class MassMatrix final : public TreeLaw<MassMatrix, S> {
         e[k] = T(roots[k]);
         inverse += approximate(weighted_norm(oracles::solve(factor, e), roots));
       }
-      const VecX<S> flat = this->flat(M);
-      const bool positive = !oracles::positive_factor(this->template exact_list<T>(flat), c.nv()).empty();
+      const VecX<S> entries = flat(M);
+      const bool positive = !oracles::positive_factor(exact_list<T>(entries), c.nv()).empty();
       // crba may err by 16 eps of its terms, so a matrix that near to a singular one may become indefinite.
       r.record(definite, 0, positive ? 0 : std::numeric_limits<double>::infinity(),
                [&] { return 16 * inverse * terms; });
@@ -60,8 +60,7 @@ class MassMatrix final : public TreeLaw<MassMatrix, S> {
     for (int k = 0; k < none.size(); ++k)
       by_columns.col(k) = o[op::tree_rnea](c.q, none, VecX<S>::Unit(none.size(), k), -1, Vec<S, 6>::Zero());
     if (!oracles::all_finite(by_columns)) return r.outcome(columns, 0, Outcome::not_finite);
-    const std::vector<T> one = this->template exact_list<T>(this->flat(M)),
-                         other = this->template exact_list<T>(this->flat(by_columns));
+    const std::vector<T> one = exact_list<T>(flat(M)), other = exact_list<T>(flat(by_columns));
     const T size = weighted_norm(exact, products(w));
     r.record(columns, 0, weighted_error<S>(other, one, products(w), size),
              [&] { return terms / approximate(size); });

@@ -14,6 +14,28 @@ struct Overloaded : F... {
   using F::operator()...;
 };
 
+/// Whether all eigenvalues of the second moment tr(I) / 2 - I exceed `least` tr(I). I is xx xy yy xz yz zz.
+template <class S>
+bool thicker(const S* I, long double trace, long double least) {
+  if (trace == 0) return least < 0;
+  const auto second = [&](int k, bool diagonal) {
+    return (diagonal ? 0.5L - least : 0.0L) - static_cast<long double>(I[k]) / trace;
+  };
+  const long double xx = second(0, true), xy = second(1, false), yy = second(2, true), xz = second(3, false),
+                    yz = second(4, false), zz = second(5, true);
+  return trace > 0 && xx > 0 && xx * yy - xy * xy > 0 &&
+         xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * xz) + xz * (xy * yz - yy * xz) > 0;
+}
+/// Calls f(first, size) for each range of numbers that belong to a robot's state.
+template <class F>
+void for_each_state(TreeLayout at, F f) {
+  f(at.frame(), 15);
+  for (int i = 0; i < at.slots; ++i) f(at.slot(i) + TreeSlot::q_p, TreeSlot::size - TreeSlot::q_p);
+}
+std::size_t index(int i) {
+  return static_cast<std::size_t>(i);
+}
+
 std::set<std::string>& tree_laws() {
   static std::set<std::string> all;
   return all;
@@ -84,5 +106,161 @@ RobotNumbers robot_numbers(const Robot& robot) {
   }
   return r;
 }
+
+template <class S>
+std::vector<Field> AnyTreeLaw<S>::fields() const {
+  std::vector<Field> all;
+  const auto add = [&](const std::string& name, Kind kind, int size, const char* unit, Reach reach) {
+    all.push_back({name, kind, size, unit, reach});
+  };
+  constexpr Reach any = Reach::any;
+  const bool tree = !robot_;
+  if (tree) {
+    const Reach shape = has_floating_base() ? any : Reach::limited;
+    add("parents", Kind::parents, at_.slots, "1", shape);
+    add("kinds", Kind::joints, 2 * at_.slots, "1", shape);
+    add("masses", Kind::masses, at_.slots, "kg", Reach::limited);
+    add("gravity", Kind::vector, 3, "m/s^2", any);
+  }
+  add("frame_joint", Kind::choice, 1, "1", any);
+  add("frame_Q", Kind::quaternion, 4, "1", Reach::limited);
+  add("frame_p", Kind::vector, 3, "m", Reach::limited);
+  add("wrench_joint", Kind::choice, 1, "1", any);
+  add("force", Kind::vector, 3, "N", Reach::limited);
+  add("moment", Kind::vector, 3, "N m", Reach::limited);
+  for (int i = 0; i < at_.slots; ++i) {
+    const auto named = [&](const char* what) { return what + std::to_string(i); };
+    if (tree) {
+      add(named("Q"), Kind::quaternion, 4, "1", any);
+      add(named("p"), Kind::vector, 3, "m", any);
+      add(named("axis"), Kind::vector, 3, "1", any);
+      add(named("pitch_multiplier_offset"), Kind::vector, 3, "m/rad, 1, rad or m", any);
+      add(named("armature"), Kind::vector, 1, "kg, kg m^2", any);
+      add(named("c"), Kind::vector, 3, "m", any);
+      add(named("I_C"), Kind::inertia, 6, "kg m^2", any);
+    }
+    add(named("q_p"), Kind::vector, 3, "m, rad", any);
+    add(named("q_Q"), Kind::quaternion, 4, "1", any);
+    add(named("q_circle"), Kind::opaque, 2, "1", any);
+    for (const char* what : {"v", "a", "d"})
+      for (const char* part : {"_u", "_w"}) add(named(what) + part, Kind::vector, 3, "m, rad, s", any);
+  }
+  return all;
+}
+
+template <class S>
+std::vector<std::vector<S>> AnyTreeLaw<S>::simpler(const std::vector<S>& input) const {
+  return robot_ ? std::vector<std::vector<S>>() : shrinks::simpler_trees(input);
+}
+
+template <class S>
+std::string AnyTreeLaw<S>::program(const Output& output, const std::vector<S>& input) const {
+  const std::vector<S> full = full_of(input);
+  const TreeCase<double> c(at_, full, std::vector<double>(full.begin(), full.end()));
+  return tree_program(c, output.record->call, std::is_same_v<S, float> ? "float" : "double");
+}
+
+template <class S>
+void AnyTreeLaw<S>::prepare(const Robot& robot) {
+  if (robot.path.empty()) return;
+  const RobotNumbers r = robot_numbers(robot);
+  robot_ = true;
+  at_ = r.at;
+  fixed_.clear();
+  for (double x : r.numbers) fixed_.push_back(S(x));
+}
+
+template <class S>
+std::vector<S> AnyTreeLaw<S>::state_of(const std::vector<S>& full) const {
+  std::vector<S> x;
+  for_each_state(
+      at_, [&](int first, int n) { x.insert(x.end(), full.begin() + first, full.begin() + first + n); });
+  return x;
+}
+template <class S>
+std::vector<S> AnyTreeLaw<S>::full_of(const std::vector<S>& input) const {
+  if (!robot_) return input;
+  std::vector<S> full = fixed_;
+  auto from = input.begin();
+  for_each_state(at_, [&](int first, int n) {
+    std::copy_n(from, n, full.begin() + first);
+    from += n;
+  });
+  return full;
+}
+
+template <class S>
+std::vector<S> AnyTreeLaw<S>::generate(Source& source) const {
+  if (!robot_) return random_tree<S>(source, has_floating_base());
+  std::vector<S> x = fixed_;
+  for (int i = 0; i < at_.slots; ++i)
+    random_joint_state(source,
+                       static_cast<oracles::JointKind>(static_cast<int>(fixed_[index(at_.kinds() + i)])),
+                       fixed_[index(at_.primaries() + i)] >= S(0), x.data() + at_.slot(i));
+  random_frame(source, at_.slots, x.data() + at_.frame());
+  random_wrench(source, at_.slots, x.data() + at_.wrench());
+  return state_of(x);
+}
+
+template <class S>
+bool AnyTreeLaw<S>::valid(const std::vector<S>& input) const {
+  if (!Property<S>::valid(input)) return false;
+  const std::vector<S> x = full_of(input);
+  using oracles::JointKind;
+  using Slot = TreeSlot;
+  const auto whole = [&](int i, int low, int high) {
+    return x[index(i)] >= S(low) && x[index(i)] <= S(high) && x[index(i)] == S(static_cast<int>(x[index(i)]));
+  };
+  const auto unit = [&](int first, int n) {
+    oracles::Quaternion<> u{{Real(0), Real(0), Real(0), Real(0)}};
+    for (int k = 0; k < n; ++k) u[k] = oracles::exact<Real>(x[index(first + k)]);
+    return oracles::norm_defect<S>(u) <= 8;
+  };
+  int joints = 0, roots = 0;
+  for (int i = 0; i < at_.slots; ++i) {
+    if (!whole(at_.parents() + i, absent_joint, i - 1)) return false;
+    const int slot = at_.slot(i);
+    if (!unit(slot + Slot::Q, 4) || !unit(slot + Slot::q_Q, 4) || !unit(slot + Slot::q_circle, 2))
+      return false;
+    if (x[index(at_.parents() + i)] == S(absent_joint)) continue;
+    if (joints++ < i) return false;
+    roots += x[index(at_.parents() + i)] == S(-1);
+    if (!whole(at_.kinds() + i, 0, 7) || !whole(at_.primaries() + i, -1, i - 1)) return false;
+    const auto kind = [&](int k) {
+      return static_cast<JointKind>(static_cast<int>(x[index(at_.kinds() + k)]));
+    };
+    if (const int primary = static_cast<int>(x[index(at_.primaries() + i)]); primary >= 0) {
+      const bool simple =
+          kind(i) == JointKind::revolute || kind(i) == JointKind::prismatic || kind(i) == JointKind::helical;
+      if (!simple || velocity_size(kind(primary)) != 1 || x[index(at_.primaries() + primary)] >= S(0))
+        return false;
+    }
+    if (robot_) continue;
+    const S mass = x[index(at_.masses() + i)], armature = x[index(slot + Slot::armature)];
+    if (!(mass > S(0)) || !(armature >= S(0)) || !unit(slot + Slot::axis, 3)) return false;
+    // The second moment tr(I) / 2 - I must be positive semidefinite. Without an armature the body must also
+    // be thick enough to give its joint an inertia.
+    const S* I = x.data() + slot + Slot::I;
+    const long double trace =
+        static_cast<long double>(I[0]) + static_cast<long double>(I[2]) + static_cast<long double>(I[5]);
+    if (!thicker(I, trace, -32 * static_cast<long double>(std::numeric_limits<S>::epsilon()))) return false;
+    if (armature == S(0) && (!thicker(I, trace, 1e-5L) || trace < 1e-4L * static_cast<long double>(mass)))
+      return false;
+  }
+  if (joints == 0 || !whole(at_.frame(), 0, joints - 1) || !whole(at_.wrench(), -1, joints - 1)) return false;
+  if (has_floating_base() && !robot_ &&
+      (roots > 1 || x[index(at_.kinds())] != S(static_cast<int>(JointKind::free_flyer))))
+    return false;
+  return unit(at_.frame() + 1, 4);
+}
+
+template class AnyTreeLaw<float>;
+template class AnyTreeLaw<double>;
+template class AnyTreeLaw<float128>;
+template struct CaseAt<float, oracles::Real>;
+template struct CaseAt<float, oracles::DoubleDoubleBall>;
+template struct CaseAt<double, oracles::Real>;
+template struct CaseAt<double, oracles::DoubleDoubleBall>;
+template struct CaseAt<float128, oracles::Real>;
 
 }  // namespace liecheck::properties

@@ -49,7 +49,7 @@ class TreeMomentum final : public TreeLaw<TreeMomentum, S> {
       if (o[op::tree_momentum]) {
         const VecX<S> computed = o[op::tree_momentum](c.q, c.v).template segment<3>(3 * part);
         if (oracles::all_finite(computed))
-          record(part == 0 ? linear : angular, part, this->template exact_list<T>(computed));
+          record(part == 0 ? linear : angular, part, exact_list<T>(computed));
         else
           r.outcome(part == 0 ? linear : angular, 0, Outcome::not_finite);
       }
@@ -86,7 +86,7 @@ class TreeMomentum final : public TreeLaw<TreeMomentum, S> {
       return;  // forward_dynamics checks that M is singular to rounding
     }
     if (!oracles::all_finite(computed)) return r.outcome(conserved, 0, Outcome::not_finite);
-    const std::vector<T> a = TreeMomentum::template exact_list<T>(computed);
+    const std::vector<T> a = exact_list<T>(computed);
     oracles::TreeOf<T> weightless = c.exact.tree;
     oracles::TreeOf<double> rough = c.rough.tree;
     weightless.gravity = oracles::zero_vector<3, T>(), rough.gravity = {{0, 0, 0}};
@@ -96,8 +96,8 @@ class TreeMomentum final : public TreeLaw<TreeMomentum, S> {
     const double terms =
         approximate(weighted_norm(M, products(w))) * approximate(weighted_norm(a, roots)) +
         weighted_size(
-            oracles::TreeSizes<double>(rough, c.rough.q, c.rough.v, TreeMomentum::rough_list(a)).tau, w) +
-        approximate(weighted_norm(TreeMomentum::template exact_list<T>(tau), w));
+            oracles::TreeSizes<double>(rough, c.rough.q, c.rough.v, rough_list(a)).tau, w) +
+        approximate(weighted_norm(exact_list<T>(tau), w));
     const std::vector<T> nothing(6, T(0));
     r.record(conserved, 0, weighted_error<S>(base, nothing, w, T(terms)));
   }

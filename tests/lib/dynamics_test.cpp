@@ -10,15 +10,14 @@
 #include <limits>
 #include <vector>
 
+#include "long_double.hpp"
 #include "random_tree.hpp"
 
 namespace {
 
 using namespace liecheck;
 using namespace liecheck::test;
-using Real = long double;
 using Mat = MatrixX<double>;
-using VecL = VectorX<Real>;
 
 /// Calls f(model, state, random) for trees, chains and stars of up to 22 joints.
 template <class F>

@@ -6,15 +6,14 @@
 #include <liecheck/multibody/inertia_validity.hpp>
 #include <liecheck/multibody/random_configuration.hpp>
 
+#include "long_double.hpp"
 #include "random_tree.hpp"
 
 namespace {
 
 using namespace liecheck;
 using namespace liecheck::test;
-using Real = long double;
 using Mat = MatrixX<double>;
-using VecL = VectorX<Real>;
 
 template <class F>
 std::string refusal(F f) {

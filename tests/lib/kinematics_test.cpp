@@ -4,15 +4,14 @@
 
 #include <liecheck/algorithms/jacobians.hpp>
 
+#include "long_double.hpp"
 #include "random_tree.hpp"
 
 namespace {
 
 using namespace liecheck;
 using namespace liecheck::test;
-using Real = long double;
 using Mat = MatrixX<double>;
-using VecL = VectorX<Real>;
 constexpr ReferenceFrame every_reference[] = {ReferenceFrame::WORLD, ReferenceFrame::LOCAL,
                                               ReferenceFrame::LOCAL_WORLD_ALIGNED};
 const SE3<double> here = SE3<double>::Identity();

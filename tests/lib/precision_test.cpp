@@ -2,15 +2,17 @@
 // at most 1 eps, standard by 6 and fast by 16. `liecheck hunt --subject liecheck:tight` covers all angles.
 
 #include <gtest/gtest.h>
-#include <boost/multiprecision/mpfr.hpp>
 #include <boost/multiprecision/eigen.hpp>
+#include <boost/multiprecision/mpfr.hpp>
 #include <liecheck/multibody/se3_configuration.hpp>
 #include <random>
 
 namespace liecheck {
 namespace {
 
-using Real = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<50, boost::multiprecision::allocate_stack>, boost::multiprecision::et_off>;
+using Real = boost::multiprecision::number<
+    boost::multiprecision::mpfr_float_backend<50, boost::multiprecision::allocate_stack>,
+    boost::multiprecision::et_off>;
 
 // Not inlined: they are expensive to compile, and each is called for every precision of two scalars.
 [[gnu::noinline]] SE3<Real> exact_exp6(const Vector6<Real>& xi) {

@@ -7,6 +7,8 @@ namespace liecheck {
 
 template class Model<float>;
 template class Model<double>;
+template Model<float> Model<double>::cast<float>() const;
+template Model<double> Model<double>::cast<double>() const;
 template class Data<float>;
 template class Data<double>;
 
