@@ -1,6 +1,7 @@
 #pragma once
 // Helpers that several invariants share.
 
+#include <array>
 #include <invariants/property.hpp>
 #include <oracles/condition.hpp>
 #include <oracles/error.hpp>
@@ -173,32 +174,33 @@ double orthogonality_defect_at(const std::vector<S>& input, std::size_t first) {
   return oracles::orthogonality_defect<S>(R);
 }
 
-/// The rotation and coupling blocks of a 6 x 6 Jacobian.
-struct JacobianOutputs {
-  Output rotation, coupling;
-};
-consteval JacobianOutputs jacobian_outputs(const Operation& o) {
+/// Two blocks of an operation: of a 6 x 6 Jacobian or of a spatial vector.
+using TwoOutputs = std::array<Output, 2>;
+consteval TwoOutputs jacobian_outputs(const Operation& o) {
   return {o[block::jacobian], o[block::coupling]};
+}
+consteval TwoOutputs linear_angular(const Operation& o) {
+  return {o[block::linear], o[block::angular]};
 }
 
 /// Records the errors of the 3 x 3 rotation and coupling blocks of a 6 x 6 Jacobian. The lower left block
 /// must be zero. Both diagonal blocks have the same exact value.
 template <class S, class T>
-void record_jacobian6(Recorder& r, const JacobianOutputs& outputs, std::size_t band, const Mat<S, 6>& J,
+void record_jacobian6(Recorder& r, const TwoOutputs& outputs, std::size_t band, const Mat<S, 6>& J,
                       const oracles::Jacobian6Value<T>& exact, const T& rho, bool beyond,
                       Kappa kappa_rotation = nullptr, Kappa kappa_coupling = nullptr) {
-  judged_value(r, {outputs.rotation, outputs.coupling}, band, J, exact.resolved, [&] {
+  judged_value(r, {outputs[0], outputs[1]}, band, J, exact.resolved, [&] {
     const auto all = oracles::exact_matrix<6, 6, T>(J);
     double error = std::max(oracles::matrix_error<S>(oracles::block(all, 0, 0), exact.J),
                             oracles::matrix_error<S>(oracles::block(all, 1, 1), exact.J));
     if (!J.template block<3, 3>(3, 0).isZero(0)) error = std::numeric_limits<double>::infinity();
-    r.record(outputs.rotation, band, error, kappa_rotation);
+    r.record(outputs[0], band, error, kappa_rotation);
     T scale(0);
     if (beyond) {
       const T size = oracles::frobenius(exact.J);
       scale = rho * oracles::smaller(size, T(1));
     }
-    r.record(outputs.coupling, band, oracles::matrix_error<S>(oracles::block(all, 0, 1), exact.C, scale),
+    r.record(outputs[1], band, oracles::matrix_error<S>(oracles::block(all, 0, 1), exact.C, scale),
              kappa_coupling);
   });
 }

@@ -86,7 +86,7 @@ class JacobianOracle final : public Law<JacobianOracle, S> {
                  [&] { return kappa(inverse, false, size(exact, false)); });
       });
     };
-    const auto six = [&](Mat<S, 6> (*operation)(const Vec<S, 6>&), const JacobianOutputs& outputs,
+    const auto six = [&](Mat<S, 6> (*operation)(const Vec<S, 6>&), const TwoOutputs& outputs,
                          const Jacobian6Value<Real>& exact, bool inverse) {
       if (!operation) return;
       record_jacobian6<S>(

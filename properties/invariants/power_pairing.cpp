@@ -4,7 +4,6 @@
 
 #include <invariants/common.hpp>
 
-#include <array>
 #include <boost/multiprecision/eigen.hpp>
 #include <generators/rotations.hpp>
 
@@ -86,7 +85,7 @@ class PowerPairing final : public Law<PowerPairing, S> {
     using Numbers = std::vector<Real>;
     using Pose_e = oracles::PoseOf<Real>;
     using Result = oracles::Resolved<Vector6>;
-    const auto act = [&](Vec<S, 6> (*operation)(const Pose<S>&, const Vec<S, 6>&), const Blocks& blocks,
+    const auto act = [&](Vec<S, 6> (*operation)(const Pose<S>&, const Vec<S, 6>&), const TwoOutputs& blocks,
                          const Vec<S, 6>& v, const Vector6& v_e,
                          Result (*oracle)(const Pose_e&, const Vector6&),
                          Vector6 (*formula)(const Pose_e&, const Vector6&)) {
@@ -96,15 +95,15 @@ class PowerPairing final : public Law<PowerPairing, S> {
           [formula](const Numbers& x) { return to_list(formula(pose_from(x), from_list<6>(x, 12))); },
           [&] { return to_list(X_e.R, X_e.p, v_e); });
     };
-    act(o[op::act_motion], both(op::act_motion), V, V_e, oracles::act_motion, formulas::act_motion);
-    act(o[op::act_inverse_motion], both(op::act_inverse_motion), V, V_e, oracles::act_inverse_motion,
-        formulas::act_inverse_motion);
-    act(o[op::act_force], both(op::act_force), F, F_e, oracles::act_force, formulas::act_force);
-    act(o[op::act_inverse_force], both(op::act_inverse_force), F, F_e, oracles::act_inverse_force,
+    act(o[op::act_motion], linear_angular(op::act_motion), V, V_e, oracles::act_motion, formulas::act_motion);
+    act(o[op::act_inverse_motion], linear_angular(op::act_inverse_motion), V, V_e,
+        oracles::act_inverse_motion, formulas::act_inverse_motion);
+    act(o[op::act_force], linear_angular(op::act_force), F, F_e, oracles::act_force, formulas::act_force);
+    act(o[op::act_inverse_force], linear_angular(op::act_inverse_force), F, F_e, oracles::act_inverse_force,
         formulas::act_inverse_force);
 
-    const auto cross = [&](Vec<S, 6> (*operation)(const Vec<S, 6>&, const Vec<S, 6>&), const Blocks& blocks,
-                           const Vec<S, 6>& v, const Vector6& v_e,
+    const auto cross = [&](Vec<S, 6> (*operation)(const Vec<S, 6>&, const Vec<S, 6>&),
+                           const TwoOutputs& blocks, const Vec<S, 6>& v, const Vector6& v_e,
                            Result (*oracle)(const Vector6&, const Vector6&),
                            Vector6 (*formula)(const Vector6&, const Vector6&)) {
       if (!operation) return;
@@ -113,8 +112,10 @@ class PowerPairing final : public Law<PowerPairing, S> {
           [formula](const Numbers& x) { return to_list(formula(from_list<6>(x), from_list<6>(x, 6))); },
           [&] { return to_list(V_e, v_e); });
     };
-    cross(o[op::cross_motion], both(op::cross_motion), W, W_e, oracles::cross_motion, formulas::cross_motion);
-    cross(o[op::cross_force], both(op::cross_force), F, F_e, oracles::cross_force, formulas::cross_force);
+    cross(o[op::cross_motion], linear_angular(op::cross_motion), W, W_e, oracles::cross_motion,
+          formulas::cross_motion);
+    cross(o[op::cross_force], linear_angular(op::cross_force), F, F_e, oracles::cross_force,
+          formulas::cross_force);
 
     if (o[op::act_motion] && o[op::act_force]) {
       const Vec<S, 6> V_A = o[op::act_motion](X, V), F_A = o[op::act_force](X, F);
@@ -134,12 +135,8 @@ class PowerPairing final : public Law<PowerPairing, S> {
  private:
   static constexpr int binades = std::numeric_limits<S>::max_exponent / 8;
 
-  /// The linear and the angular block of an operation.
-  using Blocks = std::array<Output, 2>;
-  static consteval Blocks both(const Operation& o) { return {o[block::linear], o[block::angular]}; }
-
   template <class Real, class Formula, class Numbers>
-  static void compare(Recorder& recorder, const Blocks& blocks, const Vec<S, 6>& computed,
+  static void compare(Recorder& recorder, const TwoOutputs& blocks, const Vec<S, 6>& computed,
                       const oracles::Resolved<oracles::Vec6<Real>>& exact, const Formula& formula,
                       const Numbers& x) {
     record_vector(recorder, blocks[0], Vec<S, 3>(computed.template head<3>()), head3(exact.value),
