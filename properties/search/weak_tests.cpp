@@ -26,15 +26,12 @@ M6 motion_matrix(const M3& R, const V3& p) {
   X.topRightCorner<3, 3>() = hat(p) * R;
   return X;
 }
-V7 configuration(const V3& p, const V4& Q) {
-  V7 q;
-  q << p, Q;
-  return q;
-}
-V6 twist(const V3& rho, const V3& phi) {
-  V6 xi;
-  xi << rho, phi;
-  return xi;
+/// A configuration (p, Q) or a twist (rho, phi).
+template <class A, class B>
+auto stacked(const A& a, const B& b) {
+  Vec<double, int(A::RowsAtCompileTime) + int(B::RowsAtCompileTime)> v;
+  v << a, b;
+  return v;
 }
 
 /// Known values at a few angles about the axes, as in unit tests.
@@ -50,11 +47,11 @@ bool fixed_grid(const O& o) {
       killed |= differ(o[op::exp3_matrix](phi), R) || differ(o[op::exp3_quaternion](phi), Q);
       killed |= differ(o[op::log3_matrix](R), phi) || differ(o[op::log3_quaternion](Q), phi);
       killed |= differ(o[op::rotate_point](Q, p), R * p);
-      const V6 xi = twist(n, phi);  // a screw along its axis
+      const V6 xi = stacked(n, phi);  // a screw along its axis
       killed |= differ(o[op::exp6](xi).p, n) || differ(o[op::log6]({R, n}), xi);
-      const V7 origin = configuration(V3::Zero(), V4::Unit(3));
-      killed |= differ(o[op::integrate](origin, xi), configuration(n, Q));
-      killed |= differ(o[op::difference](origin, configuration(n, Q)), xi);
+      const V7 origin = stacked(V3::Zero(), V4::Unit(3));
+      killed |= differ(o[op::integrate](origin, xi), stacked(n, Q));
+      killed |= differ(o[op::difference](origin, stacked(n, Q)), xi);
       const V6 V = V6::LinSpaced(1, 6);
       killed |= differ(o[op::act_motion]({R, p}, V), motion_matrix(R, p) * V);
       killed |= differ(o[op::act_force]({R, p}, V), motion_matrix(R, p).transpose().inverse() * V);
@@ -67,7 +64,7 @@ struct Sample {
   double number() { return std::uniform_real_distribution<double>(-1, 1)(random); }
   V3 vector() { return {number(), number(), number()}; }
   V4 quaternion() { return V4(number(), number(), number(), number()).normalized(); }
-  V6 small_twist() { return twist(vector(), vector()); }  // |phi| < 1.8
+  V6 small_twist() { return stacked(vector(), vector()); }  // |phi| < 1.8
 };
 
 /// Random poses compared with the textbook formulas, with the usual tolerance.
@@ -91,7 +88,7 @@ bool random_poses(const O& o) {
     killed |= differ(o[op::right_jacobian3](phi), J.transpose());
     killed |= differ(o[op::left_jacobian3_inverse](phi), J.inverse());
     killed |= differ(o[op::rotate_point](Q0, x), R0 * x);
-    const V7 next = o[op::integrate](configuration(x, Q0), xi);
+    const V7 next = o[op::integrate](stacked(x, Q0), xi);
     killed |= differ(next.head<3>(), x + R0 * p);
     killed |= differ(Eigen::Quaterniond(V4(next.tail<4>())).toRotationMatrix(), R0 * R);
     const M6 X = motion_matrix(R, x);
@@ -118,7 +115,7 @@ bool round_trips(const O& o) {
     killed |= differ(o[op::log6](o[op::exp6](xi)), xi);
     killed |= differ(o[op::log3_matrix](o[op::exp3_matrix](phi)), phi);
     killed |= differ(o[op::log3_quaternion](o[op::exp3_quaternion](phi)), phi);
-    const V7 q0 = configuration(x, s.quaternion());
+    const V7 q0 = stacked(x, s.quaternion());
     killed |= differ(o[op::difference](q0, o[op::integrate](q0, xi)), xi);
     killed |= differ(o[op::left_jacobian3](phi) * o[op::left_jacobian3_inverse](phi), I);
     killed |= differ(o[op::right_jacobian6](xi) * o[op::right_jacobian6_inverse](xi), M6::Identity());
@@ -141,7 +138,7 @@ bool finite_differences(const O& o) {
   const auto differ = [](const auto& a, const auto& b) { return !((a - b).norm() <= 1e-5); };
   for (int i = 0; i < 200; ++i) {
     const V6 xi = s.small_twist();
-    const V7 q0 = configuration(s.vector(), s.quaternion()), q1 = o[op::integrate](q0, xi);
+    const V7 q0 = stacked(s.vector(), s.quaternion()), q1 = o[op::integrate](q0, xi);
     M6 right, arg0, difference0, difference1;
     Mat<double, 7, 6> rate;
     for (int k = 0; k < 6; ++k) {
