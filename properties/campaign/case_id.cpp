@@ -36,17 +36,14 @@ bool is_float(const std::string& text) {
          end == text.c_str() + text.size();
 }
 
-/// Splits the text at its first n - 1 dots.
-std::vector<std::string> parts(const std::string& text, std::size_t n) {
-  std::vector<std::string> all;
-  std::size_t from = 0;
-  while (all.size() + 1 < n) {
-    const std::size_t dot = text.find('.', from);
-    if (dot == std::string::npos) break;
-    all.push_back(text.substr(from, dot - from));
-    from = dot + 1;
-  }
-  all.push_back(text.substr(from));
+/// Splits the text at the separator into at most n parts.
+std::vector<std::string> parts(const std::string& text, char separator, std::size_t n = std::string::npos) {
+  std::vector<std::string> all(1);
+  for (const char c : text)
+    if (c == separator && all.size() < n)
+      all.emplace_back();
+    else
+      all.back() += c;
   return all;
 }
 
@@ -55,24 +52,20 @@ std::vector<std::string> parts(const std::string& text, std::size_t n) {
 CaseId CaseId::parse(const std::string& text) {
   CaseId id;
   if (text.rfind("raw.", 0) == 0) {
-    const auto p = parts(text, 6);
+    const auto p = parts(text, '.', 6);
     if (p.size() != 6)
       throw std::invalid_argument(
           fmt::format("case ID '{}': expected raw.PROPERTY.SUBJECT.SCALAR.ROBOT.NUMBERS", text));
     id.raw = true;
     id.property = p[1], id.subject = p[2], id.scalar = p[3], id.robot = p[4];
-    std::size_t from = 0;
-    while (from <= p[5].size()) {
-      const std::size_t comma = std::min(p[5].find(',', from), p[5].size());
-      id.input.push_back(p[5].substr(from, comma - from));
-      if (!is_float(id.input.back()))
-        throw std::invalid_argument(fmt::format("case ID '{}': number {} is not a number: '{}'", text,
-                                                id.input.size(), id.input.back()));
-      from = comma + 1;
-    }
+    id.input = parts(p[5], ',');
+    for (std::size_t i = 0; i < id.input.size(); ++i)
+      if (!is_float(id.input[i]))
+        throw std::invalid_argument(
+            fmt::format("case ID '{}': number {} is not a number: '{}'", text, i + 1, id.input[i]));
     return id;
   }
-  const auto p = parts(text, 7);
+  const auto p = parts(text, '.', 7);
   if (p.size() != 7 || p[0].size() < 2 || p[0][0] != 'g')
     throw std::invalid_argument(
         fmt::format("case ID '{}': expected gVERSION.SEED.PROPERTY.SUBJECT.SCALAR.ROBOT.INDEX", text));
@@ -88,19 +81,6 @@ CaseId CaseId::parse(const std::string& text) {
 
 Source::Key CaseId::series_key() const {
   return sha256(fmt::format("g{}.{}.{}.{}.{}", generator_version, seed, property, scalar, robot));
-}
-
-template <>
-std::string scalar_name<float>() {
-  return "float";
-}
-template <>
-std::string scalar_name<double>() {
-  return "double";
-}
-template <>
-std::string scalar_name<float128>() {
-  return "float128";
 }
 
 template <class S>

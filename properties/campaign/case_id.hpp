@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <generators/random_bits.hpp>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace liecheck::properties {
@@ -37,7 +38,9 @@ struct CaseId {
 };
 
 template <class S>
-std::string scalar_name();
+std::string scalar_name() {
+  return std::is_same_v<S, float> ? "float" : std::is_same_v<S, double> ? "double" : "float128";
+}
 
 /// The exact value, such as -0x1.8p-3; "nan", "inf" or "-inf" if x is not finite.
 template <class S>

@@ -12,8 +12,7 @@ Sha256 sha256(std::string_view bytes) {
   unsigned char md[SHA256_DIGEST_LENGTH];
   SHA256(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(), md);
   Sha256 d{};
-  for (int i = 0; i < 32; ++i)
-    d[static_cast<std::size_t>(i / 8)] = d[static_cast<std::size_t>(i / 8)] << 8 | md[i];
+  for (std::size_t i = 0; i < 32; ++i) d[i / 8] = d[i / 8] << 8 | md[i];
   return d;
 }
 
@@ -28,10 +27,9 @@ void SetDigest::add(const void* record, std::size_t bytes) {
 
 void SetDigest::add(const Sha256& d) {
   unsigned __int128 carry = 0;
-  for (int i = 3; i >= 0; --i) {
-    carry +=
-        static_cast<unsigned __int128>(sum_[static_cast<std::size_t>(i)]) + d[static_cast<std::size_t>(i)];
-    sum_[static_cast<std::size_t>(i)] = static_cast<std::uint64_t>(carry);
+  for (std::size_t i = 4; i-- > 0;) {
+    carry += static_cast<unsigned __int128>(sum_[i]) + d[i];
+    sum_[i] = static_cast<std::uint64_t>(carry);
     carry >>= 64;
   }
 }

@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -22,11 +21,8 @@ class Histogram {
       return;
     }
     const int bin = bin_of(x);
-    const auto i = static_cast<std::size_t>(bin - first_);  // a huge number if the bin is below the window
-    if (i < window_.size())
-      ++window_[i];
-    else
-      add_outside(bin);
+    if (static_cast<std::size_t>(bin - first_) >= window_.size()) widen(bin);  // also if bin < first_
+    ++window_[static_cast<std::size_t>(bin - first_)];
   }
   std::uint64_t count() const { return count_; }
   /// In ascending order.
@@ -67,41 +63,19 @@ class Histogram {
     while (mantissa >= edges[k + 1]) ++k;
     return std::clamp((exponent - 1) * 32 + static_cast<int>(k), -8000, 40000);
   }
-  /// Widens the window for the bin, or puts a bin too far from it on a waiting list.
-  void add_outside(int bin) {
-    constexpr int step = 128, widest = 4096;
-    const int from = (bin >> 7) * step, to = from + step;
-    const int first = window_.empty() ? from : std::min(first_, from);
-    const int last = window_.empty() ? to : std::max(first_ + static_cast<int>(window_.size()), to);
-    if (last - first > widest) {
-      waiting_.push_back(bin);
-      if (waiting_.size() >= 1024) sort_in();
-      return;
-    }
-    if (!window_.empty()) window_.insert(window_.begin(), static_cast<std::size_t>(first_ - first), 0);
-    window_.resize(static_cast<std::size_t>(last - first));
-    first_ = first;
-    ++window_[static_cast<std::size_t>(bin - first)];
+  /// Widens the window to the 128 bins around this one.
+  void widen(int bin) {
+    const int from = (bin >> 7) * 128;
+    if (window_.empty()) first_ = from;
+    if (from < first_) window_.insert(window_.begin(), static_cast<std::size_t>(first_ - from), 0);
+    first_ = std::min(first_, from);
+    window_.resize(std::max(window_.size(), static_cast<std::size_t>(from + 128 - first_)));
   }
   void sort_in() const {
     Bins add;
     if (zeros_ > 0) add.emplace_back(zero, std::exchange(zeros_, 0));
-    std::sort(waiting_.begin(), waiting_.end());
-    auto next = waiting_.begin();
-    const auto upto = [&](int bin) {  // adds the waiting bins below `bin`
-      for (; next != waiting_.end() && *next < bin; ++next) {
-        if (add.empty() || add.back().first != *next) add.emplace_back(*next, 0);
-        ++add.back().second;
-      }
-    };
-    for (std::size_t i = 0; i < window_.size(); ++i) {
-      if (window_[i] == 0) continue;
-      const int bin = first_ + static_cast<int>(i);
-      upto(bin);
-      add.emplace_back(bin, std::exchange(window_[i], 0));
-    }
-    upto(std::numeric_limits<int>::max());
-    waiting_.clear();
+    for (std::size_t i = 0; i < window_.size(); ++i)
+      if (window_[i] > 0) add.emplace_back(first_ + static_cast<int>(i), std::exchange(window_[i], 0));
     merge_bins(add);
   }
   void merge_bins(const Bins& add) const {
@@ -122,7 +96,6 @@ class Histogram {
   // Not yet counted in bins_:
   mutable std::uint64_t zeros_ = 0;
   mutable std::vector<std::uint64_t> window_;  ///< counts of the bins from first_ on
-  mutable std::vector<int> waiting_;           ///< bins outside the window
   int first_ = 0;
   std::uint64_t count_ = 0;
 };

@@ -33,47 +33,36 @@ struct Row {
   double worst_kappa = 0;
   void add(const Judged& j, std::uint64_t index);
   void merge(const Row& o);
+
+ private:
+  void take_worst(bool other_failed, double score, std::uint64_t index, double kappa);
 };
 
 /// Rows by (output, band) in a map. `of` stores pointers to the rows, so that it needs no search.
-class Rows {
+class Rows : std::map<std::pair<int, int>, Row> {
  public:
-  using Cell = std::pair<int, int>;
-  using Map = std::map<Cell, Row>;
+  using Cell = key_type;
+  using map::at, map::begin, map::end, map::size, map::operator[];
   Rows() = default;
-  Rows(const Rows& o) : map_(o.map_) {}
-  Rows(Rows&& o) noexcept { swap(o); }
-  Rows& operator=(Rows o) noexcept {
-    swap(o);
-    return *this;
-  }
+  Rows(const Rows& o) : map(o) {}
+  Rows(Rows&&) = default;  // the addresses of the rows stay valid
+  Rows& operator=(const Rows& o) { return *this = Rows(o); }
+  Rows& operator=(Rows&&) = default;
   ~Rows() = default;
 
   Row& of(std::size_t output, std::size_t band) {
     if (output >= found_.size()) found_.resize(output + 1);
     auto& of_output = found_[output];
     if (band >= of_output.size()) of_output.resize(band + 1);
-    if (!of_output[band]) of_output[band] = &map_[{static_cast<int>(output), static_cast<int>(band)}];
+    if (!of_output[band]) of_output[band] = &(*this)[{static_cast<int>(output), static_cast<int>(band)}];
     return *of_output[band];
   }
-  Row& operator[](const Cell& cell) { return map_[cell]; }
-  const Row& at(const Cell& cell) const { return map_.at(cell); }
-  std::size_t size() const { return map_.size(); }
-  Map::const_iterator begin() const { return map_.begin(); }
-  Map::const_iterator end() const { return map_.end(); }
-  Map::iterator begin() { return map_.begin(); }
-  Map::iterator end() { return map_.end(); }
-  void erase(Map::const_iterator row) {
+  void erase(const_iterator row) {
     found_.clear();
-    map_.erase(row);
+    map::erase(row);
   }
 
  private:
-  void swap(Rows& o) noexcept {  // the addresses of the rows stay valid
-    map_.swap(o.map_);
-    found_.swap(o.found_);
-  }
-  Map map_;
   std::vector<std::vector<Row*>> found_;
 };
 

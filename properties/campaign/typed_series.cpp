@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <atomic>
 #include <cstddef>
-#include <cstring>
 #include <limits>
 #include <stdexcept>
 
@@ -18,25 +17,13 @@ CaseId Series::id(std::uint64_t seed, std::uint64_t index) const {
 
 namespace {
 
-/// A reusable byte buffer.
-class Bytes {
- public:
-  void clear() { size_ = 0; }
-  template <class T>
-  void add(const T& value) {
-    append(&value, sizeof value);
-  }
-  void append(const void* from, std::size_t n) {
-    if (size_ + n > bytes_.size()) bytes_.resize(2 * (size_ + n));
-    std::memcpy(bytes_.data() + size_, from, n);
-    size_ += n;
-  }
-  const std::byte* data() const { return bytes_.data(); }
-  std::size_t size() const { return size_; }
+static_assert(sizeof(float128) == 16);  // so the digests cover the same bytes as those of a __float128
 
- private:
-  std::vector<std::byte> bytes_;
-  std::size_t size_ = 0;
+/// The bytes of a measurement in the digest of the results.
+struct [[gnu::packed]] Digested {
+  std::uint16_t output, band;
+  Outcome outcome;
+  double error, kappa;
 };
 
 /// One case in this many is measured in both ways, to test the ball arithmetic.
@@ -86,28 +73,20 @@ void TypedSeries<S>::run(std::uint64_t seed, std::uint64_t index, Tally& tally) 
   } else {
     judge.judged = measure_by_digits(x, limits_);
   }
-  thread_local Bytes record;
+  thread_local std::string record;
   record.clear();
-  record.add(series);
-  record.add(index);
-  for (const S& v : x) {
-    if constexpr (std::is_floating_point_v<S>)
-      record.add(v);
-    else
-      record.add(v.backend().value());
-  }
+  const auto add = [](const void* from, std::size_t n) { record.append(static_cast<const char*>(from), n); };
+  add(&series, sizeof series);
+  add(&index, sizeof index);
+  add(x.data(), x.size() * sizeof(S));
   tally.inputs.add(record.data(), record.size());
-  record.clear();
-  record.add(series);
-  record.add(index);
-  record.append(subject.data(), subject.size());
+  record.resize(sizeof series + sizeof index);
+  record += subject;
   for (const Judged& j : judge.judged) {
-    tally.rows.of(j.residual.output, j.residual.band).add(j, index);
-    record.add(j.residual.output);
-    record.add(j.residual.band);
-    record.add(j.residual.outcome);
-    record.add(j.residual.error);
-    record.add(j.residual.kappa);
+    const Residual& r = j.residual;
+    tally.rows.of(r.output, r.band).add(j, index);
+    const Digested digested{r.output, r.band, r.outcome, r.error, r.kappa};
+    add(&digested, sizeof digested);
   }
   tally.results.add(record.data(), record.size());
   ++tally.cases;

@@ -1,6 +1,8 @@
 #pragma once
-// A rotation vector on another branch of the logarithm: the rotation is right, the angle is theta - 2 pi k.
+// The errors of a logarithm. A rotation vector may be on another branch: then the rotation is right, but the
+// angle is theta - 2 pi k.
 
+#include <invariants/common.hpp>
 #include <oracles/error.hpp>
 #include <oracles/exp.hpp>
 
@@ -21,6 +23,25 @@ bool on_other_branch(const oracles::Vec3<T>& computed, const oracles::Vec3<T>& e
     const ExpResult a = exp_so3(computed), b = exp_so3(exact);
     return a.resolved && b.resolved && rotation_distance(a.Q, b.Q) < Real(1) / 1000;
   }
+}
+
+/// Records the errors of a computed (rho, phi). `outputs` are the rotation vector and, if there are two, rho.
+/// Without `branches` a vector on another branch has the error of any other wrong value.
+template <class S, class T>
+void record_log(Recorder& r, std::initializer_list<Output> outputs, std::size_t band,
+                const Vec<S, 6>& computed, const oracles::LogValue<T>& exact, const T& separation = T(0),
+                bool branches = true) {
+  judged_value(r, outputs, band, computed, exact.resolved, [&] {
+    const auto xi = oracles::exact_vector<6, T>(computed);
+    const auto error = oracles::log_error<S>(xi, exact, separation);
+    const bool other = branches && on_other_branch<S>(tail3(xi), exact.phi, error.angular);
+    for (const Output& o : outputs) {
+      if (other)
+        r.outcome(o, band, Outcome::wrong_branch);
+      else
+        r.record(o, band, &o == outputs.begin() ? error.angular : error.linear);
+    }
+  });
 }
 
 }  // namespace liecheck::properties

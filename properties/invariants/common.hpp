@@ -1,10 +1,12 @@
 #pragma once
 // Helpers that several invariants share.
 
+#include <array>
 #include <invariants/property.hpp>
 #include <oracles/condition.hpp>
 #include <oracles/error.hpp>
 #include <oracles/jacobians.hpp>
+#include <oracles/spatial_formulas.hpp>
 
 namespace liecheck::properties {
 
@@ -47,15 +49,51 @@ double at_most(const oracles::Vec<N, T>& v) {
   }
 }
 
-template <int N, class T>
-std::vector<T> to_list(const oracles::Vec<N, T>& v) {
-  return {v.x.begin(), v.x.end()};
+/// The numbers of vectors and matrices of the oracles, one after another.
+template <class V, class... W>
+auto to_list(const V& v, const W&... others) {
+  std::vector<typename decltype(v.x)::value_type> all(v.x.begin(), v.x.end());
+  (all.insert(all.end(), others.x.begin(), others.x.end()), ...);
+  return all;
 }
 template <int N, class T>
 oracles::Vec<N, T> from_list(const std::vector<T>& x, std::size_t first = 0) {
   oracles::Vec<N, T> v;
   for (int i = 0; i < N; ++i) v[i] = x[first + static_cast<std::size_t>(i)];
   return v;
+}
+
+/// A pose from its 12 numbers R, p.
+template <class T>
+oracles::PoseOf<T> pose_from(const std::vector<T>& x) {
+  oracles::PoseOf<T> X;
+  std::copy_n(x.begin(), 9, X.R.x.begin());
+  std::copy_n(x.begin() + 9, 3, X.p.x.begin());
+  return X;
+}
+template <class T, class S>
+oracles::PoseOf<T> exact_pose(const Pose<S>& X) {
+  return {oracles::exact_matrix<3, 3, T>(X.R), oracles::exact_vector<3, T>(X.p)};
+}
+
+/// Whether a computed and an exact value can be compared. If not, records not_finite or unresolved.
+template <class M>
+bool comparable(Recorder& r, const Output& output, const M& computed, bool resolved) {
+  const bool finite = oracles::all_finite(computed);
+  if (!finite || !resolved) r.outcome(output, 0, finite ? Outcome::unresolved : Outcome::not_finite);
+  return finite && resolved;
+}
+
+/// Records the error of a vector. Its kappa is that of `formula` at the numbers x(): N results from `first`.
+template <class S, int N, class T, class Formula, class Numbers>
+void record_vector(Recorder& r, const Output& output, const Vec<S, N>& computed,
+                   const oracles::Vec<N, T>& exact, bool resolved, const Formula& formula, const Numbers& x,
+                   int first = 0) {
+  if (!comparable(r, output, computed, resolved)) return;
+  r.record(output, 0, oracles::vector_error<S>(oracles::exact_vector<N, T>(computed), exact), [&] {
+    const T size = oracles::larger(norm(exact), oracles::least_denominator<S, T>());
+    return std::max(1.0, kappa_of<T>(formula, x(), first, N, size));
+  });
 }
 
 /// The band of ||phi||. Below 2^-900 a ball of the norm is wider than one ulp. There 2^600 phi, which is
@@ -127,24 +165,41 @@ double norm_defect_at(const std::vector<S>& input, std::size_t first) {
   return oracles::norm_defect<S>(Q);
 }
 
+/// ||R^T R - I|| in eps, for the matrix R that starts at `first`.
+template <class S>
+double orthogonality_defect_at(const std::vector<S>& input, std::size_t first) {
+  oracles::Mat3<> R;
+  for (std::size_t i = 0; i < 9; ++i) R.x[i] = oracles::exact<Real>(input[first + i]);
+  return oracles::orthogonality_defect<S>(R);
+}
+
+/// Two blocks of an operation: of a 6 x 6 Jacobian or of a spatial vector.
+using TwoOutputs = std::array<Output, 2>;
+consteval TwoOutputs jacobian_outputs(const Operation& o) {
+  return {o[block::jacobian], o[block::coupling]};
+}
+consteval TwoOutputs linear_angular(const Operation& o) {
+  return {o[block::linear], o[block::angular]};
+}
+
 /// Records the errors of the 3 x 3 rotation and coupling blocks of a 6 x 6 Jacobian. The lower left block
 /// must be zero. Both diagonal blocks have the same exact value.
 template <class S, class T>
-void record_jacobian6(Recorder& r, const Output& rotation, const Output& coupling, std::size_t band,
-                      const Mat<S, 6>& J, const oracles::Jacobian6Value<T>& exact, const T& rho, bool beyond,
+void record_jacobian6(Recorder& r, const TwoOutputs& outputs, std::size_t band, const Mat<S, 6>& J,
+                      const oracles::Jacobian6Value<T>& exact, const T& rho, bool beyond,
                       Kappa kappa_rotation = nullptr, Kappa kappa_coupling = nullptr) {
-  judged_value(r, {rotation, coupling}, band, J, exact.resolved, [&] {
+  judged_value(r, {outputs[0], outputs[1]}, band, J, exact.resolved, [&] {
     const auto all = oracles::exact_matrix<6, 6, T>(J);
     double error = std::max(oracles::matrix_error<S>(oracles::block(all, 0, 0), exact.J),
                             oracles::matrix_error<S>(oracles::block(all, 1, 1), exact.J));
     if (!J.template block<3, 3>(3, 0).isZero(0)) error = std::numeric_limits<double>::infinity();
-    r.record(rotation, band, error, kappa_rotation);
+    r.record(outputs[0], band, error, kappa_rotation);
     T scale(0);
     if (beyond) {
       const T size = oracles::frobenius(exact.J);
       scale = rho * oracles::smaller(size, T(1));
     }
-    r.record(coupling, band, oracles::matrix_error<S>(oracles::block(all, 0, 1), exact.C, scale),
+    r.record(outputs[1], band, oracles::matrix_error<S>(oracles::block(all, 0, 1), exact.C, scale),
              kappa_coupling);
   });
 }

@@ -34,23 +34,16 @@ class DIntegrate final : public Law<DIntegrate, S> {
             {"p1", Kind::vector, 3, "m"},  {"Q1", Kind::quaternion, 4, "1", Reach::beside},
             {"rho", Kind::vector, 3, "m"}, {"phi", Kind::rotation_vector, 3, "rad"}};
   }
-  bool offered(const Subject<S>& s) const override {
-    const auto& o = s.operations;
-    return o[op::d_integrate_arg0] || o[op::d_integrate_arg1] || o[op::d_difference_arg0] ||
-           o[op::d_difference_arg1];
-  }
   std::vector<S> generate(Source& source) const override {
-    std::vector<S> x;
     const int scale = std::numeric_limits<S>::max_exponent / 8;
     const auto p0 = vector3<S>(source, scale);
     const auto Q0 = unit_quaternion<S>(source);
-    append(x, p0);
-    append(x, Q0);
-    append(x, vector3<S>(source, scale));
-    append(x, quaternion_near<S>(source, Q0));
-    append(x, vector3<S>(source, scale));
-    append(x, rotation_vector<S>(source, AngleRange::to_pi));
-    return x;
+    return Joined<S>{p0,
+                     Q0,
+                     vector3<S>(source, scale),
+                     quaternion_near<S>(source, Q0),
+                     vector3<S>(source, scale),
+                     rotation_vector<S>(source, AngleRange::to_pi)};
   }
   bool valid(const std::vector<S>& x) const override {
     // theta is at most pi, up to a few ulp. Beyond pi, exp_oracle and jacobian_oracle measure the matrices.
@@ -67,25 +60,21 @@ class DIntegrate final : public Law<DIntegrate, S> {
     const Vec<S, 6> d = read.template take<6>();
     const auto x0 = exact_vector<7, Real>(q0), x1 = exact_vector<7, Real>(q1);
     const auto xd = exact_vector<6, Real>(d);
-    const Bands& bands = Bands::of<S>();
     std::size_t band = band_of_angle<S>(tail3(xd));
-    Real rho = norm(head3(xd));
     // The float nearest to pi is beyond pi. There kappa is 1 within a few per cent.
-    const bool beyond = bands[band].region == Region::beyond_pi;
+    const bool beyond = Bands::of<S>()[band].region == Region::beyond_pi;
+    const Real rho = norm(head3(xd));
     if (o[op::d_integrate_arg0])
-      record_jacobian6<S>(r, op::d_integrate_arg0[block::jacobian], op::d_integrate_arg0[block::coupling],
-                          band, o[op::d_integrate_arg0](q0, d), oracles::d_integrate_arg0(x0, xd), rho,
-                          beyond);
+      record_jacobian6<S>(r, jacobian_outputs(op::d_integrate_arg0), band, o[op::d_integrate_arg0](q0, d),
+                          oracles::d_integrate_arg0(x0, xd), rho, beyond);
     if (o[op::d_integrate_arg1])
-      record_jacobian6<S>(r, op::d_integrate_arg1[block::jacobian], op::d_integrate_arg1[block::coupling],
-                          band, o[op::d_integrate_arg1](q0, d), oracles::d_integrate_arg1(x0, xd), rho,
-                          beyond);
+      record_jacobian6<S>(r, jacobian_outputs(op::d_integrate_arg1), band, o[op::d_integrate_arg1](q0, d),
+                          oracles::d_integrate_arg1(x0, xd), rho, beyond);
     if (!o[op::d_difference_arg0] && !o[op::d_difference_arg1]) return;
     const auto exact = oracles::difference(x0, x1);
     std::optional<oracles::Jacobian6Value<Real>> inverse;
     band = band_of_difference<S>(x0, x1, exact);
     if (exact.at_pi) return;  // either branch is right there: jacobian_oracle measures J^-1 on each
-    rho = norm(exact.rho);
     // In ball arithmetic arg0 and arg1 share one logarithm and one inverse: the blocks of J_r^-1 are the
     // transposed blocks of J_l^-1.
     const auto of_difference = [&](bool arg1) -> oracles::Jacobian6Value<Real> {
@@ -99,11 +88,11 @@ class DIntegrate final : public Law<DIntegrate, S> {
       }
     };
     if (o[op::d_difference_arg0])
-      record_jacobian6<S>(r, op::d_difference_arg0[block::jacobian], op::d_difference_arg0[block::coupling],
-                          band, o[op::d_difference_arg0](q0, q1), of_difference(false), rho, false);
+      record_jacobian6<S>(r, jacobian_outputs(op::d_difference_arg0), band, o[op::d_difference_arg0](q0, q1),
+                          of_difference(false), Real(0), false);
     if (o[op::d_difference_arg1])
-      record_jacobian6<S>(r, op::d_difference_arg1[block::jacobian], op::d_difference_arg1[block::coupling],
-                          band, o[op::d_difference_arg1](q0, q1), of_difference(true), rho, false);
+      record_jacobian6<S>(r, jacobian_outputs(op::d_difference_arg1), band, o[op::d_difference_arg1](q0, q1),
+                          of_difference(true), Real(0), false);
   }
 };
 

@@ -28,15 +28,8 @@ class ExpOracle final : public Law<ExpOracle, S> {
     return {{"rho", Kind::vector, 3, "m", Reach::full},
             {"phi", Kind::rotation_vector, 3, "rad", Reach::full}};
   }
-  bool offered(const Subject<S>& s) const override {
-    return s.operations[op::exp3_quaternion] || s.operations[op::exp3_matrix] || s.operations[op::exp6];
-  }
   std::vector<S> generate(Source& source) const override {
-    std::vector<S> x;
-    x.reserve(6);
-    append(x, vector3<S>(source));
-    append(x, rotation_vector<S>(source, AngleRange::unbounded));
-    return x;
+    return Joined<S>{vector3<S>(source), rotation_vector<S>(source, AngleRange::unbounded)};
   }
   template <class Real>
   void in(const Subject<S>& subject, const std::vector<S>& input, Recorder& r) const {
@@ -50,9 +43,7 @@ class ExpOracle final : public Law<ExpOracle, S> {
     const auto kappa = oracles::sensitivity<Real>(
         [](const std::vector<Real>& x) {
           const auto pose = oracles::closed_exp(from_list<6>(x));
-          std::vector<Real> flat = to_list(pose.p);
-          flat.insert(flat.end(), pose.Q.x.begin(), pose.Q.x.end());
-          return flat;
+          return to_list(pose.p, pose.Q);
         },
         [&] { return to_list(exact_xi); }, {{0, 3}, {3, 4}});
     const auto kappa_rotation = [&] { return kappa.kappa(1, Real(1) / Real(2)); };

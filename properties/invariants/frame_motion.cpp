@@ -37,34 +37,31 @@ class FrameMotionLaw final : public TreeLaw<FrameMotionLaw, S> {
     const auto& f = frame.motion;
     const bool resolved = frame.resolved;
     const FrameSizes& sizes = frame.sizes;
-    const auto list = [](const auto& v) { return std::vector<T>(v.x.begin(), v.x.end()); };
     const std::vector<double> three(3, 1);
     if (o[op::frame_pose]) {
       const Pose<S> X = o[op::frame_pose](c.q);
-      c.record(r, op::frame_pose[block::rotation], flat(X.R), list(f.R), std::vector<double>(9, 1),
+      c.record(r, op::frame_pose[block::rotation], flat(X.R), to_list(f.R), std::vector<double>(9, 1),
                std::sqrt(3.0) * oracles::mimic_factor(c.rough.tree, c.rough.q), resolved);
-      c.record(r, op::frame_pose[block::translation], VecX<S>(X.p), list(f.p), three, sizes.position,
+      c.record(r, op::frame_pose[block::translation], VecX<S>(X.p), to_list(f.p), three, sizes.position,
                resolved);
     }
     for (const Seen view : every_view) {
       const FrameViews<T> exact = seen_from(view, f);
-      const auto both = [&](const Output& linear, const Output& angular, const Vec<S, 6>& computed,
+      const auto both = [&](const TwoOutputs& blocks, const Vec<S, 6>& computed,
                             const oracles::Vec6<T>& value, double size_linear, double size_angular) {
-        c.record(r, linear, VecX<S>(computed.template head<3>()), list(head3(value)), three, size_linear,
-                 resolved);
-        c.record(r, angular, VecX<S>(computed.template tail<3>()), list(tail3(value)), three, size_angular,
-                 resolved);
+        c.record(r, blocks[0], VecX<S>(computed.template head<3>()), to_list(head3(value)), three,
+                 size_linear, resolved);
+        c.record(r, blocks[1], VecX<S>(computed.template tail<3>()), to_list(tail3(value)), three,
+                 size_angular, resolved);
       };
       if (o[op::frame_velocity])
-        both(op::frame_velocity[block::linear], op::frame_velocity[block::angular],
-             o[op::frame_velocity](c.q, c.v, view), exact.velocity, sizes.velocity(view), sizes.w);
+        both(linear_angular(op::frame_velocity), o[op::frame_velocity](c.q, c.v, view), exact.velocity,
+             sizes.velocity(view), sizes.w);
       if (o[op::frame_acceleration])
-        both(op::frame_acceleration[block::linear], op::frame_acceleration[block::angular],
-             o[op::frame_acceleration](c.q, c.v, c.a, view), exact.acceleration, sizes.acceleration(view),
-             sizes.al);
+        both(linear_angular(op::frame_acceleration), o[op::frame_acceleration](c.q, c.v, c.a, view),
+             exact.acceleration, sizes.acceleration(view), sizes.al);
       if (o[op::frame_classical_acceleration])
-        both(op::frame_classical_acceleration[block::linear],
-             op::frame_classical_acceleration[block::angular],
+        both(linear_angular(op::frame_classical_acceleration),
              o[op::frame_classical_acceleration](c.q, c.v, c.a, view), exact.classical,
              sizes.acceleration(view), sizes.al);
     }

@@ -3,7 +3,6 @@
 
 #include <generators/rotations.hpp>
 #include <invariants/branch.hpp>
-#include <invariants/common.hpp>
 #include <oracles/closed_forms.hpp>
 #include <oracles/integrate.hpp>
 
@@ -39,20 +38,15 @@ class IntegrateDifference final : public Law<IntegrateDifference, S> {
         {"p1", Kind::vector, 3, "m", Reach::beside}, {"Q1", Kind::quaternion, 4, "1", Reach::beside},
         {"rho", Kind::vector, 3, "m", Reach::full},  {"phi", Kind::rotation_vector, 3, "rad", Reach::full}};
   }
-  bool offered(const Subject<S>& s) const override {
-    return s.operations[op::integrate] || s.operations[op::difference];
-  }
   std::vector<S> generate(Source& source) const override {
-    std::vector<S> x;
     const auto p0 = vector3<S>(source);
     const auto Q0 = unit_quaternion<S>(source);
-    append(x, p0);
-    append(x, Q0);
-    append(x, point_near<S>(source, p0));
-    append(x, quaternion_near<S>(source, Q0));
-    append(x, vector3<S>(source));
-    append(x, rotation_vector<S>(source, AngleRange::unbounded));
-    return x;
+    return Joined<S>{p0,
+                     Q0,
+                     point_near<S>(source, p0),
+                     quaternion_near<S>(source, Q0),
+                     vector3<S>(source),
+                     rotation_vector<S>(source, AngleRange::unbounded)};
   }
   bool valid(const std::vector<S>& input) const override {
     if (!Property<S>::valid(input)) return false;
@@ -73,20 +67,13 @@ class IntegrateDifference final : public Law<IntegrateDifference, S> {
       const Vec<S, 7> q = o[op::integrate](q0, d);
       const auto exact = oracles::integrate(x0, xd);
       const std::size_t band = band_of_angle<S>(tail3(xd));
-      const Real scale = largest(norm(exact.p), norm(head<3>(x0)), exact.increment_norm);
-      const auto stored = [&] {
-        std::vector<Real> all = to_list(x0);
-        for (const Real& v : xd.x) all.push_back(v);
-        return all;
-      };
+      const Real scale = largest(norm(exact.p), norm(head3(x0)), exact.increment_norm);
       const auto kappa = sensitivity<Real>(
           [](const std::vector<Real>& v) {
             const auto pose = closed_integrate(from_list<7>(v), from_list<6>(v, 7));
-            std::vector<Real> flat = to_list(pose.p);
-            flat.insert(flat.end(), pose.Q.x.begin(), pose.Q.x.end());
-            return flat;
+            return to_list(pose.p, pose.Q);
           },
-          stored, {{0, 3}, {3, 4}});
+          [&] { return to_list(x0, xd); }, {{0, 3}, {3, 4}});
       constexpr Output rotation = op::integrate[block::rotation],
                        translation = op::integrate[block::translation],
                        defect = op::integrate[block::norm_defect];
@@ -104,17 +91,8 @@ class IntegrateDifference final : public Law<IntegrateDifference, S> {
       const Vec<S, 6> v = o[op::difference](q0, q1);
       const auto exact = oracles::difference(x0, x1);
       const std::size_t band = band_of_difference<S>(x0, x1, exact);
-      constexpr Output angular = op::difference[block::rotation_vector],
-                       linear = op::difference[block::linear];
-      judged_value(r, {angular, linear}, band, v, exact.resolved, [&] {
-        const auto error = log_error<S>(exact_vector<6, Real>(v), exact, exact.separation);
-        if (on_other_branch<S>(tail3(exact_vector<6, Real>(v)), exact.phi, error.angular)) {
-          for (const Output& output : {angular, linear}) r.outcome(output, band, Outcome::wrong_branch);
-          return;
-        }
-        r.record(angular, band, error.angular);
-        r.record(linear, band, error.linear);
-      });
+      record_log<S>(r, {op::difference[block::rotation_vector], op::difference[block::linear]}, band, v,
+                    exact, exact.separation);
       if (o[op::integrate] && all_finite(v) && exact.resolved) {
         const Vec<S, 7> q = o[op::integrate](q0, v);
         Quaternion<Real> Q1 = quaternion<Real>(q1);
@@ -136,14 +114,7 @@ class IntegrateDifference final : public Law<IntegrateDifference, S> {
  private:
   template <class Real>
   static oracles::Quaternion<Real> quaternion(const Vec<S, 7>& q) {
-    return {{oracles::exact<Real>(q[3]), oracles::exact<Real>(q[4]), oracles::exact<Real>(q[5]),
-             oracles::exact<Real>(q[6])}};
-  }
-  template <int N, class Real>
-  static oracles::Vec<N, Real> head(const oracles::Vec<7, Real>& q) {
-    oracles::Vec<N, Real> v;
-    for (int i = 0; i < N; ++i) v[i] = q[i];
-    return v;
+    return oracles::exact_vector<4, Real>(q.template tail<4>());
   }
   template <class Real>
   static Real largest(const Real& a, const Real& b, const Real& c) {
@@ -158,11 +129,7 @@ class IntegrateDifference final : public Law<IntegrateDifference, S> {
     using namespace oracles;
     constexpr Output angular = op::difference_of_integrate[block::rotation_vector],
                      linear = op::difference_of_integrate[block::linear];
-    if (!all_finite(v)) {
-      r.outcome(angular, band, Outcome::not_finite);
-      r.outcome(linear, band, Outcome::not_finite);
-      return;
-    }
+    if (!all_finite(v)) return judged_value(r, {angular, linear}, band, v, true, [] {});
     const auto xv = exact_vector<6, Real>(v);
     const auto at = oracles::difference(x0, xq);
     // If the rounding of q moved theta across pi, the exact result has the opposite axis.
@@ -171,19 +138,16 @@ class IntegrateDifference final : public Law<IntegrateDifference, S> {
     for (int i = 3; i < 6; ++i) along += xv[i] * xd[i];
     if (at.pi_minus_theta < Real(64 * static_cast<double>(epsilon<S>())) && along < 0) return;
     // The quaternions affect both blocks. The positions affect rho alone, linearly: rho = M (p1 - p0).
-    const auto pose = [](const oracles::Vec<7, Real>& q, const Real* Q) {
-      oracles::Vec<7, Real> moved = q;
-      for (int i = 0; i < 4; ++i) moved[3 + i] = Q[i];
-      return moved;
-    };
     const auto kappa = sensitivity<Real>(
         [&](const std::vector<Real>& Q) {
-          return to_list(closed_difference(pose(x0, Q.data()), pose(xq, Q.data() + 4)));
+          oracles::Vec<7, Real> from = x0, to = xq;
+          std::copy_n(Q.begin(), 4, from.x.begin() + 3);
+          std::copy_n(Q.begin() + 4, 4, to.x.begin() + 3);
+          return to_list(closed_difference(from, to));
         },
         [&] {
-          std::vector<Real> all;
-          for (int i = 3; i < 7; ++i) all.push_back(x0[i]);
-          for (int i = 3; i < 7; ++i) all.push_back(xq[i]);
+          std::vector<Real> all(x0.x.begin() + 3, x0.x.end());
+          all.insert(all.end(), xq.x.begin() + 3, xq.x.end());
           return all;
         },
         {{0, 3}, {3, 3}});

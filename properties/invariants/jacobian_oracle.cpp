@@ -31,17 +31,8 @@ class JacobianOracle final : public Law<JacobianOracle, S> {
     return {{"rho", Kind::vector, 3, "m", Reach::full},
             {"phi", Kind::rotation_vector, 3, "rad", Reach::full}};
   }
-  bool offered(const Subject<S>& s) const override {
-    const auto& o = s.operations;
-    return o[op::left_jacobian3] || o[op::right_jacobian3] || o[op::left_jacobian3_inverse] ||
-           o[op::right_jacobian3_inverse] || o[op::left_jacobian6] || o[op::right_jacobian6] ||
-           o[op::left_jacobian6_inverse] || o[op::right_jacobian6_inverse];
-  }
   std::vector<S> generate(Source& source) const override {
-    std::vector<S> x;
-    append(x, vector3<S>(source));
-    append(x, rotation_vector<S>(source, AngleRange::unbounded));
-    return x;
+    return Joined<S>{vector3<S>(source), rotation_vector<S>(source, AngleRange::unbounded)};
   }
   template <class Real>
   void in(const Subject<S>& subject, const std::vector<S>& input, Recorder& r) const {
@@ -56,11 +47,7 @@ class JacobianOracle final : public Law<JacobianOracle, S> {
     const bool beyond = Bands::of<S>()[band].region == Region::beyond_pi;
 
     // The right Jacobian is the left one at -xi, so its blocks have the same kappa.
-    const auto flat = [](const JacobianBlocks<Real>& b) {
-      std::vector<Real> all(b.J.x.begin(), b.J.x.end());
-      all.insert(all.end(), b.C.x.begin(), b.C.x.end());
-      return all;
-    };
+    const auto flat = [](const JacobianBlocks<Real>& b) { return to_list(b.J, b.C); };
     const auto stored = [&] { return to_list(x); };
     const auto direct = sensitivity<Real>(
         [&](const std::vector<Real>& v) { return flat(closed_left_jacobian(from_list<6>(v))); }, stored,
@@ -90,36 +77,35 @@ class JacobianOracle final : public Law<JacobianOracle, S> {
       const Real n = frobenius(exact.J), own = frobenius(exact.C), least = rho * smaller(n, Real(1));
       return beyond ? larger(own, least) : own;
     };
-    const auto three = [&](const auto& operation, const Output& output, const Jacobian6Value<Real>& exact,
-                           bool inverse) {
-      if (!o[operation]) return;
-      const Mat<S, 3> J = o[operation](phi);
+    const auto three = [&](Mat<S, 3> (*operation)(const Vec<S, 3>&), const Output& output,
+                           const Jacobian6Value<Real>& exact, bool inverse) {
+      if (!operation) return;
+      const Mat<S, 3> J = operation(phi);
       judged_value(r, {output}, band, J, exact.resolved, [&] {
         r.record(output, band, matrix_error<S>(exact_matrix<3, 3, Real>(J), exact.J),
                  [&] { return kappa(inverse, false, size(exact, false)); });
       });
     };
-    const auto six = [&](const auto& operation, const Output& diagonal, const Output& upper,
+    const auto six = [&](Mat<S, 6> (*operation)(const Vec<S, 6>&), const TwoOutputs& outputs,
                          const Jacobian6Value<Real>& exact, bool inverse) {
-      if (!o[operation]) return;
+      if (!operation) return;
       record_jacobian6<S>(
-          r, diagonal, upper, band, o[operation](xi), exact, rho, beyond,
+          r, outputs, band, operation(xi), exact, rho, beyond,
           [&] { return kappa(inverse, false, size(exact, false)); },
           [&] { return kappa(inverse, true, size(exact, true)); });
     };
-    three(op::left_jacobian3, op::left_jacobian3[block::jacobian], exact.left, false);
-    three(op::right_jacobian3, op::right_jacobian3[block::jacobian], exact.right, false);
-    three(op::left_jacobian3_inverse, op::left_jacobian3_inverse[block::jacobian], exact.left_inverse, true);
-    three(op::right_jacobian3_inverse, op::right_jacobian3_inverse[block::jacobian], exact.right_inverse,
+    three(o[op::left_jacobian3], op::left_jacobian3[block::jacobian], exact.left, false);
+    three(o[op::right_jacobian3], op::right_jacobian3[block::jacobian], exact.right, false);
+    three(o[op::left_jacobian3_inverse], op::left_jacobian3_inverse[block::jacobian], exact.left_inverse,
           true);
-    six(op::left_jacobian6, op::left_jacobian6[block::jacobian], op::left_jacobian6[block::coupling],
-        exact.left, false);
-    six(op::right_jacobian6, op::right_jacobian6[block::jacobian], op::right_jacobian6[block::coupling],
-        exact.right, false);
-    six(op::left_jacobian6_inverse, op::left_jacobian6_inverse[block::jacobian],
-        op::left_jacobian6_inverse[block::coupling], exact.left_inverse, true);
-    six(op::right_jacobian6_inverse, op::right_jacobian6_inverse[block::jacobian],
-        op::right_jacobian6_inverse[block::coupling], exact.right_inverse, true);
+    three(o[op::right_jacobian3_inverse], op::right_jacobian3_inverse[block::jacobian], exact.right_inverse,
+          true);
+    six(o[op::left_jacobian6], jacobian_outputs(op::left_jacobian6), exact.left, false);
+    six(o[op::right_jacobian6], jacobian_outputs(op::right_jacobian6), exact.right, false);
+    six(o[op::left_jacobian6_inverse], jacobian_outputs(op::left_jacobian6_inverse), exact.left_inverse,
+        true);
+    six(o[op::right_jacobian6_inverse], jacobian_outputs(op::right_jacobian6_inverse), exact.right_inverse,
+        true);
   }
 };
 

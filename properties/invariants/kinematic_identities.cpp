@@ -39,12 +39,10 @@ class KinematicIdentities final : public Law<KinematicIdentities, S> {
   }
   std::string source() const override { return "Sola 2017 (arXiv 1711.02508), section 4, eqs. 197-201"; }
 
-  static constexpr Output outputs_[] = {op::integrate_coefficient_jacobian[block::translation],
-                                        op::integrate_coefficient_jacobian[block::rotation_rate],
-                                        op::integrate_coefficient_jacobian[block::R_dot],
-                                        op::integrate_coefficient_jacobian[block::translation_matrix],
-                                        op::integrate_coefficient_jacobian[block::quaternion_matrix],
-                                        op::integrate_coefficient_jacobian[block::zeros]};
+  static constexpr const auto& measured = op::integrate_coefficient_jacobian;
+  static constexpr Output outputs_[] = {
+      measured[block::translation],        measured[block::rotation_rate],     measured[block::R_dot],
+      measured[block::translation_matrix], measured[block::quaternion_matrix], measured[block::zeros]};
   std::vector<Output> outputs() const override { return {std::begin(outputs_), std::end(outputs_)}; }
   std::vector<Field> fields() const override {
     return {{"p", Kind::vector, 3, "m", Reach::full},
@@ -52,16 +50,8 @@ class KinematicIdentities final : public Law<KinematicIdentities, S> {
             {"u", Kind::vector, 3, "m/s", Reach::full},
             {"omega", Kind::vector, 3, "rad/s", Reach::full}};
   }
-  bool offered(const Subject<S>& subject) const override {
-    return subject.operations[op::integrate_coefficient_jacobian] != nullptr;
-  }
   std::vector<S> generate(Source& source) const override {
-    std::vector<S> input;
-    append(input, vector3<S>(source));
-    append(input, unit_quaternion<S>(source));
-    append(input, vector3<S>(source));
-    append(input, vector3<S>(source));
-    return input;
+    return Joined<S>{vector3<S>(source), unit_quaternion<S>(source), vector3<S>(source), vector3<S>(source)};
   }
   bool valid(const std::vector<S>& input) const override {
     if (!Property<S>::valid(input)) return false;
@@ -73,56 +63,53 @@ class KinematicIdentities final : public Law<KinematicIdentities, S> {
 
   template <class Real>
   void in(const Subject<S>& subject, const std::vector<S>& input, Recorder& recorder) const {
-    const auto operation = subject.operations[op::integrate_coefficient_jacobian];
+    using namespace oracles;
+    const auto operation = subject.operations[measured];
     if (!operation) return;
     Reader<S> reader(input);
-    const Vec<S, 7> q = reader.template take<7>();
-    const Vec<S, 6> v = reader.template take<6>();
-    const Mat<S, 7, 6> computed = operation(q);
+    const auto q = reader.template take<7>();
+    const auto v = reader.template take<6>();
+    const properties::Mat<S, 7, 6> computed = operation(q);
     const auto all = [&](int first, int last, Outcome outcome) {
       for (int i = first; i <= last; ++i) recorder.outcome(outputs_[i], 0, outcome);
     };
-    if (!oracles::all_finite(computed)) return all(0, 5, Outcome::not_finite);
+    const auto record = [&](const Output& output, double error) {
+      recorder.record(output, 0, error, [] { return 1.0; });
+    };
+    if (!all_finite(computed)) return all(0, 5, Outcome::not_finite);
 
-    const auto J = oracles::exact_matrix<7, 6, Real>(computed);
-    const auto q_e = oracles::exact_vector<7, Real>(q);
-    const auto v_e = oracles::exact_vector<6, Real>(v);
-    const oracles::Quaternion<Real> Q{{q_e[3], q_e[4], q_e[5], q_e[6]}};
+    const auto J = exact_matrix<7, 6, Real>(computed);
+    const auto q_e = exact_vector<7, Real>(q);
+    const auto v_e = exact_vector<6, Real>(v);
+    const Quaternion<Real> Q{{q_e[3], q_e[4], q_e[5], q_e[6]}};
     const Real Q_norm = norm(Q);  // the lower block is linear in the stored Q; the oracle's Q has norm 1
 
-    const oracles::RateValue<Real> rate = oracles::configuration_rate(q_e, v_e);
+    const RateValue<Real> rate = configuration_rate(q_e, v_e);
     if (rate.resolved) {
-      const oracles::Vec7<Real> q_dot = J * v_e;
-      const oracles::Quaternion<Real> Q_dot{{q_dot[3], q_dot[4], q_dot[5], q_dot[6]}};
-      recorder.record(op::integrate_coefficient_jacobian[block::translation], 0,
-                      oracles::vector_error<S>(head3(q_dot), rate.p_dot), one);
-      recorder.record(op::integrate_coefficient_jacobian[block::rotation_rate], 0,
-                      oracles::vector_error<S>(Q_dot, Q_norm * rate.Q_dot), one);
-      recorder.record(op::integrate_coefficient_jacobian[block::R_dot], 0,
-                      oracles::matrix_error<S>(rotation_rate(Q, Q_dot), rate.R_dot), one);
+      const Vec7<Real> q_dot = J * v_e;
+      const Quaternion<Real> Q_dot{{q_dot[3], q_dot[4], q_dot[5], q_dot[6]}};
+      record(measured[block::translation], vector_error<S>(head3(q_dot), rate.p_dot));
+      record(measured[block::rotation_rate], vector_error<S>(Q_dot, Q_norm * rate.Q_dot));
+      record(measured[block::R_dot], matrix_error<S>(rotation_rate(Q, Q_dot), rate.R_dot));
     } else {
       all(0, 2, Outcome::unresolved);
     }
 
-    const oracles::CoefficientJacobianValue<Real> exact = oracles::integrate_coefficient_jacobian(q_e);
+    const CoefficientJacobianValue<Real> exact = oracles::integrate_coefficient_jacobian(q_e);
     if (exact.resolved) {
-      recorder.record(op::integrate_coefficient_jacobian[block::translation_matrix], 0,
-                      oracles::matrix_error<S>(corner<3>(J, 0, 0), corner<3>(exact.value, 0, 0)), one);
-      recorder.record(op::integrate_coefficient_jacobian[block::quaternion_matrix], 0,
-                      oracles::matrix_error<S>(corner<4>(J, 3, 3), Q_norm * corner<4>(exact.value, 3, 3)),
-                      one);
+      record(measured[block::translation_matrix],
+             matrix_error<S>(corner<3>(J, 0, 0), corner<3>(exact.value, 0, 0)));
+      record(measured[block::quaternion_matrix],
+             matrix_error<S>(corner<4>(J, 3, 3), Q_norm * corner<4>(exact.value, 3, 3)));
     } else {
       all(3, 4, Outcome::unresolved);
     }
     const bool zero =
         computed.template block<3, 3>(0, 3).isZero(0) && computed.template block<4, 3>(3, 0).isZero(0);
-    recorder.record(op::integrate_coefficient_jacobian[block::zeros], 0,
-                    zero ? 0.0 : std::numeric_limits<double>::infinity(), one);
+    record(measured[block::zeros], zero ? 0.0 : std::numeric_limits<double>::infinity());
   }
 
  private:
-  static constexpr auto one = [] { return 1.0; };
-
   template <int Rows, class Real>
   static oracles::Mat<Rows, 3, Real> corner(const oracles::Mat<7, 6, Real>& J, int row, int column) {
     oracles::Mat<Rows, 3, Real> m;

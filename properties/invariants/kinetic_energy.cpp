@@ -9,44 +9,27 @@
 namespace liecheck::properties {
 namespace {
 
-template <class T>
-oracles::Vec3<T> part(const std::vector<T>& x, std::size_t first) {
-  return {{x[first], x[first + 1], x[first + 2]}};
-}
-template <class T, class... V>
-std::vector<T> numbers(const V&... v) {
-  std::vector<T> x;
-  (x.insert(x.end(), v.x.begin(), v.x.end()), ...);
-  return x;
-}
-
 // Formulas for condition numbers, with x = (m, c, I_C as xx xy yy xz yz zz, u, w).
 template <class T>
 oracles::BodyOf<T> body(const std::vector<T>& x) {
-  return {x[0], part(x, 1), oracles::symmetric(oracles::Vec6<T>{{x[4], x[5], x[6], x[7], x[8], x[9]}})};
+  return {x[0], from_list<3>(x, 1), oracles::symmetric(from_list<6>(x, 4))};
 }
 template <class T>
 std::vector<T> momentum_formula(const std::vector<T>& x) {
-  return numbers<T>(oracles::formulas::momentum(body(x), stack(part(x, 10), part(x, 13))));
+  return to_list(oracles::formulas::momentum(body(x), from_list<6>(x, 10)));
 }
 template <class T>
 std::vector<T> energy_formula(const std::vector<T>& x) {
-  return {oracles::formulas::kinetic_energy(body(x), stack(part(x, 10), part(x, 13)))};
+  return {oracles::formulas::kinetic_energy(body(x), from_list<6>(x, 10))};
 }
 // Formulas with x = (R, p, c).
 template <class T>
-oracles::Mat3<T> rotation(const std::vector<T>& x) {
-  oracles::Mat3<T> R;
-  std::copy_n(x.begin(), 9, R.x.begin());
-  return R;
-}
-template <class T>
 std::vector<T> lever_formula(const std::vector<T>& x) {
-  return numbers<T>(rotation(x) * part(x, 12) + part(x, 9));
+  return to_list(pose_from(x).R * from_list<3>(x, 12) + from_list<3>(x, 9));
 }
 template <class T>
 std::vector<T> inverse_lever_formula(const std::vector<T>& x) {
-  return numbers<T>(transpose(rotation(x)) * (part(x, 12) - part(x, 9)));
+  return to_list(transpose(pose_from(x).R) * (from_list<3>(x, 12) - from_list<3>(x, 9)));
 }
 
 template <class S>
@@ -74,11 +57,6 @@ class KineticEnergy final : public Law<KineticEnergy, S> {
             {"mass", Kind::positive, 1, "kg"},    {"c", Kind::vector, 3, "m"},
             {"I_C", Kind::inertia, 6, "kg m^2"},  // xx xy yy xz yz zz
             {"u", Kind::vector, 3, "m/s"},        {"omega", Kind::vector, 3, "rad/s"}};
-  }
-  bool offered(const Subject<S>& subject) const override {
-    const auto& o = subject.operations;
-    return o[op::kinetic_energy] || o[op::momentum] || o[op::inertia_matrix] || o[op::act_inertia] ||
-           o[op::act_inverse_inertia];
   }
 
   std::vector<S> generate(Source& source) const override {
@@ -124,26 +102,24 @@ class KineticEnergy final : public Law<KineticEnergy, S> {
     const auto& o = subject.operations;
     const Case<Real> x(input);
     const auto body_numbers = [&] {
-      std::vector<Real> all{x.I_e.mass};
-      for (int i = 0; i < 3; ++i) all.push_back(x.I_e.c[i]);
-      for (const auto& [i, j] : unique) all.push_back(x.I_e.I_C(i, j));
-      all.insert(all.end(), x.V_e.x.begin(), x.V_e.x.end());
-      return all;
+      oracles::Vec6<Real> I_C;
+      for (int k = 0; k < 6; ++k) I_C[k] = x.I_e.I_C(unique[k].first, unique[k].second);
+      return to_list(oracles::Vec<1, Real>{{x.I_e.mass}}, x.I_e.c, I_C, x.V_e);
     };
 
     if (o[op::kinetic_energy]) {
       const Vec<S, 1> E(o[op::kinetic_energy](x.I, x.V));
       const oracles::Resolved<Real> exact = oracles::kinetic_energy(x.I_e, x.V_e);
-      record(recorder, op::kinetic_energy[block::energy], E, oracles::Vec<1, Real>{{exact.value}},
-             exact.resolved, energy_formula<Real>, body_numbers, 0);
+      record_vector(recorder, op::kinetic_energy[block::energy], E, oracles::Vec<1, Real>{{exact.value}},
+                    exact.resolved, energy_formula<Real>, body_numbers);
     }
     if (o[op::momentum]) {
       const Vec<S, 6> h = o[op::momentum](x.I, x.V);
       const oracles::Resolved<oracles::Vec6<Real>> exact = oracles::momentum(x.I_e, x.V_e);
-      record(recorder, op::momentum[block::linear], Vec<S, 3>(h.template head<3>()), head3(exact.value),
-             exact.resolved, momentum_formula<Real>, body_numbers, 0);
-      record(recorder, op::momentum[block::angular], Vec<S, 3>(h.template tail<3>()), tail3(exact.value),
-             exact.resolved, momentum_formula<Real>, body_numbers, 3);
+      record_vector(recorder, op::momentum[block::linear], Vec<S, 3>(h.template head<3>()),
+                    head3(exact.value), exact.resolved, momentum_formula<Real>, body_numbers);
+      record_vector(recorder, op::momentum[block::angular], Vec<S, 3>(h.template tail<3>()),
+                    tail3(exact.value), exact.resolved, momentum_formula<Real>, body_numbers, 3);
     }
     if (o[op::inertia_matrix])
       measure_matrix(recorder, o[op::inertia_matrix](x.I), oracles::inertia_matrix(x.I_e));
@@ -157,8 +133,7 @@ class KineticEnergy final : public Law<KineticEnergy, S> {
     if (o[op::kinetic_energy] && o[op::act_inertia] && o[op::act_motion]) {
       const Vec<S, 2> T(o[op::kinetic_energy](o[op::act_inertia](x.X, x.I), o[op::act_motion](x.X, x.V)),
                         o[op::kinetic_energy](x.I, x.V));
-      if (!oracles::all_finite(T))
-        return recorder.outcome(op::energy_frames[block::energy], 0, Outcome::not_finite);
+      if (!comparable(recorder, op::energy_frames[block::energy], T, true)) return;
       const auto T_e = oracles::exact_vector<2, Real>(T);
       const oracles::Vec3<Real> u = head3(x.V_e), w = tail3(x.V_e);
       const Real w_norm = norm(w), s = norm(u) + w_norm * (norm(x.I_e.c) + Real(2) * norm(x.X_e.p));
@@ -168,25 +143,25 @@ class KineticEnergy final : public Law<KineticEnergy, S> {
       // Only the scale counts: T_B is a result of the subject, not an exact value.
       const Real size = oracles::larger(scale, oracles::least_denominator<S, Real>());
       recorder.record(op::energy_frames[block::energy], 0,
-                      oracles::in_eps<S>(Real(abs(T_e[0] - T_e[1]) / size)), [] { return 1.0; });
+                      oracles::in_eps<S>(Real(abs(T_e[0] - T_e[1]) / size)), one);
     }
   }
 
  private:
   static constexpr int binades = std::numeric_limits<S>::max_exponent / 8;
+  static constexpr auto one = [] { return 1.0; };
   static constexpr std::pair<int, int> unique[] = {{0, 0}, {0, 1}, {1, 1}, {0, 2}, {1, 2}, {2, 2}};
 
   template <class Real>
   struct Case {
     explicit Case(const std::vector<S>& input) {
       Reader<S> reader(input);
-      X.R = reader.take_matrix();
-      X.p = reader.template take<3>();
+      X = reader.take_pose();
       I.mass = reader.template take<1>()[0];
       I.c = reader.template take<3>();
       for (const auto& [i, j] : unique) I.I_C(i, j) = I.I_C(j, i) = reader.template take<1>()[0];
       V = reader.template take<6>();
-      X_e = {oracles::exact_matrix<3, 3, Real>(X.R), oracles::exact_vector<3, Real>(X.p)};
+      X_e = exact_pose<Real>(X);
       I_e = {oracles::exact<Real>(I.mass), oracles::exact_vector<3, Real>(I.c),
              oracles::exact_matrix<3, 3, Real>(I.I_C)};
       V_e = oracles::exact_vector<6, Real>(V);
@@ -260,34 +235,19 @@ class KineticEnergy final : public Law<KineticEnergy, S> {
     return I;
   }
 
-  template <int N, class Real, class Formula, class Numbers>
-  static void record(Recorder& recorder, const Output& output, const Vec<S, N>& computed,
-                     const oracles::Vec<N, Real>& exact, bool resolved, const Formula& formula, Numbers&& x,
-                     int first) {
-    if (!oracles::all_finite(computed)) return recorder.outcome(output, 0, Outcome::not_finite);
-    if (!resolved) return recorder.outcome(output, 0, Outcome::unresolved);
-    recorder.record(
-        output, 0, oracles::vector_error<S>(oracles::exact_vector<N, Real>(computed), exact), [&] {
-          return std::max(
-              1.0, kappa_of<Real>(formula, x(), first, N,
-                                  oracles::larger(norm(exact), oracles::least_denominator<S, Real>())));
-        });
-  }
-
   /// Records the largest error of the four 3 x 3 blocks, each relative to the norm of that block.
   template <class Real>
   static void measure_matrix(Recorder& recorder, const Mat<S, 6>& computed,
                              const oracles::Resolved<oracles::Mat6<Real>>& exact) {
-    if (!oracles::all_finite(computed))
-      return recorder.outcome(op::inertia_matrix[block::matrix], 0, Outcome::not_finite);
-    if (!exact.resolved) return recorder.outcome(op::inertia_matrix[block::matrix], 0, Outcome::unresolved);
+    constexpr Output output = op::inertia_matrix[block::matrix];
+    if (!comparable(recorder, output, computed, exact.resolved)) return;
     const auto M = oracles::exact_matrix<6, 6, Real>(computed);
     double error = 0;
     for (int i = 0; i < 2; ++i)
       for (int j = 0; j < 2; ++j)
         error = std::max(
             error, oracles::matrix_error<S>(oracles::block(M, i, j), oracles::block(exact.value, i, j)));
-    recorder.record(op::inertia_matrix[block::matrix], 0, error, [] { return 1.0; });
+    recorder.record(output, 0, error, one);
   }
 
   /// Records the mass, lever and inertia (about the centre of mass) from act_inertia or act_inverse_inertia.
@@ -295,24 +255,12 @@ class KineticEnergy final : public Law<KineticEnergy, S> {
   static void measure_body(Recorder& recorder, const Body<S>& computed,
                            const oracles::Resolved<oracles::BodyOf<Real>>& exact, const Case<Real>& x,
                            const Formula& formula) {
-    const auto one = [] { return 1.0; };
-    const Vec<S, 1> mass(computed.mass);
-    if (!oracles::all_finite(mass)) {
-      recorder.outcome(operation[block::mass], 0, Outcome::not_finite);
-    } else if (!exact.resolved) {
-      recorder.outcome(operation[block::mass], 0, Outcome::unresolved);
-    } else {
+    if (comparable(recorder, operation[block::mass], Vec<S, 1>(computed.mass), exact.resolved))
       recorder.record(operation[block::mass], 0,
                       oracles::scalar_error<S>(oracles::exact<Real>(computed.mass), exact.value.mass), one);
-    }
-    record(
-        recorder, operation[block::lever], Vec<S, 3>(computed.c), exact.value.c, exact.resolved, formula,
-        [&] { return numbers<Real>(x.X_e.R, x.X_e.p, x.I_e.c); }, 0);
-    if (!oracles::all_finite(computed.I_C)) {
-      recorder.outcome(operation[block::inertia], 0, Outcome::not_finite);
-    } else if (!exact.resolved) {
-      recorder.outcome(operation[block::inertia], 0, Outcome::unresolved);
-    } else {
+    record_vector(recorder, operation[block::lever], computed.c, exact.value.c, exact.resolved, formula,
+                  [&] { return to_list(x.X_e.R, x.X_e.p, x.I_e.c); });
+    if (comparable(recorder, operation[block::inertia], computed.I_C, exact.resolved)) {
       const auto I_C = oracles::exact_matrix<3, 3, Real>(computed.I_C);
       recorder.record(operation[block::inertia], 0, oracles::matrix_error<S>(I_C, exact.value.I_C), one);
     }

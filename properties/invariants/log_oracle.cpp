@@ -2,7 +2,6 @@
 
 #include <generators/rotations.hpp>
 #include <invariants/branch.hpp>
-#include <invariants/common.hpp>
 #include <oracles/log.hpp>
 
 namespace liecheck::properties {
@@ -26,22 +25,13 @@ class LogOracle final : public Law<LogOracle, S> {
             {"R", Kind::rotation_matrix, 9, "1"},
             {"p", Kind::vector, 3, "m", Reach::full}};
   }
-  bool offered(const Subject<S>& s) const override {
-    return s.operations[op::log3_quaternion] || s.operations[op::log3_matrix] || s.operations[op::log6];
-  }
   std::vector<S> generate(Source& source) const override {
-    std::vector<S> x;
     const auto Q = unit_quaternion<S>(source);
-    append(x, Q);
-    append(x, rotation_matrix<S>(Q));
-    append(x, vector3<S>(source));
-    return x;
+    return Joined<S>{Q, rotation_matrix<S>(Q), vector3<S>(source)};
   }
   bool valid(const std::vector<S>& input) const override {
-    if (!Property<S>::valid(input)) return false;
-    Reader<S> read(input);
-    if (oracles::norm_defect<S>(oracles::exact_vector<4, Real>(read.template take<4>())) > 8) return false;
-    return oracles::orthogonality_defect<S>(oracles::exact_matrix<3, 3, Real>(read.take_matrix())) <= 8;
+    return Property<S>::valid(input) && norm_defect_at(input, 0) <= 8 &&
+           orthogonality_defect_at(input, 4) <= 8;
   }
   template <class Real>
   void in(const Subject<S>& subject, const std::vector<S>& input, Recorder& r) const {
@@ -52,42 +42,26 @@ class LogOracle final : public Law<LogOracle, S> {
     const Vec<S, 3> p = read.template take<3>();
     if (o[op::log3_quaternion]) {
       const auto exact = oracles::log_so3(oracles::exact_vector<4, Real>(Q));
-      rotation_vector_error(r, op::log3_quaternion[block::rotation_vector], o[op::log3_quaternion](Q), exact);
+      record_log<S>(r, {op::log3_quaternion[block::rotation_vector]}, band_of_log<S>(exact),
+                    rotation(o[op::log3_quaternion](Q)), exact);
     }
     if (!o[op::log3_matrix] && !o[op::log6]) return;
     const auto exact =
         oracles::log_se3_matrix(oracles::exact_matrix<3, 3, Real>(R), oracles::exact_vector<3, Real>(p));
+    const std::size_t band = band_of_log<S>(exact);
     if (o[op::log3_matrix])
-      rotation_vector_error(r, op::log3_matrix[block::rotation_vector], o[op::log3_matrix](R), exact);
-    if (o[op::log6]) {
-      const std::size_t band = band_of_log<S>(exact);
-      const Vec<S, 6> xi = o[op::log6]({R, p});
-      constexpr Output angular = op::log6[block::rotation_vector], linear = op::log6[block::linear];
-      judged_value(r, {angular, linear}, band, xi, exact.resolved, [&] {
-        const auto error = oracles::log_error<S>(oracles::exact_vector<6, Real>(xi), exact);
-        if (on_other_branch<S>(tail3(oracles::exact_vector<6, Real>(xi)), exact.phi, error.angular)) {
-          for (const Output& block : {angular, linear}) r.outcome(block, band, Outcome::wrong_branch);
-          return;
-        }
-        r.record(angular, band, error.angular);
-        r.record(linear, band, error.linear);
-      });
-    }
+      record_log<S>(r, {op::log3_matrix[block::rotation_vector]}, band, rotation(o[op::log3_matrix](R)),
+                    exact);
+    if (o[op::log6])
+      record_log<S>(r, {op::log6[block::rotation_vector], op::log6[block::linear]}, band, o[op::log6]({R, p}),
+                    exact);
   }
 
  private:
-  template <class Real>
-  static void rotation_vector_error(Recorder& r, const Output& output, const Vec<S, 3>& phi,
-                                    const oracles::LogValue<Real>& exact) {
-    const std::size_t band = band_of_log<S>(exact);
-    judged_value(r, {output}, band, phi, exact.resolved, [&] {
-      Vec<S, 6> xi = Vec<S, 6>::Zero();
-      xi.template tail<3>() = phi;
-      const double error = oracles::log_error<S>(oracles::exact_vector<6, Real>(xi), exact).angular;
-      if (on_other_branch<S>(oracles::exact_vector<3, Real>(phi), exact.phi, error))
-        return r.outcome(output, band, Outcome::wrong_branch);
-      r.record(output, band, error);
-    });
+  static Vec<S, 6> rotation(const Vec<S, 3>& phi) {
+    Vec<S, 6> xi;
+    xi << Vec<S, 3>::Zero(), phi;
+    return xi;
   }
 };
 

@@ -27,10 +27,6 @@ class PoseGroup final : public Law<PoseGroup, S> {
             {"R_Y", Kind::rotation_matrix, 9, "1"},
             {"p_Y", Kind::vector, 3, "m"}};
   }
-  bool offered(const Subject<S>& subject) const override {
-    const auto& o = subject.operations;
-    return o[op::compose] || o[op::inverse] || o[op::act_point];
-  }
   std::vector<S> generate(Source& source) const override {
     std::vector<S> x;
     for (int i = 0; i < 2; ++i) {
@@ -40,24 +36,17 @@ class PoseGroup final : public Law<PoseGroup, S> {
     return x;
   }
   bool valid(const std::vector<S>& input) const override {
-    if (!Property<S>::valid(input)) return false;
-    Reader<S> read(input);
-    for (int i = 0; i < 2; ++i) {
-      if (oracles::orthogonality_defect<S>(oracles::exact_matrix<3, 3, Real>(read.take_matrix())) > 8)
-        return false;
-      read.template take<3>();
-    }
-    return true;
+    return Property<S>::valid(input) && orthogonality_defect_at(input, 0) <= 8 &&
+           orthogonality_defect_at(input, 12) <= 8;
   }
   template <class Real>
   void in(const Subject<S>& subject, const std::vector<S>& input, Recorder& r) const {
     using namespace oracles;
     const auto& o = subject.operations;
     Reader<S> read(input);
-    properties::Pose<S> X, Y;
-    for (auto* pose : {&X, &Y}) pose->R = read.take_matrix(), pose->p = read.template take<3>();
+    const auto X = read.take_pose(), Y = read.take_pose();
     const Vec3<Real> none{{Real(0), Real(0), Real(0)}};
-    const PoseOf<Real> x = stored<Real>(X), y = stored<Real>(Y), linear{x.R, none};
+    const PoseOf<Real> x = exact_pose<Real>(X), y = exact_pose<Real>(Y), linear{x.R, none};
 
     if (o[op::compose]) {
       const auto XY = o[op::compose](X, Y);
@@ -92,33 +81,14 @@ class PoseGroup final : public Law<PoseGroup, S> {
     if (o[op::act_point]) {
       const properties::Vec<S, 3> point = o[op::act_point](X, Y.p);
       const auto p = oracles::act_point(x, y.p);
-      judged_value(r, {op::act_point[block::point]}, 0, point, p.resolved, [&] {
-        r.record(op::act_point[block::point], 0, vector_error<S>(exact_vector<3, Real>(point), p.value), [&] {
-          return std::max(1.0,
-                          kappa_of<Real>(
-                              [](const std::vector<Real>& v) {
-                                PoseOf<Real> pose;
-                                std::copy_n(v.begin(), 9, pose.R.x.begin());
-                                std::copy_n(v.begin() + 9, 3, pose.p.x.begin());
-                                return to_list(pose.R * Vec3<Real>{{v[12], v[13], v[14]}} + pose.p);
-                              },
-                              numbers(x, y.p), 0, 3, larger(norm(p.value), least_denominator<S, Real>())));
-        });
-      });
+      record_vector(
+          r, op::act_point[block::point], point, p.value, p.resolved,
+          [](const std::vector<Real>& v) {
+            const PoseOf<Real> pose = pose_from(v);
+            return to_list(pose.R * from_list<3>(v, 12) + pose.p);
+          },
+          [&] { return to_list(x.R, x.p, y.p); });
     }
-  }
-
- private:
-  template <class Real>
-  static oracles::PoseOf<Real> stored(const Pose<S>& X) {
-    return {oracles::exact_matrix<3, 3, Real>(X.R), oracles::exact_vector<3, Real>(X.p)};
-  }
-  template <class Real>
-  static std::vector<Real> numbers(const oracles::PoseOf<Real>& X, const oracles::Vec3<Real>& x) {
-    std::vector<Real> all(X.R.x.begin(), X.R.x.end());
-    all.insert(all.end(), X.p.x.begin(), X.p.x.end());
-    all.insert(all.end(), x.x.begin(), x.x.end());
-    return all;
   }
 };
 

@@ -4,33 +4,11 @@
 
 #include <invariants/common.hpp>
 
-#include <algorithm>
 #include <boost/multiprecision/eigen.hpp>
 #include <generators/rotations.hpp>
 
 namespace liecheck::properties {
 namespace {
-
-/// Reads the pose from a formula's arguments (R, p, then V or F).
-template <class T>
-oracles::PoseOf<T> pose(const std::vector<T>& x) {
-  oracles::PoseOf<T> X;
-  std::copy_n(x.begin(), 9, X.R.x.begin());
-  std::copy_n(x.begin() + 9, 3, X.p.x.begin());
-  return X;
-}
-template <class T>
-oracles::Vec6<T> six(const std::vector<T>& x, std::size_t first) {
-  oracles::Vec6<T> v;
-  std::copy_n(x.begin() + static_cast<std::ptrdiff_t>(first), 6, v.x.begin());
-  return v;
-}
-template <class T, class... V>
-std::vector<T> numbers(const V&... v) {
-  std::vector<T> x;
-  (x.insert(x.end(), v.x.begin(), v.x.end()), ...);
-  return x;
-}
 
 template <class S>
 class PowerPairing final : public Law<PowerPairing, S> {
@@ -67,11 +45,6 @@ class PowerPairing final : public Law<PowerPairing, S> {
             {"u_W", Kind::vector, 3, "m/s"},      {"omega_W", Kind::vector, 3, "rad/s"},
             {"Q", Kind::quaternion, 4, "1"}};
   }
-  bool offered(const Subject<S>& subject) const override {
-    const auto& o = subject.operations;
-    return o[op::act_motion] || o[op::act_inverse_motion] || o[op::act_force] || o[op::act_inverse_force] ||
-           o[op::cross_motion] || o[op::cross_force] || o[op::rotate_point];
-  }
   std::vector<S> generate(Source& source) const override {
     std::vector<S> input;
     const Vec<S, 4> Q = unit_quaternion<S>(source);
@@ -99,116 +72,77 @@ class PowerPairing final : public Law<PowerPairing, S> {
   void in(const Subject<S>& subject, const std::vector<S>& input, Recorder& recorder) const {
     const auto& o = subject.operations;
     Reader<S> reader(input);
-    Pose<S> X;
-    X.R = reader.take_matrix();
-    X.p = reader.template take<3>();
+    const Pose<S> X = reader.take_pose();
     const Vec<S, 6> V = reader.template take<6>(), F = reader.template take<6>(),
                     W = reader.template take<6>();
     const Vec<S, 4> Q = reader.template take<4>();
-
-    using Vector6 = oracles::Vec6<Real>;
-    using Transform = oracles::PoseOf<Real>;
-    const Transform X_e{oracles::exact_matrix<3, 3, Real>(X.R), oracles::exact_vector<3, Real>(X.p)};
+    const auto X_e = exact_pose<Real>(X);
     const auto V_e = oracles::exact_vector<6, Real>(V), F_e = oracles::exact_vector<6, Real>(F),
                W_e = oracles::exact_vector<6, Real>(W);
 
-    const auto act = [&](const auto& operation, const Output& linear, const Output& angular,
-                         const Vec<S, 6>& v, const Vector6& v_e, auto oracle, auto formula) {
-      if (!o[operation]) return;
+    namespace formulas = oracles::formulas;
+    using Vector6 = oracles::Vec6<Real>;
+    using Numbers = std::vector<Real>;
+    using Pose_e = oracles::PoseOf<Real>;
+    using Result = oracles::Resolved<Vector6>;
+    const auto act = [&](Vec<S, 6> (*operation)(const Pose<S>&, const Vec<S, 6>&), const TwoOutputs& blocks,
+                         const Vec<S, 6>& v, const Vector6& v_e,
+                         Result (*oracle)(const Pose_e&, const Vector6&),
+                         Vector6 (*formula)(const Pose_e&, const Vector6&)) {
+      if (!operation) return;
       compare(
-          recorder, linear, angular, Vec<S, 6>(o[operation](X, v)), [&] { return oracle(X_e, v_e); },
-          [&](const std::vector<Real>& x) { return numbers<Real>(formula(pose(x), six(x, 12))); },
-          [&] { return numbers<Real>(X_e.R, X_e.p, v_e); });
+          recorder, blocks, operation(X, v), oracle(X_e, v_e),
+          [formula](const Numbers& x) { return to_list(formula(pose_from(x), from_list<6>(x, 12))); },
+          [&] { return to_list(X_e.R, X_e.p, v_e); });
     };
-    act(
-        op::act_motion, op::act_motion[block::linear], op::act_motion[block::angular], V, V_e,
-        [](const Transform& Y, const Vector6& v) { return oracles::act_motion(Y, v); },
-        [](const Transform& Y, const Vector6& v) { return oracles::formulas::act_motion(Y, v); });
-    act(
-        op::act_inverse_motion, op::act_inverse_motion[block::linear], op::act_inverse_motion[block::angular],
-        V, V_e, [](const Transform& Y, const Vector6& v) { return oracles::act_inverse_motion(Y, v); },
-        [](const Transform& Y, const Vector6& v) { return oracles::formulas::act_inverse_motion(Y, v); });
-    act(
-        op::act_force, op::act_force[block::linear], op::act_force[block::angular], F, F_e,
-        [](const Transform& Y, const Vector6& v) { return oracles::act_force(Y, v); },
-        [](const Transform& Y, const Vector6& v) { return oracles::formulas::act_force(Y, v); });
-    act(
-        op::act_inverse_force, op::act_inverse_force[block::linear], op::act_inverse_force[block::angular], F,
-        F_e, [](const Transform& Y, const Vector6& v) { return oracles::act_inverse_force(Y, v); },
-        [](const Transform& Y, const Vector6& v) { return oracles::formulas::act_inverse_force(Y, v); });
-    if (o[op::cross_motion])
+    act(o[op::act_motion], linear_angular(op::act_motion), V, V_e, oracles::act_motion, formulas::act_motion);
+    act(o[op::act_inverse_motion], linear_angular(op::act_inverse_motion), V, V_e,
+        oracles::act_inverse_motion, formulas::act_inverse_motion);
+    act(o[op::act_force], linear_angular(op::act_force), F, F_e, oracles::act_force, formulas::act_force);
+    act(o[op::act_inverse_force], linear_angular(op::act_inverse_force), F, F_e, oracles::act_inverse_force,
+        formulas::act_inverse_force);
+
+    const auto cross = [&](Vec<S, 6> (*operation)(const Vec<S, 6>&, const Vec<S, 6>&),
+                           const TwoOutputs& blocks, const Vec<S, 6>& v, const Vector6& v_e,
+                           Result (*oracle)(const Vector6&, const Vector6&),
+                           Vector6 (*formula)(const Vector6&, const Vector6&)) {
+      if (!operation) return;
       compare(
-          recorder, op::cross_motion[block::linear], op::cross_motion[block::angular],
-          Vec<S, 6>(o[op::cross_motion](V, W)), [&] { return oracles::cross_motion(V_e, W_e); },
-          [](const std::vector<Real>& x) {
-            return numbers<Real>(oracles::formulas::cross_motion(six(x, 0), six(x, 6)));
-          },
-          [&] { return numbers<Real>(V_e, W_e); });
-    if (o[op::cross_force])
-      compare(
-          recorder, op::cross_force[block::linear], op::cross_force[block::angular],
-          Vec<S, 6>(o[op::cross_force](V, F)), [&] { return oracles::cross_force(V_e, F_e); },
-          [](const std::vector<Real>& x) {
-            return numbers<Real>(oracles::formulas::cross_force(six(x, 0), six(x, 6)));
-          },
-          [&] { return numbers<Real>(V_e, F_e); });
+          recorder, blocks, operation(V, v), oracle(V_e, v_e),
+          [formula](const Numbers& x) { return to_list(formula(from_list<6>(x), from_list<6>(x, 6))); },
+          [&] { return to_list(V_e, v_e); });
+    };
+    cross(o[op::cross_motion], linear_angular(op::cross_motion), W, W_e, oracles::cross_motion,
+          formulas::cross_motion);
+    cross(o[op::cross_force], linear_angular(op::cross_force), F, F_e, oracles::cross_force,
+          formulas::cross_force);
 
     if (o[op::act_motion] && o[op::act_force]) {
       const Vec<S, 6> V_A = o[op::act_motion](X, V), F_A = o[op::act_force](X, F);
       measure_power(recorder, X_e, V_e, F_e, V_A, F_A);
     }
-    if (o[op::rotate_point]) measure_rotation(recorder, Q, o[op::rotate_point](Q, X.p), X_e.p);
+    if (o[op::rotate_point]) {
+      const auto Q_e = oracles::exact_vector<4, Real>(Q);
+      const auto exact = oracles::rotate_point(Q_e, X_e.p);
+      record_vector(
+          recorder, op::rotate_point[block::point], Vec<S, 3>(o[op::rotate_point](Q, X.p)), exact.value,
+          exact.resolved,
+          [](const Numbers& x) { return to_list(oracles::rotate(from_list<4>(x), from_list<3>(x, 4))); },
+          [&] { return to_list(Q_e, X_e.p); });
+    }
   }
 
  private:
   static constexpr int binades = std::numeric_limits<S>::max_exponent / 8;
 
-  template <class Real>
-  static double kappa(const oracles::FunctionOf<Real>& formula, const std::vector<Real>& x, int first,
-                      const oracles::Vec3<Real>& exact) {
-    return std::max(1.0, kappa_of<Real>(formula, x, first, 3,
-                                        oracles::larger(norm(exact), oracles::least_denominator<S, Real>())));
-  }
-
-  /// Records both blocks of a vector.
-  template <class Oracle, class Formula, class Numbers>
-  static void compare(Recorder& recorder, const Output& linear, const Output& angular,
-                      const Vec<S, 6>& computed, Oracle&& oracle, const Formula& formula, Numbers&& x) {
-    const bool finite[2] = {oracles::all_finite(Vec<S, 3>(computed.template head<3>())),
-                            oracles::all_finite(Vec<S, 3>(computed.template tail<3>()))};
-    const auto exact = oracle();
-    using Real = std::decay_t<decltype(exact.value[0])>;
-    for (int block = 0; block < 2; ++block) {
-      const Output& output = block == 0 ? linear : angular;
-      if (!finite[block]) {
-        recorder.outcome(output, 0, Outcome::not_finite);
-      } else if (!exact.resolved) {
-        recorder.outcome(output, 0, Outcome::unresolved);
-      } else {
-        const oracles::Vec3<Real> value = block == 0 ? head3(exact.value) : tail3(exact.value);
-        const Vec<S, 3> part = computed.template segment<3>(3 * block);
-        recorder.record(output, 0, oracles::vector_error<S>(oracles::exact_vector<3, Real>(part), value),
-                        [&] { return kappa<Real>(formula, x(), 3 * block, value); });
-      }
-    }
-  }
-
-  template <class Real>
-  static void measure_rotation(Recorder& recorder, const Vec<S, 4>& Q, const Vec<S, 3>& y,
-                               const oracles::Vec3<Real>& x) {
-    constexpr Output output = op::rotate_point[block::point];
-    if (!oracles::all_finite(y)) return recorder.outcome(output, 0, Outcome::not_finite);
-    const auto Q_e = oracles::exact_vector<4, Real>(Q);
-    const oracles::Resolved<oracles::Vec3<Real>> exact = oracles::rotate_point(Q_e, x);
-    if (!exact.resolved) return recorder.outcome(output, 0, Outcome::unresolved);
-    const double error = oracles::vector_error<S>(oracles::exact_vector<3, Real>(y), exact.value);
-    recorder.record(output, 0, error, [&] {
-      const auto formula = [](const std::vector<Real>& v) {
-        return numbers<Real>(oracles::rotate(oracles::Quaternion<Real>{{v[0], v[1], v[2], v[3]}},
-                                             oracles::Vec3<Real>{{v[4], v[5], v[6]}}));
-      };
-      return kappa<Real>(formula, numbers<Real>(Q_e, x), 0, exact.value);
-    });
+  template <class Real, class Formula, class Numbers>
+  static void compare(Recorder& recorder, const TwoOutputs& blocks, const Vec<S, 6>& computed,
+                      const oracles::Resolved<oracles::Vec6<Real>>& exact, const Formula& formula,
+                      const Numbers& x) {
+    record_vector(recorder, blocks[0], Vec<S, 3>(computed.template head<3>()), head3(exact.value),
+                  exact.resolved, formula, x);
+    record_vector(recorder, blocks[1], Vec<S, 3>(computed.template tail<3>()), tail3(exact.value),
+                  exact.resolved, formula, x, 3);
   }
 
   template <class Real>

@@ -4,28 +4,20 @@
 
 namespace liecheck::properties {
 
-namespace {
 template <class S>
-std::vector<std::unique_ptr<Property<S>> (*)()>& makers() {
-  static std::vector<std::unique_ptr<Property<S>> (*)()> all;
-  return all;
+bool Property<S>::offered(const Subject<S>& subject) const {
+  const auto all = outputs();
+  return std::any_of(all.begin(), all.end(),
+                     [&](const Output& o) { return subject.operations.has(*o.record); });
 }
-}  // namespace
-
-namespace property_detail {
-template <class S>
-void add(std::unique_ptr<Property<S>> (*make)()) {
-  makers<S>().push_back(make);
-}
-template void add<float>(std::unique_ptr<Property<float>> (*)());
-template void add<double>(std::unique_ptr<Property<double>> (*)());
-template void add<float128>(std::unique_ptr<Property<float128>> (*)());
-}  // namespace property_detail
+template bool Property<float>::offered(const Subject<float>&) const;
+template bool Property<double>::offered(const Subject<double>&) const;
+template bool Property<float128>::offered(const Subject<float128>&) const;
 
 template <class S>
 std::vector<std::unique_ptr<Property<S>>> make_properties() {
   std::vector<std::unique_ptr<Property<S>>> all;
-  for (auto* make : makers<S>()) all.push_back(make());
+  for (auto* make : property_makers<S>) all.push_back(make());
   std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a->name() < b->name(); });
   return all;
 }

@@ -79,8 +79,8 @@ class Property {
   virtual std::string source() const = 0;    ///< author, year, equation
   virtual std::vector<Output> outputs() const = 0;
   virtual std::vector<Field> fields() const = 0;
-  /// Whether the subject offers at least one operation of the law.
-  virtual bool offered(const Subject<S>& subject) const = 0;
+  /// Whether the subject offers at least one operation of the law. Default: the operation of some output.
+  virtual bool offered(const Subject<S>& subject) const;
   virtual bool needs_robot() const { return false; }  ///< called after prepare
   /// Sets up what depends on the robot. Called once, before any case.
   virtual void prepare(const Robot&) {}
@@ -134,18 +134,17 @@ class Law : public Property<S> {
 template <class S>
 std::vector<std::unique_ptr<Property<S>>> make_properties();
 
-namespace property_detail {
+/// Functions that make the registered properties, in any order.
 template <class S>
-void add(std::unique_ptr<Property<S>> (*make)());
-}
+inline constinit std::vector<std::unique_ptr<Property<S>> (*)()> property_makers;
 
 /// A static object of this type in an invariant's file registers the invariant for every scalar.
 template <template <class> class P>
 struct RegisteredProperty {
   RegisteredProperty() {
-    property_detail::add<float>(&make<float>);
-    property_detail::add<double>(&make<double>);
-    property_detail::add<float128>(&make<float128>);
+    property_makers<float>.push_back(&make<float>);
+    property_makers<double>.push_back(&make<double>);
+    property_makers<float128>.push_back(&make<float128>);
   }
   template <class S>
   static std::unique_ptr<Property<S>> make() {
@@ -170,6 +169,7 @@ class Reader {
       for (int j = 0; j < 3; ++j) m(i, j) = input_.at(position_++);
     return m;
   }
+  Pose<S> take_pose() { return {take_matrix(), take<3>()}; }  // R, p
   VecX<S> take_dynamic(int n) {
     VecX<S> v(n);
     for (int i = 0; i < n; ++i) v[i] = input_.at(position_++);
@@ -186,5 +186,16 @@ void append(std::vector<S>& input, const Eigen::MatrixBase<Derived>& m) {
   for (int i = 0; i < m.rows(); ++i)
     for (int j = 0; j < m.cols(); ++j) input.push_back(m(i, j));
 }
+
+/// The numbers of several groups. Joined<S>{a, b, c} evaluates a, b and c in this order, because it has
+/// braces. So the groups may draw random numbers.
+template <class S>
+struct Joined : std::vector<S> {
+  template <class... M>
+  explicit Joined(const Eigen::MatrixBase<M>&... groups) {
+    this->reserve(static_cast<std::size_t>((groups.size() + ...)));
+    (append(*this, groups), ...);
+  }
+};
 
 }  // namespace liecheck::properties

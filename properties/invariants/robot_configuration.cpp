@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include <generators/rotations.hpp>
-#include <invariants/common.hpp>
+#include <invariants/branch.hpp>
 #include <liecheck/urdf/urdf.hpp>
 #include <oracles/integrate.hpp>
 
@@ -96,11 +96,7 @@ class RobotConfiguration final : public Law<RobotConfiguration, S> {
         d[s.v] = magnitude<S>(source, 8);
       }
     }
-    std::vector<S> x;
-    append(x, q0);
-    append(x, q1);
-    append(x, d);
-    return x;
+    return Joined<S>{q0, q1, d};
   }
   bool valid(const std::vector<S>& x) const override {
     if (!Property<S>::valid(x)) return false;
@@ -135,26 +131,19 @@ class RobotConfiguration final : public Law<RobotConfiguration, S> {
         const auto xd = exact_vector<6, Real>(d.segment(s.v, 6));
         const auto next = oracles::integrate(x0, xd);
         std::size_t band = band_of_angle<S>(tail3(xd));
-        judged_value(r, {op::robot_integrate[block::rotation], op::robot_integrate[block::translation]}, band,
-                     q.segment(s.q, 7), next.resolved, [&] {
-                       const auto got = exact_vector<7, Real>(q.segment(s.q, 7));
-                       r.record(
-                           op::robot_integrate[block::rotation], band,
-                           rotation_error<S>(Quaternion<Real>{{got[3], got[4], got[5], got[6]}}, next.Q));
-                       const Real p0 = norm(Vec3<Real>{{x0[0], x0[1], x0[2]}});
-                       r.record(op::robot_integrate[block::translation], band,
-                                vector_error<S>(Vec3<Real>{{got[0], got[1], got[2]}}, next.p,
-                                                larger(p0, next.increment_norm)));
-                     });
+        constexpr Output rotation = op::robot_integrate[block::rotation],
+                         translation = op::robot_integrate[block::translation];
+        judged_value(r, {rotation, translation}, band, q.segment(s.q, 7), next.resolved, [&] {
+          const auto got = exact_vector<7, Real>(q.segment(s.q, 7));
+          r.record(rotation, band,
+                   rotation_error<S>(Quaternion<Real>{{got[3], got[4], got[5], got[6]}}, next.Q));
+          r.record(translation, band,
+                   vector_error<S>(head3(got), next.p, larger(norm(head3(x0)), next.increment_norm)));
+        });
         const auto delta = oracles::difference(x0, x1);
         band = band_of_difference<S>(x0, x1, delta);
-        judged_value(r, {op::robot_difference[block::rotation_vector], op::robot_difference[block::linear]},
-                     band, v.segment(s.v, 6), delta.resolved, [&] {
-                       const auto error =
-                           log_error<S>(exact_vector<6, Real>(v.segment(s.v, 6)), delta, delta.separation);
-                       r.record(op::robot_difference[block::rotation_vector], band, error.angular);
-                       r.record(op::robot_difference[block::linear], band, error.linear);
-                     });
+        record_log<S>(r, {op::robot_difference[block::rotation_vector], op::robot_difference[block::linear]},
+                      band, properties::Vec<S, 6>(v.segment(s.v, 6)), delta, delta.separation, false);
       } else if (s.nq == 2) {
         // The exact (cos, sin) after a rotation by d, and the exact angle between both configurations.
         const Real c0 = exact<Real>(q0[s.q]), s0 = exact<Real>(q0[s.q + 1]), a = exact<Real>(d[s.v]);

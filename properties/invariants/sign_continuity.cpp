@@ -24,14 +24,9 @@ class SignContinuity final : public Law<SignContinuity, S> {
             {"rho", Kind::vector, 3, "m"},
             {"phi", Kind::rotation_vector, 3, "rad"}};
   }
-  bool offered(const Subject<S>& s) const override { return s.operations[op::integrate]; }
   std::vector<S> generate(Source& source) const override {
-    std::vector<S> x;
-    append(x, vector3<S>(source, 8));
-    append(x, unit_quaternion<S>(source));
-    append(x, vector3<S>(source, 8));
-    append(x, rotation_vector<S>(source, AngleRange::to_pi));
-    return x;
+    return Joined<S>{vector3<S>(source, 8), unit_quaternion<S>(source), vector3<S>(source, 8),
+                     rotation_vector<S>(source, AngleRange::to_pi)};
   }
   bool valid(const std::vector<S>& x) const override {
     return Property<S>::valid(x) && norm_defect_at<S>(x, 3) <= 8;

@@ -31,15 +31,8 @@ class SmallAngleBranches final : public Law<SmallAngleBranches, S> {
             {"direction", Kind::opaque, 3, "1"},
             {"theta", Kind::opaque, 2, "rad"}};
   }
-  bool offered(const Subject<S>& s) const override {
-    const auto& o = s.operations;
-    return o[op::exp3_quaternion] || o[op::exp6] || o[op::left_jacobian3] || o[op::left_jacobian3_inverse] ||
-           o[op::right_jacobian6] || o[op::right_jacobian6_inverse];
-  }
   std::vector<S> generate(Source& source) const override {
-    std::vector<S> x;
-    append(x, vector3<S>(source, 8));
-    append(x, direction<S>(source));
+    std::vector<S> x = Joined<S>{vector3<S>(source, 8), direction<S>(source)};
     const auto& cutoffs = common_cutoffs<S>();
     const S t = step_ulps(cutoffs[source.below(cutoffs.size() - 1)], source.between(-4, 4));
     x.push_back(t);
@@ -65,9 +58,6 @@ class SmallAngleBranches final : public Law<SmallAngleBranches, S> {
         bands[band].region == Region::beyond_pi)
       return;  // beyond pi, exp_oracle and jacobian_oracle measure these operations
 
-    const auto jump = [&](const Output& output, auto&& computed, auto&& exact) {
-      record_jump<Real>(r, output, band, computed, exact);
-    };
     // The Jacobians of SO(3) are blocks of those of SE(3). In ball arithmetic one evaluation gives both.
     std::optional<Jacobian6Value<Real>> left[2], left_inverse[2];
     const auto direct = [&](int k) -> const Jacobian6Value<Real>& {
@@ -78,51 +68,40 @@ class SmallAngleBranches final : public Law<SmallAngleBranches, S> {
       if (!left_inverse[k]) left_inverse[k] = left_jacobian_se3_inverse(x[k]);
       return *left_inverse[k];
     };
-    const auto flat = [](const Mat3<Real>& m) { return std::vector<Real>(m.x.begin(), m.x.end()); };
-    const auto rows = [](const Mat<S, 3>& m) {
-      Vec<S, 9> v;
-      for (int i = 0; i < 9; ++i) v[i] = m(i / 3, i % 3);
-      return v;
+    const auto jump = [&](bool offered, const Output& output, const auto& computed, const auto& exact) {
+      if (offered) record_jump<Real>(r, output, band, computed, exact);
     };
-    if (o[op::exp3_quaternion])
-      jump(
-          op::exp3_quaternion[block::jump],
-          [&](int k) {  // up to pi the exact (v, w) has v . phi + w > 0
-            const Vec<S, 3> phi = xi[k].template tail<3>();
-            const Vec<S, 4> Q = o[op::exp3_quaternion](phi);
-            return Q.template head<3>().dot(phi) + Q[3] < S(0) ? Vec<S, 4>(-Q) : Q;
-          },
-          [&](int k) { return to_list(exp_so3(tail3(x[k])).Q); });
-    if (o[op::exp6])
-      jump(
-          op::exp6[block::jump], [&](int k) { return Vec<S, 3>(o[op::exp6](xi[k]).p); },
-          [&](int k) { return to_list(exp_se3(x[k]).p); });
-    if (o[op::left_jacobian3])
-      jump(
-          op::left_jacobian3[block::jump],
-          [&](int k) { return rows(o[op::left_jacobian3](xi[k].template tail<3>())); },
-          [&](int k) { return flat(BallNumber<Real> ? direct(k).J : left_jacobian_so3(tail3(x[k])).J); });
-    if (o[op::left_jacobian3_inverse])
-      jump(
-          op::left_jacobian3_inverse[block::jump],
-          [&](int k) { return rows(o[op::left_jacobian3_inverse](xi[k].template tail<3>())); },
-          [&](int k) {
-            return flat(BallNumber<Real> ? inverted(k).J : left_jacobian_so3_inverse(tail3(x[k])).J);
-          });
-    if (o[op::right_jacobian6])
-      jump(
-          op::right_jacobian6[block::jump],
-          [&](int k) { return rows(o[op::right_jacobian6](xi[k]).template topRightCorner<3, 3>()); },
-          [&](int k) {
-            return flat(BallNumber<Real> ? transpose(direct(k).C) : right_jacobian_se3(x[k]).C);
-          });
-    if (o[op::right_jacobian6_inverse])
-      jump(
-          op::right_jacobian6_inverse[block::jump],
-          [&](int k) { return rows(o[op::right_jacobian6_inverse](xi[k]).template topRightCorner<3, 3>()); },
-          [&](int k) {
-            return flat(BallNumber<Real> ? transpose(inverted(k).C) : right_jacobian_se3_inverse(x[k]).C);
-          });
+    const auto rows = [](const Mat<S, 3>& m) { return Vec<S, 9>(m.transpose().reshaped()); };
+    const auto phi = [&](int k) { return Vec<S, 3>(xi[k].template tail<3>()); };
+    const auto coupling = [&](const Mat<S, 6>& J) { return rows(J.template topRightCorner<3, 3>()); };
+    jump(
+        o[op::exp3_quaternion], op::exp3_quaternion[block::jump],
+        [&](int k) {  // up to pi the exact (v, w) has v . phi + w > 0
+          const Vec<S, 4> Q = o[op::exp3_quaternion](phi(k));
+          return Q.template head<3>().dot(phi(k)) + Q[3] < S(0) ? Vec<S, 4>(-Q) : Q;
+        },
+        [&](int k) { return exp_so3(tail3(x[k])).Q; });
+    jump(
+        o[op::exp6], op::exp6[block::jump], [&](int k) { return Vec<S, 3>(o[op::exp6](xi[k]).p); },
+        [&](int k) { return exp_se3(x[k]).p; });
+    jump(
+        o[op::left_jacobian3], op::left_jacobian3[block::jump],
+        [&](int k) { return rows(o[op::left_jacobian3](phi(k))); },
+        [&](int k) { return BallNumber<Real> ? direct(k).J : left_jacobian_so3(tail3(x[k])).J; });
+    jump(
+        o[op::left_jacobian3_inverse], op::left_jacobian3_inverse[block::jump],
+        [&](int k) { return rows(o[op::left_jacobian3_inverse](phi(k))); },
+        [&](int k) { return BallNumber<Real> ? inverted(k).J : left_jacobian_so3_inverse(tail3(x[k])).J; });
+    jump(
+        o[op::right_jacobian6], op::right_jacobian6[block::jump],
+        [&](int k) { return coupling(o[op::right_jacobian6](xi[k])); },
+        [&](int k) { return BallNumber<Real> ? transpose(direct(k).C) : right_jacobian_se3(x[k]).C; });
+    jump(
+        o[op::right_jacobian6_inverse], op::right_jacobian6_inverse[block::jump],
+        [&](int k) { return coupling(o[op::right_jacobian6_inverse](xi[k])); },
+        [&](int k) {
+          return BallNumber<Real> ? transpose(inverted(k).C) : right_jacobian_se3_inverse(x[k]).C;
+        });
   }
 
  private:
@@ -133,7 +112,7 @@ class SmallAngleBranches final : public Law<SmallAngleBranches, S> {
     const auto y0 = computed(0), y1 = computed(1);
     if (!oracles::all_finite(y0) || !oracles::all_finite(y1))
       return r.outcome(output, band, Outcome::not_finite);
-    const auto e0 = exact(0), e1 = exact(1);
+    const auto e0 = to_list(exact(0)), e1 = to_list(exact(1));
     Real squared(0), size(0);
     for (int i = 0; i < static_cast<int>(e0.size()); ++i) {
       const auto at = static_cast<std::size_t>(i);

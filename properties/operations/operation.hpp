@@ -193,6 +193,10 @@ class Slots : Slot<S, std::remove_cvref_t<decltype(Operations)>>... {
   void take(const Operation& operation, const Slots& from) {
     ((&Operations == &operation ? void((*this)[Operations] = from[Operations]) : void()), ...);
   }
+  /// Whether the operation has a slot here and a function in it.
+  bool has(const Operation& operation) const {
+    return ((&Operations == &operation && (*this)[Operations] != nullptr) || ...);
+  }
   /// Calls visit(operation) for each operation.
   template <class Visit>
   static void for_each(Visit visit) {

@@ -127,20 +127,14 @@ class Mutations {
           put_matrix(x, g.from, moved(of_matrix(x, g.from), g.from, x, s));
         }
         return;
-      case Kind::inertia: {
-        const S f = factor(s) * factor(s);
-        if (f > S(0))
-          for (std::size_t k = 0; k < g.size; ++k) x[g.from + k] *= f;
-        return;
-      }
-      case Kind::positive: {
-        const S f = factor(s);
-        if (f > S(0)) x[g.from] *= f;
-        return;
-      }
-      case Kind::masses: {
-        const S f = factor(s);
-        if (f > S(0)) x[g.from + s.below(g.size)] *= f;
+      case Kind::inertia:
+      case Kind::positive:
+      case Kind::masses: {  // one of several masses
+        const S f = g.kind == Kind::inertia ? S(factor(s) * factor(s)) : factor(s);
+        if (!(f > S(0))) return;
+        const std::size_t first = g.kind == Kind::masses ? s.below(g.size) : 0;
+        const std::size_t last = g.kind == Kind::masses ? first + 1 : g.size;
+        for (std::size_t k = first; k < last; ++k) x[g.from + k] *= f;
         return;
       }
       default:;  // other kinds are only copied from `other`

@@ -1,14 +1,14 @@
 #include <fmt/format.h>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <store/merge.hpp>
-#include <tuple>
 
 namespace liecheck::properties {
 
 namespace {
 
-using Name = std::tuple<std::string, std::string, std::string, std::string, std::string, std::string>;
+using Name = std::array<std::string, 6>;  ///< subject, scalar, property, operation, block, band
 
 struct Measured {
   const StoredSeries* series;
@@ -27,12 +27,10 @@ std::map<Name, Measured> by_name(const StoredCampaign& c) {
 
 /// Whether the operation's block is measured in any band.
 bool measured(const std::map<Name, Measured>& all, const Name& n) {
-  const auto [subject, scalar, property, operation, block, band] = n;
-  const auto at = all.lower_bound({subject, scalar, property, operation, block, ""});
-  return at != all.end() &&
-         std::tie(subject, scalar, property, operation, block) ==
-             std::tie(std::get<0>(at->first), std::get<1>(at->first), std::get<2>(at->first),
-                      std::get<3>(at->first), std::get<4>(at->first));
+  Name first = n;
+  first[5] = "";
+  const auto at = all.lower_bound(first);
+  return at != all.end() && std::equal(n.begin(), n.begin() + 5, at->first.begin());
 }
 
 /// Whether an error grew by more than another order of operations or the rounding of the result explains.
@@ -70,11 +68,8 @@ std::vector<std::string> worse(const StoredCampaign& a, const StoredCampaign& b)
                                   s.subject, s.scalar, s.property, s.tally.disagreed.size(), was));
   }
   for (const auto& [name, old] : before) {
-    const auto [subject, scalar, property, operation, block, band] = name;
-    const auto say = [&, &subject = subject, &scalar = scalar, &property = property, &operation = operation,
-                      &block = block, &band = band](const std::string& what) {
-      lines.push_back(
-          fmt::format("{} {} {}: {}, {}, {}: {}", subject, scalar, property, operation, block, band, what));
+    const auto say = [&, &n = name](const std::string& what) {
+      lines.push_back(fmt::format("{} {} {}: {}, {}, {}: {}", n[0], n[1], n[2], n[3], n[4], n[5], what));
     };
     const auto found = after.find(name);
     if (found == after.end()) {

@@ -15,6 +15,14 @@ json key_of(const StoredSeries& s) {
   return {{"subject", s.subject}, {"scalar", s.scalar}, {"property", s.property}};
 }
 
+json key_of(const StoredSeries& s, const char* what, const Cell& cell) {
+  json key = key_of(s);
+  const Label& l = s.labels.at(cell);
+  key.update(
+      {{what, {cell.first, cell.second}}, {"operation", l.operation}, {"block", l.block}, {"band", l.band}});
+  return key;
+}
+
 std::string series_line(const StoredSeries& s) {
   auto disagreed = s.tally.disagreed;
   std::sort(disagreed.begin(), disagreed.end());
@@ -35,16 +43,11 @@ std::string series_line(const StoredSeries& s) {
 }
 
 std::string cell_line(const StoredSeries& s, const Cell& cell, const Row& r) {
-  const Label& l = s.labels.at(cell);
   json histogram = json::array();
   for (const auto& [bin, n] : r.errors.bins()) histogram.push_back({bin, n});
-  json line = key_of(s);
+  json line = key_of(s, "cell", cell);
   line.update(
-      {{"cell", {cell.first, cell.second}},
-       {"operation", l.operation},
-       {"block", l.block},
-       {"band", l.band},
-       {"count", r.count},
+      {{"count", r.count},
        {"ill_posed", r.ill_posed},
        {"unresolved", r.unresolved},
        {"not_finite", r.not_finite},
@@ -60,14 +63,8 @@ std::string cell_line(const StoredSeries& s, const Cell& cell, const Row& r) {
 }
 
 std::string failure_line(const StoredSeries& s, const Cell& cell, const Failure& failure) {
-  const Label& l = s.labels.at(cell);
-  json line = key_of(s);
-  line.update({{"failure", {cell.first, cell.second}},
-               {"operation", l.operation},
-               {"block", l.block},
-               {"band", l.band},
-               {"index", failure.index},
-               {"input", failure.input}});
+  json line = key_of(s, "failure", cell);
+  line.update({{"index", failure.index}, {"input", failure.input}});
   return line.dump() + "\n";
 }
 

@@ -5,27 +5,19 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <SQLiteCpp/VariadicBind.h>
 
-#include <bit>
 #include <cstdint>
 #include <string>
+#include <type_traits>
 
 namespace liecheck::properties {
 
 /// The value that SQLite stores. Its integers have 64 bits and a sign.
-inline std::int64_t stored(std::int64_t value) {
-  return value;
-}
-inline std::int64_t stored(int value) {
-  return value;
-}
-inline std::int64_t stored(std::uint64_t value) {
-  return std::bit_cast<std::int64_t>(value);
-}
-inline double stored(double value) {
-  return value;
-}
-inline const std::string& stored(const std::string& value) {
-  return value;
+template <class T>
+decltype(auto) stored(const T& value) {
+  if constexpr (std::is_integral_v<T>)
+    return static_cast<std::int64_t>(value);
+  else
+    return (value);
 }
 
 /// The text of a stored value that is hashed for the seal.
