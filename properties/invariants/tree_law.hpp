@@ -86,7 +86,7 @@ class TreeLaw : public Property<S> {
     const TreeCase<double> c(at_, full, std::vector<double>(full.begin(), full.end()));
     return tree_program(c, output.record->call, std::is_same_v<S, float> ? "float" : "double");
   }
-  bool offered(const Subject<S>& s) const override { return s.operations.tree; }
+  bool offered(const Subject<S>& s) const override { return s.operations.tree != nullptr; }
   /// True only if the user gave a robot. The built-in robot is too simple for these laws.
   bool needs_robot() const override { return robot_; }
   void prepare(const Robot& robot) override {

@@ -15,11 +15,6 @@ using V7 = Vec<double, 7>;
 using M3 = Mat<double, 3>;
 using M6 = Mat<double, 6>;
 
-M3 hat(const V3& v) {
-  M3 m;
-  m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
-  return m;
-}
 template <class A, class B>
 bool differ(const A& a, const B& b, double tolerance) {
   return !((a - b).norm() <= tolerance);

@@ -67,12 +67,4 @@ const Registered<double> in_double(CeresRotation<double>::make());
 }  // namespace
 }  // namespace liecheck::properties
 
-#else
-
-namespace liecheck::properties {
-namespace {
-const RegisteredAbsent absent("ceres");
-}
-}  // namespace liecheck::properties
-
 #endif

@@ -57,14 +57,4 @@ const Registered<double> in_double(Manif<double>::make());
 }  // namespace
 }  // namespace liecheck::properties
 
-#else
-
-#include <subjects/subject.hpp>
-
-namespace liecheck::properties {
-namespace {
-const RegisteredAbsent absent("manif");
-}
-}  // namespace liecheck::properties
-
 #endif

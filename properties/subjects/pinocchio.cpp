@@ -110,14 +110,4 @@ const Registered<double> in_double(Pinocchio<double>::make());
 }  // namespace
 }  // namespace liecheck::properties
 
-#else
-
-#include <subjects/subject.hpp>
-
-namespace liecheck::properties {
-namespace {
-const RegisteredAbsent absent("pinocchio");
-}
-}  // namespace liecheck::properties
-
 #endif

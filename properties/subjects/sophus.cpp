@@ -71,14 +71,4 @@ const Registered<double> in_double(SophusGroups<double>::make());
 }  // namespace
 }  // namespace liecheck::properties
 
-#else
-
-#include <subjects/subject.hpp>
-
-namespace liecheck::properties {
-namespace {
-const RegisteredAbsent absent("sophus");
-}
-}  // namespace liecheck::properties
-
 #endif

@@ -5,6 +5,7 @@
 // register it with a static Registered<S>. A slot that stays null is reported as not offered. The folder
 // operations/ defines the arguments and results of each operation; the subject's file converts conventions.
 
+#include <functional>
 #include <operations/operations.hpp>
 #include <string>
 #include <vector>
@@ -33,7 +34,7 @@ struct Operations : SpatialSlots<S> {
   RobotOperations<S> (*robot)(const std::string& urdf_text, bool fixed) = nullptr;
 
   /// Builds a tree of bodies and returns the algorithms on it.
-  TreeOperations<S> (*tree)(const Tree<S>& tree) = nullptr;
+  std::function<TreeOperations<S>(const Tree<S>& tree)> tree;
 };
 
 template <class S>
@@ -41,8 +42,6 @@ struct Subject {
   std::string name;
   std::string version;
   Operations<S> operations;
-  /// Angles [rad] at which the subject is known to change formula.
-  std::vector<double> cutoffs;
 };
 
 /// Every subject in this scalar, in alphabetical order.
@@ -55,10 +54,7 @@ struct Registered {
   explicit Registered(Subject<S> subject);
 };
 
-/// Names of the libraries that the build did not find. Their subject files register RegisteredAbsent instead.
-const std::vector<std::string>& absent_subjects();
-struct RegisteredAbsent {
-  explicit RegisteredAbsent(std::string name);
-};
+/// Names of the known libraries that the build did not find. The file of such a subject registers nothing.
+std::vector<std::string> absent_subjects();
 
 }  // namespace liecheck::properties
