@@ -30,12 +30,8 @@ struct Eigen::internal::complex_schur_reduce_to_hessenberg<Eigen::Matrix<std::co
 namespace liecheck::properties {
 
 template <class S>
-struct EigenGeometry {
-  using O = Operations<S>;
-  using V3 = typename O::V3;
-  using V4 = typename O::V4;
-  using V6 = typename O::V6;
-  using M3 = typename O::M3;
+struct EigenGeometry : Types<S> {
+  using typename Types<S>::V3, typename Types<S>::V4, typename Types<S>::V6, typename Types<S>::M3;
   using M4 = Mat<S, 4>;
 
   static Eigen::AngleAxis<S> angle_axis(const V3& phi) {

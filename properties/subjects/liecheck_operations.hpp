@@ -15,14 +15,10 @@
 namespace liecheck::properties {
 
 template <class S, Precision P = Precision::standard>
-struct LiecheckOperations {
+struct LiecheckOperations : Types<S> {
   using O = Operations<S>;
-  using V3 = typename O::V3;
-  using V4 = typename O::V4;
-  using V6 = typename O::V6;
-  using V7 = typename O::V7;
-  using M3 = typename O::M3;
-  using M6 = typename O::M6;
+  using typename Types<S>::V3, typename Types<S>::V4, typename Types<S>::V6, typename Types<S>::V7,
+      typename Types<S>::M3, typename Types<S>::M6;
   using T = Pose<S>;
   using B = Body<S>;
   using Motion = liecheck::Motion<S>;
@@ -79,19 +75,16 @@ struct LiecheckOperations {
   }
 
   static void add_configurations(O& o) {
+    using enum ArgumentPosition;
     o[op::integrate] = [](const V7& q, const V6& d) -> V7 { return integrateSE3<S, P>(q, d); };
     o[op::difference] = [](const V7& q0, const V7& q1) -> V6 { return differenceSE3<S, P>(q0, q1); };
-    o[op::d_integrate_arg0] = [](const V7& q, const V6& d) -> M6 {
-      return dIntegrateSE3<S, P>(q, d, ArgumentPosition::ARG0);
-    };
-    o[op::d_integrate_arg1] = [](const V7& q, const V6& d) -> M6 {
-      return dIntegrateSE3<S, P>(q, d, ArgumentPosition::ARG1);
-    };
+    o[op::d_integrate_arg0] = [](const V7& q, const V6& d) -> M6 { return dIntegrateSE3<S, P>(q, d, ARG0); };
+    o[op::d_integrate_arg1] = [](const V7& q, const V6& d) -> M6 { return dIntegrateSE3<S, P>(q, d, ARG1); };
     o[op::d_difference_arg0] = [](const V7& a, const V7& b) -> M6 {
-      return dDifferenceSE3<S, P>(a, b, ArgumentPosition::ARG0);
+      return dDifferenceSE3<S, P>(a, b, ARG0);
     };
     o[op::d_difference_arg1] = [](const V7& a, const V7& b) -> M6 {
-      return dDifferenceSE3<S, P>(a, b, ArgumentPosition::ARG1);
+      return dDifferenceSE3<S, P>(a, b, ARG1);
     };
     if constexpr (P == Precision::standard) {
       o[op::integrate_coefficient_jacobian] = [](const V7& q) -> Mat<S, 7, 6> {

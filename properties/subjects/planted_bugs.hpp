@@ -10,14 +10,10 @@
 namespace liecheck::properties {
 
 template <class S>
-struct Bugs {
+struct Bugs : Types<S> {
   using O = Operations<S>;
-  using V3 = typename O::V3;
-  using V4 = typename O::V4;
-  using V6 = typename O::V6;
-  using V7 = typename O::V7;
-  using M3 = typename O::M3;
-  using M6 = typename O::M6;
+  using typename Types<S>::V3, typename Types<S>::V4, typename Types<S>::V6, typename Types<S>::V7,
+      typename Types<S>::M3, typename Types<S>::M6;
   using M76 = Mat<S, 7, 6>;
   using B = Body<S>;
   using P = Pose<S>;

@@ -15,19 +15,23 @@ namespace liecheck::properties {
 template <class S>
 struct Tree;  // tree.hpp
 
-/// o[op::exp6] is the subject's function for exp6, null if it has none.
+/// Short names of types, for the classes that define subjects.
 template <class S>
-struct Operations : SpatialSlots<S> {
+struct Types {
   using V3 = Vec<S, 3>;
   using V4 = Vec<S, 4>;
   using V6 = Vec<S, 6>;
   using V7 = Vec<S, 7>;
   using M3 = Mat<S, 3>;
   using M6 = Mat<S, 6>;
+};
 
+/// o[op::exp6] is the subject's function for exp6, null if it has none.
+template <class S>
+struct Operations : SpatialSlots<S>, Types<S> {
   // The library's checks of inputs, if it has any. They throw for inputs that its operations do not accept.
-  void (*check_quaternion)(const V4& Q) = nullptr;
-  void (*check_rotation)(const M3& R) = nullptr;
+  void (*check_quaternion)(const Vec<S, 4>& Q) = nullptr;
+  void (*check_rotation)(const Mat<S, 3>& R) = nullptr;
 
   /// Reads a URDF and returns the operations on configurations of this robot. If `fixed`, the root is welded
   /// to the world; otherwise it is a free-flyer.

@@ -13,17 +13,13 @@ namespace liecheck::properties {
 namespace {
 
 template <class S>
-struct Textbook {
+struct Textbook : Types<S> {
   /// Below this angle [rad] the leading term replaces the closed form.
   double cutoff;
 
   using O = Operations<S>;
-  using V3 = typename O::V3;
-  using V4 = typename O::V4;
-  using V6 = typename O::V6;
-  using V7 = typename O::V7;
-  using M3 = typename O::M3;
-  using M6 = typename O::M6;
+  using typename Types<S>::V3, typename Types<S>::V4, typename Types<S>::V6, typename Types<S>::V7,
+      typename Types<S>::M3, typename Types<S>::M6;
 
   bool small(const S& theta) const { return theta < S(cutoff); }
 
@@ -168,7 +164,7 @@ struct Textbook {
   struct At;
   template <auto f, int exponent, class R, class... A>
   struct At<f, exponent, R (Textbook::*)(A...) const> {
-    static R call(A... a) { return (Textbook{power_of_ten(-exponent)}.*f)(a...); }
+    static R call(A... a) { return (Textbook{{}, power_of_ten(-exponent)}.*f)(a...); }
   };
 
   template <int exponent, bool is_variant>
