@@ -12,7 +12,7 @@
 #include <liecheck/scene_file/scene_file.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <scenes/builtin.hpp>
+#include <scenes/benchmark.hpp>
 #include <stdexcept>
 #include <support/files.hpp>
 #include <support/progress.hpp>

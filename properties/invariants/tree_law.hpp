@@ -110,7 +110,7 @@ class AnyTreeLaw : public Property<S> {
   std::vector<Field> fields() const override;
   std::vector<std::vector<S>> simpler(const std::vector<S>& input) const override;
   std::string program(const Output& output, const std::vector<S>& input) const override;
-  bool offered(const Subject<S>& s) const override { return s.operations.tree; }
+  bool offered(const Subject<S>& s) const override { return s.operations.tree != nullptr; }
   /// True only if the user gave a robot. The built-in robot is too simple for these laws.
   bool needs_robot() const override { return robot_; }
   void prepare(const Robot& robot) override;

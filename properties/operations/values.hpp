@@ -18,6 +18,14 @@ using VecX = Eigen::Matrix<S, Eigen::Dynamic, 1>;
 template <class S>
 using MatX = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
 
+/// The matrix [v] of the cross product: [v] w = v x w.
+template <class S>
+Mat<S, 3> hat(const Vec<S, 3>& v) {
+  Mat<S, 3> m;
+  m << S(0), -v.z(), v.y(), v.z(), S(0), -v.x(), -v.y(), v.x(), S(0);
+  return m;
+}
+
 /// R_AB, p_AB_A: a pose by its rotation matrix.
 template <class S>
 struct Pose {

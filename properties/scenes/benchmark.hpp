@@ -26,8 +26,7 @@ struct Benchmark {
   std::string name, what;
   Model<double> robot;
   Eigen::VectorXd q0, v0;
-  double duration = 1;     ///< [s]
-  std::string integrator;  ///< given in the scene's file; may be empty
+  double duration = 1;  ///< [s]
   /// All effects. Those that closed forms cover are repeated below: gravity in the world [m/s^2], and
   /// stiffness, rest position and viscous damping of each coordinate [nv], empty if there is none.
   std::function<scene::Effects<double>()> effects = [] { return scene::Effects<double>(); };
@@ -43,5 +42,8 @@ struct Benchmark {
 
 /// Throws std::invalid_argument if an effect does not fit the robot.
 Benchmark benchmark_of(const scene::Scene& scene);
+
+/// The built-in scenes, which a sweep runs if no scene is given. Their exact motions are known (truth.hpp).
+std::vector<Benchmark> builtin_benchmarks();
 
 }  // namespace liecheck::properties

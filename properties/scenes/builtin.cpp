@@ -1,5 +1,5 @@
 #include <liecheck/scene/scene.hpp>
-#include <scenes/builtin.hpp>
+#include <scenes/benchmark.hpp>
 
 namespace liecheck::properties {
 namespace {

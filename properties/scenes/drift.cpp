@@ -29,48 +29,32 @@ Drift drift_of(const std::vector<double>& t, const std::vector<Eigen::VectorXd>&
   return d;
 }
 
-struct DriftWatch::Parts {
-  explicit Parts(const Benchmark& s)
-      : scene(s), tree(s.robot, s.effects()), kinetic(tree.model(), Dense::None), moving(s.force_free()) {}
-  const Benchmark& scene;
-  scene::Tree<double> tree;
-  Data<double> kinetic;
-  bool moving;
-  std::vector<double> t;
-  std::vector<Eigen::VectorXd> energy, momentum;
-  double scale = 0;
-};
-
-DriftWatch::DriftWatch(const Benchmark& scene) : parts_(std::make_unique<Parts>(scene)) {}
-DriftWatch::~DriftWatch() = default;
-
-void DriftWatch::see(double t, const Moment& m) {
-  Parts& p = *parts_;
-  Eigen::VectorXd q(Eigen::Index(m.q.size())), v(Eigen::Index(m.v.size()));
-  for (Eigen::Index i = 0; i < q.size(); ++i) q[i] = static_cast<double>(m.q[std::size_t(i)]);
-  for (Eigen::Index i = 0; i < v.size(); ++i) v[i] = static_cast<double>(m.v[std::size_t(i)]);
-  const Model<double>& model = p.tree.model();
-  p.t.push_back(t);
-  if (p.scene.conservative()) {
-    const double moving = computeKineticEnergy<double>(model, p.kinetic, q, v);
-    double sum = moving + computePotentialEnergy<double>(model, p.kinetic, q);
-    const auto now = p.tree.here(t, q, v, scene::Kinematics::Velocities);
-    for (const auto& e : p.tree.effects()) sum += e->potential(now);
-    p.scale = std::max(p.scale, moving);
-    p.energy.push_back(Eigen::VectorXd::Constant(1, sum));
-  }
-  if (p.moving) {
-    const auto& h = computeCentroidalMomentum<double>(model, p.kinetic, q, v);
-    p.momentum.push_back(h.angular());
-  }
-}
-
-/// The energy at the start may be near zero, so that the scale is at least the largest kinetic energy.
-Drift DriftWatch::energy() const {
-  return drift_of(parts_->t, parts_->energy, parts_->scale);
-}
-Drift DriftWatch::momentum() const {
-  return drift_of(parts_->t, parts_->momentum);
+Drifts drifts_of(Runner& runner, const Benchmark& s, const Effort& effort, long samples) {
+  scene::Tree<double> tree(s.robot, s.effects());
+  const Model<double>& model = tree.model();
+  Data<double> data(model, Dense::None);
+  std::vector<double> times;
+  std::vector<Eigen::VectorXd> energies, momenta;
+  double largest = 0;  // kinetic energy: the energy at the start may be near zero
+  const auto in_double = [](const std::vector<oracles::Real>& x) {
+    Eigen::VectorXd y(Eigen::Index(x.size()));
+    for (Eigen::Index i = 0; i < y.size(); ++i) y[i] = static_cast<double>(x[std::size_t(i)]);
+    return y;
+  };
+  runner.run(effort, samples, [&](double t, const Moment& m) {
+    const Eigen::VectorXd q = in_double(m.q), v = in_double(m.v);
+    times.push_back(t);
+    if (s.conservative()) {
+      const double kinetic = computeKineticEnergy<double>(model, data, q, v);
+      double sum = kinetic + computePotentialEnergy<double>(model, data, q);
+      const auto now = tree.here(t, q, v, scene::Kinematics::Velocities);
+      for (const auto& e : tree.effects()) sum += e->potential(now);
+      largest = std::max(largest, kinetic);
+      energies.push_back(Eigen::VectorXd::Constant(1, sum));
+    }
+    if (s.force_free()) momenta.push_back(computeCentroidalMomentum<double>(model, data, q, v).angular());
+  });
+  return {drift_of(times, energies, largest), drift_of(times, momenta)};
 }
 
 }  // namespace liecheck::properties

@@ -2,7 +2,7 @@
 // The drift of energy and momentum over a run, split into a linear trend and an oscillation.
 
 #include <Eigen/Core>
-#include <scenes/benchmark.hpp>
+#include <scenes/runner.hpp>
 #include <vector>
 
 namespace liecheck::properties {
@@ -18,20 +18,12 @@ struct Drift {
 /// given by its norm; that of a single number has a sign.
 Drift drift_of(const std::vector<double>& t, const std::vector<Eigen::VectorXd>& x, double scale = 0);
 
-/// Measures the drifts in a run of a scene, in double.
-class DriftWatch {
- public:
-  explicit DriftWatch(const Benchmark& scene);
-  ~DriftWatch();
-  void see(double t, const Moment& moment);
-  /// The drift of the kinetic energy plus all potentials; without samples if the scene is not conservative.
-  Drift energy() const;
-  /// The drift of the angular momentum about the centre of mass; without samples if external forces act.
-  Drift momentum() const;
-
- private:
-  struct Parts;
-  std::unique_ptr<Parts> parts_;
+/// The drifts in a run of a scene with `samples` equal parts, in double: of the kinetic energy plus all
+/// potentials, if the scene is conservative, and of the angular momentum about the centre of mass, if no
+/// external force acts. Throws Diverged.
+struct Drifts {
+  Drift energy, momentum;
 };
+Drifts drifts_of(Runner& runner, const Benchmark& scene, const Effort& effort, long samples);
 
 }  // namespace liecheck::properties

@@ -2,8 +2,6 @@
 
 namespace liecheck::properties {
 
-template std::unique_ptr<scene::Method<Float128Tree>> make_float128_method(const std::string&,
-                                                                           const scene::MethodOptions&);
 template std::unique_ptr<Runner> liecheck_runner<Float128Tree>(const Benchmark&, const std::string&,
                                                                const scene::Effects<float128>&);
 

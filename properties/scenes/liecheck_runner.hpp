@@ -29,10 +29,8 @@ std::unique_ptr<scene::Method<Sys>> make_float128_method(const std::string& name
 
 using Float128LoneBody = scene::LoneBody<float128>;
 using Float128Tree = scene::Tree<float128>;
-// These are compiled in float128_lone_body.cpp and float128_tree.cpp.
+// float128_lone_body.cpp compiles it.
 extern template std::unique_ptr<scene::Method<Float128LoneBody>> make_float128_method(
-    const std::string&, const scene::MethodOptions&);
-extern template std::unique_ptr<scene::Method<Float128Tree>> make_float128_method(
     const std::string&, const scene::MethodOptions&);
 
 template <class Sys>

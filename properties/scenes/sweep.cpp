@@ -95,9 +95,8 @@ Measured measure(Runner& runner, const Benchmark& s, const Exact& exact, const E
     long parts = per_quarter;  // the largest number up to that which divides a quarter's steps
     while ((effort.steps / quarters) % parts != 0) --parts;
     if (effort.tolerance == 0) {
-      DriftWatch drift(s);
-      runner.run(effort, quarters * parts, [&](double t, const Moment& x) { drift.see(t, x); });
-      m.point.energy = drift.energy(), m.point.momentum = drift.momentum();
+      const Drifts drifts = drifts_of(runner, s, effort, quarters * parts);
+      m.point.energy = drifts.energy, m.point.momentum = drifts.momentum;
     }
     if (!std::isfinite(m.point.error.leading())) m.point.diverged = "the error is not a number";
   } catch (const Diverged& e) {
@@ -169,9 +168,9 @@ OrderRow measure_order(const Benchmark& s, const Exact& exact, const scene::Meth
 
 std::vector<SceneSweep> sweep_scenes(const std::vector<Benchmark>& scenes, const SceneSweepOptions& o) {
   for (const std::string& name : o.integrators) scene::methodInfo(name);
-  const auto wanted = [&](const std::string& name) {
-    return o.integrators.empty() ||
-           std::find(o.integrators.begin(), o.integrators.end(), name) != o.integrators.end();
+  const auto runs = [&](const scene::MethodInfo& m, const Benchmark& s) {
+    const bool wanted = o.integrators.empty() || std::ranges::count(o.integrators, m.name);
+    return wanted && (!m.lone_body_only || scene::LoneBody<double>::fits(s.robot));
   };
   const auto stopped = [&] { return o.stop && *o.stop; };
   std::vector<SceneSweep> all;
@@ -185,12 +184,11 @@ std::vector<SceneSweep> sweep_scenes(const std::vector<Benchmark>& scenes, const
     const Exact exact = exact_of(s);
     SceneSweep sweep{s, exact.name, exact.closed, exact.disagreement, {}, {}};
     std::vector<Line> lines;
-    for (const scene::MethodInfo& m : scene::methodInfos()) {
-      if (!wanted(m.name) || (m.lone_body_only && !scene::LoneBody<double>::fits(s.robot))) continue;
-      lines.push_back({{"liecheck", "", m.name, m.order, m.adaptive, {}, 0, false},
-                       make_runner(s, m.name, "double"),
-                       {}});
-    }
+    for (const scene::MethodInfo& m : scene::methodInfos())
+      if (runs(m, s))
+        lines.push_back({{"liecheck", "", m.name, m.order, m.adaptive, {}, 0, false},
+                         make_runner(s, m.name, "double"),
+                         {}});
     if (o.peers)
       for (const Peer& peer : peers())
         for (const PeerMethod& m : peer.methods(s))
@@ -204,9 +202,7 @@ std::vector<SceneSweep> sweep_scenes(const std::vector<Benchmark>& scenes, const
     }
     if (exact.closed || exact.disagreement < 1e-30)
       for (const scene::MethodInfo& m : scene::methodInfos()) {
-        if (stopped() || !wanted(m.name) || (m.lone_body_only && !scene::LoneBody<double>::fits(s.robot)) ||
-            shown[m.name] >= o.order_scenes)
-          continue;
+        if (stopped() || !runs(m, s) || shown[m.name] >= o.order_scenes) continue;
         progress(0.5, std::string("order of ") + m.name);
         sweep.orders.push_back(measure_order(s, exact, m, o.order_seconds));
         shown[m.name] += exact.closed && sweep.orders.back().observed.settled;

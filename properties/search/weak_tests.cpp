@@ -15,11 +15,6 @@ using V7 = Vec<double, 7>;
 using M3 = Mat<double, 3>;
 using M6 = Mat<double, 6>;
 
-M3 hat(const V3& v) {
-  M3 m;
-  m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
-  return m;
-}
 M6 motion_matrix(const M3& R, const V3& p) {
   M6 X = M6::Zero();
   X.topLeftCorner<3, 3>() = X.bottomRightCorner<3, 3>() = R;

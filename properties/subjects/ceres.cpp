@@ -11,11 +11,8 @@ namespace liecheck::properties {
 namespace {
 
 template <class S>
-struct CeresRotation {
-  using O = Operations<S>;
-  using V3 = typename O::V3;
-  using V4 = typename O::V4;
-  using M3 = typename O::M3;
+struct CeresRotation : Types<S> {
+  using typename Types<S>::V3, typename Types<S>::V4, typename Types<S>::M3;
 
   static V4 w_last(const V4& q) { return {q[1], q[2], q[3], q[0]}; }
   static V4 w_first(const V4& q) { return {q[3], q[0], q[1], q[2]}; }
@@ -65,14 +62,6 @@ const Registered<float> in_float(CeresRotation<float>::make());
 const Registered<double> in_double(CeresRotation<double>::make());
 
 }  // namespace
-}  // namespace liecheck::properties
-
-#else
-
-namespace liecheck::properties {
-namespace {
-const RegisteredAbsent absent("ceres");
-}
 }  // namespace liecheck::properties
 
 #endif

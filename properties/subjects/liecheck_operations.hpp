@@ -15,14 +15,14 @@
 namespace liecheck::properties {
 
 template <class S, Precision P = Precision::standard>
-struct LiecheckOperations {
+struct LiecheckOperations : Types<S> {
   using O = Operations<S>;
-  using V3 = typename O::V3;
-  using V4 = typename O::V4;
-  using V6 = typename O::V6;
-  using V7 = typename O::V7;
-  using M3 = typename O::M3;
-  using M6 = typename O::M6;
+  using typename Types<S>::V3, typename Types<S>::V4, typename Types<S>::V6, typename Types<S>::V7,
+      typename Types<S>::M3, typename Types<S>::M6;
+  using T = Pose<S>;
+  using B = Body<S>;
+  using Motion = liecheck::Motion<S>;
+  using Force = liecheck::Force<S>;
 
   static Subject<S> make() {
     Subject<S> s;
@@ -46,29 +46,27 @@ struct LiecheckOperations {
   }
 
  private:
-  static SE3<S> pose(const Pose<S>& X) { return {X.R, X.p}; }
-  static Pose<S> stored(const SE3<S>& X) { return {X.rotation(), X.translation()}; }
-  static Inertia<S> inertia(const Body<S>& b) { return {b.mass, b.c, b.I_C}; }
-  static Body<S> body(const Inertia<S>& I) { return {I.mass(), I.lever(), I.inertia()}; }
+  static SE3<S> pose(const T& X) { return {X.R, X.p}; }
+  static T stored(const SE3<S>& X) { return {X.rotation(), X.translation()}; }
+  static Inertia<S> inertia(const B& b) { return {b.mass, b.c, b.I_C}; }
+  static B body(const Inertia<S>& I) { return {I.mass(), I.lever(), I.inertia()}; }
 
   static void add_exp_log_and_jacobians(O& o) {
     o[op::exp3_quaternion] = [](const V3& phi) -> V4 { return quaternion::exp3<S, P>(phi).to_vector(); };
     o[op::exp3_matrix] = [](const V3& phi) -> M3 { return exp3<S, P>(phi); };
     o[op::log3_quaternion] = [](const V4& Q) -> V3 { return quaternion::log3<S, P>(SO3<S>(Q)); };
     o[op::log3_matrix] = [](const M3& R) -> V3 { return log3<S, P>(R); };
-    o[op::exp6] = [](const V6& xi) -> Pose<S> { return stored(exp6<S, P>(Motion<S>(xi))); };
-    o[op::log6] = [](const Pose<S>& T) -> V6 { return log6<S, P>(pose(T)).to_vector(); };
+    o[op::exp6] = [](const V6& xi) -> T { return stored(exp6<S, P>(Motion(xi))); };
+    o[op::log6] = [](const T& X) -> V6 { return log6<S, P>(pose(X)).to_vector(); };
     o[op::left_jacobian3] = [](const V3& phi) -> M3 { return leftJacobian<S, P>(phi); };
     o[op::right_jacobian3] = [](const V3& phi) -> M3 { return rightJacobian<S, P>(phi); };
     o[op::left_jacobian3_inverse] = [](const V3& phi) -> M3 { return leftJacobianInverse<S, P>(phi); };
     o[op::right_jacobian3_inverse] = [](const V3& phi) -> M3 { return rightJacobianInverse<S, P>(phi); };
-    o[op::left_jacobian6] = [](const V6& xi) -> M6 { return leftJacobian<S, P>(Motion<S>(xi)); };
-    o[op::right_jacobian6] = [](const V6& xi) -> M6 { return rightJacobian<S, P>(Motion<S>(xi)); };
-    o[op::left_jacobian6_inverse] = [](const V6& xi) -> M6 {
-      return leftJacobianInverse<S, P>(Motion<S>(xi));
-    };
+    o[op::left_jacobian6] = [](const V6& xi) -> M6 { return leftJacobian<S, P>(Motion(xi)); };
+    o[op::right_jacobian6] = [](const V6& xi) -> M6 { return rightJacobian<S, P>(Motion(xi)); };
+    o[op::left_jacobian6_inverse] = [](const V6& xi) -> M6 { return leftJacobianInverse<S, P>(Motion(xi)); };
     o[op::right_jacobian6_inverse] = [](const V6& xi) -> M6 {
-      return rightJacobianInverse<S, P>(Motion<S>(xi));
+      return rightJacobianInverse<S, P>(Motion(xi));
     };
     if constexpr (std::is_floating_point_v<S> || std::is_same_v<S, float128>) {
       o.check_quaternion = [](const V4& Q) { checkedQuaternion<S>(Q); };
@@ -77,19 +75,16 @@ struct LiecheckOperations {
   }
 
   static void add_configurations(O& o) {
+    using enum ArgumentPosition;
     o[op::integrate] = [](const V7& q, const V6& d) -> V7 { return integrateSE3<S, P>(q, d); };
     o[op::difference] = [](const V7& q0, const V7& q1) -> V6 { return differenceSE3<S, P>(q0, q1); };
-    o[op::d_integrate_arg0] = [](const V7& q, const V6& d) -> M6 {
-      return dIntegrateSE3<S, P>(q, d, ArgumentPosition::ARG0);
-    };
-    o[op::d_integrate_arg1] = [](const V7& q, const V6& d) -> M6 {
-      return dIntegrateSE3<S, P>(q, d, ArgumentPosition::ARG1);
-    };
+    o[op::d_integrate_arg0] = [](const V7& q, const V6& d) -> M6 { return dIntegrateSE3<S, P>(q, d, ARG0); };
+    o[op::d_integrate_arg1] = [](const V7& q, const V6& d) -> M6 { return dIntegrateSE3<S, P>(q, d, ARG1); };
     o[op::d_difference_arg0] = [](const V7& a, const V7& b) -> M6 {
-      return dDifferenceSE3<S, P>(a, b, ArgumentPosition::ARG0);
+      return dDifferenceSE3<S, P>(a, b, ARG0);
     };
     o[op::d_difference_arg1] = [](const V7& a, const V7& b) -> M6 {
-      return dDifferenceSE3<S, P>(a, b, ArgumentPosition::ARG1);
+      return dDifferenceSE3<S, P>(a, b, ARG1);
     };
     if constexpr (P == Precision::standard) {
       o[op::integrate_coefficient_jacobian] = [](const V7& q) -> Mat<S, 7, 6> {
@@ -100,40 +95,26 @@ struct LiecheckOperations {
 
   /// These operations have no fast or tight variant.
   static void add_spatial_algebra(O& o) {
-    o[op::compose] = [](const Pose<S>& X, const Pose<S>& Y) -> Pose<S> { return stored(pose(X) * pose(Y)); };
-    o[op::inverse] = [](const Pose<S>& X) -> Pose<S> { return stored(pose(X).inverse()); };
-    o[op::act_point] = [](const Pose<S>& X, const V3& x) -> V3 { return pose(X).act(x); };
-    o[op::act_motion] = [](const Pose<S>& X, const V6& V) -> V6 {
-      return pose(X).act(Motion<S>(V)).to_vector();
+    o[op::compose] = [](const T& X, const T& Y) -> T { return stored(pose(X) * pose(Y)); };
+    o[op::inverse] = [](const T& X) -> T { return stored(pose(X).inverse()); };
+    o[op::act_point] = [](const T& X, const V3& x) -> V3 { return pose(X).act(x); };
+    o[op::act_motion] = [](const T& X, const V6& V) -> V6 { return pose(X).act(Motion(V)).to_vector(); };
+    o[op::act_inverse_motion] = [](const T& X, const V6& V) -> V6 {
+      return pose(X).actInv(Motion(V)).to_vector();
     };
-    o[op::act_inverse_motion] = [](const Pose<S>& X, const V6& V) -> V6 {
-      return pose(X).actInv(Motion<S>(V)).to_vector();
-    };
-    o[op::act_force] = [](const Pose<S>& X, const V6& F) -> V6 {
-      return pose(X).act(Force<S>(F)).to_vector();
-    };
-    o[op::act_inverse_force] = [](const Pose<S>& X, const V6& F) -> V6 {
-      return pose(X).actInv(Force<S>(F)).to_vector();
+    o[op::act_force] = [](const T& X, const V6& F) -> V6 { return pose(X).act(Force(F)).to_vector(); };
+    o[op::act_inverse_force] = [](const T& X, const V6& F) -> V6 {
+      return pose(X).actInv(Force(F)).to_vector();
     };
     o[op::cross_motion] = [](const V6& V, const V6& W) -> V6 {
-      return Motion<S>(V).cross(Motion<S>(W)).to_vector();
+      return Motion(V).cross(Motion(W)).to_vector();
     };
-    o[op::cross_force] = [](const V6& V, const V6& F) -> V6 {
-      return Motion<S>(V).cross(Force<S>(F)).to_vector();
-    };
-    o[op::act_inertia] = [](const Pose<S>& X, const Body<S>& I) -> Body<S> {
-      return body(pose(X).act(inertia(I)));
-    };
-    o[op::act_inverse_inertia] = [](const Pose<S>& X, const Body<S>& I) -> Body<S> {
-      return body(pose(X).actInv(inertia(I)));
-    };
-    o[op::momentum] = [](const Body<S>& I, const V6& V) -> V6 {
-      return (inertia(I) * Motion<S>(V)).to_vector();
-    };
-    o[op::kinetic_energy] = [](const Body<S>& I, const V6& V) -> S {
-      return inertia(I).kineticEnergy(Motion<S>(V));
-    };
-    o[op::inertia_matrix] = [](const Body<S>& I) -> M6 { return inertia(I).matrix(); };
+    o[op::cross_force] = [](const V6& V, const V6& F) -> V6 { return Motion(V).cross(Force(F)).to_vector(); };
+    o[op::act_inertia] = [](const T& X, const B& I) -> B { return body(pose(X).act(inertia(I))); };
+    o[op::act_inverse_inertia] = [](const T& X, const B& I) -> B { return body(pose(X).actInv(inertia(I))); };
+    o[op::momentum] = [](const B& I, const V6& V) -> V6 { return (inertia(I) * Motion(V)).to_vector(); };
+    o[op::kinetic_energy] = [](const B& I, const V6& V) -> S { return inertia(I).kineticEnergy(Motion(V)); };
+    o[op::inertia_matrix] = [](const B& I) -> M6 { return inertia(I).matrix(); };
   }
 
   static RobotOperations<S> robot(const std::string& urdf, bool fixed) {

@@ -15,14 +15,10 @@ namespace liecheck::properties {
 namespace {
 
 template <class S>
-struct Pinocchio {
+struct Pinocchio : Types<S> {
   using O = Operations<S>;
-  using V3 = typename O::V3;
-  using V4 = typename O::V4;
-  using V6 = typename O::V6;
-  using V7 = typename O::V7;
-  using M3 = typename O::M3;
-  using M6 = typename O::M6;
+  using typename Types<S>::V3, typename Types<S>::V4, typename Types<S>::V6, typename Types<S>::V7,
+      typename Types<S>::M3, typename Types<S>::M6;
   using SE3 = ::pinocchio::SE3Tpl<S>;
   using Motion = ::pinocchio::MotionTpl<S>;
   using Force = ::pinocchio::ForceTpl<S>;
@@ -108,16 +104,6 @@ const Registered<float> in_float(Pinocchio<float>::make());
 const Registered<double> in_double(Pinocchio<double>::make());
 
 }  // namespace
-}  // namespace liecheck::properties
-
-#else
-
-#include <subjects/subject.hpp>
-
-namespace liecheck::properties {
-namespace {
-const RegisteredAbsent absent("pinocchio");
-}
 }  // namespace liecheck::properties
 
 #endif

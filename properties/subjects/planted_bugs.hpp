@@ -1,29 +1,38 @@
 #pragma once
 // A known bug consists of liecheck's operations, some of which are replaced by a faulty function. Class Bugs
-// has helpers for these functions. The bugs are in rotation_bugs.cpp, configuration_bugs.cpp and
-// spatial_algebra_bugs.cpp, the look-alikes in look_alikes.cpp, the bugs of trees of bodies in tree_bugs.cpp.
+// has helpers for these functions. The bugs are in rotation_bugs.cpp, configuration_bugs.cpp,
+// spatial_algebra_bugs.cpp and tree_bugs.cpp, the look-alikes in look_alikes.cpp.
 
 #include <Eigen/Geometry>
-#include <subjects/subject.hpp>
+#include <functional>
+#include <subjects/tree.hpp>
 
 namespace liecheck::properties {
 
 template <class S>
-struct Bugs {
+struct Bugs : Types<S> {
   using O = Operations<S>;
-  using V3 = typename O::V3;
-  using V4 = typename O::V4;
-  using V6 = typename O::V6;
-  using V7 = typename O::V7;
-  using M3 = typename O::M3;
-  using M6 = typename O::M6;
+  using typename Types<S>::V3, typename Types<S>::V4, typename Types<S>::V6, typename Types<S>::V7,
+      typename Types<S>::M3, typename Types<S>::M6;
   using M76 = Mat<S, 7, 6>;
   using B = Body<S>;
   using P = Pose<S>;
+  using X = VecX<S>;
+  using M = MatX<S>;
+  using T = Tree<S>;
+  using TO = TreeOperations<S>;
 
   struct Entry {
     const char *name, *fault, *origin;
-    void (*plant)(O&);
+    std::function<void(O&)> plant;
+
+    Entry(const char* name, const char* fault, const char* origin, std::function<void(O&)> plant)
+        : name(name), fault(fault), origin(origin), plant(std::move(plant)) {}
+    /// Replaces the function of one operation.
+    template <class Operation>
+    Entry(const char* name, const char* fault, const char* origin, const Operation& operation,
+          typename Operation::template Function<S> faulty)
+        : Entry(name, fault, origin, [&operation, faulty](O& o) { o[operation] = faulty; }) {}
   };
   using Entries = std::vector<Entry>;
 
@@ -37,6 +46,8 @@ struct Bugs {
   static Entries robots();
   static Entries points_motions_and_forces();
   static Entries inertias();
+  static Entries dynamics_of_trees();
+  static Entries frames_of_trees();
   static Entries look_alikes_of_rotations();
   static Entries look_alikes_of_poses_and_bodies();
 
@@ -46,11 +57,6 @@ struct Bugs {
     return operations;
   }
 
-  static M3 hat(const V3& v) {
-    M3 m;
-    m << S(0), -v.z(), v.y(), v.z(), S(0), -v.x(), -v.y(), v.x(), S(0);
-    return m;
-  }
   static V3 top(const V6& v) { return v.template head<3>(); }
   static V3 low(const V6& v) { return v.template tail<3>(); }
   static V6 stack(const V3& a, const V3& b) {

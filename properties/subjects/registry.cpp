@@ -15,11 +15,6 @@ std::vector<std::unique_ptr<Subject<S>>>& registry() {
   return all;
 }
 
-std::vector<std::string>& absent_registry() {
-  static std::vector<std::string> all;
-  return all;
-}
-
 }  // namespace
 
 template <class S>
@@ -42,15 +37,19 @@ std::vector<const Subject<S>*> subjects() {
   }
   std::vector<const Subject<S>*> all;
   for (const auto& s : registry<S>()) all.push_back(s.get());
-  std::sort(all.begin(), all.end(), [](auto* a, auto* b) { return a->name < b->name; });
+  std::ranges::sort(all, {}, &Subject<S>::name);
   return all;
 }
 
-RegisteredAbsent::RegisteredAbsent(std::string name) {
-  absent_registry().push_back(std::move(name));
-}
-const std::vector<std::string>& absent_subjects() {
-  return absent_registry();
+std::vector<std::string> absent_subjects() {
+  std::vector<std::string> absent;
+  for (const char* name : {"ceres", "manif", "pinocchio", "smooth", "sophus"})
+    if (std::ranges::none_of(registry<double>(), [&](const auto& s) { return s->name == name; }))
+      absent.push_back(name);
+#ifndef LIECHECK_QD
+  absent.push_back("liecheck in double-double (QD)");
+#endif
+  return absent;
 }
 
 template struct Registered<float>;

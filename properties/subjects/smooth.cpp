@@ -2,15 +2,7 @@
 
 #include <subjects/subject.hpp>
 
-#if !__has_include(<smooth/se3.hpp>)
-
-namespace liecheck::properties {
-namespace {
-const RegisteredAbsent absent("smooth");
-}
-}  // namespace liecheck::properties
-
-#else
+#if __has_include(<smooth/se3.hpp>)
 
 #include <smooth/se3.hpp>
 #include <smooth/so3.hpp>

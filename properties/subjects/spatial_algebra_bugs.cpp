@@ -9,44 +9,29 @@ namespace liecheck::properties {
 template <class S>
 auto Bugs<S>::points_motions_and_forces() -> Entries {
   return {
-      {"rotate_unnormalized", "Q x Q* without 1 / |Q|^2", "Mayitzin/ahrs issue 96",
-       [](O& o) {
-         o[op::rotate_point] = [](const V4& Q, const V3& x) -> V3 {
-           return Q.squaredNorm() * Q.squaredNorm() * good()[op::rotate_point](Q, x);
-         };
+      {"rotate_unnormalized", "Q x Q* without 1 / |Q|^2", "Mayitzin/ahrs issue 96", op::rotate_point,
+       [](const V4& Q, const V3& x) -> V3 {
+         return Q.squaredNorm() * Q.squaredNorm() * good()[op::rotate_point](Q, x);
        }},
-      {"rotate_conjugate", "the inverse rotation is applied", "Guo-ziwei/fusion pull 2",
-       [](O& o) {
-         o[op::rotate_point] = [](const V4& Q, const V3& x) -> V3 {
-           return good()[op::rotate_point](conjugate(Q), x);
-         };
-       }},
+      {"rotate_conjugate", "the inverse rotation is applied", "Guo-ziwei/fusion pull 2", op::rotate_point,
+       [](const V4& Q, const V3& x) -> V3 { return good()[op::rotate_point](conjugate(Q), x); }},
       {"force_as_motion", "forces are transformed as motions", "bdaiinstitute/spatialmath-python pull 207",
-       [](O& o) {
-         o[op::act_force] = [](const P& X, const V6& F) -> V6 { return good()[op::act_motion](X, F); };
-       }},
+       op::act_force, [](const P& X, const V6& F) -> V6 { return good()[op::act_motion](X, F); }},
       {"force_transposed", "forces are transformed by Ad^T instead of Ad^-T",
        "bdaiinstitute/spatialmath-python pull 207",
        [](O& o) { o[op::act_force] = o[op::act_inverse_force]; }},
       {"adjoint_block", "the coupling block of Ad is at the lower left, as for angular-first twists",
-       "rail-berkeley/hil-serl issue 36",
-       [](O& o) {
-         o[op::act_motion] = [](const P& X, const V6& V) -> V6 {
-           const V3 u = X.R * top(V);
-           return stack(u, X.R * low(V) + X.p.cross(u));
-         };
+       "rail-berkeley/hil-serl issue 36", op::act_motion,
+       [](const P& X, const V6& V) -> V6 {
+         const V3 u = X.R * top(V);
+         return stack(u, X.R * low(V) + X.p.cross(u));
        }},
       {"cross_dual_sign", "the force cross product has the wrong sign",
-       "UMich-CURLY-teaching/UMich-ROB-530-public issue 2",
-       [](O& o) {
-         o[op::cross_force] = [](const V6& V, const V6& F) -> V6 { return -good()[op::cross_force](V, F); };
-       }},
+       "UMich-CURLY-teaching/UMich-ROB-530-public issue 2", op::cross_force,
+       [](const V6& V, const V6& F) -> V6 { return -good()[op::cross_force](V, F); }},
       {"cross_half", "u x w_W is missing in the motion cross product", "pvangoor/pylie pull 1",
-       [](O& o) {
-         o[op::cross_motion] = [](const V6& V, const V6& W) -> V6 {
-           return stack(low(V).cross(top(W)), low(V).cross(low(W)));
-         };
-       }},
+       op::cross_motion,
+       [](const V6& V, const V6& W) -> V6 { return stack(low(V).cross(top(W)), low(V).cross(low(W))); }},
   };
 }
 
@@ -54,65 +39,54 @@ template <class S>
 auto Bugs<S>::inertias() -> Entries {
   return {
       {"inertia_not_rotated", "the inertia of a moved body is not rotated",
-       "erwincoumans/tiny-differentiable-simulator pull 102",
-       [](O& o) {
-         o[op::act_inertia] = [](const P& X, const B& I) -> B { return {I.mass, X.R * I.c + X.p, I.I_C}; };
+       "erwincoumans/tiny-differentiable-simulator pull 102", op::act_inertia,
+       [](const P& X, const B& I) -> B {
+         return {I.mass, X.R * I.c + X.p, I.I_C};
        }},
       {"inertia_rotated_back", "R^T I R instead of R I R^T", "Rhoban/onshape-to-robot issue 85",
-       [](O& o) {
-         o[op::act_inertia] = [](const P& X, const B& I) -> B {
-           return {I.mass, X.R * I.c + X.p, X.R.transpose() * I.I_C * X.R};
-         };
+       op::act_inertia,
+       [](const P& X, const B& I) -> B {
+         return {I.mass, X.R * I.c + X.p, X.R.transpose() * I.I_C * X.R};
        }},
       {"inertia_shift_com", "the shift is applied before the centre of mass is rotated",
-       "simbody/simbody issue 334",
-       [](O& o) {
-         o[op::act_inertia] = [](const P& X, const B& I) -> B {
-           B b = good()[op::act_inertia](X, I);
-           b.c = X.R * (I.c + X.p);
-           return b;
-         };
+       "simbody/simbody issue 334", op::act_inertia,
+       [](const P& X, const B& I) -> B {
+         B b = good()[op::act_inertia](X, I);
+         b.c = X.R * (I.c + X.p);
+         return b;
        }},
       {"parallel_axis_sign", "the parallel-axis term has the wrong sign", "dimforge/parry pull 334",
-       [](O& o) {
-         o[op::inertia_matrix] = [](const B& I) -> M6 {
-           M6 M = good()[op::inertia_matrix](I);
-           const M3 C = hat(I.c);
-           M.template bottomRightCorner<3, 3>() = I.I_C + I.mass * (C * C);
-           return M;
-         };
+       op::inertia_matrix,
+       [](const B& I) -> M6 {
+         M6 M = good()[op::inertia_matrix](I);
+         const M3 C = hat(I.c);
+         M.template bottomRightCorner<3, 3>() = I.I_C + I.mass * (C * C);
+         return M;
        }},
       {"parallel_axis_doubled", "the parallel-axis term is added twice",
-       "ros/solidworks_urdf_exporter issue 117",
-       [](O& o) {
-         o[op::inertia_matrix] = [](const B& I) -> M6 {
-           M6 M = good()[op::inertia_matrix](I);
-           const M3 C = hat(I.c);
-           M.template bottomRightCorner<3, 3>() -= I.mass * (C * C);
-           return M;
-         };
+       "ros/solidworks_urdf_exporter issue 117", op::inertia_matrix,
+       [](const B& I) -> M6 {
+         M6 M = good()[op::inertia_matrix](I);
+         const M3 C = hat(I.c);
+         M.template bottomRightCorner<3, 3>() -= I.mass * (C * C);
+         return M;
        }},
       {"momentum_diagonal", "only the diagonal of the inertia is used", "avianphysics/avian pull 745",
-       [](O& o) {
-         o[op::momentum] = [](const B& I, const V6& V) -> V6 {
-           B diagonal = I;
-           diagonal.I_C = I.I_C.diagonal().asDiagonal();
-           return good()[op::momentum](diagonal, V);
-         };
+       op::momentum,
+       [](const B& I, const V6& V) -> V6 {
+         B diagonal = I;
+         diagonal.I_C = I.I_C.diagonal().asDiagonal();
+         return good()[op::momentum](diagonal, V);
        }},
       {"energy_origin", "the inertia about the centre of mass is used with the velocity of the origin",
-       "utiasSTARS/pyb-sim-models pull 4",
-       [](O& o) {
-         o[op::kinetic_energy] = [](const B& I, const V6& V) -> S {
-           return (I.mass * top(V).squaredNorm() + low(V).dot(I.I_C * low(V))) / S(2);
-         };
+       "utiasSTARS/pyb-sim-models pull 4", op::kinetic_energy,
+       [](const B& I, const V6& V) -> S {
+         return (I.mass * top(V).squaredNorm() + low(V).dot(I.I_C * low(V))) / S(2);
        }},
   };
 }
 
-template Bugs<float>::Entries Bugs<float>::points_motions_and_forces();
-template Bugs<double>::Entries Bugs<double>::points_motions_and_forces();
-template Bugs<float>::Entries Bugs<float>::inertias();
-template Bugs<double>::Entries Bugs<double>::inertias();
+template struct Bugs<float>;
+template struct Bugs<double>;
 
 }  // namespace liecheck::properties

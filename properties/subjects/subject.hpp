@@ -5,6 +5,7 @@
 // register it with a static Registered<S>. A slot that stays null is reported as not offered. The folder
 // operations/ defines the arguments and results of each operation; the subject's file converts conventions.
 
+#include <functional>
 #include <operations/operations.hpp>
 #include <string>
 #include <vector>
@@ -14,26 +15,30 @@ namespace liecheck::properties {
 template <class S>
 struct Tree;  // tree.hpp
 
-/// o[op::exp6] is the subject's function for exp6, null if it has none.
+/// Short names of types, for the classes that define subjects.
 template <class S>
-struct Operations : SpatialSlots<S> {
+struct Types {
   using V3 = Vec<S, 3>;
   using V4 = Vec<S, 4>;
   using V6 = Vec<S, 6>;
   using V7 = Vec<S, 7>;
   using M3 = Mat<S, 3>;
   using M6 = Mat<S, 6>;
+};
 
+/// o[op::exp6] is the subject's function for exp6, null if it has none.
+template <class S>
+struct Operations : SpatialSlots<S>, Types<S> {
   // The library's checks of inputs, if it has any. They throw for inputs that its operations do not accept.
-  void (*check_quaternion)(const V4& Q) = nullptr;
-  void (*check_rotation)(const M3& R) = nullptr;
+  void (*check_quaternion)(const Vec<S, 4>& Q) = nullptr;
+  void (*check_rotation)(const Mat<S, 3>& R) = nullptr;
 
   /// Reads a URDF and returns the operations on configurations of this robot. If `fixed`, the root is welded
   /// to the world; otherwise it is a free-flyer.
   RobotOperations<S> (*robot)(const std::string& urdf_text, bool fixed) = nullptr;
 
   /// Builds a tree of bodies and returns the algorithms on it.
-  TreeOperations<S> (*tree)(const Tree<S>& tree) = nullptr;
+  std::function<TreeOperations<S>(const Tree<S>& tree)> tree;
 };
 
 template <class S>
@@ -41,8 +46,6 @@ struct Subject {
   std::string name;
   std::string version;
   Operations<S> operations;
-  /// Angles [rad] at which the subject is known to change formula.
-  std::vector<double> cutoffs;
 };
 
 /// Every subject in this scalar, in alphabetical order.
@@ -55,10 +58,7 @@ struct Registered {
   explicit Registered(Subject<S> subject);
 };
 
-/// Names of the libraries that the build did not find. Their subject files register RegisteredAbsent instead.
-const std::vector<std::string>& absent_subjects();
-struct RegisteredAbsent {
-  explicit RegisteredAbsent(std::string name);
-};
+/// Names of the known libraries that the build did not find. The file of such a subject registers nothing.
+std::vector<std::string> absent_subjects();
 
 }  // namespace liecheck::properties

@@ -13,23 +13,14 @@ namespace liecheck::properties {
 namespace {
 
 template <class S>
-struct Textbook {
+struct Textbook : Types<S> {
   /// Below this angle [rad] the leading term replaces the closed form.
   double cutoff;
 
   using O = Operations<S>;
-  using V3 = typename O::V3;
-  using V4 = typename O::V4;
-  using V6 = typename O::V6;
-  using V7 = typename O::V7;
-  using M3 = typename O::M3;
-  using M6 = typename O::M6;
+  using typename Types<S>::V3, typename Types<S>::V4, typename Types<S>::V6, typename Types<S>::V7,
+      typename Types<S>::M3, typename Types<S>::M6;
 
-  static M3 hat(const V3& v) {
-    M3 m;
-    m << S(0), -v.z(), v.y(), v.z(), S(0), -v.x(), -v.y(), v.x(), S(0);
-    return m;
-  }
   bool small(const S& theta) const { return theta < S(cutoff); }
 
   V4 exp3_quaternion(const V3& phi) const {
@@ -168,55 +159,44 @@ struct Textbook {
     for (int i = 0; i > e; --i) p *= 10;
     return 1 / p;
   }
-  /// Calls a member function with the cutoff 10^-exponent.
+  /// At<f, exponent>::call(...) calls the member function f with the cutoff 10^-exponent.
+  template <auto f, int exponent, class F = decltype(f)>
+  struct At;
   template <auto f, int exponent, class R, class... A>
-  static R call(A... a) {
-    return (Textbook{power_of_ten(-exponent)}.*f)(a...);
-  }
-  template <class R, class... A>
-  using Pointer = R (*)(A...);
-  template <auto f, int exponent>
-  struct Operation {
-    template <class R, class... A>
-    operator Pointer<R, A...>() const {  // NOLINT: implicit, for any signature of f
-      return call<f, exponent, R, A...>;
-    }
+  struct At<f, exponent, R (Textbook::*)(A...) const> {
+    static R call(A... a) { return (Textbook{{}, power_of_ten(-exponent)}.*f)(a...); }
   };
-  template <auto f, int exponent>
-  static constexpr Operation<f, exponent> at{};
 
   template <int exponent, bool is_variant>
   static Subject<S> make() {
     Subject<S> s;
-    constexpr double cutoff = power_of_ten(-exponent);
     s.name = is_variant ? "textbook:1e-" + std::to_string(exponent) : "textbook";
     s.version = "cutoff 1e-" + std::to_string(exponent);
-    s.cutoffs = {cutoff};
     O& o = s.operations;
-    o[op::exp3_quaternion] = at<&Textbook::exp3_quaternion, exponent>;
-    o[op::exp3_matrix] = at<&Textbook::exp3_matrix, exponent>;
-    o[op::log3_quaternion] = at<&Textbook::log3_quaternion, exponent>;
-    o[op::log3_matrix] = at<&Textbook::log3_matrix, exponent>;
-    o[op::exp6] = at<&Textbook::exp6, exponent>;
-    o[op::log6] = at<&Textbook::log6, exponent>;
-    o[op::left_jacobian3] = at<&Textbook::left_jacobian3, exponent>;
-    o[op::right_jacobian3] = at<&Textbook::right_jacobian3, exponent>;
-    o[op::left_jacobian3_inverse] = at<&Textbook::left_jacobian3_inverse, exponent>;
-    o[op::right_jacobian3_inverse] = at<&Textbook::right_jacobian3_inverse, exponent>;
-    o[op::left_jacobian6] = at<&Textbook::left_jacobian6, exponent>;
-    o[op::right_jacobian6] = at<&Textbook::right_jacobian6, exponent>;
-    o[op::left_jacobian6_inverse] = at<&Textbook::left_jacobian6_inverse, exponent>;
-    o[op::right_jacobian6_inverse] = at<&Textbook::right_jacobian6_inverse, exponent>;
-    o[op::integrate] = at<&Textbook::integrate, exponent>;
-    o[op::difference] = at<&Textbook::difference, exponent>;
-    o[op::d_integrate_arg0] = at<&Textbook::d_integrate_arg0, exponent>;
-    o[op::d_integrate_arg1] = at<&Textbook::d_integrate_arg1, exponent>;
-    o[op::d_difference_arg0] = at<&Textbook::d_difference_arg0, exponent>;
-    o[op::d_difference_arg1] = at<&Textbook::d_difference_arg1, exponent>;
-    o[op::compose] = at<&Textbook::compose, exponent>;
-    o[op::inverse] = at<&Textbook::inverse, exponent>;
-    o[op::act_point] = at<&Textbook::act_point, exponent>;
-    o[op::rotate_point] = at<&Textbook::rotate_point, exponent>;
+    o[op::exp3_quaternion] = At<&Textbook::exp3_quaternion, exponent>::call;
+    o[op::exp3_matrix] = At<&Textbook::exp3_matrix, exponent>::call;
+    o[op::log3_quaternion] = At<&Textbook::log3_quaternion, exponent>::call;
+    o[op::log3_matrix] = At<&Textbook::log3_matrix, exponent>::call;
+    o[op::exp6] = At<&Textbook::exp6, exponent>::call;
+    o[op::log6] = At<&Textbook::log6, exponent>::call;
+    o[op::left_jacobian3] = At<&Textbook::left_jacobian3, exponent>::call;
+    o[op::right_jacobian3] = At<&Textbook::right_jacobian3, exponent>::call;
+    o[op::left_jacobian3_inverse] = At<&Textbook::left_jacobian3_inverse, exponent>::call;
+    o[op::right_jacobian3_inverse] = At<&Textbook::right_jacobian3_inverse, exponent>::call;
+    o[op::left_jacobian6] = At<&Textbook::left_jacobian6, exponent>::call;
+    o[op::right_jacobian6] = At<&Textbook::right_jacobian6, exponent>::call;
+    o[op::left_jacobian6_inverse] = At<&Textbook::left_jacobian6_inverse, exponent>::call;
+    o[op::right_jacobian6_inverse] = At<&Textbook::right_jacobian6_inverse, exponent>::call;
+    o[op::integrate] = At<&Textbook::integrate, exponent>::call;
+    o[op::difference] = At<&Textbook::difference, exponent>::call;
+    o[op::d_integrate_arg0] = At<&Textbook::d_integrate_arg0, exponent>::call;
+    o[op::d_integrate_arg1] = At<&Textbook::d_integrate_arg1, exponent>::call;
+    o[op::d_difference_arg0] = At<&Textbook::d_difference_arg0, exponent>::call;
+    o[op::d_difference_arg1] = At<&Textbook::d_difference_arg1, exponent>::call;
+    o[op::compose] = At<&Textbook::compose, exponent>::call;
+    o[op::inverse] = At<&Textbook::inverse, exponent>::call;
+    o[op::act_point] = At<&Textbook::act_point, exponent>::call;
+    o[op::rotate_point] = At<&Textbook::rotate_point, exponent>::call;
     return s;
   }
 };

@@ -15,8 +15,4 @@ Operations<float128> wide_scalar_operations() {
   return LiecheckOperations<float128>::make().operations;
 }
 
-const char* liecheck_version() {
-  return LIECHECK_VERSION;
-}
-
 }  // namespace liecheck::properties

@@ -24,6 +24,4 @@ using Digits100 = oracles::Real100;
 template <class S>
 Operations<S> wide_scalar_operations();
 
-const char* liecheck_version();
-
 }  // namespace liecheck::properties

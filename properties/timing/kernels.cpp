@@ -46,7 +46,7 @@ std::vector<Subject<double>> load_kernels(const std::filesystem::path& folder) {
     if (k.layout != kernels_layout())
       throw std::runtime_error(
           fmt::format("{}: built with other type layouts than this program: rebuild both", path.string()));
-    all.push_back({"liecheck@" + path.stem().string(), k.flags, *k.operations, {}});
+    all.push_back({"liecheck@" + path.stem().string(), k.flags, *k.operations});
   }
   return all;
 }

@@ -6,10 +6,6 @@
 namespace liecheck::properties {
 namespace {
 
-#ifndef LIECHECK_QD
-const RegisteredAbsent absent("liecheck in double-double (QD)");
-#endif
-
 /// The errors of a function on arguments that are doubles, which its scalar holds exactly.
 Score<double> wide_score(const Operation& operation, const Property<double>& law, const Signature& signature,
                          AnyFunction f, double eps) {
@@ -29,7 +25,7 @@ template <class T>
 void add_tier(CostPlan& plan, const std::string& scalar, std::size_t each,
               const std::vector<std::unique_ptr<Property<double>>>& laws) {
   if (!plan.wants(plan.options.scalars, scalar) || !plan.wants(plan.options.subjects, "liecheck")) return;
-  static const Subject<T> library{"liecheck", liecheck_version(), wide_scalar_operations<T>(), {}};
+  static const Subject<T> library{"liecheck", LIECHECK_VERSION, wide_scalar_operations<T>()};
   const double eps = std::ldexp(1.0, 1 - std::numeric_limits<T>::digits);
   add_cost_rows<T, double>(plan, scalar, eps, {&library}, each, false, laws,
                            [&](const Operation& operation, const Property<double>& law, const Subject<T>&,

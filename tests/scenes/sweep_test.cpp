@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <scenes/builtin.hpp>
+#include <scenes/benchmark.hpp>
 #include <scenes/spins.hpp>
 #include <scenes/sweep.hpp>
 #include <set>

@@ -1,4 +1,6 @@
+#pragma once
 // Subject "eigen": Eigen's Geometry module, and the matrix exponential and logarithm of MatrixFunctions.
+// eigen_float.cpp and eigen_double.cpp compile it, because these functions need much time and memory.
 
 #include <subjects/subject.hpp>
 
@@ -6,16 +8,30 @@
 #include <Eigen/Geometry>
 #include <unsupported/Eigen/MatrixFunctions>
 
+/// Eigen's steps for a complex 4 x 4 matrix, with the loop over columns that Eigen runs below 48 rows. Eigen's
+/// own function also compiles a loop over blocks, which takes a third of the time of this file.
+template <class S>
+struct Eigen::internal::complex_schur_reduce_to_hessenberg<Eigen::Matrix<std::complex<S>, 4, 4>, true> {
+  using M = Eigen::Matrix<std::complex<S>, 4, 4>;
+  static void run(ComplexSchur<M>& schur, const M& A, bool with_U) {
+    schur.m_hess.compute(A);
+    schur.m_matT = schur.m_hess.matrixH();
+    if (!with_U) return;
+    const auto Q = schur.m_hess.matrixQ();
+    const auto h = schur.m_hess.householderCoefficients();
+    std::complex<S> workspace[4];
+    schur.m_matU.setIdentity();
+    for (Index k = 2; k >= 0; --k)
+      schur.m_matU.bottomRightCorner(3 - k, 3 - k)
+          .applyHouseholderOnTheLeft(Q.essentialVector(k), std::conj(h[k]), workspace);
+  }
+};
+
 namespace liecheck::properties {
-namespace {
 
 template <class S>
-struct EigenGeometry {
-  using O = Operations<S>;
-  using V3 = typename O::V3;
-  using V4 = typename O::V4;
-  using V6 = typename O::V6;
-  using M3 = typename O::M3;
+struct EigenGeometry : Types<S> {
+  using typename Types<S>::V3, typename Types<S>::V4, typename Types<S>::V6, typename Types<S>::M3;
   using M4 = Mat<S, 4>;
 
   static Eigen::AngleAxis<S> angle_axis(const V3& phi) {
@@ -34,7 +50,7 @@ struct EigenGeometry {
   }
   static Pose<S> exp6(const V6& xi) {
     M4 m = M4::Zero();
-    m.template topLeftCorner<3, 3>() << S(0), -xi[5], xi[4], xi[5], S(0), -xi[3], -xi[4], xi[3], S(0);
+    m.template topLeftCorner<3, 3>() = hat<S>(xi.template tail<3>());
     m.template topRightCorner<3, 1>() = xi.template head<3>();
     const M4 T = m.exp();
     return {T.template topLeftCorner<3, 3>(), T.template topRightCorner<3, 1>()};
@@ -80,8 +96,4 @@ struct EigenGeometry {
   }
 };
 
-const Registered<float> in_float(EigenGeometry<float>::make());
-const Registered<double> in_double(EigenGeometry<double>::make());
-
-}  // namespace
 }  // namespace liecheck::properties
