@@ -1,8 +1,7 @@
 #pragma once
 // A campaign with or without a store, in one process or over the ranks of mpirun.
 
-#include <app/shared_flags.hpp>
-#include <campaign/campaign.hpp>
+#include <app/command.hpp>
 #include <store/stored_run.hpp>
 
 namespace liecheck::properties {
@@ -29,5 +28,10 @@ void print_counterexamples(const Counterexamples& counterexamples);
 
 /// Prints how to resume an interrupted campaign.
 void print_how_to_resume(const CampaignResult& result, const StoreFlags& flags);
+
+/// Writes the record of a campaign with its hard cases, unless `file` is empty. Returns why that failed, or "".
+/// The caller prints its table before it throws this error, so that the table is not lost.
+std::string try_write_record(const std::string& file, const StoredRun& run,
+                             const std::vector<HardRow>& hard_cases);
 
 }  // namespace liecheck::properties

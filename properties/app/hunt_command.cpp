@@ -1,9 +1,8 @@
 #include <fmt/format.h>
 #include <algorithm>
-#include <app/commands.hpp>
-#include <app/shared_flags.hpp>
-#include <app/signals.hpp>
+#include <app/command.hpp>
 #include <campaign/robots.hpp>
+#include <campaign/selection.hpp>
 #include <filesystem>
 #include <fstream>
 #include <hard_cases/corpus.hpp>
@@ -50,8 +49,8 @@ std::string corpus_line(const Series& series, const Worst& w, const std::string&
                                : fmt::format("{} {} of {} errs by {:.3g} {}", o.operation, o.block,
                                              series.subject, w.score, w.by_kappa ? "eps kappa" : "eps");
   return fmt::format("hunted_{}_{} | {} in {} | {} | hunted | {} | {}\n",
-                     corpus_name(fmt::format("{}_{}", o.operation, o.block)), digest, series.property, series.scalar,
-                     fmt::join(id.input, ", "), what, origin);
+                     corpus_name(fmt::format("{}_{}", o.operation, o.block)), digest, series.property,
+                     series.scalar, fmt::join(id.input, ", "), what, origin);
 }
 
 std::string outcome_name(Outcome outcome) {
@@ -221,26 +220,24 @@ int run(const Flags& f) {
 }  // namespace
 
 Command hunt_command(CLI::App& program) {
-  const auto f = std::make_shared<Flags>();
-  HuntOptions& o = f->options;
-  Arguments a(program, "hunt",
-              "search for the worst input of an operation. Exit 0 within budget, 1 "
-              "beyond it, 2 bad input, 3 incomplete");
-  a.text("--subject", f->subject, "NAME", "the subject").required();
+  CommandWith<Flags> a(program, "hunt",
+                       "search for the worst input of an operation. Exit 0 within budget, 1 "
+                       "beyond it, 2 bad input, 3 incomplete");
+  HuntOptions& o = a->options;
+  a.text("--subject", a->subject, "NAME", "the subject").required();
   a.text("--op", o.operation, "NAME", "the operation, as failures and reports name it").required();
   a.text("--block", o.block, "NAME", "one block of its result; default all blocks");
-  a.text("--property", f->property, "NAME", "one law that measures it; default all laws");
-  a.text("--scalar", f->scalar, "SCALAR", "float, double or float128").with_default_in_help();
+  a.text("--property", a->property, "NAME", "one law that measures it; default all laws");
+  a.text("--scalar", a->scalar, "SCALAR", "float, double or float128").with_default_in_help();
   a.toggle("--excess", o.excess, "maximise error / kappa, also beyond theta = pi");
-  add_seed(a, o.seed, "seed of the search");
+  a.seed(o.seed, "seed of the search");
   const Flag evaluations = a.number("--evaluations", o.evaluations, 1, std::uint64_t(1) << 40,
-                                    "measurements instead of a time: the same search on every machine")
-                               .without_default_in_help();
+                                    "measurements instead of a time: the same search on every machine");
   a.duration("--for", o.seconds, "duration: 30s, 5m, 1h; default 30s").excludes(evaluations);
-  a.toggle("--versus-random", f->versus_random, "also sample as many inputs uniformly, and compare");
-  a.text("--corpus", f->corpus, "FILE", "append what is found to FILE, as lines of fixtures/hard_cases");
-  f->robot.add(a);
-  return a.command([f] { return run(*f); });
+  a.toggle("--versus-random", a->versus_random, "also sample as many inputs uniformly, and compare");
+  a.text("--corpus", a->corpus, "FILE", "append what is found to FILE, as lines of fixtures/hard_cases");
+  a->robot.add(a);
+  return a.runs(run);
 }
 
 }  // namespace liecheck::properties

@@ -1,4 +1,4 @@
-#include <app/signals.hpp>
+#include <app/command.hpp>
 
 #include <csignal>
 #include <ctime>
