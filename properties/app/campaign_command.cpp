@@ -134,7 +134,7 @@ int print_campaign(const CampaignResult& r, bool verbose) {
 /// Replays the hard cases, which come first in every campaign; in the first shard only, if it has shards.
 std::vector<HardRow> replay_hard_cases(const Flags& f, const Selection& selection, const Robot& robot) {
   if (f.no_hard_cases || !f.store.first_shard()) return {};
-  const auto rows = run_hard_cases(selection, robot, built_in_corpus(), f.cases.jobs);
+  const auto rows = run_hard_cases(selection, robot, built_in_corpus(), f.cases.options.jobs);
   print_hard_case_summary(rows, 3);
   fmt::print("\n");
   std::fflush(stdout);
@@ -147,7 +147,7 @@ int run(const Flags& f) {
   if (select(selection, robot).empty())
     throw std::invalid_argument(
         "nothing to run: no selected subject offers a selected property in that scalar");
-  f.store.check(f.cases.seconds.has_value());
+  f.store.check(f.cases.options.seconds.has_value());
   stop_on_signals();
   const auto hard_cases = replay_hard_cases(f, selection, robot);
   if (stop_requested) {

@@ -6,8 +6,11 @@
 #include <campaign/robots.hpp>
 #include <campaign/selection.hpp>
 #include <charconv>
+#include <csignal>
+#include <ctime>
 #include <nlohmann/json.hpp>
 #include <support/files.hpp>
+#include <support/stop.hpp>
 #include <thread>
 
 namespace liecheck::properties {
@@ -50,6 +53,17 @@ Flag named(CLI::Option* option, const std::string& value) {
 
 std::string long_name(const std::string& names) {
   return names.substr(names.rfind("--"));
+}
+
+extern "C" void on_signal(int number) {
+  static std::atomic<long> stopped_at{-1};  // [ms]
+  timespec t;
+  clock_gettime(CLOCK_MONOTONIC, &t);
+  const long now = t.tv_sec * 1000 + t.tv_nsec / 1000000;
+  long first = -1;
+  if (!stopped_at.compare_exchange_strong(first, now) && now - first > 300)
+    std::signal(number, SIG_DFL), std::raise(number);
+  stop_requested = true;
 }
 
 }  // namespace
@@ -177,13 +191,9 @@ Selection SelectionFlags::selection() const {
   return s;
 }
 
-std::vector<Flag> CaseFlags::add(Arguments& a) {
-  const Flag count =
-      a.number("--cases", cases, 1, std::uint64_t(1) << 40, "cases per property x subject x scalar");
-  const Flag robot_flag = robot.add(a), seed_flag = a.seed(seed, "seed of the campaign");
-  const Flag time = a.duration("--for", seconds, "run for a time instead: 30s, 5m, 1h").excludes(count);
-  jobs_flag = a.jobs(jobs);
-  return {robot_flag, seed_flag, count, time, jobs_flag};
+void stop_on_signals() {
+  for (const int number : {SIGINT, SIGTERM, SIGHUP})
+    if (std::signal(number, on_signal) == SIG_IGN) std::signal(number, SIG_IGN);
 }
 
 void write_record(const std::string& file, const nlohmann::json& record) {

@@ -1,12 +1,11 @@
 #pragma once
-// Every command of the program, each in a file of its name, and what they share: flags, exit codes, signals and
-// records. This header hides CLI11, which takes five seconds to compile.
+// Every command of the program, each in a file of its name, and what they share: flags, exit codes, signals
+// and records. This header hides CLI11, which takes five seconds to compile.
 
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -137,18 +136,6 @@ struct SelectionFlags {
   Selection selection() const;
 };
 
-/// Which cases a campaign runs: --cases, --robot, --root, --seed, --for and --jobs.
-struct CaseFlags {
-  RobotFlags robot;
-  std::uint64_t seed = 42, cases = 1000;
-  std::optional<double> seconds;
-  unsigned jobs = default_jobs();
-  Flag jobs_flag;
-
-  /// Adds the flags. Returns all except --root.
-  std::vector<Flag> add(Arguments& arguments);
-};
-
 /// Ctrl-C, SIGTERM and SIGHUP stop a command, which then returns what is done. The first signal sets
 /// stop_requested; the second ends the program at once. Two signals within 0.3 s count as one, because
 /// `timeout` sends its signal to the program and then to its process group. A signal that nohup ignores stays
@@ -170,8 +157,8 @@ SweepResult run_sweep(const std::vector<std::string>& coefficients, unsigned job
 /// Before anything runs, throws std::invalid_argument that names an unknown operation, subject or scalar.
 CostResult run_cost(CostOptions options);
 
-/// Sweeps the scenes in the files. If there are none, sweeps the built-in scenes, and the long spins with this
-/// number of flips. Throws SceneError or std::invalid_argument.
+/// Sweeps the scenes in the files. If there are none, sweeps the built-in scenes, and measures the long spins
+/// with this number of flips. Throws SceneError or std::invalid_argument.
 SceneSweepResult run_scene_sweep(const std::vector<std::string>& files, SceneSweepOptions options,
                                  std::size_t flips);
 

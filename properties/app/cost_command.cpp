@@ -83,9 +83,7 @@ int run(const Flags& f) {
 CostResult run_cost(CostOptions options) {
   options.stop = &stop_requested;
   Progress progress("cost");
-  options.progress = [&](double share) {
-    progress.show(share, [](double) { return std::string("of the repetitions"); });
-  };
+  options.progress = [&](double share) { progress.show(share, "of the repetitions"); };
   CostResult r = measure_cost(options);
   // Sorts by operation, in the order of their table. The rows of an operation stay sorted by digits.
   const auto names = cost_operations();

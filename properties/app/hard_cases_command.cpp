@@ -4,9 +4,9 @@
 #include <app/command.hpp>
 #include <hard_cases/hard_cases.hpp>
 #include <map>
+#include <set>
 #include <stdexcept>
 #include <support/stop.hpp>
-#include <tuple>
 
 namespace liecheck::properties {
 
@@ -29,18 +29,19 @@ std::vector<HardCase> corpus_with(const std::vector<std::string>& files) {
   return all;
 }
 
-using Column = std::pair<std::string, std::string>;  // subject, scalar
+/// Subject and scalar of a column; sorted by the subject's name and the scalar's width.
+struct Column {
+  std::string subject;
+  int width;
+  std::string scalar;
+  auto operator<=>(const Column&) const = default;
+};
 
-std::vector<Column> columns_of(const std::vector<HardRow>& rows) {
-  std::vector<Column> all;
+std::set<Column> columns_of(const std::vector<HardRow>& rows) {
+  std::set<Column> all;
   for (const HardRow& r : rows)
     for (const HardCell& c : r.cells)
-      if (std::find(all.begin(), all.end(), Column(c.subject, c.scalar)) == all.end())
-        all.emplace_back(c.subject, c.scalar);
-  const auto rank = [](const Column& c) {  // subjects by name, scalars by width
-    return std::tuple(c.first, c.second == "float" ? 0 : c.second == "double" ? 1 : 2);
-  };
-  std::sort(all.begin(), all.end(), [&](const Column& a, const Column& b) { return rank(a) < rank(b); });
+      all.insert({c.subject, c.scalar == "float" ? 0 : c.scalar == "double" ? 1 : 2, c.scalar});
   return all;
 }
 
@@ -70,14 +71,17 @@ void print_hard_case_table(const std::vector<HardRow>& rows) {
     if (std::find(classes.begin(), classes.end(), r.entry->hard_class) == classes.end())
       classes.push_back(r.entry->hard_class);
   }
-  for (std::size_t i = 0; i < columns.size(); ++i)
-    fmt::print("{:>{}} {} in {}\n", i + 1, width + law + 2 * i + 1, columns[i].first, columns[i].second);
+  std::size_t i = 0;
+  for (const Column& column : columns) {
+    fmt::print("{:>{}} {} in {}\n", i + 1, width + law + 2 * i + 1, column.subject, column.scalar);
+    ++i;
+  }
   for (const std::string& hard_class : classes) {
     fmt::print("{}\n", hard_class);
     for (const HardRow& r : rows) {
       if (r.entry->hard_class != hard_class) continue;
       fmt::print("{:<{}}{:<{}}", "  " + r.entry->name, width, r.property, law);
-      for (const auto& [subject, scalar] : columns) {
+      for (const auto& [subject, rank, scalar] : columns) {
         const auto cell = std::find_if(r.cells.begin(), r.cells.end(), [&](const HardCell& c) {
           return c.subject == subject && c.scalar == scalar;
         });
@@ -119,7 +123,7 @@ void print_hard_case_summary(const std::vector<HardRow>& rows, std::size_t shown
   for (const Verdict v : verdicts) fmt::print("  {:>12}", name_of(v));
   fmt::print("\n");
   std::size_t failures = 0;
-  for (const auto& [subject, scalar] : columns_of(rows)) {
+  for (const auto& [subject, rank, scalar] : columns_of(rows)) {
     std::map<Verdict, int> counts;
     int cells = 0;
     for (const HardRow& r : rows)

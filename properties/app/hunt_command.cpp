@@ -99,35 +99,30 @@ void print_comparison(const Worst& hunted, const Worst& random, std::uint64_t ev
         random.score, evaluations, hunted.score / random.score);
 }
 
-/// Throws if no series measures the operation and its block. The message names those that are known.
-void check_measured(const std::vector<std::unique_ptr<Series>>& all, const Flags& f) {
+/// The selected series that measure the operation and its block. Throws if there is none. The message names
+/// the operations or blocks that are known.
+std::vector<std::unique_ptr<Series>> series_of(const Flags& f, const Robot& robot) {
   const std::string &op = f.options.operation, &block = f.options.block;
+  Selection selection{{f.subject}, {}, {f.scalar}};
+  if (!f.property.empty()) selection.properties = {f.property};
+  auto all = select(selection, robot);
+  if (all.empty()) throw std::invalid_argument(fmt::format("{} is not offered in {}", f.subject, f.scalar));
   std::set<std::string_view> operations, blocks;
-  for (const auto& s : all)
+  std::erase_if(all, [&](const auto& s) {
+    bool measured = false;
     for (const Output& o : s->outputs) {
       operations.insert(o.operation);
       if (o.operation == op) blocks.insert(o.block);
+      measured = measured || (o.operation == op && (block.empty() || o.block == block));
     }
+    return !measured;
+  });
   if (!operations.count(op))
     throw std::invalid_argument(fmt::format("--op: unknown operation '{}'; {} is measured on: {}", op,
                                             f.subject, fmt::join(operations, ", ")));
   if (!block.empty() && !blocks.count(block))
     throw std::invalid_argument(
         fmt::format("--block: {} has no block '{}'; known: {}", op, block, fmt::join(blocks, ", ")));
-}
-
-/// The selected series that measure the operation.
-std::vector<std::unique_ptr<Series>> series_of(const Flags& f, const Robot& robot) {
-  Selection selection{{f.subject}, {}, {f.scalar}};
-  if (!f.property.empty()) selection.properties = {f.property};
-  auto all = select(selection, robot);
-  if (all.empty()) throw std::invalid_argument(fmt::format("{} is not offered in {}", f.subject, f.scalar));
-  check_measured(all, f);
-  std::erase_if(all, [&](const auto& s) {
-    return std::none_of(s->outputs.begin(), s->outputs.end(), [&](const Output& o) {
-      return o.operation == f.options.operation && (f.options.block.empty() || o.block == f.options.block);
-    });
-  });
   return all;
 }
 
@@ -171,16 +166,18 @@ class CorpusFile {
 /// Hunts on one series, and samples as many random inputs if asked. Returns whether a case fails its budget.
 bool hunt_on(const Series& series, HuntOptions options, const Flags& f, const std::string& robot_flag,
              CorpusFile& corpus) {
-  options.progress = progress_of(fmt::format("hunt {} {}", series.property, options.operation));
-  const HuntResult hunted = hunt(series, options);
-  options.progress = nullptr;
+  const auto search = [&](const char* how) {
+    options.progress = progress_of(fmt::format("{} {} {}", how, series.property, options.operation));
+    const HuntResult result = hunt(series, options);
+    options.progress = nullptr;  // clears its line
+    return result;
+  };
+  const HuntResult hunted = search("hunt");
   HuntResult random;
   if (f.versus_random && !hunted.stopped) {
     options.evaluations = hunted.evaluations;
     options.random = true;
-    options.progress = progress_of(fmt::format("random {} {}", series.property, options.operation));
-    random = hunt(series, options);
-    options.progress = nullptr;  // clears its line
+    random = search("random");
   }
   fmt::print("hunt of {} on {} {} in {}, seed {}: {} evaluations in {:.1f} s\n", options.operation,
              series.subject, series.subject_version, series.scalar, options.seed, hunted.evaluations,

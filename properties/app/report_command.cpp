@@ -60,31 +60,13 @@ void print_interrupted(const char* where) {
   std::fprintf(stderr, "interrupted%s: the report contains what was done\n", where);
 }
 
-CostResult times(std::uint64_t seed) {
-  CostOptions options;
-  options.seed = seed;
-  options.seconds = 30;
-  options.flags = has_kernels();
-  return run_cost(options);
-}
-
-SceneSweepResult scenes() {
-  SceneSweepOptions options;
-  options.order_scenes = 3;
-  options.order_seconds = 6;
-  options.longest = 0.004;
-  options.seconds = 12;
-  options.repetitions = 7;
-  return run_scene_sweep({}, options, 3);
-}
-
 /// Runs everything that a report shows and writes the record.
 fs::path run_campaign_of_report(const Flags& f) {
   create_folder(f.out);
   const fs::path file = fs::path(f.out) / "campaign.json";
   check_writable(file);
   const Robot robot = f.cases.robot.read();
-  const auto hard_cases = run_hard_cases({}, robot, built_in_corpus(), f.cases.jobs);
+  const auto hard_cases = run_hard_cases({}, robot, built_in_corpus(), f.cases.options.jobs);
   stop_on_signals();
   const StoredRun run = run_stored_campaign({}, robot, f.cases, {}).value();
   if (run.result.incomplete) print_interrupted("");
@@ -95,9 +77,14 @@ fs::path run_campaign_of_report(const Flags& f) {
     part();
     if (stop_requested) print_interrupted(during);
   };
-  add(" during the sweep", [&] { add_sweep(record, run_sweep({}, f.cases.jobs)); });
-  if (!f.no_cost) add(" during the timing", [&] { record["cost"] = record_of(times(f.cases.seed)); });
-  if (!f.no_scenes) add(" during the scenes", [&] { add_scenes(record, scenes()); });
+  CostOptions times;
+  times.seed = f.cases.options.seed, times.seconds = 30, times.flags = has_kernels();
+  SceneSweepOptions scenes;
+  scenes.order_scenes = 3, scenes.order_seconds = 6;
+  scenes.longest = 0.004, scenes.seconds = 12, scenes.repetitions = 7;
+  add(" during the sweep", [&] { add_sweep(record, run_sweep({}, f.cases.options.jobs)); });
+  if (!f.no_cost) add(" during the timing", [&] { record["cost"] = record_of(run_cost(times)); });
+  if (!f.no_scenes) add(" during the scenes", [&] { add_scenes(record, run_scene_sweep({}, scenes, 3)); });
   write_record(file, record);
   return file;
 }

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <app/command.hpp>
-#include <chrono>
 #include <cmath>
 #include <liecheck/scene/integrators/registry.hpp>
 #include <liecheck/scene_file/scene_file.hpp>
@@ -203,25 +202,20 @@ SceneSweepResult run_scene_sweep(const std::vector<std::string>& files, SceneSwe
                                  std::size_t flips) {
   options.stop = &stop_requested;
   const std::vector<Benchmark> scenes = scenes_of(files);
-  const auto start = std::chrono::steady_clock::now();
+  Progress progress("scene sweep");
+  options.progress = [&](double share, const std::string& what) { progress.show(share, what); };
   SceneSweepResult r;
-  {
-    Progress progress("scene sweep");
-    options.progress = [&](double share, const std::string& what) {
-      progress.show(share, [&](double) { return what; });
-    };
-    r.scenes = sweep_scenes(scenes, options);
-    r.peers = compare_peers(r.scenes);
-    if (options.order_scenes > 0)
-      r.wrong = wrong_orders(r.scenes, files.empty() ? std::min<std::size_t>(3, options.order_scenes) : 0);
-    if (files.empty() && options.integrators.empty() && options.steps.empty()) {
-      if (!stop_requested) progress.show(0.95, [](double) { return "long spins"; });
-      if (!stop_requested) r.spins = long_spins();
-      if (!stop_requested) r.flips = dzhanibekov_flips(flips, &stop_requested);
-    }
+  r.scenes = sweep_scenes(scenes, options);
+  r.peers = compare_peers(r.scenes);
+  if (options.order_scenes > 0)
+    r.wrong = wrong_orders(r.scenes, files.empty() ? std::min<std::size_t>(3, options.order_scenes) : 0);
+  if (files.empty() && options.integrators.empty() && options.steps.empty()) {
+    if (!stop_requested) progress.show(0.95, "long spins");
+    if (!stop_requested) r.spins = long_spins();
+    if (!stop_requested) r.flips = dzhanibekov_flips(flips, &stop_requested);
   }
   r.complete = !stop_requested;
-  r.elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  r.elapsed = progress.elapsed();
   return r;
 }
 

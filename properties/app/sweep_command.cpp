@@ -88,9 +88,7 @@ SweepResult run_sweep(const std::vector<std::string>& coefficients, unsigned job
   options.stride = stride;
   options.stop = &stop_requested;
   Progress progress("sweep");
-  options.progress = [&](double share) {
-    progress.show(share, [](double) { return std::string("of the floats"); });
-  };
+  options.progress = [&](double share) { progress.show(share, "of the floats"); };
   return sweep(options);
 }
 

@@ -20,12 +20,13 @@ struct StoredRun;
 struct SweepResult;
 struct SweptCoefficient;
 
-/// What a record says of a whole run.
+/// The verdict on a whole run.
 inline const char* verdict_of(bool complete, bool passed) {
   return !complete ? "incomplete" : passed ? "pass" : "fail";
 }
 
-/// A campaign. Names the environment of the run if it was loaded, and otherwise the present one.
+/// A campaign. Its environment is that of the earlier run if it was loaded from a store, or else the present
+/// one.
 nlohmann::json record_of(const StoredRun& run);
 
 /// The hard cases: key "hard_cases" of a campaign's record.
