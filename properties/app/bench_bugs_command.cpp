@@ -1,17 +1,12 @@
 #include <fmt/format.h>
 #include <algorithm>
-#include <app/commands.hpp>
-#include <app/record_file.hpp>
-#include <app/shared_flags.hpp>
-#include <app/signals.hpp>
+#include <app/command.hpp>
 #include <chrono>
 #include <hard_cases/hard_cases.hpp>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <record/bench.hpp>
 #include <search/weak_tests.hpp>
 #include <subjects/known_bugs.hpp>
-#include <support/files.hpp>
 #include <support/stop.hpp>
 
 namespace liecheck::properties {
@@ -94,16 +89,16 @@ void print_summary(const BugBench& b) {
   fmt::print(
       "\nkilled {} of {} bugs, the slowest in {:.2f} s of {} s each; {} of {} look-alikes refused; seed {}, "
       "{}\n",
-      b.killed(), b.bugs(), slowest, b.seconds_each, b.refused_alikes(), b.alikes(), b.seed, b.scalar);
+      b.count(false, true), b.count(false), slowest, b.seconds_each, b.count(true, true), b.count(true),
+      b.seed, b.scalar);
   for (std::size_t i = 0; i < weak_styles().size(); ++i)
     fmt::print("{:<14} kills {:>3} of {}\n", weak_styles()[i].name,
                std::count_if(b.rows.begin(), b.rows.end(),
                              [i](const BugRow& bug) { return !bug.alike() && bug.weaker_styles[i].second; }),
-               b.bugs());
+               b.count(false));
 }
 
 int run(const Flags& f) {
-  if (!f.json.empty()) check_writable(f.json);
   const Robot robot = f.robot.read();
   stop_on_signals();
   BugBench bench = f.bench;
@@ -131,19 +126,18 @@ int run(const Flags& f) {
 }  // namespace
 
 Command bench_bugs_command(CLI::App& bench) {
-  const auto f = std::make_shared<Flags>();
-  BugBench& b = f->bench;
+  CommandWith<Flags> a(bench, "bugs",
+                       "how soon the laws kill each known bug, compared with four weaker styles of test. "
+                       "Exit 0 all killed and no look-alike refused, 1 otherwise, 2 bad input, 3 stopped");
+  BugBench& b = a->bench;
   b.scalar = "double";
-  Arguments a(bench, "bugs",
-              "how soon the laws kill each known bug, compared with four weaker styles of test. "
-              "Exit 0 all killed and no look-alike refused, 1 otherwise, 2 bad input, 3 stopped");
   a.choice("--scalar", b.scalar, {"float", "double"}, "SCALAR", "float or double").with_default_in_help();
-  add_seed(a, b.seed, "seed of the cases");
+  a.seed(b.seed, "seed of the cases");
   a.duration("--for-each", b.seconds_each,
              "time for each bug: 30s, 5m; default 60s; each look-alike gets a tenth of it");
-  a.text("--json", f->json, "FILE", "write the table to FILE");
-  f->robot.add(a);
-  return a.command([f] { return run(*f); });
+  a.json(a->json, "write the table to FILE");
+  a->robot.add(a);
+  return a.runs(run);
 }
 
 }  // namespace liecheck::properties

@@ -2,10 +2,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <app/commands.hpp>
-#include <app/record_file.hpp>
-#include <app/shared_flags.hpp>
-#include <app/signals.hpp>
+#include <app/command.hpp>
 #include <campaign/campaign.hpp>
 #include <chrono>
 #include <cstdlib>
@@ -19,7 +16,6 @@
 #include <oracles/error.hpp>
 #include <record/bench.hpp>
 #include <sstream>
-#include <support/files.hpp>
 #include <support/progress.hpp>
 #include <support/stop.hpp>
 
@@ -188,7 +184,6 @@ void print(const SpeedBench& b) {
 }
 
 int run(const Flags& f) {
-  if (!f.json.empty()) check_writable(f.json);
   Bench bench(f);
   stop_on_signals();
   bench.run();
@@ -208,15 +203,14 @@ int run(const Flags& f) {
 }  // namespace
 
 Command bench_speed_command(CLI::App& bench) {
-  const auto f = std::make_shared<Flags>();
-  Arguments a(
+  CommandWith<Flags> a(
       bench, "speed",
       "cases per second against an oracle: exp6 compared with rc::check and an oracle of 50 digits, every "
       "law, and two jobs compared with one. Exit 0, 1 rc::check failed, 2 bad input, 3 stopped");
-  add_seed(a, f->seed, "seed of the cases");
-  a.duration("--for-each", f->seconds, "how long each of the five rounds of a row takes; default 0.5s");
-  a.text("--json", f->json, "FILE", "write the table to FILE");
-  return a.command([f] { return run(*f); });
+  a.seed(a->seed, "seed of the cases");
+  a.duration("--for-each", a->seconds, "how long each of the five rounds of a row takes; default 0.5s");
+  a.json(a->json, "write the table to FILE");
+  return a.runs(run);
 }
 
 }  // namespace liecheck::properties

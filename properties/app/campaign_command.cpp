@@ -1,14 +1,16 @@
 #include <fmt/format.h>
+#include <algorithm>
 #include <app/campaign_run.hpp>
-#include <app/campaign_table.hpp>
-#include <app/commands.hpp>
-#include <app/hard_cases_table.hpp>
-#include <app/record_file.hpp>
-#include <app/signals.hpp>
-#include <memory>
+#include <app/command.hpp>
+#include <campaign/coverage_report.hpp>
+#include <failures/description.hpp>
+#include <hard_cases/hard_cases.hpp>
+#include <limits>
+#include <map>
 #include <stdexcept>
-#include <support/files.hpp>
 #include <support/stop.hpp>
+#include <support/text.hpp>
+#include <tuple>
 
 namespace liecheck::properties {
 
@@ -21,10 +23,118 @@ struct Flags {
   bool no_hard_cases = false, verbose = false;
 };
 
+/// Prints every class and band of one series.
+void print_coverage(const Series& s, const std::vector<Covered>& all, std::uint64_t cases) {
+  fmt::print("{} {} in {}, {} cases\n", s.property, s.subject, s.scalar, cases);
+  for (const Covered& c : all)
+    fmt::print("  {:<44}{:>10}  {:>8.4f} %{}\n", c.what, c.count,
+               100.0 * static_cast<double>(c.count) / static_cast<double>(std::max<std::uint64_t>(1, cases)),
+               c.missing()  ? "  NOT COVERED"
+               : c.required ? ""
+                            : "  not required in so few cases");
+}
+
+/// Prints a line for each property: the series with the least coverage. If verbose, prints every series.
+void print_coverage(const CampaignResult& r, bool verbose) {
+  struct Least {
+    bool missing;
+    std::size_t unseen;
+    std::string series, line;
+  };
+  std::map<std::string, Least> least;
+  fmt::print("\n{:<24}{:<20}{}\n", "coverage", "", "of the classes and bands that the generator must reach");
+  for (const auto& [series, tally] : r.series) {
+    const auto all = coverage_of(*series, tally);
+    const std::uint64_t cases = tally.coverage.cases();
+    const bool missing = std::any_of(all.begin(), all.end(), [](const Covered& c) { return c.missing(); });
+    const auto unseen = static_cast<std::size_t>(
+        std::count_if(all.begin(), all.end(), [](const Covered& c) { return c.count == 0; }));
+    const auto [it, first] = least.try_emplace(series->property);
+    Least& l = it->second;
+    if (first || std::tuple(missing, unseen) > std::tuple(l.missing, l.unseen))
+      l = {missing, unseen, series->subject + " in " + series->scalar, coverage_line(all, cases)};
+    if (verbose) print_coverage(*series, all, cases);
+  }
+  for (const auto& [property, l] : least) fmt::print("{:<24}{:<20}{}\n", property, l.series, l.line);
+}
+
+/// Prints a line with the largest error of a series as a multiple of the budget.
+void print_series(const Series& series, const Tally& tally) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  double worst = 0;
+  bool failed = !tally.disagreed.empty();
+  std::uint64_t unresolved = 0;
+  for (const auto& [cell, row] : tally.rows) {
+    const Output& o = series.outputs.at(static_cast<std::size_t>(cell.first));
+    const Budget& b = budget_of(series.subject, o.operation, o.block,
+                                series.bands()[static_cast<std::size_t>(cell.second)].region);
+    // the score of an unresolved case is infinite; then the largest measured error counts
+    const double measured = b.rule == Rule::forward ? row.max_error : row.max_excess;
+    worst =
+        std::max(worst, (row.failed || row.worst_score < infinity ? row.worst_score : measured) / b.limit);
+    failed = failed || row.failed > 0;
+    unresolved += row.unresolved;
+  }
+  fmt::print("{:<24}{:<15}{:<10}{:>9}  {:>10.3g}x  {}{}\n", series.property, series.subject, series.scalar,
+             tally.cases, worst, failed ? "FAIL" : "pass",
+             unresolved ? fmt::format(", {} unresolved", unresolved) : "");
+}
+
+/// Prints the first six failed outputs in full, each in its worst band.
+void print_failures(const CampaignResult& r) {
+  constexpr int shown = 6;
+  int failures = 0;
+  for (const auto& [series, tally] : r.series) {
+    std::map<int, std::pair<int, const Row*>> worst;  // band and row, by output
+    for (const auto& [cell, row] : tally.rows) {
+      if (!row.failed) continue;
+      auto& w = worst[cell.first];
+      if (!w.second || row.worst_score > w.second->worst_score) w = {cell.second, &row};
+    }
+    for (const auto& [output, band_row] : worst)
+      if (failures++ < shown)
+        fmt::print("\n{}", describe_failure(*series, r.options.seed, output, band_row.first, *band_row.second,
+                                            r.robot));
+  }
+  if (failures > shown)
+    fmt::print("\n{} more operations and blocks failed; --json FILE records them all\n", failures - shown);
+}
+
+void print_oracles(const CampaignResult& r) {
+  std::uint64_t fast = 0, checked = 0, disagreed = 0;
+  for (const auto& [series, tally] : r.series) {
+    fast += tally.fast, checked += tally.checked, disagreed += tally.disagreed.size();
+    for (const std::uint64_t index : tally.disagreed)
+      fmt::print("ORACLES DISAGREE: {}\n", series->id(r.options.seed, index).text());
+  }
+  fmt::print(
+      "\noracles: ball arithmetic decided {:.2f} % of the cases, 50 and 100 digits decided the rest; {} of "
+      "the former were measured again with 50 and 100 digits, {} disagree\n",
+      r.total_cases ? 100.0 * static_cast<double>(fast) / static_cast<double>(r.total_cases) : 0.0, checked,
+      disagreed);
+}
+
+/// Prints the table, the failures and the coverage (all of it if verbose). Returns the verdict's exit code.
+int print_campaign(const CampaignResult& r, bool verbose) {
+  fmt::print("{:<24}{:<15}{:<10}{:>9}  {:>11}  {}\n", "property", "subject", "scalar", "cases", "worst",
+             "status");
+  for (const auto& [series, tally] : r.series) print_series(*series, tally);
+  fmt::print(
+      "worst: the largest error found as a multiple of its budget, a lower bound of the true maximum\n");
+  print_failures(r);
+  print_oracles(r);
+  print_coverage(r, verbose);
+  fmt::print("\nseed {}, {} cases in {:.1f} s, robot {}{} ({})\n", r.options.seed, r.total_cases, r.elapsed,
+             printable(r.robot.name), r.robot.fixed ? ", fixed" : "", r.robot.hash);
+  fmt::print("inputs  {}\nresults {}\n", r.inputs_digest, r.results_digest);
+  fmt::print("verdict {}\n", r.incomplete ? "incomplete" : r.failed ? "fail" : "pass");
+  return r.incomplete ? incomplete : r.failed ? property_failed : within_budget;
+}
+
 /// Replays the hard cases, which come first in every campaign; in the first shard only, if it has shards.
 std::vector<HardRow> replay_hard_cases(const Flags& f, const Selection& selection, const Robot& robot) {
   if (f.no_hard_cases || !f.store.first_shard()) return {};
-  const auto rows = run_hard_cases(selection, robot, built_in_corpus(), f.cases.jobs);
+  const auto rows = run_hard_cases(selection, robot, built_in_corpus(), f.cases.options.jobs);
   print_hard_case_summary(rows, 3);
   fmt::print("\n");
   std::fflush(stdout);
@@ -32,14 +142,12 @@ std::vector<HardRow> replay_hard_cases(const Flags& f, const Selection& selectio
 }
 
 int run(const Flags& f) {
-  const std::string& json = f.selection.json;
-  if (!json.empty()) check_writable(json);
   const Selection selection = f.selection.selection();
   const Robot robot = f.cases.robot.read();
   if (select(selection, robot).empty())
     throw std::invalid_argument(
         "nothing to run: no selected subject offers a selected property in that scalar");
-  f.store.check(f.cases.seconds.has_value());
+  f.store.check(f.cases.options.seconds.has_value());
   stop_on_signals();
   const auto hard_cases = replay_hard_cases(f, selection, robot);
   if (stop_requested) {
@@ -48,7 +156,7 @@ int run(const Flags& f) {
   }
   const auto done = run_stored_campaign(selection, robot, f.cases, f.store);
   if (!done) return within_budget;
-  const std::string lost = try_write_record(json, *done, {.hard_cases = &hard_cases});
+  const std::string lost = try_write_record(f.selection.json, *done, hard_cases);
   print_counterexamples(done->counterexamples);
   const int code = print_campaign(done->result, f.verbose);
   print_how_to_resume(done->result, f.store);
@@ -60,16 +168,16 @@ int run(const Flags& f) {
 }  // namespace
 
 Command campaign_command(CLI::App& program, const std::string& typed_line) {
-  const auto f = std::make_shared<Flags>();
-  f->store.typed_line = typed_line;
-  Arguments a(program, "campaign",
-              "run properties on subjects. Exit 0 within budget, 1 failed, 2 bad input, 3 incomplete");
-  f->selection.add(a);
-  a.toggle("--no-hard-cases", f->no_hard_cases, "skip the hard cases, which are replayed first");
-  f->cases.add(a);
-  a.toggle("--verbose", f->verbose, "show how often each class and band of inputs occurred");
-  f->store.add(a);
-  return a.command([f] { return run(*f); });
+  CommandWith<Flags> a(
+      program, "campaign",
+      "run properties on subjects. Exit 0 within budget, 1 failed, 2 bad input, 3 incomplete");
+  a->store.typed_line = typed_line;
+  a->selection.add(a);
+  a.toggle("--no-hard-cases", a->no_hard_cases, "skip the hard cases, which are replayed first");
+  a->cases.add(a);
+  a.toggle("--verbose", a->verbose, "show how often each class and band of inputs occurred");
+  a->store.add(a);
+  return a.runs(run);
 }
 
 }  // namespace liecheck::properties

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <record/record.hpp>
 #include <stdexcept>
 #include <store/merge.hpp>
 #include <store/ranks.hpp>
@@ -84,6 +86,16 @@ std::optional<StoredRun> run_rank(const Ranks& ranks, CampaignOptions o, const R
 
 }  // namespace
 
+std::vector<Flag> CaseFlags::add(Arguments& a) {
+  const Flag count =
+      a.number("--cases", options.cases, 1, std::uint64_t(1) << 40, "cases per property x subject x scalar");
+  const Flag robot_flag = robot.add(a), seed_flag = a.seed(options.seed, "seed of the campaign");
+  const Flag time =
+      a.duration("--for", options.seconds, "run for a time instead: 30s, 5m, 1h").excludes(count);
+  jobs_flag = a.jobs(options.jobs);
+  return {robot_flag, seed_flag, count, time, jobs_flag};
+}
+
 void StoreFlags::add(Arguments& a) {
   const Flag file = a.text("--store", store, "FILE", "save all results in FILE (SQLite), chunk by chunk");
   a.toggle("--resume", resume, "continue the campaign in the store").needs(file);
@@ -107,12 +119,8 @@ void StoreFlags::check(bool timed) const {
 
 std::optional<StoredRun> run_stored_campaign(const Selection& selection, const Robot& robot,
                                              const CaseFlags& cases, const StoreFlags& f) {
-  CampaignOptions o;
+  CampaignOptions o = cases.options;
   o.selection = selection;
-  o.seed = cases.seed;
-  o.cases = cases.cases;
-  o.seconds = cases.seconds;
-  o.jobs = cases.jobs;
   if (!f.shard.empty()) parse_shard(f.shard, o);
   const Ranks ranks;
   if (ranks.size() > 1) {
@@ -142,6 +150,17 @@ void print_how_to_resume(const CampaignResult& r, const StoreFlags& f) {
     fmt::print("interrupted: no case was saved; --store FILE saves them\n");
   else
     fmt::print("to resume:\n  {}{}\n", f.typed_line, f.resume ? "" : " --resume");
+}
+
+std::string try_write_record(const std::string& file, const StoredRun& run,
+                             const std::vector<HardRow>& hard_cases) try {
+  if (file.empty()) return "";
+  nlohmann::json record = record_of(run);
+  add_hard_cases(record, hard_cases);
+  write_record(file, record);
+  return "";
+} catch (const std::exception& e) {
+  return e.what();
 }
 
 }  // namespace liecheck::properties

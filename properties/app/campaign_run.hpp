@@ -1,11 +1,22 @@
 #pragma once
 // A campaign with or without a store, in one process or over the ranks of mpirun.
 
-#include <app/shared_flags.hpp>
+#include <app/command.hpp>
 #include <campaign/campaign.hpp>
 #include <store/stored_run.hpp>
 
 namespace liecheck::properties {
+
+/// Which cases a campaign runs: --cases, --robot, --root, --seed, --for and --jobs.
+struct CaseFlags {
+  RobotFlags robot;
+  CampaignOptions options;
+  Flag jobs_flag;
+
+  CaseFlags() { options.jobs = default_jobs(); }
+  /// Adds the flags. Returns all except --root.
+  std::vector<Flag> add(Arguments& arguments);
+};
 
 /// --store, --resume and --shard.
 struct StoreFlags {
@@ -29,5 +40,10 @@ void print_counterexamples(const Counterexamples& counterexamples);
 
 /// Prints how to resume an interrupted campaign.
 void print_how_to_resume(const CampaignResult& result, const StoreFlags& flags);
+
+/// Writes the record of a campaign with its hard cases, unless `file` is empty. Returns why that failed, or
+/// "". The caller prints its table before it throws this error, so that the table is not lost.
+std::string try_write_record(const std::string& file, const StoredRun& run,
+                             const std::vector<HardRow>& hard_cases);
 
 }  // namespace liecheck::properties

@@ -1,13 +1,29 @@
 #pragma once
-// A command of the program: its flags on the command line, and what runs it.
+// Every command of the program, each in a file of its name, and what they share: flags, exit codes, signals
+// and records. This header hides CLI11, which takes five seconds to compile.
 
+#include <cstdint>
 #include <functional>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
 
 namespace CLI {
 class App;
-}
+class Option;
+}  // namespace CLI
 
 namespace liecheck::properties {
+
+struct CostOptions;
+struct CostResult;
+struct HardRow;
+struct Robot;
+struct SceneSweepOptions;
+struct SceneSweepResult;
+struct Selection;
+struct SweepResult;
 
 /// Exit codes of the program.
 enum Exit { within_budget = 0, property_failed = 1, bad_input = 2, incomplete = 3 };
@@ -16,5 +32,156 @@ struct Command {
   const CLI::App* arguments;  ///< knows whether the command was given
   std::function<int()> run;   ///< returns the exit code
 };
+
+/// A flag or a positional argument of a command.
+class Flag {
+ public:
+  explicit Flag(CLI::Option* option = nullptr) : option_(option) {}
+  Flag required() const;
+  Flag needs(Flag other) const;
+  Flag excludes(Flag other) const;
+  Flag with_default_in_help() const;
+  bool given() const;  ///< whether the parsed command line has it
+
+ private:
+  CLI::Option* option_;
+};
+
+/// Adds a command to a program and flags to the command. A target is filled when the command line is parsed,
+/// and must live until then. `value` names the value in the help; if it is "", an empty value is accepted.
+/// Numbers are checked here, because CLI11 also reads octal and hexadecimal, "" as 0, and -1 as 2^64-1.
+class Arguments {
+ public:
+  Arguments(CLI::App& parent, const std::string& name, const std::string& help);
+
+  Flag text(const std::string& names, std::string& target, const std::string& value, const std::string& help);
+  /// A value that must be one of `words`.
+  Flag choice(const std::string& names, std::string& target, const std::vector<std::string>& words,
+              const std::string& value, const std::string& help);
+  /// A flag that may be repeated.
+  Flag list(const std::string& names, std::vector<std::string>& target, const std::string& value,
+            const std::string& help);
+  Flag toggle(const std::string& names, bool& target, const std::string& help);
+
+  /// A whole number in decimal digits, from low to high. Its default is in the help if it is in this range.
+  template <class T>
+  Flag number(const std::string& names, T& target, std::uint64_t low, std::uint64_t high,
+              const std::string& help) {
+    return add_number(names, target, low, high, help,
+                      [&target](std::uint64_t n) { target = static_cast<T>(n); });
+  }
+  /// Like number(), but the flag may be repeated: "--steps 4 --steps 8", not "--steps 4 8".
+  Flag numbers(const std::string& names, std::vector<long>& target, std::uint64_t low, std::uint64_t high,
+               const std::string& help);
+
+  /// "30s", "5m", "1h" or plain seconds, up to 10^7 s. T is double or std::optional<double>.
+  template <class T>
+  Flag duration(const std::string& names, T& seconds, const std::string& help) {
+    return add_duration(names, help, [&seconds](double s) { seconds = s; });
+  }
+
+  Flag seed(std::uint64_t& target, const std::string& help);
+  Flag jobs(unsigned& target);
+  /// --json. Before the command runs, throws if its file cannot be written.
+  Flag json(std::string& target, const std::string& help);
+
+  /// Returns the command, after its flags were added.
+  Command command(std::function<int()> run) const;
+
+ private:
+  Flag add_number(const std::string& names, std::uint64_t value, std::uint64_t low, std::uint64_t high,
+                  const std::string& help, const std::function<void(std::uint64_t)>& set);
+  Flag add_duration(const std::string& names, const std::string& help,
+                    const std::function<void(double)>& set);
+
+  CLI::App& command_;
+  const std::string* json_ = nullptr;
+};
+
+/// The arguments of a command with flags, which live as long as the command.
+template <class Flags>
+class CommandWith : public Arguments {
+ public:
+  using Arguments::Arguments;
+  Flags* operator->() const { return flags_.get(); }
+  Command runs(int (*run)(const Flags&)) const {
+    return command([run, flags = flags_] { return run(*flags); });
+  }
+
+ private:
+  std::shared_ptr<Flags> flags_ = std::make_shared<Flags>();
+};
+
+/// The default number of threads: one for each core.
+unsigned default_jobs();
+
+/// --robot and --root.
+struct RobotFlags {
+  std::string file, root = "free-flyer";
+
+  /// Adds both flags. Returns --robot.
+  Flag add(Arguments& arguments,
+           const std::string& help = "robot of the laws that need one; default: the built-in mixed_joints");
+  /// Reads the file, which may be a pipe: call it once.
+  Robot read() const;
+};
+
+/// --subject, --property, --scalar and --json.
+struct SelectionFlags {
+  std::vector<std::string> subjects, properties, scalars;
+  std::string json;
+
+  void add(Arguments& arguments);
+  /// By default liecheck in float and double; the subject "all" means all subjects.
+  Selection selection() const;
+};
+
+/// Ctrl-C, SIGTERM and SIGHUP stop a command, which then returns what is done. The first signal sets
+/// stop_requested; the second ends the program at once. Two signals within 0.3 s count as one, because
+/// `timeout` sends its signal to the program and then to its process group. A signal that nohup ignores stays
+/// ignored. Call this after the robot was read, because reading may wait for a pipe.
+void stop_on_signals();
+
+/// Throws std::runtime_error naming the file.
+void write_record(const std::string& file, const nlohmann::json& record);
+
+/// Prints the first section of every campaign: counts for each subject and scalar, and the first failures.
+void print_hard_case_summary(const std::vector<HardRow>& rows, std::size_t shown_failures);
+
+// A report also runs the next three. They show progress, and stop once stop_requested is set.
+
+/// Sweeps the named coefficients, or all if none is named. Before anything runs, throws std::invalid_argument
+/// that names an unknown coefficient.
+SweepResult run_sweep(const std::vector<std::string>& coefficients, unsigned jobs, std::uint32_t stride = 1);
+
+/// Before anything runs, throws std::invalid_argument that names an unknown operation, subject or scalar.
+CostResult run_cost(CostOptions options);
+
+/// Sweeps the scenes in the files. If there are none, sweeps the built-in scenes, and measures the long spins
+/// with this number of flips. Throws SceneError or std::invalid_argument.
+SceneSweepResult run_scene_sweep(const std::vector<std::string>& files, SceneSweepOptions options,
+                                 std::size_t flips);
+
+// A command is added to the program or to the group of commands "bench" or "scene".
+
+Command list_command(CLI::App& program);
+/// typed_line: the whole command line, quoted for a shell.
+Command campaign_command(CLI::App& program, const std::string& typed_line);
+Command hard_cases_command(CLI::App& program);
+Command hunt_command(CLI::App& program);
+Command bench_bugs_command(CLI::App& bench);
+Command bench_speed_command(CLI::App& bench);
+Command sweep_command(CLI::App& program);
+Command robot_command(CLI::App& program);
+Command cost_command(CLI::App& program);
+Command scene_run_command(CLI::App& scene);
+Command scene_explain_command(CLI::App& scene);
+Command scene_sweep_command(CLI::App& scene);
+Command scene_keys_command(CLI::App& scene);
+Command replay_command(CLI::App& program);
+Command report_command(CLI::App& program);
+Command merge_command(CLI::App& program);
+Command export_command(CLI::App& program);
+Command compare_command(CLI::App& program);
 
 }  // namespace liecheck::properties

@@ -1,7 +1,5 @@
 #include <fmt/format.h>
-#include <app/arguments.hpp>
-#include <app/commands.hpp>
-#include <memory>
+#include <app/command.hpp>
 #include <store/merge.hpp>
 #include <store/store_path.hpp>
 
@@ -36,11 +34,10 @@ int run(const Flags& f) {
 }  // namespace
 
 Command compare_command(CLI::App& program) {
-  const auto f = std::make_shared<Flags>();
-  Arguments a(program, "compare", "what got worse from store A to store B. Exit 1 if anything did");
-  a.text("A", f->before, "", "the earlier store").required();
-  a.text("B", f->after, "", "the later store").required();
-  return a.command([f] { return run(*f); });
+  CommandWith<Flags> a(program, "compare", "what got worse from store A to store B. Exit 1 if anything did");
+  a.text("A", a->before, "", "the earlier store").required();
+  a.text("B", a->after, "", "the later store").required();
+  return a.runs(run);
 }
 
 }  // namespace liecheck::properties

@@ -1,18 +1,12 @@
-#include <app/cost_command.hpp>
-
 #include <fmt/format.h>
 #include <algorithm>
-#include <app/commands.hpp>
-#include <app/record_file.hpp>
-#include <app/shared_flags.hpp>
-#include <app/signals.hpp>
+#include <app/command.hpp>
 #include <cmath>
-#include <memory>
 #include <nlohmann/json.hpp>
-#include <record/cost.hpp>
-#include <support/files.hpp>
+#include <record/record.hpp>
 #include <support/progress.hpp>
 #include <support/stop.hpp>
+#include <timing/cost.hpp>
 
 namespace liecheck::properties {
 
@@ -73,7 +67,6 @@ void print_header(const CostResult& r, const nlohmann::json& environment) {
 
 int run(const Flags& f) {
   stop_on_signals();
-  if (!f.json.empty()) check_writable(f.json);
   const CostResult r = run_cost(f.options);
   const nlohmann::json record = record_of(r);
   print_header(r, record["environment"]);
@@ -89,9 +82,7 @@ int run(const Flags& f) {
 CostResult run_cost(CostOptions options) {
   options.stop = &stop_requested;
   Progress progress("cost");
-  options.progress = [&](double share) {
-    progress.show(share, [](double) { return std::string("of the repetitions"); });
-  };
+  options.progress = [&](double share) { progress.show(share, "of the repetitions"); };
   CostResult r = measure_cost(options);
   // Sorts by operation, in the order of their table. The rows of an operation stay sorted by digits.
   const auto names = cost_operations();
@@ -103,21 +94,20 @@ CostResult run_cost(CostOptions options) {
 }
 
 Command cost_command(CLI::App& program) {
-  const auto f = std::make_shared<Flags>();
-  CostOptions& o = f->options;
-  Arguments a(program, "cost",
-              "time and error of every operation of every subject on the same inputs. "
-              "Exit 0, 2 bad input, 3 stopped");
+  CommandWith<Flags> a(program, "cost",
+                       "time and error of every operation of every subject on the same inputs. "
+                       "Exit 0, 2 bad input, 3 stopped");
+  CostOptions& o = a->options;
   a.list("--op", o.operations, "NAME", "an operation, repeatable; default all");
   a.list("--subject", o.subjects, "NAME",
          "a subject, repeatable; default those of a campaign and liecheck's own variants");
   a.list("--scalar", o.scalars, "SCALAR",
          fmt::format("{}, repeatable; default all", fmt::join(cost_scalars(), ", ")));
   a.toggle("--flags", o.flags, "also liecheck in double with other compilers and flags");
-  add_seed(a, o.seed, "seed of the inputs");
+  a.seed(o.seed, "seed of the inputs");
   a.duration("--for", o.seconds, "about how long all timing takes: 30s, 5m; default 60s");
-  a.text("--json", f->json, "FILE", "write times and errors to FILE");
-  return a.command([f] { return run(*f); });
+  a.json(a->json, "write times and errors to FILE");
+  return a.runs(run);
 }
 
 }  // namespace liecheck::properties

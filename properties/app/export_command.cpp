@@ -1,7 +1,5 @@
-#include <app/arguments.hpp>
-#include <app/commands.hpp>
+#include <app/command.hpp>
 #include <iostream>
-#include <memory>
 #include <stdexcept>
 #include <store/merge.hpp>
 #include <store/store_path.hpp>
@@ -27,11 +25,11 @@ int run(const Flags& f) {
 }  // namespace
 
 Command export_command(CLI::App& program) {
-  const auto f = std::make_shared<Flags>();
-  Arguments a(program, "export", "the canonical text of a store: the same however the cases were run");
-  a.text("STORE", f->store, "", "a store, or STORE@N for its Nth campaign").required();
-  a.text("--out", f->out, "FILE", "write to FILE instead of the standard output");
-  return a.command([f] { return run(*f); });
+  CommandWith<Flags> a(program, "export",
+                       "the canonical text of a store: the same however the cases were run");
+  a.text("STORE", a->store, "", "a store, or STORE@N for its Nth campaign").required();
+  a.text("--out", a->out, "FILE", "write to FILE instead of the standard output");
+  return a.runs(run);
 }
 
 }  // namespace liecheck::properties

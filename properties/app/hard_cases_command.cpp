@@ -1,12 +1,11 @@
-#include <app/commands.hpp>
-#include <app/hard_cases_table.hpp>
-#include <app/record_file.hpp>
-#include <app/shared_flags.hpp>
-#include <app/signals.hpp>
-#include <memory>
+#include <fmt/format.h>
+#include <algorithm>
+#include <app/campaign_run.hpp>
+#include <app/command.hpp>
+#include <hard_cases/hard_cases.hpp>
+#include <map>
+#include <set>
 #include <stdexcept>
-#include <store/stored_run.hpp>
-#include <support/files.hpp>
 #include <support/stop.hpp>
 
 namespace liecheck::properties {
@@ -30,9 +29,72 @@ std::vector<HardCase> corpus_with(const std::vector<std::string>& files) {
   return all;
 }
 
+/// Subject and scalar of a column; sorted by the subject's name and the scalar's width.
+struct Column {
+  std::string subject;
+  int width;
+  std::string scalar;
+  auto operator<=>(const Column&) const = default;
+};
+
+std::set<Column> columns_of(const std::vector<HardRow>& rows) {
+  std::set<Column> all;
+  for (const HardRow& r : rows)
+    for (const HardCell& c : r.cells)
+      all.insert({c.subject, c.scalar == "float" ? 0 : c.scalar == "double" ? 1 : 2, c.scalar});
+  return all;
+}
+
+constexpr Verdict verdicts[] = {Verdict::stable,     Verdict::refused,    Verdict::ill_posed,
+                                Verdict::unresolved, Verdict::inaccurate, Verdict::wrong_branch,
+                                Verdict::not_finite};
+
+void print_failure(const HardRow& r, const HardCell& c) {
+  const HardCase& e = *r.entry;
+  fmt::print("\nFAILED  hard case {} ({}): {}\n", e.name, e.hard_class, e.reason);
+  fmt::print("  subject   {} in {}: {}\n", c.subject, c.scalar, name_of(c.verdict));
+  fmt::print("  where     {}: {}, block {}, band {}\n", r.property, c.operation, c.block, c.band);
+  fmt::print("  error     {:.4g} eps, kappa {:.3g}, budget {:g} {}{}\n", c.error, c.kappa, c.budget,
+             c.excess ? "eps kappa" : "eps", c.refusal.empty() ? "" : "; " + c.refusal);
+  fmt::print("  input     {}\n  origin    {} ({})\n", e.input, e.origin, e.place());
+  fmt::print("  replay    liecheck replay {}\n", c.id.text());
+}
+
+/// Prints a line for each case, with a letter for each subject and scalar.
+void print_hard_case_table(const std::vector<HardRow>& rows) {
+  const auto columns = columns_of(rows);
+  std::size_t width = 0, law = 0;
+  std::vector<std::string> classes;  // in the order of the corpus
+  for (const HardRow& r : rows) {
+    width = std::max(width, r.entry->name.size() + 3);
+    law = std::max(law, r.property.size() + 1);
+    if (std::find(classes.begin(), classes.end(), r.entry->hard_class) == classes.end())
+      classes.push_back(r.entry->hard_class);
+  }
+  std::size_t i = 0;
+  for (const Column& column : columns) {
+    fmt::print("{:>{}} {} in {}\n", i + 1, width + law + 2 * i + 1, column.subject, column.scalar);
+    ++i;
+  }
+  for (const std::string& hard_class : classes) {
+    fmt::print("{}\n", hard_class);
+    for (const HardRow& r : rows) {
+      if (r.entry->hard_class != hard_class) continue;
+      fmt::print("{:<{}}{:<{}}", "  " + r.entry->name, width, r.property, law);
+      for (const auto& [subject, rank, scalar] : columns) {
+        const auto cell = std::find_if(r.cells.begin(), r.cells.end(), [&](const HardCell& c) {
+          return c.subject == subject && c.scalar == scalar;
+        });
+        fmt::print("{} ", cell == r.cells.end() ? '-' : letter_of(cell->verdict));
+      }
+      fmt::print("\n");
+    }
+  }
+  for (const Verdict v : verdicts) fmt::print("{} {}   ", letter_of(v), name_of(v));
+  fmt::print("- not offered, or not for this scalar\n\n");
+}
+
 int run(const Flags& f) {
-  const std::string& json = f.selection.json;
-  if (!json.empty()) check_writable(json);
   StoredRun no_cases;
   no_cases.result.options.cases = 0;
   no_cases.result.robot = built_in_robot();
@@ -42,7 +104,7 @@ int run(const Flags& f) {
   no_cases.result.incomplete = stop_requested;
   if (rows.empty() && !stop_requested)
     throw std::invalid_argument("nothing to run: no selected subject offers a hard case's property");
-  const std::string lost = try_write_record(json, no_cases, {.hard_cases = &rows});
+  const std::string lost = try_write_record(f.selection.json, no_cases, rows);
   print_hard_case_table(rows);
   print_hard_case_summary(rows, rows.size());
   if (!lost.empty()) throw std::runtime_error(lost);
@@ -52,14 +114,43 @@ int run(const Flags& f) {
 
 }  // namespace
 
+void print_hard_case_summary(const std::vector<HardRow>& rows, std::size_t shown_failures) {
+  if (rows.empty()) {
+    fmt::print("hard cases: the selected properties have none\n");
+    return;
+  }
+  fmt::print("{:<24}{:<10}{:>6}", "hard cases", "scalar", "cells");
+  for (const Verdict v : verdicts) fmt::print("  {:>12}", name_of(v));
+  fmt::print("\n");
+  std::size_t failures = 0;
+  for (const auto& [subject, rank, scalar] : columns_of(rows)) {
+    std::map<Verdict, int> counts;
+    int cells = 0;
+    for (const HardRow& r : rows)
+      for (const HardCell& c : r.cells)
+        if (c.subject == subject && c.scalar == scalar) ++counts[c.verdict], ++cells, failures += c.failed;
+    fmt::print("{:<24}{:<10}{:>6}", subject, scalar, cells);
+    for (const Verdict v : verdicts) fmt::print("  {:>12}", counts[v]);
+    fmt::print("\n");
+  }
+  std::size_t shown = 0;
+  for (const HardRow& r : rows)
+    for (const HardCell& c : r.cells)
+      if (c.failed && shown++ < shown_failures) print_failure(r, c);
+  if (failures > shown_failures)
+    fmt::print(
+        "\n{} more cells failed: liecheck hard-cases with the same --subject and --scalar shows them all\n",
+        failures - shown_failures);
+}
+
 Command hard_cases_command(CLI::App& program) {
-  const auto f = std::make_shared<Flags>();
-  Arguments a(program, "hard-cases",
-              "a verdict on every hard case. Exit 0 none failed, 1 some did, 2 bad input, 3 stopped");
-  f->selection.add(a);
-  a.list("--file", f->files, "FILE", "more hard cases, in the form of fixtures/hard_cases, repeatable");
-  add_jobs(a, f->jobs);
-  return a.command([f] { return run(*f); });
+  CommandWith<Flags> a(
+      program, "hard-cases",
+      "a verdict on every hard case. Exit 0 none failed, 1 some did, 2 bad input, 3 stopped");
+  a->selection.add(a);
+  a.list("--file", a->files, "FILE", "more hard cases, in the form of fixtures/hard_cases, repeatable");
+  a.jobs(a->jobs);
+  return a.runs(run);
 }
 
 }  // namespace liecheck::properties

@@ -1,9 +1,8 @@
 #include <fmt/format.h>
 #include <algorithm>
-#include <app/commands.hpp>
-#include <app/shared_flags.hpp>
-#include <app/signals.hpp>
+#include <app/command.hpp>
 #include <campaign/robots.hpp>
+#include <campaign/selection.hpp>
 #include <filesystem>
 #include <fstream>
 #include <hard_cases/corpus.hpp>
@@ -50,8 +49,8 @@ std::string corpus_line(const Series& series, const Worst& w, const std::string&
                                : fmt::format("{} {} of {} errs by {:.3g} {}", o.operation, o.block,
                                              series.subject, w.score, w.by_kappa ? "eps kappa" : "eps");
   return fmt::format("hunted_{}_{} | {} in {} | {} | hunted | {} | {}\n",
-                     corpus_name(fmt::format("{}_{}", o.operation, o.block)), digest, series.property, series.scalar,
-                     fmt::join(id.input, ", "), what, origin);
+                     corpus_name(fmt::format("{}_{}", o.operation, o.block)), digest, series.property,
+                     series.scalar, fmt::join(id.input, ", "), what, origin);
 }
 
 std::string outcome_name(Outcome outcome) {
@@ -100,35 +99,30 @@ void print_comparison(const Worst& hunted, const Worst& random, std::uint64_t ev
         random.score, evaluations, hunted.score / random.score);
 }
 
-/// Throws if no series measures the operation and its block. The message names those that are known.
-void check_measured(const std::vector<std::unique_ptr<Series>>& all, const Flags& f) {
+/// The selected series that measure the operation and its block. Throws if there is none. The message names
+/// the operations or blocks that are known.
+std::vector<std::unique_ptr<Series>> series_of(const Flags& f, const Robot& robot) {
   const std::string &op = f.options.operation, &block = f.options.block;
+  Selection selection{{f.subject}, {}, {f.scalar}};
+  if (!f.property.empty()) selection.properties = {f.property};
+  auto all = select(selection, robot);
+  if (all.empty()) throw std::invalid_argument(fmt::format("{} is not offered in {}", f.subject, f.scalar));
   std::set<std::string_view> operations, blocks;
-  for (const auto& s : all)
+  std::erase_if(all, [&](const auto& s) {
+    bool measured = false;
     for (const Output& o : s->outputs) {
       operations.insert(o.operation);
       if (o.operation == op) blocks.insert(o.block);
+      measured = measured || (o.operation == op && (block.empty() || o.block == block));
     }
+    return !measured;
+  });
   if (!operations.count(op))
     throw std::invalid_argument(fmt::format("--op: unknown operation '{}'; {} is measured on: {}", op,
                                             f.subject, fmt::join(operations, ", ")));
   if (!block.empty() && !blocks.count(block))
     throw std::invalid_argument(
         fmt::format("--block: {} has no block '{}'; known: {}", op, block, fmt::join(blocks, ", ")));
-}
-
-/// The selected series that measure the operation.
-std::vector<std::unique_ptr<Series>> series_of(const Flags& f, const Robot& robot) {
-  Selection selection{{f.subject}, {}, {f.scalar}};
-  if (!f.property.empty()) selection.properties = {f.property};
-  auto all = select(selection, robot);
-  if (all.empty()) throw std::invalid_argument(fmt::format("{} is not offered in {}", f.subject, f.scalar));
-  check_measured(all, f);
-  std::erase_if(all, [&](const auto& s) {
-    return std::none_of(s->outputs.begin(), s->outputs.end(), [&](const Output& o) {
-      return o.operation == f.options.operation && (f.options.block.empty() || o.block == f.options.block);
-    });
-  });
   return all;
 }
 
@@ -172,16 +166,18 @@ class CorpusFile {
 /// Hunts on one series, and samples as many random inputs if asked. Returns whether a case fails its budget.
 bool hunt_on(const Series& series, HuntOptions options, const Flags& f, const std::string& robot_flag,
              CorpusFile& corpus) {
-  options.progress = progress_of(fmt::format("hunt {} {}", series.property, options.operation));
-  const HuntResult hunted = hunt(series, options);
-  options.progress = nullptr;
+  const auto search = [&](const char* how) {
+    options.progress = progress_of(fmt::format("{} {} {}", how, series.property, options.operation));
+    const HuntResult result = hunt(series, options);
+    options.progress = nullptr;  // clears its line
+    return result;
+  };
+  const HuntResult hunted = search("hunt");
   HuntResult random;
   if (f.versus_random && !hunted.stopped) {
     options.evaluations = hunted.evaluations;
     options.random = true;
-    options.progress = progress_of(fmt::format("random {} {}", series.property, options.operation));
-    random = hunt(series, options);
-    options.progress = nullptr;  // clears its line
+    random = search("random");
   }
   fmt::print("hunt of {} on {} {} in {}, seed {}: {} evaluations in {:.1f} s\n", options.operation,
              series.subject, series.subject_version, series.scalar, options.seed, hunted.evaluations,
@@ -221,26 +217,24 @@ int run(const Flags& f) {
 }  // namespace
 
 Command hunt_command(CLI::App& program) {
-  const auto f = std::make_shared<Flags>();
-  HuntOptions& o = f->options;
-  Arguments a(program, "hunt",
-              "search for the worst input of an operation. Exit 0 within budget, 1 "
-              "beyond it, 2 bad input, 3 incomplete");
-  a.text("--subject", f->subject, "NAME", "the subject").required();
+  CommandWith<Flags> a(program, "hunt",
+                       "search for the worst input of an operation. Exit 0 within budget, 1 "
+                       "beyond it, 2 bad input, 3 incomplete");
+  HuntOptions& o = a->options;
+  a.text("--subject", a->subject, "NAME", "the subject").required();
   a.text("--op", o.operation, "NAME", "the operation, as failures and reports name it").required();
   a.text("--block", o.block, "NAME", "one block of its result; default all blocks");
-  a.text("--property", f->property, "NAME", "one law that measures it; default all laws");
-  a.text("--scalar", f->scalar, "SCALAR", "float, double or float128").with_default_in_help();
+  a.text("--property", a->property, "NAME", "one law that measures it; default all laws");
+  a.text("--scalar", a->scalar, "SCALAR", "float, double or float128").with_default_in_help();
   a.toggle("--excess", o.excess, "maximise error / kappa, also beyond theta = pi");
-  add_seed(a, o.seed, "seed of the search");
+  a.seed(o.seed, "seed of the search");
   const Flag evaluations = a.number("--evaluations", o.evaluations, 1, std::uint64_t(1) << 40,
-                                    "measurements instead of a time: the same search on every machine")
-                               .without_default_in_help();
+                                    "measurements instead of a time: the same search on every machine");
   a.duration("--for", o.seconds, "duration: 30s, 5m, 1h; default 30s").excludes(evaluations);
-  a.toggle("--versus-random", f->versus_random, "also sample as many inputs uniformly, and compare");
-  a.text("--corpus", f->corpus, "FILE", "append what is found to FILE, as lines of fixtures/hard_cases");
-  f->robot.add(a);
-  return a.command([f] { return run(*f); });
+  a.toggle("--versus-random", a->versus_random, "also sample as many inputs uniformly, and compare");
+  a.text("--corpus", a->corpus, "FILE", "append what is found to FILE, as lines of fixtures/hard_cases");
+  a->robot.add(a);
+  return a.runs(run);
 }
 
 }  // namespace liecheck::properties

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
-#include <app/arguments.hpp>
-#include <app/commands.hpp>
+#include <app/command.hpp>
 #include <campaign/robots.hpp>
 #include <campaign/selection.hpp>
 #include <operations/operations.hpp>
@@ -24,12 +23,12 @@ void print_subjects(const std::vector<std::unique_ptr<Series>>& all) {
       "  bug:NAME, alike:NAME: known bugs and look-alikes of 'liecheck bench bugs'; run only if named\n");
 }
 
-struct ListFlags {
+struct Flags {
   bool operations = false;
 };
 
-int run(const ListFlags& flags) {
-  if (flags.operations) {
+int run(const Flags& f) {
+  if (f.operations) {
     fmt::print("{}", operations_table());
     return within_budget;
   }
@@ -46,11 +45,10 @@ int run(const ListFlags& flags) {
 }  // namespace
 
 Command list_command(CLI::App& program) {
-  const auto flags = std::make_shared<ListFlags>();
-  Arguments list(program, "list", "the subjects and properties");
-  list.toggle("--operations", flags->operations,
-              "list the operations instead: definitions, arguments, results and blocks, in Markdown");
-  return list.command([flags] { return run(*flags); });
+  CommandWith<Flags> a(program, "list", "the subjects and properties");
+  a.toggle("--operations", a->operations,
+           "list the operations instead: definitions, arguments, results and blocks, in Markdown");
+  return a.runs(run);
 }
 
 }  // namespace liecheck::properties

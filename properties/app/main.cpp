@@ -3,7 +3,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
-#include <app/commands.hpp>
+#include <app/command.hpp>
 #include <cerrno>
 #include <csignal>
 #include <cstring>

@@ -1,7 +1,5 @@
 #include <fmt/format.h>
-#include <app/arguments.hpp>
-#include <app/commands.hpp>
-#include <memory>
+#include <app/command.hpp>
 #include <store/merge.hpp>
 #include <store/store_path.hpp>
 
@@ -26,12 +24,11 @@ int run(const Flags& f) {
 }  // namespace
 
 Command merge_command(CLI::App& program) {
-  const auto f = std::make_shared<Flags>();
-  Arguments a(program, "merge", "merge the shards of a campaign; FILE@N is campaign N of a store");
-  a.text("OUT", f->out, "", "the store to write; its other campaigns stay").required();
-  a.list("IN", f->in, "", "the shards' stores, in any order").required();
-  a.toggle("--partial", f->partial, "allow missing cases: then OUT is unfinished, and --resume runs them");
-  return a.command([f] { return run(*f); });
+  CommandWith<Flags> a(program, "merge", "merge the shards of a campaign; FILE@N is campaign N of a store");
+  a.text("OUT", a->out, "", "the store to write; its other campaigns stay").required();
+  a.list("IN", a->in, "", "the shards' stores, in any order").required();
+  a.toggle("--partial", a->partial, "allow missing cases: then OUT is unfinished, and --resume runs them");
+  return a.runs(run);
 }
 
 }  // namespace liecheck::properties

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
-#include <app/commands.hpp>
-#include <app/shared_flags.hpp>
+#include <app/command.hpp>
+#include <campaign/robots.hpp>
+#include <campaign/selection.hpp>
 #include <hard_cases/attempt.hpp>
 #include <memory>
 #include <stdexcept>
@@ -25,9 +26,9 @@ std::unique_ptr<Series> series_of(const CaseId& id, const std::string& text, con
     throw std::invalid_argument(fmt::format(
         "case ID '{}' names robot {}, but {} takes no robot: expected none", text, id.robot, id.property));
   if (series.robot != id.robot)
-    throw std::invalid_argument(fmt::format(
-        "case ID names robot {}, but this robot is {}: give the right URDF with --robot", id.robot,
-        series.robot));
+    throw std::invalid_argument(
+        fmt::format("case ID names robot {}, but this robot is {}: give the right URDF with --robot",
+                    id.robot, series.robot));
   return std::move(found.front());
 }
 
@@ -62,14 +63,13 @@ int run(const Flags& f) {
 }  // namespace
 
 Command replay_command(CLI::App& program) {
-  const auto f = std::make_shared<Flags>();
-  Arguments a(
+  CommandWith<Flags> a(
       program, "replay",
       "run one case again and print its residuals, bit for bit. Exit 0 within budget, 1 failed, 2 bad "
       "input");
-  a.text("ID", f->id, "", "the case's address, as a failure or a report prints it").required();
-  f->robot.add(a, "the robot that the ID names");
-  return a.command([f] { return run(*f); });
+  a.text("ID", a->id, "", "the case's address, as a failure or a report prints it").required();
+  a->robot.add(a, "the robot that the ID names");
+  return a.runs(run);
 }
 
 }  // namespace liecheck::properties

@@ -1,22 +1,20 @@
 #include <fmt/format.h>
 #include <app/campaign_run.hpp>
-#include <app/commands.hpp>
-#include <app/cost_command.hpp>
-#include <app/record_file.hpp>
-#include <app/scene_sweep_command.hpp>
-#include <app/signals.hpp>
-#include <app/sweep_command.hpp>
+#include <app/command.hpp>
+#include <coefficients/sweep.hpp>
 #include <filesystem>
+#include <functional>
 #include <hard_cases/hard_cases.hpp>
-#include <memory>
 #include <nlohmann/json.hpp>
-#include <record/campaign.hpp>
+#include <record/record.hpp>
+#include <record/scenes.hpp>
 #include <reports/report.hpp>
 #include <set>
 #include <stdexcept>
 #include <store/store_path.hpp>
 #include <support/files.hpp>
 #include <support/stop.hpp>
+#include <timing/cost.hpp>
 #include <timing/kernels.hpp>
 
 namespace liecheck::properties {
@@ -53,7 +51,7 @@ std::vector<fs::path> record_files(const std::vector<std::string>& records, cons
     std::string name = fs::path(record).stem().string();
     while (!names.insert(name).second) name += "_";
     all.push_back(fs::path(folder) / (name + ".json"));
-    write_record(all.back(), record_of(run.result, run.counterexamples, run.environment));
+    write_record(all.back(), record_of(run));
   }
   return all;
 }
@@ -62,54 +60,32 @@ void print_interrupted(const char* where) {
   std::fprintf(stderr, "interrupted%s: the report contains what was done\n", where);
 }
 
-CostResult times(std::uint64_t seed) {
-  CostOptions options;
-  options.seed = seed;
-  options.seconds = 30;
-  options.flags = has_kernels();
-  return run_cost(options);
-}
-
-SceneSweepResult scenes() {
-  SceneSweepFlags s;
-  s.options.order_scenes = 3;
-  s.flips = 3;
-  s.options.order_seconds = 6;
-  s.options.longest = 0.004;
-  s.options.seconds = 12;
-  s.options.repetitions = 7;
-  return run_scene_sweep(s);
-}
-
 /// Runs everything that a report shows and writes the record.
 fs::path run_campaign_of_report(const Flags& f) {
   create_folder(f.out);
   const fs::path file = fs::path(f.out) / "campaign.json";
   check_writable(file);
   const Robot robot = f.cases.robot.read();
-  const auto hard_cases = run_hard_cases({}, robot, built_in_corpus(), f.cases.jobs);
+  const auto hard_cases = run_hard_cases({}, robot, built_in_corpus(), f.cases.options.jobs);
   stop_on_signals();
   const StoredRun run = run_stored_campaign({}, robot, f.cases, {}).value();
   if (run.result.incomplete) print_interrupted("");
-  std::optional<SweepResult> sweep;
-  if (!stop_requested) {
-    sweep = run_sweep({}, f.cases.jobs);
-    if (stop_requested) print_interrupted(" during the sweep");
-  }
-  std::optional<CostResult> cost;
-  if (!stop_requested && !f.no_cost) {
-    cost = times(f.cases.seed);
-    if (stop_requested) print_interrupted(" during the timing");
-  }
-  std::optional<SceneSweepResult> swept_scenes;
-  if (!stop_requested && !f.no_scenes) {
-    swept_scenes = scenes();
-    if (stop_requested) print_interrupted(" during the scenes");
-  }
-  const RecordParts parts{&hard_cases, sweep ? &*sweep : nullptr, cost ? &*cost : nullptr,
-                          swept_scenes ? &*swept_scenes : nullptr};
-  const std::string lost = try_write_record(file, run, parts);
-  if (!lost.empty()) throw std::runtime_error(lost);
+  nlohmann::json record = record_of(run);
+  add_hard_cases(record, hard_cases);
+  const auto add = [](const char* during, const std::function<void()>& part) {
+    if (stop_requested) return;
+    part();
+    if (stop_requested) print_interrupted(during);
+  };
+  CostOptions times;
+  times.seed = f.cases.options.seed, times.seconds = 30, times.flags = has_kernels();
+  SceneSweepOptions scenes;
+  scenes.order_scenes = 3, scenes.order_seconds = 6;
+  scenes.longest = 0.004, scenes.seconds = 12, scenes.repetitions = 7;
+  add(" during the sweep", [&] { add_sweep(record, run_sweep({}, f.cases.options.jobs)); });
+  if (!f.no_cost) add(" during the timing", [&] { record["cost"] = record_of(run_cost(times)); });
+  if (!f.no_scenes) add(" during the scenes", [&] { add_scenes(record, run_scene_sweep({}, scenes, 3)); });
+  write_record(file, record);
   return file;
 }
 
@@ -124,18 +100,17 @@ int run(const Flags& f) {
 }  // namespace
 
 Command report_command(CLI::App& program) {
-  const auto f = std::make_shared<Flags>();
-  Arguments a(
+  CommandWith<Flags> a(
       program, "report",
       "write the accuracy report of records, or of a campaign over every subject. Exit 0 when it is written, "
       "whatever its verdict, 2 bad input, 3 its campaign was interrupted");
-  const Flag records = a.list("RECORD", f->records, "FILE",
+  const Flag records = a.list("RECORD", a->records, "FILE",
                               "stores, or records that campaign --json wrote; default: run a campaign first");
-  a.text("--out", f->out, "DIR", "folder of report.html, report.json and report.csv").with_default_in_help();
-  a.toggle("--no-cost", f->no_cost, "leave out the times, which take about 35 s").excludes(records);
-  a.toggle("--no-scenes", f->no_scenes, "leave out the scenes, which take about 40 s").excludes(records);
-  for (const Flag& flag : f->cases.add(a)) flag.excludes(records);
-  return a.command([f] { return run(*f); });
+  a.text("--out", a->out, "DIR", "folder of report.html, report.json and report.csv").with_default_in_help();
+  a.toggle("--no-cost", a->no_cost, "leave out the times, which take about 35 s").excludes(records);
+  a.toggle("--no-scenes", a->no_scenes, "leave out the scenes, which take about 40 s").excludes(records);
+  for (const Flag& flag : a->cases.add(a)) flag.excludes(records);
+  return a.runs(run);
 }
 
 }  // namespace liecheck::properties

@@ -1,8 +1,6 @@
 #include <fmt/format.h>
-#include <app/arguments.hpp>
-#include <app/commands.hpp>
+#include <app/command.hpp>
 #include <liecheck/urdf/urdf.hpp>
-#include <memory>
 
 namespace liecheck::properties {
 
@@ -42,14 +40,14 @@ int run(const Flags& f) {
 }  // namespace
 
 Command robot_command(CLI::App& program) {
-  const auto f = std::make_shared<Flags>();
-  Arguments a(program, "robot", "show the model of a URDF: joints, indices, warnings. Exit 0, 2 bad input");
-  a.text("FILE", f->file, "URDF", "the URDF").required();
-  a.choice("--root", f->root, {"fixed", "free-flyer", "planar", "spherical", "translation"}, "",
+  CommandWith<Flags> a(program, "robot",
+                       "show the model of a URDF: joints, indices, warnings. Exit 0, 2 bad input");
+  a.text("FILE", a->file, "URDF", "the URDF").required();
+  a.choice("--root", a->root, {"fixed", "free-flyer", "planar", "spherical", "translation"}, "",
            "the joint between root and world");
-  a.toggle("--mimic", f->tied, "mimic joints follow their joint and have no coordinates in q and v");
-  a.toggle("--strict", f->strict, "treat a warning as an error");
-  return a.command([f] { return run(*f); });
+  a.toggle("--mimic", a->tied, "mimic joints follow their joint and have no coordinates in q and v");
+  a.toggle("--strict", a->strict, "treat a warning as an error");
+  return a.runs(run);
 }
 
 }  // namespace liecheck::properties

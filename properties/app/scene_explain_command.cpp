@@ -1,9 +1,7 @@
 #include <fmt/format.h>
-#include <app/arguments.hpp>
-#include <app/commands.hpp>
+#include <app/command.hpp>
 #include <liecheck/scene/run.hpp>
 #include <liecheck/scene_file/scene_file.hpp>
-#include <memory>
 #include <stdexcept>
 
 namespace liecheck::properties {
@@ -18,8 +16,12 @@ scene::Plan measured_plan(const scene::Scene& scene) try {
                               ": take a smaller step or a slower start");
 }
 
-int run(const std::string& file) {
-  const scene::Scene scene = loadScene(file);
+struct Flags {
+  std::string file;
+};
+
+int run(const Flags& f) {
+  const scene::Scene scene = loadScene(f.file);
   const scene::Plan plan = measured_plan(scene);
   fmt::print("{}: {}\n", scene.name, scene.reason.empty() ? "no reason given" : scene.reason);
   fmt::print("{} of nq {}, nv {}; {} steps of {:g} s by {}, sampled {} times\n\n",
@@ -40,12 +42,11 @@ int run(const std::string& file) {
 }  // namespace
 
 Command scene_explain_command(CLI::App& scene) {
-  const auto file = std::make_shared<std::string>();
-  Arguments a(
+  CommandWith<Flags> a(
       scene, "explain",
       "show the plan of a scene: stages, their times, and what was left out and why. Exit 0, 2 bad input");
-  a.text("FILE", *file, "SCENE", "the scene").required();
-  return a.command([file] { return run(*file); });
+  a.text("FILE", a->file, "SCENE", "the scene").required();
+  return a.runs(run);
 }
 
 }  // namespace liecheck::properties

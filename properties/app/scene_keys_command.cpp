@@ -1,6 +1,5 @@
 #include <fmt/format.h>
-#include <app/arguments.hpp>
-#include <app/commands.hpp>
+#include <app/command.hpp>
 #include <liecheck/scene_file/scene_file.hpp>
 
 namespace liecheck::properties {

@@ -1,14 +1,10 @@
 #include <fmt/format.h>
-#include <app/arguments.hpp>
-#include <app/commands.hpp>
-#include <app/record_file.hpp>
-#include <app/signals.hpp>
+#include <app/command.hpp>
 #include <liecheck/scene/run.hpp>
 #include <liecheck/scene_file/scene_file.hpp>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <numbers>
-#include <record/scene_run.hpp>
+#include <record/record.hpp>
 #include <stdexcept>
 #include <support/files.hpp>
 #include <support/progress.hpp>
@@ -106,13 +102,13 @@ int run(const Flags& flags) {
 }  // namespace
 
 Command scene_run_command(CLI::App& scene) {
-  const auto f = std::make_shared<Flags>();
-  Arguments a(scene, "run",
-              "simulate a scene. Exit 0, 2 bad input, 3 diverged or stopped; samples until then are saved");
-  a.text("FILE", f->file, "SCENE", "the scene").required();
-  a.text("--csv", f->csv, "FILE", "write the samples to FILE, not to the scene's file");
-  a.text("--json", f->json, "FILE", "write samples and figures to FILE, not to the scene's file");
-  return a.command([f] { return run(*f); });
+  CommandWith<Flags> a(
+      scene, "run",
+      "simulate a scene. Exit 0, 2 bad input, 3 diverged or stopped; samples until then are saved");
+  a.text("FILE", a->file, "SCENE", "the scene").required();
+  a.text("--csv", a->csv, "FILE", "write the samples to FILE, not to the scene's file");
+  a.json(a->json, "write samples and figures to FILE, not to the scene's file");
+  return a.runs(run);
 }
 
 }  // namespace liecheck::properties

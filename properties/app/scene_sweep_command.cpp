@@ -1,20 +1,13 @@
-#include <app/scene_sweep_command.hpp>
-
 #include <fmt/format.h>
 #include <algorithm>
-#include <app/arguments.hpp>
-#include <app/commands.hpp>
-#include <app/record_file.hpp>
-#include <app/scene_sweep_table.hpp>
-#include <app/signals.hpp>
-#include <chrono>
+#include <app/command.hpp>
+#include <cmath>
 #include <liecheck/scene/integrators/registry.hpp>
 #include <liecheck/scene_file/scene_file.hpp>
-#include <memory>
 #include <nlohmann/json.hpp>
+#include <record/scenes.hpp>
 #include <scenes/benchmark.hpp>
 #include <stdexcept>
-#include <support/files.hpp>
 #include <support/progress.hpp>
 #include <support/stop.hpp>
 
@@ -22,10 +15,16 @@ namespace liecheck::properties {
 
 namespace {
 
+struct Flags {
+  std::vector<std::string> files;  ///< empty: the built-in scenes, and the long spins
+  SceneSweepOptions options;
+  std::string json;
+  bool no_orders = false, no_times = false, no_peers = false;
+};
+
 /// Throws std::invalid_argument for an unknown integrator or a wrong number of steps.
-SceneSweepOptions options_of(const SceneSweepFlags& f) {
+SceneSweepOptions options_of(const Flags& f) {
   SceneSweepOptions options = f.options;
-  options.stop = &stop_requested;
   for (const std::string& name : options.integrators) scene::methodInfo(name);
   for (const long n : options.steps)
     if (n % 4 != 0)
@@ -76,10 +75,121 @@ bool report_lost(const SceneSweepResult& r) {
   return lost;
 }
 
-int run(const SceneSweepFlags& f) {
+std::string error_text(double e) {
+  return std::isfinite(e) ? fmt::format("{:.1e}", e) : "-";
+}
+
+/// The time of the fastest point with an error of at most `error` [us].
+std::string time_at(const SweepSeries& s, double error) {
+  double best = 0;
+  for (const SweepPoint& p : s.points)
+    if (p.diverged.empty() && p.time.repetitions > 0 && p.error.leading() <= error &&
+        (best == 0 || p.time.median < best))
+      best = p.time.median;
+  return best > 0 ? fmt::format("{:.3g}", best / 1000) : "-";
+}
+
+std::string drift_text(const Drift& d) {
+  return d.samples ? fmt::format("{:>9.1e} {:>8.1e}", d.slope, d.oscillation)
+                   : fmt::format("{:>9} {:>8}", "-", "-");
+}
+
+/// The point whose drift is shown: the first with an error of at most 1e-3, or the most accurate one.
+const SweepPoint* shown_point(const SweepSeries& s) {
+  const SweepPoint* best = nullptr;
+  for (const SweepPoint& p : s.points) {
+    if (!p.diverged.empty()) continue;
+    if (!best || p.error.leading() < best->error.leading()) best = &p;
+    if (p.error.leading() <= 1e-3) return &p;
+  }
+  return best;
+}
+
+void print_order(const OrderRow& row) {
+  if (row.exact) {
+    fmt::print("  order of {:<20} exact here\n", row.integrator);
+    return;
+  }
+  const ObservedOrder& o = row.observed;
+  fmt::print(
+      "  order of {:<20} {:>2}: {:>7.3f} over {} halvings in {}, errors {:.1e} to {:.1e}, floor {}{}\n",
+      row.integrator, row.promised, o.order, o.halvings, row.scalar, o.halvings ? row.errors[o.first] : 0.0,
+      o.halvings ? row.errors[o.first + std::size_t(o.halvings)] : 0.0,
+      o.floor ? fmt::format("{:.0e}", *o.floor) : "not reached", o.settled ? "" : "; not settled");
+}
+
+void print_scene(const SceneSweep& s) {
+  fmt::print("\n{}: {}; {} s\n  truth: {}{}\n", s.scene.name, s.scene.what, s.scene.duration, s.truth,
+             s.closed ? ", a closed form" : fmt::format(", which agree to {:.0e}", s.disagreement));
+  fmt::print("  {:<30}{:>9}  {:<44}{:<20}{}\n", "", "smallest", "µs for each simulated second, error at most",
+             "energy, error 1e-3", "momentum");
+  fmt::print("  {:<30}{:>9}{:>8}{:>9}{:>9}{:>9}{:>9}  {:>9} {:>8}  {:>9} {:>8}\n", "method", "error", "1e-2",
+             "1e-4", "1e-6", "1e-8", "1e-10", "slope/s", "osc.", "slope/s", "osc.");
+  for (const SweepSeries& series : s.series) {
+    const SweepPoint* p = shown_point(series);
+    fmt::print("  {:<30}{:>9}{:>8}{:>9}{:>9}{:>9}{:>9}  {}  {}\n",
+               series.subject == "liecheck" ? series.integrator : series.subject + " " + series.integrator,
+               error_text(series.smallest) + (series.at_floor || std::isinf(series.smallest) ? "" : "+"),
+               time_at(series, 1e-2), time_at(series, 1e-4), time_at(series, 1e-6), time_at(series, 1e-8),
+               time_at(series, 1e-10), drift_text(p ? p->energy : Drift()),
+               drift_text(p ? p->momentum : Drift()));
+    for (const SweepPoint& point : series.points)
+      if (!point.diverged.empty()) {
+        fmt::print("  {:<30}with {} steps: {}\n", "", point.effort.steps, point.diverged);
+        break;
+      }
+  }
+  for (const OrderRow& row : s.orders) print_order(row);
+}
+
+void print_spins(const SceneSweepResult& r) {
+  if (!r.spins.empty()) {
+    fmt::print(
+        "\na triaxial torque-free body, {} turns: attitude error; the limit, turns 2 pi eps, is {:.1e} rad\n",
+        r.spins[0].turns, r.spins[0].limit);
+    for (const LongSpin& s : r.spins)
+      fmt::print("  {:<10} order {:>2}, {:>4} steps a turn: {:.2e} rad, {:>7.2f} x the limit, {:.2f} s\n",
+                 s.integrator, s.order, s.steps_per_turn, s.error, s.error / s.limit, s.seconds);
+  }
+  if (r.flips.empty()) return;
+  fmt::print(
+      "\nDzhanibekov's body, omega0 = (d, 1, d) rad/s: relative error of the times of its flips by "
+      "gauss12\n");
+  for (const Flips& f : r.flips) {
+    fmt::print("  d = {:<6.0e} {:<9}", f.perturbation, f.scalar);
+    for (double e : f.relative) fmt::print(" {:>8}", std::isinf(e) ? "lost" : fmt::format("{:.1e}", e));
+    fmt::print("  right to 1e-6: {} of {}, until {:.1f} s\n", f.predicted, f.relative.size(), f.horizon);
+  }
+}
+
+void print_peers(const SceneSweepResult& r) {
+  if (r.peers.empty()) return;
+  fmt::print(
+      "\nother simulators: the largest ratio of our time to theirs over all their points, at an error that "
+      "is no larger\n");
+  for (const PeerComparison& c : r.peers)
+    fmt::print("  {:<14}{:<32}{:>6.3f} at {:.1e} by {}{}\n", c.scene, c.peer + " " + c.integrator, c.ratio,
+               c.error, c.ours, c.unmatched ? "; one of its points is more accurate than all of ours" : "");
+}
+
+void print_scene_sweep(const SceneSweepResult& r) {
+  fmt::print(
+      "error: the largest at four quarters of the duration, against the exact motion: of the attitude\n"
+      "  [rad], or of the position [m] if nothing rotates; + means that a smaller step would reduce it.\n"
+      "  Time: of the fastest run with at most this error [microseconds per simulated second].\n"
+      "  Drift: relative; slope of the least-squares line, and largest distance from it\n");
+  for (const std::string& name : absent_peers()) fmt::print("{}: absent from this build\n", name);
+  for (const SceneSweep& s : r.scenes) print_scene(s);
+  print_spins(r);
+  print_peers(r);
+  fmt::print("\n{} scenes in {:.1f} s{}\n", r.scenes.size(), r.elapsed,
+             r.complete ? "" : "; interrupted: only what was done");
+  for (const std::string& line : r.wrong) fmt::print("wrong order: {}\n", line);
+}
+
+int run(const Flags& f) {
   stop_on_signals();
-  if (!f.json.empty()) check_writable(f.json);
-  const SceneSweepResult r = run_scene_sweep(f);
+  const SceneSweepResult r = run_scene_sweep(f.files, options_of(f), 6);
   print_scene_sweep(r);
   if (!f.json.empty()) write_record(f.json, record_of(r));
   const bool lost = report_lost(r);
@@ -88,49 +198,43 @@ int run(const SceneSweepFlags& f) {
 
 }  // namespace
 
-SceneSweepResult run_scene_sweep(const SceneSweepFlags& f) {
-  SceneSweepOptions options = options_of(f);
-  const std::vector<Benchmark> scenes = scenes_of(f.files);
-  const auto start = std::chrono::steady_clock::now();
+SceneSweepResult run_scene_sweep(const std::vector<std::string>& files, SceneSweepOptions options,
+                                 std::size_t flips) {
+  options.stop = &stop_requested;
+  const std::vector<Benchmark> scenes = scenes_of(files);
+  Progress progress("scene sweep");
+  options.progress = [&](double share, const std::string& what) { progress.show(share, what); };
   SceneSweepResult r;
-  {
-    Progress progress("scene sweep");
-    options.progress = [&](double share, const std::string& what) {
-      progress.show(share, [&](double) { return what; });
-    };
-    r.scenes = sweep_scenes(scenes, options);
-    r.peers = compare_peers(r.scenes);
-    if (options.order_scenes > 0)
-      r.wrong = wrong_orders(r.scenes, f.files.empty() ? std::min<std::size_t>(3, options.order_scenes) : 0);
-    if (f.files.empty() && options.integrators.empty() && options.steps.empty()) {
-      if (!stop_requested) progress.show(0.95, [](double) { return "long spins"; });
-      if (!stop_requested) r.spins = long_spins();
-      if (!stop_requested) r.flips = dzhanibekov_flips(f.flips, &stop_requested);
-    }
+  r.scenes = sweep_scenes(scenes, options);
+  r.peers = compare_peers(r.scenes);
+  if (options.order_scenes > 0)
+    r.wrong = wrong_orders(r.scenes, files.empty() ? std::min<std::size_t>(3, options.order_scenes) : 0);
+  if (files.empty() && options.integrators.empty() && options.steps.empty()) {
+    if (!stop_requested) progress.show(0.95, "long spins");
+    if (!stop_requested) r.spins = long_spins();
+    if (!stop_requested) r.flips = dzhanibekov_flips(flips, &stop_requested);
   }
   r.complete = !stop_requested;
-  r.elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  r.elapsed = progress.elapsed();
   return r;
 }
 
 Command scene_sweep_command(CLI::App& scene) {
-  const auto f = std::make_shared<SceneSweepFlags>();
-  Arguments a(
+  CommandWith<Flags> a(
       scene, "sweep",
       "integrators x steps: error against the exact motion, order, drift, time, and other simulators. "
       "Exit 0, 1 an order is wrong, 2 bad input, 3 stopped, or every run of a scene diverges");
-  a.list("FILE", f->files, "SCENE", "scenes; default the built-in ones, and long spins");
-  a.list("--integrator", f->options.integrators, "NAME", "an integrator, repeatable; default all");
-  a.numbers("--steps", f->options.steps, 4, 1u << 30,
+  a.list("FILE", a->files, "SCENE", "scenes; default the built-in ones, and long spins");
+  a.list("--integrator", a->options.integrators, "NAME", "an integrator, repeatable; default all");
+  a.numbers("--steps", a->options.steps, 4, 1u << 30,
             "steps over the whole duration, multiples of 4, repeatable; default: doubled until rounding "
-            "dominates")
-      .once_for_each_value();
-  a.toggle("--no-orders", f->no_orders, "do not measure orders");
-  a.toggle("--no-times", f->no_times, "do not measure times");
-  a.toggle("--no-peers", f->no_peers, "leave out other simulators");
-  a.duration("--for", f->options.seconds, "about how long all timing takes: 30s, 5m; default 20s");
-  a.text("--json", f->json, "FILE", "write errors, orders, drift and times to FILE");
-  return a.command([f] { return run(*f); });
+            "dominates");
+  a.toggle("--no-orders", a->no_orders, "do not measure orders");
+  a.toggle("--no-times", a->no_times, "do not measure times");
+  a.toggle("--no-peers", a->no_peers, "leave out other simulators");
+  a.duration("--for", a->options.seconds, "about how long all timing takes: 30s, 5m; default 20s");
+  a.json(a->json, "write errors, orders, drift and times to FILE");
+  return a.runs(run);
 }
 
 }  // namespace liecheck::properties

@@ -1,17 +1,11 @@
-#include <app/sweep_command.hpp>
-
 #include <fmt/format.h>
 #include <algorithm>
-#include <app/commands.hpp>
-#include <app/record_file.hpp>
-#include <app/shared_flags.hpp>
-#include <app/signals.hpp>
+#include <app/command.hpp>
 #include <cmath>
-#include <memory>
+#include <coefficients/sweep.hpp>
 #include <nlohmann/json.hpp>
-#include <record/coefficients.hpp>
+#include <record/record.hpp>
 #include <stdexcept>
-#include <support/files.hpp>
 #include <support/progress.hpp>
 #include <support/stop.hpp>
 
@@ -68,18 +62,16 @@ void print_summary(const SweepResult& r) {
     fmt::print("\nfound: {}, a lower bound of the maximum\n",
                r.complete ? fmt::format("the largest error at every {}th float", r.stride)
                           : "interrupted, the largest error so far");
-  fmt::print(
-      "square: error due to the rounding of x = theta^2, to first order [eps]\n{} in {:.1f} s\n",
-      r.failed()        ? "verdict fail: a documented bound is wrong"
-      : !r.complete     ? "verdict incomplete"
-      : r.upper_bound() ? "verdict pass"
-                        : "verdict pass: no documented bound refuted",
-      r.elapsed);
+  fmt::print("square: error due to the rounding of x = theta^2, to first order [eps]\n{} in {:.1f} s\n",
+             r.failed()        ? "verdict fail: a documented bound is wrong"
+             : !r.complete     ? "verdict incomplete"
+             : r.upper_bound() ? "verdict pass"
+                               : "verdict pass: no documented bound refuted",
+             r.elapsed);
 }
 
 int run(const Flags& f) {
   stop_on_signals();
-  if (!f.json.empty()) check_writable(f.json);
   const SweepResult r = run_sweep(f.coefficients, f.jobs, f.stride);
   print_rows(r);
   print_summary(r);
@@ -96,23 +88,20 @@ SweepResult run_sweep(const std::vector<std::string>& coefficients, unsigned job
   options.stride = stride;
   options.stop = &stop_requested;
   Progress progress("sweep");
-  options.progress = [&](double share) {
-    progress.show(share, [](double) { return std::string("of the floats"); });
-  };
+  options.progress = [&](double share) { progress.show(share, "of the floats"); };
   return sweep(options);
 }
 
 Command sweep_command(CLI::App& program) {
-  const auto f = std::make_shared<Flags>();
-  Arguments a(
+  CommandWith<Flags> a(
       program, "sweep",
       "an upper bound of the error of every scalar coefficient over every float. Exit 0 the documented "
       "bounds hold, 1 one does not, 2 bad input, 3 stopped");
-  a.list("--coefficient", f->coefficients, "NAME", "a coefficient, repeatable; default all");
-  a.number("--stride", f->stride, 1, 1u << 30, "evaluate only every Nth float: a lower bound, but faster");
-  add_jobs(a, f->jobs);
-  a.text("--json", f->json, "FILE", "write the bounds to FILE");
-  return a.command([f] { return run(*f); });
+  a.list("--coefficient", a->coefficients, "NAME", "a coefficient, repeatable; default all");
+  a.number("--stride", a->stride, 1, 1u << 30, "evaluate only every Nth float: a lower bound, but faster");
+  a.jobs(a->jobs);
+  a.json(a->json, "write the bounds to FILE");
+  return a.runs(run);
 }
 
 }  // namespace liecheck::properties

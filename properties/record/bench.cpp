@@ -1,6 +1,8 @@
 #include <record/bench.hpp>
 
 #include <algorithm>
+#include <map>
+#include <record/record.hpp>
 #include <support/environment.hpp>
 #include <support/json_number.hpp>
 
@@ -8,60 +10,41 @@ namespace liecheck::properties {
 
 using nlohmann::json;
 
-namespace {
-
-template <class Condition>
-std::size_t count(const std::vector<BugRow>& rows, const Condition& condition) {
-  return static_cast<std::size_t>(std::count_if(rows.begin(), rows.end(), condition));
-}
-
-}  // namespace
-
-std::size_t BugBench::bugs() const {
-  return rows.size() - alikes();
-}
-std::size_t BugBench::killed() const {
-  return count(rows, [](const BugRow& r) { return !r.alike() && r.killed; });
-}
-std::size_t BugBench::alikes() const {
-  return count(rows, [](const BugRow& r) { return r.alike(); });
-}
-std::size_t BugBench::refused_alikes() const {
-  return count(rows, [](const BugRow& r) { return r.alike() && r.killed; });
+std::size_t BugBench::count(bool alike, bool only_killed) const {
+  return static_cast<std::size_t>(std::count_if(rows.begin(), rows.end(), [&](const BugRow& r) {
+    return r.alike() == alike && (r.killed || !only_killed);
+  }));
 }
 
 json record_of(const BugBench& b) {
-  json rows = json::array();
-  for (const BugRow& row : b.rows) {
-    json weaker = json::object();
-    for (const auto& [name, seen] : row.weaker_styles) weaker[name] = seen;
-    rows.push_back({{"name", row.name},
-                    {"fault", row.fault},
-                    {"origin", row.origin},
-                    {"killed", row.killed},
-                    {"by", row.by},
-                    {"cases", row.cases},
-                    {"seconds", row.seconds},
-                    {"weaker_styles", weaker}});
-  }
+  const auto row = [](const BugRow& bug) -> json {
+    return {
+        {"name", bug.name},
+        {"fault", bug.fault},
+        {"origin", bug.origin},
+        {"killed", bug.killed},
+        {"by", bug.by},
+        {"cases", bug.cases},
+        {"seconds", bug.seconds},
+        {"weaker_styles", std::map<std::string, bool>(bug.weaker_styles.begin(), bug.weaker_styles.end())}};
+  };
   return {{"version", LIECHECK_VERSION},
           {"seed", b.seed},
           {"scalar", b.scalar},
           {"seconds_each", b.seconds_each},
-          {"verdict", !b.complete  ? "incomplete"
-                      : b.passed() ? "pass"
-                                   : "fail"},
-          {"bugs", rows}};
+          {"verdict", verdict_of(b.complete, b.passed())},
+          {"bugs", list_of(b.rows, row)}};
 }
 
 json record_of(const SpeedBench& b) {
-  json rows = json::array();
-  for (const auto& [name, rate] : b.rates) rows.push_back({{"name", name}, {"cases_per_second", rate}});
+  const auto row = [](const auto& rate) -> json {
+    return {{"name", rate.first}, {"cases_per_second", rate.second}};
+  };
   return {{"version", LIECHECK_VERSION},
-          {"verdict", b.falsified ? "fail" : "pass"},
+          {"verdict", verdict_of(true, !b.falsified)},
           {"seed", b.seed},
           {"environment", environment()},
-          {"rows", rows},
+          {"rows", list_of(b.rates, row)},
           {"all_laws", number(b.all_laws)},
           {"tree_laws", number(b.tree_laws)},
           {"exp6_over_rapidcheck", number(b.exp6_over_rapidcheck)},

@@ -28,12 +28,10 @@ struct BugBench {
   std::vector<BugRow> rows;
   bool complete = false;
 
-  std::size_t bugs() const;
-  std::size_t killed() const;
-  std::size_t alikes() const;
-  std::size_t refused_alikes() const;
+  /// The number of look-alikes or of bugs, or only of those that were killed.
+  std::size_t count(bool alike, bool only_killed = false) const;
   /// Whether every bug was killed and no look-alike refused.
-  bool passed() const { return killed() == bugs() && refused_alikes() == 0; }
+  bool passed() const { return count(false, true) == count(false) && count(true, true) == 0; }
 };
 
 nlohmann::json record_of(const BugBench& bench);

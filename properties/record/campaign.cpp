@@ -1,9 +1,9 @@
-#include <record/campaign.hpp>
-
+#include <fmt/format.h>
 #include <algorithm>
 #include <map>
-#include <record/definitions.hpp>
+#include <record/record.hpp>
 #include <set>
+#include <store/stored_run.hpp>
 #include <support/environment.hpp>
 #include <support/json_number.hpp>
 
@@ -12,6 +12,58 @@ namespace liecheck::properties {
 namespace {
 
 using nlohmann::json;
+
+json size_of(const Part& part) {
+  switch (part.size) {
+    case nq:
+      return "nq";
+    case nv:
+      return "nv";
+    case nv_by_nv:
+      return "nv x nv";
+    case six_by_nv:
+      return "6 x nv";
+    default:
+      return part.size;
+  }
+}
+
+/// One entry for each part. Its name is "phi" if its argument has one part, and "X.R" if it has several.
+template <class Layouts>
+json parts_of(const Layouts& layouts) {
+  json list = json::array();
+  for (const Layout* l : layouts) {
+    if (l->parts.size() == 0)
+      list.push_back({{"name", l->name}, {"size", 1}, {"unit", "1"}, {"frame", l->frame}});
+    for (const Part& p : l->parts)
+      list.push_back(
+          {{"name", l->parts.size() == 1 ? std::string(p.name) : fmt::format("{}.{}", l->name, p.name)},
+           {"size", size_of(p)},
+           {"unit", p.unit},
+           {"frame", l->frame}});
+  }
+  return list;
+}
+
+/// Name, defining equation, source, axes, arguments, results and the call of liecheck's own function.
+json definition_of(const Operation& o) {
+  return {{"operation", o.name},
+          {"definition", o.definition},
+          {"source", o.source},
+          {"frame", o.results[0]->frame},
+          {"arguments", parts_of(o.arguments)},
+          {"results", parts_of(o.results)},
+          {"expression", o.call.expression}};
+}
+
+/// Numerator, denominator and unit of the error of one block.
+json definition_of(const Output& o) {
+  return {{"operation", o.operation},
+          {"block", o.block},
+          {"error", o.definition->error},
+          {"denominator", o.definition->denominator},
+          {"unit", o.definition->unit}};
+}
 
 const char* name_of(Axis axis) {
   return axis == Axis::theta ? "theta" : axis == Axis::pi_minus_theta ? "pi_minus_theta" : "none";
@@ -118,15 +170,15 @@ json subjects_record(const CampaignResult& r) {
 }
 
 json counterexamples_record(const Counterexamples& c) {
-  json failing = json::array();
-  for (const auto& f : c.failing) failing.push_back(f.id);
-  return {{"replayed", c.replayed}, {"skipped", c.skipped}, {"failing", failing}};
+  return {{"replayed", c.replayed},
+          {"skipped", c.skipped},
+          {"failing", list_of(c.failing, [](const auto& f) { return f.id; })}};
 }
 
 }  // namespace
 
-json record_of(const CampaignResult& r, const Counterexamples& replayed,
-               const std::string& earlier_environment) {
+json record_of(const StoredRun& run) {
+  const CampaignResult& r = run.result;
   const Results results = results_of(r);
   return {
       {"version", LIECHECK_VERSION},
@@ -134,14 +186,12 @@ json record_of(const CampaignResult& r, const Counterexamples& replayed,
       {"seed", r.options.seed},
       {"cases", r.options.seconds ? r.total_cases : r.options.cases},
       {"total_cases", r.total_cases},
-      {"verdict", r.incomplete ? "incomplete"
-                  : r.failed   ? "fail"
-                               : "pass"},
-      {"counterexamples", counterexamples_record(replayed)},
+      {"verdict", verdict_of(!r.incomplete, !r.failed)},
+      {"counterexamples", counterexamples_record(run.counterexamples)},
       {"digest", {{"inputs", r.inputs_digest}, {"results", r.results_digest}}},
       {"robot",
        {{"name", r.robot.name}, {"hash", r.robot.hash}, {"root", r.robot.fixed ? "fixed" : "free-flyer"}}},
-      {"environment", earlier_environment.empty() ? environment() : json::parse(earlier_environment)},
+      {"environment", run.environment.empty() ? environment() : json::parse(run.environment)},
       {"subjects", subjects_record(r)},
       {"absent", absent_subjects()},
       {"blocks", results.blocks},

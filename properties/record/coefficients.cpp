@@ -1,6 +1,6 @@
-#include <record/coefficients.hpp>
-
 #include <fmt/format.h>
+#include <coefficients/sweep.hpp>
+#include <record/record.hpp>
 #include <support/environment.hpp>
 #include <support/json_number.hpp>
 
@@ -17,33 +17,31 @@ const char* status_of(const SweepResult& r, const SweptCoefficient& c) {
 }
 
 json record_of(const SweepResult& r) {
-  json rows = json::array();
-  for (const SweptCoefficient& c : r.coefficients)
-    rows.push_back({{"name", c.claim->name},
-                    {"equation", c.claim->equation},
-                    {"argument", c.claim->argument},
-                    {"kind", error_kind(c)},
-                    {"evaluated", c.evaluated},
-                    {"constant", c.constant},
-                    {"max_eps", number(c.max_eps)},
-                    {"max_at", fmt::format("{:a}", c.max_at)},
-                    {"max_at_decimal", c.max_at},
-                    {"bound_eps", r.upper_bound() ? number(c.bound_eps) : json()},
-                    {"oracle_bound_eps", c.oracle_bound_eps},
-                    {"square_eps", c.square_eps},
-                    {"documented_eps", c.claim->documented_eps},
-                    {"reason", c.claim->reason},
-                    {"status", status_of(r, c)}});
+  const auto row = [&](const SweptCoefficient& c) -> json {
+    return {{"name", c.claim->name},
+            {"equation", c.claim->equation},
+            {"argument", c.claim->argument},
+            {"kind", error_kind(c)},
+            {"evaluated", c.evaluated},
+            {"constant", c.constant},
+            {"max_eps", number(c.max_eps)},
+            {"max_at", fmt::format("{:a}", c.max_at)},
+            {"max_at_decimal", c.max_at},
+            {"bound_eps", r.upper_bound() ? number(c.bound_eps) : json()},
+            {"oracle_bound_eps", c.oracle_bound_eps},
+            {"square_eps", c.square_eps},
+            {"documented_eps", c.claim->documented_eps},
+            {"reason", c.claim->reason},
+            {"status", status_of(r, c)}};
+  };
   return {{"version", LIECHECK_VERSION},
-          {"verdict", r.failed()    ? "fail"
-                      : !r.complete ? "incomplete"
-                                    : "pass"},
+          {"verdict", verdict_of(r.complete || r.failed(), !r.failed())},
           {"bound", r.upper_bound() ? "upper" : "lower"},
           {"scalar", "float"},
           {"stride", r.stride},
           {"elapsed", r.elapsed},
           {"environment", environment()},
-          {"coefficients", rows}};
+          {"coefficients", list_of(r.coefficients, row)}};
 }
 
 void add_sweep(json& record, const SweepResult& result) {

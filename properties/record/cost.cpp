@@ -1,5 +1,4 @@
-#include <record/cost.hpp>
-
+#include <record/record.hpp>
 #include <support/environment.hpp>
 #include <support/json_number.hpp>
 #include <timing/inputs.hpp>
@@ -10,24 +9,25 @@ using nlohmann::json;
 
 namespace {
 
+json block_record(const BlockErrors& b) {
+  return {{"block", b.block},
+          {"measured", b.errors.size()},
+          {"max_eps", number(b.largest())},
+          {"p99_eps", number(b.quantile(0.99))},
+          {"median_eps", number(b.quantile(0.5))},
+          {"not_finite", b.not_finite},
+          {"wrong_branch", b.wrong_branch},
+          {"unresolved", b.unresolved},
+          {"refused", b.refused}};
+}
+
 json set_record(const CostSet& set) {
-  json blocks = json::array();
-  for (const BlockErrors& b : set.blocks)
-    blocks.push_back({{"block", b.block},
-                      {"measured", b.errors.size()},
-                      {"max_eps", number(b.largest())},
-                      {"p99_eps", number(b.quantile(0.99))},
-                      {"median_eps", number(b.quantile(0.5))},
-                      {"not_finite", b.not_finite},
-                      {"wrong_branch", b.wrong_branch},
-                      {"unresolved", b.unresolved},
-                      {"refused", b.refused}});
   return {{"set", set.set},
           {"inputs", set.inputs},
           {"throughput_ns", record_of(set.throughput)},
           {"latency_ns", record_of(set.latency)},
           {"instructions", set.instructions > 0 ? json(set.instructions) : json()},
-          {"blocks", blocks}};
+          {"blocks", list_of(set.blocks, block_record)}};
 }
 
 json row_records(const std::vector<CostRow>& rows) {
@@ -39,8 +39,6 @@ json row_records(const std::vector<CostRow>& rows) {
   json all = json::array();
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const CostRow& row = rows[i];
-    json sets = json::array();
-    for (const CostSet& set : row.sets) sets.push_back(set_record(set));
     const bool scored = !row.sets.back().blocks.empty();
     all.push_back({{"subject", row.subject},
                    {"version", row.version},
@@ -51,9 +49,14 @@ json row_records(const std::vector<CostRow>& rows) {
                    {"worst_block", worst_block(row)},
                    {"dominated_throughput", dominator(throughput[i])},
                    {"dominated_latency", dominator(latency[i])},
-                   {"sets", sets}});
+                   {"sets", list_of(row.sets, set_record)}});
   }
   return all;
+}
+
+json band_record(const CostBand& b) {
+  return {
+      {"band", b.name}, {"axis", b.from_pi ? "pi_minus_theta" : "theta"}, {"low", b.low}, {"high", b.high}};
 }
 
 }  // namespace
@@ -68,15 +71,10 @@ std::string implementation_of(const CostRow& row) {
 }
 
 json record_of(const CostResult& r) {
-  json bands = json::array(), where = environment();
-  for (const CostBand& b : cost_bands)
-    bands.push_back({{"band", b.name},
-                     {"axis", b.from_pi ? "pi_minus_theta" : "theta"},
-                     {"low", b.low},
-                     {"high", b.high}});
+  json where = environment();
   where["governor"] = frequency_governor();
   return {{"version", LIECHECK_VERSION},
-          {"verdict", r.complete ? "pass" : "incomplete"},
+          {"verdict", verdict_of(r.complete, true)},
           {"seed", r.options.seed},
           {"repetitions", r.options.repetitions},
           {"seconds", r.options.seconds},
@@ -84,12 +82,8 @@ json record_of(const CostResult& r) {
           {"clock", "processor time of the thread"},
           {"no_counter", r.no_counter},
           {"environment", where},
-          {"bands", bands},
+          {"bands", list_of(cost_bands, band_record)},
           {"rows", row_records(r.rows)}};
-}
-
-void add_cost(json& record, const CostResult& result) {
-  record["cost"] = record_of(result);
 }
 
 }  // namespace liecheck::properties

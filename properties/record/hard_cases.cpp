@@ -1,5 +1,5 @@
-#include <record/hard_cases.hpp>
-
+#include <hard_cases/hard_cases.hpp>
+#include <record/record.hpp>
 #include <support/json_number.hpp>
 
 namespace liecheck::properties {
@@ -25,25 +25,17 @@ json cell_record(const HardCell& c) {
   return cell;
 }
 
+json row_record(const HardRow& row) {
+  const HardCase& e = *row.entry;
+  return {{"name", e.name},        {"class", e.hard_class}, {"reason", e.reason},
+          {"origin", e.origin},    {"place", e.place()},    {"property", row.property},
+          {"expression", e.input}, {"input", row.input},    {"cells", list_of(row.cells, cell_record)}};
+}
+
 }  // namespace
 
 json record_of(const std::vector<HardRow>& rows) {
-  json all = json::array();
-  for (const HardRow& row : rows) {
-    json cells = json::array();
-    for (const HardCell& c : row.cells) cells.push_back(cell_record(c));
-    const HardCase& e = *row.entry;
-    all.push_back({{"name", e.name},
-                   {"class", e.hard_class},
-                   {"reason", e.reason},
-                   {"origin", e.origin},
-                   {"place", e.place()},
-                   {"property", row.property},
-                   {"expression", e.input},
-                   {"input", row.input},
-                   {"cells", cells}});
-  }
-  return all;
+  return list_of(rows, row_record);
 }
 
 void add_hard_cases(json& record, const std::vector<HardRow>& rows) {

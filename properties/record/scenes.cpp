@@ -1,7 +1,10 @@
 #include <record/scenes.hpp>
 
 #include <cmath>
+#include <liecheck/scene/run.hpp>
+#include <record/record.hpp>
 #include <scenes/show.hpp>
+#include <support/environment.hpp>
 #include <support/json_number.hpp>
 
 namespace liecheck::properties {
@@ -9,37 +12,105 @@ namespace {
 
 using nlohmann::json;
 
+json drift_record(const Drift& d) {
+  if (d.samples == 0) return nullptr;
+  return {{"slope", number(d.slope)}, {"oscillation", number(d.oscillation)}};
+}
+
+json point_record(const SweepPoint& p) {
+  return {{"steps", p.steps > 0 ? p.steps : p.effort.steps},
+          {"tolerance", p.effort.tolerance > 0 ? json(p.effort.tolerance) : json()},
+          {"attitude", number_or_null(p.error.attitude)},
+          {"position", number_or_null(p.error.position)},
+          {"angular_velocity", number_or_null(p.error.angular_velocity)},
+          {"linear_velocity", number_or_null(p.error.linear_velocity)},
+          {"energy", drift_record(p.energy)},
+          {"momentum", drift_record(p.momentum)},
+          {"time_ns", record_of(p.time)},
+          {"diverged", p.diverged}};
+}
+
+json order_record(const OrderRow& row) {
+  const ObservedOrder& o = row.observed;
+  return {{"integrator", row.integrator},
+          {"scalar", row.scalar},
+          {"promised", row.promised},
+          {"exact", row.exact},
+          {"observed", number(o.order)},
+          {"halvings", o.halvings},
+          {"first", o.first},
+          {"settled", o.settled},
+          {"floor", o.floor ? number(*o.floor) : json()},
+          {"steps", row.steps},
+          {"errors", numbers(row.errors)}};
+}
+
+json series_record(const SweepSeries& s) {
+  return {{"subject", s.subject},       {"version", s.subject == "liecheck" ? LIECHECK_VERSION : s.version},
+          {"integrator", s.integrator}, {"order", s.order},
+          {"adaptive", s.adaptive},     {"smallest", number_or_null(s.smallest)},
+          {"at_floor", s.at_floor},     {"points", list_of(s.points, point_record)}};
+}
+
+json scene_record(const SceneSweep& s) {
+  return {{"scene", s.scene.name},
+          {"what", s.scene.what},
+          {"duration", s.scene.duration},
+          {"truth", s.truth},
+          {"closed", s.closed},
+          {"disagreement", number(s.disagreement)},
+          {"series", list_of(s.series, series_record)},
+          {"orders", list_of(s.orders, order_record)}};
+}
+
+json peer_record(const PeerComparison& c) {
+  return {{"scene", c.scene},   {"peer", c.peer},           {"integrator", c.integrator},
+          {"points", c.points}, {"ratio", number(c.ratio)}, {"error", number(c.error)},
+          {"ours", c.ours},     {"unmatched", c.unmatched}};
+}
+
+json spin_record(const LongSpin& s) {
+  return {{"integrator", s.integrator}, {"order", s.order},
+          {"turns", s.turns},           {"steps_per_turn", s.steps_per_turn},
+          {"error", number(s.error)},   {"limit", s.limit},
+          {"seconds", s.seconds}};
+}
+
+json flips_record(const Flips& f) {
+  return {{"perturbation", f.perturbation},
+          {"scalar", f.scalar},
+          {"integrator", f.integrator},
+          {"exact", f.exact},
+          {"relative", numbers(f.relative)},
+          {"predicted", f.predicted},
+          {"horizon", f.horizon}};
+}
+
 /// Rounds to 1e-5, because 0.01 mm is less than a pixel.
 template <class Numbers>
 json rounded(const Numbers& numbers) {
-  json list = json::array();
-  for (double x : numbers) list.push_back(std::round(x * 1e5) / 1e5 + 0.0);
-  return list;
+  return list_of(numbers, [](double x) { return std::round(x * 1e5) / 1e5 + 0.0; });
+}
+
+json link_record(const Film::Link& link) {
+  return {{"name", link.name},
+          {"centre", rounded(link.centre)},
+          {"half", rounded(link.half)},
+          {"axes", rounded(link.axes)},
+          {"joints", list_of(link.joints, [](const auto& p) { return rounded(p); })}};
 }
 
 json film_record(const Film& film) {
-  json links = json::array(), frames = json::array();
-  for (const Film::Link& link : film.links) {
-    json joints = json::array();
-    for (const auto& p : link.joints) joints.push_back(rounded(p));
-    links.push_back({{"name", link.name},
-                     {"centre", rounded(link.centre)},
-                     {"half", rounded(link.half)},
-                     {"axes", rounded(link.axes)},
-                     {"joints", joints}});
-  }
-  for (const auto& frame : film.frames) {
-    json poses = json::array();
-    for (const auto& pose : frame) poses.push_back(rounded(pose));
-    frames.push_back(poses);
-  }
+  const auto poses = [](const auto& frame) {
+    return list_of(frame, [](const auto& pose) { return rounded(pose); });
+  };
   return {{"name", film.name},
           {"what", film.what},
           {"integrator", film.integrator},
           {"interval", film.interval},
           {"ground", film.ground ? json(*film.ground) : json()},
-          {"links", links},
-          {"frames", frames}};
+          {"links", list_of(film.links, link_record)},
+          {"frames", list_of(film.frames, poses)}};
 }
 
 json cost_record(const StageCost& c) {
@@ -54,13 +125,50 @@ json cost_record(const StageCost& c) {
 
 }  // namespace
 
+json record_of(const scene::Scene& scene, const scene::Run& run) {
+  json rows = json::array();
+  for (std::size_t i = 0; i + run.columns.size() <= run.rows.size(); i += run.columns.size())
+    rows.push_back(
+        std::vector<double>(run.rows.begin() + long(i), run.rows.begin() + long(i + run.columns.size())));
+  const auto column = [](const auto& c) -> json { return {{"name", c.name}, {"unit", c.unit}}; };
+  const auto figure = [](const auto& f) -> json {
+    return {{"name", f.name}, {"unit", f.unit}, {"value", f.value ? number(*f.value) : json()}};
+  };
+  return {{"version", LIECHECK_VERSION},
+          {"scene", scene.name},
+          {"reason", scene.reason},
+          {"integrator", scene.integrator},
+          {"step", scene.span.duration / double(scene.span.steps)},
+          {"verdict", run.outcome.diverged  ? "diverged"
+                      : run.outcome.stopped ? "stopped"
+                                            : "complete"},
+          {"why", run.outcome.why},
+          {"steps", run.outcome.steps},
+          {"of_steps", scene.span.steps},
+          {"t", run.outcome.t},
+          {"seconds", run.seconds},
+          {"columns", list_of(run.columns, column)},
+          {"rows", rows},
+          {"figures", list_of(run.figures, figure)}};
+}
+
+json record_of(const SceneSweepResult& r) {
+  return {{"version", LIECHECK_VERSION},
+          {"verdict", verdict_of(r.complete, r.wrong.empty())},
+          {"environment", environment()},
+          {"elapsed", r.elapsed},
+          {"wrong_orders", r.wrong},
+          {"absent", absent_peers()},
+          {"scenes", list_of(r.scenes, scene_record)},
+          {"peers", list_of(r.peers, peer_record)},
+          {"spins", list_of(r.spins, spin_record)},
+          {"flips", list_of(r.flips, flips_record)}};
+}
+
 void add_scenes(json& record, const SceneSweepResult& result) {
-  json costs = json::array(), motions = json::array();
-  for (const StageCost& c : stage_costs()) costs.push_back(cost_record(c));
-  for (const Film& film : films()) motions.push_back(film_record(film));
   json& scenes = record["scenes"] = record_of(result);
-  scenes["costs"] = costs;
-  scenes["films"] = motions;
+  scenes["costs"] = list_of(stage_costs(), cost_record);
+  scenes["films"] = list_of(films(), film_record);
 }
 
 }  // namespace liecheck::properties

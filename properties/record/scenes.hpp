@@ -1,11 +1,27 @@
 #pragma once
-// Scenes in a campaign's record: key "scenes", documented in docs/record.md.
+// A sweep of scenes as a record: key "scenes" of a campaign's record, documented in docs/record.md.
 
-#include <record/scene_sweep.hpp>
+#include <nlohmann/json_fwd.hpp>
+#include <scenes/spins.hpp>
+#include <scenes/sweep.hpp>
 
 namespace liecheck::properties {
 
-/// Adds the sweep. Measures and adds the costs of stages, and makes and adds the films that the report shows.
+/// All that `liecheck scene sweep` measures.
+struct SceneSweepResult {
+  std::vector<SceneSweep> scenes;
+  std::vector<std::string> wrong;  ///< one line for each wrong order
+  std::vector<PeerComparison> peers;
+  std::vector<LongSpin> spins;
+  std::vector<Flips> flips;
+  bool complete = false;
+  double elapsed = 0;  ///< [s]
+};
+
+nlohmann::json record_of(const SceneSweepResult& result);
+
+/// Adds it to a campaign's record, with the costs of stages, which it measures, and the films that the report
+/// shows, which it makes.
 void add_scenes(nlohmann::json& record, const SceneSweepResult& result);
 
 }  // namespace liecheck::properties

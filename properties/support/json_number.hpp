@@ -1,5 +1,6 @@
 #pragma once
-// Numbers in JSON. JSON has no NaN and no infinity; the strings "nan", "inf" and "-inf" stand for them.
+// Numbers and lists in JSON. JSON has no NaN and no infinity; the strings "nan", "inf" and "-inf" stand for
+// them.
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -17,11 +18,17 @@ inline nlohmann::json number_or_null(double x) {
   return std::isnan(x) ? nlohmann::json() : number(x);
 }
 
+/// The list of record(element) for each element.
+template <class List, class Record>
+nlohmann::json list_of(const List& list, const Record& record) {
+  nlohmann::json all = nlohmann::json::array();
+  for (const auto& element : list) all.push_back(record(element));
+  return all;
+}
+
 template <class Numbers>
 nlohmann::json numbers(const Numbers& list) {
-  nlohmann::json all = nlohmann::json::array();
-  for (double x : list) all.push_back(number(x));
-  return all;
+  return list_of(list, number);
 }
 
 }  // namespace liecheck::properties

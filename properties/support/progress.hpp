@@ -19,6 +19,9 @@ class Progress {
   /// `share`: how much of the work is done, in [0, 1]. detail(elapsed [s]) returns text for the line, such as
   /// a count; it is called only if a line is printed. `last` ends the line, which then stays.
   void show(double share, const std::function<std::string(double)>& detail, bool last = false);
+  void show(double share, const std::string& detail) {
+    show(share, [&](double) { return detail; });
+  }
   double elapsed() const;  ///< [s]
 
  private:

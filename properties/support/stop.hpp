@@ -6,6 +6,6 @@
 namespace liecheck::properties {
 
 /// Set by Ctrl-C, SIGTERM and SIGHUP. Work in progress is then finished, and no new work begins.
-extern std::atomic<bool> stop_requested;
+inline std::atomic<bool> stop_requested{false};
 
 }  // namespace liecheck::properties

@@ -124,7 +124,7 @@ TEST(Rooms, ForbiddenIncludesAreFound) {
   EXPECT_EQ(count("properties/oracles/a.cpp", "subjects/subject.hpp"), 1u);
   EXPECT_EQ(count("properties/campaign/a.cpp", "store/store.hpp"), 1u);
   EXPECT_EQ(count("properties/campaign/a.cpp", "reports/report.hpp"), 1u);
-  EXPECT_EQ(count("properties/record/a.cpp", "app/arguments.hpp"), 1u);
+  EXPECT_EQ(count("properties/record/a.cpp", "app/command.hpp"), 1u);
   EXPECT_EQ(count("properties/support/a.cpp", "campaign/campaign.hpp"), 1u);
   EXPECT_EQ(count("properties/a.cpp", "support/text.hpp"), 1u);
   EXPECT_EQ(count("properties/elsewhere/a.cpp", "support/text.hpp"), 1u);

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <hard_cases/hard_cases.hpp>
 #include <nlohmann/json.hpp>
-#include <record/hard_cases.hpp>
+#include <record/record.hpp>
 #include <set>
 
 namespace liecheck::properties {

@@ -8,7 +8,8 @@
 #include <campaign/case_id.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <record/campaign.hpp>
+#include <record/record.hpp>
+#include <store/stored_run.hpp>
 
 namespace liecheck::properties {
 namespace {
@@ -219,7 +220,7 @@ TEST(Budgets, GiveEveryOutputALimitAndAReason) {
 }
 
 TEST(Record, HasTheDocumentedFields) {
-  const auto record = record_of(run("liecheck", "exp_oracle", 50));
+  const auto record = record_of(StoredRun{run("liecheck", "exp_oracle", 50), {}, {}});
   for (const char* key : {"version", "seed", "cases", "verdict", "digest", "results"})
     EXPECT_TRUE(record.contains(key)) << key;
   for (const char* key :

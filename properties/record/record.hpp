@@ -1,0 +1,62 @@
+#pragma once
+// Results as records: what `--json` writes and the report reads, documented in docs/record.md.
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+namespace liecheck::scene {
+struct Scene;
+struct Run;
+}  // namespace liecheck::scene
+
+namespace liecheck::properties {
+
+struct CostResult;
+struct CostRow;
+struct HardRow;
+struct Spread;
+struct StoredRun;
+struct SweepResult;
+struct SweptCoefficient;
+
+/// The verdict on a whole run.
+inline const char* verdict_of(bool complete, bool passed) {
+  return !complete ? "incomplete" : passed ? "pass" : "fail";
+}
+
+/// A campaign. Its environment is that of the earlier run if it was loaded from a store, or else the present
+/// one.
+nlohmann::json record_of(const StoredRun& run);
+
+/// The hard cases: key "hard_cases" of a campaign's record.
+nlohmann::json record_of(const std::vector<HardRow>& rows);
+
+/// Adds them to a campaign's record. The record's verdict becomes "fail" if one of them failed.
+void add_hard_cases(nlohmann::json& record, const std::vector<HardRow>& rows);
+
+/// The sweep of the scalar coefficients: key "sweep" of a campaign's record.
+nlohmann::json record_of(const SweepResult& result);
+
+/// Adds it to a campaign's record. The record's verdict becomes "fail" if a documented bound is wrong.
+void add_sweep(nlohmann::json& record, const SweepResult& result);
+
+/// "absolute" or "relative": how the error of a coefficient is measured.
+const char* error_kind(const SweptCoefficient& c);
+
+/// "fail" if an error exceeds the documented bound; otherwise "pass" if every float was swept, or "sampled".
+const char* status_of(const SweepResult& result, const SweptCoefficient& c);
+
+/// Time and error of operations: key "cost" of a campaign's record.
+nlohmann::json record_of(const CostResult& result);
+
+/// Returns null if nothing was timed.
+nlohmann::json record_of(const Spread& time);
+
+/// Subject and scalar, such as "liecheck double".
+std::string implementation_of(const CostRow& row);
+
+/// The run of one scene, which `liecheck scene run --json` writes.
+nlohmann::json record_of(const scene::Scene& scene, const scene::Run& run);
+
+}  // namespace liecheck::properties

@@ -1,7 +1,0 @@
-#include <support/stop.hpp>
-
-namespace liecheck::properties {
-
-std::atomic<bool> stop_requested{false};
-
-}  // namespace liecheck::properties
