@@ -1,6 +1,7 @@
 #include <record/record.hpp>
 #include <support/environment.hpp>
 #include <support/json_number.hpp>
+#include <timing/cost.hpp>
 #include <timing/inputs.hpp>
 
 namespace liecheck::properties {
