@@ -1,0 +1,20 @@
+// liecheck's own library in double. liecheck:fast and liecheck:tight run only if they are named.
+
+#include <subjects/liecheck_operations.hpp>
+#include <subjects/liecheck_trees.hpp>
+
+namespace liecheck::properties {
+namespace {
+
+Subject<double> whole() {
+  Subject<double> s = LiecheckOperations<double>::with_robots();
+  s.operations.tree = &liecheck_tree<double>;
+  return s;
+}
+
+const Registered<double> standard(whole());
+const Registered<double> fast(LiecheckOperations<double, Precision::fast>::make());
+const Registered<double> tight(LiecheckOperations<double, Precision::tight>::make());
+
+}  // namespace
+}  // namespace liecheck::properties

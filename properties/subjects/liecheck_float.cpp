@@ -1,0 +1,20 @@
+// liecheck's own library in float. liecheck:fast and liecheck:tight run only if they are named.
+
+#include <subjects/liecheck_operations.hpp>
+#include <subjects/liecheck_trees.hpp>
+
+namespace liecheck::properties {
+namespace {
+
+Subject<float> whole() {
+  Subject<float> s = LiecheckOperations<float>::with_robots();
+  s.operations.tree = &liecheck_tree<float>;
+  return s;
+}
+
+const Registered<float> standard(whole());
+const Registered<float> fast(LiecheckOperations<float, Precision::fast>::make());
+const Registered<float> tight(LiecheckOperations<float, Precision::tight>::make());
+
+}  // namespace
+}  // namespace liecheck::properties
