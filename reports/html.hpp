@@ -1,7 +1,7 @@
 #pragma once
-// HTML elements, the sections of the page, and the page. Verdict, standings, definitions and machine are plain HTML
-// without scripts. Scripts in the browser draw the charts and the tables of bands from the figures that the page
-// contains as JSON.
+// HTML elements, the sections of the page, and the page. The verdict, the table of subjects, the definitions
+// and the description of the machine are plain HTML without scripts. Scripts in the browser draw the charts
+// and the tables of bands from the figures that the page contains as JSON.
 
 #include <reports/record.hpp>
 #include <string>
@@ -42,8 +42,9 @@ std::string sweep_section(const Merged& merged);
 std::string scenes_section(const Merged& merged);
 
 /// A compact form of the JSON inside the page. page.js restores the original; report.json is not packed.
-/// A list of objects with equal keys becomes {"*keys": [...], "*columns": [[...], ...]}. Another list becomes
-/// {"*words": [...], "*at": [...]} if that is shorter: its distinct values, and the index of each element.
+/// A list of objects with equal keys becomes {"*keys": [...], "*columns": [[...], ...]}. Any other list
+/// becomes {"*words": [...], "*at": [...]} if that is shorter. "*words" has its distinct values, and "*at"
+/// has, for each element, the index of its value in "*words".
 /// Throws std::invalid_argument if a key begins with a star.
 Json packed(const Json& value);
 

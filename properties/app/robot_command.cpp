@@ -27,8 +27,8 @@ int run(const Flags& f) {
   const auto [model, warnings] = loadUrdf(f.file, options_of(f));
   double mass = 0;
   for (const auto& body : model.inertias) mass += body.mass();
-  fmt::print("{}: nq {}, nv {}, {} joints with the universe, {} frames, {:.6g} kg\n", model.name, model.nq,
-             model.nv, model.njoints, model.nframes, mass);
+  fmt::print("{}: nq {}, nv {}, {} joints including the universe, {} frames, {:.6g} kg\n", model.name,
+             model.nq, model.nv, model.njoints, model.nframes, mass);
   fmt::print("{:>5} {:>6} {:>5} {:>5}  {:<38} {}\n", "joint", "parent", "idx_q", "idx_v", "type", "name");
   for (std::size_t i = 1; i < model.joints.size(); ++i)
     fmt::print("{:>5} {:>6} {:>5} {:>5}  {:<38} {}\n", i, model.parents[i], model.idx_qs[i], model.idx_vs[i],
@@ -40,12 +40,14 @@ int run(const Flags& f) {
 }  // namespace
 
 Command robot_command(CLI::App& program) {
-  CommandWith<Flags> a(program, "robot",
-                       "show the model of a URDF: joints, indices, warnings. Exit 0, 2 bad input");
+  CommandWith<Flags> a(
+      program, "robot",
+      "show the model of a URDF: joints, indices, warnings. Exit 0 if shown, 2 for bad input");
   a.text("FILE", a->file, "URDF", "the URDF").required();
   a.choice("--root", a->root, {"fixed", "free-flyer", "planar", "spherical", "translation"}, "",
            "the joint between root and world");
-  a.toggle("--mimic", a->tied, "mimic joints follow their joint and have no coordinates in q and v");
+  a.toggle("--mimic", a->tied,
+           "mimic joints follow the joint named in their <mimic> and have no coordinates in q and v");
   a.toggle("--strict", a->strict, "treat a warning as an error");
   return a.runs(run);
 }

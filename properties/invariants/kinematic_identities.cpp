@@ -1,5 +1,6 @@
-// The rate of a free-flyer configuration is the coefficient Jacobian times the body velocity. The Jacobian is
-// the subject's. Its product with v, and the rate of R that follows from Q_dot, are computed exactly.
+// The rate of a free-flyer configuration is the coefficient Jacobian times the body velocity. The subject
+// computes only the Jacobian. Its product with v, and the rate of R that follows from Q_dot, are computed in
+// the oracle's arithmetic.
 
 #include <invariants/property.hpp>
 
@@ -82,7 +83,9 @@ class KinematicIdentities final : public Law<KinematicIdentities, S> {
     const auto q_e = exact_vector<7, Real>(q);
     const auto v_e = exact_vector<6, Real>(v);
     const Quaternion<Real> Q{{q_e[3], q_e[4], q_e[5], q_e[6]}};
-    const Real Q_norm = norm(Q);  // the lower block is linear in the stored Q; the oracle's Q has norm 1
+    // The subject's Q_dot and lower block are those of the stored Q, the oracle's are those of Q/||Q||. Both
+    // are linear in Q, so that the oracle's values are multiplied by ||Q|| before they are compared.
+    const Real Q_norm = norm(Q);
 
     const RateValue<Real> rate = configuration_rate(q_e, v_e);
     if (rate.resolved) {

@@ -97,15 +97,18 @@ double orthogonality_defect(const Mat3<T>& computed) {
   return settled(d.value / eps, d.radius / eps + 1e-14 * d.value / eps);
 }
 
-/// If E = computed - R has ||E|| < 1e-4, both errors follow from E. E is formed in ball arithmetic,
-/// everything after it in double. For a larger E rotation_error and orthogonality_defect compute the errors.
+/// The errors of a computed matrix. R is the exact result, the rotation matrix of the quaternion `exact`. If
+/// E = computed - R has ||E|| < 1e-4, both errors follow from E. E is formed in ball arithmetic, everything
+/// after it in double. For a larger E, rotation_error and orthogonality_defect compute the errors.
+/// rotation_error is also used if the rotation error from E is not accurate enough.
 ///
 /// Rotation: let computed = U H with the polar factor U. Then
 /// R^T E = (R^T U - I) + (H - I) + R^T (U - R)(H - I). Since H - I is symmetric, the antisymmetric parts of
-/// R^T E and R^T U - I differ by at most 3 ||E||^2. The norm of such a part, as a vector, is sin(angle).
+/// R^T E and R^T U - I differ by at most 3 ||E||^2. The antisymmetric part of R^T U - I, as a vector, has
+/// the norm sin(angle), where `angle` is the angle between U and R.
 ///
-/// Defect: computed^T computed - I = R^T E + E^T R + E^T E, since R is orthogonal. Its error is at most
-/// 2 (1 + ||E||) times that of E, plus the rounding in double.
+/// Defect: computed^T computed - I = R^T E + E^T R + E^T E, since R is orthogonal. The uncertainty
+/// of the defect is at most 2 (1 + ||E||) times that of E, plus the rounding in double.
 template <class S, BallNumber T>
 MatrixErrors matrix_errors(const Mat3<T>& computed, const Quaternion<T>& exact) {
   constexpr double eps = std::numeric_limits<S>::epsilon();
@@ -114,7 +117,7 @@ MatrixErrors matrix_errors(const Mat3<T>& computed, const Quaternion<T>& exact) 
   const double E_bound = size.value + size.radius;
   if (!(E_bound < 1e-4))
     return {rotation_error<S>(nearest_quaternion(computed), exact), orthogonality_defect<S>(computed)};
-  double R[3][3], E[3][3], across[3][3];  // R^T E
+  double R[3][3], E[3][3], across[3][3];  // across = R^T E
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) R[i][j] = ball(i, j).head(), E[i][j] = E_ball(i, j).head();
   for (int i = 0; i < 3; ++i)

@@ -28,7 +28,9 @@ json size_of(const Part& part) {
   }
 }
 
-/// One entry for each part. Its name is "phi" if its argument has one part, and "X.R" if it has several.
+/// One entry for each part of each argument or result. If there is only one part, the entry has its name,
+/// such as "phi". If there are several, the argument's name comes first, such as "X.R". An argument without
+/// parts has one entry with its own name.
 template <class Layouts>
 json parts_of(const Layouts& layouts) {
   json list = json::array();

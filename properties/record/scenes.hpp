@@ -20,8 +20,8 @@ struct SceneSweepResult {
 
 nlohmann::json record_of(const SceneSweepResult& result);
 
-/// Adds it to a campaign's record, with the costs of stages, which it measures, and the films that the report
-/// shows, which it makes.
+/// Adds the result of a sweep to a campaign's record. Also measures the costs of stages, makes the films that
+/// the report shows, and adds both to the record.
 void add_scenes(nlohmann::json& record, const SceneSweepResult& result);
 
 }  // namespace liecheck::properties

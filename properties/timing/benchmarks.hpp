@@ -13,14 +13,14 @@ namespace liecheck::properties {
 struct Timed {
   std::function<void()> pass;
   std::size_t calls = 1;             ///< calls of the timed operation in one pass
-  std::vector<double> ns;            ///< per call, one for each repetition that counts
+  std::vector<double> ns;            ///< time of a call in each repetition that was not discarded
   std::vector<double> instructions;  ///< per call; empty without a counter
 };
 
 struct Interleaving {
   /// Approximate duration of the whole measurement [s]; a repetition is at least one pass. On a busy machine,
-  /// the repetitions that have not started after 1.3 `seconds` + 1 s are skipped; since the order is random,
-  /// every row loses about as many.
+  /// repetitions that have not started after 1.3 * `seconds` + 1 s are skipped. Since the order is random,
+  /// about the same number is skipped in every row.
   double seconds = 1;
   std::size_t repetitions = 40;
   std::atomic<bool>* stop = nullptr;

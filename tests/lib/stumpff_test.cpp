@@ -68,7 +68,7 @@ double worst(const std::vector<S>& xs, double floor, Ours ours, Truth truth) {
   return most;
 }
 
-TYPED_TEST(StumpffOf, HighCoefficientsKeepTheirRelativeBounds) {
+TYPED_TEST(StumpffOf, C2ToC5KeepTheirRelativeBounds) {
   using S = TypeParam;
   auto xs = this->squared_angles();
   std::erase_if(xs, [](S x) { return !within_pi(S(4) * x); });
@@ -104,7 +104,7 @@ TYPED_TEST(StumpffOf, CosineAndSineAreWithinOneAndAHalfEpsAbsolute) {
       1.5);
 }
 
-TYPED_TEST(StumpffOf, DifferencesOfTheCouplingBlockKeepTheirRelativeBounds) {
+TYPED_TEST(StumpffOf, SlopesOfC2AndC3KeepTheirRelativeBounds) {
   using S = TypeParam;
   const auto xs = this->squared_angles();
   EXPECT_LE(worst(

@@ -39,8 +39,9 @@ std::uint64_t seed() {
 
 constexpr int per_band = 3;
 
-/// Calls `use` on inputs of `draw`, at most `per_band` for each band of their exact `angle` [rad]. With the
-/// default seed every band from `lowest` to pi must occur, and if `beyond` is true also those beyond pi.
+/// Draws `draws` inputs with `draw`. Calls `use` on at most `per_band` of them for each band of their exact
+/// `angle` [rad]. With the default seed, every band from `lowest` to pi must occur, and every band beyond pi
+/// as well if `beyond` is true.
 template <class S, class Draw, class Angle, class Use>
 void in_every_band(std::uint64_t series, std::uint64_t draws, const Real& lowest, bool beyond, Draw&& draw,
                    Angle&& angle, Use&& use) {
@@ -174,7 +175,7 @@ const std::vector<Vec3<>>& lengths() {
   return all;
 }
 
-TEST_F(EnclosureInDouble, ContainsTwistsWithSubnormalAnglesAnglesNearTwoPiAndExtremeLengths) {
+TEST_F(EnclosureInDouble, ContainsExpJacobiansAndIntegrateAtExtremeAnglesAndLengths) {
   for (const double theta : {0.0, 5e-324, 3e-310, 1e-160, 1.0, 3.141592653589793, 3.1415926535897936,
                              6.283185307179586, 6.283185307179587, 15.9, 16.0, 16.1, 1e8, 1e24})
     for (const Vec3<>& rho : lengths())
@@ -191,7 +192,8 @@ TEST_F(EnclosureInDouble, ContainsTwistsWithSubnormalAnglesAnglesNearTwoPiAndExt
       }
 }
 
-TEST_F(EnclosureInDouble, ContainsExpOfHugeAnglesWithoutTheOraclesReduction) {
+/// The enclosures reduce these angles modulo 2 pi without the code that the oracles use for it.
+TEST_F(EnclosureInDouble, ContainsExpOfHugeAngles) {
   for (const double theta : {1e26, 1e30, 2e60, 3e99, 1e100, 1e200, 7e250, -1.7e308})
     for (const Vec3<>& rho : lengths()) {
       const Vec6<> xi = stack(rho, vector(theta, theta / 3, 1));
@@ -264,7 +266,7 @@ void expect_overlap(const Eigen::Matrix<T, R, C>& a, const Eigen::Matrix<T, R, C
   }
 }
 
-TEST_F(EnclosureInDouble, OverlapsThePowerSeriesOfTheMatrices) {
+TEST_F(EnclosureInDouble, OverlapsThePowerSeriesOfExpAndOfTheLeftJacobian) {
   // The coefficients change formula at theta = 16
   for (const double theta : {0.0, 1e-3, 0.5, 3.0, 6.3, 15.5, 16.5, 30.0}) {
     const V6<T> xi = point<T>(stack(vector(1, -2, 3), vector(theta * 0.6, 0, theta * 0.8)));

@@ -21,7 +21,8 @@ const Vec start_v = [] {
 
 class EachMethod : public testing::TestWithParam<MethodInfo> {};
 
-/// The order follows from the errors of 80 and 160 steps. There it differs by up to 0.15 from its limit.
+/// The order is estimated from the errors with 80 and 160 steps. The estimate differs from the order by up to
+/// 0.15, because these steps are not infinitely small.
 TEST_P(EachMethod, HasItsDocumentedOrder) {
   const MethodInfo info = GetParam();
   Body body(freeBody(awkward()), gravity());
@@ -46,7 +47,7 @@ TEST_P(EachMethod, MovesATreeOfOneBodyAsItMovesALoneBody) {
   scene::Tree<double> tree(m, gravity());
   const auto a = after(body, info.name, neutral(m), start_v, 1, 100);
   const auto b = after(tree, info.name, neutral(m), start_v, 1, 100);
-  // 64 eps in each of 100 steps: the two systems compute the acceleration in another order
+  // The two systems compute the acceleration by different formulas: 64 eps are allowed for each of 100 steps.
   EXPECT_LE(difference(m, Vec(a.q), b.q).norm() + (a.v - b.v).norm(), 6400 * eps<double>());
 }
 
@@ -151,13 +152,13 @@ TEST(Variational, KeepsTheMomentumVectorAndTheEnergyWithoutDrift) {
   });
   const double count = double(n) + 1, slope = (te - t1 * e1 / count) / (tt - t1 * t1 / count);
   std::printf(
-      "%ld steps: | |q| - 1 | <= %.2f eps, momentum <= %.3f of 8 sqrt(n) eps, energy oscillates by %.3g, "
-      "drifts by %.3g\n",
+      "%ld steps: | |q| - 1 | <= %.2f eps, relative momentum error after k steps <= %.3f * 8 sqrt(k) eps, "
+      "energy oscillates by %.3g and drifts by %.3g\n",
       n, norm / eps<double>(), worst, most - least, slope);
   EXPECT_LE(norm, 4 * eps<double>());
   EXPECT_LE(worst, 1);
-  // A least-squares fit to an oscillation finds a slope unless it spans a whole number of periods. The slope
-  // is at most 6/pi of the amplitude divided by the number of periods.
+  // The least-squares line of an oscillation can have a slope even if nothing drifts. Over the whole
+  // duration it rises or falls by at most about (6/pi) * amplitude / (number of periods).
   const double periods = double(crossings) / 0.95;
   EXPECT_GT(periods, 100);
   EXPECT_LE(std::abs(slope), 2 * (most - least) / periods);
@@ -174,7 +175,7 @@ TEST(Variational, AnExplicitMethodLosesMomentum) {
 }
 
 /// Compares 100 revolutions in 4000 and in 8000 steps, which differ only in their rounding errors.
-TEST(Gauss12, RoundingErrorsStayWithinTheConditioningOfTheMotion) {
+TEST(Gauss12, RoundingErrorsStayWithinTenEpsOfTheAngleTurned) {
   Body body(freeBody(triaxial()));
   Vec v = Vec::Zero(6);
   v.tail<3>() << 0.5, 0.25, 1;
@@ -185,7 +186,7 @@ TEST(Gauss12, RoundingErrorsStayWithinTheConditioningOfTheMotion) {
   EXPECT_LE(angle, 10 * revolutions * 2 * pi<double>() * eps<double>());
 }
 
-/// overhead.sh checks that LoneBody takes fewer instructions.
+/// overhead.sh checks that LoneBody takes at most a tenth of the instructions of Tree.
 TEST(LoneBody, AcceleratesAsTheTreeOfOneBodyDoes) {
   const Model<double> m = freeBody(awkward());
   Body body(m);

@@ -52,7 +52,7 @@ struct GaussPoints {
     for (std::size_t i = 0; i < s; ++i) {
       c[i] = S(x[i]), b[i] = S(w[i]);
       for (std::size_t j = 0; j < s; ++j) {
-        T sum(0);  // the integral from 0 to c_i; Gauss quadrature is exact
+        T sum(0);  // mean of Lagrange polynomial j over [0, c_i], for which Gauss quadrature is exact
         for (std::size_t k = 0; k < s; ++k) sum += w[k] * lagrange(j, x[i] * x[k]);
         a[i][j] = S(x[i] * sum);
         e[i][j] = S(lagrange(j, T(1) + x[i]));
@@ -64,9 +64,11 @@ struct GaussPoints {
 /// The properties of the method with s Gauss points.
 template <int s>
 inline constexpr MethodInfo collocation_info{};
-/// The implicit midpoint rule on the group, where J_r^-1(delta/2) v = v.
+/// The implicit midpoint rule on the group. Its increment h v_m / 2 is parallel to v_m, so that J_r^-1 of the
+/// increment leaves v_m unchanged:
 ///   v_m = v0 + h/2 a(q0 exp(h v_m/2), v_m),   q1 = q0 exp(h v_m),   v1 = 2 v_m - v0
-/// It is symmetric, its own inverse under h -> -h: the energy of a reversible motion does not drift.
+/// The rule is symmetric: a step of -h undoes a step of h. Therefore the energy of a reversible motion does
+/// not drift.
 template <>
 inline constexpr MethodInfo collocation_info<1>{
     .name = "implicit_midpoint",

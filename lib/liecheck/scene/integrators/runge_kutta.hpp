@@ -1,5 +1,6 @@
 #pragma once
-// The explicit Runge-Kutta methods on the group with fixed steps, as tableaus of munthe_kaas.hpp.
+// The tableaus of the explicit Runge-Kutta methods with fixed steps. MuntheKaas (munthe_kaas.hpp) turns each
+// of them into a method on the group.
 
 #include <liecheck/scene/integrators/munthe_kaas.hpp>
 
