@@ -1,7 +1,7 @@
 #pragma once
 // The results of a series: a verdict for each measurement, and a row of totals for each output and band.
 
-#include <campaign/budgets.hpp>
+#include <budgets/budgets.hpp>
 #include <campaign/digest.hpp>
 #include <campaign/histogram.hpp>
 #include <campaign/ranges.hpp>

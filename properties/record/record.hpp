@@ -1,5 +1,6 @@
 #pragma once
-// Results as records: what `--json` writes and the report reads, documented in docs/record.md.
+// Results as records: what `--json` writes and the report reads, documented in docs/record.md. Numbers
+// that are not finite are written by support/json_number.hpp.
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>

@@ -2,7 +2,7 @@
 // Data compiled into the program.
 
 namespace liecheck::properties {
-extern const char* const budgets_csv;          ///< properties/campaign/budgets.csv
+extern const char* const budgets_csv;          ///< properties/budgets/budgets.csv
 extern const char* const built_in_robot_urdf;  ///< fixtures/robots/mixed_joints.urdf
 extern const char* const quadruped_urdf;       ///< fixtures/robots/quadruped.urdf
 

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <campaign/budgets.hpp>
+#include <budgets/budgets.hpp>
 #include <campaign/robots.hpp>
 #include <campaign/selection.hpp>
 #include <cctype>

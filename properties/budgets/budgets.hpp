@@ -1,5 +1,5 @@
 #pragma once
-// The table of limits by operation, block and region of theta: properties/campaign/budgets.csv, whose columns
+// The table of limits by operation, block and region of theta: properties/budgets/budgets.csv, whose columns
 // docs/measuring.md defines. A subject that documents its own bounds has its own lines, which replace limits
 // of the forward rule up to theta = pi. The tests and the report read the same table; the invariants do not.
 

@@ -1,4 +1,4 @@
-#include <campaign/budgets.hpp>
+#include <budgets/budgets.hpp>
 
 #include <fmt/format.h>
 #include <algorithm>
