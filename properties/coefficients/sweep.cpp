@@ -42,39 +42,31 @@ struct Largest {
 };
 
 using Pair = double __attribute__((vector_size(16)));
-Pair both(double x) {
-  return Pair{x, x};
-}
 
-/// The error |f p(u) - 1|, or |f - p(u)| if `absolute`; `most` (infinity) if f is NaN.
+/// The error |f p(u) - 1|, or |f - p(u)| if `absolute`; infinity if f is NaN. T is double or Pair.
 template <bool absolute, class T>
-T error_of(const T& x, const T& f, const std::array<T, 5>& p, const T& one, const T& zero, const T& most) {
-  const T u = x - p[4];
-  const T value = p[0] + u * (p[1] + u * (p[2] + u * p[3]));
-  const T e = absolute ? f - value : f * value - one;
-  const T size = e < zero ? -e : e;
+T error_of(const T& x, const T& f, const oracles::LocalExpansion& o) {
+  const T u = x - o.centre, most = T{} + std::numeric_limits<double>::infinity();
+  const T value = o.p[0] + u * (o.p[1] + u * (o.p[2] + u * o.p[3]));
+  const T e = absolute ? f - value : f * value - 1.0;
+  const T size = e < 0.0 ? -e : e;
   return size < most ? size : most;
 }
 
 template <bool absolute>
 double largest_error(const float* x, const float* f, std::size_t n, const oracles::LocalExpansion& o) {
-  const std::array<Pair, 5> p = {both(o.p[0]), both(o.p[1]), both(o.p[2]), both(o.p[3]), both(o.centre)};
-  const Pair one = both(1), zero = both(0), most = both(std::numeric_limits<double>::infinity());
-  Pair worst[2] = {zero, zero};
+  Pair worst[2] = {};
   for (std::size_t i = 0; i < n; i += 4)
     for (std::size_t k = 0; k < 2; ++k) {
       const std::size_t j = i + 2 * k;
-      const Pair e = error_of<absolute>(Pair{x[j], x[j + 1]}, Pair{f[j], f[j + 1]}, p, one, zero, most);
+      const Pair e = error_of<absolute>(Pair{x[j], x[j + 1]}, Pair{f[j], f[j + 1]}, o);
       worst[k] = e > worst[k] ? e : worst[k];
     }
   return std::max({worst[0][0], worst[0][1], worst[1][0], worst[1][1]});
 }
 
 double error_at(float x, float f, const oracles::LocalExpansion& o, bool absolute) {
-  const std::array<double, 5> p = {o.p[0], o.p[1], o.p[2], o.p[3], o.centre};
-  constexpr double most = std::numeric_limits<double>::infinity();
-  return absolute ? error_of<true, double>(x, f, p, 1, 0, most)
-                  : error_of<false, double>(x, f, p, 1, 0, most);
+  return absolute ? error_of<true, double>(x, f, o) : error_of<false, double>(x, f, o);
 }
 
 /// Sweeps one CoefficientCode, on one thread.
