@@ -1,3 +1,4 @@
+#include <array>
 #include <bit>
 #include <coefficients/float_interval.hpp>
 #include <coefficients/library_coefficients.hpp>
@@ -11,65 +12,18 @@ namespace {
 
 using enum Coefficient;
 
-constexpr std::size_t most_outputs = 6;
-
-// Each struct computes some coefficients of one argument, in any scalar S.
-
-struct SixStumpff {
-  static inline const std::vector<Coefficient> outputs = {c0, c1, c2, c3, c4, c5};
-  template <class S>
-  static void of(const S& x, S* out) {
-    const HalfAngle<S> c(S(4) * x);  // HalfAngle evaluates at a quarter of its argument: at x
-    out[0] = c.c0, out[1] = c.c1, out[2] = c.c2, out[3] = c.c3, out[4] = c.c4, out[5] = c.c5;
-  }
-};
-struct Differences {
-  static inline const std::vector<Coefficient> outputs = {Coefficient::c3_minus_2c4,
-                                                          Coefficient::c4_minus_3c5};
-  template <class S>
-  static void of(const S& x, S* out) {
-    const HalfAngle<S> c(x);
-    out[0] = c.second_slope(), out[1] = c.third_slope();
-  }
-};
-struct Inverse {
-  static inline const std::vector<Coefficient> outputs = {d, d2};
-  template <class S>
-  static void of(const S& x, S* out) {
-    const InverseCoefficient<S> c(x);
-    out[0] = c.d, out[1] = c.d2;
-  }
-};
-struct Half {
-  static inline const std::vector<Coefficient> outputs = {half_sine, half_cosine};
-  template <class S>
-  static void of(const S& x, S* out) {
-    const HalfAngle<S> c(x);
-    out[0] = c.sine_over_angle(), out[1] = c.c0;
-  }
-};
-struct Logarithm {
-  static inline const std::vector<Coefficient> outputs = {angle_over_sine, alpha};
-  template <class S>
-  static void of(const S& squared_sine, S* out) {
-    const LogarithmCoefficients<S> c(squared_sine, S(1));
-    out[0] = c.angle_over_sine, out[1] = c.alpha;
-  }
-};
+// A Code is a function that computes some coefficients of one argument, in any scalar S, as an array.
 
 /// Evaluates four floats at a time. The first one is evaluated again as a scalar float: the bits must agree.
 template <class Code>
 void in_simd(const float* x, std::size_t n, float* const* out) {
-  const std::size_t outputs = Code::outputs.size();
   using Floats = Simd<float, 4>;
   for (std::size_t i = 0; i < n; i += Floats::size) {
-    Floats results[most_outputs];
-    Code::of(Floats::load(x + i), results);
-    for (std::size_t k = 0; k < outputs; ++k) results[k].store(out[k] + i);
+    const auto results = Code()(Floats::load(x + i));
+    for (std::size_t k = 0; k < results.size(); ++k) results[k].store(out[k] + i);
   }
-  float alone[most_outputs];
-  Code::of(x[0], alone);
-  for (std::size_t k = 0; k < outputs; ++k)
+  const auto alone = Code()(x[0]);
+  for (std::size_t k = 0; k < alone.size(); ++k)
     if (std::bit_cast<std::uint32_t>(alone[k]) != std::bit_cast<std::uint32_t>(out[k][0]))
       throw std::logic_error("a coefficient differs between Simd<float> and float");
 }
@@ -77,19 +31,17 @@ void in_simd(const float* x, std::size_t n, float* const* out) {
 template <class Code>
 void one_by_one(const float* x, std::size_t n, float* const* out) {
   for (std::size_t i = 0; i < n; ++i) {
-    float each[most_outputs];
-    Code::of(x[i], each);
+    const auto each = Code()(x[i]);
     out[0][i] = each[0], out[1][i] = each[1];
   }
 }
 
 template <class Code>
 bool constant_over(float low, float high, float* out) {
-  FloatInterval all[most_outputs];
   FloatInterval::undecided = false;
-  Code::of(FloatInterval(low, high), all);
+  const auto all = Code()(FloatInterval(low, high));
   if (FloatInterval::undecided) return false;
-  for (std::size_t k = 0; k < Code::outputs.size(); ++k) {
+  for (std::size_t k = 0; k < all.size(); ++k) {
     if (!(all[k].low == all[k].high)) return false;
     out[k] = all[k].low;
   }
@@ -97,17 +49,44 @@ bool constant_over(float low, float high, float* out) {
 }
 
 template <class Code>
-CoefficientCode simd_code(float part = 1) {
-  return {Code::outputs, part * stumpff_detail::series_limit<float>(), in_simd<Code>, constant_over<Code>};
+CoefficientCode simd_code(std::vector<Coefficient> outputs, Code, float part = 1) {
+  return {outputs, part * stumpff_detail::series_limit<float>(), in_simd<Code>, constant_over<Code>};
+}
+template <class Code>
+CoefficientCode scalar_code(std::vector<Coefficient> outputs, Code) {
+  return {outputs, std::numeric_limits<float>::max(), one_by_one<Code>, constant_over<Code>};
 }
 
 }  // namespace
 
 const std::vector<CoefficientCode>& library_coefficients() {
   static const std::vector<CoefficientCode> all = {
-      simd_code<SixStumpff>(0.25F), simd_code<Differences>(), simd_code<Inverse>(), simd_code<Half>(),
-      CoefficientCode{Logarithm::outputs, std::numeric_limits<float>::max(), one_by_one<Logarithm>,
-                      constant_over<Logarithm>}};
+      simd_code(
+          {c0, c1, c2, c3, c4, c5},
+          []<class S>(const S& x) {
+            const HalfAngle<S> c(S(4) * x);  // HalfAngle evaluates at a quarter of its argument: at x
+            return std::array{c.c0, c.c1, c.c2, c.c3, c.c4, c.c5};
+          },
+          0.25F),
+      simd_code({Coefficient::c3_minus_2c4, Coefficient::c4_minus_3c5},
+                []<class S>(const S& x) {
+                  const HalfAngle<S> c(x);
+                  return std::array{c.second_slope(), c.third_slope()};
+                }),
+      simd_code({d, d2},
+                []<class S>(const S& x) {
+                  const InverseCoefficient<S> c(x);
+                  return std::array{c.d, c.d2};
+                }),
+      simd_code({half_sine, half_cosine},
+                []<class S>(const S& x) {
+                  const HalfAngle<S> c(x);
+                  return std::array{c.sine_over_angle(), c.c0};
+                }),
+      scalar_code({angle_over_sine, alpha}, []<class S>(const S& squared_sine) {
+        const LogarithmCoefficients<S> c(squared_sine, S(1));
+        return std::array{c.angle_over_sine, c.alpha};
+      })};
   return all;
 }
 

@@ -9,6 +9,7 @@
 #include <memory>
 #include <mutex>
 #include <support/threads.hpp>
+#include <utility>
 
 namespace liecheck::properties {
 namespace {
@@ -42,39 +43,31 @@ struct Largest {
 };
 
 using Pair = double __attribute__((vector_size(16)));
-Pair both(double x) {
-  return Pair{x, x};
-}
 
-/// The error |f p(u) - 1|, or |f - p(u)| if `absolute`; `most` (infinity) if f is NaN.
+/// The error |f p(u) - 1|, or |f - p(u)| if `absolute`; infinity if f is NaN. T is double or Pair.
 template <bool absolute, class T>
-T error_of(const T& x, const T& f, const std::array<T, 5>& p, const T& one, const T& zero, const T& most) {
-  const T u = x - p[4];
-  const T value = p[0] + u * (p[1] + u * (p[2] + u * p[3]));
-  const T e = absolute ? f - value : f * value - one;
-  const T size = e < zero ? -e : e;
+T error_of(const T& x, const T& f, const oracles::LocalExpansion& o) {
+  const T u = x - o.centre, most = T{} + std::numeric_limits<double>::infinity();
+  const T value = o.p[0] + u * (o.p[1] + u * (o.p[2] + u * o.p[3]));
+  const T e = absolute ? f - value : f * value - 1.0;
+  const T size = e < 0.0 ? -e : e;
   return size < most ? size : most;
 }
 
 template <bool absolute>
 double largest_error(const float* x, const float* f, std::size_t n, const oracles::LocalExpansion& o) {
-  const std::array<Pair, 5> p = {both(o.p[0]), both(o.p[1]), both(o.p[2]), both(o.p[3]), both(o.centre)};
-  const Pair one = both(1), zero = both(0), most = both(std::numeric_limits<double>::infinity());
-  Pair worst[2] = {zero, zero};
+  Pair worst[2] = {};
   for (std::size_t i = 0; i < n; i += 4)
     for (std::size_t k = 0; k < 2; ++k) {
       const std::size_t j = i + 2 * k;
-      const Pair e = error_of<absolute>(Pair{x[j], x[j + 1]}, Pair{f[j], f[j + 1]}, p, one, zero, most);
+      const Pair e = error_of<absolute>(Pair{x[j], x[j + 1]}, Pair{f[j], f[j + 1]}, o);
       worst[k] = e > worst[k] ? e : worst[k];
     }
   return std::max({worst[0][0], worst[0][1], worst[1][0], worst[1][1]});
 }
 
 double error_at(float x, float f, const oracles::LocalExpansion& o, bool absolute) {
-  const std::array<double, 5> p = {o.p[0], o.p[1], o.p[2], o.p[3], o.centre};
-  constexpr double most = std::numeric_limits<double>::infinity();
-  return absolute ? error_of<true, double>(x, f, p, 1, 0, most)
-                  : error_of<false, double>(x, f, p, 1, 0, most);
+  return absolute ? error_of<true, double>(x, f, o) : error_of<false, double>(x, f, o);
 }
 
 /// Sweeps one CoefficientCode, on one thread.
@@ -165,27 +158,24 @@ class Sweeper {
   std::array<float*, outputs_at_most> out_;
 };
 
-/// One CoefficientCode with its tasks, numbered from first_task.
+/// One CoefficientCode, with its outputs that are selected.
 struct Part {
   const CoefficientCode* code;
   std::vector<bool> wanted;
   std::vector<Largest> largest;
-  std::uint64_t tasks, first_task;
+  /// One past the bits of the last float.
+  std::uint64_t end() const { return std::uint64_t{std::bit_cast<std::uint32_t>(code->last)} + 1; }
 };
 
 /// The parts that compute a selected coefficient; an empty selection means all.
 std::vector<Part> parts_of(const std::vector<CoefficientCode>& code,
                            const std::vector<Coefficient>& selected) {
   std::vector<Part> parts;
-  std::uint64_t tasks = 0;
   for (const CoefficientCode& c : code) {
-    Part part{&c, {}, std::vector<Largest>(c.outputs.size()), 0, tasks};
+    Part part{&c, {}, std::vector<Largest>(c.outputs.size())};
     for (const Coefficient o : c.outputs)
-      part.wanted.push_back(selected.empty() || std::count(selected.begin(), selected.end(), o));
-    if (std::find(part.wanted.begin(), part.wanted.end(), true) == part.wanted.end()) continue;
-    part.tasks = std::bit_cast<std::uint32_t>(c.last) / task + 1;
-    tasks += part.tasks;
-    parts.push_back(std::move(part));
+      part.wanted.push_back(selected.empty() || std::ranges::count(selected, o));
+    if (std::ranges::count(part.wanted, true)) parts.push_back(std::move(part));
   }
   return parts;
 }
@@ -220,7 +210,9 @@ bool SweepResult::failed() const {
 SweepResult sweep(const SweepOptions& options, const std::vector<CoefficientCode>& code) {
   const auto start = std::chrono::steady_clock::now();
   std::vector<Part> parts = parts_of(code, options.coefficients);
-  const std::uint64_t tasks = parts.empty() ? 0 : parts.back().first_task + parts.back().tasks;
+  std::vector<std::pair<std::size_t, std::uint64_t>> tasks;  // a part, and the bits of the first float
+  for (std::size_t k = 0; k < parts.size(); ++k)
+    for (std::uint64_t first = 0; first < parts[k].end(); first += task) tasks.emplace_back(k, first);
   std::atomic<std::uint64_t> next{0}, done{0};
   std::atomic<bool> never{false};
   std::atomic<bool>& stop = options.stop ? *options.stop : never;
@@ -230,16 +222,13 @@ SweepResult sweep(const SweepOptions& options, const std::vector<CoefficientCode
     for (const Part& p : parts) own.push_back(std::make_unique<Sweeper>(*p.code, options.stride, p.wanted));
     while (!stop) {
       const std::uint64_t t = next++;
-      if (t >= tasks) break;
-      std::size_t k = 0;
-      while (t >= parts[k].first_task + parts[k].tasks) ++k;
-      const std::uint64_t first = (t - parts[k].first_task) * task;
-      const std::uint64_t end = std::uint64_t{std::bit_cast<std::uint32_t>(parts[k].code->last)} + 1;
+      if (t >= tasks.size()) break;
+      const auto [k, first] = tasks[t];
       own[k]->sweep(static_cast<std::uint32_t>(first),
-                    static_cast<std::uint32_t>(std::min(end, first + task)));
+                    static_cast<std::uint32_t>(std::min(parts[k].end(), first + task)));
       const std::uint64_t so_far = ++done;
       const std::lock_guard lock(mutex);
-      options.progress(static_cast<double>(so_far) / static_cast<double>(tasks));
+      options.progress(static_cast<double>(so_far) / static_cast<double>(tasks.size()));
     }
     const std::lock_guard lock(mutex);
     for (std::size_t k = 0; k < parts.size(); ++k)
@@ -250,7 +239,7 @@ SweepResult sweep(const SweepOptions& options, const std::vector<CoefficientCode
 
   SweepResult result;
   result.stride = options.stride;
-  result.complete = done == tasks;
+  result.complete = done == tasks.size();
   for (const Part& p : parts)
     for (std::size_t i = 0; i < p.largest.size(); ++i)
       if (p.wanted[i]) result.coefficients.push_back(swept(p.code->outputs[i], p.largest[i]));

@@ -40,50 +40,46 @@ T Bands::Edge::as() const {
 
 // min_exponent: 2^min_exponent is the smallest normal number.
 Bands::Bands(int min_exponent, int digits) {
-  const auto push = [this](std::string name, Axis axis, double low, double high, Region region) {
+  const auto push = [this](std::string name, Axis axis, double low, double high,
+                           Region region = Region::to_pi) {
     bands_.push_back({std::move(name), axis, low, high, region});
     return bands_.size() - 1;
   };
   const int precision = static_cast<int>(std::floor(digits * std::log10(2.0)));  // 7, 15, 34
-  push("all", Axis::none, 0, 0, Region::to_pi);
+  push("all", Axis::none, 0, 0);
 
-  first_theta_ = push("0", Axis::theta, 0, 0, Region::to_pi);
+  first_theta_ = push("0", Axis::theta, 0, 0);
+  Real low(0);
+  const auto push_theta = [&](std::string name, const Real& high) {
+    push(std::move(name), Axis::theta, head(low), head(high));
+    theta_edges_.emplace_back(high);
+    low = high;
+  };
   const Real smallest_normal = ldexp(Real(1), min_exponent);
-  const Real smallest_square = sqrt(smallest_normal);
-  theta_edges_.emplace_back(smallest_normal);
-  push("subnormal", Axis::theta, 0, static_cast<double>(smallest_normal), Region::to_pi);
-  theta_edges_.emplace_back(smallest_square);
-  push("theta^2 underflows", Axis::theta, static_cast<double>(smallest_normal),
-       static_cast<double>(smallest_square), Region::to_pi);
+  push_theta("subnormal", smallest_normal);
+  push_theta("theta^2 underflows", sqrt(smallest_normal));
 
-  const int lowest = static_cast<int>(floor(log10(smallest_square)));
+  const int lowest = static_cast<int>(floor(log10(low)));
   const int first_decade = std::max(lowest, -(precision + 5));
   std::vector<int> exponents;
   for (int e : {-1000, -100, -50})
     if (e > lowest && e < first_decade - 5) exponents.push_back(e);
   for (int e = first_decade; e <= 0; ++e) exponents.push_back(e);
-  Real low = smallest_square;
-  std::string low_name = fmt::format("1e{}", lowest);
-  for (int e : exponents) {
-    const Real high = power_of_ten(e);
-    if (high > low) {
-      const std::string high_name = fmt::format("1e{}", e);
-      push("theta " + low_name + ".." + high_name, Axis::theta, static_cast<double>(low),
-           static_cast<double>(high), Region::to_pi);
-      theta_edges_.emplace_back(high);
-      low = high;
-      low_name = high_name;
+  int low_exponent = lowest;
+  for (int e : exponents)
+    if (const Real high = power_of_ten(e); high > low) {
+      push_theta(fmt::format("theta 1e{}..1e{}", low_exponent, e), high);
+      low_exponent = e;
     }
-  }
 
-  generic_ = push("generic 1..pi-1", Axis::none, 1, static_cast<double>(pi() - 1), Region::to_pi);
+  generic_ = push("generic 1..pi-1", Axis::none, 1, head(pi() - 1));
   first_pi_ = bands_.size();
   for (int e = 0; e > -(precision + 1); --e) {
     push(fmt::format("pi-theta 1e{}..1e{}", e - 1, e), Axis::pi_minus_theta, std::pow(10.0, e - 1),
-         std::pow(10.0, e), Region::to_pi);
+         std::pow(10.0, e));
     pi_edges_.emplace_back(power_of_ten(e - 1));
   }
-  pi_ = push("pi", Axis::pi_minus_theta, 0, bands_.back().low, Region::to_pi);
+  pi_ = push("pi", Axis::pi_minus_theta, 0, bands_.back().low);
   beyond_ = push("beyond pi", Axis::none, 3.2, 6.2, Region::beyond_pi);
   near_2pi_ = push("near 2pi k", Axis::none, 6.2, 100, Region::beyond_pi);
   huge_ = push("huge", Axis::none, 100, 0, Region::beyond_pi);

@@ -14,13 +14,11 @@ namespace liecheck::properties {
 
 namespace {
 
-struct Description {
+constexpr struct {
   const char* name;
   char letter;
-};
-constexpr Description descriptions[] = {{"stable", 'S'},     {"refused", 'R'},    {"ill-posed", 'P'},
-                                        {"unresolved", 'U'}, {"inaccurate", 'I'}, {"wrong branch", 'B'},
-                                        {"not finite", 'N'}};
+} descriptions[] = {{"stable", 'S'},     {"refused", 'R'},      {"ill-posed", 'P'}, {"unresolved", 'U'},
+                    {"inaccurate", 'I'}, {"wrong branch", 'B'}, {"not finite", 'N'}};
 
 Verdict verdict_of(const Judged& j, const Output& output) {
   switch (j.residual.outcome) {
@@ -66,10 +64,6 @@ HardCell cell_of(const Series& series, const CaseId& id, const Trial& trial) {
   return cell;
 }
 
-bool contains(const std::vector<std::string>& list, const std::string& name) {
-  return std::find(list.begin(), list.end(), name) != list.end();
-}
-
 /// One row for each case and law, with the series that it runs on.
 struct Task {
   HardRow row;
@@ -82,13 +76,14 @@ std::vector<Task> tasks_of(const std::vector<HardCase>& cases, const Selection& 
   std::vector<Task> tasks;
   for (const HardCase& c : cases)
     for (const std::string& property : c.properties) {
-      if (!contains(known, property))
+      if (!std::ranges::count(known, property))
         throw std::invalid_argument(
             fmt::format("{}: unknown property '{}'; known: {}", c.place(), property, fmt::join(known, ", ")));
-      if (!selection.properties.empty() && !contains(selection.properties, property)) continue;
+      if (!selection.properties.empty() && !std::ranges::count(selection.properties, property)) continue;
       Task task{{&c, property, {}, {}}, {}};
       for (const auto& s : all) {
-        if (s->property != property || (!c.scalars.empty() && !contains(c.scalars, s->scalar))) continue;
+        if (s->property != property || (!c.scalars.empty() && !std::ranges::count(c.scalars, s->scalar)))
+          continue;
         if (s->robot != "none" && is_tree_law(property)) continue;  // the case contains its tree
         if (s->robot != "none")
           throw std::invalid_argument(fmt::format(
@@ -148,9 +143,8 @@ std::vector<HardRow> run_hard_cases(const Selection& selection, const Robot& rob
 }
 
 bool any_failed(const std::vector<HardRow>& rows) {
-  return std::any_of(rows.begin(), rows.end(), [](const HardRow& r) {
-    return std::any_of(r.cells.begin(), r.cells.end(), [](const HardCell& c) { return c.failed; });
-  });
+  return std::ranges::any_of(
+      rows, [](const HardRow& r) { return std::ranges::any_of(r.cells, &HardCell::failed); });
 }
 
 }  // namespace liecheck::properties

@@ -1,11 +1,11 @@
 #include <scenes/show.hpp>
 
 #include <Eigen/Eigenvalues>
-#include <support/embedded.hpp>
 #include <cmath>
 #include <liecheck/scene/run.hpp>
 #include <liecheck/scene_file/scene_file.hpp>
 #include <liecheck/urdf/urdf.hpp>
+#include <support/embedded.hpp>
 
 namespace liecheck::properties {
 namespace {
@@ -118,16 +118,12 @@ Film::Link link_of(const Model<double>& model, std::size_t i) {
     link.centre[std::size_t(a)] = I.lever()[a];
     for (int b = 0; b < 3; ++b) link.axes[std::size_t(3 * b + a)] = axes(b, a);
   }
+  const auto add_joint = [&](const Vector3<double>& p) { link.joints.push_back({p[0], p[1], p[2]}); };
   for (std::size_t child = i + 1; child < model.parents.size(); ++child)
-    if (model.parents[child] == int(i)) {
-      const Vector3<double> p = model.jointPlacements[child].translation();
-      link.joints.push_back({p[0], p[1], p[2]});
-    }
+    if (model.parents[child] == int(i)) add_joint(model.jointPlacements[child].translation());
   for (const Frame<double>& f : model.frames)  // feet, which carry no joint
-    if (f.type == FrameType::BODY && std::size_t(f.parentJoint) == i && f.name.ends_with("foot")) {
-      const Vector3<double> p = f.placement.translation();
-      link.joints.push_back({p[0], p[1], p[2]});
-    }
+    if (f.type == FrameType::BODY && std::size_t(f.parentJoint) == i && f.name.ends_with("foot"))
+      add_joint(f.placement.translation());
   return link;
 }
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <oracles/motions/triaxial.hpp>
+#include <oracles/motions/torque_free.hpp>
 #include <oracles/number.hpp>
 #include <scenes/liecheck_runner.hpp>
 #include <scenes/truth.hpp>

@@ -4,11 +4,9 @@
 #include <limits>
 #include <map>
 #include <memory>
-#include <mutex>
-#include <oracles/motions/damped_spring.hpp>
 #include <oracles/motions/free_body.hpp>
 #include <oracles/motions/lagrange_top.hpp>
-#include <oracles/motions/pendulum.hpp>
+#include <oracles/motions/one_coordinate.hpp>
 #include <oracles/motions/planar_chain.hpp>
 #include <oracles/number.hpp>
 
@@ -221,17 +219,17 @@ MotionError motion_error(const Model<double>& robot, const Moment& found, const 
     };
     const auto dv = [&](std::size_t k) -> Real { return found.v[v + k] - exact.v[v + k]; };
     const bool free = std::holds_alternative<FreeFlyer<double>>(robot.joints[i]);
+    const bool prismatic = std::holds_alternative<Prismatic<double>>(robot.joints[i]);
+    if (free || prismatic) {
+      moves = true;
+      for (std::size_t k = 0; k < (free ? 3U : 1U); ++k)
+        position += square(found.q[q + k] - exact.q[q + k]), linear += square(dv(k));
+    }
+    if (prismatic) continue;
     if (free || std::holds_alternative<Spherical<double>>(robot.joints[i])) {
       const std::size_t Q = free ? q + 3 : q, w = free ? 3 : 0;
       attitude(Real(angle_between(quaternion(found, Q), quaternion(exact, Q))));
       for (std::size_t k = 0; k < 3; ++k) angular += square(dv(w + k));
-      if (!free) continue;
-      moves = true;
-      for (std::size_t k = 0; k < 3; ++k)
-        position += square(found.q[q + k] - exact.q[q + k]), linear += square(dv(k));
-    } else if (std::holds_alternative<Prismatic<double>>(robot.joints[i])) {
-      moves = true;
-      position += square(found.q[q] - exact.q[q]), linear += square(dv(0));
     } else if (robot.nqs[i] == 1) {
       attitude(abs(Real(found.q[q] - exact.q[q])));
       angular += square(dv(0));

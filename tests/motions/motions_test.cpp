@@ -3,14 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <oracles/motions/damped_spring.hpp>
 #include <oracles/motions/extrapolation.hpp>
 #include <oracles/motions/free_body.hpp>
 #include <oracles/motions/lagrange_top.hpp>
-#include <oracles/motions/pendulum.hpp>
+#include <oracles/motions/one_coordinate.hpp>
 #include <oracles/motions/planar_chain.hpp>
 #include <oracles/motions/torque_free.hpp>
-#include <oracles/motions/triaxial.hpp>
 
 namespace {
 

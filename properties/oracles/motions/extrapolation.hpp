@@ -11,14 +11,12 @@ template <class State, class T>
 struct Extrapolated {
   State y;
   T disagreement;  ///< norm of the difference of the two orders at the end
-  int steps = 0;
 };
 
 /// y(t1) for y' = f(y) and y(0) = y, by steps of order 2 `columns`. The error estimate of a step is the
 /// difference of the last two columns. It is at most `tolerance` (1 + ||y||).
 template <int N, class T, class F>
-Vec<N, T> extrapolate(const F& f, Vec<N, T> y, const T& t1, int columns, const T& tolerance,
-                      int* steps = nullptr) {
+Vec<N, T> extrapolate(const F& f, Vec<N, T> y, const T& t1, int columns, const T& tolerance) {
   const auto size = [](const Vec<N, T>& v) {
     T m(0);
     for (int i = 0; i < N; ++i) m = larger<T>(m, abs(v[i]));
@@ -58,7 +56,6 @@ Vec<N, T> extrapolate(const F& f, Vec<N, T> y, const T& t1, int columns, const T
     y = end;
     t = h_step < t1 - t ? T(t + h_step) : t1;
     if (error * 1000 < tolerance * (1 + size(y))) H = h_step * T(1.25);
-    if (steps) ++*steps;
   }
   return y;
 }
@@ -67,7 +64,7 @@ Vec<N, T> extrapolate(const F& f, Vec<N, T> y, const T& t1, int columns, const T
 template <int N, class T, class F>
 Extrapolated<Vec<N, T>, T> reference(const F& f, const Vec<N, T>& y0, const T& t1, const T& tolerance) {
   Extrapolated<Vec<N, T>, T> r;
-  r.y = extrapolate<N, T>(f, y0, t1, 16, tolerance, &r.steps);
+  r.y = extrapolate<N, T>(f, y0, t1, 16, tolerance);
   const Vec<N, T> other = extrapolate<N, T>(f, y0, t1, 14, tolerance);
   r.disagreement = norm(r.y - other);
   return r;

@@ -1,6 +1,5 @@
 #include <oracles/motions/free_body.hpp>
 #include <oracles/motions/torque_free.hpp>
-#include <oracles/motions/triaxial.hpp>
 
 namespace liecheck::oracles {
 

@@ -1,6 +1,6 @@
 #pragma once
 // A free rigid body under constant gravity: the centre of mass falls freely, and the attitude is torque-free.
-// P are the body's principal axes. R_WP(t) comes from torque_free.hpp or triaxial.hpp.
+// P are the body's principal axes. R_WP(t) comes from torque_free.hpp.
 //   p_WBo = p_C - R c,   u = R^T v_C - omega x c,   R_WB = R_WP R_BP^T
 
 #include <functional>

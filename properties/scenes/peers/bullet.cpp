@@ -7,7 +7,7 @@
 #include <btBulletDynamicsCommon.h>
 
 #include <fmt/format.h>
-#include <scenes/peers/peer.hpp>
+#include <scenes/peers/make_peer.hpp>
 
 namespace liecheck::properties {
 namespace {
@@ -100,20 +100,11 @@ class BulletRunner final : public PeerRunner {
   double h_ = 0;
 };
 
-Peer peer() {
-  return {"Bullet", fmt::format("{}.{}", BT_BULLET_VERSION / 100, BT_BULLET_VERSION % 100),
-          [](const Benchmark& s) -> std::vector<PeerMethod> {
-            const auto bodies = peer_bodies(s);
-            if (bodies.empty()) return {};
-            if (bodies[0].free) return {{"implicit gyroscopic", 1}, {"explicit gyroscopic", 1}};
-            return {{"RK4", 4}, {"semi-implicit Euler", 1}};
-          },
-          [](const Benchmark& s, const std::string& method) {
-            return std::make_unique<BulletRunner>(s, method);
-          }};
-}
+const Peer peer = make_peer<BulletRunner>(
+    "Bullet", fmt::format("{}.{}", BT_BULLET_VERSION / 100, BT_BULLET_VERSION % 100),
+    {{"implicit gyroscopic", 1}, {"explicit gyroscopic", 1}}, {{"RK4", 4}, {"semi-implicit Euler", 1}});
 
 }  // namespace
 }  // namespace liecheck::properties
 
-LIECHECK_SCENE_PEER(liecheck::properties::peer())
+LIECHECK_SCENE_PEER(liecheck::properties::peer)

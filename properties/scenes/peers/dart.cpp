@@ -7,7 +7,7 @@
 #include <dart/dynamics/Skeleton.hpp>
 #include <dart/simulation/World.hpp>
 
-#include <scenes/peers/peer.hpp>
+#include <scenes/peers/make_peer.hpp>
 
 namespace liecheck::properties {
 namespace {
@@ -16,23 +16,21 @@ namespace dd = dart::dynamics;
 
 class DartRunner final : public PeerRunner {
  public:
-  explicit DartRunner(const Benchmark& scene) : PeerRunner(scene) {
+  DartRunner(const Benchmark& scene, const std::string&) : PeerRunner(scene) {
     robot_ = dd::Skeleton::create("robot");
     dd::BodyNode* parent = nullptr;
     for (const PeerBody& b : bodies_) {
       // Names are unique, because DART prints a message for each body that it renames.
       const dd::BodyNode::AspectProperties name("body" + std::to_string(robot_->getNumBodyNodes()));
-      dd::RevoluteJoint::Properties joint;
-      joint.mName = "joint" + std::to_string(robot_->getNumBodyNodes());
       if (b.free) {
         const auto made = robot_->createJointAndBodyNodePair<dd::FreeJoint>(parent, {}, name);
         root_ = made.first, parent = made.second;
       } else {
+        dd::RevoluteJoint::Properties joint;
+        joint.mName = "joint" + std::to_string(robot_->getNumBodyNodes());
         const auto made = robot_->createJointAndBodyNodePair<dd::RevoluteJoint>(parent, joint, name);
         made.first->setAxis(b.axis);
-        Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
-        X.translation() = b.at;
-        made.first->setTransformFromParentBodyNode(X);
+        made.first->setTransformFromParentBodyNode(Eigen::Isometry3d(Eigen::Translation3d(b.at)));
         parent = made.second;
       }
       parent->setInertia(dd::Inertia(b.mass, b.centre, Eigen::Matrix3d(b.moments.asDiagonal())));
@@ -50,9 +48,7 @@ class DartRunner final : public PeerRunner {
       robot_->setPositions(scene_.q0), robot_->setVelocities(scene_.v0);
       return;
     }
-    Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
-    X.translation() = scene_.q0.head<3>(), X.linear() = attitude_of(scene_.q0).toRotationMatrix();
-    root_->setTransform(X);
+    root_->setTransform(Eigen::Translation3d(scene_.q0.head<3>()) * attitude_of(scene_.q0));
     Eigen::Vector6d V;
     V << scene_.v0.tail<3>(), scene_.v0.head<3>();
     root_->setRelativeSpatialVelocity(V);
@@ -75,16 +71,9 @@ class DartRunner final : public PeerRunner {
   dd::FreeJoint* root_ = nullptr;
 };
 
-Peer peer() {
-  return {"DART", DART_VERSION,
-          [](const Benchmark& s) -> std::vector<PeerMethod> {
-            if (peer_bodies(s).empty()) return {};
-            return {{"semi-implicit Euler", 1}};
-          },
-          [](const Benchmark& s, const std::string&) { return std::make_unique<DartRunner>(s); }};
-}
+const Peer peer = make_peer<DartRunner>("DART", DART_VERSION, {{"semi-implicit Euler", 1}});
 
 }  // namespace
 }  // namespace liecheck::properties
 
-LIECHECK_SCENE_PEER(liecheck::properties::peer())
+LIECHECK_SCENE_PEER(liecheck::properties::peer)

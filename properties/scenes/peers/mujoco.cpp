@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 #include <cstring>
-#include <scenes/peers/peer.hpp>
+#include <scenes/peers/make_peer.hpp>
 
 namespace liecheck::properties {
 namespace {
@@ -80,18 +80,10 @@ class MujocoRunner final : public PeerRunner {
   std::unique_ptr<mjData, Free> data_;
 };
 
-Peer peer() {
-  return {"MuJoCo", mj_versionString(),
-          [](const Benchmark& s) -> std::vector<PeerMethod> {
-            if (peer_bodies(s).empty()) return {};
-            return {{"RK4", 4}, {"Euler", 1}, {"implicit", 1}};
-          },
-          [](const Benchmark& s, const std::string& method) {
-            return std::make_unique<MujocoRunner>(s, method);
-          }};
-}
+const Peer peer =
+    make_peer<MujocoRunner>("MuJoCo", mj_versionString(), {{"RK4", 4}, {"Euler", 1}, {"implicit", 1}});
 
 }  // namespace
 }  // namespace liecheck::properties
 
-LIECHECK_SCENE_PEER(liecheck::properties::peer())
+LIECHECK_SCENE_PEER(liecheck::properties::peer)

@@ -1,8 +1,7 @@
 // Simbody (Apache-2.0): generalized coordinates; Runge-Kutta pairs and Verlet, each with a given accuracy.
 // simbody_model.cpp is C++17, because in C++20 the operator== of Simbody's headers is ambiguous.
 
-#include <fmt/format.h>
-#include <scenes/peers/peer.hpp>
+#include <scenes/peers/make_peer.hpp>
 #include <scenes/peers/simbody_model.hpp>
 
 namespace liecheck::properties {
@@ -33,14 +32,7 @@ class SimbodyRunner final : public PeerRunner {
  protected:
   void reset(double) override {}
   void step() override {}
-  void read(Eigen::VectorXd& q, Eigen::VectorXd& v) const override {
-    if (!bodies_[0].free) {
-      model_->read(q, v);
-      return;
-    }
-    const FreeState s = model_->free_state();
-    set_free(q, v, s.p, s.Q, s.velocity_W, s.omega_W);
-  }
+  void read(Eigen::VectorXd& q, Eigen::VectorXd& v) const override { model_->read(q, v); }
 
  private:
   void to(double t) {
@@ -50,18 +42,10 @@ class SimbodyRunner final : public PeerRunner {
   std::unique_ptr<SimbodyModel> model_;
 };
 
-Peer peer() {
-  return {"Simbody", simbody_version(),
-          [](const Benchmark& s) -> std::vector<PeerMethod> {
-            if (peer_bodies(s).empty()) return {};
-            return {{"RKMerson", 4, true}, {"RKFehlberg", 5, true}, {"Verlet", 2, true}};
-          },
-          [](const Benchmark& s, const std::string& method) {
-            return std::make_unique<SimbodyRunner>(s, method);
-          }};
-}
+const Peer peer = make_peer<SimbodyRunner>(
+    "Simbody", simbody_version(), {{"RKMerson", 4, true}, {"RKFehlberg", 5, true}, {"Verlet", 2, true}});
 
 }  // namespace
 }  // namespace liecheck::properties
 
-LIECHECK_SCENE_PEER(liecheck::properties::peer())
+LIECHECK_SCENE_PEER(liecheck::properties::peer)

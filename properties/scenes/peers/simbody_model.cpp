@@ -69,16 +69,17 @@ class Model final : public SimbodyModel {
   void read(Eigen::VectorXd& q, Eigen::VectorXd& v) const override {
     const SimTK::State& s = integrator_->getState();
     q.resize(scene_.q0.size()), v.resize(scene_.v0.size());
-    for (std::size_t i = 0; i < mobods_.size(); ++i)
-      q[int(i)] = mobods_[i].getOneQ(s, 0), v[int(i)] = mobods_[i].getOneU(s, 0);
-  }
-  FreeState free_state() const override {
-    const SimTK::State& s = integrator_->getState();
+    if (!scene_.bodies[0].free) {
+      for (std::size_t i = 0; i < mobods_.size(); ++i)
+        q[int(i)] = mobods_[i].getOneQ(s, 0), v[int(i)] = mobods_[i].getOneU(s, 0);
+      return;
+    }
     system_.realize(s, SimTK::Stage::Velocity);
     const SimTK::MobilizedBody& b = mobods_[0];
-    const SimTK::Quaternion Q = b.getBodyRotation(s).convertRotationToQuaternion();
-    return {of(b.getBodyOriginLocation(s)), Eigen::Quaterniond(Q[0], Q[1], Q[2], Q[3]),
-            of(b.getBodyOriginVelocity(s)), of(b.getBodyAngularVelocity(s))};
+    const SimTK::Quaternion o = b.getBodyRotation(s).convertRotationToQuaternion();
+    const Eigen::Quaterniond Q(o[0], o[1], o[2], o[3]), from_world = Q.conjugate();
+    q << of(b.getBodyOriginLocation(s)), Q.x(), Q.y(), Q.z(), Q.w();
+    v << from_world * of(b.getBodyOriginVelocity(s)), from_world * of(b.getBodyAngularVelocity(s));
   }
   long steps() const override { return integrator_->getNumStepsTaken(); }
 

@@ -14,11 +14,6 @@ struct SimbodyScene {
   Eigen::VectorXd q0, v0;  ///< free body: [p; x y z w], [u; omega] in its axes; chain: angles, rates
   double duration;
 };
-struct FreeState {
-  Eigen::Vector3d p;
-  Eigen::Quaterniond Q;
-  Eigen::Vector3d velocity_W, omega_W;
-};
 
 class SimbodyModel {
  public:
@@ -26,8 +21,8 @@ class SimbodyModel {
   virtual void start(double accuracy) = 0;
   /// Runs up to time t. Returns why it could not, or "".
   virtual std::string to(double t) = 0;
+  /// Sets q and v to the present state, in the coordinates of q0 and v0.
   virtual void read(Eigen::VectorXd& q, Eigen::VectorXd& v) const = 0;
-  virtual FreeState free_state() const = 0;
   virtual long steps() const = 0;
 };
 /// method: RKMerson, RKFehlberg or Verlet.

@@ -1,5 +1,5 @@
 #include <oracles/motions/elliptic.hpp>
-#include <oracles/motions/pendulum.hpp>
+#include <oracles/motions/one_coordinate.hpp>
 
 #include <boost/math/constants/constants.hpp>
 

@@ -1,5 +1,5 @@
 #include <oracles/motions/elliptic.hpp>
-#include <oracles/motions/triaxial.hpp>
+#include <oracles/motions/torque_free.hpp>
 
 #include <stdexcept>
 #include <utility>
