@@ -24,26 +24,19 @@ using scene::Scene;
 /// An item of a list of parts: a name, or a name with its keys.
 Request request(const Text& text, const YAML::Node& node, const std::string& what,
                 const std::vector<const PartInfo*>& known, const Model<double>& model) {
-  std::string name;
-  YAML::Node keys;
-  int line = Text::lineOf(node);
-  if (node.IsMap()) {
-    if (node.size() != 1)
-      text.refuse(node, "an item of " + what +
-                            " is a name, or a name with its keys: - name: {key: value}; this one has " +
-                            std::to_string(node.size()) + " names");
-    name = text.word(node.begin()->first, "a name in " + what);
-    line = Text::lineOf(node.begin()->first);
-    keys = node.begin()->second;
-  } else {
-    name = text.word(node, "an item of " + what);
-  }
+  const bool keyed = node.IsMap();
+  if (keyed && node.size() != 1)
+    text.refuse(node, "an item of " + what +
+                          " is a name, or a name with its keys: - name: {key: value}; this one has " +
+                          std::to_string(node.size()) + " names");
+  const YAML::Node head = keyed ? YAML::Node(node.begin()->first) : node;
+  const YAML::Node keys = keyed ? YAML::Node(node.begin()->second) : YAML::Node();
+  const std::string name = text.word(head, (keyed ? "a name in " : "an item of ") + what);
+  const int line = Text::lineOf(head);
   std::vector<std::string> names;
-  for (const PartInfo* info : known) {
-    if (name == info->name) return {name, text.parameters(keys, line, name, info->keys, &model), line};
-    names.emplace_back(info->name);
-  }
-  text.refuse(line, "'" + name + "' is not known in " + what + nearestNames(name, names));
+  for (const PartInfo* info : known) names.emplace_back(info->name);
+  const PartInfo& info = *known[text.place(head, name, names, "'" + name + "' is not known in " + what)];
+  return {name, text.parameters(keys, line, name, info.keys, &model), line};
 }
 
 std::vector<Request> requests(const Text& text, const YAML::Node& node, const std::string& what,
@@ -123,13 +116,9 @@ void checkParts(const Text& text, const YAML::Node& root, const Scene& scene) {
   });
   std::set<std::string> written;
   for (const Request& r : scene.observers) {
-    for (const scene::Key& key :
-         {scene::Key{"seed", Kind::NotNegative, "", "", ""}, {"refinement", Kind::Positive, "", "", ""}})
-      if (r.parameters.has(key.name)) {
-        const double x = r.parameters.number(key.name);
-        if (x != std::floor(x) || x > 9e15)
-          text.refuse(r.line, r.name + "." + key.name + " is not a whole number up to 9e15");
-      }
+    for (const char* key : {"seed", "refinement"})
+      if (const double x = r.parameters.number(key, 0); x != std::floor(x) || x > 9e15)
+        text.refuse(r.line, r.name + "." + key + " is not a whole number up to 9e15");
     Scene one = scene;
     one.observers = {r};
     const std::vector<scene::Column> own = text.at(r.line, [&] { return scene::columnsOf(one); });
@@ -175,9 +164,7 @@ Scene read(const Text& text, const std::string& content, const std::string& fold
                                                           "pendulum",     "axisymmetric",   "triaxial",
                                                           "sleeping_top", "precessing_top"};
     scene.truth = text.word(root["truth"], "truth");
-    if (std::find(closed_forms.begin(), closed_forms.end(), scene.truth) == closed_forms.end())
-      text.refuse(root["truth"],
-                  "no closed form is named '" + scene.truth + "'" + nearestNames(scene.truth, closed_forms));
+    text.place(root["truth"], scene.truth, closed_forms, "no closed form is named '" + scene.truth + "'");
   }
   readRobot(text, root, folder, scene);
   if (const YAML::Node ground = root["ground"]; ground.IsDefined() && !ground.IsNull()) {

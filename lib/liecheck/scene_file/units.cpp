@@ -57,12 +57,8 @@ Unit parseUnit(const std::string& text) {
   Unit unit;
   int sign = 1;
   for (std::size_t i = 0; i < text.size();) {
-    if (text[i] == ' ') {
-      ++i;
-      continue;
-    }
-    if (text[i] == '/') {
-      sign = -1, ++i;
+    if (text[i] == ' ' || text[i] == '/') {
+      if (text[i++] == '/') sign = -1;
       continue;
     }
     const std::size_t end = std::min(text.find_first_of(" /^", i), text.size());
