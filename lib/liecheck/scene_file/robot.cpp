@@ -21,28 +21,26 @@ const std::vector<Key>& rootKeys() {
   return keys;
 }
 
-std::optional<Joint<double>> rootJoint(const scene::Parameters& p) {
+/// The root's joint; none if it is fixed. Refuses `axis` unless the joint has an axis.
+std::optional<Joint<double>> readRootJoint(const Text& text, const YAML::Node& robot, int line,
+                                           const scene::Parameters& p) {
   const std::string& kind = p.word("root");
-  const auto& a = p.numbers("axis");
-  const auto axis = [&] { return Axis<double>(V3(a[0], a[1], a[2])); };
+  if (kind == "revolute" || kind == "continuous" || kind == "prismatic")
+    return text.at(line, [&]() -> Joint<double> {
+      const auto& a = p.numbers("axis");
+      const Axis<double> axis(V3(a[0], a[1], a[2]));
+      if (kind == "revolute") return Revolute<double>(axis);
+      if (kind == "continuous") return Continuous<double>(axis);
+      return Prismatic<double>(axis);
+    });
+  if (robot["axis"].IsDefined())
+    text.refuse(robot["axis"],
+                "robot.axis needs a revolute, continuous or prismatic root, not '" + kind + "'");
   if (kind == "free_flyer") return FreeFlyer<double>();
   if (kind == "spherical") return Spherical<double>();
   if (kind == "planar") return Planar<double>();
   if (kind == "translation") return Translation<double>();
-  if (kind == "revolute") return Revolute<double>(axis());
-  if (kind == "continuous") return Continuous<double>(axis());
-  if (kind == "prismatic") return Prismatic<double>(axis());
   return std::nullopt;
-}
-
-/// The root's joint. Refuses `axis` unless the joint has an axis.
-std::optional<Joint<double>> readRootJoint(const Text& text, const YAML::Node& robot, int line,
-                                           const scene::Parameters& p) {
-  const std::string& kind = p.word("root");
-  if (robot["axis"].IsDefined() && kind != "revolute" && kind != "continuous" && kind != "prismatic")
-    text.refuse(robot["axis"],
-                "robot.axis needs a revolute, continuous or prismatic root, not '" + kind + "'");
-  return text.at(line, [&] { return rootJoint(p); });
 }
 
 Model<double> fromUrdf(const Text& text, const YAML::Node& robot, const std::string& folder) {
@@ -50,8 +48,7 @@ Model<double> fromUrdf(const Text& text, const YAML::Node& robot, const std::str
   const int line = Text::lineOf(robot["urdf"]);
   const std::string given = text.word(robot["urdf"], "robot.urdf");
   const std::filesystem::path path = std::filesystem::path(folder) / given;  // `given` if that is absolute
-  UrdfOptions options;
-  options.root_joint = readRootJoint(text, robot, line, p);
+  const UrdfOptions options{.root_joint = readRootJoint(text, robot, line, p)};
   try {
     return loadUrdf(path.lexically_normal().string(), options).model;
   } catch (const UrdfError& e) {

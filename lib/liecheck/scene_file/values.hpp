@@ -34,7 +34,7 @@ class Text {
   const Entry& entry(const YAML::Node& node, const std::string& name, const std::vector<Entry>& entries,
                      const std::string& unknown) const {
     std::vector<std::string> names;
-    for (const Entry& e : entries) names.emplace_back(e.info.name);
+    for (const Entry& e : entries) names.emplace_back(infoOf(e.info).name);
     return entries[place(node, name, names, unknown)];
   }
   std::string word(const YAML::Node& node, const std::string& what) const;
@@ -61,6 +61,8 @@ class Text {
                                const std::vector<std::string>& others = {}) const;
 
  private:
+  static const scene::PartInfo& infoOf(const scene::PartInfo& info) { return info; }
+  static const scene::PartInfo& infoOf(const scene::PartInfo* info) { return *info; }
   scene::Value value(const YAML::Node& node, const std::string& what, const scene::Key& key,
                      const Model<double>* model) const;
   std::string file_;

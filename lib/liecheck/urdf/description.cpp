@@ -13,7 +13,7 @@
 namespace liecheck::urdf_detail {
 namespace {
 
-using tinyxml2::XMLDocument, tinyxml2::XMLElement, tinyxml2::XMLNode;
+using tinyxml2::XMLDocument, tinyxml2::XMLElement;
 
 /// The <origin> of an element: p = xyz [m], R = R_z(yaw) R_y(pitch) R_x(roll), rpy [rad], exactly as urdfdom.
 SE3<double> origin(const XMLElement& of) {
@@ -35,10 +35,8 @@ class Reader {
   Description robot(const XMLDocument& document) {
     const XMLElement* robot = document.RootElement();
     if (!robot) refuse(1, "no element, expected <robot>", "");
-    for (const XMLNode* node = document.FirstChild(); node; node = node->NextSibling()) {
-      if (node->ToElement() && node->ToElement() != robot)
-        refuse(node->GetLineNum(), "a second root element", node->Value());
-    }
+    if (const XMLElement* second = robot->NextSiblingElement())
+      refuse(*second, "a second root element", second->Value());
     if (std::string_view(robot->Value()) != "robot") refuse(*robot, "expected <robot>", robot->Value());
     robot_.line = robot->GetLineNum(), robot_.name = name(*robot, "robot");
     if (const char* version = robot->Attribute("version"); version && version != std::string_view("1.0"))
@@ -91,18 +89,16 @@ class Reader {
     const std::string link_name = name(e, "link");
     LinkDescription& link = added(robot_.links, e, "link", link_name);
     checkNumbersBelow(e, messages_);
-    if (const XMLElement* inertial = e.FirstChildElement("inertial")) {
-      const XMLElement* mass = inertial->FirstChildElement("mass");
-      if (!mass) refuse(*inertial, "an <inertial> without <mass>", link_name);
-      if (!inertial->FirstChildElement("inertia"))
-        refuse(*inertial, "an <inertial> without <inertia>", link_name);
+    if (const XMLElement* inertial = e.FirstChildElement("inertial"))
       link.inertia = origin(*inertial).act(body(*inertial, link_name));
-    }
   }
 
   /// The inertia at the centre of mass, in the axes of <inertial>. Refuses a negative mass; moments that no
   /// body can have are recorded in unphysical_links.
   Inertia<double> body(const XMLElement& inertial, const std::string& link_name) {
+    for (const std::string part : {"mass", "inertia"})
+      if (!inertial.FirstChildElement(part.c_str()))
+        refuse(inertial, "an <inertial> without <" + part + ">", link_name);
     const XMLElement &mass = *inertial.FirstChildElement("mass"),
                      &inertia = *inertial.FirstChildElement("inertia");
     const auto of = [&](const char* moment) { return number(inertia, moment); };
