@@ -39,14 +39,13 @@ std::string cases_text(const Json& record) {
 
 std::string verdict_section(const Merged& merged) {
   const std::string verdict_word = verdict(merged);
-  const auto [label, meaning] =
-      verdict_word == "pass" ? std::pair("PASS", "Every band judged is within its budget.")
-      : verdict_word == "fail"
-          ? std::pair(
-                "FAIL",
-                "At least one band of at least one subject is over its budget, or a hard case failed; the "
-                "tables below name them.")
-          : std::pair("INCOMPLETE", "The campaign was interrupted, or left cases unresolved.");
+  const char *label = "INCOMPLETE", *meaning = "The campaign was interrupted, or left cases unresolved.";
+  if (verdict_word == "pass") label = "PASS", meaning = "Every band judged is within its budget.";
+  if (verdict_word == "fail")
+    label = "FAIL",
+    meaning =
+        "At least one band of at least one subject is over its budget, or a hard case failed; the "
+        "tables below name them.";
   const auto all = standings(merged);
   std::string out =
       fmt::format("<p class=\"verdict {}\"><strong>{}</strong> {}</p>\n<dl class=\"summary\">\n",
@@ -58,17 +57,16 @@ std::string verdict_section(const Merged& merged) {
                                        {"fail", "over budget"},
                                        {"incomplete", "incomplete"},
                                        {"no verdict", "no verdict"}}) {
-    std::vector<std::pair<std::string, Cells>> subjects;  // with their scalars
-    for (const Standing& s : all) {
-      if (word(s) != standing) continue;
-      const auto known = std::find_if(subjects.begin(), subjects.end(),
-                                      [&](const auto& entry) { return entry.first == s.subject; });
-      auto& entry = known == subjects.end() ? subjects.emplace_back(s.subject, Cells{}) : *known;
-      entry.second.push_back(escaped(s.scalar));
-    }
+    std::vector<std::string> subjects;
+    for (const Standing& s : all)
+      if (word(s) == standing) add_once(subjects, s.subject);
     Cells texts;
-    for (const auto& [subject, in] : subjects)
+    for (const std::string& subject : subjects) {
+      Cells in;
+      for (const Standing& s : all)
+        if (word(s) == standing && s.subject == subject) in.push_back(escaped(s.scalar));
       texts.push_back(fmt::format("<b>{}</b> in {}", escaped(subject), fmt::join(in, ", ")));
+    }
     if (!texts.empty()) item(name, fmt::format("{}", fmt::join(texts, "; ")));
   }
   for (const Json& r : merged.records) {
@@ -108,8 +106,7 @@ std::string standings_section(const Merged& merged) {
     Cells row = {escaped(s.subject), escaped(s.version), escaped(s.scalar), status_text(word(s))};
     for (const int bands : {s.passed, s.failed, s.unresolved, s.ill_posed, s.empty})
       row.push_back(std::to_string(bands));
-    row.push_back(std::to_string(s.not_finite));
-    row.push_back(std::to_string(s.wrong_branch));
+    for (const auto cases : {s.not_finite, s.wrong_branch}) row.push_back(std::to_string(cases));
     row.push_back(s.worst ? fmt::format("{} (budget {}): {}", judged_text(*s.worst),
                                         eps_text((*s.worst)["budget"]), place(*s.worst))
                           : "—");

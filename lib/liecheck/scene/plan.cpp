@@ -15,12 +15,10 @@ double nanoseconds(F f) {
     const auto begin = Clock::now();
     for (long i = 0; i < times; ++i) f();
     const double took = std::chrono::duration<double>(Clock::now() - begin).count();
-    if (took < 1e-4 && times < 1'000'000'000) {
+    if (took < 1e-4 && times < 1'000'000'000)
       times *= 4;
-      continue;
-    }
-    best = std::min(best, took / double(times));
-    ++repetition;
+    else
+      best = std::min(best, took / double(times)), ++repetition;
   }
   return 1e9 * best;
 }
@@ -43,8 +41,7 @@ class Planner {
  private:
   template <class Work>
   void add(std::string name, std::string equation, std::string when, std::string why, Work work) {
-    plan_.stages.push_back(
-        {std::move(name), std::move(equation), std::move(when), std::move(why), std::nullopt});
+    plan_.stages.push_back({std::move(name), std::move(equation), std::move(when), std::move(why), {}});
     if (measured_) plan_.stages.back().nanoseconds = nanoseconds(work);
   }
   static std::string reads(Kinematics k) {

@@ -21,40 +21,34 @@ const std::vector<Key>& rootKeys() {
   return keys;
 }
 
-std::optional<Joint<double>> rootJoint(const scene::Parameters& p) {
+/// The root's joint; none if it is fixed. Refuses `axis` unless the joint has an axis.
+std::optional<Joint<double>> readRootJoint(const Text& text, const YAML::Node& robot, int line,
+                                           const scene::Parameters& p) {
   const std::string& kind = p.word("root");
-  const auto& a = p.numbers("axis");
-  const auto axis = [&] { return Axis<double>(V3(a[0], a[1], a[2])); };
+  if (kind == "revolute" || kind == "continuous" || kind == "prismatic")
+    return text.at(line, [&]() -> Joint<double> {
+      const auto& a = p.numbers("axis");
+      const Axis<double> axis(V3(a[0], a[1], a[2]));
+      if (kind == "revolute") return Revolute<double>(axis);
+      if (kind == "continuous") return Continuous<double>(axis);
+      return Prismatic<double>(axis);
+    });
+  if (robot["axis"].IsDefined())
+    text.refuse(robot["axis"],
+                "robot.axis needs a revolute, continuous or prismatic root, not '" + kind + "'");
   if (kind == "free_flyer") return FreeFlyer<double>();
   if (kind == "spherical") return Spherical<double>();
   if (kind == "planar") return Planar<double>();
   if (kind == "translation") return Translation<double>();
-  if (kind == "revolute") return Revolute<double>(axis());
-  if (kind == "continuous") return Continuous<double>(axis());
-  if (kind == "prismatic") return Prismatic<double>(axis());
   return std::nullopt;
 }
 
-/// The root's joint. Refuses `axis` unless the joint has an axis.
-std::optional<Joint<double>> readRootJoint(const Text& text, const YAML::Node& robot, int line,
-                                           const scene::Parameters& p) {
-  const std::string& kind = p.word("root");
-  if (robot["axis"].IsDefined() && kind != "revolute" && kind != "continuous" && kind != "prismatic")
-    text.refuse(robot["axis"],
-                "robot.axis needs a revolute, continuous or prismatic root, not '" + kind + "'");
-  return text.at(line, [&] { return rootJoint(p); });
-}
-
 Model<double> fromUrdf(const Text& text, const YAML::Node& robot, const std::string& folder) {
-  std::vector<Key> keys = rootKeys();
-  const auto p = text.parameters(robot, Text::lineOf(robot), "robot", keys, nullptr, {"urdf"});
+  const auto p = text.parameters(robot, Text::lineOf(robot), "robot", rootKeys(), nullptr, {"urdf"});
   const int line = Text::lineOf(robot["urdf"]);
   const std::string given = text.word(robot["urdf"], "robot.urdf");
-  const std::filesystem::path path = std::filesystem::path(given).is_absolute()
-                                         ? std::filesystem::path(given)
-                                         : std::filesystem::path(folder) / given;
-  UrdfOptions options;
-  options.root_joint = readRootJoint(text, robot, line, p);
+  const std::filesystem::path path = std::filesystem::path(folder) / given;  // `given` if that is absolute
+  const UrdfOptions options{.root_joint = readRootJoint(text, robot, line, p)};
   try {
     return loadUrdf(path.lexically_normal().string(), options).model;
   } catch (const UrdfError& e) {
@@ -66,26 +60,22 @@ Model<double> fromUrdf(const Text& text, const YAML::Node& robot, const std::str
 
 Model<double> fromBody(const Text& text, const YAML::Node& robot) {
   const std::string kind = text.word(robot["body"], "robot.body");
-  std::vector<std::string> names;
-  for (const scene::BodyEntry& body : scene::bodyEntries()) {
-    names.emplace_back(body.info.name);
-    if (kind != body.info.name) continue;
-    std::vector<Key> keys = body.info.keys;
-    keys.insert(keys.end(), rootKeys().begin(), rootKeys().end());
-    const int line = Text::lineOf(robot);
-    const auto p = text.parameters(robot, line, "robot", keys, nullptr, {"body"});
-    const auto inertia = text.at(line, [&] { return scene::inertiaOf(body, p); });
-    const auto joint = readRootJoint(text, robot, line, p);
-    Model<double> model;
-    model.name = kind;
-    if (!joint) text.refuse(line, "a body on a fixed root cannot move: take another root");
-    const int index = model.addJoint(0, *joint, SE3<double>::Identity(), "root_joint");
-    model.addJointFrame(index);
-    model.addBodyFrame("body", index);
-    model.appendBodyToJoint(index, inertia);
-    return model;
-  }
-  text.refuse(robot["body"], "no built-in body is named '" + kind + "'" + nearestNames(kind, names));
+  const scene::BodyEntry& body =
+      text.entry(robot["body"], kind, scene::bodyEntries(), "no built-in body is named '" + kind + "'");
+  std::vector<Key> keys = body.info.keys;
+  keys.insert(keys.end(), rootKeys().begin(), rootKeys().end());
+  const int line = Text::lineOf(robot);
+  const auto p = text.parameters(robot, line, "robot", keys, nullptr, {"body"});
+  const auto inertia = text.at(line, [&] { return scene::inertiaOf(body, p); });
+  const auto joint = readRootJoint(text, robot, line, p);
+  Model<double> model;
+  model.name = kind;
+  if (!joint) text.refuse(line, "a body on a fixed root cannot move: take another root");
+  const int index = model.addJoint(0, *joint, SE3<double>::Identity(), "root_joint");
+  model.addJointFrame(index);
+  model.addBodyFrame("body", index);
+  model.appendBodyToJoint(index, inertia);
+  return model;
 }
 
 /// Adds the frames that the scene defines, fixed to frames of the robot.
@@ -113,19 +103,14 @@ void addFrames(const Text& text, const YAML::Node& frames, Model<double>& model)
   }
 }
 
-/// The numbers of one joint's position or velocity: one, or a list of `count` numbers.
-std::vector<double> jointNumbers(const Text& text, const YAML::Node& node, const std::string& what, int count,
-                                 const char* unit) {
-  if (count == 1 && node.IsScalar()) return {text.number(node, what, unit)};
-  return text.numbers(node, what, unit, count);
-}
-
-void readJoints(const Text& text, const YAML::Node& initial, scene::Scene& scene, const char* key,
+/// Reads the position or velocity of each joint that is named: one number, or a list of numbers.
+void readJoints(const Text& text, const YAML::Node& initial, scene::Scene& scene, const std::string& key,
                 bool velocity) {
   const YAML::Node joints = initial[key];
+  const std::string what = "initial." + key;
   if (!joints.IsDefined() || joints.IsNull()) return;
-  if (!joints.IsMap()) text.refuse(joints, std::string("initial.") + key + " is a map of joints and numbers");
-  text.checkKeys(joints, std::string("initial.") + key, scene.model.names);
+  if (!joints.IsMap()) text.refuse(joints, what + " is a map of joints and numbers");
+  text.checkKeys(joints, what, scene.model.names);
   for (const auto& entry : joints) {
     const std::string name = entry.first.Scalar();
     const std::size_t i = std::size_t(scene.model.requireJointId(name));
@@ -133,8 +118,10 @@ void readJoints(const Text& text, const YAML::Node& initial, scene::Scene& scene
     const bool angle = !velocity && m.nqs[i] == 2;
     const int count = velocity ? m.nvs[i] : angle ? 1 : m.nqs[i];
     if (i == 0 || count == 0) text.refuse(entry.first, "joint '" + name + "' has no coordinates");
-    const auto x = jointNumbers(text, entry.second, std::string("initial.") + key + "." + name, count,
-                                velocity ? "rad/s|m/s" : "rad|m");
+    const char* unit = velocity ? "rad/s|m/s" : "rad|m";
+    const auto x = count == 1 && entry.second.IsScalar()
+                       ? std::vector{text.number(entry.second, what + "." + name, unit)}
+                       : text.numbers(entry.second, what + "." + name, unit, count);
     if (angle) {
       scene.q.segment<2>(m.idx_qs[i]) << std::cos(x[0]), std::sin(x[0]);
     } else {
@@ -149,24 +136,21 @@ void readRoot(const Text& text, const YAML::Node& initial, scene::Scene& scene) 
   const Model<double>& m = scene.model;
   const bool flyer = m.njoints > 1 && std::holds_alternative<FreeFlyer<double>>(m.joints[1]),
              ball = m.njoints > 1 && std::holds_alternative<Spherical<double>>(m.joints[1]);
-  const auto vector = [&](const char* key, const char* unit, bool fits, auto set) {
+  const auto vector = [&](const std::string& key, const char* unit, bool turns) -> std::optional<V3> {
     const YAML::Node node = initial[key];
-    if (!node.IsDefined()) return;
-    if (!fits)
-      text.refuse(
-          node,
-          std::string("initial.") + key + " needs a robot whose root is free_flyer" +
-              (std::string(key) == "position" || std::string(key) == "velocity" ? "" : " or spherical") +
-              ": name joints instead");
-    const auto x = text.numbers(node, std::string("initial.") + key, unit, 3);
-    set(V3(x[0], x[1], x[2]));
+    if (!node.IsDefined()) return {};
+    if (!flyer && !(turns && ball))
+      text.refuse(node, "initial." + key + " needs a robot whose root is free_flyer" +
+                            (turns ? " or spherical" : "") + ": name joints instead");
+    const auto x = text.numbers(node, "initial." + key, unit, 3);
+    return V3(x[0], x[1], x[2]);
   };
   const int at = flyer ? 3 : 0;
-  vector("position", "m", flyer, [&](const V3& x) { scene.q.head<3>() = x; });
-  vector("velocity", "m/s", flyer, [&](const V3& x) { scene.v.head<3>() = x; });
-  vector("angular_velocity", "rad/s", flyer || ball, [&](const V3& x) { scene.v.segment<3>(at) = x; });
-  vector("attitude", "rad", flyer || ball,
-         [&](const V3& x) { scene.q.segment<4>(at) = quaternion::exp3<double>(x).normalized().to_vector(); });
+  if (const auto p = vector("position", "m", false)) scene.q.head<3>() = *p;
+  if (const auto v = vector("velocity", "m/s", false)) scene.v.head<3>() = *v;
+  if (const auto omega = vector("angular_velocity", "rad/s", true)) scene.v.segment<3>(at) = *omega;
+  if (const auto phi = vector("attitude", "rad", true))
+    scene.q.segment<4>(at) = quaternion::exp3<double>(*phi).normalized().to_vector();
   if (const YAML::Node node = initial["quaternion"]; node.IsDefined()) {
     if (!(flyer || ball))
       text.refuse(node, "initial.quaternion needs a robot whose root is free_flyer or spherical");
@@ -200,39 +184,26 @@ void readStart(const Text& text, const YAML::Node& initial, scene::Scene& scene)
   if (!initial.IsMap())
     text.refuse(initial,
                 "initial is a map: {start: dzhanibekov, rate: 1 rad/s} or {angular_velocity: [0, 0, 1]}");
-  static const std::vector<std::string> own = {"position",         "attitude", "quaternion",      "velocity",
-                                               "angular_velocity", "joints",   "joint_velocities"};
-  if (!initial["start"].IsDefined()) {
-    std::vector<std::string> known = own;
-    known.emplace_back("start");
-    text.checkKeys(initial, "initial", known);
-  }
+  static const std::vector<std::string> own = {"position",         "attitude", "quaternion",       "velocity",
+                                               "angular_velocity", "joints",   "joint_velocities", "start"};
+  if (!initial["start"].IsDefined()) text.checkKeys(initial, "initial", own);
   readRoot(text, initial, scene);
   readJoints(text, initial, scene, "joints", false);
   readJoints(text, initial, scene, "joint_velocities", true);
-  const YAML::Node start = initial["start"];
-  if (start.IsDefined()) {
+  if (const YAML::Node start = initial["start"]; start.IsDefined()) {
     const std::string name = text.word(start, "initial.start");
-    std::vector<std::string> names;
-    bool found = false;
-    for (const scene::StartEntry& entry : scene::startEntries()) {
-      names.emplace_back(entry.info.name);
-      if (name != entry.info.name) continue;
-      std::vector<std::string> others = own;
-      others.emplace_back("start");
-      const auto p =
-          text.parameters(initial, Text::lineOf(start), "initial", entry.info.keys, &scene.model, others);
-      const VectorX<double> q = scene.q, v = scene.v, q_neutral = neutral(scene.model);
-      text.at(Text::lineOf(start), [&] { entry.set(p, scene.model, scene.q, scene.v); });
-      for (int k = 0; k < scene.model.nq; ++k)
-        if (q[k] != q_neutral[k] && scene.q[k] != q[k])
-          text.refuse(start, "start '" + name + "' sets a position that initial gives too: keep one");
-      for (int k = 0; k < scene.model.nv; ++k)
-        if (v[k] != 0 && scene.v[k] != v[k])
-          text.refuse(start, "start '" + name + "' sets a velocity that initial gives too: keep one");
-      found = true;
-    }
-    if (!found) text.refuse(start, "no start is named '" + name + "'" + nearestNames(name, names));
+    const scene::StartEntry& entry =
+        text.entry(start, name, scene::startEntries(), "no start is named '" + name + "'");
+    const auto p =
+        text.parameters(initial, Text::lineOf(start), "initial", entry.info.keys, &scene.model, own);
+    const VectorX<double> q = scene.q, v = scene.v, q_neutral = neutral(scene.model);
+    text.at(Text::lineOf(start), [&] { entry.set(p, scene.model, scene.q, scene.v); });
+    for (int k = 0; k < scene.model.nq; ++k)
+      if (q[k] != q_neutral[k] && scene.q[k] != q[k])
+        text.refuse(start, "start '" + name + "' sets a position that initial gives too: keep one");
+    for (int k = 0; k < scene.model.nv; ++k)
+      if (v[k] != 0 && scene.v[k] != v[k])
+        text.refuse(start, "start '" + name + "' sets a velocity that initial gives too: keep one");
   }
   text.at(Text::lineOf(initial), [&] { scene.q = normalized(scene.model, scene.q); });
   if (!scene.v.allFinite()) text.refuse(initial, "the initial velocity is not finite");

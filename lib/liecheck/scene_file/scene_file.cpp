@@ -22,43 +22,29 @@ using scene::Request;
 using scene::Scene;
 
 /// An item of a list of parts: a name, or a name with its keys.
+template <class Entry>
 Request request(const Text& text, const YAML::Node& node, const std::string& what,
-                const std::vector<const PartInfo*>& known, const Model<double>& model) {
-  std::string name;
-  YAML::Node keys;
-  int line = Text::lineOf(node);
-  if (node.IsMap()) {
-    if (node.size() != 1)
-      text.refuse(node, "an item of " + what +
-                            " is a name, or a name with its keys: - name: {key: value}; this one has " +
-                            std::to_string(node.size()) + " names");
-    name = text.word(node.begin()->first, "a name in " + what);
-    line = Text::lineOf(node.begin()->first);
-    keys = node.begin()->second;
-  } else {
-    name = text.word(node, "an item of " + what);
-  }
-  std::vector<std::string> names;
-  for (const PartInfo* info : known) {
-    if (name == info->name) return {name, text.parameters(keys, line, name, info->keys, &model), line};
-    names.emplace_back(info->name);
-  }
-  text.refuse(line, "'" + name + "' is not known in " + what + nearestNames(name, names));
+                const std::vector<Entry>& known, const Model<double>& model) {
+  const bool keyed = node.IsMap();
+  if (keyed && node.size() != 1)
+    text.refuse(node, "an item of " + what +
+                          " is a name, or a name with its keys: - name: {key: value}; this one has " +
+                          std::to_string(node.size()) + " names");
+  const YAML::Node head = keyed ? YAML::Node(node.begin()->first) : node;
+  const YAML::Node keys = keyed ? YAML::Node(node.begin()->second) : YAML::Node();
+  const std::string name = text.word(head, (keyed ? "a name in " : "an item of ") + what);
+  const int line = Text::lineOf(head);
+  const PartInfo& info = *text.entry(head, name, known, "'" + name + "' is not known in " + what).info;
+  return {name, text.parameters(keys, line, name, info.keys, &model), line};
 }
 
+template <class Entry>
 std::vector<Request> requests(const Text& text, const YAML::Node& node, const std::string& what,
-                              const std::vector<const PartInfo*>& known, const Model<double>& model) {
+                              const std::vector<Entry>& known, const Model<double>& model) {
   std::vector<Request> all;
   if (!node.IsDefined() || node.IsNull() || (node.IsScalar() && node.Scalar() == "none")) return all;
   if (!node.IsSequence()) text.refuse(node, what + " is a list: '- energy' on separate lines, or [energy]");
   for (const auto& item : node) all.push_back(request(text, item, what, known, model));
-  return all;
-}
-
-template <class Entries>
-std::vector<const PartInfo*> infos(const Entries& entries) {
-  std::vector<const PartInfo*> all;
-  for (const auto& e : entries) all.push_back(e.info);
   return all;
 }
 
@@ -123,13 +109,9 @@ void checkParts(const Text& text, const YAML::Node& root, const Scene& scene) {
   });
   std::set<std::string> written;
   for (const Request& r : scene.observers) {
-    for (const scene::Key& key :
-         {scene::Key{"seed", Kind::NotNegative, "", "", ""}, {"refinement", Kind::Positive, "", "", ""}})
-      if (r.parameters.has(key.name)) {
-        const double x = r.parameters.number(key.name);
-        if (x != std::floor(x) || x > 9e15)
-          text.refuse(r.line, r.name + "." + key.name + " is not a whole number up to 9e15");
-      }
+    for (const char* key : {"seed", "refinement"})
+      if (const double x = r.parameters.number(key, 0); x != std::floor(x) || x > 9e15)
+        text.refuse(r.line, r.name + "." + key + " is not a whole number up to 9e15");
     Scene one = scene;
     one.observers = {r};
     const std::vector<scene::Column> own = text.at(r.line, [&] { return scene::columnsOf(one); });
@@ -175,9 +157,7 @@ Scene read(const Text& text, const std::string& content, const std::string& fold
                                                           "pendulum",     "axisymmetric",   "triaxial",
                                                           "sleeping_top", "precessing_top"};
     scene.truth = text.word(root["truth"], "truth");
-    if (std::find(closed_forms.begin(), closed_forms.end(), scene.truth) == closed_forms.end())
-      text.refuse(root["truth"],
-                  "no closed form is named '" + scene.truth + "'" + nearestNames(scene.truth, closed_forms));
+    text.place(root["truth"], scene.truth, closed_forms, "no closed form is named '" + scene.truth + "'");
   }
   readRobot(text, root, folder, scene);
   if (const YAML::Node ground = root["ground"]; ground.IsDefined() && !ground.IsNull()) {
@@ -187,10 +167,9 @@ Scene read(const Text& text, const std::string& content, const std::string& fold
       scene.around.height = text.number(ground["height"], "ground.height", "m");
   }
   readStart(text, root["initial"], scene);
-  scene.effects =
-      requests(text, root["effects"], "effects", infos(scene::effectEntries<double>()), scene.model);
+  scene.effects = requests(text, root["effects"], "effects", scene::effectEntries<double>(), scene.model);
   for (Request& r :
-       requests(text, root["actuation"], "actuation", infos(scene::actuationEntries<double>()), scene.model))
+       requests(text, root["actuation"], "actuation", scene::actuationEntries<double>(), scene.model))
     scene.effects.push_back(std::move(r));
   for (const Request& r : scene.effects)
     for (const Request& other : scene.effects)
@@ -198,8 +177,7 @@ Scene read(const Text& text, const std::string& content, const std::string& fold
         text.refuse(r.line, "'" + r.name + "' is given twice with the same keys: keep one");
   for (const Request& r : scene.effects)
     text.at(r.line, [&] { return scene::makeEffect<double>(r, scene.model, scene.around); });
-  scene.observers =
-      requests(text, root["observers"], "observers", infos(scene::observerEntries()), scene.model);
+  scene.observers = requests(text, root["observers"], "observers", scene::observerEntries(), scene.model);
   readTime(text, root, scene);
   checkParts(text, root, scene);
   return scene;
@@ -218,13 +196,12 @@ scene::Scene loadSceneText(const std::string& text, const std::string& source_na
 }
 
 scene::Scene loadScene(const std::string& path) {
-  std::string text;
   try {
-    text = readTextFile(path, max_scene_bytes);
+    const std::string text = readTextFile(path, max_scene_bytes);
+    return loadSceneText(text, path, std::filesystem::path(path).parent_path().string());
   } catch (const FileError& e) {
     throw SceneError(path, 0, e.what());
   }
-  return loadSceneText(text, path, std::filesystem::path(path).parent_path().string());
 }
 
 }  // namespace liecheck

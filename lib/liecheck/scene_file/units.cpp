@@ -19,8 +19,7 @@ struct Unit {
 };
 struct Symbol {
   const char* name;
-  double factor;
-  Dimension dimension;
+  Unit unit;
 };
 
 const std::vector<Symbol>& symbols() {
@@ -46,7 +45,7 @@ const std::vector<Symbol>& symbols() {
 Unit symbolNamed(const std::string& name, const std::string& text) {
   std::vector<std::string> names;
   for (const Symbol& s : symbols()) {
-    if (name == s.name) return {s.factor, s.dimension};
+    if (name == s.name) return s.unit;
     names.emplace_back(s.name);
   }
   throw std::invalid_argument("unknown unit '" + name + "' in '" + text + "'" +
@@ -57,12 +56,8 @@ Unit parseUnit(const std::string& text) {
   Unit unit;
   int sign = 1;
   for (std::size_t i = 0; i < text.size();) {
-    if (text[i] == ' ') {
-      ++i;
-      continue;
-    }
-    if (text[i] == '/') {
-      sign = -1, ++i;
+    if (text[i] == ' ' || text[i] == '/') {
+      if (text[i++] == '/') sign = -1;
       continue;
     }
     const std::size_t end = std::min(text.find_first_of(" /^", i), text.size());

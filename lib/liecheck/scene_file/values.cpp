@@ -13,16 +13,9 @@ using scene::Kind;
 using scene::Value;
 
 std::string kindOf(const YAML::Node& node) {
-  switch (node.Type()) {
-    case YAML::NodeType::Sequence:
-      return "a list";
-    case YAML::NodeType::Map:
-      return "a map";
-    case YAML::NodeType::Scalar:
-      return "'" + node.Scalar().substr(0, 60) + "'";
-    default:
-      return "nothing";
-  }
+  if (node.IsSequence()) return "a list";
+  if (node.IsMap()) return "a map";
+  return node.IsScalar() ? "'" + node.Scalar().substr(0, 60) + "'" : "nothing";
 }
 
 }  // namespace
@@ -42,11 +35,17 @@ void Text::checkKeys(const YAML::Node& node, const std::string& what,
   for (const auto& entry : node) {
     if (!entry.first.IsScalar()) refuse(entry.first, "a key of " + what + " is " + kindOf(entry.first));
     const std::string key = entry.first.Scalar();
-    if (std::find(keys.begin(), keys.end(), key) == keys.end())
-      refuse(entry.first, what + " has no key '" + key + "'" + nearestNames(key, keys));
+    place(entry.first, key, keys, what + " has no key '" + key + "'");
     if (!seen.insert(key).second)
       refuse(entry.first, "key '" + key + "' of " + what + " is given twice: keep one");
   }
+}
+
+std::size_t Text::place(const YAML::Node& node, const std::string& name,
+                        const std::vector<std::string>& names, const std::string& unknown) const {
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) refuse(node, unknown + nearestNames(name, names));
+  return std::size_t(found - names.begin());
 }
 
 std::string Text::word(const YAML::Node& node, const std::string& what) const {
@@ -96,50 +95,30 @@ Value Text::value(const YAML::Node& node, const std::string& what, const Key& ke
       at(lineOf(n), [&] { return model->requireJointId(name); });
     v.names.push_back(name);
   };
-  switch (key.kind) {
-    case Kind::Number:
-    case Kind::Positive:
-    case Kind::NotNegative:
-      v.numbers = {number(node, what, key.unit, key.kind)};
-      break;
-    case Kind::Vector:
-    case Kind::Direction:
-      v.numbers = numbers(node, what, key.unit, 3);
-      if (key.kind == Kind::Direction && v.numbers == std::vector<double>(3, 0.0))
-        refuse(node, what + " is zero: it has no direction");
-      break;
-    case Kind::Numbers:
-    case Kind::Times:
-      v.numbers = numbers(node, what, key.unit);
-      if (v.numbers.empty()) refuse(node, what + " is an empty list");
-      if (key.kind == Kind::Times)
-        for (std::size_t i = 1; i < v.numbers.size(); ++i)
-          if (!(v.numbers[i] > v.numbers[i - 1]))
-            refuse(node,
-                   what + "[" + std::to_string(i) + "] is not after the time before it: times must increase");
-      break;
-    case Kind::Frame:
-      addName(node);
-      break;
-    case Kind::Frames:
-    case Kind::Joints:
-      if (node.IsSequence()) {
-        for (const auto& n : node) addName(n);
-        if (v.names.empty()) refuse(node, what + " is an empty list");
-        for (std::size_t i = 1; i < v.names.size(); ++i)
-          if (std::find(v.names.begin(), v.names.begin() + long(i), v.names[i]) != v.names.begin() + long(i))
-            refuse(node, what + " names '" + v.names[i] + "' twice: keep one");
-      } else {
-        addName(node);
-      }
-      break;
-    case Kind::Choice: {
-      const auto choices = alternatives(key.unit);
-      v.names = {word(node, what)};
-      if (std::find(choices.begin(), choices.end(), v.names[0]) == choices.end())
-        refuse(node, what + " is '" + v.names[0] + "'" + nearestNames(v.names[0], choices));
-      break;
-    }
+  if (key.kind == Kind::Vector || key.kind == Kind::Direction) {
+    v.numbers = numbers(node, what, key.unit, 3);
+    if (key.kind == Kind::Direction && v.numbers == std::vector<double>(3, 0.0))
+      refuse(node, what + " is zero: it has no direction");
+  } else if (key.kind == Kind::Numbers || key.kind == Kind::Times) {
+    v.numbers = numbers(node, what, key.unit);
+    if (v.numbers.empty()) refuse(node, what + " is an empty list");
+    for (std::size_t i = 1; i < v.numbers.size() && key.kind == Kind::Times; ++i)
+      if (!(v.numbers[i] > v.numbers[i - 1]))
+        refuse(node,
+               what + "[" + std::to_string(i) + "] is not after the time before it: times must increase");
+  } else if ((key.kind == Kind::Frames || key.kind == Kind::Joints) && node.IsSequence()) {
+    for (const auto& n : node) addName(n);
+    if (v.names.empty()) refuse(node, what + " is an empty list");
+    for (auto name = v.names.begin(); name != v.names.end(); ++name)
+      if (std::find(v.names.begin(), name, *name) != name)
+        refuse(node, what + " names '" + *name + "' twice: keep one");
+  } else if (key.kind == Kind::Frame || key.kind == Kind::Frames || key.kind == Kind::Joints) {
+    addName(node);
+  } else if (key.kind == Kind::Choice) {
+    v.names = {word(node, what)};
+    place(node, v.names[0], alternatives(key.unit), what + " is '" + v.names[0] + "'");
+  } else {
+    v.numbers = {number(node, what, key.unit, key.kind)};
   }
   return v;
 }

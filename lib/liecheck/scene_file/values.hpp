@@ -26,6 +26,17 @@ class Text {
 
   /// Refuses a node that is not a map, unknown keys and repeated keys. what names the node in messages.
   void checkKeys(const YAML::Node& node, const std::string& what, const std::vector<std::string>& keys) const;
+  /// The index of name in names. Refuses a name that is not there: `unknown`, then the nearest names.
+  std::size_t place(const YAML::Node& node, const std::string& name, const std::vector<std::string>& names,
+                    const std::string& unknown) const;
+  /// The entry of a part whose member `info` has that name, like place().
+  template <class Entry>
+  const Entry& entry(const YAML::Node& node, const std::string& name, const std::vector<Entry>& entries,
+                     const std::string& unknown) const {
+    std::vector<std::string> names;
+    for (const Entry& e : entries) names.emplace_back(infoOf(e.info).name);
+    return entries[place(node, name, names, unknown)];
+  }
   std::string word(const YAML::Node& node, const std::string& what) const;
   double number(const YAML::Node& node, const std::string& what, const std::string& unit,
                 scene::Kind kind = scene::Kind::Number) const;
@@ -50,6 +61,8 @@ class Text {
                                const std::vector<std::string>& others = {}) const;
 
  private:
+  static const scene::PartInfo& infoOf(const scene::PartInfo& info) { return info; }
+  static const scene::PartInfo& infoOf(const scene::PartInfo* info) { return *info; }
   scene::Value value(const YAML::Node& node, const std::string& what, const scene::Key& key,
                      const Model<double>* model) const;
   std::string file_;

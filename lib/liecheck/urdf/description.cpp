@@ -13,7 +13,7 @@
 namespace liecheck::urdf_detail {
 namespace {
 
-using tinyxml2::XMLDocument, tinyxml2::XMLElement, tinyxml2::XMLNode;
+using tinyxml2::XMLDocument, tinyxml2::XMLElement;
 
 /// The <origin> of an element: p = xyz [m], R = R_z(yaw) R_y(pitch) R_x(roll), rpy [rad], exactly as urdfdom.
 SE3<double> origin(const XMLElement& of) {
@@ -35,12 +35,9 @@ class Reader {
   Description robot(const XMLDocument& document) {
     const XMLElement* robot = document.RootElement();
     if (!robot) refuse(1, "no element, expected <robot>", "");
-    for (const XMLNode* node = document.FirstChild(); node; node = node->NextSibling()) {
-      if (node->ToElement() && node->ToElement() != robot)
-        refuse(node->GetLineNum(), "a second root element", node->Value());
-    }
-    if (std::string_view(robot->Value()) != "robot")
-      refuse(robot->GetLineNum(), "expected <robot>", robot->Value());
+    if (const XMLElement* second = robot->NextSiblingElement())
+      refuse(*second, "a second root element", second->Value());
+    if (std::string_view(robot->Value()) != "robot") refuse(*robot, "expected <robot>", robot->Value());
     robot_.line = robot->GetLineNum(), robot_.name = name(*robot, "robot");
     if (const char* version = robot->Attribute("version"); version && version != std::string_view("1.0"))
       refuse(robot_.line, "a URDF version other than 1.0", version);
@@ -60,51 +57,53 @@ class Reader {
   [[noreturn]] void refuse(int line, const std::string& what, const std::string& value) const {
     messages_.refuse(line, what, value);
   }
+  [[noreturn]] void refuse(const XMLElement& at, const std::string& what, const std::string& value) const {
+    messages_.refuse(at.GetLineNum(), what, value);
+  }
 
   std::string name(const XMLElement& e, const std::string& what) const {
     const char* value = e.Attribute("name");
-    if (!value || !*value) refuse(e.GetLineNum(), "a " + what + " without a name", value ? value : "");
+    if (!value || !*value) refuse(e, "a " + what + " without a name", value ? value : "");
     return value;
+  }
+
+  /// Adds the part of a new name and sets its line. Refuses a second part of that name.
+  template <class Part>
+  Part& added(std::map<std::string, Part>& parts, const XMLElement& e, const std::string& what,
+              const std::string& part_name) const {
+    const auto [entry, is_new] = parts.try_emplace(part_name);
+    Part& part = entry->second;
+    if (!is_new)
+      refuse(e, "a second " + what + " of that name, the first is in line " + std::to_string(part.line),
+             part_name);
+    part.line = e.GetLineNum();
+    return part;
   }
 
   void material(const XMLElement& e) {
     checkNumbersBelow(e, messages_);
-    const char* material_name = e.Attribute("name");
-    if (!material_name) return;
-    const auto [first, is_new] = material_line_.emplace(material_name, e.GetLineNum());
-    if (!is_new)
-      refuse(e.GetLineNum(),
-             "a second material of that name, the first is in line " + std::to_string(first->second),
-             material_name);
+    if (const char* material_name = e.Attribute("name")) added(materials_, e, "material", material_name);
   }
 
   void link(const XMLElement& e) {
     const std::string link_name = name(e, "link");
-    const auto [entry, is_new] = robot_.links.try_emplace(link_name);
-    LinkDescription& link = entry->second;
-    if (!is_new)
-      refuse(e.GetLineNum(), "a second link of that name, the first is in line " + std::to_string(link.line),
-             link_name);
-    link.line = e.GetLineNum();
+    LinkDescription& link = added(robot_.links, e, "link", link_name);
     checkNumbersBelow(e, messages_);
-    if (const XMLElement* inertial = e.FirstChildElement("inertial")) {
-      const XMLElement* mass = inertial->FirstChildElement("mass");
-      if (!mass) refuse(inertial->GetLineNum(), "an <inertial> without <mass>", link_name);
-      if (!inertial->FirstChildElement("inertia"))
-        refuse(inertial->GetLineNum(), "an <inertial> without <inertia>", link_name);
+    if (const XMLElement* inertial = e.FirstChildElement("inertial"))
       link.inertia = origin(*inertial).act(body(*inertial, link_name));
-    }
   }
 
   /// The inertia at the centre of mass, in the axes of <inertial>. Refuses a negative mass; moments that no
   /// body can have are recorded in unphysical_links.
   Inertia<double> body(const XMLElement& inertial, const std::string& link_name) {
+    for (const std::string part : {"mass", "inertia"})
+      if (!inertial.FirstChildElement(part.c_str()))
+        refuse(inertial, "an <inertial> without <" + part + ">", link_name);
     const XMLElement &mass = *inertial.FirstChildElement("mass"),
                      &inertia = *inertial.FirstChildElement("inertia");
     const auto of = [&](const char* moment) { return number(inertia, moment); };
     const double m = number(mass, "value");
-    if (m < 0)
-      refuse(mass.GetLineNum(), "link '" + link_name + "' has a negative mass", mass.Attribute("value"));
+    if (m < 0) refuse(mass, "link '" + link_name + "' has a negative mass", mass.Attribute("value"));
     Matrix3<double> I;
     I << of("ixx"), of("ixy"), of("ixz"), of("ixy"), of("iyy"), of("iyz"), of("ixz"), of("iyz"), of("izz");
     const Inertia<double> body(m, Vector3<double>::Zero(), I);
@@ -119,12 +118,7 @@ class Reader {
 
   void joint(const XMLElement& e) {
     const std::string joint_name = name(e, "joint"), joint_text = "joint '" + joint_name + "'";
-    const auto [entry, is_new] = robot_.joints.try_emplace(joint_name);
-    JointDescription& joint = entry->second;
-    if (!is_new)
-      refuse(e.GetLineNum(),
-             "a second joint of that name, the first is in line " + std::to_string(joint.line), joint_name);
-    joint.line = e.GetLineNum();
+    JointDescription& joint = added(robot_.joints, e, "joint", joint_name);
     if (joint_name == "universe" ||
         (joint_name == "root_joint" && (options_.root_joint || options_.root == RootJoint::FreeFlyer)))
       refuse(joint.line, "this joint name is reserved for the model's root", joint_name);
@@ -135,9 +129,9 @@ class Reader {
                                 joint.type == JointType::Prismatic;
     const XMLElement *mimic = e.FirstChildElement("mimic"), *dynamics = e.FirstChildElement("dynamics");
     if (mimic && !mimic->Attribute("joint"))
-      refuse(mimic->GetLineNum(), joint_text + " has a <mimic> that names no joint", "");
+      refuse(*mimic, joint_text + " has a <mimic> that names no joint", "");
     if (dynamics && !dynamics->Attribute("damping") && !dynamics->Attribute("friction"))
-      refuse(dynamics->GetLineNum(), joint_text + " has a <dynamics> without damping and friction", "");
+      refuse(*dynamics, joint_text + " has a <dynamics> without damping and friction", "");
     if (dynamics) joint.dynamics = {number(*dynamics, "damping"), number(*dynamics, "friction")};
     if (one_coordinate) joint.axis = axis(e, joint_text);
     limit(e, joint_text, joint);
@@ -159,9 +153,9 @@ class Reader {
         {"continuous", JointType::Continuous}, {"prismatic", JointType::Prismatic},
         {"planar", JointType::Planar},         {"floating", JointType::Floating}};
     const char* text = e.Attribute("type");
-    if (!text) refuse(e.GetLineNum(), joint_text + " has no type", "");
+    if (!text) refuse(e, joint_text + " has no type", "");
     const auto found = types.find(text);
-    if (found == types.end()) refuse(e.GetLineNum(), joint_text + ": unknown joint type", text);
+    if (found == types.end()) refuse(e, joint_text + ": unknown joint type", text);
     return found->second;
   }
 
@@ -176,13 +170,11 @@ class Reader {
     joint.limit = {number(*limit, "lower"), number(*limit, "upper"), number(*limit, "effort"),
                    number(*limit, "velocity")};
     const auto [lower, upper, effort, velocity] = *joint.limit;
-    if (effort < 0)
-      refuse(limit->GetLineNum(), joint_text + " has a negative effort limit", limit->Attribute("effort"));
+    if (effort < 0) refuse(*limit, joint_text + " has a negative effort limit", limit->Attribute("effort"));
     if (velocity < 0)
-      refuse(limit->GetLineNum(), joint_text + " has a negative velocity limit",
-             limit->Attribute("velocity"));
+      refuse(*limit, joint_text + " has a negative velocity limit", limit->Attribute("velocity"));
     if (bounded && lower > upper)
-      refuse(limit->GetLineNum(), joint_text + " has crossed limits, lower > upper",
+      refuse(*limit, joint_text + " has crossed limits, lower > upper",
              std::to_string(lower) + " > " + std::to_string(upper));
     if (joint.type == JointType::Continuous && lower != upper)
       messages_.warn(limit->GetLineNum(),
@@ -218,16 +210,16 @@ class Reader {
     const XMLElement* axis = e.FirstChildElement("axis");
     if (!axis) return Vector3<double>::UnitX();
     const Vector3<double> xyz = vector(*axis, "xyz");
-    if (xyz.isZero(0)) refuse(axis->GetLineNum(), joint_text + " has a zero axis", axis->Attribute("xyz"));
+    if (xyz.isZero(0)) refuse(*axis, joint_text + " has a zero axis", axis->Attribute("xyz"));
     return xyz;
   }
 
   std::string linkOf(const XMLElement& e, const char* role, const std::string& joint_text) const {
     const XMLElement* element = e.FirstChildElement(role);
     const char* link_name = element ? element->Attribute("link") : nullptr;
-    if (!link_name) refuse(e.GetLineNum(), joint_text + " has no " + role + " link", "");
+    if (!link_name) refuse(e, joint_text + " has no " + role + " link", "");
     if (!robot_.links.contains(link_name))
-      refuse(element->GetLineNum(), joint_text + ": its " + role + " link does not exist", link_name);
+      refuse(*element, joint_text + ": its " + role + " link does not exist", link_name);
     return link_name;
   }
 
@@ -242,22 +234,22 @@ class Reader {
     if (roots.size() > 1)
       refuse(robot_.links.at(roots[1]).line, "two roots, the other is '" + roots[0] + "'", roots[1]);
     robot_.root = roots[0];
-    std::set<std::string> reached = {robot_.root};
+    std::set<std::string> reached;
     while (!roots.empty()) {
-      const auto below = robot_.joints_below.find(roots.back());
+      const std::string link_name = roots.back();
       roots.pop_back();
-      if (below == robot_.joints_below.end()) continue;
-      for (const std::string& joint_name : below->second) {
-        const std::string& child = robot_.joints.at(joint_name).child;
-        reached.insert(child);
-        roots.push_back(child);
-      }
+      reached.insert(link_name);
+      for (const std::string& joint_name : robot_.joints_below[link_name])
+        roots.push_back(robot_.joints.at(joint_name).child);
     }
     for (const auto& [link_name, link] : robot_.links)
       if (!reached.contains(link_name))
         refuse(link.line, "not connected to the root: its joints form a loop", link_name);
   }
 
+  struct Material {
+    int line = 0;
+  };
   struct MimicLine {
     std::string joint, primary;
     int line;
@@ -266,7 +258,7 @@ class Reader {
   const UrdfOptions& options_;
   Messages& messages_;
   Description robot_;
-  std::map<std::string, int> material_line_;
+  std::map<std::string, Material> materials_;
   std::map<std::string, std::string> parent_joint_;  // by link
   std::vector<MimicLine> mimics_;
 };

@@ -54,7 +54,7 @@ struct Description {
   int line = 0;
   std::map<std::string, LinkDescription> links;
   std::map<std::string, JointDescription> joints;
-  std::map<std::string, std::vector<std::string>> joints_below;  ///< of a link, in alphabetical order
+  std::map<std::string, std::vector<std::string>> joints_below;  ///< of each link, in alphabetical order
   std::vector<UnphysicalLink> unphysical_links;
 };
 

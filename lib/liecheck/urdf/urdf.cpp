@@ -19,20 +19,11 @@ Joint<double> modelJoint(const JointDescription& joint, const Model<double>& mod
   if (tied)
     return Mimic<double>(oneDof(joint), model.getJointId(joint.mimic->primary), joint.mimic->multiplier,
                          joint.mimic->offset);
-  switch (joint.type) {
-    case JointType::Revolute:
-      return Revolute<double>(joint.axis);
-    case JointType::Continuous:
-      return Continuous<double>(joint.axis);
-    case JointType::Prismatic:
-      return Prismatic<double>(joint.axis);
-    case JointType::Planar:
-      return Planar<double>();
-    case JointType::Floating:
-      return FreeFlyer<double>();
-    case JointType::Fixed:
-      break;
-  }
+  if (joint.type == JointType::Revolute) return Revolute<double>(joint.axis);
+  if (joint.type == JointType::Continuous) return Continuous<double>(joint.axis);
+  if (joint.type == JointType::Prismatic) return Prismatic<double>(joint.axis);
+  if (joint.type == JointType::Planar) return Planar<double>();
+  if (joint.type == JointType::Floating) return FreeFlyer<double>();
   throw std::logic_error("a fixed joint is not a joint of the model");
 }
 
@@ -72,10 +63,8 @@ class ModelBuilder {
   void addTree(int root_frame) {
     std::vector<std::pair<std::string, int>> todo;  // a joint, and the BODY frame of its parent link
     const auto push = [&](const std::string& link, int frame) {
-      const auto below = robot_.joints_below.find(link);
-      if (below == robot_.joints_below.end()) return;
-      for (auto joint = below->second.rbegin(); joint != below->second.rend(); ++joint)
-        todo.emplace_back(*joint, frame);
+      const auto& below = robot_.joints_below.at(link);
+      for (auto joint = below.rbegin(); joint != below.rend(); ++joint) todo.emplace_back(*joint, frame);
     };
     push(robot_.root, root_frame);
     while (!todo.empty()) {

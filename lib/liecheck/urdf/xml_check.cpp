@@ -69,9 +69,8 @@ class TagCheck {
     std::size_t end = at_ + 1;
     for (; end < text_.size() && text_[end] != '>'; ++end) {
       const char c = text_[end];
-      if (c == '<') {
-        break;
-      } else if (c == '"' || c == '\'') {
+      if (c == '<') break;
+      if (c == '"' || c == '\'') {
         end = std::min(text_.find(c, end + 1), text_.size());
         if (end == text_.size()) break;
         value_due = false;
