@@ -8,24 +8,20 @@ namespace {
 template <class S>
 class DynamicsDerivatives final : public TreeLaw<DynamicsDerivatives, S> {
  public:
-  static constexpr bool floating = false;
-  std::string name() const override { return "dynamics_derivatives"; }
-  std::string law() const override {
-    return "the derivatives of inverse and forward dynamics by q (along integrate) and by v, times a "
-           "direction d";
-  }
-  std::string equation() const override {
-    return "(dtau/dq) d = d/dt rnea(q exp(t d), v, a), (dtau/dv) d = d/dt rnea(q, v + t d, a); dqdd/dq = "
-           "-M^-1 dtau/dq at qdd, likewise by v; norms as in forward_dynamics";
-  }
-  std::string source() const override { return "Carpentier & Mansard 2018"; }
   static constexpr Output torque_q = op::rnea_derivatives[block::by_q],
                           torque_v = op::rnea_derivatives[block::by_v],
                           acceleration_q = op::aba_derivatives[block::by_q],
                           acceleration_v = op::aba_derivatives[block::by_v];
-  std::vector<Output> outputs() const override {
-    return {torque_q, torque_v, acceleration_q, acceleration_v};
-  }
+  static constexpr Statement stated{
+      .name = "dynamics_derivatives",
+      .law =
+          "the derivatives of inverse and forward dynamics by q (along integrate) and by v, times a "
+          "direction d",
+      .equation =
+          "(dtau/dq) d = d/dt rnea(q exp(t d), v, a), (dtau/dv) d = d/dt rnea(q, v + t d, a); dqdd/dq = "
+          "-M^-1 dtau/dq at qdd, likewise by v; norms as in forward_dynamics",
+      .source = "Carpentier & Mansard 2018",
+      .outputs = {torque_q, torque_v, acceleration_q, acceleration_v}};
 
   template <class T, class Case>
   void of(const Operations<S>& subject, const Case& c, Recorder& r) const {

@@ -8,20 +8,18 @@ namespace {
 template <class S>
 class MassMatrix final : public TreeLaw<MassMatrix, S> {
  public:
-  static constexpr bool floating = false;
-  std::string name() const override { return "mass_matrix"; }
-  std::string law() const override {
-    return "the mass matrix is symmetric and positive definite, and its columns are the torques of unit "
-           "accelerations";
-  }
-  std::string equation() const override {
-    return "M = M^T, x^T M x > 0, M e_k = rnea(q, 0, e_k) without gravity; norms of M_kl / sqrt(M_kk M_ll)";
-  }
-  std::string source() const override { return "Featherstone 2008, chapter 6"; }
   static constexpr Output symmetric = op::crba_symmetric[block::matrix],
                           definite = op::crba_positive[block::matrix],
                           columns = op::crba_columns[block::matrix];
-  std::vector<Output> outputs() const override { return {symmetric, definite, columns}; }
+  static constexpr Statement stated{
+      .name = "mass_matrix",
+      .law =
+          "the mass matrix is symmetric and positive definite, and its columns are the torques of unit "
+          "accelerations",
+      .equation =
+          "M = M^T, x^T M x > 0, M e_k = rnea(q, 0, e_k) without gravity; norms of M_kl / sqrt(M_kk M_ll)",
+      .source = "Featherstone 2008, chapter 6",
+      .outputs = {symmetric, definite, columns}};
 
   template <class T, class Case>
   void of(const Operations<S>& subject, const Case& c, Recorder& r) const {

@@ -9,24 +9,21 @@ template <class S>
 class TreeMomentum final : public TreeLaw<TreeMomentum, S> {
  public:
   static constexpr bool floating = true;
-  std::string name() const override { return "tree_momentum"; }
-  std::string law() const override {
-    return "the momentum at the centre of mass is A_g v; without gravity and base forces, joint torques do "
-           "not change it";
-  }
-  std::string equation() const override {
-    return "h = sum m (x'; (x - c) x x') = A_g v; tau_base(q, v, aba(q, v, (0, tau))) = 0 for g = 0, "
-           "relative to the terms of forward_dynamics";
-  }
-  std::string source() const override { return "Orin & Goswami 2008; Noether 1918"; }
   static constexpr Output linear = op::tree_momentum[block::linear],
                           angular = op::tree_momentum[block::angular],
                           map_linear = op::tree_momentum_map[block::linear],
                           map_angular = op::tree_momentum_map[block::angular],
                           conserved = op::momentum_conserved[block::torque];
-  std::vector<Output> outputs() const override {
-    return {linear, angular, map_linear, map_angular, conserved};
-  }
+  static constexpr Statement stated{
+      .name = "tree_momentum",
+      .law =
+          "the momentum at the centre of mass is A_g v; without gravity and base forces, joint torques do "
+          "not change it",
+      .equation =
+          "h = sum m (x'; (x - c) x x') = A_g v; tau_base(q, v, aba(q, v, (0, tau))) = 0 for g = 0, "
+          "relative to the terms of forward_dynamics",
+      .source = "Orin & Goswami 2008; Noether 1918",
+      .outputs = {linear, angular, map_linear, map_angular, conserved}};
 
   template <class T, class Case>
   void of(const Operations<S>& subject, const Case& c, Recorder& r) const {
@@ -95,8 +92,7 @@ class TreeMomentum final : public TreeLaw<TreeMomentum, S> {
     base.resize(6);
     const double terms =
         approximate(weighted_norm(M, products(w))) * approximate(weighted_norm(a, roots)) +
-        weighted_size(
-            oracles::TreeSizes<double>(rough, c.rough.q, c.rough.v, rough_list(a)).tau, w) +
+        weighted_size(oracles::TreeSizes<double>(rough, c.rough.q, c.rough.v, rough_list(a)).tau, w) +
         approximate(weighted_norm(exact_list<T>(tau), w));
     const std::vector<T> nothing(6, T(0));
     r.record(conserved, 0, weighted_error<S>(base, nothing, w, T(terms)));
