@@ -32,13 +32,6 @@ class DynamicsDerivatives final : public TreeLaw<DynamicsDerivatives, S> {
     const std::vector<T> M = standing.mass();
     const std::vector<double> roots = mass_roots(M, c.nv()), w = inverses(roots);
     const bool resolved = c.resolved(true);
-    const auto along = [&](const MatX<S>& J) {
-      std::vector<T> sum(c.nv(), T(0));
-      for (int i = 0; i < J.rows(); ++i)
-        for (int k = 0; k < J.cols(); ++k)
-          sum[static_cast<std::size_t>(i)] += oracles::exact<T>(J(i, k)) * d[static_cast<std::size_t>(k)];
-      return sum;
-    };
     const auto by_q = [&](const std::vector<T>& a) { return c.dynamics(c.exact.v, a, d, still, still); };
     const auto by_v = [&](const std::vector<T>& a) { return c.dynamics(c.exact.v, a, still, d, still); };
     const auto sizes = [&](const std::vector<double>& a, bool q) {
@@ -59,7 +52,7 @@ class DynamicsDerivatives final : public TreeLaw<DynamicsDerivatives, S> {
       const auto record = [&](const Output& output, const MatX<S>& J, const oracles::TreeDynamics<T>& exact,
                               bool q) {
         if (!oracles::all_finite(J)) return r.outcome(output, 0, Outcome::not_finite);
-        c.record(r, output, along(J), exact.torque_derivative(c.exact.wrench), w,
+        c.record(r, output, exact_product(J, d), exact.torque_derivative(c.exact.wrench), w,
                  terms_of(sizes(c.rough.a, q)), resolved);
       };
       record(torque_q, dq, by_q(c.exact.a), true);
@@ -71,12 +64,7 @@ class DynamicsDerivatives final : public TreeLaw<DynamicsDerivatives, S> {
     std::vector<T> a = standing.torque(c.exact.wrench);
     for (std::size_t k = 0; k < a.size(); ++k) a[k] = c.exact.a[k] - a[k];
     a = oracles::solve(factor, a);
-    double inverse = 0;
-    for (std::size_t k = 0; k < c.nv(); ++k) {
-      std::vector<T> e = still;
-      e[k] = T(roots[k]);
-      inverse += approximate(weighted_norm(oracles::solve(factor, e), roots));
-    }
+    const double inverse = inverse_size(factor, roots);
     const std::vector<double> at_rest(c.nv(), 0);
     const double size = weighted_size(c.sizes(at_rest, at_rest).mass, products(w));
     const bool singular = !(64 * size * inverse * std::numeric_limits<S>::epsilon() < 1);
@@ -95,7 +83,7 @@ class DynamicsDerivatives final : public TreeLaw<DynamicsDerivatives, S> {
         const double terms = size * approximate(weighted_norm(exact, roots)) +
                              terms_of(sizes(rough_list(a), q)) +
                              (q ? weighted_size(sizes(a_moved, q).tau, w) : 0);
-        c.record(r, output, along(J), exact, roots, inverse * terms, resolved);
+        c.record(r, output, exact_product(J, d), exact, roots, inverse * terms, resolved);
       };
       record(acceleration_q, dq, by_q(a), true);
       record(acceleration_v, dv, by_v(a), false);

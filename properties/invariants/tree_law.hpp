@@ -32,6 +32,26 @@ std::vector<double> rough_list(const std::vector<T>& x) {
   for (const T& v : x) y.push_back(approximate(v));
   return y;
 }
+/// J x with the exact numbers of J.
+template <class S, class T>
+std::vector<T> exact_product(const MatX<S>& J, const std::vector<T>& x) {
+  std::vector<T> sum(static_cast<std::size_t>(J.rows()), T(0));
+  for (int i = 0; i < J.rows(); ++i)
+    for (int k = 0; k < J.cols(); ++k)
+      sum[static_cast<std::size_t>(i)] += oracles::exact<T>(J(i, k)) * x[static_cast<std::size_t>(k)];
+  return sum;
+}
+/// At least ||A^-1|| of A = M_kl / sqrt(M_kk M_ll), from the factor of M and the roots sqrt(M_kk).
+template <class T>
+double inverse_size(const std::vector<T>& factor, const std::vector<double>& roots) {
+  double size = 0;
+  for (std::size_t k = 0; k < roots.size(); ++k) {
+    std::vector<T> e(roots.size(), T(0));
+    e[k] = T(roots[k]);
+    size += approximate(weighted_norm(oracles::solve(factor, e), roots));
+  }
+  return size;
+}
 /// The entries of a matrix, row by row.
 template <class S, int R, int C>
 VecX<S> flat(const Eigen::Matrix<S, R, C>& M) {

@@ -38,27 +38,19 @@ class TreeMomentum final : public TreeLaw<TreeMomentum, S> {
     };
     const oracles::Vec6<T> h = moving.momentum();
     const auto sizes = c.sizes(c.rough.v, c.rough.v);
-    const auto record = [&](const Output& output, int part, const std::vector<T>& computed) {
+    const auto record = [&](const Output& output, int part, const auto& computed) {
       c.record(r, output, computed, half(h, part), {1, 1, 1}, part == 0 ? sizes.linear : sizes.angular,
                resolved);
     };
     for (int part = 0; part < 2; ++part) {
       if (o[op::tree_momentum]) {
         const VecX<S> computed = o[op::tree_momentum](c.q, c.v).template segment<3>(3 * part);
-        if (oracles::all_finite(computed))
-          record(part == 0 ? linear : angular, part, exact_list<T>(computed));
-        else
-          r.outcome(part == 0 ? linear : angular, 0, Outcome::not_finite);
+        record(part == 0 ? linear : angular, part, computed);
       }
       if (o[op::tree_momentum_map]) {
         const MatX<S> A = o[op::tree_momentum_map](c.q).middleRows(3 * part, 3);
-        std::vector<T> computed(3, T(0));
-        for (int i = 0; i < 3; ++i)
-          for (int k = 0; k < A.cols(); ++k)
-            computed[static_cast<std::size_t>(i)] +=
-                oracles::exact<T>(A(i, k)) * c.exact.v[static_cast<std::size_t>(k)];
         if (oracles::all_finite(A))
-          record(part == 0 ? map_linear : map_angular, part, computed);
+          record(part == 0 ? map_linear : map_angular, part, exact_product(A, c.exact.v));
         else
           r.outcome(part == 0 ? map_linear : map_angular, 0, Outcome::not_finite);
       }
