@@ -40,8 +40,8 @@ template <class S>
 TypedSeries<S>::TypedSeries(std::unique_ptr<Property<S>> law_tested, const Subject<S>& tested,
                             const Robot& robot_used)
     : law_(std::move(law_tested)), subject_(tested), number_(next_series_number()) {
-  property = law_->name();
-  law = law_->law(), equation = law_->equation(), source = law_->source();
+  const Statement& stated = law_->statement();
+  property = stated.name, law = stated.law, equation = stated.equation, source = stated.source;
   subject = tested.name, subject_version = tested.version;
   scalar = scalar_name<S>();
   eps = std::ldexp(1.0, 1 - std::numeric_limits<S>::digits);

@@ -13,22 +13,16 @@ namespace {
 template <class S>
 class DIntegrate final : public Law<DIntegrate, S> {
  public:
-  std::string name() const override { return "d_integrate"; }
-  std::string law() const override {
-    return "dIntegrate and dDifference are the derivatives of integrate and difference in the tangent spaces";
-  }
-  std::string equation() const override {
-    return "ARG0 = Ad(exp(-d)), ARG1 = J_r(d); dDifference ARG0 = -J_l^-1(d), ARG1 = J_r^-1(d)";
-  }
-  std::string source() const override {
-    return "Sola, Deray & Atchuthan 2018, eqs. 79-85; central differences at 100 digits";
-  }
-  std::vector<Output> outputs() const override {
-    return {op::d_integrate_arg0[block::jacobian],  op::d_integrate_arg0[block::coupling],
-            op::d_integrate_arg1[block::jacobian],  op::d_integrate_arg1[block::coupling],
-            op::d_difference_arg0[block::jacobian], op::d_difference_arg0[block::coupling],
-            op::d_difference_arg1[block::jacobian], op::d_difference_arg1[block::coupling]};
-  }
+  static constexpr Statement stated{
+      .name = "d_integrate",
+      .law =
+          "dIntegrate and dDifference are the derivatives of integrate and difference in the tangent spaces",
+      .equation = "ARG0 = Ad(exp(-d)), ARG1 = J_r(d); dDifference ARG0 = -J_l^-1(d), ARG1 = J_r^-1(d)",
+      .source = "Sola, Deray & Atchuthan 2018, eqs. 79-85; central differences at 100 digits",
+      .outputs = {op::d_integrate_arg0[block::jacobian], op::d_integrate_arg0[block::coupling],
+                  op::d_integrate_arg1[block::jacobian], op::d_integrate_arg1[block::coupling],
+                  op::d_difference_arg0[block::jacobian], op::d_difference_arg0[block::coupling],
+                  op::d_difference_arg1[block::jacobian], op::d_difference_arg1[block::coupling]}};
   std::vector<Field> fields() const override {
     return {{"p0", Kind::vector, 3, "m"},  {"Q0", Kind::quaternion, 4, "1"},
             {"p1", Kind::vector, 3, "m"},  {"Q1", Kind::quaternion, 4, "1", Reach::beside},

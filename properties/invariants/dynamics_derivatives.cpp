@@ -8,24 +8,20 @@ namespace {
 template <class S>
 class DynamicsDerivatives final : public TreeLaw<DynamicsDerivatives, S> {
  public:
-  static constexpr bool floating = false;
-  std::string name() const override { return "dynamics_derivatives"; }
-  std::string law() const override {
-    return "the derivatives of inverse and forward dynamics by q (along integrate) and by v, times a "
-           "direction d";
-  }
-  std::string equation() const override {
-    return "(dtau/dq) d = d/dt rnea(q exp(t d), v, a), (dtau/dv) d = d/dt rnea(q, v + t d, a); dqdd/dq = "
-           "-M^-1 dtau/dq at qdd, likewise by v; norms as in forward_dynamics";
-  }
-  std::string source() const override { return "Carpentier & Mansard 2018"; }
   static constexpr Output torque_q = op::rnea_derivatives[block::by_q],
                           torque_v = op::rnea_derivatives[block::by_v],
                           acceleration_q = op::aba_derivatives[block::by_q],
                           acceleration_v = op::aba_derivatives[block::by_v];
-  std::vector<Output> outputs() const override {
-    return {torque_q, torque_v, acceleration_q, acceleration_v};
-  }
+  static constexpr Statement stated{
+      .name = "dynamics_derivatives",
+      .law =
+          "the derivatives of inverse and forward dynamics by q (along integrate) and by v, times a "
+          "direction d",
+      .equation =
+          "(dtau/dq) d = d/dt rnea(q exp(t d), v, a), (dtau/dv) d = d/dt rnea(q, v + t d, a); dqdd/dq = "
+          "-M^-1 dtau/dq at qdd, likewise by v; norms as in forward_dynamics",
+      .source = "Carpentier & Mansard 2018",
+      .outputs = {torque_q, torque_v, acceleration_q, acceleration_v}};
 
   template <class T, class Case>
   void of(const Operations<S>& subject, const Case& c, Recorder& r) const {
@@ -36,13 +32,6 @@ class DynamicsDerivatives final : public TreeLaw<DynamicsDerivatives, S> {
     const std::vector<T> M = standing.mass();
     const std::vector<double> roots = mass_roots(M, c.nv()), w = inverses(roots);
     const bool resolved = c.resolved(true);
-    const auto along = [&](const MatX<S>& J) {
-      std::vector<T> sum(c.nv(), T(0));
-      for (int i = 0; i < J.rows(); ++i)
-        for (int k = 0; k < J.cols(); ++k)
-          sum[static_cast<std::size_t>(i)] += oracles::exact<T>(J(i, k)) * d[static_cast<std::size_t>(k)];
-      return sum;
-    };
     const auto by_q = [&](const std::vector<T>& a) { return c.dynamics(c.exact.v, a, d, still, still); };
     const auto by_v = [&](const std::vector<T>& a) { return c.dynamics(c.exact.v, a, still, d, still); };
     const auto sizes = [&](const std::vector<double>& a, bool q) {
@@ -63,7 +52,7 @@ class DynamicsDerivatives final : public TreeLaw<DynamicsDerivatives, S> {
       const auto record = [&](const Output& output, const MatX<S>& J, const oracles::TreeDynamics<T>& exact,
                               bool q) {
         if (!oracles::all_finite(J)) return r.outcome(output, 0, Outcome::not_finite);
-        c.record(r, output, along(J), exact.torque_derivative(c.exact.wrench), w,
+        c.record(r, output, exact_product(J, d), exact.torque_derivative(c.exact.wrench), w,
                  terms_of(sizes(c.rough.a, q)), resolved);
       };
       record(torque_q, dq, by_q(c.exact.a), true);
@@ -75,12 +64,7 @@ class DynamicsDerivatives final : public TreeLaw<DynamicsDerivatives, S> {
     std::vector<T> a = standing.torque(c.exact.wrench);
     for (std::size_t k = 0; k < a.size(); ++k) a[k] = c.exact.a[k] - a[k];
     a = oracles::solve(factor, a);
-    double inverse = 0;
-    for (std::size_t k = 0; k < c.nv(); ++k) {
-      std::vector<T> e = still;
-      e[k] = T(roots[k]);
-      inverse += approximate(weighted_norm(oracles::solve(factor, e), roots));
-    }
+    const double inverse = inverse_size(factor, roots);
     const std::vector<double> at_rest(c.nv(), 0);
     const double size = weighted_size(c.sizes(at_rest, at_rest).mass, products(w));
     const bool singular = !(64 * size * inverse * std::numeric_limits<S>::epsilon() < 1);
@@ -99,7 +83,7 @@ class DynamicsDerivatives final : public TreeLaw<DynamicsDerivatives, S> {
         const double terms = size * approximate(weighted_norm(exact, roots)) +
                              terms_of(sizes(rough_list(a), q)) +
                              (q ? weighted_size(sizes(a_moved, q).tau, w) : 0);
-        c.record(r, output, along(J), exact, roots, inverse * terms, resolved);
+        c.record(r, output, exact_product(J, d), exact, roots, inverse * terms, resolved);
       };
       record(acceleration_q, dq, by_q(a), true);
       record(acceleration_v, dv, by_v(a), false);

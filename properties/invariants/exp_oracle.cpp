@@ -11,19 +11,15 @@ namespace {
 template <class S>
 class ExpOracle final : public Law<ExpOracle, S> {
  public:
-  std::string name() const override { return "exp_oracle"; }
-  std::string law() const override { return "exp of a twist is the exponential of its 4 x 4 matrix"; }
-  std::string equation() const override { return "exp(rho, phi) = sum_k [[phi], rho; 0, 0]^k / k!"; }
-  std::string source() const override { return "Higham 2008, section 10.3 (scaling and squaring)"; }
-  std::vector<Output> outputs() const override {
-    return {op::exp3_quaternion[block::rotation],
-            op::exp3_quaternion[block::norm_defect],
-            op::exp3_matrix[block::rotation],
-            op::exp3_matrix[block::orthogonality_defect],
-            op::exp6[block::rotation],
-            op::exp6[block::orthogonality_defect],
-            op::exp6[block::translation]};
-  }
+  static constexpr Statement stated{
+      .name = "exp_oracle",
+      .law = "exp of a twist is the exponential of its 4 x 4 matrix",
+      .equation = "exp(rho, phi) = sum_k [[phi], rho; 0, 0]^k / k!",
+      .source = "Higham 2008, section 10.3 (scaling and squaring)",
+      .outputs = {op::exp3_quaternion[block::rotation], op::exp3_quaternion[block::norm_defect],
+                  op::exp3_matrix[block::rotation], op::exp3_matrix[block::orthogonality_defect],
+                  op::exp6[block::rotation], op::exp6[block::orthogonality_defect],
+                  op::exp6[block::translation]}};
   std::vector<Field> fields() const override {
     return {{"rho", Kind::vector, 3, "m", Reach::full},
             {"phi", Kind::rotation_vector, 3, "rad", Reach::full}};

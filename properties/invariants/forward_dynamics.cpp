@@ -8,23 +8,18 @@ namespace {
 template <class S>
 class ForwardDynamics final : public TreeLaw<ForwardDynamics, S> {
  public:
-  static constexpr bool floating = false;
-  std::string name() const override { return "forward_dynamics"; }
-  std::string law() const override {
-    return "forward dynamics is M^-1 (tau - h), and inverse dynamics is its inverse";
-  }
-  std::string equation() const override {
-    return "aba(tau) = M^-1 (tau - h), rnea(aba(tau)) = tau; with A = M_kl / sqrt(M_kk M_ll), norms of "
-           "sqrt(M_kk) a_k and tau_k / sqrt(M_kk), terms = ||A|| ||a|| + ||tau|| + the terms of rnea: "
-           "kappa = ||A^-1|| terms / ||a||, terms / ||tau||, ||A|| ||A^-1||";
-  }
-  std::string source() const override {
-    return "Featherstone 2008, chapters 6, 7; Demmel 1989 for the scaling";
-  }
   static constexpr Output acceleration = op::tree_aba[block::acceleration],
                           inverse = op::tree_mass_inverse[block::matrix],
                           torque = op::rnea_of_aba[block::torque];
-  std::vector<Output> outputs() const override { return {acceleration, inverse, torque}; }
+  static constexpr Statement stated{
+      .name = "forward_dynamics",
+      .law = "forward dynamics is M^-1 (tau - h), and inverse dynamics is its inverse",
+      .equation =
+          "aba(tau) = M^-1 (tau - h), rnea(aba(tau)) = tau; with A = M_kl / sqrt(M_kk M_ll), norms of "
+          "sqrt(M_kk) a_k and tau_k / sqrt(M_kk), terms = ||A|| ||a|| + ||tau|| + the terms of rnea: "
+          "kappa = ||A^-1|| terms / ||a||, terms / ||tau||, ||A|| ||A^-1||",
+      .source = "Featherstone 2008, chapters 6, 7; Demmel 1989 for the scaling",
+      .outputs = {acceleration, inverse, torque}};
 
   template <class T, class Case>
   void of(const Operations<S>& subject, const Case& c, Recorder& r) const {

@@ -8,22 +8,15 @@ namespace {
 template <class S>
 class FrameJacobian final : public TreeLaw<FrameJacobian, S> {
  public:
-  static constexpr bool floating = false;
-  std::string name() const override { return "frame_jacobian"; }
-  std::string law() const override {
-    return "a frame's Jacobian times v is its velocity, J a + dJ v is its spatial acceleration "
-           "(classical in LOCAL_WORLD_ALIGNED)";
-  }
-  std::string equation() const override {
-    return "J v = V, J a + J' v = V' in each reference frame, for the exact v and a";
-  }
-  std::string source() const override {
-    return "Featherstone 2008, sections 2.2, 2.10; Pinocchio 3.8, frames";
-  }
-  std::vector<Output> outputs() const override {
-    return {op::frame_jacobian[block::linear], op::frame_jacobian[block::angular],
-            op::frame_jacobian_rate[block::linear], op::frame_jacobian_rate[block::angular]};
-  }
+  static constexpr Statement stated{
+      .name = "frame_jacobian",
+      .law =
+          "a frame's Jacobian times v is its velocity, J a + dJ v is its spatial acceleration "
+          "(classical in LOCAL_WORLD_ALIGNED)",
+      .equation = "J v = V, J a + J' v = V' in each reference frame, for the exact v and a",
+      .source = "Featherstone 2008, sections 2.2, 2.10; Pinocchio 3.8, frames",
+      .outputs = {op::frame_jacobian[block::linear], op::frame_jacobian[block::angular],
+                  op::frame_jacobian_rate[block::linear], op::frame_jacobian_rate[block::angular]}};
 
   template <class T, class Case>
   void of(const Operations<S>& subject, const Case& c, Recorder& r) const {

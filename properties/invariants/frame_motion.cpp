@@ -8,27 +8,20 @@ namespace {
 template <class S>
 class FrameMotionLaw final : public TreeLaw<FrameMotionLaw, S> {
  public:
-  static constexpr bool floating = false;
-  std::string name() const override { return "frame_motion"; }
-  std::string law() const override {
-    return "velocity, spatial and classical acceleration of a frame are the derivatives of its pose along "
-           "integrate, in WORLD, LOCAL and LOCAL_WORLD_ALIGNED";
-  }
-  std::string equation() const override {
-    return "R' = [w]R, R'' = ([w'] + [w]^2)R along q exp(t v + t^2 a / 2); aligned: (p', w), (p'' - w x p', "
-           "w'), (p'', w'); local: R^T times these; world: at the world's origin";
-  }
-  std::string source() const override { return "Featherstone 2008, sections 2.2, 2.10"; }
-  std::vector<Output> outputs() const override {
-    return {op::frame_pose[block::rotation],
-            op::frame_pose[block::translation],
-            op::frame_velocity[block::linear],
-            op::frame_velocity[block::angular],
-            op::frame_acceleration[block::linear],
-            op::frame_acceleration[block::angular],
-            op::frame_classical_acceleration[block::linear],
-            op::frame_classical_acceleration[block::angular]};
-  }
+  static constexpr Statement stated{
+      .name = "frame_motion",
+      .law =
+          "velocity, spatial and classical acceleration of a frame are the derivatives of its pose along "
+          "integrate, in WORLD, LOCAL and LOCAL_WORLD_ALIGNED",
+      .equation =
+          "R' = [w]R, R'' = ([w'] + [w]^2)R along q exp(t v + t^2 a / 2); aligned: (p', w), (p'' - w x p', "
+          "w'), (p'', w'); local: R^T times these; world: at the world's origin",
+      .source = "Featherstone 2008, sections 2.2, 2.10",
+      .outputs = {op::frame_pose[block::rotation], op::frame_pose[block::translation],
+                  op::frame_velocity[block::linear], op::frame_velocity[block::angular],
+                  op::frame_acceleration[block::linear], op::frame_acceleration[block::angular],
+                  op::frame_classical_acceleration[block::linear],
+                  op::frame_classical_acceleration[block::angular]}};
 
   template <class T, class Case>
   void of(const Operations<S>& subject, const Case& c, Recorder& r) const {

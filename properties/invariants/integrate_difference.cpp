@@ -12,26 +12,18 @@ namespace {
 template <class S>
 class IntegrateDifference final : public Law<IntegrateDifference, S> {
  public:
-  std::string name() const override { return "integrate_difference"; }
-  std::string law() const override {
-    return "integrate and difference are exact, and local inverses in both directions";
-  }
-  std::string equation() const override {
-    return "integrate(q, d) = T exp(d); difference(q0, q1) = log(T0^-1 T1); difference(q, integrate(q, d)) = "
-           "d for |phi| < pi; integrate(q0, difference(q0, q1)) = q1 as poses";
-  }
-  std::string source() const override { return "Sola, Deray & Atchuthan 2018, eqs. 25-28"; }
-  std::vector<Output> outputs() const override {
-    return {op::integrate[block::rotation],
-            op::integrate[block::translation],
-            op::integrate[block::norm_defect],
-            op::difference[block::rotation_vector],
-            op::difference[block::linear],
-            op::difference_of_integrate[block::rotation_vector],
-            op::difference_of_integrate[block::linear],
-            op::integrate_of_difference[block::rotation],
-            op::integrate_of_difference[block::translation]};
-  }
+  static constexpr Statement stated{
+      .name = "integrate_difference",
+      .law = "integrate and difference are exact, and local inverses in both directions",
+      .equation =
+          "integrate(q, d) = T exp(d); difference(q0, q1) = log(T0^-1 T1); difference(q, integrate(q, d)) = "
+          "d for |phi| < pi; integrate(q0, difference(q0, q1)) = q1 as poses",
+      .source = "Sola, Deray & Atchuthan 2018, eqs. 25-28",
+      .outputs = {op::integrate[block::rotation], op::integrate[block::translation],
+                  op::integrate[block::norm_defect], op::difference[block::rotation_vector],
+                  op::difference[block::linear], op::difference_of_integrate[block::rotation_vector],
+                  op::difference_of_integrate[block::linear], op::integrate_of_difference[block::rotation],
+                  op::integrate_of_difference[block::translation]}};
   std::vector<Field> fields() const override {
     return {
         {"p0", Kind::vector, 3, "m", Reach::full},   {"Q0", Kind::quaternion, 4, "1"},

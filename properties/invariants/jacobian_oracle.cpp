@@ -13,20 +13,18 @@ namespace {
 template <class S>
 class JacobianOracle final : public Law<JacobianOracle, S> {
  public:
-  std::string name() const override { return "jacobian_oracle"; }
-  std::string law() const override { return "the Jacobians of exp and their inverses are exact"; }
-  std::string equation() const override {
-    return "J_l = phi_1(ad xi), J_r = phi_1(-ad xi), phi_1(A) = sum_k A^k/(k+1)!";
-  }
-  std::string source() const override { return "Chirikjian 2011, section 10.5; Higham 2008, section 10.7.4"; }
-  std::vector<Output> outputs() const override {
-    return {op::left_jacobian3[block::jacobian],          op::right_jacobian3[block::jacobian],
-            op::left_jacobian3_inverse[block::jacobian],  op::right_jacobian3_inverse[block::jacobian],
-            op::left_jacobian6[block::jacobian],          op::left_jacobian6[block::coupling],
-            op::right_jacobian6[block::jacobian],         op::right_jacobian6[block::coupling],
-            op::left_jacobian6_inverse[block::jacobian],  op::left_jacobian6_inverse[block::coupling],
-            op::right_jacobian6_inverse[block::jacobian], op::right_jacobian6_inverse[block::coupling]};
-  }
+  static constexpr Statement stated{
+      .name = "jacobian_oracle",
+      .law = "the Jacobians of exp and their inverses are exact",
+      .equation = "J_l = phi_1(ad xi), J_r = phi_1(-ad xi), phi_1(A) = sum_k A^k/(k+1)!",
+      .source = "Chirikjian 2011, section 10.5; Higham 2008, section 10.7.4",
+      .outputs = {op::left_jacobian3[block::jacobian], op::right_jacobian3[block::jacobian],
+                  op::left_jacobian3_inverse[block::jacobian], op::right_jacobian3_inverse[block::jacobian],
+                  op::left_jacobian6[block::jacobian], op::left_jacobian6[block::coupling],
+                  op::right_jacobian6[block::jacobian], op::right_jacobian6[block::coupling],
+                  op::left_jacobian6_inverse[block::jacobian], op::left_jacobian6_inverse[block::coupling],
+                  op::right_jacobian6_inverse[block::jacobian],
+                  op::right_jacobian6_inverse[block::coupling]}};
   std::vector<Field> fields() const override {
     return {{"rho", Kind::vector, 3, "m", Reach::full},
             {"phi", Kind::rotation_vector, 3, "rad", Reach::full}};

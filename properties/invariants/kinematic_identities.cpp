@@ -30,21 +30,17 @@ oracles::Mat3<Real> rotation_rate(const oracles::Quaternion<Real>& Q,
 template <class S>
 class KinematicIdentities final : public Law<KinematicIdentities, S> {
  public:
-  std::string name() const override { return "kinematic_identities"; }
-  std::string law() const override {
-    return "the coefficient Jacobian maps a body velocity to the rate of the configuration";
-  }
-  std::string equation() const override {
-    return "p_dot = R u, Q_dot = Q (w, 0) / 2, R_dot = R [w]; J = [[R, 0], [0, (Qw I + [Qxyz]) / 2], [0, "
-           "-Qxyz^T / 2]]";
-  }
-  std::string source() const override { return "Sola 2017 (arXiv 1711.02508), section 4, eqs. 197-201"; }
-
   static constexpr const auto& measured = op::integrate_coefficient_jacobian;
-  static constexpr Output outputs_[] = {
-      measured[block::translation],        measured[block::rotation_rate],     measured[block::R_dot],
-      measured[block::translation_matrix], measured[block::quaternion_matrix], measured[block::zeros]};
-  std::vector<Output> outputs() const override { return {std::begin(outputs_), std::end(outputs_)}; }
+  static constexpr Statement stated{
+      .name = "kinematic_identities",
+      .law = "the coefficient Jacobian maps a body velocity to the rate of the configuration",
+      .equation =
+          "p_dot = R u, Q_dot = Q (w, 0) / 2, R_dot = R [w]; J = [[R, 0], [0, (Qw I + [Qxyz]) / 2], [0, "
+          "-Qxyz^T / 2]]",
+      .source = "Sola 2017 (arXiv 1711.02508), section 4, eqs. 197-201",
+      .outputs = {measured[block::translation], measured[block::rotation_rate], measured[block::R_dot],
+                  measured[block::translation_matrix], measured[block::quaternion_matrix],
+                  measured[block::zeros]}};
   std::vector<Field> fields() const override {
     return {{"p", Kind::vector, 3, "m", Reach::full},
             {"Q", Kind::quaternion, 4, "1"},
@@ -72,7 +68,7 @@ class KinematicIdentities final : public Law<KinematicIdentities, S> {
     const auto v = reader.template take<6>();
     const properties::Mat<S, 7, 6> computed = operation(q);
     const auto all = [&](int first, int last, Outcome outcome) {
-      for (int i = first; i <= last; ++i) recorder.outcome(outputs_[i], 0, outcome);
+      for (int i = first; i <= last; ++i) recorder.outcome(stated.outputs[i], 0, outcome);
     };
     const auto record = [&](const Output& output, double error) {
       recorder.record(output, 0, error, [] { return 1.0; });

@@ -36,22 +36,20 @@ template <class S>
 class KineticEnergy final : public Law<KineticEnergy, S> {
  public:
   static constexpr bool needs_kappa = true;  ///< in nearly every case
-  std::string name() const override { return "kinetic_energy"; }
-  std::string law() const override { return "the kinetic energy of a body is the same in every frame"; }
-  std::string equation() const override {
-    return "V_A^T M_A V_A / 2 = V_B^T M_B V_B / 2 = m |u_C|^2 / 2 + w^T I_C w / 2, u_C = u + w x c; "
-           "scale m s (|u_C| + eps s) + |I_C| |w|^2 / 2, s = |u| + |w| (|c| + 2 |p|)";
-  }
-  std::string source() const override { return "Featherstone 2008, eqs. 2.62-2.67, sections 2.13, 2.14"; }
+  static constexpr Statement stated{
+      .name = "kinetic_energy",
+      .law = "the kinetic energy of a body is the same in every frame",
+      .equation =
+          "V_A^T M_A V_A / 2 = V_B^T M_B V_B / 2 = m |u_C|^2 / 2 + w^T I_C w / 2, u_C = u + w x c; "
+          "scale m s (|u_C| + eps s) + |I_C| |w|^2 / 2, s = |u| + |w| (|c| + 2 |p|)",
+      .source = "Featherstone 2008, eqs. 2.62-2.67, sections 2.13, 2.14",
+      .outputs = {op::kinetic_energy[block::energy], op::momentum[block::linear],
+                  op::momentum[block::angular], op::inertia_matrix[block::matrix],
+                  op::act_inertia[block::mass], op::act_inertia[block::lever],
+                  op::act_inertia[block::inertia], op::act_inverse_inertia[block::mass],
+                  op::act_inverse_inertia[block::lever], op::act_inverse_inertia[block::inertia],
+                  op::energy_frames[block::energy]}};
 
-  std::vector<Output> outputs() const override {
-    return {op::kinetic_energy[block::energy],     op::momentum[block::linear],
-            op::momentum[block::angular],          op::inertia_matrix[block::matrix],
-            op::act_inertia[block::mass],          op::act_inertia[block::lever],
-            op::act_inertia[block::inertia],       op::act_inverse_inertia[block::mass],
-            op::act_inverse_inertia[block::lever], op::act_inverse_inertia[block::inertia],
-            op::energy_frames[block::energy]};
-  }
   std::vector<Field> fields() const override {
     return {{"R", Kind::rotation_matrix, 9, "1"}, {"p", Kind::vector, 3, "m"},
             {"mass", Kind::positive, 1, "kg"},    {"c", Kind::vector, 3, "m"},

@@ -8,24 +8,19 @@ namespace {
 template <class S>
 class Lagrange final : public TreeLaw<Lagrange, S> {
  public:
-  static constexpr bool floating = false;
-  std::string name() const override { return "lagrange"; }
-  std::string law() const override {
-    return "inverse dynamics, the mass matrix and the energies agree with Lagrange's equations";
-  }
-  std::string equation() const override {
-    return "tau_k = sum_i tr(U_ik J_i (X_i'' - g)^T), M_kl = sum_i tr(U_ik J_i U_il^T), U_ik = dX_i/dq_k; "
-           "norms of tau_k / sqrt(M_kk) and M_kl / sqrt(M_kk M_ll)";
-  }
-  std::string source() const override { return "Uicker 1965; Paul 1981, chapter 6"; }
   static constexpr Output torque = op::tree_rnea[block::torque],
                           nonlinear = op::tree_nonlinear_effects[block::torque],
                           gravity = op::tree_gravity[block::torque], mass = op::tree_crba[block::matrix],
                           kinetic = op::tree_kinetic_energy[block::energy],
                           potential = op::tree_potential_energy[block::energy];
-  std::vector<Output> outputs() const override {
-    return {torque, nonlinear, gravity, mass, kinetic, potential};
-  }
+  static constexpr Statement stated{
+      .name = "lagrange",
+      .law = "inverse dynamics, the mass matrix and the energies agree with Lagrange's equations",
+      .equation =
+          "tau_k = sum_i tr(U_ik J_i (X_i'' - g)^T), M_kl = sum_i tr(U_ik J_i U_il^T), U_ik = dX_i/dq_k; "
+          "norms of tau_k / sqrt(M_kk) and M_kl / sqrt(M_kk M_ll)",
+      .source = "Uicker 1965; Paul 1981, chapter 6",
+      .outputs = {torque, nonlinear, gravity, mass, kinetic, potential}};
 
   template <class T, class Case>
   void of(const Operations<S>& subject, const Case& c, Recorder& r) const {
@@ -52,8 +47,8 @@ class Lagrange final : public TreeLaw<Lagrange, S> {
       torque_of(gravity, o[op::tree_gravity](c.q), c.dynamics(still, still), c.sizes(at_rest, at_rest),
                 false);
     if (o[op::tree_crba])
-      c.record(r, mass, flat(o[op::tree_crba](c.q)), M, products(w),
-               weighted_size(sizes.mass, products(w)), resolved);
+      c.record(r, mass, flat(o[op::tree_crba](c.q)), M, products(w), weighted_size(sizes.mass, products(w)),
+               resolved);
     const std::vector<double> one{1};
     if (o[op::tree_kinetic_energy])
       c.record(r, kinetic, VecX<S>::Constant(1, o[op::tree_kinetic_energy](c.q, c.v)),

@@ -10,16 +10,13 @@ namespace {
 template <class S>
 class LogOracle final : public Law<LogOracle, S> {
  public:
-  std::string name() const override { return "log_oracle"; }
-  std::string law() const override {
-    return "log of a pose is the inverse of exp with an angle of at most pi";
-  }
-  std::string equation() const override { return "exp(log(R, p)) = (R, p), |phi| <= pi"; }
-  std::string source() const override { return "Higham 2008, section 11.5 (inverse scaling and squaring)"; }
-  std::vector<Output> outputs() const override {
-    return {op::log3_quaternion[block::rotation_vector], op::log3_matrix[block::rotation_vector],
-            op::log6[block::rotation_vector], op::log6[block::linear]};
-  }
+  static constexpr Statement stated{
+      .name = "log_oracle",
+      .law = "log of a pose is the inverse of exp with an angle of at most pi",
+      .equation = "exp(log(R, p)) = (R, p), |phi| <= pi",
+      .source = "Higham 2008, section 11.5 (inverse scaling and squaring)",
+      .outputs = {op::log3_quaternion[block::rotation_vector], op::log3_matrix[block::rotation_vector],
+                  op::log6[block::rotation_vector], op::log6[block::linear]}};
   std::vector<Field> fields() const override {
     return {{"Q", Kind::quaternion, 4, "1"},
             {"R", Kind::rotation_matrix, 9, "1"},

@@ -8,20 +8,18 @@ namespace {
 template <class S>
 class MassMatrix final : public TreeLaw<MassMatrix, S> {
  public:
-  static constexpr bool floating = false;
-  std::string name() const override { return "mass_matrix"; }
-  std::string law() const override {
-    return "the mass matrix is symmetric and positive definite, and its columns are the torques of unit "
-           "accelerations";
-  }
-  std::string equation() const override {
-    return "M = M^T, x^T M x > 0, M e_k = rnea(q, 0, e_k) without gravity; norms of M_kl / sqrt(M_kk M_ll)";
-  }
-  std::string source() const override { return "Featherstone 2008, chapter 6"; }
   static constexpr Output symmetric = op::crba_symmetric[block::matrix],
                           definite = op::crba_positive[block::matrix],
                           columns = op::crba_columns[block::matrix];
-  std::vector<Output> outputs() const override { return {symmetric, definite, columns}; }
+  static constexpr Statement stated{
+      .name = "mass_matrix",
+      .law =
+          "the mass matrix is symmetric and positive definite, and its columns are the torques of unit "
+          "accelerations",
+      .equation =
+          "M = M^T, x^T M x > 0, M e_k = rnea(q, 0, e_k) without gravity; norms of M_kl / sqrt(M_kk M_ll)",
+      .source = "Featherstone 2008, chapter 6",
+      .outputs = {symmetric, definite, columns}};
 
   template <class T, class Case>
   void of(const Operations<S>& subject, const Case& c, Recorder& r) const {
@@ -42,12 +40,7 @@ class MassMatrix final : public TreeLaw<MassMatrix, S> {
     const double terms = weighted_size(c.sizes(at_rest, at_rest).mass, products(w));
     const std::vector<T> factor = oracles::positive_factor(exact, c.nv());
     if (!factor.empty()) {
-      double inverse = 0;  // at least ||A^-1|| of A = M_kl / sqrt(M_kk M_ll)
-      for (std::size_t k = 0; k < c.nv(); ++k) {
-        std::vector<T> e = still;
-        e[k] = T(roots[k]);
-        inverse += approximate(weighted_norm(oracles::solve(factor, e), roots));
-      }
+      const double inverse = inverse_size(factor, roots);
       const VecX<S> entries = flat(M);
       const bool positive = !oracles::positive_factor(exact_list<T>(entries), c.nv()).empty();
       // crba may err by 16 eps of its terms, so a matrix that near to a singular one may become indefinite.

@@ -11,16 +11,13 @@ namespace {
 template <class S>
 class PoseGroup final : public Law<PoseGroup, S> {
  public:
-  std::string name() const override { return "pose_group"; }
-  std::string law() const override { return "poses compose, invert and act on points as their matrices do"; }
-  std::string equation() const override {
-    return "(R, p)(R_Y, p_Y) = (R R_Y, R p_Y + p); (R, p)^-1 = (R^T, -R^T p); (R, p) x = R x + p";
-  }
-  std::string source() const override { return "Murray, Li & Sastry 1994, eqs. 2.19-2.22"; }
-  std::vector<Output> outputs() const override {
-    return {op::compose[block::matrix], op::compose[block::translation], op::inverse[block::matrix],
-            op::inverse[block::translation], op::act_point[block::point]};
-  }
+  static constexpr Statement stated{
+      .name = "pose_group",
+      .law = "poses compose, invert and act on points as their matrices do",
+      .equation = "(R, p)(R_Y, p_Y) = (R R_Y, R p_Y + p); (R, p)^-1 = (R^T, -R^T p); (R, p) x = R x + p",
+      .source = "Murray, Li & Sastry 1994, eqs. 2.19-2.22",
+      .outputs = {op::compose[block::matrix], op::compose[block::translation], op::inverse[block::matrix],
+                  op::inverse[block::translation], op::act_point[block::point]}};
   std::vector<Field> fields() const override {
     return {{"R", Kind::rotation_matrix, 9, "1"},
             {"p", Kind::vector, 3, "m"},

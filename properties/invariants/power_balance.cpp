@@ -8,14 +8,13 @@ namespace {
 template <class S>
 class PowerBalance final : public TreeLaw<PowerBalance, S> {
  public:
-  static constexpr bool floating = false;
-  std::string name() const override { return "power_balance"; }
-  std::string law() const override { return "the power of joint forces is the energy's rate of change"; }
-  std::string equation() const override {
-    return "rnea(q, v, a)^T v = d/dt (T + V) = sum_i tr(X_i' J_i (X_i'' - g)^T) + sum_k armature_k v_k a_k";
-  }
-  std::string source() const override { return "Goldstein 1980, section 2.6"; }
-  std::vector<Output> outputs() const override { return {op::tree_power[block::power]}; }
+  static constexpr Statement stated{
+      .name = "power_balance",
+      .law = "the power of joint forces is the energy's rate of change",
+      .equation =
+          "rnea(q, v, a)^T v = d/dt (T + V) = sum_i tr(X_i' J_i (X_i'' - g)^T) + sum_k armature_k v_k a_k",
+      .source = "Goldstein 1980, section 2.6",
+      .outputs = {op::tree_power[block::power]}};
 
   template <class T>
   static T rate(const TreeCase<T>& x) {

@@ -14,30 +14,21 @@ template <class S>
 class PowerPairing final : public Law<PowerPairing, S> {
  public:
   static constexpr bool needs_kappa = true;  ///< in nearly every case
-  std::string name() const override { return "power_pairing"; }
-  std::string law() const override { return "power is the same in every frame"; }
-  std::string equation() const override {
-    return "F_A^T V_A = F_B^T V_B, V_A = X V_B, F_A = X^-T F_B; scale |f| (|u| + |p||w|) + (|n| + |p||f|) "
-           "|w|";
-  }
-  std::string source() const override { return "Featherstone 2008, eq. 2.7, sections 2.8, 2.9, table 2.2"; }
+  static constexpr Statement stated{
+      .name = "power_pairing",
+      .law = "power is the same in every frame",
+      .equation =
+          "F_A^T V_A = F_B^T V_B, V_A = X V_B, F_A = X^-T F_B; scale |f| (|u| + |p||w|) + (|n| + |p||f|) "
+          "|w|",
+      .source = "Featherstone 2008, eq. 2.7, sections 2.8, 2.9, table 2.2",
+      .outputs = {op::act_motion[block::linear], op::act_motion[block::angular],
+                  op::act_inverse_motion[block::linear], op::act_inverse_motion[block::angular],
+                  op::act_force[block::linear], op::act_force[block::angular],
+                  op::act_inverse_force[block::linear], op::act_inverse_force[block::angular],
+                  op::cross_motion[block::linear], op::cross_motion[block::angular],
+                  op::cross_force[block::linear], op::cross_force[block::angular], op::power[block::power],
+                  op::rotate_point[block::point]}};
 
-  std::vector<Output> outputs() const override {
-    return {op::act_motion[block::linear],
-            op::act_motion[block::angular],
-            op::act_inverse_motion[block::linear],
-            op::act_inverse_motion[block::angular],
-            op::act_force[block::linear],
-            op::act_force[block::angular],
-            op::act_inverse_force[block::linear],
-            op::act_inverse_force[block::angular],
-            op::cross_motion[block::linear],
-            op::cross_motion[block::angular],
-            op::cross_force[block::linear],
-            op::cross_force[block::angular],
-            op::power[block::power],
-            op::rotate_point[block::point]};
-  }
   std::vector<Field> fields() const override {
     return {{"R", Kind::rotation_matrix, 9, "1"}, {"p", Kind::vector, 3, "m"},
             {"u", Kind::vector, 3, "m/s"},        {"omega", Kind::vector, 3, "rad/s"},

@@ -1,9 +1,9 @@
 #pragma once
-// An invariant is a class derived from Property. It gives a law in words and as an equation, a generator of
-// inputs, and `measure`, which records the error and kappa of each block. It does not decide whether a case
-// passes: campaign/judge.hpp compares the errors with the budget table.
+// An invariant is a class derived from Property. It states a law in words and as an equation, and gives a
+// generator of inputs and `measure`, which records the error and kappa of each block. It does not decide
+// whether a case passes: campaign/judge.hpp compares the errors with the budget table.
 //
-// A new invariant needs one new file: derive a template from Property<S> and register it with
+// A new invariant needs one new file: derive a template P from Law<P, S> and register it with
 // RegisteredProperty.
 
 #include <cmath>
@@ -69,15 +69,24 @@ struct Robot {
   std::string hash;    ///< 16 hexadecimal digits of a SHA-256 of `urdf` and `fixed`
 };
 
+/// What a law says, and which blocks it measures.
+struct Statement {
+  const char* name;
+  const char* law;       ///< in words
+  const char* equation;  ///< as an equation
+  const char* source;    ///< author, year, equation
+  Few<Output, 14> outputs;
+};
+
 template <class S>
 class Property {
  public:
+  /// The numbers in which measure_fast measures, by tier.
+  using Tiers = typename oracles::BallTiers<S>::type;
   virtual ~Property() = default;
-  virtual std::string name() const = 0;
-  virtual std::string law() const = 0;       ///< in words
-  virtual std::string equation() const = 0;  ///< as an equation
-  virtual std::string source() const = 0;    ///< author, year, equation
-  virtual std::vector<Output> outputs() const = 0;
+  virtual const Statement& statement() const = 0;
+  std::string name() const { return statement().name; }
+  std::vector<Output> outputs() const { return {statement().outputs.begin(), statement().outputs.end()}; }
   virtual std::vector<Field> fields() const = 0;
   /// Whether the subject offers at least one operation of the law. Default: the operation of some output.
   virtual bool offered(const Subject<S>& subject) const;
@@ -108,16 +117,18 @@ class Property {
 };
 
 /// A law that is written once for every number type of the oracles. P<S> has
+///   static constexpr Statement stated;
 ///   template <class Real> void in(const Subject<S>&, const std::vector<S>&, Recorder&) const.
-template <template <class> class P, class S>
-class Law : public Property<S> {
+template <template <class> class P, class S, class Base = Property<S>>
+class Law : public Base {
  public:
+  const Statement& statement() const override { return P<S>::stated; }
   void measure(const Subject<S>& subject, const std::vector<S>& input, Recorder& recorder) const override {
     static_cast<const P<S>*>(this)->template in<oracles::Real>(subject, input, recorder);
   }
   bool measure_fast(const Subject<S>& subject, const std::vector<S>& input, Recorder& recorder,
                     std::size_t tier) const override {
-    using Tiers = typename oracles::BallTiers<S>::type;
+    using Tiers = typename Base::Tiers;
     if constexpr (requires { P<S>::needs_kappa; })  // the differences for kappa need the last tier
       tier += std::tuple_size_v<Tiers> > 1;
     return [&]<std::size_t... I>(std::index_sequence<I...>) {

@@ -19,26 +19,18 @@ struct Segment {
 template <class S>
 class RobotConfiguration final : public Law<RobotConfiguration, S> {
  public:
-  std::string name() const override { return "robot_configuration"; }
-  std::string law() const override {
-    return "integrate and difference act joint by joint on the whole vector, and -Q is the same "
-           "configuration";
-  }
-  std::string equation() const override {
-    return "q1 = integrate(q0, d) and difference(q0, q1) per joint; q ~ q' for Q' = -Q";
-  }
-  std::string source() const override { return "Pinocchio 3.8, joint-configuration"; }
-  std::vector<Output> outputs() const override {
-    return {op::robot_integrate[block::rotation],
-            op::robot_integrate[block::translation],
-            op::robot_integrate[block::continuous],
-            op::robot_integrate[block::joint],
-            op::robot_difference[block::rotation_vector],
-            op::robot_difference[block::linear],
-            op::robot_difference[block::continuous],
-            op::robot_difference[block::joint],
-            op::robot_is_same[block::same]};
-  }
+  static constexpr Statement stated{
+      .name = "robot_configuration",
+      .law =
+          "integrate and difference act joint by joint on the whole vector, and -Q is the same "
+          "configuration",
+      .equation = "q1 = integrate(q0, d) and difference(q0, q1) per joint; q ~ q' for Q' = -Q",
+      .source = "Pinocchio 3.8, joint-configuration",
+      .outputs = {op::robot_integrate[block::rotation], op::robot_integrate[block::translation],
+                  op::robot_integrate[block::continuous], op::robot_integrate[block::joint],
+                  op::robot_difference[block::rotation_vector], op::robot_difference[block::linear],
+                  op::robot_difference[block::continuous], op::robot_difference[block::joint],
+                  op::robot_is_same[block::same]}};
   std::vector<Field> fields() const override {
     std::vector<Field> all;
     const auto configuration = [&](const char* name, Reach reach) {

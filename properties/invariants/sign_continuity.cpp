@@ -11,13 +11,12 @@ constexpr int steps = 8;
 template <class S>
 class SignContinuity final : public Law<SignContinuity, S> {
  public:
-  std::string name() const override { return "sign_continuity"; }
-  std::string law() const override {
-    return "integrate returns the one of Q and -Q that is nearer to its input";
-  }
-  std::string equation() const override { return "Q_{k+1} . Q_k >= 0 for q_{k+1} = integrate(q_k, d)"; }
-  std::string source() const override { return "Pinocchio 3.8, SpecialEuclideanOperation::integrate"; }
-  std::vector<Output> outputs() const override { return {op::integrate[block::sign]}; }
+  static constexpr Statement stated{
+      .name = "sign_continuity",
+      .law = "integrate returns the one of Q and -Q that is nearer to its input",
+      .equation = "Q_{k+1} . Q_k >= 0 for q_{k+1} = integrate(q_k, d)",
+      .source = "Pinocchio 3.8, SpecialEuclideanOperation::integrate",
+      .outputs = {op::integrate[block::sign]}};
   std::vector<Field> fields() const override {
     return {{"p0", Kind::vector, 3, "m"},
             {"Q0", Kind::quaternion, 4, "1"},

@@ -15,17 +15,14 @@ namespace {
 template <class S>
 class SmallAngleBranches final : public Law<SmallAngleBranches, S> {
  public:
-  std::string name() const override { return "small_angle_branches"; }
-  std::string law() const override { return "no jump of the error across a change of formula"; }
-  std::string equation() const override { return "|(y+ - y+_exact) - (y- - y-_exact)| over adjacent inputs"; }
-  std::string source() const override {
-    return "docs/measuring.md, jump; cutoffs of Pinocchio, Sophus, manif, smooth and GTSAM";
-  }
-  std::vector<Output> outputs() const override {
-    return {op::exp3_quaternion[block::jump], op::exp6[block::jump],
-            op::left_jacobian3[block::jump],  op::left_jacobian3_inverse[block::jump],
-            op::right_jacobian6[block::jump], op::right_jacobian6_inverse[block::jump]};
-  }
+  static constexpr Statement stated{
+      .name = "small_angle_branches",
+      .law = "no jump of the error across a change of formula",
+      .equation = "|(y+ - y+_exact) - (y- - y-_exact)| over adjacent inputs",
+      .source = "docs/measuring.md, jump; cutoffs of Pinocchio, Sophus, manif, smooth and GTSAM",
+      .outputs = {op::exp3_quaternion[block::jump], op::exp6[block::jump], op::left_jacobian3[block::jump],
+                  op::left_jacobian3_inverse[block::jump], op::right_jacobian6[block::jump],
+                  op::right_jacobian6_inverse[block::jump]}};
   std::vector<Field> fields() const override {
     return {{"rho", Kind::vector, 3, "m"},
             {"direction", Kind::opaque, 3, "1"},

@@ -8,24 +8,21 @@ namespace {
 template <class S>
 class TreeInvariance final : public TreeLaw<TreeInvariance, S> {
  public:
-  static constexpr bool floating = false;
-  std::string name() const override { return "tree_invariance"; }
-  std::string law() const override {
-    return "joint torques do not depend on the world's frame, on the order of the joints, or on how a rigid "
-           "body is split into parts";
-  }
-  std::string equation() const override {
-    return "rnea equals Lagrange's equations of the original tree (1) in a world frame rotated by pi about x "
-           "and translated, (2) with the branches in reverse order, (3) with each body as two halves, one in "
-           "a frame rotated by 2 pi / 3";
-  }
-  std::string source() const override {
-    return "invariance of Lagrange's equations under a change of description: Goldstein 1980, section 1.4";
-  }
   static constexpr Output world = op::rnea_of_a_moved_world[block::torque],
                           order = op::rnea_of_reordered_joints[block::torque],
                           parts = op::rnea_of_split_bodies[block::torque];
-  std::vector<Output> outputs() const override { return {world, order, parts}; }
+  static constexpr Statement stated{
+      .name = "tree_invariance",
+      .law =
+          "joint torques do not depend on the world's frame, on the order of the joints, or on how a rigid "
+          "body is split into parts",
+      .equation =
+          "rnea equals Lagrange's equations of the original tree (1) in a world frame rotated by pi about x "
+          "and translated, (2) with the branches in reverse order, (3) with each body as two halves, one in "
+          "a frame rotated by 2 pi / 3",
+      .source =
+          "invariance of Lagrange's equations under a change of description: Goldstein 1980, section 1.4",
+      .outputs = {world, order, parts}};
 
   template <class T, class Case>
   void of(const Operations<S>& subject, const Case& c, Recorder& r) const {

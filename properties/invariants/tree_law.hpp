@@ -32,6 +32,26 @@ std::vector<double> rough_list(const std::vector<T>& x) {
   for (const T& v : x) y.push_back(approximate(v));
   return y;
 }
+/// J x with the exact numbers of J.
+template <class S, class T>
+std::vector<T> exact_product(const MatX<S>& J, const std::vector<T>& x) {
+  std::vector<T> sum(static_cast<std::size_t>(J.rows()), T(0));
+  for (int i = 0; i < J.rows(); ++i)
+    for (int k = 0; k < J.cols(); ++k)
+      sum[static_cast<std::size_t>(i)] += oracles::exact<T>(J(i, k)) * x[static_cast<std::size_t>(k)];
+  return sum;
+}
+/// At least ||A^-1|| of A = M_kl / sqrt(M_kk M_ll), from the factor of M and the roots sqrt(M_kk).
+template <class T>
+double inverse_size(const std::vector<T>& factor, const std::vector<double>& roots) {
+  double size = 0;
+  for (std::size_t k = 0; k < roots.size(); ++k) {
+    std::vector<T> e(roots.size(), T(0));
+    e[k] = T(roots[k]);
+    size += approximate(weighted_norm(oracles::solve(factor, e), roots));
+  }
+  return size;
+}
 /// The entries of a matrix, row by row.
 template <class S, int R, int C>
 VecX<S> flat(const Eigen::Matrix<S, R, C>& M) {
@@ -105,6 +125,9 @@ struct CaseAt {
 template <class S>
 class AnyTreeLaw : public Property<S> {
  public:
+  /// Balls of double lose too many digits in these sums.
+  using Tiers =
+      std::conditional_t<std::is_same_v<S, float128>, std::tuple<>, std::tuple<oracles::DoubleDoubleBall>>;
   /// Whether the tree has one root, a free-flyer.
   virtual bool has_floating_base() const = 0;
   std::vector<Field> fields() const override;
@@ -130,28 +153,17 @@ class AnyTreeLaw : public Property<S> {
   std::vector<S> fixed_;
 };
 
-/// A law P on trees of bodies. P<S> has a constant `floating` and the function
-///   template <class Real> void of(const Operations<S>&, const CaseAt<S, Real>&, Recorder&) const.
+/// A law P on trees of bodies. P<S> has the function
+///   template <class Real> void of(const Operations<S>&, const CaseAt<S, Real>&, Recorder&) const
+/// and, if its trees need a floating base, a constant `floating`.
 template <template <class> class P, class S>
-class TreeLaw : public AnyTreeLaw<S> {
+class TreeLaw : public Law<P, S, AnyTreeLaw<S>> {
  public:
-  bool has_floating_base() const override { return P<S>::floating; }
-  void measure(const Subject<S>& subject, const std::vector<S>& input, Recorder& recorder) const override {
-    in<oracles::Real>(subject, input, recorder);
+  bool has_floating_base() const override {
+    return requires {
+      P<S>::floating;
+    };
   }
-  bool measure_fast(const Subject<S>& subject, const std::vector<S>& input, Recorder& recorder,
-                    std::size_t tier) const override {
-    using Tiers = typename oracles::BallTiers<S>::type;
-    if constexpr (std::tuple_size_v<Tiers> == 0) {
-      return false;
-    } else {  // balls of double lose too many digits in these sums
-      if (tier > 0) return false;
-      in<std::tuple_element_t<std::tuple_size_v<Tiers> - 1, Tiers>>(subject, input, recorder);
-      return true;
-    }
-  }
-
- private:
   template <class T>
   void in(const Subject<S>& subject, const std::vector<S>& input, Recorder& recorder) const {
     const std::vector<S> full = this->full_of(input);
@@ -173,7 +185,7 @@ extern template struct CaseAt<float128, oracles::Real>;
 /// Registers a law on trees of bodies.
 template <template <class> class P>
 struct RegisteredTreeLaw : RegisteredProperty<P> {
-  RegisteredTreeLaw() { add_tree_law(P<double>().name()); }
+  RegisteredTreeLaw() { add_tree_law(P<double>::stated.name); }
 };
 
 }  // namespace liecheck::properties

@@ -9,24 +9,21 @@ template <class S>
 class TreeMomentum final : public TreeLaw<TreeMomentum, S> {
  public:
   static constexpr bool floating = true;
-  std::string name() const override { return "tree_momentum"; }
-  std::string law() const override {
-    return "the momentum at the centre of mass is A_g v; without gravity and base forces, joint torques do "
-           "not change it";
-  }
-  std::string equation() const override {
-    return "h = sum m (x'; (x - c) x x') = A_g v; tau_base(q, v, aba(q, v, (0, tau))) = 0 for g = 0, "
-           "relative to the terms of forward_dynamics";
-  }
-  std::string source() const override { return "Orin & Goswami 2008; Noether 1918"; }
   static constexpr Output linear = op::tree_momentum[block::linear],
                           angular = op::tree_momentum[block::angular],
                           map_linear = op::tree_momentum_map[block::linear],
                           map_angular = op::tree_momentum_map[block::angular],
                           conserved = op::momentum_conserved[block::torque];
-  std::vector<Output> outputs() const override {
-    return {linear, angular, map_linear, map_angular, conserved};
-  }
+  static constexpr Statement stated{
+      .name = "tree_momentum",
+      .law =
+          "the momentum at the centre of mass is A_g v; without gravity and base forces, joint torques do "
+          "not change it",
+      .equation =
+          "h = sum m (x'; (x - c) x x') = A_g v; tau_base(q, v, aba(q, v, (0, tau))) = 0 for g = 0, "
+          "relative to the terms of forward_dynamics",
+      .source = "Orin & Goswami 2008; Noether 1918",
+      .outputs = {linear, angular, map_linear, map_angular, conserved}};
 
   template <class T, class Case>
   void of(const Operations<S>& subject, const Case& c, Recorder& r) const {
@@ -41,27 +38,19 @@ class TreeMomentum final : public TreeLaw<TreeMomentum, S> {
     };
     const oracles::Vec6<T> h = moving.momentum();
     const auto sizes = c.sizes(c.rough.v, c.rough.v);
-    const auto record = [&](const Output& output, int part, const std::vector<T>& computed) {
+    const auto record = [&](const Output& output, int part, const auto& computed) {
       c.record(r, output, computed, half(h, part), {1, 1, 1}, part == 0 ? sizes.linear : sizes.angular,
                resolved);
     };
     for (int part = 0; part < 2; ++part) {
       if (o[op::tree_momentum]) {
         const VecX<S> computed = o[op::tree_momentum](c.q, c.v).template segment<3>(3 * part);
-        if (oracles::all_finite(computed))
-          record(part == 0 ? linear : angular, part, exact_list<T>(computed));
-        else
-          r.outcome(part == 0 ? linear : angular, 0, Outcome::not_finite);
+        record(part == 0 ? linear : angular, part, computed);
       }
       if (o[op::tree_momentum_map]) {
         const MatX<S> A = o[op::tree_momentum_map](c.q).middleRows(3 * part, 3);
-        std::vector<T> computed(3, T(0));
-        for (int i = 0; i < 3; ++i)
-          for (int k = 0; k < A.cols(); ++k)
-            computed[static_cast<std::size_t>(i)] +=
-                oracles::exact<T>(A(i, k)) * c.exact.v[static_cast<std::size_t>(k)];
         if (oracles::all_finite(A))
-          record(part == 0 ? map_linear : map_angular, part, computed);
+          record(part == 0 ? map_linear : map_angular, part, exact_product(A, c.exact.v));
         else
           r.outcome(part == 0 ? map_linear : map_angular, 0, Outcome::not_finite);
       }
@@ -95,8 +84,7 @@ class TreeMomentum final : public TreeLaw<TreeMomentum, S> {
     base.resize(6);
     const double terms =
         approximate(weighted_norm(M, products(w))) * approximate(weighted_norm(a, roots)) +
-        weighted_size(
-            oracles::TreeSizes<double>(rough, c.rough.q, c.rough.v, rough_list(a)).tau, w) +
+        weighted_size(oracles::TreeSizes<double>(rough, c.rough.q, c.rough.v, rough_list(a)).tau, w) +
         approximate(weighted_norm(exact_list<T>(tau), w));
     const std::vector<T> nothing(6, T(0));
     r.record(conserved, 0, weighted_error<S>(base, nothing, w, T(terms)));
