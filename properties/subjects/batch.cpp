@@ -17,9 +17,7 @@ struct Batch {
     return v.array().replicate(1, lanes);
   }
   static Subject<S> make() {
-    Subject<S> s;
-    s.name = "liecheck:batch";
-    s.version = LIECHECK_VERSION;
+    Subject<S> s{"liecheck:batch", LIECHECK_VERSION, {}};
     s.operations[op::integrate] = [](const Vec<S, 7>& q, const Vec<S, 6>& d) -> Vec<S, 7> {
       return batch::integrate<S>(filled(q), filled(d)).col(lanes - 1);
     };

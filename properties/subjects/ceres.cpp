@@ -46,9 +46,7 @@ struct CeresRotation : Types<S> {
   }
 
   static Subject<S> make() {
-    Subject<S> s;
-    s.name = "ceres";
-    s.version = CERES_VERSION_STRING;
+    Subject<S> s{"ceres", CERES_VERSION_STRING, {}};
     s.operations[op::exp3_quaternion] = exp3_quaternion;
     s.operations[op::exp3_matrix] = exp3_matrix;
     s.operations[op::log3_quaternion] = log3_quaternion;

@@ -18,52 +18,36 @@ auto Bugs<S>::integration() -> Entries {
                       multiply(rotation_of(q), wrong));
        }},
       {"integrate_left", "the increment multiplies on the left", "RobotLocomotion/drake issue 1129",
-       op::integrate,
-       [](const V7& q, const V6& d) -> V7 {
-         V7 r = good()[op::integrate](q, d);
+       changed<op::integrate>([](V7& r, const V7& q, const V6& d) {
          r.template tail<4>() = multiply(good()[op::exp3_quaternion](low(d)), rotation_of(q));
-         return r;
-       }},
+       })},
       {"integrate_world_velocity", "the linear increment is taken in world axes",
-       "ethz-asl/ros_vrpn_client pull 41", op::integrate,
-       [](const V7& q, const V6& d) -> V7 {
-         V7 r = good()[op::integrate](q, d);
+       "ethz-asl/ros_vrpn_client pull 41", changed<op::integrate>([](V7& r, const V7& q, const V6& d) {
          r.template head<3>() = q.template head<3>() + good()[op::exp6](d).p;
-         return r;
-       }},
+       })},
       {"integrate_euler", "p + R rho: the path is a straight line instead of an arc",
-       "robotology-legacy/mex-wholebodymodel issue 30 (velocities of the base)", op::integrate,
-       [](const V7& q, const V6& d) -> V7 {
-         V7 r = good()[op::integrate](q, d);
+       "robotology-legacy/mex-wholebodymodel issue 30 (velocities of the base)",
+       changed<op::integrate>([](V7& r, const V7& q, const V6& d) {
          r.template head<3>() = q.template head<3>() + good()[op::rotate_point](rotation_of(q), top(d));
-         return r;
-       }},
+       })},
       {"integrate_no_normalization", "the quaternion product is not normalised, so that its norm error grows",
-       "collabora/libsurvive pull 79", op::integrate,
-       [](const V7& q, const V6& d) -> V7 {
-         V7 r = good()[op::integrate](q, d);
+       "collabora/libsurvive pull 79", changed<op::integrate>([](V7& r, const V7& q, const V6&) {
          const S n = rotation_of(q).norm();
          r.template tail<4>() *= n * n * n * n;
-         return r;
-       }},
+       })},
       {"integrate_no_sign_flip", "Q is replaced by -Q if w of the product is negative",
-       "DOI-USGS/ale issue 603", op::integrate,
-       [](const V7& q, const V6& d) -> V7 {
-         V7 r = good()[op::integrate](q, d);
+       "DOI-USGS/ale issue 603", changed<op::integrate>([](V7& r, const V7&, const V6&) {
          if (r[6] < S(0)) r.template tail<4>() *= S(-1);
-         return r;
-       }},
+       })},
       {"integrate_stale", "a small increment uses the rotation of an earlier, larger increment",
-       "loco-3d/crocoddyl issue 363 (data of the SE3 residual not updated)", op::integrate,
-       [](const V7& q, const V6& d) -> V7 {
+       "loco-3d/crocoddyl issue 363 (data of the SE3 residual not updated)",
+       changed<op::integrate>([](V7& r, const V7& q, const V6& d) {
          thread_local V4 stale = V4::Unit(3);
-         V7 r = good()[op::integrate](q, d);
          if (angle(low(d)) > S(0.1))
            stale = good()[op::exp3_quaternion](low(d));
          else if (angle(low(d)) > S(1e-3))
            r.template tail<4>() = multiply(rotation_of(q), stale);
-         return r;
-       }},
+       })},
   };
 }
 
@@ -82,22 +66,16 @@ auto Bugs<S>::differences() -> Entries {
       {"difference_order", "the difference is taken from q1 to q0", "naver/roma issue 3", op::difference,
        [](const V7& a, const V7& b) -> V6 { return good()[op::difference](b, a); }},
       {"difference_naive", "log(Q0* Q1) cancels for nearby poses: relative error 1 at 1e-16",
-       "stack-of-tasks/pinocchio issue 1964", op::difference,
-       [](const V7& a, const V7& b) -> V6 {
-         V6 v = good()[op::difference](a, b);
+       "stack-of-tasks/pinocchio issue 1964", changed<op::difference>([](V6& v, const V7& a, const V7& b) {
          v.template tail<3>() =
              good()[op::log3_quaternion](multiply(conjugate(rotation_of(a)), rotation_of(b)));
-         return v;
-       }},
+       })},
       {"difference_double_cover", "Q and -Q have a difference of 2 pi", "bdero/flutter_scene pull 275",
-       op::difference,
-       [](const V7& a, const V7& b) -> V6 {
-         V6 v = good()[op::difference](a, b);
+       changed<op::difference>([](V6& v, const V7& a, const V7& b) {
          const S t = angle(low(v));
          if (rotation_of(a).dot(rotation_of(b)) < S(0) && t > S(0))
            v.template tail<3>() *= (t - S(6.283185307179586)) / t;
-         return v;
-       }},
+       })},
       {"first_order_on_input", "first-order normalisation of both inputs, whose norms need not be near 1",
        "RobotLocomotion/drake issue 14800", op::difference,
        [](const V7& a, const V7& b) -> V6 {
@@ -126,20 +104,14 @@ auto Bugs<S>::configuration_derivatives() -> Entries {
        op::d_difference_arg1,
        [](const V7& a, const V7& b) -> M6 { return -good()[op::d_difference_arg0](a, b); }},
       {"coefficient_world", "Q_dot = (w, 0) Q / 2: the angular velocity is taken in world axes",
-       "robotology-legacy/mex-wholebodymodel issue 30", op::integrate_coefficient_jacobian,
-       [](const V7& q) -> M76 {
-         M76 J = good()[op::integrate_coefficient_jacobian](q);
+       "robotology-legacy/mex-wholebodymodel issue 30",
+       changed<op::integrate_coefficient_jacobian>([](M76& J, const V7& q) {
          const M3 K = hat(V3(q.template segment<3>(3))) / S(2);
          J.template block<3, 3>(3, 3) -= S(2) * K;
-         return J;
-       }},
+       })},
       {"coefficient_not_halved", "Q_dot lacks its factor 1/2", "betaflight/betaflight pull 5182",
-       op::integrate_coefficient_jacobian,
-       [](const V7& q) -> M76 {
-         M76 J = good()[op::integrate_coefficient_jacobian](q);
-         J.template bottomRightCorner<4, 3>() *= S(2);
-         return J;
-       }},
+       changed<op::integrate_coefficient_jacobian>(
+           [](M76& J, const V7&) { J.template bottomRightCorner<4, 3>() *= S(2); })},
   };
 }
 

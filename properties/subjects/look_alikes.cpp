@@ -63,12 +63,9 @@ template <class S>
 auto Bugs<S>::look_alikes_of_poses_and_bodies() -> Entries {
   return {
       {"integrate_sign_by_dot", "the dot product with Q0 decides the sign of Q1", "the same sign",
-       op::integrate,
-       [](const V7& q, const V6& d) -> V7 {
-         V7 r = good()[op::integrate](q, d);
+       changed<op::integrate>([](V7& r, const V7& q, const V6&) {
          if (r.template tail<4>().dot(rotation_of(q)) < S(0)) r.template tail<4>() *= S(-1);
-         return r;
-       }},
+       })},
       {"rotate_long_double", "Q x Q* by cross products in long double", "another formula", op::rotate_point,
        [](const V4& Q, const V3& x) -> V3 {
          const L3 v = wide(Q.template head<3>()), y = wide(x), vx = v.cross(y);
@@ -88,13 +85,11 @@ auto Bugs<S>::look_alikes_of_poses_and_bodies() -> Entries {
          const L3 f = R * wide(top(F));
          return stack(narrow(f), narrow(R * wide(low(F)) + hat(wide(X.p)) * f));
        }},
-      {"inertia_other_order", "R (I R^T) instead of (R I) R^T", "another operation order", op::act_inertia,
-       [](const P& X, const B& I) -> B {
-         B b = good()[op::act_inertia](X, I);
+      {"inertia_other_order", "R (I R^T) instead of (R I) R^T", "another operation order",
+       changed<op::act_inertia>([](B& b, const P& X, const B& I) {
          const LM R = X.R.template cast<L>(), M = R * (I.I_C.template cast<L>() * R.transpose());
          b.I_C = M.template cast<S>();
-         return b;
-       }},
+       })},
       {"energy_by_momentum", "V . h / 2 in long double", "another route", op::kinetic_energy,
        [](const B& I, const V6& V) -> S {
          const L3 u = wide(top(V)), w = wide(low(V)), c = wide(I.c), u_C = u + w.cross(c);

@@ -11,7 +11,6 @@ namespace {
 
 template <class S>
 struct Manif : Types<S> {
-  using O = Operations<S>;
   using typename Types<S>::V3, typename Types<S>::V4, typename Types<S>::V6, typename Types<S>::V7,
       typename Types<S>::M3, typename Types<S>::M6;
   using SO3 = ::manif::SO3<S>;
@@ -23,10 +22,8 @@ struct Manif : Types<S> {
   static Pose<S> stored(const SE3& X) { return {X.rotation(), X.translation()}; }
 
   static Subject<S> make() {
-    Subject<S> s;
-    s.name = "manif";
-    s.version = "headers";
-    O& o = s.operations;
+    Subject<S> s{"manif", "headers", {}};
+    auto& o = s.operations;
     o[op::exp3_quaternion] = [](const V3& phi) -> V4 { return T3(phi).exp().quat().coeffs(); };
     o[op::exp3_matrix] = [](const V3& phi) -> M3 { return T3(phi).exp().rotation(); };
     o[op::log3_quaternion] = [](const V4& Q) -> V3 { return SO3(Eigen::Quaternion<S>(Q)).log().coeffs(); };

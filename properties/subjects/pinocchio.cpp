@@ -16,7 +16,6 @@ namespace {
 
 template <class S>
 struct Pinocchio : Types<S> {
-  using O = Operations<S>;
   using typename Types<S>::V3, typename Types<S>::V4, typename Types<S>::V6, typename Types<S>::V7,
       typename Types<S>::M3, typename Types<S>::M6;
   using SE3 = ::pinocchio::SE3Tpl<S>;
@@ -39,10 +38,8 @@ struct Pinocchio : Types<S> {
   }
 
   static Subject<S> make() {
-    Subject<S> s;
-    s.name = "pinocchio";
-    s.version = PINOCCHIO_VERSION;
-    O& o = s.operations;
+    Subject<S> s{"pinocchio", PINOCCHIO_VERSION, {}};
+    auto& o = s.operations;
     o[op::exp3_quaternion] = [](const V3& phi) -> V4 {
       Quaternion q;
       ::pinocchio::quaternion::exp3(phi, q);

@@ -57,6 +57,20 @@ struct Bugs : Types<S> {
     return operations;
   }
 
+  /// Plants a function that changes the correct result by change(result, arguments...).
+  template <const auto& operation, class Change>
+  static std::function<void(O&)> changed(Change) {
+    return [](O& o) { plant<operation, Change>(o[operation]); };
+  }
+  template <const auto& operation, class Change, class R, class... A>
+  static void plant(R (*&slot)(A...)) {
+    slot = [](A... a) -> R {
+      R result = good()[operation](a...);
+      Change()(result, a...);
+      return result;
+    };
+  }
+
   static V3 top(const V6& v) { return v.template head<3>(); }
   static V3 low(const V6& v) { return v.template tail<3>(); }
   static V6 stack(const V3& a, const V3& b) {

@@ -16,14 +16,12 @@ auto Bugs<S>::exp_of_rotations() -> Entries {
          return good()[op::exp3_quaternion](phi);
        }},
       {"exp_series_sign", "the second term of the series of sin(theta/2)/theta has the wrong sign",
-       "stack-of-tasks/pinocchio issue 1964 (a series term of so3 questioned, untested)", op::exp3_quaternion,
-       [](const V3& phi) -> V4 {
+       "stack-of-tasks/pinocchio issue 1964 (a series term of so3 questioned, untested)",
+       changed<op::exp3_quaternion>([](V4& q, const V3& phi) {
          const S t = angle(phi);
-         if (t > S(1e-2)) return good()[op::exp3_quaternion](phi);
-         V4 q = good()[op::exp3_quaternion](phi);
+         if (t > S(1e-2)) return;
          q.template head<3>() = (S(1) / S(2) + t * t / S(48)) * phi;
-         return q;
-       }},
+       })},
       {"exp_angle_not_halved", "the quaternion of exp rotates by twice the angle",
        "heliorc/imuf-release issue 9 (quaternion kinematics that degrade)", op::exp3_quaternion,
        [](const V3& phi) -> V4 { return good()[op::exp3_quaternion](S(2) * phi); }},
@@ -52,12 +50,8 @@ auto Bugs<S>::exp_of_rotations() -> Entries {
          const M3 K = hat(phi);
          return M3::Identity() + std::sin(t) / t * K + (S(1) - std::cos(t)) / (t * t) * K * K;
        }},
-      {"exp_nan_at_zero", "0/0 at theta = 0", "kornia/kornia-rs pull 535", op::exp6,
-       [](const V6& xi) -> P {
-         P T = good()[op::exp6](xi);
-         T.p += S(0) * top(xi) / angle(low(xi));
-         return T;
-       }},
+      {"exp_nan_at_zero", "0/0 at theta = 0", "kornia/kornia-rs pull 535",
+       changed<op::exp6>([](P& T, const V6& xi) { T.p += S(0) * top(xi) / angle(low(xi)); })},
   };
 }
 
@@ -177,20 +171,17 @@ auto Bugs<S>::jacobians() -> Entries {
        op::left_jacobian6,
        [](const V6& xi) -> M6 { return blocks(good()[op::left_jacobian3](low(xi)), hat(top(xi)) / S(2)); }},
       {"jacobian6_coupling_sign", "the last term of the coupling block has the wrong sign",
-       "dqrobotics/matlab issue 62 (a sign in a pose Jacobian)", op::left_jacobian6,
-       [](const V6& xi) -> M6 {
-         M6 J = good()[op::left_jacobian6](xi);
+       "dqrobotics/matlab issue 62 (a sign in a pose Jacobian)",
+       changed<op::left_jacobian6>([](M6& J, const V6& xi) {
          const V3 phi = low(xi), rho = top(xi);
          const M3 K = hat(phi);
          J.template topRightCorner<3, 3>() += S(1) / S(60) * phi.dot(rho) * K * K * std::exp(-phi.norm());
-         return J;
-       }},
+       })},
       {"jacobian6_cancelling", "the coefficients of the coupling block cancel for theta from 1e-5 to 0.1",
-       "RainerKuemmerle/g2o issue 221 (closed forms from 1e-5)", op::right_jacobian6,
-       [](const V6& xi) -> M6 {
+       "RainerKuemmerle/g2o issue 221 (closed forms from 1e-5)",
+       changed<op::right_jacobian6>([](M6& J, const V6& xi) {
          const S t = angle(low(xi));
-         M6 J = good()[op::right_jacobian6](xi);
-         if (t < S(1e-5) || t > S(0.1)) return J;
+         if (t < S(1e-5) || t > S(0.1)) return;
          const M3 K = hat(low(xi)), Q = hat(top(xi));
          const S c2 = (S(1) - std::cos(t)) / (t * t), c3 = (t - std::sin(t)) / (t * t * t);
          const S phi_rho = low(xi).dot(top(xi));
@@ -198,8 +189,7 @@ auto Bugs<S>::jacobians() -> Entries {
          const S b = (t * (S(1) - std::cos(t)) - S(3) * (t - std::sin(t))) / (t * t * t * t * t);
          J.template topRightCorner<3, 3>() =
              -c2 * Q + c3 * (K * Q + Q * K) - phi_rho * a * K + phi_rho * b * K * K;
-         return J;
-       }},
+       })},
       {"inverse_jacobian_coefficient", "the coefficient 1/10 instead of 1/12 below theta = 1e-2",
        "stack-of-tasks/pinocchio issue 1964", op::left_jacobian3_inverse,
        [](const V3& phi) -> M3 {

@@ -23,9 +23,7 @@ struct Smooth {
   }
 
   static Subject<S> make() {
-    Subject<S> s;
-    s.name = "smooth";
-    s.version = "headers";
+    Subject<S> s{"smooth", "headers", {}};
     auto& o = s.operations;
     o[op::exp3_quaternion] = [](const Vec<S, 3>& phi) -> Vec<S, 4> { return SO3::exp(phi).coeffs(); };
     o[op::exp3_matrix] = [](const Vec<S, 3>& phi) -> Mat<S, 3> { return SO3::exp(phi).matrix(); };

@@ -18,7 +18,6 @@ namespace {
 
 template <class S>
 struct SophusGroups : Types<S> {
-  using O = Operations<S>;
   using typename Types<S>::V3, typename Types<S>::V4, typename Types<S>::V6, typename Types<S>::V7,
       typename Types<S>::M3, typename Types<S>::M6;
   using SO3 = ::Sophus::SO3<S>;
@@ -29,10 +28,8 @@ struct SophusGroups : Types<S> {
   static Pose<S> stored(const SE3& X) { return {X.rotationMatrix(), X.translation()}; }
 
   static Subject<S> make() {
-    Subject<S> s;
-    s.name = "sophus";
-    s.version = "headers";
-    O& o = s.operations;
+    Subject<S> s{"sophus", "headers", {}};
+    auto& o = s.operations;
     o[op::exp3_quaternion] = [](const V3& phi) -> V4 { return SO3::exp(phi).unit_quaternion().coeffs(); };
     o[op::exp3_matrix] = [](const V3& phi) -> M3 { return SO3::exp(phi).matrix(); };
     o[op::log3_quaternion] = [](const V4& Q) -> V3 { return rotation(Q).log(); };

@@ -49,28 +49,18 @@ auto Bugs<S>::inertias() -> Entries {
          return {I.mass, X.R * I.c + X.p, X.R.transpose() * I.I_C * X.R};
        }},
       {"inertia_shift_com", "the shift is applied before the centre of mass is rotated",
-       "simbody/simbody issue 334", op::act_inertia,
-       [](const P& X, const B& I) -> B {
-         B b = good()[op::act_inertia](X, I);
-         b.c = X.R * (I.c + X.p);
-         return b;
-       }},
+       "simbody/simbody issue 334",
+       changed<op::act_inertia>([](B& b, const P& X, const B& I) { b.c = X.R * (I.c + X.p); })},
       {"parallel_axis_sign", "the parallel-axis term has the wrong sign", "dimforge/parry pull 334",
-       op::inertia_matrix,
-       [](const B& I) -> M6 {
-         M6 M = good()[op::inertia_matrix](I);
+       changed<op::inertia_matrix>([](M6& M, const B& I) {
          const M3 C = hat(I.c);
          M.template bottomRightCorner<3, 3>() = I.I_C + I.mass * (C * C);
-         return M;
-       }},
+       })},
       {"parallel_axis_doubled", "the parallel-axis term is added twice",
-       "ros/solidworks_urdf_exporter issue 117", op::inertia_matrix,
-       [](const B& I) -> M6 {
-         M6 M = good()[op::inertia_matrix](I);
+       "ros/solidworks_urdf_exporter issue 117", changed<op::inertia_matrix>([](M6& M, const B& I) {
          const M3 C = hat(I.c);
          M.template bottomRightCorner<3, 3>() -= I.mass * (C * C);
-         return M;
-       }},
+       })},
       {"momentum_diagonal", "only the diagonal of the inertia is used", "avianphysics/avian pull 745",
        op::momentum,
        [](const B& I, const V6& V) -> V6 {

@@ -17,7 +17,6 @@ struct Textbook : Types<S> {
   /// Below this angle [rad] the leading term replaces the closed form.
   double cutoff;
 
-  using O = Operations<S>;
   using typename Types<S>::V3, typename Types<S>::V4, typename Types<S>::V6, typename Types<S>::V7,
       typename Types<S>::M3, typename Types<S>::M6;
 
@@ -169,10 +168,10 @@ struct Textbook : Types<S> {
 
   template <int exponent, bool is_variant>
   static Subject<S> make() {
-    Subject<S> s;
-    s.name = is_variant ? "textbook:1e-" + std::to_string(exponent) : "textbook";
-    s.version = "cutoff 1e-" + std::to_string(exponent);
-    O& o = s.operations;
+    Subject<S> s{is_variant ? "textbook:1e-" + std::to_string(exponent) : "textbook",
+                 "cutoff 1e-" + std::to_string(exponent),
+                 {}};
+    auto& o = s.operations;
     o[op::exp3_quaternion] = At<&Textbook::exp3_quaternion, exponent>::call;
     o[op::exp3_matrix] = At<&Textbook::exp3_matrix, exponent>::call;
     o[op::log3_quaternion] = At<&Textbook::log3_quaternion, exponent>::call;
