@@ -14,8 +14,8 @@ template <Scalar S>
 [[gnu::always_inline]] inline Vector3<S> added(const Vector3<S>& a, const Vector3<S>& b) {
   return each<S>([&](int i) { return S(a[i] + b[i]); });
 }
-/// Computes the pose of a joint in the frame of its parent p, and in the world. Returns the vector from the parent's
-/// origin, in world axes [m], without the cancellation of a difference of two world positions.
+/// Computes the pose of a joint in the frame of its parent p, and in the world. Returns the vector from the
+/// parent's origin, in world axes [m], without the cancellation of a difference of two world positions.
 template <class Place, Scalar S>
 [[gnu::always_inline]] inline Vector3<S> placeJoint(const Place& joint, const VectorX<S>& q, std::size_t p,
                                                     SE3<S>& liMi, std::vector<SE3<S>>& oMi) {

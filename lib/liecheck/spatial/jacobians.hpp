@@ -24,7 +24,7 @@ namespace liecheck {
 
 namespace jacobian_detail {
 
-/// [t] + [a][u] + [u][a], and [a][u] + [u][a] = a u^T + u a^T - 2 (a . u) I.
+/// [t] + [a][u] + [u][a], computed with [a][u] + [u][a] = a u^T + u a^T - 2 (a . u) I.
 template <Scalar S>
 [[gnu::always_inline]] inline Matrix3<S> skew_and_symmetric(const Vector3<S>& t, const Vector3<S>& a,
                                                             const Vector3<S>& u) {
@@ -104,7 +104,7 @@ template <Scalar S, Precision P, class F>
   return with_coefficients<S, P>(
       phi, [&f](const auto& k) __attribute__((always_inline)) { return f(BlockCoefficients<S, P>::of(k)); });
 }
-/// Returns f(coefficients of J_l^-1(phi)). The rare |phi| > pi is compiled as a separate function.
+/// Returns f(coefficients of J_l^-1(phi)). The rare case |phi| > pi is compiled as a separate function.
 template <Scalar S, Precision P, class F>
 [[gnu::noinline, gnu::cold]] auto with_left_inverse_beyond_pi(const Vector3<S>& phi, const S& x, F f) {
   return f(BlockCoefficients<S, P>::inverseBeyondPi(phi, x));

@@ -15,7 +15,8 @@ namespace {
 
 using tinyxml2::XMLDocument, tinyxml2::XMLElement, tinyxml2::XMLNode;
 
-/// The <origin> of an element: p = xyz [m], R = R_z(yaw) R_y(pitch) R_x(roll), rpy [rad], exactly as urdfdom.
+/// The <origin> of an element: p = xyz [m], and R = R_z(yaw) R_y(pitch) R_x(roll) from rpy [rad], as in
+/// urdfdom.
 SE3<double> origin(const XMLElement& of) {
   const XMLElement* e = of.FirstChildElement("origin");
   if (!e) return SE3<double>::Identity();
@@ -96,8 +97,8 @@ class Reader {
     }
   }
 
-  /// The inertia at the centre of mass, in the axes of <inertial>. Refuses a negative mass; moments that no
-  /// body can have are recorded in unphysical_links.
+  /// The inertia at the centre of mass, in the axes of <inertial>. Refuses a negative mass. Records moments
+  /// that no body can have in unphysical_links.
   Inertia<double> body(const XMLElement& inertial, const std::string& link_name) {
     const XMLElement &mass = *inertial.FirstChildElement("mass"),
                      &inertia = *inertial.FirstChildElement("inertia");

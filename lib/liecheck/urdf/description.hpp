@@ -1,5 +1,5 @@
 #pragma once
-// Reads and checks the links and joints of a URDF text. Every error in them is a UrdfError with its line.
+// Reads and checks the links and joints of a URDF text. Every error throws a UrdfError that names its line.
 
 #include <liecheck/spatial/inertia.hpp>
 #include <liecheck/spatial/se3.hpp>
@@ -40,11 +40,11 @@ struct JointDescription {
 
 struct LinkDescription {
   int line = 0;
-  Inertia<double> inertia = Inertia<double>::Zero();  ///< in the link's axes at its origin
+  Inertia<double> inertia = Inertia<double>::Zero();  ///< in the link's frame
 };
 
 struct Description {
-  /// A link whose inertia no body can have: an error unless the sum with the links fixed to it is valid.
+  /// A link whose inertia no body can have. An error unless the sum with the links fixed to it is valid.
   struct UnphysicalLink {
     std::string link;
     int line;
@@ -54,11 +54,11 @@ struct Description {
   int line = 0;
   std::map<std::string, LinkDescription> links;
   std::map<std::string, JointDescription> joints;
-  std::map<std::string, std::vector<std::string>> joints_below;  ///< of a link, in alphabetical order
+  std::map<std::string, std::vector<std::string>> joints_below;  ///< by parent link, in alphabetical order
   std::vector<UnphysicalLink> unphysical_links;
 };
 
-/// Throws UrdfError unless text is one valid robot.
+/// Throws UrdfError unless text describes one valid robot.
 Description describe(const std::string& text, const UrdfOptions& options, Messages& messages);
 
 }  // namespace liecheck::urdf_detail
