@@ -1,8 +1,8 @@
 #pragma once
 // The joint-space inertia matrix M(q), its factors and its inverse.
 //
-//   M_ij = S_i^T Ic_j S_j,  i an ancestor of j or j itself;  Ic_j is the inertia of all bodies that joint j carries.
-//   Composite-rigid-body algorithm: Featherstone (2008), table 6.2. L^T L factors and their sparsity: table 6.3.
+//   M_ij = S_i^T Ic_j S_j,  i = j or an ancestor of j.  Ic_j is the inertia of all bodies that joint j carries.
+//   Featherstone (2008): composite-rigid-body algorithm, table 6.2; sparse L^T L factors, table 6.3.
 
 #include <liecheck/algorithms/kinematics.hpp>
 

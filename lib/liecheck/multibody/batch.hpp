@@ -73,7 +73,7 @@ template <class P, class V>
   return (x.v >= -most) & (x.v <= most);
 }
 template <class S>
-constexpr S huge = std::numeric_limits<S>::max() * eps<S>() * eps<S>();  ///< largest |v|^2 that needs no branch
+constexpr S huge = std::numeric_limits<S>::max() * eps<S>() * eps<S>();  ///< no branch up to this |v|^2
 
 }  // namespace detail
 

@@ -4,8 +4,8 @@
 // Every coefficient of exp, log and their Jacobians is a function of x = theta^2. It is smooth at 0, although
 // its textbook closed form is 0/0 there. The Stumpff functions need no special case at 0:
 //
-//     c_k(x) = sum_j (-x)^j / (2j + k)!        c_0 = cos theta             c_1 = sin theta / theta
-//                                              c_2 = (1 - cos theta)/theta^2   c_3 = (theta - sin theta)/theta^3
+//     c_k(x) = sum_j (-x)^j / (2j + k)!    c_0 = cos theta                 c_1 = sin theta / theta
+//                                          c_2 = (1 - cos theta)/theta^2   c_3 = (theta - sin theta)/theta^3
 //
 // c_4 and c_5 at h = x/4 in [0, (pi/2)^2] are computed as polynomials. Those of lower k follow from
 //
@@ -22,8 +22,7 @@
 //
 // The error bounds below are verified in float at every argument (`liecheck sweep`; HalfAngle with x.low = 0,
 // LogarithmCoefficients with cosine = 1). The bounds of the polynomials are proved, in float and double, with
-// and without fused multiply-adds (tests/proofs). For wider scalars they are verified at random arguments
-// only.
+// and without fused multiply-adds (tests/proofs). For wider scalars only random arguments are tested.
 
 #include <array>
 #include <bit>
@@ -217,8 +216,8 @@ struct HalfAngle {
 };
 
 /// The coefficient d of [phi]^2 in the inverse Jacobian of SO(3), and twice its slope in x.
-///     d(x)  = (1 - (theta/2) cot(theta/2)) / theta^2 = (c_2 - c_3) / (4 c_1) at x/4    1/12 at 0, 1/pi^2 at pi
-///     d2(x) = 2 d'(x)                                                                  1/360 at 0
+///     d(x)  = (1 - (theta/2) cot(theta/2)) / theta^2 = (c_2 - c_3) / (4 c_1) at x/4  1/12 at 0, 1/pi^2 at pi
+///     d2(x) = 2 d'(x)                                                                1/360 at 0
 /// on [0, pi^2]. Relative error: d 2.6 eps; d2 5 eps, since its numerator has two differences that cancel.
 template <Scalar S, Precision P = Precision::standard>
 struct InverseCoefficient {
@@ -233,8 +232,8 @@ struct InverseCoefficient {
   }
 };
 
-/// The coefficients of the logarithm of a quaternion (v, w) of any norm, with h = theta/2 = atan2(|v|, w), w
-/// >= 0:
+/// The coefficients of the logarithm of a quaternion (v, w >= 0) of any norm, with h = theta/2 = atan2(|v|,
+/// w):
 ///     angle_over_sine = 2 h / |v|       phi = angle_over_sine v
 ///     alpha = h cot h                   (theta/2) cot(theta/2)
 ///     along = (1 - alpha) / |v|^2       so that J^-1 p = p - phi x p / 2 + along v x (v x p)
@@ -328,7 +327,7 @@ S large_angle(const Vector& phi, const S& x) {
 
 /// The coefficients of exp and its Jacobians at any finite rotation vector phi, for the axis a = phi / t with
 /// t = 1 for theta <= pi; beyond pi, t = theta, to avoid overflow:
-///     k1 = c_1,  k2 = c_2 t,  k3 = c_3 t^2     J = I + k2 [a] + k3 [a]^2; for t = 1, R = I + k1 [a] + k2 [a]^2
+///     k1 = c_1,  k2 = c_2 t,  k3 = c_3 t^2;  J = I + k2 [a] + k3 [a]^2; for t = 1, R = I + k1 [a] + k2 [a]^2
 ///     slope2 = 2 c_2' t^2 = (2 c_4 - c_3) t^2,  slope3 = 2 c_3' t^3 = (3 c_5 - c_4) t^3,
 ///     and (sine_half a, cosine_half) is the quaternion.
 /// Error: as for HalfAngle up to pi; beyond pi 2 eps + theta eps (excess rule, docs/measuring.md).

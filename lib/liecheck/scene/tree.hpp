@@ -100,7 +100,7 @@ class Tree {
     });
   }
 
-  /// The state that effects and observers read, valid until the next call. Accelerations need a = v_dot.
+  /// The state that effects and observers read, valid until the next call. Give a = v_dot for accelerations.
   Now<S> here(const S& t, const Configuration& q, const Tangent& v, Kinematics kinematics,
               const Tangent* a = nullptr) {
     if (a)

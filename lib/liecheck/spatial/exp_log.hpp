@@ -1,7 +1,7 @@
 #pragma once
 // Exponential and logarithm of SO(3) and SE(3).
 //
-//   R = exp [phi],  p = J(phi) rho = c1 rho + c2 phi x rho + c3 phi (phi . rho),  J = I + c2 [phi] + c3 [phi]^2
+//   R = exp [phi], p = J(phi) rho = c1 rho + c2 phi x rho + c3 phi (phi . rho), J = I + c2 [phi] + c3 [phi]^2
 //   (Murray, Li & Sastry 1994, eq. 2.36). The coefficients and their series near 0 are in scalar/stumpff.hpp.
 //
 // Domain: every finite rotation vector and every rotation. For |phi| <= pi the stated bounds are absolute for
@@ -120,8 +120,7 @@ SO3<S> exp3(const Vector3<S>& phi) {
       phi);
 }
 
-/// phi [3, rad] = 2 atan2(|v|, |w|)/|v| sgn(w) v, |phi| <= pi. It does not depend on |Q|. Error 2 eps
-/// relative.
+/// phi [3, rad] = 2 atan2(|v|, |w|)/|v| sgn(w) v, |phi| <= pi, for any |Q|. Relative error 2 eps.
 template <Scalar S, Precision P = Precision::standard>
 Vector3<S> log3(const SO3<S>& Q) {
   return evaluate<S, P>(
@@ -191,7 +190,7 @@ SE3<S> exp6(const Motion<S>& xi) {
       xi);
 }
 
-/// xi = log T, the inverse of exp6 for |phi| < pi. Error 3 eps of phi, 4 eps of rho. In fast precision as
+/// xi = log T, the inverse of exp6 for |phi| < pi. Error 3 eps of phi, 4 eps of rho; fast precision as in
 /// log3.
 template <Scalar S, Precision P = Precision::standard>
 Motion<S> log6(const SE3<S>& T) {

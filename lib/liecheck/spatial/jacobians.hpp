@@ -8,7 +8,7 @@
 //                          [ 0   J_l(phi)]        = c2 [rho] + c3 ([phi][rho] + [rho][phi])
 //                                                   - g (phi . rho) [phi] - h (phi . rho) [phi]^2
 //          J_l^-1 = [ J_l^-1(phi)  Qi ; 0  J_l^-1(phi) ],
-//                   Qi = dJ_l^-1 along rho = -1/2 [rho] + d ([phi][rho] + [rho][phi]) + d2 (phi . rho) [phi]^2
+//                  Qi = dJ_l^-1 along rho = -1/2 [rho] + d ([phi][rho] + [rho][phi]) + d2 (phi . rho) [phi]^2
 //
 // with g = c3 - 2 c4, h = c4 - 3 c5; stumpff.hpp defines d and d2. The coupling block is the directional
 // derivative of the rotation block along rho, because (phi + e rho) with e^2 = 0 is the twist as a dual

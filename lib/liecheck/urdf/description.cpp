@@ -15,8 +15,7 @@ namespace {
 
 using tinyxml2::XMLDocument, tinyxml2::XMLElement, tinyxml2::XMLNode;
 
-/// The <origin> of an element: p = xyz [m], and R = R_z(yaw) R_y(pitch) R_x(roll) from rpy [rad], as in
-/// urdfdom.
+/// The <origin> of an element: p = xyz [m], R = R_z(yaw) R_y(pitch) R_x(roll) of rpy [rad], as in urdfdom.
 SE3<double> origin(const XMLElement& of) {
   const XMLElement* e = of.FirstChildElement("origin");
   if (!e) return SE3<double>::Identity();

@@ -21,11 +21,10 @@
 
 namespace liecheck {
 
-/// A robot and its warnings, one line each: `FILE:LINE: what (value)`. There are warnings for axes, limits,
-/// damping and friction that a joint's type does not use, and for mimic joints that are treated as
-/// independent. A link with an inertia that no body can have causes a warning if the sum with the links fixed
-/// to it is valid, otherwise an error. A joint without mass causes a warning; aba may then throw
-/// SingularInertia.
+/// A robot and its warnings, one line each: `FILE:LINE: what (value)`. Warnings name axes, limits, damping
+/// and friction that a joint's type does not use, and mimic joints that are treated as independent. A link
+/// with an inertia that no body can have causes a warning if the sum with the links fixed to it is valid,
+/// otherwise an error. A joint without mass causes a warning; aba may then throw SingularInertia.
 struct UrdfRobot {
   Model<double> model;
   std::vector<std::string> warnings;

@@ -8,8 +8,7 @@
 //
 // Order 2, symmetric. (Moser & Veselov 1991; Lee, Leok & McClamroch 2005; Bou-Rabee & Marsden 2009, sec. 4.)
 // L is the angular momentum about the centre of mass, P the linear momentum, both in the world's axes;
-// begin() computes them from the state. At the end of the step, velocity-dependent forces are evaluated
-// implicitly.
+// begin() computes them from the state. Velocity-dependent forces at the end of the step are implicit.
 
 #include <liecheck/scene/integrators/method.hpp>
 #include <liecheck/scene/lone_body.hpp>
