@@ -92,7 +92,7 @@ TEST(SceneFile, AnInvalidSceneIsRefusedWithFileLineAndRemedy) {
       {4, "integrator: {name: rkmk4, step: [1]}", "s.yaml:4: integrator.step is one number, not a list"},
       {4, "integrator: {name: rkmk4, step: fast}", "s.yaml:4: integrator.step: 'fast' is not a number in s"},
       {4, "integrator: {name: rkmk4, step: 3 ms}",
-       "s.yaml:4: duration is not a whole number of integrator.step: it fits 333.333333 times"},
+       "s.yaml:4: duration is not a multiple of integrator.step: it fits 333.333333 times"},
       {4, "integrator: {name: rkmk5, step: 1 ms}",
        "s.yaml:4: no integrator is named 'rkmk5', the nearest are 'rkmk4', 'rkmk6' and 'rk2'"},
       {4, "integrator: {name: rkmk4}", "s.yaml:4: integrator 'rkmk4' needs 'step', such as 1 ms"},
@@ -163,7 +163,7 @@ TEST(SceneFile, AnInvalidSceneIsRefusedWithFileLineAndRemedy) {
        "s.yaml:7: reason holds a control character or a line break: write one line of text"},
       {6, "observers: [energy]\nreason: \xff", "s.yaml:7: is not UTF-8"},
       {5, "duration: 1e308 s",
-       "s.yaml:4: duration is not a whole number of integrator.step: it fits more than 1e15 times"},
+       "s.yaml:4: duration is not a multiple of integrator.step: it fits more than 1e15 times"},
       {2, "initial: {joints: {root: 1}}",
        "s.yaml:2: initial.joints has no key 'root', the nearest are 'root_joint' and 'universe'"},
   };

@@ -3,7 +3,7 @@
 // world axes at each joint's origin, so the transform to the parent is a translation by r.
 //
 //   U = I^A S, D = S^T U + armature, u = tau - S^T p^A
-//   I^A_p += X* (I^A - U D^-1 U^T) X^-1,   p^A_p += X* (p^A + I^a c + U D^-1 u),   c = v x S qd
+//   I^a = I^A - U D^-1 U^T,  I^A_p += X* I^a X^-1,  p^A_p += X* (p^A + I^a c + U D^-1 u),  c = v x S qd
 //   qdd = D^-1 (u - U^T (X a_p + c)),      a = X a_p + c + S qdd
 
 #include <liecheck/algorithms/crba.hpp>
@@ -66,8 +66,8 @@ const VectorX<S>& denseForwardDynamics(const Model<S>& model, Data<S>& data, In<
 
 }  // namespace algorithms_detail
 
-/// qdd [nv; m/s^2, rad/s^2] = M(q)^-1 (tau - h(q, v) + sum J^T fext), tau [nv; N, N m]. Throws SingularInertia. Updates
-/// liMi, oMi, ddq (with mimics also v, M).
+/// qdd [nv; m/s^2, rad/s^2] = M(q)^-1 (tau - h(q, v) + sum J^T fext), tau [nv; N, N m]. Throws
+/// SingularInertia. Updates liMi, oMi, ddq (with mimics also v, M).
 template <Scalar S>
 const VectorX<S>& aba(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, In<S> tau,
                       External<S> fext = {}) {

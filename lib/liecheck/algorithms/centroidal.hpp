@@ -48,7 +48,8 @@ const Vector3<S>& centerOfMass(const Model<S>& model, Data<S>& data, In<S> q, In
   });
   return averageOfCentres(model, data);
 }
-/// Computes c, c_dot and c_ddot [m, m/s, m/s^2]; returns c. Updates liMi, oMi, v, a, com, vcom, acom. q [nq], v, a [nv].
+/// Computes c, c_dot and c_ddot [m, m/s, m/s^2]; returns c. Updates liMi, oMi, v, a, com, vcom, acom. q [nq],
+/// v, a [nv].
 template <Scalar S>
 const Vector3<S>& centerOfMass(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, In<S> a) {
   using namespace algorithms_detail;
@@ -97,8 +98,8 @@ const Force<S>& computeCentroidalMomentum(const Model<S>& model, Data<S>& data, 
                   .act(model.inertias[i] * data.v[i]);
   return hg;
 }
-/// Computes h_G and its rate [N, N m], the sum of the forces I a + v x* I v about c; returns the rate. Updates liMi, oMi,
-/// v, a, com, vcom, acom, hg, dhg. q [nq], v, a [nv].
+/// Computes h_G and its rate [N, N m], the sum of the forces I a + v x* I v about c; returns the rate.
+/// Updates liMi, oMi, v, a, com, vcom, acom, hg, dhg. q [nq], v, a [nv].
 template <Scalar S>
 const Force<S>& computeCentroidalMomentumTimeVariation(const Model<S>& model, Data<S>& data, In<S> q, In<S> v,
                                                        In<S> a) {

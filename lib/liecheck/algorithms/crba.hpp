@@ -1,8 +1,8 @@
 #pragma once
 // The joint-space inertia matrix M(q), its factors and its inverse.
 //
-//   M_ij = S_i^T Ic_j S_j,  i an ancestor of j or j itself;  Ic_j is the inertia of all bodies that joint j carries.
-//   Composite-rigid-body algorithm: Featherstone (2008), table 6.2. L^T L factors and their sparsity: table 6.3.
+//   M_ij = S_i^T Ic_j S_j,  i = j or an ancestor of j.  Ic_j is the inertia of all bodies that joint j carries.
+//   Featherstone (2008): composite-rigid-body algorithm, table 6.2; sparse L^T L factors, table 6.3.
 
 #include <liecheck/algorithms/kinematics.hpp>
 
@@ -64,7 +64,7 @@ struct ColumnMomentum {
     v += mul_add(d[2], x, S(-(d[0] * z)));
     w += mul_add(d[0], y, S(-(d[1] * x)));
   }
-  /// s^T F, for any column s [6]; for s = (t, 0), given t [3]; and for s = (0, omega), given omega [3].
+  /// s^T F, given s = (t, omega) [6]; only t [3] for s = (t, 0); only omega [3] for s = (0, omega).
   [[gnu::always_inline]] S project(const S* s) const {
     return projectOnTranslation(s) + projectOnRotation(s + 3);
   }
@@ -105,9 +105,9 @@ struct RowAndColumn {
 };
 
 /// Sets M_mk = M_km = s_m^T F, F = Ic_j s_k, for the columns m <= k of joint j and all columns m of its
-/// ancestors. This is the inner loop of crba. In world axes, F is moved to the parent without a rotation. For
-/// a rotation about an axis, s = (0, omega), and for a free-flyer, S = [R, 0; 0, R], products with zeros are
-/// skipped. With compositeInertias it takes 0.4 of the time of the same formulas written with Motion, Force
+/// ancestors. This is the inner loop of crba. In world axes, F is moved to the parent without a rotation.
+/// Products with the zeros in s = (0, omega) of a rotation and in S = [R, 0; 0, R] of a free-flyer are
+/// skipped. With compositeInertias it takes 0.4 times as long as the same formulas written with Motion, Force
 /// and Inertia in joint frames (gcc 12 -O2, double, free-flyers with 4 and 10 legs of 3 revolute joints).
 template <bool rotation, bool mimics, Scalar S>
 [[gnu::always_inline]] inline void projectOnSupport(const Model<S>& model, const Data<S>& data, std::size_t j,
@@ -199,9 +199,10 @@ void solve(const Model<S>& model, const MatrixX<S>& L, Column&& x) {
 
 }  // namespace algorithms_detail
 
-/// M(q) [nv x nv; kg, kg m, kg m^2], both triangles, symmetric to the last bit, armature on its diagonal. Featherstone
-/// (2008), table 6.2:  Ic_j = I_j + sum of Ic_c over the children c of j;  F = Ic_j s_k;  M_mk = s_m^T F for every column
-/// m of j and of its ancestors. Throws std::logic_error if Data has no M. Updates liMi, oMi, M. q [nq].
+/// M(q) [nv x nv; kg, kg m, kg m^2], both triangles, symmetric to the last bit, armature on its diagonal.
+/// Featherstone (2008), table 6.2:  Ic_j = I_j + sum of Ic_c over the children c of j;  F = Ic_j s_k;  M_mk =
+/// s_m^T F for every column m of j and of its ancestors. Throws std::logic_error if Data has no M. Updates
+/// liMi, oMi, M. q [nq].
 template <Scalar S>
 const MatrixX<S>& crba(const Model<S>& model, Data<S>& data, In<S> q) {
   using namespace algorithms_detail;
@@ -224,7 +225,8 @@ const MatrixX<S>& crba(const Model<S>& model, Data<S>& data, In<S> q) {
   return M;
 }
 
-/// M(q)^-1 [nv x nv], both triangles, symmetric to the last bit. Throws SingularInertia. Updates liMi, oMi, M, Minv. q [nq].
+/// M(q)^-1 [nv x nv], both triangles, symmetric to the last bit. Throws SingularInertia. Updates liMi, oMi,
+/// M, Minv. q [nq].
 template <Scalar S>
 const MatrixX<S>& computeMinverse(const Model<S>& model, Data<S>& data, In<S> q) {
   crba(model, data, q);

@@ -1,9 +1,10 @@
 #pragma once
-// First derivatives of inverse and forward dynamics with respect to tangent increments of q (integrate) and to v.
+// First derivatives of inverse and forward dynamics with respect to tangent increments of q (integrate) and
+// to v.
 //
-// All quantities are in world axes at one point O. An increment of joint j along column s_k of its motion subspace moves
-// the subtree of j (its body and all descendants) as one rigid body. With p = parent(j), the velocity and acceleration of
-// every body i of the subtree change, in addition to that rigid motion, by
+// All quantities are in world axes at one point O. An increment of joint j along column s_k of its motion
+// subspace moves the subtree of j (its body and all descendants) as one rigid body. With p = parent(j), the
+// velocity and acceleration of every body i of the subtree change, in addition to that rigid motion, by
 //
 //   for q_k:  dv_i = w,  da_i = z + w x v_i,  w = v_p x s,  z = a_p x s + v_p x w
 //   for v_k:  dv_i = s,  da_i = y + s x v_i,  y = (v_j + v_p) x s
@@ -61,8 +62,9 @@ void computeRNEADerivatives(const Model<S>& model, Data<S>& data, In<S> q, In<S>
   A[0] = Motion<S>(Vector3<S>(-model.gravity), Vector3<S>::Zero());
   for (std::size_t i = 1; i < model.joints.size(); ++i) {
     const std::size_t p = std::size_t(model.parents[i]);
-    // r[i] becomes the vector from O to joint i, summed along the tree so that no digits are lost far from the world's
-    // origin. Parents come first: here r[p] is already relative to O, r[i] is still relative to joint p.
+    // r[i] becomes the vector from O to joint i, summed along the tree so that no digits are lost far from
+    // the world's origin. Parents come first: here r[p] is already relative to O, r[i] is still relative to
+    // joint p.
     work.r[i] = p == 0 ? Vector3<S>(oMi[i].translation() - O) : Vector3<S>(work.r[p] + work.r[i]);
     const SE3<S> X(oMi[i].rotation(), work.r[i]);
     Motion<S> relative = Motion<S>::Zero(), driven = Motion<S>::Zero();
@@ -115,8 +117,9 @@ void computeRNEADerivatives(const Model<S>& model, Data<S>& data, In<S> q, In<S>
   }
 }
 
-/// dqdd/dq, dqdd/dv and dqdd/dtau = M^-1 [nv x nv] of aba(q, v, tau, fext). The first two are -M^-1 times dtau/dq and
-/// dtau/dv of rnea at a = qdd. Throws SingularInertia. Updates liMi, oMi, ddq, M, Minv, dtau_dq, dtau_dv, ddq_dq, ddq_dv.
+/// dqdd/dq, dqdd/dv and dqdd/dtau = M^-1 [nv x nv] of aba(q, v, tau, fext). The first two are -M^-1 times
+/// dtau/dq and dtau/dv of rnea at a = qdd. Throws SingularInertia. Updates liMi, oMi, ddq, M, Minv, dtau_dq,
+/// dtau_dv, ddq_dq, ddq_dv.
 template <Scalar S>
 void computeABADerivatives(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, In<S> tau,
                            External<S> fext = {}) {

@@ -1,4 +1,5 @@
-// Explicit instantiations of the derivatives of the dynamics for float and double, declared extern in the header.
+// Explicit instantiations of the derivatives of the dynamics for float and double, declared extern in the
+// header.
 
 #include <liecheck/algorithms/derivatives.hpp>
 

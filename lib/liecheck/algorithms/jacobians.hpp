@@ -11,7 +11,7 @@ namespace liecheck {
 namespace algorithms_detail {
 
 /// Calls f(place, k, s_k, d) for every column k of every joint between the universe and the frame F. s_k is
-/// in world axes at the joint's origin. d [m] is the vector from there to F's origin, summed along the tree.
+/// in world axes at the joint's origin. d [m] is the vector from that origin to F's, summed along the tree.
 template <Scalar S, class Function>
 void forEachSupportingColumn(const Model<S>& model, const Data<S>& data, const Placed<S>& F, Function f) {
   const auto& oMi = data.oMi();
@@ -155,7 +155,8 @@ const Matrix6X<S>& getFrameJacobian(const Model<S>& model, Data<S>& data, int fr
                                     ReferenceFrame reference) {
   return jacobianOf(model, data, algorithms_detail::placedFrame(model, data, frame), reference);
 }
-/// Time derivative of the Jacobian [6 x nv] of a joint, or of a frame, in the same storage. Needs dJ.
+/// Time derivative of the Jacobian [6 x nv] of a joint, or of a frame. The next getter overwrites it. Needs
+/// dJ.
 template <Scalar S>
 const Matrix6X<S>& getJointJacobianTimeVariation(const Model<S>& model, Data<S>& data, int joint,
                                                  ReferenceFrame reference) {

@@ -1,7 +1,7 @@
 #pragma once
 // Poses, velocities and accelerations of the joints.
 //
-//   oM_i = oM_p liM_i,   v_i = X^-1 v_p + S qd,   a_i = X^-1 a_p + S qdd + v_i x S qd      X = liM_i, p = parent(i)
+//   oM_i = oM_p liM_i,   v_i = X^-1 v_p + S qd,   a_i = X^-1 a_p + S qdd + v_i x S qd,   X = liM_i, p = parent(i)
 // Featherstone (2008), eqs. 4.7 to 4.10. v_i and a_i are in joint i's axes at its origin. a_i is the spatial
 // acceleration, the derivative of v_i's numbers; frames.hpp computes the classical acceleration.
 
@@ -14,8 +14,8 @@ template <Scalar S>
 [[gnu::always_inline]] inline Vector3<S> added(const Vector3<S>& a, const Vector3<S>& b) {
   return each<S>([&](int i) { return S(a[i] + b[i]); });
 }
-/// Computes the pose of a joint in the frame of its parent p, and in the world. Returns the vector from the parent's
-/// origin, in world axes [m], without the cancellation of a difference of two world positions.
+/// Computes the pose of a joint in the frame of its parent p, and in the world. Returns the vector from the
+/// parent's origin, in world axes [m], without the cancellation of a difference of two world positions.
 template <class Place, Scalar S>
 [[gnu::always_inline]] inline Vector3<S> placeJoint(const Place& joint, const VectorX<S>& q, std::size_t p,
                                                     SE3<S>& liMi, std::vector<SE3<S>>& oMi) {

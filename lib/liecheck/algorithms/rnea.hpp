@@ -12,7 +12,7 @@ namespace liecheck {
 namespace algorithms_detail {
 
 /// Computes tau [nv] from the forces f on the bodies. f[i] becomes the force that the parent exerts on joint
-/// i, f[0] the total force that the world exerts.
+/// i, and f[0] the total force that the world exerts.
 template <Scalar S>
 void backwardForces(const Model<S>& model, const std::vector<SE3<S>>& liMi, std::vector<Force<S>>& f,
                     VectorX<S>& tau) {
@@ -53,8 +53,8 @@ void inverseDynamics(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, con
 
 }  // namespace algorithms_detail
 
-/// tau [nv; N, N m] = M(q) a + h(q, v) - sum J^T fext: the generalised forces of the acceleration a [nv]. q [nq], v [nv].
-/// Updates liMi, v, f, tau.
+/// tau [nv; N, N m] = M(q) a + h(q, v) - sum J^T fext: the generalised forces of the acceleration a [nv]. q
+/// [nq], v [nv]. Updates liMi, v, f, tau.
 template <Scalar S>
 const VectorX<S>& rnea(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, In<S> a,
                        External<S> fext = {}) {

@@ -3,8 +3,9 @@
 // structure of arrays: each column is one pose, and each row holds one number of all poses.
 //
 // Every function has a counterpart for one pose, whose error bounds hold for each column. The counterpart
-// itself computes the columns that need a branch (|phi| > pi, near poses, |phi| within 1e-3 of pi,
-// quaternions far from unit, results that are not finite), and the last ones, which do not fill a register.
+// itself computes the columns that need a branch (|phi| > pi, close poses, |phi| within 1e-3 of pi,
+// quaternions far from unit, results that are not finite), and the last columns, which do not fill a
+// register.
 
 #include <liecheck/multibody/se3_configuration.hpp>
 #include <liecheck/scalar/simd.hpp>
@@ -72,7 +73,7 @@ template <class P, class V>
   return (x.v >= -most) & (x.v <= most);
 }
 template <class S>
-constexpr S huge = std::numeric_limits<S>::max() * eps<S>() * eps<S>();  ///< largest |v|^2 without a branch
+constexpr S huge = std::numeric_limits<S>::max() * eps<S>() * eps<S>();  ///< no branch up to this |v|^2
 
 }  // namespace detail
 

@@ -1,8 +1,7 @@
 #pragma once
 // The inertia of rigidly joined bodies, summed along a tree: mass [kg], centre of mass c [m] and the six
 // numbers of I_C [kg m^2], all in one frame's axes. The formulas are those of spatial/inertia.hpp. This class
-// is
-// faster, since it holds scalars and caches mass ratios.
+// is faster, since it holds scalars and caches mass ratios.
 
 #include <liecheck/spatial/se3.hpp>
 

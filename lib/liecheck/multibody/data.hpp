@@ -1,10 +1,10 @@
 #pragma once
-// Data: the results of the algorithms for one robot, and their workspace, so that they allocate nothing. Each
-// thread needs its own Data; the Model can be shared. Every algorithm states which fields it updates.
+// Data holds the results and the workspace of the algorithms for one robot, so that they allocate nothing.
+// Each thread needs its own Data; the Model can be shared. Every algorithm states which fields it updates.
 // data_field.hpp defines when a field is stale.
 //
-// Fields are read as data.tau() or data.oMi[i]. Names and meanings are Pinocchio's. An algorithm returns a reference to
-// its field: copy the value if you need it after the next call.
+// Fields are read as data.tau() or data.oMi[i]. Names and meanings are Pinocchio's. An algorithm returns a
+// reference to its field: copy the value if you need it after the next call.
 
 #include <liecheck/multibody/composite_inertia.hpp>
 #include <liecheck/multibody/data_field.hpp>
@@ -20,7 +20,8 @@ using Matrix6X = Eigen::Matrix<S, 6, Eigen::Dynamic>;
 template <class S>
 using Matrix3X = Eigen::Matrix<S, 3, Eigen::Dynamic>;
 
-/// External forces [njoints; N, N m] on each joint's body, in that joint's axes at its origin; empty means none.
+/// External forces [njoints; N, N m] on each joint's body, in that joint's axes at its origin; empty means
+/// none.
 template <class S>
 using External = std::type_identity_t<std::span<const Force<S>>>;
 
@@ -48,24 +49,24 @@ class Data {
   Field<Each<SE3<S>>> liMi{*clock_, "liMi", fk};  ///< [njoints] X_parent,joint
   Field<Each<SE3<S>>> oMi{*clock_, "oMi", fk};    ///< [njoints] X_world,joint
   Field<Each<SE3<S>>> oMf{*clock_, "oMf", "updateFramePlacements(model, data)"};  ///< [nframes] X_world,frame
-  /// [njoints] velocity [m/s, rad/s] and spatial acceleration [m/s^2, rad/s^2] of joint i, in its axes, at its
-  /// origin.
+  /// [njoints] velocity [m/s, rad/s] and spatial acceleration [m/s^2, rad/s^2] of joint i, in its axes, at
+  /// its origin.
   Field<Each<Motion<S>>> v{*clock_, "v", fk_v}, a{*clock_, "a", fk_a};
   /// [njoints] force of the parent on joint i, in i's axes, at its origin [N, N m].
   Field<Each<Force<S>>> f{*clock_, "f", "rnea(model, data, q, v, a)"};
-  /// [nv; N, N m] generalised forces of rnea; h(q, v), which is tau at a = 0; tau at v = a = 0.
+  /// [nv; N, N m] tau: generalised forces of rnea; nle: tau at a = 0; g: tau at v = a = 0.
   Field<VectorX<S>> tau{*clock_, "tau", "rnea(model, data, q, v, a)"};
   Field<VectorX<S>> nle{*clock_, "nle", "nonLinearEffects(model, data, q, v)"};
   Field<VectorX<S>> g{*clock_, "g", "computeGeneralizedGravity(model, data, q)"};
   /// [nv; m/s^2, rad/s^2] acceleration of aba.
   Field<VectorX<S>> ddq{*clock_, "ddq", "aba(model, data, q, v, tau)"};
-  /// [6 x nv] every joint's Jacobian in WORLD, and its time derivative.
+  /// [6 x nv] the Jacobian columns of all joints in WORLD, and their time derivatives.
   Field<Matrix6X<S>> J{*clock_, "J", "computeJointJacobians(model, data, q)"};
   Field<Matrix6X<S>> dJ{*clock_, "dJ", "computeJointJacobiansTimeVariation(model, data, q, v)"};
   /// [nv x nv] joint-space inertia and its inverse, both triangles.
   Field<MatrixX<S>> M{*clock_, "M", "crba(model, data, q)"};
   Field<MatrixX<S>> Minv{*clock_, "Minv", "computeMinverse(model, data, q)"};
-  /// [nv x nv]; _dq: by tangent increments of q.
+  /// [nv x nv] derivatives with respect to tangent increments of q (_dq) and to v (_dv).
   Field<MatrixX<S>> dtau_dq{*clock_, "dtau_dq", rnea_derivatives},
       dtau_dv{*clock_, "dtau_dv", rnea_derivatives};
   Field<MatrixX<S>> ddq_dq{*clock_, "ddq_dq", aba_derivatives}, ddq_dv{*clock_, "ddq_dv", aba_derivatives};

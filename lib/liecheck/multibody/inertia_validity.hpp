@@ -9,7 +9,7 @@ namespace liecheck {
 
 /// The pseudo-inertia J [4 x 4] = [Sigma, m c; m c^T, m], Sigma = 1/2 tr(I_O) 1 - I_O [kg m^2]: the second
 /// moments of the mass in homogeneous coordinates. J >= 0 if and only if a body of density >= 0 can have the
-/// inertia. Wensing, Kim & Slotine (2018), eq. 12. To avoid cancellation, Sigma is 1/2 tr(I_C) 1 - I_C + m c
+/// inertia. Wensing, Kim & Slotine (2018), eq. 12. Without cancellation, Sigma = 1/2 tr(I_C) 1 - I_C + m c
 /// c^T.
 template <Scalar S>
 Eigen::Matrix<S, 4, 4> pseudoInertia(const Inertia<S>& I) {
@@ -24,8 +24,8 @@ Eigen::Matrix<S, 4, 4> pseudoInertia(const Inertia<S>& I) {
 /// The reason why no body can have the inertia, or an empty string if one can. Reasons are a number that is
 /// not finite, a negative mass, an I_C that is not symmetric, a negative principal moment, or one larger than
 /// the sum of the other two. Moments about the centre of mass may be wrong by relative_slack times the
-/// largest entry of I_C. The error of eigenvalues is 16 eps of it, that of numbers printed with n digits
-/// about 10^(1-n). A massless point is valid.
+/// largest entry of I_C. The error of the eigenvalues is 16 eps of this entry; that of numbers printed with n
+/// digits is about 10^(1-n). A massless point is valid.
 template <Scalar S>
 std::string whyUnphysical(const Inertia<S>& I, const S& relative_slack = S(16) * eps<S>()) {
   const auto say = [](const char* what, auto... values) {

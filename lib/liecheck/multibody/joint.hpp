@@ -56,7 +56,7 @@ static_assert(JointModel<Universe<double>> && JointModel<FreeFlyer<double>> && J
               JointModel<Helical<double>> && JointModel<Spherical<double>> && JointModel<Planar<double>> &&
               JointModel<Translation<double>> && JointModel<Mimic<double>>);
 
-/// ||u|^2 - 1| <= budget for the joint's quaternion, or (cos, sin), u; false for NaN.
+/// True if ||u|^2 - 1| <= budget for the joint's unit vector u; false for NaN.
 template <JointModel J>
 bool isNormalized(const J& joint, const typename J::Configuration& q,
                   const typename J::Configuration::Scalar& budget) {

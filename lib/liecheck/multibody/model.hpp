@@ -1,5 +1,5 @@
 #pragma once
-// Model: the constants of a robot. Results of computations are in Data, so any number of threads can share one Model.
+// Model: the constants of a robot. Results are in Data, so any number of threads can share one Model.
 //
 // Joint 0 is the universe. Joint i > 0 is attached to joint parents[i] < i at jointPlacements[i]. It has
 // nqs[i] numbers of q from idx_qs[i] on, and nvs[i] numbers of v from idx_vs[i] on. A mimic has none; its
@@ -60,11 +60,11 @@ class Model {
   Model();
 
   /// Adds a joint, without body and frame, to joint `parent` at X_PJ; returns its index. Throws
-  /// std::invalid_argument if the parent or primary does not exist, the name is taken or it is a universe.
+  /// std::invalid_argument if parent or primary does not exist, the name is taken, or joint is a universe.
   int addJoint(int parent, const Joint<S>& joint, const SE3<S>& X_PJ, const std::string& joint_name);
 
-  /// Adds a frame; returns its index. Two frames may share a name if their types differ (a joint and a link). Throws
-  /// std::invalid_argument if a parent does not exist, or if a frame of that name and type exists.
+  /// Adds a frame; returns its index. Two frames may share a name if their types differ (a joint and a link).
+  /// Throws std::invalid_argument if a parent does not exist, or if a frame of that name and type exists.
   int addFrame(const Frame<S>& frame);
 
   /// Adds the frame of a joint, of the same name. parent_frame defaults to the frame of its parent joint.
@@ -89,7 +89,8 @@ class Model {
   /// The joint's index. Throws std::invalid_argument with the nearest names if there is none of that name.
   int requireJointId(const std::string& joint_name) const;
 
-  /// The frame's index; nframes if there is none of that name. Throws std::invalid_argument if several have it.
+  /// The index of the frame of that name; nframes if there is none. Throws std::invalid_argument if several
+  /// are.
   int getFrameId(const std::string& frame_name) const;
   /// The index of the frame of that name and type; nframes if there is none.
   int getFrameId(const std::string& frame_name, FrameType type) const;

@@ -115,8 +115,8 @@ template <Scalar S, Precision P>
                                                  DoubleWord<S>(excess));
 }
 
-/// integrateSE3 and differenceSE3 for translations so small that splitting them into a high and a low part does not
-/// overflow (SO3::splittable). integrateFar and differenceFar scale larger translations down first.
+/// integrateSE3 and differenceSE3 for translations that can be split into high and low parts without overflow
+/// (SO3::splittable). integrateFar and differenceFar scale larger translations down first.
 template <Scalar S, Precision P>
 [[gnu::always_inline]] inline Vector7<S> integrate(const Vector7<S>& q, const Vector6<S>& delta) {
   const Vector3<S> phi(delta[3], delta[4], delta[5]);
@@ -199,7 +199,7 @@ Vector7<S> integrateSE3(const Vector7<S>& q, const Vector6<S>& delta) {
 }
 
 /// (rho, phi) = log(T0^-1 T1) [6; m, rad], |phi| <= pi, the same for Q and -Q. At |phi| = pi the axis has
-/// either sign. Error 2 eps of |phi|, and 4 eps of max(|rho|, |p1 - p0|), whatever |p1 - p0|, |Q0|, |Q1|.
+/// either sign. Error 2 eps of |phi|, and 4 eps of max(|rho|, |p1 - p0|), for any |p1 - p0|, |Q0|, |Q1|.
 template <Scalar S, Precision P = Precision::standard>
 Vector6<S> differenceSE3(const Vector7<S>& q0, const Vector7<S>& q1) {
   return evaluate<S, P>(
@@ -213,9 +213,9 @@ Vector6<S> differenceSE3(const Vector7<S>& q0, const Vector7<S>& q1) {
       q0, q1);
 }
 
-/// The derivative of integrate with respect to q (ARG0: Ad(exp(-delta))) or delta (ARG1: J_r(delta)) [6 x 6]; neither
-/// depends on q. Error 6 eps of each 3 x 3 block for |phi| <= pi. For larger |phi| this bound is multiplied
-/// by the condition number (excess rule, docs/measuring.md).
+/// The derivative of integrate with respect to q (ARG0: Ad(exp(-delta))) or delta (ARG1: J_r(delta)) [6 x 6];
+/// neither depends on q. Error 6 eps of each 3 x 3 block for |phi| <= pi. For larger |phi| this bound is
+/// multiplied by the condition number (excess rule, docs/measuring.md).
 template <Scalar S, Precision P = Precision::standard>
 Matrix6<S> dIntegrateSE3(const Vector7<S>&, const Vector6<S>& delta, ArgumentPosition argument) {
   return evaluate<S, P>(
@@ -232,9 +232,9 @@ Matrix6<S> dIntegrateSE3(const Vector7<S>&, const Vector6<S>& delta, ArgumentPos
       delta);
 }
 
-/// The derivative of difference with respect to q0 (ARG0: -J_l^-1) or q1 (ARG1: J_r^-1) [6 x 6]. At |phi| = pi it is
-/// the derivative on the branch that differenceSE3 returns. Error, including that of difference: 4.2 eps of a
-/// rotation block, 7.5 eps of the coupling block.
+/// The derivative of difference with respect to q0 (ARG0: -J_l^-1) or q1 (ARG1: J_r^-1) [6 x 6]. At |phi| =
+/// pi it is the derivative on the branch that differenceSE3 returns. Error, including that of difference: 4.2
+/// eps of a rotation block, 7.5 eps of the coupling block.
 template <Scalar S, Precision P = Precision::standard>
 Matrix6<S> dDifferenceSE3(const Vector7<S>& q0, const Vector7<S>& q1, ArgumentPosition argument) {
   return evaluate<S, P>(
@@ -247,8 +247,9 @@ Matrix6<S> dDifferenceSE3(const Vector7<S>& q0, const Vector7<S>& q1, ArgumentPo
       q0, q1);
 }
 
-/// The derivative of the seven stored numbers with respect to a body-fixed increment, at zero increment [7 x 6]:
-/// [R, 0; 0, 1/2 (w I + [v]); 0, -1/2 v^T], with R of Q/|Q|, and v and w of the stored Q. Error 2 eps.
+/// The derivative [7 x 6] of the seven stored numbers with respect to a body-fixed increment, at zero
+/// increment: [R, 0; 0, 1/2 (w I + [v]); 0, -1/2 v^T], with R of Q/|Q|, and v and w of the stored Q. Error 2
+/// eps.
 template <Scalar S>
 Eigen::Matrix<S, 7, 6> integrateCoeffWiseJacobianSE3(const Vector7<S>& q) {
   const SO3<S> Q(Vector4<S>(q.template tail<4>()));

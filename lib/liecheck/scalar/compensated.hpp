@@ -1,6 +1,6 @@
 #pragma once
-// Sums and dot products that stay accurate if their terms cancel: compensated (Ogita, Rump & Oishi 2005),
-// with factors split at a fixed digit (Rump, Ogita & Oishi 2008), and exact (Shewchuk 1997).
+// Sums and dot products that stay accurate if their terms cancel. Three methods: compensation (Ogita, Rump &
+// Oishi 2005), factors split at a fixed digit (Rump, Ogita & Oishi 2008), and exact sums (Shewchuk 1997).
 
 #include <array>
 #include <bit>
@@ -58,7 +58,7 @@ struct SplitFactor {
       low = x - high;
     }
   }
-  /// Splits factors of any size at the last digit of sigma, which is 2^(places + 1) times a bound of them.
+  /// Splits a factor of any size at the last digit of sigma, 2^(places + 1) times a bound of the factor.
   [[gnu::always_inline]] SplitFactor(const S& x, const S& sigma) : value(x), high(x), low(S(0)) {
     if constexpr (P != Precision::fast) {
       high = (x + sigma) - sigma;
@@ -85,10 +85,10 @@ struct SplitFactor {
 };
 
 /// sum a b of split factors as high + low(). high is the exact sum of the products of high parts. Error
-/// 2^-(digits/2 - BITS) eps of sum |a b|.
+/// 2^-(digits/2 - BITS) eps times sum |a b|.
 template <class S, int BITS, Precision P = Precision::standard>
 struct SplitDot {
-  S high = S(0), low_a = S(0), low_b = S(0);  ///< low as two sums that the processor can compute in parallel
+  S high = S(0), low_a = S(0), low_b = S(0);  ///< low is two sums that the processor can compute in parallel
   [[gnu::always_inline]] SplitDot& add_product(const SplitFactor<S, BITS, P>& a,
                                                const SplitFactor<S, BITS, P>& b) {
     high = mul_add(a.high, b.high, high);
@@ -115,9 +115,9 @@ struct SplitDot {
   }
 };
 
-/// a b and a^2 of double words. The error is one rounding plus eps/2 of the products with low. Without fused
-/// multiply-add the arguments are renormalised first, since the product of the high parts is rounded too.
-/// Precondition: |a|, |b| < 2^(digits/2 - 1); |low| may exceed eps/2 |high|.
+/// a b and a^2 of double words, rounded to S. The error is one rounding plus eps/2 of the products that
+/// contain low. Without fused multiply-add the arguments are renormalised first, since the product of the
+/// high parts is rounded too. Precondition: |a|, |b| < 2^(digits/2 - 1); |low| may exceed eps/2 |high|.
 template <Scalar S>
 [[gnu::always_inline]] inline S rounded_product(const DoubleWord<S>& a, const DoubleWord<S>& b) {
 #if defined(__FMA__)

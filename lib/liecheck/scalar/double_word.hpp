@@ -50,8 +50,8 @@ DoubleWord<S> two_prod(const S& a, const S& b) {
   return {p, ((ah * bh - p) + ah * bl + al * bh) + al * bl};
 }
 
-/// high + low with |low| <= eps/2 |high|: a scalar with twice the digits of S. The error bounds of Joldes, Muller &
-/// Popescu (2017) hold: a few units of 2^(-2 digits) for + - * / and sqrt.
+/// high + low with |low| <= eps/2 |high|: a scalar with twice the digits of S. The error bounds of Joldes,
+/// Muller & Popescu (2017) hold: a few units of 2^(-2 digits) for + - * / and sqrt.
 template <Scalar S>
 struct DoubleWord {
   S high, low;
@@ -113,7 +113,7 @@ struct DoubleWord {
   }
 
  private:
-  /// Uses the addition theorems, since low is many radians if high is huge, and one Newton step to normalise.
+  /// Uses the addition theorems, since low is many radians if high is huge. One Newton step normalises.
   struct SineAndCosine {
     DoubleWord sine, cosine;
     explicit SineAndCosine(const DoubleWord& a) {

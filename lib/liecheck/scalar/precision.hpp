@@ -1,5 +1,5 @@
 #pragma once
-// The precision in which an operation is evaluated: more accurate results take more time.
+// The precision in which an operation is evaluated. More accurate results take more time.
 
 namespace liecheck {
 

@@ -29,7 +29,7 @@ concept HasFunctions = requires(const S a) {
 
 /// A binary floating-point number. The requirements have these purposes:
 /// - numeric_limits: the number of series terms and every threshold follow from digits, epsilon and min;
-/// - arithmetic and order: the formulas;
+/// - the operators + - * / <: the formulas;
 /// - construction from int: constants are written S(1) / S(6), never as decimal literals;
 /// - the elementary functions: angles beyond pi, and logarithms.
 template <class S>

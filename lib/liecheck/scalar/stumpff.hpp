@@ -4,10 +4,10 @@
 // Every coefficient of exp, log and their Jacobians is a function of x = theta^2. It is smooth at 0, although
 // its textbook closed form is 0/0 there. The Stumpff functions need no special case at 0:
 //
-//     c_k(x) = sum_j (-x)^j / (2j + k)!        c_0 = cos theta             c_1 = sin theta / theta
-//                                              c_2 = (1 - cos theta)/theta^2   c_3 = (theta - sin theta)/theta^3
+//     c_k(x) = sum_j (-x)^j / (2j + k)!    c_0 = cos theta                 c_1 = sin theta / theta
+//                                          c_2 = (1 - cos theta)/theta^2   c_3 = (theta - sin theta)/theta^3
 //
-// c_4 and c_5 at h = x/4 in [0, (pi/2)^2] are computed as polynomials. The lower ones follow downwards by
+// c_4 and c_5 at h = x/4 in [0, (pi/2)^2] are computed as polynomials. Those of lower k follow from
 //
 //     c_k = 1/k! - x c_{k+2}                   (Stumpff 1959; Stiefel & Scheifele 1971, eq. 11.27)
 //
@@ -21,8 +21,8 @@
 // Derivatives in x (not in theta): c_k' = (k c_{k+2} - c_{k+1}) / 2.
 //
 // The error bounds below are verified in float at every argument (`liecheck sweep`; HalfAngle with x.low = 0,
-// LogarithmCoefficients with cosine = 1). Those of the polynomials are proved, in float and double, with and without
-// fused multiply-adds (tests/proofs). For wider scalars the bounds are verified at random arguments only.
+// LogarithmCoefficients with cosine = 1). The bounds of the polynomials are proved, in float and double, with
+// and without fused multiply-adds (tests/proofs). For wider scalars only random arguments are tested.
 
 #include <array>
 #include <bit>
@@ -116,7 +116,7 @@ template <template <class> class Series, int FROM = 0, Scalar S>
     static constexpr Economised<Lane<S>, Of> p;
     std::array<S, std::bit_width(unsigned(p.terms - 1))> squares{x};
     for (std::size_t i = 1; i < squares.size(); ++i) squares[i] = squares[i - 1] * squares[i - 1];
-    // The first terms are added last (Horner), so that only one rounding error is as large as half an ulp.
+    // The first `outer` terms are added last (Horner), so that only one rounding error reaches half an ulp.
     S sum = estrin<Of::outer, p.terms - Of::outer>(p.a, squares);
     for (int j = Of::outer; j-- > FROM;) sum = mul_add(sum, x, S(p.a[j]));
     return sum;
@@ -175,12 +175,12 @@ struct HalfAngle {
       c0 = mul_add(S(-h), c2, S(1));
     } else {
       // c_0 = 1 - h/2 + h^2 c_4 and c_1 = 1 - h/8 - h (1/24 - h c_5), each as a double word: high is the sum
-      // of two terms, low its rounding error plus the rest. x.low enters with the slopes in x.
+      // of the first two terms, low its rounding error plus the third. x.low enters with the slopes in x.
       const auto sum = [&h](const S& factor, const S& small) __attribute__((always_inline)) {
         const S linear = h * factor, head = S(1) - linear;
         return DoubleWord<S>(head, ((S(1) - head) - linear) + small);
       };
-      // Slopes c_0' = -c_1/2 and c_1' = (c_3 - c_2)/2, to 1/100: the correction is only about eps of the result.
+      // Slopes c_0' = -c_1/2 and c_1' = (c_3 - c_2)/2 to 1/100, since the correction is about eps.
       const S step = x.low / S(8),
               slope1 = mul_add(h, mul_add(h, S(-1) / S(840), S(1) / S(30)), S(-1) / S(3)),
               slope0 = mul_add(h, mul_add(h, S(1) / S(120), S(-1) / S(6)), S(1));
@@ -216,8 +216,8 @@ struct HalfAngle {
 };
 
 /// The coefficient d of [phi]^2 in the inverse Jacobian of SO(3), and twice its slope in x.
-///     d(x)  = (1 - (theta/2) cot(theta/2)) / theta^2 = (c_2 - c_3) / (4 c_1) at x/4    1/12 at 0, 1/pi^2 at pi
-///     d2(x) = 2 d'(x)                                                                  1/360 at 0
+///     d(x)  = (1 - (theta/2) cot(theta/2)) / theta^2 = (c_2 - c_3) / (4 c_1) at x/4  1/12 at 0, 1/pi^2 at pi
+///     d2(x) = 2 d'(x)                                                                1/360 at 0
 /// on [0, pi^2]. Relative error: d 2.6 eps; d2 5 eps, since its numerator has two differences that cancel.
 template <Scalar S, Precision P = Precision::standard>
 struct InverseCoefficient {
@@ -232,14 +232,15 @@ struct InverseCoefficient {
   }
 };
 
-/// The coefficients of the logarithm of a quaternion (v, w) of any norm, with h = theta/2 = atan2(|v|, w), w >= 0:
+/// The coefficients of the logarithm of a quaternion (v, w >= 0) of any norm, with h = theta/2 = atan2(|v|,
+/// w):
 ///     angle_over_sine = 2 h / |v|       phi = angle_over_sine v
 ///     alpha = h cot h                   (theta/2) cot(theta/2)
 ///     along = (1 - alpha) / |v|^2       so that J^-1 p = p - phi x p / 2 + along v x (v x p)
 /// h / sin h is a smooth function of w/|Q| alone. To first order 1/|Q| = r (1 - e/2), where e = r^2 |Q|^2 - 1
 /// and r = fl(1/|Q|), or r = 1 if |Q| is 1 up to rounding errors. If |v|^2 underflows, the results are 2/w, 1
 /// and 0. Precondition: w >= 0, and |Q|^2 is a normal number. Relative error if |Q|^2 is in [1/8, 8] and
-/// known to eps/4 of itself: angle_over_sine 1.5 eps, alpha 2.5 eps; otherwise 2.5 and 3.5 eps.
+/// known to a relative error of eps/4: angle_over_sine 1.5 eps, alpha 2.5 eps; otherwise 2.5 and 3.5 eps.
 template <Scalar S>
 struct LogarithmCoefficients {
   S angle_over_sine, alpha, along;
@@ -326,10 +327,10 @@ S large_angle(const Vector& phi, const S& x) {
 
 /// The coefficients of exp and its Jacobians at any finite rotation vector phi, for the axis a = phi / t with
 /// t = 1 for theta <= pi; beyond pi, t = theta, to avoid overflow:
-///     k1 = c_1,  k2 = c_2 t,  k3 = c_3 t^2     J = I + k2 [a] + k3 [a]^2; for t = 1, R = I + k1 [a] + k2 [a]^2
+///     k1 = c_1,  k2 = c_2 t,  k3 = c_3 t^2;  J = I + k2 [a] + k3 [a]^2; for t = 1, R = I + k1 [a] + k2 [a]^2
 ///     slope2 = 2 c_2' t^2 = (2 c_4 - c_3) t^2,  slope3 = 2 c_3' t^3 = (3 c_5 - c_4) t^3,
 ///     and (sine_half a, cosine_half) is the quaternion.
-/// Error: as for HalfAngle for theta <= pi; 2 eps + theta eps (excess rule) for theta > pi.
+/// Error: as for HalfAngle up to pi; beyond pi 2 eps + theta eps (excess rule, docs/measuring.md).
 template <Scalar S, class Vector, Precision P = Precision::standard>
 struct RotationCoefficients {
   Vector axis;
@@ -366,7 +367,7 @@ template <Scalar S, Precision P, class Vector, class F>
 }
 }  // namespace stumpff_detail
 
-/// Returns f(k) for the coefficients k of phi. f is compiled twice, since theta > pi is rare and slower.
+/// Returns f(k) for the coefficients k of phi. The rare, slower case theta > pi is a separate function.
 template <Scalar S, Precision P, class Vector, class F>
 [[gnu::always_inline]] inline auto with_coefficients(const Vector& phi, F f) {
   const auto x = squared_angle<S, P>(phi);

@@ -1,5 +1,5 @@
 #pragma once
-// attitude_error: the angle to a reference motion, integrated by gauss12 with `refinement` times the steps.
+// attitude_error: the angle to a reference motion that gauss12 computes in `refinement` times as many steps.
 
 #include <liecheck/scene/observers/registry.hpp>
 #include <liecheck/scene/scene.hpp>

@@ -121,7 +121,7 @@ class LoneBody {
     for (const auto& e : effects_) e->add(now, {{tau_.data(), 6}, f_});
     return f_[1] + Force<S>(tau_);
   }
-  /// The state for effects and observers, with accelerations if a = v_dot is given, until the next call.
+  /// The state that effects and observers read, valid until the next call. Give a = v_dot for accelerations.
   Now<S> here(const S& t, const Configuration& q, const Tangent& v, Kinematics kinematics,
               const Tangent* a = nullptr) {
     if (kinematics != Kinematics::None) X_[1] = SE3<S>(rotationOf(q), Vector3<S>(q[0], q[1], q[2]));

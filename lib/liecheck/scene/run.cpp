@@ -62,7 +62,7 @@ class Runner {
     result_.counts = method->counts();
     for (const auto& o : setup_.observers)
       for (Figure& f : o->figures()) {
-        if (f.value && !std::isfinite(*f.value)) f.value.reset();  // it includes a refused row
+        if (f.value && !std::isfinite(*f.value)) f.value.reset();  // a refused row entered it
         result_.figures.push_back(std::move(f));
       }
     if (setup_.attitude_error)

@@ -42,8 +42,8 @@ struct Run {
   double largest_turn = 0;
 };
 
-/// on is called about ten times a second with the completed share; if it returns false, the run stops. Throws
-/// like plan(), and std::invalid_argument if an observed number is not finite at the start.
+/// Calls on(share) about ten times a second with the completed share; if it returns false, the run stops.
+/// Throws like plan(), and std::invalid_argument if an observed number is not finite at the start.
 Run run(const Scene& scene, const std::function<bool(double share)>& on = {});
 
 }  // namespace liecheck::scene

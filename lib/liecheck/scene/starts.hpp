@@ -1,5 +1,5 @@
 #pragma once
-// Named initial states that are hard to integrate, for a robot of one body on a free-flyer or spherical joint.
+// Named initial states that are hard to integrate, for one body on a free-flyer or spherical joint.
 
 #include <Eigen/Eigenvalues>
 #include <liecheck/multibody/configuration.hpp>

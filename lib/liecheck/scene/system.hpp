@@ -1,5 +1,5 @@
 #pragma once
-// System: configurations on a Lie group, velocities in its tangent space, and the law of motion that gives accelerations.
+// System: configurations on a Lie group, velocities in its tangent space, and accelerations.
 //
 //   q(t) = integrate(q0, delta),  delta_dot = J_r^-1(delta) v,  v_dot = acceleration(t, q, v)
 //
@@ -31,8 +31,8 @@ concept System = Scalar<typename X::Scalar> &&
   c.normalize(q_out);
 };
 
-/// The state at one time: t [s], q [nq], v [nv], and the compensated rounding errors of q and v (zero unless a method
-/// accumulates them).
+/// The state at one time: t [s], q [nq], v [nv], and the compensated rounding errors of q and v (zero unless
+/// a method accumulates them).
 template <class System>
 struct State {
   using S = typename System::Scalar;

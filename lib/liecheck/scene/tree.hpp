@@ -100,7 +100,7 @@ class Tree {
     });
   }
 
-  /// The state for effects and observers, with accelerations if a = v_dot is given, until the next call.
+  /// The state that effects and observers read, valid until the next call. Give a = v_dot for accelerations.
   Now<S> here(const S& t, const Configuration& q, const Tangent& v, Kinematics kinematics,
               const Tangent* a = nullptr) {
     if (a)

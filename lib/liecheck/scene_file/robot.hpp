@@ -6,7 +6,7 @@
 
 namespace liecheck::scene_file_detail {
 
-/// Reads `robot` and `frames` into scene.model, and sets q neutral and v zero. A URDF path is relative to folder.
+/// Reads `robot` and `frames` into scene.model. Sets q to neutral, v to 0. URDF paths are relative to folder.
 void readRobot(const Text& text, const YAML::Node& root, const std::string& folder, scene::Scene& scene);
 
 /// Reads `initial` into scene.q and scene.v.

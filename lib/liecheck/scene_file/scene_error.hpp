@@ -6,8 +6,8 @@
 
 namespace liecheck {
 
-/// A scene that cannot be read or is inconsistent. what() is one line: `FILE:LINE: what is wrong, and what to write
-/// instead`. If no line is at fault, what() is `FILE: ...` and line() is 0.
+/// A scene that cannot be read or is inconsistent. what() is one line: `FILE:LINE: what is wrong, and what to
+/// write instead`. If no line is at fault, what() is `FILE: ...` and line() is 0.
 class SceneError : public std::runtime_error {
  public:
   SceneError(const std::string& file, int line, const std::string& what)

@@ -8,8 +8,8 @@
 
 namespace liecheck {
 
-/// The largest ||Q|^2 - 1| and |R^T R - I| for which the error bounds of this library hold: 8 eps, twice the rounding
-/// error of a normalisation, a product or an integrate.
+/// The error bounds of this library hold if ||Q|^2 - 1| and |R^T R - I| are at most 8 eps. This is twice the
+/// rounding error of a normalisation, a product or an integrate.
 template <Scalar S>
 S normDefectBudget() {
   return S(8) * eps<S>();

@@ -1,5 +1,5 @@
 #pragma once
-// Evaluates a formula in S, or for tight precision in double words with one final rounding.
+// Evaluates a formula in S. For tight precision it is evaluated in double words and rounded once.
 
 #include <liecheck/scalar/double_word.hpp>
 #include <liecheck/scalar/precision.hpp>
@@ -47,9 +47,9 @@ bool finite(const SE3<S>& X) {
 
 }  // namespace evaluate_detail
 
-/// formula(Arithmetic<S, P>(), arguments...) for fast and standard precision. In tight precision the arguments become
-/// double words, the formula is evaluated with precision WIDE, and the result is rounded once. Products of
-/// double words overflow a few binades before the result does; the formula is then evaluated in S.
+/// formula(Arithmetic<S, P>(), arguments...) for fast and standard precision. In tight precision the
+/// arguments become double words, the formula is evaluated with precision WIDE, and the result is rounded
+/// once. If products of double words overflow, the formula is evaluated in S.
 template <Scalar S, Precision P, Precision WIDE = Precision::fast, class F, class... A>
 [[gnu::always_inline]] inline auto evaluate(F formula, const A&... arguments) {
   if constexpr (P == Precision::tight) {

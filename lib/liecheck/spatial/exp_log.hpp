@@ -1,12 +1,12 @@
 #pragma once
 // Exponential and logarithm of SO(3) and SE(3).
 //
-//   R = exp [phi],  p = J(phi) rho = c1 rho + c2 phi x rho + c3 phi (phi . rho),  J = I + c2 [phi] + c3 [phi]^2
+//   R = exp [phi], p = J(phi) rho = c1 rho + c2 phi x rho + c3 phi (phi . rho), J = I + c2 [phi] + c3 [phi]^2
 //   (Murray, Li & Sastry 1994, eq. 2.36). The coefficients and their series near 0 are in scalar/stumpff.hpp.
 //
 // Domain: every finite rotation vector and every rotation. For |phi| <= pi the stated bounds are absolute for
 // rotations and relative for vectors, down to subnormal angles. Beyond pi they are multiplied by the
-// condition number (excess rule). log returns |phi| <= pi; at exactly pi the axis has either sign.
+// condition number (excess rule, docs/measuring.md). log returns |phi| <= pi; at pi the axis has either sign.
 
 #include <liecheck/scalar/stumpff.hpp>
 #include <liecheck/spatial/evaluate.hpp>
@@ -40,7 +40,7 @@ template <Scalar S>
                  mul_add(v[2], x, S(-s[1])), mul_add(v[1], z, s[0]), S(1) - (xx + yy));
 }
 
-/// exp [phi] = I + k1 [a] + k2 [a]^2. For |phi| > pi the quaternion is used, since a is a rounded unit
+/// exp [phi] = I + k1 [a] + k2 [a]^2. For |phi| > pi the quaternion is used, since a is then a rounded unit
 /// vector.
 template <Scalar S, Precision P>
 [[gnu::always_inline]] inline Matrix3<S> matrix(const RotationCoefficients<S, Vector3<S>, P>& k) {
@@ -57,7 +57,7 @@ template <Scalar S, Precision P, class F>
                __attribute__((always_inline)) { return f(SE3<S>(matrix(k), arc(k, rho))); });
 }
 
-/// phi = angle_over_sine v and the coefficients of J^-1(phi), from a quaternion (v, w) of any norm.
+/// Computes phi = angle_over_sine v and the coefficients of J^-1(phi) from a quaternion (v, w) of any norm.
 template <Scalar S, Precision P = Precision::standard>
 struct RotationLogarithm {
   Vector3<S> v, phi;
@@ -120,7 +120,7 @@ SO3<S> exp3(const Vector3<S>& phi) {
       phi);
 }
 
-/// phi [3, rad] = 2 atan2(|v|, |w|)/|v| sgn(w) v, |phi| <= pi. It does not depend on |Q|. Error 2 eps relative.
+/// phi [3, rad] = 2 atan2(|v|, |w|)/|v| sgn(w) v, |phi| <= pi, for any |Q|. Relative error 2 eps.
 template <Scalar S, Precision P = Precision::standard>
 Vector3<S> log3(const SO3<S>& Q) {
   return evaluate<S, P>(
@@ -190,7 +190,8 @@ SE3<S> exp6(const Motion<S>& xi) {
       xi);
 }
 
-/// xi = log T, the inverse of exp6 for |phi| < pi. Error 3 eps of phi, 4 eps of rho; in fast precision as log3.
+/// xi = log T, the inverse of exp6 for |phi| < pi. Error 3 eps of phi, 4 eps of rho; fast precision as in
+/// log3.
 template <Scalar S, Precision P = Precision::standard>
 Motion<S> log6(const SE3<S>& T) {
   return evaluate<S, P, Precision::standard>(

@@ -77,9 +77,9 @@ class Inertia {
     return Inertia(mass, c, offset.inertiaAboutOrigin());
   }
 
-  /// True if a real body can have this inertia: finite numbers, m > 0, I_C symmetric, principal moments >= 0,
-  /// none larger than the sum of the other two. The tolerance is 16 eps of the largest entry, the rounding
-  /// error of the eigenvalues.
+  /// True if a real body can have this inertia: all numbers are finite, m > 0, I_C is symmetric, its
+  /// principal moments are >= 0, and none is larger than the sum of the other two. The tolerance is 16 eps of
+  /// the largest entry, the rounding error of the eigenvalues.
   bool isValid() const {
     if (!(mass_ > S(0)) || !finite(mass_) || !lever_.allFinite() || !inertia_.allFinite()) return false;
     const S scale = inertia_.cwiseAbs().maxCoeff();

@@ -8,7 +8,7 @@
 //                          [ 0   J_l(phi)]        = c2 [rho] + c3 ([phi][rho] + [rho][phi])
 //                                                   - g (phi . rho) [phi] - h (phi . rho) [phi]^2
 //          J_l^-1 = [ J_l^-1(phi)  Qi ; 0  J_l^-1(phi) ],
-//                   Qi = dJ_l^-1 along rho = -1/2 [rho] + d ([phi][rho] + [rho][phi]) + d2 (phi . rho) [phi]^2
+//                  Qi = dJ_l^-1 along rho = -1/2 [rho] + d ([phi][rho] + [rho][phi]) + d2 (phi . rho) [phi]^2
 //
 // with g = c3 - 2 c4, h = c4 - 3 c5; stumpff.hpp defines d and d2. The coupling block is the directional
 // derivative of the rotation block along rho, because (phi + e rho) with e^2 = 0 is the twist as a dual
@@ -24,7 +24,7 @@ namespace liecheck {
 
 namespace jacobian_detail {
 
-/// [t] + [a][u] + [u][a], and [a][u] + [u][a] = a u^T + u a^T - 2 (a . u) I.
+/// [t] + [a][u] + [u][a], computed with [a][u] + [u][a] = a u^T + u a^T - 2 (a . u) I.
 template <Scalar S>
 [[gnu::always_inline]] inline Matrix3<S> skew_and_symmetric(const Vector3<S>& t, const Vector3<S>& a,
                                                             const Vector3<S>& u) {
@@ -104,7 +104,7 @@ template <Scalar S, Precision P, class F>
   return with_coefficients<S, P>(
       phi, [&f](const auto& k) __attribute__((always_inline)) { return f(BlockCoefficients<S, P>::of(k)); });
 }
-/// Returns f(coefficients of J_l^-1(phi)). The rare |phi| > pi is compiled as a separate function.
+/// Returns f(coefficients of J_l^-1(phi)). The rare case |phi| > pi is compiled as a separate function.
 template <Scalar S, Precision P, class F>
 [[gnu::noinline, gnu::cold]] auto with_left_inverse_beyond_pi(const Vector3<S>& phi, const S& x, F f) {
   return f(BlockCoefficients<S, P>::inverseBeyondPi(phi, x));

@@ -20,7 +20,7 @@ struct AllLanes {};
 template <int N>
 struct OneLane {};
 
-/// permute returns (q_I, q_J, q_K, q_L). pick returns the lanes of this result that its argument selects.
+/// permute returns (q_I, q_J, q_K, q_L). pick returns the lanes of it that its first argument selects.
 template <int I, int J, int K, int L, class Q>
 [[gnu::always_inline]] inline Q permute(const Q& q) {
   if constexpr (Q::in_register)
@@ -47,8 +47,8 @@ template <int N, class Q, int BITS, Precision P>
   return SplitFactor<S, BITS, P>::of(c.value.v[N], c.high.v[N], c.low.v[N]);
 }
 
-/// (q_I, q_J, q_K, q_L) as split factors. Without sigma they are split at a fixed digit, with sigma at its
-/// last digit. With low, the double words q + low are split.
+/// (q_I, q_J, q_K, q_L) as split factors. Without sigma they are split at a fixed digit, with sigma at the
+/// last digit of sigma. With low, the double words q + low are split.
 template <Precision P, int I, int J, int K, int L, class Lanes, class Q>
 [[gnu::always_inline]] inline auto split_lanes(Lanes lane, const Q& q) {
   const auto a = pick<I, J, K, L>(lane, q);

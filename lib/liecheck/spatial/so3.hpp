@@ -73,7 +73,7 @@ class SO3 {
   [[gnu::always_inline]] Vector3<S> actWithin(const Vector3<S>& p, const S& bound) const {
     return rotated<P>(numbers(), Quad<S>(p[0], p[1], p[2], S(0)), bound);
   }
-  /// R^T p, or R^T (p + p_low) if p_low is given; the fourth numbers are 0. Precondition: splittable(bound).
+  /// R^T p, or R^T (p + p_low) if p_low is given. Their fourth number is 0. Precondition: splittable(bound).
   template <Precision P, class... Low>
   [[gnu::always_inline]] Vector3<S> actInvWithin(const Quad<S>& p, const S& bound,
                                                  const Low&... p_low) const {
@@ -112,11 +112,11 @@ class SO3 {
     Vector4<S> low;
   };
 
-  /// The rotation nearest to R in the Frobenius norm, to first order in R^T R - I: one Newton step of the
-  /// polar factor, error O(|R^T R - I|^2). The quaternion follows from the largest of the four pivots
-  /// (Shepperd 1978). Its norm is in [1/2, 1]. Error for |R^T R - I| <= 8 eps: 2 eps of the rotation, and 2
-  /// eps relative of its vector part if the angle is small. Fast precision omits the Newton step, which adds
-  /// |R^T R - I| to the error.
+  /// The rotation nearest to R in the Frobenius norm, to first order in R^T R - I. One Newton step of the
+  /// polar factor computes it with an error O(|R^T R - I|^2). The quaternion follows from the largest of the
+  /// four pivots (Shepperd 1978). Its norm is in [1/2, 1]. Error for |R^T R - I| <= 8 eps: 2 eps of the
+  /// rotation, and 2 eps relative of its vector part if the angle is small. Fast precision omits the Newton
+  /// step, which adds |R^T R - I| to the error.
   template <Precision P = Precision::standard>
   static SO3 fromMatrix(const Matrix3<S>& R) {
     return doubleWordsFromMatrix<P>(R).high;
@@ -163,7 +163,7 @@ class SO3 {
                                             const Low&... x_low) const {
     const LeftFactor<S, P> q(Q);
     const Quad<S> sigma(S(bound * split_factor()));
-    // Q p = (w p + v x p, -v . p) = g, then w g - g_w v + v x g.
+    // First g = Q p = (w p + v x p, -v . p), then the vector part of g Q*, which is w g - g_w v + v x g.
     const auto Qp = by_lane<S, P>([&](auto l) __attribute__((always_inline)) {
       return empty_sum<P>(l, x)
           .add_product(at(l, q.w_x), split_lanes<P, 0, 1, 2, 0>(l, x, x_low..., sigma))

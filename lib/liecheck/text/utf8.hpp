@@ -6,8 +6,8 @@
 
 namespace liecheck {
 
-/// The index of the first byte that is not valid UTF-8 (RFC 3629: no surrogates, no overlong forms); text.size() if all
-/// are valid.
+/// The index of the first byte that is not valid UTF-8 (RFC 3629: no surrogates, no overlong forms), or
+/// text.size() if all are valid.
 inline std::size_t firstInvalidUtf8(std::string_view text) {
   std::size_t i = 0;
   while (i < text.size()) {

@@ -9,8 +9,8 @@ namespace {
 
 using tinyxml2::XMLAttribute, tinyxml2::XMLElement;
 
-/// Attributes of one element that hold `count` numbers each. Only elements below link, joint and material are
-/// checked, since extensions of other programs may use the same names elsewhere.
+/// Attributes of one element, each with `count` numbers. Only elements below <link>, <joint> and <material>
+/// are checked, since other programs may use the same names elsewhere.
 struct NumericAttributes {
   std::string_view element;
   std::array<const char*, 6> names;  ///< null after the last

@@ -15,11 +15,11 @@ namespace liecheck::urdf_detail {
 /// one of them is not a number, not finite, or outside the range of double.
 std::optional<std::vector<double>> numbersIn(std::string_view text);
 
-/// Checks the numeric attributes of all elements below e: throws UrdfError if one that URDF requires is missing, or if
-/// one does not hold the right count of finite numbers.
+/// Checks the numeric attributes of all elements below e. Throws UrdfError if an attribute that URDF requires
+/// is missing, or if one does not hold the right count of finite numbers.
 void checkNumbersBelow(const tinyxml2::XMLElement& e, const Messages& messages);
 
-/// An attribute of e, which checkNumbersBelow has checked; returns fallback if the attribute is missing.
+/// Returns an attribute of e, or fallback if it is missing. Precondition: checkNumbersBelow has checked e.
 double number(const tinyxml2::XMLElement& e, const char* attribute, double fallback = 0);
 Vector3<double> vector(const tinyxml2::XMLElement& e, const char* attribute,
                        const Vector3<double>& fallback = Vector3<double>::Zero());

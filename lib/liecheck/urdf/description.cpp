@@ -15,7 +15,7 @@ namespace {
 
 using tinyxml2::XMLDocument, tinyxml2::XMLElement;
 
-/// The <origin> of an element: p = xyz [m], R = R_z(yaw) R_y(pitch) R_x(roll), rpy [rad], exactly as urdfdom.
+/// The <origin> of an element: p = xyz [m], R = R_z(yaw) R_y(pitch) R_x(roll) of rpy [rad], as in urdfdom.
 SE3<double> origin(const XMLElement& of) {
   const XMLElement* e = of.FirstChildElement("origin");
   if (!e) return SE3<double>::Identity();
@@ -93,8 +93,8 @@ class Reader {
       link.inertia = origin(*inertial).act(body(*inertial, link_name));
   }
 
-  /// The inertia at the centre of mass, in the axes of <inertial>. Refuses a negative mass; moments that no
-  /// body can have are recorded in unphysical_links.
+  /// The inertia at the centre of mass, in the axes of <inertial>. Refuses a negative mass. Records moments
+  /// that no body can have in unphysical_links.
   Inertia<double> body(const XMLElement& inertial, const std::string& link_name) {
     for (const std::string part : {"mass", "inertia"})
       if (!inertial.FirstChildElement(part.c_str()))

@@ -1,5 +1,5 @@
 #pragma once
-// Reads and checks the links and joints of a URDF text. Every error in them is a UrdfError with its line.
+// Reads and checks the links and joints of a URDF text. Every error throws a UrdfError that names its line.
 
 #include <liecheck/spatial/inertia.hpp>
 #include <liecheck/spatial/se3.hpp>
@@ -40,11 +40,11 @@ struct JointDescription {
 
 struct LinkDescription {
   int line = 0;
-  Inertia<double> inertia = Inertia<double>::Zero();  ///< in the link's axes at its origin
+  Inertia<double> inertia = Inertia<double>::Zero();  ///< in the link's frame
 };
 
 struct Description {
-  /// A link whose inertia no body can have: an error unless the sum with the links fixed to it is valid.
+  /// A link whose inertia no body can have. An error unless the sum with the links fixed to it is valid.
   struct UnphysicalLink {
     std::string link;
     int line;
@@ -58,7 +58,7 @@ struct Description {
   std::vector<UnphysicalLink> unphysical_links;
 };
 
-/// Throws UrdfError unless text is one valid robot.
+/// Throws UrdfError unless text describes one valid robot.
 Description describe(const std::string& text, const UrdfOptions& options, Messages& messages);
 
 }  // namespace liecheck::urdf_detail

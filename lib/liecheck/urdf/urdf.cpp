@@ -109,8 +109,8 @@ class ModelBuilder {
       refuse("a joint that does not have exactly one degree of freedom");
   }
 
-  /// Checks the total inertia of the links fixed to each joint. An inertia that no body can have is an error
-  /// at the link at fault; a joint without mass is a warning.
+  /// Checks the total inertia of the links fixed to each joint. If no body can have it, the error names the
+  /// link at fault. A joint without mass causes a warning.
   void checkBodies() {
     for (const auto& [link, line, what, value] : robot_.unphysical_links) {
       const int joint = model_.frames[std::size_t(model_.getFrameId(link, FrameType::BODY))].parentJoint;

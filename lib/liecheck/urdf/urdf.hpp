@@ -1,17 +1,17 @@
 #pragma once
 // URDF text -> Model<double>.
 //
-// The joints below a link are visited in alphabetical order of their names, depth first. A revolute, continuous,
-// prismatic, planar or floating joint becomes a joint of the model, with a JOINT frame of its name and a BODY frame named
-// after its child link. A fixed joint becomes a FIXED_JOINT frame and a BODY frame, and the inertia of its
-// child link is added to the joint that supports it. Limits, damping and friction are stored in the model. A
-// continuous joint has no position limits; without <limit> it has no effort and velocity limits either.
-// Geometry and packages are not read.
+// The joints below a link are visited in alphabetical order of their names, depth first. A revolute,
+// continuous, prismatic, planar or floating joint becomes a joint of the model, with a JOINT frame of its
+// name and a BODY frame named after its child link. A fixed joint becomes a FIXED_JOINT frame and a BODY
+// frame, and the inertia of its child link is added to the joint that supports it. Limits, damping and
+// friction are stored in the model. A continuous joint has no position limits; without <limit> it has no
+// effort and velocity limits either. Geometry and packages are not read.
 //
 // The text is parsed by TinyXML-2, not by urdfdom. urdfdom reports errors without a line, on a logger of the
-// whole process. If a number of an <inertial> ends in white space, it continues with a link without mass.
-// Trees and numbers are those of urdfdom to the last bit, as tests/lib/urdfdom_test.cpp checks. The only
-// difference is that any white space may surround a number.
+// whole process. If white space follows a number of an <inertial>, urdfdom drops the mass of the link. Trees
+// and numbers are those of urdfdom to the last bit, as tests/lib/urdfdom_test.cpp checks. The only difference
+// is that this reader accepts white space around any number.
 
 #include <liecheck/multibody/model.hpp>
 #include <liecheck/urdf/error.hpp>
@@ -21,10 +21,10 @@
 
 namespace liecheck {
 
-/// A robot and its warnings, one line each: `FILE:LINE: what (value)`. There are warnings for axes, limits, damping and
-/// friction that a joint's type does not use, and for mimic joints that are treated as independent. A link
-/// with an inertia that no body can have is a warning if the sum with the links fixed to it is valid,
-/// otherwise an error. A joint that carries no mass is a warning; aba may then throw SingularInertia.
+/// A robot and its warnings, one line each: `FILE:LINE: what (value)`. Warnings name axes, limits, damping
+/// and friction that a joint's type does not use, and mimic joints that are treated as independent. A link
+/// with an inertia that no body can have causes a warning if the sum with the links fixed to it is valid,
+/// otherwise an error. A joint without mass causes a warning; aba may then throw SingularInertia.
 struct UrdfRobot {
   Model<double> model;
   std::vector<std::string> warnings;

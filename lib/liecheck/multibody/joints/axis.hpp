@@ -25,7 +25,7 @@ class Axis {
 
   const Vector3<S>& to_vector() const { return unit_; }
 
-  /// "X", "Y" or "Z" for exactly these unit vectors, otherwise empty, also for -X, -Y and -Z.
+  /// "X", "Y" or "Z" for exactly these unit vectors; empty for all others, such as -X.
   std::string aligned() const {
     return coordinate_ < 0 || unit_[coordinate_] < S(0) ? std::string() : std::string(1, "XYZ"[coordinate_]);
   }

@@ -1,6 +1,5 @@
 #pragma once
-// A continuous joint: an unlimited rotation about an axis. q = (cos, sin) of the angle, v [rad/s]; nq 2, nv
-// 1.
+// A continuous joint: an unlimited rotation about an axis. q = (cos, sin), v [rad/s]. nq = 2, nv = 1.
 //
 //   integrate(u, a) = (c cos a - s sin a, s cos a + c sin a)
 //   difference(u0, u1) = atan2(u0 x u1, u0 . u1)

@@ -25,7 +25,7 @@ struct LinearCoordinates {
   static Configuration normalized(const Configuration& q) { return q; }
   static S normDefect(const Configuration&) { return S(0); }
 
-  /// q + delta, q1 - q0. Error 1/2 eps.
+  /// integrate is q + delta, difference is q1 - q0. Error 1/2 eps each.
   static Configuration integrate(const Configuration& q, const Tangent& delta) { return q + delta; }
   static Tangent difference(const Configuration& q0, const Configuration& q1) { return q1 - q0; }
 

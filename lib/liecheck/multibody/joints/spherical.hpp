@@ -1,6 +1,6 @@
 #pragma once
-// A spherical joint: q = [x y z w], v = omega [3, rad/s] in the child's axes. nq = 4, nv = 3. It is a free-flyer without
-// translation. Formulas and error bounds: se3_configuration.hpp.
+// A spherical joint: q = [x y z w], v = omega [3, rad/s] in the child's axes. nq = 4, nv = 3. It is a
+// free-flyer without translation. Formulas and error bounds: se3_configuration.hpp.
 
 #include <liecheck/multibody/joints/free_flyer.hpp>
 

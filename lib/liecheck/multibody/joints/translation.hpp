@@ -1,6 +1,6 @@
 #pragma once
-// A translation joint: a displacement by q [3, m], v [m/s], in the axes of the parent, which are also the child's.
-// nq = nv = 3.
+// A translation joint: a displacement by q [3, m], v [m/s], in the axes of the parent, which are also the
+// child's. nq = nv = 3.
 
 #include <liecheck/multibody/joints/linear_coordinates.hpp>
 #include <liecheck/spatial/se3.hpp>

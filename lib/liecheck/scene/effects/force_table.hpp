@@ -1,5 +1,5 @@
 #pragma once
-// Actuation by a table over time, with linear interpolation. Before and after it, the force is constant.
+// A force given by a table over time, interpolated linearly. Outside the table it is constant.
 
 #include <algorithm>
 #include <liecheck/scene/effects/coordinates.hpp>

@@ -2,7 +2,8 @@
 // Gauss collocation on the group: the implicit Runge-Kutta method with s Gauss points for the increment and
 // the velocity, in the same coordinates as munthe_kaas.hpp.
 //
-//   delta_i = h sum_j a_ij K_j,  v_i = v0 + h sum_j a_ij A_j,  K_i = J_r^-1(delta_i) v_i,  A_i = a(q0 exp delta_i, v_i)
+//   delta_i = h sum_j a_ij K_j,   v_i = v0 + h sum_j a_ij A_j
+//   K_i = J_r^-1(delta_i) v_i,    A_i = a(q0 exp delta_i, v_i)
 //
 // Order 2 s (Butcher 1964, Implicit Runge-Kutta processes; Hairer, Lubich & Wanner 2006, II.1.3). With s = 1
 // it is the implicit midpoint rule on the group. A fixed-point iteration solves the equations (ibid.,

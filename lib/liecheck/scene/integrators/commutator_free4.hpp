@@ -1,5 +1,5 @@
 #pragma once
-// Commutator-free method: exponentials of sums of stages, without J_r^-1. Order 4, five exponentials.
+// Commutator-free method of order 4: it uses five exponentials of sums of stages, and no J_r^-1.
 //
 //   k1 = h v(q0),  k2 = h v(q0 e^(k1/2)),  k3 = h v(q0 e^(k2/2)),  k4 = h v(q0 e^(k1/2) e^(k3 - k1/2))
 //   q1 = q0 exp((3 k1 + 2 k2 + 2 k3 - k4)/12) exp((-k1 + 2 k2 + 2 k3 + 3 k4)/12)

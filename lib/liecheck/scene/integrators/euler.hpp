@@ -1,5 +1,5 @@
 #pragma once
-// Euler with integrate, explicit (the simplest simulator) and semi-implicit (most real-time simulators).
+// Euler's method: explicit (in the simplest simulators) or semi-implicit (in most real-time simulators).
 //
 //   v1 = v0 + h a(q0, v0),  q1 = integrate(q0, h v), v = v0 or v1
 //

@@ -1,5 +1,5 @@
 #pragma once
-// The lists of methods. A new one needs a file, or a tableau in runge_kutta.hpp, and an entry in both lists.
+// The lists of methods. A new method needs a file, or a tableau in runge_kutta.hpp, and an entry in both.
 
 #include <liecheck/multibody/nearest_names.hpp>
 #include <liecheck/scene/integrators/collocation.hpp>

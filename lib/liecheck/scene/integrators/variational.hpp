@@ -6,9 +6,9 @@
 //   h R0^T L = J_r^-1(phi) I_C phi,   R1 = R0 exp(phi),   c1 = c0 + h P/m        (Newton's method for phi)
 //   v1 from I_C omega1 = R1^T L, m u_C = R1^T P;  forces: L += h/2 n, P += h/2 f before and after (Verlet)
 //
-// Order 2, symmetric. (Moser & Veselov 1991; Lee, Leok & McClamroch 2005; Bou-Rabee & Marsden 2009, sec. 4.) L is the
-// angular momentum about the centre of mass, P the linear momentum, both in the world's axes; begin()
-// computes them from the state. At the end of the step, velocity-dependent forces are evaluated implicitly.
+// Order 2, symmetric. (Moser & Veselov 1991; Lee, Leok & McClamroch 2005; Bou-Rabee & Marsden 2009, sec. 4.)
+// L is the angular momentum about the centre of mass, P the linear momentum, both in the world's axes;
+// begin() computes them from the state. Velocity-dependent forces at the end of the step are implicit.
 
 #include <liecheck/scene/integrators/method.hpp>
 #include <liecheck/scene/lone_body.hpp>

@@ -1,5 +1,5 @@
 #pragma once
-// Norm defect of stored unit vectors (quaternions; cos and sin of continuous and planar joints), at every step.
+// Norm defect of stored unit vectors (quaternions, and (cos, sin) of joints) at every step.
 
 #include <liecheck/scene/observers/observer.hpp>
 
