@@ -62,7 +62,7 @@ Jacobian3Value<T> left_jacobian_so3_inverse(const Vec3<T>& phi) {
   return {left_jacobian_se3_inverse(stack(zero_vector<3, T>(), phi)).J, true};
 }
 
-/// ARG0 = Ad(exp(-delta)) = [[R^T, -R^T [p]], [0, R^T]] and ARG1 = J_r(delta).
+/// d_integrate_arg0 is Ad(exp(-delta)) = [[R^T, -R^T [p]], [0, R^T]]; d_integrate_arg1 is J_r(delta).
 template <BallNumber T>
 Jacobian6Value<T> d_integrate_arg0(const Vec7<T>& q, const Vec6<T>& delta);
 template <BallNumber T>
@@ -83,7 +83,7 @@ struct Jacobians {
   }
 };
 
-/// ARG0 = -J_l^-1 and ARG1 = J_r^-1 of difference(q0, q1).
+/// d_difference_arg0 is -J_l^-1 of difference(q0, q1); d_difference_arg1 is J_r^-1 of it.
 template <BallNumber T>
 Jacobian6Value<T> d_difference_arg0(const Vec7<T>& q0, const Vec7<T>& q1);
 template <BallNumber T>

@@ -15,8 +15,8 @@
 //           below theta = 1: J_l is inverted by cofactors; in ball arithmetic g = (c3 - 2 c4) / (2 c2)
 //
 // At 100 digits each block has 90 correct digits relative to its norm, down to theta = 0. If terms of size
-// one cancel, the absolute error is one rounding; for theta < 1 the c_k come from their series. An angle of n
-// digits costs 2 n digits (C has 98 - 16 at theta = 1e8), and so does a distance d of 1e-n to 2 pi k.
+// one cancel, the absolute error is one rounding. For theta < 1 the c_k come from their series. At an angle
+// of 10^n or at a distance d = 10^-n from 2 pi k, 2 n digits are lost (at theta = 1e8, C has 98 - 16 digits).
 // tests/properties/enclosure_test.cpp requires errors below 1e-98 (theta / d)^2.
 //
 // Domain: exp for every finite angle; the Jacobians for theta <= 1e24. Beyond theta = 2^42 at 50 digits and
