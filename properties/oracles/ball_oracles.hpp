@@ -1,8 +1,8 @@
 #pragma once
-// The oracles in ball arithmetic: the functions of exp.hpp, log.hpp, integrate.hpp, jacobians.hpp,
-// kinematics.hpp and spatial.hpp by the closed forms of closed_forms.hpp. The radius of a result is a proved
-// bound of its error, so that every result is resolved. If a comparison cannot be decided, Undecided is
-// thrown. The names are overloaded on the number type, so that a law is written once. A campaign uses these
+// The oracles in ball arithmetic: closed_forms.hpp is used for the functions of exp.hpp, log.hpp,
+// integrate.hpp, jacobians.hpp, kinematics.hpp and spatial.hpp. The radius of a result is a proved bound of
+// its error, so that every result is resolved. If a comparison cannot be decided, Undecided is thrown. The
+// functions are overloads of the oracles at 100 digits, so that a law is written once. A campaign uses these
 // fast oracles first.
 
 #include <oracles/exp.hpp>

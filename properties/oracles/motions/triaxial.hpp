@@ -21,7 +21,7 @@ template <class T = Real>
 class TriaxialBody {
  public:
   /// Principal moments along the axes of B [kg m^2]. Throws std::domain_error if two of them are equal, if L
-  /// is along a principal axis, or if the motion is on the separatrix L^2 = 2 T I_b to the last digit of T.
+  /// is along a principal axis, or if L^2 = 2 T I_b up to rounding (the separatrix).
   TriaxialBody(const Vec3<T>& moments, const AttitudeState<T>& initial);
 
   AttitudeState<T> at(const T& t) const;
