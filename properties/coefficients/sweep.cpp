@@ -26,7 +26,7 @@ float float_of(std::uint32_t bits) {
   return std::bit_cast<float>(bits);
 }
 
-/// The largest values over the floats swept so far, of one coefficient.
+/// The counts and the largest errors of one coefficient over the floats swept so far.
 struct Largest {
   std::uint64_t evaluated = 0, constant = 0;
   double error = 0, oracle = 0, condition = 0;
@@ -134,7 +134,7 @@ class Sweeper {
       for (std::size_t i = n; i < (n + padding - 1) / padding * padding; ++i) f[i] = f[n - 1];
       const double most =
           absolute ? largest_error<true>(x_.data(), f, n, o) : largest_error<false>(x_.data(), f, n, o);
-      if (!(most > largest_[k].error)) continue;  // of equal errors the first one counts
+      if (!(most > largest_[k].error)) continue;  // the first of several equal errors is stored
       for (std::size_t i = 0; i < n; ++i)
         largest_[k].add(error_at(x_[i], f[i], o, absolute), static_cast<std::uint32_t>(next + i * stride_));
     }

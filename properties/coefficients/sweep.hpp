@@ -3,15 +3,15 @@
 // oracles/scalar_coefficients.hpp. The result bounds all errors; it is not just the largest error found.
 //
 // The argument is x = theta^2 as a float; if theta <= pi, x is in [0, pi^2]. An error is measured at the
-// exact value of that float. For a given theta the rounding of x adds another error. One rounding by eps/2
-// of x adds at most `square_eps` to first order, the maximum of |x F'(x)| / 2 or |x F'(x) / F(x)| / 2; a sum
-// of three squares adds up to three times as much. HalfAngle corrects this error by the low part of x, which
-// is 0 here. Above the limit of the series, pi^2 (1 + 8 eps), the code uses sines, which are not swept.
+// exact value of that float. For a given theta the rounding of x adds another error. One rounding of x by
+// eps/2 adds at most `square_eps`: to first order, the maximum of |x F'(x)| / 2 or |x F'(x) / F(x)| / 2. A
+// sum of three squares adds up to three times as much. HalfAngle corrects this error by the low part of x,
+// which is 0 here. Above the limit of the series, pi^2 (1 + 8 eps), the code uses sines, which are not swept.
 //
 // The two coefficients of the logarithm are swept at cosine = 1 over every finite float
 // squared_sine = tan^2 h, that is every half angle h in [0, pi/2) of quaternions whose w is a power of two.
-// Other w round differently (alpha once more), and there are too many pairs to sweep. `along` is consistent
-// with alpha by design and has no bound.
+// Other w round differently (alpha once more), and there are too many pairs (w, tan^2 h) to sweep. `along` is
+// consistent with alpha by design and has no bound.
 
 #include <atomic>
 #include <coefficients/library_coefficients.hpp>
@@ -47,7 +47,7 @@ struct SweepResult {
   double elapsed = 0;  ///< [s]
   /// Do the bounds hold for every float? Otherwise they hold for the evaluated floats.
   bool upper_bound() const { return complete && stride == 1; }
-  /// After a sweep of every float: is the documented bound not proved? Otherwise: is it refuted?
+  /// True if a sweep of every float does not prove the documented bound, or another sweep refutes it.
   bool failed(const SweptCoefficient& c) const;
   bool failed() const;
 };

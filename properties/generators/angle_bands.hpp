@@ -21,7 +21,7 @@ enum class Region { to_pi, beyond_pi };
 struct Band {
   std::string name;
   Axis axis = Axis::none;
-  double low = 0, high = 0;  ///< of that quantity [rad]; 0 if it underflows in double
+  double low = 0, high = 0;  ///< limits of theta or pi - theta [rad]; 0 if below the range of double
   Region region = Region::to_pi;
 };
 

@@ -25,7 +25,7 @@ class Coverage {
   std::vector<std::array<std::uint64_t, 24>> counts_;
 };
 
-/// A class is required if at least this many of its inputs are expected. The chance of none is then e^-30.
+/// A class is required if at least this many of its inputs are expected. The chance of no input is e^-30.
 inline constexpr std::uint64_t expected_at_least = 30;
 
 }  // namespace liecheck::properties

@@ -14,7 +14,7 @@ namespace liecheck::properties {
 struct InputClass {
   std::string name;
   std::uint64_t one_in;
-  Reach reach = Reach::limited;  ///< reach of the fields that require the class; limited: every field
+  Reach reach = Reach::limited;  ///< the fields with this reach require the class; limited: all fields
 };
 
 /// The classes of a kind, empty for a kind without classes. Bit i of a mask stands for entry i.

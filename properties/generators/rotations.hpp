@@ -27,7 +27,7 @@ const std::vector<S>& common_cutoffs() {
     for (const S& t : {S(S(1) / S(2)), S(S(1) / S(4)), S(S(1) / S(100) / S(20)), S(sqrt(S(1) / S(10))),
                        S(sqrt(std::numeric_limits<S>::min()))})
       c.push_back(t);
-    // The last four are not used below pi. At the first of them the series of liecheck end.
+    // Only AngleRange::unbounded uses the last four. The series of liecheck end at the first of these four.
     const S pi = boost::math::constants::pi<S>();
     for (const S& t : {S(pi * (S(1) + S(4) * eps)), pi, S(pi / S(2)), S(S(2) * pi)}) c.push_back(t);
     return c;
@@ -71,7 +71,7 @@ S angle(Source& source, AngleRange range) {
   return binade_uniform<S>(source, 3, 27);  // up to 1e8
 }
 
-/// A unit vector up to rounding: along an axis, nearly so, in a coordinate plane, a cube's diagonal, or any.
+/// A unit vector up to rounding: along or near an axis, in a coordinate plane, on a cube's diagonal, or any.
 template <class S>
 Eigen::Matrix<S, 3, 1> direction(Source& source) {
   using V = Eigen::Matrix<S, 3, 1>;
@@ -113,7 +113,7 @@ Eigen::Matrix<S, 3, 1> rotation_vector(Source& source, AngleRange range) {
   return t * direction<S>(source);
 }
 
-/// 2^widest is 3e150 in double, and the same share of the exponent range in others: squares are finite.
+/// 2^widest is 3e150 in double. Other scalars use the same share of their exponents. Its square is finite.
 template <class S>
 inline constexpr int widest = std::numeric_limits<S>::max_exponent / 256 * 125;
 template <>
@@ -191,7 +191,7 @@ Eigen::Matrix<S, 4, 1> quaternion_product(const Eigen::Matrix<S, 4, 1>& a, const
           S(S(a[3] * b[3] - a[0] * b[0]) - S(a[1] * b[1] + a[2] * b[2]))};
 }
 
-/// A quaternion equal to Q0 or -Q0, a few ulps away, near, at a relative angle near pi, or any other.
+/// A quaternion equal to Q0 or -Q0, a few ulps from it, near it, at an angle near pi from it, or any other.
 template <class S>
 Eigen::Matrix<S, 4, 1> quaternion_near(Source& source, const Eigen::Matrix<S, 4, 1>& Q0) {
   using std::sqrt;
@@ -226,7 +226,7 @@ Eigen::Matrix<S, 4, 1> quaternion_near(Source& source, const Eigen::Matrix<S, 4,
   return q;
 }
 
-/// A point equal to p0, a few ulps away, near, or any other.
+/// A point equal to p0, a few ulps from it, near it, or any other.
 template <class S>
 Eigen::Matrix<S, 3, 1> point_near(Source& source, const Eigen::Matrix<S, 3, 1>& p0) {
   Eigen::Matrix<S, 3, 1> p = p0;

@@ -123,14 +123,14 @@ void random_joint_state(Source& source, oracles::JointKind kind, bool mimics, S*
     }
 }
 
-/// A frame: a joint and a pose relative to it.
+/// Writes a frame: its joint, then its pose relative to this joint.
 template <class S>
 void random_frame(Source& source, int joints, S* to) {
   to[0] = S(source.between(0, joints - 1));
   tree_detail::put(to + 1, unit_quaternion<S>(source));
   tree_detail::put(to + 5, vector3<S>(source, tree_detail::reach));
 }
-/// A wrench: a joint, or -1 for none, a force and a moment.
+/// Writes a wrench: its joint (-1 for no wrench), then its force and its moment.
 template <class S>
 void random_wrench(Source& source, int joints, S* to) {
   to[0] = source.chance(1, 4) ? S(-1) : S(source.between(0, joints - 1));

@@ -116,7 +116,7 @@ std::vector<HardCase> parse_corpus(const std::string& file, const std::string& t
     c.name = columns[0], c.input = columns[2], c.hard_class = columns[3], c.reason = columns[4],
     c.origin = columns[5];
     if (c.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_-+") != std::string::npos)
-      refuse(c.place(), fmt::format("name '{}': small letters, digits, _ - and + only", c.name));
+      refuse(c.place(), fmt::format("name '{}': use only a-z, 0-9, _, - and +", c.name));
     const auto in_scalars = columns[1].find(" in ");
     c.properties = split(columns[1].substr(0, in_scalars), ',');
     if (in_scalars != std::string::npos) c.scalars = split(columns[1].substr(in_scalars + 4), ',');

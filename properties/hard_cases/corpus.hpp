@@ -12,7 +12,7 @@ struct HardCase {
   int line = 0;
   std::string name, input, hard_class, reason, origin;
   std::vector<std::string> properties;
-  std::vector<std::string> scalars;  ///< in which the input makes sense; empty: all
+  std::vector<std::string> scalars;  ///< the scalars in which the case runs; empty: all
 
   std::string place() const;  ///< FILE:LINE
 };

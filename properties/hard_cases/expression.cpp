@@ -140,7 +140,7 @@ class Parser {
   /// Works number by number. A single number is combined with every number of the other side.
   Numbers combine(const Numbers& a, char operation, const Numbers& b) {
     if (a.size() != b.size() && a.size() != 1 && b.size() != 1)
-      fail(fmt::format("{} numbers against {}", a.size(), b.size()));
+      fail(fmt::format("cannot combine {} numbers with {}", a.size(), b.size()));
     Numbers all;
     for (std::size_t i = 0; i < std::max(a.size(), b.size()); ++i)
       all.push_back(checked(apply(a[a.size() == 1 ? 0 : i], operation, b[b.size() == 1 ? 0 : i])));

@@ -6,7 +6,7 @@
 
 namespace liecheck::properties {
 
-/// From good to bad. The verdict of a cell is the worst one of its blocks.
+/// From best to worst. The verdict of a cell is the worst one of its blocks.
 enum class Verdict { stable, refused, ill_posed, unresolved, inaccurate, wrong_branch, not_finite };
 
 const char* name_of(Verdict v);
@@ -17,9 +17,9 @@ char letter_of(Verdict v);
 struct HardCell {
   std::string subject, scalar;
   Verdict verdict = Verdict::stable;
-  bool failed = false;                 ///< counts for the exit code: every verdict except stable, ill-posed,
-                                       ///< and the refusal of an input that is not a rotation
-  std::string operation, block, band;  ///< of the block with the worst verdict and error / budget
+  bool failed = false;                 ///< sets the exit code: every verdict except stable, ill-posed, and
+                                       ///< the refusal of an input that is not a rotation
+  std::string operation, block, band;  ///< of the worst block: by verdict, then error / budget
   double error = 0, kappa = 0;         ///< [eps], [1]; kappa is 0 if it was not computed
   double budget = 0;                   ///< eps, or eps kappa under the excess rule
   bool excess = false;

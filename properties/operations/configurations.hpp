@@ -91,7 +91,7 @@ inline constexpr auto robot_difference = operation<struct RobotDifference, true>
 inline constexpr auto robot_is_same = operation<struct RobotIsSame, true>(
     {"robot_is_same", "q and q' with Q' = -Q are the same configuration",
      "Pinocchio 3.8, joint-configuration"},
-    same_result, {{block::same, "0 if they compare as the same, else a wrong branch", "absolute", "1"}},
+    same_result, {{block::same, "0 if the function returns true, else a wrong branch", "absolute", "1"}},
     {robot_header, "isSameConfiguration(model, q0, q1)"}, robot_q0, robot_q1);
 
 }  // namespace liecheck::properties::op

@@ -1,7 +1,7 @@
 #pragma once
-// The arguments and results of operations: names, parts, units and axes; and the names of blocks, with the
-// blocks that several operations share. An operation takes those fields of a law's input that have the names
-// of its parts.
+// This file defines the names of blocks, the arguments and results of operations with their parts, units and
+// axes, and the blocks that several operations share. An operation takes those fields of a law's input that
+// have the names of its parts.
 
 #include <operations/operation.hpp>
 

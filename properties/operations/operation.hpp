@@ -177,7 +177,7 @@ struct Slot {
   typename O::template Function<S> function = nullptr;
 };
 
-/// The functions of a subject in one scalar, by operation: slots[op::exp6]. A null function is not offered.
+/// The functions of a subject in one scalar. slots[op::exp6] is null if the subject does not offer exp6.
 template <class S, const auto&... Operations>
 class Slots : Slot<S, std::remove_cvref_t<decltype(Operations)>>... {
  public:

@@ -46,7 +46,7 @@ inline constexpr auto tree_mass_inverse = operation<struct TreeMassInverse, true
     {"algorithms/crba.hpp", "computeMinverse(model, data, q)"}, tree_q);
 
 inline constexpr auto rnea_derivatives = operation<struct RneaDerivatives, true>(
-    {"rnea_derivatives", "(d tau / d q, d tau / d v) of inverse dynamics, with q moved by integrate",
+    {"rnea_derivatives", "(d tau / d q, d tau / d v) of inverse dynamics, with q displaced by integrate",
      derivatives_source},
     derivatives_result,
     {{block::by_q, "|((dtau/dq - exact) d)_k / sqrt(M_kk)| for a direction d",

@@ -11,7 +11,7 @@
 
 namespace liecheck::oracles {
 
-/// Relative to the norm of a block.
+/// The tolerance of the agreement, relative to the norm of a block.
 inline constexpr double agreement = 1e-41;
 
 /// ||a - b|| <= bound max(||b||, scale). False for NaN.
@@ -26,7 +26,7 @@ bool agree(const T& a, const T& b, double bound = agreement, const T& scale = T(
   return abs(a - b) <= T(bound) * (scale > size ? scale : size);
 }
 
-/// Confirms by the second formula: check(Real()) if 50 digits may suffice; if it fails, check(Real100()).
+/// Does the second formula agree? Tries check(Real()) if 50 digits may suffice, and then check(Real100()).
 template <class Check>
 bool confirmed(bool fifty_digits_may_suffice, Check&& check) {
   return (fifty_digits_may_suffice && check(Real())) || check(Real100());

@@ -26,7 +26,7 @@ Ball<M> constant(const Real& x) {
   return {m, std::fabs(Rounding<M>::head(m)) * Rounding<M>::add};
 }
 
-constexpr int table_size = 64;  ///< the angles are k 2 pi / 64
+constexpr int table_size = 64;  ///< sines and cosines are tabulated at 2 pi k / 64
 
 template <class M>
 struct Tables {
@@ -53,7 +53,7 @@ const Tables<M>& tables() {
   return t;
 }
 
-/// (-1)^j / (2j + k)!
+/// The numbers (-1)^j / (2j + K)! for j < N.
 template <class M, int K, int N>
 const std::array<M, N>& series() {
   static const auto table = [] {
@@ -80,8 +80,8 @@ DoubleDouble sum(const DoubleDouble& x) {
   return s;
 }
 /// The same sum in double for 0 <= x <= 1. The last addition and the rounding of its constant have errors of
-/// 2 u, the last product of u / 12. Each term is at most 1/12 of the one before it, so that the errors of
-/// each earlier step are 1/12 of those of the next step: less than 2.3 u in total.
+/// 2 u together, and the last product has an error of u / 12. Each term is at most 1/12 of the one before it,
+/// so that each earlier step adds 1/12 of the error of the next step. The total is less than 2.3 u.
 template <int K, int N, int>
 double sum(double x) {
   const auto& c = series<double, K, N>();
@@ -93,8 +93,8 @@ double sum(double x) {
 /// sin r = r - r x c_3(x) and cos r = 1 - x c_2(x) for |r| <= 0.05, x = r^2 <= 0.0025. Errors relative to the
 /// result: the truncation error is x^9/19! < 2^-140.
 /// - Double-double: the terms that are summed in double are below x^4 / 9! < 2^-52, and their rounding errors
-///   below 2^-104. The other terms are below x/2 and have errors of 2^-103 each, 2^-110 in total. The last
-///   addition has an error of 3 2^-106.
+///   are below 2^-104. The other terms are below x/2 and have errors of 2^-103 each, 2^-110 in total. The
+///   last addition has an error of 3 2^-106.
 /// - Double: the subtraction has an error of u, and the terms below x/2 have five roundings.
 template <class M>
 void small_sin_cos(const Ball<M>& r, Ball<M>& sine, Ball<M>& cosine) {

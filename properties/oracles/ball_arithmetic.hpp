@@ -27,9 +27,9 @@ struct Undecided : std::exception {
   }
 };
 
-/// How a midpoint type rounds. head(m) is the double nearest to m. The constants bound the relative error of
-/// each operation, that of a sum relative to |a| + |b|; of the sine and cosine of a small angle; and of
-/// stumpff_series.
+/// How a midpoint type rounds. head(m) is the double nearest to m. The constants bound the relative errors of
+/// the operations, of the sine and cosine of a small angle, and of stumpff_series. The error of a sum is
+/// relative to |a| + |b|.
 template <class M>
 struct Rounding;
 template <>
@@ -119,7 +119,7 @@ struct Ball {
     return {m, r};
   }
 
-  /// The sign of a - b. Throws Undecided.
+  /// The sign of a - b. Throws Undecided if the radii are too large to determine it.
   friend std::weak_ordering operator<=>(const Ball& a, const Ball& b) {
     const double high = a.head() - b.head(), low = Round::tail(a.m) - Round::tail(b.m), d = high + low;
     const double slack = a.r + b.r;
@@ -174,8 +174,8 @@ struct Ball {
 using DoubleBall = Ball<double>;
 using DoubleDoubleBall = Ball<DoubleDouble>;
 
-/// The ball types that judge results of S, in the order of trial. Their midpoints have at least twice the
-/// digits of S, and the exponent range of double.
+/// The ball types that check results in S, in the order in which they are tried. Their midpoints have at
+/// least twice the digits of S, and the exponent range of double.
 template <class S>
 struct BallTiers {
   using type = std::tuple<>;

@@ -1,8 +1,8 @@
 #pragma once
-// The oracles in ball arithmetic: the functions of exp.hpp, log.hpp, integrate.hpp, jacobians.hpp,
-// kinematics.hpp and spatial.hpp by the closed forms of closed_forms.hpp. The radius of a result is a proved
-// bound of its error, so that every result is resolved. If a comparison cannot be decided, Undecided is
-// thrown. The names are overloaded on the number type, so that a law is written once. A campaign uses these
+// The oracles in ball arithmetic: closed_forms.hpp is used for the functions of exp.hpp, log.hpp,
+// integrate.hpp, jacobians.hpp, kinematics.hpp and spatial.hpp. The radius of a result is a proved bound of
+// its error, so that every result is resolved. If a comparison cannot be decided, Undecided is thrown. The
+// functions are overloads of the oracles at 100 digits, so that a law is written once. A campaign uses these
 // fast oracles first.
 
 #include <oracles/exp.hpp>
@@ -62,7 +62,7 @@ Jacobian3Value<T> left_jacobian_so3_inverse(const Vec3<T>& phi) {
   return {left_jacobian_se3_inverse(stack(zero_vector<3, T>(), phi)).J, true};
 }
 
-/// ARG0 = Ad(exp(-delta)) = [[R^T, -R^T [p]], [0, R^T]] and ARG1 = J_r(delta).
+/// d_integrate_arg0 is Ad(exp(-delta)) = [[R^T, -R^T [p]], [0, R^T]]; d_integrate_arg1 is J_r(delta).
 template <BallNumber T>
 Jacobian6Value<T> d_integrate_arg0(const Vec7<T>& q, const Vec6<T>& delta);
 template <BallNumber T>
@@ -83,7 +83,7 @@ struct Jacobians {
   }
 };
 
-/// ARG0 = -J_l^-1 and ARG1 = J_r^-1 of difference(q0, q1).
+/// d_difference_arg0 is -J_l^-1 of difference(q0, q1); d_difference_arg1 is J_r^-1 of it.
 template <BallNumber T>
 Jacobian6Value<T> d_difference_arg0(const Vec7<T>& q0, const Vec7<T>& q1);
 template <BallNumber T>

@@ -18,7 +18,7 @@ class Long {
   mpfr_t value_;
 };
 
-/// Sets `reduced` to theta = ||phi|| modulo 2 pi with an absolute error of 2^-bits, by `exponent` more bits.
+/// Sets `reduced` to theta = ||phi|| modulo 2 pi with an absolute error of 2^-bits, for theta < 2^exponent.
 /// Returns whether an odd multiple of 2 pi was subtracted.
 template <class T>
 bool reduce(const Vec3<T>& phi, int exponent, T& reduced) {

@@ -7,16 +7,16 @@
 //           a = n (phi.rho) / theta
 //   log     theta = 2 atan2(||v||, |w|),   rho = p - phi x p / 2 + (1 - theta c / (2 s)) n x (n x p)
 //   J_l     J = I + c2 [phi] + c3 [phi]^2,   c_k(theta^2) = sum_j (-theta^2)^j / (2j + k)!,
-//           and, replacing phi by the dual number phi + e rho, the coupling block
+//           the dual number phi + e rho in place of phi gives the coupling block
 //           C = c2 [rho] + c3 ([phi][rho] + [rho][phi])
 //             + (phi.rho) ((2 c4 - c3) [phi] + (3 c5 - c4) [phi]^2)
 //   J_l^-1  J = I - [phi]/2 + g [phi]^2,   g(theta^2) = (1 - theta c / (2 s)) / theta^2,
 //           C = -[rho]/2 + g ([phi][rho] + [rho][phi]) + 2 g' (phi.rho) [phi]^2
-//           below theta = 1: J_l is inverted by cofactors; in ball arithmetic g = (c3 - 2 c4) / (2 c2)
+//           for theta < 1, J_l is inverted by cofactors, or in balls g = (c3 - 2 c4) / (2 c2)
 //
 // At 100 digits each block has 90 correct digits relative to its norm, down to theta = 0. If terms of size
-// one cancel, the absolute error is one rounding; for theta < 1 the c_k come from their series. An angle of n
-// digits costs 2 n digits (C has 98 - 16 at theta = 1e8), and so does a distance d of 1e-n to 2 pi k.
+// one cancel, the absolute error is one rounding. For theta < 1 the c_k come from their series. At an angle
+// of 10^n or at a distance d = 10^-n from 2 pi k, 2 n digits are lost (at theta = 1e8, C has 98 - 16 digits).
 // tests/properties/enclosure_test.cpp requires errors below 1e-98 (theta / d)^2.
 //
 // Domain: exp for every finite angle; the Jacobians for theta <= 1e24. Beyond theta = 2^42 at 50 digits and

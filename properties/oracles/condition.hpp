@@ -26,14 +26,14 @@ struct ConditionBlock {
   int first = 0, size = 0;
 };
 
-/// sum_i ||dy/dx_i|| |x_i| of each block: kappa times its denominator. f is called 2 x.size() times; in Real f
-/// may be a closed form without a second formula (closed_forms.hpp). Double-double balls take one-sided
-/// differences with the step 2^-64 and x.size() + 1 calls. Undecided is always thrown for balls of double.
+/// sum_i ||dy/dx_i|| |x_i| of each block, which is kappa times its denominator. In Real, f is called
+/// 2 x.size() times and needs no second formula. In double-double balls, f is called x.size() + 1 times for
+/// one-sided differences with the step 2^-64. Balls of double always throw Undecided.
 template <class T>
 std::vector<T> movements(const FunctionOf<T>& f, const std::vector<T>& x,
                          const std::vector<ConditionBlock>& blocks);
-/// kappa = movement / denominator, or 0 if the movement is 0; infinite if only the denominator is 0. Throws
-/// Undecided unless two digits are certain. In balls a kappa below 1/2 is not checked, because errors are divided by max(kappa, 1).
+/// kappa = movement / denominator; 0 if the movement is 0, infinite if only the denominator is 0. Throws
+/// Undecided unless two digits are certain or kappa < 1/2, because errors are divided by max(kappa, 1).
 template <class T>
 double condition_number(const T& movement, const T& denominator);
 

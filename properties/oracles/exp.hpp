@@ -8,8 +8,8 @@
 // Domain: every finite xi. Beyond theta = 2^80 both formulas use one function to reduce theta modulo 2 pi,
 // but at different precisions.
 //
-// Error: R - I relative to min(1, theta), p relative to ||p||, and for theta <= pi the vector part of Q
-// relative to its norm. Each is 1e-50, the rounding of the result; the second formula confirms 1e-41.
+// Errors: of R - I relative to min(1, theta), of p relative to ||p||, and for theta <= pi of the vector part
+// of Q relative to its norm. Each is 1e-50, the rounding of the result; the second formula confirms 1e-41.
 //
 // Sources: Rodrigues 1840; Lynch, Park 2017, eqs. 3.51 and 3.88; Higham 2008, section 10.3.
 
@@ -31,7 +31,7 @@ struct ExpResult : ExpValue<Real> {
 
 ExpResult exp_se3(const Vec6<Real>& xi);
 
-/// p is zero.
+/// exp of (0, phi): the result has p = 0.
 ExpResult exp_so3(const Vec3<Real>& phi);
 
 }  // namespace liecheck::oracles

@@ -12,7 +12,7 @@ Quaternion<T> quaternion_of(const Vec7<T>& q) {
   return {{q[3], q[4], q[5], q[6]}};
 }
 
-/// The second formula: do Q0* (Q1 - s Q0) and `relative` have one vector part? s = +-1 makes Q1 - s Q0 small.
+/// Second formula: do Q0* (Q1 - s Q0) and `relative` have equal vector parts? s = +-1 makes Q1 - s Q0 small.
 bool vector_part_confirmed(const Quaternion<Real100>& Q0, const Quaternion<Real100>& Q1,
                            const Quaternion<Real100>& relative) {
   const Quaternion<Real100> D = relative[3] < 0 ? Q1 + Q0 : Q1 - Q0;

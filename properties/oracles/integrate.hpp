@@ -9,8 +9,8 @@
 //
 // Domain: every finite q with Q != 0, every finite delta.
 //
-// Error: below 1e-41, for p of integrate relative to max(||p||, ||p0||, ||increment||), for Q absolute, for
-// rho and phi relative to their norms.
+// Errors are below 1e-41: of p of integrate relative to max(||p||, ||p0||, ||increment||), of Q absolute, and
+// of rho and phi relative to their norms.
 
 #include <oracles/log.hpp>
 

@@ -14,8 +14,8 @@ bool inverse_agrees(const Mat3<T>& V, const Mat3<T>& K) {
   return frobenius(K * V - identity<3, T>()) <= T(agreement);
 }
 
-/// Does [[J, C], [0, J]] equal V = phi1(ad xi), or the inverse of V? If V.a C + V.b J = r, the error of the
-/// inverse's C is J r. A structurally zero C is compared with C_scale.
+/// Does [[J, C], [0, J]] equal V = phi1(ad xi), or the inverse of V? For the inverse V.a C + V.b J is zero;
+/// if it is r, the error of C is J r. The error of a C that is zero is compared with C_scale.
 template <class T>
 bool phi1_agrees(const Vec6<Real100>& xi, Form form, const JacobianBlocks<Real100>& expected,
                  const Real100& C_scale) {

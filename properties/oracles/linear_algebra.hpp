@@ -7,7 +7,7 @@
 
 namespace liecheck::oracles {
 
-/// Stored row by row. Element i of that list is m[i].
+/// A matrix, stored row by row. m[i] is element i in this order.
 template <int R, int C, class T = Real>
 struct Mat {
   std::array<T, R * C> x;

@@ -6,7 +6,7 @@ namespace liecheck::oracles {
 namespace {
 
 /// The second formula. With the dual number S = 1 + w + e d_w, sqrt(q) = (q + 1) / sqrt(2 S). After k roots
-/// the vector part v + e d is small, and log q = f(v.v) v in dual numbers, f(x) = asin(sqrt x) / sqrt x =
+/// the vector part v + e d is small. The root's log is f(v.v) v, with f(x) = asin(sqrt x) / sqrt x =
 /// sum_j a_j x^j. Every step adds only a few roundings to the relative errors of v and of d.
 template <class T>
 Vec6<T> log_by_square_roots(Quaternion<T> Q, const Vec3<T>& p) {

@@ -143,7 +143,7 @@ AffineExponential<T> affine_exponential(const Vec6<T>& xi) {
   return r;
 }
 
-/// phi1 of a matrix, 3x3 or dual, that k halvings bring below 2^-6.
+/// phi1 of a matrix, 3x3 or dual, whose norm is below 2^-6 after k halvings.
 template <class T, class Matrix>
 Matrix phi1_by_doublings(Matrix A, int k) {
   series::scale(A, -k);

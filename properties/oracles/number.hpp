@@ -57,7 +57,7 @@ inline void set_product(T& r, const T& a, const T& b) {
   }
 }
 
-/// max(a, b) and min(a, b). Balls are not compared: |max(a, b) - max(a.m, b.m)| <= max(a.r, b.r).
+/// max(a, b) and min(a, b). Balls never throw Undecided: |max(a, b) - max(a.m, b.m)| <= max(a.r, b.r).
 template <class T>
 T larger(const T& a, const T& b) {
   if constexpr (BallNumber<T>) {

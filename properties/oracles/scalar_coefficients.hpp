@@ -21,7 +21,7 @@
 
 namespace liecheck::oracles {
 
-/// In the order of the tables. The argument is x = theta^2 in [0, 9.8697], for the last two t = tan^2 h >= 0.
+/// The argument of the last two coefficients is t = tan^2 h >= 0, of all others x = theta^2 in [0, 9.8697].
 enum class Coefficient {
   c0,
   c1,

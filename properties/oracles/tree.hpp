@@ -24,7 +24,7 @@ namespace liecheck::oracles {
 
 enum class JointKind { revolute, continuous, prismatic, helical, spherical, planar, translation, free_flyer };
 
-/// The size of a joint's part of q, and of v. A mimic has no part.
+/// The number of a joint's entries in q, and in v. A mimic has none.
 constexpr int configuration_size(JointKind k) {
   return k == JointKind::free_flyer                            ? 7
          : k == JointKind::translation                         ? 3
@@ -82,7 +82,7 @@ struct MotionOf {
   std::vector<Mat34<T>> X, X1, X2;
 };
 
-/// The twist of the bodies behind a joint for one unit velocity of it, at the world's origin in world axes.
+/// Column v of the Jacobian of the bodies behind `joint`: a twist (u, w) in world axes at the world's origin.
 template <class T>
 struct ColumnOf {
   int joint = 0, v = 0;
@@ -115,8 +115,8 @@ class TreeDynamics {
   Vec3<T> centre() const;
   /// The momentum about the centre of mass.
   Vec6<T> momentum() const { return moment_about_centre(at_.X1); }
-  /// Its time derivative. That of sum m (x - c) cross x' is sum m (x - c) cross x'', since x' cross x' = 0 and
-  /// c' cross sum m x' = 0.
+  /// The time derivative of momentum(). Its angular part is sum m (x - c) cross x'', since x' cross x' = 0
+  /// and c' cross sum m x' = 0.
   Vec6<T> momentum_rate() const { return moment_about_centre(at_.X2); }
 
  private:
@@ -146,7 +146,7 @@ struct FrameMotion {
 bool confirmed(const TreeOf<Real>& tree, const std::vector<Real>& q, const std::vector<Real>& v,
                const std::vector<Real>& a, const std::vector<Real>& dq = {});
 
-/// Factors of a positive definite A = L D L^T [n x n], row by row, 1 / D on the diagonal; otherwise empty.
+/// L, with 1 / D on its diagonal, of A = L D L^T [n x n], row by row. Empty if A is not positive definite.
 template <class T>
 std::vector<T> positive_factor(std::vector<T> A, std::size_t n);
 /// A^-1 b for the factors of A.

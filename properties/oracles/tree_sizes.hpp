@@ -1,6 +1,6 @@
 #pragma once
 // The sizes of the terms whose sums are the results of a tree. They follow from the recursive Newton-Euler
-// algorithm (Featherstone 2008, table 5.1), with vectors replaced by norms and sums by sums of norms.
+// algorithm (Featherstone 2008, table 5.1) with norms in place of vectors. p is the parent, J the joint.
 //
 //   w_i = w_p + |w_J|,   u_i = u_p + w_p r + |u_J|,   r = |p| + |p_E(q)|
 //   al_i = al_p + |w_J'| + w_i |w_J|,   ac_i = ac_p + al_p r + |u_J'| + u_i |w_J| + w_i |u_J|,   ac_0 = |g|
@@ -8,12 +8,12 @@
 //
 // kappa = terms / ||result|| bounds the relative change of the result, in eps, when each vector of the
 // problem changes by a relative eps in any direction. The distance of the tree from the world's origin adds
-// nothing. A mimic's angle m q + o is rounded, which rotates all joints behind it by eps of the angle. The
-// terms are therefore multiplied by 1 + 2 (sum of those angles). With `about_root`, forces and motions are
+// nothing. The rounding of a mimic's angle m q + o rotates all joints behind it by eps |m q + o|. The terms
+// are therefore multiplied by 1 + 2 (sum of the mimics' angles). With `about_root`, forces and motions are
 // taken at the origin of the first joint, and the distance from that origin is one more lever arm.
 //
-// A displacement d of q rotates and translates the joints behind it. With Tangent, a number and its
-// derivative, the same recursions bound the terms of dtau.
+// A displacement d of q rotates and translates the joints behind it. With N = Tangent, which is a number with
+// its derivative, the same recursions bound the terms of dtau.
 
 #include <oracles/tree.hpp>
 
@@ -43,7 +43,7 @@ template <class N>
 struct TreeSizes {
   using Numbers = std::vector<double>;
   struct Joint {
-    N r{}, rotation{1};                         ///< lever arm from the parent; 1 + |w_d| for a displacement
+    N r{}, rotation{1};                         ///< lever arm from the parent; 1 + angle of a displacement
     N w{}, u{}, al{}, ac{};                     ///< velocities; spatial accelerations minus gravity
     N position{};                               ///< distance from the world's origin
     N mass{}, first_moment{}, second_moment{};  ///< of the subtree, at the joint's origin

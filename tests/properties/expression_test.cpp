@@ -118,7 +118,7 @@ TEST(ExpressionErrors, NameTheTextAndWhatIsWrong) {
                                                         {"2*max", "beyond the range"},
                                                         {"1e-60", "rounds to zero in float"},
                                                         {"1e4000^1000", "range"},
-                                                        {"(1, 2) + (1, 2, 3)", "2 numbers against 3"},
+                                                        {"(1, 2) + (1, 2, 3)", "2 numbers with 3"},
                                                         {"about(1, 2, 3)", "takes 4 numbers"},
                                                         {"nextup(1, 0.5)", "integer"},
                                                         {"nextup(1, 1e9)", "at most 1000"},

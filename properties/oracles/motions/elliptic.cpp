@@ -14,7 +14,7 @@ const T& pi() {
   return value;
 }
 
-/// m such that m pi is the multiple of pi nearest to phi.
+/// The integer m for which m pi is nearest to phi.
 template <class T>
 T half_periods(const T& phi) {
   return floor(T(phi / pi<T>() + T(0.5)));

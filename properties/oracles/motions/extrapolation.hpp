@@ -1,6 +1,6 @@
 #pragma once
 // A reference solution for motions without a closed form: Gragg's modified midpoint rule, extrapolated in h^2
-// (Bulirsch and Stoer), to two orders that must agree. Hairer, Norsett and Wanner (1993), section II.9.
+// (Bulirsch and Stoer). Solutions of two orders must agree. Hairer, Norsett and Wanner (1993), section II.9.
 
 #include <oracles/motions/state.hpp>
 #include <vector>

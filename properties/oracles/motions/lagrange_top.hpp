@@ -1,7 +1,7 @@
 #pragma once
 // Lagrange's top: a symmetric body with a fixed point O on its axis z and the centre of mass at a height
 // c > 0 on this axis. Gravity is along -z of the world. theta is the angle between the two z axes, and
-// u = cos theta. I_t is about O. omega_z of the body and L_z in the world are constant:
+// u = cos theta. The transverse moment I_t is about O. omega_z of the body and L_z in the world are constant:
 //
 //   a = I_z omega_z / I_t,  b = L_z / I_t,  beta = 2 m g c / I_t,  alpha = |omega_xy|^2 + beta u0
 //   u'^2 = f(u) = (1 - u^2)(alpha - beta u) - (b - a u)^2,  roots u1 <= u2 <= 1 < u3

@@ -1,6 +1,6 @@
 #pragma once
-// A planar chain of links from a fixed point in absolute angles theta_i, without a closed form. `reference`
-// solves
+// A planar chain of links that starts at a fixed point, with absolute angles theta_i. It has no closed form.
+// `reference` solves
 //   sum_j K_ij (cos(theta_i - theta_j) theta_j'' + sin(theta_i - theta_j) theta_j'^2) = -g k_i cos theta_i
 //   K_ii = I_i + m_i c_i^2 + l_i^2 M_i,  K_ij = l_i k_j for i < j,  k_i = m_i c_i + l_i M_i
 // M_i is the mass beyond link i. The angles of a tree of revolute joints are differences of the theta_i.
