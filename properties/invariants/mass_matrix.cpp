@@ -42,7 +42,7 @@ class MassMatrix final : public TreeLaw<MassMatrix, S> {
     const double terms = weighted_size(c.sizes(at_rest, at_rest).mass, products(w));
     const std::vector<T> factor = oracles::positive_factor(exact, c.nv());
     if (!factor.empty()) {
-      double inverse = 0;  // at least ||A^-1|| of A = M_kl / sqrt(M_kk M_ll)
+      double inverse = 0;  // an upper bound of ||A^-1||, with A = M_kl / sqrt(M_kk M_ll)
       for (std::size_t k = 0; k < c.nv(); ++k) {
         std::vector<T> e = still;
         e[k] = T(roots[k]);
@@ -50,7 +50,7 @@ class MassMatrix final : public TreeLaw<MassMatrix, S> {
       }
       const VecX<S> entries = flat(M);
       const bool positive = !oracles::positive_factor(exact_list<T>(entries), c.nv()).empty();
-      // crba may err by 16 eps of its terms, so a matrix that near to a singular one may become indefinite.
+      // The error of crba may be 16 eps times its terms. So a nearly singular matrix may become indefinite.
       r.record(definite, 0, positive ? 0 : std::numeric_limits<double>::infinity(),
                [&] { return 16 * inverse * terms; });
     }

@@ -32,7 +32,7 @@ struct Residual {
 };
 
 /// A condition number that is computed only when needed. It refers to a callable, which must outlive it.
-/// `least` is a known lower bound: an error that passes with kappa = `least` does not need kappa.
+/// `least` is a known lower bound. If an error passes with kappa = `least`, kappa is not computed.
 class Kappa {
  public:
   Kappa(std::nullptr_t = nullptr) {}  // NOLINT: none
@@ -64,7 +64,7 @@ class Recorder {
 struct Robot {
   std::string name;    ///< the name in its <robot> element
   std::string urdf;    ///< the text of the URDF
-  std::string path;    ///< as the user gave it; empty for the built-in robot
+  std::string path;    ///< the path that the user gave; empty for the built-in robot
   bool fixed = false;  ///< its root is fixed to the world; otherwise it floats
   std::string hash;    ///< 16 hexadecimal digits of a SHA-256 of `urdf` and `fixed`
 };
@@ -74,14 +74,14 @@ class Property {
  public:
   virtual ~Property() = default;
   virtual std::string name() const = 0;
-  virtual std::string law() const = 0;       ///< in words
-  virtual std::string equation() const = 0;  ///< as an equation
+  virtual std::string law() const = 0;       ///< the law in words
+  virtual std::string equation() const = 0;  ///< the law as an equation
   virtual std::string source() const = 0;    ///< author, year, equation
   virtual std::vector<Output> outputs() const = 0;
   virtual std::vector<Field> fields() const = 0;
-  /// Whether the subject offers at least one operation of the law. Default: the operation of some output.
+  /// Whether the subject offers at least one operation of the law. By default: an operation of its outputs.
   virtual bool offered(const Subject<S>& subject) const;
-  virtual bool needs_robot() const { return false; }  ///< called after prepare
+  virtual bool needs_robot() const { return false; }  ///< may be called only after prepare
   /// Sets up what depends on the robot. Called once, before any case.
   virtual void prepare(const Robot&) {}
   /// Generates a valid input from random bits alone.
@@ -118,7 +118,7 @@ class Law : public Property<S> {
   bool measure_fast(const Subject<S>& subject, const std::vector<S>& input, Recorder& recorder,
                     std::size_t tier) const override {
     using Tiers = typename oracles::BallTiers<S>::type;
-    if constexpr (requires { P<S>::needs_kappa; })  // the differences for kappa need the last tier
+    if constexpr (requires { P<S>::needs_kappa; })  // finite differences for kappa need the last tier
       tier += std::tuple_size_v<Tiers> > 1;
     return [&]<std::size_t... I>(std::index_sequence<I...>) {
       return ((tier == I && (static_cast<const P<S>*>(this)->template in<std::tuple_element_t<I, Tiers>>(
@@ -187,8 +187,8 @@ void append(std::vector<S>& input, const Eigen::MatrixBase<Derived>& m) {
     for (int j = 0; j < m.cols(); ++j) input.push_back(m(i, j));
 }
 
-/// The numbers of several groups. Joined<S>{a, b, c} evaluates a, b and c in this order, because it has
-/// braces. So the groups may draw random numbers.
+/// The numbers of several groups. Because of its braces, Joined<S>{a, b, c} evaluates a, b and c in this
+/// order. So a, b and c may draw random numbers.
 template <class S>
 struct Joined : std::vector<S> {
   template <class... M>
