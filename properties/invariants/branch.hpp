@@ -1,6 +1,6 @@
 #pragma once
-// The errors of a logarithm. A rotation vector may be on another branch: then the rotation is right, but the
-// angle is theta - 2 pi k.
+// The errors of a logarithm. If a rotation vector is on another branch, its rotation is right but its angle
+// is theta - 2 pi k.
 
 #include <invariants/common.hpp>
 #include <oracles/error.hpp>
@@ -9,9 +9,9 @@
 namespace liecheck::properties {
 
 /// Whether the computed rotation vector, with an error of `error` eps, is the same rotation on another
-/// branch. Then its error comes from the choice of the branch and not from rounding. Rotations count as the
-/// same within 1e-3 rad, half the digits of a float; branches differ if the vectors differ by more than 1
-/// rad. In ball arithmetic a relative error above 0.1 throws Undecided.
+/// branch. Then its error comes from the choice of the branch and not from rounding. Two rotations are the
+/// same if they differ by less than 1e-3 rad, about sqrt(eps) of a float. Two branches differ if the vectors
+/// differ by at least 1 rad. In ball arithmetic, a relative error above 0.1 throws Undecided.
 template <class S, class T>
 bool on_other_branch(const oracles::Vec3<T>& computed, const oracles::Vec3<T>& exact, double error) {
   using namespace oracles;
@@ -25,8 +25,8 @@ bool on_other_branch(const oracles::Vec3<T>& computed, const oracles::Vec3<T>& e
   }
 }
 
-/// Records the errors of a computed (rho, phi). `outputs` are the rotation vector and, if there are two, rho.
-/// Without `branches` a vector on another branch has the error of any other wrong value.
+/// Records the errors of a computed (rho, phi). The first of `outputs` is the rotation vector; the second, if
+/// there is one, is rho. If `branches` is false, a vector on another branch is an ordinary error.
 template <class S, class T>
 void record_log(Recorder& r, std::initializer_list<Output> outputs, std::size_t band,
                 const Vec<S, 6>& computed, const oracles::LogValue<T>& exact, const T& separation = T(0),

@@ -24,14 +24,14 @@ void judged_value(Recorder& r, std::initializer_list<Output> outputs, std::size_
   measured();
 }
 
-/// The condition number at x of `size` results of f, from result `first` on, relative to `denominator`.
+/// The condition number of f at x, for the results first ... first + size - 1, relative to `denominator`.
 template <class T>
 double kappa_of(const oracles::FunctionOf<T>& f, const std::vector<T>& x, int first, int size,
                 const T& denominator) {
   return oracles::condition_number(oracles::movements(f, x, {{first, size}}).front(), denominator);
 }
 
-/// |x| or ||v||; in ball arithmetic an upper bound of it.
+/// |x| or ||v||. In ball arithmetic it is an upper bound of this norm.
 template <class T>
 double at_most(const T& x) {
   if constexpr (oracles::BallNumber<T>)
@@ -84,7 +84,7 @@ bool comparable(Recorder& r, const Output& output, const M& computed, bool resol
   return finite && resolved;
 }
 
-/// Records the error of a vector. Its kappa is that of `formula` at the numbers x(): N results from `first`.
+/// Records the error of a vector. kappa is that of the results first ... first + N - 1 of `formula` at x().
 template <class S, int N, class T, class Formula, class Numbers>
 void record_vector(Recorder& r, const Output& output, const Vec<S, N>& computed,
                    const oracles::Vec<N, T>& exact, bool resolved, const Formula& formula, const Numbers& x,
@@ -96,8 +96,8 @@ void record_vector(Recorder& r, const Output& output, const Vec<S, N>& computed,
   });
 }
 
-/// The band of ||phi||. Below 2^-900 a ball of the norm is wider than one ulp. There 2^600 phi, which is
-/// exact, is compared with 2^600 times the border of the band.
+/// The band of ||phi||. Below 2^-900, the ball of the norm is wider than one ulp. There 2^600 ||phi|| is
+/// compared with 2^600 times the border of the band; 2^600 phi is exact.
 template <class S, class T>
 std::size_t band_of_angle(const oracles::Vec3<T>& phi, const T& theta) {
   if constexpr (oracles::BallNumber<T>) {
@@ -120,7 +120,7 @@ std::size_t band_of_angle(const oracles::Vec3<T>& phi) {
 /// The band of a logarithm's angle.
 template <class S, class T>
 std::size_t band_of_log(const oracles::LogValue<T>& log) {
-  // A ball cannot distinguish such a theta from pi, and no other border of a band is that near.
+  // A ball cannot distinguish such a theta from pi, and no other border of a band is that near to pi.
   if constexpr (oracles::BallNumber<T>)
     if (log.pi_minus_theta.head() + log.pi_minus_theta.r < 1e-25) return Bands::of<S>().at_pi();
   return log.at_pi ? Bands::of<S>().at_pi() : Bands::of<S>().classify(log.theta);
@@ -149,7 +149,7 @@ std::size_t band_of_difference(const oracles::Vec<7, T>& q0, const oracles::Vec<
         for (T& x : relative.x) x.r += 2 * largest * std::ldexp(largest, shift);
       T scaled = T(2) * norm(relative) / abs(q0[6] * q1[6]);
       if (scaled.exactly_zero()) return Bands::of<S>().classify(T(0));
-      scaled.r += scaled.size() * 0x1p-800;  // for atan(x) - x and the terms of w left out
+      scaled.r += scaled.size() * 0x1p-800;  // bounds atan(x) - x and the omitted terms of w
       const double edge = std::ldexp(static_cast<double>(std::numeric_limits<S>::min()), shift);
       if (scaled.size() < std::ldexp(1.0, shift - 900)) return Bands::of<S>().underflowing(scaled < T(edge));
     }
@@ -173,7 +173,7 @@ double orthogonality_defect_at(const std::vector<S>& input, std::size_t first) {
   return oracles::orthogonality_defect<S>(R);
 }
 
-/// Two blocks of an operation: of a 6 x 6 Jacobian or of a spatial vector.
+/// Two blocks of an operation whose result is a 6 x 6 Jacobian or a spatial vector.
 using TwoOutputs = std::array<Output, 2>;
 consteval TwoOutputs jacobian_outputs(const Operation& o) {
   return {o[block::jacobian], o[block::coupling]};

@@ -55,7 +55,7 @@ class DIntegrate final : public Law<DIntegrate, S> {
     const auto x0 = exact_vector<7, Real>(q0), x1 = exact_vector<7, Real>(q1);
     const auto xd = exact_vector<6, Real>(d);
     std::size_t band = band_of_angle<S>(tail3(xd));
-    // The float nearest to pi is beyond pi. There kappa is 1 within a few per cent.
+    // The float nearest to pi is beyond pi. At this angle, kappa is 1 within a few per cent.
     const bool beyond = Bands::of<S>()[band].region == Region::beyond_pi;
     const Real rho = norm(head3(xd));
     if (o[op::d_integrate_arg0])
@@ -68,9 +68,9 @@ class DIntegrate final : public Law<DIntegrate, S> {
     const auto exact = oracles::difference(x0, x1);
     std::optional<oracles::Jacobian6Value<Real>> inverse;
     band = band_of_difference<S>(x0, x1, exact);
-    if (exact.at_pi) return;  // either branch is right there: jacobian_oracle measures J^-1 on each
-    // In ball arithmetic arg0 and arg1 share one logarithm and one inverse: the blocks of J_r^-1 are the
-    // transposed blocks of J_l^-1.
+    if (exact.at_pi) return;  // both branches are right there; jacobian_oracle measures J^-1 on each
+    // In ball arithmetic, arg0 and arg1 share one logarithm and one inverse Jacobian, because the blocks of
+    // J_r^-1 are the transposed blocks of J_l^-1.
     const auto of_difference = [&](bool arg1) -> oracles::Jacobian6Value<Real> {
       using namespace oracles;
       if constexpr (BallNumber<Real>) {

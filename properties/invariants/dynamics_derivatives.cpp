@@ -39,8 +39,8 @@ class DynamicsDerivatives final : public TreeLaw<DynamicsDerivatives, S> {
       return oracles::TreeSizes<oracles::Tangent>(c.rough.tree, c.rough.q, c.rough.v, a, c.rough.wrench,
                                                   q ? c.rough.d : none, q ? none : c.rough.d, true);
     };
-    // For a derivative that is zero the oracle returns about 1e-30 times the function. The term with 1e-12
-    // makes kappa so large there that the case is ill-posed.
+    // If a derivative is zero, the oracle returns about 1e-30 times the function instead. Then the term with
+    // 1e-12 makes kappa so large that the case is ill-posed.
     const double reach = weighted_size(c.rough.d, std::vector<double>(c.nv(), 1));
     const auto terms_of = [&](const oracles::TreeSizes<oracles::Tangent>& t) {
       std::vector<double> values;
@@ -87,7 +87,7 @@ class DynamicsDerivatives final : public TreeLaw<DynamicsDerivatives, S> {
       };
       record(acceleration_q, dq, by_q(a), true);
       record(acceleration_v, dv, by_v(a), false);
-    } catch (const std::domain_error&) {  // allowed if M is singular to rounding
+    } catch (const std::domain_error&) {  // allowed if rounding may make M singular
       if (!singular) throw;
     }
   }

@@ -43,9 +43,9 @@ class ExpOracle final : public Law<ExpOracle, S> {
         },
         [&] { return to_list(exact_xi); }, {{0, 3}, {3, 4}});
     const auto kappa_rotation = [&] { return kappa.kappa(1, Real(1) / Real(2)); };
-    // A lower bound of kappa: if all numbers of xi grow by one factor, the pose changes by dQ = theta / 2 and
-    // dp = R rho, which is at most the sum of the changes by each number. The factor 0.99 covers the rounding
-    // of these doubles. Beyond 2^40 the differences of condition.hpp are inaccurate.
+    // Lower bounds of kappa: a relative change e of all numbers of xi changes Q by e theta / 2 and p by
+    // e R rho, at most the sum of the changes by each number. So kappa is at least theta or |rho| / |p|; 0.99
+    // covers rounding. There is no bound beyond theta = 2^40, where condition.hpp is inaccurate.
     const double theta = at_most(exact.theta), share = theta < 0x1p40 ? 0.99 : 0;
     const double least_rotation = share * theta;
     const auto matrix = [&](const Output& rotation, const Output& defect, const Mat<S, 3>& R) {

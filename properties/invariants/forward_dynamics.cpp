@@ -1,4 +1,4 @@
-// Forward dynamics is M^-1 (tau - h) and the inverse of inverse dynamics.
+// Forward dynamics computes M^-1 (tau - h). It is the inverse function of inverse dynamics.
 
 #include <invariants/tree_law.hpp>
 
@@ -59,7 +59,7 @@ class ForwardDynamics final : public TreeLaw<ForwardDynamics, S> {
       if (o[op::tree_mass_inverse])
         c.record(r, inverse, flat(o[op::tree_mass_inverse](c.q)), inverse_exact, products(roots),
                  size * size_inverse * size_inverse, resolved);
-    } catch (const std::domain_error&) {  // allowed if M is singular to rounding
+    } catch (const std::domain_error&) {  // allowed if rounding may make M singular
       if (!singular) throw;
     }
   }

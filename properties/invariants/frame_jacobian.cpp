@@ -1,4 +1,4 @@
-// The Jacobian of a frame times v is its velocity. J a + dJ v is its acceleration.
+// The Jacobian J of a frame gives its velocity J v and, with J' = dJ/dt, its acceleration J a + J' v.
 
 #include <invariants/tree_frames.hpp>
 

@@ -1,5 +1,5 @@
-// integrate and difference of free-flyer configurations, compared with their oracles and as local inverses in
-// both directions. difference(q, integrate(q, d)) is compared with d only up to theta = pi.
+// integrate and difference of free-flyer configurations are compared with their oracles. They must also be
+// local inverses of each other; difference(q, integrate(q, d)) is compared with d only up to theta = pi.
 
 #include <generators/rotations.hpp>
 #include <invariants/branch.hpp>
@@ -129,7 +129,7 @@ class IntegrateDifference final : public Law<IntegrateDifference, S> {
     Real along(0);
     for (int i = 3; i < 6; ++i) along += xv[i] * xd[i];
     if (at.pi_minus_theta < Real(64 * static_cast<double>(epsilon<S>())) && along < 0) return;
-    // The quaternions affect both blocks. The positions affect rho alone, linearly: rho = M (p1 - p0).
+    // The quaternions affect both blocks. The positions affect only rho, which is linear: rho = M (p1 - p0).
     const auto kappa = sensitivity<Real>(
         [&](const std::vector<Real>& Q) {
           oracles::Vec<7, Real> from = x0, to = xq;
@@ -158,7 +158,7 @@ class IntegrateDifference final : public Law<IntegrateDifference, S> {
     r.record(angular, band, vector_error<S>(tail3(xv), tail3(xd)),
              [&] { return kappa.kappa(1, larger(phi, least_denominator<S, Real>())); });
     const Real scale = larger(rho, at.separation);
-    // M = J^-1 R^T shortens no vector, so the positions alone move rho by at least sum_i |x_i|.
+    // M = J^-1 R^T shortens no vector. So the term sum_i |x_i| ||M e_i|| of kappa is at least sum_i |x_i|.
     double moved = 0;
     for (int i = 0; i < 3; ++i) moved += at_most(x0[i]) + at_most(xq[i]);
     const Real by = larger(scale, least_denominator<S, Real>());

@@ -1,5 +1,5 @@
-// The left and right J and J^-1 of SO(3) and SE(3), each compared with the oracle. (In a product J J^-1 the
-// errors of both could cancel.)
+// The left and right J and J^-1 of SO(3) and SE(3) are each compared with the oracle. The law does not check
+// the product J J^-1, in which the errors of both could cancel.
 
 #include <generators/rotations.hpp>
 #include <invariants/common.hpp>
@@ -53,9 +53,9 @@ class JacobianOracle final : public Law<JacobianOracle, S> {
     const auto inverted = sensitivity<Real>(
         [&](const std::vector<Real>& v) { return flat(closed_left_jacobian_inverse(from_list<6>(v))); },
         stored, {{0, 9}, {9, 9}});
-    // The inverse has poles at theta = 2 pi k. Between two poles its norm has an extremum with derivative
-    // zero, although at a large theta one rounding of theta may reach from pole to pole. So kappa is at least
-    // theta over the distance to the nearest pole (Demmel 1987).
+    // The inverse has poles at theta = 2 pi k. Between two poles, its norm has an extremum with derivative
+    // zero. But one rounding error of a large theta may exceed the distance between two poles. So kappa is at
+    // least theta divided by the distance to the nearest pole (Demmel 1987).
     std::optional<double> to_pole;
     const auto kappa = [&](bool inverse, bool coupling, const Real& denominator) {
       const std::size_t block = coupling ? 1 : 0;

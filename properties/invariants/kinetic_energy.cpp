@@ -1,4 +1,4 @@
-// Kinetic energy does not depend on the frame. The operations on inertias that it needs are measured as well.
+// Kinetic energy does not depend on the frame. The operations on inertias that compute it are measured too.
 
 #include <invariants/common.hpp>
 
@@ -87,7 +87,7 @@ class KineticEnergy final : public Law<KineticEnergy, S> {
     const auto& I = x.I_e.I_C;
     const Real trace = I(0, 0) + I(1, 1) + I(2, 2);
     if (!(x.I.mass > S(0)) || trace < 0 || trace > ldexp(Real(1), 3 * binades + 8)) return false;
-    using oracles::Real100;  // for a needle the determinant is eps^2 times its terms
+    using oracles::Real100;  // the determinant of a needle is only eps^2 times its terms
     oracles::Mat3<Real100> second = Real100(-1) * oracles::cast<Real100>(I);
     for (int i = 0; i < 3; ++i) second(i, i) += Real100(trace) / 2 + Real100(eps32) * Real100(trace);
     const auto C = cofactors(second);
@@ -138,7 +138,7 @@ class KineticEnergy final : public Law<KineticEnergy, S> {
       const Real u_C = norm(u + cross(w, x.I_e.c));
       const Real scale = x.I_e.mass * s * (u_C + oracles::epsilon<S, Real>() * s) +
                          frobenius(x.I_e.I_C) * w_norm * w_norm / Real(2);
-      // Only the scale counts: T_B is a result of the subject, not an exact value.
+      // The error is relative to `scale`, because T_B is a result of the subject and not an exact value.
       const Real size = oracles::larger(scale, oracles::least_denominator<S, Real>());
       recorder.record(op::energy_frames[block::energy], 0,
                       oracles::in_eps<S>(Real(abs(T_e[0] - T_e[1]) / size)), one);
@@ -193,7 +193,7 @@ class KineticEnergy final : public Law<KineticEnergy, S> {
     switch (source.below(8)) {
       case 0:  // a point mass
         return I;
-      case 1:  // a ball
+      case 1:  // a homogeneous sphere
         a[0] = a[1] = a[2] = length();
         break;
       case 2:  // a needle

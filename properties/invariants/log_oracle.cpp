@@ -1,4 +1,4 @@
-// log compared with the exact logarithm of Q/|Q| or of the rotation nearest to R, for the stored numbers.
+// log is compared with the exact logarithm of Q/|Q|, or of the rotation nearest to R, for the stored numbers.
 
 #include <generators/rotations.hpp>
 #include <invariants/branch.hpp>

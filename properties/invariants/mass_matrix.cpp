@@ -43,7 +43,7 @@ class MassMatrix final : public TreeLaw<MassMatrix, S> {
       const double inverse = inverse_size(factor, roots);
       const VecX<S> entries = flat(M);
       const bool positive = !oracles::positive_factor(exact_list<T>(entries), c.nv()).empty();
-      // crba may err by 16 eps of its terms, so a matrix that near to a singular one may become indefinite.
+      // The error of crba may be 16 eps times its terms. So a nearly singular matrix may become indefinite.
       r.record(definite, 0, positive ? 0 : std::numeric_limits<double>::infinity(),
                [&] { return 16 * inverse * terms; });
     }

@@ -1,6 +1,6 @@
-// Power does not depend on the frame: motions and forces are dual. The power F_A^T V_A of the subject's
-// results is computed exactly. Each operation is also compared with its oracle, because errors of V_A and F_A
-// may cancel in the power.
+// Power does not depend on the frame, because motions and forces are dual. The law computes the power
+// F_A^T V_A of the subject's results exactly. It also compares each operation with its oracle, because errors
+// of V_A and F_A may cancel in the power.
 
 #include <invariants/common.hpp>
 

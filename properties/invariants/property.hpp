@@ -32,7 +32,7 @@ struct Residual {
 };
 
 /// A condition number that is computed only when needed. It refers to a callable, which must outlive it.
-/// `least` is a known lower bound: an error that passes with kappa = `least` does not need kappa.
+/// `least` is a known lower bound. If an error passes with kappa = `least`, kappa is not computed.
 class Kappa {
  public:
   Kappa(std::nullptr_t = nullptr) {}  // NOLINT: none
@@ -64,7 +64,7 @@ class Recorder {
 struct Robot {
   std::string name;    ///< the name in its <robot> element
   std::string urdf;    ///< the text of the URDF
-  std::string path;    ///< as the user gave it; empty for the built-in robot
+  std::string path;    ///< the path that the user gave; empty for the built-in robot
   bool fixed = false;  ///< its root is fixed to the world; otherwise it floats
   std::string hash;    ///< 16 hexadecimal digits of a SHA-256 of `urdf` and `fixed`
 };
@@ -88,9 +88,9 @@ class Property {
   std::string name() const { return statement().name; }
   std::vector<Output> outputs() const { return {statement().outputs.begin(), statement().outputs.end()}; }
   virtual std::vector<Field> fields() const = 0;
-  /// Whether the subject offers at least one operation of the law. Default: the operation of some output.
+  /// Whether the subject offers at least one operation of the law. By default: an operation of its outputs.
   virtual bool offered(const Subject<S>& subject) const;
-  virtual bool needs_robot() const { return false; }  ///< called after prepare
+  virtual bool needs_robot() const { return false; }  ///< may be called only after prepare
   /// Sets up what depends on the robot. Called once, before any case.
   virtual void prepare(const Robot&) {}
   /// Generates a valid input from random bits alone.
@@ -198,8 +198,8 @@ void append(std::vector<S>& input, const Eigen::MatrixBase<Derived>& m) {
     for (int j = 0; j < m.cols(); ++j) input.push_back(m(i, j));
 }
 
-/// The numbers of several groups. Joined<S>{a, b, c} evaluates a, b and c in this order, because it has
-/// braces. So the groups may draw random numbers.
+/// The numbers of several groups. Because of its braces, Joined<S>{a, b, c} evaluates a, b and c in this
+/// order. So a, b and c may draw random numbers.
 template <class S>
 struct Joined : std::vector<S> {
   template <class... M>

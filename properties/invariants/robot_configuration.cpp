@@ -1,5 +1,5 @@
 // integrate and difference on the whole configuration vector of a robot, compared with the oracles joint by
-// joint. Q and -Q must count as the same configuration.
+// joint. A subject must treat Q and -Q as the same configuration.
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 namespace liecheck::properties {
 namespace {
 
-/// The offsets of a joint in q and v, and its size: 7 for a free-flyer, 2 for continuous (cos, sin), else 1.
+/// The offsets of a joint in q and v, and nq: 7 for a free-flyer, 2 (cos, sin) for a continuous joint, else 1.
 struct Segment {
   int q, nq, v;
 };

@@ -1,6 +1,6 @@
 // The error does not jump where an implementation changes its formula: the errors at two adjacent angles
-// differ by at most the block's budget. The angles are near cutoffs that authors choose: powers of ten, roots
-// of eps, pi.
+// differ by at most the block's budget. The angles are near cutoffs that authors of libraries choose: powers
+// of ten, roots of eps, and pi.
 
 #include <generators/rotations.hpp>
 #include <invariants/common.hpp>
@@ -73,7 +73,7 @@ class SmallAngleBranches final : public Law<SmallAngleBranches, S> {
     const auto coupling = [&](const Mat<S, 6>& J) { return rows(J.template topRightCorner<3, 3>()); };
     jump(
         o[op::exp3_quaternion], op::exp3_quaternion[block::jump],
-        [&](int k) {  // up to pi the exact (v, w) has v . phi + w > 0
+        [&](int k) {  // up to theta = pi, the exact Q = (v, w) has v . phi + w > 0
           const Vec<S, 4> Q = o[op::exp3_quaternion](phi(k));
           return Q.template head<3>().dot(phi(k)) + Q[3] < S(0) ? Vec<S, 4>(-Q) : Q;
         },

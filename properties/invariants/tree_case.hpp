@@ -16,7 +16,7 @@ struct TreeCase {
   oracles::Quaternion<T> frame_Q;
   oracles::Vec3<T> frame_p;
 
-  /// Parents, kinds and other integers are read from `structure`, all other numbers from `x`.
+  /// Reads parents, kinds and other integers from `structure`, and all other numbers from `x`.
   template <class S>
   TreeCase(TreeLayout at, const std::vector<S>& structure, const std::vector<T>& x) {
     using namespace oracles;

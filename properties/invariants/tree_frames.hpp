@@ -28,8 +28,8 @@ FrameViews<T> seen_from(Seen view, const oracles::FrameMotion<T>& f) {
   const Vec3<T> u = f.p1 + cross(f.p, f.w), a = spatial + cross(f.p, f.w1);
   return {stack(u, f.w), stack(a, f.w1), stack(a + cross(f.w, u), f.w1)};
 }
-/// The sizes of the terms of these vectors. They are the same in each reference frame, except that `world`
-/// adds terms for the lever arm to its origin.
+/// The sizes of the terms of these vectors. They are the same in each reference frame, with one exception:
+/// `world` has more terms, for the lever arm from the world's origin.
 struct FrameSizes {
   double position, w, u, al, ac;
   template <class Case>

@@ -69,8 +69,8 @@ class TreeInvariance final : public TreeLaw<TreeInvariance, S> {
 
  private:
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
-  /// Rotates the world frame by pi about x and moves it by 100 m along x. Only positions of joints on the
-  /// world are rounded, and no torque depends on them.
+  /// Rotates the world frame by pi about x and moves it by 100 m along x. This rounds only the positions of
+  /// joints on the world, on which no torque depends.
   static Tree<S> in_a_moved_world(Tree<S> t) {
     for (auto& j : t.joints) {
       if (j.parent >= 0) continue;
@@ -101,7 +101,7 @@ class TreeInvariance final : public TreeLaw<TreeInvariance, S> {
     }
     return t;
   }
-  /// The joints depth first, from the last branch to the first. Parents come before their children.
+  /// The order of the joints in a depth-first traversal from the last branch to the first.
   static std::vector<int> reordered(const Tree<S>& t) {
     std::vector<int> order;
     const auto visit = [&](auto& self, int parent) -> void {

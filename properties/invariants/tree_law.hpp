@@ -19,7 +19,7 @@ struct RobotNumbers {
 /// Reads the robot's URDF. Throws what the URDF reader throws.
 RobotNumbers robot_numbers(const Robot& robot);
 
-/// The exact numbers of a vector of any kind.
+/// The exact values of the numbers in a container.
 template <class T, class V>
 std::vector<T> exact_list(const V& x) {
   std::vector<T> y;
@@ -92,12 +92,12 @@ struct CaseAt {
                                     const Direction&... direction) const {
     return {exact.tree, exact.q, v, a, direction...};
   }
-  /// The sizes of the terms that may cancel in a result; with `pushed` also those of the wrench.
+  /// The sizes of the terms that may cancel in a result. If `pushed`, they include those of the wrench.
   oracles::TreeSizes<double> sizes(const std::vector<double>& v, const std::vector<double>& a,
                                    bool pushed = false) const {
     return {rough.tree, rough.q, v, a, pushed ? rough.wrench : std::vector<oracles::WrenchOf<double>>()};
   }
-  /// Whether finite differences of poses confirm the oracle. Ball arithmetic does not check this.
+  /// Whether finite differences of poses confirm the oracle. In ball arithmetic, always true (not checked).
   bool resolved(bool direction = false) const {
     if constexpr (oracles::BallNumber<T>)
       return true;
@@ -142,7 +142,7 @@ class AnyTreeLaw : public Property<S> {
 
  protected:
   TreeLayout layout() const { return at_; }
-  /// The numbers of a whole case: of the user's robot, the input holds the state only.
+  /// All numbers of a case. If the user gave a robot, the input holds only its state.
   std::vector<S> full_of(const std::vector<S>& input) const;
 
  private:

@@ -1,11 +1,11 @@
 #pragma once
 // Norms of vectors that mix units.
 //
-// Entry k of v moves the inertia M_kk. So all sqrt(M_kk) v_k have one unit, and so have all tau_k /
-// sqrt(M_kk). Norms of vectors use these weighted entries; the norm of M uses M_kl / sqrt(M_kk M_ll),
-// because the error of a Cholesky factor is a few eps of that norm (Demmel 1989). The weights come from the
-// oracle. kappa also uses norms (oracles/tree_sizes.hpp): a rotation rounds each entry of a vector relative
-// to the norm of the vector, even an entry that is zero.
+// M_kk is the inertia of coordinate k. So all sqrt(M_kk) v_k have the same unit, and so have all
+// tau_k / sqrt(M_kk). Norms of vectors use these weighted entries. The norm of M uses M_kl / sqrt(M_kk M_ll),
+// because the error of a Cholesky factor is a few eps times this norm (Demmel 1989). The weights come from
+// the oracle. kappa also uses norms (oracles/tree_sizes.hpp), because a rotation rounds each entry of a
+// vector relative to the norm of the vector, even an entry that is zero.
 
 #include <invariants/common.hpp>
 #include <oracles/tree_sizes.hpp>
@@ -49,7 +49,7 @@ double approximate(const T& x) {
   else
     return static_cast<double>(x);
 }
-/// The same norm in double; of a Tangent, the norm of its derivative.
+/// The same norm in double. For Tangents, it is the norm of their derivatives.
 inline double weighted_size(const std::vector<double>& x, const std::vector<double>& w) {
   return weighted_norm(x, w);
 }

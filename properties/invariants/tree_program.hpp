@@ -7,7 +7,7 @@
 
 namespace liecheck::properties {
 
-/// The program builds the model joint by joint and calls liecheck's algorithm as the operation's record says.
+/// The program builds the model joint by joint and evaluates the expression in `call`.
 /// Numbers are exact, in hexadecimal.
 std::string tree_program(const TreeCase<double>& c, const Call& call, const std::string& scalar);
 

@@ -35,7 +35,7 @@ std::vector<Subject<S>> known_bugs(const Operations<S>& good) {
       for (const auto& entry : group) {
         Subject<S>& subject =
             all.emplace_back(Subject<S>{kind.prefix + std::string(entry.name), kind.version, good});
-        subject.operations.tree = nullptr;  // has no fault, except in the bugs of trees
+        subject.operations.tree = nullptr;  // only bugs of trees have a faulty `tree`
         entry.plant(subject.operations);
       }
   return all;

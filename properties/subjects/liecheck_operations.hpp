@@ -1,6 +1,6 @@
 #pragma once
-// liecheck's own library as a subject, in any scalar. Each source file instantiates it for one or two
-// scalars, because gcc inlines less in a large file.
+// liecheck's own library as a subject, in any scalar. Each source file instantiates it for few scalars,
+// because gcc inlines less in a large file.
 
 #include <boost/multiprecision/eigen.hpp>
 #include <subjects/subject.hpp>

@@ -3,7 +3,8 @@
 //
 // To add a subject, write one file: fill the slots of an Operations<S>, such as o[op::exp6] = ..., and
 // register it with a static Registered<S>. A slot that stays null is reported as not offered. The folder
-// operations/ defines the arguments and results of each operation; the subject's file converts conventions.
+// operations/ defines the arguments and results of each operation. The subject's file converts them to the
+// conventions of its library.
 
 #include <functional>
 #include <operations/operations.hpp>
@@ -26,7 +27,7 @@ struct Types {
   using M6 = Mat<S, 6>;
 };
 
-/// o[op::exp6] is the subject's function for exp6, null if it has none.
+/// o[op::exp6] is the subject's function for exp6, or null if it has none.
 template <class S>
 struct Operations : SpatialSlots<S>, Types<S> {
   // The library's checks of inputs, if it has any. They throw for inputs that its operations do not accept.

@@ -14,7 +14,7 @@ namespace {
 
 template <class S>
 struct Textbook : Types<S> {
-  /// Below this angle [rad] the leading term replaces the closed form.
+  /// Below this angle [rad], the leading term of the series replaces the closed form.
   double cutoff;
 
   using typename Types<S>::V3, typename Types<S>::V4, typename Types<S>::V6, typename Types<S>::V7,

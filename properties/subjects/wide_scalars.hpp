@@ -6,8 +6,8 @@
 #ifdef LIECHECK_QD
 #include <qd/dd_real.h>
 
-/// Splits a = fraction 2^exponent exactly, with the exponent of the high part. Found by argument-dependent
-/// lookup.
+/// Splits a = fraction 2^exponent exactly, with the exponent of the high part. Argument-dependent lookup finds
+/// this function.
 inline dd_real frexp(const dd_real& a, int* exponent) {
   std::frexp(a.x[0], exponent);
   return dd_real(std::ldexp(a.x[0], -*exponent), std::ldexp(a.x[1], -*exponent));
@@ -16,7 +16,7 @@ inline dd_real frexp(const dd_real& a, int* exponent) {
 
 namespace liecheck::properties {
 
-/// Significands of 168 and 334 bits, without memory allocations.
+/// Significands of 168 and 334 bits. These types allocate no memory.
 using Digits50 = oracles::Real;
 using Digits100 = oracles::Real100;
 

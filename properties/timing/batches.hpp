@@ -5,10 +5,10 @@
 
 namespace liecheck::properties {
 
-/// The subject whose errors stand in the row of a batch.
+/// The subject that gives the row of a batch its name and its errors.
 inline constexpr const char* batch_subject = "liecheck:batch";
 
-/// Passes over all inputs at once; null for an operation without a batch.
+/// The passes compute all inputs in one call. All pointers are null if the operation has no batch.
 template <class S>
 Signature batch_signature(const Operation& operation);
 

@@ -91,7 +91,8 @@ class Collector final : public benchmark::BenchmarkReporter {
   Repetitions& into_;
 };
 
-/// The time of a loop that is limited by the execution units [s]. It doubles while another program uses them.
+/// The time of a loop that is limited by the execution units [s]. The time doubles while another program uses
+/// them.
 double reference_time() {
   static double in[64] = {1, 2, 3}, out[64];
   const auto start = Clock::now();
@@ -102,8 +103,8 @@ double reference_time() {
   return seconds_since(start);
 }
 
-/// Keeps the repetitions whose reference loop took at most 1.1 times its first percentile, and at least eight
-/// of each row. The choice does not depend on the measured times.
+/// Keeps the repetitions whose reference time is at most 1.1 times the 1 % quantile of all reference times.
+/// Keeps at least eight of each row, if there are so many. The choice does not depend on the measured times.
 void keep_undisturbed(std::vector<Timed>& all, const Repetitions& repetitions) {
   std::vector<double> references;
   for (const auto& row : repetitions)
@@ -126,8 +127,8 @@ void keep_undisturbed(std::vector<Timed>& all, const Repetitions& repetitions) {
   }
 }
 
-/// Runs the pass with its stack frame moved down by `bytes`. The position of results relative to inputs
-/// modulo a page changes the time of small operations by a fifth, and is random in each process.
+/// Runs the pass with its stack frame moved down by `bytes`. The distance from inputs to results, modulo the
+/// page size, is random in each process and changes the time of small operations by a fifth.
 [[gnu::noinline]] void run_below(std::size_t bytes, const std::function<void()>& pass) {
   void* const room = __builtin_alloca(bytes + 16);
   asm volatile("" : : "r"(room) : "memory");
@@ -168,7 +169,7 @@ std::string run_interleaved(std::vector<Timed>& all, const Interleaving& how) {
     benchmark::RegisterBenchmark(std::to_string(i).c_str(),
                                  [&, i, passes](benchmark::State& state) {
                                    const Timed& row = all[i];
-                                   // The shifts of 128 repetitions cover a page in steps of half a cache line.
+                                   // 128 repetitions shift the stack over a page, in steps of half a cache line.
                                    const std::size_t shift = 32 * ((repetitions[i].size() * 37) % 128);
                                    Repetition& r = repetitions[i].emplace_back();
                                    r.run = !stopped() && seconds_since(start) <= 1.3 * how.seconds + 1;

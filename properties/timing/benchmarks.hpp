@@ -1,7 +1,7 @@
 #pragma once
-// Times operations with Google Benchmark; all repetitions of all rows run in random order. A repetition is
-// discarded if another program used part of the execution units, because that slows some code by half and
-// other code not at all. A reference loop, timed before and after each repetition, detects that.
+// Times operations with Google Benchmark. All repetitions of all rows run in random order. A repetition is
+// discarded if another program used part of the execution units, because this slows some code by half and
+// other code not at all. A reference loop before and after each repetition detects the other program.
 
 #include <atomic>
 #include <functional>
@@ -18,9 +18,9 @@ struct Timed {
 };
 
 struct Interleaving {
-  /// Approximate duration of the whole measurement [s]; a repetition is at least one pass. On a busy machine,
-  /// repetitions that have not started after 1.3 * `seconds` + 1 s are skipped. Since the order is random,
-  /// about the same number is skipped in every row.
+  /// Approximate duration of the whole measurement [s]. A repetition is at least one pass. Repetitions that
+  /// have not started after 1.3 * `seconds` + 1 s (busy machine) are skipped. Because the order is random,
+  /// each row loses about the same number of repetitions.
   double seconds = 1;
   std::size_t repetitions = 40;
   std::atomic<bool>* stop = nullptr;

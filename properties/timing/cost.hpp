@@ -21,10 +21,10 @@ struct Spread {
   double median = 0, low = 0, high = 0;
   std::size_t repetitions = 0;
 };
-/// Sorts the samples. With fewer than six, the interval is their range, and its confidence is below 95 %.
+/// Sorts the samples. For fewer than six samples, the interval is their range and has less than 95 % confidence.
 Spread spread_of(std::vector<double>& samples);
 
-/// The errors of one block over one set of inputs, in eps of the row's scalar. Maxima are lower bounds.
+/// The errors of one block over one set of inputs, in eps of the row's scalar.
 struct BlockErrors {
   std::string block;
   std::vector<double> errors;  ///< of each measured input
@@ -52,15 +52,15 @@ struct CostRow {
 };
 
 /// The largest error of any block over all inputs, as the block defines it (not in eps). It is infinite if a
-/// result was not finite, on a wrong branch, refused or unresolved. Defects of norm or orthogonality do not
-/// count, because the next operation removes them.
+/// result was not finite, on a wrong branch, refused or unresolved. Defects of norm and orthogonality are
+/// ignored, because the next operation removes them.
 double error_of(const CostRow& row);
-/// The block with this error.
+/// The block with the error that error_of() returns.
 std::string worst_block(const CostRow& row);
 
 /// For each row, the index of the fastest row of the same operation that dominates it, or -1. A row dominates
 /// another if it is faster (disjoint intervals) and its error is no larger, or if its error is smaller and
-/// its median time no larger. The row `call`, which has no error, and the rows liecheck@FLAGS are left out.
+/// its median time no larger. The rows `call` (which have no error) and liecheck@FLAGS are not compared.
 /// `time` is &CostSet::throughput or &CostSet::latency.
 std::vector<int> dominators(const std::vector<CostRow>& rows, Spread CostSet::*time);
 

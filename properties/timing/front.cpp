@@ -5,7 +5,7 @@
 namespace liecheck::properties {
 namespace {
 
-/// The largest error; infinite if a case has none.
+/// The largest error; infinite if the error of an input could not be measured.
 double largest(const BlockErrors& b) {
   return b.not_finite + b.wrong_branch + b.refused + b.unresolved > 0
              ? std::numeric_limits<double>::infinity()

@@ -15,7 +15,7 @@ struct CostBand {
   double low, high;
   bool from_pi, uniform;
 };
-/// The edges differ from 0 and pi in float.
+/// In float, no edge is equal to 0 or pi.
 inline constexpr std::array<CostBand, 5> cost_bands = {{{"theta 1e-12..1e-5", 1e-12, 1e-5, false, false},
                                                         {"theta 1e-5..1e-3", 1e-5, 1e-3, false, false},
                                                         {"theta 1e-3..0.1", 1e-3, 0.1, false, false},
@@ -51,8 +51,8 @@ Vec<S, 4> quaternion_in(const CostBand& band, Source& source) {
 
 }  // namespace timing_detail
 
-/// One input of a law. Vectors are uniform in a cube of 2 m; rotations have an angle in the band. In a pair
-/// of quaternions, the first has an angle in 0.1..pi-0.1; the angle between the two is in the band.
+/// One input of a law. Vectors are uniform in a cube with edges of 2 m. Rotations have an angle in the band.
+/// In a pair of quaternions, the first has an angle in 0.1..pi-0.1; the angle between both is in the band.
 template <class S>
 std::vector<S> cost_input(const std::vector<Field>& fields, const CostBand& band, Source source) {
   using namespace timing_detail;
@@ -81,7 +81,7 @@ std::vector<S> cost_input(const std::vector<Field>& fields, const CostBand& band
       case Kind::positive:
         x.push_back(S(1) + source.unit<S>());
         break;
-      case Kind::inertia: {  // three unit masses in a cube of 2 m
+      case Kind::inertia: {  // three unit masses in a cube with edges of 2 m
         Mat<S, 3> I = Mat<S, 3>::Zero();
         for (int k = 0; k < 3; ++k) {
           const Vec<S, 3> r(source.symmetric<S>(), source.symmetric<S>(), source.symmetric<S>());

@@ -3,8 +3,8 @@
 //
 // In one program, the linker keeps one copy of a template function, whatever its flags. So each set of flags
 // has a module, built from timing/module/operations.cpp. It exports one function and is loaded with
-// RTLD_LOCAL. Some flags change the layout of types in memory, because Eigen aligns by the widest vector
-// instructions; `layout` detects that.
+// RTLD_LOCAL. Some flags change the layout of types in memory, because Eigen's alignment depends on the
+// widest vector instructions. `layout` detects such a difference.
 
 #include <array>
 #include <filesystem>
@@ -24,7 +24,7 @@ constexpr std::array<std::size_t, 5> kernels_layout() {
           sizeof(Operations<double>)};
 }
 
-/// The folder ../kernels from the folder of the running program.
+/// The folder `kernels` next to the folder of the running program.
 std::filesystem::path kernels_folder();
 
 /// Whether the folder has a module.

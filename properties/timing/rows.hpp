@@ -15,7 +15,7 @@
 
 namespace liecheck::properties {
 
-/// n calls of one function. Their times are stored in this row and set.
+/// n calls of one function. Their times belong to sets[set] of the row with index `row`.
 struct TimedSet {
   std::size_t row, set;
   Signature signature;
@@ -57,7 +57,7 @@ std::vector<std::vector<S>> cost_inputs(const std::vector<Field>& fields, std::u
 template <class Input>
 using Score = std::function<std::vector<BlockErrors>(const std::vector<std::vector<Input>>& inputs)>;
 
-/// An operation of a subject. score: null for what is timed only. signature.latency: null for a batch.
+/// An operation of a subject. `score` is null if it is only timed; signature.latency is null for a batch.
 template <class Input>
 struct Offered {
   std::string subject, version;

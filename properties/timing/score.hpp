@@ -43,7 +43,7 @@ class BlockCollector final : public Recorder {
 };
 
 /// `subject` must offer only this operation, so that nothing else is measured. Errors are measured by ball
-/// arithmetic, or with 50 and 100 digits if that does not decide.
+/// arithmetic or, if that is undecided, with 50 and 100 digits.
 template <class S>
 std::vector<BlockErrors> score(const Property<S>& law, const Operation& operation, const Subject<S>& subject,
                                const std::vector<std::vector<S>>& inputs) {

@@ -1,7 +1,7 @@
 #pragma once
-// Calls a function R(const A&...) from code that does not know these types: makes and reads its arguments, and runs
-// passes over a set of arguments. The calls of a pass either wait for one another or do not. The passes are the same code
-// for every subject.
+// Calls a function R(const A&...) from code that does not know the types R and A. It makes the arguments, reads
+// them, and runs passes of calls over them. The calls of a pass wait for one another (latency) or do not
+// (throughput). The passes are the same code for every subject.
 
 #include <cstdint>
 #include <cstring>
@@ -59,8 +59,8 @@ inline std::size_t opaque_zero() {
   return zero;
 }
 
-/// Some bits of the first, a middle and the last number of each part of a result. The last number is usually written
-/// last. The middle number is in another block of a vector or Jacobian than the first.
+/// Some bits of the first, a middle and the last number of each part of a result. So they depend on most of the
+/// result: the last number is usually written last, and the middle one is in another block than the first.
 template <class R>
 std::size_t bits_of(const R& result) {
   std::size_t bits = 0;
@@ -142,7 +142,7 @@ struct Passes {
 
 }  // namespace timing_detail
 
-/// S: the scalar of the arguments, which holds their numbers exactly.
+/// S is the scalar of the arguments. It represents their numbers exactly.
 template <class S, class R, class... A>
 Signature signature_of(R (*)(const A&...)) {
   using P = timing_detail::Passes<S, R, A...>;

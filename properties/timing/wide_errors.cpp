@@ -151,7 +151,7 @@ Compare against(void (Case::*compare)(const Exact&), Formula formula) {
 V4 exp3(const V3& phi) {
   return closed_exp(stack(zero(), phi)).Q;
 }
-/// J_l(xi), J_r(xi) = J_l(-xi), or their inverses, with that sign.
+/// J_l(xi) or J_r(xi) = J_l(-xi), or the inverse of either.
 template <bool left, bool inverse>
 oracles::JacobianBlocks<Wide> jacobian6(const V6& xi) {
   const V6 at = left ? xi : -xi;
@@ -173,7 +173,7 @@ void compare_difference(Case& c) {
   const V7 q0 = c.x.read<V7>(), q1 = c.x.read<V7>();
   c.log_with(closed_difference(q0, q1), norm(head3(q1) - head3(q0)));
 }
-/// d q / d delta of integrate at delta = 0: R above, and half of the product Q * (e_j, 0) below.
+/// dq / d delta of integrate at delta = 0. The upper block is R; column j of the lower one is Q * (e_j, 0) / 2.
 void compare_coefficient_jacobian(Case& c) {
   const V4 Q = quaternion_of(c.x.read<V7>());
   const auto J = c.y.read<oracles::Mat<7, 6, Wide>>();
