@@ -35,7 +35,7 @@ std::vector<T> inverse_lever_formula(const std::vector<T>& x) {
 template <class S>
 class KineticEnergy final : public Law<KineticEnergy, S> {
  public:
-  static constexpr bool needs_kappa = true;  ///< in nearly every case
+  static constexpr bool needs_kappa = true;  ///< nearly every case needs it
   static constexpr Statement stated{
       .name = "kinetic_energy",
       .law = "the kinetic energy of a body is the same in every frame",

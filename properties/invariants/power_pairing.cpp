@@ -13,7 +13,7 @@ namespace {
 template <class S>
 class PowerPairing final : public Law<PowerPairing, S> {
  public:
-  static constexpr bool needs_kappa = true;  ///< in nearly every case
+  static constexpr bool needs_kappa = true;  ///< nearly every case needs it
   static constexpr Statement stated{
       .name = "power_pairing",
       .law = "power is the same in every frame",
