@@ -1,6 +1,5 @@
 #pragma once
-// First derivatives of inverse and forward dynamics with respect to tangent increments of q (integrate) and
-// to v.
+// First derivatives of inverse and forward dynamics with respect to tangent increments of q and to v.
 //
 // All quantities are in world axes at one point O. An increment of joint j along column s_k of its motion
 // subspace moves the subtree of j (its body and all descendants) as one rigid body. With p = parent(j), the
@@ -62,9 +61,8 @@ void computeRNEADerivatives(const Model<S>& model, Data<S>& data, In<S> q, In<S>
   A[0] = Motion<S>(Vector3<S>(-model.gravity), Vector3<S>::Zero());
   for (std::size_t i = 1; i < model.joints.size(); ++i) {
     const std::size_t p = std::size_t(model.parents[i]);
-    // r[i] becomes the vector from O to joint i, summed along the tree so that no digits are lost far from
-    // the world's origin. Parents come first: here r[p] is already relative to O, r[i] is still relative to
-    // joint p.
+    // r[i] becomes the vector from O to joint i, summed along the tree to lose no digits far from the world's
+    // origin. Parents come first: r[p] is already relative to O, r[i] is still relative to joint p.
     work.r[i] = p == 0 ? Vector3<S>(oMi[i].translation() - O) : Vector3<S>(work.r[p] + work.r[i]);
     const SE3<S> X(oMi[i].rotation(), work.r[i]);
     Motion<S> relative = Motion<S>::Zero(), driven = Motion<S>::Zero();

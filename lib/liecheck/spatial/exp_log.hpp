@@ -190,8 +190,7 @@ SE3<S> exp6(const Motion<S>& xi) {
       xi);
 }
 
-/// xi = log T, the inverse of exp6 for |phi| < pi. Error 3 eps of phi, 4 eps of rho; fast precision as in
-/// log3.
+/// xi = log T, inverse of exp6 for |phi| < pi. Error 3 eps of phi, 4 eps of rho. For fast precision see log3.
 template <Scalar S, Precision P = Precision::standard>
 Motion<S> log6(const SE3<S>& T) {
   return evaluate<S, P, Precision::standard>(

@@ -30,7 +30,7 @@ template <class S, Rational R>
   }
 }
 
-/// The stages of a tableau T: it has T::stages and the Rationals T::a[i][j], T::b[i] and T::c[i].
+/// The stages of a tableau T, which has T::stages and the Rationals T::a[i][j], T::b[i] and T::c[i].
 template <System Sys, class T>
 class MuntheKaasStages {
  public:
