@@ -1,14 +1,14 @@
 #pragma once
 // The joint-space inertia matrix M(q), its factors and its inverse.
 //
-//   M_ij = S_i^T Ic_j S_j,  i = j or an ancestor of j.  Ic_j is the inertia of all bodies that joint j carries.
+//   M_ij = S_i^T Ic_j S_j,  i = j or an ancestor of j.  Ic_j: inertia of all bodies that joint j carries.
 //   Featherstone (2008): composite-rigid-body algorithm, table 6.2; sparse L^T L factors, table 6.3.
 
 #include <liecheck/algorithms/kinematics.hpp>
 
 namespace liecheck {
 
-/// Thrown if M^-1 is needed but a joint moves no inertia; what() names the joint.
+/// Thrown if M^-1 is needed but the bodies behind a joint have no inertia. what() names the joint.
 class SingularInertia : public std::domain_error {
  public:
   SingularInertia(const std::string& joint_name, int joint_index, bool finite = true)
@@ -200,9 +200,8 @@ void solve(const Model<S>& model, const MatrixX<S>& L, Column&& x) {
 }  // namespace algorithms_detail
 
 /// M(q) [nv x nv; kg, kg m, kg m^2], both triangles, symmetric to the last bit, armature on its diagonal.
-/// Featherstone (2008), table 6.2:  Ic_j = I_j + sum of Ic_c over the children c of j;  F = Ic_j s_k;  M_mk =
-/// s_m^T F for every column m of j and of its ancestors. Throws std::logic_error if Data has no M. Updates
-/// liMi, oMi, M. q [nq].
+/// Ic_j = I_j + sum of Ic_c over the children c of j; F = Ic_j s_k; M_mk = s_m^T F for every column m of j
+/// and of its ancestors. Throws std::logic_error if Data has no M. Updates liMi, oMi, M. q [nq].
 template <Scalar S>
 const MatrixX<S>& crba(const Model<S>& model, Data<S>& data, In<S> q) {
   using namespace algorithms_detail;

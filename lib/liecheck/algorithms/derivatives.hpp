@@ -1,6 +1,5 @@
 #pragma once
-// First derivatives of inverse and forward dynamics with respect to tangent increments of q (integrate) and
-// to v.
+// First derivatives of inverse and forward dynamics with respect to tangent increments of q and to v.
 //
 // All quantities are in world axes at one point O. An increment of joint j along column s_k of its motion
 // subspace moves the subtree of j (its body and all descendants) as one rigid body. With p = parent(j), the

@@ -5,8 +5,7 @@
 //   WORLD                axes and origin of the world: the linear velocity is not that of the frame's origin
 //   LOCAL_WORLD_ALIGNED  the world's axes, at the frame's origin: the linear velocity is p_dot
 //
-// Classical acceleration = spatial acceleration + (omega x u, 0); in LOCAL_WORLD_ALIGNED its linear part is
-// p_ddot.
+// Classical acceleration = spatial + (omega x u, 0). In LOCAL_WORLD_ALIGNED its linear part is p_ddot.
 
 #include <liecheck/algorithms/kinematics.hpp>
 
@@ -40,8 +39,7 @@ Placed<S> placedJoint(const Model<S>& model, const Data<S>& data, int joint) {
                                 std::to_string(model.njoints));
   return {std::size_t(joint), SE3<S>::Identity()};
 }
-/// Converts V, the velocity or acceleration of a frame at X_WF expressed in LOCAL, to another reference
-/// frame.
+/// Converts V, the velocity or acceleration in LOCAL of a frame at X_WF, to another reference frame.
 template <Scalar S>
 Motion<S> expressed(const Motion<S>& V, const SE3<S>& X_WF, ReferenceFrame reference) {
   if (reference == ReferenceFrame::WORLD) return X_WF.act(V);

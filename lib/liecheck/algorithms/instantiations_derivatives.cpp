@@ -1,5 +1,4 @@
-// Explicit instantiations of the derivatives of the dynamics for float and double, declared extern in the
-// header.
+// Explicit instantiations for float and double, declared extern in derivatives.hpp.
 
 #include <liecheck/algorithms/derivatives.hpp>
 

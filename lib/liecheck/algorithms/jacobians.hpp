@@ -155,8 +155,7 @@ const Matrix6X<S>& getFrameJacobian(const Model<S>& model, Data<S>& data, int fr
                                     ReferenceFrame reference) {
   return jacobianOf(model, data, algorithms_detail::placedFrame(model, data, frame), reference);
 }
-/// Time derivative of the Jacobian [6 x nv] of a joint, or of a frame. The next getter overwrites it. Needs
-/// dJ.
+/// Time derivative of the Jacobian [6 x nv] of a joint or a frame. The next getter overwrites it. Needs dJ.
 template <Scalar S>
 const Matrix6X<S>& getJointJacobianTimeVariation(const Model<S>& model, Data<S>& data, int joint,
                                                  ReferenceFrame reference) {

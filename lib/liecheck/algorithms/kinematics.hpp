@@ -1,7 +1,7 @@
 #pragma once
 // Poses, velocities and accelerations of the joints.
 //
-//   oM_i = oM_p liM_i,   v_i = X^-1 v_p + S qd,   a_i = X^-1 a_p + S qdd + v_i x S qd,   X = liM_i, p = parent(i)
+//   oM_i = oM_p liM_i,  v_i = X^-1 v_p + S qd,  a_i = X^-1 a_p + S qdd + v_i x S qd, X = liM_i, p = parent(i)
 // Featherstone (2008), eqs. 4.7 to 4.10. v_i and a_i are in joint i's axes at its origin. a_i is the spatial
 // acceleration, the derivative of v_i's numbers; frames.hpp computes the classical acceleration.
 

@@ -3,7 +3,7 @@
 //
 //   f_i = I_i a_i + v_i x* I_i v_i - fext_i + sum_children X* f_c,   tau_i = S_i^T f_i + armature qdd
 //
-// Gravity is included by giving the universe the acceleration -g.
+// Gravity is included because the universe gets the acceleration -g.
 
 #include <liecheck/algorithms/kinematics.hpp>
 

@@ -4,8 +4,7 @@
 //
 // Every function has a counterpart for one pose, whose error bounds hold for each column. The counterpart
 // itself computes the columns that need a branch (|phi| > pi, close poses, |phi| within 1e-3 of pi,
-// quaternions far from unit, results that are not finite), and the last columns, which do not fill a
-// register.
+// quaternions far from unit, results that are not finite), and the last columns that fill no register.
 
 #include <liecheck/multibody/se3_configuration.hpp>
 #include <liecheck/scalar/simd.hpp>

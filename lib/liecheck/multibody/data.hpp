@@ -20,8 +20,7 @@ using Matrix6X = Eigen::Matrix<S, 6, Eigen::Dynamic>;
 template <class S>
 using Matrix3X = Eigen::Matrix<S, 3, Eigen::Dynamic>;
 
-/// External forces [njoints; N, N m] on each joint's body, in that joint's axes at its origin; empty means
-/// none.
+/// External forces [njoints; N, N m] on every joint's body, in the joint's axes at its origin. May be empty.
 template <class S>
 using External = std::type_identity_t<std::span<const Force<S>>>;
 
@@ -49,8 +48,8 @@ class Data {
   Field<Each<SE3<S>>> liMi{*clock_, "liMi", fk};  ///< [njoints] X_parent,joint
   Field<Each<SE3<S>>> oMi{*clock_, "oMi", fk};    ///< [njoints] X_world,joint
   Field<Each<SE3<S>>> oMf{*clock_, "oMf", "updateFramePlacements(model, data)"};  ///< [nframes] X_world,frame
-  /// [njoints] velocity [m/s, rad/s] and spatial acceleration [m/s^2, rad/s^2] of joint i, in its axes, at
-  /// its origin.
+  /// [njoints] velocity [m/s, rad/s], spatial acceleration [m/s^2, rad/s^2] of joint i in its axes, at its
+  /// origin.
   Field<Each<Motion<S>>> v{*clock_, "v", fk_v}, a{*clock_, "a", fk_a};
   /// [njoints] force of the parent on joint i, in i's axes, at its origin [N, N m].
   Field<Each<Force<S>>> f{*clock_, "f", "rnea(model, data, q, v, a)"};

@@ -89,8 +89,7 @@ class Model {
   /// The joint's index. Throws std::invalid_argument with the nearest names if there is none of that name.
   int requireJointId(const std::string& joint_name) const;
 
-  /// The index of the frame of that name; nframes if there is none. Throws std::invalid_argument if several
-  /// are.
+  /// The index of the frame; nframes if none has that name. Throws std::invalid_argument if several have it.
   int getFrameId(const std::string& frame_name) const;
   /// The index of the frame of that name and type; nframes if there is none.
   int getFrameId(const std::string& frame_name, FrameType type) const;

@@ -247,9 +247,8 @@ Matrix6<S> dDifferenceSE3(const Vector7<S>& q0, const Vector7<S>& q1, ArgumentPo
       q0, q1);
 }
 
-/// The derivative [7 x 6] of the seven stored numbers with respect to a body-fixed increment, at zero
-/// increment: [R, 0; 0, 1/2 (w I + [v]); 0, -1/2 v^T], with R of Q/|Q|, and v and w of the stored Q. Error 2
-/// eps.
+/// The derivative [7 x 6] of the seven stored numbers with respect to a body-fixed increment at zero: [R, 0;
+/// 0, 1/2 (w I + [v]); 0, -1/2 v^T], with R of Q/|Q|, and v and w of the stored Q. Error 2 eps.
 template <Scalar S>
 Eigen::Matrix<S, 7, 6> integrateCoeffWiseJacobianSE3(const Vector7<S>& q) {
   const SO3<S> Q(Vector4<S>(q.template tail<4>()));

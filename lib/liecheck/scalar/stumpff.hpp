@@ -232,8 +232,7 @@ struct InverseCoefficient {
   }
 };
 
-/// The coefficients of the logarithm of a quaternion (v, w >= 0) of any norm, with h = theta/2 = atan2(|v|,
-/// w):
+/// The coefficients of the logarithm of a quaternion (v, w >= 0) of any norm, h = theta/2 = atan2(|v|, w):
 ///     angle_over_sine = 2 h / |v|       phi = angle_over_sine v
 ///     alpha = h cot h                   (theta/2) cot(theta/2)
 ///     along = (1 - alpha) / |v|^2       so that J^-1 p = p - phi x p / 2 + along v x (v x p)

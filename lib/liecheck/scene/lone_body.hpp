@@ -6,8 +6,8 @@
 //   omega_dot = I_C^-1 (n - c x f - omega x I_C omega)        diagonal I_C: (I_j - I_k)/I_i omega_j omega_k
 //   u_dot     = f/m - omega x u_C + R^T g - omega_dot x c     derivative of u in the body's axes
 //
-// Error of omega_dot: 4 eps of the sum of its terms' absolute values; 3 eps relative if I_C is diagonal and
-// no force acts.
+// Error of omega_dot: 4 eps times the sum of its terms' absolute values; 3 eps relative if I_C is diagonal
+// and no force acts.
 
 #include <array>
 #include <liecheck/algorithms/crba.hpp>

@@ -5,7 +5,7 @@
 namespace liecheck::scene {
 namespace {
 
-/// The shortest time of several repetitions [ns], since disturbances can only add time.
+/// The shortest time of one call in seven repetitions [ns]. Disturbances can only add time.
 template <class F>
 double nanoseconds(F f) {
   using Clock = std::chrono::steady_clock;

@@ -89,9 +89,9 @@ void readTime(const Text& text, const YAML::Node& root, Scene& scene) {
     const double step = text.number(method["step"], "integrator.step", "s", Kind::Positive);
     scene.span.steps =
         whole(method["step"], scene.span.duration, step, "duration is not a multiple of integrator.step");
-    scene.span.every = every > 0 ? whole(output["every"], every, step,
-                                         "output.every is not a multiple of integrator.step")
-                                 : std::max(1L, scene.span.steps / 1000);
+    scene.span.every =
+        every > 0 ? whole(output["every"], every, step, "output.every is not a multiple of integrator.step")
+                  : std::max(1L, scene.span.steps / 1000);
   } else if (info.adaptive) {
     scene.span.steps = every > 0 ? whole(output["every"], scene.span.duration, every,
                                          "duration is not a multiple of output.every")

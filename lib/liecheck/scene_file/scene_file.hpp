@@ -15,8 +15,7 @@ constexpr double max_scene_numbers = 5e7;
 /// The scene of a file. The path of its URDF is relative to the folder of the file. Throws SceneError.
 scene::Scene loadScene(const std::string& path);
 
-/// The scene of a text. Messages show source_name as FILE; folder is the base of URDF paths. Throws
-/// SceneError.
+/// The scene of a text. Messages show source_name as FILE. URDF paths start at folder. Throws SceneError.
 scene::Scene loadSceneText(const std::string& text, const std::string& source_name = "scene text",
                            const std::string& folder = ".");
 

@@ -40,8 +40,7 @@ template <Scalar S>
                  mul_add(v[2], x, S(-s[1])), mul_add(v[1], z, s[0]), S(1) - (xx + yy));
 }
 
-/// exp [phi] = I + k1 [a] + k2 [a]^2. For |phi| > pi the quaternion is used, since a is then a rounded unit
-/// vector.
+/// exp [phi] = I + k1 [a] + k2 [a]^2. For |phi| > pi, a is a rounded unit vector, so the quaternion is used.
 template <Scalar S, Precision P>
 [[gnu::always_inline]] inline Matrix3<S> matrix(const RotationCoefficients<S, Vector3<S>, P>& k) {
   if (!k.within_pi)
@@ -190,8 +189,7 @@ SE3<S> exp6(const Motion<S>& xi) {
       xi);
 }
 
-/// xi = log T, the inverse of exp6 for |phi| < pi. Error 3 eps of phi, 4 eps of rho; fast precision as in
-/// log3.
+/// xi = log T, inverse of exp6 for |phi| < pi. Error 3 eps of phi, 4 eps of rho. For fast precision see log3.
 template <Scalar S, Precision P = Precision::standard>
 Motion<S> log6(const SE3<S>& T) {
   return evaluate<S, P, Precision::standard>(

@@ -95,8 +95,7 @@ class SE3 {
   }
 
  private:
-  /// Writes columns j and 3 + j of X: R to the diagonal blocks, [p] R to that at (row, column), 0 to the
-  /// fourth.
+  /// Writes columns j and 3 + j of X: R to the diagonal blocks, [p] R to (row, column), 0 to the fourth.
   [[gnu::always_inline]] void column(Matrix6<S>& X, int row, int column, int j) const {
     const S &x = R_(0, j), &y = R_(1, j), &z = R_(2, j);
     const Vector3<S> l = cross<S>(p_, Vector3<S>(x, y, z));

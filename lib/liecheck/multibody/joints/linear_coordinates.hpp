@@ -1,6 +1,6 @@
 #pragma once
-// N coordinates in which integrate is a plain sum: a revolute angle [rad], a prismatic position [m], or none.
-// Base class of Universe, Revolute, Prismatic, Helical, Translation and Mimic.
+// N coordinates in which integrate is a plain sum, such as a revolute angle [rad] or a prismatic position
+// [m]. Base class of Universe, Revolute, Prismatic, Helical, Translation and Mimic.
 
 #include <algorithm>
 #include <liecheck/multibody/argument_position.hpp>

@@ -1,6 +1,5 @@
 #pragma once
-// Compliant contact of points with the ground z = height: Hunt and Crossley (1975), with regularised
-// friction.
+// Compliant contact of points with the ground z = height (Hunt and Crossley 1975), and regularised friction.
 //
 //   x = height - z,  f_n = k x (1 + c x_dot)_+,  f_t = -mu f_n u_t / sqrt(|u_t|^2 + v_s^2)
 //

@@ -3,7 +3,7 @@
 
 namespace liecheck::scene {
 
-/// An index in v, and the index of the element of q that has this rate. q is -1 if there is no such element
+/// An index in v, and the index in q of the number with this rate. q is -1 if there is no such number
 /// (spherical, planar and continuous joints).
 struct Coordinate {
   int v, q;

@@ -1,6 +1,5 @@
 #pragma once
-// Effect: a force, or a constant of the equations of motion (gravity, armature). effects/registry.hpp lists
-// all.
+// Effect: a force, or a constant of the equations of motion (gravity, armature). All are in registry.hpp.
 //
 // An effect declares which kinematics it reads, so that a step computes no others. An effect that the scene
 // does not name is not in the system, so it costs no time and does not change the results.

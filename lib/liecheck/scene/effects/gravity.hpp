@@ -1,5 +1,5 @@
 #pragma once
-// Gravity. It is included by giving the base the acceleration -g, which needs no pass over the bodies.
+// Gravity. The base of a tree gets the acceleration -g, which needs no loop over the bodies.
 
 #include <liecheck/scene/effects/coordinates.hpp>
 

@@ -1,12 +1,12 @@
 #pragma once
-// Runge-Kutta-Munthe-Kaas: an explicit Runge-Kutta method for the increment and the velocity.
+// Runge-Kutta-Munthe-Kaas: an explicit Runge-Kutta method for the increment delta and the velocity v.
 //
 //   delta_i = h sum_j a_ij K_j,   v_i = v0 + h sum_j a_ij A_j
 //   K_i = J_r^-1(delta_i) v_i,    A_i = a(t + c_i h, integrate(q0, delta_i), v_i)
 //   q1 = integrate(q0, h sum b_i K_i),   v1 = v0 + h sum b_i A_i
 //
-// With the exact J_r^-1 the order is that of the tableau (Munthe-Kaas 1999). Sums over steps are compensated
-// (accumulate.hpp). Domain: |phi| < pi in a step; at 2 pi J_r^-1 is singular.
+// With the exact J_r^-1 the order is that of the tableau (Munthe-Kaas 1999). The sums over all steps are
+// compensated (accumulate.hpp). Domain: |phi| < pi in a step; at 2 pi J_r^-1 is singular.
 
 #include <array>
 #include <liecheck/scene/integrators/method.hpp>
@@ -30,7 +30,7 @@ template <class S, Rational R>
   }
 }
 
-/// The stages of a tableau T: it has T::stages and the Rationals T::a[i][j], T::b[i] and T::c[i].
+/// The stages of a tableau T, which has T::stages and the Rationals T::a[i][j], T::b[i] and T::c[i].
 template <System Sys, class T>
 class MuntheKaasStages {
  public:

@@ -1,6 +1,6 @@
 #pragma once
-// Common practice, for comparison: the classical Runge-Kutta method on the stored numbers of q, with
-// q_dot = 1/2 Q (omega, 0) and normalisation after each step. Order 4. Its stages leave the group.
+// A common practice, for comparison: the classical Runge-Kutta method on the stored numbers of q with the
+// rate q_dot = 1/2 Q (omega, 0), and normalisation after each step. Order 4. Its stages leave the group.
 
 #include <liecheck/scene/integrators/method.hpp>
 
