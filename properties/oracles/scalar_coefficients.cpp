@@ -68,8 +68,8 @@ class Series {
       power *= domain;
     }
   }
-  /// The Taylor coefficients about m, t[n] = sum_j C(j, n) a_j m^(j - n). For |x - m| <= w <= 1, rounding a_j
-  /// and Horner's scheme changes the cubic by at most 64 * 2^-64 sum_j |a_j| (m + w)^j.
+  /// The Taylor coefficients about m, t[n] = sum_j C(j, n) a_j m^(j - n). For |x - m| <= w <= 1, the
+  /// roundings of a_j and of Horner's scheme change the cubic by at most 64 * 2^-64 sum_j |a_j| (m + w)^j.
   Cubic about(Long m, Long w) const {
     Cubic c{{0, 0, 0, 0}, 0};
     for (int j = term_count; j-- > 0;) {  // Horner's scheme for the value and the derivatives / n!
