@@ -5,7 +5,7 @@
 
 namespace liecheck::properties {
 
-/// x plus k units in the last place of x's binade, without rounding. For k > 0 it is farther from zero than x.
+/// x plus k units in the last place of x's binade (minus for x < 0). The result is exact.
 template <class S>
 S step_ulps(const S& x, int k) {
   using std::frexp, std::ldexp;

@@ -168,7 +168,7 @@ LocalExpansion expand(Coefficient which, double low, double high) {
     r.t[n] /= a.t[0];
     e.p[n] = static_cast<double>(r.t[n]);
   }
-  // |r A - B|: the orders 4 to 6 of the product, the errors of A and B, and the roundings of the division.
+  // |r A - B| has the terms of degree 4 to 6, the errors of A and B, and the roundings of the division.
   const Long size = r.sum(w);
   Long residual = size * (a.error + 0x1p-60L * a.sum(w)) + b.error, power = w * w * w * w;
   for (int n = 4; n <= 6; ++n, power *= w) {

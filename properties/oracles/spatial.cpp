@@ -145,7 +145,7 @@ SpatialResult cross_force(const Vec6<>& V, const Vec6<>& F) {
 
 namespace {
 
-/// Does `move` equal the congruence of the 6x6 matrices? It does only if X.R is a rotation.
+/// Does `move` equal the congruence of the 6x6 matrices? Precondition: X.R is a rotation.
 template <class T, class Move>
 bool congruent(const PoseOf<T>& X, const BodyOf<T>& I, bool back, Move&& move) {
   static const T zero = std::is_same_v<T, Real100> ? pow(T(10), -50) : T(0);
