@@ -82,7 +82,7 @@ struct MotionOf {
   std::vector<Mat34<T>> X, X1, X2;
 };
 
-/// Column v of the Jacobian of the bodies behind `joint`: a twist (u, w) in world axes at the world's origin.
+/// What `joint` adds to column v of the Jacobian of the bodies behind it, at the world's origin in world axes.
 template <class T>
 struct ColumnOf {
   int joint = 0, v = 0;
