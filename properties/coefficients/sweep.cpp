@@ -92,8 +92,8 @@ class Sweeper {
   }
 
  private:
-  /// If the code returns one value over the whole interval and the exact coefficient is monotone, the largest
-  /// error is at one of the ends. Otherwise returns false.
+  /// If the code returns one value over the interval and the exact coefficient is monotone, the largest error
+  /// is at one of the ends. Then this function adds both ends and returns true. Otherwise it returns false.
   bool sweep_ends(std::uint32_t from, std::uint32_t end) {
     if (stride_ != 1) return false;
     const float low = float_of(from), high = float_of(end - 1);

@@ -40,7 +40,7 @@ class Bands {
   const std::vector<Band>& all() const { return bands_; }
   const Band& operator[](std::size_t i) const { return bands_[i]; }
 
-  /// The band of an angle theta >= 0 [rad], exact in Real. Throws oracles::Undecided if a ball contains an edge.
+  /// The band of theta >= 0 [rad]. Throws oracles::Undecided if theta is a ball that contains an edge.
   template <oracles::OracleNumber T>
   std::size_t classify(const T& theta) const;
   /// The band of an angle in (0, 2^-900): "subnormal" or "theta^2 underflows".

@@ -5,7 +5,7 @@
 
 namespace liecheck::properties {
 
-/// x moved by k units in the last place of x's binade, exactly, and away from zero for k > 0.
+/// x plus k units in the last place of x's binade (minus for x < 0). The result is exact.
 template <class S>
 S step_ulps(const S& x, int k) {
   using std::frexp, std::ldexp;

@@ -1,9 +1,9 @@
 #pragma once
 // Random trees of up to five bodies with every joint type, as lists of numbers, valid by construction.
 //
-// The list has parents [slots], with absent_joint for an absent joint; kinds [slots]; primaries [slots], with
-// -1 for a joint that is not a mimic; masses [slots]; gravity; a frame and a wrench, each on a joint; and the
-// numbers of each slot (TreeSlot). An absent joint has zeros and identity rotations.
+// The list has the parents, kinds, primaries and masses of all slots; gravity; a frame and a wrench, each on
+// a joint; and the numbers of each slot (TreeSlot). A joint that is not a mimic has the primary -1. An absent
+// joint has the parent and kind absent_joint, mass 0, identity rotations, and zeros in its slot otherwise.
 
 #include <generators/rotations.hpp>
 #include <oracles/tree.hpp>

@@ -8,8 +8,8 @@ namespace liecheck::properties {
 namespace {
 
 // The input domain of docs/measuring.md: rotations that are off unit or off orthogonal by at most 8 eps, and
-// no reflections. Outside it a subject may refuse the input at its checked entrance. If it does not, its
-// result is judged by the rotation nearest to the stored numbers.
+// no reflections. Outside this domain a subject may refuse the input at its checked entrance. If it does not,
+// its result is judged by the rotation nearest to the stored numbers.
 
 /// f(is_quaternion, position, numbers) for every quaternion and rotation matrix of an input.
 template <class S, class F>

@@ -243,7 +243,7 @@ class Parser {
     if (name == "nextup" || name == "nextdown") {
       takes(1, 2);
       const Number k = x.size() == 2 ? x[1] : Number(1);
-      if (k != floor(k) || abs(k) > 1000) fail(name + ": the number of steps is an integer of at most 1000");
+      if (k != floor(k) || abs(k) > 1000) fail(name + " takes an integer number of steps, at most 1000");
       const long steps = static_cast<long>(static_cast<double>(k));
       return {stepped(x[0], name == "nextup" ? steps : -steps, f_)};
     }

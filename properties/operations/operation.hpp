@@ -44,8 +44,7 @@ struct Part {
   std::string_view unit;
 };
 
-/// An argument or a result: its parts, its axes, and its liecheck type in a printed program ("" for one
-/// part).
+/// An argument or a result: its parts, its axes, and its type in a printed program ("" if it has one part).
 struct Layout {
   std::string_view name;
   Few<Part, 4> parts;

@@ -1,5 +1,5 @@
 #pragma once
-// Every operation, as the slots of a subject and as a list. The limits of their errors are in budgets/budgets.csv.
+// All operations, as the slots of a subject and as a list. Their error limits are in budgets/budgets.csv.
 
 #include <operations/configurations.hpp>
 #include <operations/exponentials.hpp>

@@ -133,8 +133,8 @@ struct Ball {
   friend Ball abs(const Ball& a) { return a.head() < 0 ? -a : a; }  // | |m| - |x| | <= |m - x| <= r
   friend bool isfinite(const Ball& a) { return std::isfinite(a.head()); }
 
-  /// Precondition: the exact value is >= 0, as a sum of squares is. For x' in the ball the radius bounds
-  /// sqrt(x) - sqrt(x') by sqrt |x - x'|, or by |x - x'| / sqrt(x) if x is far from zero.
+  /// Precondition: the exact value x' is >= 0, as a sum of squares is. The root of the midpoint x has an
+  /// error of at most sqrt |x - x'|. If x is far from zero, the smaller bound |x - x'| / sqrt(x) is used.
   friend Ball sqrt(const Ball& a) {
     if (a.exactly_zero()) return a;
     if (a.head() < -a.r) throw Undecided();

@@ -7,7 +7,7 @@
 //   a b     5 u^2    algorithm 11
 //   a / b   15 u^2   algorithm 17        sqrt  25/8 u^2   Lefevre et al. 2023
 // The last step of a + b is two_sum, which is exact even if a cancellation makes the low part the larger one.
-// Before it a.low + b.low has an error of at most u^2 (|a| + |b|), and s.low + t of 3 u^2 (|a| + |b|).
+// Before it a.low + b.low has an error of at most u^2 (|a| + |b|), and s.low + t one of 3 u^2 (|a| + |b|).
 // Fused multiply-add does not change any bit: the products are error-free with and without it.
 
 #include <cmath>

@@ -118,7 +118,7 @@ JacobianBlocks<T> adjoint_of_inverse(const Vec6<T>& delta) {
   return {Rt, T(-1) * (Rt * hat(X.p))};
 }
 
-/// difference(q0, q1) on the branch of the relative quaternion `centre`: it is continuous at theta = pi.
+/// difference(q0, q1) on the branch of the relative quaternion `centre`, which is continuous at theta = pi.
 Vec6<Real100> difference_on_branch(const Vec7<Real100>& q0, const Vec7<Real100>& q1,
                                    const Quaternion<Real100>& centre) {
   const RelativePose<Real100> r = relative_pose(q0, q1);

@@ -68,8 +68,8 @@ class Series {
       power *= domain;
     }
   }
-  /// The Taylor coefficients about m, t[n] = sum_j C(j, n) a_j m^(j - n). For |x - m| <= w <= 1, rounding a_j
-  /// and Horner's scheme changes the cubic by at most 64 * 2^-64 sum_j |a_j| (m + w)^j.
+  /// The Taylor coefficients about m, t[n] = sum_j C(j, n) a_j m^(j - n). For |x - m| <= w <= 1, the
+  /// roundings of a_j and of Horner's scheme change the cubic by at most 64 * 2^-64 sum_j |a_j| (m + w)^j.
   Cubic about(Long m, Long w) const {
     Cubic c{{0, 0, 0, 0}, 0};
     for (int j = term_count; j-- > 0;) {  // Horner's scheme for the value and the derivatives / n!
@@ -168,7 +168,7 @@ LocalExpansion expand(Coefficient which, double low, double high) {
     r.t[n] /= a.t[0];
     e.p[n] = static_cast<double>(r.t[n]);
   }
-  // |r A - B|: the orders 4 to 6 of the product, the errors of A and B, and the roundings of the division.
+  // |r A - B| has the terms of degree 4 to 6, the errors of A and B, and the roundings of the division.
   const Long size = r.sum(w);
   Long residual = size * (a.error + 0x1p-60L * a.sum(w)) + b.error, power = w * w * w * w;
   for (int n = 4; n <= 6; ++n, power *= w) {

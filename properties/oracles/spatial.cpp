@@ -54,8 +54,8 @@ SpatialResult spatial_result(Value&& value, Matrix&& matrix, const Vec6<>& V, Te
   return {cast<Real>(exact_value), resolved};
 }
 
-/// The terms of a motion in another frame, ||u|| + ||p|| ||w|| and ||w||, and those of a force, with the two
-/// blocks in the opposite order.
+/// The sizes of the linear and the angular terms of a motion (u, w) in another frame, ||u|| + ||p|| ||w|| and
+/// ||w||, or of a force (f, n), ||f|| and ||n|| + ||p|| ||f||.
 template <class T>
 std::pair<T, T> moved_terms(const Pose& X, const Vec6<>& V, bool force) {
   const Vec3<> lever = force ? tail3(V) : head3(V);
@@ -145,7 +145,7 @@ SpatialResult cross_force(const Vec6<>& V, const Vec6<>& F) {
 
 namespace {
 
-/// Does `move` equal the congruence of the 6x6 matrices? It does only if X.R is a rotation.
+/// Does `move` equal the congruence of the 6x6 matrices? Precondition: X.R is a rotation.
 template <class T, class Move>
 bool congruent(const PoseOf<T>& X, const BodyOf<T>& I, bool back, Move&& move) {
   static const T zero = std::is_same_v<T, Real100> ? pow(T(10), -50) : T(0);

@@ -82,7 +82,8 @@ struct MotionOf {
   std::vector<Mat34<T>> X, X1, X2;
 };
 
-/// Column v of the Jacobian of the bodies behind `joint`: a twist (u, w) in world axes at the world's origin.
+/// Column v of the Jacobian of the bodies behind `joint`, in world axes at the world's origin. The columns of
+/// a mimic and of its primary have the same v and are added.
 template <class T>
 struct ColumnOf {
   int joint = 0, v = 0;

@@ -100,7 +100,7 @@ bool confirmed(const TreeOf<Real>& tree, const std::vector<Real>& q, const std::
     for (const Real& value : x) y.push_back(static_cast<double>(value));
     return y;
   };
-  // compared with the terms, not with the result, which may be zero
+  // The error is relative to the terms, because the result may be zero.
   const TreeSizes<Tangent> terms(converted<double>(tree), rough(q), rough(v), rough(a), {}, rough(dq));
   H off(0), size(0);
   for (std::size_t k = 0; k < derivative.size(); ++k) {
