@@ -33,7 +33,7 @@ std::vector<CostStep> cost_steps(const std::vector<CostPoint>& points, const std
     if (p.operation == operation && !p.dominated && p.latency > 0) front.push_back(&p);
   std::sort(front.begin(), front.end(), [](auto* a, auto* b) { return a->latency < b->latency; });
   std::vector<CostStep> steps;
-  // A step at least halves the error, because a smaller change of a maximum over a sample means little. A slower
+  // A step at least halves the error, because a smaller change of a sampled maximum means little. A slower
   // row may have a larger error: if the intervals of two times overlap, neither row dominates.
   const CostPoint* last = nullptr;
   for (const CostPoint* p : front) {

@@ -20,7 +20,7 @@ function draw(holder) {
   make();
 }
 
-// Before printing, redraws charts at their printed size, because the browser only scales a canvas. Also unfolds
+// Before printing, redraws charts at their printed size, because the browser only scales a canvas. Unfolds
 // tables of bands without a chart. The other tables are not printed; report.csv has their rows.
 let unfolded = [];
 function toPaper() {

@@ -35,8 +35,8 @@ int run(const Flags& f) {
 
 Command compare_command(CLI::App& program) {
   CommandWith<Flags> a(program, "compare",
-                       "what got worse from store A to store B. Exit code 0 if nothing did; 1 if anything did; "
-                       "2 for bad input");
+                       "what got worse from store A to store B. Exit code 0 if nothing did; 1 if anything "
+                       "did; 2 for bad input");
   a.text("A", a->before, "", "the earlier store").required();
   a.text("B", a->after, "", "the later store").required();
   return a.runs(run);
