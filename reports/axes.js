@@ -1,5 +1,5 @@
-// Axes. A logarithmic axis has no place for 0, subnormals or bands of hundreds of decades. Each of those bands
-// gets a named column, a "slot". Chart.js sees a linear axis of log10 with slots at one end.
+// Axes. A logarithmic axis has no place for 0, subnormals or bands of hundreds of decades. Each such band gets
+// a named column, a "slot". Chart.js gets a linear axis of log10, with the slots at one end.
 
 const WIDE = 2.5;  // a band of more decades is a slot
 
@@ -38,8 +38,8 @@ function horizontalAxis(rows) {
   return {position, ticks, slots: slots.length, slot, low, min: slots.length ? first : low, max: high};
 }
 
-// The vertical axis for a set of rows: log10 of the error in eps. Below it are one level for errors too small
-// to draw and one for 0; above it are levels ("ceilings") for a wrong branch and for NaN or Inf.
+// The vertical axis for a set of rows: log10 of the error in eps. Below it are one level for all errors below
+// 10^SMALLEST and one for 0. Above it are levels ("ceilings") for a wrong branch and for NaN or Inf.
 const SMALLEST = -3;  // log10; all smaller errors share one tick, above that of 0
 
 function verticalAxis(rows, statistics) {
@@ -64,7 +64,7 @@ function verticalAxis(rows, statistics) {
   return {ticks, ceilings, rim: most + .6 * gap, place, min: floor - .4 * gap, max: top};
 }
 
-// The ticks that fit into `width` pixels: all slots, and each (or each 2nd, 5th, …) decade clear of them.
+// The ticks that fit into `width` pixels: all slots, and each (or each 2nd, 5th, …) decade beside them.
 function roomy(ticks, span, width) {
   const decade = width / span;
   const step = [1, 2, 5, 10, 20, 50].find(s => s * decade >= 38) ?? 100;

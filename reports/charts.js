@@ -110,7 +110,7 @@ const furniture = {
     ctx.restore();
   }};
 
-// The horizontal budget line of each band that is judged by the rule forward.
+// The ends of the horizontal budget line of each band that is judged by the rule forward.
 function budgetSpans(rows, x) {
   const spans = new Map();
   for (const r of rows) {

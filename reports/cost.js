@@ -25,7 +25,7 @@ function costPoints(rows, kind) {
 const costName = row => `${row.subject} ${row.scalar}`;
 const costDigits = error => error > 0 ? `${(-Math.log10(error)).toFixed(1)} digits` : "exact";
 
-// Draws names next to the points, undominated points first, and leaves out a name that would overlap another.
+// Draws names next to the points, undominated points first. A name that would overlap another is left out.
 const costNames = {
   id: "costNames",
   afterDatasetsDraw(chart) {

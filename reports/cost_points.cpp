@@ -33,8 +33,8 @@ std::vector<CostStep> cost_steps(const std::vector<CostPoint>& points, const std
     if (p.operation == operation && !p.dominated && p.latency > 0) front.push_back(&p);
   std::sort(front.begin(), front.end(), [](auto* a, auto* b) { return a->latency < b->latency; });
   std::vector<CostStep> steps;
-  // A step at least halves the error, because a maximum over a sample is not more precise than that. If the
-  // intervals of two times overlap, neither row dominates, and the slower row may have the larger error.
+  // A step at least halves the error, because a smaller change of a sampled maximum means little. A slower
+  // row may have a larger error: if the intervals of two times overlap, neither row dominates.
   const CostPoint* last = nullptr;
   for (const CostPoint* p : front) {
     if (last && !(p->error <= last->error / 2 && p->error < last->error)) continue;

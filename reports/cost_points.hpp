@@ -32,8 +32,8 @@ struct CostStep {
 };
 std::vector<CostStep> cost_steps(const std::vector<CostPoint>& points, const std::string& operation);
 
-/// A point for each subject and scalar that offers every operation of a list: the largest error of any of the
-/// operations, and the sum of their latencies. Its `operation` is the first one of the list.
+/// A point for each subject and scalar that offers every operation of a list. Its error is the largest error
+/// of these operations, its latency is the sum of theirs, and its `operation` is the first one of the list.
 std::vector<CostPoint> cost_candidates(const std::vector<CostPoint>& points,
                                        const std::vector<std::string>& operations);
 

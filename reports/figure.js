@@ -20,8 +20,8 @@ function draw(holder) {
   make();
 }
 
-// Before printing, charts are redrawn at their printed size, because the browser only scales a canvas. Tables of
-// bands without a chart are unfolded. The other tables are not printed; report.csv has their rows.
+// Before printing, redraws charts at their printed size, because the browser only scales a canvas. Unfolds
+// tables of bands without a chart. The other tables are not printed; report.csv has their rows.
 let unfolded = [];
 function toPaper() {
   [...waiting.keys()].forEach(draw);
@@ -44,8 +44,8 @@ function forget(container) {  // destroys the charts of a container, before it i
   container.replaceChildren();
 }
 
-// Creates a chart when its place on the page comes near the view, and returns the element that holds it. make() returns
-// its datasets and scales; `right` is the padding [px], `tooltip` the options of the tooltip.
+// Returns the element that holds a chart. The chart is created when this element comes near the view. make()
+// returns its datasets and scales; `right` is the padding [px], `tooltip` the options of the tooltip.
 function chartHolder(label, right, tooltip, make) {
   const canvas = element("canvas", {role: "img", "aria-label": label});
   const holder = element("div", {class: "canvas"}, canvas);

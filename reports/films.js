@@ -4,7 +4,7 @@ const films = numbers.records.flatMap(r => r.scenes?.films ?? []);
 const FACES = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]];  // -x +x -y +y -z +z
 const FACE_COLORS = [[213, 94, 0], [213, 94, 0], [0, 114, 178], [0, 114, 178], [230, 190, 60], [0, 158, 115]];
 
-// R(Q) v + p, Q = x y z w.
+// The point v after a pose: R(Q) v + p, with Q = x y z w.
 function placed([px, py, pz, x, y, z, w], [a, b, c]) {
   const tx = 2 * (y * c - z * b), ty = 2 * (z * a - x * c), tz = 2 * (x * b - y * a);
   return [px + a + w * tx + y * tz - z * ty, py + b + w * ty + z * tx - x * tz, pz + c + w * tz + x * ty - y * tx];

@@ -12,7 +12,7 @@ namespace liecheck::reports {
 /// The text with &, <, > and quotes escaped, for use in an element or an attribute.
 std::string escaped(const std::string& text);
 
-/// Three digits, "NaN" or "Inf".
+/// The value with three digits, or "NaN" or "Inf".
 std::string eps_text(double value);
 
 /// A time in ns, µs, ms or s, with three digits.

@@ -1,6 +1,6 @@
 #pragma once
-// Reads records of campaigns and checks every field with the JSON Schema in properties/record/schema. The other
-// files of this folder rely on that.
+// Reads records of campaigns and checks every field with the JSON Schema in properties/record/schema. The
+// other files of this folder rely on this check.
 //
 // JSON has no infinity and no NaN: the strings "inf" and "nan" stand for them.
 
@@ -29,7 +29,7 @@ const Json& schema();
 /// Refuses the first value of a record that does not satisfy the schema.
 void check_schema(std::string_view file, const Json& record);
 
-/// Several records: `records` has each one without its rows, `results` the rows of all, in order.
+/// Several records. `records` has each record without its rows; `results` has the rows of all, in order.
 struct Merged {
   std::vector<Json> records;
   std::vector<Json> results;
@@ -43,13 +43,13 @@ void check_record(std::string_view file, const Json& record);
 /// same law, subject and scalar.
 Merged merge_records(const std::vector<std::filesystem::path>& files);
 
-/// A list that older records lack; empty for them.
+/// The list with this name, or an empty list if the record is older and lacks it.
 const Json& list_in(const Json& object, const char* name);
 
 /// Whether a band has a worst case; a band without a judged case has none.
 bool has_worst(const Json& row);
 
-/// The number; infinity or NaN for the strings "inf" and "nan".
+/// The number in `value`; for the strings "inf" and "nan", infinity and NaN.
 double figure(const Json& value);
 
 /// Appends the item if the list does not contain it yet.

@@ -69,7 +69,7 @@ std::string orders(const Json& s) {
       heads, rows, true);
 }
 
-/// The drift in the coarsest run with an error of at most 1e-3.
+/// A table of the drift of each method, in its coarsest run with an error of at most 1e-3.
 std::string drifts(const Json& s) {
   std::vector<Cells> rows;
   for (const Json& scene : s["scenes"])

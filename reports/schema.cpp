@@ -58,7 +58,7 @@ class Rule {
   valijson::Validator validator_;
 };
 
-/// What a node of the schema expects of a value, in words.
+/// Says in words which values a node of the schema accepts.
 std::string expected(const Json& node) {
   if (node.contains("enum"))
     return fmt::format("one of {}", fmt::join(node["enum"].get<std::vector<std::string>>(), ", "));

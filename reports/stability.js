@@ -95,7 +95,7 @@ function caseRow(hard, columns) {
   return row;
 }
 
-// The row of a class with the failures in each column. The rows of its cases are created when it is opened.
+// The row of a class shows the failures in each column. The rows of its cases are created when it is opened.
 function classBody(name, cases, columns, open) {
   const body = element("tbody"), toggle = element("button", {type: "button", class: "class", "aria-expanded": "false"});
   const head = element("tr", {class: "class"}, element("th", {scope: "rowgroup"}, toggle));

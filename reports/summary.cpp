@@ -12,7 +12,7 @@ double judged(const Json& row) {
 }
 
 namespace {
-/// Error over budget; infinite for NaN, Inf and a wrong branch.
+/// The error divided by the budget; infinite for NaN, Inf and a wrong branch.
 double ratio(const Json& row) {
   const double value = judged(row);
   if (!std::isfinite(value) || row["not_finite"] > 0 || row["wrong_branch"] > 0)

@@ -21,15 +21,16 @@ struct Standing {
 /// The figure that the budget of a row limits: max_eps under rule "forward", max_excess under "excess".
 double judged(const Json& row);
 
-/// "fail" if any band failed; else "incomplete" if any is unresolved; else "pass", or "no verdict" without a
-/// judged band.
+/// "fail" if any band failed; otherwise "incomplete" if any band is unresolved; otherwise "pass", or "no
+/// verdict" if no band was judged.
 std::string word(const Standing& standing);
 
 /// Whether row a is worse than row b. A row with a result that is not finite or on a wrong branch is worse
 /// than any other row. Otherwise the row with the larger ratio of error to budget is worse.
 bool worse(const Json& a, const Json& b);
 
-/// "fail" if any record failed, else "incomplete" if any record is or if there is no row, else "pass".
+/// "fail" if any record failed; otherwise "incomplete" if any record is incomplete or if there is no row;
+/// otherwise "pass".
 std::string verdict(const Merged& merged);
 
 /// Subjects in the order of the records.

@@ -28,7 +28,7 @@ async function copy(text, button) {
 }
 
 const number = text => element("td", {class: "number"}, text);
-// A band without cases has no error; 0 would mean exact results.
+// A band without cases has no error. It shows "—", because 0 would mean exact results.
 const measured = (row, name) => number(row.count > 0 ? short(row[name]) : "—");
 
 // `first` names the columns that, together with the band, identify a row.

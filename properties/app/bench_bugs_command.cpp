@@ -109,7 +109,7 @@ int run(const Flags& f) {
     BugRow bug;
     bug.name = known.name, bug.fault = known.fault, bug.origin = known.origin;
     hunt_down(bug, bench, robot);
-    if (stop_requested && !bug.killed) break;  // its time was cut short
+    if (stop_requested && !bug.killed) break;  // the bug did not get all of its time
     const auto subject =
         std::find_if(tested.begin(), tested.end(), [&](const auto* s) { return s->name == bug.name; });
     for (const WeakStyle& w : weak_styles())
@@ -128,7 +128,8 @@ int run(const Flags& f) {
 Command bench_bugs_command(CLI::App& bench) {
   CommandWith<Flags> a(bench, "bugs",
                        "how soon the laws kill each known bug, compared with four weaker styles of test. "
-                       "Exit 0 all killed and no look-alike refused, 1 otherwise, 2 bad input, 3 stopped");
+                       "Exit code 0 if all bugs are killed and no look-alike is refused; 1 otherwise; 2 for "
+                       "bad input; 3 if stopped");
   BugBench& b = a->bench;
   b.scalar = "double";
   a.choice("--scalar", b.scalar, {"float", "double"}, "SCALAR", "float or double").with_default_in_help();

@@ -91,7 +91,7 @@ std::uint64_t check_exp6(const Subject<double>& subject, std::uint64_t cases, in
   return run;
 }
 
-/// Times exp6 by its law and by rc::check, every law of liecheck in float and double, and whole campaigns.
+/// Times exp6 by its law and by rc::check, every law on liecheck in float and double, and whole campaigns.
 class Bench {
  public:
   explicit Bench(const Flags& f) : f_(f), robot_(built_in_robot()) {
@@ -206,7 +206,8 @@ Command bench_speed_command(CLI::App& bench) {
   CommandWith<Flags> a(
       bench, "speed",
       "cases per second against an oracle: exp6 compared with rc::check and an oracle of 50 digits, every "
-      "law, and two jobs compared with one. Exit 0, 1 rc::check failed, 2 bad input, 3 stopped");
+      "law, and two jobs compared with one. Exit code 0; 1 if rc::check failed; 2 for bad input; 3 if "
+      "stopped");
   a.seed(a->seed, "seed of the cases");
   a.duration("--for-each", a->seconds, "how long each of the five rounds of a row takes; default 0.5s");
   a.json(a->json, "write the table to FILE");

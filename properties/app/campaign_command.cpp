@@ -34,7 +34,7 @@ void print_coverage(const Series& s, const std::vector<Covered>& all, std::uint6
                             : "  not required in so few cases");
 }
 
-/// Prints a line for each property: the series with the least coverage. If verbose, prints every series.
+/// For each property, prints the coverage of its least covered series or, if verbose, of every series.
 void print_coverage(const CampaignResult& r, bool verbose) {
   struct Least {
     bool missing;
@@ -68,7 +68,7 @@ void print_series(const Series& series, const Tally& tally) {
     const Output& o = series.outputs.at(static_cast<std::size_t>(cell.first));
     const Budget& b = budget_of(series.subject, o.operation, o.block,
                                 series.bands()[static_cast<std::size_t>(cell.second)].region);
-    // the score of an unresolved case is infinite; then the largest measured error counts
+    // The score of an unresolved case is infinite. Then the largest measured error is printed instead.
     const double measured = b.rule == Rule::forward ? row.max_error : row.max_excess;
     worst =
         std::max(worst, (row.failed || row.worst_score < infinity ? row.worst_score : measured) / b.limit);
@@ -85,7 +85,7 @@ void print_failures(const CampaignResult& r) {
   constexpr int shown = 6;
   int failures = 0;
   for (const auto& [series, tally] : r.series) {
-    std::map<int, std::pair<int, const Row*>> worst;  // band and row, by output
+    std::map<int, std::pair<int, const Row*>> worst;  // worst band and its row, by output
     for (const auto& [cell, row] : tally.rows) {
       if (!row.failed) continue;
       auto& w = worst[cell.first];
@@ -131,7 +131,7 @@ int print_campaign(const CampaignResult& r, bool verbose) {
   return r.incomplete ? incomplete : r.failed ? property_failed : within_budget;
 }
 
-/// Replays the hard cases, which come first in every campaign; in the first shard only, if it has shards.
+/// Replays the hard cases, which come first in every campaign. Only the first of several shards does this.
 std::vector<HardRow> replay_hard_cases(const Flags& f, const Selection& selection, const Robot& robot) {
   if (f.no_hard_cases || !f.store.first_shard()) return {};
   const auto rows = run_hard_cases(selection, robot, built_in_corpus(), f.cases.options.jobs);
@@ -170,7 +170,8 @@ int run(const Flags& f) {
 Command campaign_command(CLI::App& program, const std::string& typed_line) {
   CommandWith<Flags> a(
       program, "campaign",
-      "run properties on subjects. Exit 0 within budget, 1 failed, 2 bad input, 3 incomplete");
+      "run properties on subjects. Exit code 0 if within budget; 1 if failed; 2 for bad input; 3 if "
+      "incomplete");
   a->store.typed_line = typed_line;
   a->selection.add(a);
   a.toggle("--no-hard-cases", a->no_hard_cases, "skip the hard cases, which are replayed first");

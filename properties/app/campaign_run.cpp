@@ -144,7 +144,7 @@ void print_counterexamples(const Counterexamples& c) {
 }
 
 void print_how_to_resume(const CampaignResult& r, const StoreFlags& f) {
-  const bool ranks = r.options.shards > 1 && f.shard.empty();  // then the first rank has printed it
+  const bool ranks = r.options.shards > 1 && f.shard.empty();  // the first rank has printed how to resume
   if (!r.incomplete || ranks) return;
   if (f.store.empty())
     fmt::print("interrupted: no case was saved; --store FILE saves them\n");

@@ -43,7 +43,7 @@ double parse_duration(const std::string& flag, const std::string& text) {
   return value * factor;
 }
 
-/// The option, whose value has this name in the help and may not be empty.
+/// Names the option's value in the help, and forbids an empty value.
 Flag named(CLI::Option* option, const std::string& value) {
   const auto empty_error = [](const std::string& text) -> std::string {
     return text.empty() ? "may not be empty" : "";

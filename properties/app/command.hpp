@@ -1,6 +1,6 @@
 #pragma once
-// Every command of the program, each in a file of its name, and what they share: flags, exit codes, signals
-// and records. This header hides CLI11, which takes five seconds to compile.
+// The commands of the program, each in a file of its name. Flags, exit codes, signals and records, which the
+// commands share, are declared here, too. This header hides CLI11, which takes five seconds to compile.
 
 #include <cstdint>
 #include <functional>
@@ -63,7 +63,7 @@ class Arguments {
             const std::string& help);
   Flag toggle(const std::string& names, bool& target, const std::string& help);
 
-  /// A whole number in decimal digits, from low to high. Its default is in the help if it is in this range.
+  /// A whole number in decimal digits, from low to high. The help shows its default if that is in this range.
   template <class T>
   Flag number(const std::string& names, T& target, std::uint64_t low, std::uint64_t high,
               const std::string& help) {
@@ -136,8 +136,8 @@ struct SelectionFlags {
   Selection selection() const;
 };
 
-/// Ctrl-C, SIGTERM and SIGHUP stop a command, which then returns what is done. The first signal sets
-/// stop_requested; the second ends the program at once. Two signals within 0.3 s count as one, because
+/// Ctrl-C, SIGTERM and SIGHUP stop a command, which then returns its results so far. The first signal sets
+/// stop_requested; the second ends the program at once. Two signals within 0.3 s are treated as one, because
 /// `timeout` sends its signal to the program and then to its process group. A signal that nohup ignores stays
 /// ignored. Call this after the robot was read, because reading may wait for a pipe.
 void stop_on_signals();
@@ -148,7 +148,7 @@ void write_record(const std::string& file, const nlohmann::json& record);
 /// Prints the first section of every campaign: counts for each subject and scalar, and the first failures.
 void print_hard_case_summary(const std::vector<HardRow>& rows, std::size_t shown_failures);
 
-// A report also runs the next three. They show progress, and stop once stop_requested is set.
+// The command `report` runs the next three functions, too. They show progress, and stop at stop_requested.
 
 /// Sweeps the named coefficients, or all if none is named. Before anything runs, throws std::invalid_argument
 /// that names an unknown coefficient.
@@ -157,8 +157,8 @@ SweepResult run_sweep(const std::vector<std::string>& coefficients, unsigned job
 /// Before anything runs, throws std::invalid_argument that names an unknown operation, subject or scalar.
 CostResult run_cost(CostOptions options);
 
-/// Sweeps the scenes in the files. If there are none, sweeps the built-in scenes, and measures the long spins
-/// with this number of flips. Throws SceneError or std::invalid_argument.
+/// Sweeps the scenes in the files. If there are no files, sweeps the built-in scenes and measures the long
+/// spins, and `flips` flips for each perturbation. Throws SceneError or std::invalid_argument.
 SceneSweepResult run_scene_sweep(const std::vector<std::string>& files, SceneSweepOptions options,
                                  std::size_t flips);
 

@@ -11,7 +11,7 @@ struct Flags {
   std::string before, after;
 };
 
-/// Says on stderr that a campaign is only a part, because then the comparison is partial, too.
+/// Prints on stderr if a campaign is only a part of its cases, because then the comparison is partial, too.
 void print_if_partial(const std::string& name, const StoredCampaign& c) {
   if (c.spec.cases == 0) return;
   if (!c.complete())
@@ -34,7 +34,9 @@ int run(const Flags& f) {
 }  // namespace
 
 Command compare_command(CLI::App& program) {
-  CommandWith<Flags> a(program, "compare", "what got worse from store A to store B. Exit 1 if anything did");
+  CommandWith<Flags> a(program, "compare",
+                       "what got worse from store A to store B. Exit code 0 if nothing did; 1 if anything "
+                       "did; 2 for bad input");
   a.text("A", a->before, "", "the earlier store").required();
   a.text("B", a->after, "", "the later store").required();
   return a.runs(run);

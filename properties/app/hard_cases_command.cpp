@@ -146,7 +146,8 @@ void print_hard_case_summary(const std::vector<HardRow>& rows, std::size_t shown
 Command hard_cases_command(CLI::App& program) {
   CommandWith<Flags> a(
       program, "hard-cases",
-      "a verdict on every hard case. Exit 0 none failed, 1 some did, 2 bad input, 3 stopped");
+      "a verdict on every hard case. Exit code 0 if none failed; 1 if any did; 2 for bad input; 3 if "
+      "stopped");
   a->selection.add(a);
   a.list("--file", a->files, "FILE", "more hard cases, in the form of fixtures/hard_cases, repeatable");
   a.jobs(a->jobs);

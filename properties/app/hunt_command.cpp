@@ -68,7 +68,7 @@ bool print_worst(const Series& series, const Worst& w, const std::string& replay
     fmt::print("  broken    {} of the evaluations: {}\n  replay    liecheck replay {}{}\n", w.broken,
                outcome_name(w.first_broken.residual.outcome), w.first_broken_id.text(), replay_flags);
   if (w.score < 0) {
-    fmt::print("  worst     nothing could be measured\n");
+    fmt::print("  worst     no error could be measured\n");
     return failed;
   }
   const std::string band = series.bands()[w.judged.residual.band].name;
@@ -218,8 +218,8 @@ int run(const Flags& f) {
 
 Command hunt_command(CLI::App& program) {
   CommandWith<Flags> a(program, "hunt",
-                       "search for the worst input of an operation. Exit 0 within budget, 1 "
-                       "beyond it, 2 bad input, 3 incomplete");
+                       "search for the worst input of an operation. Exit code 0 if within budget; 1 if "
+                       "beyond it; 2 for bad input; 3 if incomplete");
   HuntOptions& o = a->options;
   a.text("--subject", a->subject, "NAME", "the subject").required();
   a.text("--op", o.operation, "NAME", "the operation, as failures and reports name it").required();

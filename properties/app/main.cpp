@@ -78,7 +78,7 @@ int refuse(const std::string& why) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  // Now writing to a closed pipe or beyond a file size limit fails, but does not end the program.
+  // After this, writing to a closed pipe or beyond a file size limit fails, but does not end the program.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
   // Replaces closed standard streams, so that no file that is opened later takes their place.

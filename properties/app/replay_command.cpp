@@ -65,8 +65,8 @@ int run(const Flags& f) {
 Command replay_command(CLI::App& program) {
   CommandWith<Flags> a(
       program, "replay",
-      "run one case again and print its residuals, bit for bit. Exit 0 within budget, 1 failed, 2 bad "
-      "input");
+      "run one case again and print its residuals, bit for bit. Exit code 0 if within budget; 1 if failed; "
+      "2 for bad input");
   a.text("ID", a->id, "", "the case's address, as a failure or a report prints it").required();
   a->robot.add(a, "the robot that the ID names");
   return a.runs(run);

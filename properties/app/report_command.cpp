@@ -102,8 +102,8 @@ int run(const Flags& f) {
 Command report_command(CLI::App& program) {
   CommandWith<Flags> a(
       program, "report",
-      "write the accuracy report of records, or of a campaign over every subject. Exit 0 when it is written, "
-      "whatever its verdict, 2 bad input, 3 its campaign was interrupted");
+      "write the accuracy report of records, or of a campaign over every subject. Exit code 0 if it is "
+      "written, whatever its verdict; 2 for bad input; 3 if its campaign was interrupted");
   const Flag records = a.list("RECORD", a->records, "FILE",
                               "stores, or records that campaign --json wrote; default: run a campaign first");
   a.text("--out", a->out, "DIR", "folder of report.html, report.json and report.csv").with_default_in_help();

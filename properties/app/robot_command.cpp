@@ -42,7 +42,7 @@ int run(const Flags& f) {
 Command robot_command(CLI::App& program) {
   CommandWith<Flags> a(
       program, "robot",
-      "show the model of a URDF: joints, indices, warnings. Exit 0 if shown, 2 for bad input");
+      "show the model of a URDF: joints, indices, warnings. Exit code 0; 2 for bad input");
   a.text("FILE", a->file, "URDF", "the URDF").required();
   a.choice("--root", a->root, {"fixed", "free-flyer", "planar", "spherical", "translation"}, "",
            "the joint between root and world");

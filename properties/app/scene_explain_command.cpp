@@ -44,7 +44,8 @@ int run(const Flags& f) {
 Command scene_explain_command(CLI::App& scene) {
   CommandWith<Flags> a(
       scene, "explain",
-      "show the plan of a scene: stages, their times, and what was left out and why. Exit 0, 2 bad input");
+      "show the plan of a scene: stages, their times, and what was left out and why. Exit code 0; 2 for bad "
+      "input");
   a.text("FILE", a->file, "SCENE", "the scene").required();
   return a.runs(run);
 }

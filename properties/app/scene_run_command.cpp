@@ -104,7 +104,7 @@ int run(const Flags& flags) {
 Command scene_run_command(CLI::App& scene) {
   CommandWith<Flags> a(
       scene, "run",
-      "simulate a scene. Exit 0, 2 bad input, 3 diverged or stopped; samples until then are saved");
+      "simulate a scene. Exit code 0; 2 for bad input; 3 if diverged or stopped (samples so far are saved)");
   a.text("FILE", a->file, "SCENE", "the scene").required();
   a.text("--csv", a->csv, "FILE", "write the samples to FILE, not to the scene's file");
   a.json(a->json, "write samples and figures to FILE, not to the scene's file");

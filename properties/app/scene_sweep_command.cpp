@@ -51,7 +51,7 @@ std::vector<Benchmark> scenes_of(const std::vector<std::string>& files) {
   return scenes;
 }
 
-/// Whether a run of liecheck reached the end; true if none was tried.
+/// Whether at least one run of liecheck reached the end. Also true if no run was tried.
 bool comes_through(const SceneSweep& s) {
   bool tried = false;
   for (const SweepSeries& series : s.series)
@@ -223,7 +223,8 @@ Command scene_sweep_command(CLI::App& scene) {
   CommandWith<Flags> a(
       scene, "sweep",
       "integrators x steps: error against the exact motion, order, drift, time, and other simulators. "
-      "Exit 0, 1 an order is wrong, 2 bad input, 3 stopped, or every run of a scene diverges");
+      "Exit code 0; 1 if an order is wrong; 2 for bad input; 3 if stopped or if every run of a scene "
+      "diverges");
   a.list("FILE", a->files, "SCENE", "scenes; default the built-in ones, and long spins");
   a.list("--integrator", a->options.integrators, "NAME", "an integrator, repeatable; default all");
   a.numbers("--steps", a->options.steps, 4, 1u << 30,

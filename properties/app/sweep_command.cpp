@@ -34,7 +34,7 @@ std::vector<Coefficient> named(const std::vector<std::string>& names) {
   return all;
 }
 
-/// Rounds an upper bound up, and an error that was found to nearest.
+/// Rounds an upper bound up. Rounds a measured error to nearest.
 std::string bound_or_error(const SweepResult& r, const SweptCoefficient& c) {
   const double x = r.upper_bound() ? std::ceil(c.bound_eps * 1e5) / 1e5 : c.max_eps;
   return std::isfinite(x) ? fmt::format("{:.5f}", x) : "NaN or Inf";
@@ -95,8 +95,8 @@ SweepResult run_sweep(const std::vector<std::string>& coefficients, unsigned job
 Command sweep_command(CLI::App& program) {
   CommandWith<Flags> a(
       program, "sweep",
-      "an upper bound of the error of every scalar coefficient over every float. Exit 0 the documented "
-      "bounds hold, 1 one does not, 2 bad input, 3 stopped");
+      "an upper bound of the error of every scalar coefficient over every float. Exit code 0 if the "
+      "documented bounds hold; 1 if one does not; 2 for bad input; 3 if stopped");
   a.list("--coefficient", a->coefficients, "NAME", "a coefficient, repeatable; default all");
   a.number("--stride", a->stride, 1, 1u << 30, "evaluate only every Nth float: a lower bound, but faster");
   a.jobs(a->jobs);

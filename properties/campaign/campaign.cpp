@@ -115,7 +115,7 @@ class Engine {
     return false;
   }
 
-  /// With a time limit each series gets the same number of cases. A round takes up to about 5 % of the time.
+  /// With a time limit, each series gets the same number of cases. The rounds grow to about 5 % of the limit.
   bool begin_round() {
     const double now = seconds_since(start_), limit = *o_.seconds;
     if (now >= limit) return false;

@@ -14,9 +14,9 @@ struct CampaignOptions {
   std::uint64_t seed = 42;
   std::uint64_t cases = 1000;      ///< per property x subject x scalar
   std::optional<double> seconds;   ///< instead of `cases`
-  unsigned shard = 1, shards = 1;  ///< the part of the cases of every series that this run does
+  unsigned shard = 1, shards = 1;  ///< this run does part `shard` of the cases of each series
   unsigned jobs = 1;
-  double checkpoint_seconds = 0.5;  ///< between two checkpoints; a killed run loses about as much
+  double checkpoint_seconds = 0.5;  ///< between two checkpoints; the most that a killed run loses
   bool quiet = false;
 
   std::optional<Range> range_override;  ///< instead of the shard's range

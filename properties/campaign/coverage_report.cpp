@@ -7,9 +7,9 @@ namespace liecheck::properties {
 
 namespace {
 
-/// At least one case in this many falls in the band, as measured. A decade is a wide band. Narrow bands are
-/// theta = pi to the last bit and the ends of the exponent range, above all in float128 with its 16,000
-/// binades.
+/// Returns n if at least one case in n falls in the band (measured). A band of a decade is wide. Narrow bands
+/// are theta = pi to the last bit and the ends of the exponent range. Their cases are rarest in float128,
+/// which has 16,000 binades.
 std::uint64_t band_one_in(const Band& b, const std::string& scalar) {
   const bool wide = b.axis == Axis::none || (b.low > 0 && b.high / b.low < 11);
   return wide ? 1000 : scalar == "float128" ? 40000 : 4000;
@@ -43,7 +43,7 @@ std::vector<Covered> coverage_of(const Series& series, const Tally& tally) {
   const bool beyond = has(series, Kind::rotation_vector, Reach::full);
   const bool angles = beyond || has(series, Kind::rotation_vector, Reach::limited) ||
                       has(series, Kind::quaternion, Reach::limited);
-  // A law that measures at no angle, such as power_pairing, has rows of band 0 only.
+  // A law whose results depend on no angle, such as power_pairing, has only rows of band 0.
   if (angles && std::any_of(bands.begin(), bands.end(), [](auto count) { return count > 0; }))
     for (std::size_t b = 1; b < bands.size(); ++b)
       if (beyond || series.bands()[b].region == Region::to_pi)

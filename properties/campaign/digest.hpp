@@ -1,6 +1,6 @@
 #pragma once
-// SHA-256, and a digest of a set of records: the sum modulo 2^256 of their 128-bit XXH3 hashes. It does not
-// depend on the order of records, threads and chunks. (XXH3 detects accidental changes, not deliberate ones.)
+// SHA-256, and a digest of a set of records: the sum modulo 2^256 of their 128-bit XXH3 hashes. The sum does
+// not depend on the order of the records. (XXH3 detects accidental changes, but not deliberate ones.)
 
 #include <array>
 #include <cstddef>

@@ -25,7 +25,7 @@ class Histogram {
     ++window_[static_cast<std::size_t>(bin - first_)];
   }
   std::uint64_t count() const { return count_; }
-  /// In ascending order.
+  /// The bins and their counts, in ascending order.
   const Bins& bins() const {
     sort_in();
     return bins_;
@@ -49,7 +49,7 @@ class Histogram {
  private:
   static constexpr int zero = -1000000;
 
-  /// floor(32 log2 x) for x > 0. The exponent and a table of 2^(k/32) are five times as fast as std::log2.
+  /// floor(32 log2 x) for x > 0, by the exponent and a table of 2^(k/32): five times as fast as std::log2.
   static int bin_of(double x) {
     if (!std::isfinite(x)) return 40000;
     static const auto edges = [] {

@@ -1,5 +1,5 @@
 #pragma once
-// Verdicts: compares the residuals of one case with their budgets, and the verdicts of two oracles.
+// Compares the residuals of one case with their budgets, and the verdicts from two oracles with each other.
 
 #include <algorithm>
 #include <array>
@@ -24,9 +24,9 @@ using Limits = std::vector<OutputLimits>;
 /// Collects the residuals of one case and compares each with its budget.
 class Judge final : public Recorder {
  public:
-  /// `accuracy` is that of the recorded errors, relative or in eps, whichever is larger; it is 0 at 50
-  /// digits. With `every_kappa`, kappa is computed even if the error passes for every kappa, so that an
-  /// ill-posed case is always recognised.
+  /// `accuracy` is the uncertainty of the recorded errors, relative or in eps, whichever is larger. At 50
+  /// digits it is 0. If `every_kappa`, kappa is computed even if the error passes for every kappa, so that
+  /// an ill-posed case is always recognised.
   Judge(const Limits& limits, const Bands& bands, double eps, double accuracy, bool every_kappa = false)
       : limits_(limits), bands_(bands), eps_(eps), accuracy_(accuracy), every_kappa_(every_kappa) {
     judged.reserve(limits.size());
@@ -55,7 +55,7 @@ class Judge final : public Recorder {
       if (!j.ill_posed) decided(j.excess, j.budget->limit, accuracy);
       j.failed = !j.ill_posed && !(j.excess <= j.budget->limit);
       if (j.failed && overflowed) j.residual.outcome = Outcome::not_finite;
-      // kappa is below the law's lower bound, so verdicts that relied on the bound may be wrong.
+      // If kappa is below the law's lower bound, verdicts that relied on this bound may be wrong.
       if (kappa.least() > 1 && k * (1 + 2 * kappa_accuracy) < kappa.least())
         j.residual.outcome = Outcome::unresolved;
     }
@@ -85,7 +85,7 @@ class Judge final : public Recorder {
     j.budget = limits_[i].budgets[bands_[band].region == Region::to_pi ? 0 : 1];
     return j;
   }
-  /// Throws Undecided if a value of this accuracy may be on either side of the limit.
+  /// Throws Undecided if the exact value may be on either side of the limit.
   static void decided(double value, double limit, double accuracy) {
     if (accuracy > 0 && value > 0 && std::fabs(value - limit) <= 2 * accuracy * std::max(1.0, limit))
       throw oracles::Undecided();
@@ -97,8 +97,8 @@ class Judge final : public Recorder {
 };
 
 /// Whether both oracles give the same verdicts, and errors and condition numbers that agree within the
-/// accuracy of the fast one. A condition number below 1 counts as 1. One that only one oracle computed is not
-/// compared.
+/// accuracy of the fast one. A condition number below 1 counts as 1. A condition number that only one oracle
+/// computed is not compared.
 inline bool agree(const std::vector<Judged>& fast, const std::vector<Judged>& slow) {
   if (fast.size() != slow.size()) return false;
   for (std::size_t i = 0; i < fast.size(); ++i) {

@@ -10,7 +10,7 @@ namespace liecheck::properties {
 
 namespace {
 
-/// A variant of a subject, such as textbook:1e-4, runs only if the user names it.
+/// Whether the subject runs only if the user names it. This applies to variants, such as textbook:1e-4.
 bool on_request(const std::string& subject) {
   return subject.find(':') != std::string::npos;
 }

@@ -38,7 +38,7 @@ struct Row {
   void take_worst(bool other_failed, double score, std::uint64_t index, double kappa);
 };
 
-/// Rows by (output, band) in a map. `of` stores pointers to the rows, so that it needs no search.
+/// Rows by (output, band) in a map. `of` caches pointers to the rows, so that it need not search the map.
 class Rows : std::map<std::pair<int, int>, Row> {
  public:
   using Cell = key_type;
@@ -72,8 +72,8 @@ struct Tally {
   Coverage coverage;
   std::uint64_t cases = 0;
   std::uint64_t fast = 0;                ///< decided by ball arithmetic
-  std::uint64_t checked = 0;             ///< number of these that were measured again at 50 and 100 digits
-  std::vector<std::uint64_t> disagreed;  ///< indices of those with a different result
+  std::uint64_t checked = 0;             ///< `fast` cases that were measured again at 50 and 100 digits
+  std::vector<std::uint64_t> disagreed;  ///< indices of the `checked` cases with a different result
   Ranges done;                           ///< the cases in this tally; the caller of Series::run sets it
   void merge(const Tally& o);
 };

@@ -26,7 +26,7 @@ struct [[gnu::packed]] Digested {
   double error, kappa;
 };
 
-/// One case in this many is measured in both ways, to test the ball arithmetic.
+/// One case in this many is also measured at 50 and 100 digits, to test the ball arithmetic.
 constexpr std::uint64_t cross_check_interval = 512;
 
 std::uint64_t next_series_number() {
@@ -92,7 +92,7 @@ void TypedSeries<S>::run(std::uint64_t seed, std::uint64_t index, Tally& tally) 
   ++tally.cases;
 }
 
-/// The key of this series and a seed. Each thread stores the last one.
+/// The key of this series and a seed. Each thread caches the last key.
 template <class S>
 const Source::Key& TypedSeries<S>::key_of(std::uint64_t seed) const {
   thread_local struct {

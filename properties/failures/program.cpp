@@ -34,7 +34,7 @@ std::string variable_of(const Layout& argument) {
              : fmt::format("  const {} {}({});\n", argument.type, argument.name, fmt::join(parts, ", "));
 }
 
-/// The law's fields. Those of a robot's joints (q0_7, q0_0_p, ...) are joined to vectors (q0, q1, delta).
+/// The law's fields. Fields of a robot's joints (q0_7, q0_0_p, ...) are joined to vectors (q0, q1, delta).
 std::vector<Field> whole_vectors(const Series& series) {
   if (series.robot == "none") return series.fields;
   std::vector<Field> all;

@@ -11,7 +11,7 @@
 namespace liecheck::properties {
 namespace {
 
-/// The offsets of a joint in q and v, and nq: 7 for a free-flyer, 2 (cos, sin) for a continuous joint, else 1.
+/// The offsets of a joint in q and v, and nq: 7 for a free-flyer, 2 for a continuous joint, otherwise 1.
 struct Segment {
   int q, nq, v;
 };

@@ -41,7 +41,7 @@ struct SpeedBench {
   std::vector<std::pair<std::string, double>> rates;  ///< name, best rate of the rounds [cases/s]
   double all_laws = 0, tree_laws = 0;                 ///< harmonic means [cases/s]
   double exp6_over_rapidcheck = 0, two_jobs_over_one = 0;
-  int falsified = 0;  ///< how often rc::check failed on exp6; unless 0, the rates of exp6 mean nothing
+  int falsified = 0;  ///< how often rc::check failed on exp6; if not 0, the rates of exp6 mean nothing
 };
 
 nlohmann::json record_of(const SpeedBench& bench);

@@ -26,20 +26,19 @@ inline const char* verdict_of(bool complete, bool passed) {
   return !complete ? "incomplete" : passed ? "pass" : "fail";
 }
 
-/// A campaign. Its environment is that of the earlier run if it was loaded from a store, or else the present
-/// one.
+/// A campaign. Its environment is stored with a campaign from a store; otherwise it is that of this program.
 nlohmann::json record_of(const StoredRun& run);
 
 /// The hard cases: key "hard_cases" of a campaign's record.
 nlohmann::json record_of(const std::vector<HardRow>& rows);
 
-/// Adds them to a campaign's record. The record's verdict becomes "fail" if one of them failed.
+/// Adds hard cases to a campaign's record. The record's verdict becomes "fail" if a hard case failed.
 void add_hard_cases(nlohmann::json& record, const std::vector<HardRow>& rows);
 
 /// The sweep of the scalar coefficients: key "sweep" of a campaign's record.
 nlohmann::json record_of(const SweepResult& result);
 
-/// Adds it to a campaign's record. The record's verdict becomes "fail" if a documented bound is wrong.
+/// Adds a sweep to a campaign's record. The record's verdict becomes "fail" if a documented bound is wrong.
 void add_sweep(nlohmann::json& record, const SweepResult& result);
 
 /// "absolute" or "relative": how the error of a coefficient is measured.

@@ -27,13 +27,13 @@ struct Benchmark {
   Model<double> robot;
   Eigen::VectorXd q0, v0;
   double duration = 1;  ///< [s]
-  /// All effects. Those that closed forms cover are repeated below: gravity in the world [m/s^2], and
-  /// stiffness, rest position and viscous damping of each coordinate [nv], empty if there is none.
+  /// All effects. The effects that a closed form can contain are repeated below: gravity in the world
+  /// [m/s^2]; stiffness, rest position and viscous damping of each coordinate [nv], empty if there is none.
   std::function<scene::Effects<double>()> effects = [] { return scene::Effects<double>(); };
   std::function<scene::Effects<float128>()> effects_float128 = [] { return scene::Effects<float128>(); };
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();
   Eigen::VectorXd stiffness, rest, damping;
-  bool others = false;  ///< whether there are other effects
+  bool others = false;  ///< whether there are effects that are not repeated here
 
   bool conservative() const { return !others && (damping.size() == 0 || damping.isZero(0)); }
   /// Whether no external force acts, so that momentum is conserved.

@@ -18,9 +18,9 @@ struct Drift {
 /// given by its norm; that of a single number has a sign.
 Drift drift_of(const std::vector<double>& t, const std::vector<Eigen::VectorXd>& x, double scale = 0);
 
-/// The drifts in a run of a scene with `samples` equal parts, in double: of the kinetic energy plus all
-/// potentials, if the scene is conservative, and of the angular momentum about the centre of mass, if no
-/// external force acts. Throws Diverged.
+/// The drifts in a run of a scene, in double, from samples at the start and after each of `samples` equal
+/// parts. Energy is the kinetic energy plus all potentials, if the scene is conservative. Momentum is the
+/// angular momentum about the centre of mass, if no external force acts. Throws Diverged.
 struct Drifts {
   Drift energy, momentum;
 };

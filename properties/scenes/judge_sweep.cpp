@@ -26,14 +26,14 @@ std::vector<std::string> wrong_orders(const std::vector<SceneSweep>& all, std::s
   for (const auto& [name, count] : seen)
     if (count < scenes)
       wrong.push_back(
-          fmt::format("{}: its order is seen on {} scenes with closed forms, not {}", name, count, scenes));
+          fmt::format("{}: its order is right on {} scenes with closed forms, not {}", name, count, scenes));
   return wrong;
 }
 
 namespace {
 
-/// The shortest time in which liecheck's series reaches an error of at most `error`, at a point or between
-/// two points (log-log); 0 if it never does.
+/// The shortest time in which liecheck's series reaches an error of at most `error`. Between two points, the
+/// time is interpolated (log-log). Returns 0 if no point has so small an error.
 double time_for(const SweepSeries& ours, double error) {
   double best = 0;
   const auto offer = [&](double t) { best = best == 0 || t < best ? t : best; };

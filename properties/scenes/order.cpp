@@ -9,10 +9,10 @@ ObservedOrder observe_order(const std::vector<double>& errors, int promised, int
   ObservedOrder r;
   std::vector<double> rate;
   for (std::size_t k = 0; k + 1 < errors.size(); ++k) rate.push_back(std::log2(errors[k] / errors[k + 1]));
-  std::size_t end = errors.size();  // one after the last error that counts
+  std::size_t end = errors.size();  // one after the last error that is used
   for (std::size_t k = 0; k + 1 < rate.size(); ++k) {
     const double least = promised / 3.0;
-    // Halvings of too long steps do not help either. At the floor, no later halving helps.
+    // If the steps are too long, a halving does not help, but a later one does. At the floor, none helps.
     const bool better =
         std::any_of(rate.begin() + long(k) + 1, rate.end(), [&](double x) { return x > least; });
     if (rate[k] < least && rate[k + 1] < least && !better && errors[k] < 1e-3) {

@@ -28,7 +28,7 @@ class Runner {
   /// the duration, each a whole number of steps. Returns the number of steps made. Throws Diverged.
   virtual long run(const Effort& effort, long samples,
                    const std::function<void(double t, const Moment& moment)>& watch) = 0;
-  /// Makes the same run without samples, so that it can be timed.
+  /// Makes the same run without samples, for timing.
   virtual void pass(const Effort& effort) = 0;
 };
 

@@ -112,7 +112,7 @@ Film::Link link_of(const Model<double>& model, std::size_t i) {
   if (I.inertia().isDiagonal(0)) axes.setIdentity(), moments = I.inertia().diagonal();
   Film::Link link{model.names[i], {}, {}, {}, {}};
   for (int a = 0; a < 3; ++a) {
-    // a homogeneous box: I_b + I_c - I_a = m s_a^2 / 6 with sides s
+    // A homogeneous box with edges s has I_b + I_c - I_a = m s_a^2 / 6.
     const double rest = moments.sum() - 2 * moments[a];
     link.half[std::size_t(a)] = I.mass() > 0 ? std::sqrt(std::max(0.0, 1.5 * rest / I.mass())) : 0;
     link.centre[std::size_t(a)] = I.lever()[a];

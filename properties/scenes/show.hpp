@@ -16,8 +16,8 @@ struct StageCost {
 /// The stages for a body and a hinge, each with all of its effects, and for a quadruped on the ground.
 std::vector<StageCost> stage_costs();
 
-/// A film of a motion. Each body is drawn as the homogeneous box with its mass and inertia, with lines from
-/// its origin to the joints that it carries.
+/// A film of a motion. Each body is drawn as the homogeneous box that has the same mass and inertia. Lines
+/// lead from the body's origin to the joints that it carries.
 struct Film {
   struct Link {
     std::string name;

@@ -107,7 +107,7 @@ std::vector<Flips> dzhanibekov_flips(std::size_t flips, std::atomic<bool>* stop)
     if (stop && *stop) break;
     all.push_back(flips_of<double>(b, delta, "double", flips, 8));
     if (stop && *stop) break;
-    // Later flips depend on the energy above the separatrix, delta^2, with a relative error of eps / delta^2.
+    // Later flips depend on the energy above the separatrix, delta^2, whose relative error is eps / delta^2.
     const bool lost = all.back().predicted < flips;
     if (lost && (e <= 8 || e == 12)) all.push_back(flips_of<float128>(b, delta, "float128", flips, 4));
   }

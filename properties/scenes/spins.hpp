@@ -14,7 +14,7 @@ struct LongSpin {
   int order = 0;
   long turns = 0, steps_per_turn = 0;
   double error = 0;    ///< largest attitude error at the ends of four quarters [rad]
-  double limit = 0;    ///< turns 2 pi eps: the effect of an error of eps in omega [rad]
+  double limit = 0;    ///< turns * 2 pi eps: the effect of a relative error of eps in omega [rad]
   double seconds = 0;  ///< time taken
 };
 std::vector<LongSpin> long_spins(long turns = 1000);
@@ -29,8 +29,8 @@ struct Flips {
   std::size_t predicted = 0;
   double horizon = 0;
 };
-/// Runs delta = 1e-2 ... 1e-12 in double. If double misses flips, also in float128, except 1e-9, 1e-10,
-/// 1e-11.
+/// Runs delta = 1e-2 ... 1e-12 in double. If double misses flips, also runs this delta in float128, except
+/// for 1e-9, 1e-10 and 1e-11.
 std::vector<Flips> dzhanibekov_flips(std::size_t flips = 6, std::atomic<bool>* stop = nullptr);
 
 }  // namespace liecheck::properties

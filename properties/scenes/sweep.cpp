@@ -69,8 +69,8 @@ MotionError error_of_run(Runner& runner, const Benchmark& s, const Exact& exact,
   return worst;
 }
 
-/// The first number of steps: at least 16, and one for each radian of the fastest initial rotation. Above
-/// order 8, at least 4, and one for three radians.
+/// The number of steps of the coarsest run: at least 16, and one per radian at the fastest initial rate. For
+/// orders above 8: at least 4, and one per three radians. At most 4096.
 long first_steps(const Benchmark& s, int order) {
   double fastest = s.v0.size() ? s.v0.cwiseAbs().maxCoeff() : 0;
   long n = order > 8 ? quarters : 16;
@@ -92,7 +92,7 @@ Measured measure(Runner& runner, const Benchmark& s, const Exact& exact, const E
     m.seconds = since(start);
     m.point.error = error_of_run(runner, s, exact, effort, &m.point.steps);
     const long per_quarter = std::max(1L, std::min(32L, effort.steps / quarters));
-    long parts = per_quarter;  // the largest number up to that which divides a quarter's steps
+    long parts = per_quarter;  // the largest divisor of a quarter's steps up to per_quarter
     while ((effort.steps / quarters) % parts != 0) --parts;
     if (effort.tolerance == 0) {
       const Drifts drifts = drifts_of(runner, s, effort, quarters * parts);
@@ -174,7 +174,7 @@ std::vector<SceneSweep> sweep_scenes(const std::vector<Benchmark>& scenes, const
   };
   const auto stopped = [&] { return o.stop && *o.stop; };
   std::vector<SceneSweep> all;
-  std::map<std::string, std::size_t> shown;  // on how many closed forms a method's order was settled
+  std::map<std::string, std::size_t> shown;  // closed forms on which a method's order was settled
   for (std::size_t i = 0; i < scenes.size() && !stopped(); ++i) {
     const Benchmark& s = scenes[i];
     const auto progress = [&](double share, const std::string& what) {

@@ -1,10 +1,10 @@
 #pragma once
 // Measures the error, drift and time of integrators x steps on scenes.
 //
-// The error is the largest at the ends of the four quarters of the duration, against the exact motion
-// (truth.hpp) or, if none is known, against liecheck's gauss12 in float128. The drift is that of energy and
-// momentum over at most 129 samples (drift.hpp). The time is processor time per simulated second; the runs of
-// all points of a scene are interleaved (timing/benchmarks.hpp).
+// The error is the largest error at the ends of the four quarters of the duration. The reference is the exact
+// motion (truth.hpp) or, if none is known, liecheck's gauss12 in float128. The drift of energy and momentum
+// uses at most 129 samples (drift.hpp). The time is processor time per simulated second. The runs of all
+// points of a scene are timed in random order (timing/benchmarks.hpp).
 
 #include <atomic>
 #include <scenes/peers/peer.hpp>
@@ -35,7 +35,7 @@ struct SweepSeries {
   bool at_floor = false;
 };
 
-/// The observed order of a method on a scene with a known motion. `exact`: rounding is the only error.
+/// The observed order of a method on a scene with a known motion. `exact` means that all errors are rounding.
 struct OrderRow {
   std::string integrator, scalar;
   int promised = 0;
@@ -59,7 +59,7 @@ struct SceneSweepOptions {
   std::vector<long> steps;  ///< over the whole duration, multiples of 4; empty: from coarse to the floor
   std::size_t order_scenes = 1000;  ///< number of closed forms that must show a method's order; 0: none
   double order_seconds = 20;        ///< approximate limit for measuring one order [s]
-  double longest = 0.02;            ///< longer runs are not timed [s]
+  double longest = 0.02;            ///< runs that take longer are not timed [s]
   double seconds = 20;              ///< approximate time for all timing [s]; 0: no timing
   std::size_t repetitions = 11;
   bool peers = true;
@@ -74,9 +74,9 @@ std::vector<SceneSweep> sweep_scenes(const std::vector<Benchmark>& scenes, const
 /// is right on fewer than `scenes` closed forms. Closed forms for which the method is exact do not count.
 std::vector<std::string> wrong_orders(const std::vector<SceneSweep>& all, std::size_t scenes = 3);
 
-/// Compares liecheck with a peer on a scene. For each point of the peer, liecheck's time is the shortest with
-/// an error that is no larger; between two points it is interpolated (log-log). `ratio` is the largest of
-/// liecheck's time over the peer's time: below 1, liecheck is faster everywhere.
+/// Compares liecheck with a peer on a scene. For each point of the peer, liecheck's time is its shortest time
+/// for an error that is no larger, interpolated between two points (log-log). `ratio` is the largest ratio of
+/// liecheck's time to the peer's time. If it is below 1, liecheck is faster at every compared point.
 struct PeerComparison {
   std::string scene, peer, integrator;
   std::size_t points = 0;  ///< points of the peer that were compared

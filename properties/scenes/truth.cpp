@@ -34,7 +34,7 @@ Body<T> body_of(const Inertia<double>& I) {
   return {T(I.mass()), exact_vector<3, T>(I.lever()), exact_matrix<3, 3, T>(I.inertia())};
 }
 
-/// Moment of inertia about an axis (unit) through the joint's origin.
+/// The moment of inertia about an axis (a unit vector) through the joint's origin.
 T about_axis(const Body<T>& body, const Vec3<T>& axis) {
   return dot(axis, body.inertia * axis) + body.mass * squared_norm(cross(axis, body.lever));
 }
@@ -196,7 +196,7 @@ double MotionError::leading() const {
 }
 
 void MotionError::take_larger(const MotionError& o) {
-  // The larger one, or o's if either is NaN: *this may have no number yet, and NaN in o is an error, too.
+  // Takes the larger error, or o's if either is NaN: NaN in *this is "none yet", NaN in o must not be lost.
   for (double MotionError::*x : {&MotionError::attitude, &MotionError::position,
                                  &MotionError::angular_velocity, &MotionError::linear_velocity})
     if (!(this->*x >= o.*x)) this->*x = o.*x;

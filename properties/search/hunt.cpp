@@ -31,7 +31,7 @@ CaseId raw_id(const std::vector<S>& x) {
   return id;
 }
 
-/// The figure that is maximised; negative if the case does not count.
+/// The figure that is maximised; negative if the case cannot be a maximum (ill-posed).
 double score_of(const Worst& w, const Judged& j) {
   if (j.budget->rule == Rule::forward) return j.residual.error;
   return w.by_kappa && !j.ill_posed ? j.excess : -1.0;
@@ -45,7 +45,7 @@ struct Climb {
   std::vector<std::pair<std::uint64_t, double>> history;
   std::vector<std::array<Elite<S>, islands>> cells;
 
-  /// The best of three random cells or, with probability 1/3, of all cells.
+  /// The worst input of three random cells or, with probability 1/3, of all cells.
   const Elite<S>* pick(Source& source, std::size_t island) const {
     const Elite<S>* best = nullptr;
     const bool all = source.chance(1, 3);

@@ -19,16 +19,16 @@ struct HuntOptions {
   std::string operation, block;  ///< an empty block: every block of the operation
   std::uint64_t seed = 42;
   std::uint64_t evaluations = 0;  ///< 0: limited by time
-  double seconds = 30;            ///< if no number of evaluations is given
+  double seconds = 30;            ///< duration, if no number of evaluations is given
   bool excess = false;            ///< maximise error / kappa instead of the error
-  bool random = false;            ///< sample as a plain test does instead of hunting
+  bool random = false;            ///< sample at random, as a plain test does, instead of hunting
   std::function<void(std::uint64_t evaluations, double share, double worst)> progress;
 };
 
 /// The worst input of one output.
 struct Worst {
   int output = 0;
-  bool by_kappa = false;  ///< score is error / kappa: by HuntOptions::excess or by the budgets' rule
+  bool by_kappa = false;  ///< `score` is error / kappa, because of HuntOptions::excess or the budgets' rule
   double score = -1;      ///< eps or eps kappa; negative if nothing was measured
   Judged judged;
   CaseId id;  ///< a raw case

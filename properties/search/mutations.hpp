@@ -21,7 +21,7 @@ class Mutations {
     }
   }
 
-  /// Changes x by one to three moves. A group may be copied from `other`, a valid input of the same property.
+  /// Changes x by one to three mutations. A group may be copied from `other`, a valid input of the same law.
   void apply(std::vector<S>& x, const std::vector<S>& other, Source& source) const {
     const int moves = source.chance(1, 2) ? 1 : source.between(2, 3);
     for (int i = 0; i < moves; ++i) {
@@ -63,7 +63,7 @@ class Mutations {
     using std::sqrt;
     const S n = v.squaredNorm();
     if (n > std::numeric_limits<S>::min() && n < std::numeric_limits<S>::max()) return S(sqrt(n));
-    return v.cwiseAbs().maxCoeff();  // within a factor of sqrt 3, enough for a step
+    return v.cwiseAbs().maxCoeff();  // the norm within a factor of sqrt 3, which is enough for a step
   }
 
   /// +-2^-k u, with u uniform on [1/2, 1) and k uniform from 0 to the scalar's digits.
@@ -147,20 +147,20 @@ class Mutations {
     const S n = length(v);
     switch (s.below(9)) {
       case 0:
-      case 1:  // the length alone
+      case 1:  // changes only the length
         v *= factor(s);
         return;
-      case 2:  // one component
+      case 2:  // changes one component
         v[i] = step_ulps(S(v[i]), ulps(s));
         return;
       case 3:
         v[i] *= factor(s);
         return;
-      case 4:  // rotated
+      case 4:  // changes the direction
         v += S(step(s) * n) * axis(s);
         if (length(v) > S(0) && s.chance(1, 2)) v *= n / length(v);
         return;
-      case 5:  // into a coordinate plane, or onto an axis
+      case 5:  // projects onto a coordinate plane or an axis
         if (s.chance(1, 2))
           v[i] = S(0);
         else

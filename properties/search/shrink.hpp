@@ -52,7 +52,7 @@ std::vector<S> shrink_input(
       const std::vector<S> group(input.begin() + static_cast<std::ptrdiff_t>(from),
                                  input.begin() + static_cast<std::ptrdiff_t>(from + size));
       for (const auto& candidate : shrinks::candidates<S>(group, f.kind)) {
-        if (candidate == group) break;  // the rest is no simpler
+        if (candidate == group) break;  // later candidates are no simpler
         if (exhausted()) return input;
         std::vector<S> attempt = input;
         std::copy(candidate.begin(), candidate.end(), attempt.begin() + static_cast<std::ptrdiff_t>(from));

@@ -9,7 +9,7 @@ namespace liecheck::properties {
 struct WeakStyle {
   const char* name;
   bool (*fails)(const Operations<double>& tested);
-  /// Whether a test of this style fails on these operations. It passes if there is no exp6, as on trees.
+  /// Whether a test of this style fails on these operations. Without exp6 (bugs of trees), it passes.
   bool kills(const Operations<double>& tested) const { return tested[op::exp6] && fails(tested); }
 };
 

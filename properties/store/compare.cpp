@@ -33,7 +33,7 @@ bool measured(const std::map<Name, Measured>& all, const Name& n) {
   return at != all.end() && std::equal(n.begin(), n.begin() + 5, at->first.begin());
 }
 
-/// Whether an error grew by more than another order of operations or the rounding of the result explains.
+/// Whether an error grew by more than another order of operations or a rounding of the result could explain.
 bool grown(double from, double to) {
   return to > from * 1.1 && to > from + 0.5;
 }
@@ -87,7 +87,7 @@ std::vector<std::string> worse(const StoredCampaign& a, const StoredCampaign& b)
         say(fmt::format("{} {} of {} cases, were {} of {}", what, to, is.count, from, was.count));
     };
     grew("failed", was.failed, is.failed);
-    if (same_inputs) {  // other inputs may be the reason for a difference
+    if (same_inputs) {  // otherwise the inputs may be the reason for a difference
       grew("unresolved", was.unresolved, is.unresolved);
       grew("ill-posed", was.ill_posed, is.ill_posed);
     }

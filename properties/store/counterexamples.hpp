@@ -17,7 +17,7 @@ struct Counterexamples {
     std::string operation, block, id;
   };
   std::size_t replayed = 0;
-  std::size_t skipped = 0;  ///< for another robot, outside the selection or rejected by the law
+  std::size_t skipped = 0;  ///< inputs for another robot, outside the selection or rejected by the law
   std::vector<Failing> failing;
 };
 

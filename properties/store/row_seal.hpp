@@ -34,7 +34,7 @@ SQLite::Statement& bind_row(SQLite::Statement& statement, const A&... values) {
   return statement;
 }
 
-/// The same, with the seal of the values as the last parameter.
+/// Like bind_row, with the seal of the values as an additional last parameter.
 template <class... A>
 SQLite::Statement& bind_sealed_row(SQLite::Statement& statement, const A&... values) {
   return bind_row(statement, values..., seal_of((sealed_text(stored(values)) + ...)));

@@ -81,7 +81,7 @@ SQLite::Database open(const std::string& path, bool create) {
   if (!exists && ::access(folder.empty() ? "." : folder.c_str(), W_OK) != 0)
     throw error_of(path, fmt::format("cannot be created: {}", std::strerror(errno)));
   // With "./" in front, names such as ":memory:" and "file:" mean a file. SQLite opens a write-protected file
-  // for reading only. A file with a hot journal must be opened for writing even to be read.
+  // read-only. A file with a hot journal must be opened for writing, even if it is only read.
   constexpr int busy_timeout = 10000;  // [ms]
   try {
     return {path[0] == '/' ? path : "./" + path, SQLite::OPEN_READWRITE | (create ? SQLite::OPEN_CREATE : 0),

@@ -1,6 +1,6 @@
 #pragma once
-// A store holds campaigns in one SQLite file. A transaction saves the progress every few chunks of cases;
-// kill -9 or a power cut loses only what came after the last transaction.
+// A store holds campaigns in one SQLite file. A transaction saves the progress every few chunks of cases.
+// kill -9 or a power cut loses only the cases after the last transaction.
 //
 // campaigns        the options: seed, cases, the file's range, program, budgets, robot with its URDF
 // series           property x subject x scalar: number of cases done, two digests (hexadecimal sums)
@@ -10,8 +10,8 @@
 // counterexamples  failures of other files that were merged into this one
 //
 // A file holds one campaign or several; the last one is the current one. Rows hold whole tallies, not
-// differences, so a transaction rewrites each row that changed. The rollback journal leaves one file between
-// transactions. Unsigned integers (seeds) are stored as signed ones with the same bits. Rows are sealed
+// differences, so a transaction rewrites each row that changed. Between transactions there is no second file
+// (rollback journal). Unsigned integers (seeds) are stored as signed ones with the same bits. Rows are sealed
 // (row_seal.hpp), except those of done and counterexamples.
 //
 // Every error is one line of a std::runtime_error: "FILE: reason".
@@ -44,7 +44,7 @@ class Store {
   void write(const StoredCampaign& campaign, bool replace_last, const std::vector<Counterexample>& others);
   /// Adds counterexamples of another file.
   void adopt(const std::vector<Counterexample>& others);
-  void copy_to(const std::string& path);  ///< as a new file
+  void copy_to(const std::string& path);  ///< copies the store to a new file
 
  private:
   void check_format(Open how);
@@ -63,7 +63,7 @@ class Store {
   SQLite::Database database_;
   std::unique_ptr<SQLite::Statement> cells_;
   std::uint64_t seed_ = 0;
-  int campaign_ = 0;               ///< the current one
+  int campaign_ = 0;               ///< number of the current campaign
   std::int64_t data_version_ = 0;  ///< SQLite's counter of other connections' changes
 };
 

@@ -1,5 +1,5 @@
-// liecheck's batches. Each call fills all lanes of a SIMD register with one input and returns the result of the
-// last lane. `liecheck cost` times whole batches (timing/batches.hpp).
+// liecheck's batches. Each call fills all lanes of a SIMD register with one input and returns the result of
+// the last lane. `liecheck cost` times whole batches (timing/batches.hpp).
 
 #include <subjects/subject.hpp>
 

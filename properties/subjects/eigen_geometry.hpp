@@ -8,8 +8,8 @@
 #include <Eigen/Geometry>
 #include <unsupported/Eigen/MatrixFunctions>
 
-/// Eigen's steps for a complex 4 x 4 matrix, with the loop over columns that Eigen runs below 48 rows. Eigen's own
-/// function also contains a loop over blocks, whose compilation would take a third of this file's compile time.
+/// Eigen's steps for a complex 4 x 4 matrix, with the loop over columns that Eigen runs below 48 rows.
+/// Eigen's own function also has a loop over blocks, which would take a third of this file's compile time.
 template <class S>
 struct Eigen::internal::complex_schur_reduce_to_hessenberg<Eigen::Matrix<std::complex<S>, 4, 4>, true> {
   using M = Eigen::Matrix<std::complex<S>, 4, 4>;

@@ -1,5 +1,5 @@
-// Look-alikes: correct variants that no law may refuse. They use another order of operations, another formula,
-// long double, or the other sign if both are correct.
+// Look-alikes: correct variants that no law may refuse. They use another order of operations, another
+// formula, long double, or the other sign if both are correct.
 
 #include <subjects/planted_bugs.hpp>
 

@@ -6,8 +6,8 @@
 #ifdef LIECHECK_QD
 #include <qd/dd_real.h>
 
-/// Splits a = fraction 2^exponent exactly, with the exponent of the high part. Argument-dependent lookup finds
-/// this function.
+/// Splits a = fraction 2^exponent exactly, with the exponent of the high part. Argument-dependent lookup
+/// finds this function.
 inline dd_real frexp(const dd_real& a, int* exponent) {
   std::frexp(a.x[0], exponent);
   return dd_real(std::ldexp(a.x[0], -*exponent), std::ldexp(a.x[1], -*exponent));

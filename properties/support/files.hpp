@@ -1,6 +1,6 @@
 #pragma once
-// Reads a file once, or replaces it as a whole. Devices and pipes are never replaced: the program may be
-// root.
+// Reads a file once, or replaces it as a whole. Devices and pipes are never replaced, because a program that
+// runs as root could destroy them.
 
 #include <filesystem>
 #include <string>

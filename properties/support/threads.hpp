@@ -14,8 +14,8 @@
 namespace liecheck::properties {
 
 /// Runs work() on `count` threads, including the calling one, and waits until all have returned. Work begins
-/// when all threads exist. If the system provides fewer, throws std::runtime_error with their number. The
-/// first exception in work() sets `stop`, which work() must poll, and is rethrown at the end.
+/// when all threads exist. If fewer can be started, throws std::runtime_error with their number. The first
+/// exception in work() sets `stop`, which work() must poll. It is rethrown at the end.
 template <class Work>
 void run_on_threads(unsigned count, std::atomic<bool>& stop, const Work& work) {
   enum Gate { closed, open, cancelled };

@@ -169,7 +169,7 @@ std::string run_interleaved(std::vector<Timed>& all, const Interleaving& how) {
     benchmark::RegisterBenchmark(std::to_string(i).c_str(),
                                  [&, i, passes](benchmark::State& state) {
                                    const Timed& row = all[i];
-                                   // 128 repetitions shift the stack over a page, in steps of half a cache line.
+                                   // 128 repetitions shift the stack over one page, 32 bytes each.
                                    const std::size_t shift = 32 * ((repetitions[i].size() * 37) % 128);
                                    Repetition& r = repetitions[i].emplace_back();
                                    r.run = !stopped() && seconds_since(start) <= 1.3 * how.seconds + 1;

@@ -21,7 +21,7 @@ struct Spread {
   double median = 0, low = 0, high = 0;
   std::size_t repetitions = 0;
 };
-/// Sorts the samples. For fewer than six samples, the interval is their range and has less than 95 % confidence.
+/// Sorts the samples. The interval of fewer than six is their range, whose confidence is below 95 %.
 Spread spread_of(std::vector<double>& samples);
 
 /// The errors of one block over one set of inputs, in eps of the row's scalar.

@@ -75,7 +75,7 @@ void add_operation_rows(CostPlan& plan, const CostRow& common, std::size_t each,
   const auto inputs = cost_inputs<Input>(fields, plan.options.seed, each);
   std::vector<std::vector<double>> numbers;
   for (const auto& x : inputs) numbers.push_back(FieldPositions(fields).arguments_of(operation, x));
-  // All bands together are called in an order that a processor cannot foresee.
+  // The inputs of all bands are shuffled, so that a processor cannot predict the next band.
   auto shuffled = numbers;
   Source source({plan.options.seed, 0, 0, 0x6d6978});
   for (std::size_t n = shuffled.size(); n > 1; --n) std::swap(shuffled[n - 1], shuffled[source.below(n)]);

@@ -1,6 +1,6 @@
 #pragma once
-// Calls a function R(const A&...) from code that does not know the types R and A. It makes the arguments, reads
-// them, and runs passes of calls over them. The calls of a pass wait for one another (latency) or do not
+// Calls a function R(const A&...) from code that does not know the types R and A. It makes and reads the
+// arguments, and runs passes of calls over them. The calls of a pass wait for one another (latency) or do not
 // (throughput). The passes are the same code for every subject.
 
 #include <cstdint>
@@ -59,8 +59,8 @@ inline std::size_t opaque_zero() {
   return zero;
 }
 
-/// Some bits of the first, a middle and the last number of each part of a result. So they depend on most of the
-/// result: the last number is usually written last, and the middle one is in another block than the first.
+/// Some bits of the first, a middle and the last number of each part of a result. The last number is usually
+/// written last. In a Jacobian or spatial vector, the middle number is in another block than the first.
 template <class R>
 std::size_t bits_of(const R& result) {
   std::size_t bits = 0;

@@ -173,7 +173,7 @@ void compare_difference(Case& c) {
   const V7 q0 = c.x.read<V7>(), q1 = c.x.read<V7>();
   c.log_with(closed_difference(q0, q1), norm(head3(q1) - head3(q0)));
 }
-/// dq / d delta of integrate at delta = 0. The upper block is R; column j of the lower one is Q * (e_j, 0) / 2.
+/// dq / d delta of integrate at delta = 0: the upper block is R; column j of the lower is Q * (e_j, 0) / 2.
 void compare_coefficient_jacobian(Case& c) {
   const V4 Q = quaternion_of(c.x.read<V7>());
   const auto J = c.y.read<oracles::Mat<7, 6, Wide>>();

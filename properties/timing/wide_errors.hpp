@@ -4,8 +4,8 @@
 // for the laws' own oracles, which have 50 digits.
 //
 // Blocks and denominators are those of the laws, with one difference: a rotation matrix is measured by
-// |R - R_exact| / sqrt 2, which contains both the angle error and the defect from orthogonality. For a scalar of 100
-// digits, the error is only the difference between two formulas with 100 digits.
+// |R - R_exact| / sqrt 2, which contains both the angle error and the defect from orthogonality. For a scalar
+// of 100 digits, the error is only the difference between two formulas with 100 digits.
 
 #include <operations/operation.hpp>
 #include <oracles/number.hpp>

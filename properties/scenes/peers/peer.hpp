@@ -1,5 +1,5 @@
 #pragma once
-// Peers: other simulators that run our scenes. Those that CMake does not find are absent.
+// Peers are other simulators that run our scenes. A peer that CMake does not find is absent.
 //
 // A peer is set up as its manual says, without contact and damping, and stepped through its public interface.
 // It can run scenes with one free body, or with a chain of revolute joints on the world.
@@ -34,7 +34,7 @@ struct Peer {
 const std::vector<Peer>& peers();
 std::vector<std::string> absent_peers();
 
-/// What such a library exports: a peer, and a number that depends on the sizes of the shared types.
+/// A peer's library exports this: the peer, and a number that depends on the sizes of the shared types.
 struct PeerModule {
   std::size_t layout = sizeof(Benchmark) + 1000 * sizeof(Peer);
   Peer peer;

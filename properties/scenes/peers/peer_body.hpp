@@ -5,7 +5,8 @@
 
 namespace liecheck::properties {
 
-/// A body with its parent (-1: the world), free or rotating about `axis` (unit, in its frame). `at` is p_PB.
+/// A body and its parent (-1: the world). The body is free, or rotates about `axis` (unit, in the body's
+/// frame). `at` is the position p_PB of the body's origin B in its parent P.
 struct PeerBody {
   int parent = -1;
   bool free = false;
