@@ -174,7 +174,7 @@ TEST(Pendulum, SolvesItsEquationOscillatingRotatingAndOnTheSeparatrix) {
 }
 
 TEST(DampedSpring, SolvesItsEquationInEveryRegime) {
-  for (const T& damping : {T(0), T("0.3"), T(4), T(9)}) {  // damping: none, under, critical, over
+  for (const T& damping : {T(0), T("0.3"), T(4), T(9)}) {  // none, below critical, critical, above critical
     const DampedSpring<T> spring{T(2), damping, T(2), T("0.5"), T(-3), {T(1), T(2)}};
     const auto f = [&](const Vec<2, T>& y) {
       return Vec<2, T>{{y[1], (T(-3) - damping * y[1] - 2 * (y[0] - T("0.5"))) / 2}};

@@ -1,4 +1,4 @@
-// The program's command line: what it refuses, with which message and exit code, and what it never loses.
+// The program's command line: its error messages, its exit codes, and that no output is lost.
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -196,7 +196,7 @@ TEST_F(Program, LostOutputIsAnError) {
   EXPECT_EQ(shell("$L nope 2>/dev/full").code, 2);
 }
 
-TEST_F(Program, TheTableAndTheRecordSurviveTheLossOfTheOther) {
+TEST_F(Program, TheTableSurvivesTheLossOfTheRecordAndTheRecordThatOfTheTable) {
   store("r.json.part", "of the user");
   shell("$L " + quick + "--json r.json >&-");
   EXPECT_EQ(nlohmann::json::parse(read(dir / "r.json"))["verdict"], "pass");

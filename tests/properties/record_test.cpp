@@ -61,7 +61,7 @@ TEST(Record, OfACampaignHasEveryDocumentedFieldAndNoOther) {
 
 /// Faults in the definitions of the operations and blocks in a record's results.
 std::set<std::string> faulty_definitions(const Json& record) {
-  std::map<std::string, std::string> operations;  // by definition
+  std::map<std::string, std::string> operations;  // definition -> name
   std::set<std::string> bad;
   std::set<std::pair<std::string, std::string>> blocks;
   for (const Json& o : record["operations"]) {

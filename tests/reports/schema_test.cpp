@@ -54,7 +54,7 @@ TEST(Schema, ChecksEveryFieldThatItDocuments) {
                  Json changed = object;
                  changed[key] = rule["type"] == "boolean" ? Json(1) : Json(true);
                  const std::string wrong = refusal_with(object, changed);
-                 EXPECT_EQ(wrong.rfind("r.json: field ", 0), 0u) << field << " may be anything: " << wrong;
+                 EXPECT_EQ(wrong.rfind("r.json: field ", 0), 0u) << field << " accepts any value: " << wrong;
                  EXPECT_NE(wrong.find(key + ": expected "), wrong.npos) << wrong;
                  EXPECT_NE(wrong.find(", found "), wrong.npos) << wrong;
                  changed.erase(key);
