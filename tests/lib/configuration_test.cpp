@@ -343,7 +343,7 @@ TYPED_TEST(Configuration, DIntegrateByTheConfigurationIsTheAdjointOfTheInverseIn
   EXPECT_LE(error(J, expected), 32 * this->eps);
 }
 
-TYPED_TEST(Configuration, NeutralOfALoneFreeFlyerEndsInOneNotInZero) {
+TYPED_TEST(Configuration, TheLastNumberOfTheNeutralFreeFlyerIsOne) {
   using S = TypeParam;
   Model<S> m;
   m.addJoint(0, FreeFlyer<S>(), SE3<S>::Identity(), "root");

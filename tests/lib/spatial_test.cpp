@@ -70,7 +70,7 @@ TEST(ActionOnForces, TheZeroPowerWrenchHasNoPowerInEitherFrame) {
 TEST(ActionMatrices, OfForcesIsTheInverseTransposeOfThatOfMotions) {
   const auto T = exp6<double>(Motion<double>(V3(1, 2, 3), V3(0.3, -0.2, 0.9)));
   const Matrix6<double> product = T.toActionMatrix().transpose() * T.toDualActionMatrix();
-  EXPECT_LE((product - Matrix6<double>::Identity()).norm(), 64 * e);  // 6 x 6 products of entries up to 4
+  EXPECT_LE((product - Matrix6<double>::Identity()).norm(), 64 * e);  // 6 x 6 matrices of entries up to 4
 }
 
 TEST(CrossProducts, OnForcesIsMinusTheTransposeOfThatOnMotions) {

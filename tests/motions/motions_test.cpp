@@ -18,7 +18,7 @@ using namespace liecheck::oracles;
 using T = Real100;
 using Attitude = AttitudeState<T>;
 
-// With this tolerance the two orders of a reference solution agree to 1e-43. Closed forms are more accurate.
+// With this tolerance reference() agrees to 1e-43 at orders 28 and 32. Closed forms are more accurate.
 const T tolerance("1e-46"), close("1e-41");
 
 Mat3<T> diagonal(const Vec3<T>& d) {
