@@ -34,7 +34,7 @@ TYPED_TEST(CheckedRotation, AcceptsQuaternionsOfUnitNormUpToEightEps) {
             std::string::npos);
 }
 
-TYPED_TEST(CheckedRotation, AcceptsMatricesOrthogonalUpToEightEpsAndNoReflection) {
+TYPED_TEST(CheckedRotation, AcceptsMatricesOrthogonalUpToEightEpsAndRefusesReflections) {
   using S = TypeParam;
   Matrix3<S> R = Matrix3<S>::Identity();
   EXPECT_EQ(checkedRotation<S>(R), R);

@@ -127,7 +127,7 @@ TYPED_TEST(Configuration, TheLinearPartOfDifferenceIsNotTheDifferenceOfPositions
   // J^-1 (1, 0, 0) at a rotation of pi/2 about z is (pi/4, -pi/4, 0).
   EXPECT_LE(error(d.template head<3>(), Vector3<S>(half_pi<S> / 2, -half_pi<S> / 2, S(0))), 4 * this->eps);
 }
-TEST(Difference, NearThetaEqualToPiTheAxisHasTheSignOfAScalarPartOfTwiceTheDigits) {
+TEST(Difference, NearThetaEqualToPiTheSignOfTheAxisNeedsAScalarPartOfTwiceTheDigits) {
   // Q0 . Q1 = -1.2e-37 is a sum of products of size 0.5. The axis is therefore that of Q0* (-Q1).
   Vector7<double> q0 = Vector7<double>::Zero(), q1 = q0;
   q0.tail<4>() << 0x1.3ac88f7ecf59fp-34, -0x1.84b28381d982dp-1, -0x1.1c1b307817c84p-49, 0x1.4d41166cb9cc6p-1;
@@ -140,7 +140,7 @@ TEST(Difference, NearThetaEqualToPiTheAxisHasTheSignOfAScalarPartOfTwiceTheDigit
   const double w = exact_dot<double, 4>(q0.tail<4>(), q1.tail<4>());
   EXPECT_NEAR(w, -1.2e-37, 0.1e-37);
 }
-TYPED_TEST(Configuration, NearThetaEqualToPiTheAxisHasTheSignOfAScalarPartThatUnderflows) {
+TYPED_TEST(Configuration, NearThetaEqualToPiTheSignOfTheAxisIsRightIfTheScalarPartUnderflows) {
   using S = TypeParam;
   // Q0 . Q1 is -tiny^2 or +tiny^2, which underflows to zero in S.
   const S tiny = std::numeric_limits<S>::denorm_min() > S(0) ? std::numeric_limits<S>::denorm_min()
@@ -180,8 +180,8 @@ TYPED_TEST(Configuration, AtThetaEqualToPiDifferenceHasEitherSignOfTheAxis) {
   EXPECT_EQ(d.template head<5>().norm(), S(0));
 }
 
-/// The rotation vector in long double. The vector part of Q0* Q1 comes from Q1 - Q0; for quaternions in
-/// double it is accurate to 2^-11 eps |Q1 - Q0|. Precondition: 0 < |phi| < pi.
+/// The rotation vector in long double. The vector part of Q0* Q1 is computed from Q1 - Q0. For quaternions in
+/// double its error is at most 2^-11 eps |Q1 - Q0|. Precondition: 0 < |phi| < pi.
 template <class S>
 Eigen::Matrix<long double, 3, 1> nearRotation(const Vector7<S>& q0, const Vector7<S>& q1) {
   using L4 = Eigen::Matrix<long double, 4, 1>;
@@ -204,7 +204,7 @@ TYPED_TEST(Configuration, DifferenceOfNearPosesIsAccurateRelativeToItself) {
   }
 }
 // The coefficients of Q0 are nearly equal, and those of Q1 are three ulp larger. Q1 - Q0 is thus almost
-// parallel to Q0: all but a thousandth of their product (a millionth in double) cancels.
+// parallel to Q0, and the vector part of Q0* (Q1 - Q0) cancels to a thousandth (a millionth in double).
 TYPED_TEST(Configuration, QuaternionsThatDifferMainlyInNormKeepTheirSmallRotation) {
   using S = TypeParam;
   const S a = std::cbrt(this->eps) / 8;
@@ -243,7 +243,7 @@ TYPED_TEST(Configuration, IntegrateReturnsTheQuaternionNearerToTheFirstOne) {
 }
 
 // c1, c2 and c3 have no cutoff, so the neighbours of every usual cutoff give neighbouring results.
-TYPED_TEST(Configuration, NothingJumpsAcrossUsualCutoffsOfSmallAngles) {
+TYPED_TEST(Configuration, ResultsDoNotJumpAtUsualCutoffsOfSmallAngles) {
   using S = TypeParam;
   for (const S cutoff : {std::sqrt(this->eps), std::sqrt(std::sqrt(this->eps)), S(1e-8), S(1e-5), S(1e-3)}) {
     Vector6<S> below = increment<S>(), above = increment<S>();
@@ -298,8 +298,8 @@ TEST(CoefficientJacobian, IsTheDerivativeOfTheStoredNumbersOfEveryJoint) {
   }
 }
 
-// The error is measured in the tangent space of the result, for each argument.
-TEST(Derivatives, OfIntegrateAreTangentToTangentForBothArguments) {
+// Compares each Jacobian with central differences in the tangent space of the result.
+TEST(Derivatives, OfIntegrateMapTangentsToTangentsForBothArguments) {
   const Model<double> m = someRobot<double>();
   const VectorX<double> q = someConfiguration<double>(), d = someIncrement<double>();
   const MatrixX<double> J0 = dIntegrate(m, q, d, ArgumentPosition::ARG0);
@@ -319,7 +319,7 @@ TEST(Derivatives, OfIntegrateAreTangentToTangentForBothArguments) {
   }
   EXPECT_GT(error(J0, MatrixX<double>::Identity(9, 9)), 1.0);
 }
-TEST(Derivatives, OfDifferenceAreTangentToTangentForBothArguments) {
+TEST(Derivatives, OfDifferenceMapTangentsToTangentsForBothArguments) {
   const Model<double> m = someRobot<double>();
   const VectorX<double> q0 = someConfiguration<double>(), q1 = integrate(m, q0, someIncrement<double>());
   const MatrixX<double> J0 = dDifference(m, q0, q1, ArgumentPosition::ARG0);
@@ -343,7 +343,7 @@ TYPED_TEST(Configuration, DIntegrateByTheConfigurationIsTheAdjointOfTheInverseIn
   EXPECT_LE(error(J, expected), 32 * this->eps);
 }
 
-TYPED_TEST(Configuration, NeutralOfALoneFreeFlyerEndsInOneNotInZero) {
+TYPED_TEST(Configuration, TheLastNumberOfTheNeutralFreeFlyerIsOne) {
   using S = TypeParam;
   Model<S> m;
   m.addJoint(0, FreeFlyer<S>(), SE3<S>::Identity(), "root");
@@ -384,7 +384,7 @@ TYPED_TEST(Configuration, AContinuousJointWrapsAround) {
             4 * this->eps);
 }
 // (c, s) = (3, 4)/5 is rounded. The expected value is thus the exact cross product of the stored numbers.
-TYPED_TEST(Configuration, NearContinuousAnglesKeepTheirRelativeAccuracy) {
+TYPED_TEST(Configuration, TheDifferenceOfNearContinuousAnglesIsAccurateRelativeToItself) {
   using S = TypeParam;
   using C = typename Continuous<S>::Configuration;
   const C u0(S(0.6), S(0.8));
@@ -424,7 +424,7 @@ TYPED_TEST(Configuration, MinusQIsTheSameConfigurationAlthoughItsNumbersDiffer) 
   EXPECT_TRUE(isSameConfiguration(m, q, opposite));
   EXPECT_LE(distance(m, q, opposite), 4 * this->eps);
 }
-TYPED_TEST(Configuration, AMoveOfAnyJointIsAnotherConfiguration) {
+TYPED_TEST(Configuration, MovingAnyJointGivesAnotherConfiguration) {
   using S = TypeParam;
   const Model<S> m = someRobot<S>();
   const VectorX<S> q = someConfiguration<S>();
@@ -513,7 +513,7 @@ std::string refusal(F f) {
   return {};
 }
 
-TEST(Sizes, AWrongSizeIsRefusedWithBothNumbersByEveryFunction) {
+TEST(Sizes, EveryFunctionRefusesAWrongSizeAndNamesBothSizes) {
   using Q = VectorX<double>;
   const Model<double> m = someRobot<double>();
   const Q q = neutral(m), v = Q::Zero(9), short_q = Q::Zero(9), long_v = Q::Zero(11);

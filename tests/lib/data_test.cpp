@@ -27,7 +27,7 @@ std::string refusal(F f) {
   return "nothing";
 }
 
-TEST(Data, ChangesOnlyInTheResultsOfTheAlgorithmThatRuns) {
+TEST(Data, AnAlgorithmChangesOnlyItsOwnResults) {
   const Model<double> m = randomModel(3, 6);
   Random random(3);
   State s = randomState(m, random);
@@ -59,7 +59,7 @@ TEST(Data, OfAnotherModelOrOfAnEarlierRevisionIsRefused) {
             std::string::npos);
 }
 
-TEST(Data, AVectorOfTheWrongSizeIsNamedWithBothNumbers) {
+TEST(Data, AVectorOfTheWrongSizeIsNamedWithBothSizes) {
   const Model<double> m = randomModel(3, 6);
   Data<double> d(m);
   const Vec q = neutral(m), v = Vec::Zero(m.nv);

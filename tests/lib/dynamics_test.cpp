@@ -1,5 +1,5 @@
-// algorithms/rnea, crba, aba, energy, centroidal, derivatives: identities on random trees of every joint type, and the
-// equations of motion from poses alone.
+// algorithms/rnea, crba, aba, energy, centroidal, derivatives. Checks identities on random trees of every
+// joint type, and compares rnea with equations of motion that are computed from poses alone.
 
 #include <gtest/gtest.h>
 
@@ -30,7 +30,7 @@ void forEachRobot(F f) {
     f(m, randomState(m, random), random);
   }
 }
-/// Error bound of a sum of n terms of a few operations each: 8 n eps of the sum of their sizes.
+/// Relative error bound of a sum of nv terms, each of a few operations: 8 nv eps of the sum of their sizes.
 double budget(const Model<double>& m) {
   return 8 * m.nv * eps<double>();
 }
@@ -47,7 +47,7 @@ TEST(Dynamics, RneaOfAbaIsTau) {
   });
 }
 
-TEST(Dynamics, CrbaIsRneaColumnByColumnSymmetricAndPositive) {
+TEST(Dynamics, CrbaIsSymmetricPositiveDefiniteAndItsColumnsAreThoseOfRnea) {
   forEachRobot([](const Model<double>& m, const State& s, Random&) {
     // crba must set the entries between branches to zero. glibc's allocator gives this memory, full of NaN,
     // to Data, so that an entry that is not set stays NaN. (A sanitizer's allocator does not.)
@@ -168,7 +168,7 @@ TEST(Dynamics, RneaIsTheProjectedNewtonEulerEquation) {
   }
 }
 
-TEST(Dynamics, MomentumIsTheMapTimesVAndItsRateIsItsDerivative) {
+TEST(Dynamics, MomentumIsTheCentroidalMapTimesVAndItsRateIsItsDerivative) {
   forEachRobot([](const Model<double>& m, const State& s, Random&) {
     Data<double> d(m);
     const auto hg = computeCentroidalMomentum(m, d, s.q, s.v).to_vector();
@@ -214,7 +214,7 @@ TEST(Dynamics, WithoutGravityAndForcesAFloatingRobotKeepsItsMomentum) {
   }
 }
 
-TEST(Dynamics, DerivativesAreThoseOfDifferencesInLongDouble) {
+TEST(Dynamics, DerivativesEqualFiniteDifferencesInLongDouble) {
   for (unsigned seed = 51; seed <= 58; ++seed) {
     const Model<double> m = randomModel(seed, 11, seed % 2 ? Shape::Tree : Shape::Chain);
     Random random(seed);
@@ -290,7 +290,7 @@ TEST(Dynamics, MovingTheWorldReorderingJointsAndSplittingABodyChangeNothing) {
 }
 
 // A mimic joint constrains the free robot to q = G y + offset. Then tau = G^T tau_free and M = G^T M_free G.
-TEST(Dynamics, ARobotWithAMimicIsTheFreeRobotConstrained) {
+TEST(Dynamics, ARobotWithAMimicEqualsTheConstrainedFreeRobot) {
   for (unsigned seed = 71; seed <= 76; ++seed) {
     Random random(seed);
     const bool chained = seed % 2;

@@ -19,7 +19,7 @@ Model<double> aLoneFreeFlyer() {
   return m;
 }
 
-TEST(Exercises, SizesNeutralAndBothOffsetsOfEachJointOfAUrdf) {
+TEST(Exercises, AUrdfGivesSizesTheNeutralConfigurationAndTwoOffsetsForEachJoint) {
   const Model<double> lone = aLoneFreeFlyer();
   EXPECT_EQ(lone.nq, 7);
   EXPECT_EQ(lone.nv, 6);

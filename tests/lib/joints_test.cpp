@@ -41,7 +41,7 @@ TEST(Joints, DifferenceInvertsIntegrateForEveryJoint) {
     EXPECT_TRUE(isSameConfiguration(m, normalized(m, Vec(q)), q));
   }
 }
-TEST(Joints, IntegrateAndDifferenceAreThoseOfLongDoubleToAFewUlp) {
+TEST(Joints, IntegrateAndDifferenceAgreeWithLongDoubleToAFewUlp) {
   for (unsigned seed = 221; seed < 261; ++seed) {
     const Model<double> m = oneOfEach(seed);
     const Model<Real> ml = m.cast<Real>();
@@ -57,7 +57,7 @@ TEST(Joints, IntegrateAndDifferenceAreThoseOfLongDoubleToAFewUlp) {
   }
 }
 
-TEST(Joints, DIntegrateAndDDifferenceAreTheDerivativesOnWholeConfigurations) {
+TEST(Joints, DIntegrateAndDDifferenceAreTheDerivativesForWholeConfigurations) {
   for (unsigned seed = 261; seed < 269; ++seed) {
     const Model<double> m = oneOfEach(seed);
     const Model<Real> ml = m.cast<Real>();

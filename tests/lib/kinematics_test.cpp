@@ -93,7 +93,7 @@ TEST(Kinematics, VelocityAndClassicalAccelerationOfAFrameAreDerivativesOfItsPose
   });
 }
 
-TEST(Jacobians, TimesVAreVelocitiesAndWithTheirRatesGiveAccelerations) {
+TEST(Jacobians, JVIsTheVelocityAndJAPlusJDotVIsTheAcceleration) {
   forEachRobot([](const Model<double>& m, const State& s) {
     Data<double> d(m);
     forwardKinematics(m, d, s.q, s.v, s.a);
@@ -168,7 +168,7 @@ TEST(Frames, TheVelocityOfARotatingWheelInTheThreeReferences) {
   EXPECT_EQ(u(ReferenceFrame::LOCAL), V3(0, 3, 0));
   EXPECT_EQ(u(ReferenceFrame::LOCAL_WORLD_ALIGNED), V3(0, 3, 0));
   EXPECT_EQ(u(ReferenceFrame::WORLD), V3(0, -6, 0));  // of the wheel's point at the world's origin
-  // A constant twist has no spatial acceleration and a curved path.
+  // Under a constant twist the spatial acceleration is zero although the path is curved.
   EXPECT_EQ(getFrameAcceleration(m, d, rim, ReferenceFrame::LOCAL_WORLD_ALIGNED).linear(), V3(0, 0, 0));
   EXPECT_EQ(getFrameClassicalAcceleration(m, d, rim, ReferenceFrame::LOCAL_WORLD_ALIGNED).linear(),
             V3(-9, 0, 0));
@@ -190,7 +190,7 @@ TEST(Imu, AtRestItReadsGravityUpwardAndOnAWheelTheCentripetalForceToo) {
   EXPECT_LE((read(2, 3).specific_force - V3(-2, 9.81, -1.5)).norm(), 16 * eps<double>());
   EXPECT_LE((read(2, 3).angular_velocity - V3(0, 2, 0)).norm(), 4 * eps<double>());
 }
-TEST(Imu, InFreeFallItReadsNothing) {
+TEST(Imu, InFreeFallItReadsZeroSpecificForce) {
   Model<double> m;
   m.addJoint(0, FreeFlyer<double>(), here, "base");
   const int sensor = m.addFrame({"imu", 1, 0, here, FrameType::SENSOR});
@@ -207,7 +207,7 @@ TEST(Frames, ThePlacementOfAFreeFlyerAddsToThePositionInQ) {
   EXPECT_EQ(d.oMi[1].translation(), V3(0, 0, 1));
 }
 
-TEST(Frames, AnIndexOutOfRangeIsRefusedWithBothNumbers) {
+TEST(Frames, AnIndexOutOfRangeIsRefusedWithTheIndexAndTheCount) {
   const Model<double> m = randomModel(7, 3);
   Data<double> d(m);
   forwardKinematics(m, d, neutral(m), Vec(Vec::Zero(m.nv)));

@@ -1,5 +1,5 @@
-// Compares the three precisions with the same code at 50 digits, for |phi| <= pi. In each block tight errs by
-// at most 1 eps, standard by 6 and fast by 16. `liecheck hunt --subject liecheck:tight` covers all angles.
+// Compares the three precisions with the same code at 50 digits, for |phi| <= pi. Block errors are at most
+// 1 eps for tight, 6 for standard, 16 for fast. `liecheck hunt --subject liecheck:tight` covers all angles.
 
 #include <gtest/gtest.h>
 #include <boost/multiprecision/eigen.hpp>

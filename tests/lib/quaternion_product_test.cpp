@@ -66,16 +66,16 @@ TEST(QuaternionProduct, HasTwiceTheDigits) {
       worst = std::max(worst, std::abs(error));
     }
   }
-  // 8 rounding errors of the tails, which are of size 2^-26
+  // The bound is 8 rounding errors of the low parts, which are of size 2^-26.
   EXPECT_LE(worst, 8 * std::ldexp(eps<double>(), -26));
 }
 
-/// Translations so long that splitting them would overflow are scaled down. They stay as accurate.
+/// Translations are scaled down if splitting them would overflow. The results stay as accurate.
 TYPED_TEST(QuaternionProductOf, TranslationsNearTheEndOfTheRangeKeepTheirDigits) {
   using S = TypeParam;
   if constexpr (std::is_floating_point_v<S>) {
     const S huge = std::numeric_limits<S>::max() / S(16), far = S(1) / std::numeric_limits<S>::max_exponent;
-    const S less = std::ldexp(S(1), std::numeric_limits<S>::digits / 2 + 8);  // scales far from the overflow
+    const S less = std::ldexp(S(1), std::numeric_limits<S>::digits / 2 + 8);  // a divisor against overflow
     Vector7<S> q0, near0;
     q0 << huge, -huge / S(3), S(0), S(0.5), S(0.5), S(-0.5), S(0.5);
     Vector6<S> delta;

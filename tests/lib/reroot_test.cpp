@@ -1,5 +1,5 @@
 // Compares two models of one free-floating robot. In the second model the joint between the base and a child
-// is reversed, q' = q^-1, and the child is the base. No force acts on the base: joint forces are equal.
+// is reversed, q' = q^-1, and the child is the base. Without forces on the base the joint forces are equal.
 
 #include <gtest/gtest.h>
 
@@ -91,7 +91,7 @@ TEST(Reroot, JointForcesAreEqualAndTheNewBaseNeedsNoForce) {
                         nonLinearEffects(m, d, s.q, s.v).norm() +
                         (crba(other.model, e, other.q).cwiseAbs() * other.a.cwiseAbs()).norm() +
                         nonLinearEffects(other.model, e, other.q, other.v).norm();
-    // A few rounding errors in each of nv terms and in the pose, velocity and acceleration of the new base.
+    // Allows rounding errors in each of nv terms and in the pose, velocity and acceleration of the new base.
     // All bounds below are relative to the sizes of the terms of a sum.
     const double budget = 16 * m.nv * eps<double>();
     EXPECT_LE((tau - s.tau).norm(), budget * size);

@@ -70,7 +70,7 @@ TEST(ActionOnForces, TheZeroPowerWrenchHasNoPowerInEitherFrame) {
 TEST(ActionMatrices, OfForcesIsTheInverseTransposeOfThatOfMotions) {
   const auto T = exp6<double>(Motion<double>(V3(1, 2, 3), V3(0.3, -0.2, 0.9)));
   const Matrix6<double> product = T.toActionMatrix().transpose() * T.toDualActionMatrix();
-  EXPECT_LE((product - Matrix6<double>::Identity()).norm(), 64 * e);  // 6 x 6 products of entries up to 4
+  EXPECT_LE((product - Matrix6<double>::Identity()).norm(), 64 * e);  // 6 x 6 matrices of entries up to 4
 }
 
 TEST(CrossProducts, OnForcesIsMinusTheTransposeOfThatOnMotions) {
@@ -102,7 +102,7 @@ TEST(InertiaOfABody, MayBeInvalidAlthoughItsEntriesArePositive) {
   EXPECT_FALSE(Inertia<double>(NAN, V3::Zero(), Matrix3<double>::Identity()).isValid());
 }
 
-TEST(RotationMatrix, IsInvertedByLogThroughEveryPivot) {
+TEST(RotationMatrix, LogInvertsExpForEveryPivot) {
   for (const V3& axis : {V3(1, 0, 0), V3(0, 1, 0), V3(0, 0, 1), V3(1, 1, 1).normalized().eval()}) {
     for (double angle : {1e-9, 0.5, 2.0, 3.1, 3.14159}) {
       const V3 phi = angle * axis;
@@ -111,7 +111,7 @@ TEST(RotationMatrix, IsInvertedByLogThroughEveryPivot) {
   }
 }
 
-TEST(Jacobians, LeftOfMinusIsRightAndInversesAreInverse) {
+TEST(Jacobians, TheLeftOneOfMinusXiIsTheRightOneOfXiAndInversesAreInverse) {
   const Motion<double> xi(V3(0.4, -1, 2), V3(0.7, 0.2, -1.1));
   EXPECT_EQ(rightJacobian<double>(xi), leftJacobian<double>(-xi));
   EXPECT_EQ(Jexp6<double>(xi), rightJacobian<double>(xi));

@@ -106,7 +106,7 @@ void evaluations(const std::string& name, Evaluate&& evaluate, double bound, dou
   evaluation<F, true>(name, evaluate, fused_bound, domain);
 }
 
-// Ends of domains: pi^2 plus a few ulp of float, and 1 >= 1 - cos h.
+// Ends of domains: pi^2 plus a few ulp of float for x, and 1 for s = 1 - cos h.
 constexpr const char *pi_squared = "9.869608", *unit = "1";
 constexpr const char* fourth =
     "first = 1/24;\nratio = proc(j) { return -1 / (4*(2*j + 3)*(2*j + 4)); };\nterms = 24;\nrest = 1;\n";
@@ -144,8 +144,8 @@ TYPED_TEST(Proofs, TheFifthStumpffFunction) {
   evaluations<TypeParam>(name, code, 0.6, 0.57, pi_squared);
 }
 
-// c_k = 1/k! - h c_{k+2}. The approximation error of c_{k+2} adds at most h c_{k+2}/c_k < 1/5 of itself. The
-// rounding of 1/6 adds 1/6 eps.
+// c_k = 1/k! - h c_{k+2}. The approximation error of c_{k+2} enters c_k with the factor h c_{k+2}/c_k < 1/5.
+// The rounding of 1/6 adds 1/6 eps.
 TYPED_TEST(Proofs, TheSecondAndThirdStumpffFunctions) {
   using F = TypeParam;
   evaluations<F>(
@@ -155,7 +155,7 @@ TYPED_TEST(Proofs, TheSecondAndThirdStumpffFunctions) {
 }
 
 // Absolute errors of 1 - h/2 + h^2 c_4 and 1 - h/6 + h^2 c_5. The approximation errors of the polynomials and
-// the rounding of 1/24 add at most 0.07 and 0.06 eps.
+// the rounding of 1/24 add at most 0.07 eps to the first and 0.06 eps to the second.
 TYPED_TEST(Proofs, CosineAndSineOfHalfTheAngle) {
   using F = TypeParam;
   const auto cosine = [](const auto& x) { return half(x).c0; };

@@ -19,7 +19,7 @@ struct Program {
 };
 inline Program program;
 
-/// F rounded to nearest; mul_add is fused or rounded twice. Constants are folded as the compiler does.
+/// Rounds to nearest in F; mul_add rounds once if FUSED, else twice. Constants are folded as by the compiler.
 template <class F, bool FUSED>
 class Traced {
  public:

@@ -22,8 +22,8 @@
 namespace liecheck::properties {
 namespace {
 
-constexpr double margin = 1.25;      // for errors that a hunt did not find
-constexpr double reproduced = 0.97;  // share of the value that a replay reaches: libm's last bit varies
+constexpr double margin = 1.25;      // limit / value, for errors larger than a hunt found
+constexpr double reproduced = 0.97;  // error of a replay / value: libm's last bit varies
 
 std::string name_of(const Budget& b) {
   return fmt::format("{} {}, {}, {}", b.subject, b.operation, b.block, b.region);
@@ -57,7 +57,7 @@ TEST(Budgets, NoLimitIsMoreThanItsBasisAllows) {
   }
 }
 
-TEST(Budgets, ARowBasedOnAnotherRowHasItsLimit) {
+TEST(Budgets, ARowThatCitesAnotherRowHasTheLimitOfThatRow) {
   for (const Budget& b : budget_lines()) {
     if (b.basis != Basis::row) continue;
     const std::size_t slash = b.hard_case.find('/');
@@ -70,7 +70,7 @@ TEST(Budgets, ARowBasedOnAnotherRowHasItsLimit) {
   }
 }
 
-TEST(Budgets, ALimitBeyondPiIsTwoLargerThanThatUpToPi) {
+TEST(Budgets, ALimitBeyondPiExceedsTheLimitUpToPiByTwo) {
   int rows = 0;
   for (const Budget& b : budget_lines()) {
     if (b.region != "beyond_pi") continue;
@@ -159,7 +159,7 @@ TEST(Budgets, EveryHuntedMaximumIsReproducedByItsHardCase) {
     const std::string subject = b.subject.empty() ? "liecheck" : b.subject;
     const Series* series = all.of(c.properties[0], c.scalars[0], subject, b.fma);
     if (!series && b.fma)
-      continue;  // only double without trees has a module, and it needs a processor with FMA
+      continue;  // of() knows FMA only in double, without trees, and on a processor with FMA
     ASSERT_TRUE(series) << name_of(b);
     const double found = largest(b, *series, numbers_of(c, series->fields, format_of(c.scalars[0])));
     EXPECT_GE(found, reproduced * b.value) << name_of(b) << ": " << c.name;

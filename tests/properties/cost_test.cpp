@@ -1,4 +1,4 @@
-// Time beside error: the statistics, the front, the loops that are timed, and the two ways in which errors are had.
+// Cost against error: the statistics, the Pareto front, the timed loops, and two ways of computing errors.
 
 #include <gtest/gtest.h>
 
@@ -15,8 +15,8 @@ namespace {
 
 using namespace liecheck::properties;
 
-TEST(Spread, HoldsTheMedianWithNinetyFivePercent) {
-  // P(fewer than k of n below the median), Bin(n, 1/2): the ranks of tables of the sign test.
+TEST(Spread, ContainsTheMedianWithAProbabilityOf95Percent) {
+  // The ranks are those of tables of the sign test: the number of values below the median is Bin(n, 1/2).
   for (const auto& [n, rank] : {std::pair<int, double>{6, 1}, {9, 2}, {15, 4}, {25, 8}}) {
     std::vector<double> x;
     for (int i = n; i >= 1; --i) x.push_back(i);
@@ -38,16 +38,16 @@ CostRow row(const char* subject, double error_eps, double low, double median, do
   return r;
 }
 
-TEST(Front, IsWhatNothingElseBeats) {
+TEST(Front, HoldsTheRowsThatNoOtherRowBeats) {
   const std::vector<CostRow> rows = {
       row("accurate", 1, 99, 100, 101), row("fast", 16, 49, 50, 51), row("slow", 1, 110, 111, 112),
-      row("as fast as far as one can tell", 1, 95, 102, 105), row("worse", 17, 49, 50, 51)};
+      row("as fast within its spread", 1, 95, 102, 105), row("worse", 17, 49, 50, 51)};
   EXPECT_EQ(dominators(rows, &CostSet::latency), (std::vector<int>{-1, -1, 0, -1, 1}));
   EXPECT_EQ(error_of(rows[0]), 0x1p-52);  // a defect of the norm does not count
   EXPECT_EQ(worst_block(rows[0]), "translation");
 }
 
-TEST(Front, ACaseWithoutAResultIsNoSmallError) {
+TEST(Front, ACaseWithoutAResultHasAnInfiniteError) {
   std::vector<CostRow> rows = {row("accurate", 1, 99, 100, 101), row("breaks", 0, 99, 100, 101)};
   rows[1].sets.back().blocks[0].not_finite = 1;
   EXPECT_TRUE(std::isinf(error_of(rows[1])));
@@ -68,7 +68,7 @@ TEST(CostInputs, AreTheSameForASeedAndLieInTheirBands) {
   }
 }
 
-/// A loop of multiplications, each waiting for the last: some 4 ns, of which the next call may do without.
+/// Multiplications that each need the result before. The processor can overlap those of independent calls.
 Vec<double, 3> chain(const Vec<double, 3>& phi) {
   double x = phi[0];
   for (int i = 0; i < 16; ++i) x = x * 1.0000001 + 1e-9;
@@ -96,7 +96,7 @@ TEST(Loops, LatencyWaitsForTheLastResultAndThroughputDoesNot) {
   EXPECT_GT(time(s.latency), 1.5 * time(s.throughput));
 }
 
-TEST(Benchmarks, EveryRowIsRepeatedAndAStopKeepsWhatIsDone) {
+TEST(Benchmarks, EveryRowIsRepeatedAndAStopKeepsTheTimesSoFar) {
   std::vector<Timed> all(3);
   std::atomic<bool> stop{false};
   int passes = 0;
@@ -110,7 +110,7 @@ TEST(Benchmarks, EveryRowIsRepeatedAndAStopKeepsWhatIsDone) {
   EXPECT_EQ(kept, 9U);
 }
 
-/// The errors of every operation by its law, and by the closed forms at 100 digits.
+/// Compares the errors that each operation's law measures with errors from the closed forms at 100 digits.
 TEST(WideErrors, AgreeWithTheLawsInDouble) {
   const auto all = subjects<double>();
   const Subject<double>& subject =
@@ -143,7 +143,7 @@ TEST(WideErrors, AgreeWithTheLawsInDouble) {
       const bool matrix =
           w.block == "rotation" && name.find("quaternion") == std::string::npos && name != "integrate";
       for (std::size_t i = 0; i < w.errors.size(); ++i) {
-        // The error of a rotation matrix contains its defect here, which is at most a few eps.
+        // Here the error of a rotation matrix includes its non-orthogonality, at most a few eps.
         const double slack = matrix ? 4 : 1e-6 * std::max(1.0, w.errors[i]);
         EXPECT_NEAR(found->errors[i], w.errors[i], slack) << name << " " << w.block << " " << i;
       }
@@ -151,7 +151,7 @@ TEST(WideErrors, AgreeWithTheLawsInDouble) {
   });
 }
 
-TEST(Kernels, AFolderWithoutAnyAndAnotherLayoutAreErrors) {
+TEST(Kernels, AFolderWithoutKernelsAndAFileThatIsNoKernelAreErrors) {
   const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "liecheck_kernels";
   std::filesystem::create_directories(folder);
   EXPECT_FALSE(has_kernels(folder));

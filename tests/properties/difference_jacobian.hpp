@@ -7,7 +7,7 @@
 namespace liecheck::oracles {
 
 /// Column i is vee(exp(-xi) d/dh exp(xi + h e_i)) by central differences at 100 digits, with exp by scaling and
-/// squaring. Lengths are in units of ||rho||. `resolved` is the structure [[J, C], [0, J]].
+/// squaring. Lengths are in units of ||rho||. `resolved` means the form [[J, C], [0, J]].
 inline Jacobian6Result right_jacobian_fd(const Vec6<>& xi) {
   using T = Real100;
   Vec6<T> centre = cast<T>(xi);

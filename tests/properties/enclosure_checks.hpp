@@ -17,10 +17,10 @@ namespace liecheck::enclosures {
 using namespace oracles;
 
 /// The allowed error of each block, relative to max(||exact||, scale) with the scale passed to near(). The
-/// oracles promise 1e-41 (agreement.hpp); rounding 100 correct digits to 168 bits adds 2^-168 = 2.7e-51.
+/// oracles promise 1e-41 (agreement.hpp), but 100 correct digits rounded to 168 bits err by 2^-168 = 2.7e-51.
 inline constexpr double claim = 1e-50;
-/// Negative control: Ledger::check adds an error of this many times the allowed one (for `claim`, in the 49th digit) to
-/// each value, and the comparison must then fail.
+/// Negative control: Ledger::check adds an error of 10 times the allowed one to each value. The comparison
+/// must then fail. For `claim` this error is in the 49th digit.
 inline constexpr double wrong = 10;
 
 /// The allowed error of the closed forms at 100 digits (334 bits): 1e-98 (theta / d)^2 for an angle theta at the

@@ -32,7 +32,7 @@ Eigen::Matrix<T, R, C> point(const oracles::Mat<R, C, S>& m) {
   return r;
 }
 
-/// Lower and upper bound of the error of one block relative to max(||exact||, scale).
+/// Bounds of the error of one block, ||value - exact|| / max(||exact||, scale).
 struct Excess {
   double least, most;
 };
@@ -69,10 +69,10 @@ class Ledger {
     const Excess e = excess<T, R, C>(exact, value, scale);
     if (!(e.most <= w.most)) w.most = e.most;
     if (!(e.most <= claim) && ++w.outside <= 3)
-      ADD_FAILURE() << what << ": the oracle errs by " << e.least << " ... " << e.most << ", claims " << claim
+      ADD_FAILURE() << what << ": the oracle errs by " << e.least << " to " << e.most << ", claims " << claim
                     << "\n"
                     << input;
-    // The planted error is in the largest number.
+    // The error is planted in the largest number of `value`.
     Eigen::Matrix<T, R, C> planted = value;
     int k = 0;
     for (int i = 1; i < R * C; ++i)
@@ -87,10 +87,10 @@ class Ledger {
   }
   void print() const {
     for (const auto& [what, w] : worst_)
-      std::cout << what << ": " << w.checks << " enclosed, at worst " << w.most << "\n";
+      std::cout << what << ": " << w.checks << " values enclosed, largest error " << w.most << "\n";
   }
 
-  std::string input;  ///< of the next check, for messages
+  std::string input;  ///< the input of the next check, for messages
 
  private:
   struct Worst {

@@ -39,9 +39,9 @@ std::uint64_t seed() {
 
 constexpr int per_band = 3;
 
-/// Draws `draws` inputs with `draw`. Calls `use` on at most `per_band` of them for each band of their exact
-/// `angle` [rad]. With the default seed, every band from `lowest` to pi must occur, and every band beyond pi
-/// as well if `beyond` is true.
+/// Draws `draws` inputs x with `draw` and sorts them into bands by their exact angle(x) [rad]. Calls `use` on
+/// at most `per_band` inputs of each band. With the default seed, every band from `lowest` to pi must have an
+/// input, and every band beyond pi as well if `beyond` is true.
 template <class S, class Draw, class Angle, class Use>
 void in_every_band(std::uint64_t series, std::uint64_t draws, const Real& lowest, bool beyond, Draw&& draw,
                    Angle&& angle, Use&& use) {
@@ -267,7 +267,7 @@ void expect_overlap(const Eigen::Matrix<T, R, C>& a, const Eigen::Matrix<T, R, C
 }
 
 TEST_F(EnclosureInDouble, OverlapsThePowerSeriesOfExpAndOfTheLeftJacobian) {
-  // The coefficients change formula at theta = 16
+  // The enclosures of c_k use another formula from theta = 16 on.
   for (const double theta : {0.0, 1e-3, 0.5, 3.0, 6.3, 15.5, 16.5, 30.0}) {
     const V6<T> xi = point<T>(stack(vector(1, -2, 3), vector(theta * 0.6, 0, theta * 0.8)));
     const V3<T> rho = xi.head<3>(), phi = xi.tail<3>();

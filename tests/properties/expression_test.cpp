@@ -82,7 +82,7 @@ TYPED_TEST(Expression, ListsAreCombinedElementByElement) {
   EXPECT_EQ(values<S>("rotation(0, 0, 3, 3)"), (std::vector<S>{0, -1, 0, 1, 0, 0, 0, 0, 1}));
 }
 
-TEST(ExpressionScaled, IsTheSameShareOfTheExponentRange) {
+TEST(ExpressionScaled, MapsTheExponentRangeOfDoubleToThatOfTheScalar) {
   EXPECT_EQ(value<double>("scaled(1e150)"), 1e150);
   EXPECT_NEAR(value<float>("scaled(1e150)") / 5.62e18f, 1, 1e-2);
   EXPECT_EQ(value<double>("-scaled(1e150)"), value<double>("scaled(-1e150)"));

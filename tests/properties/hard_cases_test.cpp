@@ -96,7 +96,7 @@ TEST(HardCases, ARefusalIsRightOnlyIfTheInputIsNoRotation) {
   EXPECT_EQ(wrong.verdict, Verdict::refused);
   EXPECT_TRUE(wrong.failed);
   EXPECT_EQ(wrong.refusal, "no logarithms today");
-  // textbook does not check its input. It is compared with the log of Q/|Q|, but takes acos of the w of Q.
+  // textbook does not check its input. It takes acos of the w of Q, and is compared with the log of Q/|Q|.
   EXPECT_EQ(cell("textbook", off_unit).verdict, Verdict::inaccurate);
   EXPECT_EQ(cell("textbook", "a | log_oracle | R = -1, 0, 0, 0, -1, 0, 0, 0, -1 | c | r | o").verdict,
             Verdict::wrong_branch);

@@ -155,7 +155,7 @@ TEST_P(Planted, BugIsCaughtByItsLawAndTheLawPassesWithoutIt) {
   const std::string bug = "planted_" + GetParam();
   const auto known = subject_names();
   ASSERT_NE(std::find(known.begin(), known.end(), bug), known.end()) << "no bug is planted for this law";
-  // A jump shows only if two neighbouring inputs are on either side of its cutoff: in about one case of 130.
+  // A jump at a cutoff shows only if the cutoff lies between two neighbouring inputs: in one case of 130.
   const CampaignResult result = run(bug, GetParam(), 2000);
   ASSERT_EQ(result.series.size(), 1u);
   EXPECT_GT(result.series.at(0).tally.rows.size(), 0u) << "the law measured nothing";

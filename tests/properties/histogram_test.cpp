@@ -28,7 +28,7 @@ TEST(Histogram, IsTheSameInEveryOrderAndAfterMerging) {
   for (std::size_t i = 0; i < x.size(); ++i) {
     forward.add(x[i]), backward.add(x[x.size() - 1 - i]), parts[i % 2].add(x[i]);
     if (i % 777 == 0) {
-      EXPECT_FALSE(forward.bins().empty());  // also sorts in the buffered values
+      EXPECT_FALSE(forward.bins().empty());  // bins() also adds the buffered values to the bins
     }
   }
   merged.merge(parts[1]), merged.merge(parts[0]);

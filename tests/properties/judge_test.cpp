@@ -23,8 +23,8 @@ TEST(Agreement, ErrorsAndConditionNumbersMayDifferByTheirAccuracyAndNoMore) {
   EXPECT_FALSE(agreed(measured(2, 30), measured(2 * (1 + 1.1 * e), 30)));
   EXPECT_FALSE(agreed(measured(2, 15), measured(2, 30)));
   EXPECT_FALSE(agreed(measured(2, 31), measured(2, 30)));
-  EXPECT_TRUE(agreed(measured(2, 0.4), measured(2, 0.9)));  // both count as 1
-  EXPECT_TRUE(agreed(measured(2, 0), measured(2, 30)));     // 0: kappa was not computed
+  EXPECT_TRUE(agreed(measured(2, 0.4), measured(2, 0.9)));  // a kappa below 1 is taken as 1
+  EXPECT_TRUE(agreed(measured(2, 0), measured(2, 30)));     // kappa = 0 means that it was not computed
   EXPECT_FALSE(agree({measured(1, 1)}, {}));
 }
 
@@ -109,7 +109,7 @@ TYPED_TEST(BallBands, OfSubnormalAnglesAndOfPosesNearTheIdentityEqualThoseOfFift
     }
   }
   EXPECT_GT(subnormal, 200u);
-  EXPECT_GT(angles, 2800u);  // the others have a square one ulp from an edge
+  EXPECT_GT(angles, 2800u);  // the others are undecided: theta^2 is one ulp from the edge of a band
   EXPECT_GT(differences, 2700u);
 }
 

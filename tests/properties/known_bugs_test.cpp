@@ -11,7 +11,7 @@ bool is_alike(const KnownBug& b) {
   return b.name.rfind("alike:", 0) == 0;
 }
 
-TEST(KnownBugs, AreAtLeastFortyWithTenLookAlikesEachWithItsOrigin) {
+TEST(KnownBugs, AreAtLeastFortyWithTenLookAlikesAndAllStateTheirOrigin) {
   std::set<std::string> names;
   for (const KnownBug& b : known_bug_table()) {
     EXPECT_TRUE(names.insert(b.name).second) << b.name;

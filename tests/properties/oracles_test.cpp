@@ -255,7 +255,7 @@ TEST(LogOracle, KeepsTheRelativeAccuracyOfAMatrixWithSubnormalEntries) {
   R(0, 1) = Real(-3e-310);
   const LogResult l = log_se3_matrix(R, zero_vector<3, Real>());
   EXPECT_TRUE(l.resolved);
-  // antisymmetric part of the polar factor of [[1+e, -t], [t, 1]] is 2t / (2 + e)
+  // The polar factor of [[1+e, -t], [t, 1]] rotates by atan(2t / (2 + e)), here 2t / (2 + e).
   EXPECT_LE(abs(l.phi[2] / Real(3e-310) - 2 / (2 + Real(2.220446049250313e-16))), promised);
 }
 
@@ -281,7 +281,7 @@ TEST(IntegrateOracle, AndDifferenceAreInverseInEveryBandUpToPi) {
     if (a.theta >= pi()) continue;
     for (const Vec3<>& axis : axes()) {
       const Vec6<> delta = stack(vector(0.25, -0.75, 1.5), along(axis, a.theta));
-      // from the identity, because 50 digits of the result then determine delta
+      // q0 is the identity: 50 digits of the result then determine delta.
       const Vec7<> q0{{Real(0), Real(0), Real(0), Real(0), Real(0), Real(0), Real(1)}};
       const IntegrateResult r = integrate(q0, delta);
       const DifferenceResult d = difference(q0, configuration(r.p, r.Q));
@@ -324,7 +324,7 @@ TEST(DifferenceOracle, OfNearPosesInFloat128IsResolved) {
   b[0] += std::numeric_limits<float128>::epsilon() / 4;
   const DifferenceResult d = difference(exact_vector<7>(a), exact_vector<7>(b));
   EXPECT_TRUE(d.resolved);
-  // v = Q0* (Q1 - Q0) = e (w, -z, y), w = 1 + e x; phi = 2 v / w (1 - ...), e = 2^-113
+  // With x y z w of Q0: Q0* Q1 has the vector part e (w, -z, y) and the scalar part 1 + e x.
   const Real e = ldexp(Real(1), -113);
   const Real tangent = sqrt(Real(3)) * e / 2 / (1 + e / 2);
   EXPECT_LE(abs(d.theta / (2 * atan(tangent)) - 1), promised);
@@ -538,7 +538,7 @@ TEST(ConditionOracle, OfExpNearTwoPiGrowsAsTheInverseOfTheDistance) {
   const std::vector<Real> p = p_of_exp(xi);
   const double kappa =
       condition_number(movements(p_of_exp, xi, {{0, 3}})[0], norm(Vec3<>{{p[0], p[1], p[2]}}));
-  EXPECT_NEAR(kappa * 1e-10 / 6.283185307, 1, 1e-3);  // dp/dtheta theta / p = theta / distance
+  EXPECT_NEAR(kappa * 1e-10 / 6.283185307, 1, 1e-3);  // (dp/dtheta) theta / p = theta / distance
 }
 
 TEST(ConditionOracle, IgnoresAnInputThatIsZero) {

@@ -1,4 +1,4 @@
-// The program's command line: what it refuses, with which message and exit code, and what it never loses.
+// The program's command line: its error messages, its exit codes, and that no output is lost.
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -162,7 +162,7 @@ TEST_F(Program, InvalidCaseIdsAreRefusedWithThePosition) {
   refused("replay raw.exp_oracle.liecheck.double.nope.1,2,3", "exp_oracle takes no robot: expected none");
 }
 
-TEST_F(Program, ARobotIsReadOnceAndItsNameIsThatOfTheParser) {
+TEST_F(Program, ARobotIsReadOnceAndNamedAsTheXmlParserReadsIt) {
   ASSERT_EQ(::mkfifo((dir / "fifo").c_str(), 0600), 0);
   refused(robot + "--robot fifo", "fifo: cannot be read (a pipe without a writer)");
   refused(robot + "--robot none.urdf", "liecheck: none.urdf: cannot be opened (No such file or directory)");
@@ -196,7 +196,7 @@ TEST_F(Program, LostOutputIsAnError) {
   EXPECT_EQ(shell("$L nope 2>/dev/full").code, 2);
 }
 
-TEST_F(Program, TheTableAndTheRecordSurviveTheLossOfTheOther) {
+TEST_F(Program, TheTableSurvivesTheLossOfTheRecordAndTheRecordThatOfTheTable) {
   store("r.json.part", "of the user");
   shell("$L " + quick + "--json r.json >&-");
   EXPECT_EQ(nlohmann::json::parse(read(dir / "r.json"))["verdict"], "pass");
@@ -216,7 +216,7 @@ TEST_F(Program, AHangUpSignalStillWritesTheRecord) {
   EXPECT_EQ(nlohmann::json::parse(read(dir / "r.json"))["verdict"], "incomplete") << r.err;
 }
 
-// `timeout` sends a signal to the program and then to its whole process group.
+// `timeout` signals the program and then its process group, so that the program receives two signals.
 TEST_F(Program, TwoSignalsAtOnceCountAsOne) {
   const Run r = shell(
       "${L#timeout 60 } campaign --no-hard-cases --property exp_oracle --for 50 -j 1 --json r.json & "

@@ -26,7 +26,7 @@ std::optional<T> smallest_failure(const rc::Gen<T>& gen, Fails fails) {
 }
 
 TEST(RapidCheck, FindsABandOfAnglesAndShrinksToAShortNumberAlongAnAxis) {
-  // A planted bug of exp: wrong between 2e-9 and 1e-7.
+  // A planted bug of exp: it is wrong for angles between 2e-9 and 1e-7 rad.
   const auto found = smallest_failure(gen::rotation_vector<double>(),
                                       [](const auto& phi) { return phi.norm() > 2e-9 && phi.norm() < 1e-7; });
   ASSERT_TRUE(found);

@@ -61,7 +61,7 @@ TEST(Record, OfACampaignHasEveryDocumentedFieldAndNoOther) {
 
 /// Faults in the definitions of the operations and blocks in a record's results.
 std::set<std::string> faulty_definitions(const Json& record) {
-  std::map<std::string, std::string> operations;  // by definition
+  std::map<std::string, std::string> operations;  // definition -> name
   std::set<std::string> bad;
   std::set<std::pair<std::string, std::string>> blocks;
   for (const Json& o : record["operations"]) {
@@ -76,9 +76,9 @@ std::set<std::string> faulty_definitions(const Json& record) {
     if (!b.contains("operation"))
       bad.insert(b["block"].get<std::string>() + " is defined without an operation");
     else if (!blocks.emplace(b["operation"], b["block"]).second)
-      bad.insert(b.dump() + " is not the only definition");
+      bad.insert(b.dump() + " is defined twice");
     else if (b["error"] == "" || b["denominator"] == "" || b["unit"] == "")
-      bad.insert(b.dump() + " is empty");
+      bad.insert(b.dump() + " has an empty field");
   std::set<std::string> defined;
   for (const auto& [definition, name] : operations) defined.insert(name);
   for (const Json& row : record["results"]) {
@@ -89,7 +89,7 @@ std::set<std::string> faulty_definitions(const Json& record) {
   return bad;
 }
 
-TEST(Record, DefinesEveryOperationAndBlockByItself) {
+TEST(Record, DefinesEveryOperationAndBlockOfItsResults) {
   EXPECT_EQ(faulty_definitions(campaign()), std::set<std::string>());
   Json less = campaign();
   const Json &row = less["results"][0], &blocks = less["blocks"];

@@ -75,7 +75,7 @@ class Stores : public testing::Test {
     return {std::istreambuf_iterator<char>(f), {}};
   }
 
-  /// The seed of the damaged bytes, the times of kills and the orders of files.
+  /// The seed of all random choices: the damaged bytes, the times of kills, the orders of merged files.
   static unsigned seed() {
     const char* given = std::getenv("LIECHECK_SEED");
     return given ? static_cast<unsigned>(std::strtoul(given, nullptr, 10)) : std::random_device{}();
@@ -104,7 +104,7 @@ TEST(RangesOfCases, AreDisjointAndCoalesced) {
   EXPECT_EQ(r.count(), 30u);
 }
 
-TEST_F(Stores, ExportTheSameForOneThreadTwoAndSevenShardsInAnyOrder) {
+TEST_F(Stores, ExportTheSameForOneOrTwoThreadsAndForSevenShardsInAnyOrder) {
   const std::string one = text(run("one", options()));
   CampaignOptions two = options();
   two.jobs = 2, two.checkpoint_seconds = 0;
@@ -137,7 +137,7 @@ TEST_F(Stores, ExportTheSameForThreeRanks) {
 
 TEST_F(Stores, ResumeAfterKillsToTheSameExport) {
   CampaignOptions o = options(600);
-  for (double seconds = 0; seconds < 1; o.cases *= 2) {  // long enough to be killed several times
+  for (double seconds = 0; seconds < 1; o.cases *= 2) {  // until a run can be killed several times
     const auto start = std::chrono::steady_clock::now();
     run("whole" + std::to_string(2 * o.cases), options(2 * o.cases));
     seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -152,7 +152,7 @@ TEST_F(Stores, ResumeAfterKillsToTheSameExport) {
       run("killed", o, true);
       _exit(0);
     }
-    // Later each time: a busy machine may be slow to start the process.
+    // The longest wait grows with each kill: a busy machine may be slow to start the process.
     std::this_thread::sleep_for(
         std::chrono::milliseconds(random_() % static_cast<unsigned>(30 + 10 * kills)));
     kill(child, SIGKILL);
@@ -160,7 +160,7 @@ TEST_F(Stores, ResumeAfterKillsToTheSameExport) {
     waitpid(child, &status, 0);
     if (WIFEXITED(status)) break;
     ++kills;
-    Store store(file("killed"), Store::Open::create);  // valid, or created now
+    Store store(file("killed"), Store::Open::create);  // throws if the file is not valid
     if (store.campaigns() == 0) continue;
     std::uint64_t done = 0;
     for (const auto& s : store.load(1).series) done += s.tally.cases;
@@ -188,7 +188,7 @@ TEST_F(Stores, RefuseAnotherCampaignAndNameWhatDiffers) {
   EXPECT_SAYS(error([&] { run("b", part, true); }), "cases 0..105 against 105..210");
 }
 
-TEST_F(Stores, ReplayEarlierCounterexamplesOutsideTheCountedCases) {
+TEST_F(Stores, ReplayEarlierCounterexamplesWithoutCountingThem) {
   run("a", options());
   CampaignOptions o = options(50, 7);
   Store store(file("a"), Store::Open::create);
@@ -251,7 +251,7 @@ TEST_F(Stores, OfAnotherKindOrDamagedAreRefusedWithOneLine) {
   const std::string good = run("good", options());
   const std::string bytes = written("good");
   int refused = 0;
-  for (int i = 0; i < 40; ++i) {  // a damaged byte is refused, or was unused
+  for (int i = 0; i < 40; ++i) {  // a damaged byte is refused unless it is unused
     std::string bad = bytes;
     bad[random_() % bad.size()] ^= static_cast<char>(1 + random_() % 255);
     std::ofstream(file("bad"), std::ios::binary) << bad;

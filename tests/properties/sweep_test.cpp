@@ -61,7 +61,7 @@ Real100 closed_form(Coefficient which, double argument) {
 const CoefficientCode& code_of(Coefficient c) {
   for (const CoefficientCode& code : library_coefficients())
     if (std::count(code.outputs.begin(), code.outputs.end(), c)) return code;
-  throw std::logic_error("no code computes this coefficient");
+  throw std::logic_error("no function of the library computes this coefficient");
 }
 
 TEST(SweepOracle, KeepsItsBoundAgainstClosedFormsAt100Digits) {
@@ -72,7 +72,7 @@ TEST(SweepOracle, KeepsItsBoundAgainstClosedFormsAt100Digits) {
                         last = std::bit_cast<std::uint32_t>(code_of(claim.coefficient).last);
     double most = 0;
     for (int i = 0; i < 600; ++i) {
-      // Uniform in the bits, so that all binades from 1e-15 on occur; every second interval is at x >= 0.5.
+      // Uniform in the bits, so that every binade from 1e-15 on occurs. Every second interval has x >= 0.5.
       const std::uint32_t near = i % 2 ? std::bit_cast<std::uint32_t>(0.5f) : first;
       const std::uint32_t from = std::uniform_int_distribution(near, last)(random) & ~4095u;
       const std::uint32_t to = std::min(last, from + 4095);
@@ -90,7 +90,7 @@ TEST(SweepOracle, KeepsItsBoundAgainstClosedFormsAt100Digits) {
   }
 }
 
-/// Over wide intervals the truncation error of the cubic exceeds its rounding errors.
+/// Over wide intervals the truncation error of the oracle's cubic exceeds its rounding errors.
 TEST(SweepOracle, KeepsItsBoundOverWideIntervals) {
   for (const CoefficientClaim& claim : coefficient_claims()) {
     const bool absolute = oracles::is_absolute(claim.coefficient);
@@ -240,7 +240,7 @@ TEST(Sweep, OfEveryFloatFindsTheOneThatIsWrong) {
   EXPECT_GE(r.coefficients[0].bound_eps, r.coefficients[0].max_eps);
 }
 
-TEST(Sweep, StopsOnRequestAndIsThenNoUpperBound) {
+TEST(Sweep, StopsOnRequestAndThenGivesNoUpperBound) {
   std::atomic<bool> stop{false};
   SweepOptions options;
   options.coefficients = {half_cosine};

@@ -50,7 +50,7 @@ TEST(TreeOracle, TorquesFollowFromLagrangesEquations) {
     for (std::size_t k = 0; k < n; ++k) {
       Numbers e(n, T(0));
       e[k] = 1;
-      const auto momentum = [&](const T& t) {  // dT/dv_k: T is quadratic in v, so any step is exact
+      const auto momentum = [&](const T& t) {  // dT/dv_k by differences: exact, T is quadratic in v
         const Numbers q = moved(c.q, c.v, t), v = moved(c.v, c.a, t);
         return T((kinetic(q, moved(v, e, T(1))) - kinetic(q, moved(v, e, T(-1)))) / 2);
       };

@@ -54,12 +54,12 @@ TEST(Schema, ChecksEveryFieldThatItDocuments) {
                  Json changed = object;
                  changed[key] = rule["type"] == "boolean" ? Json(1) : Json(true);
                  const std::string wrong = refusal_with(object, changed);
-                 EXPECT_EQ(wrong.rfind("r.json: field ", 0), 0u) << field << " may be anything: " << wrong;
+                 EXPECT_EQ(wrong.rfind("r.json: field ", 0), 0u) << field << " accepts any value: " << wrong;
                  EXPECT_NE(wrong.find(key + ": expected "), wrong.npos) << wrong;
                  EXPECT_NE(wrong.find(", found "), wrong.npos) << wrong;
                  changed.erase(key);
                  const Json required = object_rule.value("required", Json::array());
-                 // Open keys are required too: a hard case has an input for every scalar in its cells.
+                 // Open keys are required too, such as the input for each scalar of a hard case.
                  EXPECT_EQ(field.ends_with(".*") || std::count(required.begin(), required.end(), key) == 1,
                            refusal_with(object, changed).find(key + " is missing") != wrong.npos)
                      << field;

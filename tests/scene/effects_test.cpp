@@ -34,7 +34,7 @@ Rates rates_of(const std::string& effect) {
   Rates rates{0, 0};
   for (std::size_t k = 0; k < tau.size(); ++k) rates.power += tau[k] * v[int(k)];
   for (std::size_t i = 1; i < f.size(); ++i) rates.power += f[i].dot(now.V[i]);
-  const double h = 1e-5;  // truncation error h^2 and rounding error eps/h: 1e-10
+  const double h = 1e-5;  // the truncation error h^2 and the rounding error eps/h are at most 1e-10
   const auto V = [&](double s) {
     const VectorX<double> moved = integrate(scene.model, q, s * v);
     return e->potential(tree.here(0.25, moved, v, sc::Kinematics::Poses));
@@ -167,8 +167,8 @@ TEST(Fixtures, ABodySplitIntoLinksMovesAsTheSameBodyMadeByHand) {
   s.model = test::freeBody({3, c, I});
   const sc::Run twin = sc::run(s);
   ASSERT_EQ(split.rows.size(), twin.rows.size());
-  // The inertias differ by a few eps, which t omega = 50 times amplifies in the phase. The rounding errors of
-  // 10^4 steps add up at random, to 100 eps. The bound is 8 times their sum, for columns of at most 10.
+  // The inertias differ by a few eps, and t omega = 50 amplifies this in the phase. The rounding errors of
+  // 10^4 steps add up at random, to 100 eps. The bound is 8 times their sum, for values of at most 10.
   for (std::size_t i = 0; i < split.rows.size(); ++i)
     EXPECT_NEAR(split.rows[i], twin.rows[i], 8 * (50 + 100) * eps<double>() * 10);
 }

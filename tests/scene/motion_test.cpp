@@ -29,7 +29,7 @@ TEST_P(EachMethod, HasItsDocumentedOrder) {
   const Model<double>& m = body.model();
   const Vec q = neutral(m);
   const auto exact = after(body, "gauss12", q, start_v, 2, 640);
-  // gauss12 reaches its rounding error long before 80 steps
+  // With 80 steps the error of gauss12 is mere rounding.
   const long few = info.order == 12 ? 4 : 80;
   const auto error = [&](long steps) {
     const auto s = after(body, info.name, q, start_v, 2, steps,

@@ -44,7 +44,7 @@ TEST(ObservedOrder, FindsAnUnexpectedOrderAndIgnoresACoarseStart) {
   EXPECT_LT(observe_order({1, 1e-3, 1e-15, 1.2e-15, 1e-15}, 4).halvings, 5);
 }
 
-TEST(WrongOrders, NamesMethodsThatAreOffOrObservedInFewerThanThreeScenes) {
+TEST(WrongOrders, NamesMethodsOfWrongOrderOrObservedInFewerThanThreeScenes) {
   const auto row = [](double order, int halvings) {
     OrderRow r{"rk2", "double", 2, false, {}, {}, {}};
     r.observed.order = order, r.observed.halvings = halvings, r.observed.settled = halvings >= 5;
@@ -115,7 +115,7 @@ TEST(Truth, DiffersForAChangedRobotAndIsMissingForAnUnknownEffect) {
   EXPECT_FALSE(truth_of(b));
 }
 
-TEST(LongSpins, OfTheBestMethodStayNearTheLimitOfConditioning) {
+TEST(LongSpins, BestErrorIsWithinTenTimesTheLimitOfConditioning) {
   double best = INFINITY;
   for (const LongSpin& s : long_spins(20)) best = std::min(best, s.error / s.limit);
   EXPECT_LE(best, 10);
