@@ -41,7 +41,7 @@ TEST(Exercises, WithAYawOfNinetyDegreesAnIncrementAlongTheBodysXMovesAlongTheWor
   const Vec moved = integrate(m, turned, Vec(Vec::Unit(6, 0)));
   EXPECT_LE((moved.head<3>() - V3(0, 1, 0)).norm(), 4 * eps<double>());
   EXPECT_GT((moved.head<3>() - (turned + Vec::Unit(7, 0)).head<3>()).norm(),
-            1);  // q + v dt is another position
+            1);  // adding the increment to q gives another position
 }
 
 TEST(Exercises, IntegrateFollowsAnArcAndDifferenceInvertsItUpToPi) {

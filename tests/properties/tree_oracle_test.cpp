@@ -91,7 +91,7 @@ TEST(TreeOracle, WithoutForcesOnItsBaseAFloatingRobotKeepsItsMomentum) {
     Numbers force = unaccelerated.torque();  // becomes the right-hand side of M a = tau - h
     for (std::size_t k = 0; k < force.size(); ++k) force[k] = (k < 6 ? T(0) : c.a[k]) - force[k];
     const Numbers factor = positive_factor(unaccelerated.mass(), force.size());
-    if (factor.empty()) continue;  // singular: a point mass on a free base without an armature
+    if (factor.empty()) continue;  // M is singular: a point mass on a free base without armature
     ++tried;
     const Numbers a = solve(factor, force);
     const TreeDynamics<T> d(c.tree, c.q, c.v, a);
