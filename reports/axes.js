@@ -1,5 +1,5 @@
-// Axes. A logarithmic axis has no place for 0, subnormals or bands of hundreds of decades. Each such band gets
-// a named column, a "slot". Chart.js gets a linear axis of log10, with the slots at one end.
+// Axes. A logarithmic axis has no place for 0, subnormals or bands of hundreds of decades. Each such band
+// gets a named column, a "slot". Chart.js gets a linear axis of log10, with the slots at one end.
 
 const WIDE = 2.5;  // a band of more decades is a slot
 
