@@ -64,7 +64,7 @@ function verticalAxis(rows, statistics) {
   return {ticks, ceilings, rim: most + .6 * gap, place, min: floor - .4 * gap, max: top};
 }
 
-// The ticks that fit into `width` pixels: all slots, and each (or each 2nd, 5th, …) decade not too near a slot.
+// The ticks that fit into `width` pixels: all slots, and each (or each 2nd, 5th, …) decade not near a slot.
 function roomy(ticks, span, width) {
   const decade = width / span;
   const step = [1, 2, 5, 10, 20, 50].find(s => s * decade >= 38) ?? 100;

@@ -16,7 +16,7 @@ struct CampaignOptions {
   std::optional<double> seconds;   ///< duration; replaces `cases`
   unsigned shard = 1, shards = 1;  ///< this run does part `shard` of the cases of each series
   unsigned jobs = 1;
-  double checkpoint_seconds = 0.5;  ///< between two checkpoints; the most that a killed run loses
+  double checkpoint_seconds = 0.5;  ///< between two checkpoints; a killed run loses about this much time
   bool quiet = false;
 
   std::optional<Range> range_override;  ///< replaces the shard's range
