@@ -1,5 +1,5 @@
-// Axes. A logarithmic axis has no place for 0, subnormals or bands of hundreds of decades. Each such band gets
-// a named column, a "slot". Chart.js gets a linear axis of log10, with the slots at one end.
+// Axes. A logarithmic axis has no place for 0, subnormals or bands of hundreds of decades. Each such band
+// gets a named column, a "slot". Chart.js gets a linear axis of log10, with the slots at one end.
 
 const WIDE = 2.5;  // a band of more decades is a slot
 
@@ -64,7 +64,7 @@ function verticalAxis(rows, statistics) {
   return {ticks, ceilings, rim: most + .6 * gap, place, min: floor - .4 * gap, max: top};
 }
 
-// The ticks that fit into `width` pixels: all slots, and each (or each 2nd, 5th, …) decade beside them.
+// The ticks that fit into `width` pixels: all slots, and each (or each 2nd, 5th, …) decade not near a slot.
 function roomy(ticks, span, width) {
   const decade = width / span;
   const step = [1, 2, 5, 10, 20, 50].find(s => s * decade >= 38) ?? 100;

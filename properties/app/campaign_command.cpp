@@ -108,8 +108,8 @@ void print_oracles(const CampaignResult& r) {
       fmt::print("ORACLES DISAGREE: {}\n", series->id(r.options.seed, index).text());
   }
   fmt::print(
-      "\noracles: ball arithmetic decided {:.2f} % of the cases, 50 and 100 digits decided the rest; {} of "
-      "the former were measured again with 50 and 100 digits, {} disagree\n",
+      "\noracles: ball arithmetic decided {:.2f} % of the cases, 50 and 100 digits decided the others; {} "
+      "cases of ball arithmetic were measured again with 50 and 100 digits, {} disagree\n",
       r.total_cases ? 100.0 * static_cast<double>(fast) / static_cast<double>(r.total_cases) : 0.0, checked,
       disagreed);
 }

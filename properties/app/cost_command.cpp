@@ -55,11 +55,11 @@ void print_header(const CostResult& r, const nlohmann::json& environment) {
   fmt::print("{}, governor {}, {}, {}, {}\n", text("cpu"), text("governor"), text("os"), text("compiler"),
              text("flags"));
   fmt::print(
-      "time: processor time of a call: median of at most {} undisturbed repetitions in random order, and\n"
-      "  its 95 % confidence interval; the row call, not subtracted, is the shortest operation of the "
-      "signature\n"
-      "error: the largest found (a lower bound), 99 % quantile and median of the worst block, in eps of the\n"
-      "  scalar, over the timed inputs; dominated: another row has a lower latency and no larger error\n"
+      "time: processor time of a call, as the median of at most {} undisturbed repetitions in random order,\n"
+      "  with its 95 % confidence interval. The row call is the shortest operation of the signature.\n"
+      "  Its time is not subtracted.\n"
+      "error: largest found (a lower bound), 99 % quantile and median, for the worst block, in eps of the\n"
+      "  scalar, over the timed inputs. Dominated: another row has a lower latency and no larger error.\n"
       "instructions: {}\n",
       r.options.repetitions,
       r.no_counter.empty() ? "retired in user space, per call" : "not counted, " + r.no_counter);

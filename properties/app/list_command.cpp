@@ -19,8 +19,8 @@ void print_subjects(const std::vector<std::unique_ptr<Series>>& all) {
     if (!scalars.empty()) fmt::print("  {:<12}{} in {}\n", name, version, fmt::join(scalars, ", "));
   }
   fmt::print(
-      "  textbook:1e-1 ... textbook:1e-12: textbook with this cutoff; run only if named\n"
-      "  bug:NAME, alike:NAME: known bugs and look-alikes of 'liecheck bench bugs'; run only if named\n");
+      "  textbook:1e-1 ... textbook:1e-12: textbook with this cutoff; they run only if named\n"
+      "  bug:NAME, alike:NAME: known bugs and look-alikes of 'liecheck bench bugs', run only if named\n");
 }
 
 struct Flags {

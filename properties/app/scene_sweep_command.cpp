@@ -79,7 +79,7 @@ std::string error_text(double e) {
   return std::isfinite(e) ? fmt::format("{:.1e}", e) : "-";
 }
 
-/// The time of the fastest point with an error of at most `error` [us].
+/// The shortest time [us] of a point with an error of at most `error`, or "-" if there is none.
 std::string time_at(const SweepSeries& s, double error) {
   double best = 0;
   for (const SweepPoint& p : s.points)
@@ -145,7 +145,7 @@ void print_scene(const SceneSweep& s) {
 void print_spins(const SceneSweepResult& r) {
   if (!r.spins.empty()) {
     fmt::print(
-        "\na triaxial torque-free body, {} turns: attitude error; the limit, turns 2 pi eps, is {:.1e} rad\n",
+        "\na triaxial torque-free body, {} turns: attitude error; limit: turns * 2 pi eps = {:.1e} rad\n",
         r.spins[0].turns, r.spins[0].limit);
     for (const LongSpin& s : r.spins)
       fmt::print("  {:<10} order {:>2}, {:>4} steps a turn: {:.2e} rad, {:>7.2f} x the limit, {:.2f} s\n",
@@ -165,8 +165,8 @@ void print_spins(const SceneSweepResult& r) {
 void print_peers(const SceneSweepResult& r) {
   if (r.peers.empty()) return;
   fmt::print(
-      "\nother simulators: the largest ratio of our time to theirs over all their points, at an error that "
-      "is no larger\n");
+      "\nother simulators: liecheck's time over theirs, at an error that is no larger (the largest ratio of "
+      "all their points)\n");
   for (const PeerComparison& c : r.peers)
     fmt::print("  {:<14}{:<32}{:>6.3f} at {:.1e} by {}{}\n", c.scene, c.peer + " " + c.integrator, c.ratio,
                c.error, c.ours, c.unmatched ? "; one of its points is more accurate than all of ours" : "");
@@ -174,10 +174,10 @@ void print_peers(const SceneSweepResult& r) {
 
 void print_scene_sweep(const SceneSweepResult& r) {
   fmt::print(
-      "error: the largest at four quarters of the duration, against the exact motion: of the attitude\n"
-      "  [rad], or of the position [m] if nothing rotates; + means that a smaller step would reduce it.\n"
-      "  Time: of the fastest run with at most this error [microseconds per simulated second].\n"
-      "  Drift: relative; slope of the least-squares line, and largest distance from it\n");
+      "error: the largest error of the attitude [rad] at the ends of the four quarters of the duration, or\n"
+      "  of the position [m] if nothing rotates. + means that a smaller step would reduce it.\n"
+      "time: time of the fastest run with at most this error [microseconds per simulated second].\n"
+      "drift: slope of the least-squares line and largest distance from it, relative to the start.\n");
   for (const std::string& name : absent_peers()) fmt::print("{}: absent from this build\n", name);
   for (const SceneSweep& s : r.scenes) print_scene(s);
   print_spins(r);

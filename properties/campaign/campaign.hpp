@@ -13,13 +13,13 @@ struct CampaignOptions {
   Selection selection;
   std::uint64_t seed = 42;
   std::uint64_t cases = 1000;      ///< per property x subject x scalar
-  std::optional<double> seconds;   ///< instead of `cases`
+  std::optional<double> seconds;   ///< duration; replaces `cases`
   unsigned shard = 1, shards = 1;  ///< this run does part `shard` of the cases of each series
   unsigned jobs = 1;
-  double checkpoint_seconds = 0.5;  ///< between two checkpoints; the most that a killed run loses
+  double checkpoint_seconds = 0.5;  ///< between two checkpoints; a killed run loses about this much time
   bool quiet = false;
 
-  std::optional<Range> range_override;  ///< instead of the shard's range
+  std::optional<Range> range_override;  ///< replaces the shard's range
 
   /// The cases of every series. The range has no end if only the time is given.
   Range range() const;

@@ -10,7 +10,7 @@ struct Covered {
   std::string what;  ///< "phi: beyond pi", "band theta 1e-8..1e-7"
   std::uint64_t count = 0;
   std::uint64_t one_in = 0;  ///< at least one case in this many belongs to it
-  bool required = false;  ///< the campaign is long enough to expect inputs in it
+  bool required = false;     ///< the campaign is long enough to expect inputs in it
   bool missing() const { return required && count == 0; }
 };
 

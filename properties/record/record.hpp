@@ -26,7 +26,7 @@ inline const char* verdict_of(bool complete, bool passed) {
   return !complete ? "incomplete" : passed ? "pass" : "fail";
 }
 
-/// A campaign. Its environment is stored with a campaign from a store; otherwise it is that of this program.
+/// A campaign. If it was loaded from a store, its environment is the stored one, otherwise that of this run.
 nlohmann::json record_of(const StoredRun& run);
 
 /// The hard cases: key "hard_cases" of a campaign's record.

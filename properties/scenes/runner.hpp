@@ -25,7 +25,7 @@ class Runner {
  public:
   virtual ~Runner() = default;
   /// Runs from start to end. Calls watch(t, moment) at the start and after each of `samples` equal parts of
-  /// the duration, each a whole number of steps. Returns the number of steps made. Throws Diverged.
+  /// the duration. Each part has a whole number of steps. Returns the number of steps made. Throws Diverged.
   virtual long run(const Effort& effort, long samples,
                    const std::function<void(double t, const Moment& moment)>& watch) = 0;
   /// Makes the same run without samples, for timing.

@@ -11,7 +11,7 @@ struct Counterexample {
   auto operator<=>(const Counterexample&) const = default;
 };
 
-/// The result of the replay.
+/// The result of replaying counterexamples.
 struct Counterexamples {
   struct Failing {
     std::string operation, block, id;

@@ -1,5 +1,5 @@
 #pragma once
-// The ranks of `mpirun -n N liecheck ...`; rank 0 of 1 if mpirun did not start the program.
+// The ranks of `mpirun -n N liecheck ...`. If mpirun did not start the program, it is rank 0 of 1.
 
 namespace liecheck::properties {
 

@@ -13,11 +13,11 @@ struct CampaignSpec {
   std::uint64_t cases = 0;            ///< of each series; 0 if only the time was given
   std::uint64_t first = 0, last = 0;  ///< the range of cases of this shard
   int generator = generator_version;
-  std::string program;  ///< its version
+  std::string program;  ///< version of liecheck
   std::string budgets;  ///< the first 16 digits of the SHA-256 of the budget table
   Robot robot;
   std::string environment;          ///< JSON of the machine that ran it; not compared
-  std::vector<std::string> series;  ///< their names, SeriesName::text
+  std::vector<std::string> series;  ///< names of the series (SeriesName::text)
 
   /// Returns "seed 1 against 2; ...", or an empty text if both are the same campaign.
   std::string differences(const CampaignSpec& other, bool with_range = true) const;

@@ -1,4 +1,4 @@
-// Known bugs in spatial algebra: points, motions, forces and inertias.
+// Known bugs in operations on points, motions, forces and inertias.
 
 #include <subjects/planted_bugs.hpp>
 

@@ -20,7 +20,7 @@ namespace liecheck::properties {
 using Digits50 = oracles::Real;
 using Digits100 = oracles::Real100;
 
-/// The operations without robots, in float128, Digits50, Digits100 and, if QD is installed, dd_real.
+/// The operations that need no robot, in float128, Digits50, Digits100 and, if QD is installed, dd_real.
 template <class S>
 Operations<S> wide_scalar_operations();
 

@@ -12,7 +12,7 @@ nlohmann::json environment();
 /// environment() as JSON text.
 std::string environment_text();
 
-/// The frequency governor of the first core; "unknown" if there is none, as in virtual machines.
+/// The frequency governor of the first core, or "unknown" if there is none, as in virtual machines.
 std::string frequency_governor();
 
 }  // namespace liecheck::properties

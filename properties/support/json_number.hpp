@@ -13,7 +13,7 @@ inline nlohmann::json number(double x) {
   return x;
 }
 
-/// The same, but NaN becomes null: for undefined quantities, such as an attitude if nothing rotates.
+/// Like number(), but NaN becomes null. For quantities that may be undefined, such as an attitude.
 inline nlohmann::json number_or_null(double x) {
   return std::isnan(x) ? nlohmann::json() : number(x);
 }

@@ -3,9 +3,9 @@
 //
 // A time is processor time of the calling thread, measured by Google Benchmark. The repetitions of all rows
 // run in random order, so that disturbances of the machine affect all rows alike. Every subject is called
-// through the same function pointer and returns through memory. The time of such a call alone is the subject
-// `call`; it is not subtracted. For throughput, calls do not wait for one another. For latency, the address
-// of the next input depends on the last result.
+// through a function pointer and returns through memory. The subject `call` is such a call alone; its time is
+// not subtracted. For throughput, calls do not wait for one another. For latency, the address of the next
+// input depends on the last result.
 
 #include <atomic>
 #include <cstdint>
