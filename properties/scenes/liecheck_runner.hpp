@@ -7,17 +7,10 @@
 #include <liecheck/scene/simulate.hpp>
 #include <liecheck/scene/tree.hpp>
 #include <oracles/number.hpp>
+#include <scenes/float128_algorithms.hpp>
 #include <scenes/runner.hpp>
 
 namespace liecheck::properties {
-
-/// Returns an implicit method in float128; null for any other name.
-template <class Sys>
-std::unique_ptr<scene::Method<Sys>> make_float128_collocation(const std::string& name) {
-  if (name == "gauss6") return std::make_unique<scene::Gauss6<Sys>>();
-  if (name == "gauss12") return std::make_unique<scene::Gauss12<Sys>>();
-  return nullptr;
-}
 
 /// Returns a method of order 4 or more in float128. The others are not needed there, and each is slow to
 /// compile. Throws std::invalid_argument for any other name.
@@ -29,15 +22,15 @@ std::unique_ptr<scene::Method<Sys>> make_float128_method(const std::string& name
   if (name == "cf4") return std::make_unique<scene::CommutatorFree4<Sys>>();
   if (name == "dopri5") return std::make_unique<scene::Dopri5<Sys>>(options);
   if (name == "rkmk6") return std::make_unique<scene::Rkmk6<Sys>>();
-  if (auto implicit = make_float128_collocation<Sys>(name)) return implicit;
+  if (name == "gauss6") return std::make_unique<scene::Gauss6<Sys>>();
+  if (name == "gauss12") return std::make_unique<scene::Gauss12<Sys>>();
   scene::methodInfo(name);  // throws if there is none
   throw std::invalid_argument("float128 runs integrators of order 4 and above, not '" + name + "'");
 }
 
 using Float128LoneBody = scene::LoneBody<float128>;
 using Float128Tree = scene::Tree<float128>;
-// float128_lone_body.cpp, float128_tree_methods.cpp and float128_tree_collocation.cpp compile them.
-extern template std::unique_ptr<scene::Method<Float128Tree>> make_float128_collocation(const std::string&);
+// float128_lone_body.cpp and float128_tree_methods.cpp compile them.
 extern template std::unique_ptr<scene::Method<Float128LoneBody>> make_float128_method(
     const std::string&, const scene::MethodOptions&);
 extern template std::unique_ptr<scene::Method<Float128Tree>> make_float128_method(

@@ -1,0 +1,7 @@
+#include <scenes/float128_algorithms.hpp>
+
+namespace liecheck {
+
+template decltype(aba<float128>) aba<float128>;
+
+}  // namespace liecheck

@@ -1,0 +1,18 @@
+#pragma once
+// The algorithms of trees in float128, compiled once, in float128_algorithms.cpp and float128_tree.cpp.
+
+#include <boost/multiprecision/float128.hpp>
+#include <liecheck/algorithms/aba.hpp>
+
+namespace liecheck {
+
+using boost::multiprecision::float128;
+extern template class Model<float128>;
+extern template class Data<float128>;
+extern template decltype(aba<float128>) aba<float128>;
+extern template void forwardKinematics(const Model<float128>&, Data<float128>&, In<float128>);
+extern template void forwardKinematics(const Model<float128>&, Data<float128>&, In<float128>, In<float128>);
+extern template void forwardKinematics(const Model<float128>&, Data<float128>&, In<float128>, In<float128>,
+                                       In<float128>);
+
+}  // namespace liecheck
