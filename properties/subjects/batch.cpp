@@ -4,6 +4,7 @@
 #include <subjects/subject.hpp>
 
 #include <liecheck/multibody/batch.hpp>
+#include <liecheck/spatial/checked_rotation.hpp>
 
 namespace liecheck::properties {
 namespace {
@@ -18,6 +19,7 @@ struct Batch {
   }
   static Subject<S> make() {
     Subject<S> s{"liecheck:batch", LIECHECK_VERSION, {}};
+    s.operations.check_quaternion = [](const Vec<S, 4>& Q) { checkedQuaternion<S>(Q); };
     s.operations[op::integrate] = [](const Vec<S, 7>& q, const Vec<S, 6>& d) -> Vec<S, 7> {
       return batch::integrate<S>(filled(q), filled(d)).col(lanes - 1);
     };

@@ -80,9 +80,9 @@ constexpr S huge = std::numeric_limits<S>::max() * eps<S>() * eps<S>();  ///< no
 template <std::floating_point S>
 Rows<S, 7> integrate(const Rows<S, 7>& q, const Rows<S, 6>& delta) {
   const auto f = [](const auto& a, const auto& b) { return integrateSE3(a, b); };
-  const auto usual_path = []<class P>(const Vector7<P>&, const Vector7<P>& a, const Vector6<P>& b) {
+  const auto usual_path = []<class P>(const Vector7<P>&, const Vector7<P>&, const Vector6<P>& b) {
     return detail::within<P>(b, 3, 0, stumpff_detail::series_limit<S>()) &
-           detail::within<P>(b, 0, 0, detail::huge<S>) & detail::unit<P>(a, 3);
+           detail::within<P>(b, 0, 0, detail::huge<S>);
   };
   return detail::map<7, S>(f, usual_path, q, delta);
 }
@@ -125,8 +125,8 @@ Rows<S, 3> act(const Rows<S, 7>& q, const Rows<S, 3>& x) {
     const Vector3<T> r = SO3<T>(Vector4<T>(a[3], a[4], a[5], a[6])).act(b);
     return Vector3<T>(a[0] + r[0], a[1] + r[1], a[2] + r[2]);
   };
-  const auto usual_path = []<class P>(const Vector3<P>&, const Vector7<P>& a, const Vector3<P>& b) {
-    return detail::within<P>(b, 0, 0, detail::huge<S>) & detail::unit<P>(a, 3);
+  const auto usual_path = []<class P>(const Vector3<P>&, const Vector7<P>&, const Vector3<P>& b) {
+    return detail::within<P>(b, 0, 0, detail::huge<S>);
   };
   return detail::map<3, S>(f, usual_path, q, x);
 }
