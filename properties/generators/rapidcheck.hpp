@@ -36,7 +36,7 @@ std::vector<std::vector<S>> simpler(const std::vector<S>& x, const std::vector<F
   return all;
 }
 
-/// At most `depth` shrinking steps, because rounding may return to an earlier value.
+/// Stops after `depth` shrinking steps: rounding can turn a simpler value back into an earlier one.
 template <class S>
 rc::Shrinkable<std::vector<S>> shrinkable(const std::vector<S>& x, const std::vector<Field>& fields,
                                           int depth) {

@@ -23,9 +23,9 @@ Eigen::Matrix<S, 4, 4> pseudoInertia(const Inertia<S>& I) {
 
 /// The reason why no body can have the inertia, or an empty string if one can. Reasons are a number that is
 /// not finite, a negative mass, an I_C that is not symmetric, a negative principal moment, or one larger than
-/// the sum of the other two. Moments about the centre of mass may be wrong by relative_slack times the
-/// largest entry of I_C. The error of the eigenvalues is 16 eps of this entry; that of numbers printed with n
-/// digits is about 10^(1-n). A massless point is valid.
+/// the sum of the other two. The checks of I_C tolerate errors of relative_slack times its largest entry. The
+/// default covers the rounding errors of the eigenvalues; numbers printed with n digits need about 10^(1-n).
+/// A massless point is valid.
 template <Scalar S>
 std::string whyUnphysical(const Inertia<S>& I, const S& relative_slack = S(16) * eps<S>()) {
   const auto say = [](const char* what, auto... values) {
