@@ -89,7 +89,7 @@ Trial attempt_in(const TypedSeries<S>& series, const CaseId& address) {
   if (trial.in_domain) return trial;
   for (Judged& j : trial.judged) {
     if (j.residual.outcome == Outcome::refused) j.failed = false;
-    // An input outside the domain is unresolved if it has no exact result: any result counts as a wrong branch.
+    // Outside the domain, an unresolved input has no exact result: any result counts as a wrong branch.
     if (j.residual.outcome == Outcome::unresolved)
       j.residual.outcome = Outcome::wrong_branch, j.failed = true;
   }
