@@ -48,8 +48,8 @@ const Vector3<S>& centerOfMass(const Model<S>& model, Data<S>& data, In<S> q, In
   });
   return averageOfCentres(model, data);
 }
-/// Computes c, c_dot and c_ddot [m, m/s, m/s^2]; returns c. Updates liMi, oMi, v, a, com, vcom, acom. q [nq],
-/// v, a [nv].
+/// Computes c, c_dot and c_ddot [m, m/s, m/s^2]; returns c. Updates liMi, oMi, v, a, com, vcom, acom.
+/// q [nq], v, a [nv].
 template <Scalar S>
 const Vector3<S>& centerOfMass(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, In<S> a) {
   using namespace algorithms_detail;

@@ -8,7 +8,7 @@
 
 namespace liecheck {
 
-/// Thrown if M^-1 is needed but the bodies behind a joint have no inertia. what() names the joint.
+/// Thrown if M^-1 is needed but a joint moves no inertia, or one that is not finite. what() names the joint.
 class SingularInertia : public std::domain_error {
  public:
   SingularInertia(const std::string& joint_name, int joint_index, bool finite = true)

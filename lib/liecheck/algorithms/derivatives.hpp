@@ -61,8 +61,8 @@ void computeRNEADerivatives(const Model<S>& model, Data<S>& data, In<S> q, In<S>
   A[0] = Motion<S>(Vector3<S>(-model.gravity), Vector3<S>::Zero());
   for (std::size_t i = 1; i < model.joints.size(); ++i) {
     const std::size_t p = std::size_t(model.parents[i]);
-    // r[i], so far the vector from joint p, becomes the vector from O. It is summed along the tree, so that no
-    // digits are lost far from the world's origin.
+    // r[i], so far the vector from joint p, becomes the vector from O. It is summed along the tree, so that
+    // no digits are lost far from the world's origin.
     work.r[i] = p == 0 ? Vector3<S>(oMi[i].translation() - O) : Vector3<S>(work.r[p] + work.r[i]);
     const SE3<S> X(oMi[i].rotation(), work.r[i]);
     Motion<S> relative = Motion<S>::Zero(), driven = Motion<S>::Zero();

@@ -5,8 +5,8 @@
 
 namespace liecheck {
 
-/// 1/2 sum v_i^T I_i v_i = 1/2 v^T (M - armature) v [J]. Updates liMi, oMi, v, kinetic_energy. q [nq], v
-/// [nv].
+/// 1/2 sum v_i^T I_i v_i = 1/2 v^T (M - armature) v [J]. Updates liMi, oMi, v, kinetic_energy.
+/// q [nq], v [nv].
 template <Scalar S>
 const S& computeKineticEnergy(const Model<S>& model, Data<S>& data, In<S> q, In<S> v) {
   forwardKinematics(model, data, q, v);

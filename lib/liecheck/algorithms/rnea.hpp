@@ -53,8 +53,8 @@ void inverseDynamics(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, con
 
 }  // namespace algorithms_detail
 
-/// tau [nv; N, N m] = M(q) a + h(q, v) - sum J^T fext: the generalised forces of the acceleration a [nv]. q
-/// [nq], v [nv]. Updates liMi, v, f, tau.
+/// tau [nv; N, N m] = M(q) a + h(q, v) - sum J^T fext: the generalised forces of the acceleration a [nv].
+/// q [nq], v [nv]. Updates liMi, v, f, tau.
 template <Scalar S>
 const VectorX<S>& rnea(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, In<S> a,
                        External<S> fext = {}) {

@@ -48,12 +48,12 @@ class Data {
   Field<Each<SE3<S>>> liMi{*clock_, "liMi", fk};  ///< [njoints] X_parent,joint
   Field<Each<SE3<S>>> oMi{*clock_, "oMi", fk};    ///< [njoints] X_world,joint
   Field<Each<SE3<S>>> oMf{*clock_, "oMf", "updateFramePlacements(model, data)"};  ///< [nframes] X_world,frame
-  /// [njoints] velocity [m/s, rad/s], spatial acceleration [m/s^2, rad/s^2] of joint i in its axes, at its
-  /// origin.
+  /// [njoints] velocity [m/s, rad/s] and spatial acceleration without gravity [m/s^2, rad/s^2] of joint i in
+  /// its axes, at its origin.
   Field<Each<Motion<S>>> v{*clock_, "v", fk_v}, a{*clock_, "a", fk_a};
   /// [njoints] force of the parent on joint i, in i's axes, at its origin [N, N m].
   Field<Each<Force<S>>> f{*clock_, "f", "rnea(model, data, q, v, a)"};
-  /// [nv; N, N m] tau: generalised forces of rnea; nle: tau at a = 0; g: tau at v = a = 0.
+  /// [nv; N, N m] tau: generalised forces of rnea; nle: h(q, v), tau at a = 0; g: tau at v = a = 0.
   Field<VectorX<S>> tau{*clock_, "tau", "rnea(model, data, q, v, a)"};
   Field<VectorX<S>> nle{*clock_, "nle", "nonLinearEffects(model, data, q, v)"};
   Field<VectorX<S>> g{*clock_, "g", "computeGeneralizedGravity(model, data, q)"};
@@ -80,7 +80,7 @@ class Data {
   Field<Matrix3X<S>> Jcom{*clock_, "Jcom", "jacobianCenterOfMass(model, data, q)"};
   /// [6 x nv] hg = Ag v.
   Field<Matrix6X<S>> Ag{*clock_, "Ag", "computeCentroidalMap(model, data, q)"};
-  /// Momentum about the centre of mass in the world's axes, and its rate.
+  /// Momentum about the centre of mass in the world's axes [N s, N m s], and its rate [N, N m].
   Field<Force<S>> hg{*clock_, "hg", "computeCentroidalMomentum(model, data, q, v)", Force<S>::Zero()};
   Field<Force<S>> dhg{*clock_, "dhg", "computeCentroidalMomentumTimeVariation(model, data, q, v, a)",
                       Force<S>::Zero()};

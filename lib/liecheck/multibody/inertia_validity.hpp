@@ -9,8 +9,8 @@ namespace liecheck {
 
 /// The pseudo-inertia J [4 x 4] = [Sigma, m c; m c^T, m], Sigma = 1/2 tr(I_O) 1 - I_O [kg m^2]: the second
 /// moments of the mass in homogeneous coordinates. J >= 0 if and only if a body of density >= 0 can have the
-/// inertia. Wensing, Kim & Slotine (2018), eq. 12. To avoid cancellation, Sigma is computed as 1/2 tr(I_C) 1
-/// - I_C + m c c^T.
+/// inertia. Wensing, Kim & Slotine (2018), eq. 12. To avoid cancellation, Sigma is computed as
+/// 1/2 tr(I_C) 1 - I_C + m c c^T.
 template <Scalar S>
 Eigen::Matrix<S, 4, 4> pseudoInertia(const Inertia<S>& I) {
   const Vector3<S> mc = I.mass() * I.lever();

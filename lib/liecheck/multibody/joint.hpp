@@ -24,8 +24,8 @@ namespace liecheck {
 /// fixed size and nothing is allocated. A stored unit vector u (quaternion or (cos, sin)) begins at index
 /// unit_begin of the segment, and normDefect is |u|^2 - 1. Without a unit vector, unit_begin is nq and
 /// normDefect is 0. subspace() is S [6 x columns]: V = S v is the velocity relative to the parent in the
-/// child's axes. columns is nv, or 1 for a mimic. S is constant for every joint here. transform(X_PJ, q) is
-/// the pose in the parent's frame; for a mimic q is the coordinate of its primary.
+/// child's axes. S must be constant: no algorithm adds (dS/dt) v. columns is nv, or 1 for a mimic.
+/// transform(X_PJ, q) is the pose in the parent's frame; for a mimic q is the coordinate of its primary.
 template <class J>
 concept JointModel = requires(const J joint, const typename J::Configuration q, const typename J::Tangent v,
                               const typename J::Configuration::Scalar budget, ArgumentPosition argument) {

@@ -63,8 +63,8 @@ struct JointPlace {
   }
   static constexpr bool rotates = rotates_about_axis<S, J>;  ///< S = (0, axis), as for most joints
 
-  /// The motion subspace times v [6]: the velocity relative to the parent, in the joint's axes, at its origin.
-  /// If v' is passed instead of v, the result is one term of the spatial acceleration.
+  /// S v [6]: the velocity relative to the parent, in the joint's axes, at its origin. If v is the
+  /// derivative of the velocity, the result is one term of the spatial acceleration.
   Motion<S> motion(const VectorX<S>& v) const {
     if constexpr (rotates)
       return {Vector3<S>::Zero(), Vector3<S>(v[idx_v] * joint.axis.to_vector())};

@@ -60,7 +60,8 @@ class Model {
   Model();
 
   /// Adds a joint, without body and frame, to joint `parent` at X_PJ; returns its index. Throws
-  /// std::invalid_argument if parent or primary does not exist, the name is taken, or joint is a universe.
+  /// std::invalid_argument if the parent does not exist, the name is taken, the joint is a universe, or the
+  /// primary of a mimic does not exist or does not have nv = 1.
   int addJoint(int parent, const Joint<S>& joint, const SE3<S>& X_PJ, const std::string& joint_name);
 
   /// Adds a frame; returns its index. Two frames may share a name if their types differ (a joint and a link).
@@ -97,7 +98,7 @@ class Model {
   bool existFrame(const std::string& frame_name, FrameType type) const {
     return getFrameId(frame_name, type) < nframes;
   }
-  /// The frame's index. Throws std::invalid_argument unless exactly one frame has that name.
+  /// The same for frames. Throws std::invalid_argument also if several frames have that name.
   int requireFrameId(const std::string& frame_name) const;
 
   /// The same robot with each constant converted to T; none is recomputed.

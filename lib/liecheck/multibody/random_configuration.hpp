@@ -17,8 +17,9 @@ S uniform(Generator& bits) {
 
 }  // namespace random_configuration_detail
 
-/// A random q [nq], uniform in [lowerPositionLimit, upperPositionLimit] and, for rotations, over the group
-/// (Shoemake 1992). Throws std::invalid_argument, naming the joint, if a limit is infinite or lower > upper.
+/// A random q [nq] by a generator such as std::mt19937_64, uniform in [lowerPositionLimit,
+/// upperPositionLimit] and, for rotations, over the group (Shoemake 1992). Throws std::invalid_argument,
+/// naming the joint, if a limit is infinite or lower > upper.
 template <Scalar S, class Generator>
 VectorX<S> randomConfiguration(const Model<S>& model, Generator& bits) {
   using random_configuration_detail::uniform;

@@ -232,9 +232,9 @@ Matrix6<S> dIntegrateSE3(const Vector7<S>&, const Vector6<S>& delta, ArgumentPos
       delta);
 }
 
-/// The derivative of difference with respect to q0 (ARG0: -J_l^-1) or q1 (ARG1: J_r^-1) [6 x 6]. At |phi| =
-/// pi it is the derivative on the branch that differenceSE3 returns. Error, including that of difference: 4.2
-/// eps of a rotation block, 7.5 eps of the coupling block.
+/// The derivative of difference with respect to q0 (ARG0: -J_l^-1) or q1 (ARG1: J_r^-1) [6 x 6]. At
+/// |phi| = pi it is the derivative on the branch that differenceSE3 returns. Error, including that of
+/// difference: 4.2 eps of a rotation block, 7.5 eps of the coupling block.
 template <Scalar S, Precision P = Precision::standard>
 Matrix6<S> dDifferenceSE3(const Vector7<S>& q0, const Vector7<S>& q1, ArgumentPosition argument) {
   return evaluate<S, P>(
@@ -247,8 +247,8 @@ Matrix6<S> dDifferenceSE3(const Vector7<S>& q0, const Vector7<S>& q1, ArgumentPo
       q0, q1);
 }
 
-/// The derivative [7 x 6] of the seven stored numbers with respect to a body-fixed increment at zero: [R, 0;
-/// 0, 1/2 (w I + [v]); 0, -1/2 v^T], with R of Q/|Q|, and v and w of the stored Q. Error 2 eps.
+/// The derivative [7 x 6] of the seven stored numbers with respect to a body-fixed increment at zero:
+/// [R, 0; 0, 1/2 (w I + [v]); 0, -1/2 v^T], with R of Q/|Q|, and v and w of the stored Q. Error 2 eps.
 template <Scalar S>
 Eigen::Matrix<S, 7, 6> integrateCoeffWiseJacobianSE3(const Vector7<S>& q) {
   const SO3<S> Q(Vector4<S>(q.template tail<4>()));

@@ -58,7 +58,8 @@ struct SplitFactor {
       low = x - high;
     }
   }
-  /// Splits a factor of any size at the last digit of sigma, 2^(places + 1) times a bound of the factor.
+  /// Splits a factor of any size at the last digit of sigma; about n digits go to low if sigma is
+  /// 2^(n + 1) times a bound of the factor.
   [[gnu::always_inline]] SplitFactor(const S& x, const S& sigma) : value(x), high(x), low(S(0)) {
     if constexpr (P != Precision::fast) {
       high = (x + sigma) - sigma;

@@ -3,9 +3,10 @@
 
 namespace liecheck {
 
-/// fast      no compensation of rounding errors: error 16 eps of each vector or 3 x 3 block;
-/// standard  the largest rounding errors are compensated: error 2 to 6 eps, as each function states;
-/// tight     computed in double words and rounded once: error 1 eps of each of them for theta <= pi.
+/// The error of each vector or 3 x 3 block of the result, for theta <= pi:
+/// fast      16 eps: rounding errors are not compensated;
+/// standard  as each function states, at most 7.5 eps: the largest rounding errors are compensated;
+/// tight     1 eps: computed in double words and rounded once.
 enum class Precision { fast, standard, tight };
 
 /// An argument that names the scalar and the precision in which a formula is evaluated.

@@ -3,8 +3,8 @@
 //
 //   x = multiplier y + offset [rad or m],  so  S_mimic = multiplier S(x)
 //
-// The mimic's generalised force, times the multiplier, is added to the primary's. For a continuous primary, y
-// = atan2(sin, cos). Unless the multiplier is an integer, the mimic jumps when the primary passes pi.
+// The mimic's generalised force, times the multiplier, is added to the primary's. For a continuous primary,
+// y = atan2(sin, cos). Unless the multiplier is an integer, the mimic jumps when the primary passes pi.
 
 #include <liecheck/multibody/joints/helical.hpp>
 #include <liecheck/multibody/joints/prismatic.hpp>
