@@ -158,10 +158,7 @@ int Model<S>::addFrame(const Frame<S>& frame) {
 template <Scalar S>
 int Model<S>::addJointFrame(int joint, int parent_frame) {
   checkJoint(joint, "a joint frame's joint");
-  if (parent_frame < 0) {
-    const int parent = parents[std::size_t(joint)];
-    parent_frame = frameOfJoint(parent);
-  }
+  if (parent_frame < 0) parent_frame = frameOfJoint(parents[std::size_t(joint)]);
   return addFrame({names[std::size_t(joint)], joint, parent_frame, SE3<S>::Identity(), FrameType::JOINT});
 }
 
