@@ -98,7 +98,7 @@ class Model {
   bool existFrame(const std::string& frame_name, FrameType type) const {
     return getFrameId(frame_name, type) < nframes;
   }
-  /// The same for frames. Throws std::invalid_argument also if several frames have that name.
+  /// As requireJointId, for frames. Throws std::invalid_argument also if several frames have that name.
   int requireFrameId(const std::string& frame_name) const;
 
   /// The same robot with each constant converted to T; none is recomputed.
