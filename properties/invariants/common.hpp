@@ -127,7 +127,8 @@ std::size_t band_of_log(const oracles::LogValue<T>& log) {
 }
 
 /// The band of difference(q0, q1). If products of the vector parts v0 and v1 would underflow, v0 and v1 are
-/// multiplied by 2^500 first. Then theta = 2 ||w0 v1 - w1 v0 - v0 x v1|| / |w0 w1|, up to the widened radius.
+/// multiplied by 2^500 first. Then theta is nearly 2 ||w0 v1 - w1 v0 - v0 x v1|| / |w0 w1|. The radius is
+/// widened by v0 x v1, which is not computed, and by the error of this formula.
 template <class S, class T>
 std::size_t band_of_difference(const oracles::Vec<7, T>& q0, const oracles::Vec<7, T>& q1,
                                const oracles::LogValue<T>& log) {
@@ -145,7 +146,7 @@ std::size_t band_of_difference(const oracles::Vec<7, T>& q0, const oracles::Vec<
     }
     if (largest > 0 && largest < 0x1p-450) {
       Vec3<T> relative = q0[6] * v[1] - q1[6] * v[0];
-      if (unlike > 0 && opposed > 0)  // otherwise v0 = +-v1, and v0 x v1 is zero
+      if (unlike > 0 && opposed > 0)  // otherwise v0 x v1 = 0
         for (T& x : relative.x) x.r += 2 * largest * std::ldexp(largest, shift);
       T scaled = T(2) * norm(relative) / abs(q0[6] * q1[6]);
       if (scaled.exactly_zero()) return Bands::of<S>().classify(T(0));

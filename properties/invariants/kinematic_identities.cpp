@@ -79,8 +79,8 @@ class KinematicIdentities final : public Law<KinematicIdentities, S> {
     const auto q_e = exact_vector<7, Real>(q);
     const auto v_e = exact_vector<6, Real>(v);
     const Quaternion<Real> Q{{q_e[3], q_e[4], q_e[5], q_e[6]}};
-    // The subject computes Q_dot and the lower block of J from the stored Q, the oracle from Q / ||Q||. Both
-    // are linear in Q. So the oracle's values are multiplied by ||Q|| before they are compared.
+    // Q_dot and the lower block of J are linear in Q. The subject uses the stored Q and the oracle Q / ||Q||,
+    // so the oracle's values are multiplied by ||Q|| before they are compared.
     const Real Q_norm = norm(Q);
 
     const RateValue<Real> rate = configuration_rate(q_e, v_e);

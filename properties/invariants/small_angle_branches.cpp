@@ -1,6 +1,6 @@
 // The error does not jump where an implementation changes its formula: the errors at two adjacent angles
-// differ by at most the block's budget. The angles are near cutoffs that authors of libraries choose: powers
-// of ten, roots of eps, and pi.
+// differ by at most the block's budget. The angles are near cutoffs that authors of libraries choose, such as
+// powers of ten and roots of eps.
 
 #include <generators/rotations.hpp>
 #include <invariants/common.hpp>

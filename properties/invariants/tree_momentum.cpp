@@ -72,7 +72,7 @@ class TreeMomentum final : public TreeLaw<TreeMomentum, S> {
     try {
       computed = o[op::tree_aba](c.q, c.v, tau, -1, Vec<S, 6>::Zero());
     } catch (const std::domain_error&) {
-      return;  // forward_dynamics checks that rounding may make M singular
+      return;  // forward_dynamics checks whether aba may throw here
     }
     if (!oracles::all_finite(computed)) return r.outcome(conserved, 0, Outcome::not_finite);
     const std::vector<T> a = exact_list<T>(computed);

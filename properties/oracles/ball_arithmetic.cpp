@@ -80,8 +80,8 @@ DoubleDouble sum(const DoubleDouble& x) {
   return s;
 }
 /// The same sum in double for 0 <= x <= 1. The last addition and the rounding of its constant have errors of
-/// 2 u together, and the last product has an error of u / 12. Each term is at most 1/12 of the one before it in
-/// the series, so each step of the loop adds at most 1/12 of what the next step adds: in all below 2.3 u.
+/// 2 u together, and the last product has an error of u / 12. Each term is at most 1/12 of the one before it
+/// in the series, so each step of the loop adds at most 1/12 of what the next step adds: in all below 2.3 u.
 template <int K, int N, int>
 double sum(double x) {
   const auto& c = series<double, K, N>();

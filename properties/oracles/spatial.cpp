@@ -58,9 +58,9 @@ SpatialResult spatial_result(Value&& value, Matrix&& matrix, const Vec6<>& V, Te
 /// ||w||, or of a force (f, n), ||f|| and ||n|| + ||p|| ||f||.
 template <class T>
 std::pair<T, T> moved_terms(const Pose& X, const Vec6<>& V, bool force) {
-  const Vec3<> lever = force ? tail3(V) : head3(V);
+  const Vec3<> moved = force ? tail3(V) : head3(V);
   const T other(norm(force ? head3(V) : tail3(V)));
-  const T sum = T(norm(lever)) + T(norm(X.p)) * other;
+  const T sum = T(norm(moved)) + T(norm(X.p)) * other;
   return force ? std::pair(other, sum) : std::pair(sum, other);
 }
 

@@ -10,7 +10,7 @@ using namespace homogeneous;
 template <class T>
 using Mat44 = Mat<4, 4, T>;
 
-/// A J, where the last row of A is 0 0 0 last.
+/// A J, where the last row of A is (0, 0, 0, last).
 template <class T>
 Mat44<T> times(const Mat34<T>& A, const Mat44<T>& J, int last) {
   Mat44<T> r = zeros<4, 4, T>();
