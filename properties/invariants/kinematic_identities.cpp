@@ -78,7 +78,7 @@ class KinematicIdentities final : public Law<KinematicIdentities, S> {
     const auto J = exact_matrix<7, 6, Real>(computed);
     const auto q_e = exact_vector<7, Real>(q);
     const auto v_e = exact_vector<6, Real>(v);
-    const Quaternion<Real> Q{{q_e[3], q_e[4], q_e[5], q_e[6]}};
+    const Quaternion<Real> Q = quaternion_of(q_e);
     // Q_dot and the lower block of J are linear in Q. The subject uses the stored Q and the oracle Q / ||Q||,
     // so the oracle's values are multiplied by ||Q|| before they are compared.
     const Real Q_norm = norm(Q);
@@ -86,7 +86,7 @@ class KinematicIdentities final : public Law<KinematicIdentities, S> {
     const RateValue<Real> rate = configuration_rate(q_e, v_e);
     if (rate.resolved) {
       const Vec7<Real> q_dot = J * v_e;
-      const Quaternion<Real> Q_dot{{q_dot[3], q_dot[4], q_dot[5], q_dot[6]}};
+      const Quaternion<Real> Q_dot = quaternion_of(q_dot);
       record(measured[block::translation], vector_error<S>(head3(q_dot), rate.p_dot));
       record(measured[block::rotation_rate], vector_error<S>(Q_dot, Q_norm * rate.Q_dot));
       record(measured[block::R_dot], matrix_error<S>(rotation_rate(Q, Q_dot), rate.R_dot));

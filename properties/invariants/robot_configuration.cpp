@@ -127,8 +127,7 @@ class RobotConfiguration final : public Law<RobotConfiguration, S> {
                          translation = op::robot_integrate[block::translation];
         judged_value(r, {rotation, translation}, band, q.segment(s.q, 7), next.resolved, [&] {
           const auto got = exact_vector<7, Real>(q.segment(s.q, 7));
-          r.record(rotation, band,
-                   rotation_error<S>(Quaternion<Real>{{got[3], got[4], got[5], got[6]}}, next.Q));
+          r.record(rotation, band, rotation_error<S>(quaternion_of(got), next.Q));
           r.record(translation, band,
                    vector_error<S>(head3(got), next.p, larger(norm(head3(x0)), next.increment_norm)));
         });

@@ -85,7 +85,7 @@ LogValue<T> log_se3_matrix(const Mat3<T>& R, const Vec3<T>& p) {
 template <BallNumber T>
 IntegrateValue<T> integrate(const Vec7<T>& q0, const Vec6<T>& delta) {
   const UnitPose<T> step = closed_exp(delta);
-  const Quaternion<T> Q0{{q0[3], q0[4], q0[5], q0[6]}};
+  const Quaternion<T> Q0 = quaternion_of(q0);
   return {quaternion_product(normalized(Q0), step.Q), head3(q0) + rotate(Q0, step.p), norm(tail3(delta)),
           norm(step.p), true};
 }
@@ -125,7 +125,7 @@ Jacobian6Value<T> d_difference_arg1(const Vec7<T>& q0, const Vec7<T>& q1) {
 
 template <BallNumber T>
 RateValue<T> configuration_rate(const Vec7<T>& q, const Vec6<T>& v) {
-  const Quaternion<T> Q = normalized(Quaternion<T>{{q[3], q[4], q[5], q[6]}});
+  const Quaternion<T> Q = normalized(quaternion_of(q));
   const Mat3<T> R = rotation_matrix(Q);
   const Vec3<T> w = tail3(v);
   const Quaternion<T> omega{{w[0], w[1], w[2], T(0)}};
@@ -134,7 +134,7 @@ RateValue<T> configuration_rate(const Vec7<T>& q, const Vec6<T>& v) {
 
 template <BallNumber T>
 CoefficientJacobianValue<T> integrate_coefficient_jacobian(const Vec7<T>& q) {
-  const Quaternion<T> Q = normalized(Quaternion<T>{{q[3], q[4], q[5], q[6]}});
+  const Quaternion<T> Q = normalized(quaternion_of(q));
   const Mat3<T> R = rotation_matrix(Q), V = hat(head3(Q));
   Mat<7, 6, T> J = zeros<7, 6, T>();
   const T half(0.5);

@@ -146,14 +146,14 @@ Vec6<T> closed_log(const Quaternion<T>& Q, const Vec3<T>& p, bool as_signed) {
 
 template <class T>
 UnitPose<T> closed_integrate(const Vec7<T>& q0, const Vec6<T>& delta) {
-  const Quaternion<T> Q0 = normalized(Quaternion<T>{{q0[3], q0[4], q0[5], q0[6]}});
+  const Quaternion<T> Q0 = normalized(quaternion_of(q0));
   const UnitPose<T> step = closed_exp(delta);
   return {quaternion_product(Q0, step.Q), head3(q0) + rotate(Q0, step.p)};
 }
 
 template <class T>
 RelativePose<T> relative_pose(const Vec7<T>& q0, const Vec7<T>& q1) {
-  const Quaternion<T> Q0{{q0[3], q0[4], q0[5], q0[6]}}, Q1{{q1[3], q1[4], q1[5], q1[6]}};
+  const Quaternion<T> Q0 = quaternion_of(q0), Q1 = quaternion_of(q1);
   RelativePose<T> relative;
   relative.Q = conjugate_product(Q0, Q1);
   relative.p1_minus_p0 = head3(q1) - head3(q0);

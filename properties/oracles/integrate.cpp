@@ -7,11 +7,6 @@
 namespace liecheck::oracles {
 namespace {
 
-template <class T>
-Quaternion<T> quaternion_of(const Vec7<T>& q) {
-  return {{q[3], q[4], q[5], q[6]}};
-}
-
 /// Second formula: do Q0* (Q1 - s Q0) and `relative` have equal vector parts? s = +-1 makes Q1 - s Q0 small.
 bool vector_part_confirmed(const Quaternion<Real100>& Q0, const Quaternion<Real100>& Q1,
                            const Quaternion<Real100>& relative) {

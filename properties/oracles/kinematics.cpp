@@ -8,7 +8,7 @@ namespace {
 using T = Real100;
 
 Quaternion<T> attitude(const Vec7<>& q) {
-  return normalized(Quaternion<T>{{T(q[3]), T(q[4]), T(q[5]), T(q[6])}});
+  return normalized(quaternion_of(cast<T>(q)));
 }
 
 /// (integrate(q, t v) - integrate(q, -t v)) / (2 t) with q's position at the origin.

@@ -9,6 +9,12 @@ namespace liecheck::oracles {
 template <class T = Real>
 using Quaternion = Vec<4, T>;
 
+/// Q of q = (p, Q).
+template <class T>
+Quaternion<T> quaternion_of(const Vec7<T>& q) {
+  return {{q[3], q[4], q[5], q[6]}};
+}
+
 template <class T>
 Quaternion<T> quaternion_product(const Quaternion<T>& a, const Quaternion<T>& b) {
   return {{a[3] * b[0] + a[0] * b[3] + (a[1] * b[2] - a[2] * b[1]),
