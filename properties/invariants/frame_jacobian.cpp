@@ -28,38 +28,30 @@ class FrameJacobian final : public TreeLaw<FrameJacobian, S> {
       const MatX<S> J = o[op::frame_jacobian] ? o[op::frame_jacobian](c.q, view) : MatX<S>();
       const MatX<S> dJ = o[op::frame_jacobian_rate] ? o[op::frame_jacobian_rate](c.q, c.v, view) : MatX<S>();
       if (J.size())
-        both<op::frame_jacobian, T>(c, r, {{&J, &c.exact.v}}, exact.velocity, {sizes.velocity(view), sizes.w},
-                                    frame.resolved);
-      if (J.size() && dJ.size())
-        both<op::frame_jacobian_rate, T>(c, r, {{&J, &c.exact.a}, {&dJ, &c.exact.v}},
-                                         view == Seen::aligned ? exact.classical : exact.acceleration,
-                                         {sizes.acceleration(view), sizes.al}, frame.resolved);
+        both(c, r, linear_angular(op::frame_jacobian), J, c.exact.v, exact.velocity,
+             {sizes.velocity(view), sizes.w}, frame.resolved);
+      if (J.size() && dJ.size()) {
+        MatX<S> J_dJ(6, 2 * J.cols());
+        J_dJ << J, dJ;
+        std::vector<T> a_v = c.exact.a;
+        a_v.insert(a_v.end(), c.exact.v.begin(), c.exact.v.end());
+        both(c, r, linear_angular(op::frame_jacobian_rate), J_dJ, a_v,
+             view == Seen::aligned ? exact.classical : exact.acceleration,
+             {sizes.acceleration(view), sizes.al}, frame.resolved);
+      }
     }
   }
 
  private:
-  /// Records the linear and the angular part of a sum of matrices times exact vectors.
-  template <const auto& operation, class T, class Case>
-  static void both(const Case& c, Recorder& r,
-                   const std::vector<std::pair<const MatX<S>*, const std::vector<T>*>>& sums,
-                   const oracles::Vec6<T>& exact, const std::array<double, 2>& sizes, bool resolved) {
-    constexpr Output outputs[] = {operation[block::linear], operation[block::angular]};
-    for (const auto& [J, x] : sums)
-      if (!oracles::all_finite(*J)) {
-        for (const Output& output : outputs) r.outcome(output, 0, Outcome::not_finite);
-        return;
-      }
-    for (int part = 0; part < 2; ++part) {
-      std::vector<T> computed(3, T(0)), value;
-      for (int i = 0; i < 3; ++i) {
-        for (const auto& [J, x] : sums)
-          for (int k = 0; k < J->cols(); ++k)
-            computed[static_cast<std::size_t>(i)] +=
-                oracles::exact<T>((*J)(3 * part + i, k)) * (*x)[static_cast<std::size_t>(k)];
-        value.push_back(exact[3 * part + i]);
-      }
-      c.record(r, outputs[part], computed, value, {1, 1, 1}, sizes[static_cast<std::size_t>(part)], resolved);
-    }
+  /// Records the linear and the angular part of J x, with the exact numbers of J.
+  template <class T, class Case>
+  static void both(const Case& c, Recorder& r, const TwoOutputs& outputs, const MatX<S>& J,
+                   const std::vector<T>& x, const oracles::Vec6<T>& exact, const std::array<double, 2>& sizes,
+                   bool resolved) {
+    if (!oracles::all_finite(J)) return judged_value(r, {outputs[0], outputs[1]}, 0, J, true, [] {});
+    const oracles::Vec6<T> y = from_list<6>(exact_product(J, x));
+    c.record(r, outputs[0], to_list(head3(y)), to_list(head3(exact)), {1, 1, 1}, sizes[0], resolved);
+    c.record(r, outputs[1], to_list(tail3(y)), to_list(tail3(exact)), {1, 1, 1}, sizes[1], resolved);
   }
 };
 
