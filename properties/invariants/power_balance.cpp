@@ -19,13 +19,7 @@ class PowerBalance final : public TreeLaw<PowerBalance, S> {
   template <class T>
   static T rate(const TreeCase<T>& x) {
     T sum = oracles::TreeDynamics<T>(x.tree, x.q, x.v, x.a).energy_rate();
-    for (std::size_t i = 0; i < x.tree.joints.size(); ++i) {
-      const auto& j = x.tree.joints[i];
-      const auto first = static_cast<std::size_t>(x.tree.idx_v[i]);
-      if (j.primary < 0)
-        for (std::size_t k = first; k < first + static_cast<std::size_t>(velocity_size(j.kind)); ++k)
-          sum += j.armature * x.v[k] * x.a[k];
-    }
+    for_each_armature(x.tree, [&](std::size_t k, const T& armature) { sum += armature * x.v[k] * x.a[k]; });
     return sum;
   }
 

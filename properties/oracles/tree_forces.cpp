@@ -62,14 +62,6 @@ void sum_subtrees(const TreeOf<T>& tree, std::vector<Value>& all) {
       sum = sum + all[i];
     }
 }
-/// add(k, armature) for each velocity k of a joint that is not a mimic.
-template <class T, class Add>
-void for_each_armature(const TreeOf<T>& tree, Add&& add) {
-  for (std::size_t i = 0; i < tree.joints.size(); ++i)
-    if (const JointOf<T>& j = tree.joints[i]; j.primary < 0)
-      for (int k = 0; k < velocity_size(j.kind); ++k)
-        add(static_cast<std::size_t>(tree.idx_v[i] + k), j.armature);
-}
 }  // namespace
 
 template <class T>

@@ -186,13 +186,10 @@ void TreeSizes<N>::inward(const TreeOf<double>& tree, Loads& loads) {
 
 template <class N>
 void TreeSizes<N>::add_armatures(const TreeOf<double>& tree, const Numbers& a) {
-  for (std::size_t i = 0; i < joints.size(); ++i)
-    if (const JointOf<double>& j = tree.joints[i]; j.primary < 0)
-      for (int k = tree.idx_v[i]; k < tree.idx_v[i] + velocity_size(j.kind); ++k) {
-        const auto at = static_cast<std::size_t>(k);
-        tau[at] += N(std::fabs(j.armature * a[at]));
-        mass[at * static_cast<std::size_t>(tree.nv) + at] += j.armature;
-      }
+  for_each_armature(tree, [&](std::size_t k, double armature) {
+    tau[k] += N(std::fabs(armature * a[k]));
+    mass[k * static_cast<std::size_t>(tree.nv) + k] += armature;
+  });
 }
 
 /// M_kl = s_k . f, where the wrench f accelerates the subtree of l by s_l (composite rigid body algorithm).
