@@ -122,6 +122,7 @@ class Property {
 template <template <class> class P, class S, class Base = Property<S>>
 class Law : public Base {
  public:
+  static constexpr bool needs_kappa = false;  ///< a law may set this to true
   const Statement& statement() const override { return P<S>::stated; }
   void measure(const Subject<S>& subject, const std::vector<S>& input, Recorder& recorder) const override {
     static_cast<const P<S>*>(this)->template in<oracles::Real>(subject, input, recorder);
@@ -129,8 +130,7 @@ class Law : public Base {
   bool measure_fast(const Subject<S>& subject, const std::vector<S>& input, Recorder& recorder,
                     std::size_t tier) const override {
     using Tiers = typename Base::Tiers;
-    if constexpr (requires { P<S>::needs_kappa; })  // the differences for kappa need the last tier
-      tier += std::tuple_size_v<Tiers> > 1;
+    tier += P<S>::needs_kappa && std::tuple_size_v<Tiers> > 1;  // differences for kappa need the last tier
     return [&]<std::size_t... I>(std::index_sequence<I...>) {
       return ((tier == I && (static_cast<const P<S>*>(this)->template in<std::tuple_element_t<I, Tiers>>(
                                  subject, input, recorder),

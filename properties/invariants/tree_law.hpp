@@ -128,6 +128,7 @@ class AnyTreeLaw : public Property<S> {
   /// Balls of double lose too many digits in these sums.
   using Tiers =
       std::conditional_t<std::is_same_v<S, float128>, std::tuple<>, std::tuple<oracles::DoubleDoubleBall>>;
+  static constexpr bool floating = false;  ///< a law may set this to true
   /// Whether the tree has one root, a free-flyer.
   virtual bool has_floating_base() const = 0;
   std::vector<Field> fields() const override;
@@ -155,15 +156,11 @@ class AnyTreeLaw : public Property<S> {
 
 /// A law P on trees of bodies. P<S> has the function
 ///   template <class Real> void of(const Operations<S>&, const CaseAt<S, Real>&, Recorder&) const
-/// and, if its trees need a floating base, a constant `floating`.
+/// and, if its trees need a floating base, a constant `floating` that is true.
 template <template <class> class P, class S>
 class TreeLaw : public Law<P, S, AnyTreeLaw<S>> {
  public:
-  bool has_floating_base() const override {
-    return requires {
-      P<S>::floating;
-    };
-  }
+  bool has_floating_base() const override { return P<S>::floating; }
   template <class T>
   void in(const Subject<S>& subject, const std::vector<S>& input, Recorder& recorder) const {
     const std::vector<S> full = this->full_of(input);
