@@ -38,11 +38,10 @@ class MassMatrix final : public TreeLaw<MassMatrix, S> {
     const std::vector<double> roots = mass_roots(exact, c.nv()), w = inverses(roots);
     const std::vector<double> at_rest(c.nv(), 0);
     const double terms = weighted_size(c.sizes(at_rest, at_rest).mass, products(w));
-    const std::vector<T> factor = oracles::positive_factor(exact, c.nv());
+    const std::vector<T> stored = exact_list<T>(flat(M)), factor = oracles::positive_factor(exact, c.nv());
     if (!factor.empty()) {
       const double inverse = inverse_size(factor, roots);
-      const VecX<S> entries = flat(M);
-      const bool positive = !oracles::positive_factor(exact_list<T>(entries), c.nv()).empty();
+      const bool positive = !oracles::positive_factor(stored, c.nv()).empty();
       // The error of crba may be 16 eps times its terms. So a nearly singular matrix may become indefinite.
       r.record(definite, 0, positive ? 0 : std::numeric_limits<double>::infinity(),
                [&] { return 16 * inverse * terms; });
@@ -53,9 +52,8 @@ class MassMatrix final : public TreeLaw<MassMatrix, S> {
     for (int k = 0; k < none.size(); ++k)
       by_columns.col(k) = o[op::tree_rnea](c.q, none, VecX<S>::Unit(none.size(), k), -1, Vec<S, 6>::Zero());
     if (!oracles::all_finite(by_columns)) return r.outcome(columns, 0, Outcome::not_finite);
-    const std::vector<T> one = exact_list<T>(flat(M)), other = exact_list<T>(flat(by_columns));
     const T size = weighted_norm(exact, products(w));
-    r.record(columns, 0, weighted_error<S>(other, one, products(w), size),
+    r.record(columns, 0, weighted_error<S>(exact_list<T>(flat(by_columns)), stored, products(w), size),
              [&] { return terms / approximate(size); });
   }
 };

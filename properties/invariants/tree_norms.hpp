@@ -12,17 +12,19 @@
 
 namespace liecheck::properties {
 
+template <class T>
+double approximate(const T& x) {
+  if constexpr (oracles::BallNumber<T>)
+    return x.head();
+  else
+    return static_cast<double>(x);
+}
 /// The square roots of the diagonal of M [nv x nv]; 0 for an entry that is not positive.
 template <class T>
 std::vector<double> mass_roots(const std::vector<T>& M, std::size_t nv) {
   std::vector<double> roots(nv);
   for (std::size_t k = 0; k < nv; ++k) {
-    const T& m = M[k * nv + k];
-    double value;
-    if constexpr (oracles::BallNumber<T>)
-      value = m.head();
-    else
-      value = static_cast<double>(m);
+    const double value = approximate(M[k * nv + k]);
     roots[k] = value > 0 ? std::sqrt(value) : 0;
   }
   return roots;
@@ -41,13 +43,6 @@ T weighted_norm(const std::vector<T>& x, const std::vector<double>& w) {
     sum += y * y;
   }
   return sqrt(sum);
-}
-template <class T>
-double approximate(const T& x) {
-  if constexpr (oracles::BallNumber<T>)
-    return x.head();
-  else
-    return static_cast<double>(x);
 }
 /// The same norm in double. For Tangents, it is the norm of their derivatives.
 inline double weighted_size(const std::vector<double>& x, const std::vector<double>& w) {
