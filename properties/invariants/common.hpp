@@ -24,13 +24,6 @@ void judged_value(Recorder& r, std::initializer_list<Output> outputs, std::size_
   measured();
 }
 
-/// The condition number of f at x, for the results first ... first + size - 1, relative to `denominator`.
-template <class T>
-double kappa_of(const oracles::FunctionOf<T>& f, const std::vector<T>& x, int first, int size,
-                const T& denominator) {
-  return oracles::condition_number(oracles::movements(f, x, {{first, size}}).front(), denominator);
-}
-
 /// |x| or ||v||. In ball arithmetic it is an upper bound of this norm.
 template <class T>
 double at_most(const T& x) {
@@ -92,7 +85,8 @@ void record_vector(Recorder& r, const Output& output, const Vec<S, N>& computed,
   if (!comparable(r, output, computed, resolved)) return;
   r.record(output, 0, oracles::vector_error<S>(oracles::exact_vector<N, T>(computed), exact), [&] {
     const T size = oracles::larger(norm(exact), oracles::least_denominator<S, T>());
-    return std::max(1.0, kappa_of<T>(formula, x(), first, N, size));
+    const T moved = oracles::movements<T>(formula, x(), {{first, N}}).front();
+    return std::max(1.0, oracles::condition_number(moved, size));
   });
 }
 

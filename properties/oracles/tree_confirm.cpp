@@ -95,11 +95,7 @@ bool confirmed(const TreeOf<Real>& tree, const std::vector<Real>& q, const std::
     return TreeDynamics<H>(tree_h, qh, vh, ah, {}, {}, {}, step).torque();
   };
   const Numbers plus = torque(t), minus = torque(-t);
-  const auto rough = [](const std::vector<Real>& x) {
-    std::vector<double> y;
-    for (const Real& value : x) y.push_back(static_cast<double>(value));
-    return y;
-  };
+  const auto rough = [](const std::vector<Real>& x) { return std::vector<double>(x.begin(), x.end()); };
   // The error is relative to the terms, because the result may be zero.
   const TreeSizes<Tangent> terms(converted<double>(tree), rough(q), rough(v), rough(a), {}, rough(dq));
   H off(0), size(0);
