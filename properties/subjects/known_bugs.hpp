@@ -1,7 +1,7 @@
 #pragma once
 // A known bug, bug:NAME, is the subject liecheck with one deliberate fault, modelled on a real report
-// (fixtures/known_bugs/README.md). A look-alike, alike:NAME, is a correct variant that no law may refuse. The
-// subject "all" includes neither; they run only if they are named.
+// (fixtures/known_bugs/README.md). A look-alike, alike:NAME, is a correct variant that no law may refuse.
+// `--subject all` selects neither of them; they run only if they are named.
 
 #include <string>
 #include <subjects/subject.hpp>

@@ -90,7 +90,8 @@ auto Bugs<S>::look_alikes_of_poses_and_bodies() -> Entries {
          const LM R = X.R.template cast<L>(), M = R * (I.I_C.template cast<L>() * R.transpose());
          b.I_C = M.template cast<S>();
        })},
-      {"energy_by_momentum", "V . h / 2 in long double", "another route", op::kinetic_energy,
+      {"energy_by_momentum", "(m |u_C|^2 + w . I_C w) / 2 in long double", "another route",
+       op::kinetic_energy,
        [](const B& I, const V6& V) -> S {
          const L3 u = wide(top(V)), w = wide(low(V)), c = wide(I.c), u_C = u + w.cross(c);
          const LM M = I.I_C.template cast<L>();

@@ -59,7 +59,8 @@ struct Registered {
   explicit Registered(Subject<S> subject);
 };
 
-/// Names of the known libraries that the build did not find. The file of such a subject registers nothing.
+/// Names of the optional libraries that the build did not find. The file of such a subject registers nothing.
+/// registry.cpp lists the optional libraries.
 std::vector<std::string> absent_subjects();
 
 }  // namespace liecheck::properties

@@ -1,6 +1,7 @@
 #pragma once
 // A tree of bodies as plain numbers, for the algorithms of operations/trees.hpp. The vectors q, v, a and tau
-// list the joints in order and skip mimic joints. A wrench acts on a body at the origin of its joint's frame.
+// list the joints in order and skip mimic joints. A wrench acts on the body of a joint, in the axes and at
+// the origin of that joint's frame.
 
 #include <oracles/tree.hpp>
 #include <subjects/subject.hpp>

@@ -1,6 +1,6 @@
 #pragma once
-// Takes the arguments of an operation from the input of a law. A part of an argument has the numbers of the field with
-// the same name.
+// Takes the arguments of an operation from the input of a law. A part of an argument has the numbers of the
+// field with the same name.
 
 #include <invariants/property.hpp>
 
@@ -18,8 +18,8 @@ class FieldPositions {
         if (!find(part.name).first) return false;
     return true;
   }
-  /// The numbers of an operation's arguments, in the order of their layouts. A double holds a float exactly. The six
-  /// numbers of an inertia become the nine of its matrix.
+  /// The numbers of an operation's arguments, in the order of their layouts. A double holds a float exactly.
+  /// The six numbers of an inertia become the nine of its matrix.
   template <class S>
   std::vector<double> arguments_of(const Operation& operation, const std::vector<S>& x) const {
     std::vector<double> numbers;

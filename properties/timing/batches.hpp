@@ -1,5 +1,5 @@
 #pragma once
-// Batches of liecheck as rows of `cost`: one call computes all inputs, so a batch has a throughput but no latency.
+// Batches of liecheck as rows of `cost`: one call computes all inputs, so a batch has no latency.
 
 #include <timing/signature.hpp>
 

@@ -66,7 +66,7 @@ struct Offered {
   Score<Input> score;
 };
 
-/// Adds the row of one operation for each subject that offers it. With `bands`, each band is also timed separately.
+/// Adds the row of one operation for each subject that offers it. With `bands`, it also times each band.
 template <class Input>
 void add_operation_rows(CostPlan& plan, const CostRow& common, std::size_t each, bool bands,
                         const Property<double>& law, const Operation& operation,
@@ -106,8 +106,9 @@ void add_operation_rows(CostPlan& plan, const CostRow& common, std::size_t each,
   }
 }
 
-/// Adds the rows of every operation that a subject offers and a law measures. Inputs are drawn in the scalar Input; S
-/// represents each of them exactly. score(operation, law, subject, signature, function) returns the Score of a function.
+/// Adds the rows of every operation that a subject offers and a law measures. Inputs are drawn in the scalar
+/// Input; S represents each of them exactly. score(operation, law, subject, signature, function) returns the
+/// Score of a function.
 template <class S, class Input, class MakeScore>
 void add_cost_rows(CostPlan& plan, const std::string& scalar, double eps,
                    const std::vector<const Subject<S>*>& subjects, std::size_t each, bool bands,
@@ -141,8 +142,8 @@ void add_cost_rows(CostPlan& plan, const std::string& scalar, double eps,
   });
 }
 
-/// Adds rows of the library in scalars wider than double, on double's inputs: double-double (QD, if it is installed),
-/// float128, and 50 and 100 digits (MPFR).
+/// Adds rows of the library in scalars wider than double, on double's inputs: double-double (QD, if it is
+/// installed), float128, and 50 and 100 digits (MPFR).
 void add_tiers(CostPlan& plan, const std::vector<std::unique_ptr<Property<double>>>& laws);
 
 }  // namespace liecheck::properties

@@ -16,7 +16,7 @@ namespace liecheck::properties {
 using AnyFunction = void (*)();
 
 struct Signature {
-  /// Makes the arguments of all calls, one std::tuple<A...> each, from their numbers in the order of the layouts.
+  /// Makes the arguments of all calls, one std::tuple<A...> each, from numbers in the order of the layouts.
   std::shared_ptr<const char> (*arguments)(const std::vector<std::vector<double>>& numbers);
   std::size_t size;  ///< of one std::tuple<A...> in bytes
   /// A pass over the arguments of n calls.
@@ -24,7 +24,7 @@ struct Signature {
   void (*latency)(AnyFunction, const char* arguments, std::size_t n);
   /// One call; appends the exact values of its arguments to `in`, and those of its result to `out`.
   void (*call)(AnyFunction, const char* arguments, WideNumbers& in, WideNumbers& out);
-  /// The shortest function of this signature: every number of its result is the first number of its arguments.
+  /// The shortest function of this signature: each number of its result is the first of its arguments.
   AnyFunction call_only;
 };
 

@@ -60,7 +60,7 @@ V4 quaternion_of(const V7& q) {
   return {{q[3], q[4], q[5], q[6]}};
 }
 
-/// One call: its arguments x and its result y. Most functions below read the result and add its errors to the blocks.
+/// One call: its arguments x and its result y. Most functions read y and add its errors to the blocks.
 struct Case {
   std::vector<BlockErrors>& blocks;
   double eps;
