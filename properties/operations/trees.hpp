@@ -179,7 +179,8 @@ inline constexpr Operation rnea_of_reordered_joints = formed(
      rnea_source},
     tree_tau, {torque}, {"algorithms/rnea.hpp", rnea_call}, tree_q, tree_v, tree_a, wrench_joint, wrench);
 inline constexpr Operation rnea_of_split_bodies = formed(
-    {"rnea_of_split_bodies", "tau does not change if each body is split into two halves", rnea_source},
+    {"rnea_of_split_bodies", "tau does not change if each body is split into two halves on one joint",
+     rnea_source},
     tree_tau, {torque}, {"algorithms/rnea.hpp", rnea_call}, tree_q, tree_v, tree_a, wrench_joint, wrench);
 
 }  // namespace liecheck::properties::op
