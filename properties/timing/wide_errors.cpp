@@ -1,7 +1,9 @@
 #include <timing/wide_errors.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
+#include <limits>
 #include <operations/operations.hpp>
 #include <oracles/closed_forms.hpp>
 #include <oracles/log.hpp>
@@ -65,12 +67,13 @@ struct Case {
   std::vector<BlockErrors>& blocks;
   double eps;
   Reader x, y;
+  bool finite;  ///< whether all numbers of the result are finite; std::min and std::max may drop a NaN
 
   void distance(BlockName name, const Wide& distance) {
     const auto error = static_cast<double>(Wide(distance / Wide(eps)));
     auto found = std::find_if(blocks.begin(), blocks.end(), [&](auto& b) { return b.block == name.text; });
     if (found == blocks.end()) found = blocks.insert(blocks.end(), BlockErrors{std::string(name.text), {}});
-    if (std::isfinite(error))
+    if (finite && std::isfinite(error))
       found->errors.push_back(error);
     else
       ++found->not_finite;
@@ -118,7 +121,9 @@ struct Case {
   void jacobian6(const oracles::JacobianBlocks<Wide>& exact) {
     const M6 J = y.read<M6>();
     const auto error = [&](int i) { return Wide(frobenius(oracles::block(J, i, i) - exact.J)); };
-    distance(block::jacobian, std::max(error(0), error(1)) / frobenius(exact.J));
+    const bool zero_below = frobenius(oracles::block(J, 1, 0)) == 0;
+    distance(block::jacobian, zero_below ? Wide(std::max(error(0), error(1)) / frobenius(exact.J))
+                                         : std::numeric_limits<Wide>::infinity());
     relative(block::coupling, oracles::block(J, 0, 1), exact.C);
   }
   void body(const BodyValue& exact) {
@@ -265,8 +270,9 @@ const std::pair<const Operation*, Compare> comparisons[] = {
 void add_wide_errors(std::vector<BlockErrors>& blocks, const Operation& operation, double eps,
                      const WideNumbers& arguments, const WideNumbers& result) {
   for (const auto& [record, compare] : comparisons)
-    if (record->name == operation.name) {
-      Case one{blocks, eps, Reader(arguments), Reader(result)};
+    if (record == &operation) {
+      const bool finite = std::ranges::all_of(result, [](const Wide& number) { return isfinite(number); });
+      Case one{blocks, eps, Reader(arguments), Reader(result), finite};
       return compare(one);
     }
   throw std::logic_error("no closed form of " + std::string(operation.name) + " at 100 digits");
