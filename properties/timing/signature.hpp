@@ -66,8 +66,11 @@ std::size_t bits_of(const R& result) {
   std::size_t bits = 0;
   for_each_part(result, [&](const auto& part) {
     const auto add = [&](const auto& number) {
+      const void* from = &number;
+      if constexpr (requires { number.backend().data()->_mpfr_d; })
+        from = number.backend().data()->_mpfr_d;  // an MPFR number begins with its precision
       std::uint32_t word;
-      std::memcpy(&word, &number, sizeof word);
+      std::memcpy(&word, from, sizeof word);
       bits ^= word;
     };
     if constexpr (requires { part.rows(); })
