@@ -36,26 +36,24 @@ inline constexpr Operation integrate_of_difference = formed(
      {block::translation, "|p1' - p1|", "max(|p1|, |p0|, |p1 - p0|)", "m"}},
     {configuration_header, "integrateSE3<S>(q0, differenceSE3<S>(q0, q1))"}, q0, q1);
 
-inline constexpr Block tangent_jacobian{
-    block::jacobian, "larger |J - J_exact| of the two 3 x 3 diagonal blocks, Frobenius", "|J_exact|", "1"};
 inline constexpr Block tangent_coupling{
     block::coupling, "|C - C_exact| of the upper right 3 x 3 block, Frobenius", "|C_exact|", "m"};
 
 inline constexpr auto d_integrate_arg0 = operation<struct DIntegrateArg0>(
     {"d_integrate_arg0", "d integrate(q0, delta) / d q0 = Ad(exp(-delta))", adjoint_source}, J6_tangent,
-    {tangent_jacobian, tangent_coupling},
+    {jacobian6, tangent_coupling},
     {configuration_header, "dIntegrateSE3<S>(q0, delta, ArgumentPosition::ARG0)"}, q0, delta);
 inline constexpr auto d_integrate_arg1 = operation<struct DIntegrateArg1>(
     {"d_integrate_arg1", "d integrate(q0, delta) / d delta = J_r(delta)", adjoint_source}, J6_tangent,
-    {tangent_jacobian, tangent_coupling},
+    {jacobian6, tangent_coupling},
     {configuration_header, "dIntegrateSE3<S>(q0, delta, ArgumentPosition::ARG1)"}, q0, delta);
 inline constexpr auto d_difference_arg0 = operation<struct DDifferenceArg0>(
     {"d_difference_arg0", "d difference(q0, q1) / d q0 = -J_l(difference)^-1", adjoint_source}, J6_tangent,
-    {tangent_jacobian, tangent_coupling},
+    {jacobian6, tangent_coupling},
     {configuration_header, "dDifferenceSE3<S>(q0, q1, ArgumentPosition::ARG0)"}, q0, q1);
 inline constexpr auto d_difference_arg1 = operation<struct DDifferenceArg1>(
     {"d_difference_arg1", "d difference(q0, q1) / d q1 = J_r(difference)^-1", adjoint_source}, J6_tangent,
-    {tangent_jacobian, tangent_coupling},
+    {jacobian6, tangent_coupling},
     {configuration_header, "dDifferenceSE3<S>(q0, q1, ArgumentPosition::ARG1)"}, q0, q1);
 
 inline constexpr auto integrate_coefficient_jacobian = operation<struct IntegrateCoefficientJacobian>(

@@ -121,6 +121,9 @@ inline constexpr Block rotation_of_matrix{
 inline constexpr Block orthogonality_of_matrix{block::orthogonality_defect, "|R^T R - I|, Frobenius",
                                                "absolute", "1"};
 inline constexpr Block rotation_vector{block::rotation_vector, "|phi - phi_exact|", "|phi_exact|", "rad"};
+/// Both diagonal blocks of a 6 x 6 Jacobian; infinite if the block below them is not zero.
+inline constexpr Block jacobian6{
+    block::jacobian, "larger |J - J_exact| of the two 3 x 3 diagonal blocks, Frobenius", "|J_exact|", "1"};
 
 }  // namespace op
 }  // namespace liecheck::properties
