@@ -6,13 +6,7 @@
 namespace liecheck::properties {
 namespace {
 
-Subject<double> whole() {
-  Subject<double> s = LiecheckOperations<double>::with_robots();
-  s.operations.tree = &liecheck_tree<double>;
-  return s;
-}
-
-const Registered<double> standard(whole());
+const Registered<double> standard(LiecheckOperations<double>::with_robots(&liecheck_tree<double>));
 const Registered<double> fast(LiecheckOperations<double, Precision::fast>::make());
 const Registered<double> tight(LiecheckOperations<double, Precision::tight>::make());
 

@@ -6,13 +6,7 @@
 namespace liecheck::properties {
 namespace {
 
-Subject<float> whole() {
-  Subject<float> s = LiecheckOperations<float>::with_robots();
-  s.operations.tree = &liecheck_tree<float>;
-  return s;
-}
-
-const Registered<float> standard(whole());
+const Registered<float> standard(LiecheckOperations<float>::with_robots(&liecheck_tree<float>));
 const Registered<float> fast(LiecheckOperations<float, Precision::fast>::make());
 const Registered<float> tight(LiecheckOperations<float, Precision::tight>::make());
 

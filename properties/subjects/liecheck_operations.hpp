@@ -25,9 +25,8 @@ struct LiecheckOperations : Types<S> {
   using Force = liecheck::Force<S>;
 
   static Subject<S> make() {
-    Subject<S> s;
-    s.name = P == Precision::fast ? "liecheck:fast" : P == Precision::tight ? "liecheck:tight" : "liecheck";
-    s.version = LIECHECK_VERSION;
+    constexpr bool fast = P == Precision::fast, tight = P == Precision::tight;
+    Subject<S> s{fast ? "liecheck:fast" : tight ? "liecheck:tight" : "liecheck", LIECHECK_VERSION, {}};
     add_exp_log_and_jacobians(s.operations);
     add_configurations(s.operations);
     if constexpr (P != Precision::tight) {
@@ -39,9 +38,9 @@ struct LiecheckOperations : Types<S> {
     return s;
   }
 
-  static Subject<S> with_robots() {
+  static Subject<S> with_robots(decltype(O::tree) tree = nullptr) {
     Subject<S> s = make();
-    s.operations.robot = &robot;
+    s.operations.robot = &robot, s.operations.tree = std::move(tree);
     return s;
   }
 
