@@ -52,7 +52,7 @@ std::vector<CostPoint> cost_candidates(const std::vector<CostPoint>& points,
     CostPoint sum{first.subject, first.scalar, first.operation};
     std::size_t offered = 0;
     for (const CostPoint& p : points)
-      if (p.name() == sum.name() && p.latency > 0 &&
+      if (p.subject == sum.subject && p.scalar == sum.scalar && p.latency > 0 &&
           std::find(operations.begin(), operations.end(), p.operation) != operations.end())
         ++offered, sum.error = std::max(sum.error, p.error), sum.latency += p.latency;
     if (offered == operations.size()) all.push_back(sum);

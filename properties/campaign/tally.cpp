@@ -7,10 +7,9 @@ namespace liecheck::properties {
 void Row::add(const Judged& j, std::uint64_t index) {
   ++count;
   double score = std::numeric_limits<double>::infinity();
-  if (j.residual.outcome != Outcome::measured) {
-    static constexpr std::uint64_t Row::*counters[] = {nullptr, &Row::not_finite, &Row::wrong_branch,
-                                                       &Row::unresolved, &Row::refused};
-    ++(this->*counters[static_cast<std::size_t>(j.residual.outcome)]);
+  if (const Outcome o = j.residual.outcome; o != Outcome::measured) {
+    not_finite += o == Outcome::not_finite, wrong_branch += o == Outcome::wrong_branch;
+    unresolved += o == Outcome::unresolved, refused += o == Outcome::refused;
   } else if (j.ill_posed) {
     ++ill_posed;
     score = 0;
