@@ -29,7 +29,7 @@ std::string place(const Json& row) {
   return fmt::format("{} {}, {}", text_of(row, "operation"), text_of(row, "block"), text_of(row, "band"));
 }
 
-/// If `total_cases` equals `cases`, the campaign had a time limit and no fixed number of cases for a law.
+/// Only the total if `total_cases` equals `cases`, as after a campaign with a time limit.
 std::string cases_text(const Json& record) {
   const Json total = record.value("total_cases", Json());
   if (total == record["cases"]) return fmt::format("{} cases in all", total.dump());

@@ -38,9 +38,9 @@ struct Merged {
 /// Refuses a record that does not satisfy the schema, or whose fields contradict one another.
 void check_record(std::string_view file, const Json& record);
 
-/// Reads, checks and concatenates records. Throws std::runtime_error that names file, field and value. Also throws if
-/// two rows have equal subject, scalar, property, operation, block and band, or if a hard case occurs twice for the
-/// same law, subject and scalar.
+/// Reads, checks and concatenates records. Throws std::runtime_error that names file, field and value. Also
+/// throws if two rows have equal subject, scalar, property, operation, block and band, or if a hard case
+/// occurs twice for the same law, subject and scalar.
 Merged merge_records(const std::vector<std::filesystem::path>& files);
 
 /// The list with this name, or an empty list if the record is older and lacks it.

@@ -138,8 +138,9 @@ struct SelectionFlags {
 
 /// Ctrl-C, SIGTERM and SIGHUP stop a command, which then returns its results so far. The first signal sets
 /// stop_requested; the second ends the program at once. Two signals within 0.3 s are treated as one, because
-/// `timeout` sends its signal to the program and then to its process group. A signal that nohup ignores stays
-/// ignored. Call this after the robot was read, because reading may wait for a pipe.
+/// `timeout` sends its signal to the program and then to its process group. A busy machine delays a signal by
+/// less than 0.3 s, and a user takes longer to press Ctrl-C again. A signal that nohup ignores stays ignored.
+/// Call this after the robot was read, because reading may wait for a pipe.
 void stop_on_signals();
 
 /// Throws std::runtime_error naming the file.

@@ -11,7 +11,7 @@ struct Flags {
   std::string before, after;
 };
 
-/// Prints on stderr if a campaign is only a part of its cases, because then the comparison is partial, too.
+/// Prints on stderr if a store lacks cases of its campaign, because then the comparison is partial, too.
 void print_if_partial(const std::string& name, const StoredCampaign& c) {
   if (c.spec.cases == 0) return;
   if (!c.complete())

@@ -79,7 +79,7 @@ std::string error_text(double e) {
   return std::isfinite(e) ? fmt::format("{:.1e}", e) : "-";
 }
 
-/// The shortest time [us] of a point with an error of at most `error`, or "-" if there is none.
+/// The shortest time [us per simulated second] of a point with at most this error, or "-" if there is none.
 std::string time_at(const SweepSeries& s, double error) {
   double best = 0;
   for (const SweepPoint& p : s.points)

@@ -48,7 +48,7 @@ std::string hexadecimal_float(const S& x);
 /// Throws std::invalid_argument with the text.
 template <class S>
 S parse_float(const std::string& text);
-/// The shortest exact decimal number, or 36 digits of a float128: for display only.
+/// The shortest decimal number that reads back as x, or 36 digits of a float128: for display only.
 template <class S>
 std::string decimal_float(const S& x);
 

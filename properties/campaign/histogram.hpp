@@ -63,7 +63,7 @@ class Histogram {
     while (mantissa >= edges[k + 1]) ++k;
     return std::clamp((exponent - 1) * 32 + static_cast<int>(k), -8000, 40000);
   }
-  /// Widens the window to the 128 bins around this one.
+  /// Widens the window so that it contains the block of 128 bins around this one.
   void widen(int bin) {
     const int from = (bin >> 7) * 128;
     if (window_.empty()) first_ = from;

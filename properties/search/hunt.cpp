@@ -31,7 +31,8 @@ CaseId raw_id(const std::vector<S>& x) {
   return id;
 }
 
-/// The figure that is maximised; negative if the case cannot be a maximum (ill-posed).
+/// The figure that is maximised. It is negative for a case that is ill-posed, or whose budget has the rule
+/// excess although the error is maximised; the search ignores these cases.
 double score_of(const Worst& w, const Judged& j) {
   if (j.budget->rule == Rule::forward) return j.residual.error;
   return w.by_kappa && !j.ill_posed ? j.excess : -1.0;

@@ -129,7 +129,7 @@ class Mutations {
         return;
       case Kind::inertia:
       case Kind::positive:
-      case Kind::masses: {  // one of several masses
+      case Kind::masses: {  // scales one of several masses
         const S f = g.kind == Kind::inertia ? S(factor(s) * factor(s)) : factor(s);
         if (!(f > S(0))) return;
         const std::size_t first = g.kind == Kind::masses ? s.below(g.size) : 0;
