@@ -7,7 +7,7 @@ const VERDICTS = [
   {name: "ill-posed", mark: "P", text: "eps · κ ≥ 1: the input determines no digit; neither stable nor a failure"},
   {name: "unresolved", mark: "?", text: "two precisions or formulas of the oracle disagree"},
   {name: "inaccurate", mark: "I", text: "finite, over budget: digits lost beyond κ"},
-  {name: "wrong branch", mark: "B", text: "another logarithm, the opposite quaternion, or an answer to what is no rotation"},
+  {name: "wrong branch", mark: "B", text: "another logarithm, the opposite quaternion, or a result for an input that is no rotation"},
   {name: "not finite", mark: "N", text: "NaN or Inf"}];
 const rankOf = cell => VERDICTS.findIndex(v => v.name === cell.verdict) + (cell.failed ? 100 : 0);
 const verdictOf = cell => VERDICTS.find(v => v.name === cell.verdict);
