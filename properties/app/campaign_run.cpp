@@ -135,8 +135,8 @@ std::optional<StoredRun> run_stored_campaign(const Selection& selection, const R
 void print_counterexamples(const Counterexamples& c) {
   if (c.replayed + c.skipped == 0) return;
   constexpr std::size_t shown = 6;
-  fmt::print("counterexamples of earlier runs: {} replayed, {} still fail, {} outside the selection\n",
-             c.replayed, c.failing.size(), c.skipped);
+  fmt::print("counterexamples of earlier runs: {} replayed, {} still fail, {} skipped\n", c.replayed,
+             c.failing.size(), c.skipped);
   for (std::size_t i = 0; i < std::min(shown, c.failing.size()); ++i)
     fmt::print("  {}, {}: liecheck replay {}\n", c.failing[i].operation, c.failing[i].block, c.failing[i].id);
   if (c.failing.size() > shown) fmt::print("  and {} more\n", c.failing.size() - shown);
