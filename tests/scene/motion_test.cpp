@@ -174,6 +174,22 @@ TEST(Variational, AnExplicitMethodLosesMomentum) {
   EXPECT_GT((L - L0).norm(), 8 * std::sqrt(10000.0) * eps<double>() * L0.norm());
 }
 
+/// The velocity after a step is found by iteration. With these coefficients it oscillates, or overflows.
+TEST(Variational, AFailedStepLeavesTheStateUnchanged) {
+  for (const std::string drag : {"linear: 4", "quadratic: 100"}) {
+    const scene::Scene s = loadSceneText(
+        "robot: {body: ball, radius: 1}\nintegrator: {name: variational, step: 1 s}\nduration: 1 s\n"
+        "effects: [drag: {frame: body, " + drag + "}]\n");
+    auto body = scene::makeSystem<Body>(s);
+    const State<Body> start(body, s.q, start_v);
+    State<Body> state = start;
+    scene::Variational<double> method;
+    method.begin(body, state);
+    EXPECT_THROW(method.step(body, state, 1), scene::StepFailed) << drag;
+    EXPECT_TRUE(state.q == start.q && state.v == start.v) << drag;
+  }
+}
+
 /// Compares 100 revolutions in 4000 and in 8000 steps, which differ only in their rounding errors.
 TEST(Gauss12, RoundingErrorsStayWithinTenEpsOfTheAngleTurned) {
   Body body(freeBody(triaxial()));

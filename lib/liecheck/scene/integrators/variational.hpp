@@ -37,20 +37,29 @@ class Variational final : public Method<LoneBody<S>> {
     L_low_.setZero(), P_low_.setZero();
   }
   void step(Body& body, State<Body>& state, const S& h) override {
-    const bool free = body.forceFree();
+    const State<Body> start = state;
     const Momentum before{L_, P_, L_low_, P_low_};
-    const S half = h / S(2);
-    if (!free) kick(body, state.t, state.q, state.v, half);
-    const Matrix3<S>& I = body.inertia();
-    Vector3<S> phi;
     try {
-      checkFinite(L_, P_);
-      const Vector3<S> target = h * inBody(state, L_);
-      phi = solve(I, body.inertiaInverse(), target);
+      advance(body, state, h);
     } catch (const StepFailed&) {
-      restore(before);
+      state = start, restore(before);
       throw;
     }
+    ++counts_.steps;
+  }
+
+ private:
+  static constexpr int limit = 50;
+  struct Momentum {
+    Vector3<S> L, P, L_low, P_low;
+  };
+  void advance(Body& body, State<Body>& state, const S& h) {
+    const bool free = body.forceFree();
+    const S half = h / S(2);
+    if (!free) kick(body, state.t, state.q, state.v, half);
+    checkFinite(L_, P_);
+    const Vector3<S> target = h * inBody(state, L_);
+    const Vector3<S> phi = solve(body.inertia(), body.inertiaInverse(), target);
     const Vector3<S> c0 = rotationOf(state.q).act(body.lever());
     accumulateRotation<S>(state.q.template tail<4>(), state.q_low.template tail<3>(),
                           quaternion::exp3<S>(phi));
@@ -65,6 +74,7 @@ class Variational final : public Method<LoneBody<S>> {
         last = state.v;
         restore(drifted);
         kick(body, S(state.t + h), state.q, last, half);
+        checkFinite(L_, P_);
         setVelocity(body, state);
         const S change = (state.v - last).cwiseAbs().maxCoeff();
         if (!(change > S(4) * eps<S>() * state.v.cwiseAbs().maxCoeff())) break;
@@ -72,14 +82,7 @@ class Variational final : public Method<LoneBody<S>> {
           throw StepFailed("variational: the velocity after the step did not converge: take a smaller step");
       }
     }
-    ++counts_.steps;
   }
-
- private:
-  static constexpr int limit = 50;
-  struct Momentum {
-    Vector3<S> L, P, L_low, P_low;
-  };
   void restore(const Momentum& m) { L_ = m.L, P_ = m.P, L_low_ = m.L_low, P_low_ = m.P_low; }
   static SO3<S> rotationOf(const Vector7<S>& q) { return SO3<S>(Vector4<S>(q[3], q[4], q[5], q[6])); }
   static Vector3<S> velocityOfCentre(const Body& body, const Motion<S>& V) {
