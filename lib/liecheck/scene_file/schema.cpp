@@ -62,7 +62,8 @@ std::string sceneSchema() {
             (m.evaluations ? std::to_string(m.evaluations)
              : m.adaptive  ? "adaptive"
                            : "implicit") +
-            " | " + m.equation + (m.preserves_momentum ? "; conserves spatial momentum" : "") +
+            " | " + withoutBars(m.equation, "\\|") +
+            (m.preserves_momentum ? "; conserves spatial momentum" : "") +
             (m.preserves_energy ? "; no energy drift" : "") +
             (m.lone_body_only ? "; for a lone body only" : "") + " | " + m.source + " |\n";
   return text;
