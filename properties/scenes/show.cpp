@@ -47,7 +47,7 @@ duration: 1 s
 )";
 constexpr const char* dzhanibekov_text = R"(
 scene: Dzhanibekov's body
-reason: it spins about the axis of its middle moment, with a perturbation of 1e-3, and flips every few seconds
+reason: it spins about the axis of its middle moment, perturbed by 1e-3, and flips every few seconds
 robot: {body: box, mass: 2 kg, size: [0.1 m, 0.2 m, 0.4 m]}
 initial: {start: dzhanibekov, rate: 5 rad/s, perturbation: 1e-3}
 integrator: {name: gauss6, step: 20 ms}

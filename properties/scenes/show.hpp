@@ -11,7 +11,7 @@ namespace liecheck::properties {
 /// A stage of a plan, as `liecheck scene explain` measures it.
 struct StageCost {
   std::string scene, stage, equation, energy, when, why;
-  std::optional<double> nanoseconds;  ///< of one run
+  std::optional<double> nanoseconds;  ///< of one call
 };
 /// The stages for a body and a hinge, each with all of its effects, and for a quadruped on the ground.
 std::vector<StageCost> stage_costs();

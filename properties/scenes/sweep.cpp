@@ -51,7 +51,7 @@ Exact exact_of(const Benchmark& s) {
     if (!coarse.empty()) {
       const MotionError d = motion_error(s.robot, fine.back(), coarse.back());
       if (d.leading() < 1e-20 || steps >= 4096) {
-        return {"gauss12 in float128 with two steps", false, d.leading(), fine};
+        return {"gauss12 in float128 with two step sizes", false, d.leading(), fine};
       }
     }
     coarse = fine;

@@ -196,7 +196,7 @@ double MotionError::leading() const {
 }
 
 void MotionError::take_larger(const MotionError& o) {
-  // Takes the larger error, or o's if either is NaN: NaN in *this is "none yet", NaN in o must not be lost.
+  // Takes the larger error, or o's if either is NaN. NaN in *this means that there is none yet.
   for (double MotionError::*x : {&MotionError::attitude, &MotionError::position,
                                  &MotionError::angular_velocity, &MotionError::linear_velocity})
     if (!(this->*x >= o.*x)) this->*x = o.*x;

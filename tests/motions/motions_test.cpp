@@ -30,9 +30,9 @@ T distance(const Attitude& a, const Attitude& b) {
   return larger<T>(angle_between(a.Q, b.Q), norm(a.omega - b.omega) / (1 + norm(b.omega)));
 }
 
-/// The equations of motion that the closed forms solve: Q' = Q (omega, 0) / 2, I omega' = (I omega) x omega + n_B.
-/// Returns the time derivative of (x y z w, omega) of a body that rotates about a fixed point or its centre of mass.
-/// The constant force force_W [N] acts at at_B [m] from that point.
+/// Returns the time derivative of (x y z w, omega) of a body that rotates about a fixed point or its centre
+/// of mass: Q' = Q (omega, 0) / 2, I omega' = (I omega) x omega + at_B x R^T force_W. The closed forms solve
+/// these equations. The constant force force_W [N] acts at at_B [m] from that point.
 struct RigidBodyEquations {
   Mat3<T> inertia, inverse_inertia;  ///< about that point [kg m^2]
   Vec3<T> force_W = zero_vector<3, T>(), at_B = zero_vector<3, T>();

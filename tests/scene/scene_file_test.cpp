@@ -192,7 +192,8 @@ TEST(SceneFile, TheVariationalMethodNeedsALoneBody) {
   std::string text =
       "robot: {urdf: chain.urdf}\nintegrator: {name: variational, step: 1 ms}\nduration: 1 s\n";
   EXPECT_EQ(refusal(text),
-            "s.yaml:2: integrator 'variational' is for one body on a free_flyer root only: take implicit_midpoint");
+            "s.yaml:2: integrator 'variational' is for one body on a free_flyer root only: "
+            "take implicit_midpoint");
 }
 
 TEST(Units, AreConvertedToSi) {

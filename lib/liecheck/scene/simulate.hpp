@@ -21,7 +21,8 @@ struct Outcome {
 
 /// watch(state, step) returns false to stop. It throws StepFailed to refuse the state; the step is then not
 /// counted, but `state` keeps the refused values. If the method fails, `state` is as before the step. The
-/// time of step n is n (duration / steps). Precondition: steps >= 1, every >= 1, duration finite and > 0.
+/// time after step n is n (duration / steps), not a sum of n rounded steps.
+/// Precondition: steps >= 1, every >= 1, duration finite and > 0.
 template <class Sys, class M, class Watch>
 Outcome simulate(Sys& system, M& method, State<Sys>& state, const Span& span, Watch&& watch) {
   using S = typename Sys::Scalar;

@@ -11,8 +11,8 @@
 
 namespace liecheck::urdf_detail {
 
-/// The numbers in a text, separated by white space, in C notation whatever the locale. The result is empty if
-/// one of them is not a number, not finite, or outside the range of double.
+/// The numbers in a text, separated by white space, in C notation whatever the locale; nullopt if one
+/// of them is not a number, not finite, or outside the range of double.
 std::optional<std::vector<double>> numbersIn(std::string_view text);
 
 /// Checks the numeric attributes of all elements below e. Throws UrdfError if an attribute that URDF requires

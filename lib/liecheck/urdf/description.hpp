@@ -58,7 +58,8 @@ struct Description {
   std::vector<UnphysicalLink> unphysical_links;
 };
 
-/// Throws UrdfError unless text describes one valid robot.
+/// The robot of a text. Throws UrdfError unless the text is well-formed XML of one robot: a tree of named
+/// links and joints of supported types, with finite numbers and masses >= 0.
 Description describe(const std::string& text, const UrdfOptions& options, Messages& messages);
 
 }  // namespace liecheck::urdf_detail

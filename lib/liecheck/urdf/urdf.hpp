@@ -6,7 +6,7 @@
 // name and a BODY frame named after its child link. A fixed joint becomes a FIXED_JOINT frame and a BODY
 // frame, and the inertia of its child link is added to the joint that supports it. Limits, damping and
 // friction are stored in the model. A continuous joint has no position limits; without <limit> it has no
-// effort and velocity limits either. Geometry and packages are not read.
+// effort and velocity limits either. Geometry is not read and packages are not searched.
 //
 // The text is parsed by TinyXML-2, not by urdfdom. urdfdom reports errors without a line, on a logger of the
 // whole process. If white space follows a number of an <inertial>, urdfdom drops the mass of the link. Trees

@@ -29,7 +29,7 @@ class Observer {
   /// True if step() is to be called after each step.
   virtual bool everyStep() const { return false; }
   virtual std::vector<Column> columns() const = 0;
-  /// Called at the start and after each step if everyStep(), and before sample().
+  /// Called at the start and after each step, if everyStep(). If that state is sampled too, before sample().
   virtual void step(const Now<double>&) {}
   /// Fills one number for each column.
   virtual void sample(const Now<double>& now, std::span<double> row) = 0;
