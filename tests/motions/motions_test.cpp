@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
 #include <oracles/motions/extrapolation.hpp>
 #include <oracles/motions/free_body.hpp>
 #include <oracles/motions/lagrange_top.hpp>
@@ -184,12 +183,12 @@ TEST(DampedSpring, SolvesItsEquationInEveryRegime) {
 }
 
 /// The two precession rates p [rad/s] at which a top with spin omega_z keeps the angle acos(cosine) from the
-/// vertical: I_t cosine p^2 - I_z omega_z p + m g c = 0. The slower one is first. NaN if there is none.
+/// vertical: I_t cosine p^2 - I_z omega_z p + m g c = 0. The slower one is first. omega_z > 0 must be large
+/// enough that they exist.
 Vec<2, T> steady_precession(const T& transverse, const T& axial, const T& torque, const T& cosine,
                             const T& omega_z) {
   const T half = axial * omega_z / 2, root = half * half - transverse * cosine * torque;
-  if (root < 0) return {{std::numeric_limits<T>::quiet_NaN(), std::numeric_limits<T>::quiet_NaN()}};
-  const T larger = half < 0 ? T(half - sqrt(root)) : T(half + sqrt(root));
+  const T larger = half + sqrt(root);
   return {{torque / larger, larger / (transverse * cosine)}};
 }
 
