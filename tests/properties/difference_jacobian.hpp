@@ -6,8 +6,9 @@
 
 namespace liecheck::oracles {
 
-/// Column i is vee(exp(-xi) d/dh exp(xi + h e_i)) by central differences at 100 digits, with exp by scaling and
-/// squaring. Lengths are in units of ||rho||. `resolved` means the form [[J, C], [0, J]].
+/// Column i is vee(exp(-xi) d/dh exp(xi + h e_i)) by central differences at 100 digits, with exp by scaling
+/// and squaring. Unit of length and step are those of oracles/jacobians.hpp. `resolved` is true if the matrix
+/// has the form [[J, C], [0, J]]; unlike the oracles, this formula is not confirmed by phi1.
 inline Jacobian6Result right_jacobian_fd(const Vec6<>& xi) {
   using T = Real100;
   Vec6<T> centre = cast<T>(xi);
@@ -33,7 +34,7 @@ inline Jacobian6Result right_jacobian_fd(const Vec6<>& xi) {
     const Vec6<T> column = stack(Rt * dp, dphi);
     for (int r = 0; r < 6; ++r) m(r, i) = column[r];
   }
-  const Mat3<T> J = block(m, 0, 0), C = length == 0 ? zeros<3, 3, T>() : unit * block(m, 0, 1);
+  const Mat3<T> J = block(m, 0, 0), C = unit * block(m, 0, 1);
   const bool structure = agree(block(m, 1, 1), J) && frobenius(block(m, 1, 0)) <= T(agreement);
   return {cast<Real>(J), cast<Real>(C), structure};
 }
