@@ -8,11 +8,9 @@
 #include <liecheck/multibody/configuration.hpp>
 
 namespace liecheck {
-namespace test {
+
 using Real = long double;
 using VecL = VectorX<Real>;
-}  // namespace test
-using test::Real;
 
 extern template class Model<Real>;
 extern template class Data<Real>;
