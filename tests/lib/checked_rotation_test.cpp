@@ -4,18 +4,12 @@
 
 #include <liecheck/spatial/checked_rotation.hpp>
 
+#include "refusal.hpp"
+
 namespace liecheck {
 namespace {
 
-template <class F>
-std::string refusal(F f) {
-  try {
-    f();
-  } catch (const std::invalid_argument& e) {
-    return e.what();
-  }
-  return "";
-}
+using test::refusal;
 
 template <class S>
 class CheckedRotation : public testing::Test {};

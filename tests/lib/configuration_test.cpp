@@ -7,9 +7,12 @@
 #include <liecheck/multibody/configuration.hpp>
 #include <numbers>
 
+#include "refusal.hpp"
+
 namespace {
 
 using namespace liecheck;
+using test::refusal;
 
 template <class S>
 constexpr S half_pi = std::numbers::pi_v<S> / 2;
@@ -499,18 +502,6 @@ TYPED_TEST(Configuration, IsNormalizedChecksEveryUnitVectorAndRefusesNaN) {
   VectorX<S> q = someConfiguration<S>();
   q[4] *= 1 + 64 * this->eps;
   EXPECT_TRUE(isNormalized(m, q, S(1000) * this->eps));
-}
-
-/// The message of the exception that f throws. Fails if f throws nothing.
-template <class F>
-std::string refusal(F f) {
-  try {
-    f();
-  } catch (const std::invalid_argument& e) {
-    return e.what();
-  }
-  ADD_FAILURE() << "nothing was refused";
-  return {};
 }
 
 TEST(Sizes, EveryFunctionRefusesAWrongSizeAndNamesBothSizes) {

@@ -4,9 +4,12 @@
 
 #include <liecheck/multibody/configuration.hpp>
 
+#include "refusal.hpp"
+
 namespace {
 
 using namespace liecheck;
+using test::refusal;
 using V3 = Vector3<double>;
 using M3 = Matrix3<double>;
 
@@ -27,16 +30,6 @@ Model<double> robot() {
   return m;
 }
 
-template <class F>
-std::string refusal(F f) {
-  try {
-    f();
-  } catch (const std::invalid_argument& e) {
-    return e.what();
-  }
-  ADD_FAILURE() << "nothing was refused";
-  return {};
-}
 bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
