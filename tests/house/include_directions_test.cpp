@@ -140,7 +140,7 @@ TEST(Rooms, ForbiddenIncludesAreFound) {
   EXPECT_EQ(count("properties/campaign/a.cpp", "invariants/property.hpp"), 0u);
 }
 
-/// Groups of files that include each other, directly or through others. x.hpp and x.cpp count as one file, "x".
+/// Groups of files that include each other, directly or indirectly. x.hpp and x.cpp count as one file, "x".
 std::vector<std::string> cycles(const Files& files) {
   std::map<std::string, std::set<std::string>> arrows;
   const auto unit = [](const std::string& path) { return path.substr(0, path.rfind('.')); };

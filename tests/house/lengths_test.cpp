@@ -182,7 +182,7 @@ TEST(Functions, AreFoundWithTheirNames) {
   EXPECT_EQ(all[2].name, "g");
 }
 
-/// Names of documents that are not in the repository; joined from two parts, so that this file does not contain them.
+/// Names of documents that are not in the repository, in two parts so that this file does not contain them.
 const std::string design = std::string("DES") + "IGN", rows = std::string("RO") + "WS";
 
 /// Lines of a text that cite such a document.

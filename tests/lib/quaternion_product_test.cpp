@@ -75,7 +75,7 @@ TYPED_TEST(QuaternionProductOf, TranslationsNearTheEndOfTheRangeKeepTheirDigits)
   using S = TypeParam;
   if constexpr (std::is_floating_point_v<S>) {
     const S huge = std::numeric_limits<S>::max() / S(16), far = S(1) / std::numeric_limits<S>::max_exponent;
-    const S less = std::ldexp(S(1), std::numeric_limits<S>::digits / 2 + 8);  // a divisor against overflow
+    const S less = std::ldexp(S(1), std::numeric_limits<S>::digits / 2 + 8);  // huge / less can be split
     Vector7<S> q0, near0;
     q0 << huge, -huge / S(3), S(0), S(0.5), S(0.5), S(-0.5), S(0.5);
     Vector6<S> delta;

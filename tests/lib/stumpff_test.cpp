@@ -38,7 +38,7 @@ struct ClosedForms {
 template <class S>
 class StumpffOf : public testing::Test {
  public:
-  /// Values of theta^2 in [0, 9.8] (pi^2 = 9.87): a few chosen ones, log-uniform ones from 1e-30, and uniform ones.
+  /// Values of theta^2 in [0, 9.8] (pi^2 = 9.87): chosen ones, log-uniform ones from 1e-30, uniform ones.
   static std::vector<S> squared_angles() {
     std::mt19937_64 random(7);
     std::uniform_real_distribution<double> exponent(-30, std::log10(9.8));
@@ -58,7 +58,7 @@ template <class S, class Ours, class Truth>
 double worst(const std::vector<S>& xs, double floor, Ours ours, Truth truth) {
   double most = 0;
   for (const S x : xs) {
-    if (x < S(1e-30)) continue;  // the closed form cancels too much
+    if (x < S(1e-30)) continue;  // too few digits are left; LimitsAtZeroAreExactToHalfAnUlp tests these
     const Real exact = truth(ClosedForms(Real(x)));
     const Real error = abs(Real(ours(x)) - exact) / (std::max)(Real(abs(exact)), Real(floor));
     const double in_eps = double(error) / double(eps<S>());
@@ -134,8 +134,8 @@ TYPED_TEST(StumpffOf, HalfAnglesKeepTheirBounds) {
   using S = TypeParam;
   const auto xs = this->squared_angles();
   const auto half = [](const auto& pick) { return [pick](S x) { return pick(HalfAngle<S>(x)); }; };
-  // HalfAngle(x) holds the coefficients at x/4, so that c0 = cos(theta/2) and sine_over_angle() = sin(theta/2) / theta;
-  // the references are computed from theta/2 at 150 digits.
+  // HalfAngle(x) has the coefficients at x/4: c0 = cos(theta/2), sine_over_angle() = sin(theta/2) / theta.
+  // The references are computed from theta/2 at 150 digits.
   double sine = 0, cosine = 0;
   for (const S x : xs) {
     if (x < S(1e-30)) continue;

@@ -77,7 +77,7 @@ void evaluation(const std::string& name, Evaluate&& evaluate, double bound, cons
 }
 
 /// Proves |computed - exact| <= bound eps for 1 - linear + small, which HalfAngle sums as a double word:
-///     head = 1 - linear,  other = 1 - head,  rest = other - linear,  tail = rest + small,  value = head + tail.
+///     head = 1 - linear, other = 1 - head, rest = other - linear, tail = rest + small, value = head + tail.
 /// The hints are the identities that make rest the rounding error of head; Gappa checks them.
 template <class F, bool FUSED, class Evaluate>
 void sum_of_parts(const std::string& name, Evaluate&& evaluate, double bound, const char* domain) {

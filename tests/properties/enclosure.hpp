@@ -5,8 +5,8 @@
 //   c_k(x)      for x < 256 the power series; the remainder is at most the first omitted term (alternating);
 //               for x >= 256 sin and cos of the full angle; the oracles use half angles and matrix squarings
 //   exp         R = I + c1 [phi] + c2 [phi]^2,   p = c1 rho + c2 phi x rho + c3 phi (phi.rho)
-//   log         theta / 2 = a + atan((s cos a - c sin a) / (c cos a + s sin a)) with a rounded guess a; rho solves
-//               V(phi) rho = p
+//   log         theta / 2 = a + atan((s cos a - c sin a) / (c cos a + s sin a)) with a rounded guess a;
+//               rho solves V(phi) rho = p
 //   polar       Krawczyk's operator proves that a rotation R(d) R(Q0), d in a tiny box, makes X^T R symmetric
 //   J, C        I + c2 [phi] + c3 [phi]^2 and its derivative along rho, c_k' from its own series;
 //               the oracles use c4, c5
@@ -16,7 +16,8 @@
 // result is wide, never wrong. A question that T cannot decide, such as the sign of an interval around zero,
 // throws Undecided.
 //
-// Sources: Tucker 2011 (interval arithmetic), Neumaier 1990, chapter 5 (Krawczyk), Rump 2010, section 10 (Neumann).
+// Sources: Tucker 2011 (interval arithmetic); Neumaier 1990, chapter 5 (Krawczyk); Rump 2010, section 10
+// (Neumann).
 
 #include <boost/multiprecision/mpfi.hpp>
 

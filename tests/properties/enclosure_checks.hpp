@@ -1,6 +1,6 @@
 #pragma once
-// Compares two results of each operation of the oracles, the value stored with 50 digits and the closed form evaluated
-// at 100 digits, with an interval that contains the exact result.
+// Compares two results of each operation of the oracles with an interval that contains the exact result: the
+// value stored with 50 digits, and the closed form evaluated at 100 digits.
 
 #include <oracles/closed_forms.hpp>
 #include <oracles/exp.hpp>
@@ -19,12 +19,12 @@ using namespace oracles;
 /// The allowed error of each block, relative to max(||exact||, scale) with the scale passed to near(). The
 /// oracles promise 1e-41 (agreement.hpp), but 100 correct digits rounded to 168 bits err by 2^-168 = 2.7e-51.
 inline constexpr double claim = 1e-50;
-/// Negative control: Ledger::check adds an error of 10 times the allowed one to each value. The comparison
-/// must then fail. For `claim` this error is in the 49th digit.
+/// Negative control: Ledger::check adds an error of this many times the allowed one to each value. The
+/// comparison must then fail. For `claim` this error is in the 49th digit.
 inline constexpr double wrong = 10;
 
-/// The allowed error of the closed forms at 100 digits (334 bits): 1e-98 (theta / d)^2 for an angle theta at the
-/// distance d from 2 pi k (closed_forms.hpp).
+/// The allowed error of the closed forms at 100 digits (334 bits): 1e-98 (theta / d)^2 for an angle theta at
+/// the distance d from 2 pi k (closed_forms.hpp).
 inline double claim_at_100_digits(const Real& theta) {
   if (theta < 1) return 1e-98;
   if (theta > 1e25) return 1e-90;  // there closed_forms.hpp reduces theta with more than 334 bits

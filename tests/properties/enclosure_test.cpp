@@ -1,7 +1,7 @@
 // The oracles' results are compared with intervals that are proved to contain the exact values.
 //
-// The inputs are those of the project's generators in float, double and float128, at most three for each
-// band of angles, and chosen inputs outside the generators' range. The seed is LIECHECK_SEED, or 42.
+// The inputs are those of the project's generators in float, double and float128, at most `per_band` for
+// each band of angles, and chosen inputs outside the generators' range. The seed is LIECHECK_SEED, or 42.
 
 #include <charconv>
 #include <cstdlib>

@@ -1,4 +1,4 @@
-// Tests of the harness: every law fails on a planted bug, NaN never passes, cases and digests are reproducible.
+// The harness: every law fails on a planted bug, NaN never passes, cases and digests are reproducible.
 
 #include <gtest/gtest.h>
 #include <invariants/tree_laws.hpp>

@@ -1,5 +1,5 @@
-// The records that the program writes meet their schema, have every field that it documents and no other, and define
-// every operation and block that they measure.
+// The records that the program writes meet their schema, have every field that it documents and no other, and
+// define every operation and block that they measure.
 
 #include <gtest/gtest.h>
 #include <unistd.h>

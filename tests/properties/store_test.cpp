@@ -1,5 +1,5 @@
-// The store: kill -9 loses no transaction, the same cases give the same export however they were run, and a file that is
-// not an undamaged store of this campaign is refused with one line.
+// The store: kill -9 loses no transaction, the same cases give the same export however they were run, and a
+// file that is not an undamaged store of this campaign is refused with one line.
 
 #include <gtest/gtest.h>
 

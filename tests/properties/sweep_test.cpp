@@ -170,7 +170,7 @@ TEST(Sweep, OfEvery1009thFloatPassesAndGivesALowerBound) {
   for (const auto& c : r.coefficients) {
     const std::uint32_t last = std::bit_cast<std::uint32_t>(code_of(c.claim->coefficient).last);
     EXPECT_EQ(c.evaluated, last / 1009 + 1) << c.claim->name;
-    EXPECT_GT(c.max_eps, 0.25) << c.claim->name;  // even correctly rounded results err by about 0.25 eps
+    EXPECT_GT(c.max_eps, 0.25) << c.claim->name;  // correctly rounded results do too
   }
   options.jobs = 2;
   const SweepResult again = sweep(options);

@@ -6,9 +6,10 @@ namespace liecheck::reports {
 
 Json row(const std::string& subject, const std::string& band, double max_eps) {
   Json all = Json::parse(
-      R"json({"axis": "theta", "block": "translation", "budget": 4, "count": 713, "high": 0.0001, "ill_posed": 0,
- "low": 1e-05, "max_excess": 0, "median_eps": 0, "not_finite": 0, "operation": "exp6", "p99_eps": 0.1,
- "property": "exp_oracle", "rule": "forward", "scalar": "double", "unresolved": 0, "wrong_branch": 0})json");
+      R"json({"axis": "theta", "block": "translation", "budget": 4, "count": 713, "high": 0.0001,
+ "ill_posed": 0, "low": 1e-05, "max_excess": 0, "median_eps": 0, "not_finite": 0, "operation": "exp6",
+ "p99_eps": 0.1, "property": "exp_oracle", "rule": "forward", "scalar": "double", "unresolved": 0,
+ "wrong_branch": 0})json");
   all["subject"] = subject;
   all["band"] = band;
   all["max_eps"] = max_eps;
@@ -21,7 +22,8 @@ Json row(const std::string& subject, const std::string& band, double max_eps) {
 Json record() {
   Json all = Json::parse(
       R"json({"absent": ["ceres"], "blocks": [], "cases": 20000, "digest": {"inputs": "ab", "results": "cd"},
- "environment": {"compiler": "g", "cpu": "c", "flags": "-O2", "fma_contraction": "off", "libm": "glibc", "os": "o"},
+ "environment": {"compiler": "g", "cpu": "c", "flags": "-O2", "fma_contraction": "off", "libm": "glibc",
+   "os": "o"},
  "generator_version": 1, "operations": [], "properties": [],
  "robot": {"hash": "0000000000000000", "name": "none"}, "seed": 42,
  "subjects": [{"eps": 2.220446049250313e-16, "name": "liecheck", "not_offered": ["log6"], "scalar": "double",
@@ -44,8 +46,8 @@ Json swept() {
 
 Json hard_case(const std::string& subject, const std::string& verdict) {
   Json cell = Json::parse(
-      R"json({"band": "0", "block": "translation", "budget": 4, "kappa": 0, "operation": "exp6", "rule": "forward",
- "scalar": "double"})json");
+      R"json({"band": "0", "block": "translation", "budget": 4, "kappa": 0, "operation": "exp6",
+ "rule": "forward", "scalar": "double"})json");
   cell["subject"] = subject;
   cell["verdict"] = verdict;
   cell["failed"] = verdict != "stable";
@@ -64,8 +66,8 @@ Json cost_row(const std::string& subject, const std::string& scalar, const std::
   for (const char* name : {"median", "low", "high"}) time[name] = ns;
   time["repetitions"] = 25u;
   Json all = Json::parse(R"json({"dominated_throughput": null, "eps": 2.220446049250313e-16,
- "sets": [{"blocks": [{"block": "translation", "max_eps": 2, "measured": 640, "median_eps": 0.5, "not_finite": 0,
-     "p99_eps": 1, "refused": 0, "unresolved": 0, "wrong_branch": 0}],
+ "sets": [{"blocks": [{"block": "translation", "max_eps": 2, "measured": 640, "median_eps": 0.5,
+     "not_finite": 0, "p99_eps": 1, "refused": 0, "unresolved": 0, "wrong_branch": 0}],
    "inputs": 640, "instructions": null, "set": "mixed"}],
  "version": "1", "worst_block": "translation"})json");
   all["subject"] = subject;
@@ -89,7 +91,7 @@ Json cost() {
     rows.push_back(cost_row("breaks", "quad", operation, "inf", 10));
     rows.push_back(cost_row("call", "double", operation, nullptr, 2));
   }
-  rows.push_back(cost_row("liecheck@gcc-O2", "double", "exp6", 2e-16, 1));  // fastest, but left out
+  rows.push_back(cost_row("liecheck@gcc-O2", "double", "exp6", 2e-16, 1));  // fastest, but not on any front
   rows.push_back(cost_row("one", "double", "exp6", 0, 20000));
   Json all = Json::parse(R"json({"clock": "processor time", "elapsed": 33,
  "environment": {"compiler": "gcc", "cpu": "c<1>", "flags": "-O2", "governor": "g", "os": "o"},
@@ -116,10 +118,10 @@ Json scenes() {
    "links": [{"axes": [1, 0, 0, 0, 1, 0, 0, 0, 1], "centre": [0, 0, -1], "half": [1, 1, 1], "joints": [],
      "name": "body"}],
    "name": "n", "what": "w"}],
- "flips": [{"exact": [34.8, 102.2], "horizon": 34.8, "integrator": "gauss12", "perturbation": 1e-08, "predicted": 1,
-   "relative": [5e-17, "inf"], "scalar": "double"}],
- "peers": [{"error": 1e-06, "integrator": "RK4", "ours": "rkmk4", "peer": "MuJoCo", "points": 3, "ratio": 0.25,
-   "scene": "a<b>", "unmatched": false}],
+ "flips": [{"exact": [34.8, 102.2], "horizon": 34.8, "integrator": "gauss12", "perturbation": 1e-08,
+   "predicted": 1, "relative": [5e-17, "inf"], "scalar": "double"}],
+ "peers": [{"error": 1e-06, "integrator": "RK4", "ours": "rkmk4", "peer": "MuJoCo", "points": 3,
+   "ratio": 0.25, "scene": "a<b>", "unmatched": false}],
  "scenes": [{"closed": true, "disagreement": 0, "duration": 4,
    "orders": [{"errors": [0.01, "inf"], "exact": false, "first": 0, "floor": null, "halvings": 5,
      "integrator": "rkmk4", "observed": 4.003, "promised": 4, "scalar": "float128", "settled": true,
@@ -143,8 +145,8 @@ Json full_record() {
   all["robot"]["root"] = "fixed";
   all.update(Json::parse(R"json({"total_cases": 40000,
  "counterexamples": {"failing": ["g3.1.a.b.double.none.0"], "replayed": 1, "skipped": 0},
- "blocks": [{"block": "translation", "denominator": "|p_exact|", "error": "|p - p_exact| of exp", "operation": "exp6",
-   "unit": "m"},
+ "blocks": [{"block": "translation", "denominator": "|p_exact|", "error": "|p - p_exact| of exp",
+   "operation": "exp6", "unit": "m"},
   {"block": "translation", "denominator": "|rho_exact|", "error": "|rho - rho_exact| of log",
    "operation": "log6", "unit": "m"}],
  "operations": [{"arguments": [{"frame": "body", "name": "xi", "size": 6, "unit": "m, rad"},
@@ -153,7 +155,8 @@ Json full_record() {
    "results": [{"frame": "body", "name": "T", "size": 6, "unit": "m, rad"},
     {"frame": "joint", "name": "q", "size": "nq", "unit": "rad"}],
    "source": "Murray, Li, Sastry 1994, eq. 2.36"}],
- "properties": [{"equation": "T = exp(xi)", "law": "exp is exp", "property": "exp_oracle", "source": "definition"}]})json"));
+ "properties": [{"equation": "T = exp(xi)", "law": "exp is exp", "property": "exp_oracle",
+   "source": "definition"}]})json"));
   for (Json& r : all["results"]) r.update({{"reason", "why"}, {"refused", 0}, {"failed", 0}});
   all["hard_cases"] = {hard_case("liecheck", "refused")};
   all["hard_cases"][0]["place"] = "zero.txt:3";
