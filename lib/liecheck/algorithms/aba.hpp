@@ -31,22 +31,60 @@ void addShifted(Matrix6<S>& sum, const Matrix6<S>& I, const Vector3<S>& r) {
   sum.template bottomRightCorner<3, 3>() += I.template bottomRightCorner<3, 3>() + r_moved + r_B.transpose();
 }
 
-/// The Cholesky factor L of D = L L^T [N x N], or 1 / D if N = 1. Throws SingularInertia unless D > 0.
-template <int N, Scalar S>
-Eigen::Matrix<S, N, N> factorOf(const Model<S>& model, int joint, const Eigen::Matrix<S, N, N>& D,
-                                const Eigen::Matrix<S, N, 1>& scale) {
+/// Replaces D [n x n], in the corner of L, by its Cholesky factor, D = L L^T, or by 1 / D if n = 1. Throws
+/// SingularInertia unless each pivot is above the rounding error of D_kk. scale_k is the sum of the absolute
+/// values of the terms of D_kk.
+template <Scalar S>
+void factorizeJointInertia(const Model<S>& model, std::size_t joint, int n, const Vector6<S>& scale,
+                           Matrix6<S>& L) {
   using std::sqrt;
-  Eigen::Matrix<S, N, N> L = D;
-  for (int k = 0; k < N; ++k) {
+  for (int k = 0; k < n; ++k) {
     if (!(L(k, k) > S(64) * eps<S>() * scale[k]))
-      throw SingularInertia(model.names[std::size_t(joint)], joint, finite<S>(L(k, k)));
-    if constexpr (N == 1) return Eigen::Matrix<S, N, N>(S(1) / D(0, 0));
+      throw SingularInertia(model.names[joint], int(joint), finite<S>(L(k, k)));
+    if (n == 1) {
+      L(0, 0) = S(1) / L(0, 0);
+      return;
+    }
     L(k, k) = sqrt(L(k, k));
-    for (int i = k + 1; i < N; ++i) L(i, k) /= L(k, k);
-    for (int i = k + 1; i < N; ++i)
+    for (int i = k + 1; i < n; ++i) L(i, k) /= L(k, k);
+    for (int i = k + 1; i < n; ++i)
       for (int j = k + 1; j <= i; ++j) L(i, j) -= L(i, k) * L(j, k);
   }
-  return L;
+}
+
+/// Sets U = I^A S, D = S^T U + armature and u = tau - S^T p^A of joint i, and factorizes D. With more than one
+/// column, U and u then become U L^-T and L^-1 u: D^-1 itself is less accurate if D is ill-conditioned.
+template <Scalar S>
+void projectOnJoint(const Model<S>& model, Data<S>& data, std::size_t i, const VectorX<S>& tau) {
+  auto& w = data.work;
+  const int n = model.column_counts[i], first = model.idx_columns[i], first_v = model.idx_vs[i];
+  const bool rotation = rotatesAboutAxis<S>(model.joints[i]);  // s = (0, axis)
+  const Matrix6<S>& I = w.articulated[i];
+  Matrix6<S>& L = w.D_factor[i];
+  Vector6<S> scale;
+  for (int k = 0; k < n; ++k) {
+    const Vector6<S> s = w.S_columns.col(first + k);
+    Vector6<S> U;
+    if (rotation) {
+      U.noalias() = I.template rightCols<3>() * s.template tail<3>();
+      L(0, 0) = s.template tail<3>().dot(U.template tail<3>());
+    } else {
+      U.noalias() = I * s;
+      for (int j = 0; j <= k; ++j) L(k, j) = w.S_columns.col(first + j).dot(U);
+    }
+    w.U.col(first + k) = U;
+    scale[k] = s.cwiseAbs().dot(U.cwiseAbs());
+    L(k, k) += model.armature[first_v + k];
+    w.u[first + k] = tau[first_v + k] - s.dot(w.force[i].to_vector());
+  }
+  factorizeJointInertia(model, i, n, scale, L);
+  if (n == 1) return;
+  for (int k = 0; k < n; ++k) {
+    auto U_k = w.U.col(first + k);
+    S& u_k = w.u[first + k];
+    for (int j = 0; j < k; ++j) U_k -= L(k, j) * w.U.col(first + j), u_k -= L(k, j) * w.u[first + j];
+    U_k /= L(k, k), u_k /= L(k, k);
+  }
 }
 
 /// aba of a model with mimic joints. They couple branches, so M qdd = tau - h is solved with the factor of M.
@@ -77,70 +115,55 @@ const VectorX<S>& aba(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, In
   if (model.has_mimics) return denseForwardDynamics(model, data, q, v, tau, fext);
   data.begin(model, q, v);
   auto& w = data.work;
-  columnsInWorldAxes(model, data, q, [&]<class Joint>(const Joint& joint) {
-    const std::size_t i = std::size_t(joint.index), p = std::size_t(model.parents[i]);
+  columnsInWorldAxes(model, data, q);
+  for (std::size_t i = 1; i < model.joints.size(); ++i) {
+    const std::size_t p = std::size_t(model.parents[i]);
     const Matrix3<S>& R = data.oMi[i].rotation();
     Motion<S> relative = Motion<S>::Zero();
-    for (int k = 0; k < Joint::columns; ++k)
-      relative = relative + column(w.S_columns, joint.column + k) * v[joint.idx_v + k];
+    for (int k = 0; k < model.column_counts[i]; ++k)
+      relative = relative + column(w.S_columns, model.idx_columns[i] + k) * v[model.idx_vs[i] + k];
     w.velocity[i] = p == 0 ? relative : shifted(w.velocity[p], w.r[i]) + relative;
-    w.bias[i] = joint.velocityProduct(w.velocity[i], relative);
+    w.bias[i] = w.velocity[i].cross(relative);
     const Inertia<S> I = rotated(R, model.inertias[i]);
     w.articulated[i] = I.matrix();
     w.force[i] = w.velocity[i].cross(I * w.velocity[i]);
     if (!fext.empty()) w.force[i] = w.force[i] - SE3<S>(R, Vector3<S>::Zero()).act(fext[i]);
-  });
+  }
   VectorX<S>& ddq = data.ddq.write(Level::Velocity);
 
-  for (std::size_t i = model.joints.size() - 1; i > 0; --i)
-    multibody_detail::visitJoint(model, i, [&]<class Joint>(const Joint& joint) {
-      constexpr int n = Joint::columns;
-      const std::size_t p = std::size_t(model.parents[i]);
-      const auto s = w.S_columns.template middleCols<n>(joint.column);
-      auto U = w.U.template middleCols<n>(joint.column);
-      auto u = w.u.template segment<n>(joint.column);
-      Matrix6<S>& I = w.articulated[i];
-      constexpr int rows = Joint::rotates ? 3 : 6;  // the rows of s that are not zero
-      U.noalias() = I.template rightCols<rows>() * s.template bottomRows<rows>();
-      Eigen::Matrix<S, n, n> D = s.template bottomRows<rows>().transpose() * U.template bottomRows<rows>();
-      const Eigen::Matrix<S, n, 1> scale = (s.cwiseAbs().transpose() * U.cwiseAbs()).diagonal();
-      D.diagonal() += model.armature.template segment<n>(joint.idx_v);
-      const Eigen::Matrix<S, n, n> L = factorOf<n, S>(model, joint.index, D, scale);
-      w.D_factor[i].template topLeftCorner<n, n>() = L;
-      u = tau.template segment<n>(joint.idx_v) - s.transpose() * w.force[i].to_vector();
-      Eigen::Matrix<S, 6, n> UD = U;
-      if constexpr (n == 1) {
-        UD *= L;
-      } else {  // U and u become U L^-T and L^-1 u: D^-1 itself is less accurate if D is ill-conditioned
-        const auto lower = L.template triangularView<Eigen::Lower>();
-        UD = lower.solve(Eigen::Matrix<S, n, 6>(U.transpose())).transpose();
-        u = lower.solve(Eigen::Matrix<S, n, 1>(u));
-        U = UD;
-      }
-      if (p == 0) return;
+  for (std::size_t i = model.joints.size() - 1; i > 0; --i) {
+    const std::size_t p = std::size_t(model.parents[i]);
+    projectOnJoint(model, data, i, tau);
+    if (p == 0) continue;
+    const int n = model.column_counts[i], first = model.idx_columns[i];
+    Matrix6<S>& I = w.articulated[i];
+    const Vector6<S> c = w.bias[i].to_vector();
+    Vector6<S> f = Vector6<S>::Zero();
+    for (int k = 0; k < n; ++k) {
+      const Vector6<S> U = w.U.col(first + k), UD = n == 1 ? Vector6<S>(w.D_factor[i](0, 0) * U) : U;
       I.noalias() -= UD * U.transpose();
-      const Force<S> f = w.force[i] + Force<S>(Vector6<S>(I * w.bias[i].to_vector() + UD * u));
-      addShifted(w.articulated[p], I, w.r[i]);
-      w.force[p] = w.force[p] + shifted(f, w.r[i]);
-    });
+      f += UD * w.u[first + k];
+    }
+    w.force[p] = w.force[p] + shifted(w.force[i] + Force<S>(Vector6<S>(I * c + f)), w.r[i]);
+    addShifted(w.articulated[p], I, w.r[i]);
+  }
 
   w.gravitated[0] = Motion<S>(Vector3<S>(-model.gravity), Vector3<S>::Zero());
-  multibody_detail::forEachJoint(model, [&]<class Joint>(const Joint& joint) {
-    constexpr int n = Joint::columns;
-    const std::size_t i = std::size_t(joint.index), p = std::size_t(model.parents[i]);
-    const auto s = w.S_columns.template middleCols<n>(joint.column);
-    const auto U = w.U.template middleCols<n>(joint.column);
-    const Vector6<S> a = (shifted(w.gravitated[p], w.r[i]) + w.bias[i]).to_vector();
-    const Eigen::Matrix<S, n, 1> residual = w.u.template segment<n>(joint.column) - U.transpose() * a;
-    const Eigen::Matrix<S, n, n> L = w.D_factor[i].template topLeftCorner<n, n>();
-    Eigen::Matrix<S, n, 1> qdd;
-    if constexpr (n == 1)
-      qdd = L * residual;
-    else
-      qdd = L.transpose().template triangularView<Eigen::Upper>().solve(residual);
-    ddq.template segment<n>(joint.idx_v) = qdd;
-    w.gravitated[i] = Motion<S>(Vector6<S>(a + s * qdd));
-  });
+  for (std::size_t i = 1; i < model.joints.size(); ++i) {
+    const int n = model.column_counts[i], first = model.idx_columns[i], first_v = model.idx_vs[i];
+    const Matrix6<S>& L = w.D_factor[i];
+    Vector6<S> a = (shifted(w.gravitated[std::size_t(model.parents[i])], w.r[i]) + w.bias[i]).to_vector();
+    for (int k = 0; k < n; ++k) ddq[first_v + k] = w.u[first + k] - w.U.col(first + k).dot(a);
+    if (n == 1)
+      ddq[first_v] *= L(0, 0);
+    else  // solves L^T qdd = u - U^T a
+      for (int k = n - 1; k >= 0; --k) {
+        for (int j = k + 1; j < n; ++j) ddq[first_v + k] -= L(j, k) * ddq[first_v + j];
+        ddq[first_v + k] /= L(k, k);
+      }
+    for (int k = 0; k < n; ++k) a += w.S_columns.col(first + k) * ddq[first_v + k];
+    w.gravitated[i] = Motion<S>(a);
+  }
   return ddq;
 }
 

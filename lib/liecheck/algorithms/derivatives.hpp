@@ -40,7 +40,7 @@ void computeRNEADerivatives(const Model<S>& model, Data<S>& data, In<S> q, In<S>
   using namespace algorithms_detail;
   data.require(Dense::Derivatives, "computeRNEADerivatives");
   checkForces<S>(model, fext);
-  columnsInWorldAxes(model, data, q, [](const auto&) {});
+  columnsInWorldAxes(model, data, q);
   data.begin(model, q, v, a);
   auto& work = data.work;
   const auto& oMi = data.oMi();

@@ -124,7 +124,7 @@ template <Scalar S>
 const Matrix6X<S>& computeJointJacobiansTimeVariation(const Model<S>& model, Data<S>& data, In<S> q,
                                                       In<S> v) {
   computeJointJacobians(model, data, q);
-  algorithms_detail::columnsInWorldAxes(model, data, q, [](const auto&) {});
+  algorithms_detail::columnsInWorldAxes(model, data, q);
   data.begin(model, q, v);
   auto& V = data.work.velocity;
   auto& dJ = data.dJ.write(Level::Velocity);

@@ -98,6 +98,10 @@ void columnsInWorldAxes(const Model<S>& model, Data<S>& data, In<S> q, F f) {
     f(joint);
   });
 }
+template <Scalar S>
+void columnsInWorldAxes(const Model<S>& model, Data<S>& data, In<S> q) {
+  columnsInWorldAxes(model, data, q, [](const auto&) {});
+}
 /// Column k of the motion subspaces, 6 numbers each, in world axes at the joint's origin.
 template <Scalar S>
 [[gnu::always_inline]] inline Motion<S> column(const S* columns, int k) {
