@@ -61,7 +61,7 @@ void projectOnJoint(const Model<S>& model, Data<S>& data, std::size_t i, const V
   const bool rotation = rotatesAboutAxis<S>(model.joints[i]);  // s = (0, axis)
   const Matrix6<S>& I = w.articulated[i];
   Matrix6<S>& L = w.D_factor[i];
-  Vector6<S> scale;
+  Vector6<S> scale = Vector6<S>::Zero();
   for (int k = 0; k < n; ++k) {
     const Vector6<S> s = w.S_columns.col(first + k);
     Vector6<S> U;
