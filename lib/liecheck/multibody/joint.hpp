@@ -78,6 +78,15 @@ bool rotatesAboutAxis(const Joint<S>& joint) {
   return std::holds_alternative<Revolute<S>>(joint) || std::holds_alternative<Continuous<S>>(joint);
 }
 
+/// The numbers of q and v that the joint takes; 0 for a mimic.
+template <Scalar S>
+int nq(const Joint<S>& joint) {
+  return std::visit([](const auto& j) { return int(j.nq); }, joint);
+}
+template <Scalar S>
+int nv(const Joint<S>& joint) {
+  return std::visit([](const auto& j) { return int(j.nv); }, joint);
+}
 template <Scalar S>
 std::string shortname(const Joint<S>& joint) {
   return std::visit([](const auto& j) { return j.shortname(); }, joint);

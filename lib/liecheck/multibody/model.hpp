@@ -258,10 +258,8 @@ int Model<S>::addJointUnchecked(int parent, const Joint<S>& joint, const SE3<S>&
   idx_qs.push_back(mimic ? idx_qs[std::size_t(mimic->primary)] : nq);
   idx_vs.push_back(mimic ? idx_vs[std::size_t(mimic->primary)] : nv);
   idx_columns.push_back(ncolumns);
-  const auto addCounts = [this](const auto& j) {
-    nqs.push_back(int(j.nq)), nvs.push_back(int(j.nv)), column_counts.push_back(int(j.columns));
-  };
-  std::visit(addCounts, joint);
+  nqs.push_back(liecheck::nq(joint)), nvs.push_back(liecheck::nv(joint));
+  column_counts.push_back(mimic ? 1 : nvs.back());
   for (int k = 0; k < column_counts.back(); ++k) {
     column_to_v.push_back(idx_vs.back() + k);
     column_to_joint.push_back(njoints);
