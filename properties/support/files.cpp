@@ -123,7 +123,7 @@ std::string read_whole(const fs::path& file) {
     bytes.append(part, static_cast<std::size_t>(n));
     if (bytes.size() > max_bytes) refuse(file, what, fmt::format("longer than {} bytes", max_bytes));
   }
-  if (pipe && bytes.empty()) refuse(file, what, "a pipe, and nobody writes to it");
+  if (pipe && bytes.empty()) refuse(file, what, "a pipe without a writer");
   return bytes;
 }
 

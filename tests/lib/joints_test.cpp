@@ -140,7 +140,7 @@ TEST(Joints, ConstantsThatAreNotFiniteAndInvalidMimicsAreRefused) {
                "follower");
   };
   EXPECT_EQ(refusal([&] { follow(2); }),
-            "the primary of joint 'follower' is joint 2: the number of joints is 2");
+            "the primary of joint 'follower' is joint 2, and the number of joints is 2");
   EXPECT_EQ(refusal([&] { follow(1); }),
             "joint 'follower' mimics joint 'ball', which does not have exactly one degree of freedom");
 }

@@ -91,7 +91,7 @@ struct JointPlace {
     else
       return joint.subspace().transpose() * F.to_vector();
   }
-  /// Writes S, in axes rotated by R, to `to` [6 x columns], number by number, since wide loads would stall.
+  /// Sets the 6 x columns numbers at `to` to S in axes rotated by R, one by one, as in build() above.
   [[gnu::always_inline]] void subspaceIn(const Matrix3<S>& R, S* to) const {
     if constexpr (rotates) {
       const Vector3<S> w = joint.axis.in(R);

@@ -294,7 +294,7 @@ void Model<S>::grow(VectorX<S>& v, int size, const S& value) {
 template <Scalar S>
 void Model<S>::checkJoint(int joint, const std::string& what) const {
   if (joint < 0 || joint >= njoints)
-    throw std::invalid_argument(what + " is joint " + std::to_string(joint) + ": the number of joints is " +
+    throw std::invalid_argument(what + " is joint " + std::to_string(joint) + ", and the number of joints is " +
                                 std::to_string(njoints));
 }
 
