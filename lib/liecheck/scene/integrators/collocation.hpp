@@ -14,53 +14,55 @@
 #include <array>
 #include <liecheck/scalar/double_word.hpp>
 #include <liecheck/scene/integrators/method.hpp>
+#include <vector>
 
 namespace liecheck::scene {
 
 /// c_i, b_i, a_ij of s Gauss points on [0, 1]. e_ij extrapolates a polynomial through the points of one step
 /// to the points of the next step. All are computed in double words and accurate to half an ulp.
-template <Scalar S, int s>
+template <Scalar S>
 struct GaussPoints {
-  std::array<S, s> c, b;
-  std::array<std::array<S, s>, s> a, e;
-
-  GaussPoints() {
-    using T = DoubleWord<S>;
-    std::array<T, s> x, w;
-    for (int i = 0; i < s; ++i) {
-      using std::cos;
-      T z(S(cos(pi<S>() * (S(i) + S(3) / S(4)) / (S(s) + S(1) / S(2)))));
-      T slope(1);
-      for (int newton = 0; newton < 8; ++newton) {  // root of the Legendre polynomial; 6 iterations suffice
-        T p0(1), p1 = z;
-        for (int n = 2; n <= s; ++n) {
-          const T p2 = (T(2 * n - 1) * z * p1 - T(n - 1) * p0) / T(n);
-          p0 = p1, p1 = p2;
-        }
-        slope = T(s) * (z * p1 - p0) / (z * z - T(1));
-        z -= p1 / slope;
+  std::vector<S> c, b;
+  std::vector<std::vector<S>> a, e;
+  explicit GaussPoints(int s);
+};
+template <Scalar S>
+GaussPoints<S>::GaussPoints(int s) : c(std::size_t(s)), b(c), a(c.size(), c), e(a) {
+  using T = DoubleWord<S>;
+  std::vector<T> x(c.size()), w(x);
+  for (int i = 0; i < s; ++i) {
+    using std::cos;
+    T z(S(cos(pi<S>() * (S(i) + S(3) / S(4)) / (S(s) + S(1) / S(2)))));
+    T slope(1);
+    for (int newton = 0; newton < 8; ++newton) {  // root of the Legendre polynomial; 6 iterations suffice
+      T p0(1), p1 = z;
+      for (int n = 2; n <= s; ++n) {
+        const T p2 = (T(2 * n - 1) * z * p1 - T(n - 1) * p0) / T(n);
+        p0 = p1, p1 = p2;
       }
-      if (s == 1) z = T(0), slope = T(1);
-      x[std::size_t(s - 1 - i)] = (T(1) + z) / T(2);
-      w[std::size_t(s - 1 - i)] = T(1) / ((T(1) - z * z) * slope * slope);
+      slope = T(s) * (z * p1 - p0) / (z * z - T(1));
+      z -= p1 / slope;
     }
-    const auto lagrange = [&](std::size_t j, const T& at) {
-      T product(1);
-      for (std::size_t m = 0; m < s; ++m)
-        if (m != j) product *= (at - x[m]) / (x[j] - x[m]);
-      return product;
-    };
-    for (std::size_t i = 0; i < s; ++i) {
-      c[i] = S(x[i]), b[i] = S(w[i]);
-      for (std::size_t j = 0; j < s; ++j) {
-        T sum(0);  // mean of Lagrange polynomial j over [0, c_i], for which Gauss quadrature is exact
-        for (std::size_t k = 0; k < s; ++k) sum += w[k] * lagrange(j, x[i] * x[k]);
-        a[i][j] = S(x[i] * sum);
-        e[i][j] = S(lagrange(j, T(1) + x[i]));
-      }
+    if (s == 1) z = T(0), slope = T(1);
+    x[std::size_t(s - 1 - i)] = (T(1) + z) / T(2);
+    w[std::size_t(s - 1 - i)] = T(1) / ((T(1) - z * z) * slope * slope);
+  }
+  const auto lagrange = [&](std::size_t j, const T& at) {
+    T product(1);
+    for (std::size_t m = 0; m < x.size(); ++m)
+      if (m != j) product *= (at - x[m]) / (x[j] - x[m]);
+    return product;
+  };
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    c[i] = S(x[i]), b[i] = S(w[i]);
+    for (std::size_t j = 0; j < x.size(); ++j) {
+      T sum(0);  // mean of Lagrange polynomial j over [0, c_i], for which Gauss quadrature is exact
+      for (std::size_t k = 0; k < x.size(); ++k) sum += w[k] * lagrange(j, x[i] * x[k]);
+      a[i][j] = S(x[i] * sum);
+      e[i][j] = S(lagrange(j, T(1) + x[i]));
     }
   }
-};
+}
 
 /// The properties of the method with s Gauss points.
 template <int s>
@@ -106,7 +108,7 @@ class Collocation final : public Method<Sys> {
     has_last_ = false;
   }
   void step(Sys& system, State<Sys>& state, const S& h) override {
-    static const GaussPoints<S, s> g;
+    static const GaussPoints<S> g(s);
     predict(system, state, h, g);
     const S scale = state.v.cwiseAbs().maxCoeff() + absolute<S>(h) * A_[0].cwiseAbs().maxCoeff();
     S change(0), before = std::numeric_limits<S>::max();
@@ -142,11 +144,11 @@ class Collocation final : public Method<Sys> {
 
  private:
   static constexpr int limit = 200;
-  void sum(const std::array<S, s>& weights, const S& h, Tangent& delta, Tangent& dv) const {
+  void sum(const std::vector<S>& weights, const S& h, Tangent& delta, Tangent& dv) const {
     delta = S(h * weights[0]) * K_[0], dv = S(h * weights[0]) * A_[0];
     for (std::size_t j = 1; j < s; ++j) delta += S(h * weights[j]) * K_[j], dv += S(h * weights[j]) * A_[j];
   }
-  void predict(Sys& system, const State<Sys>& state, const S& h, const GaussPoints<S, s>& g) {
+  void predict(Sys& system, const State<Sys>& state, const S& h, const GaussPoints<S>& g) {
     if (has_last_ && h == h_ && s > 1) {
       for (std::size_t i = 0; i < s; ++i) {
         A_[i] = g.e[i][0] * last_[0];
