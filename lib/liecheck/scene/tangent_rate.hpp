@@ -16,11 +16,21 @@
 
 namespace liecheck::scene {
 
+/// The rates for |phi| > pi, once for all methods.
+template <Scalar S>
+[[gnu::noinline, gnu::cold]] Vector3<S> tangentRateBeyondPi(const Vector3<S>& phi, const Vector3<S>& omega) {
+  return product<S>(rightJacobianInverse<S>(phi), omega);
+}
+template <Scalar S>
+[[gnu::noinline, gnu::cold]] Vector6<S> tangentRateBeyondPi(const Vector6<S>& xi, const Vector6<S>& w) {
+  return rightJacobianInverse<S>(Motion<S>(xi)) * w;
+}
+
 /// J_r^-1(phi) omega [3, rad/s].
 template <Scalar S>
 [[gnu::always_inline]] inline Vector3<S> tangentRate(const Vector3<S>& phi, const Vector3<S>& omega) {
   const S x = dot<S>(phi, phi);
-  if (!within_pi(x)) return product<S>(rightJacobianInverse<S>(phi), omega);
+  if (!within_pi(x)) return tangentRateBeyondPi<S>(phi, omega);
   const InverseCoefficient<S> c(x);
   const Vector3<S> once = cross<S>(phi, omega), twice = cross<S>(phi, once);
   return each<S>([&](int i) { return mul_add(c.d, twice[i], S(omega[i] + once[i] / S(2))); });
@@ -32,7 +42,7 @@ template <Scalar S>
   const Vector3<S> rho(xi[0], xi[1], xi[2]), phi(xi[3], xi[4], xi[5]);
   const Vector3<S> u(w[0], w[1], w[2]), omega(w[3], w[4], w[5]);
   const S x = dot<S>(phi, phi);
-  if (!within_pi(x)) return rightJacobianInverse<S>(Motion<S>(rho, phi)) * w;
+  if (!within_pi(x)) return tangentRateBeyondPi<S>(xi, w);
   const InverseCoefficient<S> c(x);
   const Vector3<S> a = cross<S>(phi, omega), aa = cross<S>(phi, a);
   const Vector3<S> b =

@@ -71,7 +71,7 @@ class Tree {
       place.configuration(result) = place.joint.integrate(place.configuration(q), place.tangent(delta));
     });
   }
-  void accumulate(Configuration& q, Tangent& low, const Tangent& delta) const {
+  [[gnu::noinline]] void accumulate(Configuration& q, Tangent& low, const Tangent& delta) const {
     for (const Straight& r : straight_)
       for (int k = 0; k < r.count; ++k) scene::accumulate<S>(q[r.q + k], low[r.v + k], delta[r.v + k]);
     forEachCurved([&](const auto& place) {
