@@ -34,33 +34,7 @@ class LoneBody {
 
   /// Throws SingularInertia if the mass or a moment is 0 or an effect sets an armature, and
   /// std::invalid_argument if the model does not fit.
-  explicit LoneBody(const Model<S>& robot, Effects<S> effects = {}) : model_(robot) {
-    if (!fits(robot)) throw std::invalid_argument("a lone body is one free-flyer at the world's origin");
-    model_.gravity.setZero(), model_.armature.setZero();
-    for (const auto& e : effects) {
-      e->prepare(model_);
-      if (e->acts() == Acts::OnModel) continue;
-      if (e->needs() > needs_) needs_ = e->needs();
-      effects_.push_back(e);
-    }
-    const Inertia<S>& I = model_.inertias[1];
-    const Matrix3<S>& J = I.inertia();
-    mass_ = I.mass(), c_ = I.lever(), I_ = J;
-    moments_ = J.diagonal();
-    diagonal_ = J(0, 1) == S(0) && J(0, 2) == S(0) && J(1, 2) == S(0);
-    centred_ = c_.isZero(S(0));
-    heavy_ = !model_.gravity.isZero(S(0));
-    plain_ = diagonal_ && centred_ && forceFree();
-    if (!(mass_ > S(0)) || !(moments_.minCoeff() > S(0)) || !model_.armature.isZero(S(0)))
-      throw SingularInertia(model_.names[1], 1);
-    I_inverse_ = inverse(J);
-    if (!I_inverse_.allFinite()) throw SingularInertia(model_.names[1], 1);
-    for (int i = 0; i < 3; ++i) {
-      const int j = (i + 1) % 3, k = (i + 2) % 3;
-      euler_[i] = (moments_[j] - moments_[k]) / moments_[i];
-    }
-    X_.fill(SE3<S>::Identity()), V_.fill(Motion<S>::Zero()), A_.fill(Motion<S>::Zero());
-  }
+  explicit LoneBody(const Model<S>& robot, Effects<S> effects = {});
 
   static constexpr int nq() { return 7; }
   static constexpr int nv() { return 6; }
@@ -114,7 +88,7 @@ class LoneBody {
   void normalize(Configuration& q) const { q = FreeFlyer<S>::normalized(q); }
 
   /// The sum of all forces except gravity, at the origin, in the body's axes [N, N m].
-  Force<S> force(const S& t, const Configuration& q, const Tangent& v) {
+  [[gnu::noinline]] Force<S> force(const S& t, const Configuration& q, const Tangent& v) {
     const Now<S> now = here(t, q, v, needs_);
     tau_.setZero();
     f_.fill(Force<S>::Zero());
@@ -172,5 +146,34 @@ class LoneBody {
   Force<S> force_ = Force<S>::Zero();
   Vector6<S> tau_;
 };
+
+template <Scalar S>
+LoneBody<S>::LoneBody(const Model<S>& robot, Effects<S> effects) : model_(robot) {
+  if (!fits(robot)) throw std::invalid_argument("a lone body is one free-flyer at the world's origin");
+  model_.gravity.setZero(), model_.armature.setZero();
+  for (const auto& e : effects) {
+    e->prepare(model_);
+    if (e->acts() == Acts::OnModel) continue;
+    if (e->needs() > needs_) needs_ = e->needs();
+    effects_.push_back(e);
+  }
+  const Inertia<S>& I = model_.inertias[1];
+  const Matrix3<S>& J = I.inertia();
+  mass_ = I.mass(), c_ = I.lever(), I_ = J;
+  moments_ = J.diagonal();
+  diagonal_ = J(0, 1) == S(0) && J(0, 2) == S(0) && J(1, 2) == S(0);
+  centred_ = c_.isZero(S(0));
+  heavy_ = !model_.gravity.isZero(S(0));
+  plain_ = diagonal_ && centred_ && forceFree();
+  if (!(mass_ > S(0)) || !(moments_.minCoeff() > S(0)) || !model_.armature.isZero(S(0)))
+    throw SingularInertia(model_.names[1], 1);
+  I_inverse_ = inverse(J);
+  if (!I_inverse_.allFinite()) throw SingularInertia(model_.names[1], 1);
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    euler_[i] = (moments_[j] - moments_[k]) / moments_[i];
+  }
+  X_.fill(SE3<S>::Identity()), V_.fill(Motion<S>::Zero()), A_.fill(Motion<S>::Zero());
+}
 
 }  // namespace liecheck::scene

@@ -33,13 +33,7 @@ Effects<S> makeEffects(const Scene& scene, const Model<S>& model) {
 }
 
 /// True if the robot is one free body without armature, so that LoneBody applies. Throws like makeEffects.
-inline bool isLoneBody(const Scene& scene) {
-  if (!LoneBody<double>::fits(scene.model)) return false;
-  Model<double> model = scene.model;
-  model.armature.setZero();
-  for (const auto& e : makeEffects(scene, model)) e->prepare(model);
-  return model.armature.isZero(0);
-}
+bool isLoneBody(const Scene& scene);
 
 /// The scene's robot and effects as a Sys: Tree<S>, or LoneBody<S> if isLoneBody(scene).
 template <System Sys>

@@ -2,6 +2,14 @@
 
 namespace liecheck::scene {
 
+bool isLoneBody(const Scene& scene) {
+  if (!LoneBody<double>::fits(scene.model)) return false;
+  Model<double> model = scene.model;
+  model.armature.setZero();
+  for (const auto& e : makeEffects(scene, model)) e->prepare(model);
+  return model.armature.isZero(0);
+}
+
 template <class Sys>
 Setup<Sys>::Setup(const Scene& of)
     : scene(of),

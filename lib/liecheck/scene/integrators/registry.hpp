@@ -1,7 +1,6 @@
 #pragma once
 // The lists of methods. A new method needs a file, or a tableau in runge_kutta.hpp, and an entry in both.
 
-#include <liecheck/multibody/nearest_names.hpp>
 #include <liecheck/scene/integrators/collocation.hpp>
 #include <liecheck/scene/integrators/commutator_free4.hpp>
 #include <liecheck/scene/integrators/dopri5.hpp>
@@ -16,25 +15,9 @@
 namespace liecheck::scene {
 
 /// All methods, the simplest first.
-inline const std::vector<MethodInfo>& methodInfos() {
-  using Any = LoneBody<double>;
-  static const std::vector<MethodInfo> all = {
-      Euler<Any>::info,       SemiImplicitEuler<Any>::info, MidpointTableau::info,
-      collocation_info<1>,    Variational<double>::info,    QuaternionRk4<Any>::info,
-      ClassicalTableau::info, CommutatorFree4<Any>::info,   Dopri5<Any>::info,
-      ButcherTableau::info,   collocation_info<3>,          collocation_info<6>};
-  return all;
-}
+const std::vector<MethodInfo>& methodInfos();
 /// The properties of a method. Throws std::invalid_argument with the nearest names if the name is unknown.
-inline const MethodInfo& methodInfo(const std::string& name) {
-  std::vector<std::string> names;
-  for (const MethodInfo& m : methodInfos()) {
-    if (m.name == name) return m;
-    names.push_back(m.name);
-  }
-  throw std::invalid_argument("no integrator is named '" + name + "'" +
-                              multibody_detail::nearestNames(name, names));
-}
+const MethodInfo& methodInfo(const std::string& name);
 
 /// Throws std::invalid_argument for an unknown name, and for 'variational' if Sys is a Tree.
 template <System Sys>
@@ -60,6 +43,8 @@ std::unique_ptr<Method<Sys>> makeMethod(const std::string& name, const MethodOpt
 }
 
 // Explicit instantiation for double, in instantiations.cpp and instantiations_tree.cpp.
+extern template LoneBody<double>::LoneBody(const Model<double>&, Effects<double>);
+extern template struct GaussPoints<double>;
 extern template decltype(makeMethod<LoneBody<double>>) makeMethod<LoneBody<double>>;
 extern template decltype(makeMethod<Tree<double>>) makeMethod<Tree<double>>;
 
