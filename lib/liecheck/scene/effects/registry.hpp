@@ -21,14 +21,14 @@ namespace liecheck::scene {
 template <Scalar S>
 struct EffectEntry {
   const PartInfo* info;
-  std::shared_ptr<const Effect<S>> (*make)(const Parameters&, const Model<S>&, const Surroundings&);
+  std::unique_ptr<const Effect<S>> (*make)(const Parameters&, const Model<S>&, const Surroundings&);
 };
 
 namespace registry_detail {
 template <Scalar S, class E>
 EffectEntry<S> entry(const PartInfo& info) {
   return {&info, [](const Parameters& p, const Model<S>& model, const Surroundings& around) {
-            return std::shared_ptr<const Effect<S>>(std::make_shared<E>(p, model, around));
+            return std::unique_ptr<const Effect<S>>(new E(p, model, around));
           }};
 }
 }  // namespace registry_detail
