@@ -1,5 +1,6 @@
 #include <liecheck/scene/scene.hpp>
 #include <scenes/benchmark.hpp>
+#include <scenes/float128_algorithms.hpp>
 
 namespace liecheck::properties {
 

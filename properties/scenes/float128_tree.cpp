@@ -4,6 +4,7 @@ namespace liecheck {
 
 template class Model<float128>;
 template class Data<float128>;
+template Model<float128> Model<double>::cast<float128>() const;
 template void forwardKinematics(const Model<float128>&, Data<float128>&, In<float128>);
 template void forwardKinematics(const Model<float128>&, Data<float128>&, In<float128>, In<float128>);
 template void forwardKinematics(const Model<float128>&, Data<float128>&, In<float128>, In<float128>,

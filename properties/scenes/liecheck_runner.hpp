@@ -10,6 +10,13 @@
 #include <scenes/float128_algorithms.hpp>
 #include <scenes/runner.hpp>
 
+namespace liecheck::scene {
+
+extern template LoneBody<float128>::LoneBody(const Model<float128>&, Effects<float128>);
+extern template struct GaussPoints<float128>;
+
+}  // namespace liecheck::scene
+
 namespace liecheck::properties {
 
 /// Returns a method of order 4 or more in float128. The others are not needed there, and each is slow to
