@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <liecheck/algorithms/centroidal.hpp>
 #include <liecheck/algorithms/derivatives.hpp>
 #include <liecheck/algorithms/energy.hpp>
@@ -20,8 +21,7 @@ using namespace liecheck::test;
 using Mat = MatrixX<double>;
 
 /// Calls f(model, state, random) for trees, chains and stars of up to 22 joints.
-template <class F>
-void forEachRobot(F f) {
+void forEachRobot(const std::function<void(const Model<double>&, const State&, Random&)>& f) {
   for (unsigned seed = 1; seed <= 24; ++seed) {
     const Shape shape = seed % 3 == 0 ? Shape::Chain : seed % 3 == 1 ? Shape::Star : Shape::Tree;
     const Model<double> m = randomModel(seed, seed < 12 ? int(seed) : 22, shape, seed % 4 == 0 ? 1e3 : 1);
@@ -106,20 +106,15 @@ TEST(Dynamics, KineticEnergyIsHalfVMV) {
   });
 }
 
-/// q(t) with q' = v, v' = a at t = 0, in long double.
-VecL along(const Model<Real>& m, const State& s, Real t) {
-  return integrate(m, VecL(s.q.cast<Real>()), VecL(t * s.v.cast<Real>() + t * t / 2 * s.a.cast<Real>()));
-}
-
 TEST(Dynamics, PowerOfTheForcesIsTheRateOfTheEnergy) {
   forEachRobot([](Model<double> m, const State& s, Random&) {
     m.armature.setZero();
     const Model<Real> ml = m.cast<Real>();
     Data<Real> d(ml);
     const VecL v = s.v.cast<Real>(), a = s.a.cast<Real>();
-    const Real rate = derivative<Real>([&](Real t) {
+    const Real rate = derivative([&](Real t) {
       return Eigen::Matrix<Real, 1, 1>(computeMechanicalEnergy(ml, d, along(ml, s, t), VecL(v + t * a)));
-    })[0];
+    })(0, 0);
     const Real power = rnea(ml, d, VecL(s.q.cast<Real>()), v, a).dot(v);
     // v(t) of the path is v + t a + O(t^2); O(t^2) does not change the rate at 0.
     EXPECT_NEAR(double(rate), double(power), 1e-13 * (double(d.tau().norm() * v.norm())));
@@ -148,8 +143,8 @@ TEST(Dynamics, RneaIsTheProjectedNewtonEulerEquation) {
     VecL tau = VecL::Zero(m.nv);
     for (std::size_t i = 1; i < ml.joints.size(); ++i) {
       const auto path = [&](Real t) { return pose(along(ml, s, t), i); };
-      const Eigen::Matrix<Real, 3, 4> X = path(0), rate = derivative<Real>(path),
-                                      second = secondDerivative<Real>(path);
+      const Eigen::Matrix<Real, 3, 4> X = path(0), rate = derivative(path),
+                                      second = secondDerivative(path);
       const Matrix3<Real> R = X.leftCols<3>(), R_dot = rate.leftCols<3>(), R_ddot = second.leftCols<3>();
       const Vector3<Real> omega = unskew(R_dot * R.transpose());
       const Vector3<Real> alpha = unskew(R_ddot * R.transpose() + R_dot * R_dot.transpose());
@@ -157,12 +152,12 @@ TEST(Dynamics, RneaIsTheProjectedNewtonEulerEquation) {
       const Vector3<Real> f = ml.inertias[i].mass() * (second.col(3) - ml.gravity);
       const Vector3<Real> n = I * alpha + omega.cross(Vector3<Real>(I * omega));
       for (int k = 0; k < m.nv; ++k) {
-        const Eigen::Matrix<Real, 3, 4> X_k = derivative<Real>(
+        const Eigen::Matrix<Real, 3, 4> X_k = derivative(
             [&](Real t) { return pose(integrate(ml, q, VecL(t * VecL::Unit(m.nv, k))), i); });
         tau[k] += f.dot(X_k.col(3)) + n.dot(unskew(X_k.leftCols<3>() * R.transpose()));
       }
     }
-    EXPECT_LE(relative(rnea(ml, d, q, VecL(s.v.cast<Real>()), VecL(s.a.cast<Real>())), tau), 1e-11);
+    EXPECT_LE(relativeNorm(rnea(ml, d, q, VecL(s.v.cast<Real>()), VecL(s.a.cast<Real>())), tau, 0), 1e-11);
     Data<double> dd(m);
     EXPECT_LE(relative(rnea(m, dd, s.q, s.v, s.a), d.tau().cast<double>().eval()), budget(m));
   }
@@ -180,15 +175,15 @@ TEST(Dynamics, MomentumIsTheCentroidalMapTimesVAndItsRateIsItsDerivative) {
     const Model<Real> ml = m.cast<Real>();
     Data<Real> dl(ml);
     const VecL v = s.v.cast<Real>(), a = s.a.cast<Real>();
-    const Vector6<Real> rate = derivative<Real>([&](Real t) {
+    const Vector6<Real> rate = derivative([&](Real t) {
       return computeCentroidalMomentum(ml, dl, along(ml, s, t), VecL(v + t * a)).to_vector();
     });
     const auto dhg = computeCentroidalMomentumTimeVariation(m, d, s.q, s.v, s.a).to_vector();
     EXPECT_LE(relative(dhg, Vec(rate.cast<double>()), size), 1e-12);
     const Vector3<Real> vcom =
-        derivative<Real>([&](Real t) { return centerOfMass(ml, dl, along(ml, s, t)); });
+        derivative([&](Real t) { return centerOfMass(ml, dl, along(ml, s, t)); });
     const Vector3<Real> acom =
-        secondDerivative<Real>([&](Real t) { return centerOfMass(ml, dl, along(ml, s, t)); });
+        secondDerivative([&](Real t) { return centerOfMass(ml, dl, along(ml, s, t)); });
     centerOfMass(m, d, s.q, s.v, s.a);
     EXPECT_LE(relative(d.vcom(), vcom.cast<double>().eval(), 1), 1e-12);
     EXPECT_LE(relative(d.acom(), acom.cast<double>().eval(), 1), 1e-11);
@@ -229,11 +224,11 @@ TEST(Dynamics, DerivativesEqualFiniteDifferencesInLongDouble) {
     for (int k = 0; k < m.nv; ++k) {
       const VecL e = VecL::Unit(m.nv, k);
       tau_q.col(k) =
-          derivative<Real>([&](Real t) { return rnea(ml, dl, integrate(ml, q, VecL(t * e)), v, a, fl); });
-      tau_v.col(k) = derivative<Real>([&](Real t) { return rnea(ml, dl, q, VecL(v + t * e), a, fl); });
+          derivative([&](Real t) { return rnea(ml, dl, integrate(ml, q, VecL(t * e)), v, a, fl); });
+      tau_v.col(k) = derivative([&](Real t) { return rnea(ml, dl, q, VecL(v + t * e), a, fl); });
       a_q.col(k) =
-          derivative<Real>([&](Real t) { return aba(ml, dl, integrate(ml, q, VecL(t * e)), v, tau, fl); });
-      a_v.col(k) = derivative<Real>([&](Real t) { return aba(ml, dl, q, VecL(v + t * e), tau, fl); });
+          derivative([&](Real t) { return aba(ml, dl, integrate(ml, q, VecL(t * e)), v, tau, fl); });
+      a_v.col(k) = derivative([&](Real t) { return aba(ml, dl, q, VecL(v + t * e), tau, fl); });
     }
     Data<double> d(m, Dense::Derivatives);
     computeRNEADerivatives(m, d, s.q, s.v, s.a, fext);
@@ -320,7 +315,7 @@ TEST(Dynamics, ARobotWithAMimicEqualsTheConstrainedFreeRobot) {
               tau = random.tangent(3, 4);
     const Vec q = G * y + offset * Vec::Unit(4, 2);
     Data<double> dt(tied, Dense::Derivatives), df(free, Dense::Derivatives);
-    const auto same = [](const auto& x, const auto& expected) {
+    const auto same = [](const Mat& x, const Mat& expected) {
       EXPECT_LE(relative(x, expected), 256 * eps<double>());
     };
     same(rnea(tied, dt, y, v, a), (G.transpose() * rnea(free, df, q, Vec(G * v), Vec(G * a))).eval());

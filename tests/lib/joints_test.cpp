@@ -61,14 +61,14 @@ TEST(Joints, DIntegrateAndDDifferenceAreTheDerivativesForWholeConfigurations) {
     MatrixX<Real> by_q(m.nv, m.nv), by_delta = by_q, by_q0 = by_q, by_q1 = by_q;
     for (int k = 0; k < m.nv; ++k) {
       const VecL e = VecL::Unit(m.nv, k);
-      by_q.col(k) = derivative<Real>(
+      by_q.col(k) = derivative(
           [&](Real t) { return difference(ml, next, integrate(ml, integrate(ml, ql, VecL(t * e)), dl)); });
       by_delta.col(k) =
-          derivative<Real>([&](Real t) { return difference(ml, next, integrate(ml, ql, VecL(dl + t * e))); });
+          derivative([&](Real t) { return difference(ml, next, integrate(ml, ql, VecL(dl + t * e))); });
       by_q0.col(k) =
-          derivative<Real>([&](Real t) { return difference(ml, integrate(ml, ql, VecL(t * e)), q1l); });
+          derivative([&](Real t) { return difference(ml, integrate(ml, ql, VecL(t * e)), q1l); });
       by_q1.col(k) =
-          derivative<Real>([&](Real t) { return difference(ml, ql, integrate(ml, q1l, VecL(t * e))); });
+          derivative([&](Real t) { return difference(ml, ql, integrate(ml, q1l, VecL(t * e))); });
     }
     const auto same = [](const Mat& J, const MatrixX<Real>& expected) {
       EXPECT_LE(relative(J, expected.cast<double>().eval()), 1e-14);
@@ -80,7 +80,7 @@ TEST(Joints, DIntegrateAndDDifferenceAreTheDerivativesForWholeConfigurations) {
     MatrixX<Real> coefficients(m.nq, m.nv);
     for (int k = 0; k < m.nv; ++k)
       coefficients.col(k) =
-          derivative<Real>([&](Real t) { return integrate(ml, ql, VecL(t * VecL::Unit(m.nv, k))); });
+          derivative([&](Real t) { return integrate(ml, ql, VecL(t * VecL::Unit(m.nv, k))); });
     same(integrateCoeffWiseJacobian(m, q), coefficients);
   }
 }

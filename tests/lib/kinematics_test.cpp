@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <liecheck/algorithms/jacobians.hpp>
 
 #include "long_double.hpp"
@@ -17,8 +18,7 @@ constexpr ReferenceFrame every_reference[] = {ReferenceFrame::WORLD, ReferenceFr
 const SE3<double> here = SE3<double>::Identity();
 
 /// Calls f(model, state) for trees, chains and stars of every joint type.
-template <class F>
-void forEachRobot(F f) {
+void forEachRobot(const std::function<void(const Model<double>&, const State&)>& f) {
   for (unsigned seed = 101; seed <= 118; ++seed) {
     const Shape shape = seed % 3 == 0 ? Shape::Chain : seed % 3 == 1 ? Shape::Star : Shape::Tree;
     const Model<double> m = randomModel(seed, 11, shape);
@@ -26,9 +26,6 @@ void forEachRobot(F f) {
     Random random(seed);
     f(m, randomState(m, random));
   }
-}
-VecL along(const Model<Real>& m, const State& s, Real t) {
-  return integrate(m, VecL(s.q.cast<Real>()), VecL(t * s.v.cast<Real>() + t * t / 2 * s.a.cast<Real>()));
 }
 double budget(const Model<double>& m) {
   return 8 * m.nv * eps<double>();
@@ -62,8 +59,8 @@ TEST(Kinematics, VelocityAndClassicalAccelerationOfAFrameAreDerivativesOfItsPose
         return X;
       };
       const Eigen::Matrix<double, 3, 4> X = pose(0).cast<double>(),
-                                        rate = derivative<Real>(pose).cast<double>(),
-                                        second = secondDerivative<Real>(pose).cast<double>();
+                                        rate = derivative(pose).cast<double>(),
+                                        second = secondDerivative(pose).cast<double>();
       const Matrix3<double> R = X.leftCols<3>();
       const auto v = getFrameVelocity(m, d, k, ReferenceFrame::LOCAL_WORLD_ALIGNED);
       const auto a = getFrameClassicalAcceleration(m, d, k, ReferenceFrame::LOCAL_WORLD_ALIGNED);
@@ -86,7 +83,7 @@ TEST(Kinematics, VelocityAndClassicalAccelerationOfAFrameAreDerivativesOfItsPose
         forwardKinematics(ml, dl, along(ml, s, t), VecL(s.v.cast<Real>() + t * s.a.cast<Real>()));
         return getFrameVelocity(ml, dl, k, ReferenceFrame::LOCAL).to_vector();
       };
-      const Vector6<double> spatial = derivative<Real>(twist).cast<double>();
+      const Vector6<double> spatial = derivative(twist).cast<double>();
       EXPECT_LE(relative(getFrameAcceleration(m, d, k, ReferenceFrame::LOCAL).to_vector(), spatial, 1),
                 1e-12);
     }
@@ -145,10 +142,10 @@ TEST(Jacobians, TimeVariationsAreTheirDerivatives) {
         computeJointJacobians(ml, dl, along(ml, s, t));
         return Matrix6X<Real>(getFrameJacobian(ml, dl, m.nframes - 1, reference));
       };
-      const Mat rate = derivative<Real>(J).cast<double>();
+      const Mat rate = derivative(J).cast<double>();
       EXPECT_LE(relative(getFrameJacobianTimeVariation(m, d, m.nframes - 1, reference), rate, 1), 1e-12);
     }
-    const Mat rate = derivative<Real>([&](Real t) {
+    const Mat rate = derivative([&](Real t) {
                        return Matrix6X<Real>(computeJointJacobians(ml, dl, along(ml, s, t)));
                      }).cast<double>();
     EXPECT_LE(relative(d.dJ(), rate, 1), 1e-12);
