@@ -59,11 +59,13 @@ struct Rerooted {
     }
     const int nq = m.nqs[2], nv = m.nvs[2];
     const Vec inverse = integrate(m, neutral(m), difference(m, s.q, neutral(m)));
+    Mat S;
+    SE3<double> T;
     multibody_detail::visitJoint(m, 2, [&](const auto& place) {
-      const Mat S = place.joint.subspace();
-      const SE3<double> T = X * place.transform(s.q);
-      reversal = -(S.transpose() * S).ldlt().solve(S.transpose() * T.toActionMatrix() * S);
+      S = place.joint.subspace();
+      T = X * place.transform(s.q);
     });
+    reversal = -(S.transpose() * S).ldlt().solve(S.transpose() * T.toActionMatrix() * S);
     q = s.q, v = s.v, a = s.a;
     const auto Q = SO3<double>::fromMatrix(d.oMi[2].rotation()).normalized();
     q.head<7>() << d.oMi[2].translation(), Q.to_vector();
