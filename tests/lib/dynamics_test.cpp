@@ -143,8 +143,7 @@ TEST(Dynamics, RneaIsTheProjectedNewtonEulerEquation) {
     VecL tau = VecL::Zero(m.nv);
     for (std::size_t i = 1; i < ml.joints.size(); ++i) {
       const auto path = [&](Real t) { return pose(along(ml, s, t), i); };
-      const Eigen::Matrix<Real, 3, 4> X = path(0), rate = derivative(path),
-                                      second = secondDerivative(path);
+      const Eigen::Matrix<Real, 3, 4> X = path(0), rate = derivative(path), second = secondDerivative(path);
       const Matrix3<Real> R = X.leftCols<3>(), R_dot = rate.leftCols<3>(), R_ddot = second.leftCols<3>();
       const Vector3<Real> omega = unskew(R_dot * R.transpose());
       const Vector3<Real> alpha = unskew(R_ddot * R.transpose() + R_dot * R_dot.transpose());
@@ -152,8 +151,8 @@ TEST(Dynamics, RneaIsTheProjectedNewtonEulerEquation) {
       const Vector3<Real> f = ml.inertias[i].mass() * (second.col(3) - ml.gravity);
       const Vector3<Real> n = I * alpha + omega.cross(Vector3<Real>(I * omega));
       for (int k = 0; k < m.nv; ++k) {
-        const Eigen::Matrix<Real, 3, 4> X_k = derivative(
-            [&](Real t) { return pose(integrate(ml, q, VecL(t * VecL::Unit(m.nv, k))), i); });
+        const Eigen::Matrix<Real, 3, 4> X_k =
+            derivative([&](Real t) { return pose(integrate(ml, q, VecL(t * VecL::Unit(m.nv, k))), i); });
         tau[k] += f.dot(X_k.col(3)) + n.dot(unskew(X_k.leftCols<3>() * R.transpose()));
       }
     }
@@ -180,8 +179,7 @@ TEST(Dynamics, MomentumIsTheCentroidalMapTimesVAndItsRateIsItsDerivative) {
     });
     const auto dhg = computeCentroidalMomentumTimeVariation(m, d, s.q, s.v, s.a).to_vector();
     EXPECT_LE(relative(dhg, Vec(rate.cast<double>()), size), 1e-12);
-    const Vector3<Real> vcom =
-        derivative([&](Real t) { return centerOfMass(ml, dl, along(ml, s, t)); });
+    const Vector3<Real> vcom = derivative([&](Real t) { return centerOfMass(ml, dl, along(ml, s, t)); });
     const Vector3<Real> acom =
         secondDerivative([&](Real t) { return centerOfMass(ml, dl, along(ml, s, t)); });
     centerOfMass(m, d, s.q, s.v, s.a);
@@ -226,8 +224,7 @@ TEST(Dynamics, DerivativesEqualFiniteDifferencesInLongDouble) {
       tau_q.col(k) =
           derivative([&](Real t) { return rnea(ml, dl, integrate(ml, q, VecL(t * e)), v, a, fl); });
       tau_v.col(k) = derivative([&](Real t) { return rnea(ml, dl, q, VecL(v + t * e), a, fl); });
-      a_q.col(k) =
-          derivative([&](Real t) { return aba(ml, dl, integrate(ml, q, VecL(t * e)), v, tau, fl); });
+      a_q.col(k) = derivative([&](Real t) { return aba(ml, dl, integrate(ml, q, VecL(t * e)), v, tau, fl); });
       a_v.col(k) = derivative([&](Real t) { return aba(ml, dl, q, VecL(v + t * e), tau, fl); });
     }
     Data<double> d(m, Dense::Derivatives);

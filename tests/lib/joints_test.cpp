@@ -65,10 +65,8 @@ TEST(Joints, DIntegrateAndDDifferenceAreTheDerivativesForWholeConfigurations) {
           [&](Real t) { return difference(ml, next, integrate(ml, integrate(ml, ql, VecL(t * e)), dl)); });
       by_delta.col(k) =
           derivative([&](Real t) { return difference(ml, next, integrate(ml, ql, VecL(dl + t * e))); });
-      by_q0.col(k) =
-          derivative([&](Real t) { return difference(ml, integrate(ml, ql, VecL(t * e)), q1l); });
-      by_q1.col(k) =
-          derivative([&](Real t) { return difference(ml, ql, integrate(ml, q1l, VecL(t * e))); });
+      by_q0.col(k) = derivative([&](Real t) { return difference(ml, integrate(ml, ql, VecL(t * e)), q1l); });
+      by_q1.col(k) = derivative([&](Real t) { return difference(ml, ql, integrate(ml, q1l, VecL(t * e))); });
     }
     const auto same = [](const Mat& J, const MatrixX<Real>& expected) {
       EXPECT_LE(relative(J, expected.cast<double>().eval()), 1e-14);

@@ -58,8 +58,7 @@ TEST(Kinematics, VelocityAndClassicalAccelerationOfAFrameAreDerivativesOfItsPose
         X << dl.oMf[std::size_t(k)].rotation(), dl.oMf[std::size_t(k)].translation();
         return X;
       };
-      const Eigen::Matrix<double, 3, 4> X = pose(0).cast<double>(),
-                                        rate = derivative(pose).cast<double>(),
+      const Eigen::Matrix<double, 3, 4> X = pose(0).cast<double>(), rate = derivative(pose).cast<double>(),
                                         second = secondDerivative(pose).cast<double>();
       const Matrix3<double> R = X.leftCols<3>();
       const auto v = getFrameVelocity(m, d, k, ReferenceFrame::LOCAL_WORLD_ALIGNED);

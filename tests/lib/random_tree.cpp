@@ -89,9 +89,7 @@ MatrixX<Real> derivative(const std::function<MatrixX<Real>(Real)>& f) {
 MatrixX<Real> secondDerivative(const std::function<MatrixX<Real>(Real)>& f) {
   const Real h = Real(1) / Real(1024);
   const MatrixX<Real> middle = f(Real(0));
-  const auto pair = [&](int k) {
-    return MatrixX<Real>(f(Real(k) * h) + f(Real(-k) * h) - middle * Real(2));
-  };
+  const auto pair = [&](int k) { return MatrixX<Real>(f(Real(k) * h) + f(Real(-k) * h) - middle * Real(2)); };
   return (pair(1) * (Real(8) / Real(5)) - pair(2) * (Real(1) / Real(5)) + pair(3) * (Real(8) / Real(315)) -
           pair(4) * (Real(1) / Real(560))) /
          (h * h);

@@ -53,8 +53,7 @@ double relativeNorm(const A& a, const B& b, double floor) {
 }
 double relative(const MatrixX<double>& a, const MatrixX<double>& b, double floor = 0);
 template <class A, class B>
-  requires(A::SizeAtCompileTime != Eigen::Dynamic)
-double relative(const A& a, const B& b, double floor = 0) {
+requires(A::SizeAtCompileTime != Eigen::Dynamic) double relative(const A& a, const B& b, double floor = 0) {
   return relativeNorm(a, b, floor);
 }
 
