@@ -176,13 +176,13 @@ std::string cost_section(const Merged& merged) {
         "intervals) and has no larger error, or has a smaller error and is not slower. The error is the "
         "largest of any block except the defects of norm and orthogonality. Scalars wider than double get "
         "inputs in double and are compared with closed forms at 100 digits.</p>\n",
-        cost["repetitions"].dump());
+        dumped(cost["repetitions"]));
     out += fmt::format(
         "<p class=\"note\">Machine: {}, governor {}, {}; {}, <code>{}</code>; instructions {}. Seed {}; "
         "{:.0f} s{}.</p>\n",
         text_of(e, "cpu"), text_of(e, "governor"), text_of(e, "os"), text_of(e, "compiler"),
         text_of(e, "flags"), counter.empty() ? "counted" : "not counted (" + escaped(counter) + ")",
-        cost["seed"].dump(), cost["elapsed"].get<double>(),
+        dumped(cost["seed"]), cost["elapsed"].get<double>(),
         cost["verdict"] == "incomplete" ? "; <b>interrupted: these are the results so far</b>" : "");
     out +=
         "<form class=\"cost-controls\" aria-label=\"Which times are drawn\"></form>\n"

@@ -37,7 +37,7 @@ Json packed_words(const Json& list) {
   Json words = Json::array(), at = Json::array();
   std::unordered_map<std::string, std::size_t> places;
   for (const Json& value : list) {
-    const auto [place, is_new] = places.emplace(value.dump(), words.size());
+    const auto [place, is_new] = places.emplace(dumped(value), words.size());
     if (is_new) words.push_back(value);
     at.push_back(place->second);
   }
@@ -57,7 +57,7 @@ Json packed(const Json& value) {
   Json all = Json::array();
   for (const Json& part : value) all.push_back(packed(part));
   Json words = packed_words(value);
-  return words.dump().size() < all.dump().size() ? words : all;
+  return dumped(words).size() < dumped(all).size() ? words : all;
 }
 
 }  // namespace liecheck::reports

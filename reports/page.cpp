@@ -14,7 +14,7 @@ namespace {
 /// JSON text without "<", so that it cannot end the script element around it.
 std::string inlined(const Json& value) {
   std::string out;
-  for (char c : value.dump()) out += c == '<' ? std::string("\\u003c") : std::string(1, c);
+  for (char c : dumped(value)) out += c == '<' ? std::string("\\u003c") : std::string(1, c);
   return out;
 }
 
@@ -32,9 +32,9 @@ std::string place(const Json& row) {
 /// Only the total if `total_cases` equals `cases`, as after a campaign with a time limit.
 std::string cases_text(const Json& record) {
   const Json total = record.value("total_cases", Json());
-  if (total == record["cases"]) return fmt::format("{} cases in all", total.dump());
-  return fmt::format("{} cases for each property × subject × scalar{}", record["cases"].dump(),
-                     total.is_number() ? fmt::format(", {} in all", total.dump()) : "");
+  if (total == record["cases"]) return fmt::format("{} cases in all", dumped(total));
+  return fmt::format("{} cases for each property × subject × scalar{}", dumped(record["cases"]),
+                     total.is_number() ? fmt::format(", {} in all", dumped(total)) : "");
 }
 
 std::string verdict_section(const Merged& merged) {
@@ -72,7 +72,7 @@ std::string verdict_section(const Merged& merged) {
   for (const Json& r : merged.records) {
     const std::string robot =
         r["robot"].is_null() ? "" : fmt::format("; robot {}", text_of(r["robot"], "name"));
-    item("campaign", fmt::format("seed {}, {}{}", r["seed"].dump(), cases_text(r), robot));
+    item("campaign", fmt::format("seed {}, {}{}", dumped(r["seed"]), cases_text(r), robot));
   }
   item("rows",
        fmt::format("{}, one for each subject × scalar × property × operation × block × band; {} failed",
@@ -141,8 +141,8 @@ std::string layout_text(const Json& layout) {
   for (const Json& part : layout) {
     const Json& size = part["size"];
     parts.push_back(fmt::format("{}: {} [{}], {}", text_of(part, "name"),
-                                size.is_string() ? text_of(part, "size") : size.dump(), text_of(part, "unit"),
-                                text_of(part, "frame")));
+                                size.is_string() ? text_of(part, "size") : dumped(size),
+                                text_of(part, "unit"), text_of(part, "frame")));
   }
   return fmt::format("{}", fmt::join(parts, "<br>"));
 }
@@ -212,8 +212,8 @@ std::string machine_section(const Merged& merged) {
   for (const Json& r : merged.records) {
     const Json& e = r["environment"];
     std::vector<Cells> rows = {
-        {"liecheck", text_of(r, "version") + ", generators " + r["generator_version"].dump()},
-        {"seed", r["seed"].dump()},
+        {"liecheck", text_of(r, "version") + ", generators " + dumped(r["generator_version"])},
+        {"seed", dumped(r["seed"])},
         {"cases", cases_text(r)},
         {"verdict", text_of(r, "verdict")}};
     if (!r["robot"].is_null())
@@ -224,7 +224,7 @@ std::string machine_section(const Merged& merged) {
     rows.push_back({"libm", text_of(e, "libm")});
     for (const char* name : {"inputs", "results"})
       rows.push_back({std::string("SHA-256 of ") + name, code(r["digest"][name])});
-    out += table("Campaign with seed " + r["seed"].dump(), {"what", "value"}, rows);
+    out += table("Campaign with seed " + dumped(r["seed"]), {"what", "value"}, rows);
   }
   return out;
 }

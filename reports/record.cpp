@@ -21,7 +21,7 @@ void check_relations(std::string_view file, const Json& record) {
   };
   const auto at_most = [&](const std::string& field, const Json& row, const char* name, const char* limit) {
     if (row.contains(name) && row[name] > row[limit])
-      refuse(file, field + "." + name, fmt::format("a count from 0 to {}", row[limit].dump()), row[name]);
+      refuse(file, field + "." + name, fmt::format("a count from 0 to {}", dumped(row[limit])), row[name]);
   };
   const auto each = [](const std::string& field, const Json& list, auto check) {
     for (std::size_t i = 0; i < list.size(); ++i) check(fmt::format("{}[{}]", field, i), list[i]);
@@ -62,10 +62,11 @@ std::string line_and_column(std::string_view bytes, std::size_t at) {
   return fmt::format("line {}, column {}", line, newline == before.npos ? at + 1 : at - newline);
 }
 
-/// Throws the first error of a text that is not JSON, with its line and column.
-class FirstError final : public nlohmann::detail::json_sax_acceptor<Json> {
+/// Reads JSON. Throws the first error of a text that is not JSON, with its line and column.
+class Reader final : public nlohmann::detail::json_sax_dom_parser<Json> {
  public:
-  FirstError(const std::string& file, std::string_view bytes) : file_(file), bytes_(bytes) {}
+  Reader(Json& value, const std::string& file, std::string_view bytes)
+      : json_sax_dom_parser(value), file_(file), bytes_(bytes) {}
   bool parse_error(std::size_t byte, const std::string& token, const nlohmann::detail::exception& e) {
     constexpr int out_of_range = 406;  // a number beyond the range of double
     if (e.id == out_of_range)
@@ -120,11 +121,9 @@ Merged merge_records(const std::vector<std::filesystem::path>& files) {
                                              fmt::join(first->first, " / "), first->second));
     };
     const std::string bytes = properties::read_whole(file);
-    Json record = Json::parse(bytes, nullptr, false);
-    if (record.is_discarded()) {
-      FirstError error(path, bytes);
-      Json::sax_parse(bytes, &error);
-    }
+    Json record;
+    Reader reader(record, path, bytes);
+    Json::sax_parse(std::string_view(bytes), &reader);
     check_record(path, record);
     for (Json& row : record["results"]) {
       refuse_twice(

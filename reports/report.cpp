@@ -23,7 +23,7 @@ std::string cell(const Json& value) {
   if (value.is_null()) return "";
   if (value.is_string()) return properties::csv_field(value);
   if (value.is_number_float()) return fmt::format("{:.17g}", value.get<double>());
-  return value.dump();
+  return dumped(value);
 }
 
 /// One line for each result; the numbers of the worst input are hexadecimal and separated by spaces.
@@ -60,7 +60,7 @@ ReportFiles write_report(const std::vector<std::filesystem::path>& records,
         throw std::runtime_error(
             fmt::format("{}: the report in {} would overwrite this record: choose another folder",
                         record.string(), out_dir.string()));
-  properties::write_whole(files.json, numbers.dump(1) + '\n');
+  properties::write_whole(files.json, dumped(numbers, 1) + '\n');
   properties::write_whole(files.csv, csv(merged));
   properties::write_whole(files.html, page(merged, numbers));
   return files;

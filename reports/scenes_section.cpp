@@ -48,10 +48,10 @@ std::string orders(const Json& s) {
       std::string cell = "—";
       for (const Json& row : scene["orders"]) {
         if (row["integrator"] != name) continue;
-        cells[1] = row["promised"].dump();
+        cells[1] = dumped(row["promised"]);
         cell = row["exact"] ? "exact"
                             : fmt::format("{:.3f}{} over {}, {}", row["observed"].get<double>(),
-                                          row["settled"] ? "" : " (not settled)", row["halvings"].dump(),
+                                          row["settled"] ? "" : " (not settled)", dumped(row["halvings"]),
                                           text_of(row, "scalar"));
       }
       for (const Json& series : scene["series"])
@@ -83,7 +83,7 @@ std::string drifts(const Json& s) {
                        series["subject"] == "liecheck"
                            ? code(series["integrator"])
                            : text_of(series, "subject") + " " + text_of(series, "integrator"),
-                       p["steps"].dump(), number(p[block])};
+                       dumped(p["steps"]), number(p[block])};
         for (const char* name : {"energy", "momentum"})
           for (const char* part : {"slope", "oscillation"})
             cells.push_back(p[name].is_null() ? "—" : number(p[name][part]));
@@ -106,8 +106,8 @@ std::string drifts(const Json& s) {
 std::string spins(const Json& s) {
   std::vector<Cells> rows;
   for (const Json& r : s["spins"])
-    rows.push_back({code(r["integrator"]), r["order"].dump(), r["turns"].dump(), r["steps_per_turn"].dump(),
-                    number(r["error"]), number(r["limit"]),
+    rows.push_back({code(r["integrator"]), dumped(r["order"]), dumped(r["turns"]),
+                    dumped(r["steps_per_turn"]), number(r["error"]), number(r["limit"]),
                     r["error"].is_number()
                         ? fmt::format("{:.2f}", r["error"].get<double>() / r["limit"].get<double>())
                         : "—",
@@ -126,7 +126,7 @@ std::string spins(const Json& s) {
     for (const Json& e : f["relative"])
       errors += (errors.empty() ? "" : ", ") + (e == "inf" ? "lost" : number(e));
     rows.push_back({number(f["perturbation"]), text_of(f, "scalar"), number(f["exact"].front()), errors,
-                    fmt::format("{} of {}", f["predicted"].dump(), f["relative"].size()),
+                    fmt::format("{} of {}", dumped(f["predicted"]), f["relative"].size()),
                     fmt::format("{:.1f} s", f["horizon"].get<double>())});
   }
   if (!rows.empty())
@@ -145,7 +145,7 @@ std::string spins(const Json& s) {
 std::string peers(const Json& s) {
   std::vector<Cells> rows;
   for (const Json& p : s["peers"])
-    rows.push_back({text_of(p, "scene"), text_of(p, "peer"), text_of(p, "integrator"), p["points"].dump(),
+    rows.push_back({text_of(p, "scene"), text_of(p, "peer"), text_of(p, "integrator"), dumped(p["points"]),
                     fmt::format("<b>{:.3f}</b>", figure(p["ratio"])), number(p["error"]), code(p["ours"]),
                     p["unmatched"] ? "one of its points is more accurate than any of liecheck’s" : ""});
   for (const Json& name : s["absent"])
@@ -188,7 +188,7 @@ std::string scenes_section(const Merged& merged) {
     out += verdict(s);
     Json own = Json::array();
     for (std::size_t i = 0; i < list_in(s, "films").size(); ++i) own.push_back(film++);
-    if (!own.empty()) out += fmt::format("<div class=\"films\" data-films=\"{}\"></div>\n", own.dump());
+    if (!own.empty()) out += fmt::format("<div class=\"films\" data-films=\"{}\"></div>\n", dumped(own));
     out += fmt::format(
         "<p class=\"note\">Each method runs a scene with smaller and smaller steps; an adaptive method runs "
         "it with smaller and smaller tolerances. The error is the largest difference from the exact motion "

@@ -17,7 +17,7 @@ namespace {
 const Json& schema_file(const std::string& name) {
   static std::map<std::string, Json> all;
   const auto [file, is_new] = all.try_emplace(name);
-  if (is_new) file->second = Json::parse(embedded_file(name));
+  if (is_new) file->second = parsed(embedded_file(name));
   return file->second;
 }
 
@@ -104,7 +104,7 @@ const Json& schema() {
 }
 
 void refuse(std::string_view file, std::string_view field, std::string_view expected, const Json& found) {
-  std::string text = found.dump(-1, ' ', true);
+  std::string text = dumped_as_ascii(found);
   if (text.size() > 60) text = text.substr(0, 57) + "...";
   throw std::runtime_error(fmt::format("{}: field {}: expected {}, found {}", file,
                                        field.empty() ? "(top level)" : field, expected, text));

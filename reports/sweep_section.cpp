@@ -30,7 +30,7 @@ std::string sweep_section(const Merged& merged) {
                             sweep["elapsed"].get<double>(), sweep["scalar"].get<std::string>())
               : fmt::format("{}: the largest error found, a lower bound",
                             sweep["stride"] == 1 ? std::string("Interrupted")
-                                                 : fmt::format("Every {}th float", sweep["stride"].dump())),
+                                                 : fmt::format("Every {}th float", dumped(sweep["stride"]))),
         {"coefficient", "equation", "error", "floats",
          upper ? "true upper bound [eps]" : "largest found [eps]", "documented [eps]", "status", "x", "at",
          "decimal", "from θ [eps]", "reason of the documented bound"},

@@ -3,7 +3,6 @@
 #include <app/command.hpp>
 #include <chrono>
 #include <hard_cases/hard_cases.hpp>
-#include <nlohmann/json.hpp>
 #include <record/bench.hpp>
 #include <search/weak_tests.hpp>
 #include <subjects/known_bugs.hpp>
@@ -119,7 +118,7 @@ int run(const Flags& f) {
   }
   bench.complete = !stop_requested;
   print_summary(bench);
-  if (!f.json.empty()) write_record(f.json, record_of(bench));
+  write_record_of(f.json, bench);
   return !bench.complete ? incomplete : bench.passed() ? within_budget : property_failed;
 }
 

@@ -11,7 +11,6 @@
 #include <invariants/tree_laws.hpp>
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <oracles/closed_forms.hpp>
 #include <oracles/error.hpp>
 #include <record/bench.hpp>
@@ -193,7 +192,7 @@ int run(const Flags& f) {
   }
   const SpeedBench b = bench.result();
   print(b);
-  if (!f.json.empty()) write_record(f.json, record_of(b));
+  write_record_of(f.json, b);
   if (b.falsified)
     fmt::print("rc::check found exp6 beyond its budget {} times: the rates of exp6 mean nothing\n",
                b.falsified);

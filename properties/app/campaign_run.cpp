@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cstdlib>
-#include <nlohmann/json.hpp>
 #include <record/record.hpp>
 #include <stdexcept>
 #include <store/merge.hpp>
@@ -150,17 +149,6 @@ void print_how_to_resume(const CampaignResult& r, const StoreFlags& f) {
     fmt::print("interrupted: no case was saved; --store FILE saves them\n");
   else
     fmt::print("to resume:\n  {}{}\n", f.typed_line, f.resume ? "" : " --resume");
-}
-
-std::string try_write_record(const std::string& file, const StoredRun& run,
-                             const std::vector<HardRow>& hard_cases) try {
-  if (file.empty()) return "";
-  nlohmann::json record = record_of(run);
-  add_hard_cases(record, hard_cases);
-  write_record(file, record);
-  return "";
-} catch (const std::exception& e) {
-  return e.what();
 }
 
 }  // namespace liecheck::properties

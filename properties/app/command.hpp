@@ -146,6 +146,10 @@ void stop_on_signals();
 /// Throws std::runtime_error naming the file.
 void write_record(const std::string& file, const nlohmann::json& record);
 
+/// Writes the record of a result, or of a scene and its run, unless `file` is empty.
+template <class... Results>
+void write_record_of(const std::string& file, const Results&... results);
+
 /// Prints the first section of every campaign: counts for each subject and scalar, and the first failures.
 void print_hard_case_summary(const std::vector<HardRow>& rows, std::size_t shown_failures);
 
@@ -162,6 +166,10 @@ CostResult run_cost(CostOptions options);
 /// spins, and `flips` flips for each perturbation. Throws SceneError or std::invalid_argument.
 SceneSweepResult run_scene_sweep(const std::vector<std::string>& files, SceneSweepOptions options,
                                  std::size_t flips);
+
+/// Reads the command line, and runs its command or prints the help. Returns the exit code. Throws
+/// std::invalid_argument if the command line is wrong. typed_line: as for campaign_command.
+int run_program(int argc, char** argv, const std::string& typed_line);
 
 // A command is added to the program or to the group of commands "bench" or "scene".
 

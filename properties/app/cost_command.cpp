@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <app/command.hpp>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <record/record.hpp>
+#include <support/environment.hpp>
 #include <support/progress.hpp>
 #include <support/stop.hpp>
 #include <timing/cost.hpp>
@@ -50,30 +50,27 @@ void print_rows(const CostResult& r) {
   }
 }
 
-void print_header(const CostResult& r, const nlohmann::json& environment) {
-  const auto text = [&](const char* name) { return environment[name].get<std::string>(); };
-  fmt::print("{}, governor {}, {}, {}, {}\n", text("cpu"), text("governor"), text("os"), text("compiler"),
-             text("flags"));
+void print_header(const CostResult& r) {
   fmt::print(
+      "{}\n"
       "time: processor time of a call, as the median of at most {} undisturbed repetitions in random order,\n"
       "  with its 95 % confidence interval. The row call is the shortest operation of the signature.\n"
       "  Its time is not subtracted.\n"
       "error: largest found (a lower bound), 99 % quantile and median, for the worst block, in eps of the\n"
       "  scalar, over the timed inputs. Dominated: another row has a lower latency and no larger error.\n"
       "instructions: {}\n",
-      r.options.repetitions,
+      environment_line(), r.options.repetitions,
       r.no_counter.empty() ? "retired in user space, per call" : "not counted, " + r.no_counter);
 }
 
 int run(const Flags& f) {
   stop_on_signals();
   const CostResult r = run_cost(f.options);
-  const nlohmann::json record = record_of(r);
-  print_header(r, record["environment"]);
+  print_header(r);
   print_rows(r);
   fmt::print("\n{} rows in {:.1f} s, seed {}{}\n", r.rows.size(), r.elapsed, r.options.seed,
              r.complete ? "" : "; interrupted: only what was done");
-  if (!f.json.empty()) write_record(f.json, record);
+  write_record_of(f.json, r);
   return r.complete ? within_budget : incomplete;
 }
 

@@ -1,57 +1,16 @@
-// The liecheck program: it reads the command line and runs one command.
+// The liecheck program: it runs the command that its command line names.
 
 #include <fcntl.h>
-#include <fmt/format.h>
-#include <CLI/CLI.hpp>
 #include <app/command.hpp>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
-#include <initializer_list>
 #include <iostream>
 #include <support/text.hpp>
 
 namespace {
 
 using namespace liecheck::properties;
-
-/// Adds a group of commands.
-CLI::App& group(CLI::App& program, const std::string& name, const std::string& help) {
-  CLI::App& g = *program.add_subcommand(name, help);
-  g.require_subcommand(1);
-  return g;
-}
-
-/// Adds all commands, in the order of the help.
-std::vector<Command> add_commands(CLI::App& program, const std::string& typed_line) {
-  std::vector<Command> all;
-  using Adder = std::function<Command(CLI::App&)>;
-  const auto add = [&](CLI::App& parent, std::initializer_list<Adder> commands) {
-    for (const Adder& command : commands) all.push_back(command(parent));
-  };
-  const auto campaign = [&](CLI::App& parent) { return campaign_command(parent, typed_line); };
-  add(program, {list_command, campaign, hard_cases_command, hunt_command});
-  add(group(program, "bench", "benchmarks of the harness"), {bench_bugs_command, bench_speed_command});
-  add(program, {sweep_command, robot_command, cost_command});
-  add(group(program, "scene", "simulate a motion that a file describes: fixtures/scenes/README.md"),
-      {scene_run_command, scene_explain_command, scene_sweep_command, scene_keys_command});
-  add(program, {replay_command, report_command, merge_command, export_command, compare_command});
-  return all;
-}
-
-/// CLI11's message, or one that names an unknown command or option.
-std::string usage_error(const CLI::App& program, const CLI::ParseError& e) {
-  const CLI::App* at = &program;
-  while (!at->get_subcommands().empty()) at = at->get_subcommands().front();
-  const auto commands = at->get_subcommands([](const CLI::App*) { return true; });
-  const auto rest = at->remaining();
-  if (commands.empty() || (rest.empty() && at == &program)) return e.what();
-  std::vector<std::string> known;
-  for (const CLI::App* command : commands) known.push_back(command->get_name());
-  if (rest.empty()) return fmt::format("{}: which one? {}", at->get_name(), fmt::join(known, ", "));
-  return fmt::format("unknown {} '{}'; commands{}: {}", rest[0].rfind('-', 0) == 0 ? "option" : "command",
-                     rest[0], at == &program ? "" : " of " + at->get_name(), fmt::join(known, ", "));
-}
 
 /// The command line, with each argument quoted if a shell needs it.
 std::string command_line(int argc, char** argv) {
@@ -84,20 +43,8 @@ int main(int argc, char** argv) {
   // Replaces closed standard streams, so that no file that is opened later takes their place.
   for (int fd = 0; fd < 3; ++fd)
     if (::fcntl(fd, F_GETFD) < 0 && ::open("/dev/null", O_RDONLY) != fd) return bad_input;
-  CLI::App program{"liecheck " LIECHECK_VERSION
-                   ": finds the numerical bugs in SE(3) and floating-base code before a robot does."};
-  program.require_subcommand(1);
-  program.set_version_flag("--version", LIECHECK_VERSION);
-  const std::vector<Command> commands = add_commands(program, command_line(argc, argv));
   try {
-    program.parse(argc, argv);
-  } catch (const CLI::ParseError& e) {
-    return e.get_exit_code() == 0 ? finish(program.exit(e)) : refuse(usage_error(program, e));
-  }
-  try {
-    for (const Command& command : commands)
-      if (command.arguments->parsed()) return finish(command.run());
-    return refuse("no command");
+    return finish(run_program(argc, argv, command_line(argc, argv)));
   } catch (const std::exception& e) {
     return std::ferror(stdout) ? finish(bad_input) : refuse(e.what());
   }

@@ -2,7 +2,6 @@
 #include <app/command.hpp>
 #include <liecheck/scene/run.hpp>
 #include <liecheck/scene_file/scene_file.hpp>
-#include <nlohmann/json.hpp>
 #include <numbers>
 #include <record/record.hpp>
 #include <stdexcept>
@@ -27,7 +26,7 @@ std::string csv_of(const scene::Run& run) {
     text += (i ? "," : "") + csv_field(fmt::format("{} [{}]", run.columns[i].name, run.columns[i].unit));
   text += '\n';
   for (std::size_t i = 0; i < run.rows.size(); ++i)
-    fmt::format_to(std::back_inserter(text), "{}{}", run.rows[i], (i + 1) % run.columns.size() ? ',' : '\n');
+    text += fmt::format("{}{}", run.rows[i], (i + 1) % run.columns.size() ? ',' : '\n');
   return text;
 }
 
@@ -94,7 +93,7 @@ int run(const Flags& flags) {
                "step\n",
                run.largest_turn);
   if (!scene.csv.empty()) write_whole(scene.csv, csv_of(run));
-  if (!scene.json.empty()) write_record(scene.json, record_of(scene, run));
+  write_record_of(scene.json, scene, run);
   print_early_end(scene, run);
   return run.outcome.diverged || run.outcome.stopped ? incomplete : within_budget;
 }

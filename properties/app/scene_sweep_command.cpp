@@ -4,7 +4,6 @@
 #include <cmath>
 #include <liecheck/scene/integrators/registry.hpp>
 #include <liecheck/scene_file/scene_file.hpp>
-#include <nlohmann/json.hpp>
 #include <record/scenes.hpp>
 #include <scenes/benchmark.hpp>
 #include <stdexcept>
@@ -191,7 +190,7 @@ int run(const Flags& f) {
   stop_on_signals();
   const SceneSweepResult r = run_scene_sweep(f.files, options_of(f), 6);
   print_scene_sweep(r);
-  if (!f.json.empty()) write_record(f.json, record_of(r));
+  write_record_of(f.json, r);
   const bool lost = report_lost(r);
   return !r.complete || lost ? incomplete : r.wrong.empty() ? within_budget : property_failed;
 }

@@ -3,7 +3,6 @@
 #include <app/command.hpp>
 #include <cmath>
 #include <coefficients/sweep.hpp>
-#include <nlohmann/json.hpp>
 #include <record/record.hpp>
 #include <stdexcept>
 #include <support/progress.hpp>
@@ -75,7 +74,7 @@ int run(const Flags& f) {
   const SweepResult r = run_sweep(f.coefficients, f.jobs, f.stride);
   print_rows(r);
   print_summary(r);
-  if (!f.json.empty()) write_record(f.json, record_of(r));
+  write_record_of(f.json, r);
   return !r.complete ? incomplete : r.failed() ? property_failed : within_budget;
 }
 

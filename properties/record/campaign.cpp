@@ -5,6 +5,7 @@
 #include <set>
 #include <store/stored_run.hpp>
 #include <support/environment.hpp>
+#include <support/json.hpp>
 #include <support/json_number.hpp>
 
 namespace liecheck::properties {
@@ -193,7 +194,7 @@ json record_of(const StoredRun& run) {
       {"digest", {{"inputs", r.inputs_digest}, {"results", r.results_digest}}},
       {"robot",
        {{"name", r.robot.name}, {"hash", r.robot.hash}, {"root", r.robot.fixed ? "fixed" : "free-flyer"}}},
-      {"environment", run.environment.empty() ? environment() : json::parse(run.environment)},
+      {"environment", run.environment.empty() ? environment() : parsed(run.environment)},
       {"subjects", subjects_record(r)},
       {"absent", absent_subjects()},
       {"blocks", results.blocks},

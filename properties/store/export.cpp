@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <support/json.hpp>
 #include <support/json_number.hpp>
 #include <tuple>
 
@@ -39,7 +40,7 @@ std::string series_line(const StoredSeries& s) {
                {"coverage", s.tally.coverage.text()},
                {"inputs", hexadecimal(s.tally.inputs.sum())},
                {"results", hexadecimal(s.tally.results.sum())}});
-  return line.dump() + "\n";
+  return dumped(line) + "\n";
 }
 
 std::string cell_line(const StoredSeries& s, const Cell& cell, const Row& r) {
@@ -59,13 +60,13 @@ std::string cell_line(const StoredSeries& s, const Cell& cell, const Row& r) {
        {"worst",
         {{"index", r.worst_index}, {"score", number(r.worst_score)}, {"kappa", number(r.worst_kappa)}}},
        {"histogram", histogram}});
-  return line.dump() + "\n";
+  return dumped(line) + "\n";
 }
 
 std::string failure_line(const StoredSeries& s, const Cell& cell, const Failure& failure) {
   json line = key_of(s, "failure", cell);
   line.update({{"index", failure.index}, {"input", failure.input}});
-  return line.dump() + "\n";
+  return dumped(line) + "\n";
 }
 
 /// The series in the order of subject, scalar, property and robot.
@@ -109,7 +110,7 @@ std::string export_text(const StoredCampaign& c) {
       {"total_cases", total},
       {"inputs", hexadecimal(inputs.sum())},
       {"results", hexadecimal(results.sum())}};
-  return head.dump() + "\n" + series + cells + failures;
+  return dumped(head) + "\n" + series + cells + failures;
 }
 
 }  // namespace liecheck::properties

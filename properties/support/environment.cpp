@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <support/json.hpp>
 
 namespace liecheck::properties {
 namespace {
@@ -32,7 +33,13 @@ nlohmann::json environment() {
 }
 
 std::string environment_text() {
-  return environment().dump();
+  return dumped(environment());
+}
+
+std::string environment_line() {
+  const auto text = [all = environment()](const char* name) { return all[name].get<std::string>(); };
+  return fmt::format("{}, governor {}, {}, {}, {}", text("cpu"), frequency_governor(), text("os"),
+                     text("compiler"), text("flags"));
 }
 
 std::string frequency_governor() {

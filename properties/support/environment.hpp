@@ -12,6 +12,9 @@ nlohmann::json environment();
 /// environment() as JSON text.
 std::string environment_text();
 
+/// The environment and the frequency governor on one line, for a terminal.
+std::string environment_line();
+
 /// The frequency governor of the first core, or "unknown" if there is none, as in virtual machines.
 std::string frequency_governor();
 

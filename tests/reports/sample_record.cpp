@@ -5,7 +5,7 @@
 namespace liecheck::reports {
 
 Json row(const std::string& subject, const std::string& band, double max_eps) {
-  Json all = Json::parse(
+  Json all = parsed(
       R"json({"axis": "theta", "block": "translation", "budget": 4, "count": 713, "high": 0.0001,
  "ill_posed": 0, "low": 1e-05, "max_excess": 0, "median_eps": 0, "not_finite": 0, "operation": "exp6",
  "p99_eps": 0.1, "property": "exp_oracle", "rule": "forward", "scalar": "double", "unresolved": 0,
@@ -14,13 +14,13 @@ Json row(const std::string& subject, const std::string& band, double max_eps) {
   all["band"] = band;
   all["max_eps"] = max_eps;
   all["status"] = max_eps > 4 ? "fail" : "pass";
-  all["worst"] = Json::parse(R"({"input": ["0x1p-3", "-0x0p+0"], "kappa": 1.25})");
+  all["worst"] = parsed(R"({"input": ["0x1p-3", "-0x0p+0"], "kappa": 1.25})");
   all["worst"]["id"] = "g1.42.exp_oracle." + subject + ".double.none.7";
   return all;
 }
 
 Json record() {
-  Json all = Json::parse(
+  Json all = parsed(
       R"json({"absent": ["ceres"], "blocks": [], "cases": 20000, "digest": {"inputs": "ab", "results": "cd"},
  "environment": {"compiler": "g", "cpu": "c", "flags": "-O2", "fma_contraction": "off", "libm": "glibc",
    "os": "o"},
@@ -36,7 +36,7 @@ Json record() {
 }
 
 Json swept() {
-  return Json::parse(R"json({"bound": "upper",
+  return parsed(R"json({"bound": "upper",
  "coefficients": [{"argument": "theta^2", "bound_eps": 21.23866, "constant": 972947456, "documented_eps": 20,
    "equation": "2 dd/dx", "evaluated": 1092479462, "kind": "relative", "max_at": "0x1.38968ap+3",
    "max_at_decimal": 9.76837635, "max_eps": 21.23865, "name": "d2", "oracle_bound_eps": 1.5e-08,
@@ -45,7 +45,7 @@ Json swept() {
 }
 
 Json hard_case(const std::string& subject, const std::string& verdict) {
-  Json cell = Json::parse(
+  Json cell = parsed(
       R"json({"band": "0", "block": "translation", "budget": 4, "kappa": 0, "operation": "exp6",
  "rule": "forward", "scalar": "double"})json");
   cell["subject"] = subject;
@@ -53,7 +53,7 @@ Json hard_case(const std::string& subject, const std::string& verdict) {
   cell["failed"] = verdict != "stable";
   cell["error"] = verdict == "stable" ? Json(0) : Json("inf");
   cell["replay"] = "liecheck replay raw.exp_oracle." + subject + ".double.none.0x0p+0";
-  Json all = Json::parse(
+  Json all = parsed(
       R"json({"class": "zero", "expression": "phi = 0, 0, 0", "input": {"double": ["0x0p+0"]}, "name": "zero",
  "origin": "docs/measuring.md", "property": "exp_oracle", "reason": "0/0"})json");
   all["cells"].push_back(cell);
@@ -65,7 +65,7 @@ Json cost_row(const std::string& subject, const std::string& scalar, const std::
   Json time;
   for (const char* name : {"median", "low", "high"}) time[name] = ns;
   time["repetitions"] = 25u;
-  Json all = Json::parse(R"json({"dominated_throughput": null, "eps": 2.220446049250313e-16,
+  Json all = parsed(R"json({"dominated_throughput": null, "eps": 2.220446049250313e-16,
  "sets": [{"blocks": [{"block": "translation", "max_eps": 2, "measured": 640, "median_eps": 0.5,
      "not_finite": 0, "p99_eps": 1, "refused": 0, "unresolved": 0, "wrong_branch": 0}],
    "inputs": 640, "instructions": null, "set": "mixed"}],
@@ -93,7 +93,7 @@ Json cost() {
   }
   rows.push_back(cost_row("liecheck@gcc-O2", "double", "exp6", 2e-16, 1));  // fastest, but not on any front
   rows.push_back(cost_row("one", "double", "exp6", 0, 20000));
-  Json all = Json::parse(R"json({"clock": "processor time", "elapsed": 33,
+  Json all = parsed(R"json({"clock": "processor time", "elapsed": 33,
  "environment": {"compiler": "gcc", "cpu": "c<1>", "flags": "-O2", "governor": "g", "os": "o"},
  "no_counter": "perf_event_open: none", "repetitions": 25, "seconds": 30, "seed": 42, "verdict": "pass",
  "version": "0.1.0"})json");
@@ -103,14 +103,14 @@ Json cost() {
 
 Json scenes() {
   const auto point = [](double error, const char* time) {
-    Json all = Json::parse(
+    Json all = parsed(
         R"json({"diverged": "", "energy": {"oscillation": 3e-08, "slope": -2e-09}, "linear_velocity": null,
  "momentum": null, "position": null, "steps": 16, "tolerance": null})json");
     for (const char* name : {"attitude", "angular_velocity"}) all[name] = error;
-    all["time_ns"] = Json::parse(time);
+    all["time_ns"] = parsed(time);
     return all;
   };
-  Json all = Json::parse(R"json({"absent": ["DART"],
+  Json all = parsed(R"json({"absent": ["DART"],
  "costs": [{"energy": "conserves", "equation": "g", "nanoseconds": 3.5, "scene": "s", "stage": "gravity",
    "when": "evaluation", "why": "asked"}],
  "elapsed": 20,
@@ -143,7 +143,7 @@ Json full_record() {
   Json all = record();
   const Json environment = all["environment"];
   all["robot"]["root"] = "fixed";
-  all.update(Json::parse(R"json({"total_cases": 40000,
+  all.update(parsed(R"json({"total_cases": 40000,
  "counterexamples": {"failing": ["g3.1.a.b.double.none.0"], "replayed": 1, "skipped": 0},
  "blocks": [{"block": "translation", "denominator": "|p_exact|", "error": "|p - p_exact| of exp",
    "operation": "exp6", "unit": "m"},

@@ -87,7 +87,7 @@ std::string tables(const Json& rule, const std::string& name, std::map<std::stri
   if (rule.contains("additionalProperties")) members["*"] = rule["additionalProperties"];
   if (members.empty()) return "";
   const std::string title = fmt::format("\n### {}\n\n", name.empty() ? "The record" : "`" + name + "`");
-  const auto [same, is_new] = done.try_emplace(members.dump(), name);
+  const auto [same, is_new] = done.try_emplace(dumped(members), name);
   if (!is_new) return title + fmt::format("The fields are those of `{}`.\n", same->second);
   std::vector<std::string> keys = rule.value("required", std::vector<std::string>());
   const std::size_t required = keys.size();

@@ -1,0 +1,197 @@
+// The command line. The only file that compiles CLI11.
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <app/command.hpp>
+#include <charconv>
+#include <initializer_list>
+#include <stdexcept>
+#include <support/files.hpp>
+
+namespace liecheck::properties {
+
+namespace {
+
+/// Throws CLI::ValidationError naming the flag.
+std::uint64_t decimal(const std::string& flag, const std::string& text, std::uint64_t low,
+                      std::uint64_t high) {
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool plain =
+      error == std::errc() && end == text.data() + text.size() && std::to_string(value) == text;
+  if (!plain || value < low || value > high)
+    throw CLI::ValidationError(flag,
+                               fmt::format("'{}' is not a decimal number from {} to {}", text, low, high));
+  return value;
+}
+
+/// Returns the duration in seconds. Throws CLI::ValidationError naming the flag.
+double parse_duration(const std::string& flag, const std::string& text) {
+  double value = 0;
+  const auto [end, error] =
+      std::from_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed);
+  const std::string unit(end, text.data() + text.size());
+  const double factor = unit.empty() || unit == "s" ? 1 : unit == "m" ? 60 : unit == "h" ? 3600 : 0;
+  if (error != std::errc() || factor == 0 || !(value > 0) || !(value * factor <= 1e7))
+    throw CLI::ValidationError(flag,
+                               fmt::format("not a duration up to 1e7 s: '{}' (write 30s, 5m or 1h)", text));
+  return value * factor;
+}
+
+/// Names the option's value in the help, and forbids an empty value.
+Flag named(CLI::Option* option, const std::string& value) {
+  const auto empty_error = [](const std::string& text) -> std::string {
+    return text.empty() ? "may not be empty" : "";
+  };
+  return Flag(value.empty() ? option : option->type_name(value)->check(empty_error, ""));
+}
+
+std::string long_name(const std::string& names) {
+  return names.substr(names.rfind("--"));
+}
+
+/// Adds a group of commands.
+CLI::App& group(CLI::App& program, const std::string& name, const std::string& help) {
+  CLI::App& g = *program.add_subcommand(name, help);
+  g.require_subcommand(1);
+  return g;
+}
+
+/// Adds all commands, in the order of the help.
+std::vector<Command> add_commands(CLI::App& program, const std::string& typed_line) {
+  std::vector<Command> all;
+  using Adder = std::function<Command(CLI::App&)>;
+  const auto add = [&](CLI::App& parent, std::initializer_list<Adder> commands) {
+    for (const Adder& command : commands) all.push_back(command(parent));
+  };
+  const auto campaign = [&](CLI::App& parent) { return campaign_command(parent, typed_line); };
+  add(program, {list_command, campaign, hard_cases_command, hunt_command});
+  add(group(program, "bench", "benchmarks of the harness"), {bench_bugs_command, bench_speed_command});
+  add(program, {sweep_command, robot_command, cost_command});
+  add(group(program, "scene", "simulate a motion that a file describes: fixtures/scenes/README.md"),
+      {scene_run_command, scene_explain_command, scene_sweep_command, scene_keys_command});
+  add(program, {replay_command, report_command, merge_command, export_command, compare_command});
+  return all;
+}
+
+/// CLI11's message, or one that names an unknown command or option.
+std::string usage_error(const CLI::App& program, const CLI::ParseError& e) {
+  const CLI::App* at = &program;
+  while (!at->get_subcommands().empty()) at = at->get_subcommands().front();
+  const auto commands = at->get_subcommands([](const CLI::App*) { return true; });
+  const auto rest = at->remaining();
+  if (commands.empty() || (rest.empty() && at == &program)) return e.what();
+  std::vector<std::string> known;
+  for (const CLI::App* command : commands) known.push_back(command->get_name());
+  if (rest.empty()) return fmt::format("{}: which one? {}", at->get_name(), fmt::join(known, ", "));
+  return fmt::format("unknown {} '{}'; commands{}: {}", rest[0].rfind('-', 0) == 0 ? "option" : "command",
+                     rest[0], at == &program ? "" : " of " + at->get_name(), fmt::join(known, ", "));
+}
+
+}  // namespace
+
+Flag Flag::required() const {
+  return Flag(option_->required());
+}
+Flag Flag::needs(Flag other) const {
+  return Flag(option_->needs(other.option_));
+}
+Flag Flag::excludes(Flag other) const {
+  return Flag(option_->excludes(other.option_));
+}
+Flag Flag::with_default_in_help() const {
+  return Flag(option_->capture_default_str());
+}
+bool Flag::given() const {
+  return option_ && option_->count() > 0;
+}
+
+Arguments::Arguments(CLI::App& parent, const std::string& name, const std::string& help)
+    : command_(*parent.add_subcommand(name, help)) {}
+
+Flag Arguments::text(const std::string& names, std::string& target, const std::string& value,
+                     const std::string& help) {
+  return named(command_.add_option(names, target, help), value);
+}
+
+Flag Arguments::choice(const std::string& names, std::string& target, const std::vector<std::string>& words,
+                       const std::string& value, const std::string& help) {
+  return named(command_.add_option(names, target, help)->check(CLI::IsMember(words)), value);
+}
+
+Flag Arguments::list(const std::string& names, std::vector<std::string>& target, const std::string& value,
+                     const std::string& help) {
+  return named(command_.add_option(names, target, help), value);
+}
+
+Flag Arguments::toggle(const std::string& names, bool& target, const std::string& help) {
+  return Flag(command_.add_flag(names, target, help));
+}
+
+Flag Arguments::add_number(const std::string& names, std::uint64_t value, std::uint64_t low,
+                           std::uint64_t high, const std::string& help,
+                           const std::function<void(std::uint64_t)>& set) {
+  const auto read = [set, flag = long_name(names), low, high](const std::string& text) {
+    set(decimal(flag, text, low, high));
+  };
+  return Flag(command_.add_option_function<std::string>(names, read, help)
+                  ->type_name("N")
+                  ->default_str(value < low || value > high ? "" : std::to_string(value)));
+}
+
+Flag Arguments::numbers(const std::string& names, std::vector<long>& target, std::uint64_t low,
+                        std::uint64_t high, const std::string& help) {
+  const auto read = [&target, flag = long_name(names), low, high](const std::vector<std::string>& texts) {
+    for (const std::string& text : texts) target.push_back(static_cast<long>(decimal(flag, text, low, high)));
+  };
+  return Flag(command_.add_option_function<std::vector<std::string>>(names, read, help)
+                  ->type_name("N")
+                  ->allow_extra_args(false));
+}
+
+Flag Arguments::add_duration(const std::string& names, const std::string& help,
+                             const std::function<void(double)>& set) {
+  const auto read = [set, flag = long_name(names)](const std::string& text) {
+    set(parse_duration(flag, text));
+  };
+  return named(command_.add_option_function<std::string>(names, read, help), "DURATION");
+}
+
+Flag Arguments::seed(std::uint64_t& target, const std::string& help) {
+  return number("--seed", target, 0, UINT64_MAX, help);
+}
+
+Flag Arguments::jobs(unsigned& target) {
+  return number("-j,--jobs", target, 1, 1024, "number of threads; the digests do not depend on it");
+}
+
+Flag Arguments::json(std::string& target, const std::string& help) {
+  json_ = &target;
+  return text("--json", target, "FILE", help);
+}
+
+Command Arguments::command(std::function<int()> run) const {
+  return {&command_, [json = json_, run = std::move(run)] {
+            if (json && !json->empty()) check_writable(*json);
+            return run();
+          }};
+}
+
+int run_program(int argc, char** argv, const std::string& typed_line) {
+  CLI::App program{"liecheck " LIECHECK_VERSION
+                   ": finds the numerical bugs in SE(3) and floating-base code before a robot does."};
+  program.require_subcommand(1);
+  program.set_version_flag("--version", LIECHECK_VERSION);
+  const std::vector<Command> commands = add_commands(program, typed_line);
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    if (e.get_exit_code() == 0) return program.exit(e);
+    throw std::invalid_argument(usage_error(program, e));
+  }
+  for (const Command& command : commands)
+    if (command.arguments->parsed()) return command.run();
+  throw std::invalid_argument("no command");
+}
+
+}  // namespace liecheck::properties

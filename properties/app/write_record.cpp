@@ -1,0 +1,32 @@
+#include <app/campaign_run.hpp>
+#include <nlohmann/json.hpp>
+#include <record/bench.hpp>
+#include <record/record.hpp>
+#include <record/scenes.hpp>
+
+namespace liecheck::properties {
+
+template <class... Results>
+void write_record_of(const std::string& file, const Results&... results) {
+  if (!file.empty()) write_record(file, record_of(results...));
+}
+
+template void write_record_of(const std::string&, const BugBench&);
+template void write_record_of(const std::string&, const SpeedBench&);
+template void write_record_of(const std::string&, const CostResult&);
+template void write_record_of(const std::string&, const SweepResult&);
+template void write_record_of(const std::string&, const SceneSweepResult&);
+template void write_record_of(const std::string&, const scene::Scene&, const scene::Run&);
+
+std::string try_write_record(const std::string& file, const StoredRun& run,
+                             const std::vector<HardRow>& hard_cases) try {
+  if (file.empty()) return "";
+  nlohmann::json record = record_of(run);
+  add_hard_cases(record, hard_cases);
+  write_record(file, record);
+  return "";
+} catch (const std::exception& e) {
+  return e.what();
+}
+
+}  // namespace liecheck::properties
