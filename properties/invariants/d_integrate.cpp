@@ -1,6 +1,6 @@
 // dIntegrate and dDifference, compared with finite differences of their definitions at high precision.
 
-#include <generators/rotations.hpp>
+#include <generators/compiled.hpp>
 #include <invariants/common.hpp>
 #include <liecheck/scalar/scalar.hpp>
 #include <optional>
@@ -22,12 +22,13 @@ class DIntegrate final : public Law<DIntegrate, S> {
       .outputs = {op::d_integrate_arg0[block::jacobian], op::d_integrate_arg0[block::coupling],
                   op::d_integrate_arg1[block::jacobian], op::d_integrate_arg1[block::coupling],
                   op::d_difference_arg0[block::jacobian], op::d_difference_arg0[block::coupling],
-                  op::d_difference_arg1[block::jacobian], op::d_difference_arg1[block::coupling]}};
-  std::vector<Field> fields() const override {
-    return {{"p0", Kind::vector, 3, "m"},  {"Q0", Kind::quaternion, 4, "1"},
-            {"p1", Kind::vector, 3, "m"},  {"Q1", Kind::quaternion, 4, "1", Reach::beside},
-            {"rho", Kind::vector, 3, "m"}, {"phi", Kind::rotation_vector, 3, "rad"}};
-  }
+                  op::d_difference_arg1[block::jacobian], op::d_difference_arg1[block::coupling]},
+      .fields = {{"p0", Kind::vector, 3, "m"},
+                 {"Q0", Kind::quaternion, 4, "1"},
+                 {"p1", Kind::vector, 3, "m"},
+                 {"Q1", Kind::quaternion, 4, "1", Reach::beside},
+                 {"rho", Kind::vector, 3, "m"},
+                 {"phi", Kind::rotation_vector, 3, "rad"}}};
   std::vector<S> generate(Source& source) const override {
     const int scale = std::numeric_limits<S>::max_exponent / 8;
     const auto p0 = vector3<S>(source, scale);

@@ -1,6 +1,6 @@
 // exp compared with the exponential of the 4 x 4 matrix, from zero to huge angles.
 
-#include <generators/rotations.hpp>
+#include <generators/compiled.hpp>
 #include <invariants/common.hpp>
 #include <oracles/closed_forms.hpp>
 #include <oracles/exp.hpp>
@@ -19,11 +19,9 @@ class ExpOracle final : public Law<ExpOracle, S> {
       .outputs = {op::exp3_quaternion[block::rotation], op::exp3_quaternion[block::norm_defect],
                   op::exp3_matrix[block::rotation], op::exp3_matrix[block::orthogonality_defect],
                   op::exp6[block::rotation], op::exp6[block::orthogonality_defect],
-                  op::exp6[block::translation]}};
-  std::vector<Field> fields() const override {
-    return {{"rho", Kind::vector, 3, "m", Reach::full},
-            {"phi", Kind::rotation_vector, 3, "rad", Reach::full}};
-  }
+                  op::exp6[block::translation]},
+      .fields = {{"rho", Kind::vector, 3, "m", Reach::full},
+                 {"phi", Kind::rotation_vector, 3, "rad", Reach::full}}};
   std::vector<S> generate(Source& source) const override {
     return Joined<S>{vector3<S>(source), rotation_vector<S>(source, AngleRange::unbounded)};
   }

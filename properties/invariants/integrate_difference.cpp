@@ -1,7 +1,7 @@
 // integrate and difference of free-flyer configurations are compared with their oracles. They must also be
 // local inverses of each other; difference(q, integrate(q, d)) is compared with d only up to theta = pi.
 
-#include <generators/rotations.hpp>
+#include <generators/compiled.hpp>
 #include <invariants/branch.hpp>
 #include <oracles/closed_forms.hpp>
 #include <oracles/integrate.hpp>
@@ -23,13 +23,13 @@ class IntegrateDifference final : public Law<IntegrateDifference, S> {
                   op::integrate[block::norm_defect], op::difference[block::rotation_vector],
                   op::difference[block::linear], op::difference_of_integrate[block::rotation_vector],
                   op::difference_of_integrate[block::linear], op::integrate_of_difference[block::rotation],
-                  op::integrate_of_difference[block::translation]}};
-  std::vector<Field> fields() const override {
-    return {
-        {"p0", Kind::vector, 3, "m", Reach::full},   {"Q0", Kind::quaternion, 4, "1"},
-        {"p1", Kind::vector, 3, "m", Reach::beside}, {"Q1", Kind::quaternion, 4, "1", Reach::beside},
-        {"rho", Kind::vector, 3, "m", Reach::full},  {"phi", Kind::rotation_vector, 3, "rad", Reach::full}};
-  }
+                  op::integrate_of_difference[block::translation]},
+      .fields = {{"p0", Kind::vector, 3, "m", Reach::full},
+                 {"Q0", Kind::quaternion, 4, "1"},
+                 {"p1", Kind::vector, 3, "m", Reach::beside},
+                 {"Q1", Kind::quaternion, 4, "1", Reach::beside},
+                 {"rho", Kind::vector, 3, "m", Reach::full},
+                 {"phi", Kind::rotation_vector, 3, "rad", Reach::full}}};
   std::vector<S> generate(Source& source) const override {
     const auto p0 = vector3<S>(source);
     const auto Q0 = unit_quaternion<S>(source);

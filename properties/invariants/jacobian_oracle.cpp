@@ -1,7 +1,7 @@
 // The left and right J and J^-1 of SO(3) and SE(3) are each compared with the oracle. The law does not check
 // the product J J^-1, in which the errors of both could cancel.
 
-#include <generators/rotations.hpp>
+#include <generators/compiled.hpp>
 #include <invariants/common.hpp>
 #include <optional>
 #include <oracles/ball_oracles.hpp>
@@ -23,12 +23,9 @@ class JacobianOracle final : public Law<JacobianOracle, S> {
                   op::left_jacobian6[block::jacobian], op::left_jacobian6[block::coupling],
                   op::right_jacobian6[block::jacobian], op::right_jacobian6[block::coupling],
                   op::left_jacobian6_inverse[block::jacobian], op::left_jacobian6_inverse[block::coupling],
-                  op::right_jacobian6_inverse[block::jacobian],
-                  op::right_jacobian6_inverse[block::coupling]}};
-  std::vector<Field> fields() const override {
-    return {{"rho", Kind::vector, 3, "m", Reach::full},
-            {"phi", Kind::rotation_vector, 3, "rad", Reach::full}};
-  }
+                  op::right_jacobian6_inverse[block::jacobian], op::right_jacobian6_inverse[block::coupling]},
+      .fields = {{"rho", Kind::vector, 3, "m", Reach::full},
+                 {"phi", Kind::rotation_vector, 3, "rad", Reach::full}}};
   std::vector<S> generate(Source& source) const override {
     return Joined<S>{vector3<S>(source), rotation_vector<S>(source, AngleRange::unbounded)};
   }

@@ -5,7 +5,7 @@
 #include <invariants/property.hpp>
 
 #include <boost/multiprecision/eigen.hpp>
-#include <generators/rotations.hpp>
+#include <generators/compiled.hpp>
 #include <oracles/error.hpp>
 #include <oracles/kinematics.hpp>
 
@@ -40,13 +40,11 @@ class KinematicIdentities final : public Law<KinematicIdentities, S> {
       .source = "Sola 2017 (arXiv 1711.02508), section 4, eqs. 197-201",
       .outputs = {measured[block::translation], measured[block::rotation_rate], measured[block::R_dot],
                   measured[block::translation_matrix], measured[block::quaternion_matrix],
-                  measured[block::zeros]}};
-  std::vector<Field> fields() const override {
-    return {{"p", Kind::vector, 3, "m", Reach::full},
-            {"Q", Kind::quaternion, 4, "1"},
-            {"u", Kind::vector, 3, "m/s", Reach::full},
-            {"omega", Kind::vector, 3, "rad/s", Reach::full}};
-  }
+                  measured[block::zeros]},
+      .fields = {{"p", Kind::vector, 3, "m", Reach::full},
+                 {"Q", Kind::quaternion, 4, "1"},
+                 {"u", Kind::vector, 3, "m/s", Reach::full},
+                 {"omega", Kind::vector, 3, "rad/s", Reach::full}}};
   std::vector<S> generate(Source& source) const override {
     return Joined<S>{vector3<S>(source), unit_quaternion<S>(source), vector3<S>(source), vector3<S>(source)};
   }

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <boost/multiprecision/eigen.hpp>
-#include <generators/rotations.hpp>
+#include <generators/compiled.hpp>
 
 namespace liecheck::properties {
 namespace {
@@ -48,14 +48,14 @@ class KineticEnergy final : public Law<KineticEnergy, S> {
                   op::act_inertia[block::mass], op::act_inertia[block::lever],
                   op::act_inertia[block::inertia], op::act_inverse_inertia[block::mass],
                   op::act_inverse_inertia[block::lever], op::act_inverse_inertia[block::inertia],
-                  op::energy_frames[block::energy]}};
-
-  std::vector<Field> fields() const override {
-    return {{"R", Kind::rotation_matrix, 9, "1"}, {"p", Kind::vector, 3, "m"},
-            {"mass", Kind::positive, 1, "kg"},    {"c", Kind::vector, 3, "m"},
-            {"I_C", Kind::inertia, 6, "kg m^2"},  // xx xy yy xz yz zz
-            {"u", Kind::vector, 3, "m/s"},        {"omega", Kind::vector, 3, "rad/s"}};
-  }
+                  op::energy_frames[block::energy]},
+      .fields = {{"R", Kind::rotation_matrix, 9, "1"},
+                 {"p", Kind::vector, 3, "m"},
+                 {"mass", Kind::positive, 1, "kg"},
+                 {"c", Kind::vector, 3, "m"},
+                 {"I_C", Kind::inertia, 6, "kg m^2"},  // xx xy yy xz yz zz
+                 {"u", Kind::vector, 3, "m/s"},
+                 {"omega", Kind::vector, 3, "rad/s"}}};
 
   std::vector<S> generate(Source& source) const override {
     std::vector<S> input;

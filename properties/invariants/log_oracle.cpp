@@ -1,6 +1,6 @@
 // log is compared with the exact logarithm of Q/|Q|, or of the rotation nearest to R, for the stored numbers.
 
-#include <generators/rotations.hpp>
+#include <generators/compiled.hpp>
 #include <invariants/branch.hpp>
 #include <oracles/log.hpp>
 
@@ -16,12 +16,10 @@ class LogOracle final : public Law<LogOracle, S> {
       .equation = "exp(log(R, p)) = (R, p), |phi| <= pi",
       .source = "Higham 2008, section 11.5 (inverse scaling and squaring)",
       .outputs = {op::log3_quaternion[block::rotation_vector], op::log3_matrix[block::rotation_vector],
-                  op::log6[block::rotation_vector], op::log6[block::linear]}};
-  std::vector<Field> fields() const override {
-    return {{"Q", Kind::quaternion, 4, "1"},
-            {"R", Kind::rotation_matrix, 9, "1"},
-            {"p", Kind::vector, 3, "m", Reach::full}};
-  }
+                  op::log6[block::rotation_vector], op::log6[block::linear]},
+      .fields = {{"Q", Kind::quaternion, 4, "1"},
+                 {"R", Kind::rotation_matrix, 9, "1"},
+                 {"p", Kind::vector, 3, "m", Reach::full}}};
   std::vector<S> generate(Source& source) const override {
     const auto Q = unit_quaternion<S>(source);
     return Joined<S>{Q, rotation_matrix<S>(Q), vector3<S>(source)};

@@ -1,7 +1,7 @@
 // Poses compose, invert and act on points as their 4 x 4 matrices do. The oracle multiplies the stored
 // matrices column by column, so R need not be exactly orthogonal.
 
-#include <generators/rotations.hpp>
+#include <generators/compiled.hpp>
 #include <invariants/common.hpp>
 #include <oracles/spatial.hpp>
 
@@ -17,13 +17,11 @@ class PoseGroup final : public Law<PoseGroup, S> {
       .equation = "(R, p)(R_Y, p_Y) = (R R_Y, R p_Y + p); (R, p)^-1 = (R^T, -R^T p); (R, p) x = R x + p",
       .source = "Murray, Li & Sastry 1994, eqs. 2.19-2.22",
       .outputs = {op::compose[block::matrix], op::compose[block::translation], op::inverse[block::matrix],
-                  op::inverse[block::translation], op::act_point[block::point]}};
-  std::vector<Field> fields() const override {
-    return {{"R", Kind::rotation_matrix, 9, "1"},
-            {"p", Kind::vector, 3, "m"},
-            {"R_Y", Kind::rotation_matrix, 9, "1"},
-            {"p_Y", Kind::vector, 3, "m"}};
-  }
+                  op::inverse[block::translation], op::act_point[block::point]},
+      .fields = {{"R", Kind::rotation_matrix, 9, "1"},
+                 {"p", Kind::vector, 3, "m"},
+                 {"R_Y", Kind::rotation_matrix, 9, "1"},
+                 {"p_Y", Kind::vector, 3, "m"}}};
   std::vector<S> generate(Source& source) const override {
     std::vector<S> x;
     for (int i = 0; i < 2; ++i) {

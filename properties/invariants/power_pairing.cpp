@@ -5,7 +5,7 @@
 #include <invariants/common.hpp>
 
 #include <boost/multiprecision/eigen.hpp>
-#include <generators/rotations.hpp>
+#include <generators/compiled.hpp>
 
 namespace liecheck::properties {
 namespace {
@@ -27,15 +27,17 @@ class PowerPairing final : public Law<PowerPairing, S> {
                   op::act_inverse_force[block::linear], op::act_inverse_force[block::angular],
                   op::cross_motion[block::linear], op::cross_motion[block::angular],
                   op::cross_force[block::linear], op::cross_force[block::angular], op::power[block::power],
-                  op::rotate_point[block::point]}};
+                  op::rotate_point[block::point]},
+      .fields = {{"R", Kind::rotation_matrix, 9, "1"},
+                 {"p", Kind::vector, 3, "m"},
+                 {"u", Kind::vector, 3, "m/s"},
+                 {"omega", Kind::vector, 3, "rad/s"},
+                 {"f", Kind::vector, 3, "N"},
+                 {"n", Kind::vector, 3, "N m"},
+                 {"u_W", Kind::vector, 3, "m/s"},
+                 {"omega_W", Kind::vector, 3, "rad/s"},
+                 {"Q", Kind::quaternion, 4, "1"}}};
 
-  std::vector<Field> fields() const override {
-    return {{"R", Kind::rotation_matrix, 9, "1"}, {"p", Kind::vector, 3, "m"},
-            {"u", Kind::vector, 3, "m/s"},        {"omega", Kind::vector, 3, "rad/s"},
-            {"f", Kind::vector, 3, "N"},          {"n", Kind::vector, 3, "N m"},
-            {"u_W", Kind::vector, 3, "m/s"},      {"omega_W", Kind::vector, 3, "rad/s"},
-            {"Q", Kind::quaternion, 4, "1"}};
-  }
   std::vector<S> generate(Source& source) const override {
     std::vector<S> input;
     const Vec<S, 4> Q = unit_quaternion<S>(source);

@@ -10,9 +10,20 @@ bool Property<S>::offered(const Subject<S>& subject) const {
   return std::any_of(all.begin(), all.end(),
                      [&](const Output& o) { return subject.operations.has(*o.record); });
 }
-template bool Property<float>::offered(const Subject<float>&) const;
-template bool Property<double>::offered(const Subject<double>&) const;
-template bool Property<float128>::offered(const Subject<float128>&) const;
+template <class S>
+std::vector<Field> Property<S>::fields() const {
+  std::vector<Field> all;
+  for (const ConstantField& f : statement().fields) all.push_back({f.name, f.kind, f.size, f.unit, f.reach});
+  return all;
+}
+template <class S>
+bool Property<S>::valid(const std::vector<S>& input) const {
+  using std::isfinite;
+  return std::all_of(input.begin(), input.end(), [](const S& x) { return isfinite(x); });
+}
+template class Property<float>;
+template class Property<double>;
+template class Property<float128>;
 
 template <class S>
 std::vector<std::unique_ptr<Property<S>>> make_properties() {

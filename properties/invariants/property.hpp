@@ -69,13 +69,23 @@ struct Robot {
   std::string hash;    ///< 16 hexadecimal digits of a SHA-256 of `urdf` and `fixed`
 };
 
-/// What a law says, and which blocks it measures.
+/// A Field with constant names.
+struct ConstantField {
+  const char* name = "";
+  Kind kind = Kind::vector;
+  int size = 0;
+  const char* unit = "";
+  Reach reach = Reach::limited;
+};
+
+/// What a law says, which blocks it measures and which numbers it needs.
 struct Statement {
   const char* name;
   const char* law;       ///< in words
   const char* equation;  ///< as an equation
   const char* source;    ///< author, year, equation
   Few<Output, 14> outputs;
+  Few<ConstantField, 9> fields = {};
 };
 
 template <class S>
@@ -87,7 +97,7 @@ class Property {
   virtual const Statement& statement() const = 0;
   std::string name() const { return statement().name; }
   std::vector<Output> outputs() const { return {statement().outputs.begin(), statement().outputs.end()}; }
-  virtual std::vector<Field> fields() const = 0;
+  virtual std::vector<Field> fields() const;  ///< by default, those of the statement
   /// Whether the subject offers at least one operation of the law. By default: an operation of its outputs.
   virtual bool offered(const Subject<S>& subject) const;
   virtual bool needs_robot() const { return false; }  ///< may be called only after prepare
@@ -96,12 +106,7 @@ class Property {
   /// Generates a valid input from random bits alone.
   virtual std::vector<S> generate(Source& source) const = 0;
   /// Whether a shrunk or typed input meets the assumptions of the law. Default: every number is finite.
-  virtual bool valid(const std::vector<S>& input) const {
-    using std::isfinite;
-    for (const S& x : input)
-      if (!isfinite(x)) return false;
-    return true;
-  }
+  virtual bool valid(const std::vector<S>& input) const;
   /// Simpler inputs that differ in more than one field. Some of them may be invalid.
   virtual std::vector<std::vector<S>> simpler(const std::vector<S>&) const { return {}; }
   /// A C++ program that computes the output with liecheck's own functions. If it is empty,
@@ -115,6 +120,11 @@ class Property {
     return false;
   }
 };
+
+// property.cpp instantiates these.
+extern template class Property<float>;
+extern template class Property<double>;
+extern template class Property<float128>;
 
 /// A law that is written once for every number type of the oracles. P<S> has
 ///   static constexpr Statement stated;

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <generators/rotations.hpp>
+#include <generators/compiled.hpp>
 #include <invariants/branch.hpp>
 #include <liecheck/urdf/urdf.hpp>
 #include <oracles/integrate.hpp>

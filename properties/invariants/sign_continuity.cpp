@@ -1,6 +1,6 @@
 // Along a path the quaternion does not jump to its opposite.
 
-#include <generators/rotations.hpp>
+#include <generators/compiled.hpp>
 #include <invariants/common.hpp>
 
 namespace liecheck::properties {
@@ -16,13 +16,11 @@ class SignContinuity final : public Law<SignContinuity, S> {
       .law = "integrate returns the one of Q and -Q that is nearer to its input",
       .equation = "Q_{k+1} . Q_k >= 0 for q_{k+1} = integrate(q_k, d)",
       .source = "Pinocchio 3.8, SpecialEuclideanOperation::integrate",
-      .outputs = {op::integrate[block::sign]}};
-  std::vector<Field> fields() const override {
-    return {{"p0", Kind::vector, 3, "m"},
-            {"Q0", Kind::quaternion, 4, "1"},
-            {"rho", Kind::vector, 3, "m"},
-            {"phi", Kind::rotation_vector, 3, "rad"}};
-  }
+      .outputs = {op::integrate[block::sign]},
+      .fields = {{"p0", Kind::vector, 3, "m"},
+                 {"Q0", Kind::quaternion, 4, "1"},
+                 {"rho", Kind::vector, 3, "m"},
+                 {"phi", Kind::rotation_vector, 3, "rad"}}};
   std::vector<S> generate(Source& source) const override {
     return Joined<S>{vector3<S>(source, 8), unit_quaternion<S>(source), vector3<S>(source, 8),
                      rotation_vector<S>(source, AngleRange::to_pi)};

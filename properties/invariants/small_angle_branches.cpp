@@ -2,7 +2,7 @@
 // differ by at most the block's budget. The angles are near cutoffs that authors of libraries choose, such as
 // powers of ten and roots of eps.
 
-#include <generators/rotations.hpp>
+#include <generators/compiled.hpp>
 #include <invariants/common.hpp>
 #include <optional>
 #include <oracles/ball_oracles.hpp>
@@ -22,12 +22,10 @@ class SmallAngleBranches final : public Law<SmallAngleBranches, S> {
       .source = "docs/measuring.md, jump; cutoffs of Pinocchio, Sophus, manif, smooth and GTSAM",
       .outputs = {op::exp3_quaternion[block::jump], op::exp6[block::jump], op::left_jacobian3[block::jump],
                   op::left_jacobian3_inverse[block::jump], op::right_jacobian6[block::jump],
-                  op::right_jacobian6_inverse[block::jump]}};
-  std::vector<Field> fields() const override {
-    return {{"rho", Kind::vector, 3, "m"},
-            {"direction", Kind::opaque, 3, "1"},
-            {"theta", Kind::opaque, 2, "rad"}};
-  }
+                  op::right_jacobian6_inverse[block::jump]},
+      .fields = {{"rho", Kind::vector, 3, "m"},
+                 {"direction", Kind::opaque, 3, "1"},
+                 {"theta", Kind::opaque, 2, "rad"}}};
   std::vector<S> generate(Source& source) const override {
     std::vector<S> x = Joined<S>{vector3<S>(source, 8), direction<S>(source)};
     const auto& cutoffs = common_cutoffs<S>();

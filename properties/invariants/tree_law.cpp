@@ -254,6 +254,52 @@ bool AnyTreeLaw<S>::valid(const std::vector<S>& input) const {
   return unit(at_.frame() + 1, 4);
 }
 
+template <class S, class T>
+CaseAt<S, T>::CaseAt(TreeLayout at, const std::vector<S>& full)
+    : layout(at),
+      structure(full),
+      numbers(exact_list<T>(full)),
+      stored(layout, full, full),
+      exact(layout, full, numbers),
+      rough(layout, full, std::vector<double>(full.begin(), full.end())),
+      q(eigen(stored.q)),
+      v(eigen(stored.v)),
+      a(eigen(stored.a)),
+      d(eigen(stored.d)),
+      F(eigen(stored.wrench)),
+      F_joint(stored.wrench.empty() ? -1 : stored.wrench[0].joint) {}
+template <class S, class T>
+CaseAt<S, T>::~CaseAt() = default;
+
+template <class S, class T>
+oracles::TreeSizes<double> CaseAt<S, T>::sizes(const std::vector<double>& v, const std::vector<double>& a,
+                                               bool pushed) const {
+  return {rough.tree, rough.q, v, a, pushed ? rough.wrench : std::vector<oracles::WrenchOf<double>>()};
+}
+template <class S, class T>
+bool CaseAt<S, T>::resolved(bool direction) const {
+  if constexpr (oracles::BallNumber<T>)
+    return true;
+  else
+    return oracles::confirmed(exact.tree, exact.q, exact.v, exact.a, direction ? exact.d : std::vector<T>());
+}
+template <class S, class T>
+void CaseAt<S, T>::record(Recorder& r, const Output& output, const VecX<S>& computed,
+                          const std::vector<T>& exact_value, const std::vector<double>& w, double terms,
+                          bool confirmed) const {
+  if (!oracles::all_finite(computed)) return r.outcome(output, 0, Outcome::not_finite);
+  record(r, output, exact_list<T>(computed), exact_value, w, terms, confirmed);
+}
+template <class S, class T>
+void CaseAt<S, T>::record(Recorder& r, const Output& output, const std::vector<T>& computed,
+                          const std::vector<T>& exact_value, const std::vector<double>& w, double terms,
+                          bool confirmed) const {
+  if (!confirmed) return r.outcome(output, 0, Outcome::unresolved);
+  const T size = oracles::larger(weighted_norm(exact_value, w), oracles::least_denominator<S, T>());
+  const double kappa = terms / approximate(size);
+  r.record(output, 0, weighted_error<S>(computed, exact_value, w, size), [&] { return kappa; });
+}
+
 template class AnyTreeLaw<float>;
 template class AnyTreeLaw<double>;
 template class AnyTreeLaw<float128>;
@@ -262,5 +308,16 @@ template struct CaseAt<float, oracles::DoubleDoubleBall>;
 template struct CaseAt<double, oracles::Real>;
 template struct CaseAt<double, oracles::DoubleDoubleBall>;
 template struct CaseAt<float128, oracles::Real>;
+template Tree<float> described(const TreeCase<float>&);
+template Tree<double> described(const TreeCase<double>&);
+template Tree<float128> described(const TreeCase<float128>&);
+template decltype(mass_roots<oracles::Real>) mass_roots<oracles::Real>;
+template decltype(mass_roots<oracles::DoubleDoubleBall>) mass_roots<oracles::DoubleDoubleBall>;
+template decltype(weighted_norm<oracles::Real>) weighted_norm<oracles::Real>;
+template decltype(weighted_norm<oracles::DoubleDoubleBall>) weighted_norm<oracles::DoubleDoubleBall>;
+template decltype(rough_list<oracles::Real>) rough_list<oracles::Real>;
+template decltype(rough_list<oracles::DoubleDoubleBall>) rough_list<oracles::DoubleDoubleBall>;
+template decltype(inverse_size<oracles::Real>) inverse_size<oracles::Real>;
+template decltype(inverse_size<oracles::DoubleDoubleBall>) inverse_size<oracles::DoubleDoubleBall>;
 
 }  // namespace liecheck::properties

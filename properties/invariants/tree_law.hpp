@@ -61,19 +61,8 @@ VecX<S> flat(const Eigen::Matrix<S, R, C>& M) {
 /// The case that `of` receives: the stored numbers, the same numbers in T and in double.
 template <class S, class T>
 struct CaseAt {
-  CaseAt(TreeLayout at, const std::vector<S>& full)
-      : layout(at),
-        structure(full),
-        numbers(exact_list<T>(full)),
-        stored(layout, full, full),
-        exact(layout, full, numbers),
-        rough(layout, full, std::vector<double>(full.begin(), full.end())),
-        q(eigen(stored.q)),
-        v(eigen(stored.v)),
-        a(eigen(stored.a)),
-        d(eigen(stored.d)),
-        F(eigen(stored.wrench)),
-        F_joint(stored.wrench.empty() ? -1 : stored.wrench[0].joint) {}
+  CaseAt(TreeLayout at, const std::vector<S>& full);
+  ~CaseAt();
 
   TreeLayout layout;
   const std::vector<S>& structure;
@@ -94,31 +83,15 @@ struct CaseAt {
   }
   /// The sizes of the terms that may cancel in a result. If `pushed`, they include those of the wrench.
   oracles::TreeSizes<double> sizes(const std::vector<double>& v, const std::vector<double>& a,
-                                   bool pushed = false) const {
-    return {rough.tree, rough.q, v, a, pushed ? rough.wrench : std::vector<oracles::WrenchOf<double>>()};
-  }
+                                   bool pushed = false) const;
   /// Whether finite differences of poses confirm the oracle. In ball arithmetic, always true (not checked).
-  bool resolved(bool direction = false) const {
-    if constexpr (oracles::BallNumber<T>)
-      return true;
-    else
-      return oracles::confirmed(exact.tree, exact.q, exact.v, exact.a,
-                                direction ? exact.d : std::vector<T>());
-  }
+  bool resolved(bool direction = false) const;
   /// Records the error of a vector, in the norm with weights w, and kappa = terms / ||exact||.
   void record(Recorder& r, const Output& output, const VecX<S>& computed, const std::vector<T>& exact_value,
-              const std::vector<double>& w, double terms, bool confirmed) const {
-    if (!oracles::all_finite(computed)) return r.outcome(output, 0, Outcome::not_finite);
-    record(r, output, exact_list<T>(computed), exact_value, w, terms, confirmed);
-  }
+              const std::vector<double>& w, double terms, bool confirmed) const;
   void record(Recorder& r, const Output& output, const std::vector<T>& computed,
               const std::vector<T>& exact_value, const std::vector<double>& w, double terms,
-              bool confirmed) const {
-    if (!confirmed) return r.outcome(output, 0, Outcome::unresolved);
-    const T size = oracles::larger(weighted_norm(exact_value, w), oracles::least_denominator<S, T>());
-    const double kappa = terms / approximate(size);
-    r.record(output, 0, weighted_error<S>(computed, exact_value, w, size), [&] { return kappa; });
-  }
+              bool confirmed) const;
 };
 
 /// What all laws on trees of bodies share.
@@ -178,6 +151,17 @@ extern template struct CaseAt<float, oracles::DoubleDoubleBall>;
 extern template struct CaseAt<double, oracles::Real>;
 extern template struct CaseAt<double, oracles::DoubleDoubleBall>;
 extern template struct CaseAt<float128, oracles::Real>;
+extern template Tree<float> described(const TreeCase<float>&);
+extern template Tree<double> described(const TreeCase<double>&);
+extern template Tree<float128> described(const TreeCase<float128>&);
+extern template decltype(mass_roots<oracles::Real>) mass_roots<oracles::Real>;
+extern template decltype(mass_roots<oracles::DoubleDoubleBall>) mass_roots<oracles::DoubleDoubleBall>;
+extern template decltype(weighted_norm<oracles::Real>) weighted_norm<oracles::Real>;
+extern template decltype(weighted_norm<oracles::DoubleDoubleBall>) weighted_norm<oracles::DoubleDoubleBall>;
+extern template decltype(rough_list<oracles::Real>) rough_list<oracles::Real>;
+extern template decltype(rough_list<oracles::DoubleDoubleBall>) rough_list<oracles::DoubleDoubleBall>;
+extern template decltype(inverse_size<oracles::Real>) inverse_size<oracles::Real>;
+extern template decltype(inverse_size<oracles::DoubleDoubleBall>) inverse_size<oracles::DoubleDoubleBall>;
 
 /// Registers a law on trees of bodies.
 template <template <class> class P>
