@@ -2,6 +2,18 @@
 
 namespace liecheck::properties {
 
+template decltype(angle<float>) angle<float>;
+template decltype(angle<double>) angle<double>;
+template decltype(angle<float128>) angle<float128>;
+template decltype(magnitude<float>) magnitude<float>;
+template decltype(magnitude<double>) magnitude<double>;
+template decltype(magnitude<float128>) magnitude<float128>;
+template decltype(step_ulps<float>) step_ulps<float>;
+template decltype(step_ulps<double>) step_ulps<double>;
+template decltype(step_ulps<float128>) step_ulps<float128>;
+template decltype(common_cutoffs<float>) common_cutoffs<float>;
+template decltype(common_cutoffs<double>) common_cutoffs<double>;
+template decltype(common_cutoffs<float128>) common_cutoffs<float128>;
 template decltype(direction<float>) direction<float>;
 template decltype(direction<double>) direction<double>;
 template decltype(direction<float128>) direction<float128>;

@@ -6,6 +6,18 @@
 
 namespace liecheck::properties {
 
+extern template decltype(angle<float>) angle<float>;
+extern template decltype(angle<double>) angle<double>;
+extern template decltype(angle<float128>) angle<float128>;
+extern template decltype(magnitude<float>) magnitude<float>;
+extern template decltype(magnitude<double>) magnitude<double>;
+extern template decltype(magnitude<float128>) magnitude<float128>;
+extern template decltype(step_ulps<float>) step_ulps<float>;
+extern template decltype(step_ulps<double>) step_ulps<double>;
+extern template decltype(step_ulps<float128>) step_ulps<float128>;
+extern template decltype(common_cutoffs<float>) common_cutoffs<float>;
+extern template decltype(common_cutoffs<double>) common_cutoffs<double>;
+extern template decltype(common_cutoffs<float128>) common_cutoffs<float128>;
 extern template decltype(direction<float>) direction<float>;
 extern template decltype(direction<double>) direction<double>;
 extern template decltype(direction<float128>) direction<float128>;

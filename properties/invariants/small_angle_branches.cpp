@@ -64,7 +64,12 @@ class SmallAngleBranches final : public Law<SmallAngleBranches, S> {
       return *left_inverse[k];
     };
     const auto jump = [&](bool offered, const Output& output, const auto& computed, const auto& exact) {
-      if (offered) record_jump<Real>(r, output, band, computed, exact);
+      if (!offered) return;
+      const auto y0 = computed(0), y1 = computed(1);
+      if (!oracles::all_finite(y0) || !oracles::all_finite(y1))
+        return r.outcome(output, band, Outcome::not_finite);
+      const auto e0 = exact(0), e1 = exact(1);
+      record_jump<Real>(r, output, band, {y0.data(), y1.data()}, {e0.x.data(), e1.x.data()}, e0.x.size());
     };
     const auto rows = [](const Mat<S, 3>& m) { return Vec<S, 9>(m.transpose().reshaped()); };
     const auto phi = [&](int k) { return Vec<S, 3>(xi[k].template tail<3>()); };
@@ -101,19 +106,18 @@ class SmallAngleBranches final : public Law<SmallAngleBranches, S> {
 
  private:
   /// Records the difference of the errors at both inputs, in eps of the norm of the block.
-  template <class Real, class Computed, class Exact>
-  static void record_jump(Recorder& r, const Output& output, std::size_t band, const Computed& computed,
-                          const Exact& exact) {
-    const auto y0 = computed(0), y1 = computed(1);
-    if (!oracles::all_finite(y0) || !oracles::all_finite(y1))
-      return r.outcome(output, band, Outcome::not_finite);
-    const auto e0 = to_list(exact(0)), e1 = to_list(exact(1));
+  template <class Real>
+  static void record_jump(Recorder& r, const Output& output, std::size_t band,
+                          const std::array<const S*, 2>& computed, const std::array<const Real*, 2>& exact,
+                          std::size_t n) {
+    const auto error = [&](std::size_t k, std::size_t i) -> Real {
+      return oracles::exact<Real>(computed[k][i]) - exact[k][i];
+    };
     Real squared(0), size(0);
-    for (int i = 0; i < static_cast<int>(e0.size()); ++i) {
-      const auto at = static_cast<std::size_t>(i);
-      const Real difference = (oracles::exact<Real>(y1(i)) - e1[at]) - (oracles::exact<Real>(y0(i)) - e0[at]);
+    for (std::size_t i = 0; i < n; ++i) {
+      const Real difference = error(1, i) - error(0, i);
       squared += difference * difference;
-      size += e0[at] * e0[at];
+      size += exact[0][i] * exact[0][i];
     }
     size = oracles::larger(Real(sqrt(size)), oracles::least_denominator<S, Real>());
     r.record(output, band, oracles::in_eps<S>(Real(sqrt(squared) / size)));
