@@ -1,7 +1,7 @@
 #pragma once
 // Converts a list of numbers (generators/trees.hpp) to a tree of bodies and its state.
 
-#include <generators/trees.hpp>
+#include <generators/tree_layout.hpp>
 #include <subjects/tree.hpp>
 
 namespace liecheck::properties {

@@ -1,5 +1,5 @@
+#include <generators/tree_shrinks.hpp>
 #include <invariants/tree_law.hpp>
-
 #include <liecheck/urdf/urdf.hpp>
 #include <set>
 

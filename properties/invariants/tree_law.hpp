@@ -2,7 +2,6 @@
 // The base class of laws on trees of bodies. A case is a random tree with a state or, if the user gives a
 // robot, a state of that robot.
 
-#include <generators/tree_shrinks.hpp>
 #include <invariants/tree_case.hpp>
 #include <invariants/tree_laws.hpp>
 #include <invariants/tree_norms.hpp>

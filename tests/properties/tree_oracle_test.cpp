@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <generators/coverage.hpp>
+#include <generators/trees.hpp>
 #include <invariants/tree_law.hpp>
 
 namespace {
