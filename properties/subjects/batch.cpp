@@ -6,6 +6,13 @@
 #include <liecheck/multibody/batch.hpp>
 #include <liecheck/spatial/checked_rotation.hpp>
 
+namespace liecheck::batch {  // compiled in timing/batches.cpp
+extern template decltype(integrate<float>) integrate<float>;
+extern template decltype(integrate<double>) integrate<double>;
+extern template decltype(difference<float>) difference<float>;
+extern template decltype(difference<double>) difference<double>;
+}  // namespace liecheck::batch
+
 namespace liecheck::properties {
 namespace {
 

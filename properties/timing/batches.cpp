@@ -3,6 +3,13 @@
 #include <liecheck/multibody/batch.hpp>
 #include <operations/operations.hpp>
 
+namespace liecheck::batch {
+template decltype(integrate<float>) integrate<float>;
+template decltype(integrate<double>) integrate<double>;
+template decltype(difference<float>) difference<float>;
+template decltype(difference<double>) difference<double>;
+}  // namespace liecheck::batch
+
 namespace liecheck::properties {
 namespace {
 
