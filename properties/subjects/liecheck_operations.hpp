@@ -1,16 +1,16 @@
 #pragma once
-// liecheck's own library as a subject, in any scalar. Each source file instantiates it for few scalars,
-// because gcc inlines less in a large file.
+// liecheck's own library as a subject, in any scalar, without robots. Each source file instantiates it for
+// few scalars, because gcc inlines less in a large file.
 
 #include <boost/multiprecision/eigen.hpp>
 #include <subjects/subject.hpp>
 
-#include <liecheck/multibody/configuration.hpp>
+#include <liecheck/multibody/se3_configuration.hpp>
 #include <liecheck/scalar/precision.hpp>
 #include <liecheck/spatial/checked_rotation.hpp>
 #include <liecheck/spatial/exp_log.hpp>
+#include <liecheck/spatial/inertia.hpp>
 #include <liecheck/spatial/jacobians.hpp>
-#include <liecheck/urdf/urdf.hpp>
 
 namespace liecheck::properties {
 
@@ -35,12 +35,6 @@ struct LiecheckOperations : Types<S> {
       };
     }
     if constexpr (P == Precision::standard) add_spatial_algebra(s.operations);
-    return s;
-  }
-
-  static Subject<S> with_robots(decltype(O::tree) tree = nullptr) {
-    Subject<S> s = make();
-    s.operations.robot = &robot, s.operations.tree = std::move(tree);
     return s;
   }
 
@@ -114,23 +108,6 @@ struct LiecheckOperations : Types<S> {
     o[op::momentum] = [](const B& I, const V6& V) -> V6 { return (inertia(I) * Motion(V)).to_vector(); };
     o[op::kinetic_energy] = [](const B& I, const V6& V) -> S { return inertia(I).kineticEnergy(Motion(V)); };
     o[op::inertia_matrix] = [](const B& I) -> M6 { return inertia(I).matrix(); };
-  }
-
-  static RobotOperations<S> robot(const std::string& urdf, bool fixed) {
-    const auto model = std::make_shared<const Model<S>>(
-        buildModelFromUrdfText(urdf, fixed ? RootJoint::Fixed : RootJoint::FreeFlyer, "the campaign's robot")
-            .template cast<S>());
-    RobotOperations<S> r;
-    r[op::robot_integrate] = [model](const VecX<S>& q, const VecX<S>& d) -> VecX<S> {
-      return integrate(*model, q, d);
-    };
-    r[op::robot_difference] = [model](const VecX<S>& a, const VecX<S>& b) -> VecX<S> {
-      return difference(*model, a, b);
-    };
-    r[op::robot_is_same] = [model](const VecX<S>& a, const VecX<S>& b) {
-      return isSameConfiguration(*model, a, b);
-    };
-    return r;
   }
 };
 

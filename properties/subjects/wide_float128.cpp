@@ -1,12 +1,12 @@
 // liecheck's own library in float128, for campaigns and for `liecheck cost`.
 
-#include <subjects/liecheck_operations.hpp>
+#include <subjects/liecheck_robots.hpp>
 #include <subjects/wide_scalars.hpp>
 
 namespace liecheck::properties {
 namespace {
 
-const Registered<float128> in_float128(LiecheckOperations<float128>::with_robots());
+const Registered<float128> in_float128(liecheck_with_robots<float128>());
 
 }  // namespace
 
