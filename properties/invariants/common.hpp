@@ -185,16 +185,16 @@ void record_jacobian6(Recorder& r, const TwoOutputs& outputs, std::size_t band, 
                       Kappa kappa_rotation = nullptr, Kappa kappa_coupling = nullptr) {
   judged_value(r, {outputs[0], outputs[1]}, band, J, exact.resolved, [&] {
     const auto all = oracles::exact_matrix<6, 6, T>(J);
-    double error = std::max(oracles::matrix_error<S>(oracles::block(all, 0, 0), exact.J),
-                            oracles::matrix_error<S>(oracles::block(all, 1, 1), exact.J));
+    double error = std::max(oracles::vector_error<S>(oracles::block(all, 0, 0), exact.J),
+                            oracles::vector_error<S>(oracles::block(all, 1, 1), exact.J));
     if (!J.template block<3, 3>(3, 0).isZero(0)) error = std::numeric_limits<double>::infinity();
     r.record(outputs[0], band, error, kappa_rotation);
     T scale(0);
     if (beyond) {
-      const T size = oracles::frobenius(exact.J);
+      const T size = oracles::norm(exact.J);
       scale = rho * oracles::smaller(size, T(1));
     }
-    r.record(outputs[1], band, oracles::matrix_error<S>(oracles::block(all, 0, 1), exact.C, scale),
+    r.record(outputs[1], band, oracles::vector_error<S>(oracles::block(all, 0, 1), exact.C, scale),
              kappa_coupling);
   });
 }

@@ -68,8 +68,8 @@ class JacobianOracle final : public Law<JacobianOracle, S> {
       return std::max(componentwise, *to_pole);
     };
     const auto size = [&](const Jacobian6Value<Real>& exact, bool coupling) {
-      if (!coupling) return frobenius(exact.J);
-      const Real n = frobenius(exact.J), own = frobenius(exact.C), least = rho * smaller(n, Real(1));
+      if (!coupling) return norm(exact.J);
+      const Real n = norm(exact.J), own = norm(exact.C), least = rho * smaller(n, Real(1));
       return beyond ? larger(own, least) : own;
     };
     const auto three = [&](Mat<S, 3> (*operation)(const Vec<S, 3>&), const Output& output,
@@ -77,7 +77,7 @@ class JacobianOracle final : public Law<JacobianOracle, S> {
       if (!operation) return;
       const Mat<S, 3> J = operation(phi);
       judged_value(r, {output}, band, J, exact.resolved, [&] {
-        r.record(output, band, matrix_error<S>(exact_matrix<3, 3, Real>(J), exact.J),
+        r.record(output, band, vector_error<S>(exact_matrix<3, 3, Real>(J), exact.J),
                  [&] { return kappa(inverse, false, size(exact, false)); });
       });
     };

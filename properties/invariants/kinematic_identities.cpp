@@ -87,7 +87,7 @@ class KinematicIdentities final : public Law<KinematicIdentities, S> {
       const Quaternion<Real> Q_dot = quaternion_of(q_dot);
       record(measured[block::translation], vector_error<S>(head3(q_dot), rate.p_dot));
       record(measured[block::rotation_rate], vector_error<S>(Q_dot, Q_norm * rate.Q_dot));
-      record(measured[block::R_dot], matrix_error<S>(rotation_rate(Q, Q_dot), rate.R_dot));
+      record(measured[block::R_dot], vector_error<S>(rotation_rate(Q, Q_dot), rate.R_dot));
     } else {
       all(0, 2, Outcome::unresolved);
     }
@@ -95,9 +95,9 @@ class KinematicIdentities final : public Law<KinematicIdentities, S> {
     const CoefficientJacobianValue<Real> exact = oracles::integrate_coefficient_jacobian(q_e);
     if (exact.resolved) {
       record(measured[block::translation_matrix],
-             matrix_error<S>(corner<3>(J, 0, 0), corner<3>(exact.value, 0, 0)));
+             vector_error<S>(corner<3>(J, 0, 0), corner<3>(exact.value, 0, 0)));
       record(measured[block::quaternion_matrix],
-             matrix_error<S>(corner<4>(J, 3, 3), Q_norm * corner<4>(exact.value, 3, 3)));
+             vector_error<S>(corner<4>(J, 3, 3), Q_norm * corner<4>(exact.value, 3, 3)));
     } else {
       all(3, 4, Outcome::unresolved);
     }

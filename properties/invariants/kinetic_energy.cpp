@@ -137,7 +137,7 @@ class KineticEnergy final : public Law<KineticEnergy, S> {
       const Real w_norm = norm(w), s = norm(u) + w_norm * (norm(x.I_e.c) + Real(2) * norm(x.X_e.p));
       const Real u_C = norm(u + cross(w, x.I_e.c));
       const Real scale = x.I_e.mass * s * (u_C + oracles::epsilon<S, Real>() * s) +
-                         frobenius(x.I_e.I_C) * w_norm * w_norm / Real(2);
+                         norm(x.I_e.I_C) * w_norm * w_norm / Real(2);
       // The error is relative to `scale`, because T_B is a result of the subject and not an exact value.
       const Real size = oracles::larger(scale, oracles::least_denominator<S, Real>());
       recorder.record(op::energy_frames[block::energy], 0,
@@ -244,7 +244,7 @@ class KineticEnergy final : public Law<KineticEnergy, S> {
     for (int i = 0; i < 2; ++i)
       for (int j = 0; j < 2; ++j)
         error = std::max(
-            error, oracles::matrix_error<S>(oracles::block(M, i, j), oracles::block(exact.value, i, j)));
+            error, oracles::vector_error<S>(oracles::block(M, i, j), oracles::block(exact.value, i, j)));
     recorder.record(output, 0, error, one);
   }
 
@@ -260,7 +260,7 @@ class KineticEnergy final : public Law<KineticEnergy, S> {
                   [&] { return to_list(x.X_e.R, x.X_e.p, x.I_e.c); });
     if (comparable(recorder, operation[block::inertia], computed.I_C, exact.resolved)) {
       const auto I_C = oracles::exact_matrix<3, 3, Real>(computed.I_C);
-      recorder.record(operation[block::inertia], 0, oracles::matrix_error<S>(I_C, exact.value.I_C), one);
+      recorder.record(operation[block::inertia], 0, oracles::vector_error<S>(I_C, exact.value.I_C), one);
     }
   }
 };

@@ -66,7 +66,7 @@ class PoseGroup final : public Law<PoseGroup, S> {
       const auto p = oracles::act_inverse_point(x, none);
       judged_value(r, {op::inverse[block::matrix]}, 0, inverse.R, true, [&] {
         r.record(op::inverse[block::matrix], 0,
-                 matrix_error<S>(exact_matrix<3, 3, Real>(inverse.R), transpose(x.R)));
+                 vector_error<S>(exact_matrix<3, 3, Real>(inverse.R), transpose(x.R)));
       });
       judged_value(r, {op::inverse[block::translation]}, 0, inverse.p, p.resolved, [&] {
         r.record(op::inverse[block::translation], 0,

@@ -17,8 +17,8 @@ inline constexpr double agreement = 1e-41;
 /// ||a - b|| <= bound max(||b||, scale). False for NaN.
 template <int R, int C, class T>
 bool agree(const Mat<R, C, T>& a, const Mat<R, C, T>& b, double bound = agreement, const T& scale = T(0)) {
-  const T size = frobenius(b);
-  return frobenius(a - b) <= T(bound) * (scale > size ? scale : size);
+  const T size = norm(b);
+  return norm(a - b) <= T(bound) * (scale > size ? scale : size);
 }
 template <OracleNumber T>
 bool agree(const T& a, const T& b, double bound = agreement, const T& scale = T(0)) {

@@ -20,7 +20,7 @@ Real norm_distance(const Quaternion<>& computed) {
 }
 
 Real orthogonality_distance(const Mat3<>& computed) {
-  return frobenius(transpose(computed) * computed - identity<3, Real>());
+  return norm(transpose(computed) * computed - identity<3, Real>());
 }
 
 }  // namespace liecheck::oracles

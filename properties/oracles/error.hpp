@@ -95,10 +95,6 @@ double vector_error(const Mat<R, C>& computed, const Mat<R, C>& exact, const Rea
   if (least_denominator<S>() > size) size = least_denominator<S>();
   return in_eps<S>(Real(norm(computed - exact) / size));
 }
-template <class S, int R, int C, class T>
-double matrix_error(const Mat<R, C, T>& computed, const Mat<R, C, T>& exact, const T& scale = T(0)) {
-  return vector_error<S>(computed, exact, scale);
-}
 template <class S, class T>
 double scalar_error(const T& computed, const T& exact, const T& scale = T(0)) {
   return vector_error<S>(Vec<1, T>{{computed}}, Vec<1, T>{{exact}}, scale);

@@ -24,7 +24,7 @@ bool confirm(const Vec6<Real>& xi, const UnitPose<Real100>& pose, const Mat3<Rea
   return confirmed(moderate, [&]<class T>(T) {
     const auto a = any_affine_exponential(cast<T>(xi));
     const T scale = theta < 1 ? T(theta) : T(1);  // near 2 pi k, R - I is compared absolutely
-    return frobenius(a.E - cast<T>(E)) <= T(agreement) * scale && agree(a.p, cast<T>(pose.p));
+    return norm(a.E - cast<T>(E)) <= T(agreement) * scale && agree(a.p, cast<T>(pose.p));
   });
 }
 

@@ -11,7 +11,7 @@ enum class Form { direct, inverse };
 /// Is K the inverse of V? If K V = I + r, the relative error of K is ||r||.
 template <class T>
 bool inverse_agrees(const Mat3<T>& V, const Mat3<T>& K) {
-  return frobenius(K * V - identity<3, T>()) <= T(agreement);
+  return norm(K * V - identity<3, T>()) <= T(agreement);
 }
 
 /// Does [[J, C], [0, J]] equal V = phi1(ad xi), or the inverse of V? For the inverse V.a C + V.b J is zero;
@@ -22,9 +22,9 @@ bool phi1_agrees(const Vec6<Real100>& xi, Form form, const JacobianBlocks<Real10
   const Dual3<T> V = phi1_adjoint(cast<T>(xi));
   const Mat3<T> J = cast<T>(expected.J), C = cast<T>(expected.C);
   if (form == Form::direct) return agree(V.a, J) && agree(V.b, C, agreement, T(C_scale));
-  const T size = frobenius(C), scale(C_scale);
+  const T size = norm(C), scale(C_scale);
   return inverse_agrees(V.a, J) &&
-         frobenius(J * (V.a * C + V.b * J)) <= T(agreement) * (scale > size ? scale : size);
+         norm(J * (V.a * C + V.b * J)) <= T(agreement) * (scale > size ? scale : size);
 }
 
 bool confirm(const Vec6<Real100>& xi, Form form, const JacobianBlocks<Real100>& expected,
@@ -91,7 +91,7 @@ struct Scaled {
   template <class Confirm>
   Jacobian6Result result(const Mat6<Real100>& m, Confirm&& confirm) const {
     JacobianBlocks<Real100> blocks{block(m, 0, 0), block(m, 0, 1)};
-    const bool structure = agree(block(m, 1, 1), blocks.J) && frobenius(block(m, 1, 0)) <= Real100(agreement);
+    const bool structure = agree(block(m, 1, 1), blocks.J) && norm(block(m, 1, 0)) <= Real100(agreement);
     const bool resolved = structure && confirm(blocks);
     blocks.C = none ? zeros<3, 3, Real100>() : unit * blocks.C;
     return rounded(blocks, resolved);

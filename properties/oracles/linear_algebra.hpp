@@ -94,10 +94,6 @@ T norm(const Mat<R, C, T>& v) {
   }
   return sqrt(squared_norm(v));
 }
-template <int R, int C, class T>
-T frobenius(const Mat<R, C, T>& m) {
-  return norm(m);
-}
 
 template <class T>
 Vec3<T> cross(const Vec3<T>& a, const Vec3<T>& b) {

@@ -107,7 +107,7 @@ NearestQuaternion nearest_quaternion(const Mat3<Real100>& R) {
     const Mat3<T> C = cofactors(X);
     const T by_det = 1 / determinant(X, C);
     const Mat3<T> next = half * (X + by_det * C);
-    const T step = frobenius(next - X);
+    const T step = norm(next - X);
     X = next;
     if (last) break;
     last = step < converged;
@@ -118,7 +118,7 @@ NearestQuaternion nearest_quaternion(const Mat3<Real100>& R) {
   const Mat3<T> B = transpose(X) * R;
   const T sine = norm(head3(Q));
   const T asymmetry = norm(vee(B));
-  const T defect = frobenius(transpose(R) * R - identity<3, T>());
+  const T defect = norm(transpose(R) * R - identity<3, T>());
   const bool near = defect < half && determinant(R, cofactors(R)) > 0;
   return {Q, last && near && asymmetry <= T(agreement) * sine && abs(squared_norm(Q) - 1) <= T(agreement) &&
                  agree(rotation_matrix(Q), X)};

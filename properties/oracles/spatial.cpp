@@ -152,7 +152,7 @@ bool congruent(const PoseOf<T>& X, const BodyOf<T>& I, bool back, Move&& move) {
   const Mat6<T> Y = back ? motion_matrix(X) : inverse_motion_matrix(X);
   const Mat6<T> a = transpose(Y) * formulas::inertia_matrix(I) * Y, b = formulas::inertia_matrix(move(X, I));
   const T lever = norm(I.c) + norm(X.p), moment = zero * abs(I.mass) * lever;
-  const T rotational = moment * lever + zero * frobenius(I.I_C);
+  const T rotational = moment * lever + zero * norm(I.I_C);
   return agree(block(a, 0, 0), block(b, 0, 0)) && agree(block(a, 0, 1), block(b, 0, 1), agreement, moment) &&
          agree(block(a, 1, 0), block(b, 1, 0), agreement, moment) &&
          agree(block(a, 1, 1), block(b, 1, 1), agreement, rotational);
@@ -197,7 +197,7 @@ SpatialResult momentum(const Body& I, const Vec6<>& V) {
                         [&]<class T>(T) {
                           const T u(norm(head3(V))), w(norm(tail3(V))), c(norm(I.c)), m = abs(T(I.mass));
                           return std::pair(T(m * (u + c * w)),
-                                           T(T(frobenius(I.I_C)) * w + c * m * (u + c * w)));
+                                           T(T(norm(I.I_C)) * w + c * m * (u + c * w)));
                         });
 }
 
@@ -212,7 +212,7 @@ ScalarResult kinetic_energy(const Body& I, const Vec6<>& V) {
     const S speed = norm(head3(V_s)) + S(norm(I.c)) * norm(tail3(V_s));
     const S w2 = squared_norm(tail3(V_s));
     return agree(second, S(E), agreement,
-                 S(zero * (abs(S(I.mass)) * speed * speed + S(frobenius(I.I_C)) * w2)));
+                 S(zero * (abs(S(I.mass)) * speed * speed + S(norm(I.I_C)) * w2)));
   });
   return {Real(E), resolved};
 }

@@ -50,7 +50,7 @@ bool confirmed(const TreeOf<Real>& tree, const std::vector<Real>& q, const std::
     return TreeDynamics<H>(tree_h, qh, none, none, {}, {}, {}, displaced).motion().X;
   };
   const auto near = [&](const Mat34<H>& x, const Mat34<Real>& y, const H& scale) {
-    return frobenius(x - cast<H>(y)) <= H(bound) * larger<H>(H(frobenius(x)), scale);
+    return norm(x - cast<H>(y)) <= H(bound) * larger<H>(H(norm(x)), scale);
   };
   const H h = ldexp(H(1), -80) / fastest;
   const auto along = [&](const H& t) {
@@ -60,7 +60,7 @@ bool confirmed(const TreeOf<Real>& tree, const std::vector<Real>& q, const std::
   };
   const auto middle = poses({}), ahead = along(h), behind = along(-h);
   for (std::size_t i = 0; i < n; ++i) {
-    const H size = frobenius(middle[i]) * fastest;
+    const H size = norm(middle[i]) * fastest;
     if (!near(H(1 / (2 * h)) * (ahead[i] - behind[i]), exact.motion().X1[i], size)) return false;
     if (!near(H(1 / (h * h)) * (ahead[i] - H(2) * middle[i] + behind[i]), exact.motion().X2[i],
               size * fastest))
@@ -81,7 +81,7 @@ bool confirmed(const TreeOf<Real>& tree, const std::vector<Real>& q, const std::
         if (c.v == static_cast<int>(k) && j == c.joint)
           U = U + product(generator(cast<H>(stack(c.u, c.w))), middle[i], 1);
       }
-      const H size = frobenius(middle[i]);
+      const H size = norm(middle[i]);
       if (!near(H(1 / (2 * t)) * (plus[i] - minus[i]), cast<Real>(U), size * size)) return false;
     }
   }

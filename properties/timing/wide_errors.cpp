@@ -58,9 +58,6 @@ class Reader {
 V3 zero() {
   return oracles::zero_vector<3, Wide>();
 }
-V4 quaternion_of(const V7& q) {
-  return {{q[3], q[4], q[5], q[6]}};
-}
 
 /// One call: its arguments x and its result y. Most functions read y and add its errors to the blocks.
 struct Case {
@@ -98,7 +95,7 @@ struct Case {
   }
   void quaternion(const V4& exact) { rotation(y.read<V4>(), exact); }
   void matrix(const V4& exact) {
-    distance(block::rotation, frobenius(y.read<M3>() - oracles::rotation_matrix(exact)) / sqrt(Wide(2)));
+    distance(block::rotation, norm(y.read<M3>() - oracles::rotation_matrix(exact)) / sqrt(Wide(2)));
   }
   void pose(const oracles::UnitPose<Wide>& exact) {
     matrix(exact.Q);
@@ -120,9 +117,9 @@ struct Case {
   void jacobian3(const M3& exact) { relative(block::jacobian, y.read<M3>(), exact); }
   void jacobian6(const oracles::JacobianBlocks<Wide>& exact) {
     const M6 J = y.read<M6>();
-    const auto error = [&](int i) { return Wide(frobenius(oracles::block(J, i, i) - exact.J)); };
-    const bool zero_below = frobenius(oracles::block(J, 1, 0)) == 0;
-    distance(block::jacobian, zero_below ? Wide(std::max(error(0), error(1)) / frobenius(exact.J))
+    const auto error = [&](int i) { return Wide(norm(oracles::block(J, i, i) - exact.J)); };
+    const bool zero_below = norm(oracles::block(J, 1, 0)) == 0;
+    distance(block::jacobian, zero_below ? Wide(std::max(error(0), error(1)) / norm(exact.J))
                                          : std::numeric_limits<Wide>::infinity());
     relative(block::coupling, oracles::block(J, 0, 1), exact.C);
   }
@@ -138,8 +135,8 @@ struct Case {
     for (int i = 0; i < 2; ++i)
       for (int j = 0; j < 2; ++j) {
         const M3 right = oracles::block(exact, i, j);
-        const Wide error = frobenius(oracles::block(computed, i, j) - right);
-        worst = std::max(worst, error > 0 ? Wide(error / frobenius(right)) : error);
+        const Wide error = norm(oracles::block(computed, i, j) - right);
+        worst = std::max(worst, error > 0 ? Wide(error / norm(right)) : error);
       }
     distance(block::matrix, worst);
   }

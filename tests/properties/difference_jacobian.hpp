@@ -35,7 +35,7 @@ inline Jacobian6Result right_jacobian_fd(const Vec6<>& xi) {
     for (int r = 0; r < 6; ++r) m(r, i) = column[r];
   }
   const Mat3<T> J = block(m, 0, 0), C = unit * block(m, 0, 1);
-  const bool structure = agree(block(m, 1, 1), J) && frobenius(block(m, 1, 0)) <= T(agreement);
+  const bool structure = agree(block(m, 1, 1), J) && norm(block(m, 1, 0)) <= T(agreement);
   return {cast<Real>(J), cast<Real>(C), structure};
 }
 

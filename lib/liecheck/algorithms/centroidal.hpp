@@ -117,24 +117,9 @@ const Force<S>& computeCentroidalMomentumTimeVariation(const Model<S>& model, Da
 }
 
 // instantiations_*.cpp instantiates these for float and double.
-extern template const Vector3<float>& centerOfMass(const Model<float>&, Data<float>&, In<float>);
-extern template const Vector3<float>& centerOfMass(const Model<float>&, Data<float>&, In<float>, In<float>);
-extern template const Vector3<float>& centerOfMass(const Model<float>&, Data<float>&, In<float>, In<float>,
-                                                   In<float>);
 extern template decltype(computeCentroidalMap<float>) computeCentroidalMap<float>;
-extern template decltype(jacobianCenterOfMass<float>) jacobianCenterOfMass<float>;
 extern template decltype(computeCentroidalMomentum<float>) computeCentroidalMomentum<float>;
-extern template decltype(computeCentroidalMomentumTimeVariation<float>)
-    computeCentroidalMomentumTimeVariation<float>;
-extern template const Vector3<double>& centerOfMass(const Model<double>&, Data<double>&, In<double>);
-extern template const Vector3<double>& centerOfMass(const Model<double>&, Data<double>&, In<double>,
-                                                    In<double>);
-extern template const Vector3<double>& centerOfMass(const Model<double>&, Data<double>&, In<double>,
-                                                    In<double>, In<double>);
 extern template decltype(computeCentroidalMap<double>) computeCentroidalMap<double>;
-extern template decltype(jacobianCenterOfMass<double>) jacobianCenterOfMass<double>;
 extern template decltype(computeCentroidalMomentum<double>) computeCentroidalMomentum<double>;
-extern template decltype(computeCentroidalMomentumTimeVariation<double>)
-    computeCentroidalMomentumTimeVariation<double>;
 
 }  // namespace liecheck

@@ -34,10 +34,4 @@ S computeMechanicalEnergy(const Model<S>& model, Data<S>& data, In<S> q, In<S> v
   return computeKineticEnergy(model, data, q, v) + computePotentialEnergy(model, data, q);
 }
 
-// instantiations_*.cpp instantiates these for float and double.
-extern template decltype(computeKineticEnergy<float>) computeKineticEnergy<float>;
-extern template decltype(computePotentialEnergy<float>) computePotentialEnergy<float>;
-extern template decltype(computeKineticEnergy<double>) computeKineticEnergy<double>;
-extern template decltype(computePotentialEnergy<double>) computePotentialEnergy<double>;
-
 }  // namespace liecheck

@@ -127,8 +127,4 @@ ImuReading<S> imu(const Model<S>& model, const Data<S>& data, int frame) {
           Vector3<S>(a.linear() - R_WF.transpose() * model.gravity)};
 }
 
-// instantiations_*.cpp instantiates these for float and double.
-extern template decltype(updateFramePlacements<float>) updateFramePlacements<float>;
-extern template decltype(updateFramePlacements<double>) updateFramePlacements<double>;
-
 }  // namespace liecheck

@@ -10,25 +10,14 @@ namespace liecheck {
 template void forwardKinematics(const Model<double>&, Data<double>&, In<double>);
 template void forwardKinematics(const Model<double>&, Data<double>&, In<double>, In<double>);
 template void forwardKinematics(const Model<double>&, Data<double>&, In<double>, In<double>, In<double>);
-template decltype(updateFramePlacements<double>) updateFramePlacements<double>;
 template decltype(rnea<double>) rnea<double>;
 template decltype(nonLinearEffects<double>) nonLinearEffects<double>;
-template decltype(computeStaticTorque<double>) computeStaticTorque<double>;
 template decltype(computeJointJacobians<double>) computeJointJacobians<double>;
 template decltype(computeJointJacobiansTimeVariation<double>) computeJointJacobiansTimeVariation<double>;
 template decltype(crba<double>) crba<double>;
 template decltype(computeMinverse<double>) computeMinverse<double>;
 template decltype(aba<double>) aba<double>;
-template decltype(computeKineticEnergy<double>) computeKineticEnergy<double>;
-template decltype(computePotentialEnergy<double>) computePotentialEnergy<double>;
-template const Vector3<double>& centerOfMass(const Model<double>&, Data<double>&, In<double>);
-template const Vector3<double>& centerOfMass(const Model<double>&, Data<double>&, In<double>, In<double>);
-template const Vector3<double>& centerOfMass(const Model<double>&, Data<double>&, In<double>, In<double>,
-                                             In<double>);
 template decltype(computeCentroidalMap<double>) computeCentroidalMap<double>;
-template decltype(jacobianCenterOfMass<double>) jacobianCenterOfMass<double>;
 template decltype(computeCentroidalMomentum<double>) computeCentroidalMomentum<double>;
-template decltype(computeCentroidalMomentumTimeVariation<double>)
-    computeCentroidalMomentumTimeVariation<double>;
 
 }  // namespace liecheck

@@ -10,25 +10,14 @@ namespace liecheck {
 template void forwardKinematics(const Model<float>&, Data<float>&, In<float>);
 template void forwardKinematics(const Model<float>&, Data<float>&, In<float>, In<float>);
 template void forwardKinematics(const Model<float>&, Data<float>&, In<float>, In<float>, In<float>);
-template decltype(updateFramePlacements<float>) updateFramePlacements<float>;
 template decltype(rnea<float>) rnea<float>;
 template decltype(nonLinearEffects<float>) nonLinearEffects<float>;
-template decltype(computeStaticTorque<float>) computeStaticTorque<float>;
 template decltype(computeJointJacobians<float>) computeJointJacobians<float>;
 template decltype(computeJointJacobiansTimeVariation<float>) computeJointJacobiansTimeVariation<float>;
 template decltype(crba<float>) crba<float>;
 template decltype(computeMinverse<float>) computeMinverse<float>;
 template decltype(aba<float>) aba<float>;
-template decltype(computeKineticEnergy<float>) computeKineticEnergy<float>;
-template decltype(computePotentialEnergy<float>) computePotentialEnergy<float>;
-template const Vector3<float>& centerOfMass(const Model<float>&, Data<float>&, In<float>);
-template const Vector3<float>& centerOfMass(const Model<float>&, Data<float>&, In<float>, In<float>);
-template const Vector3<float>& centerOfMass(const Model<float>&, Data<float>&, In<float>, In<float>,
-                                            In<float>);
 template decltype(computeCentroidalMap<float>) computeCentroidalMap<float>;
-template decltype(jacobianCenterOfMass<float>) jacobianCenterOfMass<float>;
 template decltype(computeCentroidalMomentum<float>) computeCentroidalMomentum<float>;
-template decltype(computeCentroidalMomentumTimeVariation<float>)
-    computeCentroidalMomentumTimeVariation<float>;
 
 }  // namespace liecheck

@@ -99,9 +99,7 @@ const VectorX<S>& computeGeneralizedGravity(const Model<S>& model, Data<S>& data
 // instantiations_*.cpp instantiates these for float and double.
 extern template decltype(rnea<float>) rnea<float>;
 extern template decltype(nonLinearEffects<float>) nonLinearEffects<float>;
-extern template decltype(computeStaticTorque<float>) computeStaticTorque<float>;
 extern template decltype(rnea<double>) rnea<double>;
 extern template decltype(nonLinearEffects<double>) nonLinearEffects<double>;
-extern template decltype(computeStaticTorque<double>) computeStaticTorque<double>;
 
 }  // namespace liecheck

@@ -203,28 +203,18 @@ VectorX<S> checkedTangent(const Model<S>& model, In<S> v) {
 // instantiations.cpp instantiates these for float and double.
 extern template decltype(neutral<float>) neutral<float>;
 extern template decltype(normalized<float>) normalized<float>;
-extern template decltype(isNormalized<float>) isNormalized<float>;
 extern template decltype(integrate<float>) integrate<float>;
 extern template decltype(difference<float>) difference<float>;
-extern template decltype(squaredDistance<float>) squaredDistance<float>;
-extern template decltype(isSameConfiguration<float>) isSameConfiguration<float>;
 extern template decltype(dIntegrate<float>) dIntegrate<float>;
 extern template decltype(dDifference<float>) dDifference<float>;
 extern template decltype(integrateCoeffWiseJacobian<float>) integrateCoeffWiseJacobian<float>;
-extern template decltype(checkedConfiguration<float>) checkedConfiguration<float>;
-extern template decltype(checkedTangent<float>) checkedTangent<float>;
 
 extern template decltype(neutral<double>) neutral<double>;
 extern template decltype(normalized<double>) normalized<double>;
-extern template decltype(isNormalized<double>) isNormalized<double>;
 extern template decltype(integrate<double>) integrate<double>;
 extern template decltype(difference<double>) difference<double>;
-extern template decltype(squaredDistance<double>) squaredDistance<double>;
-extern template decltype(isSameConfiguration<double>) isSameConfiguration<double>;
 extern template decltype(dIntegrate<double>) dIntegrate<double>;
 extern template decltype(dDifference<double>) dDifference<double>;
 extern template decltype(integrateCoeffWiseJacobian<double>) integrateCoeffWiseJacobian<double>;
-extern template decltype(checkedConfiguration<double>) checkedConfiguration<double>;
-extern template decltype(checkedTangent<double>) checkedTangent<double>;
 
 }  // namespace liecheck

@@ -14,28 +14,18 @@ template class Data<double>;
 
 template decltype(neutral<float>) neutral<float>;
 template decltype(normalized<float>) normalized<float>;
-template decltype(isNormalized<float>) isNormalized<float>;
 template decltype(integrate<float>) integrate<float>;
 template decltype(difference<float>) difference<float>;
-template decltype(squaredDistance<float>) squaredDistance<float>;
-template decltype(isSameConfiguration<float>) isSameConfiguration<float>;
 template decltype(dIntegrate<float>) dIntegrate<float>;
 template decltype(dDifference<float>) dDifference<float>;
 template decltype(integrateCoeffWiseJacobian<float>) integrateCoeffWiseJacobian<float>;
-template decltype(checkedConfiguration<float>) checkedConfiguration<float>;
-template decltype(checkedTangent<float>) checkedTangent<float>;
 
 template decltype(neutral<double>) neutral<double>;
 template decltype(normalized<double>) normalized<double>;
-template decltype(isNormalized<double>) isNormalized<double>;
 template decltype(integrate<double>) integrate<double>;
 template decltype(difference<double>) difference<double>;
-template decltype(squaredDistance<double>) squaredDistance<double>;
-template decltype(isSameConfiguration<double>) isSameConfiguration<double>;
 template decltype(dIntegrate<double>) dIntegrate<double>;
 template decltype(dDifference<double>) dDifference<double>;
 template decltype(integrateCoeffWiseJacobian<double>) integrateCoeffWiseJacobian<double>;
-template decltype(checkedConfiguration<double>) checkedConfiguration<double>;
-template decltype(checkedTangent<double>) checkedTangent<double>;
 
 }  // namespace liecheck
