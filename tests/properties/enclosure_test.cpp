@@ -251,9 +251,9 @@ Eigen::Matrix<T, N, N> phi1(const Eigen::Matrix<T, N, N>& A) {
   for (int j = 1;; ++j) {
     term = term * A / T(j + 1);
     sum += term;
-    const T ratio = norm(A) / (j + 2);
-    if (upper(ratio) < 0.5 && exponent(norm(term)) < -600)
-      return sum + M::Constant(around_zero(T(norm(term) * ratio / (1 - ratio))));
+    const T ratio = frobenius(A) / (j + 2);
+    if (upper(ratio) < 0.5 && exponent(frobenius(term)) < -600)
+      return sum + M::Constant(around_zero(T(frobenius(term) * ratio / (1 - ratio))));
   }
 }
 
