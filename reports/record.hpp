@@ -16,7 +16,7 @@ namespace liecheck::reports {
 
 /// Keeps keys in alphabetical order, as in the records that liecheck writes.
 using Json = nlohmann::json;
-using properties::dumped, properties::dumped_as_ascii, properties::parsed;
+using properties::dumped, properties::parsed;
 
 /// The text of a file that embed.cmake compiles into the program: "page.html", "chart.min.js", "record.json".
 std::string_view embedded_file(std::string_view name);

@@ -104,7 +104,7 @@ const Json& schema() {
 }
 
 void refuse(std::string_view file, std::string_view field, std::string_view expected, const Json& found) {
-  std::string text = dumped_as_ascii(found);
+  std::string text = found.dump(-1, ' ', true);
   if (text.size() > 60) text = text.substr(0, 57) + "...";
   throw std::runtime_error(fmt::format("{}: field {}: expected {}, found {}", file,
                                        field.empty() ? "(top level)" : field, expected, text));

@@ -53,12 +53,6 @@ std::string corpus_line(const Series& series, const Worst& w, const std::string&
                      series.scalar, fmt::join(id.input, ", "), what, origin);
 }
 
-std::string outcome_name(Outcome outcome) {
-  return outcome == Outcome::not_finite ? "NaN or Inf"
-         : outcome == Outcome::refused  ? "refused"
-                                        : "wrong branch";
-}
-
 /// Prints the worst case of one output. Returns whether it exceeds its budget.
 bool print_worst(const Series& series, const Worst& w, const std::string& replay_flags) {
   const Output& o = series.outputs.at(static_cast<std::size_t>(w.output));
@@ -66,7 +60,8 @@ bool print_worst(const Series& series, const Worst& w, const std::string& replay
   bool failed = w.broken > 0;
   if (w.broken)
     fmt::print("  broken    {} of the evaluations: {}\n  replay    liecheck replay {}{}\n", w.broken,
-               outcome_name(w.first_broken.residual.outcome), w.first_broken_id.text(), replay_flags);
+               outcome_words[static_cast<int>(w.first_broken.residual.outcome)], w.first_broken_id.text(),
+               replay_flags);
   if (w.score < 0) {
     fmt::print("  worst     no error could be measured\n");
     return failed;

@@ -33,7 +33,6 @@ std::unique_ptr<Series> series_of(const CaseId& id, const std::string& text, con
 }
 
 void print_judged(const Series& series, const Judged& j) {
-  static const char* const outcomes[] = {"", "NaN or Inf", "wrong branch", "unresolved", "refused"};
   const Output& o = series.outputs.at(j.residual.output);
   fmt::print("{:<26}{:<22}{:<24}{:>12.5g} eps  {:<22} kappa {:<10.3g}{} {}\n", o.operation, o.block,
              series.bands()[j.residual.band].name, j.residual.error, fmt::format("{:a}", j.residual.error),
@@ -41,7 +40,7 @@ void print_judged(const Series& series, const Judged& j) {
              j.failed      ? "FAIL"
              : j.ill_posed ? "ill-posed"
                            : "pass",
-             outcomes[static_cast<int>(j.residual.outcome)]);
+             outcome_words[static_cast<int>(j.residual.outcome)]);
 }
 
 int run(const Flags& f) {

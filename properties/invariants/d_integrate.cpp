@@ -1,6 +1,6 @@
 // dIntegrate and dDifference, compared with finite differences of their definitions at high precision.
 
-#include <generators/compiled.hpp>
+#include <generators/rotations.hpp>
 #include <invariants/common.hpp>
 #include <liecheck/scalar/scalar.hpp>
 #include <optional>

@@ -1,6 +1,6 @@
 // exp compared with the exponential of the 4 x 4 matrix, from zero to huge angles.
 
-#include <generators/compiled.hpp>
+#include <generators/rotations.hpp>
 #include <invariants/common.hpp>
 #include <oracles/closed_forms.hpp>
 #include <oracles/exp.hpp>

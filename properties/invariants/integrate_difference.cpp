@@ -1,7 +1,7 @@
 // integrate and difference of free-flyer configurations are compared with their oracles. They must also be
 // local inverses of each other; difference(q, integrate(q, d)) is compared with d only up to theta = pi.
 
-#include <generators/compiled.hpp>
+#include <generators/rotations.hpp>
 #include <invariants/branch.hpp>
 #include <oracles/closed_forms.hpp>
 #include <oracles/integrate.hpp>

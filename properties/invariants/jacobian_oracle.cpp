@@ -1,7 +1,7 @@
 // The left and right J and J^-1 of SO(3) and SE(3) are each compared with the oracle. The law does not check
 // the product J J^-1, in which the errors of both could cancel.
 
-#include <generators/compiled.hpp>
+#include <generators/rotations.hpp>
 #include <invariants/common.hpp>
 #include <optional>
 #include <oracles/ball_oracles.hpp>

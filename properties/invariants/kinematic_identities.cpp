@@ -5,7 +5,7 @@
 #include <invariants/property.hpp>
 
 #include <boost/multiprecision/eigen.hpp>
-#include <generators/compiled.hpp>
+#include <generators/rotations.hpp>
 #include <oracles/error.hpp>
 #include <oracles/kinematics.hpp>
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <boost/multiprecision/eigen.hpp>
-#include <generators/compiled.hpp>
+#include <generators/rotations.hpp>
 
 namespace liecheck::properties {
 namespace {

@@ -1,6 +1,6 @@
 // log is compared with the exact logarithm of Q/|Q|, or of the rotation nearest to R, for the stored numbers.
 
-#include <generators/compiled.hpp>
+#include <generators/rotations.hpp>
 #include <invariants/branch.hpp>
 #include <oracles/log.hpp>
 

@@ -1,7 +1,7 @@
 // Poses compose, invert and act on points as their 4 x 4 matrices do. The oracle multiplies the stored
 // matrices column by column, so R need not be exactly orthogonal.
 
-#include <generators/compiled.hpp>
+#include <generators/rotations.hpp>
 #include <invariants/common.hpp>
 #include <oracles/spatial.hpp>
 

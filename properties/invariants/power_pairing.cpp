@@ -5,7 +5,7 @@
 #include <invariants/common.hpp>
 
 #include <boost/multiprecision/eigen.hpp>
-#include <generators/compiled.hpp>
+#include <generators/rotations.hpp>
 
 namespace liecheck::properties {
 namespace {

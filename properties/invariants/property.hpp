@@ -21,6 +21,8 @@
 namespace liecheck::properties {
 
 enum class Outcome : std::uint8_t { measured, not_finite, wrong_branch, unresolved, refused };
+/// For messages, in the order of Outcome.
+inline constexpr const char* outcome_words[] = {"", "NaN or Inf", "wrong branch", "unresolved", "refused"};
 
 /// One measurement. The error is in eps of the subject's scalar. kappa is 0 if it was not computed.
 struct Residual {

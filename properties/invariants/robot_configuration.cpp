@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <generators/compiled.hpp>
+#include <generators/rotations.hpp>
 #include <invariants/branch.hpp>
 #include <liecheck/urdf/urdf.hpp>
 #include <oracles/integrate.hpp>

@@ -1,6 +1,6 @@
 // Along a path the quaternion does not jump to its opposite.
 
-#include <generators/compiled.hpp>
+#include <generators/rotations.hpp>
 #include <invariants/common.hpp>
 
 namespace liecheck::properties {

@@ -2,7 +2,7 @@
 // differ by at most the block's budget. The angles are near cutoffs that authors of libraries choose, such as
 // powers of ten and roots of eps.
 
-#include <generators/compiled.hpp>
+#include <generators/rotations.hpp>
 #include <invariants/common.hpp>
 #include <optional>
 #include <oracles/ball_oracles.hpp>

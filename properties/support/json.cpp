@@ -14,10 +14,6 @@ std::string dumped(const json& value, int indent) {
   return value.dump(indent);
 }
 
-std::string dumped_as_ascii(const json& value) {
-  return value.dump(-1, ' ', true);
-}
-
 bool is_utf8(const std::string& text) try {
   return !json(text).dump().empty();
 } catch (const json::exception&) {

@@ -13,9 +13,6 @@ nlohmann::json parsed(std::string_view text);
 /// The value as text; `indent` is that of json::dump().
 std::string dumped(const nlohmann::json& value, int indent = -1);
 
-/// The value as text on one line, with characters beyond ASCII escaped.
-std::string dumped_as_ascii(const nlohmann::json& value);
-
 bool is_utf8(const std::string& text);
 
 }  // namespace liecheck::properties

@@ -1,9 +1,9 @@
 // multibody/joints: compares the configuration spaces of every joint with long double and with the
-// free-flyer. Also tests multibody/random_configuration.hpp, inertia_validity.hpp and nearest_names.hpp.
+// free-flyer. Also tests multibody/random_configuration.hpp, nearest_names.hpp and the validity of inertias.
 
 #include <gtest/gtest.h>
 
-#include <liecheck/multibody/inertia_validity.hpp>
+#include <liecheck/spatial/inertia.hpp>
 #include <liecheck/multibody/random_configuration.hpp>
 
 #include "long_double.hpp"

@@ -58,14 +58,13 @@ template <Scalar S>
 void projectOnJoint(const Model<S>& model, Data<S>& data, std::size_t i, const VectorX<S>& tau) {
   auto& w = data.work;
   const int n = model.column_counts[i], first = model.idx_columns[i], first_v = model.idx_vs[i];
-  const bool rotation = rotatesAboutAxis<S>(model.joints[i]);  // s = (0, axis)
   const Matrix6<S>& I = w.articulated[i];
   Matrix6<S>& L = w.D_factor[i];
   Vector6<S> scale = Vector6<S>::Zero();
   for (int k = 0; k < n; ++k) {
     const Vector6<S> s = w.S_columns.col(first + k);
     Vector6<S> U;
-    if (rotation) {
+    if (rotatesAboutAxis<S>(model.joints[i])) {  // s = (0, axis)
       U.noalias() = I.template rightCols<3>() * s.template tail<3>();
       L(0, 0) = s.template tail<3>().dot(U.template tail<3>());
     } else {
@@ -137,14 +136,14 @@ const VectorX<S>& aba(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, In
     if (p == 0) continue;
     const int n = model.column_counts[i], first = model.idx_columns[i];
     Matrix6<S>& I = w.articulated[i];
-    const Vector6<S> c = w.bias[i].to_vector();
     Vector6<S> f = Vector6<S>::Zero();
     for (int k = 0; k < n; ++k) {
       const Vector6<S> U = w.U.col(first + k), UD = n == 1 ? Vector6<S>(w.D_factor[i](0, 0) * U) : U;
       I.noalias() -= UD * U.transpose();
       f += UD * w.u[first + k];
     }
-    w.force[p] = w.force[p] + shifted(w.force[i] + Force<S>(Vector6<S>(I * c + f)), w.r[i]);
+    w.force[p] =
+        w.force[p] + shifted(w.force[i] + Force<S>(Vector6<S>(I * w.bias[i].to_vector() + f)), w.r[i]);
     addShifted(w.articulated[p], I, w.r[i]);
   }
 

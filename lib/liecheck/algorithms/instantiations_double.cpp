@@ -1,8 +1,7 @@
-// Explicit instantiations for double, declared extern in the headers. The derivatives are in a separate file,
-// instantiations_derivatives.cpp, so that no file needs more than 1.2 GB to compile.
+// Explicit instantiations for double, declared extern in the headers.
 
-#include <liecheck/algorithms/aba.hpp>
 #include <liecheck/algorithms/centroidal.hpp>
+#include <liecheck/algorithms/derivatives.hpp>
 #include <liecheck/algorithms/energy.hpp>
 #include <liecheck/algorithms/jacobians.hpp>
 
@@ -19,5 +18,7 @@ template decltype(computeMinverse<double>) computeMinverse<double>;
 template decltype(aba<double>) aba<double>;
 template decltype(computeCentroidalMap<double>) computeCentroidalMap<double>;
 template decltype(computeCentroidalMomentum<double>) computeCentroidalMomentum<double>;
+template decltype(computeRNEADerivatives<double>) computeRNEADerivatives<double>;
+template decltype(computeABADerivatives<double>) computeABADerivatives<double>;
 
 }  // namespace liecheck

@@ -1,8 +1,7 @@
-// Explicit instantiations for float, declared extern in the headers. The derivatives are in a separate file,
-// instantiations_derivatives.cpp, so that no file needs more than 1.2 GB to compile.
+// Explicit instantiations for float, declared extern in the headers.
 
-#include <liecheck/algorithms/aba.hpp>
 #include <liecheck/algorithms/centroidal.hpp>
+#include <liecheck/algorithms/derivatives.hpp>
 #include <liecheck/algorithms/energy.hpp>
 #include <liecheck/algorithms/jacobians.hpp>
 
@@ -19,5 +18,7 @@ template decltype(computeMinverse<float>) computeMinverse<float>;
 template decltype(aba<float>) aba<float>;
 template decltype(computeCentroidalMap<float>) computeCentroidalMap<float>;
 template decltype(computeCentroidalMomentum<float>) computeCentroidalMomentum<float>;
+template decltype(computeRNEADerivatives<float>) computeRNEADerivatives<float>;
+template decltype(computeABADerivatives<float>) computeABADerivatives<float>;
 
 }  // namespace liecheck

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <liecheck/multibody/inertia_validity.hpp>
+#include <liecheck/spatial/inertia.hpp>
 #include <liecheck/urdf/attributes.hpp>
 #include <liecheck/urdf/description.hpp>
 #include <liecheck/urdf/xml_check.hpp>

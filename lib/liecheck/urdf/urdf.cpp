@@ -1,4 +1,4 @@
-#include <liecheck/multibody/inertia_validity.hpp>
+#include <liecheck/spatial/inertia.hpp>
 #include <liecheck/text/text_file.hpp>
 #include <liecheck/urdf/description.hpp>
 #include <liecheck/urdf/urdf.hpp>
