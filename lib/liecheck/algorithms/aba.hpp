@@ -41,10 +41,7 @@ void factorizeJointInertia(const Model<S>& model, std::size_t joint, int n, cons
   for (int k = 0; k < n; ++k) {
     if (!(L(k, k) > S(64) * eps<S>() * scale[k]))
       throw SingularInertia(model.names[joint], int(joint), finite<S>(L(k, k)));
-    if (n == 1) {
-      L(0, 0) = S(1) / L(0, 0);
-      return;
-    }
+    if (n == 1) return void(L(0, 0) = S(1) / L(0, 0));
     L(k, k) = sqrt(L(k, k));
     for (int i = k + 1; i < n; ++i) L(i, k) /= L(k, k);
     for (int i = k + 1; i < n; ++i)
