@@ -14,7 +14,7 @@ void Coverage::add(const std::vector<Field>& fields, const std::vector<S>& input
   if (counts_.size() < fields.size()) counts_.resize(fields.size());
   ++cases_;
   std::size_t from = 0;
-  std::array<std::span<const S>, 11> last{};  // the last group of each kind
+  std::array<std::span<const S>, kind_count> last{};  // the last group of each kind
   for (std::size_t f = 0; f < fields.size(); ++f) {
     const std::span<const S> x(input.data() + from, static_cast<std::size_t>(fields[f].size));
     auto& earlier = last[static_cast<std::size_t>(fields[f].kind)];

@@ -257,13 +257,11 @@ std::uint32_t of_masses(std::span<const S> x, std::span<const S>) {
 
 }  // namespace
 
-constexpr std::size_t kinds = static_cast<std::size_t>(Kind::masses) + 1;  // masses is the last
-
 const std::vector<InputClass>& classes_of(Kind kind) {
   static const std::vector<InputClass>* const in_the_order_of_kinds[] = {
       &vectors, &rotation_vectors, &quaternions, &matrices, &inertias, &positives, &none, &none,
       &trees,   &joints,           &masses};
-  static_assert(std::size(in_the_order_of_kinds) == kinds);
+  static_assert(std::size(in_the_order_of_kinds) == kind_count);
   return *in_the_order_of_kinds[static_cast<std::size_t>(kind)];
 }
 
@@ -277,7 +275,7 @@ std::uint32_t classify(Kind kind, std::span<const S> x, std::span<const S> earli
   static constexpr Classifier* in_the_order_of_kinds[] = {
       of_vector, of_rotation_vector, of_quaternion, of_matrix, of_inertia, of_positive, nullptr,
       nullptr,   of_parents,         of_joints,     of_masses};
-  static_assert(std::size(in_the_order_of_kinds) == kinds);
+  static_assert(std::size(in_the_order_of_kinds) == kind_count);
   Classifier* const of = in_the_order_of_kinds[static_cast<std::size_t>(kind)];
   return of ? of(x, earlier) : 0;
 }

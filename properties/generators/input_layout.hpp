@@ -19,6 +19,7 @@ enum class Kind {
   joints,   ///< kinds of the joints of a tree, then the primaries of mimics
   masses    ///< masses of the bodies of a tree, 0 for an absent body
 };
+inline constexpr std::size_t kind_count = static_cast<std::size_t>(Kind::masses) + 1;  // masses is the last
 
 /// The classes of inputs that the generator of a group must produce.
 enum class Reach {

@@ -23,6 +23,7 @@ namespace liecheck::properties {
 enum class Outcome : std::uint8_t { measured, not_finite, wrong_branch, unresolved, refused };
 /// For messages, in the order of Outcome.
 inline constexpr const char* outcome_words[] = {"", "NaN or Inf", "wrong branch", "unresolved", "refused"};
+static_assert(std::size(outcome_words) == static_cast<std::size_t>(Outcome::refused) + 1);
 
 /// One measurement. The error is in eps of the subject's scalar. kappa is 0 if it was not computed.
 struct Residual {
