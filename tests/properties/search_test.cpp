@@ -10,7 +10,6 @@
 #include <filesystem>
 #include <fstream>
 #include <generators/trees.hpp>
-#include <regex>
 #include <search/hunt.hpp>
 #include <search/shrink.hpp>
 #include <set>
@@ -214,9 +213,11 @@ TEST(Snippets, Compile) {
         if (!seen.insert(o.operation).second) continue;
         std::string text = program_of(*s, o, s->input(s->id(42, 1)));
         ASSERT_FALSE(text.empty()) << o.operation;
-        static const std::regex include("#include [^\n]*\n");
-        for (std::sregex_iterator i(text.begin(), text.end(), include), end; i != end; ++i) unit += i->str();
-        text = std::regex_replace(text, include, "");
+        for (std::size_t at; (at = text.find("#include ")) != std::string::npos;) {
+          const std::size_t length = text.find('\n', at) + 1 - at;
+          unit += text.substr(at, length);
+          text.erase(at, length);
+        }
         const auto at = text.find("int main()");
         ASSERT_NE(at, std::string::npos);
         bodies += text.replace(at, 10, "int case_" + std::to_string(k++) + "()")
