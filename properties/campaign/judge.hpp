@@ -43,7 +43,8 @@ class Judge final : public Recorder {
     } else if (j.budget->rule == Rule::forward) {
       j.failed = !(error <= j.budget->limit);
       decided(error, j.budget->limit, accuracy_);
-    } else if (!every_kappa_ && kappa.least() * eps_ < 1 && passes_for_every_kappa(j, kappa.least())) {
+    } else if (!every_kappa_ && kappa.least() * eps_ < 1 && error <= j.budget->limit / 2 * kappa.least()) {
+      // It passes for every kappa. An excess above half the limit is exact, one below may be an upper bound.
       j.excess = error / kappa.least();
     } else {
       const double k = kappa ? kappa() : 1.0;
@@ -66,11 +67,6 @@ class Judge final : public Recorder {
     j.residual.outcome = outcome;
     j.failed = outcome != Outcome::unresolved;
     judged.push_back(j);
-  }
-
-  /// Whether the error passes under the excess rule for every kappa >= `least`, with a margin of 4.
-  static bool passes_for_every_kappa(const Judged& j, double least = 1) {
-    return j.residual.error <= j.budget->limit / 4 * least;
   }
 
   std::vector<Judged> judged;

@@ -78,16 +78,21 @@ bool comparable(Recorder& r, const Output& output, const M& computed, bool resol
 }
 
 /// Records the error of a vector. kappa is that of the results first ... first + N - 1 of `formula` at x().
+/// `degree`: the formula is homogeneous of this degree in some of its numbers x_i. Then kappa >= degree, because
+/// degree ||y|| = ||sum_i dy/dx_i x_i|| <= sum_i ||dy/dx_i|| |x_i| (Euler's theorem); 0.99 covers rounding.
 template <class S, int N, class T, class Formula, class Numbers>
 void record_vector(Recorder& r, const Output& output, const Vec<S, N>& computed,
                    const oracles::Vec<N, T>& exact, bool resolved, const Formula& formula, const Numbers& x,
-                   int first = 0) {
+                   int degree, int first = 0) {
   if (!comparable(r, output, computed, resolved)) return;
-  r.record(output, 0, oracles::vector_error<S>(oracles::exact_vector<N, T>(computed), exact), [&] {
+  const auto kappa = [&] {
     const T size = oracles::larger(norm(exact), oracles::least_denominator<S, T>());
-    const T moved = oracles::movements<T>(formula, x(), {{first, N}}).front();
-    return std::max(1.0, oracles::condition_number(moved, size));
-  });
+    return std::max(1.0,
+                    oracles::condition_number(oracles::movements<T>(formula, x(), {{first, N}})[0], size));
+  };
+  const bool normal = at_most(exact) > 2 * at_most(oracles::least_denominator<S, T>());
+  r.record(output, 0, oracles::vector_error<S>(oracles::exact_vector<N, T>(computed), exact),
+           Kappa(kappa, normal ? 0.99 * degree : 1));
 }
 
 /// The band of ||phi||. Below 2^-900, the ball of the norm is wider than one ulp. There 2^600 ||phi|| is

@@ -105,19 +105,20 @@ class KineticEnergy final : public Law<KineticEnergy, S> {
       return to_list(oracles::Vec<1, Real>{{x.I_e.mass}}, x.I_e.c, I_C, x.V_e);
     };
 
+    // Degrees: 1 in the mass and the inertia; 2 (energy) or 1 (momentum) in the velocity.
     if (o[op::kinetic_energy]) {
       const Vec<S, 1> E(o[op::kinetic_energy](x.I, x.V));
       const oracles::Resolved<Real> exact = oracles::kinetic_energy(x.I_e, x.V_e);
       record_vector(recorder, op::kinetic_energy[block::energy], E, oracles::Vec<1, Real>{{exact.value}},
-                    exact.resolved, energy_formula<Real>, body_numbers);
+                    exact.resolved, energy_formula<Real>, body_numbers, 3);
     }
     if (o[op::momentum]) {
       const Vec<S, 6> h = o[op::momentum](x.I, x.V);
       const oracles::Resolved<oracles::Vec6<Real>> exact = oracles::momentum(x.I_e, x.V_e);
       record_vector(recorder, op::momentum[block::linear], Vec<S, 3>(h.template head<3>()),
-                    head3(exact.value), exact.resolved, momentum_formula<Real>, body_numbers);
+                    head3(exact.value), exact.resolved, momentum_formula<Real>, body_numbers, 2);
       record_vector(recorder, op::momentum[block::angular], Vec<S, 3>(h.template tail<3>()),
-                    tail3(exact.value), exact.resolved, momentum_formula<Real>, body_numbers, 3);
+                    tail3(exact.value), exact.resolved, momentum_formula<Real>, body_numbers, 2, 3);
     }
     if (o[op::inertia_matrix])
       measure_matrix(recorder, o[op::inertia_matrix](x.I), oracles::inertia_matrix(x.I_e));
@@ -256,8 +257,9 @@ class KineticEnergy final : public Law<KineticEnergy, S> {
     if (comparable(recorder, operation[block::mass], Vec<S, 1>(computed.mass), exact.resolved))
       recorder.record(operation[block::mass], 0,
                       oracles::scalar_error<S>(oracles::exact<Real>(computed.mass), exact.value.mass), one);
-    record_vector(recorder, operation[block::lever], computed.c, exact.value.c, exact.resolved, formula,
-                  [&] { return to_list(x.X_e.R, x.X_e.p, x.I_e.c); });
+    record_vector(
+        recorder, operation[block::lever], computed.c, exact.value.c, exact.resolved, formula,
+        [&] { return to_list(x.X_e.R, x.X_e.p, x.I_e.c); }, 1);
     if (comparable(recorder, operation[block::inertia], computed.I_C, exact.resolved)) {
       const auto I_C = oracles::exact_matrix<3, 3, Real>(computed.I_C);
       recorder.record(operation[block::inertia], 0, oracles::vector_error<S>(I_C, exact.value.I_C), one);

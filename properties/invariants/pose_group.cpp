@@ -82,7 +82,7 @@ class PoseGroup final : public Law<PoseGroup, S> {
             const PoseOf<Real> pose = pose_from(v);
             return to_list(pose.R * from_list<3>(v, 12) + pose.p);
           },
-          [&] { return to_list(x.R, x.p, y.p); });
+          [&] { return to_list(x.R, x.p, y.p); }, 1);
     }
   }
 };

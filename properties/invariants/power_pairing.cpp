@@ -121,21 +121,22 @@ class PowerPairing final : public Law<PowerPairing, S> {
           recorder, op::rotate_point[block::point], Vec<S, 3>(o[op::rotate_point](Q, X.p)), exact.value,
           exact.resolved,
           [](const Numbers& x) { return to_list(oracles::rotate(from_list<4>(x), from_list<3>(x, 4))); },
-          [&] { return to_list(Q_e, X_e.p); });
+          [&] { return to_list(Q_e, X_e.p); }, 1);
     }
   }
 
  private:
   static constexpr int binades = std::numeric_limits<S>::max_exponent / 8;
 
+  /// Records both blocks of a result that is linear in the numbers of two of its arguments: its degree is 2.
   template <class Real, class Formula, class Numbers>
   static void compare(Recorder& recorder, const TwoOutputs& blocks, const Vec<S, 6>& computed,
                       const oracles::Resolved<oracles::Vec6<Real>>& exact, const Formula& formula,
                       const Numbers& x) {
     record_vector(recorder, blocks[0], Vec<S, 3>(computed.template head<3>()), head3(exact.value),
-                  exact.resolved, formula, x);
+                  exact.resolved, formula, x, 2);
     record_vector(recorder, blocks[1], Vec<S, 3>(computed.template tail<3>()), tail3(exact.value),
-                  exact.resolved, formula, x, 3);
+                  exact.resolved, formula, x, 2, 3);
   }
 
   template <class Real>
