@@ -79,6 +79,38 @@ TEST(CrossProducts, OnForcesIsMinusTheTransposeOfThatOnMotions) {
   EXPECT_EQ(V.cross(W).dot(F), -W.dot(V.cross(F)));  // small whole numbers: exact
 }
 
+TEST(CrossProducts, AreProductsWithTheMatricesOfTheAdjointAndOfItsDual) {
+  const Motion<double> V(V3(1, -2, 3), V3(4, 5, -6)), W(V3(7, 8, 9), V3(-1, 2, 5));
+  const Force<double> F(V3(2, 3, 4), V3(5, -7, 1));
+  const Matrix6<double> ad = V.toActionMatrix(), dual = V.toDualActionMatrix();
+  EXPECT_EQ(ad * W.to_vector(), V.cross(W).to_vector());  // small whole numbers: exact
+  EXPECT_EQ(dual * F.to_vector(), V.cross(F).to_vector());
+  EXPECT_EQ(dual, -ad.transpose());
+  EXPECT_EQ(ad * V.to_vector(), Vector6<double>::Zero());
+  // d/dt Ad(exp(t V)) = ad_V at t = 0: the difference has an error of |t ad_V|^3 / 6t, and rounding errors of
+  // eps/t times the largest entry of Ad, which is 1.
+  const double t = 0x1p-20, size = ad.norm();
+  const Matrix6<double> rate =
+      (exp6<double>(V * t).toActionMatrix() - exp6<double>(V * -t).toActionMatrix()) / (2 * t);
+  EXPECT_LE((rate - ad).norm(), size * size * size * t * t / 6 + 36 * e / t);
+}
+
+TEST(FirstOrderNormalisation, HasTheDocumentedErrorAndKeepsTheRotation) {
+  using Long = Eigen::Matrix<long double, 4, 1>;
+  const Vector4<double> unit = Vector4<double>(0.1, -0.7, 0.3, 0.4).normalized();
+  for (double excess = 0.5; excess > 1e-17; excess /= 2)
+    for (const double d : {excess, -excess}) {
+      const Vector4<double> Q = unit * std::sqrt(1 + d);
+      const Long stored = Q.cast<long double>(),
+                 result = SO3<double>(Q).firstOrderNormalized().to_vector().cast<long double>();
+      const double size = std::abs(double(stored.squaredNorm() - 1)), short_of_1 = double(1 - result.norm());
+      EXPECT_GE(short_of_1, -3 * e) << d;
+      EXPECT_LE(short_of_1, 0.375 * size * size * (1 + size) + 3 * e) << d;
+      // twice the distance of the unit quaternions is the angle between the rotations
+      EXPECT_LE(double((result.normalized() - stored.normalized()).norm()) * 2, e) << d;
+    }
+}
+
 TEST(InertiaOfABody, GivesTheTwoKilogramExampleByTwoFormulas) {
   const Inertia<double> I(2, V3(0.3, 0, 0), V3(0.02, 0.05, 0.06).asDiagonal().toDenseMatrix());
   EXPECT_LE((I.inertiaAboutOrigin() - V3(0.02, 0.23, 0.24).asDiagonal().toDenseMatrix()).norm(), 2 * e);

@@ -22,10 +22,9 @@ namespace algorithms_detail {
 template <Scalar S>
 Matrix6<S> coriolis(const Matrix6<S>& I, const Motion<S>& v) {
   const Vector6<S> h = I * v.to_vector();
-  const Matrix3<S> u = skew<S>(v.linear()), w = skew<S>(v.angular());
   const Matrix3<S> f = skew<S>(h.template head<3>()), n = skew<S>(h.template tail<3>());
-  Matrix6<S> adjoint, momentum;
-  adjoint << w, u, Matrix3<S>::Zero(), w;
+  const Matrix6<S> adjoint = v.toActionMatrix();
+  Matrix6<S> momentum;
   momentum << Matrix3<S>::Zero(), f, f, n;
   return -I * adjoint - momentum - adjoint.transpose() * I;
 }

@@ -57,8 +57,22 @@ class Motion : public SpatialVector<Motion<S>, S> {
   /// ad_V* F = -ad_V^T F = (omega x f, omega x n + u x f). Featherstone (2008), eq. 2.32.
   Force<S> cross(const Force<S>& F) const;
 
+  /// ad_V, 6 x 6, with ad_V W = cross(W): [[omega], [u]; 0, [omega]]. The entries are those of u [m/s] and omega
+  /// [rad/s], exactly, and their negatives; V and W are in the same axes with the same reference point.
+  Matrix6<S> toActionMatrix() const { return blocks(Matrix3<S>(skew<S>(linear())), Matrix3<S>::Zero()); }
+  /// ad_V* = -ad_V^T, 6 x 6, with ad_V* F = cross(F): [[omega], 0; [u], [omega]], exactly.
+  Matrix6<S> toDualActionMatrix() const { return blocks(Matrix3<S>::Zero(), Matrix3<S>(skew<S>(linear()))); }
+
   /// Power F^T V [W]: the same in every frame.
   S dot(const Force<S>& F) const;
+
+ private:
+  /// [[omega], upper; lower, [omega]].
+  Matrix6<S> blocks(const Matrix3<S>& upper, const Matrix3<S>& lower) const {
+    Matrix6<S> ad;
+    ad << skew<S>(angular()), upper, lower, skew<S>(angular());
+    return ad;
+  }
 };
 
 }  // namespace liecheck
