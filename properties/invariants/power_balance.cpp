@@ -16,13 +16,6 @@ class PowerBalance final : public TreeLaw<PowerBalance, S> {
       .source = "Goldstein 1980, section 2.6",
       .outputs = {op::tree_power[block::power]}};
 
-  template <class T>
-  static T rate(const TreeCase<T>& x) {
-    T sum = oracles::TreeDynamics<T>(x.tree, x.q, x.v, x.a).energy_rate();
-    for_each_armature(x.tree, [&](std::size_t k, const T& armature) { sum += armature * x.v[k] * x.a[k]; });
-    return sum;
-  }
-
   template <class T, class Case>
   void of(const Operations<S>& subject, const Case& c, Recorder& r) const {
     const TreeOperations<S> o = subject.tree(described(c.stored));
@@ -36,8 +29,8 @@ class PowerBalance final : public TreeLaw<PowerBalance, S> {
       power += oracles::exact<T>(tau[static_cast<int>(k)]) * c.exact.v[k];
       terms += sizes.tau[k] * std::fabs(c.rough.v[k]);
     }
-    c.record(r, op::tree_power[block::power], std::vector<T>{power}, {rate(c.exact)}, {1}, terms,
-             c.resolved());
+    c.record(r, op::tree_power[block::power], std::vector<T>{power},
+             {c.dynamics(c.exact.v, c.exact.a).energy_rate()}, {1}, terms, c.resolved());
   }
 };
 

@@ -4,10 +4,10 @@
 // The pose of joint i is a homogeneous matrix X_i = X_p L_i, with the parent's pose X_p and L_i = P_i E_i(q).
 // The joint's velocity is V = sum_k [s_k] v_k with constant s_k and [s] = [[w]x u; 0 0], and E' = E V. The
 // product rule gives X', X'' and their derivatives for a displacement q exp([d]). With U_k = dX/dq_k and a
-// body's second moments of mass J = sum m (x; 1)(x; 1)^T, the kinetic energy is T = sum tr(X' J X'^T) / 2.
-// Lagrange's equations are
+// body's second moments of mass J = sum m (x; 1)(x; 1)^T and the armatures m, the kinetic energy is
+// T = sum_i tr(X_i' J_i X_i'^T) / 2 + sum_k m_k v_k^2 / 2. Lagrange's equations are
 //
-//   tau_k = sum_i tr(U_ik J_i (X_i'' - g)^T),   M_kl = sum_i tr(U_ik J_i U_il^T)
+//   tau_k = sum_i tr(U_ik J_i (X_i'' - g)^T) + m_k a_k,   M_kl = sum_i tr(U_ik J_i U_il^T) + m_k [k = l]
 //
 // Sources: Uicker 1965; Paul 1981, chapter 6.
 //
@@ -119,7 +119,7 @@ class TreeDynamics {
   Numbers torque_derivative(const std::vector<WrenchOf<T>>& fext = {}) const;
   /// M [nv x nv], row by row.
   Numbers mass() const;
-  T kinetic_energy() const;  ///< of the bodies, without the armatures
+  T kinetic_energy() const;  ///< of the bodies and of the rotors, whose inertias are the armatures
   T potential_energy() const;
   T energy_rate() const;  ///< time derivative of kinetic + potential energy
   Vec3<T> centre() const;

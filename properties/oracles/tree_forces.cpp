@@ -162,6 +162,7 @@ T TreeDynamics<T>::kinetic_energy() const {
     const auto Y = times_transposed(times(at_.X1[i], J_[i], 0), at_.X1[i]);
     sum += Y(0, 0) + Y(1, 1) + Y(2, 2);
   }
+  for_each_armature(tree_, [&](std::size_t k, const T& armature) { sum += armature * v_[k] * v_[k]; });
   return sum / T(2);
 }
 template <class T>
@@ -180,6 +181,7 @@ T TreeDynamics<T>::energy_rate() const {
     const auto Y = times_transposed(times(at_.X1[i], J_[i], 0), minus_gravity(at_.X2[i], tree_.gravity));
     sum += Y(0, 0) + Y(1, 1) + Y(2, 2);
   }
+  for_each_armature(tree_, [&](std::size_t k, const T& armature) { sum += armature * v_[k] * a_[k]; });
   return sum;
 }
 template <class T>

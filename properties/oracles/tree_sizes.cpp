@@ -106,7 +106,7 @@ TreeSizes<N>::TreeSizes(const TreeOf<double>& tree, const Numbers& q, const Numb
   mass.assign(nv * nv, 0);
   outward(tree, q, v, a, fext, dq, dv, about_root, loads);
   inward(tree, loads);
-  add_armatures(tree, a);
+  add_armatures(tree, v, a);
   add_mass_matrix(tree);
   multiply(mimic_factor(tree, q));
 }
@@ -185,9 +185,10 @@ void TreeSizes<N>::inward(const TreeOf<double>& tree, Loads& loads) {
 }
 
 template <class N>
-void TreeSizes<N>::add_armatures(const TreeOf<double>& tree, const Numbers& a) {
+void TreeSizes<N>::add_armatures(const TreeOf<double>& tree, const Numbers& v, const Numbers& a) {
   for_each_armature(tree, [&](std::size_t k, double armature) {
     tau[k] += N(std::fabs(armature * a[k]));
+    kinetic += armature * v[k] * v[k] / 2;
     mass[k * static_cast<std::size_t>(tree.nv) + k] += armature;
   });
 }

@@ -64,7 +64,7 @@ struct TreeSizes {
                const std::vector<WrenchOf<double>>& fext, const Numbers& dq, const Numbers& dv,
                bool about_root, Loads& loads);
   void inward(const TreeOf<double>& tree, Loads& loads);
-  void add_armatures(const TreeOf<double>& tree, const Numbers& a);
+  void add_armatures(const TreeOf<double>& tree, const Numbers& v, const Numbers& a);
   void add_mass_matrix(const TreeOf<double>& tree);
   void multiply(double factor);
 };

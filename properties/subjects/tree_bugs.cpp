@@ -57,6 +57,12 @@ auto Bugs<S>::dynamics_of_trees() -> Entries {
            return o[op::tree_rnea](q, v, a, i, F) - less.cwiseProduct(a);
          };
        })},
+      {"tree_energy_without_armature", "the kinetic energy lacks the rotor inertia",
+       "duburcqa/jiminy pull 18", on_trees<S>([](TO& o, const T& tree) {
+         o[op::tree_kinetic_energy] = [o, less = armature(tree)](const X& q, const X& v) -> S {
+           return o[op::tree_kinetic_energy](q, v) - less.dot(v.cwiseAbs2()) / S(2);
+         };
+       })},
       {"tree_gravity_sign", "gravity acts upward", "JuliaRobotics/RigidBodyDynamics.jl pull 2",
        on_trees<S>([](TO& o, const T& tree) {
          T up = tree;

@@ -9,10 +9,9 @@ template const VectorX<Real>& rnea<Real>(const Model<Real>&, Data<Real>&, In<Rea
                                          External<Real>);
 template const VectorX<Real>& aba<Real>(const Model<Real>&, Data<Real>&, In<Real>, In<Real>, In<Real>,
                                         External<Real>);
-template const Real& computeKineticEnergy<Real>(const Model<Real>&, Data<Real>&, In<Real>, In<Real>);
-template const Real& computePotentialEnergy<Real>(const Model<Real>&, Data<Real>&, In<Real>);
-template const Vector3<Real>& centerOfMass<Real>(const Model<Real>&, Data<Real>&, In<Real>);
-template const Force<Real>& computeCentroidalMomentum<Real>(const Model<Real>&, Data<Real>&, In<Real>,
-                                                            In<Real>);
+template Real computeKineticEnergy<Real>(const Model<Real>&, Data<Real>&, In<Real>, In<Real>);
+template Real computePotentialEnergy<Real>(const Model<Real>&, Data<Real>&, In<Real>);
+template Vector3<Real> centerOfMass<Real>(const Model<Real>&, Data<Real>&, In<Real>);
+template Force<Real> computeCentroidalMomentum<Real>(const Model<Real>&, Data<Real>&, In<Real>, In<Real>);
 
 }  // namespace liecheck

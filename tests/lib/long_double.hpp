@@ -29,11 +29,11 @@ extern template const VectorX<Real>& rnea<Real>(const Model<Real>&, Data<Real>&,
                                                 External<Real>);
 extern template const VectorX<Real>& aba<Real>(const Model<Real>&, Data<Real>&, In<Real>, In<Real>, In<Real>,
                                                External<Real>);
-extern template const Real& computeKineticEnergy<Real>(const Model<Real>&, Data<Real>&, In<Real>, In<Real>);
-extern template const Real& computePotentialEnergy<Real>(const Model<Real>&, Data<Real>&, In<Real>);
-extern template const Vector3<Real>& centerOfMass<Real>(const Model<Real>&, Data<Real>&, In<Real>);
-extern template const Force<Real>& computeCentroidalMomentum<Real>(const Model<Real>&, Data<Real>&, In<Real>,
-                                                                   In<Real>);
+extern template Real computeKineticEnergy<Real>(const Model<Real>&, Data<Real>&, In<Real>, In<Real>);
+extern template Real computePotentialEnergy<Real>(const Model<Real>&, Data<Real>&, In<Real>);
+extern template Vector3<Real> centerOfMass<Real>(const Model<Real>&, Data<Real>&, In<Real>);
+extern template Force<Real> computeCentroidalMomentum<Real>(const Model<Real>&, Data<Real>&, In<Real>,
+                                                            In<Real>);
 
 namespace test {
 

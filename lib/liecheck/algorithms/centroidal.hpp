@@ -1,12 +1,13 @@
 #pragma once
 // Centroidal quantities: centre of mass c, momentum h_G about c in world axes, and A_G with h_G = A_G v.
-// Orin, Goswami & Lee (2013). Bodies fixed to the world are excluded. Precondition: the total mass is not 0.
+// Orin, Goswami & Lee (2013). Bodies fixed to the world are excluded. If the total mass is not positive and
+// finite, c is not defined: every algorithm below then throws std::domain_error, and changes no field.
 
 #include <liecheck/algorithms/crba.hpp>
 
 namespace liecheck {
 
-/// Total mass of the bodies that are not fixed to the world [kg].
+/// Total mass of the bodies that are not fixed to the world [kg]; 0 if there are none.
 template <Scalar S>
 S computeTotalMass(const Model<S>& model) {
   S mass(0);
@@ -16,46 +17,62 @@ S computeTotalMass(const Model<S>& model) {
 
 namespace algorithms_detail {
 
+/// The total mass. Throws std::domain_error unless it is positive and finite.
+template <Scalar S>
+S requireTotalMass(const Model<S>& model) {
+  const S mass = computeTotalMass(model);
+  if (mass > S(0) && finite<S>(mass)) return mass;
+  throw std::domain_error("model '" + model.name +
+                          "' has no centre of mass: the total mass of its moving bodies is " +
+                          (mass > S(0)    ? "not finite"
+                           : mass < S(0)  ? "negative"
+                           : mass == S(0) ? "0"
+                                          : "NaN"));
+}
 /// sum m_i x(i) / m.
 template <Scalar S, class F>
-Vector3<S> massAverage(const Model<S>& model, F x) {
+Vector3<S> massAverage(const Model<S>& model, const S& mass, F x) {
   Vector3<S> sum = Vector3<S>::Zero();
   for (std::size_t i = 1; i < model.joints.size(); ++i) sum += model.inertias[i].mass() * x(i);
-  return sum / computeTotalMass(model);
+  return sum / mass;
 }
 /// The centre of mass. Updates com. Needs oMi.
 template <Scalar S>
-const Vector3<S>& averageOfCentres(const Model<S>& model, Data<S>& data) {
-  return data.com.write(Level::Position) = massAverage(
-             model, [&](std::size_t i) -> Vector3<S> { return data.oMi[i].act(model.inertias[i].lever()); });
+Vector3<S> averageOfCentres(const Model<S>& model, Data<S>& data, const S& mass) {
+  return data.com.write(Level::Position) = massAverage(model, mass, [&](std::size_t i) -> Vector3<S> {
+           return data.oMi[i].act(model.inertias[i].lever());
+         });
 }
 
 }  // namespace algorithms_detail
 
 /// The centre of mass c [m]. Updates liMi, oMi, com. q [nq].
 template <Scalar S>
-const Vector3<S>& centerOfMass(const Model<S>& model, Data<S>& data, In<S> q) {
+Vector3<S> centerOfMass(const Model<S>& model, Data<S>& data, In<S> q) {
+  const S mass = algorithms_detail::requireTotalMass(model);
   forwardKinematics(model, data, q);
-  return algorithms_detail::averageOfCentres(model, data);
+  return algorithms_detail::averageOfCentres(model, data, mass);
 }
 /// Computes c [m] and c_dot [m/s]; returns c. Updates liMi, oMi, v, com, vcom. q [nq], v [nv].
 template <Scalar S>
-const Vector3<S>& centerOfMass(const Model<S>& model, Data<S>& data, In<S> q, In<S> v) {
+Vector3<S> centerOfMass(const Model<S>& model, Data<S>& data, In<S> q, In<S> v) {
   using namespace algorithms_detail;
+  const S mass = requireTotalMass(model);
   forwardKinematics(model, data, q, v);
-  data.vcom.write(Level::Velocity) = massAverage(model, [&](std::size_t i) -> Vector3<S> {
+  data.vcom.write(Level::Velocity) = massAverage(model, mass, [&](std::size_t i) -> Vector3<S> {
     return data.oMi[i].rotation() * shifted(data.v[i], model.inertias[i].lever()).linear();
   });
-  return averageOfCentres(model, data);
+  return averageOfCentres(model, data, mass);
 }
 /// Computes c, c_dot and c_ddot [m, m/s, m/s^2]; returns c. Updates liMi, oMi, v, a, com, vcom, acom.
 /// q [nq], v, a [nv].
 template <Scalar S>
-const Vector3<S>& centerOfMass(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, In<S> a) {
+Vector3<S> centerOfMass(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, In<S> a) {
   using namespace algorithms_detail;
+  const S mass = requireTotalMass(model);
   centerOfMass(model, data, q, v);
   forwardKinematics(model, data, q, v, a);
-  data.acom.write(Level::Acceleration) = massAverage(model, [&](std::size_t i) -> Vector3<S> {
+  data.acom.write(Level::Acceleration) = massAverage(model, mass, [&](std::size_t i) -> Vector3<S> {
     const Vector3<S>& c = model.inertias[i].lever();  // the classical acceleration of c
     const Vector3<S> omega_u = cross<S>(data.v[i].angular(), shifted(data.v[i], c).linear());
     return data.oMi[i].rotation() * Vector3<S>(shifted(data.a[i], c).linear() + omega_u);
@@ -67,6 +84,7 @@ const Vector3<S>& centerOfMass(const Model<S>& model, Data<S>& data, In<S> q, In
 template <Scalar S>
 const Matrix6X<S>& computeCentroidalMap(const Model<S>& model, Data<S>& data, In<S> q) {
   using namespace algorithms_detail;
+  requireTotalMass(model);
   compositeInertias(model, data, q);
   const Vector3<S> c = data.com.write(Level::Position) = data.work.inertia[0].c;
   auto& Ag = data.Ag.write(Level::Position);
@@ -82,13 +100,13 @@ const Matrix6X<S>& computeCentroidalMap(const Model<S>& model, Data<S>& data, In
 /// Jcom [3 x nv], c_dot = Jcom v: the linear rows of A_G / mass. Updates liMi, oMi, com, Ag, Jcom. q [nq].
 template <Scalar S>
 const Matrix3X<S>& jacobianCenterOfMass(const Model<S>& model, Data<S>& data, In<S> q) {
-  const S mass = computeTotalMass(model);
+  const S mass = algorithms_detail::requireTotalMass(model);
   return data.Jcom.write(Level::Position) = computeCentroidalMap(model, data, q).template topRows<3>() / mass;
 }
 
 /// The momentum h_G about c [kg m/s, kg m^2/s]. Updates liMi, oMi, v, com, vcom, hg. q [nq], v [nv].
 template <Scalar S>
-const Force<S>& computeCentroidalMomentum(const Model<S>& model, Data<S>& data, In<S> q, In<S> v) {
+Force<S> computeCentroidalMomentum(const Model<S>& model, Data<S>& data, In<S> q, In<S> v) {
   using namespace algorithms_detail;
   const Vector3<S> c = centerOfMass(model, data, q, v);
   Force<S>& hg = data.hg.write(Level::Velocity);
@@ -101,8 +119,8 @@ const Force<S>& computeCentroidalMomentum(const Model<S>& model, Data<S>& data, 
 /// Computes h_G and its rate [N, N m], the sum of the forces I a + v x* I v about c; returns the rate.
 /// Updates liMi, oMi, v, a, com, vcom, acom, hg, dhg. q [nq], v, a [nv].
 template <Scalar S>
-const Force<S>& computeCentroidalMomentumTimeVariation(const Model<S>& model, Data<S>& data, In<S> q, In<S> v,
-                                                       In<S> a) {
+Force<S> computeCentroidalMomentumTimeVariation(const Model<S>& model, Data<S>& data, In<S> q, In<S> v,
+                                                In<S> a) {
   using namespace algorithms_detail;
   computeCentroidalMomentum(model, data, q, v);
   const Vector3<S> c = centerOfMass(model, data, q, v, a);

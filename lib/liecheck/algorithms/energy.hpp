@@ -1,24 +1,26 @@
 #pragma once
-// Kinetic and potential energy of all bodies that are not fixed to the world.
+// Kinetic and potential energy of all bodies that are not fixed to the world, and of the motors (armature).
 
 #include <liecheck/algorithms/kinematics.hpp>
 
 namespace liecheck {
 
-/// 1/2 sum v_i^T I_i v_i = 1/2 v^T (M - armature) v [J]. Updates liMi, oMi, v, kinetic_energy.
-/// q [nq], v [nv].
+/// T = 1/2 sum_i v_i^T I_i v_i + 1/2 sum_k armature_k v_k^2 = 1/2 v^T M v [J], as in Pinocchio. Updates liMi,
+/// oMi, v, kinetic_energy. q [nq], v [nv].
 template <Scalar S>
-const S& computeKineticEnergy(const Model<S>& model, Data<S>& data, In<S> q, In<S> v) {
+S computeKineticEnergy(const Model<S>& model, Data<S>& data, In<S> q, In<S> v) {
   forwardKinematics(model, data, q, v);
   S& energy = data.kinetic_energy.write(Level::Velocity);
   energy = S(0);
+  for (int k = 0; k < model.nv; ++k) energy += model.armature[k] * v[k] * v[k];
+  energy /= S(2);
   for (std::size_t i = 1; i < model.joints.size(); ++i) energy += model.inertias[i].kineticEnergy(data.v[i]);
   return energy;
 }
 
 /// -sum m_i g . c_i [J], zero at the world's origin. Updates liMi, oMi, potential_energy. q [nq].
 template <Scalar S>
-const S& computePotentialEnergy(const Model<S>& model, Data<S>& data, In<S> q) {
+S computePotentialEnergy(const Model<S>& model, Data<S>& data, In<S> q) {
   forwardKinematics(model, data, q);
   S& energy = data.potential_energy.write(Level::Position);
   energy = S(0);
@@ -27,7 +29,7 @@ const S& computePotentialEnergy(const Model<S>& model, Data<S>& data, In<S> q) {
   return energy;
 }
 
-/// Kinetic plus potential energy [J]. It is constant if no force but gravity acts and the armature is 0.
+/// Kinetic plus potential energy [J]. It does not change in a motion with the accelerations of aba at tau = 0.
 /// Updates liMi, oMi, v, kinetic_energy, potential_energy. q [nq], v [nv].
 template <Scalar S>
 S computeMechanicalEnergy(const Model<S>& model, Data<S>& data, In<S> q, In<S> v) {
