@@ -7,6 +7,9 @@
 #include <liecheck/algorithms/derivatives.hpp>
 #include <liecheck/algorithms/energy.hpp>
 #include <liecheck/algorithms/jacobians.hpp>
+#include <map>
+#include <memory>
+#include <set>
 #include <thread>
 
 #include "count_allocations.hpp"
@@ -104,6 +107,113 @@ TEST(Data, AStaleFieldNamesTheMissingCall) {
   EXPECT_FALSE(d.oMf.isFresh());
 }
 
+/// The fields that are stale, of those that depend on the gravity or the armature, and M's neighbours.
+std::set<std::string> staleFields(const Data<double>& d) {
+  std::set<std::string> stale;
+  for (const auto& [name, fresh] :
+       std::map<std::string, bool>{{"f", d.f.isFresh()},
+                                   {"tau", d.tau.isFresh()},
+                                   {"nle", d.nle.isFresh()},
+                                   {"g", d.g.isFresh()},
+                                   {"tau_static", d.tau_static.isFresh()},
+                                   {"ddq", d.ddq.isFresh()},
+                                   {"M", d.M.isFresh()},
+                                   {"Minv", d.Minv.isFresh()},
+                                   {"dtau_dq", d.dtau_dq.isFresh()},
+                                   {"dtau_dv", d.dtau_dv.isFresh()},
+                                   {"ddq_dq", d.ddq_dq.isFresh()},
+                                   {"ddq_dv", d.ddq_dv.isFresh()},
+                                   {"kinetic_energy", d.kinetic_energy.isFresh()},
+                                   {"potential_energy", d.potential_energy.isFresh()},
+                                   {"oMi", d.oMi.isFresh()},
+                                   {"v", d.v.isFresh()},
+                                   {"J", d.J.isFresh()},
+                                   {"Ag", d.Ag.isFresh()}})
+    if (!fresh) stale.insert(name);
+  return stale;
+}
+
+TEST(Data, AnotherGravityOrArmatureMakesTheFieldsStaleThatDependOnIt) {
+  Model<double> m = randomModel(3, 6);
+  Random random(3);
+  const State s = randomState(m, random);
+  Data<double> d(m, Dense::Derivatives);
+  const std::vector<Force<double>> none(std::size_t(m.njoints), Force<double>::Zero());
+  const auto everything = [&] {
+    computeJointJacobians(m, d, s.q), computeCentroidalMap(m, d, s.q);
+    computeMechanicalEnergy(m, d, s.q, s.v);
+    nonLinearEffects(m, d, s.q, s.v), computeStaticTorque(m, d, s.q, none);
+    computeGeneralizedGravity(m, d, s.q);
+    computeABADerivatives(m, d, s.q, s.v, s.tau);
+    rnea(m, d, s.q, s.v, d.ddq());
+  };
+  using Names = std::set<std::string>;
+  everything();
+  EXPECT_EQ(staleFields(d), Names());
+  m.gravity = -m.gravity;
+  forwardKinematics(m, d, s.q);
+  EXPECT_EQ(staleFields(d),
+            (Names{"f", "tau", "nle", "g", "tau_static", "ddq", "dtau_dq", "ddq_dq", "potential_energy"}));
+  EXPECT_EQ(refusal([&] { d.tau.checked(); }),
+            "Data::tau was computed with another gravity or armature: call rnea(model, data, q, v, a) first");
+  everything();
+  EXPECT_EQ(staleFields(d), Names());
+  m.armature[0] += 1;
+  forwardKinematics(m, d, s.q);
+  EXPECT_EQ(staleFields(d), (Names{"tau", "ddq", "M", "Minv", "ddq_dq", "ddq_dv", "kinetic_energy"}));
+  m.armature.resize(2);
+  EXPECT_EQ(refusal([&] { forwardKinematics(m, d, s.q); }),
+            "armature has 2 numbers, the model's nv is " + std::to_string(m.nv));
+}
+
+TEST(Data, TheStaticTorqueAndTheGeneralizedGravityAreTwoFields) {
+  const Model<double> m = randomModel(3, 6);
+  Random random(3);
+  const State s = randomState(m, random);
+  Data<double> d(m), e(m);
+  const auto fext = random.forces(m.njoints);
+  const Vec difference = computeGeneralizedGravity(m, d, s.q) - computeStaticTorque(m, d, s.q, fext);
+  const Vec g = computeGeneralizedGravity(m, e, s.q);
+  EXPECT_EQ(difference, g - Vec(computeStaticTorque(m, e, s.q, fext)));
+  EXPECT_GT(difference.norm(), 0);
+}
+
+// A copy used to be impossible; copied field by field, it would refer to the state of the original.
+TEST(Data, ACopyHasTheResultsOfTheOriginalAndAStateOfItsOwn) {
+  const Model<double> m = randomModel(3, 6), other = randomModel(4, 9);
+  Random random(3);
+  const State s = randomState(m, random), later = randomState(m, random);
+  const auto computed = [&] {
+    auto d = std::make_unique<Data<double>>(m, Dense::Mass);
+    rnea(m, *d, s.q, s.v, s.a), crba(m, *d, s.q);
+    return d;
+  };
+  const Vec tau = computed()->tau(), tau_later = rnea(m, *computed(), later.q, later.v, later.a);
+  const auto independent = [&](std::unique_ptr<Data<double>> original, Data<double>& copy) {
+    EXPECT_EQ(copy.tau.checked(), tau);
+    EXPECT_EQ(original->tau.checked(), tau);
+    forwardKinematics(m, *original, later.q);
+    EXPECT_FALSE(original->tau.isFresh());
+    EXPECT_EQ(copy.tau.checked(), tau);
+    rnea(m, copy, later.q, later.v, later.a), rnea(m, *original, s.q, s.v, s.a);
+    EXPECT_EQ(copy.tau.checked(), tau_later);
+    EXPECT_EQ(original->tau.checked(), tau);
+    EXPECT_FALSE(copy.M.isFresh());
+    original.reset();
+    EXPECT_EQ(copy.tau.checked(), tau_later);
+    EXPECT_EQ(crba(m, copy, s.q), computed()->M());
+    EXPECT_FALSE(copy.tau.isFresh());
+  };
+  auto a = computed(), b = computed(), c = computed(), d = computed();
+  Data<double> constructed = *a, from_moved = std::move(*b), assigned(other), move_assigned(other);
+  rnea(other, assigned, neutral(other), Vec::Ones(other.nv), Vec::Ones(other.nv));
+  assigned = *c, move_assigned = std::move(*d);
+  independent(std::move(a), constructed), independent(std::move(b), from_moved);
+  independent(std::move(c), assigned), independent(std::move(d), move_assigned);
+  EXPECT_NE(refusal([&] { forwardKinematics(other, assigned, neutral(other)); }).find("another model"),
+            std::string::npos);
+}
+
 TEST(Data, AConstantModelServesManyThreads) {
   const Model<double> m = randomModel(5, 12);
   Random random(5);
@@ -161,10 +271,15 @@ TEST(Data, NoAlgorithmAllocates) {
     EXPECT_EQ(count([&] { updateFramePlacements(m, d); }), 0);
     EXPECT_EQ(count([&] { getFrameVelocity(m, d, frame, W), imu(m, d, frame); }), 0);
     EXPECT_EQ(count([&] { computeJointJacobiansTimeVariation(m, d, s.q, s.v); }), 0);
-    EXPECT_EQ(count([&] { getFrameJacobian(m, d, frame, W), getFrameJacobianTimeVariation(m, d, frame, W); }),
+    Matrix6X<double> J(6, m.nv);
+    EXPECT_EQ(count([&] {
+                getFrameJacobian(m, d, frame, W, J), getFrameJacobianTimeVariation(m, d, frame, W, J);
+                getJointJacobian(m, d, 1, W, J), getJointJacobianTimeVariation(m, d, 1, W, J);
+              }),
               0);
     EXPECT_EQ(count([&] { rnea(m, d, s.q, s.v, s.a, fext); }), 0);
     EXPECT_EQ(count([&] { nonLinearEffects(m, d, s.q, s.v), computeGeneralizedGravity(m, d, s.q); }), 0);
+    EXPECT_EQ(count([&] { computeStaticTorque(m, d, s.q, fext); }), 0);
     EXPECT_EQ(count([&] { crba(m, d, s.q); }), 0);
     EXPECT_EQ(count([&] { computeMinverse(m, d, s.q); }), 0);
     EXPECT_EQ(count([&] { aba(m, d, s.q, s.v, s.tau, fext); }), 0);

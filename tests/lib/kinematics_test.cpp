@@ -130,6 +130,65 @@ TEST(Jacobians, JVIsTheVelocityAndJAPlusJDotVIsTheAcceleration) {
   });
 }
 
+TEST(Jacobians, OneExpressionOrOneScopeMayHoldTheResultsOfSeveralGetters) {
+  forEachRobot([](const Model<double>& m, const State& s) {
+    Data<double> d(m);
+    forwardKinematics(m, d, s.q, s.v, s.a);
+    computeJointJacobiansTimeVariation(m, d, s.q, s.v);
+    const int k = m.nframes - 1, i = m.njoints - 1;
+    const auto world = ReferenceFrame::WORLD, local = ReferenceFrame::LOCAL;
+    const double size = d.J().norm() * s.a.norm() + d.dJ().norm() * s.v.norm();
+    const Vector6<double> sum =
+        getFrameJacobian(m, d, k, world) * s.a + getFrameJacobianTimeVariation(m, d, k, world) * s.v;
+    EXPECT_LE((sum - getFrameAcceleration(m, d, k, world).to_vector()).norm(), budget(m) * size);
+    const Vector6<double> joint_sum =
+        getJointJacobian(m, d, i, world) * s.a + getJointJacobianTimeVariation(m, d, i, world) * s.v;
+    EXPECT_LE((joint_sum - getAcceleration(m, d, i, world).to_vector()).norm(), budget(m) * size);
+    const auto &A = getFrameJacobian(m, d, k, world), &B = getFrameJacobian(m, d, k, local);
+    EXPECT_EQ(A, Mat(getFrameJacobian(m, d, k, world)));
+    EXPECT_EQ(B, Mat(getFrameJacobian(m, d, k, local)));
+    EXPECT_NE(A, B);
+  });
+}
+
+TEST(Jacobians, AMatrixOfTheCallerReceivesTheSameResult) {
+  forEachRobot([](const Model<double>& m, const State& s) {
+    Data<double> d(m);
+    computeJointJacobiansTimeVariation(m, d, s.q, s.v);
+    const int k = m.nframes - 1, i = m.njoints - 1;
+    for (ReferenceFrame reference : every_reference) {
+      // The rows of four tasks; what they held before does not matter.
+      Mat rows = Mat::Constant(24, m.nv, std::numeric_limits<double>::quiet_NaN());
+      getFrameJacobian(m, d, k, reference, rows.topRows(6));
+      getFrameJacobianTimeVariation(m, d, k, reference, rows.middleRows(6, 6));
+      getJointJacobian(m, d, i, reference, rows.middleRows(12, 6));
+      getJointJacobianTimeVariation(m, d, i, reference, rows.bottomRows(6));
+      Mat expected(24, m.nv);
+      expected << getFrameJacobian(m, d, k, reference), getFrameJacobianTimeVariation(m, d, k, reference),
+          getJointJacobian(m, d, i, reference), getJointJacobianTimeVariation(m, d, i, reference);
+      EXPECT_EQ(rows, expected);
+    }
+  });
+}
+
+TEST(Jacobians, AMatrixOfAnotherSizeIsRefused) {
+  const Model<double> m = randomModel(3, 6);
+  Data<double> d(m);
+  computeJointJacobiansTimeVariation(m, d, neutral(m), Vec::Zero(m.nv));
+  for (const auto& [rows, columns] : {std::pair(6, m.nv - 1), std::pair(3, m.nv)}) {
+    Mat J(rows, columns);
+    const std::string expected = "J is " + std::to_string(rows) + " x " + std::to_string(columns) +
+                                 ", the Jacobian of this model is 6 x " + std::to_string(m.nv);
+    for (const bool rate : {false, true}) try {
+        rate ? getFrameJacobianTimeVariation(m, d, 1, ReferenceFrame::LOCAL, J)
+             : getFrameJacobian(m, d, 1, ReferenceFrame::LOCAL, J);
+        ADD_FAILURE() << "nothing was refused";
+      } catch (const std::invalid_argument& e) {
+        EXPECT_EQ(e.what(), expected);
+      }
+  }
+}
+
 TEST(Jacobians, TimeVariationsAreTheirDerivatives) {
   forEachRobot([](const Model<double>& m, const State& s) {
     const Model<Real> ml = m.cast<Real>();

@@ -8,6 +8,10 @@
 
 namespace liecheck {
 
+/// The result of a Jacobian getter that allocates nothing: a matrix of the caller, 6 x nv.
+template <class S>
+using JacobianOut = Eigen::Ref<MatrixX<std::type_identity_t<S>>>;
+
 namespace algorithms_detail {
 
 /// Calls f(place, k, s_k, d) for every column k of every joint between the universe and the frame F. s_k is
@@ -26,14 +30,23 @@ void forEachSupportingColumn(const Model<S>& model, const Data<S>& data, const P
   }
 }
 
-/// Sets data.work.jacobian to the Jacobian [6 x nv] of F. Needs J.
+/// J [6 x nv], set to 0. Throws std::invalid_argument if it has another size.
 template <Scalar S>
-const Matrix6X<S>& jacobianOf(const Model<S>& model, Data<S>& data, const Placed<S>& F,
-                              ReferenceFrame reference) {
+Eigen::Ref<Matrix6X<S>> cleared(const Model<S>& model, JacobianOut<S> J) {
+  if (J.rows() != 6 || J.cols() != model.nv)
+    throw std::invalid_argument("J is " + std::to_string(J.rows()) + " x " + std::to_string(J.cols()) +
+                                ", the Jacobian of this model is 6 x " + std::to_string(model.nv));
+  J.setZero();
+  return J;
+}
+
+/// Sets J [6 x nv] to the Jacobian of F. Needs data.J.
+template <Scalar S>
+void jacobianOf(const Model<S>& model, const Data<S>& data, const Placed<S>& F, ReferenceFrame reference,
+                JacobianOut<S> out) {
   data.J();
   const Matrix3<S> R_WF = data.oMi[F.joint].rotation() * F.X_JF.rotation();
-  auto& J = data.work.jacobian;
-  J.setZero();
+  Eigen::Ref<Matrix6X<S>> J = cleared(model, out);
   forEachSupportingColumn(model, data, F, [&](const auto& place, int k, const Motion<S>& s_k, Vector3<S> d) {
     if (reference == ReferenceFrame::WORLD) d = -data.oMi[std::size_t(place.index)].translation();
     const Motion<S> s = shifted(s_k, d);
@@ -45,21 +58,19 @@ const Matrix6X<S>& jacobianOf(const Model<S>& model, Data<S>& data, const Placed
       Jk += s.to_vector();
     }
   });
-  return J;
 }
 
-/// Sets data.work.jacobian to the time derivative of the Jacobian [6 x nv] of F. s' = v_i x s is the rate of
-/// column s at a point fixed in space. The column's derivative is s' in WORLD, s' + (omega_s x p_dot, 0) in
-/// LOCAL_WORLD_ALIGNED and X^-1 (s' - V x s) in LOCAL. Needs dJ.
+/// Sets dJ [6 x nv] to the time derivative of the Jacobian of F. s' = v_i x s is the rate of column s at a
+/// point fixed in space. The column's derivative is s' in WORLD, s' + (omega_s x p_dot, 0) in
+/// LOCAL_WORLD_ALIGNED and X^-1 (s' - V x s) in LOCAL. Needs data.dJ.
 template <Scalar S>
-const Matrix6X<S>& jacobianRateOf(const Model<S>& model, Data<S>& data, const Placed<S>& F,
-                                  ReferenceFrame reference) {
+void jacobianRateOf(const Model<S>& model, const Data<S>& data, const Placed<S>& F, ReferenceFrame reference,
+                    JacobianOut<S> out) {
   data.dJ();
   const Matrix3<S>& R = data.oMi[F.joint].rotation();
   const Matrix3<S> R_WF = R * F.X_JF.rotation();
   const Motion<S> V = shifted(data.work.velocity[F.joint], Vector3<S>(R * F.X_JF.translation()));
-  auto& dJ = data.work.jacobian;
-  dJ.setZero();
+  Eigen::Ref<Matrix6X<S>> dJ = cleared(model, out);
   forEachSupportingColumn(model, data, F, [&](const auto& place, int k, const Motion<S>& s_k, Vector3<S> d) {
     if (reference == ReferenceFrame::WORLD) d = -data.oMi[std::size_t(place.index)].translation();
     const Motion<S> s = shifted(s_k, d);
@@ -72,7 +83,6 @@ const Matrix6X<S>& jacobianRateOf(const Model<S>& model, Data<S>& data, const Pl
     }
     dJ.col(place.idx_v + k) += rate.to_vector();
   });
-  return dJ;
 }
 
 }  // namespace algorithms_detail
@@ -144,27 +154,56 @@ const Matrix6X<S>& computeJointJacobiansTimeVariation(const Model<S>& model, Dat
   return dJ;
 }
 
-/// Jacobian [6 x nv] of a joint, or of a frame. The next getter overwrites the result. Needs J.
+/// Jacobian [6 x nv] of a joint, or of a frame. The last argument of the second form of each getter receives the
+/// result, and nothing is allocated; std::invalid_argument is thrown if it is not 6 x nv. Needs J.
 template <Scalar S>
-const Matrix6X<S>& getJointJacobian(const Model<S>& model, Data<S>& data, int joint,
-                                    ReferenceFrame reference) {
-  return jacobianOf(model, data, algorithms_detail::placedJoint(model, data, joint), reference);
+void getJointJacobian(const Model<S>& model, const Data<S>& data, int joint, ReferenceFrame reference,
+                      JacobianOut<S> J) {
+  jacobianOf(model, data, algorithms_detail::placedJoint(model, data, joint), reference, J);
 }
 template <Scalar S>
-const Matrix6X<S>& getFrameJacobian(const Model<S>& model, Data<S>& data, int frame,
-                                    ReferenceFrame reference) {
-  return jacobianOf(model, data, algorithms_detail::placedFrame(model, data, frame), reference);
-}
-/// Time derivative of the Jacobian [6 x nv] of a joint or a frame. The next getter overwrites it. Needs dJ.
-template <Scalar S>
-const Matrix6X<S>& getJointJacobianTimeVariation(const Model<S>& model, Data<S>& data, int joint,
-                                                 ReferenceFrame reference) {
-  return jacobianRateOf(model, data, algorithms_detail::placedJoint(model, data, joint), reference);
+Matrix6X<S> getJointJacobian(const Model<S>& model, const Data<S>& data, int joint,
+                             ReferenceFrame reference) {
+  Matrix6X<S> J(6, model.nv);
+  getJointJacobian(model, data, joint, reference, J);
+  return J;
 }
 template <Scalar S>
-const Matrix6X<S>& getFrameJacobianTimeVariation(const Model<S>& model, Data<S>& data, int frame,
-                                                 ReferenceFrame reference) {
-  return jacobianRateOf(model, data, algorithms_detail::placedFrame(model, data, frame), reference);
+void getFrameJacobian(const Model<S>& model, const Data<S>& data, int frame, ReferenceFrame reference,
+                      JacobianOut<S> J) {
+  jacobianOf(model, data, algorithms_detail::placedFrame(model, data, frame), reference, J);
+}
+template <Scalar S>
+Matrix6X<S> getFrameJacobian(const Model<S>& model, const Data<S>& data, int frame,
+                             ReferenceFrame reference) {
+  Matrix6X<S> J(6, model.nv);
+  getFrameJacobian(model, data, frame, reference, J);
+  return J;
+}
+/// Time derivative of the Jacobian [6 x nv] of a joint or a frame; two forms, as above. Needs dJ.
+template <Scalar S>
+void getJointJacobianTimeVariation(const Model<S>& model, const Data<S>& data, int joint,
+                                   ReferenceFrame reference, JacobianOut<S> dJ) {
+  jacobianRateOf(model, data, algorithms_detail::placedJoint(model, data, joint), reference, dJ);
+}
+template <Scalar S>
+Matrix6X<S> getJointJacobianTimeVariation(const Model<S>& model, const Data<S>& data, int joint,
+                                          ReferenceFrame reference) {
+  Matrix6X<S> dJ(6, model.nv);
+  getJointJacobianTimeVariation(model, data, joint, reference, dJ);
+  return dJ;
+}
+template <Scalar S>
+void getFrameJacobianTimeVariation(const Model<S>& model, const Data<S>& data, int frame,
+                                   ReferenceFrame reference, JacobianOut<S> dJ) {
+  jacobianRateOf(model, data, algorithms_detail::placedFrame(model, data, frame), reference, dJ);
+}
+template <Scalar S>
+Matrix6X<S> getFrameJacobianTimeVariation(const Model<S>& model, const Data<S>& data, int frame,
+                                          ReferenceFrame reference) {
+  Matrix6X<S> dJ(6, model.nv);
+  getFrameJacobianTimeVariation(model, data, frame, reference, dJ);
+  return dJ;
 }
 
 // instantiations_*.cpp instantiates these for float and double.

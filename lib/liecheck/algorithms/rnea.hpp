@@ -71,11 +71,14 @@ const VectorX<S>& nonLinearEffects(const Model<S>& model, Data<S>& data, In<S> q
   return data.nle();
 }
 
-/// g(q) - sum J^T fext [nv; N, N m]: the generalised forces of static equilibrium. Updates liMi, g.
+namespace algorithms_detail {
+
+/// Computes tau of (q, 0, 0). Updates liMi and the field that tau is.
 template <Scalar S>
-const VectorX<S>& computeStaticTorque(const Model<S>& model, Data<S>& data, In<S> q, External<S> fext) {
+const VectorX<S>& statics(const Model<S>& model, Data<S>& data, In<S> q, const External<S>& fext,
+                          Field<VectorX<S>>& tau) {
   data.begin(model, q);
-  algorithms_detail::checkForces<S>(model, fext);
+  checkForces<S>(model, fext);
   auto& liMi = data.liMi.write(Level::Position);
   auto& f = data.f.scratch();
   auto& A = data.work.gravitated;
@@ -87,13 +90,21 @@ const VectorX<S>& computeStaticTorque(const Model<S>& model, Data<S>& data, In<S
     f[i] = model.inertias[i] * A[i];
     if (!fext.empty()) f[i] = f[i] - fext[i];
   });
-  algorithms_detail::backwardForces(model, liMi, f, data.g.write(Level::Position));
-  return data.g();
+  backwardForces(model, liMi, f, tau.write(Level::Position));
+  return tau();
 }
+
+}  // namespace algorithms_detail
+
 /// g(q) [nv; N, N m]: the generalised gravity, tau at v = a = 0. Updates liMi, g.
 template <Scalar S>
 const VectorX<S>& computeGeneralizedGravity(const Model<S>& model, Data<S>& data, In<S> q) {
-  return computeStaticTorque(model, data, q, {});
+  return algorithms_detail::statics<S>(model, data, q, {}, data.g);
+}
+/// g(q) - sum J^T fext [nv; N, N m]: the generalised forces of static equilibrium. Updates liMi, tau_static.
+template <Scalar S>
+const VectorX<S>& computeStaticTorque(const Model<S>& model, Data<S>& data, In<S> q, External<S> fext) {
+  return algorithms_detail::statics<S>(model, data, q, fext, data.tau_static);
 }
 
 // instantiations_*.cpp instantiates these for float and double.

@@ -3,14 +3,17 @@
 // Each thread needs its own Data; the Model can be shared. Every algorithm states which fields it updates.
 // data_field.hpp defines when a field is stale.
 //
-// Fields are read as data.tau() or data.oMi[i]. Names and meanings are Pinocchio's. An algorithm returns a
-// reference to its field: copy the value if you need it after the next call.
+// Fields are read as data.tau() or data.oMi[i]. Names and meanings are Pinocchio's. An algorithm returns
+// the value of its field if that has a fixed size, otherwise a reference to it: copy the result if you need it
+// after the next call that updates the field. No two algorithms return one field with different meanings.
+//
+// A copy of a Data holds the same results, fresh or stale, and is independent of the original from then on.
+// std::move copies too, so that both remain valid.
 
 #include <liecheck/multibody/composite_inertia.hpp>
 #include <liecheck/multibody/data_field.hpp>
 #include <liecheck/multibody/joint_place.hpp>
 #include <liecheck/multibody/model.hpp>
-#include <memory>
 #include <span>
 
 namespace liecheck {
@@ -33,7 +36,7 @@ enum class Dense {
 
 template <Scalar S>
 class Data {
-  std::unique_ptr<Clock> clock_ = std::make_unique<Clock>();
+  Clock clock_;
   template <class T>
   using Each = std::vector<T>;
   static constexpr const char *fk = "forwardKinematics(model, data, q)",
@@ -44,46 +47,57 @@ class Data {
 
  public:
   explicit Data(const Model<S>& model, Dense dense = Dense::None);
+  Data(const Data& other) : Data() { *this = other; }
+  Data& operator=(const Data& other) = default;
 
-  Field<Each<SE3<S>>> liMi{*clock_, "liMi", fk};  ///< [njoints] X_parent,joint
-  Field<Each<SE3<S>>> oMi{*clock_, "oMi", fk};    ///< [njoints] X_world,joint
-  Field<Each<SE3<S>>> oMf{*clock_, "oMf", "updateFramePlacements(model, data)"};  ///< [nframes] X_world,frame
+  Field<Each<SE3<S>>> liMi{clock_, "liMi", fk};                                  ///< [njoints] X_parent,joint
+  Field<Each<SE3<S>>> oMi{clock_, "oMi", fk};                                    ///< [njoints] X_world,joint
+  Field<Each<SE3<S>>> oMf{clock_, "oMf", "updateFramePlacements(model, data)"};  ///< [nframes] X_world,frame
   /// [njoints] velocity [m/s, rad/s] and spatial acceleration without gravity [m/s^2, rad/s^2] of joint i in
   /// its axes, at its origin.
-  Field<Each<Motion<S>>> v{*clock_, "v", fk_v}, a{*clock_, "a", fk_a};
+  Field<Each<Motion<S>>> v{clock_, "v", fk_v}, a{clock_, "a", fk_a};
   /// [njoints] force of the parent on joint i, in i's axes, at its origin [N, N m].
-  Field<Each<Force<S>>> f{*clock_, "f", "rnea(model, data, q, v, a)"};
-  /// [nv; N, N m] tau: generalised forces of rnea; nle: h(q, v), tau at a = 0; g: tau at v = a = 0.
-  Field<VectorX<S>> tau{*clock_, "tau", "rnea(model, data, q, v, a)"};
-  Field<VectorX<S>> nle{*clock_, "nle", "nonLinearEffects(model, data, q, v)"};
-  Field<VectorX<S>> g{*clock_, "g", "computeGeneralizedGravity(model, data, q)"};
+  Field<Each<Force<S>>> f{clock_, "f", "rnea(model, data, q, v, a)", Constants::Gravity};
+  /// [nv; N, N m] tau: generalised forces of rnea; nle: h(q, v), tau at a = 0; g: tau at v = a = 0;
+  /// tau_static: g - sum J^T fext.
+  Field<VectorX<S>> tau{clock_, "tau", "rnea(model, data, q, v, a)", Constants::GravityAndArmature};
+  Field<VectorX<S>> nle{clock_, "nle", "nonLinearEffects(model, data, q, v)", Constants::Gravity};
+  Field<VectorX<S>> g{clock_, "g", "computeGeneralizedGravity(model, data, q)", Constants::Gravity};
+  Field<VectorX<S>> tau_static{clock_, "tau_static", "computeStaticTorque(model, data, q, fext)",
+                               Constants::Gravity};
   /// [nv; m/s^2, rad/s^2] acceleration of aba.
-  Field<VectorX<S>> ddq{*clock_, "ddq", "aba(model, data, q, v, tau)"};
+  Field<VectorX<S>> ddq{clock_, "ddq", "aba(model, data, q, v, tau)", Constants::GravityAndArmature};
   /// [6 x nv] the Jacobian columns of all joints in WORLD, and their time derivatives.
-  Field<Matrix6X<S>> J{*clock_, "J", "computeJointJacobians(model, data, q)"};
-  Field<Matrix6X<S>> dJ{*clock_, "dJ", "computeJointJacobiansTimeVariation(model, data, q, v)"};
+  Field<Matrix6X<S>> J{clock_, "J", "computeJointJacobians(model, data, q)"};
+  Field<Matrix6X<S>> dJ{clock_, "dJ", "computeJointJacobiansTimeVariation(model, data, q, v)"};
   /// [nv x nv] joint-space inertia and its inverse, both triangles.
-  Field<MatrixX<S>> M{*clock_, "M", "crba(model, data, q)"};
-  Field<MatrixX<S>> Minv{*clock_, "Minv", "computeMinverse(model, data, q)"};
+  Field<MatrixX<S>> M{clock_, "M", "crba(model, data, q)", Constants::Armature};
+  Field<MatrixX<S>> Minv{clock_, "Minv", "computeMinverse(model, data, q)", Constants::Armature};
   /// [nv x nv] derivatives with respect to tangent increments of q (_dq) and to v (_dv).
-  Field<MatrixX<S>> dtau_dq{*clock_, "dtau_dq", rnea_derivatives},
-      dtau_dv{*clock_, "dtau_dv", rnea_derivatives};
-  Field<MatrixX<S>> ddq_dq{*clock_, "ddq_dq", aba_derivatives}, ddq_dv{*clock_, "ddq_dv", aba_derivatives};
+  Field<MatrixX<S>> dtau_dq{clock_, "dtau_dq", rnea_derivatives, Constants::Gravity},
+      dtau_dv{clock_, "dtau_dv", rnea_derivatives},
+      ddq_dq{clock_, "ddq_dq", aba_derivatives, Constants::GravityAndArmature},
+      ddq_dv{clock_, "ddq_dv", aba_derivatives, Constants::Armature};
   /// [J].
-  Field<S> kinetic_energy{*clock_, "kinetic_energy", "computeKineticEnergy(model, data, q, v)"};
-  Field<S> potential_energy{*clock_, "potential_energy", "computePotentialEnergy(model, data, q)"};
+  Field<S> kinetic_energy{clock_, "kinetic_energy", "computeKineticEnergy(model, data, q, v)",
+                          Constants::Armature};
+  Field<S> potential_energy{clock_, "potential_energy", "computePotentialEnergy(model, data, q)",
+                            Constants::Gravity};
   /// Centre of mass, in the world [m, m/s, m/s^2].
-  Field<Vector3<S>> com{*clock_, "com", "centerOfMass(model, data, q)", Vector3<S>::Zero()};
-  Field<Vector3<S>> vcom{*clock_, "vcom", "centerOfMass(model, data, q, v)", Vector3<S>::Zero()};
-  Field<Vector3<S>> acom{*clock_, "acom", "centerOfMass(model, data, q, v, a)", Vector3<S>::Zero()};
+  Field<Vector3<S>> com{clock_, "com", "centerOfMass(model, data, q)", Constants::None, Vector3<S>::Zero()};
+  Field<Vector3<S>> vcom{clock_, "vcom", "centerOfMass(model, data, q, v)", Constants::None,
+                         Vector3<S>::Zero()};
+  Field<Vector3<S>> acom{clock_, "acom", "centerOfMass(model, data, q, v, a)", Constants::None,
+                         Vector3<S>::Zero()};
   /// [3 x nv] vcom = Jcom v.
-  Field<Matrix3X<S>> Jcom{*clock_, "Jcom", "jacobianCenterOfMass(model, data, q)"};
+  Field<Matrix3X<S>> Jcom{clock_, "Jcom", "jacobianCenterOfMass(model, data, q)"};
   /// [6 x nv] hg = Ag v.
-  Field<Matrix6X<S>> Ag{*clock_, "Ag", "computeCentroidalMap(model, data, q)"};
+  Field<Matrix6X<S>> Ag{clock_, "Ag", "computeCentroidalMap(model, data, q)"};
   /// Momentum about the centre of mass in the world's axes [N s, N m s], and its rate [N, N m].
-  Field<Force<S>> hg{*clock_, "hg", "computeCentroidalMomentum(model, data, q, v)", Force<S>::Zero()};
-  Field<Force<S>> dhg{*clock_, "dhg", "computeCentroidalMomentumTimeVariation(model, data, q, v, a)",
-                      Force<S>::Zero()};
+  Field<Force<S>> hg{clock_, "hg", "computeCentroidalMomentum(model, data, q, v)", Constants::None,
+                     Force<S>::Zero()};
+  Field<Force<S>> dhg{clock_, "dhg", "computeCentroidalMomentumTimeVariation(model, data, q, v, a)",
+                      Constants::None, Force<S>::Zero()};
 
   /// Workspace of the algorithms. "In world axes" means in the world's axes with the joint's origin as
   /// reference point, so that no digits are lost far from the world's origin.
@@ -96,7 +110,6 @@ class Data {
     Each<JoinedMass<S>> joined;         ///< cached mass ratios for adding subtree i to its parent
     Each<Matrix6<S>> articulated, coriolis, D_factor;
     Matrix6X<S> S_columns, dS, U, z, w, y;  ///< [6 x ncolumns]
-    Matrix6X<S> jacobian;                   ///< [6 x nv] result of the last Jacobian getter
     VectorX<S> u;                           ///< [ncolumns]
     MatrixX<S> factor;                      ///< [nv x nv] L of M = L^T L
   };
@@ -114,43 +127,58 @@ class Data {
       throw std::logic_error(std::string(call) + " needs nv x nv matrices: make Data(model, Dense::" +
                              (dense == Dense::Mass ? "Mass)" : "Derivatives)"));
   }
-  /// For algorithms: sets the current state q, (q, v) or (q, v, a), and checks the model and the sizes.
+  /// For algorithms: sets the current state q, (q, v) or (q, v, a) and the constants of the model, and checks
+  /// the model and the sizes.
   void begin(const Model<S>& model, In<S> q) {
     check(model);
-    update(q, q_, model.nq, "q", "nq", clock_->q);
+    note(model.gravity, gravity_, clock_.gravity);
+    update(model.armature, armature_, model.nv, "armature", "nv", clock_.armature);
+    update(q, q_, model.nq, "q", "nq", clock_.q);
   }
-  void begin(const Model<S>& model, In<S> q, In<S> v) {
+  void begin(const Model<S>& model, In<S> q, In<S> velocity) {
     begin(model, q);
-    update(v, v_, model.nv, "v", "nv", clock_->v);
+    update(velocity, v_, model.nv, "v", "nv", clock_.v);
   }
-  void begin(const Model<S>& model, In<S> q, In<S> v, In<S> a) {
-    begin(model, q, v);
-    update(a, a_, model.nv, "a", "nv", clock_->a);
+  void begin(const Model<S>& model, In<S> q, In<S> velocity, In<S> acceleration) {
+    begin(model, q, velocity);
+    update(acceleration, a_, model.nv, "a", "nv", clock_.a);
   }
 
  private:
+  Data() = default;  // for the copy constructor
+
   void update(In<S> x, VectorX<S>& last, int size, const char* what, const char* dimension, long& stamp) {
     multibody_detail::checkSize(x.size(), size, what, dimension);
+    note(x, last, stamp);
+  }
+  template <class Vector>
+  void note(const Vector& x, Vector& last, long& stamp) {
     if (stamp != 0 && x == last) return;
     last = x;
     stamp = ++changes_;
   }
 
-  int revision_;
-  Dense dense_;
-  VectorX<S> q_, v_, a_;
+  int revision_ = 0;
+  Dense dense_ = Dense::None;
+  VectorX<S> q_, v_, a_, armature_;
+  Vector3<S> gravity_;
   long changes_ = 0;
 };
 
 template <Scalar S>
 Data<S>::Data(const Model<S>& model, Dense dense)
-    : revision_(model.revision), dense_(dense), q_(model.nq), v_(model.nv), a_(model.nv) {
+    : revision_(model.revision),
+      dense_(dense),
+      q_(model.nq),
+      v_(model.nv),
+      a_(model.nv),
+      armature_(model.nv) {
   const std::size_t n = model.joints.size();
   liMi.scratch().assign(n, SE3<S>::Identity()), oMi.scratch().assign(n, SE3<S>::Identity());
   oMf.scratch().resize(model.frames.size());
   v.scratch().assign(n, Motion<S>::Zero()), a.scratch().assign(n, Motion<S>::Zero());
   f.scratch().assign(n, Force<S>::Zero());
-  for (Field<VectorX<S>>* x : {&tau, &nle, &g, &ddq}) x->scratch().resize(model.nv);
+  for (Field<VectorX<S>>* x : {&tau, &nle, &g, &tau_static, &ddq}) x->scratch().resize(model.nv);
   for (Field<Matrix6X<S>>* m : {&J, &dJ, &Ag}) m->scratch().resize(6, model.nv);
   Jcom.scratch().resize(3, model.nv);
   work.gravitated.assign(n, Motion<S>::Zero());
@@ -161,7 +189,6 @@ Data<S>::Data(const Model<S>& model, Dense dense)
   work.articulated.resize(n), work.coriolis.resize(n), work.D_factor.resize(n);
   for (Matrix6X<S>* m : {&work.S_columns, &work.dS, &work.U, &work.z, &work.w, &work.y})
     m->resize(6, model.ncolumns);
-  work.jacobian.resize(6, model.nv);
   work.u.resize(model.ncolumns);
   if (dense == Dense::None) return;
   M.scratch().setZero(model.nv, model.nv);  // crba never writes the entries between branches
