@@ -11,12 +11,12 @@ namespace liecheck {
 /// Thrown if M^-1 is needed but a joint moves no inertia, or one that is not finite. what() names the joint.
 class SingularInertia : public std::domain_error {
  public:
-  SingularInertia(const std::string& joint_name, int joint_index, bool finite = true)
+  SingularInertia(const std::string& joint_name, int joint, bool finite = true)
       : std::domain_error(
-            "joint '" + joint_name + "' (joint " + std::to_string(joint_index) + ") " +
+            "joint '" + joint_name + "' (joint " + std::to_string(joint) + ") " +
             (finite ? "moves no inertia, so no force sets its acceleration: are the links behind it massless?"
                     : "moves an inertia that is not finite: q is too large")),
-        joint_index(joint_index) {}
+        joint_index(joint) {}
   int joint_index;
 };
 

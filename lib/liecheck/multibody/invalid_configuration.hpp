@@ -10,14 +10,9 @@ namespace liecheck {
 /// Thrown for an invalid q or v. It names the joint and its index, the index in the vector, and the value.
 class InvalidConfiguration : public std::invalid_argument {
  public:
-  /// index is that in q or v. value is the number there, or |Q|^2 if the norm is wrong.
-  InvalidConfiguration(const std::string& what, const std::string& joint_name, int joint_index, int index,
-                       double value)
-      : std::invalid_argument(what),
-        joint_name(joint_name),
-        joint_index(joint_index),
-        index(index),
-        value(value) {}
+  /// `at` is the index in q or v. `number` is the number there, or |Q|^2 if the norm is wrong.
+  InvalidConfiguration(const std::string& what, const std::string& name, int joint, int at, double number)
+      : std::invalid_argument(what), joint_name(name), joint_index(joint), index(at), value(number) {}
 
   std::string joint_name;
   int joint_index;

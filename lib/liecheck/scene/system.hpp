@@ -40,8 +40,8 @@ struct State {
   typename System::Configuration q;
   typename System::Tangent v, q_low, v_low;
 
-  State(const System& system, const typename System::Configuration& q, const typename System::Tangent& v)
-      : q(q), v(v), q_low(v), v_low(v) {
+  State(const System& system, const typename System::Configuration& q0, const typename System::Tangent& v0)
+      : q(q0), v(v0), q_low(v0), v_low(v0) {
     static_cast<void>(system);
     q_low.setZero(), v_low.setZero();
   }

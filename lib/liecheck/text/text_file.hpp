@@ -10,8 +10,8 @@ namespace liecheck {
 /// A file that cannot be read. what() says why, for example `cannot be opened (No such file or directory)`.
 struct FileError : std::runtime_error {
   std::string problem, value;
-  FileError(const std::string& problem, const std::string& value)
-      : std::runtime_error(problem + " (" + value + ")"), problem(problem), value(value) {}
+  FileError(const std::string& what_failed, const std::string& reason)
+      : std::runtime_error(what_failed + " (" + reason + ")"), problem(what_failed), value(reason) {}
 };
 
 /// The bytes of a regular file, or of a pipe with a writer. The file is opened and read once. If it is longer

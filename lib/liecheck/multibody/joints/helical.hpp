@@ -10,10 +10,11 @@ struct Helical : LinearCoordinates<S, 1> {
   Axis<S> axis;
   S pitch;
   /// pitch [m/rad], not m per revolution. Throws std::invalid_argument if pitch is not finite.
-  Helical(const Axis<S>& unit_axis, const S& pitch) : axis(unit_axis), pitch(pitch) {
+  Helical(const Axis<S>& unit_axis, const S& metres_per_radian) : axis(unit_axis), pitch(metres_per_radian) {
     if (!finite<S>(pitch)) throw std::invalid_argument("the pitch of a helical joint must be finite");
   }
-  Helical(const Vector3<S>& direction, const S& pitch) : Helical(Axis<S>(direction), pitch) {}
+  Helical(const Vector3<S>& direction, const S& metres_per_radian)
+      : Helical(Axis<S>(direction), metres_per_radian) {}
 
   /// X_PJ (R(axis, q), pitch q axis).
   SE3<S> transform(const SE3<S>& X_PJ, const Vector1<S>& q) const {

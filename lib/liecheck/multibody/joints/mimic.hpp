@@ -22,8 +22,8 @@ struct Mimic : LinearCoordinates<S, 0> {
   int primary;  ///< index of the joint that the mimic follows
   S multiplier, offset;
 
-  Mimic(const Moved& moved, int primary, const S& multiplier, const S& offset = S(0))
-      : moved(moved), primary(primary), multiplier(multiplier), offset(offset) {
+  Mimic(const Moved& joint, int primary_index, const S& factor, const S& constant = S(0))
+      : moved(joint), primary(primary_index), multiplier(factor), offset(constant) {
     if (!finite<S>(multiplier) || !finite<S>(offset))
       throw std::invalid_argument("the multiplier and the offset of a mimic joint must be finite");
   }
