@@ -21,7 +21,6 @@ TEST(BadUrdf, AZeroOrNonFiniteAxisIsRefused) {
     expectRefused(twoLinks(type, limit + "<axis xyz='0 0 -0.0'/>"), 4, "zero axis", "0 0 -0.0");
     expectRefused(twoLinks(type, limit + "<axis xyz='0 inf 0'/>"), 4, "hold finite numbers", "0 inf 0");
     expectRefused(twoLinks(type, limit + "<axis xyz='0 nan 0'/>"), 4, "hold finite numbers", "0 nan 0");
-    expectRefused(twoLinks(type, limit + "<axis/>"), 4, "<axis> xyz is missing", "");
   }
 }
 
@@ -36,8 +35,8 @@ TEST(BadUrdf, TextThatIsNoFiniteNumberIsRefusedWithItsLine) {
     expectRefused(oneLink(inertial("1", value)), 3, "<inertia> ixx", value);
     expectRefused(twoLinks("revolute", "\n\n<limit effort='" + value + "' velocity='1'/>"), 6,
                   "<limit> effort", value);
-    expectRefused(oneLink("<visual><geometry><sphere radius='" + value + "'/></geometry></visual>"), 3,
-                  "radius", value);
+    expectWarned(oneLink("<visual><geometry><sphere radius='" + value + "'/></geometry></visual>"), 3,
+                 "radius", value);
   }
   expectRefused(twoLinks("fixed", "<origin xyz='0 1'/>"), 4, "2 numbers, not 3", "0 1");
   expectRefused(twoLinks("fixed", "<origin xyz='0 1 2 3'/>"), 4, "4 numbers, not 3", "0 1 2 3");
@@ -51,7 +50,11 @@ TEST(BadUrdf, AnIncompleteInertialIsRefused) {
   expectRefused(oneLink("<inertial><mass value='1'/></inertial>"), 3, "without <inertia>", "a");
   expectRefused(oneLink("<inertial><inertia ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' izz='1'/></inertial>"), 3,
                 "without <mass>", "a");
-  expectRefused(oneLink("<inertial><mass value='1'/><inertia ixx='1'/></inertial>"), 3, "ixy is missing", "");
+  expectRefused(oneLink("<inertial><mass value='1'/><inertia ixx='1'/></inertial>"), 3, "iyy is missing", "");
+  const std::string diagonal =
+      oneLink("<inertial><mass value='1'/><inertia ixx='1' iyy='1' izz='1'/></inertial>");
+  for (const char* product : {"ixy", "ixz", "iyz"})
+    expectWarned(diagonal, 3, std::string("<inertia> ") + product + " is missing and is taken as", "0");
 }
 
 TEST(BadUrdf, ANegativeMassIsRefusedAndAZeroMassIsNot) {
@@ -90,23 +93,52 @@ TEST(BadUrdf, LoopsAreRefused) {
 TEST(BadUrdf, DuplicateNamesAreRefusedWithTheLineOfTheFirst) {
   expectRefused("<robot name='r'>\n<link name='a'/>\n<link name='a'/></robot>", 3, "the first is in line 2",
                 "a");
-  expectRefused("<robot name='r'>\n<link name='a'/>\n<material name='m'/>\n<material name='m'/></robot>", 4,
-                "the first is in line 3", "m");
+  expectWarned("<robot name='r'>\n<link name='a'/>\n<material name='m'/>\n<material name='m'/></robot>", 4,
+               "the first is in line 3", "m");
   std::string text = twoLinks("fixed", "");
   text.insert(text.find("</robot>"),
               "<link name='c'/><joint name='j' type='fixed'><parent link='b'/><child link='c'/></joint>");
   expectRefused(text, 5, "the first is in line 4", "j");
   std::string universe = twoLinks("fixed", "");
   expectRefused(universe.replace(universe.find("'j'"), 3, "'universe'"), 4, "reserved", "universe");
+  expectRefused("<robot name='r'>\n<link name='universe'/></robot>", 2, "this link name is reserved",
+                "universe");
   std::string root = twoLinks("fixed", "");
   root.replace(root.find("'j'"), 3, "'root_joint'");
   EXPECT_NO_THROW(buildModelFromUrdfText(root));
   EXPECT_NE(refusal(root, RootJoint::FreeFlyer).find("reserved"), std::string::npos);
 }
 
-TEST(BadUrdf, AMissingLimitIsRefusedIfTheTypeNeedsOne) {
-  expectRefused(twoLinks("revolute", ""), 4, "no <limit>", "revolute");
-  EXPECT_NO_THROW(buildModelFromUrdfText(twoLinks("continuous", "")));
+TEST(Urdf, AJointWhoseLimitIsMissingCrossedOrNegativeIsNotLimitedWithAWarning) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  const auto expectUnlimited = [&](const std::string& elements, int line, const std::string& words,
+                                   const std::string& value, bool bounds, bool effort) {
+    const std::string text = twoLinks("revolute", elements);
+    expectWarned(text, line, words, value);
+    const Model<double> m = buildModelFromUrdfText(text);
+    EXPECT_EQ(m.lowerPositionLimit[0], bounds ? -infinity : -1);
+    EXPECT_EQ(m.upperPositionLimit[0], bounds ? infinity : 1);
+    EXPECT_EQ(m.effortLimit[0], effort ? infinity : 1);
+  };
+  expectUnlimited("", 4, "no <limit>, which its type needs", "revolute", true, true);
+  expectUnlimited("\n<limit lower='2' upper='-1' effort='1' velocity='1'/>", 5,
+                  "joint 'j' has crossed limits, lower > upper, which are ignored", "2.000000 -1.000000",
+                  true, false);
+  expectUnlimited("\n<limit lower='-1' upper='1' effort='-2' velocity='1'/>", 5,
+                  "a negative effort limit, which is ignored", "-2", false, true);
+  expectUnlimited("\n<limit lower='-1' upper='1' velocity='1'/>", 5, "<limit> effort is missing", "infinite",
+                  false, true);
+  expectWarned(twoLinks("prismatic", "\n<limit lower='0' upper='1' effort='2' velocity='-1'/>"), 5,
+               "a negative velocity limit, which is ignored", "-1");
+  for (const char* type : {"continuous", "floating"})
+    EXPECT_NO_THROW(buildModelFromUrdfText(twoLinks(type, "")));
+}
+
+TEST(Urdf, ALimitWithoutBoundsIsZeroAsInTheSpecificationWithAWarning) {
+  const std::string text = twoLinks("prismatic", "\n<limit effort='1' velocity='1'/>");
+  expectWarned(text, 5, "joint 'j' has a <limit> without lower, which is taken as", "0");
+  expectWarned(text, 5, "joint 'j' has a <limit> without upper, which is taken as", "0");
+  EXPECT_EQ(buildModelFromUrdfText(text).upperPositionLimit[0], 0);
 }
 
 TEST(BadUrdf, AnIncompleteMimicCalibrationSafetyControllerOrDynamicsIsNamedWithItsLine) {
@@ -115,25 +147,14 @@ TEST(BadUrdf, AnIncompleteMimicCalibrationSafetyControllerOrDynamicsIsNamedWithI
   expectRefused(twoLinks("continuous", "\n<safety_controller k_velocity='nan'/>"), 5, "k_velocity", "nan");
   expectRefused(twoLinks("continuous", "\n<safety_controller/>"), 5,
                 "<safety_controller> k_velocity is missing", "");
-  expectRefused(twoLinks("continuous", "\n<dynamics/>"), 5, "<dynamics> without damping", "");
+  expectWarned(twoLinks("continuous", "\n<dynamics/>"), 5, "<dynamics> without damping", "continuous");
 }
 
-TEST(BadUrdf, CrossedAndNegativeLimitsAreRefused) {
-  const std::string crossed = "\n<limit lower='1' upper='-1' effort='1' velocity='1'/>";
-  for (const char* type : {"revolute", "prismatic"})
-    expectRefused(twoLinks(type, crossed), 5, "joint 'j' has crossed limits", "1.000000 > -1.000000");
-  expectRefused(twoLinks("continuous", "\n<limit effort='-2' velocity='1'/>"), 5, "a negative effort limit",
-                "-2");
-  expectRefused(twoLinks("revolute", "\n<limit effort='2' velocity='-1'/>"), 5, "a negative velocity limit",
-                "-1");
-}
-
-TEST(BadUrdf, AnImpossibleInertiaIsRefusedUnlessFixedLinksMakeItPossible) {
-  expectRefused(oneLink("\n" + inertial("1", "3")), 4,
-                "link 'a': a principal moment of inertia is larger than the sum of the other two", "1 1 3");
-  expectRefused(oneLink(inertial("1", "-1")), 3, "link 'a': a principal moment of inertia is negative",
-                "-1 1 1");
-  EXPECT_NO_THROW(buildModelFromUrdfText(oneLink(inertial("1", "2"))));  // flat
+TEST(Urdf, AnInertiaThatBreaksTheTriangleInequalityIsAWarning) {
+  expectWarned(oneLink("\n" + inertial("1", "3")), 4,
+               "link 'a': a principal moment of inertia is larger than the sum of the other two", "1 1 3");
+  EXPECT_EQ(loadUrdfText(oneLink(inertial("1", "2")), {.root = RootJoint::FreeFlyer}).warnings.size(),
+            0U);  // flat
   const std::string sensor = "<robot name='r'>\n<link name='a'>" + inertial("10", "1") +
                              "</link>\n<link name='b'>" + inertial("1e-3", "2.1") +
                              "</link>\n<joint name='j' type='fixed'><parent link='a'/>" +
@@ -146,6 +167,22 @@ TEST(BadUrdf, AnImpossibleInertiaIsRefusedUnlessFixedLinksMakeItPossible) {
       "with the links fixed to it is valid (1 1 2.1)");
 }
 
+TEST(BadUrdf, ANegativeMomentIsRefusedIfItMovesAndIsMoreThanAPrintingError) {
+  const std::string bad = oneLink(inertial("1", "-1"));
+  EXPECT_EQ(refusal(bad, RootJoint::FreeFlyer),
+            "bad.urdf:3: link 'a': a principal moment of inertia is negative (-1 1 1)");
+  expectWarned(bad, 3, "is negative; the link does not move", "-1 1 1", {});
+  expectWarned(oneLink(inertial("1", "-1e-4")), 3, "is negative", "-0.0001 1 1");
+  // Moments below m (eps |c|)^2 are those of a point mass.
+  const auto point = [](const std::string& ixz) {
+    return oneLink("<inertial><origin xyz='0.1 0 0'/><mass value='1'/><inertia ixx='0' ixy='0' ixz='" + ixz +
+                   "' iyy='0' iyz='0' izz='0'/></inertial>");
+  };
+  EXPECT_NO_THROW(buildModelFromUrdfText(point("2e-35"), RootJoint::FreeFlyer));
+  EXPECT_NE(refusal(point("2e-33"), RootJoint::FreeFlyer).find("negative (-2e-33 0 2e-33)"),
+            std::string::npos);
+}
+
 const std::string three = "<robot name='r'>\n<link name='a'/>\n<link name='b'/>\n<link name='c'/>\n";
 
 std::string mimicJoint(const std::string& name, const std::string& type, const std::string& parent,
@@ -156,36 +193,57 @@ std::string mimicJoint(const std::string& name, const std::string& type, const s
          "</joint>\n";
 }
 
-TEST(BadUrdf, AMimicOfNothingOfItselfOfALaterJointOrOfAMimicIsRefused) {
+const UrdfOptions tied = {.mimic = MimicJoints::Tied};
+
+TEST(BadUrdf, AMimicOfNothingOfItselfOrOfAMimicIsRefusedIfTiedAndOtherwiseAWarning) {
   const auto text = [](const std::string& first, const std::string& second, const char* type = "revolute") {
     return three + mimicJoint("j", type, "a", "b", first) + mimicJoint("k", "revolute", "b", "c", second) +
            "</robot>";
   };
-  expectRefused(text("", "nobody"), 6, "joint 'k' mimics a joint that does not exist", "nobody");
-  expectRefused(text("k", ""), 5, "joint 'j' mimics a joint that comes later", "k");
-  expectRefused(text("", "k"), 6, "joint 'k' mimics itself", "k");
-  expectRefused(text("", "j", "fixed"), 6, "mimics a joint that does not move", "j");
-  expectRefused(text("", "j", "floating"), 6, "mimics a joint that does not have exactly one", "j");
+  const auto expectBoth = [](const std::string& bad, int line, const std::string& what,
+                             const std::string& primary) {
+    expectWarned(bad, line, what, primary);
+    try {
+      loadUrdfText(bad, tied, "bad.urdf");
+      ADD_FAILURE() << what << ": was tied";
+    } catch (const UrdfError& e) {
+      EXPECT_EQ(e.what(), "bad.urdf:" + std::to_string(line) + ": " + what + " (" + primary + ")");
+    }
+  };
+  expectBoth(text("", "nobody"), 6, "joint 'k' mimics a joint that does not exist", "nobody");
+  expectBoth(text("", "k"), 6, "joint 'k' mimics itself", "k");
+  expectBoth(text("", "j", "fixed"), 6, "joint 'k' mimics a joint that does not move", "j");
+  expectBoth(text("", "j", "floating"), 6,
+             "joint 'k' mimics a joint that does not have exactly one degree of freedom", "j");
   std::string chained = text("", "j");
   chained.insert(chained.find("</robot>"), "<link name='d'/>" + mimicJoint("l", "revolute", "c", "d", "k"));
-  EXPECT_NO_THROW(loadUrdfText(chained));
-  try {
-    loadUrdfText(chained, {.mimic = MimicJoints::Tied}, "bad.urdf");
-    ADD_FAILURE() << "a mimic of a mimic was tied";
-  } catch (const UrdfError& e) {
-    EXPECT_STREQ(e.what(), "bad.urdf:7: joint 'l' mimics a joint that is a mimic itself (k)");
-  }
+  expectBoth(chained, 7, "joint 'l' mimics a joint that is a mimic itself", "k");
+  EXPECT_NO_THROW(loadUrdfText(text("k", "")));
+  EXPECT_THROW(loadUrdfText(text("k", ""), tied), UrdfError);
+}
+
+TEST(Urdf, AMimicOfALaterJointFollowsIt) {
+  // The tree is j: a - b, with k: b - c below it, and l: a - d. j follows l, which comes later.
+  const std::string text = three + "<link name='d'/>" + mimicJoint("j", "revolute", "a", "b", "l") +
+                           mimicJoint("k", "prismatic", "b", "c", "") +
+                           mimicJoint("l", "revolute", "a", "d", "") + "</robot>";
+  EXPECT_EQ(loadUrdfText(text).model.names, (std::vector<std::string>{"universe", "j", "k", "l"}));
+  const Model<double> m = loadUrdfText(text, tied).model;
+  EXPECT_EQ(m.names, (std::vector<std::string>{"universe", "l", "j", "k"}));
+  EXPECT_EQ(m.parents, (std::vector<int>{0, 0, 0, 2}));
+  EXPECT_EQ(m.nv, 2);
+  EXPECT_EQ(m.idx_vs[2], m.idx_vs[1]);
+  EXPECT_EQ(m.frames[m.getFrameId("b")].parentJoint, 2);
 }
 
 TEST(Urdf, AMimicIsIndependentWithAWarningOrTiedIfRequested) {
   const std::string text = three + mimicJoint("j", "revolute", "a", "b", "") +
                            mimicJoint("k", "prismatic", "b", "c", "j") + "</robot>";
-  const UrdfRobot free = loadUrdfText(text, {}, "r.urdf"),
-                  tied = loadUrdfText(text, {.mimic = MimicJoints::Tied});
+  const UrdfRobot free = loadUrdfText(text, {}, "r.urdf"), follows = loadUrdfText(text, tied);
   EXPECT_EQ(free.model.nv, 2);
   EXPECT_EQ(free.warnings[0], "r.urdf:6: joint 'k' is a mimic and is treated as independent (j)");
-  EXPECT_EQ(tied.model.nv, 1);
-  const auto& mimic = std::get<Mimic<double>>(tied.model.joints[2]);
+  EXPECT_EQ(follows.model.nv, 1);
+  const auto& mimic = std::get<Mimic<double>>(follows.model.joints[2]);
   EXPECT_EQ(mimic.primary, 1);
   EXPECT_EQ(mimic.multiplier, -2);
   EXPECT_EQ(mimic.offset, 0.5);

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <clocale>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <locale>
@@ -91,7 +92,7 @@ TEST(Urdf, VisualAndGazeboElementsAreNotRead) {
 TEST(BadUrdf, SomethingThatIsNoRobotIsRefused) {
   expectRefused("\n<sdf name='r'/>", 2, "expected <robot>", "sdf");
   expectRefused("<!-- nothing -->", 1, "no element", "");
-  expectRefused("<robot><link name='a'/></robot>", 1, "a robot without a name", "");
+  expectWarned("<robot><link name='a'/></robot>", 1, "a robot without a name is named", "unnamed");
   expectRefused("<robot name='r'>\n</robot>", 1, "a robot without links", "r");
   expectRefused("<robot name='r' version='2.0'><link name='a'/></robot>", 1, "a URDF version other than 1.0",
                 "2.0");
@@ -102,6 +103,31 @@ TEST(BadUrdf, TooDeepNestingIsRefusedBeforeAnyParserRecurses) {
   std::string deep = "<robot name='r'>\n<link name='a'>\n";
   for (int i = 0; i < 1000000; ++i) deep += "<x>";
   expectRefused(deep, 3, "nested too deep", "more than 64");
+}
+
+/// What takes TinyXML-2 quadratic time at this size takes minutes; all of it together takes below a second.
+TEST(BadUrdf, AHundredThousandAttributesReferencesOrElementsTakeLinearTime) {
+  constexpr int n = 100000;
+  std::string attributes, words, references, doctypes, parts;
+  for (int i = 0; i < n; ++i) {
+    const std::string number = std::to_string(i);
+    attributes += " x" + number + "=''";
+    words += "<x" + number + "/>";
+    references += "&#";
+    doctypes += "<!DOCTYPE robot>\n";
+    parts += "<link name='l" + number + "'/><joint name='j" + number +
+             "' type='fixed'><parent link='a'/><child link='l" + number + "'/></joint>\n";
+  }
+  const std::string open = "<robot name='r'>\n<link name='a'", close = "</link></robot>";
+  const std::clock_t start = std::clock();
+  expectRefused(open + attributes + ">" + close, 2, "too many attributes in one element", "more than 64");
+  expectRefused(open + ">\n<visual name='" + references + "'/>" + close, 3, "reference does not end",
+                references.substr(0, 16));
+  expectRefused(open + ">\n" + references + close, 3, "reference does not end", references.substr(0, 16));
+  expectRefused(doctypes + "<sdf/>", n + 1, "expected <robot>", "sdf");
+  EXPECT_EQ(loadUrdfText(open + ">" + words + close).warnings.size(), std::size_t(n));
+  EXPECT_EQ(buildModelFromUrdfText(open + "/>" + parts + "</robot>").nframes, 2 + 2 * n);
+  EXPECT_LT(double(std::clock() - start) / CLOCKS_PER_SEC, 20) << "s of processor time: not linear";
 }
 
 TEST(BadUrdf, APipeIsReadOnce) {

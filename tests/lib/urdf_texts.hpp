@@ -55,4 +55,20 @@ inline void expectRefused(const std::string& text, int line, const std::string& 
   EXPECT_TRUE(said.ends_with("(" + value + ")")) << said;
 }
 
+/// Expects that the text loads with a warning that names `line`, contains `words`, and ends with `value` in
+/// parentheses, and that it is refused if strict.
+inline void expectWarned(const std::string& text, int line, const std::string& words,
+                         const std::string& value, UrdfOptions options = {.root = RootJoint::FreeFlyer}) {
+  std::string all;
+  bool found = false;
+  for (const std::string& warning : loadUrdfText(text, options, "r.urdf").warnings) {
+    all += warning + "\n";
+    found = found || (warning.starts_with("r.urdf:" + std::to_string(line) + ": ") &&
+                      warning.find(words) != warning.npos && warning.ends_with(" (" + value + ")"));
+  }
+  EXPECT_TRUE(found) << "no warning in line " << line << " of " << words << " (" << value << ") in\n" << all;
+  options.strict = true;
+  EXPECT_THROW(loadUrdfText(text, options), UrdfError);
+}
+
 }  // namespace liecheck::test

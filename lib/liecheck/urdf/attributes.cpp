@@ -1,7 +1,9 @@
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <liecheck/urdf/attributes.hpp>
+#include <limits>
 #include <string>
 
 namespace liecheck::urdf_detail {
@@ -15,25 +17,29 @@ struct NumericAttributes {
   std::string_view element;
   std::array<const char*, 6> names;  ///< null after the last
   int count;
-  bool required;
+  /// What is missing is refused if this is null, is allowed if it is empty, and is a warning otherwise, which
+  /// says that the attribute is taken as this.
+  const char* otherwise;
 };
+constexpr const char *required = nullptr, *optional = "";
 constexpr NumericAttributes numeric_attributes[] = {
-    {"origin", {"xyz", "rpy"}, 3, false},
-    {"axis", {"xyz"}, 3, true},
-    {"mass", {"value"}, 1, true},
-    {"inertia", {"ixx", "ixy", "ixz", "iyy", "iyz", "izz"}, 1, true},
-    {"limit", {"lower", "upper"}, 1, false},
-    {"limit", {"effort", "velocity"}, 1, true},
-    {"dynamics", {"damping", "friction"}, 1, false},
-    {"mimic", {"multiplier", "offset"}, 1, false},
-    {"box", {"size"}, 3, true},
-    {"sphere", {"radius"}, 1, true},
-    {"cylinder", {"radius", "length"}, 1, true},
-    {"mesh", {"scale"}, 3, false},
-    {"color", {"rgba"}, 4, true},
-    {"calibration", {"rising", "falling"}, 1, false},
-    {"safety_controller", {"soft_lower_limit", "soft_upper_limit", "k_position"}, 1, false},
-    {"safety_controller", {"k_velocity"}, 1, true},
+    {"origin", {"xyz", "rpy"}, 3, optional},
+    {"axis", {"xyz"}, 3, "1 0 0"},
+    {"mass", {"value"}, 1, required},
+    {"inertia", {"ixx", "iyy", "izz"}, 1, required},
+    {"inertia", {"ixy", "ixz", "iyz"}, 1, "0"},
+    {"limit", {"lower", "upper"}, 1, optional},  // description.cpp: not all types need them
+    {"limit", {"effort", "velocity"}, 1, "infinite"},
+    {"dynamics", {"damping", "friction"}, 1, optional},
+    {"mimic", {"multiplier", "offset"}, 1, optional},
+    {"box", {"size"}, 3, required},
+    {"sphere", {"radius"}, 1, required},
+    {"cylinder", {"radius", "length"}, 1, required},
+    {"mesh", {"scale"}, 3, optional},
+    {"color", {"rgba"}, 4, required},
+    {"calibration", {"rising", "falling"}, 1, optional},
+    {"safety_controller", {"soft_lower_limit", "soft_upper_limit", "k_position"}, 1, optional},
+    {"safety_controller", {"k_velocity"}, 1, required},
 };
 
 std::optional<double> oneNumber(std::string_view text) {
@@ -44,22 +50,43 @@ std::optional<double> oneNumber(std::string_view text) {
   return value;
 }
 
-void check(const XMLElement& e, const std::string& attribute, const NumericAttributes& n,
-           const Messages& messages) {
+/// The largest double whose square is finite.
+const double largest_root = std::sqrt(std::numeric_limits<double>::max());
+
+/// Checks one attribute of e. If the model does not read it, an error is only a warning.
+void check(const XMLElement& e, const std::string& attribute, const NumericAttributes& n, bool is_read,
+           Messages& messages) {
+  const std::string what = "<" + std::string(n.element) + "> " + attribute;
   const auto refuse = [&](int line, const std::string& why, const char* value) {
-    messages.refuse(line, "<" + std::string(n.element) + "> " + attribute + why, value);
+    if (is_read) messages.refuse(line, what + why, value);
+    messages.warn(line, what + why, value);
   };
   for (const XMLAttribute* a = e.FirstAttribute(); a; a = a->Next()) {
     if (a->Name() != attribute) continue;
     const auto values = numbersIn(a->Value());
-    if (!values) refuse(a->GetLineNum(), " does not hold finite numbers", a->Value());
+    if (!values) return refuse(a->GetLineNum(), " does not hold finite numbers", a->Value());
     if (int(values->size()) != n.count)
-      refuse(a->GetLineNum(),
-             " has " + std::to_string(values->size()) + " numbers, not " + std::to_string(n.count),
-             a->Value());
+      return refuse(a->GetLineNum(),
+                    " has " + std::to_string(values->size()) + " numbers, not " + std::to_string(n.count),
+                    a->Value());
+    if (is_read &&
+        std::any_of(values->begin(), values->end(), [](double x) { return std::abs(x) > largest_root; }))
+      messages.warn(a->GetLineNum(), what + " is so large that its square overflows", a->Value());
     return;
   }
-  if (n.required) refuse(e.GetLineNum(), " is missing", "");
+  if (!n.otherwise) refuse(e.GetLineNum(), " is missing", "");
+  if (n.otherwise && *n.otherwise)
+    messages.warn(e.GetLineNum(), what + " is missing and is taken as", n.otherwise);
+}
+
+void checkBelow(const XMLElement& e, bool is_read, Messages& messages) {
+  for (const XMLElement* child = e.FirstChildElement(); child; child = child->NextSiblingElement()) {
+    const std::string_view element = child->Value();
+    for (const NumericAttributes& n : numeric_attributes)
+      for (const char* name : n.names)
+        if (element == n.element && name) check(*child, name, n, is_read, messages);
+    checkBelow(*child, is_read && element != "visual" && element != "collision", messages);
+  }
 }
 
 }  // namespace
@@ -78,14 +105,8 @@ std::optional<std::vector<double>> numbersIn(std::string_view text) {
   return values;
 }
 
-void checkNumbersBelow(const XMLElement& e, const Messages& messages) {
-  for (const XMLElement* child = e.FirstChildElement(); child; child = child->NextSiblingElement()) {
-    const std::string_view element = child->Value();
-    for (const NumericAttributes& n : numeric_attributes)
-      for (const char* name : n.names)
-        if (element == n.element && name) check(*child, name, n, messages);
-    checkNumbersBelow(*child, messages);
-  }
+void checkNumbersBelow(const XMLElement& e, Messages& messages) {
+  checkBelow(e, std::string_view(e.Value()) != "material", messages);
 }
 
 double number(const XMLElement& e, const char* attribute, double fallback) {

@@ -15,9 +15,11 @@ namespace liecheck::urdf_detail {
 /// of them is not a number, not finite, or outside the range of double.
 std::optional<std::vector<double>> numbersIn(std::string_view text);
 
-/// Checks the numeric attributes of all elements below e. Throws UrdfError if an attribute that URDF requires
-/// is missing, or if one does not hold the right count of finite numbers.
-void checkNumbersBelow(const tinyxml2::XMLElement& e, const Messages& messages);
+/// Checks the numeric attributes of all elements below e. Throws UrdfError if one does not hold the right count
+/// of finite numbers, or if one without which there is no body is missing. Another one that URDF requires and
+/// that is missing, a number whose square is not a finite double, and any error in what is only seen or
+/// touched (<visual>, <collision>, <material>) is a warning, since the model does not contain it.
+void checkNumbersBelow(const tinyxml2::XMLElement& e, Messages& messages);
 
 /// Returns an attribute of e, or fallback if it is missing. Precondition: checkNumbersBelow has checked e.
 double number(const tinyxml2::XMLElement& e, const char* attribute, double fallback = 0);

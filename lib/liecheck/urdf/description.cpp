@@ -6,7 +6,9 @@
 #include <liecheck/spatial/inertia.hpp>
 #include <liecheck/urdf/attributes.hpp>
 #include <liecheck/urdf/description.hpp>
+#include <liecheck/urdf/markup.hpp>
 #include <liecheck/urdf/xml_check.hpp>
+#include <limits>
 #include <set>
 #include <string_view>
 
@@ -38,7 +40,10 @@ class Reader {
     if (const XMLElement* second = robot->NextSiblingElement())
       refuse(*second, "a second root element", second->Value());
     if (std::string_view(robot->Value()) != "robot") refuse(*robot, "expected <robot>", robot->Value());
-    robot_.line = robot->GetLineNum(), robot_.name = name(*robot, "robot");
+    robot_.line = robot->GetLineNum();
+    checkMarkup(*robot, messages_);
+    if (const char* robot_name = robot->Attribute("name")) robot_.name = robot_name;
+    if (robot_.name.empty()) messages_.warn(robot_.line, "a robot without a name is named", unnamed_robot);
     if (const char* version = robot->Attribute("version"); version && version != std::string_view("1.0"))
       refuse(robot_.line, "a URDF version other than 1.0", version);
     for (const XMLElement* e = robot->FirstChildElement("material"); e; e = e->NextSiblingElement("material"))
@@ -67,10 +72,12 @@ class Reader {
     return value;
   }
 
-  /// Adds the part of a new name and sets its line. Refuses a second part of that name.
+  /// Adds the part of a new name and sets its line. Refuses a second part of that name, and a reserved name.
   template <class Part>
   Part& added(std::map<std::string, Part>& parts, const XMLElement& e, const std::string& what,
               const std::string& part_name) const {
+    if (part_name == "universe")
+      refuse(e, "this " + what + " name is reserved for the model's root", part_name);
     const auto [entry, is_new] = parts.try_emplace(part_name);
     Part& part = entry->second;
     if (!is_new)
@@ -82,7 +89,13 @@ class Reader {
 
   void material(const XMLElement& e) {
     checkNumbersBelow(e, messages_);
-    if (const char* material_name = e.Attribute("name")) added(materials_, e, "material", material_name);
+    const char* material_name = e.Attribute("name");
+    if (!material_name) return;
+    const auto [first, is_new] = material_lines_.try_emplace(material_name, e.GetLineNum());
+    if (!is_new)
+      messages_.warn(e.GetLineNum(),
+                     "a second material of that name, the first is in line " + std::to_string(first->second),
+                     material_name);
   }
 
   void link(const XMLElement& e) {
@@ -94,7 +107,8 @@ class Reader {
   }
 
   /// The inertia at the centre of mass, in the axes of <inertial>. Refuses a negative mass. Records moments
-  /// that no body can have in unphysical_links.
+  /// that no body can have in unphysical_links, unless they are below m (eps |c|)^2: the rounding errors of
+  /// the centre of mass c in the link's frame alone change them by more.
   Inertia<double> body(const XMLElement& inertial, const std::string& link_name) {
     for (const std::string part : {"mass", "inertia"})
       if (!inertial.FirstChildElement(part.c_str()))
@@ -104,10 +118,16 @@ class Reader {
     const auto of = [&](const char* moment) { return number(inertia, moment); };
     const double m = number(mass, "value");
     if (m < 0) refuse(mass, "link '" + link_name + "' has a negative mass", mass.Attribute("value"));
+    if (m > 0 && m * m < std::numeric_limits<double>::min())
+      messages_.warn(mass.GetLineNum(),
+                     "link '" + link_name + "' has a mass so small that its square underflows",
+                     mass.Attribute("value"));
     Matrix3<double> I;
     I << of("ixx"), of("ixy"), of("ixz"), of("ixy"), of("iyy"), of("iyz"), of("ixz"), of("iyz"), of("izz");
     const Inertia<double> body(m, Vector3<double>::Zero(), I);
-    const std::string why = whyUnphysical(body, printed_inertia_slack);
+    const double c_error = eps<double>() * origin(inertial).translation().norm();
+    if (I.cwiseAbs().maxCoeff() <= m * c_error * c_error) return body;
+    const std::string why = whyUnphysicalLink(body);
     const std::size_t colon = why.find(": ");
     if (!why.empty())
       robot_.unphysical_links.push_back({link_name, inertia.GetLineNum(),
@@ -119,8 +139,7 @@ class Reader {
   void joint(const XMLElement& e) {
     const std::string joint_name = name(e, "joint"), joint_text = "joint '" + joint_name + "'";
     JointDescription& joint = added(robot_.joints, e, "joint", joint_name);
-    if (joint_name == "universe" ||
-        (joint_name == "root_joint" && (options_.root_joint || options_.root == RootJoint::FreeFlyer)))
+    if (joint_name == "root_joint" && (options_.root_joint || options_.root == RootJoint::FreeFlyer))
       refuse(joint.line, "this joint name is reserved for the model's root", joint_name);
     joint.type = type(e, joint_text);
     checkNumbersBelow(e, messages_);
@@ -131,10 +150,12 @@ class Reader {
     if (mimic && !mimic->Attribute("joint"))
       refuse(*mimic, joint_text + " has a <mimic> that names no joint", "");
     if (dynamics && !dynamics->Attribute("damping") && !dynamics->Attribute("friction"))
-      refuse(*dynamics, joint_text + " has a <dynamics> without damping and friction", "");
+      messages_.warn(dynamics->GetLineNum(), joint_text + " has a <dynamics> without damping and friction",
+                     e.Attribute("type"));
     if (dynamics) joint.dynamics = {number(*dynamics, "damping"), number(*dynamics, "friction")};
     if (one_coordinate) joint.axis = axis(e, joint_text);
     limit(e, joint_text, joint);
+    softLimits(e, joint_text);
     if (mimic && one_coordinate) {
       joint.mimic = {mimic->Attribute("joint"), number(*mimic, "multiplier", 1), number(*mimic, "offset")};
       mimics_.push_back({joint_name, joint.mimic->primary, mimic->GetLineNum()});
@@ -159,34 +180,52 @@ class Reader {
     return found->second;
   }
 
+  /// Reads <limit> as it is written; ModelBuilder ignores the limits that this warns of.
   void limit(const XMLElement& e, const std::string& joint_text, JointDescription& joint) const {
     const XMLElement* limit = e.FirstChildElement("limit");
     const bool bounded = joint.type == JointType::Revolute || joint.type == JointType::Prismatic;
     if (!limit) {
       if (bounded)
-        refuse(joint.line, joint_text + " has no <limit>, which its type needs", e.Attribute("type"));
+        messages_.warn(joint.line,
+                       joint_text + " has no <limit>, which its type needs, and moves without limits",
+                       e.Attribute("type"));
       return;
     }
-    joint.limit = {number(*limit, "lower"), number(*limit, "upper"), number(*limit, "effort"),
-                   number(*limit, "velocity")};
+    const auto warn = [&](const std::string& what, const std::string& value) {
+      messages_.warn(limit->GetLineNum(), joint_text + what, value);
+    };
+    for (const char* bound : {"lower", "upper"})
+      if (bounded && !limit->Attribute(bound))
+        warn(std::string(" has a <limit> without ") + bound + ", which is taken as", "0");
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    joint.limit = {number(*limit, "lower"), number(*limit, "upper"), number(*limit, "effort", infinity),
+                   number(*limit, "velocity", infinity)};
     const auto [lower, upper, effort, velocity] = *joint.limit;
-    if (effort < 0) refuse(*limit, joint_text + " has a negative effort limit", limit->Attribute("effort"));
-    if (velocity < 0)
-      refuse(*limit, joint_text + " has a negative velocity limit", limit->Attribute("velocity"));
-    if (bounded && lower > upper)
-      refuse(*limit, joint_text + " has crossed limits, lower > upper",
-             std::to_string(lower) + " > " + std::to_string(upper));
+    if (effort < 0) warn(" has a negative effort limit, which is ignored", limit->Attribute("effort"));
+    if (velocity < 0) warn(" has a negative velocity limit, which is ignored", limit->Attribute("velocity"));
+    const std::string bounds = std::to_string(lower) + " " + std::to_string(upper);
+    if (bounded && lower > upper) warn(" has crossed limits, lower > upper, which are ignored", bounds);
     if (joint.type == JointType::Continuous && lower != upper)
-      messages_.warn(limit->GetLineNum(),
-                     joint_text + " has position limits, which a continuous joint ignores",
-                     std::to_string(lower) + " " + std::to_string(upper));
+      warn(" has position limits, which a continuous joint ignores", bounds);
+  }
+
+  /// Warns of the soft limits of a controller, since the model has no place for them.
+  void softLimits(const XMLElement& e, const std::string& joint_text) const {
+    const XMLElement* safety = e.FirstChildElement("safety_controller");
+    if (!safety) return;
+    const char *lower = safety->Attribute("soft_lower_limit"), *upper = safety->Attribute("soft_upper_limit");
+    if (lower || upper)
+      messages_.warn(safety->GetLineNum(),
+                     joint_text + ": the soft limits of its <safety_controller> are ignored",
+                     std::string(lower ? lower : "0") + " " + (upper ? upper : "0"));
   }
 
   /// Warns of elements that a planar or floating joint ignores. A planar joint always moves in its x y plane.
   void unused(const XMLElement& e, const std::string& joint_text, JointType type) const {
     const XMLElement* axis = e.FirstChildElement("axis");
-    const std::string xyz = axis ? axis->Attribute("xyz") : "none, so 1 0 0";
-    if (type == JointType::Planar && (!axis || vector(*axis, "xyz") != Vector3<double>::UnitZ()))
+    const char* text = axis ? axis->Attribute("xyz") : nullptr;
+    const std::string xyz = text ? text : "none, so 1 0 0";
+    if (type == JointType::Planar && (!text || vector(*axis, "xyz") != Vector3<double>::UnitZ()))
       messages_.warn(axis ? axis->GetLineNum() : e.GetLineNum(),
                      joint_text + " is planar and its axis is ignored: it moves in its x y plane", xyz);
     if (type == JointType::Floating && axis)
@@ -197,19 +236,35 @@ class Reader {
                        e.Attribute("type"));
   }
 
+  /// Warns that each mimic is independent. If mimics are tied, refuses those that cannot follow their primary.
   void mimics() {
     for (const auto& [joint_name, primary, line] : mimics_) {
-      if (!robot_.joints.contains(primary))
-        refuse(line, "joint '" + joint_name + "' mimics a joint that does not exist", primary);
-      if (options_.mimic == MimicJoints::Independent)
-        messages_.warn(line, "joint '" + joint_name + "' is a mimic and is treated as independent", primary);
+      const std::string mimic = "joint '" + joint_name + "' mimics ",
+                        why = whyNotPrimary(joint_name, primary);
+      if (options_.mimic == MimicJoints::Tied) {
+        if (!why.empty()) refuse(line, mimic + why, primary);
+        continue;
+      }
+      messages_.warn(line, "joint '" + joint_name + "' is a mimic and is treated as independent", primary);
+      if (!why.empty()) messages_.warn(line, mimic + why, primary);
     }
+  }
+
+  std::string whyNotPrimary(const std::string& mimic, const std::string& primary) const {
+    const auto found = robot_.joints.find(primary);
+    if (found == robot_.joints.end()) return "a joint that does not exist";
+    const JointDescription& joint = found->second;
+    if (mimic == primary) return "itself";
+    if (joint.type == JointType::Fixed) return "a joint that does not move";
+    if (joint.type == JointType::Planar || joint.type == JointType::Floating)
+      return "a joint that does not have exactly one degree of freedom";
+    return joint.mimic ? "a joint that is a mimic itself" : "";
   }
 
   Vector3<double> axis(const XMLElement& e, const std::string& joint_text) const {
     const XMLElement* axis = e.FirstChildElement("axis");
     if (!axis) return Vector3<double>::UnitX();
-    const Vector3<double> xyz = vector(*axis, "xyz");
+    const Vector3<double> xyz = vector(*axis, "xyz", Vector3<double>::UnitX());
     if (xyz.isZero(0)) refuse(*axis, joint_text + " has a zero axis", axis->Attribute("xyz"));
     return xyz;
   }
@@ -247,9 +302,6 @@ class Reader {
         refuse(link.line, "not connected to the root: its joints form a loop", link_name);
   }
 
-  struct Material {
-    int line = 0;
-  };
   struct MimicLine {
     std::string joint, primary;
     int line;
@@ -258,12 +310,24 @@ class Reader {
   const UrdfOptions& options_;
   Messages& messages_;
   Description robot_;
-  std::map<std::string, Material> materials_;
+  std::map<std::string, int> material_lines_;        // of the first of each name
   std::map<std::string, std::string> parent_joint_;  // by link
   std::vector<MimicLine> mimics_;
 };
 
 }  // namespace
+
+double smallestMoment(const Inertia<double>& I) {
+  const double scale = I.inertia().cwiseAbs().maxCoeff();
+  if (scale == 0) return 0;
+  return Eigen::SelfAdjointEigenSolver<Matrix3<double>>(I.inertia() / scale, Eigen::EigenvaluesOnly)
+      .eigenvalues()[0];
+}
+
+std::string whyUnphysicalLink(const Inertia<double>& I) {
+  const double rounding = 16 * eps<double>();  // as in whyUnphysical
+  return smallestMoment(I) < -rounding ? whyUnphysical(I, rounding) : whyUnphysical(I, printed_inertia_slack);
+}
 
 Description describe(const std::string& text, const UrdfOptions& options, Messages& messages) {
   if (text.find_first_not_of(" \t\r\n") == std::string::npos)

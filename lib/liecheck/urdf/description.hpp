@@ -15,6 +15,15 @@ namespace liecheck::urdf_detail {
 /// Allowed error of a printed inertia, relative to the largest moment: URDFs often print only three digits.
 constexpr double printed_inertia_slack = 1e-3;
 
+/// The smallest principal moment, relative to the largest entry of I_C; 0 if I_C is 0.
+double smallestMoment(const Inertia<double>& I);
+
+/// whyUnphysical, which tolerates printed_inertia_slack unless a moment is negative by more than rounding.
+std::string whyUnphysicalLink(const Inertia<double>& I);
+
+/// The model's name if the robot has none.
+inline const std::string unnamed_robot = "unnamed";
+
 enum class JointType { Fixed, Revolute, Continuous, Prismatic, Planar, Floating };
 
 struct JointDescription {
@@ -44,13 +53,13 @@ struct LinkDescription {
 };
 
 struct Description {
-  /// A link whose inertia no body can have. An error unless the sum with the links fixed to it is valid.
+  /// A link whose inertia no body can have. A warning, or an error if it makes the kinetic energy negative.
   struct UnphysicalLink {
     std::string link;
     int line;
     std::string what, value;
   };
-  std::string name, root;  ///< names of the robot and of its root link
+  std::string name, root;  ///< names of the robot (it may be empty) and of its root link
   int line = 0;
   std::map<std::string, LinkDescription> links;
   std::map<std::string, JointDescription> joints;

@@ -6,7 +6,8 @@
 // name and a BODY frame named after its child link. A fixed joint becomes a FIXED_JOINT frame and a BODY
 // frame, and the inertia of its child link is added to the joint that supports it. Limits, damping and
 // friction are stored in the model. A continuous joint has no position limits; without <limit> it has no
-// effort and velocity limits either. Geometry is not read and packages are not searched.
+// effort and velocity limits either. Geometry is not read and packages are not searched. A mimic that is tied
+// to a later joint is added, with the joints below it, after that joint and the joints below that.
 //
 // The text is parsed by TinyXML-2, not by urdfdom. urdfdom reports errors without a line, on a logger of the
 // whole process. If white space follows a number of an <inertial>, urdfdom drops the mass of the link. Trees
@@ -21,10 +22,14 @@
 
 namespace liecheck {
 
-/// A robot and its warnings, one line each: `FILE:LINE: what (value)`. Warnings name axes, limits, damping
-/// and friction that a joint's type does not use, and mimic joints that are treated as independent. A link
-/// with an inertia that no body can have causes a warning if the sum with the links fixed to it is valid,
-/// otherwise an error. A joint without mass causes a warning; aba may then throw SingularInertia.
+/// A robot and its warnings, one line each: `FILE:LINE: what (value)`. What public URDFs contain although URDF
+/// does not allow it is a warning if the model is defined without it: unknown and repeated words, which are
+/// ignored; attributes that are missing and have an obvious value; limits that are missing, crossed or
+/// negative, so that the joint is not limited; errors in geometry and materials. Warnings also name what the
+/// model leaves out (axes, limits, damping and friction that a joint's type does not use, soft limits, mimic
+/// joints that are treated as independent) and what it cannot compute with: numbers whose square overflows,
+/// joints that move no inertia (aba may then throw SingularInertia), and inertias that no body can have. The
+/// last are an error if the body moves and a moment is negative by more than printed_inertia_slack.
 struct UrdfRobot {
   Model<double> model;
   std::vector<std::string> warnings;

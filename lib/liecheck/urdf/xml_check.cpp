@@ -7,10 +7,12 @@ namespace liecheck::urdf_detail {
 
 namespace {
 
-/// Checks the tags in one pass without recursion, and skips comments, declarations and quoted '>'. It refuses
-/// what TinyXML-2 accepts or recurses on: elements nested deeper than max_element_depth, closing tags without
-/// an opening tag (TinyXML-2 ignores all that follows), text outside the root element, attribute values
-/// without quotes, and markup that does not end.
+/// Checks the tags in one pass without recursion, and skips comments, declarations and quoted '>'. Its time is
+/// linear in the length of the text. It refuses what TinyXML-2 accepts or recurses on: elements nested deeper
+/// than max_element_depth, closing tags without an opening tag (TinyXML-2 ignores all that follows), text
+/// outside the root element, attribute values without quotes, and markup that does not end. It also refuses
+/// what takes TinyXML-2 quadratic time: more than max_attributes in one element, since it compares each with
+/// all before it, and character references that do not end, since it looks for their ends in all that follows.
 class TagCheck {
  public:
   TagCheck(const std::string& text, const Messages& messages) : text_(text), messages_(messages) {}
@@ -46,8 +48,9 @@ class TagCheck {
   }
   /// A DOCTYPE that only names the document is accepted.
   void doctype() {
-    const std::size_t declarations = std::min(text_.find('[', at_), text_.size());
-    if (declarations < text_.find('>', at_)) {
+    const std::string_view name = std::string_view(text_).substr(at_, text_.find('>', at_) - at_);
+    if (const std::size_t bracket = name.find('['); bracket != name.npos) {
+      const std::size_t declarations = at_ + bracket;
       advance(declarations);
       refuse("a DOCTYPE with declarations (entities) is not supported",
              text_.substr(declarations, text_.find('>', declarations) - declarations));
@@ -62,10 +65,22 @@ class TagCheck {
       advance(first);
       refuse("text outside the root element", text_.substr(first, end - first));
     }
+    references(end);
     advance(end);
+  }
+  /// Checks the character references (&#65; or &#x41;) from at_ to end.
+  void references(std::size_t end) {
+    const std::string_view part = std::string_view(text_).substr(at_, end - at_);
+    for (std::size_t i = part.find("&#"); i != part.npos; i = part.find("&#", i + 1)) {
+      const std::string_view reference = part.substr(i, max_reference_size);
+      if (reference.find(';') != reference.npos) continue;
+      advance(at_ + i);
+      refuse("malformed XML, or cut off: a character reference does not end", std::string(reference));
+    }
   }
   void tag() {
     bool value_due = false;
+    int attributes = 0;
     std::size_t end = at_ + 1;
     for (; end < text_.size() && text_[end] != '>'; ++end) {
       const char c = text_[end];
@@ -78,9 +93,12 @@ class TagCheck {
         refuse("malformed XML, or cut off", "an attribute value without quotes");
       } else {
         value_due = value_due || c == '=';
+        if (c == '=' && ++attributes > max_attributes)
+          refuse("too many attributes in one element", "more than " + std::to_string(max_attributes));
       }
     }
     if (end >= text_.size() || text_[end] != '>') refuse("malformed XML, or cut off", "a tag does not end");
+    references(end);
     if (text_[at_ + 1] == '/') {
       if (--depth_ < 0) refuse("a closing tag without an opening tag", text_.substr(at_, end + 1 - at_));
     } else if (text_[end - 1] != '/' && ++depth_ > max_element_depth) {
