@@ -1,4 +1,5 @@
 #include <app/command.hpp>
+#include <app/warnings.hpp>
 
 #include <algorithm>
 #include <atomic>
@@ -6,6 +7,7 @@
 #include <campaign/selection.hpp>
 #include <csignal>
 #include <ctime>
+#include <liecheck/urdf/urdf.hpp>
 #include <support/files.hpp>
 #include <support/json.hpp>
 #include <support/stop.hpp>
@@ -41,7 +43,11 @@ Flag RobotFlags::add(Arguments& a, const std::string& help) {
 }
 
 Robot RobotFlags::read() const {
-  return file.empty() ? built_in_robot() : load_robot(file, root == "fixed");
+  if (file.empty()) return built_in_robot();
+  Robot robot = load_robot(file, root == "fixed");
+  const RootJoint joint = robot.fixed ? RootJoint::Fixed : RootJoint::FreeFlyer;
+  print_warnings(loadUrdfText(robot.urdf, {.root = joint}, file).warnings);
+  return robot;
 }
 
 void SelectionFlags::add(Arguments& a) {

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 #include <app/command.hpp>
+#include <app/warnings.hpp>
 #include <liecheck/urdf/urdf.hpp>
 
 namespace liecheck::properties {
@@ -33,7 +34,7 @@ int run(const Flags& f) {
   for (std::size_t i = 1; i < model.joints.size(); ++i)
     fmt::print("{:>5} {:>6} {:>5} {:>5}  {:<38} {}\n", i, model.parents[i], model.idx_qs[i], model.idx_vs[i],
                shortname<double>(model.joints[i]), model.names[i]);
-  for (const std::string& warning : warnings) fmt::print(stderr, "warning: {}\n", warning);
+  print_warnings(warnings);
   return within_budget;
 }
 

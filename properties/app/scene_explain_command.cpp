@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 #include <app/command.hpp>
+#include <app/warnings.hpp>
 #include <liecheck/scene/run.hpp>
 #include <liecheck/scene_file/scene_file.hpp>
 #include <stdexcept>
@@ -21,7 +22,9 @@ struct Flags {
 };
 
 int run(const Flags& f) {
-  const scene::Scene scene = loadScene(f.file);
+  std::vector<std::string> warnings;
+  const scene::Scene scene = loadScene(f.file, &warnings);
+  print_warnings(warnings);
   const scene::Plan plan = measured_plan(scene);
   fmt::print("{}: {}\n", scene.name, scene.reason.empty() ? "no reason given" : scene.reason);
   fmt::print("{} of nq {}, nv {}; {} steps of {:g} s by {}, sampled {} times\n\n",

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 #include <app/command.hpp>
+#include <app/warnings.hpp>
 #include <liecheck/scene/run.hpp>
 #include <liecheck/scene_file/scene_file.hpp>
 #include <numbers>
@@ -74,7 +75,9 @@ void check_apart(const std::string& scene, const std::string& csv, const std::st
 
 int run(const Flags& flags) {
   stop_on_signals();
-  scene::Scene scene = loadScene(flags.file);
+  std::vector<std::string> warnings;
+  scene::Scene scene = loadScene(flags.file, &warnings);
+  print_warnings(warnings);
   if (!flags.csv.empty()) scene.csv = flags.csv;
   if (!flags.json.empty()) scene.json = flags.json;
   check_apart(flags.file, scene.csv, scene.json);

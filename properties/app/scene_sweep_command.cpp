@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <app/command.hpp>
+#include <app/warnings.hpp>
 #include <cmath>
 #include <liecheck/scene/integrators/registry.hpp>
 #include <liecheck/scene_file/scene_file.hpp>
@@ -40,7 +41,9 @@ std::vector<Benchmark> scenes_of(const std::vector<std::string>& files) {
   if (files.empty()) return builtin_benchmarks();
   std::vector<Benchmark> scenes;
   for (const std::string& file : files) {
-    const scene::Scene scene = loadScene(file);
+    std::vector<std::string> warnings;
+    const scene::Scene scene = loadScene(file, &warnings);
+    print_warnings(warnings);
     try {
       scenes.push_back(benchmark_of(scene));
     } catch (const std::invalid_argument& e) {

@@ -174,6 +174,9 @@ TEST_F(Program, ARobotIsReadOnceAndNamedAsTheXmlParserReadsIt) {
     const Run r = shell(how + robot + "--robot " + (how[0] == '$' ? "n.urdf" : "/dev/stdin"));
     EXPECT_EQ(r.code, 0) << r.err;
     EXPECT_NE(r.out.find("robot a&b\\nc\\x1b[31m ("), std::string::npos) << r.out;
+    EXPECT_NE(r.err.find(":2: the link of a moving joint and the links fixed to it have no mass"),
+              std::string::npos)
+        << r.err;
   }
 }
 

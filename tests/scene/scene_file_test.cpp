@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <cstdio>
 #include <filesystem>
@@ -45,6 +46,20 @@ TEST(SceneFile, AValidSceneIsRead) {
   const scene::Scene s = loadSceneText(with(99, ""));
   EXPECT_EQ(s.span.steps, 1000);
   EXPECT_EQ(s.model.nv, 6);
+}
+
+TEST(SceneFile, TheWarningsOfItsUrdfAreReturned) {
+  const std::string file = "warned_" + std::to_string(::getpid()) + ".urdf";
+  const fs::path folder = fs::temp_directory_path();
+  std::ofstream(folder / file) << "<robot name='r'>\n<link name='a'/></robot>";
+  std::vector<std::string> warnings;
+  loadSceneText("robot: {urdf: " + file + "}\nduration: 1 s\nintegrator: {name: rkmk4, step: 1 ms}", "s.yaml",
+                folder.string(), &warnings);
+  fs::remove(folder / file);
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_EQ(warnings[0], (folder / file).string() +
+                             ":1: the link of a moving joint and the links fixed to it have no mass "
+                             "(root_joint)");
 }
 
 struct Bad {

@@ -43,14 +43,17 @@ std::optional<Joint<double>> readRootJoint(const Text& text, const YAML::Node& r
   return std::nullopt;
 }
 
-Model<double> fromUrdf(const Text& text, const YAML::Node& robot, const std::string& folder) {
+Model<double> fromUrdf(const Text& text, const YAML::Node& robot, const std::string& folder,
+                       std::vector<std::string>& warnings) {
   const auto p = text.parameters(robot, Text::lineOf(robot), "robot", rootKeys(), nullptr, {"urdf"});
   const int line = Text::lineOf(robot["urdf"]);
   const std::string given = text.word(robot["urdf"], "robot.urdf");
   const std::filesystem::path path = std::filesystem::path(folder) / given;  // `given` if that is absolute
   const UrdfOptions options{.root_joint = readRootJoint(text, robot, line, p)};
   try {
-    return loadUrdf(path.lexically_normal().string(), options).model;
+    UrdfRobot loaded = loadUrdf(path.lexically_normal().string(), options);
+    warnings.insert(warnings.end(), loaded.warnings.begin(), loaded.warnings.end());
+    return std::move(loaded.model);
   } catch (const UrdfError& e) {
     text.refuse(line, std::string("robot.urdf: ") + e.what());
   } catch (const std::invalid_argument& e) {
@@ -165,14 +168,15 @@ void readRoot(const Text& text, const YAML::Node& initial, scene::Scene& scene) 
 
 }  // namespace
 
-void readRobot(const Text& text, const YAML::Node& root, const std::string& folder, scene::Scene& scene) {
+void readRobot(const Text& text, const YAML::Node& root, const std::string& folder, scene::Scene& scene,
+               std::vector<std::string>& warnings) {
   const YAML::Node robot = root["robot"];
   if (!robot.IsDefined())
     text.refuse(0, "the scene needs 'robot': {body: box, size: [1, 1, 1]} or {urdf: FILE}");
   if (!robot.IsMap()) text.refuse(robot, "robot is a map: {body: box, size: [1, 1, 1]} or {urdf: FILE}");
   if (robot["urdf"].IsDefined() == robot["body"].IsDefined())
     text.refuse(robot, "robot needs one of 'urdf' and 'body'");
-  scene.model = robot["urdf"].IsDefined() ? fromUrdf(text, robot, folder) : fromBody(text, robot);
+  scene.model = robot["urdf"].IsDefined() ? fromUrdf(text, robot, folder, warnings) : fromBody(text, robot);
   if (scene.model.nv == 0) text.refuse(robot, "the robot has no joint that moves");
   addFrames(text, root["frames"], scene.model);
   scene.q = neutral(scene.model);

@@ -7,7 +7,9 @@
 namespace liecheck::scene_file_detail {
 
 /// Reads `robot` and `frames` into scene.model. Sets q to neutral, v to 0. URDF paths are relative to folder.
-void readRobot(const Text& text, const YAML::Node& root, const std::string& folder, scene::Scene& scene);
+/// Adds the warnings of the URDF to `warnings`.
+void readRobot(const Text& text, const YAML::Node& root, const std::string& folder, scene::Scene& scene,
+               std::vector<std::string>& warnings);
 
 /// Reads `initial` into scene.q and scene.v.
 void readStart(const Text& text, const YAML::Node& initial, scene::Scene& scene);

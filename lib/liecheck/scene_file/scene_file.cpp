@@ -127,7 +127,8 @@ void checkParts(const Text& text, const YAML::Node& root, const Scene& scene) {
   }
 }
 
-Scene read(const Text& text, const std::string& content, const std::string& folder) {
+Scene read(const Text& text, const std::string& content, const std::string& folder,
+           std::vector<std::string>& warnings) {
   if (content.size() > max_scene_bytes)
     text.refuse(0, "is longer than the limit of a scene: " + std::to_string(max_scene_bytes) + " bytes");
   if (content.find('\0') != std::string::npos) text.refuse(0, "is not text: it contains a zero byte");
@@ -159,7 +160,7 @@ Scene read(const Text& text, const std::string& content, const std::string& fold
     scene.truth = text.word(root["truth"], "truth");
     text.place(root["truth"], scene.truth, closed_forms, "no closed form is named '" + scene.truth + "'");
   }
-  readRobot(text, root, folder, scene);
+  readRobot(text, root, folder, scene, warnings);
   if (const YAML::Node ground = root["ground"]; ground.IsDefined() && !ground.IsNull()) {
     text.checkKeys(ground, "ground", {"height"});
     scene.around.ground = true;
@@ -186,19 +187,22 @@ Scene read(const Text& text, const std::string& content, const std::string& fold
 }  // namespace
 }  // namespace scene_file_detail
 
-scene::Scene loadSceneText(const std::string& text, const std::string& source_name,
-                           const std::string& folder) {
+scene::Scene loadSceneText(const std::string& text, const std::string& source_name, const std::string& folder,
+                           std::vector<std::string>* warnings) {
+  std::vector<std::string> of_urdf;
   try {
-    return scene_file_detail::read(scene_file_detail::Text(source_name), text, folder);
+    scene::Scene scene = scene_file_detail::read(scene_file_detail::Text(source_name), text, folder, of_urdf);
+    if (warnings) warnings->insert(warnings->end(), of_urdf.begin(), of_urdf.end());
+    return scene;
   } catch (const YAML::Exception& e) {  // from a conversion that the schema did not check
     throw SceneError(source_name, e.mark.is_null() ? 0 : e.mark.line + 1, e.msg);
   }
 }
 
-scene::Scene loadScene(const std::string& path) {
+scene::Scene loadScene(const std::string& path, std::vector<std::string>* warnings) {
   try {
     const std::string text = readTextFile(path, max_scene_bytes);
-    return loadSceneText(text, path, std::filesystem::path(path).parent_path().string());
+    return loadSceneText(text, path, std::filesystem::path(path).parent_path().string(), warnings);
   } catch (const FileError& e) {
     throw SceneError(path, 0, e.what());
   }
