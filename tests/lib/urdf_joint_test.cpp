@@ -46,10 +46,14 @@ TEST(BadUrdf, TextThatIsNoFiniteNumberIsRefusedWithItsLine) {
   EXPECT_EQ(m.inertias[1].inertia()(0, 0), 2);
 }
 
-TEST(BadUrdf, AnIncompleteInertialIsRefused) {
-  expectRefused(oneLink("<inertial><mass value='1'/></inertial>"), 3, "without <inertia>", "a");
-  expectRefused(oneLink("<inertial><inertia ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' izz='1'/></inertial>"), 3,
-                "without <mass>", "a");
+TEST(Urdf, AnIncompleteInertialIsAWarningIfWhatIsMissingHasAnObviousValue) {
+  const std::string point = oneLink("<inertial><mass value='2'/></inertial>");
+  expectWarned(point, 3, "an <inertial> without <inertia> is that of a point", "a");
+  const Inertia<double> I = buildModelFromUrdfText(point, RootJoint::FreeFlyer).inertias[1];
+  EXPECT_EQ(I.mass(), 2);
+  EXPECT_EQ(I.inertia(), M3::Zero());
+  expectWarned(oneLink("<inertial><inertia ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' izz='1'/></inertial>"), 3,
+               "an <inertial> without <mass> is ignored, and the link has no mass", "a");
   expectRefused(oneLink("<inertial><mass value='1'/><inertia ixx='1'/></inertial>"), 3, "iyy is missing", "");
   const std::string diagonal =
       oneLink("<inertial><mass value='1'/><inertia ixx='1' iyy='1' izz='1'/></inertial>");

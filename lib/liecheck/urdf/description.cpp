@@ -110,18 +110,19 @@ class Reader {
   /// that no body can have in unphysical_links, unless they are below m (eps |c|)^2: the rounding errors of
   /// the centre of mass c in the link's frame alone change them by more.
   Inertia<double> body(const XMLElement& inertial, const std::string& link_name) {
-    for (const std::string part : {"mass", "inertia"})
-      if (!inertial.FirstChildElement(part.c_str()))
-        refuse(inertial, "an <inertial> without <" + part + ">", link_name);
-    const XMLElement &mass = *inertial.FirstChildElement("mass"),
-                     &inertia = *inertial.FirstChildElement("inertia");
-    const auto of = [&](const char* moment) { return number(inertia, moment); };
-    const double m = number(mass, "value");
-    if (m < 0) refuse(mass, "link '" + link_name + "' has a negative mass", mass.Attribute("value"));
+    const XMLElement *mass = inertial.FirstChildElement("mass"),
+                     *inertia = inertial.FirstChildElement("inertia");
+    const auto warn = [&](const char* what) { messages_.warn(inertial.GetLineNum(), what, link_name); };
+    if (!mass) warn("an <inertial> without <mass> is ignored, and the link has no mass");
+    if (!mass) return Inertia<double>::Zero();
+    if (!inertia) warn("an <inertial> without <inertia> is that of a point");
+    const auto of = [&](const char* moment) { return inertia ? number(*inertia, moment) : 0; };
+    const double m = number(*mass, "value");
+    if (m < 0) refuse(*mass, "link '" + link_name + "' has a negative mass", mass->Attribute("value"));
     if (m > 0 && m * m < std::numeric_limits<double>::min())
-      messages_.warn(mass.GetLineNum(),
+      messages_.warn(mass->GetLineNum(),
                      "link '" + link_name + "' has a mass so small that its square underflows",
-                     mass.Attribute("value"));
+                     mass->Attribute("value"));
     Matrix3<double> I;
     I << of("ixx"), of("ixy"), of("ixz"), of("ixy"), of("iyy"), of("iyz"), of("ixz"), of("iyz"), of("izz");
     const Inertia<double> body(m, Vector3<double>::Zero(), I);
@@ -130,7 +131,7 @@ class Reader {
     const std::string why = whyUnphysicalLink(body);
     const std::size_t colon = why.find(": ");
     if (!why.empty())
-      robot_.unphysical_links.push_back({link_name, inertia.GetLineNum(),
+      robot_.unphysical_links.push_back({link_name, inertia->GetLineNum(),
                                          "link '" + link_name + "': " + why.substr(0, colon),
                                          colon == why.npos ? "" : why.substr(colon + 2)});
     return body;
