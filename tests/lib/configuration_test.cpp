@@ -545,7 +545,7 @@ TEST(Sizes, EveryFunctionRefusesAWrongSizeAndNamesBothSizes) {
   expectV([&] { checkedTangent(m, long_v); });
 }
 
-/// The exception that checkedConfiguration or checkedTangent throws.
+/// The exception that a function of q or v throws.
 template <class F>
 InvalidConfiguration invalid(F f) {
   try {
@@ -582,6 +582,51 @@ TEST(CheckedInput, NonFiniteNumbersAreRefusedWithJointIndexAndValue) {
       EXPECT_EQ(invalid([&] { checkedTangent(m, v); }).index, i);
     }
   }
+}
+TEST(CheckedInput, EveryFunctionRefusesNumbersThatAreNotFiniteAndNamesTheArgument) {
+  const Model<double> m = someRobot<double>();
+  const VectorX<double> good = someConfiguration<double>(), still = someIncrement<double>();
+  const auto refused = [&](auto call, const std::string& argument, int i) {
+    const InvalidConfiguration e = invalid(call);
+    EXPECT_EQ(e.index, i);
+    EXPECT_FALSE(std::isfinite(e.value));
+    EXPECT_NE(std::string(e.what()).find("'" + m.names[std::size_t(e.joint_index)] + "'"), std::string::npos);
+    EXPECT_NE(std::string(e.what()).find(", " + argument + "[" + std::to_string(i) + "]: not finite"),
+              std::string::npos)
+        << e.what();
+  };
+  for (const double bad :
+       {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
+    for (const int i : {0, 2, 5, 9, 10}) {
+      VectorX<double> q = good;
+      q[i] = bad;
+      refused([&] { integrate(m, q, still); }, "q", i);
+      refused([&] { difference(m, q, good); }, "q0", i);
+      refused([&] { difference(m, good, q); }, "q1", i);
+      refused([&] { interpolate(m, q, good, 0.5); }, "q0", i);
+      refused([&] { interpolate(m, good, q, 0.5); }, "q1", i);
+      refused([&] { squaredDistance(m, q, good); }, "q0", i);
+      refused([&] { distance(m, good, q); }, "q1", i);
+      refused([&] { dIntegrate(m, q, still, ArgumentPosition::ARG1); }, "q", i);
+      refused([&] { dDifference(m, good, q, ArgumentPosition::ARG1); }, "q1", i);
+      refused([&] { integrateCoeffWiseJacobian(m, q); }, "q", i);
+      EXPECT_FALSE(isSameConfiguration(m, q, good));
+      EXPECT_FALSE(isSameConfiguration(m, good, q));
+    }
+    for (const int i : {0, 3, 7, 8}) {
+      VectorX<double> v = still;
+      v[i] = bad;
+      refused([&] { integrate(m, good, v); }, "delta", i);
+      refused([&] { dIntegrate(m, good, v, ArgumentPosition::ARG0); }, "delta", i);
+      refused([&] { distance(m, good, good, v); }, "weights", i);
+    }
+    EXPECT_EQ(refusal([&] { interpolate(m, good, good, bad); }),
+              std::string("u = ") + (std::isnan(bad) ? "nan" : "inf") + ": not finite");
+  }
+  // The difference of two numbers that are finite may be too large.
+  VectorX<double> far = good, farther = good;
+  far[0] = -1e308, farther[0] = 1e308;
+  refused([&] { interpolate(m, far, farther, 0.5); }, "delta", 0);
 }
 TEST(CheckedInput, AZeroUnitVectorCannotBeNormalised) {
   const Model<double> m = someRobot<double>();

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <liecheck/spatial/inertia.hpp>
 #include <liecheck/multibody/random_configuration.hpp>
+#include <liecheck/spatial/inertia.hpp>
 
 #include "long_double.hpp"
 #include "random_tree.hpp"
@@ -101,6 +101,31 @@ TEST(Joints, APlanarJointIsAFreeFlyerThatStaysInThePlane) {
   }
 }
 
+// The largest products of these numbers overflow, but the results do not.
+TEST(Joints, APlanarJointMovesNearTheEndOfTheRange) {
+  const double far = 0x1p1022, less = 0x1p30;
+  const Vector4<double> q(far / 2, -far / 4, 0.6, 0.8), near(far / 2 / less, -far / 4 / less, 0.6, 0.8);
+  const V3 delta(far / 2, far / 3, 3), small(far / 2 / less, far / 3 / less, 3);
+  const Vector4<double> next = Planar<double>::integrate(q, delta),
+                        expected = Planar<double>::integrate(near, small);
+  const V3 back = Planar<double>::difference(q, next), near_back = Planar<double>::difference(near, expected);
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_NEAR(next[i] / less, expected[i], 4 * eps<double>() * far / less);
+    EXPECT_NEAR(back[i] / less, near_back[i], 4 * eps<double>() * far / less);
+  }
+}
+
+TEST(Joints, PositionsNearTheEndOfTheRangeAreTheSameOnlyIfTheyAreNear) {
+  const double far = std::numeric_limits<double>::max();
+  Vector7<double> q0 = FreeFlyer<double>::neutral(), q1 = q0;
+  q0.head<3>().setConstant(far), q1.head<3>().setConstant(far * (1 - 4 * eps<double>()));
+  EXPECT_TRUE(FreeFlyer<double>::isSame(q0, q1, samenessBudget<double>()));
+  EXPECT_FALSE(FreeFlyer<double>::isSame(q0, FreeFlyer<double>::neutral(), samenessBudget<double>()));
+  const Vector4<double> p0(far, -far, 1, 0), p1(-far, far, 1, 0);
+  EXPECT_TRUE(Planar<double>::isSame(p0, p0, samenessBudget<double>()));
+  EXPECT_FALSE(Planar<double>::isSame(p0, p1, samenessBudget<double>()));
+}
+
 TEST(Joints, NamesOfJointTypesAreThoseOfPinocchio) {
   EXPECT_EQ(Helical<double>(Axis<double>::Y(), 0.1).shortname(), "JointModelHY");
   EXPECT_EQ(Helical<double>(V3(1, 1, 0), 0.1).shortname(), "JointModelHelicalUnaligned");
@@ -129,8 +154,15 @@ TEST(Joints, AZeroUnitVectorIsRefusedWithTheNameOfItsJoint) {
 
 TEST(Joints, ConstantsThatAreNotFiniteAndInvalidMimicsAreRefused) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_NE(refusal([&] { Helical<double>(Axis<double>::X(), nan); }), "");
-  EXPECT_NE(refusal([&] { Mimic<double>(Revolute<double>(Axis<double>::X()), 1, nan); }), "");
+  const Revolute<double> hinge(Axis<double>::X());
+  EXPECT_EQ(refusal([&] { Helical<double>(Axis<double>::X(), nan); }),
+            "the pitch of a helical joint = nan: not finite");
+  EXPECT_EQ(refusal([&] { Mimic<double>(hinge, 1, nan); }),
+            "the multiplier of a mimic joint = nan: not finite");
+  EXPECT_EQ(refusal([&] { Mimic<double>(hinge, 1, 2, -INFINITY); }),
+            "the offset of a mimic joint = -inf: not finite");
+  EXPECT_EQ(refusal([&] { Revolute<double>(V3(0, nan, 1)); }), "the axis of a joint = nan: not finite");
+  EXPECT_EQ(refusal([&] { Revolute<double>(V3(0, 0, 0)); }), "the axis of a joint is zero");
   Model<double> m;
   m.addJoint(0, Spherical<double>(), SE3<double>::Identity(), "ball");
   const auto follow = [&](int primary) {
@@ -146,7 +178,10 @@ TEST(Joints, ConstantsThatAreNotFiniteAndInvalidMimicsAreRefused) {
 TEST(RandomConfiguration, KeepsTheLimitsAndIsTheSameForTheSameSeed) {
   Model<double> m = oneOfEach(3);
   std::mt19937_64 bits(1);
-  EXPECT_NE(refusal([&] { randomConfiguration(m, bits); }).find("needs finite limits"), std::string::npos);
+  EXPECT_NE(refusal([&] { randomConfiguration(m, bits); }).find("lowerPositionLimit["), std::string::npos);
+  m.lowerPositionLimit.setConstant(-0.25);
+  EXPECT_NE(refusal([&] { randomConfiguration(m, bits); }).find("needs finite limits, lower <= upper (inf)"),
+            std::string::npos);
   m.lowerPositionLimit.setConstant(-0.25), m.upperPositionLimit.setConstant(0.5);
   std::mt19937_64 again(1);
   bits.seed(1);
@@ -177,10 +212,13 @@ TEST(Inertia, WhyUnphysicalNamesTheReason) {
   EXPECT_EQ(whyUnphysical(of(2, {-0.02, 0.05, 0.05})).rfind("a principal moment of inertia is negative", 0),
             0U);
   EXPECT_EQ(whyUnphysical(of(-2, {0.02, 0.05, 0.06})).rfind("the mass is negative: -2", 0), 0U);
-  EXPECT_EQ(whyUnphysical(of(2, {0.02, 0.05, INFINITY})), "a number is not finite");
+  EXPECT_EQ(whyUnphysical(of(2, {0.02, 0.05, INFINITY})).rfind("a number of the inertia is not finite: ", 0),
+            0U);
   Matrix3<double> crooked = of(2, {0.02, 0.05, 0.06}).inertia();
   crooked(0, 1) += 1e-3;
-  EXPECT_EQ(whyUnphysical(Inertia<double>(2, V3::Zero(), crooked)), "the inertia is not symmetric");
+  EXPECT_EQ(whyUnphysical(Inertia<double>(2, V3::Zero(), crooked))
+                .rfind("the inertia is not symmetric: two products of inertia are ", 0),
+            0U);
 }
 TEST(Inertia, ThePseudoInertiaIsPositiveIfAndOnlyIfTheInertiaIsPhysical) {
   Random random(7);

@@ -114,16 +114,92 @@ TEST(Model, TheParentOfAFrameIsTheFrameOfItsJointUnlessGiven) {
   const int root = m.addJointFrame(1);
   const int wheel = m.addJointFrame(2);
   const int body = m.addBodyFrame("wheel_body", 2, at(1, 2, 3));
-  const int other = m.addBodyFrame("other", 2, at(0, 0, 0), root);
+  const int other = m.addBodyFrame("other", 2, at(0, 0, 0), body);
   EXPECT_EQ(m.frames[root].parentFrame, 0);
   EXPECT_EQ(m.frames[wheel].parentFrame, root);
   EXPECT_EQ(m.frames[body].parentFrame, wheel);
-  EXPECT_EQ(m.frames[other].parentFrame, root);
+  EXPECT_EQ(m.frames[other].parentFrame, body);
   EXPECT_EQ(m.frames[body].parentJoint, 2);
   EXPECT_EQ(m.frames[body].placement.translation(), V3(1, 2, 3));
   EXPECT_EQ(m.frames[body].type, FrameType::BODY);
   EXPECT_EQ(m.frames[wheel].type, FrameType::JOINT);
   EXPECT_EQ(m.frames[wheel].name, "wheel");
+}
+
+TEST(Model, AFrameWhoseParentMovesWithAnotherJointIsRefused) {
+  Model<double> m = robot();
+  const int root = m.addJointFrame(1), wheel = m.addJointFrame(2), body = m.addBodyFrame("body", 1);
+  const std::string on_root =
+      "the parent of frame 'tool' is frame 'root' (frame 1), which moves with joint 'root', "
+      "not with joint 'wheel'";
+  EXPECT_EQ(refusal([&] { m.addFrame({"tool", 2, root, origin, FrameType::OP_FRAME}); }), on_root);
+  EXPECT_EQ(refusal([&] { m.addBodyFrame("tool", 2, origin, root); }), on_root);
+  EXPECT_EQ(refusal([&] { m.addFixedJoint("tool", 2, origin, root); }), on_root);
+  EXPECT_TRUE(contains(refusal([&] {
+                         m.addFrame({"tool", 0, wheel, origin, FrameType::SENSOR});
+                       }),
+                       "moves with joint 'wheel', not with joint 'universe'"));
+  // The frame of a joint hangs on its parent joint.
+  EXPECT_TRUE(contains(refusal([&] { m.addJointFrame(3, root); }),
+                       "moves with joint 'root', not with joint 'wheel'"));
+  EXPECT_EQ(m.nframes, 4);
+  EXPECT_EQ(m.addJointFrame(3, wheel), 4);
+  EXPECT_EQ(m.addJointFrame(4, body), 5);
+  EXPECT_EQ(m.addFrame({"tool", 2, wheel, origin, FrameType::OP_FRAME}), 6);
+  EXPECT_EQ(m.addFrame({"tip", 2, 0, origin, FrameType::OP_FRAME}), 7);  // no parent stated
+}
+
+TEST(Model, APlacementThatIsNotAPoseIsRefused) {
+  Model<double> m = robot();
+  m.addJointFrame(1);
+  const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+  M3 bent = M3::Identity();
+  bent(0, 1) = 1e-7;
+  const auto each = [&](const SE3<double>& X, const std::string& text) {
+    const auto refused = [&](auto call, const std::string& what) {
+      EXPECT_TRUE(contains(refusal(call), what + text)) << refusal(call);
+    };
+    refused([&] { m.addJoint(1, FreeFlyer<double>(), X, "new"); }, "the placement of joint 'new': ");
+    refused([&] { m.addBodyFrame("tool", 1, X); }, "the placement of frame 'tool': ");
+    refused([&] { m.addFixedJoint("tool", 1, X); }, "the placement of frame 'tool': ");
+    refused([&] { m.addFrame({"tool", 1, 0, X, FrameType::OP_FRAME}); }, "the placement of frame 'tool': ");
+    refused([&] { m.appendBodyToJoint(2, Inertia<double>::Zero(), X); },
+            "a body of joint 'wheel': its pose: ");
+  };
+  each(at(nan, 0, 0), "position = nan: not finite");
+  each(at(0, -inf, 0), "position = -inf: not finite");
+  each({M3(nan * M3::Identity()), V3(V3::Zero())}, "rotation = nan: not finite");
+  each({M3(2 * M3::Identity()), V3(V3::Zero())}, "rotation: |R^T R - I| = 5.196");
+  each({M3(-M3::Identity()), V3(V3::Zero())}, "rotation: determinant = -1");
+  each({bent, V3(V3::Zero())}, "rotation: |R^T R - I| = 1.414");
+  EXPECT_EQ(m.njoints, 5);
+  EXPECT_EQ(m.nframes, 2);
+  bent(0, 1) = 1e-9;  // typed with nine digits
+  EXPECT_EQ(refusal([&] { m.addBodyFrame("tool", 1, {bent, V3(V3::Zero())}); }), "");
+}
+
+TEST(Model, ABodyThatIsNoneIsRefusedWithItsValueAndChangesNothing) {
+  Model<double> m = robot();
+  m.appendBodyToJoint(2, Inertia<double>(2, V3(0.5, 0, 0), V3(1, 2, 3).asDiagonal()));
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  M3 crooked = M3::Identity();
+  crooked(0, 1) = 0.25;
+  const auto refused = [&](const Inertia<double>& I, const std::string& text) {
+    EXPECT_EQ(refusal([&] { m.appendBodyToJoint(2, I, at(1, 2, 3)); }), "a body of joint 'wheel': " + text);
+  };
+  refused({-1, V3::Zero(), M3::Identity()}, "the mass is negative: -1");
+  refused({1, V3::Zero(), crooked}, "the inertia is not symmetric: two products of inertia are 0 0.25");
+  refused({nan, V3::Zero(), M3::Identity()}, "the mass is not finite: nan");
+  refused({1, V3(0, nan, 0), M3::Identity()}, "the centre of mass is not finite: 0 nan 0");
+  refused({1, V3::Zero(), M3(nan * M3::Identity())}, "a number of the inertia is not finite: nan");
+  const std::string overflow = "its inertia and that of the others, about the joint's origin, overflow";
+  refused({1e308, V3::Zero(), M3::Identity()}, overflow);  // 1e308 kg at (1, 2, 3)
+  refused({1, V3(1e200, 0, 0), M3::Identity()}, overflow);
+  EXPECT_EQ(m.inertias[2].mass(), 2);
+  EXPECT_EQ(m.inertias[2].lever(), V3(0.5, 0, 0));
+  EXPECT_EQ(m.inertias[2].inertia(), M3(V3(1, 2, 3).asDiagonal()));
+  // Half a body: its moments are not checked, since only the sum of a joint's bodies must be physical.
+  EXPECT_EQ(refusal([&] { m.appendBodyToJoint(2, {1, V3::Zero(), V3(3, 1, 1).asDiagonal()}); }), "");
 }
 
 TEST(Model, ANameThatAJointAndALinkShareNeedsAFrameType) {
@@ -192,6 +268,26 @@ TEST(Model, CastKeepsStructureNamesAndEveryNumber) {
     EXPECT_EQ(shortname<float>(f.joints[i]), shortname<double>(m.joints[i]));
   EXPECT_EQ(std::get<Prismatic<float>>(f.joints[4]).axis.to_vector(), Vector3<float>(0, 0.6F, 0.8F));
   EXPECT_EQ(f.cast<double>().frames.size(), m.frames.size());
+}
+
+TEST(Model, CastRefusesConstantsThatAreTooLargeForTheScalar) {
+  const auto refused = [](auto change) {
+    Model<double> m = robot();
+    m.addJointFrame(1);
+    change(m);
+    return refusal([&] { m.cast<float>(); });
+  };
+  const std::string text = " is not finite in the new scalar";
+  EXPECT_EQ(refused([](Model<double>& m) { m.upperPositionLimit.setConstant(1e300); }), "");
+  EXPECT_EQ(refused([](Model<double>& m) {
+              m.appendBodyToJoint(2, {1e50, V3::Zero(), M3::Zero()});
+            }),
+            "cast: the inertia of joint 'wheel'" + text);
+  EXPECT_EQ(refused([](Model<double>& m) { m.addJoint(1, FreeFlyer<double>(), at(0, 1e40, 0), "far"); }),
+            "cast: the placement of joint 'far'" + text);
+  EXPECT_EQ(refused([](Model<double>& m) { m.addBodyFrame("far", 1, at(0, 1e40, 0)); }),
+            "cast: the placement of frame 'far'" + text);
+  EXPECT_EQ(refused([](Model<double>& m) { m.gravity.z() = -1e100; }), "cast: gravity" + text);
 }
 
 TEST(Joint, ShortnamesAreThoseOfPinocchio) {

@@ -4,7 +4,7 @@
 //
 // Every function has a counterpart for one pose, whose error bounds hold for each column. The counterpart
 // itself computes the columns that need a branch (|phi| > pi, close poses, |phi| within 1e-3 of pi,
-// quaternions far from unit, results that are not finite), and the last columns that fill no register.
+// quaternions off unit, results that are not finite), and the last columns that fill no register.
 
 #include <liecheck/multibody/se3_configuration.hpp>
 #include <liecheck/scalar/simd.hpp>
@@ -63,13 +63,24 @@ template <class P, class V>
   const P x = v[first] * v[first] + (v[first + 1] * v[first + 1] + v[first + 2] * v[first + 2]);
   return (x.v >= least) & (x.v <= most);
 }
+/// |Q|^2 - 1 of the quaternion Q = v[first .. first + 3].
+template <class P, class V>
+[[gnu::always_inline]] inline P norm_excess(const V& v, int first) {
+  return (v[first] * v[first] + v[first + 1] * v[first + 1]) +
+         (v[first + 2] * v[first + 2] + v[first + 3] * v[first + 3]) - P(1);
+}
 /// The lanes in which the squared norm of the quaternion v[first .. first + 3] is 1 up to 16 eps.
 template <class P, class V>
 [[gnu::always_inline]] inline auto unit(const V& v, int first) {
-  const P x = (v[first] * v[first] + v[first + 1] * v[first + 1]) +
-              (v[first + 2] * v[first + 2] + v[first + 3] * v[first + 3]) - P(1);
+  const P x = norm_excess<P>(v, first);
   const Lane<P> most = eps<Lane<P>>() * 16;
   return (x.v >= -most) & (x.v <= most);
+}
+/// The lanes in which a first-order normalisation of the quaternion v[first .. first + 3] suffices.
+template <class P, class V>
+[[gnu::always_inline]] inline auto near_unit(const V& v, int first) {
+  const P x = norm_excess<P>(v, first);
+  return x.v * x.v < eps<Lane<P>>() / 4;
 }
 template <class S>
 constexpr S huge = std::numeric_limits<S>::max() * eps<S>() * eps<S>();  ///< no branch up to this |v|^2
@@ -80,9 +91,9 @@ constexpr S huge = std::numeric_limits<S>::max() * eps<S>() * eps<S>();  ///< no
 template <std::floating_point S>
 Rows<S, 7> integrate(const Rows<S, 7>& q, const Rows<S, 6>& delta) {
   const auto f = [](const auto& a, const auto& b) { return integrateSE3(a, b); };
-  const auto usual_path = []<class P>(const Vector7<P>&, const Vector7<P>&, const Vector6<P>& b) {
+  const auto usual_path = []<class P>(const Vector7<P>&, const Vector7<P>& a, const Vector6<P>& b) {
     return detail::within<P>(b, 3, 0, stumpff_detail::series_limit<S>()) &
-           detail::within<P>(b, 0, 0, detail::huge<S>);
+           detail::within<P>(b, 0, 0, detail::huge<S>) & detail::near_unit<P>(a, 3);
   };
   return detail::map<7, S>(f, usual_path, q, delta);
 }

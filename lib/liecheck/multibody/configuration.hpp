@@ -2,8 +2,10 @@
 // The configuration space of a whole robot. Each joint has a segment of q [nq] and a segment of v [nv].
 //
 // Values and error bounds are those of the joints (se3_configuration.hpp, joints/). Every function throws
-// std::invalid_argument with the actual and the expected size if an argument has the wrong size. Check input
-// values with checkedConfiguration and checkedTangent; of the other functions only normalized checks values.
+// std::invalid_argument with the actual and the expected size if an argument has the wrong size, and
+// InvalidConfiguration, which names argument, joint, index and value, if a number is not finite or a
+// quaternion or (cos, sin) is zero. One of another norm than 1 is taken as normalised; to refuse it too, call
+// checkedConfiguration.
 
 #include <liecheck/multibody/invalid_configuration.hpp>
 #include <liecheck/multibody/joint_place.hpp>
@@ -17,6 +19,7 @@ namespace liecheck {
 namespace configuration_detail {
 
 using multibody_detail::checkSize;
+using multibody_detail::forEachJoint;
 template <Scalar S>
 void checkConfigurationSize(const Model<S>& model, const VectorX<S>& q, const char* what) {
   checkSize(q.size(), model.nq, what, "nq");
@@ -26,7 +29,25 @@ void checkTangentSize(const Model<S>& model, const VectorX<S>& v, const char* wh
   checkSize(v.size(), model.nv, what, "nv");
 }
 
-using multibody_detail::forEachJoint;
+/// True if all numbers are finite: 0 x is NaN for infinity and NaN.
+template <Scalar S>
+bool allFinite(const VectorX<S>& x) {
+  return (x * S(0)).sum() == S(0);
+}
+/// Checks the size of q [nq], and that all numbers are finite.
+template <Scalar S>
+void checkConfiguration(const Model<S>& model, const VectorX<S>& q, const char* what) {
+  checkConfigurationSize<S>(model, q, what);
+  if (!allFinite<S>(q)) [[unlikely]]
+    forEachJoint(model, [&](const auto& place) { refuseNonFiniteConfiguration(place, q, what); });
+}
+/// Checks the size of v [nv], and that all numbers are finite.
+template <Scalar S>
+void checkTangent(const Model<S>& model, const VectorX<S>& v, const char* what) {
+  checkTangentSize<S>(model, v, what);
+  if (!allFinite<S>(v)) [[unlikely]]
+    forEachJoint(model, [&](const auto& place) { refuseNonFiniteTangent(place, v, what); });
+}
 
 }  // namespace configuration_detail
 
@@ -45,14 +66,13 @@ VectorX<S> neutral(const Model<S>& model) {
   return q;
 }
 
-/// q [nq] with every quaternion and (cos, sin) normalised. Throws InvalidConfiguration if one is 0 or not
-/// finite.
+/// q [nq] with every quaternion and (cos, sin) normalised. Error 2 eps.
 template <Scalar S>
 VectorX<S> normalized(const Model<S>& model, In<S> q) {
-  configuration_detail::checkConfigurationSize<S>(model, q, "q");
+  configuration_detail::checkConfiguration<S>(model, q, "q");
   VectorX<S> result(model.nq);
   configuration_detail::forEachJoint(model, [&](const auto& place) {
-    invalid_configuration_detail::refuseUnrepairable<S>(model, place, q);
+    refuseZero(place, q, "q");
     place.configuration(result) = place.joint.normalized(place.configuration(q));
   });
   return result;
@@ -78,49 +98,67 @@ bool isNormalized(const Model<S>& model, In<S> q,
 /// The configuration T exp(delta) of every joint [nq]; delta [nv; m, rad] is an increment, such as dt v.
 template <Scalar S>
 VectorX<S> integrate(const Model<S>& model, In<S> q, In<S> delta) {
-  configuration_detail::checkConfigurationSize<S>(model, q, "q");
-  configuration_detail::checkTangentSize<S>(model, delta, "delta");
+  using namespace configuration_detail;
+  checkConfigurationSize<S>(model, q, "q");
+  checkTangentSize<S>(model, delta, "delta");
   VectorX<S> result(model.nq);
   configuration_detail::forEachJoint(model, [&](const auto& place) {
+    refuseZero(place, q, "q");
     place.configuration(result) = place.joint.integrate(place.configuration(q), place.tangent(delta));
   });
+  // Numbers that are not finite are still not finite in the result, so one check suffices.
+  if (!allFinite<S>(result)) [[unlikely]]
+    checkConfiguration<S>(model, q, "q"), checkTangent<S>(model, delta, "delta");
   return result;
 }
 
 /// The increment log(T0^-1 T1) of every joint, from q0 to q1 [nv]: integrate(q0, difference(q0, q1)) is q1.
 template <Scalar S>
 VectorX<S> difference(const Model<S>& model, In<S> q0, In<S> q1) {
-  configuration_detail::checkConfigurationSize<S>(model, q0, "q0");
-  configuration_detail::checkConfigurationSize<S>(model, q1, "q1");
+  using namespace configuration_detail;
+  checkConfigurationSize<S>(model, q0, "q0");
+  checkConfigurationSize<S>(model, q1, "q1");
   VectorX<S> delta(model.nv);
   configuration_detail::forEachJoint(model, [&](const auto& place) {
+    refuseZero(place, q0, "q0");
+    refuseZero(place, q1, "q1");
     place.tangent(delta) = place.joint.difference(place.configuration(q0), place.configuration(q1));
   });
+  if (!allFinite<S>(delta)) [[unlikely]]
+    checkConfiguration<S>(model, q0, "q0"), checkConfiguration<S>(model, q1, "q1");
   return delta;
 }
 
-/// integrate(q0, u difference(q0, q1)) [nq]: the geodesic of every joint, q0 at u = 0, q1 at u = 1.
+/// integrate(q0, u difference(q0, q1)) [nq]: the geodesic of every joint, q0 at u = 0, q1 at u = 1. Throws
+/// std::invalid_argument if u is not finite; any other u is allowed. delta = u difference(q0, q1) in
+/// messages.
 template <Scalar S>
 VectorX<S> interpolate(const Model<S>& model, In<S> q0, In<S> q1, const std::type_identity_t<S>& u) {
+  if (!finite<S>(u)) checked_rotation_detail::refuse<S>("u", u, "not finite");
   return integrate(model, q0, u * difference(model, q0, q1));
 }
 
 /// |difference|^2 of each joint except the universe [njoints - 1]; squares of m and of rad are added.
 template <Scalar S>
 VectorX<S> squaredDistance(const Model<S>& model, In<S> q0, In<S> q1) {
-  configuration_detail::checkConfigurationSize<S>(model, q0, "q0");
-  configuration_detail::checkConfigurationSize<S>(model, q1, "q1");
+  using namespace configuration_detail;
+  checkConfigurationSize<S>(model, q0, "q0");
+  checkConfigurationSize<S>(model, q1, "q1");
   VectorX<S> result(model.njoints - 1);
   configuration_detail::forEachJoint(model, [&](const auto& place) {
+    refuseZero(place, q0, "q0");
+    refuseZero(place, q1, "q1");
     result[place.index - 1] = squaredDistance(place.joint, place.configuration(q0), place.configuration(q1));
   });
+  if (!allFinite<S>(result)) [[unlikely]]
+    checkConfiguration<S>(model, q0, "q0"), checkConfiguration<S>(model, q1, "q1");
   return result;
 }
 
 /// sqrt(sum_i (weights_i difference_i)^2), weights [nv; 1/m, 1/rad].
 template <Scalar S>
 S distance(const Model<S>& model, In<S> q0, In<S> q1, In<S> weights) {
-  configuration_detail::checkTangentSize<S>(model, weights, "weights");
+  configuration_detail::checkTangent<S>(model, weights, "weights");
   const VectorX<S> delta = difference(model, q0, q1).cwiseProduct(weights);
   return multibody_detail::norm(delta);
 }
@@ -130,7 +168,8 @@ S distance(const Model<S>& model, In<S> q0, In<S> q1) {
   return distance(model, q0, q1, VectorX<S>::Ones(model.nv));
 }
 
-/// True if all joints differ by at most budget [rad; relative to max(1 m, |p|)]. Q and -Q are the same.
+/// True if all joints differ by at most budget [rad; relative to max(1 m, |p|)]. Q and -Q are the same. False
+/// if a number is not finite.
 template <Scalar S>
 bool isSameConfiguration(const Model<S>& model, In<S> q0, In<S> q1,
                          const std::type_identity_t<S>& budget = samenessBudget<S>()) {
@@ -138,6 +177,8 @@ bool isSameConfiguration(const Model<S>& model, In<S> q0, In<S> q1,
   configuration_detail::checkConfigurationSize<S>(model, q1, "q1");
   bool same = true;
   configuration_detail::forEachJoint(model, [&](const auto& place) {
+    refuseZero(place, q0, "q0");
+    refuseZero(place, q1, "q1");
     same = same && place.joint.isSame(place.configuration(q0), place.configuration(q1), budget);
   });
   return same;
@@ -147,10 +188,11 @@ bool isSameConfiguration(const Model<S>& model, In<S> q0, In<S> q1,
 /// It maps a tangent increment of the argument to one of the result.
 template <Scalar S>
 MatrixX<S> dIntegrate(const Model<S>& model, In<S> q, In<S> delta, ArgumentPosition argument) {
-  configuration_detail::checkConfigurationSize<S>(model, q, "q");
-  configuration_detail::checkTangentSize<S>(model, delta, "delta");
+  configuration_detail::checkConfiguration<S>(model, q, "q");
+  configuration_detail::checkTangent<S>(model, delta, "delta");
   MatrixX<S> J = MatrixX<S>::Zero(model.nv, model.nv);
   configuration_detail::forEachJoint(model, [&](const auto& place) {
+    refuseZero(place, q, "q");
     place.jacobian(J) = place.joint.dIntegrate(place.configuration(q), place.tangent(delta), argument);
   });
   return J;
@@ -159,10 +201,12 @@ MatrixX<S> dIntegrate(const Model<S>& model, In<S> q, In<S> delta, ArgumentPosit
 /// The derivative [nv x nv] of difference(q0, q1) with respect to q0 (ARG0) or q1 (ARG1), block-diagonal.
 template <Scalar S>
 MatrixX<S> dDifference(const Model<S>& model, In<S> q0, In<S> q1, ArgumentPosition argument) {
-  configuration_detail::checkConfigurationSize<S>(model, q0, "q0");
-  configuration_detail::checkConfigurationSize<S>(model, q1, "q1");
+  configuration_detail::checkConfiguration<S>(model, q0, "q0");
+  configuration_detail::checkConfiguration<S>(model, q1, "q1");
   MatrixX<S> J = MatrixX<S>::Zero(model.nv, model.nv);
   configuration_detail::forEachJoint(model, [&](const auto& place) {
+    refuseZero(place, q0, "q0");
+    refuseZero(place, q1, "q1");
     place.jacobian(J) = place.joint.dDifference(place.configuration(q0), place.configuration(q1), argument);
   });
   return J;
@@ -171,10 +215,15 @@ MatrixX<S> dDifference(const Model<S>& model, In<S> q0, In<S> q1, ArgumentPositi
 /// The derivative [nq x nv] of the stored numbers of integrate(q, delta) with respect to delta, at delta = 0.
 template <Scalar S>
 MatrixX<S> integrateCoeffWiseJacobian(const Model<S>& model, In<S> q) {
-  configuration_detail::checkConfigurationSize<S>(model, q, "q");
+  configuration_detail::checkConfiguration<S>(model, q, "q");
   MatrixX<S> J = MatrixX<S>::Zero(model.nq, model.nv);
   configuration_detail::forEachJoint(model, [&](const auto& place) {
-    place.coefficientJacobian(J) = place.joint.integrateCoeffWiseJacobian(place.configuration(q));
+    refuseZero(place, q, "q");
+    const auto segment = place.configuration(q);
+    // integrate normalises, so its result depends on u/|u|. Twice the budget, for the rounding of |u|^2.
+    const bool unit = isNormalized(place.joint, segment, S(S(2) * normDefectBudget<S>()));
+    place.coefficientJacobian(J) =
+        place.joint.integrateCoeffWiseJacobian(unit ? segment : place.joint.normalized(segment));
   });
   return J;
 }
@@ -183,10 +232,10 @@ MatrixX<S> integrateCoeffWiseJacobian(const Model<S>& model, In<S> q) {
 /// unit norm up to normDefectBudget. If q was rounded, for example in a text file, normalise it first.
 template <Scalar S>
 VectorX<S> checkedConfiguration(const Model<S>& model, In<S> q) {
-  configuration_detail::checkConfigurationSize<S>(model, q, "q");
+  configuration_detail::checkConfiguration<S>(model, q, "q");
   configuration_detail::forEachJoint(model, [&](const auto& place) {
-    invalid_configuration_detail::refuseUnrepairable<S>(model, place, q);
-    invalid_configuration_detail::refuseOffUnit<S>(model, place, q, normDefectBudget<S>());
+    refuseZero(place, q, "q");
+    refuseOffUnit(place, q, normDefectBudget<S>());
   });
   return q;
 }
@@ -194,9 +243,7 @@ VectorX<S> checkedConfiguration(const Model<S>& model, In<S> q) {
 /// Returns v [nv]. Throws InvalidConfiguration unless v is finite.
 template <Scalar S>
 VectorX<S> checkedTangent(const Model<S>& model, In<S> v) {
-  configuration_detail::checkTangentSize<S>(model, v, "v");
-  configuration_detail::forEachJoint(
-      model, [&](const auto& place) { invalid_configuration_detail::refuseNonFinite<S>(model, place, v); });
+  configuration_detail::checkTangent<S>(model, v, "v");
   return v;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 // Checks of the values of q and v, and the exception that they throw.
 
-#include <liecheck/multibody/model.hpp>
+#include <liecheck/multibody/joint_place.hpp>
 #include <locale>
 #include <sstream>
 
@@ -20,52 +20,53 @@ class InvalidConfiguration : public std::invalid_argument {
   double value;
 };
 
-namespace invalid_configuration_detail {
+namespace multibody_detail {
 
-template <Scalar S>
-[[noreturn]] void refuse(const Model<S>& model, int joint, const char* vector, int index, const S& value,
+/// Refuses the number at `index` of the vector named `vector`, which belongs to the joint.
+template <Scalar S, class J>
+[[noreturn]] void refuse(const JointPlace<S, J>& joint, const char* vector, int index, const S& value,
                          const std::string& why) {
-  const std::string& name = model.names[std::size_t(joint)];
+  const std::string& name = joint.model.names[std::size_t(joint.index)];
   std::ostringstream text;
   text.imbue(std::locale::classic());
   text.precision(std::numeric_limits<double>::max_digits10);
-  text << "joint '" << name << "' (joint " << joint << "), " << vector << "[" << index << "]: " << why << " ("
-       << double(value) << ")";
-  throw InvalidConfiguration(text.str(), name, joint, index, double(value));
+  text << "joint '" << name << "' (joint " << joint.index << "), " << vector << "[" << index << "]: " << why
+       << " (" << double(value) << ")";
+  throw InvalidConfiguration(text.str(), name, joint.index, index, double(value));
 }
 
-template <Scalar S, class Place>
-void refuseNonFinite(const Model<S>& model, const Place& place, const VectorX<S>& v) {
-  const auto tangent = place.tangent(v);
-  for (int i = 0; i < tangent.size(); ++i)
-    if (!finite<S>(tangent[i])) refuse<S>(model, place.index, "v", place.idx_v + i, tangent[i], "not finite");
+/// Refuses a tangent vector v [nv] unless the joint's numbers are finite.
+template <Scalar S, class J>
+void refuseNonFiniteTangent(const JointPlace<S, J>& joint, const VectorX<S>& v, const char* what) {
+  for (int i = joint.idx_v; i < joint.idx_v + J::nv; ++i)
+    if (!finite<S>(v[i])) refuse(joint, what, i, v[i], "not finite");
 }
 
-/// Refuses what normalisation cannot repair: numbers that are not finite, and unit vectors that are zero.
-template <Scalar S, class Place>
-void refuseUnrepairable(const Model<S>& model, const Place& place, const VectorX<S>& q) {
-  using J = std::remove_cvref_t<decltype(place.joint)>;
-  const typename J::Configuration segment = place.configuration(q);
-  for (int i = 0; i < segment.size(); ++i)
-    if (!finite<S>(segment[i])) refuse<S>(model, place.index, "q", place.idx_q + i, segment[i], "not finite");
-  if constexpr (J::nq > J::nv) {
-    constexpr int length = J::nq - J::unit_begin;
-    if (segment.template tail<length>().isZero(S(0)))
-      refuse<S>(model, place.index, "q", place.idx_q + J::unit_begin, S(0),
-                length == 4 ? "a zero quaternion is not a rotation" : "(cos, sin) = (0, 0) is not an angle");
-  }
+/// Refuses a configuration q [nq] unless the joint's numbers are finite.
+template <Scalar S, class J>
+void refuseNonFiniteConfiguration(const JointPlace<S, J>& joint, const VectorX<S>& q, const char* what) {
+  for (int i = joint.idx_q; i < joint.idx_q + J::nq; ++i)
+    if (!finite<S>(q[i])) refuse(joint, what, i, q[i], "not finite");
 }
 
-template <Scalar S, class Place>
-void refuseOffUnit(const Model<S>& model, const Place& place, const VectorX<S>& q, const S& budget) {
-  using J = std::remove_cvref_t<decltype(place.joint)>;
-  if constexpr (J::nq > J::nv) {
-    const S defect = place.joint.normDefect(place.configuration(q));
+/// Refuses q [nq] if the joint's quaternion or (cos, sin) is zero.
+template <Scalar S, class J>
+void refuseZero(const JointPlace<S, J>& joint, const VectorX<S>& q, const char* what) {
+  constexpr int length = J::nq - J::unit_begin;
+  if constexpr (length > 0)
+    if (joint.configuration(q).template tail<length>().isZero(S(0)))
+      refuse(joint, what, joint.idx_q + J::unit_begin, S(0), unit_vector_detail::zero_is_refused<length>);
+}
+
+template <Scalar S, class J>
+void refuseOffUnit(const JointPlace<S, J>& joint, const VectorX<S>& q, const S& budget) {
+  if constexpr (J::unit_begin < J::nq) {
+    const S defect = joint.joint.normDefect(joint.configuration(q));
     if (!(absolute<S>(defect) <= budget))
-      refuse<S>(model, place.index, "q", place.idx_q + J::unit_begin, S(defect + S(1)),
-                "the squared norm is not 1 up to 8 eps: normalize first");
+      refuse(joint, "q", joint.idx_q + J::unit_begin, S(defect + S(1)),
+             "the squared norm is not 1 up to 8 eps: normalize first");
   }
 }
 
-}  // namespace invalid_configuration_detail
+}  // namespace multibody_detail
 }  // namespace liecheck

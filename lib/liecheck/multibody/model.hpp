@@ -10,6 +10,7 @@
 #include <liecheck/multibody/frame.hpp>
 #include <liecheck/multibody/joint.hpp>
 #include <liecheck/multibody/nearest_names.hpp>
+#include <liecheck/spatial/checked_rotation.hpp>
 #include <liecheck/spatial/inertia.hpp>
 #include <stdexcept>
 #include <unordered_map>
@@ -60,12 +61,14 @@ class Model {
   Model();
 
   /// Adds a joint, without body and frame, to joint `parent` at X_PJ; returns its index. Throws
-  /// std::invalid_argument if the parent does not exist, the name is taken, the joint is a universe, or the
-  /// primary of a mimic does not exist or does not have nv = 1.
+  /// std::invalid_argument if the parent does not exist, the name is taken, the joint is a universe, the
+  /// primary of a mimic does not exist or does not have nv = 1, or X_PJ is not a pose.
   int addJoint(int parent, const Joint<S>& joint, const SE3<S>& X_PJ, const std::string& joint_name);
 
   /// Adds a frame; returns its index. Two frames may share a name if their types differ (a joint and a link).
-  /// Throws std::invalid_argument if a parent does not exist, or if a frame of that name and type exists.
+  /// Throws std::invalid_argument if a parent does not exist, a frame of that name and type exists, the
+  /// placement is not a pose, or the parent frame moves with another joint than the frame (for the frame of a
+  /// joint: than the joint's parent). Parent frame 0, the universe, states no parent and is always accepted.
   int addFrame(const Frame<S>& frame);
 
   /// Adds the frame of a joint, of the same name. parent_frame defaults to the frame of its parent joint.
@@ -78,7 +81,9 @@ class Model {
   /// Adds the frame of a fixed joint at X_JF. No joint is added, since the child link moves with `joint`.
   int addFixedJoint(const std::string& fixed_name, int joint, const SE3<S>& X_JF, int parent_frame = -1);
 
-  /// Fixes a body to a joint. I_B is in the body's frame, whose pose in the joint's frame is X_JB.
+  /// Fixes a body to a joint. I_B is in the body's frame, whose pose in the joint's frame is X_JB. Throws
+  /// std::invalid_argument if whyInvalid(I_B) finds something, X_JB is not a pose, or the sum of the joint's
+  /// bodies overflows. whyUnphysical checks the moments; one of several bodies may lack what their sum has.
   void appendBodyToJoint(int joint, const Inertia<S>& I_B, const SE3<S>& X_JB = SE3<S>::Identity());
 
   /// The joint's index; njoints if there is none of that name.
@@ -101,7 +106,8 @@ class Model {
   /// As requireJointId, for frames. Throws std::invalid_argument also if several frames have that name.
   int requireFrameId(const std::string& frame_name) const;
 
-  /// The same robot with each constant converted to T; none is recomputed.
+  /// The same robot with each constant converted to T; none is recomputed. Throws std::invalid_argument if one
+  /// other than a limit, or the inertia of a joint's bodies about its origin, is too large for T.
   template <Scalar T>
   Model<T> cast() const;
 
@@ -113,6 +119,8 @@ class Model {
   int addFrameUnchecked(const Frame<S>& frame);
   static void grow(VectorX<S>& v, int size, const S& value);
   void checkJoint(int joint, const std::string& what) const;
+  void checkCarrier(const Frame<S>& frame) const;
+  static void checkPose(const SE3<S>& X, const std::string& what);
   int frameOfJoint(int joint) const;
 
   std::unordered_map<std::string, int> joint_ids_;
@@ -140,6 +148,7 @@ int Model<S>::addJoint(int parent, const Joint<S>& joint, const SE3<S>& X_PJ, co
                                   names[std::size_t(mimic->primary)] +
                                   "', which does not have exactly one degree of freedom");
   }
+  checkPose(X_PJ, "the placement of joint '" + joint_name + "'");
   return addJointUnchecked(parent, joint, X_PJ, joint_name);
 }
 
@@ -152,6 +161,8 @@ int Model<S>::addFrame(const Frame<S>& frame) {
                                 std::to_string(nframes));
   if (existFrame(frame.name, frame.type))
     throw std::invalid_argument("the model already has a frame of that type named '" + frame.name + "'");
+  checkCarrier(frame);
+  checkPose(frame.placement, "the placement of frame '" + frame.name + "'");
   return addFrameUnchecked(frame);
 }
 
@@ -179,8 +190,16 @@ int Model<S>::addFixedJoint(const std::string& fixed_name, int joint, const SE3<
 template <Scalar S>
 void Model<S>::appendBodyToJoint(int joint, const Inertia<S>& I_B, const SE3<S>& X_JB) {
   checkJoint(joint, "a body's parent");
+  const std::string what = "a body of joint '" + names[std::size_t(joint)] + "': ";
+  const std::string why = whyInvalid(I_B);
+  if (!why.empty()) throw std::invalid_argument(what + why);
+  checkPose(X_JB, what + "its pose");
   Inertia<S>& I_J = inertias[std::size_t(joint)];
-  I_J = I_J + X_JB.act(I_B);
+  const Inertia<S> sum = I_J + X_JB.act(I_B);
+  if (!sum.matrix().allFinite())
+    throw std::invalid_argument(what +
+                                "its inertia and that of the others, about the joint's origin, overflow");
+  I_J = sum;
 }
 
 template <Scalar S>
@@ -240,8 +259,21 @@ Model<T> Model<S>::cast() const {
   for (const Inertia<S>& I : inertias)
     m.inertias.emplace_back(T(I.mass()), Vector3<T>(I.lever().template cast<T>()),
                             Matrix3<T>(I.inertia().template cast<T>()));
+  const auto fits = [](const auto& numbers, const std::string& what) {
+    if (!numbers.allFinite())
+      throw std::invalid_argument("cast: " + what + " is not finite in the new scalar");
+  };
+  fits(m.gravity, "gravity"), fits(m.armature, "armature");
+  fits(m.friction, "friction"), fits(m.damping, "damping");
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    fits(m.jointPlacements[i].translation(), "the placement of joint '" + names[i] + "'");
+    fits(m.inertias[i].matrix(), "the inertia of joint '" + names[i] + "'");
+  }
   for (const Joint<S>& j : joints) m.joints.push_back(liecheck::cast<T, S>(j));
-  for (const Frame<S>& f : frames) m.frames.push_back(f.template cast<T>());
+  for (const Frame<S>& f : frames) {
+    m.frames.push_back(f.template cast<T>());
+    fits(m.frames.back().placement.translation(), "the placement of frame '" + f.name + "'");
+  }
   return m;
 }
 
@@ -294,8 +326,29 @@ void Model<S>::grow(VectorX<S>& v, int size, const S& value) {
 template <Scalar S>
 void Model<S>::checkJoint(int joint, const std::string& what) const {
   if (joint < 0 || joint >= njoints)
-    throw std::invalid_argument(what + " is joint " + std::to_string(joint) + ", and the number of joints is " +
-                                std::to_string(njoints));
+    throw std::invalid_argument(what + " is joint " + std::to_string(joint) +
+                                ", and the number of joints is " + std::to_string(njoints));
+}
+
+template <Scalar S>
+void Model<S>::checkCarrier(const Frame<S>& frame) const {
+  const int carrier = frames[std::size_t(frame.parentFrame)].parentJoint;
+  const int due =
+      frame.type == FrameType::JOINT ? parents[std::size_t(frame.parentJoint)] : frame.parentJoint;
+  if (frame.parentFrame == 0 || carrier == due) return;
+  const auto joint = [this](int i) { return "joint '" + names[std::size_t(i)] + "'"; };
+  throw std::invalid_argument("the parent of frame '" + frame.name + "' is frame '" +
+                              frames[std::size_t(frame.parentFrame)].name + "' (frame " +
+                              std::to_string(frame.parentFrame) + "), which moves with " + joint(carrier) +
+                              ", not with " + joint(due));
+}
+
+/// The rotation may be off by sqrt(eps), half the digits: typed numbers are accepted, mistakes are not.
+template <Scalar S>
+void Model<S>::checkPose(const SE3<S>& X, const std::string& what) {
+  using std::sqrt;
+  checked_rotation_detail::refuseNonFinite<S>(what + ": position", X.translation());
+  checkedRotation<S>(X.rotation(), S(sqrt(eps<S>())), what + ": rotation");
 }
 
 template <Scalar S>

@@ -18,8 +18,8 @@ S uniform(Generator& bits) {
 }  // namespace random_configuration_detail
 
 /// A random q [nq] by a generator such as std::mt19937_64, uniform in [lowerPositionLimit,
-/// upperPositionLimit] and, for rotations, over the group (Shoemake 1992). Throws std::invalid_argument,
-/// naming the joint, if a limit is infinite or lower > upper.
+/// upperPositionLimit] and, for rotations, over the group (Shoemake 1992). Throws InvalidConfiguration, which
+/// names joint, limit and value, if a limit is not finite, lower > upper or their difference overflows.
 template <Scalar S, class Generator>
 VectorX<S> randomConfiguration(const Model<S>& model, Generator& bits) {
   using random_configuration_detail::uniform;
@@ -31,10 +31,11 @@ VectorX<S> randomConfiguration(const Model<S>& model, Generator& bits) {
     for (int i = 0; i < J::unit_begin; ++i) {
       const S &low = model.lowerPositionLimit[joint.idx_q + i],
               &high = model.upperPositionLimit[joint.idx_q + i];
-      if (!finite<S>(high - low) || high < low)
-        throw std::invalid_argument("joint '" + model.names[std::size_t(joint.index)] + "', q[" +
-                                    std::to_string(joint.idx_q + i) +
-                                    "]: a random position needs finite limits, lower <= upper");
+      if (!finite<S>(high - low) || high < low) {
+        const bool upper = finite<S>(low) && !(high < low);
+        refuse(joint, upper ? "upperPositionLimit" : "lowerPositionLimit", joint.idx_q + i,
+               upper ? high : low, "a random position needs finite limits, lower <= upper");
+      }
       x[i] = low + (high - low) * uniform<S>(bits);
     }
     if constexpr (J::nq - J::unit_begin == 2) {

@@ -10,10 +10,12 @@
 // The derivatives are 6 x 6. They map a body-fixed increment of the argument to the increment of the result,
 // which is body-fixed too (Sola, Deray & Atchuthan 2018, eqs. 41 and 46).
 //
-// Domain: finite q with ||Q|^2 - 1| <= d. Q represents the rotation of Q/|Q|; each function states how its
-// result depends on d. Check input with checkedConfiguration of configuration.hpp.
+// Domain: finite q with Q != 0 of any norm. Q represents the rotation of Q/|Q|. Error bounds are those for
+// ||Q|^2 - 1| <= 8 eps; each function states what another norm costs. Q = 0 is refused. Check input with
+// checkedConfiguration of configuration.hpp.
 
 #include <liecheck/multibody/argument_position.hpp>
+#include <liecheck/multibody/unit_vector.hpp>
 #include <liecheck/scalar/compensated.hpp>
 #include <liecheck/spatial/exp_log.hpp>
 #include <liecheck/spatial/jacobians.hpp>
@@ -27,6 +29,11 @@ namespace se3_configuration_detail {
 template <Scalar S, int N>
 Eigen::Matrix<S, N, 1> firstOrderNormalize(const Eigen::Matrix<S, N, 1>& u) {
   return u * ((S(3) - u.squaredNorm()) / S(2));
+}
+
+template <Scalar S>
+[[gnu::always_inline]] inline Vector4<S> quaternionOf(const Vector7<S>& q) {
+  return Vector4<S>(q[3], q[4], q[5], q[6]);
 }
 
 /// (1 + a)(1 + b) - 1.
@@ -93,10 +100,13 @@ template <Scalar S, Precision P>
 /// vec(Q0* Q0) = 0. The subtraction D is exact except in components that are small. The products of Q0* D are
 /// summed with compensation, because D is much longer than vec(Q0* D) if the norms of Q0 and Q1 differ. Fast
 /// precision uses this form for |v| < 1/8, and compensates only if |v| < |D|/2.
+/// excess0 and excess1 are |Q0|^2 - 1 and |Q1|^2 - 1.
 template <Scalar S, Precision P>
-[[gnu::always_inline]] inline exp_log_detail::RotationLogarithm<S, P> relativeLogarithm(
-    const Vector7<S>& q0, const Vector7<S>& q1) {
-  const SO3<S> Q0(Vector4<S>(q0[3], q0[4], q0[5], q0[6])), Q1(Vector4<S>(q1[3], q1[4], q1[5], q1[6]));
+[[gnu::always_inline]] inline exp_log_detail::RotationLogarithm<S, P> relativeLogarithm(const Vector7<S>& q0,
+                                                                                        const Vector7<S>& q1,
+                                                                                        const S& excess0,
+                                                                                        const S& excess1) {
+  const SO3<S> Q0(quaternionOf(q0)), Q1(quaternionOf(q1));
   const auto sum = Product<S, P>(Q0.conjugate(), Q1.numbers()).sum;
   const Quad<S> Q = sum.value(), Q_low = sum.rounding_error(Q);
   DoubleWord<S> w(Q.v[3], Q_low.v[3]);
@@ -105,7 +115,7 @@ template <Scalar S, Precision P>
     if (absolute<S>(w.high) < eps<S>() * (P == Precision::fast ? S(16) : S(1) / S(16)))
       w = DoubleWord<S>(exact_dot<S, 4>(q0.template tail<4>(), q1.template tail<4>()));
   const S s = sign<S>(w.high);
-  const S excess = product_excess<S>(Q0.template normExcess<P>(), Q1.template normExcess<P>());
+  const S excess = product_excess<S>(excess0, excess1);
   const auto vector_part = [&s](const Quad<S>& q) { return each<S>([&](int i) { return S(s * q.v[i]); }); };
   Vector3<S> v = vector_part(Q), v_low = vector_part(Q_low);
   if constexpr (!side_by_side<S>)
@@ -116,27 +126,44 @@ template <Scalar S, Precision P>
 }
 
 /// integrateSE3 and differenceSE3 for translations that can be split into high and low parts without overflow
-/// (SO3::splittable). integrateFar and differenceFar scale larger translations down first.
+/// (SO3::splittable). integrateFar and differenceFar scale larger translations down first, integrateOffUnit
+/// and differenceOffUnit change the norm of quaternions first.
+template <Scalar S, Precision P>
+Vector7<S> integrateOffUnit(const Vector7<S>& q, const Vector6<S>& delta);
+template <Scalar S, Precision P>
+Vector6<S> differenceOffUnit(Vector7<S> q0, Vector7<S> q1);
+
 template <Scalar S, Precision P>
 [[gnu::always_inline]] inline Vector7<S> integrate(const Vector7<S>& q, const Vector6<S>& delta) {
+  const SO3<S> Q0(quaternionOf(q));
+  const S excess0 = Q0.template normExcess<P>();
+  if constexpr (!side_by_side<S>)
+    if (!unit_vector_detail::firstOrderSuffices<S>(excess0)) [[unlikely]]
+      return integrateOffUnit<S, P>(q, delta);
   const Vector3<S> phi(delta[3], delta[4], delta[5]);
   return with_coefficients<S, P>(
-      phi, [&q, &delta ](const auto& k) __attribute__((always_inline)) {
+      phi, [&q, &delta, &Q0, &excess0 ](const auto& k) __attribute__((always_inline)) {
         const Vector3<S> rho(delta[0], delta[1], delta[2]);
-        const SO3<S> Q0(Vector4<S>(q[3], q[4], q[5], q[6]));
         // Q0 . Q1 = |Q0|^2 cos(theta/2).
         const S s = sign<S>(k.cosine_half), sine = s * k.sine_half;
         const S x = sine * k.axis[0], y = sine * k.axis[1], z = sine * k.axis[2], w = s * k.cosine_half;
         const Vector3<S> step = Q0.template actWithin<P>(exp_log_detail::arc(k, rho), norm1<S>(rho));
         const S excess = mul_add(w, w, S(-1)) + mul_add(x, x, mul_add(y, y, S(z * z)));
-        const Vector4<S> Q1 = Product<S, P>(Q0.numbers(), Quad<S>(x, y, z, w))
-                                  .normalized(product_excess<S>(Q0.template normExcess<P>(), excess));
+        const Vector4<S> Q1 =
+            Product<S, P>(Q0.numbers(), Quad<S>(x, y, z, w)).normalized(product_excess<S>(excess0, excess));
         Vector7<S> result;
         // Written without loops for speed; see difference below.
         result[0] = q[0] + step[0], result[1] = q[1] + step[1], result[2] = q[2] + step[2];
         result[3] = Q1[0], result[4] = Q1[1], result[5] = Q1[2], result[6] = Q1[3];
         return result;
       });
+}
+template <Scalar S, Precision P>
+[[gnu::noinline, gnu::cold]] Vector7<S> integrateOffUnit(const Vector7<S>& q, const Vector6<S>& delta) {
+  const Vector4<S> Q = normalizedUnit<S, 4>(quaternionOf(q));
+  Vector7<S> unit;
+  for (int i = 0; i < 7; ++i) unit[i] = i < 3 ? q[i] : Q[i - 3];
+  return finite<S>(Q[0]) ? integrate<S, P>(unit, delta) : Vector7<S>(unit * Q[0]);
 }
 template <Scalar S, Precision P>
 [[gnu::noinline, gnu::cold]] Vector7<S> integrateFar(Vector7<S> q, Vector6<S> delta) {
@@ -148,9 +175,14 @@ template <Scalar S, Precision P>
   return result;
 }
 template <Scalar S, Precision P>
-[[gnu::always_inline]] inline Vector6<S> difference(const Vector7<S>& q0, const Vector7<S>& q1) {
-  const auto log = relativeLogarithm<S, P>(q0, q1);
-  const SO3<S> Q0(Vector4<S>(q0[3], q0[4], q0[5], q0[6]));
+[[gnu::always_inline]] inline S normExcessOf(const Vector7<S>& q) {
+  return SO3<S>(quaternionOf(q)).template normExcess<P>();
+}
+/// Q0 is the quaternion of q0, of norm 1. The quaternions in q0 and q1 may have any norms about 1.
+template <Scalar S, Precision P>
+[[gnu::always_inline]] inline Vector6<S> difference(const Vector7<S>& q0, const Vector7<S>& q1,
+                                                    const SO3<S>& Q0, const S& excess0, const S& excess1) {
+  const auto log = relativeLogarithm<S, P>(q0, q1, excess0, excess1);
   const Quad<S> p0 = Quad<S>(q0[0], q0[1], q0[2], S(0)), p1 = Quad<S>(q1[0], q1[1], q1[2], S(0)),
                 p_01 = p1 - p0;
   const S bound = absolute<S>(p_01.v[0]) + absolute<S>(p_01.v[1]) + absolute<S>(p_01.v[2]);
@@ -171,6 +203,26 @@ template <Scalar S, Precision P>
   return delta;
 }
 template <Scalar S, Precision P>
+[[gnu::always_inline]] inline Vector6<S> difference(const Vector7<S>& q0, const Vector7<S>& q1) {
+  const S excess0 = normExcessOf<S, P>(q0), excess1 = normExcessOf<S, P>(q1);
+  using unit_vector_detail::firstOrderSuffices;
+  if constexpr (!side_by_side<S>)
+    if (!firstOrderSuffices<S>(excess0) || !firstOrderSuffices<S>(excess1)) [[unlikely]]
+      return differenceOffUnit<S, P>(q0, q1);
+  return difference<S, P>(q0, q1, SO3<S>(quaternionOf(q0)), excess0, excess1);
+}
+/// The quaternions are scaled by powers of two. That rounds nothing, so that the rotation between near ones
+/// keeps its digits. The translation is rotated by a normalised one.
+template <Scalar S, Precision P>
+[[gnu::noinline, gnu::cold]] Vector6<S> differenceOffUnit(Vector7<S> q0, Vector7<S> q1) {
+  const SO3<S> Q0(normalizedUnit<S, 4>(quaternionOf(q0)));
+  for (Vector7<S>* q : {&q0, &q1}) {
+    const Vector4<S> Q = unit_vector_detail::scaledByPowerOfTwo<S, 4>(quaternionOf(*q));
+    for (int i = 0; i < 4; ++i) (*q)[3 + i] = Q[i];
+  }
+  return difference<S, P>(q0, q1, Q0, normExcessOf<S, P>(q0), normExcessOf<S, P>(q1));
+}
+template <Scalar S, Precision P>
 [[gnu::noinline, gnu::cold]] Vector6<S> differenceFar(Vector7<S> q0, Vector7<S> q1) {
   q0.template head<3>() *= SO3<S>::scale_down();
   q1.template head<3>() *= SO3<S>::scale_down();
@@ -183,8 +235,9 @@ template <Scalar S, Precision P>
 
 /// T exp(delta) as [p; x y z w]. The sign of Q1 is such that Q1 . Q0 >= 0. Pose q [7; m], delta [6; m, rad].
 /// Error for |phi| <= pi: rotation 2 eps, translation 4 eps of max(|p1|, |p0|, |rho|). For larger |phi| these
-/// bounds are multiplied by the condition number (excess rule, docs/measuring.md). The rotation of the result
-/// is the one for Q0/|Q0|, whatever d is. ||Q1|^2 - 1| <= 3 eps + 3/4 d^2.
+/// bounds are multiplied by the condition number (excess rule, docs/measuring.md). ||Q1|^2 - 1| <= 3 eps.
+/// Q0 is normalised first if ||Q0|^2 - 1| > sqrt(eps)/2, which adds 2 eps to the error of the rotation. Throws
+/// std::invalid_argument if Q0 = 0.
 template <Scalar S, Precision P = Precision::standard>
 Vector7<S> integrateSE3(const Vector7<S>& q, const Vector6<S>& delta) {
   return evaluate<S, P>(
@@ -200,6 +253,7 @@ Vector7<S> integrateSE3(const Vector7<S>& q, const Vector6<S>& delta) {
 
 /// (rho, phi) = log(T0^-1 T1) [6; m, rad], |phi| <= pi, the same for Q and -Q. At |phi| = pi the axis has
 /// either sign. Error 2 eps of |phi|, and 4 eps of max(|rho|, |p1 - p0|), for any |p1 - p0|, |Q0|, |Q1|.
+/// Throws std::invalid_argument if Q0 or Q1 is 0.
 template <Scalar S, Precision P = Precision::standard>
 Vector6<S> differenceSE3(const Vector7<S>& q0, const Vector7<S>& q1) {
   return evaluate<S, P>(
@@ -248,13 +302,14 @@ Matrix6<S> dDifferenceSE3(const Vector7<S>& q0, const Vector7<S>& q1, ArgumentPo
 }
 
 /// The derivative [7 x 6] of the seven stored numbers with respect to a body-fixed increment at zero:
-/// [R, 0; 0, 1/2 (w I + [v]); 0, -1/2 v^T], with R of Q/|Q|, and v and w of the stored Q. Error 2 eps.
+/// [R, 0; 0, 1/2 (w I + [v]); 0, -1/2 v^T], with R of Q/|Q|, and v and w of the stored Q. Error 2 eps. Throws
+/// std::invalid_argument if Q = 0.
 template <Scalar S>
 Eigen::Matrix<S, 7, 6> integrateCoeffWiseJacobianSE3(const Vector7<S>& q) {
   const SO3<S> Q(Vector4<S>(q.template tail<4>()));
   const Vector3<S> v = Q.vec() / S(2);
   Eigen::Matrix<S, 7, 6> J = Eigen::Matrix<S, 7, 6>::Zero();
-  J.template topLeftCorner<3, 3>() = Q.matrix();
+  J.template topLeftCorner<3, 3>() = SO3<S>(nearUnit<S, 4>(Q.to_vector())).matrix();
   J.template block<3, 3>(3, 3) = skew<S>(v);
   J.template block<3, 3>(3, 3).diagonal().setConstant(Q.w() / S(2));
   J.template block<1, 3>(6, 3) = -v.transpose();

@@ -41,10 +41,13 @@ Sys makeSystem(const Scene& scene) {
   const auto model = scene.model.template cast<typename Sys::Scalar>();
   return Sys(model, makeEffects(scene, model));
 }
+/// The scene's start. Throws InvalidConfiguration if q or v is not finite, or a quaternion or (cos, sin) in q
+/// is not unit up to rounding.
 template <System Sys>
 State<Sys> startOf(const Scene& scene, const Sys& system) {
   using S = typename Sys::Scalar;
-  return State<Sys>(system, scene.q.cast<S>(), scene.v.cast<S>());
+  return State<Sys>(system, checkedConfiguration(scene.model, scene.q).template cast<S>(),
+                    checkedTangent(scene.model, scene.v).template cast<S>());
 }
 
 }  // namespace liecheck::scene

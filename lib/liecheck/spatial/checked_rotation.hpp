@@ -5,6 +5,8 @@
 #include <locale>
 #include <sstream>
 #include <stdexcept>
+#include <string>
+#include <type_traits>
 
 namespace liecheck {
 
@@ -18,7 +20,7 @@ S normDefectBudget() {
 namespace checked_rotation_detail {
 
 template <Scalar S>
-[[noreturn]] void refuse(const char* what, const S& value, const char* why) {
+[[noreturn]] void refuse(const std::string& what, const S& value, const std::string& why) {
   std::ostringstream text;
   text.imbue(std::locale::classic());
   text.precision(std::numeric_limits<double>::max_digits10);
@@ -27,7 +29,7 @@ template <Scalar S>
 }
 
 template <Scalar S, class M>
-void refuseNonFinite(const char* what, const M& numbers) {
+void refuseNonFinite(const std::string& what, const M& numbers) {
   for (int i = 0; i < numbers.rows(); ++i)
     for (int j = 0; j < numbers.cols(); ++j)
       if (!finite<S>(numbers(i, j))) refuse<S>(what, numbers(i, j), "not finite");
@@ -50,12 +52,13 @@ SO3<S> checkedQuaternion(const Vector4<S>& xyzw) {
   return SO3<S>(xyzw);
 }
 
-/// Returns R [3 x 3]. Throws std::invalid_argument with the wrong value unless R is finite, |R^T R - I|
-/// (Frobenius) <= normDefectBudget and det R > 0.
+/// Returns R [3 x 3]. Throws std::invalid_argument with `what` and the wrong value unless R is finite,
+/// |R^T R - I| (Frobenius) <= budget and det R > 0.
 template <Scalar S>
-Matrix3<S> checkedRotation(const Matrix3<S>& R) {
+Matrix3<S> checkedRotation(const Matrix3<S>& R, const std::type_identity_t<S>& budget = normDefectBudget<S>(),
+                           const std::string& what = "rotation matrix") {
   using checked_rotation_detail::refuse;
-  checked_rotation_detail::refuseNonFinite<S>("rotation matrix", R);
+  checked_rotation_detail::refuseNonFinite<S>(what, R);
   Matrix3<S> E;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) {
@@ -66,11 +69,12 @@ Matrix3<S> checkedRotation(const Matrix3<S>& R) {
     }
   using std::sqrt;
   const S defect = sqrt(E.squaredNorm());
-  if (!(defect <= normDefectBudget<S>()))
-    refuse<S>("rotation matrix: |R^T R - I|", defect, "not 0 up to 8 eps: take the nearest rotation first");
+  if (!(defect <= budget))
+    refuse<S>(what + ": |R^T R - I|", defect,
+              "not 0 up to " + std::to_string(long(double(budget / eps<S>()))) +
+                  " eps: take the nearest rotation first");
   const S determinant = R.col(0).dot(cross<S>(R.col(1), R.col(2)));
-  if (!(determinant > S(0)))
-    refuse<S>("rotation matrix: determinant", determinant, "a reflection is not a rotation");
+  if (!(determinant > S(0))) refuse<S>(what + ": determinant", determinant, "a reflection is not a rotation");
   return R;
 }
 

@@ -102,27 +102,49 @@ Eigen::Matrix<S, 4, 4> pseudoInertia(const Inertia<S>& I) {
   return J;
 }
 
-/// The reason why no body can have the inertia, or an empty string if one can. Reasons are a number that is
-/// not finite, a negative mass, an I_C that is not symmetric, a negative principal moment, or one larger than
-/// the sum of the other two. The checks of I_C tolerate errors of relative_slack times its largest entry. The
-/// default covers the rounding errors of the eigenvalues; numbers printed with n digits need about 10^(1-n).
-/// A massless point is valid.
+namespace inertia_detail {
+template <class... Numbers>
+std::string say(const char* what, const Numbers&... values) {
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << what;
+  ((text << ' ' << double(values)), ...);
+  return text.str();
+}
+}  // namespace inertia_detail
+
+/// The reason why the numbers are no inertia, or an empty string: one is not finite, the mass is negative, or
+/// I_C is not symmetric up to relative_slack times its largest entry.
+template <Scalar S>
+std::string whyInvalid(const Inertia<S>& I, const S& relative_slack = S(16) * eps<S>()) {
+  using inertia_detail::say;
+  const Matrix3<S>& I_C = I.inertia();
+  const Vector3<S>& c = I.lever();
+  if (!finite<S>(I.mass())) return say("the mass is not finite:", I.mass());
+  if (!c.allFinite()) return say("the centre of mass is not finite:", c[0], c[1], c[2]);
+  for (int i = 0; i < 9; ++i)
+    if (!finite<S>(I_C.data()[i])) return say("a number of the inertia is not finite:", I_C.data()[i]);
+  if (I.mass() < S(0)) return say("the mass is negative:", I.mass());
+  const S slack = relative_slack * S(I_C.cwiseAbs().maxCoeff());
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < i; ++j)
+      if (!(absolute<S>(S(I_C(i, j) - I_C(j, i))) <= slack))
+        return say("the inertia is not symmetric: two products of inertia are", I_C(i, j), I_C(j, i));
+  return {};
+}
+
+/// The reason why no body can have the inertia, or an empty string if one can. Reasons are those of
+/// whyInvalid, a negative principal moment, or one larger than the sum of the other two. The checks of I_C
+/// tolerate errors of relative_slack times its largest entry. The default covers the rounding errors of the
+/// eigenvalues; numbers printed with n digits need about 10^(1-n). A massless point is valid.
 template <Scalar S>
 std::string whyUnphysical(const Inertia<S>& I, const S& relative_slack = S(16) * eps<S>()) {
-  const auto say = [](const char* what, auto... values) {
-    std::ostringstream text;
-    text.imbue(std::locale::classic());
-    text << what;
-    ((text << ' ' << double(values)), ...);
-    return text.str();
-  };
-  const Matrix3<S>& I_C = I.inertia();
-  if (!finite<S>(I.mass()) || !I.lever().allFinite() || !I_C.allFinite()) return "a number is not finite";
-  if (I.mass() < S(0)) return say("the mass is negative:", I.mass());
-  const S scale = I_C.cwiseAbs().maxCoeff(), slack = relative_slack * scale;
-  if ((I_C - I_C.transpose()).cwiseAbs().maxCoeff() > slack) return "the inertia is not symmetric";
+  const std::string invalid = whyInvalid(I, relative_slack);
+  if (!invalid.empty()) return invalid;
+  using inertia_detail::say;
+  const S scale = I.inertia().cwiseAbs().maxCoeff(), slack = relative_slack * scale;
   if (scale == S(0)) return {};
-  const Eigen::SelfAdjointEigenSolver<Matrix3<S>> solver(I_C / scale, Eigen::EigenvaluesOnly);
+  const Eigen::SelfAdjointEigenSolver<Matrix3<S>> solver(I.inertia() / scale, Eigen::EigenvaluesOnly);
   const Vector3<S> m = solver.eigenvalues() * scale;
   if (!(m[0] >= -slack)) return say("a principal moment of inertia is negative:", m[0], m[1], m[2]);
   if (!(m[2] <= m[0] + m[1] + slack))

@@ -1,6 +1,7 @@
 #pragma once
 // The axis of a joint with one degree of freedom: a unit vector in the joint's frame.
 
+#include <liecheck/spatial/checked_rotation.hpp>
 #include <liecheck/spatial/types.hpp>
 #include <stdexcept>
 #include <string>
@@ -12,8 +13,8 @@ class Axis {
  public:
   /// Normalises direction [3]; coordinate axes stay exact. Throws std::invalid_argument for 0, inf and NaN.
   explicit Axis(const Vector3<S>& direction) : unit_(direction) {
-    if (!direction.allFinite() || direction.isZero(S(0)))
-      throw std::invalid_argument("the axis of a joint must be finite and not zero");
+    checked_rotation_detail::refuseNonFinite<S>("the axis of a joint", direction);
+    if (direction.isZero(S(0))) throw std::invalid_argument("the axis of a joint is zero");
     const Vector3<S> scaled = direction / direction.cwiseAbs().maxCoeff();
     using std::sqrt;
     unit_ = scaled / S(sqrt(scaled.squaredNorm()));
@@ -49,10 +50,11 @@ class Axis {
     return product<S>(R_PJ, rotation(c, s));
   }
 
-  /// The axis rotated by R.
-  [[gnu::always_inline]] Vector3<S> in(const Matrix3<S>& R) const {
+  /// The axis times a matrix [3 x 3], such as the axis rotated by R.
+  template <class Matrix>
+  [[gnu::always_inline]] Vector3<S> in(const Matrix& R) const {
     if (coordinate_ >= 0) return each<S>([&](int i) { return S(unit_[coordinate_] * R(i, coordinate_)); });
-    return product<S>(R, unit_);
+    return product<S>(Matrix3<S>(R), unit_);
   }
 
   /// The axis converted to T. It is not normalised again.

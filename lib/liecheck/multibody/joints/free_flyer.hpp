@@ -2,7 +2,6 @@
 // A free-flyer is a body that moves freely: q = [p; x y z w], v = (u, omega) in the body's axes. nq = 7,
 // nv = 6. Formulas and error bounds: se3_configuration.hpp.
 
-#include <algorithm>
 #include <liecheck/multibody/norm.hpp>
 #include <liecheck/multibody/se3_configuration.hpp>
 #include <string>
@@ -23,7 +22,7 @@ struct FreeFlyer {
   static Configuration neutral() { return Configuration::Unit(6); }
   static Configuration normalized(const Configuration& q) {
     Configuration result = q;
-    result.template tail<4>() = SO3<S>(Vector4<S>(q.template tail<4>())).normalized().to_vector();
+    result.template tail<4>() = normalizedUnit<S, 4>(q.template tail<4>());
     return result;
   }
   static S normDefect(const Configuration& q) { return q.template tail<4>().squaredNorm() - S(1); }
@@ -37,9 +36,8 @@ struct FreeFlyer {
 
   /// angle <= budget [rad] and |p1 - p0| <= budget max(1 m, |p0|, |p1|). Q and -Q are the same.
   static bool isSame(const Configuration& q0, const Configuration& q1, const S& budget) {
-    const Vector3<S> p0 = q0.template head<3>(), p1 = q1.template head<3>();
-    const S scale = std::max({S(1), multibody_detail::norm(p0), multibody_detail::norm(p1)});
-    if (!(multibody_detail::norm(Vector3<S>(p1 - p0)) <= budget * scale)) return false;
+    using multibody_detail::samePosition;
+    if (!samePosition<Vector3<S>>(q0.template head<3>(), q1.template head<3>(), budget)) return false;
     return multibody_detail::norm(Vector3<S>(difference(q0, q1).template tail<3>())) <= budget;
   }
 
@@ -55,7 +53,7 @@ struct FreeFlyer {
 
   /// X_PJ (R(Q), p).
   static SE3<S> transform(const SE3<S>& X_PJ, const Configuration& q) {
-    return X_PJ * SE3<S>(SO3<S>(Vector4<S>(q.template tail<4>())), q.template head<3>());
+    return X_PJ * SE3<S>(SO3<S>(nearUnit<S, 4>(q.template tail<4>())), q.template head<3>());
   }
   static Subspace subspace() { return Subspace::Identity(); }
 };

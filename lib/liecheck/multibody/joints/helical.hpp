@@ -11,7 +11,8 @@ struct Helical : LinearCoordinates<S, 1> {
   S pitch;
   /// pitch [m/rad], not m per revolution. Throws std::invalid_argument if pitch is not finite.
   Helical(const Axis<S>& unit_axis, const S& metres_per_radian) : axis(unit_axis), pitch(metres_per_radian) {
-    if (!finite<S>(pitch)) throw std::invalid_argument("the pitch of a helical joint must be finite");
+    if (!finite<S>(pitch))
+      checked_rotation_detail::refuse<S>("the pitch of a helical joint", pitch, "not finite");
   }
   Helical(const Vector3<S>& direction, const S& metres_per_radian)
       : Helical(Axis<S>(direction), metres_per_radian) {}

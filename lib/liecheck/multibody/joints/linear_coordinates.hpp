@@ -32,8 +32,9 @@ struct LinearCoordinates {
   /// |q1 - q0| <= budget max(1, |q0|, |q1|): angles that differ by 2 pi are different configurations.
   static bool isSame(const Configuration& q0, const Configuration& q1, const S& budget) {
     for (int i = 0; i < N; ++i) {
-      const S scale = std::max({S(1), absolute<S>(q0[i]), absolute<S>(q1[i])});
-      if (!(absolute<S>(q1[i] - q0[i]) <= budget * scale)) return false;
+      const S scale = std::max({S(1), absolute<S>(q0[i]), absolute<S>(q1[i])}),
+              apart = absolute<S>(S(q1[i] - q0[i]));
+      if (!finite<S>(apart) || !(apart <= budget * scale)) return false;
     }
     return true;
   }

@@ -24,8 +24,9 @@ struct Mimic : LinearCoordinates<S, 0> {
 
   Mimic(const Moved& joint, int primary_index, const S& factor, const S& constant = S(0))
       : moved(joint), primary(primary_index), multiplier(factor), offset(constant) {
-    if (!finite<S>(multiplier) || !finite<S>(offset))
-      throw std::invalid_argument("the multiplier and the offset of a mimic joint must be finite");
+    using checked_rotation_detail::refuse;
+    if (!finite<S>(multiplier)) refuse<S>("the multiplier of a mimic joint", multiplier, "not finite");
+    if (!finite<S>(offset)) refuse<S>("the offset of a mimic joint", offset, "not finite");
   }
 
   /// X_PJ times the pose at x = multiplier y + offset.

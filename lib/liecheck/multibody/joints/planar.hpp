@@ -1,7 +1,8 @@
 #pragma once
 // A planar joint: translations and rotations in the x y plane of the parent. q = [x y, cos sin] of the angle,
 // v = (u_x, u_y, omega_z) in the child's axes [m/s, rad/s]. nq = 4, nv = 3. The configuration space is SE(2),
-// a subgroup of SE(3). Formulas and bounds are those of exp_log.hpp and jacobians.hpp.
+// a subgroup of SE(3). Formulas and bounds are those of exp_log.hpp and jacobians.hpp. (cos, sin) may have any
+// norm, as in continuous.hpp.
 
 #include <liecheck/multibody/joints/continuous.hpp>
 #include <liecheck/multibody/norm.hpp>
@@ -29,30 +30,21 @@ struct Planar {
 
   /// p1 = p0 + R J(omega) (u_x, u_y), angle1 = angle0 + omega.
   static Configuration integrate(const Configuration& q, const Tangent& delta) {
-    const Vector3<S> phi(S(0), S(0), delta[2]), rho(delta[0], delta[1], S(0)),
-        arc = with_coefficients<S, Precision::standard>(
-            phi, [&rho](const auto&k) { return exp_log_detail::arc(k, rho); });
-    const Vector2 u = se3_configuration_detail::firstOrderNormalize<S, 2>(q.template tail<2>());
-    Configuration result;
-    result << q[0] + (u[0] * arc[0] - u[1] * arc[1]), q[1] + (u[1] * arc[0] + u[0] * arc[1]),
-        Continuous<S>::integrate(q.template tail<2>(), Vector1<S>(delta[2]));
-    return result;
+    const S bound = absolute<S>(delta[0]) + absolute<S>(delta[1]);
+    if (SO3<S>::splittable(bound)) [[likely]]
+      return integrateWithin(q, delta);
+    return integrateFar(q, delta);
   }
   /// omega in [-pi, pi], (u_x, u_y) = J^-1(omega) R^T (p1 - p0).
   static Tangent difference(const Configuration& q0, const Configuration& q1) {
-    const S omega = Continuous<S>::difference(q0.template tail<2>(), q1.template tail<2>())[0];
-    const Vector2 u = se3_configuration_detail::firstOrderNormalize<S, 2>(q0.template tail<2>());
-    const S dx = q1[0] - q0[0], dy = q1[1] - q0[1];
-    const SO3<S> Q = quaternion::exp3<S>(Vector3<S>(S(0), S(0), omega));
-    const Vector3<S> rho = exp_log_detail::RotationLogarithm<S>(Q).arc(
-        Vector3<S>(u[0] * dx + u[1] * dy, u[0] * dy - u[1] * dx, S(0)));
-    return Tangent(rho[0], rho[1], omega);
+    const S bound = absolute<S>(S(q1[0] - q0[0])) + absolute<S>(S(q1[1] - q0[1]));
+    if (SO3<S>::splittable(bound)) [[likely]]
+      return differenceWithin(q0, q1);
+    return differenceFar(q0, q1);
   }
   /// angle <= budget [rad] and |p1 - p0| <= budget max(1 m, |p0|, |p1|).
   static bool isSame(const Configuration& q0, const Configuration& q1, const S& budget) {
-    const Vector2 p0 = q0.template head<2>(), p1 = q1.template head<2>();
-    const S scale = std::max({S(1), multibody_detail::norm(p0), multibody_detail::norm(p1)});
-    return multibody_detail::norm(Vector2(p1 - p0)) <= budget * scale &&
+    return multibody_detail::samePosition<Vector2>(q0.template head<2>(), q1.template head<2>(), budget) &&
            Continuous<S>::isSame(q0.template tail<2>(), q1.template tail<2>(), budget);
   }
 
@@ -64,17 +56,18 @@ struct Planar {
     return inPlane(argument == ArgumentPosition::ARG0 ? Matrix6<S>(-leftJacobianInverse<S>(xi))
                                                       : rightJacobianInverse<S>(xi));
   }
-  /// [R 0; 0 (-sin, cos)].
+  /// [R 0; 0 (-sin, cos)], where R is the rotation by the angle of u/|u| and (cos, sin) = u as stored.
   static CoefficientJacobian integrateCoeffWiseJacobian(const Configuration& q) {
+    const Vector2 u = unit(q);
     CoefficientJacobian J = CoefficientJacobian::Zero();
-    J.template topLeftCorner<2, 2>() << q[2], -q[3], q[3], q[2];
+    J.template topLeftCorner<2, 2>() << u[0], -u[1], u[1], u[0];
     J.template bottomRightCorner<2, 1>() << -q[3], q[2];
     return J;
   }
 
   /// X_PJ (R(z, angle), (x, y, 0)).
   static SE3<S> transform(const SE3<S>& X_PJ, const Configuration& q) {
-    const Vector2 u = se3_configuration_detail::firstOrderNormalize<S, 2>(q.template tail<2>());
+    const Vector2 u = unit(q);
     return SE3<S>(Axis<S>::Z().rotated(X_PJ.rotation(), u[0], u[1]), X_PJ.act(Vector3<S>(q[0], q[1], S(0))));
   }
   /// Columns u_x, u_y and omega_z of the identity.
@@ -86,6 +79,46 @@ struct Planar {
 
  private:
   using Vector2 = Eigen::Matrix<S, 2, 1>;
+  /// (cos, sin)/|(cos, sin)|.
+  static Vector2 unit(const Configuration& q) {
+    return se3_configuration_detail::firstOrderNormalize<S, 2>(nearUnit<S, 2>(q.template tail<2>()));
+  }
+  /// For translations whose products do not overflow (SO3::splittable).
+  static Configuration integrateWithin(const Configuration& q, const Tangent& delta) {
+    const Vector3<S> phi(S(0), S(0), delta[2]), rho(delta[0], delta[1], S(0)),
+        arc = with_coefficients<S, Precision::standard>(
+            phi, [&rho](const auto&k) { return exp_log_detail::arc(k, rho); });
+    const Vector2 u = unit(q);
+    Configuration result;
+    result << q[0] + (u[0] * arc[0] - u[1] * arc[1]), q[1] + (u[1] * arc[0] + u[0] * arc[1]),
+        Continuous<S>::integrate(q.template tail<2>(), Vector1<S>(delta[2]));
+    return result;
+  }
+  static Tangent differenceWithin(const Configuration& q0, const Configuration& q1) {
+    const S omega = Continuous<S>::difference(q0.template tail<2>(), q1.template tail<2>())[0];
+    const Vector2 u = unit(q0);
+    const S dx = q1[0] - q0[0], dy = q1[1] - q0[1];
+    const SO3<S> Q = quaternion::exp3<S>(Vector3<S>(S(0), S(0), omega));
+    const Vector3<S> rho = exp_log_detail::RotationLogarithm<S>(Q).arc(
+        Vector3<S>(u[0] * dx + u[1] * dy, u[0] * dy - u[1] * dx, S(0)));
+    return Tangent(rho[0], rho[1], omega);
+  }
+  /// Larger translations are scaled down first.
+  [[gnu::noinline, gnu::cold]] static Configuration integrateFar(const Configuration& q, Tangent delta) {
+    delta.template head<2>() *= SO3<S>::scale_down();
+    Configuration result = q;
+    result.template head<2>().setZero();
+    result = integrateWithin(result, delta);
+    for (int i = 0; i < 2; ++i) result[i] = q[i] + result[i] / SO3<S>::scale_down();
+    return result;
+  }
+  [[gnu::noinline, gnu::cold]] static Tangent differenceFar(Configuration q0, Configuration q1) {
+    q0.template head<2>() *= SO3<S>::scale_down();
+    q1.template head<2>() *= SO3<S>::scale_down();
+    Tangent result = differenceWithin(q0, q1);
+    result.template head<2>() /= SO3<S>::scale_down();
+    return result;
+  }
   static Vector6<S> inSpace(const Tangent& d) {
     return (Vector6<S>() << d[0], d[1], S(0), S(0), S(0), d[2]).finished();
   }

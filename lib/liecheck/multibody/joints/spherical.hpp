@@ -18,7 +18,7 @@ struct Spherical {
   std::string shortname() const { return "JointModelSpherical"; }
 
   static Configuration neutral() { return Configuration::Unit(3); }
-  static Configuration normalized(const Configuration& Q) { return SO3<S>(Q).normalized().to_vector(); }
+  static Configuration normalized(const Configuration& Q) { return normalizedUnit<S, 4>(Q); }
   static S normDefect(const Configuration& Q) { return Q.squaredNorm() - S(1); }
 
   static Configuration integrate(const Configuration& Q, const Tangent& delta) {
@@ -44,7 +44,7 @@ struct Spherical {
 
   /// X_PJ (R(Q), 0).
   static SE3<S> transform(const SE3<S>& X_PJ, const Configuration& Q) {
-    return SE3<S>(Matrix3<S>(X_PJ.rotation() * SO3<S>(Q).matrix()), X_PJ.translation());
+    return SE3<S>(Matrix3<S>(X_PJ.rotation() * SO3<S>(nearUnit<S, 4>(Q)).matrix()), X_PJ.translation());
   }
   /// [0; I].
   static Subspace subspace() {

@@ -1,0 +1,102 @@
+#pragma once
+// The unit vectors that are stored in q: (cos, sin) [2] and quaternions [4]. A finite vector u != 0 of any
+// norm represents u/|u|. Formulas for |u| near 1 have an error of (|u|^2 - 1)^2, so other vectors are scaled
+// or normalised first.
+
+#include <liecheck/scalar/double_word.hpp>
+#include <liecheck/spatial/types.hpp>
+#include <stdexcept>
+#include <type_traits>
+
+namespace liecheck {
+
+namespace unit_vector_detail {
+
+template <int N>
+inline constexpr const char* zero_is_refused =
+    N == 4 ? "a zero quaternion is not a rotation" : "(cos, sin) = (0, 0) is not an angle";
+
+/// The scalar to which results are rounded: S, or for a double word that of its parts.
+template <class S>
+struct RoundedTo : std::type_identity<S> {};
+template <class S>
+struct RoundedTo<DoubleWord<S>> : std::type_identity<S> {};
+
+/// True if 3/8 excess^2, which a first-order normalisation leaves, is at most eps/10; false for NaN.
+/// excess = |u|^2 - 1.
+template <Scalar S>
+[[gnu::always_inline]] inline bool firstOrderSuffices(const S& excess) {
+  return excess * excess < S(eps<typename RoundedTo<S>::type>() / 4);
+}
+
+/// True if |u|^2 is in (1/2, 3/2); false for NaN. excess = |u|^2 - 1.
+template <Scalar S>
+[[gnu::always_inline]] inline bool atUnitScale(const S& excess) {
+  return absolute<S>(excess) < S(1) / S(2);
+}
+
+/// |u|^2.
+template <Scalar S, int N>
+[[gnu::always_inline]] inline S square(const Eigen::Matrix<S, N, 1>& u) {
+  S sum = u[0] * u[0];
+  for (int i = 1; i < N; ++i) sum += u[i] * u[i];
+  return sum;
+}
+
+/// u 2^k with |u 2^k|^2 in [1/2, 2): exact, except for numbers that are 2^-1000 of the largest. NaN if u is
+/// not finite. Throws std::invalid_argument if u is zero.
+template <Scalar S, int N>
+[[gnu::noinline, gnu::cold]] Eigen::Matrix<S, N, 1> scaledByPowerOfTwo(Eigen::Matrix<S, N, 1> u) {
+  using std::frexp, std::ldexp;
+  S largest(0);
+  bool all_finite = true;
+  for (int i = 0; i < N; ++i) {
+    const S a = absolute<S>(u[i]);
+    if (largest < a) largest = a;
+    all_finite = all_finite && finite<S>(a);
+  }
+  if (!all_finite) return Eigen::Matrix<S, N, 1>::Constant(S(std::numeric_limits<S>::quiet_NaN()));
+  if (largest == S(0)) throw std::invalid_argument(zero_is_refused<N>);
+  int k = 0;
+  static_cast<void>(frexp(largest, &k));
+  for (int i = 0; i < N; ++i) u[i] = S(ldexp(u[i], -k));
+  const S scale = square<S, N>(u);  // in [1/4, 4)
+  if (!(scale < S(2))) u /= S(2);
+  if (scale < S(1) / S(2)) u *= S(2);
+  return u;
+}
+
+}  // namespace unit_vector_detail
+
+/// u/|u|, without overflow or underflow of |u|^2. Error 2 eps. NaN if u is not finite. Throws
+/// std::invalid_argument if u is zero.
+template <Scalar S, int N>
+[[gnu::noinline]] Eigen::Matrix<S, N, 1> normalizedUnit(const Eigen::Matrix<S, N, 1>& u) {
+  const auto over_norm = [](const Eigen::Matrix<S, N, 1>& x, const S& square) {
+    using std::sqrt;
+    return Eigen::Matrix<S, N, 1>(x / S(sqrt(square)));
+  };
+  const S square = unit_vector_detail::square<S, N>(u);
+  if (unit_vector_detail::atUnitScale<S>(S(square - S(1)))) [[likely]]
+    return over_norm(u, square);
+  const Eigen::Matrix<S, N, 1> scaled = unit_vector_detail::scaledByPowerOfTwo<S, N>(u);
+  return over_norm(scaled, unit_vector_detail::square<S, N>(scaled));
+}
+
+/// u itself if |u|^2 is in (1/2, 3/2), otherwise scaled by a power of two so that it is in [1/2, 2).
+template <Scalar S, int N>
+[[gnu::always_inline]] inline Eigen::Matrix<S, N, 1> atUnitScale(const Eigen::Matrix<S, N, 1>& u) {
+  if (!unit_vector_detail::atUnitScale<S>(S(unit_vector_detail::square<S, N>(u) - S(1)))) [[unlikely]]
+    return unit_vector_detail::scaledByPowerOfTwo<S, N>(u);
+  return u;
+}
+
+/// u itself if a first-order normalisation of it suffices, otherwise normalizedUnit(u).
+template <Scalar S, int N>
+[[gnu::always_inline]] inline Eigen::Matrix<S, N, 1> nearUnit(const Eigen::Matrix<S, N, 1>& u) {
+  if (!unit_vector_detail::firstOrderSuffices<S>(S(unit_vector_detail::square<S, N>(u) - S(1)))) [[unlikely]]
+    return normalizedUnit<S, N>(u);
+  return u;
+}
+
+}  // namespace liecheck

@@ -1,0 +1,270 @@
+// multibody/unit_vector.hpp: quaternions and (cos, sin) of any norm, in every function that reads q. A vector
+// u represents u/|u|, so each result must be that of the normalised q. Zero is refused.
+
+#include <gtest/gtest.h>
+
+#include <liecheck/algorithms/aba.hpp>
+#include <liecheck/algorithms/centroidal.hpp>
+#include <liecheck/algorithms/energy.hpp>
+#include <liecheck/algorithms/jacobians.hpp>
+#include <liecheck/multibody/batch.hpp>
+
+#include "random_tree.hpp"
+#include "refusal.hpp"
+
+namespace {
+
+using namespace liecheck;
+using test::refusal;
+
+template <class S>
+class OffUnit : public testing::Test {
+ protected:
+  static constexpr S eps = liecheck::eps<S>();
+  /// Norms in the order of their distance from 1. |u|^2 = 3 makes a first-order normalisation zero. Squares of
+  /// the last two underflow and overflow.
+  static std::vector<S> norms() {
+    std::vector<S> all{S(1) + S(1e-6),  S(1) - S(1e-6), S(1.001), S(0.5), S(2),
+                       std::sqrt(S(3)), S(1e-3),        S(1e-6),  S(1e3), S(1e9)};
+    all.push_back(std::numeric_limits<S>::min() * 1024);
+    all.push_back(std::numeric_limits<S>::max() / 4);
+    return all;
+  }
+  /// Every joint type, with bodies.
+  const Model<S> model = test::randomModel(1, test::joint_kinds).cast<S>();
+  test::Random random{7};
+  VectorX<S> tangent(double size) { return random.tangent(model.nv, size).template cast<S>(); }
+  VectorX<S> anywhere() { return integrate(model, neutral(model), tangent(1.5)); }
+
+  /// q with each unit vector times `norm`, or only those of `joint`.
+  VectorX<S> stretched(VectorX<S> q, S norm, int joint = -1) const {
+    for (int i = 1; i < model.njoints; ++i) {
+      if (joint >= 0 && joint != i) continue;
+      const int unit =
+          std::visit([](const auto& j) { return int(j.unit_begin); }, model.joints[std::size_t(i)]);
+      for (int k = unit; k < model.nqs[std::size_t(i)]; ++k) q[model.idx_qs[std::size_t(i)] + k] *= norm;
+    }
+    return q;
+  }
+  template <class A, class B>
+  static void near(const A& a, const B& b, S bound) {
+    EXPECT_TRUE(a.allFinite());
+    EXPECT_LE((a - b).norm(), bound * (S(1) + b.norm()));
+  }
+};
+using Scalars = testing::Types<float, double>;
+TYPED_TEST_SUITE(OffUnit, Scalars);
+
+TYPED_TEST(OffUnit, CosineAndSineOfTwoAndZeroAreTheAngleZero) {
+  using S = TypeParam;
+  const typename Continuous<S>::Configuration u(S(2), S(0));
+  const Continuous<S> wheel{Axis<S>::Z()};
+  const SE3<S> I = SE3<S>::Identity();
+  EXPECT_EQ(wheel.transform(I, u).rotation(), I.rotation());
+  EXPECT_EQ(wheel.integrate(u, Vector1<S>(S(0))), (typename Continuous<S>::Configuration(S(1), S(0))));
+  const Vector4<S> q(S(3), S(4), S(2), S(0));
+  EXPECT_EQ(Planar<S>::transform(I, q).rotation(), I.rotation());
+  EXPECT_EQ(Planar<S>::transform(I, q).translation(), Vector3<S>(S(3), S(4), S(0)));
+  EXPECT_EQ(Planar<S>::integrate(q, Vector3<S>(S(1), S(0), S(0))), Vector4<S>(S(4), S(4), S(1), S(0)));
+}
+
+TYPED_TEST(OffUnit, IntegrateAndItsDerivativesAreThoseOfTheNormalisedConfiguration) {
+  using S = TypeParam;
+  for (const S norm : this->norms()) {
+    SCOPED_TRACE(norm);
+    const VectorX<S> q = this->anywhere(), delta = this->tangent(1), off = this->stretched(q, norm);
+    const VectorX<S> next = integrate(this->model, off, delta);
+    EXPECT_TRUE(isNormalized(this->model, next));
+    this->near(next, integrate(this->model, q, delta), 8 * this->eps);
+    for (const auto argument : {ArgumentPosition::ARG0, ArgumentPosition::ARG1})
+      this->near(dIntegrate(this->model, off, delta, argument), dIntegrate(this->model, q, delta, argument),
+                 8 * this->eps);
+    this->near(integrateCoeffWiseJacobian(this->model, off), integrateCoeffWiseJacobian(this->model, q),
+               8 * this->eps);
+    EXPECT_TRUE(isNormalized(this->model, normalized(this->model, off)));
+    this->near(normalized(this->model, off), q, 4 * this->eps);
+  }
+}
+
+TYPED_TEST(OffUnit, DifferenceDistanceAndInterpolationAreThoseOfTheNormalisedConfigurations) {
+  using S = TypeParam;
+  const auto& m = this->model;
+  for (const S norm : this->norms())
+    for (const S other : {norm, S(1), S(2)}) {
+      SCOPED_TRACE(testing::Message() << norm << ' ' << other);
+      const VectorX<S> q0 = this->anywhere(), q1 = integrate(m, q0, this->tangent(1));
+      const VectorX<S> a = this->stretched(q0, norm), b = this->stretched(q1, other);
+      this->near(difference(m, a, b), difference(m, q0, q1), 16 * this->eps);
+      this->near(squaredDistance(m, a, b), squaredDistance(m, q0, q1), 16 * this->eps);
+      EXPECT_NEAR(distance(m, a, b), distance(m, q0, q1), 64 * this->eps);
+      this->near(interpolate(m, a, b, S(0.3)), interpolate(m, q0, q1, S(0.3)), 32 * this->eps);
+      for (const auto argument : {ArgumentPosition::ARG0, ArgumentPosition::ARG1})
+        this->near(dDifference(m, a, b, argument), dDifference(m, q0, q1, argument), 32 * this->eps);
+      EXPECT_TRUE(isSameConfiguration(m, a, q0));
+      EXPECT_FALSE(isSameConfiguration(m, a, b));
+    }
+}
+
+/// The small angle between two vectors of any norms. Its sine is computed in 113 bits, which hold the products
+/// of the stored numbers exactly, so the angle has the digits of a long double.
+template <class V>
+long double smallAngle(const V& a, const V& b) {
+  using Real = __float128;
+  Real square = 0, aa = 0, bb = 0;
+  for (int i = 0; i < a.size(); ++i) {
+    aa += Real(a[i]) * Real(a[i]), bb += Real(b[i]) * Real(b[i]);
+    for (int j = 0; j < i; ++j) {
+      const Real x = Real(a[i]) * Real(b[j]) - Real(a[j]) * Real(b[i]);
+      square += x * x;
+    }
+  }
+  return std::asin(std::sqrt(static_cast<long double>(square / aa / bb)));
+}
+
+TYPED_TEST(OffUnit, ANearDifferenceKeepsItsDigitsWhateverTheNorms) {
+  using S = TypeParam;
+  const S angle = std::sqrt(this->eps);
+  const Vector4<S> Q0 = quaternion::exp3<S>(Vector3<S>(S(0.3), S(-0.7), S(1.1))).to_vector(),
+                   Q1 = Spherical<S>::integrate(Q0, Vector3<S>(angle, 2 * angle, -angle));
+  const typename Continuous<S>::Configuration u0(S(0.6), S(0.8)),
+      u1 = Continuous<S>::integrate(u0, Vector1<S>(angle));
+  for (const S norm : this->norms())
+    for (const S other : {norm, S(1), 3 * norm / 4}) {
+      const Vector4<S> A = norm * Q0, B = other * Q1;
+      const long double turn = 2 * smallAngle(A, B);
+      EXPECT_LE(std::abs(Spherical<S>::difference(A, B).norm() - turn), 4 * this->eps * turn) << norm;
+      const typename Continuous<S>::Configuration a = norm * u0, b = other * u1;
+      const long double exact = smallAngle(a, b);
+      EXPECT_LE(std::abs(Continuous<S>::difference(a, b)[0] - exact), 4 * this->eps * exact) << norm;
+    }
+}
+
+TYPED_TEST(OffUnit, EveryAlgorithmTakesTheNormalisedConfiguration) {
+  using S = TypeParam;
+  const auto& m = this->model;
+  const VectorX<S> q = this->anywhere(), v = this->tangent(2), a = this->tangent(3), tau = this->tangent(5);
+  Data<S> d(m, Dense::Mass), e(m, Dense::Mass);
+  for (const S norm : this->norms()) {
+    SCOPED_TRACE(norm);
+    const VectorX<S> off = this->stretched(q, norm);
+    const auto same = [&](auto call) {
+      const auto right = call(e, q), found = call(d, off);
+      EXPECT_TRUE(found.allFinite());
+      EXPECT_LE((found - right).norm(), S(m.nv) * 64 * this->eps * right.norm());
+    };
+    using Any = MatrixX<S>;
+    same([&](Data<S>& x, const VectorX<S>& at) { return Any(rnea(m, x, at, v, a)); });
+    same([&](Data<S>& x, const VectorX<S>& at) { return Any(nonLinearEffects(m, x, at, v)); });
+    same([&](Data<S>& x, const VectorX<S>& at) { return Any(computeGeneralizedGravity(m, x, at)); });
+    same([&](Data<S>& x, const VectorX<S>& at) { return Any(crba(m, x, at)); });
+    same([&](Data<S>& x, const VectorX<S>& at) { return Any(computeJointJacobians(m, x, at)); });
+    same([&](Data<S>& x, const VectorX<S>& at) { return Any(computeCentroidalMap(m, x, at)); });
+    same([&](Data<S>& x, const VectorX<S>& at) { return Any(centerOfMass(m, x, at)); });
+    same([&](Data<S>& x, const VectorX<S>& at) {
+      forwardKinematics(m, x, at, v, a);
+      Any all(6, 4 * m.njoints);
+      for (int i = 0; i < m.njoints; ++i)
+        all.middleCols(4 * i, 4) << Matrix3<S>(x.oMi[std::size_t(i)].rotation()),
+            x.oMi[std::size_t(i)].translation(), Matrix3<S>::Zero(), Vector3<S>::Zero();
+      return all;
+    });
+    same(
+        [&](Data<S>& x, const VectorX<S>& at) { return Any(Vector1<S>(computeKineticEnergy(m, x, at, v))); });
+    // The condition number of M, about 1e4 here, multiplies the error of aba.
+    const VectorX<S> right = aba(m, e, q, v, tau), found = aba(m, d, off, v, tau);
+    EXPECT_LE((found - right).norm(), S(1e4) * 64 * this->eps * right.norm());
+  }
+}
+
+TYPED_TEST(OffUnit, AZeroVectorIsRefusedByEveryFunction) {
+  using S = TypeParam;
+  const auto& m = this->model;
+  const VectorX<S> q = this->anywhere(), v = this->tangent(1);
+  for (int joint = 1; joint < m.njoints; ++joint) {
+    if (m.nqs[std::size_t(joint)] == m.nvs[std::size_t(joint)]) continue;
+    const VectorX<S> zero = this->stretched(q, S(0), joint);
+    const std::string name =
+        "joint '" + m.names[std::size_t(joint)] + "' (joint " + std::to_string(joint) + ")";
+    const auto refused = [&](auto call, const std::string& text) {
+      EXPECT_NE(refusal(call).find(text), std::string::npos) << refusal(call);
+    };
+    refused([&] { integrate(m, zero, v); }, name + ", q[");
+    refused([&] { difference(m, zero, q); }, name + ", q0[");
+    refused([&] { difference(m, q, zero); }, name + ", q1[");
+    refused([&] { interpolate(m, q, zero, S(0.5)); }, name + ", q1[");
+    refused([&] { squaredDistance(m, q, zero); }, name + ", q1[");
+    refused([&] { distance(m, zero, q); }, name + ", q0[");
+    refused([&] { isSameConfiguration(m, zero, q); }, name + ", q0[");
+    refused([&] { isSameConfiguration(m, q, zero); }, name + ", q1[");
+    refused([&] { dIntegrate(m, zero, v, ArgumentPosition::ARG0); }, name + ", q[");
+    refused([&] { dDifference(m, q, zero, ArgumentPosition::ARG0); }, name + ", q1[");
+    refused([&] { integrateCoeffWiseJacobian(m, zero); }, name + ", q[");
+    refused([&] { normalized(m, zero); }, name + ", q[");
+    Data<S> d(m, Dense::Mass);
+    const std::string text = " is not a";  // "a zero quaternion is not a rotation", "... is not an angle"
+    refused([&] { forwardKinematics(m, d, zero); }, text);
+    refused([&] { forwardKinematics(m, d, zero, v); }, text);
+    refused([&] { rnea(m, d, zero, v, v); }, text);
+    refused([&] { aba(m, d, zero, v, v); }, text);
+    refused([&] { crba(m, d, zero); }, text);
+    refused([&] { computeJointJacobians(m, d, zero); }, text);
+  }
+}
+
+TYPED_TEST(OffUnit, FunctionsOfOnePoseTakeTheNormalisedQuaternion) {
+  using S = TypeParam;
+  Vector7<S> q;
+  q << S(0.3), S(-1.2), S(2.5), quaternion::exp3<S>(Vector3<S>(S(1), S(-2), S(0.5))).to_vector();
+  const Vector6<S> delta = (Vector6<S>() << S(0.7), S(-0.4), S(1.1), S(0.9), S(-1.3), S(0.6)).finished();
+  const Vector7<S> right = integrateSE3<S>(q, delta);
+  Vector6<S> half_turn = delta;
+  half_turn.template tail<3>() << S(0), pi<S>(), S(0);
+  const Vector7<S> opposite = integrateSE3<S>(q, half_turn);
+  for (const S norm : this->norms()) {
+    Vector7<S> off = q;
+    off.template tail<4>() *= norm;
+    this->near(integrateSE3<S>(off, delta), right, 8 * this->eps);
+    this->near(integrateSE3<S, Precision::fast>(off, delta), right, 16 * this->eps);
+    this->near(integrateSE3<S, Precision::tight>(off, delta), right, 8 * this->eps);
+    this->near(differenceSE3<S>(off, right), delta, 16 * this->eps);
+    this->near(differenceSE3<S, Precision::tight>(off, right), delta, 16 * this->eps);
+    // At pi the translation must belong to the sign of the axis that was chosen.
+    Vector7<S> off_opposite = opposite;
+    off_opposite.template tail<4>() *= norm;
+    this->near(integrateSE3<S>(q, differenceSE3<S>(off, off_opposite)).template head<3>().eval(),
+               opposite.template head<3>().eval(), 32 * this->eps);
+    batch::Rows<S, 7> many(7, 16), ends(7, 16);
+    batch::Rows<S, 6> deltas(6, 16);
+    for (int i = 0; i < 16; ++i)
+      many.col(i) = i % 3 == 0 ? off : q, deltas.col(i) = delta, ends.col(i) = right;
+    const auto there = batch::integrate<S>(many, deltas);
+    const auto back = batch::difference<S>(many, ends);
+    for (int i = 0; i < 16; ++i) {
+      this->near(Vector7<S>(there.col(i)), right, 8 * this->eps);
+      this->near(Vector6<S>(back.col(i)), delta, 16 * this->eps);
+    }
+  }
+  const Vector7<S> zero = Vector7<S>::Zero();
+  const std::string text = "a zero quaternion is not a rotation";
+  EXPECT_EQ(refusal([&] { integrateSE3<S>(zero, delta); }), text);
+  EXPECT_EQ(refusal([&] { differenceSE3<S>(zero, q); }), text);
+  EXPECT_EQ(refusal([&] { differenceSE3<S>(q, zero); }), text);
+  EXPECT_EQ(refusal([&] { dDifferenceSE3<S>(zero, q, ArgumentPosition::ARG0); }), text);
+}
+
+// A run that diverges passes NaN through these functions, and its integrator reports it.
+TYPED_TEST(OffUnit, NumbersThatAreNotFiniteGiveNaNInFunctionsOfOneJoint) {
+  using S = TypeParam;
+  for (const S bad : {std::numeric_limits<S>::quiet_NaN(), std::numeric_limits<S>::infinity()}) {
+    Vector7<S> q = Vector7<S>::Unit(6);
+    q[4] = bad;
+    EXPECT_TRUE(integrateSE3<S>(q, Vector6<S>::Zero()).template tail<4>().hasNaN());
+    EXPECT_TRUE(differenceSE3<S>(q, q).hasNaN());
+    const typename Continuous<S>::Configuration u(bad, S(0));
+    EXPECT_TRUE(Continuous<S>::integrate(u, Vector1<S>(S(1))).hasNaN());
+    EXPECT_TRUE(Continuous<S>::difference(u, u).hasNaN());
+    EXPECT_TRUE(FreeFlyer<S>::transform(SE3<S>::Identity(), q).rotation().hasNaN());
+  }
+}
+
+}  // namespace
