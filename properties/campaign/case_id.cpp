@@ -29,11 +29,23 @@ std::uint64_t number(const std::string& text, const std::string& what, const std
   return value;
 }
 
-bool is_float(const std::string& text) {
-  char* end = nullptr;
-  strtoflt128(text.c_str(), &end);
-  return !text.empty() && !std::isspace(static_cast<unsigned char>(text[0])) &&
-         end == text.c_str() + text.size();
+/// Whether a number that was typed has a digit other than 0 before its exponent.
+bool has_digits(const std::string& text) {
+  const auto x = text.find_first_of("xX");
+  if (x == std::string::npos) return text.find_first_of("123456789") < text.find_first_of("eE");
+  return text.find_first_of("123456789abcdefABCDEF", x) < text.find_first_of("pP");
+}
+
+/// Throws std::invalid_argument naming the text, if it is no number or one that the scalar cannot hold.
+void check_float(const std::string& scalar, const std::string& text) {
+  if (!text.empty() && std::isspace(static_cast<unsigned char>(text[0])))
+    throw std::invalid_argument(fmt::format("not a number: '{}'", text));
+  if (scalar == "float")
+    parse_float<float>(text);
+  else if (scalar == "double")
+    parse_float<double>(text);
+  else
+    parse_float<float128>(text);
 }
 
 /// Splits the text at the separator into at most n parts.
@@ -59,10 +71,11 @@ CaseId CaseId::parse(const std::string& text) {
     id.raw = true;
     id.property = p[1], id.subject = p[2], id.scalar = p[3], id.robot = p[4];
     id.input = parts(p[5], ',');
-    for (std::size_t i = 0; i < id.input.size(); ++i)
-      if (!is_float(id.input[i]))
-        throw std::invalid_argument(
-            fmt::format("case ID '{}': number {} is not a number: '{}'", text, i + 1, id.input[i]));
+    for (std::size_t i = 0; i < id.input.size(); ++i) try {
+        check_float(id.scalar, id.input[i]);
+      } catch (const std::invalid_argument& e) {
+        throw std::invalid_argument(fmt::format("case ID '{}': number {} is {}", text, i + 1, e.what()));
+      }
     return id;
   }
   const auto p = parts(text, '.', 7);
@@ -119,6 +132,11 @@ S parse_float(const std::string& text) {
   }
   if (text.empty() || end != begin + text.size())
     throw std::invalid_argument(fmt::format("not a number: '{}'", text));
+  if (value == S(0) && has_digits(text))
+    throw std::invalid_argument(fmt::format("rounded to zero in {}: '{}'", scalar_name<S>(), text));
+  using std::isinf;
+  if (isinf(value) && text.find_first_of("nN") == std::string::npos)  // not typed as inf
+    throw std::invalid_argument(fmt::format("beyond the range of {}: '{}'", scalar_name<S>(), text));
   return value;
 }
 

@@ -45,7 +45,7 @@ std::string scalar_name() {
 /// The exact value, such as -0x1.8p-3; "nan", "inf" or "-inf" if x is not finite.
 template <class S>
 std::string hexadecimal_float(const S& x);
-/// Throws std::invalid_argument with the text.
+/// Throws std::invalid_argument with the text, also for a number that would become 0 or infinite.
 template <class S>
 S parse_float(const std::string& text);
 /// The shortest decimal number that reads back as x, or 36 digits of a float128: for display only.

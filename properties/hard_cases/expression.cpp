@@ -68,7 +68,7 @@ class Parser {
   Parser(std::string_view text, const Format& format) : text_(text), f_(format) {}
 
   Numbers whole() {
-    Numbers all = list();
+    Numbers all = list([this](std::size_t from, const Numbers& x) { check_literal(from, x); });
     skip_space();
     if (at_ < text_.size()) fail(fmt::format("'{}' is not expected here", text_.substr(at_, 12)));
     return all;
@@ -88,16 +88,33 @@ class Parser {
     return true;
   }
 
-  Numbers list() {
+  /// look(start, numbers) is called for each item.
+  template <class Look>
+  Numbers list(const Look& look) {
     if (++depth_ > 50) fail("nested too deeply");
-    Numbers all = sum();
-    while (take(',')) {
+    Numbers all;
+    do {
+      const std::size_t from = at_;
       const Numbers next = sum();
+      look(from, next);
       all.insert(all.end(), next.begin(), next.end());
       if (all.size() > 1000) fail("too many numbers");
-    }
+    } while (take(','));
     --depth_;
     return all;
+  }
+  Numbers list() {
+    return list([](std::size_t, const Numbers&) {});
+  }
+  /// Refuses an item that is a number as it was typed, but 0 in the format. (A computed number may be the
+  /// rest of a rounding at 100 digits, such as cos(pi / 2), and becomes 0.)
+  void check_literal(std::size_t from, const Numbers& x) const {
+    const bool as_typed =
+        text_.find_first_not_of(" \t-", from) == literal_start_ &&
+        text_.substr(literal_end_, at_ - literal_end_).find_first_not_of(" \t") == text_.npos;
+    if (as_typed && x[0] != 0 && rounded(x[0], f_) == 0)
+      fail(fmt::format("'{}' rounds to zero in {}",
+                       text_.substr(literal_start_, literal_end_ - literal_start_), f_.name));
   }
   Numbers sum() {
     return chain("+-", [this] { return chain("*/", [this] { return sign(); }); });
@@ -199,11 +216,11 @@ class Parser {
       value = oracles::exact<Number>(parse_float<float128>(word));
       // A decimal, which parse_float has checked, is read at 100 digits, so that 0.1 is rounded only once.
       if (!hexadecimal) value = Number(word);
-    } catch (const std::exception&) {
-      fail(fmt::format("'{}' is not a number", word));
+    } catch (const std::exception& e) {
+      fail(e.what());
     }
     checked(value);
-    at_ = end;
+    literal_start_ = at_, literal_end_ = at_ = end;
     return value;
   }
 
@@ -275,7 +292,7 @@ class Parser {
 
   std::string_view text_;
   const Format& f_;
-  std::size_t at_ = 0;
+  std::size_t at_ = 0, literal_start_ = 0, literal_end_ = 0;  ///< the last two: of the last literal
   int depth_ = 0;
 };
 

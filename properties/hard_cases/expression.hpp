@@ -23,7 +23,8 @@ Format format_of(const std::string& scalar);
 
 /// The numbers of a comma-separated list, each a hexadecimal float that the format holds exactly. Throws
 /// std::invalid_argument with the place of a syntax error, an unknown name or a number beyond the format's
-/// range. Also throws if all numbers of the list round to zero but not all are zero.
+/// range. Also throws for a number that was typed and rounds to zero, and if all numbers of the list round to
+/// zero but not all are zero.
 std::vector<std::string> evaluate(std::string_view text, const Format& format);
 
 }  // namespace liecheck::properties

@@ -82,6 +82,13 @@ TYPED_TEST(Expression, ListsAreCombinedElementByElement) {
   EXPECT_EQ(values<S>("rotation(0, 0, 3, 3)"), (std::vector<S>{0, -1, 0, 1, 0, 0, 0, 0, 1}));
 }
 
+TYPED_TEST(Expression, ComputedNumbersMayRoundToZero) {
+  using S = TypeParam;
+  EXPECT_EQ(values<S>("1, 1e-40 * scaled(1e-300)"), (std::vector<S>{1, 0}));
+  EXPECT_EQ(values<S>("1, 1e-60 * 1e60"), (std::vector<S>{1, 1}));
+  EXPECT_EQ(values<S>("1, 0.000, -0x0p-99"), (std::vector<S>{1, 0, 0}));
+}
+
 TEST(ExpressionScaled, MapsTheExponentRangeOfDoubleToThatOfTheScalar) {
   EXPECT_EQ(value<double>("scaled(1e150)"), 1e150);
   EXPECT_NEAR(value<float>("scaled(1e150)") / 5.62e18f, 1, 1e-2);
@@ -117,6 +124,11 @@ TEST(ExpressionErrors, NameTheTextAndWhatIsWrong) {
                                                         {"1e39", "beyond the range of float"},
                                                         {"2*max", "beyond the range"},
                                                         {"1e-60", "rounds to zero in float"},
+                                                        {"1, - 1e-60 , 2", "'1e-60' rounds to zero in float"},
+                                                        {"1, 0x1p-200", "'0x1p-200' rounds to zero in float"},
+                                                        {"1, 1e-6000", "rounded to zero in float128"},
+                                                        {"1, 1e-99999999999", "rounded to zero"},
+                                                        {"1e9999999999", "beyond the range"},
                                                         {"1e4000^1000", "range"},
                                                         {"(1, 2) + (1, 2, 3)", "2 numbers with 3"},
                                                         {"about(1, 2, 3)", "takes 4 numbers"},

@@ -96,7 +96,7 @@ double parseQuantity(const std::string& text, const std::string& unit) {
   double value = 0;
   const char* begin = text.data();
   const char* last = text.data() + text.size();
-  if (begin != last && *begin == '+') ++begin;
+  if (text.starts_with('+') && !text.starts_with("+-")) ++begin;
   const auto [end, error] = std::from_chars(begin, last, value);
   const std::string wanted = unit == "1" ? "a number" : "a number in " + unit;
   if (error == std::errc::result_out_of_range)
@@ -109,9 +109,10 @@ double parseQuantity(const std::string& text, const std::string& unit) {
   const Unit given = parseUnit(rest);
   for (const std::string& expected : alternatives(unit)) {
     if (given.dimension != parseUnit(expected).dimension) continue;
-    value *= given.factor;
-    if (!std::isfinite(value)) throw std::invalid_argument("'" + text + "' is outside the range of double");
-    return value;
+    const double scaled = value * given.factor;
+    if (!std::isfinite(scaled) || (scaled == 0 && value != 0))
+      throw std::invalid_argument("'" + text + "' is outside the range of double");
+    return scaled;
   }
   throw std::invalid_argument("'" + rest + "' is not a unit of this quantity: write " + wanted);
 }
