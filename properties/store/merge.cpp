@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
 #include <store/store.hpp>
 #include <store/store_path.hpp>
+#include <support/files.hpp>
 
 namespace liecheck::properties {
 
@@ -97,16 +99,18 @@ void merge_into(const std::string& out, const std::vector<std::string>& files, b
     const auto some = Store(stored_file(file), Store::Open::existing).counterexamples();
     others.insert(others.end(), some.begin(), some.end());
   }
-  const std::string part = out + ".part";
   std::error_code error;
-  fs::remove(part, error);
-  fs::remove(part + "-journal", error);
+  std::optional<Store> old;
+  if (fs::exists(out, error)) {
+    old.emplace(out, Store::Open::existing);
+    old->reserve();  // what another process added before `part` takes the place of `out` would be lost
+  }
+  Replacement part(out);
   bool replace = false;
   try {
-    if (fs::exists(out, error)) {
-      Store old(out, Store::Open::existing);
-      const int n = old.campaigns();
-      const StoredCampaign last = n > 0 ? old.load(n) : StoredCampaign{};
+    if (old) {
+      const int n = old->campaigns();
+      const StoredCampaign last = n > 0 ? old->load(n) : StoredCampaign{};
       replace = n > 0 && last.spec.differences(merged.spec, false).empty();
       if (replace)
         for (std::size_t i = 0; i < merged.series.size(); ++i)
@@ -114,17 +118,14 @@ void merge_into(const std::string& out, const std::vector<std::string>& files, b
             if (!merged.series[i].tally.done.covers(from, to))
               refuse(fmt::format("{}: holds cases {} of this campaign, the merged files do not", out,
                                  shown({from, to})));
-      old.copy_to(part);
+      old->copy_to(part.name());
     }
-    Store(part, Store::Open::create).write(merged, replace, others);
-    fs::rename(part, out);
-  } catch (const fs::filesystem_error& e) {
-    fs::remove(part, error);
-    throw std::runtime_error(fmt::format("{}: cannot be written: {}", out, e.code().message()));
+    Store(part.name(), Store::Open::create).write(merged, replace, others);
   } catch (...) {
-    fs::remove(part, error);
+    fs::remove(part.name() + "-journal", error);
     throw;
   }
+  part.take_place(old ? Replacement::Place::any : Replacement::Place::empty);
 }
 
 }  // namespace liecheck::properties

@@ -15,6 +15,7 @@ std::string export_text(const StoredCampaign& campaign);
 StoredCampaign merge(const std::vector<std::string>& files, bool partial);
 
 /// Writes the merged campaign to a new file and renames it to `out`. Other campaigns of `out` are preserved.
+/// Until then, no other process can write to `out`; throws if one has created or replaced it.
 void merge_into(const std::string& out, const std::vector<std::string>& files, bool partial);
 
 /// Returns a line for each cell of b that is worse than in a.

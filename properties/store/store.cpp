@@ -40,6 +40,8 @@ CREATE TABLE counterexamples(property TEXT, subject TEXT, scalar TEXT, robot TEX
   input TEXT, PRIMARY KEY(property, subject, scalar, robot, operation, block, input)) WITHOUT ROWID;
 )";
 
+constexpr const char* replaced = "was removed or replaced by another process while this one ran";
+
 std::runtime_error error_of(const std::string& path, const std::string& reason) {
   return std::runtime_error(fmt::format("{}: {}", path, reason));
 }
@@ -47,6 +49,7 @@ std::runtime_error error_of(const std::string& path, const std::string& reason) 
 /// `system` is the error number of the operating system, or 0.
 std::string reason_of(const SQLite::Exception& error, int system) {
   const std::string why = system ? fmt::format(": {}", std::strerror(system)) : "";
+  if (error.getExtendedErrorCode() == SQLITE_READONLY_DBMOVED) return replaced;
   switch (error.getErrorCode()) {
     case SQLITE_FULL:
       return "the disk is full";
@@ -66,7 +69,7 @@ std::string reason_of(const SQLite::Exception& error, int system) {
     case SQLITE_IOERR:
       return "cannot be read or written" + why;
     default:
-      return error.what();
+      return fmt::format("an error of SQLite: {}", error.what());
   }
 }
 
@@ -99,14 +102,9 @@ Store::Store(const std::string& path, Open how) : path_(path), database_(open(pa
 
 void Store::check_format(Open how) try {
   database_.exec("PRAGMA synchronous = FULL");  // a committed transaction survives the loss of power, too
-  const std::int64_t id = integer("PRAGMA application_id");
-  const bool empty = id == 0 && integer("SELECT count(*) FROM sqlite_master") == 0;
-  if (empty && how == Open::create) {
-    create_tables();
-    return;
-  }
-  if (id != application_id)
-    fail(empty ? "not a store: an empty file" : "not a store: a database of another program");
+  if (how == Open::create && empty()) create_tables();
+  if (integer("PRAGMA application_id") != application_id)
+    fail(empty() ? "not a store: an empty file" : "not a store: a database of another program");
   if (const auto version = integer("PRAGMA user_version"); version != schema_version)
     fail(fmt::format("a store of version {}, this program reads version {}", version, schema_version));
   if (database_.execAndGet("PRAGMA quick_check(1)").getString() != "ok")
@@ -117,8 +115,13 @@ void Store::check_format(Open how) try {
   fail(e);
 }
 
+bool Store::empty() {
+  return integer("PRAGMA application_id") == 0 && integer("SELECT count(*) FROM sqlite_master") == 0;
+}
+
 void Store::create_tables() {
   SQLite::Transaction transaction(database_, SQLite::TransactionBehavior::IMMEDIATE);
+  if (!empty()) return;  // another process was faster
   database_.exec(
       fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {};", application_id, schema_version));
   database_.exec(schema);
@@ -139,6 +142,16 @@ std::int64_t Store::integer(const std::string& query) {
 
 int Store::campaigns() try {
   return static_cast<int>(integer("SELECT count(*) FROM campaigns"));
+} catch (const SQLite::Exception& e) {
+  fail(e);
+}
+
+void Store::reserve() try {
+  reserved_ = std::make_unique<SQLite::Database>(open(path_, false));
+  reserved_->exec("BEGIN IMMEDIATE");
+  int moved = 0;
+  sqlite3_file_control(database_.getHandle(), "main", SQLITE_FCNTL_HAS_MOVED, &moved);
+  if (moved) fail(replaced);
 } catch (const SQLite::Exception& e) {
   fail(e);
 }

@@ -44,10 +44,13 @@ class Store {
   void write(const StoredCampaign& campaign, bool replace_last, const std::vector<Counterexample>& others);
   /// Adds counterexamples of another file.
   void adopt(const std::vector<Counterexample>& others);
-  void copy_to(const std::string& path);  ///< copies the store to a new file
+  void copy_to(const std::string& path);  ///< copies the store to a new or empty file
+  /// From now on, no other Store can write to the file. Throws if another process has replaced it.
+  void reserve();
 
  private:
   void check_format(Open how);
+  bool empty();  ///< whether the file is no database yet
   void create_tables();
   void check_no_other_writer();
   void insert(const CampaignSpec& spec);
@@ -61,6 +64,7 @@ class Store {
 
   std::string path_;
   SQLite::Database database_;
+  std::unique_ptr<SQLite::Database> reserved_;  ///< holds the lock of reserve()
   std::unique_ptr<SQLite::Statement> cells_;
   std::uint64_t seed_ = 0;
   int campaign_ = 0;               ///< number of the current campaign

@@ -87,7 +87,8 @@ void Store::begin(const CampaignSpec& spec, std::vector<SeriesResult>& series, b
       throw std::invalid_argument(fmt::format("{}: holds a different campaign: {}", path_, differs));
     if (!resume && differs.empty())
       throw std::invalid_argument(
-          fmt::format("{}: holds this campaign already ({}): continue it with --resume", path_, state));
+          fmt::format("{}: holds this campaign already ({}): continue it with --resume{}", path_, state,
+                      last.complete() ? "" : ", unless another process runs it"));
     if (!last.complete() && !resume && last.spec.cases > 0)
       throw std::invalid_argument(
           fmt::format("{}: holds a different, unfinished campaign: {}; finish that one with --resume, "

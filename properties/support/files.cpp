@@ -4,8 +4,10 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <optional>
 #include <stdexcept>
 #include <support/files.hpp>
 #include <utility>
@@ -78,31 +80,6 @@ Target target_of(fs::path file) {
   return {file, !S_ISREG(status.st_mode), status.st_mode & 07777};
 }
 
-/// A temporary file in the folder of the target. It is removed unless it replaces the target.
-class Temporary {
- public:
-  explicit Temporary(const Target& target)
-      : name_(target.file.string() + ".XXXXXX"), descriptor_(::mkostemp(name_.data(), O_CLOEXEC)) {
-    if (descriptor_ < 0) refuse(target.file, "cannot be written", std::strerror(errno));
-    const mode_t mask = ::umask(0);
-    ::umask(mask);
-    ::fchmod(descriptor_, target.mode ? target.mode : 0666 & ~mask);
-  }
-  ~Temporary() {
-    if (!name_.empty()) ::unlink(name_.c_str());
-  }
-  bool replace(const fs::path& file, std::string_view text) {
-    if (!write_all(descriptor_, text) || !descriptor_.close() || ::rename(name_.c_str(), file.c_str()) != 0)
-      return false;
-    name_.clear();
-    return true;
-  }
-
- private:
-  std::string name_;
-  Descriptor descriptor_;
-};
-
 }  // namespace
 
 std::string read_whole(const fs::path& file) {
@@ -127,23 +104,58 @@ std::string read_whole(const fs::path& file) {
   return bytes;
 }
 
+Replacement::Replacement(const fs::path& file) {
+  const Target target = target_of(file);
+  if (target.in_place) refuse(file, "cannot be replaced", "not a regular file");
+  file_ = target.file;
+  std::string name = file_.string() + ".XXXXXX";
+  const Descriptor descriptor(::mkostemp(name.data(), O_CLOEXEC));
+  if (descriptor < 0) refuse(file_, "cannot be written", std::strerror(errno));
+  name_ = name;
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  mode_ = target.mode ? target.mode : 0666 & ~mask;
+}
+
+Replacement::~Replacement() {
+  if (!name_.empty()) ::unlink(name_.c_str());
+}
+
+void Replacement::take_place(Place place) {
+  const auto rename = [&](unsigned flags) {
+    return ::renameat2(AT_FDCWD, name_.c_str(), AT_FDCWD, file_.c_str(), flags) == 0;
+  };
+  ::chmod(name_.c_str(), mode_);
+  bool done = rename(place == Place::empty ? RENAME_NOREPLACE : 0);
+  if (!done && errno == EEXIST) refuse(file_, "was created by another process", "it was left as it is");
+  if (!done && errno == EINVAL) done = rename(0);  // some file systems do not know the flag
+  if (!done) refuse(file_, "cannot be written", std::strerror(errno));
+  name_.clear();
+}
+
 void write_whole(const fs::path& file, std::string_view text) {
   const Target target = target_of(file);
-  bool written = false;
-  if (target.in_place) {
-    Descriptor descriptor(::open(target.file.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC));
-    if (descriptor >= 0) ::fcntl(descriptor, F_SETFL, O_WRONLY);
-    written = descriptor >= 0 && write_all(descriptor, text) && descriptor.close();
-  } else {
-    written = Temporary(target).replace(target.file, text);
-  }
-  if (!written) refuse(file, "cannot be written", std::strerror(errno));
+  std::optional<Replacement> whole;
+  if (!target.in_place) whole.emplace(file);
+  Descriptor descriptor(
+      ::open(whole ? whole->name().c_str() : target.file.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC));
+  if (descriptor >= 0) ::fcntl(descriptor, F_SETFL, O_WRONLY);
+  if (descriptor < 0 || !write_all(descriptor, text) || !descriptor.close())
+    refuse(file, "cannot be written", std::strerror(errno));
+  if (whole) whole->take_place();
+}
+
+bool same_file(const std::string& a, const std::string& b) {
+  std::error_code error;
+  if (a.empty() || b.empty() || (fs::exists(a, error) && !fs::is_regular_file(a, error))) return false;
+  const fs::path first = fs::weakly_canonical(a, error);
+  return !error && first == fs::weakly_canonical(b, error) && !error;
 }
 
 void check_writable(const fs::path& file) {
   const Target target = target_of(file);
   if (!target.in_place)
-    Temporary{target};
+    Replacement{file};
   else if (::access(target.file.c_str(), W_OK) != 0)
     refuse(file, "cannot be written", std::strerror(errno));
 }

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <support/stop.hpp>
 
 namespace liecheck::properties {
 
@@ -12,10 +13,34 @@ namespace liecheck::properties {
 /// once. Throws std::runtime_error naming the file.
 std::string read_whole(const std::filesystem::path& file);
 
+/// A new, empty file in the folder of `file`. It takes the place of `file`, with its mode, or the destructor
+/// removes it. As long as it exists, a signal does not end the program.
+class Replacement {
+ public:
+  enum class Place { any, empty };
+  /// Throws std::runtime_error naming the file. Symbolic links are followed.
+  explicit Replacement(const std::filesystem::path& file);
+  ~Replacement();
+  Replacement(const Replacement&) = delete;
+  Replacement& operator=(const Replacement&) = delete;
+  const std::string& name() const { return name_; }
+  /// Throws std::runtime_error naming the file; with Place::empty also if another process has created it.
+  void take_place(Place place = Place::any);
+
+ private:
+  const Unfinished guard_;
+  std::filesystem::path file_;
+  std::string name_;
+  unsigned mode_ = 0;
+};
+
 /// Writes a temporary file and renames it, so that a reader sees the old file or the new one, never a part.
 /// Symbolic links are followed. A device or a pipe is written in place. On failure removes the temporary file
 /// and throws std::runtime_error naming the file.
 void write_whole(const std::filesystem::path& file, std::string_view text);
+
+/// Whether both names mean one file that can be replaced, or will once it exists. "" names no file.
+bool same_file(const std::string& a, const std::string& b);
 
 /// Throws what write_whole would throw, without writing. Called before long work, whose result would be lost.
 void check_writable(const std::filesystem::path& file);
