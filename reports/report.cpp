@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string_view>
 #include <support/files.hpp>
+#include <support/stop.hpp>
 #include <support/text.hpp>
 #include <system_error>
 
@@ -60,6 +61,7 @@ ReportFiles write_report(const std::vector<std::filesystem::path>& records,
         throw std::runtime_error(
             fmt::format("{}: the report in {} would overwrite this record: choose another folder",
                         record.string(), out_dir.string()));
+  const properties::Unfinished all_three;  // a signal between two files would leave those of two reports
   properties::write_whole(files.json, dumped(numbers, 1) + '\n');
   properties::write_whole(files.csv, csv(merged));
   properties::write_whole(files.html, page(merged, numbers));

@@ -21,7 +21,7 @@ struct Flags {
 /// Runs `cases` cases of a series, from case `from` on. Returns a failure as "law: operation, block", or "".
 std::string failure_of(const Series& s, std::uint64_t seed, std::uint64_t from, std::uint64_t cases) {
   Tally tally;
-  for (std::uint64_t i = from; i < from + cases; ++i) s.run(seed, i, tally);
+  for (std::uint64_t i = from; i < from + cases && !stop_requested; ++i) s.run(seed, i, tally);
   for (const auto& [cell, row] : tally.rows)
     if (row.failed > 0) {
       const Output& o = s.outputs.at(static_cast<std::size_t>(cell.first));
@@ -117,8 +117,7 @@ int run(const Flags& f) {
     bench.rows.push_back(std::move(bug));
   }
   bench.complete = !stop_requested;
-  print_summary(bench);
-  write_record_of(f.json, bench);
+  do_both([&] { write_record_of(f.json, bench); }, [&] { print_summary(bench); });
   return !bench.complete ? incomplete : bench.passed() ? within_budget : property_failed;
 }
 

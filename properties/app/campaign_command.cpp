@@ -147,20 +147,20 @@ int run(const Flags& f) {
   if (select(selection, robot).empty())
     throw std::invalid_argument(
         "nothing to run: no selected subject offers a selected property in that scalar");
-  f.store.check(f.cases.options.seconds.has_value());
   stop_on_signals();
+  f.store.check(f.cases.options.seconds.has_value());
   const auto hard_cases = replay_hard_cases(f, selection, robot);
-  if (stop_requested) {
-    std::fputs("interrupted during the hard cases: no case of the campaign was run\n", stderr);
-    return incomplete;
-  }
+  if (stop_requested)
+    std::fputs("interrupted during the hard cases: no case of the campaign is run\n", stderr);
   const auto done = run_stored_campaign(selection, robot, f.cases, f.store);
   if (!done) return within_budget;
-  const std::string lost = try_write_record(f.selection.json, *done, hard_cases);
-  print_counterexamples(done->counterexamples);
-  const int code = print_campaign(done->result, f.verbose);
-  print_how_to_resume(done->result, f.store);
-  if (!lost.empty()) throw std::runtime_error(lost);
+  int code = incomplete;
+  do_both([&] { write_campaign_record(f.selection.json, *done, hard_cases); },
+          [&] {
+            print_counterexamples(done->counterexamples);
+            code = print_campaign(done->result, f.verbose);
+            print_how_to_resume(done->result, f.store);
+          });
   if (any_failed(hard_cases)) fmt::print("hard cases failed: see the first section\n");
   return code == within_budget && any_failed(hard_cases) ? property_failed : code;
 }

@@ -48,21 +48,21 @@ std::optional<StoredRun> run_rank(const Ranks& ranks, CampaignOptions o, const R
   o.shard = static_cast<unsigned>(me + 1), o.shards = static_cast<unsigned>(n);
   o.quiet = o.quiet || me > 0;
   const std::string file = rank_file(f.store, me, n);
+  const auto how_to_resume = [&] {
+    if (me == 0)
+      fmt::print("to resume:\n  mpirun -n {} {}{}\n", n, f.typed_line, f.resume ? "" : " --resume");
+    std::fflush(stdout);
+  };
   std::optional<StoredRun> run;
   int state = within_budget;
   try {
     Store store(file, Store::Open::create);
     if (me == 0 && is_store(f.store)) store.adopt(Store(f.store, Store::Open::existing).counterexamples());
     run = run_stored(o, robot, store, f.resume);
-    if (run->result.incomplete) {
-      state = incomplete;
-      // Printed at once, because an interrupted mpirun ends its ranks after about a second.
-      if (me == 0)
-        fmt::print("to resume:\n  mpirun -n {} {}{}\n", n, f.typed_line, f.resume ? "" : " --resume");
-      std::fflush(stdout);
-    }
+    // The first rank prints this at once, because an interrupted mpirun ends its ranks after about a second.
+    if (run->result.incomplete) state = incomplete, how_to_resume();
   } catch (const std::exception& e) {
-    fmt::print(stderr, "liecheck: rank {} of {}: {}\n", me + 1, n, e.what());
+    warn(fmt::format("liecheck: rank {} of {}: {}\n", me + 1, n, e.what()));
     state = bad_input;
   }
   // Only the first rank returns the verdict, because mpirun ends all ranks if one reports failure.
@@ -70,7 +70,7 @@ std::optional<StoredRun> run_rank(const Ranks& ranks, CampaignOptions o, const R
   if (me > 0) return std::nullopt;
   if (state == 2) throw std::runtime_error(fmt::format("{}: not merged: a rank failed", f.store));
   CampaignResult& mine = run->result;
-  mine.incomplete = mine.incomplete || state == 1;
+  if (state == 1 && !mine.incomplete) mine.incomplete = true, how_to_resume();  // another rank was stopped
   if (mine.incomplete || mine.series.empty()) return run;
   std::vector<std::string> files;
   for (int k = 0; k < n; ++k) files.push_back(rank_file(f.store, k, n));

@@ -41,9 +41,8 @@ void print_counterexamples(const Counterexamples& counterexamples);
 /// Prints how to resume an interrupted campaign.
 void print_how_to_resume(const CampaignResult& result, const StoreFlags& flags);
 
-/// Writes the record of a campaign with its hard cases, unless `file` is empty. Returns why this failed, or
-/// "". The caller prints its table before it throws this error, so that the table is not lost.
-std::string try_write_record(const std::string& file, const StoredRun& run,
-                             const std::vector<HardRow>& hard_cases);
+/// Writes the record of a campaign with its hard cases, unless `file` is empty.
+void write_campaign_record(const std::string& file, const StoredRun& run,
+                           const std::vector<HardRow>& hard_cases);
 
 }  // namespace liecheck::properties

@@ -1,5 +1,6 @@
 #include <app/command.hpp>
-#include <app/warnings.hpp>
+
+#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
@@ -7,6 +8,7 @@
 #include <campaign/selection.hpp>
 #include <csignal>
 #include <ctime>
+#include <exception>
 #include <liecheck/urdf/urdf.hpp>
 #include <support/files.hpp>
 #include <support/json.hpp>
@@ -18,6 +20,11 @@ namespace liecheck::properties {
 namespace {
 
 extern "C" void on_signal(int number) {
+  if (!Unfinished::any()) {
+    constexpr char said[] = "interrupted\n";
+    [[maybe_unused]] const auto written = ::write(2, said, sizeof said - 1);
+    ::_exit(incomplete);
+  }
   static std::atomic<long> stopped_at{-1};  // [ms]
   timespec t;
   clock_gettime(CLOCK_MONOTONIC, &t);
@@ -70,9 +77,32 @@ Selection SelectionFlags::selection() const {
   return s;
 }
 
-void stop_on_signals() {
+void handle_signals() {
   for (const int number : {SIGINT, SIGTERM, SIGHUP})
     if (std::signal(number, on_signal) == SIG_IGN) std::signal(number, SIG_IGN);
+}
+
+void stop_on_signals() {
+  static const Unfinished results;
+}
+
+void warn(const std::string& lines) {
+  std::fputs(lines.c_str(), stderr);
+}
+
+void print_warnings(const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) warn(fmt::format("warning: {}\n", warning));
+}
+
+void do_both(const std::function<void()>& first, const std::function<void()>& second) {
+  std::exception_ptr error;
+  try {
+    first();
+  } catch (...) {
+    error = std::current_exception();
+  }
+  second();
+  if (error) std::rethrow_exception(error);
 }
 
 void write_record(const std::string& file, const nlohmann::json& record) {

@@ -136,12 +136,25 @@ struct SelectionFlags {
   Selection selection() const;
 };
 
-/// Ctrl-C, SIGTERM and SIGHUP stop a command, which then returns its results so far. The first signal sets
-/// stop_requested; the second ends the program at once. Two signals within 0.3 s are treated as one, because
-/// `timeout` sends its signal to the program and then to its process group. A busy machine delays a signal by
-/// less than 0.3 s, and a user takes longer to press Ctrl-C again. A signal that nohup ignores stays ignored.
-/// Call this after the robot was read, because reading may wait for a pipe.
+/// Handles Ctrl-C, SIGTERM and SIGHUP as support/stop.hpp says. A second signal ends the program at once. Two
+/// signals within 0.3 s are treated as one, because `timeout` sends its signal to the program and then to its
+/// process group. A busy machine delays a signal by less than 0.3 s, and a user takes longer to press Ctrl-C
+/// again. A signal that nohup ignores stays ignored.
+void handle_signals();
+
+/// From now on, a signal does not end the program but sets stop_requested: the command returns its results so
+/// far. Call this after the input was read, because reading may wait for a pipe, and before anything is
+/// written.
 void stop_on_signals();
+
+/// Prints lines on standard error. Unlike fmt::print, it does not throw if standard error is lost.
+void warn(const std::string& lines);
+/// Prints the warnings of a URDF as warn() does, a line each.
+void print_warnings(const std::vector<std::string>& warnings);
+
+/// Calls first() and then second(), even if first() throws; that error is thrown at the end. So a full disk
+/// does not lose a table, and a closed terminal does not lose a record.
+void do_both(const std::function<void()>& first, const std::function<void()>& second);
 
 /// Throws std::runtime_error naming the file.
 void write_record(const std::string& file, const nlohmann::json& record);

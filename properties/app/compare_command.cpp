@@ -15,10 +15,10 @@ struct Flags {
 void print_if_partial(const std::string& name, const StoredCampaign& c) {
   if (c.spec.cases == 0) return;
   if (!c.complete())
-    fmt::print(stderr, "liecheck: {}: unfinished\n", name);
+    warn(fmt::format("liecheck: {}: unfinished\n", name));
   else if (c.spec.last - c.spec.first < c.spec.cases)
-    fmt::print(stderr, "liecheck: {}: a shard, cases {} to {} of {} in each series\n", name, c.spec.first,
-               c.spec.last - 1, c.spec.cases);
+    warn(fmt::format("liecheck: {}: a shard, cases {} to {} of {} in each series\n", name, c.spec.first,
+                     c.spec.last - 1, c.spec.cases));
 }
 
 int run(const Flags& f) {

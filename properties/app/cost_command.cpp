@@ -66,11 +66,13 @@ void print_header(const CostResult& r) {
 int run(const Flags& f) {
   stop_on_signals();
   const CostResult r = run_cost(f.options);
-  print_header(r);
-  print_rows(r);
-  fmt::print("\n{} rows in {:.1f} s, seed {}{}\n", r.rows.size(), r.elapsed, r.options.seed,
-             r.complete ? "" : "; interrupted: only what was done");
-  write_record_of(f.json, r);
+  do_both([&] { write_record_of(f.json, r); },
+          [&] {
+            print_header(r);
+            print_rows(r);
+            fmt::print("\n{} rows in {:.1f} s, seed {}{}\n", r.rows.size(), r.elapsed, r.options.seed,
+                       r.complete ? "" : "; interrupted: only what was done");
+          });
   return r.complete ? within_budget : incomplete;
 }
 

@@ -14,6 +14,8 @@ struct Flags {
 };
 
 int run(const Flags& f) {
+  if (same_file(stored_file(f.store), f.out))
+    throw std::invalid_argument("--out " + f.out + ": is the store itself: give it another name");
   const std::string text = export_text(load_campaign(f.store));
   if (!f.out.empty())
     write_whole(f.out, text);

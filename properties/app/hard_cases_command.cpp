@@ -104,12 +104,14 @@ int run(const Flags& f) {
   no_cases.result.incomplete = stop_requested;
   if (rows.empty() && !stop_requested)
     throw std::invalid_argument("nothing to run: no selected subject offers a hard case's property");
-  const std::string lost = try_write_record(f.selection.json, no_cases, rows);
-  print_hard_case_table(rows);
-  print_hard_case_summary(rows, rows.size());
-  if (!lost.empty()) throw std::runtime_error(lost);
-  if (stop_requested) std::fputs("interrupted: the table has only the rows that were done\n", stderr);
-  return stop_requested ? incomplete : any_failed(rows) ? property_failed : within_budget;
+  do_both([&] { write_campaign_record(f.selection.json, no_cases, rows); },
+          [&] {
+            print_hard_case_table(rows);
+            print_hard_case_summary(rows, rows.size());
+          });
+  if (no_cases.result.incomplete)
+    std::fputs("interrupted: the table has only the rows that were done\n", stderr);
+  return no_cases.result.incomplete ? incomplete : any_failed(rows) ? property_failed : within_budget;
 }
 
 }  // namespace

@@ -4,11 +4,11 @@
 #include <campaign/robots.hpp>
 #include <campaign/selection.hpp>
 #include <filesystem>
-#include <fstream>
 #include <hard_cases/corpus.hpp>
 #include <memory>
 #include <search/hunt.hpp>
 #include <set>
+#include <support/files.hpp>
 #include <support/progress.hpp>
 #include <support/stop.hpp>
 
@@ -126,31 +126,27 @@ class CorpusFile {
  public:
   explicit CorpusFile(std::string path) : path_(std::move(path)) {
     if (path_.empty()) return;
-    const bool existed = std::filesystem::exists(path_);
-    if (existed && !std::filesystem::is_regular_file(path_))
+    std::error_code error;
+    const bool existed = std::filesystem::exists(path_, error);
+    if (existed && !std::filesystem::is_regular_file(path_, error))
       throw std::invalid_argument(fmt::format("--corpus: {}: not a regular file", path_));
-    if (existed && std::filesystem::file_size(path_) > 0)
+    if (existed && std::filesystem::file_size(path_, error) > 0)
       for (const HardCase& c : read_corpus(path_)) names_.insert(c.name);
-    if (!std::ofstream(path_, std::ios::app))
-      throw std::invalid_argument(fmt::format("--corpus: {}: cannot be written", path_));
+    check_writable(path_);
   }
   void add(const std::string& line) {
     if (names_.insert(line.substr(0, line.find(" | "))).second) lines_ += line;
   }
-  /// Appends the added lines to the file.
+  /// Appends the added lines to the file, which is replaced as a whole.
   void close() const {
     if (path_.empty() || lines_.empty()) return;
-    std::fstream file(path_, std::ios::in | std::ios::out | std::ios::ate);
-    std::string before;
-    if (file.tellg() == 0) {
-      before = "# name | property | input | class | reason | origin\n";
-    } else if (file.seekg(-1, std::ios::end).get() != '\n') {
-      before = "\n";
-    }
-    file.seekp(0, std::ios::end);
-    file << before << lines_;
-    file.close();
-    if (!file) throw std::runtime_error(fmt::format("--corpus: {}: cannot be written", path_));
+    std::error_code error;
+    std::string text = std::filesystem::exists(path_, error) ? read_whole(path_) : "";
+    if (text.empty())
+      text = "# name | property | input | class | reason | origin\n";
+    else if (text.back() != '\n')
+      text += '\n';
+    write_whole(path_, text + lines_);
   }
 
  private:
@@ -191,8 +187,8 @@ bool hunt_on(const Series& series, HuntOptions options, const Flags& f, const st
 
 int run(const Flags& f) {
   const Robot robot = f.robot.read();
-  stop_on_signals();
   const auto all = series_of(f, robot);
+  stop_on_signals();
   CorpusFile corpus(f.corpus);
   const std::string robot_flag = robot.path.empty() ? "" : robot_flags(robot);
   // Laws that measure the operation share the number of evaluations or the time.
@@ -200,11 +196,13 @@ int run(const Flags& f) {
   options.seconds /= static_cast<double>(all.size());
   if (options.evaluations) options.evaluations = std::max<std::uint64_t>(1, options.evaluations / all.size());
   bool failed = false;
-  for (std::size_t k = 0; k < all.size() && !(k > 0 && stop_requested); ++k) {
-    if (k > 0) fmt::print("\n");
-    failed = hunt_on(*all[k], options, f, robot_flag, corpus) || failed;
-  }
-  corpus.close();
+  const auto search = [&] {
+    for (std::size_t k = 0; k < all.size() && !(k > 0 && stop_requested); ++k) {
+      if (k > 0) fmt::print("\n");
+      failed = hunt_on(*all[k], options, f, robot_flag, corpus) || failed;
+    }
+  };
+  do_both(search, [&] { corpus.close(); });  // lines of the corpus survive the loss of the output
   if (stop_requested) fmt::print("\ninterrupted: these are the worst cases so far\n");
   return stop_requested ? incomplete : failed ? property_failed : within_budget;
 }

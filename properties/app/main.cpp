@@ -37,6 +37,7 @@ int refuse(const std::string& why) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  handle_signals();
   // After this, writing to a closed pipe or beyond a file size limit fails, but does not end the program.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);

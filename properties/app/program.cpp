@@ -46,6 +46,18 @@ Flag named(CLI::Option* option, const std::string& value) {
   return Flag(value.empty() ? option : option->type_name(value)->check(empty_error, ""));
 }
 
+/// Throws std::invalid_argument if the record would replace a file that another argument names.
+void check_record(const CLI::App& command, const std::string& record) {
+  for (const CLI::Option* o : command.get_options())
+    if (const std::string type = o->get_type_name();
+        o->get_name() != "--json" && (type == "TEXT" || type == "FILE" || type == "URDF" || type == "SCENE"))
+      for (const std::string& file : o->results())
+        if (same_file(file, record))
+          throw std::invalid_argument(fmt::format(
+              "--json {}: would replace the file of {}: give it another name", record, o->get_name()));
+  check_writable(record);
+}
+
 std::string long_name(const std::string& names) {
   return names.substr(names.rfind("--"));
 }
@@ -171,8 +183,8 @@ Flag Arguments::json(std::string& target, const std::string& help) {
 }
 
 Command Arguments::command(std::function<int()> run) const {
-  return {&command_, [json = json_, run = std::move(run)] {
-            if (json && !json->empty()) check_writable(*json);
+  return {&command_, [&command = command_, json = json_, run = std::move(run)] {
+            if (json && !json->empty()) check_record(command, *json);
             return run();
           }};
 }

@@ -62,19 +62,22 @@ void print_interrupted(const char* where) {
 
 /// Runs everything that a report shows and writes the record.
 fs::path run_campaign_of_report(const Flags& f) {
+  const Robot robot = f.cases.robot.read();
+  stop_on_signals();
   create_folder(f.out);
   const fs::path file = fs::path(f.out) / "campaign.json";
   check_writable(file);
-  const Robot robot = f.cases.robot.read();
   const auto hard_cases = run_hard_cases({}, robot, built_in_corpus(), f.cases.options.jobs);
-  stop_on_signals();
   const StoredRun run = run_stored_campaign({}, robot, f.cases, {}).value();
   if (run.result.incomplete) print_interrupted("");
   nlohmann::json record = record_of(run);
   add_hard_cases(record, hard_cases);
-  const auto add = [](const char* during, const std::function<void()>& part) {
+  // The record is written after each part, so that whatever ends the program later does not lose it.
+  write_record(file, record);
+  const auto add = [&](const char* during, const std::function<void()>& part) {
     if (stop_requested) return;
     part();
+    write_record(file, record);
     if (stop_requested) print_interrupted(during);
   };
   CostOptions times;
@@ -85,7 +88,6 @@ fs::path run_campaign_of_report(const Flags& f) {
   add(" during the sweep", [&] { add_sweep(record, run_sweep({}, f.cases.options.jobs)); });
   if (!f.no_cost) add(" during the timing", [&] { record["cost"] = record_of(run_cost(times)); });
   if (!f.no_scenes) add(" during the scenes", [&] { add_scenes(record, run_scene_sweep({}, scenes, 3)); });
-  write_record(file, record);
   return file;
 }
 

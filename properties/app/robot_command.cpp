@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 #include <app/command.hpp>
-#include <app/warnings.hpp>
 #include <liecheck/urdf/urdf.hpp>
 
 namespace liecheck::properties {

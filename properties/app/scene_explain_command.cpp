@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 #include <app/command.hpp>
-#include <app/warnings.hpp>
 #include <liecheck/scene/run.hpp>
 #include <liecheck/scene_file/scene_file.hpp>
 #include <stdexcept>

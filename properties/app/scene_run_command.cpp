@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 #include <app/command.hpp>
-#include <app/warnings.hpp>
 #include <liecheck/scene/run.hpp>
 #include <liecheck/scene_file/scene_file.hpp>
 #include <numbers>
@@ -47,40 +46,36 @@ void print_figures(const scene::Scene& scene, const scene::Run& run) {
 void print_early_end(const scene::Scene& scene, const scene::Run& run) {
   if (run.outcome.diverged) {
     const scene::MethodInfo& method = scene::methodInfo(scene.integrator);
-    fmt::print(stderr,
-               "liecheck: {}: diverged at step {} of {} (t = {:g} s): {}; the samples until then are saved. "
-               "Take {}\n",
-               scene.source, run.outcome.steps + 1, scene.span.steps, run.outcome.t, run.outcome.why,
-               method.adaptive           ? "another tolerance, or softer effects"
-               : method.evaluations == 0 ? "a smaller step"
-                                         : "a smaller step, or an implicit method");
+    warn(
+        fmt::format("liecheck: {}: diverged at step {} of {} (t = {:g} s): {}; the samples until then are "
+                    "saved. Take {}\n",
+                    scene.source, run.outcome.steps + 1, scene.span.steps, run.outcome.t, run.outcome.why,
+                    method.adaptive           ? "another tolerance, or softer effects"
+                    : method.evaluations == 0 ? "a smaller step"
+                                              : "a smaller step, or an implicit method"));
   }
   if (run.outcome.stopped)
-    fmt::print(stderr, "interrupted at t = {:g} s of {:g} s: the samples until then are saved\n",
-               run.outcome.t, scene.span.duration);
+    warn(fmt::format("interrupted at t = {:g} s of {:g} s: the samples until then are saved\n", run.outcome.t,
+                     scene.span.duration));
 }
 
 /// Throws std::invalid_argument if two of the three files are the same.
 void check_apart(const std::string& scene, const std::string& csv, const std::string& json) {
-  const auto same = [](const std::string& a, const std::string& b) {
-    return !a.empty() && !b.empty() &&
-           std::filesystem::weakly_canonical(a) == std::filesystem::weakly_canonical(b);
-  };
   for (const std::string& output : {csv, json})
-    if (same(scene, output))
+    if (same_file(scene, output))
       throw std::invalid_argument(output + " is the scene itself: give the output another name");
-  if (same(csv, json))
+  if (same_file(csv, json))
     throw std::invalid_argument(csv + " would be the CSV and the JSON: give one another name");
 }
 
 int run(const Flags& flags) {
-  stop_on_signals();
   std::vector<std::string> warnings;
   scene::Scene scene = loadScene(flags.file, &warnings);
   print_warnings(warnings);
   if (!flags.csv.empty()) scene.csv = flags.csv;
   if (!flags.json.empty()) scene.json = flags.json;
   check_apart(flags.file, scene.csv, scene.json);
+  stop_on_signals();
   for (const std::string& path : {scene.csv, scene.json})
     if (!path.empty()) check_writable(path);
   std::optional<Progress> progress(std::in_place, scene.name);
@@ -89,14 +84,16 @@ int run(const Flags& flags) {
     return !stop_requested.load();
   });
   progress.reset();
-  print_figures(scene, run);
+  const auto write_csv = [&] {
+    if (!scene.csv.empty()) write_whole(scene.csv, csv_of(run));
+  };
+  do_both([&] { do_both(write_csv, [&] { write_record_of(scene.json, scene, run); }); },
+          [&] { print_figures(scene, run); });
   if (run.largest_turn > std::numbers::pi)
-    fmt::print(stderr,
-               "warning: a step rotated by {:.3g} rad: beyond pi its result is meaningless; take a smaller "
-               "step\n",
-               run.largest_turn);
-  if (!scene.csv.empty()) write_whole(scene.csv, csv_of(run));
-  write_record_of(scene.json, scene, run);
+    warn(
+        fmt::format("warning: a step rotated by {:.3g} rad: beyond pi its result is meaningless; take a "
+                    "smaller step\n",
+                    run.largest_turn));
   print_early_end(scene, run);
   return run.outcome.diverged || run.outcome.stopped ? incomplete : within_budget;
 }

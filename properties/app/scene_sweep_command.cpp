@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <app/command.hpp>
-#include <app/warnings.hpp>
 #include <cmath>
 #include <liecheck/scene/integrators/registry.hpp>
 #include <liecheck/scene_file/scene_file.hpp>
@@ -71,8 +70,8 @@ bool report_lost(const SceneSweepResult& r) {
   for (const SceneSweep& s : r.scenes)
     if (!comes_through(s)) {
       lost = true;
-      fmt::print(stderr, "liecheck: {}: every run diverges: take more steps, or a slower start\n",
-                 s.scene.name);
+      warn(fmt::format("liecheck: {}: every run diverges: take more steps, or a slower start\n",
+                       s.scene.name));
     }
   return lost;
 }
@@ -190,10 +189,8 @@ void print_scene_sweep(const SceneSweepResult& r) {
 }
 
 int run(const Flags& f) {
-  stop_on_signals();
   const SceneSweepResult r = run_scene_sweep(f.files, options_of(f), 6);
-  print_scene_sweep(r);
-  write_record_of(f.json, r);
+  do_both([&] { write_record_of(f.json, r); }, [&] { print_scene_sweep(r); });
   const bool lost = report_lost(r);
   return !r.complete || lost ? incomplete : r.wrong.empty() ? within_budget : property_failed;
 }
@@ -204,16 +201,17 @@ SceneSweepResult run_scene_sweep(const std::vector<std::string>& files, SceneSwe
                                  std::size_t flips) {
   options.stop = &stop_requested;
   const std::vector<Benchmark> scenes = scenes_of(files);
+  stop_on_signals();
   Progress progress("scene sweep");
   options.progress = [&](double share, const std::string& what) { progress.show(share, what); };
   SceneSweepResult r;
   r.scenes = sweep_scenes(scenes, options);
   r.peers = compare_peers(r.scenes);
-  if (options.order_scenes > 0)
+  if (options.order_scenes > 0 && !stop_requested)
     r.wrong = wrong_orders(r.scenes, files.empty() ? std::min<std::size_t>(3, options.order_scenes) : 0);
   if (files.empty() && options.integrators.empty() && options.steps.empty()) {
     if (!stop_requested) progress.show(0.95, "long spins");
-    if (!stop_requested) r.spins = long_spins();
+    if (!stop_requested) r.spins = long_spins(1000, &stop_requested);
     if (!stop_requested) r.flips = dzhanibekov_flips(flips, &stop_requested);
   }
   r.complete = !stop_requested;

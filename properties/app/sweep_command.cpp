@@ -72,9 +72,11 @@ void print_summary(const SweepResult& r) {
 int run(const Flags& f) {
   stop_on_signals();
   const SweepResult r = run_sweep(f.coefficients, f.jobs, f.stride);
-  print_rows(r);
-  print_summary(r);
-  write_record_of(f.json, r);
+  do_both([&] { write_record_of(f.json, r); },
+          [&] {
+            print_rows(r);
+            print_summary(r);
+          });
   return !r.complete ? incomplete : r.failed() ? property_failed : within_budget;
 }
 

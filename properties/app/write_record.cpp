@@ -18,15 +18,12 @@ template void write_record_of(const std::string&, const SweepResult&);
 template void write_record_of(const std::string&, const SceneSweepResult&);
 template void write_record_of(const std::string&, const scene::Scene&, const scene::Run&);
 
-std::string try_write_record(const std::string& file, const StoredRun& run,
-                             const std::vector<HardRow>& hard_cases) try {
-  if (file.empty()) return "";
+void write_campaign_record(const std::string& file, const StoredRun& run,
+                           const std::vector<HardRow>& hard_cases) {
+  if (file.empty()) return;
   nlohmann::json record = record_of(run);
   add_hard_cases(record, hard_cases);
   write_record(file, record);
-  return "";
-} catch (const std::exception& e) {
-  return e.what();
 }
 
 }  // namespace liecheck::properties

@@ -133,7 +133,10 @@ class Engine {
       while (take(s, from, to)) {
         const auto start = Clock::now();
         Tally tally;
-        for (std::uint64_t i = from; i < to; ++i) result_.series[s].series->run(o_.seed, i, tally);
+        std::uint64_t i = from;
+        for (; i < to && !stop_requested; ++i) result_.series[s].series->run(o_.seed, i, tally);
+        if (i == from) return;
+        to = i;
         tally.done.add(from, to);
         const double seconds = seconds_since(start);
         const std::lock_guard lock(mutex_);

@@ -58,8 +58,8 @@ class Checkpoint {
 
 /// Runs the cases of a campaign that its checkpoint does not have yet. Progress goes to stderr: a bar on a
 /// terminal, plain lines elsewhere. Threads take chunks of cases from each series in turn; the time of a
-/// chunk sets the size of the next. After stop_requested the chunks in progress are finished. The checkpoint
-/// is saved every checkpoint_seconds and at the end.
+/// chunk sets the size of the next. After stop_requested the cases in progress are finished, and their
+/// chunks end there. The checkpoint is saved every checkpoint_seconds and at the end.
 CampaignResult run_campaign(const CampaignOptions& options, const Robot& robot,
                             Checkpoint* checkpoint = nullptr);
 

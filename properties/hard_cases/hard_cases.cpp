@@ -97,8 +97,10 @@ std::vector<Task> tasks_of(const std::vector<HardCase>& cases, const Selection& 
   return tasks;
 }
 
-void run(Task& task) {
+/// Returns false if it was stopped; the row then lacks cells.
+bool run(Task& task) {
   for (const Series* s : task.series) {
+    if (stop_requested) return false;
     CaseId id = s->id(0, 0);
     id.raw = true;
     id.input = task.row.input.at(s->scalar);
@@ -112,6 +114,7 @@ void run(Task& task) {
     task.row.input[s->scalar] = trial.input;
     if (!trial.judged.empty()) task.row.cells.push_back(cell_of(*s, id, trial));
   }
+  return true;
 }
 
 }  // namespace
@@ -131,10 +134,8 @@ std::vector<HardRow> run_hard_cases(const Selection& selection, const Robot& rob
   std::atomic<bool> stop{false};
   std::vector<char> ran(tasks.size(), 0);
   run_on_threads(jobs, stop, [&] {
-    for (std::size_t i = next++; i < tasks.size() && !stop && !stop_requested; i = next++) {
-      run(tasks[i]);
-      ran[i] = 1;
-    }
+    for (std::size_t i = next++; i < tasks.size() && !stop && !stop_requested; i = next++)
+      ran[i] = run(tasks[i]);
   });
   std::vector<HardRow> rows;
   for (std::size_t i = 0; i < tasks.size(); ++i)

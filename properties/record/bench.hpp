@@ -39,7 +39,8 @@ nlohmann::json record_of(const BugBench& bench);
 struct SpeedBench {
   std::uint64_t seed = 42;
   std::vector<std::pair<std::string, double>> rates;  ///< name, best rate of the rounds [cases/s]
-  double all_laws = 0, tree_laws = 0;                 ///< harmonic means [cases/s]
+  bool complete = false;               ///< otherwise only the rounds before a signal, and no means
+  double all_laws = 0, tree_laws = 0;  ///< harmonic means [cases/s]
   double exp6_over_rapidcheck = 0, two_jobs_over_one = 0;
   int falsified = 0;  ///< how often rc::check failed on exp6; if not 0, the rates of exp6 mean nothing
 };

@@ -94,22 +94,33 @@ class LiecheckRunner final : public Runner {
     if (!method_ || effort.tolerance != tolerance_) {
       tolerance_ = effort.tolerance;
       method_ =
-          make_method<Sys>(name_, {tolerance_ > 0 ? tolerance_ : std::numeric_limits<double>::infinity()});
+          make_method<Sys>(name_, {tolerance_ > 0 ? tolerance_ : std::numeric_limits<double>::infinity(),
+                                   [this] { return this->stopped(); }});
     }
     const long before = method_->counts().steps;
     state_ = start_;
-    const scene::Outcome o = scene::simulate(system_, *method_, state_, {duration_, effort.steps, every},
-                                             [&](const auto& state, long) {
-                                               watch(state);
-                                               return true;
+    if (every != every_) every_ = every, polled_ = largest_divisor(every);
+    const scene::Outcome o = scene::simulate(system_, *method_, state_, {duration_, effort.steps, polled_},
+                                             [&](const auto& state, long n) {
+                                               if (n % every == 0 || n == effort.steps) watch(state);
+                                               return !this->stopped();
                                              });
+    if (this->stopped()) throw Stopped();
     if (o.diverged) throw Diverged(fmt::format("at {:.6g} s, after {} steps: {}", o.t, o.steps, o.why));
     if (made) *made = method_->what().adaptive ? method_->counts().steps - before : o.steps;
+  }
+
+  /// The largest divisor of n up to 256.
+  static long largest_divisor(long n) {
+    long d = std::min(n, 256L);
+    while (n % d != 0) --d;
+    return d;
   }
 
   Sys system_;
   scene::State<Sys> start_, state_;
   double duration_, tolerance_ = -1;
+  long every_ = 0, polled_ = 0;  ///< steps between two samples, and between two looks at `stop`
   std::string name_;
   std::unique_ptr<scene::Method<Sys>> method_;
 };

@@ -2,6 +2,7 @@
 // The interface to run one benchmark with one method and any number of steps. liecheck in double and float128
 // and other simulators (peers/) implement it.
 
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <scenes/benchmark.hpp>
@@ -21,15 +22,28 @@ class Diverged : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Thrown by a run that was asked to stop.
+class Stopped : public std::runtime_error {
+ public:
+  Stopped() : std::runtime_error("stopped") {}
+};
+
 class Runner {
  public:
   virtual ~Runner() = default;
+  /// If it is set to true, a run throws Stopped within a few steps. May be null. (A peer is a library of its
+  /// own, which has its own copy of every global variable.)
+  const std::atomic<bool>* stop = nullptr;
   /// Runs from start to end. Calls watch(t, moment) at the start and after each of `samples` equal parts of
-  /// the duration. Each part has a whole number of steps. Returns the number of steps made. Throws Diverged.
+  /// the duration. Each part has a whole number of steps. Returns the number of steps made. Throws Diverged
+  /// and Stopped.
   virtual long run(const Effort& effort, long samples,
                    const std::function<void(double t, const Moment& moment)>& watch) = 0;
   /// Makes the same run without samples, for timing.
   virtual void pass(const Effort& effort) = 0;
+
+ protected:
+  bool stopped() const { return stop && *stop; }
 };
 
 /// Returns liecheck's runner; scalar is "double" or "float128". With a tolerance of 0, an adaptive method

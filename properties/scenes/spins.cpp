@@ -26,7 +26,8 @@ Benchmark spinning(const Eigen::Vector3d& omega) {
 }
 
 template <class S>
-Flips flips_of(const Benchmark& b, double delta, const char* scalar, std::size_t count, int per_second) {
+Flips flips_of(const Benchmark& b, double delta, const char* scalar, std::size_t count, int per_second,
+               const std::atomic<bool>* stop) {
   using Body = scene::LoneBody<S>;
   Flips r{delta, scalar, "gauss12", {}, {}, 0, 0};
   const oracles::TriaxialBody<Real100> form({{Real100(1), Real100(2), Real100(3)}},
@@ -60,8 +61,9 @@ Flips flips_of(const Benchmark& b, double delta, const char* scalar, std::size_t
           if (same) ++r.predicted, r.horizon = r.exact[k];
         }
         before = now;
-        return r.relative.size() < count;
+        return r.relative.size() < count && !(stop && *stop);
       });
+  if (stop && *stop) throw Stopped();
   if (o.diverged) throw std::runtime_error("Dzhanibekov's body diverges: " + o.why);
   r.relative.resize(count, std::numeric_limits<double>::infinity());
   return r;
@@ -69,7 +71,7 @@ Flips flips_of(const Benchmark& b, double delta, const char* scalar, std::size_t
 
 }  // namespace
 
-std::vector<LongSpin> long_spins(long turns) {
+std::vector<LongSpin> long_spins(long turns, const std::atomic<bool>* stop) {
   Benchmark b = spinning({1, 2, -1});
   b.duration = double(turns) * 2 * std::numbers::pi / std::sqrt(6.0);
   const auto truth = truth_of(b);
@@ -85,13 +87,18 @@ std::vector<LongSpin> long_spins(long turns) {
                          Asked{"gauss6", 6, {64, 256}}, Asked{"gauss12", 12, {8, 12, 16, 24}}})
     for (long n : m.per_turn) {
       const auto runner = make_runner(b, m.name, "double");
+      runner->stop = stop;
       MotionError worst = MotionError::none();
       std::size_t k = 0;
       const auto start = std::chrono::steady_clock::now();
-      runner->run({n * turns, 0}, 4, [&](double, const Moment& x) {
-        if (k > 0) worst.take_larger(motion_error(b.robot, x, exact[k]));
-        ++k;
-      });
+      try {
+        runner->run({n * turns, 0}, 4, [&](double, const Moment& x) {
+          if (k > 0) worst.take_larger(motion_error(b.robot, x, exact[k]));
+          ++k;
+        });
+      } catch (const Stopped&) {
+        return all;
+      }
       all.push_back({m.name, m.order, turns, n, worst.attitude,
                      double(turns) * 2 * std::numbers::pi * std::numeric_limits<double>::epsilon(),
                      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()});
@@ -99,17 +106,20 @@ std::vector<LongSpin> long_spins(long turns) {
   return all;
 }
 
-std::vector<Flips> dzhanibekov_flips(std::size_t flips, std::atomic<bool>* stop) {
+std::vector<Flips> dzhanibekov_flips(std::size_t flips, const std::atomic<bool>* stop) {
   std::vector<Flips> all;
-  for (int e = 2; e <= 12; ++e) {
-    const double delta = std::pow(10.0, -e);
-    const Benchmark b = spinning({delta, 1, delta});
-    if (stop && *stop) break;
-    all.push_back(flips_of<double>(b, delta, "double", flips, 8));
-    if (stop && *stop) break;
-    // Later flips depend on the energy above the separatrix, delta^2, whose relative error is eps / delta^2.
-    const bool lost = all.back().predicted < flips;
-    if (lost && (e <= 8 || e == 12)) all.push_back(flips_of<float128>(b, delta, "float128", flips, 4));
+  try {
+    for (int e = 2; e <= 12; ++e) {
+      const double delta = std::pow(10.0, -e);
+      const Benchmark b = spinning({delta, 1, delta});
+      all.push_back(flips_of<double>(b, delta, "double", flips, 8, stop));
+      // Later flips depend on the energy above the separatrix, delta^2, with a relative error of
+      // eps / delta^2.
+      const bool lost = all.back().predicted < flips;
+      if (lost && (e <= 8 || e == 12))
+        all.push_back(flips_of<float128>(b, delta, "float128", flips, 4, stop));
+    }
+  } catch (const Stopped&) {  // those that were found before are kept
   }
   return all;
 }

@@ -17,7 +17,8 @@ struct LongSpin {
   double limit = 0;    ///< turns * 2 pi eps: the effect of a relative error of eps in omega [rad]
   double seconds = 0;  ///< time taken
 };
-std::vector<LongSpin> long_spins(long turns = 1000);
+/// Once `stop` is set, returns the runs that were done.
+std::vector<LongSpin> long_spins(long turns = 1000, const std::atomic<bool>* stop = nullptr);
 
 /// The same body with omega0 = (delta, 1, delta) rad/s. At a flip, omega_2 changes its sign.
 struct Flips {
@@ -30,7 +31,7 @@ struct Flips {
   double horizon = 0;
 };
 /// Runs delta = 1e-2 ... 1e-12 in double. If double misses flips, also runs this delta in float128, except
-/// for 1e-9, 1e-10 and 1e-11.
-std::vector<Flips> dzhanibekov_flips(std::size_t flips = 6, std::atomic<bool>* stop = nullptr);
+/// for 1e-9, 1e-10 and 1e-11. Once `stop` is set, returns the runs that were done.
+std::vector<Flips> dzhanibekov_flips(std::size_t flips = 6, const std::atomic<bool>* stop = nullptr);
 
 }  // namespace liecheck::properties

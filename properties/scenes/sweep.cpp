@@ -25,15 +25,17 @@ struct Exact {
   std::vector<Moment> at;
 };
 
-Exact exact_of(const Benchmark& s) {
+/// Throws Stopped.
+Exact exact_of(const Benchmark& s, const std::atomic<bool>* stop) {
   Exact e;
-  if (const auto truth = truth_of(s)) {
+  if (const auto truth = truth_of(s, stop)) {
     e = {truth->name, truth->closed, truth->disagreement, {}};
     for (long k = 0; k <= quarters; ++k) e.at.push_back(truth->at(s.duration * double(k) / double(quarters)));
     return e;
   }
   // Gauss's method of order 12 in float128, with steps that are halved until two runs agree
   const auto runner = make_runner(s, "gauss12", "float128");
+  runner->stop = stop;
   const auto run = [&](long steps) {
     std::vector<Moment> moments;
     runner->run({steps, 0}, quarters, [&](double, const Moment& m) { moments.push_back(m); });
@@ -122,10 +124,10 @@ void measure_line(Line& line, const Benchmark& s, const Exact& exact, const Scen
   } else {
     for (long n = first_steps(s, line.series.order); n <= 1L << 20; n *= 2) asked.push_back({n, 0});
   }
-  double smallest = std::numeric_limits<double>::infinity();
+  line.runner->stop = o.stop;
+  double& smallest = line.series.smallest = std::numeric_limits<double>::infinity();
   int no_better = 0;
   for (const Effort& effort : asked) {
-    if (o.stop && *o.stop) return;
     const Measured m = measure(*line.runner, s, exact, effort);
     line.series.points.push_back(m.point);
     line.timed.push_back(m.point.diverged.empty() && m.seconds <= o.longest);
@@ -137,14 +139,14 @@ void measure_line(Line& line, const Benchmark& s, const Exact& exact, const Scen
     }
     if (o.steps.empty() && (line.series.at_floor || m.seconds > o.longest)) break;
   }
-  line.series.smallest = smallest;
 }
 
 OrderRow measure_order(const Benchmark& s, const Exact& exact, const scene::MethodInfo& method,
-                       double seconds) {
+                       const SceneSweepOptions& o) {
   OrderRow row{method.name, method.order >= 4 ? "float128" : "double", method.order, false, {}, {}, {}};
   const double eps = row.scalar == "double" ? 0x1p-52 : 0x1p-112;
   const auto runner = make_runner(s, method.name, row.scalar);
+  runner->stop = o.stop;
   const auto start = Clock::now();
   for (long n = first_steps(s, method.order); n <= 1L << 18; n *= 2) {
     long made = 0;
@@ -159,9 +161,30 @@ OrderRow measure_order(const Benchmark& s, const Exact& exact, const scene::Meth
       return row;
     }
     row.observed = observe_order(row.errors, method.order, 5, eps);
-    if (row.observed.settled || row.observed.floor || error < 100 * eps || since(start) > seconds) break;
+    if (row.observed.settled || row.observed.floor || error < 100 * eps || since(start) > o.order_seconds)
+      break;
   }
   return row;
+}
+
+/// Times every run that is short enough, as nanoseconds per simulated second.
+void measure_times(std::vector<Line>& lines, double duration, const Interleaving& how) {
+  std::vector<Timed> timed;
+  std::vector<SweepPoint*> points;
+  for (Line& line : lines) {
+    line.runner->stop = nullptr;  // a timed run is short, and an exception must not pass Google Benchmark
+    for (std::size_t k = 0; k < line.series.points.size(); ++k) {
+      if (!line.timed[k]) continue;
+      SweepPoint& p = line.series.points[k];
+      timed.push_back({[runner = line.runner, effort = p.effort] { runner->pass(effort); }, 1, {}, {}});
+      points.push_back(&p);
+    }
+  }
+  run_interleaved(timed, how);
+  for (std::size_t k = 0; k < timed.size(); ++k) {
+    for (double& ns : timed[k].ns) ns /= duration;
+    points[k]->time = spread_of(timed[k].ns);
+  }
 }
 
 }  // namespace
@@ -181,51 +204,42 @@ std::vector<SceneSweep> sweep_scenes(const std::vector<Benchmark>& scenes, const
       o.progress((double(i) + share) / double(scenes.size()), s.name + ", " + what);
     };
     progress(0, "exact motion");
-    const Exact exact = exact_of(s);
-    SceneSweep sweep{s, exact.name, exact.closed, exact.disagreement, {}, {}};
+    SceneSweep sweep{s, "", false, 0, {}, {}};
     std::vector<Line> lines;
-    for (const scene::MethodInfo& m : scene::methodInfos())
-      if (runs(m, s))
-        lines.push_back({{"liecheck", "", m.name, m.order, m.adaptive, {}, 0, false},
-                         make_runner(s, m.name, "double"),
-                         {}});
-    if (o.peers)
-      for (const Peer& peer : peers())
-        for (const PeerMethod& m : peer.methods(s))
-          lines.push_back({{peer.name, peer.version, m.name, m.order, m.adaptive, {}, 0, false},
-                           peer.make(s, m.name),
+    try {
+      const Exact exact = exact_of(s, o.stop);
+      sweep.truth = exact.name, sweep.closed = exact.closed, sweep.disagreement = exact.disagreement;
+      for (const scene::MethodInfo& m : scene::methodInfos())
+        if (runs(m, s))
+          lines.push_back({{"liecheck", "", m.name, m.order, m.adaptive, {}, 0, false},
+                           make_runner(s, m.name, "double"),
                            {}});
-    for (Line& line : lines) {
-      if (stopped()) break;
-      progress(0.5 * double(&line - lines.data()) / double(lines.size()), line.series.integrator);
-      measure_line(line, s, exact, o);
-    }
-    if (exact.closed || exact.disagreement < 1e-30)
-      for (const scene::MethodInfo& m : scene::methodInfos()) {
-        if (stopped() || !runs(m, s) || shown[m.name] >= o.order_scenes) continue;
-        progress(0.5, std::string("order of ") + m.name);
-        sweep.orders.push_back(measure_order(s, exact, m, o.order_seconds));
-        shown[m.name] += exact.closed && sweep.orders.back().observed.settled;
+      if (o.peers)
+        for (const Peer& peer : peers())
+          for (const PeerMethod& m : peer.methods(s))
+            lines.push_back({{peer.name, peer.version, m.name, m.order, m.adaptive, {}, 0, false},
+                             peer.make(s, m.name),
+                             {}});
+      for (Line& line : lines) {
+        progress(0.5 * double(&line - lines.data()) / double(lines.size()), line.series.integrator);
+        measure_line(line, s, exact, o);
       }
-    if (o.seconds > 0 && !stopped()) {
-      std::vector<Timed> timed;
-      std::vector<SweepPoint*> points;
-      for (Line& line : lines)
-        for (std::size_t k = 0; k < line.series.points.size(); ++k) {
-          if (!line.timed[k]) continue;
-          SweepPoint& p = line.series.points[k];
-          timed.push_back({[runner = line.runner, effort = p.effort] { runner->pass(effort); }, 1, {}, {}});
-          points.push_back(&p);
+      if (exact.closed || exact.disagreement < 1e-30)
+        for (const scene::MethodInfo& m : scene::methodInfos()) {
+          if (!runs(m, s) || shown[m.name] >= o.order_scenes) continue;
+          progress(0.5, std::string("order of ") + m.name);
+          sweep.orders.push_back(measure_order(s, exact, m, o));
+          shown[m.name] += exact.closed && sweep.orders.back().observed.settled;
         }
-      run_interleaved(timed, {o.seconds / double(scenes.size()), o.repetitions, o.stop,
-                              [&](double share) { progress(0.6 + 0.4 * share, "times"); }});
-      for (std::size_t k = 0; k < timed.size(); ++k) {
-        for (double& ns : timed[k].ns) ns /= s.duration;
-        points[k]->time = spread_of(timed[k].ns);
-      }
+      if (o.seconds > 0)
+        measure_times(lines, s.duration,
+                      {o.seconds / double(scenes.size()), o.repetitions, o.stop,
+                       [&](double share) { progress(0.6 + 0.4 * share, "times"); }});
+    } catch (const Stopped&) {  // what was measured before is kept
     }
-    for (Line& line : lines) sweep.series.push_back(std::move(line.series));
-    all.push_back(std::move(sweep));
+    for (Line& line : lines)
+      if (!line.series.points.empty()) sweep.series.push_back(std::move(line.series));
+    if (!sweep.series.empty() || !stopped()) all.push_back(std::move(sweep));
   }
   return all;
 }

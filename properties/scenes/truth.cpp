@@ -9,6 +9,7 @@
 #include <oracles/motions/one_coordinate.hpp>
 #include <oracles/motions/planar_chain.hpp>
 #include <oracles/number.hpp>
+#include <scenes/runner.hpp>
 
 namespace liecheck::properties {
 namespace {
@@ -104,7 +105,7 @@ std::optional<Truth> top(const Benchmark& s) {
 
 /// A chain of N parallel revolute joints on the world. At q = 0, all joints and mass centres are on one line.
 template <int N>
-std::optional<Truth> chain(const Benchmark& s) {
+std::optional<Truth> chain(const Benchmark& s, const std::atomic<bool>* stop) {
   const auto& m = s.robot;
   PlanarChain<N, T> equations;
   Eigen::Vector3d axis = Eigen::Vector3d::Zero(), along = Eigen::Vector3d::Zero();
@@ -131,15 +132,19 @@ std::optional<Truth> chain(const Benchmark& s) {
   }
   Truth truth{"extrapolation of a planar chain, two orders", false, 0, {}};
   const T tolerance("1e-44");
-  const auto end = reference<2 * N, T>(equations, start, T(s.duration), tolerance);
+  const auto motion = [equations, stop](const Vec<2 * N, T>& y) {
+    if (stop && *stop) throw Stopped();
+    return equations(y);
+  };
+  const auto end = reference<2 * N, T>(motion, start, T(s.duration), tolerance);
   truth.disagreement = static_cast<double>(end.disagreement);
   auto known = std::make_shared<std::map<double, Vec<2 * N, T>>>();
   (*known)[s.duration] = end.y;
-  truth.at = [equations, start, tolerance, known](double t) {
+  truth.at = [motion, start, tolerance, known](double t) {
     auto found = known->find(t);
     if (found == known->end())
-      found = known->emplace(t, t > 0 ? extrapolate<2 * N, T>(equations, start, T(t), 16, tolerance) : start)
-                  .first;
+      found =
+          known->emplace(t, t > 0 ? extrapolate<2 * N, T>(motion, start, T(t), 16, tolerance) : start).first;
     Moment r;
     T angle(0), rate(0);
     for (int i = 0; i < N; ++i) {
@@ -158,7 +163,7 @@ bool Benchmark::force_free() const {
   return !others && gravity.isZero(0) && std::holds_alternative<FreeFlyer<double>>(robot.joints[1]);
 }
 
-std::optional<Truth> truth_of(const Benchmark& s) {
+std::optional<Truth> truth_of(const Benchmark& s, const std::atomic<bool>* stop) {
   const auto& m = s.robot;
   if (s.others || !m.armature.isZero(0)) return {};
   const bool passive = s.stiffness.size() == 0 && s.damping.size() == 0;
@@ -178,9 +183,9 @@ std::optional<Truth> truth_of(const Benchmark& s) {
       if (std::holds_alternative<Spherical<double>>(m.joints[1]) && passive) return top(s);
     }
     if (!passive || !s.gravity.isZero(0)) return {};
-    if (m.njoints == 3) return chain<2>(s);
-    if (m.njoints == 4) return chain<3>(s);
-    if (m.njoints == 5) return chain<4>(s);
+    if (m.njoints == 3) return chain<2>(s, stop);
+    if (m.njoints == 4) return chain<3>(s, stop);
+    if (m.njoints == 5) return chain<4>(s, stop);
   } catch (const std::domain_error&) {  // no closed form: on a separatrix or upside down
   }
   return {};

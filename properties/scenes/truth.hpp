@@ -1,6 +1,7 @@
 #pragma once
 // The exact motion of a scene, if it is known.
 
+#include <atomic>
 #include <optional>
 #include <scenes/benchmark.hpp>
 
@@ -14,8 +15,9 @@ struct Truth {
   std::function<Moment(double t)> at;
 };
 
-/// Empty if the scene has none of the motions in oracles/motions.
-std::optional<Truth> truth_of(const Benchmark& scene);
+/// Empty if the scene has none of the motions in oracles/motions. Once `stop` is set, an extrapolation throws
+/// Stopped.
+std::optional<Truth> truth_of(const Benchmark& scene, const std::atomic<bool>* stop = nullptr);
 
 /// The absolute errors of a state. The attitude error is the largest angle error of any joint [rad]: of the
 /// frame of a free-flyer or spherical joint, or of the angle of a revolute joint. The other errors are

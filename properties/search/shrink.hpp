@@ -3,14 +3,15 @@
 //
 // Greedy passes try the law's own simpler inputs and simpler values of each group: zero or identity,
 // rotations by pi/2 and pi, axis-aligned vectors, unit scale, powers of two, short decimals, few bits. A
-// candidate is accepted if it is valid and still fails. The search stops after a number of evaluations or two
-// seconds.
+// candidate is accepted if it is valid and still fails. The search stops after a number of evaluations, after
+// two seconds, or at stop_requested.
 
 #include <algorithm>
 #include <campaign/series.hpp>
 #include <chrono>
 #include <functional>
 #include <generators/shrinks.hpp>
+#include <support/stop.hpp>
 #include <vector>
 
 namespace liecheck::properties {
@@ -31,7 +32,9 @@ std::vector<S> shrink_input(
     const std::function<bool(const std::vector<S>&)>& still_fails, int evaluations,
     const std::function<std::vector<std::vector<S>>(const std::vector<S>&)>& simpler = {}) {
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(2);
-  const auto exhausted = [&] { return evaluations-- <= 0 || std::chrono::steady_clock::now() > deadline; };
+  const auto exhausted = [&] {
+    return evaluations-- <= 0 || stop_requested || std::chrono::steady_clock::now() > deadline;
+  };
   const auto any_simpler = [&] {
     for (auto& attempt : simpler(input)) {
       if (exhausted()) return false;

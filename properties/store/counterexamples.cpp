@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <support/stop.hpp>
 
 namespace liecheck::properties {
 
@@ -9,6 +10,10 @@ Counterexamples replay_counterexamples(const std::vector<Counterexample>& all,
                                        const std::vector<SeriesResult>& series) {
   Counterexamples result;
   for (const Counterexample& c : all) {
+    if (stop_requested) {
+      result.complete = false;
+      break;
+    }
     const auto found = std::find_if(series.begin(), series.end(), [&](const SeriesResult& s) {
       return s.series->property == c.property && s.series->subject == c.subject &&
              s.series->scalar == c.scalar && s.series->robot == c.robot;

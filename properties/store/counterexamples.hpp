@@ -19,6 +19,7 @@ struct Counterexamples {
   std::size_t replayed = 0;
   std::size_t skipped = 0;  ///< inputs for another robot, outside the selection or rejected by the law
   std::vector<Failing> failing;
+  bool complete = true;  ///< false if stop_requested ended the replay
 };
 
 Counterexamples replay_counterexamples(const std::vector<Counterexample>& all,

@@ -34,8 +34,23 @@ StoredRun run_stored(const CampaignOptions& options, const Robot& robot, Store& 
   run.result = run_campaign(options, robot, &checkpoint);
   run.counterexamples = std::move(checkpoint.counterexamples);
   run.result.failed = run.result.failed || !run.counterexamples.failing.empty();
+  run.result.incomplete = run.result.incomplete || !run.counterexamples.complete;
   return run;
 }
+
+namespace {
+
+/// The subjects of a stored campaign that this program has.
+Selection selection_of(const StoredCampaign& c) {
+  const auto known = subject_names();
+  Selection selection;
+  for (const StoredSeries& s : c.series)
+    if (std::ranges::count(known, s.subject) && !std::ranges::count(selection.subjects, s.subject))
+      selection.subjects.push_back(s.subject);
+  return selection;
+}
+
+}  // namespace
 
 StoredRun result_of(const StoredCampaign& c, const std::string& name) {
   StoredRun run;
@@ -52,7 +67,7 @@ StoredRun result_of(const StoredCampaign& c, const std::string& name) {
   if (c.spec.program != LIECHECK_VERSION || c.spec.generator != generator_version)
     refuse(fmt::format("written by liecheck {}, generator {}; this is {}, generator {}", c.spec.program,
                        c.spec.generator, LIECHECK_VERSION, generator_version));
-  auto all = select({}, c.spec.robot);
+  auto all = select(selection_of(c), c.spec.robot);
   for (const StoredSeries& s : c.series) {
     const auto found = std::find_if(all.begin(), all.end(), [&](const auto& x) {
       return x && x->property == s.property && x->subject == s.subject && x->scalar == s.scalar;

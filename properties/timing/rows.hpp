@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <subjects/subject.hpp>
 #include <timing/arguments.hpp>
@@ -89,20 +90,22 @@ void add_operation_rows(CostPlan& plan, const CostRow& common, std::size_t each,
     // Batches and libraries compiled with other flags are timed on all bands together.
     const bool by_band = bands && signature.latency && row.subject.find('@') == std::string::npos;
     CostSet mixed{"mixed", inputs.size(), {}, {}, 0, {}};
+    std::vector<TimedSet> timed;  // added to the plan with their row, or not at all
     for (std::size_t b = 0; b < cost_bands.size() && !plan.stopped(); ++b) {
       const auto from = inputs.begin() + static_cast<std::ptrdiff_t>(b * each);
       CostSet set{cost_bands[b].name, each, {}, {}, 0, {}};
       if (offered.score) set.blocks = offered.score({from, from + static_cast<std::ptrdiff_t>(each)});
       merge_blocks(mixed.blocks, set.blocks);
       if (by_band)
-        plan.timed.push_back({plan.rows.size(), b, signature, offered.function, in_order, b * each, each});
+        timed.push_back({plan.rows.size(), b, signature, offered.function, in_order, b * each, each});
       row.sets.push_back(std::move(set));
     }
     if (plan.stopped()) return;
-    plan.timed.push_back(
+    timed.push_back(
         {plan.rows.size(), row.sets.size(), signature, offered.function, in_any_order, 0, inputs.size()});
     row.sets.push_back(std::move(mixed));
     plan.rows.push_back(std::move(row));
+    std::move(timed.begin(), timed.end(), std::back_inserter(plan.timed));
   }
 }
 

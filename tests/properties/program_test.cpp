@@ -66,8 +66,10 @@ TEST_F(Program, NumbersArePlainDecimalAndInRange) {
   for (const char* bad : {"0", "-5", "1099511627777"})
     refused("campaign --cases " + std::string(bad), "--cases: '");
   for (const char* bad : {"0", "1025", "two"}) refused("campaign -j " + std::string(bad), "--jobs: '");
-  for (const char* bad : {"5x", "0x10", "inf", "nan", "-1", "1e9h", "m"})
+  for (const char* bad : {"5x", "0x10", "inf", "nan", "-1", "1e9h", "m", "1e-400s", "1e400", "0.0"})
     refused("campaign --for " + std::string(bad), "--for: not a duration");
+  refused("campaign --for 0." + std::string(400, '0') + "1s", "--for: not a duration");
+  refused("campaign --for " + std::string(400, '9') + "s", "--for: not a duration");
   EXPECT_EQ(run(quick + "--seed 18446744073709551615").code, 0);
 }
 
@@ -159,6 +161,8 @@ TEST_F(Program, InvalidCaseIdsAreRefusedWithThePosition) {
   refused("replay " + id + "1,a,2", "'" + id + "1,a,2': number 2 is not a number: 'a'");
   refused("replay " + id + "1,2,3,", "number 4 is not a number: ''");
   refused("replay " + id + "'1, 2,3'", "number 2 is not a number: ' 2'");
+  refused("replay " + id + "1,2,3,1e-400,0,0", "number 4 is rounded to zero in double: '1e-400'");
+  refused("replay " + id + "1,2,3,0x1p+1024,0,0", "number 4 is beyond the range of double: '0x1p+1024'");
   refused("replay raw.exp_oracle.liecheck.double.nope.1,2,3", "exp_oracle takes no robot: expected none");
 }
 
@@ -211,6 +215,23 @@ TEST_F(Program, TheTableSurvivesTheLossOfTheRecordAndTheRecordThatOfTheTable) {
   EXPECT_NE(r.out.find("verdict pass"), std::string::npos) << r.out;
   EXPECT_NE(r.err.find("liecheck: gone/r.json: cannot be written: "), std::string::npos) << r.err;
   refused(quick + "--json gone/r.json", "gone/r.json: cannot be written: No such file");
+  if (!fs::exists("/dev/full")) return;
+  EXPECT_EQ(
+      run("scene run " LIECHECK_FIXTURES "/scenes/damped_spring.yaml --csv /dev/full --json s.json").code, 2);
+  EXPECT_EQ(nlohmann::json::parse(read(dir / "s.json"))["verdict"], "complete");
+}
+
+TEST_F(Program, NoRecordReplacesAnotherFileOfTheCommand) {
+  store("r.urdf", "<robot name='r'/>");
+  store("cases.txt", "# no case");
+  refused("campaign --robot r.urdf --json ./r.urdf", "would replace the file of --robot");
+  refused("campaign --json s.db --store s.db", "would replace the file of --store");
+  refused("hard-cases --file cases.txt --json cases.txt", "would replace the file of --file");
+  EXPECT_EQ(read(dir / "r.urdf"), "<robot name='r'/>");
+  EXPECT_FALSE(fs::exists(dir / "s.db"));
+  EXPECT_EQ(run(quick + "--store s.db").code, 0);
+  refused("export s.db@1 --out s.db", "is the store itself");
+  EXPECT_EQ(run("export s.db").code, 0);
 }
 
 TEST_F(Program, AHangUpSignalStillWritesTheRecord) {

@@ -83,8 +83,7 @@ TEST(SceneFile, AnInvalidSceneIsRefusedWithFileLineAndRemedy) {
        "s.yaml:3: gravity.acceleration is a list of 3 numbers, as [0, 0, 1], not of 2"},
       {3, "effects: [gravity: {accelerate: 1}]",
        "s.yaml:3: gravity has no key 'accelerate', the nearest is 'acceleration'"},
-      {3, "effects: gravity",
-       "s.yaml:3: effects is a list: '- energy' on separate lines, or [energy]"},
+      {3, "effects: gravity", "s.yaml:3: effects is a list: '- energy' on separate lines, or [energy]"},
       {3, "effects: [drag: {frame: bodi}]",
        "s.yaml:3: no frame is named 'bodi', the nearest are 'body', 'root_joint' and 'universe'"},
       {3, "effects: [drag: {linear: 1}]", "s.yaml:3: drag needs 'frame': where it acts"},
@@ -104,6 +103,11 @@ TEST(SceneFile, AnInvalidSceneIsRefusedWithFileLineAndRemedy) {
        "s.yaml:4: integrator.step: 'nan' is not finite: write a number in s"},
       {4, "integrator: {name: rkmk4, step: 1e999}",
        "s.yaml:4: integrator.step: '1e999' is outside the range of double"},
+      {4, "integrator: {name: rkmk4, step: 1e-400}",
+       "s.yaml:4: integrator.step: '1e-400' is outside the range of double"},
+      {4, "integrator: {name: rkmk4, step: 1e-323 ms}",
+       "s.yaml:4: integrator.step: '1e-323 ms' is outside the range of double"},
+      {4, "integrator: {name: rkmk4, step: +-1}", "s.yaml:4: integrator.step: '+-1' is not a number in s"},
       {4, "integrator: {name: rkmk4, step: [1]}", "s.yaml:4: integrator.step is one number, not a list"},
       {4, "integrator: {name: rkmk4, step: fast}", "s.yaml:4: integrator.step: 'fast' is not a number in s"},
       {4, "integrator: {name: rkmk4, step: 3 ms}",
@@ -220,6 +224,11 @@ TEST(Units, AreConvertedToSi) {
   EXPECT_DOUBLE_EQ(parseQuantity("5 g m^2", "kg m^2"), 0.005);
   EXPECT_DOUBLE_EQ(parseQuantity("1 rad/s/sqrt(Hz)", "rad/s/sqrt(Hz)"), 1);
   EXPECT_DOUBLE_EQ(parseQuantity("36 km/h", "m/s"), 10);
+  std::string inverse, back;  // their product is 1, but the first is below the range of double
+  for (int i = 0; i < 12; ++i) inverse += " km^-9", back += " km^9";
+  EXPECT_THROW(parseQuantity("1 m" + inverse + back, "m"), std::invalid_argument);
+  EXPECT_EQ(parseQuantity("5e-324 m", "m"), 5e-324);
+  EXPECT_THROW(parseQuantity("5e-324 deg", "rad"), std::invalid_argument);
   EXPECT_THROW(parseQuantity("1 m^", "m"), std::invalid_argument);
   EXPECT_THROW(parseQuantity("1 m^99", "m"), std::invalid_argument);
   EXPECT_THROW(parseQuantity("0x10", "1"), std::invalid_argument);
@@ -378,7 +387,7 @@ TEST(Program, TheSceneTheCsvAndTheJsonMustBeDifferentFiles) {
   EXPECT_EQ(program("scene run " + path).first, 0);  // the scene was not overwritten
   const auto [both, why_both] = program("scene run " + path + " --csv " + out + " --json " + out);
   EXPECT_EQ(both, 2);
-  EXPECT_NE(why_both.find("would be the CSV and the JSON"), std::string::npos) << why_both;
+  EXPECT_NE(why_both.find("would replace the file of --csv"), std::string::npos) << why_both;
   EXPECT_FALSE(fs::exists(out));
 }
 

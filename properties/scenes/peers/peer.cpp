@@ -24,7 +24,7 @@ std::vector<Peer> load() {
     if (!std::filesystem::exists(path, error)) continue;
     void* const module = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (!module) {  // built, but a library that it needs is missing
-      fmt::print(stderr, "{} is left out: {}\n", name, ::dlerror());
+      std::fputs(fmt::format("{} is left out: {}\n", name, ::dlerror()).c_str(), stderr);
       continue;
     }
     const auto get = reinterpret_cast<const PeerModule* (*)()>(::dlsym(module, "liecheck_scene_peer"));

@@ -58,6 +58,7 @@ class PeerRunner : public Runner {
   virtual void step() = 0;
   virtual void read(Eigen::VectorXd& q, Eigen::VectorXd& v) const = 0;
   Moment moment() const;
+  void advance(long steps);
 
   const Benchmark scene_;
   const std::vector<PeerBody> bodies_;

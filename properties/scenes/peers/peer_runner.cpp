@@ -39,7 +39,7 @@ long PeerRunner::run(const Effort& effort, long samples,
   reset(scene_.duration / double(effort.steps));
   watch(0, moment());
   for (long k = 1; k <= samples; ++k) {
-    for (long i = 0; i < effort.steps / samples; ++i) step();
+    advance(effort.steps / samples);
     watch(double(k) * scene_.duration / double(samples), moment());
   }
   return effort.steps;
@@ -47,7 +47,14 @@ long PeerRunner::run(const Effort& effort, long samples,
 
 void PeerRunner::pass(const Effort& effort) {
   reset(scene_.duration / double(effort.steps));
-  for (long i = 0; i < effort.steps; ++i) step();
+  advance(effort.steps);
+}
+
+void PeerRunner::advance(long steps) {
+  for (long i = 0; i < steps; ++i) {
+    if (stopped()) throw Stopped();
+    step();
+  }
 }
 
 }  // namespace liecheck::properties
