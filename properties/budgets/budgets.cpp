@@ -7,6 +7,8 @@
 #include <sstream>
 #include <stdexcept>
 #include <support/embedded.hpp>
+#include <tuple>
+#include <utility>
 
 namespace liecheck::properties {
 
@@ -20,13 +22,11 @@ Basis basis_of(const std::string& name, const std::string& line) {
   return found->second;
 }
 
-/// Reads a cell: "exp6", "liecheck inverse" (SUBJECT OPERATION) or "liecheck:fast" (every operation).
+/// Reads a cell: "exp6", or "liecheck inverse" (SUBJECT OPERATION) and "liecheck *" (every operation).
 void set_operation(Budget& b, const std::string& cell) {
   const std::size_t space = cell.find(' ');
-  if (space != std::string::npos)
-    b.subject = cell.substr(0, space), b.operation = cell.substr(space + 1);
-  else
-    (cell.find(':') == std::string::npos ? b.operation : b.subject) = cell;
+  b.operation = space == std::string::npos ? cell : cell.substr(space + 1);
+  if (space != std::string::npos) b.subject = cell.substr(0, space);
 }
 
 Budget parsed(const std::string& line) {
@@ -66,18 +66,8 @@ std::vector<Budget> read() {
 std::map<std::string, std::vector<Budget>> by_subject() {
   std::map<std::string, std::vector<Budget>> own, tables;
   for (const Budget& b : budget_lines()) own[b.subject].push_back(b);
-  for (const auto& [subject, lines] : own) {
-    std::vector<Budget> all = own.at("");
-    for (Budget& b : all) {
-      if (subject.empty() || b.rule == Rule::excess || b.region == "beyond_pi") continue;
-      const auto replaces = [&b](const Budget& o) {
-        return (o.operation.empty() || o.operation == b.operation) && (o.block == b.block || o.block == "*");
-      };
-      const auto found = std::find_if(lines.begin(), lines.end(), replaces);
-      if (found != lines.end()) b.limit = found->limit, b.reason = found->reason;
-    }
-    tables[subject] = std::move(all);
-  }
+  for (const auto& [subject, lines] : own)
+    tables[subject] = subject.empty() ? lines : with_own_limits(own.at(""), lines);
   return tables;
 }
 
@@ -94,12 +84,58 @@ const std::vector<Budget>& budgets(const std::string& subject) {
   return own != tables.end() ? own->second : tables.at("");
 }
 
-const Budget& budget_of(const std::string& subject, std::string_view operation, std::string_view block,
+bool replaces(const Budget& own, const Budget& line, const std::string& region) {
+  const auto names = [](const std::string& name, const std::string& of_line) {
+    return name == "*" || name == of_line;
+  };
+  return names(own.operation, line.operation) && names(own.block, line.block) &&
+         (own.region == "any" || own.region == region) && own.rule == line.rule &&
+         (line.region == "any" || line.region == region);
+}
+
+std::vector<Budget> with_own_limits(const std::vector<Budget>& table, const std::vector<Budget>& own) {
+  const auto named = [](const Budget& b) {
+    return std::tuple(b.operation != "*", b.block != "*", b.region != "any");
+  };
+  const auto own_of = [&](const Budget& line, const std::string& region) {
+    const Budget* best = nullptr;
+    for (const Budget& b : own)
+      if (replaces(b, line, region) && (!best || named(b) > named(*best))) best = &b;
+    return best;
+  };
+  std::vector<Budget> all;
+  const auto add = [&](Budget line, const Budget* limit) {
+    if (limit) line.limit = limit->limit, line.reason = limit->reason;
+    all.push_back(std::move(line));
+  };
+  for (const Budget& line : table) {
+    const Budget *to_pi = own_of(line, "to_pi"), *beyond = own_of(line, "beyond_pi");
+    if (line.region != "any") {
+      add(line, line.region == "to_pi" ? to_pi : beyond);
+    } else if (to_pi == beyond) {
+      add(line, to_pi);
+    } else {  // one line for each region
+      for (const auto& [region, limit] : {std::pair("to_pi", to_pi), std::pair("beyond_pi", beyond)}) {
+        Budget half = line;
+        half.region = region;
+        add(half, limit);
+      }
+    }
+  }
+  return all;
+}
+
+const Budget& budget_in(const std::vector<Budget>& table, std::string_view operation, std::string_view block,
                         Region region) {
   const char* wanted = region == Region::to_pi ? "to_pi" : "beyond_pi";
-  for (const Budget& b : budgets(subject))
+  for (const Budget& b : table)
     if (b.operation == operation && b.block == block && (b.region == "any" || b.region == wanted)) return b;
   throw std::logic_error(fmt::format("budgets.csv has no line for {}, {}, {}", operation, block, wanted));
+}
+
+const Budget& budget_of(const std::string& subject, std::string_view operation, std::string_view block,
+                        Region region) {
+  return budget_in(budgets(subject), operation, block, region);
 }
 
 }  // namespace liecheck::properties

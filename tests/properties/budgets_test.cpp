@@ -108,7 +108,7 @@ double largest(const Budget& b, const Series& series, const std::vector<std::str
   for (const Judged& j : attempt(series, id).judged) {
     const Output& o = series.outputs.at(static_cast<std::size_t>(j.residual.output));
     const Region region = series.bands()[j.residual.band].region;
-    if ((!b.operation.empty() && o.operation != b.operation) || (b.block != "*" && o.block != b.block) ||
+    if ((b.operation != "*" && o.operation != b.operation) || (b.block != "*" && o.block != b.block) ||
         (b.region != "any" && (b.region == "to_pi") != (region == Region::to_pi)) ||
         j.budget->rule != b.rule || j.residual.outcome != Outcome::measured)
       continue;
