@@ -8,7 +8,8 @@ const VERDICTS = [
   {name: "unresolved", mark: "?", text: "two precisions or formulas of the oracle disagree"},
   {name: "inaccurate", mark: "I", text: "finite, over budget: digits lost beyond κ"},
   {name: "wrong branch", mark: "B", text: "another logarithm, the opposite quaternion, or a result for an input that is no rotation"},
-  {name: "not finite", mark: "N", text: "NaN or Inf"}];
+  {name: "not finite", mark: "N", text: "NaN or Inf"},
+  {name: "bad call", mark: "C", text: "not repeatable, an argument was written to, or output was left unwritten"}];
 const rankOf = cell => VERDICTS.findIndex(v => v.name === cell.verdict) + (cell.failed ? 100 : 0);
 const verdictOf = cell => VERDICTS.find(v => v.name === cell.verdict);
 

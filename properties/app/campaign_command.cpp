@@ -7,6 +7,7 @@
 #include <hard_cases/hard_cases.hpp>
 #include <limits>
 #include <map>
+#include <set>
 #include <stdexcept>
 #include <support/stop.hpp>
 #include <support/text.hpp>
@@ -52,7 +53,7 @@ void print_coverage(const CampaignResult& r, bool verbose) {
     const auto [it, first] = least.try_emplace(series->property);
     Least& l = it->second;
     if (first || std::tuple(missing, unseen) > std::tuple(l.missing, l.unseen))
-      l = {missing, unseen, series->subject + " in " + series->scalar, coverage_line(all, cases)};
+      l = {missing, unseen, series->subject + " in " + series->scalar, coverage_line(all, tally)};
     if (verbose) print_coverage(*series, all, cases);
   }
   for (const auto& [property, l] : least) fmt::print("{:<24}{:<20}{}\n", property, l.series, l.line);
@@ -63,21 +64,27 @@ void print_series(const Series& series, const Tally& tally) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   double worst = 0;
   bool failed = !tally.disagreed.empty();
-  std::uint64_t unresolved = 0;
+  std::uint64_t unresolved = 0, outside = 0;
   for (const auto& [cell, row] : tally.rows) {
-    const Output& o = series.outputs.at(static_cast<std::size_t>(cell.first));
-    const Budget& b = budget_of(series.subject, o.operation, o.block,
-                                series.bands()[static_cast<std::size_t>(cell.second)].region);
+    const Budget& b = series.budget(static_cast<std::size_t>(cell.first),
+                                    series.bands()[static_cast<std::size_t>(cell.second)].region);
     // The score of an unresolved case is infinite. Then the largest measured error is printed instead.
     const double measured = b.rule == Rule::forward ? row.max_error : row.max_excess;
     worst =
         std::max(worst, (row.failed || row.worst_score < infinity ? row.worst_score : measured) / b.limit);
     failed = failed || row.failed > 0;
     unresolved += row.unresolved;
+    outside = std::max(outside, row.outside_domain);
   }
-  fmt::print("{:<24}{:<15}{:<10}{:>9}  {:>10.3g}x  {}{}\n", series.property, series.subject, series.scalar,
-             tally.cases, worst, failed ? "FAIL" : "pass",
-             unresolved ? fmt::format(", {} unresolved", unresolved) : "");
+  const bool judged = std::any_of(tally.rows.begin(), tally.rows.end(),
+                                  [](const auto& cell_row) { return cell_row.second.inside() > 0; });
+  fmt::print("{:<24}{:<15}{:<10}{:>9}  {:>10.3g}x  {}{}{}\n", series.property, series.subject, series.scalar,
+             tally.cases, worst,
+             failed   ? "FAIL"
+             : judged ? "pass"
+                      : "not judged",
+             unresolved ? fmt::format(", {} unresolved", unresolved) : "",
+             outside ? ", some cases outside the domain" : "");
 }
 
 /// Prints the first six failed outputs in full, each in its worst band.
@@ -126,6 +133,12 @@ int print_campaign(const CampaignResult& r, bool verbose) {
   print_coverage(r, verbose);
   fmt::print("\nseed {}, {} cases in {:.1f} s, robot {}{} ({})\n", r.options.seed, r.total_cases, r.elapsed,
              printable(r.robot.name), r.robot.fixed ? ", fixed" : "", r.robot.hash);
+  std::set<std::string> limits;
+  for (const auto& [series, tally] : r.series)
+    if (series->own)
+      limits.insert(fmt::format("limits of {}: {} ({})\n", series->subject, printable(series->own->file),
+                                hash_of(*series->own)));
+  fmt::print("{}", fmt::join(limits, ""));
   fmt::print("inputs  {}\nresults {}\n", r.inputs_digest, r.results_digest);
   fmt::print("verdict {}\n", r.incomplete ? "incomplete" : r.failed ? "fail" : "pass");
   return r.incomplete ? incomplete : r.failed ? property_failed : within_budget;

@@ -47,7 +47,7 @@ std::set<Column> columns_of(const std::vector<HardRow>& rows) {
 
 constexpr Verdict verdicts[] = {Verdict::stable,     Verdict::refused,    Verdict::ill_posed,
                                 Verdict::unresolved, Verdict::inaccurate, Verdict::wrong_branch,
-                                Verdict::not_finite};
+                                Verdict::not_finite, Verdict::bad_call};
 
 void print_failure(const HardRow& r, const HardCell& c) {
   const HardCase& e = *r.entry;
@@ -57,7 +57,7 @@ void print_failure(const HardRow& r, const HardCell& c) {
   fmt::print("  error     {:.4g} eps, kappa {:.3g}, budget {:g} {}{}\n", c.error, c.kappa, c.budget,
              c.excess ? "eps kappa" : "eps", c.refusal.empty() ? "" : "; " + c.refusal);
   fmt::print("  input     {}\n  origin    {} ({})\n", e.input, e.origin, e.place());
-  fmt::print("  replay    liecheck replay {}\n", c.id.text());
+  fmt::print("  replay    liecheck replay {}{}\n", c.id.text(), c.limits_flags);
 }
 
 /// Prints a line for each case, with a letter for each subject and scalar.
@@ -91,7 +91,7 @@ void print_hard_case_table(const std::vector<HardRow>& rows) {
     }
   }
   for (const Verdict v : verdicts) fmt::print("{} {}   ", letter_of(v), name_of(v));
-  fmt::print("- not offered, or not for this scalar\n\n");
+  fmt::print("- not offered, not for this scalar, or outside the domain\n\n");
 }
 
 int run(const Flags& f) {
@@ -99,8 +99,9 @@ int run(const Flags& f) {
   no_cases.result.options.cases = 0;
   no_cases.result.robot = built_in_robot();
   const auto cases = corpus_with(f.files);
+  const Selection selection = f.selection.selection();
   stop_on_signals();
-  const auto rows = run_hard_cases(f.selection.selection(), no_cases.result.robot, cases, f.jobs);
+  const auto rows = run_hard_cases(selection, no_cases.result.robot, cases, f.jobs);
   no_cases.result.incomplete = stop_requested;
   if (rows.empty() && !stop_requested)
     throw std::invalid_argument("nothing to run: no selected subject offers a hard case's property");

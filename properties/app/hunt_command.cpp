@@ -21,6 +21,7 @@ struct Flags {
   std::string subject, scalar = "double", property, corpus;
   bool versus_random = false;
   RobotFlags robot;
+  LimitsFlags limits;
 };
 
 std::function<void(std::uint64_t, double, double)> progress_of(const std::string& what) {
@@ -72,6 +73,11 @@ bool print_worst(const Series& series, const Worst& w, const std::string& replay
   for (const Judged& j : series.replay(w.id)) {
     if (j.residual.output != w.output) continue;
     if (j.failed) failed = true, verdict = "FAIL";
+    const bool one_rule = w.by_kappa == (j.budget->rule == Rule::excess);
+    if (is_misuse(j.residual.outcome))
+      verdict = fmt::format("FAIL: {}", outcome_words[static_cast<int>(j.residual.outcome)]);
+    else if (one_rule && w.score > j.budget->limit && !j.failed)
+      failed = true, verdict = "FAIL: not repeatable, since it passes if measured again";
     verdict = fmt::format("budget {} {}: {}", j.budget->limit,
                           j.budget->rule == Rule::forward ? "eps" : "eps kappa", verdict);
     break;
@@ -98,7 +104,7 @@ void print_comparison(const Worst& hunted, const Worst& random, std::uint64_t ev
 /// the operations or blocks that are known.
 std::vector<std::unique_ptr<Series>> series_of(const Flags& f, const Robot& robot) {
   const std::string &op = f.options.operation, &block = f.options.block;
-  Selection selection{{f.subject}, {}, {f.scalar}};
+  Selection selection{{f.subject}, {}, {f.scalar}, f.limits.read()};
   if (!f.property.empty()) selection.properties = {f.property};
   auto all = select(selection, robot);
   if (all.empty()) throw std::invalid_argument(fmt::format("{} is not offered in {}", f.subject, f.scalar));
@@ -182,7 +188,8 @@ bool hunt_on(const Series& series, HuntOptions options, const Flags& f, const st
   bool failed = false;
   for (std::size_t i = 0; i < hunted.worst.size(); ++i) {
     const Worst& w = hunted.worst[i];
-    failed = print_worst(series, w, series.robot == "none" ? "" : robot_flag) || failed;
+    failed =
+        print_worst(series, w, (series.robot == "none" ? "" : robot_flag) + limits_flags(series)) || failed;
     if (i < random.worst.size()) print_comparison(w, random.worst[i], random.evaluations);
     if (w.score >= 0 || w.broken) corpus.add(corpus_line(series, w, origin));
   }
@@ -229,6 +236,7 @@ Command hunt_command(CLI::App& program) {
   a.toggle("--versus-random", a->versus_random, "also sample as many inputs uniformly, and compare");
   a.text("--corpus", a->corpus, "FILE", "append what is found to FILE, as lines of fixtures/hard_cases");
   a->robot.add(a);
+  a->limits.add(a);
   return a.runs(run);
 }
 

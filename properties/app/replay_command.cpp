@@ -13,11 +13,13 @@ namespace {
 struct Flags {
   std::string id;
   RobotFlags robot;
+  LimitsFlags limits;
 };
 
 /// Throws std::invalid_argument if the case belongs to no series, or to a series on another robot.
-std::unique_ptr<Series> series_of(const CaseId& id, const std::string& text, const Robot& robot) {
-  auto found = select({{id.subject}, {id.property}, {id.scalar}}, robot);
+std::unique_ptr<Series> series_of(const CaseId& id, const std::string& text, const Robot& robot,
+                                  const LimitsFlags& limits) {
+  auto found = select({{id.subject}, {id.property}, {id.scalar}, limits.read()}, robot);
   if (found.empty())
     throw std::invalid_argument(
         fmt::format("{} in {} does not offer {}", id.subject, id.scalar, id.property));
@@ -37,15 +39,16 @@ void print_judged(const Series& series, const Judged& j) {
   fmt::print("{:<26}{:<22}{:<24}{:>12.5g} eps  {:<22} kappa {:<10.3g}{} {}\n", o.operation, o.block,
              series.bands()[j.residual.band].name, j.residual.error, fmt::format("{:a}", j.residual.error),
              j.residual.kappa,
-             j.failed      ? "FAIL"
-             : j.ill_posed ? "ill-posed"
-                           : "pass",
+             j.failed                                        ? "FAIL"
+             : j.ill_posed                                   ? "ill-posed"
+             : j.residual.outcome == Outcome::outside_domain ? "-"
+                                                             : "pass",
              outcome_words[static_cast<int>(j.residual.outcome)]);
 }
 
 int run(const Flags& f) {
   const CaseId id = CaseId::parse(f.id);
-  const auto series = series_of(id, f.id, f.robot.read());
+  const auto series = series_of(id, f.id, f.robot.read(), f.limits);
   const Trial trial = attempt(*series, id);
   fmt::print("{}: {}\n{} {} in {}\ninput {}\n", series->property, series->law, series->subject,
              series->subject_version, series->scalar, fmt::join(trial.input, " "));
@@ -68,6 +71,7 @@ Command replay_command(CLI::App& program) {
       "2 for bad input");
   a.text("ID", a->id, "", "the case's address, as a failure or a report prints it").required();
   a->robot.add(a, "the robot that the ID names");
+  a->limits.add(a);
   return a.runs(run);
 }
 

@@ -28,6 +28,7 @@ struct Flags {
   std::string out = "liecheck-report";
   bool no_cost = false, no_scenes = false;
   CaseFlags cases;
+  LimitsFlags limits;
 };
 
 void create_folder(const std::string& folder) {
@@ -66,9 +67,11 @@ fs::path run_campaign_of_report(const Flags& f) {
   const fs::path file = fs::path(f.out) / "campaign.json";
   check_writable(file);
   const Robot robot = f.cases.robot.read();
-  const auto hard_cases = run_hard_cases({}, robot, built_in_corpus(), f.cases.options.jobs);
+  Selection everything;
+  everything.limits = f.limits.read();
+  const auto hard_cases = run_hard_cases(everything, robot, built_in_corpus(), f.cases.options.jobs);
   stop_on_signals();
-  const StoredRun run = run_stored_campaign({}, robot, f.cases, {}).value();
+  const StoredRun run = run_stored_campaign(everything, robot, f.cases, {}).value();
   if (run.result.incomplete) print_interrupted("");
   nlohmann::json record = record_of(run);
   add_hard_cases(record, hard_cases);
@@ -110,6 +113,7 @@ Command report_command(CLI::App& program) {
   a.toggle("--no-cost", a->no_cost, "leave out the times, which take about 35 s").excludes(records);
   a.toggle("--no-scenes", a->no_scenes, "leave out the scenes, which take about 40 s").excludes(records);
   for (const Flag& flag : a->cases.add(a)) flag.excludes(records);
+  a->limits.add(a).excludes(records);
   return a.runs(run);
 }
 

@@ -64,7 +64,7 @@ class Judge final : public Recorder {
   void outcome(const Output& output, std::size_t band, Outcome outcome) override {
     Judged j = start(output, band);
     j.residual.outcome = outcome;
-    j.failed = outcome != Outcome::unresolved;
+    j.failed = outcome != Outcome::unresolved && outcome != Outcome::outside_domain;
     judged.push_back(j);
   }
 

@@ -6,10 +6,16 @@ namespace liecheck::properties {
 
 void Row::add(const Judged& j, std::uint64_t index) {
   ++count;
+  if (j.residual.outcome == Outcome::outside_domain) {
+    ++outside_domain;
+    return;
+  }
   double score = std::numeric_limits<double>::infinity();
   if (const Outcome o = j.residual.outcome; o != Outcome::measured) {
     not_finite += o == Outcome::not_finite, wrong_branch += o == Outcome::wrong_branch;
     unresolved += o == Outcome::unresolved, refused += o == Outcome::refused;
+    not_repeatable += o == Outcome::not_repeatable, argument_written += o == Outcome::argument_written;
+    output_unwritten += o == Outcome::output_unwritten;
   } else if (j.ill_posed) {
     ++ill_posed;
     score = 0;
@@ -35,6 +41,8 @@ void Row::merge(const Row& o) {
   take_worst(o.failed > 0, o.worst_score, o.worst_index, o.worst_kappa);
   count += o.count, ill_posed += o.ill_posed, unresolved += o.unresolved, not_finite += o.not_finite;
   wrong_branch += o.wrong_branch, refused += o.refused, failed += o.failed;
+  not_repeatable += o.not_repeatable, argument_written += o.argument_written;
+  output_unwritten += o.output_unwritten, outside_domain += o.outside_domain;
   errors.merge(o.errors);
   max_error = std::max(max_error, o.max_error);
   max_excess = std::max(max_excess, o.max_excess);
@@ -45,6 +53,7 @@ void Tally::merge(const Tally& o) {
   inputs.merge(o.inputs);
   results.merge(o.results);
   coverage.merge(o.coverage);
+  excluded.merge(o.excluded);
   cases += o.cases, fast += o.fast, checked += o.checked;
   disagreed.insert(disagreed.end(), o.disagreed.begin(), o.disagreed.end());
   for (const auto& [first, last] : o.done) done.add(first, last);

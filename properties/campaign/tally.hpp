@@ -26,11 +26,14 @@ struct Judged {
 struct Row {
   std::uint64_t count = 0, ill_posed = 0, unresolved = 0, not_finite = 0, wrong_branch = 0, refused = 0,
                 failed = 0;
+  std::uint64_t not_repeatable = 0, argument_written = 0, output_unwritten = 0;
+  std::uint64_t outside_domain = 0;  ///< neither measured nor judged
   Histogram errors;
   double max_error = 0, max_excess = 0;
   double worst_score = -1;  ///< error or excess of the worst case; infinite if not measured
   std::uint64_t worst_index = 0;
   double worst_kappa = 0;
+  std::uint64_t inside() const { return count - outside_domain; }
   void add(const Judged& j, std::uint64_t index);
   void merge(const Row& o);
 
@@ -69,7 +72,8 @@ class Rows : std::map<std::pair<int, int>, Row> {
 struct Tally {
   Rows rows;
   SetDigest inputs, results;
-  Coverage coverage;
+  Coverage coverage;  ///< of the cases inside the subject's domain
+  Coverage excluded;  ///< of the others: no operation was called
   std::uint64_t cases = 0;
   std::uint64_t fast = 0;                ///< decided by ball arithmetic
   std::uint64_t checked = 0;             ///< `fast` cases that were measured again at 50 and 100 digits

@@ -73,6 +73,8 @@ Trial attempt_in(const TypedSeries<S>& series, const CaseId& address) {
   }
   for (const S& v : x) trial.input.push_back(hexadecimal_float(v));
   Judge balls = series.judge_of_balls();
+  // The call of an operation has one result for all oracles.
+  const typename TypedSeries<S>::Checking checking(series);
   try {
     check_entrance(series.tested_subject().operations, series.fields, x);
     trial.judged = series.measure_by_digits(x, series.limits(), true, &trial.refusal);
@@ -80,6 +82,7 @@ Trial attempt_in(const TypedSeries<S>& series, const CaseId& address) {
     if (trial.in_domain && trial.refusal.empty() && series.measure_by_balls(x, balls) &&
         !agree(balls.judged, series.measure_by_digits(x, series.limits())))
       for (Judged& j : trial.judged) j.residual.outcome = Outcome::unresolved;
+    checking.judge(trial.judged);
   } catch (const std::exception& e) {
     trial.refusal = e.what();
     balls.judged.clear();

@@ -17,8 +17,8 @@ namespace {
 constexpr struct {
   const char* name;
   char letter;
-} descriptions[] = {{"stable", 'S'},     {"refused", 'R'},      {"ill-posed", 'P'}, {"unresolved", 'U'},
-                    {"inaccurate", 'I'}, {"wrong branch", 'B'}, {"not finite", 'N'}};
+} descriptions[] = {{"stable", 'S'},     {"refused", 'R'},      {"ill-posed", 'P'},  {"unresolved", 'U'},
+                    {"inaccurate", 'I'}, {"wrong branch", 'B'}, {"not finite", 'N'}, {"bad call", 'C'}};
 
 Verdict verdict_of(const Judged& j, const Output& output) {
   switch (j.residual.outcome) {
@@ -30,6 +30,11 @@ Verdict verdict_of(const Judged& j, const Output& output) {
       return Verdict::unresolved;
     case Outcome::refused:
       return Verdict::refused;
+    case Outcome::not_repeatable:
+    case Outcome::argument_written:
+    case Outcome::output_unwritten:
+      return Verdict::bad_call;
+    case Outcome::outside_domain:  // run() has removed these
     case Outcome::measured:
       break;
   }
@@ -43,6 +48,7 @@ HardCell cell_of(const Series& series, const CaseId& id, const Trial& trial) {
   cell.subject = series.subject, cell.scalar = series.scalar;
   cell.refusal = trial.refusal;
   cell.id = id, cell.id.input = trial.input;
+  cell.limits_flags = limits_flags(series);
   std::tuple<Verdict, double> worst{Verdict::stable, -1};
   for (const Judged& j : trial.judged) {
     const Output& output = series.outputs.at(j.residual.output);
@@ -110,6 +116,8 @@ void run(Task& task) {
           fmt::format("{}: {}: {}", task.row.entry->place(), task.row.entry->name, e.what()));
     }
     task.row.input[s->scalar] = trial.input;
+    std::erase_if(trial.judged,
+                  [](const Judged& j) { return j.residual.outcome == Outcome::outside_domain; });
     if (!trial.judged.empty()) task.row.cells.push_back(cell_of(*s, id, trial));
   }
 }

@@ -7,10 +7,10 @@
 namespace liecheck::properties {
 
 /// From best to worst. The verdict of a cell is the worst one of its blocks.
-enum class Verdict { stable, refused, ill_posed, unresolved, inaccurate, wrong_branch, not_finite };
+enum class Verdict { stable, refused, ill_posed, unresolved, inaccurate, wrong_branch, not_finite, bad_call };
 
 const char* name_of(Verdict v);
-/// One letter, for tables: S, R, P, U, I, B, N.
+/// One letter, for tables: S, R, P, U, I, B, N, C.
 char letter_of(Verdict v);
 
 /// One hard case on one subject in one scalar.
@@ -25,6 +25,7 @@ struct HardCell {
   bool excess = false;
   std::string refusal;  ///< the error's text
   CaseId id;
+  std::string limits_flags;  ///< " --limits FILE" or "", for a replay
 };
 
 /// One hard case of one law.

@@ -20,10 +20,32 @@
 
 namespace liecheck::properties {
 
-enum class Outcome : std::uint8_t { measured, not_finite, wrong_branch, unresolved, refused };
+enum class Outcome : std::uint8_t {
+  measured,
+  not_finite,
+  wrong_branch,
+  unresolved,
+  refused,
+  not_repeatable,    ///< another call with the same arguments gave another result
+  argument_written,  ///< the call changed one of its arguments
+  output_unwritten,  ///< the call left a number of its result unwritten
+  outside_domain     ///< the subject does not promise a result for the input: nothing was called
+};
 /// For messages, in the order of Outcome.
-inline constexpr const char* outcome_words[] = {"", "NaN or Inf", "wrong branch", "unresolved", "refused"};
-static_assert(std::size(outcome_words) == static_cast<std::size_t>(Outcome::refused) + 1);
+inline constexpr const char* outcome_words[] = {"",
+                                                "NaN or Inf",
+                                                "wrong branch",
+                                                "unresolved",
+                                                "refused",
+                                                "not repeatable",
+                                                "argument written",
+                                                "output unwritten",
+                                                "outside the domain"};
+static_assert(std::size(outcome_words) == static_cast<std::size_t>(Outcome::outside_domain) + 1);
+/// Whether the outcome concerns the call, not its result.
+constexpr bool is_misuse(Outcome o) {
+  return o == Outcome::not_repeatable || o == Outcome::argument_written || o == Outcome::output_unwritten;
+}
 
 /// One measurement. The error is in eps of the subject's scalar. kappa is 0 if it was not computed.
 struct Residual {
@@ -104,8 +126,8 @@ class Property {
   /// Whether the subject offers at least one operation of the law. By default: an operation of its outputs.
   virtual bool offered(const Subject<S>& subject) const;
   virtual bool needs_robot() const { return false; }  ///< may be called only after prepare
-  /// Sets up what depends on the robot. Called once, before any case.
-  virtual void prepare(const Robot&) {}
+  /// Sets up what depends on the robot and on the subjects to be measured. Called once, before any case.
+  virtual void prepare(const Robot&, std::initializer_list<const Subject<S>*> /*tested*/) {}
   /// Generates a valid input from random bits alone.
   virtual std::vector<S> generate(Source& source) const = 0;
   /// Whether a shrunk or typed input meets the assumptions of the law. Default: every number is finite.

@@ -59,14 +59,14 @@ class RobotConfiguration final : public Law<RobotConfiguration, S> {
   }
   bool offered(const Subject<S>& s) const override { return s.operations.robot; }
   bool needs_robot() const override { return true; }
-  void prepare(const Robot& robot) override {
+  void prepare(const Robot& robot, std::initializer_list<const Subject<S>*> tested) override {
     const auto model =
         buildModelFromUrdfText(robot.urdf, robot.fixed ? RootJoint::Fixed : RootJoint::FreeFlyer, robot.name);
     nq_ = model.nq, nv_ = model.nv;
     for (std::size_t j = 1; j < static_cast<std::size_t>(model.njoints); ++j)
       segments_.push_back({static_cast<int>(model.idx_qs[j]), static_cast<int>(model.nqs[j]),
                            static_cast<int>(model.idx_vs[j])});
-    for (const Subject<S>* s : subjects<S>())
+    for (const Subject<S>* s : tested)
       if (s->operations.robot) bound_.emplace_back(s, s->operations.robot(robot.urdf, robot.fixed));
   }
   std::vector<S> generate(Source& source) const override {

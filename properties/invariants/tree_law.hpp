@@ -109,7 +109,7 @@ class AnyTreeLaw : public Property<S> {
   bool offered(const Subject<S>& s) const override { return s.operations.tree != nullptr; }
   /// True only if the user gave a robot. The built-in robot is too simple for these laws.
   bool needs_robot() const override { return robot_; }
-  void prepare(const Robot& robot) override;
+  void prepare(const Robot& robot, std::initializer_list<const Subject<S>*> tested) override;
   std::vector<S> generate(Source& source) const override;
   bool valid(const std::vector<S>& input) const override;
 

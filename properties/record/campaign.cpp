@@ -73,16 +73,23 @@ const char* name_of(Axis axis) {
 }
 
 const char* status_of(const Row& row) {
-  return row.failed                   ? "fail"
-         : row.unresolved             ? "unresolved"
-         : row.ill_posed == row.count ? "ill-posed"
-                                      : "pass";
+  const std::uint64_t judged = row.inside();
+  return row.failed                ? "fail"
+         : row.unresolved          ? "unresolved"
+         : judged == 0             ? "empty"
+         : row.ill_posed == judged ? "ill-posed"
+                                   : "pass";
 }
 
 /// One output of a series in one band.
-json row_record(const Series& series, const Output& o, const Band& b, const Row& row, std::uint64_t seed) {
-  const Budget& budget = budget_of(series.subject, o.operation, o.block, b.region);
+json row_record(const Series& series, std::size_t output, const Band& b, const Row& row, std::uint64_t seed) {
+  const Output& o = series.outputs.at(output);
+  const Budget& budget = series.budget(output, b.region);
   const CaseId id = series.id(seed, row.worst_index);
+  const json worst =
+      row.inside() > 0
+          ? json{{"id", id.text()}, {"input", series.input(id)}, {"kappa", number(row.worst_kappa)}}
+          : json();
   return {{"subject", series.subject},
           {"scalar", series.scalar},
           {"property", series.property},
@@ -106,9 +113,13 @@ json row_record(const Series& series, const Output& o, const Band& b, const Row&
           {"not_finite", row.not_finite},
           {"wrong_branch", row.wrong_branch},
           {"refused", row.refused},
+          {"not_repeatable", row.not_repeatable},
+          {"argument_written", row.argument_written},
+          {"output_unwritten", row.output_unwritten},
+          {"outside_domain", row.outside_domain},
           {"failed", row.failed},
           {"status", status_of(row)},
-          {"worst", {{"id", id.text()}, {"input", series.input(id)}, {"kappa", number(row.worst_kappa)}}}};
+          {"worst", worst}};
 }
 
 struct Results {
@@ -126,7 +137,8 @@ Results results_of(const CampaignResult& r) {
       const Band& band = series->bands()[static_cast<std::size_t>(cell.second)];
       if (operations.insert(o.record).second) all.operations.push_back(definition_of(*o.record));
       if (blocks.insert(o.definition).second) all.blocks.push_back(definition_of(o));
-      all.rows.push_back(row_record(*series, o, band, row, r.options.seed));
+      all.rows.push_back(
+          row_record(*series, static_cast<std::size_t>(cell.first), band, row, r.options.seed));
     }
   return all;
 }
@@ -167,6 +179,8 @@ json subjects_record(const CampaignResult& r) {
                    {"version", offered.series->subject_version},
                    {"scalar", key.second},
                    {"eps", offered.series->eps},
+                   {"limits", offered.series->own ? offered.series->own->file : ""},
+                   {"limits_hash", offered.series->own ? hash_of(*offered.series->own) : ""},
                    {"not_offered", not_offered}});
   }
   return all;

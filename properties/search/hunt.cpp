@@ -61,6 +61,7 @@ struct Climb {
   void take(const Judged& j, const std::vector<S>& input, std::size_t island, std::uint64_t evaluation) {
     // A refusal concerns the whole law, although it is recorded under one output.
     if (worst.output != j.residual.output && j.residual.outcome != Outcome::refused) return;
+    if (j.residual.outcome == Outcome::outside_domain) return;
     if (j.residual.outcome != Outcome::measured) {
       if (j.residual.outcome != Outcome::unresolved && worst.broken++ == 0)
         worst.first_broken = j, worst.first_broken_id = raw_id(input);

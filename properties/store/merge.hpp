@@ -19,6 +19,8 @@ void merge_into(const std::string& out, const std::vector<std::string>& files, b
 
 /// Returns a line for each cell of b that is worse than in a.
 ///
+/// Throws std::invalid_argument if a subject was judged by different limits files.
+///
 /// If the inputs are the same, every difference comes from the program. Then a new failing, unresolved,
 /// ill-posed or unmeasured case is worse, and so is a maximum that grew by more than 10 % and by more than
 /// 0.5 eps. (A smaller change may come from another order of operations or from the rounding of the result.)

@@ -17,7 +17,7 @@ namespace liecheck::properties {
 namespace {
 
 constexpr std::int64_t application_id = 0x6c696563;  // "liec"
-constexpr std::int64_t schema_version = 1;
+constexpr std::int64_t schema_version = 2;
 
 const char* const schema = R"(
 CREATE TABLE campaigns(id INTEGER PRIMARY KEY, seed INTEGER, cases INTEGER, first INTEGER, last INTEGER,
@@ -25,15 +25,18 @@ CREATE TABLE campaigns(id INTEGER PRIMARY KEY, seed INTEGER, cases INTEGER, firs
   seal INTEGER);
 CREATE TABLE series(campaign INTEGER, series INTEGER, property TEXT, subject TEXT, subject_version TEXT,
   scalar TEXT, robot TEXT, cases INTEGER, inputs TEXT, results TEXT, cells INTEGER, fast INTEGER,
-  checked INTEGER, disagreed TEXT, coverage TEXT, seal INTEGER,
+  checked INTEGER, disagreed TEXT, coverage TEXT, excluded TEXT, seal INTEGER,
   PRIMARY KEY(campaign, series)) WITHOUT ROWID;
 CREATE TABLE done(campaign INTEGER, series INTEGER, first INTEGER, last INTEGER,
   PRIMARY KEY(campaign, series, first)) WITHOUT ROWID;
 CREATE TABLE cells(campaign INTEGER, series INTEGER, output INTEGER, band INTEGER, operation TEXT, block TEXT,
   band_name TEXT, count INTEGER, ill_posed INTEGER, unresolved INTEGER, not_finite INTEGER,
-  wrong_branch INTEGER, refused INTEGER, failed INTEGER, max_error REAL, max_excess REAL, worst_score REAL,
+  wrong_branch INTEGER, refused INTEGER, failed INTEGER, not_repeatable INTEGER, argument_written INTEGER,
+  output_unwritten INTEGER, outside_domain INTEGER, max_error REAL, max_excess REAL, worst_score REAL,
   worst_index INTEGER, worst_kappa REAL, histogram TEXT, seal INTEGER,
   PRIMARY KEY(campaign, series, output, band)) WITHOUT ROWID;
+CREATE TABLE limits(campaign INTEGER, subject TEXT, file TEXT, text TEXT, seal INTEGER,
+  PRIMARY KEY(campaign, subject)) WITHOUT ROWID;
 CREATE TABLE failures(campaign INTEGER, series INTEGER, output INTEGER, band INTEGER, case_index INTEGER,
   input TEXT, seal INTEGER, PRIMARY KEY(campaign, series, output, band)) WITHOUT ROWID;
 CREATE TABLE counterexamples(property TEXT, subject TEXT, scalar TEXT, robot TEXT, operation TEXT, block TEXT,

@@ -52,7 +52,14 @@ StoredRun result_of(const StoredCampaign& c, const std::string& name) {
   if (c.spec.program != LIECHECK_VERSION || c.spec.generator != generator_version)
     refuse(fmt::format("written by liecheck {}, generator {}; this is {}, generator {}", c.spec.program,
                        c.spec.generator, LIECHECK_VERSION, generator_version));
-  auto all = select({}, c.spec.robot);
+  o.selection.limits = c.spec.limits;
+  Selection everything;  // subjects that run only if they are named have to be named here
+  const auto known = subject_names();
+  for (const StoredSeries& s : c.series)
+    if (std::find(known.begin(), known.end(), s.subject) != known.end())
+      everything.subjects.push_back(s.subject);
+  everything.limits = c.spec.limits;
+  auto all = select(everything, c.spec.robot);
   for (const StoredSeries& s : c.series) {
     const auto found = std::find_if(all.begin(), all.end(), [&](const auto& x) {
       return x && x->property == s.property && x->subject == s.subject && x->scalar == s.scalar;

@@ -88,7 +88,7 @@ TYPED_TEST_SUITE(GeneratorStatements, Scalars);
 TYPED_TEST(GeneratorStatements, AboutFrequenciesHoldForEveryClass) {
   constexpr int n = 20000;
   for (auto& property : make_properties<TypeParam>()) {
-    property->prepare(built_in_robot());
+    property->prepare(built_in_robot(), {});
     const auto fields = property->fields();
     Coverage coverage;
     for (int i = 0; i < n; ++i) {
@@ -117,7 +117,7 @@ TEST(CoverageReport, NamesTheClassesThatANarrowGeneratorNeverReaches) {
     tally.coverage.add(s->fields, x);
   }
   const auto all = coverage_of(*s, tally);
-  const std::string line = coverage_line(all, tally.coverage.cases());
+  const std::string line = coverage_line(all, tally);
   EXPECT_EQ(line.rfind("NOT COVERED", 0), 0u);
   for (const char* what :
        {"phi: zero", "phi: within 4 ulp of a cutoff", "phi: within 4 ulp of pi", "rho: 1e150"})
