@@ -43,11 +43,25 @@ void append_bits(std::string& bits, const T& value) {
     add(&value, sizeof value);
   }
 }
+
+template <class T>
+bool same_bits(const T& a, const T& b) {
+  if constexpr (is_matrix<T>) {
+    return a.rows() == b.rows() && a.cols() == b.cols() &&
+           std::memcmp(a.data(), b.data(), static_cast<std::size_t>(a.size()) * sizeof *a.data()) == 0;
+  } else if constexpr (requires { a.I_C; }) {
+    return same_bits(a.mass, b.mass) && same_bits(a.c, b.c) && same_bits(a.I_C, b.I_C);
+  } else if constexpr (requires { a.R; }) {
+    return same_bits(a.R, b.R) && same_bits(a.p, b.p);
+  } else if constexpr (requires { a.second; }) {
+    return same_bits(a.first, b.first) && same_bits(a.second, b.second);
+  } else {
+    return std::memcmp(&a, &b, sizeof a) == 0;
+  }
+}
 template <class... T>
-std::string bits_of(const T&... values) {
-  std::string bits;
-  (append_bits(bits, values), ...);
-  return bits;
+bool same_bits(const std::tuple<T...>& a, const T&... b) {
+  return std::apply([&](const T&... x) { return (same_bits(x, b) && ...); }, a);
 }
 
 /// The memory of one result.
@@ -64,10 +78,8 @@ class Memory {
   template <class F>
   void construct(unsigned char byte, const F& call) {
     std::memset(bytes_, byte, sizeof bytes_);
-    asm volatile(""
-                 :
-                 : "r"(bytes_)
-                 : "memory");  // or else the compiler drops the bytes, which a call replaces
+    // Without this, the compiler drops the bytes, because the call replaces them.
+    asm volatile("" : : "r"(bytes_) : "memory");
     result_ = new (bytes_) R(call());
   }
   const R* result() const { return result_; }
@@ -94,11 +106,13 @@ struct CheckedCall {
     using R = std::invoke_result_t<const F&, const A&...>;
     CallLog* log = CallLog::current();
     if (!log) return function(arguments...);
-    std::string given = bits_of(arguments...);
-    for (const CallLog::Noted& n : log->results)
-      if (n.operation == &operation && n.tree == tree && n.arguments == given)
-        return R(*static_cast<const R*>(n.result.get()));
-
+    std::string given;
+    if (log->keeps_results) {
+      (append_bits(given, arguments), ...);
+      for (const CallLog::Noted& n : log->results)
+        if (n.operation == &operation && n.tree == tree && n.arguments == given)
+          return R(*static_cast<const R*>(n.result.get()));
+    }
     std::tuple<A...> copies(arguments...), again(arguments...);
     const auto call = [&function](const std::tuple<A...>& with) {
       return [&] { return std::apply([&](const A&... a) -> R { return function(a...); }, with); };
@@ -106,25 +120,33 @@ struct CheckedCall {
     constexpr unsigned char one = 0xa5, other = 0x5a;  // as numbers both are finite and normal
     Memory<R> first, second;
     first.construct(one, call(copies));
-    const bool kept = given == std::apply([](const A&... a) { return bits_of(a...); }, copies);
     try {
       second.construct(other, call(again));
     } catch (const std::exception&) {  // which the first call did not throw: the call is not repeatable
     }
     const auto found = [&](Outcome outcome) { log->findings.push_back({&operation, outcome}); };
-    bool unwritten = false;
+    if (is_unwritten(first, second, one, other))
+      found(Outcome::output_unwritten);
+    else if (!second.result() || !same_bits(*first.result(), *second.result()))
+      found(Outcome::not_repeatable);
+    if (!same_bits(copies, arguments...)) found(Outcome::argument_written);
+    if (log->keeps_results)
+      log->results.push_back(
+          {&operation, tree, std::move(given), std::make_shared<const R>(*first.result())});
+    return R(*first.result());
+  }
+
+ private:
+  /// Whether a number of the result was written by neither call.
+  template <class R>
+  static bool is_unwritten(const Memory<R>& first, const Memory<R>& second, unsigned char one,
+                           unsigned char other) {
     if constexpr (has_fixed_size<S, R>()) {
       static_assert(sizeof(R) % sizeof(S) == 0);
       for (std::size_t at = 0; at < sizeof(R); at += sizeof(S))
-        unwritten = unwritten || (first.keeps(one, at, sizeof(S)) && second.keeps(other, at, sizeof(S)));
+        if (first.keeps(one, at, sizeof(S)) && second.keeps(other, at, sizeof(S))) return true;
     }
-    if (unwritten)
-      found(Outcome::output_unwritten);
-    else if (!second.result() || bits_of(*first.result()) != bits_of(*second.result()))
-      found(Outcome::not_repeatable);
-    if (!kept) found(Outcome::argument_written);
-    log->results.push_back({&operation, tree, std::move(given), std::make_shared<const R>(*first.result())});
-    return R(*first.result());
+    return false;
   }
 };
 

@@ -13,8 +13,8 @@
 
 namespace liecheck::properties {
 
-/// The checked calls of one case. A call with arguments that the log knows gives the noted result: a case
-/// that is measured twice, by two oracles, is measured on the same results.
+/// The checked calls of one case. If the log keeps results, a call with arguments that it knows gives the
+/// noted result: then a case that two oracles measure is measured on the same results.
 class CallLog {
  public:
   struct Finding {
@@ -29,6 +29,7 @@ class CallLog {
   };
   std::vector<Finding> findings;
   std::vector<Noted> results;
+  bool keeps_results = false;
   int trees = 0;  ///< built since the case was last measured from its beginning
 
   /// The log of this thread, or null if its calls are not checked.

@@ -21,7 +21,7 @@ class TypedSeries final : public Series {
   const Budget& budget(std::size_t output, Region region) const override {
     return *limits_.at(output).budgets[region == Region::to_pi ? 0 : 1];
   }
-  /// The calls of one case in sixteen are checked, and those of every case that fails. A failing case is
+  /// The calls of one case in four are checked, and those of every case that fails. A failing case is
   /// measured again; if the results differ, it is not repeatable.
   void run(std::uint64_t seed, std::uint64_t index, Tally& tally) const override;
   std::vector<std::string> input(const CaseId& id) const override;
@@ -49,10 +49,14 @@ class TypedSeries final : public Series {
                                         bool every_kappa = false, std::string* refusal = nullptr) const;
   Judge judge_of_balls() const { return {limits_, bands(), eps, oracles::error_accuracy}; }
 
-  /// While it exists, the calls on this thread are checked, and equal calls have one result: call_checks.hpp.
+  /// While it exists, the calls on this thread are checked; with `one_result`, equal calls have one result:
+  /// call_checks.hpp.
   class Checking {
    public:
-    explicit Checking(const TypedSeries& series) : series_(series), active_(series.checked_, &log_) {}
+    explicit Checking(const TypedSeries& series, bool one_result = false)
+        : series_(series), active_(series.checked_, &log_) {
+      log_.keeps_results = one_result;
+    }
     /// Gives the measurements of an operation that was called in vain its outcome.
     void judge(std::vector<Judged>& judged) const;
 

@@ -74,7 +74,7 @@ Trial attempt_in(const TypedSeries<S>& series, const CaseId& address) {
   for (const S& v : x) trial.input.push_back(hexadecimal_float(v));
   Judge balls = series.judge_of_balls();
   // The call of an operation has one result for all oracles.
-  const typename TypedSeries<S>::Checking checking(series);
+  const typename TypedSeries<S>::Checking checking(series, true);
   try {
     check_entrance(series.tested_subject().operations, series.fields, x);
     trial.judged = series.measure_by_digits(x, series.limits(), true, &trial.refusal);

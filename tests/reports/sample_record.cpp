@@ -158,6 +158,10 @@ Json full_record() {
  "properties": [{"equation": "T = exp(xi)", "law": "exp is exp", "property": "exp_oracle",
    "source": "definition"}]})json"));
   for (Json& r : all["results"]) r.update({{"reason", "why"}, {"refused", 0}, {"failed", 0}});
+  for (Json& r : all["results"])
+    for (const char* name : {"not_repeatable", "argument_written", "output_unwritten", "outside_domain"})
+      r[name] = 0;
+  for (Json& s : all["subjects"]) s["limits"] = "own.limits", s["limits_hash"] = "0123456789abcdef";
   all["hard_cases"] = {hard_case("liecheck", "refused")};
   all["hard_cases"][0]["place"] = "zero.txt:3";
   all["hard_cases"][0]["cells"][0]["refusal"] = "not a unit quaternion";
