@@ -18,6 +18,7 @@ class Series {
   std::string law, equation, source;
   double eps = 0;
   std::vector<Output> outputs;
+  std::uint32_t due = 0;  ///< bit i: the subject offers outputs[i], and every case must record it
   std::vector<Field> fields;
 
   CaseId id(std::uint64_t seed, std::uint64_t index) const;

@@ -50,6 +50,8 @@ TypedSeries<S>::TypedSeries(std::unique_ptr<Property<S>> law_tested, const Subje
   robot = law_->needs_robot() ? robot_used.hash : "none";
   robot_fixed = robot_used.fixed;
   fields = law_->fields();
+  for (std::size_t i = 0; i < outputs.size(); ++i)
+    if (law_->measures(subject_, outputs[i])) due |= 1u << i;
   for (const Output& o : outputs)
     limits_.push_back({o.definition,
                        {&budget_of(subject, o.operation, o.block, Region::to_pi),
@@ -61,7 +63,6 @@ void TypedSeries<S>::run(std::uint64_t seed, std::uint64_t index, Tally& tally) 
   const Source::Key& series = key_of(seed);
   Source stream(CaseId::key_of(series, index));
   const std::vector<S> x = law_->generate(stream);
-  tally.coverage.add(fields, x);
   Judge judge = judge_of_balls();
   const bool decided = measure_by_balls(x, judge);
   if (decided) {
@@ -73,6 +74,7 @@ void TypedSeries<S>::run(std::uint64_t seed, std::uint64_t index, Tally& tally) 
   } else {
     judge.judged = measure_by_digits(x, limits_);
   }
+  tally.coverage.add(fields, x, measured_outputs(judge.judged));
   thread_local std::string record;
   record.clear();
   const auto add = [](const void* from, std::size_t n) { record.append(static_cast<const char*>(from), n); };
@@ -149,9 +151,11 @@ std::vector<Judged> TypedSeries<S>::measure(const std::vector<S>& x, const Limit
 template <class S>
 bool TypedSeries<S>::measure_by_balls(const std::vector<S>& x, Judge& judge) const {
   for (std::size_t tier = 0;; ++tier) try {
-      return law_->measure_fast(subject_, x, judge, tier);
+      const bool decided = law_->measure_fast(subject_, x, judge, tier);
+      if (decided) judge.close(due);
+      return decided;
     } catch (const oracles::Undecided&) {
-      judge.judged.clear();
+      judge.clear();
     } catch (const std::exception&) {
       judge.outcome(outputs.front(), 0, Outcome::refused);
       return true;
@@ -164,6 +168,7 @@ std::vector<Judged> TypedSeries<S>::measure_by_digits(const std::vector<S>& x, c
   Judge judge(limits, bands(), eps, 0, every_kappa);
   try {
     law_->measure(subject_, x, judge);
+    judge.close(due);
   } catch (const std::exception& e) {
     if (refusal) *refusal = e.what();
     judge.outcome(outputs.front(), 0, Outcome::refused);

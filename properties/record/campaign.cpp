@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 #include <algorithm>
+#include <campaign/coverage_report.hpp>
 #include <map>
 #include <record/record.hpp>
 #include <set>
@@ -75,6 +76,7 @@ const char* name_of(Axis axis) {
 const char* status_of(const Row& row) {
   return row.failed                   ? "fail"
          : row.unresolved             ? "unresolved"
+         : row.unmeasured             ? "unmeasured"
          : row.ill_posed == row.count ? "ill-posed"
                                       : "pass";
 }
@@ -107,6 +109,7 @@ json row_record(const Series& series, const Output& o, const Band& b, const Row&
           {"wrong_branch", row.wrong_branch},
           {"refused", row.refused},
           {"failed", row.failed},
+          {"unmeasured", row.unmeasured},
           {"status", status_of(row)},
           {"worst", {{"id", id.text()}, {"input", series.input(id)}, {"kappa", number(row.worst_kappa)}}}};
 }
@@ -172,6 +175,18 @@ json subjects_record(const CampaignResult& r) {
   return all;
 }
 
+/// What the campaign must have measured and did not.
+json not_measured_record(const CampaignResult& r) {
+  json all = json::array();
+  for (const auto& [series, tally] : r.series)
+    for (const std::string& line : not_measured(*series, tally))
+      all.push_back({{"property", series->property},
+                     {"subject", series->subject},
+                     {"scalar", series->scalar},
+                     {"what", line}});
+  return all;
+}
+
 json counterexamples_record(const Counterexamples& c) {
   return {{"replayed", c.replayed},
           {"skipped", c.skipped},
@@ -189,7 +204,8 @@ json record_of(const StoredRun& run) {
       {"seed", r.options.seed},
       {"cases", r.options.seconds ? r.total_cases : r.options.cases},
       {"total_cases", r.total_cases},
-      {"verdict", verdict_of(!r.incomplete, !r.failed)},
+      {"verdict", verdict_of(!r.undecided(), !r.failed)},
+      {"not_measured", not_measured_record(r)},
       {"counterexamples", counterexamples_record(run.counterexamples)},
       {"digest", {{"inputs", r.inputs_digest}, {"results", r.results_digest}}},
       {"robot",

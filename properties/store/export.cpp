@@ -55,6 +55,7 @@ std::string cell_line(const StoredSeries& s, const Cell& cell, const Row& r) {
        {"wrong_branch", r.wrong_branch},
        {"refused", r.refused},
        {"failed", r.failed},
+       {"unmeasured", r.unmeasured},
        {"max_error", number(r.max_error)},
        {"max_excess", number(r.max_excess)},
        {"worst",

@@ -149,6 +149,7 @@ class Loader {
       r.failed = count(row, 13), r.max_error = real(row, 14), r.max_excess = real(row, 15);
       r.worst_score = real(row, 16), r.worst_index = count(row, 17), r.worst_kappa = real(row, 18);
       check(parse(text(row, 19), r.errors), "a histogram is malformed");
+      r.unmeasured = count(row, 20);
     }
   }
 
