@@ -45,13 +45,14 @@ std::set<Column> columns_of(const std::vector<HardRow>& rows) {
   return all;
 }
 
-constexpr Verdict verdicts[] = {Verdict::stable,     Verdict::refused,    Verdict::ill_posed,
-                                Verdict::unresolved, Verdict::inaccurate, Verdict::wrong_branch,
-                                Verdict::not_finite, Verdict::bad_call};
+constexpr Verdict verdicts[] = {Verdict::stable,       Verdict::refused,    Verdict::ill_posed,
+                                Verdict::unmeasured,   Verdict::unresolved, Verdict::inaccurate,
+                                Verdict::wrong_branch, Verdict::not_finite, Verdict::bad_call};
 
 void print_failure(const HardRow& r, const HardCell& c) {
   const HardCase& e = *r.entry;
-  fmt::print("\nFAILED  hard case {} ({}): {}\n", e.name, e.hard_class, e.reason);
+  fmt::print("\n{}  hard case {} ({}): {}\n", c.failed ? "FAILED" : "NO VERDICT", e.name, e.hard_class,
+             e.reason);
   fmt::print("  subject   {} in {}: {}\n", c.subject, c.scalar, name_of(c.verdict));
   fmt::print("  where     {}: {}, block {}, band {}\n", r.property, c.operation, c.block, c.band);
   fmt::print("  error     {:.4g} eps, kappa {:.3g}, budget {:g} {}{}\n", c.error, c.kappa, c.budget,
@@ -110,7 +111,8 @@ int run(const Flags& f) {
   print_hard_case_summary(rows, rows.size());
   if (!lost.empty()) throw std::runtime_error(lost);
   if (stop_requested) std::fputs("interrupted: the table has only the rows that were done\n", stderr);
-  return stop_requested ? incomplete : any_failed(rows) ? property_failed : within_budget;
+  if (stop_requested) return incomplete;
+  return any_failed(rows) ? property_failed : any_open(rows) ? incomplete : within_budget;
 }
 
 }  // namespace
@@ -129,7 +131,8 @@ void print_hard_case_summary(const std::vector<HardRow>& rows, std::size_t shown
     int cells = 0;
     for (const HardRow& r : rows)
       for (const HardCell& c : r.cells)
-        if (c.subject == subject && c.scalar == scalar) ++counts[c.verdict], ++cells, failures += c.failed;
+        if (c.subject == subject && c.scalar == scalar)
+          ++counts[c.verdict], ++cells, failures += c.failed || c.open;
     fmt::print("{:<24}{:<10}{:>6}", subject, scalar, cells);
     for (const Verdict v : verdicts) fmt::print("  {:>12}", counts[v]);
     fmt::print("\n");
@@ -137,10 +140,11 @@ void print_hard_case_summary(const std::vector<HardRow>& rows, std::size_t shown
   std::size_t shown = 0;
   for (const HardRow& r : rows)
     for (const HardCell& c : r.cells)
-      if (c.failed && shown++ < shown_failures) print_failure(r, c);
+      if ((c.failed || c.open) && shown++ < shown_failures) print_failure(r, c);
   if (failures > shown_failures)
     fmt::print(
-        "\n{} more cells failed: liecheck hard-cases with the same --subject and --scalar shows them all\n",
+        "\n{} more cells failed or have no verdict: liecheck hard-cases with the same --subject and --scalar "
+        "shows them all\n",
         failures - shown_failures);
 }
 
@@ -148,7 +152,7 @@ Command hard_cases_command(CLI::App& program) {
   CommandWith<Flags> a(
       program, "hard-cases",
       "a verdict on every hard case. Exit code 0 if none failed; 1 if any did; 2 for bad input; 3 if "
-      "stopped");
+      "stopped, or if a case has no verdict");
   a->selection.add(a);
   a.list("--file", a->files, "FILE", "more hard cases, in the form of fixtures/hard_cases, repeatable");
   a.jobs(a->jobs);

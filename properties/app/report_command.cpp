@@ -74,7 +74,7 @@ fs::path run_campaign_of_report(const Flags& f) {
   const StoredRun run = run_stored_campaign(everything, robot, f.cases, {}).value();
   if (run.result.incomplete) print_interrupted("");
   nlohmann::json record = record_of(run);
-  add_hard_cases(record, hard_cases);
+  add_hard_cases(record, hard_cases, run.result.incomplete);
   const auto add = [](const char* during, const std::function<void()>& part) {
     if (stop_requested) return;
     part();

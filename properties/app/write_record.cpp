@@ -22,7 +22,7 @@ std::string try_write_record(const std::string& file, const StoredRun& run,
                              const std::vector<HardRow>& hard_cases) try {
   if (file.empty()) return "";
   nlohmann::json record = record_of(run);
-  add_hard_cases(record, hard_cases);
+  add_hard_cases(record, hard_cases, run.result.incomplete);
   write_record(file, record);
   return "";
 } catch (const std::exception& e) {

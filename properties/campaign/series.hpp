@@ -19,6 +19,7 @@ class Series {
   std::string law, equation, source;
   double eps = 0;
   std::vector<Output> outputs;
+  std::uint32_t due = 0;  ///< bit i: the subject offers outputs[i], and every case must record it
   std::vector<Field> fields;
   std::shared_ptr<const SubjectLimits> own;  ///< the limits file that judges the subject, or null
 

@@ -63,13 +63,6 @@ bool same(const Judged& a, const Judged& b) {
          same_bits(x.kappa, y.kappa) && a.failed == b.failed && a.ill_posed == b.ill_posed;
 }
 
-/// Whether a subject offers the operation by itself, not as a function of a robot or a tree.
-bool has_slot(const Operation& operation) {
-  bool found = false;
-  SpatialSlots<double>::for_each([&](const Operation& o) { found = found || &o == &operation; });
-  return found;
-}
-
 std::uint64_t next_series_number() {
   static std::atomic<std::uint64_t> last{0};
   return ++last;
@@ -94,6 +87,8 @@ TypedSeries<S>::TypedSeries(std::unique_ptr<Property<S>> law_tested, const Subje
   robot = law_->needs_robot() ? robot_used.hash : "none";
   robot_fixed = robot_used.fixed;
   fields = law_->fields();
+  for (std::size_t i = 0; i < outputs.size(); ++i)
+    if (law_->measures(subject_, outputs[i])) due |= 1u << i;
   of_joints_ = is_tree_law(property) || outputs.front().operation.starts_with("robot_");
   own = std::move(limits);
   if (own) domain_ = Domain(own->domain, fields, outputs);
@@ -127,9 +122,7 @@ void TypedSeries<S>::run(std::uint64_t seed, std::uint64_t index, Tally& tally) 
   }
   if (any_failed(judged)) confirm(x, judged);
   tally.fast += decided;
-  const auto outside = [](const Judged& j) { return j.residual.outcome == Outcome::outside_domain; };
-  (!judged.empty() && std::all_of(judged.begin(), judged.end(), outside) ? tally.excluded : tally.coverage)
-      .add(fields, x);
+  tally.coverage.add(fields, x, measured_outputs(judged));
   thread_local std::string record;
   record.clear();
   const auto add = [](const void* from, std::size_t n) { record.append(static_cast<const char*>(from), n); };
@@ -198,15 +191,6 @@ void TypedSeries<S>::check_valid(const std::vector<S>& x, const CaseId& address)
 }
 
 template <class S>
-bool TypedSeries<S>::measures(const Subject<S>& subject, const Operation& operation) const {
-  if (of_joints_) return law_->offered(subject);
-  if (has_slot(operation)) return subject.operations.has(operation);
-  return std::all_of(outputs.begin(), outputs.end(), [&](const Output& o) {  // the law forms it from others
-    return !has_slot(*o.record) || subject.operations.has(*o.record);
-  });
-}
-
-template <class S>
 auto TypedSeries<S>::scope_of(const std::vector<S>& x) const -> Scope {
   Scope scope;
   scope.subject = CallLog::current() ? &checked_.subject() : &subject_;
@@ -219,10 +203,10 @@ auto TypedSeries<S>::scope_of(const std::vector<S>& x) const -> Scope {
     if (outside[i]) reduced->operations.take(*outputs[i].record, {});
   scope.nothing_left = true;
   for (std::size_t i = 0; i < outputs.size(); ++i) {
-    const bool offered = measures(subject_, *outputs[i].record);
+    const bool is_due = due >> i & 1;
     // The functions of a robot or of a tree are called together: if one is outside, none is called.
-    outside[i] = offered && (outside[i] || of_joints_ || !measures(*reduced, *outputs[i].record));
-    scope.nothing_left = scope.nothing_left && (outside[i] || !offered);
+    outside[i] = is_due && (outside[i] || of_joints_ || !law_->measures(*reduced, outputs[i]));
+    scope.nothing_left = scope.nothing_left && (outside[i] || !is_due);
   }
   scope.outside = std::move(outside);
   scope.reduced = std::move(reduced);
@@ -232,16 +216,18 @@ auto TypedSeries<S>::scope_of(const std::vector<S>& x) const -> Scope {
 
 template <class S>
 void TypedSeries<S>::close(const std::vector<S>& x, const Scope& scope, Judge& judge) const {
-  if (scope.outside.empty()) return;
-  std::erase_if(judge.judged, [&](const Judged& j) {  // a refusal concerns the whole law
-    return scope.outside[j.residual.output] && j.residual.outcome != Outcome::refused;
-  });
-  for (std::size_t i = 0; i < outputs.size(); ++i) {
-    if (!scope.outside[i]) continue;
-    const double angle = of_joints_ ? -1 : domain_.angle(x, i);
-    const std::size_t band = angle < 0 ? 0 : bands().classify(oracles::Real(angle));
-    judge.outcome(outputs[i], band, Outcome::outside_domain);
+  if (!scope.outside.empty()) {
+    std::erase_if(judge.judged, [&](const Judged& j) {  // a refusal concerns the whole law
+      return scope.outside[j.residual.output] && j.residual.outcome != Outcome::refused;
+    });
+    for (std::size_t i = 0; i < outputs.size(); ++i) {
+      if (!scope.outside[i]) continue;
+      const double angle = of_joints_ ? -1 : domain_.angle(x, i);
+      const std::size_t band = angle < 0 ? 0 : bands().classify(oracles::Real(angle));
+      judge.outcome(outputs[i], band, Outcome::outside_domain);
+    }
   }
+  judge.close(due);
 }
 
 template <class S>
@@ -266,7 +252,7 @@ bool TypedSeries<S>::measure_by_balls(const std::vector<S>& x, Judge& judge) con
       decided = law_->measure_fast(*scope.subject, x, judge, tier);
       break;
     } catch (const oracles::Undecided&) {
-      judge.judged.clear();
+      judge.clear();
     } catch (const std::exception&) {
       judge.outcome(outputs.front(), 0, Outcome::refused);
       break;

@@ -74,9 +74,9 @@ class TypedSeries final : public Series {
     std::vector<bool> outside;  ///< by output; empty if the domain has the input
     bool nothing_left = false;  ///< then nothing is called
   };
-  bool measures(const Subject<S>& subject, const Operation& operation) const;
   Scope scope_of(const std::vector<S>& x) const;
-  /// Records what is outside the domain, in place of anything that was measured of it.
+  /// Ends a case: records what is outside the domain, in place of anything that was measured of it, and what
+  /// was not measured.
   void close(const std::vector<S>& x, const Scope& scope, Judge& judge) const;
   /// Measures again, with checks of the calls, and marks in `judged` what differs or what was called in vain.
   void confirm(const std::vector<S>& x, std::vector<Judged>& judged) const;

@@ -81,7 +81,7 @@ Trial attempt_in(const TypedSeries<S>& series, const CaseId& address) {
     // Hard cases in the domain of the ball arithmetic also test the ball arithmetic.
     if (trial.in_domain && trial.refusal.empty() && series.measure_by_balls(x, balls) &&
         !agree(balls.judged, series.measure_by_digits(x, series.limits())))
-      for (Judged& j : trial.judged) j.residual.outcome = Outcome::unresolved;
+      for (Judged& j : trial.judged) j.residual.outcome = Outcome::unresolved, j.failed = false;
     checking.judge(trial.judged);
   } catch (const std::exception& e) {
     trial.refusal = e.what();

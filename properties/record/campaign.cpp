@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 #include <algorithm>
+#include <campaign/coverage_report.hpp>
 #include <map>
 #include <record/record.hpp>
 #include <set>
@@ -76,6 +77,7 @@ const char* status_of(const Row& row) {
   const std::uint64_t judged = row.inside();
   return row.failed                ? "fail"
          : row.unresolved          ? "unresolved"
+         : row.unmeasured          ? "unmeasured"
          : judged == 0             ? "empty"
          : row.ill_posed == judged ? "ill-posed"
                                    : "pass";
@@ -118,6 +120,7 @@ json row_record(const Series& series, std::size_t output, const Band& b, const R
           {"output_unwritten", row.output_unwritten},
           {"outside_domain", row.outside_domain},
           {"failed", row.failed},
+          {"unmeasured", row.unmeasured},
           {"status", status_of(row)},
           {"worst", worst}};
 }
@@ -186,6 +189,18 @@ json subjects_record(const CampaignResult& r) {
   return all;
 }
 
+/// What the campaign must have measured and did not.
+json not_measured_record(const CampaignResult& r) {
+  json all = json::array();
+  for (const auto& [series, tally] : r.series)
+    for (const std::string& line : not_measured(*series, tally))
+      all.push_back({{"property", series->property},
+                     {"subject", series->subject},
+                     {"scalar", series->scalar},
+                     {"what", line}});
+  return all;
+}
+
 json counterexamples_record(const Counterexamples& c) {
   return {{"replayed", c.replayed},
           {"skipped", c.skipped},
@@ -203,7 +218,8 @@ json record_of(const StoredRun& run) {
       {"seed", r.options.seed},
       {"cases", r.options.seconds ? r.total_cases : r.options.cases},
       {"total_cases", r.total_cases},
-      {"verdict", verdict_of(!r.incomplete, !r.failed)},
+      {"verdict", verdict_of(!r.undecided(), !r.failed)},
+      {"not_measured", not_measured_record(r)},
       {"counterexamples", counterexamples_record(run.counterexamples)},
       {"digest", {{"inputs", r.inputs_digest}, {"results", r.results_digest}}},
       {"robot",

@@ -38,7 +38,6 @@ std::string series_line(const StoredSeries& s) {
                {"checked", s.tally.checked},
                {"disagreed", disagreed},
                {"coverage", s.tally.coverage.text()},
-               {"excluded", s.tally.excluded.text()},
                {"inputs", hexadecimal(s.tally.inputs.sum())},
                {"results", hexadecimal(s.tally.results.sum())}});
   return dumped(line) + "\n";
@@ -56,6 +55,7 @@ std::string cell_line(const StoredSeries& s, const Cell& cell, const Row& r) {
        {"wrong_branch", r.wrong_branch},
        {"refused", r.refused},
        {"failed", r.failed},
+       {"unmeasured", r.unmeasured},
        {"not_repeatable", r.not_repeatable},
        {"argument_written", r.argument_written},
        {"output_unwritten", r.output_unwritten},

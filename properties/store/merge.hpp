@@ -29,4 +29,7 @@ void merge_into(const std::string& out, const std::vector<std::string>& files, b
 /// cause this only once in 1e9.
 std::vector<std::string> worse(const StoredCampaign& a, const StoredCampaign& b);
 
+/// The number of cells with a verdict in both campaigns. If it is 0, nothing was compared.
+std::size_t cells_in_both(const StoredCampaign& a, const StoredCampaign& b);
+
 }  // namespace liecheck::properties

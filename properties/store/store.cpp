@@ -25,15 +25,15 @@ CREATE TABLE campaigns(id INTEGER PRIMARY KEY, seed INTEGER, cases INTEGER, firs
   seal INTEGER);
 CREATE TABLE series(campaign INTEGER, series INTEGER, property TEXT, subject TEXT, subject_version TEXT,
   scalar TEXT, robot TEXT, cases INTEGER, inputs TEXT, results TEXT, cells INTEGER, fast INTEGER,
-  checked INTEGER, disagreed TEXT, coverage TEXT, excluded TEXT, seal INTEGER,
+  checked INTEGER, disagreed TEXT, coverage TEXT, seal INTEGER,
   PRIMARY KEY(campaign, series)) WITHOUT ROWID;
 CREATE TABLE done(campaign INTEGER, series INTEGER, first INTEGER, last INTEGER,
   PRIMARY KEY(campaign, series, first)) WITHOUT ROWID;
 CREATE TABLE cells(campaign INTEGER, series INTEGER, output INTEGER, band INTEGER, operation TEXT, block TEXT,
   band_name TEXT, count INTEGER, ill_posed INTEGER, unresolved INTEGER, not_finite INTEGER,
-  wrong_branch INTEGER, refused INTEGER, failed INTEGER, not_repeatable INTEGER, argument_written INTEGER,
-  output_unwritten INTEGER, outside_domain INTEGER, max_error REAL, max_excess REAL, worst_score REAL,
-  worst_index INTEGER, worst_kappa REAL, histogram TEXT, seal INTEGER,
+  wrong_branch INTEGER, refused INTEGER, failed INTEGER, max_error REAL, max_excess REAL, worst_score REAL,
+  worst_index INTEGER, worst_kappa REAL, histogram TEXT, unmeasured INTEGER, not_repeatable INTEGER,
+  argument_written INTEGER, output_unwritten INTEGER, outside_domain INTEGER, seal INTEGER,
   PRIMARY KEY(campaign, series, output, band)) WITHOUT ROWID;
 CREATE TABLE limits(campaign INTEGER, subject TEXT, file TEXT, text TEXT, seal INTEGER,
   PRIMARY KEY(campaign, subject)) WITHOUT ROWID;
@@ -111,7 +111,9 @@ void Store::check_format(Open how) try {
   if (id != application_id)
     fail(empty ? "not a store: an empty file" : "not a store: a database of another program");
   if (const auto version = integer("PRAGMA user_version"); version != schema_version)
-    fail(fmt::format("a store of version {}, this program reads version {}", version, schema_version));
+    fail(fmt::format("a store of version {}{}, this program reads version {}", version,
+                     version == 1 ? ", which counts inputs and not what was measured of them" : "",
+                     schema_version));
   if (database_.execAndGet("PRAGMA quick_check(1)").getString() != "ok")
     fail("corrupt: the database is damaged");
   if (how == Open::create && sqlite3_db_readonly(database_.getHandle(), "main") == 1)

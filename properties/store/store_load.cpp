@@ -134,8 +134,7 @@ class Loader {
       s.tally.fast = count(row, 11), s.tally.checked = count(row, 12);
       std::istringstream disagreed(text(row, 13));
       for (std::uint64_t index = 0; disagreed >> index;) s.tally.disagreed.push_back(index);
-      check(s.tally.coverage.parse(text(row, 14)) && s.tally.excluded.parse(text(row, 15)),
-            "a coverage is malformed");
+      check(s.tally.coverage.parse(text(row, 14)), "a coverage is malformed");
       campaign_.spec.series.push_back(s.text());
       campaign_.series.push_back(std::move(s));
     }
@@ -162,11 +161,11 @@ class Loader {
       Row& r = s.tally.rows[cell];
       r.count = count(row, 7), r.ill_posed = count(row, 8), r.unresolved = count(row, 9);
       r.not_finite = count(row, 10), r.wrong_branch = count(row, 11), r.refused = count(row, 12);
-      r.failed = count(row, 13), r.not_repeatable = count(row, 14), r.argument_written = count(row, 15);
-      r.output_unwritten = count(row, 16), r.outside_domain = count(row, 17);
-      r.max_error = real(row, 18), r.max_excess = real(row, 19);
-      r.worst_score = real(row, 20), r.worst_index = count(row, 21), r.worst_kappa = real(row, 22);
-      check(parse(text(row, 23), r.errors), "a histogram is malformed");
+      r.failed = count(row, 13), r.max_error = real(row, 14), r.max_excess = real(row, 15);
+      r.worst_score = real(row, 16), r.worst_index = count(row, 17), r.worst_kappa = real(row, 18);
+      check(parse(text(row, 19), r.errors), "a histogram is malformed");
+      r.unmeasured = count(row, 20), r.not_repeatable = count(row, 21), r.argument_written = count(row, 22);
+      r.output_unwritten = count(row, 23), r.outside_domain = count(row, 24);
     }
   }
 

@@ -79,6 +79,15 @@ CampaignSpec spec_of(const CampaignOptions& o, const Robot& robot, const std::ve
   return s;
 }
 
+std::string StoredCampaign::not_measured() const {
+  std::uint64_t open = 0, judged = 0;
+  for (const StoredSeries& s : series)
+    for (const auto& [cell, row] : s.tally.rows)
+      open += row.unresolved + row.unmeasured, judged += row.judged();
+  if (open > 0) return fmt::format("{} measurements have no verdict", open);
+  return judged > 0 ? "" : "nothing was measured";
+}
+
 bool StoredCampaign::complete() const {
   return spec.cases > 0 && std::all_of(series.begin(), series.end(), [this](const StoredSeries& s) {
            return s.tally.done.covers(spec.first, spec.last);

@@ -53,6 +53,8 @@ struct StoredCampaign {
   CampaignSpec spec;
   std::vector<StoredSeries> series;
   bool complete() const;  ///< every series has its whole range; false if only the time was given
+  /// Why no verdict can rest on it: "nothing was measured", "7 measurements have no verdict"; or "".
+  std::string not_measured() const;
 };
 
 }  // namespace liecheck::properties

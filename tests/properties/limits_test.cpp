@@ -215,19 +215,28 @@ TEST(Domains, ExcludeInputsThatAreThenNeitherCalledNorJudged) {
   const std::uint64_t outside = sum(own, block::translation, Region::to_pi, &Row::outside_domain) +
                                 sum(own, block::translation, Region::beyond_pi, &Row::outside_domain);
   EXPECT_GT(outside, 100u);
-  EXPECT_EQ(own.series.at(0).tally.excluded.cases(), outside);
-  EXPECT_EQ(own.series.at(0).tally.coverage.cases(), 600 - outside);
+  EXPECT_EQ(own.series.at(0).tally.coverage.cases_outside(), outside);
+  EXPECT_EQ(own.series.at(0).tally.coverage.cases(&MeasuredOutputs::outside, 6), outside);
   EXPECT_EQ(own.inputs_digest, all.inputs_digest);
 }
 
 TEST(Domains, AreNamedByTheCoverageReportWhichDoesNotMissTheirClasses) {
   const CampaignResult r =
       run("limits:shy", limits("[domain]\n*, angle = 3\n", "limits:shy"), "exp_oracle", 3000);
-  EXPECT_TRUE(r.covered);
+  EXPECT_TRUE(r.measured);
   const auto all = coverage_of(*r.series[0].series, r.series[0].tally);
   const std::string line = coverage_line(all, r.series[0].tally);
   EXPECT_NE(line.find(" of 3000 cases and "), std::string::npos) << line;
   EXPECT_NE(line.find("outside the subject's domain"), std::string::npos) << line;
+}
+
+TEST(Domains, ThatExcludeEveryInputLeaveTheCampaignIncomplete) {
+  const CampaignResult r =
+      run("limits:shy", limits("[domain]\n*, translation = 1e-320\n*, angle = 1e-320\n", "limits:shy"),
+          "small_angle_branches");
+  EXPECT_FALSE(r.failed);
+  EXPECT_FALSE(r.measured);
+  EXPECT_TRUE(r.undecided());
 }
 
 TEST(Domains, OfOneOperationLeaveTheOthersMeasured) {
