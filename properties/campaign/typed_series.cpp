@@ -80,10 +80,7 @@ TypedSeries<S>::TypedSeries(std::unique_ptr<Property<S>> law_tested, const Subje
   scalar = scalar_name<S>();
   eps = std::ldexp(1.0, 1 - std::numeric_limits<S>::digits);
   outputs = law_->outputs();
-  {
-    const typename CheckedSubject<S>::Active active(checked_, nullptr);
-    law_->prepare(robot_used, {&subject_, &checked_.subject()});
-  }
+  law_->prepare(robot_used);
   robot = law_->needs_robot() ? robot_used.hash : "none";
   robot_fixed = robot_used.fixed;
   fields = law_->fields();

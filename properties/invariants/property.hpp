@@ -144,8 +144,8 @@ class Property {
     return offers(subject, output) && exists(output);
   }
   virtual bool needs_robot() const { return false; }  ///< may be called only after prepare
-  /// Sets up what depends on the robot and on the subjects to be measured. Called once, before any case.
-  virtual void prepare(const Robot&, std::initializer_list<const Subject<S>*> /*tested*/) {}
+  /// Sets up what depends on the robot. Called once, before any case.
+  virtual void prepare(const Robot&) {}
   /// Generates a valid input from random bits alone.
   virtual std::vector<S> generate(Source& source) const = 0;
   /// Whether a shrunk or typed input meets the assumptions of the law. Default: every number is finite.

@@ -6,6 +6,9 @@
 #include <generators/rotations.hpp>
 #include <invariants/branch.hpp>
 #include <liecheck/urdf/urdf.hpp>
+#include <map>
+#include <mutex>
+#include <optional>
 #include <oracles/integrate.hpp>
 
 namespace liecheck::properties {
@@ -58,15 +61,14 @@ class RobotConfiguration final : public Law<RobotConfiguration, S> {
     return all;
   }
   bool needs_robot() const override { return true; }
-  void prepare(const Robot& robot, std::initializer_list<const Subject<S>*> tested) override {
+  void prepare(const Robot& robot) override {
     const auto model =
         buildModelFromUrdfText(robot.urdf, robot.fixed ? RootJoint::Fixed : RootJoint::FreeFlyer, robot.name);
     nq_ = model.nq, nv_ = model.nv;
     for (std::size_t j = 1; j < static_cast<std::size_t>(model.njoints); ++j)
       segments_.push_back({static_cast<int>(model.idx_qs[j]), static_cast<int>(model.nqs[j]),
                            static_cast<int>(model.idx_vs[j])});
-    for (const Subject<S>* s : tested)
-      if (s->operations.robot) bound_.emplace_back(s, s->operations.robot(robot.urdf, robot.fixed));
+    urdf_ = robot.urdf, fixed_ = robot.fixed;
   }
   std::vector<S> generate(Source& source) const override {
     VecX<S> q0(nq_), q1(nq_), d(nv_);
@@ -105,14 +107,11 @@ class RobotConfiguration final : public Law<RobotConfiguration, S> {
   template <class Real>
   void in(const Subject<S>& subject, const std::vector<S>& input, Recorder& r) const {
     using namespace oracles;
-    const RobotOperations<S>* robot = nullptr;
-    for (const auto& [known, operations] : bound_)
-      if (known == &subject) robot = &operations;
-    if (!robot) return;
+    const RobotOperations<S>& robot = bound(subject);
     Reader<S> read(input);
     const VecX<S> q0 = read.take_dynamic(nq_), q1 = read.take_dynamic(nq_), d = read.take_dynamic(nv_);
-    const VecX<S> q = (*robot)[op::robot_integrate](q0, d);
-    const VecX<S> v = (*robot)[op::robot_difference](q0, q1);
+    const VecX<S> q = robot[op::robot_integrate](q0, d);
+    const VecX<S> v = robot[op::robot_difference](q0, q1);
     VecX<S> opposite = q0;
     for (const Segment& s : segments_) {
       if (s.nq == 7) {
@@ -166,7 +165,7 @@ class RobotConfiguration final : public Law<RobotConfiguration, S> {
                      });
       }
     }
-    if ((*robot)[op::robot_is_same](q0, opposite))
+    if (robot[op::robot_is_same](q0, opposite))
       r.record(op::robot_is_same[block::same], 0, 0);
     else
       r.outcome(op::robot_is_same[block::same], 0, Outcome::wrong_branch);
@@ -191,9 +190,31 @@ class RobotConfiguration final : public Law<RobotConfiguration, S> {
     return u / S(sqrt(u.squaredNorm()));
   }
 
+  /// The subject's operations on the robot. The first case reads the robot, so that no reader runs of a
+  /// subject that is not measured. A reader that throws is not called again: every case throws its exception.
+  const RobotOperations<S>& bound(const Subject<S>& subject) const {
+    const std::lock_guard lock(mutex_);
+    Bound& b = bound_[&subject];
+    if (b.error) std::rethrow_exception(b.error);
+    if (!b.operations) try {
+        b.operations = subject.operations.robot(urdf_, fixed_);
+      } catch (...) {
+        b.error = std::current_exception();
+        throw;
+      }
+    return *b.operations;
+  }
+
+  struct Bound {
+    std::optional<RobotOperations<S>> operations;
+    std::exception_ptr error;
+  };
   int nq_ = 0, nv_ = 0;
   std::vector<Segment> segments_;
-  std::vector<std::pair<const Subject<S>*, RobotOperations<S>>> bound_;
+  std::string urdf_;
+  bool fixed_ = false;
+  mutable std::mutex mutex_;
+  mutable std::map<const Subject<S>*, Bound> bound_;
 };
 
 const RegisteredProperty<RobotConfiguration> registered;

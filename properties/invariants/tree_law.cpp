@@ -180,7 +180,7 @@ std::string AnyTreeLaw<S>::program(const Output& output, const std::vector<S>& i
 }
 
 template <class S>
-void AnyTreeLaw<S>::prepare(const Robot& robot, std::initializer_list<const Subject<S>*>) {
+void AnyTreeLaw<S>::prepare(const Robot& robot) {
   if (robot.path.empty()) return;
   const RobotNumbers r = robot_numbers(robot);
   robot_ = true;

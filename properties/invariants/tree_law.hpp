@@ -126,7 +126,7 @@ class AnyTreeLaw : public Property<S> {
   std::string program(const Output& output, const std::vector<S>& input) const override;
   /// True only if the user gave a robot. The built-in robot is too simple for these laws.
   bool needs_robot() const override { return robot_; }
-  void prepare(const Robot& robot, std::initializer_list<const Subject<S>*> tested) override;
+  void prepare(const Robot& robot) override;
   std::vector<S> generate(Source& source) const override;
   bool valid(const std::vector<S>& input) const override;
 

@@ -88,7 +88,7 @@ TYPED_TEST_SUITE(GeneratorStatements, Scalars);
 TYPED_TEST(GeneratorStatements, AboutFrequenciesHoldForEveryClass) {
   constexpr int n = 20000;
   for (auto& property : make_properties<TypeParam>()) {
-    property->prepare(built_in_robot(), {});
+    property->prepare(built_in_robot());
     const auto fields = property->fields();
     Coverage coverage;
     for (int i = 0; i < n; ++i) {
