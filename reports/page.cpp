@@ -39,7 +39,9 @@ std::string cases_text(const Json& record) {
 
 std::string verdict_section(const Merged& merged) {
   const std::string verdict_word = verdict(merged);
-  const char *label = "INCOMPLETE", *meaning = "The campaign was interrupted, or left cases unresolved.";
+  const char *label = "INCOMPLETE",
+             *meaning =
+                 "The campaign was interrupted, or not all was measured that must be: see Not measured.";
   if (verdict_word == "pass") label = "PASS", meaning = "Every band judged is within its budget.";
   if (verdict_word == "fail")
     label = "FAIL",
@@ -104,7 +106,7 @@ std::string standings_section(const Merged& merged) {
   std::vector<Cells> rows;
   for (const Standing& s : standings(merged)) {
     Cells row = {escaped(s.subject), escaped(s.version), escaped(s.scalar), status_text(word(s))};
-    for (const int bands : {s.passed, s.failed, s.unresolved, s.ill_posed, s.empty})
+    for (const int bands : {s.passed, s.failed, s.open, s.ill_posed, s.empty})
       row.push_back(std::to_string(bands));
     for (const auto cases : {s.not_finite, s.wrong_branch}) row.push_back(std::to_string(cases));
     row.push_back(s.worst ? fmt::format("{} (budget {}): {}", judged_text(*s.worst),
@@ -113,7 +115,7 @@ std::string standings_section(const Merged& merged) {
     rows.push_back(row);
   }
   return table("Subjects",
-               {"subject", "version", "scalar", "standing", "bands passed", "failed", "unresolved",
+               {"subject", "version", "scalar", "standing", "bands passed", "failed", "without a verdict",
                 "ill-posed", "empty", "cases NaN or Inf", "wrong branch", "worst against its budget"},
                rows, true);
 }
@@ -201,10 +203,14 @@ std::string coverage_section(const Merged& merged) {
     for (const std::string& name : s.not_offered)
       rows.push_back({escaped(s.subject), escaped(s.scalar), escaped(name), "not offered"});
   for (const Json& record : merged.records)
+    for (const Json& entry : list_in(record, "not_measured"))
+      add_once(rows, {text_of(entry, "subject"), text_of(entry, "scalar"), text_of(entry, "property"),
+                      text_of(entry, "what")});
+  for (const Json& record : merged.records)
     for (const std::string name : record["absent"])
       add_once(rows, {escaped(name), "all", "all", "absent from this build"});
-  if (rows.empty()) return "<p>Every subject offers every operation; none is absent.</p>\n";
-  return table("Not measured", {"subject", "scalar", "operation", "why"}, rows);
+  if (rows.empty()) return "<p>Every subject offers every operation and was measured; none is absent.</p>\n";
+  return table("Not measured", {"subject", "scalar", "operation or law", "why"}, rows);
 }
 
 std::string machine_section(const Merged& merged) {

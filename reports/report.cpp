@@ -18,7 +18,7 @@ namespace {
 constexpr std::array columns = {
     "subject",   "scalar",     "property",   "operation",    "block",      "band",       "axis",   "low",
     "high",      "count",      "max_eps",    "p99_eps",      "median_eps", "max_excess", "budget", "rule",
-    "ill_posed", "unresolved", "not_finite", "wrong_branch", "refused",    "status"};
+    "ill_posed", "unresolved", "not_finite", "wrong_branch", "refused",    "unmeasured", "status"};
 
 std::string cell(const Json& value) {
   if (value.is_null()) return "";

@@ -5,10 +5,12 @@ const VERDICTS = [
   {name: "stable", mark: "✓", text: "within budget"},
   {name: "refused", mark: "R", text: "refused with an error; counted as a failure only if the input is a rotation"},
   {name: "ill-posed", mark: "P", text: "eps · κ ≥ 1: the input determines no digit; neither stable nor a failure"},
+  {name: "unmeasured", mark: "0", text: "the law recorded nothing for a block"},
   {name: "unresolved", mark: "?", text: "two precisions or formulas of the oracle disagree"},
   {name: "inaccurate", mark: "I", text: "finite, over budget: digits lost beyond κ"},
   {name: "wrong branch", mark: "B", text: "another logarithm, the opposite quaternion, or a result for an input that is no rotation"},
-  {name: "not finite", mark: "N", text: "NaN or Inf"}];
+  {name: "not finite", mark: "N", text: "NaN or Inf"},
+  {name: "bad call", mark: "C", text: "not repeatable, an argument was written to, or output was left unwritten"}];
 const rankOf = cell => VERDICTS.findIndex(v => v.name === cell.verdict) + (cell.failed ? 100 : 0);
 const verdictOf = cell => VERDICTS.find(v => v.name === cell.verdict);
 

@@ -19,6 +19,13 @@ double ratio(const Json& row) {
     return std::numeric_limits<double>::infinity();
   return value / std::max(row["budget"].get<double>(), std::numeric_limits<double>::min());
 }
+bool any_hard_case_open(const Merged& merged) {
+  for (const Json& record : merged.records)
+    for (const Json& hard : list_in(record, "hard_cases"))
+      for (const Json& cell : hard["cells"])
+        if (cell["verdict"] == "unresolved" || cell.value("open", false)) return true;
+  return false;
+}
 }  // namespace
 
 bool worse(const Json& a, const Json& b) {
@@ -28,7 +35,7 @@ bool worse(const Json& a, const Json& b) {
 }
 
 std::string word(const Standing& s) {
-  return s.failed ? "fail" : s.unresolved ? "incomplete" : s.passed ? "pass" : "no verdict";
+  return s.failed ? "fail" : s.open + s.not_measured ? "incomplete" : s.passed ? "pass" : "no verdict";
 }
 
 std::string verdict(const Merged& merged) {
@@ -36,7 +43,14 @@ std::string verdict(const Merged& merged) {
     return std::any_of(merged.records.begin(), merged.records.end(),
                        [&](const Json& r) { return r["verdict"] == word; });
   };
-  return any("fail") ? "fail" : any("incomplete") || merged.results.empty() ? "incomplete" : "pass";
+  if (any("fail")) return "fail";
+  const auto all = standings(merged);
+  const bool open = any("incomplete") || merged.results.empty() || any_hard_case_open(merged) ||
+                    std::any_of(all.begin(), all.end(), [](const Standing& s) {
+                      const std::string standing = word(s);
+                      return standing == "incomplete" || standing == "no verdict";
+                    });
+  return open ? "incomplete" : "pass";
 }
 
 std::vector<Standing> standings(const Merged& merged) {
@@ -54,14 +68,17 @@ std::vector<Standing> standings(const Merged& merged) {
       standing.eps = s["eps"];
       for (const std::string name : s["not_offered"]) add_once(standing.not_offered, name);
     }
+  for (const Json& record : merged.records)
+    for (const Json& entry : list_in(record, "not_measured"))
+      ++of(entry["subject"], entry["scalar"]).not_measured;
   for (const Json& row : merged.results) {
     Standing& s = of(row["subject"], row["scalar"]);
     const std::string status = row["status"];
-    ++(status == "pass"         ? s.passed
-       : status == "fail"       ? s.failed
-       : status == "unresolved" ? s.unresolved
-       : status == "empty"      ? s.empty
-                                : s.ill_posed);
+    ++(status == "pass"        ? s.passed
+       : status == "fail"      ? s.failed
+       : status == "empty"     ? s.empty
+       : status == "ill-posed" ? s.ill_posed
+                               : s.open);
     s.not_finite += row["not_finite"].get<std::uint64_t>();
     s.wrong_branch += row["wrong_branch"].get<std::uint64_t>();
     const bool was_judged = status == "pass" || status == "fail";

@@ -18,24 +18,33 @@ struct Flags {
   RobotFlags robot;
 };
 
-/// Runs `cases` cases of a series, from case `from` on. Returns a failure as "law: operation, block", or "".
-std::string failure_of(const Series& s, std::uint64_t seed, std::uint64_t from, std::uint64_t cases) {
+/// Runs `cases` cases of a series, from case `from` on. Sets the first failure, as "law: operation, block",
+/// and the first output without a verdict.
+void take_cases(BugRow& bug, const Series& s, std::uint64_t seed, std::uint64_t from, std::uint64_t cases) {
   Tally tally;
   for (std::uint64_t i = from; i < from + cases && !stop_requested; ++i) s.run(seed, i, tally);
-  for (const auto& [cell, row] : tally.rows)
-    if (row.failed > 0) {
-      const Output& o = s.outputs.at(static_cast<std::size_t>(cell.first));
-      return fmt::format("{}: {}, {}", s.property, o.operation, o.block);
-    }
-  return "";
+  bug.cases += cases;
+  for (const auto& [cell, row] : tally.rows) {
+    const Output& o = s.outputs.at(static_cast<std::size_t>(cell.first));
+    const auto set = [&](std::string& text) {
+      if (text.empty()) text = fmt::format("{}: {}, {}", s.property, o.operation, o.block);
+    };
+    if (row.failed > 0) set(bug.by);
+    if (row.unresolved + row.unmeasured > 0) set(bug.not_measured);
+  }
 }
 
-std::string failure_of(const std::vector<HardRow>& rows) {
+void take_hard_cases(BugRow& bug, const std::vector<HardRow>& rows) {
+  bug.cases += rows.size();
   for (const HardRow& row : rows)
-    for (const HardCell& cell : row.cells)
-      if (cell.failed)
-        return fmt::format("hard case {}: {}, {}", row.entry->name, cell.operation, cell.block);
-  return "";
+    for (const HardCell& cell : row.cells) {
+      const auto set = [&](std::string& text) {
+        if (text.empty())
+          text = fmt::format("hard case {}: {}, {}", row.entry->name, cell.operation, cell.block);
+      };
+      if (cell.failed) set(bug.by);
+      if (cell.open) set(bug.not_measured);
+    }
 }
 
 /// Runs rounds of cases over all laws, and the hard cases after the first round, until a case fails.
@@ -49,16 +58,13 @@ void hunt_down(BugRow& bug, const BugBench& bench, const Robot& robot) {
   constexpr std::uint64_t round = 64;
   for (std::uint64_t from = 0; bug.by.empty() && elapsed() < seconds && !stop_requested; from += round) {
     for (const auto& s : all) {
-      bug.cases += round;
-      bug.by = failure_of(*s, bench.seed, from, round);
+      take_cases(bug, *s, bench.seed, from, round);
       if (!bug.by.empty()) break;
     }
-    if (from == 0 && bug.by.empty()) {
-      const auto rows = run_hard_cases(selection, robot);
-      bug.cases += rows.size();
-      bug.by = failure_of(rows);
-    }
+    if (from == 0 && bug.by.empty()) take_hard_cases(bug, run_hard_cases(selection, robot));
   }
+  if (!bug.alike() || !bug.by.empty()) bug.not_measured.clear();
+  if (bug.alike() && bug.cases == 0) bug.not_measured = "no case";
   bug.seconds = elapsed();
   bug.killed = !bug.by.empty();
 }
@@ -72,10 +78,15 @@ void print_header() {
 void print_row(const BugRow& bug) {
   std::string marks;
   for (const auto& [name, seen] : bug.weaker_styles) marks += fmt::format("{:>14}", seen ? "killed" : "-");
-  const char* verdict =
-      bug.alike() ? (bug.killed ? "REFUSED" : "passes") : (bug.killed ? "killed" : "SURVIVES");
+  const char* verdict = bug.alike() ? (bug.killed                 ? "REFUSED"
+                                       : bug.not_measured.empty() ? "passes"
+                                                                  : "INCOMPLETE")
+                                    : (bug.killed ? "killed" : "SURVIVES");
   fmt::print("{:<34} {:<10}{:>9}{:>9.3f}  {:<52}{}\n", bug.name, verdict, bug.cases, bug.seconds,
-             bug.by.empty() ? "-" : bug.by, marks);
+             !bug.by.empty()            ? bug.by
+             : bug.not_measured.empty() ? "-"
+                                        : "not measured: " + bug.not_measured,
+             marks);
   std::fflush(stdout);
 }
 
@@ -118,7 +129,8 @@ int run(const Flags& f) {
   }
   bench.complete = !stop_requested;
   do_both([&] { write_record_of(f.json, bench); }, [&] { print_summary(bench); });
-  return !bench.complete ? incomplete : bench.passed() ? within_budget : property_failed;
+  if (!bench.complete) return incomplete;
+  return !bench.passed() ? property_failed : bench.measured() ? within_budget : incomplete;
 }
 
 }  // namespace
@@ -127,7 +139,7 @@ Command bench_bugs_command(CLI::App& bench) {
   CommandWith<Flags> a(bench, "bugs",
                        "how soon the laws kill each known bug, compared with four weaker styles of test. "
                        "Exit code 0 if all bugs are killed and no look-alike is refused; 1 otherwise; 2 for "
-                       "bad input; 3 if stopped");
+                       "bad input; 3 if stopped, or if a case of a look-alike has no verdict");
   BugBench& b = a->bench;
   b.scalar = "double";
   a.choice("--scalar", b.scalar, {"float", "double"}, "SCALAR", "float or double").with_default_in_help();

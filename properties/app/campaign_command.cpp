@@ -3,10 +3,13 @@
 #include <app/campaign_run.hpp>
 #include <app/command.hpp>
 #include <campaign/coverage_report.hpp>
+#include <campaign/robots.hpp>
 #include <failures/description.hpp>
 #include <hard_cases/hard_cases.hpp>
 #include <limits>
 #include <map>
+#include <record/record.hpp>
+#include <set>
 #include <stdexcept>
 #include <support/stop.hpp>
 #include <support/text.hpp>
@@ -23,12 +26,13 @@ struct Flags {
   bool no_hard_cases = false, verbose = false;
 };
 
-/// Prints every class and band of one series.
+/// Prints every class and band of one series, each with the output that was measured least in it.
 void print_coverage(const Series& s, const std::vector<Covered>& all, std::uint64_t cases) {
   fmt::print("{} {} in {}, {} cases\n", s.property, s.subject, s.scalar, cases);
   for (const Covered& c : all)
-    fmt::print("  {:<44}{:>10}  {:>8.4f} %{}\n", c.what, c.count,
+    fmt::print("  {:<44}{:>10}  {:>8.4f} %  {}{}\n", c.what, c.count,
                100.0 * static_cast<double>(c.count) / static_cast<double>(std::max<std::uint64_t>(1, cases)),
+               c.output,
                c.missing()  ? "  NOT COVERED"
                : c.required ? ""
                             : "  not required in so few cases");
@@ -42,7 +46,8 @@ void print_coverage(const CampaignResult& r, bool verbose) {
     std::string series, line;
   };
   std::map<std::string, Least> least;
-  fmt::print("\n{:<24}{:<20}{}\n", "coverage", "", "of the classes and bands that the generator must reach");
+  fmt::print("\n{:<24}{:<20}{}\n", "coverage", "",
+             "of the classes and bands that each output must be measured in");
   for (const auto& [series, tally] : r.series) {
     const auto all = coverage_of(*series, tally);
     const std::uint64_t cases = tally.coverage.cases();
@@ -52,7 +57,7 @@ void print_coverage(const CampaignResult& r, bool verbose) {
     const auto [it, first] = least.try_emplace(series->property);
     Least& l = it->second;
     if (first || std::tuple(missing, unseen) > std::tuple(l.missing, l.unseen))
-      l = {missing, unseen, series->subject + " in " + series->scalar, coverage_line(all, cases)};
+      l = {missing, unseen, series->subject + " in " + series->scalar, coverage_line(all, tally)};
     if (verbose) print_coverage(*series, all, cases);
   }
   for (const auto& [property, l] : least) fmt::print("{:<24}{:<20}{}\n", property, l.series, l.line);
@@ -63,21 +68,45 @@ void print_series(const Series& series, const Tally& tally) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   double worst = 0;
   bool failed = !tally.disagreed.empty();
-  std::uint64_t unresolved = 0;
+  bool outside = false;
   for (const auto& [cell, row] : tally.rows) {
-    const Output& o = series.outputs.at(static_cast<std::size_t>(cell.first));
-    const Budget& b = budget_of(series.subject, o.operation, o.block,
-                                series.bands()[static_cast<std::size_t>(cell.second)].region);
+    const Budget& b = series.budget(static_cast<std::size_t>(cell.first),
+                                    series.bands()[static_cast<std::size_t>(cell.second)].region);
     // The score of an unresolved case is infinite. Then the largest measured error is printed instead.
     const double measured = b.rule == Rule::forward ? row.max_error : row.max_excess;
     worst =
         std::max(worst, (row.failed || row.worst_score < infinity ? row.worst_score : measured) / b.limit);
     failed = failed || row.failed > 0;
-    unresolved += row.unresolved;
+    outside = outside || row.outside_domain > 0;
   }
-  fmt::print("{:<24}{:<15}{:<10}{:>9}  {:>10.3g}x  {}{}\n", series.property, series.subject, series.scalar,
-             tally.cases, worst, failed ? "FAIL" : "pass",
-             unresolved ? fmt::format(", {} unresolved", unresolved) : "");
+  const std::size_t open = not_measured(series, tally).size();
+  fmt::print("{:<24}{:<15}{:<10}{:>9}  {:>10.3g}x  {}{}{}\n", series.property, series.subject, series.scalar,
+             tally.cases, worst,
+             failed ? "FAIL"
+             : open ? "INCOMPLETE"
+                    : "pass",
+             failed && open ? ", not all measured" : "", outside ? ", some cases outside the domain" : "");
+}
+
+/// Prints what the series did not measure, at most six lines of each.
+void print_not_measured(const CampaignResult& r) {
+  constexpr std::size_t shown = 6;
+  for (const auto& [series, tally] : r.series) {
+    const auto lines = not_measured(*series, tally);
+    if (lines.empty()) continue;
+    fmt::print("\nNOT MEASURED  {} of {} in {}\n", series->property, series->subject, series->scalar);
+    for (std::size_t i = 0; i < std::min(shown, lines.size()); ++i) fmt::print("  {}\n", lines[i]);
+    if (lines.size() > shown)
+      fmt::print("  and {} more; --json FILE records them all\n", lines.size() - shown);
+    for (const auto& [cell, row] : tally.rows)
+      if (row.failed == 0 && row.unresolved + row.unmeasured > 0) {
+        fmt::print("  for example  liecheck replay {}{}\n",
+                   series->id(r.options.seed, row.worst_index).text(),
+                   (series->robot != "none" && !r.robot.path.empty() ? robot_flags(r.robot) : "") +
+                       limits_flags(*series));
+        break;
+      }
+  }
 }
 
 /// Prints the first six failed outputs in full, each in its worst band.
@@ -122,13 +151,20 @@ int print_campaign(const CampaignResult& r, bool verbose) {
   fmt::print(
       "worst: the largest error found as a multiple of its budget, a lower bound of the true maximum\n");
   print_failures(r);
+  print_not_measured(r);
   print_oracles(r);
   print_coverage(r, verbose);
   fmt::print("\nseed {}, {} cases in {:.1f} s, robot {}{} ({})\n", r.options.seed, r.total_cases, r.elapsed,
              printable(r.robot.name), r.robot.fixed ? ", fixed" : "", r.robot.hash);
+  std::set<std::string> limits;
+  for (const auto& [series, tally] : r.series)
+    if (series->own)
+      limits.insert(fmt::format("limits of {}: {} ({})\n", series->subject, printable(series->own->file),
+                                hash_of(*series->own)));
+  fmt::print("{}", fmt::join(limits, ""));
   fmt::print("inputs  {}\nresults {}\n", r.inputs_digest, r.results_digest);
-  fmt::print("verdict {}\n", r.incomplete ? "incomplete" : r.failed ? "fail" : "pass");
-  return r.incomplete ? incomplete : r.failed ? property_failed : within_budget;
+  fmt::print("verdict {}\n", verdict_of(!r.undecided(), !r.failed));
+  return r.undecided() ? incomplete : r.failed ? property_failed : within_budget;
 }
 
 /// Replays the hard cases, which come first in every campaign. Only the first of several shards does this.
@@ -162,7 +198,9 @@ int run(const Flags& f) {
             print_how_to_resume(done->result, f.store);
           });
   if (any_failed(hard_cases)) fmt::print("hard cases failed: see the first section\n");
-  return code == within_budget && any_failed(hard_cases) ? property_failed : code;
+  if (any_open(hard_cases)) fmt::print("hard cases have no verdict: see the first section\n");
+  if (done->result.incomplete || code == property_failed) return code;
+  return any_failed(hard_cases) ? property_failed : any_open(hard_cases) ? incomplete : code;
 }
 
 }  // namespace
@@ -171,7 +209,7 @@ Command campaign_command(CLI::App& program, const std::string& typed_line) {
   CommandWith<Flags> a(
       program, "campaign",
       "run properties on subjects. Exit code 0 if within budget; 1 if failed; 2 for bad input; 3 if "
-      "incomplete");
+      "incomplete: interrupted, or a law measured less than it must");
   a->store.typed_line = typed_line;
   a->selection.add(a);
   a.toggle("--no-hard-cases", a->no_hard_cases, "skip the hard cases, which are replayed first");

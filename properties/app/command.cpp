@@ -63,11 +63,24 @@ void SelectionFlags::add(Arguments& a) {
          "a subject, repeatable, or 'all'; default liecheck in float and double");
   a.list("--property", properties, "NAME", "a property, repeatable; default every one");
   a.list("--scalar", scalars, "SCALAR", "float, double or float128, repeatable");
+  limits.add(a);
   a.json(json, "write the record to FILE");
 }
 
+Flag LimitsFlags::add(Arguments& a) {
+  return a.list("--limits", files, "FILE",
+                "own limits and domain of one subject (docs/limits.md), repeatable");
+}
+
+std::vector<std::shared_ptr<const SubjectLimits>> LimitsFlags::read() const {
+  std::vector<std::shared_ptr<const SubjectLimits>> all;
+  for (const std::string& file : files)
+    all.push_back(std::make_shared<const SubjectLimits>(read_limits(file)));
+  return all;
+}
+
 Selection SelectionFlags::selection() const {
-  Selection s{subjects, properties, scalars};
+  Selection s{subjects, properties, scalars, limits.read()};
   if (subjects.empty()) {
     s.subjects = {"liecheck"};
     if (scalars.empty()) s.scalars = {"float", "double"};

@@ -23,6 +23,7 @@ struct Robot;
 struct SceneSweepOptions;
 struct SceneSweepResult;
 struct Selection;
+struct SubjectLimits;
 struct SweepResult;
 
 /// Exit codes of the program.
@@ -126,9 +127,20 @@ struct RobotFlags {
   Robot read() const;
 };
 
-/// --subject, --property, --scalar and --json.
+/// --limits, which may be repeated.
+struct LimitsFlags {
+  std::vector<std::string> files;
+
+  /// Adds the flag and returns it.
+  Flag add(Arguments& arguments);
+  /// Reads the files, each once.
+  std::vector<std::shared_ptr<const SubjectLimits>> read() const;
+};
+
+/// --subject, --property, --scalar, --limits and --json.
 struct SelectionFlags {
   std::vector<std::string> subjects, properties, scalars;
+  LimitsFlags limits;
   std::string json;
 
   void add(Arguments& arguments);

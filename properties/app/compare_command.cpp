@@ -11,24 +11,32 @@ struct Flags {
   std::string before, after;
 };
 
-/// Prints on stderr if a store lacks cases of its campaign, because then the comparison is partial, too.
-void print_if_partial(const std::string& name, const StoredCampaign& c) {
-  if (c.spec.cases == 0) return;
-  if (!c.complete())
+/// Prints on stderr if a store lacks cases of its campaign or verdicts on them, because then the comparison
+/// is partial, too. Returns whether it is incomplete; a shard is a whole part.
+bool print_if_partial(const std::string& name, const StoredCampaign& c) {
+  const std::string open = c.not_measured();
+  if (!open.empty()) warn(fmt::format("liecheck: {}: {}\n", name, open));
+  const bool unfinished = c.spec.cases > 0 && !c.complete();
+  if (unfinished)
     warn(fmt::format("liecheck: {}: unfinished\n", name));
-  else if (c.spec.last - c.spec.first < c.spec.cases)
+  else if (c.spec.cases > 0 && c.spec.last - c.spec.first < c.spec.cases)
     warn(fmt::format("liecheck: {}: a shard, cases {} to {} of {} in each series\n", name, c.spec.first,
                      c.spec.last - 1, c.spec.cases));
+  return unfinished || !open.empty();
 }
 
 int run(const Flags& f) {
   const StoredCampaign a = load_campaign(f.before), b = load_campaign(f.after);
-  print_if_partial(f.before, a);
-  print_if_partial(f.after, b);
+  bool partial = print_if_partial(f.before, a);
+  partial = print_if_partial(f.after, b) || partial;
+  if (cells_in_both(a, b) == 0) {
+    fmt::print(stderr, "liecheck: {} and {} have no cell with a verdict in common\n", f.before, f.after);
+    partial = true;
+  }
   const auto lines = worse(a, b);
   for (const std::string& line : lines) fmt::print("{}\n", line);
   fmt::print("{} worse\n", lines.empty() ? "nothing is" : fmt::format("{} cells are", lines.size()));
-  return lines.empty() ? within_budget : property_failed;
+  return !lines.empty() ? property_failed : partial ? incomplete : within_budget;
 }
 
 }  // namespace
@@ -36,7 +44,7 @@ int run(const Flags& f) {
 Command compare_command(CLI::App& program) {
   CommandWith<Flags> a(program, "compare",
                        "what got worse from store A to store B. Exit code 0 if nothing did; 1 if anything "
-                       "did; 2 for bad input");
+                       "did; 2 for bad input; 3 if a store lacks cases or verdicts");
   a.text("A", a->before, "", "the earlier store").required();
   a.text("B", a->after, "", "the later store").required();
   return a.runs(run);

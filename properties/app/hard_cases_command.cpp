@@ -45,19 +45,20 @@ std::set<Column> columns_of(const std::vector<HardRow>& rows) {
   return all;
 }
 
-constexpr Verdict verdicts[] = {Verdict::stable,     Verdict::refused,    Verdict::ill_posed,
-                                Verdict::unresolved, Verdict::inaccurate, Verdict::wrong_branch,
-                                Verdict::not_finite};
+constexpr Verdict verdicts[] = {Verdict::stable,       Verdict::refused,    Verdict::ill_posed,
+                                Verdict::unmeasured,   Verdict::unresolved, Verdict::inaccurate,
+                                Verdict::wrong_branch, Verdict::not_finite, Verdict::bad_call};
 
 void print_failure(const HardRow& r, const HardCell& c) {
   const HardCase& e = *r.entry;
-  fmt::print("\nFAILED  hard case {} ({}): {}\n", e.name, e.hard_class, e.reason);
+  fmt::print("\n{}  hard case {} ({}): {}\n", c.failed ? "FAILED" : "NO VERDICT", e.name, e.hard_class,
+             e.reason);
   fmt::print("  subject   {} in {}: {}\n", c.subject, c.scalar, name_of(c.verdict));
   fmt::print("  where     {}: {}, block {}, band {}\n", r.property, c.operation, c.block, c.band);
   fmt::print("  error     {:.4g} eps, kappa {:.3g}, budget {:g} {}{}\n", c.error, c.kappa, c.budget,
              c.excess ? "eps kappa" : "eps", c.refusal.empty() ? "" : "; " + c.refusal);
   fmt::print("  input     {}\n  origin    {} ({})\n", e.input, e.origin, e.place());
-  fmt::print("  replay    liecheck replay {}\n", c.id.text());
+  fmt::print("  replay    liecheck replay {}{}\n", c.id.text(), c.limits_flags);
 }
 
 /// Prints a line for each case, with a letter for each subject and scalar.
@@ -91,7 +92,7 @@ void print_hard_case_table(const std::vector<HardRow>& rows) {
     }
   }
   for (const Verdict v : verdicts) fmt::print("{} {}   ", letter_of(v), name_of(v));
-  fmt::print("- not offered, or not for this scalar\n\n");
+  fmt::print("- not offered, not for this scalar, or outside the domain\n\n");
 }
 
 int run(const Flags& f) {
@@ -99,8 +100,9 @@ int run(const Flags& f) {
   no_cases.result.options.cases = 0;
   no_cases.result.robot = built_in_robot();
   const auto cases = corpus_with(f.files);
+  const Selection selection = f.selection.selection();
   stop_on_signals();
-  const auto rows = run_hard_cases(f.selection.selection(), no_cases.result.robot, cases, f.jobs);
+  const auto rows = run_hard_cases(selection, no_cases.result.robot, cases, f.jobs);
   no_cases.result.incomplete = stop_requested;
   if (rows.empty() && !stop_requested)
     throw std::invalid_argument("nothing to run: no selected subject offers a hard case's property");
@@ -109,9 +111,9 @@ int run(const Flags& f) {
             print_hard_case_table(rows);
             print_hard_case_summary(rows, rows.size());
           });
-  if (no_cases.result.incomplete)
-    std::fputs("interrupted: the table has only the rows that were done\n", stderr);
-  return no_cases.result.incomplete ? incomplete : any_failed(rows) ? property_failed : within_budget;
+  if (stop_requested) std::fputs("interrupted: the table has only the rows that were done\n", stderr);
+  if (stop_requested) return incomplete;
+  return any_failed(rows) ? property_failed : any_open(rows) ? incomplete : within_budget;
 }
 
 }  // namespace
@@ -130,7 +132,8 @@ void print_hard_case_summary(const std::vector<HardRow>& rows, std::size_t shown
     int cells = 0;
     for (const HardRow& r : rows)
       for (const HardCell& c : r.cells)
-        if (c.subject == subject && c.scalar == scalar) ++counts[c.verdict], ++cells, failures += c.failed;
+        if (c.subject == subject && c.scalar == scalar)
+          ++counts[c.verdict], ++cells, failures += c.failed || c.open;
     fmt::print("{:<24}{:<10}{:>6}", subject, scalar, cells);
     for (const Verdict v : verdicts) fmt::print("  {:>12}", counts[v]);
     fmt::print("\n");
@@ -138,10 +141,11 @@ void print_hard_case_summary(const std::vector<HardRow>& rows, std::size_t shown
   std::size_t shown = 0;
   for (const HardRow& r : rows)
     for (const HardCell& c : r.cells)
-      if (c.failed && shown++ < shown_failures) print_failure(r, c);
+      if ((c.failed || c.open) && shown++ < shown_failures) print_failure(r, c);
   if (failures > shown_failures)
     fmt::print(
-        "\n{} more cells failed: liecheck hard-cases with the same --subject and --scalar shows them all\n",
+        "\n{} more cells failed or have no verdict: liecheck hard-cases with the same --subject and --scalar "
+        "shows them all\n",
         failures - shown_failures);
 }
 
@@ -149,7 +153,7 @@ Command hard_cases_command(CLI::App& program) {
   CommandWith<Flags> a(
       program, "hard-cases",
       "a verdict on every hard case. Exit code 0 if none failed; 1 if any did; 2 for bad input; 3 if "
-      "stopped");
+      "stopped, or if a case has no verdict");
   a->selection.add(a);
   a.list("--file", a->files, "FILE", "more hard cases, in the form of fixtures/hard_cases, repeatable");
   a.jobs(a->jobs);

@@ -21,6 +21,7 @@ struct Flags {
   std::string subject, scalar = "double", property, corpus;
   bool versus_random = false;
   RobotFlags robot;
+  LimitsFlags limits;
 };
 
 std::function<void(std::uint64_t, double, double)> progress_of(const std::string& what) {
@@ -53,18 +54,27 @@ std::string corpus_line(const Series& series, const Worst& w, const std::string&
                      series.scalar, fmt::join(id.input, ", "), what, origin);
 }
 
-/// Prints the worst case of one output. Returns whether it exceeds its budget.
-bool print_worst(const Series& series, const Worst& w, const std::string& replay_flags) {
+/// The exit code of two searches: a failure counts more than a case without a verdict.
+int both(int a, int b) {
+  return a == within_budget || b == property_failed ? b : a;
+}
+
+/// Prints the worst case of one output. Returns property_failed if it exceeds its budget, and incomplete if
+/// an evaluation has no verdict or no error could be measured.
+int print_worst(const Series& series, const Worst& w, const std::string& replay_flags) {
   const Output& o = series.outputs.at(static_cast<std::size_t>(w.output));
   fmt::print("\n{}: {}, {}\n", series.property, o.operation, o.block);
   bool failed = w.broken > 0;
+  if (w.open)
+    fmt::print("  no verdict on {} of the evaluations\n  replay    liecheck replay {}{}\n", w.open,
+               w.first_open_id.text(), replay_flags);
   if (w.broken)
     fmt::print("  broken    {} of the evaluations: {}\n  replay    liecheck replay {}{}\n", w.broken,
                outcome_words[static_cast<int>(w.first_broken.residual.outcome)], w.first_broken_id.text(),
                replay_flags);
   if (w.score < 0) {
     fmt::print("  worst     no error could be measured\n");
-    return failed;
+    return failed ? property_failed : incomplete;
   }
   const std::string band = series.bands()[w.judged.residual.band].name;
   const char* unit = w.by_kappa ? "eps kappa" : "eps";
@@ -72,6 +82,11 @@ bool print_worst(const Series& series, const Worst& w, const std::string& replay
   for (const Judged& j : series.replay(w.id)) {
     if (j.residual.output != w.output) continue;
     if (j.failed) failed = true, verdict = "FAIL";
+    const bool one_rule = w.by_kappa == (j.budget->rule == Rule::excess);
+    if (is_misuse(j.residual.outcome))
+      verdict = fmt::format("FAIL: {}", outcome_words[static_cast<int>(j.residual.outcome)]);
+    else if (one_rule && w.score > j.budget->limit && !j.failed)
+      failed = true, verdict = "FAIL: not repeatable, since it passes if measured again";
     verdict = fmt::format("budget {} {}: {}", j.budget->limit,
                           j.budget->rule == Rule::forward ? "eps" : "eps kappa", verdict);
     break;
@@ -82,7 +97,7 @@ bool print_worst(const Series& series, const Worst& w, const std::string& replay
   fmt::print(", band {}\n  found     at evaluation {}, half this error at {}\n", band, w.at, w.half_at);
   fmt::print("  decimal   {}\n  hexadecimal {}\n  replay    liecheck replay {}{}\n",
              fmt::join(w.decimal, ", "), fmt::join(w.id.input, ", "), w.id.text(), replay_flags);
-  return failed;
+  return failed ? property_failed : w.open ? incomplete : within_budget;
 }
 
 void print_comparison(const Worst& hunted, const Worst& random, std::uint64_t evaluations) {
@@ -98,7 +113,7 @@ void print_comparison(const Worst& hunted, const Worst& random, std::uint64_t ev
 /// the operations or blocks that are known.
 std::vector<std::unique_ptr<Series>> series_of(const Flags& f, const Robot& robot) {
   const std::string &op = f.options.operation, &block = f.options.block;
-  Selection selection{{f.subject}, {}, {f.scalar}};
+  Selection selection{{f.subject}, {}, {f.scalar}, f.limits.read()};
   if (!f.property.empty()) selection.properties = {f.property};
   auto all = select(selection, robot);
   if (all.empty()) throw std::invalid_argument(fmt::format("{} is not offered in {}", f.subject, f.scalar));
@@ -154,9 +169,9 @@ class CorpusFile {
   std::set<std::string> names_;
 };
 
-/// Hunts on one series, and samples as many random inputs if asked. Returns whether a case fails its budget.
-bool hunt_on(const Series& series, HuntOptions options, const Flags& f, const std::string& robot_flag,
-             CorpusFile& corpus) {
+/// Hunts on one series, and samples as many random inputs if asked. Returns the exit code.
+int hunt_on(const Series& series, HuntOptions options, const Flags& f, const std::string& robot_flag,
+            CorpusFile& corpus) {
   const auto search = [&](const char* how) {
     options.progress = progress_of(fmt::format("{} {} {}", how, series.property, options.operation));
     const HuntResult result = hunt(series, options);
@@ -175,14 +190,15 @@ bool hunt_on(const Series& series, HuntOptions options, const Flags& f, const st
              hunted.elapsed);
   const std::string origin = fmt::format("liecheck hunt --subject {} --op {} --seed {}, {} evaluations",
                                          series.subject, options.operation, options.seed, hunted.evaluations);
-  bool failed = false;
+  int code = within_budget;
   for (std::size_t i = 0; i < hunted.worst.size(); ++i) {
     const Worst& w = hunted.worst[i];
-    failed = print_worst(series, w, series.robot == "none" ? "" : robot_flag) || failed;
+    code =
+        both(code, print_worst(series, w, (series.robot == "none" ? "" : robot_flag) + limits_flags(series)));
     if (i < random.worst.size()) print_comparison(w, random.worst[i], random.evaluations);
     if (w.score >= 0 || w.broken) corpus.add(corpus_line(series, w, origin));
   }
-  return failed;
+  return code;
 }
 
 int run(const Flags& f) {
@@ -195,16 +211,16 @@ int run(const Flags& f) {
   HuntOptions options = f.options;
   options.seconds /= static_cast<double>(all.size());
   if (options.evaluations) options.evaluations = std::max<std::uint64_t>(1, options.evaluations / all.size());
-  bool failed = false;
+  int code = within_budget;
   const auto search = [&] {
     for (std::size_t k = 0; k < all.size() && !(k > 0 && stop_requested); ++k) {
       if (k > 0) fmt::print("\n");
-      failed = hunt_on(*all[k], options, f, robot_flag, corpus) || failed;
+      code = both(code, hunt_on(*all[k], options, f, robot_flag, corpus));
     }
   };
   do_both(search, [&] { corpus.close(); });  // lines of the corpus survive the loss of the output
   if (stop_requested) fmt::print("\ninterrupted: these are the worst cases so far\n");
-  return stop_requested ? incomplete : failed ? property_failed : within_budget;
+  return stop_requested ? incomplete : code;
 }
 
 }  // namespace
@@ -212,7 +228,7 @@ int run(const Flags& f) {
 Command hunt_command(CLI::App& program) {
   CommandWith<Flags> a(program, "hunt",
                        "search for the worst input of an operation. Exit code 0 if within budget; 1 if "
-                       "beyond it; 2 for bad input; 3 if incomplete");
+                       "beyond it; 2 for bad input; 3 if stopped, or if an evaluation has no verdict");
   HuntOptions& o = a->options;
   a.text("--subject", a->subject, "NAME", "the subject").required();
   a.text("--op", o.operation, "NAME", "the operation, as failures and reports name it").required();
@@ -227,6 +243,7 @@ Command hunt_command(CLI::App& program) {
   a.toggle("--versus-random", a->versus_random, "also sample as many inputs uniformly, and compare");
   a.text("--corpus", a->corpus, "FILE", "append what is found to FILE, as lines of fixtures/hard_cases");
   a->robot.add(a);
+  a->limits.add(a);
   return a.runs(run);
 }
 

@@ -16,15 +16,20 @@ struct Flags {
 int run(const Flags& f) {
   merge_into(f.out, f.in, f.partial);
   const StoredCampaign c = load_campaign(f.out);
-  fmt::print("{}: cases {}..{} of {} series, {}\n", f.out, c.spec.first, c.spec.last, c.series.size(),
-             c.complete() ? "complete" : "incomplete");
-  return c.complete() ? within_budget : incomplete;
+  const std::string open = c.not_measured();
+  const bool complete = c.complete() && open.empty();
+  fmt::print("{}: cases {}..{} of {} series, {}{}{}\n", f.out, c.spec.first, c.spec.last, c.series.size(),
+             complete ? "complete" : "incomplete", open.empty() ? "" : ": ", open);
+  return complete ? within_budget : incomplete;
 }
 
 }  // namespace
 
 Command merge_command(CLI::App& program) {
-  CommandWith<Flags> a(program, "merge", "merge the shards of a campaign; FILE@N is campaign N of a store");
+  CommandWith<Flags> a(
+      program, "merge",
+      "merge the shards of a campaign; FILE@N is campaign N of a store. Exit code 0 if it has "
+      "every case and verdict; 2 for bad input; 3 if not");
   a.text("OUT", a->out, "", "the store to write; its other campaigns stay").required();
   a.list("IN", a->in, "", "the shards' stores, in any order").required();
   a.toggle("--partial", a->partial, "allow missing cases: then OUT is unfinished, and --resume runs them");

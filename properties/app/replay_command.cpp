@@ -13,11 +13,13 @@ namespace {
 struct Flags {
   std::string id;
   RobotFlags robot;
+  LimitsFlags limits;
 };
 
 /// Throws std::invalid_argument if the case belongs to no series, or to a series on another robot.
-std::unique_ptr<Series> series_of(const CaseId& id, const std::string& text, const Robot& robot) {
-  auto found = select({{id.subject}, {id.property}, {id.scalar}}, robot);
+std::unique_ptr<Series> series_of(const CaseId& id, const std::string& text, const Robot& robot,
+                                  const LimitsFlags& limits) {
+  auto found = select({{id.subject}, {id.property}, {id.scalar}, limits.read()}, robot);
   if (found.empty())
     throw std::invalid_argument(
         fmt::format("{} in {} does not offer {}", id.subject, id.scalar, id.property));
@@ -34,29 +36,35 @@ std::unique_ptr<Series> series_of(const CaseId& id, const std::string& text, con
 
 void print_judged(const Series& series, const Judged& j) {
   const Output& o = series.outputs.at(j.residual.output);
-  fmt::print("{:<26}{:<22}{:<24}{:>12.5g} eps  {:<22} kappa {:<10.3g}{} {}\n", o.operation, o.block,
+  const Outcome outcome = j.residual.outcome;
+  const char* word = outcome_words[static_cast<int>(outcome)];
+  fmt::print("{:<26}{:<22}{:<24}{:>12.5g} eps  {:<22} kappa {:<10.3g}{}\n", o.operation, o.block,
              series.bands()[j.residual.band].name, j.residual.error, fmt::format("{:a}", j.residual.error),
              j.residual.kappa,
-             j.failed      ? "FAIL"
-             : j.ill_posed ? "ill-posed"
-                           : "pass",
-             outcome_words[static_cast<int>(j.residual.outcome)]);
+             j.failed                                                     ? fmt::format("FAIL {}", word)
+             : leaves_open(outcome) || outcome == Outcome::outside_domain ? word
+             : j.ill_posed                                                ? "ill-posed"
+                                                                          : "pass");
 }
 
 int run(const Flags& f) {
   const CaseId id = CaseId::parse(f.id);
-  const auto series = series_of(id, f.id, f.robot.read());
+  const auto series = series_of(id, f.id, f.robot.read(), f.limits);
   const Trial trial = attempt(*series, id);
   fmt::print("{}: {}\n{} {} in {}\ninput {}\n", series->property, series->law, series->subject,
              series->subject_version, series->scalar, fmt::join(trial.input, " "));
-  bool failed = false;
+  bool failed = false, open = false, decided = false;
   if (!trial.refusal.empty()) fmt::print("refused: {}\n", trial.refusal);
   for (const Judged& j : trial.judged) {
+    open = open || leaves_open(j.residual.outcome);
+    decided = decided || !j.ill_posed;
     if (!j.failed && j.residual.outcome == Outcome::refused) continue;  // refused as required
     failed = failed || j.failed;
     print_judged(*series, j);
   }
-  return failed ? property_failed : within_budget;
+  if (!failed && (open || !decided))
+    fmt::print("incomplete: {}\n", open ? "no verdict on every output" : "nothing was measured");
+  return failed ? property_failed : open || !decided ? incomplete : within_budget;
 }
 
 }  // namespace
@@ -65,9 +73,10 @@ Command replay_command(CLI::App& program) {
   CommandWith<Flags> a(
       program, "replay",
       "run one case again and print its residuals, bit for bit. Exit code 0 if within budget; 1 if failed; "
-      "2 for bad input");
+      "2 for bad input; 3 if an output has no verdict");
   a.text("ID", a->id, "", "the case's address, as a failure or a report prints it").required();
   a->robot.add(a, "the robot that the ID names");
+  a->limits.add(a);
   return a.runs(run);
 }
 

@@ -28,6 +28,7 @@ struct Flags {
   std::string out = "liecheck-report";
   bool no_cost = false, no_scenes = false;
   CaseFlags cases;
+  LimitsFlags limits;
 };
 
 void create_folder(const std::string& folder) {
@@ -67,11 +68,13 @@ fs::path run_campaign_of_report(const Flags& f) {
   create_folder(f.out);
   const fs::path file = fs::path(f.out) / "campaign.json";
   check_writable(file);
-  const auto hard_cases = run_hard_cases({}, robot, built_in_corpus(), f.cases.options.jobs);
-  const StoredRun run = run_stored_campaign({}, robot, f.cases, {}).value();
+  Selection everything;
+  everything.limits = f.limits.read();
+  const auto hard_cases = run_hard_cases(everything, robot, built_in_corpus(), f.cases.options.jobs);
+  const StoredRun run = run_stored_campaign(everything, robot, f.cases, {}).value();
   if (run.result.incomplete) print_interrupted("");
   nlohmann::json record = record_of(run);
-  add_hard_cases(record, hard_cases);
+  add_hard_cases(record, hard_cases, run.result.incomplete);
   // The record is written after each part, so that whatever ends the program later does not lose it.
   write_record(file, record);
   const auto add = [&](const char* during, const std::function<void()>& part) {
@@ -112,6 +115,7 @@ Command report_command(CLI::App& program) {
   a.toggle("--no-cost", a->no_cost, "leave out the times, which take about 35 s").excludes(records);
   a.toggle("--no-scenes", a->no_scenes, "leave out the scenes, which take about 40 s").excludes(records);
   for (const Flag& flag : a->cases.add(a)) flag.excludes(records);
+  a->limits.add(a).excludes(records);
   return a.runs(run);
 }
 

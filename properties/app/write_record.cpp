@@ -22,7 +22,7 @@ void write_campaign_record(const std::string& file, const StoredRun& run,
                            const std::vector<HardRow>& hard_cases) {
   if (file.empty()) return;
   nlohmann::json record = record_of(run);
-  add_hard_cases(record, hard_cases);
+  add_hard_cases(record, hard_cases, run.result.incomplete);
   write_record(file, record);
 }
 

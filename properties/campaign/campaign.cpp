@@ -43,10 +43,10 @@ void CampaignResult::summarize() {
     total_cases += s.tally.cases;
     failed = failed || !s.tally.disagreed.empty();
     for (const auto& [key, row] : s.tally.rows) failed = failed || row.failed > 0;
-    for (const Covered& c : coverage_of(*s.series, s.tally)) covered = covered && !c.missing();
+    measured = measured && not_measured(*s.series, s.tally).empty();
     if (options.seconds ? stop_requested.load() : !s.tally.done.covers(first, last)) incomplete = true;
   }
-  failed = failed || !covered;
+  measured = measured && !series.empty();
   const std::string header = fmt::format("liecheck g{} seed {}", generator_version, options.seed);
   inputs_digest = inputs.finish(header);
   results_digest = results.finish(header);

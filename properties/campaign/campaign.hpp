@@ -34,14 +34,16 @@ struct CampaignResult {
   CampaignOptions options;
   Robot robot;
   std::vector<SeriesResult> series;
-  bool incomplete = false;
+  bool incomplete = false;  ///< interrupted: cases are missing
   bool failed = false;
-  bool covered = true;  ///< every required class and band was reached
+  bool measured = true;  ///< every series measured what it must (coverage_report.hpp)
   std::string inputs_digest, results_digest;
   std::uint64_t total_cases = 0;
   double elapsed = 0;  ///< s
   /// Computes the digests, the total and the verdict from the series.
   void summarize();
+  /// Whether the verdict is neither "pass" nor "fail". What was not measured hides no failure.
+  bool undecided() const { return incomplete || (!failed && !measured); }
 };
 
 /// The interface through which a campaign saves its progress, so that it can be resumed.

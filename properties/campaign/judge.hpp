@@ -65,16 +65,35 @@ class Judge final : public Recorder {
   void outcome(const Output& output, std::size_t band, Outcome outcome) override {
     Judged j = start(output, band);
     j.residual.outcome = outcome;
-    j.failed = outcome != Outcome::unresolved;
+    j.ill_posed = outcome == Outcome::ill_posed;
+    j.failed = !j.ill_posed && !leaves_open(outcome) && outcome != Outcome::outside_domain;
+    if (outcome == Outcome::refused) recorded_ = ~0u;  // a refusal concerns the whole case
     judged.push_back(j);
+  }
+  /// Ends a case: each of the outputs (bit i for output i) that has no record is unmeasured.
+  void close(std::uint32_t outputs) {
+    for (std::size_t i = 0; i < limits_.size(); ++i)
+      if ((outputs & ~recorded_) >> i & 1) {
+        Judged j;
+        j.residual.output = static_cast<std::uint16_t>(i);
+        j.residual.outcome = Outcome::unmeasured;
+        j.budget = limits_[i].budgets[0];
+        judged.push_back(j);
+      }
+  }
+  /// Forgets the case.
+  void clear() {
+    judged.clear();
+    recorded_ = 0;
   }
 
   std::vector<Judged> judged;
 
  private:
-  Judged start(const Output& output, std::size_t band) const {
+  Judged start(const Output& output, std::size_t band) {
     std::size_t i = 0;
     while (limits_.at(i).definition != output.definition) ++i;
+    recorded_ |= 1u << i;
     Judged j;
     j.residual.output = static_cast<std::uint16_t>(i);
     j.residual.band = static_cast<std::uint16_t>(band);
@@ -90,6 +109,7 @@ class Judge final : public Recorder {
   const Bands& bands_;
   double eps_, accuracy_;
   bool every_kappa_;
+  std::uint32_t recorded_ = 0;  ///< the outputs with a record in this case
 };
 
 /// Whether both oracles give the same verdicts, and errors and condition numbers that agree within the

@@ -15,6 +15,31 @@ bool on_request(const std::string& subject) {
   return subject.find(':') != std::string::npos;
 }
 
+/// The limits file of a subject, or null.
+std::shared_ptr<const SubjectLimits> limits_of(const Selection& selection, const std::string& subject) {
+  for (const auto& limits : selection.limits)
+    if (limits->subject == subject) return limits;
+  return nullptr;
+}
+
+void check_limits(const Selection& selection) {
+  const auto known = subject_names();
+  std::set<std::string> seen;
+  for (const auto& limits : selection.limits) {
+    const auto refuse = [&](const std::string& why) {
+      throw std::invalid_argument(fmt::format("{}:{}: {}", limits->file, limits->subject_line, why));
+    };
+    const std::string& name = limits->subject;
+    const auto& selected = selection.subjects;
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      refuse(fmt::format("unknown subject '{}'; 'liecheck list' shows them", name));
+    if (!seen.insert(name).second) refuse(fmt::format("subject '{}' has another limits file, too", name));
+    if (selected.empty() ? on_request(name)
+                         : std::find(selected.begin(), selected.end(), name) == selected.end())
+      refuse(fmt::format("subject '{}' is not selected: these limits judge nothing", name));
+  }
+}
+
 template <class S>
 void add_series(const Selection& selection, const Robot& robot, std::vector<std::unique_ptr<Series>>& all) {
   const auto wanted = [](const std::vector<std::string>& list, const std::string& name) {
@@ -26,7 +51,8 @@ void add_series(const Selection& selection, const Robot& robot, std::vector<std:
     if (selection.subjects.empty() && on_request(subject->name)) continue;
     for (auto& property : make_properties<S>()) {
       if (!wanted(selection.properties, property->name()) || !property->offered(*subject)) continue;
-      all.push_back(std::make_unique<TypedSeries<S>>(std::move(property), *subject, robot));
+      all.push_back(std::make_unique<TypedSeries<S>>(std::move(property), *subject, robot,
+                                                     limits_of(selection, subject->name)));
     }
   }
 }
@@ -50,6 +76,7 @@ std::vector<std::unique_ptr<Series>> select(const Selection& selection, const Ro
   check_subjects(selection.subjects);
   check_names(selection.properties, property_names(), "property");
   check_names(selection.scalars, {"float", "double", "float128"}, "scalar");
+  check_limits(selection);
   std::vector<std::unique_ptr<Series>> all;
   add_series<float>(selection, robot, all);
   add_series<double>(selection, robot, all);

@@ -8,8 +8,10 @@ namespace liecheck::properties {
 /// Names of subjects, properties and scalars. An empty list means all of them.
 struct Selection {
   std::vector<std::string> subjects, properties, scalars;
+  std::vector<std::shared_ptr<const SubjectLimits>> limits = {};  ///< of some of the subjects
 };
-/// Throws std::invalid_argument for a name that is not known.
+/// Throws std::invalid_argument for a name that is not known, and for limits of a subject that has others or
+/// is not selected.
 std::vector<std::unique_ptr<Series>> select(const Selection& selection, const Robot& robot);
 /// One law on any subject, in double. `subject` must outlive the series. Throws std::invalid_argument.
 std::unique_ptr<Series> series_of(const std::string& property, const Subject<double>& subject,

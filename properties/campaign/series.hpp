@@ -4,6 +4,7 @@
 // search/shrink.hpp, search/hunt.hpp, hard_cases/attempt.hpp and failures/program.hpp work on single cases.
 // They reach the law and the subject through typed_series.hpp.
 
+#include <budgets/limits.hpp>
 #include <campaign/case_id.hpp>
 #include <campaign/tally.hpp>
 #include <memory>
@@ -18,15 +19,24 @@ class Series {
   std::string law, equation, source;
   double eps = 0;
   std::vector<Output> outputs;
+  std::uint32_t due = 0;  ///< bit i: the subject offers outputs[i], and every case must record it
   std::vector<Field> fields;
+  std::shared_ptr<const SubjectLimits> own;  ///< the limits file that judges the subject, or null
 
   CaseId id(std::uint64_t seed, std::uint64_t index) const;
   virtual const Bands& bands() const = 0;
+  virtual const Budget& budget(std::size_t output, Region region) const = 0;
   /// Generates case `index`, measures it and adds it to the tally.
   virtual void run(std::uint64_t seed, std::uint64_t index, Tally& tally) const = 0;
   virtual std::vector<std::string> input(const CaseId& id) const = 0;  ///< hexadecimal floats
-  /// Measures one case again. Throws std::invalid_argument for a raw input that the law rejects.
+  /// Measures one case twice, the second time with checks of its calls: what differs is not repeatable.
+  /// Throws std::invalid_argument for a raw input that the law rejects.
   virtual std::vector<Judged> replay(const CaseId& id) const = 0;
 };
+
+/// The first 16 digits of the SHA-256 of a limits file.
+std::string hash_of(const SubjectLimits& limits);
+/// " --limits FILE" if the series has own limits, or "".
+std::string limits_flags(const Series& series);
 
 }  // namespace liecheck::properties

@@ -25,14 +25,19 @@ struct Judged {
 /// All measurements of one output in one band.
 struct Row {
   std::uint64_t count = 0, ill_posed = 0, unresolved = 0, not_finite = 0, wrong_branch = 0, refused = 0,
-                failed = 0;
+                failed = 0, unmeasured = 0;
+  std::uint64_t not_repeatable = 0, argument_written = 0, output_unwritten = 0;
+  std::uint64_t outside_domain = 0;  ///< neither measured nor judged
   Histogram errors;
   double max_error = 0, max_excess = 0;
   double worst_score = -1;  ///< error or excess of the worst case; infinite if not measured
   std::uint64_t worst_index = 0;
   double worst_kappa = 0;
+  std::uint64_t inside() const { return count - outside_domain; }
   void add(const Judged& j, std::uint64_t index);
   void merge(const Row& o);
+  /// The number of measurements that decide something: pass or fail.
+  std::uint64_t judged() const { return inside() - ill_posed - unresolved - unmeasured; }
 
  private:
   void take_worst(bool other_failed, double score, std::uint64_t index, double kappa);
@@ -42,7 +47,7 @@ struct Row {
 class Rows : std::map<std::pair<int, int>, Row> {
  public:
   using Cell = key_type;
-  using map::at, map::begin, map::end, map::size, map::operator[];
+  using map::at, map::begin, map::end, map::find, map::size, map::operator[];
   Rows() = default;
   Rows(const Rows& o) : map(o) {}
   Rows(Rows&&) = default;  // the addresses of the rows stay valid
@@ -65,6 +70,9 @@ class Rows : std::map<std::pair<int, int>, Row> {
  private:
   std::vector<std::vector<Row*>> found_;
 };
+
+/// What one case says about each output of its law.
+MeasuredOutputs measured_outputs(const std::vector<Judged>& judged);
 
 struct Tally {
   Rows rows;

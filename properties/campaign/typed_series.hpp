@@ -2,8 +2,10 @@
 // A series for one scalar type. It holds the law and the subject, and measures an input.
 //
 // An input is measured by ball arithmetic first. If that leaves a verdict open, it is measured again at 50
-// and 100 digits (Ziv 1991).
+// and 100 digits (Ziv 1991). Where the input is outside the domain of an operation, the subject under test is
+// one that does not offer it.
 
+#include <campaign/call_checks.hpp>
 #include <campaign/judge.hpp>
 #include <campaign/series.hpp>
 
@@ -12,12 +14,18 @@ namespace liecheck::properties {
 template <class S>
 class TypedSeries final : public Series {
  public:
-  TypedSeries(std::unique_ptr<Property<S>> law, const Subject<S>& subject, const Robot& robot);
+  TypedSeries(std::unique_ptr<Property<S>> law, const Subject<S>& subject, const Robot& robot,
+              std::shared_ptr<const SubjectLimits> limits = nullptr);
 
   const Bands& bands() const override { return Bands::of<S>(); }
+  const Budget& budget(std::size_t output, Region region) const override {
+    return *limits_.at(output).budgets[region == Region::to_pi ? 0 : 1];
+  }
+  /// The calls of one case in four are checked, and those of every case that fails. A failing case is
+  /// measured again; if the results differ, it is not repeatable.
   void run(std::uint64_t seed, std::uint64_t index, Tally& tally) const override;
   std::vector<std::string> input(const CaseId& id) const override;
-  std::vector<Judged> replay(const CaseId& id) const override { return measure(numbers(id)); }
+  std::vector<Judged> replay(const CaseId& id) const override { return measure_twice(numbers(id)); }
 
   const Property<S>& tested_law() const { return *law_; }
   const Subject<S>& tested_subject() const { return subject_; }
@@ -32,6 +40,8 @@ class TypedSeries final : public Series {
 
   std::vector<Judged> measure(const std::vector<S>& x) const { return measure(x, limits_); }
   std::vector<Judged> measure(const std::vector<S>& x, const Limits& limits) const;
+  /// Measures like replay().
+  std::vector<Judged> measure_twice(const std::vector<S>& x) const;
   /// Measures by ball arithmetic alone. Returns false if a verdict stays open.
   bool measure_by_balls(const std::vector<S>& x, Judge& judge) const;
   /// Measures at 50 and 100 digits. `refusal` receives the message of an exception.
@@ -39,12 +49,45 @@ class TypedSeries final : public Series {
                                         bool every_kappa = false, std::string* refusal = nullptr) const;
   Judge judge_of_balls() const { return {limits_, bands(), eps, oracles::error_accuracy}; }
 
+  /// While it exists, the calls on this thread are checked; with `one_result`, equal calls have one result:
+  /// call_checks.hpp.
+  class Checking {
+   public:
+    explicit Checking(const TypedSeries& series, bool one_result = false)
+        : series_(series), active_(series.checked_, &log_) {
+      log_.keeps_results = one_result;
+    }
+    /// Gives the measurements of an operation that was called in vain its outcome.
+    void judge(std::vector<Judged>& judged) const;
+
+   private:
+    const TypedSeries& series_;
+    CallLog log_;
+    typename CheckedSubject<S>::Active active_;
+  };
+
  private:
+  /// What one input is measured on: the subject under test, and the outputs whose domain excludes the input.
+  struct Scope {
+    const Subject<S>* subject = nullptr;
+    std::unique_ptr<const Subject<S>> reduced;
+    std::vector<bool> outside;  ///< by output; empty if the domain has the input
+    bool nothing_left = false;  ///< then nothing is called
+  };
+  Scope scope_of(const std::vector<S>& x) const;
+  /// Ends a case: records what is outside the domain, in place of anything that was measured of it, and what
+  /// was not measured.
+  void close(const std::vector<S>& x, const Scope& scope, Judge& judge) const;
+  /// Measures again, with checks of the calls, and marks in `judged` what differs or what was called in vain.
+  void confirm(const std::vector<S>& x, std::vector<Judged>& judged) const;
   const Source::Key& key_of(std::uint64_t seed) const;
 
   std::unique_ptr<Property<S>> law_;
   const Subject<S>& subject_;
+  CheckedSubject<S> checked_;
   Limits limits_;
+  Domain domain_;
+  bool of_joints_ = false;      ///< the law is one of trees or of a robot
   const std::uint64_t number_;  ///< unique in this process, unlike an address, which a later series may reuse
 };
 

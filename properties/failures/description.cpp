@@ -11,10 +11,11 @@ std::string describe_failure(const Series& series, std::uint64_t seed, int outpu
                              const Robot& robot) {
   const Output& o = series.outputs.at(static_cast<std::size_t>(output));
   const Band& b = series.bands()[static_cast<std::size_t>(band)];
-  const Budget& budget = budget_of(series.subject, o.operation, o.block, b.region);
+  const Budget& budget = series.budget(static_cast<std::size_t>(output), b.region);
   const CaseId id = series.id(seed, row.worst_index);
   const Shrunk s = shrink(series, id, output, 2000);
-  const std::string with_robot = series.robot != "none" && !robot.path.empty() ? robot_flags(robot) : "";
+  const std::string flags =
+      (series.robot != "none" && !robot.path.empty() ? robot_flags(robot) : "") + limits_flags(series);
   std::string text;
   text += fmt::format("FAILED  {}: {}\n", series.property, series.law);
   text += fmt::format("  law       {}\n", series.equation);
@@ -22,16 +23,23 @@ std::string describe_failure(const Series& series, std::uint64_t seed, int outpu
   text += fmt::format("  where     {}, block {}, band {}\n", o.operation, o.block, b.name);
   text += fmt::format("  error     {:.4g} eps, budget {} {} ({}); {} of {} cases in the band fail\n",
                       row.worst_score, budget.limit, budget.rule == Rule::forward ? "eps" : "eps kappa",
-                      budget.reason, row.failed, row.count);
+                      budget.reason, row.failed, row.inside());
   if (row.not_finite + row.wrong_branch + row.refused > 0)
     text += fmt::format("  outcomes  {} NaN or Inf, {} wrong branch, {} refused\n", row.not_finite,
                         row.wrong_branch, row.refused);
-  text += fmt::format("  worst     liecheck replay {}{}\n", id.text(), with_robot);
-  text += fmt::format("  shrunk    error {:.4g} eps, kappa {:.3g}\n", s.judged.residual.error,
-                      s.judged.residual.kappa);
+  if (row.not_repeatable + row.argument_written + row.output_unwritten > 0)
+    text += fmt::format("  calls     {} not repeatable, {} wrote to an argument, {} left output unwritten\n",
+                        row.not_repeatable, row.argument_written, row.output_unwritten);
+  text += fmt::format("  worst     liecheck replay {}{}\n", id.text(), flags);
+  if (!s.reproduced)
+    return text + fmt::format("  not repeatable: measured again, this case {}; so it is not shrunk\n",
+                              s.judged.failed ? "gives other results" : "passes");
+  text += fmt::format("  shrunk    error {:.4g} eps, kappa {:.3g}{}{}\n", s.judged.residual.error,
+                      s.judged.residual.kappa, s.judged.residual.outcome == Outcome::measured ? "" : ", ",
+                      outcome_words[static_cast<int>(s.judged.residual.outcome)]);
   text += fmt::format("    decimal     {}\n", fmt::join(s.decimal, ", "));
   text += fmt::format("    hexadecimal {}\n", fmt::join(s.id.input, ", "));
-  text += fmt::format("  replay    liecheck replay {}{}\n", s.id.text(), with_robot);
+  text += fmt::format("  replay    liecheck replay {}{}\n", s.id.text(), flags);
   const std::string program = program_of(series, o, s.id.input);
   if (!program.empty()) text += "  as C++:\n\n" + program;
   return text;

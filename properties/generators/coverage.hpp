@@ -1,28 +1,51 @@
 #pragma once
-// Counts a campaign's inputs in each class of input_classes.hpp. A campaign fails if a required class has no
-// input: its generator is then defective or too narrow.
+// Counts a campaign's measurements in each class of input_classes.hpp, by output of the law. A campaign is
+// incomplete if an output was not measured in a required class: the generator is then defective or too
+// narrow, or the law returns before it measures.
 
 #include <array>
 #include <generators/input_classes.hpp>
+#include <map>
 
 namespace liecheck::properties {
+
+/// The outputs of a law by what one case says about them; bit i stands for output i. No output is in two
+/// sets.
+struct MeasuredOutputs {
+  std::uint32_t measured = 0;   ///< at least one verdict, and the law did not call the result undetermined
+  std::uint32_t ill_posed = 0;  ///< the input does not determine the result
+  std::uint32_t outside = 0;    ///< the input is outside the subject's domain
+  auto operator<=>(const MeasuredOutputs&) const = default;
+};
 
 class Coverage {
  public:
   template <class S>
-  void add(const std::vector<Field>& fields, const std::vector<S>& input);
+  void add(const std::vector<Field>& fields, const std::vector<S>& input, MeasuredOutputs outputs = {});
   void merge(const Coverage& o);
-  /// text() writes all counts as "CASES;N,N,...;N,...". parse() returns false for any other text.
+  /// text() writes all counts as "MEASURED,ILL_POSED,OUTSIDE:CASES;N,N,...;N,...|...", for each set of
+  /// outputs. parse() returns false for any other text.
   std::string text() const;
   bool parse(const std::string& text);
-  std::uint64_t cases() const { return cases_; }
-  std::uint64_t count(std::size_t field, std::size_t c) const {
-    return field < counts_.size() ? counts_[field][c] : 0;
-  }
+
+  // The number of cases; only those in a class of a field; only those that measured an output, or in which it
+  // is ill-posed.
+  using Set = std::uint32_t MeasuredOutputs::*;
+  std::uint64_t cases() const;
+  std::uint64_t cases(Set set, std::size_t output) const;
+  std::uint64_t cases_outside() const;  ///< the cases in which some output is outside the domain
+  std::uint64_t count(std::size_t field, std::size_t c) const;
+  std::uint64_t count(std::size_t field, std::size_t c, Set set, std::size_t output) const;
 
  private:
-  std::uint64_t cases_ = 0;
-  std::vector<std::array<std::uint64_t, 24>> counts_;
+  struct Counts {
+    std::uint64_t cases = 0;
+    std::vector<std::array<std::uint64_t, 24>> classes;  ///< by field
+    std::uint64_t of(std::size_t field, std::size_t c) const {
+      return field < classes.size() ? classes[field][c] : 0;
+    }
+  };
+  std::map<MeasuredOutputs, Counts> counts_;
 };
 
 /// A class is required if at least this many of its inputs are expected. The chance of no input is e^-30.

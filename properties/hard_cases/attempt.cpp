@@ -73,13 +73,16 @@ Trial attempt_in(const TypedSeries<S>& series, const CaseId& address) {
   }
   for (const S& v : x) trial.input.push_back(hexadecimal_float(v));
   Judge balls = series.judge_of_balls();
+  // The call of an operation has one result for all oracles.
+  const typename TypedSeries<S>::Checking checking(series, true);
   try {
     check_entrance(series.tested_subject().operations, series.fields, x);
     trial.judged = series.measure_by_digits(x, series.limits(), true, &trial.refusal);
     // Hard cases in the domain of the ball arithmetic also test the ball arithmetic.
     if (trial.in_domain && trial.refusal.empty() && series.measure_by_balls(x, balls) &&
         !agree(balls.judged, series.measure_by_digits(x, series.limits())))
-      for (Judged& j : trial.judged) j.residual.outcome = Outcome::unresolved;
+      for (Judged& j : trial.judged) j.residual.outcome = Outcome::unresolved, j.failed = false;
+    checking.judge(trial.judged);
   } catch (const std::exception& e) {
     trial.refusal = e.what();
     balls.judged.clear();

@@ -17,8 +17,9 @@ namespace {
 constexpr struct {
   const char* name;
   char letter;
-} descriptions[] = {{"stable", 'S'},     {"refused", 'R'},      {"ill-posed", 'P'}, {"unresolved", 'U'},
-                    {"inaccurate", 'I'}, {"wrong branch", 'B'}, {"not finite", 'N'}};
+} descriptions[] = {{"stable", 'S'},       {"refused", 'R'},    {"ill-posed", 'P'},
+                    {"unmeasured", 'M'},   {"unresolved", 'U'}, {"inaccurate", 'I'},
+                    {"wrong branch", 'B'}, {"not finite", 'N'}, {"bad call", 'C'}};
 
 Verdict verdict_of(const Judged& j, const Output& output) {
   switch (j.residual.outcome) {
@@ -30,7 +31,15 @@ Verdict verdict_of(const Judged& j, const Output& output) {
       return Verdict::unresolved;
     case Outcome::refused:
       return Verdict::refused;
+    case Outcome::unmeasured:
+      return Verdict::unmeasured;
+    case Outcome::not_repeatable:
+    case Outcome::argument_written:
+    case Outcome::output_unwritten:
+      return Verdict::bad_call;
+    case Outcome::outside_domain:  // run() has removed these
     case Outcome::measured:
+    case Outcome::ill_posed:
       break;
   }
   if (j.ill_posed) return Verdict::ill_posed;
@@ -43,6 +52,8 @@ HardCell cell_of(const Series& series, const CaseId& id, const Trial& trial) {
   cell.subject = series.subject, cell.scalar = series.scalar;
   cell.refusal = trial.refusal;
   cell.id = id, cell.id.input = trial.input;
+  cell.limits_flags = limits_flags(series);
+  if (trial.judged.empty()) cell.verdict = Verdict::unmeasured, cell.open = true;
   std::tuple<Verdict, double> worst{Verdict::stable, -1};
   for (const Judged& j : trial.judged) {
     const Output& output = series.outputs.at(j.residual.output);
@@ -51,8 +62,8 @@ HardCell cell_of(const Series& series, const CaseId& id, const Trial& trial) {
     const double figure = excess ? j.excess : j.residual.error;
     // A limit of 0 requires an exact result: any error has an infinite score.
     const double score = figure == 0 ? 0 : figure / j.budget->limit;
-    const bool failed = j.failed || verdict == Verdict::unresolved;
-    cell.failed = cell.failed || failed;
+    cell.failed = cell.failed || j.failed;
+    cell.open = cell.open || leaves_open(j.residual.outcome);
     if (std::tuple(verdict, score) <= worst) continue;
     worst = {verdict, score};
     cell.verdict = verdict;
@@ -112,7 +123,11 @@ bool run(Task& task) {
           fmt::format("{}: {}: {}", task.row.entry->place(), task.row.entry->name, e.what()));
     }
     task.row.input[s->scalar] = trial.input;
-    if (!trial.judged.empty()) task.row.cells.push_back(cell_of(*s, id, trial));
+    const bool any = !trial.judged.empty();
+    std::erase_if(trial.judged,
+                  [](const Judged& j) { return j.residual.outcome == Outcome::outside_domain; });
+    if (any && trial.judged.empty()) continue;  // wholly outside the subject's domain
+    task.row.cells.push_back(cell_of(*s, id, trial));
   }
   return true;
 }
@@ -146,6 +161,10 @@ std::vector<HardRow> run_hard_cases(const Selection& selection, const Robot& rob
 bool any_failed(const std::vector<HardRow>& rows) {
   return std::ranges::any_of(
       rows, [](const HardRow& r) { return std::ranges::any_of(r.cells, &HardCell::failed); });
+}
+bool any_open(const std::vector<HardRow>& rows) {
+  return std::ranges::any_of(rows,
+                             [](const HardRow& r) { return std::ranges::any_of(r.cells, &HardCell::open); });
 }
 
 }  // namespace liecheck::properties

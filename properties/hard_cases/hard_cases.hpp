@@ -7,24 +7,36 @@
 namespace liecheck::properties {
 
 /// From best to worst. The verdict of a cell is the worst one of its blocks.
-enum class Verdict { stable, refused, ill_posed, unresolved, inaccurate, wrong_branch, not_finite };
+enum class Verdict {
+  stable,
+  refused,
+  ill_posed,
+  unmeasured,
+  unresolved,
+  inaccurate,
+  wrong_branch,
+  not_finite,
+  bad_call
+};
 
 const char* name_of(Verdict v);
-/// One letter, for tables: S, R, P, U, I, B, N.
+/// One letter, for tables: S, R, P, M, U, I, B, N, C.
 char letter_of(Verdict v);
 
 /// One hard case on one subject in one scalar.
 struct HardCell {
   std::string subject, scalar;
   Verdict verdict = Verdict::stable;
-  bool failed = false;                 ///< sets the exit code: every verdict except stable, ill-posed, and
-                                       ///< the refusal of an input that is not a rotation
+  bool failed = false;                 ///< sets the exit code: every verdict except stable, ill-posed, those
+                                       ///< of `open`, and the refusal of an input that is not a rotation
+  bool open = false;                   ///< a block is unresolved or unmeasured
   std::string operation, block, band;  ///< of the worst block: by verdict, then error / budget
   double error = 0, kappa = 0;         ///< [eps], [1]; kappa is 0 if it was not computed
   double budget = 0;                   ///< eps, or eps kappa under the excess rule
   bool excess = false;
   std::string refusal;  ///< the error's text
   CaseId id;
+  std::string limits_flags;  ///< " --limits FILE" or "", for a replay
 };
 
 /// One hard case of one law.
@@ -42,5 +54,6 @@ std::vector<HardRow> run_hard_cases(const Selection& selection, const Robot& rob
                                     unsigned jobs = 1);
 
 bool any_failed(const std::vector<HardRow>& rows);
+bool any_open(const std::vector<HardRow>& rows);
 
 }  // namespace liecheck::properties

@@ -13,12 +13,13 @@ namespace liecheck::properties {
 using oracles::Real;
 
 /// Calls `measured`, which records the error, if the computed value is finite and the oracle resolved the
-/// exact value. Otherwise records the outcome for each output.
+/// exact value. Otherwise records the outcome for each output. A NaN is an error whatever the exact value is.
 template <class M, class F>
 void judged_value(Recorder& r, std::initializer_list<Output> outputs, std::size_t band, const M& computed,
                   bool resolved, F measured) {
   if (!oracles::all_finite(computed) || !resolved) {
-    for (const Output& o : outputs) r.outcome(o, band, resolved ? Outcome::not_finite : Outcome::unresolved);
+    const bool finite = oracles::all_finite(computed);
+    for (const Output& o : outputs) r.outcome(o, band, finite ? Outcome::unresolved : Outcome::not_finite);
     return;
   }
   measured();

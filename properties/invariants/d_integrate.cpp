@@ -69,7 +69,14 @@ class DIntegrate final : public Law<DIntegrate, S> {
     const auto exact = oracles::difference(x0, x1);
     std::optional<oracles::Jacobian6Value<Real>> inverse;
     band = band_of_difference<S>(x0, x1, exact);
-    if (exact.at_pi) return;  // both branches are right there; jacobian_oracle measures J^-1 on each
+    if (exact.at_pi) {  // both branches are right there; jacobian_oracle measures J^-1 on each
+      const auto undetermined = [&](const TwoOutputs& outputs) {
+        for (const Output& output : outputs) r.outcome(output, band, Outcome::ill_posed);
+      };
+      if (o[op::d_difference_arg0]) undetermined(jacobian_outputs(op::d_difference_arg0));
+      if (o[op::d_difference_arg1]) undetermined(jacobian_outputs(op::d_difference_arg1));
+      return;
+    }
     // In ball arithmetic, arg0 and arg1 share one logarithm and one inverse Jacobian, because the blocks of
     // J_r^-1 are the transposed blocks of J_l^-1.
     const auto of_difference = [&](bool arg1) -> oracles::Jacobian6Value<Real> {

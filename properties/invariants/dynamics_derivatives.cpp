@@ -58,17 +58,20 @@ class DynamicsDerivatives final : public TreeLaw<DynamicsDerivatives, S> {
       record(torque_q, dq, by_q(c.exact.a), true);
       record(torque_v, dv, by_v(c.exact.a), false);
     }
-    if (!o[op::aba_derivatives] || std::count(roots.begin(), roots.end(), 0.0) > 0) return;
+    if (!o[op::aba_derivatives]) return;
     const std::vector<T> factor = oracles::positive_factor(M, c.nv());
-    if (factor.empty()) return;
+    if (factor.empty()) {  // there is no acceleration to differentiate
+      for (const Output& output : {acceleration_q, acceleration_v}) r.outcome(output, 0, Outcome::ill_posed);
+      return;
+    }
     std::vector<T> a = standing.torque(c.exact.wrench);
     for (std::size_t k = 0; k < a.size(); ++k) a[k] = c.exact.a[k] - a[k];
     a = oracles::solve(factor, a);
     const double inverse = inverse_size(factor, roots);
     const std::vector<double> at_rest(c.nv(), 0);
     const double size = weighted_size(c.sizes(at_rest, at_rest).mass, products(w));
-    const bool singular = !(64 * size * inverse * std::numeric_limits<S>::epsilon() < 1);
-    try {
+    const auto singular = [&] { return nearly_singular<S>(factor, roots, size); };
+    solved(r, {acceleration_q, acceleration_v}, singular, [&] {
       const auto [dq, dv] = o[op::aba_derivatives](c.q, c.v, c.a, c.F_joint, c.F);
       // The error of the subject's own qdd enters the result through the derivative of M(q) qdd.
       const double a_error = inverse * weighted_size(c.sizes(c.rough.v, rough_list(a), true).tau, w);
@@ -87,9 +90,7 @@ class DynamicsDerivatives final : public TreeLaw<DynamicsDerivatives, S> {
       };
       record(acceleration_q, dq, by_q(a), true);
       record(acceleration_v, dv, by_v(a), false);
-    } catch (const std::domain_error&) {  // allowed if rounding may make M singular
-      if (!singular) throw;
-    }
+    });
   }
 };
 

@@ -19,23 +19,34 @@ class ForwardDynamics final : public TreeLaw<ForwardDynamics, S> {
           "sqrt(M_kk) a_k and tau_k / sqrt(M_kk), terms = ||A|| ||a|| + ||tau|| + the terms of rnea: "
           "kappa = ||A^-1|| terms / ||a||, terms / ||tau||, ||A|| ||A^-1||",
       .source = "Featherstone 2008, chapters 6, 7; Demmel 1989 for the scaling",
-      .outputs = {acceleration, inverse, torque}};
+      .outputs = {acceleration, inverse, torque},
+      .formed = {{&op::rnea_of_aba, {&op::tree_aba, &op::tree_rnea}}}};
 
   template <class T, class Case>
   void of(const Operations<S>& subject, const Case& c, Recorder& r) const {
     const std::vector<T> still(c.nv(), T(0));
-    const std::vector<T>& tau = c.exact.a;
     const auto standing = c.dynamics(c.exact.v, still);
     const std::vector<T> M = standing.mass();
-    const std::vector<double> roots = mass_roots(M, c.nv()), w = inverses(roots);
-    if (std::count(roots.begin(), roots.end(), 0.0) > 0) return;  // a massless link makes M singular
+    const std::vector<double> roots = mass_roots(M, c.nv());
     const std::vector<T> factor = oracles::positive_factor(M, c.nv());
-    if (factor.empty()) return;
-    std::vector<T> a = standing.torque(c.exact.wrench), inverse_exact(M.size(), T(0));
+    const TreeOperations<S> o = subject.tree(described(c.stored));
+    if (factor.empty())
+      of_singular(o, c, r, M, roots);
+    else
+      of_regular(o, c, r, standing.torque(c.exact.wrench), roots, factor);
+  }
+
+ private:
+  template <class T, class Case>
+  static void of_regular(const TreeOperations<S>& o, const Case& c, Recorder& r, const std::vector<T>& h,
+                         const std::vector<double>& roots, const std::vector<T>& factor) {
+    const std::vector<T>& tau = c.exact.a;
+    const std::vector<double> w = inverses(roots);
+    std::vector<T> a = h, inverse_exact(c.nv() * c.nv(), T(0));
     for (std::size_t k = 0; k < a.size(); ++k) a[k] = tau[k] - a[k];
     a = oracles::solve(factor, a);
     for (std::size_t k = 0; k < c.nv(); ++k) {
-      std::vector<T> e = still;
+      std::vector<T> e(c.nv(), T(0));
       e[k] = T(1);
       e = oracles::solve(factor, e);
       std::copy(e.begin(), e.end(), inverse_exact.begin() + static_cast<std::ptrdiff_t>(k * c.nv()));
@@ -46,22 +57,56 @@ class ForwardDynamics final : public TreeLaw<ForwardDynamics, S> {
     const double a_size = approximate(weighted_norm(a, roots));
     const double terms = size * a_size + approximate(weighted_norm(tau, w)) +
                          weighted_size(c.sizes(c.rough.v, rough_list(a), true).tau, w);
-    const bool singular = !(64 * size * size_inverse * std::numeric_limits<S>::epsilon() < 1);
+    const auto nearly_singular = [&] {
+      return !(64 * size * size_inverse * std::numeric_limits<S>::epsilon() < 1);
+    };
     const bool resolved = c.resolved();
-    try {
-      const TreeOperations<S> o = subject.tree(described(c.stored));
-      if (o[op::tree_aba]) {
+    if (o[op::tree_aba])
+      solved(r, outputs_of_aba(o), nearly_singular, [&] {
         const VecX<S> computed = o[op::tree_aba](c.q, c.v, c.a, c.F_joint, c.F);
         c.record(r, acceleration, computed, a, roots, size_inverse * terms, resolved);
         if (o[op::tree_rnea])
           c.record(r, torque, o[op::tree_rnea](c.q, c.v, computed, c.F_joint, c.F), tau, w, terms, resolved);
-      }
-      if (o[op::tree_mass_inverse])
+      });
+    if (o[op::tree_mass_inverse])
+      solved(r, {inverse}, nearly_singular, [&] {
         c.record(r, inverse, flat(o[op::tree_mass_inverse](c.q)), inverse_exact, products(roots),
                  size * size_inverse * size_inverse, resolved);
-    } catch (const std::domain_error&) {  // allowed if rounding may make M singular
-      if (!singular) throw;
+      });
+  }
+
+  static Few<Output, 2> outputs_of_aba(const TreeOperations<S>& o) {
+    if (o[op::tree_rnea]) return {acceleration, torque};
+    return {acceleration};
+  }
+
+  /// M has no inverse, and the equation M a = tau - h may have no solution: every output is ill-posed. But an
+  /// acceleration that the subject returns is judged by the residual of the coordinates that have an inertia.
+  /// A backward stable solution leaves a few eps of the terms there, as in the regular case.
+  template <class T, class Case>
+  static void of_singular(const TreeOperations<S>& o, const Case& c, Recorder& r, const std::vector<T>& M,
+                          const std::vector<double>& roots) {
+    if (o[op::tree_mass_inverse]) r.outcome(inverse, 0, Outcome::ill_posed);
+    if (!o[op::tree_aba]) return;
+    for (const Output& output : outputs_of_aba(o)) r.outcome(output, 0, Outcome::ill_posed);
+    VecX<S> computed;
+    try {
+      computed = o[op::tree_aba](c.q, c.v, c.a, c.F_joint, c.F);
+    } catch (const std::domain_error&) {
+      return;
     }
+    if (!oracles::all_finite(computed)) return r.outcome(acceleration, 0, Outcome::not_finite);
+    if (!c.resolved()) return r.outcome(acceleration, 0, Outcome::unresolved);
+    const std::vector<T> a = exact_list<T>(computed);
+    const std::vector<double> w = moving_inverses(roots);
+    const double terms = approximate(weighted_norm(M, products(w))) * approximate(weighted_norm(a, roots)) +
+                         approximate(weighted_norm(c.exact.a, w)) +
+                         weighted_size(c.sizes(c.rough.v, rough_list(a), true).tau, w);
+    constexpr auto one = [] { return 1.0; };
+    std::vector<T> residual = c.dynamics(c.exact.v, a).torque(c.exact.wrench);
+    for (std::size_t k = 0; k < residual.size(); ++k) residual[k] -= c.exact.a[k];
+    const std::vector<T> nothing(c.nv(), T(0));
+    r.record(acceleration, 0, weighted_error<S>(residual, nothing, w, T(terms)), one);
   }
 };
 

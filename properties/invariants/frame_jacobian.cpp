@@ -16,7 +16,8 @@ class FrameJacobian final : public TreeLaw<FrameJacobian, S> {
       .equation = "J v = V, J a + J' v = V' in each reference frame, for the exact v and a",
       .source = "Featherstone 2008, sections 2.2, 2.10; Pinocchio 3.8, frames",
       .outputs = {op::frame_jacobian[block::linear], op::frame_jacobian[block::angular],
-                  op::frame_jacobian_rate[block::linear], op::frame_jacobian_rate[block::angular]}};
+                  op::frame_jacobian_rate[block::linear], op::frame_jacobian_rate[block::angular]},
+      .formed = {{&op::frame_jacobian_rate, {&op::frame_jacobian, &op::frame_jacobian_rate}}}};
 
   template <class T, class Case>
   void of(const Operations<S>& subject, const Case& c, Recorder& r) const {

@@ -29,7 +29,9 @@ class IntegrateDifference final : public Law<IntegrateDifference, S> {
                  {"p1", Kind::vector, 3, "m", Reach::beside},
                  {"Q1", Kind::quaternion, 4, "1", Reach::beside},
                  {"rho", Kind::vector, 3, "m", Reach::full},
-                 {"phi", Kind::rotation_vector, 3, "rad", Reach::full}}};
+                 {"phi", Kind::rotation_vector, 3, "rad", Reach::full}},
+      .formed = {{&op::difference_of_integrate, {&op::integrate, &op::difference}},
+                 {&op::integrate_of_difference, {&op::integrate, &op::difference}}}};
   std::vector<S> generate(Source& source) const override {
     const auto p0 = vector3<S>(source);
     const auto Q0 = unit_quaternion<S>(source);
@@ -76,8 +78,14 @@ class IntegrateDifference final : public Law<IntegrateDifference, S> {
                  [&] { return kappa.kappa(0, scale); });
         r.record(defect, band, norm_defect<S>(quaternion<Real>(q)));
       });
-      if (o[op::difference] && all_finite(q) && exact.resolved && bands[band].region == Region::to_pi)
-        back(r, o[op::difference](q0, q), xd, x0, exact_vector<7, Real>(q), band);
+      if (o[op::difference]) {
+        const bool beyond =
+            bands[band].region == Region::beyond_pi;  // then difference returns a shorter delta
+        if (beyond || !all_finite(q) || !exact.resolved)
+          without_value(r, op::difference_of_integrate, band, !all_finite(q), beyond);
+        else
+          back(r, o[op::difference](q0, q), xd, x0, exact_vector<7, Real>(q), band);
+      }
     }
     if (o[op::difference]) {
       const Vec<S, 6> v = o[op::difference](q0, q1);
@@ -85,7 +93,9 @@ class IntegrateDifference final : public Law<IntegrateDifference, S> {
       const std::size_t band = band_of_difference<S>(x0, x1, exact);
       record_log<S>(r, {op::difference[block::rotation_vector], op::difference[block::linear]}, band, v,
                     exact, exact.separation);
-      if (o[op::integrate] && all_finite(v) && exact.resolved) {
+      if (o[op::integrate] && (!all_finite(v) || !exact.resolved)) {
+        without_value(r, op::integrate_of_difference, band, !all_finite(v), false);
+      } else if (o[op::integrate]) {
         const Vec<S, 7> q = o[op::integrate](q0, v);
         Quaternion<Real> Q1 = quaternion<Real>(q1);
         const Real n = norm(Q1);
@@ -104,6 +114,15 @@ class IntegrateDifference final : public Law<IntegrateDifference, S> {
   }
 
  private:
+  /// Records for both blocks of a round trip why they have no error.
+  static void without_value(Recorder& r, const Operation& round_trip, std::size_t band, bool broken,
+                            bool undetermined) {
+    for (const Block& b : round_trip.blocks)
+      r.outcome({round_trip.name, b.name.text, &round_trip, &b}, band,
+                undetermined ? Outcome::ill_posed
+                : broken     ? Outcome::not_finite
+                             : Outcome::unresolved);
+  }
   template <class Real>
   static oracles::Quaternion<Real> quaternion(const Vec<S, 7>& q) {
     return oracles::exact_vector<4, Real>(q.template tail<4>());
@@ -128,7 +147,8 @@ class IntegrateDifference final : public Law<IntegrateDifference, S> {
     // integrate_of_difference measures that case.
     Real along(0);
     for (int i = 3; i < 6; ++i) along += xv[i] * xd[i];
-    if (at.pi_minus_theta < Real(64 * static_cast<double>(epsilon<S>())) && along < 0) return;
+    if (at.pi_minus_theta < Real(64 * static_cast<double>(epsilon<S>())) && along < 0)
+      return without_value(r, op::difference_of_integrate, band, false, true);
     // The quaternions affect both blocks. The positions affect only rho, which is linear: rho = M (p1 - p0).
     const auto kappa = sensitivity<Real>(
         [&](const std::vector<Real>& Q) {

@@ -55,7 +55,8 @@ class KineticEnergy final : public Law<KineticEnergy, S> {
                  {"c", Kind::vector, 3, "m"},
                  {"I_C", Kind::inertia, 6, "kg m^2"},  // xx xy yy xz yz zz
                  {"u", Kind::vector, 3, "m/s"},
-                 {"omega", Kind::vector, 3, "rad/s"}}};
+                 {"omega", Kind::vector, 3, "rad/s"}},
+      .formed = {{&op::energy_frames, {&op::kinetic_energy, &op::act_inertia, &op::act_motion}}}};
 
   std::vector<S> generate(Source& source) const override {
     std::vector<S> input;

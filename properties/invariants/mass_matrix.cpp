@@ -19,7 +19,10 @@ class MassMatrix final : public TreeLaw<MassMatrix, S> {
       .equation =
           "M = M^T, x^T M x > 0, M e_k = rnea(q, 0, e_k) without gravity; norms of M_kl / sqrt(M_kk M_ll)",
       .source = "Featherstone 2008, chapter 6",
-      .outputs = {symmetric, definite, columns}};
+      .outputs = {symmetric, definite, columns},
+      .formed = {{&op::crba_symmetric, {&op::tree_crba}},
+                 {&op::crba_positive, {&op::tree_crba}},
+                 {&op::crba_columns, {&op::tree_crba, &op::tree_rnea}}}};
 
   template <class T, class Case>
   void of(const Operations<S>& subject, const Case& c, Recorder& r) const {
@@ -39,7 +42,9 @@ class MassMatrix final : public TreeLaw<MassMatrix, S> {
     const std::vector<double> at_rest(c.nv(), 0);
     const double terms = weighted_size(c.sizes(at_rest, at_rest).mass, products(w));
     const std::vector<T> stored = exact_list<T>(flat(M)), factor = oracles::positive_factor(exact, c.nv());
-    if (!factor.empty()) {
+    if (factor.empty()) {  // a massless body: M is only positive semidefinite
+      r.outcome(definite, 0, Outcome::ill_posed);
+    } else {
       const double inverse = inverse_size(factor, roots);
       const bool positive = !oracles::positive_factor(stored, c.nv()).empty();
       // The error of crba may be 16 eps times its terms. So a nearly singular matrix may become indefinite.

@@ -14,7 +14,8 @@ class PowerBalance final : public TreeLaw<PowerBalance, S> {
       .equation =
           "rnea(q, v, a)^T v = d/dt (T + V) = sum_i tr(X_i' J_i (X_i'' - g)^T) + sum_k armature_k v_k a_k",
       .source = "Goldstein 1980, section 2.6",
-      .outputs = {op::tree_power[block::power]}};
+      .outputs = {op::tree_power[block::power]},
+      .formed = {{&op::tree_power, {&op::tree_rnea}}}};
 
   template <class T, class Case>
   void of(const Operations<S>& subject, const Case& c, Recorder& r) const {

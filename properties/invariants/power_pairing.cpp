@@ -36,7 +36,8 @@ class PowerPairing final : public Law<PowerPairing, S> {
                  {"n", Kind::vector, 3, "N m"},
                  {"u_W", Kind::vector, 3, "m/s"},
                  {"omega_W", Kind::vector, 3, "rad/s"},
-                 {"Q", Kind::quaternion, 4, "1"}}};
+                 {"Q", Kind::quaternion, 4, "1"}},
+      .formed = {{&op::power, {&op::act_motion, &op::act_force}}}};
 
   std::vector<S> generate(Source& source) const override {
     std::vector<S> input;

@@ -5,10 +5,17 @@
 namespace liecheck::properties {
 
 template <class S>
+bool Property<S>::offers(const Subject<S>& subject, const Output& output) const {
+  for (const Formed& f : statement().formed)
+    if (f.quantity == output.record)
+      return std::all_of(f.from.begin(), f.from.end(),
+                         [&](const Operation* operation) { return has(subject, *operation); });
+  return has(subject, *output.record);
+}
+template <class S>
 bool Property<S>::offered(const Subject<S>& subject) const {
   const auto all = outputs();
-  return std::any_of(all.begin(), all.end(),
-                     [&](const Output& o) { return subject.operations.has(*o.record); });
+  return std::any_of(all.begin(), all.end(), [&](const Output& o) { return offers(subject, o); });
 }
 template <class S>
 std::vector<Field> Property<S>::fields() const {

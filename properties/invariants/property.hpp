@@ -3,6 +3,9 @@
 // generator of inputs and `measure`, which records the error and kappa of each block. It does not decide
 // whether a case passes: campaign/judge.hpp compares the errors with the budget table.
 //
+// Every case must record each output that the law measures of a subject (`measures`), with an error or with
+// an outcome. An output that nothing was recorded for counts as unmeasured, and its series is incomplete.
+//
 // A new invariant needs one new file: derive a template P from Law<P, S> and register it with
 // RegisteredProperty.
 
@@ -20,10 +23,34 @@
 
 namespace liecheck::properties {
 
-enum class Outcome : std::uint8_t { measured, not_finite, wrong_branch, unresolved, refused };
+/// A law records ill_posed if the input does not determine the result, or if its equation does not hold for
+/// the input. Only the judge records unmeasured.
+enum class Outcome : std::uint8_t {
+  measured,
+  not_finite,
+  wrong_branch,
+  unresolved,
+  refused,
+  ill_posed,
+  unmeasured,
+  not_repeatable,    ///< another call with the same arguments gave another result
+  argument_written,  ///< the call changed one of its arguments
+  output_unwritten,  ///< the call left a number of its result unwritten
+  outside_domain     ///< the subject does not promise a result for the input: nothing was called
+};
 /// For messages, in the order of Outcome.
-inline constexpr const char* outcome_words[] = {"", "NaN or Inf", "wrong branch", "unresolved", "refused"};
-static_assert(std::size(outcome_words) == static_cast<std::size_t>(Outcome::refused) + 1);
+inline constexpr const char* outcome_words[] = {
+    "",           "NaN or Inf",     "wrong branch",     "unresolved",       "refused",           "ill-posed",
+    "unmeasured", "not repeatable", "argument written", "output unwritten", "outside the domain"};
+static_assert(std::size(outcome_words) == static_cast<std::size_t>(Outcome::outside_domain) + 1);
+/// Whether the outcome leaves the verdict on a case open, so that the campaign is incomplete.
+constexpr bool leaves_open(Outcome o) {
+  return o == Outcome::unresolved || o == Outcome::unmeasured;
+}
+/// Whether the outcome concerns the call, not its result.
+constexpr bool is_misuse(Outcome o) {
+  return o == Outcome::not_repeatable || o == Outcome::argument_written || o == Outcome::output_unwritten;
+}
 
 /// One measurement. The error is in eps of the subject's scalar. kappa is 0 if it was not computed.
 struct Residual {
@@ -81,6 +108,12 @@ struct ConstantField {
   Reach reach = Reach::limited;
 };
 
+/// The operations from whose results a law forms a quantity. Any other output needs its own operation alone.
+struct Formed {
+  const Operation* quantity = nullptr;
+  Few<const Operation*, 3> from;
+};
+
 /// What a law says, which blocks it measures and which numbers it needs.
 struct Statement {
   const char* name;
@@ -89,6 +122,7 @@ struct Statement {
   const char* source;    ///< author, year, equation
   Few<Output, 14> outputs;
   Few<ConstantField, 9> fields = {};
+  Few<Formed, 3> formed = {};
 };
 
 template <class S>
@@ -101,8 +135,14 @@ class Property {
   std::string name() const { return statement().name; }
   std::vector<Output> outputs() const { return {statement().outputs.begin(), statement().outputs.end()}; }
   virtual std::vector<Field> fields() const;  ///< by default, those of the statement
-  /// Whether the subject offers at least one operation of the law. By default: an operation of its outputs.
-  virtual bool offered(const Subject<S>& subject) const;
+  /// Whether the subject offers every operation that the output needs.
+  bool offers(const Subject<S>& subject, const Output& output) const;
+  /// Whether the subject offers at least one output of the law.
+  bool offered(const Subject<S>& subject) const;
+  /// Whether each case must record this output of the subject. May be called only after prepare.
+  bool measures(const Subject<S>& subject, const Output& output) const {
+    return offers(subject, output) && exists(output);
+  }
   virtual bool needs_robot() const { return false; }  ///< may be called only after prepare
   /// Sets up what depends on the robot. Called once, before any case.
   virtual void prepare(const Robot&) {}
@@ -122,6 +162,14 @@ class Property {
   virtual bool measure_fast(const Subject<S>&, const std::vector<S>&, Recorder&, std::size_t /*tier*/) const {
     return false;
   }
+
+ protected:
+  /// Whether the subject offers the operation. By default: whether its slot is filled.
+  virtual bool has(const Subject<S>& subject, const Operation& operation) const {
+    return subject.operations.has(operation);
+  }
+  /// Whether the robot has what the output belongs to, such as a continuous joint. Called after prepare.
+  virtual bool exists(const Output&) const { return true; }
 };
 
 // property.cpp instantiates these.

@@ -60,7 +60,6 @@ class RobotConfiguration final : public Law<RobotConfiguration, S> {
     }
     return all;
   }
-  bool offered(const Subject<S>& s) const override { return s.operations.robot; }
   bool needs_robot() const override { return true; }
   void prepare(const Robot& robot) override {
     const auto model =
@@ -173,6 +172,13 @@ class RobotConfiguration final : public Law<RobotConfiguration, S> {
   }
 
  private:
+  bool has(const Subject<S>& s, const Operation&) const override { return s.operations.robot; }
+  /// Whether the robot has a joint of the kind that the block measures.
+  bool exists(const Output& o) const override {
+    const int nq = o.block == block::continuous.text ? 2 : o.block == block::joint.text ? 1 : 7;
+    return o.block == block::same.text ||
+           std::any_of(segments_.begin(), segments_.end(), [nq](const Segment& s) { return s.nq == nq; });
+  }
   /// A random (cos, sin), often near an axis, with norm 1 up to rounding.
   static Vec<S, 2> circle(Source& source) {
     using std::sqrt;

@@ -49,9 +49,9 @@ class SmallAngleBranches final : public Law<SmallAngleBranches, S> {
     }
     const Bands& bands = Bands::of<S>();
     const std::size_t band = band_of_angle<S>(tail3(x[0]));
-    if (bands[band_of_angle<S>(tail3(x[1]))].region == Region::beyond_pi ||
-        bands[band].region == Region::beyond_pi)
-      return;  // beyond pi, exp_oracle and jacobian_oracle measure these operations
+    // Beyond pi, exp_oracle and jacobian_oracle measure these operations.
+    const bool beyond = bands[band_of_angle<S>(tail3(x[1]))].region == Region::beyond_pi ||
+                        bands[band].region == Region::beyond_pi;
 
     // The Jacobians of SO(3) are blocks of those of SE(3). In ball arithmetic one evaluation gives both.
     std::optional<Jacobian6Value<Real>> left[2], left_inverse[2];
@@ -65,6 +65,7 @@ class SmallAngleBranches final : public Law<SmallAngleBranches, S> {
     };
     const auto jump = [&](bool offered, const Output& output, const auto& computed, const auto& exact) {
       if (!offered) return;
+      if (beyond) return r.outcome(output, band, Outcome::ill_posed);
       const auto y0 = computed(0), y1 = computed(1);
       if (!oracles::all_finite(y0) || !oracles::all_finite(y1))
         return r.outcome(output, band, Outcome::not_finite);

@@ -22,7 +22,10 @@ class TreeInvariance final : public TreeLaw<TreeInvariance, S> {
           "a frame rotated by 2 pi / 3",
       .source =
           "invariance of Lagrange's equations under a change of description: Goldstein 1980, section 1.4",
-      .outputs = {world, order, parts}};
+      .outputs = {world, order, parts},
+      .formed = {{&op::rnea_of_a_moved_world, {&op::tree_rnea}},
+                 {&op::rnea_of_reordered_joints, {&op::tree_rnea}},
+                 {&op::rnea_of_split_bodies, {&op::tree_rnea}}}};
 
   template <class T, class Case>
   void of(const Operations<S>& subject, const Case& c, Recorder& r) const {
@@ -39,8 +42,7 @@ class TreeInvariance final : public TreeLaw<TreeInvariance, S> {
     if (!moved[op::tree_rnea]) return;
     record(world, moved[op::tree_rnea](c.q, c.v, c.a, c.F_joint, c.F));
     record(parts, subject.tree(in_parts(tree))[op::tree_rnea](c.q, c.v, c.a, c.F_joint, c.F));
-    if (std::any_of(tree.joints.begin(), tree.joints.end(), [](const auto& j) { return j.primary >= 0; }))
-      return;
+    if (has_mimic(tree)) return r.outcome(order, 0, Outcome::ill_posed);
     const std::vector<int> from = reordered(tree);
     Tree<S> other = tree;
     std::vector<int> place(from.size());
@@ -68,6 +70,14 @@ class TreeInvariance final : public TreeLaw<TreeInvariance, S> {
   }
 
  private:
+  /// The branches of a tree with a mimic joint cannot be reordered: a mimic must follow its primary joint.
+  static bool has_mimic(const oracles::TreeOf<S>& tree) {
+    return std::any_of(tree.joints.begin(), tree.joints.end(), [](const auto& j) { return j.primary >= 0; });
+  }
+  bool exists(const Output& output) const override {
+    const auto robot = this->users_tree();
+    return !robot || output.record != order.record || !has_mimic(robot->tree);
+  }
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
   /// Rotates the world frame by pi about x and moves it by 100 m along x. This rounds only the positions of
   /// joints on the world, on which no torque depends.

@@ -108,6 +108,25 @@ RobotNumbers robot_numbers(const Robot& robot) {
 }
 
 template <class S>
+bool AnyTreeLaw<S>::has(const Subject<S>& subject, const Operation& operation) const {
+  if (!subject.operations.tree) return false;
+  const auto zero = oracles::zero_vector<3, S>();
+  oracles::JointOf<S> joint;
+  joint.Q = {{S(0), S(0), S(0), S(1)}}, joint.p = zero, joint.axis = {{S(0), S(0), S(1)}};
+  joint.pitch = joint.multiplier = joint.offset = joint.armature = S(0);
+  joint.body = {S(1), zero, oracles::identity<3, S>()};
+  Tree<S> tree;
+  tree.joints = {joint}, tree.gravity = zero, tree.frame_Q = joint.Q, tree.frame_p = zero;
+  tree.index();
+  return subject.operations.tree(tree).has(operation);
+}
+
+template <class S>
+std::unique_ptr<const TreeCase<S>> AnyTreeLaw<S>::users_tree() const {
+  return robot_ ? std::make_unique<const TreeCase<S>>(at_, fixed_, fixed_) : nullptr;
+}
+
+template <class S>
 std::vector<Field> AnyTreeLaw<S>::fields() const {
   std::vector<Field> all;
   const auto add = [&](const std::string& name, Kind kind, int size, const char* unit, Reach reach) {

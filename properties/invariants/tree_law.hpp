@@ -7,6 +7,7 @@
 #include <invariants/tree_norms.hpp>
 #include <invariants/tree_program.hpp>
 #include <numeric>
+#include <stdexcept>
 
 namespace liecheck::properties {
 
@@ -50,6 +51,23 @@ double inverse_size(const std::vector<T>& factor, const std::vector<double>& roo
     size += approximate(weighted_norm(oracles::solve(factor, e), roots));
   }
   return size;
+}
+/// Whether M is singular, or may be after rounding in S. Then an operation that solves with M may refuse the
+/// case. `factor` is that of M, empty if M has none; `size` is ||A||.
+template <class S, class T>
+bool nearly_singular(const std::vector<T>& factor, const std::vector<double>& roots, double size) {
+  return factor.empty() || !(64 * size * inverse_size(factor, roots) * std::numeric_limits<S>::epsilon() < 1);
+}
+/// Calls f, which records the outputs of an operation that solves with M. If the operation throws
+/// std::domain_error and M is nearly singular, records that the case is ill-posed.
+template <class F, class IsSingular>
+void solved(Recorder& r, const Few<Output, 2>& outputs, const IsSingular& nearly_singular, const F& f) {
+  try {
+    f();
+  } catch (const std::domain_error&) {
+    if (!nearly_singular()) throw;
+    for (const Output& o : outputs) r.outcome(o, 0, Outcome::ill_posed);
+  }
 }
 /// The entries of a matrix, row by row.
 template <class S, int R, int C>
@@ -106,7 +124,6 @@ class AnyTreeLaw : public Property<S> {
   std::vector<Field> fields() const override;
   std::vector<std::vector<S>> simpler(const std::vector<S>& input) const override;
   std::string program(const Output& output, const std::vector<S>& input) const override;
-  bool offered(const Subject<S>& s) const override { return s.operations.tree != nullptr; }
   /// True only if the user gave a robot. The built-in robot is too simple for these laws.
   bool needs_robot() const override { return robot_; }
   void prepare(const Robot& robot) override;
@@ -115,6 +132,10 @@ class AnyTreeLaw : public Property<S> {
 
  protected:
   TreeLayout layout() const { return at_; }
+  /// Whether the subject offers the operation on a tree of one joint.
+  bool has(const Subject<S>& subject, const Operation& operation) const override;
+  /// The tree of the user's robot, at its neutral configuration; null without one.
+  std::unique_ptr<const TreeCase<S>> users_tree() const;
   /// All numbers of a case. If the user gave a robot, the input holds only its state.
   std::vector<S> full_of(const std::vector<S>& input) const;
 

@@ -23,7 +23,8 @@ class TreeMomentum final : public TreeLaw<TreeMomentum, S> {
           "h = sum m (x'; (x - c) x x') = A_g v; tau_base(q, v, aba(q, v, (0, tau))) = 0 for g = 0, "
           "relative to the terms of forward_dynamics",
       .source = "Orin & Goswami 2008; Noether 1918",
-      .outputs = {linear, angular, map_linear, map_angular, conserved}};
+      .outputs = {linear, angular, map_linear, map_angular, conserved},
+      .formed = {{&op::momentum_conserved, {&op::tree_aba}}}};
 
   template <class T, class Case>
   void of(const Operations<S>& subject, const Case& c, Recorder& r) const {
@@ -55,27 +56,49 @@ class TreeMomentum final : public TreeLaw<TreeMomentum, S> {
           r.outcome(part == 0 ? map_linear : map_angular, 0, Outcome::not_finite);
       }
     }
-    if (o[op::tree_aba] && c.exact.tree.joints[0].kind == oracles::JointKind::free_flyer)
-      conservation<T>(o, c, r);
+    if (o[op::tree_aba] && floats(c.exact.tree)) conservation<T>(o, c, r);
   }
 
  private:
+  /// Whether the first joint is a free-flyer.
+  template <class T>
+  static bool floats(const oracles::TreeOf<T>& tree) {
+    return tree.joints[0].kind == oracles::JointKind::free_flyer;
+  }
+  /// An armature of the base connects it to the world: then its momentum is not conserved.
+  template <class T>
+  static bool is_held(const oracles::TreeOf<T>& tree) {
+    return tree.joints[0].armature > T(0);
+  }
+  bool exists(const Output& output) const override {
+    const auto robot = this->users_tree();
+    return !robot || output.record != conserved.record || (floats(robot->tree) && !is_held(robot->tree));
+  }
+
   template <class T, class Case>
   static void conservation(const TreeOperations<S>& o, const Case& c, Recorder& r) {
-    if (c.exact.tree.joints[0].armature > T(0)) return;  // an armature connects the base to the world
+    if (is_held(c.exact.tree)) return r.outcome(conserved, 0, Outcome::ill_posed);
     VecX<S> tau = c.a;
     tau.template head<6>().setZero();
     const std::vector<T> M = c.dynamics(c.exact.v, c.exact.v).mass();
-    const std::vector<double> roots = mass_roots(M, c.nv()), w = inverses(roots);
-    if (std::count(roots.begin(), roots.end(), 0.0) > 0) return;
-    VecX<S> computed;
-    try {
-      computed = o[op::tree_aba](c.q, c.v, tau, -1, Vec<S, 6>::Zero());
-    } catch (const std::domain_error&) {
-      return;  // forward_dynamics checks whether aba may throw here
-    }
-    if (!oracles::all_finite(computed)) return r.outcome(conserved, 0, Outcome::not_finite);
-    const std::vector<T> a = exact_list<T>(computed);
+    const std::vector<double> roots = mass_roots(M, c.nv()), w = moving_inverses(roots);
+    const auto singular = [&] {
+      const std::vector<double> at_rest(c.nv(), 0);
+      return nearly_singular<S>(oracles::positive_factor(M, c.nv()), roots,
+                                weighted_size(c.sizes(at_rest, at_rest).mass, products(w)));
+    };
+    solved(r, {conserved}, singular, [&] {
+      const VecX<S> computed = o[op::tree_aba](c.q, c.v, tau, -1, Vec<S, 6>::Zero());
+      if (!oracles::all_finite(computed)) return r.outcome(conserved, 0, Outcome::not_finite);
+      record_base_force<T>(c, r, tau, exact_list<T>(computed), M, roots);
+    });
+  }
+
+  /// The exact force on the base at the acceleration a, which determines it even if M is singular.
+  template <class T, class Case>
+  static void record_base_force(const Case& c, Recorder& r, const VecX<S>& tau, const std::vector<T>& a,
+                                const std::vector<T>& M, const std::vector<double>& roots) {
+    const std::vector<double> w = moving_inverses(roots);
     oracles::TreeOf<T> weightless = c.exact.tree;
     oracles::TreeOf<double> rough = c.rough.tree;
     weightless.gravity = oracles::zero_vector<3, T>(), rough.gravity = {{0, 0, 0}};

@@ -29,8 +29,19 @@ std::vector<double> mass_roots(const std::vector<T>& M, std::size_t nv) {
   }
   return roots;
 }
-inline std::vector<double> inverses(std::vector<double> w) {
-  for (double& x : w) x = x > 0 ? 1 / x : 0;
+/// 1 / root, the weights of forces: those of the coordinates that have an inertia, and 0 for the others.
+inline std::vector<double> moving_inverses(std::vector<double> roots) {
+  for (double& x : roots) x = x > 0 ? 1 / x : 0;
+  return roots;
+}
+/// The same, but a coordinate without an inertia has the largest weight of the others (1 if none has any), so
+/// that the force on it is judged too.
+inline std::vector<double> inverses(const std::vector<double>& roots) {
+  std::vector<double> w = moving_inverses(roots);
+  double largest = 0;
+  for (double x : w) largest = std::max(largest, x);
+  for (double& x : w)
+    if (x == 0) x = largest > 0 ? largest : 1;
   return w;
 }
 

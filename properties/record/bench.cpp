@@ -16,6 +16,10 @@ std::size_t BugBench::count(bool alike, bool only_killed) const {
   }));
 }
 
+bool BugBench::measured() const {
+  return std::all_of(rows.begin(), rows.end(), [](const BugRow& bug) { return bug.not_measured.empty(); });
+}
+
 json record_of(const BugBench& b) {
   const auto row = [](const BugRow& bug) -> json {
     return {
@@ -24,6 +28,7 @@ json record_of(const BugBench& b) {
         {"origin", bug.origin},
         {"killed", bug.killed},
         {"by", bug.by},
+        {"not_measured", bug.not_measured},
         {"cases", bug.cases},
         {"seconds", bug.seconds},
         {"weaker_styles", std::map<std::string, bool>(bug.weaker_styles.begin(), bug.weaker_styles.end())}};
@@ -32,7 +37,7 @@ json record_of(const BugBench& b) {
           {"seed", b.seed},
           {"scalar", b.scalar},
           {"seconds_each", b.seconds_each},
-          {"verdict", verdict_of(b.complete, b.passed())},
+          {"verdict", verdict_of(b.complete && (b.measured() || !b.passed()), b.passed())},
           {"bugs", list_of(b.rows, row)}};
 }
 

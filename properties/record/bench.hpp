@@ -13,7 +13,8 @@ namespace liecheck::properties {
 struct BugRow {
   std::string name, fault, origin;
   bool killed = false;
-  std::string by;  ///< law, operation and block that failed
+  std::string by;            ///< law, operation and block that failed
+  std::string not_measured;  ///< of a look-alike: what a law did not measure or the oracle did not resolve
   std::uint64_t cases = 0;
   double seconds = 0;
   std::vector<std::pair<std::string, bool>> weaker_styles;  ///< name, and whether it finds the bug
@@ -26,10 +27,12 @@ struct BugBench {
   std::string scalar;
   double seconds_each = 60;
   std::vector<BugRow> rows;
-  bool complete = false;
+  bool complete = false;  ///< every subject had its time
 
   /// The number of look-alikes or of bugs, or only of those that were killed.
   std::size_t count(bool alike, bool only_killed = false) const;
+  /// Whether every case of the look-alikes has a verdict.
+  bool measured() const;
   /// Whether every bug was killed and no look-alike refused.
   bool passed() const { return count(false, true) == count(false) && count(true, true) == 0; }
 };

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 #include <algorithm>
+#include <campaign/coverage_report.hpp>
 #include <map>
 #include <record/record.hpp>
 #include <set>
@@ -73,16 +74,24 @@ const char* name_of(Axis axis) {
 }
 
 const char* status_of(const Row& row) {
-  return row.failed                   ? "fail"
-         : row.unresolved             ? "unresolved"
-         : row.ill_posed == row.count ? "ill-posed"
-                                      : "pass";
+  const std::uint64_t judged = row.inside();
+  return row.failed                ? "fail"
+         : row.unresolved          ? "unresolved"
+         : row.unmeasured          ? "unmeasured"
+         : judged == 0             ? "empty"
+         : row.ill_posed == judged ? "ill-posed"
+                                   : "pass";
 }
 
 /// One output of a series in one band.
-json row_record(const Series& series, const Output& o, const Band& b, const Row& row, std::uint64_t seed) {
-  const Budget& budget = budget_of(series.subject, o.operation, o.block, b.region);
+json row_record(const Series& series, std::size_t output, const Band& b, const Row& row, std::uint64_t seed) {
+  const Output& o = series.outputs.at(output);
+  const Budget& budget = series.budget(output, b.region);
   const CaseId id = series.id(seed, row.worst_index);
+  const json worst =
+      row.inside() > 0
+          ? json{{"id", id.text()}, {"input", series.input(id)}, {"kappa", number(row.worst_kappa)}}
+          : json();
   return {{"subject", series.subject},
           {"scalar", series.scalar},
           {"property", series.property},
@@ -106,9 +115,14 @@ json row_record(const Series& series, const Output& o, const Band& b, const Row&
           {"not_finite", row.not_finite},
           {"wrong_branch", row.wrong_branch},
           {"refused", row.refused},
+          {"not_repeatable", row.not_repeatable},
+          {"argument_written", row.argument_written},
+          {"output_unwritten", row.output_unwritten},
+          {"outside_domain", row.outside_domain},
           {"failed", row.failed},
+          {"unmeasured", row.unmeasured},
           {"status", status_of(row)},
-          {"worst", {{"id", id.text()}, {"input", series.input(id)}, {"kappa", number(row.worst_kappa)}}}};
+          {"worst", worst}};
 }
 
 struct Results {
@@ -126,7 +140,8 @@ Results results_of(const CampaignResult& r) {
       const Band& band = series->bands()[static_cast<std::size_t>(cell.second)];
       if (operations.insert(o.record).second) all.operations.push_back(definition_of(*o.record));
       if (blocks.insert(o.definition).second) all.blocks.push_back(definition_of(o));
-      all.rows.push_back(row_record(*series, o, band, row, r.options.seed));
+      all.rows.push_back(
+          row_record(*series, static_cast<std::size_t>(cell.first), band, row, r.options.seed));
     }
   return all;
 }
@@ -167,8 +182,22 @@ json subjects_record(const CampaignResult& r) {
                    {"version", offered.series->subject_version},
                    {"scalar", key.second},
                    {"eps", offered.series->eps},
+                   {"limits", offered.series->own ? offered.series->own->file : ""},
+                   {"limits_hash", offered.series->own ? hash_of(*offered.series->own) : ""},
                    {"not_offered", not_offered}});
   }
+  return all;
+}
+
+/// What the campaign must have measured and did not.
+json not_measured_record(const CampaignResult& r) {
+  json all = json::array();
+  for (const auto& [series, tally] : r.series)
+    for (const std::string& line : not_measured(*series, tally))
+      all.push_back({{"property", series->property},
+                     {"subject", series->subject},
+                     {"scalar", series->scalar},
+                     {"what", line}});
   return all;
 }
 
@@ -189,7 +218,8 @@ json record_of(const StoredRun& run) {
       {"seed", r.options.seed},
       {"cases", r.options.seconds ? r.total_cases : r.options.cases},
       {"total_cases", r.total_cases},
-      {"verdict", verdict_of(!r.incomplete, !r.failed)},
+      {"verdict", verdict_of(!r.undecided(), !r.failed)},
+      {"not_measured", not_measured_record(r)},
       {"counterexamples", counterexamples_record(run.counterexamples)},
       {"digest", {{"inputs", r.inputs_digest}, {"results", r.results_digest}}},
       {"robot",

@@ -13,6 +13,7 @@ json cell_record(const HardCell& c) {
                {"scalar", c.scalar},
                {"verdict", name_of(c.verdict)},
                {"failed", c.failed},
+               {"open", c.open},
                {"error", number(c.error)},
                {"kappa", number(c.kappa)},
                {"budget", c.budget},
@@ -20,7 +21,7 @@ json cell_record(const HardCell& c) {
                {"operation", c.operation},
                {"block", c.block},
                {"band", c.band},
-               {"replay", "liecheck replay " + c.id.text()}};
+               {"replay", "liecheck replay " + c.id.text() + c.limits_flags}};
   if (!c.refusal.empty()) cell["refusal"] = c.refusal;
   return cell;
 }
@@ -38,9 +39,13 @@ json record_of(const std::vector<HardRow>& rows) {
   return list_of(rows, row_record);
 }
 
-void add_hard_cases(json& record, const std::vector<HardRow>& rows) {
+void add_hard_cases(json& record, const std::vector<HardRow>& rows, bool interrupted) {
   record["hard_cases"] = record_of(rows);
-  if (any_failed(rows) && record["verdict"] == "pass") record["verdict"] = "fail";
+  if (interrupted) return;
+  if (any_failed(rows))
+    record["verdict"] = "fail";
+  else if (any_open(rows) && record["verdict"] == "pass")
+    record["verdict"] = "incomplete";
 }
 
 }  // namespace liecheck::properties

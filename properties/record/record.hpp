@@ -32,8 +32,9 @@ nlohmann::json record_of(const StoredRun& run);
 /// The hard cases: key "hard_cases" of a campaign's record.
 nlohmann::json record_of(const std::vector<HardRow>& rows);
 
-/// Adds hard cases to a campaign's record. The record's verdict becomes "fail" if a hard case failed.
-void add_hard_cases(nlohmann::json& record, const std::vector<HardRow>& rows);
+/// Adds hard cases to a campaign's record. Unless the campaign was interrupted, its verdict becomes "fail" if
+/// a hard case failed, and "incomplete" instead of "pass" if a hard case has no verdict.
+void add_hard_cases(nlohmann::json& record, const std::vector<HardRow>& rows, bool interrupted);
 
 /// The sweep of the scalar coefficients: key "sweep" of a campaign's record.
 nlohmann::json record_of(const SweepResult& result);

@@ -61,9 +61,10 @@ struct Climb {
   void take(const Judged& j, const std::vector<S>& input, std::size_t island, std::uint64_t evaluation) {
     // A refusal concerns the whole law, although it is recorded under one output.
     if (worst.output != j.residual.output && j.residual.outcome != Outcome::refused) return;
+    if (j.residual.outcome == Outcome::outside_domain) return;
+    if (leaves_open(j.residual.outcome) && worst.open++ == 0) worst.first_open_id = raw_id(input);
     if (j.residual.outcome != Outcome::measured) {
-      if (j.residual.outcome != Outcome::unresolved && worst.broken++ == 0)
-        worst.first_broken = j, worst.first_broken_id = raw_id(input);
+      if (j.failed && worst.broken++ == 0) worst.first_broken = j, worst.first_broken_id = raw_id(input);
       return;
     }
     const double score = score_of(worst, j);
@@ -174,7 +175,7 @@ HuntResult hunt_in(const TypedSeries<S>& series, const HuntOptions& options) {
 HuntResult hunt(const Series& series, const HuntOptions& options) {
   HuntResult result = with_scalar(series, [&](const auto& typed) { return hunt_in(typed, options); });
   for (Worst& w : result.worst)
-    for (CaseId* id : {&w.id, &w.first_broken_id})
+    for (CaseId* id : {&w.id, &w.first_broken_id, &w.first_open_id})
       id->property = series.property, id->subject = series.subject, id->scalar = series.scalar,
       id->robot = series.robot;
   return result;

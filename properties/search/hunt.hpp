@@ -38,6 +38,8 @@ struct Worst {
   std::uint64_t broken = 0;   ///< number of results that are NaN, Inf, wrong branch or refused
   Judged first_broken;
   CaseId first_broken_id;
+  std::uint64_t open = 0;  ///< number of evaluations without a verdict: unresolved or unmeasured
+  CaseId first_open_id;
 };
 
 struct HuntResult {

@@ -1,6 +1,7 @@
 #include <search/shrink.hpp>
 
 #include <campaign/typed_series.hpp>
+#include <optional>
 
 namespace liecheck::properties {
 namespace {
@@ -9,25 +10,36 @@ template <class S>
 Shrunk shrink_in(const TypedSeries<S>& series, const CaseId& address, int output, int evaluations) {
   const Property<S>& law = series.tested_law();
   const std::vector<S> x = series.numbers(address);
-  std::optional<Outcome> outcome;  // of the original input; a simpler input must fail in the same way
-  const auto failure_of = [&](const std::vector<S>& y) -> std::optional<Judged> {
-    if (!law.valid(y)) return std::nullopt;
-    for (const Judged& j : series.measure(y))
-      if (j.failed && j.residual.output == output && (!outcome || j.residual.outcome == *outcome)) return j;
+  const auto failure_in = [&](const std::vector<Judged>& judged) -> std::optional<Judged> {
+    for (const Judged& j : judged)
+      if (j.failed && j.residual.output == output) return j;
     return std::nullopt;
   };
-  if (const auto j = failure_of(x)) outcome = j->residual.outcome;
-  const std::vector<S> small = shrink_input<S>(
-      x, series.fields, [&](const auto& y) { return failure_of(y).has_value(); }, evaluations,
-      [&](const auto& y) { return law.simpler(y); });
+  const std::optional<Judged> first = failure_in(series.measure_twice(x));
   Shrunk s;
+  s.reproduced = first && first->residual.outcome != Outcome::not_repeatable;
+  std::vector<S> small = x;
+  if (s.reproduced) {
+    const Outcome outcome = first->residual.outcome;  // a simpler input must fail in the same way
+    const auto failure_of = [&](const std::vector<S>& y) -> std::optional<Judged> {
+      if (!law.valid(y)) return std::nullopt;
+      const auto j = failure_in(is_misuse(outcome) ? series.measure_twice(y) : series.measure(y));
+      return j && j->residual.outcome == outcome ? j : std::nullopt;
+    };
+    small = shrink_input<S>(
+        x, series.fields, [&](const auto& y) { return failure_of(y).has_value(); }, evaluations,
+        [&](const auto& y) { return law.simpler(y); });
+    s.judged = failure_of(small).value_or(*first);
+  } else if (first) {
+    s.judged = *first;
+  }
   s.id = address;
   s.id.raw = true;
+  s.id.input.clear();
   for (const S& v : small) {
     s.id.input.push_back(hexadecimal_float(v));
     s.decimal.push_back(decimal_float(v));
   }
-  if (const auto j = failure_of(small)) s.judged = *j;
   return s;
 }
 

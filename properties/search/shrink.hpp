@@ -21,6 +21,7 @@ struct Shrunk {
   CaseId id;
   std::vector<std::string> decimal;
   Judged judged;
+  bool reproduced = true;  ///< false: the input did not fail again, or gave another result, and is not shrunk
 };
 
 /// Shrinks a failing case of one output: at most `evaluations` measurements and two seconds.

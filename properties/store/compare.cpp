@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
 #include <store/merge.hpp>
 
 namespace liecheck::properties {
@@ -55,7 +56,19 @@ bool shifted(const Histogram& a, const Histogram& b) {
 
 }  // namespace
 
+std::size_t cells_in_both(const StoredCampaign& a, const StoredCampaign& b) {
+  const auto after = by_name(b);
+  std::size_t n = 0;
+  for (const auto& [name, old] : by_name(a)) {
+    const auto found = after.find(name);
+    n += found != after.end() && old.row->judged() > 0 && found->second.row->judged() > 0;
+  }
+  return n;
+}
+
 std::vector<std::string> worse(const StoredCampaign& a, const StoredCampaign& b) {
+  if (const std::string limits = differences_of_limits(a.spec, b.spec); !limits.empty())
+    throw std::invalid_argument("verdicts by different limits cannot be compared: " + limits);
   const auto before = by_name(a), after = by_name(b);
   std::vector<std::string> lines;
   for (const StoredSeries& s : b.series) {
@@ -87,8 +100,10 @@ std::vector<std::string> worse(const StoredCampaign& a, const StoredCampaign& b)
         say(fmt::format("{} {} of {} cases, were {} of {}", what, to, is.count, from, was.count));
     };
     grew("failed", was.failed, is.failed);
+    if (same_inputs) grew("outside the domain", was.outside_domain, is.outside_domain);
     if (same_inputs) {  // otherwise the inputs may be the reason for a difference
       grew("unresolved", was.unresolved, is.unresolved);
+      grew("unmeasured", was.unmeasured, is.unmeasured);
       grew("ill-posed", was.ill_posed, is.ill_posed);
     }
     if (same_inputs && is.count < was.count)

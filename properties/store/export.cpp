@@ -55,6 +55,11 @@ std::string cell_line(const StoredSeries& s, const Cell& cell, const Row& r) {
        {"wrong_branch", r.wrong_branch},
        {"refused", r.refused},
        {"failed", r.failed},
+       {"unmeasured", r.unmeasured},
+       {"not_repeatable", r.not_repeatable},
+       {"argument_written", r.argument_written},
+       {"output_unwritten", r.output_unwritten},
+       {"outside_domain", r.outside_domain},
        {"max_error", number(r.max_error)},
        {"max_excess", number(r.max_excess)},
        {"worst",
@@ -99,12 +104,15 @@ std::string export_text(const StoredCampaign& c) {
     }
   }
   const CampaignSpec& p = c.spec;
+  json limits = json::object();  // by subject; without the file's name, which may differ
+  for (const auto& own : p.limits) limits[own->subject] = hash_of(*own);
   const json head = {
       {"campaign", {{"seed", p.seed}, {"cases", p.cases}, {"first", p.first}, {"last", p.last}}},
       {"program", p.program},
       {"generator", p.generator},
       {"budgets", p.budgets},
       {"robot", p.robot.hash},
+      {"limits", limits},
       {"complete", c.complete()},
       {"failed", failed},
       {"total_cases", total},

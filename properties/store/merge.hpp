@@ -20,6 +20,8 @@ void merge_into(const std::string& out, const std::vector<std::string>& files, b
 
 /// Returns a line for each cell of b that is worse than in a.
 ///
+/// Throws std::invalid_argument if a subject was judged by different limits files.
+///
 /// If the inputs are the same, every difference comes from the program. Then a new failing, unresolved,
 /// ill-posed or unmeasured case is worse, and so is a maximum that grew by more than 10 % and by more than
 /// 0.5 eps. (A smaller change may come from another order of operations or from the rounding of the result.)
@@ -27,5 +29,8 @@ void merge_into(const std::string& out, const std::vector<std::string>& files, b
 /// A median or 99 % quantile is worse if it grew by more than 10 % and 0.5 eps, and if chance alone would
 /// cause this only once in 1e9.
 std::vector<std::string> worse(const StoredCampaign& a, const StoredCampaign& b);
+
+/// The number of cells with a verdict in both campaigns. If it is 0, nothing was compared.
+std::size_t cells_in_both(const StoredCampaign& a, const StoredCampaign& b);
 
 }  // namespace liecheck::properties

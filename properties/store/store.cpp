@@ -17,7 +17,7 @@ namespace liecheck::properties {
 namespace {
 
 constexpr std::int64_t application_id = 0x6c696563;  // "liec"
-constexpr std::int64_t schema_version = 1;
+constexpr std::int64_t schema_version = 2;
 
 const char* const schema = R"(
 CREATE TABLE campaigns(id INTEGER PRIMARY KEY, seed INTEGER, cases INTEGER, first INTEGER, last INTEGER,
@@ -32,8 +32,11 @@ CREATE TABLE done(campaign INTEGER, series INTEGER, first INTEGER, last INTEGER,
 CREATE TABLE cells(campaign INTEGER, series INTEGER, output INTEGER, band INTEGER, operation TEXT, block TEXT,
   band_name TEXT, count INTEGER, ill_posed INTEGER, unresolved INTEGER, not_finite INTEGER,
   wrong_branch INTEGER, refused INTEGER, failed INTEGER, max_error REAL, max_excess REAL, worst_score REAL,
-  worst_index INTEGER, worst_kappa REAL, histogram TEXT, seal INTEGER,
+  worst_index INTEGER, worst_kappa REAL, histogram TEXT, unmeasured INTEGER, not_repeatable INTEGER,
+  argument_written INTEGER, output_unwritten INTEGER, outside_domain INTEGER, seal INTEGER,
   PRIMARY KEY(campaign, series, output, band)) WITHOUT ROWID;
+CREATE TABLE limits(campaign INTEGER, subject TEXT, file TEXT, text TEXT, seal INTEGER,
+  PRIMARY KEY(campaign, subject)) WITHOUT ROWID;
 CREATE TABLE failures(campaign INTEGER, series INTEGER, output INTEGER, band INTEGER, case_index INTEGER,
   input TEXT, seal INTEGER, PRIMARY KEY(campaign, series, output, band)) WITHOUT ROWID;
 CREATE TABLE counterexamples(property TEXT, subject TEXT, scalar TEXT, robot TEXT, operation TEXT, block TEXT,
@@ -106,7 +109,9 @@ void Store::check_format(Open how) try {
   if (integer("PRAGMA application_id") != application_id)
     fail(empty() ? "not a store: an empty file" : "not a store: a database of another program");
   if (const auto version = integer("PRAGMA user_version"); version != schema_version)
-    fail(fmt::format("a store of version {}, this program reads version {}", version, schema_version));
+    fail(fmt::format("a store of version {}{}, this program reads version {}", version,
+                     version == 1 ? ", which counts inputs and not what was measured of them" : "",
+                     schema_version));
   if (database_.execAndGet("PRAGMA quick_check(1)").getString() != "ok")
     fail("corrupt: the database is damaged");
   if (how == Open::create && sqlite3_db_readonly(database_.getHandle(), "main") == 1)

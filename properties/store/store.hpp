@@ -6,6 +6,7 @@
 // series           property x subject x scalar: number of cases done, two digests (hexadecimal sums)
 // done             the ranges [first, last) of cases done, coalesced
 // cells            series x output x band: counts of outcomes, maxima, worst case, histogram "bin:count ..."
+// limits           the limits files that judged some of the subjects: name and whole text
 // failures         the worst input of each cell that fails, as hexadecimal floats
 // counterexamples  failures of other files that were merged into this one
 //
@@ -54,6 +55,7 @@ class Store {
   void create_tables();
   void check_no_other_writer();
   void insert(const CampaignSpec& spec);
+  void insert_limits(const CampaignSpec& spec);
   void write_series(std::size_t series, const SeriesName& name, const Tally& tally);
   void write_cell(std::size_t series, Cell cell, const Label& label, const Row& row);
   void write_failure(std::size_t series, Cell cell, const Failure& failure);

@@ -67,6 +67,7 @@ class Loader {
   /// Returns nothing if the store has no campaign with this number.
   std::optional<StoredCampaign> load() {
     if (!load_spec()) return std::nullopt;
+    load_limits();
     load_series();
     load_done();
     load_cells();
@@ -102,6 +103,20 @@ class Loader {
     spec.robot.name = text(row, 8), spec.robot.hash = text(row, 9), spec.robot.urdf = text(row, 10);
     spec.environment = text(row, 11);
     return true;
+  }
+
+  void load_limits() {
+    auto row = select("SELECT * FROM limits WHERE campaign = ? ORDER BY subject");
+    while (row.executeStep()) {
+      check_seal(row);
+      try {
+        auto limits = std::make_shared<const SubjectLimits>(parse_limits(text(row, 2), text(row, 3)));
+        check(limits->subject == text(row, 1), "limits of another subject");
+        campaign_.spec.limits.push_back(std::move(limits));
+      } catch (const std::invalid_argument& e) {  // written by a program that knew more
+        throw std::runtime_error(fmt::format("{}: its limits: {}", path_, e.what()));
+      }
+    }
   }
 
   void load_series() {
@@ -149,6 +164,8 @@ class Loader {
       r.failed = count(row, 13), r.max_error = real(row, 14), r.max_excess = real(row, 15);
       r.worst_score = real(row, 16), r.worst_index = count(row, 17), r.worst_kappa = real(row, 18);
       check(parse(text(row, 19), r.errors), "a histogram is malformed");
+      r.unmeasured = count(row, 20), r.not_repeatable = count(row, 21), r.argument_written = count(row, 22);
+      r.output_unwritten = count(row, 23), r.outside_domain = count(row, 24);
     }
   }
 

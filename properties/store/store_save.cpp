@@ -35,6 +35,13 @@ void Store::insert(const CampaignSpec& s) {
   bind_sealed_row(row, campaign_, s.seed, s.cases, s.first, s.last, s.generator, s.program, s.budgets,
                   s.robot.name, s.robot.hash, s.robot.urdf, s.environment)
       .exec();
+  insert_limits(s);
+}
+
+void Store::insert_limits(const CampaignSpec& s) {
+  SQLite::Statement row(database_, "INSERT INTO limits VALUES(?, ?, ?, ?, ?)");
+  for (const auto& limits : s.limits)
+    bind_sealed_row(row, campaign_, limits->subject, limits->file, limits->text).exec();
 }
 
 void Store::write_series(std::size_t series, const SeriesName& s, const Tally& tally) {
@@ -56,10 +63,11 @@ void Store::write_series(std::size_t series, const SeriesName& s, const Tally& t
 void Store::write_cell(std::size_t series, Cell cell, const Label& l, const Row& r) {
   if (!cells_)
     cells_ = std::make_unique<SQLite::Statement>(
-        database_, "REPLACE INTO cells VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
+        database_, "REPLACE INTO cells VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
   bind_sealed_row(*cells_, campaign_, series, cell.first, cell.second, l.operation, l.block, l.band, r.count,
                   r.ill_posed, r.unresolved, r.not_finite, r.wrong_branch, r.refused, r.failed, r.max_error,
-                  r.max_excess, r.worst_score, r.worst_index, r.worst_kappa, text_of(r.errors))
+                  r.max_excess, r.worst_score, r.worst_index, r.worst_kappa, text_of(r.errors), r.unmeasured,
+                  r.not_repeatable, r.argument_written, r.output_unwritten, r.outside_domain)
       .exec();
 }
 
@@ -142,7 +150,7 @@ void Store::write(const StoredCampaign& c, bool replace_last, const std::vector<
   auto transaction = begin_transaction(database_);
   campaign_ = campaigns() + (replace_last ? 0 : 1);
   for (const char* table : {"campaigns WHERE id", "series WHERE campaign", "done WHERE campaign",
-                            "cells WHERE campaign", "failures WHERE campaign"})
+                            "cells WHERE campaign", "limits WHERE campaign", "failures WHERE campaign"})
     database_.exec(fmt::format("DELETE FROM {} = {}", table, campaign_));
   insert(c.spec);
   for (std::size_t i = 0; i < c.series.size(); ++i) {

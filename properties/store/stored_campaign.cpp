@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 #include <algorithm>
+#include <set>
 #include <store/stored_campaign.hpp>
 #include <support/embedded.hpp>
 #include <support/environment.hpp>
@@ -21,6 +22,7 @@ std::string CampaignSpec::differences(const CampaignSpec& o, bool with_range) co
   compare("generator version", generator, o.generator);
   compare("program version", program, o.program);
   compare("budget table", budgets, o.budgets);
+  if (const std::string text = differences_of_limits(*this, o); !text.empty()) all.push_back(text);
   const auto missing = [&](const CampaignSpec& from, const CampaignSpec& in, const char* who) {
     std::vector<std::string> names;
     for (const auto& s : from.series)
@@ -33,6 +35,24 @@ std::string CampaignSpec::differences(const CampaignSpec& o, bool with_range) co
   missing(*this, o, "only the first");
   missing(o, *this, "only the second");
   if (all.empty() && series != o.series) all.push_back("the order of the series");
+  return fmt::format("{}", fmt::join(all, "; "));
+}
+
+std::string differences_of_limits(const CampaignSpec& a, const CampaignSpec& b) {
+  std::set<std::string> subjects;
+  for (const CampaignSpec* spec : {&a, &b})
+    for (const auto& limits : spec->limits) subjects.insert(limits->subject);
+  std::vector<std::string> all;
+  for (const std::string& subject : subjects) {
+    std::string named[2], hash[2];
+    for (const int i : {0, 1})
+      for (const auto& limits : (i ? b : a).limits)
+        if (limits->subject == subject)
+          hash[i] = hash_of(*limits), named[i] = fmt::format("{} ({})", limits->file, hash[i]);
+    if (hash[0] != hash[1])
+      all.push_back(fmt::format("limits of {}: {} against {}", subject, named[0].empty() ? "none" : named[0],
+                                named[1].empty() ? "none" : named[1]));
+  }
   return fmt::format("{}", fmt::join(all, "; "));
 }
 
@@ -51,9 +71,21 @@ CampaignSpec spec_of(const CampaignOptions& o, const Robot& robot, const std::ve
   s.program = LIECHECK_VERSION;
   s.budgets = hexadecimal(sha256(budgets_csv)).substr(0, 16);
   s.robot = robot;
+  s.limits = o.selection.limits;
+  std::sort(s.limits.begin(), s.limits.end(),
+            [](const auto& a, const auto& b) { return a->subject < b->subject; });
   s.environment = environment_text();
   for (const auto& r : series) s.series.push_back(name_of(*r.series).text());
   return s;
+}
+
+std::string StoredCampaign::not_measured() const {
+  std::uint64_t open = 0, judged = 0;
+  for (const StoredSeries& s : series)
+    for (const auto& [cell, row] : s.tally.rows)
+      open += row.unresolved + row.unmeasured, judged += row.judged();
+  if (open > 0) return fmt::format("{} measurements have no verdict", open);
+  return judged > 0 ? "" : "nothing was measured";
 }
 
 bool StoredCampaign::complete() const {

@@ -16,12 +16,16 @@ struct CampaignSpec {
   std::string program;  ///< version of liecheck
   std::string budgets;  ///< the first 16 digits of the SHA-256 of the budget table
   Robot robot;
+  std::vector<std::shared_ptr<const SubjectLimits>> limits;  ///< sorted by subject
   std::string environment;          ///< JSON of the machine that ran it; not compared
   std::vector<std::string> series;  ///< names of the series (SeriesName::text)
 
   /// Returns "seed 1 against 2; ...", or an empty text if both are the same campaign.
   std::string differences(const CampaignSpec& other, bool with_range = true) const;
 };
+/// Returns "limits of a: none against x.limits (0123456789abcdef); ...", or an empty text if each subject was
+/// judged by the same limits file.
+std::string differences_of_limits(const CampaignSpec& a, const CampaignSpec& b);
 CampaignSpec spec_of(const CampaignOptions& options, const Robot& robot,
                      const std::vector<SeriesResult>& series);
 
@@ -49,6 +53,8 @@ struct StoredCampaign {
   CampaignSpec spec;
   std::vector<StoredSeries> series;
   bool complete() const;  ///< every series has its whole range; false if only the time was given
+  /// Why no verdict can rest on it: "nothing was measured", "7 measurements have no verdict"; or "".
+  std::string not_measured() const;
 };
 
 }  // namespace liecheck::properties

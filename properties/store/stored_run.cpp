@@ -40,13 +40,14 @@ StoredRun run_stored(const CampaignOptions& options, const Robot& robot, Store& 
 
 namespace {
 
-/// The subjects of a stored campaign that this program has.
+/// The limits of a stored campaign, and its subjects that this program has.
 Selection selection_of(const StoredCampaign& c) {
   const auto known = subject_names();
   Selection selection;
   for (const StoredSeries& s : c.series)
     if (std::ranges::count(known, s.subject) && !std::ranges::count(selection.subjects, s.subject))
       selection.subjects.push_back(s.subject);
+  selection.limits = c.spec.limits;
   return selection;
 }
 
@@ -67,6 +68,7 @@ StoredRun result_of(const StoredCampaign& c, const std::string& name) {
   if (c.spec.program != LIECHECK_VERSION || c.spec.generator != generator_version)
     refuse(fmt::format("written by liecheck {}, generator {}; this is {}, generator {}", c.spec.program,
                        c.spec.generator, LIECHECK_VERSION, generator_version));
+  o.selection.limits = c.spec.limits;
   auto all = select(selection_of(c), c.spec.robot);
   for (const StoredSeries& s : c.series) {
     const auto found = std::find_if(all.begin(), all.end(), [&](const auto& x) {

@@ -52,15 +52,15 @@ struct CostRow {
 };
 
 /// The largest error of any block over all inputs, as the block defines it (not in eps). It is infinite if a
-/// result was not finite, on a wrong branch, refused or unresolved. Defects of norm and orthogonality are
-/// ignored, because the next operation removes them.
+/// result was not finite, on a wrong branch, refused or unresolved, and if a block has no error at all.
+/// Defects of norm and orthogonality are ignored, because the next operation removes them.
 double error_of(const CostRow& row);
 /// The block with the error that error_of() returns.
 std::string worst_block(const CostRow& row);
 
 /// For each row, the index of the fastest row of the same operation that dominates it, or -1. A row dominates
 /// another if it is faster (disjoint intervals) and its error is no larger, or if its error is smaller and
-/// its median time no larger. The rows `call` (which have no error) and liecheck@FLAGS are not compared.
+/// its median time no larger. Rows without an error, such as `call`, and liecheck@FLAGS are not compared.
 /// `time` is &CostSet::throughput or &CostSet::latency.
 std::vector<int> dominators(const std::vector<CostRow>& rows, Spread CostSet::*time);
 

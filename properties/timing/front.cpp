@@ -5,9 +5,13 @@
 namespace liecheck::properties {
 namespace {
 
-/// The largest error; infinite if the error of an input could not be measured.
+bool is_defect(const BlockErrors& b) {
+  return b.block.find("defect") != std::string::npos;
+}
+
+/// The largest error; infinite if the error of an input could not be measured, or if there is none.
 double largest(const BlockErrors& b) {
-  return b.not_finite + b.wrong_branch + b.refused + b.unresolved > 0
+  return b.errors.empty() || b.not_finite + b.wrong_branch + b.refused + b.unresolved > 0
              ? std::numeric_limits<double>::infinity()
              : b.largest();
 }
@@ -16,7 +20,7 @@ double largest(const BlockErrors& b) {
 std::pair<std::string, double> worst(const CostRow& row) {
   std::pair<std::string, double> all{"", -1};
   for (const BlockErrors& b : row.sets.back().blocks)
-    if (b.block.find("defect") == std::string::npos && largest(b) > all.second) all = {b.block, largest(b)};
+    if (!is_defect(b) && largest(b) > all.second) all = {b.block, largest(b)};
   return all;
 }
 
@@ -35,8 +39,11 @@ std::vector<int> dominators(const std::vector<CostRow>& rows, Spread CostSet::*t
   std::vector<double> error;
   for (const CostRow& row : rows) error.push_back(error_of(row));
   const auto compared = [&](const CostRow& row) {
-    return !row.sets.back().blocks.empty() && (row.sets.back().*time).repetitions > 0 &&
-           row.subject.find('@') == std::string::npos;
+    const auto& blocks = row.sets.back().blocks;
+    const bool measured = std::any_of(blocks.begin(), blocks.end(), [](const BlockErrors& b) {
+      return b.errors.size() + b.not_finite + b.wrong_branch + b.refused + b.unresolved > 0 && !is_defect(b);
+    });
+    return measured && (row.sets.back().*time).repetitions > 0 && row.subject.find('@') == std::string::npos;
   };
   for (std::size_t i = 0; i < rows.size(); ++i)
     for (std::size_t j = 0; j < rows.size(); ++j) {

@@ -23,10 +23,11 @@ class BlockCollector final : public Recorder {
       b->errors.push_back(error);
   }
   void outcome(const Output& output, std::size_t, Outcome outcome) override {
+    if (outcome == Outcome::ill_posed) return;  // the result is not determined: nothing to compare
     if (BlockErrors* b = at(output))
       ++(outcome == Outcome::not_finite     ? b->not_finite
          : outcome == Outcome::wrong_branch ? b->wrong_branch
-         : outcome == Outcome::unresolved   ? b->unresolved
+         : leaves_open(outcome)             ? b->unresolved
                                             : b->refused);
   }
   void refused() {

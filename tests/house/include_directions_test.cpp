@@ -35,7 +35,7 @@ const std::vector<Room> harness = {
     {"oracles", {}},
     {"operations", {}},
     {"generators", {"oracles"}},
-    {"budgets", {"support", "generators"}},
+    {"budgets", {"support", "operations", "generators"}},
     {"subjects", {"lib", "oracles", "operations"}},
     {"invariants", {"lib", "support", "oracles", "operations", "generators", "subjects"}},
     {"campaign",

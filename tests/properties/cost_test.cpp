@@ -54,6 +54,15 @@ TEST(Front, ACaseWithoutAResultHasAnInfiniteError) {
   EXPECT_EQ(dominators(rows, &CostSet::throughput), (std::vector<int>{-1, 0}));
 }
 
+TEST(Front, ARowWithoutAMeasurementDominatesNothingAndIsNotDominated) {
+  std::vector<CostRow> rows = {row("accurate", 1, 99, 100, 101), row("unmeasured", 0, 9, 10, 11)};
+  rows[1].sets.back().blocks[0].errors.clear();
+  EXPECT_TRUE(std::isinf(error_of(rows[1])));
+  EXPECT_EQ(dominators(rows, &CostSet::latency), (std::vector<int>{-1, -1}));
+  rows[1].sets.back().blocks.push_back({"rotation", {1}});  // another block has an error
+  EXPECT_EQ(dominators(rows, &CostSet::latency), (std::vector<int>{-1, -1}));
+}
+
 TEST(CostInputs, AreTheSameForASeedAndLieInTheirBands) {
   const std::vector<Field> fields = {{"rho", Kind::vector, 3, "m"}, {"phi", Kind::rotation_vector, 3, "rad"}};
   const auto a = cost_inputs<double>(fields, 7, 50), b = cost_inputs<double>(fields, 7, 50);

@@ -19,14 +19,14 @@ namespace {
 
 using namespace liecheck::reports;
 
-/// The record that a command writes with --json. Its verdict, exit code 0 or 1, is ignored.
+/// The record that a command writes with --json. Its verdict, exit code 0, 1 or 3, is ignored.
 Json written(const std::string& arguments) {
   const auto file =
       std::filesystem::path(testing::TempDir()) / ("liecheck_record_" + std::to_string(::getpid()) + ".json");
   const std::string line =
       LIECHECK_PROGRAM " " + arguments + " --json '" + file.string() + "' >/dev/null 2>&1";
   const int status = std::system(line.c_str());
-  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) < 2) << arguments;
+  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) != 2) << arguments;
   std::ifstream in(file);
   const Json record = Json::parse(in);
   std::filesystem::remove(file);
@@ -42,6 +42,7 @@ const Json& campaign() {
 Json schema_of_campaign() {
   Json rule = schema();
   for (const char* section : {"sweep", "cost", "scenes"}) rule["properties"].erase(section);
+  if (campaign()["not_measured"].empty()) rule["properties"]["not_measured"].erase("items");
   return rule;
 }
 

@@ -114,10 +114,10 @@ TEST(CoverageReport, NamesTheClassesThatANarrowGeneratorNeverReaches) {
     Source source(sha256("narrow" + std::to_string(i)));
     std::vector<double> x(6);
     for (double& v : x) v = source.symmetric<double>();  // as a plain test would
-    tally.coverage.add(s->fields, x);
+    tally.coverage.add(s->fields, x, {s->due, 0});
   }
   const auto all = coverage_of(*s, tally);
-  const std::string line = coverage_line(all, tally.coverage.cases());
+  const std::string line = coverage_line(all, tally);
   EXPECT_EQ(line.rfind("NOT COVERED", 0), 0u);
   for (const char* what :
        {"phi: zero", "phi: within 4 ulp of a cutoff", "phi: within 4 ulp of pi", "rho: 1e150"})
@@ -129,10 +129,10 @@ TEST(CoverageReport, PassesForAFewCasesAndForTheWholeGenerator) {
   options.selection = {{"liecheck"}, {"exp_oracle"}, {"double"}};
   options.quiet = true;
   options.cases = 20;
-  EXPECT_TRUE(run_campaign(options, built_in_robot()).covered);
+  EXPECT_TRUE(run_campaign(options, built_in_robot()).measured);
   options.cases = 3000;
   const CampaignResult r = run_campaign(options, built_in_robot());
-  EXPECT_TRUE(r.covered);
+  EXPECT_TRUE(r.measured);
   const auto all = coverage_of(*r.series[0].series, r.series[0].tally);
   EXPECT_GT(std::count_if(all.begin(), all.end(), [](const Covered& c) { return c.required; }), 15);
 }

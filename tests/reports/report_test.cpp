@@ -94,6 +94,30 @@ TEST_F(Report, CallsASubjectWithAnUnresolvedBandIncomplete) {
   EXPECT_TRUE(has(read(report(r).html), "<dt>incomplete</dt><dd><b>liecheck</b> in double</dd>"));
 }
 
+TEST_F(Report, PassesNothingThatWasNotMeasured) {
+  const auto verdict_with = [&](auto change) {
+    Json r = record();
+    r["results"].erase(1);  // the row of textbook, which fails
+    r["subjects"].erase(1);
+    change(r);
+    fs::remove_all(dir / "deep");
+    const std::string page = read(report(r).html);
+    return has(page, "<title>liecheck accuracy report: pass</title>")         ? "pass"
+           : has(page, "<title>liecheck accuracy report: incomplete</title>") ? "incomplete"
+                                                                              : "fail";
+  };
+  EXPECT_STREQ(verdict_with([](Json&) {}), "pass");
+  for (const char* status : {"unresolved", "unmeasured", "ill-posed"})
+    EXPECT_STREQ(verdict_with([&](Json& r) { r["results"][0]["status"] = status; }), "incomplete") << status;
+  EXPECT_STREQ(verdict_with([](Json& r) { r["hard_cases"] = {hard_case("liecheck", "unresolved")}; }),
+               "incomplete");
+  EXPECT_STREQ(verdict_with([](Json& r) {
+                 r["not_measured"] = parsed(R"json([{"property": "exp_oracle", "scalar": "double",
+ "subject": "liecheck", "what": "exp6, jump: measured in 0 of 20000 cases"}])json");
+               }),
+               "incomplete");
+}
+
 TEST_F(Report, RefusesAMissingRecord) {
   EXPECT_THROW(write_report({dir / "nowhere.json"}, dir / "out"), std::runtime_error);
   EXPECT_THROW(write_report({}, dir / "out"), std::runtime_error);

@@ -157,10 +157,18 @@ Json full_record() {
    "source": "Murray, Li, Sastry 1994, eq. 2.36"}],
  "properties": [{"equation": "T = exp(xi)", "law": "exp is exp", "property": "exp_oracle",
    "source": "definition"}]})json"));
-  for (Json& r : all["results"]) r.update({{"reason", "why"}, {"refused", 0}, {"failed", 0}});
+  for (Json& r : all["results"])
+    r.update({{"reason", "why"}, {"refused", 0}, {"failed", 0}, {"unmeasured", 0}});
+  all["not_measured"] = parsed(R"json([{"property": "exp_oracle", "scalar": "double", "subject": "liecheck",
+ "what": "exp6, jump: measured in 0 of 20000 cases"}])json");
+  for (Json& r : all["results"])
+    for (const char* name : {"not_repeatable", "argument_written", "output_unwritten", "outside_domain"})
+      r[name] = 0;
+  for (Json& s : all["subjects"]) s["limits"] = "own.limits", s["limits_hash"] = "0123456789abcdef";
   all["hard_cases"] = {hard_case("liecheck", "refused")};
   all["hard_cases"][0]["place"] = "zero.txt:3";
   all["hard_cases"][0]["cells"][0]["refusal"] = "not a unit quaternion";
+  all["hard_cases"][0]["cells"][0]["open"] = false;
   all["sweep"] = swept();
   all["cost"] = cost();
   all["cost"]["rows"] = Json::array({cost_row("liecheck", "double", "exp6", 1e-16, 40)});

@@ -1,0 +1,197 @@
+#include <budgets/limits.hpp>
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <operations/operations.hpp>
+#include <sstream>
+#include <stdexcept>
+#include <support/files.hpp>
+#include <support/json.hpp>
+#include <support/text.hpp>
+
+namespace liecheck::properties {
+
+namespace {
+
+constexpr int format_version = 1;
+
+std::string trimmed(const std::string& text) {
+  const char* const space = " \t\r";
+  const auto first = text.find_first_not_of(space);
+  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(space) - first + 1);
+}
+
+/// The parts between commas; at most n, of which the last one may contain commas.
+std::vector<std::string> parts_of(const std::string& text, std::size_t n = std::string::npos) {
+  std::vector<std::string> parts;
+  std::size_t from = 0;
+  for (std::size_t comma = 0; parts.size() + 1 < n && (comma = text.find(',', from)) != text.npos;
+       from = comma + 1)
+    parts.push_back(trimmed(text.substr(from, comma - from)));
+  parts.push_back(trimmed(text.substr(from)));
+  return parts;
+}
+
+/// Reads the lines of one file.
+class Parser {
+ public:
+  Parser(const std::string& file, const std::string& text) {
+    limits_.file = file, limits_.text = text;
+    std::istringstream in(text);
+    std::string row;
+    for (line_ = 1; std::getline(in, row); ++line_) {
+      check_text(row);
+      row = trimmed(row.substr(0, row.find('#')));
+      if (row.empty()) continue;
+      if (row[0] == '[')
+        enter(row);
+      else
+        read(row);
+    }
+    if (!version_) refuse_file(fmt::format("has no line 'version = {}'", format_version));
+    if (limits_.subject.empty()) refuse_file("names no subject: it has no line 'subject = NAME'");
+    limits_.table = with_own_limits(budgets(limits_.subject), own_);
+  }
+  SubjectLimits take() { return std::move(limits_); }
+
+ private:
+  [[noreturn]] void refuse(const std::string& why) const {
+    throw std::invalid_argument(fmt::format("{}:{}: {}", limits_.file, line_, why));
+  }
+  [[noreturn]] void refuse_file(const std::string& why) const {
+    throw std::invalid_argument(fmt::format("{}: {}", limits_.file, why));
+  }
+  void check_text(const std::string& row) const {
+    const bool control = std::any_of(row.begin(), row.end(), [](unsigned char c) {
+      return (c < 0x20 && c != '\t' && c != '\r') || c == 0x7f;
+    });
+    if (control) refuse(fmt::format("a control character in '{}'", printable(row)));
+    if (!is_utf8(row)) refuse("not UTF-8");
+  }
+
+  void enter(const std::string& row) {
+    if (row != "[limits]" && row != "[domain]")
+      refuse(fmt::format("unknown section '{}'; known: [limits], [domain]", row));
+    if (!version_)
+      refuse(fmt::format("before section {} there must be a line 'version = {}'", row, format_version));
+    section_ = row;
+  }
+
+  void read(const std::string& row) {
+    const auto equals = row.find('=');
+    if (equals == row.npos) refuse(fmt::format("'{}' is not of the form NAME = VALUE", row));
+    const std::string key = trimmed(row.substr(0, equals)), value = trimmed(row.substr(equals + 1));
+    if (section_ == "[limits]")
+      read_limit(key, value);
+    else if (section_ == "[domain]")
+      read_bound(key, value);
+    else
+      read_head(key, value);
+  }
+
+  void read_head(const std::string& key, const std::string& value) {
+    if (key != "version" && key != "subject")
+      refuse(fmt::format("unknown name '{}'; known before the first section: version, subject", key));
+    if (value.empty()) refuse(fmt::format("{} has no value", key));
+    check_new(key);
+    if (key == "subject") {
+      limits_.subject = value, limits_.subject_line = line_;
+    } else {
+      version_ = value == std::to_string(format_version);
+      if (!version_)
+        refuse(fmt::format("version '{}': this program reads version {}", value, format_version));
+    }
+  }
+
+  /// operation, block, region, rule = limit, reason
+  void read_limit(const std::string& key, const std::string& value) {
+    const auto names = parts_of(key);
+    if (names.size() != 4) refuse(fmt::format("'{}' is not of the form OPERATION, BLOCK, REGION, RULE", key));
+    Budget b;
+    b.operation = names[0], b.block = names[1], b.region = names[2];
+    check_operation(b.operation);
+    check_among("block", b.block, blocks_of(b.operation));
+    check_among("region", b.region, {"to_pi", "beyond_pi", "any"});
+    check_among("rule", names[3], {"forward", "excess"});
+    b.rule = names[3] == "forward" ? Rule::forward : Rule::excess;
+    const auto cells = parts_of(value, 2);
+    b.limit = positive("limit", cells[0]);
+    b.reason = fmt::format("{}: {}", limits_.file, cells.size() > 1 ? cells[1] : "no reason given");
+    if (std::none_of(budget_lines().begin(), budget_lines().end(), [&](const Budget& row) {
+          return row.subject.empty() && (replaces(b, row, "to_pi") || replaces(b, row, "beyond_pi"));
+        }))
+      refuse(fmt::format("'{}' names no limit: the budget table has none with this region and rule", key));
+    check_new(fmt::format("{}, {}, {}, {}", b.operation, b.block, b.region, names[3]));
+    own_.push_back(b);
+  }
+
+  /// operation, quantity = largest
+  void read_bound(const std::string& key, const std::string& value) {
+    const auto names = parts_of(key);
+    if (names.size() != 2) refuse(fmt::format("'{}' is not of the form OPERATION, QUANTITY", key));
+    check_operation(names[0]);
+    check_among("quantity", names[1], quantity_names());
+    const auto& known = quantity_names();
+    DomainBound b{nullptr,
+                  static_cast<Quantity>(std::find(known.begin(), known.end(), names[1]) - known.begin()),
+                  positive("bound", value)};
+    for (const Operation* o : all_operations())
+      if (o->name == names[0]) b.operation = o;
+    if (b.operation && !takes(*b.operation, b.quantity))
+      refuse(fmt::format("'{}' names nothing: {} takes no {}", key, names[0], names[1]));
+    check_new(fmt::format("domain {}, {}", names[0], names[1]));
+    limits_.domain.push_back(b);
+  }
+
+  static std::vector<std::string> blocks_of(const std::string& operation) {
+    std::vector<std::string> blocks{"*"};
+    for (const Budget& b : budget_lines())
+      if (b.subject.empty() && (operation == "*" || b.operation == operation) &&
+          std::find(blocks.begin(), blocks.end(), b.block) == blocks.end())
+        blocks.push_back(b.block);
+    return blocks;
+  }
+  void check_operation(const std::string& name) const {
+    if (name != "*" && std::none_of(all_operations().begin(), all_operations().end(),
+                                    [&](const Operation* o) { return o->name == name; }))
+      refuse(fmt::format("unknown operation '{}'; 'liecheck list --operations' shows them, * means every one",
+                         name));
+  }
+  void check_among(const char* what, const std::string& name, const std::vector<std::string>& known) const {
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      refuse(fmt::format("unknown {} '{}'; known: {}", what, name, fmt::join(known, ", ")));
+  }
+  void check_new(const std::string& what) {
+    const auto [first, is_new] = seen_.emplace(what, line_);
+    if (!is_new) refuse(fmt::format("'{}' is already in line {}", what, first->second));
+  }
+  double positive(const char* what, const std::string& text) const {
+    double x = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), x);
+    if (error != std::errc() || end != text.data() + text.size() || !(x > 0) || std::isinf(x))
+      refuse(fmt::format("{} '{}' is not a positive and finite number", what, text));
+    return x;
+  }
+
+  SubjectLimits limits_;
+  std::vector<Budget> own_;
+  std::map<std::string, int> seen_;  ///< what a line names, and its line
+  std::string section_;
+  bool version_ = false;
+  int line_ = 0;
+};
+
+}  // namespace
+
+SubjectLimits parse_limits(const std::string& file, const std::string& text) {
+  return Parser(file, text).take();
+}
+
+SubjectLimits read_limits(const std::string& path) {
+  return parse_limits(path, read_whole(path));
+}
+
+}  // namespace liecheck::properties

@@ -1,0 +1,71 @@
+#pragma once
+// Checks of a subject's calls that need no oracle. Each call is made twice, with copies of its arguments:
+// both results must have the same bits, and the copies must keep theirs. The memory of a result is filled
+// with another pattern before each call, and the result is constructed in it (guaranteed copy elision). A
+// number that keeps both patterns was not written.
+//
+// This last check works for results of fixed size: vectors, matrices, poses and bodies. It cannot see the
+// memory that a vector or matrix of dynamic size allocates, a single number, which is returned in a register,
+// or a result that the subject copies from a variable of its own.
+
+#include <invariants/property.hpp>
+#include <memory>
+
+namespace liecheck::properties {
+
+/// The checked calls of one case. If the log keeps results, a call with arguments that it knows gives the
+/// noted result: then a case that two oracles measure is measured on the same results.
+class CallLog {
+ public:
+  struct Finding {
+    const Operation* operation;
+    Outcome outcome;
+  };
+  struct Noted {
+    const Operation* operation;
+    int tree;               ///< which of the trees that the case builds, from 1; 0 if none
+    std::string arguments;  ///< their bits
+    std::shared_ptr<const void> result;
+  };
+  std::vector<Finding> findings;
+  std::vector<Noted> results;
+  bool keeps_results = false;
+  int trees = 0;  ///< built since the case was last measured from its beginning
+
+  /// The log of this thread, or null if its calls are not checked.
+  static CallLog*& current();
+};
+
+/// A subject whose calls are checked while an Active with a log exists on the thread.
+template <class S>
+class CheckedSubject {
+  struct Implementation;
+
+ public:
+  /// `tested` must outlive this.
+  explicit CheckedSubject(const Subject<S>& tested);
+  ~CheckedSubject();
+  const Subject<S>& subject() const;
+
+  /// Calls of subject() are permitted on this thread, and checked if there is a log.
+  class Active {
+   public:
+    Active(const CheckedSubject& checked, CallLog* log);
+    Active(const Active&) = delete;
+    Active& operator=(const Active&) = delete;
+    ~Active();
+
+   private:
+    struct Inside;
+    std::unique_ptr<Inside> inside_;
+  };
+
+ private:
+  std::unique_ptr<const Implementation> implementation_;
+};
+
+extern template class CheckedSubject<float>;
+extern template class CheckedSubject<double>;
+extern template class CheckedSubject<float128>;
+
+}  // namespace liecheck::properties

@@ -1,0 +1,233 @@
+// Calls that are not repeatable, write to an argument or leave output unwritten are outcomes of their own.
+// Without the checks, such a case passes, or looks like a disagreement of the oracles.
+
+#include <gtest/gtest.h>
+#include <atomic>
+#include <campaign/campaign.hpp>
+#include <campaign/typed_series.hpp>
+#include <failures/description.hpp>
+#include <search/shrink.hpp>
+#include <subjects/tree.hpp>
+
+namespace liecheck::properties {
+namespace {
+
+using O = Operations<double>;
+using V3 = O::V3;
+using V4 = O::V4;
+using V6 = O::V6;
+using X = VecX<double>;
+
+const O& good() {
+  for (const auto* s : subjects<double>())
+    if (s->name == "liecheck") return s->operations;
+  throw std::logic_error("liecheck is not registered");
+}
+
+/// Changes the last bit of x in every second call.
+void flicker(double& x) {
+  static std::atomic<int> calls{0};
+  if (++calls % 2 == 0) x = std::nextafter(x, 2 * std::fabs(x) + 1);
+}
+
+Subject<double> planted(const std::string& name, void (*plant)(O&)) {
+  Subject<double> s;
+  s.name = "call:" + name;
+  plant(s.operations);
+  return s;
+}
+
+const Registered<double> subjects_with_bad_calls[] = {
+    Registered<double>(planted("flickers",
+                               [](O& o) {
+                                 o[op::exp6] = [](const V6& xi) {
+                                   auto T = good()[op::exp6](xi);
+                                   flicker(T.p[0]);
+                                   return T;
+                                 };
+                               })),
+    Registered<double>(planted("writes",
+                               [](O& o) {
+                                 o[op::exp6] = [](const V6& xi) {
+                                   auto T = good()[op::exp6](xi);
+                                   const_cast<V6&>(xi)[0] = 7;  // NOLINT: the fault
+                                   return T;
+                                 };
+                               })),
+    Registered<double>(planted("leaves",
+                               [](O& o) {
+                                 o[op::exp3_quaternion] = [](const V3& phi) -> V4 {
+                                   V4 Q;
+                                   Q.head<3>() = good()[op::exp3_quaternion](phi).head<3>();
+                                   return Q;
+                                 };
+                               })),
+    Registered<double>(planted("once",
+                               [](O& o) {
+                                 o[op::exp6] = [](const V6& xi) {
+                                   static std::atomic<int> calls{0};
+                                   auto T = good()[op::exp6](xi);
+                                   if (++calls == 23) T.p *= 1.5;
+                                   return T;
+                                 };
+                               })),
+    Registered<double>(planted("robot",
+                               [](O& o) {
+                                 o.robot = [](const std::string& urdf, bool fixed) {
+                                   auto r = good().robot(urdf, fixed);
+                                   r[op::robot_integrate] = [f = r[op::robot_integrate]](const X& q,
+                                                                                         const X& d) {
+                                     X next = f(q, d);
+                                     flicker(next[0]);
+                                     return next;
+                                   };
+                                   return r;
+                                 };
+                               })),
+    Registered<double>(planted("tree",
+                               [](O& o) {
+                                 o.tree = [](const Tree<double>& tree) {
+                                   auto t = good().tree(tree);
+                                   t[op::tree_gravity] = [f = t[op::tree_gravity]](const X& q) {
+                                     X tau = f(q);
+                                     flicker(tau[0]);
+                                     return tau;
+                                   };
+                                   return t;
+                                 };
+                               })),
+};
+
+CampaignResult run(const std::string& subject, const std::string& property, std::uint64_t cases = 40) {
+  CampaignOptions options;
+  options.selection = {{subject}, {property}, {"double"}};
+  options.cases = cases, options.quiet = true;
+  return run_campaign(options, built_in_robot());
+}
+
+/// The sum of a count over the rows of an operation.
+std::uint64_t sum(const CampaignResult& r, const Operation& operation, std::uint64_t Row::*count) {
+  std::uint64_t n = 0;
+  const SeriesResult& s = r.series.at(0);
+  for (const auto& [cell, row] : s.tally.rows)
+    if (s.series->outputs.at(static_cast<std::size_t>(cell.first)).record == &operation) n += row.*count;
+  return n;
+}
+
+std::unique_ptr<Series> series(const std::string& subject, const std::string& property) {
+  return std::move(select({{subject}, {property}, {"double"}}, built_in_robot()).at(0));
+}
+const TypedSeries<double>& typed(const Series& s) {
+  return dynamic_cast<const TypedSeries<double>&>(s);
+}
+bool failed(const std::vector<Judged>& judged) {
+  return std::any_of(judged.begin(), judged.end(), [](const Judged& j) { return j.failed; });
+}
+const std::vector<double> twist = {0.5, -0.25, 1.5, 0.25, 1, -0.5};
+
+TEST(CallChecks, ACallThatIsNotRepeatableFailsAndNeverMakesTheOraclesDisagree) {
+  const auto s = series("call:flickers", "exp_oracle");
+  EXPECT_FALSE(failed(typed(*s).measure(twist)));  // the error of the last bit is within budget
+  const auto oracles_agree = [&] {
+    Judge balls = typed(*s).judge_of_balls();
+    EXPECT_TRUE(typed(*s).measure_by_balls(twist, balls));
+    return agree(balls.judged, typed(*s).measure_by_digits(twist, typed(*s).limits()));
+  };
+  EXPECT_FALSE(oracles_agree());
+  {
+    const TypedSeries<double>::Checking checking(typed(*s), true);
+    EXPECT_TRUE(oracles_agree());
+  }
+  const CampaignResult r = run("call:flickers", "exp_oracle", 1100);
+  EXPECT_TRUE(r.failed);
+  EXPECT_GE(r.series.at(0).tally.checked, 2u);
+  EXPECT_TRUE(r.series.at(0).tally.disagreed.empty());
+  EXPECT_GE(sum(r, op::exp6, &Row::not_repeatable), 3u * 275u);  // three blocks, one case in four
+  EXPECT_EQ(sum(r, op::exp6, &Row::failed), sum(r, op::exp6, &Row::not_repeatable));
+}
+
+TEST(CallChecks, AnArgumentThatIsWrittenToFails) {
+  const auto s = series("call:writes", "exp_oracle");
+  EXPECT_FALSE(failed(typed(*s).measure(twist)));
+  EXPECT_TRUE(failed(typed(*s).measure_twice(twist)));
+  const CampaignResult r = run("call:writes", "exp_oracle", 160);
+  EXPECT_TRUE(r.failed);
+  EXPECT_EQ(sum(r, op::exp6, &Row::argument_written), 3u * 40u);
+  EXPECT_EQ(sum(r, op::exp6, &Row::not_repeatable), 0u);
+}
+
+TEST(CallChecks, OutputThatIsLeftUnwrittenFailsWhateverTheMemoryHeld) {
+  for (const auto* subject : subjects<double>()) {
+    if (subject->name != "call:leaves") continue;
+    const CheckedSubject<double> checked(*subject);
+    CallLog log;
+    const CheckedSubject<double>::Active active(checked, &log);
+    checked.subject().operations[op::exp3_quaternion](V3(1, 2, 3));
+    ASSERT_EQ(log.findings.size(), 1u);
+    EXPECT_EQ(log.findings[0].outcome, Outcome::output_unwritten);
+    EXPECT_EQ(log.findings[0].operation, &op::exp3_quaternion);
+  }
+  const CampaignResult r = run("call:leaves", "exp_oracle", 160);
+  EXPECT_TRUE(r.failed);
+  EXPECT_GE(sum(r, op::exp3_quaternion, &Row::output_unwritten), 2u * 40u);
+}
+
+TEST(CallChecks, AFailureThatDoesNotReproduceSaysSoAndIsNotShrunk) {
+  const CampaignResult r = run("call:once", "exp_oracle");
+  EXPECT_TRUE(r.failed);
+  const SeriesResult& s = r.series.at(0);
+  int described = 0;
+  for (const auto& [cell, row] : s.tally.rows) {
+    if (!row.failed) continue;
+    EXPECT_EQ(row.failed, row.not_repeatable);
+    const std::string text =
+        describe_failure(*s.series, r.options.seed, cell.first, cell.second, row, r.robot);
+    EXPECT_NE(text.find("not repeatable: measured again, this case passes; so it is not shrunk"),
+              std::string::npos)
+        << text;
+    EXPECT_EQ(text.find("  shrunk "), std::string::npos) << text;
+    ++described;
+  }
+  EXPECT_GE(described, 1);
+}
+
+TEST(CallChecks, AWrittenArgumentIsShrunkAndAFlickeringResultIsNot) {
+  for (const char* name : {"call:writes", "call:flickers"}) {
+    const auto s = series(name, "exp_oracle");
+    CaseId id = s->id(0, 0);
+    id.raw = true;
+    for (const double x : twist) id.input.push_back(hexadecimal_float(x));
+    const Shrunk small = shrink(*s, id, 6, 500);  // exp6, translation
+    EXPECT_TRUE(small.judged.failed) << name;
+    EXPECT_EQ(small.reproduced, name == std::string("call:writes"));
+    EXPECT_EQ(small.id.input == id.input, !small.reproduced);
+    EXPECT_EQ(small.judged.residual.outcome,
+              small.reproduced ? Outcome::argument_written : Outcome::not_repeatable);
+  }
+}
+
+TEST(CallChecks, ConcernTheFunctionsOfRobotsAndTrees) {
+  const CampaignResult robot = run("call:robot", "robot_configuration"), tree = run("call:tree", "lagrange");
+  EXPECT_GE(sum(robot, op::robot_integrate, &Row::not_repeatable), 1u);
+  EXPECT_EQ(sum(robot, op::robot_difference, &Row::not_repeatable), 0u);
+  EXPECT_GE(sum(tree, op::tree_gravity, &Row::not_repeatable), 1u);
+  EXPECT_EQ(sum(tree, op::tree_rnea, &Row::not_repeatable), 0u);
+}
+
+TEST(CallChecks, FindNothingInCorrectCallsOfAnyScalarAndLaw) {
+  for (const auto& [scalar, cases] :
+       {std::pair("float", 33u), std::pair("double", 33u), std::pair("float128", 1u)}) {
+    CampaignOptions options;
+    options.selection = {{"liecheck", "textbook"}, {}, {scalar}};
+    options.cases = cases, options.quiet = true;
+    const CampaignResult r = run_campaign(options, built_in_robot());
+    EXPECT_GT(r.series.size(), 10u);
+    for (const SeriesResult& s : r.series)
+      for (const auto& [cell, row] : s.tally.rows)
+        EXPECT_EQ(row.not_repeatable + row.argument_written + row.output_unwritten, 0u)
+            << s.series->property << " " << s.series->subject << " " << scalar;
+  }
+}
+
+}  // namespace
+}  // namespace liecheck::properties
