@@ -1,6 +1,7 @@
 #include <record/bench.hpp>
 
 #include <algorithm>
+#include <lattice/lattice.hpp>
 #include <map>
 #include <record/record.hpp>
 #include <support/environment.hpp>
@@ -39,6 +40,23 @@ json record_of(const BugBench& b) {
           {"seconds_each", b.seconds_each},
           {"verdict", verdict_of(b.complete && (b.measured() || !b.passed()), b.passed())},
           {"bugs", list_of(b.rows, row)}};
+}
+
+json record_of(const LatticeResult& r) {
+  const auto row = [](const LatticeRow& fault) -> json {
+    const FaultVerdict& v = fault.verdict;
+    return {{"subject", fault.subject}, {"operation", fault.operation},
+            {"block", fault.block},     {"change", fault.change},
+            {"family", fault.family},   {"trigger", fault.trigger},
+            {"share", v.share},         {"verdict", found_words[static_cast<std::size_t>(v.found)]},
+            {"cases", v.cases},         {"by", v.by},
+            {"judged", fault.judged}};
+  };
+  return {{"version", LIECHECK_VERSION},   {"verdict", verdict_of(r.complete, r.passed())},
+          {"seed", r.options.seed},        {"scalar", r.options.scalar},
+          {"cases", r.options.cases},      {"failures_of_base", r.failures_of_base},
+          {"common", r.common()},          {"common_found", r.common_found()},
+          {"faults", list_of(r.rows, row)}};
 }
 
 json record_of(const SpeedBench& b) {

@@ -39,6 +39,9 @@ struct BugBench {
 
 nlohmann::json record_of(const BugBench& bench);
 
+struct LatticeResult;
+nlohmann::json record_of(const LatticeResult& result);
+
 struct SpeedBench {
   std::uint64_t seed = 42;
   std::vector<std::pair<std::string, double>> rates;  ///< name, best rate of the rounds [cases/s]

@@ -44,17 +44,19 @@ const std::vector<Room> harness = {
     {"hard_cases", {"support", "oracles", "operations", "generators", "subjects", "invariants", "campaign"}},
     {"failures",
      {"lib", "support", "operations", "generators", "subjects", "invariants", "campaign", "search"}},
+    {"lattice", {"support", "oracles", "operations", "generators", "subjects", "invariants", "campaign"}},
     {"store", {"support", "campaign", "search", "hard_cases", "failures"}},
     {"coefficients", {"lib", "support", "oracles"}},
     {"timing", {"lib", "support", "oracles", "operations", "generators", "subjects", "invariants"}},
     {"scenes", {"lib", "support", "oracles", "timing"}},
     {"record",
      {"lib", "support", "oracles", "operations", "generators", "budgets", "subjects", "invariants",
-      "campaign", "search", "hard_cases", "failures", "store", "coefficients", "timing", "scenes"}},
+      "campaign", "search", "hard_cases", "failures", "lattice", "store", "coefficients", "timing",
+      "scenes"}},
     {"reports", {"support"}},
     {"app",
      {"lib", "support", "oracles", "operations", "generators", "subjects", "invariants", "campaign", "search",
-      "hard_cases", "failures", "store", "coefficients", "timing", "scenes", "record", "reports"}},
+      "hard_cases", "failures", "lattice", "store", "coefficients", "timing", "scenes", "record", "reports"}},
 };
 
 const Room* find(const std::vector<Room>& rooms, const std::string& name) {

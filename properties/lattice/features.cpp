@@ -1,0 +1,225 @@
+#include <lattice/features.hpp>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string_view>
+
+namespace liecheck::properties {
+namespace {
+
+using F = Feature;
+using Number = long double;  // squares of doubles are finite and normal in it
+constexpr Number pi = std::numbers::pi_v<Number>;
+
+/// max(a, b) where NaN is no number.
+double larger(double a, double b) {
+  return std::fmax(a, b);
+}
+
+template <class S>
+Number norm(const S* x, int n) {
+  Number sum = 0;
+  for (int i = 0; i < n; ++i) sum += Number(x[i]) * Number(x[i]);
+  return std::sqrt(sum);
+}
+
+/// log2 of a size over the largest exponent of the scalar.
+template <class S>
+double scale_of(Number size) {
+  return static_cast<double>(std::log2(size)) / std::numeric_limits<S>::max_exponent;
+}
+
+/// Sorts the numbers of one call's arguments into features.
+template <class S>
+class Sorter {
+ public:
+  explicit Sorter(const Context& context) : floating_(context.floating), features_(context.features) {}
+
+  void add(const Layout& layout, const S* x, std::size_t n) {
+    if (layout.parts.size() == 0) {  // a Seen
+      features_[F::seen] = static_cast<double>(x[0]);
+      return;
+    }
+    for (const Part& part : layout.parts) {
+      const int size = part.size > 0 ? part.size : static_cast<int>(n);
+      add(part, x, size);
+      x += size;
+    }
+  }
+  Features result() {
+    if (points_.size() == 2 && quaternions_.size() == 2) {
+      S between[3];
+      for (int i = 0; i < 3; ++i) between[i] = points_[1][i] - points_[0][i];
+      features_[F::apart] = static_cast<double>(norm(between, 3) / norm(points_[0], 3));
+    }
+    if (phi_) {
+      const Number theta = norm(phi_, 3);
+      angle(theta, pi - theta);
+      features_[F::theta_minus_two_pi] = static_cast<double>(theta - 2 * pi);
+    } else if (quaternions_.size() > 1) {
+      relative_angle(quaternions_[0], quaternions_[1]);
+    } else if (!quaternions_.empty()) {
+      const Number v = norm(quaternions_[0], 3), w = std::fabs(Number(quaternions_[0][3]));
+      angle(2 * std::atan2(v, w), 2 * std::atan2(w, v));
+    } else if (matrix_) {
+      const Number s = std::sqrt(squared(entry(2, 1) - entry(1, 2)) + squared(entry(0, 2) - entry(2, 0)) +
+                                 squared(entry(1, 0) - entry(0, 1))),
+                   c = entry(0, 0) + entry(1, 1) + entry(2, 2) - 1;
+      angle(std::atan2(s, c), std::atan2(s, -c));
+    }
+    const S* const axis = phi_ ? phi_ : !quaternions_.empty() ? quaternions_[0] : vector_;
+    if (axis) {
+      int octant = 0, zeros = 0;
+      for (int i = 0; i < 3; ++i) octant += (axis[i] < S(0)) << i, zeros += axis[i] == S(0);
+      features_[F::octant] = octant, features_[F::zeros] = zeros;
+    }
+    return features_;
+  }
+
+ private:
+  static Number squared(Number x) { return x * x; }
+  Number entry(int i, int j) const { return Number(matrix_[3 * i + j]); }
+  void angle(Number theta, Number pi_minus_theta) {
+    features_[F::theta] = static_cast<double>(theta);
+    features_[F::theta_scale] = scale_of<S>(theta);
+    features_[F::pi_minus_theta] = static_cast<double>(pi_minus_theta);
+  }
+  /// The angle of a* b.
+  void relative_angle(const S* a, const S* b) {
+    Number A[4], B[4];
+    for (int i = 0; i < 4; ++i) A[i] = Number(a[i]), B[i] = Number(b[i]);
+    Number v[3];
+    for (int i = 0; i < 3; ++i) {
+      const int j = (i + 1) % 3, k = (i + 2) % 3;
+      v[i] = A[3] * B[i] - B[3] * A[i] - (A[j] * B[k] - A[k] * B[j]);
+    }
+    const Number w = std::fabs(A[3] * B[3] + A[0] * B[0] + A[1] * B[1] + A[2] * B[2]);
+    angle(2 * std::atan2(norm(v, 3), w), 2 * std::atan2(w, norm(v, 3)));
+  }
+  void raise(F feature, double value) { features_[feature] = larger(features_[feature], value); }
+
+  void add(const Part& part, const S* x, int n) {
+    if (part.size < 0) {
+      add_joints(part, x, n);
+    } else if (n == 4) {
+      add_quaternion(x);
+    } else if (n == 9 && part.unit == "1") {
+      add_matrix(x);
+    } else if (n == 9) {
+      add_inertia(x);
+    } else if (n == 3 && part.unit == "rad") {
+      phi_ = x;
+    } else if (n == 3) {
+      if (!vector_) vector_ = x;
+      if (part.unit == "m") points_.push_back(x);
+      const bool speed = part.unit == "m/s" || part.unit == "rad/s";
+      raise(part.unit == "m" ? F::length : speed ? F::speed : F::force, scale_of<S>(norm(x, 3)));
+    } else if (part.unit == "kg") {
+      features_[F::mass] = scale_of<S>(std::fabs(Number(x[0])));
+    } else if (part.name == "wrench_joint") {
+      features_[F::wrench] = x[0] >= S(0);
+    }
+  }
+  void add_quaternion(const S* Q) {
+    if (quaternions_.empty()) features_[F::w] = static_cast<double>(Q[3]);
+    quaternions_.push_back(Q);
+    const Number defect = std::fabs(squared(norm(Q, 4)) - 1);
+    raise(F::off_unit, static_cast<double>(defect / std::numeric_limits<S>::epsilon()));
+  }
+  void add_matrix(const S* R) {
+    if (!matrix_) matrix_ = R;
+    Number sum = 0;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) {
+        Number product = i == j ? -1 : 0;
+        for (int k = 0; k < 3; ++k) product += Number(R[3 * k + i]) * Number(R[3 * k + j]);
+        sum += product * product;
+      }
+    raise(F::off_orthogonal, static_cast<double>(std::sqrt(sum) / std::numeric_limits<S>::epsilon()));
+  }
+  void add_inertia(const S* I) {
+    Eigen::Matrix3d M;
+    S largest = 0;
+    for (int i = 0; i < 9; ++i) largest = std::max(largest, S(std::fabs(I[i])));
+    features_[F::point] = largest == S(0);
+    if (largest == S(0)) return;
+    for (int i = 0; i < 9; ++i) M(i / 3, i % 3) = static_cast<double>(I[i] / largest);
+    const Eigen::Vector3d m =
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(M, Eigen::EigenvaluesOnly).eigenvalues();
+    features_[F::moments_apart] = std::min(m[1] - m[0], m[2] - m[1]) / m[2];
+    features_[F::thin] = std::fabs(m[0]) / m[2];
+    features_[F::flat] = (m[0] + m[1] - m[2]) / m[2];
+  }
+  /// A vector of a whole tree or robot.
+  void add_joints(const Part& part, const S* x, int n) {
+    double largest = 0;
+    for (int i = 0; i < n; ++i) largest = std::max(largest, static_cast<double>(std::fabs(x[i])));
+    const bool increment = part.name == "delta", drive = part.name == "a" || part.name == "tau";
+    raise(part.size == nq ? F::position : increment || part.name == "v" ? F::joint_speed : F::drive, largest);
+    if (!floating_ || drive) return;
+    if (part.size == nq && n >= 7) points_.push_back(x), add_quaternion(x + 3);
+    if (increment && n >= 6) phi_ = x + 3;
+  }
+
+  bool floating_;
+  Features features_;
+  const S *phi_ = nullptr, *matrix_ = nullptr, *vector_ = nullptr;
+  std::vector<const S*> quaternions_, points_;
+};
+
+/// 0 for a chain, 1 for a star, 2 if all joints are on the world, else 3.
+template <class S>
+int shape_of(const Tree<S>& tree) {
+  bool chain = true, star = true, world = true;
+  for (std::size_t i = 0; i < tree.joints.size(); ++i) {
+    const int parent = tree.joints[i].parent;
+    chain = chain && parent == static_cast<int>(i) - 1;
+    star = star && parent == (i == 0 ? -1 : 0);
+    world = world && parent == -1;
+  }
+  return chain ? 0 : star ? 1 : world ? 2 : 3;
+}
+
+}  // namespace
+
+template <class S>
+Context context_of(const Tree<S>& tree) {
+  Context context;
+  Features& f = context.features;
+  context.floating = !tree.joints.empty() && tree.joints[0].kind == oracles::JointKind::free_flyer;
+  f[F::joints] = static_cast<double>(tree.joints.size());
+  for (std::size_t kind = 0; kind < 8; ++kind) f.values[static_cast<std::size_t>(F::revolute) + kind] = 0;
+  f[F::mimics] = f[F::armature] = 0;
+  double lightest = std::numeric_limits<double>::infinity(), heaviest = 0;
+  for (const auto& j : tree.joints) {
+    f.values[static_cast<std::size_t>(F::revolute) + static_cast<std::size_t>(j.kind)] += 1;
+    if (j.primary >= 0) f[F::mimics] += 1;
+    if (j.armature > S(0)) f[F::armature] = 1;
+    lightest = std::min(lightest, static_cast<double>(j.body.mass));
+    heaviest = std::max(heaviest, static_cast<double>(j.body.mass));
+  }
+  f[F::mass_ratio] = heaviest / lightest;
+  if (tree.joints.size() >= 3) f[F::shape] = shape_of(tree);
+  return context;
+}
+
+template <class S>
+Features features_of(const Operation& operation, const CallNumbers<S>& arguments, const Context& context) {
+  Sorter<S> sorter(context);
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i < operation.arguments.size(); ++i) {
+    const std::size_t end = arguments.ends.at(i);
+    sorter.add(*operation.arguments[i], arguments.all.data() + begin, end - begin);
+    begin = end;
+  }
+  return sorter.result();
+}
+
+template Context context_of(const Tree<float>&);
+template Context context_of(const Tree<double>&);
+template Features features_of(const Operation&, const CallNumbers<float>&, const Context&);
+template Features features_of(const Operation&, const CallNumbers<double>&, const Context&);
+
+}  // namespace liecheck::properties

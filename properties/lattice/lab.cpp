@@ -1,0 +1,223 @@
+#include <lattice/lab.hpp>
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <invariants/tree_laws.hpp>
+
+namespace liecheck::properties {
+namespace {
+
+constexpr std::uint64_t first_cases = 1000;
+/// A trigger that fires in this share of the cases has a tenth of its cases in the first 1000.
+constexpr double common_share = 0.01;
+/// One case of this many runs on a second thread, as with two jobs.
+constexpr std::uint64_t second_thread_interval = 64;
+/// If laws measured a fault so often and always granted it, its error is below their limits.
+constexpr std::uint64_t enough_grants = 100;
+
+bool same(const std::vector<Judged>& a, const std::vector<Judged>& b) {
+  const auto equal = [](const Judged& x, const Judged& y) {
+    const Residual &r = x.residual, &s = y.residual;
+    return r.output == s.output && r.band == s.band && r.outcome == s.outcome && r.error == s.error &&
+           r.kappa == s.kappa && x.failed == y.failed;
+  };
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), equal);
+}
+
+bool any_failed(const std::vector<Judged>& judged) {
+  return std::any_of(judged.begin(), judged.end(), [](const Judged& j) { return j.failed; });
+}
+
+}  // namespace
+
+template <class S>
+Lab<S>::Lab(const Subject<S>& base, const std::vector<Trigger>& table, std::uint64_t seed, const Robot& robot,
+            LawKinds kinds)
+    : triggers_(table),
+      seed_(seed),
+      watch_(table),
+      wrapped_(base.operations, {&watch_}),
+      subject_{base.name, base.version, wrapped_.operations()} {
+  const typename Wrapped<S, Watcher<S>>::Active active(wrapped_);
+  for (auto& law : make_properties<S>()) {
+    const bool of_trees = is_tree_law(law->name());
+    if (!(of_trees ? kinds.trees : kinds.single) || !law->offered(subject_)) continue;
+    LawRun& run = laws_.emplace_back();
+    run.of_trees = of_trees;
+    run.series = std::make_unique<TypedSeries<S>>(std::move(law), subject_, robot);
+    run.key = run.series->id(seed, 0).series_key();
+  }
+  if (laws_.empty()) throw std::invalid_argument("bench lattice: no law applies to subject " + base.name);
+}
+
+template <class S>
+std::vector<Judged> Lab<S>::run(const LawRun& law, std::uint64_t index) {
+  Source source(CaseId::key_of(law.key, index));
+  const std::vector<S> x = law.series->tested_law().generate(source);
+  std::vector<Judged> judged;
+  const auto measure = [&] {
+    const typename Wrapped<S, Watcher<S>>::Active active(wrapped_);
+    judged = law.series->measure(x);
+  };
+  if (index % second_thread_interval == second_thread_interval - 1)
+    std::thread(measure).join();
+  else
+    measure();
+  return judged;
+}
+
+template <class S>
+void Lab<S>::scan_case(LawRun& law, std::uint64_t index) {
+  watch_.seen = [&](const Operation& operation, const Features& features) {
+    std::vector<bool>& applies = applies_[&operation];
+    applies.resize(triggers_.size());
+    for (std::size_t t = 0; t < triggers_.size(); ++t) {
+      if (!triggers_[t].applies(features)) continue;
+      applies[t] = true;
+      if (!triggers_[t].fires(features)) continue;
+      Noted& noted = law.noted[{&operation, t}];
+      const bool again = !noted.cases.empty() && noted.cases.back() == index;
+      if (!noted.often && !again) noted.cases.push_back(static_cast<std::uint32_t>(index));
+    }
+  };
+  if (index < first_cases) law.calls_before.push_back(watch_.calls);
+  const bool failed = any_failed(run(law, index));
+  law.base_fails.push_back(failed);
+  law.failed += failed;
+  watch_.seen = nullptr;
+}
+
+template <class S>
+bool Lab<S>::scan(std::uint64_t cases, const std::function<bool()>& stop) {
+  watch_.fault = nullptr;
+  for (LawRun& law : laws_) {
+    const std::uint64_t end = law.of_trees ? std::max(cases / 10, std::min(cases, first_cases)) : cases;
+    watch_.forget();
+    watch_.calls.clear();
+    for (; law.scanned < end; ++law.scanned) {
+      if (stop()) return false;
+      if (law.scanned == first_cases)
+        for (auto& [where, noted] : law.noted)
+          noted.often = static_cast<double>(noted.cases.size()) >= common_share * first_cases ||
+                        triggers_[where.second].is_habit();
+      scan_case(law, law.scanned);
+    }
+  }
+  return true;
+}
+
+template <class S>
+Perturbation Lab<S>::drawn(const Operation& operation, std::size_t trigger) const {
+  std::uint64_t word = 0xcbf29ce484222325;  // FNV-1a of the names
+  for (const std::string& text : {subject_.name, std::string(operation.name), triggers_[trigger].name})
+    for (const char c : text) word = (word ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+  Source source({seed_, word, 0, 0});
+  const auto number = [&](std::uint64_t n) { return static_cast<unsigned>(source.below(n)); };
+  Perturbation p;
+  constexpr Change others[] = {Change::not_a_number, Change::sign, Change::whole_sign,
+                               Change::zero,         Change::swap, Change::stale};
+  p.change = source.chance(3, 5) ? Change::size : others[number(std::size(others))];
+  p.k = source.between(5, 50);
+  p.block = number(block_names(operation).size());
+  p.component = number(1 << 16);
+  p.other = p.component + 1 + number(2);
+  return p;
+}
+
+template <class S>
+std::vector<Fault> Lab<S>::faults() const {
+  std::vector<Fault> all;
+  for (const Operation* operation : all_operations()) {
+    const auto applies = applies_.find(operation);
+    if (applies == applies_.end()) continue;
+    for (std::size_t t = 0; t < triggers_.size(); ++t) {
+      if (!applies->second[t]) continue;
+      Fault fault{operation, t, drawn(*operation, t)};
+      if (triggers_[t].feature != Feature::one) {
+        all.push_back(fault);
+        continue;
+      }
+      for (int change = static_cast<int>(Change::size); change <= static_cast<int>(Change::argument);
+           ++change)
+        fault.perturbation.change = static_cast<Change>(change), all.push_back(fault);
+    }
+  }
+  return all;
+}
+
+template <class S>
+bool Lab<S>::fails(const LawRun& law, std::uint64_t index, const Fault& fault, Trial& trial,
+                   std::string& by) {
+  watch_.forget();
+  watch_.fault = &fault;
+  watch_.planted = false;
+  if (index > 0 && (fault.perturbation.remembers() || triggers_[fault.trigger].is_habit()))
+    run(law, index - 1);
+  if (index < law.calls_before.size()) watch_.calls = law.calls_before[index];
+  watch_.planted = true, watch_.changed = false;
+  const std::vector<Judged> judged = run(law, index);
+  watch_.fault = nullptr;
+  if (!watch_.changed) return false;
+  trial.changed = true;
+  ++trial.tried;
+  for (const Judged& j : judged)
+    if (j.failed) {
+      const Output& o = law.series->outputs.at(j.residual.output);
+      by = fmt::format("{}: {}, {}", law.series->property, o.operation, o.block);
+      return true;
+    }
+  trial.granted += !same(judged, run(law, index));
+  return false;
+}
+
+template <class S>
+double Lab<S>::share(const Fault& fault) const {
+  double share = 0;
+  for (const LawRun& law : laws_) {
+    const auto noted = law.noted.find({fault.operation, fault.trigger});
+    if (noted == law.noted.end()) continue;
+    const std::uint64_t scanned = noted->second.often ? first_cases : law.scanned;
+    share = std::max(share, static_cast<double>(noted->second.cases.size()) / static_cast<double>(scanned));
+  }
+  return share;
+}
+
+template <class S>
+FaultVerdict Lab<S>::judge(const Fault& fault) {
+  FaultVerdict verdict;
+  verdict.share = share(fault);
+  std::vector<std::pair<std::uint32_t, const LawRun*>> cases;
+  for (const LawRun& law : laws_) {
+    const auto noted = law.noted.find({fault.operation, fault.trigger});
+    if (noted == law.noted.end()) continue;
+    for (const std::uint32_t index : noted->second.cases)
+      if (!law.base_fails[index]) cases.emplace_back(index, &law);
+  }
+  std::stable_sort(cases.begin(), cases.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  Trial trial;
+  for (const auto& [index, law] : cases) {
+    if (fails(*law, index, fault, trial, verdict.by)) {
+      verdict.found = Found::found, verdict.cases = index + 1;
+      return verdict;
+    }
+    if (trial.granted >= enough_grants) break;
+  }
+  verdict.found = trial.granted > 0 ? Found::granted
+                  : trial.changed   ? Found::unseen
+                  : cases.empty()   ? Found::unfired
+                                    : Found::unchanged;
+  return verdict;
+}
+
+template <class S>
+double Lab<S>::failures_of_base() const {
+  std::uint64_t cases = 0, failed = 0;
+  for (const LawRun& law : laws_) cases += law.scanned, failed += law.failed;
+  return cases > 0 ? static_cast<double>(failed) / static_cast<double>(cases) : 0;
+}
+
+template class Lab<float>;
+template class Lab<double>;
+
+}  // namespace liecheck::properties

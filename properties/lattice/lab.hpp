@@ -1,0 +1,97 @@
+#pragma once
+// Faults planted in one base subject, and how many cases the laws need to find each.
+//
+// A fault acts only in the cases in which its trigger fires. So a first pass runs every case once, without a
+// fault, and notes where each trigger fires in each operation. Then a fault is planted only in its own cases.
+// Because a case follows from its address, the result is the same as if all cases were run with the fault.
+
+#include <campaign/typed_series.hpp>
+#include <lattice/watch.hpp>
+
+namespace liecheck::properties {
+
+enum class Found : std::uint8_t {
+  found,      ///< a law failed
+  granted,    ///< laws measured the error, but it is within their limits (times kappa)
+  unseen,     ///< results changed, but no measurement did
+  unchanged,  ///< the trigger fired, but no result changed
+  unfired     ///< the trigger never fired
+};
+inline constexpr const char* found_words[] = {"found", "granted", "unseen", "unchanged", "never fired"};
+static_assert(std::size(found_words) == static_cast<std::size_t>(Found::unfired) + 1);
+
+struct FaultVerdict {
+  Found found = Found::unfired;
+  std::uint64_t cases = 0;  ///< of a law, until it fails; 0 if none failed
+  std::string by;           ///< law: operation, block
+  double share = 0;         ///< of the cases of a law in which the trigger fires; the largest of all laws
+};
+
+/// Which laws run: those of single operations and robots, and those of trees.
+struct LawKinds {
+  bool single = true, trees = true;
+};
+
+template <class S>
+class Lab {
+ public:
+  /// `base` and `table` must outlive the lab. Throws std::invalid_argument if no law applies to the base.
+  Lab(const Subject<S>& base, const std::vector<Trigger>& table, std::uint64_t seed, const Robot& robot,
+      LawKinds kinds = {});
+  Lab(const Lab&) = delete;
+  Lab& operator=(const Lab&) = delete;
+
+  /// Notes where triggers fire in the cases below `cases` of each law, or in a tenth of them for laws of
+  /// trees; cases of an earlier call are not run again. Beyond the first 1000 cases only triggers are noted
+  /// that fired in less than 1 % of those. Returns false if `stop` became true; call again to go on.
+  bool scan(
+      std::uint64_t cases, const std::function<bool()>& stop = [] { return false; });
+  /// Every operation with every trigger that its arguments admit, in a fixed order. The perturbation is drawn
+  /// from the seed; with the trigger "always" there is one fault of each kind.
+  std::vector<Fault> faults() const;
+  /// The share of a law's scanned cases in which the fault's trigger fires; the largest of all laws.
+  double share(const Fault& fault) const;
+  /// Plants the fault in the scanned cases in which its trigger fires and in which the base passes.
+  FaultVerdict judge(const Fault& fault);
+  /// The share of the scanned cases of all laws that the base itself fails.
+  double failures_of_base() const;
+
+ private:
+  struct Noted {
+    std::vector<std::uint32_t> cases;  ///< in which the trigger fired in the operation
+    bool often = false;                ///< in at least 1 % of the first cases: no longer noted
+  };
+  struct LawRun {
+    std::unique_ptr<TypedSeries<S>> series;
+    Source::Key key;
+    bool of_trees = false;
+    std::uint64_t scanned = 0, failed = 0;
+    std::vector<bool> base_fails;
+    std::map<std::pair<const Operation*, std::size_t>, Noted> noted;
+    std::vector<typename Watch<S>::Calls> calls_before;  ///< of the first cases
+  };
+  /// The state of one fault's trial.
+  struct Trial {
+    std::uint64_t tried = 0, granted = 0;
+    bool fired = false, changed = false;
+  };
+
+  std::vector<Judged> run(const LawRun& law, std::uint64_t index);
+  void scan_case(LawRun& law, std::uint64_t index);
+  /// Runs a case with the fault. Returns the failed measurement, or null.
+  bool fails(const LawRun& law, std::uint64_t index, const Fault& fault, Trial& trial, std::string& by);
+  Perturbation drawn(const Operation& operation, std::size_t trigger) const;
+
+  const std::vector<Trigger>& triggers_;
+  std::uint64_t seed_;
+  Watch<S> watch_;
+  Wrapped<S, Watcher<S>> wrapped_;
+  Subject<S> subject_;
+  std::vector<LawRun> laws_;
+  std::map<const Operation*, std::vector<bool>> applies_;  ///< which triggers an operation's arguments admit
+};
+
+extern template class Lab<float>;
+extern template class Lab<double>;
+
+}  // namespace liecheck::properties

@@ -1,0 +1,102 @@
+#include <lattice/perturbation.hpp>
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace liecheck::properties {
+namespace {
+
+/// The block [first row, last row) x [first column, last column) of a matrix with `columns` columns.
+ResultBlock submatrix(const char* name, std::size_t columns, std::array<std::size_t, 4> range) {
+  ResultBlock b{name, {}};
+  for (std::size_t i = range[0]; i < range[1]; ++i)
+    for (std::size_t j = range[2]; j < range[3]; ++j) b.numbers.push_back(i * columns + j);
+  return b;
+}
+
+}  // namespace
+
+std::vector<ResultBlock> blocks_of(const Operation& operation, std::size_t n) {
+  const auto& parts = operation.results[0]->parts;
+  if (parts.size() == 1 && parts[0].size == 36)
+    return {submatrix("upper left", 6, {0, 3, 0, 3}), submatrix("upper right", 6, {0, 3, 3, 6}),
+            submatrix("lower left", 6, {3, 6, 0, 3}), submatrix("lower right", 6, {3, 6, 3, 6})};
+  if (parts.size() == 1 && parts[0].size == 42)
+    return {submatrix("translation", 6, {0, 3, 0, 3}), submatrix("quaternion", 6, {3, 7, 3, 6}),
+            submatrix("upper right", 6, {0, 3, 3, 6}), submatrix("lower left", 6, {3, 7, 0, 3})};
+  std::vector<ResultBlock> all;
+  std::size_t at = 0;
+  for (const Part& part : parts) {
+    ResultBlock b{std::string(part.name), {}};
+    const std::size_t size = part.size > 0 ? static_cast<std::size_t>(part.size) : n / parts.size();
+    for (std::size_t i = 0; i < size; ++i) b.numbers.push_back(at++);
+    all.push_back(b);
+  }
+  return all;
+}
+
+std::vector<std::string> block_names(const Operation& operation) {
+  std::vector<std::string> names;
+  for (const ResultBlock& b : blocks_of(operation, 0)) names.push_back(b.name);
+  return names;
+}
+
+std::string Perturbation::name() const {
+  const std::string word = change_words[static_cast<std::size_t>(change)];
+  if (change == Change::size) return fmt::format("2^{} eps", k);
+  if (change == Change::argument) return fmt::format("{}, 2^{} eps", word, k);
+  return word;
+}
+
+template <class S>
+void Perturbation::apply(std::vector<S>& result, const std::vector<ResultBlock>& blocks,
+                         std::vector<S> before) const {
+  const auto& numbers = blocks[block % blocks.size()].numbers;
+  if (numbers.empty()) return;
+  if (before.size() != result.size()) before.assign(result.size(), S(0));
+  const std::size_t i = numbers[component % numbers.size()];
+  S& x = result[i];
+  switch (change) {
+    case Change::size: {
+      S largest(0);
+      for (const std::size_t j : numbers) largest = std::max(largest, S(std::fabs(result[j])));
+      if (largest == S(0))  // a block of zeros: relative to the whole result
+        for (const S& y : result) largest = std::max(largest, S(std::fabs(y)));
+      x += largest * std::ldexp(std::numeric_limits<S>::epsilon(), k);
+      return;
+    }
+    case Change::not_a_number:
+      x = std::numeric_limits<S>::quiet_NaN();
+      return;
+    case Change::sign:
+      x = -x;
+      return;
+    case Change::whole_sign:
+      for (const std::size_t j : numbers) result[j] = -result[j];
+      return;
+    case Change::zero:
+      x = S(0);
+      return;
+    case Change::swap:
+      std::swap(x, result[numbers[other % numbers.size()]]);
+      return;
+    case Change::stale:
+      x = before[i];
+      return;
+    case Change::unwritten:
+      result = before;
+      return;
+    case Change::none:
+    case Change::argument:
+      return;
+  }
+}
+
+template void Perturbation::apply(std::vector<float>&, const std::vector<ResultBlock>&,
+                                  std::vector<float>) const;
+template void Perturbation::apply(std::vector<double>&, const std::vector<ResultBlock>&,
+                                  std::vector<double>) const;
+
+}  // namespace liecheck::properties

@@ -1,0 +1,250 @@
+// The lattice of faults: its triggers, perturbations and verdicts.
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <campaign/robots.hpp>
+#include <filesystem>
+#include <lattice/lattice.hpp>
+#include <numbers>
+#include <set>
+#include <support/files.hpp>
+
+namespace liecheck::properties {
+namespace {
+
+using F = Feature;
+using V3 = Vec<double, 3>;
+using V6 = Vec<double, 6>;
+
+const Subject<double>& liecheck_subject() {
+  for (const auto* s : subjects<double>())
+    if (s->name == "liecheck") return *s;
+  throw std::logic_error("liecheck is not registered");
+}
+
+std::vector<Trigger> with(const Trigger& more) {
+  std::vector<Trigger> all = triggers();
+  all.push_back(more);
+  return all;
+}
+
+Features features(const Operation& operation, const std::vector<double>& numbers,
+                  const std::vector<std::size_t>& ends) {
+  return features_of<double>(operation, {numbers, ends}, {});
+}
+
+TEST(Triggers, HaveNamesOfTheirOwn) {
+  std::set<std::string> names;
+  for (const Trigger& t : triggers()) EXPECT_TRUE(names.insert(t.name).second) << t.name;
+  EXPECT_GT(names.size(), 150u);
+}
+
+TEST(Features, OfARotationVectorAreItsAngleAndItsSigns) {
+  const Features f = features(op::exp6, {1, 2, 3, -0.3, 0, 0.4}, {6});
+  EXPECT_NEAR(f[F::theta], 0.5, 1e-15);
+  EXPECT_NEAR(f[F::pi_minus_theta], std::numbers::pi - 0.5, 1e-15);
+  EXPECT_EQ(f[F::octant], 1);
+  EXPECT_EQ(f[F::zeros], 1);
+  EXPECT_TRUE(std::isnan(f[F::w]));
+  EXPECT_NEAR(f[F::length], std::log2(std::sqrt(14)) / 1024, 1e-15);
+}
+
+TEST(Features, OfTwoConfigurationsAreTheAngleAndTheDistanceBetweenThem) {
+  const double s = std::sin(0.05), c = std::cos(0.05);
+  const Features f = features(op::difference, {2, 0, 0, 0, 0, 1, 0, 2, 0, 0.2, 0, 0, -c, s}, {7, 14});
+  EXPECT_NEAR(f[F::pi_minus_theta], std::numbers::pi - 0.1, 1e-15);  // -Q1 = Q0 times a turn by pi - 0.1
+  EXPECT_NEAR(f[F::apart], 0.1, 1e-15);
+  EXPECT_EQ(f[F::w], 0);
+  EXPECT_LT(f[F::off_unit], 1);
+}
+
+TEST(Features, SeeSubnormalAndOverflowingSizes) {
+  const auto scale = [](double x) { return features(op::exp6, {x, 0, 0, 0, x, 0}, {6}); };
+  EXPECT_NEAR(scale(0x1p-1070)[F::theta_scale], -1070.0 / 1024, 1e-15);
+  EXPECT_EQ(scale(0x1p-1070)[F::theta], 0x1p-1070);
+  EXPECT_NEAR(scale(0x1p1000)[F::length], 1000.0 / 1024, 1e-15);
+  EXPECT_EQ(scale(0)[F::length], -std::numeric_limits<double>::infinity());
+}
+
+TEST(Features, OfABodyAreItsPrincipalMoments) {
+  const auto body = [](double xx, double yy, double zz) {
+    return features(op::inertia_matrix, {2, 0, 0, 0, xx, 0, 0, 0, yy, 0, 0, 0, zz}, {13});
+  };
+  EXPECT_EQ(body(0, 0, 0)[F::point], 1);
+  EXPECT_EQ(body(1, 1, 1)[F::moments_apart], 0);
+  EXPECT_NEAR(body(1, 1 + 1e-6, 2)[F::moments_apart], 0.5e-6, 1e-12);
+  EXPECT_NEAR(body(1e-9, 1, 1)[F::thin], 1e-9, 1e-15);
+  EXPECT_NEAR(body(1, 2, 3)[F::flat], 0, 1e-15);
+}
+
+TEST(Perturbations, ChangeTheBlockAndTheComponentThatTheyName) {
+  const auto blocks = blocks_of(op::log6, 6);
+  ASSERT_EQ(block_names(op::log6), (std::vector<std::string>{"rho", "phi"}));
+  const std::vector<double> result{1, -8, 2, 3, 4, 5}, before{9, 9, 9, 9, 9, 9};
+  const auto after = [&](Change change) {
+    std::vector<double> x = result;
+    Perturbation{change, 10, 0, 2, 3}.apply(x, blocks, before);
+    return x;
+  };
+  EXPECT_EQ(after(Change::none), result);
+  EXPECT_EQ(after(Change::size), (std::vector<double>{1, -8, 2 + 8 * 0x1p-42, 3, 4, 5}));
+  EXPECT_EQ(after(Change::sign), (std::vector<double>{1, -8, -2, 3, 4, 5}));
+  EXPECT_EQ(after(Change::whole_sign), (std::vector<double>{-1, 8, -2, 3, 4, 5}));
+  EXPECT_EQ(after(Change::zero), (std::vector<double>{1, -8, 0, 3, 4, 5}));
+  EXPECT_EQ(after(Change::swap), (std::vector<double>{2, -8, 1, 3, 4, 5}));
+  EXPECT_EQ(after(Change::stale), (std::vector<double>{1, -8, 9, 3, 4, 5}));
+  EXPECT_EQ(after(Change::unwritten), before);
+  EXPECT_TRUE(std::isnan(after(Change::not_a_number)[2]));
+}
+
+TEST(Perturbations, ReachEveryNumberOfAResult) {
+  for (const Operation* o : all_operations()) {
+    std::size_t numbers = 0, reached = 0;
+    for (const Part& part : o->results[0]->parts)
+      numbers += part.size > 0 ? static_cast<std::size_t>(part.size) : 4;
+    for (const ResultBlock& b : blocks_of(*o, numbers)) reached += b.numbers.size();
+    EXPECT_EQ(reached, numbers) << o->name;
+  }
+}
+
+TEST(Lattice, ABaseWithoutAFaultIsNeverFound) {
+  Lab<double> lab(liecheck_subject(), triggers(), 1, built_in_robot(), {true, false});
+  ASSERT_TRUE(lab.scan(200));
+  EXPECT_EQ(lab.failures_of_base(), 0);
+  for (Fault fault : lab.faults()) {
+    if (triggers()[fault.trigger].feature != F::one) continue;
+    fault.perturbation.change = Change::none;
+    const FaultVerdict verdict = lab.judge(fault);
+    EXPECT_EQ(verdict.found, Found::unchanged) << fault.operation->name << " by " << verdict.by;
+    EXPECT_EQ(verdict.share, 1) << fault.operation->name;
+  }
+}
+
+TEST(Lattice, AFaultThatNeverFiresIsReportedAsNotFired) {
+  const auto table = with({"test", "an angle below zero", F::theta, -2, -1});
+  Lab<double> lab(liecheck_subject(), table, 1, built_in_robot(), {true, false});
+  ASSERT_TRUE(lab.scan(100));
+  std::size_t checked = 0;
+  for (const Fault& fault : lab.faults()) {
+    if (fault.trigger != table.size() - 1) continue;
+    const FaultVerdict verdict = lab.judge(fault);
+    EXPECT_EQ(verdict.found, Found::unfired) << fault.operation->name;
+    EXPECT_EQ(verdict.share, 0) << fault.operation->name;
+    ++checked;
+  }
+  EXPECT_GT(checked, 20u);
+}
+
+/// exp6 with an error of 2^-30 in x if theta is in [1.1, 1.2).
+Pose<double> faulty_exp6(const V6& xi) {
+  Pose<double> X = liecheck_subject().operations[op::exp6](xi);
+  const double theta = xi.tail<3>().norm();
+  if (theta >= 1.1 && theta < 1.2) X.p[0] += 0x1p-30 * X.p.cwiseAbs().maxCoeff();
+  return X;
+}
+
+TEST(Lattice, FindsAFaultInTheSameCaseAsARunOfAllCasesDoes) {
+  const auto table = with({"test", "theta in [1.1, 1.2)", F::theta, 1.1, 1.2});
+  Lab<double> lab(liecheck_subject(), table, 5, built_in_robot(), {true, false});
+  ASSERT_TRUE(lab.scan(1000));
+  const Fault fault{&op::exp6, table.size() - 1, {Change::size, 22, 1, 0, 1}};
+  const FaultVerdict verdict = lab.judge(fault);
+
+  Subject<double> faulty{"faulty", "", {}};
+  faulty.operations[op::exp6] = faulty_exp6;
+  std::uint64_t cases = 1000;
+  for (auto& law : make_properties<double>()) {
+    if (!law->offered(faulty)) continue;
+    const TypedSeries<double> series(std::move(law), faulty, built_in_robot());
+    for (std::uint64_t i = 0; i < cases; ++i) {
+      const auto judged = series.replay(series.id(5, i));
+      if (std::any_of(judged.begin(), judged.end(), [](const Judged& j) { return j.failed; })) cases = i + 1;
+    }
+  }
+  ASSERT_LT(cases, 1000u);
+  EXPECT_EQ(verdict.found, Found::found);
+  EXPECT_EQ(verdict.cases, cases);
+  EXPECT_NE(verdict.by.find("exp6, translation"), std::string::npos) << verdict.by;
+}
+
+TEST(Lattice, AnErrorWithinTheLimitsIsGrantedAndNotAHole) {
+  const std::vector<Trigger>& table = triggers();
+  Lab<double> lab(liecheck_subject(), table, 1, built_in_robot(), {true, false});
+  ASSERT_TRUE(lab.scan(200));
+  const FaultVerdict verdict = lab.judge({&op::exp6, 0, {Change::size, 0, 1, 0, 1}});  // 1 eps
+  EXPECT_EQ(verdict.found, Found::granted) << verdict.by;
+}
+
+TEST(Lattice, HasThreeCorrectBasesAndThreeThousandFaults) {
+  std::size_t faults = 0, correct = 0;
+  const auto count = [&](const Subject<double>& base) {
+    Lab<double> lab(base, triggers(), 42, built_in_robot(), {true, false});
+    ASSERT_TRUE(lab.scan(20));
+    faults += lab.faults().size();
+    correct += lab.failures_of_base() == 0;
+  };
+  count(liecheck_subject());
+  count(look_alikes<double>());
+  for (const auto* s : subjects<double>())
+    if (s->name == "liecheck:fast" || s->name == "eigen") count(*s);
+  EXPECT_GE(faults, 3000u);
+  EXPECT_GE(correct, 3u);
+}
+
+class VerdictsOfARun : public testing::Test {
+ protected:
+  void TearDown() override { std::filesystem::remove(file_); }
+  LatticeOptions options() const {
+    LatticeOptions o;
+    o.subjects = {"liecheck"}, o.operations = {"exp6", "log6"};
+    o.cases = 50, o.faults = 20, o.resume = file_;
+    return o;
+  }
+  std::string error_of(const LatticeOptions& o) const {
+    try {
+      run_lattice(o, built_in_robot());
+    } catch (const std::runtime_error& e) {
+      return e.what();
+    }
+    return "";
+  }
+  const std::string file_ =
+      (std::filesystem::temp_directory_path() / ("liecheck_lattice_" + std::to_string(getpid()))).string();
+};
+
+TEST_F(VerdictsOfARun, AreKeptAndNotComputedAgain) {
+  const LatticeResult first = run_lattice(options(), built_in_robot());
+  ASSERT_EQ(first.rows.size(), 20u);
+  EXPECT_TRUE(first.complete);
+  const std::string text = read_whole(file_);
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 21);
+  const LatticeResult again = run_lattice(options(), built_in_robot());
+  EXPECT_EQ(read_whole(file_), text) << "a known verdict was computed again";
+  // Killed while it wrote the sixth verdict.
+  std::size_t end = 0;
+  for (int i = 0; i < 6; ++i) end = text.find('\n', end) + 1;
+  write_whole(file_, text.substr(0, end + 5));
+  const LatticeResult resumed = run_lattice(options(), built_in_robot());
+  EXPECT_EQ(read_whole(file_), text);
+  for (const LatticeResult* other : {&again, &resumed}) {
+    ASSERT_EQ(other->rows.size(), first.rows.size());
+    for (std::size_t i = 0; i < first.rows.size(); ++i) {
+      EXPECT_EQ(other->rows[i].key(), first.rows[i].key());
+      EXPECT_EQ(other->rows[i].verdict.found, first.rows[i].verdict.found);
+      EXPECT_EQ(other->rows[i].verdict.cases, first.rows[i].verdict.cases);
+    }
+  }
+}
+
+TEST_F(VerdictsOfARun, OfAnotherSeedOrABadLineAreRefusedWithTheirPlace) {
+  run_lattice(options(), built_in_robot());
+  LatticeOptions other = options();
+  other.seed = 43;
+  EXPECT_NE(error_of(other).find(file_ + ":1: "), std::string::npos) << error_of(other);
+  write_whole(file_, read_whole(file_) + "no verdict\n");
+  EXPECT_NE(error_of(options()).find(file_ + ":22: "), std::string::npos) << error_of(options());
+}
+
+}  // namespace
+}  // namespace liecheck::properties
