@@ -166,6 +166,24 @@ TEST(Data, AnotherGravityOrArmatureMakesTheFieldsStaleThatDependOnIt) {
             "armature has 2 numbers, the model's nv is " + std::to_string(m.nv));
 }
 
+TEST(Data, NoTwoAlgorithmsReturnTheSameStorage) {
+  const Model<double> m = randomModel(3, 6);
+  const Vec q = neutral(m), v = Vec::Ones(m.nv);
+  Data<double> d(m, Dense::Derivatives);
+  const std::vector<const double*> all{rnea(m, d, q, v, v).data(),
+                                       nonLinearEffects(m, d, q, v).data(),
+                                       computeGeneralizedGravity(m, d, q).data(),
+                                       computeStaticTorque(m, d, q, {}).data(),
+                                       aba(m, d, q, v, v).data(),
+                                       crba(m, d, q).data(),
+                                       computeMinverse(m, d, q).data(),
+                                       computeJointJacobians(m, d, q).data(),
+                                       computeJointJacobiansTimeVariation(m, d, q, v).data(),
+                                       computeCentroidalMap(m, d, q).data(),
+                                       jacobianCenterOfMass(m, d, q).data()};
+  EXPECT_EQ(std::set<const double*>(all.begin(), all.end()).size(), all.size());
+}
+
 TEST(Data, TheStaticTorqueAndTheGeneralizedGravityAreTwoFields) {
   const Model<double> m = randomModel(3, 6);
   Random random(3);
