@@ -15,10 +15,10 @@ namespace liecheck::urdf_detail {
 /// of them is not a number, not finite, or outside the range of double.
 std::optional<std::vector<double>> numbersIn(std::string_view text);
 
-/// Checks the numeric attributes of all elements below e. Throws UrdfError if one does not hold the right count
-/// of finite numbers, or if one without which there is no body is missing. Another one that URDF requires and
-/// that is missing, a number whose square is not a finite double, and any error in what is only seen or
-/// touched (<visual>, <collision>, <material>) is a warning, since the model does not contain it.
+/// Checks the numeric attributes of all elements below e. Throws UrdfError if one does not hold the right
+/// count of finite numbers, or if one without which there is no body is missing. Another one that URDF
+/// requires and that is missing, a number whose square is not a finite double, and any error in what is only
+/// seen or touched (<visual>, <collision>, <material>) is a warning, since the model does not contain it.
 void checkNumbersBelow(const tinyxml2::XMLElement& e, Messages& messages);
 
 /// Returns an attribute of e, or fallback if it is missing. Precondition: checkNumbersBelow has checked e.

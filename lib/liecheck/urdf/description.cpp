@@ -237,7 +237,7 @@ class Reader {
                        e.Attribute("type"));
   }
 
-  /// Warns that each mimic is independent. If mimics are tied, refuses those that cannot follow their primary.
+  /// Warns that each mimic is independent. If mimics are tied, refuses one that cannot follow its primary.
   void mimics() {
     for (const auto& [joint_name, primary, line] : mimics_) {
       const std::string mimic = "joint '" + joint_name + "' mimics ",

@@ -2,6 +2,7 @@
 #include <liecheck/text/text_file.hpp>
 #include <liecheck/urdf/description.hpp>
 #include <liecheck/urdf/urdf.hpp>
+#include <type_traits>
 
 namespace liecheck {
 
@@ -65,7 +66,7 @@ class ModelBuilder {
  private:
   /// Returns f(); what the model refuses is an error in this line.
   template <class F>
-  auto at(int line, const std::string& value, const F& f) const {
+  std::invoke_result_t<F> at(int line, const std::string& value, const F& f) const {
     try {
       return f();
     } catch (const std::invalid_argument& e) {

@@ -22,9 +22,9 @@
 
 namespace liecheck {
 
-/// A robot and its warnings, one line each: `FILE:LINE: what (value)`. What public URDFs contain although URDF
-/// does not allow it is a warning if the model is defined without it: unknown and repeated words, which are
-/// ignored; attributes that are missing and have an obvious value; limits that are missing, crossed or
+/// A robot and its warnings, one line each: `FILE:LINE: what (value)`. What public URDFs contain although
+/// URDF does not allow it is a warning if the model is defined without it: unknown and repeated words, which
+/// are ignored; attributes that are missing and have an obvious value; limits that are missing, crossed or
 /// negative, so that the joint is not limited; errors in geometry and materials. Warnings also name what the
 /// model leaves out (axes, limits, damping and friction that a joint's type does not use, soft limits, mimic
 /// joints that are treated as independent) and what it cannot compute with: numbers whose square overflows,

@@ -7,12 +7,12 @@ namespace liecheck::urdf_detail {
 
 namespace {
 
-/// Checks the tags in one pass without recursion, and skips comments, declarations and quoted '>'. Its time is
-/// linear in the length of the text. It refuses what TinyXML-2 accepts or recurses on: elements nested deeper
+/// Checks the tags in one pass without recursion, and skips comments, declarations and quoted '>', in linear
+/// time. It refuses what TinyXML-2 accepts or recurses on: elements nested deeper
 /// than max_element_depth, closing tags without an opening tag (TinyXML-2 ignores all that follows), text
 /// outside the root element, attribute values without quotes, and markup that does not end. It also refuses
 /// what takes TinyXML-2 quadratic time: more than max_attributes in one element, since it compares each with
-/// all before it, and character references that do not end, since it looks for their ends in all that follows.
+/// all before it, and character references that do not end, since it looks for them in all that follows.
 class TagCheck {
  public:
   TagCheck(const std::string& text, const Messages& messages) : text_(text), messages_(messages) {}
