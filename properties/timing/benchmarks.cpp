@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <chrono>
 #include <cstring>
+#include <ctime>
 #include <mutex>
 
 namespace liecheck::properties {
@@ -69,6 +70,17 @@ struct Repetition {
   double ns = 0, instructions = 0;
 };
 using Repetitions = std::vector<std::vector<Repetition>>;  ///< by row
+
+/// The processor time of this thread [s].
+double processor_time() {
+  timespec t{};
+  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+/// Thrown by a repetition to end a run that was asked to stop. Tens of thousands of repetitions may be left,
+/// which take half a minute even if they are empty.
+struct StopRun {};
 
 /// Stores the processor time of each repetition. The name of a benchmark is the index of its row.
 class Collector final : public benchmark::BenchmarkReporter {
@@ -169,21 +181,24 @@ std::string run_interleaved(std::vector<Timed>& all, const Interleaving& how) {
     benchmark::RegisterBenchmark(std::to_string(i).c_str(),
                                  [&, i, passes](benchmark::State& state) {
                                    const Timed& row = all[i];
+                                   if (stopped()) throw StopRun();
                                    // 128 repetitions shift the stack over one page, 32 bytes each.
                                    const std::size_t shift = 32 * ((repetitions[i].size() * 37) % 128);
                                    Repetition& r = repetitions[i].emplace_back();
-                                   r.run = !stopped() && seconds_since(start) <= 1.3 * how.seconds + 1;
+                                   r.run = seconds_since(start) <= 1.3 * how.seconds + 1;
                                    if (!r.run) {  // after SkipWithError, the library's statistics would abort
                                      for (auto _ : state) {
                                      }
                                      return;
                                    }
                                    r.reference = reference_time();
+                                   const double calls =
+                                       static_cast<double>(passes) * static_cast<double>(row.calls);
+                                   const double before = processor_time();
                                    counter.start();
                                    for (auto _ : state) run_below(shift, row.pass);
-                                   r.instructions =
-                                       static_cast<double>(counter.stop()) /
-                                       (static_cast<double>(passes) * static_cast<double>(row.calls));
+                                   r.instructions = static_cast<double>(counter.stop()) / calls;
+                                   r.ns = (processor_time() - before) * 1e9 / calls;  // until the report
                                    r.reference = std::max(r.reference, reference_time());
                                    how.progress(static_cast<double>(++done) / static_cast<double>(total));
                                  })
@@ -191,7 +206,10 @@ std::string run_interleaved(std::vector<Timed>& all, const Interleaving& how) {
         ->Repetitions(static_cast<int>(how.repetitions));
   }
   Collector collector(all, repetitions);
-  if (!stopped()) benchmark::RunSpecifiedBenchmarks(&collector, "all");
+  try {
+    if (!stopped()) benchmark::RunSpecifiedBenchmarks(&collector, "all");
+  } catch (const StopRun&) {  // Google Benchmark has reported nothing: the times are our own
+  }
   benchmark::ClearRegisteredBenchmarks();
   keep_undisturbed(all, repetitions);
   return counter.absent();

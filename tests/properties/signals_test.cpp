@@ -162,7 +162,7 @@ class Signals : public StoppedProgram, public testing::WithParamInterface<Comman
         EXPECT_EQ(file.string().find("-journal"), std::string::npos) << file << ": an unfinished transaction";
       }
       if (extension == ".json") {
-        EXPECT_NO_THROW(static_cast<void>(nlohmann::json::parse(text))) << file;
+        EXPECT_TRUE(nlohmann::json::accept(text)) << file;
       }
       if (extension == ".csv" || extension == ".html") {
         EXPECT_TRUE(text.ends_with('\n')) << file;
