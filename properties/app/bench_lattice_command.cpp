@@ -112,7 +112,8 @@ Command bench_lattice_command(CLI::App& bench) {
       "otherwise; 2 for bad input; 3 if stopped");
   LatticeOptions& o = a->options;
   a.list("--subject", o.subjects, "NAME",
-         "a correct subject to plant faults in, repeatable; default liecheck, look-alikes, eigen, textbook");
+         "a correct subject to plant faults in, repeatable; default liecheck, liecheck:fast, look-alikes, "
+         "eigen, textbook");
   a.list("--operation", o.operations, "OP", "an operation, repeatable; default every one");
   a.choice("--scalar", o.scalar, {"float", "double"}, "SCALAR", "float or double").with_default_in_help();
   a.seed(o.seed, "seed of the cases and of the faults");

@@ -57,7 +57,9 @@ class Sorter {
     if (phi_) {
       const Number theta = norm(phi_, 3);
       angle(theta, pi - theta);
-      features_[F::theta_minus_two_pi] = static_cast<double>(theta - 2 * pi);
+      features_[F::turn] = static_cast<double>(theta);
+      features_[F::turn_minus_pi] = static_cast<double>(theta - pi);
+      features_[F::turn_minus_two_pi] = static_cast<double>(theta - 2 * pi);
     } else if (quaternions_.size() > 1) {
       relative_angle(quaternions_[0], quaternions_[1]);
     } else if (!quaternions_.empty()) {

@@ -14,7 +14,7 @@ enum class Found : std::uint8_t {
   found,      ///< a law failed
   granted,    ///< laws measured the error, but it is within their limits (times kappa)
   unseen,     ///< results changed, but no measurement did
-  unchanged,  ///< the trigger fired, but no result changed
+  unchanged,  ///< the trigger fired, but no result changed in a case that the base passes
   unfired     ///< the trigger never fired
 };
 inline constexpr const char* found_words[] = {"found", "granted", "unseen", "unchanged", "never fired"};
@@ -51,7 +51,8 @@ class Lab {
   std::vector<Fault> faults() const;
   /// The share of a law's scanned cases in which the fault's trigger fires; the largest of all laws.
   double share(const Fault& fault) const;
-  /// Plants the fault in the scanned cases in which its trigger fires and in which the base passes.
+  /// Plants the fault in the scanned cases in which its trigger fires. It is found if a law fails that does
+  /// not fail the same output of the base.
   FaultVerdict judge(const Fault& fault);
   /// The share of the scanned cases of all laws that the base itself fails.
   double failures_of_base() const;
@@ -72,8 +73,8 @@ class Lab {
   };
   /// The state of one fault's trial.
   struct Trial {
-    std::uint64_t tried = 0, granted = 0;
-    bool fired = false, changed = false;
+    std::uint64_t granted = 0;
+    bool changed = false;  ///< a result, in a case that the base passes
   };
 
   std::vector<Judged> run(const LawRun& law, std::uint64_t index);

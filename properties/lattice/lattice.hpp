@@ -9,7 +9,7 @@
 namespace liecheck::properties {
 
 struct LatticeOptions {
-  std::vector<std::string> subjects = {"liecheck", "look-alikes", "eigen", "textbook"};
+  std::vector<std::string> subjects = {"liecheck", "liecheck:fast", "look-alikes", "eigen", "textbook"};
   std::vector<std::string> operations;  ///< empty: all
   std::string scalar = "double";
   std::uint64_t seed = 42;

@@ -48,11 +48,6 @@ std::vector<double> decades(int from, int to) {
   for (int e = from; e <= to; ++e) edges.push_back(std::pow(10, e));
   return edges;
 }
-std::vector<double> negative(const std::vector<double>& edges) {
-  std::vector<double> all;
-  for (auto e = edges.rbegin(); e != edges.rend(); ++e) all.push_back(-*e);
-  return all;
-}
 std::vector<double> equal_parts(double low, double high, int parts) {
   std::vector<double> edges;
   for (int i = 0; i <= parts; ++i) edges.push_back(low + (high - low) * i / parts);
@@ -69,11 +64,11 @@ void add_angles(Table& t) {
   t.begin("theta near pi");
   t.add("pi, rounded", F::pi_minus_theta, -1e-15, 1e-15);
   t.add_slices("pi - theta", F::pi_minus_theta, decades(-15, -1));
-  t.add_slices("pi - theta", F::pi_minus_theta, negative(decades(-15, -1)));
+  t.add_slices("theta - pi", F::turn_minus_pi, decades(-15, -1));
   t.begin("theta beyond pi");
-  t.add_slices("theta", F::theta, equal_parts(pi, 2 * pi, 8));
-  t.add_slices("theta - 2 pi", F::theta_minus_two_pi, {-1e-1, -1e-4, -1e-8, 0, 1e-8, 1e-4, 1e-1});
-  t.add_slices("theta", F::theta, {7, 100, 1e4, 1e6, infinity});
+  t.add_slices("theta", F::turn, equal_parts(pi, 2 * pi, 8));
+  t.add_slices("theta - 2 pi", F::turn_minus_two_pi, {-1e-1, -1e-4, -1e-8, 0, 1e-8, 1e-4, 1e-1});
+  t.add_slices("theta", F::turn, {7, 100, 1e4, 1e6, infinity});
 }
 
 void add_vectors(Table& t) {

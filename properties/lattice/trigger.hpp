@@ -13,27 +13,29 @@ namespace liecheck::properties {
 
 /// Numbers that describe the arguments of one call, or the calls before it.
 enum class Feature : std::uint8_t {
-  one,                 ///< always 1
-  theta,               ///< angle [rad] of phi, else between two quaternions, else of the first rotation
-  theta_scale,         ///< log2 of theta, over the largest exponent of the scalar
-  pi_minus_theta,      ///< [rad]
-  theta_minus_two_pi,  ///< [rad]
-  w,                   ///< scalar part of the first quaternion
-  octant,              ///< 0 ... 7: bit i is set if number i of the first rotation or vector is negative
-  zeros,               ///< how many of these three numbers are zero
-  off_unit,            ///< the largest ||Q|^2 - 1| of the quaternions [eps]
-  off_orthogonal,      ///< the largest |R^T R - I| of the matrices [eps]
-  length,              ///< log2 of the longest vector [m], over the largest exponent of the scalar
-  speed,               ///< likewise of velocities [m/s, rad/s]
-  force,               ///< likewise of forces and moments [N, N m]
-  mass,                ///< log2 of the mass [kg], over the largest exponent of the scalar
-  apart,               ///< |p1 - p0| / |p0| of two configurations
-  moments_apart,       ///< the smallest difference of principal moments of inertia, over the largest moment
-  thin,                ///< the smallest over the largest moment
-  flat,                ///< the sum of the two smaller minus the largest, over the largest moment
-  point,               ///< 1 if the inertia is zero, else 0
-  joints,              ///< number of joints of the tree
-  revolute,            ///< number of joints of this kind; the order is that of oracles::JointKind
+  one,                ///< always 1
+  theta,              ///< angle [rad] of phi, else between two quaternions, else of the first rotation
+  theta_scale,        ///< log2 of theta, over the largest exponent of the scalar
+  pi_minus_theta,     ///< [rad]
+  turn,               ///< theta of a rotation vector, which may be larger than pi [rad]
+  turn_minus_pi,      ///< [rad]
+  turn_minus_two_pi,  ///< [rad]
+  w,                  ///< scalar part of the first quaternion
+  octant,             ///< 0 ... 7: bit i is set if number i of the first rotation or vector is negative
+  zeros,              ///< how many of these three numbers are zero
+  off_unit,           ///< the largest ||Q|^2 - 1| of the quaternions [eps]
+  off_orthogonal,     ///< the largest |R^T R - I| of the matrices [eps]
+  length,             ///< log2 of the longest vector [m], over the largest exponent of the scalar
+  speed,              ///< likewise of velocities [m/s, rad/s]
+  force,              ///< likewise of forces and moments [N, N m]
+  mass,               ///< log2 of the mass [kg], over the largest exponent of the scalar
+  apart,              ///< |p1 - p0| / |p0| of two configurations
+  moments_apart,      ///< the smallest difference of principal moments of inertia, over the largest moment
+  thin,               ///< the smallest over the largest moment
+  flat,               ///< the sum of the two smaller minus the largest, over the largest moment
+  point,              ///< 1 if the inertia is zero, else 0
+  joints,             ///< number of joints of the tree
+  revolute,           ///< number of joints of this kind; the order is that of oracles::JointKind
   continuous,
   prismatic,
   helical,

@@ -30,7 +30,7 @@ class Watch {
   std::function<void(const Operation&, const Features&)> seen;
   const Fault* fault = nullptr;
   bool planted = false;  ///< the fault acts; otherwise calls are only remembered
-  bool changed = false;  ///< a result changed since this was set to false
+  double moved = 0;      ///< the largest change since this was set to 0, in eps of the block's largest number
   Calls calls;           ///< how many calls of each operation there were
 
   /// Forgets the calls before, apart from their numbers.
@@ -54,8 +54,10 @@ class Watch {
       append_numbers(result_, result);
       std::vector<S> computed = result_;
       if (planted && triggers[fault->trigger].fires(features)) {
-        fault->perturbation.apply(result_, blocks_of(operation, result_.size()), before.result);
-        if (differ(computed, result_)) changed = true, set(result, result_);
+        const auto blocks = blocks_of(operation, result_.size());
+        fault->perturbation.apply(result_, blocks, before.result);
+        for (const ResultBlock& b : blocks) moved = std::max(moved, movement(b, computed, result_));
+        if (differ(computed, result_)) set(result, result_);
         if (fault->perturbation.change == Change::argument) write_to(arguments...);
       }
       before.result = std::move(computed);
@@ -84,6 +86,18 @@ class Watch {
     return !std::equal(a.begin(), a.end(), b.begin(), b.end(),
                        [](S x, S y) { return x == y || (x != x && y != y); });
   }
+  /// The largest change of a number of the block, in eps of the block's largest number; NaN is infinite.
+  static double movement(const ResultBlock& block, const std::vector<S>& from, const std::vector<S>& to) {
+    double largest = 0, change = 0;
+    for (const std::size_t i : block.numbers) {
+      const auto a = static_cast<double>(from[i]), b = static_cast<double>(to[i]);
+      largest = std::fmax(largest, std::fmax(std::fabs(a), std::fabs(b)));
+      if (a == b || (a != a && b != b)) continue;
+      if (!std::isfinite(a) || !std::isfinite(b)) return std::numeric_limits<double>::infinity();
+      change = std::fmax(change, std::fabs(a - b));
+    }
+    return change > 0 ? change / largest / std::numeric_limits<S>::epsilon() : 0;
+  }
   template <class R>
   static void set(R& result, const std::vector<S>& numbers) {
     if constexpr (std::is_same_v<R, bool>)
@@ -99,9 +113,10 @@ class Watch {
     if (x.empty()) return;
     const Perturbation& p = fault->perturbation;
     S& number = x[p.component % x.size()];
+    if (number == S(0)) return;
     number += number * std::ldexp(std::numeric_limits<S>::epsilon(), p.k);
     set_numbers(const_cast<First&>(first), x);
-    changed = true;
+    moved = std::numeric_limits<double>::infinity();
   }
 
   std::thread::id first_thread_ = std::this_thread::get_id();
