@@ -205,6 +205,7 @@ Command hard_cases_command(CLI::App& program);
 Command hunt_command(CLI::App& program);
 Command bench_bugs_command(CLI::App& bench);
 Command bench_lattice_command(CLI::App& bench);
+Command bench_limits_command(CLI::App& bench);
 Command bench_speed_command(CLI::App& bench);
 Command sweep_command(CLI::App& program);
 Command robot_command(CLI::App& program);

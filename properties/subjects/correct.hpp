@@ -1,0 +1,206 @@
+#pragma once
+// The subjects correct:NAME: ordinary implementations of the operations on poses and bodies that differ from
+// liecheck and from each other in representation and formulas (correct_styles.hpp, correct_forms.hpp). They
+// share no code with the library. A law that refuses one of them asks for more than a correct library can
+// give; `bench limits` measures what each of them needs. They run only if they are named.
+//
+// A quaternion that is off unit by 8 eps, or a matrix that is off orthogonal, is not repaired by every style:
+// the limits of a style include what it makes of such inputs.
+
+#include <subjects/correct_forms.hpp>
+
+namespace liecheck::properties::correct {
+
+/// The operations of a style in the scalar S. The style computes in its own precision W; results are rounded
+/// once at the end.
+template <class S, class Style>
+struct Correct : Types<S> {
+  using W = typename Style::Scalar;
+  using typename Types<S>::V3, typename Types<S>::V4, typename Types<S>::V6, typename Types<S>::V7,
+      typename Types<S>::M3, typename Types<S>::M6;
+  using X3 = Vec<W, 3>;
+  using X4 = Vec<W, 4>;
+  using X6 = Vec<W, 6>;
+  using X66 = Mat<W, 6>;
+  using Rot = typename Style::Rot;
+
+  template <class M>
+  static auto wide(const M& m) {
+    return m.template cast<W>().eval();
+  }
+  template <class M>
+  static auto narrow(const M& m) {
+    return m.template cast<S>().eval();
+  }
+  struct Placement {
+    Rot R;
+    X3 p;
+  };
+  static Placement wide(const Pose<S>& X) { return {Style::from_matrix(wide(X.R)), wide(X.p)}; }
+  static Pose<S> narrow(const Placement& X) { return {narrow(Style::matrix(X.R)), narrow(X.p)}; }
+  static Body<W> wide(const Body<S>& I) { return {W(I.mass), wide(I.c), wide(I.I_C)}; }
+  static Placement inverted(const Placement& X) {
+    const Rot R = Style::inverse(X.R);
+    return {R, -Style::rotate(R, X.p)};
+  }
+  static Placement exp(const X6& xi) {
+    return {Style::exp(Style::low(xi)), Style::arc(Style::low(xi), Style::top(xi))};
+  }
+
+  static V4 exp3_quaternion(const V3& phi) { return narrow(Style::quaternion(Style::exp(wide(phi)))); }
+  static M3 exp3_matrix(const V3& phi) { return narrow(Style::matrix(Style::exp(wide(phi)))); }
+  static V3 log3_quaternion(const V4& Q) { return narrow(Style::log(wide(Q))); }
+  static V3 log3_matrix(const M3& R) { return narrow(Style::log_of_matrix(wide(R))); }
+  static Pose<S> exp6(const V6& xi) { return narrow(exp(wide(xi))); }
+  static V6 log6(const Pose<S>& X) {
+    const X3 phi = Style::log_of_matrix(wide(X.R));
+    return narrow(Style::stack(Style::arc_inverse(phi, wide(X.p)), phi));
+  }
+  static M3 left_jacobian3(const V3& phi) { return narrow(Style::jacobian(wide(phi))); }
+  static M3 right_jacobian3(const V3& phi) { return left_jacobian3(-phi); }
+  static M3 left_jacobian3_inverse(const V3& phi) { return narrow(Style::jacobian_inverse(wide(phi))); }
+  static M3 right_jacobian3_inverse(const V3& phi) { return left_jacobian3_inverse(-phi); }
+  static M6 left_jacobian6(const V6& xi) { return narrow(Style::jacobian6(wide(xi))); }
+  static M6 right_jacobian6(const V6& xi) { return left_jacobian6(-xi); }
+  static M6 left_jacobian6_inverse(const V6& xi) { return narrow(Style::jacobian6_inverse(wide(xi))); }
+  static M6 right_jacobian6_inverse(const V6& xi) { return left_jacobian6_inverse(-xi); }
+
+  static Pose<S> compose(const Pose<S>& X, const Pose<S>& Y) {
+    const Placement x = wide(X), y = wide(Y);
+    return narrow(Placement{Style::product(x.R, y.R), Style::rotate(x.R, y.p) + x.p});
+  }
+  static Pose<S> inverse(const Pose<S>& X) { return narrow(inverted(wide(X))); }
+  static V3 act_point(const Pose<S>& X, const V3& x) {
+    const Placement at = wide(X);
+    return narrow(Style::rotate(at.R, wide(x)) + at.p);
+  }
+  static V3 rotate_point(const V4& Q, const V3& x) {
+    return narrow(Style::rotate(Style::from_quaternion(wide(Q)), wide(x)));
+  }
+
+  static V6 act_motion(const Pose<S>& X, const V6& V) {
+    const Placement x = wide(X);
+    const X3 u = wide(Style6::top(V)), w = wide(Style6::low(V));
+    return narrow(Style::stack(Style::transport(x.R, x.p, u, w), Style::rotate(x.R, w)));
+  }
+  static V6 act_inverse_motion(const Pose<S>& X, const V6& V) {
+    const Placement x = wide(X);
+    const X3 u = wide(Style6::top(V)), w = wide(Style6::low(V));
+    return narrow(Style::stack(Style::transport_back(x.R, x.p, u, w), Style::rotate(Style::inverse(x.R), w)));
+  }
+  static V6 act_force(const Pose<S>& X, const V6& F) { return swapped(act_motion(X, swapped(F))); }
+  static V6 act_inverse_force(const Pose<S>& X, const V6& F) {
+    return swapped(act_inverse_motion(X, swapped(F)));
+  }
+  static V6 swapped(const V6& v) { return Style6::stack(Style6::low(v), Style6::top(v)); }
+  static V6 cross_motion(const V6& V, const V6& W_) {
+    const X6 v = wide(V), w = wide(W_);
+    return narrow(Style::stack(Style::cross_dual(Style::low(v), Style::top(v), Style::low(w), Style::top(w)),
+                               Style::cross(Style::low(v), Style::low(w))));
+  }
+  static V6 cross_force(const V6& V, const V6& F) { return swapped(cross_motion(V, swapped(F))); }
+
+  /// R M R^T, column by column.
+  static M3 turned(const Rot& R, const M3& M) {
+    Mat<W, 3> A = wide(M);
+    for (int pass = 0; pass < 2; ++pass) {
+      for (int i = 0; i < 3; ++i) A.col(i) = Style::rotate(R, X3(A.col(i)));
+      A.transposeInPlace();
+    }
+    return narrow(A);
+  }
+  static Body<S> act_inertia(const Pose<S>& X, const Body<S>& I) {
+    return {I.mass, act_point(X, I.c), turned(Style::from_matrix(wide(X.R)), I.I_C)};
+  }
+  static Body<S> act_inverse_inertia(const Pose<S>& X, const Body<S>& I) {
+    const Rot R = Style::inverse(Style::from_matrix(wide(X.R)));
+    return {I.mass, narrow(Style::rotate(R, X3(wide(I.c) - wide(X.p)))), turned(R, I.I_C)};
+  }
+  static V6 momentum(const Body<S>& I, const V6& V) { return narrow(Style::momentum(wide(I), wide(V))); }
+  static S kinetic_energy(const Body<S>& I, const V6& V) { return S(Style::energy(wide(I), wide(V))); }
+  static M6 inertia_matrix(const Body<S>& I) { return narrow(Style::inertia_matrix(wide(I))); }
+
+  static V7 integrate(const V7& q, const V6& delta) {
+    const X4 Q0 = wide(V4(q.template tail<4>()));
+    const Placement T0{Style::from_quaternion(Q0), wide(V3(q.template head<3>()))}, T = exp(wide(delta));
+    const X4 Q = Style::quaternion(Style::product(T0.R, T.R));
+    V7 result;
+    result << narrow(T0.p + Style::rotate(T0.R, T.p)), narrow(Q.dot(Q0) < 0 ? X4(-Q) : Q);
+    return result;
+  }
+  /// Q0* Q1. Its vector part is that of Q0* (Q1 - Q0): nothing cancels if the rotations are nearly equal.
+  static X4 relative(const X4& Q0, const X4& Q1) {
+    const X4 d = Q0.dot(Q1) < 0 ? X4(-Q1 - Q0) : X4(Q1 - Q0);
+    const X3 a = Q0.template head<3>(), b = d.template head<3>();
+    return (X4() << Q0[3] * b - d[3] * a - a.cross(b), std::abs(Q0.dot(Q1))).finished();
+  }
+  static X6 between(const V7& q0, const V7& q1) {
+    const X4 Q0 = wide(V4(q0.template tail<4>())), Q1 = wide(V4(q1.template tail<4>()));
+    const X3 phi = Style::log(relative(Q0, Q1)),
+             apart = wide(V3(q1.template head<3>())) - wide(V3(q0.template head<3>()));
+    const X3 p = Style::rotate(Style::inverse(Style::from_quaternion(Q0)), apart);
+    return Style::stack(Style::arc_inverse(phi, p), phi);
+  }
+  static V6 difference(const V7& q0, const V7& q1) { return narrow(between(q0, q1)); }
+  static M6 d_integrate_arg0(const V7&, const V6& delta) {
+    const Placement T = exp(wide(V6(-delta)));
+    const Mat<W, 3> R = Style::matrix(T.R);
+    return narrow(Style::blocks(R, hat(T.p) * R));
+  }
+  static M6 d_integrate_arg1(const V7&, const V6& delta) { return right_jacobian6(delta); }
+  static M6 d_difference_arg0(const V7& q0, const V7& q1) {
+    return narrow(X66(-Style::jacobian6_inverse(between(q0, q1))));
+  }
+  static M6 d_difference_arg1(const V7& q0, const V7& q1) {
+    return narrow(Style::jacobian6_inverse(X6(-between(q0, q1))));
+  }
+  /// [[R, 0], [0, (w I + [v]) / 2], [0, -v^T / 2]] for Q = (v, w).
+  static Mat<S, 7, 6> integrate_coefficient_jacobian(const V7& q) {
+    const V4 Q = q.template tail<4>();
+    const V3 v = Q.template head<3>();
+    Mat<S, 7, 6> J = Mat<S, 7, 6>::Zero();
+    J.template topLeftCorner<3, 3>() = narrow(Style::matrix(Style::from_quaternion(wide(Q))));
+    J.template block<3, 3>(3, 3) = (Q[3] * M3::Identity() + hat(v)) / 2;
+    J.template bottomRightCorner<1, 3>() = -v.transpose() / 2;
+    return J;
+  }
+
+  using Style6 = Basics<void, S>;
+
+  static Subject<S> make(const char* name, const char* version) {
+    Subject<S> s{std::string("correct:") + name, version, {}};
+    auto& o = s.operations;
+#define LIECHECK_OFFER(operation) o[op::operation] = operation
+    LIECHECK_OFFER(exp3_quaternion), LIECHECK_OFFER(exp3_matrix), LIECHECK_OFFER(log3_quaternion);
+    LIECHECK_OFFER(log3_matrix), LIECHECK_OFFER(exp6), LIECHECK_OFFER(log6), LIECHECK_OFFER(compose);
+    LIECHECK_OFFER(inverse), LIECHECK_OFFER(act_point), LIECHECK_OFFER(rotate_point);
+    LIECHECK_OFFER(act_motion), LIECHECK_OFFER(act_inverse_motion), LIECHECK_OFFER(act_force);
+    LIECHECK_OFFER(act_inverse_force), LIECHECK_OFFER(cross_motion), LIECHECK_OFFER(cross_force);
+    LIECHECK_OFFER(act_inertia), LIECHECK_OFFER(act_inverse_inertia), LIECHECK_OFFER(momentum);
+    LIECHECK_OFFER(kinetic_energy), LIECHECK_OFFER(inertia_matrix), LIECHECK_OFFER(integrate);
+    LIECHECK_OFFER(difference), LIECHECK_OFFER(left_jacobian3), LIECHECK_OFFER(right_jacobian3);
+    LIECHECK_OFFER(left_jacobian3_inverse), LIECHECK_OFFER(right_jacobian3_inverse);
+    LIECHECK_OFFER(left_jacobian6), LIECHECK_OFFER(right_jacobian6), LIECHECK_OFFER(left_jacobian6_inverse);
+    LIECHECK_OFFER(right_jacobian6_inverse), LIECHECK_OFFER(d_integrate_arg0);
+    LIECHECK_OFFER(d_integrate_arg1), LIECHECK_OFFER(d_difference_arg0), LIECHECK_OFFER(d_difference_arg1);
+    LIECHECK_OFFER(integrate_coefficient_jacobian);
+#undef LIECHECK_OFFER
+    return s;
+  }
+};
+
+/// Registers every style in S. Wide is a type with more digits.
+template <class S, class Wide>
+struct RegisteredStyles {
+  Registered<S> all[8] = {
+      Registered<S>(Correct<S, Quaternions<S>>::make("quaternions", "unit quaternions, half angles")),
+      Registered<S>(Correct<S, Quaternions<Wide>>::make("wide", "quaternions in more digits")),
+      Registered<S>(Correct<S, Matrices<S>>::make("matrices", "3 x 3 and 6 x 6 matrices")),
+      Registered<S>(Correct<S, DualQuaternions<S>>::make("dual_quaternions", "unit dual quaternions")),
+      Registered<S>(Correct<S, Books<S>>::make("books", "closed forms with series near 0")),
+      Registered<S>(Correct<S, RotationVectors<S>>::make("rodrigues", "rotation vectors")),
+      Registered<S>(Correct<S, Cayley<S>>::make("cayley", "Cayley transform of a quarter of the angle")),
+      Registered<S>(Correct<S, HalfAngles<S>>::make("half_angles", "matrices from half angles"))};
+};
+
+}  // namespace liecheck::properties::correct

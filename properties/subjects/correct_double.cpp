@@ -1,0 +1,9 @@
+#include <subjects/correct.hpp>
+
+namespace liecheck::properties::correct {
+namespace {
+
+const RegisteredStyles<double, long double> in_double;
+
+}  // namespace
+}  // namespace liecheck::properties::correct

@@ -1,0 +1,244 @@
+#pragma once
+// What the subjects correct:lagrange and correct:kane share: dual numbers, and the joints of a tree.
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <memory>
+#include <subjects/tree.hpp>
+#include <type_traits>
+#include <vector>
+
+namespace liecheck::properties::correct {
+
+/// x + e d with e^2 = 0.
+template <class W>
+struct Dual {
+  W x{}, d{};
+  Dual() = default;
+  Dual(const W& value, const W& derivative = W(0)) : x(value), d(derivative) {}  // NOLINT: a constant
+  Dual(int value) : x(value) {}                                                  // NOLINT
+  friend Dual operator+(const Dual& a, const Dual& b) { return {a.x + b.x, a.d + b.d}; }
+  friend Dual operator-(const Dual& a, const Dual& b) { return {a.x - b.x, a.d - b.d}; }
+  friend Dual operator-(const Dual& a) { return {-a.x, -a.d}; }
+  friend Dual operator*(const Dual& a, const Dual& b) { return {a.x * b.x, a.d * b.x + a.x * b.d}; }
+  friend bool operator==(const Dual&, const Dual&) = default;
+  Dual& operator+=(const Dual& b) { return *this = *this + b; }
+  Dual& operator-=(const Dual& b) { return *this = *this - b; }
+};
+
+}  // namespace liecheck::properties::correct
+
+template <class W>
+struct Eigen::NumTraits<liecheck::properties::correct::Dual<W>> : Eigen::NumTraits<W> {
+  using Real = liecheck::properties::correct::Dual<W>;
+  using NonInteger = Real;
+  using Nested = Real;
+  using Literal = Real;
+  enum { RequireInitialization = 1 };
+};
+
+namespace liecheck::properties::correct {
+
+template <class T>
+using Columns = Eigen::Matrix<T, 6, Eigen::Dynamic>;
+
+template <class T>
+Vec<T, 6> joined(const Vec<T, 3>& a, const Vec<T, 3>& b) {
+  Vec<T, 6> v;
+  v << a, b;
+  return v;
+}
+template <class T>
+Mat<T, 6> four(const Mat<T, 3>& a, const Mat<T, 3>& b, const Mat<T, 3>& c, const Mat<T, 3>& d) {
+  Mat<T, 6> m;
+  m << a, b, c, d;
+  return m;
+}
+/// Maps motions from a parent's axes to those of a child at (R, p).
+template <class T>
+Mat<T, 6> to_child(const Mat<T, 3>& R, const Vec<T, 3>& p) {
+  const Mat<T, 3> Rt = R.transpose();
+  return four<T>(Rt, -Rt * hat(p), Mat<T, 3>::Zero(), Rt);
+}
+template <class T>
+Mat<T, 6> to_parent(const Mat<T, 3>& R, const Vec<T, 3>& p) {
+  return four<T>(R, hat(p) * R, Mat<T, 3>::Zero(), R);
+}
+/// V x as a matrix on motions; -V x transposed acts on forces.
+template <class T>
+Mat<T, 6> ad(const Vec<T, 6>& V) {
+  const Mat<T, 3> w = hat<T>(V.template tail<3>());
+  return four<T>(w, hat<T>(V.template head<3>()), Mat<T, 3>::Zero(), w);
+}
+
+/// The joints of a tree: poses, motion subspaces and armatures.
+template <class S>
+class TreeParts {
+ public:
+  using X = VecX<S>;
+  using M = MatX<S>;
+  using V3 = Vec<S, 3>;
+  using V6 = Vec<S, 6>;
+  using M3 = Mat<S, 3>;
+  using M6 = Mat<S, 6>;
+  using D = Dual<S>;
+
+ protected:
+  explicit TreeParts(const Tree<S>& tree) : tree_(tree), gravity_(vector(tree.gravity)) {
+    for (const auto& j : tree.joints) columns_.push_back((j.primary < 0 ? S(1) : j.multiplier) * subspace(j));
+    armature_ = X::Zero(tree.nv);
+    oracles::for_each_armature(tree, [&](std::size_t k, const S& a) { armature_[static_cast<int>(k)] = a; });
+  }
+
+  static V3 vector(const oracles::Vec3<S>& v) { return {v[0], v[1], v[2]}; }
+  static M3 rotation(const oracles::Quaternion<S>& Q) {
+    return Eigen::Quaternion<S>(Q[3], Q[0], Q[1], Q[2]).normalized().toRotationMatrix();
+  }
+  static M3 inertia(const oracles::BodyOf<S>& b) {
+    M3 I;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) I(i, j) = b.I_C(i, j);
+    return I;
+  }
+  /// The constant columns of a joint's motion, in the axes of its body.
+  static Columns<S> subspace(const oracles::JointOf<S>& j) {
+    using oracles::JointKind;
+    const M6 I = M6::Identity();
+    const V3 axis = vector(j.axis).normalized(), none = V3::Zero();
+    switch (j.kind) {
+      case JointKind::revolute:
+      case JointKind::continuous:
+        return joined<S>(none, axis);
+      case JointKind::prismatic:
+        return joined<S>(axis, none);
+      case JointKind::helical:
+        return joined<S>(j.pitch * axis, axis);
+      case JointKind::spherical:
+        return I.template rightCols<3>();
+      case JointKind::translation:
+        return I.template leftCols<3>();
+      case JointKind::planar:
+        return (Columns<S>(6, 3) << I.col(0), I.col(1), I.col(5)).finished();
+      default:
+        return I;
+    }
+  }
+  /// The pose of joint i in its parent's axes.
+  Pose<S> local(std::size_t i, const X& q) const {
+    using oracles::JointKind;
+    const auto& j = tree_.joints[i];
+    const int k = tree_.idx_q[i];
+    const V3 axis = vector(j.axis).normalized();
+    S y = q[k];
+    if (j.primary >= 0) {
+      if (tree_.joints[static_cast<std::size_t>(j.primary)].kind == JointKind::continuous)
+        y = std::atan2(q[k + 1], q[k]);
+      y = j.multiplier * y + j.offset;
+    }
+    M3 R = M3::Identity();
+    V3 p = V3::Zero();
+    const auto turned = [](S c, S s, const V3& n) -> M3 {
+      return Eigen::Quaternion<S>(Eigen::AngleAxis<S>(std::atan2(s, c), n)).toRotationMatrix();
+    };
+    const auto quaternion = [&](int first) -> M3 {
+      return Eigen::Quaternion<S>(Vec<S, 4>(q.template segment<4>(first))).normalized().toRotationMatrix();
+    };
+    switch (j.kind) {
+      case JointKind::helical:
+        p = j.pitch * y * axis;
+        [[fallthrough]];
+      case JointKind::revolute:
+        R = Eigen::AngleAxis<S>(y, axis).toRotationMatrix();
+        break;
+      case JointKind::continuous:
+        R = turned(q[k], q[k + 1], axis);
+        break;
+      case JointKind::prismatic:
+        p = y * axis;
+        break;
+      case JointKind::spherical:
+        R = quaternion(k);
+        break;
+      case JointKind::planar:
+        p << q[k], q[k + 1], S(0);
+        R = turned(q[k + 2], q[k + 3], V3::UnitZ());
+        break;
+      case JointKind::translation:
+        p = q.template segment<3>(k);
+        break;
+      default:
+        p = q.template segment<3>(k), R = quaternion(k + 3);
+    }
+    const M3 placed = rotation(j.Q);
+    return {placed * R, vector(j.p) + placed * p};
+  }
+
+  /// local(), displaced along the coordinates `moved` if T is a dual number.
+  template <class T>
+  Pose<T> displaced(std::size_t i, const X& q, const X& moved) const {
+    const Pose<S> L = local(i, q);
+    Pose<T> X{L.R.template cast<T>(), L.p.template cast<T>()};
+    if constexpr (!std::is_same_v<T, S>) {
+      if (moved.size() > 0) {
+        const V6 d = columns_[i] * moved.segment(tree_.idx_v[i], columns_[i].cols());
+        const M3 dR = L.R * hat<S>(d.template tail<3>());
+        const V3 dp = L.R * d.template head<3>();
+        for (int k = 0; k < 9; ++k) X.R.data()[k].d = dR.data()[k];
+        for (int k = 0; k < 3; ++k) X.p[k].d = dp[k];
+      }
+    }
+    return X;
+  }
+  static X derivative(const VecX<D>& tau) {
+    X d(tau.size());
+    for (int k = 0; k < tau.size(); ++k) d[k] = tau[k].d;
+    return d;
+  }
+  std::size_t joint() const { return static_cast<std::size_t>(tree_.frame_joint); }
+
+  Tree<S> tree_;
+  V3 gravity_;
+  std::vector<Columns<S>> columns_;
+  X armature_;
+};
+
+/// The operations of a class of trees.
+template <class T, class S>
+TreeOperations<S> bind(const Tree<S>& tree) {
+  using X = VecX<S>;
+  using V6 = Vec<S, 6>;
+  const auto t = std::make_shared<const T>(tree);
+  const auto with = [t](auto f) { return [t, f](const auto&... x) { return ((*t).*f)(x...); }; };
+  TreeOperations<S> o;
+  o[op::tree_rnea] = with(&T::rnea);
+  o[op::tree_aba] = with(&T::aba);
+  o[op::tree_nonlinear_effects] = [t](const X& q, const X& v) -> X {
+    return t->rnea(q, v, X::Zero(v.size()), -1, V6::Zero());
+  };
+  o[op::tree_gravity] = [t, n = tree.nv](const X& q) -> X {
+    return t->rnea(q, X::Zero(n), X::Zero(n), -1, V6::Zero());
+  };
+  o[op::tree_crba] = with(&T::mass);
+  o[op::tree_mass_inverse] = with(&T::inverse_mass);
+  if constexpr (requires { &T::rnea_derivatives; }) {
+    o[op::rnea_derivatives] = with(&T::rnea_derivatives);
+    o[op::aba_derivatives] = with(&T::aba_derivatives);
+  }
+  o[op::tree_kinetic_energy] = with(&T::kinetic_energy);
+  o[op::tree_potential_energy] = with(&T::potential_energy);
+  o[op::tree_momentum] = [t](const X& q, const X& v) -> V6 { return t->momentum_map(q) * v; };
+  o[op::tree_momentum_map] = with(&T::momentum_map);
+  o[op::frame_pose] = with(&T::frame);
+  o[op::frame_velocity] = with(&T::frame_velocity);
+  o[op::frame_acceleration] = [t](const X& q, const X& v, const X& a, Seen seen) -> V6 {
+    return t->frame_acceleration(q, v, a, seen, false);
+  };
+  o[op::frame_classical_acceleration] = [t](const X& q, const X& v, const X& a, Seen seen) -> V6 {
+    return t->frame_acceleration(q, v, a, seen, true);
+  };
+  o[op::frame_jacobian] = with(&T::frame_jacobian);
+  o[op::frame_jacobian_rate] = with(&T::frame_jacobian_rate);
+  return o;
+}
+
+}  // namespace liecheck::properties::correct
