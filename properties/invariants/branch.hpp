@@ -3,6 +3,7 @@
 // is theta - 2 pi k.
 
 #include <invariants/common.hpp>
+#include <oracles/closed_forms.hpp>
 #include <oracles/error.hpp>
 #include <oracles/exp.hpp>
 
@@ -25,14 +26,51 @@ bool on_other_branch(const oracles::Vec3<T>& computed, const oracles::Vec3<T>& e
   }
 }
 
+/// Where a logarithm changes its axis to the opposite one: at theta = pi exactly, for a stored quaternion,
+/// whose w decides; or within 4 eps of the scalar of pi, for a matrix or a composed pose. There the rounding
+/// of the entries, or of the product, may carry the rotation across pi.
+enum class Side { decided, either };
+
+/// Whether a logarithm on the other side of pi is right, too; in ball arithmetic, whether it may be.
+template <class S, class T>
+bool at_either_side(const oracles::LogValue<T>& exact) {
+  const double limit = std::ldexp(4.0, 1 - std::numeric_limits<S>::digits);
+  if constexpr (oracles::BallNumber<T>)
+    return exact.pi_minus_theta.size() - exact.pi_minus_theta.r <= limit;
+  else
+    return exact.pi_minus_theta <= limit;
+}
+/// (rho, phi) of the same pose with the opposite axis and the angle 2 pi - theta.
+inline oracles::Vec6<Real> opposite(const oracles::LogResult& exact) {
+  using namespace oracles;
+  const Vec3<Real> p = closed_left_jacobian(exact.value()).J * exact.rho,
+                   phi = Real(-(exact.theta + 2 * exact.pi_minus_theta) / exact.theta) * exact.phi;
+  return stack(closed_left_jacobian_inverse(stack(zero_vector<3, Real>(), phi)).J * p, phi);
+}
+/// The exact logarithm on that side of pi where the computed axis is. In ball arithmetic, Undecided is thrown
+/// for the other side.
+template <class S, class T>
+oracles::LogValue<T> at_side_of(const oracles::Vec3<T>& axis, const oracles::LogValue<T>& exact) {
+  if (!at_either_side<S>(exact) || !(dot(axis, exact.phi) < T(0))) return exact;
+  if constexpr (oracles::BallNumber<T>) {
+    throw oracles::Undecided();
+  } else {
+    oracles::LogValue<T> other = exact;
+    const oracles::Vec6<T> xi = opposite(exact);
+    other.rho = head3(xi), other.phi = tail3(xi);
+    return other;
+  }
+}
+
 /// Records the errors of a computed (rho, phi). The first of `outputs` is the rotation vector; the second, if
 /// there is one, is rho. If `branches` is false, a vector on another branch is an ordinary error.
 template <class S, class T>
 void record_log(Recorder& r, std::initializer_list<Output> outputs, std::size_t band,
-                const Vec<S, 6>& computed, const oracles::LogValue<T>& exact, const T& separation = T(0),
-                bool branches = true) {
-  judged_value(r, outputs, band, computed, exact.resolved, [&] {
+                const Vec<S, 6>& computed, const oracles::LogValue<T>& value, Side side,
+                const T& separation = T(0), bool branches = true) {
+  judged_value(r, outputs, band, computed, value.resolved, [&] {
     const auto xi = oracles::exact_vector<6, T>(computed);
+    const auto exact = side == Side::either ? at_side_of<S>(tail3(xi), value) : value;
     const auto error = oracles::log_error<S>(xi, exact, separation);
     const bool other = branches && on_other_branch<S>(tail3(xi), exact.phi, error.angular);
     for (const Output& o : outputs) {

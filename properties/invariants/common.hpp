@@ -57,14 +57,6 @@ oracles::Vec<N, T> from_list(const std::vector<T>& x, std::size_t first = 0) {
   return v;
 }
 
-/// A pose from its 12 numbers R, p.
-template <class T>
-oracles::PoseOf<T> pose_from(const std::vector<T>& x) {
-  oracles::PoseOf<T> X;
-  std::copy_n(x.begin(), 9, X.R.x.begin());
-  std::copy_n(x.begin() + 9, 3, X.p.x.begin());
-  return X;
-}
 template <class T, class S>
 oracles::PoseOf<T> exact_pose(const Pose<S>& X) {
   return {oracles::exact_matrix<3, 3, T>(X.R), oracles::exact_vector<3, T>(X.p)};
@@ -94,6 +86,19 @@ void record_vector(Recorder& r, const Output& output, const Vec<S, N>& computed,
   const bool normal = at_most(exact) > 2 * at_most(oracles::least_denominator<S, T>());
   r.record(output, 0, oracles::vector_error<S>(oracles::exact_vector<N, T>(computed), exact),
            Kappa(kappa, normal ? 0.99 * degree : 1));
+}
+
+/// Records the error of a sum of rotated vectors: kappa = terms / ||exact||, where `terms` is the sum of
+/// their norms. A rotation mixes the numbers of a vector, so each vector is known to eps of its norm in any
+/// direction, whatever the representation of the rotation: docs/measuring.md, section Models of rounding.
+template <class S, int N, class T>
+void record_sum(Recorder& r, const Output& output, const Vec<S, N>& computed, const oracles::Vec<N, T>& exact,
+                bool resolved, const T& terms) {
+  if (!comparable(r, output, computed, resolved)) return;
+  r.record(output, 0, oracles::vector_error<S>(oracles::exact_vector<N, T>(computed), exact), [&] {
+    const T size = oracles::larger(norm(exact), oracles::least_denominator<S, T>());
+    return std::max(1.0, oracles::condition_number(terms, size));
+  });
 }
 
 /// The band of ||phi||. Below 2^-900, the ball of the norm is wider than one ulp. There 2^600 ||phi|| is

@@ -1,7 +1,7 @@
 // dIntegrate and dDifference, compared with finite differences of their definitions at high precision.
 
 #include <generators/rotations.hpp>
-#include <invariants/common.hpp>
+#include <invariants/branch.hpp>
 #include <liecheck/scalar/scalar.hpp>
 #include <optional>
 #include <oracles/ball_oracles.hpp>
@@ -69,32 +69,34 @@ class DIntegrate final : public Law<DIntegrate, S> {
     const auto exact = oracles::difference(x0, x1);
     std::optional<oracles::Jacobian6Value<Real>> inverse;
     band = band_of_difference<S>(x0, x1, exact);
-    if (exact.at_pi) {  // both branches are right there; jacobian_oracle measures J^-1 on each
-      const auto undetermined = [&](const TwoOutputs& outputs) {
-        for (const Output& output : outputs) r.outcome(output, band, Outcome::ill_posed);
-      };
-      if (o[op::d_difference_arg0]) undetermined(jacobian_outputs(op::d_difference_arg0));
-      if (o[op::d_difference_arg1]) undetermined(jacobian_outputs(op::d_difference_arg1));
-      return;
-    }
     // In ball arithmetic, arg0 and arg1 share one logarithm and one inverse Jacobian, because the blocks of
     // J_r^-1 are the transposed blocks of J_l^-1.
-    const auto of_difference = [&](bool arg1) -> oracles::Jacobian6Value<Real> {
+    const auto of_difference = [&](bool arg1, const Mat<S, 6>& computed) -> oracles::Jacobian6Value<Real> {
       using namespace oracles;
+      const auto minus = [](const Jacobian6Value<Real>& J) -> Jacobian6Value<Real> {
+        return {Real(-1) * J.J, Real(-1) * J.C, J.resolved};
+      };
       if constexpr (BallNumber<Real>) {
+        if (at_either_side<S>(exact)) throw Undecided();
         if (!inverse) inverse = left_jacobian_se3_inverse(stack(exact.rho, exact.phi));
-        return arg1 ? transposed(*inverse)
-                    : Jacobian6Value<Real>{Real(-1) * inverse->J, Real(-1) * inverse->C, true};
+        return arg1 ? transposed(*inverse) : minus(*inverse);
+      } else if (at_either_side<S>(exact)) {
+        // The antisymmetric part of -J_l^-1 and of J_r^-1 is [phi] / 2, on the side of pi that was chosen.
+        const auto axis =
+            all_finite(computed) ? vee(oracles::block(exact_matrix<6, 6, Real>(computed), 0, 0)) : exact.phi;
+        const LogValue<Real> at = at_side_of<S>(axis, exact);
+        return arg1 ? right_jacobian_se3_inverse(at.value()) : minus(left_jacobian_se3_inverse(at.value()));
       } else {
         return arg1 ? oracles::d_difference_arg1(x0, x1) : oracles::d_difference_arg0(x0, x1);
       }
     };
-    if (o[op::d_difference_arg0])
-      record_jacobian6<S>(r, jacobian_outputs(op::d_difference_arg0), band, o[op::d_difference_arg0](q0, q1),
-                          of_difference(false), Real(0), false);
-    if (o[op::d_difference_arg1])
-      record_jacobian6<S>(r, jacobian_outputs(op::d_difference_arg1), band, o[op::d_difference_arg1](q0, q1),
-                          of_difference(true), Real(0), false);
+    const auto record = [&](auto operation, const TwoOutputs& outputs, bool arg1) {
+      if (!operation) return;
+      const Mat<S, 6> computed = operation(q0, q1);
+      record_jacobian6<S>(r, outputs, band, computed, of_difference(arg1, computed), Real(0), false);
+    };
+    record(o[op::d_difference_arg0], jacobian_outputs(op::d_difference_arg0), false);
+    record(o[op::d_difference_arg1], jacobian_outputs(op::d_difference_arg1), true);
   }
 };
 

@@ -92,7 +92,7 @@ class IntegrateDifference final : public Law<IntegrateDifference, S> {
       const auto exact = oracles::difference(x0, x1);
       const std::size_t band = band_of_difference<S>(x0, x1, exact);
       record_log<S>(r, {op::difference[block::rotation_vector], op::difference[block::linear]}, band, v,
-                    exact, exact.separation);
+                    exact, Side::either, exact.separation);
       if (o[op::integrate] && (!all_finite(v) || !exact.resolved)) {
         without_value(r, op::integrate_of_difference, band, !all_finite(v), false);
       } else if (o[op::integrate]) {
@@ -149,20 +149,18 @@ class IntegrateDifference final : public Law<IntegrateDifference, S> {
     for (int i = 3; i < 6; ++i) along += xv[i] * xd[i];
     if (at.pi_minus_theta < Real(64 * static_cast<double>(epsilon<S>())) && along < 0)
       return without_value(r, op::difference_of_integrate, band, false, true);
-    // The quaternions affect both blocks. The positions affect only rho, which is linear: rho = M (p1 - p0).
+    // The quaternions affect both blocks. Their entries are known to eps of the norm 1, so the arguments are
+    // factors of 1, whose changes are added. The positions affect only rho, which is linear in p1 - p0.
     const auto kappa = sensitivity<Real>(
-        [&](const std::vector<Real>& Q) {
+        [&](const std::vector<Real>& factors) {
           oracles::Vec<7, Real> from = x0, to = xq;
-          std::copy_n(Q.begin(), 4, from.x.begin() + 3);
-          std::copy_n(Q.begin() + 4, 4, to.x.begin() + 3);
+          for (int i = 0; i < 4; ++i) {
+            const auto k = static_cast<std::size_t>(i);
+            from[3 + i] += factors[k] - Real(1), to[3 + i] += factors[4 + k] - Real(1);
+          }
           return to_list(closed_difference(from, to));
         },
-        [&] {
-          std::vector<Real> all(x0.x.begin() + 3, x0.x.end());
-          all.insert(all.end(), xq.x.begin() + 3, xq.x.end());
-          return all;
-        },
-        {{0, 3}, {3, 3}});
+        [] { return std::vector<Real>(8, Real(1)); }, {{0, 3}, {3, 3}});
     const auto movement_of_positions = [&] {
       oracles::Vec<7, Real> from = x0, to = xq;
       Real sum(0);

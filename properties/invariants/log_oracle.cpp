@@ -38,7 +38,7 @@ class LogOracle final : public Law<LogOracle, S> {
     if (o[op::log3_quaternion]) {
       const auto exact = oracles::log_so3(oracles::exact_vector<4, Real>(Q));
       record_log<S>(r, {op::log3_quaternion[block::rotation_vector]}, band_of_log<S>(exact),
-                    rotation(o[op::log3_quaternion](Q)), exact);
+                    rotation(o[op::log3_quaternion](Q)), exact, Side::decided);
     }
     if (!o[op::log3_matrix] && !o[op::log6]) return;
     const auto exact =
@@ -46,10 +46,10 @@ class LogOracle final : public Law<LogOracle, S> {
     const std::size_t band = band_of_log<S>(exact);
     if (o[op::log3_matrix])
       record_log<S>(r, {op::log3_matrix[block::rotation_vector]}, band, rotation(o[op::log3_matrix](R)),
-                    exact);
+                    exact, Side::either);
     if (o[op::log6])
       record_log<S>(r, {op::log6[block::rotation_vector], op::log6[block::linear]}, band, o[op::log6]({R, p}),
-                    exact);
+                    exact, Side::either);
   }
 
  private:

@@ -76,13 +76,7 @@ class PoseGroup final : public Law<PoseGroup, S> {
     if (o[op::act_point]) {
       const properties::Vec<S, 3> point = o[op::act_point](X, Y.p);
       const auto p = oracles::act_point(x, y.p);
-      record_vector(
-          r, op::act_point[block::point], point, p.value, p.resolved,
-          [](const std::vector<Real>& v) {
-            const PoseOf<Real> pose = pose_from(v);
-            return to_list(pose.R * from_list<3>(v, 12) + pose.p);
-          },
-          [&] { return to_list(x.R, x.p, y.p); }, 1);
+      record_sum(r, op::act_point[block::point], point, p.value, p.resolved, Real(norm(x.p) + norm(y.p)));
     }
   }
 };

@@ -81,30 +81,41 @@ class PowerPairing final : public Law<PowerPairing, S> {
     using Result = oracles::Resolved<Vector6>;
     const auto act = [&](Vec<S, 6> (*operation)(const Pose<S>&, const Vec<S, 6>&), const TwoOutputs& blocks,
                          const Vec<S, 6>& v, const Vector6& v_e,
-                         Result (*oracle)(const Pose_e&, const Vector6&),
-                         Vector6 (*formula)(const Pose_e&, const Vector6&)) {
+                         Result (*oracle)(const Pose_e&, const Vector6&), bool of_force) {
       if (!operation) return;
-      compare(
-          recorder, blocks, operation(X, v), oracle(X_e, v_e),
-          [formula](const Numbers& x) { return to_list(formula(pose_from(x), from_list<6>(x, 12))); },
-          [&] { return to_list(X_e.R, X_e.p, v_e); });
+      const Vec<S, 6> computed = operation(X, v);
+      const Result exact = oracle(X_e, v_e);
+      // The position is a lever arm of the angular velocity in a motion, and of the force in a wrench.
+      // Below `least`, a rotated vector loses digits before it is multiplied by p.
+      const Real& least = oracles::least_denominator<S, Real>();
+      const Real linear = norm(head3(v_e)), angular = norm(tail3(v_e)), p = norm(X_e.p);
+      record_sum(recorder, blocks[0], Vec<S, 3>(computed.template head<3>()), head3(exact.value),
+                 exact.resolved, of_force ? linear : Real(linear + p * (angular + least)));
+      record_sum(recorder, blocks[1], Vec<S, 3>(computed.template tail<3>()), tail3(exact.value),
+                 exact.resolved, of_force ? Real(angular + p * (linear + least)) : angular);
     };
-    act(o[op::act_motion], linear_angular(op::act_motion), V, V_e, oracles::act_motion, formulas::act_motion);
+    act(o[op::act_motion], linear_angular(op::act_motion), V, V_e, oracles::act_motion, false);
     act(o[op::act_inverse_motion], linear_angular(op::act_inverse_motion), V, V_e,
-        oracles::act_inverse_motion, formulas::act_inverse_motion);
-    act(o[op::act_force], linear_angular(op::act_force), F, F_e, oracles::act_force, formulas::act_force);
+        oracles::act_inverse_motion, false);
+    act(o[op::act_force], linear_angular(op::act_force), F, F_e, oracles::act_force, true);
     act(o[op::act_inverse_force], linear_angular(op::act_inverse_force), F, F_e, oracles::act_inverse_force,
-        formulas::act_inverse_force);
+        true);
 
     const auto cross = [&](Vec<S, 6> (*operation)(const Vec<S, 6>&, const Vec<S, 6>&),
                            const TwoOutputs& blocks, const Vec<S, 6>& v, const Vector6& v_e,
                            Result (*oracle)(const Vector6&, const Vector6&),
                            Vector6 (*formula)(const Vector6&, const Vector6&)) {
       if (!operation) return;
-      compare(
-          recorder, blocks, operation(V, v), oracle(V_e, v_e),
-          [formula](const Numbers& x) { return to_list(formula(from_list<6>(x), from_list<6>(x, 6))); },
-          [&] { return to_list(V_e, v_e); });
+      const Vec<S, 6> computed = operation(V, v);
+      const Result exact = oracle(V_e, v_e);
+      const auto of = [formula](const Numbers& x) {
+        return to_list(formula(from_list<6>(x), from_list<6>(x, 6)));
+      };
+      const auto x = [&] { return to_list(V_e, v_e); };
+      record_vector(recorder, blocks[0], Vec<S, 3>(computed.template head<3>()), head3(exact.value),
+                    exact.resolved, of, x);
+      record_vector(recorder, blocks[1], Vec<S, 3>(computed.template tail<3>()), tail3(exact.value),
+                    exact.resolved, of, x, 3);
     };
     cross(o[op::cross_motion], linear_angular(op::cross_motion), W, W_e, oracles::cross_motion,
           formulas::cross_motion);
@@ -128,17 +139,6 @@ class PowerPairing final : public Law<PowerPairing, S> {
 
  private:
   static constexpr int binades = std::numeric_limits<S>::max_exponent / 8;
-
-  /// Records both blocks of a result that is linear in the numbers of two of its arguments: its degree is 2.
-  template <class Real, class Formula, class Numbers>
-  static void compare(Recorder& recorder, const TwoOutputs& blocks, const Vec<S, 6>& computed,
-                      const oracles::Resolved<oracles::Vec6<Real>>& exact, const Formula& formula,
-                      const Numbers& x) {
-    record_vector(recorder, blocks[0], Vec<S, 3>(computed.template head<3>()), head3(exact.value),
-                  exact.resolved, formula, x, 2);
-    record_vector(recorder, blocks[1], Vec<S, 3>(computed.template tail<3>()), tail3(exact.value),
-                  exact.resolved, formula, x, 2, 3);
-  }
 
   template <class Real>
   static void measure_power(Recorder& recorder, const oracles::PoseOf<Real>& X,

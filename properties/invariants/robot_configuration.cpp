@@ -132,7 +132,8 @@ class RobotConfiguration final : public Law<RobotConfiguration, S> {
         const auto delta = oracles::difference(x0, x1);
         band = band_of_difference<S>(x0, x1, delta);
         record_log<S>(r, {op::robot_difference[block::rotation_vector], op::robot_difference[block::linear]},
-                      band, properties::Vec<S, 6>(v.segment(s.v, 6)), delta, delta.separation, false);
+                      band, properties::Vec<S, 6>(v.segment(s.v, 6)), delta, Side::either, delta.separation,
+                      false);
       } else if (s.nq == 2) {
         // The exact (cos, sin) after a rotation by d, and the exact angle between both configurations.
         const Real c0 = exact<Real>(q0[s.q]), s0 = exact<Real>(q0[s.q + 1]), a = exact<Real>(d[s.v]);
