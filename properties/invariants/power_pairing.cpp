@@ -113,9 +113,9 @@ class PowerPairing final : public Law<PowerPairing, S> {
       };
       const auto x = [&] { return to_list(V_e, v_e); };
       record_vector(recorder, blocks[0], Vec<S, 3>(computed.template head<3>()), head3(exact.value),
-                    exact.resolved, of, x);
+                    exact.resolved, of, x, 2);
       record_vector(recorder, blocks[1], Vec<S, 3>(computed.template tail<3>()), tail3(exact.value),
-                    exact.resolved, of, x, 3);
+                    exact.resolved, of, x, 2, 3);
     };
     cross(o[op::cross_motion], linear_angular(op::cross_motion), W, W_e, oracles::cross_motion,
           formulas::cross_motion);

@@ -52,7 +52,7 @@ class KaneTree : TreeParts<S> {
 
   S kinetic_energy(const X& q, const X& v) const {
     const State s = at(q, v);
-    S sum(0);
+    S sum = armature_.dot(v.cwiseAbs2()) / 2;
     for (const Rigid& b : bodies_) {
       const Link& i = s[b.joint];
       const V3 w = i.J_w * v, local = i.R.transpose() * w, u = i.J_u * v + w.cross(V3(i.R * b.c));

@@ -63,7 +63,7 @@ class DenseTree : TreeParts<S> {
 
   S kinetic_energy(const X& q, const X& v) const {
     const State<S> s = at<S>(q, v);
-    S sum(0);
+    S sum = armature_.dot(v.cwiseAbs2()) / 2;
     for (std::size_t i = 0; i < s.V.size(); ++i) sum += s.V[i].dot(bodies_[i].M * s.V[i]) / 2;
     return sum;
   }
