@@ -88,10 +88,9 @@ inline constexpr auto inertia_matrix = operation<struct InertiaMatrix>(
     {inertia_header, "I.matrix()"}, I);
 
 /// The law kinetic_energy forms this quantity from kinetic_energy, act_inertia and act_motion.
-inline constexpr Operation energy_frames =
-    formed({"energy_frames", "T of (X I, X V) = T of (I, V)", inertias_source}, kinetic,
-           {{block::energy, "|T_A - T_B|",
-             "m s (|u_C| + eps s) + |I_C| |omega|^2 / 2, s = |u| + |omega| (|c| + 2 |p|)", "J"}},
-           {inertia_header, "X.act(I).kineticEnergy(X.act(V)) - I.kineticEnergy(V)"}, X, I, V);
+inline constexpr Operation energy_frames = formed(
+    {"energy_frames", "T of (X I, X V) = T of (I, V)", inertias_source}, kinetic,
+    {{block::energy, "|T_A - T_B|", "m s^2 + |I_C| |omega|^2 / 2, s = |u| + |omega| (|c| + 2 |p|)", "J"}},
+    {inertia_header, "X.act(I).kineticEnergy(X.act(V)) - I.kineticEnergy(V)"}, X, I, V);
 
 }  // namespace liecheck::properties::op
