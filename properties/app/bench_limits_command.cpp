@@ -83,12 +83,15 @@ int run(const Flags& f) {
   const std::uint64_t measured_cases = o.cases;
   o.cases = f.check_cases ? f.check_cases : 10 * o.cases;
   const CampaignResult checked = run_campaign(o, robot);
+  if (stop_requested) {
+    fmt::print("\ninterrupted: the check has no result\n");
+    return incomplete;
+  }
   fmt::print("\nlimits of {} times the maxima over {} cases of seed {}, checked in {} cases of seed {}:\n",
              allowance, measured_cases, seed, o.cases, o.seed);
   bool accused = false;
   for (const auto& [subject, found] : needs_of(checked))
     accused |= print_accusations(subject, accusations(found, limits_for(needs.at(subject))));
-  if (stop_requested) return incomplete;
   return accused ? property_failed : within_budget;
 }
 
