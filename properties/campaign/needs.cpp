@@ -17,7 +17,7 @@ std::map<std::string, Needs> needs_of(const CampaignResult& campaign) {
       const Budget& b = budget_of(series->subject, o.operation, o.block, region);
       const bool forward = b.rule == Rule::forward;
       Need& need = needs[series->subject][{b.operation, b.block, b.region, forward ? "forward" : "excess"}];
-      const std::uint64_t broken = row.count - row.errors.count() - row.ill_posed - row.unresolved;
+      const std::uint64_t broken = row.judged() - row.errors.count();
       const double largest = forward ? row.max_error : row.max_excess;
       if ((broken && !need.broken) || (!need.broken && largest >= need.largest))
         need.worst = series->id(campaign.options.seed, row.worst_index).text();

@@ -81,11 +81,18 @@ CampaignSpec spec_of(const CampaignOptions& o, const Robot& robot, const std::ve
 
 std::string StoredCampaign::not_measured() const {
   std::uint64_t open = 0, judged = 0;
-  for (const StoredSeries& s : series)
-    for (const auto& [cell, row] : s.tally.rows)
+  std::size_t never = 0;  // outputs that were recorded, but measured in no case
+  for (const StoredSeries& s : series) {
+    std::map<int, std::uint64_t> by_output;
+    for (const auto& [cell, row] : s.tally.rows) {
       open += row.unresolved + row.unmeasured, judged += row.judged();
+      by_output[cell.first] += row.judged();
+    }
+    for (const auto& [output, n] : by_output) never += n == 0;
+  }
+  if (judged == 0) return "nothing was measured";
   if (open > 0) return fmt::format("{} measurements have no verdict", open);
-  return judged > 0 ? "" : "nothing was measured";
+  return never == 0 ? "" : fmt::format("outputs that no case measured: {}", never);
 }
 
 bool StoredCampaign::complete() const {

@@ -232,6 +232,11 @@ TEST(AStore, WithoutAVerdictIsNeitherMergedNorComparedAsComplete) {
   EXPECT_EQ(c.not_measured(), "3 measurements have no verdict");
   row.ill_posed = 2;
   EXPECT_EQ(cells_in_both(c, c), 0u);
+  EXPECT_EQ(c.not_measured(), "nothing was measured");
+  row.unresolved = row.unmeasured = 0;
+  Row& ill_posed = c.series[0].tally.rows.of(1, 3);
+  ill_posed.count = ill_posed.ill_posed = 4;
+  EXPECT_EQ(c.not_measured(), "outputs that no case measured: 1");
 }
 
 TEST(TheProgram, SaysThatARobotWasNotMeasuredAndReturns3) {
