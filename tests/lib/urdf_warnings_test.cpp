@@ -11,7 +11,7 @@ using namespace liecheck::test;
 
 TEST(UrdfWarnings, AMisspeltAttributeIsNamedWithTheNearestWord) {
   expectWarned(twoLinks("fixed", "\n<origin xzy='1 2 3'/>"), 5,
-               "an unknown attribute of <origin> is ignored, the nearest are 'xyz' and 'rpy'", "xzy='1 2 3'");
+               "an unknown attribute of <origin> is ignored, the nearest are 'rpy' and 'xyz'", "xzy='1 2 3'");
   expectWarned(twoLinks("continuous", "\n<axis xzy='0 0 1'/>"), 5,
                "an unknown attribute of <axis> is ignored, the nearest is 'xyz'", "xzy='0 0 1'");
   expectWarned(twoLinks("continuous", "\n<axis xzy='0 0 1'/>"), 5, "<axis> xyz is missing and is taken as",

@@ -273,7 +273,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 // Nothing is lost: cases that were done are not run again, and the export is that of a run without a signal.
 TEST_F(StoppedProgram, ResumesACampaignToTheSameExport) {
-  const std::string campaign = fmt::format("{} --cases 30000 --store ", few_cases);
+  const std::string campaign = fmt::format("{} --cases 150000 --store ", few_cases);
   ASSERT_EQ(run(campaign + "whole.db"), 1);
   const std::string whole = export_text(load_campaign((folder_ / "whole.db").string()));
   std::uint64_t done = 0;

@@ -1,23 +1,10 @@
 #pragma once
-// Forward dynamics by the articulated-body algorithm: Featherstone (2008), table 7.1.
+// Forward dynamics by the articulated-body algorithm: Featherstone (2008), table 7.1. All quantities are in
+// world axes at each joint's origin, so the transform to the parent is a translation by r.
 //
 //   U = I^A S, D = S^T U + armature, u = tau - S^T p^A
 //   I^a = I^A - U D^-1 U^T,  I^A_p += X* I^a X^-1,  p^A_p += X* (p^A + I^a c + U D^-1 u),  c = v x S qd
-//   qdd = D^-1 (u - U^T (X^-1 a_p + c)),   a = X^-1 a_p + c + S qdd,   X = liM_i
-//
-// All quantities of a joint are in its own axes at its origin. In most robots the axes of the joints are
-// coordinate axes, so that S and the inertias of the bodies contain exact zeros and ones. In world axes, as
-// in crba, they have none, and the pose of each body is rounded too. Means of |error of qdd| / |qdd| over 40
-// states of each robot, against long double [1e-16]:
-//
-//                            solo12   humanoid   panda   double pendulum
-//   joint axes (this file)     5.2       5.3       2.7        2.2
-//   world axes                 7.6       8.0       4.1        3.1
-//   crba and factors of M      8.9      22.9       7.1       14.1
-//   Pinocchio 3.7              4.9       5.1       2.3        2.7
-//
-// The rest comes in similar parts from the velocities, the articulated inertias, the forces and the last pass.
-// It grows with the condition number of M. On chains with arbitrary axes, joint and world axes differ little.
+//   qdd = D^-1 (u - U^T (X a_p + c)),      a = X a_p + c + S qdd
 
 #include <liecheck/algorithms/crba.hpp>
 #include <liecheck/algorithms/rnea.hpp>
@@ -26,27 +13,11 @@ namespace liecheck {
 
 namespace algorithms_detail {
 
-/// R M R^T of a symmetric or any other matrix [3 x 3].
-template <bool symmetric, Scalar S>
-[[gnu::always_inline]] inline Matrix3<S> congruent(const Matrix3<S>& R, const Matrix3<S>& M) {
-  const Matrix3<S> RM = product<S>(R, M);
-  const auto entry = [&](int i, int j) __attribute__((always_inline)) {
-    return mul_add(RM(i, 0), R(j, 0), mul_add(RM(i, 1), R(j, 1), S(RM(i, 2) * R(j, 2))));
-  };
-  const S xy = entry(0, 1), xz = entry(0, 2), yz = entry(1, 2);
-  if constexpr (symmetric) return rows<S>(entry(0, 0), xy, xz, xy, entry(1, 1), yz, xz, yz, entry(2, 2));
-  return rows<S>(entry(0, 0), xy, xz, entry(1, 0), entry(1, 1), yz, entry(2, 0), entry(2, 1), entry(2, 2));
-}
-
-/// Adds X* I^A X^-1 to sum, I^A = [A, B; B^T, D], X = (R, r): all blocks are rotated by R, and the reference
-/// point is moved by -r: B' = B - A [r], D' = D + [r] B' + ([r] B)^T.
+/// Adds I^A = [A, B; B^T, D] to sum, with its reference point moved by -r: B' = B - A [r],
+/// D' = D + [r] B' + ([r] B)^T.
 template <Scalar S>
-void addTransformed(Matrix6<S>& sum, const Matrix6<S>& I, const SE3<S>& X) {
-  const Matrix3<S>& R = X.rotation();
-  const Vector3<S>& r = X.translation();
-  const Matrix3<S> A = congruent<true, S>(R, I.template topLeftCorner<3, 3>()),
-                   B = congruent<false, S>(R, I.template topRightCorner<3, 3>()),
-                   D = congruent<true, S>(R, I.template bottomRightCorner<3, 3>());
+void addShifted(Matrix6<S>& sum, const Matrix6<S>& I, const Vector3<S>& r) {
+  const Matrix3<S> A = I.template topLeftCorner<3, 3>(), B = I.template topRightCorner<3, 3>();
   Matrix3<S> moved, r_moved, r_B;
   for (int i = 0; i < 3; ++i) {  // column i of A [r], A symmetric
     const int j = (i + 1) % 3, k = (i + 2) % 3;
@@ -57,7 +28,7 @@ void addTransformed(Matrix6<S>& sum, const Matrix6<S>& I, const SE3<S>& X) {
   sum.template topLeftCorner<3, 3>() += A;
   sum.template topRightCorner<3, 3>() += moved;
   sum.template bottomLeftCorner<3, 3>() += moved.transpose();
-  sum.template bottomRightCorner<3, 3>() += D + r_moved + r_B.transpose();
+  sum.template bottomRightCorner<3, 3>() += I.template bottomRightCorner<3, 3>() + r_moved + r_B.transpose();
 }
 
 /// Replaces D [n x n], in the corner of L, by its Cholesky factor, D = L L^T, or by 1 / D if n = 1. Throws
@@ -87,24 +58,20 @@ void projectOnJoint(const Model<S>& model, Data<S>& data, std::size_t i, const V
   const Matrix6<S>& I = w.articulated[i];
   Matrix6<S>& L = w.D_factor[i];
   Vector6<S> scale = Vector6<S>::Zero();
-  if (const Axis<S>* axis = rotationAxis<S>(model.joints[i])) {  // S = (0, axis)
-    const Vector3<S>& a = axis->to_vector();
-    const Vector3<S> moment = axis->in(I.template bottomRightCorner<3, 3>());
-    w.U.col(first) << axis->in(I.template topRightCorner<3, 3>()), moment;
-    L(0, 0) = dot<S>(a, moment) + model.armature[first_v];
-    scale[0] = a.cwiseAbs().dot(moment.cwiseAbs());
-    w.u[first] = tau[first_v] - dot<S>(a, w.force[i].angular());
-  } else {
-    for (int k = 0; k < n; ++k) {
-      const Vector6<S> s = w.S_columns.col(first + k);
-      Vector6<S> U;
+  for (int k = 0; k < n; ++k) {
+    const Vector6<S> s = w.S_columns.col(first + k);
+    Vector6<S> U;
+    if (rotatesAboutAxis<S>(model.joints[i])) {  // s = (0, axis)
+      U.noalias() = I.template rightCols<3>() * s.template tail<3>();
+      L(0, 0) = s.template tail<3>().dot(U.template tail<3>());
+    } else {
       U.noalias() = I * s;
       for (int j = 0; j <= k; ++j) L(k, j) = w.S_columns.col(first + j).dot(U);
-      w.U.col(first + k) = U;
-      scale[k] = s.cwiseAbs().dot(U.cwiseAbs());
-      L(k, k) += model.armature[first_v + k];
-      w.u[first + k] = tau[first_v + k] - s.dot(w.force[i].to_vector());
     }
+    w.U.col(first + k) = U;
+    scale[k] = s.cwiseAbs().dot(U.cwiseAbs());
+    L(k, k) += model.armature[first_v + k];
+    w.u[first + k] = tau[first_v + k] - s.dot(w.force[i].to_vector());
   }
   factorizeJointInertia(model, i, n, scale, L);
   if (n == 1) return;
@@ -134,7 +101,7 @@ const VectorX<S>& denseForwardDynamics(const Model<S>& model, Data<S>& data, In<
 }  // namespace algorithms_detail
 
 /// qdd [nv; m/s^2, rad/s^2] = M(q)^-1 (tau - h(q, v) + sum J^T fext), tau [nv; N, N m]. Throws
-/// SingularInertia. Updates liMi, v, ddq (with mimics also oMi, M).
+/// SingularInertia. Updates liMi, oMi, ddq (with mimics also v, M).
 template <Scalar S>
 const VectorX<S>& aba(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, In<S> tau,
                       External<S> fext = {}) {
@@ -144,22 +111,20 @@ const VectorX<S>& aba(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, In
   if (model.has_mimics) return denseForwardDynamics(model, data, q, v, tau, fext);
   data.begin(model, q, v);
   auto& w = data.work;
-  auto& liMi = data.liMi.write(Level::Position);
-  auto& V = data.v.write(Level::Velocity);
-  const Matrix3<S> own_axes = Matrix3<S>::Identity();
-  multibody_detail::forEachJoint(model, [&]<class Place>(const Place& joint) {
-    const std::size_t i = std::size_t(joint.index), p = std::size_t(model.parents[i]);
-    multibody_detail::build(
-        liMi[i], [&]() __attribute__((always_inline)) { return joint.transform(q); });
-    if constexpr (!Place::rotates) joint.subspaceIn(own_axes, w.S_columns.data() + 6 * joint.column);
-    const Motion<S> relative = joint.motion(v);
-    V[i] = p == 0 ? relative : liMi[i].actInv(V[p]) + relative;
-    w.bias[i] = joint.velocityProduct(V[i], relative);
-    const Inertia<S>& I = model.inertias[i];
+  columnsInWorldAxes(model, data, q);
+  for (std::size_t i = 1; i < model.joints.size(); ++i) {
+    const std::size_t p = std::size_t(model.parents[i]);
+    const Matrix3<S>& R = data.oMi[i].rotation();
+    Motion<S> relative = Motion<S>::Zero();
+    for (int k = 0; k < model.column_counts[i]; ++k)
+      relative = relative + column(w.S_columns, model.idx_columns[i] + k) * v[model.idx_vs[i] + k];
+    w.velocity[i] = p == 0 ? relative : shifted(w.velocity[p], w.r[i]) + relative;
+    w.bias[i] = w.velocity[i].cross(relative);
+    const Inertia<S> I = rotated(R, model.inertias[i]);
     w.articulated[i] = I.matrix();
-    w.force[i] = V[i].cross(I * V[i]);
-    if (!fext.empty()) w.force[i] = w.force[i] - fext[i];
-  });
+    w.force[i] = w.velocity[i].cross(I * w.velocity[i]);
+    if (!fext.empty()) w.force[i] = w.force[i] - SE3<S>(R, Vector3<S>::Zero()).act(fext[i]);
+  }
   VectorX<S>& ddq = data.ddq.write(Level::Velocity);
 
   for (std::size_t i = model.joints.size() - 1; i > 0; --i) {
@@ -174,15 +139,16 @@ const VectorX<S>& aba(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, In
       I.noalias() -= UD * U.transpose();
       f += UD * w.u[first + k];
     }
-    w.force[p] = w.force[p] + liMi[i].act(w.force[i] + Force<S>(Vector6<S>(I * w.bias[i].to_vector() + f)));
-    addTransformed(w.articulated[p], I, liMi[i]);
+    w.force[p] =
+        w.force[p] + shifted(w.force[i] + Force<S>(Vector6<S>(I * w.bias[i].to_vector() + f)), w.r[i]);
+    addShifted(w.articulated[p], I, w.r[i]);
   }
 
   w.gravitated[0] = Motion<S>(Vector3<S>(-model.gravity), Vector3<S>::Zero());
   for (std::size_t i = 1; i < model.joints.size(); ++i) {
     const int n = model.column_counts[i], first = model.idx_columns[i], first_v = model.idx_vs[i];
     const Matrix6<S>& L = w.D_factor[i];
-    Vector6<S> a = (liMi[i].actInv(w.gravitated[std::size_t(model.parents[i])]) + w.bias[i]).to_vector();
+    Vector6<S> a = (shifted(w.gravitated[std::size_t(model.parents[i])], w.r[i]) + w.bias[i]).to_vector();
     for (int k = 0; k < n; ++k) ddq[first_v + k] = w.u[first + k] - w.U.col(first + k).dot(a);
     if (n == 1)
       ddq[first_v] *= L(0, 0);
@@ -191,10 +157,7 @@ const VectorX<S>& aba(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, In
         for (int j = k + 1; j < n; ++j) ddq[first_v + k] -= L(j, k) * ddq[first_v + j];
         ddq[first_v + k] /= L(k, k);
       }
-    if (const Axis<S>* axis = rotationAxis<S>(model.joints[i]))
-      a.template tail<3>() += ddq[first_v] * axis->to_vector();
-    else
-      for (int k = 0; k < n; ++k) a += w.S_columns.col(first + k) * ddq[first_v + k];
+    for (int k = 0; k < n; ++k) a += w.S_columns.col(first + k) * ddq[first_v + k];
     w.gravitated[i] = Motion<S>(a);
   }
   return ddq;

@@ -77,13 +77,6 @@ template <Scalar S>
 bool rotatesAboutAxis(const Joint<S>& joint) {
   return std::holds_alternative<Revolute<S>>(joint) || std::holds_alternative<Continuous<S>>(joint);
 }
-/// The axis of such a joint; null for all others.
-template <Scalar S>
-const Axis<S>* rotationAxis(const Joint<S>& joint) {
-  if (const auto* revolute = std::get_if<Revolute<S>>(&joint)) return &revolute->axis;
-  if (const auto* continuous = std::get_if<Continuous<S>>(&joint)) return &continuous->axis;
-  return nullptr;
-}
 
 /// The numbers of q and v that the joint takes; 0 for a mimic.
 template <Scalar S>
