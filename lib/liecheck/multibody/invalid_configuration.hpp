@@ -24,8 +24,8 @@ namespace multibody_detail {
 
 /// Refuses the number at `index` of the vector named `vector`, which belongs to the joint.
 template <Scalar S, class J>
-[[noreturn]] void refuse(const JointPlace<S, J>& joint, const char* vector, int index, const S& value,
-                         const std::string& why) {
+[[noreturn, gnu::noinline, gnu::cold]] void refuse(const JointPlace<S, J>& joint, const char* vector,
+                                                   int index, const S& value, const char* why) {
   const std::string& name = joint.model.names[std::size_t(joint.index)];
   std::ostringstream text;
   text.imbue(std::locale::classic());
