@@ -41,6 +41,15 @@ void checkConfiguration(const Model<S>& model, const VectorX<S>& q, const char* 
   if (!allFinite<S>(q)) [[unlikely]]
     forEachJoint(model, [&](const auto& place) { refuseNonFiniteConfiguration(place, q, what); });
 }
+/// Throws InvalidConfiguration if a number of q [nq] is not finite, or a quaternion or (cos, sin) is zero. Kept
+/// out of the loops that compute, which it would slow down.
+template <Scalar S>
+[[gnu::noinline, gnu::cold]] void refuseValues(const Model<S>& model, const VectorX<S>& q, const char* what) {
+  forEachJoint(model, [&](const auto& place) {
+    refuseNonFiniteConfiguration(place, q, what);
+    refuseZero(place, q, what);
+  });
+}
 /// Checks the size of v [nv], and that all numbers are finite.
 template <Scalar S>
 void checkTangent(const Model<S>& model, const VectorX<S>& v, const char* what) {
@@ -102,13 +111,17 @@ VectorX<S> integrate(const Model<S>& model, In<S> q, In<S> delta) {
   checkConfigurationSize<S>(model, q, "q");
   checkTangentSize<S>(model, delta, "delta");
   VectorX<S> result(model.nq);
-  configuration_detail::forEachJoint(model, [&](const auto& place) {
-    refuseZero(place, q, "q");
-    place.configuration(result) = place.joint.integrate(place.configuration(q), place.tangent(delta));
-  });
+  try {
+    forEachJoint(model, [&](const auto& place) {
+      place.configuration(result) = place.joint.integrate(place.configuration(q), place.tangent(delta));
+    });
+  } catch (const std::invalid_argument&) {
+    refuseValues<S>(model, q, "q");
+    throw;
+  }
   // Numbers that are not finite are still not finite in the result, so one check suffices.
   if (!allFinite<S>(result)) [[unlikely]]
-    checkConfiguration<S>(model, q, "q"), checkTangent<S>(model, delta, "delta");
+    refuseValues<S>(model, q, "q"), checkTangent<S>(model, delta, "delta");
   return result;
 }
 
@@ -119,13 +132,16 @@ VectorX<S> difference(const Model<S>& model, In<S> q0, In<S> q1) {
   checkConfigurationSize<S>(model, q0, "q0");
   checkConfigurationSize<S>(model, q1, "q1");
   VectorX<S> delta(model.nv);
-  configuration_detail::forEachJoint(model, [&](const auto& place) {
-    refuseZero(place, q0, "q0");
-    refuseZero(place, q1, "q1");
-    place.tangent(delta) = place.joint.difference(place.configuration(q0), place.configuration(q1));
-  });
+  try {
+    forEachJoint(model, [&](const auto& place) {
+      place.tangent(delta) = place.joint.difference(place.configuration(q0), place.configuration(q1));
+    });
+  } catch (const std::invalid_argument&) {
+    refuseValues<S>(model, q0, "q0"), refuseValues<S>(model, q1, "q1");
+    throw;
+  }
   if (!allFinite<S>(delta)) [[unlikely]]
-    checkConfiguration<S>(model, q0, "q0"), checkConfiguration<S>(model, q1, "q1");
+    refuseValues<S>(model, q0, "q0"), refuseValues<S>(model, q1, "q1");
   return delta;
 }
 
