@@ -126,8 +126,9 @@ VectorX<S> integrate(const Model<S>& model, In<S> q, In<S> delta) {
 }
 
 /// The increment log(T0^-1 T1) of every joint, from q0 to q1 [nv]: integrate(q0, difference(q0, q1)) is q1.
+/// Flattened: a call for each joint would take as long as the subtraction of a revolute joint.
 template <Scalar S>
-VectorX<S> difference(const Model<S>& model, In<S> q0, In<S> q1) {
+[[gnu::flatten]] VectorX<S> difference(const Model<S>& model, In<S> q0, In<S> q1) {
   using namespace configuration_detail;
   checkConfigurationSize<S>(model, q0, "q0");
   checkConfigurationSize<S>(model, q1, "q1");
