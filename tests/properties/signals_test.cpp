@@ -1,8 +1,10 @@
 // SIGINT, SIGTERM and SIGHUP at random moments of every command: it ends soon, by itself, with exit code 3 (or
 // as usual, if it was done), and what it leaves is whole. Only before main() has begun may a signal kill it.
 //
-// By default each command gets two signals within its first seconds. LIECHECK_SIGNALS=50 sends each of
-// the three signals at 50 moments of the whole run, which takes hours; LIECHECK_SEED repeats the moments.
+// By default each command gets two signals within its first seconds. LIECHECK_SIGNALS=50 sends each of the three
+// signals at 50 moments, as many in each octave of the time since the start. Moments of the whole run take hours;
+// LIECHECK_SIGNALS_WITHIN=2 keeps them within the first 2 s of each command. LIECHECK_SEED repeats the moments,
+// and GTEST_TOTAL_SHARDS with GTEST_SHARD_INDEX divides the commands among several runs.
 
 #include <gtest/gtest.h>
 
@@ -14,6 +16,7 @@
 #include <unistd.h>
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
@@ -73,6 +76,9 @@ class Process {
       ::close(file);
     };
     open("out", 1), open("err", 2);
+    for (const int number :
+         {SIGINT, SIGTERM, SIGHUP})  // a test in the background may inherit that they are ignored
+      std::signal(number, SIG_DFL);
     const std::string line = "exec '" LIECHECK_PROGRAM "' " + arguments;
     if (::chdir(folder.c_str()) == 0) ::execl("/bin/sh", "sh", "-c", line.c_str(), nullptr);
     ::_exit(127);
@@ -235,8 +241,12 @@ TEST_P(Signals, EndTheProgramSoonAndLeaveWholeFiles) {
     trial(c, numbers[1], moment(std::min(c.seconds, 1.2)), random() % 2);
     return;
   }
+  constexpr double start = 0.005;  // [s], before main()
+  const char* within = std::getenv("LIECHECK_SIGNALS_WITHIN");
+  const double octaves = std::log2((within ? std::min(c.seconds, std::atof(within)) : c.seconds) / start);
   for (const int number : numbers)
-    for (long i = std::atol(moments); i > 0; --i) trial(c, number, moment(c.seconds), i % 5 == 0);
+    for (long i = std::atol(moments); i > 0; --i)
+      trial(c, number, start * std::exp2(moment(octaves)), i % 5 == 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -261,6 +271,8 @@ INSTANTIATE_TEST_SUITE_P(
         Command{"cost_with_flags", "cost --flags --op exp6 --op integrate --for 3s --json r.json", 8,
                 "r.json"},
         Command{"bench_bugs", "bench bugs --for-each 1s --json r.json", 60, "r.json"},
+        Command{"bench_lattice", "bench lattice --faults 300 --resume f.txt --json r.json", 60, "r.json"},
+        Command{"bench_limits", "bench limits --cases 100 --out limits", 30},
         Command{"bench_speed", "bench speed --for-each 0.1s --json r.json", 60, "r.json"},
         Command{"scene_run", "scene run in/long.yaml --csv s.csv --json r.json", 10, "r.json"},
         Command{"scene_sweep", "scene sweep --for 5s --json r.json", 120, "r.json"},
