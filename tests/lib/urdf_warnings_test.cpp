@@ -55,7 +55,9 @@ TEST(UrdfWarnings, XacroThatIsNotExpandedIsNamed) {
 TEST(UrdfWarnings, TheWordsOfOtherProgramsAreNotNamed) {
   const UrdfRobot r = loadUrdfText(
       "<robot name='r' xmlns:drake='http://drake.mit.edu'><link name='a'><contact><stiffness value='1'/>"
-      "</contact></link><gazebo><x y='z'/></gazebo><transmission name='t'/><drake:joint/></robot>");
+      "</contact></link><gazebo><x y='z'/></gazebo><transmission name='t'/><drake:joint/>"
+      "<ros2_control/><mujoco/><sensor/><collision_filter_group name='g'/><link name='b'/><joint name='j' "
+      "type='fixed'><parent link='a'/><child link='b'/><controller_gains kp='1'/><traits/></joint></robot>");
   EXPECT_EQ(r.warnings, std::vector<std::string>());
 }
 

@@ -53,7 +53,7 @@ struct LinkDescription {
 };
 
 struct Description {
-  /// A link whose inertia no body can have. A warning, or an error if it makes the kinetic energy negative.
+  /// A link whose inertia no body can have, for a warning.
   struct UnphysicalLink {
     std::string link;
     int line;

@@ -17,7 +17,7 @@ struct Words {
 };
 constexpr Words all_words[] = {
     {"robot", "name version", "", "link joint material",
-     "gazebo transmission sensor frame mujoco ros2_control"},
+     "gazebo transmission sensor frame mujoco ros2_control collision_filter_group"},
     {"link", "name", "inertial", "visual collision",
      "gazebo contact self_collision_checking collision_checking self_filter"},
     {"inertial", "", "origin mass inertia", "", ""},
@@ -35,7 +35,7 @@ constexpr Words all_words[] = {
     {"color", "rgba", "", "", ""},
     {"texture", "filename", "", "", ""},
     {"joint", "name type", "origin axis parent child limit dynamics mimic calibration safety_controller", "",
-     "dont_collapse"},
+     "dont_collapse controller_gains traits"},
     {"axis", "xyz", "", "", ""},
     {"parent", "link", "", "", ""},
     {"child", "link", "", "", ""},

@@ -132,9 +132,9 @@ class ModelBuilder {
     return model_.addBodyFrame(joint.child, index, SE3<double>::Identity(), frame);
   }
 
-  /// Checks the total inertia of the links fixed to each joint. If one has a negative moment, its kinetic
-  /// energy can be negative: the error names the link at fault. A moment that is too large for the others
-  /// leaves the equations of motion well-posed, and is a warning.
+  /// Warns of links whose inertia no body can have, with what follows for the links fixed to one joint together.
+  /// A moment that is too large for the others leaves the equations of motion well-posed; with a negative one
+  /// the kinetic energy can be negative.
   void checkBodies() {
     for (const auto& [link, line, what, value] : robot_.unphysical_links) {
       const int joint = model_.frames[std::size_t(model_.getFrameId(link, FrameType::BODY))].parentJoint;
@@ -144,7 +144,7 @@ class ModelBuilder {
       else if (joint == 0)
         messages_.warn(line, what + "; the link does not move", value);
       else if (urdf_detail::smallestMoment(sum) < -urdf_detail::printed_inertia_slack)
-        messages_.refuse(line, what, value);
+        messages_.warn(line, what + ", and the kinetic energy can be negative", value);
       else
         messages_.warn(line, what, value);
     }

@@ -28,8 +28,7 @@ namespace liecheck {
 /// negative, so that the joint is not limited; errors in geometry and materials. Warnings also name what the
 /// model leaves out (axes, limits, damping and friction that a joint's type does not use, soft limits, mimic
 /// joints that are treated as independent) and what it cannot compute with: numbers whose square overflows,
-/// joints that move no inertia (aba may then throw SingularInertia), and inertias that no body can have. The
-/// last are an error if the body moves and a moment is negative by more than printed_inertia_slack.
+/// joints that move no inertia, and inertias that no body can have (aba may throw SingularInertia of either).
 struct UrdfRobot {
   Model<double> model;
   std::vector<std::string> warnings;
