@@ -272,7 +272,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "r.json"},
         Command{"bench_bugs", "bench bugs --for-each 1s --json r.json", 60, "r.json"},
         Command{"bench_lattice", "bench lattice --faults 300 --resume f.txt --json r.json", 60, "r.json"},
-        Command{"bench_limits", "bench limits --cases 100 --out limits", 30},
+        Command{"bench_limits", "bench limits --cases 100 --out .", 30},
         Command{"bench_speed", "bench speed --for-each 0.1s --json r.json", 60, "r.json"},
         Command{"scene_run", "scene run in/long.yaml --csv s.csv --json r.json", 10, "r.json"},
         Command{"scene_sweep", "scene sweep --for 5s --json r.json", 120, "r.json"},
