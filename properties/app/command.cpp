@@ -10,7 +10,6 @@
 #include <csignal>
 #include <ctime>
 #include <exception>
-#include <liecheck/urdf/urdf.hpp>
 #include <support/files.hpp>
 #include <support/json.hpp>
 #include <support/stop.hpp>
@@ -52,9 +51,9 @@ Flag RobotFlags::add(Arguments& a, const std::string& help) {
 
 Robot RobotFlags::read() const {
   if (file.empty()) return built_in_robot();
-  Robot robot = load_robot(file, root == "fixed");
-  const RootJoint joint = robot.fixed ? RootJoint::Fixed : RootJoint::FreeFlyer;
-  print_warnings(loadUrdfText(robot.urdf, {.root = joint}, file).warnings);
+  std::vector<std::string> warnings;
+  Robot robot = load_robot(file, root == "fixed", &warnings);
+  print_warnings(warnings);
   return robot;
 }
 

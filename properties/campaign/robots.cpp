@@ -8,23 +8,26 @@
 
 namespace liecheck::properties {
 
-Robot robot_of(const std::string& urdf, const std::string& path, bool fixed) {
+Robot robot_of(const std::string& urdf, const std::string& path, bool fixed,
+               std::vector<std::string>* warnings) {
   Robot r;
   r.urdf = urdf, r.path = path, r.fixed = fixed;
   r.hash = hexadecimal(sha256(fixed ? urdf + "\nroot fixed\n" : urdf)).substr(0, 16);
   const std::string source = path.empty() ? "the built-in robot" : path;
-  const auto model = buildModelFromUrdfText(urdf, fixed ? RootJoint::Fixed : RootJoint::FreeFlyer, source);
+  UrdfRobot read = loadUrdfText(urdf, {.root = fixed ? RootJoint::Fixed : RootJoint::FreeFlyer}, source);
+  const Model<double>& model = read.model;
   if (model.nv == 0)
     throw UrdfError(source, 0, "nothing moves: every joint is fixed, and --root is fixed", model.name);
   for (std::size_t j = 1; j < model.joints.size(); ++j)
     if (model.nqs[j] == 4)
       throw UrdfError(source, 0, "a planar joint: no law supports one yet", model.names[j]);
   r.name = model.name;
+  if (warnings) *warnings = std::move(read.warnings);
   return r;
 }
 
-Robot load_robot(const std::string& path, bool fixed) {
-  return robot_of(readUrdf(path), path, fixed);
+Robot load_robot(const std::string& path, bool fixed, std::vector<std::string>* warnings) {
+  return robot_of(readUrdf(path), path, fixed, warnings);
 }
 
 std::string robot_flags(const Robot& robot) {
