@@ -264,7 +264,7 @@ TYPED_TEST(Configuration, FirstOrderNormalizationErrsByThreeEighthsOfTheSquaredD
   using S = TypeParam;
   const S defect = std::sqrt(this->eps) * 8;
   const Vector4<S> Q = generic<S>().template tail<4>() * std::sqrt(1 + defect);
-  const S norm = se3_configuration_detail::firstOrderNormalize<S, 4>(Q).norm();
+  const S norm = firstOrderNormalized<S, 4>(Q).norm();
   EXPECT_LE(std::abs((1 - norm) - S(3) / S(8) * defect * defect), 6 * this->eps);
 }
 TYPED_TEST(Configuration, AThousandIncrementsStayOnTheUnitSphere) {

@@ -24,13 +24,6 @@ namespace liecheck {
 
 namespace se3_configuration_detail {
 
-/// u (3 - |u|^2) / 2, which has norm 1 up to 3/8 (|u|^2 - 1)^2. This is one Newton step of 1/sqrt, which
-/// suffices for a norm that is 1 up to rounding errors. u is (cos, sin) [2] or a quaternion [4].
-template <Scalar S, int N>
-Eigen::Matrix<S, N, 1> firstOrderNormalize(const Eigen::Matrix<S, N, 1>& u) {
-  return u * ((S(3) - u.squaredNorm()) / S(2));
-}
-
 template <Scalar S>
 [[gnu::always_inline]] inline Vector4<S> quaternionOf(const Vector7<S>& q) {
   return Vector4<S>(q[3], q[4], q[5], q[6]);

@@ -12,6 +12,13 @@
 
 namespace liecheck {
 
+/// u (3 - |u|^2) / 2: one Newton step of 1/|u| at 1, for a vector that has left the unit sphere by rounding errors
+/// only, as after a product. Its norm is 1 up to 3/8 (|u|^2 - 1)^2. u is (cos, sin) [2] or a quaternion [4].
+template <Scalar S, int N>
+Eigen::Matrix<S, N, 1> firstOrderNormalized(const Eigen::Matrix<S, N, 1>& u) {
+  return u * ((S(3) - u.squaredNorm()) / S(2));
+}
+
 template <Scalar S>
 class SO3 {
  public:
@@ -106,13 +113,12 @@ class SO3 {
     return SO3(Vector4<S>(scaled / S(sqrt(scaled.squaredNorm()))));
   }
 
-  /// Q (3 - d) / 2 with d = |Q|^2: one Newton step of 1/sqrt(d) at 1, for a quaternion that has left the unit
-  /// sphere by rounding errors only, as after a product. With e = |Q|^2 - 1, the norm of the result is
-  /// 1 - c e^2 with 0 <= c <= 3/8 (1 + |e|), up to 3 eps; its rotation is that of Q, up to 1 eps.
+  /// The function of that name above, for a quaternion. With e = |Q|^2 - 1, the norm of the result is 1 - c e^2
+  /// with 0 <= c <= 3/8 (1 + |e|), up to 3 eps; its rotation is that of Q, up to 1 eps.
   /// Domain: |e| <= 1/2. Normalise other numbers, such as input of users, by normalized() or refuse them by
   /// checkedQuaternion. The formula is that of Pinocchio's firstOrderNormalize, whose domain is
   /// |e| <= eps^(1/4).
-  SO3 firstOrderNormalized() const { return SO3(Vector4<S>(q_ * ((S(3) - q_.squaredNorm()) / S(2)))); }
+  SO3 firstOrderNormalized() const { return SO3(liecheck::firstOrderNormalized<S, 4>(q_)); }
 
   /// A quaternion x y z w of double words: high + low.
   struct DoubleWords {

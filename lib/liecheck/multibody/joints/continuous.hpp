@@ -38,8 +38,7 @@ struct Continuous {
     using std::cos, std::sin;
     const S c = cos(delta[0]), s = sin(delta[0]);
     const Configuration u = nearUnit<S, 2>(u0);
-    return se3_configuration_detail::firstOrderNormalize<S, 2>(
-        Configuration(u[0] * c - u[1] * s, u[1] * c + u[0] * s));
+    return firstOrderNormalized<S, 2>(Configuration(u[0] * c - u[1] * s, u[1] * c + u[0] * s));
   }
 
   /// The angle from u0 to u1 in [-pi, pi]; for opposite u0 and u1 it is pi or -pi. Relative error 3 eps for
@@ -71,7 +70,7 @@ struct Continuous {
 
   /// X_PJ (R(axis, angle), 0). Error 4 eps.
   [[gnu::always_inline]] SE3<S> transform(const SE3<S>& X_PJ, const Configuration& q) const {
-    const Configuration u = se3_configuration_detail::firstOrderNormalize<S, 2>(nearUnit<S, 2>(q));
+    const Configuration u = firstOrderNormalized<S, 2>(nearUnit<S, 2>(q));
     return SE3<S>(axis.rotated(X_PJ.rotation(), u[0], u[1]), X_PJ.translation());
   }
   /// (0, axis).

@@ -81,7 +81,7 @@ struct Planar {
   using Vector2 = Eigen::Matrix<S, 2, 1>;
   /// (cos, sin)/|(cos, sin)|.
   static Vector2 unit(const Configuration& q) {
-    return se3_configuration_detail::firstOrderNormalize<S, 2>(nearUnit<S, 2>(q.template tail<2>()));
+    return firstOrderNormalized<S, 2>(nearUnit<S, 2>(q.template tail<2>()));
   }
   /// For translations whose products do not overflow (SO3::splittable).
   static Configuration integrateWithin(const Configuration& q, const Tangent& delta) {
