@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <functional>
 #include <liecheck/algorithms/centroidal.hpp>
 #include <liecheck/algorithms/derivatives.hpp>
 #include <liecheck/algorithms/energy.hpp>
@@ -55,11 +56,53 @@ TEST(Data, OfAnotherModelOrOfAnEarlierRevisionIsRefused) {
   EXPECT_NO_THROW(forwardKinematics(copy, d, q));
   EXPECT_NE(refusal([&] { forwardKinematics(other, d, q); }).find("another model"), std::string::npos);
   m.addFrame({"late", 1, 0, SE3<double>::Identity(), FrameType::OP_FRAME});
-  EXPECT_NE(refusal([&] { forwardKinematics(m, d, q); }).find("before a joint or a frame was added"),
+  EXPECT_NE(refusal([&] { forwardKinematics(m, d, q); }).find("before a joint, a frame or a body was added"),
             std::string::npos);
   EXPECT_NE(refusal([&] { updateFramePlacements(m, d); }).find("another model"), std::string::npos);
   EXPECT_NE(refusal([&] { getJointJacobian(m, d, 1, ReferenceFrame::WORLD); }).find("another model"),
             std::string::npos);
+}
+
+TEST(Data, OfAModelThatGotAnotherBodySinceIsRefused) {
+  Model<double> m = randomModel(3, 6);
+  Data<double> d(m, Dense::Mass);
+  const Vec q = neutral(m);
+  crba(m, d, q);
+  m.appendBodyToJoint(2, Inertia<double>(1, Vector3<double>::Zero(), Matrix3<double>::Identity()));
+  EXPECT_NE(refusal([&] { crba(m, d, q); }).find("a body was added"), std::string::npos);
+}
+
+// A field that an algorithm left unfinished must not be read as a result.
+TEST(Data, AnAlgorithmThatThrowsLeavesNoFieldFresh) {
+  Model<double> m;
+  const SE3<double> origin = SE3<double>::Identity();
+  m.addJoint(0, Prismatic<double>({0, 0, 1}), origin, "massless");
+  m.addJoint(1, Prismatic<double>({0, 0, 1}), origin, "parallel");
+  m.addJoint(2, Spherical<double>(), origin, "ball");
+  m.appendBodyToJoint(3, Inertia<double>(1, {0, 0, 0}, Matrix3<double>::Identity()));
+  Data<double> d(m, Dense::Derivatives);
+  const Vec q = neutral(m), v = Vec::Constant(m.nv, 0.5);
+  EXPECT_THROW(aba(m, d, q, v, v), SingularInertia);
+  EXPECT_TRUE(d.oMi.isFresh());
+  EXPECT_FALSE(d.ddq.isFresh());
+  EXPECT_THROW(d.ddq.checked(), StaleField);
+  EXPECT_THROW(computeABADerivatives(m, d, q, v, v), SingularInertia);
+  EXPECT_FALSE(d.Minv.isFresh() || d.ddq_dq.isFresh() || d.ddq_dv.isFresh());
+  Vec zero = q;
+  zero.tail(4).setZero();  // a quaternion without a direction
+  const auto fresh = [&] {
+    return d.liMi.isFresh() || d.oMi.isFresh() || d.v.isFresh() || d.a.isFresh() || d.f.isFresh() ||
+           d.tau.isFresh() || d.nle.isFresh() || d.g.isFresh() || d.J.isFresh() || d.M.isFresh();
+  };
+  const std::function<void()> calls[] = {
+      [&] { forwardKinematics(m, d, zero); },       [&] { forwardKinematics(m, d, zero, v); },
+      [&] { forwardKinematics(m, d, zero, v, v); }, [&] { rnea(m, d, zero, v, v); },
+      [&] { nonLinearEffects(m, d, zero, v); },     [&] { computeGeneralizedGravity(m, d, zero); },
+      [&] { computeJointJacobians(m, d, zero); },   [&] { crba(m, d, zero); }};
+  for (const auto& call : calls) {
+    EXPECT_ANY_THROW(call());
+    EXPECT_FALSE(fresh()) << "call " << &call - calls;
+  }
 }
 
 TEST(Data, AVectorOfTheWrongSizeIsNamedWithBothSizes) {

@@ -226,17 +226,18 @@ TEST(Model, AppendBodyToJointTransformsTheInertiaOnce) {
   EXPECT_EQ(m.inertias[2].inertia(), M3(V3(3, 2, 3).asDiagonal()));
 }
 
-TEST(Model, RevisionChangesWithJointsAndFramesAndIsUnique) {
+TEST(Model, RevisionChangesWithJointsFramesAndBodiesAndIsUnique) {
   Model<double> m = robot();
   const int before = m.revision;
   const Model<double> copy = m, other = robot();
   EXPECT_EQ(copy.revision, before);
   EXPECT_NE(other.revision, before);
   m.appendBodyToJoint(1, Inertia<double>(1, V3::Zero(), M3::Identity()));
-  EXPECT_EQ(m.revision, before);
+  const int with_body = m.revision;
+  EXPECT_NE(with_body, before);
   m.addJoint(1, FreeFlyer<double>(), origin, "another");
   const int with_joint = m.revision;
-  EXPECT_NE(with_joint, before);
+  EXPECT_NE(with_joint, with_body);
   m.addJointFrame(1);
   EXPECT_NE(m.revision, with_joint);
   EXPECT_NE(m.revision, before);

@@ -5,6 +5,17 @@
 //   U = I^A S, D = S^T U + armature, u = tau - S^T p^A
 //   I^a = I^A - U D^-1 U^T,  I^A_p += X* I^a X^-1,  p^A_p += X* (p^A + I^a c + U D^-1 u),  c = v x S qd
 //   qdd = D^-1 (u - U^T (X a_p + c)),      a = X a_p + c + S qdd
+//
+// Means of |error of qdd| / |qdd| over 40 states of each robot, against long double [1e-16]:
+//
+//                           solo12   humanoid   panda   double pendulum
+//   world axes (this file)    7.6       8.0       4.1        3.1
+//   joint axes                5.2       5.3       2.7        2.2
+//
+// The error comes in similar parts from the velocities, the articulated inertias, the forces and the last pass,
+// and grows with the condition number of M. In joint axes the exact zeros and ones of S round nothing. They are
+// not used all the same: a search for the worst trees (liecheck hunt) finds 8.3 kappa in the law tree_aba,
+// whose limit is 8, and 1.5e5 kappa in float in rnea_of_aba. World axes stay within the limits.
 
 #include <liecheck/algorithms/crba.hpp>
 #include <liecheck/algorithms/rnea.hpp>
@@ -89,13 +100,13 @@ const VectorX<S>& denseForwardDynamics(const Model<S>& model, Data<S>& data, In<
                                        External<S> fext) {
   data.require(Dense::Mass, "aba of a model with mimics");
   data.begin(model, q, v);
-  VectorX<S>& ddq = data.ddq.write(Level::Velocity);
+  VectorX<S>& ddq = data.ddq.scratch();
   inverseDynamics<S>(model, data, q, v, nullptr, fext, ddq);
   ddq = tau - ddq;
   crba(model, data, q);
   factorize(model, data);
   solve(model, data.work.factor, ddq);
-  return ddq;
+  return data.ddq.write(Level::Velocity);
 }
 
 }  // namespace algorithms_detail
@@ -125,7 +136,7 @@ const VectorX<S>& aba(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, In
     w.force[i] = w.velocity[i].cross(I * w.velocity[i]);
     if (!fext.empty()) w.force[i] = w.force[i] - SE3<S>(R, Vector3<S>::Zero()).act(fext[i]);
   }
-  VectorX<S>& ddq = data.ddq.write(Level::Velocity);
+  VectorX<S>& ddq = data.ddq.scratch();
 
   for (std::size_t i = model.joints.size() - 1; i > 0; --i) {
     const std::size_t p = std::size_t(model.parents[i]);
@@ -160,7 +171,7 @@ const VectorX<S>& aba(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, In
     for (int k = 0; k < n; ++k) a += w.S_columns.col(first + k) * ddq[first_v + k];
     w.gravitated[i] = Motion<S>(a);
   }
-  return ddq;
+  return data.ddq.write(Level::Velocity);
 }
 
 // instantiations_*.cpp instantiates these for float and double.

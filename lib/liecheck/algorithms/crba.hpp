@@ -28,11 +28,11 @@ template <Scalar S>
 void compositeInertias(const Model<S>& model, Data<S>& data, In<S> q) {
   auto& Ic = data.work.inertia;
   Ic[0] = {};
-  columnsInWorldAxes(model, data, q, [&](const auto& joint) {
+  columnsInWorldAxes(model, data, q, [&](const auto& joint, const Matrix3<S>& R) {
     const std::size_t i = std::size_t(joint.index);
     multibody_detail::build(
         Ic[i], [&]() __attribute__((always_inline)) {
-          return CompositeInertia<S>::rotated(data.oMi[i].rotation(), model.inertias[i]);
+          return CompositeInertia<S>::rotated(R, model.inertias[i]);
         });
   });
   for (std::size_t i = model.joints.size() - 1; i > 0; --i)

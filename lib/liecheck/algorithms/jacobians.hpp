@@ -91,9 +91,9 @@ void jacobianRateOf(const Model<S>& model, const Data<S>& data, const Placed<S>&
 template <Scalar S>
 const Matrix6X<S>& computeJointJacobians(const Model<S>& model, Data<S>& data, In<S> q) {
   data.begin(model, q);
-  auto& liMi = data.liMi.write(Level::Position);
-  auto& oMi = data.oMi.write(Level::Position);
-  auto& J = data.J.write(Level::Position);
+  auto& liMi = data.liMi.scratch();
+  auto& oMi = data.oMi.scratch();
+  auto& J = data.J.scratch();
   if (model.has_mimics) J.setZero();
   multibody_detail::forEachJoint(model, [&]<class Joint>(const Joint& joint) {
     const std::size_t i = std::size_t(joint.index), p = std::size_t(model.parents[i]);
@@ -126,7 +126,8 @@ const Matrix6X<S>& computeJointJacobians(const Model<S>& model, Data<S>& data, I
       }
     }
   });
-  return J;
+  data.liMi.write(Level::Position), data.oMi.write(Level::Position);
+  return data.J.write(Level::Position);
 }
 
 /// J and its time derivative dJ [6 x nv]; returns dJ. Updates liMi, oMi, J, dJ. q [nq], v [nv].

@@ -40,37 +40,40 @@ template <class Place, Scalar S>
 template <Scalar S>
 void forwardKinematics(const Model<S>& model, Data<S>& data, In<S> q) {
   data.begin(model, q);
-  auto& liMi = data.liMi.write(Level::Position);
-  auto& oMi = data.oMi.write(Level::Position);
+  auto& liMi = data.liMi.scratch();
+  auto& oMi = data.oMi.scratch();
   multibody_detail::forEachJoint(model, [&](const auto& joint) {
     const std::size_t i = std::size_t(joint.index), p = std::size_t(model.parents[i]);
     algorithms_detail::placeJoint(joint, q, p, liMi[i], oMi);
   });
+  data.liMi.write(Level::Position), data.oMi.write(Level::Position);
 }
 
 /// Poses and velocities of the joints. Updates liMi, oMi, v. q [nq], v [nv].
 template <Scalar S>
 void forwardKinematics(const Model<S>& model, Data<S>& data, In<S> q, In<S> v) {
   data.begin(model, q, v);
-  auto& liMi = data.liMi.write(Level::Position);
-  auto& oMi = data.oMi.write(Level::Position);
-  auto& V = data.v.write(Level::Velocity);
+  auto& liMi = data.liMi.scratch();
+  auto& oMi = data.oMi.scratch();
+  auto& V = data.v.scratch();
   multibody_detail::forEachJoint(model, [&](const auto& joint) {
     const std::size_t i = std::size_t(joint.index), p = std::size_t(model.parents[i]);
     algorithms_detail::placeJoint(joint, q, p, liMi[i], oMi);
     V[i] = joint.motion(v);
     if (p > 0) V[i] = liMi[i].actInv(V[p]) + V[i];
   });
+  data.liMi.write(Level::Position), data.oMi.write(Level::Position);
+  data.v.write(Level::Velocity);
 }
 
 /// Poses, velocities and accelerations of the joints. Updates liMi, oMi, v, a. q [nq], v [nv], a [nv].
 template <Scalar S>
 void forwardKinematics(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, In<S> a) {
   data.begin(model, q, v, a);
-  auto& liMi = data.liMi.write(Level::Position);
-  auto& oMi = data.oMi.write(Level::Position);
-  auto& V = data.v.write(Level::Velocity);
-  auto& A = data.a.write(Level::Acceleration);
+  auto& liMi = data.liMi.scratch();
+  auto& oMi = data.oMi.scratch();
+  auto& V = data.v.scratch();
+  auto& A = data.a.scratch();
   multibody_detail::forEachJoint(model, [&](const auto& joint) {
     const std::size_t i = std::size_t(joint.index), p = std::size_t(model.parents[i]);
     algorithms_detail::placeJoint(joint, q, p, liMi[i], oMi);
@@ -79,28 +82,31 @@ void forwardKinematics(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, I
     A[i] = joint.motion(a) + joint.velocityProduct(V[i], relative);
     if (p > 0) A[i] = liMi[i].actInv(A[p]) + A[i];
   });
+  data.liMi.write(Level::Position), data.oMi.write(Level::Position);
+  data.v.write(Level::Velocity), data.a.write(Level::Acceleration);
 }
 
 namespace algorithms_detail {
 
-/// Computes the pose, work.r and work.S_columns of every joint, then calls f(joint). Updates liMi, oMi.
+/// Computes the pose, work.r and work.S_columns of every joint, then calls f(joint, R_WJ). Updates liMi, oMi.
 template <Scalar S, class F>
 void columnsInWorldAxes(const Model<S>& model, Data<S>& data, In<S> q, F f) {
   data.begin(model, q);
-  auto& liMi = data.liMi.write(Level::Position);
-  auto& oMi = data.oMi.write(Level::Position);
+  auto& liMi = data.liMi.scratch();
+  auto& oMi = data.oMi.scratch();
   multibody_detail::forEachJoint(model, [&](const auto& joint) {
     const std::size_t i = std::size_t(joint.index), p = std::size_t(model.parents[i]);
     multibody_detail::build(
         data.work.r[i], [&]()
                             __attribute__((always_inline)) { return placeJoint(joint, q, p, liMi[i], oMi); });
     joint.subspaceIn(oMi[i].rotation(), data.work.S_columns.data() + 6 * joint.column);
-    f(joint);
+    f(joint, oMi[i].rotation());
   });
+  data.liMi.write(Level::Position), data.oMi.write(Level::Position);
 }
 template <Scalar S>
 void columnsInWorldAxes(const Model<S>& model, Data<S>& data, In<S> q) {
-  columnsInWorldAxes(model, data, q, [](const auto&) {});
+  columnsInWorldAxes(model, data, q, [](const auto&, const auto&) {});
 }
 /// Column k of the motion subspaces, 6 numbers each, in world axes at the joint's origin.
 template <Scalar S>

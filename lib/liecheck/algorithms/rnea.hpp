@@ -32,9 +32,9 @@ template <Scalar S>
 void inverseDynamics(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, const VectorX<S>* a,
                      const External<S>& fext, VectorX<S>& tau) {
   checkForces<S>(model, fext);
-  auto& liMi = data.liMi.write(Level::Position);
-  auto& V = data.v.write(Level::Velocity);
-  auto& f = a ? data.f.write(Level::Acceleration) : data.f.scratch();
+  auto& liMi = data.liMi.scratch();
+  auto& V = data.v.scratch();
+  auto& f = data.f.scratch();
   auto& A = data.work.gravitated;
   A[0] = Motion<S>(Vector3<S>(-model.gravity), Vector3<S>::Zero());
   multibody_detail::forEachJoint(model, [&](const auto& joint) {
@@ -48,7 +48,10 @@ void inverseDynamics(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, con
     if (!fext.empty()) f[i] = f[i] - fext[i];
   });
   backwardForces(model, liMi, f, tau);
-  if (a) tau += model.armature.cwiseProduct(*a);
+  data.liMi.write(Level::Position), data.v.write(Level::Velocity);
+  if (!a) return;
+  data.f.write(Level::Acceleration);
+  tau += model.armature.cwiseProduct(*a);
 }
 
 }  // namespace algorithms_detail
@@ -59,16 +62,16 @@ template <Scalar S>
 const VectorX<S>& rnea(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, In<S> a,
                        External<S> fext = {}) {
   data.begin(model, q, v, a);
-  algorithms_detail::inverseDynamics<S>(model, data, q, v, &a, fext, data.tau.write(Level::Acceleration));
-  return data.tau();
+  algorithms_detail::inverseDynamics<S>(model, data, q, v, &a, fext, data.tau.scratch());
+  return data.tau.write(Level::Acceleration);
 }
 
 /// h(q, v) [nv; N, N m]: Coriolis, centrifugal and gravity terms, tau at a = 0. Updates liMi, v, nle.
 template <Scalar S>
 const VectorX<S>& nonLinearEffects(const Model<S>& model, Data<S>& data, In<S> q, In<S> v) {
   data.begin(model, q, v);
-  algorithms_detail::inverseDynamics<S>(model, data, q, v, nullptr, {}, data.nle.write(Level::Velocity));
-  return data.nle();
+  algorithms_detail::inverseDynamics<S>(model, data, q, v, nullptr, {}, data.nle.scratch());
+  return data.nle.write(Level::Velocity);
 }
 
 namespace algorithms_detail {
@@ -79,7 +82,7 @@ const VectorX<S>& statics(const Model<S>& model, Data<S>& data, In<S> q, const E
                           Field<VectorX<S>>& tau) {
   data.begin(model, q);
   checkForces<S>(model, fext);
-  auto& liMi = data.liMi.write(Level::Position);
+  auto& liMi = data.liMi.scratch();
   auto& f = data.f.scratch();
   auto& A = data.work.gravitated;
   A[0] = Motion<S>(Vector3<S>(-model.gravity), Vector3<S>::Zero());
@@ -90,8 +93,9 @@ const VectorX<S>& statics(const Model<S>& model, Data<S>& data, In<S> q, const E
     f[i] = model.inertias[i] * A[i];
     if (!fext.empty()) f[i] = f[i] - fext[i];
   });
-  backwardForces(model, liMi, f, tau.write(Level::Position));
-  return tau();
+  backwardForces(model, liMi, f, tau.scratch());
+  data.liMi.write(Level::Position);
+  return tau.write(Level::Position);
 }
 
 }  // namespace algorithms_detail

@@ -119,7 +119,8 @@ class Data {
   void check(const Model<S>& model) const {
     if (model.revision != revision_)
       throw std::invalid_argument(
-          "this Data was made from another model, or before a joint or a frame was added to this model");
+          "this Data was made from another model, or before a joint, a frame or a body was added to this "
+          "model");
   }
   /// Throws std::logic_error if this Data has not allocated the matrices.
   void require(Dense dense, const char* call) const {

@@ -65,7 +65,8 @@ class Field {
     return value_;
   }
 
-  /// For algorithms: returns the value for writing and marks it as computed for the current inputs.
+  /// For algorithms: returns the value and marks it as computed for the current inputs. An algorithm that may
+  /// throw calls it when it is done, and works on scratch() before: what it leaves unfinished is stale.
   T& write(Level level) {
     const auto uses = [this](Constants c) { return (int(constants_) & int(c)) != 0; };
     stamp_ = {clock_->q, level == Level::Position ? 0 : clock_->v,

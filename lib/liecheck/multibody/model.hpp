@@ -54,7 +54,7 @@ class Model {
   /// output of the gear [kg, kg m^2]. rnea and aba use the armature, but ignore friction and damping.
   VectorX<S> friction, damping, armature;
 
-  /// Changes whenever a joint or a frame is added; only copies of this model have the same revision. Data
+  /// Changes whenever a joint, a frame or a body is added; only copies of this model have the same revision. Data
   /// refuses a model with another revision than the one it was made from.
   int revision = 0;
 
@@ -200,6 +200,7 @@ void Model<S>::appendBodyToJoint(int joint, const Inertia<S>& I_B, const SE3<S>&
     throw std::invalid_argument(what +
                                 "its inertia and that of the others, about the joint's origin, overflow");
   I_J = sum;
+  revision = multibody_detail::nextRevision();
 }
 
 template <Scalar S>
