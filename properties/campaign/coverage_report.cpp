@@ -24,7 +24,8 @@ bool has(const Series& s, Kind kind, Reach reach) {
 /// Whether the operation takes a rotation vector, which may be beyond pi. A logarithm is not.
 bool takes_rotation_vector(const Operation& o) {
   return std::any_of(o.arguments.begin(), o.arguments.end(), [](const Layout* l) {
-    return std::any_of(l->parts.begin(), l->parts.end(), [](const Part& p) { return p.name == "phi"; });
+    return std::any_of(l->parts.begin(), l->parts.end(),
+                       [](const Part& p) { return p.name == "phi" || p.name == "delta"; });
   });
 }
 

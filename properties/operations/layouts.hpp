@@ -103,7 +103,9 @@ inline constexpr Value<type::Scalar> kinetic{{"T", {{"T", 1, "J"}}, "any frame"}
 inline constexpr Value<type::Vector> robot_delta_result{
     {"delta", {{"delta", nv, "m, rad"}}, "body axes, joint by joint"}};
 inline constexpr Value<type::Truth> same_result{{"same", {{"same", 1, "1"}}, "yes or no"}};
-inline constexpr Value<type::Matrix> M_result{{"M", {{"M", nv_by_nv, "kg, kg m, kg m^2"}}, "joint by joint"}},
+inline constexpr Value<type::Matrix> robot_derivative{
+    {"J", {{"J", nv_by_nv, "1, m"}}, "tangent spaces, joint by joint"}},
+    M_result{{"M", {{"M", nv_by_nv, "kg, kg m, kg m^2"}}, "joint by joint"}},
     M_inverse_result{{"M^-1", {{"M^-1", nv_by_nv, "1/kg, 1/(kg m), 1/(kg m^2)"}}, "joint by joint"}},
     momentum_map_result{
         {"A_g", {{"A_g", six_by_nv, "kg, kg m, kg m^2"}}, "world axes, at the centre of mass"}},

@@ -24,7 +24,9 @@ using SpatialSlots =
 
 /// The operations on the whole configuration vector of one robot.
 template <class S>
-using RobotOperations = Slots<S, op::robot_integrate, op::robot_difference, op::robot_is_same>;
+using RobotOperations =
+    Slots<S, op::robot_integrate, op::robot_difference, op::robot_is_same, op::robot_d_integrate_arg0,
+          op::robot_d_integrate_arg1, op::robot_d_difference_arg0, op::robot_d_difference_arg1>;
 
 /// The operations on one tree of bodies.
 template <class S>

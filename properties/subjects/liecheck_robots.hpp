@@ -23,6 +23,21 @@ RobotOperations<S> liecheck_robot(const std::string& urdf, bool fixed) {
   r[op::robot_is_same] = [model](const VecX<S>& a, const VecX<S>& b) {
     return isSameConfiguration(*model, a, b);
   };
+  using enum ArgumentPosition;
+  const auto derivative = [model](const auto& function, ArgumentPosition argument) {
+    return [model, function, argument](const VecX<S>& a, const VecX<S>& b) -> MatX<S> {
+      return function(*model, a, b, argument);
+    };
+  };
+  const auto by_integrate = [](const auto& m, const VecX<S>& q, const VecX<S>& d, ArgumentPosition argument) {
+    return dIntegrate<S>(m, q, d, argument);
+  };
+  const auto by_difference = [](const auto& m, const VecX<S>& a, const VecX<S>& b,
+                                ArgumentPosition argument) { return dDifference<S>(m, a, b, argument); };
+  r[op::robot_d_integrate_arg0] = derivative(by_integrate, ARG0);
+  r[op::robot_d_integrate_arg1] = derivative(by_integrate, ARG1);
+  r[op::robot_d_difference_arg0] = derivative(by_difference, ARG0);
+  r[op::robot_d_difference_arg1] = derivative(by_difference, ARG1);
   return r;
 }
 

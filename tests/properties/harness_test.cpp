@@ -128,6 +128,55 @@ const Registered<double> bugs[] = {
                                    return r;
                                  };
                                })),
+    Registered<double>(planted("robot_derivatives",
+                               [](O& o) {
+                                 o.robot = [](const std::string& urdf, bool fixed) {
+                                   auto r = own().robot(urdf, fixed);
+                                   r[op::robot_d_integrate_arg0] = [f = r[op::robot_d_integrate_arg0]](
+                                                                       const VecX<double>& q,
+                                                                       const VecX<double>& d) {
+                                     return MatX<double>(f(q, VecX<double>(-d)));
+                                   };
+                                   return r;
+                                 };
+                               })),
+    Registered<double>(planted("always_same",
+                               [](O& o) {
+                                 o.robot = [](const std::string& urdf, bool fixed) {
+                                   auto r = own().robot(urdf, fixed);
+                                   r[op::robot_is_same] = [](const VecX<double>&, const VecX<double>&) {
+                                     return true;
+                                   };
+                                   return r;
+                                 };
+                               })),
+    Registered<double>(planted("same_but_one",
+                               [](O& o) {
+                                 o.robot = [](const std::string& urdf, bool fixed) {
+                                   auto r = own().robot(urdf, fixed);
+                                   r[op::robot_is_same] = [f = r[op::robot_is_same]](VecX<double> a,
+                                                                                     VecX<double> b) {
+                                     a.tail<1>().setZero(),
+                                         b.tail<1>().setZero();  // the last joint is ignored
+                                     return f(a, b);
+                                   };
+                                   return r;
+                                 };
+                               })),
+    Registered<double>(planted("opposite",
+                               [](O& o) {
+                                 o.robot = [](const std::string& urdf, bool fixed) {
+                                   auto r = own().robot(urdf, fixed);
+                                   r[op::robot_integrate] = [f = r[op::robot_integrate]](
+                                                                const VecX<double>& q,
+                                                                const VecX<double>& d) {
+                                     VecX<double> next = f(q, d);
+                                     if (next[6] < 0) next.segment<4>(3) *= -1;
+                                     return next;
+                                   };
+                                   return r;
+                                 };
+                               })),
     Registered<double>(planted(
         "nan", [](O& o) { o[op::exp3_quaternion] = [](const V3&) { return V4(V4::Constant(NAN)); }; })),
 };
@@ -165,6 +214,11 @@ TEST_P(Planted, BugIsCaughtByItsLawAndTheLawPassesWithoutIt) {
 
 INSTANTIATE_TEST_SUITE_P(EveryLaw, Planted, testing::ValuesIn(laws_of_operations()),
                          [](const auto& info) { return info.param; });
+
+TEST(Planted, FaultsInConfigurationsOfRobotsAreCaught) {
+  for (const char* bug : {"planted_always_same", "planted_same_but_one", "planted_opposite"})
+    EXPECT_TRUE(run(bug, "robot_configuration").failed) << bug;
+}
 
 TEST(Planted, EveryLawOfTreesCatchesAKnownBugAndPassesWithoutIt) {
   for (const auto& p : property_names()) {
