@@ -1,5 +1,6 @@
 #pragma once
-// Random trees of up to five bodies with every joint type, as lists of numbers, valid by construction.
+// Random trees with every joint type, as lists of numbers, valid by construction: mostly of up to five bodies,
+// one in 300 of 6 to 40 bodies, because the time of some laws grows with the third power of their number.
 
 #include <generators/rotations.hpp>
 #include <generators/tree_layout.hpp>
@@ -9,13 +10,37 @@ namespace liecheck::properties {
 
 namespace tree_detail {
 
-inline constexpr int reach = 8;  // lengths, speeds and forces are between 2^-reach and 2^reach
+inline constexpr int reach = 8;       // lengths, speeds and forces are between 2^-reach and 2^reach
+inline constexpr int far_reach = 24;  // those of some states: up to 1e7
 
 /// Sets the numbers of an absent joint.
 template <class S>
 void clear_slot(S* slot) {
   std::fill_n(slot, +TreeSlot::size, S(0));
   slot[TreeSlot::Q + 3] = slot[TreeSlot::q_Q + 3] = slot[TreeSlot::q_circle] = S(1);
+}
+/// Makes joint i absent.
+template <class S>
+void clear_joint(TreeLayout at, std::vector<S>& x, int i) {
+  const auto number = [&](int k) -> S& { return x[static_cast<std::size_t>(k)]; };
+  number(at.parent(i)) = number(at.kind(i)) = S(absent_joint);
+  number(at.primary(i)) = S(-1), number(at.mass(i)) = S(0);
+  clear_slot(&number(at.slot(i)));
+}
+/// Copies all numbers of a joint to another one.
+template <class S>
+void copy_joint(TreeLayout at, std::vector<S>& x, int from, int to) {
+  const auto number = [&](int k) -> S& { return x[static_cast<std::size_t>(k)]; };
+  number(at.parent(to)) = number(at.parent(from)), number(at.kind(to)) = number(at.kind(from));
+  number(at.primary(to)) = number(at.primary(from)), number(at.mass(to)) = number(at.mass(from));
+  std::copy_n(&number(at.slot(from)), +TreeSlot::size, &number(at.slot(to)));
+}
+/// 6 to 40, in three steps that double the number; fewer trees have many joints.
+inline int many_joints(Source& source) {
+  const std::uint64_t kind = source.below(10);
+  return kind < 7   ? source.between(6, 10)
+         : kind < 9 ? source.between(11, 20)
+                    : source.between(21, most_joints);
 }
 
 /// m sum a_k^2 (1 - e_k e_k^T) for random radii of gyration a_k and axes e_k, as xx xy yy xz yz zz.
@@ -25,7 +50,7 @@ Eigen::Matrix<S, 6, 1> inertia(Source& source, const S& mass, bool degenerate) {
   using V3 = Eigen::Matrix<S, 3, 1>;
   const auto length = [&] { return binade_uniform<S>(source, -4, 1); };
   V3 a(length(), length(), length());
-  switch (degenerate ? source.below(5) : 3 + source.below(2)) {
+  switch (degenerate ? source.below(6) : 3 + source.below(3)) {
     case 0:
       return Eigen::Matrix<S, 6, 1>::Zero();
     case 1:
@@ -36,6 +61,12 @@ Eigen::Matrix<S, 6, 1> inertia(Source& source, const S& mass, bool degenerate) {
       break;
     case 3:
       a[1] = a[2] = a[0];
+      break;
+    case 4:  // nearly equal moments
+      for (int k = 1; k < 3; ++k) {
+        const S part = binade_uniform<S>(source, -40, -6);
+        a[k] = source.chance(1, 2) ? S(a[0] * (S(1) + part)) : S(a[0] * (S(1) - part));
+      }
       break;
     default:;
   }
@@ -58,19 +89,31 @@ void put(S* to, const Eigen::MatrixBase<Derived>& v) {
 
 }  // namespace tree_detail
 
+/// The largest exponents of positions, and of v, a and the direction d. Each is far in one of eight states.
+struct StateReach {
+  int q, v, a, d;
+  explicit StateReach(Source& source) : q(one(source)), v(one(source)), a(one(source)), d(one(source)) {}
+
+ private:
+  static int one(Source& source) { return source.chance(1, 8) ? tree_detail::far_reach : tree_detail::reach; }
+};
+
 /// Sets a joint's numbers of q, v, a and the direction d. Coordinates that its kind does not have stay zero.
 template <class S>
-void random_joint_state(Source& source, oracles::JointKind kind, bool mimics, S* slot) {
+void random_joint_state(Source& source, oracles::JointKind kind, bool mimics, const StateReach& reach,
+                        S* slot) {
   using oracles::JointKind;
-  using tree_detail::put, tree_detail::reach;
+  using tree_detail::put;
   if (mimics) return;
   const bool three =
       kind == JointKind::free_flyer || kind == JointKind::translation || kind == JointKind::planar;
   if (three) {
-    put(slot + TreeSlot::q_p, vector3<S>(source, reach));
+    put(slot + TreeSlot::q_p, vector3<S>(source, reach.q));
     if (kind == JointKind::planar) slot[TreeSlot::q_p + 2] = S(0);
   } else if (kind != JointKind::continuous && kind != JointKind::spherical) {
-    slot[TreeSlot::q_p] = S(4) * magnitude<S>(source, 2);
+    S& q = slot[TreeSlot::q_p];
+    q = S(4) * magnitude<S>(source, 2);
+    if (reach.q == tree_detail::far_reach && source.chance(1, 2)) q *= binade_uniform<S>(source, 0, reach.q);
   }
   if (kind == JointKind::free_flyer || kind == JointKind::spherical)
     put(slot + TreeSlot::q_Q, unit_quaternion<S>(source));
@@ -83,9 +126,10 @@ void random_joint_state(Source& source, oracles::JointKind kind, bool mimics, S*
     slot[TreeSlot::q_circle] = c, slot[TreeSlot::q_circle + 1] = s;
   }
   const int n = velocity_size(kind);
-  for (int to : {TreeSlot::v, TreeSlot::a, TreeSlot::d})
+  for (const auto& [to, exponent] :
+       {std::pair(TreeSlot::v, reach.v), std::pair(TreeSlot::a, reach.a), std::pair(TreeSlot::d, reach.d)})
     for (int k = 0; k < n; k += 3) {
-      const Eigen::Matrix<S, 3, 1> x = vector3<S>(source, reach);
+      const Eigen::Matrix<S, 3, 1> x = vector3<S>(source, exponent);
       for (int i = k; i < n && i < k + 3; ++i) slot[to + i] = x[i - k];
     }
 }
@@ -111,39 +155,42 @@ std::vector<S> random_tree(Source& source, bool floating) {
   using oracles::JointKind;
   using std::ldexp;
   using tree_detail::put;
-  const TreeLayout at{tree_slots};
+  const bool large = source.chance(1, 300);
+  const int joints = large                 ? tree_detail::many_joints(source)
+                     : source.chance(1, 8) ? tree_slots
+                                           : source.between(1, tree_slots);
+  const TreeLayout at = TreeLayout::of_joints(joints);
+  const StateReach far(source);
   std::vector<S> x(at.size(), S(0));
   const auto number = [&](int i) -> S& { return x[static_cast<std::size_t>(i)]; };
-  const int joints = source.chance(1, 8) ? tree_slots : source.between(1, tree_slots);
   const int shape = source.between(0, 3);  // a chain, a star, all joints on the world, random parents
   int ratio = 0;
   if (source.chance(1, 2)) ratio = std::is_same_v<S, float> ? 4 : 21;
   put(&number(at.gravity()), source.chance(1, 8) ? vector3<S>(source, tree_detail::reach)
                                                  : Eigen::Matrix<S, 3, 1>(S(0), S(0), S(-981) / S(100)));
-  for (int i = 0; i < tree_slots; ++i) {
-    S* slot = &number(at.slot(i));
-    tree_detail::clear_slot(slot);
-    number(at.primaries() + i) = S(-1);
-    number(at.parents() + i) = number(at.kinds() + i) = S(absent_joint);
+  for (int i = 0; i < at.slots; ++i) {
+    tree_detail::clear_joint(at, x, i);
     if (i >= joints) continue;
+    S* slot = &number(at.slot(i));
     int parent = shape == 0   ? i - 1
                  : shape == 1 ? (i > 0 ? 0 : -1)
                  : shape == 2 ? -1
                               : source.between(-1, i - 1);
     if (floating && i > 0) parent = std::max(parent, 0);
-    number(at.parents() + i) = S(parent);
-    auto kind = static_cast<JointKind>(source.below(8));
+    number(at.parent(i)) = S(parent);
+    // Most joints of a large tree have one coordinate, as those of robots.
+    auto kind = static_cast<JointKind>(source.below(large && source.chance(3, 4) ? 3 : 8));
     if (i == 0 && (floating || source.chance(1, 4))) kind = JointKind::free_flyer;
     int primary = -1;
     const bool simple =
         kind == JointKind::revolute || kind == JointKind::prismatic || kind == JointKind::helical;
     if (simple && source.chance(1, 3))
       for (int k = 0; k < i; ++k) {
-        const auto other = static_cast<JointKind>(static_cast<int>(number(at.kinds() + k)));
-        if (number(at.primaries() + k) < S(0) && velocity_size(other) == 1) primary = k;
+        const auto other = static_cast<JointKind>(static_cast<int>(number(at.kind(k))));
+        if (number(at.primary(k)) < S(0) && velocity_size(other) == 1) primary = k;
       }
-    number(at.kinds() + i) = S(static_cast<int>(kind));
-    number(at.primaries() + i) = S(primary);
+    number(at.kind(i)) = S(static_cast<int>(kind));
+    number(at.primary(i)) = S(primary);
     put(slot + TreeSlot::Q, unit_quaternion<S>(source));
     put(slot + TreeSlot::p, vector3<S>(source, tree_detail::reach));
     put(slot + TreeSlot::axis, direction<S>(source));
@@ -156,12 +203,12 @@ std::vector<S> random_tree(Source& source, bool floating) {
     S scale = ratio ? binade_uniform<S>(source, -ratio, ratio) : S(1);
     if (ratio && source.chance(1, 4)) scale = S(ldexp(S(1), source.chance(1, 2) ? ratio : -ratio));
     const S mass = (S(1) + source.unit<S>()) * scale;
-    number(at.masses() + i) = mass;
+    number(at.mass(i)) = mass;
     if (source.chance(1, 2) && primary < 0)
       slot[TreeSlot::armature] = mass * binade_uniform<S>(source, -8, 2);
     put(slot + TreeSlot::c, vector3<S>(source, 2));
     put(slot + TreeSlot::I, tree_detail::inertia<S>(source, mass, slot[TreeSlot::armature] > S(0)));
-    random_joint_state(source, kind, primary >= 0, slot);
+    random_joint_state(source, kind, primary >= 0, far, slot);
   }
   random_frame(source, joints, &number(at.frame()));
   random_wrench(source, joints, &number(at.wrench()));

@@ -24,6 +24,12 @@ std::vector<Field> Property<S>::fields() const {
   return all;
 }
 template <class S>
+bool Property<S>::takes(std::size_t numbers) const {
+  std::size_t all = 0;
+  for (const Field& f : fields()) all += static_cast<std::size_t>(f.size);
+  return numbers == all;
+}
+template <class S>
 bool Property<S>::valid(const std::vector<S>& input) const {
   using std::isfinite;
   return std::all_of(input.begin(), input.end(), [](const S& x) { return isfinite(x); });

@@ -143,6 +143,8 @@ class Property {
   bool measures(const Subject<S>& subject, const Output& output) const {
     return offers(subject, output) && exists(output);
   }
+  /// Whether an input of so many numbers is one of the law. By default: as many as its fields have.
+  virtual bool takes(std::size_t numbers) const;
   virtual bool needs_robot() const { return false; }  ///< may be called only after prepare
   /// Sets up what depends on the robot. Called once, before any case.
   virtual void prepare(const Robot&) {}

@@ -27,16 +27,16 @@ struct TreeCase {
       return {{number(i), number(i + 1), number(i + 2), number(i + 3)}};
     };
     tree.gravity = three(at.gravity());
-    for (int i = 0; i < at.slots && whole(at.parents() + i) > absent_joint; ++i) {
+    for (int i = 0; i < at.slots && whole(at.parent(i)) > absent_joint; ++i) {
       using Slot = TreeSlot;
       const int slot = at.slot(i);
       JointOf<T> j;
-      j.kind = static_cast<JointKind>(whole(at.kinds() + i));
-      j.parent = whole(at.parents() + i), j.primary = whole(at.primaries() + i);
+      j.kind = static_cast<JointKind>(whole(at.kind(i)));
+      j.parent = whole(at.parent(i)), j.primary = whole(at.primary(i));
       j.Q = four(slot + Slot::Q), j.p = three(slot + Slot::p), j.axis = three(slot + Slot::axis);
       j.pitch = number(slot + Slot::pitch), j.multiplier = number(slot + Slot::multiplier);
       j.offset = number(slot + Slot::offset), j.armature = number(slot + Slot::armature);
-      j.body.mass = number(at.masses() + i), j.body.c = three(slot + Slot::c);
+      j.body.mass = number(at.mass(i)), j.body.c = three(slot + Slot::c);
       Vec6<T> I;
       for (int k = 0; k < 6; ++k) I[k] = number(slot + Slot::I + k);
       j.body.I_C = symmetric(I);

@@ -66,8 +66,8 @@ RobotNumbers robot_numbers(const Robot& robot) {
     const auto j = static_cast<std::size_t>(i) + 1;
     const int slot = r.at.slot(i);
     const Inertia<double>& I = m.inertias[j];
-    one(r.at.parents() + i, m.parents[j] - 1), one(r.at.primaries() + i, -1);
-    one(r.at.masses() + i, I.mass()), put(slot + TreeSlot::c, I.lever());
+    one(r.at.parent(i), m.parents[j] - 1), one(r.at.primary(i), -1);
+    one(r.at.mass(i), I.mass()), put(slot + TreeSlot::c, I.lever());
     const Mat<double, 3>& I_C = I.inertia();
     put(slot + TreeSlot::I,
         (Vec<double, 6>() << I_C(0, 0), I_C(1, 0), I_C(1, 1), I_C(2, 0), I_C(2, 1), I_C(2, 2)).finished());
@@ -97,12 +97,12 @@ RobotNumbers robot_numbers(const Robot& robot) {
                              [](const Mimic<double>&) {}};
     if (const auto* mimic = std::get_if<Mimic<double>>(&m.joints[j])) {
       std::visit(visitor, mimic->moved);
-      one(r.at.primaries() + i, mimic->primary - 1);
+      one(r.at.primary(i), mimic->primary - 1);
       one(slot + TreeSlot::multiplier, mimic->multiplier), one(slot + TreeSlot::offset, mimic->offset);
     } else {
       std::visit(visitor, m.joints[j]);
     }
-    one(r.at.kinds() + i, static_cast<int>(kind));
+    one(r.at.kind(i), static_cast<int>(kind));
   }
   return r;
 }
@@ -173,9 +173,16 @@ std::vector<std::vector<S>> AnyTreeLaw<S>::simpler(const std::vector<S>& input) 
 }
 
 template <class S>
+bool AnyTreeLaw<S>::takes(std::size_t numbers) const {
+  if (robot_) return Property<S>::takes(numbers);
+  const TreeLayout at = TreeLayout::of_size(numbers);
+  return at.slots <= most_joints && at.size() == numbers;
+}
+
+template <class S>
 std::string AnyTreeLaw<S>::program(const Output& output, const std::vector<S>& input) const {
   const std::vector<S> full = full_of(input);
-  const TreeCase<double> c(at_, full, std::vector<double>(full.begin(), full.end()));
+  const TreeCase<double> c(layout_of(full), full, std::vector<double>(full.begin(), full.end()));
   return tree_program(c, output.record->call, std::is_same_v<S, float> ? "float" : "double");
 }
 
@@ -212,10 +219,10 @@ template <class S>
 std::vector<S> AnyTreeLaw<S>::generate(Source& source) const {
   if (!robot_) return random_tree<S>(source, has_floating_base());
   std::vector<S> x = fixed_;
+  const StateReach far(source);
   for (int i = 0; i < at_.slots; ++i)
-    random_joint_state(source,
-                       static_cast<oracles::JointKind>(static_cast<int>(fixed_[index(at_.kinds() + i)])),
-                       fixed_[index(at_.primaries() + i)] >= S(0), x.data() + at_.slot(i));
+    random_joint_state(source, static_cast<oracles::JointKind>(static_cast<int>(fixed_[index(at_.kind(i))])),
+                       fixed_[index(at_.primary(i))] >= S(0), far, x.data() + at_.slot(i));
   random_frame(source, at_.slots, x.data() + at_.frame());
   random_wrench(source, at_.slots, x.data() + at_.wrench());
   return state_of(x);
@@ -224,7 +231,9 @@ std::vector<S> AnyTreeLaw<S>::generate(Source& source) const {
 template <class S>
 bool AnyTreeLaw<S>::valid(const std::vector<S>& input) const {
   if (!Property<S>::valid(input)) return false;
+  if (!takes(input.size())) return false;
   const std::vector<S> x = full_of(input);
+  const TreeLayout at = layout_of(x);
   using oracles::JointKind;
   using Slot = TreeSlot;
   const auto whole = [&](int i, int low, int high) {
@@ -236,26 +245,23 @@ bool AnyTreeLaw<S>::valid(const std::vector<S>& input) const {
     return oracles::norm_defect<S>(u) <= 8;
   };
   int joints = 0, roots = 0;
-  for (int i = 0; i < at_.slots; ++i) {
-    if (!whole(at_.parents() + i, absent_joint, i - 1)) return false;
-    const int slot = at_.slot(i);
+  for (int i = 0; i < at.slots; ++i) {
+    if (!whole(at.parent(i), absent_joint, i - 1)) return false;
+    const int slot = at.slot(i);
     if (!unit(slot + Slot::Q, 4) || !unit(slot + Slot::q_Q, 4) || !unit(slot + Slot::q_circle, 2))
       return false;
-    if (x[index(at_.parents() + i)] == S(absent_joint)) continue;
+    if (x[index(at.parent(i))] == S(absent_joint)) continue;
     if (joints++ < i) return false;
-    roots += x[index(at_.parents() + i)] == S(-1);
-    if (!whole(at_.kinds() + i, 0, 7) || !whole(at_.primaries() + i, -1, i - 1)) return false;
-    const auto kind = [&](int k) {
-      return static_cast<JointKind>(static_cast<int>(x[index(at_.kinds() + k)]));
-    };
-    if (const int primary = static_cast<int>(x[index(at_.primaries() + i)]); primary >= 0) {
+    roots += x[index(at.parent(i))] == S(-1);
+    if (!whole(at.kind(i), 0, 7) || !whole(at.primary(i), -1, i - 1)) return false;
+    const auto kind = [&](int k) { return static_cast<JointKind>(static_cast<int>(x[index(at.kind(k))])); };
+    if (const int primary = static_cast<int>(x[index(at.primary(i))]); primary >= 0) {
       const bool simple =
           kind(i) == JointKind::revolute || kind(i) == JointKind::prismatic || kind(i) == JointKind::helical;
-      if (!simple || velocity_size(kind(primary)) != 1 || x[index(at_.primaries() + primary)] >= S(0))
-        return false;
+      if (!simple || velocity_size(kind(primary)) != 1 || x[index(at.primary(primary))] >= S(0)) return false;
     }
     if (robot_) continue;
-    const S mass = x[index(at_.masses() + i)], armature = x[index(slot + Slot::armature)];
+    const S mass = x[index(at.mass(i))], armature = x[index(slot + Slot::armature)];
     if (!(mass > S(0)) || !(armature >= S(0)) || !unit(slot + Slot::axis, 3)) return false;
     // The second moment tr(I) / 2 - I must be positive semidefinite. Without an armature the body must also
     // be thick enough to give its joint an inertia.
@@ -266,11 +272,11 @@ bool AnyTreeLaw<S>::valid(const std::vector<S>& input) const {
     if (armature == S(0) && (!thicker(I, trace, 1e-5L) || trace < 1e-4L * static_cast<long double>(mass)))
       return false;
   }
-  if (joints == 0 || !whole(at_.frame(), 0, joints - 1) || !whole(at_.wrench(), -1, joints - 1)) return false;
+  if (joints == 0 || !whole(at.frame(), 0, joints - 1) || !whole(at.wrench(), -1, joints - 1)) return false;
   if (has_floating_base() && !robot_ &&
-      (roots > 1 || x[index(at_.kinds())] != S(static_cast<int>(JointKind::free_flyer))))
+      (roots > 1 || x[index(at.kind(0))] != S(static_cast<int>(JointKind::free_flyer))))
     return false;
-  return unit(at_.frame() + 1, 4);
+  return unit(at.frame() + 1, 4);
 }
 
 template <class S, class T>

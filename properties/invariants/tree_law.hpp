@@ -123,6 +123,8 @@ class AnyTreeLaw : public Property<S> {
   virtual bool has_floating_base() const = 0;
   std::vector<Field> fields() const override;
   std::vector<std::vector<S>> simpler(const std::vector<S>& input) const override;
+  /// A random tree of more than tree_slots joints has more numbers than the fields name.
+  bool takes(std::size_t numbers) const override;
   std::string program(const Output& output, const std::vector<S>& input) const override;
   /// True only if the user gave a robot. The built-in robot is too simple for these laws.
   bool needs_robot() const override { return robot_; }
@@ -131,7 +133,9 @@ class AnyTreeLaw : public Property<S> {
   bool valid(const std::vector<S>& input) const override;
 
  protected:
-  TreeLayout layout() const { return at_; }
+  TreeLayout layout_of(const std::vector<S>& full) const {
+    return robot_ ? at_ : TreeLayout::of_size(full.size());
+  }
   /// Whether the subject offers the operation on a tree of one joint.
   bool has(const Subject<S>& subject, const Operation& operation) const override;
   /// The tree of the user's robot, at its neutral configuration; null without one.
@@ -157,7 +161,7 @@ class TreeLaw : public Law<P, S, AnyTreeLaw<S>> {
   template <class T>
   void in(const Subject<S>& subject, const std::vector<S>& input, Recorder& recorder) const {
     const std::vector<S> full = this->full_of(input);
-    const CaseAt<S, T> c(this->layout(), full);
+    const CaseAt<S, T> c(this->layout_of(full), full);
     static_cast<const P<S>*>(this)->template of<T>(subject.operations, c, recorder);
   }
 };

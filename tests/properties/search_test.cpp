@@ -163,12 +163,11 @@ TEST(Shrinking, KeepsOnlyTheJointsThatMatter) {
   const auto law =
       std::find_if(all.begin(), all.end(), [](const auto& p) { return p->name() == "lagrange"; });
   ASSERT_NE(law, all.end());
-  const TreeLayout at{tree_slots};
   const auto count = [&](const V& x, auto wanted) {
+    const TreeLayout at = TreeLayout::of_size(x.size());
     int n = 0;
-    for (int i = 0; i < tree_slots; ++i)
-      n += x[static_cast<std::size_t>(at.parents() + i)] >= -1 &&
-           wanted(x[static_cast<std::size_t>(at.kinds() + i)]);
+    for (int i = 0; i < at.slots; ++i)
+      n += x[static_cast<std::size_t>(at.parent(i))] >= -1 && wanted(x[static_cast<std::size_t>(at.kind(i))]);
     return n;
   };
   const auto any = [](double) { return true; };

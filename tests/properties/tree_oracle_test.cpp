@@ -2,8 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <generators/coverage.hpp>
-#include <generators/trees.hpp>
+#include <generators/tree_shrinks.hpp>
 #include <invariants/tree_law.hpp>
 
 namespace {
@@ -16,7 +17,7 @@ using Numbers = std::vector<T>;
 TreeCase<T> case_of(std::uint64_t index, bool floating = false) {
   Source source(Source::Key{1, 2, 3, index});
   const std::vector<double> x = random_tree<double>(source, floating);
-  return TreeCase<T>(TreeLayout{tree_slots}, x, std::vector<T>(x.begin(), x.end()));
+  return TreeCase<T>(TreeLayout::of_size(x.size()), x, std::vector<T>(x.begin(), x.end()));
 }
 /// Does q' = v hold for every joint?
 bool vector_space(const TreeCase<T>& c) {
@@ -109,7 +110,7 @@ TEST(TreeOracle, NoResultIsLargerThanTheSizesOfItsTerms) {
   for (std::uint64_t index = 0; index < 200; ++index) {
     Source source(Source::Key{4, 5, 6, index});
     const std::vector<double> x = random_tree<double>(source, false);
-    const TreeLayout layout{tree_slots};
+    const TreeLayout layout = TreeLayout::of_size(x.size());
     const TreeCase<T> c(layout, x, std::vector<T>(x.begin(), x.end()));
     const TreeCase<double> rough(layout, x, x);
     const TreeSizes<double> sizes(rough.tree, rough.q, rough.v, rough.a, rough.wrench);
@@ -132,6 +133,37 @@ TEST(TreeOracle, NoResultIsLargerThanTheSizesOfItsTerms) {
     const T kinetic = TreeDynamics<T>(c.tree, c.q, c.v, c.a).kinetic_energy();
     EXPECT_LE(static_cast<double>(kinetic), sizes.kinetic * slack) << index;
   }
+}
+
+TEST(RandomTrees, OneOf300HasUpTo40Joints) {
+  const auto all = make_properties<double>();
+  const auto found =
+      std::find_if(all.begin(), all.end(), [](const auto& p) { return p->name() == "lagrange"; });
+  ASSERT_NE(found, all.end());
+  const Property<double>& law = **found;
+  int large = 0, most = 0, far = 0;
+  for (std::uint64_t index = 0; index < 10000; ++index) {
+    Source source(Source::Key{7, 8, 9, index});
+    const std::vector<double> x = law.generate(source);
+    const int joints = shrinks::joints_of(x);
+    most = std::max(most, joints);
+    const TreeCase<double> c(TreeLayout::of_size(x.size()), x, x);
+    EXPECT_EQ(c.tree.joints.size(), static_cast<std::size_t>(joints));
+    far += std::any_of(c.v.begin(), c.v.end(), [](double v) { return std::fabs(v) > 1e3; });
+    if (joints <= tree_slots) continue;
+    ++large;
+    EXPECT_TRUE(law.takes(x.size()));
+    EXPECT_FALSE(law.takes(x.size() + 1));
+    for (const auto& y : law.simpler(x)) {
+      EXPECT_TRUE(shrinks::joints_of(y) < joints || y.size() == x.size());
+      EXPECT_TRUE(law.takes(y.size()));
+    }
+    EXPECT_EQ(shrinks::joints_of(law.simpler(x).at(0)), tree_slots);
+    EXPECT_EQ(shrinks::joints_of(shrinks::first_joints(x, 1)), 1);
+  }
+  EXPECT_NEAR(large, 33, 25);
+  EXPECT_GT(most, 20);
+  EXPECT_GT(far, 200);
 }
 
 }  // namespace
