@@ -43,17 +43,21 @@ class TreeMomentum final : public TreeLaw<TreeMomentum, S> {
       c.record(r, output, computed, half(h, part), {1, 1, 1}, part == 0 ? sizes.linear : sizes.angular,
                resolved);
     };
-    for (int part = 0; part < 2; ++part) {
-      if (o[op::tree_momentum]) {
-        const VecX<S> computed = o[op::tree_momentum](c.q, c.v).template segment<3>(3 * part);
-        record(part == 0 ? linear : angular, part, computed);
-      }
-      if (o[op::tree_momentum_map]) {
-        const MatX<S> A = o[op::tree_momentum_map](c.q).middleRows(3 * part, 3);
-        if (oracles::all_finite(A))
-          record(part == 0 ? map_linear : map_angular, part, exact_product(A, c.exact.v));
+    // Each operation is called once: a second call would hide that the first one returned an earlier result.
+    if (o[op::tree_momentum]) {
+      const VecX<S> computed = o[op::tree_momentum](c.q, c.v);
+      for (int part = 0; part < 2; ++part)
+        record(part == 0 ? linear : angular, part, VecX<S>(computed.template segment<3>(3 * part)));
+    }
+    if (o[op::tree_momentum_map]) {
+      const MatX<S> A = o[op::tree_momentum_map](c.q);
+      for (int part = 0; part < 2; ++part) {
+        const Output& output = part == 0 ? map_linear : map_angular;
+        const MatX<S> rows = A.middleRows(3 * part, 3);
+        if (oracles::all_finite(rows))
+          record(output, part, exact_product(rows, c.exact.v));
         else
-          r.outcome(part == 0 ? map_linear : map_angular, 0, Outcome::not_finite);
+          r.outcome(output, 0, Outcome::not_finite);
       }
     }
     if (o[op::tree_aba] && floats(c.exact.tree)) conservation<T>(o, c, r);
