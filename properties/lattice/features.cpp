@@ -31,6 +31,23 @@ double scale_of(Number size) {
   return static_cast<double>(std::log2(size)) / std::numeric_limits<S>::max_exponent;
 }
 
+/// The features of a body's rotational inertia I [3 x 3]; of several bodies, the smallest differences.
+template <class S>
+void add_body(Features& f, const S* I) {
+  Eigen::Matrix3d M;
+  S largest = 0;
+  for (int i = 0; i < 9; ++i) largest = std::max(largest, S(std::fabs(I[i])));
+  f[F::point] = larger(f[F::point], largest == S(0));
+  if (largest == S(0)) return;
+  for (int i = 0; i < 9; ++i) M(i / 3, i % 3) = static_cast<double>(I[i] / largest);
+  const Eigen::Vector3d m =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(M, Eigen::EigenvaluesOnly).eigenvalues();
+  const auto lower = [&f](F feature, double value) { f[feature] = std::fmin(f[feature], value); };
+  lower(F::moments_apart, std::min(m[1] - m[0], m[2] - m[1]) / m[2]);
+  lower(F::thin, std::fabs(m[0]) / m[2]);
+  lower(F::flat, (m[0] + m[1] - m[2]) / m[2]);
+}
+
 /// Sorts the numbers of one call's arguments into features.
 template <class S>
 class Sorter {
@@ -141,19 +158,7 @@ class Sorter {
       }
     raise(F::off_orthogonal, static_cast<double>(std::sqrt(sum) / std::numeric_limits<S>::epsilon()));
   }
-  void add_inertia(const S* I) {
-    Eigen::Matrix3d M;
-    S largest = 0;
-    for (int i = 0; i < 9; ++i) largest = std::max(largest, S(std::fabs(I[i])));
-    features_[F::point] = largest == S(0);
-    if (largest == S(0)) return;
-    for (int i = 0; i < 9; ++i) M(i / 3, i % 3) = static_cast<double>(I[i] / largest);
-    const Eigen::Vector3d m =
-        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(M, Eigen::EigenvaluesOnly).eigenvalues();
-    features_[F::moments_apart] = std::min(m[1] - m[0], m[2] - m[1]) / m[2];
-    features_[F::thin] = std::fabs(m[0]) / m[2];
-    features_[F::flat] = (m[0] + m[1] - m[2]) / m[2];
-  }
+  void add_inertia(const S* I) { add_body(features_, I); }
   /// A vector of a whole tree or robot.
   void add_joints(const Part& part, const S* x, int n) {
     double largest = 0;
@@ -201,6 +206,7 @@ Context context_of(const Tree<S>& tree) {
     if (j.armature > S(0)) f[F::armature] = 1;
     lightest = std::min(lightest, static_cast<double>(j.body.mass));
     heaviest = std::max(heaviest, static_cast<double>(j.body.mass));
+    add_body(f, j.body.I_C.x.data());
   }
   f[F::mass_ratio] = heaviest / lightest;
   if (tree.joints.size() >= 3) f[F::shape] = shape_of(tree);
