@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 #include <app/command.hpp>
+#include <campaign/coverage_report.hpp>
 #include <store/merge.hpp>
 #include <store/store_path.hpp>
+#include <store/stored_run.hpp>
 
 namespace liecheck::properties {
 
@@ -13,10 +15,25 @@ struct Flags {
   bool partial = false;
 };
 
+/// What a merged campaign with all cases still lacks: "" or a text. The classes and bands that a law must reach
+/// follow from all shards together, so no shard could check them.
+std::string lacking(const StoredCampaign& c, const std::string& name) {
+  const std::string open = c.not_measured();
+  if (!open.empty() || !c.complete()) return open;
+  try {
+    for (const auto& [series, tally] : result_of(c, name).result.series)
+      if (const auto lines = not_measured(*series, tally); !lines.empty())
+        return fmt::format("{} of {} in {}: {}", series->property, series->subject, series->scalar, lines[0]);
+  } catch (const std::runtime_error& e) {  // another version wrote it
+    return fmt::format("which classes of inputs it measured is unknown: {}", e.what());
+  }
+  return "";
+}
+
 int run(const Flags& f) {
   merge_into(f.out, f.in, f.partial);
   const StoredCampaign c = load_campaign(f.out);
-  const std::string open = c.not_measured();
+  const std::string open = lacking(c, f.out);
   const bool complete = c.complete() && open.empty();
   fmt::print("{}: cases {}..{} of {} series, {}{}{}\n", f.out, c.spec.first, c.spec.last, c.series.size(),
              complete ? "complete" : "incomplete", open.empty() ? "" : ": ", open);
