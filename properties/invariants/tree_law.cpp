@@ -21,10 +21,21 @@ bool thicker(const S* I, long double trace, long double least) {
   const auto second = [&](int k, bool diagonal) {
     return (diagonal ? 0.5L - least : 0.0L) - static_cast<long double>(I[k]) / trace;
   };
-  const long double xx = second(0, true), xy = second(1, false), yy = second(2, true), xz = second(3, false),
-                    yz = second(4, false), zz = second(5, true);
-  return trace > 0 && xx > 0 && xx * yy - xy * xy > 0 &&
-         xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * xz) + xz * (xy * yz - yy * xz) > 0;
+  const long double xy = second(1, false), xz = second(3, false), yz = second(4, false);
+  long double A[3][3] = {{second(0, true), xy, xz}, {xy, second(2, true), yz}, {xz, yz, second(5, true)}};
+  // Elimination with the largest pivot. In a determinant the two small eigenvalues of a needle are lost.
+  bool left[3] = {true, true, true};
+  for (int step = 0; step < 3; ++step) {
+    int p = -1;
+    for (int i = 0; i < 3; ++i)
+      if (left[i] && (p < 0 || A[i][i] > A[p][p])) p = i;
+    if (!(A[p][p] > 0)) return false;
+    left[p] = false;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j)
+        if (left[i] && left[j]) A[i][j] -= A[i][p] * A[p][j] / A[p][p];
+  }
+  return trace > 0;
 }
 /// Calls f(first, size) for each range of numbers that belong to a robot's state.
 template <class F>

@@ -135,17 +135,18 @@ TEST(TreeOracle, NoResultIsLargerThanTheSizesOfItsTerms) {
   }
 }
 
-TEST(RandomTrees, OneOf300HasUpTo40Joints) {
+TEST(RandomTrees, OneOf300HasUpTo40JointsAndEveryTreeIsValid) {
   const auto all = make_properties<double>();
   const auto found =
       std::find_if(all.begin(), all.end(), [](const auto& p) { return p->name() == "lagrange"; });
   ASSERT_NE(found, all.end());
   const Property<double>& law = **found;
-  int large = 0, most = 0, far = 0;
+  int large = 0, most = 0, far = 0, invalid = 0;
   for (std::uint64_t index = 0; index < 10000; ++index) {
     Source source(Source::Key{7, 8, 9, index});
     const std::vector<double> x = law.generate(source);
     const int joints = shrinks::joints_of(x);
+    invalid += !law.valid(x);
     most = std::max(most, joints);
     const TreeCase<double> c(TreeLayout::of_size(x.size()), x, x);
     EXPECT_EQ(c.tree.joints.size(), static_cast<std::size_t>(joints));
@@ -161,6 +162,7 @@ TEST(RandomTrees, OneOf300HasUpTo40Joints) {
     EXPECT_EQ(shrinks::joints_of(law.simpler(x).at(0)), tree_slots);
     EXPECT_EQ(shrinks::joints_of(shrinks::first_joints(x, 1)), 1);
   }
+  EXPECT_EQ(invalid, 0);
   EXPECT_NEAR(large, 33, 25);
   EXPECT_GT(most, 20);
   EXPECT_GT(far, 200);
