@@ -234,6 +234,15 @@ std::vector<Judged> TypedSeries<S>::measure(const std::vector<S>& x, const Limit
 }
 
 template <class S>
+std::vector<Judged> TypedSeries<S>::measure_case(const std::vector<S>& x, std::uint64_t index) const {
+  if (index % call_check_interval != 0) return measure(x);
+  const Checking checking(*this, index % cross_check_interval == 0);
+  std::vector<Judged> judged = measure(x);
+  checking.judge(judged);
+  return judged;
+}
+
+template <class S>
 std::vector<Judged> TypedSeries<S>::measure_twice(const std::vector<S>& x) const {
   std::vector<Judged> judged = measure(x);
   confirm(x, judged);

@@ -40,6 +40,8 @@ class TypedSeries final : public Series {
 
   std::vector<Judged> measure(const std::vector<S>& x) const { return measure(x, limits_); }
   std::vector<Judged> measure(const std::vector<S>& x, const Limits& limits) const;
+  /// Measures like run(): checks the calls of one case in four.
+  std::vector<Judged> measure_case(const std::vector<S>& x, std::uint64_t index) const;
   /// Measures like replay().
   std::vector<Judged> measure_twice(const std::vector<S>& x) const;
   /// Measures by ball arithmetic alone. Returns false if a verdict stays open.

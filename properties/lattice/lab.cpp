@@ -63,7 +63,7 @@ std::vector<Judged> Lab<S>::run(const LawRun& law, std::uint64_t index) {
   std::vector<Judged> judged;
   const auto measure = [&] {
     const typename Wrapped<S, Watcher<S>>::Active active(wrapped_);
-    judged = law.series->measure(x);
+    judged = law.series->measure_case(x, index);
   };
   if (index % second_thread_interval == second_thread_interval - 1)
     std::thread(measure).join();
