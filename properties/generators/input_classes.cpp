@@ -11,7 +11,7 @@ namespace {
 using float128 = boost::multiprecision::float128;
 
 // Each list is in the order of the bits below.
-const std::vector<InputClass> vectors = {{"zero", 3500},
+const std::vector<InputClass> vectors = {{"zero", 80},
                                          {"minus zero", 60},
                                          {"along an axis", 60},
                                          {"unit scale", 4},
@@ -20,7 +20,9 @@ const std::vector<InputClass> vectors = {{"zero", 3500},
                                          {"1e-150, in float 1e-18", 150, Reach::full},
                                          {"1e150, in float 1e18", 150, Reach::full},
                                          {"equal to the previous one", 20, Reach::beside},
-                                         {"near the previous one", 20, Reach::beside}};
+                                         {"near the previous one", 20, Reach::beside},
+                                         {"squares underflow", 200, Reach::full},
+                                         {"squares overflow", 200, Reach::full}};
 const std::vector<InputClass> rotation_vectors = {{"zero", 50},
                                                   {"subnormal", 60},
                                                   {"theta^2 underflows", 80},
@@ -93,13 +95,16 @@ template <class S>
 std::uint32_t of_vector(std::span<const S> x, std::span<const S> earlier) {
   using std::fabs, std::ldexp, std::signbit;
   static const S small = ldexp(S(1), -5), large = ldexp(S(1), 5), low = ldexp(S(1), 4 - widest<S>),
-                 high = ldexp(S(1), widest<S> - 4), sixteenth = ldexp(S(1), -4), sixteen = ldexp(S(1), 4);
+                 high = ldexp(S(1), widest<S> - 4), sixteenth = ldexp(S(1), -4), sixteen = ldexp(S(1), 4),
+                 least_square = ldexp(S(1), std::numeric_limits<S>::min_exponent / 2),
+                 largest_square = ldexp(S(1), std::numeric_limits<S>::max_exponent / 2);
   const S m = largest(x);
   const bool minus_zero = std::any_of(x.begin(), x.end(), [](const S& v) { return v == S(0) && signbit(v); });
   std::uint32_t c = bit(m == S(0), 0) | bit(minus_zero, 1) |
                     bit(m > S(0) && zeros(x) + 1 == int(x.size()), 2) |
                     bit(m >= sixteenth && m <= sixteen, 3) | bit(m > S(0) && m < small, 4) |
-                    bit(m > large, 5) | bit(m > S(0) && m <= low, 6) | bit(m >= high, 7);
+                    bit(m > large, 5) | bit(m > S(0) && m <= low, 6) | bit(m >= high, 7) |
+                    bit(m > S(0) && m < least_square, 10) | bit(m > largest_square, 11);
   if (!earlier.empty()) {
     S d(0);
     for (std::size_t i = 0; i < x.size(); ++i) d = std::max(d, S(fabs(S(x[i] - earlier[i]))));

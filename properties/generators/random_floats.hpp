@@ -70,4 +70,17 @@ S magnitude(Source& source, int binades) {
   }
 }
 
+/// The unit of one group of a law's numbers: they are scaled by 2^exponent.
+struct Unit {
+  std::size_t first, count;
+  int exponent;
+};
+/// Scales groups of numbers by powers of two.
+template <class S>
+void scale(std::vector<S>& x, std::initializer_list<Unit> units) {
+  using std::ldexp;
+  for (const Unit& unit : units)
+    for (std::size_t i = unit.first; i < unit.first + unit.count; ++i) x[i] = S(ldexp(x[i], unit.exponent));
+}
+
 }  // namespace liecheck::properties

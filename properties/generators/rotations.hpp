@@ -41,29 +41,30 @@ S angle(Source& source, AngleRange range) {
   using std::ldexp, std::sqrt;
   constexpr int digits = std::numeric_limits<S>::digits;
   static const S pi = boost::math::constants::pi<S>();
-  const auto near_zero = [&] { return binade_uniform<S>(source, -digits - 16, 1); };
-  const int kind = source.between(0, range == AngleRange::to_pi ? 19 : 24);
-  if (kind == 0) return S(0);
-  if (kind == 1) return source.chance(1, 2) ? subnormal<S>(source) : std::numeric_limits<S>::min();
-  if (kind == 2) {
+  // Of 100 angles up to pi, 46 are uniform: 1 % of (0, pi) then has 4 of 1000 cases.
+  const int kind = source.between(0, range == AngleRange::to_pi ? 99 : 123);
+  if (kind <= 2) return S(0);
+  if (kind <= 5) return source.chance(1, 2) ? subnormal<S>(source) : std::numeric_limits<S>::min();
+  if (kind <= 8) {
     const int lowest = std::numeric_limits<S>::min_exponent;
     return binade_uniform<S>(source, lowest, -digits - 16);
   }
-  if (kind <= 8) return near_zero();
-  if (kind <= 10) {
+  if (kind <= 26) return binade_uniform<S>(source, -digits - 16, 1);
+  if (kind <= 35) {
     const auto& cutoffs = common_cutoffs<S>();
     const S t = step_ulps(cutoffs[source.below(cutoffs.size() - (range == AngleRange::to_pi ? 4 : 0))],
                           source.between(-3, 3));
     return t;
   }
-  if (kind <= 16) {
+  if (kind <= 53) {
     S t = pi - binade_uniform<S>(source, -digits - 1, 1);
-    if (source.chance(1, 6)) t = step_ulps(pi, source.between(-3, 0));
+    if (source.chance(1, 4)) t = step_ulps(pi, source.between(-3, 0));
     return t > S(0) ? t : -t;
   }
-  if (kind <= 19) return pi * source.unit<S>();
-  if (kind <= 21) return pi * (S(1) + source.unit<S>());
-  if (kind <= 23) {
+  if (kind <= 99) return pi * source.unit<S>();
+  if (kind <= 108) return pi + binade_uniform<S>(source, -digits + 1, 1);
+  if (kind <= 115) return pi * (S(1) + source.unit<S>());
+  if (kind <= 120) {
     const S t = S(2 * source.between(1, 4)) * pi;
     const S d = binade_uniform<S>(source, -digits, 0);
     return source.chance(1, 2) ? S(t + d) : S(t - d);
@@ -119,13 +120,30 @@ inline constexpr int widest = std::numeric_limits<S>::max_exponent / 256 * 125;
 template <>
 inline constexpr int widest<float> = 62;
 
-/// Three magnitudes, or a direction times one scale.
+/// The exponent of the smallest subnormal numbers.
+template <class S>
+inline constexpr int least_exponent =
+    std::numeric_limits<S>::min_exponent - std::numeric_limits<S>::digits + 1;
+/// The exponent of large sizes, whose squares overflow. They are finite even over the square of the distance
+/// between a rounded angle and a pole at 2 pi k, or times the square of 1e8 rad.
+template <class S>
+inline constexpr int largest_exponent =
+    std::numeric_limits<S>::max_exponent - 2 * std::numeric_limits<S>::digits - 10;
+
+/// Zero, three magnitudes, or a direction times one scale. Without a limit of the exponents, this scale is
+/// sometimes subnormal, or so large that squares overflow.
 template <class S>
 Eigen::Matrix<S, 3, 1> vector3(Source& source, int binades = widest<S>) {
-  if (source.chance(1, 4)) {  // one scale for all, often the smallest or the largest
+  const std::uint64_t kind = source.below(100);
+  if (kind <= 2) return Eigen::Matrix<S, 3, 1>::Zero();
+  if (kind <= 27) {  // one scale for all, often the smallest or the largest
     using std::ldexp;
     const int beyond = binades + binades / 8;
-    const int exponent = std::clamp(source.between(-beyond, beyond), -binades, binades);
+    int exponent = std::clamp(source.between(-beyond, beyond), -binades, binades);
+    // Seldom, because processors are slow with subnormal numbers.
+    if (kind <= 4 && binades == widest<S>)
+      exponent = kind == 3 ? source.between(least_exponent<S>, -binades)
+                           : source.between(binades, largest_exponent<S>);
     const S scale = S(ldexp(S(1) + source.unit<S>(), exponent));
     return scale * direction<S>(source);
   }
@@ -140,19 +158,21 @@ Eigen::Matrix<S, 4, 1> unit_quaternion(Source& source) {
   constexpr int digits = std::numeric_limits<S>::digits;
   Eigen::Matrix<S, 4, 1> q;
   const auto n = direction<S>(source);
-  switch (source.below(8)) {
+  switch (source.below(16)) {
     case 0:
       q << S(0), S(0), S(0), S(1);
       break;
     case 1:
-    case 2: {  // near the identity
+    case 2:
+    case 3: {  // near the identity
       const S s = binade_uniform<S>(
           source, source.chance(1, 4) ? std::numeric_limits<S>::min_exponent - digits / 2 : -digits - 16, 0);
       q << s * n, S(sqrt((S(1) - s) * (S(1) + s)));
       break;
     }
-    case 3:
-    case 4: {  // near theta = pi
+    case 4:
+    case 5:
+    case 6: {  // near theta = pi
       const S w = source.chance(1, 6) ? S(0) : binade_uniform<S>(source, -digits - 8, 0);
       q << S(sqrt((S(1) - w) * (S(1) + w))) * n, w;
       break;
@@ -191,36 +211,31 @@ Eigen::Matrix<S, 4, 1> quaternion_product(const Eigen::Matrix<S, 4, 1>& a, const
           S(S(a[3] * b[3] - a[0] * b[0]) - S(a[1] * b[1] + a[2] * b[2]))};
 }
 
-/// A quaternion equal to Q0 or -Q0, a few ulps from it, near it, at an angle near pi from it, or any other.
+/// A quaternion equal to Q0 or -Q0, a few ulps from it, near it, at an angle near pi or any angle from it, or
+/// one that does not depend on Q0.
 template <class S>
 Eigen::Matrix<S, 4, 1> quaternion_near(Source& source, const Eigen::Matrix<S, 4, 1>& Q0) {
   using std::sqrt;
   Eigen::Matrix<S, 4, 1> q = Q0;
-  switch (source.below(8)) {
-    case 0:
-      break;
-    case 1:
+  const std::uint64_t kind = source.below(32);
+  if (kind <= 5) {
+    if (kind > 2)
       for (int i = 0; i < 4; ++i) q[i] = step_ulps(q[i], source.between(-2, 2));
-      break;
-    case 2:
-    case 3:
-    case 4:
-    case 5: {
-      const S s = binade_uniform<S>(source, -std::numeric_limits<S>::digits - 4, 0);
-      Eigen::Matrix<S, 4, 1> d;
-      d << s * direction<S>(source), S(sqrt((S(1) - s) * (S(1) + s)));
-      if (source.chance(1, 3)) {  // a relative angle near pi instead
-        const S w = d[3];
-        const S norm = S(sqrt(d.template head<3>().squaredNorm()));
-        d.template head<3>() *= w / norm;
-        d[3] = norm;
-      }
-      q = quaternion_product<S>(Q0, d);
-      q /= S(sqrt(q.squaredNorm()));
-      break;
-    }
-    default:
-      q = unit_quaternion<S>(source);
+  } else if (kind <= 24) {
+    // A relative angle near 0 or near pi has a log-uniform sine or cosine. Any other has a uniform cosine.
+    const bool near = kind <= 15;
+    const S s =
+        near ? binade_uniform<S>(source, -std::numeric_limits<S>::digits - 4, 0) : source.symmetric<S>();
+    const S c = S(sqrt((S(1) - s) * (S(1) + s)));
+    Eigen::Matrix<S, 4, 1> d;
+    if (near && source.chance(2, 3))
+      d << s * direction<S>(source), c;
+    else
+      d << c * direction<S>(source), s;
+    q = quaternion_product<S>(Q0, d);
+    q /= S(sqrt(q.squaredNorm()));
+  } else {
+    q = unit_quaternion<S>(source);
   }
   if (source.chance(1, 4)) q = -q;
   return q;

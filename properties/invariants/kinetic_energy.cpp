@@ -37,33 +37,47 @@ class KineticEnergy final : public Law<KineticEnergy, S> {
   std::vector<S> generate(Source& source) const override {
     std::vector<S> input;
     append(input, rotation_matrix<S>(unit_quaternion<S>(source)));
+    const std::uint64_t extreme = source.below(32);
+    const int binades = extreme <= 1 ? 2 : limit;
     append(input, vector3<S>(source, binades));
     const S mass =
         source.chance(1, 2) ? S(source.between(1, 16)) : binade_uniform<S>(source, -binades, binades);
     input.push_back(mass);
     append(input, vector3<S>(source, binades));
-    const Mat<S, 3> I = inertia(source, mass);
+    const Mat<S, 3> I = inertia(source, mass, binades);
     for (const auto& [i, j] : unique) input.push_back(I(i, j));
     append(input, vector3<S>(source, binades));
     append(input, vector3<S>(source, binades));
+    // Units in which velocities, or lengths, are very small or large, but energies are not. The energy contains
+    // squares of the sizes, so these are at most the root of the largest number.
+    if (extreme <= 1) {
+      const int most = (std::numeric_limits<S>::max_exponent - 32) / 2, e = source.between(-most, most);
+      if (extreme == 0)
+        scale(input, {{12, 1, -2 * e}, {16, 6, -2 * e}, {22, 6, e}});
+      else
+        scale(input, {{9, 3, e}, {12, 1, -2 * e}, {13, 3, e}, {22, 3, e}});
+    }
     return input;
   }
 
   /// R must be near a rotation, m > 0, and I_C that of a physical body: its second moment tr(I_C) / 2 - I_C
-  /// is positive semidefinite, up to the rounding of I_C.
+  /// is positive semidefinite, up to the rounding of I_C. The products of the law are finite.
   bool valid(const std::vector<S>& input) const override {
-    using std::abs, std::ldexp;
     if (!Property<S>::valid(input)) return false;
     using oracles::Real;
     const Case<Real> x(input);
-    const S largest = S(ldexp(S(1), binades + 2));
-    for (std::size_t i = 0; i < input.size(); ++i)
-      if ((i < 16 || i >= 22) && S(abs(input[i])) > largest) return false;
+    const Real m = x.I_e.mass, c = norm(x.I_e.c), p = norm(x.X_e.p), u = norm(head3(x.V_e)),
+               w = norm(tail3(x.V_e)), moment = norm(x.I_e.I_C), lever = c + 2 * p, s = u + w * lever;
+    const Real largest = oracles::two_to<Real>(std::numeric_limits<S>::max_exponent - 8);
+    for (const Real& product :
+         {m, Real(lever * lever), Real(s * s), Real(w * w), Real(m * lever), Real(m * lever * lever),
+          Real(m * s), Real(m * s * lever), Real(m * s * s), moment, Real(moment * w), Real(moment * w * w)})
+      if (product > largest) return false;
     const Real eps32 = 32 * oracles::epsilon<S>();
     const auto& R = x.X_e.R;
     const auto& I = x.I_e.I_C;
     const Real trace = I(0, 0) + I(1, 1) + I(2, 2);
-    if (!(x.I.mass > S(0)) || trace < 0 || trace > ldexp(Real(1), 3 * binades + 8)) return false;
+    if (!(x.I.mass > S(0)) || trace < 0) return false;
     using oracles::Real100;  // the determinant of a needle is only eps^2 times its terms
     oracles::Mat3<Real100> second = Real100(-1) * oracles::cast<Real100>(I);
     for (int i = 0; i < 3; ++i) second(i, i) += Real100(trace) / 2 + Real100(eps32) * Real100(trace);
@@ -119,7 +133,7 @@ class KineticEnergy final : public Law<KineticEnergy, S> {
   }
 
  private:
-  static constexpr int binades = std::numeric_limits<S>::max_exponent / 8;
+  static constexpr int limit = std::numeric_limits<S>::max_exponent / 8;
   static constexpr auto one = [] { return 1.0; };
   static constexpr std::pair<int, int> unique[] = {{0, 0}, {0, 1}, {1, 1}, {0, 2}, {1, 2}, {2, 2}};
 
@@ -157,13 +171,13 @@ class KineticEnergy final : public Law<KineticEnergy, S> {
     }
   }
   /// A random inertia, from radii of gyration about the principal axes or from a cloud of 3 to 5 points.
-  static Mat<S, 3> inertia(Source& source, const S& mass) {
+  static Mat<S, 3> inertia(Source& source, const S& mass, int binades) {
     Mat<S, 3> I = Mat<S, 3>::Zero();
-    const auto length = [&] {
+    const auto length = [&source, binades] {
       return source.chance(1, 2) ? S(source.unit<S>()) : binade_uniform<S>(source, -binades, binades);
     };
     Vec<S, 3> a = Vec<S, 3>::Zero();  // radii of gyration
-    switch (source.below(8)) {
+    switch (source.below(9)) {
       case 0:  // a point mass
         return I;
       case 1:  // a homogeneous sphere
@@ -184,6 +198,12 @@ class KineticEnergy final : public Law<KineticEnergy, S> {
       case 5:  // three independent radii
         a << length(), length(), length();
         break;
+      case 6: {  // nearly a sphere
+        const S l = length();
+        for (int k = 0; k < 3; ++k)
+          a[k] = l + l * binade_uniform<S>(source, -std::numeric_limits<S>::digits, -4);
+        break;
+      }
       default: {  // a cloud
         const int count = source.between(3, 5);
         const S scale = length();

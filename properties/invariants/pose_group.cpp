@@ -19,14 +19,14 @@ class PoseGroup final : public Law<PoseGroup, S> {
       .outputs = {op::compose[block::matrix], op::compose[block::translation], op::inverse[block::matrix],
                   op::inverse[block::translation], op::act_point[block::point]},
       .fields = {{"R", Kind::rotation_matrix, 9, "1"},
-                 {"p", Kind::vector, 3, "m"},
+                 {"p", Kind::vector, 3, "m", Reach::full},
                  {"R_Y", Kind::rotation_matrix, 9, "1"},
-                 {"p_Y", Kind::vector, 3, "m"}}};
+                 {"p_Y", Kind::vector, 3, "m", Reach::full}}};
   std::vector<S> generate(Source& source) const override {
     std::vector<S> x;
     for (int i = 0; i < 2; ++i) {
       append(x, rotation_matrix<S>(unit_quaternion<S>(source)));
-      append(x, vector3<S>(source, std::numeric_limits<S>::max_exponent / 8));
+      append(x, vector3<S>(source));
     }
     return x;
   }

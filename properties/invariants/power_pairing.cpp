@@ -43,19 +43,37 @@ class PowerPairing final : public Law<PowerPairing, S> {
     std::vector<S> input;
     const Vec<S, 4> Q = unit_quaternion<S>(source);
     append(input, rotation_matrix<S>(Q));
-    for (int i = 0; i < 7; ++i) append(input, vector3<S>(source, binades));  // p u w f n u_W w_W
+    const std::uint64_t extreme = source.below(32);
+    for (int i = 0; i < 7; ++i)  // p u w f n u_W w_W
+      append(input, vector3<S>(source, extreme <= 1 ? 2 : binades));
     append(input, Q);
+    // Units in which velocities, or lengths, are tiny or their squares overflow, but no product of the law.
+    // Lengths are not subnormal: their last digit is then larger than eps, and a velocity multiplies it.
+    if (extreme <= 1) {
+      const int most = largest_exponent<S>;
+      const int e = source.between(extreme == 0 ? least_exponent<S> : -most, most),
+                inverse = std::min(-e, most);
+      if (extreme == 0)
+        scale(input, {{12, 6, e}, {18, 12, inverse}});
+      else
+        scale(input, {{9, 3, e}, {15, 3, inverse}, {21, 3, e}, {27, 3, e}});
+    }
     return input;
   }
   bool valid(const std::vector<S>& input) const override {
-    using std::abs, std::ldexp;
     if (!Property<S>::valid(input)) return false;
-    const S largest = S(ldexp(S(1), binades + 2));
-    for (const S& x : input)
-      if (S(abs(x)) > largest) return false;
     Reader<S> reader(input);
     const auto R = oracles::exact_matrix<3, 3, Real>(reader.take_matrix());
-    reader.template take<21>();
+    const auto length = [&reader] {
+      return Real(norm(oracles::exact_vector<3, Real>(reader.template take<3>())));
+    };
+    const Real p = length(), u = length(), w = length(), f = length(), n = length(), u_W = length(),
+               w_W = length(), a = u + p * w, b = n + p * f;
+    // Every product of the law, and every number, is finite.
+    const Real largest = oracles::two_to<Real>(std::numeric_limits<S>::max_exponent - 8);
+    for (const Real& product :
+         {a, b, Real(f * a + b * w), Real(w * (u_W + w_W + f + n) + u * (w_W + f)), Real(u_W + w_W)})
+      if (product > largest) return false;
     const auto Q = oracles::exact_vector<4, Real>(reader.template take<4>());
     const Real slack = 32 * oracles::epsilon<S>();
     return oracles::orthogonality_distance(R) <= slack && determinant(R, cofactors(R)) > 0 &&
@@ -150,8 +168,10 @@ class PowerPairing final : public Law<PowerPairing, S> {
     const auto A = oracles::power(oracles::exact_vector<6, Real>(F_A), oracles::exact_vector<6, Real>(V_A));
     const auto B = oracles::power(F_B, V_B);
     if (!A.resolved || !B.resolved) return recorder.outcome(output, 0, Outcome::unresolved);
-    const Real p = norm(X.p), u = norm(head3(V_B)), w = norm(tail3(V_B)), f = norm(head3(F_B)),
-               n = norm(tail3(F_B));
+    // A smaller number is rounded to eps times the smallest normal number.
+    const Real normal = oracles::two_to<Real>(std::numeric_limits<S>::min_exponent - 1);
+    const Real p = norm(X.p), u = norm(head3(V_B)) + normal, w = norm(tail3(V_B)) + normal,
+               f = norm(head3(F_B)) + normal, n = norm(tail3(F_B)) + normal;
     const Real scale = f * (u + p * w) + (n + p * f) * w;
     recorder.record(output, 0, oracles::scalar_error<S>(A.value, B.value, scale), [] { return 1.0; });
   }

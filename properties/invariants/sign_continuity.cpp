@@ -20,10 +20,10 @@ class SignContinuity final : public Law<SignContinuity, S> {
       .fields = {{"p0", Kind::vector, 3, "m"},
                  {"Q0", Kind::quaternion, 4, "1"},
                  {"rho", Kind::vector, 3, "m"},
-                 {"phi", Kind::rotation_vector, 3, "rad"}}};
+                 {"phi", Kind::rotation_vector, 3, "rad", Reach::full}}};
   std::vector<S> generate(Source& source) const override {
     return Joined<S>{vector3<S>(source, 8), unit_quaternion<S>(source), vector3<S>(source, 8),
-                     rotation_vector<S>(source, AngleRange::to_pi)};
+                     rotation_vector<S>(source, AngleRange::unbounded)};
   }
   bool valid(const std::vector<S>& x) const override {
     return Property<S>::valid(x) && norm_defect_at<S>(x, 3) <= 8;

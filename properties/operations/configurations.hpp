@@ -41,12 +41,12 @@ inline constexpr Block tangent_coupling{
 
 inline constexpr auto d_integrate_arg0 = operation<struct DIntegrateArg0>(
     {"d_integrate_arg0", "d integrate(q0, delta) / d q0 = Ad(exp(-delta))", adjoint_source}, J6_tangent,
-    {jacobian6, tangent_coupling},
-    {configuration_header, "dIntegrateSE3<S>(q0, delta, ArgumentPosition::ARG0)"}, q0, delta);
+    {jacobian6, coupling6}, {configuration_header, "dIntegrateSE3<S>(q0, delta, ArgumentPosition::ARG0)"}, q0,
+    delta);
 inline constexpr auto d_integrate_arg1 = operation<struct DIntegrateArg1>(
     {"d_integrate_arg1", "d integrate(q0, delta) / d delta = J_r(delta)", adjoint_source}, J6_tangent,
-    {jacobian6, tangent_coupling},
-    {configuration_header, "dIntegrateSE3<S>(q0, delta, ArgumentPosition::ARG1)"}, q0, delta);
+    {jacobian6, coupling6}, {configuration_header, "dIntegrateSE3<S>(q0, delta, ArgumentPosition::ARG1)"}, q0,
+    delta);
 inline constexpr auto d_difference_arg0 = operation<struct DDifferenceArg0>(
     {"d_difference_arg0", "d difference(q0, q1) / d q0 = -J_l(difference)^-1", adjoint_source}, J6_tangent,
     {jacobian6, tangent_coupling},

@@ -46,8 +46,6 @@ inline constexpr auto log6 = operation<struct Log6>(
 inline constexpr Block jacobian3{block::jacobian, "|J - J_exact|, Frobenius", "|J_exact|", "1"};
 inline constexpr Block jacobian3_jump{
     block::jump, "|(J+ - J+_exact) - (J- - J-_exact)| over adjacent inputs, Frobenius", "|J_exact|", "1"};
-inline constexpr Block coupling6{block::coupling, "|C - C_exact| of the upper right 3 x 3 block, Frobenius",
-                                 "|C_exact|; beyond pi max(|C_exact|, |rho| min(1, |J_exact|))", "m"};
 inline constexpr Block coupling6_jump{
     block::jump,
     "|(C+ - C+_exact) - (C- - C-_exact)| of the upper right block over adjacent inputs, Frobenius",

@@ -126,6 +126,8 @@ inline constexpr Block rotation_vector{block::rotation_vector, "|phi - phi_exact
 /// Both diagonal blocks of a 6 x 6 Jacobian; infinite if the block below them is not zero.
 inline constexpr Block jacobian6{
     block::jacobian, "larger |J - J_exact| of the two 3 x 3 diagonal blocks, Frobenius", "|J_exact|", "1"};
+inline constexpr Block coupling6{block::coupling, "|C - C_exact| of the upper right 3 x 3 block, Frobenius",
+                                 "|C_exact|; beyond pi max(|C_exact|, |rho| min(1, |J_exact|))", "m"};
 
 }  // namespace op
 }  // namespace liecheck::properties

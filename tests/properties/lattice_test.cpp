@@ -171,6 +171,45 @@ TEST(Lattice, FindsAFaultInTheSameCaseAsARunOfAllCasesDoes) {
   EXPECT_NE(verdict.by.find("exp6, translation"), std::string::npos) << verdict.by;
 }
 
+/// A rotation vector or a twist, too long by 2^-30 of itself if its angle is in [1.1, 1.2).
+template <int N>
+Vec<double, N> stretched(const Vec<double, N>& x) {
+  const double theta = x.template tail<3>().norm();
+  return theta >= 1.1 && theta < 1.2 ? Vec<double, N>(x * (1 + 0x1p-30)) : x;
+}
+/// The inverse of stretched.
+template <int N>
+Vec<double, N> shrunk(const Vec<double, N>& x) {
+  const Vec<double, N> shorter = x / (1 + 0x1p-30);
+  return stretched<N>(shorter) == shorter ? x : shorter;
+}
+
+TEST(Lattice, FindsTwoFaultsThatCancelInARoundTrip) {
+  Subject<double> faulty{"faulty", "", {}};
+  auto& o = faulty.operations;
+  static const auto& good = liecheck_subject().operations;
+  o[op::exp3_quaternion] = [](const V3& phi) { return good[op::exp3_quaternion](stretched<3>(phi)); };
+  o[op::exp3_matrix] = [](const V3& phi) { return good[op::exp3_matrix](stretched<3>(phi)); };
+  o[op::exp6] = [](const V6& xi) { return good[op::exp6](stretched<6>(xi)); };
+  o[op::integrate] = [](const auto& q, const V6& d) { return good[op::integrate](q, stretched<6>(d)); };
+  o[op::log3_quaternion] = [](const auto& Q) { return shrunk<3>(good[op::log3_quaternion](Q)); };
+  o[op::log3_matrix] = [](const auto& R) { return shrunk<3>(good[op::log3_matrix](R)); };
+  o[op::log6] = [](const auto& X) { return shrunk<6>(good[op::log6](X)); };
+  o[op::difference] = [](const auto& a, const auto& b) { return shrunk<6>(good[op::difference](a, b)); };
+  std::set<std::string_view> found;
+  for (const char* name : {"exp_oracle", "integrate_difference", "log_oracle"})
+    for (auto& law : make_properties<double>()) {
+      if (law->name() != name) continue;
+      const TypedSeries<double> series(std::move(law), faulty, built_in_robot());
+      for (std::uint64_t i = 0; i < 1000; ++i)
+        for (const Judged& j : series.replay(series.id(42, i)))
+          if (j.failed) found.insert(series.outputs.at(j.residual.output).operation);
+    }
+  EXPECT_EQ(found, (std::set<std::string_view>{"exp3_quaternion", "exp3_matrix", "exp6", "integrate",
+                                               "log3_quaternion", "log3_matrix", "log6", "difference"}))
+      << "the round trips are right, and each operation is wrong";
+}
+
 TEST(Lattice, AFaultIsFoundInABaseThatFailsAnotherBlockOfTheCase) {
   Subject<double> base{"partly wrong", "", {}};
   base.operations[op::exp3_matrix] = [](const V3& phi) {
