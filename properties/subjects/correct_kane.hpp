@@ -8,7 +8,6 @@
 // u = J_u v is the velocity of a joint's origin o, w = J_w v its angular velocity. Lever arms are summed
 // along the tree, so that its distance from the world's origin does not matter. Source: Kane & Levinson 1985.
 
-#include <Eigen/Cholesky>
 #include <subjects/correct_tree_parts.hpp>
 
 namespace liecheck::properties::correct {
@@ -19,16 +18,7 @@ class KaneTree : TreeParts<S> {
   using B = TreeParts<S>;
   using typename B::M, typename B::M3, typename B::M6, typename B::V3, typename B::V6, typename B::X;
 
-  explicit KaneTree(const Tree<S>& tree) : B(tree) {
-    for (std::size_t i = 0; i < tree.joints.size(); ++i)
-      bodies_.push_back(
-          {i, tree.joints[i].body.mass, vector(tree.joints[i].body.c), B::inertia(tree.joints[i].body)});
-    for (const auto& b : tree.fixed) {
-      const M3 R = rotation(b.Q);
-      bodies_.push_back({static_cast<std::size_t>(b.joint), b.body.mass, R * vector(b.body.c) + vector(b.p),
-                         R * B::inertia(b.body) * R.transpose()});
-    }
-  }
+  explicit KaneTree(const Tree<S>& tree) : B(tree), bodies_(B::bodies()) {}
 
   X rnea(const X& q, const X& v, const X& a, int joint, const V6& F) const {
     return torque(at(q, v), v, a, joint, F);
@@ -43,10 +33,6 @@ class KaneTree : TreeParts<S> {
     }
     A.diagonal() += armature_;
     return (A + A.transpose()) / 2;
-  }
-  M inverse_mass(const X& q) const { return mass(q).ldlt().solve(M::Identity(tree_.nv, tree_.nv)); }
-  X aba(const X& q, const X& v, const X& tau, int joint, const V6& F) const {
-    return mass(q).ldlt().solve(tau - rnea(q, v, X::Zero(tree_.nv), joint, F));
   }
   // It has no derivatives: those of forces in world axes lose what a rotation of the whole tree cancels.
 
@@ -109,12 +95,7 @@ class KaneTree : TreeParts<S> {
 
  private:
   using Rows = Eigen::Matrix<S, 3, Eigen::Dynamic>;
-  struct Rigid {
-    std::size_t joint;
-    S mass;
-    V3 c;  ///< from the joint's origin, in its axes
-    M3 I;  ///< at the centre of mass
-  };
+  using Rigid = typename B::Centred;
   struct Link {
     M3 R;
     V3 o;

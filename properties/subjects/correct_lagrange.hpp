@@ -8,7 +8,6 @@
 // The forward dynamics is a solution of M a = tau - h with M = L D L^T, and derivatives follow from dual
 // numbers. No recursion of Featherstone is used. Sources: Paul 1981, chapter 6; Featherstone 2008, chapter 2.
 
-#include <Eigen/Cholesky>
 #include <subjects/correct_tree_parts.hpp>
 
 namespace liecheck::properties::correct {
@@ -40,25 +39,10 @@ class DenseTree : TreeParts<S> {
     A.template triangularView<Eigen::StrictlyUpper>() = A.transpose().eval();
     return A;
   }
-  M inverse_mass(const X& q) const { return mass(q).ldlt().solve(M::Identity(tree_.nv, tree_.nv)); }
-  X aba(const X& q, const X& v, const X& tau, int joint, const V6& F) const {
-    return mass(q).ldlt().solve(tau - rnea(q, v, X::Zero(tree_.nv), joint, F));
-  }
   std::pair<M, M> rnea_derivatives(const X& q, const X& v, const X& a, int joint, const V6& F) const {
-    M by_q(tree_.nv, tree_.nv), by_v = by_q;
-    for (int k = 0; k < tree_.nv; ++k) {
-      const X e = X::Unit(tree_.nv, k);
-      VecX<D> moving = v.template cast<D>();
-      by_q.col(k) = derivative(torque<D>(at<D>(q, moving, e), moving, a, joint, F));
-      moving[k].d = S(1);
-      by_v.col(k) = derivative(torque<D>(at<D>(q, moving), moving, a, joint, F));
-    }
-    return {by_q, by_v};
-  }
-  std::pair<M, M> aba_derivatives(const X& q, const X& v, const X& tau, int joint, const V6& F) const {
-    const auto [by_q, by_v] = rnea_derivatives(q, v, aba(q, v, tau, joint, F), joint, F);
-    const auto factor = mass(q).ldlt();
-    return {M(-factor.solve(by_q)), M(-factor.solve(by_v))};
+    return B::derivatives(v, [&](const VecX<D>& moving, const X& moved) {
+      return torque<D>(at<D>(q, moving, moved), moving, a, joint, F);
+    });
   }
 
   S kinetic_energy(const X& q, const X& v) const {
@@ -188,7 +172,7 @@ class DenseTree : TreeParts<S> {
     return to_parent<S>(X.R, seen == Seen::world ? X.p : V3(V3::Zero()));
   }
 
-  using B::armature_, B::columns_, B::derivative, B::gravity_, B::joint, B::rotation, B::tree_, B::vector;
+  using B::armature_, B::columns_, B::gravity_, B::joint, B::rotation, B::tree_, B::vector;
   std::vector<Rigid> bodies_;
 };
 

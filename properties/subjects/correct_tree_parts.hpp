@@ -1,6 +1,8 @@
 #pragma once
-// What the subjects correct:lagrange and correct:kane share: dual numbers, and the joints of a tree.
+// What the correct implementations of trees share: dual numbers, the joints and bodies of a tree, and the
+// operations that solve with the mass matrix.
 
+#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <cmath>
 #include <memory>
@@ -71,7 +73,7 @@ Mat<T, 6> ad(const Vec<T, 6>& V) {
   return four<T>(w, hat<T>(V.template head<3>()), Mat<T, 3>::Zero(), w);
 }
 
-/// The joints of a tree: poses, motion subspaces and armatures.
+/// The joints of a tree (poses, motion subspaces and armatures) and its bodies.
 template <class S>
 class TreeParts {
  public:
@@ -189,10 +191,42 @@ class TreeParts {
     }
     return X;
   }
-  static X derivative(const VecX<D>& tau) {
-    X d(tau.size());
-    for (int k = 0; k < tau.size(); ++k) d[k] = tau[k].d;
-    return d;
+  /// The derivatives of torque(v, moved), where `moved` displaces the coordinates if it is not empty.
+  template <class Torque>
+  std::pair<M, M> derivatives(const X& v, const Torque& torque) const {
+    const auto of = [](const VecX<D>& tau) -> X {
+      X d(tau.size());
+      for (int k = 0; k < tau.size(); ++k) d[k] = tau[k].d;
+      return d;
+    };
+    M by_q(tree_.nv, tree_.nv), by_v = by_q;
+    for (int k = 0; k < tree_.nv; ++k) {
+      VecX<D> moving = v.template cast<D>();
+      by_q.col(k) = of(torque(moving, X(X::Unit(tree_.nv, k))));
+      moving[k].d = S(1);
+      by_v.col(k) = of(torque(moving, X()));
+    }
+    return {by_q, by_v};
+  }
+
+  struct Centred {
+    std::size_t joint;
+    S mass;
+    V3 c;  ///< from the joint's origin, in its axes
+    M3 I;  ///< at the centre of mass
+  };
+  /// All bodies, each with its inertia at its centre of mass.
+  std::vector<Centred> bodies() const {
+    std::vector<Centred> all;
+    for (std::size_t i = 0; i < tree_.joints.size(); ++i)
+      all.push_back(
+          {i, tree_.joints[i].body.mass, vector(tree_.joints[i].body.c), inertia(tree_.joints[i].body)});
+    for (const auto& b : tree_.fixed) {
+      const M3 R = rotation(b.Q);
+      all.push_back({static_cast<std::size_t>(b.joint), b.body.mass, R * vector(b.body.c) + vector(b.p),
+                     R * inertia(b.body) * R.transpose()});
+    }
+    return all;
   }
   std::size_t joint() const { return static_cast<std::size_t>(tree_.frame_joint); }
 
@@ -206,12 +240,16 @@ class TreeParts {
 template <class T, class S>
 TreeOperations<S> bind(const Tree<S>& tree) {
   using X = VecX<S>;
+  using M = MatX<S>;
   using V6 = Vec<S, 6>;
   const auto t = std::make_shared<const T>(tree);
   const auto with = [t](auto f) { return [t, f](const auto&... x) { return ((*t).*f)(x...); }; };
+  const auto accelerated = [t](const X& q, const X& v, const X& tau, int joint, const V6& F) -> X {
+    return t->mass(q).ldlt().solve(tau - t->rnea(q, v, X::Zero(v.size()), joint, F));
+  };
   TreeOperations<S> o;
   o[op::tree_rnea] = with(&T::rnea);
-  o[op::tree_aba] = with(&T::aba);
+  o[op::tree_aba] = accelerated;
   o[op::tree_nonlinear_effects] = [t](const X& q, const X& v) -> X {
     return t->rnea(q, v, X::Zero(v.size()), -1, V6::Zero());
   };
@@ -219,25 +257,34 @@ TreeOperations<S> bind(const Tree<S>& tree) {
     return t->rnea(q, X::Zero(n), X::Zero(n), -1, V6::Zero());
   };
   o[op::tree_crba] = with(&T::mass);
-  o[op::tree_mass_inverse] = with(&T::inverse_mass);
+  o[op::tree_mass_inverse] = [t, n = tree.nv](const X& q) -> M {
+    return t->mass(q).ldlt().solve(M::Identity(n, n));
+  };
   if constexpr (requires { &T::rnea_derivatives; }) {
     o[op::rnea_derivatives] = with(&T::rnea_derivatives);
-    o[op::aba_derivatives] = with(&T::aba_derivatives);
+    o[op::aba_derivatives] = [t, accelerated](const X& q, const X& v, const X& tau, int joint,
+                                              const V6& F) -> std::pair<M, M> {
+      const auto [by_q, by_v] = t->rnea_derivatives(q, v, accelerated(q, v, tau, joint, F), joint, F);
+      const auto factor = t->mass(q).ldlt();
+      return {M(-factor.solve(by_q)), M(-factor.solve(by_v))};
+    };
   }
-  o[op::tree_kinetic_energy] = with(&T::kinetic_energy);
-  o[op::tree_potential_energy] = with(&T::potential_energy);
-  o[op::tree_momentum] = [t](const X& q, const X& v) -> V6 { return t->momentum_map(q) * v; };
-  o[op::tree_momentum_map] = with(&T::momentum_map);
-  o[op::frame_pose] = with(&T::frame);
-  o[op::frame_velocity] = with(&T::frame_velocity);
-  o[op::frame_acceleration] = [t](const X& q, const X& v, const X& a, Seen seen) -> V6 {
-    return t->frame_acceleration(q, v, a, seen, false);
-  };
-  o[op::frame_classical_acceleration] = [t](const X& q, const X& v, const X& a, Seen seen) -> V6 {
-    return t->frame_acceleration(q, v, a, seen, true);
-  };
-  o[op::frame_jacobian] = with(&T::frame_jacobian);
-  o[op::frame_jacobian_rate] = with(&T::frame_jacobian_rate);
+  if constexpr (requires { &T::momentum_map; }) {
+    o[op::tree_kinetic_energy] = with(&T::kinetic_energy);
+    o[op::tree_potential_energy] = with(&T::potential_energy);
+    o[op::tree_momentum] = [t](const X& q, const X& v) -> V6 { return t->momentum_map(q) * v; };
+    o[op::tree_momentum_map] = with(&T::momentum_map);
+    o[op::frame_pose] = with(&T::frame);
+    o[op::frame_velocity] = with(&T::frame_velocity);
+    o[op::frame_acceleration] = [t](const X& q, const X& v, const X& a, Seen seen) -> V6 {
+      return t->frame_acceleration(q, v, a, seen, false);
+    };
+    o[op::frame_classical_acceleration] = [t](const X& q, const X& v, const X& a, Seen seen) -> V6 {
+      return t->frame_acceleration(q, v, a, seen, true);
+    };
+    o[op::frame_jacobian] = with(&T::frame_jacobian);
+    o[op::frame_jacobian_rate] = with(&T::frame_jacobian_rate);
+  }
   return o;
 }
 

@@ -1,5 +1,6 @@
 #include <subjects/correct_kane.hpp>
 #include <subjects/correct_lagrange.hpp>
+#include <subjects/correct_newton.hpp>
 
 namespace liecheck::properties::correct {
 namespace {
@@ -14,6 +15,7 @@ template <class S>
 struct RegisteredTrees {
   Registered<S> lagrange{subject<S, DenseTree>("correct:lagrange", "dense Jacobians in body axes")};
   Registered<S> kane{subject<S, KaneTree>("correct:kane", "centres of mass in world axes")};
+  Registered<S> newton{subject<S, NewtonTree>("correct:newton", "recursion in the axes of each body")};
 };
 const RegisteredTrees<float> in_float;
 const RegisteredTrees<double> in_double;
