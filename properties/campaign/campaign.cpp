@@ -201,7 +201,10 @@ CampaignResult run_campaign(const CampaignOptions& options, const Robot& robot, 
   CampaignResult result;
   result.options = options;
   result.robot = robot;
-  for (auto& s : select(options.selection, robot)) result.series.push_back({std::move(s), {}});
+  for (auto& s : select(options.selection, robot)) {
+    s->every_kappa = options.every_kappa;
+    result.series.push_back({std::move(s), {}});
+  }
   if (checkpoint && !result.series.empty()) checkpoint->restore(result);
   Engine(result, checkpoint).run();
   result.summarize();

@@ -18,6 +18,7 @@ struct CampaignOptions {
   unsigned jobs = 1;
   double checkpoint_seconds = 0.5;  ///< between two checkpoints; a killed run loses about this much time
   bool quiet = false;
+  bool every_kappa = false;  ///< Series::every_kappa
 
   std::optional<Range> range_override;  ///< replaces the shard's range
 

@@ -18,34 +18,21 @@ struct LimitKey {
 };
 
 struct Need {
-  double largest = 0;        ///< eps or eps kappa, by the rule
-  double budget = 0;         ///< the limit of the budget table
-  std::uint64_t broken = 0;  ///< results without an error in eps: not finite, wrong branch, refused, ...
-  std::uint64_t unresolved = 0;
-  std::string worst;  ///< the ID of the case with the largest error, or of a broken one
+  double largest = 0;            ///< eps or eps kappa, by the rule
+  double limit = 0;              ///< what judged the subject
+  std::uint64_t broken = 0;      ///< results without an error in eps: not finite, wrong branch, refused, ...
+  std::uint64_t unmeasured = 0;  ///< or unresolved
+  std::string worst;             ///< the ID of the case with the largest error, or of a broken one
+  bool accused() const { return broken || unmeasured || !(largest <= limit); }
 };
 using Needs = std::map<LimitKey, Need>;
 
-/// By the names of the subjects. The scalars of a subject share a limit, which is in eps.
+/// By the names of the subjects. The scalars of a subject share a limit, which is in eps. An excess below
+/// half the limit is an upper bound, unless the campaign computed every condition number.
 std::map<std::string, Needs> needs_of(const CampaignResult& campaign);
 
-/// A subject's own limits, by line.
-using OwnLimits = std::map<LimitKey, double>;
-/// `allowance` times each need. A block whose error does not exceed the accuracy of the oracles keeps the
-/// limit of the budget table.
-OwnLimits limits_for(const Needs& needs);
-
-/// The limits as the text of a subject's file: OPERATION, BLOCK, REGION, RULE = LIMIT, reason.
-std::string text_of(const std::string& subject, const OwnLimits& limits, const std::string& reason);
-/// Reads such a text. Throws std::runtime_error that names the line.
-OwnLimits parse_limits(const std::string& text);
-
-struct Accusation {
-  LimitKey key;
-  Need found;
-  double limit = 0;
-};
-/// What exceeds its limit, or is broken or unresolved.
-std::vector<Accusation> accusations(const Needs& found, const OwnLimits& limits);
+/// The text of a limits file with `allowance` times each need. A block whose error does not exceed the
+/// accuracy of the oracles keeps the limit of the budget table.
+std::string limits_text(const std::string& subject, const Needs& needs, const std::string& reason);
 
 }  // namespace liecheck::properties

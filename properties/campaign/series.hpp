@@ -22,6 +22,8 @@ class Series {
   std::uint32_t due = 0;  ///< bit i: the subject offers outputs[i], and every case must record it
   std::vector<Field> fields;
   std::shared_ptr<const SubjectLimits> own;  ///< the limits file that judges the subject, or null
+  /// Condition numbers are computed even if an error passes for each of them, so that the excess is exact.
+  bool every_kappa = false;
 
   CaseId id(std::uint64_t seed, std::uint64_t index) const;
   virtual const Bands& bands() const = 0;

@@ -106,15 +106,15 @@ void TypedSeries<S>::run(std::uint64_t seed, std::uint64_t index, Tally& tally) 
   bool decided = false;
   if (index % call_check_interval != 0) {
     decided = measure_by_balls(x, judge);
-    if (!decided) judged = measure_by_digits(x, limits_);
+    if (!decided) judged = measure_by_digits(x, limits_, every_kappa);
   } else {
     const Checking checking(*this, index % cross_check_interval == 0);
     decided = measure_by_balls(x, judge);
     if (decided && index % cross_check_interval == 0) {
       ++tally.checked;
-      if (!agree(judged, measure_by_digits(x, limits_))) tally.disagreed.push_back(index);
+      if (!agree(judged, measure_by_digits(x, limits_, every_kappa))) tally.disagreed.push_back(index);
     }
-    if (!decided) judged = measure_by_digits(x, limits_);
+    if (!decided) judged = measure_by_digits(x, limits_, every_kappa);
     checking.judge(judged);
   }
   if (any_failed(judged)) confirm(x, judged);
@@ -229,8 +229,8 @@ void TypedSeries<S>::close(const std::vector<S>& x, const Scope& scope, Judge& j
 
 template <class S>
 std::vector<Judged> TypedSeries<S>::measure(const std::vector<S>& x, const Limits& limits) const {
-  Judge judge(limits, bands(), eps, oracles::error_accuracy);
-  return measure_by_balls(x, judge) ? std::move(judge.judged) : measure_by_digits(x, limits);
+  Judge judge(limits, bands(), eps, oracles::error_accuracy, every_kappa);
+  return measure_by_balls(x, judge) ? std::move(judge.judged) : measure_by_digits(x, limits, every_kappa);
 }
 
 template <class S>
@@ -269,8 +269,8 @@ bool TypedSeries<S>::measure_by_balls(const std::vector<S>& x, Judge& judge) con
 
 template <class S>
 std::vector<Judged> TypedSeries<S>::measure_by_digits(const std::vector<S>& x, const Limits& limits,
-                                                      bool every_kappa, std::string* refusal) const {
-  Judge judge(limits, bands(), eps, 0, every_kappa);
+                                                      bool all_kappas, std::string* refusal) const {
+  Judge judge(limits, bands(), eps, 0, all_kappas);
   const Scope scope = scope_of(x);
   try {
     if (CallLog* log = CallLog::current()) log->trees = 0;

@@ -48,8 +48,8 @@ class TypedSeries final : public Series {
   bool measure_by_balls(const std::vector<S>& x, Judge& judge) const;
   /// Measures at 50 and 100 digits. `refusal` receives the message of an exception.
   std::vector<Judged> measure_by_digits(const std::vector<S>& x, const Limits& limits,
-                                        bool every_kappa = false, std::string* refusal = nullptr) const;
-  Judge judge_of_balls() const { return {limits_, bands(), eps, oracles::error_accuracy}; }
+                                        bool all_kappas = false, std::string* refusal = nullptr) const;
+  Judge judge_of_balls() const { return {limits_, bands(), eps, oracles::error_accuracy, every_kappa}; }
 
   /// While it exists, the calls on this thread are checked; with `one_result`, equal calls have one result:
   /// call_checks.hpp.
