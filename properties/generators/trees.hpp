@@ -89,13 +89,16 @@ void put(S* to, const Eigen::MatrixBase<Derived>& v) {
 
 }  // namespace tree_detail
 
-/// The largest exponents of positions, and of v, a and the direction d. Each is far in one of eight states.
+/// The largest exponents of positions, and of v, a and the direction d. Each is far in one of 32 states:
+/// balls decide fewer of these cases, and digits take longer.
 struct StateReach {
   int q, v, a, d;
   explicit StateReach(Source& source) : q(one(source)), v(one(source)), a(one(source)), d(one(source)) {}
 
  private:
-  static int one(Source& source) { return source.chance(1, 8) ? tree_detail::far_reach : tree_detail::reach; }
+  static int one(Source& source) {
+    return source.chance(1, 32) ? tree_detail::far_reach : tree_detail::reach;
+  }
 };
 
 /// Sets a joint's numbers of q, v, a and the direction d. Coordinates that its kind does not have stay zero.
