@@ -1,12 +1,8 @@
 // dIntegrate and dDifference, compared with finite differences of their definitions at high precision.
 
 #include <generators/rotations.hpp>
-#include <invariants/branch.hpp>
-#include <liecheck/scalar/scalar.hpp>
+#include <invariants/increments.hpp>
 #include <optional>
-#include <oracles/ball_oracles.hpp>
-#include <oracles/closed_forms.hpp>
-#include <oracles/integrate.hpp>
 
 namespace liecheck::properties {
 namespace {
@@ -52,34 +48,16 @@ class DIntegrate final : public Law<DIntegrate, S> {
     const Vec<S, 6> d = read.template take<6>();
     const auto x0 = exact_vector<7, Real>(q0), x1 = exact_vector<7, Real>(q1);
     const auto xd = exact_vector<6, Real>(d);
-    std::size_t band = band_of_angle<S>(tail3(xd));
-    const bool beyond = Bands::of<S>()[band].region == Region::beyond_pi;
-    const Real rho = norm(head3(xd));
-    const auto by_delta = [&](auto operation, const TwoOutputs& outputs,
-                              const oracles::Jacobian6Value<Real>& exact, auto blocks) {
-      const auto sensitive = sensitivity<Real>(blocks, [&] { return to_list(xd); }, {{0, 9}, {9, 9}});
-      const Real n = norm(exact.J), least = rho * smaller(n, Real(1));
-      record_jacobian6<S>(
-          r, outputs, band, operation(q0, d), exact, rho, beyond, [&] { return sensitive.kappa(0, n); },
-          [&] { return sensitive.kappa(1, larger(Real(norm(exact.C)), least)); });
-    };
     if (o[op::d_integrate_arg0])
-      by_delta(o[op::d_integrate_arg0], jacobian_outputs(op::d_integrate_arg0),
-               oracles::d_integrate_arg0(x0, xd), [](const std::vector<Real>& v) {
-                 const auto step = closed_exp(from_list<6>(v));
-                 const Mat3<Real> Rt = transpose(rotation_matrix(step.Q));
-                 return to_list(Rt, times_hat(Rt, step.p));
-               });
-    if (o[op::d_integrate_arg1])  // the left Jacobian has the transposed blocks
-      by_delta(o[op::d_integrate_arg1], jacobian_outputs(op::d_integrate_arg1),
-               oracles::d_integrate_arg1(x0, xd), [](const std::vector<Real>& v) {
-                 const auto left = closed_left_jacobian(from_list<6>(v));
-                 return to_list(left.J, left.C);
-               });
+      record_d_integrate_arg0<S>(r, jacobian_outputs(op::d_integrate_arg0), x0, xd,
+                                 o[op::d_integrate_arg0](q0, d));
+    if (o[op::d_integrate_arg1])
+      record_d_integrate_arg1<S>(r, jacobian_outputs(op::d_integrate_arg1), x0, xd,
+                                 o[op::d_integrate_arg1](q0, d));
     if (!o[op::d_difference_arg0] && !o[op::d_difference_arg1]) return;
     const auto exact = oracles::difference(x0, x1);
     std::optional<oracles::Jacobian6Value<Real>> inverse;
-    band = band_of_difference<S>(x0, x1, exact);
+    const std::size_t band = band_of_difference<S>(x0, x1, exact);
     // In ball arithmetic, arg0 and arg1 share one logarithm and one inverse Jacobian, because the blocks of
     // J_r^-1 are the transposed blocks of J_l^-1.
     const auto of_difference = [&](bool arg1, const Mat<S, 6>& computed) -> oracles::Jacobian6Value<Real> {

@@ -2,9 +2,7 @@
 // local inverses of each other; difference(q, integrate(q, d)) is compared with d only up to theta = pi.
 
 #include <generators/rotations.hpp>
-#include <invariants/branch.hpp>
-#include <oracles/closed_forms.hpp>
-#include <oracles/integrate.hpp>
+#include <invariants/increments.hpp>
 
 namespace liecheck::properties {
 namespace {
@@ -59,25 +57,12 @@ class IntegrateDifference final : public Law<IntegrateDifference, S> {
 
     if (o[op::integrate]) {
       const Vec<S, 7> q = o[op::integrate](q0, d);
-      const auto exact = oracles::integrate(x0, xd);
       const std::size_t band = band_of_angle<S>(tail3(xd));
-      const Real scale = largest(norm(exact.p), norm(head3(x0)), exact.increment_norm);
-      const auto kappa = sensitivity<Real>(
-          [](const std::vector<Real>& v) {
-            const auto pose = closed_integrate(from_list<7>(v), from_list<6>(v, 7));
-            return to_list(pose.p, pose.Q);
-          },
-          [&] { return to_list(x0, xd); }, {{0, 3}, {3, 4}});
-      constexpr Output rotation = op::integrate[block::rotation],
-                       translation = op::integrate[block::translation],
-                       defect = op::integrate[block::norm_defect];
-      judged_value(r, {rotation, translation, defect}, band, q, exact.resolved, [&] {
-        r.record(rotation, band, rotation_error<S>(quaternion<Real>(q), exact.Q),
-                 [&] { return kappa.kappa(1, Real(1) / Real(2)); });
-        r.record(translation, band, vector_error<S>(exact_vector<3, Real>(q), exact.p, scale),
-                 [&] { return kappa.kappa(0, scale); });
-        r.record(defect, band, norm_defect<S>(quaternion<Real>(q)));
-      });
+      const auto exact =
+          record_integrate<S>(r,
+                              {op::integrate[block::rotation], op::integrate[block::translation],
+                               op::integrate[block::norm_defect]},
+                              band, q, x0, xd);
       if (o[op::difference]) {
         const bool beyond =
             bands[band].region == Region::beyond_pi;  // then difference returns a shorter delta

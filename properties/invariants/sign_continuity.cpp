@@ -1,7 +1,7 @@
 // Along a path the quaternion does not jump to its opposite.
 
 #include <generators/rotations.hpp>
-#include <invariants/common.hpp>
+#include <invariants/increments.hpp>
 
 namespace liecheck::properties {
 namespace {
@@ -37,11 +37,9 @@ class SignContinuity final : public Law<SignContinuity, S> {
     const std::size_t band = band_of_angle<S>(tail3(exact_vector<6, Real>(d)));
     for (int k = 0; k < steps; ++k) {
       const Vec<S, 7> next = subject.operations[op::integrate](q, d);
-      if (!all_finite(next)) return r.outcome(op::integrate[block::sign], band, Outcome::not_finite);
-      Real product(0);
-      for (int i = 3; i < 7; ++i) product += exact<Real>(q[i]) * exact<Real>(next[i]);
-      const Real defect = larger(Real(-product), Real(0));  // near 0 either sign is right, up to rounding
-      r.record(op::integrate[block::sign], band, in_eps<S>(defect));
+      record_sign<Real, S>(r, op::integrate[block::sign], band, q.template tail<4>(),
+                           next.template tail<4>());
+      if (!all_finite(next)) return;
       q = next;
     }
   }

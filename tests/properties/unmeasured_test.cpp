@@ -109,10 +109,10 @@ TEST(AnAccelerationOf1e30, FailsOnRandomTrees) {
   EXPECT_EQ(verdict(run("unmeasured_huge_aba", "forward_dynamics", built_in_robot())), "fail");
 }
 
-/// The law exp_oracle, which says nothing about exp6 beyond `limit` [rad].
+/// The law exp_oracle, which says nothing about exp6 beyond `limit` [rad], or that its oracle did not resolve it.
 class ReturnsEarly final : public Property<double> {
  public:
-  explicit ReturnsEarly(double limit) : limit_(limit) {
+  ReturnsEarly(double limit, bool says_unresolved) : limit_(limit), says_unresolved_(says_unresolved) {
     for (auto& p : make_properties<double>())
       if (p->name() == "exp_oracle") law_ = std::move(p);
   }
@@ -120,20 +120,26 @@ class ReturnsEarly final : public Property<double> {
   std::vector<double> generate(Source& source) const override { return law_->generate(source); }
   void measure(const Subject<double>& subject, const std::vector<double>& x, Recorder& r) const override {
     Subject<double> some = subject;
-    if (std::hypot(x[3], x[4], x[5]) > limit_) some.operations[op::exp6] = nullptr;
+    const bool beyond = std::hypot(x[3], x[4], x[5]) > limit_;
+    if (beyond) some.operations[op::exp6] = nullptr;
     law_->measure(some, x, r);
+    if (!beyond || !says_unresolved_) return;
+    for (const Output& o : statement().outputs)
+      if (o.record == &op::exp6) r.outcome(o, 0, Outcome::unresolved);
   }
 
  private:
   std::unique_ptr<Property<double>> law_;
   double limit_;
+  bool says_unresolved_;
 };
 
-CampaignResult run_early(double limit) {
+CampaignResult run_early(double limit, bool says_unresolved = false) {
   CampaignResult r;
   r.options.cases = 200;
   r.series.push_back(
-      {std::make_unique<TypedSeries<double>>(std::make_unique<ReturnsEarly>(limit), own(), built_in_robot()),
+      {std::make_unique<TypedSeries<double>>(std::make_unique<ReturnsEarly>(limit, says_unresolved), own(),
+                                             built_in_robot()),
        {}});
   auto& [series, tally] = r.series[0];
   for (std::uint64_t i = 0; i < r.options.cases; ++i) series->run(42, i, tally);
@@ -155,6 +161,16 @@ TEST(ALawThatReturnsEarly, IsIncompleteAndSaysWhatItDidNotRecord) {
   const auto record = record_of(StoredRun{run_early(1), {}, {}});
   EXPECT_EQ(record["verdict"], "incomplete");
   EXPECT_EQ(record["not_measured"].size(), 3u);
+}
+
+TEST(AnUnresolvedCase, IsCountedAndLeavesTheSeriesIncomplete) {
+  const CampaignResult r = run_early(1, true);
+  EXPECT_EQ(verdict(r), "incomplete");
+  std::uint64_t unresolved = 0, unmeasured = 0;
+  for (const auto& [key, row] : r.series[0].tally.rows) unresolved += row.unresolved, unmeasured += row.unmeasured;
+  EXPECT_GT(unresolved, 0u);
+  EXPECT_EQ(unmeasured, 0u);
+  EXPECT_EQ(record_of(StoredRun{run_early(1, true), {}, {}})["verdict"], "incomplete");
 }
 
 TEST(AnOutput, ThatWasIllPosedInMostCasesIsIncomplete) {

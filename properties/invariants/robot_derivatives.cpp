@@ -1,0 +1,93 @@
+// The derivatives of integrate and difference of a whole robot, compared with the oracles joint by joint.
+
+#include <invariants/robot_states.hpp>
+
+namespace liecheck::properties {
+namespace {
+
+template <class S>
+class RobotDerivatives final : public Law<RobotDerivatives, S, RobotStates<S>> {
+ public:
+  static constexpr Statement stated{
+      .name = "robot_derivatives",
+      .law = "dIntegrate and dDifference of a whole robot are those of its joints, and zero between joints",
+      .equation =
+          "ARG0 = Ad(exp(-d)), ARG1 = J_r(d); dDifference ARG0 = -J_l^-1(d), ARG1 = J_r^-1(d); 1 or -1 of a "
+          "joint with one coordinate",
+      .source = "Sola, Deray & Atchuthan 2018, eqs. 79-85; central differences at 100 digits",
+      .outputs = {op::robot_d_integrate_arg0[block::jacobian], op::robot_d_integrate_arg0[block::coupling],
+                  op::robot_d_integrate_arg0[block::joint], op::robot_d_integrate_arg1[block::jacobian],
+                  op::robot_d_integrate_arg1[block::coupling], op::robot_d_integrate_arg1[block::joint],
+                  op::robot_d_difference_arg0[block::jacobian], op::robot_d_difference_arg0[block::coupling],
+                  op::robot_d_difference_arg0[block::joint], op::robot_d_difference_arg1[block::jacobian],
+                  op::robot_d_difference_arg1[block::coupling], op::robot_d_difference_arg1[block::joint]}};
+  std::vector<S> generate(Source& source) const override { return this->states(source); }
+  bool valid(const std::vector<S>& x) const override { return this->valid_states(x); }
+  template <class Real>
+  void in(const Subject<S>& subject, const std::vector<S>& input, Recorder& r) const {
+    using namespace oracles;
+    const RobotOperations<S>& robot = this->bound(subject);
+    Reader<S> read(input);
+    const VecX<S> q0 = read.take_dynamic(nq_), q1 = read.take_dynamic(nq_), d = read.take_dynamic(nv_);
+    const MatX<S> J[] = {robot[op::robot_d_integrate_arg0](q0, d), robot[op::robot_d_integrate_arg1](q0, d),
+                         robot[op::robot_d_difference_arg0](q0, q1),
+                         robot[op::robot_d_difference_arg1](q0, q1)};
+    record_joints<Real>(r, op::robot_d_integrate_arg0[block::joint], J[0], S(1));
+    record_joints<Real>(r, op::robot_d_integrate_arg1[block::joint], J[1], S(1));
+    record_joints<Real>(r, op::robot_d_difference_arg0[block::joint], J[2], S(-1));
+    record_joints<Real>(r, op::robot_d_difference_arg1[block::joint], J[3], S(1));
+    for (const Segment& s : segments_) {
+      if (s.nq != 7) continue;
+      const auto x0 = exact_vector<7, Real>(q0.segment(s.q, 7)),
+                 x1 = exact_vector<7, Real>(q1.segment(s.q, 7));
+      const auto xd = exact_vector<6, Real>(d.segment(s.v, 6));
+      const auto own = [&](int k) { return properties::Mat<S, 6>(J[k].block(s.v, s.v, 6, 6)); };
+      record_d_integrate_arg0<S>(r, jacobian_outputs(op::robot_d_integrate_arg0), x0, xd, own(0));
+      record_d_integrate_arg1<S>(r, jacobian_outputs(op::robot_d_integrate_arg1), x0, xd, own(1));
+      const auto by0 = jacobian_outputs(op::robot_d_difference_arg0),
+                 by1 = jacobian_outputs(op::robot_d_difference_arg1);
+      const auto exact = oracles::difference(x0, x1);
+      const std::size_t band = band_of_difference<S>(x0, x1, exact);
+      if (at_either_side<S>(exact)) {  // the derivative has two values: the law d_integrate measures both
+        if constexpr (BallNumber<Real>) throw Undecided();
+        for (const Output& o : {by0[0], by0[1], by1[0], by1[1]}) r.outcome(o, band, Outcome::ill_posed);
+        continue;
+      }
+      Jacobian6Value<Real> left = left_jacobian_se3_inverse(stack(exact.rho, exact.phi));
+      left.resolved = left.resolved && exact.resolved;
+      const Jacobian6Value<Real> right{transpose(left.J), transpose(left.C), left.resolved},
+          minus{Real(-1) * left.J, Real(-1) * left.C, left.resolved};
+      record_jacobian6<S>(r, by0, band, own(2), minus, Real(0), false);
+      record_jacobian6<S>(r, by1, band, own(3), right, Real(0), false);
+    }
+  }
+
+ private:
+  using RobotStates<S>::nq_;
+  using RobotStates<S>::nv_;
+  using RobotStates<S>::segments_;
+  bool exists(const Output& o) const override {
+    return o.block == block::joint.text ? this->has_joint(1) || this->has_joint(2) : this->has_joint(7);
+  }
+  /// Records the diagonal entries of the joints with one coordinate, which are `value`.
+  template <class Real>
+  void record_joints(Recorder& r, const Output& output, const MatX<S>& J, const S& value) const {
+    if (!this->exists(output)) return;
+    if (!oracles::all_finite(J)) return r.outcome(output, 0, Outcome::not_finite);
+    MatX<S> rest = J;
+    double error = 0;
+    for (const Segment& s : segments_) {
+      const int n = s.nq == 7 ? 6 : 1;
+      if (n == 1)
+        error = std::max(
+            error, oracles::scalar_error<S>(oracles::exact<Real>(J(s.v, s.v)), oracles::exact<Real>(value)));
+      rest.block(s.v, s.v, n, n).setZero();
+    }
+    r.record(output, 0, rest.isZero(0) ? error : std::numeric_limits<double>::infinity());
+  }
+};
+
+const RegisteredProperty<RobotDerivatives> registered;
+
+}  // namespace
+}  // namespace liecheck::properties
