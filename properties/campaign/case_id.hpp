@@ -1,7 +1,7 @@
 #pragma once
 // The address of a case, and conversions between numbers and text.
 //
-//   g3.SEED.PROPERTY.SUBJECT.SCALAR.ROBOT.INDEX    generated: the input follows from the address
+//   g4.SEED.PROPERTY.SUBJECT.SCALAR.ROBOT.INDEX    generated: the input follows from the address
 //   raw.PROPERTY.SUBJECT.SCALAR.ROBOT.X,X,...      shrunk or typed: the input itself, hexadecimal floats
 //
 // ROBOT is "none" or Robot::hash. The generator's key does not depend on the subject, so every subject gets
@@ -16,7 +16,7 @@
 
 namespace liecheck::properties {
 
-inline constexpr int generator_version = 3;
+inline constexpr int generator_version = 4;
 
 struct CaseId {
   bool raw = false;

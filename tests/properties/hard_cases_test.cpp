@@ -224,7 +224,7 @@ TEST(HardCasesOfTheProgram, DecideItsExitCode) {
   EXPECT_EQ(exit_of("hard-cases --subject nobody"), 2);
   // One generated case of this law passes; its hard cases do not.
   const std::string one =
-      "campaign --subject eigen --scalar double --property power_pairing --cases 1 --seed 2";
+      "campaign --subject eigen --scalar double --property power_pairing --cases 1 --seed 4";
   EXPECT_EQ(exit_of(one), 1);
   EXPECT_EQ(exit_of(one + " --no-hard-cases"), 0);
 }

@@ -226,7 +226,7 @@ TEST(Lattice, AFaultIsFoundInABaseThatFailsAnotherBlockOfTheCase) {
 TEST(Lattice, AnErrorWithinTheLimitsIsGrantedAndNotAHole) {
   const std::vector<Trigger>& table = triggers();
   Lab<double> lab(liecheck_subject(), table, 1, built_in_robot(), {true, false});
-  ASSERT_TRUE(lab.scan(200));
+  ASSERT_TRUE(lab.scan(40));
   const FaultVerdict verdict = lab.judge({&op::exp6, 0, {Change::size, 0, 1, 0, 1}});  // 1 eps
   EXPECT_EQ(verdict.found, Found::granted) << verdict.by;
 }

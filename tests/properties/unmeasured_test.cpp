@@ -278,7 +278,7 @@ TEST(TheProgram, SaysThatARobotWasNotMeasuredAndReturns3) {
   EXPECT_TRUE(said("tree_aba, acceleration: measured in 0 of 20 cases"));
   EXPECT_TRUE(said("verdict incomplete"));
   const std::string hash = robot_of(chain_with_a_massless_end(3), "chain.urdf", true).hash;
-  EXPECT_EQ(exit_of("replay g3.42.forward_dynamics.liecheck.double." + hash + ".0" + of_robot), 3);
+  EXPECT_EQ(exit_of("replay g4.42.forward_dynamics.liecheck.double." + hash + ".0" + of_robot), 3);
   EXPECT_TRUE(said("nothing was measured"));
   EXPECT_EQ(exit_of("hunt --subject liecheck --op tree_aba --property forward_dynamics --evaluations 20" +
                     of_robot),

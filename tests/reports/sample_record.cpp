@@ -144,7 +144,7 @@ Json full_record() {
   const Json environment = all["environment"];
   all["robot"]["root"] = "fixed";
   all.update(parsed(R"json({"total_cases": 40000,
- "counterexamples": {"failing": ["g3.1.a.b.double.none.0"], "replayed": 1, "skipped": 0},
+ "counterexamples": {"failing": ["g4.1.a.b.double.none.0"], "replayed": 1, "skipped": 0},
  "blocks": [{"block": "translation", "denominator": "|p_exact|", "error": "|p - p_exact| of exp",
    "operation": "exp6", "unit": "m"},
   {"block": "translation", "denominator": "|rho_exact|", "error": "|rho - rho_exact| of log",
