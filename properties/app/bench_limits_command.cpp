@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <invariants/tree_laws.hpp>
 #include <set>
+#include <stdexcept>
 #include <support/files.hpp>
 #include <support/stop.hpp>
 
@@ -90,6 +91,8 @@ int run(const Flags& f) {
     for (const std::string& name : subject_names())
       if (name.starts_with("correct:")) subjects.push_back(name);
   check_subjects(subjects);
+  if (!f.out.empty() && !std::filesystem::is_directory(f.out))
+    throw std::invalid_argument(fmt::format("--out: '{}' is not a folder", f.out));
   const Robot robot = f.robot.read();
   stop_on_signals();
   const std::uint64_t tree_cases =
