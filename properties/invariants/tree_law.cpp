@@ -332,6 +332,15 @@ void CaseAt<S, T>::record(Recorder& r, const Output& output, const std::vector<T
                           bool confirmed) const {
   if (!confirmed) return r.outcome(output, 0, Outcome::unresolved);
   const T size = oracles::larger(weighted_norm(exact_value, w), oracles::least_denominator<S, T>());
+  if constexpr (oracles::BallNumber<T>)
+    if (size.r > 1e-6 * size.head()) {  // the exact value may be zero; kappa is at least the one recorded
+      const double most = size.head() + size.r, kappa = terms / most, eps = std::numeric_limits<S>::epsilon();
+      if (!(kappa * eps > 2)) throw oracles::Undecided();
+      const std::vector<double> x = rough_list(computed), y = rough_list(exact_value);
+      std::vector<double> difference;
+      std::transform(x.begin(), x.end(), y.begin(), std::back_inserter(difference), std::minus<>());
+      return r.record(output, 0, weighted_norm(difference, w) / most / eps, [&] { return kappa; });
+    }
   const double kappa = terms / approximate(size);
   r.record(output, 0, weighted_error<S>(computed, exact_value, w, size), [&] { return kappa; });
 }
@@ -341,19 +350,25 @@ template class AnyTreeLaw<double>;
 template class AnyTreeLaw<float128>;
 template struct CaseAt<float, oracles::Real>;
 template struct CaseAt<float, oracles::DoubleDoubleBall>;
+template struct CaseAt<float, oracles::RealBall>;
 template struct CaseAt<double, oracles::Real>;
 template struct CaseAt<double, oracles::DoubleDoubleBall>;
+template struct CaseAt<double, oracles::RealBall>;
 template struct CaseAt<float128, oracles::Real>;
 template Tree<float> described(const TreeCase<float>&);
 template Tree<double> described(const TreeCase<double>&);
 template Tree<float128> described(const TreeCase<float128>&);
 template decltype(mass_roots<oracles::Real>) mass_roots<oracles::Real>;
 template decltype(mass_roots<oracles::DoubleDoubleBall>) mass_roots<oracles::DoubleDoubleBall>;
+template decltype(mass_roots<oracles::RealBall>) mass_roots<oracles::RealBall>;
 template decltype(weighted_norm<oracles::Real>) weighted_norm<oracles::Real>;
 template decltype(weighted_norm<oracles::DoubleDoubleBall>) weighted_norm<oracles::DoubleDoubleBall>;
+template decltype(weighted_norm<oracles::RealBall>) weighted_norm<oracles::RealBall>;
 template decltype(rough_list<oracles::Real>) rough_list<oracles::Real>;
 template decltype(rough_list<oracles::DoubleDoubleBall>) rough_list<oracles::DoubleDoubleBall>;
+template decltype(rough_list<oracles::RealBall>) rough_list<oracles::RealBall>;
 template decltype(inverse_size<oracles::Real>) inverse_size<oracles::Real>;
 template decltype(inverse_size<oracles::DoubleDoubleBall>) inverse_size<oracles::DoubleDoubleBall>;
+template decltype(inverse_size<oracles::RealBall>) inverse_size<oracles::RealBall>;
 
 }  // namespace liecheck::properties

@@ -117,7 +117,7 @@ class AnyTreeLaw : public Property<S> {
  public:
   /// Balls of double lose too many digits in these sums.
   using Tiers =
-      std::conditional_t<std::is_same_v<S, float128>, std::tuple<>, std::tuple<oracles::DoubleDoubleBall>>;
+      std::conditional_t<std::is_same_v<S, float128>, std::tuple<>, std::tuple<oracles::DoubleDoubleBall, oracles::RealBall>>;
   static constexpr bool floating = false;  ///< a law may set this to true
   /// Whether the tree has one root, a free-flyer.
   virtual bool has_floating_base() const = 0;
@@ -172,20 +172,26 @@ extern template class AnyTreeLaw<double>;
 extern template class AnyTreeLaw<float128>;
 extern template struct CaseAt<float, oracles::Real>;
 extern template struct CaseAt<float, oracles::DoubleDoubleBall>;
+extern template struct CaseAt<float, oracles::RealBall>;
 extern template struct CaseAt<double, oracles::Real>;
 extern template struct CaseAt<double, oracles::DoubleDoubleBall>;
+extern template struct CaseAt<double, oracles::RealBall>;
 extern template struct CaseAt<float128, oracles::Real>;
 extern template Tree<float> described(const TreeCase<float>&);
 extern template Tree<double> described(const TreeCase<double>&);
 extern template Tree<float128> described(const TreeCase<float128>&);
 extern template decltype(mass_roots<oracles::Real>) mass_roots<oracles::Real>;
 extern template decltype(mass_roots<oracles::DoubleDoubleBall>) mass_roots<oracles::DoubleDoubleBall>;
+extern template decltype(mass_roots<oracles::RealBall>) mass_roots<oracles::RealBall>;
 extern template decltype(weighted_norm<oracles::Real>) weighted_norm<oracles::Real>;
 extern template decltype(weighted_norm<oracles::DoubleDoubleBall>) weighted_norm<oracles::DoubleDoubleBall>;
+extern template decltype(weighted_norm<oracles::RealBall>) weighted_norm<oracles::RealBall>;
 extern template decltype(rough_list<oracles::Real>) rough_list<oracles::Real>;
 extern template decltype(rough_list<oracles::DoubleDoubleBall>) rough_list<oracles::DoubleDoubleBall>;
+extern template decltype(rough_list<oracles::RealBall>) rough_list<oracles::RealBall>;
 extern template decltype(inverse_size<oracles::Real>) inverse_size<oracles::Real>;
 extern template decltype(inverse_size<oracles::DoubleDoubleBall>) inverse_size<oracles::DoubleDoubleBall>;
+extern template decltype(inverse_size<oracles::RealBall>) inverse_size<oracles::RealBall>;
 
 /// Registers a law on trees of bodies.
 template <template <class> class P>

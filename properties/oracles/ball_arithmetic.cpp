@@ -145,6 +145,25 @@ Ball<M> atan2(const Ball<M>& y, const Ball<M>& x) {
   return {a.m, Ball<M>::up(a.r + t_bound * t_bound * t_bound * t_bound * t_bound)};
 }
 
+template <>
+void sin_cos(const RealBall& x, RealBall& sine, RealBall& cosine) {
+  if (!(x.size() < 0x1p40)) throw Undecided();
+  sin_cos(x.m, sine.m, cosine.m);
+  const double r = RealBall::up(x.r + RealBall::Round::multiply);
+  sine.r = x.exactly_zero() ? 0 : r, cosine.r = x.exactly_zero() ? 0 : r;
+}
+
+/// The direction to a point at the distance d changes by at most asin(r / d) <= 1.1 r / d for r <= d / 2, if the
+/// point moves by r.
+template <>
+RealBall atan2(const RealBall& y, const RealBall& x) {
+  if (y.exactly_zero() && x.head() > x.r) return y;
+  const double distance = std::hypot(x.head(), y.head()) * (1 - 0x1p-50), moved = x.r + y.r;
+  if (!(moved <= distance / 2) || (x.head() < 0 && std::fabs(y.head()) <= y.r)) throw Undecided();
+  const Real angle = atan2(y.m, x.m);
+  return {angle, RealBall::up(1.1 * moved / distance + RealBall::Round::multiply * 4)};
+}
+
 // Errors relative to the sum: truncation after fourteen terms gives x^14/32! < 2^-113. The terms from x^8 on
 // are summed in double and are below 2^-56. The eight double-double steps give 2^-101, since each term is at
 // most 1/30 of the one before it. The error of x adds less than its radius, since |c_k'| <= 1/2.

@@ -4,7 +4,7 @@
 // the radius is too large to decide a comparison, Undecided is thrown. The caller then uses the oracle at 50
 // and 100 digits (Ziv 1991).
 //
-// The midpoint is a double, which decides most cases in float, or a double-double. Radii are computed in
+// The midpoint is a double, which decides most cases in float, a double-double, or a Real of 168 bits. Radii are computed in
 // rounding to nearest. Each step increases them by a relative 2^-50, which exceeds its at most four
 // roundings. If a product is so small that its rounding error may underflow, 2^-1060 is added to the radius.
 
@@ -16,6 +16,7 @@
 #include <exception>
 #include <limits>
 #include <oracles/double_double.hpp>
+#include <oracles/real.hpp>
 #include <tuple>
 
 namespace liecheck::oracles {
@@ -69,6 +70,25 @@ struct Rounding<DoubleDouble> {
     const DoubleDouble m = accurate_sum(a, b);
     const bool exact = (a.low == 0 && b.low == 0) || (a.high == -b.high && a.low == -b.low);
     radius = exact ? 0 : add * std::fabs(m.high) * (1 + 0x1p-50);
+    return m;
+  }
+};
+/// Every operation on a Real has an error of at most 2^-168 of its result, sums too.
+template <>
+struct Rounding<Real> {
+  static constexpr int bits = 168;
+  static constexpr double add = 0x1p-167, multiply = 0x1p-167, divide = 0x1p-167, root = 0x1p-167;
+  static double head(const Real& m) { return mpfr_get_d(m.backend().data(), MPFR_RNDN); }
+  static double tail(const Real& m) { return head(m - head(m)); }
+  static Real make(double x) { return x; }
+  static Real scaled(const Real& m, double factor) { return m * factor; }
+  static bool exact_product(const Real& a, const Real& b) {
+    return mpfr_min_prec(a.backend().data()) + mpfr_min_prec(b.backend().data()) <= bits;
+  }
+  static Real exact_sum(const Real& a, const Real& b, double& radius) {
+    Real m;
+    const bool exact = mpfr_add(m.backend().data(), a.backend().data(), b.backend().data(), MPFR_RNDN) == 0;
+    radius = exact ? 0 : add * std::fabs(head(m));
     return m;
   }
 };
@@ -173,6 +193,7 @@ struct Ball {
 
 using DoubleBall = Ball<double>;
 using DoubleDoubleBall = Ball<DoubleDouble>;
+using RealBall = Ball<Real>;
 
 /// The ball types that check results in S, in the order in which they are tried. Their midpoints have at
 /// least twice the digits of S, and the exponent range of double.
@@ -203,8 +224,12 @@ void sin_cos(const Ball<M>& x, Ball<M>& sine, Ball<M>& cosine);
 /// The angle of (x, y) in (-pi, pi]; throws Undecided at the origin.
 template <class M>
 Ball<M> atan2(const Ball<M>& y, const Ball<M>& x);
+template <>
+void sin_cos(const RealBall& x, RealBall& sine, RealBall& cosine);
+template <>
+RealBall atan2(const RealBall& y, const RealBall& x);
 
-/// c_k(x) = sum_j (-x)^j / (2j + k)! for k = 4, 5 or 6 and 0 <= x <= 1.
+/// c_k(x) = sum_j (-x)^j / (2j + k)! for k = 4, 5 or 6 and 0 <= x <= 1. Not for a RealBall.
 template <class M>
 Ball<M> stumpff_series(int k, const Ball<M>& x);
 

@@ -218,5 +218,6 @@ LIECHECK_TREE(Real)
 LIECHECK_TREE(Real100)
 LIECHECK_TREE(DoubleBall)
 LIECHECK_TREE(DoubleDoubleBall)
+LIECHECK_TREE(RealBall)
 
 }  // namespace liecheck::oracles

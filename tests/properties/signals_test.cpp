@@ -103,8 +103,10 @@ class Process {
     }
     return true;
   }
-  /// Whether it has installed its handler of this signal.
+  /// Whether it has installed its handler of this signal. The shell that starts it may have one of its own.
   bool handles(int number) const {
+    std::error_code none;
+    if (!fs::equivalent(fmt::format("/proc/{}/exe", child_), LIECHECK_PROGRAM, none)) return false;
     const std::string status = read(fmt::format("/proc/{}/status", child_));
     const auto at = status.find("SigCgt:\t");
     return at != status.npos && (std::stoull(status.substr(at + 8, 16), nullptr, 16) >> (number - 1) & 1);
