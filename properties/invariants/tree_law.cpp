@@ -332,15 +332,15 @@ void CaseAt<S, T>::record(Recorder& r, const Output& output, const std::vector<T
                           bool confirmed) const {
   if (!confirmed) return r.outcome(output, 0, Outcome::unresolved);
   const T size = oracles::larger(weighted_norm(exact_value, w), oracles::least_denominator<S, T>());
-  if constexpr (oracles::BallNumber<T>)
-    if (size.r > 1e-6 * size.head()) {  // the exact value may be zero; kappa is at least the one recorded
-      const double most = size.head() + size.r, kappa = terms / most, eps = std::numeric_limits<S>::epsilon();
-      if (!(kappa * eps > 2)) throw oracles::Undecided();
+  if constexpr (oracles::BallNumber<T>) {
+    const double most = size.head() + size.r, kappa = terms / most, eps = std::numeric_limits<S>::epsilon();
+    if (kappa * eps > 2) {  // ill-posed, whatever the error; the exact value may be zero, and kappa larger
       const std::vector<double> x = rough_list(computed), y = rough_list(exact_value);
       std::vector<double> difference;
       std::transform(x.begin(), x.end(), y.begin(), std::back_inserter(difference), std::minus<>());
       return r.record(output, 0, weighted_norm(difference, w) / most / eps, [&] { return kappa; });
     }
+  }
   const double kappa = terms / approximate(size);
   r.record(output, 0, weighted_error<S>(computed, exact_value, w, size), [&] { return kappa; });
 }

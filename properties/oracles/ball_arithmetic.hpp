@@ -28,7 +28,7 @@ struct Undecided : std::exception {
   }
 };
 
-/// How a midpoint type rounds. head(m) is the double nearest to m. The constants bound the relative errors of
+/// How a midpoint type rounds. head(m) is a double within 2^-52 |m| of m. The constants bound the relative errors of
 /// the operations, of the sine and cosine of a small angle, and of stumpff_series. The error of a sum is
 /// relative to |a| + |b|.
 template <class M>
@@ -78,7 +78,16 @@ template <>
 struct Rounding<Real> {
   static constexpr int bits = 168;
   static constexpr double add = 0x1p-167, multiply = 0x1p-167, divide = 0x1p-167, root = 0x1p-167;
-  static double head(const Real& m) { return mpfr_get_d(m.backend().data(), MPFR_RNDN); }
+  /// From the first 64 of its bits, which are in one word.
+  static double head(const Real& m) {
+    const auto* x = m.backend().data();
+    const long exponent = mpfr_custom_get_exp(x);
+    if (!mpfr_regular_p(x) || exponent < -1000 || exponent > 1000) return mpfr_get_d(x, MPFR_RNDN);
+    const auto first = static_cast<const mp_limb_t*>(mpfr_custom_get_significand(x))[(bits - 1) / 64];
+    const auto scale = std::bit_cast<double>(static_cast<std::uint64_t>(1023 + exponent - 64) << 52);
+    const double size = static_cast<double>(first) * scale;
+    return mpfr_signbit(x) ? -size : size;
+  }
   static double tail(const Real& m) { return head(m - head(m)); }
   static Real make(double x) { return x; }
   static Real scaled(const Real& m, double factor) { return m * factor; }

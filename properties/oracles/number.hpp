@@ -29,7 +29,10 @@ T exact(const S& x) {
   if constexpr (std::is_same_v<S, T>) {
     return x;
   } else if constexpr (BallNumber<S>) {  // only the midpoint: stored numbers have radius 0
-    return T(S::Round::head(x.m)) + T(S::Round::tail(x.m));
+    if constexpr (std::is_same_v<S, RealBall>)
+      return T(x.m);
+    else
+      return T(S::Round::head(x.m)) + T(S::Round::tail(x.m));
   } else if constexpr (std::is_same_v<S, Real> || std::is_same_v<S, Real100> || std::is_floating_point_v<S>) {
     return T(x);
   } else {
@@ -48,7 +51,7 @@ T exact(const S& x) {
 
 /// r = a b without a temporary.
 template <class T>
-inline void set_product(T& r, const T& a, const T& b) {
+[[gnu::always_inline]] inline void set_product(T& r, const T& a, const T& b) {
   if constexpr (BallNumber<T>) {
     r = a * b;
   } else {
