@@ -31,35 +31,27 @@ bool on_other_branch(const oracles::Vec3<T>& computed, const oracles::Vec3<T>& e
 /// of the entries, or of the product, may carry the rotation across pi.
 enum class Side { decided, either };
 
-/// Whether a logarithm on the other side of pi is right, too; in ball arithmetic, whether it may be.
+/// Whether a logarithm on the other side of pi is right, too.
 template <class S, class T>
 bool at_either_side(const oracles::LogValue<T>& exact) {
-  const double limit = std::ldexp(4.0, 1 - std::numeric_limits<S>::digits);
-  if constexpr (oracles::BallNumber<T>)
-    return exact.pi_minus_theta.size() - exact.pi_minus_theta.r <= limit;
-  else
-    return exact.pi_minus_theta <= limit;
+  return exact.pi_minus_theta <= T(std::ldexp(4.0, 1 - std::numeric_limits<S>::digits));
 }
 /// (rho, phi) of the same pose with the opposite axis and the angle 2 pi - theta.
-inline oracles::Vec6<Real> opposite(const oracles::LogResult& exact) {
+template <class T>
+oracles::Vec6<T> opposite(const oracles::LogValue<T>& exact) {
   using namespace oracles;
-  const Vec3<Real> p = closed_left_jacobian(exact.value()).J * exact.rho,
-                   phi = Real(-(exact.theta + 2 * exact.pi_minus_theta) / exact.theta) * exact.phi;
-  return stack(closed_left_jacobian_inverse(stack(zero_vector<3, Real>(), phi)).J * p, phi);
+  const Vec3<T> p = closed_left_jacobian(exact.value()).J * exact.rho,
+                phi = T(-(exact.theta + twice(exact.pi_minus_theta)) / exact.theta) * exact.phi;
+  return stack(closed_left_jacobian_inverse(stack(zero_vector<3, T>(), phi)).J * p, phi);
 }
-/// The exact logarithm on that side of pi where the computed axis is. In ball arithmetic, Undecided is thrown
-/// for the other side.
+/// The exact logarithm on that side of pi where the computed axis is.
 template <class S, class T>
 oracles::LogValue<T> at_side_of(const oracles::Vec3<T>& axis, const oracles::LogValue<T>& exact) {
   if (!at_either_side<S>(exact) || !(dot(axis, exact.phi) < T(0))) return exact;
-  if constexpr (oracles::BallNumber<T>) {
-    throw oracles::Undecided();
-  } else {
-    oracles::LogValue<T> other = exact;
-    const oracles::Vec6<T> xi = opposite(exact);
-    other.rho = head3(xi), other.phi = tail3(xi);
-    return other;
-  }
+  oracles::LogValue<T> other = exact;
+  const oracles::Vec6<T> xi = opposite(exact);
+  other.rho = head3(xi), other.phi = tail3(xi);
+  return other;
 }
 
 /// Records the errors of a computed (rho, phi). The first of `outputs` is the rotation vector; the second, if

@@ -65,16 +65,15 @@ class DIntegrate final : public Law<DIntegrate, S> {
       const auto minus = [](const Jacobian6Value<Real>& J) -> Jacobian6Value<Real> {
         return {Real(-1) * J.J, Real(-1) * J.C, J.resolved};
       };
-      if constexpr (BallNumber<Real>) {
-        if (at_either_side<S>(exact)) throw Undecided();
-        if (!inverse) inverse = left_jacobian_se3_inverse(stack(exact.rho, exact.phi));
-        return arg1 ? transposed(*inverse) : minus(*inverse);
-      } else if (at_either_side<S>(exact)) {
+      if (at_either_side<S>(exact)) {
         // The antisymmetric part of -J_l^-1 and of J_r^-1 is [phi] / 2, on the side of pi that was chosen.
         const auto axis =
             all_finite(computed) ? vee(oracles::block(exact_matrix<6, 6, Real>(computed), 0, 0)) : exact.phi;
         const LogValue<Real> at = at_side_of<S>(axis, exact);
         return arg1 ? right_jacobian_se3_inverse(at.value()) : minus(left_jacobian_se3_inverse(at.value()));
+      } else if constexpr (BallNumber<Real>) {
+        if (!inverse) inverse = left_jacobian_se3_inverse(exact.value());
+        return arg1 ? transposed(*inverse) : minus(*inverse);
       } else {
         return arg1 ? oracles::d_difference_arg1(x0, x1) : oracles::d_difference_arg0(x0, x1);
       }

@@ -49,7 +49,6 @@ class RobotDerivatives final : public Law<RobotDerivatives, S, RobotStates<S>> {
       const auto exact = oracles::difference(x0, x1);
       const std::size_t band = band_of_difference<S>(x0, x1, exact);
       if (at_either_side<S>(exact)) {  // the derivative has two values: the law d_integrate measures both
-        if constexpr (BallNumber<Real>) throw Undecided();
         for (const Output& o : {by0[0], by0[1], by1[0], by1[1]}) r.outcome(o, band, Outcome::ill_posed);
         continue;
       }
