@@ -332,17 +332,20 @@ void CaseAt<S, T>::record(Recorder& r, const Output& output, const std::vector<T
                           bool confirmed) const {
   if (!confirmed) return r.outcome(output, 0, Outcome::unresolved);
   const T size = oracles::larger(weighted_norm(exact_value, w), oracles::least_denominator<S, T>());
+  double kappa = terms / approximate(size);
+  const auto known = [&] { return kappa; };
   if constexpr (oracles::BallNumber<T>) {
-    const double most = size.head() + size.r, kappa = terms / most, eps = std::numeric_limits<S>::epsilon();
-    if (kappa * eps > 2) {  // ill-posed, whatever the error; the exact value may be zero, and kappa larger
+    constexpr double eps = std::numeric_limits<S>::epsilon();
+    const double most = size.head() + size.r;
+    if (terms / most * eps > 2) {  // ill-posed, whatever the error; the exact value may be zero, and kappa larger
+      kappa = terms / most;
       const std::vector<double> x = rough_list(computed), y = rough_list(exact_value);
       std::vector<double> difference;
       std::transform(x.begin(), x.end(), y.begin(), std::back_inserter(difference), std::minus<>());
-      return r.record(output, 0, weighted_norm(difference, w) / most / eps, [&] { return kappa; });
+      return r.record(output, 0, weighted_norm(difference, w) / most / eps, {known, kappa});
     }
   }
-  const double kappa = terms / approximate(size);
-  r.record(output, 0, weighted_error<S>(computed, exact_value, w, size), [&] { return kappa; });
+  r.record(output, 0, weighted_error<S>(computed, exact_value, w, size), {known, kappa});
 }
 
 template class AnyTreeLaw<float>;

@@ -82,7 +82,7 @@ struct Rounding<Real> {
   static double head(const Real& m) {
     const auto* x = m.backend().data();
     const long exponent = mpfr_custom_get_exp(x);
-    if (!mpfr_regular_p(x) || exponent < -1000 || exponent > 1000) return mpfr_get_d(x, MPFR_RNDN);
+    if (!mpfr_regular_p(x) || exponent < -900 || exponent > 1000) return mpfr_get_d(x, MPFR_RNDN);
     const auto first = static_cast<const mp_limb_t*>(mpfr_custom_get_significand(x))[(bits - 1) / 64];
     const auto scale = std::bit_cast<double>(static_cast<std::uint64_t>(1023 + exponent - 64) << 52);
     const double size = static_cast<double>(first) * scale;

@@ -47,6 +47,18 @@ TYPED_TEST(AnyBall, OperationsContainTheExactResult) {
   }
 }
 
+TEST(RealBall, ItsHeadIsItsMidpointRoundedToDouble) {
+  for (int exponent = -1100; exponent <= 1100; ++exponent)
+    for (const Real& m : {Real(0), Real(1), Real(Real(-7) / 3), Real(2 - ldexp(Real(1), -160))}) {
+      const Real x = ldexp(m, exponent);
+      const double head = Rounding<Real>::head(x), exact = static_cast<double>(x);
+      if (std::isinf(exact))
+        EXPECT_EQ(head, exact);
+      else
+        EXPECT_LE(std::fabs(head - exact), 0x1p-52 * std::fabs(exact)) << exponent;
+    }
+}
+
 TYPED_TEST(AnyBall, SineAndCosineContainTheExactResultWithinSixteenRoundings) {
   for (int i = 0; i < 20000; ++i) {
     const double x = i % 2 ? this->number(4) : this->number(20) * 1e-18;
