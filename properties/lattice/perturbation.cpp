@@ -10,7 +10,7 @@ namespace {
 
 /// The block [first row, last row) x [first column, last column) of a matrix with `columns` columns.
 ResultBlock submatrix(const char* name, std::size_t columns, std::array<std::size_t, 4> range) {
-  ResultBlock b{name, {}};
+  ResultBlock b{name, {}, true};
   for (std::size_t i = range[0]; i < range[1]; ++i)
     for (std::size_t j = range[2]; j < range[3]; ++j) b.numbers.push_back(i * columns + j);
   return b;
@@ -53,7 +53,7 @@ std::string Perturbation::name() const {
 template <class S>
 void Perturbation::apply(std::vector<S>& result, const std::vector<ResultBlock>& blocks,
                          std::vector<S> before) const {
-  const auto& numbers = blocks[block % blocks.size()].numbers;
+  const auto& [name, numbers, submatrix] = blocks[block % blocks.size()];
   if (numbers.empty()) return;
   if (before.size() != result.size()) before.assign(result.size(), S(0));
   const std::size_t i = numbers[component % numbers.size()];
@@ -62,7 +62,7 @@ void Perturbation::apply(std::vector<S>& result, const std::vector<ResultBlock>&
     case Change::size: {
       S largest(0);
       for (const std::size_t j : numbers) largest = std::max(largest, S(std::fabs(result[j])));
-      if (largest == S(0))  // a block of zeros: relative to the whole result
+      if (largest == S(0) && submatrix)  // relative to the whole matrix; other zeros stay zero
         for (const S& y : result) largest = std::max(largest, S(std::fabs(y)));
       x += largest * std::ldexp(std::numeric_limits<S>::epsilon(), k);
       return;

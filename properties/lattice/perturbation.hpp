@@ -10,7 +10,7 @@ namespace liecheck::properties {
 
 enum class Change : std::uint8_t {
   none,          ///< for tests: changes nothing
-  size,          ///< adds 2^k eps of the block's largest number to one component
+  size,          ///< adds 2^k eps of the block's largest number to one component; to zeros, see ResultBlock
   not_a_number,  ///< one component becomes NaN
   sign,          ///< one component changes its sign
   whole_sign,    ///< the block changes its sign
@@ -28,6 +28,7 @@ static_assert(std::size(change_words) == static_cast<std::size_t>(Change::argume
 struct ResultBlock {
   std::string name;
   std::vector<std::size_t> numbers;
+  bool submatrix = false;  ///< a zero one gets 2^k eps of the whole matrix; other blocks of zeros stay zero
 };
 /// The blocks of a result with n numbers: the parts of its layout, and those of a Jacobian.
 std::vector<ResultBlock> blocks_of(const Operation& operation, std::size_t n);

@@ -101,6 +101,19 @@ TEST(Perturbations, ChangeTheBlockAndTheComponentThatTheyName) {
   EXPECT_TRUE(std::isnan(after(Change::not_a_number)[2]));
 }
 
+TEST(Perturbations, AddNothingToAVectorOfZerosButToThoseOfAMatrix) {
+  const Perturbation size{Change::size, 10, 0, 0, 1};
+  std::vector<double> twist{0, 0, 0, 3, 4, 5};
+  size.apply(twist, blocks_of(op::log6, 6), {});
+  EXPECT_EQ(twist, (std::vector<double>{0, 0, 0, 3, 4, 5}));
+  std::vector<double> J(36, 0);
+  J[0] = 1;
+  Perturbation lower_left = size;
+  lower_left.block = 2;
+  lower_left.apply(J, blocks_of(op::d_integrate_arg1, 36), {});
+  EXPECT_EQ(J[18], 0x1p-42);
+}
+
 TEST(Perturbations, ReachEveryNumberOfAResult) {
   for (const Operation* o : all_operations()) {
     std::size_t numbers = 0, reached = 0;
@@ -226,7 +239,7 @@ TEST(Lattice, AFaultIsFoundInABaseThatFailsAnotherBlockOfTheCase) {
 TEST(Lattice, AnErrorWithinTheLimitsIsGrantedAndNotAHole) {
   const std::vector<Trigger>& table = triggers();
   Lab<double> lab(liecheck_subject(), table, 1, built_in_robot(), {true, false});
-  ASSERT_TRUE(lab.scan(40));
+  ASSERT_TRUE(lab.scan(200));
   const FaultVerdict verdict = lab.judge({&op::exp6, 0, {Change::size, 0, 1, 0, 1}});  // 1 eps
   EXPECT_EQ(verdict.found, Found::granted) << verdict.by;
 }
