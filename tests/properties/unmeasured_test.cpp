@@ -15,7 +15,9 @@
 #include <invariants/common.hpp>
 #include <nlohmann/json.hpp>
 #include <record/record.hpp>
+#include <regex>
 #include <store/merge.hpp>
+#include <store/store_path.hpp>
 #include <store/stored_run.hpp>
 #include <subjects/tree.hpp>
 
@@ -287,6 +289,42 @@ TEST(TheProgram, SaysThatARobotWasNotMeasuredAndReturns3) {
   EXPECT_EQ(exit_of("compare " + store + " " + store), 3);
   EXPECT_EQ(exit_of("merge " + store + "2 " + store), 3);
   EXPECT_TRUE(said("nothing was measured"));
+  fs::remove_all(folder);
+}
+
+/// The campaign without the cases of the first class of its second field.
+StoredCampaign without_a_class(StoredCampaign c) {
+  Coverage& coverage = c.series.at(0).tally.coverage;
+  const std::regex first_of_second_field("(:[0-9]+;[0-9,]*;)[0-9]+");
+  EXPECT_TRUE(coverage.parse(std::regex_replace(coverage.text(), first_of_second_field, "$010")));
+  return c;
+}
+
+TEST(TheProgram, Returns3IfTheMergedShardsNeverReachedAClass) {
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::path(testing::TempDir()) / ("liecheck_class_" + std::to_string(::getpid()));
+  fs::create_directories(folder);
+  const auto file = [&](const std::string& name) { return (folder / name).string(); };
+  for (unsigned shard : {1u, 2u}) {
+    CampaignOptions options;
+    options.selection = {{"liecheck"}, {"exp_oracle"}, {"double"}};
+    options.cases = 4000, options.shard = shard, options.shards = 2, options.quiet = true;
+    const std::string all = file("all" + std::to_string(shard)), some = file("some" + std::to_string(shard));
+    {
+      Store store(all, Store::Open::create);
+      run_stored(options, built_in_robot(), store, false);
+    }
+    Store(some, Store::Open::create).write(without_a_class(load_campaign(all)), false, {});
+  }
+  const auto merged = [&](const std::string& parts) {
+    const std::string files = file("of_" + parts) + " " + file(parts + "1") + " " + file(parts + "2");
+    return WEXITSTATUS(std::system((LIECHECK_PROGRAM " merge " + files + " >" + file("out")).c_str()));
+  };
+  EXPECT_EQ(merged("all"), 0);
+  EXPECT_EQ(merged("some"), 3);
+  std::ifstream in(file("out"));
+  const std::string said(std::istreambuf_iterator<char>(in), {});
+  EXPECT_NE(said.find("incomplete: exp_oracle of liecheck in double: phi: "), said.npos) << said;
   fs::remove_all(folder);
 }
 
