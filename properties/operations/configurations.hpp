@@ -97,29 +97,26 @@ inline constexpr auto robot_is_same = operation<struct RobotIsSame, true>(
     {robot_header, "isSameConfiguration(model, q0, q1)"}, robot_q0, robot_q1);
 
 // Their derivatives, with the blocks of the free-flyer, and those of all joints with one coordinate.
-inline constexpr Block free_flyer_coupling{
-    block::coupling, "|C - C_exact| of the upper right 3 x 3 block, Frobenius",
-    "|C_exact|; beyond pi max(|C_exact|, |rho| min(1, |J_exact|))", "m"},
-    one_coordinate{
-        block::joint,
-        "largest |J - 1| (by q0 of difference: |J + 1|) of a joint with one coordinate; infinite if "
-        "an entry of two joints is not zero",
-        "absolute", "1"};
+inline constexpr Block one_coordinate{
+    block::joint,
+    "largest |J - 1| (by q0 of difference: |J + 1|) of a joint with one coordinate; infinite if "
+    "an entry of two joints is not zero",
+    "absolute", "1"};
 inline constexpr auto robot_d_integrate_arg0 = operation<struct RobotDIntegrateArg0, true>(
     {"robot_d_integrate_arg0", "d integrate(q0, delta) / d q0, joint by joint", adjoint_source},
-    robot_derivative, {jacobian6, free_flyer_coupling, one_coordinate},
+    robot_derivative, {jacobian6, coupling6, one_coordinate},
     {robot_header, "dIntegrate(model, q0, delta, ArgumentPosition::ARG0)"}, robot_q0, robot_delta);
 inline constexpr auto robot_d_integrate_arg1 = operation<struct RobotDIntegrateArg1, true>(
     {"robot_d_integrate_arg1", "d integrate(q0, delta) / d delta, joint by joint", adjoint_source},
-    robot_derivative, {jacobian6, free_flyer_coupling, one_coordinate},
+    robot_derivative, {jacobian6, coupling6, one_coordinate},
     {robot_header, "dIntegrate(model, q0, delta, ArgumentPosition::ARG1)"}, robot_q0, robot_delta);
 inline constexpr auto robot_d_difference_arg0 = operation<struct RobotDDifferenceArg0, true>(
     {"robot_d_difference_arg0", "d difference(q0, q1) / d q0, joint by joint", adjoint_source},
-    robot_derivative, {jacobian6, free_flyer_coupling, one_coordinate},
+    robot_derivative, {jacobian6, tangent_coupling, one_coordinate},
     {robot_header, "dDifference(model, q0, q1, ArgumentPosition::ARG0)"}, robot_q0, robot_q1);
 inline constexpr auto robot_d_difference_arg1 = operation<struct RobotDDifferenceArg1, true>(
     {"robot_d_difference_arg1", "d difference(q0, q1) / d q1, joint by joint", adjoint_source},
-    robot_derivative, {jacobian6, free_flyer_coupling, one_coordinate},
+    robot_derivative, {jacobian6, tangent_coupling, one_coordinate},
     {robot_header, "dDifference(model, q0, q1, ArgumentPosition::ARG1)"}, robot_q0, robot_q1);
 
 }  // namespace liecheck::properties::op
