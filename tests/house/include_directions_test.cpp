@@ -55,8 +55,9 @@ const std::vector<Room> harness = {
       "scenes"}},
     {"reports", {"support"}},
     {"app",
-     {"lib", "support", "oracles", "operations", "generators", "budgets", "subjects", "invariants", "campaign",
-      "search", "hard_cases", "failures", "lattice", "store", "coefficients", "timing", "scenes", "record", "reports"}},
+     {"lib", "support", "oracles", "operations", "generators", "budgets", "subjects", "invariants",
+      "campaign", "search", "hard_cases", "failures", "lattice", "store", "coefficients", "timing",
+      "scenes", "record", "reports"}},
 };
 
 const Room* find(const std::vector<Room>& rooms, const std::string& name) {
