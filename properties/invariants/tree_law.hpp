@@ -116,8 +116,8 @@ template <class S>
 class AnyTreeLaw : public Property<S> {
  public:
   /// Balls of double lose too many digits in these sums.
-  using Tiers =
-      std::conditional_t<std::is_same_v<S, float128>, std::tuple<>, std::tuple<oracles::DoubleDoubleBall, oracles::RealBall>>;
+  using Tiers = std::conditional_t<std::is_same_v<S, float128>, std::tuple<>,
+                                   std::tuple<oracles::DoubleDoubleBall, oracles::RealBall>>;
   static constexpr bool floating = false;  ///< a law may set this to true
   /// Whether the tree has one root, a free-flyer.
   virtual bool has_floating_base() const = 0;

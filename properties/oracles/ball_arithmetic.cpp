@@ -153,8 +153,7 @@ void sin_cos(const RealBall& x, RealBall& sine, RealBall& cosine) {
   sine.r = x.exactly_zero() ? 0 : r, cosine.r = x.exactly_zero() ? 0 : r;
 }
 
-/// The direction to a point at the distance d changes by at most asin(r / d) <= 1.1 r / d for r <= d / 2, if the
-/// point moves by r.
+/// If a point at the distance d moves by r <= d / 2, its direction changes by at most asin(r / d) <= 1.1 r / d.
 template <>
 RealBall atan2(const RealBall& y, const RealBall& x) {
   if (y.exactly_zero() && x.head() > x.r) return y;

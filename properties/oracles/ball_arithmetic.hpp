@@ -4,9 +4,9 @@
 // the radius is too large to decide a comparison, Undecided is thrown. The caller then uses the oracle at 50
 // and 100 digits (Ziv 1991).
 //
-// The midpoint is a double, which decides most cases in float, a double-double, or a Real of 168 bits. Radii are computed in
-// rounding to nearest. Each step increases them by a relative 2^-50, which exceeds its at most four
-// roundings. If a product is so small that its rounding error may underflow, 2^-1060 is added to the radius.
+// The midpoint is a double, which decides most cases in float, a double-double, or a Real of 168 bits. Radii
+// are computed in rounding to nearest. Each step increases them by a relative 2^-50, which exceeds its at most
+// four roundings. If a product is so small that its rounding error may underflow, 2^-1060 is added to the radius.
 
 #include <bit>
 #include <cmath>
@@ -28,8 +28,8 @@ struct Undecided : std::exception {
   }
 };
 
-/// How a midpoint type rounds. head(m) is a double within 2^-52 |m| of m. The constants bound the relative errors of
-/// the operations, of the sine and cosine of a small angle, and of stumpff_series. The error of a sum is
+/// How a midpoint type rounds. head(m) is a double within 2^-52 |m| of m. The constants bound the relative
+/// errors of the operations, of the sine and cosine of a small angle, and of stumpff_series. The error of a sum is
 /// relative to |a| + |b|.
 template <class M>
 struct Rounding;

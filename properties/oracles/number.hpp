@@ -12,7 +12,8 @@ namespace liecheck::oracles {
 
 /// A number that is stored with a bound of its error.
 template <class T>
-concept BallNumber = std::is_same_v<T, DoubleBall> || std::is_same_v<T, DoubleDoubleBall> || std::is_same_v<T, RealBall>;
+concept BallNumber =
+    std::is_same_v<T, DoubleBall> || std::is_same_v<T, DoubleDoubleBall> || std::is_same_v<T, RealBall>;
 template <class T>
 concept OracleNumber = std::is_same_v<T, Real> || std::is_same_v<T, Real100> || BallNumber<T>;
 

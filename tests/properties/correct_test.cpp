@@ -113,7 +113,7 @@ TEST(Limits, AreFourTimesTheNeedAndAreReadAsTheyAreWritten) {
 // An excess below half the limit is an upper bound: kappa counts as 1, and an ill-posed case as passed.
 TEST(Limits, NeedsCountEveryConditionNumber) {
   CampaignOptions o;
-  o.selection = {{"liecheck"}, {"dynamics_derivatives"}, {"float"}};
+  o.selection = {{"liecheck"}, {"power_pairing"}, {"float"}};
   o.cases = 100, o.quiet = true;
   const auto counted = [&o](bool every_kappa) {
     o.every_kappa = every_kappa;
