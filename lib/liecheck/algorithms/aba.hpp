@@ -126,24 +126,14 @@ const VectorX<S>& denseForwardDynamics(const Model<S>& model, Data<S>& data, In<
   ddq = tau - ddq;
   crba(model, data, q);
   factorize(model, data);
-  solve(model, data.work.factor, ddq);
+  solve(model, data, ddq);
   return data.ddq.write(Level::Velocity);
 }
 
-}  // namespace algorithms_detail
-
-/// qdd [nv; m/s^2, rad/s^2] = M(q)^-1 (tau - h(q, v) + sum J^T fext), tau [nv; N, N m]. Throws
-/// SingularInertia. Updates liMi, oMi, ddq (with mimics also v, M).
+/// Computes ddq of aba, for a model without mimics, after columnsInWorldAxes.
 template <Scalar S>
-const VectorX<S>& aba(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, In<S> tau,
-                      External<S> fext = {}) {
-  using namespace algorithms_detail;
-  multibody_detail::checkSize(tau.size(), model.nv, "tau", "nv");
-  checkForces<S>(model, fext);
-  if (model.has_mimics) return denseForwardDynamics(model, data, q, v, tau, fext);
-  data.begin(model, q, v);
+void articulatedBodies(const Model<S>& model, Data<S>& data, In<S> v, In<S> tau, const External<S>& fext) {
   auto& w = data.work;
-  columnsInWorldAxes(model, data, q);
   for (std::size_t i = 1; i < model.joints.size(); ++i) {
     const std::size_t p = std::size_t(model.parents[i]);
     const Matrix3<S>& R = data.oMi[i].rotation();
@@ -151,10 +141,12 @@ const VectorX<S>& aba(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, In
     for (int k = 0; k < model.column_counts[i]; ++k)
       relative = relative + column(w.S_columns, model.idx_columns[i] + k) * v[model.idx_vs[i] + k];
     w.velocity[i] = p == 0 ? relative : shifted(w.velocity[p], w.r[i]) + relative;
-    w.bias[i] = w.velocity[i].cross(relative);
-    const Inertia<S> I = rotated(R, model.inertias[i]);
-    w.articulated[i] = I.matrix();
-    w.force[i] = w.velocity[i].cross(I * w.velocity[i]);
+    w.bias[i] = crossed(w.velocity[i], relative);
+    const auto body = CompositeInertia<S>::rotated(R, model.inertias[i]);
+    const MovingInertia<S> moving(body, w.velocity[i]);
+    multibody_detail::build(
+        w.articulated[i], [&]() __attribute__((always_inline)) { return moving.matrix(); });
+    w.force[i] = crossed(w.velocity[i], Force<S>(moving.f, moving.n));
     if (!fext.empty()) w.force[i] = w.force[i] - SE3<S>(R, Vector3<S>::Zero()).act(fext[i]);
   }
   VectorX<S>& ddq = data.ddq.scratch();
@@ -192,6 +184,22 @@ const VectorX<S>& aba(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, In
     for (int k = 0; k < n; ++k) a += w.S_columns.col(first + k) * ddq[first_v + k];
     w.gravitated[i] = Motion<S>(a);
   }
+}
+
+}  // namespace algorithms_detail
+
+/// qdd [nv; m/s^2, rad/s^2] = M(q)^-1 (tau - h(q, v) + sum J^T fext), tau [nv; N, N m]. Throws
+/// SingularInertia. Updates liMi, oMi, ddq (with mimics also v, M).
+template <Scalar S>
+const VectorX<S>& aba(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, In<S> tau,
+                      External<S> fext = {}) {
+  using namespace algorithms_detail;
+  multibody_detail::checkSize(tau.size(), model.nv, "tau", "nv");
+  checkForces<S>(model, fext);
+  if (model.has_mimics) return denseForwardDynamics(model, data, q, v, tau, fext);
+  data.begin(model, q, v);
+  columnsInWorldAxes(model, data, q);
+  articulatedBodies(model, data, v, tau, fext);
   return data.ddq.write(Level::Velocity);
 }
 

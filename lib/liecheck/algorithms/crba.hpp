@@ -3,6 +3,7 @@
 //
 //   M_ij = S_i^T Ic_j S_j,  i = j or an ancestor of j.  Ic_j: inertia of all bodies that joint j carries.
 //   Featherstone (2008): composite-rigid-body algorithm, table 6.2; sparse L^T L factors, table 6.3.
+//   M^-1 = W W^T, W = L^-1, which has the zeros of L.
 
 #include <liecheck/algorithms/kinematics.hpp>
 
@@ -157,43 +158,123 @@ void checkPivot(const Model<S>& model, int v_index, const S& pivot, const S& bef
     }
 }
 
-/// The index in v of the coordinate that precedes coordinate k on the path to the universe, -1 if there is
-/// none. Mimics couple branches, so a model with mimics is treated as dense and the result is k - 1.
+/// x -= factor y for the first n numbers, and for those after them up to a multiple of four.
 template <Scalar S>
-int previousVelocity(const Model<S>& model, int k) {
-  if (model.has_mimics) return k - 1;
-  const std::size_t i = std::size_t(model.column_to_joint[std::size_t(k)]);
-  if (k > model.idx_vs[i]) return k - 1;
-  for (std::size_t p = std::size_t(model.parents[i]); p > 0; p = std::size_t(model.parents[p]))
-    if (model.nvs[p] > 0) return model.idx_vs[p] + model.nvs[p] - 1;
-  return -1;
+[[gnu::always_inline]] inline void subtractRow(S* x, const S& factor, const S* y, int n) {
+  for (int i = 0; i < n; i += 4) Vector4<S>::Map(x + i) -= factor * Vector4<S>::Map(y + i);
 }
 
-/// Sets data.work.factor = L, lower triangular with M = L^T L. Throws SingularInertia. Needs M.
+/// Divides x by d: the first n numbers, and those after them up to a multiple of four.
+template <Scalar S>
+[[gnu::always_inline]] inline void divideRow(S* x, const S& d, int n) {
+  for (int i = 0; i < n; i += 4) Vector4<S>::Map(x + i) /= d;
+}
+
+/// Sets data.work.factor = L, lower triangular with M = L^T L. Row k of L is zero off the path of k. The
+/// paths of k and of a coordinate i on it begin alike, so that rows are subtracted number by number:
+///   L_kk = sqrt(M_kk),  L_k = M_k / L_kk,  M_i -= L_ki L_k for each i on the path of k.
+/// Throws SingularInertia. Needs M.
 template <Scalar S>
 void factorize(const Model<S>& model, Data<S>& data) {
-  const auto before = [&](int k) { return previousVelocity(model, k); };
-  auto& L = data.work.factor;
-  L = data.M();
+  using std::sqrt;
+  const MatrixX<S>& M = data.M();
+  const int *const path = data.work.path.data(), *const row = data.work.row.data();
+  const int* const depth = data.work.depth.data();
+  S* const L = data.work.factor.data();
+  for (int k = 0; k < model.nv; ++k)
+    for (int t = row[k]; t <= row[k] + depth[k]; ++t) L[t] = M(path[t], k);
   for (int k = model.nv - 1; k >= 0; --k) {
-    checkPivot<S>(model, k, L(k, k), data.M()(k, k));
-    using std::sqrt;
-    L(k, k) = sqrt(L(k, k));
-    for (int i = before(k); i >= 0; i = before(i)) L(k, i) /= L(k, k);
-    for (int i = before(k); i >= 0; i = before(i))
-      for (int j = i; j >= 0; j = before(j)) L(i, j) -= L(k, i) * L(k, j);
+    const int n = depth[k], *const path_k = path + row[k];
+    S* const L_k = L + row[k];
+    checkPivot<S>(model, k, L_k[n], M(k, k));
+    const S root = sqrt(L_k[n]);
+    divideRow(L_k, root, n);
+    L_k[n] = root;
+    for (int t = 0; t < n; ++t) subtractRow(L + row[path_k[t]], L_k[t], L_k, t + 1);
   }
 }
-/// Replaces x by M^-1 x, computed with the factor L.
-template <Scalar S, class Column>
-void solve(const Model<S>& model, const MatrixX<S>& L, Column&& x) {
+/// Replaces x [nv] by M^-1 x, computed with the factor L.
+template <Scalar S>
+void solve(const Model<S>& model, const Data<S>& data, VectorX<S>& x) {
+  const int *const path = data.work.path.data(), *const row = data.work.row.data();
+  const S* const L = data.work.factor.data();
   for (int k = model.nv - 1; k >= 0; --k) {
-    x[k] /= L(k, k);
-    for (int i = previousVelocity(model, k); i >= 0; i = previousVelocity(model, i)) x[i] -= L(k, i) * x[k];
+    const int end = row[k] + data.work.depth[std::size_t(k)];
+    x[k] /= L[end];
+    for (int t = row[k]; t < end; ++t) x[path[t]] -= L[t] * x[k];
   }
   for (int k = 0; k < model.nv; ++k) {
-    for (int i = previousVelocity(model, k); i >= 0; i = previousVelocity(model, i)) x[k] -= L(k, i) * x[i];
-    x[k] /= L(k, k);
+    const int end = row[k] + data.work.depth[std::size_t(k)];
+    for (int t = row[k]; t < end; ++t) x[k] -= L[t] * x[path[t]];
+    x[k] /= L[end];
+  }
+}
+
+/// Sets data.work.square = W = L^-1, which has the zeros of L: W_k = (e_k - sum of L_ki W_i) / L_kk over
+/// the coordinates i before k on its path. Needs data.work.factor.
+template <Scalar S>
+void invertFactor(const Model<S>& model, Data<S>& data) {
+  const int *const path = data.work.path.data(), *const row = data.work.row.data();
+  const S* const L = data.work.factor.data();
+  S* const W = data.work.factor_inverse.data();
+  for (int k = 0; k < model.nv; ++k) {
+    const int n = data.work.depth[std::size_t(k)], *const path_k = path + row[k];
+    const S* const L_k = L + row[k];
+    S* const W_k = W + row[k];
+    for (int t = 0; t < n; ++t) W_k[t] = S(0);
+    W_k[n] = S(1);
+    for (int t = 0; t < n; ++t) subtractRow(W_k, L_k[t], W + row[path_k[t]], t + 1);
+    divideRow(W_k, L_k[n], n + 1);
+    for (int t = 0; t <= n; ++t) data.work.square(k, path_k[t]) = W_k[t];
+  }
+}
+
+/// Four columns of four numbers. They stay in registers: a matrix of 4 x 4 would be stored at every change.
+template <Scalar S>
+struct Block {
+  Vector4<S> a = Vector4<S>::Zero(), b = a, c = a, d = a;
+
+  /// Adds column times row. The row is given as four numbers.
+  [[gnu::always_inline]] void add(const S* column, const S& r0, const S& r1, const S& r2, const S& r3) {
+    const Vector4<S> x = Vector4<S>::Map(column);
+    a += x * r0, b += x * r1, c += x * r2, d += x * r3;
+  }
+  [[gnu::always_inline]] Eigen::Matrix<S, 4, 4> matrix() const {
+    Eigen::Matrix<S, 4, 4> m;
+    m.col(0) = a, m.col(1) = b, m.col(2) = c, m.col(3) = d;
+    return m;
+  }
+};
+
+/// Minv = W W^T, W = data.work.square, in blocks of 4 x 4. Column i of W is zero before coordinate i and
+/// after last[i], so that a block needs the columns of the common ancestors of its coordinates only: nv^2 d / 2
+/// products, d the mean number of common ancestors of two coordinates.
+template <Scalar S>
+void multiplyFactors(const Model<S>& model, Data<S>& data, MatrixX<S>& Minv) {
+  const MatrixX<S>& W = data.work.square;
+  const int *const last = data.work.last.data(), nv = model.nv;
+  int* const terms = data.work.terms.data();
+  for (int c = 0; c < nv; c += 4) {
+    int n = 0;
+    for (int i = 0; i < std::min(c + 4, nv); ++i)
+      if (last[i] >= c) terms[n++] = i;
+    for (int r = c; r < nv; r += 4) {
+      while (n > 0 && last[terms[n - 1]] < r) --n;
+      Block<S> sum;
+      for (int t = 0; t < n; ++t) {
+        const S* const W_i = W.data() + terms[t] * W.rows();
+        sum.add(W_i + r, W_i[c], W_i[c + 1], W_i[c + 2], W_i[c + 3]);
+      }
+      const Eigen::Matrix<S, 4, 4> block = sum.matrix();
+      if (r + 4 <= nv) {
+        Minv.template block<4, 4>(c, r) = block.transpose();
+        Minv.template block<4, 4>(r, c) = block;
+      } else {
+        const int rows = nv - r, columns = std::min(4, nv - c);
+        Minv.block(c, r, columns, rows) = block.topLeftCorner(rows, columns).transpose();
+        Minv.block(r, c, rows, columns) = block.topLeftCorner(rows, columns);
+      }
+    }
   }
 }
 
@@ -228,13 +309,12 @@ const MatrixX<S>& crba(const Model<S>& model, Data<S>& data, In<S> q) {
 /// M, Minv. q [nq].
 template <Scalar S>
 const MatrixX<S>& computeMinverse(const Model<S>& model, Data<S>& data, In<S> q) {
+  using namespace algorithms_detail;
   crba(model, data, q);
-  algorithms_detail::factorize(model, data);
+  factorize(model, data);
+  invertFactor(model, data);
   auto& Minv = data.Minv.write(Level::Position);
-  Minv.setIdentity();
-  for (int k = 0; k < model.nv; ++k) algorithms_detail::solve(model, data.work.factor, Minv.col(k));
-  for (int k = 0; k < model.nv; ++k)
-    for (int i = 0; i < k; ++i) Minv(i, k) = Minv(k, i);
+  multiplyFactors(model, data, Minv);
   return Minv;
 }
 

@@ -14,6 +14,34 @@ template <Scalar S>
 [[gnu::always_inline]] inline Vector3<S> added(const Vector3<S>& a, const Vector3<S>& b) {
   return each<S>([&](int i) { return S(a[i] + b[i]); });
 }
+/// V x W, V x* F, I V and X^-1 V as the members of Motion, Inertia and SE3, inlined for the recursions below.
+template <Scalar S>
+[[gnu::always_inline]] inline Motion<S> crossed(const Motion<S>& V, const Motion<S>& W) {
+  return {added(cross<S>(V.angular(), W.linear()), cross<S>(V.linear(), W.angular())),
+          cross<S>(V.angular(), W.angular())};
+}
+template <Scalar S>
+[[gnu::always_inline]] inline Force<S> crossed(const Motion<S>& V, const Force<S>& F) {
+  return {cross<S>(V.angular(), F.linear()),
+          added(cross<S>(V.angular(), F.angular()), cross<S>(V.linear(), F.linear()))};
+}
+template <Scalar S>
+[[gnu::always_inline]] inline Force<S> momentum(const Inertia<S>& I, const Motion<S>& V) {
+  const Vector3<S> moved = cross<S>(V.angular(), I.lever());
+  const Vector3<S> f = each<S>([&](int i) { return S(I.mass() * S(V.linear()[i] + moved[i])); });
+  return {f, added(product<S>(I.inertia(), V.angular()), cross<S>(I.lever(), f))};
+}
+template <Scalar S>
+[[gnu::always_inline]] inline Motion<S> actInv(const SE3<S>& X, const Motion<S>& V) {
+  const Vector3<S> moved = cross<S>(X.translation(), V.angular());
+  const Vector3<S> u = each<S>([&](int i) { return S(V.linear()[i] - moved[i]); });
+  return {transposed_product<S>(X.rotation(), u), transposed_product<S>(X.rotation(), V.angular())};
+}
+template <Scalar S>
+[[gnu::always_inline]] inline Force<S> act(const SE3<S>& X, const Force<S>& F) {
+  const Vector3<S> f = product<S>(X.rotation(), F.linear());
+  return {f, added(product<S>(X.rotation(), F.angular()), cross<S>(X.translation(), f))};
+}
 /// Computes the pose of a joint in the frame of its parent p, and in the world. Returns the vector from the
 /// parent's origin, in world axes [m], without the cancellation of a difference of two world positions.
 template <class Place, Scalar S>
@@ -52,15 +80,16 @@ void forwardKinematics(const Model<S>& model, Data<S>& data, In<S> q) {
 /// Poses and velocities of the joints. Updates liMi, oMi, v. q [nq], v [nv].
 template <Scalar S>
 void forwardKinematics(const Model<S>& model, Data<S>& data, In<S> q, In<S> v) {
+  using namespace algorithms_detail;
   data.begin(model, q, v);
   auto& liMi = data.liMi.scratch();
   auto& oMi = data.oMi.scratch();
   auto& V = data.v.scratch();
   multibody_detail::forEachJoint(model, [&](const auto& joint) {
     const std::size_t i = std::size_t(joint.index), p = std::size_t(model.parents[i]);
-    algorithms_detail::placeJoint(joint, q, p, liMi[i], oMi);
+    placeJoint(joint, q, p, liMi[i], oMi);
     V[i] = joint.motion(v);
-    if (p > 0) V[i] = liMi[i].actInv(V[p]) + V[i];
+    if (p > 0) V[i] = actInv(liMi[i], V[p]) + V[i];
   });
   data.liMi.write(Level::Position), data.oMi.write(Level::Position);
   data.v.write(Level::Velocity);
@@ -69,6 +98,7 @@ void forwardKinematics(const Model<S>& model, Data<S>& data, In<S> q, In<S> v) {
 /// Poses, velocities and accelerations of the joints. Updates liMi, oMi, v, a. q [nq], v [nv], a [nv].
 template <Scalar S>
 void forwardKinematics(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, In<S> a) {
+  using namespace algorithms_detail;
   data.begin(model, q, v, a);
   auto& liMi = data.liMi.scratch();
   auto& oMi = data.oMi.scratch();
@@ -76,11 +106,11 @@ void forwardKinematics(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, I
   auto& A = data.a.scratch();
   multibody_detail::forEachJoint(model, [&](const auto& joint) {
     const std::size_t i = std::size_t(joint.index), p = std::size_t(model.parents[i]);
-    algorithms_detail::placeJoint(joint, q, p, liMi[i], oMi);
+    placeJoint(joint, q, p, liMi[i], oMi);
     const Motion<S> relative = joint.motion(v);
-    V[i] = p == 0 ? relative : liMi[i].actInv(V[p]) + relative;
+    V[i] = p == 0 ? relative : actInv(liMi[i], V[p]) + relative;
     A[i] = joint.motion(a) + joint.velocityProduct(V[i], relative);
-    if (p > 0) A[i] = liMi[i].actInv(A[p]) + A[i];
+    if (p > 0) A[i] = actInv(liMi[i], A[p]) + A[i];
   });
   data.liMi.write(Level::Position), data.oMi.write(Level::Position);
   data.v.write(Level::Velocity), data.a.write(Level::Acceleration);
@@ -128,11 +158,6 @@ template <Scalar S>
 template <Scalar S>
 [[gnu::always_inline]] inline Force<S> shifted(const Force<S>& F, const Vector3<S>& d) {
   return {F.linear(), added(F.angular(), cross<S>(d, F.linear()))};
-}
-/// I in axes rotated by R.
-template <Scalar S>
-Inertia<S> rotated(const Matrix3<S>& R, const Inertia<S>& I) {
-  return SE3<S>(R, Vector3<S>::Zero()).act(I);
 }
 template <Scalar S>
 void checkForces(const Model<S>& model, const External<S>& forces) {

@@ -23,7 +23,7 @@ void backwardForces(const Model<S>& model, const std::vector<SE3<S>>& liMi, std:
       tau.template segment<Joint::columns>(joint.idx_v) += joint.project(f[i]);
     });
     const std::size_t p = std::size_t(model.parents[i]);
-    f[p] = f[p] + liMi[i].act(f[i]);
+    f[p] = f[p] + act(liMi[i], f[i]);
   }
 }
 
@@ -41,10 +41,10 @@ void inverseDynamics(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, con
     const std::size_t i = std::size_t(joint.index), p = std::size_t(model.parents[i]);
     liMi[i] = joint.transform(q);
     const Motion<S> relative = joint.motion(v);
-    V[i] = p == 0 ? relative : liMi[i].actInv(V[p]) + relative;
-    A[i] = liMi[i].actInv(A[p]) + joint.velocityProduct(V[i], relative);
+    V[i] = p == 0 ? relative : actInv(liMi[i], V[p]) + relative;
+    A[i] = actInv(liMi[i], A[p]) + joint.velocityProduct(V[i], relative);
     if (a) A[i] = A[i] + joint.motion(*a);
-    f[i] = model.inertias[i] * A[i] + V[i].cross(model.inertias[i] * V[i]);
+    f[i] = momentum(model.inertias[i], A[i]) + crossed(V[i], momentum(model.inertias[i], V[i]));
     if (!fext.empty()) f[i] = f[i] - fext[i];
   });
   backwardForces(model, liMi, f, tau);
@@ -89,8 +89,8 @@ const VectorX<S>& statics(const Model<S>& model, Data<S>& data, In<S> q, const E
   multibody_detail::forEachJoint(model, [&](const auto& joint) {
     const std::size_t i = std::size_t(joint.index), p = std::size_t(model.parents[i]);
     liMi[i] = joint.transform(q);
-    A[i] = liMi[i].actInv(A[p]);
-    f[i] = model.inertias[i] * A[i];
+    A[i] = actInv(liMi[i], A[p]);
+    f[i] = momentum(model.inertias[i], A[i]);
     if (!fext.empty()) f[i] = f[i] - fext[i];
   });
   backwardForces(model, liMi, f, tau.scratch());

@@ -1,7 +1,9 @@
 #pragma once
-// The inertia of rigidly joined bodies, summed along a tree: mass [kg], centre of mass c [m] and the six
-// numbers of I_C [kg m^2], all in one frame's axes. The formulas are those of spatial/inertia.hpp. This class
-// is faster, since it holds scalars and caches mass ratios.
+// CompositeInertia: the inertia of rigidly joined bodies, summed along a tree: mass [kg], centre of mass c [m]
+// and the six numbers of I_C [kg m^2], all in one frame's axes. The formulas are those of spatial/inertia.hpp.
+// This class is faster, since it holds scalars and caches mass ratios.
+//
+// MovingInertia: the inertia and the momentum of moving bodies about one fixed point.
 
 #include <liecheck/spatial/se3.hpp>
 
@@ -57,6 +59,106 @@ struct CompositeInertia {
     zz += mul_add(mx, x, mul_add(my, y, other.zz));
     xy += mul_add(S(-mx), y, other.xy), xz += mul_add(S(-mx), z, other.xz);
     yz += mul_add(S(-my), z, other.yz);
+  }
+};
+
+/// A symmetric 3 x 3 matrix.
+template <Scalar S>
+struct Symmetric3 {
+  S xx = S(0), xy = S(0), xz = S(0), yy = S(0), yz = S(0), zz = S(0);
+
+  [[gnu::always_inline]] Vector3<S> operator*(const Vector3<S>& v) const {
+    return {mul_add(xx, v[0], mul_add(xy, v[1], S(xz * v[2]))),
+            mul_add(xy, v[0], mul_add(yy, v[1], S(yz * v[2]))),
+            mul_add(xz, v[0], mul_add(yz, v[1], S(zz * v[2])))};
+  }
+  [[gnu::always_inline]] void operator+=(const Symmetric3& o) {
+    xx += o.xx, xy += o.xy, xz += o.xz, yy += o.yy, yz += o.yz, zz += o.zz;
+  }
+  /// Adds factor (2 (a . b) 1 - a b^T - b a^T).
+  [[gnu::always_inline]] void addPair(const Vector3<S>& a, const Vector3<S>& b, const S& factor) {
+    const S x = S(2) * factor * a[0] * b[0], y = S(2) * factor * a[1] * b[1], z = S(2) * factor * a[2] * b[2];
+    xx += y + z, yy += x + z, zz += x + y;
+    xy -= factor * (a[0] * b[1] + a[1] * b[0]), xz -= factor * (a[0] * b[2] + a[2] * b[0]);
+    yz -= factor * (a[1] * b[2] + a[2] * b[1]);
+  }
+  /// [w] A + ([w] A)^T: the rate of A [3 x 3] that turns with the angular velocity w.
+  [[gnu::always_inline]] static Symmetric3 turning(const Symmetric3& A, const Vector3<S>& w) {
+    const S &x = w[0], &y = w[1], &z = w[2];
+    return {S(2) * (y * A.xz - z * A.xy),
+            y * A.yz - z * A.yy + z * A.xx - x * A.xz,
+            y * A.zz - z * A.yz + x * A.xy - y * A.xx,
+            S(2) * (z * A.xy - x * A.yz),
+            z * A.xz - x * A.zz + x * A.yy - y * A.xy,
+            S(2) * (x * A.yz - y * A.xz)};
+  }
+};
+
+/// The sum over bodies that move with their own velocities, about a fixed point O in fixed axes: mass m [kg],
+/// first moment h = m c [kg m], inertia I [kg m^2] and its rate [kg m^2/s], momentum f [N s] and n [N m s].
+/// B x is the rate of the force of the bodies if their velocities change by x, as derivatives.hpp explains:
+///   I x = (m x_u + x_w x h, I x_w + h x x_u)        B x = (-2 f x x_w, I' x_w - n x x_w)
+template <Scalar S>
+struct MovingInertia {
+  S mass = S(0);
+  Vector3<S> h = Vector3<S>::Zero(), f = h, n = h;
+  Symmetric3<S> inertia, rate;
+
+  /// One body with velocity V at O; the vector c to its centre of mass begins at O.
+  ///   f = m (u + w x c),  n = I_C w + c x f,  I = I_C + m (|c|^2 1 - c c^T),
+  ///   I' = [w] I_C - I_C [w] + 2 (c . f) 1 - c f^T - f c^T
+  [[gnu::always_inline]] MovingInertia(const CompositeInertia<S>& body, const Motion<S>& V)
+      : mass(body.mass),
+        h(each<S>([&](int i) { return S(body.mass * body.c[i]); })),
+        inertia{body.xx, body.xy, body.xz, body.yy, body.yz, body.zz},
+        rate(Symmetric3<S>::turning(inertia, V.angular())) {
+    const Vector3<S>& c = body.c;
+    const Vector3<S> moved = cross<S>(V.angular(), c), turned = inertia * V.angular();
+    f = each<S>([&](int i) { return S(mass * (V.linear()[i] + moved[i])); });
+    const Vector3<S> c_f = cross<S>(c, f);
+    n = each<S>([&](int i) { return S(turned[i] + c_f[i]); });
+    rate.addPair(c, f, S(1));
+    inertia.addPair(c, h, S(1) / S(2));
+  }
+  MovingInertia() = default;
+
+  /// I [6 x 6].
+  [[gnu::always_inline]] Matrix6<S> matrix() const {
+    Matrix6<S> m;
+    m(0, 0) = m(1, 1) = m(2, 2) = mass;
+    m(0, 1) = m(0, 2) = m(1, 0) = m(1, 2) = m(2, 0) = m(2, 1) = S(0);
+    m(0, 3) = m(1, 4) = m(2, 5) = m(3, 0) = m(4, 1) = m(5, 2) = S(0);
+    m(0, 4) = m(4, 0) = h[2], m(0, 5) = m(5, 0) = -h[1], m(1, 5) = m(5, 1) = h[0];
+    m(1, 3) = m(3, 1) = -h[2], m(2, 3) = m(3, 2) = h[1], m(2, 4) = m(4, 2) = -h[0];
+    m(3, 3) = inertia.xx, m(4, 4) = inertia.yy, m(5, 5) = inertia.zz;
+    m(3, 4) = m(4, 3) = inertia.xy, m(3, 5) = m(5, 3) = inertia.xz, m(4, 5) = m(5, 4) = inertia.yz;
+    return m;
+  }
+  /// I x.
+  [[gnu::always_inline]] Force<S> momentum(const Motion<S>& x) const {
+    const Vector3<S> w_h = cross<S>(x.angular(), h), h_u = cross<S>(h, x.linear()),
+                     turned = inertia * x.angular();
+    return {each<S>([&](int i) { return mul_add(mass, x.linear()[i], w_h[i]); }),
+            each<S>([&](int i) { return S(turned[i] + h_u[i]); })};
+  }
+  /// I x + B y.
+  [[gnu::always_inline]] Force<S> force(const Motion<S>& x, const Motion<S>& y) const {
+    const Force<S> I_x = momentum(x);
+    const Vector3<S> f_w = cross<S>(f, y.angular()), n_w = cross<S>(n, y.angular()),
+                     turned = rate * y.angular();
+    return {each<S>([&](int i) { return mul_add(S(-2), f_w[i], I_x.linear()[i]); }),
+            each<S>([&](int i) { return S(I_x.angular()[i] + S(turned[i] - n_w[i])); })};
+  }
+  /// The moment of B^T x; its force is 0.
+  [[gnu::always_inline]] Vector3<S> transposed(const Motion<S>& x) const {
+    const Vector3<S> f_u = cross<S>(f, x.linear()), n_w = cross<S>(n, x.angular()),
+                     turned = rate * x.angular();
+    return each<S>([&](int i) { return mul_add(S(2), f_u[i], S(turned[i] + n_w[i])); });
+  }
+
+  [[gnu::always_inline]] void operator+=(const MovingInertia& o) {
+    mass += o.mass, inertia += o.inertia, rate += o.rate;
+    for (int i = 0; i < 3; ++i) h[i] += o.h[i], f[i] += o.f[i], n[i] += o.n[i];
   }
 };
 

@@ -108,10 +108,18 @@ class Data {
     Each<Force<S>> force;               ///< in world axes
     Each<CompositeInertia<S>> inertia;  ///< composite inertias of subtrees, in world axes
     Each<JoinedMass<S>> joined;         ///< cached mass ratios for adding subtree i to its parent
-    Each<Matrix6<S>> articulated, coriolis, D_factor;
-    Matrix6X<S> S_columns, dS, U, z, w, y;  ///< [6 x ncolumns]
-    VectorX<S> u;                           ///< [ncolumns]
-    MatrixX<S> factor;                      ///< [nv x nv] L of M = L^T L
+    Each<MovingInertia<S>> moving;      ///< inertias and momenta of subtrees about one point, in world axes
+    Each<Matrix6<S>> articulated, D_factor;
+    Matrix6X<S> S_columns, dS, U;                ///< [6 x ncolumns]
+    Eigen::Matrix<S, 24, Eigen::Dynamic> rates;  ///< [24 x ncolumns] s, w, y and z of derivatives.hpp
+    VectorX<S> u;                                ///< [ncolumns]
+    /// Coordinate k of v has depth[k] coordinates before it on its path from the universe. They and then k
+    /// are the numbers of `path` from row[k] on, a multiple of four. last[k] is the last coordinate whose
+    /// path contains k. Mimics couple branches: with mimics all coordinates are on one path.
+    Each<int> depth, row, path, last;
+    VectorX<S> factor, factor_inverse;  ///< L of M = L^T L, and L^-1; the numbers of row k belong to `path`
+    MatrixX<S> square, inverse;  ///< L^-1 and M^-1, with rows and columns of zeros up to a multiple of four
+    Each<int> terms;             ///< [nv] the columns that contribute to a block of a product
   };
   Work work;
 
@@ -147,6 +155,7 @@ class Data {
 
  private:
   Data() = default;  // for the copy constructor
+  void allocateFactors(const Model<S>& model);
 
   void update(In<S> x, VectorX<S>& last, int size, const char* what, const char* dimension, long& stamp) {
     multibody_detail::checkSize(x.size(), size, what, dimension);
@@ -187,15 +196,41 @@ Data<S>::Data(const Model<S>& model, Dense dense)
   work.velocity.assign(n, Motion<S>::Zero()), work.bias.assign(n, Motion<S>::Zero());
   work.force.assign(n, Force<S>::Zero());
   work.inertia.resize(n), work.joined.resize(n);
-  work.articulated.resize(n), work.coriolis.resize(n), work.D_factor.resize(n);
-  for (Matrix6X<S>* m : {&work.S_columns, &work.dS, &work.U, &work.z, &work.w, &work.y})
-    m->resize(6, model.ncolumns);
+  work.articulated.resize(n), work.D_factor.resize(n);
+  for (Matrix6X<S>* m : {&work.S_columns, &work.dS, &work.U}) m->resize(6, model.ncolumns);
   work.u.resize(model.ncolumns);
   if (dense == Dense::None) return;
-  M.scratch().setZero(model.nv, model.nv);  // crba never writes the entries between branches
-  for (MatrixX<S>* m : {&Minv.scratch(), &work.factor}) m->resize(model.nv, model.nv);
+  M.scratch().setZero(model.nv, model.nv);  // entries between branches are never written
+  Minv.scratch().resize(model.nv, model.nv);
+  allocateFactors(model);
   if (dense == Dense::Mass) return;
-  for (Field<MatrixX<S>>* m : {&dtau_dq, &dtau_dv, &ddq_dq, &ddq_dv}) m->scratch().resize(model.nv, model.nv);
+  for (Field<MatrixX<S>>* m : {&dtau_dq, &dtau_dv, &ddq_dq, &ddq_dv})
+    m->scratch().setZero(model.nv, model.nv);  // entries between branches of dtau are never written
+  work.inverse = work.square;
+  work.moving.resize(n), work.rates.resize(24, model.ncolumns);
+}
+
+template <Scalar S>
+void Data<S>::allocateFactors(const Model<S>& model) {
+  const int n = model.nv, rounded = (n + 3) / 4 * 4;
+  auto& path = work.path;
+  for (Each<int>* x : {&work.depth, &work.row, &work.last, &work.terms}) x->resize(std::size_t(n));
+  Each<int> tip(model.joints.size(), -1);  // the last coordinate on the path of each joint
+  for (std::size_t i = 1; i < model.joints.size(); ++i) {
+    tip[i] = tip[std::size_t(model.parents[i])];
+    for (int k = model.idx_vs[i]; k < model.idx_vs[i] + model.nvs[i]; ++k) {
+      const int before = model.has_mimics ? k - 1 : tip[i];
+      const int depth = before < 0 ? 0 : work.depth[std::size_t(before)] + 1;
+      work.depth[std::size_t(k)] = depth, work.row[std::size_t(k)] = int(path.size());
+      for (int t = 0; t < depth; ++t) path.push_back(path[std::size_t(work.row[std::size_t(before)] + t)]);
+      for (int t = depth; t < (depth + 4) / 4 * 4; ++t) path.push_back(k);
+      for (std::size_t t = std::size_t(work.row[std::size_t(k)]); t < path.size(); ++t)
+        work.last[std::size_t(path[t])] = k;
+      tip[i] = k;
+    }
+  }
+  work.factor.setZero(Eigen::Index(path.size())), work.factor_inverse.setZero(Eigen::Index(path.size()));
+  work.square.setZero(rounded, rounded);
 }
 
 extern template class Data<float>;
