@@ -252,6 +252,70 @@ TYPED_TEST(OffUnit, FunctionsOfOnePoseTakeTheNormalisedQuaternion) {
   EXPECT_EQ(refusal([&] { dDifferenceSE3<S>(zero, q, ArgumentPosition::ARG0); }), text);
 }
 
+/// R(Q) p of the stored numbers, in 113 bits.
+template <class S>
+Vector3<long double> exactlyRotated(const Vector4<S>& stored, const Vector3<S>& p) {
+  using Real = __float128;
+  Real q[4], t[3], square = 0;
+  for (int i = 0; i < 4; ++i) q[i] = Real(stored[i]), square += q[i] * q[i];
+  const auto cross = [&q](const auto& a, int i) {
+    return q[(i + 1) % 3] * a[(i + 2) % 3] - q[(i + 2) % 3] * a[(i + 1) % 3];
+  };
+  const Real x[3] = {Real(p[0]), Real(p[1]), Real(p[2])};
+  for (int i = 0; i < 3; ++i) t[i] = cross(x, i);
+  Vector3<long double> result;
+  for (int i = 0; i < 3; ++i)
+    result[i] = static_cast<long double>(x[i] + 2 * (q[3] * t[i] + cross(t, i)) / square);
+  return result;
+}
+
+TYPED_TEST(OffUnit, RotationsAndLogarithmsOfAQuaternionKeepTheirBounds) {
+  using S = TypeParam;
+  for (int n = 0; n < 200; ++n) {
+    const Vector3<S> phi = this->random.tangent(3, n % 2 ? 1 : 1e-3).template cast<S>(),
+                     p = this->random.tangent(3, 1).template cast<S>();
+    const Vector4<S> unit = quaternion::exp3<S>(phi).to_vector();
+    for (const S norm : this->norms()) {
+      const Vector4<S> Q = norm * unit;
+      const SO3<S> rotation(Q);
+      const auto error = [](const Vector3<S>& a, const Vector3<long double>& b) {
+        return (a.template cast<long double>() - b).norm();
+      };
+      const long double length = p.norm() * this->eps;
+      EXPECT_LE(error(rotation.act(p), exactlyRotated<S>(Q, p)), 3 * length) << norm;
+      const Vector4<S> inverse(-Q[0], -Q[1], -Q[2], Q[3]);
+      EXPECT_LE(error(rotation.actInv(p), exactlyRotated<S>(inverse, p)), 3 * length) << norm;
+      const Matrix3<S> R = rotation.matrix();
+      for (int i = 0; i < 3; ++i) {
+        const Vector3<long double> column = exactlyRotated<S>(Q, Vector3<S>::Unit(i));
+        EXPECT_LE((R.col(i).template cast<long double>() - column).cwiseAbs().maxCoeff(), 4 * this->eps)
+            << norm;
+      }
+      const long double turn = 2 * smallAngle(Q, Vector4<S>(Vector4<S>::Unit(3)));
+      EXPECT_LE(std::abs(quaternion::log3<S>(rotation).norm() - turn), 2 * this->eps * turn) << norm;
+    }
+  }
+  const SO3<S> zero(Vector4<S>(Vector4<S>::Zero()));
+  const std::string text = "a zero quaternion is not a rotation";
+  EXPECT_EQ(refusal([&] { zero.act(Vector3<S>(S(1), S(2), S(3))); }), text);
+  EXPECT_EQ(refusal([&] { zero.matrix(); }), text);
+  EXPECT_EQ(refusal([&] { quaternion::log3<S>(zero); }), text);
+}
+
+TYPED_TEST(OffUnit, ABatchActsAsTheNormalisedQuaternions) {
+  using S = TypeParam;
+  const Vector4<S> unit = quaternion::exp3<S>(Vector3<S>(S(1), S(-2), S(0.5))).to_vector();
+  batch::Rows<S, 7> q(7, 16);
+  batch::Rows<S, 3> x(3, 16);
+  for (const S norm : this->norms()) {
+    for (int i = 0; i < 16; ++i)
+      q.col(i) << S(0), S(0), S(0), (i % 3 == 0 ? norm : S(1)) * unit.array(), x.col(i) << S(1), S(2), S(-3);
+    const auto y = batch::act<S>(q, x);
+    for (int i = 0; i < 16; ++i)
+      this->near(Vector3<S>(y.col(i)), SO3<S>(unit).act(Vector3<S>(S(1), S(2), S(-3))), 4 * this->eps);
+  }
+}
+
 // A run that diverges passes NaN through these functions, and its integrator reports it.
 TYPED_TEST(OffUnit, NumbersThatAreNotFiniteGiveNaNInFunctionsOfOneJoint) {
   using S = TypeParam;

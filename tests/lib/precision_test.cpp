@@ -30,6 +30,9 @@ using Real = boost::multiprecision::number<
 [[gnu::noinline]] Matrix6<Real> exact_left_jacobian(const Vector6<Real>& xi) {
   return leftJacobian<Real>(Motion<Real>(xi));
 }
+[[gnu::noinline]] Matrix6<Real> exact_Jlog6(const SE3<Real>& T) {
+  return Jlog6<Real>(T);
+}
 [[gnu::noinline]] Matrix6<Real> exact_left_jacobian_inverse(const Vector6<Real>& xi) {
   return leftJacobianInverse<Real>(Motion<Real>(xi));
 }
@@ -72,6 +75,13 @@ class PrecisionOf : public testing::Test {
       const Vector6<Real> l_exact = exact_log6(T.template cast<Real>());
       take(error(l.template head<3>(), Vector3<Real>(l_exact.template head<3>())));
       take(error(l.template tail<3>(), Vector3<Real>(l_exact.template tail<3>())));
+      if (P == Precision::tight) {
+        const Matrix6<S> L = Jlog6<S, P>(T);
+        const Matrix6<Real> L_exact = exact_Jlog6(T.template cast<Real>());
+        for (const int column : {0, 3})
+          take(error(Matrix3<S>(L.template block<3, 3>(0, column)),
+                     Matrix3<Real>(L_exact.template block<3, 3>(0, column))));
+      }
       const Vector7<S> q1 = integrateSE3<S, P>(q, x);
       const Vector7<Real> q1_exact = exact_integrate(Q, X);
       take(error(q1.template tail<4>(), Vector4<Real>(q1_exact.template tail<4>())));

@@ -136,8 +136,8 @@ Rows<S, 3> act(const Rows<S, 7>& q, const Rows<S, 3>& x) {
     const Vector3<T> r = SO3<T>(Vector4<T>(a[3], a[4], a[5], a[6])).act(b);
     return Vector3<T>(a[0] + r[0], a[1] + r[1], a[2] + r[2]);
   };
-  const auto usual_path = []<class P>(const Vector3<P>&, const Vector7<P>&, const Vector3<P>& b) {
-    return detail::within<P>(b, 0, 0, detail::huge<S>);
+  const auto usual_path = []<class P>(const Vector3<P>&, const Vector7<P>& a, const Vector3<P>& b) {
+    return detail::within<P>(b, 0, 0, detail::huge<S>) & detail::near_unit<P>(a, 3);
   };
   return detail::map<3, S>(f, usual_path, q, x);
 }

@@ -268,7 +268,7 @@ VectorX<S> checkedTangent(const Model<S>& model, In<S> v) {
 extern template decltype(neutral<float>) neutral<float>;
 extern template decltype(normalized<float>) normalized<float>;
 extern template decltype(integrate<float>) integrate<float>;
-extern template decltype(difference<float>) difference<float>;
+extern template VectorX<float> difference<float>(const Model<float>&, In<float>, In<float>);
 extern template decltype(isSameConfiguration<float>) isSameConfiguration<float>;
 extern template decltype(isNormalized<float>) isNormalized<float>;
 extern template decltype(squaredDistance<float>) squaredDistance<float>;
@@ -279,7 +279,7 @@ extern template decltype(integrateCoeffWiseJacobian<float>) integrateCoeffWiseJa
 extern template decltype(neutral<double>) neutral<double>;
 extern template decltype(normalized<double>) normalized<double>;
 extern template decltype(integrate<double>) integrate<double>;
-extern template decltype(difference<double>) difference<double>;
+extern template VectorX<double> difference<double>(const Model<double>&, In<double>, In<double>);
 extern template decltype(isSameConfiguration<double>) isSameConfiguration<double>;
 extern template decltype(isNormalized<double>) isNormalized<double>;
 extern template decltype(squaredDistance<double>) squaredDistance<double>;

@@ -15,7 +15,7 @@ template class Data<double>;
 template decltype(neutral<float>) neutral<float>;
 template decltype(normalized<float>) normalized<float>;
 template decltype(integrate<float>) integrate<float>;
-template decltype(difference<float>) difference<float>;
+template VectorX<float> difference<float>(const Model<float>&, In<float>, In<float>);
 template decltype(isSameConfiguration<float>) isSameConfiguration<float>;
 template decltype(isNormalized<float>) isNormalized<float>;
 template decltype(squaredDistance<float>) squaredDistance<float>;
@@ -26,7 +26,7 @@ template decltype(integrateCoeffWiseJacobian<float>) integrateCoeffWiseJacobian<
 template decltype(neutral<double>) neutral<double>;
 template decltype(normalized<double>) normalized<double>;
 template decltype(integrate<double>) integrate<double>;
-template decltype(difference<double>) difference<double>;
+template VectorX<double> difference<double>(const Model<double>&, In<double>, In<double>);
 template decltype(isSameConfiguration<double>) isSameConfiguration<double>;
 template decltype(isNormalized<double>) isNormalized<double>;
 template decltype(squaredDistance<double>) squaredDistance<double>;

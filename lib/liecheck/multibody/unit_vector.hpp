@@ -4,17 +4,12 @@
 // or normalised first.
 
 #include <liecheck/scalar/double_word.hpp>
-#include <liecheck/spatial/types.hpp>
-#include <stdexcept>
+#include <liecheck/spatial/unit_scale.hpp>
 #include <type_traits>
 
 namespace liecheck {
 
 namespace unit_vector_detail {
-
-template <int N>
-inline constexpr const char* zero_is_refused =
-    N == 4 ? "a zero quaternion is not a rotation" : "(cos, sin) = (0, 0) is not an angle";
 
 /// The scalar to which results are rounded: S, or for a double word that of its parts.
 template <class S>
@@ -27,43 +22,6 @@ struct RoundedTo<DoubleWord<S>> : std::type_identity<S> {};
 template <Scalar S>
 [[gnu::always_inline]] inline bool firstOrderSuffices(const S& excess) {
   return excess * excess < S(eps<typename RoundedTo<S>::type>() / 4);
-}
-
-/// True if |u|^2 is in (1/2, 3/2); false for NaN. excess = |u|^2 - 1.
-template <Scalar S>
-[[gnu::always_inline]] inline bool atUnitScale(const S& excess) {
-  return absolute<S>(excess) < S(1) / S(2);
-}
-
-/// |u|^2.
-template <Scalar S, int N>
-[[gnu::always_inline]] inline S square(const Eigen::Matrix<S, N, 1>& u) {
-  S sum = u[0] * u[0];
-  for (int i = 1; i < N; ++i) sum += u[i] * u[i];
-  return sum;
-}
-
-/// u 2^k with |u 2^k|^2 in [1/2, 2): exact, except for numbers that are 2^-1000 of the largest. NaN if u is
-/// not finite. Throws std::invalid_argument if u is zero.
-template <Scalar S, int N>
-[[gnu::noinline, gnu::cold]] Eigen::Matrix<S, N, 1> scaledByPowerOfTwo(Eigen::Matrix<S, N, 1> u) {
-  using std::frexp, std::ldexp;
-  S largest(0);
-  bool all_finite = true;
-  for (int i = 0; i < N; ++i) {
-    const S a = absolute<S>(u[i]);
-    if (largest < a) largest = a;
-    all_finite = all_finite && finite<S>(a);
-  }
-  if (!all_finite) return Eigen::Matrix<S, N, 1>::Constant(S(std::numeric_limits<S>::quiet_NaN()));
-  if (largest == S(0)) throw std::invalid_argument(zero_is_refused<N>);
-  int k = 0;
-  static_cast<void>(frexp(largest, &k));
-  for (int i = 0; i < N; ++i) u[i] = S(ldexp(u[i], -k));
-  const S scale = square<S, N>(u);  // in [1/4, 4)
-  if (!(scale < S(2))) u /= S(2);
-  if (scale < S(1) / S(2)) u *= S(2);
-  return u;
 }
 
 }  // namespace unit_vector_detail

@@ -90,6 +90,21 @@ struct SplitFactor {
 template <class S, int BITS, Precision P = Precision::standard>
 struct SplitDot {
   S high = S(0), low_a = S(0), low_b = S(0);  ///< low is two sums that the processor can compute in parallel
+  /// a b.
+  [[gnu::always_inline]] static SplitDot product(const SplitFactor<S, BITS, P>& a,
+                                                 const SplitFactor<S, BITS, P>& b) {
+    SplitDot p;
+    p.high = a.high * b.high;
+    if constexpr (P != Precision::fast) p.low_a = a.low * b.value, p.low_b = a.high * b.low;
+    return p;
+  }
+  /// a^2.
+  [[gnu::always_inline]] static SplitDot square(const SplitFactor<S, BITS, P>& a) {
+    SplitDot p;
+    p.high = a.high * a.high;
+    if constexpr (P != Precision::fast) p.low_a = a.low * S(a.value + a.high);
+    return p;
+  }
   [[gnu::always_inline]] SplitDot& add_product(const SplitFactor<S, BITS, P>& a,
                                                const SplitFactor<S, BITS, P>& b) {
     high = mul_add(a.high, b.high, high);
@@ -98,6 +113,10 @@ struct SplitDot {
       low_b = mul_add(a.high, b.low, low_b);
     }
     return *this;
+  }
+  [[gnu::always_inline]] SplitDot& subtract_product(const SplitFactor<S, BITS, P>& a,
+                                                    const SplitFactor<S, BITS, P>& b) {
+    return add_product(a, -b);
   }
   [[gnu::always_inline]] SplitDot& add_square(const SplitFactor<S, BITS, P>& a) {
     high = mul_add(a.high, a.high, high);

@@ -1,5 +1,5 @@
 #pragma once
-// N numbers that one operation processes at once, in one vector register if they fit, otherwise in an array.
+// N numbers that one operation processes at once, in one vector register or two if they fit, otherwise in an array.
 
 #include <liecheck/scalar/scalar.hpp>
 #include <utility>
@@ -22,17 +22,28 @@ template <Scalar S>
 }
 
 template <class S, int N>
-inline constexpr bool in_register = std::floating_point<S> && sizeof(S) * N <= register_bytes;
+inline constexpr bool fits = std::floating_point<S> && sizeof(S) * N <= register_bytes;
 
 template <class S, int N>
 struct Storage {
   typedef S type[N];
+  static constexpr bool in_register = false, in_halves = false;
 };
 template <class S, int N>
-requires in_register<S, N>
+requires fits<S, N>
 struct Storage<S, N> {
+  static constexpr bool in_register = true, in_halves = false;
   typedef S type __attribute__((vector_size(sizeof(S) * N)));
   typedef S unaligned __attribute__((vector_size(sizeof(S) * N), aligned(sizeof(S)), may_alias));
+};
+/// Two registers.
+template <class S, int N>
+requires(!fits<S, N> && N % 2 == 0 && fits<S, N / 2>) struct Storage<S, N> {
+  static constexpr bool in_register = false, in_halves = true;
+  struct type {
+    typename Storage<S, N / 2>::type low, high;
+    [[gnu::always_inline]] S operator[](int i) const { return i < N / 2 ? low[i] : high[i - N / 2]; }
+  };
 };
 
 }  // namespace simd_detail
@@ -43,8 +54,9 @@ struct Simd {
   using Lane = S;
   using SideBySide = void;
   static constexpr int size = N;
-  static constexpr bool in_register = simd_detail::in_register<S, N>;
-  using Vector = typename simd_detail::Storage<S, N>::type;
+  using Storage = simd_detail::Storage<S, N>;
+  static constexpr bool in_register = Storage::in_register, in_halves = Storage::in_halves;
+  using Vector = typename Storage::type;
   Vector v;
 
   Simd() = default;
@@ -56,51 +68,56 @@ struct Simd {
       *this = each([&](int) -> const S& { return x; });
   }
   [[gnu::always_inline]] Simd(int x) : Simd(S(x)) {}
-  Simd(Vector x) requires in_register : v(x) {}
+  [[gnu::always_inline]] Simd(const Vector& x) requires(in_register || in_halves) : v(x) {}
   template <class... A>
-  requires(sizeof...(A) == N && N > 1) [[gnu::always_inline]] Simd(const A&... a) : v{a...} {}
+  requires(sizeof...(A) == N && N > 1 && !in_halves) [[gnu::always_inline]] Simd(const A&... a) : v{a...} {}
+  template <class... A>
+  requires(sizeof...(A) == N && in_halves) [[gnu::always_inline]] Simd(const A&... a) {
+    const S all[N] = {a...};
+    for (int i = 0; i < N / 2; ++i) v.low[i] = all[i], v.high[i] = all[i + N / 2];
+  }
 
   /// load and store accept memory of any alignment.
   [[gnu::always_inline]] static Simd load(const S* from) requires in_register {
-    return Vector(*reinterpret_cast<const typename simd_detail::Storage<S, N>::unaligned*>(from));
+    return Vector(*reinterpret_cast<const typename Storage::unaligned*>(from));
   }
   [[gnu::always_inline]] void store(S* to) const requires in_register {
-    *reinterpret_cast<typename simd_detail::Storage<S, N>::unaligned*>(to) = v;
+    *reinterpret_cast<typename Storage::unaligned*>(to) = v;
   }
 
   [[gnu::always_inline]] friend Simd operator+(const Simd& a, const Simd& b) {
-    if constexpr (in_register)
-      return a.v + b.v;
-    else
-      return each([&](int i) __attribute__((always_inline)) { return S(a.v[i] + b.v[i]); });
+    return by_register(
+        [](const auto& x, const auto& y) __attribute__((always_inline)) { return x + y; }, a, b);
   }
   [[gnu::always_inline]] friend Simd operator-(const Simd& a, const Simd& b) {
-    if constexpr (in_register)
-      return a.v - b.v;
-    else
-      return each([&](int i) __attribute__((always_inline)) { return S(a.v[i] - b.v[i]); });
+    return by_register(
+        [](const auto& x, const auto& y) __attribute__((always_inline)) { return x - y; }, a, b);
   }
   [[gnu::always_inline]] friend Simd operator-(const Simd& a) {
-    if constexpr (in_register)
-      return -a.v;
-    else
-      return each([&](int i) __attribute__((always_inline)) { return S(-a.v[i]); });
+    return by_register(
+        [](const auto& x) __attribute__((always_inline)) { return -x; }, a);
   }
   [[gnu::always_inline]] friend Simd operator*(const Simd& a, const Simd& b) {
-    if constexpr (in_register)
-      return a.v * b.v;
-    else
-      return each([&](int i) __attribute__((always_inline)) { return S(a.v[i] * b.v[i]); });
+    return by_register(
+        [](const auto& x, const auto& y) __attribute__((always_inline)) { return x * y; }, a, b);
   }
   [[gnu::always_inline]] friend Simd operator/(const Simd& a, const Simd& b) {
-    if constexpr (in_register)
-      return a.v / b.v;
-    else
-      return each([&](int i) __attribute__((always_inline)) { return S(a.v[i] / b.v[i]); });
+    return by_register(
+        [](const auto& x, const auto& y) __attribute__((always_inline)) { return x / y; }, a, b);
   }
   Simd& operator+=(const Simd& b) { return *this = *this + b; }
   Simd& operator*=(const Simd& b) { return *this = *this * b; }
 
+  /// f of the registers of a, or of its numbers if they are in an array.
+  template <class F, class... A>
+  [[gnu::always_inline]] static Simd by_register(F f, const A&... a) {
+    if constexpr (in_register)
+      return Vector(f(a.v...));
+    else if constexpr (in_halves)
+      return Vector{f(a.v.low...), f(a.v.high...)};
+    else
+      return each([&](int i) __attribute__((always_inline)) { return S(f(a.v[i]...)); });
+  }
   /// (f(0), ..., f(N - 1)). The compiler can merge the N operations into one vector instruction.
   template <class F>
   [[gnu::always_inline]] static Simd each(F f) {
@@ -121,8 +138,8 @@ struct Simd {
     if constexpr (std::floating_point<S>)
       return each([&](int i) __attribute__((always_inline)) { return std::fma(a.v[i], b.v[i], c.v[i]); });
 #endif
-    if constexpr (in_register)
-      return a.v * b.v + c.v;
+    if constexpr (in_register || in_halves)
+      return a * b + c;
     else
       return each([&](int i) __attribute__((always_inline)) {
         return simd_detail::fused<S>(a.v[i], b.v[i], c.v[i]);
@@ -132,7 +149,14 @@ struct Simd {
     return each([&](int i) __attribute__((always_inline)) { return std::sqrt(a.v[i]); });
   }
   [[gnu::always_inline]] friend Simd fabs(const Simd& a) {
-    return each([&](int i) __attribute__((always_inline)) { return std::fabs(a.v[i]); });
+    if constexpr (in_register || in_halves)
+      return by_register(
+          [](const auto& x) __attribute__((always_inline)) { return x < 0 ? -x : x; }, a);
+    else
+      return each([&](int i) __attribute__((always_inline)) {
+        using std::fabs;
+        return S(fabs(a.v[i]));
+      });
   }
   [[gnu::always_inline]] friend Simd copysign(const Simd& a, const Simd& b) {
     return each([&](int i) __attribute__((always_inline)) { return std::copysign(a.v[i], b.v[i]); });
@@ -161,6 +185,44 @@ struct Simd {
     return all;
   }
 };
+
+namespace simd_detail {
+
+/// The largest register of at most n numbers.
+template <class S>
+constexpr int widest(int n) {
+  int width = 1;
+  while (2 * width <= n && std::floating_point<S> && int(sizeof(S)) * 2 * width <= register_bytes) width *= 2;
+  return width;
+}
+template <int FROM, int N, class S>
+[[gnu::always_inline]] inline void store_from(S* to, const S (&numbers)[N]) {
+  if constexpr (constexpr int width = widest<S>(N), rest = N - FROM; rest == 1) {
+    to[FROM] = numbers[FROM];
+  } else if constexpr (rest > 1) {
+    // The last block overlaps the one before unless a narrower register holds it.
+    constexpr int used = rest >= width ? width : widest<S>(rest) == rest ? rest : width;
+    constexpr int begin = rest < used ? N - used : FROM;
+    [&]<int... I>(std::integer_sequence<int, I...>) __attribute__((always_inline)) {
+      if constexpr (used == 1)
+        to[begin] = numbers[begin];
+      else
+        Simd<S, used>(numbers[begin + I]...).store(to + begin);
+    }
+    (std::make_integer_sequence<int, used>());
+    store_from<begin + used>(to, numbers);
+  }
+}
+
+}  // namespace simd_detail
+
+/// Writes numbers to memory in the widest registers, as the caller will probably copy them: a wide load of
+/// numbers that were just stored one by one would stall (failed store forwarding).
+template <class S, class... A>
+[[gnu::always_inline]] inline void store_wide(S* to, const A&... numbers) {
+  const S all[] = {numbers...};
+  simd_detail::store_from<0>(to, all);
+}
 
 }  // namespace liecheck
 

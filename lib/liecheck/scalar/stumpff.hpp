@@ -255,12 +255,14 @@ struct LogarithmCoefficients {
     ratio.high = S(2);
     if constexpr (!side_by_side<S>)
       if (!(e * e < eps<S>() / S(8))) normalize(squared_sine, excess, e, c);
-    const S half_e = e / S(2), s = mul_add(half_e, c.high, S((S(1) - c.high) - c.low)),  // 1 - cos h
-        series = s * stumpff_detail::evaluate<stumpff_detail::InverseSincSeries, 1>(s);  // h / sin h - 1
+    // s = 1 - cos h, series = h / sin h - 1. Without eps/512, powers of a tiny s would be subnormal: slow.
+    const S half_e = e / S(2), s = mul_add(half_e, c.high, S((S(1) - c.high) - c.low)),
+            argument = s + std::numeric_limits<S>::epsilon() / S(512),
+            series = s * stumpff_detail::evaluate<stumpff_detail::InverseSincSeries, 1>(argument);
     ratio.low = ratio.high * mul_add(S(-half_e), S(1) + series, series);
     angle_over_sine = ratio.high + ratio.low;
     alpha = angle_over_sine * cosine.high / S(2);
-    along = mul_add(S(-series), S(S(1) - s), s) / (squared_sine + std::numeric_limits<S>::min());
+    along = mul_add(S(-series), S(S(1) - s), s) * (S(1) / (squared_sine + std::numeric_limits<S>::min()));
   }
 
  private:

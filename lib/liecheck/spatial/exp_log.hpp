@@ -62,8 +62,11 @@ struct RotationLogarithm {
   Vector3<S> v, phi;
   LogarithmCoefficients<S> c;
 
-  [[gnu::always_inline]] explicit RotationLogarithm(const SO3<S>& Q)
-      : RotationLogarithm(Q, Q.template normExcessDoubleWord<P>()) {}
+  /// |Q|^2 = 1 + excess.
+  [[gnu::always_inline]] RotationLogarithm(const SO3<S>& Q, const DoubleWord<S>& excess)
+      : v(vector_part(Q, Q.to_vector())), c(dot<S>(v, v), absolute<S>(Q.w()), excess) {
+    phi = each<S>([&](int i) { return mul_add(c.ratio.high, v[i], S(c.ratio.low * v[i])); });
+  }
   [[gnu::always_inline]] explicit RotationLogarithm(const typename SO3<S>::DoubleWords& Q)
       : RotationLogarithm(Q, Q.high.template normExcessDoubleWord<P>()) {}
   /// The quaternion is v = sine + sine_low, w = cosine >= 0, with |Q|^2 = 1 + excess.
@@ -88,10 +91,6 @@ struct RotationLogarithm {
   }
 
  private:
-  [[gnu::always_inline]] RotationLogarithm(const SO3<S>& Q, const DoubleWord<S>& excess)
-      : v(vector_part(Q, Q.to_vector())), c(dot<S>(v, v), absolute<S>(Q.w()), excess) {
-    phi = each<S>([&](int i) { return mul_add(c.ratio.high, v[i], S(c.ratio.low * v[i])); });
-  }
   [[gnu::always_inline]] RotationLogarithm(const typename SO3<S>::DoubleWords& Q, const DoubleWord<S>& excess)
       : RotationLogarithm(vector_part(Q.high, Q.high.to_vector()), vector_part(Q.high, Q.low),
                           DoubleWord<S>(absolute<S>(Q.high.w()), S(sign<S>(Q.high.w()) * Q.low[3])),
@@ -101,6 +100,21 @@ struct RotationLogarithm {
     return each<S>([&q, s = sign<S>(Q.w())](int i) { return S(s * q[i]); });
   }
 };
+
+/// Returns f(logarithm of Q). Scaling of a Q with |Q|^2 out of [1/2, 3/2] is a separate function.
+template <Scalar S, Precision P, class F>
+[[gnu::noinline, gnu::cold]] auto with_logarithm_off_unit(const SO3<S>& Q, F f) {
+  const SO3<S> scaled = Q.atUnitScale();
+  return f(RotationLogarithm<S, P>(scaled, scaled.template normExcessDoubleWord<P>()));
+}
+template <Scalar S, Precision P, class F>
+[[gnu::always_inline]] inline auto with_logarithm(const SO3<S>& Q, F f) {
+  const auto excess = Q.template normExcessDoubleWord<P>();
+  if constexpr (!side_by_side<S>)
+    if (!unit_vector_detail::atUnitScale<S>(S(excess.high + excess.low))) [[unlikely]]
+      return with_logarithm_off_unit<S, P>(Q, f);
+  return f(RotationLogarithm<S, P>(Q, excess));
+}
 
 }  // namespace exp_log_detail
 
@@ -123,8 +137,10 @@ SO3<S> exp3(const Vector3<S>& phi) {
 template <Scalar S, Precision P = Precision::standard>
 Vector3<S> log3(const SO3<S>& Q) {
   return evaluate<S, P>(
-      []<Scalar T, Precision R>(Arithmetic<T, R>, const SO3<T>& x)
-          __attribute__((always_inline)) { return exp_log_detail::RotationLogarithm<T, R>(x).phi; },
+      []<Scalar T, Precision R>(Arithmetic<T, R>, const SO3<T>& x) __attribute__((always_inline)) {
+        return exp_log_detail::with_logarithm<T, R>(
+            x, [](const auto& l) __attribute__((always_inline)) { return l.phi; });
+      },
       Q);
 }
 
@@ -148,8 +164,10 @@ template <Scalar S, Precision P = Precision::standard>
 Motion<S> log6(const Vector7<S>& q) {
   return evaluate<S, P>(
       []<Scalar T, Precision Q>(Arithmetic<T, Q>, const Vector7<T>& x) __attribute__((always_inline)) {
-        const exp_log_detail::RotationLogarithm<T, Q> l(SO3<T>(Vector4<T>(x.template tail<4>())));
-        return Motion<T>(l.arc(x.template head<3>()), l.phi);
+        return exp_log_detail::with_logarithm<T, Q>(
+            SO3<T>(Vector4<T>(x.template tail<4>())), [&x](const auto& l) __attribute__((always_inline)) {
+              return Motion<T>(l.arc(x.template head<3>()), l.phi);
+            });
       },
       q);
 }

@@ -188,7 +188,10 @@ Matrix3<S> Jexp3(const Vector3<S>& phi) {
 }
 template <Scalar S, Precision P = Precision::standard>
 Matrix3<S> Jlog3(const Matrix3<S>& R) {
-  return rightJacobianInverse<S, P>(log3<S, P>(R));
+  return evaluate<S, P, Precision::standard>(
+      []<Scalar U, Precision Q>(Arithmetic<U, Q>, const Matrix3<U>& x)
+          __attribute__((always_inline)) { return rightJacobianInverse<U, Q>(log3<U, Q>(x)); },
+      R);
 }
 template <Scalar S, Precision P = Precision::standard>
 Matrix6<S> Jexp6(const Motion<S>& xi) {
@@ -196,7 +199,10 @@ Matrix6<S> Jexp6(const Motion<S>& xi) {
 }
 template <Scalar S, Precision P = Precision::standard>
 Matrix6<S> Jlog6(const SE3<S>& T) {
-  return rightJacobianInverse<S, P>(log6<S, P>(T));
+  return evaluate<S, P, Precision::standard>(
+      []<Scalar U, Precision Q>(Arithmetic<U, Q>, const SE3<U>& x)
+          __attribute__((always_inline)) { return rightJacobianInverse<U, Q>(log6<U, Q>(x)); },
+      T);
 }
 
 }  // namespace liecheck

@@ -15,7 +15,8 @@ class SpatialVector {
     mark_uninitialised(linear_);
     mark_uninitialised(angular_);
   }
-  SpatialVector(const Vector3<S>& linear, const Vector3<S>& angular) : linear_(linear), angular_(angular) {}
+  [[gnu::always_inline]] SpatialVector(const Vector3<S>& linear, const Vector3<S>& angular)
+      : linear_(copied<S>(linear)), angular_(copied<S>(angular)) {}
   explicit SpatialVector(const Vector6<S>& v)
       : linear_(v.template head<3>()), angular_(v.template tail<3>()) {}
 

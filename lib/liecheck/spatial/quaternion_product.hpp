@@ -1,6 +1,6 @@
 #pragma once
-// The product of quaternions x y z w, with terms summed in double words. All four numbers are computed at
-// once if they fit one register of the target, otherwise one after another.
+// The products of quaternions x y z w and of vectors, with terms summed in double words. All numbers are computed at
+// once if they fit vector registers of the target, otherwise one after another.
 
 #include <liecheck/scalar/compensated.hpp>
 #include <liecheck/scalar/simd.hpp>
@@ -15,96 +15,134 @@ using Quad = Simd<S, 4>;
 template <Scalar S>
 inline constexpr bool one_register = Quad<S>::in_register;
 
-/// Selects the numbers of a Quad that a formula computes: all four, or number N alone (see by_lane).
+/// Selects the numbers that a formula computes: all four, or number N alone (see by_lane).
 struct AllLanes {};
 template <int N>
 struct OneLane {};
 
+namespace quad_detail {
+
+/// (q_I, q_J) of numbers in two registers.
+template <int I, int J, class V>
+[[gnu::always_inline]] inline auto half(const V& q) {
+  const auto& i = I < 2 ? q.low : q.high;
+  const auto& j = J < 2 ? q.low : q.high;
+  return __builtin_shufflevector(i, j, I % 2, 2 + J % 2);
+}
+
+}  // namespace quad_detail
+
 /// permute returns (q_I, q_J, q_K, q_L). pick returns the lanes of it that its first argument selects.
-template <int I, int J, int K, int L, class Q>
-[[gnu::always_inline]] inline Q permute(const Q& q) {
+template <int I, int J, int K, int L, class S>
+[[gnu::always_inline]] inline auto permute(const Simd<S, 4>& q) {
+  using Q = Simd<S, 4>;
   if constexpr (Q::in_register)
-    return __builtin_shufflevector(q.v, q.v, I, J, K, L);
+    return Q(__builtin_shufflevector(q.v, q.v, I, J, K, L));
+  else if constexpr (Q::in_halves)
+    return Q(typename Q::Vector{quad_detail::half<I, J>(q.v), quad_detail::half<K, L>(q.v)});
   else
     return Q(q.v[I], q.v[J], q.v[K], q.v[L]);
 }
-template <int I, int J, int K, int L, class Q>
-[[gnu::always_inline]] inline Q pick(AllLanes, const Q& q) {
+template <int I, int J, int K, int L, class S>
+[[gnu::always_inline]] inline auto pick(AllLanes, const Simd<S, 4>& q) {
   return permute<I, J, K, L>(q);
 }
-template <int I, int J, int K, int L, int N, class Q>
-[[gnu::always_inline]] inline auto pick(OneLane<N>, const Q& q) {
+template <int I, int J, int K, int L, int N, class S>
+[[gnu::always_inline]] inline S pick(OneLane<N>, const Simd<S, 4>& q) {
   constexpr int places[4] = {I, J, K, L};
   return q.v[places[N]];
 }
-template <class Q, int BITS, Precision P>
-[[gnu::always_inline]] inline SplitFactor<Q, BITS, P> at(AllLanes, const SplitFactor<Q, BITS, P>& c) {
-  return c;
-}
-template <int N, class Q, int BITS, Precision P>
-[[gnu::always_inline]] inline auto at(OneLane<N>, const SplitFactor<Q, BITS, P>& c) {
-  using S = std::remove_cvref_t<decltype(c.value.v[N])>;
-  return SplitFactor<S, BITS, P>::of(c.value.v[N], c.high.v[N], c.low.v[N]);
+/// The same of split factors.
+template <int I, int J, int K, int L, class Lanes, class Q, int BITS, Precision P>
+[[gnu::always_inline]] inline auto pick(Lanes lane, const SplitFactor<Q, BITS, P>& c) {
+  const auto value = pick<I, J, K, L>(lane, c.value);
+  return SplitFactor<std::remove_cvref_t<decltype(value)>, BITS, P>::of(value, pick<I, J, K, L>(lane, c.high),
+                                                                        pick<I, J, K, L>(lane, c.low));
 }
 
-/// (q_I, q_J, q_K, q_L) as split factors. Without sigma they are split at a fixed digit, with sigma at the
-/// last digit of sigma. With low, the double words q + low are split.
-template <Precision P, int I, int J, int K, int L, class Lanes, class Q>
-[[gnu::always_inline]] inline auto split_lanes(Lanes lane, const Q& q) {
-  const auto a = pick<I, J, K, L>(lane, q);
-  return SplitFactor<std::remove_cvref_t<decltype(a)>, 1, P>(a);
-}
-template <Precision P, int I, int J, int K, int L, class Lanes, class Q>
-[[gnu::always_inline]] inline auto split_lanes(Lanes lane, const Q& q, const Q& sigma) {
-  const auto a = pick<I, J, K, L>(lane, q);
-  return SplitFactor<std::remove_cvref_t<decltype(a)>, 1, P>(a, pick<0, 1, 2, 3>(lane, sigma));
-}
-template <Precision P, int I, int J, int K, int L, class Lanes, class Q>
-[[gnu::always_inline]] inline auto split_lanes(Lanes lane, const Q& q, const Q& low, const Q& sigma) {
-  const auto a = pick<I, J, K, L>(lane, q);
-  return SplitFactor<std::remove_cvref_t<decltype(a)>, 1, P>(a, pick<I, J, K, L>(lane, low),
-                                                             pick<0, 1, 2, 3>(lane, sigma));
-}
-/// An empty sum of products, for the numbers that `lane` selects.
-template <Precision P, class Lanes, class Q>
-[[gnu::always_inline]] inline auto empty_sum(Lanes lane, const Q& q) {
-  return SplitDot<std::remove_cvref_t<decltype(pick<0, 1, 2, 3>(lane, q))>, 1, P>();
-}
-
-/// Computes f(lane), a SplitDot, for all four numbers: at once if they fit one register, otherwise one after
+/// Computes f(lane), a SplitDot, for all four numbers: at once if they fit two registers, otherwise one after
 /// another, so that few registers are in use at a time.
-template <Scalar S, Precision P, class F>
-[[gnu::always_inline]] inline SplitDot<Quad<S>, 1, P> by_lane(F f) {
-  if constexpr (one_register<S>) {
+template <class Q, Precision P, class F>
+[[gnu::always_inline]] inline SplitDot<Q, 1, P> by_lane(F f) {
+  if constexpr (Q::in_register || Q::in_halves) {
     return f(AllLanes());
   } else {
-    SplitDot<Quad<S>, 1, P> sum;
-    const auto set = [&sum](int i, const auto& lane) __attribute__((always_inline)) {
-      sum.high.v[i] = lane.high, sum.low_a.v[i] = lane.low();
+    SplitDot<Q, 1, P> sum;
+    const auto set = [&sum, &f ]<int N>(OneLane<N> lane) __attribute__((always_inline)) {
+      const auto one = f(lane);
+      sum.high.v[N] = one.high, sum.low_a.v[N] = one.low();
     };
-    set(0, f(OneLane<0>())), set(1, f(OneLane<1>())), set(2, f(OneLane<2>())), set(3, f(OneLane<3>()));
+    set(OneLane<0>()), set(OneLane<1>()), set(OneLane<2>()), set(OneLane<3>());
     return sum;
   }
 }
-
-/// The left factor q = (v, w) of a quaternion product, arranged and split for
-///     q (r, w') = [w r + v w' + v x r; w w' - v . r].
-template <Scalar S, Precision P>
-struct LeftFactor {
-  using Factor = SplitFactor<Quad<S>, 1, P>;
-  Factor w_x, self, y, z;  ///< (w w w -x), q, (y z x -y), (z x y z)
-  [[gnu::always_inline]] explicit LeftFactor(const Quad<S>& q)
-      : w_x(permute<3, 3, 3, 0>(q) * signs()),
-        self(q),
-        y(permute<1, 2, 0, 1>(q) * signs()),
-        z(permute<2, 0, 1, 2>(q)) {}
-  [[gnu::always_inline]] static Quad<S> signs() { return Quad<S>(S(1), S(1), S(1), S(-1)); }
-};
+/// a b.
+template <class V, int BITS, Precision P>
+[[gnu::always_inline]] inline auto times(const SplitFactor<V, BITS, P>& a, const SplitFactor<V, BITS, P>& b) {
+  return SplitDot<V, BITS, P>::product(a, b);
+}
 
 /// q_0 + q_1 + q_2 + q_3.
 template <class Q>
 [[gnu::always_inline]] inline auto sum(const Q& q) {
   return (q.v[0] + q.v[2]) + (q.v[1] + q.v[3]);
+}
+
+/// q b = [w r + w' v + v x r; w w' - v . r] for q = (v, w) and b = (r, w') in double words; q* b for SIGN = -1.
+template <Scalar S, Precision P, int SIGN = 1>
+[[gnu::always_inline]] inline SplitDot<Quad<S>, 1, P> product(const SplitFactor<Quad<S>, 1, P>& q,
+                                                              const SplitFactor<Quad<S>, 1, P>& b) {
+  using Factor = SplitFactor<Quad<S>, 1, P>;
+  const auto signs = [](const Factor& c, int x, int y, int z, int w) __attribute__((always_inline)) {
+    const Quad<S> sign{S(x), S(y), S(z), S(w)};
+    return Factor::of(c.value * sign, c.high * sign, c.low * sign);
+  };
+  // Permutations by pairs, which exchange two registers, are free.
+  const Factor c = signs(pick<1, 0, 3, 2>(AllLanes(), b), SIGN, -SIGN, SIGN, -SIGN);  // (y, -x, w', -z)
+  const Factor by_y = signs(pick<2, 3, 0, 1>(AllLanes(), b), SIGN, SIGN, -SIGN, -SIGN),
+               by_z = signs(c, -1, -1, 1, 1);
+  return by_lane<Quad<S>, P>([&](auto l) __attribute__((always_inline)) {
+    return times(pick<3, 3, 3, 3>(l, q), pick<0, 1, 2, 3>(l, b))
+        .add_product(pick<0, 0, 0, 0>(l, q), pick<2, 3, 0, 1>(l, c))
+        .add_product(pick<1, 1, 1, 1>(l, q), pick<0, 1, 2, 3>(l, by_y))
+        .add_product(pick<2, 2, 2, 2>(l, q), pick<0, 1, 2, 3>(l, by_z));
+  });
+}
+
+/// q = (v, w) or q*, for SIGN = 1 or -1, applied to x + x_low..., whose fourth number is not used:
+///     x + 2 (SIGN w t + v x t) / |q|^2,  t = v x x.
+/// sigma is 2^(digits/2 + 1) times a bound of |x|, |q|^2 = 1 + excess < 2. Error 1 eps of the bound, or 3 eps if
+/// |excess| > sqrt(eps).
+template <Precision P, int SIGN, class V, class S, class... Low>
+[[gnu::always_inline]] inline V rotated(const SplitFactor<V, 1, P>& q, const S& excess, const V& sigma,
+                                        const V& x, const Low&... x_low) {
+  using Factor = SplitFactor<V, 1, P>;
+  // The fourth numbers are those that cost no instruction in two registers.
+  const auto cross = [](auto l, const Factor& a, const Factor& b) __attribute__((always_inline)) {
+    return times(pick<1, 2, 0, 1>(l, a), pick<2, 0, 1, 1>(l, b))
+        .subtract_product(pick<2, 0, 1, 1>(l, a), pick<1, 2, 0, 1>(l, b));
+  };
+  const Factor p(x, x_low..., sigma);
+  const auto t = by_lane<V, P>([&](auto l) __attribute__((always_inline)) { return cross(l, q, p); });
+  const Factor f(t.high, t.low(), sigma);
+  const auto r = by_lane<V, P>([&](auto l) __attribute__((always_inline)) {
+    auto sum = cross(l, q, f);
+    const auto w = pick<3, 3, 3, 3>(l, q), along = pick<0, 1, 2, 3>(l, f);
+    if constexpr (SIGN > 0) return sum.add_product(w, along);
+    return sum.subtract_product(w, along);
+  });
+  // 2 r.high is added to p.high without a rounding error.
+  const V correction(S(-excess / (S(1) + excess))), low = mul_add(correction, r.value(), r.low());
+  return (p.high + (r.high + r.high)) + (p.low + (low + low));
+}
+
+/// |q|^2 - 1 as a double word. Error eps/16 of |q|^2 for |q|^2 < 2.
+template <class Q, Precision P>
+[[gnu::always_inline]] inline auto norm_excess(const SplitFactor<Q, 1, P>& q) {
+  const auto squares = SplitDot<Q, 1, P>::square(q);
+  const auto high = sum(squares.high);
+  using S = std::remove_cvref_t<decltype(high)>;
+  return DoubleWord<S>(high - S(1), sum(squares.low_a));
 }
 
 }  // namespace liecheck

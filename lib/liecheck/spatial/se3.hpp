@@ -31,16 +31,17 @@ class SE3 {
   const Matrix3<S>& rotation() const { return R_; }
   const Vector3<S>& translation() const { return p_; }
 
+  // The operations below are inlined. A call would write the result number by number, and copying it in wide
+  // registers right after that would stall (failed store forwarding).
+
   /// X_AC = X_AB X_BC.
-  SE3 operator*(const SE3& o) const { return SE3(product<S>(R_, o.R_), act(o.p_)); }
-  SE3 inverse() const {
-    return SE3(
-        rows<S>(R_(0, 0), R_(1, 0), R_(2, 0), R_(0, 1), R_(1, 1), R_(2, 1), R_(0, 2), R_(1, 2), R_(2, 2)),
-        transposed_product<S>(R_, each<S>([this](int i) { return -p_[i]; })));
+  [[gnu::always_inline]] SE3 operator*(const SE3& o) const { return SE3(product<S>(R_, o.R_), act(o.p_)); }
+  [[gnu::always_inline]] SE3 inverse() const {
+    return SE3(transposed<S>(R_), transposed_product<S>(R_, each<S>([this](int i) { return -p_[i]; })));
   }
   /// X_AB^-1 X_AC = (R_AB^T R_AC, R_AB^T (p_AC - p_AB)).
-  SE3 actInv(const SE3& o) const {
-    return SE3(Matrix3<S>(R_.transpose() * o.R_), Vector3<S>(R_.transpose() * (o.p_ - p_)));
+  [[gnu::always_inline]] SE3 actInv(const SE3& o) const {
+    return SE3(transposed_product<S>(R_, o.R_), actInv(o.p_));
   }
 
   /// x_A = R x_B + p.
@@ -48,32 +49,31 @@ class SE3 {
     const Vector3<S> x = product<S>(R_, x_B);
     return each<S>([&](int i) { return x[i] + p_[i]; });
   }
-  Vector3<S> actInv(const Vector3<S>& x_A) const { return R_.transpose() * (x_A - p_); }
+  [[gnu::always_inline]] Vector3<S> actInv(const Vector3<S>& x_A) const {
+    return transposed_product<S>(R_, each<S>([&](int i) { return x_A[i] - p_[i]; }));
+  }
 
-  Motion<S> act(const Motion<S>& V_B) const {
-    const Vector3<S> omega = product<S>(R_, V_B.angular()), u = product<S>(R_, V_B.linear());
-    const auto linear = [&](int i, int j, int k) __attribute__((always_inline)) {
-      return mul_add(p_[j], omega[k], mul_add(S(-p_[k]), omega[j], u[i]));
-    };
-    return {Vector3<S>(linear(0, 1, 2), linear(1, 2, 0), linear(2, 0, 1)), omega};
+  [[gnu::always_inline]] Motion<S> act(const Motion<S>& V_B) const {
+    const Vector3<S> omega = product<S>(R_, V_B.angular());
+    return {add_cross<S>(product<S>(R_, V_B.linear()), p_, omega), omega};
   }
-  Motion<S> actInv(const Motion<S>& V_A) const {
-    const Vector3<S> u = V_A.linear() - cross<S>(p_, V_A.angular());
-    return {Vector3<S>(R_.transpose() * u), Vector3<S>(R_.transpose() * V_A.angular())};
+  [[gnu::always_inline]] Motion<S> actInv(const Motion<S>& V_A) const {
+    return {transposed_product<S>(R_, add_cross<S>(V_A.linear(), V_A.angular(), p_)),
+            transposed_product<S>(R_, V_A.angular())};
   }
-  Force<S> act(const Force<S>& F_B) const {
-    const Vector3<S> f = R_ * F_B.linear();
-    return {f, Vector3<S>(R_ * F_B.angular()) + cross<S>(p_, f)};
+  [[gnu::always_inline]] Force<S> act(const Force<S>& F_B) const {
+    const Vector3<S> f = product<S>(R_, F_B.linear());
+    return {f, add_cross<S>(product<S>(R_, F_B.angular()), p_, f)};
   }
-  Force<S> actInv(const Force<S>& F_A) const {
-    const Vector3<S> n = F_A.angular() - cross<S>(p_, F_A.linear());
-    return {Vector3<S>(R_.transpose() * F_A.linear()), Vector3<S>(R_.transpose() * n)};
+  [[gnu::always_inline]] Force<S> actInv(const Force<S>& F_A) const {
+    return {transposed_product<S>(R_, F_A.linear()),
+            transposed_product<S>(R_, add_cross<S>(F_A.angular(), F_A.linear(), p_))};
   }
-  Inertia<S> act(const Inertia<S>& I_B) const {
+  [[gnu::always_inline]] Inertia<S> act(const Inertia<S>& I_B) const {
     return Inertia<S>(I_B.mass(), act(I_B.lever()), congruence(R_, I_B.inertia()));
   }
-  Inertia<S> actInv(const Inertia<S>& I_A) const {
-    return Inertia<S>(I_A.mass(), actInv(I_A.lever()), congruence(R_.transpose(), I_A.inertia()));
+  [[gnu::always_inline]] Inertia<S> actInv(const Inertia<S>& I_A) const {
+    return Inertia<S>(I_A.mass(), actInv(I_A.lever()), congruence(transposed<S>(R_), I_A.inertia()));
   }
 
   /// X, 6 x 6, with V_A = X V_B: [R, [p] R; 0, R].
@@ -104,12 +104,13 @@ class SE3 {
     X(column, row + j) = X(column + 1, row + j) = X(column + 2, row + j) = S(0);
   }
   /// R I R^T, symmetric to the last bit.
-  static Matrix3<S> congruence(const Matrix3<S>& R, const Matrix3<S>& I) {
-    const Matrix3<S> RI = R * I;
-    Matrix3<S> result;
-    for (int i = 0; i < 3; ++i)
-      for (int j = i; j < 3; ++j) result(i, j) = result(j, i) = RI.row(i).dot(R.row(j));
-    return result;
+  [[gnu::always_inline]] static Matrix3<S> congruence(const Matrix3<S>& R, const Matrix3<S>& I) {
+    const Matrix3<S> RI = product<S>(R, I);
+    const auto entry = [&](int i, int j) __attribute__((always_inline)) {
+      return mul_add(RI(i, 0), R(j, 0), mul_add(RI(i, 1), R(j, 1), S(RI(i, 2) * R(j, 2))));
+    };
+    const S xy = entry(0, 1), yz = entry(1, 2), zx = entry(0, 2);
+    return rows<S>(entry(0, 0), xy, zx, xy, entry(1, 1), yz, zx, yz, entry(2, 2));
   }
 
   Matrix3<S> R_;

@@ -3,12 +3,15 @@
 //
 //   x_A = R_AB x_B,   R(Q) = I + 2 (w [v] + [v]^2) / |Q|^2
 //
-// Q represents the rotation of Q/|Q|, so an error of |Q| costs no accuracy. Q and -Q are the same rotation.
+// Q represents the rotation of Q/|Q|; Q and -Q are the same rotation. act, actInv, matrix and the logarithms take
+// every finite Q != 0 and throw std::invalid_argument for Q = 0. A second bound is stated where the first holds only
+// for ||Q|^2 - 1| <= sqrt(eps)/2. Products are those of the stored numbers and do not normalise.
 
 #include <liecheck/scalar/compensated.hpp>
 #include <liecheck/scalar/stumpff.hpp>
 #include <liecheck/spatial/quaternion_product.hpp>
 #include <liecheck/spatial/types.hpp>
+#include <liecheck/spatial/unit_scale.hpp>
 
 namespace liecheck {
 
@@ -35,17 +38,16 @@ class SO3 {
   Vector3<S> vec() const { return q_.template head<3>(); }
   const S& w() const { return q_[3]; }
   S squaredNorm() const { return q_.squaredNorm(); }
-  /// |Q|^2 - 1. Error eps/16 while |Q| is near 1.
+  /// |Q|^2 - 1. Error eps/16 of |Q|^2 for |Q|^2 < 2.
   template <Precision P = Precision::standard>
   [[gnu::always_inline]] S normExcess() const {
     const auto excess = normExcessDoubleWord<P>();
     return excess.high + excess.low;
   }
-  /// |Q|^2 - 1 as a double word. Error eps/16 of |Q|^2 for |Q| <= 1.
+  /// |Q|^2 - 1 as a double word. Error eps/16 of |Q|^2 for |Q|^2 < 2.
   template <Precision P = Precision::standard>
   [[gnu::always_inline]] DoubleWord<S> normExcessDoubleWord() const {
-    const auto squares = SplitDot<Quad<S>, 1, P>().add_square(SplitFactor<Quad<S>, 1, P>(numbers()));
-    return {sum(squares.high) - S(1), sum(squares.low_a)};
+    return norm_excess(SplitFactor<Quad<S>, 1, P>(numbers()));
   }
 
   SO3 inverse() const { return SO3(Vector4<S>(-q_[0], -q_[1], -q_[2], q_[3])); }
@@ -60,43 +62,40 @@ class SO3 {
                    (w1 * z2 + z1 * w2) + (x1 * y2 - y1 * x2), (w1 * w2 - x1 * x2) - (y1 * y2 + z1 * z2)));
   }
 
-  /// R p [3, unit of p], the vector part of (Q p) Q* / |Q|^2. Error 1 eps |p|.
+  /// R p [3, unit of p], p + 2 (w t + v x t) / |Q|^2 with t = v x p. Error 1 eps |p|, at other norms of Q 3 eps |p|.
   template <Precision P = Precision::standard>
   [[gnu::always_inline]] Vector3<S> act(const Vector3<S>& p) const {
-    const S bound = norm1<S>(p);
-    if constexpr (P != Precision::fast && !side_by_side<S>)
-      if (!splittable(bound)) [[unlikely]]
-        return S(1) / scale_down() * actWithin<P>(Vector3<S>(p * scale_down()), S(bound * scale_down()));
-    return actWithin<P>(p, bound);
+    return rotate<P, 1>(p);
   }
   /// R^T p.
   template <Precision P = Precision::standard>
   [[gnu::always_inline]] Vector3<S> actInv(const Vector3<S>& p) const {
-    return inverse().template act<P>(p);
+    return rotate<P, -1>(p);
   }
 
-  /// R p for |p| <= bound. Error 1 eps of bound. Precondition: splittable(bound).
-  template <Precision P>
-  [[gnu::always_inline]] Vector3<S> actWithin(const Vector3<S>& p, const S& bound) const {
-    return rotated<P>(numbers(), Quad<S>(p[0], p[1], p[2], S(0)), bound);
-  }
-  /// R^T p, or R^T (p + p_low) if p_low is given. Their fourth number is 0. Precondition: splittable(bound).
-  template <Precision P, class... Low>
-  [[gnu::always_inline]] Vector3<S> actInvWithin(const Quad<S>& p, const S& bound,
-                                                 const Low&... p_low) const {
-    return rotated<P>(conjugate(), p, bound, p_low...);
-  }
   /// True if numbers up to `bound` can be split without overflow. If not, scale them by scale_down() first.
   [[gnu::always_inline]] static bool splittable(const S& bound) {
     return finite<S>(S(bound * split_factor()));
   }
   static S scale_down() { return eps<S>(); }
-  [[gnu::always_inline]] Quad<S> conjugate() const { return numbers() * Quad<S>(S(-1), S(-1), S(-1), S(1)); }
   [[gnu::always_inline]] Quad<S> numbers() const { return Quad<S>(q_[0], q_[1], q_[2], q_[3]); }
+  /// 2^(n + 1) for numbers whose high parts are to have all but n digits (SplitFactor).
+  [[gnu::always_inline]] static S split_factor() {
+    using std::ldexp;
+    return S(ldexp(S(1), std::numeric_limits<S>::digits / 2 + 1));
+  }
 
-  /// R [3 x 3] of Q/|Q|. Error 2 eps of each entry.
+  /// R [3 x 3] of Q/|Q|. Error of each entry 4 eps, absolute.
   [[gnu::always_inline]] Matrix3<S> matrix() const {
-    const S s = scale();
+    const S excess = normExcess<>();
+    if constexpr (!side_by_side<S>)
+      if (!unit_vector_detail::atUnitScale<S>(excess)) [[unlikely]]
+        return matrixFar();
+    return matrixWithin(excess);
+  }
+  [[gnu::always_inline]] Matrix3<S> matrixWithin(const S& excess) const {
+    // 2 / |Q|^2, rounded only twice, since its error would change the length of every rotated vector.
+    const S s = S(2) / (S(1) + excess);
     const S &x = q_[0], &y = q_[1], &z = q_[2], &w = q_[3];
     const S xs = x * s, ys = y * s, zs = z * s;
     const S xx = x * xs, yy = y * ys, zz = z * zs, xy = x * ys, yz = y * zs, zx = x * zs;
@@ -105,6 +104,11 @@ class SO3 {
                    S(1) - (xx + yy));
   }
 
+  /// Q times a power of two such that |Q|^2 is in [1/2, 2), without a rounding error. Throws
+  /// std::invalid_argument if Q = 0.
+  [[gnu::noinline, gnu::cold]] SO3 atUnitScale() const {
+    return SO3(unit_vector_detail::scaledByPowerOfTwo<S, 4>(q_));
+  }
   /// Q/|Q|, without overflow or underflow of |Q|^2. Precondition: Q is finite and not zero.
   SO3 normalized() const {
     const S scale = q_.cwiseAbs().maxCoeff();
@@ -167,34 +171,34 @@ class SO3 {
   }
 
  private:
-  [[gnu::always_inline]] static S split_factor() {
-    using std::ldexp;
-    return S(ldexp(S(1), std::numeric_limits<S>::digits / 2 + 1));
+  [[gnu::noinline, gnu::cold]] Matrix3<S> matrixFar() const {
+    const SO3 Q = atUnitScale();
+    return Q.matrixWithin(Q.normExcess());
   }
-  /// The first three numbers of x, or of x + x_low if x_low is given, rotated by Q.
-  template <Precision P, class... Low>
-  [[gnu::always_inline]] Vector3<S> rotated(const Quad<S>& Q, const Quad<S>& x, const S& bound,
-                                            const Low&... x_low) const {
-    const LeftFactor<S, P> q(Q);
-    const Quad<S> sigma(S(bound * split_factor()));
-    // First g = Q p = (w p + v x p, -v . p), then the vector part of g Q*, which is w g - g_w v + v x g.
-    const auto Qp = by_lane<S, P>([&](auto l) __attribute__((always_inline)) {
-      return empty_sum<P>(l, x)
-          .add_product(at(l, q.w_x), split_lanes<P, 0, 1, 2, 0>(l, x, x_low..., sigma))
-          .add_product(at(l, q.y), split_lanes<P, 2, 0, 1, 1>(l, x, x_low..., sigma))
-          .add_product(-at(l, q.z), split_lanes<P, 1, 2, 0, 2>(l, x, x_low..., sigma));
-    });
-    const Quad<S> g = Qp.high, low = Qp.low();
-    const auto r = by_lane<S, P>([&](auto l) __attribute__((always_inline)) {
-      return empty_sum<P>(l, x)
-          .add_product(at(l, q.w_x), split_lanes<P, 0, 1, 2, 3>(l, g, low, sigma))
-          .add_product(-at(l, q.self), split_lanes<P, 3, 3, 3, 3>(l, g, low, sigma))
-          .add_product(at(l, q.y), split_lanes<P, 2, 0, 1, 3>(l, g, low, sigma))
-          .add_product(-at(l, q.z), split_lanes<P, 1, 2, 0, 3>(l, g, low, sigma));
-    });
-    const S excess = normExcess<P>(), correction = -excess / (S(1) + excess);
-    const Quad<S> result = r.high + mul_add(Quad<S>(correction), r.high, r.low());
-    return Vector3<S>(result.v[0], result.v[1], result.v[2]);
+  /// R p for SIGN = 1, R^T p for SIGN = -1.
+  template <Precision P, int SIGN>
+  [[gnu::always_inline]] Vector3<S> rotate(const Vector3<S>& p) const {
+    const S bound = norm1<S>(p), excess = normExcess<P>();
+    if constexpr (!side_by_side<S>)
+      if (!splittable(bound) || !unit_vector_detail::atUnitScale<S>(excess)) [[unlikely]]
+        return rotateFar<P, SIGN>(p);
+    return rotateWithin<P, SIGN>(p, bound, excess);
+  }
+  template <Precision P, int SIGN>
+  [[gnu::always_inline]] Vector3<S> rotateWithin(const Vector3<S>& p, const S& bound, const S& excess) const {
+    const Quad<S> Q(q_[0], q_[1], q_[2], q_[3]), sigma(S(bound * split_factor()));
+    const Quad<S> x =
+        rotated<P, SIGN>(SplitFactor<Quad<S>, 1, P>(Q), excess, sigma, Quad<S>(p[0], p[1], p[2], S(0)));
+    return Vector3<S>(x.v[0], x.v[1], x.v[2]);
+  }
+  /// For p or Q of any size.
+  template <Precision P, int SIGN>
+  [[gnu::noinline, gnu::cold]] Vector3<S> rotateFar(const Vector3<S>& p) const {
+    const S bound = norm1<S>(p), scale = splittable(bound) ? S(1) : scale_down();
+    const SO3 Q = atUnitScale();
+    return Q.template rotateWithin<P, SIGN>(Vector3<S>(scale * p), S(scale * bound),
+                                            Q.template normExcess<P>()) /
+           scale;
   }
   /// The quaternion of R + C by the largest pivot; c = (C_32 - C_23, ...) is the antisymmetric part of C.
   template <Precision P>
@@ -282,8 +286,6 @@ class SO3 {
     }
     return SO3(Vector3<S>(high / S(4)), exact_dot<S, 12>(entries, factors) / S(16));
   }
-  /// 2 / |Q|^2, rounded only twice, since its error would change the length of every rotated vector.
-  [[gnu::always_inline]] S scale() const { return S(2) / (S(1) + normExcess<>()); }
 
   Vector4<S> q_;
 };

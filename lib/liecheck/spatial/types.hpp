@@ -78,11 +78,34 @@ template <class S>
   return each<S>([&](int i) { return mul_add(M(0, i), v[0], mul_add(M(1, i), v[1], S(M(2, i) * v[2]))); });
 }
 
-/// A B, entry by entry.
+/// A copy that is written entry by entry, for a value that was just computed (see each).
+template <class S>
+[[gnu::always_inline]] inline Vector3<S> copied(const Vector3<S>& v) {
+  return Vector3<S>(v[0], v[1], v[2]);
+}
+template <class S>
+[[gnu::always_inline]] inline Matrix3<S> copied(const Matrix3<S>& A) {
+  return rows<S>(A(0, 0), A(0, 1), A(0, 2), A(1, 0), A(1, 1), A(1, 2), A(2, 0), A(2, 1), A(2, 2));
+}
+/// A^T.
+template <class S>
+[[gnu::always_inline]] inline Matrix3<S> transposed(const Matrix3<S>& A) {
+  return rows<S>(A(0, 0), A(1, 0), A(2, 0), A(0, 1), A(1, 1), A(2, 1), A(0, 2), A(1, 2), A(2, 2));
+}
+
+/// A B and A^T B, entry by entry.
 template <class S>
 [[gnu::always_inline]] inline Matrix3<S> product(const Matrix3<S>& A, const Matrix3<S>& B) {
   const auto entry = [&](int i, int j) __attribute__((always_inline)) {
     return mul_add(A(i, 0), B(0, j), mul_add(A(i, 1), B(1, j), S(A(i, 2) * B(2, j))));
+  };
+  return rows<S>(entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 0), entry(1, 1), entry(1, 2), entry(2, 0),
+                 entry(2, 1), entry(2, 2));
+}
+template <class S>
+[[gnu::always_inline]] inline Matrix3<S> transposed_product(const Matrix3<S>& A, const Matrix3<S>& B) {
+  const auto entry = [&](int i, int j) __attribute__((always_inline)) {
+    return mul_add(A(0, i), B(0, j), mul_add(A(1, i), B(1, j), S(A(2, i) * B(2, j))));
   };
   return rows<S>(entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 0), entry(1, 1), entry(1, 2), entry(2, 0),
                  entry(2, 1), entry(2, 2));
@@ -93,6 +116,16 @@ template <class S>
 [[gnu::always_inline]] inline Vector3<S> cross(const Vector3<S>& a, const Vector3<S>& b) {
   return Vector3<S>(mul_add(a[1], b[2], S(-(a[2] * b[1]))), mul_add(a[2], b[0], S(-(a[0] * b[2]))),
                     mul_add(a[0], b[1], S(-(a[1] * b[0]))));
+}
+
+/// v + a x b. Error 2 eps (|v| + |a||b|).
+template <class S>
+[[gnu::always_inline]] inline Vector3<S> add_cross(const Vector3<S>& v, const Vector3<S>& a,
+                                                   const Vector3<S>& b) {
+  const auto entry = [&](int i, int j, int k) __attribute__((always_inline)) {
+    return mul_add(a[j], b[k], mul_add(S(-a[k]), b[j], v[i]));
+  };
+  return Vector3<S>(entry(0, 1, 2), entry(1, 2, 0), entry(2, 0, 1));
 }
 
 }  // namespace liecheck

@@ -99,8 +99,8 @@ struct Planar {
     const Vector2 u = unit(q0);
     const S dx = q1[0] - q0[0], dy = q1[1] - q0[1];
     const SO3<S> Q = quaternion::exp3<S>(Vector3<S>(S(0), S(0), omega));
-    const Vector3<S> rho = exp_log_detail::RotationLogarithm<S>(Q).arc(
-        Vector3<S>(u[0] * dx + u[1] * dy, u[0] * dy - u[1] * dx, S(0)));
+    const Vector3<S> rho = exp_log_detail::RotationLogarithm<S>(Q, Q.normExcessDoubleWord())
+                               .arc(Vector3<S>(u[0] * dx + u[1] * dy, u[0] * dy - u[1] * dx, S(0)));
     return Tangent(rho[0], rho[1], omega);
   }
   /// Larger translations are scaled down first.
