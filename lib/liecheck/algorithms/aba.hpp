@@ -50,7 +50,8 @@ template <Scalar S>
   for (std::size_t j = i; j < model.joints.size(); ++j) {
     const std::size_t p = std::size_t(model.parents[j]);
     V[j] = j == i ? Motion<S>(s) : p < i ? Motion<S>::Zero() : shifted(V[p], data.work.r[j]);
-    sum += V[j].dot(rotated(data.oMi[j].rotation(), model.inertias[j]) * V[j]);
+    const Motion<S> own = SE3<S>(data.oMi[j].rotation(), Vector3<S>::Zero()).actInv(V[j]);
+    sum += own.dot(model.inertias[j] * own);
   }
   return sum;
 }
