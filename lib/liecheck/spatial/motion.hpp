@@ -15,8 +15,11 @@ class SpatialVector {
     mark_uninitialised(linear_);
     mark_uninitialised(angular_);
   }
-  [[gnu::always_inline]] SpatialVector(const Vector3<S>& linear, const Vector3<S>& angular)
-      : linear_(copied<S>(linear)), angular_(copied<S>(angular)) {}
+  SpatialVector(const Vector3<S>& linear, const Vector3<S>& angular) : linear_(linear), angular_(angular) {}
+  /// From numbers that were just computed; copying vectors of them would stall (see each).
+  [[gnu::always_inline]] SpatialVector(const S& x, const S& y, const S& z, const S& omega_x, const S& omega_y,
+                                       const S& omega_z)
+      : linear_(x, y, z), angular_(omega_x, omega_y, omega_z) {}
   explicit SpatialVector(const Vector6<S>& v)
       : linear_(v.template head<3>()), angular_(v.template tail<3>()) {}
 

@@ -55,19 +55,19 @@ class SE3 {
 
   [[gnu::always_inline]] Motion<S> act(const Motion<S>& V_B) const {
     const Vector3<S> omega = product<S>(R_, V_B.angular());
-    return {add_cross<S>(product<S>(R_, V_B.linear()), p_, omega), omega};
+    return joined<Motion<S>>(add_cross<S>(product<S>(R_, V_B.linear()), p_, omega), omega);
   }
   [[gnu::always_inline]] Motion<S> actInv(const Motion<S>& V_A) const {
-    return {transposed_product<S>(R_, add_cross<S>(V_A.linear(), V_A.angular(), p_)),
-            transposed_product<S>(R_, V_A.angular())};
+    return joined<Motion<S>>(transposed_product<S>(R_, add_cross<S>(V_A.linear(), V_A.angular(), p_)),
+                             transposed_product<S>(R_, V_A.angular()));
   }
   [[gnu::always_inline]] Force<S> act(const Force<S>& F_B) const {
     const Vector3<S> f = product<S>(R_, F_B.linear());
-    return {f, add_cross<S>(product<S>(R_, F_B.angular()), p_, f)};
+    return joined<Force<S>>(f, add_cross<S>(product<S>(R_, F_B.angular()), p_, f));
   }
   [[gnu::always_inline]] Force<S> actInv(const Force<S>& F_A) const {
-    return {transposed_product<S>(R_, F_A.linear()),
-            transposed_product<S>(R_, add_cross<S>(F_A.angular(), F_A.linear(), p_))};
+    return joined<Force<S>>(transposed_product<S>(R_, F_A.linear()),
+                            transposed_product<S>(R_, add_cross<S>(F_A.angular(), F_A.linear(), p_)));
   }
   [[gnu::always_inline]] Inertia<S> act(const Inertia<S>& I_B) const {
     return Inertia<S>(I_B.mass(), act(I_B.lever()), congruence(R_, I_B.inertia()));
@@ -102,6 +102,10 @@ class SE3 {
     X(0, j) = X(3, 3 + j) = x, X(1, j) = X(4, 3 + j) = y, X(2, j) = X(5, 3 + j) = z;
     X(row, column + j) = l[0], X(row + 1, column + j) = l[1], X(row + 2, column + j) = l[2];
     X(column, row + j) = X(column + 1, row + j) = X(column + 2, row + j) = S(0);
+  }
+  template <class V>
+  [[gnu::always_inline]] static V joined(const Vector3<S>& linear, const Vector3<S>& angular) {
+    return V(linear[0], linear[1], linear[2], angular[0], angular[1], angular[2]);
   }
   /// R I R^T, symmetric to the last bit.
   [[gnu::always_inline]] static Matrix3<S> congruence(const Matrix3<S>& R, const Matrix3<S>& I) {

@@ -78,15 +78,6 @@ template <class S>
   return each<S>([&](int i) { return mul_add(M(0, i), v[0], mul_add(M(1, i), v[1], S(M(2, i) * v[2]))); });
 }
 
-/// A copy that is written entry by entry, for a value that was just computed (see each).
-template <class S>
-[[gnu::always_inline]] inline Vector3<S> copied(const Vector3<S>& v) {
-  return Vector3<S>(v[0], v[1], v[2]);
-}
-template <class S>
-[[gnu::always_inline]] inline Matrix3<S> copied(const Matrix3<S>& A) {
-  return rows<S>(A(0, 0), A(0, 1), A(0, 2), A(1, 0), A(1, 1), A(1, 2), A(2, 0), A(2, 1), A(2, 2));
-}
 /// A^T.
 template <class S>
 [[gnu::always_inline]] inline Matrix3<S> transposed(const Matrix3<S>& A) {
