@@ -89,9 +89,10 @@ template <Scalar S>
   return Vector4<S>(entry(0, 1, 2), entry(1, 2, 0), entry(2, 0, 1), exact_dot<S, 4>(a.v, b.v));
 }
 
-/// The vector part of s Q0* Q1, s = sgn(Q0 . Q1), of close rotations. It is that of Q0* D, D = s Q1 - Q0, since
-/// that of Q0* Q0 is 0. The subtraction is exact except in components that are small, so the error is 1 eps. If
-/// the norms differ so much that D is much longer than the vector part, the product is computed exactly.
+/// The vector part of s Q0* Q1, s = sgn(Q0 . Q1), of close rotations. It is that of Q0* D, D = s Q1 - Q0,
+/// since that of Q0* Q0 is 0. The subtraction is exact except in components that are small, so the error is 1
+/// eps. If the norms differ so much that D is much longer than the vector part, the product is computed
+/// exactly.
 template <Scalar S, Precision P>
 [[gnu::always_inline]] inline Vector3<S> nearRotation(const Quaternion<S, P>& Q0,
                                                       const Quaternion<S, P>& Q1) {
@@ -251,10 +252,10 @@ Vector6<S> differenceSE3(const Vector7<S>& q0, const Vector7<S>& q1) {
       q0, q1);
 }
 
-/// log(T0^-1 T1) of the rotations nearest to the stored matrices, (rho, phi) [m, rad], |phi| <= pi, in the axes of
-/// T0's body. The chain log6(T0.actInv(T1)) rounds R0^T R1, so phi has an absolute error of about eps even if it is
-/// small. Here everything is computed in double words and rounded once. Error for |R^T R - I| <= 8 eps: 1 eps of
-/// |phi|, and 1 eps of max(|rho|, |p1 - p0|). At |phi| = pi the axis has either sign.
+/// log(T0^-1 T1) of the rotations nearest to the stored matrices, (rho, phi) [m, rad], |phi| <= pi, in the
+/// axes of T0's body. The chain log6(T0.actInv(T1)) rounds R0^T R1, so phi has an absolute error of about eps
+/// even if it is small. Here everything is computed in double words and rounded once. Error for |R^T R - I|
+/// <= 8 eps: 1 eps of |phi|, and 1 eps of max(|rho|, |p1 - p0|). At |phi| = pi the axis has either sign.
 template <Scalar S>
 Motion<S> difference(const SE3<S>& T0, const SE3<S>& T1) {
   return evaluate<S, Precision::tight, Precision::standard>(
@@ -305,8 +306,8 @@ Matrix6<S> dDifferenceSE3(const Vector7<S>& q0, const Vector7<S>& q1, ArgumentPo
 }
 
 /// The derivative [7 x 6] of the seven stored numbers with respect to a body-fixed increment at zero:
-/// [R, 0; 0, 1/2 (w I + [v]); 0, -1/2 v^T], with R of Q/|Q|, and v and w of the stored Q. Error of each entry 4 eps. Throws
-/// std::invalid_argument if Q = 0.
+/// [R, 0; 0, 1/2 (w I + [v]); 0, -1/2 v^T], with R of Q/|Q|, and v and w of the stored Q. Error of each entry
+/// 4 eps. Throws std::invalid_argument if Q = 0.
 template <Scalar S>
 Eigen::Matrix<S, 7, 6> integrateCoeffWiseJacobianSE3(const Vector7<S>& q) {
   const SO3<S> Q(Vector4<S>(q.template tail<4>()));

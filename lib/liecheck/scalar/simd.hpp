@@ -1,5 +1,6 @@
 #pragma once
-// N numbers that one operation processes at once, in one vector register or two if they fit, otherwise in an array.
+// N numbers that one operation processes at once, in one vector register or two if they fit, otherwise in an
+// array.
 
 #include <liecheck/scalar/scalar.hpp>
 #include <utility>

@@ -1,6 +1,6 @@
 #pragma once
-// The products of quaternions x y z w and of vectors, with terms summed in double words. All numbers are computed at
-// once if they fit vector registers of the target, otherwise one after another.
+// The products of quaternions x y z w and of vectors, with terms summed in double words. All numbers are
+// computed at once if they fit vector registers of the target, otherwise one after another.
 
 #include <liecheck/scalar/compensated.hpp>
 #include <liecheck/scalar/simd.hpp>
@@ -88,7 +88,8 @@ template <class Q>
   return (q.v[0] + q.v[2]) + (q.v[1] + q.v[3]);
 }
 
-/// q b = [w r + w' v + v x r; w w' - v . r] for q = (v, w) and b = (r, w') in double words; q* b for SIGN = -1.
+/// q b = [w r + w' v + v x r; w w' - v . r] for q = (v, w) and b = (r, w') in double words; q* b for SIGN =
+/// -1.
 template <Scalar S, Precision P, int SIGN = 1>
 [[gnu::always_inline]] inline SplitDot<Quad<S>, 1, P> product(const SplitFactor<Quad<S>, 1, P>& q,
                                                               const SplitFactor<Quad<S>, 1, P>& b) {
@@ -111,8 +112,8 @@ template <Scalar S, Precision P, int SIGN = 1>
 
 /// q = (v, w) or q*, for SIGN = 1 or -1, applied to x + x_low..., whose fourth number is not used:
 ///     x + 2 (SIGN w t + v x t) / |q|^2,  t = v x x.
-/// sigma is 2^(digits/2 + 1) times a bound of |x|, |q|^2 = 1 + excess < 2. Error 1 eps of the bound, or 3 eps if
-/// |excess| > sqrt(eps).
+/// sigma is 2^(digits/2 + 1) times a bound of |x|, |q|^2 = 1 + excess < 2. Error 1 eps of the bound, or 3 eps
+/// if |excess| > sqrt(eps).
 template <Precision P, int SIGN, class V, class S, class... Low>
 [[gnu::always_inline]] inline V rotated(const SplitFactor<V, 1, P>& q, const S& excess, const V& sigma,
                                         const V& x, const Low&... x_low) {

@@ -3,9 +3,10 @@
 //
 //   x_A = R_AB x_B,   R(Q) = I + 2 (w [v] + [v]^2) / |Q|^2
 //
-// Q represents the rotation of Q/|Q|; Q and -Q are the same rotation. act, actInv, matrix and the logarithms take
-// every finite Q != 0 and throw std::invalid_argument for Q = 0. A second bound is stated where the first holds only
-// for ||Q|^2 - 1| <= sqrt(eps)/2. Products are those of the stored numbers and do not normalise.
+// Q represents the rotation of Q/|Q|; Q and -Q are the same rotation. act, actInv, matrix and the logarithms
+// take every finite Q != 0 and throw std::invalid_argument for Q = 0. A second bound is stated where the
+// first holds only for ||Q|^2 - 1| <= sqrt(eps)/2. Products are those of the stored numbers and do not
+// normalise.
 
 #include <liecheck/scalar/compensated.hpp>
 #include <liecheck/scalar/stumpff.hpp>
@@ -62,7 +63,8 @@ class SO3 {
                    (w1 * z2 + z1 * w2) + (x1 * y2 - y1 * x2), (w1 * w2 - x1 * x2) - (y1 * y2 + z1 * z2)));
   }
 
-  /// R p [3, unit of p], p + 2 (w t + v x t) / |Q|^2 with t = v x p. Error 1 eps |p|, at other norms of Q 3 eps |p|.
+  /// R p [3, unit of p], p + 2 (w t + v x t) / |Q|^2 with t = v x p. Error 1 eps |p|, at other norms of Q 3
+  /// eps |p|.
   template <Precision P = Precision::standard>
   [[gnu::always_inline]] Vector3<S> act(const Vector3<S>& p) const {
     return rotate<P, 1>(p);
