@@ -99,19 +99,18 @@ template <Scalar S, Precision P>
   const S s = sign<S>(sum(Q0.split.value * Q1.split.value));  // known sooner than from the double words
   const Quad<S> D = Quad<S>(s) * Q1.split.value - Q0.split.value;
   const S bound = sum(fabs(D)), least = bound / S(P == Precision::fast ? 8 : 256);
-  // Products of a D that is nearly subnormal are rounded once, at the end.
-  const S small = eps<S>() * eps<S>();
-  if (bound < std::numeric_limits<S>::min() / small && bound > S(0)) [[unlikely]] {
-    const Vector4<S> exact = exactProduct<S>(Q0.split.value, D * Quad<S>(S(1) / small));
-    return each<S>([&](int i) { return S(exact[i] * small); });
-  }
+  const S small = eps<S>() * eps<S>();  // a subnormal vector part is rounded once, at the end
+  const auto exactly = [&](const Quad<S>& q, const S& factor) {
+    const Vector4<S> exact = exactProduct<S>(Q0.split.value, q * Quad<S>(S(1) / small));
+    return each<S>([&](int i) { return S(exact[i] * S(factor * small)); });
+  };
+  if (bound < std::numeric_limits<S>::min() / small && bound > S(0)) [[unlikely]]
+    return exactly(D, S(1));
   const SplitFactor<Quad<S>, 1, P> factor(D, Quad<S>(S(bound * SO3<S>::split_factor())));
   const Quad<S> v = product<S, P, -1>(Q0.split, factor).value();
   const Vector3<S> result(v.v[0], v.v[1], v.v[2]);
-  if (dot<S>(result, result) < least * least) [[unlikely]] {
-    const Vector4<S> exact = exactProduct<S>(Q0.split.value, Q1.split.value);
-    return each<S>([&](int i) { return S(s * exact[i]); });
-  }
+  if (dot<S>(result, result) < least * least) [[unlikely]]
+    return exactly(Q1.split.value, s);
   return result;
 }
 
