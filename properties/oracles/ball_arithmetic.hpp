@@ -133,7 +133,7 @@ struct Ball {
   [[gnu::always_inline]] friend inline Ball operator*(const Ball& a, const Ball& b) {
     const M m = a.m * b.m;
     const double size = std::fabs(Round::head(m));
-    if (size < 0x1p-900) return small_product(a, b, m);
+    if (!(size >= 0x1p-900)) return small_product(a, b, m);
     if (a.r == 0 && b.r == 0 && Round::exact_product(a.m, b.m)) return {m, 0};
     return {m, up(a.size() * b.r + b.size() * a.r + a.r * b.r + Round::multiply * size)};
   }
@@ -166,7 +166,7 @@ struct Ball {
   /// error of at most sqrt |x - x'|. If x is far from zero, the smaller bound |x - x'| / sqrt(x) is used.
   friend Ball sqrt(const Ball& a) {
     if (a.exactly_zero()) return a;
-    if (a.head() < -a.r) throw Undecided();
+    if (!(a.head() >= -a.r)) throw Undecided();
     using std::sqrt;
     const M m = a.head() > 0 ? M(sqrt(a.m)) : Round::make(0);
     const double size = Round::head(m);
@@ -192,7 +192,9 @@ struct Ball {
     sum.m = Round::exact_sum(a.m, b.m, sum.r);
     return sum;
   }
+  /// A product that may underflow; throws Undecided for one that overflowed (2^995 in double-double), which is NaN.
   static Ball small_product(const Ball& a, const Ball& b, const M& m) {
+    if (std::isnan(Round::head(m))) throw Undecided();
     if (a.exactly_zero() || b.exactly_zero()) return Ball(0);
     return {m, up(a.size() * b.r + b.size() * a.r + a.r * b.r) + Round::multiply * std::fabs(Round::head(m)) +
                    0x1p-1060};

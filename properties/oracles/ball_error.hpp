@@ -23,8 +23,9 @@ inline double settled(double error, double slack) {
   return error == 0 && slack > 0 ? std::numeric_limits<double>::denorm_min() : error;  // 0 only if exact
 }
 
+/// NaN if either number is NaN.
 inline double max(double a, double b) {
-  return a > b ? a : b;
+  return a > b || std::isnan(a) ? a : b;
 }
 
 /// The norm of the midpoints, and an upper bound of the norm of the radii.

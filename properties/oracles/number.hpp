@@ -61,10 +61,12 @@ template <class T>
   }
 }
 
-/// max(a, b) and min(a, b). Balls never throw Undecided: |max(a, b) - max(a.m, b.m)| <= max(a.r, b.r).
+/// max(a, b) and min(a, b). Balls throw Undecided only if they overflowed: |max(a, b) - max(a.m, b.m)| is at
+/// most max(a.r, b.r).
 template <class T>
 T larger(const T& a, const T& b) {
   if constexpr (BallNumber<T>) {
+    if (!std::isfinite(a.head() + a.r + b.head() + b.r)) throw Undecided();
     return {a.head() > b.head() ? a.m : b.m,
             std::fmax(a.r, b.r) + 0x1p-51 * std::fabs(a.head() == b.head() ? a.head() : 0)};
   } else {

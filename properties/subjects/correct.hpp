@@ -128,11 +128,15 @@ struct Correct : Types<S> {
     result << narrow(T0.p + Style::rotate(T0.R, T.p)), narrow(Q.dot(Q0) < 0 ? X4(-Q) : Q);
     return result;
   }
-  /// Q0* Q1. Its vector part is that of Q0* (Q1 - Q0): nothing cancels if the rotations are nearly equal.
+  /// Q0* Q1. Its vector part is that of Q0* (Q1 - Q0): nothing cancels if the rotations are nearly equal. What
+  /// Q1 - Q0 has along Q0, because the norms differ, cancels in products that are rounded once.
   static X4 relative(const X4& Q0, const X4& Q1) {
     const X4 d = Q0.dot(Q1) < 0 ? X4(-Q1 - Q0) : X4(Q1 - Q0);
-    const X3 a = Q0.template head<3>(), b = d.template head<3>();
-    return (X4() << Q0[3] * b - d[3] * a - a.cross(b), std::abs(Q0.dot(Q1))).finished();
+    const X3 a = Q0.template head<3>(), b = d.template head<3>(), turn = exact_cross<W>(a, b);
+    X4 Q;
+    for (int i = 0; i < 3; ++i) Q[i] = difference_of_products<W>(Q0[3], b[i], d[3], a[i]) - turn[i];
+    Q[3] = std::abs(Q0.dot(Q1));
+    return Q;
   }
   static X6 between(const V7& q0, const V7& q1) {
     const X4 Q0 = wide(V4(q0.template tail<4>())), Q1 = wide(V4(q1.template tail<4>()));

@@ -100,15 +100,7 @@ struct RotationVectors : Basics<RotationVectors<W>, W> {
     const Angle<W> t = B::angle(phi);
     return t.c[0] * v + t.m * t.c[1] * cross(t.n, v) + t.m * t.m * t.c[2] * t.n.dot(v) * t.n;
   }
-  /// a y - b x with the rounding of b x restored by a fused multiply-add (Kahan).
-  static W difference_of_products(const W& a, const W& y, const W& b, const W& x) {
-    const W bx = b * x;
-    return std::fma(a, y, -bx) + std::fma(-b, x, bx);
-  }
-  static V3 cross(const V3& a, const V3& b) {
-    return {difference_of_products(a[1], b[2], a[2], b[1]), difference_of_products(a[2], b[0], a[0], b[2]),
-            difference_of_products(a[0], b[1], a[1], b[0])};
-  }
+  static V3 cross(const V3& a, const V3& b) { return exact_cross(a, b); }
 };
 
 /// Rotations stored as s = tan(theta/4) n, |s| <= 1, with R = C^2 of the Cayley transform

@@ -30,6 +30,18 @@ W length(const Vec<W, 3>& v) {
   return std::hypot(v[0], v[1], v[2]);
 }
 
+/// a y - b x with the rounding of b x restored by a fused multiply-add (Kahan).
+template <class W>
+W difference_of_products(const W& a, const W& y, const W& b, const W& x) {
+  const W bx = b * x;
+  return std::fma(a, y, -bx) + std::fma(-b, x, bx);
+}
+template <class W>
+Vec<W, 3> exact_cross(const Vec<W, 3>& a, const Vec<W, 3>& b) {
+  return {difference_of_products(a[1], b[2], a[2], b[1]), difference_of_products(a[2], b[0], a[0], b[2]),
+          difference_of_products(a[0], b[1], a[1], b[0])};
+}
+
 /// The usual formulas.
 template <class Style, class W>
 struct Basics : Types<W> {
@@ -215,29 +227,29 @@ struct Matrices : MatrixBasics<Matrices<W>, W> {
   }
   static V6 momentum(const Body<W>& I, const V6& V) { return B::inertia_matrix(I) * V; }
   static W energy(const Body<W>& I, const V6& V) { return V.dot(B::inertia_matrix(I) * V) / 2; }
-  /// I + a_1 ad + a_2 ad^2 + a_3 ad^3 + a_4 ad^4: Selig 2005, section 7.6.
-  static M6 polynomial(const V6& xi, const W& m, const std::array<W, 4>& a) {
+  /// I + b_1 A + b_2 A^2 + b_3 A^3 + b_4 A^4 with A = ad / m and b_k = m^k a_k: Selig 2005, section 7.6.
+  static M6 polynomial(const V6& xi, const W& m, const std::array<W, 4>& b) {
     const V6 y = xi / m;
-    const M6 ad = B::blocks(hat(B::low(y)), hat(B::top(y))), ad2 = m * m * (ad * ad);
-    return M6::Identity() + (a[0] * M6::Identity() + a[2] * ad2) * (m * ad) +
-           (a[1] * M6::Identity() + a[3] * ad2) * ad2;
+    const M6 A = B::blocks(hat(B::low(y)), hat(B::top(y))), A2 = A * A;
+    return M6::Identity() + (b[0] * M6::Identity() + b[2] * A2) * A + (b[1] * M6::Identity() + b[3] * A2) * A2;
   }
   static M6 jacobian6(const V6& xi) {
     const Angle<W> t = B::angle(B::low(xi));
     const auto& c = t.c;
-    const W x = t.theta * t.theta;
-    if (t.theta < W(2))
-      return polynomial(
-          xi, t.m,
-          {2 * c[2] - c[1] / 2, (5 * c[3] - c[2]) / 2, (c[3] - 2 * c[4]) / 2, (c[4] - 3 * c[5]) / 2});
-    return polynomial(xi, t.m,
-                      {2 * c[2] - c[1] / 2, (4 - 5 * c[1] + c[0]) / (2 * x), (2 * c[2] - c[1]) / (2 * x),
-                       (2 - 3 * c[1] + c[0]) / (2 * x * x)});
+    const W m = t.m, x = m * m;
+    if (t.theta >= W(2))
+      return polynomial(xi, m,
+                        {m * (2 * c[2] - c[1] / 2), (4 - 5 * c[1] + c[0]) / 2, m * (2 * c[2] - c[1]) / 2,
+                         (2 - 3 * c[1] + c[0]) / 2});
+    return polynomial(xi, m,
+                      {m * (2 * c[2] - c[1] / 2), x * (5 * c[3] - c[2]) / 2, m * x * (c[3] - 2 * c[4]) / 2,
+                       x * x * (c[4] - 3 * c[5]) / 2});
   }
   static M6 jacobian6_inverse(const V6& xi) {
     const Angle<W> t = B::angle(B::low(xi));
     const InverseCoefficients<W> i(t.theta, t.c);
-    return polynomial(xi, t.m, {W(-0.5), i.e - t.theta * t.theta * i.slope, W(0), -i.slope});
+    const W x = t.m * t.m;
+    return polynomial(xi, t.m, {-t.m / 2, x * (i.e - t.theta * t.theta * i.slope), W(0), -x * (x * i.slope)});
   }
 };
 

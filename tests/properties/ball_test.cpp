@@ -141,5 +141,19 @@ TYPED_TEST(AnyBall, ComparisonsThatTheRadiusCannotDecideThrow) {
   EXPECT_THROW(settled(std::nan(""), 0 * std::nan("")), Undecided);
 }
 
+/// A NaN or an infinite number is never taken for a smaller operand, or left out of a norm.
+TYPED_TEST(AnyBall, NumbersThatOverflowThrow) {
+  const TypeParam huge(0x1.8p1000), one(1);
+  EXPECT_THROW((void)larger(TypeParam(huge * huge), one), Undecided);
+  EXPECT_THROW((void)larger(one, TypeParam(huge * huge)), Undecided);
+  EXPECT_THROW((void)length(Vec<2, TypeParam>{{huge * huge, one}}), Undecided);
+  const double nan = std::nan("");
+  EXPECT_THROW((void)larger(TypeParam(1, nan), one), Undecided);
+  EXPECT_THROW((void)larger(one, TypeParam(1, nan)), Undecided);
+  EXPECT_THROW((void)length(Vec<2, TypeParam>{{TypeParam(nan), one}}), Undecided);
+  EXPECT_TRUE(std::isnan(length(Vec<2, TypeParam>{{TypeParam(1, nan), one}}).radius));
+  EXPECT_THROW((void)sqrt(TypeParam(nan)), Undecided);
+}
+
 }  // namespace
 }  // namespace liecheck::oracles
