@@ -32,7 +32,7 @@ void check_relations(std::string_view file, const Json& record) {
       refuse(file, field + ".count", "a count from 1", row["count"]);
     for (const char* name :
          {"ill_posed", "unresolved", "not_finite", "wrong_branch", "refused", "failed", "unmeasured",
-          "not_repeatable", "argument_written", "output_unwritten", "outside_domain"})
+          "not_repeatable", "argument_written", "output_unwritten", "outside_domain", "crashed"})
       at_most(field, row, name, "count");
   });
   each("hard_cases", list_in(record, "hard_cases"), [&](const std::string& field, const Json& hard) {

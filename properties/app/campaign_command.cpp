@@ -103,7 +103,7 @@ void print_not_measured(const CampaignResult& r) {
         fmt::print("  for example  liecheck replay {}{}\n",
                    series->id(r.options.seed, row.worst_index).text(),
                    (series->robot != "none" && !r.robot.path.empty() ? robot_flags(r.robot) : "") +
-                       limits_flags(*series));
+                       subject_flags(*series));
         break;
       }
   }

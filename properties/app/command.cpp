@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <unistd.h>
+#include <adapters/subjects.hpp>
 
 #include <algorithm>
 #include <atomic>
@@ -60,10 +61,22 @@ Robot RobotFlags::read() const {
 void SelectionFlags::add(Arguments& a) {
   a.list("--subject", subjects, "NAME",
          "a subject, repeatable, or 'all'; default liecheck in float and double");
+  adapters.add(a);
   a.list("--property", properties, "NAME", "a property, repeatable; default every one");
   a.list("--scalar", scalars, "SCALAR", "float, double or float128, repeatable");
   limits.add(a);
   a.json(json, "write the record to FILE");
+}
+
+Flag AdapterFlags::add(Arguments& a) {
+  return a.list("--adapter", adapters, "ADAPTER",
+                "a library from outside: a command, or a shared library (docs/adapters.md), repeatable");
+}
+
+std::vector<std::string> AdapterFlags::start() const {
+  std::vector<std::string> names;
+  for (const std::string& adapter : adapters) names.push_back(adapters::register_adapter(adapter));
+  return names;
 }
 
 Flag LimitsFlags::add(Arguments& a) {
@@ -79,9 +92,10 @@ std::vector<std::shared_ptr<const SubjectLimits>> LimitsFlags::read() const {
 }
 
 Selection SelectionFlags::selection() const {
+  const std::vector<std::string> given = adapters.start();
   Selection s{subjects, properties, scalars, limits.read()};
   if (subjects.empty()) {
-    s.subjects = {"liecheck"};
+    s.subjects = given.empty() ? std::vector<std::string>{"liecheck"} : given;
     if (scalars.empty()) s.scalars = {"float", "double"};
   } else if (std::erase(s.subjects, "all") > 0) {
     check_subjects(s.subjects);

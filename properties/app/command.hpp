@@ -137,14 +137,26 @@ struct LimitsFlags {
   std::vector<std::shared_ptr<const SubjectLimits>> read() const;
 };
 
-/// --subject, --property, --scalar, --limits and --json.
+/// --adapter, which may be repeated.
+struct AdapterFlags {
+  std::vector<std::string> adapters;
+
+  /// Adds the flag and returns it.
+  Flag add(Arguments& arguments);
+  /// Starts the adapters, so that their subjects are known, and returns the names of these.
+  std::vector<std::string> start() const;
+};
+
+/// --subject, --adapter, --property, --scalar, --limits and --json.
 struct SelectionFlags {
   std::vector<std::string> subjects, properties, scalars;
+  AdapterFlags adapters;
   LimitsFlags limits;
   std::string json;
 
   void add(Arguments& arguments);
-  /// By default liecheck in float and double; the subject "all" means all subjects.
+  /// Starts the adapters. By default their subjects, or liecheck, in float and double; the subject "all" means
+  /// all subjects.
   Selection selection() const;
 };
 
@@ -199,6 +211,8 @@ int run_program(int argc, char** argv, const std::string& typed_line);
 // A command is added to the program or to the group of commands "bench" or "scene".
 
 Command list_command(CLI::App& program);
+Command adapter_check_command(CLI::App& adapter);
+Command adapter_serve_command(CLI::App& adapter);
 /// typed_line: the whole command line, quoted for a shell.
 Command campaign_command(CLI::App& program, const std::string& typed_line);
 Command hard_cases_command(CLI::App& program);

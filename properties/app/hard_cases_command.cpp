@@ -58,7 +58,7 @@ void print_failure(const HardRow& r, const HardCell& c) {
   fmt::print("  error     {:.4g} eps, kappa {:.3g}, budget {:g} {}{}\n", c.error, c.kappa, c.budget,
              c.excess ? "eps kappa" : "eps", c.refusal.empty() ? "" : "; " + c.refusal);
   fmt::print("  input     {}\n  origin    {} ({})\n", e.input, e.origin, e.place());
-  fmt::print("  replay    liecheck replay {}{}\n", c.id.text(), c.limits_flags);
+  fmt::print("  replay    liecheck replay {}{}\n", c.id.text(), c.flags);
 }
 
 /// Prints a line for each case, with a letter for each subject and scalar.

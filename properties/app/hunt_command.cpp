@@ -21,6 +21,7 @@ struct Flags {
   std::string subject, scalar = "double", property, corpus;
   bool versus_random = false;
   RobotFlags robot;
+  AdapterFlags adapters;
   LimitsFlags limits;
 };
 
@@ -193,8 +194,8 @@ int hunt_on(const Series& series, HuntOptions options, const Flags& f, const std
   int code = within_budget;
   for (std::size_t i = 0; i < hunted.worst.size(); ++i) {
     const Worst& w = hunted.worst[i];
-    code =
-        both(code, print_worst(series, w, (series.robot == "none" ? "" : robot_flag) + limits_flags(series)));
+    code = both(code,
+                print_worst(series, w, (series.robot == "none" ? "" : robot_flag) + subject_flags(series)));
     if (i < random.worst.size()) print_comparison(w, random.worst[i], random.evaluations);
     if (w.score >= 0 || w.broken) corpus.add(corpus_line(series, w, origin));
   }
@@ -202,6 +203,7 @@ int hunt_on(const Series& series, HuntOptions options, const Flags& f, const std
 }
 
 int run(const Flags& f) {
+  f.adapters.start();
   const Robot robot = f.robot.read();
   const auto all = series_of(f, robot);
   stop_on_signals();
@@ -243,6 +245,7 @@ Command hunt_command(CLI::App& program) {
   a.toggle("--versus-random", a->versus_random, "also sample as many inputs uniformly, and compare");
   a.text("--corpus", a->corpus, "FILE", "append what is found to FILE, as lines of fixtures/hard_cases");
   a->robot.add(a);
+  a->adapters.add(a);
   a->limits.add(a);
   return a.runs(run);
 }

@@ -13,6 +13,7 @@ namespace {
 struct Flags {
   std::string id;
   RobotFlags robot;
+  AdapterFlags adapters;
   LimitsFlags limits;
 };
 
@@ -49,6 +50,7 @@ void print_judged(const Series& series, const Judged& j) {
 
 int run(const Flags& f) {
   const CaseId id = CaseId::parse(f.id);
+  f.adapters.start();
   const auto series = series_of(id, f.id, f.robot.read(), f.limits);
   const Trial trial = attempt(*series, id);
   fmt::print("{}: {}\n{} {} in {}\ninput {}\n", series->property, series->law, series->subject,
@@ -76,6 +78,7 @@ Command replay_command(CLI::App& program) {
       "2 for bad input; 3 if an output has no verdict");
   a.text("ID", a->id, "", "the case's address, as a failure or a report prints it").required();
   a->robot.add(a, "the robot that the ID names");
+  a->adapters.add(a);
   a->limits.add(a);
   return a.runs(run);
 }

@@ -67,7 +67,8 @@ class Judge final : public Recorder {
     j.residual.outcome = outcome;
     j.ill_posed = outcome == Outcome::ill_posed;
     j.failed = !j.ill_posed && !leaves_open(outcome) && outcome != Outcome::outside_domain;
-    if (outcome == Outcome::refused) recorded_ = ~0u;  // a refusal concerns the whole case
+    // A call without a result ends the case.
+    if (outcome == Outcome::refused || outcome == Outcome::crashed) recorded_ = ~0u;
     judged.push_back(j);
   }
   /// Ends a case: each of the outputs (bit i for output i) that has no record is unmeasured.

@@ -15,6 +15,7 @@ class Series {
  public:
   virtual ~Series() = default;
   std::string property, subject, subject_version, scalar, robot;
+  std::string adapter;  ///< how the subject was given with --adapter, or ""
   bool robot_fixed = false;
   std::string law, equation, source;
   double eps = 0;
@@ -38,7 +39,7 @@ class Series {
 
 /// The first 16 digits of the SHA-256 of a limits file.
 std::string hash_of(const SubjectLimits& limits);
-/// " --limits FILE" if the series has own limits, or "".
-std::string limits_flags(const Series& series);
+/// The flags --adapter and --limits that the series needs, each with a space before it, or "".
+std::string subject_flags(const Series& series);
 
 }  // namespace liecheck::properties

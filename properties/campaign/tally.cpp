@@ -16,7 +16,7 @@ void Row::add(const Judged& j, std::uint64_t index) {
     unresolved += o == Outcome::unresolved, refused += o == Outcome::refused;
     unmeasured += o == Outcome::unmeasured;
     not_repeatable += o == Outcome::not_repeatable, argument_written += o == Outcome::argument_written;
-    output_unwritten += o == Outcome::output_unwritten;
+    output_unwritten += o == Outcome::output_unwritten, crashed += o == Outcome::crashed;
   } else if (j.ill_posed) {
     ++ill_posed;
     score = 0;
@@ -43,7 +43,7 @@ void Row::merge(const Row& o) {
   count += o.count, ill_posed += o.ill_posed, unresolved += o.unresolved, not_finite += o.not_finite;
   wrong_branch += o.wrong_branch, refused += o.refused, failed += o.failed, unmeasured += o.unmeasured;
   not_repeatable += o.not_repeatable, argument_written += o.argument_written;
-  output_unwritten += o.output_unwritten, outside_domain += o.outside_domain;
+  output_unwritten += o.output_unwritten, outside_domain += o.outside_domain, crashed += o.crashed;
   errors.merge(o.errors);
   max_error = std::max(max_error, o.max_error);
   max_excess = std::max(max_excess, o.max_excess);

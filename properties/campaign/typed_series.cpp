@@ -23,8 +23,9 @@ std::string hash_of(const SubjectLimits& limits) {
   return hexadecimal(sha256(limits.text)).substr(0, 16);
 }
 
-std::string limits_flags(const Series& series) {
-  return series.own ? " --limits " + shell_quoted(series.own->file) : "";
+std::string subject_flags(const Series& series) {
+  return (series.adapter.empty() ? "" : " --adapter " + shell_quoted(series.adapter)) +
+         (series.own ? " --limits " + shell_quoted(series.own->file) : "");
 }
 
 namespace {
@@ -76,7 +77,7 @@ TypedSeries<S>::TypedSeries(std::unique_ptr<Property<S>> law_tested, const Subje
     : law_(std::move(law_tested)), subject_(tested), checked_(tested), number_(next_series_number()) {
   const Statement& stated = law_->statement();
   property = stated.name, law = stated.law, equation = stated.equation, source = stated.source;
-  subject = tested.name, subject_version = tested.version;
+  subject = tested.name, subject_version = tested.version, adapter = tested.adapter;
   scalar = scalar_name<S>();
   eps = std::ldexp(1.0, 1 - std::numeric_limits<S>::digits);
   outputs = law_->outputs();
@@ -228,6 +229,14 @@ void TypedSeries<S>::close(const std::vector<S>& x, const Scope& scope, Judge& j
 }
 
 template <class S>
+void TypedSeries<S>::record_thrown(const std::exception& thrown, Judge& judge) const {
+  const auto* failed = dynamic_cast<const CallFailed*>(&thrown);
+  auto of = outputs.begin();
+  if (failed) of = std::ranges::find(outputs, failed->operation, &Output::operation);
+  judge.outcome(of == outputs.end() ? outputs.front() : *of, 0, failed ? failed->outcome : Outcome::refused);
+}
+
+template <class S>
 std::vector<Judged> TypedSeries<S>::measure(const std::vector<S>& x, const Limits& limits) const {
   Judge judge(limits, bands(), eps, oracles::error_accuracy, every_kappa);
   return measure_by_balls(x, judge) ? std::move(judge.judged) : measure_by_digits(x, limits, every_kappa);
@@ -259,8 +268,8 @@ bool TypedSeries<S>::measure_by_balls(const std::vector<S>& x, Judge& judge) con
       break;
     } catch (const oracles::Undecided&) {
       judge.clear();
-    } catch (const std::exception&) {
-      judge.outcome(outputs.front(), 0, Outcome::refused);
+    } catch (const std::exception& e) {
+      record_thrown(e, judge);
       break;
     }
   if (decided) close(x, scope, judge);
@@ -277,7 +286,7 @@ std::vector<Judged> TypedSeries<S>::measure_by_digits(const std::vector<S>& x, c
     if (!scope.nothing_left) law_->measure(*scope.subject, x, judge);
   } catch (const std::exception& e) {
     if (refusal) *refusal = e.what();
-    judge.outcome(outputs.front(), 0, Outcome::refused);
+    record_thrown(e, judge);
   }
   close(x, scope, judge);
   return std::move(judge.judged);

@@ -80,6 +80,8 @@ class TypedSeries final : public Series {
   /// Ends a case: records what is outside the domain, in place of anything that was measured of it, and what
   /// was not measured.
   void close(const std::vector<S>& x, const Scope& scope, Judge& judge) const;
+  /// Ends a case in which a call threw.
+  void record_thrown(const std::exception& thrown, Judge& judge) const;
   /// Measures again, with checks of the calls, and marks in `judged` what differs or what was called in vain.
   void confirm(const std::vector<S>& x, std::vector<Judged>& judged) const;
   const Source::Key& key_of(std::uint64_t seed) const;

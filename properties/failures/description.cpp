@@ -15,7 +15,7 @@ std::string describe_failure(const Series& series, std::uint64_t seed, int outpu
   const CaseId id = series.id(seed, row.worst_index);
   const Shrunk s = shrink(series, id, output, 2000);
   const std::string flags =
-      (series.robot != "none" && !robot.path.empty() ? robot_flags(robot) : "") + limits_flags(series);
+      (series.robot != "none" && !robot.path.empty() ? robot_flags(robot) : "") + subject_flags(series);
   std::string text;
   text += fmt::format("FAILED  {}: {}\n", series.property, series.law);
   text += fmt::format("  law       {}\n", series.equation);
@@ -27,9 +27,10 @@ std::string describe_failure(const Series& series, std::uint64_t seed, int outpu
   if (row.not_finite + row.wrong_branch + row.refused > 0)
     text += fmt::format("  outcomes  {} NaN or Inf, {} wrong branch, {} refused\n", row.not_finite,
                         row.wrong_branch, row.refused);
-  if (row.not_repeatable + row.argument_written + row.output_unwritten > 0)
-    text += fmt::format("  calls     {} not repeatable, {} wrote to an argument, {} left output unwritten\n",
-                        row.not_repeatable, row.argument_written, row.output_unwritten);
+  if (row.not_repeatable + row.argument_written + row.output_unwritten + row.crashed > 0)
+    text += fmt::format(
+        "  calls     {} not repeatable, {} wrote to an argument, {} left output unwritten, {} crashed\n",
+        row.not_repeatable, row.argument_written, row.output_unwritten, row.crashed);
   text += fmt::format("  worst     liecheck replay {}{}\n", id.text(), flags);
   if (!s.reproduced)
     return text + fmt::format("  not repeatable: measured again, this case {}; so it is not shrunk\n",

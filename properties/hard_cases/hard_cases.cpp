@@ -36,6 +36,7 @@ Verdict verdict_of(const Judged& j, const Output& output) {
     case Outcome::not_repeatable:
     case Outcome::argument_written:
     case Outcome::output_unwritten:
+    case Outcome::crashed:
       return Verdict::bad_call;
     case Outcome::outside_domain:  // run() has removed these
     case Outcome::measured:
@@ -52,7 +53,7 @@ HardCell cell_of(const Series& series, const CaseId& id, const Trial& trial) {
   cell.subject = series.subject, cell.scalar = series.scalar;
   cell.refusal = trial.refusal;
   cell.id = id, cell.id.input = trial.input;
-  cell.limits_flags = limits_flags(series);
+  cell.flags = subject_flags(series);
   if (trial.judged.empty()) cell.verdict = Verdict::unmeasured, cell.open = true;
   std::tuple<Verdict, double> worst{Verdict::stable, -1};
   for (const Judged& j : trial.judged) {

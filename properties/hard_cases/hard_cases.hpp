@@ -36,7 +36,7 @@ struct HardCell {
   bool excess = false;
   std::string refusal;  ///< the error's text
   CaseId id;
-  std::string limits_flags;  ///< " --limits FILE" or "", for a replay
+  std::string flags;  ///< subject_flags(), for a replay
 };
 
 /// One hard case of one law.

@@ -36,21 +36,30 @@ enum class Outcome : std::uint8_t {
   not_repeatable,    ///< another call with the same arguments gave another result
   argument_written,  ///< the call changed one of its arguments
   output_unwritten,  ///< the call left a number of its result unwritten
-  outside_domain     ///< the subject does not promise a result for the input: nothing was called
+  outside_domain,    ///< the subject does not promise a result for the input: nothing was called
+  crashed            ///< the subject's process crashed, did not answer in time, or broke the protocol
 };
 /// For messages, in the order of Outcome.
 inline constexpr const char* outcome_words[] = {
     "",           "NaN or Inf",     "wrong branch",     "unresolved",       "refused",           "ill-posed",
-    "unmeasured", "not repeatable", "argument written", "output unwritten", "outside the domain"};
-static_assert(std::size(outcome_words) == static_cast<std::size_t>(Outcome::outside_domain) + 1);
+    "unmeasured", "not repeatable", "argument written", "output unwritten", "outside the domain", "crashed"};
+static_assert(std::size(outcome_words) == static_cast<std::size_t>(Outcome::crashed) + 1);
 /// Whether the outcome leaves the verdict on a case open, so that the campaign is incomplete.
 constexpr bool leaves_open(Outcome o) {
   return o == Outcome::unresolved || o == Outcome::unmeasured;
 }
 /// Whether the outcome concerns the call, not its result.
 constexpr bool is_misuse(Outcome o) {
-  return o == Outcome::not_repeatable || o == Outcome::argument_written || o == Outcome::output_unwritten;
+  return o == Outcome::not_repeatable || o == Outcome::argument_written || o == Outcome::output_unwritten ||
+         o == Outcome::crashed;
 }
+/// A call without a result, which `outcome` describes: refused or crashed.
+struct CallFailed : std::runtime_error {
+  CallFailed(const std::string& reason, std::string_view its_operation, Outcome its_outcome)
+      : std::runtime_error(reason), operation(its_operation), outcome(its_outcome) {}
+  std::string_view operation;
+  Outcome outcome;
+};
 
 /// One measurement. The error is in eps of the subject's scalar. kappa is 0 if it was not computed.
 struct Residual {

@@ -119,6 +119,7 @@ json row_record(const Series& series, std::size_t output, const Band& b, const R
           {"argument_written", row.argument_written},
           {"output_unwritten", row.output_unwritten},
           {"outside_domain", row.outside_domain},
+          {"crashed", row.crashed},
           {"failed", row.failed},
           {"unmeasured", row.unmeasured},
           {"status", status_of(row)},

@@ -21,7 +21,7 @@ json cell_record(const HardCell& c) {
                {"operation", c.operation},
                {"block", c.block},
                {"band", c.band},
-               {"replay", "liecheck replay " + c.id.text() + c.limits_flags}};
+               {"replay", "liecheck replay " + c.id.text() + c.flags}};
   if (!c.refusal.empty()) cell["refusal"] = c.refusal;
   return cell;
 }

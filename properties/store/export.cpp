@@ -60,6 +60,7 @@ std::string cell_line(const StoredSeries& s, const Cell& cell, const Row& r) {
        {"argument_written", r.argument_written},
        {"output_unwritten", r.output_unwritten},
        {"outside_domain", r.outside_domain},
+       {"crashed", r.crashed},
        {"max_error", number(r.max_error)},
        {"max_excess", number(r.max_excess)},
        {"worst",

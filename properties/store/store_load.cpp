@@ -165,7 +165,7 @@ class Loader {
       r.worst_score = real(row, 16), r.worst_index = count(row, 17), r.worst_kappa = real(row, 18);
       check(parse(text(row, 19), r.errors), "a histogram is malformed");
       r.unmeasured = count(row, 20), r.not_repeatable = count(row, 21), r.argument_written = count(row, 22);
-      r.output_unwritten = count(row, 23), r.outside_domain = count(row, 24);
+      r.output_unwritten = count(row, 23), r.outside_domain = count(row, 24), r.crashed = count(row, 25);
     }
   }
 

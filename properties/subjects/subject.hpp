@@ -47,6 +47,7 @@ struct Subject {
   std::string name;
   std::string version;
   Operations<S> operations;
+  std::string adapter = {};  ///< how the user gave it with --adapter, or "" for one of the program
 };
 
 /// Every subject in this scalar, in alphabetical order.

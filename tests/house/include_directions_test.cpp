@@ -38,6 +38,7 @@ const std::vector<Room> harness = {
     {"budgets", {"support", "operations", "generators"}},
     {"subjects", {"lib", "oracles", "operations"}},
     {"invariants", {"lib", "support", "oracles", "operations", "generators", "subjects"}},
+    {"adapters", {"support", "operations", "subjects", "invariants"}},
     {"campaign",
      {"lib", "support", "oracles", "operations", "generators", "budgets", "subjects", "invariants"}},
     {"search", {"support", "oracles", "operations", "generators", "subjects", "invariants", "campaign"}},
@@ -55,7 +56,7 @@ const std::vector<Room> harness = {
       "scenes"}},
     {"reports", {"support"}},
     {"app",
-     {"lib", "support", "oracles", "operations", "generators", "budgets", "subjects", "invariants",
+     {"lib", "support", "oracles", "operations", "generators", "budgets", "subjects", "invariants", "adapters",
       "campaign", "search", "hard_cases", "failures", "lattice", "store", "coefficients", "timing",
       "scenes", "record", "reports"}},
 };

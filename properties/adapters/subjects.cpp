@@ -1,0 +1,144 @@
+#include <adapters/subjects.hpp>
+
+#include <fmt/format.h>
+#include <adapters/adapter.hpp>
+#include <adapters/shapes.hpp>
+#include <adapters/sizes.hpp>
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+#include <invariants/property.hpp>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace liecheck::properties::adapters {
+namespace {
+
+constexpr double timeout_s = 5;  ///< of a call
+constexpr std::string_view inside = "in-process:";
+
+/// What was typed, and how to start it once more: every thread has an adapter of its own.
+struct Source {
+  std::string text;
+  int number = 0;
+  std::shared_ptr<Adapter> in_process;  ///< or null: a process for each thread
+};
+
+std::array<std::optional<Source>, most_adapters> sources;
+
+/// The adapter of this thread.
+Adapter& adapter(int number) {
+  thread_local std::array<std::shared_ptr<Adapter>, most_adapters> own;
+  auto& a = own[static_cast<std::size_t>(number)];
+  if (!a) {
+    const Source& source = *sources[static_cast<std::size_t>(number)];
+    a = source.in_process ? source.in_process : start(source.text);
+  }
+  return *a;
+}
+
+template <class S>
+constexpr const char* scalar_text = sizeof(S) == 4 ? "float" : "double";
+
+template <int number, const auto& operation, class S, class R, class... A>
+R call(A... arguments) {
+  constexpr std::size_t in = (Shape<std::remove_cvref_t<A>>::size + ...), out = Shape<R>::size;
+  std::array<S, in> inputs;
+  S* at = inputs.data();
+  ((Shape<std::remove_cvref_t<A>>::put(arguments, at), at += Shape<std::remove_cvref_t<A>>::size), ...);
+  std::array<S, out> results;
+  results.fill(std::numeric_limits<S>::quiet_NaN());
+  std::array<unsigned char, 1> status{};
+  std::string why;
+  try {
+    why = adapter(number).call({operation.name.data(), scalar_text<S>, 1, std::as_bytes(std::span(inputs)),
+                                std::as_writable_bytes(std::span(results)), status});
+  } catch (const AdapterFailed& e) {
+    throw CallFailed(e.what(), operation.name, Outcome::crashed);
+  }
+  if (status[0])
+    throw CallFailed(why.empty() ? "the adapter gave no reason" : why, operation.name, Outcome::refused);
+  return Shape<R>::get(results.data());
+}
+
+template <int number, class S, const auto& operation, class R, class... A>
+void fill(R (*&slot)(A...), const Description& d) {
+  if (d.offered.contains({std::string(operation.name), scalar_text<S>}))
+    slot = &call<number, operation, S, R, A...>;
+}
+template <int number, class S, const auto&... all>
+void fill_all(Slots<S, all...>& slots, const Description& d) {
+  (fill<number, S, all>(slots[all], d), ...);
+}
+
+template <class S, int... numbers>
+void register_one(int wanted, const std::string& text, const Description& d,
+                  std::integer_sequence<int, numbers...>) {
+  Subject<S> s{d.name, d.version, {}, text};
+  ((wanted == numbers ? fill_all<numbers, S>(static_cast<SpatialSlots<S>&>(s.operations), d) : void()), ...);
+  const bool any = std::ranges::any_of(d.offered, [](auto& o) { return o.second == scalar_text<S>; });
+  if (any) Registered<S>(std::move(s));
+}
+
+template <class S, class R, class... A>
+OperationSizes sizes_of(const Operation& o, R (*)(A...)) {
+  return {o.name.data(), (Shape<std::remove_cvref_t<A>>::size + ...), Shape<R>::size};
+}
+template <class S, const auto&... all>
+std::vector<OperationSizes> all_sizes(const Slots<S, all...>& slots) {
+  return {sizes_of<S>(all, slots[all])...};
+}
+
+}  // namespace
+
+const std::vector<OperationSizes>& operation_sizes() {
+  static const std::vector<OperationSizes> all = all_sizes(SpatialSlots<double>());
+  return all;
+}
+
+std::unique_ptr<Adapter> start(const std::string& text) {
+  if (text.starts_with(inside)) return load_library(text.substr(inside.size()));
+  const bool library =
+      text.ends_with(".so") && (std::filesystem::exists(text) || text.find(' ') == text.npos);
+  return start_process(library ? serving_command(text) : text, timeout_s);
+}
+
+bool is_operation(const std::string& name) {
+  return std::ranges::any_of(operation_sizes(), [&](const auto& o) { return o.operation == name; });
+}
+
+std::string register_adapter(const std::string& text) {
+  const auto free = std::ranges::find_if(sources, [](const auto& s) { return !s; });
+  const auto refuse = [&](const std::string& why) {
+    throw std::invalid_argument(fmt::format("--adapter: '{}': {}", text, why));
+  };
+  if (free == sources.end()) refuse(fmt::format("more than {} adapters", most_adapters));
+  Source source{text, static_cast<int>(free - sources.begin()), nullptr};
+  Description d;
+  try {
+    const std::shared_ptr<Adapter> first = start(text);
+    d = first->description();
+    if (text.starts_with(inside)) source.in_process = first;
+  } catch (const AdapterFailed& e) {
+    refuse(e.what());
+  }
+  if (d.name.empty() ||
+      !std::ranges::all_of(d.name, [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-'; }))
+    refuse(fmt::format("its name '{}' must have letters, digits, '_' and '-' only", d.name));
+  for (const auto& [operation, scalar] : d.offered)
+    if (!is_operation(operation))
+      refuse(fmt::format("it offers '{}', which is no operation; docs/operations.md lists them", operation));
+  if (d.offered.empty()) refuse("it offers no operation");
+  for (const auto* s : subjects<double>())
+    if (s->name == d.name) refuse(fmt::format("a subject is named '{}' already", d.name));
+  *free = source;
+  constexpr auto numbers = std::make_integer_sequence<int, most_adapters>();
+  register_one<float>(source.number, text, d, numbers);
+  register_one<double>(source.number, text, d, numbers);
+  return d.name;
+}
+
+}  // namespace liecheck::properties::adapters

@@ -1,0 +1,23 @@
+#pragma once
+// Subjects whose functions are those of an adapter.
+
+#include <adapters/adapter.hpp>
+#include <string>
+#include <subjects/subject.hpp>
+
+namespace liecheck::properties::adapters {
+
+/// Starts an adapter. `text` is a command of the process protocol, the path of a shared library (*.so), which
+/// runs in a process of its own, or "in-process:" and such a path. Throws AdapterFailed.
+std::unique_ptr<Adapter> start(const std::string& text);
+
+bool is_operation(const std::string& name);
+
+/// Starts an adapter and registers its subject, in float and double as it offers them. Returns the name of the
+/// subject. Throws std::invalid_argument if the adapter does not start, if a subject has its name, if it offers
+/// an operation that does not exist, or if most_adapters are registered.
+std::string register_adapter(const std::string& text);
+
+inline constexpr int most_adapters = 4;
+
+}  // namespace liecheck::properties::adapters

@@ -1,0 +1,64 @@
+#include <fmt/format.h>
+#include <adapters/check.hpp>
+#include <adapters/subjects.hpp>
+#include <app/command.hpp>
+#include <stdexcept>
+
+namespace liecheck::properties {
+
+namespace {
+
+struct Flags {
+  std::string adapter;
+};
+
+int check(const Flags& f) try {
+  const auto adapter = adapters::start(f.adapter);
+  const adapters::Description& d = adapter->description();
+  fmt::print("{} {}: {} functions\n", d.name, d.version, d.offered.size());
+  const auto all = adapters::check(*adapter);
+  std::size_t wrong = 0;
+  for (const adapters::CheckedOperation& o : all) {
+    fmt::print("{:<32}{:<8}{}\n", o.operation, o.scalar, o.complaint.empty() ? "agrees" : o.complaint);
+    wrong += !o.complaint.empty();
+  }
+  for (const auto& [operation, scalar] : d.offered)
+    if (!adapters::is_operation(operation)) {
+      fmt::print("{:<32}{:<8}is no operation; docs/operations.md lists them\n", operation, scalar);
+      ++wrong;
+    }
+  fmt::print("{}\n", d.offered.empty() ? "it offers nothing"
+                     : wrong           ? fmt::format("{} of {} functions are wrong", wrong, d.offered.size())
+                                       : "every function answers as it should");
+  return wrong || d.offered.empty() ? property_failed : within_budget;
+} catch (const adapters::AdapterFailed& e) {
+  throw std::invalid_argument(fmt::format("'{}': {}", f.adapter, e.what()));
+}
+
+int serve(const Flags& f) try {
+  adapters::serve(*adapters::load_library(f.adapter));
+  return within_budget;
+} catch (const adapters::AdapterFailed& e) {
+  throw std::invalid_argument(e.what());
+}
+
+}  // namespace
+
+Command adapter_check_command(CLI::App& adapter) {
+  CommandWith<Flags> a(
+      adapter, "check",
+      "call each function of an adapter at moderate arguments, and say in words what is wrong "
+      "with its answers. Exit code 0 if nothing is; 1 otherwise; 2 if it does not start");
+  a.text("ADAPTER", a->adapter, "", "a command, or a shared library (*.so): docs/adapters.md").required();
+  return a.runs(check);
+}
+
+Command adapter_serve_command(CLI::App& adapter) {
+  CommandWith<Flags> a(
+      adapter, "serve",
+      "answer calls of a shared library by the process protocol on standard input and output");
+  a.text("LIBRARY", a->adapter, "", "a shared library with the C interface: docs/adapters.md").required();
+  return a.runs(serve);
+}
+
+}  // namespace liecheck::properties

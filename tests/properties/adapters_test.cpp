@@ -1,0 +1,124 @@
+// Libraries from outside the program: the process protocol, the C interface, and what becomes of bad ones.
+
+#include <gtest/gtest.h>
+
+#include <adapters/check.hpp>
+#include <adapters/subjects.hpp>
+#include <array>
+#include <campaign/campaign.hpp>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <hard_cases/attempt.hpp>
+
+namespace liecheck::properties::adapters {
+namespace {
+
+const std::string fixtures = LIECHECK_FIXTURES "/adapters/";
+
+/// An adapter in shell that offers exp3_quaternion in double, and answers each call with `answer`.
+std::string shell_adapter(const std::string& answer,
+                          const std::string& description =
+                              R"({"protocol": 1, "name": "shell", "version": "1", "operations": )"
+                              R"({"exp3_quaternion": ["double"]}})") {
+  const auto file = std::filesystem::path(testing::TempDir()) /
+                    ("adapter_" + std::to_string(std::hash<std::string>()(answer + description)) + ".sh");
+  std::ofstream(file) << "read hello\necho '" << description
+                      << "'\nwhile read call; do\nhead -c 24 > /dev/null\n"
+                      << answer << "\ndone\n";
+  return "sh " + file.string();
+}
+
+/// The message of the exception of one call of exp3_quaternion.
+std::string failure_of(const std::string& command, double timeout_s = 5) {
+  std::array<double, 3> phi{0.1, 0.2, 0.3};
+  std::array<double, 4> Q{};
+  std::array<unsigned char, 1> status{};
+  try {
+    start_process(command, timeout_s)
+        ->call({"exp3_quaternion", "double", 1, std::as_bytes(std::span(phi)),
+                std::as_writable_bytes(std::span(Q)), status});
+  } catch (const AdapterFailed& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST(Adapters, WhatIsWrongWithACallIsSaidInWords) {
+  EXPECT_EQ(failure_of(shell_adapter("echo 'done 1'; head -c 33 /dev/zero")), "");
+  const std::pair<const char*, const char*> cases[] = {
+      {"kill -SEGV $$", "the adapter ended by signal 11 (Segmentation fault)"},
+      {"kill -ABRT $$", "the adapter ended by signal 6 (Aborted)"},
+      {"exit 0", "the adapter ended with exit code 0"},
+      {"echo 'done 1'; head -c 20 /dev/zero; exit 3", "the adapter ended with exit code 3"},
+      {"echo 'Hello'",
+       "the adapter wrote 'Hello' where the line 'done 1' is due: does it print to standard output?"},
+      {"echo 'done 2'", "the adapter wrote 'done 2' where the line 'done 1' is due"},
+      {"echo 'done 1'; head -c 40 /dev/zero", "the adapter wrote 7 bytes more than its answer has"}};
+  for (const auto& [answer, message] : cases) EXPECT_EQ(failure_of(shell_adapter(answer)), message) << answer;
+}
+
+TEST(Adapters, ThatDoNotAnswerInTimeAreEnded) {
+  EXPECT_EQ(failure_of(shell_adapter("sleep 1000"), 0.2),
+            "the adapter wrote nothing in 0.2 s where the line 'done 1' is due");
+  EXPECT_EQ(failure_of(shell_adapter("echo 'done 1'; head -c 20 /dev/zero; sleep 1000"), 0.2),
+            "the adapter wrote 19 of 32 bytes of its results, and then nothing for 0.2 s");
+}
+
+TEST(Adapters, ADescriptionThatIsWrongIsRefusedInWords) {
+  const auto refusal = [](const std::string& description) {
+    return failure_of(shell_adapter("exit 1", description));
+  };
+  EXPECT_NE(refusal("hello").find("is no JSON"), std::string::npos);
+  EXPECT_NE(refusal("{}").find("has no member 'protocol'"), std::string::npos);
+  EXPECT_EQ(refusal(R"({"protocol": 2})"),
+            "the adapter speaks version 2 of the protocol, and this program version 1");
+  EXPECT_NE(refusal(R"({"protocol": 1, "name": 3})").find("has no text 'name'"), std::string::npos);
+  EXPECT_NE(refusal(R"({"protocol": 1, "name": "a", "version": "1", "operations": {"exp6": ["half"]}})")
+                .find("neither \"float\" nor \"double\""),
+            std::string::npos);
+  EXPECT_NE(failure_of("/does/not/exist").find("the shell did not find the command"), std::string::npos);
+}
+
+TEST(Adapters, ACrashIsAnOutcomeOfItsCaseAndTheCampaignGoesOn) {
+  const std::string name = register_adapter(shell_adapter(
+      "i=$((i + 1)); if [ $i -gt 20 ]; then kill -SEGV $$; fi; echo 'done 1'; head -c 33 /dev/zero"));
+  EXPECT_EQ(name, "shell");
+  CampaignOptions options;
+  options.selection = {{"shell", "liecheck"}, {"exp_oracle"}, {"double"}};
+  options.cases = 100, options.jobs = 2, options.quiet = true;
+  const CampaignResult r = run_campaign(options, built_in_robot());
+  std::uint64_t crashed = 0;
+  for (const SeriesResult& s : r.series)
+    for (const auto& [cell, row] : s.tally.rows) {
+      EXPECT_EQ(s.series->subject == "shell" ? 0 : row.crashed + row.failed, 0u);
+      crashed += row.crashed;
+    }
+  EXPECT_GE(crashed, 4u);
+  EXPECT_LE(crashed, 40u);
+  EXPECT_THROW(register_adapter(shell_adapter("i=0")), std::invalid_argument);  // the name exists
+}
+
+/// python3 and nodejs are among the packages of the tests.
+TEST(Adapters, TheExamplesAnswerAsTheyShould) {
+  for (const std::string& command :
+       {"/usr/bin/python3 " + fixtures + "rotations.py", "node " + fixtures + "rotations.js",
+        std::string("in-process:" LIECHECK_C_ADAPTER),
+        std::string(LIECHECK_PROGRAM " adapter serve " LIECHECK_C_ADAPTER)}) {
+    const auto adapter = start(command);
+    const auto checked = check(*adapter);
+    EXPECT_EQ(checked.size(), adapter->description().offered.size()) << command;
+    EXPECT_FALSE(checked.empty());
+    for (const CheckedOperation& o : checked) EXPECT_EQ(o.complaint, "") << command << " " << o.operation;
+  }
+}
+
+TEST(Adapters, ACheckNamesAnOperationWithOtherResults) {
+  const auto adapter = start(shell_adapter("echo 'done 3'; head -c 99 /dev/zero"));
+  const auto checked = check(*adapter);
+  ASSERT_EQ(checked.size(), 1u);
+  EXPECT_NE(checked[0].complaint, "");
+}
+
+}  // namespace
+}  // namespace liecheck::properties::adapters
