@@ -1,14 +1,7 @@
 #include <timing/batches.hpp>
 
-#include <liecheck/multibody/batch.hpp>
+#include <liecheck/batch/poses.hpp>
 #include <operations/operations.hpp>
-
-namespace liecheck::batch {
-template decltype(integrate<float>) integrate<float>;
-template decltype(integrate<double>) integrate<double>;
-template decltype(difference<float>) difference<float>;
-template decltype(difference<double>) difference<double>;
-}  // namespace liecheck::batch
 
 namespace liecheck::properties {
 namespace {
@@ -40,8 +33,20 @@ struct Batch {
 
 template <class S>
 Signature batch_signature(const Operation& operation) {
-  if (&operation == &op::integrate) return Batch<&batch::integrate<S>, S, 7, 6>::signature();
-  if (&operation == &op::difference) return Batch<&batch::difference<S>, S, 7, 7>::signature();
+  using namespace batch;
+  const auto is = [&operation](const Operation& other) { return &operation == &other; };
+  if (is(op::exp6)) return Batch<[](const auto& xi) { return exp6Matrix(xi); }, S, 6>::signature();
+  if (is(op::compose))
+    return Batch<[](const auto& X, const auto& Y) { return compose(X, Y); }, S, 12, 12>::signature();
+  if (is(op::act_point))
+    return Batch<[](const auto& X, const auto& x) { return act(X, x); }, S, 12, 3>::signature();
+  if (is(op::integrate))
+    return Batch<[](const auto& q, const auto& delta) { return integrate(q, delta); }, S, 7, 6>::signature();
+  if (is(op::difference))
+    return Batch<[](const auto& q0, const auto& q1) { return difference(q0, q1); }, S, 7, 7>::signature();
+  if (is(op::right_jacobian6)) return Batch<[](const auto& xi) { return Jexp6(xi); }, S, 6>::signature();
+  if (is(op::right_jacobian6_inverse))
+    return Batch<[](const auto& xi) { return rightJacobianInverse(xi); }, S, 6>::signature();
   return {};
 }
 template Signature batch_signature<float>(const Operation&);

@@ -23,6 +23,7 @@ const std::vector<Room> library = {
     {"spatial", {"scalar"}},
     {"multibody", {"scalar", "spatial"}},
     {"algorithms", {"scalar", "spatial", "multibody"}},
+    {"batch", {"scalar", "spatial", "multibody", "algorithms"}},
     {"urdf", {"text", "scalar", "spatial", "multibody"}},
     {"scene", {"scalar", "spatial", "multibody", "algorithms"}},
     {"scene_file", {"text", "scalar", "spatial", "multibody", "algorithms", "scene", "urdf"}},

@@ -1,11 +1,25 @@
-// multibody/batch.hpp: compares operations on many poses at once with the same operations on single poses.
+// batch/poses.hpp: compares operations on many poses at once with the same operations on single poses, in
+// every set of instructions that the processor has.
 
 #include <gtest/gtest.h>
-#include <liecheck/multibody/batch.hpp>
+#include <cstring>
+#include <liecheck/batch/poses.hpp>
+#include <liecheck/multibody/se3_configuration.hpp>
 #include <random>
+
+#include "refusal.hpp"
 
 namespace liecheck {
 namespace {
+
+using batch::Instructions;
+
+std::vector<Instructions> supported() {
+  std::vector<Instructions> all;
+  for (const auto i : {Instructions::baseline, Instructions::avx2, Instructions::avx512})
+    if (batch::supported(i)) all.push_back(i);
+  return all;
+}
 
 template <class S>
 class BatchOf : public testing::Test {};
@@ -38,7 +52,8 @@ struct Inputs {
       if (i % 7 == 2) d[0] = special[random() % 10];
       a.template tail<4>() /= a.template tail<4>().norm();
       q.col(i) = a, delta.col(i) = d;
-      near.col(i) = integrateSE3<S>(a, i % 2 == 0 ? d : Vector6<S>(d * S(1e-7)));
+      const double close = std::pow(10., -int(random() % 20));
+      near.col(i) = integrateSE3<S>(a, i % 2 == 0 ? d : Vector6<S>(d * S(close)));
       if (i % 5 == 3) near.col(i) = a;
       if (i % 11 == 4)
         near(3, i) = -q(6, i), near(6, i) = q(3, i), near(4, i) = q(5, i), near(5, i) = -q(4, i);
@@ -46,7 +61,7 @@ struct Inputs {
   }
 };
 
-/// The largest difference of two columns relative to their size, in eps; NaN agrees with NaN.
+/// The largest difference of two vectors relative to their size, in eps; NaN agrees with NaN.
 template <class A, class B>
 double apart(const A& a, const B& b) {
   using S = typename A::Scalar;
@@ -61,28 +76,127 @@ double apart(const A& a, const B& b) {
   }
   return most;
 }
+/// The twelve rows of a pose, and the 36 of a matrix.
+template <class S>
+Eigen::Array<S, 12, 1> rowsOf(const SE3<S>& X) {
+  Eigen::Array<S, 12, 1> rows;
+  for (int i = 0; i < 12; ++i) rows[i] = i < 9 ? X.rotation()(i / 3, i % 3) : X.translation()[i - 9];
+  return rows;
+}
+template <class S>
+SE3<S> poseOf(const Eigen::Array<S, 12, 1>& r) {
+  return SE3<S>(rows<S>(r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8]),
+                Vector3<S>(r[9], r[10], r[11]));
+}
+/// The largest difference of two Jacobians in a 3 x 3 block, relative to that block.
+template <class S, class Column>
+double apart(const Column& column, const Matrix6<S>& J) {
+  double most = 0;
+  for (const auto& [row, col] : {std::pair(0, 0), {0, 3}, {3, 0}, {3, 3}}) {
+    Eigen::Array<S, 9, 1> a, b;
+    for (int i = 0; i < 9; ++i)
+      a[i] = column[6 * (row + i / 3) + col + i % 3], b[i] = J(row + i / 3, col + i % 3);
+    const double error = apart(a, b);
+    if (!(error <= most)) most = error;
+  }
+  return most;
+}
 
 TYPED_TEST(BatchOf, AgreesWithSinglePosesForEverySizeAndSpecialValue) {
   using S = TypeParam;
-  for (const int n : {0, 1, 2, 3, 4, 5, 7, 8, 9, 15, 16, 17, 31, 1000}) {
-    const Inputs<S> in(n);
-    const auto integrated = batch::integrate<S>(in.q, in.delta), exponential = batch::exp6<S>(in.delta);
-    const auto difference = batch::difference<S>(in.q, in.near), logarithm = batch::log6<S>(in.near);
-    const batch::Rows<S, 3> points = in.delta.template topRows<3>();
-    const auto moved = batch::act<S>(in.q, points);
-    ASSERT_EQ(integrated.cols(), n);
-    for (int i = 0; i < n; ++i) {
-      const Vector7<S> q = in.q.col(i), near = in.near.col(i);
-      const Vector6<S> d = in.delta.col(i);
-      const Vector3<S> x = points.col(i);
-      const Vector3<S> y = q.template head<3>() + SO3<S>(Vector4<S>(q.template tail<4>())).act(x);
-      EXPECT_LE(apart(integrated.col(i), integrateSE3<S>(q, d)), 4) << d.transpose();
-      EXPECT_LE(apart(exponential.col(i), quaternion::exp6<S>(Motion<S>(d))), 4) << d.transpose();
-      EXPECT_LE(apart(difference.col(i), differenceSE3<S>(q, near)), 4)
-          << q.transpose() << " " << near.transpose();
-      EXPECT_LE(apart(logarithm.col(i), quaternion::log6<S>(near).to_vector()), 4) << near.transpose();
-      EXPECT_LE(apart(moved.col(i), y), 4) << x.transpose();
+  for (const Instructions instructions : supported())
+    for (const int n : {0, 1, 2, 3, 4, 5, 7, 8, 9, 15, 16, 17, 31, 33, 1000}) {
+      const batch::Options o{1, instructions};
+      const Inputs<S> in(n);
+      const auto integrated = batch::integrate<S>(in.q, in.delta, o),
+                 exponential = batch::exp6<S>(in.delta, o);
+      const auto difference = batch::difference<S>(in.q, in.near, o), logarithm = batch::log6<S>(in.near, o);
+      const batch::Rows<S, 3> points = in.delta.template topRows<3>();
+      const auto moved = batch::act<S>(in.q, points, o);
+      const auto X = batch::exp6Matrix<S>(in.delta, o), XX = batch::compose<S>(X, X, o);
+      const auto X_points = batch::act<S>(X, points, o);
+      const auto J = batch::Jexp6<S>(in.delta, o), inverse = batch::rightJacobianInverse<S>(in.delta, o),
+                 Jlog = batch::Jlog6<S>(in.near, o);
+      ASSERT_EQ(integrated.cols(), n);
+      for (int i = 0; i < n; ++i) {
+        const Vector7<S> q = in.q.col(i), near = in.near.col(i);
+        const Vector6<S> d = in.delta.col(i);
+        const Vector3<S> x = points.col(i);
+        const Vector3<S> y = q.template head<3>() + SO3<S>(Vector4<S>(q.template tail<4>())).act(x);
+        EXPECT_LE(apart(integrated.col(i), integrateSE3<S>(q, d)), 4) << d.transpose();
+        EXPECT_LE(apart(exponential.col(i), quaternion::exp6<S>(Motion<S>(d))), 4) << d.transpose();
+        const Vector6<S> single = differenceSE3<S>(q, near), many = difference.col(i);
+        EXPECT_LE(apart(many, single), 4) << q.transpose() << " " << near.transpose();
+        EXPECT_LE(apart(Vector3<S>(many.template tail<3>()), Vector3<S>(single.template tail<3>())), 4)
+            << q.transpose() << " " << near.transpose();
+        EXPECT_LE(apart(logarithm.col(i), quaternion::log6<S>(near).to_vector()), 4) << near.transpose();
+        EXPECT_LE(apart(moved.col(i), y), 4) << x.transpose();
+        EXPECT_LE(apart(X.col(i), rowsOf(exp6<S>(Motion<S>(d)))), 4) << d.transpose();
+        const SE3<S> X_i = poseOf<S>(X.col(i));
+        EXPECT_LE(apart(XX.col(i), rowsOf(X_i * X_i)), 4) << d.transpose();
+        EXPECT_LE(apart(X_points.col(i), X_i.act(x)), 4) << x.transpose();
+        EXPECT_LE(apart<S>(J.col(i), Jexp6<S>(Motion<S>(d))), 8) << d.transpose();
+        EXPECT_LE(apart<S>(inverse.col(i), rightJacobianInverse<S>(Motion<S>(d))), 8) << d.transpose();
+        EXPECT_LE(apart<S>(Jlog.col(i), rightJacobianInverse<S>(quaternion::log6<S>(near))), 8)
+            << near.transpose();
+      }
     }
+}
+
+template <class A>
+bool sameBits(const A& a, const A& b) {
+  return a.cols() == b.cols() && std::memcmp(a.data(), b.data(), sizeof(*a.data()) * a.size()) == 0;
+}
+
+TYPED_TEST(BatchOf, ResultsDoNotDependOnThreadsNeighboursOrTheWidthOfRegistersWithFMA) {
+  using S = TypeParam;
+  const int n = 20001;
+  const Inputs<S> in(n);
+  for (const Instructions i : supported()) {
+    const batch::Options one{1, i}, many{3, i};
+    const auto q = batch::integrate<S>(in.q, in.delta, one);
+    const auto delta = batch::difference<S>(in.q, in.near, one);
+    const auto J = batch::Jexp6<S>(in.delta, one);
+    EXPECT_TRUE(sameBits(q, batch::integrate<S>(in.q, in.delta, many)));
+    EXPECT_TRUE(sameBits(delta, batch::difference<S>(in.q, in.near, many)));
+    for (int k = 0; k < 50; ++k) {
+      const batch::Rows<S, 7> q0 = in.q.middleCols(k, 101), q1 = in.near.middleCols(k, 101);
+      const batch::Rows<S, 6> part = delta.middleCols(k, 101);
+      EXPECT_TRUE(sameBits(part, batch::difference<S>(q0, q1, one)));
+    }
+    if (i == Instructions::avx2 && batch::supported(Instructions::avx512)) {
+      const batch::Options wider{1, Instructions::avx512};
+      EXPECT_TRUE(sameBits(q, batch::integrate<S>(in.q, in.delta, wider)));
+      EXPECT_TRUE(sameBits(delta, batch::difference<S>(in.q, in.near, wider)));
+      EXPECT_TRUE(sameBits(J, batch::Jexp6<S>(in.delta, wider)));
+    }
+  }
+}
+
+TYPED_TEST(BatchOf, MemoryOfAResultIsUsedAgain) {
+  using S = TypeParam;
+  const Inputs<S> in(100);
+  auto result = batch::integrate<S>(in.q, in.delta);
+  const auto expected = result;
+  const S* const memory = result.data();
+  result = batch::integrate<S>(in.q, in.delta, {}, std::move(result));
+  EXPECT_EQ(result.data(), memory);
+  EXPECT_TRUE(sameBits(result, expected));
+}
+
+TYPED_TEST(BatchOf, BadInputIsRefused) {
+  using S = TypeParam;
+  const Inputs<S> in(9000);
+  const batch::Rows<S, 6> fewer = in.delta.leftCols(8999);
+  EXPECT_EQ(test::refusal([&] { batch::integrate<S>(in.q, fewer); }),
+            "the arguments of a batch have different numbers of columns");
+  batch::Rows<S, 7> q = in.q;
+  q.col(8000).template tail<4>().setZero();
+  for (const int threads : {1, 2})
+    EXPECT_EQ(test::refusal([&] { batch::integrate<S>(q, in.delta, {threads}); }),
+              "a zero quaternion is not a rotation");
+  if (!batch::supported(Instructions::avx512)) {
+    EXPECT_THROW(batch::exp6<S>(in.delta, {1, Instructions::avx512}), std::invalid_argument);
   }
 }
 

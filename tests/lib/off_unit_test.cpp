@@ -7,7 +7,7 @@
 #include <liecheck/algorithms/centroidal.hpp>
 #include <liecheck/algorithms/energy.hpp>
 #include <liecheck/algorithms/jacobians.hpp>
-#include <liecheck/multibody/batch.hpp>
+#include <liecheck/batch/poses.hpp>
 
 #include "random_tree.hpp"
 #include "refusal.hpp"

@@ -100,17 +100,19 @@ template <Scalar S, Precision P>
   const Quad<S> D = Quad<S>(s) * Q1.split.value - Q0.split.value;
   const S bound = sum(fabs(D)), least = bound / S(P == Precision::fast ? 8 : 256);
   const S small = eps<S>() * eps<S>();  // a subnormal vector part is rounded once, at the end
-  const auto exactly = [&](const Quad<S>& q, const S& factor) {
+  const auto exactly = [&](const auto& q, const S& factor) {
     const Vector4<S> exact = exactProduct<S>(Q0.split.value, q * Quad<S>(S(1) / small));
     return each<S>([&](int i) { return S(exact[i] * S(factor * small)); });
   };
-  if (bound < std::numeric_limits<S>::min() / small && bound > S(0)) [[unlikely]]
-    return exactly(D, S(1));
+  if constexpr (!side_by_side<S>)
+    if (bound < std::numeric_limits<S>::min() / small && bound > S(0)) [[unlikely]]
+      return exactly(D, S(1));
   const SplitFactor<Quad<S>, 1, P> factor(D, Quad<S>(S(bound * SO3<S>::split_factor())));
   const Quad<S> v = product<S, P, -1>(Q0.split, factor).value();
   const Vector3<S> result(v.v[0], v.v[1], v.v[2]);
-  if (dot<S>(result, result) < least * least) [[unlikely]]
-    return exactly(Q1.split.value, s);
+  if constexpr (!side_by_side<S>)
+    if (dot<S>(result, result) < least * least) [[unlikely]]
+      return exactly(Q1.split.value, s);
   return result;
 }
 
@@ -128,9 +130,16 @@ template <Scalar S, Precision P>
       w = DoubleWord<S>(exactProduct<S>(Q0.split.value, Q1.split.value)[3]);
   const S s = sign<S>(w.high);
   Vector3<S> v(s * Q.v[0], s * Q.v[1], s * Q.v[2]), v_low(s * Q_low.v[0], s * Q_low.v[1], s * Q_low.v[2]);
-  if constexpr (!side_by_side<S>)
-    if (dot<S>(v, v) < (P == Precision::fast ? S(1) / S(64) : S(2048) * eps<S>()))
-      v = nearRotation<S, P>(Q0, Q1), v_low = Vector3<S>(S(0), S(0), S(0));
+  const S square = dot<S>(v, v), close = P == Precision::fast ? S(1) / S(64) : S(2048) * eps<S>();
+  if constexpr (side_by_side<S>) {
+    if (const auto lanes = S::less(square, close); S::any(lanes)) {
+      const Vector3<S> near = nearRotation<S, P>(Q0, Q1);
+      for (int i = 0; i < 3; ++i)
+        v[i] = S::select(lanes, near[i], v[i]), v_low[i] = S::select(lanes, S(0), v_low[i]);
+    }
+  } else if (square < close) {
+    v = nearRotation<S, P>(Q0, Q1), v_low = Vector3<S>(S(0), S(0), S(0));
+  }
   return exp_log_detail::RotationLogarithm<S, P>(v, v_low, DoubleWord<S>(absolute<S>(w.high), S(s * w.low)),
                                                  DoubleWord<S>(product_excess<S>(Q0.excess, Q1.excess)));
 }

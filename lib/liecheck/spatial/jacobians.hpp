@@ -112,8 +112,9 @@ template <Scalar S, Precision P, class F>
 template <Scalar S, Precision P, class F>
 [[gnu::always_inline]] inline auto with_left_inverse(const Vector3<S>& phi, F f) {
   const S x = squared_angle<S, Precision::fast>(phi).high;
-  if (!within_pi(x)) [[unlikely]]
-    return with_left_inverse_beyond_pi<S, P>(each<S>([&phi](int i) { return phi[i]; }), x, f);
+  if constexpr (!side_by_side<S>)
+    if (!within_pi(x)) [[unlikely]]
+      return with_left_inverse_beyond_pi<S, P>(each<S>([&phi](int i) { return phi[i]; }), x, f);
   return f(BlockCoefficients<S, P>::inverse(phi, x));
 }
 

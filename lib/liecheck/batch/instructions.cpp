@@ -1,0 +1,34 @@
+#include <liecheck/batch/dispatch.hpp>
+
+namespace liecheck::batch {
+
+bool supported(Instructions instructions) {
+#if defined(LIECHECK_BATCH_X86)
+  if (instructions == Instructions::avx2)
+    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+  if (instructions == Instructions::avx512)
+    return supported(Instructions::avx2) && __builtin_cpu_supports("avx512f") &&
+           __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw") &&
+           __builtin_cpu_supports("avx512dq");
+#endif
+  return instructions == Instructions::baseline;
+}
+
+Instructions bestInstructions() {
+  static const Instructions best = supported(Instructions::avx512) ? Instructions::avx512
+                                   : supported(Instructions::avx2) ? Instructions::avx2
+                                                                   : Instructions::baseline;
+  return best;
+}
+
+const detail::Kernels& detail::kernelsOf(Instructions instructions) {
+  if (!supported(instructions))
+    throw std::invalid_argument("a batch is to use instructions that this processor or this library lacks");
+#if defined(LIECHECK_BATCH_X86)
+  if (instructions == Instructions::avx512) return avx512;
+  if (instructions == Instructions::avx2) return avx2;
+#endif
+  return baseline;
+}
+
+}  // namespace liecheck::batch
