@@ -15,9 +15,9 @@ function costColor(subject, names) {
 
 // The points of one operation: x [ns], y [eps of double].
 function costPoints(rows, kind) {
-  return rows.filter(r => r.error !== null && !r.subject.includes("@") && r.sets.at(-1)[kind + "_ns"]).map(row => {
+  return rows.filter(r => r.error !== null && !r.subject.includes("@") && r.sets.at(-1)[kind]).map(row => {
     const all = row.sets.at(-1);
-    return {row, all, x: all[kind + "_ns"].median, error: typeof row.error === "number" ? row.error : Infinity,
+    return {row, all, x: all[kind].ns, error: typeof row.error === "number" ? row.error : Infinity,
       dominated: row["dominated_" + kind]};
   });
 }
@@ -85,9 +85,9 @@ function costPlot(head, points, kind, names) {
 }
 
 function costTip({row, all, error, dominated}) {
-  const time = s => s ? `${short(s.median)} [${short(s.low)}, ${short(s.high)}] ns` : "not timed";
+  const time = s => s ? `${short(s.ns)} ns = ${short(s.ratio)} [${short(s.low)}, ${short(s.high)}] references` : "not timed";
   const blocks = all.blocks.map(b => `${b.block}: max ${short(b.max_eps)}, p99 ${short(b.p99_eps)}, median ${short(b.median_eps)} eps of ${row.scalar}`);
-  return [`latency ${time(all.latency_ns)}, throughput ${time(all.throughput_ns)}`,
+  return [`latency ${time(all.latency)}, throughput ${time(all.throughput)}`,
     Number.isFinite(error) ? `${costDigits(error)} in the ${row.worst_block}; a lower bound of the error` : "a case without a result", ...blocks,
     dominated ? `dominated by ${dominated}` : "on the Pareto front"];
 }

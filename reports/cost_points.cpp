@@ -14,9 +14,9 @@ std::vector<CostPoint> cost_points(const Json& cost) {
   std::vector<CostPoint> points;
   for (const Json& row : cost["rows"]) {
     if (row["error"].is_null() || other_flags(row)) continue;
-    const Json& latency = row["sets"].back()["latency_ns"];
+    const Json& latency = row["sets"].back()["latency"];
     points.push_back({row["subject"], row["scalar"], row["operation"], figure(row["error"]),
-                      latency.is_null() ? 0 : latency["median"].get<double>(),
+                      latency.is_null() ? 0 : latency["ns"].get<double>(),
                       !row["dominated_latency"].is_null()});
   }
   return points;

@@ -85,8 +85,8 @@ std::string price_table(const std::vector<CostPoint>& points, const std::vector<
 
 std::string spread_text(const Json& s) {
   if (s.is_null()) return "—";
-  return fmt::format("{:.4g} [{:.4g}, {:.4g}]", s["median"].get<double>(), s["low"].get<double>(),
-                     s["high"].get<double>());
+  return fmt::format("{:.3g} [{:.3g}, {:.3g}], {}", s["ratio"].get<double>(), s["low"].get<double>(),
+                     s["high"].get<double>(), time_text(s["ns"]));
 }
 
 /// A table of operations by compilers and flags: latency, and the largest error in eps.
@@ -102,7 +102,7 @@ std::string flags_table(const Json& cost) {
     const Json& all = row["sets"].back();
     const double error = figure(row["error"]) / row["eps"].get<double>();
     cells[{operation, subject}] =
-        fmt::format("{}, {}", all["latency_ns"].is_null() ? "—" : time_text(all["latency_ns"]["median"]),
+        fmt::format("{}, {}", all["latency"].is_null() ? "—" : time_text(all["latency"]["ns"]),
                     std::isinf(error) ? "<b>no result</b>" : eps_text(error) + " eps");
   }
   if (modules.empty()) return "";
@@ -138,7 +138,7 @@ std::string all_points(const Json& cost) {
       }
       rows.push_back(
           {code(row["operation"]), text_of(row, "subject"), text_of(row, "scalar"), text_of(set, "set"),
-           spread_text(set["latency_ns"]), spread_text(set["throughput_ns"]),
+           spread_text(set["latency"]), spread_text(set["throughput"]),
            set["instructions"].is_null() ? "—" : fmt::format("{:.0f}", set["instructions"].get<double>()),
            fmt::format("{}", fmt::join(errors, "; ")),
            mixed && row["dominated_latency"].is_string() ? text_of(row, "dominated_latency") : ""});
@@ -146,7 +146,7 @@ std::string all_points(const Json& cost) {
   return "<details><summary>All figures: each operation, subject and scalar, over all inputs and for each "
          "band</summary>\n" +
          table("Time and error on the same inputs",
-               {"operation", "subject", "scalar", "inputs", "latency [ns]", "throughput [ns]", "instructions",
+               {"operation", "subject", "scalar", "inputs", "latency", "throughput", "instructions",
                 "error of each block: max, p99, median [eps]", "dominated, by latency, by"},
                rows, true) +
          "</details>\n";
@@ -165,18 +165,25 @@ std::string cost_section(const Merged& merged) {
     const std::string counter = cost["no_counter"];
     out += advice(points);
     out += fmt::format(
-        "<p class=\"note\">Every subject is called through a function pointer. All subjects of a scalar get "
-        "the same inputs, which are drawn from five bands of angles, and their errors are measured on these "
-        "inputs; a maximum is a <b>lower bound</b>. A time is processor time: the median of at most {} "
-        "repetitions. All rows are repeated in random order in one run, and repetitions during which another "
-        "program used the core are left out. Brackets hold the interval that contains the median with a "
-        "probability of 95 %. Latency: each call waits for the result of the one before. Throughput: no call "
-        "waits. The row <code>call</code> is the shortest operation of the same signature; its time is "
-        "included in every other time. A row is <b>dominated</b> if another row is faster (disjoint "
-        "intervals) and has no larger error, or has a smaller error and is not slower. The error is the "
-        "largest of any block except the defects of norm and orthogonality. Scalars wider than double get "
-        "inputs in double and are compared with closed forms at 100 digits.</p>\n",
-        dumped(cost["repetitions"]));
+        "<p class=\"note\">Every subject is called through a function pointer. All subjects of a scalar "
+        "get the same inputs, which are drawn from five bands of angles, and their errors are measured on "
+        "these inputs; a maximum is a <b>lower bound</b>. A time is processor time, as a multiple of that "
+        "of a reference loop beside it: the median of {} processes. In each process all rows are repeated "
+        "in random order, and repetitions during which the machine was slower are left out. Brackets hold "
+        "the spread from run to run: twice as far from the median as any process, as a factor. A time in "
+        "ns is the multiple of {:.4g} ns, the median of the reference loop, which depends on the speed of "
+        "the machine during the run. Latency: each call waits for the result of the one before. "
+        "Throughput: no call waits. The row <code>call</code> is the shortest operation of the same "
+        "signature; its time is included in every other time. A row is <b>dominated</b> if another row is "
+        "faster (disjoint spreads) and has no larger error, or has a smaller error and is not slower. The "
+        "error is the largest of any block except the defects of norm and orthogonality. Scalars wider "
+        "than double get inputs in double and are compared with closed forms at 100 digits.</p>\n",
+        dumped(cost["processes"]), cost["reference_ns"].get<double>());
+    if (!cost["steady"])
+      out += fmt::format(
+          "<p><b>The machine changed speed during this run</b>: {:.0f} % of the repetitions "
+          "were disturbed. Another run may give other times.</p>\n",
+          100 * cost["disturbed"].get<double>());
     out += fmt::format(
         "<p class=\"note\">Machine: {}, governor {}, {}; {}, <code>{}</code>; instructions {}. Seed {}; "
         "{:.0f} s{}.</p>\n",

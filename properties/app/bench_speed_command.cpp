@@ -57,8 +57,9 @@ struct Chunks {
   Tally tally;
   std::uint64_t operator()() {
     constexpr std::uint64_t chunk = 4096;
-    for (std::uint64_t i = 0; i < chunk && !stop_requested; ++i) series->run(seed, next++, tally);
-    return chunk;
+    std::uint64_t done = 0;
+    for (; done < chunk && !stop_requested; ++done) series->run(seed, next++, tally);
+    return done;
   }
 };
 
@@ -122,8 +123,8 @@ class Bench {
         progress.show(steps++ / all_steps,
                       [&](double) { return fmt::format("round {}: {}", round + 1, row.name); });
         const double found = row.round();
-        if (stop_requested) return;  // this round was cut short
-        row.best = std::max(row.best, found);
+        if (!stop_requested || row.best == 0) row.best = std::max(row.best, found);
+        if (stop_requested) return;  // this round was cut short: it counts only if the row has no other
       }
     complete_ = true;
   }

@@ -63,6 +63,8 @@ class Arguments {
   Flag list(const std::string& names, std::vector<std::string>& target, const std::string& value,
             const std::string& help);
   Flag toggle(const std::string& names, bool& target, const std::string& help);
+  /// A flag that the program passes to itself. The help does not show it.
+  Flag hidden_toggle(const std::string& names, bool& target);
 
   /// A whole number in decimal digits, from low to high. The help shows its default if that is in this range.
   template <class T>

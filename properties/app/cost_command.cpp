@@ -4,6 +4,7 @@
 #include <cmath>
 #include <record/record.hpp>
 #include <support/environment.hpp>
+#include <support/own_process.hpp>
 #include <support/progress.hpp>
 #include <support/stop.hpp>
 #include <timing/cost.hpp>
@@ -14,19 +15,24 @@ namespace {
 
 struct Flags {
   CostOptions options;
+  bool times_only = false;
   std::string json;
 };
 
-std::string time_text(const Spread& s) {
-  if (s.repetitions == 0) return "-";
-  const auto ns = [](double x) { return x < 1000 ? fmt::format("{:.4g}", x) : fmt::format("{:.0f}", x); };
-  return fmt::format("{} [{}, {}]", ns(s.median), ns(s.low), ns(s.high));
+std::string number_text(double x) {
+  return x < 1000 ? fmt::format("{:.3g}", x) : fmt::format("{:.0f}", x);
+}
+std::string ratio_text(const Ratio& r) {
+  if (r.processes == 0) return "-";
+  return fmt::format("{} [{}, {}]", number_text(r.median), number_text(r.low), number_text(r.high));
 }
 
-void print_row(const CostRow& row, const std::string& dominator) {
+void print_row(const CostRow& row, double reference_ns, const std::string& dominator) {
   const CostSet& all = row.sets.back();
-  fmt::print("{:<24}{:<11}{:<26}{:<26}{:>8}", row.subject, row.scalar, time_text(all.latency),
-             time_text(all.throughput), all.instructions > 0 ? fmt::format("{:.0f}", all.instructions) : "-");
+  fmt::print("{:<24}{:<11}{:<22}{:>9}  {:<22}{:>8}", row.subject, row.scalar, ratio_text(all.latency),
+             all.latency.processes ? number_text(all.latency.median * reference_ns) : "-",
+             ratio_text(all.throughput),
+             all.instructions > 0 ? fmt::format("{:.0f}", all.instructions) : "-");
   const std::string worst = worst_block(row);
   for (const BlockErrors& b : all.blocks)
     if (b.block == worst)
@@ -42,36 +48,59 @@ void print_rows(const CostResult& r) {
   for (std::size_t i = 0; i < r.rows.size(); ++i) {
     if (r.rows[i].operation != operation) {
       operation = r.rows[i].operation;
-      fmt::print("\n{:<24}{:<11}{:<26}{:<26}{:>8}{:>10}{:>10}{:>10}  {:<18}{}\n", operation, "",
-                 "latency [ns]", "throughput [ns]", "instr.", "max", "p99", "median", "block [eps]",
+      fmt::print("\n{:<24}{:<11}{:<22}{:>9}  {:<22}{:>8}{:>10}{:>10}{:>10}  {:<18}{}\n", operation, "",
+                 "latency", "[ns]", "throughput", "instr.", "max", "p99", "median", "block [eps]",
                  "dominated by");
     }
-    print_row(r.rows[i], by[i] < 0 ? "" : implementation_of(r.rows[static_cast<std::size_t>(by[i])]));
+    print_row(r.rows[i], r.machine.reference_ns,
+              by[i] < 0 ? "" : implementation_of(r.rows[static_cast<std::size_t>(by[i])]));
   }
 }
 
 void print_header(const CostResult& r) {
   fmt::print(
       "{}\n"
-      "time: processor time of a call, as the median of at most {} undisturbed repetitions in random order,\n"
-      "  with its 95 % confidence interval. The row call is the shortest operation of the signature.\n"
-      "  Its time is not subtracted.\n"
+      "latency, throughput: processor time of a call in times of a reference loop, {:.4g} ns: the median\n"
+      "  of {} processes, and its spread from run to run. The row call is the shortest operation of the\n"
+      "  signature. Its time is not subtracted.\n"
       "error: largest found (a lower bound), 99 % quantile and median, for the worst block, in eps of the\n"
       "  scalar, over the timed inputs. Dominated: another row has a lower latency and no larger error.\n"
       "instructions: {}\n",
-      environment_line(), r.options.repetitions,
+      environment_line(), r.machine.reference_ns, r.options.processes,
       r.no_counter.empty() ? "retired in user space, per call" : "not counted, " + r.no_counter);
 }
 
+std::string steadiness(const Machine& m) {
+  return fmt::format(
+      "{:.0f} % of the repetitions were disturbed and left out{}", 100 * m.disturbed,
+      m.steady() ? "" : ": UNSTEADY, the machine changed speed; another run may give other ratios");
+}
+
+/// Runs the program again, to measure the times in a process of its own.
+std::optional<std::string> times_in_a_process(const CostOptions& o, double seconds) {
+  std::vector<std::string> arguments = {
+      "cost", "--times-only", "--seed", fmt::format("{}", o.seed), "--for", fmt::format("{:.9f}", seconds)};
+  const auto add = [&](const char* flag, const std::vector<std::string>& values) {
+    for (const std::string& value : values) arguments.insert(arguments.end(), {flag, value});
+  };
+  add("--op", o.operations), add("--subject", o.subjects), add("--scalar", o.scalars);
+  if (o.flags) arguments.push_back("--flags");
+  return output_of_own_process(std::move(arguments), stop_requested);
+}
+
 int run(const Flags& f) {
+  if (f.times_only) {
+    fmt::print("{}", times_in_this_process(f.options));
+    return within_budget;
+  }
   stop_on_signals();
   const CostResult r = run_cost(f.options);
   do_both([&] { write_record_of(f.json, r); },
           [&] {
             print_header(r);
             print_rows(r);
-            fmt::print("\n{} rows in {:.1f} s, seed {}{}\n", r.rows.size(), r.elapsed, r.options.seed,
-                       r.complete ? "" : "; interrupted: only what was done");
+            fmt::print("\n{} rows in {:.1f} s, seed {}; {}{}\n", r.rows.size(), r.elapsed, r.options.seed,
+                       steadiness(r.machine), r.complete ? "" : "; interrupted: only what was done");
           });
   return r.complete ? within_budget : incomplete;
 }
@@ -81,7 +110,8 @@ int run(const Flags& f) {
 CostResult run_cost(CostOptions options) {
   options.stop = &stop_requested;
   Progress progress("cost");
-  options.progress = [&](double share) { progress.show(share, "of the repetitions"); };
+  options.progress = [&](double share) { progress.show(share, "of the processes"); };
+  options.times_in_a_process = [&](double seconds) { return times_in_a_process(options, seconds); };
   CostResult r = measure_cost(options);
   // Sorts by operation, in the order of their table. The rows of an operation stay sorted by digits.
   const auto names = cost_operations();
@@ -105,6 +135,7 @@ Command cost_command(CLI::App& program) {
   a.toggle("--flags", o.flags, "also liecheck in double with other compilers and flags");
   a.seed(o.seed, "seed of the inputs");
   a.duration("--for", o.seconds, "about how long all timing takes: 30s, 5m; default 60s");
+  a.hidden_toggle("--times-only", a->times_only);
   a.json(a->json, "write times and errors to FILE");
   return a.runs(run);
 }

@@ -144,6 +144,10 @@ Flag Arguments::toggle(const std::string& names, bool& target, const std::string
   return Flag(command_.add_flag(names, target, help));
 }
 
+Flag Arguments::hidden_toggle(const std::string& names, bool& target) {
+  return Flag(command_.add_flag(names, target)->group(""));
+}
+
 Flag Arguments::add_number(const std::string& names, std::uint64_t value, std::uint64_t low,
                            std::uint64_t high, const std::string& help,
                            const std::function<void(std::uint64_t)>& set) {

@@ -32,8 +32,11 @@ class DynamicsDerivatives final : public TreeLaw<DynamicsDerivatives, S> {
     const std::vector<T> M = standing.mass();
     const std::vector<double> roots = mass_roots(M, c.nv()), w = inverses(roots);
     const bool resolved = c.resolved(true);
-    const auto by_q = [&](const std::vector<T>& a) { return c.dynamics(c.exact.v, a, d, still, still); };
-    const auto by_v = [&](const std::vector<T>& a) { return c.dynamics(c.exact.v, a, still, d, still); };
+    const auto by_q = [&](const std::vector<T>& a) {
+      return c.dynamics(c.exact.v, a, d, still, still).torque_derivative(c.exact.wrench);
+    };
+    const std::vector<T> by_v =
+        c.dynamics(c.exact.v, still, still, d, still).torque_derivative();  // for any a
     const auto sizes = [&](const std::vector<double>& a, bool q) {
       const std::vector<double> none(c.nv(), 0);
       return oracles::TreeSizes<oracles::Tangent>(c.rough.tree, c.rough.q, c.rough.v, a, c.rough.wrench,
@@ -49,14 +52,12 @@ class DynamicsDerivatives final : public TreeLaw<DynamicsDerivatives, S> {
     };
     if (o[op::rnea_derivatives]) {
       const auto [dq, dv] = o[op::rnea_derivatives](c.q, c.v, c.a, c.F_joint, c.F);
-      const auto record = [&](const Output& output, const MatX<S>& J, const oracles::TreeDynamics<T>& exact,
-                              bool q) {
+      const auto record = [&](const Output& output, const MatX<S>& J, const std::vector<T>& exact, bool q) {
         if (!oracles::all_finite(J)) return r.outcome(output, 0, Outcome::not_finite);
-        c.record(r, output, exact_product(J, d), exact.torque_derivative(c.exact.wrench), w,
-                 terms_of(sizes(c.rough.a, q)), resolved);
+        c.record(r, output, exact_product(J, d), exact, w, terms_of(sizes(c.rough.a, q)), resolved);
       };
       record(torque_q, dq, by_q(c.exact.a), true);
-      record(torque_v, dv, by_v(c.exact.a), false);
+      record(torque_v, dv, by_v, false);
     }
     if (!o[op::aba_derivatives]) return;
     const std::vector<T> factor = oracles::positive_factor(M, c.nv());
@@ -77,10 +78,8 @@ class DynamicsDerivatives final : public TreeLaw<DynamicsDerivatives, S> {
       const double a_error = inverse * weighted_size(c.sizes(c.rough.v, rough_list(a), true).tau, w);
       std::vector<double> a_moved(c.nv());
       for (std::size_t k = 0; k < a_moved.size(); ++k) a_moved[k] = a_error * w[k];
-      const auto record = [&](const Output& output, const MatX<S>& J, const oracles::TreeDynamics<T>& at,
-                              bool q) {
+      const auto record = [&](const Output& output, const MatX<S>& J, std::vector<T> exact, bool q) {
         if (!oracles::all_finite(J)) return r.outcome(output, 0, Outcome::not_finite);
-        std::vector<T> exact = at.torque_derivative(c.exact.wrench);
         for (T& x : exact) x = -x;
         exact = oracles::solve(factor, exact);
         const double terms = size * approximate(weighted_norm(exact, roots)) +
@@ -89,7 +88,7 @@ class DynamicsDerivatives final : public TreeLaw<DynamicsDerivatives, S> {
         c.record(r, output, exact_product(J, d), exact, roots, inverse * terms, resolved);
       };
       record(acceleration_q, dq, by_q(a), true);
-      record(acceleration_v, dv, by_v(a), false);
+      record(acceleration_v, dv, by_v, false);
     });
   }
 };

@@ -53,7 +53,7 @@ class ForwardDynamics final : public TreeLaw<ForwardDynamics, S> {
     }
     const std::vector<double> at_rest(c.nv(), 0);
     const double size = weighted_size(c.sizes(at_rest, at_rest).mass, products(w)),
-                 size_inverse = approximate(weighted_norm(inverse_exact, products(roots)));
+                 size_inverse = weighted_norm(rough_list(inverse_exact), products(roots));
     const double a_size = approximate(weighted_norm(a, roots));
     const double terms = size * a_size + approximate(weighted_norm(tau, w)) +
                          weighted_size(c.sizes(c.rough.v, rough_list(a), true).tau, w);

@@ -44,11 +44,12 @@ std::vector<T> exact_product(const MatX<S>& J, const std::vector<T>& x) {
 /// At least ||A^-1|| of A = M_kl / sqrt(M_kk M_ll), from the factor of M and the roots sqrt(M_kk).
 template <class T>
 double inverse_size(const std::vector<T>& factor, const std::vector<double>& roots) {
+  const std::vector<double> rough = rough_list(factor);
   double size = 0;
   for (std::size_t k = 0; k < roots.size(); ++k) {
-    std::vector<T> e(roots.size(), T(0));
-    e[k] = T(roots[k]);
-    size += approximate(weighted_norm(oracles::solve(factor, e), roots));
+    std::vector<double> e(roots.size(), 0);
+    e[k] = roots[k];
+    size += weighted_norm(oracles::solve(rough, std::move(e)), roots);
   }
   return size;
 }
@@ -96,7 +97,11 @@ struct CaseAt {
   template <class... Direction>
   oracles::TreeDynamics<T> dynamics(const std::vector<T>& v, const std::vector<T>& a,
                                     const Direction&... direction) const {
-    return {exact.tree, exact.q, v, a, direction...};
+    return {exact.tree, poses(), v, a, direction...};
+  }
+  const std::shared_ptr<const oracles::TreePoses<T>>& poses() const {
+    if (!poses_) poses_ = std::make_shared<oracles::TreePoses<T>>(exact.tree, exact.q);
+    return poses_;
   }
   /// The sizes of the terms that may cancel in a result. If `pushed`, they include those of the wrench.
   oracles::TreeSizes<double> sizes(const std::vector<double>& v, const std::vector<double>& a,
@@ -109,6 +114,9 @@ struct CaseAt {
   void record(Recorder& r, const Output& output, const std::vector<T>& computed,
               const std::vector<T>& exact_value, const std::vector<double>& w, double terms,
               bool confirmed) const;
+
+ private:
+  mutable std::shared_ptr<const oracles::TreePoses<T>> poses_;
 };
 
 /// What all laws on trees of bodies share.

@@ -60,7 +60,7 @@ class TreeMomentum final : public TreeLaw<TreeMomentum, S> {
           r.outcome(output, 0, Outcome::not_finite);
       }
     }
-    if (o[op::tree_aba] && floats(c.exact.tree)) conservation<T>(o, c, r);
+    if (o[op::tree_aba] && floats(c.exact.tree)) conservation<T>(o, c, r, moving.mass());
   }
 
  private:
@@ -80,11 +80,10 @@ class TreeMomentum final : public TreeLaw<TreeMomentum, S> {
   }
 
   template <class T, class Case>
-  static void conservation(const TreeOperations<S>& o, const Case& c, Recorder& r) {
+  static void conservation(const TreeOperations<S>& o, const Case& c, Recorder& r, const std::vector<T>& M) {
     if (is_held(c.exact.tree)) return r.outcome(conserved, 0, Outcome::ill_posed);
     VecX<S> tau = c.a;
     tau.template head<6>().setZero();
-    const std::vector<T> M = c.dynamics(c.exact.v, c.exact.v).mass();
     const std::vector<double> roots = mass_roots(M, c.nv()), w = moving_inverses(roots);
     const auto singular = [&] {
       const std::vector<double> at_rest(c.nv(), 0);
@@ -106,7 +105,7 @@ class TreeMomentum final : public TreeLaw<TreeMomentum, S> {
     oracles::TreeOf<T> weightless = c.exact.tree;
     oracles::TreeOf<double> rough = c.rough.tree;
     weightless.gravity = oracles::zero_vector<3, T>(), rough.gravity = {{0, 0, 0}};
-    const oracles::TreeDynamics<T> there(weightless, c.exact.q, c.exact.v, a);
+    const oracles::TreeDynamics<T> there(weightless, c.poses(), c.exact.v, a);
     std::vector<T> base = there.torque();
     base.resize(6);
     const double terms =

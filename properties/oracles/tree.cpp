@@ -1,5 +1,6 @@
 #include <oracles/tree.hpp>
 
+#include <algorithm>
 #include <oracles/closed_forms.hpp>
 
 namespace liecheck::oracles {
@@ -39,26 +40,29 @@ Mat34<T> joint_pose(const JointOf<T>& j, const T* q) {
       return matrix(unit_rotation(Quaternion<T>{{q[3], q[4], q[5], q[6]}}), Vec3<T>{{q[0], q[1], q[2]}});
   }
 }
-/// The columns s_k of the joint's motion subspace.
+/// Appends the columns s_k of the joint's motion subspace.
 template <class T>
-std::vector<Vec6<T>> joint_columns(const JointOf<T>& j) {
+void add_columns(const JointOf<T>& j, std::vector<Vec6<T>>& S) {
   const Vec3<T> none = zero_vector<3, T>();
   const auto unit_columns = [&](std::initializer_list<int> which) {
-    std::vector<Vec6<T>> all;
     for (int k : which) {
-      all.push_back(zero_vector<6, T>());
-      all.back()[k] = T(1);
+      S.push_back(zero_vector<6, T>());
+      S.back()[k] = T(1);
     }
-    return all;
   };
+  const auto along_axis = [&](const T& u, const T& w) {
+    const Vec3<T> n = unit(j.axis);
+    S.push_back(stack(is_zero(u) ? none : u * n, is_zero(w) ? none : w * n));
+  };
+  const T factor = j.primary >= 0 ? j.multiplier : T(1);
   switch (j.kind) {
     case JointKind::revolute:
     case JointKind::continuous:
-      return {stack(none, unit(j.axis))};
+      return along_axis(T(0), factor);
     case JointKind::helical:
-      return {stack(j.pitch * unit(j.axis), unit(j.axis))};
+      return along_axis(j.pitch * factor, factor);
     case JointKind::prismatic:
-      return {stack(unit(j.axis), none)};
+      return along_axis(factor, T(0));
     case JointKind::spherical:
       return unit_columns({3, 4, 5});
     case JointKind::planar:
@@ -81,23 +85,15 @@ T primary_coordinate(const TreeOf<T>& tree, int primary, const std::vector<T>& q
     return T(atan2(y[1], y[0]));
 }
 
-/// sum_k s_k v_k of joint i.
 template <class T>
-Vec6<T> joint_twist(const TreeOf<T>& tree, std::size_t i, const std::vector<T>& v) {
-  const JointOf<T>& j = tree.joints[i];
-  Vec6<T> sum = zero_vector<6, T>();
-  int k = tree.idx_v[i];
-  for (const Vec6<T>& s : joint_columns(j)) {
-    const T& x = v[static_cast<std::size_t>(k++)];
-    sum = sum + (j.primary < 0 ? x : T(j.multiplier * x)) * s;
-  }
-  return sum;
+bool all_zero(const std::vector<T>& x) {
+  return std::all_of(x.begin(), x.end(), [](const T& y) { return is_zero(y); });
 }
 
 /// sum m (x; 1)(x; 1)^T: its blocks are the second moments tr(I_C) / 2 - I_C + m c c^T, then m c and m.
 template <class T>
-Mat<4, 4, T> second_moments(const BodyOf<T>& b) {
-  Mat<4, 4, T> J;
+Mat44<T> second_moments(const BodyOf<T>& b) {
+  Mat44<T> J;
   const T half = (b.I_C(0, 0) + b.I_C(1, 1) + b.I_C(2, 2)) / T(2);
   for (int i = 0; i < 3; ++i) {
     const T mc = b.mass * b.c[i];
@@ -110,15 +106,22 @@ Mat<4, 4, T> second_moments(const BodyOf<T>& b) {
 }  // namespace
 
 template <class T>
-TreeDynamics<T>::TreeDynamics(const TreeOf<T>& tree, const Numbers& q, const Numbers& v, const Numbers& a,
-                              const Numbers& dq, const Numbers& dv, const Numbers& da,
-                              const Numbers& displaced)
-    : tree_(tree), v_(v), a_(a), da_(da), differentiated_(!dq.empty()) {
-  const std::size_t n = tree.joints.size();
-  const auto reserve = [&](MotionOf<T>& m) { m.X.resize(n), m.X1.resize(n), m.X2.resize(n); };
-  reserve(at_);
-  if (differentiated_) reserve(change_);
-  for (std::size_t i = 0; i < n; ++i) {
+Vec6<T> TreePoses<T>::twist(std::size_t i, int idx_v, const Numbers& x) const {
+  Vec6<T> sum = zero_vector<6, T>();
+  T t;
+  for (std::size_t k = first[i]; k < first[i + 1]; ++k)
+    for (int r = 0; r < 6; ++r)
+      if (!is_zero(S[k][r])) {
+        set_product(t, S[k][r], x[static_cast<std::size_t>(idx_v) + k - first[i]]);
+        sum[r] += t;
+      }
+  return sum;
+}
+
+template <class T>
+TreePoses<T>::TreePoses(const TreeOf<T>& tree, const Numbers& q, const Numbers& displaced)
+    : origin(zero_vector<3, T>()) {
+  for (std::size_t i = 0; i < tree.joints.size(); ++i) {
     const JointOf<T>& j = tree.joints[i];
     Mat34<T> E;
     if (j.primary < 0) {
@@ -127,58 +130,108 @@ TreeDynamics<T>::TreeDynamics(const TreeOf<T>& tree, const Numbers& q, const Num
       const T x = j.multiplier * primary_coordinate(tree, j.primary, q) + j.offset;
       E = joint_pose(j, &x);
     }
-    Mat34<T> L = product(matrix(unit_rotation(j.Q), j.p), E, 1);
-    if (!displaced.empty()) {
-      if constexpr (!BallNumber<T>) {
-        const UnitPose<T> d = closed_exp(joint_twist(tree, i, displaced));
-        L = product(L, matrix(rotation_matrix(d.Q), d.p), 1);
+    L.push_back(product(matrix(unit_rotation(j.Q), j.p), E, 1));
+    add_columns(j, S);
+    first.push_back(S.size());
+    if constexpr (BallNumber<T>) {
+      if (i == 0) origin = origin_of(L[0]);
+      if (j.parent < 0)  // the origin is the exact position, whatever it is
+        for (int k = 0; k < 3; ++k) L[i](k, 3) = i == 0 ? T(0) : L[i](k, 3) - origin[k];
+    } else if (!displaced.empty()) {
+      const UnitPose<T> d = closed_exp(twist(i, tree.idx_v[i], displaced));
+      L[i] = product(L[i], matrix(rotation_matrix(d.Q), d.p), 1);
+    }
+    X.push_back(j.parent < 0 ? L[i] : product(X[static_cast<std::size_t>(j.parent)], L[i], 1));
+    J.push_back(second_moments(j.body));
+    XJ.push_back(times(X[i], J[i], 1));
+    const Mat3<T> R = rotation_of(X[i]);
+    const Vec3<T> o = origin_of(X[i]);
+    for (std::size_t k = first[i]; k < first[i + 1]; ++k) {
+      const Vec3<T> w = R * tail3(S[k]);
+      columns.push_back({static_cast<int>(i), tree.idx_v[i] + static_cast<int>(k - first[i]),
+                         R * head3(S[k]) + cross(o, w), w});
+    }
+  }
+}
+
+// With Y = X [v]: X' = X_p' L + Y and X'' = X_p'' L + (X' + X_p' L) [v] + X [a].
+template <class T>
+TreeDynamics<T>::TreeDynamics(const TreeOf<T>& tree, std::shared_ptr<const TreePoses<T>> poses,
+                              const Numbers& v, const Numbers& a, const Numbers& dq, const Numbers& dv,
+                              const Numbers& da)
+    : tree_(tree), poses_(std::move(poses)), v_(v), a_(a), da_(da) {
+  const std::size_t n = tree.joints.size();
+  const TreePoses<T>& at = *poses_;
+  at_.origin = at.origin, at_.X = at.X;
+  at_.X1.assign(n, zeros<3, 4, T>()), at_.X2 = at_.X1;
+  const bool moves = !all_zero(v), pushed = !all_zero(a);
+  for (std::size_t i = 0; i < n; ++i) {
+    const int parent = tree.joints[i].parent;
+    const auto p = static_cast<std::size_t>(parent);
+    Mat34<T>&X1 = at_.X1[i], &X2 = at_.X2[i];
+    if (pushed) X2 = times_generator(at.X[i], at.twist(i, tree.idx_v[i], a));
+    if (moves) {
+      const Vec6<T> V = at.twist(i, tree.idx_v[i], v);
+      X1 = times_generator(at.X[i], V);
+      Mat34<T> twice = X1;
+      if (parent >= 0) {
+        const Mat34<T> carried = product(at_.X1[p], at.L[i], 1);
+        X1 = X1 + carried;
+        twice = X1 + carried;
+      }
+      X2 = X2 + times_generator(twice, V);
+    }
+    if (parent >= 0 && (moves || pushed)) X2 = X2 + product(at_.X2[p], at.L[i], 1);
+  }
+  if (!dq.empty()) differentiate(dq, dv, da);
+}
+
+template <class T>
+void TreeDynamics<T>::differentiate(const Numbers& dq, const Numbers& dv, const Numbers& da) {
+  const std::size_t n = tree_.joints.size();
+  const TreePoses<T>& at = *poses_;
+  const bool by_q = !all_zero(dq), by_v = !all_zero(dv), by_a = !all_zero(da);
+  change_.X1.resize(n), change_.X2.resize(n);
+  if (by_q) change_.X.resize(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const int parent = tree_.joints[i].parent, k = tree_.idx_v[i];
+    const auto p = static_cast<std::size_t>(parent);
+    const Mat34<T>&X = at.X[i], &L = at.L[i];
+    const Vec6<T> V = at.twist(i, k, v_), D = at.twist(i, k, dq), dV = at.twist(i, k, dv);
+    Mat34<T>&dX1 = change_.X1[i], &dX2 = change_.X2[i];
+    Mat34<T> carried = zeros<3, 4, T>(), d_carried = carried;  // X_p' L and its change
+    if (parent >= 0) {
+      carried = product(at_.X1[p], L, 1);
+      d_carried = product(change_.X1[p], L, 1);
+      dX2 = product(change_.X2[p], L, 1);
+    } else {
+      dX2 = carried;
+    }
+    dX1 = d_carried;
+    if (by_q) {
+      Mat34<T>& dX = change_.X[i];
+      dX = times_generator(X, D);
+      if (parent >= 0) {
+        dX = dX + product(change_.X[p], L, 1);
+        d_carried = d_carried + times_generator(carried, D);
+        dX2 = dX2 + times_generator(product(at_.X2[p], L, 1), D);
+      }
+      dX1 = d_carried + times_generator(dX, V);
+      dX2 = dX2 + times_generator(dX, at.twist(i, k, a_));
+      const Mat3<T> R = rotation_of(X), dR = rotation_of(dX);
+      const Vec3<T> o = origin_of(X), d_o = origin_of(dX);
+      for (std::size_t s = at.first[i]; s < at.first[i + 1]; ++s) {
+        const Vec3<T> w = R * tail3(at.S[s]), dw = dR * tail3(at.S[s]);
+        columns_change_.push_back({static_cast<int>(i), k + static_cast<int>(s - at.first[i]),
+                                   dR * head3(at.S[s]) + cross(d_o, w) + cross(o, dw), dw});
       }
     }
-    const Mat34<T> V = generator(joint_twist(tree, i, v)),
-                   A = product(V, V, 0) + generator(joint_twist(tree, i, a));
-    const bool root = j.parent < 0;
-    const auto p = static_cast<std::size_t>(root ? 0 : j.parent);
-    at_.X[i] = root ? L : product(at_.X[p], L, 1);
-    at_.X1[i] = product(at_.X[i], V, 0);
-    at_.X2[i] = product(at_.X[i], A, 0);
-    Mat34<T> X1_L;
-    if (!root) {
-      X1_L = product(at_.X1[p], L, 1);
-      at_.X1[i] = at_.X1[i] + X1_L;
-      at_.X2[i] = at_.X2[i] + product(at_.X2[p], L, 1) + T(2) * product(X1_L, V, 0);
+    if (by_v) {
+      dX1 = dX1 + times_generator(X, dV);
+      dX2 = dX2 + times_generator(at_.X1[i] + carried, dV);
     }
-    J_.push_back(second_moments(j.body));
-    int k = tree.idx_v[i];
-    const Mat3<T> R = rotation_of(at_.X[i]);
-    const Vec3<T> o = origin_of(at_.X[i]);
-    Mat3<T> dR;
-    Vec3<T> d_o;
-    if (differentiated_) {
-      const Mat34<T> D = generator(joint_twist(tree, i, dq)), dV = generator(joint_twist(tree, i, dv));
-      Mat34<T>&dX = change_.X[i], &dX1 = change_.X1[i], &dX2 = change_.X2[i];
-      dX = product(at_.X[i], D, 0);
-      if (!root) dX = dX + product(change_.X[p], L, 1);
-      dX1 = product(dX, V, 0) + product(at_.X[i], dV, 0);
-      dX2 = product(dX, A, 0) +
-            product(at_.X[i], product(dV, V, 0) + product(V, dV, 0) + generator(joint_twist(tree, i, da)), 0);
-      if (!root) {
-        const Mat34<T> d = product(change_.X1[p], L, 1) + product(X1_L, D, 0);
-        dX1 = dX1 + d;
-        dX2 = dX2 + product(change_.X2[p], L, 1) + product(product(at_.X2[p], L, 1), D, 0) +
-              T(2) * (product(d, V, 0) + product(X1_L, dV, 0));
-      }
-      dR = rotation_of(dX), d_o = origin_of(dX);
-    }
-    for (Vec6<T> s : joint_columns(j)) {
-      if (j.primary >= 0) s = j.multiplier * s;
-      const Vec3<T> w = R * tail3(s);
-      columns_.push_back({static_cast<int>(i), k, R * head3(s) + cross(o, w), w});
-      if (differentiated_) {
-        const Vec3<T> dw = dR * tail3(s);
-        columns_change_.push_back({static_cast<int>(i), k, dR * head3(s) + cross(d_o, w) + cross(o, dw), dw});
-      }
-      ++k;
-    }
+    dX2 = dX2 + times_generator(dX1 + d_carried, V);
+    if (by_a) dX2 = dX2 + times_generator(X, at.twist(i, k, da));
   }
 }
 
@@ -189,7 +242,7 @@ FrameMotion<T>::FrameMotion(const MotionOf<T>& m, std::size_t joint, const Quate
   const Mat34<T> F = matrix(unit_rotation(Q), position);
   const Mat34<T> X = product(m.X[joint], F, 1), X1 = product(m.X1[joint], F, 1),
                  X2 = product(m.X2[joint], F, 1);
-  R = rotation_of(X), p = origin_of(X), p1 = origin_of(X1), p2 = origin_of(X2);
+  R = rotation_of(X), p = origin_of(X) + m.origin, p1 = origin_of(X1), p2 = origin_of(X2);
   const Mat3<T> Rt = transpose(R);
   w = vee(rotation_of(X1) * Rt), w1 = vee(rotation_of(X2) * Rt);
 }
@@ -212,7 +265,7 @@ template <class T>
 std::vector<T> solve(const std::vector<T>& L, std::vector<T> b) {
   const std::size_t n = b.size();
   for (std::size_t k = 0; k < n; ++k)
-    for (std::size_t i = k + 1; i < n; ++i) b[i] -= L[i * n + k] * b[k];
+    for (std::size_t i = k + 1; i < n && !is_zero(b[k]); ++i) b[i] -= L[i * n + k] * b[k];
   for (std::size_t k = n; k-- > 0;) {
     b[k] *= L[k * n + k];
     for (std::size_t i = k + 1; i < n; ++i) b[k] -= L[i * n + k] * b[i];
@@ -220,16 +273,20 @@ std::vector<T> solve(const std::vector<T>& L, std::vector<T> b) {
   return b;
 }
 
-#define LIECHECK_TREE(T)                                                                                   \
-  template TreeDynamics<T>::TreeDynamics(const TreeOf<T>&, const Numbers&, const Numbers&, const Numbers&, \
-                                         const Numbers&, const Numbers&, const Numbers&, const Numbers&);  \
-  template struct FrameMotion<T>;                                                                          \
-  template std::vector<T> positive_factor(std::vector<T>, std::size_t);                                    \
+#define LIECHECK_TREE(T)                                                                                 \
+  template struct TreePoses<T>;                                                                          \
+  template TreeDynamics<T>::TreeDynamics(const TreeOf<T>&, std::shared_ptr<const TreePoses<T>>,          \
+                                         const Numbers&, const Numbers&, const Numbers&, const Numbers&, \
+                                         const Numbers&);                                                \
+  template void TreeDynamics<T>::differentiate(const Numbers&, const Numbers&, const Numbers&);          \
+  template struct FrameMotion<T>;                                                                        \
+  template std::vector<T> positive_factor(std::vector<T>, std::size_t);                                  \
   template std::vector<T> solve(const std::vector<T>&, std::vector<T>);
 LIECHECK_TREE(Real)
 LIECHECK_TREE(Real100)
 LIECHECK_TREE(DoubleBall)
 LIECHECK_TREE(DoubleDoubleBall)
 LIECHECK_TREE(RealBall)
+template std::vector<double> solve(const std::vector<double>&, std::vector<double>);
 
 }  // namespace liecheck::oracles

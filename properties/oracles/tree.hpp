@@ -16,6 +16,7 @@
 //
 // Domain: stored quaternions, axes and (cos, sin) are not zero; each stands for its normalised value.
 
+#include <memory>
 #include <oracles/homogeneous.hpp>
 #include <oracles/spatial.hpp>
 #include <vector>
@@ -85,18 +86,41 @@ struct WrenchOf {
   Vec6<T> F;
 };
 
-/// X, X' and X'' of each joint.
-template <class T>
-struct MotionOf {
-  std::vector<Mat34<T>> X, X1, X2;
-};
-
 /// Column v of the Jacobian of the bodies behind `joint`, in world axes at the world's origin. The columns of
 /// a mimic and of its primary have the same v and are added.
 template <class T>
 struct ColumnOf {
   int joint = 0, v = 0;
   Vec3<T> u, w;
+};
+
+/// What a tree's configuration determines.
+template <class T>
+struct TreePoses {
+  using Numbers = std::vector<T>;
+  /// q [nq]. With `displaced` [nv] the configuration is q exp(displaced).
+  TreePoses(const TreeOf<T>& tree, const Numbers& q, const Numbers& displaced = {});
+
+  /// The columns s_k of joint i's motion subspace, times the multiplier of a mimic, are S[first[i]] to
+  /// S[first[i + 1] - 1].
+  std::vector<Vec6<T>> S;
+  std::vector<std::size_t> first{0};
+  /// The origin of all poses in the world. In ball arithmetic it is that of joint 0, because moments about a
+  /// distant point cancel. Otherwise it is the world's.
+  Vec3<T> origin;
+  std::vector<Mat34<T>> L, X;  ///< of each joint in its parent, and in the frame at the origin
+  std::vector<ColumnOf<T>> columns;
+  std::vector<Mat44<T>> J, XJ;  ///< the bodies' second moments of mass, and X J
+
+  /// sum_k s_k x_k of joint i, whose first velocity is idx_v.
+  Vec6<T> twist(std::size_t i, int idx_v, const Numbers& x) const;
+};
+
+/// X, X' and X'' of each joint, in the frame of TreePoses.
+template <class T>
+struct MotionOf {
+  Vec3<T> origin;
+  std::vector<Mat34<T>> X, X1, X2;
 };
 
 template <class T>
@@ -107,11 +131,14 @@ class TreeDynamics {
   /// With `displaced` [nv] everything is evaluated at q exp(displaced).
   TreeDynamics(const TreeOf<T>& tree, const Numbers& q, const Numbers& v, const Numbers& a,
                const Numbers& dq = {}, const Numbers& dv = {}, const Numbers& da = {},
-               const Numbers& displaced = {});
+               const Numbers& displaced = {})
+      : TreeDynamics(tree, std::make_shared<TreePoses<T>>(tree, q, displaced), v, a, dq, dv, da) {}
+  /// The same for poses that are known.
+  TreeDynamics(const TreeOf<T>& tree, std::shared_ptr<const TreePoses<T>> poses, const Numbers& v,
+               const Numbers& a, const Numbers& dq = {}, const Numbers& dv = {}, const Numbers& da = {});
 
   const MotionOf<T>& motion() const { return at_; }
-  const std::vector<ColumnOf<T>>& columns() const { return columns_; }
-  const Mat<4, 4, T>& moments(std::size_t joint) const { return J_[joint]; }
+  const std::vector<ColumnOf<T>>& columns() const { return poses_->columns; }
 
   /// tau = M a + h - (generalised forces of the external wrenches) [nv], armature included.
   Numbers torque(const std::vector<WrenchOf<T>>& fext = {}) const;
@@ -122,7 +149,6 @@ class TreeDynamics {
   T kinetic_energy() const;  ///< of the bodies and of the rotors, whose inertias are the armatures
   T potential_energy() const;
   T energy_rate() const;  ///< time derivative of kinetic + potential energy
-  Vec3<T> centre() const;
   /// The momentum about the centre of mass.
   Vec6<T> momentum() const { return moment_about_centre(at_.X1); }
   /// The time derivative of momentum(). Its angular part is sum m (x - c) cross x'', since x' cross x' = 0
@@ -131,12 +157,12 @@ class TreeDynamics {
 
  private:
   const TreeOf<T>& tree_;
+  std::shared_ptr<const TreePoses<T>> poses_;
   const Numbers &v_, &a_, &da_;
-  MotionOf<T> at_, change_;
-  std::vector<ColumnOf<T>> columns_, columns_change_;
-  std::vector<Mat<4, 4, T>> J_;
-  bool differentiated_;
+  MotionOf<T> at_, change_;  ///< change_.X and columns_change_ are empty if dq is zero
+  std::vector<ColumnOf<T>> columns_change_;
 
+  void differentiate(const Numbers& dq, const Numbers& dv, const Numbers& da);
   /// Is `ancestor` the joint itself or one of its ancestors?
   bool carries(int ancestor, std::size_t joint) const;
   Vec6<T> moment_about_centre(const std::vector<Mat34<T>>& y) const;

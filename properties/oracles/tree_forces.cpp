@@ -7,22 +7,6 @@ namespace {
 
 using namespace homogeneous;
 
-template <class T>
-using Mat44 = Mat<4, 4, T>;
-
-/// A J, where the last row of A is (0, 0, 0, last).
-template <class T>
-Mat44<T> times(const Mat34<T>& A, const Mat44<T>& J, int last) {
-  Mat44<T> r = zeros<4, 4, T>();
-  for (int j = 0; j < 4; ++j) {
-    for (int i = 0; i < 3; ++i) {
-      r(i, j) = A(i, 3) * J(3, j);
-      for (int k = 0; k < 3; ++k) r(i, j) += A(i, k) * J(k, j);
-    }
-    if (last) r(3, j) = J(3, j);
-  }
-  return r;
-}
 /// N A^T [4 x 3].
 template <class T>
 Mat<4, 3, T> times_transposed(const Mat44<T>& N, const Mat34<T>& A) {
@@ -37,6 +21,13 @@ Mat<4, 3, T> times_transposed(const Mat44<T>& N, const Mat34<T>& A) {
       }
     }
   return r;
+}
+/// tr(N A^T) = sum m x . y of the upper rows of N.
+template <class T>
+T trace_of_product(const Mat44<T>& N, const Mat34<T>& A) {
+  T sum(0);
+  for (int i = 0; i < 12; ++i) sum += N[i] * A[i];
+  return sum;
 }
 /// tr([s] Y) = u . sum m y + w . sum m (x cross y) for Y = sum m (x; 1) y^T.
 template <class T>
@@ -73,18 +64,18 @@ bool TreeDynamics<T>::carries(int ancestor, std::size_t joint) const {
 
 template <class T>
 std::vector<T> TreeDynamics<T>::torque(const std::vector<WrenchOf<T>>& fext) const {
-  const std::size_t n = J_.size();
+  const std::size_t n = poses_->XJ.size();
   std::vector<Mat<4, 3, T>> Y(n);
   for (std::size_t i = 0; i < n; ++i)
-    Y[i] = times_transposed(times(at_.X[i], J_[i], 1), minus_gravity(at_.X2[i], tree_.gravity));
+    Y[i] = times_transposed(poses_->XJ[i], minus_gravity(at_.X2[i], tree_.gravity));
   sum_subtrees(tree_, Y);
   Numbers tau(static_cast<std::size_t>(tree_.nv), T(0));
-  for (const ColumnOf<T>& c : columns_)
+  for (const ColumnOf<T>& c : poses_->columns)
     tau[static_cast<std::size_t>(c.v)] += work(c.u, c.w, Y[static_cast<std::size_t>(c.joint)]);
   for (const WrenchOf<T>& F : fext) {
     const Mat34<T>& X = at_.X[static_cast<std::size_t>(F.joint)];
     const Vec3<T> f = rotation_of(X) * head3(F.F), m = rotation_of(X) * tail3(F.F) + cross(origin_of(X), f);
-    for (const ColumnOf<T>& c : columns_)
+    for (const ColumnOf<T>& c : poses_->columns)
       if (carries(c.joint, static_cast<std::size_t>(F.joint)))
         tau[static_cast<std::size_t>(c.v)] -= dot(c.u, f) + dot(c.w, m);
   }
@@ -94,33 +85,38 @@ std::vector<T> TreeDynamics<T>::torque(const std::vector<WrenchOf<T>>& fext) con
 
 template <class T>
 std::vector<T> TreeDynamics<T>::torque_derivative(const std::vector<WrenchOf<T>>& fext) const {
-  const std::size_t n = J_.size();
-  std::vector<Mat<4, 3, T>> Y(n), dY(n);
+  const TreePoses<T>& at = *poses_;
+  const std::size_t n = at.XJ.size();
+  const bool by_q = !change_.X.empty();
+  std::vector<Mat<4, 3, T>> Y(by_q ? n : 0), dY(n);
   for (std::size_t i = 0; i < n; ++i) {
+    dY[i] = times_transposed(at.XJ[i], change_.X2[i]);
+    if (!by_q) continue;
     const Mat34<T> A = minus_gravity(at_.X2[i], tree_.gravity);
-    const Mat<4, 4, T> XJ = times(at_.X[i], J_[i], 1);
-    Y[i] = times_transposed(XJ, A);
-    dY[i] = times_transposed(times(change_.X[i], J_[i], 0), A) + times_transposed(XJ, change_.X2[i]);
+    Y[i] = times_transposed(at.XJ[i], A);
+    dY[i] = dY[i] + times_transposed(times(change_.X[i], at.J[i], 0), A);
   }
   sum_subtrees(tree_, Y);
   sum_subtrees(tree_, dY);
   Numbers tau(static_cast<std::size_t>(tree_.nv), T(0));
-  for (std::size_t k = 0; k < columns_.size(); ++k) {
-    const ColumnOf<T>&c = columns_[k], &dc = columns_change_[k];
-    const auto i = static_cast<std::size_t>(c.joint);
-    tau[static_cast<std::size_t>(c.v)] += work(dc.u, dc.w, Y[i]) + work(c.u, c.w, dY[i]);
+  for (std::size_t k = 0; k < at.columns.size(); ++k) {
+    const ColumnOf<T>& c = at.columns[k];
+    const auto i = static_cast<std::size_t>(c.joint), v = static_cast<std::size_t>(c.v);
+    tau[v] += work(c.u, c.w, dY[i]);
+    if (by_q) tau[v] += work(columns_change_[k].u, columns_change_[k].w, Y[i]);
   }
   for (const WrenchOf<T>& F : fext) {
+    if (!by_q) break;
     const auto i = static_cast<std::size_t>(F.joint);
-    const Mat34<T>&X = at_.X[i], &dX = change_.X[i];
+    const Mat34<T>&X = at.X[i], &dX = change_.X[i];
     const Vec3<T> f = rotation_of(X) * head3(F.F), df = rotation_of(dX) * head3(F.F);
     const Vec3<T> m = rotation_of(X) * tail3(F.F) + cross(origin_of(X), f);
     const Vec3<T> dm = rotation_of(dX) * tail3(F.F) + cross(origin_of(dX), f) + cross(origin_of(X), df);
-    for (std::size_t k = 0; k < columns_.size(); ++k)
-      if (carries(columns_[k].joint, i))
-        tau[static_cast<std::size_t>(columns_[k].v)] -= dot(columns_change_[k].u, f) +
-                                                        dot(columns_[k].u, df) +
-                                                        dot(columns_change_[k].w, m) + dot(columns_[k].w, dm);
+    for (std::size_t k = 0; k < at.columns.size(); ++k) {
+      const ColumnOf<T>&c = at.columns[k], &dc = columns_change_[k];
+      if (carries(c.joint, i))
+        tau[static_cast<std::size_t>(c.v)] -= dot(dc.u, f) + dot(c.u, df) + dot(dc.w, m) + dot(c.w, dm);
+    }
   }
   for_each_armature(tree_, [&](std::size_t k, const T& armature) { tau[k] += armature * da_[k]; });
   return tau;
@@ -128,25 +124,25 @@ std::vector<T> TreeDynamics<T>::torque_derivative(const std::vector<WrenchOf<T>>
 
 template <class T>
 std::vector<T> TreeDynamics<T>::mass() const {
-  const std::size_t n = J_.size(), nv = static_cast<std::size_t>(tree_.nv);
+  const std::size_t n = poses_->XJ.size(), nv = static_cast<std::size_t>(tree_.nv);
   std::vector<Mat44<T>> moments(n);  // of the subtree of each joint, in the world's axes
   for (std::size_t i = 0; i < n; ++i) {
-    const Mat<4, 3, T> Y = times_transposed(times(at_.X[i], J_[i], 1), at_.X[i]);
+    const Mat<4, 3, T> Y = times_transposed(poses_->XJ[i], at_.X[i]);
     for (int r = 0; r < 4; ++r) {
       for (int c = 0; c < 3; ++c) moments[i](r, c) = Y(r, c);
-      moments[i](r, 3) = r < 3 ? Y(3, r) : J_[i](3, 3);
+      moments[i](r, 3) = r < 3 ? Y(3, r) : poses_->J[i](3, 3);
     }
   }
   sum_subtrees(tree_, moments);
   Numbers M(nv * nv, T(0));
-  for (std::size_t l = 0; l < columns_.size(); ++l) {
-    const ColumnOf<T>& c = columns_[l];
+  for (std::size_t l = 0; l < poses_->columns.size(); ++l) {
+    const ColumnOf<T>& c = poses_->columns[l];
     const Mat<4, 3, T> Y =
         times_transposed(moments[static_cast<std::size_t>(c.joint)], generator(stack(c.u, c.w)));
     for (std::size_t k = 0; k <= l; ++k) {
-      if (!carries(columns_[k].joint, static_cast<std::size_t>(c.joint))) continue;
-      const T m = work(columns_[k].u, columns_[k].w, Y);
-      const auto vk = static_cast<std::size_t>(columns_[k].v), vl = static_cast<std::size_t>(c.v);
+      if (!carries(poses_->columns[k].joint, static_cast<std::size_t>(c.joint))) continue;
+      const T m = work(poses_->columns[k].u, poses_->columns[k].w, Y);
+      const auto vk = static_cast<std::size_t>(poses_->columns[k].v), vl = static_cast<std::size_t>(c.v);
       M[vk * nv + vl] += m;
       if (k != l) M[vl * nv + vk] += m;
     }
@@ -158,51 +154,42 @@ std::vector<T> TreeDynamics<T>::mass() const {
 template <class T>
 T TreeDynamics<T>::kinetic_energy() const {
   T sum(0);
-  for (std::size_t i = 0; i < J_.size(); ++i) {
-    const auto Y = times_transposed(times(at_.X1[i], J_[i], 0), at_.X1[i]);
-    sum += Y(0, 0) + Y(1, 1) + Y(2, 2);
-  }
+  for (std::size_t i = 0; i < at_.X1.size(); ++i)
+    sum += trace_of_product(times(at_.X1[i], poses_->J[i], 0), at_.X1[i]);
   for_each_armature(tree_, [&](std::size_t k, const T& armature) { sum += armature * v_[k] * v_[k]; });
   return sum / T(2);
 }
 template <class T>
 T TreeDynamics<T>::potential_energy() const {
   T sum(0);
-  for (std::size_t i = 0; i < J_.size(); ++i) {
-    const Mat44<T> N = times(at_.X[i], J_[i], 1);
-    for (int k = 0; k < 3; ++k) sum -= tree_.gravity[k] * N(k, 3);
-  }
+  for (const Mat44<T>& N : poses_->XJ)
+    for (int k = 0; k < 3; ++k) sum -= tree_.gravity[k] * (N(k, 3) + N(3, 3) * at_.origin[k]);
   return sum;
 }
 template <class T>
 T TreeDynamics<T>::energy_rate() const {
   T sum(0);
-  for (std::size_t i = 0; i < J_.size(); ++i) {
-    const auto Y = times_transposed(times(at_.X1[i], J_[i], 0), minus_gravity(at_.X2[i], tree_.gravity));
-    sum += Y(0, 0) + Y(1, 1) + Y(2, 2);
-  }
+  for (std::size_t i = 0; i < at_.X1.size(); ++i)
+    sum += trace_of_product(times(at_.X1[i], poses_->J[i], 0), minus_gravity(at_.X2[i], tree_.gravity));
   for_each_armature(tree_, [&](std::size_t k, const T& armature) { sum += armature * v_[k] * a_[k]; });
   return sum;
-}
-template <class T>
-Vec3<T> TreeDynamics<T>::centre() const {
-  Vec3<T> sum = zero_vector<3, T>();
-  T mass(0);
-  for (std::size_t i = 0; i < J_.size(); ++i) {
-    const Mat44<T> N = times(at_.X[i], J_[i], 1);
-    for (int k = 0; k < 3; ++k) sum[k] += N(k, 3);
-    mass += J_[i](3, 3);
-  }
-  return {{sum[0] / mass, sum[1] / mass, sum[2] / mass}};
 }
 /// sum m y and sum m (x - c) cross y, for the derivative y of x.
 template <class T>
 Vec6<T> TreeDynamics<T>::moment_about_centre(const std::vector<Mat34<T>>& y) const {
   Mat<4, 3, T> Y = zeros<4, 3, T>();
-  for (std::size_t i = 0; i < J_.size(); ++i) Y = Y + times_transposed(times(at_.X[i], J_[i], 1), y[i]);
+  Vec3<T> centre = zero_vector<3, T>();
+  T mass(0);
+  for (std::size_t i = 0; i < y.size(); ++i) {
+    const Mat44<T>& N = poses_->XJ[i];
+    Y = Y + times_transposed(N, y[i]);
+    for (int k = 0; k < 3; ++k) centre[k] += N(k, 3);
+    mass += N(3, 3);
+  }
+  for (int k = 0; k < 3; ++k) centre[k] /= mass;
   const Vec3<T> linear{{Y(3, 0), Y(3, 1), Y(3, 2)}};
   const Vec3<T> angular{{Y(1, 2) - Y(2, 1), Y(2, 0) - Y(0, 2), Y(0, 1) - Y(1, 0)}};
-  return stack(linear, angular - cross(centre(), linear));
+  return stack(linear, angular - cross(centre, linear));
 }
 
 #define LIECHECK_TREE(T)                                                                             \
@@ -212,7 +199,6 @@ Vec6<T> TreeDynamics<T>::moment_about_centre(const std::vector<Mat34<T>>& y) con
   template T TreeDynamics<T>::kinetic_energy() const;                                                \
   template T TreeDynamics<T>::potential_energy() const;                                              \
   template T TreeDynamics<T>::energy_rate() const;                                                   \
-  template Vec3<T> TreeDynamics<T>::centre() const;                                                  \
   template Vec6<T> TreeDynamics<T>::moment_about_centre(const std::vector<Mat34<T>>&) const;
 LIECHECK_TREE(Real)
 LIECHECK_TREE(Real100)

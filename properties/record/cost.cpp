@@ -22,16 +22,25 @@ json block_record(const BlockErrors& b) {
           {"refused", b.refused}};
 }
 
-json set_record(const CostSet& set) {
+json ratio_record(const Ratio& r, double reference_ns) {
+  if (r.processes == 0) return nullptr;
+  return {{"ratio", r.median},
+          {"low", r.low},
+          {"high", r.high},
+          {"ns", r.median * reference_ns},
+          {"processes", r.processes}};
+}
+
+json set_record(const CostSet& set, double reference_ns) {
   return {{"set", set.set},
           {"inputs", set.inputs},
-          {"throughput_ns", record_of(set.throughput)},
-          {"latency_ns", record_of(set.latency)},
+          {"throughput", ratio_record(set.throughput, reference_ns)},
+          {"latency", ratio_record(set.latency, reference_ns)},
           {"instructions", set.instructions > 0 ? json(set.instructions) : json()},
           {"blocks", list_of(set.blocks, block_record)}};
 }
 
-json row_records(const std::vector<CostRow>& rows) {
+json row_records(const std::vector<CostRow>& rows, double reference_ns) {
   const std::vector<int> throughput = dominators(rows, &CostSet::throughput),
                          latency = dominators(rows, &CostSet::latency);
   const auto dominator = [&](int i) {
@@ -41,16 +50,17 @@ json row_records(const std::vector<CostRow>& rows) {
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const CostRow& row = rows[i];
     const bool scored = !row.sets.back().blocks.empty();
-    all.push_back({{"subject", row.subject},
-                   {"version", row.version},
-                   {"scalar", row.scalar},
-                   {"operation", row.operation},
-                   {"eps", row.eps},
-                   {"error", scored ? number(error_of(row)) : json()},
-                   {"worst_block", worst_block(row)},
-                   {"dominated_throughput", dominator(throughput[i])},
-                   {"dominated_latency", dominator(latency[i])},
-                   {"sets", list_of(row.sets, set_record)}});
+    all.push_back(
+        {{"subject", row.subject},
+         {"version", row.version},
+         {"scalar", row.scalar},
+         {"operation", row.operation},
+         {"eps", row.eps},
+         {"error", scored ? number(error_of(row)) : json()},
+         {"worst_block", worst_block(row)},
+         {"dominated_throughput", dominator(throughput[i])},
+         {"dominated_latency", dominator(latency[i])},
+         {"sets", list_of(row.sets, [&](const CostSet& s) { return set_record(s, reference_ns); })}});
   }
   return all;
 }
@@ -77,14 +87,18 @@ json record_of(const CostResult& r) {
   return {{"version", LIECHECK_VERSION},
           {"verdict", verdict_of(r.complete, true)},
           {"seed", r.options.seed},
+          {"processes", r.options.processes},
           {"repetitions", r.options.repetitions},
+          {"reference_ns", r.machine.reference_ns},
+          {"disturbed", r.machine.disturbed},
+          {"steady", r.machine.steady()},
           {"seconds", r.options.seconds},
           {"elapsed", r.elapsed},
           {"clock", "processor time of the thread"},
           {"no_counter", r.no_counter},
           {"environment", where},
           {"bands", list_of(cost_bands, band_record)},
-          {"rows", row_records(r.rows)}};
+          {"rows", row_records(r.rows, r.machine.reference_ns)}};
 }
 
 }  // namespace liecheck::properties

@@ -172,18 +172,20 @@ void measure_times(std::vector<Line>& lines, double duration, const Interleaving
   std::vector<Timed> timed;
   std::vector<SweepPoint*> points;
   for (Line& line : lines) {
-    line.runner->stop = nullptr;  // a timed run is short, and an exception must not pass Google Benchmark
+    line.runner->stop = nullptr;  // a timed run is short
     for (std::size_t k = 0; k < line.series.points.size(); ++k) {
       if (!line.timed[k]) continue;
       SweepPoint& p = line.series.points[k];
-      timed.push_back({[runner = line.runner, effort = p.effort] { runner->pass(effort); }, 1, {}, {}});
+      timed.push_back({[runner = line.runner, effort = p.effort] { runner->pass(effort); }, 1});
       points.push_back(&p);
     }
   }
-  run_interleaved(timed, how);
+  auto repetitions = run_interleaved(timed, how);
+  keep_undisturbed(repetitions);
   for (std::size_t k = 0; k < timed.size(); ++k) {
-    for (double& ns : timed[k].ns) ns /= duration;
-    points[k]->time = spread_of(timed[k].ns);
+    std::vector<double> times;
+    for (const Repetition& r : repetitions[k]) times.push_back(r.ns / duration);
+    points[k]->time = spread_of(times);
   }
 }
 

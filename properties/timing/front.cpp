@@ -34,7 +34,7 @@ std::string worst_block(const CostRow& row) {
   return worst(row).first;
 }
 
-std::vector<int> dominators(const std::vector<CostRow>& rows, Spread CostSet::*time) {
+std::vector<int> dominators(const std::vector<CostRow>& rows, Ratio CostSet::*time) {
   std::vector<int> by(rows.size(), -1);
   std::vector<double> error;
   for (const CostRow& row : rows) error.push_back(error_of(row));
@@ -43,12 +43,12 @@ std::vector<int> dominators(const std::vector<CostRow>& rows, Spread CostSet::*t
     const bool measured = std::any_of(blocks.begin(), blocks.end(), [](const BlockErrors& b) {
       return b.errors.size() + b.not_finite + b.wrong_branch + b.refused + b.unresolved > 0 && !is_defect(b);
     });
-    return measured && (row.sets.back().*time).repetitions > 0 && row.subject.find('@') == std::string::npos;
+    return measured && (row.sets.back().*time).processes > 0 && row.subject.find('@') == std::string::npos;
   };
   for (std::size_t i = 0; i < rows.size(); ++i)
     for (std::size_t j = 0; j < rows.size(); ++j) {
       if (rows[i].operation != rows[j].operation || !compared(rows[i]) || !compared(rows[j])) continue;
-      const Spread &a = rows[i].sets.back().*time, &b = rows[j].sets.back().*time;
+      const Ratio &a = rows[i].sets.back().*time, &b = rows[j].sets.back().*time;
       const bool dominated =
           (b.high < a.low && error[j] <= error[i]) || (b.median <= a.median && error[j] < error[i]);
       const auto best = static_cast<std::size_t>(by[i]);

@@ -11,23 +11,6 @@
 
 namespace liecheck::properties {
 
-Spread spread_of(std::vector<double>& x) {
-  if (x.empty()) return {};
-  std::sort(x.begin(), x.end());
-  const std::size_t n = x.size();
-  // The interval is from the k-th smallest to the k-th largest sample, with the largest k for which
-  // P(fewer than k of n samples are below the true median) <= 1/40.
-  double probability = std::pow(0.5, static_cast<double>(n)), below = 0;
-  std::size_t k = 0;
-  while (k < n / 2 && below + probability <= 0.025) {
-    below += probability;
-    probability *= static_cast<double>(n - k) / static_cast<double>(k + 1);
-    ++k;
-  }
-  const std::size_t edge = k > 0 ? k - 1 : 0;
-  return {n % 2 ? x[n / 2] : (x[n / 2 - 1] + x[n / 2]) / 2, x[edge], x[n - 1 - edge], n};
-}
-
 double BlockErrors::quantile(double q) const {
   if (errors.empty()) return 0;
   std::vector<double> sorted = errors;
@@ -111,12 +94,14 @@ std::vector<std::string> cost_subjects() {
   return {names.begin(), names.end()};
 }
 
-CostResult measure_cost(const CostOptions& options) {
+namespace {
+
+/// All rows, with their errors if `scored`. Throws std::invalid_argument if there are none.
+CostPlan plan_of(const CostOptions& options, bool scored) {
   check_known(options.operations, cost_operations(), "--op", "operation");
   check_known(options.subjects, cost_subjects(), "--subject", "subject");
   check_known(options.scalars, cost_scalars(), "--scalar", "scalar");
-  const auto start = std::chrono::steady_clock::now();
-  CostPlan plan{options, {}, {}};
+  CostPlan plan{options, scored, {}, {}};
   const Laws laws = make_properties<double>();
   add_scalar<float>(plan, "float", laws);
   add_scalar<double>(plan, "double", laws);
@@ -124,20 +109,46 @@ CostResult measure_cost(const CostOptions& options) {
   if (plan.rows.empty() && !plan.stopped())
     throw std::invalid_argument(
         "nothing to time: no selected subject offers a selected operation in that scalar");
+  return plan;
+}
 
-  std::vector<Timed> timed;
+/// The passes that are timed, in the order of the plan.
+std::vector<Timed> passes_of(const CostPlan& plan) {
+  std::vector<Timed> all;
   for (const TimedSet& t : plan.timed)
     for (const auto pass : {&Signature::throughput, &Signature::latency})
-      if (t.signature.*pass) timed.push_back({t.pass(pass), t.n, {}, {}});
-  CostResult result{options, {}, false, 0, ""};
-  result.no_counter =
-      run_interleaved(timed, {options.seconds, options.repetitions, options.stop, options.progress});
-  auto next = timed.begin();
+      if (t.signature.*pass) all.push_back({t.pass(pass), t.n});
+  return all;
+}
+
+}  // namespace
+
+std::string times_in_this_process(const CostOptions& options) {
+  return written(run_interleaved(passes_of(plan_of(options, false)),
+                                 {options.seconds, options.repetitions, options.stop, options.progress}));
+}
+
+CostResult measure_cost(const CostOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
+  CostPlan plan = plan_of(options, true);
+  CostResult result{options, {}, false, 0, {}, no_counter()};
+  std::vector<std::vector<Repetition>> repetitions(passes_of(plan).size());
+  for (std::size_t p = 0; p < options.processes && !plan.stopped(); ++p) {
+    const double share = 1 / static_cast<double>(options.processes);
+    if (const auto text = options.times_in_a_process(share * options.seconds))
+      append_written(repetitions, *text, p);
+    options.progress(share * static_cast<double>(p + 1));
+  }
+  result.machine = keep_undisturbed(repetitions);
+  auto next = repetitions.begin();
   for (const TimedSet& t : plan.timed) {
     CostSet& set = plan.rows[t.row].sets[t.set];
-    set.instructions = spread_of(next->instructions).median;
-    set.throughput = spread_of((next++)->ns);
-    if (t.signature.latency) set.latency = spread_of((next++)->ns);
+    std::vector<double> instructions;
+    for (const Repetition& r : *next)
+      if (r.instructions > 0) instructions.push_back(r.instructions);
+    set.instructions = spread_of(instructions).median;
+    set.throughput = ratio_of(*next++);
+    if (t.signature.latency) set.latency = ratio_of(*next++);
   }
   result.rows = std::move(plan.rows);
   result.complete = !plan.stopped();

@@ -34,6 +34,7 @@ struct TimedSet {
 
 struct CostPlan {
   const CostOptions& options;
+  bool scored;  ///< whether the rows get errors
   std::vector<CostRow> rows;
   std::vector<TimedSet> timed;
 
@@ -94,7 +95,8 @@ void add_operation_rows(CostPlan& plan, const CostRow& common, std::size_t each,
     for (std::size_t b = 0; b < cost_bands.size() && !plan.stopped(); ++b) {
       const auto from = inputs.begin() + static_cast<std::ptrdiff_t>(b * each);
       CostSet set{cost_bands[b].name, each, {}, {}, 0, {}};
-      if (offered.score) set.blocks = offered.score({from, from + static_cast<std::ptrdiff_t>(each)});
+      if (plan.scored && offered.score)
+        set.blocks = offered.score({from, from + static_cast<std::ptrdiff_t>(each)});
       merge_blocks(mixed.blocks, set.blocks);
       if (by_band)
         timed.push_back({plan.rows.size(), b, signature, offered.function, in_order, b * each, each});

@@ -33,7 +33,7 @@ TEST(Spread, ContainsTheMedianWithAProbabilityOf95Percent) {
 
 CostRow row(const char* subject, double error_eps, double low, double median, double high) {
   CostRow r{subject, "", "double", "exp6", 0x1p-52, {}};
-  const Spread s{median, low, high, 25};
+  const Ratio s{median, low, high, 20};
   r.sets.push_back({"mixed", 1, s, s, 0, {{"translation", {error_eps}}, {"norm defect", {1e9}}}});
   return r;
 }
@@ -110,13 +110,67 @@ TEST(Benchmarks, EveryRowIsRepeatedAndAStopKeepsTheTimesSoFar) {
   std::atomic<bool> stop{false};
   int passes = 0;
   for (Timed& t : all) t.pass = [&] { ++passes; };
-  run_interleaved(all, {0.01, 7, &stop, [](double) {}});
-  for (const Timed& t : all) EXPECT_GE(t.ns.size(), 7U);
-  for (Timed& t : all) t.ns.clear();
-  run_interleaved(all, {0.01, 7, &stop, [&](double share) { stop = share > 0.4; }});
+  for (const auto& row : run_interleaved(all, {0.01, 7, &stop, [](double) {}})) EXPECT_EQ(row.size(), 7U);
   std::size_t kept = 0;
-  for (const Timed& t : all) kept += t.ns.size();
+  for (const auto& row : run_interleaved(all, {0.01, 7, &stop, [&](double share) { stop = share > 0.4; }}))
+    kept += row.size();
   EXPECT_EQ(kept, 9U);
+}
+
+/// A repetition of process p that takes `ratio` times the reference, on a machine whose clock is slower by `slow`.
+Repetition repetition(std::size_t p, double ratio, double slow = 1) {
+  return {p, 25 * ratio * slow, 25 * slow, 25 * slow, 0};
+}
+
+TEST(Ratios, DoNotDependOnTheSpeedOfTheMachineAndSpreadTwiceAsFarAsTheProcesses) {
+  std::vector<Repetition> row;
+  for (std::size_t p = 0; p < 5; ++p)
+    for (double slow : {1.0, 1.05}) row.push_back(repetition(p, p == 4 ? 2.2 : 2, slow));
+  const Ratio r = ratio_of(row);
+  EXPECT_EQ(r.processes, 5U);
+  EXPECT_NEAR(r.median, 2, 1e-12);
+  EXPECT_NEAR(r.high, 2 * 1.1 * 1.1, 1e-12);
+  EXPECT_NEAR(r.low, 2 / (1.1 * 1.1), 1e-12);
+  EXPECT_EQ(ratio_of({}).processes, 0U);
+}
+
+/// 20 rows of 20 repetitions; the machine is slower by a half in the first `disturbed` of each row.
+std::vector<std::vector<Repetition>> rows_of(std::size_t disturbed) {
+  std::vector<std::vector<Repetition>> rows(20);
+  for (auto& row : rows)
+    for (std::size_t p = 0; p < 20; ++p) row.push_back(repetition(p, 2, p < disturbed ? 1.5 : 1));
+  return rows;
+}
+
+TEST(Ratios, LeaveOutDisturbedRepetitionsAndAnUnsteadyMachineIsReported) {
+  auto rows = rows_of(4);
+  const Machine quiet = keep_undisturbed(rows);
+  for (const auto& row : rows) EXPECT_EQ(row.size(), 16U);
+  EXPECT_NEAR(quiet.disturbed, 0.2, 1e-12);
+  EXPECT_EQ(quiet.reference_ns, 25);
+  EXPECT_TRUE(quiet.steady());
+  rows = rows_of(19);
+  const Machine loud = keep_undisturbed(rows);
+  for (const auto& row : rows) EXPECT_EQ(row.size(), 8U);  // so that every row has a ratio
+  EXPECT_FALSE(loud.steady());
+  EXPECT_EQ(loud.reference_ns, 25);
+}
+
+TEST(Ratios, AreReadAsAnotherProcessWroteThem) {
+  const auto written_rows = rows_of(3);
+  std::vector<std::vector<Repetition>> rows(20);
+  append_written(rows, written(written_rows), 7);
+  append_written(rows, written(written_rows), 8);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    ASSERT_EQ(rows[i].size(), 40U);
+    for (std::size_t k = 0; k < 40; ++k) {
+      EXPECT_EQ(rows[i][k].process, k < 20 ? 7U : 8U);
+      EXPECT_EQ(rows[i][k].ns, written_rows[i][k % 20].ns);
+      EXPECT_EQ(rows[i][k].slowest_ns, written_rows[i][k % 20].slowest_ns);
+    }
+  }
+  const std::string text = written(written_rows);
+  EXPECT_THROW(append_written(rows, text.substr(0, text.size() / 2), 9), std::runtime_error);
 }
 
 /// Compares the errors that each operation's law measures with errors from the closed forms at 100 digits.

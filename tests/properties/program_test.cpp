@@ -139,8 +139,11 @@ TEST_F(Program, CostRefusesBadArgumentsAndRecordsAnInterruptedRun) {
   for (const auto& row : record["rows"]) {
     const auto& all = row["sets"].back();
     EXPECT_EQ(all["set"], "mixed");
-    EXPECT_LE(all["latency_ns"]["low"], all["latency_ns"]["median"]);
-    EXPECT_LE(all["latency_ns"]["median"], all["latency_ns"]["high"]);
+    EXPECT_LE(all["latency"]["low"], all["latency"]["ratio"]);
+    EXPECT_LE(all["latency"]["ratio"], all["latency"]["high"]);
+    EXPECT_GE(all["latency"]["processes"], 4);
+    EXPECT_EQ(all["latency"]["ns"],
+              all["latency"]["ratio"].get<double>() * record["reference_ns"].get<double>());
     EXPECT_NE(r.out.find(row["subject"].get<std::string>()), std::string::npos);
     if (row["subject"] == "liecheck") {
       ++scored;
@@ -154,6 +157,15 @@ TEST_F(Program, CostRefusesBadArgumentsAndRecordsAnInterruptedRun) {
   EXPECT_EQ(scored, 3U);
   EXPECT_EQ(shell("timeout --preserve-status -s INT 2 $L " + quick + "40 --json i.json").code, 3);
   EXPECT_EQ(nlohmann::json::parse(read(dir / "i.json"))["verdict"], "incomplete");
+}
+
+TEST_F(Program, BenchSpeedPrintsTheRowInWhichItWasStopped) {
+  const Run r = shell("timeout --preserve-status -s INT 1 $L bench speed --for-each 60s --json s.json");
+  EXPECT_EQ(r.code, 3);
+  EXPECT_NE(r.out.find("exp6 double"), std::string::npos) << r.out;
+  const auto record = nlohmann::json::parse(read(dir / "s.json"));
+  EXPECT_EQ(record["verdict"], "incomplete");
+  EXPECT_EQ(record["rows"].size(), 1U);
 }
 
 TEST_F(Program, InvalidCaseIdsAreRefusedWithThePosition) {

@@ -135,6 +135,58 @@ TEST(TreeOracle, NoResultIsLargerThanTheSizesOfItsTerms) {
   }
 }
 
+/// Everything that the oracle computes of a case in the direction d, in one list.
+template <class N>
+std::vector<N> everything(const TreeCase<N>& c) {
+  const std::vector<N> still(c.v.size(), N(0));
+  const TreeDynamics<N> d(c.tree, c.q, c.v, c.a, c.d, c.a, c.v);
+  const FrameMotion<N> frame(d.motion(), d.motion().X.size() - 1, c.frame_Q, c.frame_p);
+  std::vector<N> all = d.torque(c.wrench);
+  const auto add = [&](const auto& more) { all.insert(all.end(), more.begin(), more.end()); };
+  add(d.torque_derivative(c.wrench)), add(d.mass());
+  add(TreeDynamics<N>(c.tree, c.q, c.v, still, still, c.d, still).torque_derivative());
+  add(TreeDynamics<N>(c.tree, c.q, still, still).torque());
+  for (const auto& v : {frame.p, frame.p1, frame.p2, frame.w, frame.w1}) add(v.x);
+  add(d.momentum().x), add(d.momentum_rate().x);
+  add(std::vector<N>{d.kinetic_energy(), d.potential_energy(), d.energy_rate()});
+  return all;
+}
+
+TEST(TreeOracle, BallsHoldTheExactValues) {
+  for (std::uint64_t index = 0; index < 60; ++index) {
+    Source source(Source::Key{10, 11, 12, index});
+    const std::vector<double> x = random_tree<double>(source, index % 2 == 0);
+    const TreeLayout at = TreeLayout::of_size(x.size());
+    const std::vector<T> exact = everything(TreeCase<T>(at, x, exact_list<T>(x)));
+    const auto balls = everything(TreeCase<DoubleDoubleBall>(at, x, exact_list<DoubleDoubleBall>(x)));
+    ASSERT_EQ(balls.size(), exact.size());
+    T size(1);  // a ball may be exact; the value at 100 digits is rounded
+    for (const T& e : exact) size = larger<T>(size, T(abs(e)));
+    for (std::size_t k = 0; k < balls.size(); ++k)
+      EXPECT_LE(abs(exact[k] - liecheck::oracles::exact<T>(balls[k])), T(balls[k].r) + size * T(1e-90))
+          << index << " " << k;
+  }
+}
+
+TEST(TreeOracle, ADistantBaseDoesNotWidenTheBallsOfItsDynamics) {
+  using B = DoubleDoubleBall;
+  for (std::uint64_t index = 0; index < 20; ++index) {
+    Source source(Source::Key{13, 14, 15, index});
+    const std::vector<double> x = random_tree<double>(source, true);
+    TreeCase<B> c(TreeLayout::of_size(x.size()), x, exact_list<B>(x));
+    const auto radius = [&](double distance) {
+      for (std::size_t k = 0; k < 3; ++k) c.q[k] = B(distance / 3);
+      const std::vector<B> still(c.v.size(), B(0));
+      const TreeDynamics<B> d(c.tree, c.q, c.v, c.a, c.d, still, still);
+      double sum = 0;
+      for (const auto& part : {d.torque(c.wrench), d.torque_derivative(c.wrench), d.mass()})
+        for (const B& b : part) sum += b.r;
+      return sum;
+    };
+    EXPECT_LE(radius(1e7), radius(0) * (1 + 1e-9)) << index;
+  }
+}
+
 TEST(RandomTrees, OneOf300HasUpTo40JointsAndEveryTreeIsValid) {
   const auto all = make_properties<double>();
   const auto found =

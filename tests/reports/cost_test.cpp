@@ -39,8 +39,14 @@ TEST(CostReport, TheSectionNamesMachineAndVariants) {
   for (const char* part :
        {"take <b>fast in double</b>", "take <b>default in quad</b>", "<b>nearly in double</b>", "c&lt;1&gt;",
         "governor g", "not counted (perf_event_open: none)", "+5.5 for +30 ns", "the rest for +",
-        "Compilers and flags", "gcc-O2<br><code>1</code>", "1 ns, 0.901 eps"})
+        "Compilers and flags", "gcc-O2<br><code>1</code>", "1 ns, 0.901 eps", "the median of 20 processes",
+        "4 [4, 4], 100 ns"})
     EXPECT_NE(text.find(part), text.npos) << part;
+  const char* warning = "The machine changed speed during this run";
+  EXPECT_EQ(text.find(warning), text.npos);
+  Json unsteady = cost();
+  unsteady["steady"] = false;
+  EXPECT_NE(cost_section({{Json{{"cost", unsteady}}}, {}}).find(warning), std::string::npos);
   EXPECT_NE(cost_section({}).find("These records hold no times"), std::string::npos);
 }
 
@@ -58,9 +64,8 @@ std::string refusal(const Json& cost) {
 TEST(CostReport, NamesTheFieldThatItRefuses) {
   EXPECT_EQ(refusal(cost()), "");
   Json r = cost();
-  r["rows"][0]["sets"][0]["latency_ns"]["median"] = 0;
-  EXPECT_EQ(refusal(r),
-            "r.json: field cost.rows[0].sets[0].latency_ns.median: expected a number > 0, found 0");
+  r["rows"][0]["sets"][0]["latency"]["ratio"] = 0;
+  EXPECT_EQ(refusal(r), "r.json: field cost.rows[0].sets[0].latency.ratio: expected a number > 0, found 0");
   r = cost();
   r["rows"][1]["sets"] = Json::array();
   EXPECT_EQ(refusal(r), "r.json: field cost.rows[1].sets: expected at least one entry, found []");

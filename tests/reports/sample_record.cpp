@@ -62,9 +62,8 @@ Json hard_case(const std::string& subject, const std::string& verdict) {
 
 Json cost_row(const std::string& subject, const std::string& scalar, const std::string& operation,
               const Json& error, double ns, const Json& dominated) {
-  Json time;
-  for (const char* name : {"median", "low", "high"}) time[name] = ns;
-  time["repetitions"] = 25u;
+  Json time{{"ns", ns}, {"processes", 20u}};
+  for (const char* name : {"ratio", "low", "high"}) time[name] = ns / 25;
   Json all = parsed(R"json({"dominated_throughput": null, "eps": 2.220446049250313e-16,
  "sets": [{"blocks": [{"block": "translation", "max_eps": 2, "measured": 640, "median_eps": 0.5,
      "not_finite": 0, "p99_eps": 1, "refused": 0, "unresolved": 0, "wrong_branch": 0}],
@@ -75,7 +74,7 @@ Json cost_row(const std::string& subject, const std::string& scalar, const std::
   all["operation"] = operation;
   all["error"] = error;
   all["dominated_latency"] = dominated;
-  for (const char* name : {"throughput_ns", "latency_ns"}) all["sets"][0][name] = time;
+  for (const char* name : {"throughput", "latency"}) all["sets"][0][name] = time;
   return all;
 }
 
@@ -95,7 +94,8 @@ Json cost() {
   rows.push_back(cost_row("one", "double", "exp6", 0, 20000));
   Json all = parsed(R"json({"clock": "processor time", "elapsed": 33,
  "environment": {"compiler": "gcc", "cpu": "c<1>", "flags": "-O2", "governor": "g", "os": "o"},
- "no_counter": "perf_event_open: none", "repetitions": 25, "seconds": 30, "seed": 42, "verdict": "pass",
+ "disturbed": 0.01, "no_counter": "perf_event_open: none", "processes": 20, "reference_ns": 25, "repetitions": 2,
+ "seconds": 30, "steady": true, "seed": 42, "verdict": "pass",
  "version": "0.1.0"})json");
   all["rows"] = rows;
   return all;

@@ -1,0 +1,16 @@
+#pragma once
+// Runs this program in a process of its own.
+
+#include <atomic>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace liecheck::properties {
+
+/// The standard output of this program with the arguments. If `stop` becomes true, ends the process and returns
+/// nothing. Throws std::runtime_error if the process cannot be started or fails.
+std::optional<std::string> output_of_own_process(std::vector<std::string> arguments,
+                                                 const std::atomic<bool>& stop);
+
+}  // namespace liecheck::properties

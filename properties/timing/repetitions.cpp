@@ -1,0 +1,84 @@
+#include <timing/repetitions.hpp>
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+
+namespace liecheck::properties {
+
+Spread spread_of(std::vector<double> x) {
+  if (x.empty()) return {};
+  std::sort(x.begin(), x.end());
+  const std::size_t n = x.size();
+  // The interval is from the k-th smallest to the k-th largest sample, with the largest k for which
+  // P(fewer than k of n samples are below the true median) <= 1/40.
+  double probability = std::pow(0.5, static_cast<double>(n)), below = 0;
+  std::size_t k = 0;
+  while (k < n / 2 && below + probability <= 0.025) {
+    below += probability;
+    probability *= static_cast<double>(n - k) / static_cast<double>(k + 1);
+    ++k;
+  }
+  const std::size_t edge = k > 0 ? k - 1 : 0;
+  return {n % 2 ? x[n / 2] : (x[n / 2 - 1] + x[n / 2]) / 2, x[edge], x[n - 1 - edge], n};
+}
+
+Machine keep_undisturbed(std::vector<std::vector<Repetition>>& rows) {
+  std::vector<double> slowest;
+  for (const auto& row : rows)
+    for (const Repetition& r : row) slowest.push_back(r.slowest_ns);
+  if (slowest.empty()) return {};
+  const auto fast = slowest.begin() + static_cast<std::ptrdiff_t>(slowest.size() / 100);
+  std::nth_element(slowest.begin(), fast, slowest.end());
+  const double limit = *fast * 1.1;
+  std::vector<double> references;
+  for (auto& row : rows) {
+    std::sort(row.begin(), row.end(),
+              [](const Repetition& a, const Repetition& b) { return a.slowest_ns < b.slowest_ns; });
+    std::size_t kept = 0;
+    while (kept < row.size() && row[kept].slowest_ns <= limit) references.push_back(row[kept++].reference_ns);
+    row.resize(std::max(kept, std::min<std::size_t>(row.size(), 8)));
+  }
+  const double all = static_cast<double>(slowest.size());
+  return {spread_of(references).median, 1 - static_cast<double>(references.size()) / all};
+}
+
+Ratio ratio_of(const std::vector<Repetition>& row) {
+  std::map<std::size_t, std::vector<double>> by_process;
+  for (const Repetition& r : row) by_process[r.process].push_back(r.ns / r.reference_ns);
+  std::vector<double> x;
+  for (const auto& [process, ratios] : by_process) x.push_back(spread_of(ratios).median);
+  if (x.empty()) return {};
+  const auto [low, high] = std::minmax_element(x.begin(), x.end());
+  const double median = spread_of(x).median, f = std::max(median / *low, *high / median);
+  return {median, median / (f * f), median * f * f, x.size()};
+}
+
+std::string written(const std::vector<std::vector<Repetition>>& rows) {
+  std::string text;
+  for (const auto& row : rows) {
+    for (const Repetition& r : row)
+      text += fmt::format("{} {} {} {} ", r.ns, r.reference_ns, r.slowest_ns, r.instructions);
+    text += '\n';
+  }
+  return text;
+}
+
+void append_written(std::vector<std::vector<Repetition>>& rows, const std::string& text,
+                    std::size_t process) {
+  if (static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) != rows.size())
+    throw std::runtime_error("a process that measures times ended before it wrote them");
+  std::istringstream lines(text);
+  std::string line;
+  for (auto& row : rows) {
+    std::getline(lines, line);
+    std::istringstream numbers(line);
+    Repetition r{process};
+    while (numbers >> r.ns >> r.reference_ns >> r.slowest_ns >> r.instructions) row.push_back(r);
+  }
+}
+
+}  // namespace liecheck::properties
