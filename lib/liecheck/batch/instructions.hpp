@@ -4,9 +4,10 @@
 
 namespace liecheck::batch {
 
-/// baseline: those for which the library is compiled. avx2: 32 bytes at once. avx512: AVX-512 F, VL, BW and DQ,
-/// 64 bytes at once. All give the same bits. No multiplication is fused with an addition: that would save a
-/// tenth of the time at most, but cross(v, v) would not be 0, and aba would lose all digits of small results.
+/// baseline: those for which the library is compiled. avx2: 32 bytes at once. avx512: AVX-512 F, VL, BW and
+/// DQ, 64 bytes at once. All give the same bits. No multiplication is fused with an addition: that would save
+/// a tenth of the time at most, but cross(v, v) would not be 0, and aba would lose all digits of small
+/// results.
 enum class Instructions { baseline, avx2, avx512 };
 
 /// Whether this library and this processor have them.
