@@ -1,6 +1,6 @@
 // liecheck's batches of poses and states, one column at a time: a kernel computes it with all lanes of a
-// register. `liecheck cost` times whole batches (timing/batches.hpp). liecheck:batch uses the best
-// instructions of the processor, liecheck:batch-baseline those for which the program is compiled.
+// register. `liecheck cost` times whole batches (timing/batches.hpp). All sets of instructions give the same
+// bits (tests/lib/batch_test.cpp).
 
 #include <subjects/liecheck_trees.hpp>
 
@@ -11,11 +11,8 @@
 namespace liecheck::properties {
 namespace {
 
-template <class S, bool BASELINE>
+template <class S>
 struct Batch {
-  static batch::Options options() {
-    return {1, BASELINE ? batch::Instructions::baseline : batch::bestInstructions()};
-  }
   template <int N>
   static batch::Rows<S, N> one(const Vec<S, N>& v) {
     return v.array();
@@ -51,13 +48,13 @@ struct Batch {
     };
     TreeOperations<S> o;
     o[op::tree_rnea] = [=](const X& q, const X& v, const X& a, int i, const Force6& F) -> X {
-      return batch::rnea<S>(*model, one(q), one(v), one(a), options(), external(i, F)).matrix();
+      return batch::rnea<S>(*model, one(q), one(v), one(a), {}, external(i, F)).matrix();
     };
     o[op::tree_aba] = [=](const X& q, const X& v, const X& tau, int i, const Force6& F) -> X {
-      return batch::aba<S>(*model, one(q), one(v), one(tau), options(), external(i, F)).matrix();
+      return batch::aba<S>(*model, one(q), one(v), one(tau), {}, external(i, F)).matrix();
     };
     o[op::frame_pose] = [=](const X& q) {
-      const auto all = batch::forwardKinematics<S>(*model, one(q), options());
+      const auto all = batch::forwardKinematics<S>(*model, one(q));
       const Frame<S>& frame = model->frames.back();
       const Pose<S> joint = pose(batch::Rows<S, 12>(all.template middleRows<12>(12 * frame.parentJoint)));
       const SE3<S> X_WF = SE3<S>(joint.R, joint.p) * frame.placement;
@@ -67,47 +64,45 @@ struct Batch {
   }
 
   static Subject<S> make() {
-    Subject<S> s{BASELINE ? "liecheck:batch-baseline" : "liecheck:batch", LIECHECK_VERSION, {}};
+    Subject<S> s{"liecheck:batch", LIECHECK_VERSION, {}};
     auto& o = s.operations;
     o.check_quaternion = [](const Vec<S, 4>& Q) { checkedQuaternion<S>(Q); };
     o[op::exp3_quaternion] = [](const Vec<S, 3>& phi) -> Vec<S, 4> {
       const Vec<S, 6> xi = (Vec<S, 6>() << Vec<S, 3>::Zero(), phi).finished();
-      return batch::exp6<S>(one(xi), options()).template bottomRows<4>();
+      return batch::exp6<S>(one(xi)).template bottomRows<4>();
     };
     o[op::log3_quaternion] = [](const Vec<S, 4>& Q) -> Vec<S, 3> {
       const Vec<S, 7> q = (Vec<S, 7>() << Vec<S, 3>::Zero(), Q).finished();
-      return batch::log6<S>(one(q), options()).template bottomRows<3>();
+      return batch::log6<S>(one(q)).template bottomRows<3>();
     };
     o[op::rotate_point] = [](const Vec<S, 4>& Q, const Vec<S, 3>& x) -> Vec<S, 3> {
       const Vec<S, 7> q = (Vec<S, 7>() << Vec<S, 3>::Zero(), Q).finished();
-      return batch::act<S>(one(q), one(x), options());
+      return batch::act<S>(one(q), one(x));
     };
-    o[op::exp6] = [](const Vec<S, 6>& xi) { return pose(batch::exp6Matrix<S>(one(xi), options())); };
+    o[op::exp6] = [](const Vec<S, 6>& xi) { return pose(batch::exp6Matrix<S>(one(xi))); };
     o[op::compose] = [](const Pose<S>& X, const Pose<S>& Y) {
-      return pose(batch::compose<S>(one(X), one(Y), options()));
+      return pose(batch::compose<S>(one(X), one(Y)));
     };
     o[op::act_point] = [](const Pose<S>& X, const Vec<S, 3>& x) -> Vec<S, 3> {
-      return batch::act<S>(one(X), one(x), options());
+      return batch::act<S>(one(X), one(x));
     };
     o[op::integrate] = [](const Vec<S, 7>& q, const Vec<S, 6>& d) -> Vec<S, 7> {
-      return batch::integrate<S>(one(q), one(d), options());
+      return batch::integrate<S>(one(q), one(d));
     };
     o[op::difference] = [](const Vec<S, 7>& q0, const Vec<S, 7>& q1) -> Vec<S, 6> {
-      return batch::difference<S>(one(q0), one(q1), options());
+      return batch::difference<S>(one(q0), one(q1));
     };
-    o[op::right_jacobian6] = [](const Vec<S, 6>& xi) { return matrix(batch::Jexp6<S>(one(xi), options())); };
+    o[op::right_jacobian6] = [](const Vec<S, 6>& xi) { return matrix(batch::Jexp6<S>(one(xi))); };
     o[op::right_jacobian6_inverse] = [](const Vec<S, 6>& xi) {
-      return matrix(batch::rightJacobianInverse<S>(one(xi), options()));
+      return matrix(batch::rightJacobianInverse<S>(one(xi)));
     };
     o.tree = &tree;
     return s;
   }
 };
 
-const Registered<float> in_float(Batch<float, false>::make());
-const Registered<double> in_double(Batch<double, false>::make());
-const Registered<float> baseline_in_float(Batch<float, true>::make());
-const Registered<double> baseline_in_double(Batch<double, true>::make());
+const Registered<float> in_float(Batch<float>::make());
+const Registered<double> in_double(Batch<double>::make());
 
 }  // namespace
 }  // namespace liecheck::properties

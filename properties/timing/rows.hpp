@@ -129,8 +129,7 @@ void add_cost_rows(CostPlan& plan, const std::string& scalar, double eps,
         const Subject<S>& subject = *subjects[i];
         Signature own = signature;
         if constexpr (std::is_same_v<S, float> || std::is_same_v<S, double>)
-          if (subject.name.starts_with(batch_subject))
-            own = subject.name == batch_subject ? batch_signature<S>(operation) : Signature();
+          if (subject.name == batch_subject) own = batch_signature<S>(operation);
         if (own.arguments)
           offered.push_back(
               {subject.name, subject.version, own, f, score(operation, *law, subject, signature, f)});

@@ -1,3 +1,5 @@
+#include <Eigen/Core>
+#undef __FMA__  // the formulas without it, so that all sets of instructions give the same bits
 #include <liecheck/batch/kernels.hpp>
 
 namespace liecheck::batch::detail {

@@ -29,7 +29,8 @@ void inThreads(Eigen::Index columns, int width, Eigen::Index least, int threads,
   if (failure) std::rethrow_exception(failure);
 }
 
-/// A few columns of a batch, copied to memory of their own. The last of them is repeated until they fill packs.
+/// A few columns of a batch, copied to memory of their own. The last of them is repeated until they fill
+/// packs.
 template <class S>
 class Tile {
  public:

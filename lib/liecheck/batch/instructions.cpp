@@ -4,12 +4,11 @@ namespace liecheck::batch {
 
 bool supported(Instructions instructions) {
 #if defined(LIECHECK_BATCH_X86)
-  if (instructions == Instructions::avx2)
-    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+  if (instructions == Instructions::avx2) return __builtin_cpu_supports("avx2");
   if (instructions == Instructions::avx512)
-    return supported(Instructions::avx2) && __builtin_cpu_supports("avx512f") &&
-           __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw") &&
-           __builtin_cpu_supports("avx512dq");
+    return supported(Instructions::avx2) && __builtin_cpu_supports("fma") &&
+           __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
+           __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512dq");
 #endif
   return instructions == Instructions::baseline;
 }

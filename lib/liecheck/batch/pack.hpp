@@ -5,9 +5,6 @@
 
 #include <cmath>
 #include <liecheck/scalar/scalar.hpp>
-#if defined(__FMA__)
-#include <immintrin.h>
-#endif
 
 namespace liecheck::batch {
 
@@ -17,29 +14,6 @@ struct Register {
   typedef S type __attribute__((vector_size(sizeof(S) * N)));
   typedef S unaligned __attribute__((vector_size(sizeof(S) * N), aligned(sizeof(S)), may_alias));
 };
-
-/// a b + c, fused if the target has the instruction.
-template <class Vector>
-[[gnu::always_inline]] inline Vector fused(const Vector& a, const Vector& b, const Vector& c) {
-  return a * b + c;
-}
-#if defined(__AVX512F__)
-[[gnu::always_inline]] inline __m512d fused(__m512d a, __m512d b, __m512d c) {
-  return _mm512_fmadd_pd(a, b, c);
-}
-[[gnu::always_inline]] inline __m512 fused(__m512 a, __m512 b, __m512 c) {
-  return _mm512_fmadd_ps(a, b, c);
-}
-#endif
-#if defined(__FMA__)
-[[gnu::always_inline]] inline __m256d fused(__m256d a, __m256d b, __m256d c) {
-  return _mm256_fmadd_pd(a, b, c);
-}
-[[gnu::always_inline]] inline __m256 fused(__m256 a, __m256 b, __m256 c) {
-  return _mm256_fmadd_ps(a, b, c);
-}
-#endif
-
 }  // namespace detail
 
 template <class S, int N>
@@ -93,8 +67,9 @@ struct Pack {
     for (int i = 0; i < N; ++i) r.v[i] = f(i);
     return r;
   }
+  /// Rounded twice in every set of instructions. A fused cross(v, v) would not be 0.
   [[gnu::always_inline]] friend Pack mul_add(const Pack& a, const Pack& b, const Pack& c) {
-    return detail::fused(a.v, b.v, c.v);
+    return a.v * b.v + c.v;
   }
   [[gnu::always_inline]] friend Pack sqrt(const Pack& a) {
     return each([&](int i) __attribute__((always_inline)) { return std::sqrt(a.v[i]); });
