@@ -23,12 +23,14 @@ RobotNumbers robot_numbers(const Robot& robot);
 template <class T, class V>
 std::vector<T> exact_list(const V& x) {
   std::vector<T> y;
+  y.reserve(static_cast<std::size_t>(x.size()));
   for (const auto& v : x) y.push_back(oracles::exact<T>(v));
   return y;
 }
 template <class T>
 std::vector<double> rough_list(const std::vector<T>& x) {
   std::vector<double> y;
+  y.reserve(x.size());
   for (const T& v : x) y.push_back(approximate(v));
   return y;
 }
