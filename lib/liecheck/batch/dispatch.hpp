@@ -12,8 +12,8 @@ namespace liecheck::batch::detail {
 /// Throws std::invalid_argument if they are not supported.
 const Kernels& kernelsOf(Instructions instructions);
 
-/// Calls f(begin, end) for parts of `columns` of at least `least` columns, cut between packs of `width` columns,
-/// each in a thread of OpenMP. An exception must not leave a thread.
+/// Calls f(begin, end) for parts of `columns` of at least `least` columns, cut between packs of `width`
+/// columns, each in a thread of OpenMP. An exception must not leave a thread.
 void inThreads(Eigen::Index columns, int width, Eigen::Index least, int threads,
                const std::function<void(Eigen::Index begin, Eigen::Index end)>& f);
 
