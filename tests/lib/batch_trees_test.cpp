@@ -131,20 +131,19 @@ TYPED_TEST(BatchOfStates, BitsDoNotDependOnInstructions) {
   }
 }
 
-/// With angular velocities about one axis the products cancel, and tau is far smaller than its terms.
+/// A sphere that spins. Products that are fused with a subtraction would leave an acceleration.
 TYPED_TEST(BatchOfStates, AnAccelerationThatIsZeroAloneIsZeroInABatch) {
   using S = TypeParam;
   Model<double> in_double;
   test::Random random(9);
-  const int id = in_double.addJoint(0, FreeFlyer<double>(), random.pose(), "base");
+  const int id = in_double.addJoint(0, FreeFlyer<double>(), SE3<double>::Identity(), "base");
   in_double.appendBodyToJoint(id, Inertia<double>(2, Vector3<double>::Zero(), Matrix3<double>::Identity()));
   in_double.gravity.setZero();
   const Model<S> m = this->model(in_double);
   States<S> q = States<S>::Zero(7, 16), v = States<S>::Zero(6, 16);
   q.row(6).setOnes();
   for (int i = 0; i < 16; ++i) v.col(i).template tail<3>() = random.vector(3).template cast<S>().array();
-  EXPECT_EQ(batch::aba(m, q, v, States<S>(States<S>::Zero(6, 16))).template topRows<3>().abs().maxCoeff(),
-            S(0));
+  EXPECT_EQ(batch::aba(m, q, v, States<S>(States<S>::Zero(6, 16))).abs().maxCoeff(), S(0));
 }
 
 TYPED_TEST(BatchOfStates, SineAndCosineHaveAnErrorOfOneEps) {

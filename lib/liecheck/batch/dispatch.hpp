@@ -2,7 +2,7 @@
 // How a batch is divided: into packs, threads, and the last columns that fill no pack.
 
 #include <algorithm>
-#include <exception>
+#include <functional>
 #include <liecheck/batch/kernels.hpp>
 #include <span>
 #include <vector>
@@ -12,25 +12,12 @@ namespace liecheck::batch::detail {
 /// Throws std::invalid_argument if they are not supported.
 const Kernels& kernelsOf(Instructions instructions);
 
-/// Calls f(begin, end) for parts of `columns`, a multiple of `width`, each in a thread of OpenMP. An
-/// exception must not leave a thread.
-template <class F>
-void inThreads(Eigen::Index columns, int width, Eigen::Index least, int threads, F f) {
-  const Eigen::Index parts = std::clamp<Eigen::Index>(columns / least, 1, std::max(1, threads));
-  if (parts == 1) return f(Eigen::Index(0), columns);
-  std::exception_ptr failure;
-#pragma omp parallel for num_threads(int(parts))
-  for (Eigen::Index k = 0; k < parts; ++k) try {
-      f(columns / width * k / parts * width, columns / width * (k + 1) / parts * width);
-    } catch (...) {
-#pragma omp critical
-      failure = std::current_exception();
-    }
-  if (failure) std::rethrow_exception(failure);
-}
+/// Calls f(begin, end) for parts of `columns` of at least `least` columns, cut between packs of `width`
+/// columns, each in a thread of OpenMP. An exception must not leave a thread.
+void inThreads(Eigen::Index columns, int width, Eigen::Index least, int threads,
+               const std::function<void(Eigen::Index begin, Eigen::Index end)>& f);
 
-/// A few columns of a batch, copied to memory of their own. The last of them is repeated until they fill
-/// packs.
+/// A few columns of a batch, copied to memory of their own. The last one is repeated until they fill packs.
 template <class S>
 class Tile {
  public:

@@ -1,5 +1,7 @@
 #include <liecheck/batch/dispatch.hpp>
 
+#include <exception>
+
 namespace liecheck::batch {
 
 bool supported(Instructions instructions) {
@@ -28,6 +30,21 @@ const detail::Kernels& detail::kernelsOf(Instructions instructions) {
   if (instructions == Instructions::avx2) return avx2;
 #endif
   return baseline;
+}
+
+void detail::inThreads(Eigen::Index columns, int width, Eigen::Index least, int threads,
+                       const std::function<void(Eigen::Index, Eigen::Index)>& f) {
+  const Eigen::Index parts = std::clamp<Eigen::Index>(columns / least, 1, std::max(1, threads));
+  if (parts == 1) return f(0, columns);
+  std::exception_ptr failure;
+#pragma omp parallel for num_threads(int(parts))
+  for (Eigen::Index k = 0; k < parts; ++k) try {
+      f(columns / width * k / parts * width, columns / width * (k + 1) / parts * width);
+    } catch (...) {
+#pragma omp critical
+      failure = std::current_exception();
+    }
+  if (failure) std::rethrow_exception(failure);
 }
 
 }  // namespace liecheck::batch

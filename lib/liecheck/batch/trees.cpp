@@ -1,5 +1,6 @@
 #include <liecheck/batch/trees.hpp>
 
+#include <exception>
 #include <liecheck/algorithms/aba.hpp>
 #include <liecheck/batch/dispatch.hpp>
 
