@@ -60,18 +60,18 @@ class DynamicsDerivatives final : public TreeLaw<DynamicsDerivatives, S> {
       record(torque_v, dv, by_v, false);
     }
     if (!o[op::aba_derivatives]) return;
-    const std::vector<T> factor = oracles::positive_factor(M, c.nv());
-    if (factor.empty()) {  // there is no acceleration to differentiate
+    const oracles::Solver<T> solve(M, c.nv());
+    if (!solve) {  // there is no acceleration to differentiate
       for (const Output& output : {acceleration_q, acceleration_v}) r.outcome(output, 0, Outcome::ill_posed);
       return;
     }
     std::vector<T> a = standing.torque(c.exact.wrench);
     for (std::size_t k = 0; k < a.size(); ++k) a[k] = c.exact.a[k] - a[k];
-    a = oracles::solve(factor, a);
-    const double inverse = inverse_size(factor, roots);
+    a = solve(a);
+    const double inverse = inverse_size(solve.factor(), roots);
     const std::vector<double> at_rest(c.nv(), 0);
     const double size = weighted_size(c.sizes(at_rest, at_rest).mass, products(w));
-    const auto singular = [&] { return nearly_singular<S>(factor, roots, size); };
+    const auto singular = [&] { return nearly_singular<S>(solve.factor(), roots, size); };
     solved(r, {acceleration_q, acceleration_v}, singular, [&] {
       const auto [dq, dv] = o[op::aba_derivatives](c.q, c.v, c.a, c.F_joint, c.F);
       // The error of the subject's own qdd enters the result through the derivative of M(q) qdd.
@@ -81,7 +81,7 @@ class DynamicsDerivatives final : public TreeLaw<DynamicsDerivatives, S> {
       const auto record = [&](const Output& output, const MatX<S>& J, std::vector<T> exact, bool q) {
         if (!oracles::all_finite(J)) return r.outcome(output, 0, Outcome::not_finite);
         for (T& x : exact) x = -x;
-        exact = oracles::solve(factor, exact);
+        exact = solve(exact);
         const double terms = size * approximate(weighted_norm(exact, roots)) +
                              terms_of(sizes(rough_list(a), q)) +
                              (q ? weighted_size(sizes(a_moved, q).tau, w) : 0);

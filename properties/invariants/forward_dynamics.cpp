@@ -28,27 +28,27 @@ class ForwardDynamics final : public TreeLaw<ForwardDynamics, S> {
     const auto standing = c.dynamics(c.exact.v, still);
     const std::vector<T> M = standing.mass();
     const std::vector<double> roots = mass_roots(M, c.nv());
-    const std::vector<T> factor = oracles::positive_factor(M, c.nv());
+    const oracles::Solver<T> solve(M, c.nv());
     const TreeOperations<S> o = subject.tree(described(c.stored));
-    if (factor.empty())
+    if (!solve)
       of_singular(o, c, r, M, roots);
     else
-      of_regular(o, c, r, standing.torque(c.exact.wrench), roots, factor);
+      of_regular(o, c, r, standing.torque(c.exact.wrench), roots, solve);
   }
 
  private:
   template <class T, class Case>
   static void of_regular(const TreeOperations<S>& o, const Case& c, Recorder& r, const std::vector<T>& h,
-                         const std::vector<double>& roots, const std::vector<T>& factor) {
+                         const std::vector<double>& roots, const oracles::Solver<T>& solve) {
     const std::vector<T>& tau = c.exact.a;
     const std::vector<double> w = inverses(roots);
     std::vector<T> a = h, inverse_exact(c.nv() * c.nv(), T(0));
     for (std::size_t k = 0; k < a.size(); ++k) a[k] = tau[k] - a[k];
-    a = oracles::solve(factor, a);
+    a = solve(a);
     for (std::size_t k = 0; k < c.nv(); ++k) {
       std::vector<T> e(c.nv(), T(0));
       e[k] = T(1);
-      e = oracles::solve(factor, e);
+      e = oracles::solve(solve.factor(), e);
       std::copy(e.begin(), e.end(), inverse_exact.begin() + static_cast<std::ptrdiff_t>(k * c.nv()));
     }
     const std::vector<double> at_rest(c.nv(), 0);

@@ -1,6 +1,7 @@
 #include <oracles/tree.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <oracles/closed_forms.hpp>
 
 namespace liecheck::oracles {
@@ -273,6 +274,61 @@ std::vector<T> solve(const std::vector<T>& L, std::vector<T> b) {
   return b;
 }
 
+template <class T>
+Solver<T>::Solver(std::vector<T> A, std::size_t n) : A_(std::move(A)), factor_(positive_factor(A_, n)) {
+  if constexpr (BallNumber<T>) {
+    if (factor_.empty()) return;
+    std::vector<double> rough;
+    for (const T& x : factor_) rough.push_back(x.head());
+    std::vector<double> B(n * n), X(n * n);  // X by columns
+    double size_X = 0, size_B = 0, radii = 0, off = 0;
+    for (std::size_t k = 0; k < n; ++k) scale_.push_back(1 / std::sqrt(A_[k * n + k].head()));
+    for (std::size_t i = 0; i < n * n; ++i) {
+      const double s = scale_[i / n] * scale_[i % n], r = A_[i].r * s;
+      B[i] = A_[i].head() * s;
+      size_B += B[i] * B[i], radii += r * r;
+    }
+    for (std::size_t k = 0; k < n; ++k) {
+      std::vector<double> x(n, 0);
+      x[k] = 1 / scale_[k];
+      x = solve(rough, std::move(x));
+      for (std::size_t i = 0; i < n; ++i) {
+        X[k * n + i] = x[i] / scale_[i];
+        size_X += X[k * n + i] * X[k * n + i];
+      }
+    }
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t k = 0; k < n; ++k) {
+        double sum = i == k ? -1 : 0;
+        for (std::size_t l = 0; l < n; ++l) sum += B[i * n + l] * X[k * n + l];
+        off += sum * sum;
+      }
+    size_X = std::sqrt(size_X);
+    const double rounding = static_cast<double>(n + 8) * 0x1p-52 * (std::sqrt(size_B) * size_X + 1);
+    const double distance = (std::sqrt(off) + rounding + std::sqrt(radii) * size_X) * (1 + 1e-9);
+    if (distance < 0.5) inverse_ = size_X / (1 - distance) * (1 + 1e-9);
+  }
+}
+
+template <class T>
+std::vector<T> Solver<T>::operator()(const std::vector<T>& b) const {
+  std::vector<T> x = solve(factor_, b);
+  if constexpr (BallNumber<T>) {
+    const std::size_t n = b.size();
+    double square = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      T residual = b[i];
+      for (std::size_t k = 0; k < n; ++k) residual -= A_[i * n + k] * T(x[k].m, 0);
+      const double y = scale_[i] * (residual.size() + residual.r);
+      square += y * y;
+    }
+    const double error = inverse_ * std::sqrt(square) * (1 + 1e-9);
+    for (std::size_t k = 0; k < n; ++k)
+      if (const double r = scale_[k] * error * (1 + 1e-9) + 0x1p-1060; r < x[k].r) x[k].r = r;
+  }
+  return x;
+}
+
 #define LIECHECK_TREE(T)                                                                                 \
   template struct TreePoses<T>;                                                                          \
   template TreeDynamics<T>::TreeDynamics(const TreeOf<T>&, std::shared_ptr<const TreePoses<T>>,          \
@@ -281,6 +337,7 @@ std::vector<T> solve(const std::vector<T>& L, std::vector<T> b) {
   template void TreeDynamics<T>::differentiate(const Numbers&, const Numbers&, const Numbers&);          \
   template struct FrameMotion<T>;                                                                        \
   template std::vector<T> positive_factor(std::vector<T>, std::size_t);                                  \
+  template class Solver<T>;                                                                              \
   template std::vector<T> solve(const std::vector<T>&, std::vector<T>);
 LIECHECK_TREE(Real)
 LIECHECK_TREE(Real100)

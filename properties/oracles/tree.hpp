@@ -16,6 +16,7 @@
 //
 // Domain: stored quaternions, axes and (cos, sin) are not zero; each stands for its normalised value.
 
+#include <limits>
 #include <memory>
 #include <oracles/homogeneous.hpp>
 #include <oracles/spatial.hpp>
@@ -188,5 +189,24 @@ std::vector<T> positive_factor(std::vector<T> A, std::size_t n);
 /// A^-1 b for the factors of A.
 template <class T>
 std::vector<T> solve(const std::vector<T>& factor, std::vector<T> b);
+
+/// Solves with a positive definite A [n x n]. In ball arithmetic, the radii of elimination grow by a factor for
+/// each row. Smaller ones follow from the residual (Rump 2010, Acta Numerica 19): with the midpoints x,
+/// D = diag A and B = D^-1/2 A D^-1/2, the error of x_k is at most D_kk^-1/2 ||B^-1|| ||D^-1/2 (b - A x)||, and
+/// ||B^-1|| <= ||X|| / (1 - ||B X - I||) for any X near B^-1.
+template <class T>
+class Solver {
+ public:
+  Solver(std::vector<T> A, std::size_t n);
+  /// Whether A is positive definite; otherwise there is no solution.
+  explicit operator bool() const { return !factor_.empty(); }
+  const std::vector<T>& factor() const { return factor_; }
+  std::vector<T> operator()(const std::vector<T>& b) const;
+
+ private:
+  std::vector<T> A_, factor_;
+  std::vector<double> scale_;                                 ///< numbers near D_kk^-1/2; empty for a Real
+  double inverse_ = std::numeric_limits<double>::infinity();  ///< a bound of ||B^-1||
+};
 
 }  // namespace liecheck::oracles

@@ -144,6 +144,7 @@ std::vector<N> everything(const TreeCase<N>& c) {
   std::vector<N> all = d.torque(c.wrench);
   const auto add = [&](const auto& more) { all.insert(all.end(), more.begin(), more.end()); };
   add(d.torque_derivative(c.wrench)), add(d.mass());
+  if (const Solver<N> solve(d.mass(), c.v.size()); solve) add(solve(d.torque()));
   add(TreeDynamics<N>(c.tree, c.q, c.v, still, still, c.d, still).torque_derivative());
   add(TreeDynamics<N>(c.tree, c.q, still, still).torque());
   for (const auto& v : {frame.p, frame.p1, frame.p2, frame.w, frame.w1}) add(v.x);
@@ -185,6 +186,21 @@ TEST(TreeOracle, ADistantBaseDoesNotWidenTheBallsOfItsDynamics) {
     };
     EXPECT_LE(radius(1e7), radius(0) * (1 + 1e-9)) << index;
   }
+}
+
+// A_kl = min(k, l): the factor L is full of ones, so that each row of the elimination doubles the radii.
+TEST(TreeOracle, TheBallsOfASolutionDoNotGrowWithTheNumberOfRows) {
+  using B = DoubleDoubleBall;
+  const std::size_t n = 35;
+  std::vector<B> A, b;
+  for (std::size_t i = 0; i < n * n; ++i)
+    A.emplace_back(static_cast<double>(std::min(i / n, i % n) + 1), 1e-30);
+  for (std::size_t k = 0; k < n; ++k) b.emplace_back(1 / static_cast<double>(k + 1), 0);
+  const auto radius = [](const std::vector<B>& x) {
+    return std::max_element(x.begin(), x.end(), [](const B& p, const B& q) { return p.r < q.r; })->r;
+  };
+  EXPECT_GT(radius(solve(positive_factor(A, n), b)), 1e-22);
+  EXPECT_LT(radius(Solver<B>(A, n)(b)), 1e-25);
 }
 
 TEST(RandomTrees, OneOf300HasUpTo40JointsAndEveryTreeIsValid) {
