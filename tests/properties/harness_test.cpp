@@ -93,6 +93,18 @@ const Registered<double> bugs[] = {
             return J;
           };
         })),
+    Registered<double>(planted("any_norm",
+                               [](O& o) {
+                                 o[op::normalize] = [](const V4& Q) {
+                                   return V4(Q / std::sqrt(Q.squaredNorm()));
+                                 };  // may overflow
+                               })),
+    Registered<double>(planted("normalisation",
+                               [](O& o) {
+                                 o[op::first_order_normalize] = [](const V4& Q) {
+                                   return V4(Q * (2 - Q.norm()));
+                                 };  // another order
+                               })),
     Registered<double>(planted(
         "kinetic_energy",
         [](O& o) {
