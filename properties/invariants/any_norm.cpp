@@ -1,8 +1,9 @@
 // The operations that take a quaternion of any norm, from near underflow to near overflow, are compared with the
-// exact functions of Q/|Q|. A factor 2^k does not change Q/|Q|, so the oracles take 2^k Q, whose norm is about 1.
+// exact functions of Q/|Q|: this law has those of rotations, any_norm_configurations.cpp those of poses.
 
 #include <generators/rotations.hpp>
-#include <invariants/increments.hpp>
+#include <invariants/any_norm.hpp>
+#include <invariants/branch.hpp>
 #include <oracles/normalisation.hpp>
 
 namespace liecheck::properties {
@@ -18,51 +19,24 @@ class AnyNorm final : public Law<AnyNorm, S> {
       .source = "Sola 2017 (arXiv 1711.02508), section 2",
       .outputs = {op::normalize[block::quaternion], op::normalize[block::norm_defect],
                   op::quaternion_matrix[block::entry], op::rotate_point_any_norm[block::point],
-                  op::log3_any_norm[block::rotation_vector], op::integrate_any_norm[block::rotation],
-                  op::integrate_any_norm[block::translation], op::integrate_any_norm[block::norm_defect],
-                  op::integrate_any_norm[block::sign], op::difference_any_norm[block::rotation_vector],
-                  op::difference_any_norm[block::linear], op::d_difference_any_norm[block::jacobian],
-                  op::d_difference_any_norm[block::coupling]},
-      .fields = {{"p", Kind::vector, 3, "m", Reach::full},
-                 {"p0", Kind::vector, 3, "m", Reach::full},
-                 {"Q0", Kind::any_quaternion, 4, "1"},
-                 {"p1", Kind::vector, 3, "m", Reach::beside},
-                 {"Q1", Kind::any_quaternion, 4, "1", Reach::beside},
-                 {"rho", Kind::vector, 3, "m", Reach::full},
-                 {"phi", Kind::rotation_vector, 3, "rad", Reach::full}}};
+                  op::log3_any_norm[block::rotation_vector]},
+      .fields = {{"Q", Kind::any_quaternion, 4, "1"}, {"p", Kind::vector, 3, "m", Reach::full}}};
 
   std::vector<S> generate(Source& source) const override {
-    const auto p = vector3<S>(source), p0 = vector3<S>(source);
-    const auto Q0 = unit_quaternion<S>(source), Q1 = quaternion_near<S>(source, Q0);
-    const S norm = quaternion_norm<S>(source);
-    const S other = source.chance(1, 2) ? norm : quaternion_norm<S>(source);
-    return Joined<S>{p,
-                     p0,
-                     Vec<S, 4>(norm * Q0),
-                     point_near<S>(source, p0),
-                     Vec<S, 4>(other * Q1),
-                     vector3<S>(source),
-                     rotation_vector<S>(source, AngleRange::unbounded)};
+    const auto Q = unit_quaternion<S>(source);
+    return Joined<S>{Vec<S, 4>(quaternion_norm<S>(source) * Q), vector3<S>(source)};
   }
   bool valid(const std::vector<S>& input) const override {
-    const auto zero = [&](std::size_t first) {
-      return std::all_of(input.begin() + static_cast<long>(first),
-                         input.begin() + static_cast<long>(first + 4), [](const S& x) { return x == S(0); });
-    };
-    return Property<S>::valid(input) && !zero(6) && !zero(13);
+    return Property<S>::valid(input) && !zero_quaternion_at(input, 0);
   }
 
   template <class Real>
   void in(const Subject<S>& subject, const std::vector<S>& input, Recorder& r) const {
     const auto& o = subject.operations;
     Reader<S> read(input);
+    const Vec<S, 4> Q = read.template take<4>();
     const Vec<S, 3> p = read.template take<3>();
-    const Vec<S, 7> q0 = read.template take<7>(), q1 = read.template take<7>();
-    const Vec<S, 6> d = read.template take<6>();
-    const Vec<S, 4> Q = q0.template tail<4>();
-    const auto x0 = oracles::exact_vector<7, Real>(at_unit_scale(q0)),
-               x1 = oracles::exact_vector<7, Real>(at_unit_scale(q1));
-    const auto Qx = quaternion_of(x0);
+    const auto Qx = oracles::exact_vector<4, Real>(at_unit_scale<S>(Q));
     if (o[op::normalize]) record_normalize(r, o[op::normalize](Q), Qx);
     if (o[op::quaternion_matrix]) record_matrix(r, o[op::quaternion_matrix](Q), Qx);
     if (o[op::rotate_point_any_norm]) {
@@ -74,39 +48,15 @@ class AnyNorm final : public Law<AnyNorm, S> {
                  oracles::vector_error<S>(oracles::exact_vector<3, Real>(computed), exact.value));
       });
     }
-    if (o[op::log3_any_norm]) {
-      const auto exact = oracles::log_so3(Qx);
-      Vec<S, 6> xi;
-      xi << Vec<S, 3>::Zero(), o[op::log3_any_norm](Q);
-      record_log<S>(r, {op::log3_any_norm[block::rotation_vector]}, band_of_log<S>(exact), xi, exact,
-                    Side::decided);
-    }
-    if (o[op::integrate_any_norm]) {
-      const Vec<S, 7> computed = o[op::integrate_any_norm](q0, d);
-      const auto xd = oracles::exact_vector<6, Real>(d);
-      const std::size_t band = band_of_angle<S>(tail3(xd));
-      constexpr const auto& integrate = op::integrate_any_norm;
-      record_integrate<S>(
-          r, {integrate[block::rotation], integrate[block::translation], integrate[block::norm_defect]}, band,
-          computed, x0, xd);
-      record_sign<Real, S>(r, integrate[block::sign], band, at_unit_scale(q0).template tail<4>(),
-                           computed.template tail<4>());
-    }
-    if (o[op::difference_any_norm] || o[op::d_difference_any_norm])
-      record_difference<Real>(o, q0, q1, x0, x1, r);
+    if (!o[op::log3_any_norm]) return;
+    const auto exact = oracles::log_so3(Qx);
+    Vec<S, 6> xi;
+    xi << Vec<S, 3>::Zero(), o[op::log3_any_norm](Q);
+    record_log<S>(r, {op::log3_any_norm[block::rotation_vector]}, band_of_log<S>(exact), xi, exact,
+                  Side::decided);
   }
 
  private:
-  /// q with 2^k Q in place of Q, whose largest number is in [1/2, 1). Digits below the smallest number are lost,
-  /// which is far below every error that a law measures.
-  static Vec<S, 7> at_unit_scale(Vec<S, 7> q) {
-    using std::frexp, std::ldexp;
-    int exponent = 0;
-    static_cast<void>(frexp(S(q.template tail<4>().cwiseAbs().maxCoeff()), &exponent));
-    for (int i = 3; i < 7; ++i) q[i] = S(ldexp(q[i], -exponent));
-    return q;
-  }
-
   template <class Real>
   static void record_normalize(Recorder& r, const Vec<S, 4>& computed, const oracles::Quaternion<Real>& Q) {
     constexpr Output quaternion = op::normalize[block::quaternion],
@@ -128,25 +78,6 @@ class AnyNorm final : public Law<AnyNorm, S> {
       for (const Real& x : E.x) error = std::max(error, oracles::in_eps<S>(Real(abs(x))));
       r.record(entry, 0, error);
     });
-  }
-  template <class Real>
-  static void record_difference(const Operations<S>& o, const Vec<S, 7>& q0, const Vec<S, 7>& q1,
-                                const oracles::Vec7<Real>& x0, const oracles::Vec7<Real>& x1, Recorder& r) {
-    const auto exact = oracles::difference(x0, x1);
-    const std::size_t band = band_of_difference<S>(x0, x1, exact);
-    if (o[op::difference_any_norm])
-      record_log<S>(r,
-                    {op::difference_any_norm[block::rotation_vector], op::difference_any_norm[block::linear]},
-                    band, o[op::difference_any_norm](q0, q1), exact, Side::either, exact.separation);
-    if (!o[op::d_difference_any_norm]) return;
-    const Mat<S, 6> J = o[op::d_difference_any_norm](q0, q1);
-    // The antisymmetric part of J_r^-1 is [phi] / 2, on the side of pi that was chosen.
-    auto at = exact.value();
-    if (at_either_side<S>(exact) && oracles::all_finite(J))
-      at = at_side_of<S>(vee(oracles::block(oracles::exact_matrix<6, 6, Real>(J), 0, 0)), exact).value();
-    auto inverse = oracles::right_jacobian_se3_inverse(at);
-    inverse.resolved = inverse.resolved && exact.resolved;
-    record_jacobian6<S>(r, jacobian_outputs(op::d_difference_any_norm), band, J, inverse, Real(0), false);
   }
 };
 
