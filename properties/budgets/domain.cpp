@@ -46,6 +46,10 @@ std::string stem_of(const Operation& o, const std::string& field) {
   return stem;
 }
 
+bool is_quaternion(Kind kind) {
+  return kind == Kind::quaternion || kind == Kind::any_quaternion;
+}
+
 /// Whether an operation takes a field of a law's input.
 bool takes_field(const Operation& o, const Field& f) {
   if (has_part(o, f.name) || (f.name == "theta" && has_part(o, "phi"))) return true;
@@ -141,7 +145,7 @@ Domain::Domain(const std::vector<DomainBound>& bounds, const std::vector<Field>&
     auto& angle =
         angles_.emplace_back(groups_of(o, [&](const Field& f) { return is(Quantity::angle, o, f); }));
     if (angle.empty() && (returns_angle(o) || compares(o))) {
-      angle = groups_of(o, [](const Field& f) { return f.kind == Kind::quaternion; });
+      angle = groups_of(o, [](const Field& f) { return is_quaternion(f.kind); });
       if (angle.empty()) angle = groups_of(o, [](const Field& f) { return f.kind == Kind::rotation_matrix; });
     }
     for (const DomainBound& b : bounds) {
@@ -168,9 +172,9 @@ double largest_angle(const std::vector<S>& x, const Groups& groups) {
     const auto& g = groups[i];
     const S* at = x.data() + g.from;
     double angle = 0;
-    if (g.kind == Kind::quaternion && n > 1)
+    if (is_quaternion(g.kind) && n > 1)
       angle = i < n / 2 ? angle_between(four(at), four(x.data() + groups[i + n / 2].from)) : 0;
-    else if (g.kind == Kind::quaternion)
+    else if (is_quaternion(g.kind))
       angle = angle_between({0, 0, 0, 1}, four(at));
     else if (g.kind == Kind::rotation_matrix)
       angle = angle_of_matrix(at);

@@ -49,6 +49,24 @@ const std::vector<InputClass> quaternions = {{"identity", 45},
                                              {"minus the previous one", 60, Reach::beside},
                                              {"near the previous one", 6, Reach::beside},
                                              {"relative angle near pi", 15, Reach::beside}};
+const std::vector<InputClass> any_quaternions = {{"identity", 45},
+                                                 {"near the identity", 20},
+                                                 {"theta = pi", 125},
+                                                 {"near theta = pi", 30},
+                                                 {"-Q: w < 0", 4},
+                                                 {"about an axis", 40},
+                                                 {"off unit by 3 to 8 eps", 200},
+                                                 {"subnormal part", 1000},
+                                                 {"equal to the previous one", 60, Reach::beside},
+                                                 {"minus the previous one", 200, Reach::beside},
+                                                 {"near the previous one", 6, Reach::beside},
+                                                 {"relative angle near pi", 20, Reach::beside},
+                                                 {"norm 1 +- 1e-6", 30},
+                                                 {"norm 0.9 to 1.1", 30},
+                                                 {"norm 3 to 30", 30},
+                                                 {"norm below 1e-6 or above 1e6", 30},
+                                                 {"norm near underflow", 30},
+                                                 {"norm near overflow", 30}};
 const std::vector<InputClass> matrices = {{"identity", 45},
                                           {"near the identity", 20},
                                           {"theta = pi", 125},
@@ -179,6 +197,35 @@ std::uint32_t of_quaternion(std::span<const S> q, std::span<const S> earlier) {
   return c;
 }
 
+/// The classes of Q/|Q|, and those of |Q|.
+template <class S>
+std::uint32_t of_any_quaternion(std::span<const S> q, std::span<const S> earlier) {
+  using std::fabs, std::ldexp, std::sqrt;
+  constexpr int least = std::numeric_limits<S>::min_exponent, most = std::numeric_limits<S>::max_exponent;
+  static const S low = S(ldexp(S(1), least + 6)), high = S(ldexp(S(1), most - 12)), million = S(1000000);
+  std::array<S, 8> unit;
+  std::array<S, 2> norm{};  // of q and of the earlier one, at most the largest number of S
+  for (std::size_t k = 0; k < (earlier.empty() ? 1 : 2); ++k) {
+    const std::span<const S> x = k == 0 ? q : earlier;
+    const S m = largest(x);
+    S sum(0);
+    for (const S& v : x) sum += v / m * (v / m);
+    const S root = S(sqrt(sum));
+    norm[k] = S(m / S(2)) * root > std::numeric_limits<S>::max() / S(2) ? m : S(m * root);
+    for (std::size_t i = 0; i < 4; ++i) unit[4 * k + i] = S(x[i] / m / root);
+  }
+  const std::span<const S> units(unit);
+  const std::uint32_t off = bit(true, 6),
+                      c = of_quaternion<S>(units.template first<4>(),
+                                           earlier.empty() ? earlier : units.template last<4>());
+  const S n = norm[0], apart = S(fabs(S(n - S(1))));
+  const bool moderate = n > low && n < high;
+  return (c & ~off) | (of_quaternion<S>(q, {}) & off) |
+         bit(apart <= S(1) / million && apart > S(4) * std::numeric_limits<S>::epsilon(), 12) |
+         bit(apart <= S(1) / S(10) && apart > S(10) / million, 13) | bit(n >= S(3) && n <= S(30), 14) |
+         bit(moderate && (n < S(1) / million || n > million), 15) | bit(n <= low, 16) | bit(n >= high, 17);
+}
+
 template <class S>
 std::uint32_t of_matrix(std::span<const S> R, std::span<const S>) {
   using std::fabs;
@@ -263,9 +310,12 @@ std::uint32_t of_masses(std::span<const S> x, std::span<const S>) {
 }  // namespace
 
 const std::vector<InputClass>& classes_of(Kind kind) {
-  static const std::vector<InputClass>* const in_the_order_of_kinds[] = {
-      &vectors, &rotation_vectors, &quaternions, &matrices, &inertias, &positives, &none, &none,
-      &trees,   &joints,           &masses};
+  static const std::vector<InputClass>* const in_the_order_of_kinds[] = {&vectors,     &rotation_vectors,
+                                                                         &quaternions, &any_quaternions,
+                                                                         &matrices,    &inertias,
+                                                                         &positives,   &none,
+                                                                         &none,        &trees,
+                                                                         &joints,      &masses};
   static_assert(std::size(in_the_order_of_kinds) == kind_count);
   return *in_the_order_of_kinds[static_cast<std::size_t>(kind)];
 }
@@ -278,7 +328,8 @@ template <class S>
 std::uint32_t classify(Kind kind, std::span<const S> x, std::span<const S> earlier) {
   using Classifier = std::uint32_t(std::span<const S>, std::span<const S>);
   static constexpr Classifier* in_the_order_of_kinds[] = {
-      of_vector, of_rotation_vector, of_quaternion, of_matrix, of_inertia, of_positive, nullptr,
+      of_vector, of_rotation_vector, of_quaternion, of_any_quaternion,
+      of_matrix, of_inertia,         of_positive,   nullptr,
       nullptr,   of_parents,         of_joints,     of_masses};
   static_assert(std::size(in_the_order_of_kinds) == kind_count);
   Classifier* const of = in_the_order_of_kinds[static_cast<std::size_t>(kind)];

@@ -9,7 +9,8 @@ namespace liecheck::properties {
 enum class Kind {
   vector,
   rotation_vector,
-  quaternion,
+  quaternion,      ///< of norm 1, up to 8 eps
+  any_quaternion,  ///< of any norm
   rotation_matrix,
   inertia,
   positive,

@@ -190,6 +190,31 @@ Eigen::Matrix<S, 4, 1> unit_quaternion(Source& source) {
   return q;
 }
 
+/// A norm of 1 up to 1e-6, one near 1, moderate ones, 1e-9, 1e9, or one near underflow or overflow.
+template <class S>
+S quaternion_norm(Source& source) {
+  using std::ldexp;
+  constexpr int least = std::numeric_limits<S>::min_exponent, most = std::numeric_limits<S>::max_exponent;
+  switch (source.below(8)) {
+    case 0:
+      return S(1) + source.symmetric<S>() / S(1000000);
+    case 1:
+      return S(1) + source.symmetric<S>() / S(10);
+    case 2:
+      return S(3) + S(27) * source.unit<S>();
+    case 3:
+      return source.chance(1, 2) ? S(1) / S(1000000000) : S(1000000000);
+    case 4:
+      return binade_uniform<S>(source, least - std::numeric_limits<S>::digits / 2, least + 4);
+    case 5:
+      return binade_uniform<S>(source, most - 8, most - 2);
+    case 6:
+      return S(ldexp(S(1), source.between(-40, 40)));
+    default:
+      return S(1);
+  }
+}
+
 /// The rotation matrix of a unit quaternion, rounded: || R^T R - I || is a few eps.
 template <class S>
 Eigen::Matrix<S, 3, 3> rotation_matrix(const Eigen::Matrix<S, 4, 1>& q) {

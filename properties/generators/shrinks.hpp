@@ -114,6 +114,21 @@ Candidates<S> quaternions(const std::vector<S>& g) {
   return all;
 }
 
+/// The same, then the quaternions with the norm of g, and g rounded.
+template <class S>
+Candidates<S> any_quaternions(const std::vector<S>& g) {
+  Candidates<S> all = quaternions(g);
+  const S n = norm(g);
+  const std::size_t unit = all.size();
+  for (const S& size : {few_digits(n, 1), few_bits(n, 1), n})
+    for (std::size_t i = 0; i < unit; ++i) {
+      all.push_back(all[i]);
+      for (S& x : all.back()) x *= size;
+    }
+  add_rounded(all, g);
+  return all;
+}
+
 /// Matrices: the identity, and rotations about an axis by pi, pi/2 and the angle of R.
 template <class S>
 Candidates<S> matrices(const std::vector<S>& R) {
@@ -154,6 +169,8 @@ Candidates<S> candidates(const std::vector<S>& g, Kind kind) {
       return vectors(g, kind == Kind::rotation_vector);
     case Kind::quaternion:
       return quaternions(g);
+    case Kind::any_quaternion:
+      return any_quaternions(g);
     case Kind::rotation_matrix:
       return matrices(g);
     case Kind::inertia:

@@ -46,6 +46,7 @@ void check_text(const std::string& place, const std::string& row) {
 std::vector<std::string> default_value(const Field& field, int vectors_before, const Format& format) {
   static const std::map<Kind, const char*> plain = {{Kind::rotation_vector, "0, 0, 0"},
                                                     {Kind::quaternion, "0, 0, 0, 1"},
+                                                    {Kind::any_quaternion, "0, 0, 0, 1"},
                                                     {Kind::rotation_matrix, "1, 0, 0, 0, 1, 0, 0, 0, 1"},
                                                     {Kind::inertia, "1, 0, 1, 0, 0, 1"}};
   if (field.kind == Kind::vector && field.size == 3)

@@ -144,8 +144,11 @@ class Sorter {
   void add_quaternion(const S* Q) {
     if (quaternions_.empty()) features_[F::w] = static_cast<double>(Q[3]);
     quaternions_.push_back(Q);
-    const Number defect = std::fabs(squared(norm(Q, 4)) - 1);
-    raise(F::off_unit, static_cast<double>(defect / std::numeric_limits<S>::epsilon()));
+    const Number size = norm(Q, 4);
+    const double defect =
+        static_cast<double>(std::fabs(squared(size) - 1) / std::numeric_limits<S>::epsilon());
+    if (defect > 16 && !(defect < features_[F::off_unit])) features_[F::norm] = static_cast<double>(size);
+    raise(F::off_unit, defect);
   }
   void add_matrix(const S* R) {
     if (!matrix_) matrix_ = R;

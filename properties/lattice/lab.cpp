@@ -17,12 +17,13 @@ constexpr std::uint64_t second_thread_interval = 64;
 /// than 1 eps of its block is rounding, and no oracle measures it.
 constexpr std::uint64_t enough_grants = 100;
 
-/// Whether a quaternion Q is the block of a result for which -Q is right too: no law measures its sign.
+/// Whether a quaternion is the block of a result whose sign no law measures, so that -Q is right too.
 bool either_sign(const Operation& operation, unsigned of_block) {
   const auto& parts = operation.results[0]->parts;
   return of_block < parts.size() && parts[of_block].size == 4 &&
-         std::none_of(operation.blocks.begin(), operation.blocks.end(),
-                      [](const Block& b) { return b.name.text == block::sign.text; });
+         std::none_of(operation.blocks.begin(), operation.blocks.end(), [](const Block& b) {
+           return b.name.text == block::sign.text || b.name.text == block::quaternion.text;
+         });
 }
 
 bool fails_output(const std::vector<Judged>& judged, std::uint16_t output) {

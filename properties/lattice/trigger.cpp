@@ -79,6 +79,9 @@ void add_vectors(Table& t) {
   t.add("w = 0", F::w, 0, std::numeric_limits<double>::denorm_min());
   t.begin("off unit");
   t.add_slices("||Q|^2 - 1| / eps", F::off_unit, {0.5, 2, 4, 9});
+  t.add_slices("|Q|", F::norm, {0.75, 0.999, 1.001, 1.25});
+  t.add_slices("|Q|", F::norm, {0, 1e-30, 0.5});
+  t.add_slices("|Q|", F::norm, {2, 1e30, infinity});
   t.add_slices("|R^T R - I| / eps", F::off_orthogonal, {0.5, 2, 4, 9});
   t.begin("scales");
   t.add_scales("length", F::length);

@@ -24,6 +24,7 @@ enum class Feature : std::uint8_t {
   octant,             ///< 0 ... 7: bit i is set if number i of the first rotation or vector is negative
   zeros,              ///< how many of these three numbers are zero
   off_unit,           ///< the largest ||Q|^2 - 1| of the quaternions [eps]
+  norm,               ///< the norm of the quaternion that is off unit the most, if by more than 16 eps
   off_orthogonal,     ///< the largest |R^T R - I| of the matrices [eps]
   length,             ///< log2 of the longest vector [m], over the largest exponent of the scalar
   speed,              ///< likewise of velocities [m/s, rad/s]

@@ -15,7 +15,7 @@ inline constexpr BlockName rotation{"rotation"}, norm_defect{"norm defect"},
     mass{"mass"}, lever{"lever"}, inertia{"inertia"}, matrix{"matrix"}, rotation_rate{"rotation rate"},
     R_dot{"R_dot"}, translation_matrix{"translation matrix"}, quaternion_matrix{"quaternion matrix"},
     zeros{"zeros"}, continuous{"continuous"}, joint{"joint"}, same{"same"}, torque{"torque"},
-    acceleration{"acceleration"}, by_q{"by q"}, by_v{"by v"};
+    acceleration{"acceleration"}, by_q{"by q"}, by_v{"by v"}, quaternion{"quaternion"}, entry{"entry"};
 }
 
 namespace op {
@@ -71,6 +71,7 @@ inline constexpr Value<type::Vector3> phi_result{
     x_A{{"x_A", {{"x_A", 3, "m"}}, "A"}};
 inline constexpr Value<type::Vector4> Q_result{
     {"Q", {{"Q", 4, "1"}}, "right-handed, angle about n positive"}};
+inline constexpr Value<type::Vector4> unit_result{{"Q_n", {{"Q_n", 4, "1"}}, "from B to A, as Q"}};
 inline constexpr Value<type::Matrix3> R_result{
     {"R", {{"R", 9, "1"}}, "right-handed, angle about n positive"}},
     J3_left{{"J", {{"J", 9, "1"}}, "increments on the left: parent axes"}},

@@ -3,6 +3,7 @@
 
 #include <operations/configurations.hpp>
 #include <operations/exponentials.hpp>
+#include <operations/quaternions.hpp>
 #include <operations/spatial.hpp>
 #include <operations/trees.hpp>
 #include <string>
@@ -20,7 +21,9 @@ using SpatialSlots =
           op::difference, op::left_jacobian3, op::right_jacobian3, op::left_jacobian3_inverse,
           op::right_jacobian3_inverse, op::left_jacobian6, op::right_jacobian6, op::left_jacobian6_inverse,
           op::right_jacobian6_inverse, op::d_integrate_arg0, op::d_integrate_arg1, op::d_difference_arg0,
-          op::d_difference_arg1, op::integrate_coefficient_jacobian>;
+          op::d_difference_arg1, op::integrate_coefficient_jacobian, op::normalize, op::first_order_normalize,
+          op::quaternion_matrix, op::rotate_point_any_norm, op::log3_any_norm, op::integrate_any_norm,
+          op::difference_any_norm, op::d_difference_any_norm>;
 
 /// The operations on the whole configuration vector of one robot.
 template <class S>

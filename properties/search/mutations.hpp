@@ -41,7 +41,7 @@ class Mutations {
     for (const Group& g : groups_) {
       const V3 phi = S(pi * source.unit<S>()) * axis(source);
       if (g.kind == Kind::rotation_vector) at3(x, g.from) = phi;
-      if (g.kind == Kind::quaternion) at4(x, g.from) = quaternion(phi);
+      if (g.kind == Kind::quaternion || g.kind == Kind::any_quaternion) at4(x, g.from) = quaternion(phi);
       if (g.kind == Kind::rotation_matrix) put_matrix(x, g.from, quaternion(phi));
       if (g.kind == Kind::vector)
         for (std::size_t k = 0; k < g.size; ++k) x[g.from + k] = source.symmetric<S>();
@@ -119,6 +119,8 @@ class Mutations {
       case Kind::quaternion:
         at4(x, g.from) = moved(at4(x, g.from), g.from, x, s);
         return;
+      case Kind::any_quaternion:
+        return move_any(at4(x, g.from), g.from, x, s);
       case Kind::rotation_matrix:
         if (s.chance(1, 4)) {
           S& entry = x[g.from + s.below(9)];
@@ -206,8 +208,10 @@ class Mutations {
   V4 moved(const V4& q, std::size_t from, std::vector<S>& x, Source& s) const {
     V4 base = V4::Unit(3), d = q;
     const Group& o = groups_[s.below(groups_.size())];
-    if (o.kind == Kind::quaternion && o.from != from && s.chance(3, 4)) {
+    const bool any = o.kind == Kind::any_quaternion;
+    if ((any || o.kind == Kind::quaternion) && o.from != from && s.chance(3, 4)) {
       base = at4(x, o.from);
+      if (any && base.cwiseAbs().maxCoeff() > S(0)) base = unit(V4(base / base.cwiseAbs().maxCoeff()));
       d = quaternion_product<S>(conjugate(base), q);
     }
     const int i = static_cast<int>(s.below(4));
@@ -232,6 +236,23 @@ class Mutations {
         d[i] = S(0);
     }
     return unit(quaternion_product<S>(base, unit(d)));
+  }
+
+  /// Changes the norm, one component or the rotation of Q/|Q|.
+  void move_any(Eigen::Map<V4> q, std::size_t from, std::vector<S>& x, Source& s) const {
+    using std::sqrt;
+    if (s.chance(1, 3)) {
+      q *= s.chance(1, 4) ? quaternion_norm<S>(s) : factor(s);
+    } else if (s.chance(1, 3)) {
+      const int i = static_cast<int>(s.below(4));
+      q[i] = step_ulps(S(q[i]), ulps(s));
+    } else {
+      const S size = q.cwiseAbs().maxCoeff();
+      if (!(size > S(0))) return;
+      const V4 u = V4(q / size);
+      const S norm = S(sqrt(u.squaredNorm()));
+      q = V4(S(size * norm) * moved(unit(u), from, x, s));
+    }
   }
 
   static void put_matrix(std::vector<S>& x, std::size_t from, const V4& q) {

@@ -140,7 +140,11 @@ struct Correct : Types<S> {
   }
   static X6 between(const V7& q0, const V7& q1) {
     const X4 Q0 = wide(V4(q0.template tail<4>())), Q1 = wide(V4(q1.template tail<4>()));
-    const X3 phi = Style::log(relative(Q0, Q1)),
+    return between(q0, q1, Q0, relative(Q0, Q1));
+  }
+  /// `turn` is the rotation from Q0 to the quaternion of q1.
+  static X6 between(const V7& q0, const V7& q1, const X4& Q0, const X4& turn) {
+    const X3 phi = Style::log(turn),
              apart = wide(V3(q1.template head<3>())) - wide(V3(q0.template head<3>()));
     const X3 p = Style::rotate(Style::inverse(Style::from_quaternion(Q0)), apart);
     return Style::stack(Style::arc_inverse(phi, p), phi);
@@ -169,6 +173,37 @@ struct Correct : Types<S> {
     return J;
   }
 
+  /// Q/|Q|, first divided by its largest number, so that no square overflows or underflows.
+  static X4 unit(const V4& Q) { return wide(V4(Q / Q.cwiseAbs().maxCoeff())).normalized(); }
+  static V4 normalize(const V4& Q) { return narrow(unit(Q)); }
+  static V4 first_order_normalize(const V4& Q) {
+    const X4 q = wide(Q);
+    return narrow(X4(q * ((3 - q.squaredNorm()) / 2)));
+  }
+  static M3 quaternion_matrix(const V4& Q) { return narrow(Style::matrix(Style::from_quaternion(unit(Q)))); }
+  static V3 rotate_point_any_norm(const V4& Q, const V3& x) { return rotate_point(normalize(Q), x); }
+  static V3 log3_any_norm(const V4& Q) { return narrow(Style::log(unit(Q))); }
+  static V7 integrate_any_norm(const V7& q, const V6& delta) {
+    return integrate((V7() << q.template head<3>(), normalize(q.template tail<4>())).finished(), delta);
+  }
+  /// Q0* Q1 / |Q0* Q1|. Products of stored numbers are exact in 113 bits, so that rotations that are nearly equal
+  /// keep their digits although the norms differ.
+  static X6 between_any_norm(const V7& q0, const V7& q1) {
+    const Vec<float128, 4> a = q0.template tail<4>().template cast<float128>(),
+                           b = q1.template tail<4>().template cast<float128>();
+    Vec<float128, 4> turn(0, 0, 0, a.dot(b));
+    for (int i = 0; i < 3; ++i) {
+      const int j = (i + 1) % 3, k = (i + 2) % 3;
+      turn[i] = (a[3] * b[i] - b[3] * a[i]) - (a[j] * b[k] - a[k] * b[j]);
+    }
+    turn /= turn.norm();
+    return between(q0, q1, unit(q0.template tail<4>()), turn.template cast<W>());
+  }
+  static V6 difference_any_norm(const V7& q0, const V7& q1) { return narrow(between_any_norm(q0, q1)); }
+  static M6 d_difference_any_norm(const V7& q0, const V7& q1) {
+    return narrow(Style::jacobian6_inverse(X6(-between_any_norm(q0, q1))));
+  }
+
   using Style6 = Basics<void, S>;
 
   static Subject<S> make(const char* name, const char* version) {
@@ -187,7 +222,10 @@ struct Correct : Types<S> {
     LIECHECK_OFFER(left_jacobian6), LIECHECK_OFFER(right_jacobian6), LIECHECK_OFFER(left_jacobian6_inverse);
     LIECHECK_OFFER(right_jacobian6_inverse), LIECHECK_OFFER(d_integrate_arg0);
     LIECHECK_OFFER(d_integrate_arg1), LIECHECK_OFFER(d_difference_arg0), LIECHECK_OFFER(d_difference_arg1);
-    LIECHECK_OFFER(integrate_coefficient_jacobian);
+    LIECHECK_OFFER(integrate_coefficient_jacobian), LIECHECK_OFFER(normalize);
+    LIECHECK_OFFER(first_order_normalize), LIECHECK_OFFER(quaternion_matrix), LIECHECK_OFFER(log3_any_norm);
+    LIECHECK_OFFER(rotate_point_any_norm), LIECHECK_OFFER(integrate_any_norm);
+    LIECHECK_OFFER(difference_any_norm), LIECHECK_OFFER(d_difference_any_norm);
 #undef LIECHECK_OFFER
     return s;
   }

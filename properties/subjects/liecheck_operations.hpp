@@ -34,7 +34,11 @@ struct LiecheckOperations : Types<S> {
         return SO3<S>(Q).template act<P>(x);
       };
     }
-    if constexpr (P == Precision::standard) add_spatial_algebra(s.operations);
+    if constexpr (P == Precision::standard) {
+      add_spatial_algebra(s.operations);
+      add_normalisation(s.operations);
+    }
+    if constexpr (std::is_floating_point_v<S>) add_any_norm(s.operations);
     return s;
   }
 
@@ -84,6 +88,23 @@ struct LiecheckOperations : Types<S> {
         return integrateCoeffWiseJacobianSE3<S>(q);
       };
     }
+  }
+
+  static void add_normalisation(O& o) {
+    o[op::normalize] = [](const V4& Q) -> V4 { return SO3<S>(Q).normalized().to_vector(); };
+    o[op::first_order_normalize] = [](const V4& Q) -> V4 {
+      return SO3<S>(Q).firstOrderNormalized().to_vector();
+    };
+    o[op::quaternion_matrix] = [](const V4& Q) -> M3 { return SO3<S>(Q).matrix(); };
+  }
+
+  /// In float and double, the library promises the same for quaternions of any norm.
+  static void add_any_norm(O& o) {
+    o[op::rotate_point_any_norm] = o[op::rotate_point];
+    o[op::log3_any_norm] = o[op::log3_quaternion];
+    o[op::integrate_any_norm] = o[op::integrate];
+    o[op::difference_any_norm] = o[op::difference];
+    o[op::d_difference_any_norm] = o[op::d_difference_arg1];
   }
 
   /// These operations have no fast or tight variant.

@@ -59,7 +59,7 @@ std::vector<S> cost_input(const std::vector<Field>& fields, const CostBand& band
   std::vector<S> x;
   Vec<S, 4> before = Vec<S, 4>::Zero();
   const bool pairs = std::any_of(fields.begin(), fields.end(), [](const Field& f) {
-    return f.kind == Kind::quaternion && f.reach == Reach::beside;
+    return (f.kind == Kind::quaternion || f.kind == Kind::any_quaternion) && f.reach == Reach::beside;
   });
   for (const Field& f : fields) switch (f.kind) {
       case Kind::vector:
@@ -71,7 +71,8 @@ std::vector<S> cost_input(const std::vector<Field>& fields, const CostBand& band
       case Kind::rotation_matrix:
         append(x, rotation_matrix<S>(quaternion_in<S>(band, source)));
         break;
-      case Kind::quaternion: {
+      case Kind::quaternion:
+      case Kind::any_quaternion: {
         Eigen::Quaternion<S> Q(quaternion_in<S>(pairs && before.isZero() ? cost_bands[3] : band, source));
         if (pairs && !before.isZero()) Q = (Eigen::Quaternion<S>(before) * Q).normalized();
         before = Q.coeffs();

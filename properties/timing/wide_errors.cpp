@@ -93,6 +93,13 @@ struct Case {
     const V4 unit = oracles::normalized(Q);
     distance(block::rotation, 2 * std::min(Wide(norm(unit - exact)), Wide(norm(unit + exact))));
   }
+  void unit(const V4& exact) { relative(block::quaternion, y.read<V4>(), exact); }
+  void entries(const M3& exact) {
+    const M3 E = y.read<M3>() - exact;
+    Wide worst(0);
+    for (const Wide& x : E.x) worst = std::max(worst, Wide(abs(x)));
+    distance(block::entry, worst);
+  }
   void quaternion(const V4& exact) { rotation(y.read<V4>(), exact); }
   void matrix(const V4& exact) {
     distance(block::rotation, norm(y.read<M3>() - oracles::rotation_matrix(exact)) / sqrt(Wide(2)));
@@ -235,6 +242,21 @@ const std::pair<const Operation*, Compare> comparisons[] = {
      against(&Case::jacobian6,
              [](const V7& q0, const V7& q1) { return jacobian6<false, true>(closed_difference(q0, q1)); })},
     {&op::integrate_coefficient_jacobian, compare_coefficient_jacobian},
+    // quaternions of any norm
+    {&op::normalize, against(&Case::unit, [](const V4& Q) { return oracles::normalized(Q); })},
+    {&op::first_order_normalize,
+     against(&Case::unit, [](const V4& Q) { return Wide((3 - squared_norm(Q)) / 2) * Q; })},
+    {&op::quaternion_matrix,
+     against(&Case::entries, [](const V4& Q) { return oracles::rotation_matrix(oracles::normalized(Q)); })},
+    {&op::rotate_point_any_norm,
+     against(&Case::point, [](const V4& Q, const V3& p) { return rotate(Q, p); })},
+    {&op::log3_any_norm,
+     against(&Case::rotation_vector, [](const V4& Q) { return tail3(closed_log(Q, zero())); })},
+    {&op::integrate_any_norm, compare_integrate},
+    {&op::difference_any_norm, compare_difference},
+    {&op::d_difference_any_norm,
+     against(&Case::jacobian6,
+             [](const V7& q0, const V7& q1) { return jacobian6<false, true>(closed_difference(q0, q1)); })},
     // Jacobians of exp
     {&op::left_jacobian3, against(&Case::jacobian3, jacobian3<true, false>)},
     {&op::right_jacobian3, against(&Case::jacobian3, jacobian3<false, false>)},

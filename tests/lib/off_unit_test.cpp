@@ -282,9 +282,9 @@ TYPED_TEST(OffUnit, RotationsAndLogarithmsOfAQuaternionKeepTheirBounds) {
         return (a.template cast<long double>() - b).norm();
       };
       const long double length = p.norm() * this->eps;
-      EXPECT_LE(error(rotation.act(p), exactlyRotated<S>(Q, p)), 3 * length) << norm;
+      EXPECT_LE(error(rotation.act(p), exactlyRotated<S>(Q, p)), length) << norm;
       const Vector4<S> inverse(-Q[0], -Q[1], -Q[2], Q[3]);
-      EXPECT_LE(error(rotation.actInv(p), exactlyRotated<S>(inverse, p)), 3 * length) << norm;
+      EXPECT_LE(error(rotation.actInv(p), exactlyRotated<S>(inverse, p)), length) << norm;
       const Matrix3<S> R = rotation.matrix();
       for (int i = 0; i < 3; ++i) {
         const Vector3<long double> column = exactlyRotated<S>(Q, Vector3<S>::Unit(i));

@@ -93,6 +93,25 @@ const Registered<double> bugs[] = {
             return J;
           };
         })),
+    Registered<double>(planted("any_norm",
+                               [](O& o) {
+                                 o[op::normalize] = [](const V4& Q) {
+                                   return V4(Q / std::sqrt(Q.squaredNorm()));
+                                 };  // may overflow
+                               })),
+    Registered<double>(planted("any_norm_configurations",
+                               [](O& o) {
+                                 o[op::difference_any_norm] = [](const V7& a, const V7& b) {
+                                   return V6(own()[op::difference](a, b) *
+                                             b.tail<4>().norm());  // not divided
+                                 };
+                               })),
+    Registered<double>(planted("normalisation",
+                               [](O& o) {
+                                 o[op::first_order_normalize] = [](const V4& Q) {
+                                   return V4(Q * (2 - Q.norm()));
+                                 };  // another order
+                               })),
     Registered<double>(planted(
         "kinetic_energy",
         [](O& o) {

@@ -10,9 +10,9 @@
 // The derivatives are 6 x 6. They map a body-fixed increment of the argument to the increment of the result,
 // which is body-fixed too (Sola, Deray & Atchuthan 2018, eqs. 41 and 46).
 //
-// Domain: finite q with Q != 0 of any norm. Q represents the rotation of Q/|Q|. Error bounds are those for
-// ||Q|^2 - 1| <= 8 eps; each function states what another norm costs. Q = 0 is refused. Check input with
-// checkedConfiguration of configuration.hpp.
+// Domain: finite q with Q != 0 of any norm. Q represents the rotation of Q/|Q|. Error bounds hold for every norm;
+// in other scalars than float and double, see so3.hpp. Q = 0 is refused. To refuse quaternions that are off unit,
+// call checkedConfiguration of configuration.hpp.
 
 #include <liecheck/multibody/argument_position.hpp>
 #include <liecheck/multibody/unit_vector.hpp>
@@ -192,12 +192,13 @@ template <Scalar S, Precision P>
   for (int i = 0; i < 3; ++i) result[i] = p0[i] + result[i] / SO3<S>::scale_down();
   return result;
 }
-/// The quaternions may have any norms with |Q|^2 < 2.
+/// The quaternions may have any norms with |Q|^2 < 2. `unit` is Q0 with a norm for which firstOrderSuffices.
 template <Scalar S, Precision P>
 [[gnu::always_inline]] inline Vector6<S> difference(const Vector7<S>& q0, const Vector7<S>& q1,
-                                                    const Quaternion<S, P>& Q0, const Quaternion<S, P>& Q1) {
+                                                    const Quaternion<S, P>& Q0, const Quaternion<S, P>& Q1,
+                                                    const Quaternion<S, P>& unit) {
   const auto log = relativeLogarithm(Q0, Q1);
-  const Vector3<S> p = Q0.rotateBack(q0, q1);
+  const Vector3<S> p = unit.rotateBack(q0, q1);
   const Vector3<S> rho = log.arc(p);
   Vector6<S> delta;
   store_wide(delta.data(), rho[0], rho[1], rho[2], log.phi[0], log.phi[1], log.phi[2]);
@@ -209,17 +210,23 @@ template <Scalar S, Precision P>
   if constexpr (!side_by_side<S>)
     if (!Q0.firstOrderSuffices() || !Q1.firstOrderSuffices()) [[unlikely]]
       return differenceOffUnit<S, P>(q0, q1);
-  return difference<S, P>(q0, q1, Q0, Q1);
+  return difference<S, P>(q0, q1, Q0, Q1, Q0);
 }
 /// The quaternions are scaled by powers of two. That rounds nothing, so that the rotation between near ones
-/// keeps its digits.
+/// keeps its digits. The rest is computed in double words, if S is float or double.
 template <Scalar S, Precision P>
 [[gnu::noinline, gnu::cold]] Vector6<S> differenceOffUnit(Vector7<S> q0, Vector7<S> q1) {
   for (Vector7<S>* q : {&q0, &q1}) {
     const Vector4<S> Q = unit_vector_detail::scaledByPowerOfTwo<S, 4>(quaternionOf(*q));
     for (int i = 0; i < 4; ++i) (*q)[3 + i] = Q[i];
   }
-  return difference<S, P>(q0, q1, Quaternion<S, P>(q0), Quaternion<S, P>(q1));
+  using T = std::conditional_t<std::is_floating_point_v<S>, DoubleWord<S>, S>;
+  constexpr Precision p = std::is_same_v<T, S> ? P : Precision::fast;
+  const Vector7<T> a = q0.template cast<T>(), b = q1.template cast<T>();
+  Vector7<T> unit = a;
+  unit.template tail<4>() = normalizedUnit<T, 4>(quaternionOf(a));
+  return difference<T, p>(a, b, Quaternion<T, p>(a), Quaternion<T, p>(b), Quaternion<T, p>(unit))
+      .template cast<S>();
 }
 template <Scalar S, Precision P>
 [[gnu::noinline, gnu::cold]] Vector6<S> differenceFar(Vector7<S> q0, Vector7<S> q1) {
@@ -251,7 +258,7 @@ Vector7<S> integrateSE3(const Vector7<S>& q, const Vector6<S>& delta) {
 }
 
 /// (rho, phi) = log(T0^-1 T1) [6; m, rad], |phi| <= pi, the same for Q and -Q. At |phi| = pi the axis has
-/// either sign. Error 2 eps of |phi|, and 4 eps of max(|rho|, |p1 - p0|), for any |p1 - p0|, |Q0|, |Q1|.
+/// either sign. Error 2 eps of |phi|, and 4 eps of max(|rho|, |p1 - p0|).
 /// Throws std::invalid_argument if Q0 or Q1 is 0.
 template <Scalar S, Precision P = Precision::standard>
 Vector6<S> differenceSE3(const Vector7<S>& q0, const Vector7<S>& q1) {

@@ -161,10 +161,20 @@ template <Scalar S>
 /// a . b of N numbers with the exact sign and a relative error of 2 eps, however much cancels and however
 /// small the products are. A sum that underflows becomes the smallest normal number with the sum's sign. The
 /// products are summed as a nonoverlapping expansion (Shewchuk 1997, theorem 10), the largest first, scaled
-/// so that no part underflows. After a cancellation the sum is scaled up again.
-template <Scalar S, int N, class V>
-S exact_dot(const V& a, const V& b) {
+/// so that no part underflows. After a cancellation the sum is scaled up again. Double words are multiplied
+/// part by part.
+template <Scalar S, int N, class V, Scalar Result = S>
+Result exact_dot(const V& a, const V& b) {
   using std::frexp, std::ldexp;
+  if constexpr (requires(S number) { number.low; }) {
+    using Part = decltype(S::low);
+    std::array<Part, 4 * N> x, y;
+    for (int i = 0; i < 4 * N; ++i) {
+      x[i] = i & 1 ? a[i / 4].low : a[i / 4].high;
+      y[i] = i & 2 ? b[i / 4].low : b[i / 4].high;
+    }
+    return exact_dot<Part, 4 * N, std::array<Part, 4 * N>, S>(x, y);
+  }
   constexpr int gap = 2 * std::numeric_limits<S>::digits + 12, none = std::numeric_limits<int>::min();
   constexpr int log2_n = std::bit_width(unsigned(N));
   std::array<S, N> x, y;
@@ -184,15 +194,15 @@ S exact_dot(const V& a, const V& b) {
     }
     expansion[size++] = t;
   };
-  S sum(0);
+  Result sum(0);
   for (;;) {
     int top = none;
     for (const int e : exponent) top = e > top ? e : top;
     if (top == none) break;
-    if (sum != S(0)) {
+    if (sum != Result(0)) {
       int e = 0;
-      frexp(sum, &e);
-      if (top < e + scale - std::numeric_limits<S>::digits - log2_n)
+      static_cast<void>(frexp(sum, &e));
+      if (top < e + scale - std::numeric_limits<Result>::digits - log2_n)
         break;  // all other products are below eps of the sum
       if (top < e + scale) top = e + scale;
     }
@@ -205,11 +215,11 @@ S exact_dot(const V& a, const V& b) {
       grow(p);
       exponent[i] = none;
     }
-    sum = S(0);
-    for (int i = 0; i < size; ++i) sum += expansion[i];
+    sum = Result(0);
+    for (int i = 0; i < size; ++i) sum += Result(expansion[i]);
   }
-  const S result = S(ldexp(sum, scale)), least = std::numeric_limits<S>::min();
-  if (sum != S(0) && result < least && result > -least) return sum < S(0) ? S(-least) : least;
+  const Result result = Result(ldexp(sum, scale)), least = Result(std::numeric_limits<S>::min());
+  if (sum != Result(0) && result < least && result > -least) return sum < Result(0) ? Result(-least) : least;
   return result;
 }
 

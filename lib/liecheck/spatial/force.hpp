@@ -21,9 +21,11 @@ class Force : public SpatialVector<Force<S>, S> {
 };
 
 template <Scalar S>
-Force<S> Motion<S>::cross(const Force<S>& F) const {
-  return {liecheck::cross(angular(), F.linear()),
-          liecheck::cross(angular(), F.angular()) + liecheck::cross(linear(), F.linear())};
+[[gnu::always_inline]] inline Force<S> Motion<S>::cross(const Force<S>& F) const {
+  const Vector3<S> a = liecheck::cross<S>(angular(), F.linear()),
+                   b = liecheck::cross<S>(angular(), F.angular()),
+                   c = liecheck::cross<S>(linear(), F.linear());
+  return {a[0], a[1], a[2], b[0] + c[0], b[1] + c[1], b[2] + c[2]};
 }
 
 template <Scalar S>

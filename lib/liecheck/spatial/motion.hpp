@@ -54,9 +54,11 @@ class Motion : public SpatialVector<Motion<S>, S> {
   using Base::Base, Base::linear, Base::angular;
 
   /// ad_V W = (omega_V x u_W + u_V x omega_W, omega_V x omega_W). Featherstone (2008), eq. 2.31.
-  Motion cross(const Motion& W) const {
-    return {liecheck::cross(angular(), W.linear()) + liecheck::cross(linear(), W.angular()),
-            liecheck::cross(angular(), W.angular())};
+  [[gnu::always_inline]] Motion cross(const Motion& W) const {
+    const Vector3<S> a = liecheck::cross<S>(angular(), W.linear()),
+                     b = liecheck::cross<S>(linear(), W.angular()),
+                     c = liecheck::cross<S>(angular(), W.angular());
+    return {a[0] + b[0], a[1] + b[1], a[2] + b[2], c[0], c[1], c[2]};
   }
   /// ad_V* F = -ad_V^T F = (omega x f, omega x n + u x f). Featherstone (2008), eq. 2.32.
   Force<S> cross(const Force<S>& F) const;

@@ -112,8 +112,8 @@ template <Scalar S, Precision P, int SIGN = 1>
 
 /// q = (v, w) or q*, for SIGN = 1 or -1, applied to x + x_low..., whose fourth number is not used:
 ///     x + 2 (SIGN w t + v x t) / |q|^2,  t = v x x.
-/// sigma is 2^(digits/2 + 1) times a bound of |x|, |q|^2 = 1 + excess < 2. Error 1 eps of the bound, or 3 eps
-/// if |excess| > sqrt(eps).
+/// sigma is 2^(digits/2 + 1) times a bound of |x|, |q|^2 = 1 + excess with |excess| <= sqrt(eps)/2. Error 1 eps of
+/// the bound.
 template <Precision P, int SIGN, class V, class S, class... Low>
 [[gnu::always_inline]] inline V rotated(const SplitFactor<V, 1, P>& q, const S& excess, const V& sigma,
                                         const V& x, const Low&... x_low) {
@@ -133,7 +133,7 @@ template <Precision P, int SIGN, class V, class S, class... Low>
     return sum.subtract_product(w, along);
   });
   // 2 r.high is added to p.high without a rounding error.
-  const V correction(S(-excess / (S(1) + excess))), low = mul_add(correction, r.value(), r.low());
+  const V correction(mul_add(excess, excess, S(-excess))), low = mul_add(correction, r.value(), r.low());
   return (p.high + (r.high + r.high)) + (p.low + (low + low));
 }
 

@@ -3,10 +3,11 @@
 //
 //   x_A = R_AB x_B,   R(Q) = I + 2 (w [v] + [v]^2) / |Q|^2
 //
-// Q represents the rotation of Q/|Q|; Q and -Q are the same rotation. act, actInv, matrix and the logarithms
-// take every finite Q != 0 and throw std::invalid_argument for Q = 0. A second bound is stated where the
-// first holds only for ||Q|^2 - 1| <= sqrt(eps)/2. Products are those of the stored numbers and do not
-// normalise.
+// Q represents the rotation of Q/|Q|; Q and -Q are the same rotation. act, actInv, matrix, normalized and the
+// logarithms take every finite Q != 0 and throw std::invalid_argument for Q = 0. In float and double one error
+// bound holds for all norms; in other scalars, errors are up to 3 eps larger if ||Q|^2 - 1| > sqrt(eps)/2.
+// Products are those of the stored numbers and do not normalise. firstOrderNormalized takes a quaternion whose
+// norm is near 1. checkedQuaternion (checked_rotation.hpp) refuses one that is off unit by more than 8 eps.
 
 #include <liecheck/scalar/compensated.hpp>
 #include <liecheck/scalar/stumpff.hpp>
@@ -63,8 +64,7 @@ class SO3 {
                    (w1 * z2 + z1 * w2) + (x1 * y2 - y1 * x2), (w1 * w2 - x1 * x2) - (y1 * y2 + z1 * z2)));
   }
 
-  /// R p [3, unit of p], p + 2 (w t + v x t) / |Q|^2 with t = v x p. Error 1 eps |p|, at other norms of Q 3
-  /// eps |p|.
+  /// R p [3, unit of p], p + 2 (w t + v x t) / |Q|^2 with t = v x p. Error 1 eps |p|.
   template <Precision P = Precision::standard>
   [[gnu::always_inline]] Vector3<S> act(const Vector3<S>& p) const {
     return rotate<P, 1>(p);
@@ -91,7 +91,7 @@ class SO3 {
   [[gnu::always_inline]] Matrix3<S> matrix() const {
     const S excess = normExcess<>();
     if constexpr (!side_by_side<S>)
-      if (!unit_vector_detail::atUnitScale<S>(excess)) [[unlikely]]
+      if (!unit_vector_detail::firstOrderSuffices<S>(excess)) [[unlikely]]
         return matrixFar();
     return matrixWithin(excess);
   }
@@ -111,9 +111,11 @@ class SO3 {
   [[gnu::noinline, gnu::cold]] SO3 atUnitScale() const {
     return SO3(unit_vector_detail::scaledByPowerOfTwo<S, 4>(q_));
   }
-  /// Q/|Q|, without overflow or underflow of |Q|^2. Precondition: Q is finite and not zero.
+  /// Q/|Q| of any finite Q != 0, without overflow or underflow of |Q|^2. Error 2 eps. Throws std::invalid_argument
+  /// if Q = 0.
   SO3 normalized() const {
     const S scale = q_.cwiseAbs().maxCoeff();
+    if (scale == S(0)) throw std::invalid_argument(unit_vector_detail::zero_is_refused<4>);
     const Vector4<S> scaled = q_ / scale;
     using std::sqrt;
     return SO3(Vector4<S>(scaled / S(sqrt(scaled.squaredNorm()))));
@@ -173,16 +175,24 @@ class SO3 {
   }
 
  private:
+  template <Scalar>
+  friend class SO3;
+
   [[gnu::noinline, gnu::cold]] Matrix3<S> matrixFar() const {
-    const SO3 Q = atUnitScale();
-    return Q.matrixWithin(Q.normExcess());
+    const auto Q = unitInDoubleWords();
+    return Q.matrixWithin(Q.normExcess()).template cast<S>();
+  }
+  /// Q/|Q|; of float and double in double words.
+  auto unitInDoubleWords() const {
+    using T = std::conditional_t<std::is_floating_point_v<S>, DoubleWord<S>, S>;
+    return SO3<T>(normalizedUnit<T, 4>(atUnitScale().to_vector().template cast<T>()));
   }
   /// R p for SIGN = 1, R^T p for SIGN = -1.
   template <Precision P, int SIGN>
   [[gnu::always_inline]] Vector3<S> rotate(const Vector3<S>& p) const {
     const S bound = norm1<S>(p), excess = normExcess<P>();
     if constexpr (!side_by_side<S>)
-      if (!splittable(bound) || !unit_vector_detail::atUnitScale<S>(excess)) [[unlikely]]
+      if (!splittable(bound) || !unit_vector_detail::firstOrderSuffices<S>(excess)) [[unlikely]]
         return rotateFar<P, SIGN>(p);
     return rotateWithin<P, SIGN>(p, bound, excess);
   }
@@ -196,11 +206,13 @@ class SO3 {
   /// For p or Q of any size.
   template <Precision P, int SIGN>
   [[gnu::noinline, gnu::cold]] Vector3<S> rotateFar(const Vector3<S>& p) const {
-    const S bound = norm1<S>(p), scale = splittable(bound) ? S(1) : scale_down();
-    const SO3 Q = atUnitScale();
-    return Q.template rotateWithin<P, SIGN>(Vector3<S>(scale * p), S(scale * bound),
-                                            Q.template normExcess<P>()) /
-           scale;
+    const S scale = splittable(norm1<S>(p)) ? S(1) : scale_down();
+    const auto Q = unitInDoubleWords();
+    using T = std::remove_cvref_t<decltype(Q.w())>;
+    const Vector3<T> x = Vector3<S>(scale * p).template cast<T>();
+    const Vector3<T> y = Q.template rotateWithin<Precision::fast, SIGN>(
+        x, norm1<T>(x), Q.template normExcess<Precision::fast>());
+    return y.template cast<S>() / scale;
   }
   /// The quaternion of R + C by the largest pivot; c = (C_32 - C_23, ...) is the antisymmetric part of C.
   template <Precision P>

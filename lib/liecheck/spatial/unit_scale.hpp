@@ -1,8 +1,10 @@
 #pragma once
 // Powers of two that bring the norm of a quaternion or of (cos, sin) near 1 without a rounding error.
 
+#include <liecheck/scalar/double_word.hpp>
 #include <liecheck/spatial/types.hpp>
 #include <stdexcept>
+#include <type_traits>
 
 namespace liecheck {
 
@@ -16,6 +18,19 @@ inline constexpr const char* zero_is_refused =
 template <Scalar S>
 [[gnu::always_inline]] inline bool atUnitScale(const S& excess) {
   return absolute<S>(excess) < S(1) / S(2);
+}
+
+/// The scalar to which results are rounded: S, or for a double word that of its parts.
+template <class S>
+struct RoundedTo : std::type_identity<S> {};
+template <class S>
+struct RoundedTo<DoubleWord<S>> : std::type_identity<S> {};
+
+/// True if 3/8 excess^2, which a first-order normalisation leaves, is at most eps/10; false for NaN.
+/// excess = |u|^2 - 1.
+template <Scalar S>
+[[gnu::always_inline]] inline bool firstOrderSuffices(const S& excess) {
+  return excess * excess < S(eps<typename RoundedTo<S>::type>() / 4);
 }
 
 /// |u|^2.
@@ -50,5 +65,20 @@ template <Scalar S, int N>
 }
 
 }  // namespace unit_vector_detail
+
+/// u/|u|, without overflow or underflow of |u|^2. Error 2 eps. NaN if u is not finite. Throws
+/// std::invalid_argument if u is zero.
+template <Scalar S, int N>
+[[gnu::noinline]] Eigen::Matrix<S, N, 1> normalizedUnit(const Eigen::Matrix<S, N, 1>& u) {
+  const auto over_norm = [](const Eigen::Matrix<S, N, 1>& x, const S& square) {
+    using std::sqrt;
+    return Eigen::Matrix<S, N, 1>(x / S(sqrt(square)));
+  };
+  const S square = unit_vector_detail::square<S, N>(u);
+  if (unit_vector_detail::atUnitScale<S>(S(square - S(1)))) [[likely]]
+    return over_norm(u, square);
+  const Eigen::Matrix<S, N, 1> scaled = unit_vector_detail::scaledByPowerOfTwo<S, N>(u);
+  return over_norm(scaled, unit_vector_detail::square<S, N>(scaled));
+}
 
 }  // namespace liecheck
