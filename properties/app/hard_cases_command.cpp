@@ -103,16 +103,19 @@ int run(const Flags& f) {
   const Selection selection = f.selection.selection();
   stop_on_signals();
   const auto rows = run_hard_cases(selection, no_cases.result.robot, cases, f.jobs);
-  no_cases.result.incomplete = stop_requested;
-  if (rows.empty() && !stop_requested)
+  const bool interrupted = stop_requested;  // a signal that comes later interrupts nothing
+  no_cases.result.incomplete = interrupted;
+  if (rows.empty() && !interrupted)
     throw std::invalid_argument("nothing to run: no selected subject offers a hard case's property");
   do_both([&] { write_campaign_record(f.selection.json, no_cases, rows); },
           [&] {
             print_hard_case_table(rows);
             print_hard_case_summary(rows, rows.size());
           });
-  if (stop_requested) std::fputs("interrupted: the table has only the rows that were done\n", stderr);
-  if (stop_requested) return incomplete;
+  if (interrupted) {
+    std::fputs("interrupted: the table has only the rows that were done\n", stderr);
+    return incomplete;
+  }
   return any_failed(rows) ? property_failed : any_open(rows) ? incomplete : within_budget;
 }
 
