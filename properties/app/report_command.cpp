@@ -97,9 +97,10 @@ fs::path run_campaign_of_report(const Flags& f) {
 int run(const Flags& f) {
   std::vector<fs::path> records = record_files(f.records, f.out);
   if (records.empty()) records.push_back(run_campaign_of_report(f));
+  const bool interrupted = stop_requested;  // a signal that comes later interrupts nothing
   const auto files = reports::write_report(records, f.out);
   fmt::print("{}\n", fs::absolute(files.html).string());
-  return stop_requested ? incomplete : within_budget;
+  return interrupted ? incomplete : within_budget;
 }
 
 }  // namespace
