@@ -30,7 +30,8 @@ const count = (n, what) => n > 0 ? [`${n} ${what}`] : [];
 const outcomes = row => [...count(row.not_finite, "NaN or Inf"), ...count(row.wrong_branch, "wrong branch"),
   ...count(row.refused, "refused"), ...count(row.not_repeatable, "not repeatable"),
   ...count(row.argument_written, "with an argument written to"), ...count(row.output_unwritten, "with unwritten output"),
-  ...count(row.crashed, "crashed"), ...count(row.outside_domain, "outside the domain"), ...count(row.ill_posed, "ill-posed"),
+  ...count(row.crashed, "crashed"), ...count(row.environment_changed, "with another rounding mode left behind"),
+  ...count(row.printed, "with text on standard output"), ...count(row.outside_domain, "outside the domain"), ...count(row.ill_posed, "ill-posed"),
   ...count(row.unresolved, "unresolved"), ...count(row.unmeasured, "unmeasured")];
 
 // The datasets of one chart: a line for each subject and statistic, broken at every slot.

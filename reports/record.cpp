@@ -30,9 +30,9 @@ void check_relations(std::string_view file, const Json& record) {
   each("results", record["results"], [&](const std::string& field, const Json& row) {
     if (row["count"] == 0 && row["status"] != "empty")
       refuse(file, field + ".count", "a count from 1", row["count"]);
-    for (const char* name :
-         {"ill_posed", "unresolved", "not_finite", "wrong_branch", "refused", "failed", "unmeasured",
-          "not_repeatable", "argument_written", "output_unwritten", "outside_domain", "crashed"})
+    for (const char* name : {"ill_posed", "unresolved", "not_finite", "wrong_branch", "refused", "failed",
+                             "unmeasured", "not_repeatable", "argument_written", "output_unwritten",
+                             "outside_domain", "crashed", "environment_changed", "printed"})
       at_most(field, row, name, "count");
   });
   each("hard_cases", list_in(record, "hard_cases"), [&](const std::string& field, const Json& hard) {

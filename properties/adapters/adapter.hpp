@@ -2,6 +2,7 @@
 // A library from outside the program: a shared library with the C interface (liecheck_adapter.h), or a
 // process that speaks the protocol of docs/adapters.md.
 
+#include <adapters/sizes.hpp>
 #include <cstddef>
 #include <memory>
 #include <set>
@@ -23,22 +24,39 @@ struct Description {
   std::set<std::pair<std::string, std::string>> offered;  ///< (operation, scalar)
 };
 
+/// What became of one input. An adapter gives the first two. The others are found where a function of a shared
+/// library is called, and hold for all inputs of the call.
+enum class Status : unsigned char {
+  done,
+  refused,
+  argument_written,
+  output_unwritten,
+  environment_changed,
+  printed,
+  failed  ///< what call() returns says how
+};
+
+/// What a status that is not `done` says; `why` is what the call returned.
+std::string in_words(Status status, const std::string& why);
+
 /// n calls of one operation in one scalar. The numbers are consecutive; see shapes.hpp.
 struct Batch {
-  const char* operation;
-  const char* scalar;
+  const OperationSizes& operation;  ///< one of operation_sizes()
+  bool is_double;
   std::size_t n;
   std::span<const std::byte> inputs;
   std::span<std::byte> results;
-  std::span<unsigned char> status;  ///< of each input: liecheck_status
+  std::span<Status> status;
+
+  const char* scalar() const { return is_double ? "double" : "float"; }
 };
 
 class Adapter {
  public:
   virtual ~Adapter() = default;
   virtual const Description& description() const = 0;
-  /// Computes the results and the status of each input. Returns the reason of a refusal, or "". Throws
-  /// AdapterFailed; a later call starts the adapter again.
+  /// Computes the results and the status of each input. Returns why inputs were refused or how the call
+  /// failed, or "". Throws AdapterFailed; a later call starts the adapter again.
   virtual std::string call(const Batch& batch) = 0;
 };
 
@@ -48,12 +66,13 @@ std::unique_ptr<Adapter> start_process(const std::string& command, double timeou
 /// Loads a shared library into this process. Throws AdapterFailed.
 std::unique_ptr<Adapter> load_library(const std::string& file);
 
-/// The command that serves a shared library from a process of its own.
-std::string serving_command(const std::string& file);
+/// Loads a shared library into a process of its own, which takes calls from memory that both share. Throws
+/// AdapterFailed.
+std::unique_ptr<Adapter> start_library(const std::string& file, double timeout_s);
 
-/// Answers calls of `adapter` on standard input and output until the input ends. What the library prints on
-/// standard output goes to standard error.
-void serve(Adapter& adapter);
+/// Answers calls of `adapter` in the memory of a file (shared_memory.hpp) until standard input ends. What the
+/// library prints on standard output goes to standard error.
+void serve(Adapter& adapter, const std::string& memory);
 
 /// The name and the version of the protocol, which begin a conversation.
 inline constexpr const char* greeting = "liecheck 1";

@@ -52,11 +52,11 @@ std::string compared(std::span<const S> got, std::span<const S> expected) {
 }
 
 template <class S, const auto& operation, class R, class... A>
-std::string checked(Adapter& adapter, const char* scalar, R (*own)(A...)) try {
+std::string checked(Adapter& adapter, R (*own)(A...)) try {
   constexpr std::size_t in = (Shape<std::remove_cvref_t<A>>::size + ...), out = Shape<R>::size;
   std::array<S, in * samples> inputs;
   std::array<S, out * samples> together{}, single{}, expected{};
-  std::array<unsigned char, samples> status{};
+  std::array<Status, samples> status{};
   for (std::size_t k = 0; k < samples; ++k) {
     S* at = inputs.data() + k * in;
     std::size_t argument = 2 * k;
@@ -74,16 +74,14 @@ std::string checked(Adapter& adapter, const char* scalar, R (*own)(A...)) try {
     Shape<R>::put(std::apply(own, arguments), expected.data() + k * out);
   }
   const auto call = [&](std::size_t first, std::size_t n, auto& results) {
-    return adapter.call({operation.name.data(), scalar, n,
+    return adapter.call({*sizes_of(operation.name), sizeof(S) == 8, n,
                          std::as_bytes(std::span(inputs).subspan(first * in, n * in)),
                          std::as_writable_bytes(std::span(results).subspan(first * out, n * out)),
                          std::span(status).subspan(first, n)});
   };
   const std::string why = call(0, samples, together);
-  for (const unsigned char s : status) {
-    if (s > 1) return fmt::format("gives the status {}: 0 is done, 1 is refused", s);
-    if (s == 1) return "refuses a moderate input" + (why.empty() ? "" : ": " + why);
-  }
+  for (const Status s : status)
+    if (s != Status::done) return in_words(s, why);
   for (std::size_t k = 0; k < samples; ++k) call(k, 1, single);
   if (std::memcmp(together.data(), single.data(), sizeof single) != 0)
     return fmt::format("gives {:.6g} for {} inputs in one batch, and {:.6g} for the same one by one",
@@ -104,8 +102,7 @@ void check_all(Adapter& adapter, const char* scalar, const Slots<S, all...>& own
                std::vector<CheckedOperation>& to) {
   const auto one = [&]<const auto & operation>() {
     if (adapter.description().offered.contains({std::string(operation.name), scalar}))
-      to.push_back(
-          {std::string(operation.name), scalar, checked<S, operation>(adapter, scalar, own[operation])});
+      to.push_back({std::string(operation.name), scalar, checked<S, operation>(adapter, own[operation])});
   };
   (one.template operator()<all>(), ...);
 }

@@ -1,18 +1,15 @@
-// Shared libraries with the C interface, in this process or served to another one.
+// Shared libraries with the C interface, in this process.
 
 #include <dlfcn.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <adapters/liecheck_adapter.h>
 #include <adapters/adapter.hpp>
-#include <adapters/sizes.hpp>
 #include <algorithm>
-#include <cstdio>
-#include <map>
+#include <array>
+#include <cstring>
 #include <mutex>
-#include <nlohmann/json.hpp>
-#include <support/json.hpp>
+#include <support/float_environment.hpp>
 #include <vector>
 
 namespace liecheck::properties::adapters {
@@ -34,102 +31,88 @@ class Library final : public Adapter {
     if (!adapter_->name || !adapter_->version || !adapter_->find)
       throw AdapterFailed(fmt::format("liecheck_get_adapter() of {} has no name, version or find", file));
     description_.name = adapter_->name, description_.version = adapter_->version;
-    for (const OperationSizes& o : operation_sizes())
-      for (const char* scalar : {"float", "double"})
-        if (const liecheck_function f = adapter_->find(o.operation, scalar)) {
-          description_.offered.emplace(o.operation, scalar);
-          functions_[{o.operation, scalar}] = f;
-        }
+    for (const OperationSizes& o : operation_sizes()) {
+      auto& of = functions_.emplace_back();
+      for (const bool is_double : {false, true}) {
+        const char* const scalar = is_double ? "double" : "float";
+        of[is_double] = adapter_->find(std::string(o.operation).c_str(), scalar);
+        if (of[is_double]) description_.offered.emplace(o.operation, scalar);
+      }
+    }
   }
   const Description& description() const override { return description_; }
   std::string call(const Batch& b) override {
     std::unique_lock lock(mutex_, std::defer_lock);
     if (!adapter_->thread_safe) lock.lock();
-    std::ranges::fill(b.status, liecheck_done);
-    functions_.at({b.operation, b.scalar})(b.n, b.inputs.data(), b.results.data(), b.status.data());
-    const bool refused = std::ranges::find(b.status, liecheck_refused) != b.status.end();
+    if (std::string how = checked(b); !how.empty()) return how;
+    const bool refused = std::ranges::find(b.status, Status::refused) != b.status.end();
     const char* why = refused && adapter_->reason ? adapter_->reason() : nullptr;
     return why ? why : "";
   }
 
  private:
+  static constexpr std::byte pattern{0xa5}, other{0x5a};  ///< as numbers both are finite and normal
+
+  /// Calls the function, and again if a number of its results may be unwritten. Sets the status of each input.
+  /// Returns how it failed, or "".
+  std::string checked(const Batch& b) {
+    const FloatEnvironment environment;
+    const auto all = [&](Status s) { std::ranges::fill(b.status, s); };
+    inputs_.assign(b.inputs.begin(), b.inputs.end());
+    std::ranges::fill(b.results, pattern);
+    if (std::string how = called(b); !how.empty()) return how;
+    if (environment.restore()) return all(Status::environment_changed), "";
+    if (!std::ranges::equal(inputs_, b.inputs)) return all(Status::argument_written), "";
+    if (const auto kept = numbers_of(b, pattern); !kept.empty()) {
+      std::ranges::fill(b.results, other);
+      if (std::string how = called(b); !how.empty()) return how;
+      environment.restore();
+      if (std::ranges::includes(numbers_of(b, other), kept)) all(Status::output_unwritten);
+    }
+    return "";
+  }
+  std::string called(const Batch& b) try {
+    std::ranges::fill(b.status, Status::done);
+    const auto at = static_cast<std::size_t>(&b.operation - operation_sizes().data());
+    functions_[at][b.is_double](b.n, b.inputs.data(), b.results.data(),
+                                reinterpret_cast<unsigned char*>(b.status.data()));
+    for (const Status s : b.status)
+      if (s > Status::refused)
+        return failed(b, fmt::format("it gave the status {}: 0 is done, 1 is refused", static_cast<int>(s)));
+    return "";
+  } catch (const std::exception& e) {
+    return failed(b, fmt::format("it threw an exception: {}", e.what()));
+  } catch (...) {
+    return failed(b, "it threw an exception");
+  }
+  static std::string failed(const Batch& b, std::string why) {
+    std::ranges::fill(b.status, Status::failed);
+    return why;
+  }
+  /// The places of the numbers of the results of inputs that are done, all bytes of which are `byte`.
+  static std::vector<std::size_t> numbers_of(const Batch& b, std::byte byte) {
+    const std::size_t size = b.is_double ? 8 : 4;
+    std::array<std::byte, 8> number;
+    number.fill(byte);
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < b.n * b.operation.results; ++i)
+      if (b.status[i / b.operation.results] == Status::done &&
+          std::memcmp(b.results.data() + i * size, number.data(), size) == 0)
+        places.push_back(i);
+    return places;
+  }
+
   const liecheck_adapter* adapter_ = nullptr;
   Description description_;
-  std::map<std::pair<std::string, std::string>, liecheck_function> functions_;
+  std::vector<std::array<liecheck_function, 2>> functions_;  ///< of each operation in float and double
+  std::vector<std::byte> inputs_;                            ///< before the call
   std::mutex mutex_;
-};
-
-/// The conversation of one adapter with the program that started it.
-class Server {
- public:
-  /// Keeps standard output for the answers. What the library prints goes to standard error.
-  Server() : out_(fdopen(dup(1), "w")) { dup2(2, 1); }
-  Server(const Server&) = delete;
-  Server& operator=(const Server&) = delete;
-  ~Server() {
-    if (out_) fclose(out_);
-  }
-
-  void run(Adapter& adapter) {
-    const std::string hello = line();
-    if (hello != greeting) {
-      if (!hello.empty()) throw AdapterFailed("expected the line '" + std::string(greeting) + "'");
-      return;
-    }
-    describe(adapter.description());
-    for (std::string head = line(); !head.empty(); head = line()) answer(adapter, head);
-  }
-
- private:
-  static std::string line() {
-    std::string text;
-    for (int c = getchar(); c != EOF && c != '\n'; c = getchar()) text += static_cast<char>(c);
-    return text;
-  }
-  void describe(const Description& d) {
-    nlohmann::json operations = nlohmann::json::object();
-    for (const auto& [operation, scalar] : d.offered) operations[operation].push_back(scalar);
-    say(dumped({{"protocol", 1}, {"name", d.name}, {"version", d.version}, {"operations", operations}}) +
-        "\n");
-  }
-  void answer(Adapter& adapter, const std::string& head) {
-    char operation[65], scalar[17];
-    std::size_t n = 0;
-    if (std::sscanf(head.c_str(), "call %64s %16s %zu", operation, scalar, &n) != 3)
-      throw AdapterFailed("expected a line 'call OPERATION SCALAR COUNT'");
-    const auto sizes = std::ranges::find_if(operation_sizes(), [&](const OperationSizes& o) {
-      return std::string_view(o.operation) == operation;
-    });
-    if (sizes == operation_sizes().end() || !adapter.description().offered.contains({operation, scalar}))
-      throw AdapterFailed(fmt::format("{} in {} is not offered", operation, scalar));
-    const std::size_t bytes = std::string_view(scalar) == "float" ? 4 : 8;
-    inputs_.resize(n * sizes->inputs * bytes), results_.resize(n * sizes->results * bytes), status_.resize(n);
-    if (fread(inputs_.data(), 1, inputs_.size(), stdin) != inputs_.size()) return;
-    std::ranges::fill(results_, std::byte{0xff});  // not a number
-    std::string why = adapter.call({operation, scalar, n, inputs_, results_, status_});
-    std::ranges::replace(why, '\n', ' ');
-    say(fmt::format("done {}{}{}\n", n, why.empty() ? "" : " ", why));
-    fwrite(status_.data(), 1, status_.size(), out_);
-    fwrite(results_.data(), 1, results_.size(), out_);
-    fflush(out_);
-  }
-  void say(const std::string& text) {
-    fwrite(text.data(), 1, text.size(), out_);
-    fflush(out_);
-  }
-  FILE* out_;
-  std::vector<std::byte> inputs_, results_;
-  std::vector<unsigned char> status_;
 };
 
 }  // namespace
 
 std::unique_ptr<Adapter> load_library(const std::string& file) {
   return std::make_unique<Library>(file);
-}
-
-void serve(Adapter& adapter) {
-  Server().run(adapter);
 }
 
 }  // namespace liecheck::properties::adapters

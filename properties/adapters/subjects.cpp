@@ -43,6 +43,18 @@ Adapter& adapter(int number) {
 template <class S>
 constexpr const char* scalar_text = sizeof(S) == 4 ? "float" : "double";
 
+/// The outcome of a call whose status is not `done`.
+constexpr Outcome outcome_of(Status s) {
+  constexpr Outcome all[] = {Outcome::measured,
+                             Outcome::refused,
+                             Outcome::argument_written,
+                             Outcome::output_unwritten,
+                             Outcome::environment_changed,
+                             Outcome::printed,
+                             Outcome::crashed};
+  return all[static_cast<std::size_t>(s)];
+}
+
 template <int number, const auto& operation, class S, class R, class... A>
 R call(A... arguments) {
   constexpr std::size_t in = (Shape<std::remove_cvref_t<A>>::size + ...), out = Shape<R>::size;
@@ -51,16 +63,17 @@ R call(A... arguments) {
   ((Shape<std::remove_cvref_t<A>>::put(arguments, at), at += Shape<std::remove_cvref_t<A>>::size), ...);
   std::array<S, out> results;
   results.fill(std::numeric_limits<S>::quiet_NaN());
-  std::array<unsigned char, 1> status{};
+  static const OperationSizes& sizes = *sizes_of(operation.name);
+  std::array<Status, 1> status{};
   std::string why;
   try {
-    why = adapter(number).call({operation.name.data(), scalar_text<S>, 1, std::as_bytes(std::span(inputs)),
+    why = adapter(number).call({sizes, sizeof(S) == 8, 1, std::as_bytes(std::span(inputs)),
                                 std::as_writable_bytes(std::span(results)), status});
   } catch (const AdapterFailed& e) {
     throw CallFailed(e.what(), operation.name, Outcome::crashed);
   }
-  if (status[0])
-    throw CallFailed(why.empty() ? "the adapter gave no reason" : why, operation.name, Outcome::refused);
+  if (status[0] != Status::done)
+    throw CallFailed(in_words(status[0], why), operation.name, outcome_of(status[0]));
   return Shape<R>::get(results.data());
 }
 
@@ -84,12 +97,12 @@ void register_one(int wanted, const std::string& text, const Description& d,
 }
 
 template <class S, class R, class... A>
-OperationSizes sizes_of(const Operation& o, R (*)(A...)) {
-  return {o.name.data(), (Shape<std::remove_cvref_t<A>>::size + ...), Shape<R>::size};
+OperationSizes sizes_in(const Operation& o, R (*)(A...)) {
+  return {o.name, (Shape<std::remove_cvref_t<A>>::size + ...), Shape<R>::size};
 }
 template <class S, const auto&... all>
 std::vector<OperationSizes> all_sizes(const Slots<S, all...>& slots) {
-  return {sizes_of<S>(all, slots[all])...};
+  return {sizes_in<S>(all, slots[all])...};
 }
 
 }  // namespace
@@ -103,11 +116,13 @@ std::unique_ptr<Adapter> start(const std::string& text) {
   if (text.starts_with(inside)) return load_library(text.substr(inside.size()));
   const bool library =
       text.ends_with(".so") && (std::filesystem::exists(text) || text.find(' ') == text.npos);
-  return start_process(library ? serving_command(text) : text, timeout_s);
+  return library ? start_library(text, timeout_s) : start_process(text, timeout_s);
 }
 
-bool is_operation(const std::string& name) {
-  return std::ranges::any_of(operation_sizes(), [&](const auto& o) { return o.operation == name; });
+const OperationSizes* sizes_of(std::string_view operation) {
+  const auto& all = operation_sizes();
+  const auto found = std::ranges::find(all, operation, &OperationSizes::operation);
+  return found == all.end() ? nullptr : &*found;
 }
 
 std::string register_adapter(const std::string& text) {
@@ -129,7 +144,7 @@ std::string register_adapter(const std::string& text) {
       !std::ranges::all_of(d.name, [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-'; }))
     refuse(fmt::format("its name '{}' must have letters, digits, '_' and '-' only", d.name));
   for (const auto& [operation, scalar] : d.offered)
-    if (!is_operation(operation))
+    if (!sizes_of(operation))
       refuse(fmt::format("it offers '{}', which is no operation; docs/operations.md lists them", operation));
   if (d.offered.empty()) refuse("it offers no operation");
   for (const auto* s : subjects<double>())

@@ -11,8 +11,6 @@ namespace liecheck::properties::adapters {
 /// runs in a process of its own, or "in-process:" and such a path. Throws AdapterFailed.
 std::unique_ptr<Adapter> start(const std::string& text);
 
-bool is_operation(const std::string& name);
-
 /// Starts an adapter and registers its subject, in float and double as it offers them. Returns the name of the
 /// subject. Throws std::invalid_argument if the adapter does not start, if a subject has its name, if it offers
 /// an operation that does not exist, or if most_adapters are registered.

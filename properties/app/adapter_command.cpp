@@ -9,7 +9,7 @@ namespace liecheck::properties {
 namespace {
 
 struct Flags {
-  std::string adapter;
+  std::string adapter, memory;
 };
 
 int check(const Flags& f) try {
@@ -23,7 +23,7 @@ int check(const Flags& f) try {
     wrong += !o.complaint.empty();
   }
   for (const auto& [operation, scalar] : d.offered)
-    if (!adapters::is_operation(operation)) {
+    if (!adapters::sizes_of(operation)) {
       fmt::print("{:<32}{:<8}is no operation; docs/operations.md lists them\n", operation, scalar);
       ++wrong;
     }
@@ -36,7 +36,7 @@ int check(const Flags& f) try {
 }
 
 int serve(const Flags& f) try {
-  adapters::serve(*adapters::load_library(f.adapter));
+  adapters::serve(*adapters::load_library(f.adapter), f.memory);
   return within_budget;
 } catch (const adapters::AdapterFailed& e) {
   throw std::invalid_argument(e.what());
@@ -56,8 +56,9 @@ Command adapter_check_command(CLI::App& adapter) {
 Command adapter_serve_command(CLI::App& adapter) {
   CommandWith<Flags> a(
       adapter, "serve",
-      "answer calls of a shared library by the process protocol on standard input and output");
+      "call the functions of a shared library for the program that started this process");
   a.text("LIBRARY", a->adapter, "", "a shared library with the C interface: docs/adapters.md").required();
+  a.text("--memory", a->memory, "FILE", "memory of that program, in which it writes the calls").required();
   return a.runs(serve);
 }
 

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <new>
 #include <subjects/wrapped.hpp>
+#include <support/float_environment.hpp>
 #include <tuple>
 #include <type_traits>
 
@@ -118,13 +119,16 @@ struct CheckedCall {
       return [&] { return std::apply([&](const A&... a) -> R { return function(a...); }, with); };
     };
     constexpr unsigned char one = 0xa5, other = 0x5a;  // as numbers both are finite and normal
+    const auto found = [&](Outcome outcome) { log->findings.push_back({&operation, outcome}); };
+    const FloatEnvironment environment;
     Memory<R> first, second;
     first.construct(one, call(copies));
+    if (environment.restore()) found(Outcome::environment_changed);
     try {
       second.construct(other, call(again));
     } catch (const std::exception&) {  // which the first call did not throw: the call is not repeatable
     }
-    const auto found = [&](Outcome outcome) { log->findings.push_back({&operation, outcome}); };
+    environment.restore();
     if (is_unwritten(first, second, one, other))
       found(Outcome::output_unwritten);
     else if (!second.result() || !same_bits(*first.result(), *second.result()))

@@ -17,6 +17,7 @@ void Row::add(const Judged& j, std::uint64_t index) {
     unmeasured += o == Outcome::unmeasured;
     not_repeatable += o == Outcome::not_repeatable, argument_written += o == Outcome::argument_written;
     output_unwritten += o == Outcome::output_unwritten, crashed += o == Outcome::crashed;
+    environment_changed += o == Outcome::environment_changed, printed += o == Outcome::printed;
   } else if (j.ill_posed) {
     ++ill_posed;
     score = 0;
@@ -44,6 +45,7 @@ void Row::merge(const Row& o) {
   wrong_branch += o.wrong_branch, refused += o.refused, failed += o.failed, unmeasured += o.unmeasured;
   not_repeatable += o.not_repeatable, argument_written += o.argument_written;
   output_unwritten += o.output_unwritten, outside_domain += o.outside_domain, crashed += o.crashed;
+  environment_changed += o.environment_changed, printed += o.printed;
   errors.merge(o.errors);
   max_error = std::max(max_error, o.max_error);
   max_excess = std::max(max_excess, o.max_excess);

@@ -27,6 +27,7 @@ struct Row {
   std::uint64_t count = 0, ill_posed = 0, unresolved = 0, not_finite = 0, wrong_branch = 0, refused = 0,
                 failed = 0, unmeasured = 0;
   std::uint64_t not_repeatable = 0, argument_written = 0, output_unwritten = 0, crashed = 0;
+  std::uint64_t environment_changed = 0, printed = 0;
   std::uint64_t outside_domain = 0;  ///< neither measured nor judged
   Histogram errors;
   double max_error = 0, max_excess = 0;

@@ -27,10 +27,16 @@ std::string describe_failure(const Series& series, std::uint64_t seed, int outpu
   if (row.not_finite + row.wrong_branch + row.refused > 0)
     text += fmt::format("  outcomes  {} NaN or Inf, {} wrong branch, {} refused\n", row.not_finite,
                         row.wrong_branch, row.refused);
-  if (row.not_repeatable + row.argument_written + row.output_unwritten + row.crashed > 0)
-    text += fmt::format(
-        "  calls     {} not repeatable, {} wrote to an argument, {} left output unwritten, {} crashed\n",
-        row.not_repeatable, row.argument_written, row.output_unwritten, row.crashed);
+  std::string calls;
+  for (const auto& [number, what] :
+       {std::pair{row.not_repeatable, "not repeatable"},
+        {row.argument_written, "wrote to an argument"},
+        {row.output_unwritten, "left output unwritten"},
+        {row.crashed, "crashed"},
+        {row.environment_changed, "changed the rounding mode or the treatment of subnormals"},
+        {row.printed, "wrote to standard output"}})
+    if (number > 0) calls += fmt::format("{}{} {}", calls.empty() ? "" : ", ", number, what);
+  if (!calls.empty()) text += "  calls     " + calls + "\n";
   text += fmt::format("  worst     liecheck replay {}{}\n", id.text(), flags);
   if (!s.reproduced)
     return text + fmt::format("  not repeatable: measured again, this case {}; so it is not shrunk\n",

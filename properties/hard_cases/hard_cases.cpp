@@ -37,6 +37,8 @@ Verdict verdict_of(const Judged& j, const Output& output) {
     case Outcome::argument_written:
     case Outcome::output_unwritten:
     case Outcome::crashed:
+    case Outcome::environment_changed:
+    case Outcome::printed:
       return Verdict::bad_call;
     case Outcome::outside_domain:  // run() has removed these
     case Outcome::measured:

@@ -120,6 +120,8 @@ json row_record(const Series& series, std::size_t output, const Band& b, const R
           {"output_unwritten", row.output_unwritten},
           {"outside_domain", row.outside_domain},
           {"crashed", row.crashed},
+          {"environment_changed", row.environment_changed},
+          {"printed", row.printed},
           {"failed", row.failed},
           {"unmeasured", row.unmeasured},
           {"status", status_of(row)},

@@ -1,6 +1,7 @@
 #include <search/shrink.hpp>
 
 #include <campaign/typed_series.hpp>
+#include <chrono>
 #include <optional>
 
 namespace liecheck::properties {
@@ -21,8 +22,11 @@ Shrunk shrink_in(const TypedSeries<S>& series, const CaseId& address, int output
   std::vector<S> small = x;
   if (s.reproduced) {
     const Outcome outcome = first->residual.outcome;  // a simpler input must fail in the same way
+    // Each crash or endless loop costs the start of a process, so their inputs are simplified for 5 s only.
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(5);
     const auto failure_of = [&](const std::vector<S>& y) -> std::optional<Judged> {
       if (!law.valid(y)) return std::nullopt;
+      if (outcome == Outcome::crashed && std::chrono::steady_clock::now() > end) return std::nullopt;
       const auto j = failure_in(is_misuse(outcome) ? series.measure_twice(y) : series.measure(y));
       return j && j->residual.outcome == outcome ? j : std::nullopt;
     };

@@ -61,6 +61,8 @@ std::string cell_line(const StoredSeries& s, const Cell& cell, const Row& r) {
        {"output_unwritten", r.output_unwritten},
        {"outside_domain", r.outside_domain},
        {"crashed", r.crashed},
+       {"environment_changed", r.environment_changed},
+       {"printed", r.printed},
        {"max_error", number(r.max_error)},
        {"max_excess", number(r.max_excess)},
        {"worst",

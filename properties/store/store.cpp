@@ -33,7 +33,8 @@ CREATE TABLE cells(campaign INTEGER, series INTEGER, output INTEGER, band INTEGE
   band_name TEXT, count INTEGER, ill_posed INTEGER, unresolved INTEGER, not_finite INTEGER,
   wrong_branch INTEGER, refused INTEGER, failed INTEGER, max_error REAL, max_excess REAL, worst_score REAL,
   worst_index INTEGER, worst_kappa REAL, histogram TEXT, unmeasured INTEGER, not_repeatable INTEGER,
-  argument_written INTEGER, output_unwritten INTEGER, outside_domain INTEGER, crashed INTEGER, seal INTEGER,
+  argument_written INTEGER, output_unwritten INTEGER, outside_domain INTEGER, crashed INTEGER,
+  environment_changed INTEGER, printed INTEGER, seal INTEGER,
   PRIMARY KEY(campaign, series, output, band)) WITHOUT ROWID;
 CREATE TABLE limits(campaign INTEGER, subject TEXT, file TEXT, text TEXT, seal INTEGER,
   PRIMARY KEY(campaign, subject)) WITHOUT ROWID;

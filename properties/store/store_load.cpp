@@ -166,6 +166,7 @@ class Loader {
       check(parse(text(row, 19), r.errors), "a histogram is malformed");
       r.unmeasured = count(row, 20), r.not_repeatable = count(row, 21), r.argument_written = count(row, 22);
       r.output_unwritten = count(row, 23), r.outside_domain = count(row, 24), r.crashed = count(row, 25);
+      r.environment_changed = count(row, 26), r.printed = count(row, 27);
     }
   }
 

@@ -63,11 +63,12 @@ void Store::write_series(std::size_t series, const SeriesName& s, const Tally& t
 void Store::write_cell(std::size_t series, Cell cell, const Label& l, const Row& r) {
   if (!cells_)
     cells_ = std::make_unique<SQLite::Statement>(
-        database_, "REPLACE INTO cells VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
+        database_, "REPLACE INTO cells VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
   bind_sealed_row(*cells_, campaign_, series, cell.first, cell.second, l.operation, l.block, l.band, r.count,
                   r.ill_posed, r.unresolved, r.not_finite, r.wrong_branch, r.refused, r.failed, r.max_error,
                   r.max_excess, r.worst_score, r.worst_index, r.worst_kappa, text_of(r.errors), r.unmeasured,
-                  r.not_repeatable, r.argument_written, r.output_unwritten, r.outside_domain, r.crashed)
+                  r.not_repeatable, r.argument_written, r.output_unwritten, r.outside_domain, r.crashed,
+                  r.environment_changed, r.printed)
       .exec();
 }
 

@@ -162,7 +162,8 @@ Json full_record() {
   all["not_measured"] = parsed(R"json([{"property": "exp_oracle", "scalar": "double", "subject": "liecheck",
  "what": "exp6, jump: measured in 0 of 20000 cases"}])json");
   for (Json& r : all["results"])
-    for (const char* name : {"not_repeatable", "argument_written", "output_unwritten", "outside_domain", "crashed"})
+    for (const char* name : {"not_repeatable", "argument_written", "output_unwritten", "outside_domain",
+                             "crashed", "environment_changed", "printed"})
       r[name] = 0;
   for (Json& s : all["subjects"]) s["limits"] = "own.limits", s["limits_hash"] = "0123456789abcdef";
   all["hard_cases"] = {hard_case("liecheck", "refused")};

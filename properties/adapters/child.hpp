@@ -1,0 +1,55 @@
+#pragma once
+// A process that is an adapter, with pipes to its standard input and output.
+
+#include <sys/types.h>
+
+#include <adapters/adapter.hpp>
+#include <chrono>
+
+namespace liecheck::properties::adapters {
+
+struct TimedOut : AdapterFailed {
+  using AdapterFailed::AdapterFailed;
+};
+
+/// At most 60 printable characters of what an adapter wrote.
+std::string quoted(std::string text);
+
+/// A running child in a process group of its own, so that Ctrl-C on the terminal does not reach it. Every
+/// function throws AdapterFailed if the child has ended, and TimedOut if an exchange takes longer than the
+/// timeout.
+class Child {
+ public:
+  Child(const std::string& command, double timeout_s);
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+  ~Child();
+
+  void set_timeout(double timeout_s);
+  /// The next exchange may take the whole timeout.
+  void begin() { end_ = Clock::now() + timeout_; }
+  void write(const void* bytes, std::size_t size);
+  /// The next line, without its end. `due` names what is expected.
+  std::string line(const std::string& due);
+  void read(std::span<std::byte> to);
+  /// Waits until the child wrote something, and drops it.
+  void wait_for_a_byte();
+  std::size_t left_over() const { return buffer_.size(); }
+  [[noreturn]] static void fail(const std::string& what) { throw AdapterFailed("the adapter " + what); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  double seconds() const { return std::chrono::duration<double>(timeout_).count(); }
+  void wait(int fd, short events, const std::string& late);
+  void read_some(const std::string& late);
+  std::string how_it_ended();
+
+  Clock::duration timeout_{};
+  Clock::time_point end_;
+  int to_ = -1, from_ = -1;
+  pid_t pid_ = -1;
+  bool ended_ = false;
+  std::string buffer_;
+};
+
+}  // namespace liecheck::properties::adapters

@@ -1,0 +1,101 @@
+// The process that calls the functions of a shared library for the program.
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/sendfile.h>
+#include <unistd.h>
+
+#include <adapters/shared_memory.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <support/json.hpp>
+
+namespace liecheck::properties::adapters {
+namespace {
+
+/// Keeps standard output for the answers: what the library prints goes to a file in memory.
+class Output {
+ public:
+  Output() : answers_(dup(1)) {
+    const int file = memfd_create("printed", MFD_CLOEXEC);
+    if (answers_ < 0 || file < 0 || dup2(file, 1) != 1) throw AdapterFailed("standard output cannot be kept");
+    close(file);
+  }
+  Output(const Output&) = delete;
+  Output& operator=(const Output&) = delete;
+  ~Output() { close(answers_); }
+
+  /// A side that sleeps does not miss a byte for which a full pipe has no room: it finds the others.
+  void wake() const { say("\n"); }
+  void say(const std::string& text) const {
+    for (std::size_t done = 0; done < text.size();) {
+      const ssize_t n = write(answers_, text.data() + done, text.size() - done);
+      if (n < 0) throw AdapterFailed("nobody reads the answers");
+      done += static_cast<std::size_t>(n);
+    }
+  }
+  /// Whether the library printed since the last time. Its text goes to standard error.
+  bool printed() const {
+    std::fflush(stdout);
+    const off_t size = lseek(1, 0, SEEK_CUR);
+    if (size <= 0) return false;
+    off_t from = 0;
+    while (from < size && sendfile(2, 1, &from, static_cast<std::size_t>(size - from)) > 0) {
+    }
+    return ftruncate(1, 0) == 0 && lseek(1, 0, SEEK_SET) == 0;
+  }
+
+ private:
+  int answers_;
+};
+
+std::string text_of(const Description& d) {
+  nlohmann::json operations = nlohmann::json::object();
+  for (const auto& [operation, scalar] : d.offered) operations[operation].push_back(scalar);
+  return dumped({{"protocol", 1}, {"name", d.name}, {"version", d.version}, {"operations", operations}}) +
+         "\n";
+}
+
+void answer(Adapter& adapter, Exchange& e, const Output& output) {
+  const OperationSizes& o = operation_sizes().at(e.operation);
+  const bool is_double = e.is_double != 0;
+  const Parts part(o, is_double, e.n);
+  const std::span all(e.bytes);
+  const std::span status(reinterpret_cast<Status*>(&all[part.inputs + part.results]), part.n);
+  const std::string why = adapter.call(
+      {o, is_double, part.n, all.first(part.inputs), all.subspan(part.inputs, part.results), status});
+  if (output.printed()) std::ranges::fill(status, Status::printed);
+  e.reason.fill(0);
+  std::copy_n(why.data(), std::min(why.size(), e.reason.size() - 1), e.reason.data());
+}
+
+/// Reads from standard input. Returns false at its end.
+bool slept() {
+  char bytes[64];
+  return read(0, bytes, sizeof bytes) > 0;
+}
+
+}  // namespace
+
+void serve(Adapter& adapter, const std::string& memory) {
+  const SharedMemory shared(memory);
+  const Output output;
+  std::string hello;
+  for (char c = 0; c != '\n' && read(0, &c, 1) == 1;) hello += c;
+  if (hello != std::string(greeting) + "\n")
+    throw AdapterFailed("expected the line '" + std::string(greeting) + "'");
+  output.say(text_of(adapter.description()));
+  for (std::uint32_t done = 0;; ++done) {
+    bool ended = false;
+    wait_for(
+        shared->adapter_sleeps, [&] { return ended || shared->asked != done; }, [&] { ended = !slept(); });
+    if (ended) return;
+    answer(adapter, *shared, output);
+    shared->answered = done + 1;
+    if (shared->program_sleeps.exchange(false)) output.wake();
+  }
+}
+
+}  // namespace liecheck::properties::adapters

@@ -1,0 +1,81 @@
+// A shared library whose functions behave badly in one of many ways, which LIECHECK_BAD names. Each input with
+// |phi_x| between 0.5 and 1 makes it do so; for the others, its exp3_quaternion is right.
+
+#include <unistd.h>
+
+#include <adapters/liecheck_adapter.h>
+#include <cfenv>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <iostream>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace {
+
+const std::string& way() {
+  static const std::string text = std::getenv("LIECHECK_BAD") ? std::getenv("LIECHECK_BAD") : "";
+  return text;
+}
+
+volatile int never = 0;
+
+/// What happens before the result of an input is computed.
+void misbehave(double* phi, double* Q, unsigned char* status) {
+  if (way() == "segfault") std::raise(SIGSEGV);
+  if (way() == "abort") std::abort();
+  if (way() == "loop")
+    while (!never) {
+    }
+  if (way() == "exit") std::exit(0);
+  if (way() == "memory") {
+    char* const bytes = static_cast<char*>(std::malloc(std::size_t(10) << 30));
+    std::memset(bytes, 1, std::size_t(10) << 30);
+    never = bytes[1000];
+  }
+  if (way() == "rounding") std::fesetround(FE_UPWARD);
+#ifdef __SSE2__
+  if (way() == "flush") __builtin_ia32_ldmxcsr(__builtin_ia32_stmxcsr() | 0x8040);
+#endif
+  if (way() == "input") phi[1] = std::numeric_limits<double>::quiet_NaN();
+  if (way() == "stdio") std::printf("phi_x = %g\n", phi[0]);
+  if (way() == "cout") std::cout << "phi_x = " << phi[0] << std::endl;
+  if (way() == "write" && write(1, "phi\n", 4) != 4) std::abort();
+  if (way() == "throw") throw std::runtime_error("not a rotation");
+  if (way() == "slow") usleep(100000);
+  if (way() == "status") *status = 77;
+  if (way() == "refuse") *status = liecheck_refused;
+  if (way() == "nan") Q[3] = std::numeric_limits<double>::quiet_NaN();
+}
+
+void exp3_quaternion(size_t n, const void* inputs, void* results, unsigned char* status) {
+  static long calls = 0;
+  for (size_t i = 0; i < n; ++i) {
+    double* const phi = static_cast<double*>(const_cast<void*>(inputs)) + 3 * i;
+    double* const Q = static_cast<double*>(results) + 4 * i;
+    const double x = phi[0], y = phi[1], z = phi[2], theta = std::hypot(x, y, z);
+    const double s = theta > 1e-8 ? std::sin(theta / 2) / theta : 0.5;
+    const bool bad = std::fabs(x) >= 0.5 && std::fabs(x) <= 1;
+    Q[0] = s * x, Q[1] = s * y, Q[2] = s * z;
+    if (!(bad && way() == "unwritten")) Q[3] = std::cos(theta / 2);
+    if (bad) misbehave(phi, Q, &status[i]);
+    if (++calls % 1000 == 0 && way() == "stateful") Q[0] += 1e-3;
+  }
+}
+
+liecheck_function find(const char* operation, const char* scalar) {
+  return std::string(operation) == "exp3_quaternion" && std::string(scalar) == "double" ? exp3_quaternion
+                                                                                        : nullptr;
+}
+
+}  // namespace
+
+extern "C" const liecheck_adapter* liecheck_get_adapter() {
+  static const liecheck_adapter adapter = {
+      way() == "version" ? 7U : LIECHECK_ADAPTER_VERSION, "bad", "1", 0, find, nullptr};
+  return &adapter;
+}
