@@ -1,6 +1,7 @@
 // Libraries from outside the program: the process protocol, the C interface, and what becomes of bad ones.
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 
 #include <adapters/check.hpp>
 #include <adapters/subjects.hpp>
@@ -106,18 +107,76 @@ TEST(Adapters, TheExamplesAnswerAsTheyShould) {
         std::string("in-process:" LIECHECK_C_ADAPTER),
         std::string(LIECHECK_PROGRAM " adapter serve " LIECHECK_C_ADAPTER)}) {
     const auto adapter = start(command);
-    const auto checked = check(*adapter);
-    EXPECT_EQ(checked.size(), adapter->description().offered.size()) << command;
-    EXPECT_FALSE(checked.empty());
-    for (const CheckedOperation& o : checked) EXPECT_EQ(o.complaint, "") << command << " " << o.operation;
+    const Checked checked = check(*adapter);
+    EXPECT_EQ(checked.operations.size(), adapter->description().offered.size()) << command;
+    EXPECT_FALSE(checked.operations.empty());
+    EXPECT_TRUE(checked.findings.empty());
+    for (const CheckedOperation& o : checked.operations)
+      EXPECT_EQ(o.complaint, "") << command << " " << o.operation;
   }
 }
 
 TEST(Adapters, ACheckNamesAnOperationWithOtherResults) {
   const auto adapter = start(shell_adapter("echo 'done 3'; head -c 99 /dev/zero"));
-  const auto checked = check(*adapter);
+  const auto checked = check(*adapter).operations;
   ASSERT_EQ(checked.size(), 1u);
   EXPECT_NE(checked[0].complaint, "");
+}
+
+/// An adapter in Python whose quaternions are w x y z, and whose log3_matrix is wrong.
+std::string python_adapter() {
+  const auto file = std::filesystem::path(testing::TempDir()) / "w_first.py";
+  std::ofstream(file) << R"(import json, math, struct, sys
+def exp3_quaternion(p):
+    t = math.sqrt(sum(x * x for x in p)) or 1e-300
+    return [math.cos(t / 2)] + [math.sin(t / 2) / t * x for x in p]
+def log3_quaternion(q):
+    s = math.sqrt(sum(x * x for x in q[1:])) or 1e-300
+    return [2 * math.atan2(math.copysign(s, q[0]), abs(q[0])) / s * x for x in q[1:]]
+functions = {"exp3_quaternion": (exp3_quaternion, 3), "log3_quaternion": (log3_quaternion, 4),
+             "log3_matrix": (lambda R: [R[7], R[2], R[3]], 9)}
+calls, answers = sys.stdin.buffer, sys.stdout.buffer
+calls.readline()
+answers.write(json.dumps({"protocol": 1, "name": "w_first", "version": "1",
+                          "operations": {name: ["double"] for name in functions}}).encode() + b"\n")
+answers.flush()
+for call in iter(calls.readline, b""):
+    _, name, _, n = call.decode().split()
+    f, size = functions[name]
+    results = [f(struct.unpack(f"<{size}d", calls.read(8 * size))) for _ in range(int(n))]
+    answers.write(f"done {n}\n".encode() + bytes(int(n)) + b"".join(struct.pack(f"<{len(r)}d", *r) for r in results))
+    answers.flush()
+)";
+  return "/usr/bin/python3 " + file.string();
+}
+
+/// Runs the program, and returns its exit code and what it printed.
+std::pair<int, std::string> run(const std::string& arguments) {
+  FILE* const out = popen((LIECHECK_PROGRAM " " + arguments + " 2>&1").c_str(), "r");
+  std::string text;
+  for (int c = fgetc(out); c != EOF; c = fgetc(out)) text += static_cast<char>(c);
+  return {WEXITSTATUS(pclose(out)), text};
+}
+
+TEST(Adapters, ACampaignNamesOtherConventionsBeforeItJudges) {
+  const std::string adapter = "'" + python_adapter() + "'",
+                    named =
+                        "quaternions are stored w x y z in exp3_quaternion "
+                        "and log3_quaternion: store them x y z w",
+                    unexplained = "no known convention explains log3_matrix: at R = (",
+                    options =
+                        " --property exp_oracle --property log_oracle --cases 100 --no-hard-cases --adapter ";
+  const auto [checked, findings] = run("adapter check " + adapter);
+  EXPECT_EQ(checked, 1);
+  EXPECT_NE(findings.find("\n" + named), std::string::npos) << findings;
+  EXPECT_NE(findings.find("\n" + unexplained), std::string::npos) << findings;
+  const auto [refused, reason] = run("campaign" + options + adapter);
+  EXPECT_EQ(refused, 2);
+  EXPECT_NE(reason.find(named), std::string::npos) << reason;
+  EXPECT_EQ(reason.find("verdict"), std::string::npos) << reason;
+  const auto [judged, verdict] = run("campaign --no-probe" + options + adapter);
+  EXPECT_EQ(judged, 1);
+  EXPECT_NE(verdict.find("FAILED  log_oracle"), std::string::npos) << verdict;
 }
 
 }  // namespace
