@@ -2,6 +2,7 @@
 // A library from outside the program: a shared library with the C interface (liecheck_adapter.h), or a
 // process that speaks the protocol of docs/adapters.md.
 
+#include <conventions/stated.hpp>
 #include <cstddef>
 #include <memory>
 #include <set>
@@ -21,6 +22,7 @@ struct AdapterFailed : std::runtime_error {
 struct Description {
   std::string name, version;
   std::set<std::pair<std::string, std::string>> offered;  ///< (operation, scalar)
+  conventions::Statements conventions;                    ///< those that it states
 };
 
 /// n calls of one operation in one scalar. The numbers are consecutive; see shapes.hpp.

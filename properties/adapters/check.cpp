@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <adapters/converted.hpp>
 #include <adapters/sizes.hpp>
 #include <algorithm>
 #include <cstring>
@@ -68,9 +69,7 @@ bool same(const conventions::Finding& a, const conventions::Finding& b) {
   return a.named == b.named && (a.named ? a.sentence == b.sentence : a.operations == b.operations);
 }
 
-}  // namespace
-
-Checked check(Adapter& adapter) {
+Checked check_as_it_is(Adapter& adapter) {
   Checked all;
   const auto in_double = check_in<double>("double", adapter, all.operations);
   const auto in_float = check_in<float>("float", adapter, all.operations);
@@ -89,6 +88,27 @@ Checked check(Adapter& adapter) {
     all.findings.push_back(among(in_float, f) ? f : only(f, "double", "float"));
   for (const conventions::Finding& f : in_float)
     if (!among(in_double, f)) all.findings.push_back(only(f, "float", "double"));
+  return all;
+}
+
+}  // namespace
+
+Checked check(Adapter& adapter) {
+  Checked all = check_as_it_is(adapter);
+  const auto* const converted = dynamic_cast<const Converted*>(&adapter);
+  if (all.findings.empty() || !converted) return all;
+  const conventions::Statements& stated = adapter.description().conventions;
+  for (const auto& [name, value] : stated) {
+    conventions::Statements others = stated;
+    others.erase(name);
+    Converted without = converted->with(others);
+    if (check_as_it_is(without).findings.empty())
+      all.findings = {
+          {true,
+           fmt::format("the adapter states \"{}\": \"{}\", but its results are right without that", name,
+                       value),
+           {}}};
+  }
   return all;
 }
 

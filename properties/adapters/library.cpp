@@ -18,6 +18,23 @@
 namespace liecheck::properties::adapters {
 namespace {
 
+/// "quaternion: wxyz, twist: angular first"
+conventions::Statements stated(std::string_view text) {
+  const auto word = [](std::string_view w) {
+    const auto first = w.find_first_not_of(' '), last = w.find_last_not_of(' ');
+    return first == w.npos ? std::string() : std::string(w.substr(first, last - first + 1));
+  };
+  conventions::Statements all;
+  while (!text.empty()) {
+    const auto end = std::min(text.find(','), text.size());
+    const std::string_view one = text.substr(0, end);
+    const auto colon = std::min(one.find(':'), one.size());
+    all[word(one.substr(0, colon))] = word(one.substr(std::min(colon + 1, one.size())));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return all;
+}
+
 class Library final : public Adapter {
  public:
   explicit Library(const std::string& file) {
@@ -34,6 +51,7 @@ class Library final : public Adapter {
     if (!adapter_->name || !adapter_->version || !adapter_->find)
       throw AdapterFailed(fmt::format("liecheck_get_adapter() of {} has no name, version or find", file));
     description_.name = adapter_->name, description_.version = adapter_->version;
+    if (adapter_->conventions) description_.conventions = stated(adapter_->conventions);
     for (const OperationSizes& o : operation_sizes())
       for (const char* scalar : {"float", "double"})
         if (const liecheck_function f = adapter_->find(o.operation, scalar)) {
@@ -89,7 +107,11 @@ class Server {
   void describe(const Description& d) {
     nlohmann::json operations = nlohmann::json::object();
     for (const auto& [operation, scalar] : d.offered) operations[operation].push_back(scalar);
-    say(dumped({{"protocol", 1}, {"name", d.name}, {"version", d.version}, {"operations", operations}}) +
+    say(dumped({{"protocol", 1},
+                {"name", d.name},
+                {"version", d.version},
+                {"operations", operations},
+                {"conventions", d.conventions}}) +
         "\n");
   }
   void answer(Adapter& adapter, const std::string& head) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <adapters/adapter.hpp>
+#include <adapters/converted.hpp>
 #include <adapters/shapes.hpp>
 #include <adapters/sizes.hpp>
 #include <algorithm>
@@ -100,10 +101,14 @@ const std::vector<OperationSizes>& operation_sizes() {
 }
 
 std::unique_ptr<Adapter> start(const std::string& text) {
-  if (text.starts_with(inside)) return load_library(text.substr(inside.size()));
   const bool library =
       text.ends_with(".so") && (std::filesystem::exists(text) || text.find(' ') == text.npos);
-  return start_process(library ? serving_command(text) : text, timeout_s);
+  std::unique_ptr<Adapter> own = text.starts_with(inside)
+                                     ? load_library(text.substr(inside.size()))
+                                     : start_process(library ? serving_command(text) : text, timeout_s);
+  const conventions::Statements stated = own->description().conventions;
+  if (stated.empty()) return own;
+  return std::make_unique<Converted>(std::move(own), stated);
 }
 
 bool is_operation(const std::string& name) {

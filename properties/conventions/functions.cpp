@@ -183,9 +183,12 @@ std::vector<Convention> conventions_of_exponentials() {
 std::vector<Convention> conventions_of_configurations() {
   return {
       {"increments are on the left, in the axes of the parent",
-       "liecheck's are on the right, in body axes: T exp(delta)", nullptr, left_increments,
+       "liecheck's are on the right, in body axes: T exp(delta)",
+       nullptr,
+       left_increments,
        " integrate difference d_integrate_arg0 d_integrate_arg1 d_difference_arg0 d_difference_arg1 "
-       "integrate_coefficient_jacobian integrate_any_norm difference_any_norm d_difference_any_norm "},
+       "integrate_coefficient_jacobian integrate_any_norm difference_any_norm d_difference_any_norm ",
+       {"increments", "left", "right"}},
       {"the derivatives are those of increments on the left",
        "give those of increments on the right, in body axes", nullptr, left_derivatives,
        " d_integrate_arg0 d_integrate_arg1 d_difference_arg0 d_difference_arg1 d_difference_any_norm "},

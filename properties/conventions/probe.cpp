@@ -248,6 +248,9 @@ std::vector<Finding> explain(const std::vector<Probed>& all) {
     sentence += " in " + listed(names(those));
     if (!others.empty()) sentence += ", but not in " + listed(names(others));
     sentence += fmt::format(": {}", conventions()[c].advice);
+    const Statement& s = conventions()[c].statement;
+    if (conventions()[c].exact && others.empty())
+      sentence += fmt::format(", or state \"{}\": \"{}\"", s.name, s.value);
     findings.push_back({true, sentence, names(those)});
   }
   for (std::size_t k = 0; k < all.size(); ++k)

@@ -87,24 +87,40 @@ void opposite(Kind k, Value v) {
 
 const std::vector<Convention>& conventions() {
   static const std::vector<Convention> all = [] {
+    const auto exact = [](std::string_view meaning, std::string_view advice, auto decode,
+                          Statement statement) {
+      return Convention{meaning, advice, decode, nullptr, "", statement, true};
+    };
+    const auto rounds = [](std::string_view meaning, std::string_view advice, auto decode,
+                           Statement statement) {
+      return Convention{meaning, advice, decode, nullptr, "", statement, false};
+    };
     std::vector<Convention> list{
-        {"matrices are stored column by column", "store them row by row", column_by_column},
-        {"configurations are (Q, p)", "give p before Q", quaternion_first},
-        {"quaternions are stored w x y z", "store them x y z w", w_first},
-        {"twists are angular first", "exchange their halves: the linear part comes first",
-         twist_angular_first},
-        {"wrenches are moment first", "exchange their halves: the force comes before the moment",
-         wrench_moment_first},
-        {"Jacobians are angular first", "exchange the halves of their rows and columns: linear comes first",
-         jacobian_angular_first},
-        {"angles are in degrees", "convert them to radians", degrees},
-        {"inertias are about the origin of the body", "give I_C, about the centre of mass", about_the_origin},
-        {"quaternions are those of the inverse rotations (passive)",
-         "conjugate them: Q turns coordinates of B into coordinates of A", conjugated},
-        {"rotation matrices are those of the inverse rotations (passive)",
-         "transpose them: R turns coordinates of B into coordinates of A", matrix_passive},
-        {"poses are those of A in B (passive)", "invert them: X turns coordinates of B into coordinates of A",
-         pose_passive}};
+        exact("matrices are stored column by column", "store them row by row", column_by_column,
+              {"matrix", "columns", "rows"}),
+        exact("configurations are (Q, p)", "give p before Q", quaternion_first,
+              {"configuration", "Q first", "p first"}),
+        exact("quaternions are stored w x y z", "store them x y z w", w_first,
+              {"quaternion", "wxyz", "xyzw"}),
+        exact("twists are angular first", "exchange their halves: the linear part comes first",
+              twist_angular_first, {"twist", "angular first", "linear first"}),
+        exact("wrenches are moment first", "exchange their halves: the force comes before the moment",
+              wrench_moment_first, {"wrench", "moment first", "force first"}),
+        exact("Jacobians are angular first",
+              "exchange the halves of their rows and columns: linear comes first", jacobian_angular_first,
+              {"jacobian", "angular first", "linear first"}),
+        rounds("angles are in degrees", "convert them to radians", degrees, {"angle", "degrees", "radians"}),
+        rounds("inertias are about the origin of the body", "give I_C, about the centre of mass",
+               about_the_origin, {"inertia", "origin", "centre of mass"}),
+        exact("quaternions are those of the inverse rotations (passive)",
+              "conjugate them: Q turns coordinates of B into coordinates of A", conjugated,
+              {"quaternion sense", "passive", "active"}),
+        exact("rotation matrices are those of the inverse rotations (passive)",
+              "transpose them: R turns coordinates of B into coordinates of A", matrix_passive,
+              {"rotation matrix", "passive", "active"}),
+        rounds("poses are those of A in B (passive)",
+               "invert them: X turns coordinates of B into coordinates of A", pose_passive,
+               {"pose", "passive", "active"})};
     for (const Convention& c : function_conventions()) list.push_back(c);
     list.push_back({"rotation vectors and tangents have the opposite sign", "change their sign", opposite});
     return list;

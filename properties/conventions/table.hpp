@@ -13,6 +13,11 @@ namespace liecheck::properties::conventions {
 
 using Function = std::function<Numbers(const Operation&, const Numbers& arguments)>;
 
+/// How an adapter states a convention: {"quaternion": "wxyz"}, or liecheck's own: {"quaternion": "xyzw"}.
+struct Statement {
+  std::string_view name, value, of_liecheck;
+};
+
 struct Convention {
   std::string_view meaning;  ///< "twists are angular first"
   std::string_view advice;   ///< what to change in the adapter
@@ -21,6 +26,9 @@ struct Convention {
   /// The result of an operation that means something else, from the right functions.
   Numbers (*formula)(const Operation&, const Numbers& arguments, const Function& right) = nullptr;
   std::string_view operations = "";  ///< those that `formula` changes, each with a blank before and after
+  Statement statement = {};
+  /// Whether the conversion changes only the order and the signs of numbers, so that liecheck converts what states it.
+  bool exact = false;
 };
 
 /// Conventions of values, then of functions. If two explain the same numbers, the first is the likelier. Those of

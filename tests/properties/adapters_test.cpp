@@ -123,10 +123,12 @@ TEST(Adapters, ACheckNamesAnOperationWithOtherResults) {
   EXPECT_NE(checked[0].complaint, "");
 }
 
-/// An adapter in Python whose quaternions are w x y z, and whose log3_matrix is wrong.
-std::string python_adapter() {
-  const auto file = std::filesystem::path(testing::TempDir()) / "w_first.py";
-  std::ofstream(file) << R"(import json, math, struct, sys
+/// An adapter in Python whose quaternions are w x y z, whose log3_matrix is wrong, and which states `conventions`.
+std::string python_adapter(const std::string& conventions = "{}") {
+  const auto file = std::filesystem::path(testing::TempDir()) /
+                    ("w_first_" + std::to_string(std::hash<std::string>()(conventions)) + ".py");
+  std::ofstream(file) << "conventions = " << conventions << R"(
+import json, math, struct, sys
 def exp3_quaternion(p):
     t = math.sqrt(sum(x * x for x in p)) or 1e-300
     return [math.cos(t / 2)] + [math.sin(t / 2) / t * x for x in p]
@@ -134,11 +136,12 @@ def log3_quaternion(q):
     s = math.sqrt(sum(x * x for x in q[1:])) or 1e-300
     return [2 * math.atan2(math.copysign(s, q[0]), abs(q[0])) / s * x for x in q[1:]]
 functions = {"exp3_quaternion": (exp3_quaternion, 3), "log3_quaternion": (log3_quaternion, 4),
-             "log3_matrix": (lambda R: [R[7], R[2], R[3]], 9)}
+             "log3_matrix": (lambda R: [R[7], R[2], R[3]], 9)} 
 calls, answers = sys.stdin.buffer, sys.stdout.buffer
 calls.readline()
 answers.write(json.dumps({"protocol": 1, "name": "w_first", "version": "1",
-                          "operations": {name: ["double"] for name in functions}}).encode() + b"\n")
+                          "operations": {name: ["double"] for name in functions},
+                          "conventions": conventions}).encode() + b"\n")
 answers.flush()
 for call in iter(calls.readline, b""):
     _, name, _, n = call.decode().split()
@@ -177,6 +180,58 @@ TEST(Adapters, ACampaignNamesOtherConventionsBeforeItJudges) {
   const auto [judged, verdict] = run("campaign --no-probe" + options + adapter);
   EXPECT_EQ(judged, 1);
   EXPECT_NE(verdict.find("FAILED  log_oracle"), std::string::npos) << verdict;
+}
+
+TEST(Adapters, ACrashInTheProbeDoesNotEndTheCampaign) {
+  const auto [code, text] = run("campaign --property exp_oracle --cases 20 --no-hard-cases --adapter '" +
+                                shell_adapter("kill -SEGV $$") + "'");
+  EXPECT_EQ(code, 1) << text;
+  EXPECT_NE(text.find("\nverdict "), std::string::npos) << text;
+}
+
+TEST(Adapters, StatedConventionsAreConverted) {
+  const auto sentences = [](const std::string& stated) {
+    std::string text;
+    for (const conventions::Finding& f : check(*start(python_adapter(stated))).findings)
+      text += f.sentence.substr(0, 50) + "\n";
+    return text;
+  };
+  const std::string unexplained = "no known convention explains log3_matrix: at R = (\n";
+  EXPECT_EQ(sentences("{}"), "quaternions are stored w x y z in exp3_quaternion \n" + unexplained);
+  EXPECT_EQ(sentences(R"({"quaternion": "wxyz", "twist": "linear first"})"), unexplained);
+}
+
+TEST(Adapters, StatedConventionsThatAreUnknownOrWrongAreSaidInWords) {
+  const auto refusal = [](const std::string& stated) -> std::string {
+    try {
+      start(python_adapter(stated));
+    } catch (const AdapterFailed& e) {
+      return e.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(
+      refusal(R"({"quaternion": "zyxw"})"),
+      R"(of the conventions that the adapter states, "quaternion": "zyxw" is no convention: it is "xyzw" or "wxyz")");
+  EXPECT_NE(
+      refusal(R"({"quaternions": "wxyz"})").find(R"("quaternions" is no convention: known are "matrix", )"),
+      std::string::npos);
+  EXPECT_NE(refusal(R"({"angle": "degrees"})")
+                .find("cannot be converted without rounding: in the adapter, convert"),
+            std::string::npos);
+  EXPECT_NE(refusal("[]").find("has no object 'conventions'"), std::string::npos);
+  EXPECT_NE(refusal(R"({"quaternion": 4})").find("has no text for the convention 'quaternion'"),
+            std::string::npos);
+
+  const auto adapter = start("in-process:" LIECHECK_STATED_ADAPTER);
+  const auto& stated = adapter->description().conventions;
+  EXPECT_EQ(stated, (conventions::Statements{{"quaternion", "wxyz"}, {"twist", "angular first"}}));
+  const Checked checked = check(*adapter);
+  ASSERT_EQ(checked.findings.size(), 1u);
+  EXPECT_EQ(checked.findings[0].sentence,
+            R"(the adapter states "quaternion": "wxyz", but its results are right without that)");
+  EXPECT_EQ(start(LIECHECK_PROGRAM " adapter serve " LIECHECK_STATED_ADAPTER)->description().conventions,
+            stated);
 }
 
 }  // namespace

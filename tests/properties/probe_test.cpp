@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <conventions/probe.hpp>
+#include <conventions/stated.hpp>
 
 #include "altered_libraries.hpp"
 
@@ -104,6 +105,38 @@ INSTANTIATE_TEST_SUITE_P(Probe, Mismatches, testing::ValuesIn(mismatches), [](co
       if (std::isalnum(static_cast<unsigned char>(*c))) name += *c;
   return name;
 });
+
+struct Stated {
+  std::vector<void (*)(Library&)> changes;
+  Statements statements;
+};
+
+TEST(Probe, FindsNothingIfTheConventionsAreStated) {
+  const Stated all[] = {
+      {{w_first}, {{"quaternion", "wxyz"}}},
+      {{passive_quaternions}, {{"quaternion sense", "passive"}}},
+      {{twists_angular_first}, {{"twist", "angular first"}, {"quaternion", "xyzw"}}},
+      {{wrenches_moment_first}, {{"wrench", "moment first"}}},
+      {{columns}, {{"matrix", "columns"}}},
+      {{jacobians_angular_first}, {{"jacobian", "angular first"}}},
+      {{quaternion_before_p}, {{"configuration", "Q first"}}},
+      {{passive_rotation_matrices}, {{"rotation matrix", "passive"}}},
+      {{w_first, columns, quaternion_before_p},
+       {{"quaternion", "wxyz"}, {"matrix", "columns"}, {"configuration", "Q first"}}},
+  };
+  for (const Stated& s : all) {
+    Library l = correct();
+    for (const auto change : s.changes) change(l);
+    for (auto& [name, function] : l)
+      function = [f = function, r = rearranged(operation_named(name), s.statements)](const Numbers& x) {
+        Numbers arguments(x.size()), result(r.result.size());
+        encode(r.arguments, x.data(), arguments.data());
+        decode(r.result, f(arguments).data(), result.data());
+        return result;
+      };
+    EXPECT_EQ(findings(l), "");
+  }
+}
 
 /// Other tests register wrong subjects.
 bool correct_name(const std::string& name) {

@@ -1,0 +1,47 @@
+#include <adapters/converted.hpp>
+
+#include <fmt/format.h>
+#include <adapters/sizes.hpp>
+#include <vector>
+
+namespace liecheck::properties::adapters {
+namespace {
+
+/// Calls convert(places, from, to) for each of n values of S.
+template <class S, class Convert>
+void each(const conventions::Places& places, std::size_t n, const std::byte* from, std::byte* to,
+          Convert convert) {
+  for (std::size_t i = 0; i < n; ++i)
+    convert(places, reinterpret_cast<const S*>(from) + i * places.size(),
+            reinterpret_cast<S*>(to) + i * places.size());
+}
+
+template <class S>
+std::string call_in(Adapter& own, const conventions::Rearranged& r, const Batch& b) {
+  std::vector<S> inputs(b.n * r.arguments.size()), results(b.n * r.result.size());
+  const auto input_bytes = std::as_writable_bytes(std::span(inputs)),
+             result_bytes = std::as_writable_bytes(std::span(results));
+  each<S>(r.arguments, b.n, b.inputs.data(), input_bytes.data(), conventions::encode<S>);
+  const std::string why = own.call({b.operation, b.scalar, b.n, input_bytes, result_bytes, b.status});
+  each<S>(r.result, b.n, result_bytes.data(), b.results.data(), conventions::decode<S>);
+  return why;
+}
+
+}  // namespace
+
+Converted::Converted(std::shared_ptr<Adapter> own, const conventions::Statements& stated)
+    : own_(std::move(own)) {
+  try {
+    for (const OperationSizes& o : operation_sizes())
+      rearranged_[o.operation] = conventions::rearranged(conventions::operation_named(o.operation), stated);
+  } catch (const std::invalid_argument& e) {
+    throw AdapterFailed(fmt::format("of the conventions that the adapter states, {}", e.what()));
+  }
+}
+
+std::string Converted::call(const Batch& b) {
+  const conventions::Rearranged& r = rearranged_.find(b.operation)->second;
+  return b.scalar == std::string_view("float") ? call_in<float>(*own_, r, b) : call_in<double>(*own_, r, b);
+}
+
+}  // namespace liecheck::properties::adapters
