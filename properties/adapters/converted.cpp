@@ -7,13 +7,13 @@
 namespace liecheck::properties::adapters {
 namespace {
 
-/// Calls convert(places, from, to) for each of n values of S.
+/// Calls convert(order, from, to) for each of n values of S.
 template <class S, class Convert>
-void each(const conventions::Places& places, std::size_t n, const std::byte* from, std::byte* to,
+void each(const conventions::Order& order, std::size_t n, const std::byte* from, std::byte* to,
           Convert convert) {
   for (std::size_t i = 0; i < n; ++i)
-    convert(places, reinterpret_cast<const S*>(from) + i * places.size(),
-            reinterpret_cast<S*>(to) + i * places.size());
+    convert(order, reinterpret_cast<const S*>(from) + i * order.size(),
+            reinterpret_cast<S*>(to) + i * order.size());
 }
 
 template <class S>

@@ -12,7 +12,7 @@
 #include <map>
 #include <optional>
 #include <oracles/ball_arithmetic.hpp>
-#include <set>
+#include <utility>
 
 namespace liecheck::properties::conventions {
 namespace {
@@ -56,13 +56,18 @@ Numbers meant(const Operation& o, const Numbers& arguments, Mask set) {
                    [&](const Operation& next, const Numbers& x) { return meant(next, x, others); });
 }
 
+/// Turns what is in this convention into liecheck's.
+void decode(const Operation& o, const Convention& c, Numbers& arguments, Numbers& result) {
+  if (!c.decode) return;
+  if (c.side != Side::result)
+    for_each_argument(o, arguments, [&](const Layout& l, std::span<double> x) { c.decode(kind_of(l), x); });
+  if (c.side != Side::arguments) c.decode(kind_of(result_of(o)), result);
+}
+
 bool explains_answer(const Operation& o, const Answer& answer, Mask set) try {
   Numbers arguments = answer.arguments, result = answer.result;
   for (std::size_t c = 0; c < conventions().size(); ++c)
-    if (const auto decode = set & one(c) ? conventions()[c].decode : nullptr) {
-      for_each_argument(o, arguments, [&](const Layout& l, std::span<double> x) { decode(kind_of(l), x); });
-      decode(kind_of(result_of(o)), result);
-    }
+    if (set & one(c)) decode(o, conventions()[c], arguments, result);
   return !wrong_part(result_of(o), result, meant(o, arguments, set));
 } catch (const oracles::Undecided&) {
   return false;
@@ -73,15 +78,13 @@ Mask affecting(const Operation& o) {
   Mask set = none;
   const Numbers arguments = probe_arguments<double>(o)[0], result = reference(o, arguments);
   for (std::size_t c = 0; c < conventions().size(); ++c) {
-    const Convention& convention = conventions()[c];
+    Convention convention = conventions()[c];
     Numbers x = arguments, y = result;
-    if (convention.decode) {
-      for_each_argument(o, x,
-                        [&](const Layout& l, std::span<double> v) { convention.decode(kind_of(l), v); });
-      convention.decode(kind_of(result_of(o)), y);
-    }
-    const bool function = convention.operations.find(fmt::format(" {} ", o.name)) != std::string_view::npos;
-    if (function || x != arguments || y != result) set |= one(c);
+    const Side side = std::exchange(convention.side, Side::both);
+    decode(o, convention, x, y);
+    const bool values = side == Side::both ? x != arguments || y != result : x != arguments && y != result;
+    if (values || convention.operations.find(fmt::format(" {} ", o.name)) != std::string_view::npos)
+      set |= one(c);
   }
   return set;
 }
@@ -232,7 +235,7 @@ std::vector<Finding> explain(const std::vector<Probed>& all) {
       if (e[k] && *e[k] & one(c)) those.push_back(k);
     if (those.empty()) continue;
     const auto others = search.contradicting(c, e);
-    std::string sentence(conventions()[c].meaning);
+    std::string sentence = conventions()[c].meaning;
     bool several = false;
     for (std::size_t d = 0; d < conventions().size(); ++d) {
       const bool as_good = d != c && std::ranges::all_of(those, [&](std::size_t k) {

@@ -10,22 +10,22 @@ namespace liecheck::properties::conventions {
 /// {"quaternion": "wxyz", "twist": "angular first"}
 using Statements = std::map<std::string, std::string>;
 
-/// A rearrangement: number i of liecheck's is number |place[i]| - 1 of the adapter's, negated if place[i] < 0.
-using Places = std::vector<int>;
+/// A rearrangement: number i of liecheck's is number |order[i]| - 1 of the adapter's, negated if order[i] < 0.
+using Order = std::vector<int>;
 
 template <class S>
-void encode(const Places& places, const S* from, S* to) {
-  for (std::size_t i = 0; i < places.size(); ++i)
-    to[std::abs(places[i]) - 1] = places[i] < 0 ? -from[i] : from[i];
+void encode(const Order& order, const S* from, S* to) {
+  for (std::size_t i = 0; i < order.size(); ++i)
+    to[std::abs(order[i]) - 1] = order[i] < 0 ? -from[i] : from[i];
 }
 template <class S>
-void decode(const Places& places, const S* from, S* to) {
-  for (std::size_t i = 0; i < places.size(); ++i)
-    to[i] = places[i] < 0 ? -from[-places[i] - 1] : from[places[i] - 1];
+void decode(const Order& order, const S* from, S* to) {
+  for (std::size_t i = 0; i < order.size(); ++i)
+    to[i] = order[i] < 0 ? -from[-order[i] - 1] : from[order[i] - 1];
 }
 
 struct Rearranged {
-  Places arguments, result;
+  Order arguments, result;
 };
 /// Throws std::invalid_argument, which says in words what is unknown or cannot be converted exactly.
 Rearranged rearranged(const Operation& operation, const Statements& stated);

@@ -87,12 +87,10 @@ void opposite(Kind k, Value v) {
 
 const std::vector<Convention>& conventions() {
   static const std::vector<Convention> all = [] {
-    const auto exact = [](std::string_view meaning, std::string_view advice, auto decode,
-                          Statement statement) {
+    const auto exact = [](const char* meaning, std::string_view advice, auto decode, Statement statement) {
       return Convention{meaning, advice, decode, nullptr, "", statement, true};
     };
-    const auto rounds = [](std::string_view meaning, std::string_view advice, auto decode,
-                           Statement statement) {
+    const auto rounds = [](const char* meaning, std::string_view advice, auto decode, Statement statement) {
       return Convention{meaning, advice, decode, nullptr, "", statement, false};
     };
     std::vector<Convention> list{
@@ -123,6 +121,14 @@ const std::vector<Convention>& conventions() {
                {"pose", "passive", "active"})};
     for (const Convention& c : function_conventions()) list.push_back(c);
     list.push_back({"rotation vectors and tangents have the opposite sign", "change their sign", opposite});
+    for (std::size_t c = 0, n = list.size(); c < n; ++c)
+      for (const Side side : {Side::arguments, Side::result})
+        if (list[c].decode) {
+          const char* const where =
+              side == Side::result ? ", but only as results," : ", but only as arguments,";
+          list.push_back({list[c].meaning + where, list[c].advice, list[c].decode});
+          list.back().side = side;
+        }
     return list;
   }();
   return all;

@@ -7,6 +7,7 @@
 
 #include <conventions/values.hpp>
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace liecheck::properties::conventions {
@@ -18,9 +19,12 @@ struct Statement {
   std::string_view name, value, of_liecheck;
 };
 
+/// An adapter may have converted one side only.
+enum class Side { both, arguments, result };
+
 struct Convention {
-  std::string_view meaning;  ///< "twists are angular first"
-  std::string_view advice;   ///< what to change in the adapter
+  std::string meaning;      ///< "twists are angular first"
+  std::string_view advice;  ///< what to change in the adapter
   /// Turns a value in this convention into liecheck's, or does nothing to this kind of value.
   void (*decode)(Kind, std::span<double> value) = nullptr;
   /// The result of an operation that means something else, from the right functions.
@@ -29,10 +33,12 @@ struct Convention {
   Statement statement = {};
   /// Whether the conversion changes only the order and the signs of numbers, so that liecheck converts what states it.
   bool exact = false;
+  /// Where `decode` applies. One side alone concerns operations that have values of the type on both.
+  Side side = Side::both;
 };
 
-/// Conventions of values, then of functions. If two explain the same numbers, the first is the likelier. Those of
-/// values are decoded in this order.
+/// Conventions of values, of functions, and of values on one side only. If two explain the same numbers, the first is
+/// the likelier. Those of values are decoded in this order.
 const std::vector<Convention>& conventions();
 
 /// The conventions of functions, the second part of the table.

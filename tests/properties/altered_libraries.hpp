@@ -13,6 +13,16 @@ namespace liecheck::properties::conventions {
 /// The functions of a library by the names of their operations, on consecutive numbers.
 using Library = std::map<std::string, std::function<Numbers(const Numbers&)>>;
 
+/// Changes numbers in place.
+using Change = std::function<void(double*)>;
+/// Operations, each with the offset of a value among its arguments or in its result.
+using Places = std::vector<std::pair<std::string, std::ptrdiff_t>>;
+void change_arguments(Library& l, const Places& where, const Change& change);
+void change_results(Library& l, const Places& where, const Change& change);
+void exchange_halves(double* six);
+void negate3(double* v);
+void negate6(double* v);
+
 template <class S>
 Library library(const SpatialSlots<S>& slots);
 /// The subject liecheck in double.

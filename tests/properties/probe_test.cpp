@@ -121,7 +121,7 @@ TEST(Probe, FindsNothingIfTheConventionsAreStated) {
       {{jacobians_angular_first}, {{"jacobian", "angular first"}}},
       {{quaternion_before_p}, {{"configuration", "Q first"}}},
       {{passive_rotation_matrices}, {{"rotation matrix", "passive"}}},
-      {{w_first, columns, quaternion_before_p},
+      {{w_first, quaternion_before_p, columns},
        {{"quaternion", "wxyz"}, {"matrix", "columns"}, {"configuration", "Q first"}}},
   };
   for (const Stated& s : all) {
@@ -181,6 +181,22 @@ TEST(Probe, NamesOneOperationThatDiffersFromTheOthers) {
   EXPECT_EQ(findings(l),
             "log is that of the inverse in log6, but not in log3_any_norm, log3_matrix and log3_quaternion: "
             "change its sign, or its order of frames\n");
+}
+
+TEST(Probe, NamesAConversionOfOneSideOnly) {
+  Library l = correct();
+  change_results(l, {{"integrate", 3}}, [](double* q) { std::rotate(q, q + 3, q + 4); });
+  EXPECT_TRUE(findings(l).starts_with(
+      "quaternions are stored w x y z, but only as results, in integrate, but not in "))
+      << findings(l);
+  l = correct();
+  change_arguments(l,
+                   {{"act_motion", 12}, {"act_inverse_motion", 12}, {"cross_motion", 0}, {"cross_motion", 6}},
+                   exchange_halves);
+  EXPECT_EQ(
+      findings(l),
+      "twists are angular first, but only as arguments, in act_inverse_motion, act_motion and cross_motion: "
+      "exchange their halves: the linear part comes first\n");
 }
 
 TEST(Probe, SaysWhichConventionsTheAnswersDoNotTellApart) {
