@@ -182,6 +182,45 @@ TEST(Adapters, ACampaignNamesOtherConventionsBeforeItJudges) {
   EXPECT_NE(verdict.find("FAILED  log_oracle"), std::string::npos) << verdict;
 }
 
+/// inverse of poses, whose matrices are stored column by column in float.
+class ColumnsInFloat final : public Adapter {
+ public:
+  const Description& description() const override { return description_; }
+  std::string call(const Batch& b) override {
+    if (b.scalar == std::string_view("float"))
+      invert(reinterpret_cast<const float*>(b.inputs.data()), reinterpret_cast<float*>(b.results.data()), b.n,
+             3, 1);
+    else
+      invert(reinterpret_cast<const double*>(b.inputs.data()), reinterpret_cast<double*>(b.results.data()),
+             b.n, 1, 3);
+    return "";
+  }
+
+ private:
+  template <class S>
+  static void invert(const S* x, S* to, std::size_t n, int row, int column) {
+    for (; n > 0; --n, x += 12, to += 12)
+      for (int i = 0; i < 3; ++i) {
+        to[9 + i] = 0;
+        for (int j = 0; j < 3; ++j) {
+          to[3 * i + j] = x[3 * j + i];
+          to[9 + i] -= x[row * i + column * j] * x[9 + j];
+        }
+      }
+  }
+  Description description_{"columns", "1", {{"inverse", "float"}, {"inverse", "double"}}, {}};
+};
+
+TEST(Adapters, AConventionOfOneScalarSaysInWhich) {
+  ColumnsInFloat adapter;
+  const Checked checked = check(adapter);
+  ASSERT_EQ(checked.findings.size(), 1u);
+  EXPECT_EQ(checked.findings[0].sentence,
+            "in float: matrices are stored column by column in inverse: store them row by row, or state "
+            "\"matrix\": "
+            "\"columns\"");
+}
+
 TEST(Adapters, ACrashInTheProbeDoesNotEndTheCampaign) {
   const auto [code, text] = run("campaign --property exp_oracle --cases 20 --no-hard-cases --adapter '" +
                                 shell_adapter("kill -SEGV $$") + "'");
