@@ -3,6 +3,7 @@
 // process that speaks the protocol of docs/adapters.md.
 
 #include <adapters/sizes.hpp>
+#include <conventions/stated.hpp>
 #include <cstddef>
 #include <memory>
 #include <set>
@@ -22,6 +23,7 @@ struct AdapterFailed : std::runtime_error {
 struct Description {
   std::string name, version;
   std::set<std::pair<std::string, std::string>> offered;  ///< (operation, scalar)
+  conventions::Statements conventions;                    ///< those that it states
 };
 
 /// What became of one input. An adapter gives the first two. The others are found where a function of a shared

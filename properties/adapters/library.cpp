@@ -7,6 +7,7 @@
 #include <adapters/adapter.hpp>
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <cstring>
 #include <mutex>
 #include <support/float_environment.hpp>
@@ -14,6 +15,23 @@
 
 namespace liecheck::properties::adapters {
 namespace {
+
+/// "quaternion: wxyz, twist: angular first"
+conventions::Statements stated(std::string_view text) {
+  const auto word = [](std::string_view w) {
+    const auto first = w.find_first_not_of(' '), last = w.find_last_not_of(' ');
+    return first == w.npos ? std::string() : std::string(w.substr(first, last - first + 1));
+  };
+  conventions::Statements all;
+  while (!text.empty()) {
+    const auto end = std::min(text.find(','), text.size());
+    const std::string_view one = text.substr(0, end);
+    const auto colon = std::min(one.find(':'), one.size());
+    all[word(one.substr(0, colon))] = word(one.substr(std::min(colon + 1, one.size())));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return all;
+}
 
 class Library final : public Adapter {
  public:
@@ -31,6 +49,7 @@ class Library final : public Adapter {
     if (!adapter_->name || !adapter_->version || !adapter_->find)
       throw AdapterFailed(fmt::format("liecheck_get_adapter() of {} has no name, version or find", file));
     description_.name = adapter_->name, description_.version = adapter_->version;
+    if (adapter_->conventions) description_.conventions = stated(adapter_->conventions);
     for (const OperationSizes& o : operation_sizes()) {
       auto& of = functions_.emplace_back();
       for (const bool is_double : {false, true}) {
@@ -51,7 +70,7 @@ class Library final : public Adapter {
   }
 
  private:
-  static constexpr std::byte pattern{0xa5}, other{0x5a};  ///< as numbers both are finite and normal
+  static constexpr int pattern = 0xa5, other = 0x5a;  ///< as numbers both are finite and normal
 
   /// Calls the function, and again if a number of its results may be unwritten. Sets the status of each input.
   /// Returns how it failed, or "".
@@ -59,12 +78,13 @@ class Library final : public Adapter {
     const FloatEnvironment environment;
     const auto all = [&](Status s) { std::ranges::fill(b.status, s); };
     inputs_.assign(b.inputs.begin(), b.inputs.end());
-    std::ranges::fill(b.results, pattern);
+    std::memset(b.results.data(), pattern, b.results.size());
     if (std::string how = called(b); !how.empty()) return how;
     if (environment.restore()) return all(Status::environment_changed), "";
-    if (!std::ranges::equal(inputs_, b.inputs)) return all(Status::argument_written), "";
+    if (std::memcmp(inputs_.data(), b.inputs.data(), inputs_.size()) != 0)
+      return all(Status::argument_written), "";
     if (const auto kept = numbers_of(b, pattern); !kept.empty()) {
-      std::ranges::fill(b.results, other);
+      std::memset(b.results.data(), other, b.results.size());
       if (std::string how = called(b); !how.empty()) return how;
       environment.restore();
       if (std::ranges::includes(numbers_of(b, other), kept)) all(Status::output_unwritten);
@@ -90,15 +110,18 @@ class Library final : public Adapter {
     return why;
   }
   /// The places of the numbers of the results of inputs that are done, all bytes of which are `byte`.
-  static std::vector<std::size_t> numbers_of(const Batch& b, std::byte byte) {
-    const std::size_t size = b.is_double ? 8 : 4;
-    std::array<std::byte, 8> number;
-    number.fill(byte);
+  static std::vector<std::size_t> numbers_of(const Batch& b, int byte) {
+    return b.is_double ? numbers_like<std::uint64_t>(b, byte) : numbers_like<std::uint32_t>(b, byte);
+  }
+  template <class Bits>
+  static std::vector<std::size_t> numbers_like(const Batch& b, int byte) {
+    const Bits wanted = ~Bits(0) / 0xff * static_cast<unsigned>(byte);
     std::vector<std::size_t> places;
-    for (std::size_t i = 0; i < b.n * b.operation.results; ++i)
-      if (b.status[i / b.operation.results] == Status::done &&
-          std::memcmp(b.results.data() + i * size, number.data(), size) == 0)
-        places.push_back(i);
+    for (std::size_t i = 0; i < b.results.size() / sizeof(Bits); ++i) {
+      Bits bits;
+      std::memcpy(&bits, b.results.data() + i * sizeof bits, sizeof bits);
+      if (bits == wanted && b.status[i / b.operation.results] == Status::done) places.push_back(i);
+    }
     return places;
   }
 

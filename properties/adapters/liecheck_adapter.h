@@ -38,6 +38,10 @@ struct liecheck_adapter {
 
   /* Why the last call refused an input, in words. May be NULL. */
   const char* (*reason)(void);
+
+  /* Conventions in which the library differs from liecheck, which converts them: "quaternion: wxyz, twist: angular
+   * first". docs/adapters.md has all. May be NULL. */
+  const char* conventions;
 };
 
 /* The library defines this function. */

@@ -49,6 +49,12 @@ Description described(const std::string& line) {
       d.offered.emplace(operation, scalar);
     }
   }
+  const nlohmann::json conventions = j.value("conventions", nlohmann::json::object());
+  if (!conventions.is_object()) throw wrong("has no object 'conventions'");
+  for (const auto& [name, value] : conventions.items()) {
+    if (!value.is_string()) throw wrong(fmt::format("has no text for the convention '{}'", name));
+    d.conventions[name] = value;
+  }
   return d;
 }
 

@@ -15,13 +15,19 @@
 namespace liecheck::properties::adapters {
 namespace {
 
-/// Keeps standard output for the answers: what the library prints goes to a file in memory.
+/// Keeps standard output for the answers: what the library prints goes to a file in memory, which shows at once
+/// whether its first byte was written.
 class Output {
  public:
   Output() : answers_(dup(1)) {
     const int file = memfd_create("printed", MFD_CLOEXEC);
-    if (answers_ < 0 || file < 0 || dup2(file, 1) != 1) throw AdapterFailed("standard output cannot be kept");
+    void* const at =
+        file >= 0 && ftruncate(file, 1) == 0 ? mmap(nullptr, 1, PROT_READ, MAP_SHARED, file, 0) : MAP_FAILED;
+    if (answers_ < 0 || at == MAP_FAILED || dup2(file, 1) != 1)
+      throw AdapterFailed("standard output cannot be kept");
+    first_ = static_cast<const volatile char*>(at);
     close(file);
+    std::setvbuf(stdout, nullptr, _IONBF, 0);
   }
   Output(const Output&) = delete;
   Output& operator=(const Output&) = delete;
@@ -38,23 +44,27 @@ class Output {
   }
   /// Whether the library printed since the last time. Its text goes to standard error.
   bool printed() const {
-    std::fflush(stdout);
+    if (*first_ == 0) return false;
     const off_t size = lseek(1, 0, SEEK_CUR);
-    if (size <= 0) return false;
     off_t from = 0;
     while (from < size && sendfile(2, 1, &from, static_cast<std::size_t>(size - from)) > 0) {
     }
-    return ftruncate(1, 0) == 0 && lseek(1, 0, SEEK_SET) == 0;
+    return ftruncate(1, 0) == 0 && ftruncate(1, 1) == 0 && lseek(1, 0, SEEK_SET) == 0;
   }
 
  private:
   int answers_;
+  const volatile char* first_;
 };
 
 std::string text_of(const Description& d) {
   nlohmann::json operations = nlohmann::json::object();
   for (const auto& [operation, scalar] : d.offered) operations[operation].push_back(scalar);
-  return dumped({{"protocol", 1}, {"name", d.name}, {"version", d.version}, {"operations", operations}}) +
+  return dumped({{"protocol", 1},
+                 {"name", d.name},
+                 {"version", d.version},
+                 {"operations", operations},
+                 {"conventions", d.conventions}}) +
          "\n";
 }
 

@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 #include <adapters/adapter.hpp>
+#include <adapters/converted.hpp>
 #include <adapters/shapes.hpp>
 #include <adapters/sizes.hpp>
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cstring>
 #include <filesystem>
 #include <invariants/property.hpp>
 #include <limits>
@@ -55,26 +57,45 @@ constexpr Outcome outcome_of(Status s) {
   return all[static_cast<std::size_t>(s)];
 }
 
+/// Every call is checked by another one with the same arguments (campaign/call_checks.hpp). So both go to the
+/// adapter in one batch, and the second answer waits here until it is asked for.
+template <class S, std::size_t in, std::size_t out>
+struct Twice {
+  std::array<S, 2 * in> inputs;
+  std::array<S, 2 * out> results;
+  std::array<Status, 2> status;
+  std::string why;
+  bool waits = false;
+
+  /// Whether the second answer, which is then taken, belongs to these inputs.
+  bool take(const std::array<S, in>& asked) {
+    return std::exchange(waits, false) && std::memcmp(asked.data(), inputs.data() + in, sizeof asked) == 0;
+  }
+};
+
 template <int number, const auto& operation, class S, class R, class... A>
 R call(A... arguments) {
   constexpr std::size_t in = (Shape<std::remove_cvref_t<A>>::size + ...), out = Shape<R>::size;
+  static const OperationSizes& sizes = *sizes_of(operation.name);
+  thread_local Twice<S, in, out> both;
   std::array<S, in> inputs;
   S* at = inputs.data();
   ((Shape<std::remove_cvref_t<A>>::put(arguments, at), at += Shape<std::remove_cvref_t<A>>::size), ...);
-  std::array<S, out> results;
-  results.fill(std::numeric_limits<S>::quiet_NaN());
-  static const OperationSizes& sizes = *sizes_of(operation.name);
-  std::array<Status, 1> status{};
-  std::string why;
-  try {
-    why = adapter(number).call({sizes, sizeof(S) == 8, 1, std::as_bytes(std::span(inputs)),
-                                std::as_writable_bytes(std::span(results)), status});
-  } catch (const AdapterFailed& e) {
-    throw CallFailed(e.what(), operation.name, Outcome::crashed);
+  const std::size_t which = both.take(inputs);
+  if (which == 0) {
+    std::ranges::copy(inputs, std::ranges::copy(inputs, both.inputs.begin()).out);
+    both.results.fill(std::numeric_limits<S>::quiet_NaN());
+    try {
+      both.why = adapter(number).call({sizes, sizeof(S) == 8, 2, std::as_bytes(std::span(both.inputs)),
+                                       std::as_writable_bytes(std::span(both.results)), both.status});
+    } catch (const AdapterFailed& e) {
+      throw CallFailed(e.what(), operation.name, Outcome::crashed);
+    }
+    both.waits = both.status[0] == Status::done;
   }
-  if (status[0] != Status::done)
-    throw CallFailed(in_words(status[0], why), operation.name, outcome_of(status[0]));
-  return Shape<R>::get(results.data());
+  if (const Status s = both.status[which]; s != Status::done)
+    throw CallFailed(in_words(s, both.why), operation.name, outcome_of(s));
+  return Shape<R>::get(both.results.data() + which * out);
 }
 
 template <int number, class S, const auto& operation, class R, class... A>
@@ -113,10 +134,14 @@ const std::vector<OperationSizes>& operation_sizes() {
 }
 
 std::unique_ptr<Adapter> start(const std::string& text) {
-  if (text.starts_with(inside)) return load_library(text.substr(inside.size()));
   const bool library =
       text.ends_with(".so") && (std::filesystem::exists(text) || text.find(' ') == text.npos);
-  return library ? start_library(text, timeout_s) : start_process(text, timeout_s);
+  std::unique_ptr<Adapter> own = text.starts_with(inside) ? load_library(text.substr(inside.size()))
+                                 : library                ? start_library(text, timeout_s)
+                                                          : start_process(text, timeout_s);
+  const conventions::Statements stated = own->description().conventions;
+  if (stated.empty()) return own;
+  return std::make_unique<Converted>(std::move(own), stated);
 }
 
 const OperationSizes* sizes_of(std::string_view operation) {

@@ -8,7 +8,8 @@
 namespace liecheck::properties::adapters {
 
 /// Starts an adapter. `text` is a command of the process protocol, the path of a shared library (*.so), which
-/// runs in a process of its own, or "in-process:" and such a path. Throws AdapterFailed.
+/// runs in a process of its own, or "in-process:" and such a path. What it states of its conventions is converted.
+/// Throws AdapterFailed.
 std::unique_ptr<Adapter> start(const std::string& text);
 
 /// Starts an adapter and registers its subject, in float and double as it offers them. Returns the name of the

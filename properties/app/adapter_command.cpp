@@ -16,9 +16,9 @@ int check(const Flags& f) try {
   const auto adapter = adapters::start(f.adapter);
   const adapters::Description& d = adapter->description();
   fmt::print("{} {}: {} functions\n", d.name, d.version, d.offered.size());
-  const auto all = adapters::check(*adapter);
+  const adapters::Checked all = adapters::check(*adapter);
   std::size_t wrong = 0;
-  for (const adapters::CheckedOperation& o : all) {
+  for (const adapters::CheckedOperation& o : all.operations) {
     fmt::print("{:<32}{:<8}{}\n", o.operation, o.scalar, o.complaint.empty() ? "agrees" : o.complaint);
     wrong += !o.complaint.empty();
   }
@@ -27,6 +27,7 @@ int check(const Flags& f) try {
       fmt::print("{:<32}{:<8}is no operation; docs/operations.md lists them\n", operation, scalar);
       ++wrong;
     }
+  for (const conventions::Finding& f : all.findings) fmt::print("{}\n", f.sentence);
   fmt::print("{}\n", d.offered.empty() ? "it offers nothing"
                      : wrong           ? fmt::format("{} of {} functions are wrong", wrong, d.offered.size())
                                        : "every function answers as it should");
@@ -47,8 +48,9 @@ int serve(const Flags& f) try {
 Command adapter_check_command(CLI::App& adapter) {
   CommandWith<Flags> a(
       adapter, "check",
-      "call each function of an adapter at moderate arguments, and say in words what is wrong "
-      "with its answers. Exit code 0 if nothing is; 1 otherwise; 2 if it does not start");
+      "call each function of an adapter at moderate arguments, name the conventions in which it "
+      "differs, and say in words what else is wrong with its answers. Exit code 0 if nothing is; 1 "
+      "otherwise; 2 if it does not start");
   a.text("ADAPTER", a->adapter, "", "a command, or a shared library (*.so): docs/adapters.md").required();
   return a.runs(check);
 }

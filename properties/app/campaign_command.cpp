@@ -1,4 +1,7 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <adapters/check.hpp>
+#include <adapters/subjects.hpp>
 #include <algorithm>
 #include <app/campaign_run.hpp>
 #include <app/command.hpp>
@@ -23,7 +26,7 @@ struct Flags {
   SelectionFlags selection;
   CaseFlags cases;
   StoreFlags store;
-  bool no_hard_cases = false, verbose = false;
+  bool no_hard_cases = false, no_probe = false, verbose = false;
 };
 
 /// Prints every class and band of one series, each with the output that was measured least in it.
@@ -177,12 +180,30 @@ std::vector<HardRow> replay_hard_cases(const Flags& f, const Selection& selectio
   return rows;
 }
 
+/// Throws std::invalid_argument with the conventions in which an adapter differs from liecheck: a campaign would
+/// find a failure in nearly every case. An operation that is wrong otherwise is judged by the campaign.
+void probe(const std::string& text, bool quiet) try {
+  std::vector<std::string> named, unexplained;
+  for (const conventions::Finding& found : adapters::check(*adapters::start(text)).findings)
+    (found.named ? named : unexplained).push_back(found.sentence);
+  if (!quiet) print_warnings(unexplained);
+  if (!named.empty())
+    throw std::invalid_argument(
+        fmt::format("--adapter: '{}' has other conventions than liecheck: {}. Change them in the adapter, or "
+                    "judge it as it is with --no-probe",
+                    text, fmt::join(named, "; ")));
+} catch (const adapters::AdapterFailed& e) {
+  if (!quiet) print_warnings({e.what()});
+}
+
 int run(const Flags& f) {
   const Selection selection = f.selection.selection();
   const Robot robot = f.cases.robot.read();
   if (select(selection, robot).empty())
     throw std::invalid_argument(
         "nothing to run: no selected subject offers a selected property in that scalar");
+  for (const std::string& adapter : f.selection.adapters.adapters)
+    if (!f.no_probe) probe(adapter, !f.store.first_shard());
   stop_on_signals();
   f.store.check(f.cases.options.seconds.has_value());
   const auto hard_cases = replay_hard_cases(f, selection, robot);
@@ -213,6 +234,7 @@ Command campaign_command(CLI::App& program, const std::string& typed_line) {
   a->store.typed_line = typed_line;
   a->selection.add(a);
   a.toggle("--no-hard-cases", a->no_hard_cases, "skip the hard cases, which are replayed first");
+  a.toggle("--no-probe", a->no_probe, "judge an adapter that has other conventions than liecheck, too");
   a->cases.add(a);
   a.toggle("--verbose", a->verbose, "show how often each class and band of inputs occurred");
   a->store.add(a);

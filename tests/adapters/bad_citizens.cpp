@@ -76,6 +76,6 @@ liecheck_function find(const char* operation, const char* scalar) {
 
 extern "C" const liecheck_adapter* liecheck_get_adapter() {
   static const liecheck_adapter adapter = {
-      way() == "version" ? 7U : LIECHECK_ADAPTER_VERSION, "bad", "1", 0, find, nullptr};
+      way() == "version" ? 7U : LIECHECK_ADAPTER_VERSION, "bad", "1", 0, find, nullptr, nullptr};
   return &adapter;
 }

@@ -35,11 +35,12 @@ const std::vector<Room> harness = {
     {"support", {}},
     {"oracles", {}},
     {"operations", {}},
+    {"conventions", {"oracles", "operations"}},
     {"generators", {"oracles"}},
     {"budgets", {"support", "operations", "generators"}},
     {"subjects", {"lib", "oracles", "operations"}},
     {"invariants", {"lib", "support", "oracles", "operations", "generators", "subjects"}},
-    {"adapters", {"support", "operations", "subjects", "invariants"}},
+    {"adapters", {"support", "operations", "conventions", "subjects", "invariants"}},
     {"campaign",
      {"lib", "support", "oracles", "operations", "generators", "budgets", "subjects", "invariants"}},
     {"search", {"support", "oracles", "operations", "generators", "subjects", "invariants", "campaign"}},
@@ -56,10 +57,9 @@ const std::vector<Room> harness = {
       "campaign", "search", "hard_cases", "failures", "lattice", "store", "coefficients", "timing",
       "scenes"}},
     {"reports", {"support"}},
-    {"app",
-     {"lib", "support", "oracles", "operations", "generators", "budgets", "subjects", "invariants", "adapters",
-      "campaign", "search", "hard_cases", "failures", "lattice", "store", "coefficients", "timing",
-      "scenes", "record", "reports"}},
+    {"app", {"lib",      "support",    "oracles",      "operations", "conventions", "generators", "budgets",
+             "subjects", "invariants", "adapters",     "campaign",   "search",      "hard_cases", "failures",
+             "lattice",  "store",      "coefficients", "timing",     "scenes",      "record",     "reports"}},
 };
 
 const Room* find(const std::vector<Room>& rooms, const std::string& name) {

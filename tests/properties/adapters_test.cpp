@@ -1,6 +1,7 @@
 // Libraries from outside the program: the process protocol, the C interface, and what becomes of bad ones.
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 
 #include <adapters/check.hpp>
 #include <adapters/subjects.hpp>
@@ -105,18 +106,170 @@ TEST(Adapters, TheExamplesAnswerAsTheyShould) {
        {"/usr/bin/python3 " + fixtures + "rotations.py", "node " + fixtures + "rotations.js",
         std::string("in-process:" LIECHECK_C_ADAPTER)}) {
     const auto adapter = start(command);
-    const auto checked = check(*adapter);
-    EXPECT_EQ(checked.size(), adapter->description().offered.size()) << command;
-    EXPECT_FALSE(checked.empty());
-    for (const CheckedOperation& o : checked) EXPECT_EQ(o.complaint, "") << command << " " << o.operation;
+    const Checked checked = check(*adapter);
+    EXPECT_EQ(checked.operations.size(), adapter->description().offered.size()) << command;
+    EXPECT_FALSE(checked.operations.empty());
+    EXPECT_TRUE(checked.findings.empty());
+    for (const CheckedOperation& o : checked.operations)
+      EXPECT_EQ(o.complaint, "") << command << " " << o.operation;
   }
 }
 
 TEST(Adapters, ACheckNamesAnOperationWithOtherResults) {
   const auto adapter = start(shell_adapter("echo 'done 3'; head -c 99 /dev/zero"));
-  const auto checked = check(*adapter);
+  const auto checked = check(*adapter).operations;
   ASSERT_EQ(checked.size(), 1u);
   EXPECT_NE(checked[0].complaint, "");
+}
+
+/// An adapter in Python whose quaternions are w x y z, whose log3_matrix is wrong, and which states `conventions`.
+std::string python_adapter(const std::string& conventions = "{}") {
+  const auto file = std::filesystem::path(testing::TempDir()) /
+                    ("w_first_" + std::to_string(std::hash<std::string>()(conventions)) + ".py");
+  std::ofstream(file) << "conventions = " << conventions << R"(
+import json, math, struct, sys
+def exp3_quaternion(p):
+    t = math.sqrt(sum(x * x for x in p)) or 1e-300
+    return [math.cos(t / 2)] + [math.sin(t / 2) / t * x for x in p]
+def log3_quaternion(q):
+    s = math.sqrt(sum(x * x for x in q[1:])) or 1e-300
+    return [2 * math.atan2(math.copysign(s, q[0]), abs(q[0])) / s * x for x in q[1:]]
+functions = {"exp3_quaternion": (exp3_quaternion, 3), "log3_quaternion": (log3_quaternion, 4),
+             "log3_matrix": (lambda R: [R[7], R[2], R[3]], 9)} 
+calls, answers = sys.stdin.buffer, sys.stdout.buffer
+calls.readline()
+answers.write(json.dumps({"protocol": 1, "name": "w_first", "version": "1",
+                          "operations": {name: ["double"] for name in functions},
+                          "conventions": conventions}).encode() + b"\n")
+answers.flush()
+for call in iter(calls.readline, b""):
+    _, name, _, n = call.decode().split()
+    f, size = functions[name]
+    results = [f(struct.unpack(f"<{size}d", calls.read(8 * size))) for _ in range(int(n))]
+    answers.write(f"done {n}\n".encode() + bytes(int(n)) + b"".join(struct.pack(f"<{len(r)}d", *r) for r in results))
+    answers.flush()
+)";
+  return "/usr/bin/python3 " + file.string();
+}
+
+/// Runs the program, and returns its exit code and what it printed.
+std::pair<int, std::string> run(const std::string& arguments) {
+  FILE* const out = popen((LIECHECK_PROGRAM " " + arguments + " 2>&1").c_str(), "r");
+  std::string text;
+  for (int c = fgetc(out); c != EOF; c = fgetc(out)) text += static_cast<char>(c);
+  return {WEXITSTATUS(pclose(out)), text};
+}
+
+TEST(Adapters, ACampaignNamesOtherConventionsBeforeItJudges) {
+  const std::string adapter = "'" + python_adapter() + "'",
+                    named =
+                        "quaternions are stored w x y z in exp3_quaternion "
+                        "and log3_quaternion: store them x y z w",
+                    unexplained = "no known convention explains log3_matrix: at R = (",
+                    options =
+                        " --property exp_oracle --property log_oracle --cases 100 --no-hard-cases --adapter ";
+  const auto [checked, findings] = run("adapter check " + adapter);
+  EXPECT_EQ(checked, 1);
+  EXPECT_NE(findings.find("\n" + named), std::string::npos) << findings;
+  EXPECT_NE(findings.find("\n" + unexplained), std::string::npos) << findings;
+  const auto [refused, reason] = run("campaign" + options + adapter);
+  EXPECT_EQ(refused, 2);
+  EXPECT_NE(reason.find(named), std::string::npos) << reason;
+  EXPECT_EQ(reason.find("verdict"), std::string::npos) << reason;
+  const auto [judged, verdict] = run("campaign --no-probe" + options + adapter);
+  EXPECT_EQ(judged, 1);
+  EXPECT_NE(verdict.find("FAILED  log_oracle"), std::string::npos) << verdict;
+}
+
+/// inverse of poses, whose matrices are stored column by column in float.
+class ColumnsInFloat final : public Adapter {
+ public:
+  const Description& description() const override { return description_; }
+  std::string call(const Batch& b) override {
+    if (b.scalar == std::string_view("float"))
+      invert(reinterpret_cast<const float*>(b.inputs.data()), reinterpret_cast<float*>(b.results.data()), b.n,
+             3, 1);
+    else
+      invert(reinterpret_cast<const double*>(b.inputs.data()), reinterpret_cast<double*>(b.results.data()),
+             b.n, 1, 3);
+    return "";
+  }
+
+ private:
+  template <class S>
+  static void invert(const S* x, S* to, std::size_t n, int row, int column) {
+    for (; n > 0; --n, x += 12, to += 12)
+      for (int i = 0; i < 3; ++i) {
+        to[9 + i] = 0;
+        for (int j = 0; j < 3; ++j) {
+          to[3 * i + j] = x[3 * j + i];
+          to[9 + i] -= x[row * i + column * j] * x[9 + j];
+        }
+      }
+  }
+  Description description_{"columns", "1", {{"inverse", "float"}, {"inverse", "double"}}, {}};
+};
+
+TEST(Adapters, AConventionOfOneScalarSaysInWhich) {
+  ColumnsInFloat adapter;
+  const Checked checked = check(adapter);
+  ASSERT_EQ(checked.findings.size(), 1u);
+  EXPECT_EQ(checked.findings[0].sentence,
+            "in float: matrices are stored column by column in inverse: store them row by row, or state "
+            "\"matrix\": "
+            "\"columns\"");
+}
+
+TEST(Adapters, ACrashInTheProbeDoesNotEndTheCampaign) {
+  const auto [code, text] = run("campaign --property exp_oracle --cases 20 --no-hard-cases --adapter '" +
+                                shell_adapter("kill -SEGV $$") + "'");
+  EXPECT_EQ(code, 1) << text;
+  EXPECT_NE(text.find("\nverdict "), std::string::npos) << text;
+}
+
+TEST(Adapters, StatedConventionsAreConverted) {
+  const auto sentences = [](const std::string& stated) {
+    std::string text;
+    for (const conventions::Finding& f : check(*start(python_adapter(stated))).findings)
+      text += f.sentence.substr(0, 50) + "\n";
+    return text;
+  };
+  const std::string unexplained = "no known convention explains log3_matrix: at R = (\n";
+  EXPECT_EQ(sentences("{}"), "quaternions are stored w x y z in exp3_quaternion \n" + unexplained);
+  EXPECT_EQ(sentences(R"({"quaternion": "wxyz", "twist": "linear first"})"), unexplained);
+}
+
+TEST(Adapters, StatedConventionsThatAreUnknownOrWrongAreSaidInWords) {
+  const auto refusal = [](const std::string& stated) -> std::string {
+    try {
+      start(python_adapter(stated));
+    } catch (const AdapterFailed& e) {
+      return e.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(
+      refusal(R"({"quaternion": "zyxw"})"),
+      R"(of the conventions that the adapter states, "quaternion": "zyxw" is no convention: it is "xyzw" or "wxyz")");
+  EXPECT_NE(
+      refusal(R"({"quaternions": "wxyz"})").find(R"("quaternions" is no convention: known are "matrix", )"),
+      std::string::npos);
+  EXPECT_NE(refusal(R"({"angle": "degrees"})")
+                .find("cannot be converted without rounding: in the adapter, convert"),
+            std::string::npos);
+  EXPECT_NE(refusal("[]").find("has no object 'conventions'"), std::string::npos);
+  EXPECT_NE(refusal(R"({"quaternion": 4})").find("has no text for the convention 'quaternion'"),
+            std::string::npos);
+
+  const auto adapter = start("in-process:" LIECHECK_STATED_ADAPTER);
+  const auto& stated = adapter->description().conventions;
+  EXPECT_EQ(stated, (conventions::Statements{{"quaternion", "wxyz"}, {"twist", "angular first"}}));
+  const Checked checked = check(*adapter);
+  ASSERT_EQ(checked.findings.size(), 1u);
+  EXPECT_EQ(checked.findings[0].sentence,
+            R"(the adapter states "quaternion": "wxyz", but its results are right without that)");
+  EXPECT_EQ(start(LIECHECK_PROGRAM " adapter serve " LIECHECK_STATED_ADAPTER)->description().conventions,
+            stated);
 }
 
 }  // namespace

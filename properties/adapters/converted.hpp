@@ -1,0 +1,23 @@
+#pragma once
+// An adapter whose numbers are converted from the conventions that it states into liecheck's.
+
+#include <adapters/adapter.hpp>
+#include <vector>
+
+namespace liecheck::properties::adapters {
+
+class Converted final : public Adapter {
+ public:
+  /// Throws AdapterFailed if a statement is unknown, or cannot be converted exactly.
+  Converted(std::shared_ptr<Adapter> own, const conventions::Statements& stated);
+  const Description& description() const override { return own_->description(); }
+  std::string call(const Batch& batch) override;
+  /// The same adapter as if it stated something else.
+  Converted with(const conventions::Statements& stated) const { return {own_, stated}; }
+
+ private:
+  std::shared_ptr<Adapter> own_;
+  std::vector<conventions::Rearranged> rearranged_;  ///< for each of operation_sizes()
+};
+
+}  // namespace liecheck::properties::adapters

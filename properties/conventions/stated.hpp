@@ -1,0 +1,33 @@
+#pragma once
+// The conventions that an adapter states, and the exact conversion of its arguments and results.
+
+#include <conventions/values.hpp>
+#include <map>
+#include <string>
+
+namespace liecheck::properties::conventions {
+
+/// {"quaternion": "wxyz", "twist": "angular first"}
+using Statements = std::map<std::string, std::string>;
+
+/// A rearrangement: number i of liecheck's is number |order[i]| - 1 of the adapter's, negated if order[i] < 0.
+using Order = std::vector<int>;
+
+template <class S>
+void encode(const Order& order, const S* from, S* to) {
+  for (std::size_t i = 0; i < order.size(); ++i)
+    to[std::abs(order[i]) - 1] = order[i] < 0 ? -from[i] : from[i];
+}
+template <class S>
+void decode(const Order& order, const S* from, S* to) {
+  for (std::size_t i = 0; i < order.size(); ++i)
+    to[i] = order[i] < 0 ? -from[-order[i] - 1] : from[order[i] - 1];
+}
+
+struct Rearranged {
+  Order arguments, result;
+};
+/// Throws std::invalid_argument, which says in words what is unknown or cannot be converted exactly.
+Rearranged rearranged(const Operation& operation, const Statements& stated);
+
+}  // namespace liecheck::properties::conventions

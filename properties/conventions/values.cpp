@@ -1,0 +1,55 @@
+#include <conventions/values.hpp>
+
+#include <algorithm>
+#include <operations/operations.hpp>
+#include <stdexcept>
+
+namespace liecheck::properties::conventions {
+
+Kind kind_of(const Layout& layout) {
+  const Part& first = layout.parts[0];
+  if (layout.parts.size() == 3) return Kind::body;
+  if (layout.parts.size() == 2) {
+    if (first.size == 9) return Kind::pose;
+    if (layout.parts[1].size == 4) return Kind::configuration;
+    if (first.unit == "m") return Kind::tangent;
+    return first.unit == "m/s" || first.unit == "m/s^2" ? Kind::twist : Kind::wrench;
+  }
+  switch (first.size) {
+    case 1:
+      return Kind::scalar;
+    case 3:
+      return first.unit == "rad" ? Kind::rotation_vector : Kind::vector;
+    case 4:
+      return Kind::quaternion;
+    case 9:
+      return first.name == "R" ? Kind::rotation_matrix : Kind::jacobian3;
+    case 36:
+      return first.unit.starts_with("kg") ? Kind::inertia_matrix : Kind::jacobian6;
+    case 42:
+      return Kind::jacobian76;
+    default:
+      throw std::logic_error("a value of unknown kind");
+  }
+}
+
+std::size_t size_of(const Layout& layout) {
+  int size = 0;
+  for (const Part& p : layout.parts) size += p.size;
+  return static_cast<std::size_t>(size);
+}
+
+std::size_t arguments_of(const Operation& operation) {
+  std::size_t size = 0;
+  for (const Layout* l : operation.arguments) size += size_of(*l);
+  return size;
+}
+
+const Operation& operation_named(std::string_view name) {
+  const auto& all = all_operations();
+  const auto at = std::ranges::find(all, name, [](const Operation* o) { return o->name; });
+  if (at == all.end()) throw std::logic_error("no operation " + std::string(name));
+  return **at;
+}
+
+}  // namespace liecheck::properties::conventions

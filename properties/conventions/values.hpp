@@ -1,0 +1,50 @@
+#pragma once
+// What the arguments and results of an operation are, as types of values: a convention belongs to such a type.
+
+#include <operations/operation.hpp>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace liecheck::properties::conventions {
+
+/// The arguments or the result of an operation: consecutive numbers, in the order of docs/adapters.md.
+using Numbers = std::vector<double>;
+
+enum class Kind {
+  scalar,
+  vector,
+  rotation_vector,
+  quaternion,
+  rotation_matrix,
+  jacobian3,
+  jacobian6,
+  jacobian76,
+  inertia_matrix,
+  tangent,
+  twist,
+  wrench,
+  pose,
+  configuration,
+  body
+};
+
+Kind kind_of(const Layout& layout);
+std::size_t size_of(const Layout& layout);
+
+/// The number of all arguments.
+std::size_t arguments_of(const Operation& operation);
+
+/// Calls visit(layout, its numbers) for each argument.
+template <class Visit>
+void for_each_argument(const Operation& operation, std::span<double> numbers, Visit visit) {
+  for (const Layout* l : operation.arguments) {
+    visit(*l, numbers.first(size_of(*l)));
+    numbers = numbers.subspan(size_of(*l));
+  }
+}
+
+/// The operation of this name among those on fixed-size values.
+const Operation& operation_named(std::string_view name);
+
+}  // namespace liecheck::properties::conventions

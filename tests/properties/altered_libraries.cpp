@@ -1,0 +1,245 @@
+#include "altered_libraries.hpp"
+
+#include <Eigen/Geometry>
+#include <adapters/shapes.hpp>
+#include <algorithm>
+#include <numbers>
+
+namespace liecheck::properties::conventions {
+namespace {
+
+using Function = std::function<Numbers(const Numbers&)>;
+using adapters::Shape;
+
+template <class S, class R, class... A>
+Function flat(R (*function)(A...)) {
+  return [function](const Numbers& numbers) {
+    std::vector<S> x(numbers.begin(), numbers.end());
+    const S* at = x.data();
+    const auto next = [&]<class T>(T*) {
+      const T value = Shape<T>::get(at);
+      at += Shape<T>::size;
+      return value;
+    };
+    const std::tuple<std::remove_cvref_t<A>...> arguments{
+        next(static_cast<std::remove_cvref_t<A>*>(nullptr))...};
+    std::vector<S> result(Shape<R>::size);
+    Shape<R>::put(std::apply(function, arguments), result.data());
+    return Numbers(result.begin(), result.end());
+  };
+}
+
+template <class S, const auto&... all>
+Library of_slots(const Slots<S, all...>& slots) {
+  Library l;
+  const auto one = [&](const auto& operation) {
+    if (slots[operation]) l[std::string(operation.name)] = flat<S>(slots[operation]);
+  };
+  (one(all), ...);
+  return l;
+}
+
+}  // namespace
+
+template <class S>
+Library library(const SpatialSlots<S>& slots) {
+  return of_slots<S>(slots);
+}
+template Library library(const SpatialSlots<float>&);
+template Library library(const SpatialSlots<double>&);
+
+Library correct() {
+  for (const Subject<double>* s : subjects<double>())
+    if (s->name == "liecheck") return of_slots<double>(s->operations);
+  return {};
+}
+
+void change_arguments(Library& l, const Places& where, const Change& change) {
+  for (const auto& [name, offset] : where)
+    if (l.contains(name))
+      l[name] = [f = l[name], offset = offset, change](Numbers x) {
+        change(x.data() + offset);
+        return f(x);
+      };
+}
+void change_results(Library& l, const Places& where, const Change& change) {
+  for (const auto& [name, offset] : where)
+    if (l.contains(name))
+      l[name] = [f = l[name], offset = offset, change](const Numbers& x) {
+        Numbers r = f(x);
+        change(r.data() + offset);
+        return r;
+      };
+}
+
+void exchange_halves(double* v) {
+  std::swap_ranges(v, v + 3, v + 3);
+}
+void negate3(double* v) {
+  for (int i = 0; i < 3; ++i) v[i] = -v[i];
+}
+void negate6(double* v) {
+  negate3(v), negate3(v + 3);
+}
+namespace {
+
+template <int N>
+void transpose(double* v) {
+  for (int i = 0; i < N; ++i)
+    for (int j = 0; j < i; ++j) std::swap(v[N * i + j], v[N * j + i]);
+}
+
+const Places quaternion_arguments{{"log3_quaternion", 0},       {"log3_any_norm", 0},
+                                  {"rotate_point", 0},          {"rotate_point_any_norm", 0},
+                                  {"quaternion_matrix", 0},     {"integrate", 3},
+                                  {"integrate_any_norm", 3},    {"difference", 3},
+                                  {"difference", 10},           {"difference_any_norm", 3},
+                                  {"difference_any_norm", 10},  {"d_difference_arg0", 3},
+                                  {"d_difference_arg0", 10},    {"d_difference_arg1", 3},
+                                  {"d_difference_arg1", 10},    {"d_difference_any_norm", 3},
+                                  {"d_difference_any_norm", 10}},
+    quaternion_results{{"exp3_quaternion", 0}, {"integrate", 3}, {"integrate_any_norm", 3}},
+    tangent_arguments{{"exp6", 0},
+                      {"left_jacobian6", 0},
+                      {"right_jacobian6", 0},
+                      {"left_jacobian6_inverse", 0},
+                      {"right_jacobian6_inverse", 0},
+                      {"integrate", 7},
+                      {"integrate_any_norm", 7},
+                      {"d_integrate_arg0", 7},
+                      {"d_integrate_arg1", 7}},
+    tangent_results{{"log6", 0}, {"difference", 0}, {"difference_any_norm", 0}},
+    twist_arguments{{"act_motion", 12},    {"act_inverse_motion", 12}, {"cross_motion", 0},
+                    {"cross_motion", 6},   {"cross_force", 0},         {"momentum", 13},
+                    {"kinetic_energy", 13}},
+    twist_results{{"act_motion", 0}, {"act_inverse_motion", 0}, {"cross_motion", 0}},
+    wrench_arguments{{"act_force", 12}, {"act_inverse_force", 12}, {"cross_force", 6}},
+    wrench_results{{"act_force", 0}, {"act_inverse_force", 0}, {"cross_force", 0}, {"momentum", 0}},
+    pose_arguments{{"log6", 0},
+                   {"compose", 0},
+                   {"compose", 12},
+                   {"inverse", 0},
+                   {"act_point", 0},
+                   {"act_motion", 0},
+                   {"act_inverse_motion", 0},
+                   {"act_force", 0},
+                   {"act_inverse_force", 0},
+                   {"act_inertia", 0},
+                   {"act_inverse_inertia", 0}},
+    pose_results{{"exp6", 0}, {"compose", 0}, {"inverse", 0}},
+    jacobians3{{"left_jacobian3", 0},
+               {"right_jacobian3", 0},
+               {"left_jacobian3_inverse", 0},
+               {"right_jacobian3_inverse", 0}},
+    jacobians6{{"left_jacobian6", 0},          {"right_jacobian6", 0},   {"left_jacobian6_inverse", 0},
+               {"right_jacobian6_inverse", 0}, {"d_integrate_arg0", 0},  {"d_integrate_arg1", 0},
+               {"d_difference_arg0", 0},       {"d_difference_arg1", 0}, {"d_difference_any_norm", 0}},
+    configuration_arguments{
+        {"integrate", 0},         {"integrate_any_norm", 0},    {"difference", 0},
+        {"difference", 7},        {"difference_any_norm", 0},   {"difference_any_norm", 7},
+        {"d_difference_arg0", 0}, {"d_difference_arg0", 7},     {"d_difference_arg1", 0},
+        {"d_difference_arg1", 7}, {"d_difference_any_norm", 0}, {"d_difference_any_norm", 7},
+        {"d_integrate_arg0", 0},  {"d_integrate_arg1", 0},      {"integrate_coefficient_jacobian", 0}},
+    configuration_results{{"integrate", 0}, {"integrate_any_norm", 0}},
+    body_arguments{{"act_inertia", 12},
+                   {"act_inverse_inertia", 12},
+                   {"momentum", 0},
+                   {"kinetic_energy", 0},
+                   {"inertia_matrix", 0}},
+    body_results{{"act_inertia", 0}, {"act_inverse_inertia", 0}};
+
+}  // namespace
+
+void w_first(Library& l) {
+  change_arguments(l, {{"integrate_coefficient_jacobian", 3}},
+                   [](double* q) { std::rotate(q, q + 1, q + 4); });
+  change_results(l, {{"integrate_coefficient_jacobian", 18}},
+                 [](double* J) { std::rotate(J, J + 18, J + 24); });
+  change_arguments(l, quaternion_arguments, [](double* q) { std::rotate(q, q + 1, q + 4); });
+  change_results(l, quaternion_results, [](double* q) { std::rotate(q, q + 3, q + 4); });
+}
+void passive_quaternions(Library& l) {
+  change_arguments(l, {{"integrate_coefficient_jacobian", 3}}, negate3);
+  for (const int row : {18, 24, 30}) change_results(l, {{"integrate_coefficient_jacobian", row}}, negate6);
+  change_arguments(l, quaternion_arguments, negate3);
+  change_results(l, quaternion_results, negate3);
+}
+static void exchange_columns(double* M, int rows) {
+  for (int row = 0; row < rows; ++row) exchange_halves(M + 6 * row);
+}
+void twists_angular_first(Library& l) {
+  change_results(l, {{"inertia_matrix", 0}}, [](double* M) { exchange_columns(M, 6); });
+  for (const Places& p : {tangent_arguments, twist_arguments}) change_arguments(l, p, exchange_halves);
+  for (const Places& p : {tangent_results, twist_results}) change_results(l, p, exchange_halves);
+}
+void wrenches_moment_first(Library& l) {
+  change_results(l, {{"inertia_matrix", 0}}, [](double* M) { std::swap_ranges(M, M + 18, M + 18); });
+  change_arguments(l, wrench_arguments, exchange_halves);
+  change_results(l, wrench_results, exchange_halves);
+}
+void columns(Library& l) {
+  change_results(l, {{"integrate_coefficient_jacobian", 0}}, [](double* J) {
+    const Numbers rows(J, J + 42);
+    for (std::size_t i = 0; i < 42; ++i) J[i] = rows[i % 7 * 6 + i / 7];
+  });
+  change_arguments(l, pose_arguments, transpose<3>), change_arguments(l, {{"log3_matrix", 0}}, transpose<3>);
+  change_results(l, pose_results, transpose<3>), change_results(l, jacobians3, transpose<3>);
+  change_results(l, {{"exp3_matrix", 0}, {"quaternion_matrix", 0}}, transpose<3>);
+  change_results(l, jacobians6, transpose<6>);
+}
+void passive_poses(Library& l) {
+  const auto invert = [](double* x) {
+    const Numbers r = correct()["inverse"](Numbers(x, x + 12));
+    std::ranges::copy(r, x);
+  };
+  change_arguments(l, pose_arguments, invert), change_results(l, pose_results, invert);
+}
+void jacobians_angular_first(Library& l) {
+  change_results(l, {{"integrate_coefficient_jacobian", 0}}, [](double* J) { exchange_columns(J, 7); });
+  change_results(l, jacobians6, [](double* J) {
+    std::swap_ranges(J, J + 18, J + 18);
+    exchange_columns(J, 6);
+  });
+}
+void degrees(Library& l) {
+  const auto to_radians = [](double* v) {
+    for (int i = 0; i < 3; ++i) v[i] *= std::numbers::pi / 180;
+  };
+  const auto to_degrees = [](double* v) {
+    for (int i = 0; i < 3; ++i) v[i] *= 180 / std::numbers::pi;
+  };
+  Places inside_arguments{{"exp3_quaternion", 0}, {"exp3_matrix", 0}}, inside_results = inside_arguments;
+  for (auto [name, at] : jacobians3) inside_arguments.emplace_back(name, at);
+  for (auto [name, at] : tangent_arguments) inside_arguments.emplace_back(name, at + 3);
+  inside_results = {{"log3_quaternion", 0}, {"log3_any_norm", 0}, {"log3_matrix", 0}};
+  for (auto [name, at] : tangent_results) inside_results.emplace_back(name, at + 3);
+  change_arguments(l, inside_arguments, to_radians), change_results(l, inside_results, to_degrees);
+}
+void quaternion_before_p(Library& l) {
+  change_results(l, {{"integrate_coefficient_jacobian", 0}},
+                 [](double* J) { std::rotate(J, J + 18, J + 42); });
+  change_arguments(l, configuration_arguments, [](double* q) { std::rotate(q, q + 4, q + 7); });
+  change_results(l, configuration_results, [](double* q) { std::rotate(q, q + 3, q + 7); });
+}
+void inertia_about_the_origin(Library& l) {
+  const auto moved = [](double sign) {
+    return [sign](double* I) {
+      const Eigen::Vector3d c(I[1], I[2], I[3]);
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+          I[4 + 3 * i + j] += sign * I[0] * ((i == j ? c.squaredNorm() : 0) - c[i] * c[j]);
+    };
+  };
+  change_arguments(l, body_arguments, moved(-1)), change_results(l, body_results, moved(1));
+}
+void passive_rotation_matrices(Library& l) {
+  change_arguments(l, {{"log3_matrix", 0}}, transpose<3>);
+  change_results(l, {{"exp3_matrix", 0}, {"quaternion_matrix", 0}}, transpose<3>);
+}
+void opposite_tangents(Library& l) {
+  change_arguments(l, tangent_arguments, negate6), change_results(l, tangent_results, negate6);
+  change_arguments(l, {{"exp3_quaternion", 0}, {"exp3_matrix", 0}}, negate3);
+  change_arguments(l, jacobians3, negate3);
+  change_results(l, {{"log3_quaternion", 0}, {"log3_any_norm", 0}, {"log3_matrix", 0}}, negate3);
+}
+}  // namespace liecheck::properties::conventions

@@ -1,0 +1,231 @@
+// The probe of conventions names what differs between a library and liecheck.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <conventions/probe.hpp>
+#include <conventions/stated.hpp>
+
+#include "altered_libraries.hpp"
+
+namespace liecheck::properties::conventions {
+namespace {
+
+template <class S>
+std::vector<Probed> answers(const Library& l) {
+  std::vector<Probed> all;
+  for (const auto& [name, function] : l) {
+    Probed p{&operation_named(name), {}};
+    for (const Numbers& x : probe_arguments<S>(*p.operation)) p.answers.push_back({x, function(x)});
+    all.push_back(std::move(p));
+  }
+  return all;
+}
+
+/// The sentences of the findings, one a line.
+template <class S = double>
+std::string findings(const Library& l) {
+  std::string text;
+  for (const Finding& f : explain(answers<S>(l))) text += f.sentence + "\n";
+  return text;
+}
+
+Library only(std::initializer_list<const char*> names) {
+  Library l;
+  for (const char* name : names) l[name] = correct()[name];
+  return l;
+}
+
+struct Mismatch {
+  std::vector<void (*)(Library&)> changes;
+  std::vector<const char*> meanings;  ///< of the conventions, in the order of the findings
+};
+
+const Mismatch mismatches[] = {
+    {{w_first}, {"quaternions are stored w x y z"}},
+    {{passive_quaternions}, {"quaternions are those of the inverse rotations"}},
+    {{twists_angular_first}, {"twists are angular first"}},
+    {{wrenches_moment_first}, {"wrenches are moment first"}},
+    {{columns}, {"matrices are stored column by column"}},
+    {{passive_poses}, {"poses are those of A in B"}},
+    {{jacobians_angular_first}, {"Jacobians are angular first"}},
+    {{degrees}, {"angles are in degrees"}},
+    {{quaternion_before_p}, {"configurations are (Q, p)"}},
+    {{inertia_about_the_origin}, {"inertias are about the origin of the body"}},
+    {{right_jacobian_is_left}, {"the right Jacobian is the left one"}},
+    {{log_of_the_inverse}, {"log is that of the inverse"}},
+    {{left_increments}, {"increments are on the left"}},
+    {{reversed_quaternion_product}, {"the product of quaternions is in the reverse order (JPL)"}},
+    {{translation_without_V}, {"the translation is rho, not V(phi) rho"}},
+    {{forces_as_motions}, {"forces are treated as motions"}},
+    {{cross_force_sign}, {"the product of a motion and a force is ad^T"}},
+    {{angle_for_half_angle}, {"quaternions turn by twice the rotation vector"}},
+    {{passive_rotation_matrices}, {"rotation matrices are those of the inverse rotations"}},
+    {{exp_of_the_opposite}, {"exp is that of the opposite argument"}},
+    {{opposite_tangents}, {"rotation vectors and tangents have the opposite sign"}},
+    {{left_jacobian_is_right}, {"the left Jacobian is the right one"}},
+    {{jacobians_exchanged_with_inverses}, {"a Jacobian and its inverse are exchanged"}},
+    {{quarter_angles}, {"quaternions turn by half of the rotation vector"}},
+    {{left_derivatives}, {"the derivatives are those of increments on the left"}},
+    {{difference_from_q1}, {"the difference goes from q1 to q0"}},
+    {{added_translations}, {"the translation is added in the axes of the parent"}},
+    {{motions_as_forces}, {"motions are treated as forces"}},
+    {{cross_motion_exchanged}, {"the product of motions is [W, V]"}},
+    {{compose_exchanged}, {"the product of poses is in the reverse order"}},
+    {{momentum_about_the_centre}, {"momentum is about the centre of mass"}},
+    // two at a time
+    {{w_first, twists_angular_first}, {"quaternions are stored w x y z", "twists are angular first"}},
+    {{columns, degrees}, {"matrices are stored column by column", "angles are in degrees"}},
+    {{twists_angular_first, jacobians_angular_first},
+     {"twists are angular first", "Jacobians are angular first"}},
+    {{log_of_the_inverse, quaternion_before_p}, {"configurations are (Q, p)", "log is that of the inverse"}},
+    {{left_increments, w_first}, {"quaternions are stored w x y z", "increments are on the left"}},
+    {{degrees, twists_angular_first}, {"twists are angular first", "angles are in degrees"}},
+};
+
+class Mismatches : public testing::TestWithParam<Mismatch> {};
+
+TEST_P(Mismatches, AreNamed) {
+  Library l = correct();
+  for (const auto change : GetParam().changes) change(l);
+  const std::vector<Finding> found = explain(answers<double>(l));
+  ASSERT_EQ(found.size(), GetParam().meanings.size()) << findings(l);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    EXPECT_TRUE(found[i].named);
+    EXPECT_TRUE(found[i].sentence.starts_with(GetParam().meanings[i])) << found[i].sentence;
+    EXPECT_EQ(found[i].sentence.find("do not tell which"), std::string::npos) << found[i].sentence;
+    EXPECT_EQ(found[i].sentence.find("but not"), std::string::npos) << found[i].sentence;
+  }
+}
+INSTANTIATE_TEST_SUITE_P(Probe, Mismatches, testing::ValuesIn(mismatches), [](const auto& info) {
+  std::string name;
+  for (const char* meaning : info.param.meanings)
+    for (const char* c = meaning; *c; ++c)
+      if (std::isalnum(static_cast<unsigned char>(*c))) name += *c;
+  return name;
+});
+
+struct Stated {
+  std::vector<void (*)(Library&)> changes;
+  Statements statements;
+};
+
+TEST(Probe, FindsNothingIfTheConventionsAreStated) {
+  const Stated all[] = {
+      {{w_first}, {{"quaternion", "wxyz"}}},
+      {{passive_quaternions}, {{"quaternion sense", "passive"}}},
+      {{twists_angular_first}, {{"twist", "angular first"}, {"quaternion", "xyzw"}}},
+      {{wrenches_moment_first}, {{"wrench", "moment first"}}},
+      {{columns}, {{"matrix", "columns"}}},
+      {{jacobians_angular_first}, {{"jacobian", "angular first"}}},
+      {{quaternion_before_p}, {{"configuration", "Q first"}}},
+      {{passive_rotation_matrices}, {{"rotation matrix", "passive"}}},
+      {{w_first, quaternion_before_p, columns},
+       {{"quaternion", "wxyz"}, {"matrix", "columns"}, {"configuration", "Q first"}}},
+  };
+  for (const Stated& s : all) {
+    Library l = correct();
+    for (const auto change : s.changes) change(l);
+    for (auto& [name, function] : l)
+      function = [f = function, r = rearranged(operation_named(name), s.statements)](const Numbers& x) {
+        Numbers arguments(x.size()), result(r.result.size());
+        encode(r.arguments, x.data(), arguments.data());
+        decode(r.result, f(arguments).data(), result.data());
+        return result;
+      };
+    EXPECT_EQ(findings(l), "");
+  }
+}
+
+/// Other tests register wrong subjects.
+bool correct_name(const std::string& name) {
+  for (const char* start : {"liecheck", "correct:", "alike:", "textbook", "ceres", "eigen", "manif",
+                            "pinocchio", "smooth", "sophus"})
+    if (name.starts_with(start)) return true;
+  return false;
+}
+
+template <class S>
+void expect_nothing_of_correct_subjects() {
+  int probed = 0;
+  for (const Subject<S>* s : subjects<S>()) {
+    if (!correct_name(s->name)) continue;
+    const Library l = library<S>(s->operations);
+    probed += !l.empty();
+    EXPECT_EQ(findings<S>(l), "") << s->name;
+  }
+  EXPECT_GT(probed, 20);
+}
+
+TEST(Probe, FindsNothingInCorrectSubjects) {
+  expect_nothing_of_correct_subjects<double>();
+  expect_nothing_of_correct_subjects<float>();
+}
+
+TEST(Probe, NamesOneOperationThatDiffersFromTheOthers) {
+  Library l = correct();
+  l["log6"] = [f = l["log6"]](const Numbers& x) {
+    Numbers r = f(x);
+    std::swap_ranges(r.begin(), r.begin() + 3, r.begin() + 3);
+    return r;
+  };
+  const std::string text = findings(l);
+  EXPECT_TRUE(text.starts_with("twists are angular first in log6, but not in ")) << text;
+  l = correct();
+  l["log6"] = [f = l["log6"]](const Numbers& x) {
+    Numbers r = f(x);
+    for (double& number : r) number = -number;
+    return r;
+  };
+  EXPECT_EQ(findings(l),
+            "log is that of the inverse in log6, but not in log3_any_norm, log3_matrix and log3_quaternion: "
+            "change its sign, or its order of frames\n");
+}
+
+TEST(Probe, NamesAConversionOfOneSideOnly) {
+  Library l = correct();
+  change_results(l, {{"integrate", 3}}, [](double* q) { std::rotate(q, q + 3, q + 4); });
+  EXPECT_TRUE(findings(l).starts_with(
+      "quaternions are stored w x y z, but only as results, in integrate, but not in "))
+      << findings(l);
+  l = correct();
+  change_arguments(l,
+                   {{"act_motion", 12}, {"act_inverse_motion", 12}, {"cross_motion", 0}, {"cross_motion", 6}},
+                   exchange_halves);
+  EXPECT_EQ(
+      findings(l),
+      "twists are angular first, but only as arguments, in act_inverse_motion, act_motion and cross_motion: "
+      "exchange their halves: the linear part comes first\n");
+}
+
+TEST(Probe, SaysWhichConventionsTheAnswersDoNotTellApart) {
+  Library l = only({"exp3_matrix"});
+  columns(l);
+  EXPECT_TRUE(findings(l).starts_with(
+      "matrices are stored column by column, or rotation matrices are those of the inverse rotations "
+      "(passive), or "
+      "exp is that of the opposite argument, or rotation vectors and tangents have the opposite sign (these "
+      "operations do not tell which) in exp3_matrix: "))
+      << findings(l);
+}
+
+TEST(Probe, ShowsAnOperationThatNothingExplains) {
+  Library l = correct();
+  l["exp6"] = [f = l["exp6"]](const Numbers& x) {
+    Numbers r = f(x);
+    r[10] *= 1.01;
+    return r;
+  };
+  l["momentum"] = [](const Numbers&) { return Numbers(6, std::nan("")); };
+  twists_angular_first(l);
+  const std::vector<Finding> found = explain(answers<double>(l));
+  ASSERT_EQ(found.size(), 3u) << findings(l);
+  EXPECT_TRUE(found[0].named);
+  EXPECT_TRUE(found[1].sentence.starts_with("no known convention explains exp6: at xi = (")) << findings(l);
+  EXPECT_NE(found[2].sentence.find("its linear is (nan, nan, nan), and ("), std::string::npos) << findings(l);
+  EXPECT_FALSE(found[2].named);
+}
+
+}  // namespace
+}  // namespace liecheck::properties::conventions
