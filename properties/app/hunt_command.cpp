@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <app/command.hpp>
+#include <campaign/expected.hpp>
 #include <campaign/robots.hpp>
 #include <campaign/selection.hpp>
 #include <filesystem>
@@ -82,7 +83,8 @@ int print_worst(const Series& series, const Worst& w, const std::string& replay_
   std::string verdict = "within budget";
   for (const Judged& j : series.replay(w.id)) {
     if (j.residual.output != w.output) continue;
-    if (j.failed) failed = true, verdict = "FAIL";
+    if (j.failed) verdict = "expected failure";
+    if (fails(series, j)) failed = true, verdict = "FAIL";
     const bool one_rule = w.by_kappa == (j.budget->rule == Rule::excess);
     if (is_misuse(j.residual.outcome))
       verdict = fmt::format("FAIL: {}", outcome_words[static_cast<int>(j.residual.outcome)]);
@@ -114,7 +116,7 @@ void print_comparison(const Worst& hunted, const Worst& random, std::uint64_t ev
 /// the operations or blocks that are known.
 std::vector<std::unique_ptr<Series>> series_of(const Flags& f, const Robot& robot) {
   const std::string &op = f.options.operation, &block = f.options.block;
-  Selection selection{{f.subject}, {}, {f.scalar}, f.limits.read()};
+  Selection selection = f.limits.judging({{f.subject}, {}, {f.scalar}});
   if (!f.property.empty()) selection.properties = {f.property};
   auto all = select(selection, robot);
   if (all.empty()) throw std::invalid_argument(fmt::format("{} is not offered in {}", f.subject, f.scalar));
