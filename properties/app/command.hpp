@@ -219,6 +219,7 @@ Command adapter_serve_command(CLI::App& adapter);
 Command campaign_command(CLI::App& program, const std::string& typed_line);
 Command hard_cases_command(CLI::App& program);
 Command hunt_command(CLI::App& program);
+Command promise_command(CLI::App& program);
 Command bench_batches_command(CLI::App& bench);
 Command bench_bugs_command(CLI::App& bench);
 Command bench_lattice_command(CLI::App& bench);

@@ -325,5 +325,39 @@ TEST_F(Promises, OfFailuresAreTheSameForEachCommandOfTheProgram) {
   EXPECT_NE(out().find(": expected failure\n"), std::string::npos) << out();
 }
 
+TEST_F(Promises, AreWrittenByTheProgramAndKept) {
+  const std::string promise = "promise correct:quaternions --cases 100 --seed 3 --out p.limits";
+  EXPECT_EQ(code(promise), 0) << out();
+  const std::string text = read_whole(folder / "p.limits");
+  const SubjectLimits all = parse_limits("p.limits", text);
+  EXPECT_EQ(all.profile, Profile::careful);
+  EXPECT_NE(text.find(", 2 times the largest error found\n"), std::string::npos) << text;
+  const auto of = [&](Region region) {
+    const auto table = with_own_limits(budgets("", Profile::careful, 0x1p-52), all.lines);
+    return budget_in(table, "exp6", "orthogonality defect", region).limit;
+  };
+  EXPECT_GT(of(Region::to_pi), 2 * 8);  // liecheck promises 8
+  EXPECT_LT(of(Region::to_pi), 2 * 20);
+  EXPECT_EQ(code(promise), 2);
+  EXPECT_NE(read_whole(folder / "err").find("'p.limits' exists"), std::string::npos);
+  EXPECT_EQ(read_whole(folder / "p.limits"), text);
+  EXPECT_EQ(
+      code(
+          "campaign --subject correct:quaternions --property exp_oracle --cases 100 --seed 3 --no-hard-cases "
+          "--limits p.limits"),
+      0)
+      << out();
+}
+
+TEST_F(Promises, OfWhatNoLimitCanPromiseAreComments) {
+  EXPECT_EQ(code("promise textbook --scalar double --cases 4000 --out p.limits"), 1);
+  const std::string text = read_whole(folder / "p.limits");
+  EXPECT_NE(text.find("\n# not promised, no digit is right: log3_matrix, rotation vector, any\n"), text.npos)
+      << text;
+  EXPECT_NE(text.find("\n# not promised, a cliff: double, log3_matrix rotation vector at pi: "), text.npos)
+      << text;
+  EXPECT_EQ(parse_limits("p.limits", text).subject, "textbook");
+}
+
 }  // namespace
 }  // namespace liecheck::properties
