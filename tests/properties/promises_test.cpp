@@ -1,11 +1,10 @@
-// Whose limits judge a subject: profiles, cliffs, and failures that a limits file expects.
+// Whose limits judge a subject: profiles, failures that a limits file expects, and a first file.
 
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>
 #include <unistd.h>
 #include <campaign/campaign.hpp>
-#include <campaign/cliffs.hpp>
 #include <campaign/expected.hpp>
 #include <cmath>
 #include <filesystem>
@@ -144,6 +143,11 @@ class Promises : public testing::Test {
     run_stored(o, built_in_robot(), to, resume);
     return file;
   }
+  /// The worst error that a hunt printed [eps].
+  static double found(const std::string& text) {
+    const auto at = text.find("  worst     ");
+    return at == text.npos ? 0 : std::stod(text.substr(at + 12));
+  }
   /// Runs the program in the folder and returns its exit code.
   int code(const std::string& arguments) const {
     return WEXITSTATUS(std::system(
@@ -191,34 +195,6 @@ TEST_F(Promises, AreTheSameForEachCommandOfTheProgram) {
   EXPECT_EQ(code(hard + " --profile careful"), 0);
 }
 
-std::vector<std::string> cliffs_in(const CampaignResult& r) {
-  std::vector<std::string> all;
-  for (const auto& [series, tally] : r.series)
-    for (const Cliff& c : cliffs_of(*series, tally)) all.push_back(text_of(*series, c));
-  return all;
-}
-
-TEST(Cliffs, OfTheTextbookAreNamedWhateverItPromises) {
-  const auto wide = limits("textbook", "[limits]\n*, *, any, forward = 1e15\n*, *, any, excess = 1e15\n");
-  for (const auto& own : {std::shared_ptr<const SubjectLimits>(), wide}) {
-    const CampaignResult r = run("textbook", Profile::half, own, 20000);
-    EXPECT_TRUE(r.failed);
-    const auto all = cliffs_in(r);
-    EXPECT_TRUE(std::ranges::any_of(all, [](const std::string& c) {
-      return c.starts_with("exp6 translation at theta 1e-8..1e-7: ") &&
-             c.find(" times its error at moderate angles (") != c.npos;
-    })) << fmt::format("{}", fmt::join(all, "\n"));
-    EXPECT_EQ(record_of(StoredRun{run("textbook", Profile::half, own, 20000), {}, {}})["cliffs"].size(),
-              all.size());
-  }
-}
-
-TEST(Cliffs, AreNotOfSubjectsThatAreCorrectOrInaccurateEverywhere) {
-  for (const char* subject : {"liecheck", "liecheck:fast", "correct:books", "correct:rodrigues",
-                              "correct:cayley", "correct:matrices", "promises:million"})
-    EXPECT_EQ(cliffs_in(run(subject, Profile::half, nullptr, 8000)), std::vector<std::string>()) << subject;
-}
-
 const char* const translation_expected =
     "[expected]\nexp6, translation, any = too long, by thirty eps, https://issues/1\n";
 
@@ -263,31 +239,6 @@ TEST(ExpectedFailures, ThatPassSaySoIfTheirRegionWasMeasured) {
   EXPECT_FALSE(of(99).passed());
 }
 
-TEST(ExpectedFailures, MayBeCliffsButNotThoseBesideThem) {
-  const auto of = [](const char* region) {
-    CampaignOptions o = options("textbook", Profile::half, nullptr, 20000);
-    o.selection.limits = {
-        limits("textbook", std::string("[limits]\n*, *, any, forward = 1e15\n*, *, any, excess = 1e15\n"
-                                       "[expected]\nexp6, translation, ") +
-                               region + " = cancels, l\n")};
-    return run_campaign(o, built_in_robot());
-  };
-  const auto of_translation = [](const CampaignResult& r, bool expected) {
-    std::size_t n = 0;
-    for (const auto& [series, tally] : r.series)
-      for (const Cliff& c : cliffs_of(*series, tally))
-        n += c.expected == expected && series->outputs[c.output].operation == "exp6" &&
-             series->outputs[c.output].block == "translation";
-    return n;
-  };
-  const CampaignResult all = of("theta 1e-8..1"), one = of("theta 1e-8..1e-7");
-  EXPECT_EQ(of_translation(all, true), 1u);
-  EXPECT_EQ(of_translation(all, false), 0u);
-  EXPECT_FALSE(expectations_of(all).at(0).passed());
-  EXPECT_EQ(of_translation(one, true), 1u);
-  EXPECT_EQ(of_translation(one, false), 1u);
-}
-
 TEST(ExpectedFailures, AreRefusedIfTheyAreTooWideOrNameNothing) {
   const auto said = [](const std::string& line) {
     return error([&] { limits("liecheck", "[expected]\n" + line); });
@@ -321,8 +272,9 @@ TEST_F(Promises, OfFailuresAreTheSameForEachCommandOfTheProgram) {
       "hunt --subject textbook --op exp6 --block translation --property exp_oracle "
       "--evaluations 2000";
   EXPECT_EQ(code(hunt), 1);
-  EXPECT_EQ(code(hunt + " --limits own.limits"), 0) << out();
-  EXPECT_NE(out().find(": expected failure\n"), std::string::npos) << out();
+  const double everywhere = found(out());
+  code(hunt + " --limits own.limits");
+  EXPECT_LT(found(out()), everywhere / 1e4) << out();  // it searches the other angles
 }
 
 TEST_F(Promises, AreWrittenByTheProgramAndKept) {
