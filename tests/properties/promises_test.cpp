@@ -239,6 +239,17 @@ TEST(ExpectedFailures, ThatPassSaySoIfTheirRegionWasMeasured) {
   EXPECT_FALSE(of(99).passed());
 }
 
+TEST(Profiles, AndAllElseOfTheDocumentedExampleAreRead) {
+  const std::string page = read_whole(LIECHECK_FIXTURES "/../docs/limits.md");
+  const auto from = page.find("```\n# mylib.limits") + 4;
+  const SubjectLimits all = parse_limits("mylib.limits", page.substr(from, page.find("```", from) - from));
+  EXPECT_EQ(all.profile, Profile::careful);
+  EXPECT_EQ(all.lines.size(), 3u);
+  EXPECT_EQ(all.domain.size(), 2u);
+  ASSERT_EQ(all.expected.size(), 1u);
+  EXPECT_EQ(all.expected[0].link, "https://example.org/mylib/issues/12");
+}
+
 TEST(ExpectedFailures, AreRefusedIfTheyAreTooWideOrNameNothing) {
   const auto said = [](const std::string& line) {
     return error([&] { limits("liecheck", "[expected]\n" + line); });
