@@ -88,6 +88,15 @@ std::string verdict_section(const Merged& merged) {
   if (hard > 0)
     item("hard cases",
          fmt::format("{} cells, one for each case × law × subject × scalar; {} failed", hard, hard_failed));
+  std::map<std::string, Cells> cliffs;  // by subject
+  for (const Json& r : merged.records)
+    for (const Json& c : list_in(r, "cliffs"))
+      if (!c["expected"].get<bool>())
+        add_once(cliffs[c["subject"]],
+                 fmt::format("{} {} at {} in {}", text_of(c, "operation"), text_of(c, "block"),
+                             text_of(c, "band"), text_of(c, "scalar")));
+  for (const auto& [subject, where] : cliffs)
+    item("cliffs", fmt::format("<b>{}</b>: {}", escaped(subject), fmt::join(where, ", ")));
   out += "</dl>\n";
   int control_rows = 0, control_failed = 0;
   for (const Standing& s : all)

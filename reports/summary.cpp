@@ -74,7 +74,7 @@ std::vector<Standing> standings(const Merged& merged) {
   for (const Json& row : merged.results) {
     Standing& s = of(row["subject"], row["scalar"]);
     const std::string status = row["status"];
-    ++(status == "pass"        ? s.passed
+    ++(status == "pass" || status == "expected" ? s.passed
        : status == "fail"      ? s.failed
        : status == "empty"     ? s.empty
        : status == "ill-posed" ? s.ill_posed

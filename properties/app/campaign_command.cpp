@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <app/campaign_run.hpp>
 #include <app/command.hpp>
+#include <campaign/cliffs.hpp>
 #include <campaign/coverage_report.hpp>
+#include <campaign/expected.hpp>
 #include <campaign/robots.hpp>
 #include <failures/description.hpp>
 #include <hard_cases/hard_cases.hpp>
@@ -17,6 +19,7 @@
 #include <support/stop.hpp>
 #include <support/text.hpp>
 #include <tuple>
+#include <utility>
 
 namespace liecheck::properties {
 
@@ -66,12 +69,17 @@ void print_coverage(const CampaignResult& r, bool verbose) {
   for (const auto& [property, l] : least) fmt::print("{:<24}{:<20}{}\n", property, l.series, l.line);
 }
 
+/// What a replay of its cases needs after the ID.
+std::string flags_of(const Series& series, const Robot& robot) {
+  return (series.robot != "none" && !robot.path.empty() ? robot_flags(robot) : "") + subject_flags(series);
+}
+
 /// Prints a line with the largest error of a series as a multiple of the budget.
 void print_series(const Series& series, const Tally& tally) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   double worst = 0;
   bool failed = !tally.disagreed.empty();
-  bool outside = false;
+  bool outside = false, expected = false;
   for (const auto& [cell, row] : tally.rows) {
     const Budget& b = series.budget(static_cast<std::size_t>(cell.first),
                                     series.bands()[static_cast<std::size_t>(cell.second)].region);
@@ -79,16 +87,36 @@ void print_series(const Series& series, const Tally& tally) {
     const double measured = b.rule == Rule::forward ? row.max_error : row.max_excess;
     worst =
         std::max(worst, (row.failed || row.worst_score < infinity ? row.worst_score : measured) / b.limit);
-    failed = failed || row.failed > 0;
+    failed = failed || fails(series, cell, row);
+    expected = expected || row.failed > 0;
     outside = outside || row.outside_domain > 0;
   }
   const std::size_t open = not_measured(series, tally).size();
-  fmt::print("{:<24}{:<15}{:<10}{:>9}  {:>10.3g}x  {}{}{}\n", series.property, series.subject, series.scalar,
-             tally.cases, worst,
-             failed ? "FAIL"
-             : open ? "INCOMPLETE"
-                    : "pass",
-             failed && open ? ", not all measured" : "", outside ? ", some cases outside the domain" : "");
+  const bool cliff = unexpected(cliffs_of(series, tally));
+  fmt::print("{:<24}{:<15}{:<10}{:>9}  {:>10.3g}x  {}{}{}{}\n", series.property, series.subject,
+             series.scalar, tally.cases, worst,
+             failed  ? cliff ? "FAIL, CLIFF" : "FAIL"
+             : cliff ? "CLIFF"
+             : open  ? "INCOMPLETE"
+                     : "pass",
+             expected && !failed ? ", with expected failures" : "",
+             (failed || cliff) && open ? ", not all measured" : "",
+             outside ? ", some cases outside the domain" : "");
+}
+
+/// Prints each cliff, with the worst case of its band, and what became of the expected failures.
+void print_cliffs(const CampaignResult& r) {
+  const char* before = "\n";
+  for (const auto& [series, tally] : r.series)
+    for (const Cliff& c : cliffs_of(*series, tally)) {
+      const Row& row = tally.rows.at({static_cast<int>(c.output), static_cast<int>(c.band)});
+      fmt::print("{}{}cliff: {}\n  {} of {} in {}; worst  liecheck replay {}{}\n", before,
+                 c.expected ? "expected " : "", text_of(*series, c), series->property, series->subject,
+                 series->scalar, series->id(r.options.seed, row.worst_index).text(),
+                 flags_of(*series, r.robot));
+      before = "";
+    }
+  for (const Expectation& e : expectations_of(r)) fmt::print("{}{}\n", std::exchange(before, ""), text_of(e));
 }
 
 /// Prints what the series did not measure, at most six lines of each.
@@ -104,9 +132,7 @@ void print_not_measured(const CampaignResult& r) {
     for (const auto& [cell, row] : tally.rows)
       if (row.failed == 0 && row.unresolved + row.unmeasured > 0) {
         fmt::print("  for example  liecheck replay {}{}\n",
-                   series->id(r.options.seed, row.worst_index).text(),
-                   (series->robot != "none" && !r.robot.path.empty() ? robot_flags(r.robot) : "") +
-                       subject_flags(*series));
+                   series->id(r.options.seed, row.worst_index).text(), flags_of(*series, r.robot));
         break;
       }
   }
@@ -119,7 +145,7 @@ void print_failures(const CampaignResult& r) {
   for (const auto& [series, tally] : r.series) {
     std::map<int, std::pair<int, const Row*>> worst;  // worst band and its row, by output
     for (const auto& [cell, row] : tally.rows) {
-      if (!row.failed) continue;
+      if (!fails(*series, cell, row)) continue;
       auto& w = worst[cell.first];
       if (!w.second || row.worst_score > w.second->worst_score) w = {cell.second, &row};
     }
@@ -154,16 +180,20 @@ int print_campaign(const CampaignResult& r, bool verbose) {
   fmt::print(
       "worst: the largest error found as a multiple of its budget, a lower bound of the true maximum\n");
   print_failures(r);
+  print_cliffs(r);
   print_not_measured(r);
   print_oracles(r);
   print_coverage(r, verbose);
   fmt::print("\nseed {}, {} cases in {:.1f} s, robot {}{} ({})\n", r.options.seed, r.total_cases, r.elapsed,
              printable(r.robot.name), r.robot.fixed ? ", fixed" : "", r.robot.hash);
   std::set<std::string> limits;
-  for (const auto& [series, tally] : r.series)
+  for (const auto& [series, tally] : r.series) {
+    if (series->profile != Profile::ours)
+      limits.insert(fmt::format("profile of {}: {}\n", series->subject, name_of(series->profile)));
     if (series->own)
       limits.insert(fmt::format("limits of {}: {} ({})\n", series->subject, printable(series->own->file),
                                 hash_of(*series->own)));
+  }
   fmt::print("{}", fmt::join(limits, ""));
   fmt::print("inputs  {}\nresults {}\n", r.inputs_digest, r.results_digest);
   fmt::print("verdict {}\n", verdict_of(!r.undecided(), !r.failed));

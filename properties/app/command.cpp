@@ -79,21 +79,27 @@ std::vector<std::string> AdapterFlags::start() const {
   return names;
 }
 
-Flag LimitsFlags::add(Arguments& a) {
-  return a.list("--limits", files, "FILE",
-                "own limits and domain of one subject (docs/limits.md), repeatable");
+std::vector<Flag> LimitsFlags::add(Arguments& a) {
+  const Flag
+      limits = a.list("--limits", files, "FILE",
+                      "what one subject promises, and on which inputs (docs/limits.md), repeatable"),
+      judge = a.choice(
+          "--profile", profile, profile_names(), "PROFILE",
+          "what judges where no --limits does: ours (what liecheck promises), careful (64 eps) or half "
+          "(of the digits); default careful for an --adapter, else ours");
+  return {limits, judge};
 }
 
-std::vector<std::shared_ptr<const SubjectLimits>> LimitsFlags::read() const {
-  std::vector<std::shared_ptr<const SubjectLimits>> all;
+Selection LimitsFlags::judging(Selection selection) const {
   for (const std::string& file : files)
-    all.push_back(std::make_shared<const SubjectLimits>(read_limits(file)));
-  return all;
+    selection.limits.push_back(std::make_shared<const SubjectLimits>(read_limits(file)));
+  if (const auto named = profile_named(profile)) selection.profiles[""] = *named;
+  return selection;
 }
 
 Selection SelectionFlags::selection() const {
   const std::vector<std::string> given = adapters.start();
-  Selection s{subjects, properties, scalars, limits.read()};
+  Selection s = limits.judging({subjects, properties, scalars});
   if (subjects.empty()) {
     s.subjects = given.empty() ? std::vector<std::string>{"liecheck"} : given;
     if (scalars.empty()) s.scalars = {"float", "double"};

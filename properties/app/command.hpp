@@ -23,7 +23,6 @@ struct Robot;
 struct SceneSweepOptions;
 struct SceneSweepResult;
 struct Selection;
-struct SubjectLimits;
 struct SweepResult;
 
 /// Exit codes of the program.
@@ -129,14 +128,15 @@ struct RobotFlags {
   Robot read() const;
 };
 
-/// --limits, which may be repeated.
+/// --limits, which may be repeated, and --profile: what judges the subjects.
 struct LimitsFlags {
   std::vector<std::string> files;
+  std::string profile;
 
-  /// Adds the flag and returns it.
-  Flag add(Arguments& arguments);
-  /// Reads the files, each once.
-  std::vector<std::shared_ptr<const SubjectLimits>> read() const;
+  /// Adds the flags and returns them.
+  std::vector<Flag> add(Arguments& arguments);
+  /// The selection with these limits and this profile. Reads the files, each once.
+  Selection judging(Selection selection) const;
 };
 
 /// --adapter, which may be repeated.
@@ -149,7 +149,7 @@ struct AdapterFlags {
   std::vector<std::string> start() const;
 };
 
-/// --subject, --adapter, --property, --scalar, --limits and --json.
+/// --subject, --adapter, --property, --scalar, --limits, --profile and --json.
 struct SelectionFlags {
   std::vector<std::string> subjects, properties, scalars;
   AdapterFlags adapters;
@@ -219,6 +219,7 @@ Command adapter_serve_command(CLI::App& adapter);
 Command campaign_command(CLI::App& program, const std::string& typed_line);
 Command hard_cases_command(CLI::App& program);
 Command hunt_command(CLI::App& program);
+Command promise_command(CLI::App& program);
 Command bench_batches_command(CLI::App& bench);
 Command bench_bugs_command(CLI::App& bench);
 Command bench_lattice_command(CLI::App& bench);

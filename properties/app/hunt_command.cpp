@@ -114,7 +114,7 @@ void print_comparison(const Worst& hunted, const Worst& random, std::uint64_t ev
 /// the operations or blocks that are known.
 std::vector<std::unique_ptr<Series>> series_of(const Flags& f, const Robot& robot) {
   const std::string &op = f.options.operation, &block = f.options.block;
-  Selection selection{{f.subject}, {}, {f.scalar}, f.limits.read()};
+  Selection selection = f.limits.judging({{f.subject}, {}, {f.scalar}});
   if (!f.property.empty()) selection.properties = {f.property};
   auto all = select(selection, robot);
   if (all.empty()) throw std::invalid_argument(fmt::format("{} is not offered in {}", f.subject, f.scalar));

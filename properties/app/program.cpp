@@ -77,7 +77,7 @@ std::vector<Command> add_commands(CLI::App& program, const std::string& typed_li
     for (const Adder& command : commands) all.push_back(command(parent));
   };
   const auto campaign = [&](CLI::App& parent) { return campaign_command(parent, typed_line); };
-  add(program, {list_command, campaign, hard_cases_command, hunt_command});
+  add(program, {list_command, campaign, hard_cases_command, hunt_command, promise_command});
   add(group(program, "bench", "benchmarks of the harness"),
       {bench_batches_command, bench_bugs_command, bench_lattice_command, bench_limits_command,
        bench_speed_command});

@@ -68,8 +68,7 @@ fs::path run_campaign_of_report(const Flags& f) {
   create_folder(f.out);
   const fs::path file = fs::path(f.out) / "campaign.json";
   check_writable(file);
-  Selection everything;
-  everything.limits = f.limits.read();
+  const Selection everything = f.limits.judging({});
   const auto hard_cases = run_hard_cases(everything, robot, built_in_corpus(), f.cases.options.jobs);
   const StoredRun run = run_stored_campaign(everything, robot, f.cases, {}).value();
   if (run.result.incomplete) print_interrupted("");
@@ -116,7 +115,7 @@ Command report_command(CLI::App& program) {
   a.toggle("--no-cost", a->no_cost, "leave out the times, which take about 35 s").excludes(records);
   a.toggle("--no-scenes", a->no_scenes, "leave out the scenes, which take about 40 s").excludes(records);
   for (const Flag& flag : a->cases.add(a)) flag.excludes(records);
-  a->limits.add(a).excludes(records);
+  for (const Flag& flag : a->limits.add(a)) flag.excludes(records);
   return a.runs(run);
 }
 

@@ -16,7 +16,7 @@ namespace liecheck::properties {
 
 namespace {
 
-constexpr int format_version = 1;
+constexpr int format_version = 2;  ///< which added `profile` and [expected]
 
 std::string trimmed(const std::string& text) {
   const char* const space = " \t\r";
@@ -51,9 +51,8 @@ class Parser {
       else
         read(row);
     }
-    if (!version_) refuse_file(fmt::format("has no line 'version = {}'", format_version));
+    if (version_ == 0) refuse_file(fmt::format("has no line 'version = {}'", format_version));
     if (limits_.subject.empty()) refuse_file("names no subject: it has no line 'subject = NAME'");
-    limits_.table = with_own_limits(budgets(limits_.subject), own_);
   }
   SubjectLimits take() { return std::move(limits_); }
 
@@ -73,10 +72,10 @@ class Parser {
   }
 
   void enter(const std::string& row) {
-    if (row != "[limits]" && row != "[domain]")
-      refuse(fmt::format("unknown section '{}'; known: [limits], [domain]", row));
-    if (!version_)
+    check_among("section", row, {"[limits]", "[domain]", "[expected]"});
+    if (version_ == 0)
       refuse(fmt::format("before section {} there must be a line 'version = {}'", row, format_version));
+    if (row == "[expected]") check_version(row, 2);
     section_ = row;
   }
 
@@ -88,21 +87,27 @@ class Parser {
       read_limit(key, value);
     else if (section_ == "[domain]")
       read_bound(key, value);
+    else if (section_ == "[expected]")
+      read_expected(key, value);
     else
       read_head(key, value);
   }
 
   void read_head(const std::string& key, const std::string& value) {
-    if (key != "version" && key != "subject")
-      refuse(fmt::format("unknown name '{}'; known before the first section: version, subject", key));
+    check_among("name", key, {"version", "subject", "profile"});
     if (value.empty()) refuse(fmt::format("{} has no value", key));
     check_new(key);
     if (key == "subject") {
       limits_.subject = value, limits_.subject_line = line_;
+    } else if (key == "profile") {
+      check_version(key, 2);
+      check_among("profile", value, profile_names());
+      limits_.profile = profile_named(value);
     } else {
-      version_ = value == std::to_string(format_version);
-      if (!version_)
-        refuse(fmt::format("version '{}': this program reads version {}", value, format_version));
+      for (int known = 1; known <= format_version; ++known)
+        if (value == std::to_string(known)) version_ = known;
+      if (version_ == 0)
+        refuse(fmt::format("version '{}': this program reads versions 1 to {}", value, format_version));
     }
   }
 
@@ -125,7 +130,7 @@ class Parser {
         }))
       refuse(fmt::format("'{}' names no limit: the budget table has none with this region and rule", key));
     check_new(fmt::format("{}, {}, {}, {}", b.operation, b.block, b.region, names[3]));
-    own_.push_back(b);
+    limits_.lines.push_back(b);
   }
 
   /// operation, quantity = largest
@@ -146,6 +151,28 @@ class Parser {
     limits_.domain.push_back(b);
   }
 
+  /// operation, block, inputs = reason, link
+  void read_expected(const std::string& key, const std::string& value) {
+    const auto names = parts_of(key);
+    if (names.size() != 3) refuse(fmt::format("'{}' is not of the form OPERATION, BLOCK, INPUTS", key));
+    if (names[0] == "*" || names[1] == "*")
+      refuse(fmt::format("'{}' expects too much: * is not allowed", key));
+    if (std::none_of(budget_lines().begin(), budget_lines().end(),
+                     [&](const Budget& b) { return b.operation == names[0] && b.block == names[1]; }))
+      refuse(fmt::format("no law measures the block '{}' of '{}'", names[1], names[0]));
+    const auto inputs = parse_input_region(names[2]);
+    if (!inputs)
+      refuse(fmt::format("no band of inputs is '{}', such as 'theta 1e-9..1e-3', 'pi', 'beyond_pi' or 'any'",
+                         names[2]));
+    const auto comma = value.rfind(',');
+    const std::string reason = trimmed(value.substr(0, comma)),
+                      link = comma == value.npos ? "" : trimmed(value.substr(comma + 1));
+    if (reason.empty() || link.empty() || link.find_first_of(" \t") != link.npos)
+      refuse(fmt::format("'{}' is not of the form REASON, LINK", value));
+    check_new(fmt::format("expected {}, {}, {}", names[0], names[1], names[2]));
+    limits_.expected.push_back({names[0], names[1], *inputs, reason, link});
+  }
+
   static std::vector<std::string> blocks_of(const std::string& operation) {
     std::vector<std::string> blocks{"*"};
     for (const Budget& b : budget_lines())
@@ -164,6 +191,9 @@ class Parser {
     if (std::find(known.begin(), known.end(), name) == known.end())
       refuse(fmt::format("unknown {} '{}'; known: {}", what, name, fmt::join(known, ", ")));
   }
+  void check_version(const std::string& what, int since) const {
+    if (version_ < since) refuse(fmt::format("{} needs a line 'version = {}' before it", what, since));
+  }
   void check_new(const std::string& what) {
     const auto [first, is_new] = seen_.emplace(what, line_);
     if (!is_new) refuse(fmt::format("'{}' is already in line {}", what, first->second));
@@ -177,10 +207,9 @@ class Parser {
   }
 
   SubjectLimits limits_;
-  std::vector<Budget> own_;
   std::map<std::string, int> seen_;  ///< what a line names, and its line
   std::string section_;
-  bool version_ = false;
+  int version_ = 0;  ///< 0: not read yet
   int line_ = 0;
 };
 

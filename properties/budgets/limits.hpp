@@ -1,9 +1,10 @@
 #pragma once
-// A limits file: what one subject promises, in place of the budget table's limits, and on which inputs.
+// A limits file: what one subject promises, in place of the limits of a profile, and on which inputs.
 // docs/limits.md defines the format.
 
-#include <budgets/budgets.hpp>
 #include <budgets/domain.hpp>
+#include <budgets/input_region.hpp>
+#include <budgets/profile.hpp>
 
 namespace liecheck::properties {
 
@@ -12,8 +13,10 @@ struct SubjectLimits {
   std::string text;  ///< the whole file
   std::string subject;
   int subject_line = 0;
-  std::vector<Budget> table;  ///< the budget table with the subject's own limits
+  std::optional<Profile> profile;  ///< judges what the lines do not name
+  std::vector<Budget> lines;       ///< the subject's own limits
   std::vector<DomainBound> domain;
+  std::vector<ExpectedFailure> expected;
 };
 
 /// Throws std::invalid_argument with file, line and value for a line that is wrong or names nothing. Whether

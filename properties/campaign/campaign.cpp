@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <campaign/cliffs.hpp>
 #include <campaign/coverage_report.hpp>
 #include <chrono>
 #include <exception>
@@ -41,8 +42,10 @@ void CampaignResult::summarize() {
     inputs.merge(s.tally.inputs);
     results.merge(s.tally.results);
     total_cases += s.tally.cases;
-    failed = failed || !s.tally.disagreed.empty();
-    for (const auto& [key, row] : s.tally.rows) failed = failed || row.failed > 0;
+    failed = failed || !s.tally.disagreed.empty() || unexpected(cliffs_of(*s.series, s.tally));
+    for (const auto& [cell, row] : s.tally.rows)
+      failed = failed || (row.failed > 0 && !s.series->expected(static_cast<std::size_t>(cell.first),
+                                                                static_cast<std::size_t>(cell.second)));
     measured = measured && not_measured(*s.series, s.tally).empty();
     if (options.seconds ? stop_requested.load() : !s.tally.done.covers(first, last)) incomplete = true;
   }

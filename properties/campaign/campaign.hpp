@@ -36,8 +36,8 @@ struct CampaignResult {
   Robot robot;
   std::vector<SeriesResult> series;
   bool incomplete = false;  ///< interrupted: cases are missing
-  bool failed = false;
-  bool measured = true;  ///< every series measured what it must (coverage_report.hpp)
+  bool failed = false;      ///< a row failed, a cliff was found (cliffs.hpp), or the oracles disagree
+  bool measured = true;     ///< every series measured what it must (coverage_report.hpp)
   std::string inputs_digest, results_digest;
   std::uint64_t total_cases = 0;
   double elapsed = 0;  ///< s

@@ -13,6 +13,9 @@ namespace liecheck::properties {
 /// The relative accuracy of a condition number in ball arithmetic (oracles::condition_number).
 inline constexpr double kappa_accuracy = 0.02;
 
+/// Above half of this, an excess is exact whatever the limit is: cliffs.hpp compares excesses of bands.
+inline constexpr double largest_inexact_limit = 64;
+
 /// The budgets of one output, up to theta = pi and beyond.
 struct OutputLimits {
   const Block* definition;
@@ -43,7 +46,8 @@ class Judge final : public Recorder {
     } else if (j.budget->rule == Rule::forward) {
       j.failed = !(error <= j.budget->limit);
       decided(error, j.budget->limit, accuracy_);
-    } else if (!every_kappa_ && kappa.least() * eps_ < 1 && error <= j.budget->limit / 2 * kappa.least()) {
+    } else if (!every_kappa_ && kappa.least() * eps_ < 1 &&
+               error <= std::min(j.budget->limit, largest_inexact_limit) / 2 * kappa.least()) {
       // It passes for every kappa. An excess above half the limit is exact, one below may be an upper bound.
       j.excess = error / kappa.least();
     } else {

@@ -26,13 +26,18 @@ std::map<std::string, Needs> needs_of(const CampaignResult& campaign) {
   return needs;
 }
 
-std::string limits_text(const std::string& subject, const Needs& needs, const std::string& reason) {
-  std::string text = fmt::format("version = 1\nsubject = {}\n\n[limits]\n", subject);
+std::string limit_lines(const Needs& needs, double factor, const std::string& reason) {
+  std::string text;
   for (const auto& [key, need] : needs)
     if (need.largest > oracles::error_accuracy)
       text += fmt::format("{}, {}, {}, {} = {:.3g}, {}\n", key.operation, key.block, key.region, key.rule,
-                          allowance * need.largest, reason);
+                          factor * need.largest, reason);
   return text;
+}
+
+std::string limits_text(const std::string& subject, const Needs& needs, const std::string& reason) {
+  return fmt::format("version = 1\nsubject = {}\n\n[limits]\n{}", subject,
+                     limit_lines(needs, allowance, reason));
 }
 
 }  // namespace liecheck::properties

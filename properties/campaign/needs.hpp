@@ -31,8 +31,10 @@ using Needs = std::map<LimitKey, Need>;
 /// half the limit is an upper bound, unless the campaign computed every condition number.
 std::map<std::string, Needs> needs_of(const CampaignResult& campaign);
 
-/// The text of a limits file with `allowance` times each need. A block whose error does not exceed the
-/// accuracy of the oracles keeps the limit of the budget table.
+/// Lines of a limits file with `factor` times each need. A block whose error does not exceed the accuracy of
+/// the oracles has none.
+std::string limit_lines(const Needs& needs, double factor, const std::string& reason);
+/// The text of a limits file with `allowance` times each need.
 std::string limits_text(const std::string& subject, const Needs& needs, const std::string& reason);
 
 }  // namespace liecheck::properties

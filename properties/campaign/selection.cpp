@@ -22,6 +22,13 @@ std::shared_ptr<const SubjectLimits> limits_of(const Selection& selection, const
   return nullptr;
 }
 
+Profile profile_of(const Selection& selection, const std::string& subject, const SubjectLimits* own,
+                   bool of_adapter) {
+  for (const std::string& name : {subject, std::string()})
+    if (const auto at = selection.profiles.find(name); at != selection.profiles.end()) return at->second;
+  return default_profile(own, of_adapter);
+}
+
 void check_limits(const Selection& selection) {
   const auto known = subject_names();
   std::set<std::string> seen;
@@ -51,8 +58,9 @@ void add_series(const Selection& selection, const Robot& robot, std::vector<std:
     if (selection.subjects.empty() && on_request(subject->name)) continue;
     for (auto& property : make_properties<S>()) {
       if (!wanted(selection.properties, property->name()) || !property->offered(*subject)) continue;
-      all.push_back(std::make_unique<TypedSeries<S>>(std::move(property), *subject, robot,
-                                                     limits_of(selection, subject->name)));
+      auto own = limits_of(selection, subject->name);
+      const Profile profile = profile_of(selection, subject->name, own.get(), !subject->adapter.empty());
+      all.push_back(std::make_unique<TypedSeries<S>>(std::move(property), *subject, robot, own, profile));
     }
   }
 }

@@ -9,6 +9,7 @@ namespace liecheck::properties {
 struct Selection {
   std::vector<std::string> subjects, properties, scalars;
   std::vector<std::shared_ptr<const SubjectLimits>> limits = {};  ///< of some of the subjects
+  std::map<std::string, Profile> profiles = {};  ///< by subject; "": of the others; without: default_profile
 };
 /// Throws std::invalid_argument for a name that is not known, and for limits of a subject that has others or
 /// is not selected.

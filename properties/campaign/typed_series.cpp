@@ -19,13 +19,29 @@ CaseId Series::id(std::uint64_t seed, std::uint64_t index) const {
   return id;
 }
 
+const ExpectedFailure* Series::expected(std::size_t output, std::size_t band) const {
+  if (!own) return nullptr;
+  const Output& o = outputs.at(output);
+  const auto at = std::find_if(own->expected.begin(), own->expected.end(), [&](const ExpectedFailure& e) {
+    return e.operation == o.operation && e.block == o.block && e.inputs.has(bands()[band]);
+  });
+  return at == own->expected.end() ? nullptr : &*at;
+}
+
 std::string hash_of(const SubjectLimits& limits) {
   return hexadecimal(sha256(limits.text)).substr(0, 16);
 }
 
 std::string subject_flags(const Series& series) {
+  const bool usual = series.profile == default_profile(series.own.get(), !series.adapter.empty());
   return (series.adapter.empty() ? "" : " --adapter " + shell_quoted(series.adapter)) +
-         (series.own ? " --limits " + shell_quoted(series.own->file) : "");
+         (series.own ? " --limits " + shell_quoted(series.own->file) : "") +
+         (usual ? "" : " --profile " + name_of(series.profile));
+}
+
+Profile default_profile(const SubjectLimits* own, bool of_adapter) {
+  if (own && own->profile) return *own->profile;
+  return of_adapter ? Profile::careful : Profile::ours;
 }
 
 namespace {
@@ -73,7 +89,8 @@ std::uint64_t next_series_number() {
 
 template <class S>
 TypedSeries<S>::TypedSeries(std::unique_ptr<Property<S>> law_tested, const Subject<S>& tested,
-                            const Robot& robot_used, std::shared_ptr<const SubjectLimits> limits)
+                            const Robot& robot_used, std::shared_ptr<const SubjectLimits> limits,
+                            Profile judging)
     : law_(std::move(law_tested)), subject_(tested), checked_(tested), number_(next_series_number()) {
   const Statement& stated = law_->statement();
   property = stated.name, law = stated.law, equation = stated.equation, source = stated.source;
@@ -89,8 +106,10 @@ TypedSeries<S>::TypedSeries(std::unique_ptr<Property<S>> law_tested, const Subje
     if (law_->measures(subject_, outputs[i])) due |= 1u << i;
   of_joints_ = is_tree_law(property) || outputs.front().operation.starts_with("robot_");
   own = std::move(limits);
+  profile = judging;
   if (own) domain_ = Domain(own->domain, fields, outputs);
-  const std::vector<Budget>& table = own ? own->table : budgets(subject);
+  if (own) own_table_ = with_own_limits(budgets(subject, profile, eps), own->lines);
+  const std::vector<Budget>& table = own ? own_table_ : budgets(subject, profile, eps);
   for (const Output& o : outputs)
     limits_.push_back({o.definition,
                        {&budget_in(table, o.operation, o.block, Region::to_pi),

@@ -15,7 +15,7 @@ template <class S>
 class TypedSeries final : public Series {
  public:
   TypedSeries(std::unique_ptr<Property<S>> law, const Subject<S>& subject, const Robot& robot,
-              std::shared_ptr<const SubjectLimits> limits = nullptr);
+              std::shared_ptr<const SubjectLimits> limits = nullptr, Profile profile = Profile::ours);
 
   const Bands& bands() const override { return Bands::of<S>(); }
   const Budget& budget(std::size_t output, Region region) const override {
@@ -89,6 +89,7 @@ class TypedSeries final : public Series {
   std::unique_ptr<Property<S>> law_;
   const Subject<S>& subject_;
   CheckedSubject<S> checked_;
+  std::vector<Budget> own_table_;  ///< if it has a limits file
   Limits limits_;
   Domain domain_;
   bool of_joints_ = false;      ///< the law is one of trees or of a robot

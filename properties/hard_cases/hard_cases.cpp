@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <atomic>
+#include <campaign/expected.hpp>
 #include <hard_cases/attempt.hpp>
 #include <invariants/tree_laws.hpp>
 #include <stdexcept>
@@ -65,7 +66,7 @@ HardCell cell_of(const Series& series, const CaseId& id, const Trial& trial) {
     const double figure = excess ? j.excess : j.residual.error;
     // A limit of 0 requires an exact result: any error has an infinite score.
     const double score = figure == 0 ? 0 : figure / j.budget->limit;
-    cell.failed = cell.failed || j.failed;
+    cell.failed = cell.failed || fails(series, j);
     cell.open = cell.open || leaves_open(j.residual.outcome);
     if (std::tuple(verdict, score) <= worst) continue;
     worst = {verdict, score};

@@ -28,7 +28,8 @@ struct HardCell {
   std::string subject, scalar;
   Verdict verdict = Verdict::stable;
   bool failed = false;                 ///< sets the exit code: every verdict except stable, ill-posed, those
-                                       ///< of `open`, and the refusal of an input that is not a rotation
+                                       ///< of `open`, the refusal of an input that is not a rotation, and
+                                       ///< what a limits file expects
   bool open = false;                   ///< a block is unresolved or unmeasured
   std::string operation, block, band;  ///< of the worst block: by verdict, then error / budget
   double error = 0, kappa = 0;         ///< [eps], [1]; kappa is 0 if it was not computed

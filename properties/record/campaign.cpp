@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 #include <algorithm>
+#include <campaign/cliffs.hpp>
 #include <campaign/coverage_report.hpp>
+#include <campaign/expected.hpp>
 #include <map>
 #include <record/record.hpp>
 #include <set>
@@ -73,9 +75,9 @@ const char* name_of(Axis axis) {
   return axis == Axis::theta ? "theta" : axis == Axis::pi_minus_theta ? "pi_minus_theta" : "none";
 }
 
-const char* status_of(const Row& row) {
+const char* status_of(const Row& row, bool expected) {
   const std::uint64_t judged = row.inside();
-  return row.failed                ? "fail"
+  return row.failed                ? (expected ? "expected" : "fail")
          : row.unresolved          ? "unresolved"
          : row.unmeasured          ? "unmeasured"
          : judged == 0             ? "empty"
@@ -84,8 +86,10 @@ const char* status_of(const Row& row) {
 }
 
 /// One output of a series in one band.
-json row_record(const Series& series, std::size_t output, const Band& b, const Row& row, std::uint64_t seed) {
+json row_record(const Series& series, const Rows::Cell& cell, const Row& row, std::uint64_t seed) {
+  const auto output = static_cast<std::size_t>(cell.first);
   const Output& o = series.outputs.at(output);
+  const Band& b = series.bands()[static_cast<std::size_t>(cell.second)];
   const Budget& budget = series.budget(output, b.region);
   const CaseId id = series.id(seed, row.worst_index);
   const json worst =
@@ -124,7 +128,7 @@ json row_record(const Series& series, std::size_t output, const Band& b, const R
           {"printed", row.printed},
           {"failed", row.failed},
           {"unmeasured", row.unmeasured},
-          {"status", status_of(row)},
+          {"status", status_of(row, !fails(series, cell, row))},
           {"worst", worst}};
 }
 
@@ -140,11 +144,9 @@ Results results_of(const CampaignResult& r) {
   for (const auto& [series, tally] : r.series)
     for (const auto& [cell, row] : tally.rows) {
       const Output& o = series->outputs.at(static_cast<std::size_t>(cell.first));
-      const Band& band = series->bands()[static_cast<std::size_t>(cell.second)];
       if (operations.insert(o.record).second) all.operations.push_back(definition_of(*o.record));
       if (blocks.insert(o.definition).second) all.blocks.push_back(definition_of(o));
-      all.rows.push_back(
-          row_record(*series, static_cast<std::size_t>(cell.first), band, row, r.options.seed));
+      all.rows.push_back(row_record(*series, cell, row, r.options.seed));
     }
   return all;
 }
@@ -185,6 +187,7 @@ json subjects_record(const CampaignResult& r) {
                    {"version", offered.series->subject_version},
                    {"scalar", key.second},
                    {"eps", offered.series->eps},
+                   {"profile", name_of(offered.series->profile)},
                    {"limits", offered.series->own ? offered.series->own->file : ""},
                    {"limits_hash", offered.series->own ? hash_of(*offered.series->own) : ""},
                    {"not_offered", not_offered}});
@@ -201,6 +204,40 @@ json not_measured_record(const CampaignResult& r) {
                      {"subject", series->subject},
                      {"scalar", series->scalar},
                      {"what", line}});
+  return all;
+}
+
+json cliffs_record(const CampaignResult& r) {
+  json all = json::array();
+  for (const auto& [series, tally] : r.series)
+    for (const Cliff& c : cliffs_of(*series, tally)) {
+      const Output& o = series->outputs.at(c.output);
+      all.push_back({{"property", series->property},
+                     {"subject", series->subject},
+                     {"scalar", series->scalar},
+                     {"operation", o.operation},
+                     {"block", o.block},
+                     {"band", series->bands()[c.band].name},
+                     {"beside", c.moderate ? "moderate angles" : "neighbours"},
+                     {"figure", number(c.figure)},
+                     {"reference", number(c.reference)},
+                     {"expected", c.expected}});
+    }
+  return all;
+}
+
+json expected_record(const CampaignResult& r) {
+  json all = json::array();
+  for (const Expectation& e : expectations_of(r))
+    all.push_back({{"subject", e.subject},
+                   {"operation", e.line.operation},
+                   {"block", e.line.block},
+                   {"inputs", e.line.inputs.text},
+                   {"reason", e.line.reason},
+                   {"link", e.line.link},
+                   {"measured", e.measured},
+                   {"failed", e.failed},
+                   {"passed", e.passed()}});
   return all;
 }
 
@@ -223,6 +260,8 @@ json record_of(const StoredRun& run) {
       {"total_cases", r.total_cases},
       {"verdict", verdict_of(!r.undecided(), !r.failed)},
       {"not_measured", not_measured_record(r)},
+      {"cliffs", cliffs_record(r)},
+      {"expected", expected_record(r)},
       {"counterexamples", counterexamples_record(run.counterexamples)},
       {"digest", {{"inputs", r.inputs_digest}, {"results", r.results_digest}}},
       {"robot",

@@ -131,7 +131,8 @@ HuntResult hunt_in(const TypedSeries<S>& series, const HuntOptions& options) {
   const auto evaluate = [&](const std::vector<S>& x, std::size_t island) {
     ++result.evaluations;
     for (const Judged& j : series.measure(x, limits))
-      for (Climb<S>& c : climbs) c.take(j, x, island, result.evaluations);
+      if (!series.expected(j.residual.output, j.residual.band))
+        for (Climb<S>& c : climbs) c.take(j, x, island, result.evaluations);
   };
 
   double share = 0;

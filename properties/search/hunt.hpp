@@ -49,7 +49,8 @@ struct HuntResult {
   bool stopped = false;
 };
 
-/// Searches for the worst input of each block of an operation that the series measures. Stops early at
+/// Searches for the worst input of each block of an operation that the series measures, outside the inputs where
+/// the subject's limits file expects a failure. Stops early at
 /// stop_requested. The result is deterministic for a given number of evaluations.
 HuntResult hunt(const Series& series, const HuntOptions& options);
 

@@ -69,6 +69,8 @@ std::size_t cells_in_both(const StoredCampaign& a, const StoredCampaign& b) {
 std::vector<std::string> worse(const StoredCampaign& a, const StoredCampaign& b) {
   if (const std::string limits = differences_of_limits(a.spec, b.spec); !limits.empty())
     throw std::invalid_argument("verdicts by different limits cannot be compared: " + limits);
+  if (const std::string profiles = differences_of_profiles(a, b); !profiles.empty())
+    throw std::invalid_argument("verdicts by different profiles cannot be compared: " + profiles);
   const auto before = by_name(a), after = by_name(b);
   std::vector<std::string> lines;
   for (const StoredSeries& s : b.series) {

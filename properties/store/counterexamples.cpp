@@ -1,6 +1,7 @@
 #include <store/counterexamples.hpp>
 
 #include <algorithm>
+#include <campaign/expected.hpp>
 #include <stdexcept>
 #include <support/stop.hpp>
 
@@ -32,11 +33,11 @@ Counterexamples replay_counterexamples(const std::vector<Counterexample>& all,
       continue;
     }
     ++result.replayed;
-    const auto fails = [&](const Judged& j) {
+    const auto still = [&](const Judged& j) {
       const Output& o = found->series->outputs.at(j.residual.output);
-      return j.failed && o.operation == c.operation && o.block == c.block;
+      return fails(*found->series, j) && o.operation == c.operation && o.block == c.block;
     };
-    if (std::any_of(judged.begin(), judged.end(), fails))
+    if (std::any_of(judged.begin(), judged.end(), still))
       result.failing.push_back({c.operation, c.block, id.text()});
   }
   return result;

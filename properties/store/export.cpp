@@ -31,6 +31,7 @@ std::string series_line(const StoredSeries& s) {
   for (const auto& [first, last] : s.tally.done) done.push_back({first, last});
   json line = key_of(s);
   line.update({{"series", s.robot},
+               {"profile", s.profile},
                {"version", s.subject_version},
                {"cases", s.tally.cases},
                {"done", done},

@@ -17,7 +17,7 @@ namespace liecheck::properties {
 namespace {
 
 constexpr std::int64_t application_id = 0x6c696563;  // "liec"
-constexpr std::int64_t schema_version = 3;
+constexpr std::int64_t schema_version = 4;
 
 const char* const schema = R"(
 CREATE TABLE campaigns(id INTEGER PRIMARY KEY, seed INTEGER, cases INTEGER, first INTEGER, last INTEGER,
@@ -25,7 +25,7 @@ CREATE TABLE campaigns(id INTEGER PRIMARY KEY, seed INTEGER, cases INTEGER, firs
   seal INTEGER);
 CREATE TABLE series(campaign INTEGER, series INTEGER, property TEXT, subject TEXT, subject_version TEXT,
   scalar TEXT, robot TEXT, cases INTEGER, inputs TEXT, results TEXT, cells INTEGER, fast INTEGER,
-  checked INTEGER, disagreed TEXT, coverage TEXT, seal INTEGER,
+  checked INTEGER, disagreed TEXT, coverage TEXT, profile TEXT, seal INTEGER,
   PRIMARY KEY(campaign, series)) WITHOUT ROWID;
 CREATE TABLE done(campaign INTEGER, series INTEGER, first INTEGER, last INTEGER,
   PRIMARY KEY(campaign, series, first)) WITHOUT ROWID;

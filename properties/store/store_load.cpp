@@ -135,6 +135,8 @@ class Loader {
       std::istringstream disagreed(text(row, 13));
       for (std::uint64_t index = 0; disagreed >> index;) s.tally.disagreed.push_back(index);
       check(s.tally.coverage.parse(text(row, 14)), "a coverage is malformed");
+      s.profile = text(row, 15);
+      check(profile_named(s.profile).has_value(), "an unknown profile");
       campaign_.spec.series.push_back(s.text());
       campaign_.series.push_back(std::move(s));
     }

@@ -48,11 +48,11 @@ void Store::write_series(std::size_t series, const SeriesName& s, const Tally& t
   std::vector<std::uint64_t> disagreed = tally.disagreed;
   std::sort(disagreed.begin(), disagreed.end());
   SQLite::Statement row(database_,
-                        "REPLACE INTO series VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+                        "REPLACE INTO series VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   bind_sealed_row(row, campaign_, series, s.property, s.subject, s.subject_version, s.scalar, s.robot,
                   tally.cases, hexadecimal(tally.inputs.sum()), hexadecimal(tally.results.sum()),
                   tally.rows.size(), tally.fast, tally.checked, fmt::format("{}", fmt::join(disagreed, " ")),
-                  tally.coverage.text())
+                  tally.coverage.text(), s.profile)
       .exec();
   SQLite::Statement erase(database_, "DELETE FROM done WHERE campaign = ? AND series = ?");
   bind_row(erase, campaign_, series).exec();

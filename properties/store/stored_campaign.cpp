@@ -56,12 +56,23 @@ std::string differences_of_limits(const CampaignSpec& a, const CampaignSpec& b) 
   return fmt::format("{}", fmt::join(all, "; "));
 }
 
+std::string differences_of_profiles(const StoredCampaign& a, const StoredCampaign& b) {
+  std::map<std::string, std::string> before;
+  std::set<std::string> all;
+  for (const StoredSeries& s : a.series) before[s.subject] = s.profile;
+  for (const StoredSeries& s : b.series)
+    if (const auto was = before.find(s.subject); was != before.end() && was->second != s.profile)
+      all.insert(fmt::format("profile of {}: {} against {}", s.subject, was->second, s.profile));
+  return fmt::format("{}", fmt::join(all, "; "));
+}
+
 std::string SeriesName::text() const {
-  return fmt::format("{} of {} {} in {}, robot {}", property, subject, subject_version, scalar, robot);
+  return fmt::format("{} of {} {} in {}, robot {}, profile {}", property, subject, subject_version, scalar,
+                     robot, profile);
 }
 
 SeriesName name_of(const Series& s) {
-  return {s.property, s.subject, s.subject_version, s.scalar, s.robot};
+  return {s.property, s.subject, s.subject_version, s.scalar, s.robot, name_of(s.profile)};
 }
 
 CampaignSpec spec_of(const CampaignOptions& o, const Robot& robot, const std::vector<SeriesResult>& series) {

@@ -6,6 +6,7 @@
 namespace liecheck::properties {
 
 using Cell = Rows::Cell;  ///< (output, band)
+struct StoredCampaign;
 
 /// The identity of a campaign: two runs with equal specs are one campaign.
 struct CampaignSpec {
@@ -26,6 +27,9 @@ struct CampaignSpec {
 /// Returns "limits of a: none against x.limits (0123456789abcdef); ...", or an empty text if each subject was
 /// judged by the same limits file.
 std::string differences_of_limits(const CampaignSpec& a, const CampaignSpec& b);
+/// Returns "profile of a: ours against careful; ...", or an empty text if each subject in both was judged by
+/// the same profile.
+std::string differences_of_profiles(const StoredCampaign& a, const StoredCampaign& b);
 CampaignSpec spec_of(const CampaignOptions& options, const Robot& robot,
                      const std::vector<SeriesResult>& series);
 
@@ -38,7 +42,7 @@ struct Failure {
 };
 
 struct SeriesName {
-  std::string property, subject, subject_version, scalar, robot;
+  std::string property, subject, subject_version, scalar, robot, profile;
   std::string text() const;
 };
 SeriesName name_of(const Series& series);

@@ -40,13 +40,14 @@ StoredRun run_stored(const CampaignOptions& options, const Robot& robot, Store& 
 
 namespace {
 
-/// The limits of a stored campaign, and its subjects that this program has.
+/// The limits and profiles of a stored campaign, and its subjects that this program has.
 Selection selection_of(const StoredCampaign& c) {
   const auto known = subject_names();
   Selection selection;
   for (const StoredSeries& s : c.series)
     if (std::ranges::count(known, s.subject) && !std::ranges::count(selection.subjects, s.subject))
       selection.subjects.push_back(s.subject);
+  for (const StoredSeries& s : c.series) selection.profiles[s.subject] = profile_named(s.profile).value();
   selection.limits = c.spec.limits;
   return selection;
 }

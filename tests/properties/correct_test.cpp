@@ -104,9 +104,9 @@ TEST(Limits, AreFourTimesTheNeedAndAreReadAsTheyAreWritten) {
       none{"inverse", "matrix", "any", "forward"};
   const std::string text =
       limits_text("correct:books", {{key, {2.5, 8, 0, 0, ""}}, {none, {0, 7, 0, 0, ""}}}, "measured");
-  const SubjectLimits limits = parse_limits("f", text);
-  EXPECT_EQ(budget_in(limits.table, key.operation, key.block, Region::to_pi).limit, 10);
-  EXPECT_EQ(budget_in(limits.table, none.operation, none.block, Region::to_pi).limit,
+  const auto table = with_own_limits(budgets("correct:books"), parse_limits("f", text).lines);
+  EXPECT_EQ(budget_in(table, key.operation, key.block, Region::to_pi).limit, 10);
+  EXPECT_EQ(budget_in(table, none.operation, none.block, Region::to_pi).limit,
             budget_of("", none.operation, none.block, Region::to_pi).limit);
 }
 

@@ -43,6 +43,21 @@ TEST(TheJudge, FindsALawWhoseLowerBoundOfKappaIsTooLarge) {
   EXPECT_EQ(outcome(0.5, 1), Outcome::measured);  // errors are divided by max(kappa, 1)
 }
 
+// A cliff compares excesses, which may be upper bounds only where they are small.
+TEST(TheJudge, DividesALargeErrorByKappaHoweverLargeTheLimitIs) {
+  const Budget wide{"", "", "any", Rule::excess, 1e7, ""};
+  constexpr Output output = op::exp6[block::translation];
+  const Limits limits{{output.definition, {&wide, &wide}}};
+  const auto excess = [&](double error) {
+    Judge judge(limits, Bands::of<double>(), 0x1p-52, 0);
+    const auto f = [] { return 1e4; };
+    judge.record(output, 0, error, Kappa(f, 2));
+    return judge.judged.at(0).excess;
+  };
+  EXPECT_EQ(excess(63), 31.5);  // an upper bound: kappa is at least 2
+  EXPECT_EQ(excess(1000), 0.1);
+}
+
 TEST(TallyRows, AreFoundAgainAfterCopyMoveAndErasure) {
   Rows a;
   a.of(1, 2).count = 5;

@@ -38,6 +38,10 @@ std::shared_ptr<const SubjectLimits> limits(const std::string& lines,
       parse_limits("own.limits", "version = 1\nsubject = " + subject + "\n" + lines));
 }
 
+std::vector<Budget> table_of(const std::shared_ptr<const SubjectLimits>& own) {
+  return with_own_limits(budgets(own->subject), own->lines);
+}
+
 CampaignOptions options(const std::string& subject, std::shared_ptr<const SubjectLimits> own,
                         const std::string& property = "exp_oracle", std::uint64_t cases = 600) {
   CampaignOptions o;
@@ -100,11 +104,11 @@ TEST(Limits, ReplaceThoseOfEveryRule) {
 }
 
 TEST(Limits, ThatNameMoreCountMore) {
-  const auto own = limits(
+  const auto table = table_of(limits(
       "[limits]\nexp6, translation, any, forward = 1\n*, *, to_pi, forward = 2\n*, *, any, forward = 3\n"
-      "*, translation, any, forward = 4\nexp6, *, any, forward = 5\n");
+      "*, translation, any, forward = 4\nexp6, *, any, forward = 5\n"));
   const auto of = [&](const char* operation, const char* block, Region region = Region::to_pi) {
-    return budget_in(own->table, operation, block, region).limit;
+    return budget_in(table, operation, block, region).limit;
   };
   EXPECT_EQ(of("exp6", "translation"), 1);
   EXPECT_EQ(of("exp6", "rotation"), 5);
@@ -114,11 +118,11 @@ TEST(Limits, ThatNameMoreCountMore) {
 }
 
 TEST(Limits, ApplyToOneRegionOfALimitForBoth) {
-  const auto own = limits("[limits]\nlog6, linear, beyond_pi, forward = 77, why\n");
-  const auto of = [&](Region region) { return budget_in(own->table, "log6", "linear", region).limit; };
+  const auto table = table_of(limits("[limits]\nlog6, linear, beyond_pi, forward = 77, why\n"));
+  const auto of = [&](Region region) { return budget_in(table, "log6", "linear", region).limit; };
   EXPECT_EQ(of(Region::beyond_pi), 77);
   EXPECT_EQ(of(Region::to_pi), budget_of("liecheck", "log6", "linear", Region::to_pi).limit);
-  EXPECT_EQ(budget_in(own->table, "log6", "linear", Region::beyond_pi).reason, "own.limits: why");
+  EXPECT_EQ(budget_in(table, "log6", "linear", Region::beyond_pi).reason, "own.limits: why");
 }
 
 TEST(Limits, OfOneSubjectDoNotConcernAnother) {
@@ -179,18 +183,21 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"[domain]\n*, angle, all = 3",
               "own.limits:4: '*, angle, all' is not of the form OPERATION, QUANTITY"},
         Wrong{"[domain]\n*, angle = 3\n*, angle = 2", "own.limits:5: 'domain *, angle' is already in line 4"},
-        Wrong{"[limit]\n", "own.limits:3: unknown section '[limit]'; known: [limits], [domain]"},
+        Wrong{"[limit]\n", "own.limits:3: unknown section '[limit]'; known: [limits], [domain], [expected]"},
+        Wrong{"[expected]\n", "own.limits:3: [expected] needs a line 'version = 2' before it"},
         Wrong{"author = me\n", "own.limits:3: unknown name 'author'"},
+        Wrong{"profile = ours\n", "own.limits:3: profile needs a line 'version = 2' before it"},
         Wrong{"subject = other\n", "own.limits:3: 'subject' is already in line 2"},
         Wrong{"\x01\n", "own.limits:3: a control character"}, Wrong{"\xff\n", "own.limits:3: not UTF-8"}));
 
 TEST(Limits, AreRefusedWithoutVersionOrSubject) {
   const auto said = [](const std::string& text) { return error([&] { parse_limits("f", text); }); };
-  EXPECT_EQ(said(""), "f: has no line 'version = 1'");
+  EXPECT_EQ(said(""), "f: has no line 'version = 2'");
   EXPECT_EQ(said("version = 1\n"), "f: names no subject: it has no line 'subject = NAME'");
-  EXPECT_EQ(said("version = 2\n"), "f:1: version '2': this program reads version 1");
+  EXPECT_EQ(said("version = 3\n"), "f:1: version '3': this program reads versions 1 to 2");
+  EXPECT_EQ(said("version = 1\nprofile = ours\n"), "f:2: profile needs a line 'version = 2' before it");
   EXPECT_EQ(said("subject = x\n[limits]\n"),
-            "f:2: before section [limits] there must be a line 'version = 1'");
+            "f:2: before section [limits] there must be a line 'version = 2'");
 }
 
 TEST(Limits, OfAnUnknownOrUnselectedSubjectOrTwiceAreRefused) {

@@ -42,7 +42,8 @@ const Json& campaign() {
 Json schema_of_campaign() {
   Json rule = schema();
   for (const char* section : {"sweep", "cost", "scenes"}) rule["properties"].erase(section);
-  if (campaign()["not_measured"].empty()) rule["properties"]["not_measured"].erase("items");
+  for (const char* section : {"not_measured", "cliffs", "expected"})
+    if (campaign()[section].empty()) rule["properties"][section].erase("items");
   return rule;
 }
 
@@ -58,6 +59,21 @@ TEST(Record, OfACampaignHasEveryDocumentedFieldAndNoOther) {
   Json spoilt = campaign();
   spoilt["results"][7].erase("budget");
   EXPECT_THROW(check_record("campaign.json", spoilt), std::runtime_error);
+}
+
+TEST(Record, OfCliffsAndExpectedFailuresHasEveryDocumentedFieldAndNoOther) {
+  const auto limits = std::filesystem::path(testing::TempDir()) /
+                      ("liecheck_record_" + std::to_string(::getpid()) + ".limits");
+  std::ofstream(limits)
+      << "version = 2\nsubject = textbook\n[expected]\nexp6, translation, any = why, link\n";
+  const Json record = written(
+      "campaign --subject textbook --property exp_oracle --scalar double --cases 8000 "
+      "--no-hard-cases --limits '" +
+      limits.string() + "'");
+  std::filesystem::remove(limits);
+  EXPECT_NO_THROW(check_record("campaign.json", record));
+  for (const char* section : {"cliffs", "expected"})
+    expect_agreement(schema()["properties"][section], record[section]);
 }
 
 /// Faults in the definitions of the operations and blocks in a record's results.

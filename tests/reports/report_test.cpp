@@ -87,6 +87,13 @@ TEST_F(Report, RanksAWrongBranchAboveAnyError) {
   EXPECT_TRUE(has(read(report(r).html), "<b>wrong branch</b>"));
 }
 
+TEST_F(Report, NamesTheCliffsThatNobodyExpects) {
+  Json r = full_record();
+  EXPECT_TRUE(has(read(report(r).html), "<b>textbook</b>: exp6 translation at theta 1e-8..1e-7 in double"));
+  r["cliffs"][0]["expected"] = true;
+  EXPECT_FALSE(has(read(report(r).html), "exp6 translation at theta 1e-8..1e-7 in double"));
+}
+
 TEST_F(Report, CallsASubjectWithAnUnresolvedBandIncomplete) {
   Json r = record();
   r["results"].push_back(row("liecheck", "0", 0));

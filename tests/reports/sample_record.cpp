@@ -145,6 +145,11 @@ Json full_record() {
   all["robot"]["root"] = "fixed";
   all.update(parsed(R"json({"total_cases": 40000,
  "counterexamples": {"failing": ["g4.1.a.b.double.none.0"], "replayed": 1, "skipped": 0},
+ "cliffs": [{"band": "theta 1e-8..1e-7", "beside": "moderate angles", "block": "translation", "figure": 3e7,
+   "operation": "exp6", "property": "exp_oracle", "reference": 1.5, "scalar": "double", "subject": "textbook",
+   "expected": false}],
+ "expected": [{"block": "translation", "failed": 3, "inputs": "theta 1e-8..1e-7", "link": "l", "measured": 200,
+   "operation": "exp6", "passed": false, "reason": "r", "subject": "textbook"}],
  "blocks": [{"block": "translation", "denominator": "|p_exact|", "error": "|p - p_exact| of exp",
    "operation": "exp6", "unit": "m"},
   {"block": "translation", "denominator": "|rho_exact|", "error": "|rho - rho_exact| of log",
@@ -165,7 +170,8 @@ Json full_record() {
     for (const char* name : {"not_repeatable", "argument_written", "output_unwritten", "outside_domain",
                              "crashed", "environment_changed", "printed"})
       r[name] = 0;
-  for (Json& s : all["subjects"]) s["limits"] = "own.limits", s["limits_hash"] = "0123456789abcdef";
+  for (Json& s : all["subjects"])
+    s.update({{"profile", "careful"}, {"limits", "own.limits"}, {"limits_hash", "0123456789abcdef"}});
   all["hard_cases"] = {hard_case("liecheck", "refused")};
   all["hard_cases"][0]["place"] = "zero.txt:3";
   all["hard_cases"][0]["cells"][0]["refusal"] = "not a unit quaternion";

@@ -1,0 +1,326 @@
+// Whose limits judge a subject: profiles, failures that a limits file expects, and a first file.
+
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+#include <unistd.h>
+#include <campaign/campaign.hpp>
+#include <campaign/expected.hpp>
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <record/record.hpp>
+#include <store/merge.hpp>
+#include <store/store_path.hpp>
+#include <store/stored_run.hpp>
+#include <support/files.hpp>
+
+namespace liecheck::properties {
+namespace {
+
+using V6 = Vec<double, 6>;
+
+/// exp6 of liecheck with a translation that is too long by so many eps.
+template <int eps>
+Subject<double> longer(const std::string& name, const std::string& adapter = "") {
+  Subject<double> s;
+  s.name = name, s.adapter = adapter;
+  s.operations[op::exp6] = [](const V6& xi) {
+    for (const auto* subject : subjects<double>())
+      if (subject->name == "liecheck") {
+        Pose<double> T = subject->operations[op::exp6](xi);
+        T.p *= 1 + eps * 0x1p-52;
+        return T;
+      }
+    throw std::logic_error("liecheck is not registered");
+  };
+  return s;
+}
+const Registered<double> by_thirty(longer<30>("promises:thirty")),
+    by_a_million(longer<1000000>("promises:million")), outside(longer<30>("promises:outside", "a command"));
+
+std::shared_ptr<const SubjectLimits> limits(const std::string& subject, const std::string& lines) {
+  return std::make_shared<const SubjectLimits>(
+      parse_limits("own.limits", "version = 2\nsubject = " + subject + "\n" + lines));
+}
+
+CampaignOptions options(const std::string& subject, std::optional<Profile> profile,
+                        std::shared_ptr<const SubjectLimits> own = nullptr, std::uint64_t cases = 300) {
+  CampaignOptions o;
+  o.selection = {{subject}, {"exp_oracle"}, {"double"}};
+  if (own) o.selection.limits = {std::move(own)};
+  if (profile) o.selection.profiles[""] = *profile;
+  o.cases = cases, o.jobs = 2, o.quiet = true;
+  return o;
+}
+CampaignResult run(const std::string& subject, std::optional<Profile> profile,
+                   std::shared_ptr<const SubjectLimits> own = nullptr, std::uint64_t cases = 300) {
+  return run_campaign(options(subject, profile, std::move(own), cases), built_in_robot());
+}
+
+/// The message of the exception that f throws, or "".
+template <class F>
+std::string error(F f) {
+  try {
+    f();
+  } catch (const std::exception& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST(Profiles, KeepTheRuleOfEachLineAndNoLimitOfItsOwn) {
+  for (const double eps : {0x1p-23, 0x1p-52}) {
+    const auto &ours = budgets("liecheck:fast", Profile::ours, eps),
+               &careful = budgets("liecheck:fast", Profile::careful, eps),
+               &half = budgets("liecheck:fast", Profile::half, eps);
+    EXPECT_EQ(&ours, &budgets("liecheck:fast"));
+    for (const Region region : {Region::to_pi, Region::beyond_pi})
+      for (const Budget& b : ours) {
+        if (b.region == "beyond_pi" && region == Region::to_pi) continue;
+        if (b.region == "to_pi" && region == Region::beyond_pi) continue;
+        const Budget &c = budget_in(careful, b.operation, b.block, region),
+                     &h = budget_in(half, b.operation, b.block, region);
+        EXPECT_EQ(c.rule, b.rule);
+        EXPECT_EQ(h.rule, b.rule);
+        EXPECT_EQ(c.limit, 64);
+        EXPECT_DOUBLE_EQ(h.limit * eps, std::sqrt(eps));
+      }
+  }
+}
+
+TEST(Profiles, JudgeTheSameErrorDifferently) {
+  EXPECT_TRUE(run("promises:thirty", Profile::ours).failed);
+  EXPECT_FALSE(run("promises:thirty", Profile::careful).failed);
+  EXPECT_TRUE(run("promises:million", Profile::careful).failed);
+  EXPECT_FALSE(run("promises:million", Profile::half).failed);
+}
+
+TEST(Profiles, AreThoseOfTheUserThenOfTheFileThenOfTheKindOfSubject) {
+  const auto of = [](const std::string& subject, std::optional<Profile> profile, const std::string& lines) {
+    const auto all = select(options(subject, profile, limits(subject, lines)).selection, built_in_robot());
+    return all.at(0)->profile;
+  };
+  for (const std::string subject : {"promises:thirty", "promises:outside"}) {
+    EXPECT_EQ(of(subject, std::nullopt, ""),
+              subject == "promises:outside" ? Profile::careful : Profile::ours);
+    EXPECT_EQ(of(subject, std::nullopt, "profile = half\n"), Profile::half);
+    EXPECT_EQ(of(subject, Profile::ours, "profile = half\n"), Profile::ours);
+  }
+}
+
+TEST(Profiles, JudgeWhatALimitsFileDoesNotName) {
+  const auto own =
+      limits("promises:thirty", "profile = careful\n[limits]\nexp6, translation, to_pi, forward = 7\n");
+  const auto all = select(options("promises:thirty", std::nullopt, own).selection, built_in_robot());
+  EXPECT_EQ(all.at(0)->budget(6, Region::to_pi).limit, 7);
+  EXPECT_EQ(all.at(0)->budget(6, Region::beyond_pi).limit, 64);
+}
+
+TEST(Profiles, AreInTheFlagsOfAReplayUnlessTheyAreUsual) {
+  const auto flags = [](const std::string& subject, std::optional<Profile> profile) {
+    return subject_flags(*select(options(subject, profile).selection, built_in_robot()).at(0));
+  };
+  EXPECT_EQ(flags("promises:thirty", Profile::ours), "");
+  EXPECT_EQ(flags("promises:thirty", Profile::careful), " --profile careful");
+  EXPECT_EQ(flags("promises:outside", std::nullopt), " --adapter 'a command'");
+  EXPECT_EQ(flags("promises:outside", Profile::ours), " --adapter 'a command' --profile ours");
+}
+
+class Promises : public testing::Test {
+ protected:
+  std::filesystem::path folder =
+      std::filesystem::path(testing::TempDir()) / fmt::format("liecheck_promises_{}", ::getpid());
+  void SetUp() override { std::filesystem::create_directories(folder); }
+  void TearDown() override { std::filesystem::remove_all(folder); }
+
+  std::string store(const std::string& name, std::optional<Profile> profile, unsigned shard = 1,
+                    bool resume = false) const {
+    CampaignOptions o = options("promises:thirty", profile);
+    o.shard = shard, o.shards = 2;
+    const std::string file = (folder / name).string();
+    Store to(file, Store::Open::create);
+    run_stored(o, built_in_robot(), to, resume);
+    return file;
+  }
+  /// The worst error that a hunt printed [eps].
+  static double found(const std::string& text) {
+    const auto at = text.find("  worst     ");
+    return at == text.npos ? 0 : std::stod(text.substr(at + 12));
+  }
+  /// Runs the program in the folder and returns its exit code.
+  int code(const std::string& arguments) const {
+    return WEXITSTATUS(std::system(
+        ("cd '" + folder.string() + "'; '" LIECHECK_PROGRAM "' " + arguments + " >out 2>err").c_str()));
+  }
+  std::string out() const { return read_whole(folder / "out"); }
+};
+
+TEST_F(Promises, ByDifferentProfilesAreNeitherMergedNorComparedNorResumed) {
+  const std::string a = store("a", Profile::careful), b = store("b", std::nullopt, 2);
+  EXPECT_NE(error([&] { merge({a, b}, false); }).find("profile careful"), std::string::npos);
+  EXPECT_NE(error([&] { store("a", std::nullopt, 1, true); }).find("profile careful"), std::string::npos);
+  EXPECT_NE(error([&] {
+              worse(load_campaign(a), load_campaign(b));
+            }).find("profile of promises:thirty: careful against ours"),
+            std::string::npos);
+  EXPECT_EQ(error([&] { merge({b, store("c", Profile::ours)}, false); }), "");
+  const StoredRun loaded = result_of(load_campaign(a), "a");
+  EXPECT_FALSE(loaded.result.failed);
+  EXPECT_EQ(loaded.result.series.at(0).series->profile, Profile::careful);
+  EXPECT_EQ(record_of(loaded)["subjects"][0]["profile"], "careful");
+}
+
+TEST_F(Promises, AreTheSameForEachCommandOfTheProgram) {
+  const std::string campaign =
+      "campaign --subject correct:quaternions --property exp_oracle --scalar double "
+      "--cases 300 -j 1 --no-hard-cases";
+  EXPECT_EQ(code(campaign), 1);
+  const std::string text = out();
+  const auto at = text.find("  replay    liecheck ");
+  ASSERT_NE(at, std::string::npos) << text;
+  const std::string replay = text.substr(at + 21, text.find('\n', at) - at - 21);
+  EXPECT_EQ(code(replay), 1);
+  EXPECT_EQ(code(replay + " --profile careful"), 0);
+  EXPECT_EQ(code(campaign + " --profile careful"), 0);
+  EXPECT_NE(out().find("profile of correct:quaternions: careful\n"), std::string::npos) << out();
+  EXPECT_EQ(code(campaign + " --profile gentle"), 2);
+  const std::string hunt =
+      "hunt --subject correct:quaternions --op exp6 --block 'orthogonality defect' "
+      "--property exp_oracle --evaluations 2000";
+  EXPECT_EQ(code(hunt), 1);
+  EXPECT_EQ(code(hunt + " --profile careful"), 0);
+  const std::string hard = "hard-cases --subject correct:quaternions --property pose_group --scalar double";
+  EXPECT_EQ(code(hard), 1);
+  EXPECT_EQ(code(hard + " --profile careful"), 0);
+}
+
+const char* const translation_expected =
+    "[expected]\nexp6, translation, any = too long, by thirty eps, https://issues/1\n";
+
+TEST(ExpectedFailures, AreNoneOfTheVerdictAndAreSaid) {
+  EXPECT_TRUE(run("promises:thirty", Profile::ours).failed);
+  const CampaignResult r =
+      run("promises:thirty", Profile::ours, limits("promises:thirty", translation_expected));
+  EXPECT_FALSE(r.failed);
+  const auto all = expectations_of(r);
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_FALSE(all[0].passed());
+  EXPECT_EQ(text_of(all[0]),
+            fmt::format("expected failure: promises:thirty, exp6 translation at any: {} of {} cases: "
+                        "too long, by thirty eps (https://issues/1)",
+                        all[0].failed, all[0].measured));
+  const auto record = record_of(StoredRun{
+      run("promises:thirty", Profile::ours, limits("promises:thirty", translation_expected)), {}, {}});
+  EXPECT_EQ(record["verdict"], r.measured ? "pass" : "incomplete");
+  EXPECT_EQ(record["expected"][0]["failed"], all[0].failed);
+  EXPECT_TRUE(
+      std::ranges::any_of(record["results"], [](const auto& row) { return row["status"] == "expected"; }));
+}
+
+TEST(ExpectedFailures, ElsewhereAreFailures) {
+  for (const char* region : {"theta 1e-9..1e-3", "to_pi", "beyond_pi", "pi-theta 0..1", "pi"}) {
+    const auto own =
+        limits("promises:thirty", fmt::format("[expected]\nexp6, translation, {} = w, l\n", region));
+    EXPECT_TRUE(run("promises:thirty", Profile::ours, own).failed) << region;
+  }
+  const auto other = limits("promises:thirty", "[expected]\nexp6, rotation, any = w, l\n");
+  EXPECT_TRUE(run("promises:thirty", Profile::ours, other).failed);
+}
+
+TEST(ExpectedFailures, ThatPassSaySoIfTheirRegionWasMeasured) {
+  const auto of = [](std::uint64_t cases) {
+    return expectations_of(run("liecheck", Profile::ours, limits("liecheck", translation_expected), cases))
+        .at(0);
+  };
+  EXPECT_TRUE(of(100).passed());
+  EXPECT_TRUE(text_of(of(100)).starts_with(
+      "expected failure that passed: liecheck, exp6 translation at any: 0 of 100 "));
+  EXPECT_FALSE(of(99).passed());
+}
+
+TEST(Profiles, AndAllElseOfTheDocumentedExampleAreRead) {
+  const std::string page = read_whole(LIECHECK_FIXTURES "/../docs/limits.md");
+  const auto from = page.find("```\n# mylib.limits") + 4;
+  const SubjectLimits all = parse_limits("mylib.limits", page.substr(from, page.find("```", from) - from));
+  EXPECT_EQ(all.profile, Profile::careful);
+  EXPECT_EQ(all.lines.size(), 3u);
+  EXPECT_EQ(all.domain.size(), 2u);
+  ASSERT_EQ(all.expected.size(), 1u);
+  EXPECT_EQ(all.expected[0].link, "https://example.org/mylib/issues/12");
+}
+
+TEST(ExpectedFailures, AreRefusedIfTheyAreTooWideOrNameNothing) {
+  const auto said = [](const std::string& line) {
+    return error([&] { limits("liecheck", "[expected]\n" + line); });
+  };
+  EXPECT_EQ(said("exp6, translation, any = why, link"), "");
+  EXPECT_NE(
+      said("*, translation, any = why, link").find("own.limits:4: '*, translation, any' expects too much"),
+      std::string::npos);
+  EXPECT_NE(
+      said("exp6, shift, any = why, link").find("own.limits:4: no law measures the block 'shift' of 'exp6'"),
+      std::string::npos);
+  for (const char* region : {"theta 1e-3..1e-9", "theta 2..3", "everywhere", "theta 1e-3", "theta"})
+    EXPECT_NE(said(fmt::format("exp6, translation, {} = why, link", region))
+                  .find(fmt::format("own.limits:4: no band of inputs is '{}'", region)),
+              std::string::npos);
+  for (const char* value : {"why", "why, two words", ", link", "why,"})
+    EXPECT_NE(said(fmt::format("exp6, translation, any = {}", value)).find("is not of the form REASON, LINK"),
+              std::string::npos);
+  EXPECT_NE(said("exp6, translation, any = a, b\nexp6, translation, any = a, b").find("is already in line 4"),
+            std::string::npos);
+}
+
+TEST_F(Promises, OfFailuresAreTheSameForEachCommandOfTheProgram) {
+  write_whole((folder / "own.limits").string(),
+              "version = 2\nsubject = textbook\n[expected]\nexp6, translation, theta 1e-8..1 = cancels, l\n");
+  const std::string replay = "replay raw.exp_oracle.textbook.double.none.1,0,0,0,0,1e-5";
+  EXPECT_EQ(code(replay), 1);
+  EXPECT_EQ(code(replay + " --limits own.limits"), 0);
+  EXPECT_NE(out().find("expected failure"), std::string::npos) << out();
+  const std::string hunt =
+      "hunt --subject textbook --op exp6 --block translation --property exp_oracle "
+      "--evaluations 2000";
+  EXPECT_EQ(code(hunt), 1);
+  const double everywhere = found(out());
+  code(hunt + " --limits own.limits");
+  EXPECT_LT(found(out()), everywhere / 1e4) << out();  // it searches the other angles
+}
+
+TEST_F(Promises, AreWrittenByTheProgramAndKept) {
+  const std::string promise = "promise correct:quaternions --cases 100 --seed 3 --out p.limits";
+  EXPECT_EQ(code(promise), 0) << out();
+  const std::string text = read_whole(folder / "p.limits");
+  const SubjectLimits all = parse_limits("p.limits", text);
+  EXPECT_EQ(all.profile, Profile::careful);
+  EXPECT_NE(text.find(", 2 times the largest error found\n"), std::string::npos) << text;
+  const auto of = [&](Region region) {
+    const auto table = with_own_limits(budgets("", Profile::careful, 0x1p-52), all.lines);
+    return budget_in(table, "exp6", "orthogonality defect", region).limit;
+  };
+  EXPECT_GT(of(Region::to_pi), 2 * 8);  // liecheck promises 8
+  EXPECT_LT(of(Region::to_pi), 2 * 20);
+  EXPECT_EQ(code(promise), 2);
+  EXPECT_NE(read_whole(folder / "err").find("'p.limits' exists"), std::string::npos);
+  EXPECT_EQ(read_whole(folder / "p.limits"), text);
+  EXPECT_EQ(
+      code(
+          "campaign --subject correct:quaternions --property exp_oracle --cases 100 --seed 3 --no-hard-cases "
+          "--limits p.limits"),
+      0)
+      << out();
+}
+
+TEST_F(Promises, OfWhatNoLimitCanPromiseAreComments) {
+  EXPECT_EQ(code("promise textbook --scalar double --cases 4000 --out p.limits"), 1);
+  const std::string text = read_whole(folder / "p.limits");
+  EXPECT_NE(text.find("\n# not promised, no digit is right: log3_matrix, rotation vector, any\n"), text.npos)
+      << text;
+  EXPECT_NE(text.find("\n# not promised, a cliff: double, log3_matrix rotation vector at pi: "), text.npos)
+      << text;
+  EXPECT_EQ(parse_limits("p.limits", text).subject, "textbook");
+}
+
+}  // namespace
+}  // namespace liecheck::properties
