@@ -9,6 +9,7 @@
 #include <Eigen/Eigenvalues>
 #include <liecheck/spatial/force.hpp>
 #include <liecheck/spatial/motion.hpp>
+#include <liecheck/spatial/symmetric3.hpp>
 #include <sstream>
 #include <string>
 
