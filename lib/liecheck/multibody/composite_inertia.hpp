@@ -33,13 +33,8 @@ struct CompositeInertia {
 
   /// The inertia of a body in axes rotated by R: c = R c_B, I_C = R I_C,B R^T.
   [[gnu::always_inline]] static CompositeInertia rotated(const Matrix3<S>& R, const Inertia<S>& I) {
-    const Matrix3<S> RI = product<S>(R, I.inertia());
-    const auto entry = [&](int i, int j) __attribute__((always_inline)) {
-      return mul_add(RI(i, 0), R(j, 0), mul_add(RI(i, 1), R(j, 1), S(RI(i, 2) * R(j, 2))));
-    };
-    return {
-        I.mass(),   product<S>(R, I.lever()), entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 1), entry(1, 2),
-        entry(2, 2)};
+    const auto [xx, xy, xz, yy, yz, zz] = Symmetric3<S>::rotated(R, I.inertia());
+    return {I.mass(), product<S>(R, I.lever()), xx, xy, xz, yy, yz, zz};
   }
 
   /// Adds another inertia whose origin is at r [m], in the same axes; `joined` caches the pair's mass ratios.
@@ -59,38 +54,6 @@ struct CompositeInertia {
     zz += mul_add(mx, x, mul_add(my, y, other.zz));
     xy += mul_add(S(-mx), y, other.xy), xz += mul_add(S(-mx), z, other.xz);
     yz += mul_add(S(-my), z, other.yz);
-  }
-};
-
-/// A symmetric 3 x 3 matrix.
-template <Scalar S>
-struct Symmetric3 {
-  S xx = S(0), xy = S(0), xz = S(0), yy = S(0), yz = S(0), zz = S(0);
-
-  [[gnu::always_inline]] Vector3<S> operator*(const Vector3<S>& v) const {
-    return {mul_add(xx, v[0], mul_add(xy, v[1], S(xz * v[2]))),
-            mul_add(xy, v[0], mul_add(yy, v[1], S(yz * v[2]))),
-            mul_add(xz, v[0], mul_add(yz, v[1], S(zz * v[2])))};
-  }
-  [[gnu::always_inline]] void operator+=(const Symmetric3& o) {
-    xx += o.xx, xy += o.xy, xz += o.xz, yy += o.yy, yz += o.yz, zz += o.zz;
-  }
-  /// Adds factor (2 (a . b) 1 - a b^T - b a^T).
-  [[gnu::always_inline]] void addPair(const Vector3<S>& a, const Vector3<S>& b, const S& factor) {
-    const S x = S(2) * factor * a[0] * b[0], y = S(2) * factor * a[1] * b[1], z = S(2) * factor * a[2] * b[2];
-    xx += y + z, yy += x + z, zz += x + y;
-    xy -= factor * (a[0] * b[1] + a[1] * b[0]), xz -= factor * (a[0] * b[2] + a[2] * b[0]);
-    yz -= factor * (a[1] * b[2] + a[2] * b[1]);
-  }
-  /// [w] A + ([w] A)^T: the rate of A [3 x 3] that turns with the angular velocity w.
-  [[gnu::always_inline]] static Symmetric3 turning(const Symmetric3& A, const Vector3<S>& w) {
-    const S &x = w[0], &y = w[1], &z = w[2];
-    return {S(2) * (y * A.xz - z * A.xy),
-            y * A.yz - z * A.yy + z * A.xx - x * A.xz,
-            y * A.zz - z * A.yz + x * A.xy - y * A.xx,
-            S(2) * (z * A.xy - x * A.yz),
-            z * A.xz - x * A.zz + x * A.yy - y * A.xy,
-            S(2) * (x * A.yz - y * A.xz)};
   }
 };
 

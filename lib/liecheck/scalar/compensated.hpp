@@ -154,7 +154,7 @@ template <Scalar S>
     return mul_add(a.high, a.high, S(a.low * (a.high + S(a.high + a.low))));
 #endif
   const auto x = fast_two_sum<S>(a.high, a.low);
-  const auto sum = SplitDot<S, 1>().add_square(x.high);
+  const auto sum = SplitDot<S, 1>::square(x.high);
   return sum.high + (sum.low_a + S(2) * x.high * x.low);
 }
 

@@ -4,6 +4,9 @@
 
 #include <liecheck/scalar/scalar.hpp>
 #include <utility>
+#if defined(__FMA__)
+#include <immintrin.h>
+#endif
 
 namespace liecheck {
 
@@ -23,7 +26,7 @@ template <Scalar S>
 }
 
 template <class S, int N>
-inline constexpr bool fits = std::floating_point<S> && sizeof(S) * N <= register_bytes;
+inline constexpr bool fits = std::floating_point<S> && sizeof(S) <= 8 && sizeof(S) * N <= register_bytes;
 
 template <class S, int N>
 struct Storage {
@@ -136,7 +139,12 @@ struct Simd {
   /// Argument-dependent look-up chooses it over the generic mul_add. It is fused if mul_add of S is.
   [[gnu::always_inline]] friend Simd mul_add(const Simd& a, const Simd& b, const Simd& c) {
 #if defined(__FMA__)
-    if constexpr (std::floating_point<S>)
+    // gcc splits a vector that is made of fused numbers if not all of them are used.
+    if constexpr (std::is_same_v<S, double> && N == 4)
+      return Vector(_mm256_fmadd_pd(a.v, b.v, c.v));
+    else if constexpr (std::is_same_v<S, double> && N == 2)
+      return Vector(_mm_fmadd_pd(a.v, b.v, c.v));
+    else if constexpr (std::floating_point<S>)
       return each([&](int i) __attribute__((always_inline)) { return std::fma(a.v[i], b.v[i], c.v[i]); });
 #endif
     if constexpr (in_register || in_halves)

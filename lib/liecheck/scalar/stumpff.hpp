@@ -149,8 +149,8 @@ template <Scalar S, Precision P, class Vector>
 [[gnu::always_inline]] inline DoubleWord<S> squared_angle(const Vector& phi) {
   const S x = mul_add(phi[0], phi[0], mul_add(phi[1], phi[1], S(phi[2] * phi[2])));
   if constexpr (P == Precision::fast) return {x, S(0)};
-  SplitDot<S, 4> sum;
-  sum.add_square(S(phi[0])).add_square(S(phi[1])).add_square(S(phi[2]));
+  auto sum = SplitDot<S, 4>::square(S(phi[0]));
+  sum.add_square(S(phi[1])).add_square(S(phi[2]));
   return {x, (sum.high - x) + sum.low_a};
 }
 

@@ -9,6 +9,7 @@
 #include <Eigen/Eigenvalues>
 #include <liecheck/spatial/force.hpp>
 #include <liecheck/spatial/motion.hpp>
+#include <liecheck/spatial/symmetric3.hpp>
 #include <sstream>
 #include <string>
 
@@ -71,12 +72,23 @@ class Inertia {
 
   /// The inertia of two rigidly joined bodies, in the same frame:
   /// c = (m1 c1 + m2 c2)/m,  I_C = I1 + I2 + (m1 m2/m)(|d|^2 I - d d^T), d = c1 - c2 (parallel-axis theorem).
-  Inertia operator+(const Inertia& o) const {
+  [[gnu::always_inline]] Inertia operator+(const Inertia& o) const {
     const S mass = mass_ + o.mass_;
-    if (mass == S(0)) return Inertia(S(0), Vector3<S>::Zero(), Matrix3<S>(inertia_ + o.inertia_));
-    const Vector3<S> c = (mass_ * lever_ + o.mass_ * o.lever_) / mass;
-    const Inertia offset((mass_ / mass) * o.mass_, lever_ - o.lever_, Matrix3<S>(inertia_ + o.inertia_));
-    return Inertia(mass, c, offset.inertiaAboutOrigin());
+    if (mass == S(0)) [[unlikely]]
+      return Inertia(S(0), Vector3<S>::Zero(), Matrix3<S>(inertia_ + o.inertia_));
+    const Vector3<S>&a = lever_, &b = o.lever_;
+    const Simd<S, 2> share = Simd<S, 2>(mass_, o.mass_) / Simd<S, 2>(mass);
+    const S s = share.v[0], t = share.v[1], reduced = s * o.mass_;
+    const Vector3<S> c = each<S>([&](int i) { return mul_add(s, a[i], S(t * b[i])); });
+    const S x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
+    const S mx = reduced * x, my = reduced * y, mz = reduced * z;
+    const auto sum = [&](int i, int j) __attribute__((always_inline)) {
+      return S(inertia_(i, j) + o.inertia_(i, j));
+    };
+    const S xy = sum(0, 1) - mx * y, xz = sum(0, 2) - mx * z, yz = sum(1, 2) - my * z;
+    const S xx = sum(0, 0) + (my * y + mz * z), yy = sum(1, 1) + (mx * x + mz * z),
+            zz = sum(2, 2) + (mx * x + my * y);
+    return Inertia(mass, c, rows<S>(xx, xy, xz, xy, yy, yz, xz, yz, zz));
   }
 
   /// True if a real body can have this inertia: its mass is > 0 and whyUnphysical finds nothing.

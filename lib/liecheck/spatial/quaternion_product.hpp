@@ -88,11 +88,48 @@ template <class Q>
   return (q.v[0] + q.v[2]) + (q.v[1] + q.v[3]);
 }
 
+/// q b or q* b of quaternions in two registers each. The parts of b = (x y, z w) need no permutation:
+///     first = w (x y) + y (z w) + (-a_1, a_0),  a = z (x y) - x (z w)
+///     last = w (z w) - y (x y) + (c_1, -c_0),   c = x (x y) + z (z w)      with the factors x y z w of q
+template <Scalar S, Precision P, int SIGN>
+[[gnu::always_inline]] inline SplitDot<Quad<S>, 1, P> product_in_halves(const SplitFactor<Quad<S>, 1, P>& q,
+                                                                        const SplitFactor<Quad<S>, 1, P>& b) {
+  using Pair = Simd<S, 2>;
+  using Factor = SplitFactor<Pair, 1, P>;
+  const auto all = [&q](int i) __attribute__((always_inline)) {
+    return Factor::of(Pair(q.value.v[i]), Pair(q.high.v[i]), Pair(q.low.v[i]));
+  };
+  const Factor x = all(0), y = all(1), z = all(2), w = all(3);
+  const Factor xy = Factor::of(Pair(b.value.v.low), Pair(b.high.v.low), Pair(b.low.v.low)),
+               zw = Factor::of(Pair(b.value.v.high), Pair(b.high.v.high), Pair(b.low.v.high));
+  auto first = times(w, xy), last = times(w, zw);
+  if constexpr (SIGN > 0)
+    first.add_product(y, zw), last.subtract_product(y, xy);
+  else
+    first.subtract_product(y, zw), last.add_product(y, xy);
+  const auto a = times(z, xy).subtract_product(x, zw), c = times(x, xy).add_product(z, zw);
+  const Pair sign(S(-SIGN), S(SIGN));
+  const auto turned = [&sign](const Pair& n) __attribute__((always_inline)) {
+    return sign * Pair(__builtin_shufflevector(n.v, n.v, 1, 0));
+  };
+  const auto joined = [](const Pair& l, const Pair& h) __attribute__((always_inline)) {
+    return Quad<S>(typename Quad<S>::Vector{l.v, h.v});
+  };
+  SplitDot<Quad<S>, 1, P> sum;
+  sum.high = joined(first.high + turned(a.high), last.high - turned(c.high));
+  if constexpr (P != Precision::fast) {
+    sum.low_a = joined(first.low(), last.low());
+    sum.low_b = joined(turned(a.low()), -turned(c.low()));
+  }
+  return sum;
+}
+
 /// q b = [w r + w' v + v x r; w w' - v . r] for q = (v, w) and b = (r, w') in double words; q* b for SIGN =
 /// -1.
 template <Scalar S, Precision P, int SIGN = 1>
 [[gnu::always_inline]] inline SplitDot<Quad<S>, 1, P> product(const SplitFactor<Quad<S>, 1, P>& q,
                                                               const SplitFactor<Quad<S>, 1, P>& b) {
+  if constexpr (Quad<S>::in_halves) return product_in_halves<S, P, SIGN>(q, b);
   using Factor = SplitFactor<Quad<S>, 1, P>;
   const auto signs = [](const Factor& c, int x, int y, int z, int w) __attribute__((always_inline)) {
     const Quad<S> sign{S(x), S(y), S(z), S(w)};

@@ -70,10 +70,11 @@ class SE3 {
                             transposed_product<S>(R_, add_cross<S>(F_A.angular(), F_A.linear(), p_)));
   }
   [[gnu::always_inline]] Inertia<S> act(const Inertia<S>& I_B) const {
-    return Inertia<S>(I_B.mass(), act(I_B.lever()), congruence(R_, I_B.inertia()));
+    return Inertia<S>(I_B.mass(), act(I_B.lever()), Symmetric3<S>::rotated(R_, I_B.inertia()).matrix());
   }
   [[gnu::always_inline]] Inertia<S> actInv(const Inertia<S>& I_A) const {
-    return Inertia<S>(I_A.mass(), actInv(I_A.lever()), congruence(transposed<S>(R_), I_A.inertia()));
+    return Inertia<S>(I_A.mass(), actInv(I_A.lever()),
+                      Symmetric3<S>::rotated(transposed<S>(R_), I_A.inertia()).matrix());
   }
 
   /// X, 6 x 6, with V_A = X V_B: [R, [p] R; 0, R].
@@ -106,15 +107,6 @@ class SE3 {
   template <class V>
   [[gnu::always_inline]] static V joined(const Vector3<S>& linear, const Vector3<S>& angular) {
     return V(linear[0], linear[1], linear[2], angular[0], angular[1], angular[2]);
-  }
-  /// R I R^T, symmetric to the last bit.
-  [[gnu::always_inline]] static Matrix3<S> congruence(const Matrix3<S>& R, const Matrix3<S>& I) {
-    const Matrix3<S> RI = product<S>(R, I);
-    const auto entry = [&](int i, int j) __attribute__((always_inline)) {
-      return mul_add(RI(i, 0), R(j, 0), mul_add(RI(i, 1), R(j, 1), S(RI(i, 2) * R(j, 2))));
-    };
-    const S xy = entry(0, 1), yz = entry(1, 2), zx = entry(0, 2);
-    return rows<S>(entry(0, 0), xy, zx, xy, entry(1, 1), yz, zx, yz, entry(2, 2));
   }
 
   Matrix3<S> R_;

@@ -56,12 +56,23 @@ class SO3 {
   SO3 operator-() const { return SO3(Vector4<S>(-q_)); }
 
   /// Quaternion product, R_AC = R_AB R_BC. Error 1.5 eps |Q_AB||Q_BC| in each component.
-  SO3 operator*(const SO3& o) const {
+  [[gnu::always_inline]] SO3 operator*(const SO3& o) const {
+    if constexpr (Quad<S>::in_halves) {
+      using V = Simd<S, 2>;
+      const V xy = V::load(o.q_.data()), zw = V::load(o.q_.data() + 2), x(q_[0]), y(q_[1]), z(q_[2]),
+              w(q_[3]);
+      const V sign(S(-1), S(1)), a = z * xy - x * zw, b = x * xy + z * zw;
+      const V first = (w * xy + y * zw) + sign * V(__builtin_shufflevector(a.v, a.v, 1, 0)),
+              last = (w * zw - y * xy) - sign * V(__builtin_shufflevector(b.v, b.v, 1, 0));
+      SO3 r;
+      first.store(r.q_.data()), last.store(r.q_.data() + 2);
+      return r;
+    }
     const S &x1 = q_[0], &y1 = q_[1], &z1 = q_[2], &w1 = q_[3];
     const S &x2 = o.q_[0], &y2 = o.q_[1], &z2 = o.q_[2], &w2 = o.q_[3];
     return SO3(
-        Vector4<S>((w1 * x2 + x1 * w2) + (y1 * z2 - z1 * y2), (w1 * y2 + y1 * w2) + (z1 * x2 - x1 * z2),
-                   (w1 * z2 + z1 * w2) + (x1 * y2 - y1 * x2), (w1 * w2 - x1 * x2) - (y1 * y2 + z1 * z2)));
+        Vector4<S>((w1 * x2 + y1 * z2) + (x1 * w2 - z1 * y2), (w1 * y2 + y1 * w2) + (z1 * x2 - x1 * z2),
+                   (w1 * z2 - y1 * x2) + (x1 * y2 + z1 * w2), (w1 * w2 - y1 * y2) - (x1 * x2 + z1 * z2)));
   }
 
   /// R p [3, unit of p], p + 2 (w t + v x t) / |Q|^2 with t = v x p. Error 1 eps |p|.
