@@ -24,7 +24,7 @@ void print_subjects(const std::vector<std::unique_ptr<Series>>& all) {
 }
 
 struct Flags {
-  bool operations = false;
+  bool operations = false, laws = false;
 };
 
 int run(const Flags& f) {
@@ -33,12 +33,18 @@ int run(const Flags& f) {
     return within_budget;
   }
   const auto all = select({}, built_in_robot());
-  print_subjects(all);
-  fmt::print("properties\n");
+  if (!f.laws) {
+    print_subjects(all);
+    fmt::print("properties\n");
+  }
   std::set<std::string> seen;
-  for (const auto& s : all)
-    if (seen.insert(s->property).second)
+  for (const auto& s : all) {
+    if (!seen.insert(s->property).second) continue;
+    if (f.laws)
+      fmt::print("{}\n", s->property);
+    else
       fmt::print("  {:<24}{}\n  {:<24}{}\n", s->property, s->law, "", s->equation);
+  }
   return within_budget;
 }
 
@@ -48,6 +54,7 @@ Command list_command(CLI::App& program) {
   CommandWith<Flags> a(program, "list", "the subjects and properties");
   a.toggle("--operations", a->operations,
            "list the operations instead: definitions, arguments, results and blocks, in Markdown");
+  a.toggle("--laws", a->laws, "list only the names of the properties, one a line");
   return a.runs(run);
 }
 

@@ -1,0 +1,40 @@
+# liecheck_add_subject(NAME SOURCES file... [LINK target...] [LIMITS file] [PROFILE ours|careful|half] [CASES n]
+#                      [SEED n])
+#
+# Builds an adapter (docs/adapters.md) from the sources, and adds a ctest test for each law, with the label NAME. A law
+# whose operations the adapter does not offer is skipped. The seed is fixed, so that a test that passed passes again.
+# One more test, NAME.today, runs all laws with the date as its seed.
+function(liecheck_add_subject NAME)
+  cmake_parse_arguments(PARSE_ARGV 1 a "" "LIMITS;PROFILE;CASES;SEED" "SOURCES;LINK")
+  if(NOT a_SOURCES OR a_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "liecheck_add_subject(${NAME}): SOURCES is missing, or ${a_UNPARSED_ARGUMENTS} is unknown")
+  endif()
+  foreach(default "CASES 2000" "SEED 42" "PROFILE careful")
+    string(REPLACE " " ";" default ${default})
+    list(GET default 0 name)
+    if(NOT DEFINED a_${name})
+      list(GET default 1 a_${name})
+    endif()
+  endforeach()
+  set(target ${NAME}_liecheck_adapter)
+  add_library(${target} MODULE ${a_SOURCES})
+  target_compile_features(${target} PRIVATE cxx_std_20)
+  target_include_directories(${target} PRIVATE ${LIECHECK_ADAPTER_INCLUDE_DIR})
+  target_link_libraries(${target} PRIVATE ${a_LINK})
+
+  set(campaign ${LIECHECK_PROGRAM} campaign --adapter $<TARGET_FILE:${target}> --subject ${NAME} --cases ${a_CASES}
+               --profile ${a_PROFILE})
+  if(a_LIMITS)
+    get_filename_component(a_LIMITS ${a_LIMITS} ABSOLUTE)
+    list(APPEND campaign --limits ${a_LIMITS})
+  endif()
+  execute_process(COMMAND ${LIECHECK_PROGRAM} list --laws OUTPUT_VARIABLE laws COMMAND_ERROR_IS_FATAL ANY)
+  string(STRIP "${laws}" laws)
+  string(REPLACE "\n" ";" laws "${laws}")
+  foreach(law ${laws})
+    add_test(NAME ${NAME}.${law} COMMAND ${campaign} --property ${law} --seed ${a_SEED})
+    set_tests_properties(${NAME}.${law} PROPERTIES LABELS ${NAME} SKIP_REGULAR_EXPRESSION "nothing to run")
+  endforeach()
+  add_test(NAME ${NAME}.today COMMAND sh -c "exec \"$@\" --seed $(date +%Y%m%d)" today ${campaign})
+  set_tests_properties(${NAME}.today PROPERTIES LABELS ${NAME})
+endfunction()

@@ -1,0 +1,112 @@
+#pragma once
+// An adapter in C++20: a struct whose static functions have the names of operations.
+//
+//     struct MyLib {
+//       static constexpr const char *name = "mylib", *version = "2.1";
+//       static void exp3_quaternion(std::span<const double, 3> phi, std::span<double, 4> Q);
+//       static void exp3_quaternion(std::span<const float, 3> phi, std::span<float, 4> Q);
+//     };
+//     LIECHECK_ADAPTER(MyLib, exp3_quaternion)
+//
+// docs/adapters.md has the numbers of each operation. A function that throws refuses its input, and the message
+// of the exception is the reason.
+
+#include <liecheck_adapter.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <exception>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace liecheck::adapter {
+
+struct Sizes {
+  std::string_view operation;
+  std::size_t inputs, results;  ///< how many numbers it takes and gives
+};
+inline constexpr Sizes all_sizes[] = {
+#define LIECHECK_OPERATION(name, inputs, results) {#name, inputs, results},
+#include <liecheck_operations.inc>
+#undef LIECHECK_OPERATION
+};
+constexpr bool is_operation(std::string_view name) {
+  return std::ranges::find(all_sizes, name, &Sizes::operation) != std::ranges::end(all_sizes);
+}
+constexpr Sizes sizes_of(std::string_view name) {
+  return *std::ranges::find(all_sizes, name, &Sizes::operation);
+}
+
+/// F takes I numbers of S and writes R numbers of S.
+template <class F, class S, std::size_t I, std::size_t R>
+concept Computes = requires(const F& f, std::span<const S, I> in, std::span<S, R> out) { f(in, out); };
+
+inline std::string& last_reason() {
+  thread_local std::string text;
+  return text;
+}
+inline const char* reason() { return last_reason().c_str(); }
+
+/// The C function for F, or null if F does not take numbers of S.
+template <class F, class S, std::size_t I, std::size_t R>
+liecheck_function function_in() {
+  if constexpr (Computes<F, S, I, R>)
+    return [](std::size_t n, const void* inputs, void* results, unsigned char* status) {
+      for (std::size_t i = 0; i < n; ++i) try {
+          F()(std::span<const S, I>(static_cast<const S*>(inputs) + I * i, I),
+              std::span<S, R>(static_cast<S*>(results) + R * i, R));
+        } catch (const std::exception& e) {
+          status[i] = liecheck_refused;
+          last_reason() = e.what();
+        }
+    };
+  else
+    return nullptr;
+}
+
+/// Checks an operation when the adapter is compiled.
+template <class F, std::size_t I, std::size_t R>
+requires(Computes<F, float, I, R> || Computes<F, double, I, R>) constexpr bool offered() {
+  return true;
+}
+
+}  // namespace liecheck::adapter
+
+// Calls macro(subject, operation) for each of up to 64 operations.
+#define LIECHECK_PARENTHESES ()
+#define LIECHECK_REPEAT(...) LIECHECK_REPEAT1(LIECHECK_REPEAT1(LIECHECK_REPEAT1(__VA_ARGS__)))
+#define LIECHECK_REPEAT1(...) LIECHECK_REPEAT2(LIECHECK_REPEAT2(LIECHECK_REPEAT2(__VA_ARGS__)))
+#define LIECHECK_REPEAT2(...) LIECHECK_REPEAT3(LIECHECK_REPEAT3(LIECHECK_REPEAT3(__VA_ARGS__)))
+#define LIECHECK_REPEAT3(...) LIECHECK_REPEAT4(LIECHECK_REPEAT4(LIECHECK_REPEAT4(__VA_ARGS__)))
+#define LIECHECK_REPEAT4(...) __VA_ARGS__
+#define LIECHECK_EACH(macro, subject, ...) __VA_OPT__(LIECHECK_REPEAT(LIECHECK_NEXT(macro, subject, __VA_ARGS__)))
+#define LIECHECK_NEXT(macro, subject, operation, ...) \
+  macro(subject, operation) __VA_OPT__(LIECHECK_AGAIN LIECHECK_PARENTHESES(macro, subject, __VA_ARGS__))
+#define LIECHECK_AGAIN() LIECHECK_NEXT
+
+#define LIECHECK_FIND(Subject, name)                                                                         \
+  static_assert(liecheck::adapter::is_operation(#name), #name " is no operation: see docs/operations.md");  \
+  if (operation == #name) {                                                                                  \
+    constexpr auto sizes = liecheck::adapter::sizes_of(#name);                                               \
+    constexpr auto call = [](auto in, auto out) requires requires { Subject::name(in, out); }                \
+    { Subject::name(in, out); };                                                                             \
+    using F = decltype(call);                                                                                \
+    static_assert(liecheck::adapter::offered<F, sizes.inputs, sizes.results>());                             \
+    return scalar == "float" ? liecheck::adapter::function_in<F, float, sizes.inputs, sizes.results>()       \
+                             : liecheck::adapter::function_in<F, double, sizes.inputs, sizes.results>();     \
+  }
+
+/// Defines the adapter of a library: the struct, then the operations that it offers.
+#define LIECHECK_ADAPTER(Subject, ...)                                                                       \
+  extern "C" const liecheck_adapter* liecheck_get_adapter() {                                                \
+    static constexpr auto find = [](const char* operation_name, const char* scalar_name) {                   \
+      const std::string_view operation = operation_name, scalar = scalar_name;                               \
+      LIECHECK_EACH(LIECHECK_FIND, Subject, __VA_ARGS__)                                                     \
+      return static_cast<liecheck_function>(nullptr);                                                        \
+    };                                                                                                       \
+    static const liecheck_adapter adapter = {                                                                \
+        LIECHECK_ADAPTER_VERSION, Subject::name, Subject::version, 0, find, liecheck::adapter::reason,       \
+        nullptr};                                                                                            \
+    return &adapter;                                                                                         \
+  }
