@@ -7,5 +7,5 @@ int main() {
   const auto q = liecheck::batch::exp6(xi);
   const auto one = liecheck::quaternion::exp6<double>(liecheck::Motion<double>(
       liecheck::Vector3<double>::Constant(0.5), liecheck::Vector3<double>::Constant(0.5)));
-  return (q.col(99).matrix() - one.to_vector()).norm() < 1e-15 ? 0 : 1;
+  return (q.col(99).matrix() - one).norm() < 1e-15 ? 0 : 1;
 }

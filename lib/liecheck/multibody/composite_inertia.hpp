@@ -33,8 +33,14 @@ struct CompositeInertia {
 
   /// The inertia of a body in axes rotated by R: c = R c_B, I_C = R I_C,B R^T.
   [[gnu::always_inline]] static CompositeInertia rotated(const Matrix3<S>& R, const Inertia<S>& I) {
-    const auto [xx, xy, xz, yy, yz, zz] = Symmetric3<S>::rotated(R, I.inertia());
-    return {I.mass(), product<S>(R, I.lever()), xx, xy, xz, yy, yz, zz};
+    // Number by number: pairs as in Symmetric3::rotated would stall where aba copies them (gcc -O2).
+    const Matrix3<S> RI = product<S>(R, I.inertia());
+    const auto entry = [&](int i, int j) __attribute__((always_inline)) {
+      return mul_add(RI(i, 0), R(j, 0), mul_add(RI(i, 1), R(j, 1), S(RI(i, 2) * R(j, 2))));
+    };
+    return {
+        I.mass(),   product<S>(R, I.lever()), entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 1), entry(1, 2),
+        entry(2, 2)};
   }
 
   /// Adds another inertia whose origin is at r [m], in the same axes; `joined` caches the pair's mass ratios.
