@@ -2,13 +2,14 @@
 #include <app/command.hpp>
 #include <store/merge.hpp>
 #include <store/store_path.hpp>
+#include <support/files.hpp>
 
 namespace liecheck::properties {
 
 namespace {
 
 struct Flags {
-  std::string before, after;
+  std::string before, after, markdown;
 };
 
 /// Prints on stderr if a store lacks cases of its campaign or verdicts on them, because then the comparison
@@ -26,6 +27,7 @@ bool print_if_partial(const std::string& name, const StoredCampaign& c) {
 }
 
 int run(const Flags& f) {
+  if (!f.markdown.empty()) check_writable(f.markdown);
   const StoredCampaign a = load_campaign(f.before), b = load_campaign(f.after);
   bool partial = print_if_partial(f.before, a);
   partial = print_if_partial(f.after, b) || partial;
@@ -34,6 +36,7 @@ int run(const Flags& f) {
     partial = true;
   }
   const auto lines = worse(a, b);
+  if (!f.markdown.empty()) write_whole(f.markdown, in_markdown(a, b));
   for (const std::string& line : lines) fmt::print("{}\n", line);
   fmt::print("{} worse\n", lines.empty() ? "nothing is" : fmt::format("{} cells are", lines.size()));
   return !lines.empty() ? property_failed : partial ? incomplete : within_budget;
@@ -47,6 +50,8 @@ Command compare_command(CLI::App& program) {
                        "did; 2 for bad input; 3 if a store lacks cases or verdicts");
   a.text("A", a->before, "", "the earlier store").required();
   a.text("B", a->after, "", "the later store").required();
+  a.text("--markdown", a->markdown, "FILE",
+         "also write what got worse and better as Markdown, for a comment on a pull request");
   return a.runs(run);
 }
 

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <array>
+#include <campaign/case_id.hpp>
 #include <cmath>
 #include <stdexcept>
 #include <store/merge.hpp>
@@ -9,7 +10,7 @@ namespace liecheck::properties {
 
 namespace {
 
-using Name = std::array<std::string, 6>;  ///< subject, scalar, property, operation, block, band
+using Name = std::array<std::string, 6>;
 
 struct Measured {
   const StoredSeries* series;
@@ -24,6 +25,13 @@ std::map<Name, Measured> by_name(const StoredCampaign& c) {
       all[{s.subject, s.scalar, s.property, l.operation, l.block, l.band}] = {&s, &row};
     }
   return all;
+}
+
+/// The ID of the worst case of a cell, or "" if the case cannot be replayed without more flags.
+std::string worst_case(const StoredCampaign& c, const Measured& m) {
+  const StoredSeries& s = *m.series;
+  if (m.row->judged() == 0 || !c.spec.robot.path.empty()) return "";
+  return CaseId{false, c.spec.seed, s.property, s.subject, s.scalar, s.robot, m.row->worst_index, {}}.text();
 }
 
 /// Whether the operation's block is measured in any band.
@@ -66,27 +74,29 @@ std::size_t cells_in_both(const StoredCampaign& a, const StoredCampaign& b) {
   return n;
 }
 
-std::vector<std::string> worse(const StoredCampaign& a, const StoredCampaign& b) {
+std::vector<Change> changes(const StoredCampaign& a, const StoredCampaign& b) {
   if (const std::string limits = differences_of_limits(a.spec, b.spec); !limits.empty())
     throw std::invalid_argument("verdicts by different limits cannot be compared: " + limits);
   if (const std::string profiles = differences_of_profiles(a, b); !profiles.empty())
     throw std::invalid_argument("verdicts by different profiles cannot be compared: " + profiles);
   const auto before = by_name(a), after = by_name(b);
-  std::vector<std::string> lines;
+  std::vector<Change> all;
   for (const StoredSeries& s : b.series) {
     const auto same = std::find_if(a.series.begin(), a.series.end(), [&](const StoredSeries& o) {
       return o.subject == s.subject && o.scalar == s.scalar && o.property == s.property;
     });
     const std::size_t was = same == a.series.end() ? 0 : same->tally.disagreed.size();
     if (s.tally.disagreed.size() > was)
-      lines.push_back(fmt::format("{} {} {}: the fast oracle disagrees with the slow one in {} cases, was {}",
-                                  s.subject, s.scalar, s.property, s.tally.disagreed.size(), was));
+      all.push_back({{s.subject, s.scalar, s.property},
+                     fmt::format("the fast oracle disagrees with the slow one in {} cases, was {}",
+                                 s.tally.disagreed.size(), was),
+                     ""});
   }
   for (const auto& [name, old] : before) {
-    const auto say = [&, &n = name](const std::string& what) {
-      lines.push_back(fmt::format("{} {} {}: {}, {}, {}: {}", n[0], n[1], n[2], n[3], n[4], n[5], what));
-    };
     const auto found = after.find(name);
+    const auto say = [&, &n = name](const std::string& what) {
+      all.push_back({n, what, found == after.end() ? "" : worst_case(b, found->second)});
+    };
     if (found == after.end()) {
       const bool same = std::any_of(b.series.begin(), b.series.end(), [&](const StoredSeries& s) {
         return s.subject == old.series->subject && s.scalar == old.series->scalar &&
@@ -125,7 +135,51 @@ std::vector<std::string> worse(const StoredCampaign& a, const StoredCampaign& b)
                           to, from));
     }
   }
+  return all;
+}
+
+std::string Change::text() const {
+  std::string cell = fmt::format("{} {} {}", name[0], name[1], name[2]);
+  if (!name[3].empty()) cell += fmt::format(": {}, {}, {}", name[3], name[4], name[5]);
+  return cell + ": " + what;
+}
+
+std::vector<std::string> worse(const StoredCampaign& a, const StoredCampaign& b) {
+  std::vector<std::string> lines;
+  for (const Change& c : changes(a, b)) lines.push_back(c.text());
   return lines;
+}
+
+std::string in_markdown(const StoredCampaign& a, const StoredCampaign& b) {
+  const auto got_worse = changes(a, b), got_better = changes(b, a);
+  const auto count = [](std::size_t n) {
+    return n == 0 ? std::string("nothing") : fmt::format("{} {}", n, n == 1 ? "cell" : "cells");
+  };
+  std::string text =
+      fmt::format("### liecheck: {} worse, {} better\n\n", count(got_worse.size()), count(got_better.size()));
+  const auto table = [&](const char* title, const std::vector<Change>& all) {
+    if (all.empty()) return;
+    text += fmt::format("| {} | operation, block, band | law | what |\n|---|---|---|---|\n", title);
+    for (const Change& c : all)
+      text +=
+          fmt::format("| `{}` {} | {} | {} | {} |\n", c.name[0], c.name[1],
+                      c.name[3].empty() ? "" : fmt::format("`{}`, {}, {}", c.name[3], c.name[4], c.name[5]),
+                      c.name[2], c.what);
+    text += "\n";
+  };
+  table("worse", got_worse);
+  std::string replays;
+  for (const Change& c : got_worse)
+    if (!c.worst_case.empty() && replays.find(c.worst_case + "\n") == std::string::npos)
+      replays += "liecheck replay " + c.worst_case + "\n";
+  if (!replays.empty())
+    text += fmt::format("The worst cases of these cells now:\n\n```sh\n{}```\n\n", replays);
+  if (!got_better.empty()) {
+    text += "<details><summary>What got better, with before and after exchanged</summary>\n\n";
+    table("better", got_better);
+    text += "</details>\n\n";
+  }
+  return text + fmt::format("Compared in {} cells; errors in eps of the scalar.\n", cells_in_both(a, b));
 }
 
 }  // namespace liecheck::properties

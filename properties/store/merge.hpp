@@ -1,6 +1,7 @@
 #pragma once
 // Operations on stored campaigns: canonical text (export), merge, comparison.
 
+#include <array>
 #include <store/stored_campaign.hpp>
 
 namespace liecheck::properties {
@@ -18,7 +19,16 @@ StoredCampaign merge(const std::vector<std::string>& files, bool partial);
 /// Until then, no other process can write to `out`; throws if one has created or replaced it.
 void merge_into(const std::string& out, const std::vector<std::string>& files, bool partial);
 
-/// Returns a line for each cell of b that is worse than in a.
+/// A cell that is worse in a later campaign.
+struct Change {
+  std::array<std::string, 6>
+      name;  ///< subject, scalar, property, operation, block, band; the last three may be ""
+  std::string what;
+  std::string worst_case;  ///< of the cell in the later campaign: a case ID, or ""
+  std::string text() const;
+};
+
+/// Returns what is worse in b than in a.
 ///
 /// Throws std::invalid_argument if a subject was judged by different limits files.
 ///
@@ -28,7 +38,11 @@ void merge_into(const std::string& out, const std::vector<std::string>& files, b
 /// If the inputs differ, a maximum depends on the sample. Then failures are worse if there were none before.
 /// A median or 99 % quantile is worse if it grew by more than 10 % and 0.5 eps, and if chance alone would
 /// cause this only once in 1e9.
+std::vector<Change> changes(const StoredCampaign& a, const StoredCampaign& b);
+/// A line for each change.
 std::vector<std::string> worse(const StoredCampaign& a, const StoredCampaign& b);
+/// What got worse and what got better, as a comment on a pull request, in Markdown.
+std::string in_markdown(const StoredCampaign& a, const StoredCampaign& b);
 
 /// The number of cells with a verdict in both campaigns. If it is 0, nothing was compared.
 std::size_t cells_in_both(const StoredCampaign& a, const StoredCampaign& b);

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <memory>
+#include <stdexcept>
 #include <subjects/tree.hpp>
 #include <type_traits>
 #include <vector>
@@ -236,6 +237,15 @@ class TreeParts {
   X armature_;
 };
 
+/// The factor of a mass matrix. Throws std::domain_error if M is not positive definite after rounding, for which
+/// Eigen would solve with infinite numbers.
+template <class S>
+auto factor_of(const MatX<S>& M) {
+  auto factor = M.ldlt();
+  if (!(factor.vectorD().minCoeff() > S(0))) throw std::domain_error("the mass matrix is singular");
+  return factor;
+}
+
 /// The operations of a class of trees.
 template <class T, class S>
 TreeOperations<S> bind(const Tree<S>& tree) {
@@ -245,7 +255,7 @@ TreeOperations<S> bind(const Tree<S>& tree) {
   const auto t = std::make_shared<const T>(tree);
   const auto with = [t](auto f) { return [t, f](const auto&... x) { return ((*t).*f)(x...); }; };
   const auto accelerated = [t](const X& q, const X& v, const X& tau, int joint, const V6& F) -> X {
-    return t->mass(q).ldlt().solve(tau - t->rnea(q, v, X::Zero(v.size()), joint, F));
+    return factor_of<S>(t->mass(q)).solve(tau - t->rnea(q, v, X::Zero(v.size()), joint, F));
   };
   TreeOperations<S> o;
   o[op::tree_rnea] = with(&T::rnea);
@@ -258,14 +268,14 @@ TreeOperations<S> bind(const Tree<S>& tree) {
   };
   o[op::tree_crba] = with(&T::mass);
   o[op::tree_mass_inverse] = [t, n = tree.nv](const X& q) -> M {
-    return t->mass(q).ldlt().solve(M::Identity(n, n));
+    return factor_of<S>(t->mass(q)).solve(M::Identity(n, n));
   };
   if constexpr (requires { &T::rnea_derivatives; }) {
     o[op::rnea_derivatives] = with(&T::rnea_derivatives);
     o[op::aba_derivatives] = [t, accelerated](const X& q, const X& v, const X& tau, int joint,
                                               const V6& F) -> std::pair<M, M> {
       const auto [by_q, by_v] = t->rnea_derivatives(q, v, accelerated(q, v, tau, joint, F), joint, F);
-      const auto factor = t->mass(q).ldlt();
+      const auto factor = factor_of<S>(t->mass(q));
       return {M(-factor.solve(by_q)), M(-factor.solve(by_v))};
     };
   }

@@ -227,6 +227,15 @@ TEST_F(Stores, CompareFindsWhatGotWorse) {
     return worse(a, b);
   };
   EXPECT_EQ(changed([](Row& r) { r.failed += 1; }).size(), 1u);
+  StoredCampaign failing = a;
+  failing.series.at(0).tally.rows.begin()->second.failed += 1;
+  const std::string comment = in_markdown(a, failing), nothing = in_markdown(a, a);
+  EXPECT_SAYS(comment, "### liecheck: 1 cell worse, nothing better");
+  EXPECT_SAYS(comment, "failed 1 of ");
+  EXPECT_SAYS(comment, "```sh\nliecheck replay g4.42.");
+  EXPECT_SAYS(in_markdown(failing, a), "### liecheck: nothing worse, 1 cell better");
+  EXPECT_SAYS(nothing, "### liecheck: nothing worse, nothing better");
+  EXPECT_EQ(nothing.find('|'), std::string::npos) << nothing;
   EXPECT_EQ(changed([](Row& r) { r.max_error = 111; }).size(), 1u);
   EXPECT_TRUE(changed([](Row& r) { r.max_error = 109; }).empty());
   large.max_error = 0.2;
