@@ -40,13 +40,17 @@ constexpr Sizes sizes_of(std::string_view name) {
 
 /// F takes I numbers of S and writes R numbers of S.
 template <class F, class S, std::size_t I, std::size_t R>
-concept Computes = requires(const F& f, std::span<const S, I> in, std::span<S, R> out) { f(in, out); };
+concept Computes = requires(const F& f, std::span<const S, I> in, std::span<S, R> out) {
+  f(in, out);
+};
 
 inline std::string& last_reason() {
   thread_local std::string text;
   return text;
 }
-inline const char* reason() { return last_reason().c_str(); }
+inline const char* reason() {
+  return last_reason().c_str();
+}
 
 /// The C function for F, or null if F does not take numbers of S.
 template <class F, class S, std::size_t I, std::size_t R>
@@ -54,8 +58,9 @@ liecheck_function function_in() {
   if constexpr (Computes<F, S, I, R>)
     return [](std::size_t n, const void* inputs, void* results, unsigned char* status) {
       for (std::size_t i = 0; i < n; ++i) try {
-          F()(std::span<const S, I>(static_cast<const S*>(inputs) + I * i, I),
-              std::span<S, R>(static_cast<S*>(results) + R * i, R));
+          F()
+          (std::span<const S, I>(static_cast<const S*>(inputs) + I * i, I),
+           std::span<S, R>(static_cast<S*>(results) + R * i, R));
         } catch (const std::exception& e) {
           status[i] = liecheck_refused;
           last_reason() = e.what();
@@ -80,33 +85,36 @@ requires(Computes<F, float, I, R> || Computes<F, double, I, R>) constexpr bool o
 #define LIECHECK_REPEAT2(...) LIECHECK_REPEAT3(LIECHECK_REPEAT3(LIECHECK_REPEAT3(__VA_ARGS__)))
 #define LIECHECK_REPEAT3(...) LIECHECK_REPEAT4(LIECHECK_REPEAT4(LIECHECK_REPEAT4(__VA_ARGS__)))
 #define LIECHECK_REPEAT4(...) __VA_ARGS__
-#define LIECHECK_EACH(macro, subject, ...) __VA_OPT__(LIECHECK_REPEAT(LIECHECK_NEXT(macro, subject, __VA_ARGS__)))
+#define LIECHECK_EACH(macro, subject, ...) \
+  __VA_OPT__(LIECHECK_REPEAT(LIECHECK_NEXT(macro, subject, __VA_ARGS__)))
 #define LIECHECK_NEXT(macro, subject, operation, ...) \
   macro(subject, operation) __VA_OPT__(LIECHECK_AGAIN LIECHECK_PARENTHESES(macro, subject, __VA_ARGS__))
 #define LIECHECK_AGAIN() LIECHECK_NEXT
 
-#define LIECHECK_FIND(Subject, name)                                                                         \
-  static_assert(liecheck::adapter::is_operation(#name), #name " is no operation: see docs/operations.md");  \
-  if (operation == #name) {                                                                                  \
-    constexpr auto sizes = liecheck::adapter::sizes_of(#name);                                               \
-    constexpr auto call = [](auto in, auto out) requires requires { Subject::name(in, out); }                \
-    { Subject::name(in, out); };                                                                             \
-    using F = decltype(call);                                                                                \
-    static_assert(liecheck::adapter::offered<F, sizes.inputs, sizes.results>());                             \
-    return scalar == "float" ? liecheck::adapter::function_in<F, float, sizes.inputs, sizes.results>()       \
-                             : liecheck::adapter::function_in<F, double, sizes.inputs, sizes.results>();     \
+#define LIECHECK_FIND(Subject, name)                                                                       \
+  static_assert(liecheck::adapter::is_operation(#name), #name " is no operation: see docs/operations.md"); \
+  if (operation == #name) {                                                                                \
+    constexpr auto sizes = liecheck::adapter::sizes_of(#name);                                             \
+    constexpr auto call = [](auto in, auto out) requires requires {                                        \
+      Subject::name(in, out);                                                                              \
+    }                                                                                                      \
+    { Subject::name(in, out); };                                                                           \
+    using F = decltype(call);                                                                              \
+    static_assert(liecheck::adapter::offered<F, sizes.inputs, sizes.results>());                           \
+    return scalar == "float" ? liecheck::adapter::function_in<F, float, sizes.inputs, sizes.results>()     \
+                             : liecheck::adapter::function_in<F, double, sizes.inputs, sizes.results>();   \
   }
 
 /// Defines the adapter of a library: the struct, then the operations that it offers.
-#define LIECHECK_ADAPTER(Subject, ...)                                                                       \
-  extern "C" const liecheck_adapter* liecheck_get_adapter() {                                                \
-    static constexpr auto find = [](const char* operation_name, const char* scalar_name) {                   \
-      const std::string_view operation = operation_name, scalar = scalar_name;                               \
-      LIECHECK_EACH(LIECHECK_FIND, Subject, __VA_ARGS__)                                                     \
-      return static_cast<liecheck_function>(nullptr);                                                        \
-    };                                                                                                       \
-    static const liecheck_adapter adapter = {                                                                \
-        LIECHECK_ADAPTER_VERSION, Subject::name, Subject::version, 0, find, liecheck::adapter::reason,       \
-        nullptr};                                                                                            \
-    return &adapter;                                                                                         \
+#define LIECHECK_ADAPTER(Subject, ...)                                                     \
+  extern "C" const liecheck_adapter* liecheck_get_adapter() {                              \
+    static constexpr auto find = [](const char* operation_name, const char* scalar_name) { \
+      const std::string_view operation = operation_name, scalar = scalar_name;             \
+      LIECHECK_EACH(LIECHECK_FIND, Subject, __VA_ARGS__)                                   \
+      return static_cast<liecheck_function>(nullptr);                                      \
+    };                                                                                     \
+    static const liecheck_adapter adapter = {                                              \
+        LIECHECK_ADAPTER_VERSION,  Subject::name, Subject::version, 0, find,               \
+        liecheck::adapter::reason, nullptr};                                               \
+    return &adapter;                                                                       \
   }

@@ -3,9 +3,11 @@
 // of that process only wake a side that sleeps, and show that the other side has ended.
 
 #include <adapters/adapter.hpp>
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <thread>
 
 namespace liecheck::properties::adapters {
 
@@ -20,8 +22,6 @@ struct Exchange {
   std::uint32_t is_double = 0, n = 0;
   std::array<char, 256> reason{};                      ///< of a refusal, ended by 0
   alignas(64) std::array<std::byte, 1 << 18> bytes{};  ///< the inputs, the results, the status of each
-
-  static constexpr int spins = 4000;  ///< looks for the other side's answer before a side sleeps
 };
 static_assert(std::atomic<std::uint32_t>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);
 
@@ -35,15 +35,24 @@ struct Parts {
   }
 };
 
-/// Waits until `ready`, first by looking, then by sleep(), which returns when the other side wakes this one.
+/// Waits until `ready`: first it looks, then it leaves its processor to others, then sleep() returns when the
+/// other side wakes this one. It looks less often after looking did not help, because then the other side has
+/// no processor of its own.
 template <class Ready, class Sleep>
 void wait_for(std::atomic<bool>& sleeps, const Ready& ready, const Sleep& sleep) {
-  for (int i = 0; i < Exchange::spins; ++i) {
-    if (ready()) return;
+  constexpr int most = 4000, least = 150, yields = 20;
+  thread_local int looks = most;
+  for (int i = 0; i < looks + yields; ++i) {
+    if (ready()) {
+      looks = i < looks ? std::min(most, 2 * looks) : std::max(least, looks / 4);
+      return;
+    }
+    if (i >= looks) std::this_thread::yield();
 #ifdef __SSE2__
     __builtin_ia32_pause();
 #endif
   }
+  looks = std::max(least, looks / 4);
   for (;;) {
     sleeps = true;
     if (ready()) break;

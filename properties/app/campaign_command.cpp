@@ -248,7 +248,10 @@ int run(const Flags& f) {
             code = print_campaign(done->result, f.verbose);
             print_how_to_resume(done->result, f.store);
           });
-  if (any_failed(hard_cases)) fmt::print("hard cases failed: see the first section\n");
+  if (any_failed(hard_cases))
+    fmt::print(
+        "hard cases failed: see the first section; the exit code is 1, whatever the verdict on the "
+        "campaign\n");
   if (any_open(hard_cases)) fmt::print("hard cases have no verdict: see the first section\n");
   if (done->result.incomplete || code == property_failed) return code;
   return any_failed(hard_cases) ? property_failed : any_open(hard_cases) ? incomplete : code;
