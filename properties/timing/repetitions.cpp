@@ -54,7 +54,7 @@ Ratio ratio_of(const std::vector<Repetition>& row) {
   if (x.empty()) return {};
   const auto [low, high] = std::minmax_element(x.begin(), x.end());
   const double median = spread_of(x).median, f = std::max(median / *low, *high / median);
-  return {median, median / (f * f), median * f * f, x.size()};
+  return {median, median / (f * f * between_runs), median * f * f * between_runs, x.size()};
 }
 
 std::string written(const std::vector<std::vector<Repetition>>& rows) {

@@ -41,11 +41,15 @@ struct Machine {
 /// was slower or another program used part of it. The choice does not depend on the measured times.
 Machine keep_undisturbed(std::vector<std::vector<Repetition>>& rows);
 
+/// The processes of a run share the state of the machine, such as its clock rate and its neighbours. The reference
+/// follows it to 3 %: so much did its time differ between two runs of one program, an hour apart, in which most
+/// operations kept theirs.
+inline constexpr double between_runs = 1.03;
 /// The time of a call as a multiple of the reference: the median of the processes, each with the median of its
-/// repetitions. The spread is [median / f^2, median f^2], where f is the largest factor between the median and a
-/// process. The range of 20 processes alone would hold the median of another run with a probability of 99.98 % if
-/// processes of two runs differ as processes of one do, but a run has thousands of ratios, and some of its
-/// processes have no undisturbed repetition.
+/// repetitions. The spread is [median / g, median g], g = f^2 between_runs, where f is the largest factor between
+/// the median and a process. The range of 20 processes alone would hold the median of another run with a
+/// probability of 99.98 % if processes of two runs differ as processes of one do, but a run has thousands of
+/// ratios, and some of its processes have no undisturbed repetition.
 struct Ratio {
   double median = 0, low = 0, high = 0;
   std::size_t processes = 0;

@@ -43,6 +43,10 @@ struct Quaternion {
 
   [[gnu::always_inline]] explicit Quaternion(const Vector7<S>& q)
       : split(Quad<S>(q[3], q[4], q[5], q[6])), excess(norm_excess(split).high + norm_excess(split).low) {}
+  /// Q = high + low.
+  [[gnu::always_inline]] Quaternion(const Quad<S>& high, const Quad<S>& low)
+      : split(SplitFactor<Quad<S>, 1, P>(high).plus(low)),
+        excess(norm_excess(split).high + norm_excess(split).low) {}
   [[gnu::always_inline]] bool firstOrderSuffices() const {
     return unit_vector_detail::firstOrderSuffices<S>(excess);
   }
@@ -55,13 +59,10 @@ struct Quaternion {
   }
   /// R^T (p1 - p0).
   [[gnu::always_inline]] Vector3<S> rotateBack(const Vector7<S>& q0, const Vector7<S>& q1) const {
-    const S x = q1[0] - q0[0], y = q1[1] - q0[1], z = q1[2] - q0[2];
-    const S bound = absolute<S>(x) + absolute<S>(y) + absolute<S>(z);
-    if constexpr (P == Precision::fast || !one_register<S>) return rotate<-1>(bound, Quad<S>(x, y, z, S(0)));
-    // two_sum(p1, -p0) in one register.
-    const Quad<S> p0(q0[0], q0[1], q0[2], S(0)), p1(q1[0], q1[1], q1[2], S(0)), p_01 = p1 - p0,
-                                                                                minus_p0 = p_01 - p1;
-    return rotate<-1>(bound, p_01, (p1 - (p_01 - minus_p0)) - (p0 + minus_p0));
+    const auto x = two_sum<S>(q1[0], -q0[0]), y = two_sum<S>(q1[1], -q0[1]), z = two_sum<S>(q1[2], -q0[2]);
+    const S bound = absolute<S>(x.high) + absolute<S>(y.high) + absolute<S>(z.high);
+    if constexpr (P == Precision::fast) return rotate<-1>(bound, Quad<S>(x.high, y.high, z.high, S(0)));
+    return rotate<-1>(bound, Quad<S>(x.high, y.high, z.high, S(0)), Quad<S>(x.low, y.low, z.low, S(0)));
   }
 };
 
@@ -152,12 +153,10 @@ Vector7<S> integrateOffUnit(const Vector7<S>& q, const Vector6<S>& delta);
 template <Scalar S, Precision P>
 Vector6<S> differenceOffUnit(Vector7<S> q0, Vector7<S> q1);
 
+/// Q0 is the quaternion of q with a norm for which firstOrderSuffices.
 template <Scalar S, Precision P>
-[[gnu::always_inline]] inline Vector7<S> integrate(const Vector7<S>& q, const Vector6<S>& delta) {
-  const Quaternion<S, P> Q0(q);
-  if constexpr (!side_by_side<S>)
-    if (!Q0.firstOrderSuffices()) [[unlikely]]
-      return integrateOffUnit<S, P>(q, delta);
+[[gnu::always_inline]] inline Vector7<S> integrate(const Vector7<S>& q, const Vector6<S>& delta,
+                                                   const Quaternion<S, P>& Q0) {
   const Vector3<S> phi(delta[3], delta[4], delta[5]);
   return with_coefficients<S, P>(
       phi, [&q, &delta, &Q0 ](const auto& k) __attribute__((always_inline)) {
@@ -177,11 +176,27 @@ template <Scalar S, Precision P>
       });
 }
 template <Scalar S, Precision P>
+[[gnu::always_inline]] inline Vector7<S> integrate(const Vector7<S>& q, const Vector6<S>& delta) {
+  const Quaternion<S, P> Q0(q);
+  if constexpr (!side_by_side<S>)
+    if (!Q0.firstOrderSuffices()) [[unlikely]]
+      return integrateOffUnit<S, P>(q, delta);
+  return integrate<S, P>(q, delta, Q0);
+}
+/// The quaternion is scaled by a power of two, which rounds nothing, and by a rounded 1/|Q|, as a double word.
+template <Scalar S, Precision P>
 [[gnu::noinline, gnu::cold]] Vector7<S> integrateOffUnit(const Vector7<S>& q, const Vector6<S>& delta) {
-  const Vector4<S> Q = normalizedUnit<S, 4>(quaternionOf(q));
-  Vector7<S> unit;
-  for (int i = 0; i < 7; ++i) unit[i] = i < 3 ? q[i] : Q[i - 3];
-  return finite<S>(Q[0]) ? integrate<S, P>(unit, delta) : Vector7<S>(unit * Q[0]);
+  using std::sqrt;
+  const Vector4<S> Q = unit_vector_detail::scaledByPowerOfTwo<S, 4>(quaternionOf(q));
+  const S factor = S(1) / S(sqrt(unit_vector_detail::square<S, 4>(Q)));
+  Vector4<S> high, low;
+  for (int i = 0; i < 4; ++i) {
+    const DoubleWord<S> product = two_prod<S>(Q[i], factor);
+    high[i] = product.high, low[i] = product.low;
+  }
+  return integrate<S, P>(
+      q, delta,
+      Quaternion<S, P>(Quad<S>(high[0], high[1], high[2], high[3]), Quad<S>(low[0], low[1], low[2], low[3])));
 }
 template <Scalar S, Precision P>
 [[gnu::noinline, gnu::cold]] Vector7<S> integrateFar(Vector7<S> q, Vector6<S> delta) {
@@ -242,8 +257,7 @@ template <Scalar S, Precision P>
 /// T exp(delta) as [p; x y z w]. The sign of Q1 is such that Q1 . Q0 >= 0. Pose q [7; m], delta [6; m, rad].
 /// Error for |phi| <= pi: rotation 2 eps, translation 4 eps of max(|p1|, |p0|, |rho|). For larger |phi| these
 /// bounds are multiplied by the condition number (excess rule, docs/measuring.md). ||Q1|^2 - 1| <= 3 eps.
-/// Q0 is normalised first if ||Q0|^2 - 1| > sqrt(eps)/2, which adds 2 eps to the error of the rotation. Throws
-/// std::invalid_argument if Q0 = 0.
+/// Throws std::invalid_argument if Q0 = 0.
 template <Scalar S, Precision P = Precision::standard>
 Vector7<S> integrateSE3(const Vector7<S>& q, const Vector6<S>& delta) {
   return evaluate<S, P>(
@@ -313,7 +327,7 @@ Matrix6<S> dIntegrateSE3(const Vector7<S>&, const Vector6<S>& delta, ArgumentPos
 
 /// The derivative of difference with respect to q0 (ARG0: -J_l^-1) or q1 (ARG1: J_r^-1) [6 x 6]. At
 /// |phi| = pi it is the derivative on the branch that differenceSE3 returns. Error, including that of
-/// difference: 4.2 eps of a rotation block, 7.5 eps of the coupling block.
+/// difference: 4.2 eps of a rotation block, 7 eps of the coupling block.
 template <Scalar S, Precision P = Precision::standard>
 Matrix6<S> dDifferenceSE3(const Vector7<S>& q0, const Vector7<S>& q1, ArgumentPosition argument) {
   return evaluate<S, P>(

@@ -73,6 +73,12 @@ struct SplitFactor {
       value = high + low;
     }
   }
+  /// The factor value + x_low, |x_low| <= eps |value|. Later than `value`, x_low is no loss of time.
+  [[gnu::always_inline]] SplitFactor plus(const S& x_low) const {
+    SplitFactor c = *this;
+    if constexpr (P != Precision::fast) c.low = low + x_low;
+    return c;
+  }
   /// Constructs a factor from parts that are already split.
   [[gnu::always_inline]] static SplitFactor of(const S& value, const S& high, const S& low) {
     SplitFactor c = value;

@@ -160,7 +160,8 @@ template <Precision P, int SIGN, class V, class S, class... Low>
     return times(pick<1, 2, 0, 1>(l, a), pick<2, 0, 1, 1>(l, b))
         .subtract_product(pick<2, 0, 1, 1>(l, a), pick<1, 2, 0, 1>(l, b));
   };
-  const Factor p(x, x_low..., sigma);
+  Factor p(x, sigma);
+  ((p = p.plus(x_low)), ...);
   const auto t = by_lane<V, P>([&](auto l) __attribute__((always_inline)) { return cross(l, q, p); });
   const Factor f(t.high, t.low(), sigma);
   const auto r = by_lane<V, P>([&](auto l) __attribute__((always_inline)) {
