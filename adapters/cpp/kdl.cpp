@@ -7,14 +7,12 @@
 #include <kdl/rigidbodyinertia.hpp>
 #include <liecheck_adapter.hpp>
 
+#include "numbers.hpp"
+
 namespace {
 
 using KDL::Frame, KDL::RigidBodyInertia, KDL::Rotation, KDL::RotationalInertia, KDL::Twist, KDL::Vector,
     KDL::Wrench;
-template <std::size_t n>
-using In = std::span<const double, n>;
-template <std::size_t n>
-using Out = std::span<double, n>;
 
 Vector vector(const double* x) {
   return {x[0], x[1], x[2]};
@@ -60,31 +58,35 @@ void put(RigidBodyInertia I, double* to) {  // KDL holds I about the origin; Ref
 struct Kdl {
   static constexpr const char *name = "kdl", *version = KDL_VERSION_STRING;
 
-  static void exp3_matrix(In<3> phi, Out<9> R) {
+  static void exp3_matrix(In<double, 3> phi, Out<double, 9> R) {
     put(addDelta(Rotation::Identity(), vector(&phi[0])), &R[0]);
   }
-  static void exp3_quaternion(In<3> phi, Out<4> Q) {
+  static void exp3_quaternion(In<double, 3> phi, Out<double, 4> Q) {
     addDelta(Rotation::Identity(), vector(&phi[0])).GetQuaternion(Q[0], Q[1], Q[2], Q[3]);
   }
-  static void log3_matrix(In<9> R, Out<3> phi) { put(rotation(&R[0]).GetRot(), &phi[0]); }
-  static void log3_quaternion(In<4> Q, Out<3> phi) {
+  static void log3_matrix(In<double, 9> R, Out<double, 3> phi) { put(rotation(&R[0]).GetRot(), &phi[0]); }
+  static void log3_quaternion(In<double, 4> Q, Out<double, 3> phi) {
     put(Rotation::Quaternion(Q[0], Q[1], Q[2], Q[3]).GetRot(), &phi[0]);
   }
-  static void rotate_point(In<7> x, Out<3> y) {
+  static void rotate_point(In<double, 7> x, Out<double, 3> y) {
     put(Rotation::Quaternion(x[0], x[1], x[2], x[3]) * vector(&x[4]), &y[0]);
   }
-  static void compose(In<24> x, Out<12> y) { put(frame(&x[0]) * frame(&x[12]), &y[0]); }
-  static void inverse(In<12> x, Out<12> y) { put(frame(&x[0]).Inverse(), &y[0]); }
-  static void act_point(In<15> x, Out<3> y) { put(frame(&x[0]) * vector(&x[12]), &y[0]); }
-  static void act_motion(In<18> x, Out<6> y) { put(frame(&x[0]) * twist(&x[12]), &y[0]); }
-  static void act_inverse_motion(In<18> x, Out<6> y) { put(frame(&x[0]).Inverse(twist(&x[12])), &y[0]); }
-  static void act_force(In<18> x, Out<6> y) { put(frame(&x[0]) * wrench(&x[12]), &y[0]); }
-  static void act_inverse_force(In<18> x, Out<6> y) { put(frame(&x[0]).Inverse(wrench(&x[12])), &y[0]); }
-  static void cross_motion(In<12> x, Out<6> y) { put(twist(&x[0]) * twist(&x[6]), &y[0]); }
-  static void cross_force(In<12> x, Out<6> y) { put(twist(&x[0]) * wrench(&x[6]), &y[0]); }
-  static void act_inertia(In<25> x, Out<13> y) { put(frame(&x[0]) * inertia(&x[12]), &y[0]); }
-  static void momentum(In<19> x, Out<6> y) { put(inertia(&x[0]) * twist(&x[13]), &y[0]); }
-  static void inertia_matrix(In<13> x, Out<36> y) {
+  static void compose(In<double, 24> x, Out<double, 12> y) { put(frame(&x[0]) * frame(&x[12]), &y[0]); }
+  static void inverse(In<double, 12> x, Out<double, 12> y) { put(frame(&x[0]).Inverse(), &y[0]); }
+  static void act_point(In<double, 15> x, Out<double, 3> y) { put(frame(&x[0]) * vector(&x[12]), &y[0]); }
+  static void act_motion(In<double, 18> x, Out<double, 6> y) { put(frame(&x[0]) * twist(&x[12]), &y[0]); }
+  static void act_inverse_motion(In<double, 18> x, Out<double, 6> y) {
+    put(frame(&x[0]).Inverse(twist(&x[12])), &y[0]);
+  }
+  static void act_force(In<double, 18> x, Out<double, 6> y) { put(frame(&x[0]) * wrench(&x[12]), &y[0]); }
+  static void act_inverse_force(In<double, 18> x, Out<double, 6> y) {
+    put(frame(&x[0]).Inverse(wrench(&x[12])), &y[0]);
+  }
+  static void cross_motion(In<double, 12> x, Out<double, 6> y) { put(twist(&x[0]) * twist(&x[6]), &y[0]); }
+  static void cross_force(In<double, 12> x, Out<double, 6> y) { put(twist(&x[0]) * wrench(&x[6]), &y[0]); }
+  static void act_inertia(In<double, 25> x, Out<double, 13> y) { put(frame(&x[0]) * inertia(&x[12]), &y[0]); }
+  static void momentum(In<double, 19> x, Out<double, 6> y) { put(inertia(&x[0]) * twist(&x[13]), &y[0]); }
+  static void inertia_matrix(In<double, 13> x, Out<double, 36> y) {
     const KDL::ArticulatedBodyInertia I(inertia(&x[0]));  // f = M u + H^T omega, n = H u + I omega
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) {

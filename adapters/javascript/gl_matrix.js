@@ -1,7 +1,6 @@
 // gl-matrix: quat, mat3, mat4 and vec3. Quaternions are x, y, z, w, matrices column by column. A function writes to
 // an array that the caller gives, and so computes in float or double.
 const {glMatrix, mat3, mat4, quat, vec3} = require("gl-matrix");
-const {version} = require("gl-matrix/package.json");
 const {serve} = require("./liecheck_protocol.js");
 
 glMatrix.setMatrixArrayType(Array);  // of the arrays that gl-matrix makes itself
@@ -22,7 +21,7 @@ function log3_quaternion(Q) {
   return [2 * x, 2 * y, 2 * z];
 }
 
-serve("gl-matrix", version, ["float", "double"], {
+serve("gl-matrix", ["float", "double"], {
   exp3_quaternion: [phi => exp3_quaternion(phi, like(phi, 4)), 3, 4],
   exp3_matrix: [phi => columns(mat3.fromQuat(like(phi, 9), exp3_quaternion(phi, like(phi, 4)))), 3, 9],
   log3_quaternion: [log3_quaternion, 4, 3],

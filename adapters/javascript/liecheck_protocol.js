@@ -1,5 +1,5 @@
 // The process protocol of docs/adapters.md, for the JavaScript adapters of this folder.
-const fs = require("fs");
+const fs = require("fs"), versions = require("./package.json").dependencies;
 
 function read(size) {  // exactly size bytes; null at the end of the input
   const bytes = Buffer.alloc(size);
@@ -24,11 +24,12 @@ function write(bytes) {
 
 // Answers calls until the input ends. functions: operation -> [function, arguments, results]. A function takes the
 // numbers of one input, a Float32Array or a Float64Array, and returns those of its result.
-exports.serve = function (name, version, scalars, functions) {
+exports.serve = function (name, scalars, functions) {
+  const subject = name.replace(/.*\//, ""), version = versions[name];
   console.log = console.warn = console.error;  // what the library prints must not come between the answers
   readLine();  // "liecheck 1"
   const operations = Object.fromEntries(Object.keys(functions).map(operation => [operation, scalars]));
-  write(Buffer.from(JSON.stringify({protocol: 1, name, version, operations}) + "\n"));
+  write(Buffer.from(JSON.stringify({protocol: 1, name: subject, version, operations}) + "\n"));
   for (let call = readLine(); call; call = readLine()) {  // "call exp3_quaternion double 128"
     const [, operation, scalar, count] = call.split(" "), n = Number(count), [f, size, resultSize] = functions[operation];
     const Numbers = scalar === "float" ? Float32Array : Float64Array;
