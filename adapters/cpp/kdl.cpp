@@ -1,5 +1,6 @@
 // Orocos KDL: frames.hpp and its inertias. Twists and wrenches are linear first and at the origin of the frame, as
-// liecheck's. KDL has no exponential of SE(3): its addDelta(Frame, Twist) moves the origin to p + rho.
+// liecheck's. KDL has no exponential of SE(3): its addDelta(Frame, Twist) moves the origin to p + rho. It keeps
+// inertias about the origin, so that one about the centre of mass, of a moved body, is not asked for.
 
 #include <kdl/config.h>
 #include <kdl/articulatedbodyinertia.hpp>
@@ -48,12 +49,6 @@ void put(const Twist& V, double* to) {
 void put(const Wrench& F, double* to) {
   put(F.force, to), put(F.torque, to + 3);
 }
-void put(RigidBodyInertia I, double* to) {  // KDL holds I about the origin; RefPoint moves it
-  const Vector c = I.getCOG();
-  to[0] = I.getMass();
-  put(c, to + 1);
-  std::copy_n(I.RefPoint(c).getRotationalInertia().data, 9, to + 4);
-}
 
 struct Kdl {
   static constexpr const char *name = "kdl", *version = KDL_VERSION_STRING;
@@ -84,7 +79,6 @@ struct Kdl {
   }
   static void cross_motion(In<double, 12> x, Out<double, 6> y) { put(twist(&x[0]) * twist(&x[6]), &y[0]); }
   static void cross_force(In<double, 12> x, Out<double, 6> y) { put(twist(&x[0]) * wrench(&x[6]), &y[0]); }
-  static void act_inertia(In<double, 25> x, Out<double, 13> y) { put(frame(&x[0]) * inertia(&x[12]), &y[0]); }
   static void momentum(In<double, 19> x, Out<double, 6> y) { put(inertia(&x[0]) * twist(&x[13]), &y[0]); }
   static void inertia_matrix(In<double, 13> x, Out<double, 36> y) {
     const KDL::ArticulatedBodyInertia I(inertia(&x[0]));  // f = M u + H^T omega, n = H u + I omega
@@ -102,4 +96,4 @@ struct Kdl {
 
 LIECHECK_ADAPTER(Kdl, exp3_matrix, exp3_quaternion, log3_matrix, log3_quaternion, rotate_point, compose,
                  inverse, act_point, act_motion, act_inverse_motion, act_force, act_inverse_force,
-                 cross_motion, cross_force, act_inertia, momentum, inertia_matrix)
+                 cross_motion, cross_force, momentum, inertia_matrix)

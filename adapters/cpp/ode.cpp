@@ -1,12 +1,10 @@
-// ODE: rotation.h, mass.h, and points of a body, in double (Debian's precision). Quaternions are w, x, y, z; a dMatrix3
+// ODE: rotation.h and points of a body, in double (Debian's precision). Quaternions are w, x, y, z; a dMatrix3
 // has rows of four numbers. ODE has no logarithm and no product of poses.
 
 #include <ode/ode.h>
 #include <ode/version.h>
 
 #include <liecheck_adapter.hpp>
-#include <memory>
-#include <stdexcept>
 
 #include "numbers.hpp"
 
@@ -33,14 +31,6 @@ dBodyID body() {
   static const World world;
   static const dBodyID only = dBodyCreate(world.id);
   return only;
-}
-
-/// The mass of I = (mass, c, I_C): dMassSetParameters takes the inertia about the origin, and dMassTranslate moves it.
-dMass mass(const double* I) {
-  dMass m;
-  dMassSetParameters(&m, I[0], 0, 0, 0, I[4], I[8], I[12], I[5], I[6], I[9]);
-  dMassTranslate(&m, I[1], I[2], I[3]);
-  return m;
 }
 
 struct Ode {
@@ -77,17 +67,8 @@ struct Ode {
     dNormalize4(q);
     y[0] = q[1], y[1] = q[2], y[2] = q[3], y[3] = q[0];
   }
-  static void act_inertia(In<double, 25> x, Out<double, 13> y) {
-    dMass m = mass(&x[12]);
-    dMassRotate(&m, Matrix(&x[0]).R);
-    dMassTranslate(&m, x[9], x[10], x[11]);
-    y[0] = m.mass;
-    std::copy_n(m.c, 3, &y[1]);
-    dMassTranslate(&m, -m.c[0], -m.c[1], -m.c[2]);
-    put_rotation(m.I, &y[4]);
-  }
 };
 
 }  // namespace
 
-LIECHECK_ADAPTER(Ode, exp3_quaternion, exp3_matrix, act_point, rotate_point, normalize, act_inertia)
+LIECHECK_ADAPTER(Ode, exp3_quaternion, exp3_matrix, act_point, rotate_point, normalize)

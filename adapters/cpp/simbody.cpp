@@ -50,10 +50,6 @@ void put(const Transform& X, double* to) {
 void put(const SpatialVec& V, double* to) {
   put(V[1], to), put(V[0], to + 3);
 }
-void put(const MassProperties& I, double* to) {
-  to[0] = I.getMass();
-  put(I.getMassCenter(), to + 1), put_matrix(I.calcCentralInertia().toMat33(), to + 4);
-}
 void put_angle_axis(const Vec4& a, double* to) {
   put(a[0] * a.getSubVec<3>(1), to);
 }
@@ -111,9 +107,6 @@ struct Simbody {
   static void act_inverse_force(In<double, 18> x, Out<double, 6> y) {
     put(~rotation(&x[0]) * SimTK::shiftForceBy(spatial(&x[12]), vector(&x[9])), &y[0]);
   }
-  static void act_inverse_inertia(In<double, 25> x, Out<double, 13> y) {
-    put(body(&x[12]).calcTransformedMassProps(pose(&x[0])), &y[0]);
-  }
   static void momentum(In<double, 19> x, Out<double, 6> y) {
     const MassProperties I = body(&x[0]);
     put(SimTK::SpatialInertia(I.getMass(), I.getMassCenter(), I.getUnitInertia()) * spatial(&x[13]), &y[0]);
@@ -129,5 +122,4 @@ struct Simbody {
 
 LIECHECK_ADAPTER(Simbody, exp3_quaternion, exp3_matrix, log3_quaternion, log3_matrix, rotate_point, normalize,
                  quaternion_matrix, rotate_point_any_norm, log3_any_norm, compose, inverse, act_point,
-                 act_motion, act_force, act_inverse_motion, act_inverse_force, act_inverse_inertia, momentum,
-                 inertia_matrix)
+                 act_motion, act_force, act_inverse_motion, act_inverse_force, momentum, inertia_matrix)
