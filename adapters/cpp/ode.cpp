@@ -5,6 +5,7 @@
 #include <ode/version.h>
 
 #include <liecheck_adapter.hpp>
+#include <stdexcept>
 
 #include "numbers.hpp"
 
@@ -33,6 +34,11 @@ dBodyID body() {
   return only;
 }
 
+/// dSafeNormalize4 says whether it could; dNormalize4 and dBodySetQuaternion abort where it could not.
+void refuse_unless(int could) {
+  if (!could) throw std::domain_error("ODE cannot normalize this quaternion");
+}
+
 struct Ode {
   static constexpr const char *name = "ode", *version = dODE_VERSION;
 
@@ -57,6 +63,8 @@ struct Ode {
   }
   static void rotate_point(In<double, 7> x, Out<double, 3> y) {
     const dQuaternion q = {x[3], x[0], x[1], x[2]};
+    dQuaternion n = {q[0], q[1], q[2], q[3]};
+    refuse_unless(dSafeNormalize4(n));
     dBodySetQuaternion(body(), q);
     dVector3 result;
     dBodyVectorToWorld(body(), x[4], x[5], x[6], result);
@@ -64,7 +72,7 @@ struct Ode {
   }
   static void normalize(In<double, 4> Q, Out<double, 4> y) {
     dQuaternion q = {Q[3], Q[0], Q[1], Q[2]};
-    dNormalize4(q);
+    refuse_unless(dSafeNormalize4(q));
     y[0] = q[1], y[1] = q[2], y[2] = q[3], y[3] = q[0];
   }
 };
