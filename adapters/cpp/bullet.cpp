@@ -45,8 +45,8 @@ struct Bullet : BulletMath<Library> {
     log3_quaternion(Q, phi);
   }
 
-  // A spatial vector is (angular, linear) for motions and (force, moment) for forces. The translation of a spatial
-  // transformation is that from the new origin to the old one, in the new axes: -p.
+  // A spatial vector is (angular, linear) for motions and (force, moment) for forces. The translation of a
+  // spatial transformation is that from the new origin to the old one, in the new axes: -p.
   static btSpatialTransformationMatrix transformation(const S* X) {
     return {matrix(X), -vector(X + 9)};
   }

@@ -1,6 +1,6 @@
 #pragma once
-// Poses of Bullet's LinearMath and of tf2, whose LinearMath is an older copy of it: the same functions with other names.
-// Matrices have rows; quaternions are x, y, z, w.
+// Poses of Bullet's LinearMath and of tf2, whose LinearMath is an older copy of it: the same functions with
+// other names. Matrices have rows; quaternions are x, y, z, w.
 
 #include "numbers.hpp"
 

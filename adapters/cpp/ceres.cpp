@@ -1,5 +1,5 @@
-// Ceres Solver: rotation.h, in float and double. Quaternions are w, x, y, z. "ceres" is a subject of liecheck, too; this
-// adapter adds the functions whose documentation allows quaternions of any norm.
+// Ceres Solver: rotation.h, in float and double. Quaternions are w, x, y, z. "ceres" is a subject of
+// liecheck, too; this adapter adds the functions whose documentation allows quaternions of any norm.
 
 #include <ceres/rotation.h>
 #include <ceres/version.h>

@@ -1,5 +1,5 @@
-// Eigen: Quaternion, AngleAxis and Isometry, in float and double. liecheck has a subject of the same functions, "eigen";
-// this adapter is the example of a library with templates.
+// Eigen: Quaternion, AngleAxis and Isometry, in float and double. liecheck has a subject of the same
+// functions, "eigen"; this adapter is the example of a library with templates.
 
 #include <Eigen/Geometry>
 

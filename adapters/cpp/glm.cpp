@@ -1,4 +1,5 @@
-// GLM: quaternions (exp, log, product with a vector) and 4 x 4 matrices, in float and double. Matrices have columns.
+// GLM: quaternions (exp, log, product with a vector) and 4 x 4 matrices, in float and double. Matrices have
+// columns.
 
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/ext/quaternion_common.hpp>

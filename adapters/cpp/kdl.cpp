@@ -1,6 +1,7 @@
-// Orocos KDL: frames.hpp and its inertias. Twists and wrenches are linear first and at the origin of the frame, as
-// liecheck's. KDL has no exponential of SE(3): its addDelta(Frame, Twist) moves the origin to p + rho. It keeps
-// inertias about the origin, so that one about the centre of mass, of a moved body, is not asked for.
+// Orocos KDL: frames.hpp and its inertias. Twists and wrenches are linear first and at the origin of the
+// frame, as liecheck's. KDL has no exponential of SE(3): its addDelta(Frame, Twist) moves the origin to p +
+// rho. It keeps inertias about the origin, so that one about the centre of mass, of a moved body, is not
+// asked for.
 
 #include <kdl/config.h>
 #include <kdl/articulatedbodyinertia.hpp>

@@ -1,6 +1,6 @@
-// MuJoCo: engine_util_spatial, in double. Quaternions are w, x, y, z, motions (angular, linear), forces (moment, force).
-// MuJoCo integrates a free joint as p + u and Q exp(omega), which is not the exponential of SE(3), so that integrate and
-// difference are not offered.
+// MuJoCo: engine_util_spatial, in double. Quaternions are w, x, y, z, motions (angular, linear), forces
+// (moment, force). MuJoCo integrates a free joint as p + u and Q exp(omega), which is not the exponential of
+// SE(3), so that integrate and difference are not offered.
 
 #include <mujoco/mujoco.h>
 

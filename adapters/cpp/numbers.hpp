@@ -11,7 +11,8 @@ using In = std::span<const S, n>;
 template <class S, std::size_t n>
 using Out = std::span<S, n>;
 
-/// An axis for a function that makes a rotation of an axis and an angle. phi = 0 is the angle 0 about any axis.
+/// An axis for a function that makes a rotation of an axis and an angle. phi = 0 is the angle 0 about any
+/// axis.
 template <class S>
 std::array<S, 3> axis_of(In<S, 3> phi) {
   if (phi[0] == 0 && phi[1] == 0 && phi[2] == 0) return {1, 0, 0};

@@ -1,5 +1,5 @@
-// ODE: rotation.h and points of a body, in double (Debian's precision). Quaternions are w, x, y, z; a dMatrix3
-// has rows of four numbers. ODE has no logarithm and no product of poses.
+// ODE: rotation.h and points of a body, in double (Debian's precision). Quaternions are w, x, y, z; a
+// dMatrix3 has rows of four numbers. ODE has no logarithm and no product of poses.
 
 #include <ode/ode.h>
 #include <ode/version.h>

@@ -1,5 +1,6 @@
-// Simbody: SimTKcommon's Rotation, Quaternion, Transform, shifts of spatial vectors and MassProperties, in double.
-// Quaternions are w, x, y, z and are normalized when they are made. Spatial vectors are (angular, linear).
+// Simbody: SimTKcommon's Rotation, Quaternion, Transform, shifts of spatial vectors and MassProperties, in
+// double. Quaternions are w, x, y, z and are normalized when they are made. Spatial vectors are (angular,
+// linear).
 
 #include <SimTKcommon/internal/MassProperties.h>
 #include <SimTKcommon/internal/SpatialAlgebra.h>
