@@ -1,7 +1,7 @@
 // DART: dart/math/Geometry.hpp and dynamics::Inertia, in double. Motions are (angular, linear), forces
 // (moment, force). Products of poses are Eigen's. A FreeJoint integrates (exp(omega), u), which is not the
 // exponential of SE(3). Inertias are not transformed: transformInertia rounds the zeros of its tensor, and
-// Inertia calls a tensor of such invalid.
+// Inertia calls such a tensor invalid.
 
 #include <dart/config.hpp>
 #include <dart/dynamics/Inertia.hpp>
