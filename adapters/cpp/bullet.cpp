@@ -1,0 +1,94 @@
+// Bullet: LinearMath, in double if BT_USE_DOUBLE_PRECISION is defined, and in float otherwise.
+
+#include <LinearMath/btSpatialAlgebra.h>
+#include <LinearMath/btTransform.h>
+#include <LinearMath/btTransformUtil.h>
+
+#include <liecheck_adapter.hpp>
+
+#include "bullet_math.hpp"
+
+namespace {
+
+struct Library {
+  using Scalar = btScalar;
+  using Vector = btVector3;
+  using Quaternion = btQuaternion;
+  using Matrix = btMatrix3x3;
+  using Transform = btTransform;
+};
+
+static_assert(BT_BULLET_VERSION == 324);
+
+struct Bullet : BulletMath<Library> {
+#ifdef BT_USE_DOUBLE_PRECISION
+  static constexpr const char* name = "bullet";
+#else
+  static constexpr const char* name = "bullet_float";
+#endif
+  static constexpr const char* version = "3.24";
+
+  // The angular velocity that turns the identity to Q in unit time.
+  static void log3_quaternion(In<S, 4> Q, Out<S, 3> phi) {
+    const btVector3 p(0, 0, 0);
+    btVector3 u, w;
+    btTransformUtil::calculateVelocityQuaternion(p, p, btQuaternion::getIdentity(), quaternion(&Q[0]), 1, u,
+                                                 w);
+    put(w, &phi[0]);
+  }
+  /// By a quaternion: btTransformUtil's difference of two matrices may be longer than pi.
+  static void log3_matrix(In<S, 9> R, Out<S, 3> phi) {
+    btQuaternion q;
+    matrix(&R[0]).getRotation(q);
+    std::array<S, 4> Q;
+    put(q, Q.data());
+    log3_quaternion(Q, phi);
+  }
+
+  // A spatial vector is (angular, linear) for motions and (force, moment) for forces. The translation of a
+  // spatial transformation is that from the new origin to the old one, in the new axes: -p.
+  static btSpatialTransformationMatrix transformation(const S* X) {
+    return {matrix(X), -vector(X + 9)};
+  }
+  static btSpatialMotionVector motion(const S* V) {
+    return {vector(V + 3), vector(V)};
+  }
+  static btSpatialForceVector force(const S* F) {
+    return {vector(F + 3), vector(F)};
+  }
+  static void put_motion(const btSpatialMotionVector& V, S* to) {
+    put(V.getLinear(), to), put(V.getAngular(), to + 3);
+  }
+  static void put_force(const btSpatialForceVector& F, S* to) {
+    put(F.getLinear(), to), put(F.getAngular(), to + 3);
+  }
+
+  static void act_motion(In<S, 18> x, Out<S, 6> y) {
+    put_motion(transformation(&x[0]) * motion(&x[12]), &y[0]);
+  }
+  static void act_force(In<S, 18> x, Out<S, 6> y) {
+    put_force(transformation(&x[0]) * force(&x[12]), &y[0]);
+  }
+  static void act_inverse_motion(In<S, 18> x, Out<S, 6> y) {
+    btSpatialMotionVector V;
+    transformation(&x[0]).transformInverse(motion(&x[12]), V);
+    put_motion(V, &y[0]);
+  }
+  static void act_inverse_force(In<S, 18> x, Out<S, 6> y) {
+    btSpatialForceVector F;
+    transformation(&x[0]).transformInverse(force(&x[12]), F);
+    put_force(F, &y[0]);
+  }
+  static void cross_motion(In<S, 12> x, Out<S, 6> y) {
+    put_motion(motion(&x[0]).cross(motion(&x[6])), &y[0]);
+  }
+  static void cross_force(In<S, 12> x, Out<S, 6> y) {
+    put_force(motion(&x[0]).cross(force(&x[6])), &y[0]);
+  }
+};
+
+}  // namespace
+
+LIECHECK_ADAPTER(Bullet, exp3_quaternion, exp3_matrix, log3_quaternion, log3_matrix, compose, inverse,
+                 act_point, rotate_point, normalize, act_motion, act_force, act_inverse_motion,
+                 act_inverse_force, cross_motion, cross_force)

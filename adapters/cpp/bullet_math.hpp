@@ -1,0 +1,42 @@
+#pragma once
+// Poses of Bullet's LinearMath and of tf2, whose LinearMath is an older copy of it: the same functions with
+// other names. Matrices have rows; quaternions are x, y, z, w.
+
+#include "numbers.hpp"
+
+template <class Library>
+struct BulletMath {
+  using S = typename Library::Scalar;
+  using Vector = typename Library::Vector;
+  using Quaternion = typename Library::Quaternion;
+  using Matrix = typename Library::Matrix;
+  using Transform = typename Library::Transform;
+
+  static Vector vector(const S* x) { return {x[0], x[1], x[2]}; }
+  static Quaternion quaternion(const S* Q) { return {Q[0], Q[1], Q[2], Q[3]}; }
+  static Matrix matrix(const S* R) { return {R[0], R[1], R[2], R[3], R[4], R[5], R[6], R[7], R[8]}; }
+  static Transform pose(const S* X) { return Transform(matrix(X), vector(X + 9)); }
+  static void put(const Vector& x, S* to) {
+    for (int i = 0; i < 3; ++i) to[i] = x[i];
+  }
+  static void put(const Quaternion& Q, S* to) { to[0] = Q.x(), to[1] = Q.y(), to[2] = Q.z(), to[3] = Q.w(); }
+  static void put(const Matrix& R, S* to) {
+    for (int i = 0; i < 3; ++i) put(R[i], to + 3 * i);
+  }
+  static void put(const Transform& X, S* to) { put(X.getBasis(), to), put(X.getOrigin(), to + 9); }
+
+  /// setRotation divides by the axis's length.
+  static Quaternion exp(In<S, 3> phi) {
+    return Quaternion(vector(axis_of<S>(phi).data()), vector(&phi[0]).length());
+  }
+
+  static void exp3_quaternion(In<S, 3> phi, Out<S, 4> Q) { put(exp(phi), &Q[0]); }
+  static void exp3_matrix(In<S, 3> phi, Out<S, 9> R) { put(Matrix(exp(phi)), &R[0]); }
+  static void compose(In<S, 24> x, Out<S, 12> y) { put(pose(&x[0]) * pose(&x[12]), &y[0]); }
+  static void inverse(In<S, 12> x, Out<S, 12> y) { put(pose(&x[0]).inverse(), &y[0]); }
+  static void act_point(In<S, 15> x, Out<S, 3> y) { put(pose(&x[0]) * vector(&x[12]), &y[0]); }
+  static void rotate_point(In<S, 7> x, Out<S, 3> y) {
+    put(quatRotate(quaternion(&x[0]), vector(&x[4])), &y[0]);
+  }
+  static void normalize(In<S, 4> Q, Out<S, 4> y) { put(quaternion(&Q[0]).normalize(), &y[0]); }
+};

@@ -1,0 +1,113 @@
+// Eigen: Quaternion, AngleAxis and Isometry, in float and double. liecheck has a subject of the same
+// functions, "eigen"; this adapter is the example of a library with templates.
+
+#include <Eigen/Geometry>
+
+#include <liecheck_adapter.hpp>
+
+#include "numbers.hpp"
+
+#define TEXT_OF(x) #x
+#define VERSION(world, major, minor) TEXT_OF(world) "." TEXT_OF(major) "." TEXT_OF(minor)
+
+namespace {
+
+template <class S>
+using Vector = Eigen::Matrix<S, 3, 1>;
+template <class S>
+using Matrix = Eigen::Matrix<S, 3, 3, Eigen::RowMajor>;
+template <class S>
+using Quaternion = Eigen::Quaternion<S>;
+template <class S>
+using AngleAxis = Eigen::AngleAxis<S>;
+template <class S>
+using Isometry = Eigen::Transform<S, 3, Eigen::Isometry>;
+
+template <class S>
+Eigen::Map<const Vector<S>> vector(const S* x) {
+  return Eigen::Map<const Vector<S>>(x);
+}
+template <class S>
+Eigen::Map<const Matrix<S>> rotation(const S* R) {
+  return Eigen::Map<const Matrix<S>>(R);
+}
+template <class S>
+Eigen::Map<const Quaternion<S>> quaternion(const S* Q) {
+  return Eigen::Map<const Quaternion<S>>(Q);
+}
+template <class S>
+Isometry<S> pose(const S* X) {
+  Isometry<S> T;
+  T.linear() = rotation(X), T.translation() = vector(X + 9), T.makeAffine();
+  return T;
+}
+template <class S>
+AngleAxis<S> angle_axis(In<S, 3> phi) {
+  return {vector(&phi[0]).norm(), vector(axis_of<S>(phi).data()).normalized()};
+}
+
+template <class S, int rows, int columns, int options>
+void put(const Eigen::Matrix<S, rows, columns, options>& x, S* to) {
+  Eigen::Map<Eigen::Matrix<S, rows, columns, columns == 1 ? Eigen::ColMajor : Eigen::RowMajor>> all(to);
+  all = x;
+}
+template <class S>
+void put(const Quaternion<S>& Q, S* to) {
+  put(Q.coeffs(), to);
+}
+template <class S>
+void put(const Isometry<S>& T, S* to) {
+  put(Matrix<S>(T.linear()), to), put(Vector<S>(T.translation()), to + 9);
+}
+template <class S>
+void put(const AngleAxis<S>& a, S* to) {
+  put(Vector<S>(a.angle() * a.axis()), to);
+}
+
+struct EigenGeometry {
+  static constexpr const char *name = "eigen_adapter",
+                              *version =
+                                  VERSION(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION);
+
+  template <class S>
+  static void exp3_quaternion(In<S, 3> phi, Out<S, 4> Q) {
+    put(Quaternion<S>(angle_axis(phi)), &Q[0]);
+  }
+  template <class S>
+  static void exp3_matrix(In<S, 3> phi, Out<S, 9> R) {
+    put(angle_axis(phi).toRotationMatrix(), &R[0]);
+  }
+  template <class S>
+  static void log3_quaternion(In<S, 4> Q, Out<S, 3> phi) {
+    put(AngleAxis<S>(quaternion(&Q[0])), &phi[0]);
+  }
+  template <class S>
+  static void log3_matrix(In<S, 9> R, Out<S, 3> phi) {
+    put(AngleAxis<S>(rotation(&R[0])), &phi[0]);
+  }
+  template <class S>
+  static void compose(In<S, 24> x, Out<S, 12> y) {
+    put(pose(&x[0]) * pose(&x[12]), &y[0]);
+  }
+  template <class S>
+  static void inverse(In<S, 12> x, Out<S, 12> y) {
+    put(pose(&x[0]).inverse(), &y[0]);
+  }
+  template <class S>
+  static void act_point(In<S, 15> x, Out<S, 3> y) {
+    put(Vector<S>(pose(&x[0]) * vector(&x[12])), &y[0]);
+  }
+  template <class S>
+  static void rotate_point(In<S, 7> x, Out<S, 3> y) {
+    put(Vector<S>(quaternion(&x[0]) * vector(&x[4])), &y[0]);
+  }
+  template <class S>
+  static void normalize(In<S, 4> Q, Out<S, 4> y) {
+    put(quaternion(&Q[0]).normalized(), &y[0]);
+  }
+};
+
+}  // namespace
+
+LIECHECK_ADAPTER(EigenGeometry, exp3_quaternion, exp3_matrix, log3_quaternion, log3_matrix, compose, inverse,
+                 act_point, rotate_point, normalize)

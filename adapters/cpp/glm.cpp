@@ -1,0 +1,114 @@
+// GLM: quaternions (exp, log, product with a vector) and 4 x 4 matrices, in float and double. Matrices have
+// columns.
+
+#include <glm/ext/matrix_transform.hpp>
+#include <glm/ext/quaternion_common.hpp>
+#include <glm/ext/quaternion_exponential.hpp>
+#include <glm/ext/quaternion_geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/mat4x4.hpp>
+
+#include <liecheck_adapter.hpp>
+
+#include "numbers.hpp"
+
+#define TEXT_OF(x) #x
+#define VERSION(major, minor, patch, revision) \
+  TEXT_OF(major) "." TEXT_OF(minor) "." TEXT_OF(patch) "." TEXT_OF(revision)
+
+namespace {
+
+template <class S>
+using Vec = glm::vec<3, S>;
+template <class S>
+using Quaternion = glm::qua<S>;
+
+template <class S>
+Vec<S> vector(const S* x) {
+  return {x[0], x[1], x[2]};
+}
+template <class S>
+glm::mat<3, 3, S> rotation(const S* R) {
+  return {R[0], R[3], R[6], R[1], R[4], R[7], R[2], R[5], R[8]};
+}
+template <class S>
+glm::mat<4, 4, S> pose(const S* X) {
+  glm::mat<4, 4, S> M(rotation(X));
+  M[3] = {vector(X + 9), 1};
+  return M;
+}
+template <class S>
+Quaternion<S> quaternion(const S* Q) {
+  return {Q[3], Q[0], Q[1], Q[2]};
+}
+
+template <class S>
+void put(const Quaternion<S>& Q, S* to) {
+  to[0] = Q.x, to[1] = Q.y, to[2] = Q.z, to[3] = Q.w;
+}
+template <class S>
+void put(const Vec<S>& x, S* to) {
+  to[0] = x.x, to[1] = x.y, to[2] = x.z;
+}
+template <class M, class S>
+void put_rotation(const M& R, S* to) {
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) to[3 * i + j] = R[j][i];
+}
+template <class S>
+void put(const glm::mat<4, 4, S>& X, S* to) {
+  put_rotation(X, to), put(Vec<S>(X[3]), to + 9);
+}
+
+struct Glm {
+  static constexpr const char *name = "glm", *version = VERSION(0, GLM_VERSION_MINOR, GLM_VERSION_PATCH,
+                                                                GLM_VERSION_REVISION);
+
+  // exp and log are those of quaternions, exp(0, phi/2) and (0, phi/2).
+  template <class S>
+  static void exp3_quaternion(In<S, 3> phi, Out<S, 4> Q) {
+    put(glm::exp(Quaternion<S>(0, vector(&phi[0]) / S(2))), &Q[0]);
+  }
+  template <class S>
+  static void exp3_matrix(In<S, 3> phi, Out<S, 9> R) {
+    put_rotation(
+        glm::rotate(glm::mat<4, 4, S>(1), glm::length(vector(&phi[0])), vector(axis_of<S>(phi).data())),
+        &R[0]);
+  }
+  template <class S>
+  static void log3_quaternion(In<S, 4> Q, Out<S, 3> phi) {
+    const Quaternion<S> half = glm::log(quaternion(nearer_to_one<S>(Q).data()));
+    put(S(2) * Vec<S>(half.x, half.y, half.z), &phi[0]);
+  }
+  template <class S>
+  static void log3_matrix(In<S, 9> R, Out<S, 3> phi) {
+    std::array<S, 4> Q;
+    put(glm::quat_cast(rotation(&R[0])), Q.data());
+    log3_quaternion<S>(Q, phi);
+  }
+  template <class S>
+  static void compose(In<S, 24> x, Out<S, 12> y) {
+    put(pose(&x[0]) * pose(&x[12]), &y[0]);
+  }
+  template <class S>
+  static void inverse(In<S, 12> x, Out<S, 12> y) {
+    put(glm::inverse(pose(&x[0])), &y[0]);
+  }
+  template <class S>
+  static void act_point(In<S, 15> x, Out<S, 3> y) {
+    put(Vec<S>(pose(&x[0]) * glm::vec<4, S>(vector(&x[12]), 1)), &y[0]);
+  }
+  template <class S>
+  static void rotate_point(In<S, 7> x, Out<S, 3> y) {
+    put(quaternion(&x[0]) * vector(&x[4]), &y[0]);
+  }
+  template <class S>
+  static void normalize(In<S, 4> Q, Out<S, 4> y) {
+    put(glm::normalize(quaternion(&Q[0])), &y[0]);
+  }
+};
+
+}  // namespace
+
+LIECHECK_ADAPTER(Glm, exp3_quaternion, exp3_matrix, log3_quaternion, log3_matrix, compose, inverse, act_point,
+                 rotate_point, normalize)

@@ -1,0 +1,27 @@
+#pragma once
+// What the adapters in C++ share.
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
+
+template <class S, std::size_t n>
+using In = std::span<const S, n>;
+template <class S, std::size_t n>
+using Out = std::span<S, n>;
+
+/// An axis for a function that makes a rotation of an axis and an angle. phi = 0 is the angle 0 about any
+/// axis.
+template <class S>
+std::array<S, 3> axis_of(In<S, 3> phi) {
+  if (phi[0] == 0 && phi[1] == 0 && phi[2] == 0) return {1, 0, 0};
+  return {phi[0], phi[1], phi[2]};
+}
+
+/// Q or -Q, the same rotation, with w >= 0: for a logarithm that tells them apart.
+template <class S>
+std::array<S, 4> nearer_to_one(In<S, 4> Q) {
+  if (Q[3] < 0) return {-Q[0], -Q[1], -Q[2], -Q[3]};
+  return {Q[0], Q[1], Q[2], Q[3]};
+}

@@ -1,0 +1,126 @@
+// Simbody: SimTKcommon's Rotation, Quaternion, Transform, shifts of spatial vectors and MassProperties, in
+// double. Quaternions are w, x, y, z and are normalized when they are made. Spatial vectors are (angular,
+// linear).
+
+#include <SimTKcommon/internal/MassProperties.h>
+#include <SimTKcommon/internal/SpatialAlgebra.h>
+
+#include <liecheck_adapter.hpp>
+
+#include "numbers.hpp"
+
+namespace {
+
+using SimTK::Inertia, SimTK::Mat33, SimTK::MassProperties, SimTK::Quaternion, SimTK::Rotation,
+    SimTK::SpatialVec, SimTK::Transform, SimTK::Vec3, SimTK::Vec4;
+
+Vec3 vector(const double* x) {
+  return {x[0], x[1], x[2]};
+}
+Rotation rotation(const double* R) {
+  return Rotation(Mat33(R[0], R[1], R[2], R[3], R[4], R[5], R[6], R[7], R[8]), true);  // as it is
+}
+Transform pose(const double* X) {
+  return {rotation(X), vector(X + 9)};
+}
+Quaternion quaternion(const double* Q) {
+  return {Q[3], Q[0], Q[1], Q[2]};
+}
+SpatialVec spatial(const double* V) {
+  return {vector(V + 3), vector(V)};
+}
+MassProperties body(const double* I) {
+  const Inertia central(I[4], I[8], I[12], I[5], I[6], I[9]);
+  return {I[0], vector(I + 1), central.shiftFromMassCenter(vector(I + 1), I[0])};
+}
+
+void put(const Vec3& x, double* to) {
+  std::copy_n(&x[0], 3, to);
+}
+template <class Matrix>
+void put_matrix(const Matrix& R, double* to) {
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) to[3 * i + j] = R[i][j];
+}
+void put(const Vec4& q, double* to) {
+  to[0] = q[1], to[1] = q[2], to[2] = q[3], to[3] = q[0];
+}
+void put(const Transform& X, double* to) {
+  put_matrix(X.R(), to), put(X.p(), to + 9);
+}
+void put(const SpatialVec& V, double* to) {
+  put(V[1], to), put(V[0], to + 3);
+}
+void put_angle_axis(const Vec4& a, double* to) {
+  put(a[0] * a.getSubVec<3>(1), to);
+}
+
+std::string version_text() {
+  int major, minor, patch;
+  SimTK_version_SimTKcommon(&major, &minor, &patch);
+  return std::to_string(major) + "." + std::to_string(minor) + "." + std::to_string(patch);
+}
+
+struct Simbody {
+  static constexpr const char* name = "simbody";
+  static inline const std::string text = version_text();
+  static inline const char* const version = text.c_str();
+
+  static void exp3_quaternion(In<double, 3> phi, Out<double, 4> Q) {
+    const Vec3 n = vector(axis_of<double>(phi).data());
+    Quaternion q;
+    q.setQuaternionFromAngleAxis(vector(&phi[0]).norm(), SimTK::UnitVec3(n));
+    put(q.asVec4(), &Q[0]);
+  }
+  static void exp3_matrix(In<double, 3> phi, Out<double, 9> R) {
+    put_matrix(Rotation(vector(&phi[0]).norm(), vector(axis_of<double>(phi).data())), &R[0]);
+  }
+  static void log3_quaternion(In<double, 4> Q, Out<double, 3> phi) {
+    put_angle_axis(quaternion(&Q[0]).convertQuaternionToAngleAxis(), &phi[0]);
+  }
+  static void log3_matrix(In<double, 9> R, Out<double, 3> phi) {
+    put_angle_axis(rotation(&R[0]).convertRotationToAngleAxis(), &phi[0]);
+  }
+  static void rotate_point(In<double, 7> x, Out<double, 3> y) {
+    put(Rotation(quaternion(&x[0])) * vector(&x[4]), &y[0]);
+  }
+  static void normalize(In<double, 4> Q, Out<double, 4> y) { put(quaternion(&Q[0]).asVec4(), &y[0]); }
+  static void quaternion_matrix(In<double, 4> Q, Out<double, 9> R) {
+    put_matrix(Rotation(quaternion(&Q[0])), &R[0]);
+  }
+  static void rotate_point_any_norm(In<double, 7> x, Out<double, 3> y) { rotate_point(x, y); }
+  static void log3_any_norm(In<double, 4> Q, Out<double, 3> phi) { log3_quaternion(Q, phi); }
+
+  static void compose(In<double, 24> x, Out<double, 12> y) { put(pose(&x[0]) * pose(&x[12]), &y[0]); }
+  static void inverse(In<double, 12> x, Out<double, 12> y) { put(Transform(~pose(&x[0])), &y[0]); }
+  static void act_point(In<double, 15> x, Out<double, 3> y) { put(pose(&x[0]) * vector(&x[12]), &y[0]); }
+
+  // The axes of A, and then the point: B's origin moves by -p to that of A.
+  static void act_motion(In<double, 18> x, Out<double, 6> y) {
+    put(SimTK::shiftVelocityBy(rotation(&x[0]) * spatial(&x[12]), -vector(&x[9])), &y[0]);
+  }
+  static void act_force(In<double, 18> x, Out<double, 6> y) {
+    put(SimTK::shiftForceBy(rotation(&x[0]) * spatial(&x[12]), -vector(&x[9])), &y[0]);
+  }
+  static void act_inverse_motion(In<double, 18> x, Out<double, 6> y) {
+    put(~rotation(&x[0]) * SimTK::shiftVelocityBy(spatial(&x[12]), vector(&x[9])), &y[0]);
+  }
+  static void act_inverse_force(In<double, 18> x, Out<double, 6> y) {
+    put(~rotation(&x[0]) * SimTK::shiftForceBy(spatial(&x[12]), vector(&x[9])), &y[0]);
+  }
+  static void momentum(In<double, 19> x, Out<double, 6> y) {
+    const MassProperties I = body(&x[0]);
+    put(SimTK::SpatialInertia(I.getMass(), I.getMassCenter(), I.getUnitInertia()) * spatial(&x[13]), &y[0]);
+  }
+  static void inertia_matrix(In<double, 13> x, Out<double, 36> y) {
+    const SimTK::SpatialMat M = body(&x[0]).toSpatialMat();
+    for (int i = 0; i < 6; ++i)
+      for (int j = 0; j < 6; ++j) y[6 * i + j] = M(1 - i / 3, 1 - j / 3)(i % 3, j % 3);
+  }
+};
+
+}  // namespace
+
+LIECHECK_ADAPTER(Simbody, exp3_quaternion, exp3_matrix, log3_quaternion, log3_matrix, rotate_point, normalize,
+                 quaternion_matrix, rotate_point_any_norm, log3_any_norm, compose, inverse, act_point,
+                 act_motion, act_force, act_inverse_motion, act_inverse_force, momentum, inertia_matrix)

@@ -1,0 +1,34 @@
+// gl-matrix: quat, mat3, mat4 and vec3. Quaternions are x, y, z, w, matrices column by column. A function writes to
+// an array that the caller gives, and so computes in float or double.
+const {glMatrix, mat3, mat4, quat, vec3} = require("gl-matrix");
+const {serve} = require("./liecheck_protocol.js");
+
+glMatrix.setMatrixArrayType(Array);  // of the arrays that gl-matrix makes itself
+
+const like = (x, size) => new x.constructor(size);
+const columns = R => R.constructor.of(R[0], R[3], R[6], R[1], R[4], R[7], R[2], R[5], R[8]);  // also back to rows
+const matrix = X => X.constructor.of(X[0], X[3], X[6], 0, X[1], X[4], X[7], 0, X[2], X[5], X[8], 0, X[9], X[10], X[11], 1);
+const pose = M => [M[0], M[4], M[8], M[1], M[5], M[9], M[2], M[6], M[10], M[12], M[13], M[14]];
+
+// quat.exp and quat.ln are those of quaternions: exp(phi/2, 0) and (phi/2, 0).
+function exp3_quaternion([x, y, z], out) {
+  return quat.exp(out, [x / 2, y / 2, z / 2, 0]);
+}
+// quat.ln is the logarithm of the quaternion, so Q and -Q have two. The rotation's is that of the one with w >= 0.
+function log3_quaternion(Q) {
+  const q = like(Q, 4).map((_, i) => Q[3] < 0 ? -Q[i] : Q[i]);
+  const [x, y, z] = quat.ln(like(Q, 4), q);
+  return [2 * x, 2 * y, 2 * z];
+}
+
+serve("gl-matrix", ["float", "double"], {
+  exp3_quaternion: [phi => exp3_quaternion(phi, like(phi, 4)), 3, 4],
+  exp3_matrix: [phi => columns(mat3.fromQuat(like(phi, 9), exp3_quaternion(phi, like(phi, 4)))), 3, 9],
+  log3_quaternion: [log3_quaternion, 4, 3],
+  log3_matrix: [R => log3_quaternion(quat.fromMat3(like(R, 4), columns(R))), 9, 3],
+  compose: [x => pose(mat4.multiply(like(x, 16), matrix(x.slice(0, 12)), matrix(x.slice(12)))), 24, 12],
+  inverse: [x => pose(mat4.invert(like(x, 16), matrix(x))), 12, 12],
+  act_point: [x => vec3.transformMat4(like(x, 3), x.slice(12), matrix(x)), 15, 3],
+  rotate_point: [x => vec3.transformQuat(like(x, 3), x.slice(4), x.slice(0, 4)), 7, 3],
+  normalize: [Q => quat.normalize(like(Q, 4), Q), 4, 4],
+});

@@ -1,0 +1,42 @@
+// The process protocol of docs/adapters.md, for the JavaScript adapters of this folder.
+const fs = require("fs"), versions = require("./package.json").dependencies;
+
+function read(size) {  // exactly size bytes; null at the end of the input
+  const bytes = Buffer.alloc(size);
+  for (let at = 0; at < size;) {
+    const n = fs.readSync(0, bytes, at, size - at);
+    if (n === 0) return null;
+    at += n;
+  }
+  return bytes;
+}
+function readLine() {
+  let line = "";
+  for (let c = read(1); c; c = read(1)) {
+    if (c[0] === 10) return line;
+    line += String.fromCharCode(c[0]);
+  }
+  return null;
+}
+function write(bytes) {
+  for (let at = 0; at < bytes.length;) at += fs.writeSync(1, bytes, at);
+}
+
+// Answers calls until the input ends. functions: operation -> [function, arguments, results]. A function takes the
+// numbers of one input, a Float32Array or a Float64Array, and returns those of its result.
+exports.serve = function (name, scalars, functions) {
+  const subject = name.replace(/.*\//, ""), version = versions[name];
+  console.log = console.warn = console.error;  // what the library prints must not come between the answers
+  readLine();  // "liecheck 1"
+  const operations = Object.fromEntries(Object.keys(functions).map(operation => [operation, scalars]));
+  write(Buffer.from(JSON.stringify({protocol: 1, name: subject, version, operations}) + "\n"));
+  for (let call = readLine(); call; call = readLine()) {  // "call exp3_quaternion double 128"
+    const [, operation, scalar, count] = call.split(" "), n = Number(count), [f, size, resultSize] = functions[operation];
+    const Numbers = scalar === "float" ? Float32Array : Float64Array;
+    const bytes = read(n * size * Numbers.BYTES_PER_ELEMENT);
+    const inputs = new Numbers(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.length));
+    const results = new Numbers(n * resultSize);
+    for (let i = 0; i < n; ++i) results.set(f(inputs.slice(i * size, (i + 1) * size)), i * resultSize);
+    write(Buffer.concat([Buffer.from(`done ${n}\n`), Buffer.alloc(n), Buffer.from(results.buffer)]));
+  }
+};

@@ -1,0 +1,41 @@
+"""transforms3d: quaternions and axangles. Its quaternions are w, x, y, z."""
+import numpy as np
+import transforms3d
+from liecheck_protocol import serve
+from transforms3d import axangles, quaternions
+
+
+def w_first(Q):
+    return np.array([Q[3], Q[0], Q[1], Q[2]])
+
+
+def axis_angle(phi):  # phi = 0 is the angle 0 about any axis; the functions divide by the length of the axis
+    return (phi if phi.any() else np.array([1.0, 0, 0])), np.linalg.norm(phi)
+
+
+def exp3_quaternion(phi):
+    w, x, y, z = quaternions.axangle2quat(*axis_angle(phi))
+    return x, y, z, w
+
+
+def log3_quaternion(Q):  # the angle is up to 2 pi: the rotation's is that of Q or -Q with w >= 0
+    axis, angle = quaternions.quat2axangle(w_first(-Q if Q[3] < 0 else Q))
+    return angle * axis
+
+
+def log3_matrix(R):
+    axis, angle = axangles.mat2axangle(R.reshape(3, 3))
+    return angle * axis
+
+
+serve("transforms3d", transforms3d.__version__, {
+    "exp3_quaternion": (exp3_quaternion, 3, 4),
+    "exp3_matrix": (lambda phi: axangles.axangle2mat(*axis_angle(phi)), 3, 9),
+    "log3_quaternion": (log3_quaternion, 4, 3),
+    "log3_matrix": (log3_matrix, 9, 3),
+    "rotate_point": (lambda x: quaternions.rotate_vector(x[4:], w_first(x)), 7, 3),
+    # documented for quaternions that are not normalized
+    "quaternion_matrix": (lambda Q: quaternions.quat2mat(w_first(Q)), 4, 9),
+    "rotate_point_any_norm": (lambda x: quaternions.rotate_vector(x[4:], w_first(x), is_normalized=False), 7, 3),
+    "log3_any_norm": (log3_quaternion, 4, 3),
+})
