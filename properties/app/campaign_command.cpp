@@ -172,8 +172,27 @@ void print_oracles(const CampaignResult& r) {
       disagreed);
 }
 
+/// The verdict on a campaign and its hard cases, as an exit code. What has no verdict hides no failure, but a
+/// campaign that was interrupted has none.
+int code_of(const CampaignResult& r, const std::vector<HardRow>& hard_cases) {
+  if (r.incomplete) return incomplete;
+  if (r.failed || any_failed(hard_cases)) return property_failed;
+  return r.undecided() || any_open(hard_cases) ? incomplete : within_budget;
+}
+
+/// The line of the verdict, with what is not in the table of the laws.
+std::string verdict_line(const CampaignResult& r, const std::vector<HardRow>& hard_cases) {
+  const int code = code_of(r, hard_cases);
+  std::string text = fmt::format("verdict {}", verdict_of(code != incomplete, code == within_budget));
+  if (any_failed(hard_cases))
+    text += ": hard cases failed, see the first section";
+  else if (any_open(hard_cases))
+    text += ": hard cases have no verdict, see the first section";
+  return text;
+}
+
 /// Prints the table, the failures and the coverage (all of it if verbose). Returns the verdict's exit code.
-int print_campaign(const CampaignResult& r, bool verbose) {
+int print_campaign(const CampaignResult& r, const std::vector<HardRow>& hard_cases, bool verbose) {
   fmt::print("{:<24}{:<15}{:<10}{:>9}  {:>11}  {}\n", "property", "subject", "scalar", "cases", "worst",
              "status");
   for (const auto& [series, tally] : r.series) print_series(*series, tally);
@@ -196,8 +215,8 @@ int print_campaign(const CampaignResult& r, bool verbose) {
   }
   fmt::print("{}", fmt::join(limits, ""));
   fmt::print("inputs  {}\nresults {}\n", r.inputs_digest, r.results_digest);
-  fmt::print("verdict {}\n", verdict_of(!r.undecided(), !r.failed));
-  return r.undecided() ? incomplete : r.failed ? property_failed : within_budget;
+  fmt::print("{}\n", verdict_line(r, hard_cases));
+  return code_of(r, hard_cases);
 }
 
 /// Replays the hard cases, which come first in every campaign. Only the first of several shards does this.
@@ -245,16 +264,10 @@ int run(const Flags& f) {
   do_both([&] { write_campaign_record(f.selection.json, *done, hard_cases); },
           [&] {
             print_counterexamples(done->counterexamples);
-            code = print_campaign(done->result, f.verbose);
+            code = print_campaign(done->result, hard_cases, f.verbose);
             print_how_to_resume(done->result, f.store);
           });
-  if (any_failed(hard_cases))
-    fmt::print(
-        "hard cases failed: see the first section; the exit code is 1, whatever the verdict on the "
-        "campaign\n");
-  if (any_open(hard_cases)) fmt::print("hard cases have no verdict: see the first section\n");
-  if (done->result.incomplete || code == property_failed) return code;
-  return any_failed(hard_cases) ? property_failed : any_open(hard_cases) ? incomplete : code;
+  return code;
 }
 
 }  // namespace
