@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <adapters/noise.hpp>
 #include <app/command.hpp>
 #include <cerrno>
 #include <csignal>
@@ -54,7 +55,9 @@ int main(int argc, char** argv) {
   for (int fd = 0; fd < 3; ++fd)
     if (::fcntl(fd, F_GETFD) < 0 && ::open("/dev/null", O_RDONLY) != fd) return bad_input;
   try {
-    return finish(run_program(argc, argv, command_line(argc, argv)));
+    const int code = run_program(argc, argv, command_line(argc, argv));
+    adapters::say_counts();
+    return finish(code);
   } catch (const std::exception& e) {
     return std::ferror(stdout) ? finish(bad_input) : refuse(e.what());
   }
