@@ -56,6 +56,12 @@ Description described(const std::string& line) {
     if (!value.is_string()) throw wrong(fmt::format("has no text for the convention '{}'", name));
     d.conventions[name] = value;
   }
+  const nlohmann::json source = j.value("source", nlohmann::json::object());
+  if (!source.is_object()) throw wrong("has no object 'source'");
+  for (const auto& [operation, text] : source.items()) {
+    if (!text.is_string()) throw wrong(fmt::format("has no text as source of {}", operation));
+    d.source[operation] = text;
+  }
   return d;
 }
 

@@ -236,7 +236,7 @@ TEST(Adapters, StatedConventionsAreConverted) {
       text += f.sentence.substr(0, 50) + "\n";
     return text;
   };
-  const std::string unexplained = "no known convention explains log3_matrix: at R = (\n";
+  const std::string unexplained = "no known convention explains log3_matrix: its phi[\n";
   EXPECT_EQ(sentences("{}"), "quaternions are stored w x y z in exp3_quaternion \n" + unexplained);
   EXPECT_EQ(sentences(R"({"quaternion": "wxyz", "twist": "linear first"})"), unexplained);
 }
