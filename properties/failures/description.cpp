@@ -38,8 +38,10 @@ std::string describe_failure(const Series& series, std::uint64_t seed, int outpu
   text += fmt::format("FAILED  {}: {}\n", series.property, series.law);
   text += fmt::format("  law       {}\n", series.equation);
   text += fmt::format("  subject   {} {} in {}\n", series.subject, series.subject_version, series.scalar);
-  text += fmt::format("  where     {}, block {}, {}; {} of {} cases there fail\n", o.operation, o.block,
-                      series.bands()[static_cast<std::size_t>(band)].name, row.failed, row.inside());
+  const std::string in_band =
+      band > 0 ? ", " + series.bands()[static_cast<std::size_t>(band)].name : "";  // 0: no angle
+  text += fmt::format("  where     {}, block {}{}; {} of {} cases there fail\n", o.operation, o.block,
+                      in_band, row.failed, row.inside());
   if (const std::string outcomes = outcomes_of(row); !outcomes.empty())
     text += fmt::format("  outcomes  {}\n", outcomes);
   text += fmt::format("  found     liecheck replay {}{}\n", id.text(), flags);

@@ -28,7 +28,9 @@ std::vector<Point> points(const FailedBlock& f, Axis axis) {
   std::map<std::size_t, Point> by_band;
   for (const BandOf& b : f.bands) {
     const Band& band = b.series->bands()[b.band];
-    if (band.axis != axis || band.low <= 1e-100 || b.row->errors.count() < least_cases) continue;
+    const bool underflows = axis == Axis::theta && !band.name.starts_with("theta 1e");
+    if (band.axis != axis || underflows || band.low <= 1e-100 || b.row->errors.count() < least_cases)
+      continue;
     const Budget& budget = b.series->budget(b.output, band.region);
     const double error = budget.rule == Rule::forward ? b.row->max_error : b.row->max_excess;
     const double y = std::max(0.0, std::log10(error / std::max(budget.limit, 1.0)));
@@ -69,15 +71,16 @@ std::string at_small_angles(const FailedBlock& f, double eps) {
   if (p[peak].y < 1) return "";
   const auto at = [&](std::size_t i) { return i < p.size() ? p[i].y : 0; };
   const auto falls = [&](std::size_t i) { return at(i) < p[peak].y - jump; };
-  const bool ends_below = peak > 0 && falls(peak - 1), fails_above = at(peak + 1) > 0.5;
+  const bool ends_below = peak > 0 && falls(peak - 1), ends_above = peak + 1 < p.size() && falls(peak + 1),
+             fails_above = at(peak + 1) > 0.5;
   if (ends_below && fails_above)
     return fmt::format(
         "a cutoff at theta about {}: above it the closed form cancels, the more the smaller theta is",
         about(p[peak].low));
-  if (peak >= 2 && at(peak - 1) > 0.3 && at(peak - 2) <= at(peak - 1) && falls(peak + 1) && falls(peak - 2))
+  if (peak >= 2 && at(peak - 1) > 0.3 && at(peak - 2) <= at(peak - 1) && ends_above && falls(peak - 2))
     return fmt::format("a cutoff at theta about {}: the series below it lacks a term, or has a wrong one",
                        about(p[peak].high));
-  if (peak >= 3 && falls(peak - 3) && falls(peak + 3))
+  if (peak >= 3 && peak + 3 < p.size() && falls(peak - 3) && falls(peak + 3))
     return fmt::format("a cutoff at theta about {}, towards which the errors of both formulas grow",
                        about(at(peak + 1) > at(peak - 1) ? p[peak].high : p[peak].low));
   const double power = slope(p, eps);
@@ -106,9 +109,13 @@ std::string near_pi(const FailedBlock& f, double eps) {
 /// What NaN and infinite results tell.
 std::string of_not_finite(const FailedBlock& f) {
   double largest = -1;
+  std::uint64_t elsewhere = 0;  // failures where no result is NaN or infinite
   bool zero = false, beyond = false, near_pi = false, other = false;
   for (const BandOf& b : f.bands) {
-    if (b.row->not_finite == 0) continue;
+    if (b.row->not_finite == 0) {
+      elsewhere += b.fails ? b.row->failed : 0;
+      continue;
+    }
     const Band& band = b.series->bands()[b.band];
     if (band.axis == Axis::theta)
       largest = std::max(largest, band.high), zero = zero || band.high == 0;
@@ -121,6 +128,7 @@ std::string of_not_finite(const FailedBlock& f) {
   }
   if (is_rotation_vector(f) && !other && !beyond && near_pi && largest > 1e-100)
     return "acos of a number beyond 1 or -1";
+  if (elsewhere * 10 > f.failed && !is_rotation_vector(f)) return "";
   if (other || near_pi || (largest < 0 && !beyond)) return "";
   if (largest < 0) return "theta^2 or a power of it overflows";
   if (beyond) return "";

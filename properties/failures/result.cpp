@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 #include <algorithm>
 #include <campaign/typed_series.hpp>
+#include <conventions/reference.hpp>
 #include <conventions/values.hpp>
 #include <oracles/number.hpp>
 #include <span>
@@ -60,8 +61,34 @@ bool concerns(const Output& output, const Layout& layout, const Part& part) {
   return !with_unit("1") || part.unit == "1";
 }
 
-std::vector<Pair> pairs_of(const Output& output, const NotedCall& call, const std::vector<Real>& exact) {
+/// The exact (rho, phi) on the side of pi where the computed phi is: at pi, both axes are right, each with its rho.
+std::vector<Real> on_the_side_of(const std::vector<float128>& got, std::vector<Real> exact,
+                                 const Layout& layout) {
+  if (layout.parts.size() != 2 || layout.parts[0].unit != "m" || layout.parts[1].unit != "rad") return exact;
+  const auto rho = exact.begin(), phi = rho + 3;
+  Real along(0), square(0);
+  for (std::size_t i = 3; i < 6; ++i) {
+    if (!isfinite(got[i])) return exact;
+    along += oracles::exact<Real>(got[i]) * exact[i], square += exact[i] * exact[i];
+  }
+  if (along >= 0 || square < Real(9.8696)) return exact;
+  const auto product = [](const std::vector<Real>& J, auto x) {
+    std::vector<Real> y;
+    for (std::size_t i = 0; i < 9; i += 3) y.push_back(J[i] * x[0] + J[i + 1] * x[1] + J[i + 2] * x[2]);
+    return y;
+  };
+  const auto jacobian = [&](const char* name) {
+    return conventions::exact_result(conventions::operation_named(name), {phi, exact.end()});
+  };
+  const std::vector<Real> p = product(jacobian("left_jacobian3"), rho);
+  for (auto x = phi; x != exact.end(); ++x) *x = -*x;
+  std::ranges::copy(product(jacobian("left_jacobian3_inverse"), p.begin()), rho);
+  return exact;
+}
+
+std::vector<Pair> pairs_of(const Output& output, const NotedCall& call, const std::vector<Real>& one_side) {
   const Layout& layout = *call.operation->results[0];
+  const std::vector<Real> exact = on_the_side_of(call.result, one_side, layout);
   std::vector<Pair> all;
   std::size_t from = 0;
   for (const Part& part : layout.parts) {
@@ -138,17 +165,20 @@ std::string call_text(const Series& series, const NotedCall& call, const std::ve
   return text + "\n";
 }
 
-/// The calls to show: at most two, those whose results are farthest from the oracle's.
+/// The calls to show: at most two, those whose results are farthest from the oracle's, and none that is right beside one
+/// that is wrong.
 std::vector<const NotedCall*> shown(const Output& output, const NotedCase& noted) {
   std::vector<std::pair<double, const NotedCall*>> all;
   for (const NotedCall& call : noted.calls) {
     double apart = call.thrown.empty() ? 0 : std::numeric_limits<double>::infinity();
     const std::vector<Real> exact = expected_of(call);
-    if (exact.size() == call.result.size())
+    if (!exact.empty() && exact.size() == call.result.size())
       for (const Pair& p : pairs_of(output, call, exact)) apart = std::max(apart, p.apart);
     all.emplace_back(apart, &call);
   }
   std::ranges::stable_sort(all, std::greater(), [](const auto& c) { return c.first; });
+  const double most = all.empty() ? 0 : all.front().first;
+  std::erase_if(all, [&](const auto& c) { return c.first < 1e-3 * most; });
   all.resize(std::min<std::size_t>(all.size(), 2));
   std::vector<const NotedCall*> calls;
   for (const auto& [apart, call] : all) calls.push_back(call);

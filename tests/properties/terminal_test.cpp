@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <string>
@@ -78,6 +79,17 @@ TEST(Terminal, AFailureShowsWhatWasReturnedAndWhatIsRight) {
   }
   EXPECT_SAYS(campaign("textbook", "--property exp_oracle --profile careful"),
               "  limit     64 eps, profile careful");
+}
+
+TEST(Terminal, AtPiTheExactResultIsThatOfTheAxisThatWasReturned) {
+  const std::string text =
+      run("replay g4.42.integrate_difference.bug:difference_naive.double.none.552").second;
+  const auto linear = text.find("\ndifference, block linear\n");
+  ASSERT_NE(linear, text.npos) << text;
+  const auto expected = text.find("expected  ", linear), got = text.find("got       ", linear);
+  ASSERT_NE(expected, text.npos) << text;
+  const double right = std::stod(text.substr(expected + 10)), wrong = std::stod(text.substr(got + 10));
+  EXPECT_GT(std::fabs(right - wrong), 1e-3 * std::fabs(right)) << text;  // as the error in eps says
 }
 
 TEST(Terminal, AnOutcomeWithoutAnErrorIsNamedAndHasNoEps) {
