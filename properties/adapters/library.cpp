@@ -50,6 +50,7 @@ class Library final : public Adapter {
       throw AdapterFailed(fmt::format("liecheck_get_adapter() of {} has no name, version or find", file));
     description_.name = adapter_->name, description_.version = adapter_->version;
     if (adapter_->conventions) description_.conventions = stated(adapter_->conventions);
+    const auto source = reinterpret_cast<const char* (*)(const char*)>(dlsym(module, "liecheck_get_source"));
     for (const OperationSizes& o : operation_sizes()) {
       auto& of = functions_.emplace_back();
       for (const bool is_double : {false, true}) {
@@ -57,6 +58,8 @@ class Library final : public Adapter {
         of[is_double] = adapter_->find(std::string(o.operation).c_str(), scalar);
         if (of[is_double]) description_.offered.emplace(o.operation, scalar);
       }
+      if (const char* const text = source ? source(std::string(o.operation).c_str()) : nullptr)
+        description_.source.emplace(o.operation, text);
     }
   }
   const Description& description() const override { return description_; }

@@ -27,6 +27,7 @@ struct Source {
   std::string text;
   int number = 0;
   std::shared_ptr<Adapter> in_process;  ///< or null: a process for each thread
+  Description description = {};
 };
 
 std::array<std::optional<Source>, most_adapters> sources;
@@ -174,11 +175,18 @@ std::string register_adapter(const std::string& text) {
   if (d.offered.empty()) refuse("it offers no operation");
   for (const auto* s : subjects<double>())
     if (s->name == d.name) refuse(fmt::format("a subject is named '{}' already", d.name));
+  source.description = d;
   *free = source;
   constexpr auto numbers = std::make_integer_sequence<int, most_adapters>();
   register_one<float>(source.number, text, d, numbers);
   register_one<double>(source.number, text, d, numbers);
   return d.name;
+}
+
+const Description* description_of(const std::string& text) {
+  for (const auto& source : sources)
+    if (source && source->text == text) return &source->description;
+  return nullptr;
 }
 
 }  // namespace liecheck::properties::adapters

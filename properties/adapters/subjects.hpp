@@ -19,4 +19,7 @@ std::string register_adapter(const std::string& text);
 
 inline constexpr int most_adapters = 4;
 
+/// What the adapter that was registered with this text says of itself; null if there is none.
+const Description* description_of(const std::string& text);
+
 }  // namespace liecheck::properties::adapters
