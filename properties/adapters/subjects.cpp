@@ -101,7 +101,7 @@ R call(A... arguments) {
 
 template <int number, class S>
 RobotOperations<S> robot(const std::string& urdf, bool fixed) {
-  return robot_of<S>(urdf, fixed, []() -> Adapter& { return adapter(number); });
+  return robot_operations<S>(urdf, fixed, []() -> Adapter& { return adapter(number); });
 }
 
 template <int number, class S, const auto& operation, class R, class... A>
@@ -118,7 +118,7 @@ void fill_operations(Operations<S>& o, const Description& d) {
   fill_all<number, S>(static_cast<SpatialSlots<S>&>(o), d);
   if (offers_trees(d, scalar_text<S>))
     o.tree = [d](const Tree<S>& tree) {
-      return tree_of(tree, d, []() -> Adapter& { return adapter(number); });
+      return tree_operations(tree, d, []() -> Adapter& { return adapter(number); });
     };
   if (offers_robots(d, scalar_text<S>)) o.robot = &robot<number, S>;
 }

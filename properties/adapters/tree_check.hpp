@@ -1,7 +1,8 @@
 #pragma once
 // The part of `adapter check` that concerns trees of bodies and robots.
 
-#include <adapters/check.hpp>
+#include <adapters/adapter.hpp>
+#include <adapters/checked.hpp>
 
 namespace liecheck::properties::adapters {
 

@@ -203,7 +203,7 @@ std::vector<S> Model<S>::call(const Operation& o, std::vector<S> arguments) cons
 }
 
 template <class S>
-TreeOperations<S> tree_of(const Tree<S>& tree, const Description& adapter, const Route& route) {
+TreeOperations<S> tree_operations(const Tree<S>& tree, const Description& adapter, const Route& route) {
   TreeOperations<S> o;
   if (adapter.models.contains("joints") || (tree.urdf && adapter.models.contains("urdf")))
     fill_all(o, std::make_shared<const Model<S>>(tree, adapter, route), [&](const Operation& operation) {
@@ -212,7 +212,7 @@ TreeOperations<S> tree_of(const Tree<S>& tree, const Description& adapter, const
   return o;
 }
 template <class S>
-RobotOperations<S> robot_of(const std::string& urdf, bool fixed, const Route& route) {
+RobotOperations<S> robot_operations(const std::string& urdf, bool fixed, const Route& route) {
   RobotOperations<S> o;
   fill_all(o, std::make_shared<const Model<S>>(*urdf_model(urdf, fixed), route),
            [](const Operation&) { return true; });
@@ -221,9 +221,9 @@ RobotOperations<S> robot_of(const std::string& urdf, bool fixed, const Route& ro
 
 template class Model<float>;
 template class Model<double>;
-template TreeOperations<float> tree_of(const Tree<float>&, const Description&, const Route&);
-template TreeOperations<double> tree_of(const Tree<double>&, const Description&, const Route&);
-template RobotOperations<float> robot_of(const std::string&, bool, const Route&);
-template RobotOperations<double> robot_of(const std::string&, bool, const Route&);
+template TreeOperations<float> tree_operations(const Tree<float>&, const Description&, const Route&);
+template TreeOperations<double> tree_operations(const Tree<double>&, const Description&, const Route&);
+template RobotOperations<float> robot_operations(const std::string&, bool, const Route&);
+template RobotOperations<double> robot_operations(const std::string&, bool, const Route&);
 
 }  // namespace liecheck::properties::adapters

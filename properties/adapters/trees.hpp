@@ -55,11 +55,11 @@ void append(std::vector<S>& to, const T& x) {
 
 /// The operations that the adapter offers on a tree; none if it takes no such model.
 template <class S>
-TreeOperations<S> tree_of(const Tree<S>& tree, const Description& adapter, const Route& route);
+TreeOperations<S> tree_operations(const Tree<S>& tree, const Description& adapter, const Route& route);
 
 /// The operations on the configurations of a robot. May be called if offers_robots().
 template <class S>
-RobotOperations<S> robot_of(const std::string& urdf, bool fixed, const Route& route);
+RobotOperations<S> robot_operations(const std::string& urdf, bool fixed, const Route& route);
 
 /// Whether the adapter offers every operation on the configurations of a robot, and takes URDFs.
 bool offers_robots(const Description& adapter, const std::string& scalar);
