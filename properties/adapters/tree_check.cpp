@@ -154,6 +154,21 @@ std::string difference(const std::vector<double>& x, const std::vector<double>& 
   return "";
 }
 
+/// What other convention makes the numbers right, in words, or "".
+std::string explanation(const Operation& o, std::vector<double> x, const std::vector<double>& right) {
+  const Few<Part, 4>& parts = o.results[0]->parts;
+  const bool rows = parts[0].size == six_by_nv;
+  std::vector<double> other = x;
+  for (std::size_t k = 0; k < x.size(); ++k) other[k] = -x[k];
+  if (difference(other, right).empty()) return ": it has the opposite sign";
+  for (std::size_t k = 0; k < x.size(); ++k)
+    other[k] = rows ? x[k % (x.size() / 6) * 6 + k / (x.size() / 6)] : x[k];
+  if (difference(other, right).empty()) return ": it is stored column by column";
+  std::rotate(x.begin(), x.begin() + static_cast<std::ptrdiff_t>(x.size() / 2), x.end());
+  const bool halves = rows || (parts.size() == 2 && parts[0].size == 3 && parts[1].size == 3);
+  return halves && difference(x, right).empty() ? ": its angular part comes first" : "";
+}
+
 template <class S>
 class TreeCheck {
  public:
@@ -219,8 +234,10 @@ class TreeCheck {
       return fmt::format("{}: gives other numbers for 2 inputs in one batch than one by one", where_);
     for (std::size_t k = 0; k < 2; ++k) {
       const auto x = std::span(single).subspan(k * sizes.results, sizes.results);
-      const std::string wrong = difference({x.begin(), x.end()}, right[k]);
+      const std::vector<double> got(x.begin(), x.end());
+      std::string wrong = difference(got, right[k]);
       if (wrong.empty()) continue;
+      wrong += explanation(o, got, right[k]);
       constexpr const char* references[] = {" in WORLD", " in LOCAL", " in LOCAL_WORLD_ALIGNED"};
       const bool sees = (std::is_same_v<A, Seen> || ...);
       findings_.push_back(
