@@ -27,6 +27,8 @@ struct Description {
   conventions::Statements conventions;                    ///< those that it states
   std::map<std::string, std::string> source =
       {};  ///< programs by operation: docs/adapters.md, Reading a failure
+  std::set<std::string> models{"joints"};                 ///< of trees: "joints", "urdf"
+  std::set<std::string> joints = {};                      ///< kinds of joints; empty for all
 };
 
 /// What became of one input. An adapter gives the first two. The others are found where a function of a shared
@@ -46,12 +48,13 @@ std::string in_words(Status status, const std::string& why);
 
 /// n calls of one operation in one scalar. The numbers are consecutive; see shapes.hpp.
 struct Batch {
-  const OperationSizes& operation;  ///< one of operation_sizes()
+  const OperationSizes& operation;  ///< one of operation_sizes(), or of an operation on `model`
   bool is_double;
   std::size_t n;
   std::span<const std::byte> inputs;
   std::span<std::byte> results;
   std::span<Status> status;
+  std::string_view model = {};  ///< of trees.hpp, or empty
 
   const char* scalar() const { return is_double ? "double" : "float"; }
 };

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 #include <adapters/converted.hpp>
 #include <adapters/sizes.hpp>
+#include <adapters/tree_check.hpp>
 #include <algorithm>
 #include <cstring>
 
@@ -89,9 +90,8 @@ Checked check_as_it_is(Adapter& adapter) {
   return all;
 }
 
-}  // namespace
-
-Checked check(Adapter& adapter) {
+/// check_as_it_is(), or the statement of the adapter without which its results are right.
+Checked check_poses(Adapter& adapter) {
   Checked all = check_as_it_is(adapter);
   const auto* const converted = dynamic_cast<const Converted*>(&adapter);
   if (all.findings.empty() || !converted) return all;
@@ -107,6 +107,16 @@ Checked check(Adapter& adapter) {
                        value),
            {}}};
   }
+  return all;
+}
+
+}  // namespace
+
+Checked check(Adapter& adapter) {
+  Checked all = check_poses(adapter);
+  const Checked trees = check_trees(adapter);
+  all.operations.insert(all.operations.end(), trees.operations.begin(), trees.operations.end());
+  all.findings.insert(all.findings.end(), trees.findings.begin(), trees.findings.end());
   return all;
 }
 

@@ -40,6 +40,7 @@ Converted::Converted(std::shared_ptr<Adapter> own, const conventions::Statements
 }
 
 std::string Converted::call(const Batch& b) {
+  if (!b.model.empty()) return own_->call(b);  // statements concern the operations on poses
   const conventions::Rearranged& r =
       rearranged_[static_cast<std::size_t>(&b.operation - operation_sizes().data())];
   return b.is_double ? call_in<double>(*own_, r, b) : call_in<float>(*own_, r, b);

@@ -1,10 +1,12 @@
 // The clients of the process protocol, and of the memory that a shared library is served in: docs/adapters.md.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <adapters/child.hpp>
 #include <adapters/noise.hpp>
 #include <adapters/shared_memory.hpp>
+#include <adapters/trees.hpp>
 #include <algorithm>
 #include <bit>
 #include <cstring>
@@ -17,6 +19,24 @@ namespace liecheck::properties::adapters {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "the numbers of the protocol are little-endian");
+
+/// The names in the list `member` of the object "trees", each of which must be known.
+template <class Wrong>
+std::set<std::string> names_in(const nlohmann::json& trees, const char* member,
+                               const std::vector<std::string>& known, const std::set<std::string>& otherwise,
+                               const Wrong& wrong) {
+  if (!trees.contains(member)) return otherwise;
+  std::set<std::string> names;
+  if (!trees[member].is_array()) throw wrong(fmt::format("has no list '{}' in 'trees'", member));
+  for (const auto& name : trees[member]) {
+    if (std::ranges::none_of(known, [&](const std::string& k) { return name == k; }))
+      throw wrong(fmt::format("has {} in the list '{}' of 'trees', where only {} are known", name.dump(),
+                              member, fmt::join(known, ", ")));
+    names.insert(name);
+  }
+  if (names.empty()) throw wrong(fmt::format("has an empty list '{}' in 'trees'", member));
+  return names;
+}
 
 Description described(const std::string& line) {
   const auto wrong = [&](const std::string& what) -> AdapterFailed {
@@ -62,6 +82,10 @@ Description described(const std::string& line) {
     if (!text.is_string()) throw wrong(fmt::format("has no text as source of {}", operation));
     d.source[operation] = text;
   }
+  const nlohmann::json trees = j.value("trees", nlohmann::json::object());
+  if (!trees.is_object()) throw wrong("has no object 'trees'");
+  d.models = names_in(trees, "models", {"joints", "urdf"}, d.models, wrong);
+  d.joints = names_in(trees, "joints", joint_names(), d.joints, wrong);
   return d;
 }
 
@@ -116,6 +140,11 @@ class ProtocolProcess final : public Process {
   std::string command() override { return command_; }
   std::string exchange(Child& child, const Batch& b) override {
     child.begin();
+    if (const std::string refusal = told(child, b.model); !refusal.empty()) {
+      std::ranges::fill(b.status, Status::refused);
+      return refusal;
+    }
+    const std::string known = std::exchange(model_, "");  // a new process knows none
     const std::string head = fmt::format("call {} {} {}\n", b.operation.operation, b.scalar(), b.n);
     child.write(head.data(), head.size());
     child.write(b.inputs.data(), b.inputs.size());
@@ -131,10 +160,28 @@ class ProtocolProcess final : public Process {
     for (const Status s : b.status)
       if (s > Status::refused)
         Child::fail(fmt::format("gave the status {}: 0 is done, 1 is refused", static_cast<int>(s)));
+    model_ = known;
     return answer.size() > expected.size() ? answer.substr(expected.size() + 1) : "";
   }
 
-  std::string command_;
+  /// Sends a model that the adapter does not have. Returns why it is refused, or "".
+  std::string told(Child& child, std::string_view model) {
+    if (model.empty() || model == model_) return "";
+    model_.clear();
+    const std::string line = fmt::format("model {}\n", model);
+    child.write(line.data(), line.size());
+    const std::string answer = child.line("the line 'done' or 'refused' after a model");
+    if (answer == "refused" || answer.starts_with("refused "))
+      return fmt::format("the model is refused: {}",
+                         answer.size() > 8 ? answer.substr(8) : "the adapter gave no reason");
+    if (answer != "done")
+      Child::fail(
+          fmt::format("wrote {} where the line 'done' or 'refused' after a model is due", quoted(answer)));
+    model_ = model;
+    return "";
+  }
+
+  std::string command_, model_;
 };
 
 class LibraryProcess final : public Process {

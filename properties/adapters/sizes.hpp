@@ -18,4 +18,7 @@ const std::vector<OperationSizes>& operation_sizes();
 /// One of operation_sizes(), or null if there is no such operation.
 const OperationSizes* sizes_of(std::string_view operation);
 
+/// Whether a process can offer the operation: one of operation_sizes(), or one on trees or robots.
+bool is_operation(std::string_view name);
+
 }  // namespace liecheck::properties::adapters

@@ -5,6 +5,7 @@
 #include <adapters/converted.hpp>
 #include <adapters/shapes.hpp>
 #include <adapters/sizes.hpp>
+#include <adapters/trees.hpp>
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -99,6 +100,11 @@ R call(A... arguments) {
   return Shape<R>::get(both.results.data() + which * out);
 }
 
+template <int number, class S>
+RobotOperations<S> robot(const std::string& urdf, bool fixed) {
+  return robot_operations<S>(urdf, fixed, []() -> Adapter& { return adapter(number); });
+}
+
 template <int number, class S, const auto& operation, class R, class... A>
 void fill(R (*&slot)(A...), const Description& d) {
   if (d.offered.contains({std::string(operation.name), scalar_text<S>}))
@@ -108,12 +114,21 @@ template <int number, class S, const auto&... all>
 void fill_all(Slots<S, all...>& slots, const Description& d) {
   (fill<number, S, all>(slots[all], d), ...);
 }
+template <int number, class S>
+void fill_operations(Operations<S>& o, const Description& d) {
+  fill_all<number, S>(static_cast<SpatialSlots<S>&>(o), d);
+  if (offers_trees(d, scalar_text<S>))
+    o.tree = [d](const Tree<S>& tree) {
+      return tree_operations(tree, d, []() -> Adapter& { return adapter(number); });
+    };
+  if (offers_robots(d, scalar_text<S>)) o.robot = &robot<number, S>;
+}
 
 template <class S, int... numbers>
 void register_one(int wanted, const std::string& text, const Description& d,
                   std::integer_sequence<int, numbers...>) {
   Subject<S> s{d.name, d.version, {}, text};
-  ((wanted == numbers ? fill_all<numbers, S>(static_cast<SpatialSlots<S>&>(s.operations), d) : void()), ...);
+  ((wanted == numbers ? fill_operations<numbers, S>(s.operations, d) : void()), ...);
   const bool any = std::ranges::any_of(d.offered, [](auto& o) { return o.second == scalar_text<S>; });
   if (any) Registered<S>(std::move(s));
 }
@@ -151,6 +166,10 @@ const OperationSizes* sizes_of(std::string_view operation) {
   return found == all.end() ? nullptr : &*found;
 }
 
+bool is_operation(std::string_view name) {
+  return sizes_of(name) || model_operation(name);
+}
+
 std::string register_adapter(const std::string& text) {
   const auto free = std::ranges::find_if(sources, [](const auto& s) { return !s; });
   const auto refuse = [&](const std::string& why) {
@@ -170,7 +189,7 @@ std::string register_adapter(const std::string& text) {
       !std::ranges::all_of(d.name, [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-'; }))
     refuse(fmt::format("its name '{}' must have letters, digits, '_' and '-' only", d.name));
   for (const auto& [operation, scalar] : d.offered)
-    if (!sizes_of(operation))
+    if (!is_operation(operation))
       refuse(fmt::format("it offers '{}', which is no operation; docs/operations.md lists them", operation));
   if (d.offered.empty()) refuse("it offers no operation");
   for (const auto* s : subjects<double>())

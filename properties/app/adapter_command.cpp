@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 #include <adapters/check.hpp>
+#include <adapters/sizes.hpp>
 #include <adapters/subjects.hpp>
 #include <app/command.hpp>
 #include <stdexcept>
@@ -23,7 +24,7 @@ int check(const Flags& f) try {
     wrong += !o.complaint.empty();
   }
   for (const auto& [operation, scalar] : d.offered)
-    if (!adapters::sizes_of(operation)) {
+    if (!adapters::is_operation(operation)) {
       fmt::print("{:<32}{:<8}is no operation; docs/operations.md lists them\n", operation, scalar);
       ++wrong;
     }

@@ -60,7 +60,8 @@ void add_series(const Selection& selection, const Robot& robot, std::vector<std:
       if (!wanted(selection.properties, property->name()) || !property->offered(*subject)) continue;
       auto own = limits_of(selection, subject->name);
       const Profile profile = profile_of(selection, subject->name, own.get(), !subject->adapter.empty());
-      all.push_back(std::make_unique<TypedSeries<S>>(std::move(property), *subject, robot, own, profile));
+      auto series = std::make_unique<TypedSeries<S>>(std::move(property), *subject, robot, own, profile);
+      if (series->due) all.push_back(std::move(series));  // it may offer what another robot would need
     }
   }
 }

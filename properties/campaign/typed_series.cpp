@@ -250,9 +250,15 @@ void TypedSeries<S>::close(const std::vector<S>& x, const Scope& scope, Judge& j
 template <class S>
 void TypedSeries<S>::record_thrown(const std::exception& thrown, Judge& judge) const {
   const auto* failed = dynamic_cast<const CallFailed*>(&thrown);
-  auto of = outputs.begin();
+  if (failed && failed->outcome == Outcome::outside_domain) {
+    for (std::size_t i = 0; i < outputs.size(); ++i)
+      if (due >> i & 1) judge.outcome(outputs[i], 0, failed->outcome);
+    return;
+  }
+  auto of = outputs.end();
   if (failed) of = std::ranges::find(outputs, failed->operation, &Output::operation);
-  judge.outcome(of == outputs.end() ? outputs.front() : *of, 0, failed ? failed->outcome : Outcome::refused);
+  if (of == outputs.end()) of = outputs.begin() + (due ? std::countr_zero(due) : 0);
+  judge.outcome(*of, 0, failed ? failed->outcome : Outcome::refused);
 }
 
 template <class S>

@@ -15,6 +15,7 @@ struct TreeCase {
   int frame_joint = 0;
   oracles::Quaternion<T> frame_Q;
   oracles::Vec3<T> frame_p;
+  std::shared_ptr<const UrdfModel> urdf;  ///< where the tree is from, or null
 
   /// Reads parents, kinds and other integers from `structure`, and all other numbers from `x`.
   template <class S>
@@ -66,6 +67,7 @@ Tree<S> described(const TreeCase<S>& c) {
   Tree<S> t;
   static_cast<oracles::TreeOf<S>&>(t) = c.tree;
   t.frame_joint = c.frame_joint, t.frame_Q = c.frame_Q, t.frame_p = c.frame_p;
+  t.urdf = c.urdf;
   return t;
 }
 template <class S>

@@ -11,6 +11,7 @@ class TreeInvariance final : public TreeLaw<TreeInvariance, S> {
   static constexpr Output world = op::rnea_of_a_moved_world[block::torque],
                           order = op::rnea_of_reordered_joints[block::torque],
                           parts = op::rnea_of_split_bodies[block::torque];
+  static constexpr bool rebuilds = true;
   static constexpr Statement stated{
       .name = "tree_invariance",
       .law =

@@ -130,6 +130,7 @@ bool AnyTreeLaw<S>::has(const Subject<S>& subject, const Operation& operation) c
   Tree<S> tree;
   tree.joints = {joint}, tree.gravity = zero, tree.frame_Q = joint.Q, tree.frame_p = zero;
   tree.index();
+  if (!rebuilds_tree()) tree.urdf = urdf_;
   return subject.operations.tree(tree).has(operation);
 }
 
@@ -200,7 +201,9 @@ std::string AnyTreeLaw<S>::program(const Output& output, const std::vector<S>& i
 
 template <class S>
 void AnyTreeLaw<S>::prepare(const Robot& robot) {
+  urdf_ = nullptr;
   if (robot.path.empty()) return;
+  urdf_ = urdf_model(robot.urdf, robot.fixed);
   const RobotNumbers r = robot_numbers(robot);
   robot_ = true;
   at_ = r.at;

@@ -131,6 +131,9 @@ class AnyTreeLaw : public Property<S> {
   static constexpr bool floating = false;  ///< a law may set this to true
   /// Whether the tree has one root, a free-flyer.
   virtual bool has_floating_base() const = 0;
+  static constexpr bool rebuilds = false;  ///< a law may set this to true
+  /// Whether the law builds other trees than that of its case, which no URDF describes.
+  virtual bool rebuilds_tree() const = 0;
   std::vector<Field> fields() const override;
   std::vector<std::vector<S>> simpler(const std::vector<S>& input) const override;
   /// A random tree of more than tree_slots joints has more numbers than the fields name.
@@ -146,12 +149,15 @@ class AnyTreeLaw : public Property<S> {
   TreeLayout layout_of(const std::vector<S>& full) const {
     return robot_ ? at_ : TreeLayout::of_size(full.size());
   }
-  /// Whether the subject offers the operation on a tree of one joint.
+  /// Whether the subject offers the operation on a tree of one joint or, if the user gave a robot, on a URDF.
+  /// Before prepare: whether it does on either.
   bool has(const Subject<S>& subject, const Operation& operation) const override;
   /// The tree of the user's robot, at its neutral configuration; null without one.
   std::unique_ptr<const TreeCase<S>> users_tree() const;
   /// All numbers of a case. If the user gave a robot, the input holds only its state.
   std::vector<S> full_of(const std::vector<S>& input) const;
+
+  std::shared_ptr<const UrdfModel> urdf_ = std::make_shared<UrdfModel>();  ///< null without a robot
 
  private:
   std::vector<S> state_of(const std::vector<S>& full) const;
@@ -163,16 +169,19 @@ class AnyTreeLaw : public Property<S> {
 
 /// A law P on trees of bodies. P<S> has the function
 ///   template <class Real> void of(const Operations<S>&, const CaseAt<S, Real>&, Recorder&) const
-/// and, if its trees need a floating base, a constant `floating` that is true.
+/// and, if its trees need a floating base, a constant `floating` that is true; if it builds other trees,
+/// `rebuilds`.
 template <template <class> class P, class S>
 class TreeLaw : public Law<P, S, AnyTreeLaw<S>> {
  public:
   bool has_floating_base() const override { return P<S>::floating; }
+  bool rebuilds_tree() const override { return P<S>::rebuilds; }
   template <class T>
   void in(const Subject<S>& subject, const std::vector<S>& input, Recorder& recorder) const {
     const std::vector<S> full = this->full_of(input);
-    const CaseAt<S, T> c(this->layout_of(full), full);
-    static_cast<const P<S>*>(this)->template of<T>(subject.operations, c, recorder);
+    CaseAt<S, T> c(this->layout_of(full), full);
+    if (!P<S>::rebuilds) c.stored.urdf = this->urdf_;
+    static_cast<const P<S>*>(this)->template of<T>(subject.operations, std::as_const(c), recorder);
   }
 };
 

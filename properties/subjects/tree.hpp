@@ -5,6 +5,7 @@
 
 #include <oracles/tree.hpp>
 #include <subjects/subject.hpp>
+#include <subjects/urdf_model.hpp>
 
 namespace liecheck::properties {
 
@@ -24,6 +25,7 @@ struct Tree : oracles::TreeOf<S> {
   int frame_joint = 0;
   oracles::Quaternion<S> frame_Q;
   oracles::Vec3<S> frame_p;
+  std::shared_ptr<const UrdfModel> urdf;  ///< the same tree as a URDF, or null
 };
 
 }  // namespace liecheck::properties

@@ -1,0 +1,290 @@
+#include <adapters/tree_check.hpp>
+
+#include <fmt/format.h>
+#include <adapters/trees.hpp>
+#include <cmath>
+#include <cstring>
+#include <invariants/tree_law.hpp>
+#include <support/embedded.hpp>
+
+namespace liecheck::properties::adapters {
+namespace {
+
+/// Numbers from -1 to 1 without a pattern.
+class Numbers {
+ public:
+  double operator()() { return 2 * (std::fmod(0.6180339887 * ++k_, 1) - 0.5); }
+  oracles::Vec3<double> three() {
+    const double x = (*this)(), y = (*this)();
+    return {{x, y, (*this)()}};
+  }
+  std::vector<double> unit(int n) {
+    std::vector<double> x;
+    double square = 0;
+    for (int i = 0; i < n; ++i) x.push_back((*this)()), square += x.back() * x.back();
+    for (double& number : x) number /= std::sqrt(square);
+    return x;
+  }
+
+ private:
+  int k_ = 0;
+};
+
+/// A chain with one joint of each kind that the adapter takes.
+Tree<double> chain(const Description& adapter) {
+  const auto takes = [&](std::size_t name) {
+    return adapter.joints.empty() || adapter.joints.contains(joint_names()[name]);
+  };
+  Numbers number;
+  Tree<double> tree;
+  tree.gravity = {{0.3, -0.2, -9.7}};
+  constexpr int free_flyer = static_cast<int>(oracles::JointKind::free_flyer);
+  for (int kind = free_flyer; kind >= 0; --kind) {
+    if (!takes(static_cast<std::size_t>(kind))) continue;
+    oracles::JointOf<double> j;
+    j.kind = static_cast<oracles::JointKind>(kind);
+    j.parent = static_cast<int>(tree.joints.size()) - 1;
+    const auto Q = number.unit(4), axis = number.unit(3);
+    j.Q = {{Q[0], Q[1], Q[2], Q[3]}}, j.axis = {{axis[0], axis[1], axis[2]}}, j.p = number.three();
+    j.pitch = 0.2, j.multiplier = j.offset = 0, j.armature = takes(joint_names().size() - 1) ? 0.1 : 0;
+    j.body = {1.5, number.three(), {{0.5, 0.05, 0.02, 0.05, 0.6, 0.03, 0.02, 0.03, 0.7}}};
+    tree.joints.push_back(j);
+  }
+  tree.index();
+  tree.frame_joint = static_cast<int>(tree.joints.size()) - 1;
+  tree.frame_Q = {{0.5, -0.5, 0.1, 0.7}}, tree.frame_p = number.three();
+  return tree;
+}
+
+Tree<double> built_in_robot_tree() {
+  const RobotNumbers r = robot_numbers({.name = "", .urdf = built_in_robot_urdf, .path = "", .hash = ""});
+  const TreeCase<double> c(r.at, r.numbers, r.numbers);
+  Tree<double> tree = described(c);
+  tree.urdf = urdf_model(built_in_robot_urdf, false);
+  tree.frame_joint = static_cast<int>(tree.joints.size()) - 1;
+  return tree;
+}
+
+template <class S>
+Tree<S> in(const Tree<double>& from) {
+  Tree<S> to;
+  const auto copy = [](auto& x, const auto& y) {
+    std::ranges::transform(y.x, x.x.begin(), [](double n) { return S(n); });
+  };
+  copy(to.gravity, from.gravity), copy(to.frame_Q, from.frame_Q), copy(to.frame_p, from.frame_p);
+  for (const auto& j : from.joints) {
+    oracles::JointOf<S> k;
+    k.kind = j.kind, k.parent = j.parent, k.primary = j.primary;
+    copy(k.Q, j.Q), copy(k.p, j.p), copy(k.axis, j.axis), copy(k.body.c, j.body.c),
+        copy(k.body.I_C, j.body.I_C);
+    k.pitch = S(j.pitch), k.multiplier = S(j.multiplier), k.offset = S(j.offset), k.armature = S(j.armature);
+    k.body.mass = S(j.body.mass);
+    to.joints.push_back(k);
+  }
+  to.index();
+  to.frame_joint = from.frame_joint, to.urdf = from.urdf;
+  return to;
+}
+
+template <class S>
+struct State {
+  VecX<S> q, v, a;
+  int joint;
+  Vec<S, 6> F;
+
+  State(const Tree<S>& tree, Numbers& number) : joint(static_cast<int>(tree.joints.size()) - 1) {
+    std::vector<S> all;
+    for (const auto& j : tree.joints) {
+      if (j.primary >= 0) continue;
+      using enum oracles::JointKind;
+      const int n = configuration_size(j.kind), circle = j.kind == continuous || j.kind == planar ? 2 : 0,
+                unit = j.kind == spherical || j.kind == free_flyer ? 4 : circle;
+      for (int k = unit; k < n; ++k) all.push_back(S(number()));
+      for (const double x : number.unit(unit)) all.push_back(S(x));
+    }
+    q = eigen(all);
+    const auto random = [&](int n) -> VecX<S> {
+      return VecX<S>::NullaryExpr(n, [&] { return S(number()); });
+    };
+    v = random(tree.nv), a = random(tree.nv), F = random(6);
+  }
+};
+
+/// The argument of type T that the layout names. `other` is a second configuration.
+template <class S, class T>
+T argument(const Layout& layout, const State<S>& x, const State<S>& other, Seen seen) {
+  if constexpr (std::is_same_v<T, VecX<S>>)
+    return layout.name == "q1"                            ? other.q
+           : layout.name.starts_with('q')                 ? x.q
+           : layout.name == "v" || layout.name == "delta" ? x.v
+                                                          : x.a;
+  else if constexpr (std::is_same_v<T, int>)
+    return x.joint;
+  else if constexpr (std::is_same_v<T, Seen>)
+    return seen;
+  else
+    return x.F;
+}
+
+/// The numbers of a result as an adapter gives them.
+template <class S, class R>
+std::vector<double> given(const R& r) {
+  std::vector<double> x;
+  const auto add = [&](const auto& m) {
+    for (int i = 0; i < m.rows(); ++i)
+      for (int j = 0; j < m.cols(); ++j) x.push_back(static_cast<double>(m(i, j)));
+  };
+  if constexpr (requires { r.R; })
+    add(r.R), add(r.p);
+  else if constexpr (requires { r.second; })
+    add(r.first), add(r.second);
+  else if constexpr (requires { r.rows(); })
+    add(r);
+  else
+    x.push_back(static_cast<double>(r));
+  return x;
+}
+
+std::string difference(const std::vector<double>& x, const std::vector<double>& right) {
+  double size = 0;
+  for (const double y : right) size = std::max(size, std::fabs(y));
+  for (std::size_t k = 0; k < x.size(); ++k)
+    if (!(std::fabs(x[k] - right[k]) <= size / 1000))
+      return fmt::format("number {} of its result is {:.6g}, and {:.6g} is right", k + 1, x[k], right[k]);
+  return "";
+}
+
+/// What other convention makes the numbers right, in words, or "".
+std::string explanation(const Operation& o, std::vector<double> x, const std::vector<double>& right) {
+  const Few<Part, 4>& parts = o.results[0]->parts;
+  const bool rows = parts[0].size == six_by_nv;
+  std::vector<double> other = x;
+  for (std::size_t k = 0; k < x.size(); ++k) other[k] = -x[k];
+  if (difference(other, right).empty()) return ": it has the opposite sign";
+  for (std::size_t k = 0; k < x.size(); ++k)
+    other[k] = rows ? x[k % (x.size() / 6) * 6 + k / (x.size() / 6)] : x[k];
+  if (difference(other, right).empty()) return ": it is stored column by column";
+  std::rotate(x.begin(), x.begin() + static_cast<std::ptrdiff_t>(x.size() / 2), x.end());
+  const bool halves = rows || (parts.size() == 2 && parts[0].size == 3 && parts[1].size == 3);
+  return halves && difference(x, right).empty() ? ": its angular part comes first" : "";
+}
+
+template <class S>
+class TreeCheck {
+ public:
+  TreeCheck(Adapter& adapter, const char* scalar, const Tree<S>& tree, std::vector<CheckedOperation>& to,
+            std::vector<conventions::Finding>& findings)
+      : adapter_(adapter),
+        scalar_(scalar),
+        to_(to),
+        findings_(findings),
+        model_(tree, adapter.description(), [&]() -> Adapter& { return adapter; }),
+        where_(tree.urdf ? "of the URDF of the built-in robot" : "of a chain of joints"),
+        first_(tree, number_),
+        second_(tree, number_) {}
+
+  template <const auto&... all>
+  void each(const Slots<S, all...>& reference) {
+    (one(all, reference[all]), ...);
+  }
+
+ private:
+  template <class R, class... A>
+  void one(const Operation& o, const std::function<R(const A&...)>& reference) {
+    if (!adapter_.description().offered.contains({std::string(o.name), scalar_})) return;
+    const auto is_this = [&](const CheckedOperation& c) {
+      return c.operation == o.name && c.scalar == scalar_;
+    };
+    auto at = std::ranges::find_if(to_, is_this);
+    if (at == to_.end()) at = to_.insert(at, {std::string(o.name), scalar_, ""});
+    const bool sees = (std::is_same_v<A, Seen> || ...);
+    for (const Seen seen : {Seen::world, Seen::local, Seen::aligned}) {
+      if (!at->complaint.empty() || (!sees && seen != Seen::world)) return;
+      at->complaint = asked<R, A...>(o, reference, seen);
+    }
+  }
+  template <class R, class... A, class F>
+  std::string asked(const Operation& o, const F& reference, Seen seen) try {
+    std::vector<S> inputs;
+    std::vector<std::vector<double>> right;
+    for (const auto& [x, other] : {std::pair(&first_, &second_), std::pair(&second_, &first_)}) {
+      const Layout* const* layout = o.arguments.begin();
+      const auto next = [&]() -> const Layout& { return **layout++; };
+      const std::tuple<A...> arguments{argument<S, A>(next(), *x, *other, seen)...};
+      std::apply(
+          [&](const A&... a) { (append(inputs, a), ...), right.push_back(given<S, R>(reference(a...))); },
+          arguments);
+      if (o.name.starts_with("frame_")) append(inputs, model_.frame());
+    }
+    const OperationSizes sizes = model_.sizes(o);
+    std::vector<S> together(2 * sizes.results), single = together;
+    std::vector<Status> status(2);
+    const auto call = [&](std::size_t first, std::size_t n, std::vector<S>& results) {
+      return adapter_.call(
+          {sizes, sizeof(S) == 8, n,
+           std::as_bytes(std::span(inputs).subspan(first * sizes.inputs, n * sizes.inputs)),
+           std::as_writable_bytes(std::span(results).subspan(first * sizes.results, n * sizes.results)),
+           std::span(status).subspan(first, n), model_.text()});
+    };
+    const std::string why = call(0, 2, together);
+    for (const Status s : status)
+      if (s != Status::done) return fmt::format("{}: {}", where_, in_words(s, why));
+    for (std::size_t k = 0; k < 2; ++k) call(k, 1, single);
+    if (std::memcmp(together.data(), single.data(), single.size() * sizeof(S)) != 0)
+      return fmt::format("{}: gives other numbers for 2 inputs in one batch than one by one", where_);
+    for (std::size_t k = 0; k < 2; ++k) {
+      const auto x = std::span(single).subspan(k * sizes.results, sizes.results);
+      const std::vector<double> got(x.begin(), x.end());
+      std::string wrong = difference(got, right[k]);
+      if (wrong.empty()) continue;
+      wrong += explanation(o, got, right[k]);
+      constexpr const char* references[] = {" in WORLD", " in LOCAL", " in LOCAL_WORLD_ALIGNED"};
+      const bool sees = (std::is_same_v<A, Seen> || ...);
+      findings_.push_back(
+          {false,
+           fmt::format("{} {}{}: {}", o.name, where_, sees ? references[static_cast<int>(seen)] : "", wrong),
+           {std::string(o.name)}});
+      return "is wrong";
+    }
+    return "";
+  } catch (const AdapterFailed& e) {
+    return fmt::format("{}: {}", where_, e.what());
+  }
+
+  Adapter& adapter_;
+  const char* scalar_;
+  std::vector<CheckedOperation>& to_;
+  std::vector<conventions::Finding>& findings_;
+  Model<S> model_;
+  std::string where_;
+  Numbers number_;
+  State<S> first_, second_;
+};
+
+template <class S>
+void check_in(const char* scalar, Adapter& adapter, Checked& all) {
+  const Description& d = adapter.description();
+  const auto own = [] {
+    for (const Subject<S>* s : subjects<S>())
+      if (s->name == "liecheck") return s;
+    throw std::logic_error("no subject liecheck");
+  }();
+  const auto check = [&](const Tree<S>& tree) {
+    TreeCheck<S> c(adapter, scalar, tree, all.operations, all.findings);
+    c.each(own->operations.tree(tree));
+    if (tree.urdf) c.each(own->operations.robot(tree.urdf->text, tree.urdf->fixed));
+  };
+  if (d.models.contains("joints")) check(in<S>(chain(d)));
+  if (d.models.contains("urdf")) check(in<S>(built_in_robot_tree()));
+}
+
+}  // namespace
+
+Checked check_trees(Adapter& adapter) {
+  Checked all;
+  check_in<double>("double", adapter, all);
+  check_in<float>("float", adapter, all);
+  return all;
+}
+
+}  // namespace liecheck::properties::adapters
