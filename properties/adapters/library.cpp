@@ -35,13 +35,7 @@ conventions::Statements stated(std::string_view text) {
 
 class Library final : public Adapter {
  public:
-  explicit Library(const std::string& file) {
-    void* const module = dlopen(file.find('/') == std::string::npos ? ("./" + file).c_str() : file.c_str(),
-                                RTLD_NOW | RTLD_LOCAL);
-    if (!module) throw AdapterFailed(fmt::format("the adapter {} cannot be loaded: {}", file, dlerror()));
-    const auto entry = reinterpret_cast<const liecheck_adapter* (*)()>(dlsym(module, "liecheck_get_adapter"));
-    if (!entry) throw AdapterFailed(fmt::format("{} has no function liecheck_get_adapter()", file));
-    adapter_ = entry();
+  Library(const liecheck_adapter* its, const std::string& file) : adapter_(its) {
     if (!adapter_) throw AdapterFailed(fmt::format("liecheck_get_adapter() of {} returned NULL", file));
     if (adapter_->interface_version != LIECHECK_ADAPTER_VERSION)
       throw AdapterFailed(fmt::format("{} has version {} of the interface, and this program version {}", file,
@@ -58,6 +52,14 @@ class Library final : public Adapter {
         if (of[is_double]) description_.offered.emplace(o.operation, scalar);
       }
     }
+  }
+  static const liecheck_adapter* loaded(const std::string& file) {
+    void* const module = dlopen(file.find('/') == std::string::npos ? ("./" + file).c_str() : file.c_str(),
+                                RTLD_NOW | RTLD_LOCAL);
+    if (!module) throw AdapterFailed(fmt::format("the adapter {} cannot be loaded: {}", file, dlerror()));
+    const auto entry = reinterpret_cast<const liecheck_adapter* (*)()>(dlsym(module, "liecheck_get_adapter"));
+    if (!entry) throw AdapterFailed(fmt::format("{} has no function liecheck_get_adapter()", file));
+    return entry();
   }
   const Description& description() const override { return description_; }
   std::string call(const Batch& b) override {
@@ -135,7 +137,10 @@ class Library final : public Adapter {
 }  // namespace
 
 std::unique_ptr<Adapter> load_library(const std::string& file) {
-  return std::make_unique<Library>(file);
+  return std::make_unique<Library>(Library::loaded(file), file);
+}
+std::unique_ptr<Adapter> linked_library(const liecheck_adapter& adapter) {
+  return std::make_unique<Library>(&adapter, "the linked adapter");
 }
 
 }  // namespace liecheck::properties::adapters
