@@ -58,8 +58,8 @@ template std::vector<Subject<double>> known_bugs(const Operations<double>&);
 
 namespace {
 
-[[maybe_unused]] const bool linked = (linked_bugs<float> = &known_bugs<float>,
-                                      linked_bugs<double> = &known_bugs<double>, true);
+[[maybe_unused]] const bool linked =
+    (linked_bugs<float> = &known_bugs<float>, linked_bugs<double> = &known_bugs<double>, true);
 
 }  // namespace
 

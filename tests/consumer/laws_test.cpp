@@ -13,7 +13,8 @@ namespace old {
 struct OldLib {
   static constexpr const char *name = "oldlib", *version = "0.9";
   static void exp3_quaternion(std::span<const double, 3> phi, std::span<double, 4> Q) {
-    const double theta = std::hypot(phi[0], phi[1], phi[2]), s = theta > 0 ? std::sin(theta / 2) / theta : 0.5;
+    const double theta = std::hypot(phi[0], phi[1], phi[2]),
+                 s = theta > 0 ? std::sin(theta / 2) / theta : 0.5;
     Q[0] = std::cos(theta / 2);  // w x y z
     for (int i = 0; i < 3; ++i) Q[i + 1] = s * phi[i];
   }
