@@ -13,9 +13,12 @@
 #include <hard_cases/hard_cases.hpp>
 #include <limits>
 #include <map>
+#include <record/badge.hpp>
 #include <record/record.hpp>
+#include <rules/rules.hpp>
 #include <set>
 #include <stdexcept>
+#include <support/files.hpp>
 #include <support/stop.hpp>
 #include <support/text.hpp>
 #include <tuple>
@@ -29,6 +32,7 @@ struct Flags {
   SelectionFlags selection;
   CaseFlags cases;
   StoreFlags store;
+  std::string badge, rules;
   bool no_hard_cases = false, no_probe = false, verbose = false;
 };
 
@@ -200,10 +204,36 @@ int print_campaign(const CampaignResult& r, bool verbose) {
   return r.undecided() ? incomplete : r.failed ? property_failed : within_budget;
 }
 
+/// The hard cases of a version of the rules, or all of them for "". They live as long as the program.
+const std::vector<HardCase>& hard_cases_of(const std::string& version) {
+  if (version.empty()) return built_in_corpus();
+  static const std::vector<HardCase> kept = [&] {
+    const auto names = rules_named(version).names("hard case");
+    std::vector<HardCase> all = built_in_corpus();
+    std::erase_if(all, [&](const HardCase& c) { return !std::ranges::binary_search(names, c.name); });
+    return all;
+  }();
+  return kept;
+}
+
+/// Restricts a selection to the laws of a version of the rules. Throws std::invalid_argument if the program cannot
+/// judge by them, or if a selected law is not among them.
+void restrict_to(const std::string& version, Selection& selection) {
+  if (version.empty()) return;
+  const Rules& rules = rules_named(version);
+  check_runs(rules, present_rules());
+  const auto laws = rules.names("law");
+  for (const std::string& law : selection.properties)
+    if (!std::ranges::binary_search(laws, law))
+      throw std::invalid_argument(fmt::format("--property: rules {} have no law '{}'", version, law));
+  if (selection.properties.empty()) selection.properties = laws;
+}
+
 /// Replays the hard cases, which come first in every campaign. Only the first of several shards does this.
 std::vector<HardRow> replay_hard_cases(const Flags& f, const Selection& selection, const Robot& robot) {
   if (f.no_hard_cases || !f.store.first_shard()) return {};
-  const auto rows = run_hard_cases(selection, robot, built_in_corpus(), f.cases.options.jobs);
+  const auto& corpus = hard_cases_of(f.rules);
+  const auto rows = run_hard_cases(selection, robot, corpus, f.cases.options.jobs);
   print_hard_case_summary(rows, 3);
   fmt::print("\n");
   std::fflush(stdout);
@@ -227,8 +257,10 @@ void probe(const std::string& text, bool quiet) try {
 }
 
 int run(const Flags& f) {
-  const Selection selection = f.selection.selection();
+  Selection selection = f.selection.selection();
+  restrict_to(f.rules, selection);
   const Robot robot = f.cases.robot.read();
+  if (!f.badge.empty()) check_writable(f.badge);
   if (select(selection, robot).empty())
     throw std::invalid_argument(
         "nothing to run: no selected subject offers a selected property in that scalar");
@@ -242,12 +274,16 @@ int run(const Flags& f) {
   const auto done = run_stored_campaign(selection, robot, f.cases, f.store);
   if (!done) return within_budget;
   int code = incomplete;
-  do_both([&] { write_campaign_record(f.selection.json, *done, hard_cases); },
-          [&] {
-            print_counterexamples(done->counterexamples);
-            code = print_campaign(done->result, f.verbose);
-            print_how_to_resume(done->result, f.store);
-          });
+  do_both(
+      [&] {
+        write_campaign_record(f.selection.json, *done, hard_cases);
+        if (!f.badge.empty()) write_whole(f.badge, badge_of(verdicts_by_subject(done->result, hard_cases)));
+      },
+      [&] {
+        print_counterexamples(done->counterexamples);
+        code = print_campaign(done->result, f.verbose);
+        print_how_to_resume(done->result, f.store);
+      });
   if (any_failed(hard_cases))
     fmt::print(
         "hard cases failed: see the first section; the exit code is 1, whatever the verdict on the "
@@ -271,6 +307,9 @@ Command campaign_command(CLI::App& program, const std::string& typed_line) {
   a->cases.add(a);
   a.toggle("--verbose", a->verbose, "show how often each class and band of inputs occurred");
   a->store.add(a);
+  a.text("--rules", a->rules, "VERSION",
+         "judge by this version of the rules: its laws, inputs, limits and hard cases (docs/ci.md)");
+  a.text("--badge", a->badge, "FILE.svg", "write a badge with the verdict on each subject");
   return a.runs(run);
 }
 

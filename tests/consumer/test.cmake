@@ -32,6 +32,10 @@ expect("cliff: exp3_quaternion")
 expect("FAILED  hard case cutoff_1e-3_below")
 expect("exp3_quaternion, block rotation, band subnormal")
 expect("log3_quaternion, block rotation vector, band pi-theta")
+run(${WORK}/prefix/bin/liecheck campaign --rules 0 --cases 1)
+expect("--rules: unknown version '0'; known: 1")
+run(${WORK}/prefix/bin/liecheck compare --rules 1 present)
+expect("rules 1 and present: 0 differences")
 
 # The laws in mylib's own test program. Nothing else of the harness is visible to it.
 file(GLOB_RECURSE laws ${WORK}/prefix/*/libliecheck_laws.a)

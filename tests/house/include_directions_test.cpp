@@ -47,6 +47,7 @@ const std::vector<Room> harness = {
     {"hard_cases", {"support", "oracles", "operations", "generators", "subjects", "invariants", "campaign"}},
     {"failures",
      {"lib", "support", "operations", "generators", "subjects", "invariants", "campaign", "search"}},
+    {"rules", {"support", "generators", "budgets", "invariants", "campaign", "hard_cases"}},
     {"laws",
      {"support", "generators", "subjects", "invariants", "adapters", "campaign", "search", "hard_cases",
       "failures"}},
@@ -60,9 +61,10 @@ const std::vector<Room> harness = {
       "campaign", "search", "hard_cases", "failures", "lattice", "store", "coefficients", "timing",
       "scenes"}},
     {"reports", {"support"}},
-    {"app", {"lib",      "support",    "oracles",      "operations", "conventions", "generators", "budgets",
-             "subjects", "invariants", "adapters",     "campaign",   "search",      "hard_cases", "failures",
-             "lattice",  "store",      "coefficients", "timing",     "scenes",      "record",     "reports"}},
+    {"app", {"lib",        "support",  "oracles",    "operations", "conventions", "generators",
+             "budgets",    "subjects", "invariants", "adapters",   "campaign",    "search",
+             "hard_cases", "failures", "rules",      "lattice",    "store",       "coefficients",
+             "timing",     "scenes",   "record",     "reports"}},
 };
 
 const Room* find(const std::vector<Room>& rooms, const std::string& name) {
