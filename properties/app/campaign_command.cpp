@@ -204,35 +204,11 @@ int print_campaign(const CampaignResult& r, bool verbose) {
   return r.undecided() ? incomplete : r.failed ? property_failed : within_budget;
 }
 
-/// The hard cases of a version of the rules, or all of them for "". They live as long as the program.
-const std::vector<HardCase>& hard_cases_of(const std::string& version) {
-  if (version.empty()) return built_in_corpus();
-  static const std::vector<HardCase> kept = [&] {
-    const auto names = rules_named(version).names("hard case");
-    std::vector<HardCase> all = built_in_corpus();
-    std::erase_if(all, [&](const HardCase& c) { return !std::ranges::binary_search(names, c.name); });
-    return all;
-  }();
-  return kept;
-}
-
-/// Restricts a selection to the laws of a version of the rules. Throws std::invalid_argument if the program cannot
-/// judge by them, or if a selected law is not among them.
-void restrict_to(const std::string& version, Selection& selection) {
-  if (version.empty()) return;
-  const Rules& rules = rules_named(version);
-  check_runs(rules, present_rules());
-  const auto laws = rules.names("law");
-  for (const std::string& law : selection.properties)
-    if (!std::ranges::binary_search(laws, law))
-      throw std::invalid_argument(fmt::format("--property: rules {} have no law '{}'", version, law));
-  if (selection.properties.empty()) selection.properties = laws;
-}
-
 /// Replays the hard cases, which come first in every campaign. Only the first of several shards does this.
 std::vector<HardRow> replay_hard_cases(const Flags& f, const Selection& selection, const Robot& robot) {
   if (f.no_hard_cases || !f.store.first_shard()) return {};
-  const auto& corpus = hard_cases_of(f.rules);
+  static const std::vector<HardCase> corpus =
+      f.rules.empty() ? built_in_corpus() : hard_cases_of(rules_named(f.rules));
   const auto rows = run_hard_cases(selection, robot, corpus, f.cases.options.jobs);
   print_hard_case_summary(rows, 3);
   fmt::print("\n");
@@ -258,7 +234,10 @@ void probe(const std::string& text, bool quiet) try {
 
 int run(const Flags& f) {
   Selection selection = f.selection.selection();
-  restrict_to(f.rules, selection);
+  if (!f.rules.empty()) {
+    check_runs(rules_named(f.rules), present_rules());
+    selection.properties = laws_of(rules_named(f.rules), selection.properties);
+  }
   const Robot robot = f.cases.robot.read();
   if (!f.badge.empty()) check_writable(f.badge);
   if (select(selection, robot).empty())

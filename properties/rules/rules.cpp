@@ -6,7 +6,6 @@
 #include <campaign/digest.hpp>
 #include <campaign/robots.hpp>
 #include <campaign/typed_series.hpp>
-#include <hard_cases/corpus.hpp>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
@@ -152,6 +151,21 @@ void check_runs(const Rules& rules, const Rules& program) {
         "--rules: this liecheck cannot judge by rules {} any more ({}{}); CHANGELOG.md names the last "
         "version that can",
         rules.version, lost.front(), lost.size() > 1 ? fmt::format(" and {} more", lost.size() - 1) : ""));
+}
+
+std::vector<std::string> laws_of(const Rules& rules, const std::vector<std::string>& selected) {
+  const auto laws = rules.names("law");
+  for (const std::string& law : selected)
+    if (!std::ranges::binary_search(laws, law))
+      throw std::invalid_argument(fmt::format("--property: rules {} have no law '{}'", rules.version, law));
+  return selected.empty() ? laws : selected;
+}
+
+std::vector<HardCase> hard_cases_of(const Rules& rules) {
+  const auto names = rules.names("hard case");
+  std::vector<HardCase> all = built_in_corpus();
+  std::erase_if(all, [&](const HardCase& c) { return !std::ranges::binary_search(names, c.name); });
+  return all;
 }
 
 }  // namespace liecheck::properties

@@ -3,6 +3,7 @@
 // freezes. fixtures/rules/VERSION.txt records each version by digests; a test fails if this program's rules change
 // without a new version.
 
+#include <hard_cases/corpus.hpp>
 #include <map>
 #include <string>
 #include <vector>
@@ -34,5 +35,11 @@ std::vector<std::string> differences(const Rules& a, const Rules& b);
 /// Throws std::invalid_argument if the program no longer has a law, a limit or a hard case of these rules. What it has
 /// in addition is no hindrance: it is left out.
 void check_runs(const Rules& rules, const Rules& program);
+
+/// The selected laws, or all laws of the rules if none is selected. Throws std::invalid_argument if the rules do not have
+/// one of them.
+std::vector<std::string> laws_of(const Rules& rules, const std::vector<std::string>& selected);
+/// The built-in hard cases that the rules have.
+std::vector<HardCase> hard_cases_of(const Rules& rules);
 
 }  // namespace liecheck::properties

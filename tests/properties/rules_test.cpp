@@ -54,6 +54,20 @@ TEST(Rules, AnOlderVersionRunsWithoutWhatIsNewAndIsRefusedAfterAChange) {
   EXPECT_NE(error_of(old, program).find("(law exp_oracle: only in present and 1 more)"), std::string::npos);
 }
 
+TEST(Rules, OfAnOlderVersionLeaveOutNewLawsAndNewHardCases) {
+  Rules old = present_rules();
+  old.parts.erase("law pose_group");
+  old.parts.erase("hard case cutoff_1e-3_below");
+  const auto laws = laws_of(old, {});
+  EXPECT_EQ(laws.size() + 1, present_rules().names("law").size());
+  EXPECT_EQ(std::ranges::count(laws, "pose_group"), 0);
+  EXPECT_EQ(laws_of(old, {"log_oracle"}), (std::vector<std::string>{"log_oracle"}));
+  EXPECT_THROW(laws_of(old, {"pose_group"}), std::invalid_argument);
+  EXPECT_EQ(hard_cases_of(present_rules()).size(), built_in_corpus().size());
+  EXPECT_EQ(hard_cases_of(old).size() + 1, built_in_corpus().size());
+  EXPECT_EQ(std::ranges::count(hard_cases_of(old), "cutoff_1e-3_below", &HardCase::name), 0);
+}
+
 TEST(Rules, AreReadAsTheyAreWritten) {
   const Rules& present = present_rules();
   EXPECT_EQ(parse_rules("present.txt", present.text()).parts, present.parts);
