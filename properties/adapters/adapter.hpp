@@ -5,6 +5,7 @@
 #include <adapters/sizes.hpp>
 #include <conventions/stated.hpp>
 #include <cstddef>
+#include <map>
 #include <memory>
 #include <set>
 #include <span>
@@ -26,6 +27,8 @@ struct Description {
   std::string name, version;
   std::set<std::pair<std::string, std::string>> offered;  ///< (operation, scalar)
   conventions::Statements conventions;                    ///< those that it states
+  std::map<std::string, std::string> source =
+      {};  ///< programs by operation: docs/adapters.md, Reading a failure
 };
 
 /// What became of one input. An adapter gives the first two. The others are found where a function of a shared

@@ -3,11 +3,14 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
+#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <adapters/noise.hpp>
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -17,6 +20,7 @@ namespace liecheck::properties::adapters {
 namespace {
 
 constexpr std::size_t longest_line = 1 << 16;
+constexpr off_t most_errors = 1 << 20;           ///< that are kept [bytes]
 constexpr rlim_t most_memory = rlim_t(4) << 30;  ///< of an adapter [bytes]
 
 /// While it exists, writing to a pipe that nobody reads is an error of this thread, and no signal.
@@ -63,6 +67,7 @@ Child::Child(const std::string& command, double timeout_s) {
   if (pipe2(in.data(), O_CLOEXEC)) fail("cannot be started: no pipe");
   if (pipe2(out.data(), O_CLOEXEC)) close(in[0]), close(in[1]), fail("cannot be started: no pipe");
   to_ = in[1], from_ = out[0];
+  errors_ = memfd_create("errors", MFD_CLOEXEC);
   pid_ = fork();
   if (pid_ == 0) {  // only functions that are safe in the child of a program with threads
     setpgid(0, 0);
@@ -73,6 +78,7 @@ Child::Child(const std::string& command, double timeout_s) {
     for (int s : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) std::signal(s, SIG_DFL);
     const rlimit memory{most_memory, most_memory};
     setrlimit(RLIMIT_DATA, &memory);
+    if (errors_ >= 0) dup2(errors_, 2);
     if (dup2(in[0], 0) == 0 && dup2(out[1], 1) == 1)
       execl("/bin/sh", "sh", "-c", command.c_str(), static_cast<char*>(nullptr));
     _exit(127);
@@ -84,13 +90,33 @@ Child::Child(const std::string& command, double timeout_s) {
 
 Child::~Child() {
   close(to_), close(from_);
-  if (ended_) return;
-  kill(-pid_, SIGKILL), kill(pid_, SIGKILL);
-  waitpid(pid_, nullptr, 0);
+  if (!ended_) {
+    kill(-pid_, SIGKILL), kill(pid_, SIGKILL);
+    waitpid(pid_, nullptr, 0);
+  }
+  pass_on(errors());
+  close(errors_);
+}
+
+std::string Child::errors() {
+  struct stat file {};
+  if (fstat(errors_, &file) != 0 || file.st_size == 0) return "";
+  std::string text(static_cast<std::size_t>(std::min<off_t>(file.st_size, longest_line)), ' ');
+  const ssize_t n = pread(errors_, text.data(), text.size(), file.st_size - static_cast<off_t>(text.size()));
+  text.resize(n > 0 ? static_cast<std::size_t>(n) : 0);
+  // The child and this process share the position, so that it goes on at the beginning.
+  if (ftruncate(errors_, 0) != 0 || lseek(errors_, 0, SEEK_SET) != 0) return text;
+  return text;
 }
 
 void Child::set_timeout(double timeout_s) {
   timeout_ = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(timeout_s));
+}
+
+void Child::begin() {
+  struct stat file {};
+  if (fstat(errors_, &file) == 0 && file.st_size > most_errors) pass_on(errors());
+  end_ = Clock::now() + timeout_;
 }
 
 void Child::write(const void* bytes, std::size_t size) {

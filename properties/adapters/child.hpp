@@ -27,7 +27,7 @@ class Child {
 
   void set_timeout(double timeout_s);
   /// The next exchange may take the whole timeout.
-  void begin() { end_ = Clock::now() + timeout_; }
+  void begin();
   void write(const void* bytes, std::size_t size);
   /// The next line, without its end. `due` names what is expected.
   std::string line(const std::string& due);
@@ -35,6 +35,8 @@ class Child {
   /// Waits until the child wrote something, and drops it.
   void wait_for_a_byte();
   std::size_t left_over() const { return buffer_.size(); }
+  /// What it wrote to its standard error since the last time.
+  std::string errors();
   [[noreturn]] static void fail(const std::string& what) { throw AdapterFailed("the adapter " + what); }
 
  private:
@@ -47,6 +49,7 @@ class Child {
   Clock::duration timeout_{};
   Clock::time_point end_;
   int to_ = -1, from_ = -1;
+  int errors_ = -1;  ///< a file in memory: nobody must read it for the child to go on
   pid_t pid_ = -1;
   bool ended_ = false;
   std::string buffer_;

@@ -47,6 +47,10 @@ struct liecheck_adapter {
 /* The library defines this function. */
 const struct liecheck_adapter* liecheck_get_adapter(void);
 
+/* The library may define this function, too. It returns a program in the library's own terms that calls the operation,
+ * with {phi} where the numbers of the argument phi belong, or NULL. A failure is printed with it. */
+const char* liecheck_get_source(const char* operation);
+
 #ifdef __cplusplus
 }
 #endif

@@ -8,6 +8,8 @@
 //     };
 //     LIECHECK_ADAPTER(MyLib, exp3_quaternion)
 //
+// It may also have static const char* source(std::string_view operation): see liecheck_get_source().
+//
 // docs/adapters.md has the numbers of each operation. A function that throws refuses its input, and the message
 // of the exception is the reason.
 
@@ -70,6 +72,15 @@ liecheck_function function_in() {
     return nullptr;
 }
 
+/// What Subject::source() returns, or null if there is no such function.
+template <class Subject>
+const char* source_of(const char* operation) {
+  if constexpr (requires { Subject::source(operation); })
+    return Subject::source(operation);
+  else
+    return nullptr;
+}
+
 /// Checks an operation when the adapter is compiled.
 template <class F, std::size_t I, std::size_t R>
 requires(Computes<F, float, I, R> || Computes<F, double, I, R>) constexpr bool offered() {
@@ -120,8 +131,11 @@ requires(Computes<F, float, I, R> || Computes<F, double, I, R>) constexpr bool o
   }
 
 /// The same, and exports it, once in a shared library.
-#define LIECHECK_ADAPTER(Subject, ...)                              \
-  LIECHECK_SUBJECT(Subject, __VA_ARGS__)                            \
-  extern "C" const liecheck_adapter* liecheck_get_adapter() {       \
-    return &liecheck_subject(static_cast<const Subject*>(nullptr)); \
+#define LIECHECK_ADAPTER(Subject, ...)                                \
+  LIECHECK_SUBJECT(Subject, __VA_ARGS__)                              \
+  extern "C" const liecheck_adapter* liecheck_get_adapter() {         \
+    return &liecheck_subject(static_cast<const Subject*>(nullptr));   \
+  }                                                                   \
+  extern "C" const char* liecheck_get_source(const char* operation) { \
+    return liecheck::adapter::source_of<Subject>(operation);          \
   }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <adapters/child.hpp>
+#include <adapters/noise.hpp>
 #include <adapters/shared_memory.hpp>
 #include <algorithm>
 #include <bit>
@@ -55,6 +56,12 @@ Description described(const std::string& line) {
     if (!value.is_string()) throw wrong(fmt::format("has no text for the convention '{}'", name));
     d.conventions[name] = value;
   }
+  const nlohmann::json source = j.value("source", nlohmann::json::object());
+  if (!source.is_object()) throw wrong("has no object 'source'");
+  for (const auto& [operation, text] : source.items()) {
+    if (!text.is_string()) throw wrong(fmt::format("has no text as source of {}", operation));
+    d.source[operation] = text;
+  }
   return d;
 }
 
@@ -67,10 +74,10 @@ class Process : public Adapter {
     return exchange(*child_, b);
   } catch (const TimedOut&) {  // so that a campaign does not wait long for each of many endless loops
     timeout_s_ = std::max(timeout_s_ / 2, std::min(timeout_s_, 0.5));
-    child_.reset();
+    end(b, "the adapter gave no answer in time");
     throw;
-  } catch (const AdapterFailed&) {
-    child_.reset();
+  } catch (const AdapterFailed& e) {
+    end(b, e.what());
     throw;
   }
 
@@ -86,6 +93,10 @@ class Process : public Adapter {
   }
 
  private:
+  void end(const Batch& b, const std::string& how) {
+    say_failed(description_.name, b.operation.operation, how, child_ ? child_->errors() : "");
+    child_.reset();
+  }
   virtual std::string command() = 0;
   virtual std::string exchange(Child& child, const Batch& b) = 0;
 

@@ -64,7 +64,8 @@ std::string text_of(const Description& d) {
                  {"name", d.name},
                  {"version", d.version},
                  {"operations", operations},
-                 {"conventions", d.conventions}}) +
+                 {"conventions", d.conventions},
+                 {"source", d.source}}) +
          "\n";
 }
 

@@ -29,6 +29,7 @@ struct Source {
   std::string text;
   int number = 0;
   std::shared_ptr<Adapter> in_process;  ///< or null: a process for each thread
+  Description description = {};
 };
 
 std::array<std::optional<Source>, most_adapters> sources;
@@ -160,6 +161,7 @@ std::string register_as(const std::string& text, bool in_process,
   if (d.offered.empty()) refuse("it offers no operation");
   for (const auto* s : subjects<double>())
     if (s->name == d.name) refuse(fmt::format("a subject is named '{}' already", d.name));
+  source.description = d;
   *free = source;
   constexpr auto numbers = std::make_integer_sequence<int, most_adapters>();
   register_one<float>(source.number, text, d, numbers);
@@ -197,6 +199,12 @@ std::unique_ptr<Adapter> linked(const liecheck_adapter& adapter) {
 std::string register_adapter(const liecheck_adapter& adapter) {
   return register_as(fmt::format("{}.so", adapter.name ? adapter.name : ""), true,
                      [&] { return linked(adapter); });
+}
+
+const Description* description_of(const std::string& text) {
+  for (const auto& source : sources)
+    if (source && source->text == text) return &source->description;
+  return nullptr;
 }
 
 }  // namespace liecheck::properties::adapters

@@ -26,4 +26,7 @@ std::string register_adapter(const liecheck_adapter& adapter);
 
 inline constexpr int most_adapters = 4;
 
+/// What the adapter that was registered with this text says of itself; null if there is none.
+const Description* description_of(const std::string& text);
+
 }  // namespace liecheck::properties::adapters

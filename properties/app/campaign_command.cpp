@@ -9,7 +9,7 @@
 #include <campaign/coverage_report.hpp>
 #include <campaign/expected.hpp>
 #include <campaign/robots.hpp>
-#include <failures/description.hpp>
+#include <failures/blocks.hpp>
 #include <hard_cases/hard_cases.hpp>
 #include <limits>
 #include <map>
@@ -20,6 +20,7 @@
 #include <stdexcept>
 #include <support/files.hpp>
 #include <support/stop.hpp>
+#include <support/terminal.hpp>
 #include <support/text.hpp>
 #include <tuple>
 #include <utility>
@@ -33,7 +34,7 @@ struct Flags {
   CaseFlags cases;
   StoreFlags store;
   std::string badge, rules;
-  bool no_hard_cases = false, no_probe = false, verbose = false;
+  bool no_hard_cases = false, no_probe = false, verbose = false, all = false;
 };
 
 /// Prints every class and band of one series, each with the output that was measured least in it.
@@ -84,25 +85,30 @@ void print_series(const Series& series, const Tally& tally) {
   double worst = 0;
   bool failed = !tally.disagreed.empty();
   bool outside = false, expected = false;
+  std::string outcome;  // of a failure without an error in eps
   for (const auto& [cell, row] : tally.rows) {
     const Budget& b = series.budget(static_cast<std::size_t>(cell.first),
                                     series.bands()[static_cast<std::size_t>(cell.second)].region);
     // The score of an unresolved case is infinite. Then the largest measured error is printed instead.
     const double measured = b.rule == Rule::forward ? row.max_error : row.max_excess;
-    worst =
-        std::max(worst, (row.failed || row.worst_score < infinity ? row.worst_score : measured) / b.limit);
+    worst = std::max(worst, (row.worst_score < infinity ? row.worst_score : measured) / b.limit);
+    if (row.failed && row.worst_score == infinity && outcome.empty()) outcome = worst_outcome(row);
     failed = failed || fails(series, cell, row);
     expected = expected || row.failed > 0;
     outside = outside || row.outside_domain > 0;
   }
   const std::size_t open = not_measured(series, tally).size();
   const bool cliff = unexpected(cliffs_of(series, tally));
-  fmt::print("{:<24}{:<15}{:<10}{:>9}  {:>10.3g}x  {}{}{}{}\n", series.property, series.subject,
-             series.scalar, tally.cases, worst,
-             failed  ? cliff ? "FAIL, CLIFF" : "FAIL"
-             : cliff ? "CLIFF"
-             : open  ? "INCOMPLETE"
-                     : "pass",
+  const char* status = failed  ? cliff ? "FAIL, CLIFF" : "FAIL"
+                       : cliff ? "CLIFF"
+                       : open  ? "INCOMPLETE"
+                               : "pass";
+  fmt::print("{:<24}{:<15}{:<10}{:>9}  {:>14}  {}{}{}{}\n", series.property, series.subject, series.scalar,
+             tally.cases, outcome.empty() ? fmt::format("{:.3g}x", worst) : outcome,
+             coloured(failed || cliff ? Colour::red
+                      : open          ? Colour::yellow
+                                      : Colour::green,
+                      status),
              expected && !failed ? ", with expected failures" : "",
              (failed || cliff) && open ? ", not all measured" : "",
              outside ? ", some cases outside the domain" : "");
@@ -123,16 +129,15 @@ void print_cliffs(const CampaignResult& r) {
   for (const Expectation& e : expectations_of(r)) fmt::print("{}{}\n", std::exchange(before, ""), text_of(e));
 }
 
-/// Prints what the series did not measure, at most six lines of each.
-void print_not_measured(const CampaignResult& r) {
-  constexpr std::size_t shown = 6;
+/// Prints what the series did not measure, at most six lines of each unless `all`.
+void print_not_measured(const CampaignResult& r, bool all) {
   for (const auto& [series, tally] : r.series) {
     const auto lines = not_measured(*series, tally);
     if (lines.empty()) continue;
+    const std::size_t shown = all ? lines.size() : 6;
     fmt::print("\nNOT MEASURED  {} of {} in {}\n", series->property, series->subject, series->scalar);
     for (std::size_t i = 0; i < std::min(shown, lines.size()); ++i) fmt::print("  {}\n", lines[i]);
-    if (lines.size() > shown)
-      fmt::print("  and {} more; --json FILE records them all\n", lines.size() - shown);
+    if (lines.size() > shown) fmt::print("  and {} more: --all prints them\n", lines.size() - shown);
     for (const auto& [cell, row] : tally.rows)
       if (row.failed == 0 && row.unresolved + row.unmeasured > 0) {
         fmt::print("  for example  liecheck replay {}{}\n",
@@ -140,26 +145,6 @@ void print_not_measured(const CampaignResult& r) {
         break;
       }
   }
-}
-
-/// Prints the first six failed outputs in full, each in its worst band.
-void print_failures(const CampaignResult& r) {
-  constexpr int shown = 6;
-  int failures = 0;
-  for (const auto& [series, tally] : r.series) {
-    std::map<int, std::pair<int, const Row*>> worst;  // worst band and its row, by output
-    for (const auto& [cell, row] : tally.rows) {
-      if (!fails(*series, cell, row)) continue;
-      auto& w = worst[cell.first];
-      if (!w.second || row.worst_score > w.second->worst_score) w = {cell.second, &row};
-    }
-    for (const auto& [output, band_row] : worst)
-      if (failures++ < shown)
-        fmt::print("\n{}", describe_failure(*series, r.options.seed, output, band_row.first, *band_row.second,
-                                            r.robot));
-  }
-  if (failures > shown)
-    fmt::print("\n{} more operations and blocks failed; --json FILE records them all\n", failures - shown);
 }
 
 void print_oracles(const CampaignResult& r) {
@@ -176,18 +161,37 @@ void print_oracles(const CampaignResult& r) {
       disagreed);
 }
 
-/// Prints the table, the failures and the coverage (all of it if verbose). Returns the verdict's exit code.
-int print_campaign(const CampaignResult& r, bool verbose) {
-  fmt::print("{:<24}{:<15}{:<10}{:>9}  {:>11}  {}\n", "property", "subject", "scalar", "cases", "worst",
+/// The verdict on a campaign and its hard cases, as an exit code. What has no verdict hides no failure, but a
+/// campaign that was interrupted has none.
+int code_of(const CampaignResult& r, const std::vector<HardRow>& hard_cases) {
+  if (r.incomplete) return incomplete;
+  if (r.failed || any_failed(hard_cases)) return property_failed;
+  return r.undecided() || any_open(hard_cases) ? incomplete : within_budget;
+}
+
+/// The line of the verdict, with what is not in the table of the laws.
+std::string verdict_line(const CampaignResult& r, const std::vector<HardRow>& hard_cases) {
+  const int code = code_of(r, hard_cases);
+  std::string text = fmt::format("verdict {}", verdict_of(code != incomplete, code == within_budget));
+  if (any_failed(hard_cases))
+    text += ": hard cases failed, see the first section";
+  else if (any_open(hard_cases))
+    text += ": hard cases have no verdict, see the first section";
+  return text;
+}
+
+/// Prints the table, the failures and the coverage. Returns the verdict's exit code.
+int print_campaign(const CampaignResult& r, const std::vector<HardRow>& hard_cases, const Flags& f) {
+  fmt::print("{:<24}{:<15}{:<10}{:>9}  {:>14}  {}\n", "property", "subject", "scalar", "cases", "worst",
              "status");
   for (const auto& [series, tally] : r.series) print_series(*series, tally);
   fmt::print(
       "worst: the largest error found as a multiple of its budget, a lower bound of the true maximum\n");
-  print_failures(r);
+  print_failures(r, f.all);
   print_cliffs(r);
-  print_not_measured(r);
+  print_not_measured(r, f.all);
   print_oracles(r);
-  print_coverage(r, verbose);
+  print_coverage(r, f.verbose);
   fmt::print("\nseed {}, {} cases in {:.1f} s, robot {}{} ({})\n", r.options.seed, r.total_cases, r.elapsed,
              printable(r.robot.name), r.robot.fixed ? ", fixed" : "", r.robot.hash);
   std::set<std::string> limits;
@@ -200,8 +204,12 @@ int print_campaign(const CampaignResult& r, bool verbose) {
   }
   fmt::print("{}", fmt::join(limits, ""));
   fmt::print("inputs  {}\nresults {}\n", r.inputs_digest, r.results_digest);
-  fmt::print("verdict {}\n", verdict_of(!r.undecided(), !r.failed));
-  return r.undecided() ? incomplete : r.failed ? property_failed : within_budget;
+  const int code = code_of(r, hard_cases);
+  fmt::print("{}\n", coloured(code == within_budget     ? Colour::green
+                              : code == property_failed ? Colour::red
+                                                        : Colour::yellow,
+                              verdict_line(r, hard_cases)));
+  return code;
 }
 
 /// Replays the hard cases, which come first in every campaign. Only the first of several shards does this.
@@ -210,7 +218,7 @@ std::vector<HardRow> replay_hard_cases(const Flags& f, const Selection& selectio
   static const std::vector<HardCase> corpus =
       f.rules.empty() ? built_in_corpus() : hard_cases_of(rules_named(f.rules));
   const auto rows = run_hard_cases(selection, robot, corpus, f.cases.options.jobs);
-  print_hard_case_summary(rows, 3);
+  print_hard_case_summary(rows, f.all ? rows.size() : 3);
   fmt::print("\n");
   std::fflush(stdout);
   return rows;
@@ -259,17 +267,11 @@ int run(const Flags& f) {
         if (!f.badge.empty()) write_whole(f.badge, badge_of(verdicts_by_subject(done->result, hard_cases)));
       },
       [&] {
-        print_counterexamples(done->counterexamples);
-        code = print_campaign(done->result, f.verbose);
+        print_counterexamples(done->counterexamples, f.all);
+        code = print_campaign(done->result, hard_cases, f);
         print_how_to_resume(done->result, f.store);
       });
-  if (any_failed(hard_cases))
-    fmt::print(
-        "hard cases failed: see the first section; the exit code is 1, whatever the verdict on the "
-        "campaign\n");
-  if (any_open(hard_cases)) fmt::print("hard cases have no verdict: see the first section\n");
-  if (done->result.incomplete || code == property_failed) return code;
-  return any_failed(hard_cases) ? property_failed : any_open(hard_cases) ? incomplete : code;
+  return code;
 }
 
 }  // namespace
@@ -285,6 +287,7 @@ Command campaign_command(CLI::App& program, const std::string& typed_line) {
   a.toggle("--no-probe", a->no_probe, "judge an adapter that has other conventions than liecheck, too");
   a->cases.add(a);
   a.toggle("--verbose", a->verbose, "show how often each class and band of inputs occurred");
+  a.toggle("--all", a->all, "print every failure in full, not only the worst one, and nothing shortened");
   a->store.add(a);
   a.text("--rules", a->rules, "VERSION",
          "judge by this version of the rules: its laws, inputs, limits and hard cases (docs/ci.md)");

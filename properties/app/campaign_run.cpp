@@ -131,14 +131,14 @@ std::optional<StoredRun> run_stored_campaign(const Selection& selection, const R
   return run_stored(o, robot, store, f.resume);
 }
 
-void print_counterexamples(const Counterexamples& c) {
+void print_counterexamples(const Counterexamples& c, bool all) {
   if (c.replayed + c.skipped == 0) return;
-  constexpr std::size_t shown = 6;
+  const std::size_t shown = all ? c.failing.size() : 6;
   fmt::print("counterexamples of earlier runs: {} replayed, {} still fail, {} skipped\n", c.replayed,
              c.failing.size(), c.skipped);
   for (std::size_t i = 0; i < std::min(shown, c.failing.size()); ++i)
     fmt::print("  {}, {}: liecheck replay {}\n", c.failing[i].operation, c.failing[i].block, c.failing[i].id);
-  if (c.failing.size() > shown) fmt::print("  and {} more\n", c.failing.size() - shown);
+  if (c.failing.size() > shown) fmt::print("  and {} more: --all prints them\n", c.failing.size() - shown);
   fmt::print("\n");
 }
 

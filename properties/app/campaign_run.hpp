@@ -35,8 +35,11 @@ struct StoreFlags {
 std::optional<StoredRun> run_stored_campaign(const Selection& selection, const Robot& robot,
                                              const CaseFlags& cases, const StoreFlags& store);
 
-/// Prints the section on counterexamples of earlier runs.
-void print_counterexamples(const Counterexamples& counterexamples);
+/// Prints the section on counterexamples of earlier runs, each if `all`.
+void print_counterexamples(const Counterexamples& counterexamples, bool all);
+
+/// Prints a line for each operation and block that failed, worst first, and the worst one in full; if `all`, each.
+void print_failures(const CampaignResult& result, bool all);
 
 /// Prints how to resume an interrupted campaign.
 void print_how_to_resume(const CampaignResult& result, const StoreFlags& flags);

@@ -55,8 +55,12 @@ void print_failure(const HardRow& r, const HardCell& c) {
              e.reason);
   fmt::print("  subject   {} in {}: {}\n", c.subject, c.scalar, name_of(c.verdict));
   fmt::print("  where     {}: {}, block {}, band {}\n", r.property, c.operation, c.block, c.band);
-  fmt::print("  error     {:.4g} eps, kappa {:.3g}, budget {:g} {}{}\n", c.error, c.kappa, c.budget,
-             c.excess ? "eps kappa" : "eps", c.refusal.empty() ? "" : "; " + c.refusal);
+  if (c.verdict == Verdict::inaccurate)
+    fmt::print("  error     {:.4g} eps{}\n", c.error,
+               c.kappa > 0 ? fmt::format(", kappa {:.3g}", c.kappa) : "");
+  else
+    fmt::print("  error     {}{}\n", name_of(c.verdict), c.refusal.empty() ? "" : ": " + c.refusal);
+  fmt::print("  budget    {:g} {}\n", c.budget, c.excess ? "eps kappa" : "eps");
   fmt::print("  input     {}\n  origin    {} ({})\n", e.input, e.origin, e.place());
   fmt::print("  replay    liecheck replay {}{}\n", c.id.text(), c.flags);
 }

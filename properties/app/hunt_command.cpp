@@ -118,19 +118,24 @@ std::vector<std::unique_ptr<Series>> series_of(const Flags& f, const Robot& robo
   if (!f.property.empty()) selection.properties = {f.property};
   auto all = select(selection, robot);
   if (all.empty()) throw std::invalid_argument(fmt::format("{} is not offered in {}", f.subject, f.scalar));
-  std::set<std::string_view> operations, blocks;
+  std::set<std::string_view> operations, offered, blocks;
   std::erase_if(all, [&](const auto& s) {
     bool measured = false;
-    for (const Output& o : s->outputs) {
+    for (std::size_t i = 0; i < s->outputs.size(); ++i) {
+      const Output& o = s->outputs[i];
       operations.insert(o.operation);
+      if (!(s->due >> i & 1)) continue;
+      offered.insert(o.operation);
       if (o.operation == op) blocks.insert(o.block);
       measured = measured || (o.operation == op && (block.empty() || o.block == block));
     }
     return !measured;
   });
-  if (!operations.count(op))
-    throw std::invalid_argument(fmt::format("--op: unknown operation '{}'; {} is measured on: {}", op,
-                                            f.subject, fmt::join(operations, ", ")));
+  if (!offered.count(op))
+    throw std::invalid_argument(
+        fmt::format("--op: {} '{}' in {}; it is measured on: {}",
+                    operations.count(op) ? f.subject + " does not offer" : "unknown operation", op, f.scalar,
+                    fmt::join(offered, ", ")));
   if (!block.empty() && !blocks.count(block))
     throw std::invalid_argument(
         fmt::format("--block: {} has no block '{}'; known: {}", op, block, fmt::join(blocks, ", ")));

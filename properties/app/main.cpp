@@ -1,6 +1,8 @@
 // The liecheck program: it runs the command that its command line names.
 
 #include <fcntl.h>
+#include <poll.h>
+#include <adapters/noise.hpp>
 #include <app/command.hpp>
 #include <cerrno>
 #include <csignal>
@@ -19,10 +21,18 @@ std::string command_line(int argc, char** argv) {
   return line;
 }
 
-/// Flushes standard output. Returns `code`, or bad_input if output was lost.
+/// Whether standard output is a pipe that nobody reads any more, as after `| head`.
+bool nobody_reads() {
+  pollfd out{1, 0, 0};
+  return ::poll(&out, 1, 0) == 1 && (out.revents & POLLERR);
+}
+
+/// Flushes standard output. Returns `code`, or bad_input if output was lost. If nobody reads it, says nothing and
+/// returns what a shell reports for a program that SIGPIPE ended.
 int finish(int code) {
   errno = 0;
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.flush()) return code;
+  if (nobody_reads()) return 128 + SIGPIPE;
   // Not fmt::print, which throws if stderr is lost, too.
   std::fprintf(stderr, "liecheck: standard output: cannot be written%s%s\n", errno ? ": " : "",
                errno ? std::strerror(errno) : "");
@@ -45,7 +55,9 @@ int main(int argc, char** argv) {
   for (int fd = 0; fd < 3; ++fd)
     if (::fcntl(fd, F_GETFD) < 0 && ::open("/dev/null", O_RDONLY) != fd) return bad_input;
   try {
-    return finish(run_program(argc, argv, command_line(argc, argv)));
+    const int code = run_program(argc, argv, command_line(argc, argv));
+    adapters::say_counts();
+    return finish(code);
   } catch (const std::exception& e) {
     return std::ferror(stdout) ? finish(bad_input) : refuse(e.what());
   }

@@ -1,8 +1,11 @@
 #include <fmt/format.h>
+#include <algorithm>
 #include <app/command.hpp>
 #include <campaign/expected.hpp>
 #include <campaign/robots.hpp>
 #include <campaign/selection.hpp>
+#include <failures/description.hpp>
+#include <failures/result.hpp>
 #include <hard_cases/attempt.hpp>
 #include <memory>
 #include <stdexcept>
@@ -36,18 +39,34 @@ std::unique_ptr<Series> series_of(const CaseId& id, const std::string& text, con
   return std::move(found.front());
 }
 
+/// A line for each output. A measurement without an error has its outcome in the error's place.
 void print_judged(const Series& series, const Judged& j) {
   const Output& o = series.outputs.at(j.residual.output);
   const Outcome outcome = j.residual.outcome;
-  const char* word = outcome_words[static_cast<int>(outcome)];
-  fmt::print("{:<26}{:<22}{:<24}{:>12.5g} eps  {:<22} kappa {:<10.3g}{}\n", o.operation, o.block,
-             series.bands()[j.residual.band].name, j.residual.error, fmt::format("{:a}", j.residual.error),
-             j.residual.kappa,
-             fails(series, j) ? fmt::format("FAIL {}", word)
-             : j.failed       ? fmt::format("expected failure {}", word)
-             : leaves_open(outcome) || outcome == Outcome::outside_domain ? word
-             : j.ill_posed                                                ? "ill-posed"
-                                                                          : "pass");
+  const bool measured = outcome == Outcome::measured || outcome == Outcome::ill_posed;
+  const std::string error =
+      measured
+          ? fmt::format("{:>12.5g} eps  {:<22}{}", j.residual.error, fmt::format("{:a}", j.residual.error),
+                        j.residual.kappa > 0 ? fmt::format(" kappa {:.3g}", j.residual.kappa) : "")
+          : std::string(outcome_words[static_cast<int>(outcome)]);
+  fmt::print("{:<26}{:<22}{:<24}{:<56}{}\n", o.operation, o.block, series.bands()[j.residual.band].name,
+             error,
+             fails(series, j)                     ? "FAIL"
+             : j.failed                           ? "expected failure"
+             : leaves_open(outcome)               ? "no verdict"
+             : outcome == Outcome::outside_domain ? "not judged"
+             : j.ill_posed                        ? "ill-posed"
+                                                  : "pass");
+}
+
+/// What was returned beside what is right, for each output that failed, or for all if none did.
+void print_results(const Series& series, const CaseId& id, const Trial& trial) {
+  const bool any = std::ranges::any_of(trial.judged, &Judged::failed);
+  for (const Judged& j : trial.judged) {
+    if (any && !j.failed) continue;
+    const Output& o = series.outputs.at(j.residual.output);
+    fmt::print("\n{}, block {}\n{}", o.operation, o.block, case_text(series, id, trial.input, j));
+  }
 }
 
 int run(const Flags& f) {
@@ -55,8 +74,9 @@ int run(const Flags& f) {
   f.adapters.start();
   const auto series = series_of(id, f.id, f.robot.read(), f.limits);
   const Trial trial = attempt(*series, id);
-  fmt::print("{}: {}\n{} {} in {}\ninput {}\n", series->property, series->law, series->subject,
-             series->subject_version, series->scalar, fmt::join(trial.input, " "));
+  fmt::print("{}: {}\n  law       {}\n  subject   {} {} in {}\n{}\n", series->property, series->law,
+             series->equation, series->subject, series->subject_version, series->scalar,
+             input_text(*series, trial.input));
   bool failed = false, open = false, decided = false;
   if (!trial.refusal.empty()) fmt::print("refused: {}\n", trial.refusal);
   for (const Judged& j : trial.judged) {
@@ -66,6 +86,7 @@ int run(const Flags& f) {
     failed = failed || fails(*series, j);
     print_judged(*series, j);
   }
+  print_results(*series, id, trial);
   if (!failed && (open || !decided))
     fmt::print("incomplete: {}\n", open ? "no verdict on every output" : "nothing was measured");
   return failed ? property_failed : open || !decided ? incomplete : within_budget;

@@ -78,6 +78,15 @@ void check_names(const std::vector<std::string>& given, const std::vector<std::s
   }
 }
 
+/// How to build an optional subject.
+std::string how_to_get(const std::string& subject) {
+  if (subject == "ceres") return "install libceres-dev and build again";
+  std::string variable = subject;
+  for (char& c : variable) c = static_cast<char>(c - 'a' + 'A');
+  return fmt::format(
+      "configure with -D{}_INCLUDE=DIR, the folder of its headers, and build again (README.md)", variable);
+}
+
 }  // namespace
 
 std::vector<std::unique_ptr<Series>> select(const Selection& selection, const Robot& robot) {
@@ -109,6 +118,11 @@ std::vector<std::string> subject_names() {
 }
 
 void check_subjects(const std::vector<std::string>& names) {
+  const auto absent = absent_subjects();
+  for (const std::string& name : names)
+    if (std::find(absent.begin(), absent.end(), name) != absent.end())
+      throw std::invalid_argument(
+          fmt::format("--subject: '{}' is absent from this build: {}", name, how_to_get(name)));
   check_names(names, subject_names(), "subject");
 }
 

@@ -192,28 +192,38 @@ std::string listed(const std::vector<std::string>& names) {
                      last);
 }
 
+/// The arguments as text of at most one line of 100 characters.
+std::string shortened(const Operation& o, Numbers arguments) {
+  std::string text;
+  for_each_argument(o, arguments, [&](const Layout& l, std::span<const double> x) {
+    text += fmt::format("{}{} = ({:.6g})", text.empty() ? "" : ", ", l.name, fmt::join(x, ", "));
+  });
+  return text.size() > 100 ? text.substr(0, text.rfind(',', 96)) + ", ..." : text;
+}
+
+/// Two lines: the first number that is wrong, and where.
 std::string unexplained(const Probed& p) {
   const Operation& o = *p.operation;
   for (const Answer& a : p.answers) {
     const Numbers right = reference(o, a.arguments);
-    const Part* const wrong = wrong_part(result_of(o), a.result, right);
-    if (!wrong) continue;
-    std::string at;
-    Numbers arguments = a.arguments;
-    for_each_argument(o, arguments, [&](const Layout& l, std::span<const double> x) {
-      at += fmt::format("{}{} = ({:.6g})", at.empty() ? "" : ", ", l.name, fmt::join(x, ", "));
-    });
+    const Part* const part = wrong_part(result_of(o), a.result, right);
+    if (!part) continue;
     std::size_t from = 0;
-    for (const Part& part : result_of(o).parts) {
-      if (&part == wrong) break;
-      from += static_cast<std::size_t>(part.size);
-    }
-    const auto of = [&](const Numbers& x) {
-      return fmt::format("({:.6g})",
-                         fmt::join(std::span(x).subspan(from, static_cast<std::size_t>(wrong->size)), ", "));
-    };
-    return fmt::format("no known convention explains {}: at {}, its {} is {}, and {} is right", o.name, at,
-                       wrong->name, of(a.result), of(right));
+    for (const Part* before = result_of(o).parts.begin(); before != part; ++before)
+      from += static_cast<std::size_t>(before->size);
+    const auto size = static_cast<std::size_t>(part->size);
+    const std::span got = std::span(a.result).subspan(from, size),
+                    expected = std::span(right).subspan(from, size);
+    double largest = 0;
+    for (const double x : expected) largest = std::max(largest, std::fabs(x));
+    std::size_t first = size, wrong = 0;
+    for (std::size_t i = size; i-- > 0;)
+      if (!(std::fabs(got[i] - expected[i]) <= 1e-3 * largest)) first = i, ++wrong;
+    return fmt::format(
+        "no known convention explains {}: its {} is {:.6g}, and {:.6g} is right; {} of {} numbers "
+        "of {} are wrong\n  at {}",
+        o.name, number_name(*part, first), got[first], expected[first], wrong, size, part->name,
+        shortened(o, a.arguments));
   }
   return "";
 }

@@ -9,16 +9,16 @@ namespace liecheck::properties::conventions {
 namespace {
 
 using namespace oracles;
-using B = DoubleBall;
 
-/// Reads values one after the other.
+/// Reads values one after the other. B is a ball, which proves that a result is accurate, or a Real.
+template <class B>
 class Reader {
  public:
-  explicit Reader(const Numbers& numbers) : at_(numbers.data()) {}
+  explicit Reader(const std::vector<B>& numbers) : at_(numbers.data()) {}
   template <int R, int C = 1>
   oracles::Mat<R, C, B> take() {
     oracles::Mat<R, C, B> m;
-    for (B& x : m.x) x = B(*at_++);
+    for (B& x : m.x) x = *at_++;
     return m;
   }
   PoseOf<B> pose() {
@@ -26,109 +26,120 @@ class Reader {
     return {R, take<3>()};
   }
   BodyOf<B> body() {
-    const B mass(*at_++);
+    const B mass = *at_++;
     const Vec3<B> c = take<3>();
     return {mass, c, take<3, 3>()};
   }
 
  private:
-  const double* at_;
+  const B* at_;
 };
 
-template <int R, int C>
-void append(Numbers& to, const oracles::Mat<R, C, B>& m) {
-  for (const B& x : m.x) to.push_back(x.head());
+template <class B, int R, int C>
+void append(std::vector<B>& to, const oracles::Mat<R, C, B>& m) {
+  to.insert(to.end(), m.x.begin(), m.x.end());
 }
-void append(Numbers& to, const B& x) {
-  to.push_back(x.head());
+template <class B>
+void append(std::vector<B>& to, const B& x) {
+  to.push_back(x);
 }
-void append(Numbers& to, const BodyOf<B>& I) {
+template <class B>
+void append(std::vector<B>& to, const BodyOf<B>& I) {
   append(to, I.mass), append(to, I.c), append(to, I.I_C);
 }
-template <class... T>
-Numbers numbers(const T&... values) {
-  Numbers all;
+template <class B, class... T>
+std::vector<B> joined(const T&... values) {
+  std::vector<B> all;
   (append(all, values), ...);
   return all;
 }
 
-using Formula = std::function<Numbers(Reader)>;
-using Formulas = std::map<std::string_view, Formula>;
+template <class B>
+using Formulas = std::map<std::string_view, std::function<std::vector<B>(Reader<B>)>>;
 
-Formulas exponentials() {
-  const auto jacobian3 = [](auto f) {
-    return [f](Reader x) { return numbers(f(stack(zero_vector<3, B>(), x.take<3>())).J); };
+template <class B>
+Formulas<B> exponentials() {
+  using Reader = conventions::Reader<B>;
+  const auto numbers = [](const auto&... values) { return joined<B>(values...); };
+  const auto jacobian3 = [=](auto f) {
+    return [=](Reader x) { return numbers(f(stack(zero_vector<3, B>(), x.template take<3>())).J); };
   };
-  const auto jacobian6 = [](auto f) { return [f](Reader x) { return numbers(f(x.take<6>()).matrix()); }; };
+  const auto jacobian6 = [=](auto f) {
+    return [=](Reader x) { return numbers(f(x.template take<6>()).matrix()); };
+  };
   const auto left = [](const Vec6<B>& xi) { return left_jacobian_se3(xi); };
   const auto right = [](const Vec6<B>& xi) { return right_jacobian_se3(xi); };
   const auto left_inverse = [](const Vec6<B>& xi) { return left_jacobian_se3_inverse(xi); };
   const auto right_inverse = [](const Vec6<B>& xi) { return right_jacobian_se3_inverse(xi); };
-  return {{"exp3_quaternion", [](Reader x) { return numbers(exp_so3(x.take<3>()).Q); }},
-          {"exp3_matrix", [](Reader x) { return numbers(rotation_matrix(exp_so3(x.take<3>()).Q)); }},
-          {"log3_quaternion", [](Reader x) { return numbers(log_so3(x.take<4>()).phi); }},
-          {"log3_any_norm", [](Reader x) { return numbers(log_so3(x.take<4>()).phi); }},
-          {"log3_matrix",
-           [](Reader x) { return numbers(log_se3_matrix(x.take<3, 3>(), zero_vector<3, B>()).phi); }},
-          {"exp6",
-           [](Reader x) {
-             const ExpValue<B> e = exp_se3(x.take<6>());
-             return numbers(rotation_matrix(e.Q), e.p);
-           }},
-          {"log6",
-           [](Reader x) {
-             const PoseOf<B> X = x.pose();
-             return numbers(log_se3_matrix(X.R, X.p).value());
-           }},
-          {"left_jacobian3", jacobian3(left)},
-          {"right_jacobian3", jacobian3(right)},
-          {"left_jacobian3_inverse", jacobian3(left_inverse)},
-          {"right_jacobian3_inverse", jacobian3(right_inverse)},
-          {"left_jacobian6", jacobian6(left)},
-          {"right_jacobian6", jacobian6(right)},
-          {"left_jacobian6_inverse", jacobian6(left_inverse)},
-          {"right_jacobian6_inverse", jacobian6(right_inverse)}};
+  return {
+      {"exp3_quaternion", [=](Reader x) { return numbers(exp_so3(x.template take<3>()).Q); }},
+      {"exp3_matrix", [=](Reader x) { return numbers(rotation_matrix(exp_so3(x.template take<3>()).Q)); }},
+      {"log3_quaternion", [=](Reader x) { return numbers(log_so3(x.template take<4>()).phi); }},
+      {"log3_any_norm", [=](Reader x) { return numbers(log_so3(x.template take<4>()).phi); }},
+      {"log3_matrix",
+       [=](Reader x) { return numbers(log_se3_matrix(x.template take<3, 3>(), zero_vector<3, B>()).phi); }},
+      {"exp6",
+       [=](Reader x) {
+         const ExpValue<B> e = exp_se3(x.template take<6>());
+         return numbers(rotation_matrix(e.Q), e.p);
+       }},
+      {"log6",
+       [=](Reader x) {
+         const PoseOf<B> X = x.pose();
+         return numbers(log_se3_matrix(X.R, X.p).value());
+       }},
+      {"left_jacobian3", jacobian3(left)},
+      {"right_jacobian3", jacobian3(right)},
+      {"left_jacobian3_inverse", jacobian3(left_inverse)},
+      {"right_jacobian3_inverse", jacobian3(right_inverse)},
+      {"left_jacobian6", jacobian6(left)},
+      {"right_jacobian6", jacobian6(right)},
+      {"left_jacobian6_inverse", jacobian6(left_inverse)},
+      {"right_jacobian6_inverse", jacobian6(right_inverse)}};
 }
 
-Formulas spatial_algebra() {
-  const auto moved = [](auto f) {
-    return [f](Reader x) {
+template <class B>
+Formulas<B> spatial_algebra() {
+  using Reader = conventions::Reader<B>;
+  const auto numbers = [](const auto&... values) { return joined<B>(values...); };
+  const auto moved = [=](auto f) {
+    return [=](Reader x) {
       const PoseOf<B> X = x.pose();
-      return numbers(f(X, x.take<6>()));
+      return numbers(f(X, x.template take<6>()));
     };
   };
-  const auto crossed = [](auto f) {
-    return [f](Reader x) {
-      const Vec6<B> V = x.take<6>();
-      return numbers(f(V, x.take<6>()));
+  const auto crossed = [=](auto f) {
+    return [=](Reader x) {
+      const Vec6<B> V = x.template take<6>();
+      return numbers(f(V, x.template take<6>()));
     };
   };
-  const auto of_body = [](auto f) {
-    return [f](Reader x) {
+  const auto of_body = [=](auto f) {
+    return [=](Reader x) {
       const BodyOf<B> I = x.body();
-      return numbers(f(I, x.take<6>()));
+      return numbers(f(I, x.template take<6>()));
     };
   };
-  const auto moved_body = [](auto f) {
-    return [f](Reader x) {
+  const auto moved_body = [=](auto f) {
+    return [=](Reader x) {
       const PoseOf<B> X = x.pose();
       return numbers(f(X, x.body()));
     };
   };
   return {{"compose",
-           [](Reader x) {
+           [=](Reader x) {
              const PoseOf<B> X = x.pose(), Y = x.pose();
              return numbers(X.R * Y.R, X.R * Y.p + X.p);
            }},
           {"inverse",
-           [](Reader x) {
+           [=](Reader x) {
              const PoseOf<B> X = x.pose();
              return numbers(transpose(X.R), -(transpose(X.R) * X.p));
            }},
           {"act_point",
-           [](Reader x) {
+           [=](Reader x) {
              const PoseOf<B> X = x.pose();
-             return numbers(X.R * x.take<3>() + X.p);
+             return numbers(X.R * x.template take<3>() + X.p);
            }},
           {"act_motion", moved(formulas::act_motion<B>)},
           {"act_inverse_motion", moved(formulas::act_inverse_motion<B>)},
@@ -140,69 +151,86 @@ Formulas spatial_algebra() {
           {"act_inverse_inertia", moved_body(formulas::act_inverse_inertia<B>)},
           {"momentum", of_body(formulas::momentum<B>)},
           {"kinetic_energy", of_body(formulas::kinetic_energy<B>)},
-          {"inertia_matrix", [](Reader x) { return numbers(formulas::inertia_matrix(x.body())); }}};
+          {"inertia_matrix", [=](Reader x) { return numbers(formulas::inertia_matrix(x.body())); }}};
 }
 
-Formulas configurations() {
-  const auto rotated = [](Reader x) {
-    const Quaternion<B> Q = x.take<4>();
-    return numbers(rotate(Q, x.take<3>()));
+template <class B>
+Formulas<B> configurations() {
+  using Reader = conventions::Reader<B>;
+  const auto numbers = [](const auto&... values) { return joined<B>(values...); };
+  const auto rotated = [=](Reader x) {
+    const Quaternion<B> Q = x.template take<4>();
+    return numbers(rotate(Q, x.template take<3>()));
   };
-  const auto plus = [](Reader x) {
-    const Vec7<B> q = x.take<7>();
-    const IntegrateValue<B> v = oracles::integrate(q, x.take<6>());
+  const auto plus = [=](Reader x) {
+    const Vec7<B> q = x.template take<7>();
+    const IntegrateValue<B> v = oracles::integrate(q, x.template take<6>());
     return numbers(v.p, v.Q);
   };
-  const auto minus = [](Reader x) {
-    const Vec7<B> q0 = x.take<7>();
-    return numbers(oracles::difference(q0, x.take<7>()).value());
+  const auto minus = [=](Reader x) {
+    const Vec7<B> q0 = x.template take<7>();
+    return numbers(oracles::difference(q0, x.template take<7>()).value());
   };
-  const auto minus_by_q1 = [](Reader x) {
-    const Vec7<B> q0 = x.take<7>();
-    return numbers(oracles::d_difference_arg1(q0, x.take<7>()).matrix());
+  const auto minus_by_q1 = [=](Reader x) {
+    const Vec7<B> q0 = x.template take<7>();
+    return numbers(oracles::d_difference_arg1(q0, x.template take<7>()).matrix());
   };
-  return {
-      {"rotate_point", rotated},
-      {"rotate_point_any_norm", rotated},
-      {"integrate", plus},
-      {"integrate_any_norm", plus},
-      {"difference", minus},
-      {"difference_any_norm", minus},
-      {"d_integrate_arg0",
-       [](Reader x) {
-         const Vec7<B> q = x.take<7>();
-         return numbers(oracles::d_integrate_arg0(q, x.take<6>()).matrix());
-       }},
-      {"d_integrate_arg1",
-       [](Reader x) {
-         const Vec7<B> q = x.take<7>();
-         return numbers(oracles::d_integrate_arg1(q, x.take<6>()).matrix());
-       }},
-      {"d_difference_arg0",
-       [](Reader x) {
-         const Vec7<B> q0 = x.take<7>();
-         return numbers(oracles::d_difference_arg0(q0, x.take<7>()).matrix());
-       }},
-      {"d_difference_arg1", minus_by_q1},
-      {"d_difference_any_norm", minus_by_q1},
-      {"integrate_coefficient_jacobian",
-       [](Reader x) { return numbers(oracles::integrate_coefficient_jacobian(x.take<7>()).value); }},
-      {"normalize", [](Reader x) { return numbers(oracles::normalize(x.take<4>()).value); }},
-      {"first_order_normalize",
-       [](Reader x) { return numbers(oracles::first_order_normalize(x.take<4>()).value); }},
-      {"quaternion_matrix", [](Reader x) { return numbers(oracles::quaternion_matrix(x.take<4>()).value); }}};
+  return {{"rotate_point", rotated},
+          {"rotate_point_any_norm", rotated},
+          {"integrate", plus},
+          {"integrate_any_norm", plus},
+          {"difference", minus},
+          {"difference_any_norm", minus},
+          {"d_integrate_arg0",
+           [=](Reader x) {
+             const Vec7<B> q = x.template take<7>();
+             return numbers(oracles::d_integrate_arg0(q, x.template take<6>()).matrix());
+           }},
+          {"d_integrate_arg1",
+           [=](Reader x) {
+             const Vec7<B> q = x.template take<7>();
+             return numbers(oracles::d_integrate_arg1(q, x.template take<6>()).matrix());
+           }},
+          {"d_difference_arg0",
+           [=](Reader x) {
+             const Vec7<B> q0 = x.template take<7>();
+             return numbers(oracles::d_difference_arg0(q0, x.template take<7>()).matrix());
+           }},
+          {"d_difference_arg1", minus_by_q1},
+          {"d_difference_any_norm", minus_by_q1},
+          {"integrate_coefficient_jacobian",
+           [=](Reader x) {
+             return numbers(oracles::integrate_coefficient_jacobian(x.template take<7>()).value);
+           }},
+          {"normalize", [=](Reader x) { return numbers(oracles::normalize(x.template take<4>()).value); }},
+          {"first_order_normalize",
+           [=](Reader x) { return numbers(oracles::first_order_normalize(x.template take<4>()).value); }},
+          {"quaternion_matrix",
+           [=](Reader x) { return numbers(oracles::quaternion_matrix(x.template take<4>()).value); }}};
+}
+
+template <class B>
+std::vector<B> result(const Operation& operation, const std::vector<B>& arguments) {
+  static const Formulas<B> all = [] {
+    Formulas<B> f = exponentials<B>();
+    f.merge(spatial_algebra<B>());
+    f.merge(configurations<B>());
+    return f;
+  }();
+  return all.at(operation.name)(Reader<B>(arguments));
 }
 
 }  // namespace
 
 Numbers reference(const Operation& operation, const Numbers& arguments) {
-  static const Formulas all = [] {
-    Formulas f = exponentials();
-    f.merge(spatial_algebra());
-    f.merge(configurations());
-    return f;
-  }();
-  return all.at(operation.name)(Reader(arguments));
+  Numbers numbers;
+  for (const DoubleBall& x : result(operation, std::vector<DoubleBall>(arguments.begin(), arguments.end())))
+    numbers.push_back(x.head());
+  return numbers;
+}
+
+std::vector<Real> exact_result(const Operation& operation, const std::vector<Real>& arguments) {
+  return result(operation, arguments);
 }
 
 }  // namespace liecheck::properties::conventions

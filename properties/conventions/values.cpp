@@ -1,5 +1,6 @@
 #include <conventions/values.hpp>
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <operations/operations.hpp>
 #include <stdexcept>
@@ -37,6 +38,13 @@ std::size_t size_of(const Layout& layout) {
   int size = 0;
   for (const Part& p : layout.parts) size += p.size;
   return static_cast<std::size_t>(size);
+}
+
+std::string number_name(const Part& part, std::size_t i) {
+  if (part.size == 1) return std::string(part.name);
+  const std::size_t columns = part.size == 9 ? 3 : part.size == 36 || part.size == 42 ? 6 : 1;
+  return columns == 1 ? fmt::format("{}[{}]", part.name, i)
+                      : fmt::format("{}[{},{}]", part.name, i / columns, i % columns);
 }
 
 std::size_t arguments_of(const Operation& operation) {

@@ -3,6 +3,7 @@
 
 #include <operations/operation.hpp>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -31,6 +32,9 @@ enum class Kind {
 
 Kind kind_of(const Layout& layout);
 std::size_t size_of(const Layout& layout);
+
+/// The name of a number of a part: "p[2]", "R[0,1]", or the part's own name if it has one number.
+std::string number_name(const Part& part, std::size_t i);
 
 /// The number of all arguments.
 std::size_t arguments_of(const Operation& operation);

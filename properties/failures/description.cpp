@@ -2,16 +2,34 @@
 
 #include <fmt/format.h>
 #include <campaign/robots.hpp>
+#include <failures/blocks.hpp>
 #include <failures/program.hpp>
+#include <failures/result.hpp>
 #include <search/shrink.hpp>
 
 namespace liecheck::properties {
 
+std::string case_text(const Series& series, const CaseId& id, const std::vector<std::string>& input,
+                      const Judged& judged) {
+  const auto output = static_cast<std::size_t>(judged.residual.output);
+  const NotedCase case_noted = noted(series, id, output);
+  std::string program;
+  if (!series.adapter.empty()) program = adapter_program(series, series.outputs[output], case_noted);
+  Judged with_kappa = judged;
+  if (case_noted.kappa > 0) with_kappa.residual.kappa = case_noted.kappa;
+  std::string lost;
+  if (judged.residual.outcome == Outcome::measured)
+    lost = digits_lost(
+        judged.budget && judged.budget->rule == Rule::excess ? judged.excess : judged.residual.error,
+        series.eps);
+  return fmt::format("  error     {}{}\n  limit     {}\n", error_text(with_kappa),
+                     lost.empty() ? "" : "; " + lost, limit_text(series, output, judged.residual.band)) +
+         comparison_text(series, series.outputs[output], case_noted, input) + program;
+}
+
 std::string describe_failure(const Series& series, std::uint64_t seed, int output, int band, const Row& row,
                              const Robot& robot) {
   const Output& o = series.outputs.at(static_cast<std::size_t>(output));
-  const Band& b = series.bands()[static_cast<std::size_t>(band)];
-  const Budget& budget = series.budget(static_cast<std::size_t>(output), b.region);
   const CaseId id = series.id(seed, row.worst_index);
   const Shrunk s = shrink(series, id, output, 2000);
   const std::string flags =
@@ -20,33 +38,17 @@ std::string describe_failure(const Series& series, std::uint64_t seed, int outpu
   text += fmt::format("FAILED  {}: {}\n", series.property, series.law);
   text += fmt::format("  law       {}\n", series.equation);
   text += fmt::format("  subject   {} {} in {}\n", series.subject, series.subject_version, series.scalar);
-  text += fmt::format("  where     {}, block {}, band {}\n", o.operation, o.block, b.name);
-  text += fmt::format("  error     {:.4g} eps, budget {} {} ({}); {} of {} cases in the band fail\n",
-                      row.worst_score, budget.limit, budget.rule == Rule::forward ? "eps" : "eps kappa",
-                      budget.reason, row.failed, row.inside());
-  if (row.not_finite + row.wrong_branch + row.refused > 0)
-    text += fmt::format("  outcomes  {} NaN or Inf, {} wrong branch, {} refused\n", row.not_finite,
-                        row.wrong_branch, row.refused);
-  std::string calls;
-  for (const auto& [number, what] :
-       {std::pair{row.not_repeatable, "not repeatable"},
-        {row.argument_written, "wrote to an argument"},
-        {row.output_unwritten, "left output unwritten"},
-        {row.crashed, "crashed"},
-        {row.environment_changed, "changed the rounding mode or the treatment of subnormals"},
-        {row.printed, "wrote to standard output"}})
-    if (number > 0) calls += fmt::format("{}{} {}", calls.empty() ? "" : ", ", number, what);
-  if (!calls.empty()) text += "  calls     " + calls + "\n";
-  text += fmt::format("  worst     liecheck replay {}{}\n", id.text(), flags);
+  text += fmt::format("  where     {}, block {}, {}; {} of {} cases there fail\n", o.operation, o.block,
+                      series.bands()[static_cast<std::size_t>(band)].name, row.failed, row.inside());
+  if (const std::string outcomes = outcomes_of(row); !outcomes.empty())
+    text += fmt::format("  outcomes  {}\n", outcomes);
+  text += fmt::format("  found     liecheck replay {}{}\n", id.text(), flags);
   if (!s.reproduced)
     return text + fmt::format("  not repeatable: measured again, this case {}; so it is not shrunk\n",
                               s.judged.failed ? "gives other results" : "passes");
-  text += fmt::format("  shrunk    error {:.4g} eps, kappa {:.3g}{}{}\n", s.judged.residual.error,
-                      s.judged.residual.kappa, s.judged.residual.outcome == Outcome::measured ? "" : ", ",
-                      outcome_words[static_cast<int>(s.judged.residual.outcome)]);
-  text += fmt::format("    decimal     {}\n", fmt::join(s.decimal, ", "));
-  text += fmt::format("    hexadecimal {}\n", fmt::join(s.id.input, ", "));
+  text += input_text(series, s.id.input) + case_text(series, s.id, s.id.input, s.judged);
   text += fmt::format("  replay    liecheck replay {}{}\n", s.id.text(), flags);
+  if (!series.adapter.empty()) return text;  // with its own program
   const std::string program = program_of(series, o, s.id.input);
   if (!program.empty()) text += "  as C++:\n\n" + program;
   return text;

@@ -1,5 +1,6 @@
 #include <generators/tree_shrinks.hpp>
 #include <invariants/tree_law.hpp>
+#include <invariants/witness.hpp>
 #include <liecheck/urdf/urdf.hpp>
 #include <set>
 
@@ -331,6 +332,9 @@ void CaseAt<S, T>::record(Recorder& r, const Output& output, const std::vector<T
                           const std::vector<T>& exact_value, const std::vector<double>& w, double terms,
                           bool confirmed) const {
   if (!confirmed) return r.outcome(output, 0, Outcome::unresolved);
+  if constexpr (std::is_same_v<T, oracles::Real>)
+    if (Witness* w = Witness::current(); w && w->operation == output.operation && w->block == output.block)
+      w->computed = computed, w->exact = exact_value;
   const T size = oracles::larger(weighted_norm(exact_value, w), oracles::least_denominator<S, T>());
   double kappa = terms / approximate(size);
   const auto known = [&] { return kappa; };

@@ -6,6 +6,7 @@
 #include <set>
 #include <stdexcept>
 #include <store/merge.hpp>
+#include <store/sampling.hpp>
 
 namespace liecheck::properties {
 
@@ -43,24 +44,38 @@ bool measured(const std::map<Name, Measured>& all, const Name& n) {
   return at != all.end() && std::equal(n.begin(), n.begin() + 5, at->first.begin());
 }
 
-/// Whether an error grew by more than another order of operations or a rounding of the result could explain.
-bool grown(double from, double to) {
-  return to > from * 1.1 && to > from + 0.5;
+/// The bands of one block together: a change that is too small for the few cases of a band may show here.
+struct Pooled {
+  Measured worst;  ///< with the row of the worst band
+  Row row;
+};
+std::map<Name, Pooled> pooled(const std::map<Name, Measured>& cells) {
+  std::map<Name, Pooled> all;
+  for (const auto& [name, m] : cells) {
+    Name block = name;
+    block[5] = "all bands";
+    Pooled& p = all[block];
+    if (!p.worst.row || m.row->worst_score > p.worst.row->worst_score) p.worst = m;
+    p.row.merge(*m.row);
+  }
+  return all;
 }
 
-/// Whether the errors of `b` are larger than those of `a`, at the significance level 1e-9. One-sided
-/// two-sample Kolmogorov-Smirnov test: P(D > d) -> exp(-2 d^2 n m / (n + m)).
-bool shifted(const Histogram& a, const Histogram& b) {
-  const auto n = static_cast<double>(a.count()), m = static_cast<double>(b.count());
-  if (n == 0 || m == 0) return false;
-  double below_a = 0, below_b = 0, d = 0;
-  auto at = b.bins().begin();
-  for (const auto& [bin, count] : a.bins()) {
-    below_a += static_cast<double>(count) / n;
-    for (; at != b.bins().end() && at->first <= bin; ++at) below_b += static_cast<double>(at->second) / m;
-    d = std::max(d, below_a - below_b);
+/// Adds the blocks that are worse in all bands together, but in none of them alone.
+void add_pooled(std::vector<Change>& all, const StoredCampaign& b, const std::map<Name, Measured>& before,
+                const std::map<Name, Measured>& after) {
+  const auto was = pooled(before);
+  for (const auto& [name, is] : pooled(after)) {
+    const auto old = was.find(name);
+    if (old == was.end() ||
+        old->second.worst.series->tally.inputs.sum() == is.worst.series->tally.inputs.sum() ||
+        std::ranges::any_of(all, [&, &n = name](const Change& c) {
+          return std::equal(n.begin(), n.begin() + 5, c.name.begin());
+        }))
+      continue;
+    for (const std::string& what : worse_by_more_than_chance(old->second.row, is.row))
+      all.push_back({name, what, worst_case(b, is.worst)});
   }
-  return 2 * d * d * n * m / (n + m) > std::log(1e9);
 }
 
 }  // namespace
@@ -108,34 +123,29 @@ std::vector<Change> changes(const StoredCampaign& a, const StoredCampaign& b) {
     }
     const Row &was = *old.row, &is = *found->second.row;
     const bool same_inputs = old.series->tally.inputs.sum() == found->second.series->tally.inputs.sum();
+    if (!same_inputs) {  // these may be the reason for a difference
+      for (const std::string& what : worse_by_more_than_chance(was, is)) say(what);
+      continue;
+    }
     const auto grew = [&](const char* what, std::uint64_t from, std::uint64_t to) {
-      if (same_inputs ? to > from : (from == 0 && to > 0))
+      if (to > from)
         say(fmt::format("{} {} of {} cases, were {} of {}", what, to, is.count, from, was.count));
     };
     grew("failed", was.failed, is.failed);
-    if (same_inputs) grew("outside the domain", was.outside_domain, is.outside_domain);
-    if (same_inputs) {  // otherwise the inputs may be the reason for a difference
-      grew("unresolved", was.unresolved, is.unresolved);
-      grew("unmeasured", was.unmeasured, is.unmeasured);
-      grew("ill-posed", was.ill_posed, is.ill_posed);
-    }
-    if (same_inputs && is.count < was.count)
-      say(fmt::format("measured {} times, were {}", is.count, was.count));
-    if (same_inputs) {
-      // Under the excess rule only error / kappa is comparable.
-      const bool excess = was.max_excess > 0 || is.max_excess > 0;
-      const double from = excess ? was.max_excess : was.max_error, to = excess ? is.max_excess : is.max_error;
-      if (grown(from, to))
-        say(fmt::format("largest {} {:.4g} (case {}), was {:.4g} (case {})",
-                        excess ? "excess [eps kappa]" : "error [eps]", to, is.worst_index, from,
-                        was.worst_index));
-    } else if (shifted(was.errors, is.errors)) {
-      for (const double q : {0.5, 0.99})
-        if (const double from = was.errors.quantile(q), to = is.errors.quantile(q); grown(from, to))
-          say(fmt::format("{} error [eps] {:.4g}, was {:.4g}", q == 0.5 ? "median" : "99 % quantile of the",
-                          to, from));
-    }
+    grew("outside the domain", was.outside_domain, is.outside_domain);
+    grew("unresolved", was.unresolved, is.unresolved);
+    grew("unmeasured", was.unmeasured, is.unmeasured);
+    grew("ill-posed", was.ill_posed, is.ill_posed);
+    if (is.count < was.count) say(fmt::format("measured {} times, were {}", is.count, was.count));
+    // Under the excess rule only error / kappa is comparable.
+    const bool excess = was.max_excess > 0 || is.max_excess > 0;
+    const double from = excess ? was.max_excess : was.max_error, to = excess ? is.max_excess : is.max_error;
+    if (grown(from, to))
+      say(fmt::format("largest {} {:.4g} (case {}), was {:.4g} (case {})",
+                      excess ? "excess [eps kappa]" : "error [eps]", to, is.worst_index, from,
+                      was.worst_index));
   }
+  add_pooled(all, b, before, after);
   return all;
 }
 

@@ -35,9 +35,8 @@ struct Change {
 /// If the inputs are the same, every difference comes from the program. Then a new failing, unresolved,
 /// ill-posed or unmeasured case is worse, and so is a maximum that grew by more than 10 % and by more than
 /// 0.5 eps. (A smaller change may come from another order of operations or from the rounding of the result.)
-/// If the inputs differ, a maximum depends on the sample. Then failures are worse if there were none before.
-/// A median or 99 % quantile is worse if it grew by more than 10 % and 0.5 eps, and if chance alone would
-/// cause this only once in 1e9.
+/// If the inputs differ, a maximum depends on the sample, and so does a failure that occurs once. Then only what
+/// chance would cause less than once in 1e9 is worse (sampling.hpp), in one band or in all bands together.
 std::vector<Change> changes(const StoredCampaign& a, const StoredCampaign& b);
 /// A line for each change.
 std::vector<std::string> worse(const StoredCampaign& a, const StoredCampaign& b);

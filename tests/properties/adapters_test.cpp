@@ -167,7 +167,7 @@ TEST(Adapters, ACampaignNamesOtherConventionsBeforeItJudges) {
                     named =
                         "quaternions are stored w x y z in exp3_quaternion "
                         "and log3_quaternion: store them x y z w",
-                    unexplained = "no known convention explains log3_matrix: at R = (",
+                    unexplained = "no known convention explains log3_matrix: its phi[",
                     options =
                         " --property exp_oracle --property log_oracle --cases 100 --no-hard-cases --adapter ";
   const auto [checked, findings] = run("adapter check " + adapter);
@@ -236,7 +236,7 @@ TEST(Adapters, StatedConventionsAreConverted) {
       text += f.sentence.substr(0, 50) + "\n";
     return text;
   };
-  const std::string unexplained = "no known convention explains log3_matrix: at R = (\n";
+  const std::string unexplained = "no known convention explains log3_matrix: its phi[\n";
   EXPECT_EQ(sentences("{}"), "quaternions are stored w x y z in exp3_quaternion \n" + unexplained);
   EXPECT_EQ(sentences(R"({"quaternion": "wxyz", "twist": "linear first"})"), unexplained);
 }

@@ -222,9 +222,26 @@ TEST(Probe, ShowsAnOperationThatNothingExplains) {
   const std::vector<Finding> found = explain(answers<double>(l));
   ASSERT_EQ(found.size(), 3u) << findings(l);
   EXPECT_TRUE(found[0].named);
-  EXPECT_TRUE(found[1].sentence.starts_with("no known convention explains exp6: at xi = (")) << findings(l);
-  EXPECT_NE(found[2].sentence.find("its linear is (nan, nan, nan), and ("), std::string::npos) << findings(l);
+  EXPECT_TRUE(found[1].sentence.starts_with("no known convention explains exp6: its R[0,0] is "))
+      << findings(l);
+  EXPECT_NE(found[1].sentence.find("; 9 of 9 numbers of R are wrong\n  at xi = ("), std::string::npos);
+  EXPECT_NE(found[2].sentence.find("is nan, and "), std::string::npos) << findings(l);
+  EXPECT_NE(found[2].sentence.find("; 3 of 3 numbers of "), std::string::npos) << findings(l);
   EXPECT_FALSE(found[2].named);
+}
+
+TEST(Probe, SaysInTwoShortLinesWhatIsWrongOfALargeMatrix) {
+  Library l = only({"inertia_matrix", "left_jacobian6", "act_inertia"});
+  for (auto& [name, f] : l)
+    f = [f = f](const Numbers& x) {
+      Numbers r = f(x);
+      for (std::size_t i = 0; i < r.size(); ++i) r[i] = r[i] * r[i] + static_cast<double>(i % 7);
+      return r;
+    };
+  for (const Finding& found : explain(answers<double>(l))) {
+    EXPECT_EQ(std::ranges::count(found.sentence, '\n'), 1) << found.sentence;
+    EXPECT_LT(found.sentence.size(), 260u) << found.sentence;
+  }
 }
 
 }  // namespace

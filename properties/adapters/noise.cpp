@@ -1,0 +1,56 @@
+#include <adapters/noise.hpp>
+
+#include <fmt/format.h>
+#include <cstdio>
+#include <map>
+#include <mutex>
+#include <sstream>
+#include <support/text.hpp>
+
+namespace liecheck::properties::adapters {
+namespace {
+
+constexpr int most_lines = 20;
+
+std::mutex mutex;
+std::map<std::string, int> failures;  ///< by "subject: operation: how"
+int lines = 0;
+
+void say(const std::string& line) {
+  std::fputs((line + "\n").c_str(), stderr);
+}
+
+std::string last_line(const std::string& text) {
+  const auto end = text.find_last_not_of("\n ");
+  if (end == text.npos) return "";
+  const auto start = text.rfind('\n', end);
+  return text.substr(start == text.npos ? 0 : start + 1, end - (start == text.npos ? 0 : start + 1) + 1);
+}
+
+}  // namespace
+
+void say_failed(const std::string& subject, std::string_view operation, const std::string& how,
+                const std::string& errors) {
+  const std::lock_guard lock(mutex);
+  const std::string kind = fmt::format("{}: {}: {}", subject, operation, how);
+  if (++failures[kind] > 1) return;
+  const std::string last = printable(last_line(errors));
+  say(last.empty() ? kind : fmt::format("{}; its last words: {}", kind, last.substr(0, 200)));
+}
+
+void pass_on(const std::string& errors) {
+  const std::lock_guard lock(mutex);
+  std::istringstream text(errors);
+  for (std::string line; std::getline(text, line);)
+    if (++lines <= most_lines) say(line);
+}
+
+void say_counts() {
+  const std::lock_guard lock(mutex);
+  for (const auto& [kind, count] : failures)
+    if (count > 1) say(fmt::format("{}: {} times", kind, count));
+  if (lines > most_lines) say(fmt::format("and {} more lines of adapters", lines - most_lines));
+  failures.clear(), lines = 0;
+}
+
+}  // namespace liecheck::properties::adapters

@@ -1,0 +1,66 @@
+// The failures of a campaign on the terminal: a table, worst first, and then the worst one in full.
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <app/campaign_run.hpp>
+#include <failures/blocks.hpp>
+#include <failures/description.hpp>
+#include <set>
+#include <support/terminal.hpp>
+
+namespace liecheck::properties {
+
+namespace {
+
+constexpr std::size_t shown = 25;
+
+/// A line of the table, and a guess at the cause below it.
+struct Line {
+  std::string what, where, how, seen, guess;
+};
+
+Line line_of(const FailedBlock& f, bool one_subject) {
+  return {fmt::format("{} {}", f.operation, f.block), where_of(f), what_of(f),
+          fmt::format("{} of {} cases{}", f.failed, f.cases,
+                      one_subject ? "" : fmt::format(" of {} in {}", f.subject, f.scalar)),
+          guess_of(f)};
+}
+
+void print_table(const std::vector<FailedBlock>& failed, std::size_t lines) {
+  std::set<std::pair<std::string, std::string>> subjects;
+  for (const FailedBlock& f : failed) subjects.insert({f.subject, f.scalar});
+  std::vector<Line> all{{"failed, worst first", "where", "what", "seen in", ""}};
+  for (std::size_t i = 0; i < lines; ++i) all.push_back(line_of(failed[i], subjects.size() == 1));
+  std::size_t what = 0, where = 0, how = 0;
+  for (const Line& l : all)
+    what = std::max(what, l.what.size()), where = std::max(where, l.where.size()),
+    how = std::max(how, l.how.size());
+  for (const Line& l : all) {
+    const std::string happened = fmt::format("{:<{}}", l.how, how);
+    fmt::print("{:<{}}  {:<{}}  {}  {}\n", l.what, what, l.where, where,
+               &l == &all.front() ? happened : coloured(Colour::red, happened), l.seen);
+    if (!l.guess.empty()) fmt::print("    perhaps {}\n", l.guess);
+  }
+}
+
+void print_in_full(const CampaignResult& r, const FailedBlock& f) {
+  const BandOf& w = *f.worst;
+  fmt::print("\n{}", describe_failure(*w.series, r.options.seed, static_cast<int>(w.output),
+                                      static_cast<int>(w.band), *w.row, r.robot));
+  if (const std::string guess = guess_of(f); !guess.empty()) fmt::print("  perhaps   {}\n", guess);
+}
+
+}  // namespace
+
+void print_failures(const CampaignResult& r, bool all) {
+  const auto failed = failed_blocks(r);
+  if (failed.empty()) return;
+  const std::size_t lines = all ? failed.size() : std::min(failed.size(), shown);
+  fmt::print("\n");
+  print_table(failed, lines);
+  if (lines < failed.size()) fmt::print("{} more lines: --all prints them\n", failed.size() - lines);
+  for (std::size_t i = 0; i < (all ? failed.size() : 1); ++i) print_in_full(r, failed[i]);
+  if (!all && failed.size() > 1) fmt::print("\nThis is the worst one; --all prints each in full\n");
+}
+
+}  // namespace liecheck::properties

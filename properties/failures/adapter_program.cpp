@@ -1,0 +1,72 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <adapters/adapter.hpp>
+#include <adapters/subjects.hpp>
+#include <campaign/typed_series.hpp>
+#include <conventions/stated.hpp>
+#include <failures/program.hpp>
+#include <failures/result.hpp>
+#include <span>
+
+namespace liecheck::properties {
+
+namespace {
+
+/// The argument's numbers in decimals that read back as the same numbers, and in hexadecimal.
+struct Argument {
+  std::string name, decimal, hexadecimal;
+};
+
+template <class S>
+std::vector<Argument> arguments_in(const NotedCall& call, const adapters::Description& d) {
+  std::vector<S> numbers;
+  for (const float128& x : call.arguments) numbers.push_back(static_cast<S>(x));
+  if (!d.conventions.empty()) {  // as the adapter receives them
+    std::vector<S> own(numbers.size());
+    conventions::encode(conventions::rearranged(*call.operation, d.conventions).arguments, numbers.data(),
+                        own.data());
+    numbers = own;
+  }
+  std::vector<Argument> all;
+  std::span<const S> left(numbers);
+  for (const Layout* l : call.operation->arguments) {
+    std::vector<std::string> decimal, hexadecimal;
+    for (const S& x : left.first(conventions::size_of(*l)))
+      decimal.push_back(decimal_float(x)), hexadecimal.push_back(hexadecimal_float(x));
+    left = left.subspan(conventions::size_of(*l));
+    all.push_back({std::string(l->name), fmt::format("{}", fmt::join(decimal, ", ")),
+                   fmt::format("{}", fmt::join(hexadecimal, ", "))});
+  }
+  return all;
+}
+
+/// The template with the numbers of each argument in the place of its name in braces.
+std::string filled(std::string text, const std::vector<Argument>& arguments) {
+  for (const Argument& a : arguments) {
+    const std::string place = "{" + a.name + "}";
+    for (auto at = text.find(place); at != text.npos; at = text.find(place, at + a.decimal.size()))
+      text.replace(at, place.size(), a.decimal);
+  }
+  return text.ends_with('\n') ? text : text + "\n";
+}
+
+}  // namespace
+
+std::string adapter_program(const Series& series, const Output& output, const NotedCase& noted) try {
+  const adapters::Description* const d = adapters::description_of(series.adapter);
+  const NotedCall* const call = worst_call(output, noted);
+  if (!d || !call) return "";
+  const auto arguments =
+      with_scalar(series, [&]<class S>(const TypedSeries<S>&) { return arguments_in<S>(*call, *d); });
+  if (const auto source = d->source.find(std::string(call->operation->name)); source != d->source.end())
+    return fmt::format("  as {}'s own program:\n\n{}\n", series.subject, filled(source->second, arguments));
+  std::string text =
+      fmt::format("  as the adapter is called: {} in {}\n", call->operation->name, series.scalar);
+  for (const Argument& a : arguments)
+    text += fmt::format("    {:<10}{}\n    {:<10}{}\n", a.name, a.decimal, "", a.hexadecimal);
+  return text;
+} catch (const std::logic_error&) {  // an argument whose size the model of a robot determines
+  return "";
+}
+
+}  // namespace liecheck::properties

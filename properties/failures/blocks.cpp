@@ -1,0 +1,146 @@
+#include <failures/blocks.hpp>
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <campaign/expected.hpp>
+#include <cmath>
+#include <failures/result.hpp>
+#include <map>
+#include <tuple>
+
+namespace liecheck::properties {
+
+namespace {
+
+/// The outcomes of a row without an error in eps, worst first.
+std::vector<std::pair<std::uint64_t, const char*>> outcomes(const Row& r) {
+  std::vector<std::pair<std::uint64_t, const char*>> all{
+      {r.crashed, "crashed"},
+      {r.not_finite, "NaN or Inf"},
+      {r.wrong_branch, "wrong branch"},
+      {r.refused, "refused"},
+      {r.not_repeatable, "not repeatable"},
+      {r.argument_written, "wrote to an argument"},
+      {r.output_unwritten, "left output unwritten"},
+      {r.environment_changed, "changed the rounding mode or the treatment of subnormals"},
+      {r.printed, "wrote to standard output"}};
+  std::erase_if(all, [](const auto& o) { return o.first == 0; });
+  return all;
+}
+
+double score_of(const BandOf& b) {
+  const Budget& budget = b.series->budget(b.output, b.series->bands()[b.band].region);
+  return budget.rule == Rule::forward ? b.row->max_error : b.row->max_excess;
+}
+
+/// Larger is worse: the kind of outcome, then the error.
+std::pair<int, double> badness(const BandOf& b) {
+  const Row& r = *b.row;
+  const int kind = r.crashed ? 5 : r.not_finite ? 4 : r.wrong_branch ? 3 : outcomes(r).empty() ? 0 : 2;
+  return {kind, score_of(b)};
+}
+
+/// A power of ten as 1e-7, any other number with three digits.
+std::string short_number(double x) {
+  const int e = static_cast<int>(std::lround(std::log10(x)));
+  if (x < 1e-100) return fmt::format("1e{}", static_cast<int>(std::floor(std::log10(x))));
+  return std::fabs(std::log10(x) - e) < 0.2 && e != 0 ? fmt::format("1e{}", e) : fmt::format("{:.3g}", x);
+}
+
+/// The edge of a band below it (`low`) or above it, in words.
+std::string edge(const Band& b, bool low) {
+  if (b.axis == Axis::theta) return low ? b.low > 0 ? short_number(b.low) : "0" : short_number(b.high);
+  if (b.axis == Axis::pi_minus_theta) {
+    const double from_pi = low ? b.high : b.low;
+    return from_pi > 0 ? "pi - " + short_number(from_pi) : "pi";
+  }
+  if (b.region == Region::to_pi) return low ? "1" : "pi - 1";
+  return low                         ? b.low < 4    ? "pi"
+                                       : b.low < 10 ? "near 2 pi k"
+                                                    : "100"
+         : b.high > 0 && b.high < 10 ? "2 pi"
+                                     : "huge";
+}
+
+/// The bands first..last, which follow each other, in words.
+std::string run_text(const Bands& bands, std::size_t first, std::size_t last) {
+  const Band &a = bands[first], &b = bands[last];
+  if (first == last && a.axis == Axis::theta && a.high == 0) return "theta = 0";
+  if (first == last && a.region == Region::beyond_pi) return a.name;
+  if (first == last && a.axis == Axis::pi_minus_theta && a.low == 0) return "theta = pi";
+  if (a.axis == Axis::theta && a.low == 0 && b.axis == Axis::theta) return "theta < " + edge(b, false);
+  if (a.axis == Axis::pi_minus_theta && b.axis == Axis::pi_minus_theta)
+    return b.low == 0 ? "pi - theta < " + short_number(a.high)
+                      : fmt::format("pi - theta {} to {}", short_number(b.low), short_number(a.high));
+  return fmt::format("theta {} to {}", edge(a, true), edge(b, false));
+}
+
+}  // namespace
+
+std::string outcomes_of(const Row& row) {
+  std::string text;
+  for (const auto& [number, what] : outcomes(row))
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", number, what);
+  return text;
+}
+
+std::string worst_outcome(const Row& row) {
+  const auto all = outcomes(row);
+  return all.empty() ? "" : all.front().second;
+}
+
+std::vector<FailedBlock> failed_blocks(const CampaignResult& campaign) {
+  std::map<std::tuple<std::string, std::string, std::string, std::string>, FailedBlock> all;
+  for (const auto& [series, tally] : campaign.series)
+    for (const auto& [cell, row] : tally.rows) {
+      if (row.inside() == 0) continue;
+      const auto output = static_cast<std::size_t>(cell.first), band = static_cast<std::size_t>(cell.second);
+      const Output& o = series->outputs.at(output);
+      FailedBlock& f = all[{series->subject, series->scalar, std::string(o.operation), std::string(o.block)}];
+      f.bands.push_back({series.get(), output, band, &row, fails(*series, cell, row)});
+    }
+  std::vector<FailedBlock> failed;
+  for (auto& [key, f] : all) {
+    std::tie(f.subject, f.scalar, f.operation, f.block) = key;
+    std::ranges::stable_sort(f.bands, {}, &BandOf::band);
+    f.worst = nullptr;
+    for (const BandOf& b : f.bands) {
+      if (!b.fails) continue;
+      if (!f.worst || badness(b) > badness(*f.worst)) f.worst = &b;
+      f.score = std::max(f.score, score_of(b));
+      f.failed += b.row->failed, f.cases += b.row->inside();
+    }
+    if (f.worst) failed.push_back(std::move(f));
+  }
+  std::ranges::stable_sort(failed, std::greater(), [](const FailedBlock& f) { return badness(*f.worst); });
+  return failed;
+}
+
+std::string what_of(const FailedBlock& f) {
+  if (std::string outcome = worst_outcome(*f.worst->row); !outcome.empty()) return outcome;
+  const std::string lost = digits_lost(f.score, f.worst->series->eps);
+  return lost.empty() ? fmt::format("{:.3g} eps", f.score) : lost;
+}
+
+std::string where_of(const FailedBlock& f) {
+  const Bands& bands = f.worst->series->bands();
+  std::map<std::size_t, bool> fails;  // by band: fails in one of the laws
+  for (const BandOf& b : f.bands)
+    if (b.band > 0) fails[b.band] = fails[b.band] || b.fails;
+  const auto count = std::ranges::count_if(fails, [](const auto& b) { return b.second; });
+  if (count == 0 || count == std::ssize(fails)) return "everywhere";
+  std::vector<std::string> runs;
+  for (auto at = fails.begin(); at != fails.end(); ++at) {
+    if (!at->second) continue;
+    const std::size_t first = at->first;
+    std::size_t last = first;
+    for (; at != fails.end() && at->second; ++at) last = at->first;
+    runs.push_back(run_text(bands, first, last));
+    if (at == fails.end()) break;
+  }
+  if (runs.size() <= 3) return fmt::format("{}", fmt::join(runs, ", "));
+  return fmt::format("{} of {} bands, worst in {}", count, fails.size(),
+                     run_text(bands, f.worst->band, f.worst->band));
+}
+
+}  // namespace liecheck::properties

@@ -1,0 +1,47 @@
+#pragma once
+// The failures of a campaign by operation and block: where, how bad, how often, and what the cause may be.
+
+#include <campaign/campaign.hpp>
+
+namespace liecheck::properties {
+
+/// One output of one law in one band.
+struct BandOf {
+  const Series* series;
+  std::size_t output, band;
+  const Row* row;
+  bool fails;  ///< beyond what a limits file expects
+};
+
+/// One block of one operation of a subject in a scalar, of all laws that measure it.
+struct FailedBlock {
+  std::string subject, scalar, operation, block;
+  std::vector<BandOf> bands;  ///< those with cases, in the order of the angle
+  const BandOf* worst;        ///< the failing one with the worst outcome or the largest error
+  double score = 0;           ///< the largest error or excess of a failing band [eps]; 0 if none has an error
+  std::uint64_t failed = 0, cases = 0;  ///< of the failing bands
+  FailedBlock() = default;
+  FailedBlock(const FailedBlock&) = delete;  // `worst` points into `bands`
+  FailedBlock(FailedBlock&&) = default;
+  FailedBlock& operator=(FailedBlock&&) = default;
+};
+
+/// Those that fail, worst first: without a result, NaN or Inf, a wrong branch, other outcomes, then by the error.
+std::vector<FailedBlock> failed_blocks(const CampaignResult& campaign);
+
+/// How many cases of a row had which outcome without an error in eps, worst first; "" if none had.
+std::string outcomes_of(const Row& row);
+
+/// The worst outcome of a row without an error in eps; "" if there is none.
+std::string worst_outcome(const Row& row);
+
+/// What happened: "NaN or Inf" or "7.4 of 15.7 digits lost".
+std::string what_of(const FailedBlock& failed);
+
+/// Where: "theta 1e-9 to 1e-7, pi - theta < 1e-6", or "everywhere".
+std::string where_of(const FailedBlock& failed);
+
+/// One sentence on the cause if the error over the bands, or the results at moderate angles, tell it; or "".
+std::string guess_of(const FailedBlock& failed);
+
+}  // namespace liecheck::properties

@@ -1,0 +1,140 @@
+#include <failures/calls.hpp>
+
+#include <adapters/shapes.hpp>
+#include <algorithm>
+#include <campaign/typed_series.hpp>
+#include <conventions/reference.hpp>
+#include <invariants/witness.hpp>
+#include <subjects/wrapped.hpp>
+
+namespace liecheck::properties {
+
+namespace {
+
+/// Appends the numbers of a value: matrices row by row.
+template <class T>
+void append_numbers(std::vector<float128>& to, const T& value) {
+  if constexpr (std::is_base_of_v<Eigen::MatrixBase<T>, T>) {
+    for (Eigen::Index i = 0; i < value.rows(); ++i)
+      for (Eigen::Index j = 0; j < value.cols(); ++j) to.emplace_back(value(i, j));
+  } else if constexpr (requires { value.I_C; }) {
+    append_numbers(to, value.mass), append_numbers(to, value.c), append_numbers(to, value.I_C);
+  } else if constexpr (requires { value.R; }) {
+    append_numbers(to, value.R), append_numbers(to, value.p);
+  } else if constexpr (requires { value.second; }) {
+    append_numbers(to, value.first), append_numbers(to, value.second);
+  } else if constexpr (!std::is_enum_v<T>) {
+    to.emplace_back(value);
+  }
+}
+
+/// The hook of a subject whose calls are noted.
+struct Noting {
+  std::shared_ptr<std::vector<NotedCall>> calls = std::make_shared<std::vector<NotedCall>>();
+
+  template <class F, class... A>
+  auto operator()(const Operation& operation, const F& function, const A&... arguments) const {
+    NotedCall call{&operation, {}, {}, ""};
+    (append_numbers(call.arguments, arguments), ...);
+    try {
+      auto result = function(arguments...);
+      append_numbers(call.result, result);
+      calls->push_back(std::move(call));
+      return result;
+    } catch (const std::exception& e) {
+      call.thrown = e.what();
+      calls->push_back(std::move(call));
+      throw;
+    }
+  }
+};
+
+/// Whether a call concerns an output: it is of its operation, or of one that it is formed from.
+template <class S>
+bool concerns(const Property<S>& law, const Output& output, const NotedCall& call) {
+  if (call.operation == output.record) return true;
+  for (const Formed& f : law.statement().formed)
+    if (f.quantity == output.record && std::ranges::find(f.from, call.operation) != f.from.end()) return true;
+  return false;
+}
+
+template <class S>
+NotedCase noted_in(const TypedSeries<S>& series, const CaseId& id, std::size_t output) {
+  const Output& of = series.outputs.at(output);
+  const std::vector<S> x = series.parsed(id);
+  const Subject<S>& tested = series.tested_subject();
+  const Noting noting;
+  const Wrapped<S, Noting> wrapped(tested.operations, noting);
+  const Subject<S> subject{tested.name, tested.version, wrapped.operations()};
+  const typename Wrapped<S, Noting>::Active active(wrapped);
+  // Judged by error / kappa, so that kappa is known under the forward rule, too.
+  static const Budget ratio{"", "", "any", Rule::excess, std::numeric_limits<double>::infinity(), ""};
+  Limits limits = series.limits();
+  for (OutputLimits& l : limits) l.budgets = {&ratio, &ratio};
+  Judge judge(limits, series.bands(), series.eps, 0, true);
+  Witness witness{of.operation, of.block, {}, {}};
+  Witness* const before = std::exchange(Witness::current(), &witness);
+  try {
+    series.tested_law().measure(subject, x, judge);
+  } catch (const std::exception&) {  // noted with its call
+  }
+  Witness::current() = before;
+  NotedCase all;
+  for (NotedCall& call : *noting.calls)
+    if (concerns(series.tested_law(), of, call)) all.calls.push_back(std::move(call));
+  all.compared = {std::move(witness.computed), std::move(witness.exact)};
+  for (const Judged& j : judge.judged)
+    if (j.residual.output == output) all.kappa = std::max(all.kappa, j.residual.kappa);
+  return all;
+}
+
+template <class S, class R, class... A>
+std::vector<double> called(R (*f)(A...), const std::vector<double>& arguments) {
+  std::vector<S> in(arguments.begin(), arguments.end()), out(adapters::Shape<R>::size);
+  const S* at = in.data();
+  const auto next = [&]<class T>(const T*) {
+    const S* const here = std::exchange(at, at + adapters::Shape<T>::size);
+    return adapters::Shape<T>::get(here);
+  };
+  // The braces of a tuple evaluate the arguments in their order.
+  const std::tuple<std::remove_cvref_t<A>...> all{next(static_cast<std::remove_cvref_t<A>*>(nullptr))...};
+  adapters::Shape<R>::put(std::apply(f, all), out.data());
+  std::vector<double> result;
+  for (const S& x : out) result.push_back(static_cast<double>(x));
+  return result;
+}
+
+}  // namespace
+
+NotedCase noted(const Series& series, const CaseId& id, std::size_t output) {
+  CaseId raw = id;
+  if (!id.raw) raw.raw = true, raw.input = series.input(id);
+  return with_scalar(series, [&](const auto& s) { return noted_in(s, raw, output); });
+}
+
+std::vector<oracles::Real> expected_of(const NotedCall& call) try {
+  if (call.arguments.empty() || !call.operation->results.size()) return {};
+  std::vector<oracles::Real> x;
+  for (const float128& number : call.arguments) x.push_back(oracles::exact<oracles::Real>(number));
+  return conventions::exact_result(*call.operation, x);
+} catch (const std::exception&) {  // it is not in the oracle's list, or the oracle cannot decide
+  return {};
+}
+
+std::vector<double> result_of(const Series& series, const Operation& operation,
+                              const std::vector<double>& arguments) {
+  return with_scalar(series, [&]<class S>(const TypedSeries<S>& s) {
+    std::vector<double> result;
+    const Operations<S>& o = s.tested_subject().operations;
+    SpatialSlots<S>::for_each([&](const auto& one) {
+      if (static_cast<const Operation*>(&one) != &operation || !o[one]) return;
+      try {
+        result = called<S>(o[one], arguments);
+      } catch (const std::exception&) {  // refused
+      }
+    });
+    return result;
+  });
+}
+
+}  // namespace liecheck::properties

@@ -1,0 +1,39 @@
+#pragma once
+// The calls of the subject in one case: what was given, and what was returned.
+
+#include <campaign/series.hpp>
+#include <oracles/real.hpp>
+#include <string>
+#include <vector>
+
+namespace liecheck::properties {
+
+/// One call. The numbers are consecutive, as docs/adapters.md orders them.
+struct NotedCall {
+  const Operation* operation;
+  std::vector<float128> arguments, result;
+  std::string thrown;  ///< the message of what the call threw, or ""
+};
+
+/// What a law compared for one output, where it is no result of a call that `expected_of` knows: exact numbers.
+struct NotedComparison {
+  std::vector<oracles::Real> computed, exact;
+};
+
+struct NotedCase {
+  std::vector<NotedCall> calls;  ///< of operations from which the output is formed, or of its own
+  NotedComparison compared;      ///< of the output; empty for a law on fixed-size values
+  double kappa = 0;              ///< of the output, also under the forward rule; 0 if the law gives none
+};
+
+/// Measures a case once more and notes its calls that concern an output.
+NotedCase noted(const Series& series, const CaseId& id, std::size_t output);
+
+/// The result of a call from the oracle at 50 digits; empty if there is none, as for an algorithm on a tree.
+std::vector<oracles::Real> expected_of(const NotedCall& call);
+
+/// The result of one operation at given arguments, in each scalar of the subject; empty if it throws.
+std::vector<double> result_of(const Series& series, const Operation& operation,
+                              const std::vector<double>& arguments);
+
+}  // namespace liecheck::properties

@@ -1,0 +1,187 @@
+// A guess at the cause of a failure. Errors of formulas have shapes over the angle theta: what cancels as theta goes to 0
+// grows as a power of 1 / theta and ends where the code changes its formula; a series with a wrong term has an
+// error that grows with theta up to its end. A result that is wrong everywhere may be right in another convention. Where
+// no shape fits, there is no guess.
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+#include <conventions/probe.hpp>
+#include <failures/blocks.hpp>
+#include <failures/calls.hpp>
+#include <map>
+
+namespace liecheck::properties {
+
+namespace {
+
+/// The errors in one band: x = log10 of its middle (theta, or pi - theta), y = log10 of error / limit, at least 0.
+struct Point {
+  double x, y, low, high;
+};
+
+constexpr double jump = 1.5;  ///< a factor of 30 between adjacent bands is no property of a smooth formula
+constexpr std::uint64_t least_cases = 3;
+
+/// The bands of one axis, ascending. The lowest ones, in which theta^2 underflows, say nothing of a formula.
+std::vector<Point> points(const FailedBlock& f, Axis axis) {
+  std::map<std::size_t, Point> by_band;
+  for (const BandOf& b : f.bands) {
+    const Band& band = b.series->bands()[b.band];
+    if (band.axis != axis || band.low <= 1e-100 || b.row->errors.count() < least_cases) continue;
+    const Budget& budget = b.series->budget(b.output, band.region);
+    const double error = budget.rule == Rule::forward ? b.row->max_error : b.row->max_excess;
+    const double y = std::max(0.0, std::log10(error / std::max(budget.limit, 1.0)));
+    const auto at = by_band.try_emplace(
+        b.band, Point{std::log10(std::sqrt(band.low * band.high)), 0, band.low, band.high});
+    at.first->second.y = std::max(at.first->second.y, y);
+  }
+  std::vector<Point> all;
+  for (const auto& [band, p] : by_band) all.push_back(p);
+  std::ranges::sort(all, {}, &Point::x);
+  return all;
+}
+
+/// The slope of y over x where the error neither is within its limit nor has lost all digits; 0 in fewer than three
+/// bands.
+double slope(const std::vector<Point>& p, double eps) {
+  const double most = -std::log10(eps) - 1.5;
+  double n = 0, x = 0, y = 0, xx = 0, xy = 0;
+  for (const Point& q : p)
+    if (q.y > 0.5 && q.y < most) ++n, x += q.x, y += q.y, xx += q.x * q.x, xy += q.x * q.y;
+  return n < 3 ? 0 : (n * xy - x * y) / (n * xx - x * x);
+}
+
+std::string about(double theta) {
+  const int e = static_cast<int>(std::lround(std::log10(theta)));
+  return fmt::format("1e{}", e);
+}
+
+bool is_rotation_vector(const FailedBlock& f) {
+  return f.block == "rotation vector";
+}
+
+/// What the errors at small angles tell.
+std::string at_small_angles(const FailedBlock& f, double eps) {
+  const std::vector<Point> p = points(f, Axis::theta);
+  if (p.size() < 5) return "";
+  const auto peak = static_cast<std::size_t>(std::ranges::max_element(p, {}, &Point::y) - p.begin());
+  if (p[peak].y < 1) return "";
+  const auto at = [&](std::size_t i) { return i < p.size() ? p[i].y : 0; };
+  const auto falls = [&](std::size_t i) { return at(i) < p[peak].y - jump; };
+  const bool ends_below = peak > 0 && falls(peak - 1), fails_above = at(peak + 1) > 0.5;
+  if (ends_below && fails_above)
+    return fmt::format(
+        "a cutoff at theta about {}: above it the closed form cancels, the more the smaller theta is",
+        about(p[peak].low));
+  if (peak >= 2 && at(peak - 1) > 0.3 && at(peak - 2) <= at(peak - 1) && falls(peak + 1) && falls(peak - 2))
+    return fmt::format("a cutoff at theta about {}: the series below it lacks a term, or has a wrong one",
+                       about(p[peak].high));
+  if (peak >= 3 && falls(peak - 3) && falls(peak + 3))
+    return fmt::format("a cutoff at theta about {}, towards which the errors of both formulas grow",
+                       about(at(peak + 1) > at(peak - 1) ? p[peak].high : p[peak].low));
+  const double power = slope(p, eps);
+  if (power > -0.5 || p.front().y < p[peak].y - jump) return "";
+  if (is_rotation_vector(f) && power < -1.5 && power > -2.5)
+    return "acos near 1, which keeps half of the digits: the error grows as 1 / theta^2; atan2 of both parts "
+           "does not";
+  return fmt::format(
+      "a missing series: the formula cancels as theta goes to 0, and the error grows as 1 / theta{}",
+      std::lround(-power) > 1 ? fmt::format("^{}", std::lround(-power)) : "");
+}
+
+/// What the errors near pi tell.
+std::string near_pi(const FailedBlock& f, double eps) {
+  const std::vector<Point> p = points(f, Axis::pi_minus_theta);
+  if (p.size() < 4) return "";
+  const double power = slope(p, eps);
+  if (p.front().y > jump && power < -0.5 && power > -2.5)
+    return fmt::format(
+        "sin near pi: something is divided by sin(theta), or theta comes from acos: the error grows as "
+        "1 / (pi - theta){}",
+        std::lround(-power) > 1 ? "^2" : "");
+  return "";
+}
+
+/// What NaN and infinite results tell.
+std::string of_not_finite(const FailedBlock& f) {
+  double largest = -1;
+  bool zero = false, beyond = false, near_pi = false, other = false;
+  for (const BandOf& b : f.bands) {
+    if (b.row->not_finite == 0) continue;
+    const Band& band = b.series->bands()[b.band];
+    if (band.axis == Axis::theta)
+      largest = std::max(largest, band.high), zero = zero || band.high == 0;
+    else if (band.axis == Axis::pi_minus_theta && band.high < 1)
+      near_pi = true;
+    else if (band.region == Region::beyond_pi)
+      beyond = true;
+    else
+      other = true;
+  }
+  if (is_rotation_vector(f) && !other && !beyond && near_pi && largest > 1e-100)
+    return "acos of a number beyond 1 or -1";
+  if (other || near_pi || (largest < 0 && !beyond)) return "";
+  if (largest < 0) return "theta^2 or a power of it overflows";
+  if (beyond) return "";
+  if (largest == 0) return "0/0 at theta = 0";
+  if (is_rotation_vector(f) && largest > 1e-100) return "acos of a number above 1, or 0/0 at small theta";
+  return zero ? fmt::format("0/0 for theta < {}", about(largest))
+              : "theta^2 underflows to 0, and then something is divided by it";
+}
+
+/// The cases at moderate angles: those on another branch, those that fail by a thousandth or more, and all.
+struct Moderate {
+  std::uint64_t other_branch = 0, wrong = 0, all = 0;
+};
+Moderate at_moderate_angles(const FailedBlock& f, double eps) {
+  Moderate m;
+  for (const BandOf& b : f.bands) {
+    const Band& band = b.series->bands()[b.band];
+    const bool moderate = (band.axis == Axis::theta && band.high == 1) ||
+                          (band.axis == Axis::none && band.region == Region::to_pi);
+    if (!moderate) continue;
+    m.all += b.row->inside(), m.other_branch += b.row->wrong_branch, m.wrong += b.row->not_finite;
+    for (const auto& [bin, count] : b.row->errors.bins())
+      if (std::exp2(bin / 32.0) > 1e-3 / eps) m.wrong += count;
+  }
+  return m;
+}
+
+/// The convention in which the results at moderate arguments would be right, or "".
+std::string convention(const FailedBlock& f) {
+  const Series& series = *f.worst->series;
+  const Operation& operation = *series.outputs.at(f.worst->output).record;
+  conventions::Probed probed{&operation, {}};
+  try {
+    for (const conventions::Numbers& x : conventions::probe_arguments<double>(operation))
+      if (auto result = result_of(series, operation, x); !result.empty())
+        probed.answers.push_back({x, result});
+    if (probed.answers.empty()) return "";
+    const auto findings = conventions::explain({probed});
+    if (findings.empty() || !findings.front().named) return "";
+    const std::string& sentence = findings.front().sentence;
+    std::string text = sentence.substr(0, sentence.find(" in " + std::string(operation.name)));
+    if (const auto note = text.find(" (these operations do not tell which)"); note != text.npos)
+      text.erase(note);
+    return text;
+  } catch (const std::exception&) {  // not an operation on fixed-size values
+    return "";
+  }
+}
+
+}  // namespace
+
+std::string guess_of(const FailedBlock& f) {
+  if (f.block == "jump") return "";  // measured only beside common cutoffs
+  const double eps = f.worst->series->eps;
+  const Moderate m = at_moderate_angles(f, eps);
+  if (m.other_branch * 5 > m.all && is_rotation_vector(f))
+    return "the sign of w is not looked at: Q and -Q, the same rotation, give different results";
+  if (m.wrong * 10 > m.all) return m.wrong * 3 > m.all ? convention(f) : "";
+  for (const std::string& guess : {of_not_finite(f), at_small_angles(f, eps), near_pi(f, eps)})
+    if (!guess.empty()) return guess;
+  return "";
+}
+
+}  // namespace liecheck::properties

@@ -1,0 +1,246 @@
+#include <failures/result.hpp>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <algorithm>
+#include <campaign/typed_series.hpp>
+#include <conventions/values.hpp>
+#include <oracles/number.hpp>
+#include <span>
+#include <support/text.hpp>
+
+namespace liecheck::properties {
+
+namespace {
+
+using oracles::Real;
+
+constexpr std::size_t most_numbers = 4;  ///< of a result that are printed
+constexpr std::size_t most_inputs =
+    40;  ///< a case of a tree has hundreds of numbers: the replay line has them
+
+/// A number that was returned, and the exact one.
+struct Pair {
+  std::string name;
+  float128 got;
+  Real exact;
+  double apart = 0;  ///< relative to the norm of its part; infinite if the number is not finite
+};
+
+/// The numbers from..to of a result, a part of it. Q and -Q are one rotation, and at pi phi and -phi are, too.
+void add_part(std::vector<Pair>& to, std::span<const float128> got, std::span<const Real> exact,
+              const std::function<std::string(std::size_t)>& name, bool either_sign) {
+  Real size(0), along(0);
+  bool finite = true;
+  for (std::size_t i = 0; i < got.size(); ++i) {
+    finite = finite && isfinite(got[i]);
+    size += exact[i] * exact[i];
+    if (finite) along += exact[i] * oracles::exact<Real>(got[i]);
+  }
+  size = sqrt(size);
+  const bool opposite = either_sign && finite && along < 0;
+  for (std::size_t i = 0; i < got.size(); ++i) {
+    Pair p{name(i), got[i], opposite ? Real(-exact[i]) : exact[i]};
+    p.apart =
+        isfinite(got[i])
+            ? static_cast<double>(Real(abs(oracles::exact<Real>(got[i]) - p.exact) / (size > 0 ? size : 1)))
+            : std::numeric_limits<double>::infinity();
+    to.push_back(p);
+  }
+}
+
+/// Whether a block concerns a part of a result: it has its unit. The coupling block of a 6 x 6 Jacobian is its upper
+/// right quarter.
+bool concerns(const Output& output, const Layout& layout, const Part& part) {
+  const auto with_unit = [&](std::string_view unit) {
+    return std::ranges::any_of(layout.parts, [&](const Part& p) { return p.unit == unit; });
+  };
+  const std::string_view unit = output.definition->unit;
+  if (with_unit(unit)) return part.unit == unit;
+  return !with_unit("1") || part.unit == "1";
+}
+
+std::vector<Pair> pairs_of(const Output& output, const NotedCall& call, const std::vector<Real>& exact) {
+  const Layout& layout = *call.operation->results[0];
+  std::vector<Pair> all;
+  std::size_t from = 0;
+  for (const Part& part : layout.parts) {
+    const auto size = static_cast<std::size_t>(part.size);
+    const auto got = std::span(call.result).subspan(from, size);
+    const auto right = std::span(exact).subspan(from, size);
+    from += size;
+    if (call.operation == output.record && !concerns(output, layout, part)) continue;
+    Real square(0);
+    for (const Real& x : right) square += x * x;
+    const bool turned = part.unit == "rad" && size == 3 && square > Real(9.8696);
+    add_part(
+        all, got, right, [&](std::size_t i) { return conventions::number_name(part, i); },
+        size == 4 || turned);
+  }
+  if (call.operation == output.record && output.block == "coupling")
+    std::erase_if(all, [i = std::size_t(0)](const Pair&) mutable {
+      const std::size_t at = i++;
+      return at / 6 >= 3 || at % 6 < 3;
+    });
+  return all;
+}
+
+template <class S>
+std::string lines_of(std::vector<Pair> all) {
+  const std::size_t count = all.size();
+  const auto nearest = [](const Pair& p) { return static_cast<S>(p.exact); };
+  std::erase_if(all, [&](const Pair& p) { return static_cast<S>(p.got) == nearest(p); });
+  const std::size_t apart = all.size();
+  if (apart == 0) return fmt::format("    the exact result, rounded\n");
+  std::ranges::stable_sort(all, std::greater(), &Pair::apart);
+  all.resize(std::min(apart, most_numbers));
+  constexpr int digits = sizeof(S) == 16 ? 36 : 17;
+  const auto decimal = [&](const Pair& p) -> std::string {
+    if (isfinite(p.got)) return oracles::exact<Real>(p.got).str(digits);
+    return isnan(p.got) ? "NaN" : p.got > 0 ? "inf" : "-inf";
+  };
+  std::size_t width = 0;
+  for (const Pair& p : all) width = std::max({width, decimal(p).size(), p.exact.str(digits).size()});
+  std::string text;
+  for (const Pair& p : all) {
+    text += isfinite(p.got) ? fmt::format("    {:<12}got       {:<{}}  {}\n", p.name, decimal(p), width,
+                                          hexadecimal_float<S>(static_cast<S>(p.got)))
+                            : fmt::format("    {:<12}got       {}\n", p.name, decimal(p));
+    text += fmt::format("    {:<12}expected  {:<{}}  {}\n", "", p.exact.str(digits), width,
+                        hexadecimal_float<S>(nearest(p)));
+  }
+  if (apart > all.size())
+    text += fmt::format("    {} of {} numbers differ; these differ most\n", apart, count);
+  else if (count > apart)
+    text += fmt::format(
+        "    {} agree{} to the last bit\n",
+        count - apart == 1 ? "the other number" : fmt::format("the other {} numbers", count - apart),
+        count - apart == 1 ? "s" : "");
+  return text;
+}
+
+std::string numbers_text(const Series& series, const std::vector<float128>& numbers) {
+  return with_scalar(series, [&]<class S>(const TypedSeries<S>&) {
+    std::vector<std::string> text;
+    for (const float128& x : numbers) text.push_back(decimal_float<S>(static_cast<S>(x)));
+    return fmt::format("{}", fmt::join(text, ", "));
+  });
+}
+
+/// "exp6(xi)", with the arguments' numbers if they are not those of the input.
+std::string call_text(const Series& series, const NotedCall& call, const std::vector<float128>& input) {
+  std::vector<std::string_view> names;
+  for (const Layout* l : call.operation->arguments) names.push_back(l->name);
+  std::string text = fmt::format("  call      {}({})", call.operation->name, fmt::join(names, ", "));
+  const bool known = std::ranges::search(input, call.arguments).begin() != input.end();
+  if (!known && call.arguments.size() <= most_inputs)
+    text += fmt::format("\n            = ({})", numbers_text(series, call.arguments));
+  return text + "\n";
+}
+
+/// The calls to show: at most two, those whose results are farthest from the oracle's.
+std::vector<const NotedCall*> shown(const Output& output, const NotedCase& noted) {
+  std::vector<std::pair<double, const NotedCall*>> all;
+  for (const NotedCall& call : noted.calls) {
+    double apart = call.thrown.empty() ? 0 : std::numeric_limits<double>::infinity();
+    const std::vector<Real> exact = expected_of(call);
+    if (exact.size() == call.result.size())
+      for (const Pair& p : pairs_of(output, call, exact)) apart = std::max(apart, p.apart);
+    all.emplace_back(apart, &call);
+  }
+  std::ranges::stable_sort(all, std::greater(), [](const auto& c) { return c.first; });
+  all.resize(std::min<std::size_t>(all.size(), 2));
+  std::vector<const NotedCall*> calls;
+  for (const auto& [apart, call] : all) calls.push_back(call);
+  std::ranges::sort(calls);  // in the order of the calls
+  return calls;
+}
+
+}  // namespace
+
+const NotedCall* worst_call(const Output& output, const NotedCase& noted) {
+  const auto calls = shown(output, noted);
+  for (const NotedCall* call : calls)
+    if (call->operation == output.record) return call;
+  return calls.empty() ? nullptr : calls.back();
+}
+
+std::string digits_lost(double score, double eps) {
+  const double all = -std::log10(eps), lost = std::log10(score);
+  if (!(lost >= std::log10(2.0))) return "";
+  return lost >= all ? fmt::format("all {:.1f} digits lost", all)
+                     : fmt::format("{:.1f} of {:.1f} digits lost", lost, all);
+}
+
+std::string error_text(const Judged& j) {
+  const Residual& r = j.residual;
+  if (r.outcome != Outcome::measured) return outcome_words[static_cast<int>(r.outcome)];
+  return fmt::format("{:.4g} eps{}", r.error, r.kappa > 0 ? fmt::format(", kappa {:.3g}", r.kappa) : "");
+}
+
+std::string limit_text(const Series& series, std::size_t output, std::size_t band) {
+  const Region region = series.bands()[band].region;
+  const Budget& b = series.budget(output, region);
+  const bool own =
+      series.own && std::ranges::any_of(series.own->lines, [&](const Budget& line) {
+        return replaces(line, b, region == Region::to_pi ? "to_pi" : "beyond_pi") && line.limit == b.limit;
+      });
+  const std::string whose = own ? "promised by " + printable(series.own->file)
+                            : series.profile != Profile::ours
+                                ? fmt::format("profile {}", name_of(series.profile))
+                            : b.subject.empty() ? "liecheck's budget"
+                                                : fmt::format("{}'s line of liecheck's budgets", b.subject);
+  return fmt::format("{:g} {}, {}{}", b.limit, b.rule == Rule::forward ? "eps" : "eps kappa", whose,
+                     b.reason.empty() || b.reason == whose ? "" : ": " + b.reason);
+}
+
+std::string input_text(const Series& series, const std::vector<std::string>& hexadecimal) {
+  if (hexadecimal.size() > most_inputs)
+    return fmt::format("  input     {} numbers, in the replay line\n", hexadecimal.size());
+  std::string text;
+  std::size_t from = 0;
+  for (const Field& f : series.fields) {
+    std::vector<std::string> decimals;
+    for (int i = 0; i < f.size && from < hexadecimal.size(); ++i)
+      decimals.push_back(with_scalar(series, [&]<class S>(const TypedSeries<S>&) {
+        return decimal_float(parse_float<S>(hexadecimal[from++]));
+      }));
+    text += fmt::format("  {:<10}{} = {}{}\n", text.empty() ? "input" : "", f.name, fmt::join(decimals, ", "),
+                        f.unit.empty() || f.unit == "1" ? "" : fmt::format("  [{}]", f.unit));
+  }
+  return text;
+}
+
+std::string comparison_text(const Series& series, const Output& output, const NotedCase& noted,
+                            const std::vector<std::string>& input) {
+  return with_scalar(series, [&]<class S>(const TypedSeries<S>&) {
+    std::vector<float128> given;
+    for (const std::string& x : input) given.emplace_back(parse_float<S>(x));
+    std::string text;
+    for (const NotedCall* call : shown(output, noted)) {
+      if (noted.compared.exact.empty() || !call->thrown.empty()) text += call_text(series, *call, given);
+      if (!call->thrown.empty()) {
+        text += fmt::format("    threw     {}\n", printable(call->thrown));
+        continue;
+      }
+      const std::vector<Real> exact = expected_of(*call);
+      if (!exact.empty() && exact.size() == call->result.size())
+        text += lines_of<S>(pairs_of(output, *call, exact));
+      else if (noted.compared.exact.empty())
+        text += call->result.size() <= most_inputs
+                    ? fmt::format("    got       {}\n", numbers_text(series, call->result))
+                    : fmt::format("    got       {} numbers\n", call->result.size());
+    }
+    if (noted.compared.exact.empty()) return text;
+    std::vector<float128> computed;
+    for (const Real& x : noted.compared.computed) computed.emplace_back(static_cast<float128>(x));
+    const Layout& layout = *output.record->results[0];
+    std::vector<Pair> all;
+    add_part(
+        all, computed, noted.compared.exact,
+        [&](std::size_t i) { return fmt::format("{}[{}]", layout.parts[0].name, i); }, false);
+    return text + fmt::format("  result    {} of {}\n", layout.name, output.operation) + lines_of<S>(all);
+  });
+}
+
+}  // namespace liecheck::properties

@@ -1,0 +1,29 @@
+#pragma once
+// What a failure says of one result: input, error, limit, what was returned and what is right.
+
+#include <campaign/series.hpp>
+#include <failures/calls.hpp>
+
+namespace liecheck::properties {
+
+/// "7.4 of 15.7 digits lost" for an error or excess in eps; "" below 2 eps.
+std::string digits_lost(double score, double eps);
+
+/// "2.25e+07 eps, kappa 1" or, for a measurement without an error, its outcome: "NaN or Inf".
+std::string error_text(const Judged& judged);
+
+/// "3.9 eps kappa, liecheck's budget (reason)": the limit of an output in a band and whose it is.
+std::string limit_text(const Series& series, std::size_t output, std::size_t band);
+
+/// Lines with the numbers of an input, by field, in decimals that read back as the same numbers.
+std::string input_text(const Series& series, const std::vector<std::string>& hexadecimal);
+
+/// The call whose result is farthest from the oracle's, preferably of the output's own operation; null if none.
+const NotedCall* worst_call(const Output& output, const NotedCase& noted);
+
+/// Lines with what the subject returned and what the oracle says, of the numbers that differ most: in decimal with 17
+/// digits, and the nearest number of the scalar in hexadecimal.
+std::string comparison_text(const Series& series, const Output& output, const NotedCase& noted,
+                            const std::vector<std::string>& input);
+
+}  // namespace liecheck::properties

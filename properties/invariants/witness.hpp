@@ -1,0 +1,21 @@
+#pragma once
+// What a law on trees compares, for the description of a failure: campaigns do not note it.
+
+#include <oracles/real.hpp>
+#include <string_view>
+#include <vector>
+
+namespace liecheck::properties {
+
+struct Witness {
+  std::string_view operation, block;  ///< of the output to note
+  std::vector<oracles::Real> computed, exact;
+
+  /// The one of this thread, or null.
+  static Witness*& current() {
+    thread_local Witness* witness = nullptr;
+    return witness;
+  }
+};
+
+}  // namespace liecheck::properties

@@ -1,0 +1,225 @@
+// What the terminal says of a failure, and in how many words.
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdio>
+#include <fstream>
+#include <string>
+#include <utility>
+
+namespace {
+
+/// Runs a shell line in which $L is the program. Returns its exit code and what it printed, also on standard error.
+std::pair<int, std::string> shell(const std::string& line) {
+  FILE* const out = popen(("export L=" LIECHECK_PROGRAM "; { " + line + "; } 2>&1 </dev/null").c_str(), "r");
+  std::string text;
+  for (int c = fgetc(out); c != EOF; c = fgetc(out)) text += static_cast<char>(c);
+  return {WEXITSTATUS(pclose(out)), text};
+}
+std::pair<int, std::string> run(const std::string& arguments) {
+  return shell("$L " + arguments);
+}
+#define EXPECT_SAYS(text, words) EXPECT_NE((text).find(words), std::string::npos) << text
+
+TEST(Terminal, TheVerdictOfACampaignIncludesItsHardCases) {
+  const std::string one = "campaign --subject textbook --property exp_oracle --scalar double --cases 1 -j 1";
+  const auto [code, text] = run(one);
+  EXPECT_EQ(code, 1);
+  EXPECT_SAYS(text, "\nverdict fail: hard cases failed");
+  EXPECT_EQ(text.find("verdict pass"), std::string::npos) << text;
+  const auto [without, said] = run(one + " --no-hard-cases");
+  EXPECT_EQ(without, 0);
+  EXPECT_SAYS(said, "\nverdict pass\n");
+}
+
+TEST(Terminal, AHuntOfWhatTheSubjectDoesNotOfferEndsAtOnce) {
+  const auto [code, text] = run("hunt --subject ceres --op exp6");
+  EXPECT_EQ(code, 2);
+  EXPECT_SAYS(text, "liecheck: --op: ceres does not offer 'exp6' in double; it is measured on: ");
+  const auto [unknown, said] = run("hunt --subject ceres --op exp7");
+  EXPECT_EQ(unknown, 2);
+  EXPECT_SAYS(said, "--op: unknown operation 'exp7' in double");
+}
+
+TEST(Terminal, ASubjectThatIsNotBuiltSaysHowToGetIt) {
+  const auto [listed, subjects] = run("list");
+  for (const std::string name : {"pinocchio", "sophus", "manif", "smooth"}) {
+    if (subjects.find("\n  " + name + " ") != std::string::npos) continue;
+    const auto [code, text] = run("hunt --subject " + name + " --op exp6");
+    EXPECT_EQ(code, 2);
+    EXPECT_SAYS(text, "'" + name + "' is absent from this build: configure with -D");
+  }
+}
+
+TEST(Terminal, AReaderThatHasSeenEnoughIsNoError) {
+  const auto [code, text] =
+      shell("bash -c 'for i in 1 2 3; do $L list; done | head -1; exit ${PIPESTATUS[1]}'");
+  EXPECT_EQ(code, 0);
+  EXPECT_EQ(text, "subjects\n");
+}
+
+/// What a campaign of 1000 cases prints of a subject in double.
+std::string campaign(const std::string& subject, const std::string& more = "") {
+  return run("campaign --scalar double --cases 1000 -j 1 --no-hard-cases --subject " + subject + " " + more)
+      .second;
+}
+
+TEST(Terminal, AFailureShowsWhatWasReturnedAndWhatIsRight) {
+  const std::string id = "replay raw.exp_oracle.textbook.double.none.1,0,0,0,1e-8,0";
+  for (const std::string& text : {run(id).second, campaign("textbook", "--property exp_oracle --all")}) {
+    EXPECT_SAYS(text, "\n  law       exp(rho, phi) = sum_k [[phi], rho; 0, 0]^k / k!\n");
+    EXPECT_SAYS(text, "  limit     3.9 eps, liecheck's budget: three terms");
+    EXPECT_SAYS(text, "\n  input     rho = 1, 0, 0  [m]\n            phi = 0, 1e-08, 0  [rad]\n");
+    EXPECT_SAYS(text, ", kappa 1; 7.4 of 15.7 digits lost\n");
+    EXPECT_SAYS(text, "\n  call      exp6(xi)\n");
+    EXPECT_SAYS(text, "    p[2]        got       0                        0x0p+0\n");
+    EXPECT_SAYS(text, "                expected  -5.0000000000000001e-09  -0x1.5798ee2308c3ap-28\n");
+  }
+  EXPECT_SAYS(campaign("textbook", "--property exp_oracle --profile careful"),
+              "  limit     64 eps, profile careful");
+}
+
+TEST(Terminal, AnOutcomeWithoutAnErrorIsNamedAndHasNoEps) {
+  for (const std::string subject : {"bug:exp_nan_at_zero", "bug:log_no_sign"}) {
+    const std::string text = campaign(subject, "--property exp_oracle --property log_oracle --all");
+    EXPECT_SAYS(text, "verdict fail");
+    for (const char* wrong : {"error     0 eps", "inf eps", "inf x", "infx", "kappa 0"})
+      EXPECT_EQ(text.find(wrong), std::string::npos) << wrong << "\n" << text;
+    EXPECT_SAYS(text, subject == "bug:log_no_sign" ? "error     wrong branch" : "error     NaN or Inf");
+  }
+  const std::string nan = run("replay raw.exp_oracle.bug:exp_nan_at_zero.double.none.1,0,0,0,0,0").second;
+  EXPECT_SAYS(nan, "    p[0]        got       NaN\n");
+  const auto line = nan.find("NaN or Inf"), end = nan.find("FAIL\n", line);
+  ASSERT_NE(end, nan.npos) << nan;
+  EXPECT_EQ(nan.substr(line, end - line).find("eps"), nan.npos) << nan;
+}
+
+TEST(Terminal, ATreeShowsWhatWasReturnedAndWhatIsRight) {
+  const std::string text =
+      run("campaign --scalar double --cases 50 -j 1 --no-hard-cases --subject bug:tree_gravity_sign").second;
+  EXPECT_SAYS(text, "  result    tau of ");
+  EXPECT_SAYS(text, "    tau[");
+  EXPECT_SAYS(text, "expected  ");
+}
+
+TEST(Terminal, FailuresAreInATableWorstFirst) {
+  const std::string text = campaign("textbook", "--property exp_oracle --property log_oracle");
+  const auto table = text.find("failed, worst first");
+  const auto at = [&](const std::string& words) { return text.find(words, table); };
+  ASSERT_NE(table, text.npos) << text;
+  EXPECT_LT(at("log6 linear "), at("exp6 translation ")) << text;
+  EXPECT_LT(at("exp6 translation "), at("exp3_quaternion rotation ")) << text;
+  EXPECT_SAYS(text, "theta 1e-8 to 1e-1");
+  EXPECT_SAYS(text, "pi - theta < 1");
+  EXPECT_SAYS(text, "7.3 of 15.7 digits lost");
+  EXPECT_SAYS(text, " of 91 cases\n");
+  EXPECT_EQ(text.find("FAILED", text.find("FAILED") + 1), text.npos) << text;  // only the worst one in full
+  EXPECT_SAYS(text, "--all prints each in full");
+  const std::string all = campaign("textbook", "--property exp_oracle --property log_oracle --all");
+  EXPECT_NE(all.find("FAILED", all.find("FAILED") + 1), all.npos);
+  const std::string nan = campaign("bug:log_acos_w");
+  EXPECT_SAYS(nan, "NaN or Inf");
+}
+
+TEST(Terminal, TheShapeOfTheErrorTellsTheCause) {
+  const std::pair<const char*, const char*> all[] = {
+      {"textbook", "perhaps a cutoff at theta about 1e-8: above it the closed form cancels"},
+      {"bug:exp_series_sign", "perhaps a cutoff at theta about 1e-2: the series below it lacks a term"},
+      {"bug:log6_series_coefficient",
+       "perhaps a cutoff at theta about 1e-3: the series below it lacks a term"},
+      {"bug:exp6_shared_cutoff", "perhaps a cutoff at theta about 1e-4, towards which"},
+      {"bug:jacobian6_cancelling", "perhaps a cutoff at theta about 1e-5: above it the closed form cancels"},
+      {"bug:difference_naive", "perhaps a missing series: the formula cancels as theta goes to 0"},
+      {"bug:log_acos_w", "perhaps acos of a number above 1"},
+      {"bug:log_no_sign", "perhaps the sign of w is not looked at"},
+      {"bug:log_transposed", "log is that of the inverse"},
+      {"bug:rotate_conjugate", "quaternions are those of the inverse rotations"},
+      {"bug:jacobian_left_for_right", "the right Jacobian is the left one"},
+      {"bug:d_integrate_transposed", "perhaps matrices are stored column by column"},
+      {"bug:d_difference_left", "perhaps the derivatives are those of increments on the left"}};
+  for (const auto& [subject, guess] : all) EXPECT_SAYS(campaign(subject), guess) << subject;
+  EXPECT_SAYS(campaign("textbook", "--property log_oracle"), "perhaps sin near pi");
+  // A correct variant with an error of a few eps tells nothing.
+  for (const char* subject : {"ceres", "eigen"})
+    EXPECT_EQ(campaign(subject, "--property exp_oracle").find("perhaps"), std::string::npos) << subject;
+}
+
+TEST(Terminal, ColoursAreForATerminalThatWantsThem) {
+  const std::string line =
+      "$L campaign --subject textbook --property exp_oracle --cases 9 -j 1 --no-hard-cases";
+  EXPECT_EQ(shell(line).second.find('\033'), std::string::npos);
+  const auto on_terminal = [&](const std::string& environment) {
+    return shell("export TERM=xterm " + environment + "; script -qec \"" + line + "\" /dev/null").second;
+  };
+  if (on_terminal("").find("verdict") == std::string::npos) GTEST_SKIP() << "no script(1)";
+  EXPECT_SAYS(on_terminal(""), "\033[3");
+  EXPECT_EQ(on_terminal("NO_COLOR=1").find("\033[3"), std::string::npos);
+}
+
+/// A Python adapter of exp3_quaternion, which is 1e-3 too long, crashes or prints.
+std::string adapter(const std::string& statement, const std::string& members = "{}") {
+  const std::string file = testing::TempDir() + "terminal_adapter.py";
+  std::ofstream(file) << R"(import json, math, os, struct, sys
+calls, answers = sys.stdin.buffer, sys.stdout.buffer
+calls.readline()
+hello = {"protocol": 1, "name": "mylib", "version": "1", "operations": {"exp3_quaternion": ["double"]}}
+hello.update()" << members
+                      << R"()
+answers.write(json.dumps(hello).encode() + b"\n")
+answers.flush()
+for call in iter(calls.readline, b""):
+    n, results = int(call.split()[3]), b""
+    for _ in range(n):
+        phi = struct.unpack("<3d", calls.read(24))
+        t = math.sqrt(sum(x * x for x in phi))
+        s = math.sin(t / 2) / t if t > 0 else 0.5
+        Q = [1.001 * s * x for x in phi] + [math.cos(t / 2)]
+        )" << statement
+                      << R"(
+        results += struct.pack("<4d", *Q)
+    answers.write(f"done {n}\n".encode() + bytes(n) + results)
+    answers.flush()
+)";
+  return "'/usr/bin/python3 " + file + "'";
+}
+const std::string of_adapter =
+    "campaign --property exp_oracle --cases 200 -j 1 --no-hard-cases --no-probe --adapter ";
+
+TEST(Terminal, AFailureOfAnAdapterIsAProgramInItsOwnTerms) {
+  const std::string plain = run(of_adapter + adapter("pass")).second;
+  EXPECT_SAYS(plain, "  as the adapter is called: exp3_quaternion in double\n    phi       ");
+  EXPECT_EQ(plain.find("#include <liecheck"), std::string::npos) << plain;
+  const std::string source = R"~({"source": {"exp3_quaternion": "print(mylib.exp([{phi}]))"}})~";
+  const std::string own = run(of_adapter + adapter("pass", source)).second;
+  EXPECT_SAYS(own, "  as mylib's own program:\n\nprint(mylib.exp([");
+  EXPECT_EQ(own.find("{phi}"), std::string::npos) << own;
+  EXPECT_SAYS(run("adapter check " + adapter("pass", R"({"source": {"exp3_quaternion": 3}})")).second,
+              "has no text as source of exp3_quaternion");
+}
+
+TEST(Terminal, ASharedLibraryMayHaveItsOwnProgram) {
+  const std::string text = run("campaign --property exp_oracle --scalar double -j 1 --no-hard-cases "
+                               "--profile ours --adapter " LIECHECK_C_ADAPTER)
+                               .second;
+  EXPECT_SAYS(text, "  as rotations_c's own program:\n\ndouble phi[] = {");
+  EXPECT_SAYS(text, "}, Q[4];\nexp3_quaternion(1, phi, Q, NULL);\n");
+}
+
+TEST(Terminal, AnAdapterThatCrashesOftenSaysSoInFewLines) {
+  const std::string text = run(of_adapter + adapter("raise ValueError('no luck')")).second;
+  const auto first =
+      text.find("mylib: exp3_quaternion: the adapter ended with exit code 1; its last words: ");
+  ASSERT_NE(first, text.npos) << text;
+  EXPECT_SAYS(text, "ValueError: no luck\n");
+  EXPECT_EQ(text.find("Traceback"), text.npos) << text;
+  EXPECT_SAYS(text, "mylib: exp3_quaternion: the adapter ended with exit code 1: ");
+  EXPECT_SAYS(text, " times\n");
+  EXPECT_EQ(text.find("its last words", first + 100), text.npos) << text;
+  const std::string chatty = run(of_adapter + adapter("print('hm', file=sys.stderr)")).second;
+  std::size_t lines = 0;
+  for (auto at = chatty.find("hm\n"); at != chatty.npos; at = chatty.find("hm\n", at + 1)) ++lines;
+  EXPECT_EQ(lines, 20u) << chatty;
+}
+
+}  // namespace
