@@ -1,11 +1,12 @@
 # liecheck_add_subject(NAME SOURCES file... [LINK target...] [LIMITS file] [PROFILE ours|careful|half] [CASES n]
-#                      [SEED n])
+#                      [SEED n] [RULES version])
 #
 # Builds an adapter (docs/adapters.md) from the sources, and adds a ctest test for each law, with the label NAME. A law
 # whose operations the adapter does not offer is skipped. The seed is fixed, so that a test that passed passes again.
-# One more test, NAME.today, runs all laws with the date as its seed.
+# One more test, NAME.today, runs all laws with the date as its seed. With RULES, a later liecheck judges by the same laws,
+# inputs, limits and hard cases (docs/ci.md).
 function(liecheck_add_subject NAME)
-  cmake_parse_arguments(PARSE_ARGV 1 a "" "LIMITS;PROFILE;CASES;SEED" "SOURCES;LINK")
+  cmake_parse_arguments(PARSE_ARGV 1 a "" "LIMITS;PROFILE;CASES;SEED;RULES" "SOURCES;LINK")
   if(NOT a_SOURCES OR a_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "liecheck_add_subject(${NAME}): SOURCES is missing, or ${a_UNPARSED_ARGUMENTS} is unknown")
   endif()
@@ -28,7 +29,12 @@ function(liecheck_add_subject NAME)
     get_filename_component(a_LIMITS ${a_LIMITS} ABSOLUTE)
     list(APPEND campaign --limits ${a_LIMITS})
   endif()
-  execute_process(COMMAND ${LIECHECK_PROGRAM} list --laws OUTPUT_VARIABLE laws COMMAND_ERROR_IS_FATAL ANY)
+  set(rules "")
+  if(a_RULES)
+    set(rules --rules ${a_RULES})
+    list(APPEND campaign ${rules})
+  endif()
+  execute_process(COMMAND ${LIECHECK_PROGRAM} list --laws ${rules} OUTPUT_VARIABLE laws COMMAND_ERROR_IS_FATAL ANY)
   string(STRIP "${laws}" laws)
   string(REPLACE "\n" ";" laws "${laws}")
   foreach(law ${laws})

@@ -13,6 +13,8 @@
 #include <string>
 #include <utility>
 
+struct liecheck_adapter;  // liecheck_adapter.h
+
 namespace liecheck::properties::adapters {
 
 /// The adapter crashed, did not answer in time, or broke the protocol. The message says which, in words.
@@ -73,6 +75,9 @@ std::unique_ptr<Adapter> start_process(const std::string& command, double timeou
 
 /// Loads a shared library into this process. Throws AdapterFailed.
 std::unique_ptr<Adapter> load_library(const std::string& file);
+
+/// An adapter that is linked into this program. Throws AdapterFailed.
+std::unique_ptr<Adapter> linked_library(const liecheck_adapter& adapter);
 
 /// Loads a shared library into a process of its own, which takes calls from memory that both share. Throws
 /// AdapterFailed.

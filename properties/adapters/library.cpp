@@ -35,13 +35,9 @@ conventions::Statements stated(std::string_view text) {
 
 class Library final : public Adapter {
  public:
-  explicit Library(const std::string& file) {
-    void* const module = dlopen(file.find('/') == std::string::npos ? ("./" + file).c_str() : file.c_str(),
-                                RTLD_NOW | RTLD_LOCAL);
-    if (!module) throw AdapterFailed(fmt::format("the adapter {} cannot be loaded: {}", file, dlerror()));
-    const auto entry = reinterpret_cast<const liecheck_adapter* (*)()>(dlsym(module, "liecheck_get_adapter"));
-    if (!entry) throw AdapterFailed(fmt::format("{} has no function liecheck_get_adapter()", file));
-    adapter_ = entry();
+  using Source = const char* (*)(const char*);
+  /// `source` is its liecheck_get_source, or null.
+  Library(const liecheck_adapter* its, Source source, const std::string& file) : adapter_(its) {
     if (!adapter_) throw AdapterFailed(fmt::format("liecheck_get_adapter() of {} returned NULL", file));
     if (adapter_->interface_version != LIECHECK_ADAPTER_VERSION)
       throw AdapterFailed(fmt::format("{} has version {} of the interface, and this program version {}", file,
@@ -50,7 +46,6 @@ class Library final : public Adapter {
       throw AdapterFailed(fmt::format("liecheck_get_adapter() of {} has no name, version or find", file));
     description_.name = adapter_->name, description_.version = adapter_->version;
     if (adapter_->conventions) description_.conventions = stated(adapter_->conventions);
-    const auto source = reinterpret_cast<const char* (*)(const char*)>(dlsym(module, "liecheck_get_source"));
     for (const OperationSizes& o : operation_sizes()) {
       auto& of = functions_.emplace_back();
       for (const bool is_double : {false, true}) {
@@ -61,6 +56,15 @@ class Library final : public Adapter {
       if (const char* const text = source ? source(std::string(o.operation).c_str()) : nullptr)
         description_.source.emplace(o.operation, text);
     }
+  }
+  static std::unique_ptr<Library> loaded(const std::string& file) {
+    void* const module = dlopen(file.find('/') == std::string::npos ? ("./" + file).c_str() : file.c_str(),
+                                RTLD_NOW | RTLD_LOCAL);
+    if (!module) throw AdapterFailed(fmt::format("the adapter {} cannot be loaded: {}", file, dlerror()));
+    const auto entry = reinterpret_cast<const liecheck_adapter* (*)()>(dlsym(module, "liecheck_get_adapter"));
+    if (!entry) throw AdapterFailed(fmt::format("{} has no function liecheck_get_adapter()", file));
+    return std::make_unique<Library>(entry(), reinterpret_cast<Source>(dlsym(module, "liecheck_get_source")),
+                                     file);
   }
   const Description& description() const override { return description_; }
   std::string call(const Batch& b) override {
@@ -138,7 +142,10 @@ class Library final : public Adapter {
 }  // namespace
 
 std::unique_ptr<Adapter> load_library(const std::string& file) {
-  return std::make_unique<Library>(file);
+  return Library::loaded(file);
+}
+std::unique_ptr<Adapter> linked_library(const liecheck_adapter& adapter) {
+  return std::make_unique<Library>(&adapter, nullptr, "the linked adapter");
 }
 
 }  // namespace liecheck::properties::adapters

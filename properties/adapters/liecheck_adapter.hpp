@@ -116,9 +116,9 @@ requires(Computes<F, float, I, R> || Computes<F, double, I, R>) constexpr bool o
                              : liecheck::adapter::function_in<F, double, sizes.inputs, sizes.results>();   \
   }
 
-/// Defines the adapter of a library: the struct, then the operations that it offers.
-#define LIECHECK_ADAPTER(Subject, ...)                                                     \
-  extern "C" const liecheck_adapter* liecheck_get_adapter() {                              \
+/// Describes a library to liecheck: the struct, in its own namespace, then the operations that it offers.
+#define LIECHECK_SUBJECT(Subject, ...)                                                     \
+  inline const liecheck_adapter& liecheck_subject(const Subject*) {                        \
     static constexpr auto find = [](const char* operation_name, const char* scalar_name) { \
       const std::string_view operation = operation_name, scalar = scalar_name;             \
       LIECHECK_EACH(LIECHECK_FIND, Subject, __VA_ARGS__)                                   \
@@ -127,8 +127,15 @@ requires(Computes<F, float, I, R> || Computes<F, double, I, R>) constexpr bool o
     static const liecheck_adapter adapter = {                                              \
         LIECHECK_ADAPTER_VERSION,  Subject::name, Subject::version, 0, find,               \
         liecheck::adapter::reason, nullptr};                                               \
-    return &adapter;                                                                       \
-  }                                                                                        \
-  extern "C" const char* liecheck_get_source(const char* operation) {                      \
-    return liecheck::adapter::source_of<Subject>(operation);                               \
+    return adapter;                                                                        \
+  }
+
+/// The same, and exports it, once in a shared library.
+#define LIECHECK_ADAPTER(Subject, ...)                                \
+  LIECHECK_SUBJECT(Subject, __VA_ARGS__)                              \
+  extern "C" const liecheck_adapter* liecheck_get_adapter() {         \
+    return &liecheck_subject(static_cast<const Subject*>(nullptr));   \
+  }                                                                   \
+  extern "C" const char* liecheck_get_source(const char* operation) { \
+    return liecheck::adapter::source_of<Subject>(operation);          \
   }

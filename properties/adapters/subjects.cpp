@@ -1,5 +1,6 @@
 #include <adapters/subjects.hpp>
 
+#include <adapters/liecheck_adapter.h>
 #include <fmt/format.h>
 #include <adapters/adapter.hpp>
 #include <adapters/converted.hpp>
@@ -11,6 +12,7 @@
 #include <cctype>
 #include <cstring>
 #include <filesystem>
+#include <functional>
 #include <invariants/property.hpp>
 #include <limits>
 #include <memory>
@@ -142,35 +144,15 @@ std::vector<OperationSizes> all_sizes(const Slots<S, all...>& slots) {
   return {sizes_in<S>(all, slots[all])...};
 }
 
-}  // namespace
-
-const std::vector<OperationSizes>& operation_sizes() {
-  static const std::vector<OperationSizes> all = all_sizes(SpatialSlots<double>());
-  return all;
-}
-
-std::unique_ptr<Adapter> start(const std::string& text) {
-  const bool library =
-      text.ends_with(".so") && (std::filesystem::exists(text) || text.find(' ') == text.npos);
-  std::unique_ptr<Adapter> own = text.starts_with(inside) ? load_library(text.substr(inside.size()))
-                                 : library                ? start_library(text, timeout_s)
-                                                          : start_process(text, timeout_s);
+std::unique_ptr<Adapter> converted(std::unique_ptr<Adapter> own) {
   const conventions::Statements stated = own->description().conventions;
   if (stated.empty()) return own;
   return std::make_unique<Converted>(std::move(own), stated);
 }
 
-const OperationSizes* sizes_of(std::string_view operation) {
-  const auto& all = operation_sizes();
-  const auto found = std::ranges::find(all, operation, &OperationSizes::operation);
-  return found == all.end() ? nullptr : &*found;
-}
-
-bool is_operation(std::string_view name) {
-  return sizes_of(name) || model_operation(name);
-}
-
-std::string register_adapter(const std::string& text) {
+/// Registers the subject of an adapter. Every thread uses it or, if it is not `in_process`, starts it once more.
+std::string register_as(const std::string& text, bool in_process,
+                        const std::function<std::shared_ptr<Adapter>()>& start_first) {
   const auto free = std::ranges::find_if(sources, [](const auto& s) { return !s; });
   const auto refuse = [&](const std::string& why) {
     throw std::invalid_argument(fmt::format("--adapter: '{}': {}", text, why));
@@ -179,9 +161,9 @@ std::string register_adapter(const std::string& text) {
   Source source{text, static_cast<int>(free - sources.begin()), nullptr};
   Description d;
   try {
-    const std::shared_ptr<Adapter> first = start(text);
+    const std::shared_ptr<Adapter> first = start_first();
     d = first->description();
-    if (text.starts_with(inside)) source.in_process = first;
+    if (in_process) source.in_process = first;
   } catch (const AdapterFailed& e) {
     refuse(e.what());
   }
@@ -200,6 +182,42 @@ std::string register_adapter(const std::string& text) {
   register_one<float>(source.number, text, d, numbers);
   register_one<double>(source.number, text, d, numbers);
   return d.name;
+}
+
+}  // namespace
+
+const std::vector<OperationSizes>& operation_sizes() {
+  static const std::vector<OperationSizes> all = all_sizes(SpatialSlots<double>());
+  return all;
+}
+
+std::unique_ptr<Adapter> start(const std::string& text) {
+  const bool library =
+      text.ends_with(".so") && (std::filesystem::exists(text) || text.find(' ') == text.npos);
+  return converted(text.starts_with(inside) ? load_library(text.substr(inside.size()))
+                   : library                ? start_library(text, timeout_s)
+                                            : start_process(text, timeout_s));
+}
+
+const OperationSizes* sizes_of(std::string_view operation) {
+  const auto& all = operation_sizes();
+  const auto found = std::ranges::find(all, operation, &OperationSizes::operation);
+  return found == all.end() ? nullptr : &*found;
+}
+
+bool is_operation(std::string_view name) {
+  return sizes_of(name) || model_operation(name);
+}
+
+std::string register_adapter(const std::string& text) {
+  return register_as(text, text.starts_with(inside), [&] { return start(text); });
+}
+std::unique_ptr<Adapter> linked(const liecheck_adapter& adapter) {
+  return converted(linked_library(adapter));
+}
+std::string register_adapter(const liecheck_adapter& adapter) {
+  return register_as(fmt::format("{}.so", adapter.name ? adapter.name : ""), true,
+                     [&] { return linked(adapter); });
 }
 
 const Description* description_of(const std::string& text) {

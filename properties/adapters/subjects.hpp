@@ -17,6 +17,13 @@ std::unique_ptr<Adapter> start(const std::string& text);
 /// an operation that does not exist, or if most_adapters are registered.
 std::string register_adapter(const std::string& text);
 
+/// An adapter that is linked into this program, with its stated conventions converted. Throws AdapterFailed.
+std::unique_ptr<Adapter> linked(const liecheck_adapter& adapter);
+
+/// Registers the subject of an adapter that is linked into this program, in the same way. Its cases replay with
+/// --adapter NAME.so.
+std::string register_adapter(const liecheck_adapter& adapter);
+
 inline constexpr int most_adapters = 4;
 
 /// What the adapter that was registered with this text says of itself; null if there is none.

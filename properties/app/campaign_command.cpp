@@ -13,9 +13,12 @@
 #include <hard_cases/hard_cases.hpp>
 #include <limits>
 #include <map>
+#include <record/badge.hpp>
 #include <record/record.hpp>
+#include <rules/rules.hpp>
 #include <set>
 #include <stdexcept>
+#include <support/files.hpp>
 #include <support/stop.hpp>
 #include <support/terminal.hpp>
 #include <support/text.hpp>
@@ -30,6 +33,7 @@ struct Flags {
   SelectionFlags selection;
   CaseFlags cases;
   StoreFlags store;
+  std::string badge, rules;
   bool no_hard_cases = false, no_probe = false, verbose = false, all = false;
 };
 
@@ -211,7 +215,9 @@ int print_campaign(const CampaignResult& r, const std::vector<HardRow>& hard_cas
 /// Replays the hard cases, which come first in every campaign. Only the first of several shards does this.
 std::vector<HardRow> replay_hard_cases(const Flags& f, const Selection& selection, const Robot& robot) {
   if (f.no_hard_cases || !f.store.first_shard()) return {};
-  const auto rows = run_hard_cases(selection, robot, built_in_corpus(), f.cases.options.jobs);
+  static const std::vector<HardCase> corpus =
+      f.rules.empty() ? built_in_corpus() : hard_cases_of(rules_named(f.rules));
+  const auto rows = run_hard_cases(selection, robot, corpus, f.cases.options.jobs);
   print_hard_case_summary(rows, f.all ? rows.size() : 3);
   fmt::print("\n");
   std::fflush(stdout);
@@ -235,8 +241,13 @@ void probe(const std::string& text, bool quiet) try {
 }
 
 int run(const Flags& f) {
-  const Selection selection = f.selection.selection();
+  Selection selection = f.selection.selection();
+  if (!f.rules.empty()) {
+    check_runs(rules_named(f.rules), present_rules());
+    selection.properties = laws_of(rules_named(f.rules), selection.properties);
+  }
   const Robot robot = f.cases.robot.read();
+  if (!f.badge.empty()) check_writable(f.badge);
   if (select(selection, robot).empty())
     throw std::invalid_argument(
         "nothing to run: no selected subject offers a selected property in that scalar");
@@ -250,12 +261,16 @@ int run(const Flags& f) {
   const auto done = run_stored_campaign(selection, robot, f.cases, f.store);
   if (!done) return within_budget;
   int code = incomplete;
-  do_both([&] { write_campaign_record(f.selection.json, *done, hard_cases); },
-          [&] {
-            print_counterexamples(done->counterexamples, f.all);
-            code = print_campaign(done->result, hard_cases, f);
-            print_how_to_resume(done->result, f.store);
-          });
+  do_both(
+      [&] {
+        write_campaign_record(f.selection.json, *done, hard_cases);
+        if (!f.badge.empty()) write_whole(f.badge, badge_of(verdicts_by_subject(done->result, hard_cases)));
+      },
+      [&] {
+        print_counterexamples(done->counterexamples, f.all);
+        code = print_campaign(done->result, hard_cases, f);
+        print_how_to_resume(done->result, f.store);
+      });
   return code;
 }
 
@@ -274,6 +289,9 @@ Command campaign_command(CLI::App& program, const std::string& typed_line) {
   a.toggle("--verbose", a->verbose, "show how often each class and band of inputs occurred");
   a.toggle("--all", a->all, "print every failure in full, not only the worst one, and nothing shortened");
   a->store.add(a);
+  a.text("--rules", a->rules, "VERSION",
+         "judge by this version of the rules: its laws, inputs, limits and hard cases (docs/ci.md)");
+  a.text("--badge", a->badge, "FILE.svg", "write a badge with the verdict on each subject");
   return a.runs(run);
 }
 

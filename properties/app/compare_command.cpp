@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 #include <app/command.hpp>
+#include <rules/rules.hpp>
 #include <store/merge.hpp>
+#include <store/picture.hpp>
 #include <store/store_path.hpp>
 #include <support/files.hpp>
 
@@ -9,7 +11,8 @@ namespace liecheck::properties {
 namespace {
 
 struct Flags {
-  std::string before, after, markdown;
+  std::string before, after, markdown, picture;
+  bool rules = false;
 };
 
 /// Prints on stderr if a store lacks cases of its campaign or verdicts on them, because then the comparison
@@ -26,8 +29,18 @@ bool print_if_partial(const std::string& name, const StoredCampaign& c) {
   return unfinished || !open.empty();
 }
 
+/// Prints what differs between two versions of the rules.
+int compare_rules(const Flags& f) {
+  const auto lines = differences(rules_named(f.before), rules_named(f.after));
+  for (const std::string& line : lines) fmt::print("{}\n", line);
+  fmt::print("rules {} and {}: {} differences\n", f.before, f.after, lines.size());
+  return lines.empty() ? within_budget : property_failed;
+}
+
 int run(const Flags& f) {
-  if (!f.markdown.empty()) check_writable(f.markdown);
+  if (f.rules) return compare_rules(f);
+  for (const std::string& file : {f.markdown, f.picture})
+    if (!file.empty()) check_writable(file);
   const StoredCampaign a = load_campaign(f.before), b = load_campaign(f.after);
   bool partial = print_if_partial(f.before, a);
   partial = print_if_partial(f.after, b) || partial;
@@ -36,7 +49,8 @@ int run(const Flags& f) {
     partial = true;
   }
   const auto lines = worse(a, b);
-  if (!f.markdown.empty()) write_whole(f.markdown, in_markdown(a, b));
+  if (!f.markdown.empty()) write_whole(f.markdown, in_markdown(a, b, f.picture));
+  if (!f.picture.empty()) write_whole(f.picture, picture_of_changes(a, b));
   for (const std::string& line : lines) fmt::print("{}\n", line);
   fmt::print("{} worse\n", lines.empty() ? "nothing is" : fmt::format("{} cells are", lines.size()));
   return !lines.empty() ? property_failed : partial ? incomplete : within_budget;
@@ -52,6 +66,10 @@ Command compare_command(CLI::App& program) {
   a.text("B", a->after, "", "the later store").required();
   a.text("--markdown", a->markdown, "FILE",
          "also write what got worse and better as Markdown, for a comment on a pull request");
+  a.text("--picture", a->picture, "FILE.svg",
+         "also draw what got worse and better; the Markdown shows the picture by this name");
+  a.toggle("--rules", a->rules,
+           "A and B are versions of the rules, or \"present\": what differs between them");
   return a.runs(run);
 }
 

@@ -3,6 +3,7 @@
 #include <campaign/robots.hpp>
 #include <campaign/selection.hpp>
 #include <operations/operations.hpp>
+#include <rules/rules.hpp>
 #include <set>
 
 namespace liecheck::properties {
@@ -25,11 +26,17 @@ void print_subjects(const std::vector<std::unique_ptr<Series>>& all) {
 
 struct Flags {
   bool operations = false, laws = false;
+  std::string rules;
 };
 
 int run(const Flags& f) {
   if (f.operations) {
     fmt::print("{}", operations_table());
+    return within_budget;
+  }
+  if (!f.rules.empty()) {
+    const Rules& rules = rules_named(f.rules);
+    fmt::print("{}", f.laws ? fmt::format("{}\n", fmt::join(rules.names("law"), "\n")) : rules.text());
     return within_budget;
   }
   const auto all = select({}, built_in_robot());
@@ -55,6 +62,8 @@ Command list_command(CLI::App& program) {
   a.toggle("--operations", a->operations,
            "list the operations instead: definitions, arguments, results and blocks, in Markdown");
   a.toggle("--laws", a->laws, "list only the names of the properties, one a line");
+  a.text("--rules", a->rules, "VERSION",
+         "list the digests of a version of the rules instead, or of \"present\"; with --laws, its laws");
   return a.runs(run);
 }
 

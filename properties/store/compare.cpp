@@ -3,6 +3,7 @@
 #include <array>
 #include <campaign/case_id.hpp>
 #include <cmath>
+#include <set>
 #include <stdexcept>
 #include <store/merge.hpp>
 #include <store/sampling.hpp>
@@ -160,13 +161,17 @@ std::vector<std::string> worse(const StoredCampaign& a, const StoredCampaign& b)
   return lines;
 }
 
-std::string in_markdown(const StoredCampaign& a, const StoredCampaign& b) {
+std::string in_markdown(const StoredCampaign& a, const StoredCampaign& b, const std::string& picture) {
   const auto got_worse = changes(a, b), got_better = changes(b, a);
-  const auto count = [](std::size_t n) {
+  const auto count = [](const std::vector<Change>& all) {
+    std::set<Name> cells;
+    for (const Change& c : all) cells.insert(c.name);
+    const std::size_t n = cells.size();
     return n == 0 ? std::string("nothing") : fmt::format("{} {}", n, n == 1 ? "cell" : "cells");
   };
   std::string text =
-      fmt::format("### liecheck: {} worse, {} better\n\n", count(got_worse.size()), count(got_better.size()));
+      fmt::format("### liecheck: {} worse, {} better\n\n", count(got_worse), count(got_better));
+  if (!picture.empty()) text += fmt::format("![what got worse and better](<{}>)\n\n", picture);
   const auto table = [&](const char* title, const std::vector<Change>& all) {
     if (all.empty()) return;
     text += fmt::format("| {} | operation, block, band | law | what |\n|---|---|---|---|\n", title);

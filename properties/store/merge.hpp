@@ -40,8 +40,9 @@ struct Change {
 std::vector<Change> changes(const StoredCampaign& a, const StoredCampaign& b);
 /// A line for each change.
 std::vector<std::string> worse(const StoredCampaign& a, const StoredCampaign& b);
-/// What got worse and what got better, as a comment on a pull request, in Markdown.
-std::string in_markdown(const StoredCampaign& a, const StoredCampaign& b);
+/// What got worse and what got better, as a comment on a pull request, in Markdown. `picture` is the name of the file
+/// with the picture (picture.hpp), or "".
+std::string in_markdown(const StoredCampaign& a, const StoredCampaign& b, const std::string& picture = "");
 
 /// The number of cells with a verdict in both campaigns. If it is 0, nothing was compared.
 std::size_t cells_in_both(const StoredCampaign& a, const StoredCampaign& b);

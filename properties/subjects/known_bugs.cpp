@@ -56,4 +56,11 @@ const std::vector<KnownBug>& known_bug_table() {
 template std::vector<Subject<float>> known_bugs(const Operations<float>&);
 template std::vector<Subject<double>> known_bugs(const Operations<double>&);
 
+namespace {
+
+[[maybe_unused]] const bool linked =
+    (linked_bugs<float> = &known_bugs<float>, linked_bugs<double> = &known_bugs<double>, true);
+
+}  // namespace
+
 }  // namespace liecheck::properties

@@ -18,6 +18,9 @@ struct KnownBug {
 /// All known bugs and look-alikes, made from copies of `good`.
 template <class S>
 std::vector<Subject<S>> known_bugs(const Operations<S>& good);
+/// known_bugs, or null in a program into which no bug is linked (properties/laws).
+template <class S>
+inline std::vector<Subject<S>> (*linked_bugs)(const Operations<S>& good) = nullptr;
 const std::vector<KnownBug>& known_bug_table();
 
 }  // namespace liecheck::properties

@@ -28,8 +28,8 @@ std::vector<const Subject<S>*> subjects() {
     static std::once_flag once;
     std::call_once(once, [] {
       for (const auto& s : registry<S>())
-        if (s->name == "liecheck") {
-          for (Subject<S>& bug : known_bugs<S>(Operations<S>(s->operations)))
+        if (linked_bugs<S> && s->name == "liecheck") {
+          for (Subject<S>& bug : linked_bugs<S>(Operations<S>(s->operations)))
             registry<S>().push_back(std::make_unique<Subject<S>>(std::move(bug)));
           break;
         }

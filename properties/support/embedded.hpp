@@ -11,4 +11,5 @@ struct EmbeddedFile {
   const char* text;
 };
 extern const EmbeddedFile hard_case_files[];  ///< fixtures/hard_cases/*.txt
+extern const EmbeddedFile rules_files[];      ///< fixtures/rules/*.txt
 }  // namespace liecheck::properties

@@ -48,6 +48,10 @@ const std::vector<Room> harness = {
     {"failures",
      {"lib", "support", "oracles", "operations", "conventions", "generators", "budgets", "subjects",
       "invariants", "adapters", "campaign", "search"}},
+    {"rules", {"support", "generators", "budgets", "invariants", "campaign", "hard_cases"}},
+    {"laws",
+     {"support", "generators", "subjects", "invariants", "adapters", "campaign", "search", "hard_cases",
+      "failures"}},
     {"lattice", {"support", "oracles", "operations", "generators", "subjects", "invariants", "campaign"}},
     {"store", {"support", "campaign", "search", "hard_cases", "failures"}},
     {"coefficients", {"lib", "support", "oracles"}},
@@ -58,9 +62,10 @@ const std::vector<Room> harness = {
       "campaign", "search", "hard_cases", "failures", "lattice", "store", "coefficients", "timing",
       "scenes"}},
     {"reports", {"support"}},
-    {"app", {"lib",      "support",    "oracles",      "operations", "conventions", "generators", "budgets",
-             "subjects", "invariants", "adapters",     "campaign",   "search",      "hard_cases", "failures",
-             "lattice",  "store",      "coefficients", "timing",     "scenes",      "record",     "reports"}},
+    {"app", {"lib",        "support",  "oracles",    "operations", "conventions", "generators",
+             "budgets",    "subjects", "invariants", "adapters",   "campaign",    "search",
+             "hard_cases", "failures", "rules",      "lattice",    "store",       "coefficients",
+             "timing",     "scenes",   "record",     "reports"}},
 };
 
 const Room* find(const std::vector<Room>& rooms, const std::string& name) {
