@@ -1,10 +1,12 @@
-// What the process protocol sends of a tree of bodies: docs/adapters.md.
+// What the process protocol sends of a tree of bodies or a robot: docs/adapters.md.
 
 #include <gtest/gtest.h>
 
 #include <adapters/trees.hpp>
+#include <campaign/robots.hpp>
+#include <campaign/selection.hpp>
 #include <fstream>
-#include <invariants/property.hpp>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 namespace liecheck::properties::adapters {
@@ -79,6 +81,75 @@ TEST(TreeModels, DetermineTheNumbersOfACall) {
   for (const auto& [operation, inputs, results] : cases) {
     EXPECT_EQ(model.sizes(operation).inputs, inputs) << operation.name;
     EXPECT_EQ(model.sizes(operation).results, results) << operation.name;
+  }
+}
+
+/// The operations on configurations of liecheck itself. With a fault, derivatives are those of the other argument.
+class OwnRobots final : public Adapter {
+ public:
+  OwnRobots() {
+    for (const Subject<double>* s : subjects<double>())
+      if (s->name == "liecheck") own_ = s;
+    RobotOperations<double>::for_each(
+        [&](const Operation& o) { description_.offered.emplace(std::string(o.name), "double"); });
+  }
+  bool fault = false;
+  const Description& description() const override { return description_; }
+  std::string call(const Batch& b) override {
+    const auto model = nlohmann::json::parse(b.model);
+    const std::string urdf = model["urdf"];
+    const auto order = urdf_model(urdf, model["root"] == "fixed");
+    EXPECT_EQ(model["order"], nlohmann::json(order->joints));
+    const auto o = own_->operations.robot(urdf, order->fixed);
+    const auto* x = reinterpret_cast<const double*>(b.inputs.data());
+    const int second = static_cast<int>(b.operation.inputs) - order->nq;
+    const VecX<double> q0 = Eigen::Map<const VecX<double>>(x, order->nq),
+                       other = Eigen::Map<const VecX<double>>(x + order->nq, second);
+    auto* to = reinterpret_cast<double*>(b.results.data());
+    const auto give = [&](const auto& slot, const auto& name) {
+      if (b.operation.operation != name.name) return;
+      if constexpr (std::is_same_v<decltype(slot(q0, other)), bool>) {
+        *to = slot(q0, other);
+      } else {
+        const MatX<double> result = slot(q0, other);
+        EXPECT_EQ(static_cast<std::size_t>(result.size()), b.operation.results);
+        Eigen::Map<Eigen::Matrix<double, -1, -1, Eigen::RowMajor>>(to, result.rows(), result.cols()) = result;
+      }
+    };
+    const auto& arg0 = o[op::robot_d_integrate_arg0];
+    give(o[op::robot_integrate], op::robot_integrate), give(o[op::robot_difference], op::robot_difference);
+    give(o[op::robot_is_same], op::robot_is_same), give(arg0, op::robot_d_integrate_arg0);
+    give(fault ? arg0 : o[op::robot_d_integrate_arg1], op::robot_d_integrate_arg1);
+    give(o[op::robot_d_difference_arg0], op::robot_d_difference_arg0);
+    give(o[op::robot_d_difference_arg1], op::robot_d_difference_arg1);
+    return "";
+  }
+
+ private:
+  const Subject<double>* own_ = nullptr;
+  Description description_{"own_robots", "1", {}, {}, {"urdf"}, {}};
+};
+OwnRobots& own_robots() {
+  static OwnRobots own;
+  return own;
+}
+
+TEST(RobotModels, TakeTheOperationsOnConfigurationsOverTheWire) {
+  Subject<double> subject{"own_robots", "1", {}};
+  subject.operations.robot = [](const std::string& urdf, bool fixed) {
+    return robot_operations<double>(urdf, fixed, []() -> Adapter& { return own_robots(); });
+  };
+  EXPECT_TRUE(offers_robots(own_robots().description(), "double"));
+  EXPECT_FALSE(offers_robots(own_robots().description(), "float"));
+  for (const bool fault : {false, true}) {
+    own_robots().fault = fault;
+    for (const char* law : {"robot_configuration", "robot_derivatives"}) {
+      Tally tally;
+      for (std::uint64_t i = 0; i < 20; ++i) series_of(law, subject, built_in_robot())->run(42, i, tally);
+      std::uint64_t failed = 0;
+      for (const auto& [cell, row] : tally.rows) failed += row.failed;
+      EXPECT_EQ(failed > 0, fault && law == std::string("robot_derivatives")) << law;
+    }
   }
 }
 
