@@ -85,7 +85,8 @@ std::string how_to_get(const std::string& subject) {
   std::string variable = subject;
   for (char& c : variable) c = static_cast<char>(c - 'a' + 'A');
   return fmt::format(
-      "configure with -D{}_INCLUDE=DIR, the folder of its headers, and build again (README.md)", variable);
+      "configure with -D{}_INCLUDE=DIR, the folder of its headers, and build again (docs/contributing.md)",
+      variable);
 }
 
 }  // namespace
