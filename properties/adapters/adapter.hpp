@@ -28,9 +28,9 @@ struct Description {
   std::set<std::pair<std::string, std::string>> offered;  ///< (operation, scalar)
   conventions::Statements conventions;                    ///< those that it states
   std::map<std::string, std::string> source =
-      {};  ///< programs by operation: docs/adapters.md, Reading a failure
-  std::set<std::string> models{"joints"};                 ///< of trees: "joints", "urdf"
-  std::set<std::string> joints = {};                      ///< kinds of joints; empty for all
+      {};                                  ///< programs by operation: docs/adapters.md, Reading a failure
+  std::set<std::string> models{"joints"};  ///< of trees: "joints", "urdf"
+  std::set<std::string> joints = {};       ///< kinds of joints; empty for all
 };
 
 /// What became of one input. An adapter gives the first two. The others are found where a function of a shared

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <adapters/trees.hpp>
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <invariants/tree_law.hpp>
@@ -282,6 +283,8 @@ void check_in(const char* scalar, Adapter& adapter, Checked& all) {
 
 Checked check_trees(Adapter& adapter) {
   Checked all;
+  const auto of_trees = [](const auto& offered) { return model_operation(offered.first) != nullptr; };
+  if (std::ranges::none_of(adapter.description().offered, of_trees)) return all;
   check_in<double>("double", adapter, all);
   check_in<float>("float", adapter, all);
   return all;

@@ -127,7 +127,7 @@ class OwnRobots final : public Adapter {
 
  private:
   const Subject<double>* own_ = nullptr;
-  Description description_{"own_robots", "1", {}, {}, {"urdf"}, {}};
+  Description description_{"own_robots", "1", {}, {}, {}, {"urdf"}, {}};
 };
 OwnRobots& own_robots() {
   static OwnRobots own;
