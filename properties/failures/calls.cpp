@@ -1,6 +1,6 @@
 #include <failures/calls.hpp>
 
-#include <adapters/shapes.hpp>
+#include <adapters/called.hpp>
 #include <algorithm>
 #include <campaign/typed_series.hpp>
 #include <conventions/reference.hpp>
@@ -88,22 +88,6 @@ NotedCase noted_in(const TypedSeries<S>& series, const CaseId& id, std::size_t o
   return all;
 }
 
-template <class S, class R, class... A>
-std::vector<double> called(R (*f)(A...), const std::vector<double>& arguments) {
-  std::vector<S> in(arguments.begin(), arguments.end()), out(adapters::Shape<R>::size);
-  const S* at = in.data();
-  const auto next = [&]<class T>(const T*) {
-    const S* const here = std::exchange(at, at + adapters::Shape<T>::size);
-    return adapters::Shape<T>::get(here);
-  };
-  // The braces of a tuple evaluate the arguments in their order.
-  const std::tuple<std::remove_cvref_t<A>...> all{next(static_cast<std::remove_cvref_t<A>*>(nullptr))...};
-  adapters::Shape<R>::put(std::apply(f, all), out.data());
-  std::vector<double> result;
-  for (const S& x : out) result.push_back(static_cast<double>(x));
-  return result;
-}
-
 }  // namespace
 
 NotedCase noted(const Series& series, const CaseId& id, std::size_t output) {
@@ -129,7 +113,7 @@ std::vector<double> result_of(const Series& series, const Operation& operation,
     SpatialSlots<S>::for_each([&](const auto& one) {
       if (static_cast<const Operation*>(&one) != &operation || !o[one]) return;
       try {
-        result = called<S>(o[one], arguments);
+        for (const S& x : adapters::called<S>(o[one], arguments)) result.push_back(static_cast<double>(x));
       } catch (const std::exception&) {  // refused
       }
     });

@@ -275,6 +275,7 @@ INSTANTIATE_TEST_SUITE_P(
         Command{"cost_with_flags", "cost --flags --op exp6 --op integrate --for 3s --json r.json", 8,
                 "r.json"},
         Command{"bench_batches", "bench batches", 60},
+        Command{"bench_rounding", "bench rounding --inputs 3000 --json r.json", 60, "r.json"},
         Command{"bench_bugs", "bench bugs --for-each 1s --json r.json", 60, "r.json"},
         Command{"bench_lattice", "bench lattice --faults 300 --resume f.txt --json r.json", 60, "r.json"},
         Command{"bench_limits", "bench limits --cases 100 --out .", 30},

@@ -1,0 +1,102 @@
+#include <fmt/format.h>
+#include <algorithm>
+#include <app/command.hpp>
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <rounding/digits.hpp>
+#include <stdexcept>
+#include <support/stop.hpp>
+
+namespace liecheck::properties {
+
+namespace {
+
+struct Flags {
+  std::vector<std::string> subjects, operations;
+  std::size_t inputs = 64, samples = 16;
+  std::uint64_t seed = 42;
+  std::string where, json;
+  bool all = false;
+};
+
+nlohmann::json json_of(const DigitsRow& r) {
+  nlohmann::json j{{"subject", r.subject},
+                   {"operation", r.operation},
+                   {"part", r.part},
+                   {"band", r.band},
+                   {"inputs", r.inputs},
+                   {"actual_digits", r.actual},
+                   {"estimated_digits", r.estimated}};
+  if (std::isfinite(r.without_exemption)) j["estimated_digits_without_exemption"] = r.without_exemption;
+  return j;
+}
+
+int run(const Flags& f) {
+  DigitsOptions options;
+  options.subjects = f.subjects, options.operations = f.operations;
+  options.inputs = f.inputs, options.samples = f.samples, options.seed = f.seed,
+  options.stop = &stop_requested;
+  if (!f.where.empty() && (f.subjects.size() != 1 || f.operations.size() != 1))
+    throw std::invalid_argument("--where needs one --subject and one --operation");
+  stop_on_signals();
+  nlohmann::json rows = nlohmann::json::array();
+  if (!f.where.empty()) {
+    fmt::print("{:>7}  {:<44}  {}\n", "share", "line", "function");
+    for (const RoundingLine& l : rounding_lines(options, f.where)) {
+      if (l.share < 0.005 && !f.all) break;
+      fmt::print("{:>6.1f}%  {:<44}  {}\n", 100 * l.share, l.place,
+                 l.function.substr(0, l.function.find('(')));
+      rows.push_back({{"share", l.share}, {"line", l.place}, {"function", l.function}});
+    }
+  } else {
+    fmt::print(
+        "digits of the root mean square error: of the result in double, by the oracle; and as random "
+        "rounding estimates "
+        "them, with error-free\ntransformations exact, and with all steps at random\n\n");
+    fmt::print("{:<22}{:<26}{:<14}{:<20}{:>8}{:>11}{:>8}\n", "subject", "operation", "part", "band", "oracle",
+               "estimated", "all");
+    std::size_t deceived = 0, n = 0;
+    measure_digits(options, [&](const DigitsRow& r) {
+      ++n, deceived += r.deceives();
+      rows.push_back(json_of(r));
+      const std::string all =
+          std::isnan(r.without_exemption) ? "-" : fmt::format("{:.1f}", r.without_exemption);
+      fmt::print("{:<22}{:<26}{:<14}{:<20}{:>8.1f}{:>11.1f}{:>8}{}\n", r.subject, r.operation, r.part, r.band,
+                 r.actual, r.estimated, all, r.deceives() ? "  deceives" : "");
+      std::fflush(stdout);
+    });
+    fmt::print("\n{} of {} rows: random rounding promises more than a digit that the result does not have\n",
+               deceived, n);
+  }
+  if (!f.json.empty()) write_record(f.json, {{"verdict", stop_requested ? "stopped" : "measured"}, {"rows", rows}});
+  return stop_requested ? incomplete : within_budget;
+}
+
+}  // namespace
+
+Command bench_rounding_command(CLI::App& bench) {
+  CommandWith<Flags> a(
+      bench, "rounding",
+      "random rounding: every operation of a subject rounds up or down by chance, and the spread of "
+      "the results estimates their digits; beside them the digits that the oracle finds. Exit code 0; "
+      "2 for bad input; 3 if stopped");
+  a.list(
+      "--subject", a->subjects, "NAME",
+      fmt::format(
+          "a subject, repeatable; default {}. Any other one is called in the four rounding modes, which is "
+          "coarse",
+          fmt::join(stochastic_subjects(), " and ")));
+  a.list("--operation", a->operations, "OP", "an operation, repeatable; default every one");
+  a.number("--inputs", a->inputs, 1, 1'000'000, "inputs of each band");
+  a.number("--samples", a->samples, 2, 10'000, "runs with random rounding for each input");
+  a.seed(a->seed, "seed of the inputs and of the rounding");
+  a.text("--where", a->where, "BAND",
+         "show instead which lines' roundings move the operation's result most, in this band, as the table "
+         "names it");
+  a.toggle("--all", a->all, "show every line, not only those with half a percent");
+  a.json(a->json, "write the rows to FILE");
+  return a.runs(run);
+}
+
+}  // namespace liecheck::properties

@@ -1,0 +1,10 @@
+#include <rounding/subjects.hpp>
+#include <subjects/textbook.hpp>
+
+namespace liecheck::properties {
+
+std::vector<Subject<Stochastic>> stochastic_textbooks() {
+  return {Textbook<Stochastic>::make<8, false>(), Textbook<Stochastic>::make<3, true>()};
+}
+
+}  // namespace liecheck::properties

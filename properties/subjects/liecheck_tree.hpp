@@ -1,0 +1,146 @@
+#pragma once
+// liecheck's own algorithms on a tree of bodies, in any scalar.
+
+#include <liecheck/algorithms/centroidal.hpp>
+#include <liecheck/algorithms/derivatives.hpp>
+#include <liecheck/algorithms/energy.hpp>
+#include <liecheck/algorithms/jacobians.hpp>
+#include <subjects/tree.hpp>
+
+namespace liecheck::properties {
+
+template <class S>
+struct LiecheckTree {
+  using O = TreeOperations<S>;
+  using X = VecX<S>;
+  using M = MatX<S>;
+  using V6 = Vec<S, 6>;
+
+  static Vec<S, 3> vector(const oracles::Vec3<S>& v) { return {v[0], v[1], v[2]}; }
+  static SE3<S> pose(const oracles::Quaternion<S>& Q, const oracles::Vec3<S>& p) {
+    return {SO3<S>(Vec<S, 4>(Q[0], Q[1], Q[2], Q[3])).normalized(), vector(p)};
+  }
+  static Inertia<S> inertia(const oracles::BodyOf<S>& b) {
+    Mat<S, 3> I;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) I(i, j) = b.I_C(i, j);
+    return {b.mass, vector(b.c), I};
+  }
+  static Joint<S> joint(const oracles::JointOf<S>& j) {
+    using oracles::JointKind;
+    const Vec<S, 3> axis = vector(j.axis);
+    const auto simple = [&]() -> typename Mimic<S>::Moved {
+      if (j.kind == JointKind::revolute) return Revolute<S>(axis);
+      if (j.kind == JointKind::prismatic) return Prismatic<S>(axis);
+      return Helical<S>(axis, j.pitch);
+    };
+    if (j.primary >= 0) return Mimic<S>(simple(), j.primary + 1, j.multiplier, j.offset);
+    switch (j.kind) {
+      case JointKind::continuous:
+        return Continuous<S>(axis);
+      case JointKind::spherical:
+        return Spherical<S>();
+      case JointKind::planar:
+        return Planar<S>();
+      case JointKind::translation:
+        return Translation<S>();
+      case JointKind::free_flyer:
+        return FreeFlyer<S>();
+      default:
+        return std::visit([](const auto& moved) -> Joint<S> { return moved; }, simple());
+    }
+  }
+  static Model<S> model(const Tree<S>& tree) {
+    Model<S> m;
+    m.gravity = vector(tree.gravity);
+    for (std::size_t i = 0; i < tree.joints.size(); ++i) {
+      const auto& j = tree.joints[i];
+      const int id = m.addJoint(j.parent + 1, joint(j), pose(j.Q, j.p), std::to_string(i));
+      m.appendBodyToJoint(id, inertia(j.body));
+      if (j.primary < 0) m.armature.tail(m.nvs.back()).setConstant(j.armature);
+    }
+    for (const auto& b : tree.fixed) m.appendBodyToJoint(b.joint + 1, inertia(b.body), pose(b.Q, b.p));
+    m.addFrame({"frame", tree.frame_joint + 1, 0, pose(tree.frame_Q, tree.frame_p), FrameType::OP_FRAME});
+    return m;
+  }
+
+  static O bind(const Tree<S>& tree) {
+    struct Bound {
+      explicit Bound(const Tree<S>& tree) : m(model(tree)), d(m, Dense::Derivatives) {}
+      std::span<const Force<S>> on(int joint, const V6& F) {
+        if (joint < 0) return {};
+        forces.assign(m.joints.size(), Force<S>::Zero());
+        forces[static_cast<std::size_t>(joint) + 1] = Force<S>(F);
+        return forces;
+      }
+      Model<S> m;
+      Data<S> d;
+      std::vector<Force<S>> forces;
+      int frame = 1;
+    };
+    const auto b = std::make_shared<Bound>(tree);
+    const auto seen = [](Seen s) {
+      return s == Seen::world   ? ReferenceFrame::WORLD
+             : s == Seen::local ? ReferenceFrame::LOCAL
+                                : ReferenceFrame::LOCAL_WORLD_ALIGNED;
+    };
+    O o;
+    o[op::tree_rnea] = [b](const X& q, const X& v, const X& a, int i, const V6& F) -> X {
+      return rnea(b->m, b->d, q, v, a, b->on(i, F));
+    };
+    o[op::tree_aba] = [b](const X& q, const X& v, const X& tau, int i, const V6& F) -> X {
+      return aba(b->m, b->d, q, v, tau, b->on(i, F));
+    };
+    o[op::tree_nonlinear_effects] = [b](const X& q, const X& v) -> X {
+      return nonLinearEffects(b->m, b->d, q, v);
+    };
+    o[op::tree_gravity] = [b](const X& q) -> X { return computeGeneralizedGravity(b->m, b->d, q); };
+    o[op::tree_crba] = [b](const X& q) -> M { return crba(b->m, b->d, q); };
+    o[op::tree_mass_inverse] = [b](const X& q) -> M { return computeMinverse(b->m, b->d, q); };
+    o[op::rnea_derivatives] = [b](const X& q, const X& v, const X& a, int i, const V6& F) -> std::pair<M, M> {
+      computeRNEADerivatives(b->m, b->d, q, v, a, b->on(i, F));
+      return {b->d.dtau_dq(), b->d.dtau_dv()};
+    };
+    o[op::aba_derivatives] = [b](const X& q, const X& v, const X& tau, int i,
+                                 const V6& F) -> std::pair<M, M> {
+      computeABADerivatives(b->m, b->d, q, v, tau, b->on(i, F));
+      return {b->d.ddq_dq(), b->d.ddq_dv()};
+    };
+    o[op::tree_kinetic_energy] = [b](const X& q, const X& v) -> S {
+      return computeKineticEnergy(b->m, b->d, q, v);
+    };
+    o[op::tree_potential_energy] = [b](const X& q) -> S { return computePotentialEnergy(b->m, b->d, q); };
+    o[op::tree_momentum] = [b](const X& q, const X& v) -> V6 {
+      return computeCentroidalMomentum(b->m, b->d, q, v).to_vector();
+    };
+    o[op::tree_momentum_map] = [b](const X& q) -> M { return computeCentroidalMap(b->m, b->d, q); };
+    o[op::frame_pose] = [b](const X& q) -> Pose<S> {
+      framesForwardKinematics(b->m, b->d, q);
+      const SE3<S>& T = b->d.oMf[static_cast<std::size_t>(b->frame)];
+      return {T.rotation(), T.translation()};
+    };
+    o[op::frame_velocity] = [b, seen](const X& q, const X& v, Seen s) -> V6 {
+      forwardKinematics(b->m, b->d, q, v);
+      return getFrameVelocity(b->m, b->d, b->frame, seen(s)).to_vector();
+    };
+    o[op::frame_acceleration] = [b, seen](const X& q, const X& v, const X& a, Seen s) -> V6 {
+      forwardKinematics(b->m, b->d, q, v, a);
+      return getFrameAcceleration(b->m, b->d, b->frame, seen(s)).to_vector();
+    };
+    o[op::frame_classical_acceleration] = [b, seen](const X& q, const X& v, const X& a, Seen s) -> V6 {
+      forwardKinematics(b->m, b->d, q, v, a);
+      return getFrameClassicalAcceleration(b->m, b->d, b->frame, seen(s)).to_vector();
+    };
+    o[op::frame_jacobian] = [b, seen](const X& q, Seen s) -> M {
+      computeJointJacobians(b->m, b->d, q);
+      return getFrameJacobian(b->m, b->d, b->frame, seen(s));
+    };
+    o[op::frame_jacobian_rate] = [b, seen](const X& q, const X& v, Seen s) -> M {
+      computeJointJacobiansTimeVariation(b->m, b->d, q, v);
+      return getFrameJacobianTimeVariation(b->m, b->d, b->frame, seen(s));
+    };
+    return o;
+  }
+};
+
+}  // namespace liecheck::properties

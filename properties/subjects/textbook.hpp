@@ -1,0 +1,216 @@
+#pragma once
+// The closed forms as books print them, with one cutoff, 1e-8, for every scalar.
+
+#include <subjects/subject.hpp>
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <string>
+
+namespace liecheck::properties {
+
+template <class S>
+struct Textbook : Types<S> {
+  /// Below this angle [rad], the leading term of the series replaces the closed form.
+  double cutoff;
+
+  using typename Types<S>::V3, typename Types<S>::V4, typename Types<S>::V6, typename Types<S>::V7,
+      typename Types<S>::M3, typename Types<S>::M6;
+
+  static S sin(const S& x) {
+    using std::sin;
+    return sin(x);
+  }
+  static S cos(const S& x) {
+    using std::cos;
+    return cos(x);
+  }
+  static S acos(const S& x) {
+    using std::acos;
+    return acos(x);
+  }
+  static S sqrt(const S& x) {
+    using std::sqrt;
+    return sqrt(x);
+  }
+  bool small(const S& theta) const { return theta < S(cutoff); }
+
+  V4 exp3_quaternion(const V3& phi) const {
+    const S theta = phi.norm();
+    V4 q;
+    if (small(theta)) {
+      q << phi / S(2), S(1);
+    } else {
+      q << sin(theta / S(2)) / theta * phi, cos(theta / S(2));
+    }
+    return q;
+  }
+  M3 exp3_matrix(const V3& phi) const {
+    const S theta = phi.norm();
+    if (small(theta)) return M3::Identity() + hat(phi);
+    const M3 P = hat(phi);
+    return M3::Identity() + sin(theta) / theta * P + (S(1) - cos(theta)) / (theta * theta) * P * P;
+  }
+  V3 log3_quaternion(const V4& Q) const {
+    const V4 q = Q[3] < S(0) ? V4(-Q) : Q;
+    const S theta = S(2) * acos(std::min(S(1), q[3]));
+    if (small(theta)) return S(2) * q.template head<3>();
+    return theta / sqrt(S(1) - q[3] * q[3]) * q.template head<3>();
+  }
+  V3 log3_matrix(const M3& R) const {
+    const S c = std::max(S(-1), std::min(S(1), S((R.trace() - S(1)) / S(2))));
+    const S theta = acos(c);
+    const V3 a(R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1));
+    if (small(theta)) return a / S(2);
+    return theta / (S(2) * sin(theta)) * a;
+  }
+  M3 left_jacobian3(const V3& phi) const {
+    const S theta = phi.norm();
+    const M3 P = hat(phi);
+    if (small(theta)) return M3::Identity() + P / S(2);
+    return M3::Identity() + (S(1) - cos(theta)) / (theta * theta) * P +
+           (theta - sin(theta)) / (theta * theta * theta) * P * P;
+  }
+  M3 left_jacobian3_inverse(const V3& phi) const {
+    const S theta = phi.norm();
+    const M3 P = hat(phi);
+    if (small(theta)) return M3::Identity() - P / S(2);
+    const S d = S(1) / (theta * theta) - (S(1) + cos(theta)) / (S(2) * theta * sin(theta));
+    return M3::Identity() - P / S(2) + d * P * P;
+  }
+  M3 right_jacobian3(const V3& phi) const { return left_jacobian3(-phi); }
+  M3 right_jacobian3_inverse(const V3& phi) const { return left_jacobian3_inverse(-phi); }
+
+  Pose<S> exp6(const V6& xi) const {
+    const V3 phi = xi.template tail<3>();
+    return {exp3_matrix(phi), left_jacobian3(phi) * xi.template head<3>()};
+  }
+  V6 log6(const Pose<S>& T) const {
+    const V3 phi = log3_matrix(T.R);
+    V6 xi;
+    xi << left_jacobian3_inverse(phi) * T.p, phi;
+    return xi;
+  }
+
+  /// Barfoot & Furgale (2014), eq. 102, as printed.
+  M3 coupling(const V3& rho, const V3& phi) const {
+    const M3 r = hat(rho), p = hat(phi);
+    const S t = phi.norm();
+    if (small(t)) return r / S(2);
+    const S t2 = t * t, t3 = t2 * t, t4 = t2 * t2, t5 = t4 * t;
+    const S a = (t - sin(t)) / t3;
+    const S b = (S(1) - t2 / S(2) - cos(t)) / t4;
+    const S c = b - S(3) * (t - sin(t) - t3 / S(6)) / t5;
+    return r / S(2) + a * (p * r + r * p + p * r * p) - b * (p * p * r + r * p * p - S(3) * p * r * p) -
+           c / S(2) * (p * r * p * p + p * p * r * p);
+  }
+  M6 left_jacobian6(const V6& xi) const {
+    const V3 rho = xi.template head<3>(), phi = xi.template tail<3>();
+    M6 J = M6::Zero();
+    J.template topLeftCorner<3, 3>() = J.template bottomRightCorner<3, 3>() = left_jacobian3(phi);
+    J.template topRightCorner<3, 3>() = coupling(rho, phi);
+    return J;
+  }
+  M6 left_jacobian6_inverse(const V6& xi) const {
+    const V3 rho = xi.template head<3>(), phi = xi.template tail<3>();
+    const M3 Ji = left_jacobian3_inverse(phi);
+    M6 J = M6::Zero();
+    J.template topLeftCorner<3, 3>() = J.template bottomRightCorner<3, 3>() = Ji;
+    J.template topRightCorner<3, 3>() = -Ji * coupling(rho, phi) * Ji;
+    return J;
+  }
+  M6 right_jacobian6(const V6& xi) const { return left_jacobian6(-xi); }
+  M6 right_jacobian6_inverse(const V6& xi) const { return left_jacobian6_inverse(-xi); }
+
+  static V4 product(const V4& a, const V4& b) {
+    const V3 av = a.template head<3>(), bv = b.template head<3>();
+    V4 q;
+    q << a[3] * bv + b[3] * av + av.cross(bv), a[3] * b[3] - av.dot(bv);
+    return q;
+  }
+  static M3 matrix(const V4& q) { return Eigen::Quaternion<S>(q[3], q[0], q[1], q[2]).toRotationMatrix(); }
+  V7 integrate(const V7& q, const V6& delta) const {
+    const V3 phi = delta.template tail<3>();
+    const V4 Q = q.template tail<4>();
+    V7 result;
+    result << q.template head<3>() + matrix(Q) * (left_jacobian3(phi) * delta.template head<3>()),
+        product(Q, exp3_quaternion(phi)).normalized();
+    return result;
+  }
+  V6 difference(const V7& q0, const V7& q1) const {
+    V4 inverse = q0.template tail<4>();
+    inverse.template head<3>() *= S(-1);
+    const V3 phi = log3_quaternion(product(inverse, q1.template tail<4>()));
+    const V3 p = matrix(inverse) * (q1.template head<3>() - q0.template head<3>());
+    V6 delta;
+    delta << left_jacobian3_inverse(phi) * p, phi;
+    return delta;
+  }
+  M6 d_integrate_arg0(const V7&, const V6& delta) const {
+    const Pose<S> T = exp6(-delta);
+    M6 X = M6::Zero();
+    X.template topLeftCorner<3, 3>() = X.template bottomRightCorner<3, 3>() = T.R;
+    X.template topRightCorner<3, 3>() = hat(T.p) * T.R;
+    return X;
+  }
+  M6 d_integrate_arg1(const V7&, const V6& delta) const { return right_jacobian6(delta); }
+  M6 d_difference_arg0(const V7& q0, const V7& q1) const {
+    return -left_jacobian6_inverse(difference(q0, q1));
+  }
+  M6 d_difference_arg1(const V7& q0, const V7& q1) const {
+    return right_jacobian6_inverse(difference(q0, q1));
+  }
+
+  Pose<S> compose(const Pose<S>& X, const Pose<S>& Y) const { return {X.R * Y.R, X.R * Y.p + X.p}; }
+  Pose<S> inverse(const Pose<S>& X) const { return {X.R.transpose(), -X.R.transpose() * X.p}; }
+  V3 act_point(const Pose<S>& X, const V3& x) const { return X.R * x + X.p; }
+  V3 rotate_point(const V4& Q, const V3& x) const { return matrix(Q) * x; }
+
+  static constexpr double power_of_ten(int e) {  // correctly rounded for e >= -22
+    double p = 1;
+    for (int i = 0; i > e; --i) p *= 10;
+    return 1 / p;
+  }
+  /// At<f, exponent>::call(...) calls the member function f with the cutoff 10^-exponent.
+  template <auto f, int exponent, class F = decltype(f)>
+  struct At;
+  template <auto f, int exponent, class R, class... A>
+  struct At<f, exponent, R (Textbook::*)(A...) const> {
+    static R call(A... a) { return (Textbook{{}, power_of_ten(-exponent)}.*f)(a...); }
+  };
+
+  template <int exponent, bool is_variant>
+  static Subject<S> make() {
+    Subject<S> s{is_variant ? "textbook:1e-" + std::to_string(exponent) : "textbook",
+                 "cutoff 1e-" + std::to_string(exponent),
+                 {}};
+    auto& o = s.operations;
+    o[op::exp3_quaternion] = At<&Textbook::exp3_quaternion, exponent>::call;
+    o[op::exp3_matrix] = At<&Textbook::exp3_matrix, exponent>::call;
+    o[op::log3_quaternion] = At<&Textbook::log3_quaternion, exponent>::call;
+    o[op::log3_matrix] = At<&Textbook::log3_matrix, exponent>::call;
+    o[op::exp6] = At<&Textbook::exp6, exponent>::call;
+    o[op::log6] = At<&Textbook::log6, exponent>::call;
+    o[op::left_jacobian3] = At<&Textbook::left_jacobian3, exponent>::call;
+    o[op::right_jacobian3] = At<&Textbook::right_jacobian3, exponent>::call;
+    o[op::left_jacobian3_inverse] = At<&Textbook::left_jacobian3_inverse, exponent>::call;
+    o[op::right_jacobian3_inverse] = At<&Textbook::right_jacobian3_inverse, exponent>::call;
+    o[op::left_jacobian6] = At<&Textbook::left_jacobian6, exponent>::call;
+    o[op::right_jacobian6] = At<&Textbook::right_jacobian6, exponent>::call;
+    o[op::left_jacobian6_inverse] = At<&Textbook::left_jacobian6_inverse, exponent>::call;
+    o[op::right_jacobian6_inverse] = At<&Textbook::right_jacobian6_inverse, exponent>::call;
+    o[op::integrate] = At<&Textbook::integrate, exponent>::call;
+    o[op::difference] = At<&Textbook::difference, exponent>::call;
+    o[op::d_integrate_arg0] = At<&Textbook::d_integrate_arg0, exponent>::call;
+    o[op::d_integrate_arg1] = At<&Textbook::d_integrate_arg1, exponent>::call;
+    o[op::d_difference_arg0] = At<&Textbook::d_difference_arg0, exponent>::call;
+    o[op::d_difference_arg1] = At<&Textbook::d_difference_arg1, exponent>::call;
+    o[op::compose] = At<&Textbook::compose, exponent>::call;
+    o[op::inverse] = At<&Textbook::inverse, exponent>::call;
+    o[op::act_point] = At<&Textbook::act_point, exponent>::call;
+    o[op::rotate_point] = At<&Textbook::rotate_point, exponent>::call;
+    return s;
+  }
+};
+
+}  // namespace liecheck::properties
