@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <app/command.hpp>
 #include <cmath>
+#include <coefficients/slices.hpp>
 #include <coefficients/sweep.hpp>
+#include <nlohmann/json.hpp>
 #include <record/record.hpp>
 #include <stdexcept>
 #include <support/progress.hpp>
@@ -13,7 +15,7 @@ namespace liecheck::properties {
 namespace {
 
 struct Flags {
-  std::vector<std::string> coefficients;
+  std::vector<std::string> coefficients, operations, axes;
   std::string json;
   unsigned jobs = default_jobs();
   std::uint32_t stride = 1;
@@ -69,7 +71,63 @@ void print_summary(const SweepResult& r) {
              r.elapsed);
 }
 
+std::array<double, 3> axis(const std::string& text) {
+  std::array<double, 3> v{};
+  int end = 0;
+  if (std::sscanf(text.c_str(), "%lf,%lf,%lf%n", &v[0], &v[1], &v[2], &end) != 3 || end != int(text.size()) ||
+      !(std::hypot(v[0], v[1], v[2]) > 0) || !std::isfinite(std::hypot(v[0], v[1], v[2])))
+    throw std::invalid_argument(
+        fmt::format("--axis {}: not three numbers x,y,z of a vector other than 0", text));
+  return v;
+}
+
+int run_slices(const Flags& f) {
+  SliceOptions options;
+  if (f.operations != std::vector<std::string>{"all"}) options.operations = f.operations;
+  for (const std::string& text : f.axes) options.axes.push_back(axis(text));
+  options.stride = f.stride, options.jobs = f.jobs, options.stop = &stop_requested;
+  Progress progress("sweep");
+  options.progress = [&](double share) { progress.show(share, "of the angles"); };
+  stop_on_signals();
+  const std::vector<Slice> slices = sweep_slices(options);
+  nlohmann::json rows = nlohmann::json::array();
+  fmt::print("{:<24}{:<17}{:<34}{:>11}{:>10}{:>8}  {:<16}{}\n", "operation", "block", "axis", "angles",
+             "max eps", "limit", "at theta", "");
+  bool failed = false, complete = true;
+  for (const Slice& s : slices) {
+    failed |= s.failed(), complete &= s.complete;
+    fmt::print("{:<24}{:<17}{:<34}{:>11}{:>10.4f}{:>8}  {:<16}{}\n", s.operation, s.block,
+               fmt::format("{:.7g}, {:.7g}, {:.7g}", s.axis[0], s.axis[1], s.axis[2]), s.evaluated, s.max_eps,
+               s.limit, fmt::format("{:a}", s.max_at),
+               s.failed()   ? "FAIL"
+               : s.complete ? "pass"
+                            : "incomplete");
+    rows.push_back({{"operation", s.operation},
+                    {"block", s.block},
+                    {"axis", s.axis},
+                    {"rho", s.rho},
+                    {"evaluated", s.evaluated},
+                    {"max_eps", s.max_eps},
+                    {"max_at", s.max_at},
+                    {"limit", s.limit},
+                    {"complete", s.complete && f.stride == 1}});
+  }
+  fmt::print(
+      "\n{}: phi = theta n rounded to float, for every {}theta in [0, pi]; rho is a random unit vector\n",
+      complete && f.stride == 1 ? "certain maxima of these slices" : "lower bounds",
+      f.stride == 1 ? "" : fmt::format("{}th ", f.stride));
+  if (!f.json.empty())
+    write_record(f.json, {{"verdict", !complete ? "stopped"
+                                      : failed  ? "fail"
+                                                : "pass"},
+                          {"stride", f.stride},
+                          {"slices", rows}});
+  return !complete ? incomplete : failed ? property_failed : within_budget;
+}
+
 int run(const Flags& f) {
+  if (!f.operations.empty()) return run_slices(f);
+  if (!f.axes.empty()) throw std::invalid_argument("--axis needs --operation");
   stop_on_signals();
   const SweepResult r = run_sweep(f.coefficients, f.jobs, f.stride);
   do_both([&] { write_record_of(f.json, r); },
@@ -94,11 +152,18 @@ SweepResult run_sweep(const std::vector<std::string>& coefficients, unsigned job
 }
 
 Command sweep_command(CLI::App& program) {
-  CommandWith<Flags> a(
-      program, "sweep",
-      "an upper bound of the error of every scalar coefficient over every float. Exit code 0 if the "
-      "documented bounds hold; 1 if one does not; 2 for bad input; 3 if stopped");
-  a.list("--coefficient", a->coefficients, "NAME", "a coefficient, repeatable; default all");
+  CommandWith<Flags> a(program, "sweep",
+                       "an upper bound of the error of every scalar coefficient over every float, or the "
+                       "largest error of whole "
+                       "operations over every float angle about an axis. Exit code 0 if the "
+                       "documented bounds hold; 1 if one does not; 2 for bad input; 3 if stopped");
+  const Flag coefficients =
+      a.list("--coefficient", a->coefficients, "NAME", "a coefficient, repeatable; default all");
+  a.list("--operation", a->operations, "OP",
+         "instead, the error of a whole operation at every float angle about some axes, repeatable, or 'all'")
+      .excludes(coefficients);
+  a.list("--axis", a->axes, "X,Y,Z",
+         "an axis for --operation, repeatable; default x, and the worst of 500 random axes");
   a.number("--stride", a->stride, 1, 1u << 30, "evaluate only every Nth float: a lower bound, but faster");
   a.jobs(a->jobs);
   a.json(a->json, "write the bounds to FILE");

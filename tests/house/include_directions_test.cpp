@@ -54,8 +54,10 @@ const std::vector<Room> harness = {
       "failures"}},
     {"lattice", {"support", "oracles", "operations", "generators", "subjects", "invariants", "campaign"}},
     {"store", {"support", "campaign", "search", "hard_cases", "failures"}},
-    {"coefficients", {"lib", "support", "oracles"}},
+    {"coefficients", {"lib", "support", "oracles", "generators", "budgets"}},
     {"timing", {"lib", "support", "oracles", "operations", "generators", "subjects", "invariants"}},
+    {"rounding",
+     {"lib", "support", "conventions", "generators", "subjects", "invariants", "adapters", "timing"}},
     {"scenes", {"lib", "support", "oracles", "timing"}},
     {"record",
      {"lib", "support", "oracles", "operations", "generators", "budgets", "subjects", "invariants",
@@ -65,7 +67,7 @@ const std::vector<Room> harness = {
     {"app", {"lib",        "support",  "oracles",    "operations", "conventions", "generators",
              "budgets",    "subjects", "invariants", "adapters",   "campaign",    "search",
              "hard_cases", "failures", "rules",      "lattice",    "store",       "coefficients",
-             "timing",     "scenes",   "record",     "reports"}},
+             "timing",     "rounding", "scenes",     "record",     "reports"}},
 };
 
 const Room* find(const std::vector<Room>& rooms, const std::string& name) {

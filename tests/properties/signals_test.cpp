@@ -271,6 +271,7 @@ INSTANTIATE_TEST_SUITE_P(
         Command{"hunt", "hunt --subject textbook --op exp6 --for 3s --versus-random --corpus c.txt", 7},
         Command{"promise", "promise textbook --cases 20000 --out p.limits", 20},
         Command{"sweep", "sweep --json r.json", 60, "r.json"},
+        Command{"sweep_of_an_operation", "sweep --operation exp6 --json r.json", 60, "r.json"},
         Command{"cost", "cost --for 5s --json r.json", 20, "r.json"},
         Command{"cost_with_flags", "cost --flags --op exp6 --op integrate --for 3s --json r.json", 8,
                 "r.json"},
