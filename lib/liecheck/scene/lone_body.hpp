@@ -13,6 +13,7 @@
 #include <liecheck/algorithms/crba.hpp>
 #include <liecheck/scene/accumulate.hpp>
 #include <liecheck/scene/effects/effect.hpp>
+#include <liecheck/scene/pieces.hpp>
 #include <liecheck/scene/system.hpp>
 #include <liecheck/scene/tangent_rate.hpp>
 
@@ -41,6 +42,7 @@ class LoneBody {
   const Model<S>& model() const { return model_; }
   const Effects<S>& effects() const { return effects_; }  ///< without the effects that act on the model
   Kinematics needs() const { return needs_; }
+  Pieces<S>& pieces() { return pieces_; }
   /// True if no force and no gravity acts. Momentum is then conserved.
   bool forceFree() const { return effects_.empty() && !heavy_; }
 
@@ -101,7 +103,7 @@ class LoneBody {
     if (kinematics != Kinematics::None) X_[1] = SE3<S>(rotationOf(q), Vector3<S>(q[0], q[1], q[2]));
     if (kinematics >= Kinematics::Velocities) V_[1] = Motion<S>(v);
     if (a) A_[1] = Motion<S>(*a);
-    return {t, {q.data(), 7}, {v.data(), 6}, X_, V_, A_};
+    return {t, pieces_.at(t), {q.data(), 7}, {v.data(), 6}, X_, V_, A_};
   }
 
   const S& mass() const { return mass_; }
@@ -136,6 +138,7 @@ class LoneBody {
   Model<S> model_;
   Effects<S> effects_;
   Kinematics needs_ = Kinematics::None;
+  Pieces<S> pieces_;
   S mass_;
   Vector3<S> c_, moments_, euler_;
   Matrix3<S> I_, I_inverse_;
@@ -155,6 +158,7 @@ LoneBody<S>::LoneBody(const Model<S>& robot, Effects<S> effects) : model_(robot)
     e->prepare(model_);
     if (e->acts() == Acts::OnModel) continue;
     if (e->needs() > needs_) needs_ = e->needs();
+    pieces_.add(e->events());
     effects_.push_back(e);
   }
   const Inertia<S>& I = model_.inertias[1];

@@ -15,6 +15,7 @@ namespace liecheck::scene {
 /// - integrate: q exp(delta) of every joint;
 /// - accumulate: integrate in place, with compensated rounding errors (accumulate.hpp);
 /// - tangentRate: J_r^-1(delta) v;
+/// - pieces: the times at which forces are known to jump, and the piece that applies (pieces.hpp);
 /// - coefficientRate, normalize: rate and normalisation of the stored numbers of q, for quaternion_rk4.
 template <class X>
 concept System = Scalar<typename X::Scalar> &&
@@ -27,6 +28,7 @@ concept System = Scalar<typename X::Scalar> &&
   c.integrate(q, v, q_out);
   c.accumulate(q_out, v_out, v);
   c.tangentRate(v, v, v_out);
+  x.pieces();
   c.coefficientRate(q, v, q_out);
   c.normalize(q_out);
 };

@@ -4,6 +4,7 @@
 #include <liecheck/algorithms/aba.hpp>
 #include <liecheck/scene/accumulate.hpp>
 #include <liecheck/scene/effects/effect.hpp>
+#include <liecheck/scene/pieces.hpp>
 #include <liecheck/scene/system.hpp>
 #include <liecheck/scene/tangent_rate.hpp>
 
@@ -25,6 +26,7 @@ class Tree {
       if (e->acts() == Acts::OnModel) continue;
       if (e->needs() > needs_) needs_ = e->needs();
       if (e->acts() == Acts::OnBodies) bodies_ = true;
+      pieces_.add(e->events());
       effects_.push_back(e);
     }
     for (std::size_t i = 1; i < model_.joints.size(); ++i) {
@@ -45,6 +47,7 @@ class Tree {
   const Model<S>& model() const { return model_; }
   const Effects<S>& effects() const { return effects_; }  ///< without the effects that act on the model
   Kinematics needs() const { return needs_; }
+  Pieces<S>& pieces() { return pieces_; }
 
   bool readsConfiguration() const { return true; }
 
@@ -110,7 +113,7 @@ class Tree {
     else if (kinematics == Kinematics::Velocities)
       forwardKinematics(model_, data_, q, v);
     const auto size = [](const auto& x) { return std::size_t(x.size()); };
-    Now<S> now{t, {q.data(), size(q)}, {v.data(), size(v)}, {}, {}, {}};
+    Now<S> now{t, pieces_.at(t), {q.data(), size(q)}, {v.data(), size(v)}, {}, {}, {}};
     if (kinematics != Kinematics::None) now.X_WJ = data_.oMi();
     if (kinematics >= Kinematics::Velocities) now.V = data_.v();
     if (a) now.A = data_.a();
@@ -132,6 +135,7 @@ class Tree {
   Data<S> data_;
   Effects<S> effects_;
   Kinematics needs_ = Kinematics::None;
+  Pieces<S> pieces_;
   bool bodies_ = false;
   std::vector<Straight> straight_;
   std::vector<std::size_t> curved_;  ///< the joints that are not in such a range

@@ -8,14 +8,16 @@
 #include <liecheck/scene/parameters.hpp>
 #include <memory>
 #include <span>
+#include <vector>
 
 namespace liecheck::scene {
 
-/// The state that effects and observers read: time [s], q [nq] and v [nv]. If needs() asks for them, also
-/// poses X_WJ, velocities V and spatial accelerations A of the joints, in the joint's axes [njoints].
+/// The state that effects and observers read: time [s], a time in the piece of the forces that applies
+/// (pieces.hpp), q [nq] and v [nv]. If needs() asks for them, also poses X_WJ, velocities V and spatial
+/// accelerations A of the joints, in the joint's axes [njoints].
 template <Scalar S>
 struct Now {
-  S t;
+  S t, piece;
   std::span<const S> q, v;
   std::span<const SE3<S>> X_WJ;
   std::span<const Motion<S>> V, A;
@@ -41,6 +43,8 @@ class Effect {
   /// Sets gravity or armature, for effects that act on the model.
   virtual void prepare(Model<S>&) const {}
   virtual void add(const Now<S>&, const Load<S>&) const {}
+  /// The times [s] at which the force or a derivative of it jumps. Between them add() selects by now.piece.
+  virtual std::vector<S> events() const { return {}; }
   /// The potential energy [J] of the force; zero for a force without potential. Reads poses.
   virtual S potential(const Now<S>&) const { return S(0); }
 };

@@ -26,14 +26,16 @@ class ForceTable final : public Effect<S> {
                                   std::to_string(forces_.size()) + " forces: give one force for each time");
   }
   Acts acts() const override { return Acts::OnJoints; }
+  std::vector<S> events() const override { return times_; }
   void add(const Now<S>& now, const Load<S>& load) const override {
-    const S force = at(now.t);
+    const S force = at(now.t, now.piece);
     for (const Coordinate& c : at_) load.tau[std::size_t(c.v)] += force;
   }
 
  private:
-  S at(const S& t) const {
-    const auto after = std::upper_bound(times_.begin(), times_.end(), t);
+  /// The force at t by the line of the interval that holds `piece`.
+  S at(const S& t, const S& piece) const {
+    const auto after = std::upper_bound(times_.begin(), times_.end(), piece);
     if (after == times_.begin()) return forces_.front();
     if (after == times_.end()) return forces_.back();
     const std::size_t i = std::size_t(after - times_.begin());

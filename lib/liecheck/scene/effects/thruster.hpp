@@ -13,8 +13,7 @@ inline const PartInfo thruster_info{
     {{"frame", Kind::Frame, "", nullptr, "where it is mounted"},
      {"thrust", Kind::Number, "N", nullptr, "T"},
      {"direction", Kind::Direction, "1", "[0, 0, 1]", "e, in the frame; any length but 0"},
-     {"moment_ratio", Kind::Number, "m", "0",
-      "k: moment divided by thrust, > 0 for a moment along e"},
+     {"moment_ratio", Kind::Number, "m", "0", "k: moment divided by thrust, > 0 for a moment along e"},
      {"from", Kind::Number, "s", "", "start time; without it, the force acts from the beginning"},
      {"until", Kind::Number, "s", "", "end time; without it, the force never ends"}}};
 
@@ -25,13 +24,15 @@ class Thruster final : public Effect<S> {
       : spot_(model, p.word("frame")),
         from_(p.number("from", -std::numeric_limits<double>::infinity())),
         until_(p.number("until", std::numeric_limits<double>::infinity())) {
+    if (!(from_ < until_)) throw std::invalid_argument("the thruster's 'until' is not after its 'from'");
     const Vector3<S> e = Axis<S>(vectorOf<S>(p.numbers("direction"))).to_vector();
     const S thrust(p.number("thrust"));
     F_ = Force<S>(Vector3<S>(thrust * e), Vector3<S>(S(p.number("moment_ratio")) * thrust * e));
   }
   Acts acts() const override { return Acts::OnBodies; }
+  std::vector<S> events() const override { return {S(from_), S(until_)}; }
   void add(const Now<S>& now, const Load<S>& load) const override {
-    if (!(now.t < S(from_)) && now.t < S(until_)) spot_.add(load, F_);
+    if (!(now.piece < S(from_)) && now.piece < S(until_)) spot_.add(load, F_);
   }
 
  private:

@@ -31,8 +31,9 @@ class Wrench final : public Effect<S> {
   }
   Acts acts() const override { return Acts::OnBodies; }
   Kinematics needs() const override { return world_ ? Kinematics::Poses : Kinematics::None; }
+  std::vector<S> events() const override { return {S(from_), S(until_)}; }
   void add(const Now<S>& now, const Load<S>& load) const override {
-    if (now.t < S(from_) || !(now.t < S(until_))) return;
+    if (now.piece < S(from_) || !(now.piece < S(until_))) return;
     if (world_)
       spot_.addWorld(now, load, f_, n_);
     else
