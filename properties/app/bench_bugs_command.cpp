@@ -1,8 +1,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <app/command.hpp>
-#include <chrono>
-#include <hard_cases/hard_cases.hpp>
+#include <history/first_failure.hpp>
 #include <record/bench.hpp>
 #include <search/weak_tests.hpp>
 #include <subjects/known_bugs.hpp>
@@ -18,55 +17,16 @@ struct Flags {
   RobotFlags robot;
 };
 
-/// Runs `cases` cases of a series, from case `from` on. Sets the first failure, as "law: operation, block",
-/// and the first output without a verdict.
-void take_cases(BugRow& bug, const Series& s, std::uint64_t seed, std::uint64_t from, std::uint64_t cases) {
-  Tally tally;
-  for (std::uint64_t i = from; i < from + cases && !stop_requested; ++i) s.run(seed, i, tally);
-  bug.cases += cases;
-  for (const auto& [cell, row] : tally.rows) {
-    const Output& o = s.outputs.at(static_cast<std::size_t>(cell.first));
-    const auto set = [&](std::string& text) {
-      if (text.empty()) text = fmt::format("{}: {}, {}", s.property, o.operation, o.block);
-    };
-    if (row.failed > 0) set(bug.by);
-    if (row.unresolved + row.unmeasured > 0) set(bug.not_measured);
-  }
-}
-
-void take_hard_cases(BugRow& bug, const std::vector<HardRow>& rows) {
-  bug.cases += rows.size();
-  for (const HardRow& row : rows)
-    for (const HardCell& cell : row.cells) {
-      const auto set = [&](std::string& text) {
-        if (text.empty())
-          text = fmt::format("hard case {}: {}, {}", row.entry->name, cell.operation, cell.block);
-      };
-      if (cell.failed) set(bug.by);
-      if (cell.open) set(bug.not_measured);
-    }
-}
-
-/// Runs rounds of cases over all laws, and the hard cases after the first round, until a case fails.
+/// Runs the subject until a case fails.
 void hunt_down(BugRow& bug, const BugBench& bench, const Robot& robot) {
-  using Clock = std::chrono::steady_clock;
-  const auto start = Clock::now();
-  const auto elapsed = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
-  const double seconds = bug.alike() ? bench.seconds_each / 10 : bench.seconds_each;
-  const Selection selection{{bug.name}, {}, {bench.scalar}};
-  const auto all = select(selection, robot);
-  constexpr std::uint64_t round = 64;
-  for (std::uint64_t from = 0; bug.by.empty() && elapsed() < seconds && !stop_requested; from += round) {
-    for (const auto& s : all) {
-      take_cases(bug, *s, bench.seed, from, round);
-      if (!bug.by.empty()) break;
-    }
-    if (from == 0 && bug.by.empty()) take_hard_cases(bug, run_hard_cases(selection, robot));
-  }
-  if (!bug.alike() || !bug.by.empty()) bug.not_measured.clear();
-  if (bug.alike() && bug.cases == 0) bug.not_measured = "no case";
-  bug.seconds = elapsed();
-  bug.killed = !bug.by.empty();
+  const FirstFailure f = first_failure({{{bug.name}, {}, {bench.scalar}},
+                                        bench.seed,
+                                        0,
+                                        std::numeric_limits<std::uint64_t>::max(),
+                                        bug.alike() ? bench.seconds_each / 10 : bench.seconds_each},
+                                       robot);
+  bug.by = f.by, bug.cases = f.cases, bug.seconds = f.seconds, bug.killed = !f.by.empty();
+  if (bug.alike() && !bug.killed) bug.not_measured = f.cases == 0 ? "no case" : f.not_measured;
 }
 
 void print_header() {

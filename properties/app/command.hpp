@@ -222,6 +222,7 @@ Command hunt_command(CLI::App& program);
 Command promise_command(CLI::App& program);
 Command bench_batches_command(CLI::App& bench);
 Command bench_bugs_command(CLI::App& bench);
+Command bench_history_command(CLI::App& bench);
 Command bench_lattice_command(CLI::App& bench);
 Command bench_limits_command(CLI::App& bench);
 Command bench_rounding_command(CLI::App& bench);

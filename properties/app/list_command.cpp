@@ -21,7 +21,9 @@ void print_subjects(const std::vector<std::unique_ptr<Series>>& all) {
   }
   fmt::print(
       "  textbook:1e-1 ... textbook:1e-12: textbook with this cutoff; they run only if named\n"
-      "  bug:NAME, alike:NAME: known bugs and look-alikes of 'liecheck bench bugs', run only if named\n");
+      "  bug:NAME, alike:NAME: known bugs and look-alikes of 'liecheck bench bugs', run only if named\n"
+      "  history:NAME, history:NAME:fixed: bugs of real libraries, of 'liecheck bench history', run only if "
+      "named\n");
 }
 
 struct Flags {

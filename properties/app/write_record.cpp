@@ -1,4 +1,5 @@
 #include <app/campaign_run.hpp>
+#include <history/bench.hpp>
 #include <lattice/lattice.hpp>
 #include <nlohmann/json.hpp>
 #include <record/bench.hpp>
@@ -13,6 +14,7 @@ void write_record_of(const std::string& file, const Results&... results) {
 }
 
 template void write_record_of(const std::string&, const BugBench&);
+template void write_record_of(const std::string&, const HistoryBench&);
 template void write_record_of(const std::string&, const LatticeResult&);
 template void write_record_of(const std::string&, const SpeedBench&);
 template void write_record_of(const std::string&, const CostResult&);

@@ -1,6 +1,7 @@
 #include <record/bench.hpp>
 
 #include <algorithm>
+#include <history/bench.hpp>
 #include <lattice/lattice.hpp>
 #include <map>
 #include <record/record.hpp>
@@ -40,6 +41,36 @@ json record_of(const BugBench& b) {
           {"seconds_each", b.seconds_each},
           {"verdict", verdict_of(b.complete && (b.measured() || !b.passed()), b.passed())},
           {"bugs", list_of(b.rows, row)}};
+}
+
+json record_of(const HistoryBench& b) {
+  const auto row = [](const HistoryRow& r) -> json {
+    const HistoricBug& bug = *r.bug;
+    return {{"name", bug.name},
+            {"library", bug.library},
+            {"source", bug.thread},
+            {"operation", bug.forms.operation},
+            {"inputs", bug.region},
+            {"symptom", bug.symptom},
+            {"wrong", bug.wrong},
+            {"control", bug.kind == HistoryKind::control},
+            {"verdict", r.verdict()},
+            {"by", r.faulty.by},
+            {"cases", r.faulty.cases},
+            {"seconds", r.faulty.seconds},
+            {"first", r.faulty.replay},
+            {"outcome", r.faulty.outcome},
+            {"digits_lost", r.faulty.digits_lost()},
+            {"silent_cases", r.fixed.cases},
+            {"accused_by", r.fixed.by}};
+  };
+  return {{"version", LIECHECK_VERSION},
+          {"verdict", verdict_of(b.complete && (b.measured() || !b.passed()), b.passed())},
+          {"seed", b.seed},
+          {"scalar", "double"},
+          {"cases", b.cases},
+          {"from", b.from},
+          {"rows", list_of(b.rows, row)}};
 }
 
 json record_of(const LatticeResult& r) {

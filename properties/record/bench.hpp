@@ -39,6 +39,9 @@ struct BugBench {
 
 nlohmann::json record_of(const BugBench& bench);
 
+struct HistoryBench;
+nlohmann::json record_of(const HistoryBench& bench);
+
 struct LatticeResult;
 nlohmann::json record_of(const LatticeResult& result);
 

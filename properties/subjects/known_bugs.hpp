@@ -23,4 +23,7 @@ template <class S>
 inline std::vector<Subject<S>> (*linked_bugs)(const Operations<S>& good) = nullptr;
 const std::vector<KnownBug>& known_bug_table();
 
+/// The subjects history:NAME (history/history.hpp), or null in a program into which they are not linked.
+inline std::vector<Subject<double>> (*linked_history)(const Operations<double>& good) = nullptr;
+
 }  // namespace liecheck::properties

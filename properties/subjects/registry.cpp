@@ -27,12 +27,15 @@ std::vector<const Subject<S>*> subjects() {
   if constexpr (std::is_floating_point_v<S>) {  // bugs copy the subject liecheck, registered by now
     static std::once_flag once;
     std::call_once(once, [] {
-      for (const auto& s : registry<S>())
-        if (linked_bugs<S> && s->name == "liecheck") {
-          for (Subject<S>& bug : linked_bugs<S>(Operations<S>(s->operations)))
-            registry<S>().push_back(std::make_unique<Subject<S>>(std::move(bug)));
-          break;
-        }
+      const auto at = std::ranges::find(registry<S>(), "liecheck", [](const auto& s) { return s->name; });
+      if (at == registry<S>().end()) return;
+      const Operations<S> good = (*at)->operations;
+      const auto add = [](std::vector<Subject<S>> more) {
+        for (Subject<S>& s : more) registry<S>().push_back(std::make_unique<Subject<S>>(std::move(s)));
+      };
+      if (linked_bugs<S>) add(linked_bugs<S>(good));
+      if constexpr (std::is_same_v<S, double>)
+        if (linked_history) add(linked_history(good));
     });
   }
   std::vector<const Subject<S>*> all;

@@ -45,6 +45,8 @@ const std::vector<Room> harness = {
      {"lib", "support", "oracles", "operations", "generators", "budgets", "subjects", "invariants"}},
     {"search", {"support", "oracles", "operations", "generators", "subjects", "invariants", "campaign"}},
     {"hard_cases", {"support", "oracles", "operations", "generators", "subjects", "invariants", "campaign"}},
+    {"history",
+     {"support", "oracles", "operations", "budgets", "subjects", "invariants", "campaign", "hard_cases"}},
     {"failures",
      {"lib", "support", "oracles", "operations", "conventions", "generators", "budgets", "subjects",
       "invariants", "adapters", "campaign", "search"}},
@@ -61,13 +63,13 @@ const std::vector<Room> harness = {
     {"scenes", {"lib", "support", "oracles", "timing"}},
     {"record",
      {"lib", "support", "oracles", "operations", "generators", "budgets", "subjects", "invariants",
-      "campaign", "search", "hard_cases", "failures", "lattice", "store", "coefficients", "timing",
+      "campaign", "search", "hard_cases", "history", "failures", "lattice", "store", "coefficients", "timing",
       "scenes"}},
     {"reports", {"support"}},
-    {"app", {"lib",        "support",  "oracles",    "operations", "conventions", "generators",
-             "budgets",    "subjects", "invariants", "adapters",   "campaign",    "search",
-             "hard_cases", "failures", "rules",      "lattice",    "store",       "coefficients",
-             "timing",     "rounding", "scenes",     "record",     "reports"}},
+    {"app", {"lib",          "support",  "oracles",    "operations", "conventions", "generators",
+             "budgets",      "subjects", "invariants", "adapters",   "campaign",    "search",
+             "hard_cases",   "history",  "failures",   "rules",      "lattice",     "store",
+             "coefficients", "timing",   "rounding",   "scenes",     "record",      "reports"}},
 };
 
 const Room* find(const std::vector<Room>& rooms, const std::string& name) {

@@ -278,6 +278,7 @@ INSTANTIATE_TEST_SUITE_P(
         Command{"bench_batches", "bench batches", 60},
         Command{"bench_rounding", "bench rounding --inputs 3000 --json r.json", 60, "r.json"},
         Command{"bench_bugs", "bench bugs --for-each 1s --json r.json", 60, "r.json"},
+        Command{"bench_history", "bench history --cases 1000000 --json r.json", 60, "r.json"},
         Command{"bench_lattice", "bench lattice --faults 300 --resume f.txt --json r.json", 60, "r.json"},
         Command{"bench_limits", "bench limits --cases 100 --out .", 30},
         Command{"bench_speed", "bench speed --for-each 0.1s --json r.json", 60, "r.json"},
