@@ -17,6 +17,7 @@ namespace {
 struct Flags {
   std::string file;
   std::string csv, json;  ///< replace the files that the scene names
+  bool no_estimate = false;
 };
 
 /// The samples. Each number is the shortest decimal that reads back as the same double.
@@ -42,6 +43,28 @@ void print_figures(const scene::Scene& scene, const scene::Run& run) {
                f.unit == "1" ? "" : f.unit);
 }
 
+/// Prints the estimated error and what it covers.
+void print_estimate(const scene::Estimate& e) {
+  const auto row = [](const char* name, double error, double accepted, const char* unit) {
+    if (error > 0 || accepted > 0)
+      fmt::print("  {:<36}{:>24.3g} {}{}\n", fmt::format("estimated error, {}", name), error, unit,
+                 accepted > 0 ? fmt::format(", accepted {:.3g}", accepted) : "");
+  };
+  row("positions", e.error.position, e.error.position > 0 ? e.accepted.position : 0, "m");
+  row("angles", e.error.angle, e.error.angle > 0 ? e.accepted.angle : 0, "rad");
+  row("linear velocities", e.error.linear_velocity, 0, "m/s");
+  row("angular velocities", e.error.angular_velocity, 0, "rad/s");
+  fmt::print("    by twins with {} at {} checkpoints, for {:.0f} % of the run's steps; order observed: {}\n",
+             e.by, e.checkpoints, 100 * e.cost, e.order ? fmt::format("{:.2g}", *e.order) : "none");
+}
+
+/// Prints each alarm on stderr.
+void print_alarms(const scene::Scene& scene, const scene::Estimate& e) {
+  for (const scene::Alarm& a : e.alarms)
+    warn(fmt::format("liecheck: {}: at t = {:g} s {}: {}: {}\n", scene.source, a.t, a.what, a.cause,
+                     a.remedy));
+}
+
 /// Prints on stderr why the run ended early, and what may help.
 void print_early_end(const scene::Scene& scene, const scene::Run& run) {
   if (run.outcome.diverged) {
@@ -50,9 +73,8 @@ void print_early_end(const scene::Scene& scene, const scene::Run& run) {
         fmt::format("liecheck: {}: diverged at step {} of {} (t = {:g} s): {}; the samples until then are "
                     "saved. Take {}\n",
                     scene.source, run.outcome.steps + 1, scene.span.steps, run.outcome.t, run.outcome.why,
-                    method.adaptive           ? "another tolerance, or softer effects"
-                    : method.evaluations == 0 ? "a smaller step"
-                                              : "a smaller step, or an implicit method"));
+                    method.adaptive ? "another tolerance, or softer effects"
+                                    : "a smaller step, or dopri5, which chooses its steps"));
   }
   if (run.outcome.stopped)
     warn(fmt::format("interrupted at t = {:g} s of {:g} s: the samples until then are saved\n", run.outcome.t,
@@ -79,33 +101,43 @@ int run(const Flags& flags) {
   for (const std::string& path : {scene.csv, scene.json})
     if (!path.empty()) check_writable(path);
   std::optional<Progress> progress(std::in_place, scene.name);
-  const scene::Run run = scene::run(scene, [&](double share) {
-    progress->show(share, [&](double) { return fmt::format("of {:g} s", scene.span.duration); });
-    return !stop_requested.load();
-  });
+  const scene::Run run = scene::run(
+      scene,
+      [&](double share) {
+        progress->show(share, [&](double) { return fmt::format("of {:g} s", scene.span.duration); });
+        return !stop_requested.load();
+      },
+      !flags.no_estimate);
   progress.reset();
   const auto write_csv = [&] {
     if (!scene.csv.empty()) write_whole(scene.csv, csv_of(run));
   };
   do_both([&] { do_both(write_csv, [&] { write_record_of(scene.json, scene, run); }); },
-          [&] { print_figures(scene, run); });
+          [&] {
+            print_figures(scene, run);
+            if (run.estimate) print_estimate(*run.estimate);
+          });
   if (run.largest_turn > std::numbers::pi)
     warn(
         fmt::format("warning: a step rotated by {:.3g} rad: beyond pi its result is meaningless; take a "
                     "smaller step\n",
                     run.largest_turn));
   print_early_end(scene, run);
-  return run.outcome.diverged || run.outcome.stopped ? incomplete : within_budget;
+  if (run.estimate) print_alarms(scene, *run.estimate);
+  if (run.outcome.diverged || run.outcome.stopped) return incomplete;
+  return run.estimate && !run.estimate->alarms.empty() ? property_failed : within_budget;
 }
 
 }  // namespace
 
 Command scene_run_command(CLI::App& scene) {
-  CommandWith<Flags> a(
-      scene, "run",
-      "simulate a scene. Exit code 0; 2 for bad input; 3 if diverged or stopped (samples so far are saved)");
+  CommandWith<Flags> a(scene, "run",
+                       "simulate a scene. Exit code 0; 1 if its estimated error is too large or a conserved "
+                       "quantity changes; 2 for "
+                       "bad input; 3 if diverged or stopped (samples so far are saved)");
   a.text("FILE", a->file, "SCENE", "the scene").required();
   a.text("--csv", a->csv, "FILE", "write the samples to FILE, not to the scene's file");
+  a.toggle("--no-estimate", a->no_estimate, "leave out the estimate of the error");
   a.json(a->json, "write samples and figures to FILE, not to the scene's file");
   return a.runs(run);
 }

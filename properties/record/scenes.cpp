@@ -113,6 +113,28 @@ json film_record(const Film& film) {
           {"frames", list_of(film.frames, poses)}};
 }
 
+json estimate_record(const scene::Estimate& e) {
+  const auto alarm = [](const scene::Alarm& a) -> json {
+    return {{"t", a.t},
+            {"what", a.what},
+            {"cause", a.cause},
+            {"remedy", a.remedy},
+            {"step", a.step > 0 ? json(a.step) : json()}};
+  };
+  return {{"position", number(e.error.position)},
+          {"angle", number(e.error.angle)},
+          {"linear_velocity", number(e.error.linear_velocity)},
+          {"angular_velocity", number(e.error.angular_velocity)},
+          {"accepted_position", e.accepted.position},
+          {"accepted_angle", e.accepted.angle},
+          {"order", e.order ? number(*e.order) : json()},
+          {"by", e.by},
+          {"cost", e.cost},
+          {"seconds", e.seconds},
+          {"checkpoints", e.checkpoints},
+          {"alarms", list_of(e.alarms, alarm)}};
+}
+
 json cost_record(const StageCost& c) {
   return {{"scene", c.scene},
           {"stage", c.stage},
@@ -139,9 +161,10 @@ json record_of(const scene::Scene& scene, const scene::Run& run) {
           {"reason", scene.reason},
           {"integrator", scene.integrator},
           {"step", scene.span.duration / double(scene.span.steps)},
-          {"verdict", run.outcome.diverged  ? "diverged"
-                      : run.outcome.stopped ? "stopped"
-                                            : "complete"},
+          {"verdict", run.outcome.diverged                            ? "diverged"
+                      : run.outcome.stopped                           ? "stopped"
+                      : run.estimate && !run.estimate->alarms.empty() ? "alarm"
+                                                                      : "complete"},
           {"why", run.outcome.why},
           {"steps", run.outcome.steps},
           {"of_steps", scene.span.steps},
@@ -149,7 +172,8 @@ json record_of(const scene::Scene& scene, const scene::Run& run) {
           {"seconds", run.seconds},
           {"columns", list_of(run.columns, column)},
           {"rows", rows},
-          {"figures", list_of(run.figures, figure)}};
+          {"figures", list_of(run.figures, figure)},
+          {"estimate", run.estimate ? estimate_record(*run.estimate) : json()}};
 }
 
 json record_of(const SceneSweepResult& r) {

@@ -41,7 +41,7 @@ class Runner {
     result_.columns = setup.columns();
   }
 
-  Run run() {
+  Run run(bool estimated) {
     const Span& span = setup_.scene.span;
     Span watched = span;
     watched.every = setup_.every_step ? 1 : largestDivisor(span.every);
@@ -49,7 +49,12 @@ class Runner {
                                         {setup_.scene.options.tolerance, [this] { return !goesOn(); }});
     State<Sys> now = setup_.start;
     const double begin = nowInSeconds(), h = setup_.step();
+    std::vector<Checkpoint<Sys>> checkpoints;
+    const long sections = std::clamp(span.steps / 9, 1L, 64L);
     result_.outcome = simulate(setup_.system, *method, now, watched, [&](const State<Sys>& state, long n) {
+      if (estimated && (n == span.steps ||
+                        double(n) * double(sections) >= double(checkpoints.size()) * double(span.steps)))
+        checkpoints.push_back({n, state});
       if (setup_.every_step) watchStep(state);
       if (n % span.every == 0 || n == span.steps) sample(state, n);
       if (!method->what().adaptive)
@@ -67,6 +72,13 @@ class Runner {
       }
     if (setup_.attitude_error)
       result_.figures.push_back({"largest attitude error", "rad", setup_.attitude_error->largest()});
+    if (estimated && !result_.outcome.diverged && !result_.outcome.stopped) try {
+        const double estimated_from = nowInSeconds();
+        result_.estimate = estimateError(setup_, checkpoints, [this] { return goesOn(); });
+        result_.estimate->seconds = nowInSeconds() - estimated_from;
+      } catch (const Interrupted&) {
+        result_.outcome.stopped = true;
+      }
     return std::move(result_);
   }
 
@@ -119,8 +131,8 @@ std::vector<Column> columnsOf(const Scene& scene) {
   return withSetup(scene, [](auto& setup) { return setup.columns(); });
 }
 
-Run run(const Scene& scene, const std::function<bool(double)>& on) {
-  return withSetup(scene, [&](auto& setup) { return Runner(setup, on).run(); });
+Run run(const Scene& scene, const std::function<bool(double)>& on, bool estimated) {
+  return withSetup(scene, [&](auto& setup) { return Runner(setup, on).run(estimated); });
 }
 
 }  // namespace liecheck::scene

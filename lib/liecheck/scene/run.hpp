@@ -2,6 +2,7 @@
 // Plans and runs of scenes in double.
 
 #include <functional>
+#include <liecheck/scene/estimate.hpp>
 #include <liecheck/scene/observers/observer.hpp>
 #include <liecheck/scene/scene.hpp>
 
@@ -40,10 +41,12 @@ struct Run {
   /// The largest rotation |h omega| of a step [rad]. Methods require that it is below pi. It is 0 for
   /// adaptive methods, since the tolerance limits their steps.
   double largest_turn = 0;
+  std::optional<Estimate> estimate;  ///< if it was asked for and the run reached its end
 };
 
 /// Calls on(share) about ten times a second with the completed share; if it returns false, the run stops.
 /// Throws like plan(), and std::invalid_argument if an observed number is not finite at the start.
-Run run(const Scene& scene, const std::function<bool(double share)>& on = {});
+/// If `estimated` is true, the error is estimated after the run (estimate.hpp).
+Run run(const Scene& scene, const std::function<bool(double share)>& on = {}, bool estimated = false);
 
 }  // namespace liecheck::scene

@@ -20,6 +20,8 @@ struct Scene {
   MethodOptions options;
   Span span;
   std::vector<Request> observers;
+  /// The largest accepted error of a position [m] and of an angle [rad]; 0 means 1 % of the motion's extent.
+  double accepted_position = 0, accepted_angle = 0;
   std::string truth;  ///< name of the closed form of this motion, or empty
   std::string csv, json;
 };

@@ -147,7 +147,7 @@ Scene read(const Text& text, const std::string& content, const std::string& fold
     text.refuse(0, "is not a scene: it has no keys such as 'robot: {body: box, size: [1, 1, 1]}'");
   text.checkKeys(root, "the scene",
                  {"scene", "reason", "robot", "frames", "ground", "initial", "effects", "actuation",
-                  "integrator", "duration", "observers", "output", "truth"});
+                  "integrator", "duration", "observers", "output", "accuracy", "truth"});
   Scene scene;
   scene.source = text.file();
   scene.name = root["scene"].IsDefined() ? text.word(root["scene"], "scene")
@@ -159,6 +159,15 @@ Scene read(const Text& text, const std::string& content, const std::string& fold
                                                           "sleeping_top", "precessing_top"};
     scene.truth = text.word(root["truth"], "truth");
     text.place(root["truth"], scene.truth, closed_forms, "no closed form is named '" + scene.truth + "'");
+  }
+  if (const YAML::Node accuracy = root["accuracy"]; accuracy.IsDefined() && !accuracy.IsNull()) {
+    text.checkKeys(accuracy, "accuracy", {"position", "angle"});
+    const auto read = [&](const char* key, const char* unit, double& to) {
+      if (const YAML::Node node = accuracy[key]; node.IsDefined())
+        to = text.number(node, std::string("accuracy.") + key, unit, Kind::Positive);
+    };
+    read("position", "m", scene.accepted_position);
+    read("angle", "rad", scene.accepted_angle);
   }
   readRobot(text, root, folder, scene, warnings);
   if (const YAML::Node ground = root["ground"]; ground.IsDefined() && !ground.IsNull()) {

@@ -19,6 +19,7 @@ class Armature final : public Effect<S> {
   Armature(const Parameters& p, const Model<S>& model, const Surroundings&)
       : at_(coordinates(model, p.names("joints"))), inertia_(S(p.number("inertia"))) {}
   Acts acts() const override { return Acts::OnModel; }
+  bool conservative() const override { return true; }
   void prepare(Model<S>& model) const override {
     for (const Coordinate& c : at_) model.armature[c.v] += inertia_;
   }

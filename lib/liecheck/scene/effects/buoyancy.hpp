@@ -22,6 +22,7 @@ class Buoyancy final : public Effect<S> {
       : spot_(model, p.word("frame")),
         f_(-S(p.number("density")) * S(p.number("volume")) * vectorOf<S>(p.numbers("acceleration"))) {}
   Acts acts() const override { return Acts::OnBodies; }
+  bool conservative() const override { return true; }
   Kinematics needs() const override { return Kinematics::Poses; }
   void add(const Now<S>& now, const Load<S>& load) const override {
     spot_.addWorld(now, load, f_, Vector3<S>::Zero());

@@ -35,6 +35,7 @@ class Contact final : public Effect<S> {
     for (const std::string& frame : p.names("frames")) points_.emplace_back(model, frame);
   }
   Acts acts() const override { return Acts::OnBodies; }
+  bool conservative() const override { return c_ == S(0) && mu_ == S(0); }
   Kinematics needs() const override { return Kinematics::Velocities; }
   void add(const Now<S>& now, const Load<S>& load) const override {
     for (const Spot<S>& point : points_) {

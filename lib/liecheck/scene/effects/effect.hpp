@@ -45,6 +45,8 @@ class Effect {
   virtual void add(const Now<S>&, const Load<S>&) const {}
   /// The times [s] at which the force or a derivative of it jumps. Between them add() selects by now.piece.
   virtual std::vector<S> events() const { return {}; }
+  /// True if the sum of kinetic energy and potential() is constant under this effect alone.
+  virtual bool conservative() const { return false; }
   /// The potential energy [J] of the force; zero for a force without potential. Reads poses.
   virtual S potential(const Now<S>&) const { return S(0); }
 };

@@ -18,6 +18,7 @@ class Gravity final : public Effect<S> {
   Gravity(const Parameters& p, const Model<S>& model, const Surroundings&)
       : g_(vectorOf<S>(p.numbers("acceleration"))), inertias_(model.inertias) {}
   Acts acts() const override { return Acts::OnModel; }
+  bool conservative() const override { return true; }
   void prepare(Model<S>& model) const override { model.gravity += g_; }
   S potential(const Now<S>& now) const override {
     S energy(0);

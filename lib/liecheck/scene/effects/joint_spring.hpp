@@ -20,6 +20,7 @@ class JointSpring final : public Effect<S> {
   JointSpring(const Parameters& p, const Model<S>& model, const Surroundings&)
       : at_(positions(model, p.names("joints"))), k_(S(p.number("stiffness"))), rest_(S(p.number("rest"))) {}
   Acts acts() const override { return Acts::OnJoints; }
+  bool conservative() const override { return true; }
   void add(const Now<S>& now, const Load<S>& load) const override {
     for (const Coordinate& c : at_) load.tau[std::size_t(c.v)] -= k_ * (now.q[std::size_t(c.q)] - rest_);
   }

@@ -1,0 +1,345 @@
+#include <liecheck/scene/estimate.hpp>
+
+#include <cmath>
+#include <cstdio>
+#include <liecheck/scene/observers/energy.hpp>
+#include <liecheck/scene/observers/momentum.hpp>
+#include <liecheck/scene/stability.hpp>
+
+namespace liecheck::scene {
+namespace {
+
+using Vec = VectorX<double>;
+
+std::string decimal(double x, const char* format = "%.12g") {
+  char text[40];
+  std::snprintf(text, sizeof text, format, x);
+  return text;
+}
+
+/// True for the elements of v that are linear velocities.
+std::vector<bool> linearCoordinates(const Model<double>& model) {
+  std::vector<bool> linear(std::size_t(model.nv), false);
+  for (std::size_t i = 1; i < model.joints.size(); ++i) {
+    const auto& joint = model.joints[i];
+    const int count =
+        std::holds_alternative<FreeFlyer<double>>(joint) || std::holds_alternative<Translation<double>>(joint)
+            ? 3
+        : std::holds_alternative<Planar<double>>(joint)    ? 2
+        : std::holds_alternative<Prismatic<double>>(joint) ? 1
+                                                           : 0;
+    for (int k = 0; k < count; ++k) linear[std::size_t(model.idx_vs[i] + k)] = true;
+  }
+  return linear;
+}
+
+/// The smallest of 2, 4, 5, 8, 10, 20, ... that is at least x. Steps divided by it stay short decimals.
+double divisorOf(double x) {
+  for (double power = 1; power < 1e15; power *= 10)
+    for (const double k : {1.0, 2.0, 4.0, 5.0, 8.0})
+      if (k * power >= x && k * power > 1) return k * power;
+  return 1e15;
+}
+
+template <class Sys>
+class Estimator {
+ public:
+  Estimator(Setup<Sys>& setup, const std::vector<Checkpoint<Sys>>& points, const std::function<bool()>& go_on)
+      : setup_(setup), points_(points), go_on_(go_on), linear_(linearCoordinates(setup.scene.model)) {}
+
+  Estimate run() {
+    const MethodInfo& method = methodInfo(setup_.scene.integrator);
+    promised_ = method.order;
+    result_.checkpoints = long(points_.size()) - 1;
+    setAccepted();
+    const auto coarse = points_.back().step >= 9 ? twin(3) : std::nullopt;
+    const auto coarser = coarse ? twin(9) : std::nullopt;
+    double factor = 1;  // error / difference
+    const std::optional<Twin>* of = &coarse;
+    bool known = false;
+    if (coarse) {
+      const double D1 = differ(coarse->states), D2 = coarser ? differ(coarse->states, coarser->states) : 0;
+      if (coarser && D1 > 0 && D2 > 0)
+        result_.order = std::log(D2 / D1) / std::log(coarser->ratio / coarse->ratio);
+      if (observed()) factor = 1 / (std::pow(coarse->ratio, std::min(*result_.order, promised_)) - 1);
+      known = D1 * factor <= 1;
+    }
+    std::optional<Twin> fine;
+    if (!known) {
+      fine = twin(0.5);
+      if (fine) {
+        const double Df = differ(fine->states);
+        result_.order.reset();
+        if (coarse && Df > 0)
+          result_.order = orderOf(differ(coarse->states) / Df, coarse->ratio, fine->ratio);
+        const double p = std::min(result_.order.value_or(1), promised_);
+        factor = p < 0.5 ? 1 : 1 / (1 - std::pow(fine->ratio, p)), of = &fine;
+      }
+    }
+    if (*of)
+      judge((*of)->states, factor);
+    else
+      result_.alarms.push_back({points_[0].state.t, "the error is unknown",
+                                "runs with longer and with shorter steps fail", smallerStep(10), advised_});
+    checkConserved();
+    return std::move(result_);
+  }
+
+ private:
+  struct Twin {
+    double ratio;  ///< of its steps to those of the run
+    std::vector<State<Sys>> states;
+  };
+
+  /// True if an effect has a force that begins or ends where the state decides.
+  bool jumps() const {
+    for (const Request& r : setup_.scene.effects)
+      if (r.name == "contact" || r.name == "joint_limits") return true;
+    return false;
+  }
+  bool observed() const { return result_.order && *result_.order > 0.5 * promised_; }
+
+  StateError difference(const State<Sys>& a, const State<Sys>& b) const {
+    const Vec q = liecheck::difference(setup_.scene.model, Vec(a.q), Vec(b.q)), v = b.v - a.v;
+    StateError e;
+    for (int k = 0; k < q.size(); ++k) {
+      const bool linear = linear_[std::size_t(k)];
+      double &x = linear ? e.position : e.angle, &y = linear ? e.linear_velocity : e.angular_velocity;
+      x = std::max(x, std::abs(q[k])), y = std::max(y, std::abs(v[k]));
+    }
+    return e;
+  }
+  /// The error in units of the accepted one.
+  double scaled(const StateError& e) const {
+    return std::max(e.position / result_.accepted.position, e.angle / result_.accepted.angle);
+  }
+  double differ(const std::vector<State<Sys>>& states) const {
+    double largest = 0;
+    for (std::size_t k = 0; k < states.size(); ++k)
+      largest = std::max(largest, scaled(difference(points_[k].state, states[k])));
+    return largest;
+  }
+  double differ(const std::vector<State<Sys>>& a, const std::vector<State<Sys>>& b) const {
+    double largest = 0;
+    for (std::size_t k = 0; k < a.size(); ++k) largest = std::max(largest, scaled(difference(a[k], b[k])));
+    return largest;
+  }
+  /// Without a stated accuracy, an error of 1 % of the extent of the motion is accepted, and at least 1e-6.
+  void setAccepted() {
+    StateError extent;
+    for (const auto& point : points_) {
+      const StateError e = difference(points_[0].state, point.state);
+      extent.position = std::max(extent.position, e.position), extent.angle = std::max(extent.angle, e.angle);
+    }
+    const auto accepted = [](double stated, double size) {
+      return stated > 0 ? stated : std::max(0.01 * size, 1e-6);
+    };
+    result_.accepted.position = accepted(setup_.scene.accepted_position, extent.position);
+    result_.accepted.angle = accepted(setup_.scene.accepted_angle, extent.angle);
+  }
+
+  /// A run with about ratio times as long steps, or none if it diverges.
+  std::optional<Twin> twin(double ratio) {
+    result_.by += (result_.by.empty() ? "steps of " : ", ") + decimal(ratio) + " h";
+    MethodOptions options{setup_.scene.options.tolerance * std::pow(ratio, promised_),
+                          [this] { return !go_on_(); }};
+    options.tolerance = std::max(options.tolerance, 1e-15);
+    const auto method = makeMethod<Sys>(setup_.scene.integrator, options);
+    const double h = setup_.step(), all = double(points_.back().step);
+    Twin twin{ratio, {points_[0].state}};
+    State<Sys> now = points_[0].state;
+    long made = 0;
+    for (std::size_t k = 1; k < points_.size(); ++k) {
+      const long length = points_[k].step - points_[k - 1].step;
+      const long steps = std::max(1L, std::lround(double(length) / ratio));
+      const Outcome o = simulate(setup_.system, *method, now, {h * double(length), steps, 256},
+                                 [&](const auto&, long) { return go_on_(); });
+      if (o.stopped && o.steps < steps) throw Interrupted();
+      made += o.steps, result_.cost += double(o.steps) / all;
+      if (o.diverged) return {};
+      now.t = points_[k].state.t;
+      disturb(now, k);
+      twin.states.push_back(now);
+    }
+    if (!method->what().adaptive) twin.ratio = all / double(made);
+    return twin;
+  }
+  /// Changes v by eps/64, as the rounding errors of a compensated sum do. Without this, twins of a motion that
+  /// amplifies rounding errors could agree with each other and with no exact motion.
+  static void disturb(State<Sys>& state, std::size_t k) {
+    const double size = eps<double>() / 64 * state.v.cwiseAbs().maxCoeff();
+    for (int i = 0; i < state.v.size(); ++i)
+      accumulate<double>(state.v[i], state.v_low[i], (i + int(k)) % 3 == 0 ? -size : size);
+  }
+  /// p of (r^p - 1) / (1 - f^p) = quotient, by bisection: the left side increases with p.
+  static double orderOf(double quotient, double r, double f) {
+    double low = 0.01, high = 20;
+    while (high - low > 1e-3) {
+      const double p = (low + high) / 2;
+      (((std::pow(r, p) - 1) / (1 - std::pow(f, p)) < quotient) ? low : high) = p;
+    }
+    return low;
+  }
+
+  void judge(const std::vector<State<Sys>>& states, double factor) {
+    std::optional<std::size_t> first;
+    // A twin shows the sum of its own and the run's rounding errors, which do not decrease with the step.
+    const double rounding = eps<double>() * std::sqrt(double(points_.back().step));
+    for (std::size_t k = 1; k < states.size(); ++k) {
+      StateError e = difference(points_[k].state, states[k]), &largest = result_.error;
+      for (double StateError::*x : {&StateError::position, &StateError::angle, &StateError::linear_velocity,
+                                    &StateError::angular_velocity})
+        e.*x = std::max(factor * e.*x, std::min(e.*x, rounding)), largest.*x = std::max(largest.*x, e.*x);
+      if (!first && scaled(e) > 1) first = k;
+    }
+    if (!first) return;
+    const double excess = scaled(result_.error);
+    const std::string what = "the estimated error is " + decimal(excess, "%.3g") + " times the accepted one";
+    if (alarmOfStability(*first, what)) return;
+    if (!observed() && alarmOfRounding(*first, what)) return;
+    // Far above the step at which a method has its order, and across contacts, fewer digits are won.
+    const double p = std::clamp(result_.order.value_or(1), 0.5, jumps() ? 1.0 : std::min(promised_, 2.0));
+    const double times = std::pow((jumps() ? 10 : 3) * excess, 1 / p);
+    const std::string cause =
+        !result_.order ? "order not observed: no other step agrees"
+        : *result_.order < 0.7 * promised_
+            ? "order " + decimal(*result_.order, "%.2g") + " is observed, and " + setup_.scene.integrator +
+                  " has " + decimal(promised_) + ": the motion has jumps, or modes faster than the step"
+            : "the steps of " + setup_.scene.integrator + " are too long for this motion";
+    result_.alarms.push_back({points_[*first].state.t, what, cause, smallerStep(times), advised_});
+  }
+
+  /// An alarm if a twin with the same steps, which differs by rounding errors only, has a good part of the error.
+  bool alarmOfRounding(std::size_t first, const std::string& what) {
+    const auto same = twin(1);
+    if (!same || differ(same->states) < 0.2) return false;
+    char until[60];
+    std::snprintf(until, sizeof until, "end the scene before t = %.4g s", points_[first - 1].state.t);
+    result_.alarms.push_back({points_[first].state.t, what, "the motion amplifies rounding errors",
+                              std::string(until) + ", or state a larger 'accuracy'"});
+    return true;
+  }
+  /// An alarm if a step is unstable at a checkpoint near the first bad one, with a step that is stable there.
+  bool alarmOfStability(std::size_t first, const std::string& what) {
+    const MethodInfo& method = methodInfo(setup_.scene.integrator);
+    if (method.adaptive || setup_.system.nv() > largest_analysed) return false;
+    const double h = setup_.step();
+    std::vector<std::size_t> tried = {first - 1, first};
+    for (std::size_t k = 0; k < points_.size(); k += std::max<std::size_t>(1, points_.size() / 6))
+      tried.push_back(k);
+    double divisor = 1;
+    std::optional<std::size_t> worst;
+    Stability shown;
+    for (const std::size_t k : tried) {
+      const State<Sys>& state = points_[k].state;
+      for (double needed = divisor;;) {
+        const Stability s = stabilityOf(setup_, state, h / needed);
+        if (s.stable() || needed > 1e6) break;
+        if (needed == divisor) worst = k, shown = s;
+        divisor = needed = divisorOf(1.5 * needed);
+        if (!go_on_()) throw Interrupted();
+      }
+    }
+    if (!worst) return false;
+    const std::string effect = stiffestEffect(setup_, points_[*worst].state);
+    const std::string cause = "the step is above the stability limit of " +
+                              (effect.empty() ? "the robot" : "'" + effect + "'") +
+                              ", whose fastest mode has |lambda| = " + decimal(shown.stiffest, "%.3g") +
+                              " 1/s at t = " + decimal(points_[*worst].state.t, "%.4g") + " s";
+    const double p = jumps() ? 1 : std::min(promised_, 2.0);
+    const double times = std::min(std::pow((jumps() ? 10 : 3) * scaled(result_.error), 1 / p), 100.0);
+    result_.alarms.push_back(
+        {points_[first].state.t, what, cause, smallerStep(std::max(2 * divisor, times)), advised_});
+    return true;
+  }
+
+  /// The remedy for steps that are `times` as long as they should be: shorter ones, or steps by a tolerance if
+  /// they had to be more than 100 times shorter.
+  std::string smallerStep(double times) {
+    const std::string or_else = ", or state a larger 'accuracy'";
+    advised_ = 0;
+    if (methodInfo(setup_.scene.integrator).adaptive)
+      return "take the tolerance " + decimal(setup_.scene.options.tolerance / divisorOf(times)) + or_else;
+    if (times > 100) {
+      const double accepted = std::min(result_.accepted.position, result_.accepted.angle);
+      return "take integrator: {name: dopri5, tolerance: " +
+             decimal(std::clamp(1e-4 * accepted, 1e-12, 1e-6), "%.0e") + "}" + or_else;
+    }
+    advised_ = setup_.step() / divisorOf(times);
+    return "take steps of " + decimal(advised_) + " s" + or_else;
+  }
+
+  /// Energy and momentum at the checkpoints, if no effect changes them. The band is 1 % of the kinetic energy
+  /// (of the largest so far), and of the largest momentum that this energy allows.
+  void checkConserved() {
+    const Scene& scene = setup_.scene;
+    bool energy = true, momentum = std::holds_alternative<FreeFlyer<double>>(scene.model.joints[1]);
+    for (std::size_t i = 0; i < setup_.effects.size(); ++i) {
+      const auto& effect = *setup_.effects[i];
+      energy = energy && effect.conservative();
+      const bool inner = effect.acts() == Acts::OnJoints || scene.effects[i].name == "armature";
+      momentum = momentum && inner;
+      if (inner)
+        for (const std::string& name : scene.effects[i].parameters.names("joints"))
+          momentum = momentum && name != scene.model.names[1];
+    }
+    if (!energy && !momentum) return;
+    std::optional<double> E0;
+    Force<double> h0 = Force<double>::Zero();
+    double kinetic = 0;
+    for (const auto& point : points_) {
+      const auto now = setup_.look(point.state, Kinematics::Velocities);
+      const double T = kineticEnergy(setup_.system.model(), now);
+      double E = T;
+      for (const auto& e : setup_.effects) E += e->potential(now);
+      const Force<double> h = centroidalMomentum(setup_.system.model(), now);
+      if (!E0) E0 = E, h0 = h;
+      kinetic = std::max(kinetic, T);
+      const char* left = energy && std::abs(E - *E0) > 0.01 * kinetic    ? "energy"
+                         : momentum && momentumLeft(now, h, h0, kinetic) ? "momentum"
+                                                                         : nullptr;
+      if (!left) continue;
+      result_.alarms.push_back(
+          {point.state.t,
+           std::string(left) + " changes by more than 1 %, and no effect of the scene changes it",
+           "the error of " + scene.integrator + " at this step", smallerStep(10), advised_});
+      return;
+    }
+  }
+  bool momentumLeft(const Now<double>& now, const Force<double>& h, const Force<double>& h0,
+                    double kinetic) const {
+    const Model<double>& model = setup_.system.model();
+    double mass = 0, inertia = 0;
+    Vector3<double> c = Vector3<double>::Zero();
+    for (std::size_t i = 1; i < model.inertias.size(); ++i) mass += model.inertias[i].mass();
+    for (std::size_t i = 1; i < model.inertias.size(); ++i)
+      c += model.inertias[i].mass() / mass * now.X_WJ[i].act(model.inertias[i].lever());
+    for (std::size_t i = 1; i < model.inertias.size(); ++i)
+      inertia += model.inertias[i].inertia().trace() +
+                 model.inertias[i].mass() * (now.X_WJ[i].act(model.inertias[i].lever()) - c).squaredNorm();
+    return (h.linear() - h0.linear()).norm() > 0.01 * std::sqrt(2 * kinetic * mass) ||
+           (h.angular() - h0.angular()).norm() > 0.01 * std::sqrt(2 * kinetic * inertia);
+  }
+
+  Setup<Sys>& setup_;
+  const std::vector<Checkpoint<Sys>>& points_;
+  const std::function<bool()>& go_on_;
+  std::vector<bool> linear_;
+  double promised_ = 1, advised_ = 0;
+  Estimate result_;
+};
+
+}  // namespace
+
+template <class Sys>
+Estimate estimateError(Setup<Sys>& setup, const std::vector<Checkpoint<Sys>>& points,
+                       const std::function<bool()>& go_on) {
+  return Estimator<Sys>(setup, points, go_on).run();
+}
+
+template Estimate estimateError(Setup<LoneBody<double>>&, const std::vector<Checkpoint<LoneBody<double>>>&,
+                                const std::function<bool()>&);
+template Estimate estimateError(Setup<Tree<double>>&, const std::vector<Checkpoint<Tree<double>>>&,
+                                const std::function<bool()>&);
+
+}  // namespace liecheck::scene
