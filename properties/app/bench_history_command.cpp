@@ -26,9 +26,11 @@ void print_row(const HistoryRow& row) {
                                                    : f.outcome;
     fmt::print("{:<25} {:<14}{:>6}{:>8.3f}  {:<13}{:<60} {}\n", b.name, row.verdict(), f.cases, f.seconds,
                digits, f.by.empty() ? "-" : f.by, f.replay.substr(0, 160));
-    if (row.verdict() == "INCOMPLETE")
-      fmt::print("  not measured: {}\n",
-                 row.fixed.not_measured.empty() ? f.not_measured : row.fixed.not_measured);
+    if (row.verdict() == "INCOMPLETE") {
+      const FirstFailure& open = f.by.empty() && !f.in_time ? f : row.fixed;
+      fmt::print("  {}\n", open.in_time ? "without a verdict: " + open.not_measured + f.not_measured
+                                        : fmt::format("the time was up after {} cases", open.cases));
+    }
     if (!row.fixed.by.empty()) fmt::print("  the repaired form: {}; {}\n", row.fixed.by, row.fixed.replay);
   }
   std::fflush(stdout);

@@ -14,9 +14,11 @@ std::string HistoryRow::verdict() const {
   const bool control = bug->kind == HistoryKind::control;
   if (bug->kind == HistoryKind::not_expressed) return "not expressed";
   if (accused()) return "ACCUSED";
-  if (!control && faulty.by.empty()) return "NOT FOUND";
-  if (fixed.cases == 0 || !fixed.not_measured.empty() || (control && !faulty.not_measured.empty()))
-    return "INCOMPLETE";
+  if (!control && faulty.by.empty()) return faulty.in_time ? "NOT FOUND" : "INCOMPLETE";
+  const auto open = [](const FirstFailure& f) {
+    return !f.in_time || f.cases == 0 || !f.not_measured.empty();
+  };
+  if (open(fixed) || (control && open(faulty))) return "INCOMPLETE";
   return control ? "silent" : "found";
 }
 

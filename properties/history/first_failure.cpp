@@ -102,7 +102,9 @@ FirstFailure first_failure(const FailureSearch& search, const Robot& robot) {
     if (done == 0 && search.from == 0 && f.by.empty())
       take_hard_cases(f, run_hard_cases(search.selection, robot));
     done = next;
+    f.in_time = done == search.cases;
   }
+  f.in_time |= !f.by.empty();
   f.seconds = elapsed();
   return f;
 }

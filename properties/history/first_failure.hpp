@@ -22,6 +22,7 @@ struct FirstFailure {
   double error = 0;          ///< of that case [eps]
   std::uint64_t cases = 0;   ///< until then, of all laws
   double seconds = 0;
+  bool in_time = false;  ///< a case failed, or all cases were taken
   /// log10 of the error, or all digits of a double if the result has no error.
   double digits_lost() const;
 };

