@@ -295,7 +295,7 @@ TYPED_TEST(OffUnit, RotationsAndLogarithmsOfAQuaternionKeepTheirBounds) {
       EXPECT_LE(std::abs(quaternion::log3<S>(rotation).norm() - turn), 2 * this->eps * turn) << norm;
     }
   }
-  const SO3<S> zero(Vector4<S>(Vector4<S>::Zero()));
+  const SO3<S> zero{Vector4<S>{Vector4<S>::Zero()}};
   const std::string text = "a zero quaternion is not a rotation";
   EXPECT_EQ(refusal([&] { zero.act(Vector3<S>(S(1), S(2), S(3))); }), text);
   EXPECT_EQ(refusal([&] { zero.matrix(); }), text);
