@@ -16,6 +16,7 @@ std::string in_words(Status status, const std::string& why) {
       return "the call changes the rounding mode or the treatment of subnormals";
     case Status::printed:
       return "the call writes to standard output";
+    case Status::not_repeatable:
     case Status::failed:
       break;
   }

@@ -42,6 +42,7 @@ enum class Status : unsigned char {
   output_unwritten,
   environment_changed,
   printed,
+  not_repeatable,
   failed  ///< what call() returns says how
 };
 
@@ -68,13 +69,16 @@ class Adapter {
   /// Computes the results and the status of each input. Returns why inputs were refused or how the call
   /// failed, or "". Throws AdapterFailed; a later call starts the adapter again.
   virtual std::string call(const Batch& batch) = 0;
+  /// Repeats some earlier calls like `batch`, in another order and from two threads. Returns in words which result
+  /// was another one, or "". call() does this where it can.
+  virtual std::string repeated(const Batch&) { return ""; }
 };
 
 /// Starts the command by /bin/sh. Throws AdapterFailed if its description is not as docs/adapters.md says.
 std::unique_ptr<Adapter> start_process(const std::string& command, double timeout_s);
 
-/// Loads a shared library into this process. Throws AdapterFailed.
-std::unique_ptr<Adapter> load_library(const std::string& file);
+/// Loads a shared library into this process. Throws AdapterFailed. call() repeats earlier calls only if `repeats`.
+std::unique_ptr<Adapter> load_library(const std::string& file, bool repeats = true);
 
 /// An adapter that is linked into this program. Throws AdapterFailed.
 std::unique_ptr<Adapter> linked_library(const liecheck_adapter& adapter);

@@ -5,10 +5,12 @@
 
 #include <adapters/liecheck_adapter.h>
 #include <adapters/adapter.hpp>
+#include <adapters/repeats.hpp>
 #include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstring>
+#include <deque>
 #include <mutex>
 #include <support/float_environment.hpp>
 #include <vector>
@@ -37,7 +39,8 @@ class Library final : public Adapter {
  public:
   using Source = const char* (*)(const char*);
   /// `source` is its liecheck_get_source, or null.
-  Library(const liecheck_adapter* its, Source source, const std::string& file) : adapter_(its) {
+  Library(const liecheck_adapter* its, Source source, const std::string& file, bool repeats)
+      : adapter_(its), repeats_here_(repeats) {
     if (!adapter_) throw AdapterFailed(fmt::format("liecheck_get_adapter() of {} returned NULL", file));
     if (adapter_->interface_version != LIECHECK_ADAPTER_VERSION)
       throw AdapterFailed(fmt::format("{} has version {} of the interface, and this program version {}", file,
@@ -48,6 +51,7 @@ class Library final : public Adapter {
     if (adapter_->conventions) description_.conventions = stated(adapter_->conventions);
     for (const OperationSizes& o : operation_sizes()) {
       auto& of = functions_.emplace_back();
+      repeats_.emplace_back();
       for (const bool is_double : {false, true}) {
         const char* const scalar = is_double ? "double" : "float";
         of[is_double] = adapter_->find(std::string(o.operation).c_str(), scalar);
@@ -57,14 +61,14 @@ class Library final : public Adapter {
         description_.source.emplace(o.operation, text);
     }
   }
-  static std::unique_ptr<Library> loaded(const std::string& file) {
+  static std::unique_ptr<Library> loaded(const std::string& file, bool repeats) {
     void* const module = dlopen(file.find('/') == std::string::npos ? ("./" + file).c_str() : file.c_str(),
                                 RTLD_NOW | RTLD_LOCAL);
     if (!module) throw AdapterFailed(fmt::format("the adapter {} cannot be loaded: {}", file, dlerror()));
     const auto entry = reinterpret_cast<const liecheck_adapter* (*)()>(dlsym(module, "liecheck_get_adapter"));
     if (!entry) throw AdapterFailed(fmt::format("{} has no function liecheck_get_adapter()", file));
     return std::make_unique<Library>(entry(), reinterpret_cast<Source>(dlsym(module, "liecheck_get_source")),
-                                     file);
+                                     file, repeats);
   }
   const Description& description() const override { return description_; }
   std::string call(const Batch& b) override {
@@ -72,8 +76,14 @@ class Library final : public Adapter {
     if (!adapter_->thread_safe) lock.lock();
     if (std::string how = checked(b); !how.empty()) return how;
     const bool refused = std::ranges::find(b.status, Status::refused) != b.status.end();
-    const char* why = refused && adapter_->reason ? adapter_->reason() : nullptr;
-    return why ? why : "";
+    if (const char* why = refused && adapter_->reason ? adapter_->reason() : nullptr) return why;
+    const std::string other = repeats_here_ ? repeated(b) : "";
+    if (!other.empty()) std::ranges::fill(b.status, Status::not_repeatable);
+    return other;
+  }
+  std::string repeated(const Batch& b) override {
+    const std::size_t at = index(b);
+    return repeats_[at][b.is_double].note(b, functions_[at][b.is_double], adapter_->thread_safe);
   }
 
  private:
@@ -95,15 +105,17 @@ class Library final : public Adapter {
       std::memset(b.results.data(), other, b.results.size());
       if (std::string how = called(b); !how.empty()) return how;
       environment.restore();
-      if (std::ranges::includes(numbers_of(b, other), kept)) all(Status::output_unwritten);
+      if (std::ranges::includes(numbers_of(b, other), kept)) return all(Status::output_unwritten), "";
     }
     return "";
   }
+  static std::size_t index(const Batch& b) {
+    return static_cast<std::size_t>(&b.operation - operation_sizes().data());
+  }
   std::string called(const Batch& b) try {
     std::ranges::fill(b.status, Status::done);
-    const auto at = static_cast<std::size_t>(&b.operation - operation_sizes().data());
-    functions_[at][b.is_double](b.n, b.inputs.data(), b.results.data(),
-                                reinterpret_cast<unsigned char*>(b.status.data()));
+    functions_[index(b)][b.is_double](b.n, b.inputs.data(), b.results.data(),
+                                      reinterpret_cast<unsigned char*>(b.status.data()));
     for (const Status s : b.status)
       if (s > Status::refused)
         return failed(b, fmt::format("it gave the status {}: 0 is done, 1 is refused", static_cast<int>(s)));
@@ -134,18 +146,20 @@ class Library final : public Adapter {
   }
 
   const liecheck_adapter* adapter_ = nullptr;
+  bool repeats_here_;
   Description description_;
   std::vector<std::array<liecheck_function, 2>> functions_;  ///< of each operation in float and double
+  std::deque<std::array<Repeats, 2>> repeats_;
   std::mutex mutex_;
 };
 
 }  // namespace
 
-std::unique_ptr<Adapter> load_library(const std::string& file) {
-  return Library::loaded(file);
+std::unique_ptr<Adapter> load_library(const std::string& file, bool repeats) {
+  return Library::loaded(file, repeats);
 }
 std::unique_ptr<Adapter> linked_library(const liecheck_adapter& adapter) {
-  return std::make_unique<Library>(&adapter, nullptr, "the linked adapter");
+  return std::make_unique<Library>(&adapter, nullptr, "the linked adapter", true);
 }
 
 }  // namespace liecheck::properties::adapters

@@ -38,6 +38,12 @@ void say_failed(const std::string& subject, std::string_view operation, const st
   say(last.empty() ? kind : fmt::format("{}; its last words: {}", kind, last.substr(0, 200)));
 }
 
+void say_not_repeatable(const std::string& subject, std::string_view operation, const std::string& which) {
+  const std::lock_guard lock(mutex);
+  const std::string kind = fmt::format("{}: {}: not repeatable", subject, operation);
+  if (++failures[kind] == 1) say(fmt::format("{}: {}", kind, which));
+}
+
 void pass_on(const std::string& errors) {
   const std::lock_guard lock(mutex);
   std::istringstream text(errors);

@@ -12,6 +12,9 @@ namespace liecheck::properties::adapters {
 void say_failed(const std::string& subject, std::string_view operation, const std::string& how,
                 const std::string& errors);
 
+/// Says on standard error which repeated call gave another result, once for each operation. Later ones are counted.
+void say_not_repeatable(const std::string& subject, std::string_view operation, const std::string& which);
+
 /// Passes on what an adapter wrote to its standard error: 20 lines in all, later ones are counted.
 void pass_on(const std::string& errors);
 

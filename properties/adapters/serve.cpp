@@ -75,9 +75,15 @@ void answer(Adapter& adapter, Exchange& e, const Output& output) {
   const Parts part(o, is_double, e.n);
   const std::span all(e.bytes);
   const std::span status(reinterpret_cast<Status*>(&all[part.inputs + part.results]), part.n);
-  const std::string why = adapter.call(
-      {o, is_double, part.n, all.first(part.inputs), all.subspan(part.inputs, part.results), status});
-  if (output.printed()) std::ranges::fill(status, Status::printed);
+  const Batch batch{o,     is_double, part.n, all.first(part.inputs), all.subspan(part.inputs, part.results),
+                    status};
+  std::string why = adapter.call(batch);
+  if (output.printed()) {
+    std::ranges::fill(status, Status::printed);
+  } else if (const std::string repeated = adapter.repeated(batch); !repeated.empty()) {
+    std::ranges::fill(status, Status::not_repeatable);
+    why = repeated;
+  }
   e.reason.fill(0);
   std::copy_n(why.data(), std::min(why.size(), e.reason.size() - 1), e.reason.data());
 }

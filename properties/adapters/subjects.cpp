@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <adapters/adapter.hpp>
 #include <adapters/converted.hpp>
+#include <adapters/noise.hpp>
 #include <adapters/shapes.hpp>
 #include <adapters/sizes.hpp>
 #include <adapters/trees.hpp>
@@ -57,6 +58,7 @@ constexpr Outcome outcome_of(Status s) {
                              Outcome::output_unwritten,
                              Outcome::environment_changed,
                              Outcome::printed,
+                             Outcome::not_repeatable,
                              Outcome::crashed};
   return all[static_cast<std::size_t>(s)];
 }
@@ -97,8 +99,11 @@ R call(A... arguments) {
     }
     both.waits = both.status[0] == Status::done;
   }
-  if (const Status s = both.status[which]; s != Status::done)
+  if (const Status s = both.status[which]; s != Status::done) {
+    if (s == Status::not_repeatable)
+      say_not_repeatable(adapter(number).description().name, operation.name, both.why);
     throw CallFailed(in_words(s, both.why), operation.name, outcome_of(s));
+  }
   return Shape<R>::get(both.results.data() + which * out);
 }
 

@@ -38,7 +38,7 @@ int check(const Flags& f) try {
 }
 
 int serve(const Flags& f) try {
-  adapters::serve(*adapters::load_library(f.adapter), f.memory);
+  adapters::serve(*adapters::load_library(f.adapter, false), f.memory);
   return within_budget;
 } catch (const adapters::AdapterFailed& e) {
   throw std::invalid_argument(e.what());

@@ -23,6 +23,8 @@ const std::string& way() {
 }
 
 volatile int never = 0;
+volatile double shared_x = 0;  // of all threads
+double last_x = 0, previous_x = 0;
 
 /// What happens before the result of an input is computed.
 void misbehave(double* phi, double* Q, unsigned char* status) {
@@ -49,6 +51,7 @@ void misbehave(double* phi, double* Q, unsigned char* status) {
   if (way() == "slow") usleep(100000);
   if (way() == "status") *status = 77;
   if (way() == "refuse") *status = liecheck_refused;
+  if (way() == "order" && previous_x > phi[0]) Q[0] = std::nextafter(Q[0], 2.0);
   if (way() == "nan") Q[3] = std::numeric_limits<double>::quiet_NaN();
 }
 
@@ -62,6 +65,12 @@ void exp3_quaternion(size_t n, const void* inputs, void* results, unsigned char*
     const bool bad = std::fabs(x) >= 0.5 && std::fabs(x) <= 1;
     Q[0] = s * x, Q[1] = s * y, Q[2] = s * z;
     if (!(bad && way() == "unwritten")) Q[3] = std::cos(theta / 2);
+    if (way() == "threads") {
+      shared_x = Q[0];
+      usleep(20);
+      Q[0] = shared_x;
+    }
+    if (x != last_x) previous_x = last_x, last_x = x;
     if (bad) misbehave(phi, Q, &status[i]);
     if (++calls % 1000 == 0 && way() == "stateful") Q[0] += 1e-3;
   }
@@ -75,7 +84,12 @@ liecheck_function find(const char* operation, const char* scalar) {
 }  // namespace
 
 extern "C" const liecheck_adapter* liecheck_get_adapter() {
-  static const liecheck_adapter adapter = {
-      way() == "version" ? 7U : LIECHECK_ADAPTER_VERSION, "bad", "1", 0, find, nullptr, nullptr};
+  static const liecheck_adapter adapter = {way() == "version" ? 7U : LIECHECK_ADAPTER_VERSION,
+                                           "bad",
+                                           "1",
+                                           way() == "threads",
+                                           find,
+                                           nullptr,
+                                           nullptr};
   return &adapter;
 }

@@ -1,0 +1,73 @@
+#include <adapters/repeats.hpp>
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cstring>
+#include <iterator>
+#include <latch>
+#include <support/float_environment.hpp>
+#include <thread>
+#include <utility>
+
+namespace liecheck::properties::adapters {
+namespace {
+
+/// The numbers in hexadecimal.
+template <class S>
+std::string numbers(const std::vector<std::byte>& bytes) {
+  std::vector<S> all(bytes.size() / sizeof(S));
+  std::memcpy(all.data(), bytes.data(), bytes.size());
+  std::string text;
+  for (const S x : all) text += fmt::format("{}{:a}", text.empty() ? "" : " ", x);
+  return text;
+}
+
+}  // namespace
+
+std::size_t Repeats::other_result(liecheck_function function, bool reversed) const {
+  for (std::size_t k = 0; k < calls_.size(); ++k) {
+    const std::size_t i = reversed ? calls_.size() - 1 - k : k;
+    const FloatEnvironment environment;  // of this thread
+    std::vector<std::byte> input = calls_[i].input, result(calls_[i].result.size());
+    unsigned char status = liecheck_done;
+    try {
+      function(1, input.data(), result.data(), &status);
+    } catch (...) {
+      return i;
+    }
+    if (status != liecheck_done || result != calls_[i].result) return i;
+  }
+  return calls_.size();
+}
+
+std::string Repeats::note(const Batch& b, liecheck_function function, bool threads) {
+  const std::lock_guard lock(mutex_);
+  if (batches_++ % each || b.status[0] != Status::done) return "";
+  const auto first = [&](auto bytes) {
+    return std::vector<std::byte>(bytes.begin(),
+                                  std::next(bytes.begin(), std::ptrdiff_t(bytes.size() / b.n)));
+  };
+  calls_.push_back({first(b.inputs), first(b.results)});
+  if (calls_.size() < most) return "";
+  std::size_t at = other_result(function, true);
+  const char* when = "after other calls";
+  if (at == most && threads) {
+    when = "when two threads call at the same time";
+    std::size_t other = most;
+    std::latch both(2);
+    std::thread second([&] {
+      both.arrive_and_wait();
+      other = other_result(function, true);
+    });
+    both.arrive_and_wait();
+    at = other_result(function, false);
+    second.join();
+    at = std::min(at, other);
+  }
+  const std::vector<Call> calls = std::exchange(calls_, {});
+  if (at == most) return "";
+  return fmt::format("the result of {} for the input {} is another one {}", b.operation.operation,
+                     b.is_double ? numbers<double>(calls[at].input) : numbers<float>(calls[at].input), when);
+}
+
+}  // namespace liecheck::properties::adapters

@@ -1,0 +1,35 @@
+#pragma once
+// Some calls of a function are repeated later, after other calls and from two threads. A result that then has
+// other bits depends on more than its input.
+
+#include <adapters/liecheck_adapter.h>
+#include <adapters/adapter.hpp>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace liecheck::properties::adapters {
+
+/// The noted calls of one function in one scalar.
+class Repeats {
+ public:
+  /// Notes the first call of the batch in every twentieth batch. Once 32 calls are noted, each is repeated in the
+  /// opposite order and, if `threads`, by two threads at the same time in opposite orders. Returns in words
+  /// which result was another one, or "".
+  std::string note(const Batch& b, liecheck_function function, bool threads);
+
+ private:
+  struct Call {
+    std::vector<std::byte> input, result;
+  };
+  /// The index of the first call whose result is another one now, or of no call.
+  std::size_t other_result(liecheck_function function, bool reversed) const;
+
+  static constexpr unsigned each = 20;
+  static constexpr std::size_t most = 32;
+  std::mutex mutex_;
+  unsigned batches_ = 0;
+  std::vector<Call> calls_;
+};
+
+}  // namespace liecheck::properties::adapters
