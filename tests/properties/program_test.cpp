@@ -81,8 +81,8 @@ TEST_F(Program, EmptyValuesAndUnknownWordsAreNamed) {
   refused("--frob", "unknown option '--frob'");
   refused(quick + "--subject all --subject nope", "unknown subject 'nope'");
   refused(quick + "--subject 'a\nb'", "unknown subject 'a\\nb'");
-  refused("bench nope", "unknown command 'nope'; commands of bench: batches, bugs, lattice, limits, rounding, speed");
-  refused("bench", "bench: which one? batches, bugs, lattice, limits, rounding, speed");
+  refused("bench nope", "unknown command 'nope'; commands of bench: batches, bugs, history, lattice, limits, rounding, speed");
+  refused("bench", "bench: which one? batches, bugs, history, lattice, limits, rounding, speed");
   refused("campaign --for 1s --shard 1/2", "--for: a shard is a part of a fixed number");
   refused("campaign --subject eigen --scalar float128", "nothing to run");
   refused("report r.json --seed 3", "excludes");
