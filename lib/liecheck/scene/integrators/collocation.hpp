@@ -8,12 +8,14 @@
 // Order 2 s (Butcher 1964, Implicit Runge-Kutta processes; Hairer, Lubich & Wanner 2006, II.1.3). With s = 1
 // it is the implicit midpoint rule on the group. A fixed-point iteration solves the equations (ibid.,
 // VIII.6). It starts from the last step's polynomial, ends when rounding errors prevent progress, and
-// converges while h |da/d(q, v)| is below about 1.
+// converges while h |da/d(q, v)| is below about 1. If it does not, Newton's method solves them in double
+// (stage_newton.hpp).
 
 #include <algorithm>
 #include <array>
 #include <liecheck/scalar/double_word.hpp>
 #include <liecheck/scene/integrators/method.hpp>
+#include <liecheck/scene/integrators/stage_newton.hpp>
 #include <vector>
 
 namespace liecheck::scene {
@@ -105,15 +107,37 @@ class Collocation final : public Method<Sys> {
   void begin(Sys&, const State<Sys>& state) override {
     q_ = state.q, delta_ = v_ = K_new_ = A_new_ = state.v;
     K_.fill(state.v), A_.fill(state.v), last_.fill(state.v);
-    has_last_ = false;
+    has_last_ = stiff_ = false;
   }
   void step(Sys& system, State<Sys>& state, const S& h) override {
     static const GaussPoints<S> g(s);
+    if constexpr (std::is_same_v<S, double>) {
+      if (!stiff_) stiff_ = !iterate(system, state, h, g);
+      if (stiff_ && !newton(system, state, h, g)) fail("by Newton's method");
+    } else if (!iterate(system, state, h, g)) {
+      fail("in " + std::to_string(limit) + " iterations");
+    }
+    sum(g.b, h, delta_, v_);
+    checkFinite(delta_, v_);
+    system.accumulate(state.q, state.q_low, delta_);
+    accumulateAll(state.v, state.v_low, v_);
+    last_ = A_, h_ = h, has_last_ = true;
+    ++counts_.steps;
+  }
+
+ private:
+  [[noreturn]] static void fail(const std::string& how) {
+    throw StepFailed(std::string(collocation_info<s>.name) + " did not converge " + how +
+                     ": take a smaller step");
+  }
+  /// The fixed-point iteration. False if it does not converge.
+  bool iterate(Sys& system, const State<Sys>& state, const S& h, const GaussPoints<S>& g) {
     predict(system, state, h, g);
-    const S scale = state.v.cwiseAbs().maxCoeff() + absolute<S>(h) * A_[0].cwiseAbs().maxCoeff();
+    // A body that comes to rest has no scale of its own: 1 m/s^2 (or rad/s^2) bounds the scale from below.
+    const S scale = state.v.cwiseAbs().maxCoeff() + absolute<S>(h) * (A_[0].cwiseAbs().maxCoeff() + S(1));
     S change(0), before = std::numeric_limits<S>::max();
     int settled = 0;
-    for (int k = 0;; ++k) {
+    for (int k = 0; k <= limit; ++k) {
       change = S(0);
       for (std::size_t i = 0; i < s; ++i) {
         sum(g.a[i], h, delta_, v_);
@@ -128,21 +152,31 @@ class Collocation final : public Method<Sys> {
       ++counts_.iterations;
       // Small elements of v may still change when the largest have converged: one more iteration.
       if (change == S(0) || (change <= S(64) * eps<S>() * scale && !(change < before) && ++settled == 2))
-        break;
-      if (k == limit || !finite<S>(change))
-        throw StepFailed(std::string(collocation_info<s>.name) + " did not converge in " +
-                         std::to_string(k + 1) + " iterations: take a smaller step");
+        return true;
+      if (!finite<S>(change)) return false;
       before = change;
     }
-    sum(g.b, h, delta_, v_);
-    checkFinite(delta_, v_);
-    system.accumulate(state.q, state.q_low, delta_);
-    accumulateAll(state.v, state.v_low, v_);
-    last_ = A_, h_ = h, has_last_ = true;
-    ++counts_.steps;
+    return false;
   }
-
- private:
+  /// Newton's method, for double. From its first use on, it replaces the fixed-point iteration.
+  bool newton(Sys& system, const State<Sys>& state, double h, const GaussPoints<S>& g) {
+    const int n = system.nv();
+    Y_.resize(2 * n, s);
+    for (int i = 0; i < s; ++i) Y_.col(i) << h * g.c[std::size_t(i)] * state.v, 0 * state.v;
+    const auto rate = [&](int i, const VectorX<double>& y, VectorX<double>& f) {
+      delta_ = y.head(n), v_ = state.v + y.tail(n);
+      if (system.readsConfiguration()) system.integrate(state.q, delta_, q_);
+      system.acceleration(state.t + g.c[std::size_t(i)] * h, q_, v_, A_new_);
+      system.tangentRate(delta_, v_, K_new_);
+      f.head(n) = K_new_, f.tail(n) = A_new_;
+    };
+    const auto made = newton_.solve(g.a, h, state.v.cwiseAbs().maxCoeff(), std::ref(rate), Y_, F_);
+    if (!made) return false;
+    counts_.iterations += *made;
+    for (int i = 0; i < s; ++i)
+      K_[std::size_t(i)] = F_.col(i).head(n), A_[std::size_t(i)] = F_.col(i).tail(n);
+    return true;
+  }
   static constexpr int limit = 200;
   void sum(const std::vector<S>& weights, const S& h, Tangent& delta, Tangent& dv) const {
     delta = S(h * weights[0]) * K_[0], dv = S(h * weights[0]) * A_[0];
@@ -168,7 +202,9 @@ class Collocation final : public Method<Sys> {
   Tangent delta_, v_, K_new_, A_new_;
   std::array<Tangent, s> K_, A_, last_;
   S h_ = S(0);
-  bool has_last_ = false;
+  bool has_last_ = false, stiff_ = false;
+  StageNewton newton_;
+  Eigen::MatrixXd Y_, F_;
   MethodCounts counts_;
 };
 
