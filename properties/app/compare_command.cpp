@@ -1,6 +1,9 @@
 #include <fmt/format.h>
 #include <app/command.hpp>
+#include <nlohmann/json.hpp>
+#include <record/record.hpp>
 #include <rules/rules.hpp>
+#include <set>
 #include <store/merge.hpp>
 #include <store/picture.hpp>
 #include <store/store_path.hpp>
@@ -11,7 +14,7 @@ namespace liecheck::properties {
 namespace {
 
 struct Flags {
-  std::string before, after, markdown, picture;
+  std::string before, after, markdown, picture, json;
   bool rules = false;
 };
 
@@ -37,6 +40,31 @@ int compare_rules(const Flags& f) {
   return lines.empty() ? within_budget : property_failed;
 }
 
+/// The changes as they are in the record.
+nlohmann::json record_of(const std::vector<Change>& changes) {
+  nlohmann::json all = nlohmann::json::array();
+  for (const Change& c : changes)
+    all.push_back({{"subject", c.name[0]},
+                   {"scalar", c.name[1]},
+                   {"property", c.name[2]},
+                   {"operation", c.name[3]},
+                   {"block", c.name[4]},
+                   {"band", c.name[5]},
+                   {"what", c.what},
+                   {"worst_case", c.worst_case}});
+  return all;
+}
+
+/// Prints each change, and below the last one of a cell the replay of its worst case.
+void print_changes(const std::vector<Change>& changes) {
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    const Change& c = changes[i];
+    fmt::print("{}\n", c.text());
+    const bool last = i + 1 == changes.size() || changes[i + 1].name != c.name;
+    if (last && !c.worst_case.empty()) fmt::print("  liecheck replay {}\n", c.worst_case);
+  }
+}
+
 int run(const Flags& f) {
   if (f.rules) return compare_rules(f);
   for (const std::string& file : {f.markdown, f.picture})
@@ -48,12 +76,21 @@ int run(const Flags& f) {
     fmt::print(stderr, "liecheck: {} and {} have no cell with a verdict in common\n", f.before, f.after);
     partial = true;
   }
-  const auto lines = worse(a, b);
+  const auto got_worse = changes(a, b);
   if (!f.markdown.empty()) write_whole(f.markdown, in_markdown(a, b, f.picture));
   if (!f.picture.empty()) write_whole(f.picture, picture_of_changes(a, b));
-  for (const std::string& line : lines) fmt::print("{}\n", line);
-  fmt::print("{} worse\n", lines.empty() ? "nothing is" : fmt::format("{} cells are", lines.size()));
-  return !lines.empty() ? property_failed : partial ? incomplete : within_budget;
+  if (!f.json.empty())
+    write_record(f.json, {{"verdict", verdict_of(!partial || !got_worse.empty(), got_worse.empty())},
+                          {"compared_cells", cells_in_both(a, b)},
+                          {"worse", record_of(got_worse)},
+                          {"better", record_of(changes(b, a))}});
+  print_changes(got_worse);
+  std::set<std::array<std::string, 6>> cells;
+  for (const Change& c : got_worse) cells.insert(c.name);
+  fmt::print("{} worse\n", cells.empty()       ? "nothing is"
+                           : cells.size() == 1 ? "1 cell is"
+                                               : fmt::format("{} cells are", cells.size()));
+  return !got_worse.empty() ? property_failed : partial ? incomplete : within_budget;
 }
 
 }  // namespace
@@ -68,6 +105,7 @@ Command compare_command(CLI::App& program) {
          "also write what got worse and better as Markdown, for a comment on a pull request");
   a.text("--picture", a->picture, "FILE.svg",
          "also draw what got worse and better; the Markdown shows the picture by this name");
+  a.json(a->json, "also write what got worse and better, with the worst case of each cell, to FILE");
   a.toggle("--rules", a->rules,
            "A and B are versions of the rules, or \"present\": what differs between them");
   return a.runs(run);

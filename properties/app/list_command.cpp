@@ -1,10 +1,14 @@
 #include <fmt/format.h>
+#include <algorithm>
 #include <app/command.hpp>
 #include <campaign/robots.hpp>
 #include <campaign/selection.hpp>
+#include <cctype>
 #include <operations/operations.hpp>
 #include <rules/rules.hpp>
+#include <scenes/peers/peer.hpp>
 #include <set>
+#include <subjects/subject.hpp>
 
 namespace liecheck::properties {
 
@@ -26,6 +30,27 @@ void print_subjects(const std::vector<std::unique_ptr<Series>>& all) {
       "named\n");
 }
 
+void print_absent() {
+  fmt::print("absent from this build\n");
+  for (const std::string& name : absent_subjects()) fmt::print("  {:<12}{}\n", name, how_to_get(name));
+  for (const std::string& name : absent_peers()) {
+    std::string package = name;
+    std::ranges::transform(package, package.begin(), [](unsigned char c) { return std::tolower(c); });
+    fmt::print("  {:<12}install lib{}-dev and build again; a simulator for 'liecheck scene sweep'\n", name,
+               package);
+  }
+}
+
+/// Prints each operation with the blocks in which its error is measured.
+void print_operations() {
+  fmt::print("operations and their blocks; --operations describes them\n");
+  for (const Operation* o : all_operations()) {
+    std::vector<std::string_view> blocks;
+    for (const Block& b : o->blocks) blocks.push_back(b.name.text);
+    fmt::print("  {:<32}{}\n", o->name, fmt::join(blocks, ", "));
+  }
+}
+
 struct Flags {
   bool operations = false, laws = false;
   std::string rules;
@@ -44,6 +69,8 @@ int run(const Flags& f) {
   const auto all = select({}, built_in_robot());
   if (!f.laws) {
     print_subjects(all);
+    print_absent();
+    print_operations();
     fmt::print("properties\n");
   }
   std::set<std::string> seen;
@@ -60,7 +87,9 @@ int run(const Flags& f) {
 }  // namespace
 
 Command list_command(CLI::App& program) {
-  CommandWith<Flags> a(program, "list", "the subjects and properties");
+  CommandWith<Flags> a(program, "list",
+                       "the subjects, those that are absent, the operations with their blocks, and the "
+                       "properties. Exit code 0");
   a.toggle("--operations", a->operations,
            "list the operations instead: definitions, arguments, results and blocks, in Markdown");
   a.toggle("--laws", a->laws, "list only the names of the properties, one a line");

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <app/command.hpp>
+#include <app/completion.hpp>
 #include <charconv>
 #include <initializer_list>
+#include <iostream>
 #include <stdexcept>
 #include <support/files.hpp>
 
@@ -69,6 +71,43 @@ CLI::App& group(CLI::App& program, const std::string& name, const std::string& h
   return g;
 }
 
+/// Adds to `all` the commands of a program or of a group, as a shell completes them.
+void describe(const CLI::App& parent, const std::string& group, std::vector<CompletedCommand>& all) {
+  for (const CLI::App* c : parent.get_subcommands([](const CLI::App*) { return true; })) {
+    const bool is_group = !c->get_subcommands([](const CLI::App*) { return true; }).empty();
+    all.push_back({group, c->get_name(), c->get_description(), {}, is_group});
+    if (is_group) {
+      describe(*c, c->get_name(), all);
+      continue;
+    }
+    for (const CLI::Option* o : c->get_options()) {
+      if (o->get_positional() || o->get_group().empty()) continue;
+      CompletedFlag flag{{}, o->get_description(), o->get_expected_max() > 0};
+      for (const std::string& name : o->get_snames()) flag.names.push_back("-" + name);
+      for (const std::string& name : o->get_lnames()) flag.names.push_back("--" + name);
+      all.back().flags.push_back(flag);
+    }
+  }
+}
+
+/// Prints the script by which a shell completes the command line.
+Command completion_command(CLI::App& program) {
+  struct Flags {
+    std::string shell;
+    const CLI::App* program;
+  };
+  CommandWith<Flags> a(program, "completion",
+                       "print the script by which a shell completes commands, flags and names. Exit code 0");
+  a->program = &program;
+  a.choice("SHELL", a->shell, {"bash", "zsh", "fish"}, "", "bash, zsh or fish").required();
+  return a.runs(+[](const Flags& f) -> int {
+    std::vector<CompletedCommand> all;
+    describe(*f.program, "", all);
+    std::cout << completion_script(f.shell, all);
+    return within_budget;
+  });
+}
+
 /// Adds all commands, in the order of the help.
 std::vector<Command> add_commands(CLI::App& program, const std::string& typed_line) {
   std::vector<Command> all;
@@ -86,7 +125,8 @@ std::vector<Command> add_commands(CLI::App& program, const std::string& typed_li
   add(program, {sweep_command, robot_command, cost_command});
   add(group(program, "scene", "simulate a motion that a file describes: fixtures/scenes/README.md"),
       {scene_run_command, scene_explain_command, scene_sweep_command, scene_keys_command});
-  add(program, {replay_command, report_command, merge_command, export_command, compare_command});
+  add(program,
+      {replay_command, report_command, merge_command, export_command, compare_command, completion_command});
   return all;
 }
 

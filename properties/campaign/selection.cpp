@@ -79,8 +79,10 @@ void check_names(const std::vector<std::string>& given, const std::vector<std::s
   }
 }
 
-/// How to build an optional subject.
+}  // namespace
+
 std::string how_to_get(const std::string& subject) {
+  if (subject.starts_with("liecheck")) return "install libqd-dev and build again";
   if (subject == "ceres") return "install libceres-dev and build again";
   std::string variable = subject;
   for (char& c : variable) c = static_cast<char>(c - 'a' + 'A');
@@ -88,8 +90,6 @@ std::string how_to_get(const std::string& subject) {
       "configure with -D{}_INCLUDE=DIR, the folder of its headers, and build again (docs/contributing.md)",
       variable);
 }
-
-}  // namespace
 
 std::vector<std::unique_ptr<Series>> select(const Selection& selection, const Robot& robot) {
   check_subjects(selection.subjects);

@@ -22,5 +22,7 @@ std::vector<std::string> subject_names();
 /// Throws std::invalid_argument for a name that is not known.
 void check_subjects(const std::vector<std::string>& names);
 std::vector<std::string> property_names();
+/// What to do for a subject of absent_subjects(), as a sentence without a subject.
+std::string how_to_get(const std::string& absent_subject);
 
 }  // namespace liecheck::properties

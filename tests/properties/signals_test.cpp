@@ -256,7 +256,8 @@ INSTANTIATE_TEST_SUITE_P(
     Of, Signals,
     testing::Values(
         Command{"list", "list", 0.5}, Command{"operations", "list --operations", 0.1},
-        Command{"robot", "robot " + robot, 0.1}, Command{"scene_keys", "scene keys", 0.1},
+        Command{"completion", "completion bash", 0.1}, Command{"robot", "robot " + robot, 0.1},
+        Command{"scene_keys", "scene keys", 0.1},
         Command{"scene_explain", "scene explain " + scenes + "dzhanibekov_1e-6.yaml", 0.3},
         Command{"replay", "replay raw.exp_oracle.textbook.double.none.1,0,0,0,0,1e-5", 0.2},
         Command{"merge", "merge m.db in/a in/b", 0.2, "", true},

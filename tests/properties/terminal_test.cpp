@@ -3,13 +3,19 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include <fmt/format.h>
+#include <subjects/subject.hpp>
+
 #include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 
 namespace {
+
+using liecheck::properties::absent_subjects;
 
 /// Runs a shell line in which $L is the program. Returns its exit code and what it printed, also on standard error.
 std::pair<int, std::string> shell(const std::string& line) {
@@ -46,11 +52,48 @@ TEST(Terminal, AHuntOfWhatTheSubjectDoesNotOfferEndsAtOnce) {
 TEST(Terminal, ASubjectThatIsNotBuiltSaysHowToGetIt) {
   const auto [listed, subjects] = run("list");
   for (const std::string name : {"pinocchio", "sophus", "manif", "smooth"}) {
-    if (subjects.find("\n  " + name + " ") != std::string::npos) continue;
+    if (subjects.find("\n  " + name + " ") < subjects.find("\nabsent from this build\n")) continue;
+    EXPECT_SAYS(subjects, fmt::format("\n  {:<12}configure with -D", name));
     const auto [code, text] = run("hunt --subject " + name + " --op exp6");
     EXPECT_EQ(code, 2);
     EXPECT_SAYS(text, "'" + name + "' is absent from this build: configure with -D");
   }
+}
+
+TEST(Terminal, TheListNamesOperationsWithTheirBlocksAndAbsentSubjects) {
+  const auto [code, text] = run("list");
+  EXPECT_EQ(code, 0);
+  EXPECT_SAYS(text,
+              "\n  exp6                            rotation, orthogonality defect, translation, jump\n");
+  for (const std::string& name : absent_subjects()) EXPECT_SAYS(text, "\n  " + name);
+}
+
+/// What bash offers after `line`, whose last word is being typed.
+std::string completed(const std::string& line) {
+  return shell("bash -c 'eval \"$($L completion bash)\"; COMP_WORDS=(" + line +
+               "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _liecheck; echo \" ${COMPREPLY[*]} \"'")
+      .second;
+}
+
+TEST(Terminal, AShellCompletesCommandsFlagsAndNames) {
+  EXPECT_EQ(completed("liecheck camp"), " campaign \n");
+  EXPECT_EQ(completed("liecheck scene ex"), " explain \n");
+  EXPECT_EQ(completed("liecheck campaign --sub"), " --subject \n");
+  EXPECT_EQ(completed("liecheck campaign --subject textb"), " textbook \n");
+  EXPECT_EQ(completed("liecheck campaign --subject textbook --property log"), " log_oracle \n");
+  EXPECT_EQ(completed("liecheck hunt --op ex"), " exp3_quaternion exp3_matrix exp6 \n");
+  EXPECT_EQ(completed("liecheck bench speed --for"), " --for-each \n");
+  EXPECT_EQ(completed("liecheck robot some_file"), "  \n");  // bash completes files itself
+  for (const std::string script : {"bash", "zsh", "fish"}) {
+    const auto [code, text] = run("completion " + script);
+    EXPECT_EQ(code, 0);
+    for (const char* word : {"campaign", "explain", "versus-random", "completion"}) EXPECT_SAYS(text, word);
+    // Where the shell is installed, it must accept the script.
+    const std::string check = "which " + script + " >/dev/null || exit 0; $L completion " + script + " | " +
+                              script + (script == "fish" ? " --no-execute" : " -n");
+    EXPECT_EQ(shell(check), std::pair(0, std::string()));
+  }
+  EXPECT_EQ(run("completion tcsh").first, 2);
 }
 
 TEST(Terminal, AReaderThatHasSeenEnoughIsNoError) {
@@ -232,6 +275,31 @@ TEST(Terminal, AnAdapterThatCrashesOftenSaysSoInFewLines) {
   std::size_t lines = 0;
   for (auto at = chatty.find("hm\n"); at != chatty.npos; at = chatty.find("hm\n", at + 1)) ++lines;
   EXPECT_EQ(lines, 20u) << chatty;
+}
+
+TEST(Terminal, AComparisonHasReplaysAndARecord) {
+  const std::string dir = testing::TempDir() + "terminal_compare/",
+                    right = "Q = [x / 1.001 for x in Q[:3]] + Q[3:]";
+  const auto campaign = [&](const std::string& statement, const std::string& rest) {
+    const std::string python = adapter(statement);
+    return run(of_adapter + python + " --store " + dir + rest);
+  };
+  shell("rm -rf " + dir + "; mkdir " + dir);
+  campaign(right, "a --seed 42"), campaign(right, "b --seed 7"), campaign("pass", "c --seed 42");
+  const auto [same, nothing] = shell("cd " + dir + "; $L compare a b --json same.json");
+  EXPECT_EQ(same, 0) << nothing;
+  EXPECT_SAYS(nothing, "nothing is worse\n");
+  const auto [code, text] = shell("cd " + dir + "; $L compare a c --json worse.json");
+  EXPECT_EQ(code, 1) << text;
+  EXPECT_SAYS(text, "\n  liecheck replay g4.42.exp_oracle.mylib.double.none.");
+  const auto record = [&](const char* file) { return nlohmann::json::parse(std::ifstream(dir + file)); };
+  EXPECT_EQ(record("same.json")["verdict"], "pass");
+  EXPECT_TRUE(record("same.json")["worse"].empty());
+  EXPECT_GT(record("same.json")["compared_cells"], 10);
+  const auto worse = record("worse.json");
+  EXPECT_EQ(worse["verdict"], "fail");
+  EXPECT_EQ(worse["worse"][0]["operation"], "exp3_quaternion");
+  EXPECT_SAYS(text, worse["worse"][0]["worst_case"].get<std::string>());
 }
 
 }  // namespace

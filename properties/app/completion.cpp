@@ -1,0 +1,178 @@
+#include <app/completion.hpp>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <budgets/profile.hpp>
+#include <campaign/selection.hpp>
+#include <operations/operations.hpp>
+#include <support/text.hpp>
+
+namespace liecheck::properties {
+
+namespace {
+
+using Commands = std::vector<CompletedCommand>;
+
+/// The names that this build offers as the value of a flag.
+struct Values {
+  std::string flag, words;
+};
+std::vector<Values> values() {
+  std::vector<std::string> subjects{"all"}, operations;
+  for (const std::string& name : subject_names())
+    if (name.find(':') == std::string::npos) subjects.push_back(name);
+  for (const Operation* o : all_operations()) operations.emplace_back(o->name);
+  return {{"subject", fmt::format("{}", fmt::join(subjects, " "))},
+          {"property", fmt::format("{}", fmt::join(property_names(), " "))},
+          {"scalar", "float double float128"},
+          {"op", fmt::format("{}", fmt::join(operations, " "))},
+          {"operation", fmt::format("{}", fmt::join(operations, " "))},
+          {"profile", fmt::format("{}", fmt::join(profile_names(), " "))},
+          {"root", "free-flyer fixed"}};
+}
+
+std::string path_of(const CompletedCommand& c) {
+  return c.group.empty() ? c.name : c.group + " " + c.name;
+}
+
+/// The commands of a group, or those at the top for "".
+Commands in_group(const Commands& all, const std::string& group) {
+  Commands found;
+  for (const CompletedCommand& c : all)
+    if (c.group == group) found.push_back(c);
+  return found;
+}
+
+std::string names_of(const Commands& commands, const char* separator) {
+  std::vector<std::string> names;
+  for (const CompletedCommand& c : commands) names.push_back(c.name);
+  return fmt::format("{}", fmt::join(names, separator));
+}
+
+std::vector<std::string> groups_of(const Commands& all) {
+  std::vector<std::string> groups{""};
+  for (const CompletedCommand& c : all)
+    if (c.is_group) groups.push_back(c.name);
+  return groups;
+}
+
+/// The first sentence, which fits into a line of a menu.
+std::string brief(const std::string& help) {
+  return help.substr(0, std::min(help.find(". "), help.find("; ")));
+}
+
+std::string in_bash(const Commands& all) {
+  std::string values_text, commands_text;
+  for (const Values& v : values())
+    values_text +=
+        fmt::format("    --{}) COMPREPLY=($(compgen -W \"{}\" -- \"$now\")); return ;;\n", v.flag, v.words);
+  for (const std::string& group : groups_of(all))
+    commands_text += fmt::format("    \"{}\") words=\"{}\" ;;\n", group, names_of(in_group(all, group), " "));
+  for (const CompletedCommand& c : all) {
+    std::vector<std::string> names;
+    for (const CompletedFlag& f : c.flags) names.insert(names.end(), f.names.begin(), f.names.end());
+    if (!c.is_group)
+      commands_text +=
+          fmt::format("    \"{}\") [[ $now == -* ]] && words=\"{}\" ;;\n", path_of(c), fmt::join(names, " "));
+  }
+  return fmt::format(R"~(# In ~/.bashrc: eval "$(liecheck completion bash)"
+_liecheck() {{
+  local now="${{COMP_WORDS[COMP_CWORD]}}" command="" words="" i
+  for ((i = 1; i < COMP_CWORD; ++i)); do
+    case "$command" in
+    ""{}) [[ ${{COMP_WORDS[i]}} == -* ]] || command="${{command:+$command }}${{COMP_WORDS[i]}}" ;;
+    esac
+  done
+  case "${{COMP_WORDS[COMP_CWORD - 1]}}" in
+{}  esac
+  case "$command" in
+{}  esac
+  COMPREPLY=($(compgen -W "$words" -- "$now"))
+}}
+complete -o default -F _liecheck liecheck
+)~",
+                     fmt::join(groups_of(all), "|"), values_text, commands_text);
+}
+
+std::string in_zsh(const Commands& all) {
+  std::string values_text, commands_text;
+  const auto described = [](const std::string& name, const std::string& help) {
+    return shell_quoted(name + ":" + brief(help));
+  };
+  for (const Values& v : values())
+    values_text += fmt::format("    (--{}) compadd -- {}; return ;;\n", v.flag, v.words);
+  for (const std::string& group : groups_of(all)) {
+    commands_text += fmt::format("    (\"{}\") all=(\n", group);
+    for (const CompletedCommand& c : in_group(all, group))
+      commands_text += fmt::format("      {}\n", described(c.name, c.help));
+    commands_text += "    ); _describe command all; return ;;\n";
+  }
+  for (const CompletedCommand& c : all) {
+    if (c.is_group) continue;
+    commands_text += fmt::format("    (\"{}\") all=(\n", path_of(c));
+    for (const CompletedFlag& f : c.flags)
+      for (const std::string& name : f.names)
+        commands_text += fmt::format("      {}\n", described(name, f.help));
+    commands_text += "    ) ;;\n";
+  }
+  return fmt::format(R"~(#compdef liecheck
+# In ~/.zshrc, after compinit: eval "$(liecheck completion zsh)"
+_liecheck() {{
+  local command="" i
+  local -a all
+  for ((i = 2; i < CURRENT; ++i)); do
+    case "$command" in
+    (""{}) [[ $words[i] == -* ]] || command="${{command:+$command }}$words[i]" ;;
+    esac
+  done
+  case "$words[CURRENT - 1]" in
+{}  esac
+  case "$command" in
+{}  esac
+  if [[ $words[CURRENT] == -* ]]; then _describe -o flag all; else _files; fi
+}}
+compdef _liecheck liecheck
+)~",
+                     fmt::join(groups_of(all), "|"), values_text, commands_text);
+}
+
+std::string in_fish(const Commands& all) {
+  std::string text = "# As ~/.config/fish/completions/liecheck.fish\n";
+  const auto known = values();
+  const auto condition = [&](const std::string& group) {
+    return group.empty()
+               ? std::string("__fish_use_subcommand")
+               : fmt::format("__fish_seen_subcommand_from {}; and not __fish_seen_subcommand_from {}", group,
+                             names_of(in_group(all, group), " "));
+  };
+  for (const CompletedCommand& c : all) {
+    text += fmt::format("complete -c liecheck -f -n '{}' -a {} -d {}\n", condition(c.group), c.name,
+                        shell_quoted(brief(c.help)));
+    const std::string given =
+        fmt::format("{}__fish_seen_subcommand_from {}",
+                    c.group.empty() ? "" : "__fish_seen_subcommand_from " + c.group + "; and ", c.name);
+    for (const CompletedFlag& f : c.flags) {
+      std::string names, words;
+      for (const std::string& name : f.names) {
+        const bool is_long = name.rfind("--", 0) == 0;
+        names += is_long ? " -l " + name.substr(2) : " -s " + name.substr(1);
+        for (const Values& v : known)
+          if (name == "--" + v.flag) words = fmt::format(" -x -a '{}'", v.words);
+      }
+      text += fmt::format("complete -c liecheck -n '{}'{}{} -d {}\n", given, names,
+                          !words.empty() ? words
+                          : f.has_value  ? " -r"
+                                         : "",
+                          shell_quoted(brief(f.help)));
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string completion_script(const std::string& shell, const Commands& commands) {
+  return shell == "bash" ? in_bash(commands) : shell == "zsh" ? in_zsh(commands) : in_fish(commands);
+}
+
+}  // namespace liecheck::properties
