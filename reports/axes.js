@@ -43,7 +43,8 @@ function horizontalAxis(rows) {
 const SMALLEST = -3;  // log10; all smaller errors share one tick, above that of 0
 
 function verticalAxis(rows, statistics) {
-  const values = rows.flatMap(r => statistics.map(s => r[s])).filter(v => typeof v === "number");
+  const largest = ceilingOf(rows);
+  const values = rows.flatMap(r => statistics.map(s => r[s])).filter(v => typeof v === "number" && !(v > 10 ** largest));
   const logs = values.filter(v => v > 0).map(Math.log10).filter(v => v >= SMALLEST);
   logs.push(...rows.filter(r => r.rule === "forward" && r.budget > 0).map(r => Math.log10(r.budget)));
   const least = Math.floor(Math.min(0, ...logs)), most = Math.ceil(Math.max(1, ...logs) + .2);
@@ -51,7 +52,8 @@ function verticalAxis(rows, statistics) {
   const below = values.some(v => v > 0 && Math.log10(v) < SMALLEST);
   const tiny = below ? least - gap : least;
   const floor = values.some(v => v === 0) ? tiny - gap : tiny;
-  const seen = OUTCOMES.filter(o => rows.some(o.holds));
+  const far = {name: `> ${power(largest)}`, lines: [`> ${power(largest)}`], holds: r => r.max_eps > 10 ** largest && !notFinite(r)};
+  const seen = [far, ...OUTCOMES].filter(o => rows.some(o.holds));
   const ticks = [];
   if (below) ticks.push({value: tiny, label: "< 10⁻³"});
   if (floor < tiny) ticks.push({value: floor, label: "0"});
@@ -59,7 +61,7 @@ function verticalAxis(rows, statistics) {
   for (let e = least; e <= most; e += step) ticks.push({value: e, label: power(e)});
   const ceilings = seen.map((o, i) => ({...o, value: most + (2 + 3 * i) * gap}));
   for (const c of ceilings) ticks.push({value: c.value, label: c.lines});
-  const place = v => v === 0 ? floor : Math.log10(v) >= SMALLEST ? Math.log10(v) : tiny;
+  const place = v => v > 10 ** largest ? NaN : v === 0 ? floor : Math.log10(v) >= SMALLEST ? Math.log10(v) : tiny;
   const top = ceilings.length ? ceilings.at(-1).value + 1.3 * gap : most + .4 * gap;
   return {ticks, ceilings, rim: most + .6 * gap, place, min: floor - .4 * gap, max: top};
 }
@@ -71,6 +73,13 @@ function roomy(ticks, span, width) {
   const slots = ticks.filter(t => t.decade === undefined);
   const clear = t => slots.every(s => Math.abs(s.value - t.value) * decade >= 26);
   return ticks.filter(t => t.decade === undefined || (t.decade % step === 0 && clear(t)));
+}
+
+// The top of the axis as log10: a single freak input, far above what 99 of 100 cases show, is drawn at the top edge
+// and does not press all other lines together.
+function ceilingOf(rows) {
+  const usual = rows.flatMap(r => [r.p99_eps, r.rule === "forward" ? r.budget : 1]).filter(v => typeof v === "number" && v < 1e18);
+  return Math.ceil(Math.log10(Math.max(10, ...usual))) + 2;
 }
 
 const notFinite = row => row.not_finite > 0 || typeof row.max_eps === "string";

@@ -1,10 +1,14 @@
 // Charts: a pair (near 0, near pi) for each block of an operation, created when it comes into view.
 
-// The colours of Okabe and Ito (2008), each with a marker shape, for readers of a black and white copy.
+// The colours of Okabe and Ito (2008) and four of Tol's, on white and on a dark page, each with a marker shape for readers
+// of a black and white copy. A library has the same one everywhere.
 const LOOKS = [
-  {color: "#0072b2", shape: "circle"}, {color: "#d55e00", shape: "triangle"}, {color: "#009e73", shape: "rect"},
-  {color: "#cc79a7", shape: "rectRot"}, {color: "#000000", shape: "crossRot"}, {color: "#e69f00", shape: "star"},
-  {color: "#56b4e9", shape: "cross"}];
+  {light: "#0072b2", dark: "#5ab4ec", shape: "circle"}, {light: "#d55e00", dark: "#ff8a3d", shape: "triangle"},
+  {light: "#009e73", dark: "#2fcf9f", shape: "rect"}, {light: "#cc79a7", dark: "#e79cc6", shape: "rectRot"},
+  {light: "#000000", dark: "#f2f2f2", shape: "crossRot"}, {light: "#e69f00", dark: "#f3bd3f", shape: "star"},
+  {light: "#56b4e9", dark: "#a9dcfa", shape: "cross"}, {light: "#882255", dark: "#d9629f", shape: "circle"},
+  {light: "#44aa99", dark: "#7fd6c8", shape: "triangle"}, {light: "#999933", dark: "#d0d06a", shape: "rect"},
+  {light: "#661100", dark: "#c9806f", shape: "rectRot"}];
 const KNOWN = ["liecheck", "textbook", "eigen", "ceres"];
 const STATISTICS = {
   max_eps: {name: "max", dash: [], width: 2}, p99_eps: {name: "p99", dash: [7, 4], width: 1.3},
@@ -12,12 +16,20 @@ const STATISTICS = {
 const KINDS = {
   theta: {head: "near 0", title: "rotation angle θ = ‖φ‖ ≥ 0 [rad]", reverse: false},
   pi_minus_theta: {head: "near π", title: "π − θ ≥ 0 [rad], θ grows to the right", reverse: true}};
-const INK = "#1b1b1b", FONT = {size: 12, family: "system-ui, 'DejaVu Sans', Helvetica, sans-serif"};
+const FONT = {size: 12, family: "system-ui, 'DejaVu Sans', Helvetica, sans-serif"};
+
+// The colours of canvases follow the page: light, dark, or paper, which is light.
+const darkMode = matchMedia("(prefers-color-scheme: dark)");
+let onPaper = false;
+const isDark = () => darkMode.matches && !onPaper;
+const INK = () => isDark() ? "#e8e8e8" : "#1b1b1b", PAPER = () => isDark() ? "#15181c" : "#ffffff", FAINT = () => isDark() ? "#2c3138" : "#ececec",
+  SLOT = () => isDark() ? "#262b32" : "#e9e9e9", SOFT = () => isDark() ? "#b4b4b4" : "#555";
 
 function lookOf(subject) {
-  const others = subjects.filter(s => !KNOWN.includes(s));
+  const others = named.filter(s => !KNOWN.includes(s));
   const i = KNOWN.includes(subject) ? KNOWN.indexOf(subject) : KNOWN.length + others.indexOf(subject);
-  return LOOKS[i % LOOKS.length];
+  const {light, dark, shape} = LOOKS[i % LOOKS.length];
+  return {color: isDark() ? dark : light, variable: `var(--look-${i % LOOKS.length})`, shape};
 }
 
 function short(value) {
@@ -35,7 +47,7 @@ const outcomes = row => [...count(row.not_finite, "NaN or Inf"), ...count(row.wr
   ...count(row.unresolved, "unresolved"), ...count(row.unmeasured, "unmeasured")];
 
 // The datasets of one chart: a line for each subject and statistic, broken at every slot.
-function datasets(rows, x, y, statistics) {
+function datasets(rows, x, y, statistics, apart = false) {
   const present = subjects.filter(s => rows.some(r => r.subject === s));
   const shift = (s, slot) => slot ? (present.indexOf(s) + .5 - present.length / 2) * x.slot * .8 / present.length : 0;
   const sets = [];
@@ -44,7 +56,8 @@ function datasets(rows, x, y, statistics) {
     const own = rows.filter(r => r.subject === subject && r.count > 0)
       .sort((a, b) => x.position.get(a.band) - x.position.get(b.band));
     for (const statistic of statistics) {
-      const {dash, width} = STATISTICS[statistic], main = statistic === "max_eps", data = [];
+      const main = statistic === "max_eps", data = [];
+      const {dash, width} = !apart ? STATISTICS[statistic] : {max_eps: {dash: [], width: 1.5}, p99_eps: {dash: [], width: 2.4}, median_eps: {dash: [2, 3], width: 1.3}}[statistic];
       for (const row of own) {
         const at = x.position.get(row.band) + shift(subject, isSlot(row));
         const value = typeof row[statistic] === "number" ? y.place(row[statistic]) : NaN;
@@ -52,14 +65,14 @@ function datasets(rows, x, y, statistics) {
         data.push({x: at, y: value, row, statistic, radius: main ? 4.5 : isSlot(row) ? 2 : 0});
         if (isSlot(row)) data.push({x: at, y: NaN});
       }
-      sets.push({label: subject, data, borderColor: color, backgroundColor: main ? color : "#fff", borderDash: dash,
-        borderWidth: width, pointStyle: shape, pointRadius: c => c.raw?.radius ?? 0, pointBorderWidth: 1.5,
+      sets.push({label: subject, data, borderColor: color, backgroundColor: main && !apart ? color : PAPER(), borderDash: dash,
+        borderWidth: width, showLine: !(apart && main), pointStyle: shape, pointRadius: c => c.raw?.radius ?? 0, pointBorderWidth: 1.5,
         pointHoverRadius: 7, order: main ? 1 : 2, clip: 8});
     }
     const broken = y.ceilings.flatMap(c => own.filter(c.holds).map(row => ({row, statistic: c.name, y: c.value,
       x: x.position.get(row.band) + shift(subject, isSlot(row))})));
     if (broken.length)
-      sets.push({label: subject, data: broken, showLine: false, borderColor: color, backgroundColor: "#fff",
+      sets.push({label: subject, data: broken, showLine: false, borderColor: color, backgroundColor: PAPER(),
         borderWidth: 2, pointStyle: shape, pointRadius: 6, pointHoverRadius: 8, order: 0, clip: 8});
   }
   return sets;
@@ -73,15 +86,15 @@ const furniture = {
     ctx.save();
     if (x.slots) {
       const a = px(x.min), b = px(x.min + x.slot * x.slots);
-      ctx.fillStyle = "#e9e9e9";
+      ctx.fillStyle = SLOT();
       for (let i = 0; i < x.slots; ++i) {
         const l = px(x.min + x.slot * (i + .04)), r = px(x.min + x.slot * (i + .96));
         ctx.fillRect(Math.min(l, r), area.top, Math.abs(r - l), area.bottom - area.top);
       }
-      ctx.strokeStyle = "#555"; ctx.setLineDash([2, 3]);
+      ctx.strokeStyle = SOFT(); ctx.setLineDash([2, 3]);
       const edge = (b + px(x.low)) / 2;
       ctx.beginPath(); ctx.moveTo(edge, area.top); ctx.lineTo(edge, area.bottom); ctx.stroke();
-      ctx.setLineDash([]); ctx.fillStyle = INK; ctx.font = `11px ${FONT.family}`;
+      ctx.setLineDash([]); ctx.fillStyle = INK(); ctx.font = `11px ${FONT.family}`;
       ctx.textAlign = "right"; ctx.textBaseline = "middle";
       for (const {value, label} of x.ticks.filter(t => t.upright)) {
         ctx.save(); ctx.translate(px(value), area.bottom + 6); ctx.rotate(-Math.PI / 2);
@@ -89,27 +102,14 @@ const furniture = {
       }
     }
     if (y.ceilings.length) {
-      ctx.strokeStyle = "#555"; ctx.setLineDash([2, 3]);
+      ctx.strokeStyle = SOFT(); ctx.setLineDash([2, 3]);
       const h = scales.y.getPixelForValue(y.rim);
       ctx.beginPath(); ctx.moveTo(area.left, h); ctx.lineTo(area.right, h); ctx.stroke();
     }
-    ctx.strokeStyle = INK; ctx.lineWidth = 1.2; ctx.setLineDash([10, 3, 2, 3]);
+    ctx.strokeStyle = INK(); ctx.lineWidth = 1.2; ctx.setLineDash([10, 3, 2, 3]);
     for (const s of spans) {
       const h = scales.y.getPixelForValue(Math.log10(s.budget));
       ctx.beginPath(); ctx.moveTo(px(s.from), h); ctx.lineTo(px(s.to), h); ctx.stroke();
-    }
-    ctx.restore();
-  },
-  afterDatasetsDraw(chart, _, {spans}) {
-    const {ctx, chartArea: area, scales} = chart;
-    ctx.save(); ctx.font = `600 11px ${FONT.family}`; ctx.textBaseline = "bottom"; ctx.textAlign = "left";
-    for (const budget of new Set(spans.map(s => s.budget))) {
-      const left = Math.min(...spans.filter(s => s.budget === budget)
-        .flatMap(s => [s.from, s.to]).map(v => scales.x.getPixelForValue(v)));
-      const text = `budget ${short(budget)} eps`, width = ctx.measureText(text).width;
-      const at = Math.min(left + 4, area.right - width - 2), h = scales.y.getPixelForValue(Math.log10(budget)) - 3;
-      ctx.fillStyle = "rgba(255,255,255,.85)"; ctx.fillRect(at - 2, h - 12, width + 4, 13);
-      ctx.fillStyle = INK; ctx.fillText(text, at, h);
     }
     ctx.restore();
   }};

@@ -6,13 +6,6 @@ const SCALARS = {float: "triangle", double: "circle", float128: "rect", "double-
 const NATIVE = ["float", "double"];
 const DOUBLE_EPS = 2 ** -52;
 
-const COST_COLORS = [...LOOKS.map(l => l.color), "#882255", "#44aa99", "#999933", "#661100"];
-
-function costColor(subject, names) {
-  const others = names.filter(s => !KNOWN.includes(s));
-  return COST_COLORS[(KNOWN.includes(subject) ? KNOWN.indexOf(subject) : KNOWN.length + others.indexOf(subject)) % COST_COLORS.length];
-}
-
 // The points of one operation: x [ns], y [eps of double].
 function costPoints(rows, kind) {
   return rows.filter(r => r.error !== null && !r.subject.includes("@") && r.sets.at(-1)[kind]).map(row => {
@@ -35,13 +28,13 @@ const costNames = {
     for (const p of points) { const [x, y] = at(p); taken.push([x - 5, y - 5, x + 5, y + 5]); }
     ctx.save(); ctx.textBaseline = "middle"; ctx.textAlign = "left";
     for (const p of [...points].sort((a, b) => Boolean(a.dominated) - Boolean(b.dominated))) {
-      ctx.font = `${p.dominated ? 400 : 600} 11px ${FONT.family}`; ctx.fillStyle = p.dominated ? "#555" : INK;
+      ctx.font = `${p.dominated ? 400 : 600} 11px ${FONT.family}`; ctx.fillStyle = p.dominated ? SOFT() : INK();
       const text = costName(p.row), width = ctx.measureText(text).width, [x, y] = at(p);
       for (const [left, top] of [[x + 8, y - 7], [x - width - 8, y - 7], [x - width / 2, y - 21], [x - width / 2, y + 8], [x + 8, y + 4], [x - width - 8, y + 4]]) {
         const box = [left, top, left + width, top + 13];
         if (box[0] < area.left || box[2] > area.right || box[1] < area.top || box[3] > area.bottom) continue;
         if (taken.some(t => t[0] < box[2] && box[0] < t[2] && t[1] < box[3] && box[1] < t[3])) continue;
-        ctx.lineWidth = 4; ctx.strokeStyle = "#fff"; ctx.strokeText(text, left, top + 7);
+        ctx.lineWidth = 4; ctx.strokeStyle = PAPER(); ctx.strokeText(text, left, top + 7);
         ctx.fillText(text, left, top + 7); taken.push(box);
         break;
       }
@@ -73,9 +66,9 @@ function costPlot(head, points, kind, names) {
     plugins: [costNames],
     datasets: [
       {named: true, showLine: false, data: points, order: 0, pointRadius: 5.5, pointHoverRadius: 8, borderWidth: 2, pointBorderWidth: 2,
-        pointStyle: c => SCALARS[c.raw?.row.scalar] ?? "circle", borderColor: c => c.raw ? costColor(c.raw.row.subject, names) : INK,
-        backgroundColor: c => !c.raw || c.raw.dominated ? "#fff" : costColor(c.raw.row.subject, names)},
-      {data: stairs, order: 1, borderColor: INK, borderWidth: 1.5, borderDash: [6, 3], pointRadius: 0, pointHoverRadius: 0, pointHitRadius: 0}],
+        pointStyle: c => SCALARS[c.raw?.row.scalar] ?? "circle", borderColor: c => c.raw ? lookOf(c.raw.row.subject).color : INK(),
+        backgroundColor: c => !c.raw || c.raw.dominated ? PAPER() : lookOf(c.raw.row.subject).color},
+      {data: stairs, order: 1, borderColor: INK(), borderWidth: 1.5, borderDash: [6, 3], pointRadius: 0, pointHoverRadius: 0, pointHitRadius: 0}],
     scales: {
       x: chartAxis(`${kind} of a call [ns]`, {autoSkip: true,
         callback: v => v >= 1e5 || v < .1 ? power(Math.round(Math.log10(v))) : String(+v.toPrecision(2))},
@@ -96,9 +89,9 @@ function costLegend(points, names) {
   const list = element("ul", {class: "legend", "aria-label": "Legend"});
   const mark = (shape, color, fill) => drawing(14, {d: MARKERS[shape], stroke: color, "stroke-width": 1.8, fill});
   for (const s of names.filter(n => points.some(p => p.row.subject === n)))
-    list.append(element("li", {}, mark("circle", costColor(s, names), costColor(s, names)), s));
+    list.append(element("li", {}, mark("circle", lookOf(s).color, lookOf(s).color), s));
   for (const [scalar, shape] of Object.entries(SCALARS))
-    if (points.some(p => p.row.scalar === scalar)) list.append(element("li", {}, mark(shape, INK, "#fff"), scalar));
+    if (points.some(p => p.row.scalar === scalar)) list.append(element("li", {}, mark(shape, "currentColor", "none"), scalar));
   list.append(element("li", {}, "filled: on the Pareto front; hollow: dominated; dashed line: the Pareto front"));
   return list;
 }
@@ -125,5 +118,5 @@ document.querySelectorAll(".cost-charts").forEach((home, i) => {
     choice("operation", "operation", [["", "all"], ...names.map(o => [o, o])], first));
   const fill = () => fillCost(cost, home, form.elements.kind.value, form.elements.operation.value);
   whenChanged(form, fill);
-  fill();
+  whenOpened(home, fill);
 });

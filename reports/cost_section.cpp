@@ -83,12 +83,6 @@ std::string price_table(const std::vector<CostPoint>& points, const std::vector<
       rows, true);
 }
 
-std::string spread_text(const Json& s) {
-  if (s.is_null()) return "—";
-  return fmt::format("{:.3g} [{:.3g}, {:.3g}], {}", s["ratio"].get<double>(), s["low"].get<double>(),
-                     s["high"].get<double>(), time_text(s["ns"]));
-}
-
 /// A table of operations by compilers and flags: latency, and the largest error in eps.
 std::string flags_table(const Json& cost) {
   std::vector<std::pair<std::string, std::string>> modules;  // subjects and their flags
@@ -120,36 +114,6 @@ std::string flags_table(const Json& cost) {
          "<p class=\"note\">Each column is the same source, compiled to a separate module and called in the "
          "same way. With <code>-ffast-math</code> a compiler may reorder sums, which disables compensated "
          "summation, and may assume that NaN and infinity do not occur.</p>\n";
-}
-
-/// A folded table of all rows and blocks.
-std::string all_points(const Json& cost) {
-  std::vector<Cells> rows;
-  for (const Json& row : cost["rows"])
-    for (const Json& set : row["sets"]) {
-      const bool mixed = &set == &row["sets"].back();
-      Cells errors;
-      for (const Json& b : set["blocks"]) {
-        const int bad = b["not_finite"].get<int>() + b["wrong_branch"].get<int>() + b["refused"].get<int>() +
-                        b["unresolved"].get<int>();
-        errors.push_back(fmt::format("{}: {}, {}, {}{}", text_of(b, "block"), eps_text(figure(b["max_eps"])),
-                                     eps_text(figure(b["p99_eps"])), eps_text(figure(b["median_eps"])),
-                                     bad ? fmt::format(" (<b>{} without a result</b>)", bad) : ""));
-      }
-      rows.push_back(
-          {code(row["operation"]), text_of(row, "subject"), text_of(row, "scalar"), text_of(set, "set"),
-           spread_text(set["latency"]), spread_text(set["throughput"]),
-           set["instructions"].is_null() ? "—" : fmt::format("{:.0f}", set["instructions"].get<double>()),
-           fmt::format("{}", fmt::join(errors, "; ")),
-           mixed && row["dominated_latency"].is_string() ? text_of(row, "dominated_latency") : ""});
-    }
-  return "<details><summary>All figures: each operation, subject and scalar, over all inputs and for each "
-         "band</summary>\n" +
-         table("Time and error on the same inputs",
-               {"operation", "subject", "scalar", "inputs", "latency", "throughput", "instructions",
-                "error of each block: max, p99, median [eps]", "dominated, by latency, by"},
-               rows, true) +
-         "</details>\n";
 }
 
 }  // namespace
@@ -194,7 +158,8 @@ std::string cost_section(const Merged& merged) {
     out +=
         "<form class=\"cost-controls\" aria-label=\"Which times are drawn\"></form>\n"
         "<div class=\"cost-charts\"></div>\n";
-    out += price_table(points, operations) + flags_table(cost) + all_points(cost);
+    out += price_table(points, operations) + flags_table(cost) +
+           "<p class=\"note\">report.json has the times and errors for each band of angles.</p>\n";
   }
   return out.empty()
              ? "<p>These records hold no times: <code>liecheck report</code> without a record measures "

@@ -7,6 +7,15 @@ const element = (name, attributes = {}, ...children) => {
   return made;
 };
 
+// Calls fill() when the folded section around an element is opened for the first time.
+function whenOpened(home, fill) {
+  const fold = home.closest("section > details");
+  let filled = false;
+  const open = () => { if (fold.open && !filled) { filled = true; fill(); } };
+  fold.addEventListener("toggle", open);
+  open();
+}
+
 const waiting = new Map();  // canvas holder -> function that creates its chart
 const watcher = new IntersectionObserver(entries => {
   for (const e of entries) if (e.isIntersecting) draw(e.target);
@@ -20,18 +29,29 @@ function draw(holder) {
   make();
 }
 
-// Before printing, redraws charts at their printed size, because the browser only scales a canvas. Unfolds
-// tables of bands without a chart. The other tables are not printed; report.csv has their rows.
-let unfolded = [];
+const redraw = new Map();  // canvas holder -> function that creates its chart again
+function redrawAll() {
+  for (const [holder, make] of redraw) {
+    if (!holder.isConnected) { redraw.delete(holder); continue; }
+    if (waiting.has(holder)) continue;
+    Chart.getChart(holder.firstElementChild)?.destroy();
+    make();
+  }
+}
+darkMode.addEventListener("change", redrawAll);
+
+// Before printing, draws all open charts in dark ink at their printed size, because the browser only scales a canvas.
+// Folded sections are not printed; report.csv has their rows.
 function toPaper() {
-  [...waiting.keys()].forEach(draw);
-  unfolded = [...document.querySelectorAll("#axisless > details:not([open])")];
-  for (const fold of unfolded) { fold.fill(); fold.open = true; }
+  onPaper = true;
+  [...waiting.keys()].filter(holder => !holder.closest("details:not([open])")).forEach(draw);
+  redrawAll();
   for (const holder of document.querySelectorAll(".canvas"))
-    Chart.getChart(holder.firstElementChild)?.resize(holder.closest(".single") ? 700 : 345, 350);
+    Chart.getChart(holder.firstElementChild)?.resize(holder.closest(".single") ? 700 : 345, 300);
 }
 function fromPaper() {
-  for (const fold of unfolded) fold.open = false;
+  onPaper = false;
+  redrawAll();
   for (const holder of document.querySelectorAll(".canvas")) Chart.getChart(holder.firstElementChild)?.resize();
 }
 
@@ -49,19 +69,21 @@ function forget(container) {  // destroys the charts of a container, before it i
 function chartHolder(label, right, tooltip, make) {
   const canvas = element("canvas", {role: "img", "aria-label": label});
   const holder = element("div", {class: "canvas"}, canvas);
-  waiting.set(holder, () => {
+  const create = () => {
     const {datasets, scales, plugins = [], pluginOptions = {}} = make();
     return new Chart(canvas, {type: "line", data: {datasets}, plugins, options: {
       animation: false, maintainAspectRatio: false, devicePixelRatio: Math.max(2, devicePixelRatio),
       layout: {padding: {right, top: 4}}, interaction: {mode: "nearest", intersect: false}, scales,
       plugins: {legend: {display: false}, tooltip, ...pluginOptions}}});
-  });
+  };
+  waiting.set(holder, create);
+  redraw.set(holder, create);
   watcher.observe(holder);
   return holder;
 }
 
-const chartAxis = (title, ticks, rest) => ({grid: {color: "#ececec"}, title: {display: true, text: title, color: INK, font: FONT},
-  ticks: {color: INK, font: FONT, autoSkip: false, maxRotation: 0, ...ticks}, ...rest});
+const chartAxis = (title, ticks, rest) => ({grid: {color: FAINT()}, title: {display: true, text: title, color: INK(), font: FONT},
+  ticks: {color: INK(), font: FONT, autoSkip: false, maxRotation: 0, ...ticks}, ...rest});
 const setTicks = (axis, values) => { axis.ticks = values.map(value => ({value})); };
 
 // The powers of ten in [min, max] whose exponent is a multiple of `step`.
@@ -91,18 +113,19 @@ function drawing(width, ...paths) {
 }
 
 function swatch(subject) {
-  const {color, shape} = lookOf(subject);
-  return drawing(32, {d: "M0 6h32" + MARKERS[shape], stroke: color, "stroke-width": 1.8, fill: color});
+  const {variable, shape} = lookOf(subject);
+  return drawing(32, {d: "M0 6h32" + MARKERS[shape], style: `stroke: ${variable}; fill: ${variable}`, "stroke-width": 1.8});
 }
 
-function legend(rows, statistics) {
+function legend(rows, statistics, apart = false) {
   const list = element("ul", {class: "legend", "aria-label": "Legend"});
   for (const s of subjects.filter(s => rows.some(r => r.subject === s)))
     list.append(element("li", {}, swatch(s), s));
-  list.append(element("li", {}, statistics.map(s => ({max_eps: "max found: solid", p99_eps: "p99: dashed",
-    median_eps: "median: dotted"})[s]).join(", ")));
-  const above = OUTCOMES.filter(o => rows.some(o.holds)).map(o => o.name);
-  if (above.length) list.append(element("li", {}, `hollow, at the top edge: ${above.join("; ")}`));
+  list.append(element("li", {}, apart ? "thick line: 99 % of the cases are below it; dotted: median; hollow markers: worst found"
+    : statistics.map(s => ({max_eps: "max found: solid", p99_eps: "p99: dashed", median_eps: "median: dotted"})[s]).join(", ")));
+  const above = OUTCOMES.filter(o => rows.some(o.holds)).map(o => o.name), largest = 10 ** ceilingOf(rows);
+  if (rows.some(r => r.max_eps > largest)) above.unshift("worst inputs far above all others");
+  if (above.length) list.append(element("li", {}, `at the top edge: ${above.join("; ")}`));
   return list;
 }
 
@@ -117,19 +140,21 @@ function spoken(rows, head) {
   return `Error in eps ${head}, log-log. Largest found: ${parts.join("; ")}.`;
 }
 
-function plot(rows, kind, y, statistics, foot) {
+function plot(rows, kind, y, statistics, foot, apart) {
   const {head, title, reverse} = KINDS[kind], x = horizontalAxis(rows);
   for (const t of x.ticks) t.upright = t.label.length > 3 && rows.some(r => isSlot(r) && slotName(r.band) === t.label);
   const ticks = source => ({minRotation: 0, callback: v => source.find(t => t.value === v && !t.upright)?.label ?? ""});
   const tooltip = {callbacks: {title: items => items.length ? `${items[0].raw.row.band}` : "", label: item => tip(item.raw)}};
   const holder = chartHolder(spoken(rows, head), 14, tooltip, () => ({
-    datasets: datasets(rows, x, y, statistics), plugins: [furniture], pluginOptions: {furniture: {x, y, spans: budgetSpans(rows, x)}},
+    datasets: datasets(rows, x, y, statistics, apart), plugins: [furniture], pluginOptions: {furniture: {x, y, spans: budgetSpans(rows, x)}},
     scales: {
       x: chartAxis(title, ticks(x.ticks), {type: "linear", reverse, min: x.min, max: x.max, afterFit: axis => { axis.height = foot; },
         afterBuildTicks: axis => setTicks(axis, roomy(x.ticks, x.max - x.min, axis.chart.width - 90).map(t => t.value))}),
       y: chartAxis("error [eps]", ticks(y.ticks), {type: "linear", min: y.min, max: y.max, afterFit: axis => { axis.width = 66; },
         afterBuildTicks: axis => setTicks(axis, y.ticks.map(t => t.value))})}}));
-  return element("div", {class: "plot"}, element("h4", {}, head), holder);
+  const budgets = unique(budgetSpans(rows, x).map(s => s.budget)).sort((a, b) => a - b);  // in the heading, where they cover no data
+  return element("div", {class: "plot"}, element("h4", {}, head, element("span", {class: "budget"},
+    budgets.length ? `dash-dot line: budget ${budgets.map(short).join(", ")} eps` : "")), holder);
 }
 
 function tip({row, statistic}) {
@@ -140,7 +165,7 @@ function tip({row, statistic}) {
 }
 
 // The charts of rows of one scalar and one block of an operation, with one vertical range.
-function charts(rows, statistics, kinds = ["theta", "pi_minus_theta"]) {
+function charts(rows, statistics, kinds = ["theta", "pi_minus_theta"], apart = false) {
   const shown = kinds.map(k => [k, rows.filter(r => r.axis === k)]).filter(([, own]) => own.some(r => r.count > 0));
   const pair = element("div", {class: shown.length > 1 ? "pair" : "pair single"});
   const y = verticalAxis(shown.flatMap(([, own]) => own), statistics);
@@ -150,6 +175,6 @@ function charts(rows, statistics, kinds = ["theta", "pi_minus_theta"]) {
   };
   const stacked = matchMedia("(max-width: 760px)").matches;  // side by side, both charts get the same height
   for (const [kind, own] of shown)
-    pair.append(plot(own, kind, y, statistics, foot(stacked ? own : shown.flatMap(([, some]) => some))));
+    pair.append(plot(own, kind, y, statistics, foot(stacked ? own : shown.flatMap(([, some]) => some)), apart));
   return pair;
 }

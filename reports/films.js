@@ -139,5 +139,5 @@ class Player {
 
 document.querySelectorAll(".films").forEach(home => {
   const own = JSON.parse(home.dataset.films);
-  for (const i of own) new Player(films[i], home);
+  whenOpened(home, () => own.forEach(i => new Player(films[i], home)));
 });

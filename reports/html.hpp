@@ -48,6 +48,15 @@ std::string scenes_section(const Merged& merged);
 /// Throws std::invalid_argument if a key begins with a star.
 Json packed(const Json& value);
 
+/// What the page shows of the content of report.json: errors with four digits; the worst input of a subject, scalar and
+/// operation in each region of the angle, of its first 24 numbers; times over all inputs. Each row gets the key of its
+/// region, and its worst case `count`, how many numbers the input has, and `shown`, whether it is the worst one there.
+Json page_numbers(Json numbers);
+
+/// The text compressed by zlib, in base64. The browser expands it; DecompressionStream("deflate") has been in every
+/// browser since 2023.
+std::string compressed(const std::string& text);
+
 /// The whole page; `numbers` is the content of report.json.
 std::string page(const Merged& merged, const Json& numbers);
 

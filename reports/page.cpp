@@ -11,13 +11,6 @@ namespace liecheck::reports {
 
 namespace {
 
-/// JSON text without "<", so that it cannot end the script element around it.
-std::string inlined(const Json& value) {
-  std::string out;
-  for (char c : dumped(value)) out += c == '<' ? std::string("\\u003c") : std::string(1, c);
-  return out;
-}
-
 /// "2.31e+03 eps", or "NaN or Inf", or "wrong branch".
 std::string judged_text(const Json& row) {
   if (row["not_finite"] > 0 || !std::isfinite(judged(row))) return "<b>NaN or Inf</b>";
@@ -46,11 +39,11 @@ std::string verdict_section(const Merged& merged) {
   if (verdict_word == "fail")
     label = "FAIL",
     meaning =
-        "At least one band of at least one subject is over its budget, or a hard case failed; the "
-        "tables below name them.";
+        "At least one library is wrong; each has its own verdict below.";
   const auto all = standings(merged);
   std::string out =
-      fmt::format("<p class=\"verdict {}\"><strong>{}</strong> {}</p>\n<dl class=\"summary\">\n",
+      fmt::format("<p class=\"verdict {}\"><strong>{}</strong> {}</p>\n<details class=\"campaign\">"
+                  "<summary>Campaign and standings in figures</summary>\n<dl class=\"summary\">\n",
                   verdict_word, label, meaning);
   const auto item = [&out](std::string_view name, const std::string& value) {
     out += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>\n", name, value);
@@ -97,16 +90,19 @@ std::string verdict_section(const Merged& merged) {
                              text_of(c, "band"), text_of(c, "scalar")));
   for (const auto& [subject, where] : cliffs)
     item("cliffs", fmt::format("<b>{}</b>: {}", escaped(subject), fmt::join(where, ", ")));
-  out += "</dl>\n";
+  out += "</dl>";
   int control_rows = 0, control_failed = 0;
   for (const Standing& s : all)
     if (s.subject == "textbook") control_failed += s.failed, control_rows += s.passed + s.failed;
-  if (control_rows > 0)
-    out += control_failed > 0
-               ? "<p><b>textbook</b> is the positive control: it implements the closed forms of textbooks "
-                 "with one cutoff for small angles. It is expected to fail, and it does.</p>\n"
-               : "<p class=\"verdict fail\"><strong>CONTROL PASSED</strong> The positive control textbook is "
-                 "expected to fail and did not: do not trust this report.</p>\n";
+  if (control_failed > 0)
+    out +=
+        "<p><b>textbook</b> is the positive control: it implements the closed forms of textbooks "
+        "with one cutoff for small angles. It is expected to fail, and it does.</p>\n";
+  out += "</details>\n";
+  if (control_rows > 0 && control_failed == 0)
+    out +=
+        "<p class=\"verdict fail\"><strong>CONTROL PASSED</strong> The positive control textbook is "
+        "expected to fail and did not: do not trust this report.</p>\n";
   if (merged.results.empty()) out += "<p class=\"verdict incomplete\">The records hold no results.</p>\n";
   return out;
 }
@@ -257,9 +253,9 @@ std::string page(const Merged& merged, const Json& numbers) {
   const std::map<std::string_view, std::string> slots = {
       {"style", files({"page.css", "stability.css", "scenes.css"})},
       {"chart library", files({"chart.min.js"})},
-      {"scripts", files({"axes.js", "charts.js", "figure.js", "tables.js", "page.js", "stability.js",
-                         "cost.js", "scenes.js", "films.js"})},
-      {"numbers", inlined(packed(numbers))},
+      {"scripts", files({"axes.js", "charts.js", "figure.js", "tables.js", "state.js", "overview.js", "digits.js", "page.js",
+                         "stability.js", "cost.js", "scenes.js", "films.js", "start.js"})},
+      {"numbers", compressed(dumped(packed(page_numbers(numbers))))},
       {"verdict word", verdict(merged)},
       {"verdict", verdict_section(merged)},
       {"standings", standings_section(merged)},

@@ -9,17 +9,22 @@ function unpacked(x) {
   const columns = x["*columns"].map(unpacked);
   return columns[0].map((_, row) => Object.fromEntries(x["*keys"].map((key, i) => [key, columns[i][row]])));
 }
-const numbers = unpacked(JSON.parse(document.getElementById("numbers").textContent));
+// The inverse of compressed() in html.hpp.
+async function expanded(base64) {
+  const bytes = Uint8Array.from(atob(base64), c => c.charCodeAt(0));
+  return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"))).text();
+}
+const numbers = unpacked(JSON.parse(await expanded(document.getElementById("numbers").textContent)));
 const results = numbers.results;
 const unique = values => [...new Set(values)];
 const subjects = unique(results.map(r => r.subject));
+// All names that have a colour: those of the results, then those of the times only.
+const named = unique([...subjects, ...numbers.records.flatMap(r => r.cost?.rows ?? []).map(r => r.subject).filter(s => s !== "call" && !s.includes("@"))]);
 const scalars = unique(results.map(r => r.scalar));
 const operations = unique(results.map(r => r.operation));
 const find = (list, matches) => numbers.records.flatMap(r => r[list]).find(matches);
 
-const chosen = {
-  scalar: scalars.includes("double") ? "double" : scalars[0], operation: "", hidden: new Set(),
-  statistics: ["max_eps", "p99_eps", "median_eps"]};
+const chosen = {scalar: "", operation: "", region: "", open: "", hidden: new Set(), statistics: ["max_eps", "p99_eps", "median_eps"]};
 
 const visible = () => results.filter(r => r.scalar === chosen.scalar && !chosen.hidden.has(r.subject));
 
@@ -32,55 +37,58 @@ function groups(rows) {  // lists of rows with equal operation, block and proper
   return [...found.values()];
 }
 
-function caption(rows) {
+function caption(rows, brief = false) {
   const {operation, block, property} = rows[0];
   const o = find("operations", e => e.operation === operation), p = find("properties", e => e.property === property);
   // Older records define a block once for all operations.
   const b = find("blocks", e => e.block === block && (e.operation ?? operation) === operation);
   const unit = b && b.denominator === "absolute" && b.unit !== "1" ? `, in eps · ${b.unit}` : "";
+  if (brief) return [b && `Error: ${b.error}, over ${b.denominator}${unit}.`, p && `Law ${property}.`].filter(Boolean).join(" ");
   return [o && `${[o.definition, o.frame].filter(Boolean).join("; ")}.`, b && `Error: ${b.error}, denominator: ${b.denominator}${unit}.`,
     p ? `Law ${property}: ${p.law}.` : `Law ${property}.`].filter(Boolean).join(" ").replace(/\.\./g, ".");
 }
 
 const onAxis = r => r.axis !== "none" && r.count > 0;
 
-// The chart at the top: exp6's translation at small angles, or else the block with the largest error.
-function fillCover() {
-  const section = document.getElementById("cover");
-  forget(section);
-  const rows = results.filter(r => r.scalar === chosen.scalar && r.axis === "theta" && r.count > 0);
-  const size = r => notFinite(r) ? Infinity : r.max_eps;
-  const wanted = groups(rows.filter(r => r.operation === "exp6" && r.block === "translation"))[0]
-    ?? groups(rows).sort((a, b) => Math.max(...b.map(size)) - Math.max(...a.map(size)))[0];
-  if (!wanted) return;
-  const {operation, block} = wanted[0];
-  const silent = subjects.filter(s => !wanted.some(r => r.subject === s));
-  const missing = silent.length ? ` Not offered or not measured in ${chosen.scalar}: ${silent.join(", ")}.` : "";
-  section.append(element("h2", {}, `${operation}, ${block}: error towards θ = 0, ${chosen.scalar}`),
-    element("figure", {}, element("figcaption", {}, `${caption(wanted)} Largest error found in each band: a lower bound of the true maximum.${missing}`),
-      legend(wanted, ["max_eps"]), charts(wanted, ["max_eps"], ["theta"])));
+// Blocks and bands are listed when their section is opened; later changes of the choice list them again.
+function fillFigures() {
+  for (const [id, fill] of [["blocks", fillBlocks], ["bands", fillBands]]) {
+    const fold = document.querySelector(`#${id} > details`);
+    fold.ontoggle = () => { if (fold.open) { fold.ontoggle = null; fill(); } };
+    fold.ontoggle();
+  }
 }
 
-function fillFigures() {
+const selected = () => visible().filter(r => !chosen.operation || r.operation === chosen.operation)
+  .filter(r => !chosen.region || r.region === chosen.region);
+
+function fillBlocks() {
   document.getElementById("selection").textContent = `Shown: ${chosen.scalar}; ${chosen.operation || "all operations"}; `
     + subjects.filter(s => !chosen.hidden.has(s)).join(", ") + ".";
   const home = document.getElementById("figures");
   forget(home);
-  const rows = visible().filter(r => !chosen.operation || r.operation === chosen.operation);
-  for (const group of groups(rows.filter(r => r.axis !== "none"))) {
+  for (const group of groups(selected().filter(r => r.axis !== "none"))) {
     const {operation, block, property} = group[0], name = `${operation}, ${block}`;
-    const figure = element("figure", {}, element("h3", {}, `${name} `), element("figcaption", {}, caption(group)));
-    if (group.some(r => r.rule === "excess"))
-      figure.append(element("p", {class: "note"}, "Some bands are judged by excess; the budget line covers the others."));
-    if (group.some(onAxis)) figure.append(legend(group, chosen.statistics), charts(group, chosen.statistics));
-    else figure.append(element("p", {}, "No case in these bands was measured."));
-    figure.append(foldedTable(`Worst case in each band: ${name}, ${property}`, group, ["subject"]));
-    home.append(figure);
+    const bad = group.some(r => r.status === "fail") ? element("span", {class: "status fail"}, "over budget") : "";
+    const fold = element("details", {class: "block"}, element("summary", {}, `${name}, law ${property} `, bad));
+    fold.fill = () => {  // drawn when opened: a page may have a hundred blocks
+      if (fold.children.length > 1) return;
+      const figure = element("figure", {}, element("figcaption", {}, caption(group)));
+      if (group.some(r => r.rule === "excess"))
+        figure.append(element("p", {class: "note"}, "Some bands are judged by excess; the budget line covers the others."));
+      if (group.some(onAxis)) figure.append(legend(group, chosen.statistics), charts(group, chosen.statistics));
+      else figure.append(element("p", {}, "No case in these bands was measured."));
+      figure.append(foldedTable(`Worst case in each band: ${name}, ${property}`, group, ["subject"]));
+      fold.append(figure);
+    };
+    fold.addEventListener("toggle", () => { if (fold.open) fold.fill(); });
+    home.append(fold);
   }
   if (!home.children.length) home.append(element("p", {}, "No results with an angle for this choice."));
+}
 
-  const other = document.getElementById("axisless");
-  const plain = rows.filter(r => r.axis === "none");
+function fillBands() {
+  const other = document.getElementById("axisless"), plain = selected().filter(r => r.axis === "none");
   other.replaceChildren(...operations.map(o => [o, plain.filter(r => r.operation === o)]).filter(([, own]) => own.length)
     .map(([o, own]) => foldedTable(o, own, ["subject", "block", "property"])));
   if (!plain.length) other.append(element("p", {}, "No results for this choice."));
@@ -113,27 +121,24 @@ function fillControls() {
   const form = document.getElementById("controls");
   form.append(
     choice("scalar", "scalar", scalars.map(s => [s, s]), chosen.scalar),
-    choice("operation", "operation", [["", "all"], ...operations.map(o => [o, o])], ""),
-    boxes("subject", "subjects", subjects.map(s => [s, s]), chosen.hidden),
+    choice("operation", "operation", [["", "all"], ...operations.map(o => [o, o])], chosen.operation),
+    choice("region", "region", [["", "all"], ...REGIONS.map(r => [r.key, r.name])], chosen.region),
+    boxes("subject", "libraries", subjects.map(s => [s, s]), chosen.hidden),
     boxes("statistic", "lines", Object.entries(STATISTICS).map(([k, s]) => [k, s.name]), new Set()));
-  whenChanged(form, event => {
+  whenChanged(form, () => {
     const data = new FormData(form);
-    chosen.scalar = data.get("scalar");
-    chosen.operation = data.get("operation");
+    for (const name of ["scalar", "operation", "region"]) chosen[name] = data.get(name);
     chosen.hidden = new Set(subjects.filter(s => !data.getAll("subject").includes(s)));
     chosen.statistics = Object.keys(STATISTICS).filter(s => data.getAll("statistic").includes(s));
-    if (event.target.name === "scalar") fillCover();
+    writeState();
+    fillCover();
+    fillDigits();
     fillFigures();
   });
 }
 
-if (results.length) {
-  fillControls();
-  fillCover();
-  fillFigures();
-} else {
-  document.getElementById("figures").append("The records hold no results.");
-  document.getElementById("axisless").append("The records hold no results.");
+function setControls() {  // after the address has changed
+  const form = document.getElementById("controls");
+  for (const name of ["scalar", "operation", "region"]) form.elements[name].value = chosen[name];
+  for (const box of form.querySelectorAll("[name=subject]")) box.checked = !chosen.hidden.has(box.value);
 }
-window.addEventListener("beforeprint", toPaper);
-window.addEventListener("afterprint", fromPaper);

@@ -3,20 +3,21 @@
 const sweeps = numbers.records.flatMap(r => r.scenes ? [r.scenes] : []);
 const ERRORS = {attitude: "attitude [rad]", position: "position [m]", angular_velocity: "angular velocity [rad/s]",
   linear_velocity: "linear velocity [m/s]"};
-const METHOD_COLORS = [...COST_COLORS, "#7f3c8d"];
+const METHOD_COLORS = [...LOOKS, {light: "#7f3c8d", dark: "#c58ad0"}];
 const POINT_SHAPES = ["circle", "triangle", "rect", "rectRot", "star", "crossRot", "cross"];
 
 const methodName = s => s.subject === "liecheck" ? s.integrator : `${s.subject} ${s.integrator}`;
 
 // A colour and shape for each method, the same in all diagrams. Other simulators have dashed lines.
 function methodLooks(sweep) {
-  const looks = new Map(), peers = ["#6b6b6b", "#000000", "#8c564b", "#a9a9a9"];
+  const looks = new Map(), peers = [["#6b6b6b", "#a8a8a8"], ["#000000", "#f2f2f2"], ["#8c564b", "#d09a8f"], ["#8f8f8f", "#7b7b7b"]].map(([light, dark]) => ({light, dark}));
   const subjects = unique(sweep.scenes.flatMap(s => s.series.map(x => x.subject))).filter(s => s !== "liecheck");
   for (const series of sweep.scenes.flatMap(s => s.series)) {
     const name = methodName(series);
     if (looks.has(name)) continue;
     const own = series.subject === "liecheck", i = [...looks.values()].filter(l => l.own === own).length;
-    looks.set(name, {own, color: own ? METHOD_COLORS[i % METHOD_COLORS.length] : peers[subjects.indexOf(series.subject) % peers.length],
+    const color = own ? METHOD_COLORS[i % METHOD_COLORS.length] : peers[subjects.indexOf(series.subject) % peers.length];
+    looks.set(name, {own, light: color.light, dark: color.dark, get color() { return isDark() ? this.dark : this.light; },
       shape: POINT_SHAPES[i % POINT_SHAPES.length], dash: own ? [] : [5, 3]});
   }
   return looks;
@@ -37,7 +38,7 @@ function workPrecision(scene, block, looks, withPeers) {
   return chartHolder(label, 12, tooltip, () => ({
     datasets: lines.map(({series, points}) => {
       const {color, shape, dash} = looks.get(methodName(series));
-      return {label: methodName(series), data: points, borderColor: color, backgroundColor: dash.length ? "#fff" : color, borderDash: dash,
+      return {label: methodName(series), data: points, borderColor: color, backgroundColor: dash.length ? PAPER() : color, borderDash: dash,
         borderWidth: 1.6, pointStyle: shape, pointRadius: 3.6, pointHoverRadius: 7, pointBorderWidth: 1.4, clip: 6};
     }),
     scales: {x: decadeAxis("time for each simulated second [ns]", left, right, 1),
@@ -59,7 +60,7 @@ function sceneLegend(scenes, looks, withPeers) {
     if (!present.has(name) || (!own && !withPeers)) continue;
     const stroke = {stroke: color, "stroke-width": 1.6};
     const svg = drawing(32, {d: "M0 6h32", ...stroke, "stroke-dasharray": dash.join(" ")},
-      {d: MARKERS[shape], ...stroke, fill: own ? color : "#fff"});
+      {d: MARKERS[shape], ...stroke, fill: own ? color : "none"});
     list.append(element("li", {}, svg, name));
   }
   return list;
@@ -86,5 +87,5 @@ document.querySelectorAll(".scene-charts").forEach((home, i) => {
     home.append(grid);
   };
   whenChanged(form, fill);
-  fill();
+  whenOpened(home, fill);
 });

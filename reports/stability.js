@@ -158,4 +158,4 @@ function fillStability() {
   fillMatrix(home, cases, columns, filter);
 }
 
-fillStability();
+whenOpened(document.getElementById("stability-matrix"), fillStability);

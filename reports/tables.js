@@ -5,10 +5,7 @@ function replayCell(row) {
   const command = `liecheck replay ${row.worst.id}`;
   const button = element("button", {type: "button", "aria-label": `Copy ${command}`}, "copy");
   button.addEventListener("click", () => copy(command, button));
-  const inputs = element("details", {class: "inputs"}, element("summary", {}, "input, hexadecimal"));
-  if (row.worst.kappa > 0) inputs.append(`κ = ${short(row.worst.kappa)}`);
-  for (const x of row.worst.input) inputs.append(element("code", {}, x));
-  return element("td", {}, element("code", {class: "replay"}, command), button, inputs);
+  return element("td", {}, element("code", {class: "replay"}, command), button);
 }
 
 async function copy(text, button) {

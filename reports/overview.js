@@ -1,0 +1,111 @@
+// The first screen: a sentence for each subject, the charts of the block that tells most, and the three answers.
+
+// The seven regions of the angle; page_numbers() in C++ decides to which one a row belongs.
+const REGIONS = [{key: "zero", name: "θ < 10⁻⁷"}, {key: "small", name: "θ 10⁻⁷…10⁻²"}, {key: "moderate", name: "moderate θ"},
+  {key: "near-pi", name: "π − θ > 10⁻⁷"}, {key: "pi", name: "π − θ < 10⁻⁷"}, {key: "beyond", name: "θ > π"}, {key: "all", name: "without angle"}];
+const regionOf = row => REGIONS.find(r => r.key === row.region);
+
+const epsOf = row => find("subjects", s => s.name === row.subject && s.scalar === row.scalar)?.eps ?? 2 ** -52;
+const judgedError = row => row.rule === "excess" ? row.max_excess : row.max_eps;
+const isNumber = x => typeof x === "number";
+// The digits of the scalar, and those that the worst case of a row lost: all of them if no number came back.
+const digitsOfScalar = row => -Math.log10(epsOf(row));
+function digitsLost(row) {
+  if (notFinite(row) || row.wrong_branch > 0 || !isNumber(judgedError(row))) return digitsOfScalar(row);
+  return Math.min(digitsOfScalar(row), Math.max(0, Math.log10(Math.max(judgedError(row), 1))));
+}
+const digitsKept = row => digitsOfScalar(row) - digitsLost(row);
+const severity = row => (row.status === "fail" ? 100 : 0) + digitsLost(row) + (notFinite(row) ? 3 : 0) + (row.wrong_branch > 0 ? 2 : 0);
+// Of the rows of one cell and region, page_numbers() marks the worst; it alone has its input on the page.
+const worstOf = rows => rows.find(r => r.worst?.shown && rows.every(o => ["region", "subject", "operation", "scalar"]
+  .every(name => o[name] === r[name]))) ?? rows.reduce((a, b) => severity(b) > severity(a) ? b : a);
+function errorWords(row) {
+  if (notFinite(row)) return "NaN or Inf";
+  if (row.wrong_branch > 0) return "wrong branch";
+  return `${digitsLost(row).toFixed(1)} of ${digitsOfScalar(row).toFixed(1)} digits lost`;
+}
+const plural = (n, what) => `${n} ${what}${n === 1 ? "" : "s"}`;
+
+// Where a subject fails, worst region first: "worst: exp6 (translation) at θ < 10⁻⁷ in double, 7.4 of 15.7 digits lost".
+function whereItFails(failing) {
+  const regions = REGIONS.map(r => failing.filter(row => regionOf(row) === r)).filter(own => own.length).map(worstOf)
+    .sort((a, b) => severity(b) - severity(a));
+  const place = row => `${row.operation} (${row.block})${row.region === "all" ? "" : ` at ${regionOf(row).name}`} in ${row.scalar}, ${errorWords(row)}`;
+  return `worst: ${regions.slice(0, 2).map(place).join("; ")}`
+    + (regions.length > 2 ? `; and in ${plural(regions.length - 2, "further region")}` : "");
+}
+
+// What is said of a subject without a failing row.
+function verdictWithoutFailure(subject) {
+  const own = results.filter(r => r.subject === subject), of = name => numbers.records.flatMap(r => r[name] ?? []);
+  const broken = of("hard_cases").flatMap(h => h.cells).filter(c => c.subject === subject && c.failed).length;
+  if (!own.some(r => r.status === "pass")) return ["open", "incomplete: nothing was judged."];
+  if (broken) return ["fail", `wrong: ${plural(broken, "hard case")} fail, no band is over its budget.`];
+  const open = own.some(r => ["unresolved", "unmeasured"].includes(r.status)) || of("not_measured").some(m => m.subject === subject);
+  return open ? ["open", "incomplete: what was measured is within budget, but not all was measured."]
+    : ["pass", "correct: every measured band is within its budget."];
+}
+
+function fillSentences(home) {
+  const list = element("ul", {class: "sentences"});
+  const all = subjects.map(s => ({s, failing: results.filter(r => r.subject === s && r.status === "fail")}));
+  for (const {s, failing} of all) {
+    const where = unique(failing.map(r => r.operation)).length;
+    const [kind, text] = failing.length ? ["fail", `wrong in ${plural(where, "operation")}; ${whereItFails(failing)}.`] : verdictWithoutFailure(s);
+    const mark = {fail: "✗", pass: "✓", open: "?"}[kind];
+    const control = s === "textbook" ? " (the positive control, meant to fail)" : "";
+    list.append(element("li", {class: kind}, element("span", {class: `verdict-mark ${kind}`, "aria-hidden": "true"}, mark), swatch(s),
+      element("b", {}, s), `${control} is ${text}`));
+  }
+  home.append(list);
+}
+
+function fillAnswers(home) {
+  const failed = unique(results.filter(r => r.status === "fail").map(r => r.subject));
+  const hard = numbers.records.flatMap(r => r.hard_cases ?? []).flatMap(h => h.cells);
+  const bySubject = unique(hard.filter(c => c.failed).map(c => c.subject))
+    .map(s => `${s} ${hard.filter(c => c.failed && c.subject === s).length}`);
+  const front = numbers.records.flatMap(r => r.cost ? [r.cost] : []).length;
+  const advice = document.querySelector(".advice b")?.textContent;
+  const answer = (link, question, text) => element("li", {}, element("a", {href: link}, question), element("br"), text);
+  home.append(element("ul", {class: "answers"},
+    answer("#digits", "Which library is wrong, where, by how many digits?", failed.length ? `${failed.join(", ")}: open a cell of the table.`
+      : "None was found to be wrong; the table has every operation."),
+    answer("#cost", "What does a digit cost?", advice ? `For a 1 kHz controller, take ${advice}; the front is drawn there.`
+      : front ? "Error against time is drawn there." : "These records hold no times."),
+    answer("#stability", "Are hard cases stable?", !hard.length ? "These records hold no hard cases."
+      : bySubject.length ? `Not all. Of ${hard.length} calls, failures: ${bySubject.join(", ")}.` : `Yes: all ${hard.length} calls are within budget.`)));
+}
+
+// The group of rows in which subjects differ most, by the 99 % lines near 0 and near pi.
+function tellingGroup(rows) {
+  const spread = some => {
+    const tops = subjects.map(s => some.filter(r => r.subject === s && isNumber(r.p99_eps))).filter(own => own.length)
+      .map(own => Math.log10(Math.max(1, ...own.map(r => Math.min(r.p99_eps, 1e16)))));
+    return tops.length ? Math.max(...tops) - Math.min(...(tops.length > 1 ? tops : [0])) + tops.length / 10 : 0;
+  };
+  const score = some => {
+    const [zero, pi] = Object.keys(KINDS).map(k => some.filter(r => r.axis === k && r.count > 0));
+    return zero.length + pi.length ? spread(zero) + spread(pi) + (zero.length && pi.length ? 20 : 0) : -1;
+  };
+  const scored = groups(rows.filter(r => r.axis !== "none")).map(own => ({own, size: score(own)})).sort((a, b) => b.size - a.size);
+  return scored.length && scored[0].size >= 0 ? scored[0].own : null;
+}
+
+function fillCover() {
+  const section = document.getElementById("cover");
+  forget(section);
+  const wanted = tellingGroup(visible().filter(r => !chosen.operation || r.operation === chosen.operation));
+  if (!wanted) return;
+  const {operation, block} = wanted[0], shown = subjects.filter(s => !chosen.hidden.has(s));
+  const silent = shown.filter(s => !wanted.some(r => r.subject === s));
+  const missing = silent.length ? ` Not offered or not measured: ${silent.join(", ")}.` : "";
+  section.append(heading("h2", "cover", `Where the libraries differ most: ${operation}, ${block}, ${chosen.scalar}`),
+    element("figure", {}, legend(wanted, Object.keys(STATISTICS), true), charts(wanted, Object.keys(STATISTICS), undefined, true),
+      element("figcaption", {}, `${caption(wanted, true)}${missing}`)));
+}
+
+// A heading with a link to itself.
+function heading(name, id, text) {
+  return element(name, {id: `${id}-title`}, text, element("a", {class: "anchor", href: `#${id}`, "aria-label": `Link to: ${text}`}, "#"));
+}

@@ -1,0 +1,29 @@
+// Fills the page when all scripts are read.
+
+if (results.length) {
+  readState();
+  fillControls();
+  fillSentences(document.getElementById("sentences"));
+  fillAnswers(document.getElementById("answers"));
+  fillCover();
+  fillDigits();
+  fillFigures();
+} else {
+  document.getElementById("figures").append("The records hold no results.");
+  document.getElementById("axisless").append("The records hold no results.");
+}
+document.documentElement.dataset.filled = "yes";
+window.addEventListener("beforeprint", toPaper);
+window.addEventListener("afterprint", fromPaper);
+document.addEventListener("click", event => {  // a link to a heading keeps what is chosen in the address
+  const at = event.target.closest("a[href^='#']")?.getAttribute("href").slice(1);
+  if (at === undefined || !results.length) return;
+  event.preventDefault();
+  writeState(at);
+  goTo(at);
+});
+window.addEventListener("hashchange", () => {
+  if (results.length) { readState(); setControls(); fillCover(); fillDigits(); fillFigures(); }
+  goTo(fragment().get("at"));
+});
+goTo(fragment().get("at"));
