@@ -1,5 +1,5 @@
 #include <liecheck/batch/poses.hpp>
-#include <liecheck/spatial/exp_log.hpp>
+#include <liecheck/liecheck.hpp>
 
 int main() {
   liecheck::batch::Rows<double, 6> xi(6, 100);

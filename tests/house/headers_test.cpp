@@ -22,5 +22,24 @@ TEST(Headers, OfTheLibraryCompileWithoutWarnings) {
   EXPECT_EQ(std::system((command + file.string() + "'").c_str()), 0);
 }
 
+TEST(Headers, OfAllThatMostProgramsNeedCompileWithoutWarningsAndSayInOneLineThatTheyNeedCpp20) {
+  const fs::path file = fs::path(testing::TempDir()) / "liecheck_cpp17.cpp", said = file.string() + ".txt";
+  std::ofstream(file)
+      << "#include <liecheck/liecheck.hpp>\n#if __cplusplus >= 202002L\n"
+         "template class liecheck::Data<float>;\ntemplate class liecheck::SE3<float>;\n"
+         "auto f(const liecheck::SE3<float>& x) { return liecheck::log6<float>(x); }\n#endif\n";
+  const std::string command =
+      LIECHECK_SYNTAX_CHECK " -Werror -Wall -Wextra -Wpedantic -Wshadow -Wconversion -std=";
+  EXPECT_EQ(std::system((command + "c++20 '" + file.string() + "'").c_str()), 0);
+  EXPECT_NE(std::system((command + "c++17 '" + file.string() + "' 2>'" + said.string() + "'").c_str()), 0);
+  std::ifstream in(said);
+  std::string errors;
+  for (std::string line; std::getline(in, line);)
+    if (line.find("error:") != line.npos) errors += line.substr(line.find("error:")) + "\n";
+  EXPECT_EQ(errors,
+            "error: static assertion failed: liecheck needs C++20: compile with -std=c++20, or link "
+            "liecheck::lib by CMake\n");
+}
+
 }  // namespace
 }  // namespace liecheck::house

@@ -1,6 +1,7 @@
-// The commands on the pages: their flags exist, and README.md shows a failure as the program prints it.
+// The commands and programs on the pages: their flags exist, they run, and they print what the pages show.
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 
 #include <cstdio>
 #include <filesystem>
@@ -79,22 +80,138 @@ TEST(Pages, ThatUseUnknownFlagsAreFound) {
       std::vector<std::string>{"bench speed --for"});
 }
 
-TEST(Pages, TheReadmeShowsAFailureAsTheProgramPrintsIt) {
-  const std::string text = read("README.md"), begin = "```text\n$ build/release/bin/liecheck ";
-  const auto at = text.find(begin);
-  ASSERT_NE(at, text.npos);
-  std::istringstream shown(text.substr(at + begin.size(), text.find("```\n", at + 1) - at - begin.size()));
-  std::string arguments;
-  std::getline(shown, arguments);
-  const std::string printed = "\n" + output_of(arguments);
+std::vector<std::string> pages() {
+  std::vector<std::string> all{"README.md"};
+  for (const auto& page : std::filesystem::directory_iterator(root + "docs"))
+    all.push_back("docs/" + page.path().filename().string());
+  return all;
+}
+
+/// A block of a page between ``` and ```.
+struct Block {
+  std::string language, text;
+};
+std::vector<Block> blocks_of(const std::string& page) {
+  std::vector<Block> all;
+  std::istringstream lines(page);
+  bool inside = false;
+  for (std::string line; std::getline(lines, line);)
+    if (!line.starts_with("```")) {
+      if (inside) all.back().text += line + "\n";
+    } else if (inside = !inside; inside) {
+      all.push_back({line.substr(3), ""});
+    }
+  return all;
+}
+
+/// The first line of `shown` that is not printed, or not in this order; "" if every line is.
+std::string first_missing(const std::string& shown, const std::string& printed) {
+  std::istringstream lines(shown);
+  const std::string text = "\n" + printed;
   std::size_t from = 0;
-  int lines = 0;
-  for (std::string line; std::getline(shown, line); ++lines) {
-    const auto found = printed.find("\n" + line + "\n", from);
-    ASSERT_NE(found, printed.npos) << "not printed, or not in this order: " << line;
+  for (std::string line; std::getline(lines, line);) {
+    const auto found = text.find("\n" + line + "\n", from);
+    if (found == text.npos) return line;
     from = found + 1;
   }
-  EXPECT_GT(lines, 5);
+  return "";
+}
+
+/// The first line that a command prints no more, for each text of a page that begins with "$ …/liecheck".
+std::vector<std::string> wrong_outputs(const std::string& page, int* commands = nullptr) {
+  const std::string begin = "$ build/release/bin/liecheck ";
+  std::vector<std::string> wrong;
+  for (const Block& b : blocks_of(page)) {
+    if (b.language != "text" || !b.text.starts_with(begin)) continue;
+    const auto end = b.text.find('\n');
+    const std::string arguments = b.text.substr(begin.size(), end - begin.size());
+    if (const std::string line = first_missing(b.text.substr(end + 1), output_of(arguments)); !line.empty())
+      wrong.push_back(arguments + ": " + line);
+    if (commands) ++*commands;
+  }
+  return wrong;
+}
+
+TEST(Pages, ShowOutputsAsTheProgramPrintsThem) {
+  int commands = 0;
+  for (const std::string& page : pages())
+    for (const std::string& wrong : wrong_outputs(read(page), &commands))
+      ADD_FAILURE() << page << ": " << wrong;
+  EXPECT_GE(commands, 2);
+}
+
+TEST(Pages, WhoseOutputsChangedAreFound) {
+  const std::string page =
+      "x\n```text\n$ build/release/bin/liecheck list --laws\nexp_oracle\nlog_oracle\n```\n";
+  EXPECT_EQ(wrong_outputs(page), std::vector<std::string>());
+  EXPECT_EQ(wrong_outputs(replaced(page, "log_oracle", "log_oracel")),
+            std::vector<std::string>{"list --laws: log_oracel"});
+}
+
+/// The C++ programs of the pages as one program, which prints a line "--- PAGE" before the output of each; and that
+/// output as the pages show it, in the next block "text".
+std::pair<std::string, std::string> programs_and_outputs(const std::vector<std::string>& names) {
+  std::string programs, calls, outputs;
+  int n = 0;
+  for (const std::string& name : names) {
+    bool shown = true;
+    for (const Block& b : blocks_of(read(name)))
+      if (b.language == "cpp" && b.text.find("int main()") != b.text.npos) {
+        const std::string function = "program_" + std::to_string(++n);
+        programs += replaced(b.text, "int main()", "void " + function + "()");
+        calls += "std::cout << \"--- " + name + "\\n\" << std::setprecision(6);\n" + function + "();\n";
+        shown = false;
+      } else if (b.language == "text" && !shown) {
+        outputs += "--- " + name + "\n" + b.text;
+        shown = true;
+      }
+  }
+  return {"#include <iomanip>\n" + programs + "int main() {\n" + calls + "}\n", outputs};
+}
+
+TEST(Pages, HaveProgramsThatPrintWhatThePagesShow) {
+  const auto [programs, outputs] = programs_and_outputs({"README.md", "docs/tutorial.md"});
+  const std::string file = testing::TempDir() + "liecheck_pages";
+  std::ofstream(file + ".cpp") << programs;
+  const std::string flags = replaced(LIECHECK_SYNTAX_CHECK, " -fsyntax-only", "") + " " LIECHECK_LINK " ";
+  ASSERT_EQ(std::system((flags + file + ".cpp " LIECHECK_LIBRARY " -o " + file + ".exe").c_str()), 0);
+  ASSERT_EQ(std::system(("cd '" + root + "' && " + file + ".exe >" + file + ".txt").c_str()), 0);
+  std::ifstream printed(file + ".txt");
+  EXPECT_EQ((std::string{std::istreambuf_iterator<char>(printed), {}}), outputs);
+  EXPECT_EQ(replaced(programs, "void program_5()", "").size() + 16, programs.size());  // five programs
+}
+
+/// The calls of liecheck in the blocks "sh" of a page, without the path of the program and without comments.
+std::vector<std::string> calls_of(const std::string& page) {
+  static const std::regex call("^(?:[./a-z]*/)?liecheck ([^#]*[^# ]) *(?:#.*)?$");
+  std::vector<std::string> all;
+  for (const Block& b : blocks_of(page)) {
+    if (b.language != "sh") continue;
+    std::istringstream lines(b.text);
+    std::smatch found;
+    for (std::string line; std::getline(lines, line);)
+      if (std::regex_match(line, found, call)) all.push_back(found[1]);
+  }
+  return all;
+}
+
+TEST(Pages, HaveCommandsThatRun) {
+  const std::string folder = testing::TempDir() + "liecheck_page_commands";
+  std::filesystem::create_directories(folder);
+  int run = 0;
+  for (const std::string page : {"README.md", "docs/scenes.md", "docs/ci.md"})
+    for (std::string call : calls_of(read(page))) {
+      call = replaced(replaced(call, "../../../", ""), "--for 5s", "--for 0.2s");
+      call = replaced(replaced(call, "build/rotations.so", LIECHECK_C_ADAPTER), "--cases 200", "--cases 20");
+      call = replaced(call, "'python3 ", "'/usr/bin/python3 ");  // the one that has Debian's NumPy
+      const int status = std::system(("cd '" + root + "' && '" LIECHECK_PROGRAM "' " + call + " >'" + folder +
+                                      "/out' 2>'" + folder + "/err' </dev/null")
+                                         .c_str());
+      const bool fails = call.find("textbook") != call.npos || call.find("--adapter") != call.npos;
+      EXPECT_EQ(WEXITSTATUS(status), fails ? 1 : 0) << page << ": liecheck " << call;
+      ++run;
+    }
+  EXPECT_GE(run, 13);
 }
 
 }  // namespace
