@@ -122,6 +122,10 @@ std::vector<Command> add_commands(CLI::App& program, const std::string& typed_li
        bench_limits_command, bench_rounding_command, bench_speed_command});
   add(group(program, "adapter", "libraries from outside the program: docs/adapters.md"),
       {adapter_check_command, adapter_serve_command});
+  const Command league = league_command(program);  // after its subcommands: they set it as given, too
+  add(*program.get_subcommand("league"),
+      {league_findings_command, league_changes_command, league_measure_command});
+  all.push_back(league);
   add(program, {sweep_command, robot_command, cost_command});
   add(group(program, "scene", "simulate a motion that a file describes: fixtures/scenes/README.md"),
       {scene_run_command, scene_explain_command, scene_sweep_command, scene_keys_command});
@@ -136,7 +140,8 @@ std::string usage_error(const CLI::App& program, const CLI::ParseError& e) {
   while (!at->get_subcommands().empty()) at = at->get_subcommands().front();
   const auto commands = at->get_subcommands([](const CLI::App*) { return true; });
   const auto rest = at->remaining();
-  if (commands.empty() || (rest.empty() && at == &program)) return e.what();
+  if (commands.empty() || (rest.empty() && (at == &program || at->get_require_subcommand_min() == 0)))
+    return e.what();
   std::vector<std::string> known;
   for (const CLI::App* command : commands) known.push_back(command->get_name());
   if (rest.empty()) return fmt::format("{}: which one? {}", at->get_name(), fmt::join(known, ", "));

@@ -63,15 +63,18 @@ const std::vector<Room> harness = {
     {"rounding",
      {"lib", "support", "conventions", "generators", "subjects", "invariants", "adapters", "timing"}},
     {"scenes", {"lib", "support", "oracles", "timing"}},
+    {"league",
+     {"support", "operations", "conventions", "generators", "budgets", "subjects", "invariants", "adapters",
+      "campaign", "search", "failures"}},
     {"record",
      {"lib", "support", "oracles", "operations", "generators", "budgets", "subjects", "invariants",
       "campaign", "search", "hard_cases", "history", "failures", "lattice", "store", "coefficients", "timing",
       "scenes"}},
     {"reports", {"support"}},
-    {"app", {"lib",          "support",  "oracles",    "operations", "conventions", "generators",
-             "budgets",      "subjects", "invariants", "adapters",   "campaign",    "search",
-             "hard_cases",   "history",  "failures",   "rules",      "lattice",     "store",
-             "coefficients", "timing",   "rounding",   "scenes",     "record",      "reports"}},
+    {"app", {"lib",      "support",    "oracles",  "operations", "conventions",  "generators", "budgets",
+             "subjects", "invariants", "adapters", "campaign",   "search",       "hard_cases", "history",
+             "failures", "rules",      "lattice",  "store",      "coefficients", "timing",     "rounding",
+             "scenes",   "league",     "record",   "reports"}},
 };
 
 const Room* find(const std::vector<Room>& rooms, const std::string& name) {

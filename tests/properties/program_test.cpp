@@ -83,6 +83,14 @@ TEST_F(Program, EmptyValuesAndUnknownWordsAreNamed) {
   refused(quick + "--subject 'a\nb'", "unknown subject 'a\\nb'");
   refused("bench nope", "unknown command 'nope'; commands of bench: batches, bugs, history, lattice, limits, rounding, speed");
   refused("bench", "bench: which one? batches, bugs, history, lattice, limits, rounding, speed");
+  refused("league --for nowhere", "--for: nowhere not in {near-zero,near-pi,1e-8,off-unit,1kHz}");
+  refused("league --only nope", "--only: unknown library 'nope'; known: ");
+  refused("league nope", "unknown command 'nope'; commands of league: findings, changes, measure");
+  refused("league measure ./none.so", "none.so");
+  store("l.json", "{}");
+  refused("league --record l.json", "l.json: is no record of the league");
+  refused("league changes l.json l.json", "l.json: is no record of the league");
+  refused("league findings none.json --out d", "none.json");
   refused("campaign --for 1s --shard 1/2", "--for: a shard is a part of a fixed number");
   refused("campaign --subject eigen --scalar float128", "nothing to run");
   refused("report r.json --seed 3", "excludes");

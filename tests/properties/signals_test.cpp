@@ -283,6 +283,7 @@ INSTANTIATE_TEST_SUITE_P(
         Command{"bench_lattice", "bench lattice --faults 300 --resume f.txt --json r.json", 60, "r.json"},
         Command{"bench_limits", "bench limits --cases 100 --out .", 30},
         Command{"bench_speed", "bench speed --for-each 0.1s --json r.json", 60, "r.json"},
+        Command{"league", "league --record r.json", 60, "r.json"},
         Command{"scene_run", "scene run in/long.yaml --csv s.csv --json r.json", 10, "r.json"},
         Command{"scene_sweep", "scene sweep --for 5s --json r.json", 120, "r.json"},
         Command{"scene_sweep_of_a_file",

@@ -1,0 +1,24 @@
+#pragma once
+// Findings: defects of libraries, each confirmed by a program in the library's own language.
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+namespace liecheck::properties::league {
+
+struct Confirmed {
+  int written = 0;   ///< findings, a file each
+  std::string text;  ///< a line for each finding, and for each cell that fails and is no finding, the reason
+};
+
+/// For each operation of a library that fails in the record: writes its program into `folder`, runs it, and if it
+/// prints the numbers that the adapter returned, writes FOLDER/LIBRARY_OPERATION.md. A cell of grade A or B is no
+/// finding: losing less than four digits may be the library's choice. Throws std::runtime_error naming a file that
+/// cannot be written. Stops at stop_requested.
+Confirmed write_findings(const nlohmann::json& record, const std::string& folder);
+
+/// The numbers in a text, in its order; words such as nan and inf are numbers, too.
+std::vector<double> numbers_in(const std::string& text);
+
+}  // namespace liecheck::properties::league
