@@ -25,3 +25,9 @@ std::array<S, 4> nearer_to_one(In<S, 4> Q) {
   if (Q[3] < 0) return {-Q[0], -Q[1], -Q[2], -Q[3]};
   return {Q[0], Q[1], Q[2], Q[3]};
 }
+
+/// A program in C++ for source(): one header, statements, and the numbers that it prints. A place {phi} stands for
+/// the numbers of that argument, in double unless the statements say otherwise.
+#define PROGRAM(header, statements, result)                                                          \
+  "#include <" header ">\n#include <cstdio>\nint main() {\n" statements "\nfor (double x : {" result \
+  "}) std::printf(\"%.17g \", double(x));\n}"

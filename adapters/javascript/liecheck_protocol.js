@@ -22,14 +22,17 @@ function write(bytes) {
   for (let at = 0; at < bytes.length;) at += fs.writeSync(1, bytes, at);
 }
 
-// Answers calls until the input ends. functions: operation -> [function, arguments, results]. A function takes the
-// numbers of one input, a Float32Array or a Float64Array, and returns those of its result.
+// Answers calls until the input ends. functions: operation -> [function, arguments, results, program]. A function takes
+// the numbers of one input, a Float32Array or a Float64Array, and returns those of its result. The program, which may be
+// left out, is the same call for a user of the library, with {phi} and so on for the numbers.
 exports.serve = function (name, scalars, functions) {
-  const subject = name.replace(/.*\//, ""), version = versions[name];
+  const subject = name.replace(/^@(.*)\/core$/, "$1").replace(/.*\//, ""), version = versions[name];
   console.log = console.warn = console.error;  // what the library prints must not come between the answers
   readLine();  // "liecheck 1"
   const operations = Object.fromEntries(Object.keys(functions).map(operation => [operation, scalars]));
-  write(Buffer.from(JSON.stringify({protocol: 1, name: subject, version, operations}) + "\n"));
+  const programs = Object.entries(functions).filter(([, f]) => f[3]).map(([operation, f]) => [operation, f[3]]);
+  const source = Object.fromEntries(programs);
+  write(Buffer.from(JSON.stringify({protocol: 1, name: subject, version, operations, source}) + "\n"));
   for (let call = readLine(); call; call = readLine()) {  // "call exp3_quaternion double 128"
     const [, operation, scalar, count] = call.split(" "), n = Number(count), [f, size, resultSize] = functions[operation];
     const Numbers = scalar === "float" ? Float32Array : Float64Array;

@@ -18,15 +18,22 @@ import("three").then(({Matrix4, Quaternion, Vector3, Vector4}) => {
     return rotationVector(new Vector4().setAxisAngleFromQuaternion(quaternion(Q[3] < 0 ? Q.map(x => -x) : Q)));
   }
 
+  const program = (names, call) => `import("three").then(({${names}}) => {\n${call}\n});`;
+  const axis = `const v = new Vector3({phi}), angle = v.length(), axis = v.normalize();\n`;
+
   serve("three", ["double"], {
-    exp3_quaternion: [phi => new Quaternion().setFromAxisAngle(...axisAngle(phi)).toArray(), 3, 4],
-    exp3_matrix: [phi => rows(new Matrix4().makeRotationAxis(...axisAngle(phi))), 3, 9],
-    log3_quaternion: [log3_quaternion, 4, 3],
-    log3_matrix: [R => rotationVector(new Vector4().setAxisAngleFromRotationMatrix(matrix(R))), 9, 3],
+    exp3_quaternion: [phi => new Quaternion().setFromAxisAngle(...axisAngle(phi)).toArray(), 3, 4,
+      program("Quaternion, Vector3", axis + "console.log(...new Quaternion().setFromAxisAngle(axis, angle));")],
+    exp3_matrix: [phi => rows(new Matrix4().makeRotationAxis(...axisAngle(phi))), 3, 9, program("Matrix3, Matrix4, Vector3",
+      axis + "const R = new Matrix4().makeRotationAxis(axis, angle);\nconsole.log(...new Matrix3().setFromMatrix4(R).transpose().elements);")],
+    log3_quaternion: [log3_quaternion, 4, 3, program("Quaternion, Vector4",
+      "const q = new Quaternion(...[{Q}].map((x, i, Q) => Q[3] < 0 ? -x : x));\nconst a = new Vector4().setAxisAngleFromQuaternion(q);\nconsole.log(a.w * a.x, a.w * a.y, a.w * a.z);")],
+    log3_matrix: [R => rotationVector(new Vector4().setAxisAngleFromRotationMatrix(matrix(R))), 9, 3, program("Matrix3, Matrix4, Vector4",
+      "const R = new Matrix4().setFromMatrix3(new Matrix3().set({R}));\nconst a = new Vector4().setAxisAngleFromRotationMatrix(R);\nconsole.log(a.w * a.x, a.w * a.y, a.w * a.z);")],
     compose: [x => numbers(pose(x).multiply(pose(x.subarray(12)))), 24, 12],
     inverse: [x => numbers(pose(x).invert()), 12, 12],
     act_point: [x => vector(x, 12).applyMatrix4(pose(x)).toArray(), 15, 3],
     rotate_point: [x => vector(x, 4).applyQuaternion(quaternion(x)).toArray(), 7, 3],
-    normalize: [Q => quaternion(Q).normalize().toArray(), 4, 4],
+    normalize: [Q => quaternion(Q).normalize().toArray(), 4, 4, program("Quaternion", "console.log(...new Quaternion({Q}).normalize());")],
   });
 });

@@ -28,14 +28,24 @@ def log3_matrix(R):
     return angle * axis
 
 
+def program(*lines):
+    return "\n".join(["import numpy as np", "from transforms3d import axangles, quaternions", *lines])
+
+
+axis_angle_of = "phi = np.array([{phi}]); angle = np.linalg.norm(phi); axis = phi if angle else [1, 0, 0]"
+log_of = "x, y, z, w = np.array([{Q}]); axis, angle = quaternions.quat2axangle(np.array([w, x, y, z]) * (-1 if w < 0 else 1))"
+
 serve("transforms3d", transforms3d.__version__, {
-    "exp3_quaternion": (exp3_quaternion, 3, 4),
-    "exp3_matrix": (lambda phi: axangles.axangle2mat(*axis_angle(phi)), 3, 9),
-    "log3_quaternion": (log3_quaternion, 4, 3),
-    "log3_matrix": (log3_matrix, 9, 3),
+    "exp3_quaternion": (exp3_quaternion, 3, 4,
+        program(axis_angle_of, "w, x, y, z = quaternions.axangle2quat(axis, angle).tolist()", "print(x, y, z, w)")),
+    "exp3_matrix": (lambda phi: axangles.axangle2mat(*axis_angle(phi)), 3, 9,
+        program(axis_angle_of, "print(*axangles.axangle2mat(axis, angle).ravel().tolist())")),
+    "log3_quaternion": (log3_quaternion, 4, 3, program(log_of, "print(*(angle * axis).tolist())")),
+    "log3_matrix": (log3_matrix, 9, 3, program("axis, angle = axangles.mat2axangle(np.reshape([{R}], (3, 3)))", "print(*(angle * axis).tolist())")),
     "rotate_point": (lambda x: quaternions.rotate_vector(x[4:], w_first(x)), 7, 3),
     # documented for quaternions that are not normalized
-    "quaternion_matrix": (lambda Q: quaternions.quat2mat(w_first(Q)), 4, 9),
+    "quaternion_matrix": (lambda Q: quaternions.quat2mat(w_first(Q)), 4, 9,
+        program("x, y, z, w = {Q}", "print(*quaternions.quat2mat([w, x, y, z]).ravel().tolist())")),
     "rotate_point_any_norm": (lambda x: quaternions.rotate_vector(x[4:], w_first(x), is_normalized=False), 7, 3),
-    "log3_any_norm": (log3_quaternion, 4, 3),
+    "log3_any_norm": (log3_quaternion, 4, 3, program(log_of, "print(*(angle * axis).tolist())")),
 })

@@ -1,0 +1,94 @@
+// Imath: Quat, its axis and angle, and Matrix44, in float and double. A quaternion is (r, v); a matrix multiplies rows
+// from the right, so that it is stored as the transposed one. log() and exp() are those of quaternions.
+
+#include <Imath/ImathMatrix.h>
+#include <Imath/ImathQuat.h>
+
+#include <liecheck_adapter.hpp>
+
+#include "numbers.hpp"
+
+namespace {
+
+template <class S>
+using Vector = Imath::Vec3<S>;
+template <class S>
+using Quaternion = Imath::Quat<S>;
+
+template <class S>
+Vector<S> vector(const S* x) {
+  return {x[0], x[1], x[2]};
+}
+template <class S>
+Quaternion<S> quaternion(const S* Q) {
+  return {Q[3], Q[0], Q[1], Q[2]};
+}
+template <class S>
+Imath::Matrix44<S> pose(const S* X) {
+  return {X[0], X[3], X[6], 0, X[1], X[4], X[7], 0, X[2], X[5], X[8], 0, X[9], X[10], X[11], 1};
+}
+template <class S>
+void put(const Vector<S>& x, S* to) {
+  to[0] = x.x, to[1] = x.y, to[2] = x.z;
+}
+template <class S>
+void put(const Quaternion<S>& Q, S* to) {
+  put(Q.v, to), to[3] = Q.r;
+}
+template <class S>
+void put(const Imath::Matrix44<S>& M, S* to) {
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) to[3 * i + j] = M[j][i];
+    to[9 + i] = M[3][i];
+  }
+}
+
+struct Imaths {
+  static constexpr const char *name = "imath", *version = IMATH_VERSION_STRING;
+
+  template <class S>
+  static void exp3_quaternion(In<S, 3> phi, Out<S, 4> Q) {
+    put(Quaternion<S>(0, vector(&phi[0]) / S(2)).exp(), &Q[0]);
+  }
+  template <class S>
+  static void log3_quaternion(In<S, 4> Q, Out<S, 3> phi) {
+    put(quaternion(nearer_to_one<S>(Q).data()).log().v * S(2), &phi[0]);
+  }
+  template <class S>
+  static void compose(In<S, 24> x, Out<S, 12> y) {
+    put(pose(&x[12]) * pose(&x[0]), &y[0]);
+  }
+  template <class S>
+  static void inverse(In<S, 12> x, Out<S, 12> y) {
+    put(pose(&x[0]).inverse(), &y[0]);
+  }
+  template <class S>
+  static void act_point(In<S, 15> x, Out<S, 3> y) {
+    put(vector(&x[12]) * pose(&x[0]), &y[0]);
+  }
+  template <class S>
+  static void rotate_point(In<S, 7> x, Out<S, 3> y) {
+    put(quaternion(&x[0]).rotateVector(vector(&x[4])), &y[0]);
+  }
+  template <class S>
+  static void normalize(In<S, 4> Q, Out<S, 4> y) {
+    put(quaternion(&Q[0]).normalized(), &y[0]);
+  }
+  static const char* source(std::string_view operation) {
+    if (operation == "exp3_quaternion")
+      return PROGRAM("Imath/ImathQuat.h",
+                     "Imath::V3d phi({phi});\nImath::Quatd q = Imath::Quatd(0, phi / 2).exp();",
+                     "q.v.x, q.v.y, q.v.z, q.r");
+    if (operation == "log3_quaternion")
+      return PROGRAM("Imath/ImathQuat.h",
+                     "double Q[] = {{Q}}, s = Q[3] < 0 ? -1 : 1;\n"
+                     "Imath::V3d v = Imath::Quatd(s * Q[3], s * Q[0], s * Q[1], s * Q[2]).log().v * 2.0;",
+                     "v.x, v.y, v.z");
+    return nullptr;
+  }
+};
+
+}  // namespace
+
+LIECHECK_ADAPTER(Imaths, exp3_quaternion, log3_quaternion, compose, inverse, act_point, rotate_point,
+                 normalize)

@@ -1,0 +1,31 @@
+// quaternion.js: Quaternion, in double. Its numbers are w, x, y, z; matrices are rows.
+const {Quaternion} = require("quaternion");
+const {serve} = require("./liecheck_protocol.js");
+
+const of = ([x, y, z, w]) => new Quaternion(w, x, y, z);
+const numbers = q => [q.x, q.y, q.z, q.w];
+const nearer = Q => of(Q[3] < 0 ? Q.map(x => -x) : Q);  // the rotation's logarithm is that of Q or -Q with w >= 0
+const program = call => `const {Quaternion} = require("quaternion");\n${call}`;
+const log = "const v = q.log();\nconsole.log(2 * v.x, 2 * v.y, 2 * v.z);";
+
+// exp and log are those of quaternions, exp(0, phi/2) and (0, phi/2).
+const exp = ([x, y, z]) => new Quaternion(0, x / 2, y / 2, z / 2).exp();
+function twice(q) {
+  const {x, y, z} = q.log();
+  return [2 * x, 2 * y, 2 * z];
+}
+
+serve("quaternion", ["double"], {
+  exp3_quaternion: [phi => numbers(exp(phi)), 3, 4, program(
+    "const q = new Quaternion(0, ...[{phi}].map(x => x / 2)).exp();\nconsole.log(q.x, q.y, q.z, q.w);")],
+  exp3_matrix: [phi => exp(phi).toMatrix(), 3, 9, program(
+    "const q = new Quaternion(0, ...[{phi}].map(x => x / 2)).exp();\nconsole.log(...q.toMatrix());")],
+  log3_quaternion: [Q => twice(nearer(Q)), 4, 3, program(
+    "const [x, y, z, w] = [{Q}].map((a, i, Q) => Q[3] < 0 ? -a : a);\nconst q = new Quaternion(w, x, y, z);\n" + log)],
+  log3_matrix: [R => twice(nearer(numbers(Quaternion.fromMatrix([...R])))), 9, 3, program(
+    "const r = Quaternion.fromMatrix([{R}]), q = r.w < 0 ? r.neg() : r;\n" + log)],
+  rotate_point: [x => of(x).rotateVector([...x.slice(4)]), 7, 3, program(
+    "const [x, y, z, w] = [{Q}];\nconsole.log(...new Quaternion(w, x, y, z).rotateVector([{p}]));")],
+  normalize: [Q => numbers(of(Q).normalize()), 4, 4, program(
+    "const [x, y, z, w] = [{Q}];\nconst q = new Quaternion(w, x, y, z).normalize();\nconsole.log(q.x, q.y, q.z, q.w);")],
+});
