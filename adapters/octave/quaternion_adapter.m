@@ -1,6 +1,7 @@
 % GNU Octave's package quaternion, in double. Its numbers are w, x, y, z. The process protocol of docs/adapters.md.
 1;
 pkg load quaternion
+warning("off", "all")  % rot2q says that it normalizes the axis
 
 function q = of(Q)
   q = quaternion(Q(4), Q(1), Q(2), Q(3));
