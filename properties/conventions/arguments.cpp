@@ -58,6 +58,18 @@ Numbers value(const Layout& layout, Generic& g, double angle) {
     }
     case Kind::vector:
       return joined(g.vector());
+    case Kind::direction:
+      return joined(g.of_length(1));
+    case Kind::euler_angles:
+      return joined(g.of_length(angle / 2));
+    case Kind::scalar:  // the fraction of slerp
+      return {(1 + g.number()) / 2};
+    case Kind::order:
+      return {std::floor(12 * (1 + g.number()))};
+    case Kind::planar_tangent:
+      return {g.number(), g.number(), angle};
+    case Kind::planar_pose:
+      return {g.number(), g.number(), std::cos(angle / 2), std::sin(angle / 2)};
     default:
       return joined(g.vector(), g.vector());  // a twist or a wrench
   }

@@ -4,6 +4,7 @@
 #include <map>
 #include <oracles/ball_oracles.hpp>
 #include <oracles/normalisation.hpp>
+#include <oracles/orientations.hpp>
 
 namespace liecheck::properties::conventions {
 namespace {
@@ -209,14 +210,119 @@ Formulas<B> configurations() {
            [=](Reader x) { return numbers(oracles::quaternion_matrix(x.template take<4>()).value); }}};
 }
 
+/// Euler angles [rad] of a rotation matrix, middle angle in (-pi/2, pi/2) or (0, pi), by its entries.
+Vec3<Real> angles_of(const Order& order, const Mat3<Real>& R) {
+  const Mat3<Real> M = order.rotating ? R : transpose(R);
+  const int i = order.axes[0], j = order.axes[1], k = 3 - i - j;
+  const Real sign((j - i + 3) % 3 == 1 ? 1 : -1), turn(order.rotating ? 1 : -1);
+  if (order.axes[0] == order.axes[2])
+    return {{Real(atan2(M(j, i), Real(-turn * sign * M(k, i)))), Real(acos(M(i, i))),
+             Real(atan2(M(i, j), Real(turn * sign * M(i, k))))}};
+  return {{Real(turn * atan2(Real(-sign * M(j, k)), M(k, k))), Real(turn * asin(Real(sign * M(i, k)))),
+           Real(turn * atan2(Real(-sign * M(i, j)), M(i, i)))}};
+}
+/// Between rotations and directions, Euler angles and rates: only in Real.
+Formulas<Real> orientations() {
+  using Reader = conventions::Reader<Real>;
+  const auto numbers = [](const auto&... values) { return joined<Real>(values...); };
+  return {{"relative_angle",
+           [=](Reader x) {
+             const Quaternion<> Q0 = x.take<4>();
+             return numbers(oracles::relative_angle(Q0, x.take<4>()).theta);
+           }},
+          {"twist_angle",
+           [=](Reader x) {
+             const Quaternion<> Q = x.take<4>();
+             return numbers(oracles::twist_angle(Q, x.take<3>()).angle);
+           }},
+          {"slerp",
+           [=](Reader x) {
+             const Quaternion<> Q0 = x.take<4>(), Q1 = x.take<4>();
+             return numbers(oracles::slerp(Q0, Q1, x.take<1>()[0]).Q);
+           }},
+          {"rotation_between",
+           [=](Reader x) {
+             const Vec3<Real> u = x.take<3>(), v = x.take<3>(), from = Real(1 / norm(u)) * u,
+                              to = Real(1 / norm(v)) * v, n = cross(from, to);
+             return numbers(normalized(Quaternion<>{{n[0], n[1], n[2], Real(1 + dot(from, to))}}));
+           }},
+          {"euler_to_quaternion",
+           [=](Reader x) {
+             const Order order(static_cast<int>(x.take<1>()[0]));
+             return numbers(euler(order, x.take<3>()).value);
+           }},
+          {"euler_to_matrix",
+           [=](Reader x) {
+             const Order order(static_cast<int>(x.take<1>()[0]));
+             return numbers(rotation_matrix(euler(order, x.take<3>()).value));
+           }},
+          {"euler_from_quaternion",
+           [=](Reader x) {
+             const Order order(static_cast<int>(x.take<1>()[0]));
+             return numbers(angles_of(order, rotation_matrix(normalized(x.take<4>()))));
+           }},
+          {"euler_from_matrix",
+           [=](Reader x) {
+             const Order order(static_cast<int>(x.take<1>()[0]));
+             return numbers(angles_of(order, x.take<3, 3>()));
+           }},
+          {"velocity_to_rate",
+           [=](Reader x) {
+             const Quaternion<> Q = quaternion_of(x.take<7>());
+             const Vec3<Real> u = x.take<3>(), omega = x.take<3>();
+             return numbers(rotate(Q, u),
+                            Real(Real(1) / 2) *
+                                quaternion_product(Q, Quaternion<>{{omega[0], omega[1], omega[2], Real(0)}}));
+           }},
+          {"rate_to_velocity", [=](Reader x) {
+             const Quaternion<> Q = quaternion_of(x.take<7>());
+             const Vec3<Real> p_dot = x.take<3>();
+             return numbers(rotate(Q, p_dot, true),
+                            Real(2 / squared_norm(Q)) * head3(conjugate_product(Q, x.take<4>())));
+           }}};
+}
+Formulas<Real> planar_poses() {
+  using Reader = conventions::Reader<Real>;
+  const auto numbers = [](const auto&... values) { return joined<Real>(values...); };
+  const auto of_log = [=](const LogResult& log) { return numbers(log.rho[0], log.rho[1], log.phi[2]); };
+  return {{"se2_exp", [=](Reader x) { return numbers(planar_exp(x.take<3>()).value); }},
+          {"se2_log",
+           [=](Reader x) {
+             return of_log(planar_difference({{Real(0), Real(0), Real(1), Real(0)}}, x.take<4>()));
+           }},
+          {"se2_compose",
+           [=](Reader x) {
+             const PlanarPose q0 = x.take<4>();
+             return numbers(planar_compose(q0, x.take<4>()).value);
+           }},
+          {"se2_integrate",
+           [=](Reader x) {
+             const PlanarPose q0 = x.take<4>();
+             return numbers(planar_compose(q0, planar_exp(x.take<3>()).value).value);
+           }},
+          {"se2_difference", [=](Reader x) {
+             const PlanarPose q0 = x.take<4>();
+             return of_log(planar_difference(q0, x.take<4>()));
+           }}};
+}
+
 template <class B>
 std::vector<B> result(const Operation& operation, const std::vector<B>& arguments) {
   static const Formulas<B> all = [] {
     Formulas<B> f = exponentials<B>();
     f.merge(spatial_algebra<B>());
     f.merge(configurations<B>());
+    if constexpr (std::is_same_v<B, Real>) f.merge(orientations()), f.merge(planar_poses());
     return f;
   }();
+  if constexpr (!std::is_same_v<B, Real>)
+    if (!all.contains(operation.name)) {
+      std::vector<Real> exact;
+      for (const B& x : arguments) exact.push_back(oracles::exact<Real>(x));
+      std::vector<B> value;
+      for (const Real& x : result<Real>(operation, exact)) value.emplace_back(static_cast<double>(x));
+      return value;
+    }
   return all.at(operation.name)(Reader<B>(arguments));
 }
 

@@ -71,8 +71,11 @@ void pose_passive(Kind k, Value v) {
   p = (-(Rows<3, 3>(v.data()) * p)).eval();
 }
 void degrees(Kind k, Value v) {
-  if (k == Kind::rotation_vector || k == Kind::tangent)
-    for (double& x : v.last(3)) x *= std::numbers::pi / 180;
+  const std::size_t angles = k == Kind::angle || k == Kind::planar_tangent ? 1
+                             : k == Kind::rotation_vector || k == Kind::tangent || k == Kind::euler_angles
+                                 ? 3
+                                 : 0;
+  for (double& x : v.last(angles)) x *= std::numbers::pi / 180;
 }
 void about_the_origin(Kind k, Value v) {
   if (k != Kind::body) return;

@@ -12,14 +12,17 @@ Kind kind_of(const Layout& layout) {
   if (layout.parts.size() == 3) return Kind::body;
   if (layout.parts.size() == 2) {
     if (first.size == 9) return Kind::pose;
+    if (first.size == 2) return layout.parts[1].size == 2 ? Kind::planar_pose : Kind::planar_tangent;
     if (layout.parts[1].size == 4) return Kind::configuration;
     if (first.unit == "m") return Kind::tangent;
     return first.unit == "m/s" || first.unit == "m/s^2" ? Kind::twist : Kind::wrench;
   }
   switch (first.size) {
     case 1:
-      return Kind::scalar;
+      return first.name == "order" ? Kind::order : first.unit == "rad" ? Kind::angle : Kind::scalar;
     case 3:
+      if (first.name == "angles") return Kind::euler_angles;
+      if (first.unit == "1") return Kind::direction;
       return first.unit == "rad" ? Kind::rotation_vector : Kind::vector;
     case 4:
       return Kind::quaternion;

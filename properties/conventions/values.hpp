@@ -14,7 +14,11 @@ using Numbers = std::vector<double>;
 
 enum class Kind {
   scalar,
+  order,  ///< of Euler angles
+  angle,
+  euler_angles,
   vector,
+  direction,
   rotation_vector,
   quaternion,
   rotation_matrix,
@@ -27,6 +31,8 @@ enum class Kind {
   wrench,
   pose,
   configuration,
+  planar_tangent,
+  planar_pose,
   body
 };
 

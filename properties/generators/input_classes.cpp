@@ -76,6 +76,20 @@ const std::vector<InputClass> inertias = {
     {"point", 16}, {"sphere", 16}, {"needle", 8}, {"plate", 16}, {"general", 5}};
 const std::vector<InputClass> positives = {
     {"simple", 4}, {"ratio below 1e-12, in float 1e-2", 14}, {"ratio above 1e12, in float 1e2", 14}};
+const std::vector<InputClass> directions = {{"along an axis", 24},
+                                            {"in a coordinate plane", 30},
+                                            {"equal to the previous one", 40, Reach::beside},
+                                            {"opposite to the previous one", 40, Reach::beside},
+                                            {"near the previous one", 12, Reach::beside},
+                                            {"nearly opposite to the previous one", 12, Reach::beside},
+                                            {"at a right angle to the previous one", 60, Reach::beside}};
+const std::vector<InputClass> fractions = {{"0", 16},          {"1", 16},           {"1/2", 30},
+                                           {"below 1e-3", 10}, {"above 0.999", 10}, {"between", 3}};
+const std::vector<InputClass> plane_angles = {{"one is zero", 16},
+                                              {"one within 4 ulp of a multiple of pi/2", 8},
+                                              {"one within 1e-3 of a multiple of pi/2", 5},
+                                              {"one below 1e-3", 12},
+                                              {"all between", 24}};
 const std::vector<InputClass> trees = {{"one joint", 10},          {"chain of 3 and more", 10},
                                        {"star of 3 and more", 12}, {"several roots", 6},
                                        {"4 joints deep", 20},      {"3 children of one parent", 10}};
@@ -288,6 +302,46 @@ std::uint32_t of_parents(std::span<const S> parents, std::span<const S>) {
   return bit(joints == 1, 0) | bit(joints >= 3 && deepest == joints, 1) | bit(star, 2) | bit(roots > 1, 3) |
          bit(deepest >= 4, 4) | bit(widest_of >= 3 || roots >= 3, 5);
 }
+template <class S>
+std::uint32_t of_direction(std::span<const S> x, std::span<const S> earlier) {
+  using std::fabs;
+  static const S near = S(1) / S(1000), rounding = S(8) * std::numeric_limits<S>::epsilon();
+  const int others = static_cast<int>(x.size()) - zeros(x);
+  const std::uint32_t c = bit(others == 1, 0) | bit(others == 2, 1);
+  if (earlier.empty()) return c;
+  S minus(0), plus(0), dot(0);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    minus = std::max(minus, S(fabs(S(x[i] - earlier[i]))));
+    plus = std::max(plus, S(fabs(S(x[i] + earlier[i]))));
+    dot += x[i] * earlier[i];
+  }
+  return c | bit(minus == S(0), 2) | bit(plus == S(0), 3) | bit(minus > S(0) && minus < near, 4) |
+         bit(plus > S(0) && plus < near, 5) | bit(S(fabs(dot)) < rounding, 6);
+}
+template <class S>
+std::uint32_t of_fraction(std::span<const S> x, std::span<const S>) {
+  static const S small = S(1) / S(1000);
+  const S t = x[0], rest = S(1) - t;
+  return bit(t == S(0), 0) | bit(t == S(1), 1) | bit(t + t == S(1), 2) | bit(t > S(0) && t < small, 3) |
+         bit(rest > S(0) && rest < small, 4) | bit(t > small && rest > small, 5);
+}
+template <class S>
+std::uint32_t of_angle(std::span<const S> x, std::span<const S>) {
+  using std::fabs;
+  using W = std::conditional_t<std::is_same_v<S, float128>, S, long double>;
+  static const W quarter = boost::math::constants::half_pi<W>(), small = W(1) / W(1000),
+                 ulps = W(16) * W(std::numeric_limits<S>::epsilon());
+  std::uint32_t c = 0;
+  bool between = true;
+  for (const S& angle : x) {
+    const W size = W(fabs(angle)),
+            beside = std::min(W(fabs(W(size - quarter))), W(fabs(W(size - 2 * quarter))));
+    c |= bit(angle == S(0), 0) | bit(beside < ulps, 1) | bit(beside >= ulps && beside < small, 2) |
+         bit(size > W(0) && size < small, 3);
+    between = between && size > small && beside > small;
+  }
+  return c | bit(between, 4);
+}
 /// x: the kinds of all joints, then their primaries.
 template <class S>
 std::uint32_t of_joints(std::span<const S> x, std::span<const S>) {
@@ -310,12 +364,9 @@ std::uint32_t of_masses(std::span<const S> x, std::span<const S>) {
 }  // namespace
 
 const std::vector<InputClass>& classes_of(Kind kind) {
-  static const std::vector<InputClass>* const in_the_order_of_kinds[] = {&vectors,     &rotation_vectors,
-                                                                         &quaternions, &any_quaternions,
-                                                                         &matrices,    &inertias,
-                                                                         &positives,   &none,
-                                                                         &none,        &trees,
-                                                                         &joints,      &masses};
+  static const std::vector<InputClass>* const in_the_order_of_kinds[] = {
+      &vectors, &rotation_vectors, &quaternions, &any_quaternions, &matrices, &inertias, &positives, &none,
+      &none,    &directions,       &fractions,   &plane_angles,    &trees,    &joints,   &masses};
   static_assert(std::size(in_the_order_of_kinds) == kind_count);
   return *in_the_order_of_kinds[static_cast<std::size_t>(kind)];
 }
@@ -328,9 +379,9 @@ template <class S>
 std::uint32_t classify(Kind kind, std::span<const S> x, std::span<const S> earlier) {
   using Classifier = std::uint32_t(std::span<const S>, std::span<const S>);
   static constexpr Classifier* in_the_order_of_kinds[] = {
-      of_vector, of_rotation_vector, of_quaternion, of_any_quaternion,
-      of_matrix, of_inertia,         of_positive,   nullptr,
-      nullptr,   of_parents,         of_joints,     of_masses};
+      of_vector,   of_rotation_vector, of_quaternion, of_any_quaternion, of_matrix,
+      of_inertia,  of_positive,        nullptr,       nullptr,           of_direction,
+      of_fraction, of_angle,           of_parents,    of_joints,         of_masses};
   static_assert(std::size(in_the_order_of_kinds) == kind_count);
   Classifier* const of = in_the_order_of_kinds[static_cast<std::size_t>(kind)];
   return of ? of(x, earlier) : 0;

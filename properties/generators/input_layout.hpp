@@ -16,9 +16,12 @@ enum class Kind {
   positive,
   choice,
   opaque,
-  parents,  ///< parents of the joints of a tree, -2 for an absent joint
-  joints,   ///< kinds of the joints of a tree, then the primaries of mimics
-  masses    ///< masses of the bodies of a tree, 0 for an absent body
+  direction,  ///< a vector of length 1 in space or in the plane, up to rounding
+  fraction,   ///< a number in [0, 1]
+  angle,      ///< angles [rad] up to pi in size, one or several
+  parents,    ///< parents of the joints of a tree, -2 for an absent joint
+  joints,     ///< kinds of the joints of a tree, then the primaries of mimics
+  masses      ///< masses of the bodies of a tree, 0 for an absent body
 };
 inline constexpr std::size_t kind_count = static_cast<std::size_t>(Kind::masses) + 1;  // masses is the last
 

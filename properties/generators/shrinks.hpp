@@ -180,6 +180,29 @@ Candidates<S> candidates(const std::vector<S>& g, Kind kind) {
       add_rounded(all, g);
       return all;
     }
+    case Kind::direction: {
+      Candidates<S> all;
+      for (std::size_t i = 0; i < g.size(); ++i)
+        for (const S& sign : {S(1), S(-1)}) {
+          all.push_back(std::vector<S>(g.size(), S(0)));
+          all.back()[i] = sign;
+        }
+      Candidates<S> rounded;
+      add_rounded(rounded, g);
+      for (std::vector<S>& c : rounded)
+        if (const S n = norm(c); n > S(0)) {
+          for (S& x : c) x /= n;
+          all.push_back(c);
+        }
+      return all;
+    }
+    case Kind::fraction: {
+      Candidates<S> all{{S(0)}, {S(1)}, {S(1) / S(2)}};
+      add_rounded(all, g);
+      return all;
+    }
+    case Kind::angle:
+      return vectors(g, true);
     case Kind::masses: {  // an absent body keeps mass 0
       Candidates<S> all{g};
       for (S& x : all.back()) x = x > S(0) ? S(1) : S(0);

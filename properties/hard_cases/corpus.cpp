@@ -48,7 +48,9 @@ std::vector<std::string> default_value(const Field& field, int vectors_before, c
                                                     {Kind::quaternion, "0, 0, 0, 1"},
                                                     {Kind::any_quaternion, "0, 0, 0, 1"},
                                                     {Kind::rotation_matrix, "1, 0, 0, 0, 1, 0, 0, 0, 1"},
-                                                    {Kind::inertia, "1, 0, 1, 0, 0, 1"}};
+                                                    {Kind::inertia, "1, 0, 1, 0, 0, 1"},
+                                                    {Kind::direction, "0, 0, 1"},
+                                                    {Kind::fraction, "1/2"}};
   if (field.kind == Kind::vector && field.size == 3)
     return evaluate(fmt::format("{}, 2, {}", 1 + vectors_before, 3 - 2 * vectors_before), format);
   if (const auto found = plain.find(field.kind); found != plain.end()) return evaluate(found->second, format);

@@ -13,8 +13,6 @@ HistoricBug row(const char* name, const char* library, const char* thread, const
 std::vector<HistoricBug> reports() {
   const char* const no_cause = "The report names no cause from which a formula could be written.";
   const char* const no_sim3 = "No operation of Sim(3) exists here.";
-  const char* const no_se2 = "No operation of SE(2) exists here.";
-  const char* const not_yet = "liecheck has no such operation yet.";
   const char* const integrator = "The fault is in an integrator of motions; scenes measure these, not laws.";
   const char* const gradient =
       "A fault of derivatives by automatic differentiation in that library; the test AutomaticDerivatives "
@@ -29,25 +27,8 @@ std::vector<HistoricBug> reports() {
           "a coefficient lacks -1", no_sim3),
       row("kornia_rs_1069", "kornia-rs", "kornia/kornia-rs#1069", "all", "exp and log are not inverse",
           no_sim3),
-      row("gtsam_2043", "GTSAM", "borglab/gtsam#2043", "theta not small", "a stretched trajectory", no_se2),
-      row("liegroups_jl_44", "LieGroups.jl", "JuliaManifolds/LieGroups.jl#44", "theta = 1e-8", "Inf, NaN",
-          no_se2),
-      row("kornia_rs_534", "kornia-rs", "kornia/kornia-rs#534", "theta = 0", "the translation is lost",
-          no_se2),
-      row("pinocchio_308", "Pinocchio", "stack-of-tasks/pinocchio#308", "planar joints",
-          "q0 + (q1 - q0) != q1", "The robot on which the laws of configurations run has no planar joint."),
       row("basilisk_887", "Basilisk", "AVSLab/basilisk#887", "switch of the set", "a wrong difference",
           "No operation of modified Rodrigues parameters exists here."),
-      row("threejs_14258", "three.js 0.92, 0.93", "mrdoob/three.js#14258", "angle < 2e-3", "0.5 for t = 0.1",
-          not_yet),
-      row("threejs_7430", "three.js r73", "mrdoob/three.js#7430", "near rotations", "digits lost", not_yet),
-      row("roma_3", "RoMa before 1.3.0", "naver/roma#3", "all", "the long way", not_yet),
-      row("geometry2_185", "tf2", "ros/geometry2#185", "all", "the angle of the long way", not_yet),
-      row("newton_3434", "Newton", "newton-physics/newton#3434", "small angles", "a dead zone: 0", not_yet),
-      row("nalgebra_316", "nalgebra 0.14", "dimforge/nalgebra#316", "nearly equal directions", "NaN",
-          not_yet),
-      row("nalgebra_494", "nalgebra 0.16", "dimforge/nalgebra#494", "pitch near 90 degrees", "NaN", not_yet),
-      row("geometry2_796", "tf2", "ros2/geometry2#796", "pitch near 90 degrees", "45 degrees for 0", not_yet),
       row("ceres_83133357d", "Ceres before 83133357d", "commit 83133357d of ceres-solver/ceres-solver",
           "subnormal angles", "0/0",
           "It needs a libc++ before 19, whose hypot of three arguments underflows."),

@@ -226,6 +226,17 @@ class Law : public Base {
   }
 };
 
+/// A law that measures with the oracles at 50 and 100 digits only. P<S> has the `stated` of a Law, and
+///   void in(const Subject<S>&, const std::vector<S>&, Recorder&) const.
+template <template <class> class P, class S>
+class SlowLaw : public Property<S> {
+ public:
+  const Statement& statement() const override { return P<S>::stated; }
+  void measure(const Subject<S>& subject, const std::vector<S>& input, Recorder& recorder) const override {
+    static_cast<const P<S>*>(this)->in(subject, input, recorder);
+  }
+};
+
 /// Fresh instances of every property, alphabetical by name.
 template <class S>
 std::vector<std::unique_ptr<Property<S>>> make_properties();

@@ -15,7 +15,8 @@ inline constexpr BlockName rotation{"rotation"}, norm_defect{"norm defect"},
     mass{"mass"}, lever{"lever"}, inertia{"inertia"}, matrix{"matrix"}, rotation_rate{"rotation rate"},
     R_dot{"R_dot"}, translation_matrix{"translation matrix"}, quaternion_matrix{"quaternion matrix"},
     zeros{"zeros"}, continuous{"continuous"}, joint{"joint"}, same{"same"}, torque{"torque"},
-    acceleration{"acceleration"}, by_q{"by q"}, by_v{"by v"}, quaternion{"quaternion"}, entry{"entry"};
+    acceleration{"acceleration"}, by_q{"by q"}, by_v{"by v"}, quaternion{"quaternion"}, entry{"entry"},
+    angle{"angle"}, direction{"direction"}, twist{"twist"}, range{"range"};
 }
 
 namespace op {

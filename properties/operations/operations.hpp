@@ -3,6 +3,8 @@
 
 #include <operations/configurations.hpp>
 #include <operations/exponentials.hpp>
+#include <operations/orientations.hpp>
+#include <operations/planar.hpp>
 #include <operations/quaternions.hpp>
 #include <operations/spatial.hpp>
 #include <operations/trees.hpp>
@@ -23,7 +25,10 @@ using SpatialSlots =
           op::right_jacobian6_inverse, op::d_integrate_arg0, op::d_integrate_arg1, op::d_difference_arg0,
           op::d_difference_arg1, op::integrate_coefficient_jacobian, op::normalize, op::first_order_normalize,
           op::quaternion_matrix, op::rotate_point_any_norm, op::log3_any_norm, op::integrate_any_norm,
-          op::difference_any_norm, op::d_difference_any_norm>;
+          op::difference_any_norm, op::d_difference_any_norm, op::relative_angle, op::twist_angle, op::slerp,
+          op::rotation_between, op::euler_to_quaternion, op::euler_to_matrix, op::euler_from_quaternion,
+          op::euler_from_matrix, op::velocity_to_rate, op::rate_to_velocity, op::se2_exp, op::se2_log,
+          op::se2_compose, op::se2_integrate, op::se2_difference>;
 
 /// The operations on the whole configuration vector of one robot.
 template <class S>

@@ -129,6 +129,33 @@ class Mutations {
           put_matrix(x, g.from, moved(of_matrix(x, g.from), g.from, x, s));
         }
         return;
+      case Kind::direction: {
+        V3 v = V3::Zero();
+        if (g.size == 3)
+          move_vector(g, x, s);
+        else
+          x[g.from + s.below(g.size)] *= factor(s);
+        for (std::size_t k = 0; k < g.size; ++k) v[static_cast<int>(k)] = x[g.from + k];
+        if (const S n = length(v); n > S(0))
+          for (std::size_t k = 0; k < g.size; ++k) x[g.from + k] /= n;
+        return;
+      }
+      case Kind::fraction: {
+        S& t = x[g.from];
+        t = s.chance(1, 4) ? S(S(1) - t) : s.chance(1, 4) ? step_ulps(t, s.between(-2, 2)) : S(t * factor(s));
+        if (!(t >= S(0) && t <= S(1))) t = s.unit<S>();
+        return;
+      }
+      case Kind::angle: {
+        S& angle = x[g.from + s.below(g.size)];
+        static const S quarter = boost::math::constants::half_pi<S>();
+        if (s.chance(1, 3))  // beside a multiple of pi/2
+          angle = S(s.between(-2, 2)) * quarter + S(step(s) * step(s));
+        else
+          angle = s.chance(1, 4) ? S(-angle) : S(angle * factor(s));
+        if (!(angle >= S(-2) * quarter && angle <= S(2) * quarter)) angle = S(2) * quarter * s.symmetric<S>();
+        return;
+      }
       case Kind::inertia:
       case Kind::positive:
       case Kind::masses: {  // scales one of several masses

@@ -78,6 +78,26 @@ struct EigenGeometry : Types<S> {
   static V3 act_point(const Pose<S>& X, const V3& x) { return isometry(X) * x; }
   static V3 rotate_point(const V4& Q, const V3& x) { return Eigen::Quaternion<S>(Q) * x; }
 
+  static S relative_angle(const V4& a, const V4& b) {
+    return Eigen::Quaternion<S>(a).angularDistance(Eigen::Quaternion<S>(b));
+  }
+  static V4 slerp(const V4& a, const V4& b, const S& t) {
+    return Eigen::Quaternion<S>(a).slerp(t, Eigen::Quaternion<S>(b)).coeffs();
+  }
+  static V4 rotation_between(const V3& a, const V3& b) {
+    return Eigen::Quaternion<S>::FromTwoVectors(a, b).coeffs();
+  }
+  /// The product of three AngleAxis, as Eigen's manual forms Euler angles.
+  static Eigen::Quaternion<S> euler(const S& order, const V3& x) {
+    static constexpr int axes[12][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0},
+                                        {0, 1, 0}, {0, 2, 0}, {1, 0, 1}, {1, 2, 1}, {2, 0, 2}, {2, 1, 2}};
+    const int n = static_cast<int>(order);
+    const auto turn = [&](int i) { return Eigen::AngleAxis<S>(x[i], V3::Unit(axes[n / 2][i])); };
+    return n % 2 ? turn(0) * turn(1) * turn(2) : turn(2) * turn(1) * turn(0);
+  }
+  static V4 euler_to_quaternion(const S& order, const V3& x) { return euler(order, x).coeffs(); }
+  static M3 euler_to_matrix(const S& order, const V3& x) { return euler(order, x).toRotationMatrix(); }
+
   static Subject<S> make() {
     Subject<S> s;
     s.name = "eigen";
@@ -92,6 +112,11 @@ struct EigenGeometry : Types<S> {
     s.operations[op::inverse] = inverse;
     s.operations[op::act_point] = act_point;
     s.operations[op::rotate_point] = rotate_point;
+    s.operations[op::relative_angle] = relative_angle;
+    s.operations[op::slerp] = slerp;
+    s.operations[op::rotation_between] = rotation_between;
+    s.operations[op::euler_to_quaternion] = euler_to_quaternion;
+    s.operations[op::euler_to_matrix] = euler_to_matrix;
     return s;
   }
 };

@@ -5,12 +5,16 @@
 #include <boost/multiprecision/eigen.hpp>
 #include <subjects/subject.hpp>
 
+#include <liecheck/multibody/coefficient_rate.hpp>
+#include <liecheck/multibody/se2.hpp>
 #include <liecheck/multibody/se3_configuration.hpp>
 #include <liecheck/scalar/precision.hpp>
 #include <liecheck/spatial/checked_rotation.hpp>
+#include <liecheck/spatial/euler.hpp>
 #include <liecheck/spatial/exp_log.hpp>
 #include <liecheck/spatial/inertia.hpp>
 #include <liecheck/spatial/jacobians.hpp>
+#include <liecheck/spatial/relative_rotation.hpp>
 
 namespace liecheck::properties {
 
@@ -37,6 +41,8 @@ struct LiecheckOperations : Types<S> {
     if constexpr (P == Precision::standard) {
       add_spatial_algebra(s.operations);
       add_normalisation(s.operations);
+      add_orientations(s.operations);
+      add_planar_poses(s.operations);
     }
     if constexpr (std::is_floating_point_v<S>) add_any_norm(s.operations);
     return s;
@@ -96,6 +102,43 @@ struct LiecheckOperations : Types<S> {
       return SO3<S>(Q).firstOrderNormalized().to_vector();
     };
     o[op::quaternion_matrix] = [](const V4& Q) -> M3 { return SO3<S>(Q).matrix(); };
+  }
+
+  static EulerOrder euler_order(const S& number) { return EulerOrder::numbered(static_cast<int>(number)); }
+  static void add_orientations(O& o) {
+    o[op::relative_angle] = [](const V4& a, const V4& b) -> S {
+      return relativeAngle<S>(SO3<S>(a), SO3<S>(b));
+    };
+    o[op::twist_angle] = [](const V4& Q, const V3& axis) -> S { return twistAngle<S>(SO3<S>(Q), axis); };
+    o[op::slerp] = [](const V4& a, const V4& b, const S& t) -> V4 {
+      return liecheck::slerp<S>(SO3<S>(a), SO3<S>(b), t).to_vector();
+    };
+    o[op::rotation_between] = [](const V3& a, const V3& b) -> V4 {
+      return rotationBetween<S>(a, b).to_vector();
+    };
+    o[op::euler_to_quaternion] = [](const S& order, const V3& angles) -> V4 {
+      return eulerToQuaternion<S>(euler_order(order), angles).to_vector();
+    };
+    o[op::euler_to_matrix] = [](const S& order, const V3& angles) -> M3 {
+      return eulerToMatrix<S>(euler_order(order), angles);
+    };
+    o[op::euler_from_quaternion] = [](const S& order, const V4& Q) -> V3 {
+      return eulerFromQuaternion<S>(euler_order(order), SO3<S>(Q));
+    };
+    o[op::euler_from_matrix] = [](const S& order, const M3& R) -> V3 {
+      return eulerFromMatrix<S>(euler_order(order), R);
+    };
+    o[op::velocity_to_rate] = [](const V7& q, const V6& V) -> V7 { return coefficientRate<S>(q, Motion(V)); };
+    o[op::rate_to_velocity] = [](const V7& q, const V7& q_dot) -> V6 {
+      return velocityOfCoefficientRate<S>(q, q_dot).to_vector();
+    };
+  }
+  static void add_planar_poses(O& o) {
+    o[op::se2_exp] = [](const V3& delta) -> V4 { return se2::exp<S>(delta); };
+    o[op::se2_log] = [](const V4& q) -> V3 { return se2::log<S>(q); };
+    o[op::se2_compose] = [](const V4& a, const V4& b) -> V4 { return se2::compose<S>(a, b); };
+    o[op::se2_integrate] = [](const V4& q, const V3& delta) -> V4 { return Planar<S>::integrate(q, delta); };
+    o[op::se2_difference] = [](const V4& a, const V4& b) -> V3 { return Planar<S>::difference(a, b); };
   }
 
   /// In float and double, the library promises the same for quaternions of any norm.

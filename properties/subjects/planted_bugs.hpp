@@ -48,6 +48,9 @@ struct Bugs : Types<S> {
   static Entries inertias();
   static Entries dynamics_of_trees();
   static Entries frames_of_trees();
+  static Entries relative_rotations();
+  static Entries euler_angles();
+  static Entries rates_and_planar_poses();
   static Entries look_alikes_of_rotations();
   static Entries look_alikes_of_poses_and_bodies();
 

@@ -166,6 +166,91 @@ struct Textbook : Types<S> {
   V3 act_point(const Pose<S>& X, const V3& x) const { return X.R * x + X.p; }
   V3 rotate_point(const V4& Q, const V3& x) const { return matrix(Q) * x; }
 
+  S relative_angle(const V4& Q0, const V4& Q1) const {
+    return S(2) * acos(std::min(S(1), S(std::abs(Q0.dot(Q1)))));
+  }
+  S twist_angle(const V4& Q, const V3& axis) const {
+    const V4 q = Q[3] < S(0) ? V4(-Q) : Q;
+    return S(2) * std::atan2(axis.dot(q.template head<3>()), q[3]);
+  }
+  V4 slerp(const V4& Q0, const V4& Q1, const S& t) const {
+    const S cosine = Q0.dot(Q1), half = acos(std::min(S(1), S(std::abs(cosine))));
+    const S to = cosine < S(0) ? S(-1) : S(1);
+    if (small(half)) return ((S(1) - t) * Q0 + to * t * Q1).normalized();
+    return (sin((S(1) - t) * half) * Q0 + to * sin(t * half) * Q1) / sin(half);
+  }
+  V4 rotation_between(const V3& a, const V3& b) const {
+    V4 q;
+    q << a.cross(b), S(1) + a.dot(b);
+    return q / q.norm();
+  }
+  /// Axes i, j, k and whether they rotate with the body.
+  struct Axes {
+    int i, j, k;
+    bool rotating;
+    explicit Axes(const S& order) {
+      const int n = static_cast<int>(order), sequence = n / 2;
+      const int first = sequence % 6 / 2, next = (first + 1) % 3, last = (first + 2) % 3;
+      const bool forward = (sequence % 2 == 0) == (first != 1);  // YXZ comes before YZX
+      i = first, j = forward ? next : last, k = sequence < 6 ? 3 - i - j : i, rotating = n % 2 == 1;
+    }
+  };
+  static V4 about(int axis, const S& angle) {
+    V4 q = V4::Zero();
+    q[axis] = sin(angle / S(2)), q[3] = cos(angle / S(2));
+    return q;
+  }
+  V4 euler_to_quaternion(const S& order, const V3& x) const {
+    const Axes o(order);
+    const V4 a = about(o.i, x[0]), b = about(o.j, x[1]), c = about(o.k, x[2]);
+    return o.rotating ? product(product(a, b), c) : product(product(c, b), a);
+  }
+  M3 euler_to_matrix(const S& order, const V3& x) const { return matrix(euler_to_quaternion(order, x)); }
+  /// Diebel (2006), section 8, by entries of the matrix.
+  V3 euler_from_matrix(const S& order, const M3& R) const {
+    const Axes o(order);
+    const M3 M = o.rotating ? R : M3(R.transpose());  // of static axes: R_i(-a) R_j(-b) R_k(-c)
+    const int i = o.i, j = o.j, k = 3 - i - j;
+    const S sign((j - i + 3) % 3 == 1 ? 1 : -1);
+    V3 x;
+    if (o.i == o.k)
+      x << std::atan2(M(j, i), -sign * M(k, i)), acos(std::max(S(-1), std::min(S(1), M(i, i)))),
+          std::atan2(M(i, j), sign * M(i, k));
+    else
+      x << std::atan2(-sign * M(j, k), M(k, k)), std::asin(std::max(S(-1), std::min(S(1), sign * M(i, k)))),
+          std::atan2(-sign * M(i, j), M(i, i));
+    if (o.rotating) return x;
+    // The middle angle of a proper sequence stays positive.
+    return o.i == o.k ? V3(std::atan2(M(j, i), sign * M(k, i)), x[1], std::atan2(M(i, j), -sign * M(i, k)))
+                      : V3(-x);
+  }
+  V7 velocity_to_rate(const V7& q, const V6& V) const {
+    V4 omega;
+    omega << V.template tail<3>() / S(2), S(0);
+    V7 rate;
+    rate << matrix(q.template tail<4>()) * V.template head<3>(), product(q.template tail<4>(), omega);
+    return rate;
+  }
+  V6 rate_to_velocity(const V7& q, const V7& rate) const {
+    V4 inverse = q.template tail<4>();
+    inverse.template head<3>() *= S(-1);
+    V6 V;
+    V << matrix(inverse) * rate.template head<3>(),
+        S(2) * product(inverse, rate.template tail<4>()).template head<3>();
+    return V;
+  }
+  V4 se2_exp(const V3& delta) const {
+    const S t = delta[2], c = cos(t), s = sin(t);
+    const bool near = small(std::abs(t));
+    const S a = near ? S(1) : s / t, b = near ? t / S(2) : (S(1) - c) / t;
+    return {a * delta[0] - b * delta[1], b * delta[0] + a * delta[1], c, s};
+  }
+  V3 se2_log(const V4& q) const {
+    const S t = std::atan2(q[3], q[2]);
+    const S a = small(std::abs(t)) ? S(1) : t / S(2) * sin(t) / (S(1) - cos(t)), b = t / S(2);
+    return {a * q[0] + b * q[1], a * q[1] - b * q[0], t};
+  }
+
   static constexpr double power_of_ten(int e) {  // correctly rounded for e >= -22
     double p = 1;
     for (int i = 0; i > e; --i) p *= 10;
@@ -209,6 +294,17 @@ struct Textbook : Types<S> {
     o[op::inverse] = At<&Textbook::inverse, exponent>::call;
     o[op::act_point] = At<&Textbook::act_point, exponent>::call;
     o[op::rotate_point] = At<&Textbook::rotate_point, exponent>::call;
+    o[op::relative_angle] = At<&Textbook::relative_angle, exponent>::call;
+    o[op::twist_angle] = At<&Textbook::twist_angle, exponent>::call;
+    o[op::slerp] = At<&Textbook::slerp, exponent>::call;
+    o[op::rotation_between] = At<&Textbook::rotation_between, exponent>::call;
+    o[op::euler_to_quaternion] = At<&Textbook::euler_to_quaternion, exponent>::call;
+    o[op::euler_to_matrix] = At<&Textbook::euler_to_matrix, exponent>::call;
+    o[op::euler_from_matrix] = At<&Textbook::euler_from_matrix, exponent>::call;
+    o[op::velocity_to_rate] = At<&Textbook::velocity_to_rate, exponent>::call;
+    o[op::rate_to_velocity] = At<&Textbook::rate_to_velocity, exponent>::call;
+    o[op::se2_exp] = At<&Textbook::se2_exp, exponent>::call;
+    o[op::se2_log] = At<&Textbook::se2_log, exponent>::call;
     return s;
   }
 };

@@ -79,6 +79,30 @@ std::vector<S> cost_input(const std::vector<Field>& fields, const CostBand& band
         append(x, before);
         break;
       }
+      case Kind::direction: {  // in space at an angle in the band from the one before
+        if (f.size == 2) {
+          const S angle = angle_in<S>(band, source);
+          x.push_back(std::cos(angle)), x.push_back(std::sin(angle));
+          break;
+        }
+        const Vec<S, 3> n = unit_vector<S>(source), other = unit_vector<S>(source);
+        const S theta = angle_in<S>(band, source);
+        const bool second = f.reach == Reach::beside;
+        const Vec<S, 3> from = second ? Vec<S, 3>(x[x.size() - 3], x[x.size() - 2], x[x.size() - 1]) : n;
+        append(x, second
+                      ? Vec<S, 3>(std::cos(theta) * from + std::sin(theta) * from.cross(other).normalized())
+                      : from);
+        break;
+      }
+      case Kind::fraction:
+        x.push_back(source.unit<S>());
+        break;
+      case Kind::angle:
+        for (int k = 0; k < f.size; ++k) x.push_back(angle_in<S>(band, source));
+        break;
+      case Kind::choice:
+        for (int k = 0; k < f.size; ++k) x.push_back(S(0));
+        break;
       case Kind::positive:
         x.push_back(S(1) + source.unit<S>());
         break;

@@ -89,8 +89,10 @@ R call_only(const A& a, const Rest&...) {
       return &a.mass;
     else if constexpr (requires { a.p; })
       return a.R.data();
-    else
+    else if constexpr (requires { a.data(); })
       return a.data();
+    else
+      return &a;
   }();
   for_each_part(r, [&](auto& part) {
     if constexpr (requires { part.rows(); })

@@ -1,0 +1,96 @@
+#pragma once
+// Between two rotations, and between two directions: the relative angle, the twist angle, spherical linear
+// interpolation (slerp) and the minimal rotation.
+//
+// Q and -Q are the same rotation, and every function takes the shorter of both arcs. Quaternions and directions of
+// any finite norm but zero stand for their normalised values. The axis of a relative rotation is that of
+// differenceSE3 (multibody/se3_configuration.hpp), whose error is relative however small the angle is.
+
+#include <liecheck/spatial/exp_log.hpp>
+#include <liecheck/spatial/so3.hpp>
+#include <liecheck/spatial/unit_scale.hpp>
+
+namespace liecheck {
+
+namespace relative_rotation_detail {
+
+/// |v| [unit of v] without overflow or underflow of |v|^2. Error 3 eps.
+template <Scalar S, int N>
+S length(const Eigen::Matrix<S, N, 1>& v) {
+  using std::sqrt;
+  const S scale = v.cwiseAbs().maxCoeff();
+  if (!(scale > S(0)) || !finite<S>(scale)) return scale;
+  return scale * S(sqrt(Eigen::Matrix<S, N, 1>(v / scale).squaredNorm()));
+}
+/// A unit vector that is perpendicular to the unit vector a. Error 3 eps.
+template <Scalar S>
+Vector3<S> perpendicular(const Vector3<S>& a) {
+  int least = 0;
+  a.cwiseAbs().minCoeff(&least);
+  return normalizedUnit<S, 3>(cross<S>(a, Vector3<S>(Vector3<S>::Unit(least))));
+}
+/// c/|c| without its part along the unit vector a. If nothing else is left of c, a unit vector perpendicular to a.
+template <Scalar S>
+Vector3<S> perpendicularPart(const Vector3<S>& c, const Vector3<S>& a) {
+  if (c.isZero(S(0))) return perpendicular<S>(a);
+  const Vector3<S> n = normalizedUnit<S, 3>(c), part = n - dot<S>(a, n) * a;
+  return dot<S>(part, part) < S(1) / S(2) ? perpendicular<S>(a) : normalizedUnit<S, 3>(part);
+}
+
+}  // namespace relative_rotation_detail
+
+/// The angle [rad] of the rotation from Q0 to Q1, in [0, pi]: theta = 2 atan2(|v|, |w|) of (v, w) = Q0* Q1. The
+/// vector part is that of Q0* (Q1 - Q0), whose terms do not cancel if Q0 and Q1 are close. Error 4 eps of the
+/// larger of theta and 2 |t|, where t_i is the sum of the sizes of the terms of v_i. NaN if a number is not finite.
+/// Source: Sola 2017 (arXiv 1711.02508), eq. 78.
+template <Scalar S>
+S relativeAngle(const SO3<S>& Q0, const SO3<S>& Q1) {
+  using std::atan2;
+  const Vector4<S>& a = Q0.to_vector();
+  Vector4<S> b = Q1.to_vector();
+  S w = a.dot(b);
+  if (w < S(0)) b = -b, w = -w;
+  const Vector3<S> v = (Q0.inverse() * SO3<S>(Vector4<S>(b - a))).vec();
+  return S(2) * S(atan2(relative_rotation_detail::length<S, 3>(v), w));
+}
+
+/// The angle [rad] by which Q = (v, w) turns about `axis` [3], in [-pi, pi]: 2 atan2(v . axis/|axis|, w), that of
+/// the twist in Q = swing twist. Error 3 eps of the larger of |angle| and its sensitivity
+/// 2 |w| (|v . axis| + sum_i |v_i axis_i|)/(w^2 + (v . axis)^2), where |axis| = 1. It is not determined if w and
+/// v . axis are both zero; then it is 0 or pi. Source: Dobrowolski 2015 (swing-twist decomposition), eq. 18.
+template <Scalar S>
+S twistAngle(const SO3<S>& Q, const Vector3<S>& axis) {
+  using std::atan2;
+  const S s = dot<S>(Q.vec(), axis), w = Q.w() * relative_rotation_detail::length<S, 3>(axis);
+  return w < S(0) ? S(S(2) * S(atan2(S(-s), S(-w)))) : S(S(2) * S(atan2(s, w)));
+}
+
+/// The rotation at t of the shorter arc from Q0 (t = 0) to Q1 (t = 1): Q0 (Q0* Q1)^t = Q0 exp(t log(Q0* Q1)), as a
+/// unit quaternion. It is computed from the nearer end, for any t in [0, 1]. If the relative angle is pi, either arc.
+/// Error 8 eps of the rotation, 6 eps of the norm. Throws std::invalid_argument if Q0 or Q1 is zero.
+/// Source: Shoemake 1985, section 3.3.
+template <Scalar S>
+SO3<S> slerp(const SO3<S>& Q0, const SO3<S>& Q1, const S& t) {
+  if (S(1) / S(2) < t) return slerp<S>(Q1, Q0, S(S(1) - t));
+  const SO3<S> from = Q0.normalized();
+  const Vector3<S> phi = quaternion::log3<S>(from.inverse() * Q1.normalized());
+  return (from * quaternion::exp3<S>(Vector3<S>(t * phi))).normalized();
+}
+
+/// The rotation with the smallest angle that turns direction a [3] into direction b [3], a and b not zero:
+///     Q = (sin(theta/2) n, cos(theta/2)),  sin(theta/2) = |a - b|/2,  cos(theta/2) = |a + b|/2,  n ~ a x b
+/// of unit vectors. n is that of a x (b - a) or, beyond a right angle, of a x (a + b): neither difference cancels. For
+/// opposite directions n is perpendicular to a and otherwise arbitrary. Error of R a/|a|, and of n . a: 8 eps. Throws
+/// std::invalid_argument if a or b is zero. Source: Sola 2017 (arXiv 1711.02508), eq. 99-101 (the same half angles).
+template <Scalar S>
+SO3<S> rotationBetween(const Vector3<S>& a, const Vector3<S>& b) {
+  using namespace relative_rotation_detail;
+  const Vector3<S> from = normalizedUnit<S, 3>(a), to = normalizedUnit<S, 3>(b), plus = from + to,
+                   minus = to - from;
+  const bool acute = S(0) < dot<S>(from, to);
+  const Vector3<S> c = acute ? cross<S>(from, minus) : cross<S>(from, plus),
+                   n = perpendicularPart<S>(c, from);
+  return SO3<S>(Vector3<S>((length<S, 3>(minus) / S(2)) * n), S(length<S, 3>(plus) / S(2))).normalized();
+}
+
+}  // namespace liecheck

@@ -1,0 +1,91 @@
+// The smallest rotation from one direction to another is checked by what defines it: it turns a into b, and its axis is
+// perpendicular to a. The second condition also holds for opposite directions, where any such axis is right.
+
+#include <generators/rotations.hpp>
+#include <invariants/common.hpp>
+
+namespace liecheck::properties {
+namespace {
+
+template <class S>
+class MinimalRotation final : public SlowLaw<MinimalRotation, S> {
+ public:
+  static constexpr const auto& measured = op::rotation_between;
+  static constexpr Statement stated{
+      .name = "minimal_rotation",
+      .law = "the smallest rotation from a to b turns a into b about an axis perpendicular to a",
+      .equation = "R(Q) a/|a| = b/|b|, Qxyz . a = 0, |Q| = 1",
+      .source = "Sola 2017 (arXiv 1711.02508), eqs. 99-101",
+      .outputs = {measured[block::direction], measured[block::twist], measured[block::norm_defect]},
+      .fields = {{"a", Kind::direction, 3, "1"}, {"b", Kind::direction, 3, "1", Reach::beside}}};
+
+  std::vector<S> generate(Source& source) const override {
+    const auto a = direction<S>(source);
+    return Joined<S>{a, beside(source, a)};
+  }
+  bool valid(const std::vector<S>& input) const override {
+    if (!Property<S>::valid(input)) return false;
+    const auto unit = [&](std::size_t first) {
+      const oracles::Vec3<> v = oracles::exact_vector<3>(input.data() + first);
+      return abs(squared_norm(v) - 1) <= Real(8) * oracles::epsilon<S>();
+    };
+    return unit(0) && unit(3);
+  }
+  void in(const Subject<S>& subject, const std::vector<S>& input, Recorder& r) const {
+    if (!subject.operations[measured]) return;
+    using namespace oracles;
+    constexpr Output direction = measured[block::direction], twist = measured[block::twist],
+                     defect = measured[block::norm_defect];
+    Reader<S> read(input);
+    const Vec<S, 3> a = read.template take<3>(), b = read.template take<3>();
+    const Vec3<> x = exact_vector<3>(a), y = exact_vector<3>(b);
+    const Vec3<> from = Real(1 / norm(x)) * x, to = Real(1 / norm(y)) * y;
+    const Real plus = norm(from + to), angle = 2 * atan2(norm(to - from), plus);
+    const std::size_t band = plus < Real(1e-45) ? Bands::of<S>().at_pi() : Bands::of<S>().classify(angle);
+    const Vec<S, 4> computed = subject.operations[measured](a, b);
+    judged_value(r, {direction, twist, defect}, band, computed, true, [&] {
+      const Quaternion<> Q = exact_vector<4>(computed);
+      const Real length = norm(Q);
+      if (!(length > 0)) {  // zero is no rotation
+        for (const Output& o : {direction, twist, defect}) r.outcome(o, band, Outcome::not_finite);
+        return;
+      }
+      r.record(direction, band, in_eps<S>(norm(rotate(Q, from) - to)));
+      r.record(twist, band, in_eps<S>(Real(2 * abs(dot(head3(Q), from)) / length)));
+      r.record(defect, band, norm_defect<S>(Q));
+    });
+  }
+
+ private:
+  /// Equal or opposite to a, a few ulps from that, near it, at a right angle to a, or any.
+  static Vec<S, 3> beside(Source& source, const Vec<S, 3>& a) {
+    using std::sqrt;
+    const S sign = source.chance(1, 2) ? S(1) : S(-1);
+    Vec<S, 3> b = sign * a;
+    switch (source.below(8)) {
+      case 0:
+        return b;
+      case 1:
+        for (int i = 0; i < 3; ++i) b[i] = step_ulps(b[i], source.between(-2, 2));
+        break;
+      case 2:
+      case 3:
+        b += binade_uniform<S>(source, -std::numeric_limits<S>::digits - 20, -4) * direction<S>(source);
+        break;
+      case 4: {
+        const Vec<S, 3> n = direction<S>(source);
+        b = Vec<S, 3>(a[1] * n[2] - a[2] * n[1], a[2] * n[0] - a[0] * n[2], a[0] * n[1] - a[1] * n[0]);
+        if (!(b.squaredNorm() > S(1) / S(1000))) b = direction<S>(source);
+        break;
+      }
+      default:
+        return direction<S>(source);
+    }
+    return b / S(sqrt(b.squaredNorm()));
+  }
+};
+
+const RegisteredProperty<MinimalRotation> registered;
+
+}  // namespace
+}  // namespace liecheck::properties

@@ -1,0 +1,62 @@
+// The angle by which a rotation turns about a given axis is compared with the exact one of the stored numbers.
+
+#include <generators/rotations.hpp>
+#include <invariants/common.hpp>
+#include <oracles/orientations.hpp>
+
+namespace liecheck::properties {
+namespace {
+
+template <class S>
+class Twist final : public SlowLaw<Twist, S> {
+ public:
+  static constexpr const auto& measured = op::twist_angle;
+  static constexpr Statement stated{
+      .name = "twist",
+      .law = "the twist of a rotation about an axis has the angle 2 atan2(v . axis, w)",
+      .equation = "Q = swing twist, twist = (axis sin(angle/2), cos(angle/2)), |angle| <= pi",
+      .source = "Dobrowolski 2015, eq. 18",
+      .outputs = {measured[block::angle]},
+      .fields = {{"Q", Kind::quaternion, 4, "1"}, {"axis", Kind::direction, 3, "1"}}};
+
+  /// Often a turn about the axis itself, as of a joint.
+  std::vector<S> generate(Source& source) const override {
+    const auto Q = unit_quaternion<S>(source);
+    Vec<S, 3> axis = direction<S>(source);
+    using std::sqrt;
+    const S n = Q.template head<3>().norm();
+    if (source.chance(1, 4) && n > S(sqrt(std::numeric_limits<S>::min()))) axis = Q.template head<3>() / n;
+    return Joined<S>{Q, axis};
+  }
+  bool valid(const std::vector<S>& input) const override {
+    return Property<S>::valid(input) && norm_defect_at(input, 0) <= 8 &&
+           (input[4] != S(0) || input[5] != S(0) || input[6] != S(0));
+  }
+  void in(const Subject<S>& subject, const std::vector<S>& input, Recorder& r) const {
+    if (!subject.operations[measured]) return;
+    constexpr Output angle = measured[block::angle];
+    Reader<S> read(input);
+    const Vec<S, 4> Q = read.template take<4>();
+    const Vec<S, 3> axis = read.template take<3>();
+    const oracles::TwistAngle exact =
+        oracles::twist_angle(oracles::exact_vector<4>(Q), oracles::exact_vector<3>(axis));
+    const Vec<S, 1> computed(subject.operations[measured](Q, axis));
+    if (!exact.determined && oracles::all_finite(computed)) return r.outcome(angle, 0, Outcome::ill_posed);
+    judged_value(r, {angle}, 0, computed, exact.resolved, [&] {
+      const Real got = oracles::exact<Real>(computed[0]);
+      // Within 8 eps of pi, rounding may choose the other sign.
+      const bool either = exact.pi_minus_angle <= Real(8) * oracles::epsilon<S>();
+      const Real turn = 2 * (abs(exact.angle) + exact.pi_minus_angle),
+                 other = exact.angle < 0 ? Real(exact.angle + turn) : Real(exact.angle - turn);
+      const double error = oracles::scalar_error<S>(got, exact.angle, exact.scale),
+                   beyond = oracles::scalar_error<S>(got, other, exact.scale);
+      if (!either && beyond < 64 && error > 1e3) return r.outcome(angle, 0, Outcome::wrong_branch);
+      r.record(angle, 0, either ? std::min(error, beyond) : error);
+    });
+  }
+};
+
+const RegisteredProperty<Twist> registered;
+
+}  // namespace
+}  // namespace liecheck::properties
