@@ -36,8 +36,8 @@ class PlanarPoses final : public SlowLaw<PlanarPoses, S> {
     x.push_back(std::clamp(S(sign * angle<S>(source, AngleRange::to_pi)), S(-pi()), pi()));
     const Vec<S, 3> p0 = vector3<S>(source, binades);
     const Vec<S, 2> r0 = unit_pair(source);
-    Vec<S, 2> p1 =
-        source.chance(1, 4) ? p0.template head<2>() : vector3<S>(source, binades).template head<2>();
+    Vec<S, 2> p1 = p0.template head<2>();
+    if (!source.chance(1, 4)) p1 = vector3<S>(source, binades).template head<2>();
     append(x, p0.template head<2>()), append(x, r0), append(x, p1), append(x, beside(source, r0));
     return x;
   }
