@@ -95,7 +95,7 @@ V4 planar_exp(const V3& d) {
   return {a * d[0] - b * d[1], b * d[0] + a * d[1], std::cos(t), std::sin(t)};
 }
 V3 log_of(double x, double y, double angle) {
-  const double a = angle == 0 ? 1 : angle / 2 / std::tan(angle / 2), b = angle / 2;
+  const double b = angle / 2, a = b == 0 ? 1 : b / std::tan(b);
   return {a * x + b * y, a * y - b * x, angle};
 }
 V3 planar_log(const V4& q) {

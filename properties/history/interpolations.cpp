@@ -97,7 +97,7 @@ std::vector<HistoricBug> interpolations() {
 
 double angle_of_product(const V4& a, const V4& b) {
   const V4 q = H::multiply(H::conjugate(a), b);
-  return 2 * std::atan2(q.head<3>().norm(), std::abs(q[3]));
+  return 2 * std::atan2(q.head<3>().stableNorm(), std::abs(q[3]));
 }
 double twist(const V4& Q, const V3& axis) {
   const double s = Q.head<3>().dot(axis);

@@ -204,6 +204,123 @@ struct Correct : Types<S> {
     return narrow(Style::jacobian6_inverse(X6(-between_any_norm(q0, q1))));
   }
 
+  // Between rotations and directions.
+  static S relative_angle(const V4& Q0, const V4& Q1) {
+    return S(Style::log(relative(wide(Q0), wide(Q1))).norm());
+  }
+  static S twist_angle(const V4& Q, const V3& axis) {
+    const W s = wide(V3(Q.template head<3>())).dot(wide(axis)), w = W(Q[3]);
+    return S(w < 0 ? 2 * std::atan2(-s, -w) : 2 * std::atan2(s, w));
+  }
+  static V4 slerp(const V4& Q0, const V4& Q1, const S& t) {
+    const X3 phi = Style::log(relative(wide(Q0), wide(Q1)));
+    return narrow(
+        X4(Style::quaternion(Style::product(Style::from_quaternion(wide(Q0)), Style::exp(W(t) * phi)))
+               .normalized()));
+  }
+  /// exp of the angle times a x b / |a x b|. For opposite directions any perpendicular axis is right.
+  static V4 rotation_between(const V3& a, const V3& b) {
+    const X3 from = wide(a).normalized(), to = wide(b).normalized(), c = exact_cross<W>(from, to);
+    X3 n = c.isZero(0) ? X3(from.unitOrthogonal()) : X3(c / c.stableNorm());
+    n = X3(n - from.dot(n) * from);
+    n = n.squaredNorm() < W(0.5) ? X3(from.unitOrthogonal()) : X3(n.normalized());
+    return narrow(Style::quaternion(Style::exp(std::atan2(c.stableNorm(), from.dot(to)) * n)));
+  }
+
+  /// Axes i, j and the third one of an order with rotating axes. Static axes are rotating ones in the opposite order.
+  struct Axes {
+    int i, j, k;
+    bool proper, reversed;
+    W sign;
+    explicit Axes(const S& order) {
+      const int n = static_cast<int>(order), s = n / 2;
+      proper = s >= 6, reversed = n % 2 == 0;
+      i = s % 6 / 2, j = ((s % 2 == 0) == (i != 1) ? i + 1 : i + 2) % 3, k = 3 - i - j;
+      if (reversed && !proper) std::swap(i, k);
+      sign = (j - i + 3) % 3 == 1 ? 1 : -1;
+    }
+    V3 ordered(const V3& x) const { return reversed ? V3(x.reverse()) : x; }
+  };
+  static Rot turn(int axis, const W& angle) { return Style::exp(angle * X3(X3::Unit(axis))); }
+  static Rot euler(const S& order, const V3& angles) {
+    const Axes o(order);
+    const X3 x = wide(o.ordered(angles));
+    return Style::product(Style::product(turn(o.i, x[0]), turn(o.j, x[1])), turn(o.proper ? o.i : o.k, x[2]));
+  }
+  static V4 euler_to_quaternion(const S& order, const V3& x) {
+    return narrow(Style::quaternion(euler(order, x)));
+  }
+  static M3 euler_to_matrix(const S& order, const V3& x) { return narrow(Style::matrix(euler(order, x))); }
+  /// The first angle by entries of R; the others by those of R_i(-a) R, which are right at gimbal lock, too.
+  static V3 euler_from(const S& order, const Mat<W, 3>& R) {
+    const Axes o(order);
+    const int i = o.i, j = o.j, k = o.k;
+    const W a = o.proper ? std::atan2(R(j, i), -o.sign * R(k, i)) : std::atan2(-o.sign * R(j, k), R(k, k));
+    const Mat<W, 3> rest = Style::matrix(turn(i, -a)) * R;
+    const W b =
+        o.proper ? std::atan2(-o.sign * rest(k, i), rest(i, i)) : std::atan2(o.sign * rest(i, k), rest(k, k));
+    const W c =
+        o.proper ? std::atan2(-o.sign * rest(j, k), rest(j, j)) : std::atan2(o.sign * rest(j, i), rest(j, j));
+    // Rounding may carry the middle angle across the end of its range, where it is 0 or pi/2 up to rounding.
+    return o.ordered(narrow(X3(a, o.proper ? std::abs(b) : b, c)));
+  }
+  static V3 euler_from_quaternion(const S& order, const V4& Q) {
+    return euler_from(order, Style::matrix(Style::from_quaternion(wide(Q))));
+  }
+  static V3 euler_from_matrix(const S& order, const M3& R) { return euler_from(order, wide(R)); }
+
+  static V7 velocity_to_rate(const V7& q, const V6& V) {
+    const X4 Q = wide(V4(q.template tail<4>()));
+    const X3 v = Q.template head<3>(), omega = wide(Style6::low(V));
+    V7 rate;
+    rate << narrow(Style::rotate(Style::from_quaternion(Q), X3(wide(Style6::top(V))))),
+        narrow(X3((Q[3] * omega + v.cross(omega)) / 2)), S(-v.dot(omega) / 2);
+    return rate;
+  }
+  static V6 rate_to_velocity(const V7& q, const V7& rate) {
+    const X4 Q = wide(V4(q.template tail<4>())), Q_dot = wide(V4(rate.template tail<4>()));
+    const X3 v = Q.template head<3>(), d = Q_dot.template head<3>();
+    const X3 omega = (Q[3] * d - Q_dot[3] * v - v.cross(d)) * (2 / Q.squaredNorm());
+    return narrow(Style::stack(
+        Style::rotate(Style::inverse(Style::from_quaternion(Q)), X3(wide(V3(rate.template head<3>())))),
+        omega));
+  }
+
+  // Poses in the plane.
+  using X2 = Vec<W, 2>;
+  static X2 turned_by(const X2& r, const X2& x) {
+    return {r[0] * x[0] - r[1] * x[1], r[1] * x[0] + r[0] * x[1]};
+  }
+  static X2 top2(const V4& q) { return {W(q[0]), W(q[1])}; }
+  static X2 unit2(const V4& q) { return X2(W(q[2]), W(q[3])).normalized(); }
+  static V4 planar(const X2& p, const X2& r) { return {S(p[0]), S(p[1]), S(r[0]), S(r[1])}; }
+  static Vec<W, 4> planar_step(const V3& d) {
+    const X3 p = Style::arc(X3(0, 0, W(d[2])), X3(W(d[0]), W(d[1]), 0));
+    return {p[0], p[1], std::cos(W(d[2])), std::sin(W(d[2]))};
+  }
+  static V3 planar_log(const X2& p, const W& angle) {
+    const X3 rho = Style::arc_inverse(X3(0, 0, angle), X3(p[0], p[1], 0));
+    return {S(rho[0]), S(rho[1]), S(angle)};
+  }
+  static V4 se2_exp(const V3& d) { return narrow(planar_step(d)); }
+  static V3 se2_log(const V4& q) { return planar_log(top2(q), std::atan2(W(q[3]), W(q[2]))); }
+  static V4 se2_compose(const V4& q0, const V4& q1) {
+    const X2 r = unit2(q0);
+    return planar(top2(q0) + turned_by(r, top2(q1)), turned_by(r, unit2(q1)).normalized());
+  }
+  static V4 se2_integrate(const V4& q, const V3& d) {
+    const Vec<W, 4> step = planar_step(d);
+    const X2 r = unit2(q);
+    return planar(top2(q) + turned_by(r, step.template head<2>()),
+                  turned_by(r, step.template tail<2>()).normalized());
+  }
+  static V3 se2_difference(const V4& q0, const V4& q1) {
+    const X2 back(unit2(q0)[0], -unit2(q0)[1]);
+    const W c = W(q0[2]) * W(q1[2]) + W(q0[3]) * W(q1[3]),
+            s = difference_of_products<W>(W(q0[2]), W(q1[3]), W(q0[3]), W(q1[2]));
+    return planar_log(turned_by(back, top2(q1) - top2(q0)), std::atan2(s, c));
+  }
+
   using Style6 = Basics<void, S>;
 
   static Subject<S> make(const char* name, const char* version) {
@@ -226,6 +343,12 @@ struct Correct : Types<S> {
     LIECHECK_OFFER(first_order_normalize), LIECHECK_OFFER(quaternion_matrix), LIECHECK_OFFER(log3_any_norm);
     LIECHECK_OFFER(rotate_point_any_norm), LIECHECK_OFFER(integrate_any_norm);
     LIECHECK_OFFER(difference_any_norm), LIECHECK_OFFER(d_difference_any_norm);
+    LIECHECK_OFFER(relative_angle), LIECHECK_OFFER(twist_angle), LIECHECK_OFFER(slerp);
+    LIECHECK_OFFER(rotation_between), LIECHECK_OFFER(euler_to_quaternion), LIECHECK_OFFER(euler_to_matrix);
+    LIECHECK_OFFER(euler_from_quaternion), LIECHECK_OFFER(euler_from_matrix),
+        LIECHECK_OFFER(velocity_to_rate);
+    LIECHECK_OFFER(rate_to_velocity), LIECHECK_OFFER(se2_exp), LIECHECK_OFFER(se2_log);
+    LIECHECK_OFFER(se2_compose), LIECHECK_OFFER(se2_integrate), LIECHECK_OFFER(se2_difference);
 #undef LIECHECK_OFFER
     return s;
   }

@@ -89,16 +89,35 @@ void transpose(double* v) {
     for (int j = 0; j < i; ++j) std::swap(v[N * i + j], v[N * j + i]);
 }
 
-const Places quaternion_arguments{{"log3_quaternion", 0},       {"log3_any_norm", 0},
-                                  {"rotate_point", 0},          {"rotate_point_any_norm", 0},
-                                  {"quaternion_matrix", 0},     {"integrate", 3},
-                                  {"integrate_any_norm", 3},    {"difference", 3},
-                                  {"difference", 10},           {"difference_any_norm", 3},
-                                  {"difference_any_norm", 10},  {"d_difference_arg0", 3},
-                                  {"d_difference_arg0", 10},    {"d_difference_arg1", 3},
-                                  {"d_difference_arg1", 10},    {"d_difference_any_norm", 3},
-                                  {"d_difference_any_norm", 10}},
-    quaternion_results{{"exp3_quaternion", 0}, {"integrate", 3}, {"integrate_any_norm", 3}},
+const Places quaternion_arguments{{"log3_quaternion", 0},
+                                  {"log3_any_norm", 0},
+                                  {"rotate_point", 0},
+                                  {"rotate_point_any_norm", 0},
+                                  {"quaternion_matrix", 0},
+                                  {"integrate", 3},
+                                  {"integrate_any_norm", 3},
+                                  {"difference", 3},
+                                  {"difference", 10},
+                                  {"difference_any_norm", 3},
+                                  {"difference_any_norm", 10},
+                                  {"d_difference_arg0", 3},
+                                  {"d_difference_arg0", 10},
+                                  {"d_difference_arg1", 3},
+                                  {"d_difference_arg1", 10},
+                                  {"d_difference_any_norm", 3},
+                                  {"d_difference_any_norm", 10},
+                                  {"relative_angle", 0},
+                                  {"relative_angle", 4},
+                                  {"twist_angle", 0},
+                                  {"slerp", 0},
+                                  {"slerp", 4},
+                                  {"euler_from_quaternion", 1},
+                                  {"velocity_to_rate", 3},
+                                  {"rate_to_velocity", 3},
+                                  {"rate_to_velocity", 10}},
+    quaternion_results{{"exp3_quaternion", 0}, {"integrate", 3},        {"integrate_any_norm", 3},
+                       {"slerp", 0},           {"rotation_between", 0}, {"euler_to_quaternion", 0},
+                       {"velocity_to_rate", 3}},
     tangent_arguments{{"exp6", 0},
                       {"left_jacobian6", 0},
                       {"right_jacobian6", 0},
@@ -109,10 +128,10 @@ const Places quaternion_arguments{{"log3_quaternion", 0},       {"log3_any_norm"
                       {"d_integrate_arg0", 7},
                       {"d_integrate_arg1", 7}},
     tangent_results{{"log6", 0}, {"difference", 0}, {"difference_any_norm", 0}},
-    twist_arguments{{"act_motion", 12},    {"act_inverse_motion", 12}, {"cross_motion", 0},
-                    {"cross_motion", 6},   {"cross_force", 0},         {"momentum", 13},
-                    {"kinetic_energy", 13}},
-    twist_results{{"act_motion", 0}, {"act_inverse_motion", 0}, {"cross_motion", 0}},
+    twist_arguments{{"act_motion", 12},     {"act_inverse_motion", 12}, {"cross_motion", 0},
+                    {"cross_motion", 6},    {"cross_force", 0},         {"momentum", 13},
+                    {"kinetic_energy", 13}, {"velocity_to_rate", 7}},
+    twist_results{{"act_motion", 0}, {"act_inverse_motion", 0}, {"cross_motion", 0}, {"rate_to_velocity", 0}},
     wrench_arguments{{"act_force", 12}, {"act_inverse_force", 12}, {"cross_force", 6}},
     wrench_results{{"act_force", 0}, {"act_inverse_force", 0}, {"cross_force", 0}, {"momentum", 0}},
     pose_arguments{{"log6", 0},
@@ -139,8 +158,9 @@ const Places quaternion_arguments{{"log3_quaternion", 0},       {"log3_any_norm"
         {"difference", 7},        {"difference_any_norm", 0},   {"difference_any_norm", 7},
         {"d_difference_arg0", 0}, {"d_difference_arg0", 7},     {"d_difference_arg1", 0},
         {"d_difference_arg1", 7}, {"d_difference_any_norm", 0}, {"d_difference_any_norm", 7},
-        {"d_integrate_arg0", 0},  {"d_integrate_arg1", 0},      {"integrate_coefficient_jacobian", 0}},
-    configuration_results{{"integrate", 0}, {"integrate_any_norm", 0}},
+        {"d_integrate_arg0", 0},  {"d_integrate_arg1", 0},      {"integrate_coefficient_jacobian", 0},
+        {"velocity_to_rate", 0},  {"rate_to_velocity", 0},      {"rate_to_velocity", 7}},
+    configuration_results{{"integrate", 0}, {"integrate_any_norm", 0}, {"velocity_to_rate", 0}},
     body_arguments{{"act_inertia", 12},
                    {"act_inverse_inertia", 12},
                    {"momentum", 0},
@@ -182,9 +202,10 @@ void columns(Library& l) {
     const Numbers rows(J, J + 42);
     for (std::size_t i = 0; i < 42; ++i) J[i] = rows[i % 7 * 6 + i / 7];
   });
-  change_arguments(l, pose_arguments, transpose<3>), change_arguments(l, {{"log3_matrix", 0}}, transpose<3>);
+  change_arguments(l, pose_arguments, transpose<3>);
+  change_arguments(l, {{"log3_matrix", 0}, {"euler_from_matrix", 1}}, transpose<3>);
   change_results(l, pose_results, transpose<3>), change_results(l, jacobians3, transpose<3>);
-  change_results(l, {{"exp3_matrix", 0}, {"quaternion_matrix", 0}}, transpose<3>);
+  change_results(l, {{"exp3_matrix", 0}, {"quaternion_matrix", 0}, {"euler_to_matrix", 0}}, transpose<3>);
   change_results(l, jacobians6, transpose<6>);
 }
 void passive_poses(Library& l) {
@@ -208,10 +229,20 @@ void degrees(Library& l) {
   const auto to_degrees = [](double* v) {
     for (int i = 0; i < 3; ++i) v[i] *= 180 / std::numbers::pi;
   };
-  Places inside_arguments{{"exp3_quaternion", 0}, {"exp3_matrix", 0}}, inside_results = inside_arguments;
+  const auto one = [](double factor) { return [factor](double* v) { *v *= factor; }; };
+  change_arguments(l, {{"se2_exp", 2}, {"se2_integrate", 6}}, one(std::numbers::pi / 180));
+  change_results(l, {{"relative_angle", 0}, {"twist_angle", 0}, {"se2_log", 2}, {"se2_difference", 2}},
+                 one(180 / std::numbers::pi));
+  Places inside_arguments{
+      {"exp3_quaternion", 0}, {"exp3_matrix", 0}, {"euler_to_quaternion", 1}, {"euler_to_matrix", 1}},
+      inside_results;
   for (auto [name, at] : jacobians3) inside_arguments.emplace_back(name, at);
   for (auto [name, at] : tangent_arguments) inside_arguments.emplace_back(name, at + 3);
-  inside_results = {{"log3_quaternion", 0}, {"log3_any_norm", 0}, {"log3_matrix", 0}};
+  inside_results = {{"log3_quaternion", 0},
+                    {"log3_any_norm", 0},
+                    {"log3_matrix", 0},
+                    {"euler_from_quaternion", 0},
+                    {"euler_from_matrix", 0}};
   for (auto [name, at] : tangent_results) inside_results.emplace_back(name, at + 3);
   change_arguments(l, inside_arguments, to_radians), change_results(l, inside_results, to_degrees);
 }
@@ -233,8 +264,8 @@ void inertia_about_the_origin(Library& l) {
   change_arguments(l, body_arguments, moved(-1)), change_results(l, body_results, moved(1));
 }
 void passive_rotation_matrices(Library& l) {
-  change_arguments(l, {{"log3_matrix", 0}}, transpose<3>);
-  change_results(l, {{"exp3_matrix", 0}, {"quaternion_matrix", 0}}, transpose<3>);
+  change_arguments(l, {{"log3_matrix", 0}, {"euler_from_matrix", 1}}, transpose<3>);
+  change_results(l, {{"exp3_matrix", 0}, {"quaternion_matrix", 0}, {"euler_to_matrix", 0}}, transpose<3>);
 }
 void opposite_tangents(Library& l) {
   change_arguments(l, tangent_arguments, negate6), change_results(l, tangent_results, negate6);
