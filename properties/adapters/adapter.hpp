@@ -34,7 +34,7 @@ struct Description {
 };
 
 /// What became of one input. An adapter gives the first two. The others are found where a function of a shared
-/// library is called, and hold for all inputs of the call.
+/// library is called, and hold for all inputs of the call; `not_repeatable` for its first, in place of an earlier one.
 enum class Status : unsigned char {
   done,
   refused,
@@ -58,6 +58,7 @@ struct Batch {
   std::span<std::byte> results;
   std::span<Status> status;
   std::string_view model = {};  ///< of trees.hpp, or empty
+  bool of_many = false;         ///< the calls of many cases: if it fails, each is made alone
 
   const char* scalar() const { return is_double ? "double" : "float"; }
 };

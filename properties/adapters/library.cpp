@@ -78,7 +78,7 @@ class Library final : public Adapter {
     const bool refused = std::ranges::find(b.status, Status::refused) != b.status.end();
     if (const char* why = refused && adapter_->reason ? adapter_->reason() : nullptr) return why;
     const std::string other = repeats_here_ ? repeated(b) : "";
-    if (!other.empty()) std::ranges::fill(b.status, Status::not_repeatable);
+    if (!other.empty()) b.status[0] = Status::not_repeatable;
     return other;
   }
   std::string repeated(const Batch& b) override {

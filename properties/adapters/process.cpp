@@ -95,9 +95,10 @@ class Process : public Adapter {
   const Description& description() const final { return description_; }
   std::string call(const Batch& b) final try {
     if (!child_) start();
+    child_->set_timeout(b.of_many ? std::min(timeout_s_, of_many_s) : timeout_s_);
     return exchange(*child_, b);
   } catch (const TimedOut&) {  // so that a campaign does not wait long for each of many endless loops
-    timeout_s_ = std::max(timeout_s_ / 2, std::min(timeout_s_, 0.5));
+    if (!b.of_many) timeout_s_ = std::max(timeout_s_ / 2, std::min(timeout_s_, 0.5));
     end(b, "the adapter gave no answer in time");
     throw;
   } catch (const AdapterFailed& e) {
@@ -113,18 +114,18 @@ class Process : public Adapter {
     const std::string hello = std::string(greeting) + "\n";
     child_->write(hello.data(), hello.size());
     description_ = described(child_->line("its description"));
-    child_->set_timeout(timeout_s_);
   }
 
  private:
   void end(const Batch& b, const std::string& how) {
-    say_failed(description_.name, b.operation.operation, how, child_ ? child_->errors() : "");
+    if (!b.of_many) say_failed(description_.name, b.operation.operation, how, child_ ? child_->errors() : "");
     child_.reset();
   }
   virtual std::string command() = 0;
   virtual std::string exchange(Child& child, const Batch& b) = 0;
 
-  static constexpr double start_s = 10;  ///< more for the start: an interpreter loads its packages
+  static constexpr double of_many_s = 1;  ///< a campaign calls as many inputs at once as take 0.1 s
+  static constexpr double start_s = 10;   ///< more for the start: an interpreter loads its packages
   double timeout_s_;
   Description description_;
   std::unique_ptr<Child> child_;

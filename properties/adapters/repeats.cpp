@@ -42,18 +42,20 @@ std::size_t Repeats::other_result(liecheck_function function, bool reversed) con
 
 std::string Repeats::note(const Batch& b, liecheck_function function, bool threads) {
   const std::lock_guard lock(mutex_);
-  if (batches_++ % each || b.status[0] != Status::done) return "";
-  const auto first = [&](auto bytes) {
-    return std::vector<std::byte>(bytes.begin(),
-                                  std::next(bytes.begin(), std::ptrdiff_t(bytes.size() / b.n)));
-  };
-  calls_.push_back({first(b.inputs), first(b.results)});
-  if (calls_.size() < most) return "";
+  for (std::size_t i = 0; i < b.n; ++i)
+    if (inputs_++ % each == 0 && b.status[i] == Status::done) {
+      const auto part = [&](auto bytes) {
+        const auto own = bytes.subspan(i * (bytes.size() / b.n), bytes.size() / b.n);
+        return std::vector<std::byte>(own.begin(), own.end());
+      };
+      calls_.push_back({part(b.inputs), part(b.results)});
+    }
+  if (calls_.size() < enough) return "";
   std::size_t at = other_result(function, true);
   const char* when = "after other calls";
-  if (at == most && threads) {
+  if (at == calls_.size() && threads) {
     when = "when two threads call at the same time";
-    std::size_t other = most;
+    std::size_t other = at;
     std::latch both(2);
     std::thread second([&] {
       both.arrive_and_wait();
@@ -65,7 +67,7 @@ std::string Repeats::note(const Batch& b, liecheck_function function, bool threa
     at = std::min(at, other);
   }
   const std::vector<Call> calls = std::exchange(calls_, {});
-  if (at == most) return "";
+  if (at == calls.size()) return "";
   return fmt::format("the result of {} for the input {} is another one {}", b.operation.operation,
                      b.is_double ? numbers<double>(calls[at].input) : numbers<float>(calls[at].input), when);
 }

@@ -13,9 +13,9 @@ namespace liecheck::properties::adapters {
 /// The noted calls of one function in one scalar.
 class Repeats {
  public:
-  /// Notes the first call of the batch in every twentieth batch. Once 32 calls are noted, each is repeated in the
-  /// opposite order and, if `threads`, by two threads at the same time in opposite orders. Returns in words
-  /// which result was another one, or "".
+  /// Notes every twentieth input with its result. Once 32 are noted, each call is repeated in the opposite order and,
+  /// if `threads`, by two threads at the same time in opposite orders. Returns in words which result was another one,
+  /// or "".
   std::string note(const Batch& b, liecheck_function function, bool threads);
 
  private:
@@ -26,9 +26,9 @@ class Repeats {
   std::size_t other_result(liecheck_function function, bool reversed) const;
 
   static constexpr unsigned each = 20;
-  static constexpr std::size_t most = 32;
+  static constexpr std::size_t enough = 32;
   std::mutex mutex_;
-  unsigned batches_ = 0;
+  unsigned inputs_ = 0;
   std::vector<Call> calls_;
 };
 

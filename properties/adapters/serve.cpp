@@ -81,7 +81,7 @@ void answer(Adapter& adapter, Exchange& e, const Output& output) {
   if (output.printed()) {
     std::ranges::fill(status, Status::printed);
   } else if (const std::string repeated = adapter.repeated(batch); !repeated.empty()) {
-    std::ranges::fill(status, Status::not_repeatable);
+    status[0] = Status::not_repeatable;  // `why` names the input, which may be of an earlier call
     why = repeated;
   }
   e.reason.fill(0);

@@ -7,6 +7,7 @@
 #include <adapters/noise.hpp>
 #include <adapters/shapes.hpp>
 #include <adapters/sizes.hpp>
+#include <adapters/together.hpp>
 #include <adapters/trees.hpp>
 #include <algorithm>
 #include <array>
@@ -15,9 +16,9 @@
 #include <filesystem>
 #include <functional>
 #include <invariants/property.hpp>
-#include <limits>
 #include <memory>
 #include <optional>
+#include <subjects/remote.hpp>
 #include <vector>
 
 namespace liecheck::properties::adapters {
@@ -47,6 +48,10 @@ Adapter& adapter(int number) {
   return *a;
 }
 
+bool in_process(int number) {
+  return sources[static_cast<std::size_t>(number)]->in_process != nullptr;
+}
+
 template <class S>
 constexpr const char* scalar_text = sizeof(S) == 4 ? "float" : "double";
 
@@ -63,48 +68,32 @@ constexpr Outcome outcome_of(Status s) {
   return all[static_cast<std::size_t>(s)];
 }
 
-/// Every call is checked by another one with the same arguments (campaign/call_checks.hpp). So both go to the
-/// adapter in one batch, and the second answer waits here until it is asked for.
-template <class S, std::size_t in, std::size_t out>
-struct Twice {
-  std::array<S, 2 * in> inputs;
-  std::array<S, 2 * out> results;
-  std::array<Status, 2> status;
-  std::string why;
-  bool waits = false;
-
-  /// Whether the second answer, which is then taken, belongs to these inputs.
-  bool take(const std::array<S, in>& asked) {
-    return std::exchange(waits, false) && std::memcmp(asked.data(), inputs.data() + in, sizeof asked) == 0;
-  }
-};
-
 template <int number, const auto& operation, class S, class R, class... A>
 R call(A... arguments) {
-  constexpr std::size_t in = (Shape<std::remove_cvref_t<A>>::size + ...), out = Shape<R>::size;
   static const OperationSizes& sizes = *sizes_of(operation.name);
-  thread_local Twice<S, in, out> both;
-  std::array<S, in> inputs;
+  std::array<S, (Shape<std::remove_cvref_t<A>>::size + ...)> inputs;
+  std::array<S, Shape<R>::size> results;
+  std::array<Status, 1> status{};
   S* at = inputs.data();
   ((Shape<std::remove_cvref_t<A>>::put(arguments, at), at += Shape<std::remove_cvref_t<A>>::size), ...);
-  const std::size_t which = both.take(inputs);
-  if (which == 0) {
-    std::ranges::copy(inputs, std::ranges::copy(inputs, both.inputs.begin()).out);
-    both.results.fill(std::numeric_limits<S>::quiet_NaN());
-    try {
-      both.why = adapter(number).call({sizes, sizeof(S) == 8, 2, std::as_bytes(std::span(both.inputs)),
-                                       std::as_writable_bytes(std::span(both.results)), both.status});
-    } catch (const AdapterFailed& e) {
-      throw CallFailed(e.what(), operation.name, Outcome::crashed);
-    }
-    both.waits = both.status[0] == Status::done;
+  std::string why;
+  try {
+    const Batch one{sizes,
+                    sizeof(S) == 8,
+                    1,
+                    std::as_bytes(std::span(inputs)),
+                    std::as_writable_bytes(std::span(results)),
+                    status};
+    why = in_process(number) ? adapter(number).call(one) : call_together(adapter(number), one);
+  } catch (const AdapterFailed& e) {
+    throw CallFailed(e.what(), operation.name, Outcome::crashed);
   }
-  if (const Status s = both.status[which]; s != Status::done) {
-    if (s == Status::not_repeatable)
-      say_not_repeatable(adapter(number).description().name, operation.name, both.why);
-    throw CallFailed(in_words(s, both.why), operation.name, outcome_of(s));
+  if (status[0] != Status::done) {
+    if (status[0] == Status::not_repeatable)
+      say_not_repeatable(adapter(number).description().name, operation.name, why);
+    throw CallFailed(in_words(status[0], why), operation.name, outcome_of(status[0]));
   }
-  return Shape<R>::get(both.results.data() + which * out);
+  return Shape<R>::get(results.data());
 }
 
 template <int number, class S>
@@ -156,7 +145,7 @@ std::unique_ptr<Adapter> converted(std::unique_ptr<Adapter> own) {
 }
 
 /// Registers the subject of an adapter. Every thread uses it or, if it is not `in_process`, starts it once more.
-std::string register_as(const std::string& text, bool in_process,
+std::string register_as(const std::string& text, const std::string& name, bool in_process,
                         const std::function<std::shared_ptr<Adapter>()>& start_first) {
   const auto free = std::ranges::find_if(sources, [](const auto& s) { return !s; });
   const auto refuse = [&](const std::string& why) {
@@ -168,6 +157,7 @@ std::string register_as(const std::string& text, bool in_process,
   try {
     const std::shared_ptr<Adapter> first = start_first();
     d = first->description();
+    if (!name.empty()) d.name = name;
     if (in_process) source.in_process = first;
   } catch (const AdapterFailed& e) {
     refuse(e.what());
@@ -183,6 +173,7 @@ std::string register_as(const std::string& text, bool in_process,
     if (s->name == d.name) refuse(fmt::format("a subject is named '{}' already", d.name));
   source.description = d;
   *free = source;
+  if (!in_process) remote_subjects().insert(d.name);
   constexpr auto numbers = std::make_integer_sequence<int, most_adapters>();
   register_one<float>(source.number, text, d, numbers);
   register_one<double>(source.number, text, d, numbers);
@@ -214,14 +205,14 @@ bool is_operation(std::string_view name) {
   return sizes_of(name) || model_operation(name);
 }
 
-std::string register_adapter(const std::string& text) {
-  return register_as(text, text.starts_with(inside), [&] { return start(text); });
+std::string register_adapter(const std::string& text, const std::string& name) {
+  return register_as(text, name, text.starts_with(inside), [&] { return start(text); });
 }
 std::unique_ptr<Adapter> linked(const liecheck_adapter& adapter) {
   return converted(linked_library(adapter));
 }
 std::string register_adapter(const liecheck_adapter& adapter) {
-  return register_as(fmt::format("{}.so", adapter.name ? adapter.name : ""), true,
+  return register_as(fmt::format("{}.so", adapter.name ? adapter.name : ""), "", true,
                      [&] { return linked(adapter); });
 }
 

@@ -13,9 +13,9 @@ namespace liecheck::properties::adapters {
 std::unique_ptr<Adapter> start(const std::string& text);
 
 /// Starts an adapter and registers its subject, in float and double as it offers them. Returns the name of the
-/// subject. Throws std::invalid_argument if the adapter does not start, if a subject has its name, if it offers
+/// subject, which is `name` or, if that is "", the adapter's own. Throws std::invalid_argument if the adapter does not start, if a subject has its name, if it offers
 /// an operation that does not exist, or if most_adapters are registered.
-std::string register_adapter(const std::string& text);
+std::string register_adapter(const std::string& text, const std::string& name = "");
 
 /// An adapter that is linked into this program, with its stated conventions converted. Throws AdapterFailed.
 std::unique_ptr<Adapter> linked(const liecheck_adapter& adapter);

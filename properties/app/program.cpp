@@ -119,7 +119,7 @@ std::vector<Command> add_commands(CLI::App& program, const std::string& typed_li
   add(program, {list_command, campaign, hard_cases_command, hunt_command, promise_command});
   add(group(program, "bench", "benchmarks of the harness"),
       {bench_batches_command, bench_bugs_command, bench_history_command, bench_lattice_command,
-       bench_limits_command, bench_rounding_command, bench_speed_command});
+       bench_limits_command, bench_rounding_command, bench_speed_command, bench_wire_command});
   add(group(program, "adapter", "libraries from outside the program: docs/adapters.md"),
       {adapter_check_command, adapter_serve_command});
   const Command league = league_command(program);  // after its subcommands: they set it as given, too

@@ -17,6 +17,7 @@ template void write_record_of(const std::string&, const BugBench&);
 template void write_record_of(const std::string&, const HistoryBench&);
 template void write_record_of(const std::string&, const LatticeResult&);
 template void write_record_of(const std::string&, const SpeedBench&);
+template void write_record_of(const std::string&, const WireBench&);
 template void write_record_of(const std::string&, const CostResult&);
 template void write_record_of(const std::string&, const SweepResult&);
 template void write_record_of(const std::string&, const SceneSweepResult&);

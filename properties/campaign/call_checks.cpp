@@ -194,6 +194,13 @@ CheckedSubject<S>::Active::~Active() {
   CallLog::current() = inside_->before;
 }
 
+template <class S>
+void CheckedSubject<S>::OfTask::exchange() {
+  std::swap(CallLog::current(), log_);
+  using W = Wrapped<S, CheckedCall<S>>;
+  active_ = W::exchange(static_cast<const W*>(active_));
+}
+
 template class CheckedSubject<float>;
 template class CheckedSubject<double>;
 template class CheckedSubject<float128>;

@@ -60,6 +60,17 @@ class CheckedSubject {
     std::unique_ptr<Inside> inside_;
   };
 
+  /// The log and the subject of the Active that another task of this thread has: support/together.hpp.
+  class OfTask {
+   public:
+    /// Exchanges them for those of the thread.
+    void exchange();
+
+   private:
+    CallLog* log_ = nullptr;
+    const void* active_ = nullptr;
+  };
+
  private:
   std::unique_ptr<const Implementation> implementation_;
 };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <campaign/cliffs.hpp>
 #include <campaign/coverage_report.hpp>
+#include <campaign/typed_series.hpp>
 #include <chrono>
 #include <exception>
 #include <limits>
@@ -136,10 +137,10 @@ class Engine {
       while (take(s, from, to)) {
         const auto start = Clock::now();
         Tally tally;
-        std::uint64_t i = from;
-        for (; i < to && !stop_requested; ++i) result_.series[s].series->run(o_.seed, i, tally);
-        if (i == from) return;
-        to = i;
+        to = with_scalar(*result_.series[s].series, [&](const auto& series) {
+          return series.run(o_.seed, {from, to}, tally, stop_requested);
+        });
+        if (to == from) return;
         tally.done.add(from, to);
         const double seconds = seconds_since(start);
         const std::lock_guard lock(mutex_);

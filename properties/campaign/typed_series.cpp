@@ -1,4 +1,5 @@
 #include <campaign/typed_series.hpp>
+#include <campaign/window.hpp>
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -8,7 +9,9 @@
 #include <invariants/tree_laws.hpp>
 #include <limits>
 #include <stdexcept>
+#include <subjects/remote.hpp>
 #include <support/text.hpp>
+#include <support/together.hpp>
 
 namespace liecheck::properties {
 
@@ -105,6 +108,7 @@ TypedSeries<S>::TypedSeries(std::unique_ptr<Property<S>> law_tested, const Subje
   for (std::size_t i = 0; i < outputs.size(); ++i)
     if (law_->measures(subject_, outputs[i])) due |= 1u << i;
   of_joints_ = is_tree_law(property) || outputs.front().operation.starts_with("robot_");
+  together_ = !of_joints_ && remote_subjects().contains(subject);
   own = std::move(limits);
   profile = judging;
   if (own) domain_ = Domain(own->domain, fields, outputs);
@@ -118,26 +122,62 @@ TypedSeries<S>::TypedSeries(std::unique_ptr<Property<S>> law_tested, const Subje
 
 template <class S>
 void TypedSeries<S>::run(std::uint64_t seed, std::uint64_t index, Tally& tally) const {
-  const Source::Key& series = key_of(seed);
-  Source stream(CaseId::key_of(series, index));
-  const std::vector<S> x = law_->generate(stream);
-  Judge judge = judge_of_balls();
-  std::vector<Judged>& judged = judge.judged;
-  bool decided = false;
-  if (index % call_check_interval != 0) {
-    decided = measure_by_balls(x, judge);
-    if (!decided) judged = measure_by_digits(x, limits_, every_kappa);
-  } else {
-    const Checking checking(*this, index % cross_check_interval == 0);
-    decided = measure_by_balls(x, judge);
-    if (decided && index % cross_check_interval == 0) {
-      ++tally.checked;
-      if (!agree(judged, measure_by_digits(x, limits_, every_kappa))) tally.disagreed.push_back(index);
+  Case c = generated(seed, index);
+  measure(c);
+  add(c, seed, tally);
+}
+
+template <class S>
+std::uint64_t TypedSeries<S>::run(std::uint64_t seed, Range cases, Tally& tally,
+                                  const std::atomic<bool>& stop) const {
+  auto& [next, last] = cases;
+  if (together_) {
+    Window window;
+    while (next < last && !stop) {
+      std::vector<Case> all;
+      for (std::uint64_t n = window.next(last - next); n > 0; --n) all.push_back(generated(seed, next++));
+      std::vector<typename CheckedSubject<S>::OfTask> own(all.size());
+      run_together(
+          all.size(), [&](std::size_t k) { measure(all[k]); }, [&](std::size_t k) { own[k].exchange(); });
+      for (const Case& c : all) add(c, seed, tally);
     }
-    if (!decided) judged = measure_by_digits(x, limits_, every_kappa);
+  }
+  for (; next < last && !stop; ++next) run(seed, next, tally);
+  return next;
+}
+
+template <class S>
+auto TypedSeries<S>::generated(std::uint64_t seed, std::uint64_t index) const -> Case {
+  Source stream(CaseId::key_of(key_of(seed), index));
+  return {index, law_->generate(stream), judge_of_balls()};
+}
+
+template <class S>
+void TypedSeries<S>::measure(Case& c) const {
+  std::vector<Judged>& judged = c.judge.judged;
+  if (c.index % call_check_interval != 0) {
+    c.decided = measure_by_balls(c.x, c.judge);
+    if (!c.decided) judged = measure_by_digits(c.x, limits_, every_kappa);
+  } else {
+    const Checking checking(*this, c.index % cross_check_interval == 0);
+    c.decided = measure_by_balls(c.x, c.judge);
+    if (c.decided && c.index % cross_check_interval == 0) {
+      c.checked = true;
+      c.disagreed = !agree(judged, measure_by_digits(c.x, limits_, every_kappa));
+    }
+    if (!c.decided) judged = measure_by_digits(c.x, limits_, every_kappa);
     checking.judge(judged);
   }
-  if (any_failed(judged)) confirm(x, judged);
+  if (any_failed(judged)) confirm(c.x, judged);
+}
+
+template <class S>
+void TypedSeries<S>::add(const Case& c, std::uint64_t seed, Tally& tally) const {
+  const Source::Key& series = key_of(seed);
+  const auto& [index, x, judge, decided, checked, disagreed] = c;
+  const std::vector<Judged>& judged = judge.judged;
+  tally.checked += checked;
+  if (disagreed) tally.disagreed.push_back(index);
   tally.fast += decided;
   tally.coverage.add(fields, x, measured_outputs(judged));
   thread_local std::string record;

@@ -5,6 +5,7 @@
 // and 100 digits (Ziv 1991). Where the input is outside the domain of an operation, the subject under test is
 // one that does not offer it.
 
+#include <atomic>
 #include <campaign/call_checks.hpp>
 #include <campaign/judge.hpp>
 #include <campaign/series.hpp>
@@ -24,6 +25,9 @@ class TypedSeries final : public Series {
   /// The calls of one case in four are checked, and those of every case that fails. A failing case is
   /// measured again; if the results differ, it is not repeatable.
   void run(std::uint64_t seed, std::uint64_t index, Tally& tally) const override;
+  /// Runs the cases [first, last) until `stop`, and returns the number of the first that was not run. A subject in
+  /// another process is called for many cases at once.
+  std::uint64_t run(std::uint64_t seed, Range cases, Tally& tally, const std::atomic<bool>& stop) const;
   std::vector<std::string> input(const CaseId& id) const override;
   std::vector<Judged> replay(const CaseId& id) const override { return measure_twice(numbers(id)); }
 
@@ -77,6 +81,16 @@ class TypedSeries final : public Series {
     bool nothing_left = false;  ///< then nothing is called
   };
   Scope scope_of(const std::vector<S>& x) const;
+  /// A generated case.
+  struct Case {
+    std::uint64_t index;
+    std::vector<S> x;
+    Judge judge;
+    bool decided = false, checked = false, disagreed = false;  ///< by ball arithmetic; see Tally
+  };
+  Case generated(std::uint64_t seed, std::uint64_t index) const;
+  void measure(Case& c) const;
+  void add(const Case& c, std::uint64_t seed, Tally& tally) const;
   /// Ends a case: records what is outside the domain, in place of anything that was measured of it, and what
   /// was not measured.
   void close(const std::vector<S>& x, const Scope& scope, Judge& judge) const;
@@ -93,6 +107,7 @@ class TypedSeries final : public Series {
   Limits limits_;
   Domain domain_;
   bool of_joints_ = false;      ///< the law is one of trees or of a robot
+  bool together_ = false;       ///< its functions are called for many cases at once
   const std::uint64_t number_;  ///< unique in this process, unlike an address, which a later series may reuse
 };
 

@@ -105,4 +105,20 @@ json record_of(const SpeedBench& b) {
           {"two_jobs_over_one", number(b.two_jobs_over_one)}};
 }
 
+json record_of(const WireBench& b) {
+  const auto row = [](const WireBench::Row& r) -> json {
+    return {{"name", r.name},
+            {"cases_per_second", number(r.rate)},
+            {"ratio", number(r.ratio)},
+            {"least_ratio", number(r.least)},
+            {"largest_ratio", number(r.most)}};
+  };
+  return {{"version", LIECHECK_VERSION},
+          {"verdict", verdict_of(b.complete, !b.failed)},
+          {"seed", b.seed},
+          {"environment", environment()},
+          {"jobs", b.jobs},
+          {"rows", list_of(b.rows, row)}};
+}
+
 }  // namespace liecheck::properties

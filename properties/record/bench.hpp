@@ -56,4 +56,20 @@ struct SpeedBench {
 
 nlohmann::json record_of(const SpeedBench& bench);
 
+/// What it costs to call a function through an adapter.
+struct WireBench {
+  struct Row {
+    std::string name;
+    double rate;                ///< the best of the rounds [cases/s]
+    double ratio, least, most;  ///< to the first row in the same round: the median, and all
+  };
+  std::uint64_t seed = 42;
+  unsigned jobs = 1;
+  std::vector<Row> rows;
+  std::uint64_t failed = 0;
+  bool complete = false;
+};
+
+nlohmann::json record_of(const WireBench& bench);
+
 }  // namespace liecheck::properties

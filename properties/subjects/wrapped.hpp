@@ -46,6 +46,8 @@ class Wrapped {
    private:
     const Wrapped* before_;
   };
+  /// Gives this thread another Wrapped, or none, and returns the one that it had.
+  static const Wrapped* exchange(const Wrapped* other) { return std::exchange(current(), other); }
 
  private:
   static const Wrapped*& current() {

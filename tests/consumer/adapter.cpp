@@ -1,3 +1,3 @@
-#include "mylib.hpp"
+#include "adapter.hpp"
 
-LIECHECK_ADAPTER(MyLib, exp3_quaternion, log3_quaternion, inverse)
+LIECHECK_ADAPTER(MyLib, exp3_quaternion, exp3_matrix, log3_quaternion, left_jacobian6, inverse)

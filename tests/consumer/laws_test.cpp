@@ -1,9 +1,9 @@
 // The laws of liecheck in a test program of mylib. OldLib is another subject of the same program.
 #include <liecheck_laws.hpp>
 
-#include "mylib.hpp"
+#include "adapter.hpp"
 
-LIECHECK_SUBJECT(MyLib, exp3_quaternion, log3_quaternion, inverse)
+LIECHECK_SUBJECT(MyLib, exp3_quaternion, exp3_matrix, log3_quaternion, left_jacobian6, inverse)
 LIECHECK_PROPERTY(MyLib, exp_oracle)
 LIECHECK_PROPERTY(MyLib, pose_group)
 LIECHECK_TEST(MyLib, log_oracle)

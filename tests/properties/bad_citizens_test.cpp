@@ -1,4 +1,5 @@
-// Libraries that behave badly: the campaign ends as it should, and names the outcome with its input.
+// Libraries that behave badly, as a shared library in a process of its own and as a program in Python: the campaign ends
+// as it should, and names the outcome with its input.
 
 #include <gtest/gtest.h>
 
@@ -17,7 +18,12 @@ struct BadWay {
   const char* outcome;  ///< the field of the record that counts it; "" if the campaign passes
   const char* words;    ///< in the output of the campaign or of the replay of its failure
   int cases = 1200;
+  const char* adapter = LIECHECK_BAD_CITIZENS;
 };
+
+BadWay in_python(const char* name, const char* outcome, const char* words, int cases = 150) {
+  return {name, outcome, words, cases, "'/usr/bin/python3 " LIECHECK_BAD_PYTHON "'"};
+}
 
 void PrintTo(const BadWay& way, std::ostream* to) {
   *to << way.name;
@@ -37,7 +43,7 @@ class BadCitizen : public testing::TestWithParam<BadWay> {
     return WEXITSTATUS(std::system(command.c_str()));
   }
   void SetUp() override {
-    folder_ = std::filesystem::path(testing::TempDir()) / (std::string("bad_") + GetParam().name);
+    folder_ = std::filesystem::path(testing::TempDir()) / (std::string("bad_") + GetParam().name + std::to_string(GetParam().cases));
     std::filesystem::create_directories(folder_);
   }
   std::filesystem::path folder_;
@@ -47,10 +53,10 @@ TEST_P(BadCitizen, IsAnOutcomeOfItsInputAndTheCampaignIsComplete) {
   const BadWay& way = GetParam();
   const bool passes = !*way.outcome;
   std::ofstream(folder_ / "bad.limits") << "version = 1\nsubject = bad\n[limits]\n*, *, any, forward = 16\n";
-  ASSERT_EQ(run("campaign --adapter " LIECHECK_BAD_CITIZENS
-                " --subject bad --subject liecheck --property exp_oracle --scalar double -j 1 "
-                "--no-hard-cases --limits "
-                "bad.limits --json record.json --cases " +
+  ASSERT_EQ(run(std::string("campaign --adapter ") + way.adapter +
+                    " --subject bad --subject liecheck --property exp_oracle --scalar double -j 1 "
+                    "--no-hard-cases --limits "
+                    "bad.limits --json record.json --cases " +
                     std::to_string(way.cases),
                 "out"),
             passes ? 0 : 1)
@@ -84,6 +90,21 @@ TEST_P(BadCitizen, IsAnOutcomeOfItsInputAndTheCampaignIsComplete) {
   }
 }
 
+INSTANTIATE_TEST_SUITE_P(
+    InPython, BadCitizen,
+    testing::Values(
+        in_python("none", "", ""), in_python("segfault", "crashed", "signal 11"),
+        in_python("abort", "crashed", "signal 6"), in_python("loop", "crashed", "in 5 s where", 30),
+        in_python("slow", "", "", 40), in_python("exit", "crashed", "ended with exit code 0"),
+        in_python("memory", "crashed", "MemoryError"), in_python("throw", "crashed", "not a rotation"),
+        in_python("print", "crashed", "does it print to standard output?"),
+        in_python("half", "crashed", "and then nothing for", 30), in_python("count", "crashed", "bytes more than"),
+        in_python("less", "crashed", "and then nothing for", 30),
+        in_python("status", "crashed", "the status 77"), in_python("nan", "not_finite", "NaN"),
+        in_python("stateful", "not_repeatable", "not repeatable", 1500),
+        // What a process does to its own memory and processor shows only in results: these are right.
+        in_python("input", "", ""), in_python("rounding", "", ""), in_python("flush", "", "")),
+    [](const auto& info) { return std::string(info.param.name); });
 INSTANTIATE_TEST_SUITE_P(
     Of, BadCitizen,
     testing::Values(

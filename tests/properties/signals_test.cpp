@@ -282,6 +282,7 @@ INSTANTIATE_TEST_SUITE_P(
         Command{"bench_history", "bench history --cases 1000000 --json r.json", 60, "r.json"},
         Command{"bench_lattice", "bench lattice --faults 300 --resume f.txt --json r.json", 60, "r.json"},
         Command{"bench_limits", "bench limits --cases 100 --out .", 30},
+        Command{"bench_wire", "bench wire --for-each 0.1s --json r.json --adapter in-process:" LIECHECK_EXP6_ADAPTER, 60, "r.json"},
         Command{"bench_speed", "bench speed --for-each 0.1s --json r.json", 60, "r.json"},
         Command{"league", "league --record r.json", 60, "r.json"},
         Command{"scene_run", "scene run in/long.yaml --csv s.csv --json r.json", 10, "r.json"},
