@@ -70,8 +70,6 @@ for call in iter(sys.stdin.buffer.readline, b""):
     if any(is_bad(phi) for phi in inputs):
         if WAY == "half":
             answer = answer[:len(answer) // 2]
-        if WAY == "less":
-            answer = answer[:-32]
         if WAY == "count":
             answer += bytes(32)
         if WAY == "status":
