@@ -9,6 +9,7 @@ import time
 
 WAY = os.environ.get("LIECHECK_BAD", "")
 calls_made = 0
+last_x = previous_x = 0.0
 
 
 def misbehave(phi, Q):
@@ -35,6 +36,8 @@ def misbehave(phi, Q):
         ctypes.CDLL("libm.so.6").fesetenv(ctypes.byref(flushing))
     if WAY == "input":
         phi[1] = math.nan
+    if WAY == "order" and previous_x > phi[0]:
+        Q[0] = math.nextafter(Q[0], 2)
     if WAY == "nan":
         Q[3] = math.nan
 
@@ -43,8 +46,10 @@ flushing = (ctypes.c_uint32 * 8)(0xffff037f, 0xffff0000, 0xffffffff, 0, 0, 0, 0,
 
 
 def exp3_quaternion(phi):
-    global calls_made
+    global calls_made, last_x, previous_x
     phi = list(phi)
+    if phi[0] != last_x:
+        previous_x, last_x = last_x, phi[0]
     theta = math.hypot(*phi)
     s = math.sin(theta / 2) / theta if theta > 1e-8 else 0.5
     Q = [s * x for x in phi] + [math.cos(theta / 2)]

@@ -115,6 +115,7 @@ INSTANTIATE_TEST_SUITE_P(
         in_python("count", "crashed", "bytes more than"),
         in_python("status", "crashed", "the status 77"), in_python("nan", "not_finite", "NaN"),
         in_python("stateful", "not_repeatable", "not repeatable", 1500),
+        in_python("order", "not_repeatable", "not repeatable", 1500),
         // What a process does to its own memory and processor shows only in results: these are right.
         in_python("input", "", ""), in_python("rounding", "", ""), in_python("flush", "", "")),
     [](const auto& info) { return std::string(info.param.name); });
