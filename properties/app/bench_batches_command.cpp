@@ -55,9 +55,9 @@ int run(const Flags& f) {
 
 Command bench_batches_command(CLI::App& bench) {
   CommandWith<Flags> a(bench, "batches",
-                       "batches of poses, and of states of the built-in quadruped, compared with the loop "
-                       "over single ones and with a copy of "
-                       "memory, in each set of instructions of the processor, in float and double. Exit "
+                       "time batches of poses, and of states of the built-in quadruped, beside the loop "
+                       "over single ones and a copy of memory, "
+                       "in each set of instructions of the processor, in float and double. Exit "
                        "code 0; 2 for bad input; 3 if stopped");
   a.numbers("--columns", a->columns, 1, 10'000'000,
             "poses in a batch, repeatable; default 64, 1000, 10000, 100000, 1000000");

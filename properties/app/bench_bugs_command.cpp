@@ -97,8 +97,8 @@ int run(const Flags& f) {
 
 Command bench_bugs_command(CLI::App& bench) {
   CommandWith<Flags> a(bench, "bugs",
-                       "how soon the laws kill each known bug, compared with four weaker styles of test. "
-                       "Exit code 0 if all bugs are killed and no look-alike is refused; 1 otherwise; 2 for "
+                       "measure how soon the laws find each known bug, beside four weaker styles of test. "
+                       "Exit code 0 if all bugs are found and every look-alike passes; 1 otherwise; 2 for "
                        "bad input; 3 if stopped, or if a case of a look-alike has no verdict");
   BugBench& b = a->bench;
   b.scalar = "double";

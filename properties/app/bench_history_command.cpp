@@ -82,9 +82,9 @@ int run(const Flags& f) {
 Command bench_history_command(CLI::App& bench) {
   CommandWith<Flags> a(
       bench, "history",
-      "how soon the laws find bugs that were reported against real libraries, and whether the "
-      "repaired forms and the controls stay silent. Exit code 0 if so; 1 if a bug is not found or a "
-      "repaired form is accused; 2 for bad input; 3 if stopped, or if a case has no verdict");
+      "measure how soon the laws find bugs that were reported against real libraries, and check that the "
+      "repaired forms and the controls pass. Exit code 0 if so; 1 if a bug is not found or a "
+      "repaired form fails; 2 for bad input; 3 if stopped, or if a case has no verdict");
   HistoryBench& b = a->bench;
   a.list("NAME", b.names, "NAME", "a row of fixtures/history/README.md, repeatable; default all");
   a.toggle("--list", a->list, "print the rows in Markdown, and run nothing");

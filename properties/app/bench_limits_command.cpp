@@ -138,8 +138,9 @@ int run(const Flags& f) {
 Command bench_limits_command(CLI::App& bench) {
   CommandWith<Flags> a(
       bench, "limits",
-      "what limits subjects need: the largest errors over --cases cases, and whether limits of four times "
-      "these hold in --check-cases cases of the next seed. Exit code 0 if nothing is accused; 1 otherwise; 2 "
+      "measure what limits subjects need: the largest errors in --cases cases, and whether limits of four "
+      "times "
+      "these hold in --check-cases cases of the next seed. Exit code 0 if they do; 1 otherwise; 2 "
       "for bad input; 3 if stopped");
   CampaignOptions& o = a->options;
   o.jobs = default_jobs();

@@ -69,7 +69,8 @@ int run(const Flags& f) {
     fmt::print("\n{} of {} rows: random rounding promises more than a digit that the result does not have\n",
                deceived, n);
   }
-  if (!f.json.empty()) write_record(f.json, {{"verdict", stop_requested ? "stopped" : "measured"}, {"rows", rows}});
+  if (!f.json.empty())
+    write_record(f.json, {{"verdict", stop_requested ? "stopped" : "measured"}, {"rows", rows}});
   return stop_requested ? incomplete : within_budget;
 }
 
@@ -78,8 +79,9 @@ int run(const Flags& f) {
 Command bench_rounding_command(CLI::App& bench) {
   CommandWith<Flags> a(
       bench, "rounding",
-      "random rounding: every operation of a subject rounds up or down by chance, and the spread of "
-      "the results estimates their digits; beside them the digits that the oracle finds. Exit code 0; "
+      "estimate digits by random rounding: every operation of a subject rounds up or down by chance, and "
+      "the spread of the results shows how many digits are right; print the oracle's beside them. Exit code "
+      "0; "
       "2 for bad input; 3 if stopped");
   a.list(
       "--subject", a->subjects, "NAME",
@@ -91,10 +93,12 @@ Command bench_rounding_command(CLI::App& bench) {
   a.number("--inputs", a->inputs, 1, 1'000'000, "inputs of each band");
   a.number("--samples", a->samples, 2, 10'000, "runs with random rounding for each input");
   a.seed(a->seed, "seed of the inputs and of the rounding");
-  a.text("--where", a->where, "BAND",
-         "show instead which lines' roundings move the operation's result most, in this band, as the table "
-         "names it");
-  a.toggle("--all", a->all, "show every line, not only those with half a percent");
+  a.text(
+      "--where", a->where, "BAND",
+      "show instead which lines of the source move the result most by their roundings, in this band, which "
+      "has its name from the table");
+  a.toggle("--all", a->all,
+           "show every line of the source, not only those with at least half a percent of the spread");
   a.json(a->json, "write the rows to FILE");
   return a.runs(run);
 }

@@ -210,7 +210,8 @@ int run(const Flags& f) {
 Command bench_speed_command(CLI::App& bench) {
   CommandWith<Flags> a(
       bench, "speed",
-      "cases per second against an oracle: exp6 compared with rc::check and an oracle of 50 digits, every "
+      "measure cases per second beside an oracle: exp6 compared with rc::check and an oracle of 50 digits, "
+      "every "
       "law, and two jobs compared with one. Exit code 0; 1 if rc::check failed; 2 for bad input; 3 if "
       "stopped");
   a.seed(a->seed, "seed of the cases");

@@ -277,17 +277,18 @@ int run(const Flags& f) {
 }  // namespace
 
 Command campaign_command(CLI::App& program, const std::string& typed_line) {
-  CommandWith<Flags> a(
-      program, "campaign",
-      "run properties on subjects. Exit code 0 if within budget; 1 if failed; 2 for bad input; 3 if "
-      "incomplete: interrupted, or a law measured less than it must");
+  CommandWith<Flags> a(program, "campaign",
+                       "test libraries by the laws, with inputs that follow from a seed. Exit code 0 if "
+                       "every error is within its "
+                       "limit; 1 if one is not; 2 for bad input; 3 if incomplete: interrupted, or a law "
+                       "measured less than it must");
   a->store.typed_line = typed_line;
   a->selection.add(a);
   a.toggle("--no-hard-cases", a->no_hard_cases, "skip the hard cases, which are replayed first");
-  a.toggle("--no-probe", a->no_probe, "judge an adapter that has other conventions than liecheck, too");
+  a.toggle("--no-probe", a->no_probe, "judge an adapter even if its conventions differ from liecheck's");
   a->cases.add(a);
-  a.toggle("--verbose", a->verbose, "show how often each class and band of inputs occurred");
-  a.toggle("--all", a->all, "print every failure in full, not only the worst one, and nothing shortened");
+  a.toggle("--verbose", a->verbose, "show how often each class and each band of inputs was measured");
+  a.toggle("--all", a->all, "print each failure in full, not only the worst one, and shorten nothing");
   a->store.add(a);
   a.text("--rules", a->rules, "VERSION",
          "judge by this version of the rules: its laws, inputs, limits and hard cases (docs/ci.md)");

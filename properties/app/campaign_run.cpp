@@ -86,19 +86,20 @@ std::optional<StoredRun> run_rank(const Ranks& ranks, CampaignOptions o, const R
 }  // namespace
 
 std::vector<Flag> CaseFlags::add(Arguments& a) {
-  const Flag count =
-      a.number("--cases", options.cases, 1, std::uint64_t(1) << 40, "cases per property x subject x scalar");
+  const Flag count = a.number("--cases", options.cases, 1, std::uint64_t(1) << 40,
+                              "cases of each law on each subject in each scalar");
   const Flag robot_flag = robot.add(a), seed_flag = a.seed(options.seed, "seed of the campaign");
-  const Flag time =
-      a.duration("--for", options.seconds, "run for a time instead: 30s, 5m, 1h").excludes(count);
+  const Flag time = a.duration("--for", options.seconds, "run for this time instead of --cases: 30s, 5m, 1h")
+                        .excludes(count);
   jobs_flag = a.jobs(options.jobs);
   return {robot_flag, seed_flag, count, time, jobs_flag};
 }
 
 void StoreFlags::add(Arguments& a) {
-  const Flag file = a.text("--store", store, "FILE", "save all results in FILE (SQLite), chunk by chunk");
+  const Flag file = a.text("--store", store, "FILE",
+                           "keep all results in FILE (SQLite), so that the campaign can be continued");
   a.toggle("--resume", resume, "continue the campaign in the store").needs(file);
-  a.text("--shard", shard, "I/N", "run only part I of N of every series; merge joins the parts");
+  a.text("--shard", shard, "I/N", "run only part I of N; 'liecheck merge' joins the parts");
 }
 
 bool StoreFlags::first_shard() const {

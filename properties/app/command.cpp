@@ -60,10 +60,13 @@ Robot RobotFlags::read() const {
 
 void SelectionFlags::add(Arguments& a) {
   a.list("--subject", subjects, "NAME",
-         "a subject, repeatable, or 'all'; default liecheck in float and double");
+         "a library under test, as 'liecheck list' names it, repeatable, or 'all'; default liecheck");
   adapters.add(a);
-  a.list("--property", properties, "NAME", "a property, repeatable; default every one");
-  a.list("--scalar", scalars, "SCALAR", "float, double or float128, repeatable");
+  a.list("--property", properties, "NAME",
+         "a law, as 'liecheck list' names it, repeatable; default every one");
+  a.list("--scalar", scalars, "SCALAR",
+         "float, double or float128, repeatable; default every one that the subject has, of liecheck the "
+         "first two");
   limits.add(a);
   a.json(json, "write the record to FILE");
 }
@@ -82,11 +85,11 @@ std::vector<std::string> AdapterFlags::start() const {
 std::vector<Flag> LimitsFlags::add(Arguments& a) {
   const Flag
       limits = a.list("--limits", files, "FILE",
-                      "what one subject promises, and on which inputs (docs/limits.md), repeatable"),
+                      "the limits that a subject promises, and its domain (docs/limits.md), repeatable"),
       judge = a.choice(
           "--profile", profile, profile_names(), "PROFILE",
-          "what judges where no --limits does: ours (what liecheck promises), careful (64 eps) or half "
-          "(of the digits); default careful for an --adapter, else ours");
+          "the limits where --limits gives none: ours (what liecheck promises), careful (64 eps) or half "
+          "(half of the digits); default careful for an --adapter, else ours");
   return {limits, judge};
 }
 

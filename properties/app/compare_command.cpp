@@ -96,9 +96,10 @@ int run(const Flags& f) {
 }  // namespace
 
 Command compare_command(CLI::App& program) {
-  CommandWith<Flags> a(program, "compare",
-                       "what got worse from store A to store B. Exit code 0 if nothing did; 1 if anything "
-                       "did; 2 for bad input; 3 if a store lacks cases or verdicts");
+  CommandWith<Flags> a(
+      program, "compare",
+      "print what got worse from store A to store B. Exit code 0 if nothing did; 1 if anything "
+      "did; 2 for bad input; 3 if a store lacks cases or verdicts");
   a.text("A", a->before, "", "the earlier store").required();
   a.text("B", a->after, "", "the later store").required();
   a.text("--markdown", a->markdown, "FILE",
@@ -107,7 +108,7 @@ Command compare_command(CLI::App& program) {
          "also draw what got worse and better; the Markdown shows the picture by this name");
   a.json(a->json, "also write what got worse and better, with the worst case of each cell, to FILE");
   a.toggle("--rules", a->rules,
-           "A and B are versions of the rules, or \"present\": what differs between them");
+           "compare two versions of the rules instead of stores; \"present\" is this liecheck's");
   return a.runs(run);
 }
 

@@ -124,7 +124,7 @@ CostResult run_cost(CostOptions options) {
 
 Command cost_command(CLI::App& program) {
   CommandWith<Flags> a(program, "cost",
-                       "time and error of every operation of every subject on the same inputs. "
+                       "measure time and error of every operation of every subject on the same inputs. "
                        "Exit code 0; 2 for bad input; 3 if stopped");
   CostOptions& o = a->options;
   a.list("--op", o.operations, "NAME", "an operation, repeatable; default all");

@@ -157,10 +157,10 @@ void print_hard_case_summary(const std::vector<HardRow>& rows, std::size_t shown
 }
 
 Command hard_cases_command(CLI::App& program) {
-  CommandWith<Flags> a(
-      program, "hard-cases",
-      "a verdict on every hard case. Exit code 0 if none failed; 1 if any did; 2 for bad input; 3 if "
-      "stopped, or if a case has no verdict");
+  CommandWith<Flags> a(program, "hard-cases",
+                       "run every hard case, and print a verdict on each. Exit code 0 if none failed; 1 if "
+                       "any did; 2 for bad input; 3 if "
+                       "stopped, or if a case has no verdict");
   a->selection.add(a);
   a.list("--file", a->files, "FILE", "more hard cases, in the form of fixtures/hard_cases, repeatable");
   a.jobs(a->jobs);

@@ -233,21 +233,25 @@ int run(const Flags& f) {
 }  // namespace
 
 Command hunt_command(CLI::App& program) {
-  CommandWith<Flags> a(program, "hunt",
-                       "search for the worst input of an operation. Exit code 0 if within budget; 1 if "
-                       "beyond it; 2 for bad input; 3 if stopped, or if an evaluation has no verdict");
+  CommandWith<Flags> a(
+      program, "hunt",
+      "search for the worst input of an operation. Exit code 0 if every error found is within "
+      "its limit; 1 if one is not; 2 for bad input; 3 if stopped, or if an evaluation has "
+      "no verdict");
   HuntOptions& o = a->options;
-  a.text("--subject", a->subject, "NAME", "the subject").required();
+  a.text("--subject", a->subject, "NAME", "the library under test, as 'liecheck list' names it").required();
   a.text("--op", o.operation, "NAME", "the operation, as failures and reports name it").required();
-  a.text("--block", o.block, "NAME", "one block of its result; default all blocks");
+  a.text("--block", o.block, "NAME",
+         "one block of its result, as 'liecheck list' names it; default each of them");
   a.text("--property", a->property, "NAME", "one law that measures it; default all laws");
   a.text("--scalar", a->scalar, "SCALAR", "float, double or float128").with_default_in_help();
   a.toggle("--excess", o.excess, "maximise error / kappa, also beyond theta = pi");
   a.seed(o.seed, "seed of the search");
-  const Flag evaluations = a.number("--evaluations", o.evaluations, 1, std::uint64_t(1) << 40,
-                                    "measurements instead of a time: the same search on every machine");
-  a.duration("--for", o.seconds, "duration: 30s, 5m, 1h; default 30s").excludes(evaluations);
-  a.toggle("--versus-random", a->versus_random, "also sample as many inputs uniformly, and compare");
+  const Flag evaluations =
+      a.number("--evaluations", o.evaluations, 1, std::uint64_t(1) << 40,
+               "stop after N measurements instead of a time: the same search on every machine");
+  a.duration("--for", o.seconds, "stop after this time: 30s, 5m, 1h; default 30s").excludes(evaluations);
+  a.toggle("--versus-random", a->versus_random, "also measure as many uniformly random inputs, and compare");
   a.text("--corpus", a->corpus, "FILE", "append what is found to FILE, as lines of fixtures/hard_cases");
   a->robot.add(a);
   a->adapters.add(a);

@@ -88,13 +88,14 @@ int run(const Flags& f) {
 
 Command list_command(CLI::App& program) {
   CommandWith<Flags> a(program, "list",
-                       "the subjects, those that are absent, the operations with their blocks, and the "
-                       "properties. Exit code 0");
+                       "list the subjects, those that are absent, the operations with their blocks, and the "
+                       "laws. Exit code 0");
   a.toggle("--operations", a->operations,
            "list the operations instead: definitions, arguments, results and blocks, in Markdown");
-  a.toggle("--laws", a->laws, "list only the names of the properties, one a line");
+  a.toggle("--laws", a->laws, "list only the names of the laws, one a line");
   a.text("--rules", a->rules, "VERSION",
-         "list the digests of a version of the rules instead, or of \"present\"; with --laws, its laws");
+         "list the digests of a version of the rules instead, \"present\" for this liecheck's; with --laws, "
+         "its laws");
   return a.runs(run);
 }
 

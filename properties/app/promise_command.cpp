@@ -128,8 +128,8 @@ Command promise_command(CLI::App& program) {
   CommandWith<Flags> a(
       program, "promise",
       "write a first limits file: twice the largest error of each operation and block in a "
-      "campaign and a hunt. Exit code 0 if every result can be promised; 1 if some are broken or "
-      "a cliff, which the file names; 2 for bad input; 3 if stopped, without a file");
+      "campaign and a hunt. Exit code 0 if every result can be promised; 1 if some are NaN, on "
+      "a wrong branch or a cliff, which the file names; 2 for bad input; 3 if stopped, without a file");
   a.text("SUBJECT", a->subject, "", "the subject; default: that of the adapter");
   a->adapters.add(a);
   a.list("--scalar", a->scalars, "SCALAR", "float, double or float128, repeatable; default all it has");

@@ -131,10 +131,11 @@ int run(const Flags& flags) {
 }  // namespace
 
 Command scene_run_command(CLI::App& scene) {
-  CommandWith<Flags> a(scene, "run",
-                       "simulate a scene. Exit code 0; 1 if its estimated error is too large or a conserved "
-                       "quantity changes; 2 for "
-                       "bad input; 3 if diverged or stopped (samples so far are saved)");
+  CommandWith<Flags> a(
+      scene, "run",
+      "simulate a scene. Exit code 0; 1 if its estimated error is too large or a conserved "
+      "quantity changes; 2 for bad input; 3 if it diverged or was stopped, with the samples until then "
+      "saved");
   a.text("FILE", a->file, "SCENE", "the scene").required();
   a.text("--csv", a->csv, "FILE", "write the samples to FILE, not to the scene's file");
   a.toggle("--no-estimate", a->no_estimate, "leave out the estimate of the error");

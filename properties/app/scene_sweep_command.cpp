@@ -222,7 +222,9 @@ SceneSweepResult run_scene_sweep(const std::vector<std::string>& files, SceneSwe
 Command scene_sweep_command(CLI::App& scene) {
   CommandWith<Flags> a(
       scene, "sweep",
-      "integrators x steps: error against the exact motion, order, drift, time, and other simulators. "
+      "compare integrators and numbers of steps: error against the exact motion, order, drift, time, beside "
+      "other "
+      "simulators. "
       "Exit code 0; 1 if an order is wrong; 2 for bad input; 3 if stopped or if every run of a scene "
       "diverges");
   a.list("FILE", a->files, "SCENE", "scenes; default the built-in ones, and long spins");

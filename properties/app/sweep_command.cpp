@@ -152,19 +152,20 @@ SweepResult run_sweep(const std::vector<std::string>& coefficients, unsigned job
 }
 
 Command sweep_command(CLI::App& program) {
-  CommandWith<Flags> a(program, "sweep",
-                       "an upper bound of the error of every scalar coefficient over every float, or the "
-                       "largest error of whole "
-                       "operations over every float angle about an axis. Exit code 0 if the "
-                       "documented bounds hold; 1 if one does not; 2 for bad input; 3 if stopped");
+  CommandWith<Flags> a(
+      program, "sweep",
+      "compute an upper bound of the error of each scalar coefficient over every float, or the "
+      "largest error of whole operations at every float angle about an axis. Exit code 0 if the "
+      "documented bounds hold; 1 if one does not; 2 for bad input; 3 if stopped");
   const Flag coefficients =
       a.list("--coefficient", a->coefficients, "NAME", "a coefficient, repeatable; default all");
   a.list("--operation", a->operations, "OP",
-         "instead, the error of a whole operation at every float angle about some axes, repeatable, or 'all'")
+         "a whole operation instead of a coefficient, repeatable, or 'all'")
       .excludes(coefficients);
   a.list("--axis", a->axes, "X,Y,Z",
          "an axis for --operation, repeatable; default x, and the worst of 500 random axes");
-  a.number("--stride", a->stride, 1, 1u << 30, "evaluate only every Nth float: a lower bound, but faster");
+  a.number("--stride", a->stride, 1, 1u << 30,
+           "evaluate only every Nth float, which is faster but gives a lower bound");
   a.jobs(a->jobs);
   a.json(a->json, "write the bounds to FILE");
   return a.runs(run);

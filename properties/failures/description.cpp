@@ -51,7 +51,8 @@ std::string describe_failure(const Series& series, std::uint64_t seed, int outpu
   text += input_text(series, s.id.input) + case_text(series, s.id, s.id.input, s.judged);
   text += fmt::format("  replay    liecheck replay {}{}\n", s.id.text(), flags);
   if (!series.adapter.empty()) return text;  // with its own program
-  const std::string program = program_of(series, o, s.id.input);
+  const std::string own = own_program(series, o, noted(series, s.id, static_cast<std::size_t>(output)));
+  const std::string program = own.empty() ? program_of(series, o, s.id.input) : own;
   if (!program.empty()) text += "  as C++:\n\n" + program;
   return text;
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <campaign/typed_series.hpp>
+#include <regex>
 #include <set>
 
 namespace liecheck::properties {
@@ -47,6 +48,21 @@ std::vector<Field> whole_vectors(const Series& series) {
   return all;
 }
 
+bool is_liecheck(const Series& series) {
+  return series.subject == "liecheck" || series.subject == "liecheck:fast" ||
+         series.subject == "liecheck:tight";
+}
+
+/// liecheck's call; of a subject liecheck:fast or liecheck:tight, in its precision.
+std::string call_of(const Series& series, const Operation& operation) {
+  const std::string call(operation.call.expression);
+  if (!is_liecheck(series) || series.subject == "liecheck") return call;
+  const std::string precision = "Precision::" + series.subject.substr(std::string("liecheck:").size());
+  static const std::regex function("\\b([a-z]\\w*)<S>\\("), act("(SO3<S>\\(Q\\)[.]act)\\(");
+  return std::regex_replace(std::regex_replace(call, function, "$1<S, " + precision + ">("), act,
+                            "$1<" + precision + ">(");
+}
+
 /// The law's own program, or "" if it has none.
 std::string law_program(const Series& series, const Output& output, const std::vector<std::string>& numbers) {
   return with_scalar(series, [&]<class S>(const TypedSeries<S>& typed) {
@@ -60,9 +76,12 @@ std::string law_program(const Series& series, const Output& output, const std::v
 
 std::string program_of(const Series& series, const Output& output, const std::vector<std::string>& numbers) {
   const auto note = [&] {
-    return series.subject == "liecheck"
+    return is_liecheck(series)
                ? std::string()
-               : fmt::format("  // This is liecheck's own function: replace it by {}'s.\n", series.subject);
+               : fmt::format(
+                     "  // liecheck's function in the place of {0}'s, which has no program of its own: the "
+                     "replay line calls {0}'s.\n",
+                     series.subject);
   };
   if (std::string own = law_program(series, output, numbers); !own.empty()) {
     const std::string main = "int main() {\n";
@@ -98,10 +117,10 @@ std::string program_of(const Series& series, const Output& output, const std::ve
   }
   if (!adjacent)
     return text + variables + note() + "  std::cout.precision(36);\n" +
-           fmt::format("  std::cout << {} << '\\n';\n}}\n", operation.call.expression);
+           fmt::format("  std::cout << {} << '\\n';\n}}\n", call_of(series, operation));
   return text + note() + "  std::cout.precision(36);\n  for (int k = 0; k < 2; ++k) {\n" +
          "    const Vector3<S> phi = theta[k] * direction;\n" + variables +
-         fmt::format("    std::cout << {} << '\\n';\n  }}\n}}\n", operation.call.expression);
+         fmt::format("    std::cout << {} << '\\n';\n  }}\n}}\n", call_of(series, operation));
 }
 
 }  // namespace liecheck::properties

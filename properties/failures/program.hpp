@@ -9,9 +9,15 @@
 namespace liecheck::properties {
 
 /// The program uses liecheck's public headers and Eigen, and prints the operation's result. `numbers` are an
-/// input of the series' property in hexadecimal. For another subject the program calls liecheck's equivalent
-/// function, and a comment says so.
+/// input of the series' property in hexadecimal. For a subject that exists only inside the harness, as a known bug does,
+/// the program calls liecheck's function in its place, and a comment says so.
 std::string program_of(const Series& series, const Output& output, const std::vector<std::string>& numbers);
+
+/// The program of a call in the terms of the subject's own library (subjects/own_programs.hpp), or "".
+std::string own_program(const Series& series, const NotedCall& call);
+
+/// That of the call whose result is farthest from the oracle's, or "".
+std::string own_program(const Series& series, const Output& output, const NotedCase& noted);
 
 /// For a subject of an adapter: its own program for the call whose result is farthest from the oracle's, if the adapter
 /// has one, or the numbers of this call.

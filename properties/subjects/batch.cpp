@@ -3,6 +3,7 @@
 // bits (tests/lib/batch_test.cpp).
 
 #include <subjects/liecheck_trees.hpp>
+#include <subjects/own_programs.hpp>
 
 #include <liecheck/batch/poses.hpp>
 #include <liecheck/batch/trees.hpp>
@@ -103,6 +104,34 @@ struct Batch {
 
 const Registered<float> in_float(Batch<float>::make());
 const Registered<double> in_double(Batch<double>::make());
+
+const RegisteredPrograms programs(
+    "liecheck:batch",
+    {"-I lib -lliecheck_batch",
+     "#include <liecheck/batch/poses.hpp>\n"
+     "using namespace liecheck;\n",
+     "",
+     {{&op::exp3_quaternion,
+       "batch::Rows<S, 6> xi(6, 1);\nxi << 0, 0, 0, phi;\nstd::cout << batch::exp6<S>(xi).bottomRows<4>() << "
+       "'\\n';"},
+      {&op::log3_quaternion,
+       "batch::Rows<S, 7> q(7, 1);\nq << 0, 0, 0, Q;\nstd::cout << batch::log6<S>(q).bottomRows<3>() << "
+       "'\\n';"},
+      {&op::rotate_point,
+       "batch::Rows<S, 7> q(7, 1);\nq << 0, 0, 0, Q;\nstd::cout << batch::act<S>(q, batch::Rows<S, "
+       "3>(p.array())) << '\\n';"},
+      {&op::exp6, "batch::exp6Matrix<S>(batch::Rows<S, 6>(xi.array()))"},
+      {&op::compose,
+       "batch::Rows<S, 12> X(12, 1);\nX << R.transpose().reshaped(), p;\nbatch::Rows<S, 12> Y(12, 1);\nY << "
+       "R_Y.transpose().reshaped(), p_Y;\nstd::cout << batch::compose<S>(X, Y) << '\\n';"},
+      {&op::act_point,
+       "batch::Rows<S, 12> X(12, 1);\nX << R.transpose().reshaped(), p;\nstd::cout << batch::act<S>(X, "
+       "batch::Rows<S, 3>(p_Y.array())) << '\\n';"},
+      {&op::integrate,
+       "batch::integrate<S>(batch::Rows<S, 7>(q0.array()), batch::Rows<S, 6>(delta.array()))"},
+      {&op::difference, "batch::difference<S>(batch::Rows<S, 7>(q0.array()), batch::Rows<S, 7>(q1.array()))"},
+      {&op::right_jacobian6, "batch::Jexp6<S>(batch::Rows<S, 6>(xi.array()))"},
+      {&op::right_jacobian6_inverse, "batch::rightJacobianInverse<S>(batch::Rows<S, 6>(xi.array()))"}}});
 
 }  // namespace
 }  // namespace liecheck::properties

@@ -6,6 +6,7 @@
 
 #include <ceres/rotation.h>
 #include <ceres/version.h>
+#include <subjects/own_programs.hpp>
 
 namespace liecheck::properties {
 namespace {
@@ -58,6 +59,26 @@ struct CeresRotation : Types<S> {
 
 const Registered<float> in_float(CeresRotation<float>::make());
 const Registered<double> in_double(CeresRotation<double>::make());
+
+const std::string quaternion_of_Q = "const S q[] = {Q[3], Q[0], Q[1], Q[2]};  // w x y z\n",
+                  print_phi = "std::cout << Eigen::Map<Eigen::Matrix<S, 3, 1>>(phi) << '\\n';\n";
+const RegisteredPrograms programs(
+    "ceres",
+    {"-lceres",
+     "#include <ceres/rotation.h>\n",
+     "",
+     {{&op::exp3_quaternion,
+       "S q[4];  // w x y z\nceres::AngleAxisToQuaternion(phi.data(), q);\n"
+       "std::cout << Eigen::Map<Eigen::Matrix<S, 4, 1>>(q) << '\\n';\n"},
+      {&op::exp3_matrix,
+       "Eigen::Matrix<S, 3, 3> R;  // column by column, as Ceres stores it\n"
+       "ceres::AngleAxisToRotationMatrix(phi.data(), R.data());\nstd::cout << R << '\\n';\n"},
+      {&op::log3_quaternion,
+       quaternion_of_Q + "S phi[3];\nceres::QuaternionToAngleAxis(q, phi);\n" + print_phi},
+      {&op::log3_matrix, "S phi[3];\nceres::RotationMatrixToAngleAxis(R.data(), phi);\n" + print_phi},
+      {&op::rotate_point, quaternion_of_Q +
+                              "S y[3];\nceres::QuaternionRotatePoint(q, p.data(), y);\n"
+                              "std::cout << Eigen::Map<Eigen::Matrix<S, 3, 1>>(y) << '\\n';\n"}}});
 
 }  // namespace
 }  // namespace liecheck::properties

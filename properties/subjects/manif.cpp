@@ -4,6 +4,7 @@
 
 #include <manif/SE3.h>
 #include <manif/SO3.h>
+#include <subjects/own_programs.hpp>
 #include <subjects/subject.hpp>
 
 namespace liecheck::properties {
@@ -46,6 +47,26 @@ struct Manif : Types<S> {
 
 const Registered<float> in_float(Manif<float>::make());
 const Registered<double> in_double(Manif<double>::make());
+
+const RegisteredPrograms programs(
+    "manif", {"-I MANIF -I TL_OPTIONAL",
+              "#include <manif/SE3.h>\n"
+              "#include <manif/SO3.h>\n",
+              "",
+              {{&op::exp3_quaternion, "manif::SO3Tangent<S>(phi).exp().quat().coeffs()"},
+               {&op::exp3_matrix, "manif::SO3Tangent<S>(phi).exp().rotation()"},
+               {&op::log3_quaternion, "manif::SO3<S>(Eigen::Quaternion<S>(Q)).log().coeffs()"},
+               {&op::exp6, "manif::SE3Tangent<S>(xi).exp().transform()"},
+               {&op::left_jacobian3, "manif::SO3Tangent<S>(phi).ljac()"},
+               {&op::right_jacobian3, "manif::SO3Tangent<S>(phi).rjac()"},
+               {&op::left_jacobian3_inverse, "manif::SO3Tangent<S>(phi).ljacinv()"},
+               {&op::right_jacobian3_inverse, "manif::SO3Tangent<S>(phi).rjacinv()"},
+               {&op::left_jacobian6, "manif::SE3Tangent<S>(xi).ljac()"},
+               {&op::right_jacobian6, "manif::SE3Tangent<S>(xi).rjac()"},
+               {&op::left_jacobian6_inverse, "manif::SE3Tangent<S>(xi).ljacinv()"},
+               {&op::right_jacobian6_inverse, "manif::SE3Tangent<S>(xi).rjacinv()"},
+               {&op::integrate, "(manif::SE3<S>(q0) + manif::SE3Tangent<S>(delta)).coeffs()"},
+               {&op::difference, "(manif::SE3<S>(q1) - manif::SE3<S>(q0)).coeffs()"}}});
 
 }  // namespace
 }  // namespace liecheck::properties

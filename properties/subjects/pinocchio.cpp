@@ -9,6 +9,7 @@
 #include <pinocchio/spatial/explog.hpp>
 #include <pinocchio/spatial/force.hpp>
 #include <pinocchio/spatial/motion.hpp>
+#include <subjects/own_programs.hpp>
 #include <subjects/subject.hpp>
 
 namespace liecheck::properties {
@@ -99,6 +100,64 @@ struct Pinocchio : Types<S> {
 
 const Registered<float> in_float(Pinocchio<float>::make());
 const Registered<double> in_double(Pinocchio<double>::make());
+
+const RegisteredPrograms programs(
+    "pinocchio",
+    {"$(pkg-config --cflags --libs pinocchio)",
+     "#include <pinocchio/multibody/liegroup/special-euclidean.hpp>\n"
+     "#include <pinocchio/spatial/explog-quaternion.hpp>\n"
+     "#include <pinocchio/spatial/explog.hpp>\n"
+     "#include <pinocchio/spatial/force.hpp>\n"
+     "#include <pinocchio/spatial/motion.hpp>\n",
+     "",
+     {{&op::exp3_quaternion,
+       "Eigen::Quaternion<S> Q;\npinocchio::quaternion::exp3(phi, Q);\nstd::cout << Q.coeffs() << '\\n';"},
+      {&op::exp3_matrix, "pinocchio::exp3(phi)"},
+      {&op::log3_quaternion, "pinocchio::quaternion::log3(Eigen::Quaternion<S>(Q))"},
+      {&op::log3_matrix, "pinocchio::log3(R)"},
+      {&op::exp6, "pinocchio::exp6(xi).toHomogeneousMatrix()"},
+      {&op::log6, "pinocchio::log6(pinocchio::SE3Tpl<S>(R, p)).toVector()"},
+      {&op::right_jacobian3,
+       "Eigen::Matrix<S, 3, 3> J = Eigen::Matrix<S, 3, 3>::Zero();\npinocchio::Jexp3(phi, J);\nstd::cout << "
+       "J << '\\n';"},
+      {&op::right_jacobian3_inverse,
+       "Eigen::Matrix<S, 3, 3> J = Eigen::Matrix<S, 3, 3>::Zero();\npinocchio::Jlog3(phi.norm(), phi, "
+       "J);\nstd::cout << J << '\\n';"},
+      {&op::right_jacobian6,
+       "Eigen::Matrix<S, 6, 6> J = Eigen::Matrix<S, 6, "
+       "6>::Zero();\npinocchio::Jexp6(pinocchio::MotionTpl<S>(xi), J);\nstd::cout << J << '\\n';"},
+      {&op::integrate,
+       "Eigen::Matrix<S, 7, 1> q1;\npinocchio::SpecialEuclideanOperationTpl<3, S>().integrate(q0, delta, "
+       "q1);\nstd::cout << q1 << '\\n';"},
+      {&op::difference,
+       "Eigen::Matrix<S, 6, 1> delta;\npinocchio::SpecialEuclideanOperationTpl<3, S>().difference(q0, q1, "
+       "delta);\nstd::cout << delta << '\\n';"},
+      {&op::d_integrate_arg0,
+       "Eigen::Matrix<S, 6, 6> J = Eigen::Matrix<S, 6, "
+       "6>::Zero();\npinocchio::SpecialEuclideanOperationTpl<3, S>().dIntegrate_dq(q0, delta, J);\nstd::cout "
+       "<< J << '\\n';"},
+      {&op::d_integrate_arg1,
+       "Eigen::Matrix<S, 6, 6> J = Eigen::Matrix<S, 6, "
+       "6>::Zero();\npinocchio::SpecialEuclideanOperationTpl<3, S>().dIntegrate_dv(q0, delta, J);\nstd::cout "
+       "<< J << '\\n';"},
+      {&op::d_difference_arg0,
+       "Eigen::Matrix<S, 6, 6> J = Eigen::Matrix<S, 6, "
+       "6>::Zero();\npinocchio::SpecialEuclideanOperationTpl<3, S>().dDifference(q0, q1, J, "
+       "pinocchio::ARG0);\nstd::cout << J << '\\n';"},
+      {&op::d_difference_arg1,
+       "Eigen::Matrix<S, 6, 6> J = Eigen::Matrix<S, 6, "
+       "6>::Zero();\npinocchio::SpecialEuclideanOperationTpl<3, S>().dDifference(q0, q1, J, "
+       "pinocchio::ARG1);\nstd::cout << J << '\\n';"},
+      {&op::compose, "(pinocchio::SE3Tpl<S>(R, p) * pinocchio::SE3Tpl<S>(R_Y, p_Y)).toHomogeneousMatrix()"},
+      {&op::inverse, "pinocchio::SE3Tpl<S>(R, p).inverse().toHomogeneousMatrix()"},
+      {&op::act_point, "pinocchio::SE3Tpl<S>(R, p).act(p_Y)"},
+      {&op::rotate_point, "Eigen::Quaternion<S>(Q) * p"},
+      {&op::act_motion, "pinocchio::SE3Tpl<S>(R, p).act(pinocchio::MotionTpl<S>(V)).toVector()"},
+      {&op::act_inverse_motion, "pinocchio::SE3Tpl<S>(R, p).actInv(pinocchio::MotionTpl<S>(V)).toVector()"},
+      {&op::act_force, "pinocchio::SE3Tpl<S>(R, p).act(pinocchio::ForceTpl<S>(F)).toVector()"},
+      {&op::act_inverse_force, "pinocchio::SE3Tpl<S>(R, p).actInv(pinocchio::ForceTpl<S>(F)).toVector()"},
+      {&op::cross_motion, "pinocchio::MotionTpl<S>(V).cross(pinocchio::MotionTpl<S>(W)).toVector()"},
+      {&op::cross_force, "pinocchio::MotionTpl<S>(V).cross(pinocchio::ForceTpl<S>(F)).toVector()"}}});
 
 }  // namespace
 }  // namespace liecheck::properties

@@ -6,6 +6,7 @@
 
 #include <smooth/se3.hpp>
 #include <smooth/so3.hpp>
+#include <subjects/own_programs.hpp>
 
 namespace liecheck::properties {
 namespace {
@@ -56,6 +57,28 @@ struct Smooth {
 
 const Registered<float> in_float(Smooth<float>::make());
 const Registered<double> in_double(Smooth<double>::make());
+
+const RegisteredPrograms programs(
+    "smooth",
+    {"-I SMOOTH",
+     "#include <smooth/se3.hpp>\n"
+     "#include <smooth/so3.hpp>\n",
+     "",
+     {{&op::exp3_quaternion, "smooth::SO3<S>::exp(phi).coeffs()"},
+      {&op::exp3_matrix, "smooth::SO3<S>::exp(phi).matrix()"},
+      {&op::log3_quaternion, "smooth::SO3<S> X;\nX.coeffs() = Q;\nstd::cout << X.log() << '\\n';"},
+      {&op::exp6, "smooth::SE3<S>::exp(xi).matrix()"},
+      {&op::left_jacobian3, "smooth::SO3<S>::dl_exp(phi)"},
+      {&op::right_jacobian3, "smooth::SO3<S>::dr_exp(phi)"},
+      {&op::left_jacobian3_inverse, "smooth::SO3<S>::dl_expinv(phi)"},
+      {&op::right_jacobian3_inverse, "smooth::SO3<S>::dr_expinv(phi)"},
+      {&op::left_jacobian6, "smooth::SE3<S>::dl_exp(xi)"},
+      {&op::right_jacobian6, "smooth::SE3<S>::dr_exp(xi)"},
+      {&op::left_jacobian6_inverse, "smooth::SE3<S>::dl_expinv(xi)"},
+      {&op::right_jacobian6_inverse, "smooth::SE3<S>::dr_expinv(xi)"},
+      {&op::integrate, "smooth::SE3<S> X;\nX.coeffs() = q0;\nstd::cout << (X + delta).coeffs() << '\\n';"},
+      {&op::difference,
+       "smooth::SE3<S> X, Y;\nX.coeffs() = q0, Y.coeffs() = q1;\nstd::cout << Y - X << '\\n';"}}});
 
 }  // namespace
 }  // namespace liecheck::properties

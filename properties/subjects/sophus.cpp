@@ -5,6 +5,7 @@
 #define SOPHUS_ENABLE_ENSURE_HANDLER
 #include <sophus/se3.hpp>
 #include <stdexcept>
+#include <subjects/own_programs.hpp>
 #include <subjects/subject.hpp>
 
 namespace Sophus {
@@ -60,6 +61,34 @@ struct SophusGroups : Types<S> {
 
 const Registered<float> in_float(SophusGroups<float>::make());
 const Registered<double> in_double(SophusGroups<double>::make());
+
+const RegisteredPrograms programs(
+    "sophus",
+    {"-I SOPHUS",
+     "#include <sophus/se3.hpp>\n",
+     "",
+     {{&op::exp3_quaternion, "Sophus::SO3<S>::exp(phi).unit_quaternion().coeffs()"},
+      {&op::exp3_matrix, "Sophus::SO3<S>::exp(phi).matrix()"},
+      {&op::log3_quaternion, "Sophus::SO3<S>(Eigen::Quaternion<S>(Q)).log()"},
+      {&op::log3_matrix, "Sophus::SO3<S>(R).log()"},
+      {&op::exp6, "Sophus::SE3<S>::exp(xi).matrix3x4()"},
+      {&op::log6, "Sophus::SE3<S>(R, p).log()"},
+      {&op::left_jacobian3, "Sophus::SO3<S>::leftJacobian(phi)"},
+      {&op::left_jacobian3_inverse, "Sophus::SO3<S>::leftJacobianInverse(phi)"},
+      {&op::right_jacobian3, "Sophus::SO3<S>::leftJacobian(Eigen::Matrix<S, 3, 1>(-phi))"},
+      {&op::right_jacobian3_inverse, "Sophus::SO3<S>::leftJacobianInverse(Eigen::Matrix<S, 3, 1>(-phi))"},
+      {&op::left_jacobian6, "Sophus::SE3<S>::leftJacobian(xi)"},
+      {&op::left_jacobian6_inverse, "Sophus::SE3<S>::leftJacobianInverse(xi)"},
+      {&op::right_jacobian6, "Sophus::SE3<S>::leftJacobian(Eigen::Matrix<S, 6, 1>(-xi))"},
+      {&op::right_jacobian6_inverse, "Sophus::SE3<S>::leftJacobianInverse(Eigen::Matrix<S, 6, 1>(-xi))"},
+      {&op::integrate,
+       "const Sophus::SE3<S> T = Sophus::SE3<S>(Eigen::Quaternion<S>(q0.tail<4>()), q0.head<3>()) * "
+       "Sophus::SE3<S>::exp(delta);\nstd::cout << T.translation() << '\\n' << T.unit_quaternion().coeffs() "
+       "<< '\\n';"},
+      {&op::difference,
+       "(Sophus::SE3<S>(Eigen::Quaternion<S>(q0.tail<4>()), q0.head<3>()).inverse() * "
+       "Sophus::SE3<S>(Eigen::Quaternion<S>(q1.tail<4>()), q1.head<3>())).log()"},
+      {&op::rotate_point, "Sophus::SO3<S>(Eigen::Quaternion<S>(Q)) * p"}}});
 
 }  // namespace
 }  // namespace liecheck::properties
