@@ -218,7 +218,7 @@ std::vector<HardRow> replay_hard_cases(const Flags& f, const Selection& selectio
   static const std::vector<HardCase> corpus =
       f.rules.empty() ? built_in_corpus() : hard_cases_of(rules_named(f.rules));
   const auto rows = run_hard_cases(selection, robot, corpus, f.cases.options.jobs);
-  print_hard_case_summary(rows, f.all ? rows.size() : 3);
+  print_hard_case_summary(rows, f.all ? std::numeric_limits<std::size_t>::max() : 3);
   fmt::print("\n");
   std::fflush(stdout);
   return rows;

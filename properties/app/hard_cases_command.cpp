@@ -3,6 +3,7 @@
 #include <app/campaign_run.hpp>
 #include <app/command.hpp>
 #include <hard_cases/hard_cases.hpp>
+#include <limits>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -114,7 +115,7 @@ int run(const Flags& f) {
   do_both([&] { write_campaign_record(f.selection.json, no_cases, rows); },
           [&] {
             print_hard_case_table(rows);
-            print_hard_case_summary(rows, rows.size());
+            print_hard_case_summary(rows, std::numeric_limits<std::size_t>::max());
           });
   if (interrupted) {
     std::fputs("interrupted: the table has only the rows that were done\n", stderr);
@@ -146,14 +147,17 @@ void print_hard_case_summary(const std::vector<HardRow>& rows, std::size_t shown
     fmt::print("\n");
   }
   std::size_t shown = 0;
+  std::set<std::pair<std::string_view, std::string_view>> blocks;  // a failure of each, if not all are shown
   for (const HardRow& r : rows)
     for (const HardCell& c : r.cells)
-      if ((c.failed || c.open) && shown++ < shown_failures) print_failure(r, c);
-  if (failures > shown_failures)
+      if ((c.failed || c.open) && shown < shown_failures &&
+          (shown_failures >= failures || blocks.emplace(c.operation, c.block).second))
+        print_failure(r, c), ++shown;
+  if (failures > shown)
     fmt::print(
         "\n{} more cells failed or have no verdict: liecheck hard-cases with the same --subject and --scalar "
         "shows them all\n",
-        failures - shown_failures);
+        failures - shown);
 }
 
 Command hard_cases_command(CLI::App& program) {

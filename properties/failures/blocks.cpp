@@ -33,6 +33,11 @@ double score_of(const BandOf& b) {
   return budget.rule == Rule::forward ? b.row->max_error : b.row->max_excess;
 }
 
+/// Whether a band has angles that are neither small nor near pi.
+bool is_moderate(const Band& b) {
+  return (b.axis == Axis::theta && b.high == 1) || (b.axis == Axis::none && b.region == Region::to_pi);
+}
+
 /// Larger is worse: the kind of outcome, then the error.
 std::pair<int, double> badness(const BandOf& b) {
   const Row& r = *b.row;
@@ -69,10 +74,17 @@ std::string run_text(const Bands& bands, std::size_t first, std::size_t last) {
   if (first == last && a.region == Region::beyond_pi) return a.name;
   if (first == last && a.axis == Axis::pi_minus_theta && a.low == 0) return "theta = pi";
   if (a.axis == Axis::theta && a.low == 0 && b.axis == Axis::theta) return "theta < " + edge(b, false);
+  if (first != last && last + 1 == bands.size()) return fmt::format("theta > {}", edge(a, true));
   if (a.axis == Axis::pi_minus_theta && b.axis == Axis::pi_minus_theta)
     return b.low == 0 ? "pi - theta < " + short_number(a.high)
                       : fmt::format("pi - theta {} to {}", short_number(b.low), short_number(a.high));
   return fmt::format("theta {} to {}", edge(a, true), edge(b, false));
+}
+
+/// Whether a band has less than 20 cases in each law.
+bool is_thin(const FailedBlock& f, std::size_t band) {
+  return std::ranges::all_of(f.bands,
+                             [&](const BandOf& b) { return b.band != band || b.row->inside() < 20; });
 }
 
 }  // namespace
@@ -104,12 +116,20 @@ std::vector<FailedBlock> failed_blocks(const CampaignResult& campaign) {
     std::tie(f.subject, f.scalar, f.operation, f.block) = key;
     std::ranges::stable_sort(f.bands, {}, &BandOf::band);
     f.worst = nullptr;
+    const BandOf* moderate =
+        nullptr;  // a failure at moderate angles is the plainest example of one everywhere
     for (const BandOf& b : f.bands) {
       if (!b.fails) continue;
       if (!f.worst || badness(b) > badness(*f.worst)) f.worst = &b;
+      if (is_moderate(b.series->bands()[b.band]) && (!moderate || badness(b) > badness(*moderate)))
+        moderate = &b;
       f.score = std::max(f.score, score_of(b));
       f.failed += b.row->failed, f.cases += b.row->inside();
     }
+    const double digit = 10;
+    if (moderate && badness(*moderate).first == badness(*f.worst).first &&
+        badness(*moderate).second * digit > badness(*f.worst).second)
+      f.worst = moderate;
     if (f.worst) failed.push_back(std::move(f));
   }
   std::ranges::stable_sort(failed, std::greater(), [](const FailedBlock& f) { return badness(*f.worst); });
@@ -129,6 +149,10 @@ std::string where_of(const FailedBlock& f) {
     if (b.band > 0) fails[b.band] = fails[b.band] || b.fails;
   const auto count = std::ranges::count_if(fails, [](const auto& b) { return b.second; });
   if (count == 0 || count == std::ssize(fails)) return "everywhere";
+  // A band of few cases that passes between two that fail is no border of the region.
+  for (auto at = fails.begin(); at != fails.end(); ++at)
+    if (const auto next = std::next(at); !at->second && at != fails.begin() && next != fails.end())
+      at->second = std::prev(at)->second && next->second && is_thin(f, at->first);
   std::vector<std::string> runs;
   for (auto at = fails.begin(); at != fails.end(); ++at) {
     if (!at->second) continue;

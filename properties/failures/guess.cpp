@@ -9,6 +9,7 @@
 #include <conventions/probe.hpp>
 #include <failures/blocks.hpp>
 #include <failures/calls.hpp>
+#include <invariants/tree_laws.hpp>
 #include <map>
 
 namespace liecheck::properties {
@@ -181,12 +182,24 @@ std::string convention(const FailedBlock& f) {
 }  // namespace
 
 std::string guess_of(const FailedBlock& f) {
-  if (f.block == "jump") return "";  // measured only beside common cutoffs
+  if (f.block == "jump")  // measured only beside common cutoffs
+    return f.worst->series->bands()[f.worst->band].axis == Axis::theta
+               ? fmt::format("a cutoff at theta about {}, at which the result jumps",
+                             about(f.worst->series->bands()[f.worst->band].high))
+               : "";
   const double eps = f.worst->series->eps;
   const Moderate m = at_moderate_angles(f, eps);
   if (m.other_branch * 5 > m.all && is_rotation_vector(f))
     return "the sign of w is not looked at: Q and -Q, the same rotation, give different results";
-  if (m.wrong * 10 > m.all) return m.wrong * 3 > m.all ? convention(f) : "";
+  if (m.wrong * 10 > m.all) {
+    if (m.wrong * 3 <= m.all) return "";
+    const std::string other = convention(f);
+    return !other.empty() || f.worst->series->robot != "none" || is_tree_law(f.worst->series->property)
+               ? other
+               : "a wrong term, factor or sign: moderate angles fail, too, and no other convention explains "
+                 "the "
+                 "results";
+  }
   for (const std::string& guess : {of_not_finite(f), at_small_angles(f, eps), near_pi(f, eps)})
     if (!guess.empty()) return guess;
   return "";

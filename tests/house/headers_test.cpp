@@ -31,6 +31,10 @@ TEST(Headers, OfAllThatMostProgramsNeedCompileWithoutWarningsAndSayInOneLineThat
   const std::string command =
       LIECHECK_SYNTAX_CHECK " -Werror -Wall -Wextra -Wpedantic -Wshadow -Wconversion -std=";
   EXPECT_EQ(std::system((command + "c++20 '" + file.string() + "'").c_str()), 0);
+  if (std::system("command -v clang++ >/dev/null") == 0) {  // the same flags by the other compiler
+    const std::string flags = command.substr(command.find(' '));
+    EXPECT_EQ(std::system(("clang++" + flags + "c++20 '" + file.string() + "'").c_str()), 0);
+  }
   EXPECT_NE(std::system((command + "c++17 '" + file.string() + "' 2>'" + said.string() + "'").c_str()), 0);
   std::ifstream in(said);
   std::string errors;

@@ -96,6 +96,41 @@ TEST(Terminal, AShellCompletesCommandsFlagsAndNames) {
   EXPECT_EQ(run("completion tcsh").first, 2);
 }
 
+/// Where they are installed, fish and zsh complete by their scripts what bash does. zsh calls the function with its two
+/// built-in commands replaced by ones that print.
+TEST(Terminal, FishAndZshCompleteByTheirScripts) {
+  const auto fish = [](const std::string& line) {
+    return shell("fish -c '$L completion fish | source; complete -C \"" + line + "\"' | cut -f 1").second;
+  };
+  const auto zsh = [](const std::string& words, int current) {
+    return shell(
+               "zsh -f -c 'compdef() { :; }; _files() { print files; }; compadd() { shift; print -l -- $@; "
+               "}; "
+               "_describe() { print -l -- ${${(P)@[-1]}%%:*}; }; eval \"$($L completion zsh)\"; words=(" +
+               words + "); CURRENT=" + std::to_string(current) + "; _liecheck'")
+        .second;
+  };
+  int shells = 0;
+  if (shell("command -v fish").first == 0) {
+    ++shells;
+    EXPECT_EQ(fish("liecheck camp"), "campaign\n");
+    EXPECT_EQ(fish("liecheck scene ex"), "explain\n");
+    EXPECT_EQ(fish("liecheck campaign --subject textb"), "textbook\n");
+    EXPECT_EQ(fish("liecheck hunt --op exp6"), "exp6\n");
+    EXPECT_SAYS(fish("liecheck bench speed --for"), "--for-each\n");
+  }
+  if (shell("command -v zsh").first == 0) {
+    ++shells;
+    EXPECT_SAYS(zsh("liecheck camp", 2), "\ncampaign\n");
+    EXPECT_SAYS(zsh("liecheck scene ex", 3), "explain\n");
+    EXPECT_SAYS(zsh("liecheck campaign --subject textb", 4), "\ntextbook\n");
+    EXPECT_SAYS(zsh("liecheck hunt --op exp6", 4), "exp6\n");
+    EXPECT_SAYS(zsh("liecheck bench speed --for", 4), "--for-each\n");
+    EXPECT_EQ(zsh("liecheck robot some_file", 3), "files\n");
+  }
+  if (shells == 0) GTEST_SKIP() << "neither fish nor zsh is installed";
+}
+
 TEST(Terminal, AReaderThatHasSeenEnoughIsNoError) {
   const auto [code, text] =
       shell("bash -c 'for i in 1 2 3; do $L list; done | head -1; exit ${PIPESTATUS[1]}'");
@@ -195,6 +230,8 @@ TEST(Terminal, TheShapeOfTheErrorTellsTheCause) {
       {"bug:d_difference_left", "perhaps the derivatives are those of increments on the left"}};
   for (const auto& [subject, guess] : all) EXPECT_SAYS(campaign(subject), guess) << subject;
   EXPECT_SAYS(campaign("textbook", "--property log_oracle"), "perhaps sin near pi");
+  EXPECT_SAYS(campaign("textbook:1e-3", "--property small_angle_branches"),
+              "perhaps a cutoff at theta about 1e-3, at which the result jumps");
   // A correct variant with an error of a few eps tells nothing.
   for (const char* subject : {"ceres", "eigen"})
     EXPECT_EQ(campaign(subject, "--property exp_oracle").find("perhaps"), std::string::npos) << subject;
