@@ -51,7 +51,7 @@ function table(heads, rows) {
 function showRanking(question) {
   $("why").textContent = QUESTIONS[question][1];
   const cell = (text, number) => element("td", {className: number ? "number" : ""}, text);
-  const rows = answers(question).map(a => element("tr", {}, element("th", {scope: "row"}, a.library.name),
+  const rows = answers(question).map(a => element("tr", {className: a.library.repaired ? "own" : ""}, element("th", {scope: "row"}, a.library.name),
     element("td", {}, element("span", {className: `grade ${a.grade}`}, a.grade)), cell(shown(a.eps), true), cell(a.worst),
     cell(time(a.ns), true), cell(String(a.operations), true), cell(a.scalar), cell(a.library.version), cell(a.library.language)));
   $("ranking").replaceChildren(table(["library", "grade", "worst [eps]", "in", "a call", "operations", "scalar", "version", "language"], rows));
@@ -85,26 +85,33 @@ function showCell(library, cell) {
   $("detail").replaceChildren(...parts);
   $("detail").scrollIntoView({block: "nearest"});
 }
-function showMatrix(scalar) {
-  const libraries = record.libraries.filter(l => l.cells.some(c => c.scalar === scalar)), count = new Map();
-  for (const l of libraries) for (const c of l.cells) if (c.scalar === scalar) count.set(c.operation, (count.get(c.operation) || 0) + 1);
+const ON_TREES = /^(tree|frame|told|robot|rnea|aba)_/;
+function matrix(scalar, onTrees) {
+  const cells = l => l.cells.filter(c => c.scalar === scalar && ON_TREES.test(c.operation) === onTrees);
+  const libraries = record.libraries.filter(l => cells(l).length), count = new Map();
+  for (const l of libraries) for (const c of cells(l)) count.set(c.operation, (count.get(c.operation) || 0) + 1);
   const operations = [...count.keys()].sort((a, b) => count.get(b) - count.get(a) || (a < b ? -1 : 1));
-  const rows = libraries.map(l => element("tr", {}, element("th", {scope: "row"}, l.name), ...operations.map(o => {
-    const cell = l.cells.find(c => c.operation === o && c.scalar === scalar);
+  const rows = libraries.map(l => element("tr", {className: l.repaired ? "own" : ""}, element("th", {scope: "row"}, l.name), ...operations.map(o => {
+    const cell = cells(l).find(c => c.operation === o);
     if (!cell) return element("td", {className: "none", title: `${l.name} does not offer ${o}`}, "–");
     const b = element("button", {type: "button", className: cell.grade, title: `${l.name}, ${o}`}, `${cell.grade} ${cell.digits.toFixed(0)}`);
     b.onclick = () => showCell(l, cell);
     return element("td", {}, b);
   })));
-  $("matrix").replaceChildren(table(["library", ...operations], rows));
+  return table(["library", ...operations], rows);
 }
-const languages = new Set(record.libraries.map(l => l.language));
-$("about").textContent = `${record.libraries.length} adapters of libraries in ${languages.size} languages (${[...languages].join(", ")}), ` +
+function showMatrix(scalar) {
+  $("matrix").replaceChildren(matrix(scalar, false));
+}
+const others = record.libraries.filter(l => !l.repaired), languages = new Set(others.map(l => l.language));
+$("about").textContent = `${others.length} adapters of libraries in ${languages.size} languages (${[...languages].join(", ")}), ` +
   `measured on ${record.date} by liecheck ${record.version} with seed ${record.seed} and ${record.cases} cases of each law.` +
   (record.verdict === "complete" ? "" : " The run was not complete.");
 buttons($("questions"), Object.entries(QUESTIONS).map(([k, [t]]) => [k, t]), "", showRanking);
 buttons($("scalars"), [["double", "double"], ["float", "float"]], "double", showMatrix);
 showRanking("");
 showMatrix("double");
+if (others.some(l => l.cells.some(c => ON_TREES.test(c.operation)))) $("trees").replaceChildren(matrix("double", true));
+else $("trees-section").hidden = true;
 const missing = [...record.absent.map(a => `${a.name}: not installed; ${a.get}`), ...record.failed.map(a => `${a.name}: not measured: ${a.why}`)];
 if (missing.length) $("absent").replaceChildren(element("h3", {}, "Absent"), element("ul", {}, ...missing.map(m => element("li", {}, m))));

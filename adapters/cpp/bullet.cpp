@@ -85,6 +85,36 @@ struct Bullet : BulletMath<Library> {
   static void cross_force(In<S, 12> x, Out<S, 6> y) {
     put_force(motion(&x[0]).cross(force(&x[6])), &y[0]);
   }
+  static const char* source(std::string_view operation) {
+    static constexpr Program all[] = {
+        {"log3_quaternion",
+         PROGRAM(
+             "LinearMath/btTransformUtil.h",
+             "btVector3 p(0, 0, 0), u, w; btQuaternion q({Q});\n"
+             "btTransformUtil::calculateVelocityQuaternion(p, p, btQuaternion::getIdentity(), q, 1, u, w);",
+             "w.x(), w.y(), w.z()")},
+        {"log3_matrix",
+         PROGRAM(
+             "LinearMath/btTransformUtil.h",
+             "btVector3 p(0, 0, 0), u, w; btQuaternion q; btMatrix3x3({R}).getRotation(q);\n"
+             "btTransformUtil::calculateVelocityQuaternion(p, p, btQuaternion::getIdentity(), q, 1, u, w);",
+             "w.x(), w.y(), w.z()")},
+        {"exp3_quaternion", PROGRAM("LinearMath/btTransformUtil.h",
+                                    "btVector3 v({phi}), n = v.isZero() ? btVector3(1, 0, 0) : v;\n"
+                                    "btQuaternion q(n, v.length());",
+                                    "q.x(), q.y(), q.z(), q.w()")},
+        {"exp3_matrix",
+         PROGRAM("LinearMath/btTransformUtil.h",
+                 "btVector3 v({phi}), n = v.isZero() ? btVector3(1, 0, 0) : v;\n"
+                 "btMatrix3x3 R(btQuaternion(n, v.length()));",
+                 "R[0][0], R[0][1], R[0][2], R[1][0], R[1][1], R[1][2], R[2][0], R[2][1], R[2][2]")},
+        {"normalize", PROGRAM("LinearMath/btTransformUtil.h",
+                              "btQuaternion q({Q});\n"
+                              "q.normalize();",
+                              "q.x(), q.y(), q.z(), q.w()")},
+    };
+    return program_for(all, operation);
+  }
 };
 
 }  // namespace

@@ -48,6 +48,38 @@ struct Ceres {
   static void quaternion_matrix(In<S, 4> Q, Out<S, 9> R) {
     ceres::QuaternionToRotation(w_first(&Q[0]).data(), ceres::RowMajorAdapter3x3(&R[0]));
   }
+  static const char* source(std::string_view operation) {
+    static constexpr Program all[] = {
+        {"log3_quaternion",
+         PROGRAM("ceres/rotation.h",
+                 "using S = {scalar}; S Q[] = {{Q}}, q[] = {Q[3], Q[0], Q[1], Q[2]}, v[3];\n"
+                 "ceres::QuaternionToAngleAxis(q, v);",
+                 "v[0], v[1], v[2]")},
+        {"log3_matrix", PROGRAM("ceres/rotation.h",
+                                "using S = {scalar}; S R[] = {{R}}, v[3];\n"
+                                "ceres::RotationMatrixToAngleAxis(ceres::RowMajorAdapter3x3(R), v);",
+                                "v[0], v[1], v[2]")},
+        {"exp3_quaternion", PROGRAM("ceres/rotation.h",
+                                    "using S = {scalar}; S phi[] = {{phi}}, q[4];\n"
+                                    "ceres::AngleAxisToQuaternion(phi, q);",
+                                    "q[1], q[2], q[3], q[0]")},
+        {"exp3_matrix", PROGRAM("ceres/rotation.h",
+                                "using S = {scalar}; S phi[] = {{phi}}, R[9];\n"
+                                "ceres::AngleAxisToRotationMatrix(phi, ceres::RowMajorAdapter3x3(R));",
+                                "R[0], R[1], R[2], R[3], R[4], R[5], R[6], R[7], R[8]")},
+        {"quaternion_matrix",
+         PROGRAM("ceres/rotation.h",
+                 "using S = {scalar}; S Q[] = {{Q}}, q[] = {Q[3], Q[0], Q[1], Q[2]}, R[9];\n"
+                 "ceres::QuaternionToRotation(q, ceres::RowMajorAdapter3x3(R));",
+                 "R[0], R[1], R[2], R[3], R[4], R[5], R[6], R[7], R[8]")},
+        {"rotate_point_any_norm",
+         PROGRAM("ceres/rotation.h",
+                 "using S = {scalar}; S Q[] = {{Q}}, q[] = {Q[3], Q[0], Q[1], Q[2]}, p[] = {{p}}, v[3];\n"
+                 "ceres::QuaternionRotatePoint(q, p, v);",
+                 "v[0], v[1], v[2]")},
+    };
+    return program_for(all, operation);
+  }
 };
 
 }  // namespace

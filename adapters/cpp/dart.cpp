@@ -99,6 +99,43 @@ struct Dart {
     for (int i = 0; i < 6; ++i)
       for (int j = 0; j < 6; ++j) y[6 * i + j] = I((i + 3) % 6, (j + 3) % 6);
   }
+  static const char* source(std::string_view operation) {
+    static constexpr Program all[] = {
+        {"log3_quaternion",
+         PROGRAM(
+             "dart/math/Geometry.hpp",
+             "double Q[] = {{Q}}, s = Q[3] < 0 ? -1 : 1;\n"
+             "auto v = dart::math::quatToExp(Eigen::Quaterniond(s * Q[3], s * Q[0], s * Q[1], s * Q[2]));",
+             "v[0], v[1], v[2]")},
+        {"log3_matrix", PROGRAM("dart/math/Geometry.hpp",
+                                "Eigen::Matrix3d R;\n"
+                                "R << {R}; Eigen::Vector3d v = dart::math::logMap(R);",
+                                "v[0], v[1], v[2]")},
+        {"exp3_quaternion",
+         PROGRAM("dart/math/Geometry.hpp", "auto q = dart::math::expToQuat(Eigen::Vector3d({phi}));",
+                 "q.x(), q.y(), q.z(), q.w()")},
+        {"exp3_matrix",
+         PROGRAM("dart/math/Geometry.hpp",
+                 "Eigen::Matrix3d R = dart::math::expMapRot(Eigen::Vector3d({phi}));",
+                 "R(0, 0), R(0, 1), R(0, 2), R(1, 0), R(1, 1), R(1, 2), R(2, 0), R(2, 1), R(2, 2)")},
+        {"exp6", PROGRAM("dart/math/Geometry.hpp",
+                         "Eigen::Vector6d x; x << {xi}; x << x.tail<3>().eval(), x.head<3>().eval();\n"
+                         "auto T = dart::math::expMap(x); auto R = T.linear(); auto p = T.translation();",
+                         "R(0, 0), R(0, 1), R(0, 2), R(1, 0), R(1, 1), R(1, 2), R(2, 0), R(2, 1), R(2, 2), "
+                         "p[0], p[1], p[2]")},
+        {"log6", PROGRAM("dart/math/Geometry.hpp",
+                         "Eigen::Matrix<double, 3, 4> X; Eigen::Matrix<double, 12, 1> x; x << {X}; "
+                         "Eigen::Isometry3d T(Eigen::Isometry3d::Identity());\n"
+                         "T.linear() = Eigen::Map<Eigen::Matrix3d>(x.data()).transpose(); T.translation() = "
+                         "x.tail<3>(); auto v = dart::math::logMap(T);",
+                         "v[3], v[4], v[5], v[0], v[1], v[2]")},
+        {"left_jacobian3",
+         PROGRAM("dart/math/Geometry.hpp",
+                 "Eigen::Matrix3d R = dart::math::expMapJac(Eigen::Vector3d({phi}));",
+                 "R(0, 0), R(0, 1), R(0, 2), R(1, 0), R(1, 1), R(1, 2), R(2, 0), R(2, 1), R(2, 2)")},
+    };
+    return program_for(all, operation);
+  }
 };
 
 }  // namespace

@@ -105,6 +105,36 @@ struct EigenGeometry {
   static void normalize(In<S, 4> Q, Out<S, 4> y) {
     put(quaternion(&Q[0]).normalized(), &y[0]);
   }
+  static const char* source(std::string_view operation) {
+    static constexpr Program all[] = {
+        {"log3_quaternion",
+         PROGRAM("Eigen/Geometry",
+                 "using S = {scalar}; S Q[] = {{Q}};\n"
+                 "Eigen::AngleAxis<S> a(Eigen::Quaternion<S>(Q[3], Q[0], Q[1], Q[2]));",
+                 "a.angle() * a.axis()[0], a.angle() * a.axis()[1], a.angle() * a.axis()[2]")},
+        {"log3_matrix", PROGRAM("Eigen/Geometry",
+                                "using S = {scalar}; Eigen::Matrix<S, 3, 3> R;\n"
+                                "R << {R}; Eigen::AngleAxis<S> a(R);",
+                                "a.angle() * a.axis()[0], a.angle() * a.axis()[1], a.angle() * a.axis()[2]")},
+        {"exp3_quaternion",
+         PROGRAM("Eigen/Geometry",
+                 "using S = {scalar}; Eigen::Matrix<S, 3, 1> phi({phi}), n = phi.isZero(0) ? "
+                 "Eigen::Matrix<S, 3, 1>(1, 0, 0) : phi;\n"
+                 "Eigen::Quaternion<S> q(Eigen::AngleAxis<S>(phi.norm(), n.normalized()));",
+                 "q.x(), q.y(), q.z(), q.w()")},
+        {"exp3_matrix",
+         PROGRAM("Eigen/Geometry",
+                 "using S = {scalar}; Eigen::Matrix<S, 3, 1> phi({phi}), n = phi.isZero(0) ? "
+                 "Eigen::Matrix<S, 3, 1>(1, 0, 0) : phi;\n"
+                 "auto R = Eigen::AngleAxis<S>(phi.norm(), n.normalized()).toRotationMatrix();",
+                 "R(0, 0), R(0, 1), R(0, 2), R(1, 0), R(1, 1), R(1, 2), R(2, 0), R(2, 1), R(2, 2)")},
+        {"normalize", PROGRAM("Eigen/Geometry",
+                              "using S = {scalar}; S Q[] = {{Q}};\n"
+                              "auto q = Eigen::Quaternion<S>(Q[3], Q[0], Q[1], Q[2]).normalized();",
+                              "q.x(), q.y(), q.z(), q.w()")},
+    };
+    return program_for(all, operation);
+  }
 };
 
 }  // namespace

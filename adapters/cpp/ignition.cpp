@@ -53,17 +53,33 @@ struct Ignition {
   static void normalize(In<double, 4> Q, Out<double, 4> y) { put(quaternion(&Q[0]).Normalized(), &y[0]); }
 
   static const char* source(std::string_view operation) {
-    if (operation == "exp3_quaternion")
-      return PROGRAM("ignition/math/Quaternion.hh",
-                     "double p[] = {{phi}};\n"
-                     "auto q = ignition::math::Quaterniond(0, p[0] / 2, p[1] / 2, p[2] / 2).Exp();",
-                     "q.X(), q.Y(), q.Z(), q.W()");
-    if (operation == "log3_quaternion")
-      return PROGRAM("ignition/math/Quaternion.hh",
-                     "double Q[] = {{Q}}, s = Q[3] < 0 ? -1 : 1;\n"
-                     "auto v = ignition::math::Quaterniond(s * Q[3], s * Q[0], s * Q[1], s * Q[2]).Log();",
-                     "2 * v.X(), 2 * v.Y(), 2 * v.Z()");
-    return nullptr;
+    static constexpr Program all[] = {
+        {"exp3_quaternion",
+         PROGRAM("ignition/math/Matrix3.hh",
+                 "double p[] = {{phi}};\n"
+                 "auto q = ignition::math::Quaterniond(0, p[0] / 2, p[1] / 2, p[2] / 2).Exp();",
+                 "q.X(), q.Y(), q.Z(), q.W()")},
+        {"exp3_matrix",
+         PROGRAM("ignition/math/Matrix3.hh",
+                 "double p[] = {{phi}};\n"
+                 "ignition::math::Matrix3d R(ignition::math::Quaterniond(0, p[0] / 2, p[1] / 2, p[2] / "
+                 "2).Exp());",
+                 "R(0, 0), R(0, 1), R(0, 2), R(1, 0), R(1, 1), R(1, 2), R(2, 0), R(2, 1), R(2, 2)")},
+        {"log3_quaternion",
+         PROGRAM("ignition/math/Matrix3.hh",
+                 "double Q[] = {{Q}}, s = Q[3] < 0 ? -1 : 1;\n"
+                 "auto v = ignition::math::Quaterniond(s * Q[3], s * Q[0], s * Q[1], s * Q[2]).Log();",
+                 "2 * v.X(), 2 * v.Y(), 2 * v.Z()")},
+        {"log3_matrix", PROGRAM("ignition/math/Matrix3.hh",
+                                "ignition::math::Quaterniond q(ignition::math::Matrix3d({R}));\n"
+                                "auto v = (q.W() < 0 ? -q : q).Log();",
+                                "2 * v.X(), 2 * v.Y(), 2 * v.Z()")},
+        {"normalize", PROGRAM("ignition/math/Matrix3.hh",
+                              "double Q[] = {{Q}};\n"
+                              "auto q = ignition::math::Quaterniond(Q[3], Q[0], Q[1], Q[2]).Normalized();",
+                              "q.X(), q.Y(), q.Z(), q.W()")},
+    };
+    return program_for(all, operation);
   }
 };
 

@@ -75,16 +75,22 @@ struct Imaths {
     put(quaternion(&Q[0]).normalized(), &y[0]);
   }
   static const char* source(std::string_view operation) {
-    if (operation == "exp3_quaternion")
-      return PROGRAM("Imath/ImathQuat.h",
-                     "Imath::V3d phi({phi});\nImath::Quatd q = Imath::Quatd(0, phi / 2).exp();",
-                     "q.v.x, q.v.y, q.v.z, q.r");
-    if (operation == "log3_quaternion")
-      return PROGRAM("Imath/ImathQuat.h",
-                     "double Q[] = {{Q}}, s = Q[3] < 0 ? -1 : 1;\n"
-                     "Imath::V3d v = Imath::Quatd(s * Q[3], s * Q[0], s * Q[1], s * Q[2]).log().v * 2.0;",
-                     "v.x, v.y, v.z");
-    return nullptr;
+    static constexpr Program all[] = {
+        {"exp3_quaternion", PROGRAM("Imath/ImathQuat.h",
+                                    "using S = {scalar}; Imath::Vec3<S> phi({phi});\n"
+                                    "Imath::Quat<S> q = Imath::Quat<S>(0, phi / S(2)).exp();",
+                                    "q.v.x, q.v.y, q.v.z, q.r")},
+        {"log3_quaternion",
+         PROGRAM("Imath/ImathQuat.h",
+                 "using S = {scalar}; S Q[] = {{Q}}, s = Q[3] < 0 ? -1 : 1;\n"
+                 "auto v = Imath::Quat<S>(s * Q[3], s * Q[0], s * Q[1], s * Q[2]).log().v * S(2);",
+                 "v.x, v.y, v.z")},
+        {"normalize", PROGRAM("Imath/ImathQuat.h",
+                              "using S = {scalar}; S Q[] = {{Q}};\n"
+                              "auto q = Imath::Quat<S>(Q[3], Q[0], Q[1], Q[2]).normalized();",
+                              "q.v.x, q.v.y, q.v.z, q.r")},
+    };
+    return program_for(all, operation);
   }
 };
 

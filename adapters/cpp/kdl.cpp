@@ -91,6 +91,25 @@ struct Kdl {
         y[6 * i + j + 21] = I.I(i, j);
       }
   }
+  static const char* source(std::string_view operation) {
+    static constexpr Program all[] = {
+        {"log3_quaternion",
+         PROGRAM("kdl/frames.hpp", "KDL::Vector v = KDL::Rotation::Quaternion({Q}).GetRot();",
+                 "v.x(), v.y(), v.z()")},
+        {"log3_matrix",
+         PROGRAM("kdl/frames.hpp", "KDL::Vector v = KDL::Rotation({R}).GetRot();", "v.x(), v.y(), v.z()")},
+        {"exp3_quaternion",
+         PROGRAM("kdl/frames.hpp",
+                 "double x, y, z, w;\n"
+                 "addDelta(KDL::Rotation::Identity(), KDL::Vector({phi})).GetQuaternion(x, y, z, w);",
+                 "x, y, z, w")},
+        {"exp3_matrix", PROGRAM("kdl/frames.hpp",
+                                "KDL::Rotation R = addDelta(KDL::Rotation::Identity(), KDL::Vector({phi}));",
+                                "R.data[0], R.data[1], R.data[2], R.data[3], R.data[4], R.data[5], "
+                                "R.data[6], R.data[7], R.data[8]")},
+    };
+    return program_for(all, operation);
+  }
 };
 
 }  // namespace

@@ -65,6 +65,31 @@ struct MuJoCo {
     // mju_transformSpatial takes a force as (moment, force), as it takes a motion as (angular, linear).
     transform_inverse(&x[0], &x[12], true, &y[0]);
   }
+  static const char* source(std::string_view operation) {
+    static constexpr Program all[] = {
+        {"log3_quaternion", PROGRAM("mujoco/mujoco.h",
+                                    "double Q[] = {{Q}}, q[] = {Q[3], Q[0], Q[1], Q[2]}, v[3];\n"
+                                    "mju_quat2Vel(v, q, 1);",
+                                    "v[0], v[1], v[2]")},
+        {"log3_matrix", PROGRAM("mujoco/mujoco.h",
+                                "double R[] = {{R}}, q[4], v[3];\n"
+                                "mju_mat2Quat(q, R); mju_quat2Vel(v, q, 1);",
+                                "v[0], v[1], v[2]")},
+        {"exp3_quaternion", PROGRAM("mujoco/mujoco.h",
+                                    "double phi[] = {{phi}}, q[] = {1, 0, 0, 0};\n"
+                                    "mju_quatIntegrate(q, phi, 1);",
+                                    "q[1], q[2], q[3], q[0]")},
+        {"exp3_matrix", PROGRAM("mujoco/mujoco.h",
+                                "double phi[] = {{phi}}, q[] = {1, 0, 0, 0}, R[9];\n"
+                                "mju_quatIntegrate(q, phi, 1); mju_quat2Mat(R, q);",
+                                "R[0], R[1], R[2], R[3], R[4], R[5], R[6], R[7], R[8]")},
+        {"normalize", PROGRAM("mujoco/mujoco.h",
+                              "double Q[] = {{Q}}, q[] = {Q[3], Q[0], Q[1], Q[2]};\n"
+                              "mju_normalize4(q);",
+                              "q[1], q[2], q[3], q[0]")},
+    };
+    return program_for(all, operation);
+  }
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <string_view>
 
 template <class S, std::size_t n>
 using In = std::span<const S, n>;
@@ -26,8 +27,20 @@ std::array<S, 4> nearer_to_one(In<S, 4> Q) {
   return {Q[0], Q[1], Q[2], Q[3]};
 }
 
+/// A program of source() and its operation.
+struct Program {
+  std::string_view operation;
+  const char* text;
+};
+/// The one of the operation, or null.
+template <std::size_t n>
+const char* program_for(const Program (&all)[n], std::string_view operation) {
+  const Program* const at = std::ranges::find(all, operation, &Program::operation);
+  return at == std::end(all) ? nullptr : at->text;
+}
+
 /// A program in C++ for source(): one header, statements, and the numbers that it prints. A place {phi} stands for
-/// the numbers of that argument, in double unless the statements say otherwise.
+/// the numbers of that argument, {scalar} for float or double.
 #define PROGRAM(header, statements, result)                                                          \
   "#include <" header ">\n#include <cstdio>\nint main() {\n" statements "\nfor (double x : {" result \
   "}) std::printf(\"%.17g \", double(x));\n}"

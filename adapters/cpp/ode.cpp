@@ -75,6 +75,25 @@ struct Ode {
     refuse_unless(dSafeNormalize4(q));
     y[0] = q[1], y[1] = q[2], y[2] = q[3], y[3] = q[0];
   }
+  static const char* source(std::string_view operation) {
+    static constexpr Program all[] = {
+        {"exp3_quaternion",
+         PROGRAM("ode/ode.h",
+                 "double v[] = {{phi}}, a = dCalcVectorLength3(v), x = v[0] || v[1] || v[2] ? v[0] : 1;\n"
+                 "dQuaternion q; dQFromAxisAndAngle(q, x, v[1], v[2], a);",
+                 "q[1], q[2], q[3], q[0]")},
+        {"exp3_matrix",
+         PROGRAM("ode/ode.h",
+                 "double v[] = {{phi}}, a = dCalcVectorLength3(v), x = v[0] || v[1] || v[2] ? v[0] : 1;\n"
+                 "dMatrix3 R; dRFromAxisAndAngle(R, x, v[1], v[2], a);",
+                 "R[0], R[1], R[2], R[4], R[5], R[6], R[8], R[9], R[10]")},
+        {"normalize", PROGRAM("ode/ode.h",
+                              "double Q[] = {{Q}};\n"
+                              "dQuaternion q = {Q[3], Q[0], Q[1], Q[2]}; dSafeNormalize4(q);",
+                              "q[1], q[2], q[3], q[0]")},
+    };
+    return program_for(all, operation);
+  }
 };
 
 }  // namespace

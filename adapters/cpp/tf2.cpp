@@ -30,6 +30,32 @@ struct Tf2 : BulletMath<Library> {
     put(q, Q.data());
     log3_quaternion(Q, phi);
   }
+  static const char* source(std::string_view operation) {
+    static constexpr Program all[] = {
+        {"log3_quaternion", PROGRAM("tf2/LinearMath/Transform.h",
+                                    "tf2::Quaternion q({Q});\n"
+                                    "if (q.w() < 0) q = -q; tf2::Vector3 v = q.getAxis() * q.getAngle();",
+                                    "v.x(), v.y(), v.z()")},
+        {"log3_matrix", PROGRAM("tf2/LinearMath/Transform.h",
+                                "tf2::Quaternion q; tf2::Matrix3x3({R}).getRotation(q);\n"
+                                "if (q.w() < 0) q = -q; tf2::Vector3 v = q.getAxis() * q.getAngle();",
+                                "v.x(), v.y(), v.z()")},
+        {"exp3_quaternion", PROGRAM("tf2/LinearMath/Transform.h",
+                                    "tf2::Vector3 v({phi}), n = v.isZero() ? tf2::Vector3(1, 0, 0) : v;\n"
+                                    "tf2::Quaternion q(n, v.length());",
+                                    "q.x(), q.y(), q.z(), q.w()")},
+        {"exp3_matrix",
+         PROGRAM("tf2/LinearMath/Transform.h",
+                 "tf2::Vector3 v({phi}), n = v.isZero() ? tf2::Vector3(1, 0, 0) : v;\n"
+                 "tf2::Matrix3x3 R(tf2::Quaternion(n, v.length()));",
+                 "R[0][0], R[0][1], R[0][2], R[1][0], R[1][1], R[1][2], R[2][0], R[2][1], R[2][2]")},
+        {"normalize", PROGRAM("tf2/LinearMath/Transform.h",
+                              "tf2::Quaternion q({Q});\n"
+                              "q.normalize();",
+                              "q.x(), q.y(), q.z(), q.w()")},
+    };
+    return program_for(all, operation);
+  }
 };
 
 }  // namespace

@@ -22,22 +22,23 @@ function log3_quaternion(Q) {
 }
 
 const program = call => `const {glMatrix, mat3, quat} = require("gl-matrix");
-glMatrix.setMatrixArrayType(Array);
+const A = "{scalar}" === "float" ? Float32Array : Array;
+glMatrix.setMatrixArrayType(A);
 ${call}`;
-const print = "console.log(...quat.ln([], Q).slice(0, 3).map(x => 2 * x));";
+const print = "console.log(...A.from(quat.ln(new A(4), Q)).slice(0, 3).map(x => 2 * x));";
 
 serve("gl-matrix", ["float", "double"], {
   exp3_quaternion: [phi => exp3_quaternion(phi, like(phi, 4)), 3, 4,
-    program("console.log(...quat.exp([], [...[{phi}].map(x => x / 2), 0]));")],
+    program("console.log(...quat.exp(new A(4), A.of(...A.of({phi}).map(x => x / 2), 0)));")],
   exp3_matrix: [phi => columns(mat3.fromQuat(like(phi, 9), exp3_quaternion(phi, like(phi, 4)))), 3, 9,
-    program("const Q = quat.exp([], [...[{phi}].map(x => x / 2), 0]);\nconsole.log(...mat3.transpose([], mat3.fromQuat([], Q)));")],
+    program("const Q = quat.exp(new A(4), A.of(...A.of({phi}).map(x => x / 2), 0));\nconsole.log(...mat3.transpose(new A(9), mat3.fromQuat(new A(9), Q)));")],
   log3_quaternion: [log3_quaternion, 4, 3,
-    program("const Q = [{Q}].map((x, i, q) => q[3] < 0 ? -x : x);\n" + print)],
+    program("const Q = A.of({Q}).map((x, i, q) => q[3] < 0 ? -x : x);\n" + print)],
   log3_matrix: [R => log3_quaternion(quat.fromMat3(like(R, 4), columns(R))), 9, 3,
-    program(`const q = quat.fromMat3([], mat3.transpose([], [{R}]));\nconst Q = q.map(x => q[3] < 0 ? -x : x);\n${print}`)],
+    program(`const q = quat.fromMat3(new A(4), mat3.transpose(new A(9), A.of({R})));\nconst Q = q.map(x => q[3] < 0 ? -x : x);\n${print}`)],
   compose: [x => pose(mat4.multiply(like(x, 16), matrix(x.slice(0, 12)), matrix(x.slice(12)))), 24, 12],
   inverse: [x => pose(mat4.invert(like(x, 16), matrix(x))), 12, 12],
   act_point: [x => vec3.transformMat4(like(x, 3), x.slice(12), matrix(x)), 15, 3],
   rotate_point: [x => vec3.transformQuat(like(x, 3), x.slice(4), x.slice(0, 4)), 7, 3],
-  normalize: [Q => quat.normalize(like(Q, 4), Q), 4, 4, program("console.log(...quat.normalize([], [{Q}]));")],
+  normalize: [Q => quat.normalize(like(Q, 4), Q), 4, 4, program("console.log(...quat.normalize(new A(4), A.of({Q})));")],
 });

@@ -26,7 +26,7 @@ function write(bytes) {
 // the numbers of one input, a Float32Array or a Float64Array, and returns those of its result. The program, which may be
 // left out, is the same call for a user of the library, with {phi} and so on for the numbers.
 exports.serve = function (name, scalars, functions) {
-  const subject = name.replace(/^@(.*)\/core$/, "$1").replace(/.*\//, "").replace(".", "_"), version = versions[name];
+  const subject = name.replace(/^@(.*)\/core$/, "$1").replace(/.*\//, "").replace(".", "_"), version = versions[name] || "1";
   console.log = console.warn = console.error;  // what the library prints must not come between the answers
   readLine();  // "liecheck 1"
   const operations = Object.fromEntries(Object.keys(functions).map(operation => [operation, scalars]));

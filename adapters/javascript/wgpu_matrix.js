@@ -20,18 +20,20 @@ function log(Q) {
   const {angle, axis} = of(Q).quat.toAxisAngle(Q[3] < 0 ? Q.map(x => -x) : Q);
   return [...axis].map(x => angle * x);
 }
-const program = call => `const {mat3d, quatd, vec3d} = require("wgpu-matrix");\n${call}`;
-const print = "const {angle, axis} = quatd.toAxisAngle(q[3] < 0 ? q.map(x => -x) : q);\nconsole.log(...[...axis].map(x => angle * x));";
+const program = call => `const all = require("wgpu-matrix"), d = "{scalar}" === "float" ? "" : "d";
+const mat3 = all["mat3" + d], quat = all["quat" + d], vec3 = all["vec3" + d], A = d ? Float64Array : Float32Array;
+${call}`;
+const print = "const {angle, axis} = quat.toAxisAngle(q[3] < 0 ? q.map(x => -x) : q);\nconsole.log(...[...axis].map(x => angle * x));";
 
 serve("wgpu-matrix", ["float", "double"], {
-  exp3_quaternion: [exp, 3, 4, program("const v = [{phi}];\nconsole.log(...quatd.fromAxisAngle(vec3d.normalize(v), vec3d.length(v)));")],
+  exp3_quaternion: [exp, 3, 4, program("const v = A.of({phi});\nconsole.log(...quat.fromAxisAngle(vec3.normalize(v), vec3.length(v)));")],
   exp3_matrix: [phi => rows(of(phi).mat3.fromQuat(exp(phi))), 3, 9],
-  log3_quaternion: [log, 4, 3, program("const q = [{Q}];\n" + print)],
+  log3_quaternion: [log, 4, 3, program("const q = A.of({Q});\n" + print)],
   log3_matrix: [R => log(of(R).quat.fromMat(R.constructor.of(R[0], R[3], R[6], 0, R[1], R[4], R[7], 0, R[2], R[5], R[8], 0))), 9, 3, program(
-    "const R = [{R}];\nconst q = quatd.fromMat(mat3d.create(R[0], R[3], R[6], R[1], R[4], R[7], R[2], R[5], R[8]));\n" + print)],
+    "const R = A.of({R});\nconst q = quat.fromMat(mat3.create(R[0], R[3], R[6], R[1], R[4], R[7], R[2], R[5], R[8]));\n" + print)],
   compose: [x => pose(of(x).mat4.multiply(matrix(x.slice(0, 12)), matrix(x.slice(12)))), 24, 12],
   inverse: [x => pose(of(x).mat4.inverse(matrix(x))), 12, 12],
   act_point: [x => of(x).vec3.transformMat4(x.slice(12), matrix(x)), 15, 3],
   rotate_point: [x => of(x).vec3.transformQuat(x.slice(4), x.slice(0, 4)), 7, 3],
-  normalize: [Q => of(Q).quat.normalize(Q), 4, 4, program("console.log(...quatd.normalize([{Q}]));")],
+  normalize: [Q => of(Q).quat.normalize(Q), 4, 4, program("console.log(...quat.normalize(A.of({Q})));")],
 });

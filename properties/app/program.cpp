@@ -124,7 +124,7 @@ std::vector<Command> add_commands(CLI::App& program, const std::string& typed_li
       {adapter_check_command, adapter_serve_command});
   const Command league = league_command(program);  // after its subcommands: they set it as given, too
   add(*program.get_subcommand("league"),
-      {league_findings_command, league_changes_command, league_measure_command});
+      {league_findings_command, league_changes_command, league_measure_command, league_tellings_command});
   all.push_back(league);
   add(program, {sweep_command, robot_command, cost_command});
   add(group(program, "scene", "simulate a motion that a file describes: fixtures/scenes/README.md"),

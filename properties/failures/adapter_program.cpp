@@ -40,8 +40,10 @@ std::vector<Argument> arguments_in(const NotedCall& call, const adapters::Descri
   return all;
 }
 
-/// The template with the numbers of each argument in the place of its name in braces.
-std::string filled(std::string text, const std::vector<Argument>& arguments) {
+/// The template with the numbers of each argument in the place of its name in braces, and the scalar's name in that of
+/// {scalar}.
+std::string filled(std::string text, std::vector<Argument> arguments, const std::string& scalar) {
+  arguments.push_back({"scalar", scalar, ""});
   for (const Argument& a : arguments) {
     const std::string place = "{" + a.name + "}";
     for (auto at = text.find(place); at != text.npos; at = text.find(place, at + a.decimal.size()))
@@ -59,7 +61,7 @@ std::string adapter_program(const Series& series, const Output& output, const No
   const auto arguments =
       with_scalar(series, [&]<class S>(const TypedSeries<S>&) { return arguments_in<S>(*call, *d); });
   if (const auto source = d->source.find(std::string(call->operation->name)); source != d->source.end())
-    return fmt::format("  as {}'s own program:\n\n{}\n", series.subject, filled(source->second, arguments));
+    return fmt::format("  as {}'s own program:\n\n{}\n", series.subject, filled(source->second, arguments, series.scalar));
   std::string text =
       fmt::format("  as the adapter is called: {} in {}\n", call->operation->name, series.scalar);
   for (const Argument& a : arguments)

@@ -16,6 +16,7 @@
 #include <support/own_process.hpp>
 #include <support/stop.hpp>
 #include <support/text.hpp>
+#include <tuple>
 
 namespace liecheck::properties::league {
 
@@ -38,8 +39,11 @@ std::string program_in(const std::string& text) {
   static const std::string heading = "'s own program:\n\n";
   const auto at = text.find(heading);
   if (at == text.npos) return "";
-  const auto end = text.find("\n\n", at + heading.size());
-  return text.substr(at + heading.size(), end == text.npos ? end : end + 1 - at - heading.size());
+  const auto end = text.find("\n\n  replay ", at + heading.size());
+  std::string program =
+      text.substr(at + heading.size(), end == text.npos ? end : end + 1 - at - heading.size());
+  while (program.ends_with("\n\n")) program.pop_back();
+  return program;
 }
 
 /// What follows a word on the lines of the text that have it: the column `got`.
@@ -112,8 +116,8 @@ std::string repair_of(const std::string& operation) {
   return "the formula that `liecheck list --operations` gives, as the subject liecheck computes it";
 }
 
-/// What `liecheck replay` prints for the same input with another subject; "" if it cannot.
-std::string replay_of(const std::string& replay, const std::string& subject) try {
+/// What `liecheck replay` prints for the same input with another subject, which an adapter offers; "" if it cannot.
+std::string replay_of(const std::string& replay, const std::string& subject, const std::string& adapter) try {
   std::string id = replay.substr(replay.find("replay ") + 7);
   id = id.substr(0, id.find(' '));
   std::vector<std::string> parts;
@@ -122,39 +126,119 @@ std::string replay_of(const std::string& replay, const std::string& subject) try
   const std::string head = fmt::format("{}.{}.{}.", parts.at(0), parts.at(1), parts.at(2));
   if (!id.starts_with(head)) return "";
   const std::string own = fmt::format("{}.{}.{}.{}", parts[0], parts[1], subject, id.substr(head.size()));
-  return output_of_own_process({"replay", own}, stop_requested).value_or("");
+  return output_of_own_process({"replay", own, "--adapter", adapter}, stop_requested).value_or("");
 } catch (const std::exception&) {
   return "";
 }
 
+/// The two formulas of the oracle, which agree to 41 digits where a case is judged.
+std::string oracles_of(const std::string& operation) {
+  if (operation.starts_with("exp"))
+    return "the closed form in half angles at 100 digits, and the power series of the matrix exponential at "
+           "50";
+  if (operation.starts_with("log"))
+    return "the closed form with atan2 at 100 digits, and inverse scaling and squaring by square roots, "
+           "without "
+           "atan2, at 50";
+  if (operation.find("jacobian") != operation.npos)
+    return "the closed form at 100 digits, and the power series of the matrix at 50";
+  return "one formula at 100 digits and another at 50";
+}
+
+/// The command that runs a program of the library in the file, and that command as a reader sees it.
+std::pair<std::string, std::string> commands(const json& library, const fs::path& file) {
+  std::string command = library["run"], shown = command;
+  for (const auto& [place, with, name] :
+       {std::tuple<std::string, std::string, std::string>{"{file}", fs::absolute(file).string(),
+                                                          file.filename().string()},
+        {"{exe}", fs::absolute(file).string() + ".out", "./a.out"}}) {
+    for (auto at = command.find(place); at != command.npos; at = command.find(place, at + with.size() + 2))
+      command.replace(at, place.size(), shell_quoted(with));
+    for (auto at = shown.find(place); at != shown.npos; at = shown.find(place, at + name.size()))
+      shown.replace(at, place.size(), name);
+  }
+  return {command, shown};
+}
+
+/// Writes the program into the file and runs it.
+Output run_program(const json& library, const fs::path& file, const std::string& program) {
+  write_whole(file, program);
+  Output out = output_of(commands(library, file).first);
+  std::error_code error;
+  fs::remove(file.string() + ".out", error);
+  return out;
+}
+
+const json* cell_in(const json& library, const std::string& operation, const std::string& scalar) {
+  for (const json& c : library["cells"])
+    if (c["operation"] == operation && c["scalar"] == scalar) return &c;
+  return nullptr;
+}
+
+/// "1.93 eps in 2134 cases, 41 ns a call"
+std::string figures(const json& cell) {
+  const std::string worst = cell["grade"] == "F" ? "NaN, a wrong branch or no result"
+                            : cell["worst_eps"].is_number()
+                                ? fmt::format("{:.3g} eps", cell["worst_eps"].get<double>())
+                                : "more than any number";
+  const double ns = cell["ns"];
+  return fmt::format("at worst {} in {} cases{}", worst, cell["cases"].get<std::uint64_t>(),
+                     ns > 0 ? fmt::format(", {:.3g} ns a call", ns) : "");
+}
+
+/// The section on a form without the defect: that of the same language, or else in C++, run on the same input.
+std::string repaired(const json& record, const json& library, const json& cell, const fs::path& stem) {
+  const std::string operation = cell["operation"], scalar = cell["scalar"], language = library["language"];
+  std::string all = fmt::format("## A repaired form\n\n{}.\n", repair_of(operation));
+  const json* form = nullptr;
+  for (const json& l : record["libraries"])
+    if (l.value("repaired", false) && cell_in(l, operation, scalar) &&
+        (!form || l["language"] == language || ((*form)["language"] != language && l["language"] == "C++")))
+      form = &l;
+  if (!form) return all;
+  const std::string text =
+      replay_of(line_of(cell["failure"]["text"], "replay"), (*form)["name"], (*form)["adapter"]);
+  const std::string program = program_in(text);
+  if (program.empty()) return all;
+  const fs::path file = stem.string() + "_repaired" + suffix((*form)["language"]);
+  const Output out = run_program(*form, file, program);
+  if (out.code != 0) return all;
+  return all + fmt::format(
+                   "\n```\n{}```\n\nRun as `{}`, on the same input:\n\n```\n{}{}```\n\nOn the cases of this "
+                   "league, in "
+                   "{}, it errs {}; {} itself {}. Both times are those of calls through an adapter.\n",
+                   program, commands(*form, file).second, out.text, out.text.ends_with('\n') ? "" : "\n",
+                   scalar, figures(*cell_in(*form, operation, scalar)), library["name"].get<std::string>(),
+                   figures(cell));
+}
+
 /// The whole Markdown file of a finding.
-std::string finding(const json& library, const json& cell, const std::string& program,
-                    const std::string& output, const std::string& command) {
+std::string finding(const json& record, const json& library, const json& cell, const std::string& program,
+                    const std::string& output, const fs::path& file) {
   const json& f = cell["failure"];
-  const std::string text = f["text"], operation = cell["operation"];
-  const std::string before = text.substr(0, text.find("  as "));
-  const std::string guess = f["guess"], own = replay_of(line_of(text, "replay"), "liecheck");
+  const std::string text = f["text"], operation = cell["operation"], guess = f["guess"];
   std::string all =
       fmt::format("# {} {}: {}, {}\n\n", library["name"].get<std::string>(),
                   library["version"].get<std::string>(), operation, f["what"].get<std::string>());
-  all += fmt::format("In {}, at {}: {} of {} cases in these bands fail.\n\n",
-                     cell["scalar"].get<std::string>(), f["where"].get<std::string>(),
-                     f["failed"].get<std::uint64_t>(), f["cases"].get<std::uint64_t>());
+  all += fmt::format("In {}, at {}: {} of {} cases in these bands fail.", cell["scalar"].get<std::string>(),
+                     f["where"].get<std::string>(), f["failed"].get<std::uint64_t>(),
+                     f["cases"].get<std::uint64_t>());
+  if (const json* const other = cell_in(library, operation, "float");
+      other && other != &cell && (*other)["failure"].is_object())
+    all += fmt::format(" In float: {}, at {}.", (*other)["failure"]["what"].get<std::string>(),
+                       (*other)["failure"]["where"].get<std::string>());
   all += fmt::format(
-      "## Program\n\n```\n{}```\n\nRun as `{}`, it prints what the library returns:\n\n```\n{}{}```\n\n",
-      program, command, output, output.ends_with('\n') ? "" : "\n");
-  all += fmt::format("## Input, expected and returned\n\n```\n{}```\n\n", before);
-  all +=
-      "The expected numbers come from two oracles: the law's definition at 50 digits, and the same at 100 "
-      "digits. "
-      "Where the two differ, a case is *unresolved* and does not appear here.\n\n";
+      "\n\n## Program\n\n```\n{}```\n\nRun as `{}`, it prints what the library returns:\n\n```\n{}{}```\n\n",
+      program, commands(library, file).second, output, output.ends_with('\n') ? "" : "\n");
+  all += fmt::format("## Input, expected and returned\n\n```\n{}```\n\n", text.substr(0, text.find("  as ")));
+  all += fmt::format(
+      "The expected numbers have two sources that agree to 41 digits: {}. Where they differ, a case is "
+      "*unresolved* and "
+      "is no finding.\n\n",
+      oracles_of(operation));
   if (!guess.empty())
     all += fmt::format("## Why\n\nThe shape of the error over the angle says: {}.\n\n", guess);
-  all += fmt::format("## A repaired form\n\n{}.\n", repair_of(operation));
-  if (!own.empty())
-    all +=
-        fmt::format("\nIt is what the subject liecheck computes. The same input there:\n\n```\n{}```\n", own);
-  return all;
+  return all + repaired(record, library, cell, file.parent_path() / file.stem());
 }
 
 }  // namespace
@@ -188,7 +272,10 @@ Confirmed write_findings(const json& record, const std::string& folder) {
       if (stop_requested) return all;
       const std::string grade = cell["grade"], operation = cell["operation"], scalar = cell["scalar"];
       if (grade == "A" || grade == "B" || !cell["failure"].is_object()) continue;
-      const std::string name = fmt::format("{}_{}_{}", library["name"].get<std::string>(), operation, scalar);
+      const std::string name = fmt::format("{}_{}", library["name"].get<std::string>(), operation);
+      if (const json* const other = cell_in(library, operation, "double");
+          scalar == "float" && other && (*other)["failure"].is_object())
+        continue;  // the same function: the finding in double names it
       const std::string text = cell["failure"]["text"], program = program_in(text);
       const auto left_out = [&](const char* why) {
         all.text += fmt::format("no finding: {}: {}\n", name, why);
@@ -198,24 +285,13 @@ Confirmed write_findings(const json& record, const std::string& folder) {
         continue;
       }
       const fs::path file = fs::path(folder) / (name + suffix(library["language"]));
-      write_whole(file, program);
-      std::string command = library["run"];
-      for (const auto& [place, with] :
-           {std::pair<std::string, std::string>{"{file}", fs::absolute(file).string()},
-            {"{exe}", fs::absolute(file).string() + ".out"}})
-        for (auto at = command.find(place); at != command.npos; at = command.find(place, at + with.size()))
-          command.replace(at, place.size(), shell_quoted(with));
-      const Output out = output_of(command);
-      fs::remove(file.string() + ".out", error);
+      const Output out = run_program(library, file, program);
       if (out.code != 0 || !confirms(out.text, returned_in(text), scalar == "float")) {
         left_out(out.code ? "its program ends with an error"
                           : "its program prints other numbers than the adapter returned");
         continue;
       }
-      std::string shown = library["run"];
-      if (const auto at = shown.find("{file}"); at != shown.npos)
-        shown.replace(at, 6, file.filename().string());
-      write_whole(fs::path(folder) / (name + ".md"), finding(library, cell, program, out.text, shown));
+      write_whole(fs::path(folder) / (name + ".md"), finding(record, library, cell, program, out.text, file));
       ++all.written;
       all.text += fmt::format("{}: {}, {}\n", name, cell["failure"]["what"].get<std::string>(),
                               cell["failure"]["where"].get<std::string>());

@@ -10,9 +10,12 @@ namespace liecheck::properties::league {
 /// A library that has an adapter.
 struct Entry {
   std::string name, language;
-  std::string adapter;  ///< as `--adapter` takes it; empty if the library was not found
-  std::string get;      ///< a command that installs the library
-  std::string run;      ///< how a shell runs a program in {file}
+  std::string adapter;    ///< as `--adapter` takes it; empty if the library was not found
+  std::string get;        ///< a command that installs the library
+  std::string run;        ///< how a shell runs a program in {file}
+  std::string robot;      ///< the URDF that its operations on trees are judged on; empty if it has none
+  std::string root;       ///< of the robot: fixed or free-flyer
+  bool repaired = false;  ///< no library, but the forms that findings propose
 };
 
 /// The list of adapters that the build wrote. Throws std::runtime_error or std::invalid_argument naming the file.

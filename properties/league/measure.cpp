@@ -9,8 +9,10 @@
 #include <cmath>
 #include <failures/blocks.hpp>
 #include <failures/description.hpp>
+#include <invariants/tree_laws.hpp>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <support/json_number.hpp>
 #include <tuple>
 
@@ -45,7 +47,8 @@ const char* name_of(Axis axis) {
   return axis == Axis::theta ? "theta" : axis == Axis::pi_minus_theta ? "pi_minus_theta" : "none";
 }
 
-void add(Cell& c, const Series& s, const Rows::Cell& at, const Row& row, std::uint64_t seed) {
+void add(Cell& c, const Series& s, const Rows::Cell& at, const Row& row, std::uint64_t seed,
+         const Robot& robot) {
   const auto output = static_cast<std::size_t>(at.first), band = static_cast<std::size_t>(at.second);
   const Band& b = s.bands()[band];
   const double error = s.budget(output, b.region).rule == Rule::forward ? row.max_error : row.max_excess;
@@ -62,7 +65,9 @@ void add(Cell& c, const Series& s, const Rows::Cell& at, const Row& row, std::ui
   if (error > c.worst && row.judged() > 0) {
     const CaseId id = s.id(seed, row.worst_index);
     c.worst = error, c.block = s.outputs[output].block;
-    c.replay = "liecheck replay " + id.text() + subject_flags(s), c.input = s.input(id);
+    c.replay = "liecheck replay " + id.text() +
+               (s.robot != "none" && !robot.path.empty() ? robot_flags(robot) : "") + subject_flags(s);
+    c.input = s.input(id);
   }
 }
 
@@ -117,34 +122,71 @@ json record_of(const Key& key, const Cell& c, double ns) {
           {"bands", bands}};
 }
 
+CampaignOptions options_of(const std::string& subject, const MeasureOptions& options) {
+  CampaignOptions o;
+  o.selection.subjects = {subject};
+  o.cases = options.cases, o.seed = options.seed, o.jobs = options.jobs, o.quiet = true;
+  return o;
+}
+
+/// The cells of a campaign; `key_of` names that of an output, or gives nothing for an output that does not count.
+template <class KeyOf>
+std::map<Key, Cell> cells_of(const CampaignResult& r, const KeyOf& key_of) {
+  std::map<Key, Cell> cells;
+  for (const auto& [series, tally] : r.series) {
+    const auto own = [&](std::size_t output) -> Cell* {
+      const auto key = key_of(std::string(series->outputs[output].operation), series->scalar);
+      return key ? &cells[*key] : nullptr;
+    };
+    for (const auto& [at, row] : tally.rows)
+      if (Cell* c = own(static_cast<std::size_t>(at.first)); c && row.inside() > 0)
+        add(*c, *series, at, row, r.options.seed, r.robot);
+    for (const Cliff& cliff : cliffs_of(*series, tally))
+      if (Cell* c = own(cliff.output); c && c->cliff.empty()) c->cliff = text_of(*series, cliff);
+  }
+  for (const FailedBlock& f : failed_blocks(r))
+    if (const auto key = key_of(f.operation, f.scalar); key && cells[*key].failure.is_null())
+      cells[*key].failure = failure_of(f, r);
+  return cells;
+}
+
 }  // namespace
 
 json measure(const std::string& adapter, const MeasureOptions& options) {
   const std::string name = adapters::register_adapter(adapter);
   const adapters::Description& d = *adapters::description_of(adapter);
-  CampaignOptions o;
-  o.selection.subjects = {name};
-  o.cases = options.cases, o.seed = options.seed, o.jobs = options.jobs, o.quiet = true;
-  const CampaignResult r = run_campaign(o, built_in_robot());
-  std::map<Key, Cell> cells;
-  for (const auto& [series, tally] : r.series) {
-    const auto own = [&](std::size_t output) -> Cell* {
-      const Key key{series->outputs[output].operation, series->scalar};
-      return d.offered.contains(key) ? &cells[key] : nullptr;
-    };
-    for (const auto& [at, row] : tally.rows)
-      if (Cell* c = own(static_cast<std::size_t>(at.first)); c && row.inside() > 0)
-        add(*c, *series, at, row, o.seed);
-    for (const Cliff& cliff : cliffs_of(*series, tally))
-      if (Cell* c = own(cliff.output); c && c->cliff.empty()) c->cliff = text_of(*series, cliff);
-  }
-  for (const FailedBlock& f : failed_blocks(r))
-    if (const auto c = cells.find({f.operation, f.scalar}); c != cells.end() && c->second.failure.is_null())
-      c->second.failure = failure_of(f, r);
+  const Robot robot = options.robot.empty() ? built_in_robot() : load_robot(options.robot, options.fixed);
+  const CampaignResult r = run_campaign(options_of(name, options), robot);
+  const auto offered = [&](const std::string& operation, const std::string& scalar) {
+    const Key key{operation, scalar};
+    return d.offered.contains(key) ? std::optional(key) : std::nullopt;
+  };
   json all = json::array();
-  for (const auto& [key, cell] : cells)
+  for (const auto& [key, cell] : cells_of(r, offered))
     all.push_back(record_of(key, cell, time_of_call(adapter, key.first, key.second)));
+  if (!options.robot.empty() && d.models.contains("urdf"))
+    for (const Told& t : measure_tellings(name, robot, options)) all.push_back(t.cell);
   return {{"name", d.name}, {"version", d.version}, {"complete", !r.incomplete}, {"cells", all}};
+}
+
+std::vector<Told> measure_tellings(const std::string& subject, const Robot& robot,
+                                   const MeasureOptions& options) {
+  std::vector<Told> all;
+  CampaignOptions o = options_of(subject, options);
+  o.cases = std::min(o.cases, most_told_cases);
+  o.selection.scalars = {"double"};
+  for (const std::string& law : property_names())
+    if (is_tree_law(law) && law != "tree_invariance")  // which builds trees that no URDF describes
+      o.selection.properties.push_back(law);
+  for (const Telling& t : tellings(robot)) {
+    // A path makes it a robot of the user's, on which the laws of trees are judged.
+    const CampaignResult r = run_campaign(o, robot_of(t.urdf, t.name + ".urdf", robot.fixed));
+    const Key key{"told_" + t.name, "double"};
+    const auto cells =
+        cells_of(r, [&](const std::string&, const std::string&) { return std::optional(key); });
+    if (!cells.empty()) all.push_back({t, record_of(key, cells.begin()->second, 0)});
+  }
+  return all;
 }
 
 }  // namespace liecheck::properties::league

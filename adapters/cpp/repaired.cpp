@@ -1,0 +1,71 @@
+// Not a library: the forms that the findings of the league propose, in float and double.
+
+#include <liecheck_adapter.hpp>
+#include <map>
+
+#include "numbers.hpp"
+#include "repaired_forms.hpp"
+#include "repaired_text.hpp"
+
+namespace {
+
+/// The program of a form: its text, and a call that prints its result.
+std::string program(const std::string& name, int results, const std::string& place) {
+  const std::string text = repaired_text, heading = "\n// " + name + "\n";
+  const auto from = text.find(heading) + heading.size();
+  return "#include <algorithm>\n#include <cmath>\n#include <cstdio>\n\n" +
+         text.substr(from, text.find("\n\n", from) - from) + "\n\nint main() {\n  {scalar} x[] = {{" + place +
+         "}}, y[" + std::to_string(results) + "];\n  " + name +
+         "(x, y);\n  for (double out : y) std::printf(\"%.17g \", out);\n}";
+}
+
+struct Repaired {
+  static constexpr const char *name = "repaired_cpp", *version = "1";
+
+  template <class S>
+  static void exp3_quaternion(In<S, 3> phi, Out<S, 4> Q) {
+    ::exp3_quaternion(&phi[0], &Q[0]);
+  }
+  template <class S>
+  static void exp3_matrix(In<S, 3> phi, Out<S, 9> R) {
+    ::exp3_matrix(&phi[0], &R[0]);
+  }
+  template <class S>
+  static void log3_quaternion(In<S, 4> Q, Out<S, 3> phi) {
+    ::log3_quaternion(&Q[0], &phi[0]);
+  }
+  template <class S>
+  static void log3_matrix(In<S, 9> R, Out<S, 3> phi) {
+    ::log3_matrix(&R[0], &phi[0]);
+  }
+  template <class S>
+  static void normalize(In<S, 4> Q, Out<S, 4> y) {
+    ::normalize(&Q[0], &y[0]);
+  }
+  template <class S>
+  static void log3_any_norm(In<S, 4> Q, Out<S, 3> phi) {
+    ::log3_any_norm(&Q[0], &phi[0]);
+  }
+  template <class S>
+  static void quaternion_matrix(In<S, 4> Q, Out<S, 9> R) {
+    ::quaternion_matrix(&Q[0], &R[0]);
+  }
+
+  static const char* source(std::string_view operation) {
+    static const std::map<std::string, std::string, std::less<>> all = {
+        {"exp3_quaternion", program("exp3_quaternion", 4, "phi")},
+        {"exp3_matrix", program("exp3_matrix", 9, "phi")},
+        {"log3_quaternion", program("log3_quaternion", 3, "Q")},
+        {"log3_matrix", program("log3_matrix", 3, "R")},
+        {"normalize", program("normalize", 4, "Q")},
+        {"log3_any_norm", program("log3_any_norm", 3, "Q")},
+        {"quaternion_matrix", program("quaternion_matrix", 9, "Q")}};
+    const auto at = all.find(operation);
+    return at == all.end() ? nullptr : at->second.c_str();
+  }
+};
+
+}  // namespace
+
+LIECHECK_ADAPTER(Repaired, exp3_quaternion, exp3_matrix, log3_quaternion, log3_matrix, normalize,
+                 log3_any_norm, quaternion_matrix)

@@ -1,0 +1,48 @@
+// Not a library: forms without a threshold, an acos or a cancellation, which the findings of the league propose.
+// Each function is a program of its own.
+const {serve} = require("./liecheck_protocol.js");
+
+function exp3_quaternion([x, y, z]) {
+  const theta = Math.hypot(x, y, z), s = theta > 0 ? Math.sin(theta / 2) / theta : 0.5;
+  return [s * x, s * y, s * z, Math.cos(theta / 2)];
+}
+function exp3_matrix([x, y, z]) {
+  const theta = Math.hypot(x, y, z), h = theta > 0 ? Math.sin(theta / 2) / theta : 0.5;
+  const a = theta > 0 ? Math.sin(theta) / theta : 1, b = 2 * h * h;  // never 1 - cos(theta)
+  return [1 - b * (y * y + z * z), b * x * y - a * z, b * x * z + a * y,
+          b * x * y + a * z, 1 - b * (x * x + z * z), b * y * z - a * x,
+          b * x * z - a * y, b * y * z + a * x, 1 - b * (x * x + y * y)];
+}
+function log3_quaternion([x, y, z, w]) {
+  const n = Math.hypot(x, y, z), k = n > 0 ? 2 * Math.atan2(w < 0 ? -n : n, Math.abs(w)) / n : 0;
+  return [k * x, k * y, k * z];
+}
+function log3_matrix(R) {
+  const d = [R[0] + R[4] + R[8], R[0], R[4], R[8]], k = d.indexOf(Math.max(...d)), Q = [0, 0, 0, 0];
+  const at = (i, j) => R[3 * (i % 3) + j % 3], i = k - 1;  // the largest pivot
+  if (k === 0) Q.splice(0, 4, R[7] - R[5], R[2] - R[6], R[3] - R[1], 1 + d[0]);
+  else Q[i] = 1 + at(i, i) - at(i + 1, i + 1) - at(i + 2, i + 2), Q[3] = at(i + 2, i + 1) - at(i + 1, i + 2),
+    Q[(i + 1) % 3] = at(i, i + 1) + at(i + 1, i), Q[(i + 2) % 3] = at(i, i + 2) + at(i + 2, i);
+  const n = Math.hypot(Q[0], Q[1], Q[2]), f = n > 0 ? 2 * Math.atan2(Q[3] < 0 ? -n : n, Math.abs(Q[3])) / n : 0;
+  return [f * Q[0], f * Q[1], f * Q[2]];
+}
+function normalize(Q) {
+  const m = Math.max(...Q.map(Math.abs)), q = Q.map(x => x / m), n = Math.hypot(...q);
+  return q.map(x => x / n);
+}
+function rotate_point([x, y, z, w, p0, p1, p2]) {
+  const n = x * x + y * y + z * z + w * w, t = [y * p2 - z * p1, z * p0 - x * p2, x * p1 - y * p0].map(a => 2 * a / n);
+  return [p0 + w * t[0] + y * t[2] - z * t[1], p1 + w * t[1] + z * t[0] - x * t[2], p2 + w * t[2] + x * t[1] - y * t[0]];
+}
+
+const program = (f, ...places) => `const f = ${f};\nconsole.log(...f([${places.map(p => `{${p}}`).join(", ")}]));`;
+const own = (f, size, results, ...places) => [x => f(Array.from(x)), size, results, program(f, ...places)];
+
+serve("repaired_js", ["double", "float"], {
+  exp3_quaternion: own(exp3_quaternion, 3, 4, "phi"),
+  exp3_matrix: own(exp3_matrix, 3, 9, "phi"),
+  log3_quaternion: own(log3_quaternion, 4, 3, "Q"),
+  log3_matrix: own(log3_matrix, 9, 3, "R"),
+  normalize: own(normalize, 4, 4, "Q"),
+  rotate_point: own(rotate_point, 7, 3, "Q", "p"),
+});
