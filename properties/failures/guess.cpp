@@ -16,7 +16,8 @@ namespace liecheck::properties {
 
 namespace {
 
-/// The errors in one band: x = log10 of its middle (theta, or pi - theta), y = log10 of error / limit, at least 0.
+/// The errors in one band: x = log10 of its middle (theta, or pi - theta), y = log10 of error / limit, at least 0 and at
+/// most where all digits are lost: larger errors tell nothing more.
 struct Point {
   double x, y, low, high;
 };
@@ -34,7 +35,8 @@ std::vector<Point> points(const FailedBlock& f, Axis axis) {
       continue;
     const Budget& budget = b.series->budget(b.output, band.region);
     const double error = budget.rule == Rule::forward ? b.row->max_error : b.row->max_excess;
-    const double y = std::max(0.0, std::log10(error / std::max(budget.limit, 1.0)));
+    const double limit = std::max(budget.limit, 1.0);
+    const double y = std::max(0.0, std::log10(std::min(error, 1 / b.series->eps) / limit));
     const auto at = by_band.try_emplace(
         b.band, Point{std::log10(std::sqrt(band.low * band.high)), 0, band.low, band.high});
     at.first->second.y = std::max(at.first->second.y, y);

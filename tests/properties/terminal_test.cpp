@@ -278,6 +278,30 @@ for call in iter(calls.readline, b""):
 const std::string of_adapter =
     "campaign --property exp_oracle --cases 200 -j 1 --no-hard-cases --no-probe --adapter ";
 
+/// The angle 2 acos(w) has an absolute error of eps / theta, so its relative error grows as 1 / theta^2 and passes 1.
+TEST(Terminal, AcosNearOneIsNamed) {
+  const std::string file = testing::TempDir() + "terminal_acos.py";
+  std::ofstream(file) << R"(import json, math, struct, sys
+calls, answers = sys.stdin.buffer, sys.stdout.buffer
+calls.readline()
+answers.write(json.dumps({"protocol": 1, "name": "mylib", "version": "1",
+                          "operations": {"log3_quaternion": ["double"]}}).encode() + b"\n")
+answers.flush()
+for call in iter(calls.readline, b""):
+    n, results = int(call.split()[3]), b""
+    for _ in range(n):
+        x, y, z, w = struct.unpack("<4d", calls.read(32))
+        s, sign = math.hypot(x, y, z), -1 if w < 0 else 1
+        f = 2 * math.acos(min(1, abs(w))) / s * sign if s > 0 else 2
+        results += struct.pack("<3d", f * x, f * y, f * z)
+    answers.write(f"done {n}\n".encode() + bytes(n) + results)
+    answers.flush()
+)";
+  EXPECT_SAYS(
+      run("campaign --cases 1000 -j 1 --no-hard-cases --adapter '/usr/bin/python3 " + file + "'").second,
+      "perhaps acos near 1, which keeps half of the digits: the error grows as 1 / theta^2");
+}
+
 TEST(Terminal, AFailureOfAnAdapterIsAProgramInItsOwnTerms) {
   const std::string plain = run(of_adapter + adapter("pass")).second;
   EXPECT_SAYS(plain, "  as the adapter is called: exp3_quaternion in double\n    phi       ");
