@@ -115,6 +115,15 @@ TEST(Joints, APlanarJointMovesNearTheEndOfTheRange) {
   }
 }
 
+/// In float, pi rounded up is more than pi: the translation must be that of the same side of pi as the angle.
+TEST(Joints, APlanarDifferenceByHalfATurnLeadsBackInFloat) {
+  for (const float sine : {6e-10f, -6e-10f, 0.f, -0.f}) {
+    const Vector4<float> q0(0.5f, -1.f, 1.f, 0.f), q1(-1.6f, -1.4f, -1.f, sine);
+    const Vector4<float> back = Planar<float>::integrate(q0, Planar<float>::difference(q0, q1));
+    EXPECT_LT((back - q1).norm(), 1e-6f) << sine;
+  }
+}
+
 TEST(Joints, PositionsNearTheEndOfTheRangeAreTheSameOnlyIfTheyAreNear) {
   const double far = std::numeric_limits<double>::max();
   Vector7<double> q0 = FreeFlyer<double>::neutral(), q1 = q0;

@@ -85,6 +85,7 @@ SO3<S> slerp(const SO3<S>& Q0, const SO3<S>& Q1, const S& t) {
 template <Scalar S>
 SO3<S> rotationBetween(const Vector3<S>& a, const Vector3<S>& b) {
   using namespace relative_rotation_detail;
+  if (a.isZero(S(0)) || b.isZero(S(0))) throw std::invalid_argument("a zero vector has no direction");
   const Vector3<S> from = normalizedUnit<S, 3>(a), to = normalizedUnit<S, 3>(b), plus = from + to,
                    minus = to - from;
   const bool acute = S(0) < dot<S>(from, to);

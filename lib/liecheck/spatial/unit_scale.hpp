@@ -12,8 +12,7 @@ namespace unit_vector_detail {
 
 template <int N>
 inline constexpr const char* zero_is_refused =
-    N == 3   ? "a zero vector has no direction"
-    : N == 4 ? "a zero quaternion is not a rotation"              : "(cos, sin) = (0, 0) is not an angle";
+    N == 4 ? "a zero quaternion is not a rotation" : "(cos, sin) = (0, 0) is not an angle";
 
 /// True if |u|^2 is in (1/2, 3/2); false for NaN. excess = |u|^2 - 1.
 template <Scalar S>
