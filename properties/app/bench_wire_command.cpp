@@ -12,6 +12,7 @@
 #include <support/threads.hpp>
 
 namespace liecheck::properties {
+Command bench_wire_command(CLI::App& bench);
 
 namespace {
 

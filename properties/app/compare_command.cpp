@@ -4,6 +4,7 @@
 #include <record/record.hpp>
 #include <rules/rules.hpp>
 #include <set>
+#include <sstream>
 #include <store/merge.hpp>
 #include <store/picture.hpp>
 #include <store/store_path.hpp>
@@ -61,7 +62,8 @@ void print_changes(const std::vector<Change>& changes) {
     const Change& c = changes[i];
     fmt::print("{}\n", c.text());
     const bool last = i + 1 == changes.size() || changes[i + 1].name != c.name;
-    if (last && !c.worst_case.empty()) fmt::print("  liecheck replay {}\n", c.worst_case);
+    std::istringstream replay(last ? replay_of(c) : "");
+    for (std::string line; std::getline(replay, line);) fmt::print("  {}\n", line);
   }
 }
 

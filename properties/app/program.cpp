@@ -11,6 +11,7 @@
 #include <support/files.hpp>
 
 namespace liecheck::properties {
+Command bench_wire_command(CLI::App& bench);
 
 namespace {
 

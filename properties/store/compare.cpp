@@ -2,7 +2,10 @@
 #include <algorithm>
 #include <array>
 #include <campaign/case_id.hpp>
+#include <campaign/robots.hpp>
+#include <campaign/selection.hpp>
 #include <cmath>
+#include <cstdlib>
 #include <set>
 #include <stdexcept>
 #include <store/merge.hpp>
@@ -161,6 +164,45 @@ std::vector<std::string> worse(const StoredCampaign& a, const StoredCampaign& b)
   return lines;
 }
 
+namespace {
+
+/// "phi = 0.1, 0, 0 [rad]; ..." of a generated case, whose input does not depend on the subject. Returns "" if the law is
+/// not one of liecheck's, or has an input of many numbers.
+std::string input_in_words(CaseId id) try {
+  id.subject = "liecheck";
+  const auto all = select({{id.subject}, {id.property}, {id.scalar}}, built_in_robot());
+  if (all.empty() || all[0]->robot != id.robot) return "";
+  const std::vector<std::string> numbers = all[0]->input(id);
+  std::string text;
+  std::size_t at = 0;
+  for (const Field& f : all[0]->fields) {
+    text += fmt::format("{}{} =", at == 0 ? "" : "; ", f.name);
+    for (int i = 0; i < f.size; ++i, ++at)
+      text += fmt::format("{} {:.6g}", i == 0 ? "" : ",", std::strtod(numbers.at(at).c_str(), nullptr));
+    text += f.unit.empty() ? "" : fmt::format(" [{}]", f.unit);
+  }
+  return at == numbers.size() && at <= 24 ? text : "";
+} catch (const std::exception&) {
+  return "";
+}
+
+bool is_of_the_program(const std::string& subject) try {
+  check_subjects({subject});
+  return true;
+} catch (const std::invalid_argument&) {
+  return false;
+}
+
+}  // namespace
+
+std::string replay_of(const Change& change) {
+  if (change.worst_case.empty()) return "";
+  const std::string input = input_in_words(CaseId::parse(change.worst_case));
+  return fmt::format("liecheck replay {}{}\n{}", change.worst_case,
+                     is_of_the_program(change.name[0]) ? "" : " --adapter ADAPTER",
+                     input.empty() ? "" : fmt::format("# {}\n", input));
+}
+
 std::string in_markdown(const StoredCampaign& a, const StoredCampaign& b, const std::string& picture) {
   const auto got_worse = changes(a, b), got_better = changes(b, a);
   const auto count = [](const std::vector<Change>& all) {
@@ -185,8 +227,7 @@ std::string in_markdown(const StoredCampaign& a, const StoredCampaign& b, const 
   table("worse", got_worse);
   std::string replays;
   for (const Change& c : got_worse)
-    if (!c.worst_case.empty() && replays.find(c.worst_case + "\n") == std::string::npos)
-      replays += "liecheck replay " + c.worst_case + "\n";
+    if (const std::string replay = replay_of(c); replays.find(replay) == std::string::npos) replays += replay;
   if (!replays.empty())
     text += fmt::format("The worst cases of these cells now:\n\n```sh\n{}```\n\n", replays);
   if (!got_better.empty()) {

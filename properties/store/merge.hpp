@@ -28,6 +28,10 @@ struct Change {
   std::string text() const;
 };
 
+/// The command that runs the worst case again, and below it, as a comment, its input if that has few numbers; "" if there
+/// is no worst case. A store does not know how an adapter was started, so the command then has "--adapter ADAPTER".
+std::string replay_of(const Change& change);
+
 /// Returns what is worse in b than in a.
 ///
 /// Throws std::invalid_argument if a subject was judged by different limits files.
