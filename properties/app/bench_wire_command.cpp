@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <app/command.hpp>
 #include <atomic>
+#include <campaign/robots.hpp>
 #include <campaign/selection.hpp>
 #include <campaign/typed_series.hpp>
 #include <chrono>
