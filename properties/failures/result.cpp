@@ -99,8 +99,7 @@ std::vector<Pair> pairs_of(const Output& output, const NotedCall& call, const st
     if (call.operation == output.record && !concerns(output, layout, part)) continue;
     Real square(0);
     for (const Real& x : right) square += x * x;
-    const bool turned =
-        part.unit == "rad" && size == 3 && part.name != "angles" && square > Real(9.8696);
+    const bool turned = part.unit == "rad" && size == 3 && part.name != "angles" && square > Real(9.8696);
     add_part(
         all, got, right, [&](std::size_t i) { return conventions::number_name(part, i); },
         size == 4 || turned);

@@ -206,7 +206,7 @@ struct Correct : Types<S> {
 
   // Between rotations and directions.
   static S relative_angle(const V4& Q0, const V4& Q1) {
-    return S(Style::log(relative(wide(Q0), wide(Q1))).norm());
+    return S(Style::log(relative(wide(Q0), wide(Q1))).stableNorm());
   }
   static S twist_angle(const V4& Q, const V3& axis) {
     const W s = wide(V3(Q.template head<3>())).dot(wide(axis)), w = W(Q[3]);

@@ -10,7 +10,7 @@
 #include <oracles/log.hpp>
 #include <oracles/spatial_formulas.hpp>
 #include <string>
-#include <timing/wide_errors.hpp>
+#include <timing/cost.hpp>
 #include <tuple>
 #include <vector>
 
@@ -30,7 +30,7 @@ using BodyValue = oracles::BodyOf<Wide>;
 /// Reads numbers one after another, matrices row by row.
 class Reader {
  public:
-  explicit Reader(const WideNumbers& all) : next_(all.data()) {}
+  explicit Reader(const std::vector<oracles::Real100>& all) : next_(all.data()) {}
   template <class T>
   T read() {
     if constexpr (std::is_same_v<T, Wide>) {
