@@ -56,35 +56,56 @@ class EulerAngles final : public SlowLaw<EulerAngles, S> {
       if (o[op::euler_to_quaternion]) {
         constexpr Output rotation = op::euler_to_quaternion[block::rotation],
                          defect = op::euler_to_quaternion[block::norm_defect];
-        const Vec<S, 4> computed = o[op::euler_to_quaternion](order, angles);
-        judged_value(r, {rotation, defect}, 0, computed, exact.resolved, [&] {
-          r.record(rotation, 0, oracles::rotation_error<S>(oracles::exact_vector<4>(computed), exact.value));
-          r.record(defect, 0, oracles::norm_defect<S>(oracles::exact_vector<4>(computed)));
+        unless_refused(r, {rotation, defect}, [&] {
+          const Vec<S, 4> computed = o[op::euler_to_quaternion](order, angles);
+          judged_value(r, {rotation, defect}, 0, computed, exact.resolved, [&] {
+            r.record(rotation, 0,
+                     oracles::rotation_error<S>(oracles::exact_vector<4>(computed), exact.value));
+            r.record(defect, 0, oracles::norm_defect<S>(oracles::exact_vector<4>(computed)));
+          });
         });
       }
       if (o[op::euler_to_matrix]) {
         constexpr Output rotation = op::euler_to_matrix[block::rotation],
                          defect = op::euler_to_matrix[block::orthogonality_defect];
-        const Mat<S, 3> computed = o[op::euler_to_matrix](order, angles);
-        judged_value(r, {rotation, defect}, 0, computed, exact.resolved, [&] {
-          const auto errors = oracles::matrix_errors<S>(oracles::exact_matrix<3, 3>(computed), exact.value);
-          r.record(rotation, 0, errors.rotation);
-          r.record(defect, 0, errors.defect);
+        unless_refused(r, {rotation, defect}, [&] {
+          const Mat<S, 3> computed = o[op::euler_to_matrix](order, angles);
+          judged_value(r, {rotation, defect}, 0, computed, exact.resolved, [&] {
+            const auto errors = oracles::matrix_errors<S>(oracles::exact_matrix<3, 3>(computed), exact.value);
+            r.record(rotation, 0, errors.rotation);
+            r.record(defect, 0, errors.defect);
+          });
         });
       }
     }
-    if (o[op::euler_from_quaternion])
-      record_angles(r, {op::euler_from_quaternion[block::rotation], op::euler_from_quaternion[block::range]},
-                    exact_order, o[op::euler_from_quaternion](order, Q),
-                    oracles::normalized(oracles::exact_vector<4>(Q)), true);
+    if (o[op::euler_from_quaternion]) {
+      constexpr TwoOutputs outputs{op::euler_from_quaternion[block::rotation],
+                                   op::euler_from_quaternion[block::range]};
+      unless_refused(r, outputs, [&] {
+        record_angles(r, outputs, exact_order, o[op::euler_from_quaternion](order, Q),
+                      oracles::normalized(oracles::exact_vector<4>(Q)), true);
+      });
+    }
     if (!o[op::euler_from_matrix]) return;
-    const auto nearest = oracles::nearest_quaternion(oracles::exact_matrix<3, 3, oracles::Real100>(R));
-    record_angles(r, {op::euler_from_matrix[block::rotation], op::euler_from_matrix[block::range]},
-                  exact_order, o[op::euler_from_matrix](order, R), oracles::cast<Real>(nearest.Q),
-                  nearest.resolved);
+    constexpr TwoOutputs outputs{op::euler_from_matrix[block::rotation], op::euler_from_matrix[block::range]};
+    unless_refused(r, outputs, [&] {
+      const Vec<S, 3> computed = o[op::euler_from_matrix](order, R);
+      const auto nearest = oracles::nearest_quaternion(oracles::exact_matrix<3, 3, oracles::Real100>(R));
+      record_angles(r, outputs, exact_order, computed, oracles::cast<Real>(nearest.Q), nearest.resolved);
+    });
   }
 
  private:
+  /// An adapter refuses the orders that its library lacks.
+  template <class F>
+  static void unless_refused(Recorder& r, const TwoOutputs& outputs, F measured) {
+    try {
+      measured();
+    } catch (const CallFailed& e) {
+      if (e.outcome != Outcome::refused) throw;
+      for (const Output& output : outputs) r.outcome(output, 0, Outcome::outside_domain);
+    }
+  }
   static S pi() { return boost::math::constants::pi<S>(); }
   /// A multiple of pi/2, within 4 ulp of one, near one, small, or any.
   static S angle_of(Source& source) {
