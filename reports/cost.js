@@ -74,7 +74,7 @@ function costPlot(head, points, kind, names) {
         callback: v => v >= 1e5 || v < .1 ? power(Math.round(Math.log10(v))) : String(+v.toPrecision(2))},
         {type: "logarithmic", min: low, max: high, afterBuildTicks: axis => setTicks(axis, marks)}),
       y: decadeAxis("largest error found [eps of double]", least, most, step, {afterFit: axis => { axis.width = 62; }})}}));
-  return element("div", {class: "plot"}, element("h4", {}, head), holder);
+  return element("div", {class: "plot"}, element("p", {class: "head"}, head), holder);
 }
 
 function costTip({row, all, error, dominated}) {

@@ -1,14 +1,13 @@
 // The table of operations by libraries: the digits that the worst case keeps in each region. A cell opens its regions.
 
-// Hexadecimal text of a floating-point number, as printf writes it with %a, as decimal text; "" beyond double.
+// Hexadecimal text of a floating-point number, as printf writes it with %a, as decimal text; rounded if it is beyond double.
 function decimalOf(hex) {
   const m = /^([-+]?)0x([0-9a-f]+)\.?([0-9a-f]*)p([-+]?\d+)$/i.exec(hex);
   if (!m) return hex;
-  const digits = (m[2] + m[3]).replace(/^0+/, "");
-  if (digits.length > 14) return "";
-  let value = parseInt(digits || "0", 16), e = +m[4] - 4 * m[3].length;
+  const digits = (m[2] + m[3]).replace(/^0+/, ""), wide = digits.length > 14;
+  let value = parseInt(digits.slice(0, 14) || "0", 16), e = +m[4] - 4 * m[3].length + 4 * Math.max(0, digits.length - 14);
   for (; e < -1000; e += 1000) value *= 2 ** -1000;  // in steps, because 2 ** -1074 / 2 ** 52 is 0
-  return `${m[1]}${value * 2 ** e}`;
+  return `${wide ? "≈ " : ""}${m[1]}${value * 2 ** e}`;
 }
 
 function latencyOf(row) {
@@ -38,11 +37,12 @@ function worstCase(row) {
   home.append(element("p", {}, "Replay: ", element("code", {class: "replay"}, command), button));
   const input = worst.input.map((x, i) => [String(i), decimalOf(x), x]), more = worst.count > input.length;
   home.append(numbersTable(`Worst input${more ? `, the first ${input.length} of ${worst.count} numbers; the replay line has all` : ""}`,
-    ["", "decimal", "hexadecimal"], input));
+    ["number", "decimal", "hexadecimal"], input));
   if (worst.numbers?.length)
-    home.append(numbersTable(`${worst.numbers_of ?? row.operation}: what the library returned, and what the oracle says`,
-      ["", "got", "expected", "got, hexadecimal", "expected, hexadecimal"],
-      worst.numbers.map(n => [n.name, n.got, n.expected, n.got_hexadecimal, n.expected_hexadecimal])));
+    home.append(numbersTable(`Result of ${worst.call}: what the library returned, and the oracle’s result, rounded. What differs most comes first.`,
+      ["number", "got", "expected", "got, hexadecimal", "expected, hexadecimal"],
+      worst.numbers.map(n => [n.name, decimalOf(n.got), decimalOf(n.expected), n.got, n.expected])));
+  else home.append(element("p", {}, "The replay line prints what the library returned and what is right."));
   return home;
 }
 
@@ -97,9 +97,8 @@ function digitsCell(operation, subject, own) {
   const nan = sum(own, "not_finite"), branch = sum(own, "wrong_branch"), cliff = cliffsOf(own[0]);
   const notes = [...cliff.length ? ["cliff"] : [], ...nan ? [`${nan} NaN`] : [], ...branch ? [`${branch} branch`] : [], ...ns ? [`${short(ns)} ns`] : []];
   return element("button", {type: "button", class: `digits ${bad ? "fail" : "pass"}`, "aria-expanded": "false",
-    "data-operation": operation, "data-subject": subject,
-    "aria-label": `${operation}, ${subject}: ${bad ? "fails" : "no failure"}. ${[...spoken, ...notes].join("; ")}`},
-  boxes, element("span", {class: "notes", "aria-hidden": "true"}, `${bad ? "✗ " : ""}${notes.join(" · ")}`));
+    "data-operation": operation, "data-subject": subject},
+  element("span", {class: "spoken"}, `${operation}, ${subject}: ${bad ? "fails" : "no failure"}. ${[...spoken, ...notes].join("; ")}`), boxes, element("span", {class: "notes", "aria-hidden": "true"}, `${bad ? "✗ " : ""}${notes.join(" · ")}`));
 }
 
 function fillDigits() {
@@ -120,7 +119,8 @@ function fillDigits() {
   const names = REGIONS.filter(r => !chosen.region || r.key === chosen.region).map(r => r.name).join(" | ");
   home.replaceChildren(element("table", {}, element("caption", {}, `Digits that the worst case found keeps, ${chosen.scalar}: ${names}`),
     element("thead", {}, element("tr", {}, element("th", {scope: "col"}, "operation"),
-      ...shown.map(s => element("th", {scope: "col"}, swatch(s), ` ${s}`)))), body));
+      ...shown.map(s => element("th", {scope: "col"}, swatch(s), ` ${s}`, chosen.region ? "" : element("span", {class: "boxes heads", "aria-hidden": "true"},
+        ...REGIONS.map(r => element("i", {title: r.name}, r.brief))))))), body));
   const wanted = [...home.querySelectorAll("button.digits")].find(b => `${b.dataset.operation}:${b.dataset.subject}` === chosen.open);
   if (wanted) wanted.click();
 }

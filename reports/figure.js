@@ -153,7 +153,7 @@ function plot(rows, kind, y, statistics, foot, apart) {
       y: chartAxis("error [eps]", ticks(y.ticks), {type: "linear", min: y.min, max: y.max, afterFit: axis => { axis.width = 66; },
         afterBuildTicks: axis => setTicks(axis, y.ticks.map(t => t.value))})}}));
   const budgets = unique(budgetSpans(rows, x).map(s => s.budget)).sort((a, b) => a - b);  // in the heading, where they cover no data
-  return element("div", {class: "plot"}, element("h4", {}, head, element("span", {class: "budget"},
+  return element("div", {class: "plot"}, element("p", {class: "head"}, head, element("span", {class: "budget"},
     budgets.length ? `dash-dot line: budget ${budgets.map(short).join(", ")} eps` : "")), holder);
 }
 

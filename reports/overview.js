@@ -1,8 +1,9 @@
 // The first screen: a sentence for each subject, the charts of the block that tells most, and the three answers.
 
 // The seven regions of the angle; page_numbers() in C++ decides to which one a row belongs.
-const REGIONS = [{key: "zero", name: "θ < 10⁻⁷"}, {key: "small", name: "θ 10⁻⁷…10⁻²"}, {key: "moderate", name: "moderate θ"},
-  {key: "near-pi", name: "π − θ > 10⁻⁷"}, {key: "pi", name: "π − θ < 10⁻⁷"}, {key: "beyond", name: "θ > π"}, {key: "all", name: "without angle"}];
+const REGIONS = [{key: "zero", name: "θ < 10⁻⁷", brief: "≈0"}, {key: "small", name: "θ 10⁻⁷…⁠10⁻²", brief: "small"},
+  {key: "moderate", name: "moderate θ", brief: "mid"}, {key: "near-pi", name: "π − θ > 10⁻⁷", brief: "<π"},
+  {key: "pi", name: "π − θ < 10⁻⁷", brief: "≈π"}, {key: "beyond", name: "θ > π", brief: ">π"}, {key: "all", name: "without angle", brief: "no θ"}];
 const regionOf = row => REGIONS.find(r => r.key === row.region);
 
 const epsOf = row => find("subjects", s => s.name === row.subject && s.scalar === row.scalar)?.eps ?? 2 ** -52;
@@ -26,13 +27,14 @@ function errorWords(row) {
 }
 const plural = (n, what) => `${n} ${what}${n === 1 ? "" : "s"}`;
 
-// Where a subject fails, worst region first: "worst: exp6 (translation) at θ < 10⁻⁷ in double, 7.4 of 15.7 digits lost".
+// Where a subject fails, the worst two regions first, or one if the page has many subjects: "worst: exp6 (translation) at θ < 10⁻⁷ in double, 7.4 of 15.7 digits lost".
 function whereItFails(failing) {
   const regions = REGIONS.map(r => failing.filter(row => regionOf(row) === r)).filter(own => own.length).map(worstOf)
     .sort((a, b) => severity(b) - severity(a));
   const place = row => `${row.operation} (${row.block})${row.region === "all" ? "" : ` at ${regionOf(row).name}`} in ${row.scalar}, ${errorWords(row)}`;
-  return `worst: ${regions.slice(0, 2).map(place).join("; ")}`
-    + (regions.length > 2 ? `; and in ${plural(regions.length - 2, "further region")}` : "");
+  const told = subjects.length > 6 ? 1 : 2;
+  return `worst: ${regions.slice(0, told).map(place).join("; ")}`
+    + (regions.length > told ? `; and in ${plural(regions.length - told, "further region")}` : "");
 }
 
 // What is said of a subject without a failing row.
@@ -60,6 +62,26 @@ function fillSentences(home) {
   home.append(list);
 }
 
+// "textbook loses 7.4 digits (exp6, θ < 10⁻⁷)" for each failing subject, or their names if they are many.
+function whoIsWrong(failed) {
+  const worst = s => results.filter(r => r.subject === s && r.status === "fail").reduce((a, b) => severity(b) > severity(a) ? b : a);
+  const words = row => `${row.subject} ${notFinite(row) || row.wrong_branch > 0 ? `has ${errorWords(row)}` : `loses ${digitsLost(row).toFixed(1)} digits`}`
+    + ` (${row.operation}, ${regionOf(row).name})`;
+  return failed.length <= 4 ? `${failed.map(s => words(worst(s))).join("; ")}.` : `${failed.join(", ")}.`;
+}
+
+// "exp6: 6.4 digits in 21 ns (bullet, float), 15.4 in 48 ns (eigen, double)": the steps of the front of one operation.
+function priceOfDigits() {
+  const rows = numbers.records.flatMap(r => r.cost?.rows ?? []).filter(r => ["float", "double"].includes(r.scalar) && isNumber(r.error)
+    && r.subject !== "call" && !r.subject.includes("@") && r.sets.at(-1).latency);
+  const ns = r => r.sets.at(-1).latency.ns, steps = [];
+  const operation = ["exp6", ...unique(rows.map(r => r.operation))].find(o => rows.some(r => r.operation === o));
+  for (const r of rows.filter(r => r.operation === operation).sort((a, b) => ns(a) - ns(b)))
+    if (!steps.length || r.error < .1 * steps.at(-1).error) steps.push(r);  // each step gains a digit or more
+  const digits = r => Math.min(-Math.log10(r.error), -Math.log10(r.eps)).toFixed(1);
+  return `${operation}: ${steps.map((r, i) => `${digits(r)}${i ? "" : " digits"} in ${short(ns(r))} ns (${r.subject}, ${r.scalar})`).join(", ")}.`;
+}
+
 function fillAnswers(home) {
   const failed = unique(results.filter(r => r.status === "fail").map(r => r.subject));
   const hard = numbers.records.flatMap(r => r.hard_cases ?? []).flatMap(h => h.cells);
@@ -69,10 +91,9 @@ function fillAnswers(home) {
   const advice = document.querySelector(".advice b")?.textContent;
   const answer = (link, question, text) => element("li", {}, element("a", {href: link}, question), element("br"), text);
   home.append(element("ul", {class: "answers"},
-    answer("#digits", "Which library is wrong, where, by how many digits?", failed.length ? `${failed.join(", ")}: open a cell of the table.`
+    answer("#digits", "Which library is wrong, where, by how many digits?", failed.length ? `${whoIsWrong(failed)} Open a cell of the table.`
       : "None was found to be wrong; the table has every operation."),
-    answer("#cost", "What does a digit cost?", advice ? `For a 1 kHz controller, take ${advice}; the front is drawn there.`
-      : front ? "Error against time is drawn there." : "These records hold no times."),
+    answer("#cost", "What does a digit cost?", front ? `${priceOfDigits()}${advice ? ` For a 1 kHz controller, take ${advice}.` : ""}` : "These records hold no times."),
     answer("#stability", "Are hard cases stable?", !hard.length ? "These records hold no hard cases."
       : bySubject.length ? `Not all. Of ${hard.length} calls, failures: ${bySubject.join(", ")}.` : `Yes: all ${hard.length} calls are within budget.`)));
 }
@@ -105,7 +126,9 @@ function fillCover() {
       element("figcaption", {}, `${caption(wanted, true)}${missing}`)));
 }
 
+const anchorOf = (id, text) => element("a", {class: "anchor", href: `#${id}`, "aria-label": `Link to: ${text}`}, "#");
+
 // A heading with a link to itself.
 function heading(name, id, text) {
-  return element(name, {id: `${id}-title`}, text, element("a", {class: "anchor", href: `#${id}`, "aria-label": `Link to: ${text}`}, "#"));
+  return element(name, {id: `${id}-title`}, text, anchorOf(id, text));
 }

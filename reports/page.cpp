@@ -215,7 +215,7 @@ std::string coverage_section(const Merged& merged) {
     for (const std::string name : record["absent"])
       add_once(rows, {escaped(name), "all", "all", "absent from this build"});
   if (rows.empty()) return "<p>Every subject offers every operation and was measured; none is absent.</p>\n";
-  return table("Not measured", {"subject", "scalar", "operation or law", "why"}, rows);
+  return table("What was not measured", {"subject", "scalar", "operation or law", "why"}, rows);
 }
 
 std::string machine_section(const Merged& merged) {
@@ -253,7 +253,7 @@ std::string page(const Merged& merged, const Json& numbers) {
   const std::map<std::string_view, std::string> slots = {
       {"style", files({"page.css", "stability.css", "scenes.css"})},
       {"chart library", files({"chart.min.js"})},
-      {"scripts", files({"axes.js", "charts.js", "figure.js", "tables.js", "state.js", "overview.js", "digits.js", "page.js",
+      {"scripts", files({"axes.js", "charts.js", "figure.js", "tables.js", "state.js", "overview.js", "digits.js", "page.js", "map.js",
                          "stability.js", "cost.js", "scenes.js", "films.js", "start.js"})},
       {"numbers", compressed(dumped(packed(page_numbers(numbers))))},
       {"verdict word", verdict(merged)},

@@ -133,6 +133,7 @@ function fillControls() {
     writeState();
     fillCover();
     fillDigits();
+    fillMap();
     fillFigures();
   });
 }

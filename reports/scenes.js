@@ -81,7 +81,7 @@ document.querySelectorAll(".scene-charts").forEach((home, i) => {
     for (const scene of shown) {
       const block = scene.series.some(s => s.points.some(p => p[form.elements.block.value] !== null)) ? form.elements.block.value : "position";
       const chart = workPrecision(scene, block, looks, peers.checked);
-      grid.append(element("figure", {class: "plot"}, element("h4", {}, scene.scene),
+      grid.append(element("figure", {class: "plot"}, element("p", {class: "head"}, scene.scene),
         element("figcaption", {}, `${scene.what}. Reference: ${scene.truth}.`), chart ?? element("p", {}, "No run of this scene was timed.")));
     }
     home.append(grid);

@@ -7,10 +7,17 @@ if (results.length) {
   fillAnswers(document.getElementById("answers"));
   fillCover();
   fillDigits();
+  fillMap();
   fillFigures();
 } else {
   document.getElementById("figures").append("The records hold no results.");
   document.getElementById("axisless").append("The records hold no results.");
+}
+for (const title of document.querySelectorAll("main h2")) {  // a link to itself beside each heading
+  const section = title.closest("section");
+  if (section.querySelector("a.anchor")) continue;
+  const link = anchorOf(section.id, title.textContent), summary = title.closest("summary");
+  summary ? summary.parentElement.before(link) : title.append(link);  // a summary is a button: no link inside it
 }
 document.documentElement.dataset.filled = "yes";
 window.addEventListener("beforeprint", toPaper);
@@ -23,7 +30,7 @@ document.addEventListener("click", event => {  // a link to a heading keeps what
   goTo(at);
 });
 window.addEventListener("hashchange", () => {
-  if (results.length) { readState(); setControls(); fillCover(); fillDigits(); fillFigures(); }
+  if (results.length) { readState(); setControls(); fillCover(); fillDigits(); fillMap(); fillFigures(); }
   goTo(fragment().get("at"));
 });
 goTo(fragment().get("at"));
