@@ -222,7 +222,6 @@ Command hunt_command(CLI::App& program);
 Command promise_command(CLI::App& program);
 Command league_command(CLI::App& program);
 Command league_measure_command(CLI::App& league);
-Command league_tellings_command(CLI::App& league);
 Command league_findings_command(CLI::App& league);
 Command league_changes_command(CLI::App& league);
 Command bench_batches_command(CLI::App& bench);

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 #include <adapters/subjects.hpp>
 #include <algorithm>
-#include <app/command.hpp>
+#include <app/league_tellings.hpp>
 #include <chrono>
 #include <cmath>
 #include <ctime>

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <app/command.hpp>
+#include <app/league_tellings.hpp>
 #include <app/completion.hpp>
 #include <charconv>
 #include <initializer_list>

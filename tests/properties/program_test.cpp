@@ -85,7 +85,7 @@ TEST_F(Program, EmptyValuesAndUnknownWordsAreNamed) {
   refused("bench", "bench: which one? batches, bugs, history, lattice, limits, rounding, speed");
   refused("league --for nowhere", "--for: nowhere not in {near-zero,near-pi,1e-8,off-unit,1kHz}");
   refused("league --only nope", "--only: unknown library 'nope'; known: ");
-  refused("league nope", "unknown command 'nope'; commands of league: findings, changes, measure");
+  refused("league nope", "unknown command 'nope'; commands of league: findings, changes, measure, tellings");
   refused("league measure x --cases 0", "--cases: '0' is not a decimal number");
   store("l.json", "{}");
   refused("league --record l.json", "l.json: is no record of the league");
