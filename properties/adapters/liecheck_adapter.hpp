@@ -15,7 +15,6 @@
 
 #include <liecheck_adapter.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <exception>
 #include <span>
@@ -33,11 +32,17 @@ inline constexpr Sizes all_sizes[] = {
 #include <liecheck_operations.inc>
 #undef LIECHECK_OPERATION
 };
+/// Null if there is no such operation. A loop, because libc++ 14 has no std::ranges::find.
+constexpr const Sizes* find_sizes(std::string_view name) {
+  for (const Sizes& sizes : all_sizes)
+    if (sizes.operation == name) return &sizes;
+  return nullptr;
+}
 constexpr bool is_operation(std::string_view name) {
-  return std::ranges::find(all_sizes, name, &Sizes::operation) != std::ranges::end(all_sizes);
+  return find_sizes(name) != nullptr;
 }
 constexpr Sizes sizes_of(std::string_view name) {
-  return *std::ranges::find(all_sizes, name, &Sizes::operation);
+  return *find_sizes(name);
 }
 
 /// F takes I numbers of S and writes R numbers of S.

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <adapters/adapter.hpp>
 #include <adapters/converted.hpp>
+#include <adapters/exchange.hpp>
 #include <adapters/noise.hpp>
 #include <adapters/shapes.hpp>
 #include <adapters/sizes.hpp>
@@ -33,19 +34,23 @@ struct Source {
   int number = 0;
   std::shared_ptr<Adapter> in_process;  ///< or null: a process for each thread
   Description description = {};
+  unsigned changes = 0;  ///< how often exchange_adapter() put another one in its place
 };
 
 std::array<std::optional<Source>, most_adapters> sources;
 
 /// The adapter of this thread.
 Adapter& adapter(int number) {
-  thread_local std::array<std::shared_ptr<Adapter>, most_adapters> own;
-  auto& a = own[static_cast<std::size_t>(number)];
-  if (!a) {
-    const Source& source = *sources[static_cast<std::size_t>(number)];
-    a = source.in_process ? source.in_process : start(source.text);
-  }
-  return *a;
+  struct Own {
+    std::shared_ptr<Adapter> adapter;
+    unsigned changes = 0;
+  };
+  thread_local std::array<Own, most_adapters> all;
+  Own& own = all[static_cast<std::size_t>(number)];
+  const Source& source = *sources[static_cast<std::size_t>(number)];
+  if (!own.adapter || own.changes != source.changes)
+    own = {source.in_process ? source.in_process : start(source.text), source.changes};
+  return *own.adapter;
 }
 
 bool in_process(int number) {
@@ -210,6 +215,18 @@ std::string register_adapter(const std::string& text, const std::string& name) {
 }
 std::unique_ptr<Adapter> linked(const liecheck_adapter& adapter) {
   return converted(linked_library(adapter));
+}
+void exchange_adapter(const std::string& name, const std::string& text) {
+  const auto source =
+      std::ranges::find_if(sources, [&](const auto& s) { return s && s->description.name == name; });
+  if (source == sources.end()) throw std::invalid_argument(fmt::format("no adapter is named '{}'", name));
+  const std::shared_ptr<Adapter> other = start(text);
+  if (const Description& d = other->description();
+      d.name != name || d.offered != (*source)->description.offered)
+    throw AdapterFailed(
+        fmt::format("'{}' is another adapter than {}, or offers other operations", text, name));
+  (*source)->text = text, (*source)->in_process = text.starts_with(inside) ? other : nullptr;
+  ++(*source)->changes;
 }
 std::string register_adapter(const liecheck_adapter& adapter) {
   return register_as(fmt::format("{}.so", adapter.name ? adapter.name : ""), "", true,

@@ -8,6 +8,7 @@
 #include <csignal>
 #include <cstring>
 #include <iostream>
+#include <support/float_environment.hpp>
 #include <support/text.hpp>
 
 namespace {
@@ -55,6 +56,7 @@ int main(int argc, char** argv) {
   for (int fd = 0; fd < 3; ++fd)
     if (::fcntl(fd, F_GETFD) < 0 && ::open("/dev/null", O_RDONLY) != fd) return bad_input;
   try {
+    require_usual_arithmetic();
     const int code = run_program(argc, argv, command_line(argc, argv));
     adapters::say_counts();
     return finish(code);

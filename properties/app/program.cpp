@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <app/command.hpp>
-#include <app/league_tellings.hpp>
 #include <app/completion.hpp>
+#include <app/league_tellings.hpp>
 #include <charconv>
 #include <initializer_list>
 #include <iostream>
@@ -120,15 +120,16 @@ std::vector<Command> add_commands(CLI::App& program, const std::string& typed_li
   const auto campaign = [&](CLI::App& parent) { return campaign_command(parent, typed_line); };
   add(program, {list_command, campaign, hard_cases_command, hunt_command, promise_command});
   add(group(program, "bench", "measure the harness itself: bugs that it finds, limits that it needs, speed"),
-      {bench_batches_command, bench_bugs_command, bench_history_command, bench_lattice_command,
-       bench_limits_command, bench_rounding_command, bench_speed_command, bench_wire_command});
+      {bench_batches_command, bench_bugs_command, bench_history_command, bench_horizons_command,
+       bench_lattice_command, bench_limits_command, bench_rounding_command, bench_speed_command,
+       bench_wire_command});
   add(group(program, "adapter", "libraries from outside the program: docs/adapters.md"),
       {adapter_check_command, adapter_serve_command});
   const Command league = league_command(program);  // after its subcommands: they set it as given, too
   add(*program.get_subcommand("league"),
       {league_findings_command, league_changes_command, league_measure_command, league_tellings_command});
   all.push_back(league);
-  add(program, {sweep_command, robot_command, cost_command});
+  add(program, {environments_command, sweep_command, robot_command, cost_command});
   add(group(program, "scene", "simulate a motion that a file describes: fixtures/scenes/README.md"),
       {scene_run_command, scene_explain_command, scene_sweep_command, scene_keys_command});
   add(program,

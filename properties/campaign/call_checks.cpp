@@ -1,6 +1,7 @@
 #include <campaign/call_checks.hpp>
 
 #include <algorithm>
+#include <campaign/call_observer.hpp>
 #include <cstring>
 #include <new>
 #include <subjects/wrapped.hpp>
@@ -120,20 +121,29 @@ struct CheckedCall {
     };
     constexpr unsigned char one = 0xa5, other = 0x5a;  // as numbers both are finite and normal
     const auto found = [&](Outcome outcome) { log->findings.push_back({&operation, outcome}); };
+    const FloatEnvironment outside;
+    if (!mode_of_calls.is_usual()) FloatEnvironment::set(mode_of_calls);
     const FloatEnvironment environment;
     Memory<R> first, second;
     first.construct(one, call(copies));
-    if (environment.restore()) found(Outcome::environment_changed);
+    bool changed = environment.restore();
     try {
       second.construct(other, call(again));
     } catch (const std::exception&) {  // which the first call did not throw: the call is not repeatable
     }
-    environment.restore();
+    changed = environment.restore() || changed;
+    outside.restore();
+    if (changed) found(Outcome::environment_changed);
     if (is_unwritten(first, second, one, other))
       found(Outcome::output_unwritten);
     else if (!second.result() || !same_bits(*first.result(), *second.result()))
       found(Outcome::not_repeatable);
     if (!same_bits(copies, arguments...)) found(Outcome::argument_written);
+    if (CallObserver* const observer = call_observer(); observer && log->keeps_results) {
+      std::string bits;
+      append_bits(bits, *first.result());
+      (*observer)(operation, given + static_cast<char>(tree), bits);
+    }
     if (log->keeps_results)
       log->results.push_back(
           {&operation, tree, std::move(given), std::make_shared<const R>(*first.result())});
@@ -159,6 +169,11 @@ struct CheckedCall {
 CallLog*& CallLog::current() {
   thread_local CallLog* log = nullptr;
   return log;
+}
+
+CallObserver*& call_observer() {
+  thread_local CallObserver* observer = nullptr;
+  return observer;
 }
 
 template <class S>

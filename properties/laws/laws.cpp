@@ -16,6 +16,7 @@
 #include <mutex>
 #include <ostream>
 #include <stdexcept>
+#include <support/float_environment.hpp>
 
 namespace liecheck::laws {
 
@@ -146,6 +147,7 @@ std::vector<std::string> offered(const liecheck_adapter& library) {
 }
 
 Law::Law(const liecheck_adapter& library, const std::string& name) : state_(new State) {
+  require_usual_arithmetic();
   state_->subject = subject_of(library), state_->law = name;
   state_->series = series_of(library, {name});
   if (state_->series.empty())
@@ -197,6 +199,7 @@ Judgement Law::judge(const Input& input) const {
 }
 
 std::string Law::campaign(std::uint64_t seed, std::uint64_t cases) const {
+  require_usual_arithmetic();
   CampaignOptions options;
   options.selection = {{state_->subject}, {state_->law}, {}};
   options.seed = seed, options.cases = cases, options.quiet = true;

@@ -1,0 +1,112 @@
+#include <fmt/format.h>
+#include <algorithm>
+#include <app/command.hpp>
+#include <cmath>
+#include <cstdio>
+#include <horizons/horizons.hpp>
+#include <nlohmann/json.hpp>
+#include <support/files.hpp>
+#include <support/json_number.hpp>
+#include <support/stop.hpp>
+
+namespace liecheck::properties {
+
+namespace {
+
+struct Flags {
+  HorizonOptions options;
+  std::vector<std::string> subjects, scalars, walks;
+  std::string json;
+  bool all = false;
+};
+
+/// What a walk of liecheck must keep: docs/horizons.md. "" if it does, or if the path is too short for a law of growth.
+std::string broken(const Horizon& h) {
+  const HorizonPoint& last = h.points.back();
+  const double root = std::sqrt(static_cast<double>(last.n));
+  if (h.walk == "back") return last.attitude <= 8 * root ? "" : "more than 8 sqrt(n) eps";
+  if (last.norm > 4) return "norm beyond 4 eps";
+  if (h.walk == "random" && h.points.size() > 6 && h.low > 0.5) return "faster than sqrt(n)";
+  return "";
+}
+
+nlohmann::json json_of(const Horizon& h, const std::string& why) {
+  nlohmann::json points = nlohmann::json::array();
+  for (const HorizonPoint& p : h.points)
+    points.push_back({{"n", p.n}, {"norm_eps", number(p.norm)}, {"attitude_eps", number(p.attitude)}});
+  return {{"subject", h.subject},
+          {"scalar", h.scalar},
+          {"walk", h.walk},
+          {"exponent", number(h.exponent)},
+          {"interval", numbers(std::vector{h.low, h.high})},
+          {"broken", why},
+          {"points", points}};
+}
+
+int run(const Flags& f) {
+  HorizonOptions o = f.options;
+  if (!f.subjects.empty()) o.subjects = f.subjects;
+  if (!f.scalars.empty()) o.scalars = f.scalars;
+  if (!f.walks.empty()) o.walks = f.walks;
+  if (!o.state.empty()) check_writable(o.state);
+  stop_on_signals();
+  nlohmann::json rows = nlohmann::json::array();
+  bool failed = false;
+  fmt::print("{:<16}{:<8}{:<13}{:>12}{:>11}{:>13}{:>12}{:>9}  {}\n", "subject", "scalar", "walk", "calls",
+             "norm [eps]", "angle [eps]", "/ sqrt(n)", "growth", "95 %");
+  const bool complete = measure_horizons(o, [&](const Horizon& h) {
+    const std::string why = h.subject == "liecheck" ? broken(h) : "";
+    failed = failed || !why.empty();
+    for (const HorizonPoint& p : h.points) {
+      const bool last = &p == &h.points.back();
+      if (!last && !f.all) continue;
+      fmt::print("{:<16}{:<8}{:<13}{:>12}{:>11.3g}{:>13.4g}{:>12.3g}{}{}\n", h.subject, h.scalar, h.walk, p.n,
+                 p.norm, p.attitude, p.attitude / std::sqrt(static_cast<double>(p.n)),
+                 last && std::isfinite(h.exponent)
+                     ? fmt::format("{:>9.2f}  {:.2f} .. {:.2f}", h.exponent, h.low, h.high)
+                     : "",
+                 last && !why.empty() ? "  FAILED: " + why : "");
+    }
+    std::fflush(stdout);
+    rows.push_back(json_of(h, why));
+  });
+  if (!complete)
+    fmt::print(stderr, "interrupted{}\n",
+               o.state.empty() ? "" : ": the same command goes on with " + o.state);
+  const int code = failed ? property_failed : !complete || rows.empty() ? incomplete : within_budget;
+  if (!f.json.empty())
+    write_record(f.json, {{"horizons", 1},
+                          {"verdict", failed                  ? "fail"
+                                      : code == within_budget ? "pass"
+                                                              : "incomplete"},
+                          {"steps", o.steps},
+                          {"paths", o.paths},
+                          {"seed", o.seed},
+                          {"rows", rows}});
+  return code;
+}
+
+}  // namespace
+
+Command bench_horizons_command(CLI::App& bench) {
+  CommandWith<Flags> a(
+      bench, "horizons",
+      "long horizons: the drift of norm and attitude over many calls of integrate, of products with a "
+      "normalisation, and of compose there and back, and the laws by which they grow. Exit code 0 if "
+      "liecheck keeps what docs/horizons.md says; 1 if not; 2 for bad input; 3 if stopped");
+  a.list("--subject", a->subjects, "NAME", "a subject, repeatable; default liecheck");
+  a.list("--scalar", a->scalars, "T", "float or double, repeatable; default both");
+  a.list("--walk", a->walks, "WALK",
+         "pure, coning, random, first_order, full or back, repeatable; default all");
+  a.number("--steps", a->options.steps, 64, 100'000'000'000, "calls of each path");
+  a.number("--paths", a->options.paths, 1, 64, "paths with other random numbers");
+  a.seed(a->options.seed, "seed of the increments");
+  a.text("--state", a->options.state, "FILE", "write where each path is, and go on from there");
+  a.toggle("--all", a->all, "show all points");
+  a->options.jobs = default_jobs();
+  a.jobs(a->options.jobs);
+  a.json(a->json, "write the rows to FILE");
+  return a.runs(run);
+}
+
+}  // namespace liecheck::properties

@@ -1,0 +1,288 @@
+#include <fmt/format.h>
+#include <adapters/adapter.hpp>
+#include <adapters/exchange.hpp>
+#include <adapters/subjects.hpp>
+#include <algorithm>
+#include <app/command.hpp>
+#include <cmath>
+#include <environments/build.hpp>
+#include <environments/measure.hpp>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <support/environment.hpp>
+#include <support/json_number.hpp>
+#include <support/progress.hpp>
+#include <support/stop.hpp>
+#include <support/text.hpp>
+
+namespace liecheck::properties {
+
+namespace {
+
+using namespace environments;
+using nlohmann::json;
+using Table = std::map<std::pair<std::string, std::string>, Figures>;
+
+struct Flags {
+  std::vector<std::string> subjects, only;
+  std::string folder, json;
+  MeasureOptions options;
+  bool all = false, no_hard_cases = false;
+};
+
+/// A subject that is measured: in this program, or by its adapter.
+struct Tested {
+  std::string name;
+  Profile profile = Profile::careful;
+  bool linked = false, has_source = false;
+  std::string linked_name, adapter_name;  ///< of the registered subjects; "" until it is registered
+};
+
+constexpr const char* promises[] = {"same", "four times the limits", "flushed", "none"};
+
+Figures sum_of(const Table& table) {
+  Figures sum;
+  for (const auto& [key, f] : table) sum.add(f);
+  return sum;
+}
+
+/// 99.9 % is never shown as 100 %.
+std::string share(std::uint64_t part, std::uint64_t whole) {
+  if (whole == 0) return "-";
+  if (part == whole) return "100 %";
+  return fmt::format("{:.1f} %",
+                     std::floor(1000.0 * static_cast<double>(part) / static_cast<double>(whole)) / 10);
+}
+
+void print_header() {
+  fmt::print("{:<18}{:<17}{:>7}{:>11}{:>11}{:>8}{:>12}{:>8}  {}\n", "subject", "environment", "checks",
+             "same bits", "verdicts", "worse", "of limit", "digits", "of");
+}
+
+void print_row(const std::string& subject, const std::string& name, const std::string& of, const Figures& f) {
+  fmt::print("{:<18}{:<17}{:>7}{:>11}{:>11}{:>8}{:>12.3g}{:>8.1f}  {}\n", subject, name, f.cases,
+             share(f.same_calls, f.calls), share(f.same_verdicts, f.cases), f.worse, f.of_limit,
+             f.digits_lost, of);
+}
+
+json json_of(const Figures& f) {
+  return {{"checks", f.cases},
+          {"calls", f.calls},
+          {"same_calls", f.same_calls},
+          {"same_verdicts", f.same_verdicts},
+          {"not_judged", f.small},
+          {"worse", f.worse},
+          {"not_finite", f.not_finite},
+          {"wrong_branch", f.wrong_branch},
+          {"refused", f.refused},
+          {"of_limit", number(f.of_limit)},
+          {"digits_lost", number(f.digits_lost)},
+          {"block", f.block},
+          {"worst", f.worst}};
+}
+
+class Run {
+ public:
+  explicit Run(const Flags& f) : flags_(f), environments_(chosen(f.only)) {
+    if (std::ranges::any_of(environments_, [](const Environment& e) { return !e.mode; }) ||
+        !f.subjects.empty()) {
+      try {
+        sources_ = Sources::of_build_tree();
+      } catch (const std::runtime_error& e) {
+        no_sources_ = e.what();
+      }
+    }
+    folder_ = f.folder.empty() ? default_folder() : f.folder;
+    const auto linked = subject_names();
+    for (const std::string& name : f.subjects.empty() ? std::vector<std::string>{"liecheck"} : f.subjects) {
+      Tested t;
+      t.name = name;
+      t.profile = name == "liecheck" ? Profile::ours : Profile::careful;
+      t.linked = std::ranges::count(linked, name) > 0, t.has_source = sources_.adapters.contains(name);
+      t.linked_name = t.linked ? name : "";
+      if (!t.linked && !t.has_source) unknown(name);
+      subjects_.push_back(t);
+    }
+    if (subjects_.size() > adapters::most_adapters)
+      throw std::invalid_argument(fmt::format("--subject: more than {} subjects", adapters::most_adapters));
+  }
+
+  int all() {
+    fmt::print(
+        "{}\nThis program rounds to nearest and keeps subnormal numbers; subjects are compared with {}.\n\n",
+        environment_line(), "its own build of them");
+    print_header();
+    for (Tested& t : subjects_) {
+      if (stop_requested) break;
+      measure_all(t);
+    }
+    for (const Environment& e : environments_)
+      if (const std::string why = missing(e); !why.empty()) {
+        fmt::print("absent: {} ({}): {}\n", e.name, e.what, why);
+        absent_.push_back({{"environment", e.name}, {"what", e.what}, {"why", why}});
+      }
+    for (const std::string& line : lines_) fmt::print("{}\n", line);
+    const int code = stop_requested || !complete_ || rows_.empty() ? incomplete : within_budget;
+    const int result = broken_ > 0 ? property_failed : code;
+    fmt::print("\n{}\n",
+               result == property_failed
+                   ? fmt::format("{} of {} environments x subjects break what is expected of them", broken_,
+                                 measured_)
+               : result == incomplete
+                   ? "incomplete"
+                   : fmt::format("in all {} environments x subjects, every check holds", measured_));
+    if (!flags_.json.empty())
+      write_record(flags_.json, {{"environments", 1},
+                                 {"verdict", result == within_budget     ? "pass"
+                                             : result == property_failed ? "fail"
+                                                                         : "incomplete"},
+                                 {"environment", environment()},
+                                 {"seed", flags_.options.seed},
+                                 {"cases", flags_.options.cases},
+                                 {"rows", rows_},
+                                 {"absent", absent_},
+                                 {"not_built", not_built_}});
+    return result;
+  }
+
+ private:
+  static std::string default_folder() {
+    return (std::filesystem::read_symlink("/proc/self/exe").parent_path().parent_path() / "environments")
+        .string();
+  }
+  static std::vector<Environment> chosen(const std::vector<std::string>& only) {
+    if (only.empty()) return environments::all();
+    std::vector<Environment> some;
+    std::string known;
+    for (const Environment& e : environments::all()) known += (known.empty() ? "" : ", ") + e.name;
+    for (const std::string& name : only) {
+      const auto at = std::ranges::find(environments::all(), name, &Environment::name);
+      if (at == environments::all().end())
+        throw std::invalid_argument(fmt::format("--only: unknown environment '{}'; known: {}", name, known));
+      some.push_back(*at);
+    }
+    return some;
+  }
+  [[noreturn]] void unknown(const std::string& name) const {
+    if (!no_sources_.empty()) throw std::invalid_argument(no_sources_);
+    std::string known;
+    for (const auto& [other, source] : sources_.adapters) known += (known.empty() ? "" : ", ") + other;
+    throw std::invalid_argument(
+        fmt::format("--subject: unknown subject '{}'; those with an adapter in one source file: {}; "
+                    "'liecheck list' shows those "
+                    "of the program, which are called in other modes only",
+                    name, known));
+  }
+
+  void measure_all(Tested& t) {
+    if (!t.linked) register_as(t, built_for_program(sources_, t.name, folder_));
+    const std::string& own = t.linked ? t.linked_name : t.adapter_name;
+    const auto before = measured(own, t, {}, "its own build");
+    if (!before) return;
+    const std::string in_process = t.linked ? "" : "in-process:" + folder_ + "/" + t.name + "-program.so";
+    for (const Environment& e : environments_) {
+      if (stop_requested) return;
+      if (!missing(e).empty()) continue;
+      try {
+        if (e.mode) {
+          if (!t.linked) adapters::exchange_adapter(t.adapter_name, in_process);
+          report(t, e, *before, measured(own, t, *e.mode, e.name));
+        } else if (t.has_source) {
+          register_as(t, built(sources_, t.name, e, folder_));
+          report(t, e, *before, measured(t.adapter_name, t, {}, e.name));
+        }
+      } catch (const std::runtime_error& why) {  // not built, or not started
+        complete_ = false;
+        lines_.push_back(fmt::format("not built: {} for {}: {}", t.name, e.name, why.what()));
+        not_built_.push_back({{"subject", t.name}, {"environment", e.name}, {"why", why.what()}});
+      }
+    }
+    if (!t.has_source && std::ranges::any_of(environments_, [](const Environment& e) { return !e.mode; }))
+      lines_.push_back(
+          fmt::format("not built: {}: {}", t.name,
+                      no_sources_.empty() ? "it has no adapter in one source file" : no_sources_));
+  }
+
+  static void register_as(Tested& t, const std::string& text) {
+    if (t.adapter_name.empty())
+      t.adapter_name = adapters::register_adapter(text);
+    else
+      adapters::exchange_adapter(t.adapter_name, text);
+  }
+
+  std::optional<Measured> measured(const std::string& subject, const Tested& t, const FloatMode& mode,
+                                   const std::string& where) {
+    Progress progress("environments");
+    progress.show(0, t.name + " in " + where);
+    MeasureOptions options = flags_.options;
+    options.hard_cases = !flags_.no_hard_cases;
+    return measure(subject, t.profile, mode, options);
+  }
+
+  void report(const Tested& t, const Environment& e, const Measured& before,
+              const std::optional<Measured>& now) {
+    if (!now) return;
+    const Table table = compared(before, *now, e.promise);
+    const Figures sum = sum_of(table);
+    const bool judged = e.promise != Promise::none;
+    ++measured_, broken_ += judged && sum.worse > 0;
+    print_row(t.name, e.name, judged ? "all operations" : "all operations; not judged", sum);
+    json operations = json::array();
+    for (const auto& [key, f] : table) {
+      if (flags_.all || f.worse > 0) print_row("", "", fmt::format("{} in {}", key.first, key.second), f);
+      json row = json_of(f);
+      row["operation"] = key.first, row["scalar"] = key.second;
+      operations.push_back(row);
+    }
+    std::fflush(stdout);
+    rows_.push_back({{"subject", t.name},
+                     {"environment", e.name},
+                     {"what", e.what},
+                     {"expected", promises[static_cast<int>(e.promise)]},
+                     {"sum", json_of(sum)},
+                     {"operations", operations}});
+  }
+
+  const Flags& flags_;
+  std::vector<Environment> environments_;
+  Sources sources_;
+  std::string no_sources_, folder_;
+  std::vector<Tested> subjects_;
+  std::vector<std::string> lines_;
+  json rows_ = json::array(), absent_ = json::array(), not_built_ = json::array();
+  bool complete_ = true;
+  int measured_ = 0, broken_ = 0;
+};
+
+int run(const Flags& f) {
+  Run run(f);
+  stop_on_signals();
+  return run.all();
+}
+
+}  // namespace
+
+Command environments_command(CLI::App& program) {
+  CommandWith<Flags> a(
+      program, "environments",
+      "the laws and the hard cases on a subject that is called in other rounding modes or built with "
+      "other compilers, flags and C libraries, and for other processors. Exit code 0 if it is there "
+      "what it is in this program; 1 if not; 2 for bad input; 3 if stopped or not built");
+  a.list("--subject", a->subjects, "NAME",
+         "a subject, repeatable; default liecheck. One with an adapter in one source file is built anew; "
+         "others are "
+         "called in other modes only");
+  a.list("--only", a->only, "NAME", "an environment, repeatable; default every one");
+  a.number("--cases", a->options.cases, 1, 1'000'000, "cases of each law and scalar");
+  a.toggle("--no-hard-cases", a->no_hard_cases, "leave out the hard cases");
+  a.seed(a->options.seed, "seed of the cases");
+  a.toggle("--all", a->all, "show every operation, not only those that are worse");
+  a.text("--dir", a->folder, "DIR", "folder of the builds, which are kept; default: that of the build tree");
+  a->options.jobs = default_jobs();
+  a.jobs(a->options.jobs);
+  a.json(a->json, "write the matrix to FILE");
+  return a.runs(run);
+}
+
+}  // namespace liecheck::properties

@@ -1,0 +1,37 @@
+#pragma once
+// Builds a subject, whose adapter is one source file, for an environment.
+
+#include <environments/environments.hpp>
+#include <map>
+#include <stdexcept>
+#include <string>
+
+namespace liecheck::properties::environments {
+
+/// The adapters of the build tree, as its file environments.json lists them.
+struct Sources {
+  struct Adapter {
+    std::string source, flags, libraries;
+  };
+  std::map<std::string, Adapter> adapters;  ///< by the name of the subject
+  std::string process;                      ///< a program of the process protocol, compiled with the adapter
+  std::string compiler, flags;              ///< of the program itself
+
+  /// Beside the program in its build tree. Throws std::runtime_error if it is not there.
+  static Sources of_build_tree();
+};
+
+/// The compiler failed, in the words of its first error.
+struct NotBuilt : std::runtime_error {
+  using runtime_error::runtime_error;
+};
+
+/// Compiles the adapter of `subject` for the environment in `folder`, unless that was done and nothing changed since.
+/// Returns what --adapter takes. Throws NotBuilt.
+std::string built(const Sources& sources, const std::string& subject, const Environment& e,
+                  const std::string& folder);
+
+/// The same with the program's own compiler and flags, as a library in this process.
+std::string built_for_program(const Sources& sources, const std::string& subject, const std::string& folder);
+
+}  // namespace liecheck::properties::environments

@@ -1,0 +1,374 @@
+#include <horizons/horizons.hpp>
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <campaign/case_id.hpp>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <map>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <optional>
+#include <oracles/exp.hpp>
+#include <oracles/quaternion.hpp>
+#include <stdexcept>
+#include <subjects/subject.hpp>
+#include <support/files.hpp>
+#include <support/json.hpp>
+#include <support/stop.hpp>
+#include <support/threads.hpp>
+
+namespace liecheck::properties {
+
+namespace {
+
+using nlohmann::json;
+using oracles::Quaternion;
+using oracles::Real;
+
+/// The increments come in sequences of so many, whose exact product is computed once.
+constexpr std::uint64_t block = 64;
+constexpr std::size_t sequences = 16;
+
+std::uint64_t mixed(std::uint64_t x) {  // splitmix64: Steele, Lea & Flood 2014
+  x += 0x9e3779b97f4a7c15;
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111eb;
+  return x ^ (x >> 31);
+}
+double uniform(std::uint64_t x) {  // in [-1, 1)
+  return std::ldexp(static_cast<double>(mixed(x) >> 11), -52) - 1;
+}
+
+/// 64 increments of a walk: pure is 1e-3 rad about one axis; coning has an axis that goes round; others are random, up to
+/// 0.1 rad a component.
+template <class S>
+std::array<Vec<S, 3>, block> increments(const std::string& walk, std::uint64_t key) {
+  std::array<Vec<S, 3>, block> all;
+  for (std::uint64_t k = 0; k < block; ++k) {
+    const double turn = 2 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(block);
+    if (walk == "pure")
+      all[k] = {S(1e-3 / 3), S(-2e-3 / 3), S(2e-3 / 3)};
+    else if (walk == "coning")
+      all[k] = {S(1e-2 * std::cos(turn)), S(1e-2 * std::sin(turn)), S(1e-3)};
+    else
+      for (int i = 0; i < 3; ++i)
+        all[k][i] = S(0.1 * uniform(mixed(key) + 3 * k + static_cast<std::uint64_t>(i)));
+  }
+  return all;
+}
+
+template <class S>
+Quaternion<Real> exact_exp(const Vec<S, 3>& phi) {
+  return oracles::exp_so3(oracles::exact_vector<3>(phi)).Q;
+}
+
+/// The increments of a walk with the exact product of each sequence.
+template <class S>
+struct Increments {
+  std::vector<std::array<Vec<S, 3>, block>> phi;
+  std::vector<Quaternion<Real>> product;
+
+  Increments(const std::string& walk, std::uint64_t seed) {
+    const std::size_t n = walk == "pure" || walk == "coning" ? 1 : sequences;
+    for (std::size_t i = 0; i < n; ++i) {
+      phi.push_back(increments<S>(walk, mixed(seed) + i));
+      Quaternion<Real> Q{{0, 0, 0, 1}};
+      for (const auto& one : phi.back()) Q = oracles::quaternion_product(Q, exact_exp(one));
+      product.push_back(Q);
+    }
+  }
+  std::size_t sequence(std::uint64_t seed, unsigned path, std::uint64_t at) const {
+    return mixed(mixed(seed + path) + at) % phi.size();
+  }
+};
+
+template <class S>
+Vec<S, 4> product(const Vec<S, 4>& a, const Vec<S, 4>& b) {
+  return {a[3] * b[0] + a[0] * b[3] + a[1] * b[2] - a[2] * b[1],
+          a[3] * b[1] - a[0] * b[2] + a[1] * b[3] + a[2] * b[0],
+          a[3] * b[2] + a[0] * b[1] - a[1] * b[0] + a[2] * b[3],
+          a[3] * b[3] - a[0] * b[0] - a[1] * b[1] - a[2] * b[2]};
+}
+
+/// One path, which can be written down between two blocks.
+template <class S>
+class Path {
+ public:
+  Path(const Operations<S>& o, const std::string& walk, const Increments<S>& increments, std::uint64_t seed,
+       unsigned number)
+      : o_(o), walk_(walk), increments_(increments), seed_(seed), number_(number) {
+    X_.R.setIdentity(), X_.p.setZero();
+    q_ << 0, 0, 0, 0, 0, 0, 1;
+  }
+  static bool offered(const Operations<S>& o, const std::string& walk) {
+    if (walk == "first_order") return o[op::exp3_quaternion] && o[op::first_order_normalize];
+    if (walk == "full") return o[op::exp3_quaternion] && o[op::normalize];
+    if (walk == "back") return o[op::exp6] && o[op::compose] && o[op::inverse];
+    return o[op::integrate] != nullptr;
+  }
+
+  std::uint64_t n() const { return n_; }
+  void advance() {
+    const std::size_t s = increments_.sequence(seed_, number_, n_ / block);
+    for (const auto& phi : increments_.phi[s]) step(phi);
+    if (walk_ != "back") truth_ = oracles::quaternion_product(truth_, increments_.product[s]);
+    n_ += block;
+    norm_ = std::max(norm_, defect());
+  }
+  /// Largest defect of the norm so far, and the angle to the exact attitude [eps]. The walk back is made for it.
+  std::pair<double, double> errors() const {
+    if (walk_ != "back") return {norm_ / eps, angle(Vec<S, 4>(q_.template tail<4>())) / eps};
+    Path there = *this;
+    for (std::uint64_t at = n_ / block; at-- > 0 && !stop_requested;) {
+      const auto& phi = increments_.phi[increments_.sequence(seed_, number_, at)];
+      for (std::size_t k = block; k-- > 0;)
+        there.X_ = o_[op::compose](there.X_, o_[op::inverse](pose(phi[k])));
+    }
+    return {norm_ / eps,
+            (there.X_.R - Mat<S, 3>::Identity()).template cast<double>().norm() / std::sqrt(2) / eps};
+  }
+
+  json state() const {
+    json numbers = json::array();
+    for (int i = 0; i < 7; ++i) numbers.push_back(hexadecimal_float(q_[i]));
+    for (int i = 0; i < 9; ++i) numbers.push_back(hexadecimal_float(X_.R(i / 3, i % 3)));
+    for (int i = 0; i < 3; ++i) numbers.push_back(hexadecimal_float(X_.p[i]));
+    json truth = json::array();
+    for (int i = 0; i < 4; ++i) truth.push_back(truth_[i].str(0, std::ios_base::scientific));
+    return {{"n", n_}, {"norm", hexadecimal_float(norm_)}, {"numbers", numbers}, {"truth", truth}};
+  }
+  void restore(const json& s) {
+    n_ = s.at("n"), norm_ = parse_float<double>(s.at("norm"));
+    const json& x = s.at("numbers");
+    std::size_t at = 0;
+    for (int i = 0; i < 7; ++i) q_[i] = parse_float<S>(x.at(at++));
+    for (int i = 0; i < 9; ++i) X_.R(i / 3, i % 3) = parse_float<S>(x.at(at++));
+    for (int i = 0; i < 3; ++i) X_.p[i] = parse_float<S>(x.at(at++));
+    for (int i = 0; i < 4; ++i)
+      truth_[i] = Real(s.at("truth").at(static_cast<std::size_t>(i)).get<std::string>());
+  }
+
+ private:
+  static constexpr double eps = std::numeric_limits<S>::epsilon();
+
+  void step(const Vec<S, 3>& phi) {
+    if (walk_ == "back") {
+      X_ = o_[op::compose](X_, pose(phi));
+    } else if (walk_ == "first_order" || walk_ == "full") {
+      const Vec<S, 4> Q = product<S>(q_.template tail<4>(), o_[op::exp3_quaternion](phi));
+      q_.template tail<4>() = walk_ == "full" ? o_[op::normalize](Q) : o_[op::first_order_normalize](Q);
+    } else {
+      Vec<S, 6> delta = Vec<S, 6>::Zero();
+      delta.template tail<3>() = phi;
+      q_ = o_[op::integrate](q_, delta);
+    }
+  }
+  Pose<S> pose(const Vec<S, 3>& phi) const {
+    Vec<S, 6> xi = Vec<S, 6>::Zero();
+    xi.template tail<3>() = phi;
+    return o_[op::exp6](xi);
+  }
+  double defect() const {
+    if (walk_ == "back")
+      return (X_.R.template cast<double>().transpose() * X_.R.template cast<double>() -
+              Mat<double, 3>::Identity())
+          .norm();
+    long double sum = -1;
+    for (int i = 3; i < 7; ++i) sum += static_cast<long double>(q_[i]) * static_cast<long double>(q_[i]);
+    return std::fabs(static_cast<double>(sum));
+  }
+  double angle(const Vec<S, 4>& stored) const {
+    Quaternion<Real> Q = oracles::exact_vector<4>(stored);
+    const Real size = oracles::norm(Q), true_size = oracles::norm(truth_);
+    Real minus = 0, plus = 0;
+    for (int i = 0; i < 4; ++i) {
+      const Real a = Q[i] / size, b = truth_[i] / true_size;
+      minus += (a - b) * (a - b), plus += (a + b) * (a + b);
+    }
+    return 2 * static_cast<double>(sqrt(std::min(minus, plus)));
+  }
+
+  const Operations<S>& o_;
+  std::string walk_;
+  const Increments<S>& increments_;
+  std::uint64_t seed_;
+  unsigned number_;
+  std::uint64_t n_ = 0;
+  double norm_ = 0;
+  Vec<S, 7> q_;
+  Pose<S> X_;
+  Quaternion<Real> truth_{{0, 0, 0, 1}};
+};
+
+/// 64, and then the multiples of 64 above the powers of sqrt(10), up to the number of steps.
+std::vector<std::uint64_t> checkpoints(std::uint64_t steps) {
+  std::vector<std::uint64_t> all;
+  for (double at = block; at < static_cast<double>(steps); at *= std::sqrt(10.0))
+    all.push_back((static_cast<std::uint64_t>(at) + block - 1) / block * block);
+  all.push_back((steps + block - 1) / block * block);
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
+/// The state of all paths in a file.
+class State {
+ public:
+  explicit State(const HorizonOptions& o) : file_(o.state) {
+    const json what{{"steps", o.steps}, {"paths", o.paths}, {"seed", o.seed}};
+    all_ = {{"horizons", 1}, {"options", what}, {"paths", json::object()}};
+    if (file_.empty() || !std::filesystem::exists(file_)) return;
+    json before;
+    try {
+      before = parsed(read_whole(file_));
+    } catch (const json::exception& e) {
+      throw std::invalid_argument(fmt::format("{}: is not JSON: {}", file_, e.what()));
+    }
+    if (!before.is_object() || before.value("horizons", 0) != 1 || before.value("options", json()) != what)
+      throw std::invalid_argument(fmt::format("{}: is no state of a run with {} steps, {} paths and seed {}",
+                                              file_, o.steps, o.paths, o.seed));
+    all_ = before;
+  }
+  json get(const std::string& path) {
+    const std::lock_guard lock(mutex_);
+    return all_["paths"].value(path, json());
+  }
+  /// Writes the file at most every ten seconds, and when a path ends.
+  void put(const std::string& path, json state, bool end) {
+    if (file_.empty()) return;
+    const std::lock_guard lock(mutex_);
+    all_["paths"][path] = std::move(state);
+    const auto now = std::chrono::steady_clock::now();
+    if (!end && now - written_ < std::chrono::seconds(10)) return;
+    written_ = now;
+    write_whole(file_, dumped(all_));
+  }
+
+ private:
+  std::string file_;
+  std::mutex mutex_;
+  json all_;
+  std::chrono::steady_clock::time_point written_ = std::chrono::steady_clock::now();
+};
+
+/// Goes on with a path to its end. Returns its errors at the checkpoints, or fewer if stop_requested.
+template <class S>
+std::vector<std::pair<double, double>> walked(Path<S> path, const std::string& name,
+                                              const std::vector<std::uint64_t>& at, State& state) {
+  std::vector<std::pair<double, double>> errors;
+  if (const json before = state.get(name); !before.is_null()) {
+    path.restore(before);
+    for (const json& e : before.at("errors"))
+      errors.emplace_back(parse_float<double>(e.at(0)), parse_float<double>(e.at(1)));
+  }
+  const auto write = [&](bool end) {
+    json s = path.state();
+    s["errors"] = json::array();
+    for (const auto& [norm, attitude] : errors)
+      s["errors"].push_back({hexadecimal_float(norm), hexadecimal_float(attitude)});
+    state.put(name, std::move(s), end);
+  };
+  for (std::uint64_t blocks = 0; errors.size() < at.size() && !stop_requested; ++blocks) {
+    while (path.n() < at[errors.size()] && !stop_requested) {
+      path.advance();
+      if (path.n() % (block << 14) == 0) write(false);
+    }
+    if (stop_requested) break;
+    const auto e = path.errors();
+    if (stop_requested) break;
+    errors.push_back(e);
+    write(errors.size() == at.size());
+  }
+  if (stop_requested) write(true);
+  return errors;
+}
+
+template <class S>
+std::optional<Horizon> measured(const Subject<S>& subject, const std::string& walk, const HorizonOptions& o,
+                                State& state) {
+  const Increments<S> increments(walk, o.seed);
+  const auto at = checkpoints(o.steps);
+  std::vector<std::vector<std::pair<double, double>>> errors(o.paths);
+  std::atomic<unsigned> next{0};
+  std::atomic<bool> stop{false};
+  run_on_threads(std::min(o.jobs, o.paths), stop, [&] {
+    for (unsigned i = next++; i < o.paths && !stop && !stop_requested; i = next++)
+      errors[i] = walked(Path<S>(subject.operations, walk, increments, o.seed, i),
+                         fmt::format("{} {} {} {}", subject.name, scalar_name<S>(), walk, i), at, state);
+  });
+  if (stop_requested) return std::nullopt;
+  Horizon h{subject.name, scalar_name<S>(), walk, {}};
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    HorizonPoint p{at[k]};
+    for (const auto& e : errors) {
+      p.norm = std::max(p.norm, e[k].first);
+      p.attitude += e[k].second * e[k].second / o.paths;
+    }
+    p.attitude = std::sqrt(p.attitude);
+    h.points.push_back(p);
+  }
+  fit_growth(h);
+  return h;
+}
+
+template <class S>
+bool measure_in(const HorizonOptions& o, State& state, const std::function<void(const Horizon&)>& report) {
+  if (!std::ranges::count(o.scalars, scalar_name<S>())) return true;
+  for (const std::string& name : o.subjects)
+    for (const Subject<S>* s : subjects<S>()) {
+      if (s->name != name) continue;
+      for (const std::string& walk : o.walks) {
+        if (!Path<S>::offered(s->operations, walk)) continue;
+        HorizonOptions own = o;
+        if (walk == "pure" || walk == "coning") own.paths = 1;  // they have no random numbers
+        const auto h = measured(*s, walk, own, state);
+        if (!h) return false;
+        report(*h);
+      }
+    }
+  return true;
+}
+
+}  // namespace
+
+void fit_growth(Horizon& h) {
+  // The 97.5 % quantiles of Student's t for 1 to 12 degrees of freedom: Abramowitz & Stegun, table 26.10.
+  constexpr double t[] = {12.706, 4.303, 3.182, 2.776, 2.571, 2.447,
+                          2.365,  2.306, 2.262, 2.228, 2.201, 2.179};
+  std::vector<std::pair<double, double>> xy;
+  for (const HorizonPoint& p : h.points)
+    if (p.n >= 1000 && p.attitude > 0)
+      xy.emplace_back(std::log(static_cast<double>(p.n)), std::log(p.attitude));
+  h.exponent = h.low = h.high = std::numeric_limits<double>::quiet_NaN();
+  const std::size_t n = xy.size();
+  if (n < 3) return;
+  double x = 0, y = 0, xx = 0, xy_sum = 0, rest = 0;
+  for (const auto& [a, b] : xy) x += a / static_cast<double>(n), y += b / static_cast<double>(n);
+  for (const auto& [a, b] : xy) xx += (a - x) * (a - x), xy_sum += (a - x) * (b - y);
+  h.exponent = xy_sum / xx;
+  for (const auto& [a, b] : xy) rest += std::pow(b - y - h.exponent * (a - x), 2);
+  const double error =
+      std::sqrt(rest / static_cast<double>(n - 2) / xx) * t[std::min(n - 3, std::size(t) - 1)];
+  h.low = h.exponent - error, h.high = h.exponent + error;
+}
+
+bool measure_horizons(const HorizonOptions& o, const std::function<void(const Horizon&)>& report) {
+  for (const std::string& walk : o.walks)
+    if (!std::ranges::count(horizon_walks, walk))
+      throw std::invalid_argument(
+          fmt::format("--walk: unknown walk '{}'; known: {}", walk, fmt::join(horizon_walks, ", ")));
+  for (const std::string& name : o.subjects)
+    if (std::ranges::none_of(subjects<double>(), [&](const auto* s) { return s->name == name; }) &&
+        std::ranges::none_of(subjects<float>(), [&](const auto* s) { return s->name == name; }))
+      throw std::invalid_argument(
+          fmt::format("--subject: unknown subject '{}'; 'liecheck list' shows them", name));
+  State state(o);
+  return measure_in<float>(o, state, report) && measure_in<double>(o, state, report);
+}
+
+}  // namespace liecheck::properties

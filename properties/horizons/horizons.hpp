@@ -1,0 +1,47 @@
+#pragma once
+// Long horizons: what is left of a pose after up to 10^9 calls of integrate, of a product with a normalisation, or of
+// compose, and how the errors grow.
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace liecheck::properties {
+
+/// The ways in which an attitude is moved.
+inline const std::vector<std::string> horizon_walks{"pure",        "coning", "random",
+                                                    "first_order", "full",   "back"};
+
+struct HorizonOptions {
+  std::vector<std::string> subjects{"liecheck"}, scalars{"float", "double"}, walks = horizon_walks;
+  std::uint64_t steps = 1'000'000;  ///< of each path
+  unsigned paths = 4;               ///< with other random numbers, for the mean of squares
+  std::uint64_t seed = 42;
+  unsigned jobs = 1;
+  std::string state;  ///< a file from which a path goes on, or ""
+};
+
+/// After n steps, over all paths.
+struct HorizonPoint {
+  std::uint64_t n = 0;
+  double norm = 0;      ///< largest | |Q|^2 - 1 | or |R^T R - I| so far [eps]
+  double attitude = 0;  ///< root of the mean square of the angle between the pose and the exact one [eps]
+};
+
+struct Horizon {
+  std::string subject, scalar, walk;
+  std::vector<HorizonPoint> points;
+  double exponent = 0, low = 0,
+         high = 0;  ///< attitude ~ n^exponent, fitted from n = 1000 on; the 95 % interval
+};
+
+/// Measures each walk of each subject, reports it, and writes the state now and then and at the end. A walk that is not
+/// offered is left out. Returns false if stop_requested. Throws std::invalid_argument for an unknown name, or for a
+/// state of other options.
+bool measure_horizons(const HorizonOptions& options, const std::function<void(const Horizon&)>& report);
+
+/// The slope of log y over log x by least squares, and its 95 % interval by Student's t. Points with y = 0 are left out.
+void fit_growth(Horizon& horizon);
+
+}  // namespace liecheck::properties

@@ -1,0 +1,102 @@
+// Long horizons: drifts that are planted are found, and a path that is interrupted goes on with the same bits.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <horizons/horizons.hpp>
+#include <subjects/subject.hpp>
+#include <support/stop.hpp>
+
+namespace liecheck::properties {
+namespace {
+
+using O = Operations<double>;
+
+const O& good() {
+  for (const auto* s : subjects<double>())
+    if (s->name == "liecheck") return s->operations;
+  throw std::logic_error("liecheck is not registered");
+}
+
+/// integrate with an error of 2^-40 in the angle of each call, always to the same side, or with a norm that grows.
+const Registered<double> drifts([] {
+  Subject<double> s;
+  s.name = "horizon:drifts";
+  s.operations[op::integrate] = [](const O::V7& q, const O::V6& d) -> O::V7 {
+    O::V6 more = d;
+    more.tail<3>() *= 1 + 0x1p-40;
+    return good()[op::integrate](q, more);
+  };
+  return s;
+}());
+const Registered<double> grows([] {
+  Subject<double> s;
+  s.name = "horizon:grows";
+  s.operations[op::integrate] = [](const O::V7& q, const O::V6& d) -> O::V7 {
+    O::V7 next = good()[op::integrate](q, d);
+    next.tail<4>() *= q.tail<4>().norm() * (1 + 0x1p-50);
+    return next;
+  };
+  return s;
+}());
+
+Horizon one(HorizonOptions o, const std::string& subject, const std::string& walk) {
+  o.subjects = {subject}, o.scalars = {"double"}, o.walks = {walk};
+  Horizon found;
+  EXPECT_TRUE(measure_horizons(o, [&](const Horizon& h) { found = h; }));
+  return found;
+}
+
+TEST(Horizons, ASystematicErrorGrowsWithTheNumberOfCallsAndARandomOneWithItsRoot) {
+  HorizonOptions o;
+  o.steps = 100'000, o.paths = 2;
+  const Horizon bad = one(o, "horizon:drifts", "pure");
+  EXPECT_NEAR(bad.exponent, 1, 0.02);
+  // 2^-40 of 1e-3 rad in each call, in eps of 2^-52
+  EXPECT_NEAR(bad.points.back().attitude, 4.096 * static_cast<double>(bad.points.back().n), 0.01 * 4.1e5);
+  const Horizon ours = one(o, "liecheck", "random");
+  EXPECT_LT(ours.low, 0.5);
+  EXPECT_LT(ours.points.back().attitude, std::sqrt(1e5));
+  EXPECT_GT(ours.points.back().attitude, 0);
+  EXPECT_LE(ours.points.back().norm, 4);
+}
+
+TEST(Horizons, ANormThatGrowsIsMeasured) {
+  HorizonOptions o;
+  o.steps = 6400, o.paths = 1;
+  const Horizon bad = one(o, "horizon:grows", "random");
+  EXPECT_NEAR(bad.points.back().norm, 2 * 4 * 6400, 800);
+}
+
+TEST(Horizons, APathThatIsInterruptedGoesOnWithTheSameBits) {
+  HorizonOptions o;
+  o.steps = 20'000, o.paths = 1;
+  const Horizon whole = one(o, "liecheck", "random");
+  o.state = (std::filesystem::path(testing::TempDir()) / "horizon_state.json").string();
+  std::filesystem::remove(o.state);
+  o.subjects = {"liecheck"}, o.scalars = {"double"}, o.walks = {"pure", "random"};
+  EXPECT_FALSE(measure_horizons(o, [](const Horizon&) { stop_requested = true; }));
+  stop_requested = false;
+  std::vector<Horizon> all;
+  EXPECT_TRUE(measure_horizons(o, [&](const Horizon& h) { all.push_back(h); }));
+  ASSERT_EQ(all.size(), 2u);
+  ASSERT_EQ(all[1].points.size(), whole.points.size());
+  for (std::size_t i = 0; i < whole.points.size(); ++i)
+    EXPECT_EQ(all[1].points[i].attitude, whole.points[i].attitude) << i;
+  o.steps = 30'000;
+  EXPECT_THROW(measure_horizons(o, [](const Horizon&) {}), std::invalid_argument);
+}
+
+TEST(Horizons, TheIntervalOfAGrowthContainsIt) {
+  Horizon h;
+  for (std::uint64_t n = 1000; n <= 1'000'000'000; n *= 10)
+    h.points.push_back({n, 0, std::sqrt(static_cast<double>(n)) * (n % 7 == 1 ? 1.2 : 0.9)});
+  fit_growth(h);
+  EXPECT_LT(h.low, 0.5);
+  EXPECT_GT(h.high, 0.5);
+  EXPECT_LT(h.high - h.low, 0.2);
+}
+
+}  // namespace
+}  // namespace liecheck::properties
