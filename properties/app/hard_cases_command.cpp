@@ -2,11 +2,14 @@
 #include <algorithm>
 #include <app/campaign_run.hpp>
 #include <app/command.hpp>
+#include <filesystem>
 #include <hard_cases/hard_cases.hpp>
 #include <limits>
+#include <hard_cases/shared.hpp>
 #include <map>
 #include <set>
 #include <stdexcept>
+#include <support/files.hpp>
 #include <support/stop.hpp>
 
 namespace liecheck::properties {
@@ -17,6 +20,7 @@ struct Flags {
   SelectionFlags selection;
   std::vector<std::string> files;
   unsigned jobs = default_jobs();
+  std::string share;
 };
 
 /// The built-in hard cases and those in `files`.
@@ -100,7 +104,29 @@ void print_hard_case_table(const std::vector<HardRow>& rows) {
   fmt::print("- not offered, not for this scalar, or outside the domain\n\n");
 }
 
+/// Writes the cases as JSON for other programs.
+int share(const std::vector<HardCase>& cases, const std::string& folder) {
+  stop_on_signals();
+  const SharedCorpus corpus = shared_corpus(cases);
+  if (stop_requested) {
+    std::fputs("interrupted: nothing was written\n", stderr);
+    return incomplete;
+  }
+  std::filesystem::create_directories(folder);
+  std::size_t bytes = 0;
+  for (const auto& [operation, text] : corpus.files) {
+    write_whole(std::filesystem::path(folder) / (operation + ".json"), text);
+    bytes += text.size();
+  }
+  fmt::print(
+      "{} cases of {} operations, from {} hard cases, {} kB; {} without a result of the oracles are left "
+      "out\n",
+      corpus.cases, corpus.files.size(), corpus.names, bytes / 1000, corpus.unresolved);
+  return within_budget;
+}
+
 int run(const Flags& f) {
+  if (!f.share.empty()) return share(corpus_with(f.files), f.share);
   StoredRun no_cases;
   no_cases.result.options.cases = 0;
   no_cases.result.robot = built_in_robot();
@@ -167,6 +193,8 @@ Command hard_cases_command(CLI::App& program) {
                        "stopped, or if a case has no verdict");
   a->selection.add(a);
   a.list("--file", a->files, "FILE", "more hard cases, in the form of fixtures/hard_cases, repeatable");
+  a.text("--share", a->share, "DIR",
+         "instead, write the cases with their exact results to JSON files that other programs read");
   a.jobs(a->jobs);
   return a.runs(run);
 }
