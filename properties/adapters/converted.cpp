@@ -22,7 +22,8 @@ std::string call_in(Adapter& own, const conventions::Rearranged& r, const Batch&
   const auto input_bytes = std::as_writable_bytes(std::span(inputs)),
              result_bytes = std::as_writable_bytes(std::span(results));
   each<S>(r.arguments, b.n, b.inputs.data(), input_bytes.data(), conventions::encode<S>);
-  const std::string why = own.call({b.operation, b.is_double, b.n, input_bytes, result_bytes, b.status, {}, b.of_many});
+  const std::string why =
+      own.call({b.operation, b.is_double, b.n, input_bytes, result_bytes, b.status, {}, b.of_many});
   each<S>(r.result, b.n, result_bytes.data(), b.results.data(), conventions::decode<S>);
   return why;
 }

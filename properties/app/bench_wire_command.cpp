@@ -13,7 +13,6 @@
 #include <support/threads.hpp>
 
 namespace liecheck::properties {
-Command bench_wire_command(CLI::App& bench);
 
 namespace {
 

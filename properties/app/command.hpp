@@ -233,6 +233,7 @@ Command bench_lattice_command(CLI::App& bench);
 Command bench_limits_command(CLI::App& bench);
 Command bench_rounding_command(CLI::App& bench);
 Command bench_speed_command(CLI::App& bench);
+Command bench_wire_command(CLI::App& bench);
 Command sweep_command(CLI::App& program);
 Command robot_command(CLI::App& program);
 Command cost_command(CLI::App& program);

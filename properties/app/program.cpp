@@ -12,7 +12,6 @@
 #include <support/files.hpp>
 
 namespace liecheck::properties {
-Command bench_wire_command(CLI::App& bench);
 
 namespace {
 
