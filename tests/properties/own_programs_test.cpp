@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <campaign/robots.hpp>
 #include <campaign/selection.hpp>
+#include <cmath>
 #include <conventions/probe.hpp>
+#include <cstdlib>
 #include <failures/calls.hpp>
 #include <failures/program.hpp>
 #include <fstream>
