@@ -133,7 +133,7 @@ class EventSteps {
         state = beyond_, length = rest, halved = 0, again = true;
         if (found < most) continue;
         if (!zeno_) zeno_ = double(state.t);
-        freely(system, method, state, rest);
+        if (rest > least) freely(system, method, state, rest), again = false;
         break;
       }
       if ((!made || strayed) && halved < halvings) {
@@ -148,6 +148,7 @@ class EventSteps {
       again = false;
       rest -= length, length = std::min(length, rest);
     }
+    if (again) method.begin(system, state);
     state.t = to;
   }
   /// Takes a step of h with the branches that each evaluation chooses.
