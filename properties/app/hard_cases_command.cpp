@@ -4,8 +4,8 @@
 #include <app/command.hpp>
 #include <filesystem>
 #include <hard_cases/hard_cases.hpp>
-#include <limits>
 #include <hard_cases/shared.hpp>
+#include <limits>
 #include <map>
 #include <set>
 #include <stdexcept>
