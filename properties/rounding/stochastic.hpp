@@ -55,6 +55,7 @@ struct Stochastic {
   constexpr Stochastic(int x) : v(x) {}
   constexpr Stochastic(double x) : v(x) {}
   explicit constexpr operator double() const { return v; }
+  explicit constexpr operator int() const { return static_cast<int>(v); }
 
   // Not inlined, so that the return address tells which line rounded.
   [[gnu::noinline]] friend Stochastic operator+(const Stochastic& a, const Stochastic& b) {
@@ -83,6 +84,9 @@ struct Stochastic {
   }
   [[gnu::noinline]] friend Stochastic acos(const Stochastic& a) {
     return either(std::acos(a.v), a.v == 1, __builtin_return_address(0));
+  }
+  [[gnu::noinline]] friend Stochastic asin(const Stochastic& a) {
+    return either(std::asin(a.v), a.v == 0, __builtin_return_address(0));
   }
   [[gnu::noinline]] friend Stochastic atan2(const Stochastic& y, const Stochastic& x) {
     return either(std::atan2(y.v, x.v), y.v == 0, __builtin_return_address(0));

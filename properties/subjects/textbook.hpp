@@ -29,6 +29,18 @@ struct Textbook : Types<S> {
     using std::acos;
     return acos(x);
   }
+  static S asin(const S& x) {
+    using std::asin;
+    return asin(x);
+  }
+  static S atan2(const S& y, const S& x) {
+    using std::atan2;
+    return atan2(y, x);
+  }
+  static S abs(const S& x) {
+    using std::abs;
+    return abs(x);
+  }
   static S sqrt(const S& x) {
     using std::sqrt;
     return sqrt(x);
@@ -167,14 +179,14 @@ struct Textbook : Types<S> {
   V3 rotate_point(const V4& Q, const V3& x) const { return matrix(Q) * x; }
 
   S relative_angle(const V4& Q0, const V4& Q1) const {
-    return S(2) * acos(std::min(S(1), S(std::abs(Q0.dot(Q1)))));
+    return S(2) * acos(std::min(S(1), S(abs(Q0.dot(Q1)))));
   }
   S twist_angle(const V4& Q, const V3& axis) const {
     const V4 q = Q[3] < S(0) ? V4(-Q) : Q;
-    return S(2) * std::atan2(axis.dot(q.template head<3>()), q[3]);
+    return S(2) * atan2(axis.dot(q.template head<3>()), q[3]);
   }
   V4 slerp(const V4& Q0, const V4& Q1, const S& t) const {
-    const S cosine = Q0.dot(Q1), half = acos(std::min(S(1), S(std::abs(cosine))));
+    const S cosine = Q0.dot(Q1), half = acos(std::min(S(1), S(abs(cosine))));
     const S to = cosine < S(0) ? S(-1) : S(1);
     if (small(half)) return ((S(1) - t) * Q0 + to * t * Q1).normalized();
     return (sin((S(1) - t) * half) * Q0 + to * sin(t * half) * Q1) / sin(half);
@@ -214,14 +226,14 @@ struct Textbook : Types<S> {
     const S sign((j - i + 3) % 3 == 1 ? 1 : -1);
     V3 x;
     if (o.i == o.k)
-      x << std::atan2(M(j, i), -sign * M(k, i)), acos(std::max(S(-1), std::min(S(1), M(i, i)))),
-          std::atan2(M(i, j), sign * M(i, k));
+      x << atan2(M(j, i), -sign * M(k, i)), acos(std::max(S(-1), std::min(S(1), M(i, i)))),
+          atan2(M(i, j), sign * M(i, k));
     else
-      x << std::atan2(-sign * M(j, k), M(k, k)), std::asin(std::max(S(-1), std::min(S(1), sign * M(i, k)))),
-          std::atan2(-sign * M(i, j), M(i, i));
+      x << atan2(-sign * M(j, k), M(k, k)), asin(std::max(S(-1), std::min(S(1), sign * M(i, k)))),
+          atan2(-sign * M(i, j), M(i, i));
     if (o.rotating) return x;
     // The middle angle of a proper sequence stays positive.
-    return o.i == o.k ? V3(std::atan2(M(j, i), sign * M(k, i)), x[1], std::atan2(M(i, j), -sign * M(i, k)))
+    return o.i == o.k ? V3(atan2(M(j, i), sign * M(k, i)), x[1], atan2(M(i, j), -sign * M(i, k)))
                       : V3(-x);
   }
   V7 velocity_to_rate(const V7& q, const V6& V) const {
@@ -241,13 +253,13 @@ struct Textbook : Types<S> {
   }
   V4 se2_exp(const V3& delta) const {
     const S t = delta[2], c = cos(t), s = sin(t);
-    const bool near = small(std::abs(t));
+    const bool near = small(abs(t));
     const S a = near ? S(1) : s / t, b = near ? t / S(2) : (S(1) - c) / t;
     return {a * delta[0] - b * delta[1], b * delta[0] + a * delta[1], c, s};
   }
   V3 se2_log(const V4& q) const {
-    const S t = std::atan2(q[3], q[2]);
-    const S a = small(std::abs(t)) ? S(1) : t / S(2) * sin(t) / (S(1) - cos(t)), b = t / S(2);
+    const S t = atan2(q[3], q[2]);
+    const S a = small(abs(t)) ? S(1) : t / S(2) * sin(t) / (S(1) - cos(t)), b = t / S(2);
     return {a * q[0] + b * q[1], a * q[1] - b * q[0], t};
   }
 
