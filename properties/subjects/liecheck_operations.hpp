@@ -104,7 +104,12 @@ struct LiecheckOperations : Types<S> {
     o[op::quaternion_matrix] = [](const V4& Q) -> M3 { return SO3<S>(Q).matrix(); };
   }
 
-  static EulerOrder euler_order(const S& number) { return EulerOrder::numbered(static_cast<int>(number)); }
+  /// By comparison, because not every scalar converts to int.
+  static EulerOrder euler_order(const S& number) {
+    int n = 0;
+    while (n < 24 && S(n) < number) ++n;
+    return EulerOrder::numbered(n);
+  }
   static void add_orientations(O& o) {
     o[op::relative_angle] = [](const V4& a, const V4& b) -> S {
       return relativeAngle<S>(SO3<S>(a), SO3<S>(b));
