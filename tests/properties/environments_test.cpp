@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include <campaign/robots.hpp>
 #include <campaign/typed_series.hpp>
 #include <cstdlib>
 #include <environments/measure.hpp>
