@@ -74,7 +74,7 @@ std::string run_text(const Bands& bands, std::size_t first, std::size_t last) {
   if (first == last && a.region == Region::beyond_pi) return a.name;
   if (first == last && a.axis == Axis::pi_minus_theta && a.low == 0) return "theta = pi";
   if (a.axis == Axis::theta && a.low == 0 && b.axis == Axis::theta) return "theta < " + edge(b, false);
-  if (first != last && last + 1 == bands.all().size()) return fmt::format("theta > {}", edge(a, true));
+  if (first != last && edge(b, false) == "huge") return fmt::format("theta > {}", edge(a, true));
   if (a.axis == Axis::pi_minus_theta && b.axis == Axis::pi_minus_theta)
     return b.low == 0 ? "pi - theta < " + short_number(a.high)
                       : fmt::format("pi - theta {} to {}", short_number(b.low), short_number(a.high));

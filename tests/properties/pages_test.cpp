@@ -32,7 +32,8 @@ const std::string& help_of(const std::string& command) {
 /// "campaign --rules" for each flag of each call of liecheck that its command does not have. In a table, the
 /// alternatives are separated by "\\|".
 std::vector<std::string> unknown_flags(const std::string& text) {
-  static const std::regex call("liecheck ((?:(?:adapter|bench|scene) )?[a-z-]+)([^\n;|`)]*)"),
+  static const std::regex call(
+      "liecheck ((?:(?:adapter|bench|scene|league(?= [a-z])) )?[a-z-]+)([^\n;|`)]*)"),
       flag("[ \\[](--[a-z-]+)");
   const std::string calls = replaced(replaced(text, "\\\n", " "), "\\|", " ");
   std::vector<std::string> unknown;
