@@ -41,6 +41,6 @@ const char* program_for(const Program (&all)[n], std::string_view operation) {
 
 /// A program in C++ for source(): one header, statements, and the numbers that it prints. A place {phi} stands for
 /// the numbers of that argument, {scalar} for float or double.
-#define PROGRAM(header, statements, result)                                                          \
-  "#include <" header ">\n#include <cstdio>\nint main() {\n" statements "\nfor (double x : {" result \
-  "}) std::printf(\"%.17g \", double(x));\n}"
+#define PROGRAM(header, statements, result)                             \
+  "#include <" header ">\n#include <cstdio>\nint main() {\n" statements \
+  "\nfor (const double all[] = {" result "}; double x : all) std::printf(\"%.17g \", x);\n}"
