@@ -1,3 +1,4 @@
+// Longer than 400 lines: the members of one class template, which each measure or judge one case.
 #include <campaign/typed_series.hpp>
 #include <campaign/window.hpp>
 

@@ -52,7 +52,7 @@ Case measured(const TypedSeries<S>& s, const CaseId& id) {
   c.small = std::ranges::any_of(x, &is_small<S>), c.id = id.text();
   const std::hash<std::string> hash;
   CallObserver observer = [&](const Operation& operation, const std::string& key, const std::string& result) {
-    c.calls.emplace_back(hash(key), hash(result));
+    c.calls.emplace_back(hash(std::string(operation.name) + key), hash(result));
     const auto at = std::ranges::find(s.outputs, operation.name, &Output::operation);
     c.call_operations.push_back(static_cast<std::uint16_t>(at - s.outputs.begin()));
   };

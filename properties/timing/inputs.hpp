@@ -63,7 +63,7 @@ std::vector<S> cost_input(const std::vector<Field>& fields, const CostBand& band
   });
   for (const Field& f : fields) switch (f.kind) {
       case Kind::vector:
-        append(x, Vec<S, 3>(source.symmetric<S>(), source.symmetric<S>(), source.symmetric<S>()));
+        for (int k = 0; k < f.size; ++k) x.push_back(source.symmetric<S>());
         break;
       case Kind::rotation_vector:
         append(x, Vec<S, 3>(angle_in<S>(band, source) * unit_vector<S>(source)));

@@ -60,8 +60,7 @@ const Registered<double> changes([] {
   Subject<double> s;
   s.name = "environment:changes";
   s.operations[op::exp3_quaternion] = [](const O::V3& phi) -> O::V4 {
-    static int calls = 0;
-    if (++calls % 2 == 0) std::fesetround(FE_UPWARD);
+    std::fesetround(FE_UPWARD);
     for (const auto* other : subjects<double>())
       if (other->name == "liecheck") return other->operations[op::exp3_quaternion](phi);
     throw std::logic_error("liecheck is not registered");
