@@ -87,7 +87,7 @@ const std::vector<InputClass> fractions = {{"0", 16},          {"1", 16},       
                                            {"below 1e-3", 10}, {"above 0.999", 10}, {"between", 3}};
 const std::vector<InputClass> plane_angles = {{"one is zero", 16},
                                               {"one within 4 ulp of a multiple of pi/2", 8},
-                                              {"one within 1e-3 of a multiple of pi/2", 5},
+                                              {"one within 1e-3 of a multiple of pi/2", 6},
                                               {"one below 1e-3", 12},
                                               {"all between", 24}};
 const std::vector<InputClass> trees = {{"one joint", 10},          {"chain of 3 and more", 10},

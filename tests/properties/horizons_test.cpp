@@ -66,10 +66,10 @@ TEST(Horizons, ANormThatGrowsIsMeasured) {
   HorizonOptions o;
   o.steps = 6400, o.paths = 1;
   const Horizon bad = one(o, "horizon:grows", "random");
-  // Each call adds 8 eps to |Q|^2 - 1; the last point may come before the last step.
+  // Each call adds 8 eps to |Q|^2 - 1, and its rounding of the norm changes that by up to 2 eps.
   const double expected = 8.0 * static_cast<double>(bad.points.back().n);
   EXPECT_GT(expected, 8 * 6000);
-  EXPECT_NEAR(bad.points.back().norm, expected, 0.016 * expected);
+  EXPECT_NEAR(bad.points.back().norm, expected, 0.25 * expected);
 }
 
 TEST(Horizons, APathThatIsInterruptedGoesOnWithTheSameBits) {
