@@ -116,12 +116,12 @@ TEST(Radau5, TakesStepsFarAboveTheFastestMode) {
   EXPECT_NEAR(run.rows[run.rows.size() - run.columns.size() + 3], x, 1e-6);
 }
 
-/// Dry friction of 200 N stops 1 kg after v^2/(2 a) = 2.76 mm. It changes its sign within 1 um/s, so that steps of
+/// Dry friction of 200 N stops 1 kg after v^2/(2 a) = 2.5 mm. It changes its sign within 1 um/s, so that steps of
 /// 1 ms only swing about the rest, and an explicit method would need steps of 10 ns.
 TEST(Estimate, AdvisesAnLStableMethodWhereForcesAreStiff) {
   const std::string text =
       "robot: {body: ball, root: prismatic, mass: 1 kg, radius: 0.1}\ninitial: {joint_velocities: "
-      "{root_joint: 1.05 m/s}}\neffects: [joint_friction: {force: 200, slip: 1e-6}]\nduration: 0.1 s\n"
+      "{root_joint: 1 m/s}}\neffects: [joint_friction: {force: 200, slip: 1e-6}]\nduration: 0.1 s\n"
       "accuracy: {position: 0.01 mm}\nobservers: [{frame: {frame: body}}]\noutput: {every: 10 ms}\n";
   const scene::Run bad =
       scene::run(loadSceneText(text + "integrator: {name: rkmk4, step: 1 ms}\n"), {}, true);
@@ -134,7 +134,7 @@ TEST(Estimate, AdvisesAnLStableMethodWhereForcesAreStiff) {
   const scene::Run cured = scene::run(loadSceneText(text + "integrator: " + found.str(1) + "\n"), {}, true);
   ASSERT_TRUE(cured.estimate) << cured.outcome.why;
   EXPECT_TRUE(cured.estimate->alarms.empty());
-  EXPECT_NEAR(cured.rows[cured.rows.size() - cured.columns.size() + 3], 1.05 * 1.05 / 400, 1e-5);
+  EXPECT_NEAR(cured.rows[cured.rows.size() - cured.columns.size() + 3], 1 / 400., 1e-5);
 }
 
 TEST(StageNewton, SaysThatAnEquationHasNoSolution) {
