@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <functional>
-#include <map>
 #include <numbers>
 
 #include "bodies.hpp"
@@ -79,7 +77,7 @@ const std::vector<Located>& motions() {
 }
 
 /// The end of the motion in two pieces by gauss12; their cut is found by bisection.
-std::pair<Vec, Vec> computeExactEnd(const Located& m) {
+std::pair<Vec, Vec> exactEnd(const Located& m) {
   using Tree = scene::Tree<double>;
   const scene::Scene first = load(m.robot + m.first), then = load(m.robot + m.then);
   Tree before = scene::makeSystem<Tree>(first), after_it = scene::makeSystem<Tree>(then);
@@ -95,12 +93,6 @@ std::pair<Vec, Vec> computeExactEnd(const Located& m) {
   const auto end = after(after_it, "gauss12", cut.q, cut.v, m.duration - low, 64);
   EXPECT_LT(m.g(end.q, end.v) * sign, 0) << m.name << " has more than one event";
   return {end.q, end.v};
-}
-
-const std::pair<Vec, Vec>& exactEnd(const Located& m) {
-  static std::map<std::string, std::pair<Vec, Vec>> known;
-  const auto found = known.find(m.name);
-  return found != known.end() ? found->second : known.emplace(m.name, computeExactEnd(m)).first->second;
 }
 
 /// The order between the two smallest errors above rounding.
@@ -133,7 +125,7 @@ TEST_P(EachMethodAcrossLocatedEvents, KeepsItsOrder) {
   for (const Located& m : motions()) {
     scene::Scene s = load(m.robot + m.switching);
     m.limit(s.model);
-    const auto& [q, v] = exactEnd(m);
+    const auto [q, v] = exactEnd(m);
     auto system = scene::makeSystem<scene::Tree<double>>(s);
     checkOrder(system, GetParam(), s, m.duration, m.name, [&, q = q, v = v](const auto& state) {
       return difference(s.model, q, Vec(state.q)).norm() + (Vec(state.v) - v).norm();

@@ -133,7 +133,7 @@ class EventSteps {
         state = beyond_, length = rest, halved = 0, again = true;
         if (found < most) continue;
         if (!zeno_) zeno_ = double(state.t);
-        if (rest > least) freely(system, method, state, rest), again = false;
+        freely(system, method, state, rest);
         break;
       }
       if ((!made || strayed) && halved < halvings) {
@@ -148,7 +148,6 @@ class EventSteps {
       again = false;
       rest -= length, length = std::min(length, rest);
     }
-    if (again) method.begin(system, state);
     state.t = to;
   }
   /// Takes a step of h with the branches that each evaluation chooses.
