@@ -141,11 +141,9 @@ class Estimator {
   /// A run with about ratio times as long steps, or none if it diverges.
   std::optional<Twin> twin(double ratio) {
     result_.by += (result_.by.empty() ? "steps of " : ", ") + decimal(ratio) + " h";
-    const double order = methodInfo(setup_.scene.integrator).estimate_order;
-    return twin(ratio, std::max(setup_.scene.options.tolerance * std::pow(ratio, order), 1e-15));
-  }
-  std::optional<Twin> twin(double ratio, double tolerance) {
-    const MethodOptions options{tolerance, [this] { return !go_on_(); }};
+    MethodOptions options{setup_.scene.options.tolerance * std::pow(ratio, promised_),
+                          [this] { return !go_on_(); }};
+    options.tolerance = std::max(options.tolerance, 1e-15);
     const auto method = makeMethod<Sys>(setup_.scene.integrator, options);
     const double h = setup_.step(), all = double(points_.back().step);
     Twin twin{ratio, {points_[0].state}};
@@ -208,8 +206,7 @@ class Estimator {
             ? "order " + decimal(*result_.order, "%.2g") + " is observed, and " + setup_.scene.integrator +
                   " has " + decimal(promised_) + ": the motion has jumps, or modes faster than the step"
             : "the steps of " + setup_.scene.integrator + " are too long for this motion";
-    const bool stiff = !result_.order || *result_.order < 0.7 * promised_;
-    result_.alarms.push_back({points_[*first].state.t, what, cause, smallerStep(times, stiff), advised_});
+    result_.alarms.push_back({points_[*first].state.t, what, cause, smallerStep(times), advised_});
   }
 
   /// An alarm if a twin with the same steps, which differs by rounding errors only, has a good part of the error.
@@ -252,37 +249,24 @@ class Estimator {
     const double p = jumps() ? 1 : std::min(promised_, 2.0);
     const double times = std::min(std::pow((jumps() ? 10 : 3) * scaled(result_.error), 1 / p), 100.0);
     result_.alarms.push_back(
-        {points_[first].state.t, what, cause, smallerStep(std::max(2 * divisor, times), true), advised_});
+        {points_[first].state.t, what, cause, smallerStep(std::max(2 * divisor, times)), advised_});
     return true;
   }
 
   /// The remedy for steps that are `times` as long as they should be: shorter ones, or steps by a tolerance if
-  /// they had to be more than 100 times shorter, with an L-stable method if stability may limit them.
-  std::string smallerStep(double times, bool stiff = false) {
+  /// they had to be more than 100 times shorter.
+  std::string smallerStep(double times) {
     const std::string or_else = ", or state a larger 'accuracy'";
     advised_ = 0;
     if (methodInfo(setup_.scene.integrator).adaptive)
-      return "take the tolerance " + decimal(enoughTolerance(), "%.0e") + or_else;
+      return "take the tolerance " + decimal(setup_.scene.options.tolerance / divisorOf(times)) + or_else;
     if (times > 100) {
       const double accepted = std::min(result_.accepted.position, result_.accepted.angle);
-      return std::string("take integrator: {name: ") + (stiff ? "radau5" : "dopri5") +
-             ", tolerance: " + decimal(std::clamp(1e-4 * accepted, 1e-12, 1e-6), "%.0e") + "}" + or_else;
+      return "take integrator: {name: dopri5, tolerance: " +
+             decimal(std::clamp(1e-4 * accepted, 1e-12, 1e-6), "%.0e") + "}" + or_else;
     }
     advised_ = setup_.step() / divisorOf(times);
     return "take steps of " + decimal(advised_) + " s" + or_else;
-  }
-
-  /// The first tolerance, each a tenth of the one before, whose run differs from the next one by less than a third
-  /// of the accepted error. While the longest allowed step limits the steps, a tolerance changes nothing.
-  double enoughTolerance() {
-    double tolerance = setup_.scene.options.tolerance;
-    for (auto coarse = twin(1, tolerance); tolerance > 1e-13; tolerance /= 10) {
-      const auto fine = twin(1, tolerance / 10);
-      if (coarse && fine && differ(coarse->states) > 0.5 && differ(coarse->states, fine->states) < 1. / 3)
-        return tolerance;
-      coarse = fine;
-    }
-    return tolerance;
   }
 
   /// Energy and momentum at the checkpoints, if no effect changes them. The band is 1 % of the kinetic energy

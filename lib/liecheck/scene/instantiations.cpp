@@ -12,8 +12,7 @@ const std::vector<MethodInfo>& methodInfos() {
       Euler<Any>::info,       SemiImplicitEuler<Any>::info, MidpointTableau::info,
       collocation_info<1>,    Variational<double>::info,    QuaternionRk4<Any>::info,
       ClassicalTableau::info, CommutatorFree4<Any>::info,   Dopri5<Any>::info,
-      Radau5<Any>::info,      ButcherTableau::info,         collocation_info<3>,
-      collocation_info<6>};
+      ButcherTableau::info,   collocation_info<3>,          collocation_info<6>};
   return all;
 }
 const MethodInfo& methodInfo(const std::string& name) {
@@ -27,7 +26,7 @@ const MethodInfo& methodInfo(const std::string& name) {
 }
 
 template LoneBody<double>::LoneBody(const Model<double>&, Effects<double>);
-template struct CollocationPoints<double>;
+template struct GaussPoints<double>;
 template decltype(makeMethod<LoneBody<double>>) makeMethod<LoneBody<double>>;
 template const std::vector<EffectEntry<double>>& effectEntries<double>();
 template const std::vector<EffectEntry<double>>& actuationEntries<double>();

@@ -41,18 +41,11 @@ class Contact final : public Effect<S> {
     for (const Spot<S>& point : points_) {
       const SE3<S>& X = now.X_WJ[point.joint];
       const S depth = height_ - X.act(point.X_JF.translation())[2];
-      const auto velocity = [&] {
-        const Motion<S>& V = now.V[point.joint];
-        const Vector3<S> u_J = V.linear() + cross<S>(V.angular(), point.X_JF.translation());
-        return Vector3<S>(product<S>(X.rotation(), u_J));
-      };
-      const bool deep = depth > S(0);
-      Vector3<S> u = Vector3<S>::Zero();
-      if (deep) u = velocity();
-      // The force acts while the point is below the ground and does not leave it faster than 1/c.
-      if (!now.on(deep ? std::min(depth, S(S(1) - c_ * u[2])) : depth)) continue;
-      if (!deep) u = velocity();
-      const S normal = k_ * depth * (S(1) - c_ * u[2]);
+      if (!(depth > S(0))) continue;
+      const Motion<S>& V = now.V[point.joint];
+      const Vector3<S> u_J = V.linear() + cross<S>(V.angular(), point.X_JF.translation());
+      const Vector3<S> u = product<S>(X.rotation(), u_J);
+      const S normal = std::max(S(k_ * depth * (S(1) - c_ * u[2])), S(0));
       using std::sqrt;
       const S drag = mu_ * normal / S(sqrt(u[0] * u[0] + u[1] * u[1] + slip_));
       point.addWorld(now, load, Vector3<S>(-drag * u[0], -drag * u[1], normal), Vector3<S>::Zero());

@@ -6,7 +6,6 @@
 
 #include <liecheck/multibody/model.hpp>
 #include <liecheck/scene/parameters.hpp>
-#include <liecheck/scene/switches.hpp>
 #include <memory>
 #include <span>
 #include <vector>
@@ -15,16 +14,13 @@ namespace liecheck::scene {
 
 /// The state that effects and observers read: time [s], a time in the piece of the forces that applies
 /// (pieces.hpp), q [nq] and v [nv]. If needs() asks for them, also poses X_WJ, velocities V and spatial
-/// accelerations A of the joints, in the joint's axes [njoints]. on(g) selects the branch of a force by a switching
-/// function g (switches.hpp); an effect asks for each of its functions once in each evaluation.
+/// accelerations A of the joints, in the joint's axes [njoints].
 template <Scalar S>
 struct Now {
   S t, piece;
   std::span<const S> q, v;
   std::span<const SE3<S>> X_WJ;
   std::span<const Motion<S>> V, A;
-  Switches<S>* switches = nullptr;
-  bool on(const S& g) const { return switches ? switches->on(g) : g > S(0); }
 };
 
 /// The sums to which effects add their forces: generalised forces tau [nv; N, N m], and forces f on the

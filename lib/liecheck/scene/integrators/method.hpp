@@ -17,7 +17,6 @@ struct MethodInfo {
   const char *equation, *source;
   bool increments = false;          ///< each stage computes J_r^-1 of its increment
   bool adaptive = false;            ///< chooses its steps by a tolerance
-  int estimate_order = 0;           ///< of adaptive methods: the estimate of a step is O(h^estimate_order)
   bool preserves_energy = false;    ///< the energy error oscillates without drift
   bool preserves_momentum = false;  ///< the spatial momentum of a free body is constant up to rounding
   bool lone_body_only = false;
