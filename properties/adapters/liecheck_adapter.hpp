@@ -15,6 +15,7 @@
 
 #include <liecheck_adapter.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <exception>
 #include <span>

@@ -20,6 +20,7 @@ namespace {
 /// most where all digits are lost: larger errors tell nothing more.
 struct Point {
   double x, y, low, high;
+  bool lost;  ///< all digits, or all but one and a half
 };
 
 constexpr double jump = 1.5;  ///< a factor of 30 between adjacent bands is no property of a smooth formula
@@ -38,8 +39,9 @@ std::vector<Point> points(const FailedBlock& f, Axis axis) {
     const double limit = std::max(budget.limit, 1.0);
     const double y = std::max(0.0, std::log10(std::min(error, 1 / b.series->eps) / limit));
     const auto at = by_band.try_emplace(
-        b.band, Point{std::log10(std::sqrt(band.low * band.high)), 0, band.low, band.high});
+        b.band, Point{std::log10(std::sqrt(band.low * band.high)), 0, band.low, band.high, false});
     at.first->second.y = std::max(at.first->second.y, y);
+    at.first->second.lost |= error * b.series->eps > 0.03;
   }
   std::vector<Point> all;
   for (const auto& [band, p] : by_band) all.push_back(p);
@@ -49,11 +51,10 @@ std::vector<Point> points(const FailedBlock& f, Axis axis) {
 
 /// The slope of y over x where the error neither is within its limit nor has lost all digits; 0 in fewer than three
 /// bands.
-double slope(const std::vector<Point>& p, double eps) {
-  const double most = -std::log10(eps) - 1.5;
+double slope(const std::vector<Point>& p) {
   double n = 0, x = 0, y = 0, xx = 0, xy = 0;
   for (const Point& q : p)
-    if (q.y > 0.5 && q.y < most) ++n, x += q.x, y += q.y, xx += q.x * q.x, xy += q.x * q.y;
+    if (q.y > 0.5 && !q.lost) ++n, x += q.x, y += q.y, xx += q.x * q.x, xy += q.x * q.y;
   return n < 3 ? 0 : (n * xy - x * y) / (n * xx - x * x);
 }
 
@@ -67,7 +68,7 @@ bool is_rotation_vector(const FailedBlock& f) {
 }
 
 /// What the errors at small angles tell.
-std::string at_small_angles(const FailedBlock& f, double eps) {
+std::string at_small_angles(const FailedBlock& f) {
   const std::vector<Point> p = points(f, Axis::theta);
   if (p.size() < 5) return "";
   const auto peak = static_cast<std::size_t>(std::ranges::max_element(p, {}, &Point::y) - p.begin());
@@ -86,7 +87,7 @@ std::string at_small_angles(const FailedBlock& f, double eps) {
   if (peak >= 3 && peak + 3 < p.size() && falls(peak - 3) && falls(peak + 3))
     return fmt::format("a cutoff at theta about {}, towards which the errors of both formulas grow",
                        about(at(peak + 1) > at(peak - 1) ? p[peak].high : p[peak].low));
-  const double power = slope(p, eps);
+  const double power = slope(p);
   if (power > -0.5 || p.front().y < p[peak].y - jump) return "";
   if (is_rotation_vector(f) && power < -1.5 && power > -2.5)
     return "acos near 1, which keeps half of the digits: the error grows as 1 / theta^2; atan2 of both parts "
@@ -97,10 +98,10 @@ std::string at_small_angles(const FailedBlock& f, double eps) {
 }
 
 /// What the errors near pi tell.
-std::string near_pi(const FailedBlock& f, double eps) {
+std::string near_pi(const FailedBlock& f) {
   const std::vector<Point> p = points(f, Axis::pi_minus_theta);
   if (p.size() < 4) return "";
-  const double power = slope(p, eps);
+  const double power = slope(p);
   if (p.front().y > jump && power < -0.5 && power > -2.5)
     return fmt::format(
         "sin near pi: something is divided by sin(theta), or theta comes from acos: the error grows as "
@@ -202,7 +203,7 @@ std::string guess_of(const FailedBlock& f) {
                  "the "
                  "results";
   }
-  for (const std::string& guess : {of_not_finite(f), at_small_angles(f, eps), near_pi(f, eps)})
+  for (const std::string& guess : {of_not_finite(f), at_small_angles(f), near_pi(f)})
     if (!guess.empty()) return guess;
   return "";
 }

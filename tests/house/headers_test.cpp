@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "source_files.hpp"
+#include "../scratch.hpp"
 
 namespace liecheck::house {
 namespace {
@@ -16,14 +17,14 @@ TEST(Headers, OfTheLibraryCompileWithoutWarnings) {
   ASSERT_NE(unit.find("<liecheck/algorithms/aba.hpp>"), std::string::npos);
   // The compiler reports some warnings only where a template is instantiated.
   unit += "template class liecheck::Data<long double>;\ntemplate class liecheck::SO3<long double>;\n";
-  const fs::path file = fs::path(testing::TempDir()) / "liecheck_headers.cpp";
+  const fs::path file = fs::path(liecheck::scratch()) / "liecheck_headers.cpp";
   std::ofstream(file) << unit;
   const std::string command = LIECHECK_SYNTAX_CHECK " -Wall -Wextra -Wpedantic -Wshadow -Werror '";
   EXPECT_EQ(std::system((command + file.string() + "'").c_str()), 0);
 }
 
 TEST(Headers, OfAllThatMostProgramsNeedCompileWithoutWarningsAndSayInOneLineThatTheyNeedCpp20) {
-  const fs::path file = fs::path(testing::TempDir()) / "liecheck_cpp17.cpp", said = file.string() + ".txt";
+  const fs::path file = fs::path(liecheck::scratch()) / "liecheck_cpp17.cpp", said = file.string() + ".txt";
   std::ofstream(file)
       << "#include <liecheck/liecheck.hpp>\n#if __cplusplus >= 202002L\n"
          "template class liecheck::Data<float>;\ntemplate class liecheck::SE3<float>;\n"

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "source_files.hpp"
+#include "../scratch.hpp"
 
 namespace liecheck::house {
 namespace {
@@ -101,7 +102,7 @@ TEST(Readme, HasAProgramThatCompilesWithoutWarnings) {
   const std::string text = read(top() / "README.md"), begin = "```cpp\n";
   const auto at = text.find(begin);
   ASSERT_NE(at, text.npos);
-  const fs::path file = fs::path(testing::TempDir()) / "liecheck_readme.cpp";
+  const fs::path file = fs::path(liecheck::scratch()) / "liecheck_readme.cpp";
   std::ofstream(file) << text.substr(at + begin.size(), text.find("```\n", at + 1) - at - begin.size());
   EXPECT_EQ(std::system((LIECHECK_SYNTAX_CHECK " -Wall -Wextra -Werror '" + file.string() + "'").c_str()), 0);
 }

@@ -13,6 +13,8 @@
 #include <hard_cases/attempt.hpp>
 #include <sstream>
 
+#include "../scratch.hpp"
+
 namespace liecheck::properties::adapters {
 namespace {
 
@@ -23,7 +25,7 @@ std::string shell_adapter(const std::string& answer,
                           const std::string& description =
                               R"({"protocol": 1, "name": "shell", "version": "1", "operations": )"
                               R"({"exp3_quaternion": ["double"]}})") {
-  const auto file = std::filesystem::path(testing::TempDir()) /
+  const auto file = std::filesystem::path(liecheck::scratch()) /
                     ("adapter_" + std::to_string(std::hash<std::string>()(answer + description)) + ".sh");
   std::ofstream(file) << "read hello\necho '" << description
                       << "'\nwhile read call operation scalar n; do\nhead -c $((24 * n)) > /dev/null\n"
@@ -126,7 +128,7 @@ TEST(Adapters, ACheckNamesAnOperationWithOtherResults) {
 
 /// An adapter in Python whose quaternions are w x y z, whose log3_matrix is wrong, and which states `conventions`.
 std::string python_adapter(const std::string& conventions = "{}") {
-  const auto file = std::filesystem::path(testing::TempDir()) /
+  const auto file = std::filesystem::path(liecheck::scratch()) /
                     ("w_first_" + std::to_string(std::hash<std::string>()(conventions)) + ".py");
   std::ofstream(file) << "conventions = " << conventions << R"(
 import json, math, struct, sys

@@ -11,6 +11,8 @@
 #include <sstream>
 #include <string>
 
+#include "../scratch.hpp"
+
 namespace liecheck::properties {
 namespace {
 
@@ -56,12 +58,13 @@ class BadCitizen : public testing::TestWithParam<BadWay> {
   /// The sum of a field over the rows of the bad subject.
   std::uint64_t sum(const char* field) const {
     std::uint64_t n = 0;
-    for (const auto& row : nlohmann::json::parse(text("record.json"))["results"])
+    const auto record = nlohmann::json::parse(text("record.json"));
+    for (const auto& row : record["results"])
       if (row["subject"] == "bad") n += row[field].get<std::uint64_t>();
     return n;
   }
   void SetUp() override {
-    folder_ = std::filesystem::path(testing::TempDir()) /
+    folder_ = std::filesystem::path(liecheck::scratch()) /
               (std::string("bad_") + GetParam().name + std::to_string(GetParam().cases));
     std::filesystem::create_directories(folder_);
   }
@@ -117,8 +120,10 @@ INSTANTIATE_TEST_SUITE_P(
         in_python("nan", "not_finite", "NaN"),
         in_python("stateful", "not_repeatable", "not repeatable", 1500),
         in_python("order", "not_repeatable", "not repeatable", 1500),
-        // What a process does to its own memory and processor shows only in results: these are right.
-        in_python("input", "", ""), in_python("rounding", "", ""), in_python("flush", "", "")),
+        // What a process does to its own memory and processor shows only in results. An input gives another result
+        // once its call has changed the rounding mode; the other two change no result.
+        in_python("rounding", "not_repeatable", "not repeatable"), in_python("input", "", ""),
+        in_python("flush", "", "")),
     [](const auto& info) { return std::string(info.param.name); });
 INSTANTIATE_TEST_SUITE_P(
     Of, BadCitizen,

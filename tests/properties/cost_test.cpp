@@ -11,6 +11,8 @@
 #include <timing/score.hpp>
 #include <timing/wide_errors.hpp>
 
+#include "../scratch.hpp"
+
 namespace {
 
 using namespace liecheck::properties;
@@ -215,7 +217,7 @@ TEST(WideErrors, AgreeWithTheLawsInDouble) {
 }
 
 TEST(Kernels, AFolderWithoutKernelsAndAFileThatIsNoKernelAreErrors) {
-  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "liecheck_kernels";
+  const std::filesystem::path folder = std::filesystem::path(liecheck::scratch()) / "liecheck_kernels";
   std::filesystem::create_directories(folder);
   EXPECT_FALSE(has_kernels(folder));
   EXPECT_THROW(load_kernels(folder), std::runtime_error);

@@ -8,6 +8,8 @@
 #include <subjects/subject.hpp>
 #include <support/stop.hpp>
 
+#include "../scratch.hpp"
+
 namespace liecheck::properties {
 namespace {
 
@@ -76,7 +78,7 @@ TEST(Horizons, APathThatIsInterruptedGoesOnWithTheSameBits) {
   HorizonOptions o;
   o.steps = 20'000, o.paths = 1;
   const Horizon whole = one(o, "liecheck", "random");
-  o.state = (std::filesystem::path(testing::TempDir()) / "horizon_state.json").string();
+  o.state = (std::filesystem::path(liecheck::scratch()) / "horizon_state.json").string();
   std::filesystem::remove(o.state);
   o.subjects = {"liecheck"}, o.scalars = {"double"}, o.walks = {"pure", "random"};
   EXPECT_FALSE(measure_horizons(o, [](const Horizon&) { stop_requested = true; }));

@@ -14,6 +14,8 @@
 #include <store/stored_run.hpp>
 #include <support/files.hpp>
 
+#include "../scratch.hpp"
+
 namespace liecheck::properties {
 namespace {
 
@@ -309,7 +311,7 @@ TEST(LimitsRecords, NameTheFileAndItsHash) {
 class LimitsInStores : public testing::Test {
  protected:
   std::filesystem::path folder =
-      std::filesystem::path(testing::TempDir()) / fmt::format("liecheck_limits_{}", ::getpid());
+      std::filesystem::path(liecheck::scratch()) / fmt::format("liecheck_limits_{}", ::getpid());
   void SetUp() override { std::filesystem::create_directories(folder); }
   void TearDown() override { std::filesystem::remove_all(folder); }
 

@@ -15,6 +15,8 @@
 #include <sstream>
 #include <subjects/own_programs.hpp>
 
+#include "../scratch.hpp"
+
 namespace liecheck::properties {
 namespace {
 
@@ -37,7 +39,7 @@ class Programs {
 
   /// The numbers that each program prints.
   std::vector<std::vector<double>> printed() const {
-    const std::string file = testing::TempDir() + "liecheck_own_programs";
+    const std::string file = liecheck::scratch() + "liecheck_own_programs";
     std::ofstream(file + ".cpp") << begin_ << functions_ << "int main() {\n" << calls_ << "}\n";
     std::string compiler = LIECHECK_SYNTAX_CHECK;
     compiler.erase(compiler.find(" -fsyntax-only"), std::string(" -fsyntax-only").size());

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "pages.hpp"
+#include "../scratch.hpp"
 
 namespace liecheck::properties {
 namespace {
@@ -86,7 +87,8 @@ class Clone {
   Clone() {
     fs::remove_all(folder);
     fs::create_directories(folder / "build/release/bin");
-    for (const char* name : {"fixtures", "lib", "properties"})
+    fs::copy(root + "fixtures", folder / "fixtures", fs::copy_options::recursive);  // some commands write there
+    for (const char* name : {"lib", "properties"})
       fs::create_symlink(fs::canonical(root + name), folder / name);
     fs::create_symlink(LIECHECK_PROGRAM, folder / "build/release/bin/liecheck");
     const std::string library = LIECHECK_LIBRARY;
@@ -107,7 +109,7 @@ class Clone {
   }
   void write(const std::string& name, const std::string& text) const { std::ofstream(folder / name) << text; }
 
-  const fs::path folder = fs::path(testing::TempDir()) / "liecheck_page_commands";
+  const fs::path folder = fs::path(liecheck::scratch()) / "liecheck_page_commands";
 };
 
 /// The commands of the blocks "sh" of a page, each with the folder in which it runs.

@@ -6,6 +6,7 @@
 #include <regex>
 
 #include "pages.hpp"
+#include "../scratch.hpp"
 
 namespace liecheck::properties {
 namespace {
@@ -137,7 +138,7 @@ std::pair<std::string, std::string> programs_and_outputs(const std::vector<std::
 /// The program of the README is compiled by the README's own line (page_commands_test.cpp).
 TEST(Pages, HaveProgramsThatPrintWhatThePagesShow) {
   const auto [programs, outputs] = programs_and_outputs({"docs/tutorial.md"});
-  const std::string file = testing::TempDir() + "liecheck_pages";
+  const std::string file = liecheck::scratch() + "liecheck_pages";
   std::ofstream(file + ".cpp") << programs;
   const std::string flags = replaced(LIECHECK_SYNTAX_CHECK, " -fsyntax-only", "") + " " LIECHECK_LINK " ";
   ASSERT_EQ(std::system((flags + file + ".cpp " LIECHECK_LIBRARY " -o " + file + ".exe").c_str()), 0);

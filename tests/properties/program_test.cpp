@@ -14,6 +14,8 @@
 #include <string>
 #include <support/text.hpp>
 
+#include "../scratch.hpp"
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -24,7 +26,7 @@ class Program : public testing::Test {
     int code;  ///< -1 if a signal or the time limit ended it
     std::string out, err;
   };
-  fs::path dir = fs::path(testing::TempDir()) / ("liecheck_program_" + std::to_string(::getpid()));
+  fs::path dir = fs::path(liecheck::scratch()) / ("liecheck_program_" + std::to_string(::getpid()));
   const std::string quick = "campaign --property exp_oracle --scalar double --cases 2 -j 1 --no-hard-cases ";
   const std::string robot =
       "campaign --property robot_configuration --scalar double --cases 2 -j 1 --no-hard-cases ";

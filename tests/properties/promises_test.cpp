@@ -15,6 +15,8 @@
 #include <store/stored_run.hpp>
 #include <support/files.hpp>
 
+#include "../scratch.hpp"
+
 namespace liecheck::properties {
 namespace {
 
@@ -130,7 +132,7 @@ TEST(Profiles, AreInTheFlagsOfAReplayUnlessTheyAreUsual) {
 class Promises : public testing::Test {
  protected:
   std::filesystem::path folder =
-      std::filesystem::path(testing::TempDir()) / fmt::format("liecheck_promises_{}", ::getpid());
+      std::filesystem::path(liecheck::scratch()) / fmt::format("liecheck_promises_{}", ::getpid());
   void SetUp() override { std::filesystem::create_directories(folder); }
   void TearDown() override { std::filesystem::remove_all(folder); }
 

@@ -14,6 +14,7 @@
 
 #include "../reports/documented_fields.hpp"
 #include "../reports/sample_record.hpp"
+#include "../scratch.hpp"
 
 namespace {
 
@@ -22,7 +23,7 @@ using namespace liecheck::reports;
 /// The record that a command writes with --json. Its verdict, exit code 0, 1 or 3, is ignored.
 Json written(const std::string& arguments) {
   const auto file =
-      std::filesystem::path(testing::TempDir()) / ("liecheck_record_" + std::to_string(::getpid()) + ".json");
+      std::filesystem::path(liecheck::scratch()) / ("liecheck_record_" + std::to_string(::getpid()) + ".json");
   const std::string line =
       LIECHECK_PROGRAM " " + arguments + " --json '" + file.string() + "' >/dev/null 2>&1";
   const int status = std::system(line.c_str());
@@ -62,7 +63,7 @@ TEST(Record, OfACampaignHasEveryDocumentedFieldAndNoOther) {
 }
 
 TEST(Record, OfCliffsAndExpectedFailuresHasEveryDocumentedFieldAndNoOther) {
-  const auto limits = std::filesystem::path(testing::TempDir()) /
+  const auto limits = std::filesystem::path(liecheck::scratch()) /
                       ("liecheck_record_" + std::to_string(::getpid()) + ".limits");
   std::ofstream(limits)
       << "version = 2\nsubject = textbook\n[expected]\nexp6, translation, any = why, link\n";

@@ -14,6 +14,8 @@
 #include <search/shrink.hpp>
 #include <set>
 
+#include "../scratch.hpp"
+
 namespace liecheck::properties {
 namespace {
 
@@ -224,7 +226,7 @@ TEST(Snippets, Compile) {
       }
     }
   EXPECT_GT(k, 60);
-  const fs::path file = fs::path(testing::TempDir()) / "liecheck_snippets.cpp";
+  const fs::path file = fs::path(liecheck::scratch()) / "liecheck_snippets.cpp";
   std::ofstream(file) << unit << bodies << "int main() { return 0; }\n";
   EXPECT_EQ(std::system((std::string(LIECHECK_SYNTAX_CHECK) + " '" + file.string() + "'").c_str()), 0);
 }

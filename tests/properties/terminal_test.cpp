@@ -13,6 +13,8 @@
 #include <string>
 #include <utility>
 
+#include "../scratch.hpp"
+
 namespace {
 
 using liecheck::properties::absent_subjects;
@@ -251,7 +253,7 @@ TEST(Terminal, ColoursAreForATerminalThatWantsThem) {
 
 /// A Python adapter of exp3_quaternion, which is 1e-3 too long, crashes or prints.
 std::string adapter(const std::string& statement, const std::string& members = "{}") {
-  const std::string file = testing::TempDir() + "terminal_adapter.py";
+  const std::string file = liecheck::scratch() + "terminal_adapter.py";
   std::ofstream(file) << R"(import json, math, os, struct, sys
 calls, answers = sys.stdin.buffer, sys.stdout.buffer
 calls.readline()
@@ -280,7 +282,7 @@ const std::string of_adapter =
 
 /// The angle 2 acos(w) has an absolute error of eps / theta, so its relative error grows as 1 / theta^2 and passes 1.
 TEST(Terminal, AcosNearOneIsNamed) {
-  const std::string file = testing::TempDir() + "terminal_acos.py";
+  const std::string file = liecheck::scratch() + "terminal_acos.py";
   std::ofstream(file) << R"(import json, math, struct, sys
 calls, answers = sys.stdin.buffer, sys.stdout.buffer
 calls.readline()
@@ -339,7 +341,7 @@ TEST(Terminal, AnAdapterThatCrashesOftenSaysSoInFewLines) {
 }
 
 TEST(Terminal, AComparisonHasReplaysAndARecord) {
-  const std::string dir = testing::TempDir() + "terminal_compare/",
+  const std::string dir = liecheck::scratch() + "terminal_compare/",
                     right = "Q = [x / 1.001 for x in Q[:3]] + Q[3:]";
   const auto campaign = [&](const std::string& statement, const std::string& rest) {
     const std::string python = adapter(statement);

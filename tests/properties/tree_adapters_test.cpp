@@ -13,6 +13,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "../scratch.hpp"
+
 namespace liecheck::properties::adapters {
 namespace {
 
@@ -29,7 +31,7 @@ std::string text_of(const fs::path& file) {
 std::string altered(const std::string& name, const std::string& file, const std::string& from,
                     const std::string& to) {
   const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
-  const fs::path folder = fs::path(testing::TempDir()) / ("trees_" + test + "_" + name);
+  const fs::path folder = fs::path(liecheck::scratch()) / ("trees_" + test + "_" + name);
   fs::create_directories(folder);
   for (const auto& each : fs::directory_iterator(example)) {
     if (each.path().extension() != ".py") continue;

@@ -21,6 +21,8 @@
 #include <store/stored_run.hpp>
 #include <subjects/tree.hpp>
 
+#include "../scratch.hpp"
+
 namespace liecheck::properties {
 namespace {
 
@@ -260,7 +262,7 @@ TEST(AStore, WithoutAVerdictIsNeitherMergedNorComparedAsComplete) {
 TEST(TheProgram, SaysThatARobotWasNotMeasuredAndReturns3) {
   namespace fs = std::filesystem;
   const fs::path folder =
-      fs::path(testing::TempDir()) / ("liecheck_unmeasured_" + std::to_string(::getpid()));
+      fs::path(liecheck::scratch()) / ("liecheck_unmeasured_" + std::to_string(::getpid()));
   fs::create_directories(folder);
   const std::string robot = (folder / "chain.urdf").string(), out = (folder / "out").string();
   std::ofstream(robot) << chain_with_a_massless_end(3);
@@ -302,7 +304,7 @@ StoredCampaign without_a_class(StoredCampaign c) {
 
 TEST(TheProgram, Returns3IfTheMergedShardsNeverReachedAClass) {
   namespace fs = std::filesystem;
-  const fs::path folder = fs::path(testing::TempDir()) / ("liecheck_class_" + std::to_string(::getpid()));
+  const fs::path folder = fs::path(liecheck::scratch()) / ("liecheck_class_" + std::to_string(::getpid()));
   fs::create_directories(folder);
   const auto file = [&](const std::string& name) { return (folder / name).string(); };
   for (unsigned shard : {1u, 2u}) {

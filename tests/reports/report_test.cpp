@@ -12,6 +12,7 @@
 #include <string>
 
 #include "sample_record.hpp"
+#include "../scratch.hpp"
 
 namespace {
 
@@ -21,7 +22,7 @@ using namespace liecheck::reports;
 class Report : public testing::Test {
  protected:
   fs::path dir =
-      fs::path(testing::TempDir()) /
+      fs::path(liecheck::scratch()) /
       ("liecheck_report_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
 
   void SetUp() override {

@@ -12,6 +12,7 @@
 #include <tuple>
 
 #include "bodies.hpp"
+#include "../scratch.hpp"
 
 namespace {
 
@@ -288,7 +289,7 @@ std::pair<int, std::string> program(const std::string& arguments) {
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, said};
 }
 std::string file(const std::string& name, const std::string& text) {
-  const std::string path = testing::TempDir() + name;
+  const std::string path = liecheck::scratch() + name;
   std::ofstream(path) << text;
   return path;
 }
@@ -303,7 +304,7 @@ TEST(Program, AnInvalidScenePrintsOneLineAndExitsWithTwo) {
 }
 
 TEST(Program, ADivergingRunWritesItsSamplesAndExitsWithThree) {
-  const std::string csv = testing::TempDir() + "diverging.csv";
+  const std::string csv = liecheck::scratch() + "diverging.csv";
   const std::string path =
       file("diverging.yaml",
            "robot: {body: ball, root: prismatic, radius: 1}\ninitial: {joints: {root_joint: 1 m}}\n"
@@ -334,7 +335,7 @@ std::string chain(const std::string& integrator) {
 
 TEST(Program, ARunDivergesIfAnObservedNumberIsNotFinite) {
   // so heavy that its energy overflows one step before its state does
-  const std::string csv = testing::TempDir() + "overflow.csv";
+  const std::string csv = liecheck::scratch() + "overflow.csv";
   const std::string path = file(
       "overflow.yaml",
       "robot: {body: ball, root: prismatic, radius: 1, mass: 1e6}\ninitial: {joints: {root_joint: 1 m}}\n"
@@ -383,7 +384,7 @@ TEST(Program, ARotationBeyondPiInAStepIsAWarningUnlessTheMethodChoosesItsSteps) 
 
 TEST(Program, TheSceneTheCsvAndTheJsonMustBeDifferentFiles) {
   const std::string path = file("apart.yaml", with(5, "duration: 10 ms")),
-                    out = testing::TempDir() + "apart.out";
+                    out = liecheck::scratch() + "apart.out";
   const auto [own, why] = program("scene run " + path + " --csv " + path);
   EXPECT_EQ(own, 2);
   EXPECT_NE(why.find(path + " is the scene itself"), std::string::npos) << why;
@@ -395,7 +396,7 @@ TEST(Program, TheSceneTheCsvAndTheJsonMustBeDifferentFiles) {
 }
 
 TEST(Program, AColumnNameWithACommaIsQuotedInTheCsv) {
-  const std::string csv = testing::TempDir() + "quoted.csv";
+  const std::string csv = liecheck::scratch() + "quoted.csv";
   const std::string path = file(
       "quoted.yaml", with(6, "frames: [{name: 'a,\"b', on: body}]\nobservers: [frame: {frame: 'a,\"b'}]"));
   const auto [code, said] = program("scene run " + path + " --csv " + csv);
@@ -430,7 +431,7 @@ TEST(Program, StopsAtASignalWhereverTheRunIs) {
 }
 
 TEST(Program, AStopSignalWritesTheSamplesAndExitsWithThree) {
-  const std::string csv = testing::TempDir() + "stopped.csv";
+  const std::string csv = liecheck::scratch() + "stopped.csv";
   const std::string path = file("long.yaml", with(5, "duration: 20000 s"));
   // SIGTERM, because the background jobs of a shell ignore SIGINT
   const auto [code, said] =

@@ -11,6 +11,8 @@
 #include <string>
 #include <support/files.hpp>
 
+#include "../scratch.hpp"
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -18,7 +20,7 @@ using namespace liecheck::properties;
 
 class Files : public testing::Test {
  protected:
-  fs::path dir = fs::path(testing::TempDir()) / ("liecheck_files_" + std::to_string(::getpid()));
+  fs::path dir = fs::path(liecheck::scratch()) / ("liecheck_files_" + std::to_string(::getpid()));
   void SetUp() override { fs::create_directories(dir); }
   void TearDown() override { fs::remove_all(dir); }
   static std::string read(const fs::path& file) {
