@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <reports/html.hpp>
 #include <reports/summary.hpp>
+#include <set>
 #include <string_view>
 #include <unordered_map>
 
@@ -41,40 +42,48 @@ void shorten(Json& value) {
     for (Json& part : value) shorten(part);
 }
 
+/// The cell of the page to which a row belongs.
+std::string cell_of(const Json& row) {
+  return fmt::format("{}\n{}\n{}\n{}", text_of(row, "subject"), text_of(row, "scalar"),
+                     text_of(row, "operation"), region_of(row));
+}
+
 void shorten_results(Json& results) {
-  std::unordered_map<std::string, std::size_t>
-      worst;  // the row of each subject, scalar, operation and region
+  const std::vector<std::size_t> worst = worst_rows(results);
+  const std::set<std::size_t> shown(worst.begin(), worst.end());
   for (std::size_t i = 0; i < results.size(); ++i) {
     Json& row = results[i];
     row["region"] = region_of(row);
-    const std::string key = fmt::format("{}\n{}\n{}\n{}", text_of(row, "subject"), text_of(row, "scalar"),
-                                        text_of(row, "operation"), text_of(row, "region"));
-    if (row["count"] == 0) continue;
-    const auto [place, is_new] = worst.emplace(key, i);
-    if (!is_new && severity(row) > severity(results[place->second])) place->second = i;
-  }
-  for (std::size_t i = 0; i < results.size(); ++i) {
-    Json& row = results[i];
     row.erase("reason");
     for (const char* name : {"max_eps", "p99_eps", "median_eps", "max_excess"}) shorten(row[name]);
     if (!has_worst(row)) continue;
     Json& w = row["worst"];
     if (w.contains("kappa")) shorten(w["kappa"]);
-    const auto found =
-        worst.find(fmt::format("{}\n{}\n{}\n{}", text_of(row, "subject"), text_of(row, "scalar"),
-                               text_of(row, "operation"), text_of(row, "region")));
     w["count"] = w["input"].size();
-    if (found == worst.end() || found->second != i) {
+    w["shown"] = shown.contains(i);
+    if (!shown.contains(i)) {
       w["input"] = Json::array();
-      w.erase("numbers");
+      w.erase("numbers"), w.erase("call");
     } else if (w["input"].size() > most_inputs) {
       w["input"].erase(w["input"].begin() + most_inputs, w["input"].end());
     }
-    w["shown"] = found != worst.end() && found->second == i;
   }
 }
 
 }  // namespace
+
+std::vector<std::size_t> worst_rows(const Json& results) {
+  std::unordered_map<std::string, std::size_t> worst;
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    if (!has_worst(results[i])) continue;
+    const auto [place, is_new] = worst.emplace(cell_of(results[i]), i);
+    if (!is_new && severity(results[i]) > severity(results[place->second])) place->second = i;
+  }
+  std::vector<std::size_t> rows;
+  for (const auto& [cell, row] : worst) rows.push_back(row);
+  std::sort(rows.begin(), rows.end());
+  return rows;
+}
 
 Json page_numbers(Json numbers) {
   shorten_results(numbers["results"]);

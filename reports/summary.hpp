@@ -38,6 +38,10 @@ std::string verdict(const Merged& merged);
 /// Subjects in the order of the records.
 std::vector<Standing> standings(const Merged& merged);
 
+/// The worst row of each subject, scalar, operation and region of the angle, among those with a worst case: the one that
+/// fails, then by outcome, then by the digits lost. In the order of the rows.
+std::vector<std::size_t> worst_rows(const Json& results);
+
 /// At most `limit` failing rows, worst first, and at most one for each subject, scalar, property, operation
 /// and block.
 std::vector<const Json*> worst_offenders(const Merged& merged, std::size_t limit);

@@ -3,6 +3,7 @@
 
 #include <app/command.hpp>
 #include <campaign/campaign.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <store/stored_run.hpp>
 
 namespace liecheck::properties {
@@ -43,6 +44,9 @@ void print_failures(const CampaignResult& result, bool all);
 
 /// Prints how to resume an interrupted campaign.
 void print_how_to_resume(const CampaignResult& result, const StoreFlags& flags);
+
+/// The record of a campaign with the numbers of its worst cases and the maps of the error.
+nlohmann::json full_record_of(const StoredRun& run);
 
 /// Writes the record of a campaign with its hard cases, unless `file` is empty.
 void write_campaign_record(const std::string& file, const StoredRun& run,

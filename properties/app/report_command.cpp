@@ -52,7 +52,7 @@ std::vector<fs::path> record_files(const std::vector<std::string>& records, cons
     std::string name = fs::path(record).stem().string();
     while (!names.insert(name).second) name += "_";
     all.push_back(fs::path(folder) / (name + ".json"));
-    write_record(all.back(), record_of(run));
+    write_record(all.back(), full_record_of(run));
   }
   return all;
 }
@@ -72,7 +72,7 @@ fs::path run_campaign_of_report(const Flags& f) {
   const auto hard_cases = run_hard_cases(everything, robot, built_in_corpus(), f.cases.options.jobs);
   const StoredRun run = run_stored_campaign(everything, robot, f.cases, {}).value();
   if (run.result.incomplete) print_interrupted("");
-  nlohmann::json record = record_of(run);
+  nlohmann::json record = full_record_of(run);
   add_hard_cases(record, hard_cases, run.result.incomplete);
   // The record is written after each part, so that whatever ends the program later does not lose it.
   write_record(file, record);

@@ -5,6 +5,7 @@
 #include <record/bench.hpp>
 #include <record/record.hpp>
 #include <record/scenes.hpp>
+#include <reports/summary.hpp>
 
 namespace liecheck::properties {
 
@@ -23,10 +24,17 @@ template void write_record_of(const std::string&, const SweepResult&);
 template void write_record_of(const std::string&, const SceneSweepResult&);
 template void write_record_of(const std::string&, const scene::Scene&, const scene::Run&);
 
+nlohmann::json full_record_of(const StoredRun& run) {
+  nlohmann::json record = record_of(run);
+  add_compared_numbers(record, run.result, reports::worst_rows(record["results"]));
+  add_maps(record, run.result);
+  return record;
+}
+
 void write_campaign_record(const std::string& file, const StoredRun& run,
                            const std::vector<HardRow>& hard_cases) {
   if (file.empty()) return;
-  nlohmann::json record = record_of(run);
+  nlohmann::json record = full_record_of(run);
   add_hard_cases(record, hard_cases, run.result.incomplete);
   write_record(file, record);
 }

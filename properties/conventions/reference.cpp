@@ -15,9 +15,10 @@ using namespace oracles;
 template <class B>
 class Reader {
  public:
-  explicit Reader(const std::vector<B>& numbers) : at_(numbers.data()) {}
+  explicit Reader(const std::vector<B>& numbers) : at_(numbers.data()), end_(at_ + numbers.size()) {}
   template <int R, int C = 1>
   oracles::Mat<R, C, B> take() {
+    if (end_ - at_ < R * C) throw std::logic_error("too few numbers");
     oracles::Mat<R, C, B> m;
     for (B& x : m.x) x = *at_++;
     return m;
@@ -27,13 +28,13 @@ class Reader {
     return {R, take<3>()};
   }
   BodyOf<B> body() {
-    const B mass = *at_++;
+    const B mass = take<1>()[0];
     const Vec3<B> c = take<3>();
     return {mass, c, take<3, 3>()};
   }
 
  private:
-  const B* at_;
+  const B *at_, *end_;
 };
 
 template <class B, int R, int C>
@@ -51,6 +52,7 @@ void append(std::vector<B>& to, const BodyOf<B>& I) {
 template <class B, class... T>
 std::vector<B> joined(const T&... values) {
   std::vector<B> all;
+  all.reserve(36);  // of the largest result
   (append(all, values), ...);
   return all;
 }

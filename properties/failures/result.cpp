@@ -64,7 +64,8 @@ bool concerns(const Output& output, const Layout& layout, const Part& part) {
 /// The exact (rho, phi) on the side of pi where the computed phi is: at pi, both axes are right, each with its rho.
 std::vector<Real> on_the_side_of(const std::vector<float128>& got, std::vector<Real> exact,
                                  const Layout& layout) {
-  if (layout.parts.size() != 2 || layout.parts[0].unit != "m" || layout.parts[1].unit != "rad") return exact;
+  const auto is = [](const Part& part, const char* unit) { return part.unit == unit && part.size == 3; };
+  if (layout.parts.size() != 2 || !is(layout.parts[0], "m") || !is(layout.parts[1], "rad")) return exact;
   const auto rho = exact.begin(), phi = rho + 3;
   Real along(0), square(0);
   for (std::size_t i = 3; i < 6; ++i) {
@@ -109,6 +110,18 @@ std::vector<Pair> pairs_of(const Output& output, const NotedCall& call, const st
       const std::size_t at = i++;
       return at / 6 >= 3 || at % 6 < 3;
     });
+  return all;
+}
+
+/// What a law on trees compares.
+std::vector<Pair> pairs_of_law(const Output& output, const NotedComparison& compared) {
+  std::vector<float128> computed;
+  for (const Real& x : compared.computed) computed.emplace_back(static_cast<float128>(x));
+  const Part& part = output.record->results[0]->parts[0];
+  std::vector<Pair> all;
+  add_part(
+      all, computed, compared.exact, [&](std::size_t i) { return fmt::format("{}[{}]", part.name, i); },
+      false);
   return all;
 }
 
@@ -262,15 +275,36 @@ std::string comparison_text(const Series& series, const Output& output, const No
                     : fmt::format("    got       {} numbers\n", call->result.size());
     }
     if (noted.compared.exact.empty()) return text;
-    std::vector<float128> computed;
-    for (const Real& x : noted.compared.computed) computed.emplace_back(static_cast<float128>(x));
-    const Layout& layout = *output.record->results[0];
-    std::vector<Pair> all;
-    add_part(
-        all, computed, noted.compared.exact,
-        [&](std::size_t i) { return fmt::format("{}[{}]", layout.parts[0].name, i); }, false);
-    return text + fmt::format("  result    {} of {}\n", layout.name, output.operation) + lines_of<S>(all);
+    return text + fmt::format("  result    {} of {}\n", output.record->results[0]->name, output.operation) +
+           lines_of<S>(pairs_of_law(output, noted.compared));
   });
+}
+
+Comparison comparison_of(const Series& series, const Output& output, const NotedCase& noted,
+                         std::size_t most) {
+  Comparison all;
+  std::vector<Pair> pairs;
+  if (!noted.compared.exact.empty()) {
+    all.operation = output.operation;
+    pairs = pairs_of_law(output, noted.compared);
+  } else if (const NotedCall* call = worst_call(output, noted); call && call->thrown.empty()) {
+    const std::vector<Real> exact = expected_of(*call);
+    if (exact.empty() || exact.size() != call->result.size()) return all;
+    all.operation = call->operation->name;
+    pairs = pairs_of(output, *call, exact);
+  }
+  std::ranges::stable_sort(pairs, std::greater(), &Pair::apart);
+  pairs.resize(std::min(pairs.size(), most));
+  with_scalar(series, [&]<class S>(const TypedSeries<S>&) {
+    for (const Pair& p : pairs)
+      all.numbers.push_back({p.name,
+                             isfinite(p.got) ? hexadecimal_float<S>(static_cast<S>(p.got))
+                             : isnan(p.got)  ? "nan"
+                             : p.got > 0     ? "inf"
+                                             : "-inf",
+                             hexadecimal_float<S>(static_cast<S>(p.exact))});
+  });
+  return all;
 }
 
 }  // namespace liecheck::properties

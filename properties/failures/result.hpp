@@ -26,4 +26,18 @@ const NotedCall* worst_call(const Output& output, const NotedCase& noted);
 std::string comparison_text(const Series& series, const Output& output, const NotedCase& noted,
                             const std::vector<std::string>& input);
 
+/// A number of a result in hexadecimal, as the subject returned it, or "inf", "-inf" or "nan"; and the number of the
+/// scalar nearest to the exact one.
+struct ComparedNumber {
+  std::string name, got, expected;
+};
+
+/// The numbers of one result that differ most from the oracle's, at most `most`.
+struct Comparison {
+  std::string operation;  ///< whose result it is; empty if the case has no result that the oracle knows
+  std::vector<ComparedNumber> numbers;
+};
+Comparison comparison_of(const Series& series, const Output& output, const NotedCase& noted,
+                         std::size_t most);
+
 }  // namespace liecheck::properties

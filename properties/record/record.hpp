@@ -13,6 +13,7 @@ struct Run;
 
 namespace liecheck::properties {
 
+struct CampaignResult;
 struct CostResult;
 struct CostRow;
 struct HardRow;
@@ -28,6 +29,14 @@ inline const char* verdict_of(bool complete, bool passed) {
 
 /// A campaign. If it was loaded from a store, its environment is the stored one, otherwise that of this run.
 nlohmann::json record_of(const StoredRun& run);
+
+/// Adds to the worst cases of these rows of the campaign's record what the subject returned and what is right. Measures
+/// them again on the threads of the campaign.
+void add_compared_numbers(nlohmann::json& record, const CampaignResult& campaign,
+                          const std::vector<std::size_t>& rows);
+
+/// Adds key "maps": the error over the angle and the scale of the translation.
+void add_maps(nlohmann::json& record, const CampaignResult& campaign);
 
 /// The hard cases: key "hard_cases" of a campaign's record.
 nlohmann::json record_of(const std::vector<HardRow>& rows);

@@ -60,7 +60,7 @@ return [...document.querySelectorAll("canvas")].filter(c => c.checkVisibility())
 
 
 def liecheck(*words, code=0):
-    done = subprocess.run([LIECHECK, *map(str, words)], cwd=FOLDER, capture_output=True, text=True, timeout=300)
+    done = subprocess.run([LIECHECK, *map(str, words)], cwd=FOLDER, capture_output=True, text=True, timeout=120)
     if done.returncode != code:
         raise RuntimeError(f"liecheck {words} ended with {done.returncode}: {done.stdout[-999:]}{done.stderr[-999:]}")
 

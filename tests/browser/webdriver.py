@@ -15,7 +15,7 @@ import urllib.error
 import urllib.request
 
 ELEMENT = "element-6066-11e4-a52e-4f735466cecf"  # the key of an element's name, from the standard
-LONGEST = 300  # seconds until a browser that hangs is ended
+LONGEST = 150  # seconds until a browser that hangs is ended
 
 
 class Browser:
