@@ -17,7 +17,8 @@ inline std::string scratch() {
     Folder() { std::filesystem::create_directories(name); }
     ~Folder() {
       std::error_code ignored;
-      if (::getpid() == owner) std::filesystem::remove_all(name, ignored);  // a child of this process does not
+      if (::getpid() == owner)
+        std::filesystem::remove_all(name, ignored);  // a child of this process does not
     }
   };
   static const Folder folder;

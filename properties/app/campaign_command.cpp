@@ -71,7 +71,7 @@ void print_coverage(const CampaignResult& r, bool verbose) {
       l = {missing, unseen, series->subject + " in " + series->scalar, coverage_line(all, tally)};
     if (verbose) print_coverage(*series, all, cases);
   }
-  for (const auto& [property, l] : least) fmt::print("{:<24}{:<20}{}\n", property, l.series, l.line);
+  for (const auto& [property, l] : least) fmt::print("{:<23} {:<19} {}\n", property, l.series, l.line);
 }
 
 /// What a replay of its cases needs after the ID.

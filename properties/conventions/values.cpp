@@ -38,9 +38,12 @@ Kind kind_of(const Layout& layout) {
 }
 
 std::size_t size_of(const Layout& layout) {
-  int size = 0;
-  for (const Part& p : layout.parts) size += p.size;
-  return static_cast<std::size_t>(size);
+  std::size_t size = 0;
+  for (const Part& p : layout.parts) {
+    if (p.size <= 0) throw std::logic_error("a value whose size the model determines");
+    size += static_cast<std::size_t>(p.size);
+  }
+  return size;
 }
 
 std::string number_name(const Part& part, std::size_t i) {

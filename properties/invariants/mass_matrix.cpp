@@ -35,13 +35,16 @@ class MassMatrix final : public TreeLaw<MassMatrix, S> {
       for (const Output& output : {symmetric, definite, columns}) r.outcome(output, 0, Outcome::not_finite);
       return;
     }
-    r.record(symmetric, 0, M == M.transpose() ? 0 : std::numeric_limits<double>::infinity());
     const std::vector<T> still(c.nv(), T(0));
     const std::vector<T> exact = c.dynamics(still, still).mass();
     const std::vector<double> roots = mass_roots(exact, c.nv()), w = inverses(roots);
     const std::vector<double> at_rest(c.nv(), 0);
     const double terms = weighted_size(c.sizes(at_rest, at_rest).mass, products(w));
-    const std::vector<T> stored = exact_list<T>(flat(M)), factor = oracles::positive_factor(exact, c.nv());
+    const T size = weighted_norm(exact, products(w));
+    const std::vector<T> stored = exact_list<T>(flat(M)),
+                         transposed = exact_list<T>(flat(MatX<S>(M.transpose()))),
+                         factor = oracles::positive_factor(exact, c.nv());
+    r.record(symmetric, 0, weighted_error<S>(transposed, stored, products(w), size));
     if (factor.empty()) {  // a massless body: M is only positive semidefinite
       r.outcome(definite, 0, Outcome::ill_posed);
     } else {
@@ -57,7 +60,6 @@ class MassMatrix final : public TreeLaw<MassMatrix, S> {
     for (int k = 0; k < none.size(); ++k)
       by_columns.col(k) = o[op::tree_rnea](c.q, none, VecX<S>::Unit(none.size(), k), -1, Vec<S, 6>::Zero());
     if (!oracles::all_finite(by_columns)) return r.outcome(columns, 0, Outcome::not_finite);
-    const T size = weighted_norm(exact, products(w));
     r.record(columns, 0, weighted_error<S>(exact_list<T>(flat(by_columns)), stored, products(w), size),
              [&] { return terms / approximate(size); });
   }

@@ -149,7 +149,7 @@ inline constexpr Operation rnea_of_aba =
            tree_q, tree_v, tree_tau, wrench_joint, wrench);
 inline constexpr Operation crba_symmetric =
     formed({"crba_symmetric", "M = M^T", crba_source}, M_result,
-           {{block::matrix, "0 if M equals its transpose, else infinite", "absolute", "1"}},
+           {{block::matrix, "|(M - M^T)_kl / sqrt(M_kk M_ll)|, Frobenius", mass_size, "1"}},
            {"algorithms/crba.hpp", "crba(model, data, q)"}, tree_q);
 inline constexpr Operation crba_positive =
     formed({"crba_positive", "x^T M x > 0", crba_source}, M_result,

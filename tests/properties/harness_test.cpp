@@ -220,9 +220,9 @@ std::vector<std::string> laws_of_operations() {
 
 /// Laws whose bug is one of the known bugs that the program has.
 const std::map<std::string, std::string> known_bugs = {
-    {"coefficient_rates", "bug:rate_omega_of_parent"}, {"euler_angles", "bug:euler_matrix_transposed"},
+    {"coefficient_rates", "bug:rate_omega_of_parent"},   {"euler_angles", "bug:euler_matrix_transposed"},
     {"minimal_rotation", "bug:between_equal_threshold"}, {"planar_poses", "bug:se2_compose_no_rotation"},
-    {"relative_rotation", "bug:slerp_midpoint"}, {"twist", "bug:twist_beyond_pi"}};
+    {"relative_rotation", "bug:slerp_midpoint"},         {"twist", "bug:twist_beyond_pi"}};
 
 class Planted : public testing::TestWithParam<std::string> {};
 

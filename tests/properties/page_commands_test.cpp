@@ -7,8 +7,8 @@
 #include <set>
 #include <utility>
 
-#include "pages.hpp"
 #include "../scratch.hpp"
+#include "pages.hpp"
 
 namespace liecheck::properties {
 namespace {
@@ -87,7 +87,8 @@ class Clone {
   Clone() {
     fs::remove_all(folder);
     fs::create_directories(folder / "build/release/bin");
-    fs::copy(root + "fixtures", folder / "fixtures", fs::copy_options::recursive);  // some commands write there
+    fs::copy(root + "fixtures", folder / "fixtures",
+             fs::copy_options::recursive);  // some commands write there
     for (const char* name : {"lib", "properties"})
       fs::create_symlink(fs::canonical(root + name), folder / name);
     fs::create_symlink(LIECHECK_PROGRAM, folder / "build/release/bin/liecheck");
@@ -136,7 +137,7 @@ std::vector<std::string> wrong_commands(const Clone& clone, const std::string& p
     std::string line = original;
     bool left_out = false;
     for (const Change& c : changes) {
-      if (line.find(c.what) == line.npos) continue;
+      if (original.find(c.what) == original.npos) continue;
       used.insert(c.what);
       left_out = left_out || !c.by;
       if (c.by) line = replaced(line, c.what, c.by);

@@ -277,8 +277,11 @@ for call in iter(calls.readline, b""):
 )";
   return "'/usr/bin/python3 " + file + "'";
 }
-const std::string of_adapter =
-    "campaign --property exp_oracle --cases 200 -j 1 --no-hard-cases --no-probe --adapter ";
+std::string of_cases(int n) {
+  return fmt::format("campaign --property exp_oracle --cases {} -j 1 --no-hard-cases --no-probe --adapter ",
+                     n);
+}
+const std::string of_adapter = of_cases(200);
 
 /// The angle 2 acos(w) has an absolute error of eps / theta, so its relative error grows as 1 / theta^2 and passes 1.
 TEST(Terminal, AcosNearOneIsNamed) {
@@ -325,7 +328,7 @@ TEST(Terminal, ASharedLibraryMayHaveItsOwnProgram) {
 }
 
 TEST(Terminal, AnAdapterThatCrashesOftenSaysSoInFewLines) {
-  const std::string text = run(of_adapter + adapter("raise ValueError('no luck')")).second;
+  const std::string text = run(of_cases(20) + adapter("raise ValueError('no luck')")).second;
   const auto first =
       text.find("mylib: exp3_quaternion: the adapter ended with exit code 1; its last words: ");
   ASSERT_NE(first, text.npos) << text;

@@ -2,6 +2,7 @@
 // becomes of bad answers.
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 
 #include <adapters/check.hpp>
 #include <adapters/subjects.hpp>
@@ -192,6 +193,20 @@ TEST(TreeAdapters, TheLawsFindEachPlantedFault) {
     }
     EXPECT_EQ(found, f.found) << f.name;
   }
+}
+
+TEST(TreeAdapters, AFailureIsPrintedWithWhatTheAdapterReturned) {
+  const Fault& f = faults[0];
+  const std::string command = "timeout -s KILL 60 " LIECHECK_PROGRAM
+                              " campaign --no-hard-cases --cases 3 -j 1 --property lagrange --adapter '" +
+                              altered(f.name, f.file, f.from, f.to) + "' 2>&1";
+  FILE* const out = popen(command.c_str(), "r");
+  std::string text;
+  for (int c = fgetc(out); c != EOF; c = fgetc(out)) text += static_cast<char>(c);
+  EXPECT_EQ(WEXITSTATUS(pclose(out)), 1) << text;
+  for (const char* part :
+       {"\n  result    tau of tree_nonlinear_effects\n", "\n  replay    liecheck replay raw", "\nverdict fail"})
+    EXPECT_NE(text.find(part), text.npos) << part << text;
 }
 
 TEST(TreeAdapters, AFaultOfTheUrdfReaderIsNoneOfRandomTrees) {
