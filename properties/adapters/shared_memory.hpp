@@ -35,12 +35,12 @@ struct Parts {
   }
 };
 
-/// Waits until `ready`: first it looks, then it leaves its processor to others, then sleep() returns when the
-/// other side wakes this one. It looks less often after looking did not help, because then the other side has
-/// no processor of its own.
+/// Waits until `ready`: first it looks, then it leaves its processor to others for about a millisecond, in which a
+/// campaign makes the next inputs, then sleep() returns when the other side wakes this one, which takes as long as 50
+/// cases. It looks less often after looking did not help, because then the other side has no processor of its own.
 template <class Ready, class Sleep>
 void wait_for(std::atomic<bool>& sleeps, const Ready& ready, const Sleep& sleep) {
-  constexpr int most = 4000, least = 150, yields = 20;
+  constexpr int most = 4000, least = 150, yields = 1000;
   thread_local int looks = most;
   for (int i = 0; i < looks + yields; ++i) {
     if (ready()) {

@@ -174,7 +174,8 @@ std::string verdict_line(const CampaignResult& r, const std::vector<HardRow>& ha
   const int code = code_of(r, hard_cases);
   std::string text = fmt::format("verdict {}", verdict_of(code != incomplete, code == within_budget));
   if (any_failed(hard_cases))
-    text += ": hard cases failed, see the first section";
+    text += r.failed ? ": laws failed, see the table; hard cases failed, see the first section"
+                     : ": hard cases failed, see the first section";
   else if (any_open(hard_cases))
     text += ": hard cases have no verdict, see the first section";
   return text;

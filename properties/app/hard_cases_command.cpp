@@ -181,8 +181,8 @@ void print_hard_case_summary(const std::vector<HardRow>& rows, std::size_t shown
         print_failure(r, c), ++shown;
   if (failures > shown)
     fmt::print(
-        "\n{} more cells failed or have no verdict: liecheck hard-cases with the same --subject and --scalar "
-        "shows them all\n",
+        "\n{} more cells failed or have no verdict: liecheck hard-cases with the same --subject, --adapter "
+        "and --scalar shows them all\n",
         failures - shown);
 }
 

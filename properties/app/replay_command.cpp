@@ -49,7 +49,7 @@ void print_judged(const Series& series, const Judged& j) {
           ? fmt::format("{:>12.5g} eps  {:<22}{}", j.residual.error, fmt::format("{:a}", j.residual.error),
                         j.residual.kappa > 0 ? fmt::format(" kappa {:.3g}", j.residual.kappa) : "")
           : std::string(outcome_words[static_cast<int>(outcome)]);
-  fmt::print("{:<26}{:<22}{:<24}{:<56}{}\n", o.operation, o.block, series.bands()[j.residual.band].name,
+  fmt::print("{:<26}{:<22}{:<24}{:<55} {}\n", o.operation, o.block, series.bands()[j.residual.band].name,
              error,
              fails(series, j)                     ? "FAIL"
              : j.failed                           ? "expected failure"

@@ -84,7 +84,10 @@ NotedCase noted_in(const TypedSeries<S>& series, const CaseId& id, std::size_t o
     if (concerns(series.tested_law(), of, call)) all.calls.push_back(std::move(call));
   all.compared = {std::move(witness.computed), std::move(witness.exact)};
   for (const Judged& j : judge.judged)
-    if (j.residual.output == output) all.kappa = std::max(all.kappa, j.residual.kappa);
+    if (j.residual.output == output) {
+      all.kappa = std::max(all.kappa, j.residual.kappa);
+      all.wrong_branch |= j.residual.outcome == Outcome::wrong_branch;
+    }
   return all;
 }
 

@@ -24,6 +24,7 @@ struct NotedCase {
   std::vector<NotedCall> calls;  ///< of operations from which the output is formed, or of its own
   NotedComparison compared;      ///< of the output; empty for a law on fixed-size values
   double kappa = 0;              ///< of the output, also under the forward rule; 0 if the law gives none
+  bool wrong_branch = false;     ///< the output is on another branch than the exact one
 };
 
 /// Measures a case once more and notes its calls that concern an output.

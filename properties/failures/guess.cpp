@@ -110,6 +110,19 @@ std::string near_pi(const FailedBlock& f) {
   return "";
 }
 
+/// What results on another branch tell, if there are some only near pi.
+std::string of_branch_near_pi(const FailedBlock& f) {
+  bool any = false;
+  for (const BandOf& b : f.bands) {
+    if (b.row->wrong_branch == 0) continue;
+    const Band& band = b.series->bands()[b.band];
+    if (band.axis != Axis::pi_minus_theta || band.high >= 1) return "";
+    any = true;
+  }
+  if (!any || f.worst->series->outputs.at(f.worst->output).operation != "log3_quaternion") return "";
+  return "the sign of w near pi: where w is just below 0, the shorter rotation is about the opposite axis";
+}
+
 /// What NaN and infinite results tell.
 std::string of_not_finite(const FailedBlock& f) {
   double largest = -1;
@@ -203,7 +216,7 @@ std::string guess_of(const FailedBlock& f) {
                  "the "
                  "results";
   }
-  for (const std::string& guess : {of_not_finite(f), at_small_angles(f), near_pi(f)})
+  for (const std::string& guess : {of_branch_near_pi(f), of_not_finite(f), at_small_angles(f), near_pi(f)})
     if (!guess.empty()) return guess;
   return "";
 }

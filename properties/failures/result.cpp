@@ -87,9 +87,11 @@ std::vector<Real> on_the_side_of(const std::vector<float128>& got, std::vector<R
   return exact;
 }
 
-std::vector<Pair> pairs_of(const Output& output, const NotedCall& call, const std::vector<Real>& one_side) {
+std::vector<Pair> pairs_of(const Output& output, const NotedCase& noted, const NotedCall& call,
+                           const std::vector<Real>& one_side) {
   const Layout& layout = *call.operation->results[0];
-  const std::vector<Real> exact = on_the_side_of(call.result, one_side, layout);
+  const std::vector<Real> exact =
+      noted.wrong_branch ? one_side : on_the_side_of(call.result, one_side, layout);
   std::vector<Pair> all;
   std::size_t from = 0;
   for (const Part& part : layout.parts) {
@@ -100,7 +102,8 @@ std::vector<Pair> pairs_of(const Output& output, const NotedCall& call, const st
     if (call.operation == output.record && !concerns(output, layout, part)) continue;
     Real square(0);
     for (const Real& x : right) square += x * x;
-    const bool turned = part.unit == "rad" && size == 3 && part.name != "angles" && square > Real(9.8696);
+    const bool turned = part.unit == "rad" && size == 3 && part.name != "angles" && !noted.wrong_branch &&
+                        square > Real(9.8696);
     add_part(
         all, got, right, [&](std::size_t i) { return conventions::number_name(part, i); },
         size == 4 || turned);
@@ -186,7 +189,7 @@ std::vector<const NotedCall*> shown(const Output& output, const NotedCase& noted
     double apart = call.thrown.empty() ? 0 : std::numeric_limits<double>::infinity();
     const std::vector<Real> exact = expected_of(call);
     if (!exact.empty() && exact.size() == call.result.size())
-      for (const Pair& p : pairs_of(output, call, exact)) apart = std::max(apart, p.apart);
+      for (const Pair& p : pairs_of(output, noted, call, exact)) apart = std::max(apart, p.apart);
     all.emplace_back(apart, &call);
   }
   std::ranges::stable_sort(all, std::greater(), [](const auto& c) { return c.first; });
@@ -268,7 +271,7 @@ std::string comparison_text(const Series& series, const Output& output, const No
       }
       const std::vector<Real> exact = expected_of(*call);
       if (!exact.empty() && exact.size() == call->result.size())
-        text += lines_of<S>(pairs_of(output, *call, exact));
+        text += lines_of<S>(pairs_of(output, noted, *call, exact));
       else if (noted.compared.exact.empty())
         text += call->result.size() <= most_inputs
                     ? fmt::format("    got       {}\n", numbers_text(series, call->result))
@@ -291,7 +294,7 @@ Comparison comparison_of(const Series& series, const Output& output, const Noted
     const std::vector<Real> exact = expected_of(*call);
     if (exact.empty() || exact.size() != call->result.size()) return all;
     all.operation = call->operation->name;
-    pairs = pairs_of(output, *call, exact);
+    pairs = pairs_of(output, noted, *call, exact);
   }
   std::ranges::stable_sort(pairs, std::greater(), &Pair::apart);
   pairs.resize(std::min(pairs.size(), most));

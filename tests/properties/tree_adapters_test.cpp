@@ -204,8 +204,8 @@ TEST(TreeAdapters, AFailureIsPrintedWithWhatTheAdapterReturned) {
   std::string text;
   for (int c = fgetc(out); c != EOF; c = fgetc(out)) text += static_cast<char>(c);
   EXPECT_EQ(WEXITSTATUS(pclose(out)), 1) << text;
-  for (const char* part :
-       {"\n  result    tau of tree_nonlinear_effects\n", "\n  replay    liecheck replay raw", "\nverdict fail"})
+  for (const char* part : {"\n  result    tau of tree_nonlinear_effects\n",
+                           "\n  replay    liecheck replay raw", "\nverdict fail"})
     EXPECT_NE(text.find(part), text.npos) << part << text;
 }
 
