@@ -8,7 +8,10 @@
 //     };
 //     LIECHECK_ADAPTER(MyLib, exp3_quaternion)
 //
-// It may also have static const char* source(std::string_view operation): see liecheck_get_source().
+// It may also have
+//     static constexpr const char* conventions = "quaternion: wxyz, twist: angular first";  // docs/adapters.md has all
+//     static constexpr bool thread_safe = true;           // several threads may call its functions at the same time
+//     static const char* source(std::string_view operation);                          // see liecheck_get_source()
 //
 // docs/adapters.md has the numbers of each operation. A function that throws refuses its input, and the message
 // of the exception is the reason.
@@ -78,6 +81,22 @@ liecheck_function function_in() {
     return nullptr;
 }
 
+/// Subject::conventions, or null if there are none.
+template <class Subject>
+constexpr const char* conventions_of() {
+  if constexpr (requires { Subject::conventions; })
+    return Subject::conventions;
+  else
+    return nullptr;
+}
+template <class Subject>
+constexpr bool is_thread_safe() {
+  if constexpr (requires { Subject::thread_safe; })
+    return Subject::thread_safe;
+  else
+    return false;
+}
+
 /// What Subject::source() returns, or null if there is no such function.
 template <class Subject>
 const char* source_of(const char* operation) {
@@ -123,17 +142,21 @@ requires(Computes<F, float, I, R> || Computes<F, double, I, R>) constexpr bool o
   }
 
 /// Describes a library to liecheck: the struct, in its own namespace, then the operations that it offers.
-#define LIECHECK_SUBJECT(Subject, ...)                                                     \
-  inline const liecheck_adapter& liecheck_subject(const Subject*) {                        \
-    static constexpr auto find = [](const char* operation_name, const char* scalar_name) { \
-      const std::string_view operation = operation_name, scalar = scalar_name;             \
-      LIECHECK_EACH(LIECHECK_FIND, Subject, __VA_ARGS__)                                   \
-      return static_cast<liecheck_function>(nullptr);                                      \
-    };                                                                                     \
-    static const liecheck_adapter adapter = {                                              \
-        LIECHECK_ADAPTER_VERSION,  Subject::name, Subject::version, 0, find,               \
-        liecheck::adapter::reason, nullptr};                                               \
-    return adapter;                                                                        \
+#define LIECHECK_SUBJECT(Subject, ...)                                                      \
+  inline const liecheck_adapter& liecheck_subject(const Subject*) {                         \
+    static constexpr auto find = [](const char* operation_name, const char* scalar_name) {  \
+      const std::string_view operation = operation_name, scalar = scalar_name;              \
+      LIECHECK_EACH(LIECHECK_FIND, Subject, __VA_ARGS__)                                    \
+      return static_cast<liecheck_function>(nullptr);                                       \
+    };                                                                                      \
+    static const liecheck_adapter adapter = {LIECHECK_ADAPTER_VERSION,                      \
+                                             Subject::name,                                 \
+                                             Subject::version,                              \
+                                             liecheck::adapter::is_thread_safe<Subject>(),  \
+                                             find,                                          \
+                                             liecheck::adapter::reason,                     \
+                                             liecheck::adapter::conventions_of<Subject>()}; \
+    return adapter;                                                                         \
   }
 
 /// The same, and exports it, once in a shared library.

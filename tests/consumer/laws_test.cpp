@@ -29,6 +29,12 @@ struct OldLib {
 LIECHECK_SUBJECT(OldLib, exp3_quaternion, inverse)
 LIECHECK_TEST(OldLib, exp_oracle)
 
+struct Stated : OldLib {
+  static constexpr const char *name = "stated", *conventions = "quaternion: wxyz";
+};
+LIECHECK_SUBJECT(Stated, exp3_quaternion)
+LIECHECK_PROPERTY(Stated, exp_oracle)
+
 struct Inverse : OldLib {
   static constexpr const char* name = "inverse";
 };
