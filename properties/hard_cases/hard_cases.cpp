@@ -58,7 +58,7 @@ HardCell cell_of(const Series& series, const CaseId& id, const Trial& trial) {
   cell.id = id, cell.id.input = trial.input;
   cell.flags = subject_flags(series);
   if (trial.judged.empty()) cell.verdict = Verdict::unmeasured, cell.open = true;
-  std::tuple<Verdict, double> worst{Verdict::stable, -1};
+  std::tuple<bool, Verdict, double> worst{false, Verdict::stable, -1};  // what fails comes first
   for (const Judged& j : trial.judged) {
     const Output& output = series.outputs.at(j.residual.output);
     const Verdict verdict = verdict_of(j, output);
@@ -66,10 +66,11 @@ HardCell cell_of(const Series& series, const CaseId& id, const Trial& trial) {
     const double figure = excess ? j.excess : j.residual.error;
     // A limit of 0 requires an exact result: any error has an infinite score.
     const double score = figure == 0 ? 0 : figure / j.budget->limit;
-    cell.failed = cell.failed || fails(series, j);
+    const bool failed = fails(series, j);
+    cell.failed = cell.failed || failed;
     cell.open = cell.open || leaves_open(j.residual.outcome);
-    if (std::tuple(verdict, score) <= worst) continue;
-    worst = {verdict, score};
+    if (std::tuple(failed, verdict, score) <= worst) continue;
+    worst = {failed, verdict, score};
     cell.verdict = verdict;
     cell.operation = output.operation, cell.block = output.block;
     cell.band = series.bands()[j.residual.band].name;

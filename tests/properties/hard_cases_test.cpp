@@ -60,6 +60,13 @@ const Registered<double> planted[] = {
                                 throw std::range_error("no logarithms today");
                               };
                             })),
+    Registered<double>(with("verdict_exp6_refused",
+                            [](O& o) {
+                              o[op::exp3_quaternion] = own()[op::exp3_quaternion];
+                              o[op::exp6] = [](const O::V6&) -> Pose<double> {
+                                throw CallFailed("too far", op::exp6.name, Outcome::refused);
+                              };
+                            })),
 };
 
 HardCell cell(const std::string& subject, const std::string& line, const std::string& scalar = "double") {
@@ -96,6 +103,11 @@ TEST(HardCases, ARefusalIsRightOnlyIfTheInputIsNoRotation) {
   EXPECT_EQ(wrong.verdict, Verdict::refused);
   EXPECT_TRUE(wrong.failed);
   EXPECT_EQ(wrong.refusal, "no logarithms today");
+  // Beside a result that is ill-posed, the refusal counts.
+  const auto beside = cell("verdict_exp6_refused", "a | exp_oracle | phi = 1e300, 0, 0 | c | r | o");
+  EXPECT_EQ(beside.verdict, Verdict::refused);
+  EXPECT_EQ(beside.operation, "exp6");
+  EXPECT_TRUE(beside.failed);
   // textbook does not check its input. It takes acos of the w of Q, and is compared with the log of Q/|Q|.
   EXPECT_EQ(cell("textbook", off_unit).verdict, Verdict::inaccurate);
   EXPECT_EQ(cell("textbook", "a | log_oracle | R = -1, 0, 0, 0, -1, 0, 0, 0, -1 | c | r | o").verdict,
