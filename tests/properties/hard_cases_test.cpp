@@ -62,7 +62,9 @@ const Registered<double> planted[] = {
                             })),
     Registered<double>(with("verdict_exp6_refused",
                             [](O& o) {
-                              o[op::exp3_quaternion] = own()[op::exp3_quaternion];
+                              o[op::exp3_quaternion] = [](const O::V3& phi) -> O::V4 {
+                                return own()[op::exp3_quaternion](phi);
+                              };
                               o[op::exp6] = [](const O::V6&) -> Pose<double> {
                                 throw CallFailed("too far", op::exp6.name, Outcome::refused);
                               };
