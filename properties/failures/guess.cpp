@@ -20,7 +20,7 @@ namespace {
 /// most where all digits are lost: larger errors tell nothing more.
 struct Point {
   double x, y, low, high;
-  bool lost;  ///< all digits, or all but one and a half
+  bool lost;  ///< whether the error leaves at most one and a half digits
 };
 
 constexpr double jump = 1.5;  ///< a factor of 30 between adjacent bands is no property of a smooth formula

@@ -58,7 +58,8 @@ HardCell cell_of(const Series& series, const CaseId& id, const Trial& trial) {
   cell.id = id, cell.id.input = trial.input;
   cell.flags = subject_flags(series);
   if (trial.judged.empty()) cell.verdict = Verdict::unmeasured, cell.open = true;
-  std::tuple<bool, Verdict, double> worst{false, Verdict::stable, -1};  // what fails comes first
+  std::tuple<bool, Verdict, double> worst{false, Verdict::stable,
+                                          -1};  // a result that fails is worse than one that does not
   for (const Judged& j : trial.judged) {
     const Output& output = series.outputs.at(j.residual.output);
     const Verdict verdict = verdict_of(j, output);

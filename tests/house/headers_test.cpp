@@ -4,8 +4,8 @@
 
 #include <cstdlib>
 
-#include "source_files.hpp"
 #include "../scratch.hpp"
+#include "source_files.hpp"
 
 namespace liecheck::house {
 namespace {

@@ -8,8 +8,8 @@
 #include <regex>
 #include <set>
 
-#include "source_files.hpp"
 #include "../scratch.hpp"
+#include "source_files.hpp"
 
 namespace liecheck::house {
 namespace {

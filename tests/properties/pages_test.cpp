@@ -5,8 +5,8 @@
 #include <memory>
 #include <regex>
 
-#include "pages.hpp"
 #include "../scratch.hpp"
+#include "pages.hpp"
 
 namespace liecheck::properties {
 namespace {

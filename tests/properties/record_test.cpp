@@ -22,8 +22,8 @@ using namespace liecheck::reports;
 
 /// The record that a command writes with --json. Its verdict, exit code 0, 1 or 3, is ignored.
 Json written(const std::string& arguments) {
-  const auto file =
-      std::filesystem::path(liecheck::scratch()) / ("liecheck_record_" + std::to_string(::getpid()) + ".json");
+  const auto file = std::filesystem::path(liecheck::scratch()) /
+                    ("liecheck_record_" + std::to_string(::getpid()) + ".json");
   const std::string line =
       LIECHECK_PROGRAM " " + arguments + " --json '" + file.string() + "' >/dev/null 2>&1";
   const int status = std::system(line.c_str());

@@ -141,10 +141,9 @@ class ReturnsEarly final : public Property<double> {
 CampaignResult run_early(double limit, bool says_unresolved = false) {
   CampaignResult r;
   r.options.cases = 200;
-  r.series.push_back(
-      {std::make_unique<TypedSeries<double>>(std::make_unique<ReturnsEarly>(limit, says_unresolved), own(),
-                                             built_in_robot()),
-       {}});
+  r.series.push_back({std::make_unique<TypedSeries<double>>(
+                          std::make_unique<ReturnsEarly>(limit, says_unresolved), own(), built_in_robot()),
+                      {}});
   auto& [series, tally] = r.series[0];
   for (std::uint64_t i = 0; i < r.options.cases; ++i) series->run(42, i, tally);
   tally.done.add(0, r.options.cases);
@@ -171,7 +170,8 @@ TEST(AnUnresolvedCase, IsCountedAndLeavesTheSeriesIncomplete) {
   const CampaignResult r = run_early(1, true);
   EXPECT_EQ(verdict(r), "incomplete");
   std::uint64_t unresolved = 0, unmeasured = 0;
-  for (const auto& [key, row] : r.series[0].tally.rows) unresolved += row.unresolved, unmeasured += row.unmeasured;
+  for (const auto& [key, row] : r.series[0].tally.rows)
+    unresolved += row.unresolved, unmeasured += row.unmeasured;
   EXPECT_GT(unresolved, 0u);
   EXPECT_EQ(unmeasured, 0u);
   EXPECT_EQ(record_of(StoredRun{run_early(1, true), {}, {}})["verdict"], "incomplete");

@@ -11,8 +11,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "sample_record.hpp"
 #include "../scratch.hpp"
+#include "sample_record.hpp"
 
 namespace {
 

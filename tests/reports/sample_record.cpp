@@ -172,9 +172,10 @@ Json full_record() {
       r[name] = 0;
   for (Json& s : all["subjects"])
     s.update({{"profile", "careful"}, {"limits", "own.limits"}, {"limits_hash", "0123456789abcdef"}});
-  all["results"][1]["worst"].update(
-      parsed(R"json({"call": "exp6", "numbers": [{"name": "p[2]", "got": "0x1p-3", "expected": "0x1.8p-3"}]})json"));
-  all["maps"] = parsed(R"json({"angles": [{"axis": "theta", "low": 1e-08}, {"axis": "pi_minus_theta", "low": 0.1}],
+  all["results"][1]["worst"].update(parsed(
+      R"json({"call": "exp6", "numbers": [{"name": "p[2]", "got": "0x1p-3", "expected": "0x1.8p-3"}]})json"));
+  all["maps"] =
+      parsed(R"json({"angles": [{"axis": "theta", "low": 1e-08}, {"axis": "pi_minus_theta", "low": 0.1}],
  "scales": [1, 100],
  "panels": [{"block": "translation", "errors": [[0.5, "inf"], [2e7, null]], "operation": "exp6",
    "property": "exp_oracle", "scalar": "double", "subject": "textbook"}]})json");

@@ -11,8 +11,8 @@
 #include <sstream>
 #include <tuple>
 
-#include "bodies.hpp"
 #include "../scratch.hpp"
+#include "bodies.hpp"
 
 namespace {
 
