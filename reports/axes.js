@@ -48,7 +48,7 @@ function verticalAxis(rows, statistics) {
   const logs = values.filter(v => v > 0).map(Math.log10).filter(v => v >= SMALLEST);
   logs.push(...rows.filter(r => r.rule === "forward" && r.budget > 0).map(r => Math.log10(r.budget)));
   const least = Math.floor(Math.min(0, ...logs)), most = Math.ceil(Math.max(1, ...logs) + .2);
-  const gap = Math.max(1, .08 * (most - least));  // keeps the labels of these levels from overlapping others
+  const gap = Math.max(1, .11 * (most - least));  // keeps the labels of these levels from overlapping others
   const below = values.some(v => v > 0 && Math.log10(v) < SMALLEST);
   const tiny = below ? least - gap : least;
   const floor = values.some(v => v === 0) ? tiny - gap : tiny;

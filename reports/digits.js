@@ -102,7 +102,7 @@ function digitsCell(operation, subject, own) {
 }
 
 function fillDigits() {
-  const home = document.getElementById("digits-table"), rows = visible().filter(r => r.count > 0
+  const home = document.getElementById("digits-table"), rows = visible().filter(r => r.count > (r.outside_domain ?? 0)
     && (!chosen.region || regionOf(r).key === chosen.region));
   const shown = subjects.filter(s => rows.some(r => r.subject === s)), body = element("tbody");
   for (const operation of operations.filter(o => (!chosen.operation || o === chosen.operation) && rows.some(r => r.operation === o))) {

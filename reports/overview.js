@@ -70,7 +70,8 @@ function whoIsWrong(failed) {
   return failed.length <= 4 ? `${failed.map(s => words(worst(s))).join("; ")}.` : `${failed.join(", ")}.`;
 }
 
-// "exp6: 6.4 digits in 21 ns (bullet, float), 15.4 in 48 ns (eigen, double)": the steps of the front of one operation.
+// "exp6: 6.4 digits in 21 ns (bullet, float), 15.4 in 48 ns (eigen, double)": the steps of the front of one operation,
+// and then up to four of the judged libraries that are not on it.
 function priceOfDigits() {
   const rows = numbers.records.flatMap(r => r.cost?.rows ?? []).filter(r => ["float", "double"].includes(r.scalar) && isNumber(r.error)
     && r.subject !== "call" && !r.subject.includes("@") && r.sets.at(-1).latency);
@@ -79,7 +80,10 @@ function priceOfDigits() {
   for (const r of rows.filter(r => r.operation === operation).sort((a, b) => ns(a) - ns(b)))
     if (!steps.length || r.error < .1 * steps.at(-1).error) steps.push(r);  // each step gains a digit or more
   const digits = r => Math.min(-Math.log10(r.error), -Math.log10(r.eps)).toFixed(1);
-  return `${operation}: ${steps.map((r, i) => `${digits(r)}${i ? "" : " digits"} in ${short(ns(r))} ns (${r.subject}, ${r.scalar})`).join(", ")}.`;
+  const others = rows.filter(r => r.operation === operation && r.scalar === "double" && subjects.includes(r.subject)
+    && !steps.some(s => s.subject === r.subject)).slice(0, 4);
+  return `${operation}: ${steps.map((r, i) => `${digits(r)}${i ? "" : " digits"} in ${short(ns(r))} ns (${r.subject}, ${r.scalar})`).join(", ")}`
+    + `${others.length ? `; beside it ${others.map(r => `${r.subject} ${digits(r)} in ${short(ns(r))} ns`).join(", ")}` : ""}.`;
 }
 
 function fillAnswers(home) {

@@ -157,7 +157,7 @@ std::string peers(const Json& s) {
       "where liecheck’s error is no larger. The largest ratio over all points of the simulator is shown. "
       "Below 1, liecheck is faster at every point",
       {"scene", "simulator", "its method", "points", "liecheck’s time / its time", "at error",
-       "liecheck’s method", ""},
+       "liecheck’s method", "remark"},
       rows, true);
 }
 

@@ -81,6 +81,14 @@ std::unique_ptr<Adapter> start_process(const std::string& command, double timeou
 /// Loads a shared library into this process. Throws AdapterFailed. call() repeats earlier calls only if `repeats`.
 std::unique_ptr<Adapter> load_library(const std::string& file, bool repeats = true);
 
+/// A function of the C interface (liecheck_adapter.h).
+using CFunction = void (*)(std::size_t n, const void* inputs, void* results, unsigned char* status);
+
+/// The function of a shared library, loaded into this process, without any check of its calls; null if it is not
+/// offered. Throws AdapterFailed.
+CFunction function_of_library(const std::string& file, const std::string& operation,
+                              const std::string& scalar);
+
 /// An adapter that is linked into this program. Throws AdapterFailed.
 std::unique_ptr<Adapter> linked_library(const liecheck_adapter& adapter);
 

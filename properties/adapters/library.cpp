@@ -35,6 +35,16 @@ conventions::Statements stated(std::string_view text) {
   return all;
 }
 
+/// The shared library in a file, and its liecheck_get_adapter().
+std::pair<void*, const liecheck_adapter* (*)()> opened(const std::string& file) {
+  void* const module = dlopen(file.find('/') == std::string::npos ? ("./" + file).c_str() : file.c_str(),
+                              RTLD_NOW | RTLD_LOCAL);
+  if (!module) throw AdapterFailed(fmt::format("the adapter {} cannot be loaded: {}", file, dlerror()));
+  const auto entry = reinterpret_cast<const liecheck_adapter* (*)()>(dlsym(module, "liecheck_get_adapter"));
+  if (!entry) throw AdapterFailed(fmt::format("{} has no function liecheck_get_adapter()", file));
+  return {module, entry};
+}
+
 class Library final : public Adapter {
  public:
   using Source = const char* (*)(const char*);
@@ -62,11 +72,7 @@ class Library final : public Adapter {
     }
   }
   static std::unique_ptr<Library> loaded(const std::string& file, bool repeats) {
-    void* const module = dlopen(file.find('/') == std::string::npos ? ("./" + file).c_str() : file.c_str(),
-                                RTLD_NOW | RTLD_LOCAL);
-    if (!module) throw AdapterFailed(fmt::format("the adapter {} cannot be loaded: {}", file, dlerror()));
-    const auto entry = reinterpret_cast<const liecheck_adapter* (*)()>(dlsym(module, "liecheck_get_adapter"));
-    if (!entry) throw AdapterFailed(fmt::format("{} has no function liecheck_get_adapter()", file));
+    const auto [module, entry] = opened(file);
     return std::make_unique<Library>(entry(), reinterpret_cast<Source>(dlsym(module, "liecheck_get_source")),
                                      file, repeats);
   }
@@ -157,6 +163,10 @@ class Library final : public Adapter {
 
 std::unique_ptr<Adapter> load_library(const std::string& file, bool repeats) {
   return Library::loaded(file, repeats);
+}
+CFunction function_of_library(const std::string& file, const std::string& operation,
+                              const std::string& scalar) {
+  return opened(file).second()->find(operation.c_str(), scalar.c_str());
 }
 std::unique_ptr<Adapter> linked_library(const liecheck_adapter& adapter) {
   return std::make_unique<Library>(&adapter, nullptr, "the linked adapter", true);

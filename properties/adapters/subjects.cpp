@@ -192,12 +192,16 @@ const std::vector<OperationSizes>& operation_sizes() {
   return all;
 }
 
+std::string library_in(const std::string& text) {
+  if (text.starts_with(inside)) return text.substr(inside.size());
+  return text.ends_with(".so") && (std::filesystem::exists(text) || text.find(' ') == text.npos) ? text : "";
+}
+
 std::unique_ptr<Adapter> start(const std::string& text) {
-  const bool library =
-      text.ends_with(".so") && (std::filesystem::exists(text) || text.find(' ') == text.npos);
-  return converted(text.starts_with(inside) ? load_library(text.substr(inside.size()))
-                   : library                ? start_library(text, timeout_s)
-                                            : start_process(text, timeout_s));
+  const std::string library = library_in(text);
+  return converted(text.starts_with(inside) ? load_library(library)
+                   : library.empty()        ? start_process(text, timeout_s)
+                                            : start_library(library, timeout_s));
 }
 
 const OperationSizes* sizes_of(std::string_view operation) {

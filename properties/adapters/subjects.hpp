@@ -12,6 +12,9 @@ namespace liecheck::properties::adapters {
 /// Throws AdapterFailed.
 std::unique_ptr<Adapter> start(const std::string& text);
 
+/// The path of the shared library that `text` names; "" if it is a command.
+std::string library_in(const std::string& text);
+
 /// Starts an adapter and registers its subject, in float and double as it offers them. Returns the name of the
 /// subject, which is `name` or, if that is "", the adapter's own. Throws std::invalid_argument if the adapter does not start, if a subject has its name, if it offers
 /// an operation that does not exist, or if most_adapters are registered.

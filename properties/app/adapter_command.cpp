@@ -31,7 +31,9 @@ int check(const Flags& f) try {
   for (const conventions::Finding& f : all.findings) fmt::print("{}\n", f.sentence);
   fmt::print("{}\n", d.offered.empty() ? "it offers nothing"
                      : wrong           ? fmt::format("{} of {} functions are wrong", wrong, d.offered.size())
-                                       : "every function answers as it should");
+                             : fmt::format("every function agrees with its definition to {:g} at moderate "
+                                           "angles; 'liecheck campaign' measures its accuracy",
+                                           conventions::probe_tolerance));
   return wrong || d.offered.empty() ? property_failed : within_budget;
 } catch (const adapters::AdapterFailed& e) {
   throw std::invalid_argument(fmt::format("'{}': {}", f.adapter, e.what()));

@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <adapters/check.hpp>
-#include <adapters/subjects.hpp>
 #include <algorithm>
 #include <app/campaign_run.hpp>
 #include <app/command.hpp>
@@ -84,7 +82,7 @@ void print_series(const Series& series, const Tally& tally) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   double worst = 0;
   bool failed = !tally.disagreed.empty();
-  bool outside = false, expected = false;
+  bool expected = false;
   std::string outcome;  // of a failure without an error in eps
   for (const auto& [cell, row] : tally.rows) {
     const Budget& b = series.budget(static_cast<std::size_t>(cell.first),
@@ -95,15 +93,15 @@ void print_series(const Series& series, const Tally& tally) {
     if (row.failed && row.worst_score == infinity && outcome.empty()) outcome = worst_outcome(row);
     failed = failed || fails(series, cell, row);
     expected = expected || row.failed > 0;
-    outside = outside || row.outside_domain > 0;
   }
   const std::size_t open = not_measured(series, tally).size();
+  const std::uint64_t outside = tally.coverage.cases_outside();
   const bool cliff = unexpected(cliffs_of(series, tally));
   const char* status = failed  ? cliff ? "FAIL, CLIFF" : "FAIL"
                        : cliff ? "CLIFF"
                        : open  ? "INCOMPLETE"
                                : "pass";
-  fmt::print("{:<24}{:<15}{:<10}{:>9}  {:>14}  {}{}{}{}\n", series.property, series.subject, series.scalar,
+  fmt::print("{:<24} {:<18} {:<7}{:>9}  {:>14}  {}{}{}{}\n", series.property, series.subject, series.scalar,
              tally.cases, outcome.empty() ? fmt::format("{:.3g}x", worst) : outcome,
              coloured(failed || cliff ? Colour::red
                       : open          ? Colour::yellow
@@ -111,7 +109,7 @@ void print_series(const Series& series, const Tally& tally) {
                       status),
              expected && !failed ? ", with expected failures" : "",
              (failed || cliff) && open ? ", not all measured" : "",
-             outside ? ", some cases outside the domain" : "");
+             outside ? fmt::format(", {} cases outside the domain", outside) : "");
 }
 
 /// Prints each cliff, with the worst case of its band, and what became of the expected failures.
@@ -183,7 +181,7 @@ std::string verdict_line(const CampaignResult& r, const std::vector<HardRow>& ha
 
 /// Prints the table, the failures and the coverage. Returns the verdict's exit code.
 int print_campaign(const CampaignResult& r, const std::vector<HardRow>& hard_cases, const Flags& f) {
-  fmt::print("{:<24}{:<15}{:<10}{:>9}  {:>14}  {}\n", "property", "subject", "scalar", "cases", "worst",
+  fmt::print("{:<24} {:<18} {:<7}{:>9}  {:>14}  {}\n", "property", "subject", "scalar", "cases", "worst",
              "status");
   for (const auto& [series, tally] : r.series) print_series(*series, tally);
   fmt::print(
@@ -219,26 +217,10 @@ std::vector<HardRow> replay_hard_cases(const Flags& f, const Selection& selectio
   static const std::vector<HardCase> corpus =
       f.rules.empty() ? built_in_corpus() : hard_cases_of(rules_named(f.rules));
   const auto rows = run_hard_cases(selection, robot, corpus, f.cases.options.jobs);
-  print_hard_case_summary(rows, f.all ? std::numeric_limits<std::size_t>::max() : 3);
+  print_hard_case_summary(rows, f.all);
   fmt::print("\n");
   std::fflush(stdout);
   return rows;
-}
-
-/// Throws std::invalid_argument with the conventions in which an adapter differs from liecheck: a campaign would
-/// find a failure in nearly every case. An operation that is wrong otherwise is judged by the campaign.
-void probe(const std::string& text, bool quiet) try {
-  std::vector<std::string> named, unexplained;
-  for (const conventions::Finding& found : adapters::check(*adapters::start(text)).findings)
-    (found.named ? named : unexplained).push_back(found.sentence);
-  if (!quiet) print_warnings(unexplained);
-  if (!named.empty())
-    throw std::invalid_argument(
-        fmt::format("--adapter: '{}' has other conventions than liecheck: {}. Change them in the adapter, or "
-                    "judge it as it is with --no-probe",
-                    text, fmt::join(named, "; ")));
-} catch (const adapters::AdapterFailed& e) {
-  if (!quiet) print_warnings({e.what()});
 }
 
 int run(const Flags& f) {
@@ -253,7 +235,7 @@ int run(const Flags& f) {
     throw std::invalid_argument(
         "nothing to run: no selected subject offers a selected property in that scalar");
   for (const std::string& adapter : f.selection.adapters.adapters)
-    if (!f.no_probe) probe(adapter, !f.store.first_shard());
+    if (!f.no_probe) check_conventions(adapter, !f.store.first_shard());
   stop_on_signals();
   f.store.check(f.cases.options.seconds.has_value());
   const auto hard_cases = replay_hard_cases(f, selection, robot);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <unistd.h>
+#include <adapters/check.hpp>
 #include <adapters/subjects.hpp>
 
 #include <algorithm>
@@ -82,6 +83,20 @@ std::vector<std::string> AdapterFlags::start() const {
   return names;
 }
 
+void check_conventions(const std::string& text, bool quiet) try {
+  std::vector<std::string> named, unexplained;
+  for (const conventions::Finding& found : adapters::check(*adapters::start(text)).findings)
+    (found.named ? named : unexplained).push_back(found.sentence);
+  if (!quiet) print_warnings(unexplained);
+  if (!named.empty())
+    throw std::invalid_argument(
+        fmt::format("--adapter: '{}' has other conventions than liecheck: {}. Change them in the adapter, or "
+                    "judge it as it is with --no-probe",
+                    text, fmt::join(named, "; ")));
+} catch (const adapters::AdapterFailed& e) {
+  if (!quiet) print_warnings({e.what()});
+}
+
 std::vector<Flag> LimitsFlags::add(Arguments& a) {
   const Flag
       limits = a.list("--limits", files, "FILE",
@@ -89,7 +104,8 @@ std::vector<Flag> LimitsFlags::add(Arguments& a) {
       judge = a.choice(
           "--profile", profile, profile_names(), "PROFILE",
           "the limits where --limits gives none: ours (what liecheck promises), careful (64 eps) or half "
-          "(half of the digits); default careful for an --adapter, else ours");
+          "(half of the digits); default careful for an --adapter and for the libraries of others, else "
+          "ours");
   return {limits, judge};
 }
 

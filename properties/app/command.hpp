@@ -149,6 +149,10 @@ struct AdapterFlags {
   std::vector<std::string> start() const;
 };
 
+/// Throws std::invalid_argument with the conventions in which an adapter differs from liecheck, because nearly every
+/// case would fail. Warns of an operation that no known convention explains, unless `quiet`.
+void check_conventions(const std::string& adapter, bool quiet = false);
+
 /// --subject, --adapter, --property, --scalar, --limits, --profile and --json.
 struct SelectionFlags {
   std::vector<std::string> subjects, properties, scalars;
@@ -189,8 +193,9 @@ void write_record(const std::string& file, const nlohmann::json& record);
 template <class... Results>
 void write_record_of(const std::string& file, const Results&... results);
 
-/// Prints the first section of every campaign: counts for each subject and scalar, and the first failures.
-void print_hard_case_summary(const std::vector<HardRow>& rows, std::size_t shown_failures);
+/// Prints the first section of every campaign: counts for each subject and scalar, and the failures, each in full or a
+/// line for each block and the worst in full.
+void print_hard_case_summary(const std::vector<HardRow>& rows, bool in_full);
 
 // The command `report` runs the next three functions, too. They show progress, and stop at stop_requested.
 
@@ -200,6 +205,8 @@ SweepResult run_sweep(const std::vector<std::string>& coefficients, unsigned job
 
 /// Before anything runs, throws std::invalid_argument that names an unknown operation, subject or scalar.
 CostResult run_cost(CostOptions options);
+/// Adds the subjects of adapters, and those of liecheck beside them if no other subject was selected.
+void add_subjects(CostOptions& options, const std::vector<std::string>& adapters);
 
 /// Sweeps the scenes in the files. If there are no files, sweeps the built-in scenes and measures the long
 /// spins, and `flips` flips for each perturbation. Throws SceneError or std::invalid_argument.

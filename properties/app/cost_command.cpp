@@ -1,4 +1,7 @@
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
+#include <adapters/subjects.hpp>
 #include <algorithm>
 #include <app/command.hpp>
 #include <cmath>
@@ -15,6 +18,7 @@ namespace {
 
 struct Flags {
   CostOptions options;
+  AdapterFlags adapters;
   bool times_only = false;
   std::string json;
 };
@@ -76,6 +80,26 @@ std::string steadiness(const Machine& m) {
       m.steady() ? "" : ": UNSTEADY, the machine changed speed; another run may give other ratios");
 }
 
+/// While it is silent, standard output is lost: what the code of an adapter prints there must not get between the times.
+class SilentOutput {
+ public:
+  SilentOutput() : kept_(::dup(STDOUT_FILENO)) {
+    const int nothing = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+    ::dup2(nothing, STDOUT_FILENO);
+    ::close(nothing);
+  }
+  SilentOutput(const SilentOutput&) = delete;
+  SilentOutput& operator=(const SilentOutput&) = delete;
+  ~SilentOutput() { ::close(kept_); }
+  void end() const {
+    std::fflush(stdout);
+    ::dup2(kept_, STDOUT_FILENO);
+  }
+
+ private:
+  int kept_;
+};
+
 /// Runs the program again, to measure the times in a process of its own.
 std::optional<std::string> times_in_a_process(const CostOptions& o, double seconds) {
   std::vector<std::string> arguments = {
@@ -84,17 +108,35 @@ std::optional<std::string> times_in_a_process(const CostOptions& o, double secon
     for (const std::string& value : values) arguments.insert(arguments.end(), {flag, value});
   };
   add("--op", o.operations), add("--subject", o.subjects), add("--scalar", o.scalars);
+  add("--adapter", o.adapters);
   if (o.flags) arguments.push_back("--flags");
-  return output_of_own_process(std::move(arguments), stop_requested);
+  // An adapter that hangs must not hang this program. A machine under load takes a few times as long.
+  return output_of_own_process(std::move(arguments), stop_requested, 10 * seconds + 30);
+}
+
+/// The options with the adapters, which are compared with liecheck unless other subjects are given.
+CostOptions with_adapters(CostOptions o, const AdapterFlags& adapters, bool probe) {
+  for (const std::string& text : o.adapters = adapters.adapters) {
+    if (adapters::library_in(text).empty())
+      throw std::invalid_argument(fmt::format(
+          "--adapter: '{}' is a command, whose time would be that of its pipe: give a shared library", text));
+    if (probe) check_conventions(text);
+  }
+  add_subjects(o, adapters.start());
+  return o;
 }
 
 int run(const Flags& f) {
+  const CostOptions options = with_adapters(f.options, f.adapters, !f.times_only);
   if (f.times_only) {
-    fmt::print("{}", times_in_this_process(f.options));
+    const SilentOutput library;
+    const std::string times = times_in_this_process(options);
+    library.end();
+    fmt::print("{}", times);
     return within_budget;
   }
   stop_on_signals();
-  const CostResult r = run_cost(f.options);
+  const CostResult r = run_cost(options);
   do_both([&] { write_record_of(f.json, r); },
           [&] {
             print_header(r);
@@ -106,6 +148,15 @@ int run(const Flags& f) {
 }
 
 }  // namespace
+
+void add_subjects(CostOptions& o, const std::vector<std::string>& adapters) {
+  if (adapters.empty()) return;
+  const bool all = o.subjects.empty();
+  o.subjects.insert(o.subjects.end(), adapters.begin(), adapters.end());
+  if (all)
+    for (const std::string& name : cost_subjects())
+      if (name == "liecheck" || name.starts_with("liecheck:")) o.subjects.push_back(name);
+}
 
 CostResult run_cost(CostOptions options) {
   options.stop = &stop_requested;
@@ -129,7 +180,9 @@ Command cost_command(CLI::App& program) {
   CostOptions& o = a->options;
   a.list("--op", o.operations, "NAME", "an operation, repeatable; default all");
   a.list("--subject", o.subjects, "NAME",
-         "a subject, repeatable; default those of a campaign and liecheck's own variants");
+         "a subject, repeatable; default those of a campaign and liecheck's own variants, or the adapters "
+         "and liecheck");
+  a->adapters.add(a);
   a.list("--scalar", o.scalars, "SCALAR",
          fmt::format("{}, repeatable; default all", fmt::join(cost_scalars(), ", ")));
   a.toggle("--flags", o.flags, "also liecheck in double with other compilers and flags");

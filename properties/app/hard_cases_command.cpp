@@ -2,15 +2,17 @@
 #include <algorithm>
 #include <app/campaign_run.hpp>
 #include <app/command.hpp>
+#include <array>
+#include <failures/result.hpp>
 #include <filesystem>
 #include <hard_cases/hard_cases.hpp>
 #include <hard_cases/shared.hpp>
-#include <limits>
 #include <map>
 #include <set>
 #include <stdexcept>
 #include <support/files.hpp>
 #include <support/stop.hpp>
+#include <tuple>
 
 namespace liecheck::properties {
 
@@ -42,11 +44,13 @@ struct Column {
   auto operator<=>(const Column&) const = default;
 };
 
+Column column_of(const HardCell& c) {
+  return {c.subject, c.scalar == "float" ? 0 : c.scalar == "double" ? 1 : 2, c.scalar};
+}
 std::set<Column> columns_of(const std::vector<HardRow>& rows) {
   std::set<Column> all;
   for (const HardRow& r : rows)
-    for (const HardCell& c : r.cells)
-      all.insert({c.subject, c.scalar == "float" ? 0 : c.scalar == "double" ? 1 : 2, c.scalar});
+    for (const HardCell& c : r.cells) all.insert(column_of(c));
   return all;
 }
 
@@ -68,6 +72,53 @@ void print_failure(const HardRow& r, const HardCell& c) {
   fmt::print("  budget    {:g} {}\n", c.budget, c.excess ? "eps kappa" : "eps");
   fmt::print("  input     {}\n  origin    {} ({})\n", e.input, e.origin, e.place());
   fmt::print("  replay    liecheck replay {}{}\n", c.id.text(), c.flags);
+}
+
+/// What the limit is compared with.
+double score_of(const HardCell& c) {
+  return c.excess && c.kappa > 0 ? c.error / c.kappa : c.error;
+}
+
+/// How bad a verdict is, and then how far the error is over its limit.
+std::pair<Verdict, double> severity(const HardCell& c) {
+  return {c.verdict, score_of(c) / c.budget};
+}
+
+std::string what(const HardCell& c) {
+  if (c.verdict != Verdict::inaccurate) return name_of(c.verdict);
+  const double eps = c.scalar == "float" ? 0x1p-23 : c.scalar == "double" ? 0x1p-52 : 0x1p-112;
+  const std::string digits = digits_lost(score_of(c), eps);
+  return digits.empty() ? fmt::format("{:.3g} eps", score_of(c)) : digits;
+}
+
+/// Prints a line for each block of an operation that fails in the same way, worst first, and then the worst case.
+void print_failures_by_block(const std::vector<HardRow>& rows) {
+  struct Group {
+    std::size_t failed = 0;
+    const HardRow* row = nullptr;
+    const HardCell* worst = nullptr;
+  };
+  std::map<std::tuple<std::string, std::string, std::string, std::string, Verdict>, Group> groups;
+  for (const HardRow& r : rows)
+    for (const HardCell& c : r.cells)
+      if (c.failed || c.open) {
+        Group& g = groups[{c.subject, c.scalar, c.operation, c.block, c.verdict}];
+        if (++g.failed == 1 || severity(*g.worst) < severity(c)) g.row = &r, g.worst = &c;
+      }
+  std::vector<Group> all;
+  for (const auto& [key, group] : groups) all.push_back(group);
+  std::ranges::stable_sort(
+      all, [](const Group& a, const Group& b) { return severity(*b.worst) < severity(*a.worst); });
+  std::vector<std::array<std::string, 5>> lines{
+      {"hard cases that fail, worst first", "", "what", "failed", "worst"}};
+  for (const auto& [failed, row, worst] : all)
+    lines.push_back({worst->operation + " " + worst->block, worst->subject + " in " + worst->scalar,
+                     what(*worst), std::to_string(failed), row->entry->name});
+  fmt::print("\n");
+  for (const auto& line : lines)
+    fmt::print("{:<34}  {:<24}  {:<26}{:>6}  {}\n", line[0], line[1], line[2], line[3], line[4]);
+  print_failure(*all.front().row, *all.front().worst);
+  fmt::print("\nliecheck hard-cases with the same --subject, --adapter and --scalar prints each in full\n");
 }
 
 /// Prints a line for each case, with a letter for each subject and scalar.
@@ -141,7 +192,7 @@ int run(const Flags& f) {
   do_both([&] { write_campaign_record(f.selection.json, no_cases, rows); },
           [&] {
             print_hard_case_table(rows);
-            print_hard_case_summary(rows, std::numeric_limits<std::size_t>::max());
+            print_hard_case_summary(rows, true);
           });
   if (interrupted) {
     std::fputs("interrupted: the table has only the rows that were done\n", stderr);
@@ -152,38 +203,34 @@ int run(const Flags& f) {
 
 }  // namespace
 
-void print_hard_case_summary(const std::vector<HardRow>& rows, std::size_t shown_failures) {
+void print_hard_case_summary(const std::vector<HardRow>& rows, bool in_full) {
   if (rows.empty()) {
     fmt::print("hard cases: the selected properties have none\n");
     return;
   }
-  fmt::print("{:<24}{:<10}{:>6}", "hard cases", "scalar", "cells");
-  for (const Verdict v : verdicts) fmt::print("  {:>12}", name_of(v));
-  fmt::print("\n");
+  std::map<Column, std::map<Verdict, std::size_t>> counts;
+  std::set<Verdict> seen{Verdict::stable};
   std::size_t failures = 0;
-  for (const auto& [subject, rank, scalar] : columns_of(rows)) {
-    std::map<Verdict, int> counts;
-    int cells = 0;
-    for (const HardRow& r : rows)
-      for (const HardCell& c : r.cells)
-        if (c.subject == subject && c.scalar == scalar)
-          ++counts[c.verdict], ++cells, failures += c.failed || c.open;
-    fmt::print("{:<24}{:<10}{:>6}", subject, scalar, cells);
-    for (const Verdict v : verdicts) fmt::print("  {:>12}", counts[v]);
-    fmt::print("\n");
-  }
-  std::size_t shown = 0;
-  std::set<std::pair<std::string_view, std::string_view>> blocks;  // a failure of each, if not all are shown
   for (const HardRow& r : rows)
     for (const HardCell& c : r.cells)
-      if ((c.failed || c.open) && shown < shown_failures &&
-          (shown_failures >= failures || blocks.emplace(c.operation, c.block).second))
-        print_failure(r, c), ++shown;
-  if (failures > shown)
-    fmt::print(
-        "\n{} more cells failed or have no verdict: liecheck hard-cases with the same --subject, --adapter "
-        "and --scalar shows them all\n",
-        failures - shown);
+      ++counts[column_of(c)][c.verdict], seen.insert(c.verdict), failures += c.failed || c.open;
+  fmt::print("{:<24} {:<8}{:>6}", "hard cases", "scalar", "cells");
+  for (const Verdict v : seen) fmt::print("  {:>12}", name_of(v));
+  fmt::print("\n");
+  for (auto& [column, of] : counts) {
+    std::size_t cells = 0;
+    for (const auto& [verdict, n] : of) cells += n;
+    fmt::print("{:<24} {:<8}{:>6}", column.subject, column.scalar, cells);
+    for (const Verdict v : seen) fmt::print("  {:>12}", of[v]);
+    fmt::print("\n");
+  }
+  if (in_full) {
+    for (const HardRow& r : rows)
+      for (const HardCell& c : r.cells)
+        if (c.failed || c.open) print_failure(r, c);
+  } else if (failures) {
+    print_failures_by_block(rows);
+  }
 }
 
 Command hard_cases_command(CLI::App& program) {

@@ -54,6 +54,7 @@ void print_operations() {
 struct Flags {
   bool operations = false, laws = false;
   std::string rules;
+  AdapterFlags adapters;
 };
 
 int run(const Flags& f) {
@@ -61,12 +62,13 @@ int run(const Flags& f) {
     fmt::print("{}", operations_table());
     return within_budget;
   }
-  if (!f.rules.empty()) {
-    const Rules& rules = rules_named(f.rules);
-    fmt::print("{}", f.laws ? fmt::format("{}\n", fmt::join(rules.names("law"), "\n")) : rules.text());
+  if (!f.rules.empty() && !f.laws) {
+    fmt::print("{}", rules_named(f.rules).text());
     return within_budget;
   }
-  const auto all = select({}, built_in_robot());
+  Selection selection{f.adapters.start(), {}, {}};
+  if (!f.rules.empty()) selection.properties = rules_named(f.rules).names("law");
+  const auto all = select(selection, built_in_robot());
   if (!f.laws) {
     print_subjects(all);
     print_absent();
@@ -92,10 +94,11 @@ Command list_command(CLI::App& program) {
                        "laws. Exit code 0");
   a.toggle("--operations", a->operations,
            "list the operations instead: definitions, arguments, results and blocks, in Markdown");
-  a.toggle("--laws", a->laws, "list only the names of the laws, one a line");
+  const Flag laws = a.toggle("--laws", a->laws, "list only the names of the laws, one a line");
   a.text("--rules", a->rules, "VERSION",
          "list the digests of a version of the rules instead, \"present\" for this liecheck's; with --laws, "
          "its laws");
+  a->adapters.add(a).needs(laws);
   return a.runs(run);
 }
 

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <adapters/subjects.hpp>
 #include <app/campaign_run.hpp>
 #include <app/command.hpp>
 #include <coefficients/sweep.hpp>
@@ -28,8 +29,20 @@ struct Flags {
   std::string out = "liecheck-report";
   bool no_cost = false, no_scenes = false;
   CaseFlags cases;
-  LimitsFlags limits;
+  SelectionFlags selection;
 };
+
+/// The adapters whose calls can be timed.
+std::vector<std::string> libraries_of(const std::vector<std::string>& given) {
+  std::vector<std::string> libraries;
+  for (const std::string& adapter : given)
+    if (!adapters::library_in(adapter).empty())
+      libraries.push_back(adapter);
+    else
+      warn(fmt::format("warning: '{}' is a command, whose time would be that of its pipe: it is not timed\n",
+                       adapter));
+  return libraries;
+}
 
 void create_folder(const std::string& folder) {
   std::error_code error;
@@ -63,14 +76,25 @@ void print_interrupted(const char* where) {
 
 /// Runs everything that a report shows and writes the record.
 fs::path run_campaign_of_report(const Flags& f) {
+  const bool everything = f.selection.subjects.empty() && f.selection.adapters.adapters.empty();
+  const Selection selection = everything ? f.selection.limits.judging({}) : f.selection.selection();
+  for (const std::string& adapter : f.selection.adapters.adapters) check_conventions(adapter);
   const Robot robot = f.cases.robot.read();
+  CostOptions times;
+  times.seed = f.cases.options.seed, times.seconds = 30, times.flags = everything && has_kernels();
+  if (!f.no_cost && !everything) {
+    times.adapters = libraries_of(f.selection.adapters.adapters);
+    times.subjects = f.selection.subjects;
+    std::erase(times.subjects, "all");
+    for (const std::string& adapter : times.adapters)
+      add_subjects(times, {adapters::description_of(adapter)->name});
+  }
   stop_on_signals();
   create_folder(f.out);
   const fs::path file = fs::path(f.out) / "campaign.json";
   check_writable(file);
-  const Selection everything = f.limits.judging({});
-  const auto hard_cases = run_hard_cases(everything, robot, built_in_corpus(), f.cases.options.jobs);
-  const StoredRun run = run_stored_campaign(everything, robot, f.cases, {}).value();
+  const auto hard_cases = run_hard_cases(selection, robot, built_in_corpus(), f.cases.options.jobs);
+  const StoredRun run = run_stored_campaign(selection, robot, f.cases, {}).value();
   if (run.result.incomplete) print_interrupted("");
   nlohmann::json record = full_record_of(run);
   add_hard_cases(record, hard_cases, run.result.incomplete);
@@ -82,14 +106,21 @@ fs::path run_campaign_of_report(const Flags& f) {
     write_record(file, record);
     if (stop_requested) print_interrupted(during);
   };
-  CostOptions times;
-  times.seed = f.cases.options.seed, times.seconds = 30, times.flags = has_kernels();
   SceneSweepOptions scenes;
   scenes.order_scenes = 3, scenes.order_seconds = 6;
   scenes.longest = 0.004, scenes.seconds = 12, scenes.repetitions = 7;
-  add(" during the sweep", [&] { add_sweep(record, run_sweep({}, f.cases.options.jobs)); });
-  if (!f.no_cost) add(" during the timing", [&] { record["cost"] = record_of(run_cost(times)); });
-  if (!f.no_scenes) add(" during the scenes", [&] { add_scenes(record, run_scene_sweep({}, scenes, 3)); });
+  if (everything) add(" during the sweep", [&] { add_sweep(record, run_sweep({}, f.cases.options.jobs)); });
+  if (!f.no_cost && (everything || !times.subjects.empty()))
+    add(" during the timing", [&] {
+      try {
+        record["cost"] = record_of(run_cost(times));
+      } catch (const std::runtime_error& e) {  // code of an adapter ended it
+        if (times.adapters.empty()) throw;
+        warn(fmt::format("warning: the report has no times: {}\n", e.what()));
+      }
+    });
+  if (everything && !f.no_scenes)
+    add(" during the scenes", [&] { add_scenes(record, run_scene_sweep({}, scenes, 3)); });
   return file;
 }
 
@@ -105,17 +136,23 @@ int run(const Flags& f) {
 }  // namespace
 
 Command report_command(CLI::App& program) {
-  CommandWith<Flags> a(
-      program, "report",
-      "write the accuracy report of records, or of a campaign over every subject. Exit code 0 if it is "
-      "written, whatever its verdict; 2 for bad input; 3 if its campaign was interrupted");
+  CommandWith<Flags> a(program, "report",
+                       "write the accuracy report of records, or of a campaign over every subject or the "
+                       "chosen ones. Exit code 0 if it is "
+                       "written, whatever its verdict; 2 for bad input; 3 if its campaign was interrupted");
   const Flag records = a.list("RECORD", a->records, "FILE",
                               "stores, or records that campaign --json wrote; default: run a campaign first");
+  a.list("--subject", a->selection.subjects, "NAME",
+         "a library under test, as 'liecheck list' names it, repeatable, or 'all'; default all, or the "
+         "adapters")
+      .excludes(records);
+  a->selection.adapters.add(a).excludes(records);
   a.text("--out", a->out, "DIR", "folder of report.html, report.json and report.csv").with_default_in_help();
   a.toggle("--no-cost", a->no_cost, "leave out the times, which take about 35 s").excludes(records);
-  a.toggle("--no-scenes", a->no_scenes, "leave out the scenes, which take about 40 s").excludes(records);
+  a.toggle("--no-scenes", a->no_scenes, "leave out the scenes of liecheck, which take about 40 s")
+      .excludes(records);
   for (const Flag& flag : a->cases.add(a)) flag.excludes(records);
-  for (const Flag& flag : a->limits.add(a)) flag.excludes(records);
+  for (const Flag& flag : a->selection.limits.add(a)) flag.excludes(records);
   return a.runs(run);
 }
 

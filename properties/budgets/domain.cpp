@@ -129,7 +129,6 @@ bool takes(const Operation& o, Quantity q) {
 
 Domain::Domain(const std::vector<DomainBound>& bounds, const std::vector<Field>& fields,
                const std::vector<Output>& outputs) {
-  if (bounds.empty()) return;
   const auto groups_of = [&](const Operation& o, auto wanted) {
     std::vector<Group> groups;
     std::size_t from = 0;

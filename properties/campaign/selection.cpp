@@ -5,6 +5,7 @@
 #include <campaign/typed_series.hpp>
 #include <set>
 #include <stdexcept>
+#include <subjects/other_libraries.hpp>
 
 namespace liecheck::properties {
 
@@ -26,7 +27,7 @@ Profile profile_of(const Selection& selection, const std::string& subject, const
                    bool of_adapter) {
   for (const std::string& name : {subject, std::string()})
     if (const auto at = selection.profiles.find(name); at != selection.profiles.end()) return at->second;
-  return default_profile(own, of_adapter);
+  return default_profile(own, of_adapter || is_other_library(subject));
 }
 
 void check_limits(const Selection& selection) {

@@ -10,6 +10,7 @@
 #include <invariants/tree_laws.hpp>
 #include <limits>
 #include <stdexcept>
+#include <subjects/other_libraries.hpp>
 #include <subjects/remote.hpp>
 #include <support/float_environment.hpp>
 #include <support/text.hpp>
@@ -38,7 +39,9 @@ std::string hash_of(const SubjectLimits& limits) {
 }
 
 std::string subject_flags(const Series& series) {
-  const bool usual = series.profile == default_profile(series.own.get(), !series.adapter.empty());
+  const bool usual =
+      series.profile ==
+      default_profile(series.own.get(), !series.adapter.empty() || is_other_library(series.subject));
   return (series.adapter.empty() ? "" : " --adapter " + shell_quoted(series.adapter)) +
          (series.own ? " --limits " + shell_quoted(series.own->file) : "") +
          (usual ? "" : " --profile " + name_of(series.profile));
@@ -122,7 +125,7 @@ TypedSeries<S>::TypedSeries(std::unique_ptr<Property<S>> law_tested, const Subje
   together_ = !of_joints_ && remote_subjects().contains(subject);
   own = std::move(limits);
   profile = judging;
-  if (own) domain_ = Domain(own->domain, fields, outputs);
+  domain_ = Domain(own ? own->domain : std::vector<DomainBound>(), fields, outputs);
   if (own) own_table_ = with_own_limits(budgets(subject, profile, eps), own->lines);
   const std::vector<Budget>& table = own ? own_table_ : budgets(subject, profile, eps);
   for (const Output& o : outputs)
@@ -262,12 +265,34 @@ void TypedSeries<S>::check_valid(const std::vector<S>& x, const CaseId& address)
                                             fmt::join(address.input, ",")));
 }
 
+namespace {
+
+/// Whether the fourth power of a rotation vector's norm, or the square of another one, may overflow. Ordinary code forms
+/// such powers, and only the profile `ours` demands a result there.
+template <class S>
+bool powers_overflow(const std::vector<Field>& fields, const std::vector<S>& x) {
+  using std::abs;
+  using std::ldexp;
+  constexpr int exponent = std::numeric_limits<S>::max_exponent;
+  static const S of_angles = ldexp(S(1), exponent / 4 - 2), of_others = ldexp(S(1), exponent / 2 - 4);
+  auto next = x.begin();
+  for (const Field& field : fields)
+    for (int i = 0; i < field.size; ++i)
+      if (abs(*next++) > (field.kind == Kind::rotation_vector ? of_angles : of_others)) return true;
+  return false;
+}
+
+}  // namespace
+
 template <class S>
 auto TypedSeries<S>::scope_of(const std::vector<S>& x) const -> Scope {
   Scope scope;
   scope.subject = CallLog::current() ? &checked_.subject() : &subject_;
-  if (domain_.has_everything()) return scope;
-  std::vector<bool> outside = domain_.outside(x);
+  std::vector<bool> outside;
+  if (profile != Profile::ours && powers_overflow(fields, x))
+    outside.assign(outputs.size(), true);
+  else if (!domain_.has_everything())
+    outside = domain_.outside(x);
   const auto any = std::find(outside.begin(), outside.end(), true);
   if (any == outside.end()) return scope;
   auto reduced = std::make_unique<Subject<S>>(*scope.subject);

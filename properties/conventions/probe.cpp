@@ -35,7 +35,7 @@ const Part* wrong_part(const Layout& layout, std::span<const double> got, std::s
       apart = std::max(apart, std::fabs(got[at] - right[at]));
       apart_of_minus = std::max(apart_of_minus, std::fabs(got[at] + right[at]));
     }
-    if (std::min(apart, part.size == 4 ? apart_of_minus : apart) > 1e-3 * size) return &part;
+    if (std::min(apart, part.size == 4 ? apart_of_minus : apart) > probe_tolerance * size) return &part;
   }
   return nullptr;
 }
@@ -218,7 +218,7 @@ std::string unexplained(const Probed& p) {
     for (const double x : expected) largest = std::max(largest, std::fabs(x));
     std::size_t first = size, wrong = 0;
     for (std::size_t i = size; i-- > 0;)
-      if (!(std::fabs(got[i] - expected[i]) <= 1e-3 * largest)) first = i, ++wrong;
+      if (!(std::fabs(got[i] - expected[i]) <= probe_tolerance * largest)) first = i, ++wrong;
     return fmt::format(
         "no known convention explains {}: its {} is {:.6g}, and {:.6g} is right; {} of {} numbers "
         "of {} are wrong\n  at {}",

@@ -23,6 +23,9 @@ struct Probed {
 template <class S>
 std::vector<Numbers> probe_arguments(const Operation& operation);
 
+/// An answer that differs from the right one by more of its largest number is another convention, or wrong.
+inline constexpr double probe_tolerance = 1e-3;
+
 struct Finding {
   bool named;  ///< a convention; otherwise one operation that no known convention explains
   std::string sentence;

@@ -59,6 +59,12 @@ void check_entrance(const Operations<S>& o, const std::vector<Field>& fields, co
   });
 }
 
+/// Whether the outcome is about the numbers of a result, and not about how the call ended.
+bool of_result(Outcome outcome) {
+  using enum Outcome;
+  return outcome == measured || outcome == ill_posed || outcome == not_finite || outcome == wrong_branch;
+}
+
 template <class S>
 Trial attempt_in(const TypedSeries<S>& series, const CaseId& address) {
   Trial trial;
@@ -97,6 +103,9 @@ Trial attempt_in(const TypedSeries<S>& series, const CaseId& address) {
     // Outside the domain, an unresolved input has no exact result: any result counts as a wrong branch.
     if (j.residual.outcome == Outcome::unresolved)
       j.residual.outcome = Outcome::wrong_branch, j.failed = true;
+    // Only the profile `ours` promises that such an input is refused, or means the rotation nearest to it.
+    if (series.profile != Profile::ours && of_result(j.residual.outcome))
+      j.residual.outcome = Outcome::outside_domain, j.failed = false;
   }
   return trial;
 }

@@ -4,6 +4,7 @@
 #include <memory>
 #include <mutex>
 #include <subjects/known_bugs.hpp>
+#include <subjects/other_libraries.hpp>
 
 namespace liecheck::properties {
 
@@ -44,9 +45,17 @@ std::vector<const Subject<S>*> subjects() {
   return all;
 }
 
+namespace {
+constexpr const char* other_libraries[] = {"ceres", "eigen", "manif", "pinocchio", "smooth", "sophus"};
+}
+
+bool is_other_library(std::string_view subject) {
+  return std::ranges::count(other_libraries, subject) > 0;
+}
+
 std::vector<std::string> absent_subjects() {
   std::vector<std::string> absent;
-  for (const char* name : {"ceres", "manif", "pinocchio", "smooth", "sophus"})
+  for (const char* name : other_libraries)
     if (std::ranges::none_of(registry<double>(), [&](const auto& s) { return s->name == name; }))
       absent.push_back(name);
 #ifndef LIECHECK_QD

@@ -6,8 +6,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <fmt/format.h>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
+#include <cstring>
 #include <stdexcept>
 #include <system_error>
 
@@ -40,23 +43,34 @@ std::pair<pid_t, int> start(std::vector<std::string>& arguments) {
 }  // namespace
 
 std::optional<std::string> output_of_own_process(std::vector<std::string> arguments,
-                                                 const std::atomic<bool>& stop) {
+                                                 const std::atomic<bool>& stop, double longest_s) {
+  using Clock = std::chrono::steady_clock;
   const auto [id, from] = start(arguments);
+  const auto begin = Clock::now();
+  const auto late = [&] { return std::chrono::duration<double>(Clock::now() - begin).count() > longest_s; };
   std::string text;
   char part[65536];
-  for (ssize_t n = 1; n != 0 && !stop;) {
+  for (ssize_t n = 1; n != 0 && !stop && !late();) {
     pollfd ready{from, POLLIN, 0};
     if (::poll(&ready, 1, 50) <= 0) continue;
     n = ::read(from, part, sizeof part);
     if (n > 0) text.append(part, static_cast<std::size_t>(n));
   }
   ::close(from);
-  if (stop) ::kill(id, SIGKILL);
+  const bool too_late = late();
+  if (stop || too_late) ::kill(id, SIGKILL);
   int status = 0;
   while (::waitpid(id, &status, 0) < 0 && errno == EINTR) {
   }
   if (stop) return std::nullopt;
-  if (status != 0) throw std::runtime_error("a process that measures times failed");
+  if (too_late)
+    throw std::runtime_error(fmt::format("a process that measures did not end in {:.0f} s", longest_s));
+  if (WIFSIGNALED(status))
+    throw std::runtime_error(fmt::format("a process that measures was ended by signal {} ({})",
+                                         WTERMSIG(status), ::strsignal(WTERMSIG(status))));
+  if (status != 0)
+    throw std::runtime_error(
+        fmt::format("a process that measures ended with exit code {}", WEXITSTATUS(status)));
   return text;
 }
 

@@ -2,6 +2,7 @@
 // Runs this program in a process of its own.
 
 #include <atomic>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,8 +10,9 @@
 namespace liecheck::properties {
 
 /// The standard output of this program with the arguments. If `stop` becomes true, ends the process and returns
-/// nothing. Throws std::runtime_error if the process cannot be started or fails.
+/// nothing. Throws std::runtime_error if the process cannot be started, fails, or still runs after longest_s.
 std::optional<std::string> output_of_own_process(std::vector<std::string> arguments,
-                                                 const std::atomic<bool>& stop);
+                                                 const std::atomic<bool>& stop,
+                                                 double longest_s = std::numeric_limits<double>::infinity());
 
 }  // namespace liecheck::properties

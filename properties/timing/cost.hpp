@@ -59,6 +59,7 @@ std::vector<int> dominators(const std::vector<CostRow>& rows, Ratio CostSet::*ti
 
 struct CostOptions {
   std::vector<std::string> operations, subjects, scalars;  ///< empty: all
+  std::vector<std::string> adapters;                       ///< as they were given; their subjects are registered
   std::uint64_t seed = 42;
   double seconds = 60;                          ///< approximate time for all timing
   std::size_t processes = 20, repetitions = 2;  ///< repetitions of each process

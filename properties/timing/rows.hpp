@@ -1,8 +1,12 @@
 #pragma once
 // The rows of one scalar: every operation of every subject, with its errors, ready to be timed.
 
+#include <adapters/sizes.hpp>
+#include <adapters/subjects.hpp>
 #include <algorithm>
 #include <array>
+#include <conventions/stated.hpp>
+#include <deque>
 #include <functional>
 #include <iterator>
 #include <map>
@@ -11,6 +15,7 @@
 #include <timing/batches.hpp>
 #include <timing/benchmarks.hpp>
 #include <timing/cost.hpp>
+#include <timing/direct.hpp>
 #include <timing/inputs.hpp>
 #include <timing/signature.hpp>
 
@@ -37,7 +42,14 @@ struct CostPlan {
   bool scored;  ///< whether the rows get errors
   std::vector<CostRow> rows;
   std::vector<TimedSet> timed;
+  std::deque<DirectFunction> functions = {};  ///< of adapters
 
+  AnyFunction direct(const std::string& adapter, const std::string& operation, const std::string& scalar,
+                     const adapters::OperationSizes& sizes) {
+    functions.push_back({adapters::function_of_library(adapters::library_in(adapter), operation, scalar),
+                         sizes.inputs, sizes.results});
+    return reinterpret_cast<AnyFunction>(&functions.back());
+  }
   bool wants(const std::vector<std::string>& list, const std::string& name) const {
     return list.empty() || std::find(list.begin(), list.end(), name) != list.end();
   }
@@ -66,7 +78,17 @@ struct Offered {
   Signature signature;
   AnyFunction function;
   Score<Input> score;
+  conventions::Order order = {};  ///< of an adapter's arguments; empty if it is liecheck's
 };
+
+inline std::vector<std::vector<double>> encoded(const conventions::Order& order,
+                                                std::vector<std::vector<double>> numbers) {
+  for (std::vector<double>& one : numbers) {
+    const std::vector<double> own = one;
+    conventions::encode(order, own.data(), one.data());
+  }
+  return numbers;
+}
 
 /// Adds the row of one operation for each subject that offers it. With `bands`, it also times each band.
 template <class Input>
@@ -86,8 +108,13 @@ void add_operation_rows(CostPlan& plan, const CostRow& common, std::size_t each,
     CostRow row = common;
     row.subject = offered.subject, row.version = offered.version;
     const Signature& signature = offered.signature;
-    auto& [in_order, in_any_order] = arguments[signature.arguments];
-    if (!in_order) in_order = signature.arguments(numbers), in_any_order = signature.arguments(shuffled);
+    auto [in_order, in_any_order] = arguments[signature.arguments];
+    if (!offered.order.empty())
+      in_order = signature.arguments(encoded(offered.order, numbers)),
+      in_any_order = signature.arguments(encoded(offered.order, shuffled));
+    else if (!in_order)
+      arguments[signature.arguments] = {in_order = signature.arguments(numbers),
+                                        in_any_order = signature.arguments(shuffled)};
     // Batches and libraries compiled with other flags are timed on all bands together.
     const bool by_band = bands && signature.latency && row.subject.find('@') == std::string::npos;
     CostSet mixed{"mixed", inputs.size(), {}, {}, 0, {}};
@@ -128,11 +155,22 @@ void add_cost_rows(CostPlan& plan, const std::string& scalar, double eps,
       if (const AnyFunction f = functions[i]) {
         const Subject<S>& subject = *subjects[i];
         Signature own = signature;
-        if constexpr (std::is_same_v<S, float> || std::is_same_v<S, double>)
+        AnyFunction timed = f;
+        conventions::Order order;
+        if constexpr (std::is_same_v<S, float> || std::is_same_v<S, double>) {
           if (subject.name == batch_subject) own = batch_signature<S>(operation);
+          if (!subject.adapter.empty()) {
+            const adapters::OperationSizes& sizes = *adapters::sizes_of(name);
+            own = direct_signature<S>(sizes.inputs);
+            order = conventions::rearranged(operation, adapters::description_of(subject.adapter)->conventions)
+                        .arguments;
+            // Foreign code is loaded only where it is timed, in a process of its own.
+            if (!plan.scored) timed = plan.direct(subject.adapter, name, scalar, sizes);
+          }
+        }
         if (own.arguments)
-          offered.push_back(
-              {subject.name, subject.version, own, f, score(operation, *law, subject, signature, f)});
+          offered.push_back({subject.name, subject.version, own, timed,
+                             score(operation, *law, subject, signature, f), order});
       }
     if (offered.empty()) return;
     offered.push_back({"call", "", signature, signature.call_only, nullptr});

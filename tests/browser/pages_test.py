@@ -1,4 +1,6 @@
-"""The report and the league's page in a real browser: pages_test.py LIECHECK LEAGUE_PAGE FOLDER.
+"""The report and the league's page in a real browser: pages_test.py LIECHECK LEAGUE_PAGE FOLDER [AXE].
+
+With AXE, the file axe.min.js of the npm package axe-core, only the accessibility of both pages is checked.
 
 The page of the report is made here, from the record of a small campaign. What it unpacks is compared with report.json.
 """
@@ -15,6 +17,7 @@ import unittest
 import webdriver
 
 LIECHECK, LEAGUE, FOLDER = sys.argv[1], sys.argv[2], pathlib.Path(sys.argv[3])
+AXE = pathlib.Path(sys.argv[4]).read_text() if len(sys.argv) > 4 else ""
 WIDTHS = (360, 420, 1400)
 # What packed() treats apart: absent and equal values, rows with other fields, lists in lists.
 HARD_TO_PACK = [
@@ -263,6 +266,19 @@ class Pages(unittest.TestCase):
         self.browser.run("document.querySelector('#matrix td button').click()")
         self.assertIn("cases", self.browser.run("return document.querySelector('#detail').innerText"))
 
+    @unittest.skipUnless(AXE, "axe-core is one of the packages of the league")
+    def test_accessibility(self):
+        for page in (None, LEAGUE):
+            for scheme in ("light", "dark"):
+                for width in (420, 1400):
+                    self.show(width=width, scheme=scheme, page=page)
+                    self.browser.run(UNFOLD)
+                    self.browser.run(AXE + "; globalThis.axe = axe;")
+                    if not page:
+                        self.open_cell("exp6", "textbook")
+                    found = self.browser.run("return axe.run().then(r => r.violations.map(v => [v.id, v.help, v.nodes[0].html]))")
+                    self.assertEqual(found, [], (page, scheme, width))
+
 
 if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1], verbosity=2)
+    unittest.main(argv=[*sys.argv[:1], *(["Pages.test_accessibility"] if AXE else [])], verbosity=2)

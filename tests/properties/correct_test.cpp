@@ -10,6 +10,7 @@
 #include <campaign/needs.hpp>
 #include <campaign/robots.hpp>
 #include <cmath>
+#include <hard_cases/hard_cases.hpp>
 #include <set>
 #include <sstream>
 #include <subjects/tree.hpp>
@@ -79,6 +80,20 @@ TEST(Correct, NoCorrectImplementationIsAccused) {
                                    << ", broken " << need.broken << ", not measured " << need.unmeasured
                                    << ": " << need.worst;
   }
+}
+
+TEST(Correct, NoHardCaseAccusesACorrectImplementationUnderTheProfileCareful) {
+  Selection all{correct_subjects(), {}, {"float", "double"}};
+  all.profiles[""] = Profile::careful;
+  std::size_t stable = 0;
+  for (const HardRow& row : run_hard_cases(all, built_in_robot(), built_in_corpus(), 2))
+    for (const HardCell& cell : row.cells) {
+      EXPECT_FALSE(cell.failed || cell.open)
+          << row.entry->name << ": " << cell.subject << " in " << cell.scalar << ": " << name_of(cell.verdict)
+          << " " << cell.operation;
+      stable += cell.verdict == Verdict::stable;
+    }
+  EXPECT_GT(stable, 8000u);
 }
 
 TEST(Correct, TheSameLimitsAccuseAFormulaThatCancels) {
