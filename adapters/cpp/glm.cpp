@@ -108,26 +108,26 @@ struct Glm {
   }
   static const char* source(std::string_view operation) {
     static constexpr Program all[] = {
-        {"log3_quaternion", PROGRAM("glm/gtc/quaternion.hpp",
+        {"log3_quaternion", PROGRAM("glm/ext.hpp",
                                     "using S = {scalar}; S Q[] = {{Q}}, s = Q[3] < 0 ? -1 : 1;\n"
                                     "auto v = glm::log(glm::qua<S>(s * Q[3], s * Q[0], s * Q[1], s * Q[2]));",
                                     "2 * v.x, 2 * v.y, 2 * v.z")},
         {"log3_matrix",
-         PROGRAM("glm/gtc/quaternion.hpp",
+         PROGRAM("glm/ext.hpp",
                  "using S = {scalar}; auto q = glm::quat_cast(glm::transpose(glm::mat<3, 3, S>({R})));\n"
                  "auto v = glm::log(q.w < 0 ? -q : q);",
                  "2 * v.x, 2 * v.y, 2 * v.z")},
-        {"exp3_quaternion", PROGRAM("glm/gtc/quaternion.hpp",
+        {"exp3_quaternion", PROGRAM("glm/ext.hpp",
                                     "using S = {scalar}; glm::vec<3, S> phi({phi});\n"
                                     "auto q = glm::exp(glm::qua<S>(0, phi / S(2)));",
                                     "q.x, q.y, q.z, q.w")},
         {"exp3_matrix",
-         PROGRAM("glm/gtc/quaternion.hpp",
+         PROGRAM("glm/ext.hpp",
                  "using S = {scalar}; glm::vec<3, S> phi({phi}), n = phi == glm::vec<3, S>(0) ? glm::vec<3, "
                  "S>(1, 0, 0) : phi;\n"
                  "auto R = glm::rotate(glm::mat<4, 4, S>(1), glm::length(phi), n);",
                  "R[0][0], R[1][0], R[2][0], R[0][1], R[1][1], R[2][1], R[0][2], R[1][2], R[2][2]")},
-        {"normalize", PROGRAM("glm/gtc/quaternion.hpp",
+        {"normalize", PROGRAM("glm/ext.hpp",
                               "using S = {scalar}; S Q[] = {{Q}};\n"
                               "auto q = glm::normalize(glm::qua<S>(Q[3], Q[0], Q[1], Q[2]));",
                               "q.x, q.y, q.z, q.w")},

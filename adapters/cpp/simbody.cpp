@@ -120,35 +120,35 @@ struct Simbody {
   static const char* source(std::string_view operation) {
     static constexpr Program all[] = {
         {"exp3_quaternion",
-         PROGRAM("SimTKcommon.h",
+         PROGRAM("SimTKcommon/internal/MassProperties.h",
                  "SimTK::Vec3 v({phi}), n = v == SimTK::Vec3(0) ? SimTK::Vec3(1, 0, 0) : v;\n"
                  "SimTK::Quaternion q; q.setQuaternionFromAngleAxis(v.norm(), SimTK::UnitVec3(n));",
                  "q[1], q[2], q[3], q[0]")},
         {"exp3_matrix",
-         PROGRAM("SimTKcommon.h",
+         PROGRAM("SimTKcommon/internal/MassProperties.h",
                  "SimTK::Vec3 v({phi}), n = v == SimTK::Vec3(0) ? SimTK::Vec3(1, 0, 0) : v;\n"
                  "SimTK::Rotation R(v.norm(), n);",
                  "R[0][0], R[0][1], R[0][2], R[1][0], R[1][1], R[1][2], R[2][0], R[2][1], R[2][2]")},
         {"log3_quaternion",
-         PROGRAM("SimTKcommon.h",
+         PROGRAM("SimTKcommon/internal/MassProperties.h",
                  "double Q[] = {{Q}};\n"
                  "auto a = SimTK::Quaternion(Q[3], Q[0], Q[1], Q[2]).convertQuaternionToAngleAxis();",
                  "a[0] * a[1], a[0] * a[2], a[0] * a[3]")},
         {"log3_any_norm",
-         PROGRAM("SimTKcommon.h",
+         PROGRAM("SimTKcommon/internal/MassProperties.h",
                  "double Q[] = {{Q}};\n"
                  "auto a = SimTK::Quaternion(Q[3], Q[0], Q[1], Q[2]).convertQuaternionToAngleAxis();",
                  "a[0] * a[1], a[0] * a[2], a[0] * a[3]")},
-        {"log3_matrix", PROGRAM("SimTKcommon.h",
+        {"log3_matrix", PROGRAM("SimTKcommon/internal/MassProperties.h",
                                 "SimTK::Rotation R(SimTK::Mat33({R}), true);\n"
                                 "auto a = R.convertRotationToAngleAxis();",
                                 "a[0] * a[1], a[0] * a[2], a[0] * a[3]")},
-        {"normalize", PROGRAM("SimTKcommon.h",
+        {"normalize", PROGRAM("SimTKcommon/internal/MassProperties.h",
                               "double Q[] = {{Q}};\n"
                               "SimTK::Quaternion q(Q[3], Q[0], Q[1], Q[2]);",
                               "q[1], q[2], q[3], q[0]")},
         {"quaternion_matrix",
-         PROGRAM("SimTKcommon.h",
+         PROGRAM("SimTKcommon/internal/MassProperties.h",
                  "double Q[] = {{Q}};\n"
                  "SimTK::Rotation R(SimTK::Quaternion(Q[3], Q[0], Q[1], Q[2]));",
                  "R[0][0], R[0][1], R[0][2], R[1][0], R[1][1], R[1][2], R[2][0], R[2][1], R[2][2]")},

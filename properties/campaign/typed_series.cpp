@@ -267,18 +267,24 @@ void TypedSeries<S>::check_valid(const std::vector<S>& x, const CaseId& address)
 
 namespace {
 
-/// Whether the fourth power of a rotation vector's norm, or the square of another one, may overflow. Ordinary code forms
-/// such powers, and only the profile `ours` demands a result there.
+/// Whether the fourth power of a rotation vector's norm, or the square of another one, may overflow, or the square of a
+/// quaternion's norm is nearly subnormal. Ordinary code forms such powers, and only the profile `ours` demands a result
+/// there.
 template <class S>
-bool powers_overflow(const std::vector<Field>& fields, const std::vector<S>& x) {
+bool powers_leave_the_range(const std::vector<Field>& fields, const std::vector<S>& x) {
   using std::abs;
   using std::ldexp;
-  constexpr int exponent = std::numeric_limits<S>::max_exponent;
-  static const S of_angles = ldexp(S(1), exponent / 4 - 2), of_others = ldexp(S(1), exponent / 2 - 4);
+  using Limits = std::numeric_limits<S>;
+  static const S of_angles = ldexp(S(1), Limits::max_exponent / 4 - 2),
+                 of_others = ldexp(S(1), Limits::max_exponent / 2 - 4),
+                 of_quaternions = ldexp(S(1), (Limits::min_exponent + Limits::digits) / 2);
   auto next = x.begin();
-  for (const Field& field : fields)
-    for (int i = 0; i < field.size; ++i)
-      if (abs(*next++) > (field.kind == Kind::rotation_vector ? of_angles : of_others)) return true;
+  for (const Field& field : fields) {
+    S largest(0);
+    for (int i = 0; i < field.size; ++i) largest = std::max(largest, S(abs(*next++)));
+    if (largest > (field.kind == Kind::rotation_vector ? of_angles : of_others)) return true;
+    if (field.kind == Kind::any_quaternion && largest < of_quaternions) return true;
+  }
   return false;
 }
 
@@ -289,7 +295,7 @@ auto TypedSeries<S>::scope_of(const std::vector<S>& x) const -> Scope {
   Scope scope;
   scope.subject = CallLog::current() ? &checked_.subject() : &subject_;
   std::vector<bool> outside;
-  if (profile != Profile::ours && powers_overflow(fields, x))
+  if (profile != Profile::ours && powers_leave_the_range(fields, x))
     outside.assign(outputs.size(), true);
   else if (!domain_.has_everything())
     outside = domain_.outside(x);
