@@ -95,10 +95,12 @@ function digitsCell(operation, subject, own) {
   }
   const bad = own.some(r => r.status === "fail"), ns = latencyOf(own[0]);
   const nan = sum(own, "not_finite"), branch = sum(own, "wrong_branch"), cliff = cliffsOf(own[0]);
-  const notes = [...cliff.length ? ["cliff"] : [], ...nan ? [`${nan} NaN`] : [], ...branch ? [`${branch} branch`] : [], ...ns ? [`${short(ns)} ns`] : []];
+  const happened = [...cliff.length ? ["cliff"] : [], ...nan ? [`${nan} NaN`] : [], ...branch ? [`${branch} branch`] : []];
+  const time = ns ? `${short(ns)} ns` : "", notes = [...happened, time];
   return element("button", {type: "button", class: `digits ${bad ? "fail" : "pass"}`, "aria-expanded": "false",
     "data-operation": operation, "data-subject": subject},
-  element("span", {class: "spoken"}, `${operation}, ${subject}: ${bad ? "fails" : "no failure"}. ${[...spoken, ...notes].join("; ")}`), boxes, element("span", {class: "notes", "aria-hidden": "true"}, `${bad ? "✗ " : ""}${notes.join(" · ")}`));
+  element("span", {class: "spoken"}, `${operation}, ${subject}: ${bad ? "fails" : "no failure"}. ${[...spoken, ...notes].join("; ")}`), boxes, element("span", {class: "notes", "aria-hidden": "true"},
+    element("b", {}, [...bad ? ["✗"] : [], ...happened].join(" · ")), happened.length && ns ? " · " : " ", time));
 }
 
 function fillDigits() {

@@ -27,15 +27,22 @@ function errorWords(row) {
 }
 const plural = (n, what) => `${n} ${what}${n === 1 ? "" : "s"}`;
 
-// Where a subject fails, the worst two regions first, or one if the page has many subjects: "worst: exp6 (translation) at θ < 10⁻⁷ in double, 7.4 of 15.7 digits lost".
+// Where a subject fails, its worst operations first, each with all its regions: "left_jacobian6 (coupling) at θ < 10⁻⁷ and
+// moderate θ in double, 7.4 of 15.7 digits lost". Of a page with many subjects, one operation each.
 function whereItFails(failing) {
-  const regions = REGIONS.map(r => failing.filter(row => regionOf(row) === r)).filter(own => own.length).map(worstOf)
-    .sort((a, b) => severity(b) - severity(a));
-  const place = row => `${row.operation} (${row.block})${row.region === "all" ? "" : ` at ${regionOf(row).name}`} in ${row.scalar}, ${errorWords(row)}`;
-  const told = subjects.length > 6 ? 1 : 2;
-  return `worst: ${regions.slice(0, told).map(place).join("; ")}`
-    + (regions.length > told ? `; and in ${plural(regions.length - told, "further region")}` : "");
+  const operations = unique(failing.map(r => r.operation)).map(o => failing.filter(r => r.operation === o))
+    .map(own => ({worst: worstOf(own), own})).sort((a, b) => severity(b.worst) - severity(a.worst));
+  const regions = own => listed(REGIONS.filter(r => r.key !== "all" && own.some(row => regionOf(row) === r)).map(r => r.name));
+  const place = ({worst, own}) => {
+    const same = own.filter(r => r.scalar === worst.scalar), where = regions(same);
+    return `${worst.operation} (${worst.block})${where ? ` at ${where}` : ""} in ${worst.scalar}, ${errorWords(worst)}`;
+  };
+  const told = subjects.length > 6 ? 1 : 2, more = operations.slice(told).map(o => o.worst.operation);
+  return operations.slice(0, told).map(place).join("; ")
+    + (more.length > 3 ? `; and ${more.length} further operations` : more.length ? `; and ${listed(more)}` : "");
 }
+
+const listed = words => words.length > 1 ? `${words.slice(0, -1).join(", ")} and ${words.at(-1)}` : words.join("");
 
 // What is said of a subject without a failing row.
 function verdictWithoutFailure(subject) {
@@ -45,7 +52,7 @@ function verdictWithoutFailure(subject) {
   if (broken) return ["fail", `wrong: ${plural(broken, "hard case")} fail, no band is over its budget.`];
   const open = own.some(r => ["unresolved", "unmeasured"].includes(r.status)) || of("not_measured").some(m => m.subject === subject);
   return open ? ["open", "incomplete: what was measured is within budget, but not all was measured."]
-    : ["pass", "correct: every measured band is within its budget."];
+    : ["pass", "within budget in every measured band: no error was found."];
 }
 
 function fillSentences(home) {
@@ -53,7 +60,7 @@ function fillSentences(home) {
   const all = subjects.map(s => ({s, failing: results.filter(r => r.subject === s && r.status === "fail")}));
   for (const {s, failing} of all) {
     const where = unique(failing.map(r => r.operation)).length;
-    const [kind, text] = failing.length ? ["fail", `wrong in ${plural(where, "operation")}; ${whereItFails(failing)}.`] : verdictWithoutFailure(s);
+    const [kind, text] = failing.length ? ["fail", `wrong in ${plural(where, "operation")}: ${whereItFails(failing)}.`] : verdictWithoutFailure(s);
     const mark = {fail: "✗", pass: "✓", open: "?"}[kind];
     const control = s === "textbook" ? " (the positive control, meant to fail)" : "";
     list.append(element("li", {class: kind}, element("span", {class: `verdict-mark ${kind}`, "aria-hidden": "true"}, mark), swatch(s),
@@ -71,7 +78,7 @@ function whoIsWrong(failed) {
 }
 
 // "exp6: 6.4 digits in 21 ns (bullet, float), 15.4 in 48 ns (eigen, double)": the steps of the front of one operation,
-// and then up to four of the judged libraries that are not on it.
+// after up to four of the judged libraries that are not on it.
 function priceOfDigits() {
   const rows = numbers.records.flatMap(r => r.cost?.rows ?? []).filter(r => ["float", "double"].includes(r.scalar) && isNumber(r.error)
     && r.subject !== "call" && !r.subject.includes("@") && r.sets.at(-1).latency);
@@ -82,15 +89,16 @@ function priceOfDigits() {
   const digits = r => Math.min(-Math.log10(r.error), -Math.log10(r.eps)).toFixed(1);
   const others = rows.filter(r => r.operation === operation && r.scalar === "double" && subjects.includes(r.subject)
     && !steps.some(s => s.subject === r.subject)).slice(0, 4);
-  return `${operation}: ${steps.map((r, i) => `${digits(r)}${i ? "" : " digits"} in ${short(ns(r))} ns (${r.subject}, ${r.scalar})`).join(", ")}`
-    + `${others.length ? `; beside it ${others.map(r => `${r.subject} ${digits(r)} in ${short(ns(r))} ns`).join(", ")}` : ""}.`;
+  const front = steps.map((r, i) => `${digits(r)}${i || others.length ? "" : " digits"} in ${short(ns(r))} ns (${r.subject}, ${r.scalar})`).join(", ");
+  const own = others.map((r, i) => `${r.subject} gives ${digits(r)}${i ? "" : " digits"} in ${short(ns(r))} ns`).join(", ");
+  return `${operation}${others.length ? ` in double: ${own}. The fastest for its digits: ` : ": "}${front}. Digits are those of the worst timed input.`;
 }
 
 function fillAnswers(home) {
   const failed = unique(results.filter(r => r.status === "fail").map(r => r.subject));
   const hard = numbers.records.flatMap(r => r.hard_cases ?? []).flatMap(h => h.cells);
-  const bySubject = unique(hard.filter(c => c.failed).map(c => c.subject))
-    .map(s => `${s} ${hard.filter(c => c.failed && c.subject === s).length}`);
+  const bySubject = unique(hard.map(c => c.subject)).map(s => hard.filter(c => c.subject === s))
+    .map(own => `${own[0].subject} ${own.filter(c => c.failed).length || "none"} of ${own.length}`);
   const front = numbers.records.flatMap(r => r.cost ? [r.cost] : []).length;
   const advice = document.querySelector(".advice b")?.textContent;
   const answer = (link, question, text) => element("li", {}, element("a", {href: link}, question), element("br"), text);
@@ -99,7 +107,7 @@ function fillAnswers(home) {
       : "None was found to be wrong; the table has every operation."),
     answer("#cost", "What does a digit cost?", front ? `${priceOfDigits()}${advice ? ` For a 1 kHz controller, take ${advice}.` : ""}` : "These records hold no times."),
     answer("#stability", "Are hard cases stable?", !hard.length ? "These records hold no hard cases."
-      : bySubject.length ? `Not all. Of ${hard.length} calls, failures: ${bySubject.join(", ")}.` : `Yes: all ${hard.length} calls are within budget.`)));
+      : hard.some(c => c.failed) ? `Not all. Known difficult inputs that fail: ${bySubject.join(", ")}.` : `Yes: all ${hard.length} known difficult inputs are within budget.`)));
 }
 
 // The group of rows in which subjects differ most, by the 99 % lines near 0 and near pi.

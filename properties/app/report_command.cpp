@@ -89,6 +89,7 @@ fs::path run_campaign_of_report(const Flags& f) {
     for (const std::string& adapter : times.adapters)
       add_subjects(times, {adapters::description_of(adapter)->name});
   }
+  const bool timed = !f.no_cost && (everything || !f.selection.subjects.empty() || !times.adapters.empty());
   stop_on_signals();
   create_folder(f.out);
   const fs::path file = fs::path(f.out) / "campaign.json";
@@ -110,7 +111,7 @@ fs::path run_campaign_of_report(const Flags& f) {
   scenes.order_scenes = 3, scenes.order_seconds = 6;
   scenes.longest = 0.004, scenes.seconds = 12, scenes.repetitions = 7;
   if (everything) add(" during the sweep", [&] { add_sweep(record, run_sweep({}, f.cases.options.jobs)); });
-  if (!f.no_cost && (everything || !times.subjects.empty()))
+  if (timed)
     add(" during the timing", [&] {
       try {
         record["cost"] = record_of(run_cost(times));

@@ -172,6 +172,18 @@ TEST(Terminal, AtPiTheExactResultIsThatOfTheAxisThatWasReturned) {
   EXPECT_GT(std::fabs(right - wrong), 1e-3 * std::fabs(right)) << text;  // as the error in eps says
 }
 
+// The rotation vector of this result is on a wrong branch, and its linear part is right.
+TEST(Terminal, AWrongBranchShowsTheNumbersThatAreWrong) {
+  const std::string text =
+      run("replay raw.log_oracle.textbook.double.none.0,0,0,1,1,0,0,0,-1,-0x1.c2edd4bf0bcb7p-39,"
+          "0,0x1.c2edd4bf0bcb7p-39,-1,0,0,0")
+          .second;
+  const auto linear = text.find("\nlog6, block linear\n");
+  ASSERT_NE(linear, text.npos) << text;
+  EXPECT_SAYS(text.substr(linear), "  error     wrong branch\n");
+  EXPECT_SAYS(text.substr(linear), "    phi[0]      got       82193.4893");
+}
+
 TEST(Terminal, AnOutcomeWithoutAnErrorIsNamedAndHasNoEps) {
   for (const std::string subject : {"bug:exp_nan_at_zero", "bug:log_no_sign"}) {
     const std::string text = campaign(subject, "--property exp_oracle --property log_oracle --all");
