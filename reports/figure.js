@@ -121,7 +121,7 @@ function legend(rows, statistics, apart = false) {
   const list = element("ul", {class: "legend", "aria-label": "Legend"});
   for (const s of subjects.filter(s => rows.some(r => r.subject === s)))
     list.append(element("li", {}, swatch(s), s));
-  list.append(element("li", {}, apart ? "thick line: 99 % of the cases are below it; dotted: median; hollow markers: worst found"
+  list.append(element("li", {}, apart ? "thick line: 99 % of the cases are below it; dotted: median; single markers: worst found"
     : statistics.map(s => ({max_eps: "max found: solid", p99_eps: "p99: dashed", median_eps: "median: dotted"})[s]).join(", ")));
   const above = OUTCOMES.filter(o => rows.some(o.holds)).map(o => o.name), largest = 10 ** ceilingOf(rows);
   if (rows.some(r => r.max_eps > largest)) above.unshift("worst inputs far above all others");

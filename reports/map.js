@@ -40,7 +40,7 @@ function mapPanel(panel, tell) {
   const x = column => left + column * width + gap(column), y = row => top + (scales.length - 1 - row) * height;
   const right = x(angles.length), bottom = top + scales.length * height;
   const worst = worstOnMap(errors), at = errors.flatMap((r, i) => r.map((e, j) => [e, i, j])).find(([e]) => e === worst);
-  const svg = make("svg", {viewBox: `0 0 ${right + 8} ${bottom + 32}`, role: "img", "aria-label":
+  const svg = make("svg", {viewBox: `0 0 ${right + 20} ${bottom + 32}`, role: "img", "aria-label":
     `${panel.operation}, ${panel.block}, of ${panel.subject}: largest error ${mapWords(worst)}${at ? `, at ${placeWords(panel, at[1], at[2])}` : ""}`});
   const paths = new Map();
   errors.forEach((line, row) => line.forEach((error, column) => {
@@ -60,7 +60,7 @@ function mapPanel(panel, tell) {
   label("θ [rad]", x(0) + half * width / 2, bottom + 26);
   if (half < angles.length) label("π − θ [rad]", x(half) + (angles.length - half) * width / 2, bottom + 26);
   svg.addEventListener("pointermove", event => {
-    const box = svg.getBoundingClientRect(), unit = (right + 8) / box.width;
+    const box = svg.getBoundingClientRect(), unit = (right + 20) / box.width;
     const px = (event.clientX - box.left) * unit, py = (event.clientY - box.top) * unit;
     const column = angles.findIndex((_, i) => px >= x(i) && px < x(i) + width), row = scales.findIndex((_, i) => py >= y(i) && py < y(i) + height);
     if (column >= 0 && row >= 0) tell(`${panel.subject}: ${placeWords(panel, row, column)}: ${mapWords(errors[row][column])}.`);
@@ -72,7 +72,7 @@ function mapLegend() {
   const item = (text, ...style) => element("li", {}, element("span", {class: "heat-box", style: style.join(";")}), text);
   return element("ul", {class: "legend", "aria-label": "Legend"}, ...[0, 4, 8, 12, 16].map(e =>
     item(e ? `${power(e)} eps` : "1 eps or less", `background: color-mix(in srgb, var(--ink) ${e / .16}%, transparent)`)),
-  item("NaN or Inf, wrong branch or no result", "background: var(--bad)"), item("no such number in this scalar", "background: var(--rule)"));
+  item("NaN or Inf, wrong branch or no result", "background: var(--bad)"), item("no such number in this scalar", "background: repeating-linear-gradient(135deg, var(--soft) 0 1px, transparent 1px 4px)"));
 }
 
 function fillMap() {

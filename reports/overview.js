@@ -2,7 +2,7 @@
 
 // The seven regions of the angle; page_numbers() in C++ decides to which one a row belongs.
 const REGIONS = [{key: "zero", name: "θ < 10⁻⁷", brief: "≈0"}, {key: "small", name: "θ 10⁻⁷…⁠10⁻²", brief: "small"},
-  {key: "moderate", name: "moderate θ", brief: "mid"}, {key: "near-pi", name: "π − θ > 10⁻⁷", brief: "<π"},
+  {key: "moderate", name: "θ 10⁻²…⁠π⁠−⁠1", brief: "mid"}, {key: "near-pi", name: "π − θ 10⁻⁷…⁠1", brief: "<π"},
   {key: "pi", name: "π − θ < 10⁻⁷", brief: "≈π"}, {key: "beyond", name: "θ > π", brief: ">π"}, {key: "all", name: "without angle", brief: "no θ"}];
 const regionOf = row => REGIONS.find(r => r.key === row.region);
 
@@ -27,15 +27,22 @@ function errorWords(row) {
 }
 const plural = (n, what) => `${n} ${what}${n === 1 ? "" : "s"}`;
 
-// Where a subject fails, its worst operations first, each with all its regions: "left_jacobian6 (coupling) at θ < 10⁻⁷ and
-// moderate θ in double, 7.4 of 15.7 digits lost". Of a page with many subjects, one operation each.
+// Where a subject fails, its worst operations first, each with all its regions by what happens there: "log3_matrix
+// (rotation vector) in double: NaN or Inf at θ < 10⁻⁷, up to 7.4 of 15.7 digits lost at π − θ < 10⁻⁷". Of a page with many
+// subjects, one operation each.
 function whereItFails(failing) {
   const operations = unique(failing.map(r => r.operation)).map(o => failing.filter(r => r.operation === o))
     .map(own => ({worst: worstOf(own), own})).sort((a, b) => severity(b.worst) - severity(a.worst));
-  const regions = own => listed(REGIONS.filter(r => r.key !== "all" && own.some(row => regionOf(row) === r)).map(r => r.name));
   const place = ({worst, own}) => {
-    const same = own.filter(r => r.scalar === worst.scalar), where = regions(same);
-    return `${worst.operation} (${worst.block})${where ? ` at ${where}` : ""} in ${worst.scalar}, ${errorWords(worst)}`;
+    const same = REGIONS.map(r => own.filter(row => row.scalar === worst.scalar && regionOf(row) === r)).filter(rows => rows.length).map(worstOf);
+    const kind = row => notFinite(row) ? "NaN or Inf" : row.wrong_branch > 0 ? "wrong branch" : "";
+    const parts = unique(same.map(kind)).map(k => same.filter(row => kind(row) === k)).map(rows => {
+      const where = listed(rows.filter(r => regionOf(r).key !== "all").map(r => regionOf(r).name));
+      const top = rows.reduce((a, b) => severity(b) > severity(a) ? b : a);
+      return {top, text: `${rows.length > 1 && !kind(top) ? "up to " : ""}${errorWords(top)}${where ? ` at ${where}` : ""}`};
+    });
+    const texts = parts.sort((a, b) => severity(b.top) - severity(a.top)).map(p => p.text);
+    return `${worst.operation} (${worst.block}) in ${worst.scalar}: ${texts.join(", ")}`;
   };
   const told = subjects.length > 6 ? 1 : 2, more = operations.slice(told).map(o => o.worst.operation);
   return operations.slice(0, told).map(place).join("; ")
@@ -133,7 +140,7 @@ function fillCover() {
   const {operation, block} = wanted[0], shown = subjects.filter(s => !chosen.hidden.has(s));
   const silent = shown.filter(s => !wanted.some(r => r.subject === s));
   const missing = silent.length ? ` Not offered or not measured: ${silent.join(", ")}.` : "";
-  section.append(heading("h2", "cover", `Where the libraries differ most: ${operation}, ${block}, ${chosen.scalar}`),
+  section.append(heading("h2", "cover", `${subjects.length > 1 ? "Where the libraries differ most" : "Where the library errs most near 0 and near π"}: ${operation}, ${block}, ${chosen.scalar}`),
     element("figure", {}, legend(wanted, Object.keys(STATISTICS), true), charts(wanted, Object.keys(STATISTICS), undefined, true),
       element("figcaption", {}, `${caption(wanted, true)}${missing}`)));
 }

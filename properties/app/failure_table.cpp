@@ -29,7 +29,7 @@ Line line_of(const FailedBlock& f, bool one_subject) {
 void print_table(const std::vector<FailedBlock>& failed, std::size_t lines) {
   std::set<std::pair<std::string, std::string>> subjects;
   for (const FailedBlock& f : failed) subjects.insert({f.subject, f.scalar});
-  std::vector<Line> all{{"failed, worst first", "where", "what", "seen in", ""}};
+  std::vector<Line> all{{"failed, worst first", "where", "worst of them", "failing", ""}};
   for (std::size_t i = 0; i < lines; ++i) all.push_back(line_of(failed[i], subjects.size() == 1));
   std::size_t what = 0, where = 0, how = 0;
   for (const Line& l : all)

@@ -110,15 +110,18 @@ void print_failures_by_block(const std::vector<HardRow>& rows) {
   std::ranges::stable_sort(
       all, [](const Group& a, const Group& b) { return severity(*b.worst) < severity(*a.worst); });
   std::vector<std::array<std::string, 5>> lines{
-      {"hard cases that fail, worst first", "", "what", "failed", "worst"}};
+      {"hard cases that fail, worst first", "", "worst of them", "failing", "the worst"}};
   for (const auto& [failed, row, worst] : all)
     lines.push_back({worst->operation + " " + worst->block, worst->subject + " in " + worst->scalar,
                      what(*worst), std::to_string(failed), row->entry->name});
   fmt::print("\n");
   for (const auto& line : lines)
-    fmt::print("{:<34}  {:<24}  {:<26}{:>6}  {}\n", line[0], line[1], line[2], line[3], line[4]);
+    fmt::print("{:<34}  {:<24}  {:<26}{:>7}  {}\n", line[0], line[1], line[2], line[3], line[4]);
   print_failure(*all.front().row, *all.front().worst);
-  fmt::print("\nliecheck hard-cases with the same --subject, --adapter and --scalar prints each in full\n");
+  std::set<std::string> subjects;
+  for (const Group& g : all)
+    subjects.insert(g.worst->flags.empty() ? " --subject " + g.worst->subject : g.worst->flags);
+  fmt::print("\nliecheck hard-cases{} prints each in full\n", fmt::join(subjects, ""));
 }
 
 /// Prints a line for each case, with a letter for each subject and scalar.

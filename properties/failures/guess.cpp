@@ -155,9 +155,10 @@ std::string of_not_finite(const FailedBlock& f) {
               : "theta^2 underflows to 0, and then something is divided by it";
 }
 
-/// The cases at moderate angles: those on another branch, those that fail by a thousandth or more, and all.
+/// The cases at moderate angles: those on another branch, those that fail by a thousandth or more, those that lose
+/// four digits and keep four, and all.
 struct Moderate {
-  std::uint64_t other_branch = 0, wrong = 0, all = 0;
+  std::uint64_t other_branch = 0, wrong = 0, coarse = 0, all = 0;
 };
 Moderate at_moderate_angles(const FailedBlock& f, double eps) {
   Moderate m;
@@ -168,7 +169,10 @@ Moderate at_moderate_angles(const FailedBlock& f, double eps) {
     if (!moderate) continue;
     m.all += b.row->inside(), m.other_branch += b.row->wrong_branch, m.wrong += b.row->not_finite;
     for (const auto& [bin, count] : b.row->errors.bins())
-      if (std::exp2(bin / 32.0) > 1e-3 / eps) m.wrong += count;
+      if (const double error = std::exp2(bin / 32.0); error > 1e-3 / eps)
+        m.wrong += count;
+      else if (error > 1e4 && error < 1e-4 / eps)
+        m.coarse += count;
   }
   return m;
 }
@@ -218,6 +222,9 @@ std::string guess_of(const FailedBlock& f) {
   }
   for (const std::string& guess : {of_branch_near_pi(f), of_not_finite(f), at_small_angles(f), near_pi(f)})
     if (!guess.empty()) return guess;
+  if (m.coarse * 2 > m.all)
+    return "a constant or a step of the calculation has too few digits, such as one in float, or a series or "
+           "iteration ends too early: most cases at moderate angles fail, too";
   return "";
 }
 

@@ -238,6 +238,7 @@ TEST(Terminal, TheShapeOfTheErrorTellsTheCause) {
       {"bug:log_acos_w", "perhaps acos of a number above 1"},
       {"bug:log_no_sign", "perhaps the sign of w is not looked at"},
       {"bug:log_transposed", "log is that of the inverse"},
+      {"bug:rate_narrow_constant", "perhaps a constant or a step of the calculation has too few digits"},
       {"bug:rotate_conjugate", "quaternions are those of the inverse rotations"},
       {"bug:jacobian_left_for_right", "the right Jacobian is the left one"},
       {"bug:d_integrate_transposed", "perhaps matrices are stored column by column"},
