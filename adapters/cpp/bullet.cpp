@@ -16,6 +16,20 @@ struct Library {
   using Quaternion = btQuaternion;
   using Matrix = btMatrix3x3;
   using Transform = btTransform;
+
+  static btQuaternion quaternion_of(btScalar roll, btScalar pitch, btScalar yaw) {
+    btQuaternion q;
+    q.setEulerZYX(yaw, pitch, roll);
+    return q;
+  }
+  static btMatrix3x3 matrix_of(btScalar roll, btScalar pitch, btScalar yaw) {
+    btMatrix3x3 R;
+    R.setEulerZYX(roll, pitch, yaw);
+    return R;
+  }
+  static void angles_of(const btMatrix3x3& R, btScalar& roll, btScalar& pitch, btScalar& yaw) {
+    R.getEulerZYX(yaw, pitch, roll);
+  }
 };
 
 static_assert(BT_BULLET_VERSION == 324);
@@ -43,6 +57,12 @@ struct Bullet : BulletMath<Library> {
     std::array<S, 4> Q;
     put(q, Q.data());
     log3_quaternion(Q, phi);
+  }
+
+  static void euler_from_quaternion(In<S, 5> x, Out<S, 3> y) {
+    S roll, pitch, yaw;
+    quaternion(&x[1]).getEulerZYX(yaw, pitch, roll);
+    put_roll_pitch_yaw<S>(x[0], roll, pitch, yaw, y);
   }
 
   // A spatial vector is (angular, linear) for motions and (force, moment) for forces. The translation of a
@@ -112,6 +132,22 @@ struct Bullet : BulletMath<Library> {
                               "btQuaternion q({Q});\n"
                               "q.normalize();",
                               "q.x(), q.y(), q.z(), q.w()")},
+        {"relative_angle", PROGRAM("LinearMath/btTransformUtil.h", "btQuaternion q0({Q0}), q1({Q1});",
+                                   "q0.angleShortestPath(q1)")},
+        {"slerp",
+         PROGRAM("LinearMath/btTransformUtil.h", "btQuaternion q0({Q0}), q1({Q1}), q = q0.slerp(q1, {t});",
+                 "q.x(), q.y(), q.z(), q.w()")},
+        {"rotation_between", PROGRAM("LinearMath/btTransformUtil.h",
+                                     "btQuaternion q = shortestArcQuat(btVector3({a}), btVector3({b}));",
+                                     "q.x(), q.y(), q.z(), q.w()")},
+        {"euler_from_quaternion",
+         PROGRAM("LinearMath/btTransformUtil.h",
+                 "btScalar yaw, pitch, roll; btQuaternion({Q}).getEulerZYX(yaw, pitch, roll);",
+                 "roll, pitch, yaw")},
+        {"euler_from_matrix",
+         PROGRAM("LinearMath/btTransformUtil.h",
+                 "btScalar yaw, pitch, roll; btMatrix3x3({R}).getEulerZYX(yaw, pitch, roll);",
+                 "roll, pitch, yaw")},
     };
     return program_for(all, operation);
   }
@@ -121,4 +157,5 @@ struct Bullet : BulletMath<Library> {
 
 LIECHECK_ADAPTER(Bullet, exp3_quaternion, exp3_matrix, log3_quaternion, log3_matrix, compose, inverse,
                  act_point, rotate_point, normalize, act_motion, act_force, act_inverse_motion,
-                 act_inverse_force, cross_motion, cross_force)
+                 act_inverse_force, cross_motion, cross_force, relative_angle, slerp, rotation_between,
+                 euler_to_quaternion, euler_to_matrix, euler_from_quaternion, euler_from_matrix)

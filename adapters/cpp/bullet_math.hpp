@@ -39,4 +39,25 @@ struct BulletMath {
     put(quatRotate(quaternion(&x[0]), vector(&x[4])), &y[0]);
   }
   static void normalize(In<S, 4> Q, Out<S, 4> y) { put(quaternion(&Q[0]).normalize(), &y[0]); }
+
+  static void relative_angle(In<S, 8> x, Out<S, 1> y) {
+    y[0] = quaternion(&x[0]).angleShortestPath(quaternion(&x[4]));
+  }
+  static void slerp(In<S, 9> x, Out<S, 4> y) { put(quaternion(&x[0]).slerp(quaternion(&x[4]), x[8]), &y[0]); }
+  static void rotation_between(In<S, 6> x, Out<S, 4> y) {
+    put(shortestArcQuat(vector(&x[0]), vector(&x[3])), &y[0]);
+  }
+  static void euler_to_quaternion(In<S, 4> x, Out<S, 4> y) {
+    const auto [roll, pitch, yaw] = roll_pitch_yaw<S>(x);
+    put(Library::quaternion_of(roll, pitch, yaw), &y[0]);
+  }
+  static void euler_to_matrix(In<S, 4> x, Out<S, 9> y) {
+    const auto [roll, pitch, yaw] = roll_pitch_yaw<S>(x);
+    put(Library::matrix_of(roll, pitch, yaw), &y[0]);
+  }
+  static void euler_from_matrix(In<S, 10> x, Out<S, 3> y) {
+    S roll, pitch, yaw;
+    Library::angles_of(matrix(&x[1]), roll, pitch, yaw);
+    put_roll_pitch_yaw<S>(x[0], roll, pitch, yaw, y);
+  }
 };

@@ -80,6 +80,17 @@ struct Cglm {
     glm_quat_normalize(q.q);
     std::copy_n(q.q, 4, y.data());
   }
+  static void slerp(In<float, 9> x, Out<float, 4> y) {
+    Quaternion q0(&x[0]), q1(&x[4]), q;
+    glm_quat_slerp(q0.q, q1.q, x[8], q.q);
+    std::copy_n(q.q, 4, y.data());
+  }
+  static void rotation_between(In<float, 6> x, Out<float, 4> y) {
+    vec3 a{x[0], x[1], x[2]}, b{x[3], x[4], x[5]};
+    Quaternion q;
+    glm_quat_from_vecs(a, b, q.q);
+    std::copy_n(q.q, 4, y.data());
+  }
   static const char* source(std::string_view operation) {
     if (operation == "log3_quaternion")
       return PROGRAM("cglm/cglm.h",
@@ -90,10 +101,17 @@ struct Cglm {
     if (operation == "exp3_quaternion")
       return PROGRAM("cglm/cglm.h", "vec3 v = {{phi}};\nversor q; glm_quatv(q, glm_vec3_norm(v), v);",
                      "q[0], q[1], q[2], q[3]");
+    if (operation == "slerp")
+      return PROGRAM("cglm/cglm.h", "versor q0 = {{Q0}}, q1 = {{Q1}}, q;\nglm_quat_slerp(q0, q1, {t}, q);",
+                     "q[0], q[1], q[2], q[3]");
+    if (operation == "rotation_between")
+      return PROGRAM("cglm/cglm.h", "vec3 a = {{a}}, b = {{b}};\nversor q; glm_quat_from_vecs(a, b, q);",
+                     "q[0], q[1], q[2], q[3]");
     return nullptr;
   }
 };
 
 }  // namespace
 
-LIECHECK_ADAPTER(Cglm, exp3_quaternion, log3_quaternion, compose, inverse, act_point, rotate_point, normalize)
+LIECHECK_ADAPTER(Cglm, exp3_quaternion, log3_quaternion, compose, inverse, act_point, rotate_point, normalize,
+                 slerp, rotation_between)

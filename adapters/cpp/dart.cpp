@@ -99,6 +99,27 @@ struct Dart {
     for (int i = 0; i < 6; ++i)
       for (int j = 0; j < 6; ++j) y[6 * i + j] = I((i + 3) % 6, (j + 3) % 6);
   }
+  // Euler angles about the axes of the body: X Y Z ... Z Y X are the odd orders up to 11.
+  static void euler_to_matrix(In<double, 4> x, Out<double, 9> y) {
+    static constexpr decltype(&dart::math::eulerXYZToMatrix) all[] = {
+        dart::math::eulerXYZToMatrix, dart::math::eulerXZYToMatrix, dart::math::eulerYXZToMatrix,
+        dart::math::eulerYZXToMatrix, dart::math::eulerZXYToMatrix, dart::math::eulerZYXToMatrix,
+        dart::math::eulerXYXToMatrix, dart::math::eulerXZXToMatrix, dart::math::eulerYXYToMatrix,
+        dart::math::eulerYZYToMatrix, dart::math::eulerZXZToMatrix, dart::math::eulerZYZToMatrix};
+    put(all[rotating(x[0], 24)](vector(&x[1])), &y[0]);
+  }
+  static void euler_from_matrix(In<double, 10> x, Out<double, 3> y) {
+    static constexpr decltype(&dart::math::matrixToEulerXYZ) all[] = {
+        dart::math::matrixToEulerXYZ, dart::math::matrixToEulerXZY, dart::math::matrixToEulerYXZ,
+        dart::math::matrixToEulerYZX, dart::math::matrixToEulerZXY, dart::math::matrixToEulerZYX};
+    put(all[rotating(x[0], 12)](rotation(&x[1])), &y[0]);
+  }
+  static std::size_t rotating(double order, double end) {
+    const auto number = static_cast<std::size_t>(order);
+    if (number % 2 == 0 || order >= end)
+      throw std::invalid_argument("the library has no function for this order of Euler angles");
+    return number / 2;
+  }
   static const char* source(std::string_view operation) {
     static constexpr Program all[] = {
         {"log3_quaternion",
@@ -133,6 +154,13 @@ struct Dart {
          PROGRAM("dart/math/Geometry.hpp",
                  "Eigen::Matrix3d R = dart::math::expMapJac(Eigen::Vector3d({phi}));",
                  "R(0, 0), R(0, 1), R(0, 2), R(1, 0), R(1, 1), R(1, 2), R(2, 0), R(2, 1), R(2, 2)")},
+        {"euler_from_matrix",
+         PROGRAM("dart/math/Geometry.hpp",
+                 "using namespace dart::math; Eigen::Matrix3d R; R << {R};\n"
+                 "decltype(&matrixToEulerXYZ) all[] = {matrixToEulerXYZ, matrixToEulerXZY, matrixToEulerYXZ, "
+                 "matrixToEulerYZX, matrixToEulerZXY, matrixToEulerZYX};\n"
+                 "Eigen::Vector3d v = all[int({order}) / 2](R);",
+                 "v[0], v[1], v[2]")},
     };
     return program_for(all, operation);
   }
@@ -142,4 +170,4 @@ struct Dart {
 
 LIECHECK_ADAPTER(Dart, exp3_quaternion, exp3_matrix, log3_quaternion, log3_matrix, exp6, log6, left_jacobian3,
                  rotate_point, act_motion, act_inverse_motion, act_force, act_inverse_force, cross_motion,
-                 cross_force, inertia_matrix)
+                 cross_force, inertia_matrix, euler_to_matrix, euler_from_matrix)

@@ -105,6 +105,18 @@ struct EigenGeometry {
   static void normalize(In<S, 4> Q, Out<S, 4> y) {
     put(quaternion(&Q[0]).normalized(), &y[0]);
   }
+  template <class S>
+  static void relative_angle(In<S, 8> x, Out<S, 1> y) {
+    y[0] = quaternion(&x[0]).angularDistance(quaternion(&x[4]));
+  }
+  template <class S>
+  static void slerp(In<S, 9> x, Out<S, 4> y) {
+    put(Quaternion<S>(quaternion(&x[0]).slerp(x[8], quaternion(&x[4]))), &y[0]);
+  }
+  template <class S>
+  static void rotation_between(In<S, 6> x, Out<S, 4> y) {
+    put(Quaternion<S>::FromTwoVectors(vector(&x[0]), vector(&x[3])), &y[0]);
+  }
   static const char* source(std::string_view operation) {
     static constexpr Program all[] = {
         {"log3_quaternion",
@@ -132,6 +144,20 @@ struct EigenGeometry {
                               "using S = {scalar}; S Q[] = {{Q}};\n"
                               "auto q = Eigen::Quaternion<S>(Q[3], Q[0], Q[1], Q[2]).normalized();",
                               "q.x(), q.y(), q.z(), q.w()")},
+        {"relative_angle",
+         PROGRAM("Eigen/Geometry",
+                 "using S = {scalar}; using Q = Eigen::Quaternion<S>; S a[] = {{Q0}}, b[] = {{Q1}};\n"
+                 "Q q0(a[3], a[0], a[1], a[2]), q1(b[3], b[0], b[1], b[2]);",
+                 "q0.angularDistance(q1)")},
+        {"slerp",
+         PROGRAM("Eigen/Geometry",
+                 "using S = {scalar}; using Q = Eigen::Quaternion<S>; S a[] = {{Q0}}, b[] = {{Q1}};\n"
+                 "Q q0(a[3], a[0], a[1], a[2]), q1(b[3], b[0], b[1], b[2]), q = q0.slerp({t}, q1);",
+                 "q.x(), q.y(), q.z(), q.w()")},
+        {"rotation_between", PROGRAM("Eigen/Geometry",
+                                     "using S = {scalar}; Eigen::Matrix<S, 3, 1> a({a}), b({b});\n"
+                                     "auto q = Eigen::Quaternion<S>::FromTwoVectors(a, b);",
+                                     "q.x(), q.y(), q.z(), q.w()")},
     };
     return program_for(all, operation);
   }
@@ -140,4 +166,4 @@ struct EigenGeometry {
 }  // namespace
 
 LIECHECK_ADAPTER(EigenGeometry, exp3_quaternion, exp3_matrix, log3_quaternion, log3_matrix, compose, inverse,
-                 act_point, rotate_point, normalize)
+                 act_point, rotate_point, normalize, relative_angle, slerp, rotation_between)

@@ -106,6 +106,30 @@ struct Glm {
   static void normalize(In<S, 4> Q, Out<S, 4> y) {
     put(glm::normalize(quaternion(&Q[0])), &y[0]);
   }
+  // angle() is up to 2 pi: the one between two rotations is that of Q or -Q with w >= 0.
+  template <class S>
+  static void relative_angle(In<S, 8> x, Out<S, 1> y) {
+    std::array<S, 4> Q;
+    put(glm::conjugate(quaternion(&x[0])) * quaternion(&x[4]), Q.data());
+    y[0] = glm::angle(quaternion(nearer_to_one<S>(Q).data()));
+  }
+  template <class S>
+  static void slerp(In<S, 9> x, Out<S, 4> y) {
+    put(glm::slerp(quaternion(&x[0]), quaternion(&x[4]), x[8]), &y[0]);
+  }
+  template <class S>
+  static void rotation_between(In<S, 6> x, Out<S, 4> y) {
+    put(Quaternion<S>(vector(&x[0]), vector(&x[3])), &y[0]);
+  }
+  template <class S>
+  static void euler_to_quaternion(In<S, 4> x, Out<S, 4> y) {
+    put(Quaternion<S>(vector(roll_pitch_yaw<S>(x).data())), &y[0]);
+  }
+  template <class S>
+  static void euler_from_quaternion(In<S, 5> x, Out<S, 3> y) {
+    const Vec<S> angles = glm::eulerAngles(quaternion(&x[1]));
+    put_roll_pitch_yaw<S>(x[0], angles.x, angles.y, angles.z, y);
+  }
   static const char* source(std::string_view operation) {
     static constexpr Program all[] = {
         {"log3_quaternion", PROGRAM("glm/ext.hpp",
@@ -131,6 +155,23 @@ struct Glm {
                               "using S = {scalar}; S Q[] = {{Q}};\n"
                               "auto q = glm::normalize(glm::qua<S>(Q[3], Q[0], Q[1], Q[2]));",
                               "q.x, q.y, q.z, q.w")},
+        {"relative_angle",
+         PROGRAM("glm/ext.hpp",
+                 "using S = {scalar}; using Q = glm::qua<S>; S a[] = {{Q0}}, b[] = {{Q1}};\n"
+                 "Q q = glm::conjugate(Q(a[3], a[0], a[1], a[2])) * Q(b[3], b[0], b[1], b[2]);",
+                 "glm::angle(q.w < 0 ? -q : q)")},
+        {"slerp", PROGRAM("glm/ext.hpp",
+                          "using S = {scalar}; using Q = glm::qua<S>; S a[] = {{Q0}}, b[] = {{Q1}};\n"
+                          "Q q = glm::slerp(Q(a[3], a[0], a[1], a[2]), Q(b[3], b[0], b[1], b[2]), S({t}));",
+                          "q.x, q.y, q.z, q.w")},
+        {"rotation_between", PROGRAM("glm/ext.hpp",
+                                     "using S = {scalar}; using V = glm::vec<3, S>;\n"
+                                     "glm::qua<S> q(V({a}), V({b}));",
+                                     "q.x, q.y, q.z, q.w")},
+        {"euler_from_quaternion", PROGRAM("glm/ext.hpp",
+                                          "using S = {scalar}; S Q[] = {{Q}};\n"
+                                          "auto v = glm::eulerAngles(glm::qua<S>(Q[3], Q[0], Q[1], Q[2]));",
+                                          "v.x, v.y, v.z")},
     };
     return program_for(all, operation);
   }
@@ -139,4 +180,5 @@ struct Glm {
 }  // namespace
 
 LIECHECK_ADAPTER(Glm, exp3_quaternion, exp3_matrix, log3_quaternion, log3_matrix, compose, inverse, act_point,
-                 rotate_point, normalize)
+                 rotate_point, normalize, relative_angle, slerp, rotation_between, euler_to_quaternion,
+                 euler_from_quaternion)

@@ -52,6 +52,23 @@ struct Ignition {
   }
   static void normalize(In<double, 4> Q, Out<double, 4> y) { put(quaternion(&Q[0]).Normalized(), &y[0]); }
 
+  static void slerp(In<double, 9> x, Out<double, 4> y) {
+    put(Quaterniond::Slerp(x[8], quaternion(&x[0]), quaternion(&x[4]), true), &y[0]);
+  }
+  static void rotation_between(In<double, 6> x, Out<double, 4> y) {
+    Quaterniond q;
+    q.From2Axes(vector(&x[0]), vector(&x[3]));
+    put(q, &y[0]);
+  }
+  static void euler_to_quaternion(In<double, 4> x, Out<double, 4> y) {
+    const auto [roll, pitch, yaw] = roll_pitch_yaw<double>(x);
+    put(Quaterniond(roll, pitch, yaw), &y[0]);
+  }
+  static void euler_from_quaternion(In<double, 5> x, Out<double, 3> y) {
+    const Vector3d angles = quaternion(&x[1]).Euler();
+    put_roll_pitch_yaw<double>(x[0], angles.X(), angles.Y(), angles.Z(), y);
+  }
+
   static const char* source(std::string_view operation) {
     static constexpr Program all[] = {
         {"exp3_quaternion",
@@ -78,6 +95,21 @@ struct Ignition {
                               "double Q[] = {{Q}};\n"
                               "auto q = ignition::math::Quaterniond(Q[3], Q[0], Q[1], Q[2]).Normalized();",
                               "q.X(), q.Y(), q.Z(), q.W()")},
+        {"slerp", PROGRAM("ignition/math/Matrix3.hh",
+                          "using Q = ignition::math::Quaterniond; double a[] = {{Q0}}, b[] = {{Q1}};\n"
+                          "Q q0(a[3], a[0], a[1], a[2]), q1(b[3], b[0], b[1], b[2]);\n"
+                          "Q q = Q::Slerp({t}, q0, q1, true);",
+                          "q.X(), q.Y(), q.Z(), q.W()")},
+        {"rotation_between",
+         PROGRAM("ignition/math/Matrix3.hh",
+                 "ignition::math::Quaterniond q; ignition::math::Vector3d a({a}), b({b});\n"
+                 "q.From2Axes(a, b);",
+                 "q.X(), q.Y(), q.Z(), q.W()")},
+        {"euler_from_quaternion",
+         PROGRAM("ignition/math/Matrix3.hh",
+                 "double Q[] = {{Q}};\n"
+                 "auto v = ignition::math::Quaterniond(Q[3], Q[0], Q[1], Q[2]).Euler();",
+                 "v.X(), v.Y(), v.Z()")},
     };
     return program_for(all, operation);
   }
@@ -86,4 +118,4 @@ struct Ignition {
 }  // namespace
 
 LIECHECK_ADAPTER(Ignition, exp3_quaternion, exp3_matrix, log3_quaternion, log3_matrix, rotate_point,
-                 normalize)
+                 normalize, slerp, rotation_between, euler_to_quaternion, euler_from_quaternion)

@@ -74,6 +74,16 @@ struct Imaths {
   static void normalize(In<S, 4> Q, Out<S, 4> y) {
     put(quaternion(&Q[0]).normalized(), &y[0]);
   }
+  template <class S>
+  static void slerp(In<S, 9> x, Out<S, 4> y) {
+    put(Imath::slerpShortestArc(quaternion(&x[0]), quaternion(&x[4]), x[8]), &y[0]);
+  }
+  template <class S>
+  static void rotation_between(In<S, 6> x, Out<S, 4> y) {
+    Quaternion<S> q;
+    q.setRotation(vector(&x[0]), vector(&x[3]));
+    put(q, &y[0]);
+  }
   static const char* source(std::string_view operation) {
     static constexpr Program all[] = {
         {"exp3_quaternion", PROGRAM("Imath/ImathQuat.h",
@@ -89,6 +99,15 @@ struct Imaths {
                               "using S = {scalar}; S Q[] = {{Q}};\n"
                               "auto q = Imath::Quat<S>(Q[3], Q[0], Q[1], Q[2]).normalized();",
                               "q.v.x, q.v.y, q.v.z, q.r")},
+        {"slerp", PROGRAM("Imath/ImathQuat.h",
+                          "using S = {scalar}; using Q = Imath::Quat<S>; S a[] = {{Q0}}, b[] = {{Q1}};\n"
+                          "Q q0(a[3], a[0], a[1], a[2]), q1(b[3], b[0], b[1], b[2]);\n"
+                          "Q q = Imath::slerpShortestArc(q0, q1, S({t}));",
+                          "q.v.x, q.v.y, q.v.z, q.r")},
+        {"rotation_between", PROGRAM("Imath/ImathQuat.h",
+                                     "using S = {scalar}; Imath::Vec3<S> a({a}), b({b});\n"
+                                     "Imath::Quat<S> q; q.setRotation(a, b);",
+                                     "q.v.x, q.v.y, q.v.z, q.r")},
     };
     return program_for(all, operation);
   }
@@ -97,4 +116,4 @@ struct Imaths {
 }  // namespace
 
 LIECHECK_ADAPTER(Imaths, exp3_quaternion, log3_quaternion, compose, inverse, act_point, rotate_point,
-                 normalize)
+                 normalize, slerp, rotation_between)

@@ -91,6 +91,23 @@ struct Kdl {
         y[6 * i + j + 21] = I.I(i, j);
       }
   }
+  static void relative_angle(In<double, 8> x, Out<double, 1> y) {
+    Vector axis;
+    y[0] = (Rotation::Quaternion(x[0], x[1], x[2], x[3]).Inverse() *
+            Rotation::Quaternion(x[4], x[5], x[6], x[7]))
+               .GetRotAngle(axis);
+  }
+  static void euler_to_matrix(In<double, 4> x, Out<double, 9> y) {
+    if (x[0] == 23) return put(Rotation::EulerZYZ(x[1], x[2], x[3]), &y[0]);  // Z Y Z with rotating axes
+    const auto [roll, pitch, yaw] = roll_pitch_yaw<double>(x);
+    put(Rotation::RPY(roll, pitch, yaw), &y[0]);
+  }
+  static void euler_from_matrix(In<double, 10> x, Out<double, 3> y) {
+    if (x[0] == 23) return rotation(&x[1]).GetEulerZYZ(y[0], y[1], y[2]);
+    double roll, pitch, yaw;
+    rotation(&x[1]).GetRPY(roll, pitch, yaw);
+    put_roll_pitch_yaw<double>(x[0], roll, pitch, yaw, y);
+  }
   static const char* source(std::string_view operation) {
     static constexpr Program all[] = {
         {"log3_quaternion",
@@ -107,6 +124,14 @@ struct Kdl {
                                 "KDL::Rotation R = addDelta(KDL::Rotation::Identity(), KDL::Vector({phi}));",
                                 "R.data[0], R.data[1], R.data[2], R.data[3], R.data[4], R.data[5], "
                                 "R.data[6], R.data[7], R.data[8]")},
+        {"relative_angle", PROGRAM("kdl/frames.hpp",
+                                   "auto Q = KDL::Rotation::Quaternion; KDL::Vector axis;\n"
+                                   "double angle = (Q({Q0}).Inverse() * Q({Q1})).GetRotAngle(axis);",
+                                   "angle")},
+        {"euler_from_matrix", PROGRAM("kdl/frames.hpp",
+                                      "double a, b, c; KDL::Rotation R({R});\n"
+                                      "if ({order} == 23) R.GetEulerZYZ(a, b, c); else R.GetRPY(a, b, c);",
+                                      "a, b, c")},
     };
     return program_for(all, operation);
   }
@@ -116,4 +141,5 @@ struct Kdl {
 
 LIECHECK_ADAPTER(Kdl, exp3_matrix, exp3_quaternion, log3_matrix, log3_quaternion, rotate_point, compose,
                  inverse, act_point, act_motion, act_inverse_motion, act_force, act_inverse_force,
-                 cross_motion, cross_force, momentum, inertia_matrix)
+                 cross_motion, cross_force, momentum, inertia_matrix, relative_angle, euler_to_matrix,
+                 euler_from_matrix)

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <stdexcept>
 #include <string_view>
 
 template <class S, std::size_t n>
@@ -25,6 +26,20 @@ template <class S>
 std::array<S, 4> nearer_to_one(In<S, 4> Q) {
   if (Q[3] < 0) return {-Q[0], -Q[1], -Q[2], -Q[3]};
   return {Q[0], Q[1], Q[2], Q[3]};
+}
+
+/// Roll, pitch and yaw of the order and the angles a, b, c: those of R = R_z(yaw) R_y(pitch) R_x(roll). Order 0, X Y Z with
+/// static axes, and order 11, Z Y X with rotating axes, mean them; any other order is refused.
+template <class S>
+std::array<S, 3> roll_pitch_yaw(In<S, 4> x) {
+  if (x[0] == 0) return {x[1], x[2], x[3]};
+  if (x[0] == 11) return {x[3], x[2], x[1]};
+  throw std::invalid_argument("the library has only roll, pitch, yaw: orders 0 and 11");
+}
+template <class S>
+void put_roll_pitch_yaw(S order, S roll, S pitch, S yaw, Out<S, 3> angles) {
+  roll_pitch_yaw<S>(std::array<S, 4>{order, 0, 0, 0});  // refuses other orders
+  angles[0] = order == 0 ? roll : yaw, angles[1] = pitch, angles[2] = order == 0 ? yaw : roll;
 }
 
 /// A program of source() and its operation.

@@ -13,7 +13,7 @@ namespace {
 std::string program(const std::string& name, int results, const std::string& place) {
   const std::string text = repaired_text, heading = "\n// " + name + "\n";
   const auto from = text.find(heading) + heading.size();
-  return "#include <algorithm>\n#include <cmath>\n#include <cstdio>\n\n" +
+  return "#include <algorithm>\n#include <cmath>\n#include <cstdio>\n#include <limits>\n\n" +
          text.substr(from, text.find("\n\n", from) - from) + "\n\nint main() {\n  {scalar} x[] = {{" + place +
          "}}, y[" + std::to_string(results) + "];\n  " + name +
          "(x, y);\n  for (double out : y) std::printf(\"%.17g \", out);\n}";
@@ -51,6 +51,19 @@ struct Repaired {
     ::quaternion_matrix(&Q[0], &R[0]);
   }
 
+  template <class S>
+  static void relative_angle(In<S, 8> x, Out<S, 1> y) {
+    ::relative_angle(&x[0], &y[0]);
+  }
+  template <class S>
+  static void slerp(In<S, 9> x, Out<S, 4> y) {
+    ::slerp(&x[0], &y[0]);
+  }
+  template <class S>
+  static void rotation_between(In<S, 6> x, Out<S, 4> y) {
+    ::rotation_between(&x[0], &y[0]);
+  }
+
   static const char* source(std::string_view operation) {
     static const std::map<std::string, std::string, std::less<>> all = {
         {"exp3_quaternion", program("exp3_quaternion", 4, "phi")},
@@ -59,7 +72,10 @@ struct Repaired {
         {"log3_matrix", program("log3_matrix", 3, "R")},
         {"normalize", program("normalize", 4, "Q")},
         {"log3_any_norm", program("log3_any_norm", 3, "Q")},
-        {"quaternion_matrix", program("quaternion_matrix", 9, "Q")}};
+        {"quaternion_matrix", program("quaternion_matrix", 9, "Q")},
+        {"relative_angle", program("relative_angle", 1, "Q0}, {Q1")},
+        {"slerp", program("slerp", 4, "Q0}, {Q1}, {t")},
+        {"rotation_between", program("rotation_between", 4, "a}, {b")}};
     const auto at = all.find(operation);
     return at == all.end() ? nullptr : at->second.c_str();
   }
@@ -68,4 +84,4 @@ struct Repaired {
 }  // namespace
 
 LIECHECK_ADAPTER(Repaired, exp3_quaternion, exp3_matrix, log3_quaternion, log3_matrix, normalize,
-                 log3_any_norm, quaternion_matrix)
+                 log3_any_norm, quaternion_matrix, relative_angle, slerp, rotation_between)

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 // exp3_quaternion
 template <class S>
@@ -74,4 +75,43 @@ void quaternion_matrix(const S* Q, S* R) {
   R[0] = 1 - s * (y * y + z * z), R[1] = s * (x * y - w * z), R[2] = s * (x * z + w * y);
   R[3] = s * (x * y + w * z), R[4] = 1 - s * (x * x + z * z), R[5] = s * (y * z - w * x);
   R[6] = s * (x * z - w * y), R[7] = s * (y * z + w * x), R[8] = 1 - s * (x * x + y * y);
+}
+
+// relative_angle
+template <class S>
+void relative_angle(const S* Q, S* angle) {
+  const S *a = Q, *b = Q + 4;
+  const S w = a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
+  const S x = a[3] * b[0] - b[3] * a[0] - (a[1] * b[2] - a[2] * b[1]);
+  const S y = a[3] * b[1] - b[3] * a[1] - (a[2] * b[0] - a[0] * b[2]);
+  const S z = a[3] * b[2] - b[3] * a[2] - (a[0] * b[1] - a[1] * b[0]);
+  *angle = 2 * std::atan2(std::hypot(x, y, z), std::abs(w));  // never acos(w)
+}
+
+// slerp
+template <class S>
+void slerp(const S* x, S* Q) {
+  S c = 0, d = 0, e = 0, n = 0;
+  for (int i = 0; i < 4; ++i) c += x[i] * x[4 + i];
+  const S sign = c < 0 ? -1 : 1, t = x[8];
+  for (int i = 0; i < 4; ++i)
+    d = std::hypot(d, sign * x[4 + i] - x[i]), e = std::hypot(e, sign * x[4 + i] + x[i]);
+  const S h = 2 * std::atan2(d, e), a = h > 0 ? std::sin((1 - t) * h) : 1, b = h > 0 ? std::sin(t * h) : 0;
+  for (int i = 0; i < 4; ++i) Q[i] = a * x[i] + sign * b * x[4 + i], n = std::hypot(n, Q[i]);
+  for (int i = 0; i < 4; ++i) Q[i] /= n;  // which is sin(h), without a threshold on h
+}
+
+// rotation_between
+template <class S>
+void rotation_between(const S* x, S* Q) {
+  const S *a = x, c[] = {x[0] + x[3], x[1] + x[4], x[2] + x[5]}, n = std::hypot(c[0], c[1], c[2]);
+  S v[] = {a[1] * c[2] - a[2] * c[1], a[2] * c[0] - a[0] * c[2], a[0] * c[1] - a[1] * c[0]};
+  if (n > 4 * std::numeric_limits<S>::epsilon())  // a x (a + b), which is a x b, keeps its digits near b = -a
+    Q[0] = v[0] / n, Q[1] = v[1] / n, Q[2] = v[2] / n, Q[3] = n / 2;
+  else if (std::abs(a[0]) > std::abs(a[2]))  // b = -a but for rounding: any axis perpendicular to a
+    Q[0] = -a[1], Q[1] = a[0], Q[2] = 0, Q[3] = 0;
+  else
+    Q[0] = 0, Q[1] = -a[2], Q[2] = a[1], Q[3] = 0;
+  const S q = std::hypot(std::hypot(Q[0], Q[1]), std::hypot(Q[2], Q[3]));
+  for (int i = 0; i < 4; ++i) Q[i] /= q;
 }

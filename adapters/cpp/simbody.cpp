@@ -117,6 +117,28 @@ struct Simbody {
     for (int i = 0; i < 6; ++i)
       for (int j = 0; j < 6; ++j) y[6 * i + j] = M(1 - i / 3, 1 - j / 3)(i % 3, j % 3);
   }
+  // Euler angles in all orders: about axes of the body (rotating) or of space (static).
+  struct Order {
+    SimTK::BodyOrSpaceType fixed;
+    SimTK::CoordinateAxis i, j, k;
+    explicit Order(double number)
+        : fixed(static_cast<int>(number) % 2 ? SimTK::BodyRotationSequence : SimTK::SpaceRotationSequence),
+          i(axis(number, 0)),
+          j(axis(number, 1)),
+          k(axis(number, 2)) {}
+    static SimTK::CoordinateAxis axis(double number, std::size_t n) {
+      static constexpr std::string_view all = "XYZXZYYXZYZXZXYZYXXYXXZXYXYYZYZXZZYZ";
+      return SimTK::CoordinateAxis(all[static_cast<std::size_t>(number) / 2 * 3 + n] - 'X');
+    }
+  };
+  static void euler_to_matrix(In<double, 4> x, Out<double, 9> y) {
+    const Order o(x[0]);
+    put_matrix(Rotation(o.fixed, x[1], o.i, x[2], o.j, x[3], o.k), &y[0]);
+  }
+  static void euler_from_matrix(In<double, 10> x, Out<double, 3> y) {
+    const Order o(x[0]);
+    put(rotation(&x[1]).convertThreeAxesRotationToThreeAngles(o.fixed, o.i, o.j, o.k), &y[0]);
+  }
   static const char* source(std::string_view operation) {
     static constexpr Program all[] = {
         {"exp3_quaternion",
@@ -152,6 +174,14 @@ struct Simbody {
                  "double Q[] = {{Q}};\n"
                  "SimTK::Rotation R(SimTK::Quaternion(Q[3], Q[0], Q[1], Q[2]));",
                  "R[0][0], R[0][1], R[0][2], R[1][0], R[1][1], R[1][2], R[2][0], R[2][1], R[2][2]")},
+        {"euler_from_matrix",
+         PROGRAM("SimTKcommon/internal/MassProperties.h",
+                 "SimTK::Rotation R(SimTK::Mat33({R}), true); int order = {order};\n"
+                 "auto axis = [&](int n) { return SimTK::CoordinateAxis("
+                 "\"XYZXZYYXZYZXZXYZYXXYXXZXYXYYZYZXZZYZ\"[order / 2 * 3 + n] - 'X'); };\n"
+                 "auto v = R.convertThreeAxesRotationToThreeAngles(order % 2 ? SimTK::BodyRotationSequence "
+                 ": SimTK::SpaceRotationSequence, axis(0), axis(1), axis(2));",
+                 "v[0], v[1], v[2]")},
     };
     return program_for(all, operation);
   }
@@ -161,4 +191,5 @@ struct Simbody {
 
 LIECHECK_ADAPTER(Simbody, exp3_quaternion, exp3_matrix, log3_quaternion, log3_matrix, rotate_point, normalize,
                  quaternion_matrix, rotate_point_any_norm, log3_any_norm, compose, inverse, act_point,
-                 act_motion, act_force, act_inverse_motion, act_inverse_force, momentum, inertia_matrix)
+                 act_motion, act_force, act_inverse_motion, act_inverse_force, momentum, inertia_matrix,
+                 euler_to_matrix, euler_from_matrix)

@@ -14,6 +14,20 @@ struct Library {
   using Quaternion = tf2::Quaternion;
   using Matrix = tf2::Matrix3x3;
   using Transform = tf2::Transform;
+
+  static tf2::Quaternion quaternion_of(tf2Scalar roll, tf2Scalar pitch, tf2Scalar yaw) {
+    tf2::Quaternion q;
+    q.setRPY(roll, pitch, yaw);
+    return q;
+  }
+  static tf2::Matrix3x3 matrix_of(tf2Scalar roll, tf2Scalar pitch, tf2Scalar yaw) {
+    tf2::Matrix3x3 R;
+    R.setRPY(roll, pitch, yaw);
+    return R;
+  }
+  static void angles_of(const tf2::Matrix3x3& R, tf2Scalar& roll, tf2Scalar& pitch, tf2Scalar& yaw) {
+    R.getRPY(roll, pitch, yaw);
+  }
 };
 
 struct Tf2 : BulletMath<Library> {
@@ -53,6 +67,19 @@ struct Tf2 : BulletMath<Library> {
                               "tf2::Quaternion q({Q});\n"
                               "q.normalize();",
                               "q.x(), q.y(), q.z(), q.w()")},
+        {"relative_angle", PROGRAM("tf2/LinearMath/Transform.h", "tf2::Quaternion q0({Q0}), q1({Q1});",
+                                   "q0.angleShortestPath(q1)")},
+        {"slerp",
+         PROGRAM("tf2/LinearMath/Transform.h", "tf2::Quaternion q0({Q0}), q1({Q1}), q = q0.slerp(q1, {t});",
+                 "q.x(), q.y(), q.z(), q.w()")},
+        {"rotation_between",
+         PROGRAM("tf2/LinearMath/Transform.h",
+                 "tf2::Quaternion q = tf2::shortestArcQuat(tf2::Vector3({a}), tf2::Vector3({b}));",
+                 "q.x(), q.y(), q.z(), q.w()")},
+        {"euler_from_matrix",
+         PROGRAM("tf2/LinearMath/Transform.h",
+                 "double roll, pitch, yaw; tf2::Matrix3x3({R}).getRPY(roll, pitch, yaw);",
+                 "roll, pitch, yaw")},
     };
     return program_for(all, operation);
   }
@@ -61,4 +88,5 @@ struct Tf2 : BulletMath<Library> {
 }  // namespace
 
 LIECHECK_ADAPTER(Tf2, exp3_quaternion, exp3_matrix, log3_quaternion, log3_matrix, compose, inverse, act_point,
-                 rotate_point, normalize)
+                 rotate_point, normalize, relative_angle, slerp, rotation_between, euler_to_quaternion,
+                 euler_to_matrix, euler_from_matrix)

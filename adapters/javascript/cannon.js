@@ -24,4 +24,8 @@ serve("cannon-es", ["double"], {
   rotate_point: [x => quaternion(x).vmult(vector(x, 4)).toArray(), 7, 3],
   normalize: [Q => { const q = quaternion(Q); q.normalize(); return q.toArray(); }, 4, 4, program(
     "const q = new Quaternion({Q});\nq.normalize();\nconsole.log(...q.toArray());")],
+  slerp: [x => quaternion(x).slerp(quaternion(x.subarray(4)), x[8]).toArray(), 9, 4, program(
+    "console.log(...new Quaternion({Q0}).slerp(new Quaternion({Q1}), {t}).toArray());")],
+  rotation_between: [x => new Quaternion().setFromVectors(vector(x), vector(x, 3)).toArray(), 6, 4, program(
+    "console.log(...new Quaternion().setFromVectors(new Vec3({a}), new Vec3({b})).toArray());")],
 });

@@ -41,4 +41,10 @@ serve("gl-matrix", ["float", "double"], {
   act_point: [x => vec3.transformMat4(like(x, 3), x.slice(12), matrix(x)), 15, 3],
   rotate_point: [x => vec3.transformQuat(like(x, 3), x.slice(4), x.slice(0, 4)), 7, 3],
   normalize: [Q => quat.normalize(like(Q, 4), Q), 4, 4, program("console.log(...quat.normalize(new A(4), A.of({Q})));")],
+  relative_angle: [x => [quat.getAngle(x.slice(0, 4), x.slice(4))], 8, 1,
+    program("console.log(quat.getAngle(A.of({Q0}), A.of({Q1})));")],
+  slerp: [x => quat.slerp(like(x, 4), x.slice(0, 4), x.slice(4, 8), x[8]), 9, 4,
+    program("console.log(...quat.slerp(new A(4), A.of({Q0}), A.of({Q1}), {t}));")],
+  rotation_between: [x => quat.rotationTo(like(x, 4), x.slice(0, 3), x.slice(3)), 6, 4,
+    program("console.log(...quat.rotationTo(new A(4), A.of({a}), A.of({b})));")],
 });

@@ -23,10 +23,11 @@ function write(bytes) {
 }
 
 // Answers calls until the input ends. functions: operation -> [function, arguments, results, program]. A function takes
-// the numbers of one input, a Float32Array or a Float64Array, and returns those of its result. The program, which may be
-// left out, is the same call for a user of the library, with {phi} and so on for the numbers.
+// the numbers of one input, a Float32Array or a Float64Array, and returns those of its result; one that throws a
+// RangeError refuses the input. The program, which may be left out, is the same call for a user of the library, with
+// {phi} and so on for the numbers.
 exports.serve = function (name, scalars, functions) {
-  const subject = name.replace(/^@(.*)\/core$/, "$1").replace(/.*\//, "").replace(".", "_"), version = versions[name] || "1";
+  const subject = name.replace(/^@(.*)\/core$/, "$1").replace(/.*\//, "").replace(".", "_"), version = (versions[name] || "1").replace(/.*@/, "");
   console.log = console.warn = console.error;  // what the library prints must not come between the answers
   readLine();  // "liecheck 1"
   const operations = Object.fromEntries(Object.keys(functions).map(operation => [operation, scalars]));
@@ -38,8 +39,17 @@ exports.serve = function (name, scalars, functions) {
     const Numbers = scalar === "float" ? Float32Array : Float64Array;
     const bytes = read(n * size * Numbers.BYTES_PER_ELEMENT);
     const inputs = new Numbers(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.length));
-    const results = new Numbers(n * resultSize);
-    for (let i = 0; i < n; ++i) results.set(f(inputs.slice(i * size, (i + 1) * size)), i * resultSize);
-    write(Buffer.concat([Buffer.from(`done ${n}\n`), Buffer.alloc(n), Buffer.from(results.buffer)]));
+    const results = new Numbers(n * resultSize), status = Buffer.alloc(n);
+    let reason = "";
+    for (let i = 0; i < n; ++i) {
+      try {
+        results.set(f(inputs.slice(i * size, (i + 1) * size)), i * resultSize);
+      } catch (error) {
+        if (!(error instanceof RangeError)) throw error;
+        status[i] = 1;
+        reason = ` ${error.message}`;
+      }
+    }
+    write(Buffer.concat([Buffer.from(`done ${n}${reason}\n`), status, Buffer.from(results.buffer)]));
   }
 };

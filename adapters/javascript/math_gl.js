@@ -17,4 +17,8 @@ serve("@math.gl/core", ["double"], {
   act_point: [x => [...matrix(x).transformAsPoint([...x.slice(12)])], 15, 3],
   rotate_point: [x => [...vector(x, 4).transformByQuaternion(new Quaternion(x[0], x[1], x[2], x[3]))], 7, 3],
   normalize: [Q => [...new Quaternion(...Q).normalize()], 4, 4, program("console.log(...new Quaternion({Q}).normalize());")],
+  slerp: [x => [...new Quaternion(...x.slice(0, 4)).slerp([...x.slice(4, 8)], x[8])], 9, 4, program(
+    "console.log(...new Quaternion({Q0}).slerp([{Q1}], {t}));")],
+  rotation_between: [x => [...new Quaternion().rotationTo([...x.slice(0, 3)], [...x.slice(3)])], 6, 4, program(
+    "console.log(...new Quaternion().rotationTo([{a}], [{b}]));")],
 });

@@ -18,5 +18,7 @@ import("ogl").then(({Mat3, Mat4, Quat, Vec3}) => {
     rotate_point: [x => [...vector(x, 4).applyQuaternion(new Quat(x[0], x[1], x[2], x[3]))], 7, 3],
     normalize: [Q => numbers(new Quat(...Q).normalize()), 4, 4, program(
       "const q = new Quat({Q}).normalize();\nconsole.log(q.x, q.y, q.z, q.w);")],
+    slerp: [x => numbers(new Quat(...x.slice(0, 4)).slerp(new Quat(...x.slice(4, 8)), x[8])), 9, 4, program(
+      "const q = new Quat({Q0}).slerp(new Quat({Q1}), {t});\nconsole.log(q.x, q.y, q.z, q.w);")],
   });
 });

@@ -19,4 +19,6 @@ serve("oimo", ["double"], {
   rotate_point: [x => rotated(x), 7, 3],
   normalize: [Q => numbers(new Quat(...Q).normalize()), 4, 4, program(
     "const q = new Quat({Q}).normalize();\nconsole.log(q.x, q.y, q.z, q.w);")],
+  rotation_between: [x => numbers(new Quat().setFromUnitVectors(new Vec3(x[0], x[1], x[2]), new Vec3(x[3], x[4], x[5]))), 6, 4, program(
+    "const q = new Quat().setFromUnitVectors(new Vec3({a}), new Vec3({b}));\nconsole.log(q.x, q.y, q.z, q.w);")],
 });

@@ -8,6 +8,12 @@ const nearer = Q => of(Q[3] < 0 ? Q.map(x => -x) : Q);  // the rotation's logari
 const program = call => `const {Quaternion} = require("quaternion");\n${call}`;
 const log = "const v = q.log();\nconsole.log(2 * v.x, 2 * v.y, 2 * v.z);";
 
+function orderOf(number) {
+  const name = number % 2 === 1 ? ["XYZ", "XZY", "YXZ", "YZX", "ZXY", "ZYX"][(number - 1) / 2] : undefined;
+  if (!name) throw new RangeError("toEuler has no such order");
+  return name;
+}
+
 // exp and log are those of quaternions, exp(0, phi/2) and (0, phi/2).
 const exp = ([x, y, z]) => new Quaternion(0, x / 2, y / 2, z / 2).exp();
 function twice(q) {
@@ -28,4 +34,12 @@ serve("quaternion", ["double"], {
     "const [x, y, z, w] = [{Q}];\nconsole.log(...new Quaternion(w, x, y, z).rotateVector([{p}]));")],
   normalize: [Q => numbers(of(Q).normalize()), 4, 4, program(
     "const [x, y, z, w] = [{Q}];\nconst q = new Quaternion(w, x, y, z).normalize();\nconsole.log(q.x, q.y, q.z, q.w);")],
+  slerp: [x => numbers(of(x).slerp(of(x.subarray(4)))(x[8])), 9, 4, program(
+    "const of = (x, y, z, w) => new Quaternion(w, x, y, z);\nconst q = of({Q0}).slerp(of({Q1}))({t});\nconsole.log(q.x, q.y, q.z, q.w);")],
+  rotation_between: [x => numbers(Quaternion.fromVectors([...x.slice(0, 3)], [...x.slice(3)])), 6, 4, program(
+    "const q = Quaternion.fromVectors([{a}], [{b}]);\nconsole.log(q.x, q.y, q.z, q.w);")],
+  // The angles in the order of the axes, which are those of the body.
+  euler_to_quaternion: [x => numbers(Quaternion.fromEuler(x[1], x[2], x[3], orderOf(x[0]))), 4, 4],
+  euler_from_quaternion: [x => of(x.subarray(1)).toEuler(orderOf(x[0])), 5, 3, program(
+    `const [x, y, z, w] = [{Q}], order = ["XYZ", "XZY", "YXZ", "YZX", "ZXY", "ZYX"][({order} - 1) / 2];\nconsole.log(...new Quaternion(w, x, y, z).toEuler(order));`)],
 });

@@ -35,6 +35,28 @@ function rotate_point([x, y, z, w, p0, p1, p2]) {
   return [p0 + w * t[0] + y * t[2] - z * t[1], p1 + w * t[1] + z * t[0] - x * t[2], p2 + w * t[2] + x * t[1] - y * t[0]];
 }
 
+function relative_angle([x0, y0, z0, w0, x1, y1, z1, w1]) {
+  const w = x0 * x1 + y0 * y1 + z0 * z1 + w0 * w1;
+  const x = w0 * x1 - w1 * x0 - (y0 * z1 - z0 * y1), y = w0 * y1 - w1 * y0 - (z0 * x1 - x0 * z1);
+  const z = w0 * z1 - w1 * z0 - (x0 * y1 - y0 * x1);
+  return [2 * Math.atan2(Math.hypot(x, y, z), Math.abs(w))];  // never acos(w)
+}
+function slerp(x) {
+  const Q0 = x.slice(0, 4), t = x[8], sign = Q0.reduce((c, q, i) => c + q * x[4 + i], 0) < 0 ? -1 : 1;
+  const Q1 = x.slice(4, 8).map(q => sign * q);
+  const h = 2 * Math.atan2(Math.hypot(...Q0.map((q, i) => Q1[i] - q)), Math.hypot(...Q0.map((q, i) => Q1[i] + q)));
+  const a = h > 0 ? Math.sin((1 - t) * h) : 1, b = h > 0 ? Math.sin(t * h) : 0;
+  const Q = Q0.map((q, i) => a * q + b * Q1[i]), n = Math.hypot(...Q);
+  return Q.map(q => q / n);  // n is sin(h), without a threshold on h
+}
+function rotation_between([a0, a1, a2, b0, b1, b2]) {
+  const c0 = a0 + b0, c1 = a1 + b1, c2 = a2 + b2, n = Math.hypot(c0, c1, c2);
+  const Q = n > 4 * Number.EPSILON ? [(a1 * c2 - a2 * c1) / n, (a2 * c0 - a0 * c2) / n, (a0 * c1 - a1 * c0) / n, n / 2]  // a x (a + b) = a x b
+    : Math.abs(a0) > Math.abs(a2) ? [-a1, a0, 0, 0] : [0, -a2, a1, 0];  // b = -a but for rounding: any axis perpendicular to a
+  const q = Math.hypot(...Q);
+  return Q.map(x => x / q);
+}
+
 const program = (f, ...places) => `const f = ${f};\nconsole.log(...f([${places.map(p => `{${p}}`).join(", ")}]));`;
 const own = (f, size, results, ...places) => [x => f(Array.from(x)), size, results, program(f, ...places)];
 
@@ -45,4 +67,7 @@ serve("repaired_js", ["double", "float"], {
   log3_matrix: own(log3_matrix, 9, 3, "R"),
   normalize: own(normalize, 4, 4, "Q"),
   rotate_point: own(rotate_point, 7, 3, "Q", "p"),
+  relative_angle: own(relative_angle, 8, 1, "Q0", "Q1"),
+  slerp: own(slerp, 9, 4, "Q0", "Q1", "t"),
+  rotation_between: own(rotation_between, 6, 4, "a", "b"),
 });

@@ -1,7 +1,7 @@
 // three.js: Quaternion, Matrix4, Vector3 and Vector4, in double. Quaternions are x, y, z, w; Matrix4.set takes rows.
 const {serve} = require("./liecheck_protocol.js");
 
-import("three").then(({Matrix4, Quaternion, Vector3, Vector4}) => {
+import("three").then(({Euler, Matrix4, Quaternion, Vector3, Vector4}) => {
   const matrix = R => new Matrix4().set(R[0], R[1], R[2], 0, R[3], R[4], R[5], 0, R[6], R[7], R[8], 0, 0, 0, 0, 1);
   const pose = X => matrix(X).setPosition(X[9], X[10], X[11]);
   const rows = ({elements: e}) => [e[0], e[4], e[8], e[1], e[5], e[9], e[2], e[6], e[10]];
@@ -17,6 +17,16 @@ import("three").then(({Matrix4, Quaternion, Vector3, Vector4}) => {
   function log3_quaternion(Q) {
     return rotationVector(new Vector4().setAxisAngleFromQuaternion(quaternion(Q[3] < 0 ? Q.map(x => -x) : Q)));
   }
+
+  // Euler's x, y and z are about the axes of the body, in the order that a name gives.
+  const orders = ["XYZ", "XZY", "YXZ", "YZX", "ZXY", "ZYX"];
+  function orderOf(number) {
+    const name = number % 2 === 1 ? orders[(number - 1) / 2] : undefined;
+    if (!name) throw new RangeError("Euler has no such order");
+    return name;
+  }
+  const euler = x => new Euler(...["X", "Y", "Z"].map(axis => x[1 + orderOf(x[0]).indexOf(axis)]), orderOf(x[0]));
+  const inOrder = e => [...e.order].map(axis => e[axis.toLowerCase()]);
 
   const program = (names, call) => `import("three").then(({${names}}) => {\n${call}\n});`;
   const axis = `const v = new Vector3({phi}), angle = v.length(), axis = v.normalize();\n`;
@@ -35,5 +45,19 @@ import("three").then(({Matrix4, Quaternion, Vector3, Vector4}) => {
     act_point: [x => vector(x, 12).applyMatrix4(pose(x)).toArray(), 15, 3],
     rotate_point: [x => vector(x, 4).applyQuaternion(quaternion(x)).toArray(), 7, 3],
     normalize: [Q => quaternion(Q).normalize().toArray(), 4, 4, program("Quaternion", "console.log(...new Quaternion({Q}).normalize());")],
+    relative_angle: [x => [quaternion(x).angleTo(quaternion(x.subarray(4)))], 8, 1,
+      program("Quaternion", "console.log(new Quaternion({Q0}).angleTo(new Quaternion({Q1})));")],
+    slerp: [x => quaternion(x).slerp(quaternion(x.subarray(4)), x[8]).toArray(), 9, 4,
+      program("Quaternion", "console.log(...new Quaternion({Q0}).slerp(new Quaternion({Q1}), {t}));")],
+    rotation_between: [x => new Quaternion().setFromUnitVectors(vector(x), vector(x, 3)).toArray(), 6, 4, program("Quaternion, Vector3",
+      "console.log(...new Quaternion().setFromUnitVectors(new Vector3({a}), new Vector3({b})));")],
+    euler_to_quaternion: [x => new Quaternion().setFromEuler(euler(x)).toArray(), 4, 4],
+    euler_to_matrix: [x => rows(new Matrix4().makeRotationFromEuler(euler(x))), 4, 9],
+    euler_from_quaternion: [x => inOrder(new Euler().setFromQuaternion(quaternion(x.subarray(1)), orderOf(x[0]))), 5, 3,
+      program("Euler, Quaternion", `const order = ["XYZ", "XZY", "YXZ", "YZX", "ZXY", "ZYX"][({order} - 1) / 2];
+const e = new Euler().setFromQuaternion(new Quaternion({Q}), order);\nconsole.log(...[...order].map(axis => e[axis.toLowerCase()]));`)],
+    euler_from_matrix: [x => inOrder(new Euler().setFromRotationMatrix(matrix(x.subarray(1)), orderOf(x[0]))), 10, 3,
+      program("Euler, Matrix3, Matrix4", `const order = ["XYZ", "XZY", "YXZ", "YZX", "ZXY", "ZYX"][({order} - 1) / 2];
+const e = new Euler().setFromRotationMatrix(new Matrix4().setFromMatrix3(new Matrix3().set({R})), order);\nconsole.log(...[...order].map(axis => e[axis.toLowerCase()]));`)],
   });
 });

@@ -36,4 +36,10 @@ serve("wgpu-matrix", ["float", "double"], {
   act_point: [x => of(x).vec3.transformMat4(x.slice(12), matrix(x)), 15, 3],
   rotate_point: [x => of(x).vec3.transformQuat(x.slice(4), x.slice(0, 4)), 7, 3],
   normalize: [Q => of(Q).quat.normalize(Q), 4, 4, program("console.log(...quat.normalize(A.of({Q})));")],
+  relative_angle: [x => [of(x).quat.angle(x.slice(0, 4), x.slice(4))], 8, 1, program(
+    "console.log(quat.angle(A.of({Q0}), A.of({Q1})));")],
+  slerp: [x => of(x).quat.slerp(x.slice(0, 4), x.slice(4, 8), x[8]), 9, 4, program(
+    "console.log(...quat.slerp(A.of({Q0}), A.of({Q1}), {t}));")],
+  rotation_between: [x => of(x).quat.rotationTo(x.slice(0, 3), x.slice(3)), 6, 4, program(
+    "console.log(...quat.rotationTo(A.of({a}), A.of({b})));")],
 });

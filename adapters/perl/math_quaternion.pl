@@ -28,6 +28,10 @@ my %functions = (
   rotate_point => [sub { quaternion(@_[0 .. 3])->rotate_vector(@_[4 .. 6]) }, 7, 3],
   normalize => [sub { xyzw(quaternion(@_)->normalize) }, 4, 4,
     $head . $named . "my \$q = Math::Quaternion->new(\$w, \$x, \$y, \$z)->normalize;\nprint map { sprintf '%.17g', \$_ } \@\$q[1, 2, 3], \$\$q[0];"],
+  slerp => [sub { xyzw(Math::Quaternion::slerp(quaternion(@_[0 .. 3]), quaternion(@_[4 .. 7]), $_[8])) }, 9, 4,
+    $head . "my \@Q0 = ({Q0}); my \@Q1 = ({Q1});\nmy \$q = Math::Quaternion::slerp(map({ Math::Quaternion->new(\@\$_[3, 0, 1, 2]) } \\\@Q0, \\\@Q1), {t});\nprint map { sprintf '%.17g', \$_ } \@\$q[1, 2, 3], \$\$q[0];"],
+  rotation_between => [sub { xyzw(Math::Quaternion::rotation([@_[0 .. 2]], [@_[3 .. 5]])) }, 6, 4,
+    $head . "my \$q = Math::Quaternion::rotation([{a}], [{b}]);\nprint map { sprintf '%.17g', \$_ } \@\$q[1, 2, 3], \$\$q[0];"],
 );
 
 sub text { my $t = shift; $t =~ s/(["\\])/\\$1/g; $t =~ s/\n/\\n/g; return "\"$t\""; }

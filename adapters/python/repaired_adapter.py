@@ -64,8 +64,26 @@ def quaternion_matrix(Q):
             s * (x * z - w * y), s * (y * z + w * x), 1 - s * (x * x + y * y)]
 
 
-def own(f, arguments, size, place):
-    program = "import math\n\n" + inspect.getsource(f) + f"\nprint(*{f.__name__}([{{{place}}}]))"
+def relative_angle(x):
+    (x0, y0, z0, w0), (x1, y1, z1, w1) = x[:4], x[4:]
+    w = x0 * x1 + y0 * y1 + z0 * z1 + w0 * w1
+    v = (w0 * x1 - w1 * x0 - (y0 * z1 - z0 * y1), w0 * y1 - w1 * y0 - (z0 * x1 - x0 * z1),
+         w0 * z1 - w1 * z0 - (x0 * y1 - y0 * x1))
+    return [2 * math.atan2(math.hypot(*v), abs(w))]  # never acos(w)
+
+
+def slerp(x):
+    Q0, Q1, t = x[:4], x[4:8], x[8]
+    if sum(a * b for a, b in zip(Q0, Q1)) < 0:
+        Q1 = [-b for b in Q1]
+    h = 2 * math.atan2(math.dist(Q0, Q1), math.hypot(*(a + b for a, b in zip(Q0, Q1))))
+    s, e = (math.sin((1 - t) * h), math.sin(t * h)) if h > 0 else (1.0, 0.0)
+    Q = [s * a + e * b for a, b in zip(Q0, Q1)]
+    return [q / math.hypot(*Q) for q in Q]  # the norm is sin(h), without a threshold on h
+
+
+def own(f, arguments, size, *places):
+    program = "import math\n\n" + inspect.getsource(f) + f"\nprint(*{f.__name__}([{', '.join(f'{{{p}}}' for p in places)}]))"
     return lambda x: f([float(a) for a in x]), arguments, size, program
 
 
@@ -77,4 +95,6 @@ serve("repaired_python", "1", {
     "normalize": own(normalize, 4, 4, "Q"),
     "log3_any_norm": own(log3_any_norm, 4, 3, "Q"),
     "quaternion_matrix": own(quaternion_matrix, 4, 9, "Q"),
+    "relative_angle": own(relative_angle, 8, 1, "Q0", "Q1"),
+    "slerp": own(slerp, 9, 4, "Q0", "Q1", "t"),
 })

@@ -1,7 +1,7 @@
 """scipy.spatial.transform.Rotation. Its quaternions are x, y, z, w and may have any norm but 0."""
 import scipy
 from liecheck_protocol import serve
-from scipy.spatial.transform import Rotation
+from scipy.spatial.transform import Rotation, Slerp
 
 
 def quaternion(Q):
@@ -18,6 +18,22 @@ def log3_quaternion(Q):
 
 def rotate_point(x):
     return quaternion(x[:4]).apply(x[4:])
+
+
+def relative_angle(x):
+    return (quaternion(x[:4]).inv() * quaternion(x[4:])).magnitude()
+
+
+def slerp(x):
+    return Slerp([0, 1], Rotation.from_quat([x[:4], x[4:8]]))(x[8]).as_quat()
+
+
+ORDERS = "xyz xzy yxz yzx zxy zyx xyx xzx yxy yzy zxz zyz".split()
+
+
+def order(number):
+    name = ORDERS[int(number) // 2]
+    return name.upper() if number % 2 else name  # upper case: axes of the body
 
 
 def program(call):
@@ -43,4 +59,15 @@ serve("scipy", scipy.__version__, {
         program("Rotation.from_quat([{Q}]).apply([{p}])")),
     "log3_any_norm": (log3_quaternion, 4, 3,
         program("Rotation.from_quat([{Q}]).as_rotvec()")),
+    "relative_angle": (relative_angle, 8, 1,
+        "import numpy as np\n" + program("np.array((Rotation.from_quat([{Q0}]).inv() * Rotation.from_quat([{Q1}])).magnitude())")),
+    "slerp": (slerp, 9, 4,
+        "from scipy.spatial.transform import Slerp\n" + program("Slerp([0, 1], Rotation.from_quat([[{Q0}], [{Q1}]]))({t}).as_quat()")),
+    "euler_to_quaternion": (lambda x: Rotation.from_euler(order(x[0]), x[1:]).as_quat(), 4, 4),
+    "euler_to_matrix": (lambda x: Rotation.from_euler(order(x[0]), x[1:]).as_matrix(), 4, 9),
+    "euler_from_quaternion": (lambda x: quaternion(x[1:]).as_euler(order(x[0])), 5, 3,
+        f"o = {ORDERS}[int({{order}}) // 2]; o = o.upper() if {{order}} % 2 else o\n" + program("Rotation.from_quat([{Q}]).as_euler(o)")),
+    "euler_from_matrix": (lambda x: matrix(x[1:]).as_euler(order(x[0])), 10, 3,
+        f"import numpy as np; o = {ORDERS}[int({{order}}) // 2]; o = o.upper() if {{order}} % 2 else o\n" +
+        program("Rotation.from_matrix(np.reshape([{R}], (3, 3))).as_euler(o)")),
 })

@@ -2,7 +2,7 @@
 import numpy as np
 import transforms3d
 from liecheck_protocol import serve
-from transforms3d import axangles, quaternions
+from transforms3d import axangles, euler, quaternions
 
 
 def w_first(Q):
@@ -28,8 +28,21 @@ def log3_matrix(R):
     return angle * axis
 
 
+ORDERS = "xyz xzy yxz yzx zxy zyx xyx xzx yxy yzy zxz zyz".split()
+
+
+def order(number):
+    return ("r" if number % 2 else "s") + ORDERS[int(number) // 2]
+
+
+def euler_from(function, rotation, number):  # the middle angle of these orders is in [-pi, 0], another convention
+    if order(number)[1:] in ("xzx", "yxy", "zyz"):
+        raise ValueError("the middle angle has another range")
+    return function(rotation, order(number))
+
+
 def program(*lines):
-    return "\n".join(["import numpy as np", "from transforms3d import axangles, quaternions", *lines])
+    return "\n".join(["import numpy as np", "from transforms3d import axangles, euler, quaternions", *lines])
 
 
 axis_angle_of = "phi = np.array([{phi}]); angle = np.linalg.norm(phi); axis = phi if angle else [1, 0, 0]"
@@ -48,4 +61,10 @@ serve("transforms3d", transforms3d.__version__, {
         program("x, y, z, w = {Q}", "print(*quaternions.quat2mat([w, x, y, z]).ravel().tolist())")),
     "rotate_point_any_norm": (lambda x: quaternions.rotate_vector(x[4:], w_first(x), is_normalized=False), 7, 3),
     "log3_any_norm": (log3_quaternion, 4, 3, program(log_of, "print(*(angle * axis).tolist())")),
+    "euler_to_quaternion": (lambda x: np.roll(euler.euler2quat(*x[1:], order(x[0])), -1), 4, 4),
+    "euler_to_matrix": (lambda x: euler.euler2mat(*x[1:], order(x[0])), 4, 9),
+    "euler_from_quaternion": (lambda x: euler_from(euler.quat2euler, w_first(x[1:]), x[0]), 5, 3,
+        program("x, y, z, w = {Q}", f"o = {ORDERS}[int({{order}}) // 2]", "print(*euler.quat2euler([w, x, y, z], 'sr'[int({order}) % 2] + o))")),
+    "euler_from_matrix": (lambda x: euler_from(euler.mat2euler, x[1:].reshape(3, 3), x[0]), 10, 3,
+        program(f"o = {ORDERS}[int({{order}}) // 2]", "print(*euler.mat2euler(np.reshape([{R}], (3, 3)), 'sr'[int({order}) % 2] + o))")),
 })

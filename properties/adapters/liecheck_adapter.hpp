@@ -5,9 +5,11 @@
 //       static constexpr const char *name = "mylib", *version = "2.1";
 //       static void exp3_quaternion(std::span<const double, 3> phi, std::span<double, 4> Q);
 //       static void exp3_quaternion(std::span<const float, 3> phi, std::span<float, 4> Q);
+//       static void rotate_point(std::span<const double, 7> Q_and_p, std::span<double, 3> p_A);
 //     };
-//     LIECHECK_ADAPTER(MyLib, exp3_quaternion)
+//     LIECHECK_ADAPTER(MyLib, exp3_quaternion, rotate_point)
 //
+// All arguments of an operation are in one span, one after the other, and so are all numbers of its result.
 // It may also have
 //     static constexpr const char* conventions = "quaternion: wxyz, twist: angular first";  // docs/adapters.md has all
 //     static constexpr bool thread_safe = true;           // several threads may call its functions at the same time
@@ -106,11 +108,9 @@ const char* source_of(const char* operation) {
     return nullptr;
 }
 
-/// Checks an operation when the adapter is compiled.
+/// Whether F takes I numbers and writes R, of float or double: checked when the adapter is compiled.
 template <class F, std::size_t I, std::size_t R>
-requires(Computes<F, float, I, R> || Computes<F, double, I, R>) constexpr bool offered() {
-  return true;
-}
+inline constexpr bool offered = Computes<F, float, I, R> || Computes<F, double, I, R>;
 
 }  // namespace liecheck::adapter
 
@@ -136,7 +136,9 @@ requires(Computes<F, float, I, R> || Computes<F, double, I, R>) constexpr bool o
     }                                                                                                      \
     { Subject::name(in, out); };                                                                           \
     using F = decltype(call);                                                                              \
-    static_assert(liecheck::adapter::offered<F, sizes.inputs, sizes.results>());                           \
+    static_assert(liecheck::adapter::offered<F, sizes.inputs, sizes.results>, #name                        \
+                  " must be static void " #name "(std::span<const S, I> arguments, std::span<S, R> result), "\
+                  "S float or double, all arguments in one span; I and R are in liecheck_operations.inc");  \
     return scalar == "float" ? liecheck::adapter::function_in<F, float, sizes.inputs, sizes.results>()     \
                              : liecheck::adapter::function_in<F, double, sizes.inputs, sizes.results>();   \
   }

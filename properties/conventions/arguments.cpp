@@ -64,8 +64,8 @@ Numbers value(const Layout& layout, Generic& g, double angle) {
       return joined(g.of_length(angle / 2));
     case Kind::scalar:  // the fraction of slerp
       return {(1 + g.number()) / 2};
-    case Kind::order:
-      return {std::floor(12 * (1 + g.number()))};
+    case Kind::order:  // probe_arguments() takes each of them
+      return {0};
     case Kind::planar_tangent:
       return {g.number(), g.number(), angle};
     case Kind::planar_pose:
@@ -77,15 +77,20 @@ Numbers value(const Layout& layout, Generic& g, double angle) {
 
 }  // namespace
 
+bool has_order(const Operation& operation) {
+  return operation.arguments[0]->parts[0].name == "order";
+}
+
 template <class S>
 std::vector<Numbers> probe_arguments(const Operation& operation) {
   std::vector<Numbers> all;
-  int seed = 0;
-  for (const double angle : angles) {
-    Generic g(++seed);
+  const bool in_order = has_order(operation);
+  for (int i = 0; i < (in_order ? 24 : 6); ++i) {
+    Generic g(i + 1);
     Numbers x;
     for (const Layout* l : operation.arguments)
-      for (const double number : value(*l, g, angle)) x.push_back(static_cast<S>(number));
+      for (const double number : value(*l, g, angles[i % 6])) x.push_back(static_cast<S>(number));
+    if (in_order) x[0] = i;
     all.push_back(x);
   }
   return all;

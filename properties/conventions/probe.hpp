@@ -19,7 +19,10 @@ struct Probed {
   std::vector<Answer> answers;
 };
 
-/// Generic arguments with rotation angles from 0.3 to 2.5, rounded to S.
+/// Whether the first argument is an order of Euler angles. A library refuses the orders that it lacks.
+bool has_order(const Operation& operation);
+
+/// Generic arguments with rotation angles from 0.3 to 2.5, rounded to S, and with each order of Euler angles.
 template <class S>
 std::vector<Numbers> probe_arguments(const Operation& operation);
 

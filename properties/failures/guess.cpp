@@ -77,6 +77,11 @@ std::string at_small_angles(const FailedBlock& f) {
   const auto falls = [&](std::size_t i) { return at(i) < p[peak].y - jump; };
   const bool ends_below = peak > 0 && falls(peak - 1), ends_above = peak + 1 < p.size() && falls(peak + 1),
              fails_above = at(peak + 1) > 0.5;
+  const double power = slope(p), from_root = std::log10(p[peak].low / std::sqrt(f.worst->series->eps));
+  // Below the root of eps the cosine is 1, and its acos is 0.
+  if (is_rotation_vector(f) && power < -1.5 && power > -2.5 && (!ends_below || std::fabs(from_root) < 1.6))
+    return "acos near 1, which keeps half of the digits: the error grows as 1 / theta^2; atan2 of both parts "
+           "does not";
   if (ends_below && fails_above)
     return fmt::format(
         "a cutoff at theta about {}: above it the closed form cancels, the more the smaller theta is",
@@ -87,11 +92,7 @@ std::string at_small_angles(const FailedBlock& f) {
   if (peak >= 3 && peak + 3 < p.size() && falls(peak - 3) && falls(peak + 3))
     return fmt::format("a cutoff at theta about {}, towards which the errors of both formulas grow",
                        about(at(peak + 1) > at(peak - 1) ? p[peak].high : p[peak].low));
-  const double power = slope(p);
   if (power > -0.5 || p.front().y < p[peak].y - jump) return "";
-  if (is_rotation_vector(f) && power < -1.5 && power > -2.5)
-    return "acos near 1, which keeps half of the digits: the error grows as 1 / theta^2; atan2 of both parts "
-           "does not";
   return fmt::format(
       "a missing series: the formula cancels as theta goes to 0, and the error grows as 1 / theta{}",
       std::lround(-power) > 1 ? fmt::format("^{}", std::lround(-power)) : "");
@@ -211,18 +212,23 @@ std::string guess_of(const FailedBlock& f) {
   const Moderate m = at_moderate_angles(f, eps);
   if (m.other_branch * 5 > m.all && is_rotation_vector(f))
     return "the sign of w is not looked at: Q and -Q, the same rotation, give different results";
+  const bool euler_angles = conventions::has_order(*f.worst->series->outputs.at(f.worst->output).record);
   if (m.wrong * 10 > m.all) {
     if (m.wrong * 3 <= m.all) return "";
-    const std::string other = convention(f);
-    return !other.empty() || f.worst->series->robot != "none" || is_tree_law(f.worst->series->property)
+    const std::string other =
+        convention(f);  // most inputs of Euler angles are near gimbal lock, not moderate
+    return !other.empty() || euler_angles || f.worst->series->robot != "none" ||
+                   is_tree_law(f.worst->series->property)
                ? other
                : "a wrong term, factor or sign: moderate angles fail, too, and no other convention explains "
                  "the "
                  "results";
   }
-  for (const std::string& guess : {of_branch_near_pi(f), of_not_finite(f), at_small_angles(f), near_pi(f)})
-    if (!guess.empty()) return guess;
-  if (m.coarse * 2 > m.all)
+  std::string all;
+  for (const std::string& guess : {of_branch_near_pi(f), at_small_angles(f), near_pi(f), of_not_finite(f)})
+    if (!guess.empty()) all += (all.empty() ? "" : "; and ") + guess;
+  if (!all.empty()) return all;
+  if (m.coarse * 2 > m.all && !euler_angles)
     return "a constant or a step of the calculation has too few digits, such as one in float, or a series or "
            "iteration ends too early: most cases at moderate angles fail, too";
   return "";

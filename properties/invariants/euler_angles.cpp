@@ -161,13 +161,13 @@ class EulerAngles final : public SlowLaw<EulerAngles, S> {
     judged_value(r, {outputs[0], outputs[1]}, 0, angles, resolved && back.resolved, [&] {
       r.record(outputs[0], 0, oracles::rotation_error<S>(back.value, Q));
       const bool proper = order.axes[0] == order.axes[2];
-      const S slack = S(2) * std::numeric_limits<S>::epsilon() * pi(), half = pi() / S(2);
-      const auto within = [&](const S& x, const S& low, const S& high) {
-        return x >= low - slack && x <= high + slack;
+      const S eps = std::numeric_limits<S>::epsilon(), half = pi() / S(2);
+      const auto beyond = [](const S& x, const S& low, const S& high) {
+        return std::max({S(0), S(x - high), S(low - x)});
       };
-      const bool in_range = within(angles[0], -pi(), pi()) && within(angles[2], -pi(), pi()) &&
-                            (proper ? within(angles[1], S(0), pi()) : within(angles[1], -half, half));
-      r.record(outputs[1], 0, in_range ? 0 : std::numeric_limits<double>::infinity());
+      const S most = std::max({beyond(angles[0], -pi(), pi()), beyond(angles[2], -pi(), pi()),
+                               beyond(angles[1], proper ? S(0) : S(-half), proper ? pi() : half)});
+      r.record(outputs[1], 0, most > S(2) * eps * pi() ? static_cast<double>(most / eps) : 0);
     });
   }
 };

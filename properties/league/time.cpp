@@ -22,14 +22,28 @@ double time_in(adapters::Adapter& adapter, const adapters::OperationSizes& sizes
   using Clock = std::chrono::steady_clock;
   const auto arguments = conventions::probe_arguments<S>(conventions::operation_named(sizes.operation));
   std::vector<S> inputs, results(n * sizes.results);
-  for (std::size_t i = 0; i < n; ++i)
-    for (const double x : arguments[i % arguments.size()]) inputs.push_back(static_cast<S>(x));
-  std::vector<adapters::Status> status(n);
+  std::vector<adapters::Status> status;
+  const auto call = [&] {
+    status.resize(inputs.size() / sizes.inputs);
+    adapter.call({sizes, sizeof(S) == 8, status.size(), std::as_bytes(std::span(inputs)),
+                  std::as_writable_bytes(std::span(results)).first(status.size() * sizes.results * sizeof(S)),
+                  status});
+  };
+  const auto add = [&](const conventions::Numbers& x) {
+    for (const double number : x) inputs.push_back(static_cast<S>(number));
+  };
+  std::ranges::for_each(arguments, add);
+  call();
+  std::vector<conventions::Numbers> answered;  // without the orders of Euler angles that the library lacks
+  for (std::size_t i = 0; i < arguments.size(); ++i)
+    if (status[i] == adapters::Status::done) answered.push_back(arguments[i]);
+  if (answered.empty()) return 0;
+  inputs.clear();
+  for (std::size_t i = 0; i < n; ++i) add(answered[i % answered.size()]);
   double best = 0;
   for (int round = 0; round < 7; ++round) {
     const auto start = Clock::now();
-    adapter.call({sizes, sizeof(S) == 8, n, std::as_bytes(std::span(inputs)),
-                  std::as_writable_bytes(std::span(results)), status});
+    call();
     const double ns = std::chrono::duration<double, std::nano>(Clock::now() - start).count();
     if (std::ranges::any_of(status, [](adapters::Status s) { return s != adapters::Status::done; })) return 0;
     best = round == 0 ? ns : std::min(best, ns);

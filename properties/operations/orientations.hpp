@@ -66,8 +66,8 @@ inline constexpr Block rotation_of_angles{
     block::rotation, "angle from the exact rotation to that of the angles", "absolute", "rad"};
 inline constexpr Block range_of_angles{
     block::range,
-    "0 if a, c in [-pi, pi], b in [-pi/2, pi/2] or of i = k in [0, pi], up to 2 eps, else infinite",
-    "absolute", "1"};
+    "how far a, c are beyond [-pi, pi], b beyond [-pi/2, pi/2] or, if i = k, [0, pi]; 0 up to 2 pi eps",
+    "absolute", "rad"};
 inline constexpr auto euler_to_quaternion = operation<struct EulerToQuaternion>(
     {"euler_to_quaternion", "R(Q) = R_i(a) R_j(b) R_k(c), or R_k(c) R_j(b) R_i(a) of static axes",
      euler_source},

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <fstream>
 #include <hard_cases/attempt.hpp>
+#include <liecheck/spatial/euler.hpp>
 #include <sstream>
 
 #include "../scratch.hpp"
@@ -222,6 +223,42 @@ TEST(Adapters, AConventionOfOneScalarSaysInWhich) {
             "in float: matrices are stored column by column in inverse: store them row by row, or state "
             "\"matrix\": "
             "\"columns\"");
+}
+
+/// euler_to_matrix of the orders up to `last`, with static axes where `right` is false; it refuses all other orders.
+class SomeOrders final : public Adapter {
+ public:
+  SomeOrders(int last, bool right) : last_(last), right_(right) {}
+  const Description& description() const override { return description_; }
+  std::string call(const Batch& b) override {
+    const auto* x = reinterpret_cast<const double*>(b.inputs.data());
+    auto* R = reinterpret_cast<double*>(b.results.data());
+    for (std::size_t k = 0; k < b.n; ++k, x += 4, R += 9) {
+      const int order = static_cast<int>(x[0]);
+      b.status[k] = order <= last_ ? Status::done : Status::refused;
+      const Eigen::Matrix3d M =
+          eulerToMatrix<double>(EulerOrder::numbered(right_ ? order : order / 2 * 2), {x[1], x[2], x[3]});
+      Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>{R} = M;
+    }
+    return "no such order";
+  }
+
+ private:
+  int last_;
+  bool right_;
+  Description description_{"orders", "1", {{"euler_to_matrix", "double"}}, {}};
+};
+
+TEST(Adapters, ALibraryMayHaveSomeOrdersOfEulerAngles) {
+  for (const int last : {0, 11, 23}) {
+    SomeOrders adapter(last, true);
+    const Checked checked = check(adapter);
+    EXPECT_EQ(checked.findings.size(), 0u);
+    EXPECT_EQ(checked.operations.at(0).complaint, "") << last;
+  }
+  SomeOrders wrong(11, false), none(-1, true);
+  EXPECT_EQ(check(wrong).findings.size(), 1u);
+  EXPECT_EQ(check(none).operations.at(0).complaint, "the input is refused: no such order");
 }
 
 TEST(Adapters, ACrashInTheProbeDoesNotEndTheCampaign) {

@@ -210,7 +210,8 @@ TEST(PageCommands, PartsOfProgramsCompile) {
   fs::create_directory(clone.folder / "mylib");
   clone.write("mylib/rotation.h",
               "#include <array>\nnamespace mylib {\nstruct Quaternion {\n  double x, y, z, w;\n};\n"
-              "Quaternion exp(const std::array<double, 3>& phi);\n}\n");
+              "struct Vector {\n  double x, y, z;\n};\nQuaternion exp(const std::array<double, 3>& phi);\n"
+              "Vector rotate(const Quaternion& Q, const Vector& p);\n}\n");
   clone.write("parts.cpp",
               block("docs/adapters.md", adapter) + batch +
                   "using namespace liecheck;\nbatch::Rows<double, 6> f(int n, batch::Rows<double, 7> q0, "
