@@ -104,14 +104,18 @@ void slerp(const S* x, S* Q) {
 // rotation_between
 template <class S>
 void rotation_between(const S* x, S* Q) {
-  const S *a = x, c[] = {x[0] + x[3], x[1] + x[4], x[2] + x[5]}, n = std::hypot(c[0], c[1], c[2]);
-  S v[] = {a[1] * c[2] - a[2] * c[1], a[2] * c[0] - a[0] * c[2], a[0] * c[1] - a[1] * c[0]};
-  if (n > 4 * std::numeric_limits<S>::epsilon())  // a x (a + b), which is a x b, keeps its digits near b = -a
-    Q[0] = v[0] / n, Q[1] = v[1] / n, Q[2] = v[2] / n, Q[3] = n / 2;
-  else if (std::abs(a[0]) > std::abs(a[2]))  // b = -a but for rounding: any axis perpendicular to a
+  const S l = std::hypot(x[0], x[1], x[2]), m = std::hypot(x[3], x[4], x[5]);
+  const S a[] = {x[0] / l, x[1] / l, x[2] / l}, c[] = {a[0] + x[3] / m, a[1] + x[4] / m, a[2] + x[5] / m};
+  const S n = std::hypot(c[0], c[1], c[2]);
+  if (n >
+      4 * std::numeric_limits<S>::epsilon()) {  // a x (a + b), which is a x b, keeps its digits near b = -a
+    Q[0] = (a[1] * c[2] - a[2] * c[1]) / n, Q[1] = (a[2] * c[0] - a[0] * c[2]) / n;
+    Q[2] = (a[0] * c[1] - a[1] * c[0]) / n, Q[3] = n / 2;
+  } else if (std::abs(a[0]) > std::abs(a[2])) {  // b = -a but for rounding: any axis perpendicular to a
     Q[0] = -a[1], Q[1] = a[0], Q[2] = 0, Q[3] = 0;
-  else
+  } else {
     Q[0] = 0, Q[1] = -a[2], Q[2] = a[1], Q[3] = 0;
+  }
   const S q = std::hypot(std::hypot(Q[0], Q[1]), std::hypot(Q[2], Q[3]));
   for (int i = 0; i < 4; ++i) Q[i] /= q;
 }

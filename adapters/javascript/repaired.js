@@ -49,8 +49,9 @@ function slerp(x) {
   const Q = Q0.map((q, i) => a * q + b * Q1[i]), n = Math.hypot(...Q);
   return Q.map(q => q / n);  // n is sin(h), without a threshold on h
 }
-function rotation_between([a0, a1, a2, b0, b1, b2]) {
-  const c0 = a0 + b0, c1 = a1 + b1, c2 = a2 + b2, n = Math.hypot(c0, c1, c2);
+function rotation_between(x) {
+  const l = Math.hypot(x[0], x[1], x[2]), m = Math.hypot(x[3], x[4], x[5]), [a0, a1, a2] = x.slice(0, 3).map(a => a / l);
+  const c0 = a0 + x[3] / m, c1 = a1 + x[4] / m, c2 = a2 + x[5] / m, n = Math.hypot(c0, c1, c2);
   const Q = n > 4 * Number.EPSILON ? [(a1 * c2 - a2 * c1) / n, (a2 * c0 - a0 * c2) / n, (a0 * c1 - a1 * c0) / n, n / 2]  // a x (a + b) = a x b
     : Math.abs(a0) > Math.abs(a2) ? [-a1, a0, 0, 0] : [0, -a2, a1, 0];  // b = -a but for rounding: any axis perpendicular to a
   const q = Math.hypot(...Q);

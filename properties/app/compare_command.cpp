@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <app/command.hpp>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <record/record.hpp>
 #include <rules/rules.hpp>
 #include <set>
@@ -8,6 +9,7 @@
 #include <store/merge.hpp>
 #include <store/picture.hpp>
 #include <store/store_path.hpp>
+#include <store/times.hpp>
 #include <support/files.hpp>
 
 namespace liecheck::properties {
@@ -16,6 +18,7 @@ namespace {
 
 struct Flags {
   std::string before, after, markdown, picture, json;
+  std::vector<std::string> cost;
   bool rules = false;
 };
 
@@ -71,6 +74,10 @@ int run(const Flags& f) {
   if (f.rules) return compare_rules(f);
   for (const std::string& file : {f.markdown, f.picture})
     if (!file.empty()) check_writable(file);
+  if (!f.cost.empty() && f.cost.size() != 2)
+    throw std::invalid_argument("--cost: give it twice, for the times of A and for those of B");
+  std::optional<TimeChanges> times;  // they never decide the verdict: a busy machine is no fault of the code
+  if (!f.cost.empty()) times = time_changes(f.cost[0], f.cost[1]);
   const StoredCampaign a = load_campaign(f.before), b = load_campaign(f.after);
   bool partial = print_if_partial(f.before, a);
   partial = print_if_partial(f.after, b) || partial;
@@ -79,7 +86,9 @@ int run(const Flags& f) {
     partial = true;
   }
   const auto got_worse = changes(a, b);
-  if (!f.markdown.empty()) write_whole(f.markdown, in_markdown(a, b, f.picture));
+  if (!f.markdown.empty())
+    write_whole(f.markdown,
+                in_markdown(a, b, f.picture) + (times ? "\n" + in_markdown(*times) : std::string()));
   if (!f.picture.empty()) write_whole(f.picture, picture_of_changes(a, b));
   if (!f.json.empty())
     write_record(f.json, {{"verdict", verdict_of(!partial || !got_worse.empty(), got_worse.empty())},
@@ -87,6 +96,7 @@ int run(const Flags& f) {
                           {"worse", record_of(got_worse)},
                           {"better", record_of(changes(b, a))}});
   print_changes(got_worse);
+  if (times) fmt::print("{}", text_of(*times));
   std::set<std::array<std::string, 6>> cells;
   for (const Change& c : got_worse) cells.insert(c.name);
   fmt::print("{} worse\n", cells.empty()       ? "nothing is"
@@ -108,6 +118,8 @@ Command compare_command(CLI::App& program) {
          "also write what got worse and better as Markdown, for a comment on a pull request");
   a.text("--picture", a->picture, "FILE.svg",
          "also draw what got worse and better; the Markdown shows the picture by this name");
+  a.list("--cost", a->cost, "FILE",
+         "compare times, too: the record of 'liecheck cost --json' for A, and again for B");
   a.json(a->json, "also write what got worse and better, with the worst case of each cell, to FILE");
   a.toggle("--rules", a->rules,
            "compare two versions of the rules instead of stores; \"present\" is this liecheck's");

@@ -45,6 +45,22 @@ std::pair<int, double> badness(const BandOf& b) {
   return {kind, score_of(b)};
 }
 
+/// Whether a failure has the outcome of a worse one and, if that is an error, loses as many digits but one.
+bool is_as_bad(const BandOf& b, const BandOf& worst) {
+  const auto [kind, error] = badness(b);
+  const auto [worst_kind, largest] = badness(worst);
+  const double all_digits = 1 / b.series->eps;
+  return kind == worst_kind &&
+         (kind > 0 || 10 * std::min(error, all_digits) >= std::min(largest, all_digits));
+}
+
+/// Larger is plainer for a reader: moderate angles, then those that are farther from 0 and pi, then all others.
+double plainness(const Band& b) {
+  if (is_moderate(b)) return 1;
+  if (b.axis == Axis::none) return -400;
+  return std::log10(b.low > 0 ? b.low : b.axis == Axis::theta ? 1e-308 : 1e-17);
+}
+
 /// A power of ten as 1e-7, any other number with three digits.
 std::string short_number(double x) {
   const int e = static_cast<int>(std::lround(std::log10(x)));
@@ -116,23 +132,21 @@ std::vector<FailedBlock> failed_blocks(const CampaignResult& campaign) {
     std::tie(f.subject, f.scalar, f.operation, f.block) = key;
     std::ranges::stable_sort(f.bands, {}, &BandOf::band);
     f.worst = nullptr;
-    const BandOf* moderate =
-        nullptr;  // a failure at moderate angles is the plainest example of one everywhere
     for (const BandOf& b : f.bands) {
       if (!b.fails) continue;
       if (!f.worst || badness(b) > badness(*f.worst)) f.worst = &b;
-      if (is_moderate(b.series->bands()[b.band]) && (!moderate || badness(b) > badness(*moderate)))
-        moderate = &b;
       f.score = std::max(f.score, score_of(b));
       f.failed += b.row->failed, f.cases += b.row->inside();
     }
-    const double digit = 10;
-    if (moderate && badness(*moderate).first == badness(*f.worst).first &&
-        badness(*moderate).second * digit > badness(*f.worst).second)
-      f.worst = moderate;
-    if (f.worst) failed.push_back(std::move(f));
+    if (!f.worst) continue;
+    const BandOf& worst = *f.worst;  // and the plainest of those that are as bad is its example
+    const auto plain = [](const BandOf& b) { return plainness(b.series->bands()[b.band]); };
+    for (const BandOf& b : f.bands)
+      if (b.fails && is_as_bad(b, worst) && plain(b) > plain(*f.worst)) f.worst = &b;
+    failed.push_back(std::move(f));
   }
-  std::ranges::stable_sort(failed, std::greater(), [](const FailedBlock& f) { return badness(*f.worst); });
+  std::ranges::stable_sort(failed, std::greater(),
+                           [](const FailedBlock& f) { return std::pair(badness(*f.worst).first, f.score); });
   return failed;
 }
 

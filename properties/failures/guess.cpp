@@ -21,6 +21,8 @@ namespace {
 struct Point {
   double x, y, low, high;
   bool lost;  ///< whether the error leaves at most one and a half digits
+  bool zero;  ///< whether the worst result differs from the right one by its size, as 0 does
+  std::uint64_t cases;
 };
 
 constexpr double jump = 1.5;  ///< a factor of 30 between adjacent bands is no property of a smooth formula
@@ -39,9 +41,11 @@ std::vector<Point> points(const FailedBlock& f, Axis axis) {
     const double limit = std::max(budget.limit, 1.0);
     const double y = std::max(0.0, std::log10(std::min(error, 1 / b.series->eps) / limit));
     const auto at = by_band.try_emplace(
-        b.band, Point{std::log10(std::sqrt(band.low * band.high)), 0, band.low, band.high, false});
-    at.first->second.y = std::max(at.first->second.y, y);
-    at.first->second.lost |= error * b.series->eps > 0.03;
+        b.band, Point{std::log10(std::sqrt(band.low * band.high)), 0, band.low, band.high, false, false, 0});
+    Point& point = at.first->second;
+    point.y = std::max(point.y, y), point.cases += b.row->errors.count();
+    point.lost |= error * b.series->eps > 0.03;
+    point.zero |= std::fabs(error * b.series->eps - 1) < 1e-6;
   }
   std::vector<Point> all;
   for (const auto& [band, p] : by_band) all.push_back(p);
@@ -89,13 +93,29 @@ std::string at_small_angles(const FailedBlock& f) {
   if (peak >= 2 && at(peak - 1) > 0.3 && at(peak - 2) <= at(peak - 1) && ends_above && falls(peak - 2))
     return fmt::format("a cutoff at theta about {}: the series below it lacks a term, or has a wrong one",
                        about(p[peak].high));
-  if (peak >= 3 && peak + 3 < p.size() && falls(peak - 3) && falls(peak + 3))
+  std::size_t zeros = 0;
+  while (zeros < p.size() && p[zeros].zero) ++zeros;
+  if (zeros > 1 && zeros < p.size() && at(zeros) < at(zeros - 1) - jump &&
+      p[zeros].low < 1.01 * p[zeros - 1].high)  // the next band has cases, too
+    return fmt::format(
+        "the result is 0 where theta is below about {}: a threshold, or acos of a number that rounds to 1",
+        about(p[zeros - 1].high));
+  if (peak >= 3 && peak + 3 < p.size() && falls(peak - 3) && falls(peak + 3) && p[peak].cases >= 10)
     return fmt::format("a cutoff at theta about {}, towards which the errors of both formulas grow",
                        about(at(peak + 1) > at(peak - 1) ? p[peak].high : p[peak].low));
   if (power > -0.5 || p.front().y < p[peak].y - jump) return "";
   return fmt::format(
       "a missing series: the formula cancels as theta goes to 0, and the error grows as 1 / theta{}",
       std::lround(-power) > 1 ? fmt::format("^{}", std::lround(-power)) : "");
+}
+
+/// What failures only at tiny angles tell.
+std::string of_underflow(const FailedBlock& f) {
+  for (const BandOf& b : f.bands) {
+    const Band& band = b.series->bands()[b.band];
+    if (b.fails && (b.row->not_finite || band.axis != Axis::theta || band.high > 1e-100)) return "";
+  }
+  return "theta^2 underflows: std::hypot and a norm of scaled numbers do not";
 }
 
 /// What the errors near pi tell.
@@ -225,7 +245,8 @@ std::string guess_of(const FailedBlock& f) {
                  "results";
   }
   std::string all;
-  for (const std::string& guess : {of_branch_near_pi(f), at_small_angles(f), near_pi(f), of_not_finite(f)})
+  for (const std::string& guess :
+       {of_branch_near_pi(f), at_small_angles(f), near_pi(f), of_underflow(f), of_not_finite(f)})
     if (!guess.empty()) all += (all.empty() ? "" : "; and ") + guess;
   if (!all.empty()) return all;
   if (m.coarse * 2 > m.all && !euler_angles)

@@ -358,6 +358,39 @@ TEST(Terminal, AnAdapterThatCrashesOftenSaysSoInFewLines) {
   EXPECT_EQ(lines, 20u) << chatty;
 }
 
+TEST(Terminal, AComparisonOfTimesNamesThoseBeyondTheirSpread) {
+  const std::string dir = liecheck::scratch() + "terminal_times/";
+  shell("rm -rf " + dir + "; mkdir " + dir);
+  const auto record = [&](const char* file, double exp_ratio, double log_ratio) {
+    const auto row = [](const char* operation, double ratio) {
+      return nlohmann::json{
+          {"subject", "mylib"},
+          {"scalar", "double"},
+          {"operation", operation},
+          {"sets",
+           {{{"set", "mixed"},
+             {"latency",
+              {{"ns", 40 * ratio}, {"ratio", ratio}, {"low", 0.9 * ratio}, {"high", 1.1 * ratio}}}},
+            {{"set", "pi"}, {"latency", nullptr}}}}};
+    };
+    std::ofstream(dir + file) << nlohmann::json{
+        {"cost", {{"rows", {row("exp6", exp_ratio), row("log6", log_ratio)}}}}};
+  };
+  record("before.json", 1, 2), record("after.json", 1.5, 2.2);
+  run(of_adapter + adapter("pass") + " --store " + dir + "a");
+  const auto [code, text] =
+      shell("cd " + dir + "; $L compare a a --cost before.json --cost after.json --markdown m.md");
+  EXPECT_EQ(code, 0) << text;  // a time is no fault
+  EXPECT_SAYS(
+      text, "mylib double: exp6 takes 1.5 times as long, 40 ns and then 60 ns, mixed\n1 of 2 times changed");
+  const auto [shown, markdown] = shell("cat " + dir + "m.md");
+  EXPECT_SAYS(markdown, "| `mylib` double `exp6` | mixed | 40 ns | 60 ns | 1.5 |\n");
+  EXPECT_EQ(markdown.find("log6"), markdown.npos) << markdown;  // within its spread
+  for (const char* wrong :
+       {"--cost before.json", "--cost before.json --cost a", "--cost before.json --cost none"})
+    EXPECT_EQ(shell("cd " + dir + "; $L compare a a " + wrong).first, 2) << wrong;
+}
+
 TEST(Terminal, AComparisonHasReplaysAndARecord) {
   const std::string dir = liecheck::scratch() + "terminal_compare/",
                     right = "Q = [x / 1.001 for x in Q[:3]] + Q[3:]";
