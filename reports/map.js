@@ -45,7 +45,8 @@ function mapPanel(panel, tell) {
   const paths = new Map();
   errors.forEach((line, row) => line.forEach((error, column) => {
     const look = error === null ? "none" : isWrong(error) ? "wrong" : Math.min(16, Math.ceil(weight(error)));
-    paths.set(look, (paths.get(look) ?? "") + `M${x(column)} ${y(row)}h${width}v${height}h${-width}z`);
+    const outline = look === "none" ? `M${x(column)} ${y(row) + height}l${width} ${-height}` : `M${x(column)} ${y(row)}h${width}v${height}h${-width}z`;
+    paths.set(look, (paths.get(look) ?? "") + outline);
   }));
   for (const [look, d] of paths) svg.append(make("path", {d, ...typeof look === "number" ? {class: "heat", "fill-opacity": look / 16} : {class: look}}));
   for (const [from, to] of [[0, half], [half, angles.length]])
