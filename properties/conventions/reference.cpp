@@ -217,71 +217,83 @@ Vec3<Real> angles_of(const Order& order, const Mat3<Real>& R) {
   const Mat3<Real> M = order.rotating ? R : transpose(R);
   const int i = order.axes[0], j = order.axes[1], k = 3 - i - j;
   const Real sign((j - i + 3) % 3 == 1 ? 1 : -1), turn(order.rotating ? 1 : -1);
-  if (order.axes[0] == order.axes[2])
-    return {{Real(atan2(M(j, i), Real(-turn * sign * M(k, i)))), Real(acos(M(i, i))),
-             Real(atan2(M(i, j), Real(turn * sign * M(i, k))))}};
-  return {{Real(turn * atan2(Real(-sign * M(j, k)), M(k, k))), Real(turn * asin(Real(sign * M(i, k)))),
-           Real(turn * atan2(Real(-sign * M(i, j)), M(i, i)))}};
+  const bool proper = order.axes[0] == order.axes[2];
+  const auto length = [](const Real& x, const Real& y) { return Real(sqrt(Real(x * x + y * y))); };
+  const Real a = proper ? Real(turn * atan2(M(j, i), Real(-turn * sign * M(k, i))))
+                        : Real(atan2(Real(-sign * M(j, k)), M(k, k))),
+             b = proper ? Real(atan2(length(M(j, i), M(k, i)), M(i, i)))
+                        : Real(turn * atan2(Real(sign * M(i, k)), length(M(j, k), M(k, k))));
+  // Row j of R_i(a)^T M, which is that of the last turn: with it the angles give M back also where a is any, at gimbal lock.
+  const auto left = [&](int n) { return Real(cos(a) * M(j, n) + sign * sin(a) * M(k, n)); };
+  const Real c =
+      proper ? Real(atan2(Real(-sign * left(k)), left(j))) : Real(atan2(Real(sign * left(i)), left(j)));
+  return {{Real(turn * a), b, Real(turn * c)}};
 }
 /// Between rotations and directions, Euler angles and rates: only in Real.
 Formulas<Real> orientations() {
   using Reader = conventions::Reader<Real>;
   const auto numbers = [](const auto&... values) { return joined<Real>(values...); };
-  return {{"relative_angle",
-           [=](Reader x) {
-             const Quaternion<> Q0 = x.take<4>();
-             return numbers(oracles::relative_angle(Q0, x.take<4>()).theta);
-           }},
-          {"twist_angle",
-           [=](Reader x) {
-             const Quaternion<> Q = x.take<4>();
-             return numbers(oracles::twist_angle(Q, x.take<3>()).angle);
-           }},
-          {"slerp",
-           [=](Reader x) {
-             const Quaternion<> Q0 = x.take<4>(), Q1 = x.take<4>();
-             return numbers(oracles::slerp(Q0, Q1, x.take<1>()[0]).Q);
-           }},
-          {"rotation_between",
-           [=](Reader x) {
-             const Vec3<Real> u = x.take<3>(), v = x.take<3>(), from = Real(1 / norm(u)) * u,
-                              to = Real(1 / norm(v)) * v, n = cross(from, to);
-             return numbers(normalized(Quaternion<>{{n[0], n[1], n[2], Real(1 + dot(from, to))}}));
-           }},
-          {"euler_to_quaternion",
-           [=](Reader x) {
-             const Order order(static_cast<int>(x.take<1>()[0]));
-             return numbers(euler(order, x.take<3>()).value);
-           }},
-          {"euler_to_matrix",
-           [=](Reader x) {
-             const Order order(static_cast<int>(x.take<1>()[0]));
-             return numbers(rotation_matrix(euler(order, x.take<3>()).value));
-           }},
-          {"euler_from_quaternion",
-           [=](Reader x) {
-             const Order order(static_cast<int>(x.take<1>()[0]));
-             return numbers(angles_of(order, rotation_matrix(normalized(x.take<4>()))));
-           }},
-          {"euler_from_matrix",
-           [=](Reader x) {
-             const Order order(static_cast<int>(x.take<1>()[0]));
-             return numbers(angles_of(order, x.take<3, 3>()));
-           }},
-          {"velocity_to_rate",
-           [=](Reader x) {
-             const Quaternion<> Q = quaternion_of(x.take<7>());
-             const Vec3<Real> u = x.take<3>(), omega = x.take<3>();
-             return numbers(rotate(Q, u),
-                            Real(Real(1) / 2) *
-                                quaternion_product(Q, Quaternion<>{{omega[0], omega[1], omega[2], Real(0)}}));
-           }},
-          {"rate_to_velocity", [=](Reader x) {
-             const Quaternion<> Q = quaternion_of(x.take<7>());
-             const Vec3<Real> p_dot = x.take<3>();
-             return numbers(rotate(Q, p_dot, true),
-                            Real(2 / squared_norm(Q)) * head3(conjugate_product(Q, x.take<4>())));
-           }}};
+  return {
+      {"relative_angle",
+       [=](Reader x) {
+         const Quaternion<> Q0 = x.take<4>();
+         return numbers(oracles::relative_angle(Q0, x.take<4>()).theta);
+       }},
+      {"twist_angle",
+       [=](Reader x) {
+         const Quaternion<> Q = x.take<4>();
+         return numbers(oracles::twist_angle(Q, x.take<3>()).angle);
+       }},
+      {"slerp",
+       [=](Reader x) {
+         const Quaternion<> Q0 = x.take<4>(), Q1 = x.take<4>();
+         return numbers(oracles::slerp(Q0, Q1, x.take<1>()[0]).Q);
+       }},
+      {"rotation_between",
+       [=](Reader x) {
+         const Vec3<Real> u = x.take<3>(), v = x.take<3>(), from = Real(1 / norm(u)) * u,
+                          to = Real(1 / norm(v)) * v, n = cross(from, to);
+         const Real w(1 + dot(from, to));
+         if (w + norm(n) < Real(1e-40))  // opposite, but for rounding: about any axis perpendicular to u
+           return numbers(normalized(abs(u[0]) > abs(u[2])
+                                         ? Quaternion<>{{Real(-u[1]), u[0], Real(0), Real(0)}}
+                                         : Quaternion<>{{Real(0), Real(-u[2]), u[1], Real(0)}}));
+         return numbers(normalized(Quaternion<>{{n[0], n[1], n[2], w}}));
+       }},
+      {"euler_to_quaternion",
+       [=](Reader x) {
+         const Order order(static_cast<int>(x.take<1>()[0]));
+         return numbers(euler(order, x.take<3>()).value);
+       }},
+      {"euler_to_matrix",
+       [=](Reader x) {
+         const Order order(static_cast<int>(x.take<1>()[0]));
+         return numbers(rotation_matrix(euler(order, x.take<3>()).value));
+       }},
+      {"euler_from_quaternion",
+       [=](Reader x) {
+         const Order order(static_cast<int>(x.take<1>()[0]));
+         return numbers(angles_of(order, rotation_matrix(normalized(x.take<4>()))));
+       }},
+      {"euler_from_matrix",
+       [=](Reader x) {
+         const Order order(static_cast<int>(x.take<1>()[0]));
+         return numbers(angles_of(order, x.take<3, 3>()));
+       }},
+      {"velocity_to_rate",
+       [=](Reader x) {
+         const Quaternion<> Q = quaternion_of(x.take<7>());
+         const Vec3<Real> u = x.take<3>(), omega = x.take<3>();
+         return numbers(rotate(Q, u),
+                        Real(Real(1) / 2) *
+                            quaternion_product(Q, Quaternion<>{{omega[0], omega[1], omega[2], Real(0)}}));
+       }},
+      {"rate_to_velocity", [=](Reader x) {
+         const Quaternion<> Q = quaternion_of(x.take<7>());
+         const Vec3<Real> p_dot = x.take<3>();
+         return numbers(rotate(Q, p_dot, true),
+                        Real(2 / squared_norm(Q)) * head3(conjugate_product(Q, x.take<4>())));
+       }}};
 }
 Formulas<Real> planar_poses() {
   using Reader = conventions::Reader<Real>;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <conventions/probe.hpp>
+#include <conventions/reference.hpp>
 #include <conventions/stated.hpp>
 
 #include "altered_libraries.hpp"
@@ -241,6 +242,41 @@ TEST(Probe, SaysInTwoShortLinesWhatIsWrongOfALargeMatrix) {
   for (const Finding& found : explain(answers<double>(l))) {
     EXPECT_EQ(std::ranges::count(found.sentence, '\n'), 1) << found.sentence;
     EXPECT_LT(found.sentence.size(), 260u) << found.sentence;
+  }
+}
+
+/// The right result, rounded to double; what is below 1e-15 is 0, as in a matrix that is made of 0 and 1.
+Numbers right(const char* operation, const Numbers& arguments) {
+  Numbers all;
+  for (const oracles::Real& x :
+       exact_result(operation_named(operation), {arguments.begin(), arguments.end()}))
+    all.push_back(std::fabs(static_cast<double>(x)) < 1e-15 ? 0 : static_cast<double>(x));
+  return all;
+}
+
+TEST(Reference, EulerAnglesGiveTheRotationBackInEveryOrderAndAtGimbalLock) {
+  const double pi = std::acos(-1.0);
+  for (int order = 0; order < 24; ++order)
+    for (const double b : {0.0, pi / 2, -pi / 2, pi, 0.7, -1.1, 1e-9, pi / 2 - 1e-9, pi - 1e-9})
+      for (const double a : {0.0, 0.4, -2.0, pi / 2})
+        for (const double c : {0.0, 1.3, pi}) {
+          const double number = order;
+          Numbers R = right("euler_to_matrix", {number, a, b, c}), x{number};
+          x.insert(x.end(), R.begin(), R.end());
+          const Numbers angles = right("euler_from_matrix", x);
+          const Numbers back = right("euler_to_matrix", {number, angles[0], angles[1], angles[2]});
+          for (std::size_t i = 0; i < 9; ++i)
+            ASSERT_NEAR(back[i], R[i], 1e-14) << order << ": " << a << " " << b << " " << c;
+          const bool proper = order >= 12;  // the first axis is also the last
+          EXPECT_LE(std::fabs(angles[1] - (proper ? pi / 2 : 0)), pi / 2) << order;
+        }
+}
+
+TEST(Reference, OppositeDirectionsHaveARotation) {
+  for (const Numbers& a : {Numbers{1, 0, 0}, Numbers{0, 0, 1}, Numbers{0.6, 0, 0.8}}) {
+    const Numbers Q = right("rotation_between", {a[0], a[1], a[2], -a[0], -a[1], -a[2]});
+    const Numbers b = right("rotate_point", {Q[0], Q[1], Q[2], Q[3], a[0], a[1], a[2]});
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(b[i], -a[i], 1e-14);
   }
 }
 
