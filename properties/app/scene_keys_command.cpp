@@ -5,7 +5,7 @@
 namespace liecheck::properties {
 
 Command scene_keys_command(CLI::App& scene) {
-  return Arguments(scene, "keys", "list every key that a scene may have").command([] {
+  return Arguments(scene, "keys", "list the keys of bodies, roots, starts, effects, actuations, integrators and observers").command([] {
     fmt::print("{}", sceneSchema());
     return within_budget;
   });

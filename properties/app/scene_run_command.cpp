@@ -38,6 +38,13 @@ void print_figures(const scene::Scene& scene, const scene::Run& run) {
   if (run.counts.steps > 0)
     fmt::print("  {} internal steps, {} rejected, {} iterations\n", run.counts.steps, run.counts.rejected,
                run.counts.iterations);
+  if (run.outcome.events > 0)
+    fmt::print("  {} events of contacts, limits or clamps were located\n", run.outcome.events);
+  if (run.outcome.zeno)
+    fmt::print(
+        "  more than 32 events in the step from t = {:g} s (Zeno behaviour): the rest of such a step is "
+        "taken without locating them\n",
+        *run.outcome.zeno);
   for (const auto& f : run.figures)
     fmt::print("  {:<36}{:>24} {}\n", f.name, f.value ? fmt::format("{:.17g}", *f.value) : "-",
                f.unit == "1" ? "" : f.unit);
@@ -74,7 +81,7 @@ void print_early_end(const scene::Scene& scene, const scene::Run& run) {
                     "saved. Take {}\n",
                     scene.source, run.outcome.steps + 1, scene.span.steps, run.outcome.t, run.outcome.why,
                     method.adaptive ? "another tolerance, or softer effects"
-                                    : "a smaller step, or dopri5, which chooses its steps"));
+                                    : "a smaller step, or radau5, which chooses its steps and is L-stable"));
   }
   if (run.outcome.stopped)
     warn(fmt::format("interrupted at t = {:g} s of {:g} s: the samples until then are saved\n", run.outcome.t,

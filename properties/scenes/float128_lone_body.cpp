@@ -3,7 +3,7 @@
 namespace liecheck {
 
 template scene::LoneBody<float128>::LoneBody(const Model<float128>&, scene::Effects<float128>);
-template struct scene::GaussPoints<float128>;
+template struct scene::CollocationPoints<float128>;
 
 namespace properties {
 

@@ -13,7 +13,7 @@
 namespace liecheck::scene {
 
 extern template LoneBody<float128>::LoneBody(const Model<float128>&, Effects<float128>);
-extern template struct GaussPoints<float128>;
+extern template struct CollocationPoints<float128>;
 
 }  // namespace liecheck::scene
 
@@ -28,6 +28,7 @@ std::unique_ptr<scene::Method<Sys>> make_float128_method(const std::string& name
   if (name == "rkmk4") return std::make_unique<scene::Rkmk4<Sys>>();
   if (name == "cf4") return std::make_unique<scene::CommutatorFree4<Sys>>();
   if (name == "dopri5") return std::make_unique<scene::Dopri5<Sys>>(options);
+  if (name == "radau5") return std::make_unique<scene::Radau5<Sys>>(options);
   if (name == "rkmk6") return std::make_unique<scene::Rkmk6<Sys>>();
   if (name == "gauss6") return std::make_unique<scene::Gauss6<Sys>>();
   if (name == "gauss12") return std::make_unique<scene::Gauss12<Sys>>();

@@ -36,6 +36,15 @@ inline scene::Effects<double> gravity() {
   return {scene::makeEffect<double>(request, Model<double>(), {})};
 }
 
+/// The first lines of a scene: a box that slides on its four lower corners c1 ... c4. The list of effects is open.
+inline const std::string sliding_box =
+    "robot: {body: box, mass: 2 kg, size: [0.4, 0.4, 0.2]}\nground: {height: 0}\nframes:\n"
+    "  - {name: c1, on: body, position: [0.2, 0.2, -0.1]}\n"
+    "  - {name: c2, on: body, position: [-0.2, 0.2, -0.1]}\n"
+    "  - {name: c3, on: body, position: [-0.2, -0.2, -0.1]}\n"
+    "  - {name: c4, on: body, position: [0.2, -0.2, -0.1]}\n"
+    "initial: {position: [0, 0, 0.1], velocity: [1, 0, 0]}\neffects:\n  - gravity\n";
+
 template <class Sys>
 scene::State<Sys> after(Sys& system, const std::string& method, const Vec& q, const Vec& v, double duration,
                         long steps, double tolerance = 1e-9) {

@@ -38,14 +38,9 @@ const std::vector<Judged>& scenes() {
        "duration: 1 s\n",
        1e-4, 1},
       {"a box that slides and rests",
-       "robot: {body: box, mass: 2 kg, size: [0.4, 0.4, 0.2]}\nground: {height: 0}\nframes:\n"
-       "  - {name: c1, on: body, position: [0.2, 0.2, -0.1]}\n"
-       "  - {name: c2, on: body, position: [-0.2, 0.2, -0.1]}\n"
-       "  - {name: c3, on: body, position: [-0.2, -0.2, -0.1]}\n"
-       "  - {name: c4, on: body, position: [0.2, -0.2, -0.1]}\n"
-       "initial: {position: [0, 0, 0.1], velocity: [1, 0, 0]}\neffects:\n  - gravity\n"
-       "  - contact: {frames: [c1, c2, c3, c4], stiffness: 20 kN/m, dissipation: 0.5 s/m, friction: 0.5, "
-       "slip: 10 mm/s}\nduration: 1 s\n",
+       sliding_box +
+           "  - contact: {frames: [c1, c2, c3, c4], stiffness: 20 kN/m, dissipation: 0.5 s/m, friction: 0.5, "
+           "slip: 10 mm/s}\nduration: 1 s\n",
        1e-3, 0.01},
       {"a damped hinge that comes to rest",
        "robot: {body: box, root: revolute, axis: [1, 0, 0], mass: 1 kg, size: [0.02, 0.02, 1], "

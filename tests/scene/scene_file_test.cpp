@@ -4,6 +4,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -204,10 +205,37 @@ TEST(SceneFile, ATextThatIsNoSceneIsRefused) {
   EXPECT_EQ(refusal(std::string("a\0b", 3)), "s.yaml: is not text: it contains a zero byte");
   EXPECT_NE(refusal("%PDF-1.4 \x01\x02"), "nothing");
   EXPECT_NE(refusal(std::string(100000, '[')), "nothing");  // a recursive parser would overflow its stack
-  EXPECT_NE(refusal(std::string(2 << 20, 'a')).find("longer than the limit of a scene"), std::string::npos);
+  EXPECT_NE(refusal(std::string(max_scene_bytes + 1, 'a')).find("longer than the limit of a scene"),
+            std::string::npos);
   EXPECT_NE(refusal("a: &x [*x]\n"), "nothing");
   EXPECT_THROW(loadScene((scenes / "missing.yaml").string()), SceneError);
   EXPECT_THROW(loadScene(scenes.string()), SceneError);
+}
+
+/// The seconds to read a scene and plan it.
+double planned(const std::string& text) {
+  const auto start = std::chrono::steady_clock::now();
+  const scene::Scene s = loadSceneText(text, "s.yaml", scenes.string());
+  EXPECT_FALSE(scene::plan(s, true).stages.empty());
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+/// They take less than 1 s on an idle core; comparing each with each other takes ten times as long.
+TEST(SceneFile, FifteenThousandEffectsOrTwentyThousandFramesAreReadInSeconds) {
+  const auto effects = [](int n) {
+    std::string text = with(3, "effects:\n  - gravity");
+    std::string all = "effects:\n  - gravity\n";
+    for (int i = 0; i < n; ++i)
+      all += "  - wrench: {frame: body, force: [" + std::to_string(i) + ", 0, 0]}\n";
+    return text.replace(text.find("effects:\n  - gravity\n"), 21, all);
+  };
+  const auto frames = [](int n) {
+    std::string all = "frames:\n";
+    for (int i = 0; i < n; ++i)
+      all += "  - {name: f" + std::to_string(i) + ", on: body, position: [0.1, 0, 0]}\n";
+    return with(1, good[0] + "\n" + all);
+  };
+  EXPECT_LT(planned(effects(15000)), 6);
+  EXPECT_LT(planned(frames(20000)), 6);
 }
 
 TEST(SceneFile, TheVariationalMethodNeedsALoneBody) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <liecheck/scene/integrators/stage_newton.hpp>
+#include <regex>
 
 #include "bodies.hpp"
 
@@ -56,7 +57,29 @@ TEST_P(EachImplicitMethod, StopsAHingeWithDryFriction) {
               end("{name: dopri5, tolerance: 1e-10}"), 2e-4);
 }
 
-INSTANTIATE_TEST_SUITE_P(Scene, EachImplicitMethod, testing::Values("implicit_midpoint", "gauss6", "gauss12"),
+/// Of four contacts at rest, rounding errors would make some begin and end within each step. The box slides with
+/// mu g until it stops after v^2/(2 mu g); its contacts are compressed by m g/(4 k).
+TEST_P(EachImplicitMethod, LetsABoxSlideUntilItRests) {
+  const scene::Scene s = loadSceneText(
+      sliding_box +
+      "  - contact: {frames: [c1, c2, c3, c4], stiffness: 20 kN/m, dissipation: 0.5 s/m, friction: 0.5, "
+      "slip: 1 mm/s}\nduration: 0.3 s\nintegrator: {name: " +
+      std::string(GetParam()) + ", step: 1 ms}\n");
+  auto system = scene::makeSystem<Body>(s);
+  scene::State<Body> state(system, s.q, s.v);
+  const auto method = scene::makeMethod<Body>(s.integrator);
+  const auto outcome =
+      scene::simulate(system, *method, state, s.span, [](const auto&, long) { return true; });
+  ASSERT_FALSE(outcome.diverged) << outcome.t << " s: " << outcome.why;
+  EXPECT_NEAR(state.q[0], 1 / (2 * 0.5 * 9.81), 1e-3);
+  // It still rocks on its contacts, whose damping is weak.
+  static const auto exact = after(system, "dopri5", s.q, s.v, 0.3, 3, 1e-8);
+  EXPECT_LE((state.q - exact.q).cwiseAbs().maxCoeff(), 1e-4);
+  EXPECT_LE((state.v - exact.v).cwiseAbs().maxCoeff(), 1e-2);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scene, EachImplicitMethod,
+                         testing::Values("implicit_midpoint", "gauss6", "gauss12", "radau5"),
                          [](const auto& i) { return std::string(i.param); });
 
 /// y' = -1000 atan(1000 y) from y = 1: steps of Newton's method overshoot without a line search.
@@ -72,6 +95,43 @@ TEST(StageNewton, ConvergesWhereNewtonsMethodAloneOvershoots) {
   ASSERT_TRUE(made);
   EXPECT_NEAR(Y(1, 0), h / 2 * F(1, 0), 1e-14);
   EXPECT_LT(*made, 30);
+}
+
+/// A damping that is 1e5 times as fast as the motion: x decays as exp(-k t/c).
+TEST(Radau5, TakesStepsFarAboveTheFastestMode) {
+  const scene::Scene s = loadSceneText(
+      "robot: {body: ball, root: prismatic, mass: 1 kg, radius: 0.1}\ninitial: {joints: "
+      "{root_joint: 1}}\neffects: [joint_damping: {coefficient: 1e5}, joint_spring: {stiffness: 1e5}]\n"
+      "integrator: {name: radau5, tolerance: 1e-8}\nduration: 4 s\noutput: {every: 4 s}\n"
+      "observers: [{frame: {frame: body}}]\n");
+  const scene::Run run = scene::run(s);
+  ASSERT_FALSE(run.outcome.diverged) << run.outcome.why;
+  EXPECT_LE(run.counts.steps, 1200);  // 1 % of the steps of an explicit method, whose limit is 3.3/c
+  // The roots of s^2 + c s + k are close to -1 and -c.
+  const double c = 1e5, slow = -2 * c / (c + std::sqrt(c * c - 4 * c)), fast = -c - slow;
+  const double x = (slow * std::exp(4 * fast) - fast * std::exp(4 * slow)) / (slow - fast);
+  EXPECT_NEAR(run.rows[run.rows.size() - run.columns.size() + 3], x, 1e-6);
+}
+
+/// Dry friction of 200 N stops 1 kg after v^2/(2 a) = 2.76 mm. It changes its sign within 1 um/s, so that steps of
+/// 1 ms only swing about the rest, and an explicit method would need steps of 10 ns.
+TEST(Estimate, AdvisesAnLStableMethodWhereForcesAreStiff) {
+  const std::string text =
+      "robot: {body: ball, root: prismatic, mass: 1 kg, radius: 0.1}\ninitial: {joint_velocities: "
+      "{root_joint: 1.05 m/s}}\neffects: [joint_friction: {force: 200, slip: 1e-6}]\nduration: 0.1 s\n"
+      "accuracy: {position: 0.01 mm}\nobservers: [{frame: {frame: body}}]\noutput: {every: 10 ms}\n";
+  const scene::Run bad =
+      scene::run(loadSceneText(text + "integrator: {name: rkmk4, step: 1 ms}\n"), {}, true);
+  ASSERT_TRUE(bad.estimate);
+  ASSERT_FALSE(bad.estimate->alarms.empty());
+  std::smatch found;
+  const std::string& remedy = bad.estimate->alarms[0].remedy;
+  ASSERT_TRUE(std::regex_search(remedy, found, std::regex("integrator: (\\{name: radau5[^}]*\\})")))
+      << remedy;
+  const scene::Run cured = scene::run(loadSceneText(text + "integrator: " + found.str(1) + "\n"), {}, true);
+  ASSERT_TRUE(cured.estimate) << cured.outcome.why;
+  EXPECT_TRUE(cured.estimate->alarms.empty());
+  EXPECT_NEAR(cured.rows[cured.rows.size() - cured.columns.size() + 3], 1.05 * 1.05 / 400, 1e-5);
 }
 
 TEST(StageNewton, SaysThatAnEquationHasNoSolution) {

@@ -12,7 +12,8 @@ const std::vector<MethodInfo>& methodInfos() {
       Euler<Any>::info,       SemiImplicitEuler<Any>::info, MidpointTableau::info,
       collocation_info<1>,    Variational<double>::info,    QuaternionRk4<Any>::info,
       ClassicalTableau::info, CommutatorFree4<Any>::info,   Dopri5<Any>::info,
-      ButcherTableau::info,   collocation_info<3>,          collocation_info<6>};
+      Radau5<Any>::info,      ButcherTableau::info,         collocation_info<3>,
+      collocation_info<6>};
   return all;
 }
 const MethodInfo& methodInfo(const std::string& name) {
@@ -26,7 +27,7 @@ const MethodInfo& methodInfo(const std::string& name) {
 }
 
 template LoneBody<double>::LoneBody(const Model<double>&, Effects<double>);
-template struct GaussPoints<double>;
+template struct CollocationPoints<double>;
 template decltype(makeMethod<LoneBody<double>>) makeMethod<LoneBody<double>>;
 template const std::vector<EffectEntry<double>>& effectEntries<double>();
 template const std::vector<EffectEntry<double>>& actuationEntries<double>();

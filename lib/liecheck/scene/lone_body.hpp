@@ -43,6 +43,7 @@ class LoneBody {
   const Effects<S>& effects() const { return effects_; }  ///< without the effects that act on the model
   Kinematics needs() const { return needs_; }
   Pieces<S>& pieces() { return pieces_; }
+  Switches<S>& switches() { return switches_; }
   /// True if no force and no gravity acts. Momentum is then conserved.
   bool forceFree() const { return effects_.empty() && !heavy_; }
 
@@ -53,7 +54,8 @@ class LoneBody {
     if (!effects_.empty()) force_ = force(t, q, v);
     equations(q, v, a);
   }
-  /// Computes v_dot with the force that the last acceleration() computed.
+  void load(const S& t, const Configuration& q, const Tangent& v) { force_ = force(t, q, v); }
+  /// Computes v_dot with the force that the last acceleration() or load() computed.
   [[gnu::noinline]] void equations(const Configuration& q, const Tangent& v, Tangent& a) const {
     if (plain_) return plainEquations(v, a);
     const Vector3<S> omega(v[3], v[4], v[5]);
@@ -92,6 +94,7 @@ class LoneBody {
   /// The sum of all forces except gravity, at the origin, in the body's axes [N, N m].
   [[gnu::noinline]] Force<S> force(const S& t, const Configuration& q, const Tangent& v) {
     const Now<S> now = here(t, q, v, needs_);
+    switches_.restart();
     tau_.setZero();
     f_.fill(Force<S>::Zero());
     for (const auto& e : effects_) e->add(now, {{tau_.data(), 6}, f_});
@@ -103,7 +106,7 @@ class LoneBody {
     if (kinematics != Kinematics::None) X_[1] = SE3<S>(rotationOf(q), Vector3<S>(q[0], q[1], q[2]));
     if (kinematics >= Kinematics::Velocities) V_[1] = Motion<S>(v);
     if (a) A_[1] = Motion<S>(*a);
-    return {t, pieces_.at(t), {q.data(), 7}, {v.data(), 6}, X_, V_, A_};
+    return {t, pieces_.at(t), {q.data(), 7}, {v.data(), 6}, X_, V_, A_, &switches_};
   }
 
   const S& mass() const { return mass_; }
@@ -139,6 +142,7 @@ class LoneBody {
   Effects<S> effects_;
   Kinematics needs_ = Kinematics::None;
   Pieces<S> pieces_;
+  Switches<S> switches_;
   S mass_;
   Vector3<S> c_, moments_, euler_;
   Matrix3<S> I_, I_inverse_;

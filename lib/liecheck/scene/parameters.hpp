@@ -2,6 +2,7 @@
 // The keys of a part of a scene (an effect, an observer, a named start), and their values in one scene. The
 // reader of scene files checks and documents all parts by their keys, without knowing any effect by name.
 
+#include <compare>
 #include <cstddef>
 #include <map>
 #include <stdexcept>
@@ -36,7 +37,7 @@ struct Key {
 struct Value {
   std::vector<double> numbers;     ///< in SI units
   std::vector<std::string> names;  ///< of frames or joints, or the word of a choice
-  bool operator==(const Value&) const = default;
+  auto operator<=>(const Value&) const = default;
 };
 
 /// The values of a part's keys, checked, with defaults filled in.

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <chrono>
 #include <liecheck/scene/run.hpp>
 #include <liecheck/scene/setup.hpp>
@@ -59,15 +60,22 @@ class Planner {
           "effects read them", [&] { system_.here(s.t, s.q, s.v, system_.needs()); });
     VectorX<double> tau = VectorX<double>::Zero(system_.nv());
     std::vector<Force<double>> f(std::size_t(setup_.scene.model.njoints), Force<double>::Zero());
+    using Named = std::pair<const PartInfo*, Effects<double>>;
+    std::vector<Named> by_name;
     for (std::size_t i = 0, k = 0; i < setup_.effects.size(); ++i) {
       if (setup_.effects[i]->acts() == Acts::OnModel) continue;
-      const PartInfo& info = *effectEntry<double>(setup_.scene.effects[i].name).info;
-      const auto& effect = effects[k++];
-      const auto now = system_.here(s.t, s.q, s.v, system_.needs());
-      add(info.name, info.equation, "evaluation", "effect of the scene", [&] {
-        effect->add(now, {{tau.data(), std::size_t(tau.size())}, f});
-      });
+      const PartInfo* info = effectEntry<double>(setup_.scene.effects[i].name).info;
+      auto group = std::ranges::find(by_name, info, &Named::first);
+      if (group == by_name.end()) group = by_name.insert(group, {info, {}});
+      group->second.push_back(effects[k++]);
     }
+    const auto now = system_.here(s.t, s.q, s.v, system_.needs());
+    for (const auto& [info, all] : by_name)
+      add(info->name, info->equation, "evaluation",
+          all.size() == 1 ? "effect of the scene" : std::to_string(all.size()) + " effects of the scene",
+          [&] {
+            for (const auto& effect : all) effect->add(now, {{tau.data(), std::size_t(tau.size())}, f});
+          });
     auto a = s.v;
     const auto equations = [&] { system_.equations(s.q, s.v, a); };
     if (plan_.lone_body)

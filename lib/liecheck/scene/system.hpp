@@ -15,7 +15,9 @@ namespace liecheck::scene {
 /// - integrate: q exp(delta) of every joint;
 /// - accumulate: integrate in place, with compensated rounding errors (accumulate.hpp);
 /// - tangentRate: J_r^-1(delta) v;
+/// - load: evaluates the forces of all effects alone;
 /// - pieces: the times at which forces are known to jump, and the piece that applies (pieces.hpp);
+/// - switches: the functions of the state that select branches of forces (switches.hpp);
 /// - coefficientRate, normalize: rate and normalisation of the stored numbers of q, for quaternion_rk4.
 template <class X>
 concept System = Scalar<typename X::Scalar> &&
@@ -28,7 +30,9 @@ concept System = Scalar<typename X::Scalar> &&
   c.integrate(q, v, q_out);
   c.accumulate(q_out, v_out, v);
   c.tangentRate(v, v, v_out);
+  x.load(t, q, v);
   x.pieces();
+  x.switches();
   c.coefficientRate(q, v, q_out);
   c.normalize(q_out);
 };

@@ -48,6 +48,7 @@ class Tree {
   const Effects<S>& effects() const { return effects_; }  ///< without the effects that act on the model
   Kinematics needs() const { return needs_; }
   Pieces<S>& pieces() { return pieces_; }
+  Switches<S>& switches() { return switches_; }
 
   bool readsConfiguration() const { return true; }
 
@@ -58,6 +59,7 @@ class Tree {
   /// Sums the forces of all effects.
   [[gnu::noinline]] void load(const S& t, const Configuration& q, const Tangent& v) {
     const Now<S> now = here(t, q, v, needs_);
+    switches_.restart();
     tau_.setZero();
     if (bodies_) f_.assign(f_.size(), Force<S>::Zero());
     for (const auto& e : effects_) e->add(now, {{tau_.data(), std::size_t(tau_.size())}, f_});
@@ -113,7 +115,7 @@ class Tree {
     else if (kinematics == Kinematics::Velocities)
       forwardKinematics(model_, data_, q, v);
     const auto size = [](const auto& x) { return std::size_t(x.size()); };
-    Now<S> now{t, pieces_.at(t), {q.data(), size(q)}, {v.data(), size(v)}, {}, {}, {}};
+    Now<S> now{t, pieces_.at(t), {q.data(), size(q)}, {v.data(), size(v)}, {}, {}, {}, &switches_};
     if (kinematics != Kinematics::None) now.X_WJ = data_.oMi();
     if (kinematics >= Kinematics::Velocities) now.V = data_.v();
     if (a) now.A = data_.a();
@@ -136,6 +138,7 @@ class Tree {
   Effects<S> effects_;
   Kinematics needs_ = Kinematics::None;
   Pieces<S> pieces_;
+  Switches<S> switches_;
   bool bodies_ = false;
   std::vector<Straight> straight_;
   std::vector<std::size_t> curved_;  ///< the joints that are not in such a range

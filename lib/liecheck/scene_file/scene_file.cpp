@@ -10,6 +10,7 @@
 #include <liecheck/text/text_file.hpp>
 #include <liecheck/text/utf8.hpp>
 #include <set>
+#include <tuple>
 
 namespace liecheck {
 
@@ -171,20 +172,30 @@ Scene read(const Text& text, const std::string& content, const std::string& fold
   }
   readRobot(text, root, folder, scene, warnings);
   if (const YAML::Node ground = root["ground"]; ground.IsDefined() && !ground.IsNull()) {
-    text.checkKeys(ground, "ground", {"height"});
+    text.checkKeys(ground, "ground", {"height", "normal"});
     scene.around.ground = true;
     if (ground["height"].IsDefined())
       scene.around.height = text.number(ground["height"], "ground.height", "m");
+    if (ground["normal"].IsDefined()) {
+      const auto n = text.numbers(ground["normal"], "ground.normal", "1", 3);
+      const double length = std::hypot(n[0], n[1], n[2]);
+      if (!(n[2] > 0) || !std::isfinite(length))
+        text.refuse(ground["normal"], "ground.normal must point upwards: its third number must be above 0");
+      scene.around.normal = {n[0] / length, n[1] / length, n[2] / length};
+    }
   }
   readStart(text, root["initial"], scene);
   scene.effects = requests(text, root["effects"], "effects", scene::effectEntries<double>(), scene.model);
   for (Request& r :
        requests(text, root["actuation"], "actuation", scene::actuationEntries<double>(), scene.model))
     scene.effects.push_back(std::move(r));
+  const auto less = [](const Request* a, const Request* b) {
+    return std::tie(a->name, a->parameters.values) < std::tie(b->name, b->parameters.values);
+  };
+  std::set<const Request*, decltype(less)> different(less);
   for (const Request& r : scene.effects)
-    for (const Request& other : scene.effects)
-      if (&other < &r && other.name == r.name && other.parameters == r.parameters)
-        text.refuse(r.line, "'" + r.name + "' is given twice with the same keys: keep one");
+    if (!different.insert(&r).second)
+      text.refuse(r.line, "'" + r.name + "' is given twice with the same keys: keep one");
   for (const Request& r : scene.effects)
     text.at(r.line, [&] { return scene::makeEffect<double>(r, scene.model, scene.around); });
   scene.observers = requests(text, root["observers"], "observers", scene::observerEntries(), scene.model);

@@ -8,7 +8,7 @@
 namespace liecheck {
 
 /// The largest size of a scene text.
-constexpr std::size_t max_scene_bytes = std::size_t(1) << 20;
+constexpr std::size_t max_scene_bytes = std::size_t(1) << 22;
 /// The largest count of numbers in the samples of a scene: 400 MB.
 constexpr double max_scene_numbers = 5e7;
 

@@ -139,7 +139,9 @@ scene::Parameters Text::parameters(const YAML::Node& node, int line, const std::
       refuse(line, what + " needs '" + key.name + "'" + (unitless ? "" : " [" + std::string(key.unit) + "]") +
                        ": " + key.meaning);
     } else if (*key.fallback) {
-      p.values[key.name] = value(YAML::Load(key.fallback), name, key, model);
+      auto read = fallbacks_.find(key.fallback);
+      if (read == fallbacks_.end()) read = fallbacks_.emplace(key.fallback, YAML::Load(key.fallback)).first;
+      p.values[key.name] = value(read->second, name, key, model);
     }
   }
   return p;

@@ -5,6 +5,7 @@
 #include <liecheck/multibody/model.hpp>
 #include <liecheck/multibody/nearest_names.hpp>
 #include <liecheck/scene/parameters.hpp>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -66,6 +67,7 @@ class Text {
   scene::Value value(const YAML::Node& node, const std::string& what, const scene::Key& key,
                      const Model<double>* model) const;
   std::string file_;
+  mutable std::map<std::string, YAML::Node> fallbacks_;  ///< the defaults of keys that were read
 };
 
 }  // namespace liecheck::scene_file_detail

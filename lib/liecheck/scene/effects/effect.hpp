@@ -4,8 +4,10 @@
 // An effect declares which kinematics it reads, so that a step computes no others. An effect that the scene
 // does not name is not in the system, so it costs no time and does not change the results.
 
+#include <array>
 #include <liecheck/multibody/model.hpp>
 #include <liecheck/scene/parameters.hpp>
+#include <liecheck/scene/switches.hpp>
 #include <memory>
 #include <span>
 #include <vector>
@@ -14,13 +16,16 @@ namespace liecheck::scene {
 
 /// The state that effects and observers read: time [s], a time in the piece of the forces that applies
 /// (pieces.hpp), q [nq] and v [nv]. If needs() asks for them, also poses X_WJ, velocities V and spatial
-/// accelerations A of the joints, in the joint's axes [njoints].
+/// accelerations A of the joints, in the joint's axes [njoints]. on(g) selects the branch of a force by a switching
+/// function g (switches.hpp); an effect asks for each of its functions once in each evaluation.
 template <Scalar S>
 struct Now {
   S t, piece;
   std::span<const S> q, v;
   std::span<const SE3<S>> X_WJ;
   std::span<const Motion<S>> V, A;
+  Switches<S>* switches = nullptr;
+  bool on(const S& g) const { return switches ? switches->on(g) : g > S(0); }
 };
 
 /// The sums to which effects add their forces: generalised forces tau [nv; N, N m], and forces f on the
@@ -54,7 +59,8 @@ class Effect {
 /// The surroundings that effects share: the ground, if the scene has one.
 struct Surroundings {
   bool ground = false;
-  double height = 0;  ///< of the ground: the plane z = height [m]
+  double height = 0;                         ///< of the ground's plane above the origin, along z [m]
+  std::array<double, 3> normal = {0, 0, 1};  ///< its unit normal
 };
 
 template <Scalar S>

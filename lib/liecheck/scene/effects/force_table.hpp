@@ -6,13 +6,15 @@
 
 namespace liecheck::scene {
 
-inline const PartInfo force_table_info{"table",
-                                       "tau += tau_i + (t - t_i)/(t_(i+1) - t_i) (tau_(i+1) - tau_i)",
-                                       "adds or removes: power tau(t) v",
-                                       "a search in the table",
-                                       {{"joints", Kind::Joints, "", "all", "joints with this force"},
-                                        {"times", Kind::Times, "s", nullptr, "t_i, increasing"},
-                                        {"forces", Kind::Numbers, "N m|N", nullptr, "tau_i"}}};
+inline const PartInfo force_table_info{
+    "table",
+    "tau += tau_i + (t - t_i)/(t_(i+1) - t_i) (tau_(i+1) - tau_i)",
+    "adds or removes: power tau(t) v",
+    "a search in the table",
+    {{"joints", Kind::Joints, "", "all", "joints with this force"},
+     {"times", Kind::Times, "s", nullptr, "t_i, increasing"},
+     {"forces", Kind::Numbers, "N m|N", nullptr,
+      "tau_i; before the first time and after the last one, the force is constant"}}};
 
 template <Scalar S>
 class ForceTable final : public Effect<S> {

@@ -31,8 +31,8 @@ class JointLimits final : public Effect<S> {
     for (const Limited& j : at_) {
       const S& q = now.q[std::size_t(j.at.q)];
       const S& v = now.v[std::size_t(j.at.v)];
-      if (q < j.low) load.tau[std::size_t(j.at.v)] += force(S(j.low - q), S(-v));
-      if (q > j.high) load.tau[std::size_t(j.at.v)] -= force(S(q - j.high), v);
+      if (finite<S>(j.low)) load.tau[std::size_t(j.at.v)] += force(now, S(j.low - q), S(-v));
+      if (finite<S>(j.high)) load.tau[std::size_t(j.at.v)] -= force(now, S(q - j.high), v);
     }
   }
   S potential(const Now<S>& now) const override {
@@ -51,7 +51,10 @@ class JointLimits final : public Effect<S> {
     S low, high;
   };
   /// The force at depth x, where `rate` is the time derivative of x.
-  S force(const S& x, const S& rate) const { return std::max(S(k_ * x * (S(1) + c_ * rate)), S(0)); }
+  S force(const Now<S>& now, const S& x, const S& rate) const {
+    const S factor = S(1) + c_ * rate;
+    return now.on(x > S(0) ? std::min(x, factor) : x) ? S(k_ * x * factor) : S(0);
+  }
   S k_, c_;
   std::vector<Limited> at_;
 };

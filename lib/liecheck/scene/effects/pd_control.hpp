@@ -33,7 +33,12 @@ class PdControl final : public Effect<S> {
     for (std::size_t i = 0; i < at_.size(); ++i) {
       const std::size_t k = std::size_t(at_[i].v);
       const S tau = k_ * (target_[i] - now.q[std::size_t(at_[i].q)]) - d_ * now.v[k];
-      load.tau[k] += std::max(S(-limit_[i]), std::min(limit_[i], tau));
+      if (finite<S>(limit_[i])) {
+        const bool above = now.on(S(tau - limit_[i])), below = now.on(S(-limit_[i] - tau));
+        load.tau[k] += above ? limit_[i] : below ? S(-limit_[i]) : tau;
+      } else {
+        load.tau[k] += tau;
+      }
     }
   }
 

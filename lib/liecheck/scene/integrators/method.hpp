@@ -17,6 +17,7 @@ struct MethodInfo {
   const char *equation, *source;
   bool increments = false;          ///< each stage computes J_r^-1 of its increment
   bool adaptive = false;            ///< chooses its steps by a tolerance
+  int estimate_order = 0;           ///< of adaptive methods: the estimate of a step is O(h^estimate_order)
   bool preserves_energy = false;    ///< the energy error oscillates without drift
   bool preserves_momentum = false;  ///< the spatial momentum of a free body is constant up to rounding
   bool lone_body_only = false;
@@ -58,6 +59,8 @@ class Method {
   virtual void begin(Sys& system, const State<Sys>& state) = 0;
   virtual void step(Sys& system, State<Sys>& state, const typename Sys::Scalar& h) = 0;
   virtual MethodCounts counts() const { return {}; }
+  /// The length of the last step, at most h: an adaptive method ends it where a held branch changes (switches.hpp).
+  virtual typename Sys::Scalar reached() const { return std::numeric_limits<typename Sys::Scalar>::max(); }
 };
 
 /// The options of the method that a scene names.

@@ -6,6 +6,7 @@
 #include <liecheck/scene/integrators/dopri5.hpp>
 #include <liecheck/scene/integrators/euler.hpp>
 #include <liecheck/scene/integrators/quaternion_rk4.hpp>
+#include <liecheck/scene/integrators/radau5.hpp>
 #include <liecheck/scene/integrators/runge_kutta.hpp>
 #include <liecheck/scene/integrators/variational.hpp>
 #include <liecheck/scene/tree.hpp>
@@ -30,6 +31,7 @@ std::unique_ptr<Method<Sys>> makeMethod(const std::string& name, const MethodOpt
   if (name == "rkmk4") return std::make_unique<Rkmk4<Sys>>();
   if (name == "cf4") return std::make_unique<CommutatorFree4<Sys>>();
   if (name == "dopri5") return std::make_unique<Dopri5<Sys>>(options);
+  if (name == "radau5") return std::make_unique<Radau5<Sys>>(options);
   if (name == "rkmk6") return std::make_unique<Rkmk6<Sys>>();
   if (name == "gauss6") return std::make_unique<Gauss6<Sys>>();
   if (name == "gauss12") return std::make_unique<Gauss12<Sys>>();
@@ -44,7 +46,7 @@ std::unique_ptr<Method<Sys>> makeMethod(const std::string& name, const MethodOpt
 
 // Explicit instantiation for double, in instantiations.cpp and instantiations_tree.cpp.
 extern template LoneBody<double>::LoneBody(const Model<double>&, Effects<double>);
-extern template struct GaussPoints<double>;
+extern template struct CollocationPoints<double>;
 extern template decltype(makeMethod<LoneBody<double>>) makeMethod<LoneBody<double>>;
 extern template decltype(makeMethod<Tree<double>>) makeMethod<Tree<double>>;
 

@@ -1,0 +1,215 @@
+#pragma once
+// Steps that end at events, so that the order of a method holds across them: no step contains an event.
+//
+// - Times at which forces are known to jump or bend (pieces.hpp). An event within 8 eps |t| of the end of a step
+//   counts as that end.
+// - Changes of sign of switching functions (switches.hpp). A step that ends beyond one is taken again with a
+//   shorter length, which the secant method with bisection (Illinois; Dowell & Jarratt 1971) finds to 4 eps of
+//   the time. The state then lies beyond the change by a rounding error, and the branch changes. If only a
+//   stage lies beyond one, or the step fails, the step is halved, at most four times; an adaptive method, whose
+//   steps may contain many events, halves it at most twenty times.
+//
+// A part that still strays is taken with free branches, as if there were no events. So is the rest of a step
+// after 32 events in it, or 10,000 in one of an adaptive method (Zeno behaviour); zeno() tells the time.
+
+#include <cmath>
+#include <liecheck/scene/integrators/method.hpp>
+#include <optional>
+
+namespace liecheck::scene {
+
+template <class Sys>
+class EventSteps {
+ public:
+  using S = typename Sys::Scalar;
+  EventSteps(Sys& system, const State<Sys>& state)
+      : pieces_(system.pieces()),
+        switches_(system.switches()),
+        before_(state),
+        trial_(state),
+        beyond_(state) {
+    skip(state.t);
+    learn(system, state);
+    switching_ = !switches_.none();
+    switches_.release();
+    learnt_ = false;
+  }
+  ~EventSteps() { pieces_.release(), switches_.release(); }
+  EventSteps(const EventSteps&) = delete;
+  EventSteps& operator=(const EventSteps&) = delete;
+
+  bool none() const { return pieces_.times().empty() && !switching_; }
+  long located() const { return located_; }                    ///< changes of branches
+  const std::optional<double>& zeno() const { return zeno_; }  ///< time of the first step with too many [s]
+
+  /// Advances state from state.t to `end` = state.t + h, and leaves state.t. If the method throws, state is as
+  /// before.
+  template <class M>
+  [[gnu::noinline, gnu::cold]] void step(Sys& system, M& method, State<Sys>& state, const S& end,
+                                         const S& h) {
+    const auto& times = pieces_.times();
+    const bool whole = next_ == times.size() || !(times[next_] < S(end - slack(end)));
+    if (whole && !switching_) {
+      pieces_.hold(S((state.t + end) / S(2)));
+      method.step(system, state, h);
+    } else {
+      parts(system, method, state, end, h);
+    }
+    pieces_.release(), switches_.release();
+    skip(end);
+  }
+
+ private:
+  static S slack(const S& t) { return S(8) * eps<S>() * absolute<S>(t); }
+  void skip(const S& t) {
+    while (next_ < pieces_.times().size() && !(pieces_.times()[next_] > S(t + slack(t)))) ++next_;
+  }
+  template <class M>
+  void parts(Sys& system, M& method, State<Sys>& state, const S& end, const S& h) {
+    before_ = state;
+    try {
+      for (S to = end; state.t < end; state.t = to) {
+        to = end;
+        if (next_ < pieces_.times().size() && pieces_.times()[next_] < S(end - slack(end)))
+          to = pieces_.times()[next_];
+        pieces_.hold(S((state.t + to) / S(2)));
+        if (switching_)
+          cross(system, method, state, to, to == end && state.t == before_.t ? h : S(to - state.t));
+        else
+          method.step(system, state, S(to - state.t));
+        skip(to);
+      }
+    } catch (...) {
+      state = before_;
+      throw;
+    }
+    state.t = before_.t;
+  }
+
+  /// The branches at a state, by the signs of the functions.
+  void learn(Sys& system, const State<Sys>& state) {
+    switches_.learn();
+    system.load(state.t, state.q, state.v);
+    switches_.hold();
+  }
+  /// The margin of the functions at a state.
+  S margin(Sys& system, const State<Sys>& state) {
+    system.load(state.t, state.q, state.v);
+    return switches_.margin();
+  }
+  /// Takes a step of h from `from` to `result`, of the length made_. False if it fails, and `failed_` then says why.
+  template <class M>
+  bool attempt(Sys& system, M& method, const State<Sys>& from, const S& h, State<Sys>& result, bool again) {
+    if (again) method.begin(system, from);
+    result = from;
+    switches_.forget();
+    try {
+      method.step(system, result, h);
+    } catch (const Interrupted&) {
+      throw;
+    } catch (const StepFailed&) {
+      failed_ = std::current_exception();
+      return false;
+    }
+    made_ = std::min(h, method.reached());
+    result.t = from.t + made_;
+    return true;
+  }
+
+  /// Advances state to the time `to` = state.t + h across the events of the state.
+  template <class M>
+  void cross(Sys& system, M& method, State<Sys>& state, const S& to, const S& h) {
+    learnt_ ? switches_.keep() : learn(system, state);
+    learnt_ = true;
+    const S least = S(4) * eps<S>() * (absolute<S>(to) + h);
+    const bool adaptive = method.what().adaptive;
+    const int halvings = adaptive ? 20 : 4, most = adaptive ? 10000 : 32;
+    S rest = h, length = h;
+    bool again = false;  // the method has seen a later state
+    for (int found = 0, halved = 0; rest > least;) {
+      const bool made = attempt(system, method, state, length, trial_, again);
+      const bool strayed = made && switches_.crossed();
+      if (made) length = made_;
+      const S end = made ? margin(system, trial_) : S(0);
+      if (end < S(0)) {
+        rest -= locate(system, method, state, length, end);
+        switches_.change(), ++located_, ++found;
+        state = beyond_, length = rest, halved = 0, again = true;
+        if (found < most) continue;
+        if (!zeno_) zeno_ = double(state.t);
+        if (rest > least) freely(system, method, state, rest), again = false;
+        break;
+      }
+      if ((!made || strayed) && halved < halvings) {
+        length = length / S(2), ++halved, again = true;
+        continue;
+      }
+      if (!made) std::rethrow_exception(failed_);
+      if (strayed)
+        freely(system, method, state, length);
+      else
+        state = trial_;
+      again = false;
+      rest -= length, length = adaptive ? rest : std::min(length, rest), halved = 0;
+    }
+    if (again) method.begin(system, state);
+    state.t = to;
+  }
+  /// Takes a step of h with the branches that each evaluation chooses.
+  template <class M>
+  void freely(Sys& system, M& method, State<Sys>& state, const S& h) {
+    switches_.release();
+    method.begin(system, state);
+    method.step(system, state, h);
+    state.t += h;
+    learn(system, state);
+  }
+
+  /// The length of the step from `state` to the first change of sign in (0, high], where margin(high) < 0. Sets
+  /// beyond_ to the state there, and the values of the functions to those of that state.
+  template <class M>
+  S locate(Sys& system, M& method, const State<Sys>& state, S high, S at_high) {
+    S low(0), at_low = margin(system, state);
+    beyond_ = trial_;
+    if (!(at_low > S(0))) at_low = S(0);
+    const S least = S(4) * eps<S>() * (absolute<S>(state.t) + high);
+    S before = high;  // the length of the bracket three iterations ago
+    int side = 0;
+    for (int k = 0; high - low > least && k < 200; ++k) {
+      S middle = low + (high - low) * (at_low / (at_low - at_high));
+      const S guard = least / S(2);
+      if (k % 3 == 2) {
+        if (!(high - low < before / S(8))) middle = (low + high) / S(2), side = 0;
+        before = high - low;
+      }
+      if (!(middle > low + guard)) middle = low + guard;
+      if (!(middle < high - guard)) middle = high - guard;
+      if (!attempt(system, method, state, middle, trial_, true)) std::rethrow_exception(failed_);
+      const S value = margin(system, trial_);
+      if (made_ < middle) {  // a branch changes before
+        high = made_, beyond_ = trial_, side = 0;
+        at_high = value < S(0) ? value : S(-at_low);
+      } else if (value > S(0)) {
+        if (side == 1) at_high = at_high / S(2);
+        low = middle, at_low = value, side = 1;
+      } else {
+        if (side == -1) at_low = at_low / S(2);
+        high = middle, at_high = value, side = -1, beyond_ = trial_;
+      }
+    }
+    margin(system, beyond_);
+    return high;
+  }
+
+  Pieces<S>& pieces_;
+  Switches<S>& switches_;
+  State<Sys> before_, trial_, beyond_;
+  std::size_t next_ = 0;  ///< the first event in time after the state
+  S made_ = S(0);
+  bool switching_ = false, learnt_ = false;
+  long located_ = 0;
+  std::optional<double> zeno_;
+  std::exception_ptr failed_;
+};
+
+}  // namespace liecheck::scene

@@ -1,0 +1,182 @@
+// scene/effects/contact.hpp beside closed forms: sliding, rolling, slopes, rebound, and Jellett's integral.
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "bodies.hpp"
+
+namespace {
+
+using namespace liecheck;
+using namespace liecheck::test;
+
+constexpr double g = 9.81, m = 2, r = 0.1;
+
+struct End {
+  Vec q, v;
+  V3 velocity, spin;  ///< in the world's axes
+};
+/// The end of a motion by radau5; `text` has all but integrator and duration.
+End end(const std::string& text, double duration, const std::string& tolerance = "1e-9") {
+  const scene::Scene s = loadSceneText(text + "integrator: {name: radau5, tolerance: " + tolerance +
+                                       "}\nduration: " + std::to_string(duration) +
+                                       " s\noutput: {every: " + std::to_string(duration) + " s}\n");
+  auto system = scene::makeSystem<Body>(s);
+  scene::State<Body> state(system, s.q, s.v);
+  const auto method = scene::makeMethod<Body>(s.integrator, s.options);
+  const auto outcome =
+      scene::simulate(system, *method, state, s.span, [](const auto&, long) { return true; });
+  EXPECT_FALSE(outcome.diverged) << outcome.t << " s: " << outcome.why;
+  const SO3<double> Q(Vector4<double>(state.q.tail<4>()));
+  return {state.q, state.v, Q.act(V3(state.v.head<3>())), Q.act(V3(state.v.tail<3>()))};
+}
+
+/// A ball of 2 kg and 0.1 m whose contact starts with the compression at rest. `normal` is that of the ground, which
+/// contains the origin.
+std::string ball(const std::string& start, const std::string& contact, const V3& normal = V3(0, 0, 1)) {
+  const double stiffness = 1e5, height = r - m * g * normal[2] / stiffness;  // along the normal
+  char text[600];
+  std::snprintf(
+      text, sizeof text,
+      "robot: {body: ball, mass: 2 kg, radius: 0.1}\nground: {height: 0, normal: [%.17g, %.17g, %.17g]}\n"
+      "initial: {position: [%.17g, %.17g, %.17g], %s}\neffects:\n  - gravity\n"
+      "  - contact: {frames: [body], radius: 0.1, stiffness: 1e5 N/m, slip: 1e-5, %s}\n",
+      normal[0], normal[1], normal[2], height * normal[0], height * normal[1], height * normal[2],
+      start.c_str(), contact.c_str());
+  return text;
+}
+V3 slope(double angle) {
+  return {std::sin(angle), 0, std::cos(angle)};
+}
+
+/// mu m g brakes the ball and turns it by mu m g r/I, I = 2/5 m r^2, until v = omega r = 5/7 v0 at 2 v0/(7 mu g).
+TEST(Contact, ABallThatSlidesRollsAfterTheTimeOfTheClosedForm) {
+  const double v0 = 2, mu = 0.3, rolls = 2 * v0 / (7 * mu * g);
+  const std::string text = ball("velocity: [2, 0, 0]", "friction: 0.3");
+  const End before = end(text, 0.9 * rolls), after = end(text, 2 * rolls);
+  EXPECT_NEAR(before.velocity[0], v0 - mu * g * 0.9 * rolls, 1e-4);
+  EXPECT_NEAR(before.spin[1], mu * g * 0.9 * rolls / (0.4 * r), 1e-3);
+  EXPECT_NEAR(after.velocity[0], v0 * 5 / 7, 1e-4);
+  EXPECT_NEAR(after.spin[1] * r, v0 * 5 / 7, 1e-4);
+}
+
+/// It rolls with 5/7 g sin(a) if tan(a) <= 7/2 mu, and slides with g (sin(a) - mu cos(a)) on a steeper slope.
+TEST(Contact, ABallOnASlopeRollsOrSlidesOnBothSidesOfTheCriticalSlope) {
+  const double mu = 0.2, critical = std::atan(3.5 * mu), t = 0.4;
+  for (const double angle : {0.9 * critical, 1.1 * critical}) {
+    const End e = end(ball("velocity: [0, 0, 0]", "friction: 0.2", slope(angle)), t);
+    const double rolls = 5. / 7 * g * std::sin(angle), slides = g * (std::sin(angle) - mu * std::cos(angle));
+    EXPECT_NEAR(e.velocity.norm(), t * (angle < critical ? rolls : slides), 2e-4) << angle;
+    EXPECT_GT(e.velocity[0], 0);
+  }
+}
+
+/// A rolling resistance rho N brakes a rolling ball with 5/7 rho g/r, and torsion stops a spin with tau m g/I.
+TEST(Contact, RollingAndTorsionalFrictionBrakeAsTheirClosedForms) {
+  const End rolled = end(ball("velocity: [1, 0, 0], angular_velocity: [0, 10, 0]",
+                              "friction: 0.5, rolling: 2 mm, "
+                              "angular_slip: 1e-4"),
+                         1);
+  EXPECT_NEAR(rolled.velocity[0], 1 - 5. / 7 * 0.002 * g / r, 1e-4);
+  const End spun = end(ball("angular_velocity: [0, 0, 30]", "torsion: 1 mm, angular_slip: 1e-4"), 1);
+  EXPECT_NEAR(spun.spin[2], 30 - 0.001 * g / (0.4 * r * r), 1e-4);
+}
+
+/// On a slope below the critical angle atan(mu) the box creeps with v_s s/sqrt(1 - s^2), s = tan(a)/mu; above it slides.
+TEST(Contact, ABoxOnASlopeCreepsOrSlidesOnBothSidesOfTheCriticalAngle) {
+  const double mu = 0.5, slip = 1e-4, stiffness = 1e5, t = 0.3;
+  for (const double share : {0.9, 1.1}) {
+    const double angle = std::atan(share * mu), depth = m * g * std::cos(angle) / (4 * stiffness);
+    const V3 n = slope(angle), at = (0.05 - depth) * n;
+    char text[1200];
+    std::snprintf(
+        text, sizeof text,
+        "robot: {body: box, mass: 2 kg, size: [2, 2, 0.1]}\nground: {height: 0, normal: [%.17g, 0, %.17g]}\n"
+        "frames:\n  - {name: c1, on: body, position: [1, 1, -0.05]}\n"
+        "  - {name: c2, on: body, position: [-1, 1, -0.05]}\n"
+        "  - {name: c3, on: body, position: [-1, -1, -0.05]}\n"
+        "  - {name: c4, on: body, position: [1, -1, -0.05]}\n"
+        "initial: {position: [%.17g, 0, %.17g], attitude: [0, %.17g, 0]}\neffects:\n  - gravity\n"
+        "  - contact: {frames: [c1, c2, c3, c4], stiffness: 1e5, dissipation: 5, friction: 0.5, slip: "
+        "1e-4}\n",
+        n[0], n[2], at[0], at[2], angle);
+    const End e = end(text, t);
+    const double along = e.velocity.dot(V3(std::cos(angle), 0, -std::sin(angle)));
+    if (share < 1)
+      EXPECT_NEAR(along, slip * share / std::sqrt(1 - share * share), 0.02 * slip);
+    else
+      EXPECT_NEAR(along, t * g * (std::sin(angle) - mu * std::cos(angle)), 1e-3);
+  }
+}
+
+/// Without gravity, m x'' = -k x (1 + c x') conserves x'/c - ln(1 + c x')/c^2 + k x^2/(2 m): x' before and after a rebound
+/// solve c v0 - ln(1 + c v0) = -c v1 - ln(1 - c v1).
+TEST(Contact, AReboundHasTheRestitutionOfHuntAndCrossley) {
+  for (const double c : {0.1, 0.5, 2.0}) {
+    const double v0 = 1.5;
+    const End e =
+        end("robot: {body: ball, mass: 2 kg, radius: 0.1}\nground: {height: 0}\n"
+            "initial: {position: [0, 0, 0.2], velocity: [0, 0, -1.5]}\neffects:\n"
+            "  - contact: {frames: [body], radius: 0.1, stiffness: 1e4, dissipation: " +
+                std::to_string(c) + "}\n",
+            0.3, "1e-11");
+    const double v1 = e.velocity[2];
+    EXPECT_GT(v1, 0);
+    EXPECT_NEAR(c * v0 - std::log1p(c * v0), -c * v1 - std::log1p(-c * v1), 1e-8) << c;
+  }
+}
+
+/// A ball with dissipation bounces lower each time and comes to rest on its compression m g/k.
+TEST(Contact, ABouncingBallLosesEnergyUntilItRests) {
+  const scene::Scene s = loadSceneText(
+      "robot: {body: ball, mass: 2 kg, radius: 0.1}\nground: {height: 0}\ninitial: {position: [0, 0, "
+      "0.3]}\neffects:\n"
+      "  - gravity\n  - contact: {frames: [body], radius: 0.1, stiffness: 1e4, dissipation: 3}\n"
+      "integrator: {name: radau5, tolerance: 1e-9}\nduration: 60 s\noutput: {every: 20 ms}\nobservers: "
+      "[energy]\n");
+  const scene::Run run = scene::run(s, {}, true);
+  ASSERT_FALSE(run.outcome.diverged) << run.outcome.why;
+  EXPECT_TRUE(run.estimate && run.estimate->alarms.empty());
+  std::size_t total = 0;
+  while (run.columns.at(total).name != "energy") ++total;
+  const std::size_t n = run.columns.size();
+  for (std::size_t i = n; i < run.rows.size(); i += n)
+    EXPECT_LE(run.rows[i + total], run.rows[i - n + total] + 1e-7) << run.rows[i] << " s";
+  const double rest = m * g * (r - m * g / 1e4) + 0.5 * m * g * m * g / 1e4;
+  EXPECT_NEAR(run.rows[run.rows.size() - n + total], rest, 2e-3);
+}
+
+/// A tippe top: a ball whose centre of mass is below its centre turns over, its spin axis passing the horizontal. The
+/// friction at the contact point keeps Jellett's integral L . (contact point - centre of mass) (Jellett 1872).
+TEST(Contact, ATippeTopTurnsOverAndKeepsJellettsIntegral) {
+  const double offset = 0.003, radius = 0.015, I = 8e-7, I3 = 7e-7, mass = 0.006;
+  Model<double> model = freeBody({mass, V3(0, 0, -offset), Matrix3<double>(V3(I, I, I3).asDiagonal())});
+  scene::Scene s = loadSceneText(
+      "robot: {body: ball, mass: 6 g, radius: 15 mm}\nground: {height: 0}\n"
+      "initial: {position: [0, 0, 0.015], attitude: [0.1, 0, 0], angular_velocity: [0, 0, 155]}\neffects:\n  "
+      "- gravity\n"
+      "  - contact: {frames: [body], radius: 15 mm, stiffness: 200, dissipation: 5, friction: 0.3, slip: "
+      "0.01}\n"
+      "integrator: {name: rkmk6, step: 0.1 ms}\nduration: 8 s\n");
+  s.model = model;
+  auto system = scene::makeSystem<Body>(s);
+  scene::State<Body> state(system, s.q, s.v);
+  const auto method = scene::makeMethod<Body>(s.integrator, s.options);
+  double lowest = 1;
+  std::optional<double> jellett;
+  const auto outcome = scene::simulate(system, *method, state, s.span, [&](const auto& now, long) {
+    const SO3<double> Q(Vector4<double>(now.q.template tail<4>()));
+    const V3 axis = Q.act(V3(0, 0, 1)), w = now.v.template tail<3>();
+    const V3 L = Q.act(V3(I * w[0], I * w[1], I3 * w[2]));
+    const double J = L.dot(V3(offset * axis - radius * V3(0, 0, 1)));
+    if (!jellett) jellett = J;
+    EXPECT_NEAR(J / *jellett, 1, 1e-9) << now.t;
+    lowest = std::min(lowest, axis[2]);
+    return true;
+  });
+  EXPECT_FALSE(outcome.diverged) << outcome.why;
+  EXPECT_LT(lowest, -0.9);
+}
+
+}  // namespace
