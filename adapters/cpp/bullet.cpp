@@ -62,7 +62,7 @@ struct Bullet : BulletMath<Library> {
   static void euler_from_quaternion(In<S, 5> x, Out<S, 3> y) {
     S roll, pitch, yaw;
     quaternion(&x[1]).getEulerZYX(yaw, pitch, roll);
-    put_roll_pitch_yaw<S>(x[0], roll, pitch, yaw, y);
+    put_roll_pitch_yaw<S>(x[0], in_range(roll), pitch, in_range(yaw), y);
   }
 
   // A spatial vector is (angular, linear) for motions and (force, moment) for forces. The translation of a
@@ -143,7 +143,7 @@ struct Bullet : BulletMath<Library> {
         {"euler_from_quaternion",
          PROGRAM("LinearMath/btTransformUtil.h",
                  "btScalar yaw, pitch, roll; btQuaternion({Q}).getEulerZYX(yaw, pitch, roll);",
-                 "roll, pitch, yaw")},
+                 "std::remainder(roll, SIMD_2_PI), pitch, std::remainder(yaw, SIMD_2_PI)")},
         {"euler_from_matrix",
          PROGRAM("LinearMath/btTransformUtil.h",
                  "btScalar yaw, pitch, roll; btMatrix3x3({R}).getEulerZYX(yaw, pitch, roll);",

@@ -26,9 +26,7 @@ struct BulletMath {
   static void put(const Transform& X, S* to) { put(X.getBasis(), to), put(X.getOrigin(), to + 9); }
 
   /// setRotation divides by the axis's length.
-  static Quaternion exp(In<S, 3> phi) {
-    return Quaternion(vector(axis_of<S>(phi).data()), vector(&phi[0]).length());
-  }
+  static Quaternion exp(In<S, 3> phi) { return Quaternion(vector(axis_of<S>(phi).data()), angle_of<S>(phi)); }
 
   static void exp3_quaternion(In<S, 3> phi, Out<S, 4> Q) { put(exp(phi), &Q[0]); }
   static void exp3_matrix(In<S, 3> phi, Out<S, 9> R) { put(Matrix(exp(phi)), &R[0]); }

@@ -43,7 +43,7 @@ Isometry<S> pose(const S* X) {
 }
 template <class S>
 AngleAxis<S> angle_axis(In<S, 3> phi) {
-  return {vector(&phi[0]).norm(), vector(axis_of<S>(phi).data()).normalized()};
+  return {angle_of<S>(phi), vector(axis_of<S>(phi).data())};
 }
 
 template <class S, int rows, int columns, int options>

@@ -71,9 +71,7 @@ struct Glm {
   }
   template <class S>
   static void exp3_matrix(In<S, 3> phi, Out<S, 9> R) {
-    put_rotation(
-        glm::rotate(glm::mat<4, 4, S>(1), glm::length(vector(&phi[0])), vector(axis_of<S>(phi).data())),
-        &R[0]);
+    put_rotation(glm::rotate(glm::mat<4, 4, S>(1), angle_of<S>(phi), vector(axis_of<S>(phi).data())), &R[0]);
   }
   template <class S>
   static void log3_quaternion(In<S, 4> Q, Out<S, 3> phi) {
@@ -128,7 +126,7 @@ struct Glm {
   template <class S>
   static void euler_from_quaternion(In<S, 5> x, Out<S, 3> y) {
     const Vec<S> angles = glm::eulerAngles(quaternion(&x[1]));
-    put_roll_pitch_yaw<S>(x[0], angles.x, angles.y, angles.z, y);
+    put_roll_pitch_yaw<S>(x[0], in_range(angles.x), angles.y, angles.z, y);
   }
   static const char* source(std::string_view operation) {
     static constexpr Program all[] = {
@@ -171,7 +169,7 @@ struct Glm {
         {"euler_from_quaternion", PROGRAM("glm/ext.hpp",
                                           "using S = {scalar}; S Q[] = {{Q}};\n"
                                           "auto v = glm::eulerAngles(glm::qua<S>(Q[3], Q[0], Q[1], Q[2]));",
-                                          "v.x, v.y, v.z")},
+                                          "std::remainder(v.x, S(2 * M_PI)), v.y, v.z")},
     };
     return program_for(all, operation);
   }

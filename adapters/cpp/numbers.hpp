@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <span>
 #include <stdexcept>
@@ -13,12 +14,19 @@ using In = std::span<const S, n>;
 template <class S, std::size_t n>
 using Out = std::span<S, n>;
 
-/// An axis for a function that makes a rotation of an axis and an angle. phi = 0 is the angle 0 about any
+/// The angle and the unit axis of phi, for a function that makes a rotation of them. phi = 0 is the angle 0 about any
 /// axis.
 template <class S>
+S angle_of(In<S, 3> phi) {
+  return std::hypot(phi[0], phi[1], phi[2]);
+}
+template <class S>
 std::array<S, 3> axis_of(In<S, 3> phi) {
-  if (phi[0] == 0 && phi[1] == 0 && phi[2] == 0) return {1, 0, 0};
-  return {phi[0], phi[1], phi[2]};
+  const S largest = std::max({std::abs(phi[0]), std::abs(phi[1]), std::abs(phi[2])});
+  if (largest == 0) return {1, 0, 0};
+  const std::array<S, 3> n{phi[0] / largest, phi[1] / largest, phi[2] / largest};
+  const S length = std::hypot(n[0], n[1], n[2]);
+  return {n[0] / length, n[1] / length, n[2] / length};
 }
 
 /// Q or -Q, the same rotation, with w >= 0: for a logarithm that tells them apart.
@@ -35,6 +43,11 @@ std::array<S, 3> roll_pitch_yaw(In<S, 4> x) {
   if (x[0] == 0) return {x[1], x[2], x[3]};
   if (x[0] == 11) return {x[3], x[2], x[1]};
   throw std::invalid_argument("the library has only roll, pitch, yaw: orders 0 and 11");
+}
+/// The same angle in [-pi, pi], for a library that documents no range.
+template <class S>
+S in_range(S angle) {
+  return std::remainder(angle, S(2 * M_PI));
 }
 template <class S>
 void put_roll_pitch_yaw(S order, S roll, S pitch, S yaw, Out<S, 3> angles) {

@@ -45,13 +45,13 @@ struct Ode {
   static void exp3_quaternion(In<double, 3> phi, Out<double, 4> Q) {
     const auto n = axis_of<double>(phi);
     dQuaternion q;
-    dQFromAxisAndAngle(q, n[0], n[1], n[2], dCalcVectorLength3(&phi[0]));
+    dQFromAxisAndAngle(q, n[0], n[1], n[2], angle_of<double>(phi));
     Q[0] = q[1], Q[1] = q[2], Q[2] = q[3], Q[3] = q[0];
   }
   static void exp3_matrix(In<double, 3> phi, Out<double, 9> y) {
     const auto n = axis_of<double>(phi);
     dMatrix3 R;
-    dRFromAxisAndAngle(R, n[0], n[1], n[2], dCalcVectorLength3(&phi[0]));
+    dRFromAxisAndAngle(R, n[0], n[1], n[2], angle_of<double>(phi));
     put_rotation(R, &y[0]);
   }
   static void act_point(In<double, 15> x, Out<double, 3> y) {

@@ -69,11 +69,11 @@ struct Simbody {
   static void exp3_quaternion(In<double, 3> phi, Out<double, 4> Q) {
     const Vec3 n = vector(axis_of<double>(phi).data());
     Quaternion q;
-    q.setQuaternionFromAngleAxis(vector(&phi[0]).norm(), SimTK::UnitVec3(n));
+    q.setQuaternionFromAngleAxis(angle_of<double>(phi), SimTK::UnitVec3(n));
     put(q.asVec4(), &Q[0]);
   }
   static void exp3_matrix(In<double, 3> phi, Out<double, 9> R) {
-    put_matrix(Rotation(vector(&phi[0]).norm(), vector(axis_of<double>(phi).data())), &R[0]);
+    put_matrix(Rotation(angle_of<double>(phi), vector(axis_of<double>(phi).data())), &R[0]);
   }
   static void log3_quaternion(In<double, 4> Q, Out<double, 3> phi) {
     put_angle_axis(quaternion(&Q[0]).convertQuaternionToAngleAxis(), &phi[0]);

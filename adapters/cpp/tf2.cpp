@@ -48,11 +48,11 @@ struct Tf2 : BulletMath<Library> {
     static constexpr Program all[] = {
         {"log3_quaternion", PROGRAM("tf2/LinearMath/Transform.h",
                                     "tf2::Quaternion q({Q});\n"
-                                    "if (q.w() < 0) q = -q; tf2::Vector3 v = q.getAxis() * q.getAngle();",
+                                    "if (q.w() < 0) q *= -1; tf2::Vector3 v = q.getAxis() * q.getAngle();",
                                     "v.x(), v.y(), v.z()")},
         {"log3_matrix", PROGRAM("tf2/LinearMath/Transform.h",
                                 "tf2::Quaternion q; tf2::Matrix3x3({R}).getRotation(q);\n"
-                                "if (q.w() < 0) q = -q; tf2::Vector3 v = q.getAxis() * q.getAngle();",
+                                "if (q.w() < 0) q *= -1; tf2::Vector3 v = q.getAxis() * q.getAngle();",
                                 "v.x(), v.y(), v.z()")},
         {"exp3_quaternion", PROGRAM("tf2/LinearMath/Transform.h",
                                     "tf2::Vector3 v({phi}), n = v.isZero() ? tf2::Vector3(1, 0, 0) : v;\n"

@@ -54,7 +54,8 @@ while (my $call = <STDIN>) {    # "call exp3_quaternion double 128"
   for my $i (0 .. $n - 1) {
     my @result = eval { $f->(@inputs[$i * $size .. ($i + 1) * $size - 1]) };
     $status .= $@ ? "\1" : "\0";
-    push @results, $@ ? (0) x $result_size : @result;
+    # Where acos takes a number above 1, Math::Trig returns a complex number.
+    push @results, $@ ? (0) x $result_size : map { ref $_ ? 'nan' : $_ } @result;
   }
   print $answers "done $n\n", $status, pack('d<*', @results);
 }

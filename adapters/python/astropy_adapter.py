@@ -1,4 +1,6 @@
 """astropy.coordinates.matrix_utilities. Its rotation matrices turn the axes, not the vector: the angle is negative."""
+import math
+
 import astropy
 import numpy as np
 from astropy import units
@@ -6,8 +8,8 @@ from astropy.coordinates.matrix_utilities import angle_axis, rotation_matrix
 from liecheck_protocol import serve
 
 
-def exp3_matrix(phi):  # any axis for the angle 0
-    return rotation_matrix(-np.linalg.norm(phi) * units.rad, axis=phi if phi.any() else np.array([1.0, 0, 0]))
+def exp3_matrix(phi):  # any axis for the angle 0; the function divides by the length of the axis
+    return rotation_matrix(-math.hypot(*phi) * units.rad, axis=phi / abs(phi).max() if phi.any() else np.array([1.0, 0, 0]))
 
 
 def log3_matrix(R):

@@ -1,4 +1,6 @@
 """transforms3d: quaternions and axangles. Its quaternions are w, x, y, z."""
+import math
+
 import numpy as np
 import transforms3d
 from liecheck_protocol import serve
@@ -10,7 +12,7 @@ def w_first(Q):
 
 
 def axis_angle(phi):  # phi = 0 is the angle 0 about any axis; the functions divide by the length of the axis
-    return (phi if phi.any() else np.array([1.0, 0, 0])), np.linalg.norm(phi)
+    return (phi / abs(phi).max() if phi.any() else np.array([1.0, 0, 0])), math.hypot(*phi)
 
 
 def exp3_quaternion(phi):

@@ -107,6 +107,7 @@ void measure_all(const std::vector<league::Entry>& entries, const Flags& f, json
                                      std::to_string(f.options.seed),
                                      "--jobs",
                                      std::to_string(f.options.jobs)};
+      if (!e.limits.empty()) words.insert(words.end(), {"--limits", e.limits});
       if (!e.robot.empty()) words.insert(words.end(), {"--robot", e.robot, "--root", e.root});
       const auto text = output_of_own_process(words, stop_requested);
       if (!text || stop_requested) return;
@@ -239,6 +240,7 @@ Command league_measure_command(CLI::App& league) {
   CommandWith<Flags> a(league, "measure",
                        "measure one library and print its part of the record, for the command league");
   a.text("ADAPTER", a->adapter, "", "as --adapter of a campaign takes it").required();
+  a.text("--limits", a->options.limits, "FILE", "a limits file whose expected failures do not count");
   a.number("--cases", a->options.cases, 1, 100000000, "cases of each law and scalar");
   a.seed(a->options.seed, "seed of the cases");
   a->options.jobs = default_jobs();

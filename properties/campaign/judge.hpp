@@ -75,6 +75,9 @@ class Judge final : public Recorder {
     if (outcome == Outcome::refused || outcome == Outcome::crashed) recorded_ = ~0u;
     judged.push_back(j);
   }
+  double limit(const Output& output, std::size_t band) const override {
+    return budget(index(output), band)->limit;
+  }
   /// Ends a case: each of the outputs (bit i for output i) that has no record is unmeasured.
   void close(std::uint32_t outputs) {
     for (std::size_t i = 0; i < limits_.size(); ++i)
@@ -95,14 +98,21 @@ class Judge final : public Recorder {
   std::vector<Judged> judged;
 
  private:
-  Judged start(const Output& output, std::size_t band) {
+  std::size_t index(const Output& output) const {
     std::size_t i = 0;
     while (limits_.at(i).definition != output.definition) ++i;
+    return i;
+  }
+  const Budget* budget(std::size_t output, std::size_t band) const {
+    return limits_[output].budgets[bands_[band].region == Region::to_pi ? 0 : 1];
+  }
+  Judged start(const Output& output, std::size_t band) {
+    const std::size_t i = index(output);
     recorded_ |= 1u << i;
     Judged j;
     j.residual.output = static_cast<std::uint16_t>(i);
     j.residual.band = static_cast<std::uint16_t>(band);
-    j.budget = limits_[i].budgets[bands_[band].region == Region::to_pi ? 0 : 1];
+    j.budget = budget(i, band);
     return j;
   }
   /// Throws Undecided if the exact value may be on either side of the limit.

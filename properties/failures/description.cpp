@@ -48,6 +48,9 @@ std::string describe_failure(const Series& series, std::uint64_t seed, int outpu
   if (!s.reproduced)
     return text + fmt::format("  not repeatable: measured again, this case {}; so it is not shrunk\n",
                               s.judged.failed ? "gives other results" : "passes");
+  if (const std::size_t shown = s.judged.residual.band; shown != static_cast<std::size_t>(band) && shown > 0)
+    text += fmt::format("  shown     a simpler input that fails in the same way, in the band {}\n",
+                        series.bands()[shown].name);
   text += input_text(series, s.id.input) + case_text(series, s.id, s.id.input, s.judged);
   text += fmt::format("  replay    liecheck replay {}{}\n", s.id.text(), flags);
   if (!series.adapter.empty()) return text;  // with its own program

@@ -11,6 +11,7 @@
 #include <failures/calls.hpp>
 #include <invariants/tree_laws.hpp>
 #include <map>
+#include <span>
 
 namespace liecheck::properties {
 
@@ -20,9 +21,12 @@ namespace {
 /// most where all digits are lost: larger errors tell nothing more.
 struct Point {
   double x, y, low, high;
-  bool lost;  ///< whether the error leaves at most one and a half digits
-  bool zero;  ///< whether the worst result differs from the right one by its size, as 0 does
-  std::uint64_t cases;
+  bool lost;   ///< whether the error leaves at most one and a half digits
+  bool zero;   ///< whether the worst result differs from the right one by its size, as 0 does
+  bool still;  ///< whether the worst result differs from the right one by theta, as that of theta = 0 does
+  std::uint64_t cases, failed;
+  /// Whether the band tells of a formula, which fails for many inputs of a band.
+  bool many_fail() const { return 4 * failed > cases; }
 };
 
 constexpr double jump = 1.5;  ///< a factor of 30 between adjacent bands is no property of a smooth formula
@@ -40,12 +44,13 @@ std::vector<Point> points(const FailedBlock& f, Axis axis) {
     const double error = budget.rule == Rule::forward ? b.row->max_error : b.row->max_excess;
     const double limit = std::max(budget.limit, 1.0);
     const double y = std::max(0.0, std::log10(std::min(error, 1 / b.series->eps) / limit));
-    const auto at = by_band.try_emplace(
-        b.band, Point{std::log10(std::sqrt(band.low * band.high)), 0, band.low, band.high, false, false, 0});
+    const auto at = by_band.try_emplace(b.band, Point{std::log10(std::sqrt(band.low * band.high)), 0,
+                                                      band.low, band.high, false, false, false, 0, 0});
     Point& point = at.first->second;
-    point.y = std::max(point.y, y), point.cases += b.row->errors.count();
+    point.y = std::max(point.y, y), point.cases += b.row->errors.count(), point.failed += b.row->failed;
     point.lost |= error * b.series->eps > 0.03;
     point.zero |= std::fabs(error * b.series->eps - 1) < 1e-6;
+    point.still |= error * b.series->eps > 0.5 * band.low && error * b.series->eps < 2 * band.high;
   }
   std::vector<Point> all;
   for (const auto& [band, p] : by_band) all.push_back(p);
@@ -53,12 +58,17 @@ std::vector<Point> points(const FailedBlock& f, Axis axis) {
   return all;
 }
 
-/// The slope of y over x where the error neither is within its limit nor has lost all digits; 0 in fewer than three
-/// bands.
+/// The number of bands up to the last one in which all digits are lost.
+std::size_t lost_bands(const std::vector<Point>& p) {
+  const auto last = std::find_if(p.rbegin(), p.rend(), [](const Point& q) { return q.lost; });
+  return static_cast<std::size_t>(p.rend() - last);
+}
+/// The slope of y over x where the error is not within its limit, in the bands above those that have lost all digits;
+/// 0 in fewer than three bands.
 double slope(const std::vector<Point>& p) {
   double n = 0, x = 0, y = 0, xx = 0, xy = 0;
-  for (const Point& q : p)
-    if (q.y > 0.5 && !q.lost) ++n, x += q.x, y += q.y, xx += q.x * q.x, xy += q.x * q.y;
+  for (const Point& q : std::span(p).subspan(lost_bands(p)))
+    if (q.y > 0.5) ++n, x += q.x, y += q.y, xx += q.x * q.x, xy += q.x * q.y;
   return n < 3 ? 0 : (n * xy - x * y) / (n * xx - x * x);
 }
 
@@ -69,6 +79,32 @@ std::string about(double theta) {
 
 bool is_rotation_vector(const FailedBlock& f) {
   return f.block == "rotation vector";
+}
+std::string_view operation_of(const FailedBlock& f) {
+  return f.worst->series->outputs.at(f.worst->output).operation;
+}
+/// Whether the result is a rotation vector, or its angle alone.
+bool has_angle(const FailedBlock& f) {
+  return is_rotation_vector(f) || operation_of(f) == "relative_angle";
+}
+/// Whether formulas for the result have series in theta.
+bool has_series(const FailedBlock& f) {
+  return operation_of(f) != "relative_angle" && operation_of(f) != "rotation_between" &&
+         operation_of(f) != "slerp";
+}
+/// Whether the error is an angle, not relative to theta.
+bool errs_by_angle(const FailedBlock& f) {
+  return f.block == "rotation" || f.block == "direction";
+}
+
+/// What is wrong below a cutoff, above which the error ends.
+std::string below_cutoff(const FailedBlock& f, const std::vector<Point>& p, std::size_t peak) {
+  const std::string at = about(p[peak].high);
+  if (errs_by_angle(f) && p[peak].still && p[peak - 1].still)
+    return fmt::format("a threshold at theta about {}, below which the result is that of theta = 0", at);
+  if (!has_series(f))
+    return fmt::format("a threshold at theta about {}, below which another formula is coarser", at);
+  return fmt::format("a cutoff at theta about {}: the series below it lacks a term, or has a wrong one", at);
 }
 
 /// What the errors at small angles tell.
@@ -81,18 +117,21 @@ std::string at_small_angles(const FailedBlock& f) {
   const auto falls = [&](std::size_t i) { return at(i) < p[peak].y - jump; };
   const bool ends_below = peak > 0 && falls(peak - 1), ends_above = peak + 1 < p.size() && falls(peak + 1),
              fails_above = at(peak + 1) > 0.5;
-  const double power = slope(p), from_root = std::log10(p[peak].low / std::sqrt(f.worst->series->eps));
-  // Below the root of eps the cosine is 1, and its acos is 0.
-  if (is_rotation_vector(f) && power < -1.5 && power > -2.5 && (!ends_below || std::fabs(from_root) < 1.6))
+  const double power = slope(p), root = std::sqrt(f.worst->series->eps);
+  const auto near_root = [root](double theta) { return std::fabs(std::log10(theta / root)) < 1.6; };
+  // Below the root of eps the cosine is 1, and its acos is 0. The angle between two quaternions errs by chance there.
+  const std::size_t lost = lost_bands(p);
+  if (is_rotation_vector(f) ? power < -1.5 && power > -2.5 && (!ends_below || near_root(p[peak].low))
+                            : has_angle(f) && power < -1 && lost > 0 && near_root(p[lost - 1].high))
     return "acos near 1, which keeps half of the digits: the error grows as 1 / theta^2; atan2 of both parts "
            "does not";
-  if (ends_below && fails_above)
+  if (has_series(f) && ends_below && fails_above && p[peak].many_fail())
     return fmt::format(
         "a cutoff at theta about {}: above it the closed form cancels, the more the smaller theta is",
         about(p[peak].low));
-  if (peak >= 2 && at(peak - 1) > 0.3 && at(peak - 2) <= at(peak - 1) && ends_above && falls(peak - 2))
-    return fmt::format("a cutoff at theta about {}: the series below it lacks a term, or has a wrong one",
-                       about(p[peak].high));
+  if (peak >= 2 && at(peak - 1) > 0.3 && at(peak - 2) <= at(peak - 1) && ends_above && falls(peak - 2) &&
+      p[peak].many_fail())
+    return below_cutoff(f, p, peak);
   std::size_t zeros = 0;
   while (zeros < p.size() && p[zeros].zero) ++zeros;
   if (zeros > 1 && zeros < p.size() && at(zeros) < at(zeros - 1) - jump &&
@@ -100,10 +139,20 @@ std::string at_small_angles(const FailedBlock& f) {
     return fmt::format(
         "the result is 0 where theta is below about {}: a threshold, or acos of a number that rounds to 1",
         about(p[zeros - 1].high));
-  if (peak >= 3 && peak + 3 < p.size() && falls(peak - 3) && falls(peak + 3) && p[peak].cases >= 10)
+  if (has_series(f) && peak >= 3 && peak + 3 < p.size() && falls(peak - 3) && falls(peak + 3) &&
+      p[peak].cases >= 10)
     return fmt::format("a cutoff at theta about {}, towards which the errors of both formulas grow",
                        about(at(peak + 1) > at(peak - 1) ? p[peak].high : p[peak].low));
   if (power > -0.5 || p.front().y < p[peak].y - jump) return "";
+  if (operation_of(f).starts_with("log3_quaternion") || operation_of(f) == "log3_any_norm") {
+    // Half of the stored quaternions have w < 0.
+    std::uint64_t cases = 0, failed = 0;
+    for (const Point& q : p) cases += q.y > 0.5 ? q.cases : 0, failed += q.y > 0.5 ? q.failed : 0;
+    if (failed * 10 > cases * 2 && failed * 10 < cases * 8)
+      return "where w < 0, the angle 2 atan2(|v|, w) is near 2 pi, and 2 pi - angle cancels; -Q is the same "
+             "rotation, "
+             "with w > 0";
+  }
   return fmt::format(
       "a missing series: the formula cancels as theta goes to 0, and the error grows as 1 / theta{}",
       std::lround(-power) > 1 ? fmt::format("^{}", std::lround(-power)) : "");
@@ -123,6 +172,16 @@ std::string near_pi(const FailedBlock& f) {
   const std::vector<Point> p = points(f, Axis::pi_minus_theta);
   if (p.size() < 4) return "";
   const double power = slope(p);
+  if (!has_series(f) && !has_angle(f)) {
+    std::size_t lost = 0;
+    while (lost < p.size() && p[lost].lost) ++lost;
+    if (lost > 1 && lost < p.size() && p[lost].y < 1 && p[lost].low < 1.01 * p[lost - 1].high)
+      return fmt::format("a threshold between pi - theta = {} and {}, below which the result is wrong",
+                         about(p[lost - 1].low), about(p[lost - 1].high));
+    if (p.front().y > jump && power < -0.5)
+      return "1 + cos(theta), or the cross product of the arguments, cancels where they are nearly opposite";
+    return "";
+  }
   if (p.front().y > jump && power < -0.5 && power > -2.5)
     return fmt::format(
         "sin near pi: something is divided by sin(theta), or theta comes from acos: the error grows as "
@@ -138,9 +197,10 @@ std::string of_branch_near_pi(const FailedBlock& f) {
     if (b.row->wrong_branch == 0) continue;
     const Band& band = b.series->bands()[b.band];
     if (band.axis != Axis::pi_minus_theta || band.high >= 1) return "";
+    if (b.row->failed > b.row->wrong_branch) return "";  // something else is wrong there
     any = true;
   }
-  if (!any || f.worst->series->outputs.at(f.worst->output).operation != "log3_quaternion") return "";
+  if (!any || operation_of(f) != "log3_quaternion") return "";
   return "the sign of w near pi: where w is just below 0, the shorter rotation is about the opposite axis";
 }
 
@@ -164,14 +224,15 @@ std::string of_not_finite(const FailedBlock& f) {
     else
       other = true;
   }
-  if (is_rotation_vector(f) && !other && !beyond && near_pi && largest > 1e-100)
+  if (has_angle(f) && !other && !beyond && near_pi && largest > 1e-100)
     return "acos of a number beyond 1 or -1";
-  if (elsewhere * 10 > f.failed && !is_rotation_vector(f)) return "";
+  if (elsewhere * 10 > f.failed && !has_angle(f)) return "";
   if (other || near_pi || (largest < 0 && !beyond)) return "";
   if (largest < 0) return "theta^2 or a power of it overflows";
   if (beyond) return "";
   if (largest == 0) return "0/0 at theta = 0";
-  if (is_rotation_vector(f) && largest > 1e-100) return "acos of a number above 1, or 0/0 at small theta";
+  if (operation_of(f) == "relative_angle") return "acos of a number above 1";
+  if (has_angle(f) && largest > 1e-100) return "acos of a number above 1, or 0/0 at small theta";
   return zero ? fmt::format("0/0 for theta < {}", about(largest))
               : "theta^2 underflows to 0, and then something is divided by it";
 }

@@ -4,9 +4,11 @@
 #include <fmt/ranges.h>
 #include <algorithm>
 #include <campaign/typed_series.hpp>
+#include <conventions/probe.hpp>
 #include <conventions/reference.hpp>
 #include <conventions/values.hpp>
 #include <oracles/number.hpp>
+#include <oracles/orientations.hpp>
 #include <span>
 #include <support/text.hpp>
 
@@ -107,7 +109,7 @@ std::vector<Pair> pairs_of(const Output& output, const NotedCase& noted, const N
                         square > Real(9.8696);
     add_part(
         all, got, right, [&](std::size_t i) { return conventions::number_name(part, i); },
-        size == 4 || turned);
+        (size == 4 && call.operation->name != "normalize") || turned);
   }
   if (call.operation == output.record && output.block == "coupling")
     std::erase_if(all, [i = std::size_t(0)](const Pair&) mutable {
@@ -115,6 +117,24 @@ std::vector<Pair> pairs_of(const Output& output, const NotedCase& noted, const N
       return at / 6 >= 3 || at % 6 < 3;
     });
   return all;
+}
+
+/// What is to be said where other results are right, too.
+std::string others_of(const NotedCall& call, const std::vector<Real>& exact) {
+  const Real near = Real(1) / 10000000;
+  if (call.operation->name == "rotation_between" && abs(exact[3]) < near)
+    return "    the arguments are opposite but for rounding: every unit Q with w = 0 and an axis "
+           "perpendicular "
+           "to them is right\n";
+  if (conventions::has_order(*call.operation) && call.operation->results[0]->parts[0].name == "angles") {
+    const oracles::Order order(static_cast<int>(call.arguments[0]));
+    const bool proper = order.axes[0] == order.axes[2];
+    if (abs(proper ? sin(exact[1]) : cos(exact[1])) < near)
+      return "    at or near gimbal lock, the first and the last angle are not unique; the rotation that "
+             "they give "
+             "is\n";
+  }
+  return "";
 }
 
 /// What a law on trees compares.
@@ -272,7 +292,7 @@ std::string comparison_text(const Series& series, const Output& output, const No
       }
       const std::vector<Real> exact = expected_of(*call);
       if (!exact.empty() && exact.size() == call->result.size())
-        text += lines_of<S>(pairs_of(output, noted, *call, exact));
+        text += lines_of<S>(pairs_of(output, noted, *call, exact)) + others_of(*call, exact);
       else if (noted.compared.exact.empty())
         text += call->result.size() <= most_inputs
                     ? fmt::format("    got       {}\n", numbers_text(series, call->result))

@@ -52,8 +52,9 @@ class AnyNorm final : public Law<AnyNorm, S> {
     const auto exact = oracles::log_so3(Qx);
     Vec<S, 6> xi;
     xi << Vec<S, 3>::Zero(), o[op::log3_any_norm](Q);
-    record_log<S>(r, {op::log3_any_norm[block::rotation_vector]}, band_of_log<S>(exact), xi, exact,
-                  Side::decided);
+    constexpr Output output = op::log3_any_norm[block::rotation_vector];
+    const std::size_t band = band_of_log<S>(exact);
+    record_log<S>(r, {output}, band, xi, exact, side_of(r, output, band));
   }
 
  private:

@@ -28,8 +28,13 @@ bool on_other_branch(const oracles::Vec3<T>& computed, const oracles::Vec3<T>& e
 
 /// Where a logarithm changes its axis to the opposite one: at theta = pi exactly, for a stored quaternion,
 /// whose w decides; or within 4 eps of the scalar of pi, for a matrix or a composed pose. There the rounding
-/// of the entries, or of the product, may carry the rotation across pi.
+/// of the entries, or of the product, may carry the rotation across pi. Of a subject that may err by more
+/// than 4 eps, the sign of w is not asked either: so near pi, the rotation about the opposite axis by the
+/// angle pi, rounded, is as good as the one on the side of w.
 enum class Side { decided, either };
+inline Side side_of(const Recorder& r, const Output& rotation_vector, std::size_t band) {
+  return r.limit(rotation_vector, band) > 4 ? Side::either : Side::decided;
+}
 
 /// Whether a logarithm on the other side of pi is right, too.
 template <class S, class T>

@@ -37,8 +37,9 @@ class LogOracle final : public Law<LogOracle, S> {
     const Vec<S, 3> p = read.template take<3>();
     if (o[op::log3_quaternion]) {
       const auto exact = oracles::log_so3(oracles::exact_vector<4, Real>(Q));
-      record_log<S>(r, {op::log3_quaternion[block::rotation_vector]}, band_of_log<S>(exact),
-                    rotation(o[op::log3_quaternion](Q)), exact, Side::decided);
+      constexpr Output output = op::log3_quaternion[block::rotation_vector];
+      const std::size_t band = band_of_log<S>(exact);
+      record_log<S>(r, {output}, band, rotation(o[op::log3_quaternion](Q)), exact, side_of(r, output, band));
     }
     if (!o[op::log3_matrix] && !o[op::log6]) return;
     const auto exact =

@@ -46,12 +46,10 @@ class MinimalRotation final : public SlowLaw<MinimalRotation, S> {
     judged_value(r, {direction, twist, defect}, band, computed, true, [&] {
       const Quaternion<> Q = exact_vector<4>(computed);
       const Real length = norm(Q);
-      if (!(length > 0)) {  // zero is no rotation
-        for (const Output& o : {direction, twist, defect}) r.outcome(o, band, Outcome::not_finite);
-        return;
-      }
-      r.record(direction, band, in_eps<S>(norm(rotate(Q, from) - to)));
-      r.record(twist, band, in_eps<S>(Real(2 * abs(dot(head3(Q), from)) / length)));
+      const bool rotates =
+          length > 0;  // Q = 0 turns a into no direction: its distance is that of the opposite one
+      r.record(direction, band, in_eps<S>(rotates ? Real(norm(rotate(Q, from) - to)) : Real(2)));
+      r.record(twist, band, in_eps<S>(rotates ? Real(2 * abs(dot(head3(Q), from)) / length) : Real(0)));
       r.record(defect, band, norm_defect<S>(Q));
     });
   }

@@ -110,6 +110,10 @@ class Recorder {
   virtual ~Recorder() = default;
   virtual void record(const Output& output, std::size_t band, double error_eps, Kappa kappa = nullptr) = 0;
   virtual void outcome(const Output& output, std::size_t band, Outcome outcome) = 0;
+  /// The error or excess in eps up to which the output passes in the band; infinity if nothing is judged.
+  virtual double limit(const Output&, std::size_t /*band*/) const {
+    return std::numeric_limits<double>::infinity();
+  }
 };
 
 /// The robot that configuration properties run on.

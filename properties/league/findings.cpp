@@ -10,6 +10,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <support/files.hpp>
@@ -34,12 +35,19 @@ std::string suffix(const std::string& language) {
   return at == all.end() ? ".txt" : at->second;
 }
 
-/// The program in the text of a failure, without its heading; empty if there is none.
-std::string program_in(const std::string& text) {
+/// The program in the text of a failure, without its heading; empty if there is none. What `replay` prints has a
+/// program for each block of each operation: then it is one of the operation.
+std::string program_in(const std::string& text, const std::string& operation = "") {
   static const std::string heading = "'s own program:\n\n";
-  const auto at = text.find(heading);
+  const auto block = operation.empty() ? 0 : text.find("\n" + operation + ", block ");
+  const auto at = block == text.npos ? text.npos : text.find(heading, block);
   if (at == text.npos) return "";
-  const auto end = text.find("\n\n  replay ", at + heading.size());
+  auto end = text.find(operation.empty() ? "\n\n  replay " : "\n\n\n", at + heading.size());
+  const auto heads_a_block = [&] {
+    const auto line = text.find_first_not_of('\n', end);
+    return line == text.npos || text.substr(line, text.find('\n', line) - line).find(", block ") != text.npos;
+  };
+  while (!operation.empty() && end != text.npos && !heads_a_block()) end = text.find("\n\n\n", end + 3);
   std::string program =
       text.substr(at + heading.size(), end == text.npos ? end : end + 1 - at - heading.size());
   while (program.ends_with("\n\n")) program.pop_back();
@@ -73,9 +81,10 @@ struct Output {
   int code = 0;
 };
 
-/// Runs the shell command for at most a minute, with both streams.
+/// Runs the shell command for at most a minute. The text is what it writes to standard output.
 Output output_of(const std::string& command) {
-  FILE* const pipe = ::popen(("timeout 60 /bin/sh -c " + shell_quoted(command) + " 2>&1").c_str(), "r");
+  FILE* const pipe =
+      ::popen(("timeout 60 /bin/sh -c " + shell_quoted(command) + " 2>/dev/null").c_str(), "r");
   if (!pipe) throw std::runtime_error("a shell cannot be started");
   Output out;
   std::array<char, 4096> part;
@@ -99,21 +108,33 @@ bool confirms(const std::string& output, const std::vector<double>& returned, bo
 /// A form that does not have the defect.
 std::string repair_of(const std::string& operation) {
   if (operation.starts_with("exp3_quaternion"))
-    return "Q = (sin(theta/2)/theta phi, cos(theta/2)), with sin(theta/2)/theta = 1/2 - theta^2/48 where "
-           "theta^2 underflows";
+    return "Q = (sin(theta/2)/theta phi, cos(theta/2)), with 1/2 for sin(theta/2)/theta at theta = 0, and no "
+           "other threshold";
   if (operation.starts_with("exp3_matrix"))
-    return "R = 1 + c1 [phi] + c2 [phi]^2, with c1 = sin(theta)/theta and c2 = 2 (sin(theta/2)/theta)^2, "
-           "never 1 - cos(theta)";
+    return "R = 1 + c1 [phi] + c2 [phi]^2, with c1 = sin(theta)/theta and c2 = 2 (sin(theta/2)/theta)^2, and "
+           "their limits 1 and 1/2 at theta = 0";
   if (operation == "log3_matrix")
-    return "Q of R by its largest pivot, then phi = 2 atan2(|v|, |w|)/|v| v, with the sign of w and 0 for v "
-           "= 0; never acos of the trace";
-  if (operation.starts_with("log3") || operation == "relative_angle")
-    return "phi = 2 atan2(|v|, |w|)/|v| v, with the sign of w and 0 for v = 0; never acos(w), which loses "
-           "half of the digits near 1";
+    return "the quaternion Q = (v, w) of R by its largest pivot, then phi = 2 atan2(|v|, |w|)/|v| v, with "
+           "the sign "
+           "of w, and 0 for v = 0";
+  if (operation.starts_with("log3"))
+    return "phi = 2 atan2(|v|, |w|)/|v| v for Q = (v, w), with the sign of w, and 0 for v = 0";
+  if (operation == "relative_angle")
+    return "2 atan2(|v|, |w|) for the product (v, w) of the conjugate of Q0 with Q1";
+  if (operation == "rotation_between")
+    return "for unit a and b, with c = a + b: Q = (a x c / |c|, |c|/2), normalised; where |c| is a few "
+           "roundings, w = "
+           "0 and any unit axis perpendicular to a";
+  if (operation.starts_with("euler_from"))
+    return "the middle angle by atan2 of both of its parts, without asin or acos, and without a threshold "
+           "for gimbal "
+           "lock: one of the outer angles by atan2, and the other from the matrix that is left when its turn "
+           "is "
+           "taken back";
   if (operation == "slerp")
     return "the angle by atan2(|Q1 - Q0|, |Q1 + Q0|), and its sines, without a threshold on the cosine";
   if (operation == "normalize") return "Q / |Q|, with Q scaled by its largest component first";
-  return "the formula that `liecheck list --operations` gives, as the subject liecheck computes it";
+  return "none is proposed here";
 }
 
 /// What `liecheck replay` prints for the same input with another subject, which an adapter offers; "" if it cannot.
@@ -142,6 +163,18 @@ std::string oracles_of(const std::string& operation) {
            "atan2, at 50";
   if (operation.find("jacobian") != operation.npos)
     return "the closed form at 100 digits, and the power series of the matrix at 50";
+  if (operation == "relative_angle")
+    return "the logarithm of Q0* Q1, and 4 asin of half the distance of Q0 and Q1, both at 100 digits";
+  if (operation == "slerp")
+    return "the sines of both parts of the arc at 100 digits, and Q0 exp(t log(Q0* Q1)) at 50";
+  if (operation == "rotation_between")
+    return "they are one of several results; the error is that of the law's equation at 50 digits, for which "
+           "no expected "
+           "numbers are needed";
+  if (operation.starts_with("euler_from"))
+    return "the error compares the rotation of the angles, as a product of quaternions at 100 digits and of "
+           "matrices at "
+           "50, with that of the input";
   return "one formula at 100 digits and another at 50";
 }
 
@@ -198,7 +231,7 @@ std::string repaired(const json& record, const json& library, const json& cell, 
   if (!form) return all;
   const std::string text =
       replay_of(line_of(cell["failure"]["text"], "replay"), (*form)["name"], (*form)["adapter"]);
-  const std::string program = program_in(text);
+  const std::string program = program_in("\n" + text, operation);
   if (program.empty()) return all;
   const fs::path file = stem.string() + "_repaired" + suffix((*form)["language"]);
   const Output out = run_program(*form, file, program);
@@ -212,27 +245,70 @@ std::string repaired(const json& record, const json& library, const json& cell, 
                    figures(cell));
 }
 
+/// What the failure of a cell says of its error: the digits that the input shown loses, or the outcome.
+std::string shown_error(const json& failure) {
+  const std::string error = line_of(failure["text"], "error");
+  const auto lost = error.find("; ");
+  return lost == error.npos ? failure["what"].get<std::string>() : error.substr(lost + 2);
+}
+/// "in double, at theta < 1e-8: 3 of 20 cases there fail"
+std::string where_it_fails(const json& cell) {
+  const json& f = cell["failure"];
+  const std::string where = f["where"];
+  return fmt::format("in {}{}: {} of {} cases {}fail", cell["scalar"].get<std::string>(),
+                     where == "everywhere" ? "" : ", at " + where, f["failed"].get<std::uint64_t>(),
+                     f["cases"].get<std::uint64_t>(), where == "everywhere" ? "" : "there ");
+}
+/// The text of a failure up to its program, without the inputs of the law that the function does not take, and with the
+/// name of the order of Euler angles.
+std::string shown_case(const std::string& failure) {
+  const std::string call = line_of(failure, "call");
+  std::set<std::string> taken;
+  for (auto at = call.find('('); at != call.npos && at + 1 < call.size(); at = call.find(',', at + 1)) {
+    const auto from = call.find_first_not_of(", (", at), to = call.find_first_of(",)", from);
+    if (to == call.npos) break;
+    taken.insert(call.substr(from, to - from));
+  }
+  static constexpr const char* orders[] = {"XYZ", "XZY", "YXZ", "YZX", "ZXY", "ZYX",
+                                           "XYX", "XZX", "YXY", "YZY", "ZXZ", "ZYZ"};
+  std::istringstream lines(failure.substr(0, failure.find("  as ")));
+  std::string all;
+  bool inputs = false, first = true;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("  input ")) inputs = true;
+    if (inputs && !line.starts_with("  input ") && !line.starts_with("        ")) inputs = false;
+    if (inputs) {
+      const auto from = line.find_first_not_of(' ', 12), equal = line.find(" = ");
+      const std::string name = equal == line.npos ? "" : line.substr(from, equal - from);
+      if (!taken.empty() && !name.empty() && !taken.contains(name)) continue;
+      if (first && from != line.npos) line = "  input     " + line.substr(from);
+      if (name == "order")
+        if (const auto order = std::strtoul(line.c_str() + line.find('=') + 1, nullptr, 10); order < 24)
+          line += fmt::format(": {}, {} axes", orders[order / 2], order % 2 ? "rotating" : "static");
+      first = false;
+    }
+    all += line + "\n";
+  }
+  return all;
+}
+
 /// The whole Markdown file of a finding.
 std::string finding(const json& record, const json& library, const json& cell, const std::string& program,
                     const std::string& output, const fs::path& file) {
   const json& f = cell["failure"];
   const std::string text = f["text"], operation = cell["operation"], guess = f["guess"];
-  std::string all =
-      fmt::format("# {} {}: {}, {}\n\n", library["name"].get<std::string>(),
-                  library["version"].get<std::string>(), operation, f["what"].get<std::string>());
-  all += fmt::format("In {}, at {}: {} of {} cases in these bands fail.", cell["scalar"].get<std::string>(),
-                     f["where"].get<std::string>(), f["failed"].get<std::uint64_t>(),
-                     f["cases"].get<std::uint64_t>());
+  std::string all = fmt::format("# {} {}: {}, {}\n\n", library["name"].get<std::string>(),
+                                library["version"].get<std::string>(), operation, shown_error(f));
+  all += "This fails " + where_it_fails(cell) + ".";
   if (const json* const other = cell_in(library, operation, "float");
       other && other != &cell && (*other)["failure"].is_object())
-    all += fmt::format(" In float: {}, at {}.", (*other)["failure"]["what"].get<std::string>(),
-                       (*other)["failure"]["where"].get<std::string>());
+    all += " It also fails " + where_it_fails(*other) + ".";
   all += fmt::format(
       "\n\n## Program\n\n```\n{}```\n\nRun as `{}`, it prints what the library does:\n\n```\n{}{}```\n\n",
       program, commands(library, file).second, output, output.ends_with('\n') ? "" : "\n");
-  all += fmt::format("## Input, expected and returned\n\n```\n{}```\n\n", text.substr(0, text.find("  as ")));
+  all += fmt::format("## Input, expected and returned\n\n```\n{}```\n\n", shown_case(text));
   all += fmt::format(
-      "The expected numbers have two sources that agree to 41 digits: {}. Where they differ, a case is "
+      "Sources of the expected numbers, which agree to 41 digits: {}. Where they differ, a case is "
       "*unresolved* and "
       "is no finding.\n\n",
       oracles_of(operation));
@@ -293,8 +369,7 @@ Confirmed write_findings(const json& record, const std::string& folder) {
       }
       write_whole(fs::path(folder) / (name + ".md"), finding(record, library, cell, program, out.text, file));
       ++all.written;
-      all.text += fmt::format("{}: {}, {}\n", name, cell["failure"]["what"].get<std::string>(),
-                              cell["failure"]["where"].get<std::string>());
+      all.text += fmt::format("{}: {}, {}\n", name, shown_error(cell["failure"]), where_it_fails(cell));
     }
   all.text += fmt::format("{} findings in {}\n", all.written, folder);
   return all;

@@ -85,7 +85,8 @@ std::vector<Entry> read_roster(const std::string& file) {
   try {
     for (const json& e : parsed(read_whole(file)))
       all.push_back({e.at("name"), e.at("language"), e.at("adapter"), e.at("get"), e.at("run"),
-                     e.value("robot", ""), e.value("root", "free-flyer"), e.value("repaired", false)});
+                     e.value("robot", ""), e.value("root", "free-flyer"), e.value("repaired", false),
+                     e.value("limits", "")});
   } catch (const json::exception& e) {
     throw std::invalid_argument(fmt::format("{}: is not a list of adapters: {}", file, e.what()));
   }

@@ -16,6 +16,7 @@ struct Entry {
   std::string robot;      ///< the URDF that its operations on trees are judged on; empty if it has none
   std::string root;       ///< of the robot: fixed or free-flyer
   bool repaired = false;  ///< no library, but the forms that findings propose
+  std::string limits;     ///< a limits file of what the library documents; empty if there is none
 };
 
 /// The list of adapters that the build wrote. Throws std::runtime_error or std::invalid_argument naming the file.

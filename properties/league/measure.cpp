@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <campaign/campaign.hpp>
 #include <campaign/cliffs.hpp>
+#include <campaign/expected.hpp>
 #include <cmath>
 #include <failures/blocks.hpp>
 #include <failures/description.hpp>
@@ -49,6 +50,7 @@ const char* name_of(Axis axis) {
 
 void add(Cell& c, const Series& s, const Rows::Cell& at, const Row& row, std::uint64_t seed,
          const Robot& robot) {
+  if (row.failed > 0 && !fails(s, at, row)) return;  // the library documents it
   const auto output = static_cast<std::size_t>(at.first), band = static_cast<std::size_t>(at.second);
   const Band& b = s.bands()[band];
   const double error = s.budget(output, b.region).rule == Rule::forward ? row.max_error : row.max_excess;
@@ -125,6 +127,8 @@ json record_of(const Key& key, const Cell& c, double ns) {
 CampaignOptions options_of(const std::string& subject, const MeasureOptions& options) {
   CampaignOptions o;
   o.selection.subjects = {subject};
+  if (!options.limits.empty())
+    o.selection.limits.push_back(std::make_shared<const SubjectLimits>(read_limits(options.limits)));
   o.cases = options.cases, o.seed = options.seed, o.jobs = options.jobs, o.quiet = true;
   return o;
 }

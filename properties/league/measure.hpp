@@ -16,6 +16,7 @@ struct MeasureOptions {
   std::string
       robot;  ///< a URDF, on which the operations on trees are judged; empty: none, but for random trees
   bool fixed = false;  ///< its root
+  std::string limits;  ///< a limits file of the library, whose expected failures do not count; empty if there is none
 };
 
 /// Registers the adapter and runs every law that it offers the operations of, judged by the profile `careful`. Returns

@@ -2,7 +2,14 @@
 
 namespace liecheck::oracles {
 
+namespace {
+Real largest_rotation_distance() {
+  return 2 * sqrt(Real(2));
+}
+}  // namespace
+
 Real rotation_distance(const Quaternion<>& computed, const Quaternion<>& exact) {
+  if (squared_norm(computed) == 0) return largest_rotation_distance();
   const Quaternion<> Q = normalized(computed);
   Real along(0);
   for (int i = 0; i < 4; ++i) along += Q[i] * exact[i];
@@ -11,7 +18,8 @@ Real rotation_distance(const Quaternion<>& computed, const Quaternion<>& exact) 
 
 Real rotation_distance(const Mat3<>& computed, const Quaternion<>& exact) {
   const NearestQuaternion nearest = nearest_quaternion(cast<Real100>(computed));
-  if (!nearest.resolved) return std::numeric_limits<Real>::infinity();
+  if (!isfinite(norm(computed))) return std::numeric_limits<Real>::infinity();
+  if (!nearest.resolved) return largest_rotation_distance();
   return rotation_distance(cast<Real>(nearest.Q), exact);
 }
 

@@ -13,9 +13,10 @@
 
 namespace liecheck::oracles {
 
-/// 2 min(||Q/||Q|| - exact||, ||Q/||Q|| + exact||) for a unit quaternion `exact`.
+/// 2 min(||Q/||Q|| - exact||, ||Q/||Q|| + exact||) for a unit quaternion `exact`. For Q = 0 it is 2 sqrt(2),
+/// the largest distance that two rotations have.
 Real rotation_distance(const Quaternion<>& computed, const Quaternion<>& exact);
-/// The same for the polar factor of a stored matrix. It is infinite if the matrix is not near a rotation.
+/// The same for the polar factor of a stored matrix. It is 2 sqrt(2) if the matrix has no nearest one.
 Real rotation_distance(const Mat3<>& computed, const Quaternion<>& exact);
 /// | ||Q||^2 - 1 |
 Real norm_distance(const Quaternion<>& computed);

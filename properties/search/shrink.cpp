@@ -1,5 +1,6 @@
 #include <search/shrink.hpp>
 
+#include <algorithm>
 #include <campaign/typed_series.hpp>
 #include <chrono>
 #include <optional>
@@ -21,14 +22,21 @@ Shrunk shrink_in(const TypedSeries<S>& series, const CaseId& address, int output
   s.reproduced = first && first->residual.outcome != Outcome::not_repeatable;
   std::vector<S> small = x;
   if (s.reproduced) {
-    const Outcome outcome = first->residual.outcome;  // a simpler input must fail in the same way
+    const Outcome outcome =
+        first->residual.outcome;  // a simpler input must fail in the same way, and as much
+    const auto score = [&](const Judged& j) {
+      return std::min(j.budget && j.budget->rule == Rule::excess ? j.excess : j.residual.error,
+                      1 / series.eps);
+    };
     // Each crash or endless loop costs the start of a process, so their inputs are simplified for 5 s only.
     const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(5);
     const auto failure_of = [&](const std::vector<S>& y) -> std::optional<Judged> {
       if (!law.valid(y)) return std::nullopt;
       if (outcome == Outcome::crashed && std::chrono::steady_clock::now() > end) return std::nullopt;
       const auto j = failure_in(is_misuse(outcome) ? series.measure_twice(y) : series.measure(y));
-      return j && j->residual.outcome == outcome ? j : std::nullopt;
+      const bool same = j && j->residual.outcome == outcome &&
+                        (outcome != Outcome::measured || 10 * score(*j) >= score(*first));
+      return same ? j : std::nullopt;
     };
     small = shrink_input<S>(
         x, series.fields, [&](const auto& y) { return failure_of(y).has_value(); }, evaluations,

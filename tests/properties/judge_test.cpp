@@ -58,6 +58,42 @@ TEST(TheJudge, DividesALargeErrorByKappaHoweverLargeTheLimitIs) {
   EXPECT_EQ(excess(1000), 0.1);
 }
 
+// pi - 2e-17 and -pi - 2e-17 both round to the double that is nearest to pi.
+TEST(TheJudge, AsksForTheSideOfPiOnlyWhereTheLimitTellsBothApart) {
+  const auto outcome = [](double limit, double sign_of_axis, double w) {
+    const Budget budget{"", "", "any", Rule::forward, limit, ""};
+    Subject<double> subject;
+    if (sign_of_axis > 0)
+      subject.operations[op::log3_quaternion] = [](const Vec<double, 4>&) {
+        return Vec<double, 3>(M_PI, 0, 0);
+      };
+    else
+      subject.operations[op::log3_quaternion] = [](const Vec<double, 4>&) {
+        return Vec<double, 3>(-M_PI, 0, 0);
+      };
+    const Vec<double, 4> Q(1, 0, 0, w);
+    const std::vector<double> x =
+        Joined<double>{Q, Mat<double, 3>(Mat<double, 3>::Identity()), Vec<double, 3>(0, 0, 0)};
+    for (const auto& law : make_properties<double>())
+      if (law->name() == "log_oracle") {
+        Limits limits;
+        for (const Output& o : law->outputs()) limits.push_back({o.definition, {&budget, &budget}});
+        Judge judge(limits, Bands::of<double>(), 0x1p-52, 0);
+        law->measure(subject, x, judge);
+        return judge.judged.at(0).residual.outcome;
+      }
+    return Outcome::unmeasured;
+  };
+  for (const double limit : {1.65, 64.0}) {
+    EXPECT_EQ(outcome(limit, 1, 1e-17), Outcome::measured) << limit;
+    EXPECT_EQ(outcome(limit, -1, -1e-17), Outcome::measured) << limit;
+    EXPECT_EQ(outcome(limit, 1, -1e-14), Outcome::wrong_branch) << limit;
+  }
+  EXPECT_EQ(outcome(1.65, 1, -1e-17), Outcome::wrong_branch);
+  EXPECT_EQ(outcome(64, 1, -1e-17), Outcome::measured);
+  EXPECT_EQ(outcome(64, -1, 1e-16), Outcome::measured);
+}
+
 TEST(TallyRows, AreFoundAgainAfterCopyMoveAndErasure) {
   Rows a;
   a.of(1, 2).count = 5;
