@@ -42,9 +42,9 @@ void print_figures(const scene::Scene& scene, const scene::Run& run) {
     fmt::print("  {} events of contacts, limits or clamps were located\n", run.outcome.events);
   if (run.outcome.zeno)
     fmt::print(
-        "  more than 32 events in the step from t = {:g} s (Zeno behaviour): the rest of such a step is "
+        "  more than {} events in the step from t = {:g} s (Zeno behaviour): the rest of such a step is "
         "taken without locating them\n",
-        *run.outcome.zeno);
+        scene::methodInfo(scene.integrator).adaptive ? 10000 : 32, *run.outcome.zeno);
   for (const auto& f : run.figures)
     fmt::print("  {:<36}{:>24} {}\n", f.name, f.value ? fmt::format("{:.17g}", *f.value) : "-",
                f.unit == "1" ? "" : f.unit);
@@ -111,7 +111,10 @@ int run(const Flags& flags) {
   const scene::Run run = scene::run(
       scene,
       [&](double share) {
-        progress->show(share, [&](double) { return fmt::format("of {:g} s", scene.span.duration); });
+        progress->show(share, [&](double) {
+          return fmt::format("of {:g} s{}", scene.span.duration,
+                             share < 1 ? "" : "; now the estimate of its error");
+        });
         return !stop_requested.load();
       },
       !flags.no_estimate);

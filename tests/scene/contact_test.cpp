@@ -147,6 +147,49 @@ TEST(Contact, ABouncingBallLosesEnergyUntilItRests) {
   EXPECT_NEAR(run.rows[run.rows.size() - n + total], rest, 2e-3);
 }
 
+/// A block of width 2 b and height 2 h that stands tilted by phi on one edge falls back as a pendulum upside down about that
+/// edge (Housner 1963): (I + m R^2) phi'' = -m g R sin(a - phi), with R^2 = b^2 + h^2 and tan a = b/h. It lands upright
+/// when phi = 0, and then rocks on its other edge.
+TEST(Contact, ATiltedBlockFallsBackAsAPendulumAndRocksOnItsOtherEdge) {
+  const double b = 0.1, h = 0.5, R = std::hypot(b, h), a = std::atan2(b, h), tilt = a / 2;
+  const double I = m / 12 * (4 * b * b + 4 * h * h) + m * R * R, depth = m * g / 2e6;
+  double phi = tilt, rate = 0, t = 0;
+  const double dt = 1e-5;  // the midpoint rule, with an error of 1e-10
+  const auto pull = [&](double x) { return -m * g * R / I * std::sin(a - x); };
+  std::vector<double> fall;  // phi at t = 0, dt, 2 dt, ...
+  for (; phi > 0; t += dt) {
+    fall.push_back(phi);
+    const double middle = phi + dt / 2 * rate, faster = rate + dt / 2 * pull(phi);
+    phi += dt * faster, rate += dt * pull(middle);
+  }
+  char text[1200];
+  std::snprintf(
+      text, sizeof text,
+      "robot: {body: box, mass: 2 kg, size: [0.2, 0.3, 1]}\nground: {height: 0}\nframes:\n"
+      "  - {name: c1, on: body, position: [0.1, 0.15, -0.5]}\n"
+      "  - {name: c2, on: body, position: [-0.1, 0.15, -0.5]}\n"
+      "  - {name: c3, on: body, position: [-0.1, -0.15, -0.5]}\n"
+      "  - {name: c4, on: body, position: [0.1, -0.15, -0.5]}\n"
+      "initial: {position: [%.17g, 0, %.17g], attitude: [0, %.17g, 0]}\neffects:\n  - gravity\n"
+      "  - contact: {frames: [c1, c2, c3, c4], stiffness: 1e6, dissipation: 1, friction: 2, slip: 1e-4}\n",
+      -R * std::sin(a - tilt), R * std::cos(a - tilt) - depth, tilt);
+  scene::Scene s =
+      loadSceneText(std::string(text) + "integrator: {name: radau5, tolerance: 1e-7}\nduration: 1 s\n");
+  s.span = {1.4 * t, 14, 1};
+  auto system = scene::makeSystem<Body>(s);
+  scene::State<Body> state(system, s.q, s.v);
+  const auto method = scene::makeMethod<Body>(s.integrator, s.options);
+  const auto outcome = scene::simulate(system, *method, state, s.span, [&](const auto& now, long n) {
+    const double turned = 2 * std::atan2(now.q[4], now.q[6]);
+    if (n < 10)
+      EXPECT_NEAR(turned, fall[std::size_t(std::lround(double(n) * t / 10 / dt))], 3e-4) << n;
+    else if (n == 14)
+      EXPECT_LT(turned, -0.01);
+    return true;
+  });
+  EXPECT_FALSE(outcome.diverged) << outcome.why;
+}
+
 /// A tippe top: a ball whose centre of mass is below its centre turns over, its spin axis passing the horizontal. The
 /// friction at the contact point keeps Jellett's integral L . (contact point - centre of mass) (Jellett 1872).
 TEST(Contact, ATippeTopTurnsOverAndKeepsJellettsIntegral) {

@@ -171,7 +171,7 @@ TEST(SceneFile, AnInvalidSceneIsRefusedWithFileLineAndRemedy) {
       {1, "robot: {body: box, size: [1, 2, 3], root: spherical, axis: [1, 0, 0]}",
        "s.yaml:1: robot.axis needs a revolute, continuous or prismatic root, not 'spherical'"},
       {2, "initial: {start: dzhanibekov, angular_velocity: [1, 2, 3]}",
-       "s.yaml:2: start 'dzhanibekov' sets a velocity that initial gives too: keep one"},
+       "s.yaml:2: start 'dzhanibekov' sets the angular velocity, and initial gives it, too: keep one"},
       {6, "observers: [energy]\ntruth: triaxal",
        "s.yaml:7: no closed form is named 'triaxal', the nearest are 'triaxial', 'free_fall' and 'pendulum'"},
       {1, "robot: {body: box, size: [1, -2, 3]}", "s.yaml:1: a side of a box is below 0"},
@@ -236,6 +236,15 @@ TEST(SceneFile, FifteenThousandEffectsOrTwentyThousandFramesAreReadInSeconds) {
   };
   EXPECT_LT(planned(effects(15000)), 6);
   EXPECT_LT(planned(frames(20000)), 6);
+}
+
+TEST(SceneFile, AStartKeepsWhatItDoesNotSet) {
+  const scene::Scene s = loadSceneText(
+      with(2, "initial: {start: dzhanibekov, rate: 3 rad/s, position: [1, 2, 3], velocity: [4, 0, 5]}"),
+      "s.yaml", scenes.string());
+  EXPECT_EQ(s.q.head<3>(), V3(1, 2, 3));
+  EXPECT_EQ(s.v.head<3>(), V3(4, 0, 5));
+  EXPECT_NEAR(s.v.tail<3>().norm(), 3, 1e-3);
 }
 
 TEST(SceneFile, TheVariationalMethodNeedsALoneBody) {

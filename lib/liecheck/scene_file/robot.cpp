@@ -202,12 +202,34 @@ void readStart(const Text& text, const YAML::Node& initial, scene::Scene& scene)
         text.parameters(initial, Text::lineOf(start), "initial", entry.info.keys, &scene.model, own);
     const VectorX<double> q = scene.q, v = scene.v, q_neutral = neutral(scene.model);
     text.at(Text::lineOf(start), [&] { entry.set(p, scene.model, scene.q, scene.v); });
-    for (int k = 0; k < scene.model.nq; ++k)
-      if (q[k] != q_neutral[k] && scene.q[k] != q[k])
-        text.refuse(start, "start '" + name + "' sets a position that initial gives too: keep one");
-    for (int k = 0; k < scene.model.nv; ++k)
-      if (v[k] != 0 && scene.v[k] != v[k])
-        text.refuse(start, "start '" + name + "' sets a velocity that initial gives too: keep one");
+    // What initial gives and the start leaves at rest holds: a group of numbers belongs to one of them.
+    const auto join = [&](auto now, auto given, auto rest, const std::string& what) {
+      if (given == rest || now == given) return;
+      if (!(now == rest))
+        text.refuse(start, "start '" + name + "' sets " + what + ", and initial gives it, too: keep one");
+      now = given;
+    };
+    const VectorX<double> still = VectorX<double>::Zero(scene.model.nv);
+    for (std::size_t i = 1; i < scene.model.joints.size(); ++i) {
+      const int at_q = scene.model.idx_qs[i], at_v = scene.model.idx_vs[i];
+      const bool flyer = std::holds_alternative<FreeFlyer<double>>(scene.model.joints[i]);
+      const auto groups = [&](int from, int all, auto each) {
+        if (flyer) each(from, 3, true);
+        each(flyer ? from + 3 : from, flyer ? all - 3 : all, false);
+      };
+      groups(at_q, scene.model.nqs[i], [&](int from, int n, bool linear) {
+        join(scene.q.segment(from, n), q.segment(from, n), q_neutral.segment(from, n),
+             linear  ? "the position"
+             : flyer ? "the attitude"
+                     : "the position of joint '" + scene.model.names[i] + "'");
+      });
+      groups(at_v, scene.model.nvs[i], [&](int from, int n, bool linear) {
+        join(scene.v.segment(from, n), v.segment(from, n), still.segment(from, n),
+             linear  ? "the velocity"
+             : flyer ? "the angular velocity"
+                     : "the velocity of joint '" + scene.model.names[i] + "'");
+      });
+    }
   }
   text.at(Text::lineOf(initial), [&] { scene.q = normalized(scene.model, scene.q); });
   if (!scene.v.allFinite()) text.refuse(initial, "the initial velocity is not finite");
