@@ -144,19 +144,22 @@ std::string spins(const Json& s) {
 
 std::string peers(const Json& s) {
   std::vector<Cells> rows;
-  for (const Json& p : s["peers"])
-    rows.push_back({text_of(p, "scene"), text_of(p, "peer"), text_of(p, "integrator"), dumped(p["points"]),
-                    fmt::format("<b>{:.3f}</b>", figure(p["ratio"])), number(p["error"]), code(p["ours"]),
+  for (const Json& p : s["peers"]) {
+    const bool any = p["ours"] != "";
+    rows.push_back({text_of(p, "scene"), text_of(p, "peer"), text_of(p, "integrator"), text_of(p, "measure"),
+                    dumped(p["points"]), any ? fmt::format("<b>{:.3f}</b>", figure(p["ratio"])) : "—",
+                    any ? number(p["error"]) : "—", any ? code(p["ours"]) : "—",
                     p["unmatched"] ? "one of its points is more accurate than any of liecheck’s" : ""});
+  }
   for (const Json& name : s["absent"])
     rows.push_back(
-        {"all", escaped(name.get<std::string>()), "—", "0", "—", "—", "—", "absent from this build"});
+        {"all", escaped(name.get<std::string>()), "—", "—", "0", "—", "—", "—", "absent from this build"});
   if (rows.empty()) return "";
   return table(
       "Comparison with other simulators, without contact: liecheck’s time divided by the simulator’s time, "
       "where liecheck’s error is no larger. The largest ratio over all points of the simulator is shown. "
       "Below 1, liecheck is faster at every point",
-      {"scene", "simulator", "its method", "points", "liecheck’s time / its time", "at error",
+      {"scene", "simulator", "its method", "error of", "points", "liecheck’s time / its time", "at error",
        "liecheck’s method", "remark"},
       rows, true);
 }

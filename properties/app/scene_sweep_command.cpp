@@ -169,8 +169,11 @@ void print_peers(const SceneSweepResult& r) {
       "\nother simulators: liecheck's time over theirs, at an error that is no larger (the largest ratio of "
       "all their points)\n");
   for (const PeerComparison& c : r.peers)
-    fmt::print("  {:<14}{:<32}{:>6.3f} at {:.1e} by {}{}\n", c.scene, c.peer + " " + c.integrator, c.ratio,
-               c.error, c.ours, c.unmatched ? "; one of its points is more accurate than all of ours" : "");
+    fmt::print("  {:<14}{:<32}{:<17}{}{}\n", c.scene, c.peer + " " + c.integrator, c.measure,
+               c.ours.empty() ? ""
+                              : fmt::format("{:>6.3f} at {:.1e} by {}{}", c.ratio, c.error, c.ours,
+                                            c.unmatched ? "; " : ""),
+               c.unmatched ? "one of its points is more accurate than all of ours" : "");
 }
 
 void print_scene_sweep(const SceneSweepResult& r) {

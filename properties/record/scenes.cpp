@@ -64,9 +64,9 @@ json scene_record(const SceneSweep& s) {
 }
 
 json peer_record(const PeerComparison& c) {
-  return {{"scene", c.scene},   {"peer", c.peer},           {"integrator", c.integrator},
-          {"points", c.points}, {"ratio", number(c.ratio)}, {"error", number(c.error)},
-          {"ours", c.ours},     {"unmatched", c.unmatched}};
+  return {{"scene", c.scene},         {"peer", c.peer},     {"integrator", c.integrator},
+          {"measure", c.measure},     {"points", c.points}, {"ratio", number(c.ratio)},
+          {"error", number(c.error)}, {"ours", c.ours},     {"unmatched", c.unmatched}};
 }
 
 json spin_record(const LongSpin& s) {

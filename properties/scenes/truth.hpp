@@ -29,6 +29,15 @@ struct MotionError {
   double leading() const;
   void take_larger(const MotionError& other);
 };
+/// The four errors and their names.
+struct ErrorMeasure {
+  const char* name;
+  double MotionError::*of;
+};
+inline constexpr ErrorMeasure error_measures[] = {{"attitude", &MotionError::attitude},
+                                                  {"position", &MotionError::position},
+                                                  {"angular velocity", &MotionError::angular_velocity},
+                                                  {"linear velocity", &MotionError::linear_velocity}};
 MotionError motion_error(const Model<double>& robot, const Moment& found, const Moment& exact);
 
 }  // namespace liecheck::properties

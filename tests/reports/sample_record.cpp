@@ -120,7 +120,7 @@ Json scenes() {
    "name": "n", "what": "w"}],
  "flips": [{"exact": [34.8, 102.2], "horizon": 34.8, "integrator": "gauss12", "perturbation": 1e-08,
    "predicted": 1, "relative": [5e-17, "inf"], "scalar": "double"}],
- "peers": [{"error": 1e-06, "integrator": "RK4", "ours": "rkmk4", "peer": "MuJoCo", "points": 3,
+ "peers": [{"error": 1e-06, "integrator": "RK4", "measure": "attitude", "ours": "rkmk4", "peer": "MuJoCo", "points": 3,
    "ratio": 0.25, "scene": "a<b>", "unmatched": false}],
  "scenes": [{"closed": true, "disagreement": 0, "duration": 4,
    "orders": [{"errors": [0.01, "inf"], "exact": false, "first": 0, "floor": null, "halvings": 5,

@@ -174,8 +174,21 @@ TEST(Peers, AreComparedWithOurFastestPointWhoseErrorIsNoLarger) {
   EXPECT_DOUBLE_EQ(c[0].ratio, 100.0 / 120);
   EXPECT_EQ(c[0].points, 3U);
   EXPECT_FALSE(c[0].unmatched);
+  EXPECT_EQ(c[0].measure, "attitude");
   s.series[1].points.push_back(point(1e-9, 1e6));
   EXPECT_TRUE(compare_peers({s})[0].unmatched);
+  // A peer may be behind in the attitude and ahead in the position.
+  for (SweepSeries& series : s.series)
+    for (SweepPoint& p : series.points) p.error.position = series.subject == "Other" ? 0 : 1e-12;
+  c = compare_peers({s});
+  ASSERT_EQ(c.size(), 2U);
+  EXPECT_EQ(c[1].measure, "position");
+  EXPECT_TRUE(c[1].unmatched);
+  EXPECT_EQ(c[1].ours, "");
+  s.series[0].points[1].error.position = 0;
+  c = compare_peers({s});
+  EXPECT_FALSE(c[1].unmatched);
+  EXPECT_DOUBLE_EQ(c[1].ratio, 100.0 / 40);
 }
 
 }  // namespace
