@@ -1,9 +1,12 @@
 #include <fmt/format.h>
 #include <app/command.hpp>
+#include <cmath>
 #include <liecheck/scene/run.hpp>
 #include <liecheck/scene_file/scene_file.hpp>
 #include <numbers>
 #include <record/record.hpp>
+#include <scenes/benchmark.hpp>
+#include <scenes/truth.hpp>
 #include <stdexcept>
 #include <support/files.hpp>
 #include <support/progress.hpp>
@@ -65,6 +68,22 @@ void print_estimate(const scene::Estimate& e) {
              e.by, e.checkpoints, 100 * e.cost, e.order ? fmt::format("{:.2g}", *e.order) : "none");
 }
 
+/// Prints the errors of the last state against the closed form that the scene names. Returns false if one exceeds what the
+/// scene accepts.
+bool print_truth(const scene::Scene& scene, const scene::Run& run, const Truth& truth) {
+  const auto exact = [](const VectorX<double>& x) { return std::vector<oracles::Real>(x.begin(), x.end()); };
+  const MotionError e = motion_error(scene.model, {exact(run.q), exact(run.v)}, truth.at(run.outcome.t));
+  const char* const units[] = {"rad", "m", "rad/s", "m/s"};
+  for (std::size_t i = 0; i < std::size(error_measures); ++i)
+    if (const double x = e.*error_measures[i].of; !std::isnan(x))
+      fmt::print("  {:<36}{:>24.3g} {}\n", fmt::format("error at the end, {}", error_measures[i].name), x,
+                 units[i]);
+  fmt::print("    beside the closed form '{}'\n", scene.truth);
+  if (!run.estimate) return true;
+  const scene::StateError& accepted = run.estimate->accepted;
+  return !(e.attitude > accepted.angle) && !(e.position > accepted.position);
+}
+
 /// Prints each alarm on stderr.
 void print_alarms(const scene::Scene& scene, const scene::Estimate& e) {
   for (const scene::Alarm& a : e.alarms)
@@ -104,6 +123,12 @@ int run(const Flags& flags) {
   if (!flags.csv.empty()) scene.csv = flags.csv;
   if (!flags.json.empty()) scene.json = flags.json;
   check_apart(flags.file, scene.csv, scene.json);
+  std::optional<Truth> truth;
+  if (!scene.truth.empty()) try {
+      truth = named_truth(benchmark_of(scene), scene.truth);
+    } catch (const std::invalid_argument& e) {
+      throw std::invalid_argument(scene.source + ": " + e.what());
+    }
   stop_on_signals();
   for (const std::string& path : {scene.csv, scene.json})
     if (!path.empty()) check_writable(path);
@@ -122,10 +147,12 @@ int run(const Flags& flags) {
   const auto write_csv = [&] {
     if (!scene.csv.empty()) write_whole(scene.csv, csv_of(run));
   };
+  bool right = true;
   do_both([&] { do_both(write_csv, [&] { write_record_of(scene.json, scene, run); }); },
           [&] {
             print_figures(scene, run);
             if (run.estimate) print_estimate(*run.estimate);
+            if (truth) right = print_truth(scene, run, *truth);
           });
   if (run.largest_turn > std::numbers::pi)
     warn(
@@ -135,7 +162,10 @@ int run(const Flags& flags) {
   print_early_end(scene, run);
   if (run.estimate) print_alarms(scene, *run.estimate);
   if (run.outcome.diverged || run.outcome.stopped) return incomplete;
-  return run.estimate && !run.estimate->alarms.empty() ? property_failed : within_budget;
+  if (!right)
+    warn(fmt::format("liecheck: {}: the error beside the closed form exceeds what the scene accepts\n",
+                     scene.source));
+  return !right || (run.estimate && !run.estimate->alarms.empty()) ? property_failed : within_budget;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <oracles/exp.hpp>
 #include <oracles/motions/free_body.hpp>
 #include <oracles/motions/lagrange_top.hpp>
 #include <oracles/motions/one_coordinate.hpp>
@@ -189,6 +190,51 @@ std::optional<Truth> truth_of(const Benchmark& s, const std::atomic<bool>* stop)
   } catch (const std::domain_error&) {  // no closed form: on a separatrix or upside down
   }
   return {};
+}
+
+namespace {
+
+/// q0 exp(t v0) of a robot of one joint, a free-flyer or a spherical joint.
+Moment along_constant_twist(const Benchmark& s, double t) {
+  const bool flyer = s.v0.size() == 6;
+  Vec6<Real> twist = zero_vector<6, Real>();
+  for (Eigen::Index k = 0; k < s.v0.size(); ++k) twist[int(k + 6 - s.v0.size())] = Real(s.v0[k]);
+  const ExpResult step = exp_se3(Real(t) * twist);
+  const Quaternion<Real> Q0 = cast<Real>(quaternion_at(s.q0, flyer ? 3 : 0)),
+                         Q = quaternion_product(Q0, step.Q);
+  Moment m;
+  if (flyer) {
+    const Vec3<Real> p = rotation_matrix(Q0) * step.p;
+    for (int k = 0; k < 3; ++k) m.q.push_back(Real(s.q0[k]) + p[k]);
+  }
+  for (int k = 0; k < 4; ++k) m.q.push_back(Q[k]);
+  for (const double x : s.v0) m.v.emplace_back(x);
+  return m;
+}
+
+}  // namespace
+
+Truth named_truth(const Benchmark& s, const std::string& name) {
+  const auto& joints = s.robot.joints;
+  const bool alone = s.robot.njoints == 2,
+             flyer = alone && std::holds_alternative<FreeFlyer<double>>(joints[1]);
+  const auto twist = [&]() -> Truth {
+    return {name, true, 0, [s](double t) { return along_constant_twist(s, t); }};
+  };
+  if (name == "constant_twist" && flyer) return twist();
+  const std::optional<Truth> found = truth_of(s);
+  const bool top = alone && std::holds_alternative<Spherical<double>>(joints[1]);
+  if (!found && name == "sleeping_top" && top) return twist();  // exactly upright
+  if (!found || !found->closed)
+    throw std::invalid_argument("truth: the motion of this scene has no closed form: leave the key out");
+  const std::string word = name == "damped_spring"  ? "damped spring"
+                           : name.ends_with("_top") ? "Lagrange top"
+                           : name == "free_fall"    ? ""
+                                                    : name;
+  if (name == "free_fall" ? !flyer : found->name.find(word) == std::string::npos)
+    throw std::invalid_argument("truth: the closed form of this motion is '" + found->name + "', not '" +
+                                name + "'");
+  return *found;
 }
 
 MotionError MotionError::none() {

@@ -19,6 +19,9 @@ struct Truth {
 /// Stopped.
 std::optional<Truth> truth_of(const Benchmark& scene, const std::atomic<bool>* stop = nullptr);
 
+/// The closed form that a scene names by its key `truth`. Throws std::invalid_argument if the motion has none of this name.
+Truth named_truth(const Benchmark& scene, const std::string& name);
+
 /// The absolute errors of a state. The attitude error is the largest angle error of any joint [rad]: of the
 /// frame of a free-flyer or spherical joint, or of the angle of a revolute joint. The other errors are
 /// 2-norms over all joints. An error is NaN if the scene has no such quantity.

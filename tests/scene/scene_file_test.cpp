@@ -340,6 +340,36 @@ TEST(Program, AnInvalidScenePrintsOneLineAndExitsWithTwo) {
                 ":3: 'gravty' is not known in effects, the nearest are 'gravity', 'drag' and 'wrench'\n");
 }
 
+TEST(Program, ComparesTheEndWithTheClosedFormThatTheSceneNames) {
+  const auto run = [](const std::string& name, const std::string& text) {
+    return program("scene run " + file(name, text));
+  };
+  const std::string swing =
+      "robot: {body: box, root: revolute, axis: [1, 0, 0], size: [0.02, 0.02, 1], centre: [0, 0, -0.5]}\n"
+      "initial: {joints: {root_joint: 1}}\neffects: [gravity]\naccuracy: {angle: 1e-3}\nduration: 5 s\n";
+  const auto [code, said] =
+      run("truth.yaml", swing + "integrator: {name: rkmk4, step: 1 ms}\ntruth: pendulum\n");
+  EXPECT_EQ(code, 0) << said;
+  EXPECT_NE(said.find("error at the end, attitude"), std::string::npos) << said;
+  EXPECT_NE(said.find("beside the closed form 'pendulum'"), std::string::npos) << said;
+  const auto [coarse, error] =
+      run("coarse.yaml", swing + "integrator: {name: rk2, step: 50 ms}\ntruth: pendulum\n");
+  EXPECT_EQ(coarse, 1) << error;
+  EXPECT_NE(error.find("the error beside the closed form exceeds what the scene accepts"), std::string::npos)
+      << error;
+  const auto [other, why] =
+      run("other.yaml", swing + "integrator: {name: rk2, step: 1 ms}\ntruth: damped_spring\n");
+  EXPECT_EQ(other, 2) << why;
+  EXPECT_NE(why.find("the closed form of this motion is 'pendulum', not 'damped_spring'"), std::string::npos)
+      << why;
+  const auto [none, reason] =
+      run("none.yaml", swing.substr(0, swing.find("effects")) +
+                           "effects: [gravity, joint_friction: {force: 1}]\nduration: 1 s\n"
+                           "integrator: {name: rkmk4, step: 1 ms}\ntruth: pendulum\n");
+  EXPECT_EQ(none, 2) << reason;
+  EXPECT_NE(reason.find("has no closed form"), std::string::npos) << reason;
+}
+
 TEST(Program, ADivergingRunWritesItsSamplesAndExitsWithThree) {
   const std::string csv = liecheck::scratch() + "diverging.csv";
   const std::string path =

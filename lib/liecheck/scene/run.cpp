@@ -64,6 +64,7 @@ class Runner {
       return goesOn();
     });
     result_.seconds = nowInSeconds() - begin;
+    result_.q = now.q, result_.v = now.v;
     result_.counts = method->counts();
     for (const auto& o : setup_.observers)
       for (Figure& f : o->figures()) {

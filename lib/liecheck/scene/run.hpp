@@ -37,7 +37,8 @@ struct Run {
   std::vector<double> rows;
   std::vector<Figure> figures;
   MethodCounts counts;
-  double seconds = 0;  ///< wall time
+  double seconds = 0;    ///< wall time
+  VectorX<double> q, v;  ///< the state at outcome.t
   /// The largest rotation |h omega| of a step [rad]. Methods require that it is below pi. It is 0 for
   /// adaptive methods, since the tolerance limits their steps.
   double largest_turn = 0;
