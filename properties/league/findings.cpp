@@ -308,9 +308,8 @@ std::string finding(const json& record, const json& library, const json& cell, c
       program, commands(library, file).second, output, output.ends_with('\n') ? "" : "\n");
   all += fmt::format("## Input, expected and returned\n\n```\n{}```\n\n", shown_case(text));
   all += fmt::format(
-      "Sources of the expected numbers, which agree to 41 digits: {}. Where they differ, a case is "
-      "*unresolved* and "
-      "is no finding.\n\n",
+      "Where the expected numbers come from: {}. A case in which two sources do not agree to 41 digits is "
+      "*unresolved* and no finding.\n\n",
       oracles_of(operation));
   if (!guess.empty())
     all += fmt::format("## Why\n\nThe shape of the error over the angle says: {}.\n\n", guess);

@@ -1,6 +1,7 @@
 #include <search/shrink.hpp>
 
 #include <algorithm>
+#include <campaign/expected.hpp>
 #include <campaign/typed_series.hpp>
 #include <chrono>
 #include <optional>
@@ -34,8 +35,9 @@ Shrunk shrink_in(const TypedSeries<S>& series, const CaseId& address, int output
       if (!law.valid(y)) return std::nullopt;
       if (outcome == Outcome::crashed && std::chrono::steady_clock::now() > end) return std::nullopt;
       const auto j = failure_in(is_misuse(outcome) ? series.measure_twice(y) : series.measure(y));
-      const bool same = j && j->residual.outcome == outcome &&
-                        (outcome != Outcome::measured || 10 * score(*j) >= score(*first));
+      if (!j || (!fails(series, *j) && fails(series, *first))) return std::nullopt;  // an expected failure
+      const bool same =
+          j->residual.outcome == outcome && (outcome != Outcome::measured || 10 * score(*j) >= score(*first));
       return same ? j : std::nullopt;
     };
     small = shrink_input<S>(
