@@ -87,7 +87,7 @@ TEST(Adapters, ADescriptionThatIsWrongIsRefusedInWords) {
 
 TEST(Adapters, ACrashIsAnOutcomeOfItsCaseAndTheCampaignGoesOn) {
   const std::string name =
-      register_adapter(shell_adapter("i=$((i + 1)); if [ $i -gt 20 ]; then kill -SEGV $$; fi; echo \"done "
+      register_adapter(shell_adapter("i=$((i + 1)); if [ $i -gt 6 ]; then kill -SEGV $$; fi; echo \"done "
                                      "$n\"; head -c $((33 * n)) /dev/zero"));
   EXPECT_EQ(name, "shell");
   CampaignOptions options;
