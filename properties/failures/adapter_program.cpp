@@ -61,8 +61,7 @@ std::string adapter_program(const Series& series, const Output& output, const No
   const auto arguments =
       with_scalar(series, [&]<class S>(const TypedSeries<S>&) { return arguments_in<S>(*call, *d); });
   if (const auto source = d->source.find(std::string(call->operation->name)); source != d->source.end())
-    return fmt::format("  as {}'s own program:\n\n{}\n", series.subject,
-                       filled(source->second, arguments, series.scalar));
+    return fmt::format("  as {}'s own program:\n\n{}\n", series.subject, filled(source->second, arguments, series.scalar));
   std::string text =
       fmt::format("  as the adapter is called: {} in {}\n", call->operation->name, series.scalar);
   for (const Argument& a : arguments)

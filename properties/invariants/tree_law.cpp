@@ -344,8 +344,7 @@ void CaseAt<S, T>::record(Recorder& r, const Output& output, const std::vector<T
   if constexpr (oracles::BallNumber<T>) {
     constexpr double eps = std::numeric_limits<S>::epsilon();
     const double most = size.head() + size.r;
-    if (terms / most * eps >
-        2) {  // ill-posed, whatever the error; kappa may be larger, because y may be zero
+    if (terms / most * eps > 2) {  // ill-posed, whatever the error; kappa may be larger, because y may be zero
       kappa = terms / most;
       const std::vector<double> x = rough_list(computed), y = rough_list(exact_value);
       std::vector<double> difference;

@@ -248,9 +248,8 @@ double MotionError::leading() const {
 
 void MotionError::take_larger(const MotionError& o) {
   // Takes the larger error, or o's if either is NaN. NaN in *this means that there is none yet.
-  for (double MotionError::*x : {&MotionError::attitude, &MotionError::position,
-                                 &MotionError::angular_velocity, &MotionError::linear_velocity})
-    if (!(this->*x >= o.*x)) this->*x = o.*x;
+  for (const ErrorMeasure& m : error_measures)
+    if (!(this->*m.of >= o.*m.of)) this->*m.of = o.*m.of;
 }
 
 MotionError motion_error(const Model<double>& robot, const Moment& found, const Moment& exact) {

@@ -3,8 +3,8 @@
 //
 // Greedy passes try the law's own simpler inputs and simpler values of each group: zero or identity,
 // rotations by pi/2 and pi, axis-aligned vectors, unit scale, powers of two, short decimals, few bits. A
-// candidate is accepted if it is valid and still fails, with at least a tenth of the error. The search stops after a number of evaluations, after
-// two seconds, or at stop_requested.
+// candidate is accepted if it is valid and still fails, with at least a tenth of the error, and not as a limits
+// file expects. The search stops after a number of evaluations, after two seconds, or at stop_requested.
 
 #include <algorithm>
 #include <campaign/series.hpp>

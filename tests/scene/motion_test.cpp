@@ -179,8 +179,7 @@ TEST(Variational, AFailedStepLeavesTheStateUnchanged) {
   for (const std::string drag : {"linear: 4", "quadratic: 100"}) {
     const scene::Scene s = loadSceneText(
         "robot: {body: ball, radius: 1}\nintegrator: {name: variational, step: 1 s}\nduration: 1 s\n"
-        "effects: [drag: {frame: body, " +
-        drag + "}]\n");
+        "effects: [drag: {frame: body, " + drag + "}]\n");
     auto body = scene::makeSystem<Body>(s);
     const State<Body> start(body, s.q, start_v);
     State<Body> state = start;

@@ -5,12 +5,13 @@
 
 namespace liecheck::scene {
 
-inline const PartInfo constant_force_info{"constant",
-                                          "tau += tau_0",
-                                          "adds or removes: power tau_0 v",
-                                          "an addition for each coordinate",
-                                          {{"joints", Kind::Joints, "", "all", "which joints"},
-                                           {"force", Kind::Number, "N m|N", nullptr, "tau_0"}}};
+inline const PartInfo constant_force_info{
+    "constant",
+    "tau += tau_0",
+    "adds or removes: power tau_0 v",
+    "an addition for each coordinate",
+    {{"joints", Kind::Joints, "", "all", "which joints"},
+     {"force", Kind::Number, "N m|N", nullptr, "tau_0"}}};
 
 template <Scalar S>
 class ConstantForce final : public Effect<S> {
