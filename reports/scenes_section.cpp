@@ -168,6 +168,7 @@ std::string costs(const Json& s) {
   std::vector<Cells> rows;
   for (const Json& c : list_in(s, "costs"))
     rows.push_back({text_of(c, "scene"), code(c["stage"]), text_of(c, "when"),
+                    c["instructions"].is_null() ? "—" : std::to_string(c["instructions"].get<long>()),
                     c["nanoseconds"].is_null() ? "—" : time_text(c["nanoseconds"]), text_of(c, "equation"),
                     text_of(c, "energy"), text_of(c, "why")});
   if (rows.empty()) return "";
@@ -175,7 +176,7 @@ std::string costs(const Json& s) {
          table(
              "The stages of three plans, as liecheck scene explain measures them. A plan has only the stages "
              "of the effects that its scene names",
-             {"scene", "stage", "runs each", "time", "equation", "energy", "why the plan has it"}, rows,
+             {"scene", "stage", "runs each", "instructions", "time", "equation", "energy", "why the plan has it"}, rows,
              true) +
          "</details>\n";
 }

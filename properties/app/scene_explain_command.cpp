@@ -16,6 +16,15 @@ scene::Plan measured_plan(const scene::Scene& scene) try {
                               ": take a smaller step or a slower start");
 }
 
+const char* what_moves(scene::SystemKind kind) {
+  switch (kind) {
+    case scene::SystemKind::ThrownBody: return "a lone rigid body with its translation in closed form";
+    case scene::SystemKind::LoneBody: return "a lone rigid body";
+    case scene::SystemKind::LoneJoint: return "one joint";
+    default: return "a tree";
+  }
+}
+
 struct Flags {
   std::string file;
 };
@@ -27,12 +36,14 @@ int run(const Flags& f) {
   const scene::Plan plan = measured_plan(scene);
   fmt::print("{}: {}\n", scene.name, scene.reason.empty() ? "no reason given" : scene.reason);
   fmt::print("{} of nq {}, nv {}; {} steps of {:g} s by {}, sampled {} times\n\n",
-             plan.lone_body ? "a lone rigid body" : "a tree", scene.model.nq, scene.model.nv,
+             what_moves(plan.kind), scene.model.nq, scene.model.nv,
              scene.span.steps, scene.span.duration / double(scene.span.steps), scene.integrator,
              (scene.span.steps + scene.span.every - 1) / scene.span.every + 1);
-  fmt::print("{:<34}{:<12}{:>10}  {}\n", "stage", "each", "ns", "because");
+  fmt::print("evaluations of the acceleration in a step: {:g}, counted over the first steps\n\n", plan.evaluations);
+  fmt::print("{:<34}{:<12}{:>13}{:>10}  {}\n", "stage", "each", "instructions", "ns", "because");
   for (const auto& s : plan.stages) {
-    fmt::print("{:<34}{:<12}{:>10}  {}\n", s.name, s.when,
+    fmt::print("{:<34}{:<12}{:>13}{:>10}  {}\n", s.name, s.when,
+               s.instructions ? fmt::format("{}", *s.instructions) : "not counted",
                s.nanoseconds ? fmt::format("{:.1f}", *s.nanoseconds) : "-", s.why);
     if (!s.equation.empty()) fmt::print("    {}\n", s.equation);
   }

@@ -142,7 +142,8 @@ json cost_record(const StageCost& c) {
           {"energy", c.energy},
           {"when", c.when},
           {"why", c.why},
-          {"nanoseconds", c.nanoseconds ? number(*c.nanoseconds) : json()}};
+          {"nanoseconds", c.nanoseconds ? number(*c.nanoseconds) : json()},
+          {"instructions", c.instructions ? json(*c.instructions) : json()}};
 }
 
 }  // namespace

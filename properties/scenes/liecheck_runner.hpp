@@ -59,12 +59,12 @@ class LiecheckRunner final : public Runner {
   using S = typename Sys::Scalar;
   LiecheckRunner(const Benchmark& scene, const std::string& method, const scene::Effects<S>& effects)
       : system_(scene.robot.cast<S>(), effects),
-        start_(system_, typename Sys::Configuration(scene.q0.cast<S>()),
-               typename Sys::Tangent(scene.v0.cast<S>())),
+        start_(system_, scene.q0.cast<S>(), scene.v0.cast<S>()),
         state_(start_),
         duration_(scene.duration),
         name_(method) {
     make_method<Sys>(name_);
+    start_.compensate(scene::compensates(scene::methodInfo(name_))), state_ = start_;
   }
 
   long run(const Effort& effort, long samples,
@@ -75,10 +75,9 @@ class LiecheckRunner final : public Runner {
         effort, effort.steps / samples,
         [&](const scene::State<Sys>& state) {
           m.q.clear(), m.v.clear();
-          for (int i = 0; i < state.q.size(); ++i)
-            m.q.push_back(oracles::exact<oracles::Real>(S(state.q[i])));
-          for (int i = 0; i < state.v.size(); ++i)
-            m.v.push_back(oracles::exact<oracles::Real>(S(state.v[i])));
+          const auto [q, v] = system_.toModel(state);
+          for (int i = 0; i < q.size(); ++i) m.q.push_back(oracles::exact<oracles::Real>(S(q[i])));
+          for (int i = 0; i < v.size(); ++i) m.v.push_back(oracles::exact<oracles::Real>(S(v[i])));
           watch(static_cast<double>(state.t), m);
         },
         &made);

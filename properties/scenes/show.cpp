@@ -141,7 +141,7 @@ Film film_of(const scene::Scene& s) {
   auto state = scene::startOf<Sys>(s, system);
   const auto method = scene::makeMethod<Sys>(s.integrator, s.options);
   scene::simulate(system, *method, state, s.span, [&](const auto& now, long) {
-    const auto seen = system.here(now.t, now.q, now.v, scene::Kinematics::Poses);
+    const auto seen = system.here(now, scene::Kinematics::Poses);
     std::vector<std::array<double, 7>> poses;
     for (std::size_t i = 1; i < s.model.names.size(); ++i) {
       const Vector3<double> p = seen.X_WJ[i].translation();
@@ -160,7 +160,8 @@ std::vector<StageCost> stage_costs() {
   std::vector<StageCost> all;
   for (const scene::Scene& s : {loadSceneText(flyer_text), loadSceneText(hinge_text), quadruped()})
     for (const scene::Stage& stage : scene::plan(s, true).stages) {
-      StageCost c{s.name, stage.name, stage.equation, "", stage.when, stage.why, stage.nanoseconds};
+      StageCost c{s.name, stage.name, stage.equation, "", stage.when, stage.why, stage.nanoseconds,
+                  stage.instructions};
       for (const auto& e : scene::effectEntries<double>())
         if (stage.name == e.info->name) c.energy = e.info->energy;
       for (const auto& e : scene::actuationEntries<double>())

@@ -12,6 +12,7 @@ namespace liecheck::properties {
 struct StageCost {
   std::string scene, stage, equation, energy, when, why;
   std::optional<double> nanoseconds;  ///< of one call
+  std::optional<long> instructions;   ///< of one call
 };
 /// The stages for a body and a hinge, each with all of its effects, and for a quadruped on the ground.
 std::vector<StageCost> stage_costs();

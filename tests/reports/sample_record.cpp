@@ -111,7 +111,7 @@ Json scenes() {
     return all;
   };
   Json all = parsed(R"json({"absent": ["DART"],
- "costs": [{"energy": "conserves", "equation": "g", "nanoseconds": 3.5, "scene": "s", "stage": "gravity",
+ "costs": [{"energy": "conserves", "equation": "g", "instructions": 12, "nanoseconds": 3.5, "scene": "s", "stage": "gravity",
    "when": "evaluation", "why": "asked"}],
  "elapsed": 20,
  "films": [{"frames": [[[0, 0, -1, 0, 0, 0, 1]]], "ground": null, "integrator": "rkmk4", "interval": 0.02,

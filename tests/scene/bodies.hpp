@@ -45,13 +45,29 @@ inline const std::string sliding_box =
     "  - {name: c4, on: body, position: [0.2, -0.2, -0.1]}\n"
     "initial: {position: [0, 0, 0.1], velocity: [1, 0, 0]}\neffects:\n  - gravity\n";
 
+/// A state in the coordinates of the model, q [nq] and v [nv].
+struct Moment {
+  Vec q, v;
+};
 template <class Sys>
-scene::State<Sys> after(Sys& system, const std::string& method, const Vec& q, const Vec& v, double duration,
-                        long steps, double tolerance = 1e-9) {
+Moment momentOf(const Sys& system, const scene::State<Sys>& state) {
+  const auto [q, v] = system.toModel(state);
+  return {q, v};
+}
+/// v_dot [6] of the model of a lone body.
+inline Vec accelerationOf(Body& body, const Vec& q, const Vec& v) {
+  const scene::State<Body> state(body, q, v);
+  Vector6<double> a;
+  body.acceleration(0, state.q, state.v, a);
+  return body.here(state, scene::Kinematics::Accelerations, &a).A[1].to_vector();
+}
+template <class Sys>
+Moment after(Sys& system, const std::string& method, const Vec& q, const Vec& v, double duration, long steps,
+             double tolerance = 1e-9) {
   scene::State<Sys> state(system, q, v);
   const auto m = scene::makeMethod<Sys>(method, {tolerance});
   scene::simulate(system, *m, state, {duration, steps, steps}, [](const auto&, long) { return true; });
-  return state;
+  return momentOf(system, state);
 }
 
 }  // namespace liecheck::test

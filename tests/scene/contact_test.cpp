@@ -29,7 +29,8 @@ End end(const std::string& text, double duration, const std::string& tolerance =
       scene::simulate(system, *method, state, s.span, [](const auto&, long) { return true; });
   EXPECT_FALSE(outcome.diverged) << outcome.t << " s: " << outcome.why;
   const SO3<double> Q(Vector4<double>(state.q.tail<4>()));
-  return {state.q, state.v, Q.act(V3(state.v.head<3>())), Q.act(V3(state.v.tail<3>()))};
+  const Moment m = momentOf(system, state);
+  return {m.q, m.v, state.v.head<3>(), Q.act(V3(state.v.tail<3>()))};
 }
 
 /// A ball of 2 kg and 0.1 m whose contact starts with the compression at rest. `normal` is that of the ground, which

@@ -131,24 +131,44 @@ const VectorX<S>& denseForwardDynamics(const Model<S>& model, Data<S>& data, In<
   return data.ddq.write(Level::Velocity);
 }
 
-/// Computes ddq of aba, for a model without mimics, after columnsInWorldAxes.
+/// Computes the twists work.velocity of the joints, in the world's axes at each joint's origin, after
+/// columnsInWorldAxes.
 template <Scalar S>
-void articulatedBodies(const Model<S>& model, Data<S>& data, In<S> v, In<S> tau, const External<S>& fext) {
+void velocitiesInWorldAxes(const Model<S>& model, Data<S>& data, In<S> v) {
   auto& w = data.work;
   for (std::size_t i = 1; i < model.joints.size(); ++i) {
     const std::size_t p = std::size_t(model.parents[i]);
-    const Matrix3<S>& R = data.oMi[i].rotation();
     Motion<S> relative = Motion<S>::Zero();
     for (int k = 0; k < model.column_counts[i]; ++k)
       relative = relative + column(w.S_columns, model.idx_columns[i] + k) * v[model.idx_vs[i] + k];
     w.velocity[i] = p == 0 ? relative : shifted(w.velocity[p], w.r[i]) + relative;
     w.bias[i] = crossed(w.velocity[i], relative);
+  }
+}
+
+/// Computes poses, columns and twists in world axes. Updates liMi, oMi.
+template <Scalar S>
+void bodiesInWorldAxes(const Model<S>& model, Data<S>& data, In<S> q, In<S> v) {
+  data.begin(model, q, v);
+  columnsInWorldAxes(model, data, q);
+  velocitiesInWorldAxes(model, data, v);
+}
+
+/// Computes ddq of aba, for a model without mimics, after bodiesInWorldAxes. The forces fext on the bodies, at their
+/// joints' origins, are in the joints' axes, or in the world's.
+template <Scalar S>
+void articulatedBodies(const Model<S>& model, Data<S>& data, In<S> tau, const External<S>& fext,
+                       bool fext_in_world) {
+  auto& w = data.work;
+  for (std::size_t i = 1; i < model.joints.size(); ++i) {
+    const Matrix3<S>& R = data.oMi[i].rotation();
     const auto body = CompositeInertia<S>::rotated(R, model.inertias[i]);
     const MovingInertia<S> moving(body, w.velocity[i]);
     multibody_detail::build(
         w.articulated[i], [&]() __attribute__((always_inline)) { return moving.matrix(); });
     w.force[i] = crossed(w.velocity[i], Force<S>(moving.f, moving.n));
-    if (!fext.empty()) w.force[i] = w.force[i] - SE3<S>(R, Vector3<S>::Zero()).act(fext[i]);
+    if (!fext.empty())
+      w.force[i] = w.force[i] - (fext_in_world ? fext[i] : SE3<S>(R, Vector3<S>::Zero()).act(fext[i]));
   }
   VectorX<S>& ddq = data.ddq.scratch();
 
@@ -198,9 +218,8 @@ const VectorX<S>& aba(const Model<S>& model, Data<S>& data, In<S> q, In<S> v, In
   multibody_detail::checkSize(tau.size(), model.nv, "tau", "nv");
   checkForces<S>(model, fext);
   if (model.has_mimics) return denseForwardDynamics(model, data, q, v, tau, fext);
-  data.begin(model, q, v);
-  columnsInWorldAxes(model, data, q);
-  articulatedBodies(model, data, v, tau, fext);
+  bodiesInWorldAxes(model, data, q, v);
+  articulatedBodies(model, data, tau, fext, false);
   return data.ddq.write(Level::Velocity);
 }
 

@@ -229,7 +229,7 @@ void computeABADerivatives(const Model<S>& model, Data<S>& data, In<S> q, In<S> 
   if (model.has_mimics)
     denseForwardDynamics(model, data, q, v, tau, fext);
   else
-    articulatedBodies(model, data, v, tau, fext);
+    velocitiesInWorldAxes(model, data, v), articulatedBodies(model, data, tau, fext, false);
   data.begin(model, q, v, data.ddq.scratch());
   const VectorX<S>& ddq = data.ddq.write(Level::Velocity);
   inverseDynamicsDerivatives<S>(model, data, v, ddq, fext, nullptr);

@@ -16,6 +16,8 @@ template decltype(computeJointJacobiansTimeVariation<double>) computeJointJacobi
 template decltype(crba<double>) crba<double>;
 template decltype(computeMinverse<double>) computeMinverse<double>;
 template decltype(aba<double>) aba<double>;
+template decltype(algorithms_detail::bodiesInWorldAxes<double>) algorithms_detail::bodiesInWorldAxes<double>;
+template decltype(algorithms_detail::articulatedBodies<double>) algorithms_detail::articulatedBodies<double>;
 template decltype(computeCentroidalMap<double>) computeCentroidalMap<double>;
 template decltype(computeCentroidalMomentum<double>) computeCentroidalMomentum<double>;
 template decltype(computeRNEADerivatives<double>) computeRNEADerivatives<double>;

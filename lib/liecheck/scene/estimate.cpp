@@ -105,7 +105,9 @@ class Estimator {
   bool observed() const { return result_.order && *result_.order > 0.5 * promised_; }
 
   StateError difference(const State<Sys>& a, const State<Sys>& b) const {
-    const Vec q = liecheck::difference(setup_.scene.model, Vec(a.q), Vec(b.q)), v = b.v - a.v;
+    const auto [q_a, v_a] = setup_.system.toModel(a);
+    const auto [q_b, v_b] = setup_.system.toModel(b);
+    const Vec q = liecheck::difference(setup_.scene.model, Vec(q_a), Vec(q_b)), v = v_b - v_a;
     StateError e;
     for (int k = 0; k < q.size(); ++k) {
       const bool linear = linear_[std::size_t(k)];
@@ -171,12 +173,17 @@ class Estimator {
     if (!method->what().adaptive) twin.ratio = all / double(made);
     return twin;
   }
-  /// Changes v by eps/64, as the rounding errors of a compensated sum do. Without this, twins of a motion that
+  /// Changes v by eps/64, as the rounding errors of a compensated sum do, or by eps. Without this, twins of a motion that
   /// amplifies rounding errors could agree with each other and with no exact motion.
   static void disturb(State<Sys>& state, std::size_t k) {
     const double size = eps<double>() / 64 * state.v.cwiseAbs().maxCoeff();
-    for (int i = 0; i < state.v.size(); ++i)
-      accumulate<double>(state.v[i], state.v_low[i], (i + int(k)) % 3 == 0 ? -size : size);
+    for (int i = 0; i < state.v.size(); ++i) {
+      const double change = (i + int(k)) % 3 == 0 ? -size : size;
+      if (state.compensated)
+        accumulate<double>(state.v[i], state.v_low[i], change);
+      else
+        state.v[i] += 64 * change;
+    }
   }
   /// p of (r^p - 1) / (1 - f^p) = quotient, by bisection: the left side increases with p.
   static double orderOf(double quotient, double r, double f) {
@@ -369,6 +376,10 @@ Estimate estimateError(Setup<Sys>& setup, const std::vector<Checkpoint<Sys>>& po
 }
 
 template Estimate estimateError(Setup<LoneBody<double>>&, const std::vector<Checkpoint<LoneBody<double>>>&,
+                                const std::function<bool()>&);
+template Estimate estimateError(Setup<ThrownBody<double>>&, const std::vector<Checkpoint<ThrownBody<double>>>&,
+                                const std::function<bool()>&);
+template Estimate estimateError(Setup<LoneJoint<double>>&, const std::vector<Checkpoint<LoneJoint<double>>>&,
                                 const std::function<bool()>&);
 template Estimate estimateError(Setup<Tree<double>>&, const std::vector<Checkpoint<Tree<double>>>&,
                                 const std::function<bool()>&);

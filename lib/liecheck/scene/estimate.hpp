@@ -54,6 +54,12 @@ Estimate estimateError(Setup<Sys>&, const std::vector<Checkpoint<Sys>>&, const s
 extern template Estimate estimateError(Setup<LoneBody<double>>&,
                                        const std::vector<Checkpoint<LoneBody<double>>>&,
                                        const std::function<bool()>&);
+extern template Estimate estimateError(Setup<ThrownBody<double>>&,
+                                       const std::vector<Checkpoint<ThrownBody<double>>>&,
+                                       const std::function<bool()>&);
+extern template Estimate estimateError(Setup<LoneJoint<double>>&,
+                                       const std::vector<Checkpoint<LoneJoint<double>>>&,
+                                       const std::function<bool()>&);
 extern template Estimate estimateError(Setup<Tree<double>>&, const std::vector<Checkpoint<Tree<double>>>&,
                                        const std::function<bool()>&);
 

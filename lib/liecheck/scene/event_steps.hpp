@@ -66,7 +66,8 @@ class EventSteps {
   }
   template <class M>
   void parts(Sys& system, M& method, State<Sys>& state, const S& end, const S& h) {
-    before_ = state;
+    const S start = state.t;
+    begun_ = false;
     try {
       for (S to = end; state.t < end; state.t = to) {
         to = end;
@@ -74,16 +75,20 @@ class EventSteps {
           to = pieces_.times()[next_];
         pieces_.hold(S((state.t + to) / S(2)));
         if (switching_)
-          cross(system, method, state, to, to == end && state.t == before_.t ? h : S(to - state.t));
+          cross(system, method, state, to, to == end && state.t == start ? h : S(to - state.t));
         else
-          method.step(system, state, S(to - state.t));
+          begin(state), method.step(system, state, S(to - state.t));
         skip(to);
       }
     } catch (...) {
-      state = before_;
+      if (begun_) state = before_;
       throw;
     }
-    state.t = before_.t;
+    state.t = start;
+  }
+  /// Notes the state before the first of several parts of a step.
+  void begin(const State<Sys>& state) {
+    if (!std::exchange(begun_, true)) before_ = state;
   }
 
   /// The branches at a state, by the signs of the functions.
@@ -125,7 +130,8 @@ class EventSteps {
     const bool adaptive = method.what().adaptive;
     const int halvings = adaptive ? 20 : 4, most = adaptive ? 10000 : 32;
     S rest = h, length = h;
-    bool again = false;  // the method has seen a later state
+    bool again = false;   // the method has seen a later state
+    bool loaded = false;  // the last margin() was that of `state`
     for (int found = 0, halved = 0; rest > least;) {
       const bool made = attempt(system, method, state, length, trial_, again);
       const bool strayed = made && switches_.crossed();
@@ -134,7 +140,7 @@ class EventSteps {
       if (end < S(0)) {
         rest -= locate(system, method, state, length, end);
         switches_.change(), ++located_, ++found;
-        state = beyond_, length = rest, halved = 0, again = true;
+        begin(state), state = beyond_, loaded = false, length = rest, halved = 0, again = true;
         if (found < most) continue;
         if (!zeno_) zeno_ = double(state.t);
         if (rest > least) freely(system, method, state, rest), again = false;
@@ -145,15 +151,19 @@ class EventSteps {
         continue;
       }
       if (!made) std::rethrow_exception(failed_);
-      if (strayed)
+      if (strayed || length < h) begin(state);
+      if (strayed) {
         freely(system, method, state, length);
-      else
-        state = trial_;
-      again = false;
+      } else {
+        state = std::move(trial_);  // which keeps vectors of the same sizes
+      }
+      again = false, loaded = !strayed;
       rest -= length, length = adaptive ? rest : std::min(length, rest), halved = 0;
     }
     if (again) method.begin(system, state);
     state.t = to;
+    if (loaded && (next_ == pieces_.times().size() || S(to + slack(to)) < pieces_.times()[next_]))
+      system.keep(to, state.q, state.v);
   }
   /// Takes a step of h with the branches that each evaluation chooses.
   template <class M>
@@ -206,7 +216,7 @@ class EventSteps {
   State<Sys> before_, trial_, beyond_;
   std::size_t next_ = 0;  ///< the first event in time after the state
   S made_ = S(0);
-  bool switching_ = false, learnt_ = false;
+  bool switching_ = false, learnt_ = false, begun_ = false;
   long located_ = 0;
   std::optional<double> zeno_;
   std::exception_ptr failed_;

@@ -59,12 +59,12 @@ class Runner {
       if (n % span.every == 0 || n == span.steps) sample(state, n);
       if (!method->what().adaptive)
         result_.largest_turn =
-            std::max(result_.largest_turn, std::abs(h) * largestAngularVelocity(setup_.scene.model, state.v));
+            std::max(result_.largest_turn, std::abs(h) * largestAngularVelocity(setup_.scene.model, setup_.system.toModel(state).second));
       share_ = double(n) / double(span.steps);
       return goesOn();
     });
     result_.seconds = nowInSeconds() - begin;
-    result_.q = now.q, result_.v = now.v;
+    std::tie(result_.q, result_.v) = setup_.system.toModel(now);
     result_.counts = method->counts();
     for (const auto& o : setup_.observers)
       for (Figure& f : o->figures()) {

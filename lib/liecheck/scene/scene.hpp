@@ -5,7 +5,7 @@
 #include <liecheck/scene/effects/registry.hpp>
 #include <liecheck/scene/integrators/registry.hpp>
 #include <liecheck/scene/simulate.hpp>
-#include <liecheck/scene/tree.hpp>
+#include <liecheck/scene/lone_joint.hpp>
 
 namespace liecheck::scene {
 
@@ -34,10 +34,14 @@ Effects<S> makeEffects(const Scene& scene, const Model<S>& model) {
   return all;
 }
 
-/// True if the robot is one free body without armature, so that LoneBody applies. Throws like makeEffects.
-bool isLoneBody(const Scene& scene);
+/// The simplest system that has the equations of a scene: a tree, one revolute or prismatic joint, a free body without
+/// armature, or one of which the centre of mass has a constant acceleration.
+enum class SystemKind { Tree, LoneJoint, LoneBody, ThrownBody };
+/// Throws like makeEffects.
+SystemKind kindOf(const Scene& scene);
+inline bool isLoneBody(const Scene& scene) { return kindOf(scene) >= SystemKind::LoneBody; }
 
-/// The scene's robot and effects as a Sys: Tree<S>, or LoneBody<S> if isLoneBody(scene).
+/// The scene's robot and effects as a Sys: Tree<S>, or one that kindOf(scene) allows.
 template <System Sys>
 Sys makeSystem(const Scene& scene) {
   const auto model = scene.model.template cast<typename Sys::Scalar>();
@@ -48,8 +52,10 @@ Sys makeSystem(const Scene& scene) {
 template <System Sys>
 State<Sys> startOf(const Scene& scene, const Sys& system) {
   using S = typename Sys::Scalar;
-  return State<Sys>(system, checkedConfiguration(scene.model, scene.q).template cast<S>(),
-                    checkedTangent(scene.model, scene.v).template cast<S>());
+  State<Sys> start(system, checkedConfiguration(scene.model, scene.q).template cast<S>(),
+                   checkedTangent(scene.model, scene.v).template cast<S>());
+  start.compensate(scene.options.compensated.value_or(compensates(methodInfo(scene.integrator))));
+  return start;
 }
 
 }  // namespace liecheck::scene

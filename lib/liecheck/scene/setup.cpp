@@ -2,12 +2,21 @@
 
 namespace liecheck::scene {
 
-bool isLoneBody(const Scene& scene) {
-  if (!LoneBody<double>::fits(scene.model)) return false;
+SystemKind kindOf(const Scene& scene) {
+  if (!LoneBody<double>::fits(scene.model))
+    return LoneJoint<double>::fits(scene.model, makeEffects(scene, scene.model)) ? SystemKind::LoneJoint
+                                                                                  : SystemKind::Tree;
   Model<double> model = scene.model;
   model.armature.setZero();
-  for (const auto& e : makeEffects(scene, model)) e->prepare(model);
-  return model.armature.isZero(0);
+  const Effects<double> effects = makeEffects(scene, model);
+  for (const auto& e : effects) e->prepare(model);
+  if (!model.armature.isZero(0)) return SystemKind::Tree;
+  BodyTerms<double> terms;
+  bool thrown = scene.integrator != Variational<double>::info.name;
+  for (const auto& e : effects)
+    if (e->acts() != Acts::OnModel) thrown = e->addConstant(model.inertias[1].lever(), terms) && thrown;
+  thrown = thrown && terms.thrown();
+  return thrown ? SystemKind::ThrownBody : SystemKind::LoneBody;
 }
 
 template <class Sys>
@@ -41,9 +50,9 @@ std::vector<Column> Setup<Sys>::columns() const {
 
 template <class Sys>
 Now<double> Setup<Sys>::look(const State<Sys>& s, Kinematics kinematics) {
-  if (kinematics != Kinematics::Accelerations) return system.here(s.t, s.q, s.v, kinematics);
+  if (kinematics != Kinematics::Accelerations) return system.here(s, kinematics);
   system.acceleration(s.t, s.q, s.v, a_);
-  return system.here(s.t, s.q, s.v, kinematics, &a_);
+  return system.here(s, kinematics, &a_);
 }
 
 template <class Sys>
@@ -62,13 +71,14 @@ double AttitudeError<Sys>::sample(Sys& system, const State<Sys>& state, long n,
     steps_ = n;
   }
   double largest = 0;
+  const VectorX<double> exact = system.toModel(reference_).first, made = system.toModel(state).first;
   for (std::size_t i = 1; i < scene_.model.joints.size(); ++i) {
     const int unit = std::visit([](const auto& j) { return int(j.unit_begin); }, scene_.model.joints[i]);
     if (scene_.model.nqs[i] - unit != 4) continue;
     const int at = scene_.model.idx_qs[i] + unit;
     Vector7<double> q0, q1;
-    q0 << 0, 0, 0, reference_.q.template segment<4>(at);
-    q1 << 0, 0, 0, state.q.template segment<4>(at);
+    q0 << 0, 0, 0, exact.template segment<4>(at);
+    q1 << 0, 0, 0, made.template segment<4>(at);
     largest = std::max(largest, differenceSE3<double>(q0, q1).template tail<3>().norm());
   }
   largest_ = std::max(largest_, largest);
@@ -76,8 +86,12 @@ double AttitudeError<Sys>::sample(Sys& system, const State<Sys>& state, long n,
 }
 
 template class Setup<LoneBody<double>>;
+template class Setup<ThrownBody<double>>;
+template class Setup<LoneJoint<double>>;
 template class Setup<Tree<double>>;
 template class AttitudeError<LoneBody<double>>;
+template class AttitudeError<ThrownBody<double>>;
+template class AttitudeError<LoneJoint<double>>;
 template class AttitudeError<Tree<double>>;
 
 }  // namespace liecheck::scene

@@ -37,19 +37,27 @@ class Setup {
 };
 
 extern template class Setup<LoneBody<double>>;
+extern template class Setup<ThrownBody<double>>;
+extern template class Setup<LoneJoint<double>>;
 extern template class Setup<Tree<double>>;
 extern template class AttitudeError<LoneBody<double>>;
+extern template class AttitudeError<ThrownBody<double>>;
+extern template class AttitudeError<LoneJoint<double>>;
 extern template class AttitudeError<Tree<double>>;
 
 /// Returns f(setup), with the system that fits the scene.
 template <class F>
 auto withSetup(const Scene& scene, F f) {
-  if (isLoneBody(scene)) {
-    Setup<LoneBody<double>> setup(scene);
+  const auto with = [&]<class Sys>(std::type_identity<Sys>) {
+    Setup<Sys> setup(scene);
     return f(setup);
+  };
+  switch (kindOf(scene)) {
+    case SystemKind::ThrownBody: return with(std::type_identity<ThrownBody<double>>());
+    case SystemKind::LoneJoint: return with(std::type_identity<LoneJoint<double>>());
+    case SystemKind::LoneBody: return with(std::type_identity<LoneBody<double>>());
+    default: return with(std::type_identity<Tree<double>>());
   }
-  Setup<Tree<double>> setup(scene);
-  return f(setup);
 }
 
 }  // namespace liecheck::scene

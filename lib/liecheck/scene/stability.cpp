@@ -1,5 +1,4 @@
 #include <Eigen/Eigenvalues>
-#include <liecheck/multibody/configuration.hpp>
 #include <liecheck/scene/stability.hpp>
 
 namespace liecheck::scene {
@@ -82,11 +81,10 @@ Stability stabilityOf(Setup<Sys>& setup, const State<Sys>& state, double h) {
   };
   try {
     const State<Sys> end = step(Vec::Zero(2 * n));
-    const Vec q = end.q;
     const auto modes = eigenvalues(derivative(2 * n, [&](const Vec& y) {
       const State<Sys> to = step(y);
       Vec result(2 * n);
-      result << difference(setup.scene.model, q, Vec(to.q)), Vec(to.v - end.v);
+      result << system.difference(end.q, to.q), to.v - end.v;
       return result;
     }));
     s.growth = modes ? modes->cwiseAbs().maxCoeff() : std::numeric_limits<double>::infinity();
@@ -115,8 +113,12 @@ std::string stiffestEffect(const Setup<Sys>& setup, const State<Sys>& state) {
 }
 
 template Stability stabilityOf(Setup<LoneBody<double>>&, const State<LoneBody<double>>&, double);
+template Stability stabilityOf(Setup<ThrownBody<double>>&, const State<ThrownBody<double>>&, double);
+template Stability stabilityOf(Setup<LoneJoint<double>>&, const State<LoneJoint<double>>&, double);
 template Stability stabilityOf(Setup<Tree<double>>&, const State<Tree<double>>&, double);
 template std::string stiffestEffect(const Setup<LoneBody<double>>&, const State<LoneBody<double>>&);
+template std::string stiffestEffect(const Setup<ThrownBody<double>>&, const State<ThrownBody<double>>&);
+template std::string stiffestEffect(const Setup<LoneJoint<double>>&, const State<LoneJoint<double>>&);
 template std::string stiffestEffect(const Setup<Tree<double>>&, const State<Tree<double>>&);
 
 }  // namespace liecheck::scene

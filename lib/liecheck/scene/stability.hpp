@@ -28,8 +28,12 @@ template <class Sys>
 std::string stiffestEffect(const Setup<Sys>&, const State<Sys>&);
 
 extern template Stability stabilityOf(Setup<LoneBody<double>>&, const State<LoneBody<double>>&, double);
+extern template Stability stabilityOf(Setup<ThrownBody<double>>&, const State<ThrownBody<double>>&, double);
+extern template Stability stabilityOf(Setup<LoneJoint<double>>&, const State<LoneJoint<double>>&, double);
 extern template Stability stabilityOf(Setup<Tree<double>>&, const State<Tree<double>>&, double);
 extern template std::string stiffestEffect(const Setup<LoneBody<double>>&, const State<LoneBody<double>>&);
+extern template std::string stiffestEffect(const Setup<ThrownBody<double>>&, const State<ThrownBody<double>>&);
+extern template std::string stiffestEffect(const Setup<LoneJoint<double>>&, const State<LoneJoint<double>>&);
 extern template std::string stiffestEffect(const Setup<Tree<double>>&, const State<Tree<double>>&);
 
 }  // namespace liecheck::scene

@@ -17,45 +17,65 @@ class Switches {
   /// Call before the effects of one evaluation; they then ask in the same order each time.
   void restart() { at_ = 0; }
   /// True if the branch of the next function applies, whose value is g.
-  bool on(const S& g) {
-    if (!held_) [[likely]] {
-      if (learning_) values_.push_back(g);
+  bool on(const S& g) { return next(1)(0, g); }
+
+  /// The next functions of an evaluation.
+  class Next {
+   public:
+    /// True if the branch of the k-th of them applies, whose value is g.
+    [[gnu::always_inline]] bool operator()(std::size_t k, const S& g) const {
+      if (held_) {
+        Held& f = held_[k];
+        f.value = g;
+        if (g * f.sign < S(0)) [[unlikely]]
+          all_->crossed_ = true;
+        return f.sign > S(0);
+      }
+      if (all_) all_->held_.push_back({g, S(1)});
       return g > S(0);
     }
-    const std::size_t k = at_++;
-    values_[k] = g;
-    if (branches_[k] ? g < S(0) : g > S(0)) crossed_ = true;
-    return branches_[k];
+
+   private:
+    friend Switches;
+    Switches* all_ = nullptr;  ///< null if nothing is to be stored
+    typename Switches::Held* held_ = nullptr;
+  };
+  Next next(std::size_t count) {
+    Next functions;
+    if (is_held_)
+      functions.held_ = held_.data() + at_, functions.all_ = this, at_ += count;
+    else if (learning_)
+      functions.all_ = this;
+    return functions;
   }
 
   /// The functions of the next evaluation decide their branches themselves, and are stored.
-  void learn() { held_ = false, learning_ = true, values_.clear(); }
+  void learn() { is_held_ = false, learning_ = true, held_.clear(); }
   /// From now on, the branches are those of the last evaluation, which was learnt.
   void hold() {
-    branches_.clear();
-    for (const S& g : values_) branches_.push_back(g > S(0));
-    learning_ = false, held_ = !branches_.empty();
+    for (Held& f : held_) f.sign = f.value > S(0) ? S(1) : S(-1);
+    learning_ = false, is_held_ = !held_.empty();
   }
   /// From now on, the branches are those of the last hold().
-  void keep() { held_ = !branches_.empty(); }
+  void keep() { is_held_ = !held_.empty(); }
   /// From now on, the sign at each evaluation decides.
-  void release() { held_ = learning_ = false; }
+  void release() { is_held_ = learning_ = false; }
 
-  bool none() const { return values_.empty(); }
+  bool none() const { return held_.empty(); }
   /// The least distance from a change of sign at the last evaluation: min over k of g_k, or -g_k if the branch is
   /// off. Negative after an event. The functions have units of their own; only the sign counts.
   S margin() const {
     S least = std::numeric_limits<S>::max();
-    for (std::size_t k = 0; k < values_.size(); ++k) {
-      const S g = branches_[k] ? values_[k] : S(-values_[k]);
+    for (const Held& f : held_) {
+      const S g = f.sign * f.value;
       if (!(g >= least)) least = g;  // also if g is not a number
     }
     return least;
   }
   /// Changes the branches whose functions have changed their signs at the last evaluation.
   void change() {
-    for (std::size_t k = 0; k < values_.size(); ++k)
-      if (branches_[k] ? !(values_[k] > S(0)) : values_[k] > S(0)) branches_[k] = !branches_[k];
+    for (Held& f : held_)
+      if (f.sign > S(0) ? !(f.value > S(0)) : f.value > S(0)) f.sign = -f.sign;
   }
 
   /// True if a function had the other sign in an evaluation since forget().
@@ -64,10 +84,13 @@ class Switches {
   void forget() { crossed_ = false; }
 
  private:
-  std::vector<S> values_;       ///< of the last evaluation
-  std::vector<char> branches_;  ///< true where the branch applies
-  std::size_t at_ = 0;          ///< the next function
-  bool held_ = false, learning_ = false, crossed_ = false;
+  struct Held {
+    S value;  ///< at the last evaluation
+    S sign;   ///< 1 where the branch applies, and -1 otherwise
+  };
+  std::vector<Held> held_;
+  std::size_t at_ = 0;  ///< the next function
+  bool is_held_ = false, learning_ = false, crossed_ = false;
 };
 
 }  // namespace liecheck::scene

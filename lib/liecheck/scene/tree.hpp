@@ -2,6 +2,7 @@
 // System of any robot, by the articulated-body algorithm. It computes only the kinematics that effects read.
 
 #include <liecheck/algorithms/aba.hpp>
+#include <liecheck/multibody/configuration.hpp>
 #include <liecheck/scene/accumulate.hpp>
 #include <liecheck/scene/effects/effect.hpp>
 #include <liecheck/scene/pieces.hpp>
@@ -17,6 +18,7 @@ class Tree {
   using Scalar = S;
   using Configuration = VectorX<S>;
   using Tangent = VectorX<S>;
+  struct Path {};
 
   explicit Tree(const Model<S>& robot, Effects<S> effects = {})
       : model_(robot), data_(robot, robot.has_mimics ? Dense::Mass : Dense::None) {
@@ -53,20 +55,35 @@ class Tree {
   bool readsConfiguration() const { return true; }
 
   void acceleration(const S& t, const Configuration& q, const Tangent& v, Tangent& a) {
-    if (!effects_.empty()) load(t, q, v);
+    if (!effects_.empty() && !kept_.take(t, q, v)) load(t, q, v);
     equations(q, v, a);
   }
-  /// Sums the forces of all effects.
+  void keep(const S& t, const Configuration& q, const Tangent& v) { kept_.keep(t, q, v); }
+  /// Sums the forces of all effects. They share the kinematics with the equations.
   [[gnu::noinline]] void load(const S& t, const Configuration& q, const Tangent& v) {
-    const Now<S> now = here(t, q, v, needs_);
+    const auto size = [](const auto& x) { return std::size_t(x.size()); };
+    Now<S> now{t, pieces_.at(t), {q.data(), size(q)}, {v.data(), size(v)}, {}, {}, {}, &switches_};
+    if (needs_ != Kinematics::None) {
+      move(q, v);
+      now.X_WJ = data_.oMi(), now.V = {data_.work.velocity, now.X_WJ, true};
+    }
     switches_.restart();
     tau_.setZero();
     if (bodies_) f_.assign(f_.size(), Force<S>::Zero());
-    for (const auto& e : effects_) e->add(now, {{tau_.data(), std::size_t(tau_.size())}, f_});
+    for (const auto& e : effects_) e->add(now, {{tau_.data(), size(tau_)}, f_});
   }
-  /// Computes v_dot with the forces of the last load().
+  /// Computes the poses and twists that effects and equations share.
+  void move(const Configuration& q, const Tangent& v) {
+    algorithms_detail::bodiesInWorldAxes<S>(model_, data_, q, v);
+    moved_ = true;
+  }
+  /// Computes v_dot with the forces of the last load(), and with its poses and twists, if it had any.
   [[gnu::noinline]] void equations(const Configuration& q, const Tangent& v, Tangent& a) {
-    a = aba(model_, data_, q, v, tau_, bodies_ ? External<S>(f_) : External<S>());
+    if (model_.has_mimics) return dense(q, v, a);
+    if (!moved_) move(q, v);
+    moved_ = false;
+    algorithms_detail::articulatedBodies<S>(model_, data_, tau_, bodies_ ? External<S>(f_) : External<S>(), true);
+    a = data_.ddq.write(Level::Velocity);
   }
 
   void integrate(const Configuration& q, const Tangent& delta, Configuration& result) const {
@@ -105,9 +122,20 @@ class Tree {
     });
   }
 
+  Tangent difference(const Configuration& q0, const Configuration& q1) const {
+    return liecheck::difference(model_, q0, q1);
+  }
+  /// The state of the model is that of the system.
+  void fromModel(const VectorX<S>& q, const VectorX<S>& v, State<Tree>& state) const { state.q = q, state.v = v; }
+  std::pair<Configuration, Tangent> toModel(const State<Tree>& s) const { return {s.q, s.v}; }
+
   /// The state that effects and observers read, valid until the next call. Give a = v_dot for accelerations.
+  Now<S> here(const State<Tree>& s, Kinematics kinematics, const Tangent* a = nullptr) {
+    return here(s.t, s.q, s.v, kinematics, a);
+  }
   Now<S> here(const S& t, const Configuration& q, const Tangent& v, Kinematics kinematics,
               const Tangent* a = nullptr) {
+    moved_ = false, kept_ = {};
     if (a)
       forwardKinematics(model_, data_, q, v, *a);
     else if (kinematics == Kinematics::Poses)
@@ -117,13 +145,22 @@ class Tree {
     const auto size = [](const auto& x) { return std::size_t(x.size()); };
     Now<S> now{t, pieces_.at(t), {q.data(), size(q)}, {v.data(), size(v)}, {}, {}, {}, &switches_};
     if (kinematics != Kinematics::None) now.X_WJ = data_.oMi();
-    if (kinematics >= Kinematics::Velocities) now.V = data_.v();
+    if (kinematics >= Kinematics::Velocities) now.V = {data_.v(), now.X_WJ, false};
     if (a) now.A = data_.a();
     return now;
   }
   Data<S>& data() { return data_; }
 
  private:
+  /// The equations of a robot with mimic joints, of which aba takes forces in the joints' axes.
+  void dense(const Configuration& q, const Tangent& v, Tangent& a) {
+    moved_ = false;
+    if (!bodies_) return void(a = aba(model_, data_, q, v, tau_));
+    forwardKinematics(model_, data_, q);
+    for (std::size_t i = 1; i < f_.size(); ++i)
+      f_[i] = SE3<S>(data_.oMi()[i].rotation(), Vector3<S>::Zero()).actInv(f_[i]);
+    a = aba(model_, data_, q, v, tau_, External<S>(f_));
+  }
   /// A range of q and v in which integrate is a plain sum.
   struct Straight {
     int q, v, count;
@@ -139,7 +176,9 @@ class Tree {
   Kinematics needs_ = Kinematics::None;
   Pieces<S> pieces_;
   Switches<S> switches_;
-  bool bodies_ = false;
+  bool bodies_ = false;  ///< a force acts on a body
+  Kept<S, Configuration, Tangent> kept_;
+  bool moved_ = false;   ///< data_ has the poses and twists of the state of the last load()
   std::vector<Straight> straight_;
   std::vector<std::size_t> curved_;  ///< the joints that are not in such a range
   VectorX<S> tau_;

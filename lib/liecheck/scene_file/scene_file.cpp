@@ -54,7 +54,7 @@ void readTime(const Text& text, const YAML::Node& root, Scene& scene) {
   const YAML::Node method = root["integrator"], duration = root["duration"], output = root["output"];
   if (!method.IsDefined()) text.refuse(0, "the scene needs 'integrator': {name: rkmk4, step: 1 ms}");
   if (!duration.IsDefined()) text.refuse(0, "the scene needs 'duration': 10 s");
-  text.checkKeys(method, "integrator", {"name", "step", "tolerance"});
+  text.checkKeys(method, "integrator", {"name", "step", "tolerance", "compensated"});
   if (!method["name"].IsDefined()) text.refuse(method, "integrator needs 'name', such as rkmk4");
   scene.integrator = text.word(method["name"], "integrator.name");
   const scene::MethodInfo& info = text.at(Text::lineOf(method["name"]), [&]() -> const scene::MethodInfo& {
@@ -69,6 +69,12 @@ void readTime(const Text& text, const YAML::Node& root, Scene& scene) {
     scene.options.tolerance = text.number(method["tolerance"], "integrator.tolerance", "1", Kind::Positive);
     if (scene.options.tolerance < 1e-15)
       text.refuse(method["tolerance"], "integrator.tolerance is below 1e-15, which double cannot reach");
+  }
+  if (const YAML::Node sums = method["compensated"]; sums.IsDefined()) {
+    const std::string value = text.word(sums, "integrator.compensated");
+    if (value != "true" && value != "false")
+      text.refuse(sums, "integrator.compensated is true or false, not '" + value + "'");
+    scene.options.compensated = value == "true";
   }
   scene.span.duration = text.number(duration, "duration", "s", Kind::Positive);
   double every = 0;

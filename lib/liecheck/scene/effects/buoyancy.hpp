@@ -28,6 +28,11 @@ class Buoyancy final : public Effect<S> {
     spot_.addWorld(now, load, f_, Vector3<S>::Zero());
   }
   S potential(const Now<S>& now) const override { return -f_.dot(spot_.pose(now).translation()); }
+  bool addConstant(const Vector3<S>& centre, BodyTerms<S>& terms) const override {
+    if (spot_.X_JF.translation() != centre) return false;
+    terms.force_W += f_;
+    return true;
+  }
 
  private:
   Spot<S> spot_;

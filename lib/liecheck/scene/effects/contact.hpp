@@ -98,12 +98,10 @@ class Contact final : public Effect<S> {
   S depthOf(const Vector3<S>& centre) const { return offset_ + r_ - n_.dot(centre); }
   /// Velocity of the body at the contact point and its angular velocity, in the world's axes.
   void velocity(const Now<S>& now, const Spot<S>& point, Vector3<S>& u, Vector3<S>& w) const {
-    const Matrix3<S>& R = now.X_WJ[point.joint].rotation();
-    const Motion<S>& V = now.V[point.joint];
-    const Vector3<S> u_J = V.linear() + cross<S>(V.angular(), point.X_JF.translation());
-    u = product<S>(R, u_J);
+    const Motion<S> V = now.V.inWorld(point.joint);
+    u = V.linear() + cross<S>(V.angular(), point.arm(now));
     if (!turns_) return;
-    w = product<S>(R, V.angular());
+    w = V.angular();
     u -= r_ * cross<S>(w, n_);
   }
   std::vector<Spot<S>> points_;

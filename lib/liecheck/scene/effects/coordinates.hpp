@@ -56,13 +56,25 @@ struct Spot {
   SE3<S> pose(const Now<S>& now) const { return now.X_WJ[joint] * X_JF; }
   /// The frame's velocity, in its axes at its origin.
   Motion<S> velocity(const Now<S>& now) const { return X_JF.actInv(now.V[joint]); }
+  /// The frame's origin, from the joint's origin, in the world's axes.
+  Vector3<S> arm(const Now<S>& now) const { return product<S>(now.X_WJ[joint].rotation(), X_JF.translation()); }
   /// Adds a force given in the frame's axes at its origin.
-  void add(const Load<S>& load, const Force<S>& F_F) const { load.f[joint] = load.f[joint] + X_JF.act(F_F); }
+  void add(const Now<S>& now, const Load<S>& load, const Force<S>& F_F) const {
+    const Matrix3<S>& R = now.X_WJ[joint].rotation();
+    const Force<S> F = X_JF.act(F_F);
+    const Force<S> F_W(product<S>(R, F.linear()), product<S>(R, F.angular()));
+    load.f[joint] = load.f[joint] + F_W;
+  }
   /// Adds a force given in the world's axes at the frame's origin.
   void addWorld(const Now<S>& now, const Load<S>& load, const Vector3<S>& f, const Vector3<S>& n) const {
-    const Matrix3<S>& R = now.X_WJ[joint].rotation();
-    const Vector3<S> f_J = transposed_product<S>(R, f), n_J = transposed_product<S>(R, n);
-    load.f[joint] = load.f[joint] + Force<S>(f_J, Vector3<S>(n_J + cross<S>(X_JF.translation(), f_J)));
+    load.f[joint] = load.f[joint] + Force<S>(f, Vector3<S>(n + cross<S>(arm(now), f)));
+  }
+  /// Adds a force that is constant in the frame's axes to the terms of a lone body. Returns true.
+  bool addConstant(const Vector3<S>& centre, const Force<S>& F_F, BodyTerms<S>& terms) const {
+    const Force<S> F = X_JF.act(F_F);
+    terms.force_B += F.linear();
+    terms.moment_B += F.angular() - cross<S>(centre, F.linear());
+    return true;
   }
 
  private:

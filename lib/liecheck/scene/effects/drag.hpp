@@ -31,7 +31,13 @@ class Drag final : public Effect<S> {
     using std::sqrt;
     const S f = c1_ + c2_ * S(sqrt(V.linear().squaredNorm())),
             n = k1_ + k2_ * S(sqrt(V.angular().squaredNorm()));
-    spot_.add(load, Force<S>(Vector3<S>(-f * V.linear()), Vector3<S>(-n * V.angular())));
+    spot_.add(now, load, Force<S>(Vector3<S>(-f * V.linear()), Vector3<S>(-n * V.angular())));
+  }
+  bool addConstant(const Vector3<S>& centre, BodyTerms<S>& terms) const override {
+    if (spot_.X_JF.translation() != centre && !(c1_ == S(0) && c2_ == S(0))) return false;
+    terms.linear += c1_, terms.quadratic += c2_;
+    terms.angular_linear += k1_, terms.angular_quadratic += k2_;
+    return true;
   }
 
  private:

@@ -14,26 +14,66 @@
 
 namespace liecheck::scene {
 
+/// Twists of the joints at their origins. They are stored in one of two kinds of axes; the others are computed where
+/// they are asked for.
+template <Scalar S>
+struct Twists {
+  std::span<const Motion<S>> stored;
+  std::span<const SE3<S>> X_WJ;
+  bool stored_in_world = false;
+
+  /// In the joint's axes.
+  Motion<S> operator[](std::size_t i) const {
+    if (!stored_in_world) return stored[i];
+    const Matrix3<S>& R = X_WJ[i].rotation();
+    return Motion<S>(transposed_product<S>(R, stored[i].linear()), transposed_product<S>(R, stored[i].angular()));
+  }
+  /// In the world's axes.
+  Motion<S> inWorld(std::size_t i) const {
+    if (stored_in_world) return stored[i];
+    const Matrix3<S>& R = X_WJ[i].rotation();
+    return Motion<S>(product<S>(R, stored[i].linear()), product<S>(R, stored[i].angular()));
+  }
+};
+
 /// The state that effects and observers read: time [s], a time in the piece of the forces that applies
-/// (pieces.hpp), q [nq] and v [nv]. If needs() asks for them, also poses X_WJ, velocities V and spatial
-/// accelerations A of the joints, in the joint's axes [njoints]. on(g) selects the branch of a force by a switching
+/// (pieces.hpp), q [nq] and v [nv]. If needs() asks for them, also poses X_WJ, twists V and spatial accelerations A
+/// of the joints [njoints], A in the joint's axes. on(g) selects the branch of a force by a switching
 /// function g (switches.hpp); an effect asks for each of its functions once in each evaluation.
 template <Scalar S>
 struct Now {
   S t, piece;
   std::span<const S> q, v;
   std::span<const SE3<S>> X_WJ;
-  std::span<const Motion<S>> V, A;
+  Twists<S> V;
+  std::span<const Motion<S>> A;
   Switches<S>* switches = nullptr;
-  bool on(const S& g) const { return switches ? switches->on(g) : g > S(0); }
+  bool on(const S& g) const { return next(1)(0, g); }
+  /// The next `count` switching functions, for an effect that has many.
+  typename Switches<S>::Next next(std::size_t count) const {
+    return switches ? switches->next(count) : typename Switches<S>::Next();
+  }
 };
 
 /// The sums to which effects add their forces: generalised forces tau [nv; N, N m], and forces f on the
-/// bodies [njoints], each in its joint's axes at the joint's origin.
+/// bodies [njoints], each in the world's axes at its joint's origin.
 template <Scalar S>
 struct Load {
   std::span<S> tau;
   std::span<Force<S>> f;
+};
+
+/// Forces on a lone body that read neither its pose nor the time, at its centre of mass c: forces constant in world
+/// axes or in body axes, and drag against c_dot and omega.
+///
+///   f = force_W + R force_B - (linear + quadratic |c_dot|) c_dot                 [N, world]
+///   n = moment_B - (angular_linear + angular_quadratic |omega|) omega            [N m, about c, body]
+template <Scalar S>
+struct BodyTerms {
+  Vector3<S> force_W = Vector3<S>::Zero(), force_B = Vector3<S>::Zero(), moment_B = Vector3<S>::Zero();
+  S linear = S(0), quadratic = S(0), angular_linear = S(0), angular_quadratic = S(0);
+  /// True if f is constant.
+  bool thrown() const { return force_B.isZero(S(0)) && linear == S(0) && quadratic == S(0); }
 };
 
 enum class Kinematics { None, Poses, Velocities, Accelerations };
@@ -48,6 +88,12 @@ class Effect {
   /// Sets gravity or armature, for effects that act on the model.
   virtual void prepare(Model<S>&) const {}
   virtual void add(const Now<S>&, const Load<S>&) const {}
+  /// If the force on a lone body with the centre of mass `centre` (in its axes) has this form, adds it to the terms
+  /// and returns true. add() is then not called.
+  virtual bool addConstant(const Vector3<S>& centre, BodyTerms<S>&) const {
+    static_cast<void>(centre);
+    return false;
+  }
   /// The times [s] at which the force or a derivative of it jumps. Between them add() selects by now.piece.
   virtual std::vector<S> events() const { return {}; }
   /// True if the sum of kinetic energy and potential() is constant under this effect alone.

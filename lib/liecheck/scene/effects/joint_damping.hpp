@@ -22,7 +22,9 @@ class JointDamping final : public Effect<S> {
   }
   Acts acts() const override { return Acts::OnJoints; }
   void add(const Now<S>& now, const Load<S>& load) const override {
-    for (const auto& [k, d] : terms_) load.tau[std::size_t(k)] -= d * now.v[std::size_t(k)];
+    const S* const v = now.v.data();
+    S* const tau = load.tau.data();
+    for (const auto& [k, d] : terms_) tau[k] -= d * v[k];
   }
 
  private:

@@ -20,32 +20,45 @@ template <Scalar S>
 class PdControl final : public Effect<S> {
  public:
   PdControl(const Parameters& p, const Model<S>& model, const Surroundings&)
-      : at_(positions(model, p.names("joints"))), k_(S(p.number("stiffness"))), d_(S(p.number("damping"))) {
+      : k_(S(p.number("stiffness"))), d_(S(p.number("damping"))) {
+    const auto at = positions(model, p.names("joints"));
     const auto& target = p.numbers("target");
-    if (target.size() != 1 && target.size() != at_.size())
+    if (target.size() != 1 && target.size() != at.size())
       throw std::invalid_argument("pd has " + std::to_string(target.size()) + " targets for " +
-                                  std::to_string(at_.size()) + " coordinates");
-    for (std::size_t i = 0; i < at_.size(); ++i)
-      target_.push_back(S(target[target.size() == 1 ? 0 : i])), limit_.push_back(model.effortLimit[at_[i].v]);
+                                  std::to_string(at.size()) + " coordinates");
+    for (std::size_t i = 0; i < at.size(); ++i)
+      terms_.push_back({at[i], S(target[target.size() == 1 ? 0 : i]), model.effortLimit[at[i].v]});
+    const auto free = std::stable_partition(terms_.begin(), terms_.end(),
+                                            [](const Term& j) { return finite<S>(j.limit); });
+    limited_ = std::size_t(free - terms_.begin());
   }
   Acts acts() const override { return Acts::OnJoints; }
   void add(const Now<S>& now, const Load<S>& load) const override {
-    for (std::size_t i = 0; i < at_.size(); ++i) {
-      const std::size_t k = std::size_t(at_[i].v);
-      const S tau = k_ * (target_[i] - now.q[std::size_t(at_[i].q)]) - d_ * now.v[k];
-      if (finite<S>(limit_[i])) {
-        const bool above = now.on(S(tau - limit_[i])), below = now.on(S(-limit_[i] - tau));
-        load.tau[k] += above ? limit_[i] : below ? S(-limit_[i]) : tau;
-      } else {
-        load.tau[k] += tau;
-      }
+    const auto within = now.next(limited_);
+    // Copies in registers, since a store to tau could change what the members and spans refer to.
+    const S k = k_, d = d_, *q = now.q.data(), *v = now.v.data();
+    S* const tau = load.tau.data();
+    const Term* j = terms_.data();
+    const std::size_t limited = limited_, all = terms_.size();
+    for (std::size_t n = 0; n < limited; ++n, ++j) {
+      const S wanted = k * (j->target - q[j->at.q]) - d * v[j->at.v];
+      if (within(n, S(j->limit - absolute<S>(wanted)))) [[likely]]
+        tau[j->at.v] += wanted;
+      else
+        tau[j->at.v] += wanted > S(0) ? j->limit : S(-j->limit);
     }
+    for (std::size_t n = limited; n < all; ++n, ++j)
+      tau[j->at.v] += k * (j->target - q[j->at.q]) - d * v[j->at.v];
   }
 
  private:
-  std::vector<Coordinate> at_;
+  struct Term {
+    Coordinate at;
+    S target, limit;
+  };
+  std::vector<Term> terms_;  ///< those with a limit first
+  std::size_t limited_ = 0;
   S k_, d_;
-  std::vector<S> target_, limit_;
 };
 
 }  // namespace liecheck::scene

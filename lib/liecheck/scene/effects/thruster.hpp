@@ -30,9 +30,13 @@ class Thruster final : public Effect<S> {
     F_ = Force<S>(Vector3<S>(thrust * e), Vector3<S>(S(p.number("moment_ratio")) * thrust * e));
   }
   Acts acts() const override { return Acts::OnBodies; }
+  Kinematics needs() const override { return Kinematics::Poses; }
   std::vector<S> events() const override { return {S(from_), S(until_)}; }
   void add(const Now<S>& now, const Load<S>& load) const override {
-    if (!(now.piece < S(from_)) && now.piece < S(until_)) spot_.add(load, F_);
+    if (!(now.piece < S(from_)) && now.piece < S(until_)) spot_.add(now, load, F_);
+  }
+  bool addConstant(const Vector3<S>& centre, BodyTerms<S>& terms) const override {
+    return !finite<S>(S(from_)) && !finite<S>(S(until_)) && spot_.addConstant(centre, F_, terms);
   }
 
  private:

@@ -30,14 +30,21 @@ class Wrench final : public Effect<S> {
     if (!(from_ < until_)) throw std::invalid_argument("the wrench's 'until' is not after its 'from'");
   }
   Acts acts() const override { return Acts::OnBodies; }
-  Kinematics needs() const override { return world_ ? Kinematics::Poses : Kinematics::None; }
+  Kinematics needs() const override { return Kinematics::Poses; }
   std::vector<S> events() const override { return {S(from_), S(until_)}; }
   void add(const Now<S>& now, const Load<S>& load) const override {
     if (now.piece < S(from_) || !(now.piece < S(until_))) return;
     if (world_)
       spot_.addWorld(now, load, f_, n_);
     else
-      spot_.add(load, Force<S>(f_, n_));
+      spot_.add(now, load, Force<S>(f_, n_));
+  }
+  bool addConstant(const Vector3<S>& centre, BodyTerms<S>& terms) const override {
+    if (finite<S>(S(from_)) || finite<S>(S(until_))) return false;
+    if (!world_) return spot_.addConstant(centre, Force<S>(f_, n_), terms);
+    if (!n_.isZero(S(0)) || spot_.X_JF.translation() != centre) return false;
+    terms.force_W += f_;
+    return true;
   }
 
  private:

@@ -49,8 +49,7 @@ class Adaptive : public Method<Sys> {
       ++counts_.steps;
       accepted(trial);
       checkFinite(delta_, dv_);
-      system.accumulate(at_->q, at_->q_low, delta_);
-      accumulateAll(at_->v, at_->v_low, dv_);
+      advance(system, *at_, delta_, dv_);
       done = last ? h : S(done + trial);
       at_->t = state.t + done;
       if (system.switches().crossed()) break;

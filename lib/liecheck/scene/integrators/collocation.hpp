@@ -52,8 +52,7 @@ class Collocation final : public Method<Sys> {
                        ": take a smaller step");
     stages_.sum(g.b, h, delta_, dv_);
     checkFinite(delta_, dv_);
-    system.accumulate(state.q, state.q_low, delta_);
-    accumulateAll(state.v, state.v_low, dv_);
+    advance(system, state, delta_, dv_);
     stages_.accept(h);
     ++steps_;
   }

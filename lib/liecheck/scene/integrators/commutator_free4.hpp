@@ -44,9 +44,8 @@ class CommutatorFree4 final : public Method<Sys> {
     dv_ = twelfth * (S(2) * (v2_ + v3_) - state.v + S(3) * v4_);
     a1_ = (h / S(6)) * (a1_ + S(2) * (a2_ + a3_) + a4_);
     checkFinite(delta_, a1_);
-    system.accumulate(state.q, state.q_low, delta_);
-    system.accumulate(state.q, state.q_low, dv_);
-    accumulateAll(state.v, state.v_low, a1_);
+    advance(system, state, delta_);
+    advance(system, state, dv_, a1_);
   }
 
  private:

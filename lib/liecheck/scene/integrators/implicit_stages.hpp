@@ -44,6 +44,8 @@ class ImplicitStages {
     delta = S(h * weights[0]) * K_[0], dv = S(h * weights[0]) * A_[0];
     for (std::size_t j = 1; j < s; ++j) delta += S(h * weights[j]) * K_[j], dv += S(h * weights[j]) * A_[j];
   }
+  /// df/dy at the start of a recent step [2 nv, 2 nv], if Newton's method needed it.
+  const Eigen::MatrixXd* jacobian() const { return stiff_ ? newton_.jacobian() : nullptr; }
   long iterations() const { return iterations_; }
   static std::string failure() {
     return std::is_same_v<S, double> ? "by Newton's method" : "in " + std::to_string(limit) + " iterations";
@@ -85,9 +87,10 @@ class ImplicitStages {
     Y_.resize(2 * n, s), f_.resize(2 * n);
     for (int i = 0; i < s; ++i) Y_.col(i) << h * g.c[std::size_t(i)] * state.v, 0 * state.v;
     const auto rate = [&](int i, const VectorX<double>& y, VectorX<double>& f) {
+      const double c = i == StageNewton::start ? 0 : g.c[std::size_t(i)];
       delta_ = y.head(n), v_ = state.v + y.tail(n);
       if (system.readsConfiguration()) system.integrate(state.q, delta_, q_);
-      system.acceleration(state.t + g.c[std::size_t(i)] * h, q_, v_, A_new_);
+      system.acceleration(state.t + c * h, q_, v_, A_new_);
       system.tangentRate(delta_, v_, K_new_);
       f.head(n) = K_new_, f.tail(n) = A_new_;
     };

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <liecheck/scene/accumulate.hpp>
+#include <optional>
 #include <liecheck/scene/system.hpp>
 #include <stdexcept>
 #include <string>
@@ -23,6 +24,9 @@ struct MethodInfo {
   bool lone_body_only = false;
 };
 
+/// True for methods whose errors come down to those of rounding, so that sums without compensation would show.
+inline bool compensates(const MethodInfo& method) { return method.order >= 6; }
+
 /// A step that failed. what() is the reason, without the time.
 class StepFailed : public std::runtime_error {
  public:
@@ -35,13 +39,13 @@ class Interrupted : public StepFailed {
   Interrupted() : StepFailed("interrupted") {}
 };
 
-/// Checks increments before they are added to a state. Throws StepFailed unless the sum of their squares is
-/// finite. A diverging motion thus stops at its last finite state, near 1e154 in double.
+/// Checks increments before they are added to a state. Throws StepFailed unless all their elements are finite: their
+/// sum times 0 is then 0, and otherwise not a number.
 template <class A, class B>
 [[gnu::always_inline]] inline void checkFinite(const A& delta, const B& dv) {
   using S = typename A::Scalar;
-  const S sum = delta.squaredNorm() + dv.squaredNorm();
-  if (!(sum <= std::numeric_limits<S>::max())) throw StepFailed("a number is no longer finite");
+  if (!(S(delta.sum() + dv.sum()) * S(0) == S(0))) [[unlikely]]
+    throw StepFailed("a number is no longer finite");
 }
 
 /// Counted by adaptive and implicit methods only.
@@ -69,6 +73,8 @@ struct MethodOptions {
   double tolerance = 1e-9;
   /// Adaptive methods call stop every 256 internal steps; if it returns true, the step is interrupted.
   std::function<bool()> stop = {};
+  /// Whether increments are summed with compensation (accumulate.hpp); none: compensates() decides.
+  std::optional<bool> compensated = {};
 };
 
 }  // namespace liecheck::scene

@@ -30,6 +30,10 @@ template <class S, Rational R>
   }
 }
 
+/// True if the vectors of a system have a size that is known to the compiler.
+template <class Sys>
+constexpr bool fixed_size = Sys::Tangent::SizeAtCompileTime != Eigen::Dynamic;
+
 /// The stages of a tableau T, which has T::stages and the Rationals T::a[i][j], T::b[i] and T::c[i].
 template <System Sys, class T>
 class MuntheKaasStages {
@@ -69,9 +73,18 @@ class MuntheKaasStages {
     system.acceleration(S(state.t + coefficient<S, T::c[I]>() * h), q_, v_, A_[I]);
     system.tangentRate(delta_, v_, K_[I]);
   }
-  /// Not inlined, so that the loop stays small for a system that reads no q.
-  [[gnu::noinline]] void place(const Sys& system, const State<Sys>& state) {
-    system.integrate(state.q, delta_, q_);
+  /// Not inlined, so that the loop stays small for a system that reads no q. Fixed sizes are passed as copies, so
+  /// that the stages can stay in registers.
+  void place(const Sys& system, const State<Sys>& state) {
+    if constexpr (fixed_size<Sys>)
+      q_ = placed(system, state.q, delta_);
+    else
+      system.integrate(state.q, delta_, q_);
+  }
+  [[gnu::noinline]] static typename Sys::Configuration placed(const Sys& system, typename Sys::Configuration q,
+                                                              Tangent delta) {
+    system.integrate(q, delta, q);
+    return q;
   }
   template <const auto& W, std::size_t... J>
   static void add(const std::array<Tangent, T::stages>& X, const S& h, Tangent& sum,
@@ -102,7 +115,9 @@ template <System Sys, class T>
 class MuntheKaas final : public Method<Sys> {
  public:
   const MethodInfo& what() const override { return T::info; }
-  void begin(Sys&, const State<Sys>& state) override { stages_.begin(state), delta_ = dv_ = state.v; }
+  void begin(Sys&, const State<Sys>& state) override { 
+    if constexpr (!fixed_size<Sys>) stages_.begin(state), delta_ = dv_ = state.v;
+  }
   void step(Sys& system, State<Sys>& state, const typename Sys::Scalar& h) override {
     if constexpr (std::is_floating_point_v<typename Sys::Scalar>)
       flattened(system, state, h);
@@ -111,19 +126,30 @@ class MuntheKaas final : public Method<Sys> {
   }
 
  private:
+  using Stages = MuntheKaasStages<Sys, T>;
+  using Tangent = typename Sys::Tangent;
   void plain(Sys& system, State<Sys>& state, const typename Sys::Scalar& h) {
-    stages_.compute(system, state, h);
-    stages_.template sum<T::b>(h, delta_, dv_);
-    checkFinite(delta_, dv_);
-    system.accumulate(state.q, state.q_low, delta_);
-    accumulateAll(state.v, state.v_low, dv_);
+    if constexpr (fixed_size<Sys>) {  // on the stack, where nothing else can refer to them
+      Stages stages;
+      Tangent delta, dv;
+      with(stages, delta, dv, system, state, h);
+    } else {
+      with(stages_, delta_, dv_, system, state, h);
+    }
+  }
+  static void with(Stages& stages, Tangent& delta, Tangent& dv, Sys& system, State<Sys>& state,
+                   const typename Sys::Scalar& h) {
+    stages.compute(system, state, h);
+    stages.template sum<T::b>(h, delta, dv);
+    checkFinite(delta, dv);
+    advance(system, state, delta, dv);
   }
   [[gnu::flatten]] void flattened(Sys& system, State<Sys>& state, const typename Sys::Scalar& h) {
     plain(system, state, h);
   }
 
-  MuntheKaasStages<Sys, T> stages_;
-  typename Sys::Tangent delta_, dv_;
+  Stages stages_;
+  Tangent delta_, dv_;
 };
 
 }  // namespace liecheck::scene

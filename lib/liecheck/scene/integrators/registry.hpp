@@ -9,7 +9,7 @@
 #include <liecheck/scene/integrators/radau5.hpp>
 #include <liecheck/scene/integrators/runge_kutta.hpp>
 #include <liecheck/scene/integrators/variational.hpp>
-#include <liecheck/scene/tree.hpp>
+#include <liecheck/scene/lone_joint.hpp>
 #include <memory>
 #include <vector>
 
@@ -44,10 +44,13 @@ std::unique_ptr<Method<Sys>> makeMethod(const std::string& name, const MethodOpt
   throw std::logic_error("integrator '" + name + "' is listed but not made");
 }
 
-// Explicit instantiation for double, in instantiations.cpp and instantiations_tree.cpp.
+// Explicit instantiation for double, in instantiations*.cpp.
 extern template LoneBody<double>::LoneBody(const Model<double>&, Effects<double>);
 extern template struct CollocationPoints<double>;
 extern template decltype(makeMethod<LoneBody<double>>) makeMethod<LoneBody<double>>;
+extern template LoneBody<double, false>::LoneBody(const Model<double>&, Effects<double>);
+extern template decltype(makeMethod<ThrownBody<double>>) makeMethod<ThrownBody<double>>;
+extern template decltype(makeMethod<LoneJoint<double>>) makeMethod<LoneJoint<double>>;
 extern template decltype(makeMethod<Tree<double>>) makeMethod<Tree<double>>;
 
 }  // namespace liecheck::scene

@@ -31,9 +31,8 @@ class Variational final : public Method<LoneBody<S>> {
   MethodCounts counts() const override { return counts_; }
   void begin(Body& body, const State<Body>& state) override {
     const SO3<S> Q = rotationOf(state.q);
-    const Motion<S> V(state.v);
-    L_ = Q.act(Vector3<S>(body.inertia() * V.angular()));
-    P_ = body.mass() * Q.act(velocityOfCentre(body, V));
+    L_ = Q.act(Vector3<S>(body.inertia() * Vector3<S>(state.v.template tail<3>())));
+    P_ = body.mass() * state.v.template head<3>();
     L_low_.setZero(), P_low_.setZero();
   }
   void step(Body& body, State<Body>& state, const S& h) override {
@@ -60,12 +59,9 @@ class Variational final : public Method<LoneBody<S>> {
     checkFinite(L_, P_);
     const Vector3<S> target = h * inBody(state, L_);
     const Vector3<S> phi = solve(body.inertia(), body.inertiaInverse(), target);
-    const Vector3<S> c0 = rotationOf(state.q).act(body.lever());
     accumulateRotation<S>(state.q.template tail<4>(), state.q_low.template tail<3>(),
                           quaternion::exp3<S>(phi));
-    const Vector3<S> c1 = rotationOf(state.q).act(body.lever());
-    for (int i = 0; i < 3; ++i)
-      accumulate<S>(state.q[i], state.q_low[i], S(h * P_[i] / body.mass() + (c0[i] - c1[i])));
+    for (int i = 0; i < 3; ++i) accumulate<S>(state.q[i], state.q_low[i], S(h * P_[i] / body.mass()));
     setVelocity(body, state);
     if (!free) {
       const Momentum drifted{L_, P_, L_low_, P_low_};
@@ -85,9 +81,6 @@ class Variational final : public Method<LoneBody<S>> {
   }
   void restore(const Momentum& m) { L_ = m.L, P_ = m.P, L_low_ = m.L_low, P_low_ = m.P_low; }
   static SO3<S> rotationOf(const Vector7<S>& q) { return SO3<S>(Vector4<S>(q[3], q[4], q[5], q[6])); }
-  static Vector3<S> velocityOfCentre(const Body& body, const Motion<S>& V) {
-    return V.linear() + liecheck::cross<S>(V.angular(), body.lever());
-  }
   /// R^T x for R = R(Q) exp(q_low).
   static Vector3<S> inBody(const State<Body>& state, const Vector3<S>& x) {
     const Vector3<S> y = rotationOf(state.q).actInv(x);
@@ -95,15 +88,12 @@ class Variational final : public Method<LoneBody<S>> {
   }
   void setVelocity(const Body& body, State<Body>& state) const {
     const Vector3<S> omega = product<S>(body.inertiaInverse(), inBody(state, L_));
-    const Vector3<S> u = inBody(state, P_) / body.mass() - liecheck::cross<S>(omega, body.lever());
-    state.v << u, omega;
+    state.v << P_ / body.mass(), omega;
     state.v_low.setZero();
   }
   void kick(Body& body, const S& t, const Vector7<S>& q, const Vector6<S>& v, const S& h) {
-    const Force<S> F = body.force(t, q, v);
-    const SO3<S> Q = rotationOf(q);
-    const Vector3<S> f = Q.act(F.linear()) + body.mass() * body.model().gravity;
-    const Vector3<S> n = Q.act(Vector3<S>(F.angular() - liecheck::cross<S>(body.lever(), F.linear())));
+    body.load(t, q, v);
+    const Vector3<S> f = body.force(v) + body.mass() * body.model().gravity, n = rotationOf(q).act(body.moment(v));
     for (int i = 0; i < 3; ++i)
       accumulate<S>(P_[i], P_low_[i], S(h * f[i])), accumulate<S>(L_[i], L_low_[i], S(h * n[i]));
   }
