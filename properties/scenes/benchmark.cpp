@@ -10,10 +10,11 @@ Benchmark benchmark_of(const scene::Scene& scene) {
   b.robot = scene.model;
   b.q0 = scene.q, b.v0 = scene.v;
   b.duration = scene.span.duration;
+  b.requests = scene.effects, b.around = scene.around;
   const auto shared = std::make_shared<scene::Scene>(scene);
   b.effects = [shared] { return scene::makeEffects<double>(*shared, shared->model); };
   b.effects_float128 = [shared] {
-    return scene::makeEffects<float128>(*shared, shared->model.cast<float128>());
+    return scene::makeEffects<float128>(*shared, sharpened(shared->model));
   };
   const auto set = [&](Eigen::VectorXd& of, const scene::Request& r, const char* key) {
     if (of.size() == 0) of = Eigen::VectorXd::Zero(b.robot.nv);

@@ -34,6 +34,9 @@ struct Benchmark {
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();
   Eigen::VectorXd stiffness, rest, damping;
   bool others = false;  ///< whether there are effects that are not repeated here
+  /// All effects and the surroundings as the scene describes them, for scenes/independent.hpp.
+  std::vector<scene::Request> requests;
+  scene::Surroundings around;
 
   bool conservative() const { return !others && (damping.size() == 0 || damping.isZero(0)); }
   /// Whether no external force acts, so that momentum is conserved.

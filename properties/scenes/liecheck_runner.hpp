@@ -58,13 +58,15 @@ class LiecheckRunner final : public Runner {
  public:
   using S = typename Sys::Scalar;
   LiecheckRunner(const Benchmark& scene, const std::string& method, const scene::Effects<S>& effects)
-      : system_(scene.robot.cast<S>(), effects),
+      : system_(robot_of(scene), effects),
         start_(system_, scene.q0.cast<S>(), scene.v0.cast<S>()),
         state_(start_),
         duration_(scene.duration),
         name_(method) {
     make_method<Sys>(name_);
-    start_.compensate(scene::compensates(scene::methodInfo(name_))), state_ = start_;
+    start_.compensate(scene::compensates(scene::methodInfo(name_)));
+    if constexpr (std::is_same_v<S, float128>) system_.normalize(start_.q);
+    state_ = start_;
   }
 
   long run(const Effort& effort, long samples,
@@ -89,6 +91,12 @@ class LiecheckRunner final : public Runner {
   }
 
  private:
+  static Model<S> robot_of(const Benchmark& scene) {
+    if constexpr (std::is_same_v<S, float128>)
+      return sharpened(scene.robot);
+    else
+      return scene.robot;
+  }
   template <class Watch>
   void simulate(const Effort& effort, long every, const Watch& watch, long* made) {
     if (!method_ || effort.tolerance != tolerance_) {

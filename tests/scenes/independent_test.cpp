@@ -1,0 +1,92 @@
+// Tangent increments (lib, in float128) and maximal coordinates (scenes/independent.hpp) agree on every effect, so that a
+// wrong equation in either is seen: each key of an effect that changes, and each wrong term that is planted, separates
+// them.
+
+#include <gtest/gtest.h>
+
+#include <liecheck/scene/effects/registry.hpp>
+#include <list>
+
+#include "formulations.hpp"
+#include "planted.hpp"
+
+namespace {
+
+using namespace liecheck;
+using test::Formulations;
+
+std::vector<const scene::PartInfo*> every_effect() {
+  std::vector<const scene::PartInfo*> all;
+  for (const auto* list : {&scene::effectEntries<double>(), &scene::actuationEntries<double>()})
+    for (const auto& e : *list) all.push_back(e.info);
+  return all;
+}
+
+/// Two results in double are compared to half a unit of the last place, 1.1e-16.
+constexpr double agreed = 1e-17;
+/// Wrong terms change the motion by more than this many times the agreement.
+constexpr double apart = 1e6;
+
+class Effect : public testing::TestWithParam<const scene::PartInfo*> {
+ protected:
+  Effect() {
+    for (const test::EffectScene& s : test::effect_scenes())
+      if (s.effect == GetParam()->name) names.push_back(test::name_of(s)), scenes.emplace_back(s);
+  }
+  /// The largest change over the scenes, as a multiple of their agreement; a change of the scene itself may fail.
+  template <class Change>
+  double seen(Change change) {
+    double largest = 0;
+    for (const Formulations& s : scenes)
+      if (const double d = s.from(change(s.scene)); d > 1e-9) largest = std::max(largest, d / s.agreement);
+    return largest;
+  }
+  std::list<Formulations> scenes;
+  std::vector<std::string> names;
+};
+
+/// Another value of a key.
+void change(scene::Value& value, const scene::Key& key) {
+  for (double& x : value.numbers) x = x == 0 ? 0.01 : 1.01 * x;
+  for (std::string& name : value.names) {
+    if (key.kind == scene::Kind::Frame || key.kind == scene::Kind::Frames) name = name == "tool" ? "fin" : "tool";
+    if (key.kind == scene::Kind::Choice) name = name == "world" ? "frame" : "world";
+  }
+  if (key.kind == scene::Kind::Joints && value.names[0] != "root_joint") value.names = {"slide"};
+}
+
+TEST_P(Effect, IsTheSameInTangentIncrementsAndInMaximalCoordinates) {
+  EXPECT_FALSE(scenes.empty()) << "effect_scenes.hpp has no scene for " << GetParam()->name;
+  std::size_t i = 0;
+  for (const Formulations& s : scenes) {
+    std::printf("  agree to %.0e: %s\n", s.agreement, names[i].c_str());
+    EXPECT_LT(s.agreement, agreed) << names[i];
+    ++i;
+  }
+  for (const scene::Key& key : GetParam()->keys) {
+    const double times = seen([&](properties::Benchmark scene) {
+      auto& values = scene.requests[0].parameters.values;
+      if (const auto at = values.find(key.name); at != values.end()) change(at->second, key);
+      return properties::independent_tree<long double>(scene);
+    });
+    EXPECT_GT(times, apart) << "no scene shows the key " << key.name << " of " << GetParam()->name;
+  }
+  std::size_t wrong = 0;
+  for (const test::planted::Planted& p : test::planted::all()) {
+    if (p.effect != std::string(GetParam()->name)) continue;
+    const double times = seen([&](const properties::Benchmark& scene) {
+      auto tree = properties::independent_tree<long double>(scene);
+      p.plant(tree);
+      return tree;
+    });
+    std::printf("  %.0e times further apart: %s %s\n", times, p.effect, p.what);
+    EXPECT_GT(times, apart) << p.what;
+    ++wrong;
+  }
+  EXPECT_GT(wrong, 0U) << "planted.hpp has no wrong term for " << GetParam()->name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, Effect, testing::ValuesIn(every_effect()),
+                         [](const auto& info) { return std::string(info.param->name); });
+
+}  // namespace

@@ -1,0 +1,203 @@
+#pragma once
+// Wrong terms of effects, one planted in the laws of the maximal coordinates at a time.
+
+#include <oracles/motions/force_laws.hpp>
+
+namespace liecheck::test::planted {
+
+namespace laws = oracles::laws;
+using T = long double;
+using V = oracles::Column3<T>;
+using Now = oracles::Snapshot<T>;
+using Tree = oracles::MaximalTree<T>;
+
+/// A wrong term in the law of an effect.
+struct Planted {
+  const char *effect, *what;
+  std::function<void(Tree&)> plant;
+};
+
+/// Changes the numbers of a law.
+template <class Law>
+std::function<void(Tree&)> changed(void (*change)(Law&)) {
+  return [change](Tree& tree) { change(*tree.laws.at(0).add.target<Law>()); };
+}
+/// Replaces the equation of a law.
+template <class Law>
+std::function<void(Tree&)> instead(void (*add)(const Law&, Now&)) {
+  return [add](Tree& tree) {
+    const Law law = *tree.laws.at(0).add.target<Law>();
+    tree.laws[0].add = [law, add](Now& s) { add(law, s); };
+  };
+}
+/// The tree with other links.
+inline void relink(Tree& tree, const std::function<void(std::vector<oracles::MaximalLink<T>>&)>& change) {
+  auto links = tree.links();
+  change(links);
+  Tree other(links);
+  other.laws = tree.laws, other.armature = tree.armature;
+  tree = other;
+}
+
+using Gravity = laws::Gravity<T>;
+using Wrench = laws::Wrench<T>;
+using Damping = laws::JointDamping<T>;
+using Friction = laws::JointFriction<T>;
+using Spring = laws::JointSpring<T>;
+using Limits = laws::JointLimits<T>;
+using Drag = laws::Drag<T>;
+using Buoyancy = laws::Buoyancy<T>;
+using Thruster = laws::Thruster<T>;
+using Contact = laws::Contact<T>;
+using Constant = laws::ConstantForce<T>;
+using Pd = laws::PdControl<T>;
+using Table = laws::ForceTable<T>;
+
+/// Contact with the terms that an argument changes.
+struct WrongContact {
+  bool pulls = false, at_centre = false, slides_at_centre = false, rolls_fully = false, depth_of_centre = false;
+  void operator()(const Contact& c, Now& s) const {
+    for (const auto& at : c.centres) {
+      const V centre = s.point(at), lowest = centre - c.r * c.n, w = s.omega(at.link),
+              u = s.velocity(at.link, slides_at_centre ? centre : lowest);
+      const T x = c.height - c.n.dot(depth_of_centre ? centre : lowest), factor = 1 - c.c * c.n.dot(u);
+      const bool deep = s.on(x), pushes = s.on(factor);
+      if (!deep || !(pulls || pushes)) continue;
+      const T f_n = c.stiffness * x * factor, w_n = c.n.dot(w);
+      const V u_t = u - c.n.dot(u) * c.n, w_t = rolls_fully ? w : V(w - w_n * c.n);
+      s.push(at.link, V(f_n * c.n - c.mu * f_n / std::sqrt(u_t.squaredNorm() + c.v_s * c.v_s) * u_t),
+             at_centre ? centre : lowest);
+      s.turn(at.link, V(-c.rho * f_n / std::sqrt(w_t.squaredNorm() + c.w_s * c.w_s) * w_t -
+                        c.tau * f_n * w_n / std::sqrt(w_n * w_n + c.w_s * c.w_s) * c.n));
+    }
+  }
+};
+inline std::function<void(Tree&)> wrong(const WrongContact& equation) {
+  return [equation](Tree& tree) {
+    const Contact law = *tree.laws.at(0).add.target<Contact>();
+    tree.laws[0].add = [law, equation](Now& s) { equation(law, s); };
+  };
+}
+
+inline const std::vector<Planted>& all() {
+  static const std::vector<Planted> terms = {
+      {"gravity", "at the joint's origin", instead<Gravity>([](const Gravity& l, Now& s) {
+         for (std::size_t i = 1; i < l.masses.size(); ++i) s.push(int(i), V(l.masses[i] * l.g), s.bodies[i].o);
+       })},
+      {"gravity", "on the root alone", changed<Gravity>([](Gravity& l) {
+         for (std::size_t i = 2; i < l.masses.size(); ++i) l.masses[i] = 0;
+         if (l.masses.size() == 2) l.g = -l.g;
+       })},
+      {"wrench", "at the joint's origin", changed<Wrench>([](Wrench& l) { l.at.p.setZero(); })},
+      {"wrench", "in the joint's axes", changed<Wrench>([](Wrench& l) { l.at.R.setIdentity(), l.world = false; })},
+      {"wrench", "at the centre of mass", instead<Wrench>([](const Wrench& l, Now& s) {
+         if (!s.within(l.from, l.until)) return;
+         const auto R = l.world ? oracles::Square3<T>(oracles::Square3<T>::Identity()) : s.axes(l.at);
+         s.push(l.at.link, V(R * l.f), s.bodies[std::size_t(l.at.link)].c), s.turn(l.at.link, V(R * l.n));
+       })},
+      {"wrench", "without the moment", changed<Wrench>([](Wrench& l) { l.n.setZero(); })},
+      {"wrench", "from and until confused with always", changed<Wrench>([](Wrench& l) {
+         l.from = l.from < 0 ? T(0.1) : T(-1), l.until = 9;
+       })},
+      {"joint_damping", "with the other sign", changed<Damping>([](Damping& l) {
+         for (T& d : l.d) d = -d;
+       })},
+      {"joint_damping", "d v |v|", instead<Damping>([](const Damping& l, Now& s) {
+         for (std::size_t i = 0; i < l.k.size(); ++i)
+           s.drives[l.k[i]] -= l.d[i] * s.rates[l.k[i]] * std::abs(s.rates[l.k[i]]);
+       })},
+      {"joint_friction", "without v_s", changed<Friction>([](Friction& l) { l.slip = T(1e-6); })},
+      {"joint_friction", "f v/(|v| + v_s)", instead<Friction>([](const Friction& l, Now& s) {
+         for (std::size_t i = 0; i < l.k.size(); ++i)
+           s.drives[l.k[i]] -= l.f[i] * s.rates[l.k[i]] / (std::abs(s.rates[l.k[i]]) + l.slip);
+       })},
+      {"joint_spring", "without rest", changed<Spring>([](Spring& l) { l.rest = 0; })},
+      {"joint_spring", "half as stiff", changed<Spring>([](Spring& l) { l.stiffness /= 2; })},
+      {"joint_limits", "c with the other sign", changed<Limits>([](Limits& l) { l.c = -l.c; })},
+      {"joint_limits", "that pull", instead<Limits>([](const Limits& l, Now& s) {
+         for (std::size_t i = 0; i < l.k.size(); ++i)
+           for (const int in : {1, -1}) {
+             const T x = T(in) * ((in > 0 ? l.low[i] : l.high[i]) - s.positions[l.k[i]]);
+             if (s.on(x)) s.drives[l.k[i]] += T(in) * l.stiffness * x * (1 - l.c * T(in) * s.rates[l.k[i]]);
+           }
+       })},
+      {"joint_limits", "at the lower limit alone", changed<Limits>([](Limits& l) {
+         for (T& x : l.high) x = std::numeric_limits<T>::infinity();
+       })},
+      {"armature", "missing", [](Tree& tree) { std::fill(tree.armature.begin(), tree.armature.end(), T(0)); }},
+      {"armature", "as a rotor that turns with the child",
+       [](Tree& tree) {
+         auto I_m = tree.armature;
+         std::fill(tree.armature.begin(), tree.armature.end(), T(0));
+         relink(tree, [&](auto& links) {
+           std::size_t at = 0;
+           for (auto& l : links) {
+             if (&l == links.data()) continue;
+             if (l.kind == oracles::JointKind::revolute || l.kind == oracles::JointKind::continuous)
+               l.inertia += I_m[at] * l.axis * l.axis.transpose();
+             at += std::size_t(oracles::velocity_size(l.kind));
+           }
+         });
+       }},
+      {"drag", "c1 with the other sign", changed<Drag>([](Drag& l) { l.c1 = -l.c1; })},
+      {"drag", "k1 with the other sign", changed<Drag>([](Drag& l) { l.k1 = -l.k1; })},
+      {"drag", "at the joint's origin", changed<Drag>([](Drag& l) { l.at.p.setZero(); })},
+      {"drag", "quadratic in each component", instead<Drag>([](const Drag& l, Now& s) {
+         const V p = s.point(l.at), u = s.velocity(l.at.link, p), w = s.omega(l.at.link);
+         s.push(l.at.link, V(-l.c1 * u - l.c2 * V(u.cwiseAbs().cwiseProduct(u))), p);
+         s.turn(l.at.link, V(-(l.k1 + l.k2 * w.norm()) * w));
+       })},
+      {"drag", "k2 |omega|^2 without direction", instead<Drag>([](const Drag& l, Now& s) {
+         const V p = s.point(l.at), u = s.velocity(l.at.link, p), w = s.omega(l.at.link);
+         s.push(l.at.link, V(-(l.c1 + l.c2 * u.norm()) * u), p);
+         s.turn(l.at.link, V(-l.k1 * w - l.k2 * V(w.cwiseProduct(w))));
+       })},
+      {"buoyancy", "at the joint's origin", changed<Buoyancy>([](Buoyancy& l) { l.at.p.setZero(); })},
+      {"buoyancy", "downwards", changed<Buoyancy>([](Buoyancy& l) { l.g = -l.g; })},
+      {"buoyancy", "at the centre of mass", instead<Buoyancy>([](const Buoyancy& l, Now& s) {
+         s.push(l.at.link, V(-l.density * l.volume * l.g), s.bodies[std::size_t(l.at.link)].c);
+       })},
+      {"thruster", "k with the other sign", changed<Thruster>([](Thruster& l) { l.k = -l.k; })},
+      {"thruster", "e in the joint's axes", changed<Thruster>([](Thruster& l) { l.at.R.setIdentity(); })},
+      {"thruster", "a direction of any length", instead<Thruster>([](const Thruster& l, Now& s) {
+         if (!s.within(l.from, l.until)) return;
+         const V e = s.axes(l.at) * l.direction;
+         s.push(l.at.link, V(l.thrust * e), s.point(l.at)), s.turn(l.at.link, V(l.k * l.thrust * e));
+       })},
+      {"contact", "c with the other sign", changed<Contact>([](Contact& l) { l.c = -l.c; })},
+      {"contact", "friction without v_s", changed<Contact>([](Contact& l) { l.v_s = T(1e-3); })},
+      {"contact", "rolling resistance along the rotation", changed<Contact>([](Contact& l) {
+         l.rho = l.rho > 0 ? -l.rho : T(0.01);
+       })},
+      {"contact", "torsion without w_s", changed<Contact>([](Contact& l) {
+         l.w_s = l.tau > 0 ? T(0.01) : T(1), l.tau = l.tau > 0 ? l.tau : T(0.01);
+       })},
+      {"contact", "a force at the centre", wrong({.at_centre = true})},
+      {"contact", "slip of the centre", wrong({.slides_at_centre = true})},
+      {"contact", "depth of the centre", wrong({.depth_of_centre = true})},
+      {"constant", "without the reaction on the parent", instead<Constant>([](const Constant& l, Now& s) {
+         s.turn(2, V(l.force * s.bodies[s.bodies.size() > 2 ? 2 : 1].R.col(0)));
+       })},
+      {"pd", "without clamp", changed<Pd>([](Pd& l) {
+         for (T& x : l.limits) x = std::numeric_limits<T>::infinity();
+       })},
+      {"pd", "d with the other sign", changed<Pd>([](Pd& l) { l.d = -l.d; })},
+      {"pd", "that clamps k (q_target - q) alone", instead<Pd>([](const Pd& l, Now& s) {
+         for (std::size_t i = 0; i < l.k.size(); ++i)
+           s.drives[l.k[i]] += std::clamp(l.stiffness * (l.targets[i] - s.positions[l.k[i]]), -l.limits[i],
+                                          l.limits[i]) -
+                               l.d * s.rates[l.k[i]];
+       })},
+      {"table", "of steps", instead<Table>([](const Table& l, Now& s) {
+         T force = l.forces.front();
+         for (std::size_t i = 0; i < l.times.size(); ++i)
+           if (l.times[i] <= s.inside) force = l.forces[i];
+         for (const std::size_t k : l.k) s.drives[k] += force;
+       })},
+      {"table", "that ends with its last time", instead<Table>([](const Table& l, Now& s) {
+         if (s.inside < l.times.back()) l(s);
+       })}};
+  return terms;
+}
+
+}  // namespace liecheck::test::planted
