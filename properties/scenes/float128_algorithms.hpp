@@ -16,8 +16,8 @@ extern template void forwardKinematics(const Model<float128>&, Data<float128>&, 
 extern template void forwardKinematics(const Model<float128>&, Data<float128>&, In<float128>, In<float128>,
                                        In<float128>);
 
-/// The robot with its rotation matrices and axes orthonormal in float128: a stored matrix stands for the rotation nearest
-/// to it, and Model::cast converts the rounding errors of double as they are.
+/// The robot with its rotation matrices and axes orthonormal in float128: a stored matrix stands for the
+/// rotation nearest to it, and Model::cast converts the rounding errors of double as they are.
 Model<float128> sharpened(const Model<double>& robot);
 
 }  // namespace liecheck

@@ -184,11 +184,10 @@ const std::map<std::string, Maker<T>>& makers() {
       {"contact",
        [](P p, Tree tree) {
          const auto& around = p.scene().around;
-         tree.laws.push_back({laws::Contact<T>{p.places(), p.vector(around.normal).normalized(), T(around.height),
-                                               p.number("radius"), p.number("stiffness"),
-                                               p.number("dissipation"), p.number("friction"), p.number("slip"),
-                                               p.number("rolling"), p.number("torsion"),
-                                               p.number("angular_slip")}});
+         tree.laws.push_back({laws::Contact<T>{
+             p.places(), p.vector(around.normal).normalized(), T(around.height), p.number("radius"),
+             p.number("stiffness"), p.number("dissipation"), p.number("friction"), p.number("slip"),
+             p.number("rolling"), p.number("torsion"), p.number("angular_slip")}});
        }},
       {"constant",
        [](P p, Tree tree) {
@@ -202,8 +201,8 @@ const std::map<std::string, Maker<T>>& makers() {
                                                  targets, p.of_positions(p.scene().robot.effortLimit)}});
        }},
       {"table", [](P p, Tree tree) {
-         tree.laws.push_back(
-             {laws::ForceTable<T>{p.coordinates(), p.numbers("times"), p.numbers("forces")}, p.numbers("times")});
+         tree.laws.push_back({laws::ForceTable<T>{p.coordinates(), p.numbers("times"), p.numbers("forces")},
+                              p.numbers("times")});
        }}};
   return all;
 }

@@ -1,6 +1,7 @@
 #pragma once
-// The second formulation of scenes without a closed form: maximal coordinates and laws of forces in the world's axes
-// (oracles/motions/maximal_tree.hpp, force_laws.hpp). It shares with lib the description of the scene, and nothing else.
+// The second formulation of scenes without a closed form: maximal coordinates and laws of forces in the
+// world's axes (oracles/motions/maximal_tree.hpp, force_laws.hpp). It shares with lib the description of the
+// scene, and nothing else.
 
 #include <atomic>
 #include <oracles/motions/maximal_motion.hpp>
@@ -11,15 +12,15 @@ namespace liecheck::properties {
 /// The names of the effects and actuations that it knows.
 std::vector<std::string> independent_laws();
 
-/// The scene in maximal coordinates. One law for each effect that is a force, in the order of the scene. Throws
-/// std::invalid_argument for an effect or a joint that it does not know.
+/// The scene in maximal coordinates. One law for each effect that is a force, in the order of the scene.
+/// Throws std::invalid_argument for an effect or a joint that it does not know.
 template <class T>
 oracles::MaximalTree<T> independent_tree(const Benchmark& scene);
 
 /// The states at the start and after each of `parts` equal parts of the duration.
 template <class T>
-std::vector<Moment> moments_of(oracles::MaximalTree<T> tree, const Benchmark& scene, long parts, const T& tolerance,
-                               const std::atomic<bool>* stop = nullptr);
+std::vector<Moment> moments_of(oracles::MaximalTree<T> tree, const Benchmark& scene, long parts,
+                               const T& tolerance, const std::atomic<bool>* stop = nullptr);
 
 // For long double (64 bits) and float128, in independent.cpp.
 extern template oracles::MaximalTree<long double> independent_tree(const Benchmark&);

@@ -2,9 +2,10 @@
 // Measures the error, drift and time of integrators x steps on scenes.
 //
 // The error is the largest error at the ends of the four quarters of the duration. The reference is the exact
-// motion (truth.hpp) or, if none is known, liecheck's gauss12 in float128. The drift of energy and momentum
-// uses at most 129 samples (drift.hpp). The time is processor time per simulated second. The runs of all
-// points of a scene are timed in random order (timing/benchmarks.hpp).
+// motion (truth.hpp) or, if none is known, liecheck's gauss12 in float128, confirmed by a second formulation
+// (confirm.hpp). The drift of energy and momentum uses at most 129 samples (drift.hpp). The time is processor
+// time per simulated second. The runs of all points of a scene are timed in random order
+// (timing/benchmarks.hpp).
 
 #include <atomic>
 #include <scenes/peers/peer.hpp>

@@ -18,7 +18,8 @@ inline double distance(const Model<double>& robot, const properties::Moment& a, 
   for (std::size_t k = 0; k < a.v.size(); ++k) take(a.v[k] - b.v[k]);
   for (std::size_t i = 1; i < robot.joints.size(); ++i) {
     const std::size_t at = std::size_t(robot.idx_qs[i]), n = std::size_t(robot.nqs[i]),
-                      unit = std::visit([](const auto& j) { return std::size_t(j.unit_begin); }, robot.joints[i]);
+                      unit =
+                          std::visit([](const auto&j) { return std::size_t(j.unit_begin); }, robot.joints[i]);
     Real dot(0);
     for (std::size_t k = unit; k < n; ++k) dot += a.q[at + k] * b.q[at + k];
     for (std::size_t k = 0; k < n; ++k)
@@ -31,11 +32,11 @@ struct Formulations {
   explicit Formulations(const EffectScene& s) : scene(properties::benchmark_of(scene_of(s))) {
     properties::make_runner(scene, "gauss12", "float128")
         ->run({64, 0}, 1, [this](double, const properties::Moment& m) { tangents = m; });
-    agreement = distance(scene.robot, tangents,
-                         properties::moments_of<properties::float128>(
-                             properties::independent_tree<properties::float128>(scene), scene, 1,
-                             properties::float128(1e-26))
-                             .back());
+    agreement = distance(
+        scene.robot, tangents,
+        properties::moments_of<properties::float128>(
+            properties::independent_tree<properties::float128>(scene), scene, 1, properties::float128(1e-26))
+            .back());
   }
   properties::Benchmark scene;
   properties::Moment tangents;  ///< at the end, by increments in the tangent space, in float128

@@ -1,6 +1,6 @@
-// Tangent increments (lib, in float128) and maximal coordinates (scenes/independent.hpp) agree on every effect, so that a
-// wrong equation in either is seen: each key of an effect that changes, and each wrong term that is planted, separates
-// them.
+// Tangent increments (lib, in float128) and maximal coordinates (scenes/independent.hpp) agree on every
+// effect, so that a wrong equation in either is seen: each key of an effect that changes, and each wrong term
+// that is planted, separates them.
 
 #include <gtest/gtest.h>
 
@@ -33,7 +33,8 @@ class Effect : public testing::TestWithParam<const scene::PartInfo*> {
     for (const test::EffectScene& s : test::effect_scenes())
       if (s.effect == GetParam()->name) names.push_back(test::name_of(s)), scenes.emplace_back(s);
   }
-  /// The largest change over the scenes, as a multiple of their agreement; a change of the scene itself may fail.
+  /// The largest change over the scenes, as a multiple of their agreement; a change of the scene itself may
+  /// fail.
   template <class Change>
   double seen(Change change) {
     double largest = 0;
@@ -49,9 +50,10 @@ class Effect : public testing::TestWithParam<const scene::PartInfo*> {
 void change(scene::Value& value, const scene::Key& key) {
   for (double& x : value.numbers) x = x == 0 ? 0.01 : 1.01 * x;
   for (std::string& name : value.names) {
-    if (key.kind == scene::Kind::Frame || key.kind == scene::Kind::Frames) name = name == "tool" ? "fin" : "tool";
+    if (key.kind == scene::Kind::Frame) name = "fin";
     if (key.kind == scene::Kind::Choice) name = name == "world" ? "frame" : "world";
   }
+  if (key.kind == scene::Kind::Frames) value.names = {"fin"};
   if (key.kind == scene::Kind::Joints && value.names[0] != "root_joint") value.names = {"slide"};
 }
 

@@ -55,14 +55,15 @@ using Table = laws::ForceTable<T>;
 
 /// Contact with the terms that an argument changes.
 struct WrongContact {
-  bool pulls = false, at_centre = false, slides_at_centre = false, rolls_fully = false, depth_of_centre = false;
+  bool at_centre = false, slides_at_centre = false, rolls_fully = false, depth_of_centre = false;
   void operator()(const Contact& c, Now& s) const {
     for (const auto& at : c.centres) {
       const V centre = s.point(at), lowest = centre - c.r * c.n, w = s.omega(at.link),
               u = s.velocity(at.link, slides_at_centre ? centre : lowest);
-      const T x = c.height - c.n.dot(depth_of_centre ? centre : lowest), factor = 1 - c.c * c.n.dot(u);
+      const T x = c.height * c.n[2] - c.n.dot(depth_of_centre ? centre : lowest),
+              factor = 1 - c.c * c.n.dot(u);
       const bool deep = s.on(x), pushes = s.on(factor);
-      if (!deep || !(pulls || pushes)) continue;
+      if (!deep || !pushes) continue;
       const T f_n = c.stiffness * x * factor, w_n = c.n.dot(w);
       const V u_t = u - c.n.dot(u) * c.n, w_t = rolls_fully ? w : V(w - w_n * c.n);
       s.push(at.link, V(f_n * c.n - c.mu * f_n / std::sqrt(u_t.squaredNorm() + c.v_s * c.v_s) * u_t),
@@ -82,23 +83,24 @@ inline std::function<void(Tree&)> wrong(const WrongContact& equation) {
 inline const std::vector<Planted>& all() {
   static const std::vector<Planted> terms = {
       {"gravity", "at the joint's origin", instead<Gravity>([](const Gravity& l, Now& s) {
-         for (std::size_t i = 1; i < l.masses.size(); ++i) s.push(int(i), V(l.masses[i] * l.g), s.bodies[i].o);
+         for (std::size_t i = 1; i < l.masses.size(); ++i)
+           s.push(int(i), V(l.masses[i] * l.g), s.bodies[i].o);
        })},
       {"gravity", "on the root alone", changed<Gravity>([](Gravity& l) {
          for (std::size_t i = 2; i < l.masses.size(); ++i) l.masses[i] = 0;
          if (l.masses.size() == 2) l.g = -l.g;
        })},
       {"wrench", "at the joint's origin", changed<Wrench>([](Wrench& l) { l.at.p.setZero(); })},
-      {"wrench", "in the joint's axes", changed<Wrench>([](Wrench& l) { l.at.R.setIdentity(), l.world = false; })},
+      {"wrench", "in the joint's axes",
+       changed<Wrench>([](Wrench& l) { l.at.R.setIdentity(), l.world = false; })},
       {"wrench", "at the centre of mass", instead<Wrench>([](const Wrench& l, Now& s) {
          if (!s.within(l.from, l.until)) return;
          const auto R = l.world ? oracles::Square3<T>(oracles::Square3<T>::Identity()) : s.axes(l.at);
          s.push(l.at.link, V(R * l.f), s.bodies[std::size_t(l.at.link)].c), s.turn(l.at.link, V(R * l.n));
        })},
       {"wrench", "without the moment", changed<Wrench>([](Wrench& l) { l.n.setZero(); })},
-      {"wrench", "from and until confused with always", changed<Wrench>([](Wrench& l) {
-         l.from = l.from < 0 ? T(0.1) : T(-1), l.until = 9;
-       })},
+      {"wrench", "from and until confused with always",
+       changed<Wrench>([](Wrench& l) { l.from = l.from < 0 ? T(0.1) : T(-1), l.until = 9; })},
       {"joint_damping", "with the other sign", changed<Damping>([](Damping& l) {
          for (T& d : l.d) d = -d;
        })},
@@ -106,7 +108,8 @@ inline const std::vector<Planted>& all() {
          for (std::size_t i = 0; i < l.k.size(); ++i)
            s.drives[l.k[i]] -= l.d[i] * s.rates[l.k[i]] * std::abs(s.rates[l.k[i]]);
        })},
-      {"joint_friction", "without v_s", changed<Friction>([](Friction& l) { l.slip = T(1e-6); })},
+      {"joint_friction", "with v_s for its square",
+       changed<Friction>([](Friction& l) { l.slip = std::sqrt(l.slip); })},
       {"joint_friction", "f v/(|v| + v_s)", instead<Friction>([](const Friction& l, Now& s) {
          for (std::size_t i = 0; i < l.k.size(); ++i)
            s.drives[l.k[i]] -= l.f[i] * s.rates[l.k[i]] / (std::abs(s.rates[l.k[i]]) + l.slip);
@@ -124,7 +127,8 @@ inline const std::vector<Planted>& all() {
       {"joint_limits", "at the lower limit alone", changed<Limits>([](Limits& l) {
          for (T& x : l.high) x = std::numeric_limits<T>::infinity();
        })},
-      {"armature", "missing", [](Tree& tree) { std::fill(tree.armature.begin(), tree.armature.end(), T(0)); }},
+      {"armature", "missing",
+       [](Tree& tree) { std::fill(tree.armature.begin(), tree.armature.end(), T(0)); }},
       {"armature", "as a rotor that turns with the child",
        [](Tree& tree) {
          auto I_m = tree.armature;
@@ -165,28 +169,34 @@ inline const std::vector<Planted>& all() {
          s.push(l.at.link, V(l.thrust * e), s.point(l.at)), s.turn(l.at.link, V(l.k * l.thrust * e));
        })},
       {"contact", "c with the other sign", changed<Contact>([](Contact& l) { l.c = -l.c; })},
-      {"contact", "friction without v_s", changed<Contact>([](Contact& l) { l.v_s = T(1e-3); })},
-      {"contact", "rolling resistance along the rotation", changed<Contact>([](Contact& l) {
-         l.rho = l.rho > 0 ? -l.rho : T(0.01);
-       })},
-      {"contact", "torsion without w_s", changed<Contact>([](Contact& l) {
-         l.w_s = l.tau > 0 ? T(0.01) : T(1), l.tau = l.tau > 0 ? l.tau : T(0.01);
-       })},
+      {"contact", "v_s for its square", changed<Contact>([](Contact& l) { l.v_s = std::sqrt(l.v_s); })},
+      {"contact", "rolling resistance along the rotation",
+       changed<Contact>([](Contact& l) { l.rho = l.rho > 0 ? -l.rho : T(0.01); })},
+      {"contact", "w_s for its square", changed<Contact>([](Contact& l) { l.w_s = std::sqrt(l.w_s); })},
+      {"contact", "torsion with the coefficient of rolling",
+       changed<Contact>([](Contact& l) { l.tau = l.rho; })},
+      {"contact", "rolling resistance against all of the rotation", wrong({.rolls_fully = true})},
       {"contact", "a force at the centre", wrong({.at_centre = true})},
       {"contact", "slip of the centre", wrong({.slides_at_centre = true})},
       {"contact", "depth of the centre", wrong({.depth_of_centre = true})},
-      {"constant", "without the reaction on the parent", instead<Constant>([](const Constant& l, Now& s) {
-         s.turn(2, V(l.force * s.bodies[s.bodies.size() > 2 ? 2 : 1].R.col(0)));
-       })},
+      {"constant", "without the reaction on the parent",
+       [](Tree& tree) {
+         tree.laws[0].add = [law = *tree.laws.at(0).add.target<Constant>(), links = tree.links()](Now& s) {
+           law(s);
+           for (std::size_t i = 1; i < links.size(); ++i)
+             if (links[i].kind == oracles::JointKind::revolute)
+               s.turn(links[i].parent, V(law.force * V(s.bodies[i].R * links[i].axis)));
+         };
+       }},
       {"pd", "without clamp", changed<Pd>([](Pd& l) {
          for (T& x : l.limits) x = std::numeric_limits<T>::infinity();
        })},
       {"pd", "d with the other sign", changed<Pd>([](Pd& l) { l.d = -l.d; })},
       {"pd", "that clamps k (q_target - q) alone", instead<Pd>([](const Pd& l, Now& s) {
          for (std::size_t i = 0; i < l.k.size(); ++i)
-           s.drives[l.k[i]] += std::clamp(l.stiffness * (l.targets[i] - s.positions[l.k[i]]), -l.limits[i],
-                                          l.limits[i]) -
-                               l.d * s.rates[l.k[i]];
+           s.drives[l.k[i]] +=
+               std::clamp(l.stiffness * (l.targets[i] - s.positions[l.k[i]]), -l.limits[i], l.limits[i]) -
+               l.d * s.rates[l.k[i]];
        })},
       {"table", "of steps", instead<Table>([](const Table& l, Now& s) {
          T force = l.forces.front();

@@ -1,7 +1,7 @@
 #pragma once
-// The laws of forces of scenes, as forces and moments on bodies in the world's axes, written from their equations in
-// fixtures/scenes/README.md. Forces of joints are drives of coordinates k: force/moment on the child, and the opposite
-// on the parent. Names and units of the numbers are those of the equations.
+// The laws of forces of scenes, as forces and moments on bodies in the world's axes, written from their
+// equations in fixtures/scenes/README.md. Forces of joints are drives of coordinates k: a force or moment on
+// the child, and the opposite on the parent. Names and units of the numbers are those of the equations.
 
 #include <algorithm>
 #include <oracles/motions/maximal_tree.hpp>
@@ -14,8 +14,7 @@ struct Gravity {
   Column3<T> g;
   std::vector<T> masses;  ///< of links
   void operator()(Snapshot<T>& s) const {
-    for (std::size_t i = 1; i < masses.size(); ++i)
-      s.push(int(i), Column3<T>(masses[i] * g), s.bodies[i].c);
+    for (std::size_t i = 1; i < masses.size(); ++i) s.push(int(i), Column3<T>(masses[i] * g), s.bodies[i].c);
   }
 };
 
@@ -78,7 +77,8 @@ struct JointLimits {
     for (std::size_t i = 0; i < k.size(); ++i)
       for (const int inwards : {1, -1}) {
         const T& limit = inwards > 0 ? low[i] : high[i];
-        if (limit == -std::numeric_limits<T>::infinity() || limit == std::numeric_limits<T>::infinity()) continue;
+        if (limit == -std::numeric_limits<T>::infinity() || limit == std::numeric_limits<T>::infinity())
+          continue;
         const T x = T(inwards) * (limit - s.positions[k[i]]), factor = T(1) - c * T(inwards) * s.rates[k[i]];
         const bool deep = s.on(x), pushes = s.on(factor);
         if (deep && pushes) s.drives[k[i]] += T(inwards) * stiffness * x * factor;
@@ -104,9 +104,7 @@ struct Buoyancy {
   Place<T> at;
   T volume, density;
   Column3<T> g;
-  void operator()(Snapshot<T>& s) const {
-    s.push(at.link, Column3<T>(-(density * volume) * g), s.point(at));
-  }
+  void operator()(Snapshot<T>& s) const { s.push(at.link, Column3<T>(-(density * volume) * g), s.point(at)); }
 };
 
 /// f = thrust e, n = k thrust e along the direction e in the frame, from <= t < until.
@@ -124,7 +122,8 @@ struct Thruster {
   }
 };
 
-/// Spheres of radius r, or points, on the plane through (0, 0, height) with the unit normal n. At the point of contact,
+/// Spheres of radius r, or points, on the plane through (0, 0, height) with the unit normal n. At the
+/// contact,
 ///   f_n = stiffness x (1 + c x_dot)_+,  f_t = -mu f_n u_t / sqrt(|u_t|^2 + v_s^2),
 /// and moments -rho f_n w_t / sqrt(|w_t|^2 + w_s^2) - tau f_n w_n n / sqrt(w_n^2 + w_s^2).
 template <class T>
@@ -142,7 +141,8 @@ struct Contact {
       if (!deep || !pushes) continue;
       const T f_n = stiffness * x * factor, w_n = n.dot(w);
       const Column3<T> u_t = u - n.dot(u) * n, w_t = w - w_n * n;
-      s.push(at.link, Column3<T>(f_n * n - mu * f_n / T(sqrt(T(u_t.squaredNorm() + v_s * v_s))) * u_t), lowest);
+      s.push(at.link, Column3<T>(f_n * n - mu * f_n / T(sqrt(T(u_t.squaredNorm() + v_s * v_s))) * u_t),
+             lowest);
       s.turn(at.link, Column3<T>(-rho * f_n / T(sqrt(T(w_t.squaredNorm() + w_s * w_s))) * w_t -
                                  tau * f_n * w_n / T(sqrt(T(w_n * w_n + w_s * w_s))) * n));
     }
@@ -187,7 +187,8 @@ struct ForceTable {
     T force = s.inside < times.front() ? forces.front() : forces.back();
     for (std::size_t i = 1; i < times.size(); ++i)
       if (s.within(times[i - 1], times[i]))
-        force = (forces[i - 1] * (times[i] - s.t) + forces[i] * (s.t - times[i - 1])) / (times[i] - times[i - 1]);
+        force =
+            (forces[i - 1] * (times[i] - s.t) + forces[i] * (s.t - times[i - 1])) / (times[i] - times[i - 1]);
     for (const std::size_t i : k) s.drives[i] += force;
   }
 };

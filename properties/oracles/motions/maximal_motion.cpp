@@ -13,8 +13,8 @@ MaximalMotion<T>::MaximalMotion(MaximalTree<T> tree, const std::vector<T>& q, co
                                 const T& tolerance, const std::atomic<bool>* stop)
     : tree_(std::move(tree)), y_(tree_.state(q, v)), tolerance_(tolerance), stop_(stop) {}
 
-/// The state after h. False if the columns do not agree. Notes in branches_.crossed whether a function changes its
-/// sign within the finest column.
+/// The state after h. False if the columns do not agree. Notes in branches_.crossed whether a function
+/// changes its sign within the finest column.
 template <class T>
 bool MaximalMotion<T>::step(const T& h, Numbers<T>& end) {
   if (stop_ && *stop_) throw std::runtime_error("stopped");

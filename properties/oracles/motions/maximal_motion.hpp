@@ -1,8 +1,8 @@
 #pragma once
-// Integrates a tree in maximal coordinates: Gragg's modified midpoint rule, extrapolated in h^2 until two columns agree
-// (Hairer, Norsett & Wanner 1993, II.9). No step contains an event: a step ends at the times of the laws, and where a
-// function of a branch changes its sign. Forces are continuous there, so that an error of the event's time enters the
-// motion with its square.
+// Integrates a tree in maximal coordinates: Gragg's modified midpoint rule, extrapolated in h^2 until two
+// columns agree (Hairer, Norsett & Wanner 1993, II.9). No step contains an event: a step ends at the times of
+// the laws, and where a function of a branch changes its sign. Forces are continuous there, so that an error
+// of the event's time enters the motion with its square.
 
 #include <atomic>
 #include <oracles/motions/maximal_tree.hpp>
@@ -17,7 +17,7 @@ class MaximalMotion {
   MaximalMotion(MaximalTree<T> tree, const std::vector<T>& q, const std::vector<T>& v, const T& tolerance,
                 const std::atomic<bool>* stop = nullptr);
 
-  /// Advances to `end`, at or after the time reached so far. Throws std::domain_error if steps become too short.
+  /// Advances to `end`, at or after the time reached so far. Throws std::domain_error if steps get too short.
   void to(const T& end);
   void coordinates(std::vector<T>& q, std::vector<T>& v) { tree_.coordinates(y_, q, v); }
   long evaluations() const { return evaluations_; }

@@ -1,4 +1,5 @@
 #include <oracles/motions/maximal_tree.hpp>
+#include <oracles/motions/sparse_solve.hpp>
 
 namespace liecheck::oracles {
 namespace {
@@ -20,44 +21,7 @@ bool turns(JointKind k) {
   return k == JointKind::revolute || k == JointKind::continuous || k == JointKind::helical;
 }
 
-/// Solves A x = b by L D L^T for a positive definite A, whose zeros are skipped.
-template <class T>
-Numbers<T> solve(Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic> A, Numbers<T> b) {
-  const Eigen::Index n = b.size();
-  for (Eigen::Index k = 0; k < n; ++k) {
-    for (Eigen::Index i = k + 1; i < n; ++i) {
-      if (A(k, i) == 0) continue;
-      const T factor = A(k, i) / A(k, k);
-      for (Eigen::Index j = i; j < n; ++j)
-        if (A(k, j) != 0) A(i, j) -= factor * A(k, j);
-      b[i] -= factor * b[k];
-    }
-  }
-  for (Eigen::Index k = n - 1; k >= 0; --k) {
-    for (Eigen::Index j = k + 1; j < n; ++j)
-      if (A(k, j) != 0) b[k] -= A(k, j) * b[j];
-    b[k] /= A(k, k);
-  }
-  return b;
-}
-
 }  // namespace
-
-template <class T>
-T Branches<T>::margin() const {
-  T least = std::numeric_limits<T>::max();
-  for (std::size_t k = 0; k < g.size(); ++k) {
-    const T signed_g = on[k] ? g[k] : T(-g[k]);
-    if (signed_g < least) least = signed_g;
-  }
-  return least;
-}
-
-template <class T>
-void Branches<T>::change() {
-  for (std::size_t k = 0; k < g.size(); ++k)
-    if (on[k] ? g[k] < 0 : g[k] > 0) on[k] = !on[k];
-}
 
 template <class T>
 MaximalTree<T>::MaximalTree(std::vector<MaximalLink<T>> links) : links_(std::move(links)) {
@@ -155,16 +119,17 @@ template <class T>
 Snapshot<T> MaximalTree<T>::unpack(const Numbers<T>& y) const {
   const Column3<T> zero = Column3<T>::Zero();
   Snapshot<T> s;
-  s.bodies.push_back({Square3<T>::Identity(), Square3<T>::Zero(), zero, zero, zero, zero, zero, zero, zero, T(0)});
+  s.bodies.push_back(
+      {Square3<T>::Identity(), Square3<T>::Zero(), zero, zero, zero, zero, zero, zero, zero, T(0)});
   for (std::size_t i = 1; i < links_.size(); ++i) {
     const MaximalLink<T>& l = links_[i];
     const auto part = y.template segment<13>(13 * Eigen::Index(i - 1));
     const Eigen::Quaternion<T> Q(part[6], part[3], part[4], part[5]);
-    const Square3<T> R = Q.toRotationMatrix(),
-                     inverse = R * Square3<T>(l.inertia.inverse()) * R.transpose();
+    const Square3<T> R = Q.toRotationMatrix(), inverse = R * Square3<T>(l.inertia.inverse()) * R.transpose();
     const Column3<T> c = part.template head<3>();
     s.bodies.push_back({R, inverse, c - R * l.lever, c, part.template segment<3>(7) / l.mass,
-                        inverse * part.template tail<3>(), part.template tail<3>(), zero, zero, T(1) / l.mass});
+                        inverse * part.template tail<3>(), part.template tail<3>(), zero, zero,
+                        T(1) / l.mass});
   }
   return s;
 }
@@ -173,9 +138,9 @@ template <class T>
 auto MaximalTree<T>::row(const Snapshot<T>& s, std::size_t link, const Direction& d) const -> Row {
   const std::size_t parent = std::size_t(links_[link].parent);
   const auto &child = s.bodies[link], &base = s.bodies[parent];
-  const Column3<T> f = child.R * d.u, m = child.R * d.omega, arm = child.o - child.c, reach = child.o - base.c,
-                   v_o = child.v + child.omega.cross(arm), turning = child.omega - base.omega,
-                   slip = v_o - base.v - base.omega.cross(reach);
+  const Column3<T> f = child.R * d.u, m = child.R * d.omega, arm = child.o - child.c,
+                   reach = child.o - base.c, v_o = child.v + child.omega.cross(arm),
+                   turning = child.omega - base.omega, slip = v_o - base.v - base.omega.cross(reach);
   // The row is f . slip + m . turning; f and m turn with the child.
   const T bias = f.dot(Column3<T>(child.omega.cross(child.omega.cross(arm)) -
                                   base.omega.cross(Column3<T>(v_o - base.v)))) +
@@ -203,7 +168,8 @@ void MaximalTree<T>::relative(const Snapshot<T>& s, std::size_t link, Eigen::Qua
 template <class T>
 T MaximalTree<T>::angle(std::size_t link, const Eigen::Quaternion<T>& Q) const {
   using std::atan2, std::round;
-  const T near = T(2) * T(atan2(T(links_[link].axis.dot(Q.vec())), Q.w())), turn = T(8) * T(atan2(T(1), T(1)));
+  const T near = T(2) * T(atan2(T(links_[link].axis.dot(Q.vec())), Q.w())),
+          turn = T(8) * T(atan2(T(1), T(1)));
   return near + turn * T(round(T((turns_[link] - near) / turn)));
 }
 
@@ -246,7 +212,8 @@ void MaximalTree<T>::coordinates(const Numbers<T>& y, std::vector<T>& q, std::ve
       const T c = Q.w() * Q.w() - Q.z() * Q.z(), sine = T(2) * Q.w() * Q.z();
       q.insert(q.end(), {p[0], p[1], c, sine});
     }
-    if (kind == JointKind::translation || kind == JointKind::free_flyer) q.insert(q.end(), {p[0], p[1], p[2]});
+    if (kind == JointKind::translation || kind == JointKind::free_flyer)
+      q.insert(q.end(), {p[0], p[1], p[2]});
     if (kind == JointKind::spherical || kind == JointKind::free_flyer)
       q.insert(q.end(), {Q.x(), Q.y(), Q.z(), Q.w()});
   }
@@ -295,12 +262,13 @@ void MaximalTree<T>::constrain(Snapshot<T>& s, std::vector<Row>& rows) const {
     }
     A(i, i) += r.compliance;
   }
-  const Numbers<T> lambda = solve<T>(std::move(A), std::move(b));
+  const Numbers<T> lambda = sparse_solve<T>(std::move(A), std::move(b));
   for (Eigen::Index i = 0; i < n; ++i) pull(rows[std::size_t(i)], lambda[i]);
 }
 
 template <class T>
-Numbers<T> MaximalTree<T>::rate(const T& t, const T& inside, const Numbers<T>& y, Branches<T>& branches) const {
+Numbers<T> MaximalTree<T>::rate(const T& t, const T& inside, const Numbers<T>& y,
+                                Branches<T>& branches) const {
   Snapshot<T> s = unpack(y);
   fill(s);
   s.t = t, s.inside = inside, s.branches = &branches;
@@ -330,8 +298,6 @@ std::vector<T> MaximalTree<T>::times() const {
   return all;
 }
 
-template struct Branches<boost::multiprecision::float128>;
-template struct Branches<long double>;
 template class MaximalTree<boost::multiprecision::float128>;
 template class MaximalTree<long double>;
 

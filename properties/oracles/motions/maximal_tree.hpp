@@ -1,5 +1,6 @@
 #pragma once
-// A tree of rigid bodies in maximal coordinates, without joint coordinates, spatial algebra and tangent spaces.
+// A tree of rigid bodies in maximal coordinates, without joint coordinates, spatial algebra and tangent
+// spaces.
 //
 // Each body has its centre of mass c, attitude Q, and momenta P and L (about c), all in the world's axes:
 //
@@ -17,9 +18,10 @@
 // Domain: bodies of positive mass and moments; no mimics and loops. A stored quaternion, axis or (cos, sin)
 // stands for its normalised value, and a stored matrix for the rotation nearest to it.
 
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <boost/multiprecision/eigen.hpp>
 #include <boost/multiprecision/float128.hpp>
-#include <Eigen/Geometry>
 #include <functional>
 #include <oracles/tree.hpp>
 
@@ -48,9 +50,9 @@ struct MaximalLink {
   Square3<T> R = Square3<T>::Identity();
   Column3<T> p = Column3<T>::Zero(), axis = Column3<T>::UnitZ();
   T pitch = T(0);
-  T mass = T(0);                                              ///< [kg]
-  Column3<T> lever = Column3<T>::Zero();                      ///< centre of mass in the joint's frame [m]
-  Square3<T> inertia = Square3<T>::Zero();                    ///< about it [kg m^2]
+  T mass = T(0);                            ///< [kg]
+  Column3<T> lever = Column3<T>::Zero();    ///< centre of mass in the joint's frame [m]
+  Square3<T> inertia = Square3<T>::Zero();  ///< about it [kg m^2]
 };
 
 /// A frame fixed to a link.
@@ -77,9 +79,16 @@ struct Branches {
     return on[k];
   }
   /// The smallest of the functions, each with the sign that it has in its branch.
-  T margin() const;
+  T margin() const {
+    T least = std::numeric_limits<T>::max();
+    for (std::size_t k = 0; k < g.size(); ++k) least = std::min<T>(least, on[k] ? g[k] : T(-g[k]));
+    return least;
+  }
   /// Changes every branch whose function has the other sign.
-  void change();
+  void change() {
+    for (std::size_t k = 0; k < g.size(); ++k)
+      if (on[k] ? g[k] < 0 : g[k] > 0) on[k] = !on[k];
+  }
 };
 
 /// All bodies at one time, and the sums of the forces on them, for laws of forces.
@@ -87,9 +96,10 @@ template <class T>
 class Snapshot {
  public:
   struct Body {
-    Square3<T> R, inverse;         ///< axes; inverse of J
-    Column3<T> o, c, v, omega, L;  ///< joint frame's origin; centre of mass, its velocity; those of the turning
-    Column3<T> f, n;               ///< sums of forces, and of moments about c
+    Square3<T> R, inverse;  ///< axes; inverse of J
+    Column3<T> o, c, v, omega,
+        L;            ///< joint frame's origin; centre of mass, its velocity; those of the turning
+    Column3<T> f, n;  ///< sums of forces, and of moments about c
     T inverse_mass;
   };
   T t;       ///< [s]
@@ -140,7 +150,8 @@ class MaximalTree {
 
   /// (c, Q, P, L) of all bodies.
   Numbers<T> state(const std::vector<T>& q, const std::vector<T>& v);
-  /// Joint coordinates of a state. Angles are the nearest to those of the last call of state() or coordinates().
+  /// Joint coordinates of a state. Angles are the nearest to those of the last call of state() or
+  /// coordinates().
   void coordinates(const Numbers<T>& y, std::vector<T>& q, std::vector<T>& v);
   /// y' at t, in the piece that holds `inside`.
   Numbers<T> rate(const T& t, const T& inside, const Numbers<T>& y, Branches<T>& branches) const;
