@@ -185,9 +185,9 @@ const std::map<std::string, Maker<T>>& makers() {
        [](P p, Tree tree) {
          const auto& around = p.scene().around;
          tree.laws.push_back({laws::Contact<T>{
-             p.places(), p.vector(around.normal).normalized(), T(around.height), p.number("radius"),
-             p.number("stiffness"), p.number("dissipation"), p.number("friction"), p.number("slip"),
-             p.number("rolling"), p.number("torsion"), p.number("angular_slip")}});
+             p.places(), p.vector(around.normal), T(around.height), p.number("radius"), p.number("stiffness"),
+             p.number("dissipation"), p.number("friction"), p.number("slip"), p.number("rolling"),
+             p.number("torsion"), p.number("angular_slip")}});
        }},
       {"constant",
        [](P p, Tree tree) {

@@ -113,7 +113,7 @@ inline scene::Scene scene_of(const EffectScene& s) {
                         "joints: {shoulder: 0.3, slide: 0.1, spin: 3}, joint_velocities: {shoulder: 1.5, "
                         "slide: 0.8, spin: 2}") +
           "}\n" + (s.actuation ? "actuation: " : "effects: ") + part +
-          "integrator: {name: gauss12, step: 10 ms}\nduration: 0.4 s\n",
+          "integrator: {name: gauss12, step: 10 ms}\nduration: 0.3 s\n",
       s.effect + ".yaml", scratch());
 }
 

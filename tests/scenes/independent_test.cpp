@@ -49,6 +49,7 @@ class Effect : public testing::TestWithParam<const scene::PartInfo*> {
 /// Another value of a key.
 void change(scene::Value& value, const scene::Key& key) {
   for (double& x : value.numbers) x = x == 0 ? 0.01 : 1.01 * x;
+  if (key.kind == scene::Kind::Direction) value.numbers[0] += 0.1;  // its length does not matter
   for (std::string& name : value.names) {
     if (key.kind == scene::Kind::Frame) name = "fin";
     if (key.kind == scene::Kind::Choice) name = name == "world" ? "frame" : "world";

@@ -60,7 +60,7 @@ struct WrongContact {
     for (const auto& at : c.centres) {
       const V centre = s.point(at), lowest = centre - c.r * c.n, w = s.omega(at.link),
               u = s.velocity(at.link, slides_at_centre ? centre : lowest);
-      const T x = c.height * c.n[2] - c.n.dot(depth_of_centre ? centre : lowest),
+      const T x = c.height * c.n[2] + (depth_of_centre ? 0 : c.r) - c.n.dot(centre),
               factor = 1 - c.c * c.n.dot(u);
       const bool deep = s.on(x), pushes = s.on(factor);
       if (!deep || !pushes) continue;

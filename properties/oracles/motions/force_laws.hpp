@@ -122,8 +122,8 @@ struct Thruster {
   }
 };
 
-/// Spheres of radius r, or points, on the plane through (0, 0, height) with the unit normal n. At the
-/// contact,
+/// Spheres of radius r, or points, on the plane through (0, 0, height) with the unit normal n, as stored. At
+/// the contact,
 ///   f_n = stiffness x (1 + c x_dot)_+,  f_t = -mu f_n u_t / sqrt(|u_t|^2 + v_s^2),
 /// and moments -rho f_n w_t / sqrt(|w_t|^2 + w_s^2) - tau f_n w_n n / sqrt(w_n^2 + w_s^2).
 template <class T>
@@ -136,7 +136,7 @@ struct Contact {
     const Column3<T> origin(T(0), T(0), height);
     for (const Place<T>& at : centres) {
       const Column3<T> lowest = s.point(at) - r * n, u = s.velocity(at.link, lowest), w = s.omega(at.link);
-      const T x = n.dot(Column3<T>(origin - lowest)), factor = T(1) - c * n.dot(u);
+      const T x = r - n.dot(Column3<T>(s.point(at) - origin)), factor = T(1) - c * n.dot(u);
       const bool deep = s.on(x), pushes = s.on(factor);
       if (!deep || !pushes) continue;
       const T f_n = stiffness * x * factor, w_n = n.dot(w);
