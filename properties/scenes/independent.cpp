@@ -123,6 +123,7 @@ std::vector<T> interval(const Values<T>& p) {
 template <class T>
 using Maker = std::function<void(const Values<T>&, MaximalTree<T>&)>;
 
+// Longer than 80 lines: a table with an entry for each effect.
 template <class T>
 const std::map<std::string, Maker<T>>& makers() {
   using P = const Values<T>&;
