@@ -84,11 +84,12 @@ bool print_truth(const scene::Scene& scene, const scene::Run& run, const Truth& 
   return !(e.attitude > accepted.angle) && !(e.position > accepted.position);
 }
 
-/// Prints each alarm on stderr.
+/// Prints each alarm and the notice on stderr.
 void print_alarms(const scene::Scene& scene, const scene::Estimate& e) {
   for (const scene::Alarm& a : e.alarms)
     warn(fmt::format("liecheck: {}: at t = {:g} s {}: {}: {}\n", scene.source, a.t, a.what, a.cause,
                      a.remedy));
+  if (!e.notice.empty()) warn(fmt::format("note: {}: {}\n", scene.source, e.notice));
 }
 
 /// Prints on stderr why the run ended early, and what may help.

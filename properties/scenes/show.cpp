@@ -135,7 +135,7 @@ template <class Sys>
 Film film_of(const scene::Scene& s) {
   Film film{s.name, s.reason, s.integrator, s.span.duration * double(s.span.every) / double(s.span.steps), {},
             {},     {}};
-  if (s.around.ground && s.around.normal[2] == 1) film.ground = s.around.height;  // the film shows no slope
+  if (s.around.ground && s.around.normal[2] == 1 && !s.around.mesh) film.ground = s.around.height;  // no slope
   for (std::size_t i = 1; i < s.model.names.size(); ++i) film.links.push_back(link_of(s.model, i));
   Sys system = scene::makeSystem<Sys>(s);
   auto state = scene::startOf<Sys>(s, system);

@@ -174,8 +174,8 @@ class TreeByHand {
     std::size_t foot = std::size_t(model.nv);
     for (const auto& [joint, p] : contact_.feet) {
       const SE3<double>& X = data_.oMi[joint];
-      const Vector3<double> arm = product<double>(X.rotation(), p);
-      const double depth = -(X.translation()[2] + arm[2]);
+      const Vector3<double> at = X.act(p), arm = at - X.translation();
+      const double depth = -at[2];
       f_[joint] = Force<double>::Zero();
       margins_[foot++] = depth;
       if (!(depth > 0)) continue;

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <liecheck/scene/observers/energy.hpp>
 #include <liecheck/scene/observers/momentum.hpp>
+#include <liecheck/scene/painleve.hpp>
 #include <liecheck/scene/stability.hpp>
 
 namespace liecheck::scene {
@@ -45,7 +46,10 @@ template <class Sys>
 class Estimator {
  public:
   Estimator(Setup<Sys>& setup, const std::vector<Checkpoint<Sys>>& points, const std::function<bool()>& go_on)
-      : setup_(setup), points_(points), go_on_(go_on), linear_(linearCoordinates(setup.scene.model)) {}
+      : setup_(setup), points_(points), go_on_(go_on), linear_(linearCoordinates(setup.scene.model)) {
+    for (const Request& r : setup.scene.effects)
+      if (r.parameters.number("friction", 0) > 0) painleve_.emplace(setup.system.model());
+  }
 
   Estimate run() {
     const MethodInfo& method = methodInfo(setup_.scene.integrator);
@@ -99,7 +103,7 @@ class Estimator {
   /// True if an effect has a force that begins or ends where the state decides.
   bool jumps() const {
     for (const Request& r : setup_.scene.effects)
-      if (r.name == "contact" || r.name == "joint_limits") return true;
+      if (r.name == "contact" || r.name == "collisions" || r.name == "joint_limits") return true;
     return false;
   }
   bool observed() const { return result_.order && *result_.order > 0.5 * promised_; }
@@ -161,8 +165,12 @@ class Estimator {
     for (std::size_t k = 1; k < points_.size(); ++k) {
       const long length = points_[k].step - points_[k - 1].step;
       const long steps = std::max(1L, std::lround(double(length) / ratio));
-      const Outcome o = simulate(setup_.system, *method, now, {h * double(length), steps, 256},
-                                 [&](const auto&, long) { return go_on_(); });
+      const Outcome o =
+          simulate(setup_.system, *method, now, {h * double(length), steps, painleve_ ? 1 : 256},
+                   [&](const auto& state, long n) {
+                     if (painleve_) lookForParadox(state);
+                     return n % 256 != 0 || go_on_();
+                   });
       if (o.stopped && o.steps < steps) throw Interrupted();
       made += o.steps, result_.cost += double(o.steps) / all;
       if (o.diverged) return {};
@@ -172,6 +180,11 @@ class Estimator {
     }
     if (!method->what().adaptive) twin.ratio = all / double(made);
     return twin;
+  }
+  void lookForParadox(const State<Sys>& state) {
+    const auto now = setup_.look(state, Kinematics::Velocities);
+    result_.notice = painleve_->notice(now, setup_.effects);
+    if (!result_.notice.empty()) painleve_.reset();
   }
   /// Changes v by eps/64, as the rounding errors of a compensated sum do, or by eps. Without this, twins of a motion that
   /// amplifies rounding errors could agree with each other and with no exact motion.
@@ -363,6 +376,7 @@ class Estimator {
   const std::vector<Checkpoint<Sys>>& points_;
   const std::function<bool()>& go_on_;
   std::vector<bool> linear_;
+  std::optional<PainleveTest> painleve_;  ///< until it has found a paradox; none without friction
   double promised_ = 1, advised_ = 0;
   Estimate result_;
 };

@@ -44,6 +44,7 @@ struct Estimate {
   double seconds = 0;           ///< wall time
   long checkpoints = 0;
   std::vector<Alarm> alarms;
+  std::string notice;  ///< what the model leaves open although the run is right, or empty (painleve.hpp)
 };
 
 /// The checkpoints must begin with the start and end with the last state. Throws Interrupted if go_on returns

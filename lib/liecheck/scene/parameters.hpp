@@ -21,6 +21,7 @@ enum class Kind {
   Times,      ///< a strictly increasing list
   Frame,      ///< the name of a frame of the robot
   Frames,
+  Bodies,  ///< names of bodies with shapes, or "all"
   Joints,  ///< names of joints of the robot, or "all": every joint except free-flyers
   Choice   ///< one of the words in `unit`, separated by |
 };

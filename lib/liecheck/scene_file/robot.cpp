@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <liecheck/scene/bodies.hpp>
 #include <liecheck/scene/starts.hpp>
+#include <liecheck/scene_file/shapes.hpp>
 #include <liecheck/urdf/urdf.hpp>
 
 namespace liecheck::scene_file_detail {
@@ -43,17 +44,19 @@ std::optional<Joint<double>> readRootJoint(const Text& text, const YAML::Node& r
   return std::nullopt;
 }
 
-Model<double> fromUrdf(const Text& text, const YAML::Node& robot, const std::string& folder,
-                       std::vector<std::string>& warnings) {
+void fromUrdf(const Text& text, const YAML::Node& robot, const std::string& folder, scene::Scene& scene,
+              std::vector<std::string>& warnings) {
   const auto p = text.parameters(robot, Text::lineOf(robot), "robot", rootKeys(), nullptr, {"urdf"});
   const int line = Text::lineOf(robot["urdf"]);
   const std::string given = text.word(robot["urdf"], "robot.urdf");
   const std::filesystem::path path = std::filesystem::path(folder) / given;  // `given` if that is absolute
   const UrdfOptions options{.root_joint = readRootJoint(text, robot, line, p)};
   try {
-    UrdfRobot loaded = loadUrdf(path.lexically_normal().string(), options);
+    const std::string file = path.lexically_normal().string(), urdf = readUrdf(file);
+    UrdfRobot loaded = loadUrdfText(urdf, options, file);
     warnings.insert(warnings.end(), loaded.warnings.begin(), loaded.warnings.end());
-    return std::move(loaded.model);
+    scene.around.shapes = shapesOfUrdf(urdf, loaded.model);
+    scene.model = std::move(loaded.model);
   } catch (const UrdfError& e) {
     text.refuse(line, std::string("robot.urdf: ") + e.what());
   } catch (const std::invalid_argument& e) {
@@ -61,24 +64,92 @@ Model<double> fromUrdf(const Text& text, const YAML::Node& robot, const std::str
   }
 }
 
-Model<double> fromBody(const Text& text, const YAML::Node& robot) {
-  const std::string kind = text.word(robot["body"], "robot.body");
+/// A built-in body and its values.
+struct BuiltIn {
+  std::string kind;
+  scene::Parameters p;
+  Inertia<double> inertia;
+};
+/// Reads the body of a map, with `more` keys; those in `others` are not read.
+BuiltIn readBody(const Text& text, const YAML::Node& node, const std::string& what,
+                 const std::vector<Key>& more, std::vector<std::string> others) {
+  const std::string kind = text.word(node["body"], what + ".body");
   const scene::BodyEntry& body =
-      text.entry(robot["body"], kind, scene::bodyEntries(), "no built-in body is named '" + kind + "'");
+      text.entry(node["body"], kind, scene::bodyEntries(), "no built-in body is named '" + kind + "'");
   std::vector<Key> keys = body.info.keys;
-  keys.insert(keys.end(), rootKeys().begin(), rootKeys().end());
-  const int line = Text::lineOf(robot);
-  const auto p = text.parameters(robot, line, "robot", keys, nullptr, {"body"});
-  const auto inertia = text.at(line, [&] { return scene::inertiaOf(body, p); });
-  const auto joint = readRootJoint(text, robot, line, p);
-  Model<double> model;
-  model.name = kind;
-  if (!joint) text.refuse(line, "a body on a fixed root cannot move: take another root");
-  const int index = model.addJoint(0, *joint, SE3<double>::Identity(), "root_joint");
+  keys.insert(keys.end(), more.begin(), more.end());
+  others.emplace_back("body");
+  const auto p = text.parameters(node, Text::lineOf(node), what, keys, nullptr, others);
+  return {kind, p, text.at(Text::lineOf(node), [&] { return scene::inertiaOf(body, p); })};
+}
+/// Adds the body on a joint of the world; returns the joint's index.
+int addBody(const BuiltIn& body, const Joint<double>& joint, const std::string& joint_name,
+            const std::string& body_name, scene::Scene& scene) {
+  Model<double>& model = scene.model;
+  const int index = model.addJoint(0, joint, SE3<double>::Identity(), joint_name);
   model.addJointFrame(index);
-  model.addBodyFrame("body", index);
-  model.appendBodyToJoint(index, inertia);
-  return model;
+  for (scene::Shape& shape : shapeOfBody(body.kind, body.p, body_name, model.addBodyFrame(body_name, index)))
+    scene.around.shapes.push_back(std::move(shape));
+  model.appendBodyToJoint(index, body.inertia);
+  return index;
+}
+void fromBody(const Text& text, const YAML::Node& robot, scene::Scene& scene) {
+  const BuiltIn body = readBody(text, robot, "robot", rootKeys(), {});
+  const int line = Text::lineOf(robot);
+  const auto joint = readRootJoint(text, robot, line, body.p);
+  if (!joint) text.refuse(line, "a body on a fixed root cannot move: take another root");
+  scene.model.name = body.kind;
+  addBody(body, *joint, "root_joint", "body", scene);
+}
+
+constexpr double most_bodies = 10000;
+
+/// Adds the free bodies of a list, and sets their start. Body NAME moves with the joint NAME_joint; copies
+/// are NAME_1, NAME_2, ..., the first along x.
+void fromBodies(const Text& text, const YAML::Node& robot, scene::Scene& scene) {
+  static const std::vector<Key> keys = {
+      {"position", Kind::Vector, "m", "[0, 0, 0]", "at the start, of the first copy"},
+      {"attitude", Kind::Vector, "rad", "[0, 0, 0]", "rotation vector at the start"},
+      {"velocity", Kind::Vector, "m/s", "[0, 0, 0]", "at the start, in the body's axes"},
+      {"angular_velocity", Kind::Vector, "rad/s", "[0, 0, 0]", "at the start, in the body's axes"},
+      {"copies", Kind::Vector, "1", "[1, 1, 1]", "along x, y and z"},
+      {"spacing", Kind::Vector, "m", "[0, 0, 0]", "of copies along x, y and z"}};
+  text.checkKeys(robot, "robot", {"bodies"});
+  const YAML::Node bodies = robot["bodies"];
+  if (!bodies.IsSequence() || bodies.size() == 0)
+    text.refuse(bodies, "robot.bodies is a list: [{name: a, body: ball, radius: 0.1, position: [0, 0, 1]}]");
+  std::vector<double> q, v;
+  for (const auto& node : bodies) {
+    if (!node.IsMap() || !node["body"].IsDefined() || !node["name"].IsDefined())
+      text.refuse(node, "a body of robot.bodies needs 'name' and 'body'");
+    const BuiltIn body = readBody(text, node, "a body", keys, {"name"});
+    const std::string name = text.word(node["name"], "a body's name");
+    const auto vector = [&](const char* key) {
+      const auto& x = body.p.numbers(key);
+      return V3(x[0], x[1], x[2]);
+    };
+    const V3 copies = vector("copies"), spacing = vector("spacing"), position = vector("position");
+    for (const double n : copies)
+      if (!(n >= 1 && n == std::floor(n)))
+        text.refuse(node, "copies are three whole numbers of at least 1, such as [3, 3, 2]");
+    if (!(copies.prod() + double(scene.model.njoints) <= most_bodies))
+      text.refuse(node, "robot.bodies has more than " + std::to_string(int(most_bodies)) + " bodies");
+    const Vector4<double> Q = quaternion::exp3<double>(vector("attitude")).normalized().to_vector();
+    for (int k = 0; k < int(copies.prod()); ++k) {
+      const int nx = int(copies[0]), ny = int(copies[1]);
+      const V3 p = position + V3(k % nx * spacing[0], k / nx % ny * spacing[1], k / nx / ny * spacing[2]);
+      const std::string own = copies.prod() == 1 ? name : name + "_" + std::to_string(k + 1);
+      if (scene.model.existFrame(own)) text.refuse(node, "a body or joint is named '" + own + "' already");
+      text.at(Text::lineOf(node),
+              [&] { return addBody(body, FreeFlyer<double>(), own + "_joint", own, scene); });
+      q.insert(q.end(), p.begin(), p.end()), q.insert(q.end(), Q.begin(), Q.end());
+      for (const char* key : {"velocity", "angular_velocity"})
+        v.insert(v.end(), body.p.numbers(key).begin(), body.p.numbers(key).end());
+    }
+  }
+  scene.model.name = "bodies";
+  scene.q = Eigen::Map<const VectorX<double>>(q.data(), Eigen::Index(q.size()));
+  scene.v = Eigen::Map<const VectorX<double>>(v.data(), Eigen::Index(v.size()));
 }
 
 /// Adds the frames that the scene defines, fixed to frames of the robot.
@@ -142,6 +213,8 @@ void readRoot(const Text& text, const YAML::Node& initial, scene::Scene& scene) 
   const auto vector = [&](const std::string& key, const char* unit, bool turns) -> std::optional<V3> {
     const YAML::Node node = initial[key];
     if (!node.IsDefined()) return {};
+    if (std::count(m.parents.begin() + 1, m.parents.end(), 0) > 1)
+      text.refuse(node, "initial." + key + " needs a robot with one root: give each of robot.bodies its own");
     if (!flyer && !(turns && ball))
       text.refuse(node, "initial." + key + " needs a robot whose root is free_flyer" +
                             (turns ? " or spherical" : "") + ": name joints instead");
@@ -174,11 +247,18 @@ void readRobot(const Text& text, const YAML::Node& root, const std::string& fold
   if (!robot.IsDefined())
     text.refuse(0, "the scene needs 'robot': {body: box, size: [1, 1, 1]} or {urdf: FILE}");
   if (!robot.IsMap()) text.refuse(robot, "robot is a map: {body: box, size: [1, 1, 1]} or {urdf: FILE}");
-  if (robot["urdf"].IsDefined() == robot["body"].IsDefined())
-    text.refuse(robot, "robot needs one of 'urdf' and 'body'");
-  scene.model = robot["urdf"].IsDefined() ? fromUrdf(text, robot, folder, warnings) : fromBody(text, robot);
+  if (int(robot["urdf"].IsDefined()) + int(robot["body"].IsDefined()) + int(robot["bodies"].IsDefined()) != 1)
+    text.refuse(robot, "robot needs one of 'urdf', 'body' and 'bodies'");
+  if (robot["urdf"].IsDefined())
+    fromUrdf(text, robot, folder, scene, warnings);
+  else if (robot["body"].IsDefined())
+    fromBody(text, robot, scene);
+  else
+    fromBodies(text, robot, scene);
   if (scene.model.nv == 0) text.refuse(robot, "the robot has no joint that moves");
   addFrames(text, root["frames"], scene.model);
+  readShapes(text, root["shapes"], scene);
+  if (scene.q.size() > 0) return;
   scene.q = neutral(scene.model);
   scene.v = VectorX<double>::Zero(scene.model.nv);
 }

@@ -6,6 +6,7 @@
 #include <liecheck/scene/observers/registry.hpp>
 #include <liecheck/scene/run.hpp>
 #include <liecheck/scene_file/robot.hpp>
+#include <liecheck/scene_file/shapes.hpp>
 #include <liecheck/scene_file/values.hpp>
 #include <liecheck/text/text_file.hpp>
 #include <liecheck/text/utf8.hpp>
@@ -153,7 +154,7 @@ Scene read(const Text& text, const std::string& content, const std::string& fold
   if (!root.IsMap())
     text.refuse(0, "is not a scene: it has no keys such as 'robot: {body: box, size: [1, 1, 1]}'");
   text.checkKeys(root, "the scene",
-                 {"scene", "reason", "robot", "frames", "ground", "initial", "effects", "actuation",
+                 {"scene", "reason", "robot", "frames", "shapes", "ground", "initial", "effects", "actuation",
                   "integrator", "duration", "observers", "output", "accuracy", "truth"});
   Scene scene;
   scene.source = text.file();
@@ -177,19 +178,7 @@ Scene read(const Text& text, const std::string& content, const std::string& fold
     read("angle", "rad", scene.accepted_angle);
   }
   readRobot(text, root, folder, scene, warnings);
-  if (const YAML::Node ground = root["ground"]; ground.IsDefined() && !ground.IsNull()) {
-    text.checkKeys(ground, "ground", {"height", "normal"});
-    scene.around.ground = true;
-    if (ground["height"].IsDefined())
-      scene.around.height = text.number(ground["height"], "ground.height", "m");
-    if (ground["normal"].IsDefined()) {
-      const auto n = text.numbers(ground["normal"], "ground.normal", "1", 3);
-      const double length = std::hypot(n[0], n[1], n[2]);
-      if (!(n[2] > 0) || !std::isfinite(length))
-        text.refuse(ground["normal"], "ground.normal must point upwards: its third number must be above 0");
-      scene.around.normal = {n[0] / length, n[1] / length, n[2] / length};
-    }
-  }
+  readGround(text, root["ground"], folder, scene);
   readStart(text, root["initial"], scene);
   scene.effects = requests(text, root["effects"], "effects", scene::effectEntries<double>(), scene.model);
   for (Request& r :

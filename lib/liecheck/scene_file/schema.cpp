@@ -2,6 +2,7 @@
 #include <liecheck/scene/observers/registry.hpp>
 #include <liecheck/scene/starts.hpp>
 #include <liecheck/scene_file/scene_file.hpp>
+#include <liecheck/scene_file/shapes.hpp>
 
 namespace liecheck {
 namespace {
@@ -34,15 +35,22 @@ std::string row(const scene::PartInfo& info) {
   return std::string("| `") + info.name + "` | " + withoutBars(what, "\\|") + " | " + keyed(info) + " |\n";
 }
 
-std::string row(const scene::PartInfo* info) {
-  return row(*info);
+const scene::PartInfo& infoOf(const scene::PartInfo& info) {
+  return info;
+}
+template <class Entry>
+const scene::PartInfo& infoOf(const Entry& e) {
+  if constexpr (std::is_pointer_v<decltype(e.info)>)
+    return *e.info;
+  else
+    return e.info;
 }
 
 template <class Entries>
 std::string table(const std::string& title, const Entries& entries) {
   std::string text =
       "### " + title + "\n\n| name | what | keys [unit], with their defaults |\n|---|---|---|\n";
-  for (const auto& e : entries) text += row(e.info);
+  for (const auto& e : entries) text += row(infoOf(e));
   return text + "\n";
 }
 
@@ -50,6 +58,7 @@ std::string table(const std::string& title, const Entries& entries) {
 
 std::string sceneSchema() {
   std::string text = table("robot: {body: NAME, ...}", scene::bodyEntries()) +
+                     table("shapes: [{shape: NAME, ...}]", scene_file_detail::shapeInfos()) +
                      table("initial: {start: NAME, ...}", scene::startEntries()) +
                      table("effects", scene::effectEntries<double>()) +
                      table("actuation", scene::actuationEntries<double>()) +

@@ -89,9 +89,9 @@ Value Text::value(const YAML::Node& node, const std::string& what, const Key& ke
   Value v;
   const auto addName = [&](const YAML::Node& n) {
     const std::string name = word(n, what);
-    if (model && key.kind != Kind::Joints)
+    if (model && key.kind != Kind::Joints && key.kind != Kind::Bodies)
       at(lineOf(n), [&] { return model->requireFrameId(name); });
-    else if (model && name != "all")
+    else if (model && key.kind == Kind::Joints && name != "all")
       at(lineOf(n), [&] { return model->requireJointId(name); });
     v.names.push_back(name);
   };
@@ -106,13 +106,15 @@ Value Text::value(const YAML::Node& node, const std::string& what, const Key& ke
       if (!(v.numbers[i] > v.numbers[i - 1]))
         refuse(node,
                what + "[" + std::to_string(i) + "] is not after the time before it: times must increase");
-  } else if ((key.kind == Kind::Frames || key.kind == Kind::Joints) && node.IsSequence()) {
+  } else if ((key.kind == Kind::Frames || key.kind == Kind::Bodies || key.kind == Kind::Joints) &&
+             node.IsSequence()) {
     for (const auto& n : node) addName(n);
     if (v.names.empty()) refuse(node, what + " is an empty list");
     for (auto name = v.names.begin(); name != v.names.end(); ++name)
       if (std::find(v.names.begin(), name, *name) != name)
         refuse(node, what + " names '" + *name + "' twice: keep one");
-  } else if (key.kind == Kind::Frame || key.kind == Kind::Frames || key.kind == Kind::Joints) {
+  } else if (key.kind == Kind::Frame || key.kind == Kind::Frames || key.kind == Kind::Bodies ||
+             key.kind == Kind::Joints) {
     addName(node);
   } else if (key.kind == Kind::Choice) {
     v.names = {word(node, what)};

@@ -1,113 +1,172 @@
 #pragma once
-// Compliant contact of spheres, or of points if their radius r is 0, with the ground (Hunt and Crossley 1975), and
-// regularised friction. The ground is the plane with the unit normal n through (0, 0, height).
+// Compliant contact of bodies with the ground, by the law of contact_law.hpp, B = the ground. The ground is
+// the plane with the unit normal n through (0, 0, height), or a surface of triangles (terrain.hpp).
 //
-//   x = r - n . (p - (0, 0, height))                         depth below the ground, p = centre of the sphere
-//   u = velocity of the body at the contact point p - r n,   u_t = u - (n . u) n,   x_dot = -n . u
-//   f = f_n n - mu f_n u_t / sqrt(|u_t|^2 + v_s^2),          f_n = k x (1 + c x_dot)_+
-//   moment about p = -r n x f - rho f_n w_t / sqrt(|w_t|^2 + w_s^2) - tau f_n w_n n / sqrt(w_n^2 + w_s^2)
+// Bodies touch it by points and spheres of the radius r about p:
 //
-// with the angular velocity w = w_t + w_n n. The force is continuous at first touch and never pulls.
+//   x = r - distance of p from the ground, contact point p - r n
 //
-// Creep: a body at rest on a slope, which friction must hold by the force T < mu N, does not rest, but creeps with
-// |u_t| = v_s s / sqrt(1 - s^2), s = T/(mu N): this solves the law of friction for u_t.
+// A capsule has the spheres at its ends, and a box its corners: on a plane, no other point of them can be
+// deeper. A cylinder has two rims of radius R with the centre c and the axis a:
+//
+//   x = R s - n . (c - (0, 0, height)),  s = sqrt(|d|^2 + b^2),  d = n - (n . a) a,  contact point c - R d/s
+//
+// This is the depth of the rim's lowest point but for b = 1/1000: each end of the cylinder bulges by up to b
+// R, so that the contact point moves smoothly across the end where a cylinder stands upright. The force is
+// conservative for any b, since grad x is that of a point fixed to the body at the contact point.
+//
+// Creep: a body at rest on a slope, which friction must hold by the force T < mu N, does not rest, but creeps
+// with |u_t| = v_s s / sqrt(1 - s^2), s = T/(mu N): this solves the law of friction for u_t.
 
-#include <algorithm>
-#include <liecheck/scene/effects/coordinates.hpp>
+#include <liecheck/scene/effects/contact_law.hpp>
+#include <liecheck/scene/effects/terrain.hpp>
 
 namespace liecheck::scene {
 
 inline const PartInfo contact_info{
     "contact",
-    "f_n = k x (1 + c x_dot)_+,  f_t = -mu f_n u_t / sqrt(|u_t|^2 + v_s^2),  x = depth below the ground",
-    "conserves with c = mu = rho = tau = 0: V = 1/2 k x^2; otherwise dissipates",
+    "f_n = k x^e (1 + c x_dot)_+,  f_t = -mu f_n u_t / sqrt(|u_t|^2 + v_s^2),  x = depth below the ground",
+    "conserves with c = mu = rho = tau = 0: V = k x^(e+1)/(e+1); otherwise dissipates",
     "velocities; a comparison for each point, a square root for each point in contact",
-    {{"frames", Kind::Frames, "", nullptr,
-      "the frames whose origins are the contact points, or the centres of spheres"},
-     {"radius", Kind::NotNegative, "m", "0", "r, of the spheres about these frames; 0 for points"},
-     {"stiffness", Kind::Positive, "N/m", nullptr, "k"},
-     {"dissipation", Kind::NotNegative, "s/m", "0", "c"},
-     {"friction", Kind::NotNegative, "1", "0", "mu"},
-     {"slip", Kind::Positive, "m/s", "0.001", "v_s"},
-     {"rolling", Kind::NotNegative, "m", "0",
-      "rho: the moment rho f_n against the rotation w_t in the ground's plane"},
-     {"torsion", Kind::NotNegative, "m", "0",
-      "tau: the moment tau f_n against the rotation w_n about the normal"},
-     {"angular_slip", Kind::Positive, "rad/s", "0.01", "w_s, below which both moments decrease to 0"}}};
+    contactKeys(
+        {{"frames", Kind::Frames, "", "",
+          "the frames whose origins are the contact points, or the centres of spheres"},
+         {"radius", Kind::NotNegative, "m", "0", "r, of the spheres about these frames; 0 for points"},
+         {"bodies", Kind::Bodies, "", "",
+          "the bodies whose collision shapes touch the ground, or all; instead of or beside frames"}})};
 
 template <Scalar S>
 class Contact final : public Effect<S> {
  public:
   Contact(const Parameters& p, const Model<S>& model, const Surroundings& around)
-      : n_(S(around.normal[0]), S(around.normal[1]), S(around.normal[2])),
-        offset_(n_[2] * S(around.height)),
-        r_(S(p.number("radius"))),
-        k_(S(p.number("stiffness"))),
-        c_(S(p.number("dissipation"))),
-        mu_(S(p.number("friction"))),
-        slip_(S(p.number("slip")) * S(p.number("slip"))),
-        rolling_(S(p.number("rolling"))),
-        torsion_(S(p.number("torsion"))),
-        angular_slip_(S(p.number("angular_slip")) * S(p.number("angular_slip"))),
-        turns_(r_ > S(0) || rolling_ > S(0) || torsion_ > S(0)) {
+      : law_(p),
+        n_(S(around.normal[0]), S(around.normal[1]), S(around.normal[2])),
+        offset_(n_[2] * S(around.height)) {
     if (!around.ground)
       throw std::invalid_argument("contact without a ground: write 'ground: {height: 0}' in the scene");
-    for (const std::string& frame : p.names("frames")) points_.emplace_back(model, frame);
+    if (!p.has("frames") && !p.has("bodies"))
+      throw std::invalid_argument("contact needs 'bodies: all', or 'frames' whose origins touch the ground");
+    if (around.mesh) terrain_.emplace(*around.mesh);
+    if (p.has("frames"))
+      for (const std::string& frame : p.names("frames")) {
+        const Spot<S> spot(model, frame);
+        balls_.push_back({spot.joint, spot.X_JF.translation(), S(p.number("radius"))});
+      }
+    if (p.has("bodies"))
+      for (const PlacedShape<S>& shape : placedShapes(model, around, p.names("bodies")))
+        if (shape.joint != 0) add(shape);
+    if (balls_.empty() && rims_.empty())
+      throw std::invalid_argument("contact acts on bodies that do not move: name others");
+    if (terrain_ && !rims_.empty())
+      throw std::invalid_argument(
+          "contact of a cylinder needs a plane as the ground: on heights and meshes take a capsule instead");
+    located_ = balls_.size() + rims_.size() <= most_contact_events;
   }
   Acts acts() const override { return Acts::OnBodies; }
-  bool conservative() const override {
-    return c_ == S(0) && mu_ == S(0) && rolling_ == S(0) && torsion_ == S(0);
-  }
+  bool conservative() const override { return law_.conservative(); }
   Kinematics needs() const override { return Kinematics::Velocities; }
   void add(const Now<S>& now, const Load<S>& load) const override {
-    for (const Spot<S>& point : points_) {
-      const SE3<S>& X = now.X_WJ[point.joint];
-      const S depth = depthOf(X.act(point.X_JF.translation()));
-      const bool deep = depth > S(0);
-      Vector3<S> u = Vector3<S>::Zero(), w = Vector3<S>::Zero();
-      if (deep) velocity(now, point, u, w);
-      // The force acts while the point is below the ground and does not leave it faster than 1/c.
-      if (!now.on(deep ? std::min(depth, S(S(1) - c_ * n_.dot(u))) : depth)) continue;
-      if (!deep) velocity(now, point, u, w);
-      const S rising = n_.dot(u), normal = k_ * depth * (S(1) - c_ * rising);
-      using std::sqrt;
-      const Vector3<S> u_t = u - rising * n_;
-      const S drag = mu_ * normal / S(sqrt(u_t.squaredNorm() + slip_));
-      const Vector3<S> f = normal * n_ - drag * u_t;
-      Vector3<S> moment = Vector3<S>::Zero();
-      if (turns_) {
-        const S spin = n_.dot(w);
-        const Vector3<S> w_t = w - spin * n_;
-        moment = -r_ * cross<S>(n_, f) -
-                 S(rolling_ * normal / S(sqrt(w_t.squaredNorm() + angular_slip_))) * w_t -
-                 S(torsion_ * normal * spin / S(sqrt(spin * spin + angular_slip_))) * n_;
-      }
-      point.addWorld(now, load, f, moment);
-    }
+    forEachTouch(now, [&](std::size_t joint, const Near<S>& at, const Vector3<S>& p) {
+      press(now, load, joint, at, p);
+    });
   }
   S potential(const Now<S>& now) const override {
     S energy(0);
-    for (const Spot<S>& point : points_) {
-      const S x = std::max(depthOf(point.pose(now).translation()), S(0));
-      energy += k_ * x * x / S(2);
-    }
+    forEachTouch(now, [&](std::size_t, const Near<S>& at, const Vector3<S>&) {
+      energy += law_.potential(S(-at.distance));
+    });
     return energy;
+  }
+  std::vector<Sliding<S>> sliding(const Now<S>& now) const override {
+    std::vector<Sliding<S>> all;
+    forEachTouch(now, [&](std::size_t joint, const Near<S>& at, const Vector3<S>& p) {
+      Vector3<S> w;
+      if (const auto d = law_.sliding(S(-at.distance), at.n, velocityAt(now, joint, p, w)))
+        all.push_back({joint, 0, p, at.n, *d});
+    });
+    return all;
   }
 
  private:
-  S depthOf(const Vector3<S>& centre) const { return offset_ + r_ - n_.dot(centre); }
-  /// Velocity of the body at the contact point and its angular velocity, in the world's axes.
-  void velocity(const Now<S>& now, const Spot<S>& point, Vector3<S>& u, Vector3<S>& w) const {
-    const Motion<S> V = now.V.inWorld(point.joint);
-    u = V.linear() + cross<S>(V.angular(), point.arm(now));
-    if (!turns_) return;
-    w = V.angular();
-    u -= r_ * cross<S>(w, n_);
+  struct Ball {
+    std::size_t joint;
+    Vector3<S> p_J;
+    S r;
+  };
+  struct Rim {
+    std::size_t joint;
+    Vector3<S> c_J, a_J;
+    S R;
+  };
+
+  void add(const PlacedShape<S>& placed) {
+    using Type = Shape::Type;
+    const auto size = [&](std::size_t i) { return placed.size(i); };
+    const std::size_t joint = placed.joint;
+    const Type type = placed.shape->type;
+    if (type == Type::Sphere) {
+      balls_.push_back({joint, placed.X_JS.translation(), size(0)});
+    } else if (type == Type::Box) {
+      for (const int x : {-1, 1})
+        for (const int y : {-1, 1})
+          for (const int z : {-1, 1}) {
+            const std::array<int, 3> sign = {x, y, z};
+            bool again = false;  // the opposite corner of a side of length 0
+            for (std::size_t i = 0; i < 3; ++i) again = again || (sign[i] > 0 && !(size(i) > S(0)));
+            if (!again)
+              balls_.push_back(
+                  {joint,
+                   placed.at(S(S(x) * size(0) / S(2)), S(S(y) * size(1) / S(2)), S(S(z) * size(2) / S(2))),
+                   S(0)});
+          }
+    } else {
+      for (const int side : {-1, 1}) {
+        const Vector3<S> end = placed.at(S(0), S(0), S(S(side) * size(1) / S(2)));
+        if (type == Type::Capsule)
+          balls_.push_back({joint, end, size(0)});
+        else
+          rims_.push_back({joint, end, placed.X_JS.rotation().col(2), size(0)});
+      }
+    }
   }
-  std::vector<Spot<S>> points_;
+
+  /// Calls f(joint, distance of the lowest point and normal of the ground, contact point in the world).
+  template <class F>
+  void forEachTouch(const Now<S>& now, F f) const {
+    for (const Ball& ball : balls_) {
+      const Vector3<S> p = now.X_WJ[ball.joint].act(ball.p_J);
+      Near<S> at = terrain_ ? terrain_->near(p, ball.r) : Near<S>{S(n_.dot(p) - offset_), n_};
+      at.distance -= ball.r;
+      f(ball.joint, at, Vector3<S>(p - ball.r * at.n));
+    }
+    using std::sqrt;
+    for (const Rim& rim : rims_) {
+      const SE3<S>& X = now.X_WJ[rim.joint];
+      const Vector3<S> c = X.act(rim.c_J), a = product<S>(X.rotation(), rim.a_J), d = n_ - S(n_.dot(a)) * a;
+      const S s = sqrt(S(d.squaredNorm() + S(1) / S(1000000)));
+      f(rim.joint, Near<S>{S(n_.dot(c) - offset_ - rim.R * s), n_}, Vector3<S>(c - S(rim.R / s) * d));
+    }
+  }
+  void press(const Now<S>& now, const Load<S>& load, std::size_t joint, const Near<S>& at,
+             const Vector3<S>& p) const {
+    const S depth = -at.distance;
+    const bool deep = depth > S(0);
+    Vector3<S> u = Vector3<S>::Zero(), w = Vector3<S>::Zero(), f, moment;
+    if (deep) u = velocityAt(now, joint, p, w);
+    const S g = deep ? law_.acts(depth, at.n.dot(u)) : depth;
+    if (!(located_ ? now.on(g) : g > S(0))) return;
+    if (!deep) u = velocityAt(now, joint, p, w);
+    law_.force(depth, at.n, u, w, f, moment);
+    pressAt(now, load, joint, p, f, moment);
+  }
+
+  ContactLaw<S> law_;
+  std::vector<Ball> balls_;
+  std::vector<Rim> rims_;
+  std::optional<Terrain<S>> terrain_;
   Vector3<S> n_;
-  S offset_, r_, k_, c_, mu_, slip_, rolling_, torsion_, angular_slip_;
-  bool turns_;
+  S offset_;
+  bool located_;  ///< whether each contact is a switching function
 };
 
 }  // namespace liecheck::scene

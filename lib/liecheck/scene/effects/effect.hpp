@@ -7,6 +7,7 @@
 #include <array>
 #include <liecheck/multibody/model.hpp>
 #include <liecheck/scene/parameters.hpp>
+#include <liecheck/scene/shapes.hpp>
 #include <liecheck/scene/switches.hpp>
 #include <memory>
 #include <span>
@@ -76,6 +77,14 @@ struct BodyTerms {
   bool thrown() const { return force_B.isZero(S(0)) && linear == S(0) && quadratic == S(0); }
 };
 
+/// A contact that slides with friction: f_n d acts on A at p and -f_n d on B, d = n - mu t, where n is the normal
+/// from B to A and t the direction of A's velocity relative to B. In the world, which is joint 0.
+template <Scalar S>
+struct Sliding {
+  std::size_t joint_A, joint_B;
+  Vector3<S> p, n, d;
+};
+
 enum class Kinematics { None, Poses, Velocities, Accelerations };
 enum class Acts { OnModel, OnJoints, OnBodies };
 
@@ -100,13 +109,17 @@ class Effect {
   virtual bool conservative() const { return false; }
   /// The potential energy [J] of the force; zero for a force without potential. Reads poses.
   virtual S potential(const Now<S>&) const { return S(0); }
+  /// Its contacts that slide. Reads velocities.
+  virtual std::vector<Sliding<S>> sliding(const Now<S>&) const { return {}; }
 };
 
-/// The surroundings that effects share: the ground, if the scene has one.
+/// What effects share: the ground, if the scene has one, and the shapes of the bodies.
 struct Surroundings {
   bool ground = false;
   double height = 0;                         ///< of the ground's plane above the origin, along z [m]
   std::array<double, 3> normal = {0, 0, 1};  ///< its unit normal
+  std::shared_ptr<const TriangleMesh> mesh;  ///< the ground instead of the plane, or null
+  std::vector<Shape> shapes;
 };
 
 template <Scalar S>

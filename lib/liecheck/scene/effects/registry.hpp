@@ -3,6 +3,7 @@
 
 #include <liecheck/scene/effects/armature.hpp>
 #include <liecheck/scene/effects/buoyancy.hpp>
+#include <liecheck/scene/effects/collisions.hpp>
 #include <liecheck/scene/effects/constant_force.hpp>
 #include <liecheck/scene/effects/contact.hpp>
 #include <liecheck/scene/effects/drag.hpp>
@@ -46,7 +47,8 @@ const std::vector<EffectEntry<S>>& effectEntries() {
                                                   entry<S, Drag<S>>(drag_info),
                                                   entry<S, Buoyancy<S>>(buoyancy_info),
                                                   entry<S, Thruster<S>>(thruster_info),
-                                                  entry<S, Contact<S>>(contact_info)};
+                                                  entry<S, Contact<S>>(contact_info),
+                                                  entry<S, Collisions<S>>(collisions_info)};
   return all;
 }
 template <Scalar S>
