@@ -63,8 +63,11 @@ TEST(Shapes, ACylinderStandsOnItsEndAndFallsBeyondItsAngleOfBalance) {
         "robot: {body: needle, mass: 3, radius: 0.1, length: 0.4}\nground: {height: 0}\n"
         "initial: {position: [0, 0, " +
         number(l / 2 * std::cos(tilt) + R * std::hypot(std::sin(tilt), 1e-3) - m * g / k) +
-        "], attitude: [0, " + number(tilt) + ", 0]}\neffects: [gravity, contact: {bodies: body, " + law +
-        ", dissipation: 2}]\n" + radau(t, "1e-7"));
+        "], attitude: [0, " + number(tilt) +
+        ", 0]}\neffects: [gravity, contact: {bodies: body, stiffness: 1e5, friction: 0.6, slip: 0.01, "
+        "dissipation: 2}]\n"
+        "integrator: {name: rkmk4, step: 0.2 ms}\nduration: " +
+        number(t) + " s\n");
   };
   EXPECT_NEAR(at(0, 1).q[2], l / 2 + 1e-3 * R - m * g / k, 1e-9);
   const double balance = std::atan(2 * R / l);
@@ -104,6 +107,20 @@ TEST(Shapes, APlateRestsOnFourCorners) {
       "0, " +
       number(rest) + "]}\neffects: [gravity, contact: {bodies: all, stiffness: 1e4}]\n" + radau(1));
   EXPECT_NEAR(run.q[2], rest, 1e-9);
+}
+
+/// A capsule stands on one end at l/2 + r - m g/k, and lies at r - m g/(2 k).
+TEST(Shapes, ACapsuleStandsAtHalfItsLengthAndItsRadius) {
+  for (const bool stands : {true, false}) {
+    const double rest = stands ? 0.2 + 0.1 - 2 * g / 1e4 : 0.1 - 2 * g / 2e4;
+    const scene::Run run = runOf(
+        "robot: {body: body, mass: 2, moments: [1, 1, 1]}\nground: {height: 0}\nshapes: [{shape: capsule, "
+        "on: "
+        "body, radius: 0.1, length: 0.4, attitude: [" +
+        number(stands ? 0 : std::numbers::pi / 2) + ", 0, 0]}]\ninitial: {position: [0, 0, " + number(rest) +
+        "]}\neffects: [gravity, contact: {bodies: all, stiffness: 1e4}]\n" + radau(0.2));
+    EXPECT_NEAR(run.q[2], rest, 1e-9);
+  }
 }
 
 /// Without gravity, m x'' = -k x^e: x' = 0 at x_m = ((e+1) m v^2/(2 k))^(1/(e+1)), after x_m/v B(1/(e+1),

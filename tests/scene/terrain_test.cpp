@@ -100,7 +100,7 @@ TEST(Terrain, TheDistanceIsThatOfTheClosestPointOfAllTriangles) {
   const double spacing = 0.25;
   scene::TriangleMesh mesh;
   for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j) mesh.vertices.push_back({j * spacing, i * spacing, 0.15 * uniform(random)});
+    for (int j = 0; j < n; ++j) mesh.vertices.push_back({j * spacing, i * spacing, 0.5 * uniform(random)});
   for (std::size_t i = 0; i + 1 < n; ++i)
     for (std::size_t j = 0; j + 1 < n; ++j) {
       mesh.triangles.push_back({i * n + j, i * n + j + 1, (i + 1) * n + j + 1});
@@ -118,7 +118,7 @@ TEST(Terrain, TheDistanceIsThatOfTheClosestPointOfAllTriangles) {
     return 0.0;
   };
   for (int k = 0; k < 300; ++k) {
-    const V3 p(1 + 0.6 * uniform(random), 1 + 0.6 * uniform(random), 0.35 * uniform(random));
+    const V3 p(1 + 0.6 * uniform(random), 1 + 0.6 * uniform(random), 0.6 * uniform(random));
     double closest = 1e9;
     for (const auto& t : mesh.triangles)
       for (int i = 0; i <= 40; ++i)
