@@ -19,6 +19,7 @@ enum class Kind {
   Direction,  ///< three numbers, not all zero
   Numbers,    ///< a list of numbers
   Times,      ///< a strictly increasing list
+  Table,      ///< rows [t, x1, ...] with increasing times t [s], or a CSV file: {file: FILE, columns: [...]}
   Frame,      ///< the name of a frame of the robot
   Frames,
   Bodies,  ///< names of bodies with shapes, or "all"
@@ -38,6 +39,7 @@ struct Key {
 struct Value {
   std::vector<double> numbers;     ///< in SI units
   std::vector<std::string> names;  ///< of frames or joints, or the word of a choice
+  std::size_t width = 1;           ///< numbers in each row of a table
   auto operator<=>(const Value&) const = default;
 };
 
@@ -50,6 +52,7 @@ class Parameters {
   double number(const std::string& key) const { return at(key).numbers.at(0); }
   double number(const std::string& key, double otherwise) const { return has(key) ? number(key) : otherwise; }
   const std::vector<double>& numbers(const std::string& key) const { return at(key).numbers; }
+  const Value& table(const std::string& key) const { return at(key); }
   const std::string& word(const std::string& key) const { return at(key).names.at(0); }
   const std::vector<std::string>& names(const std::string& key) const { return at(key).names; }
   bool operator==(const Parameters&) const = default;

@@ -191,8 +191,12 @@ Scene read(const Text& text, const std::string& content, const std::string& fold
   for (const Request& r : scene.effects)
     if (!different.insert(&r).second)
       text.refuse(r.line, "'" + r.name + "' is given twice with the same keys: keep one");
-  for (const Request& r : scene.effects)
-    text.at(r.line, [&] { return scene::makeEffect<double>(r, scene.model, scene.around); });
+  const auto last = std::stable_partition(scene.effects.begin(), scene.effects.end(), [&](const Request& r) {
+    return !text.at(r.line, [&] { return scene::makeEffect<double>(r, scene.model, scene.around); })
+                ->follows();
+  });
+  if (scene.effects.end() - last > 1)
+    text.refuse(scene.effects.back().line, "'" + last->name + "' is given twice: name all pairs in one");
   scene.observers = requests(text, root["observers"], "observers", scene::observerEntries(), scene.model);
   readTime(text, root, scene);
   checkParts(text, root, scene);
@@ -206,7 +210,8 @@ scene::Scene loadSceneText(const std::string& text, const std::string& source_na
                            std::vector<std::string>* warnings) {
   std::vector<std::string> of_urdf;
   try {
-    scene::Scene scene = scene_file_detail::read(scene_file_detail::Text(source_name), text, folder, of_urdf);
+    scene::Scene scene =
+        scene_file_detail::read(scene_file_detail::Text(source_name, folder), text, folder, of_urdf);
     if (warnings) warnings->insert(warnings->end(), of_urdf.begin(), of_urdf.end());
     return scene;
   } catch (const YAML::Exception& e) {  // from a conversion that the schema did not check

@@ -1,6 +1,8 @@
 #include <liecheck/scene_file/values.hpp>
 
 #include <algorithm>
+#include <filesystem>
+#include <liecheck/scene_file/csv_table.hpp>
 #include <liecheck/scene_file/scene_error.hpp>
 #include <liecheck/scene_file/units.hpp>
 #include <set>
@@ -84,6 +86,48 @@ std::vector<double> Text::numbers(const YAML::Node& node, const std::string& wha
   return all;
 }
 
+Value Text::table(const YAML::Node& node, const std::string& what, const std::string& unit) const {
+  Value v;
+  if (node.IsMap()) {
+    checkKeys(node, what, {"file", "time", "columns"});
+    if (!node["file"].IsDefined()) refuse(node, what + " needs 'file', a CSV file");
+    CsvChoice choice;
+    if (node["time"].IsDefined()) choice.time = word(node["time"], what + ".time");
+    if (const YAML::Node columns = node["columns"]; columns.IsDefined()) {
+      choice.columns.emplace();
+      if (columns.IsSequence())
+        for (const auto& c : columns) choice.columns->push_back(word(c, what + ".columns"));
+      else
+        choice.columns->push_back(word(columns, what + ".columns"));
+    }
+    const std::filesystem::path path = std::filesystem::path(folder_) / word(node["file"], what + ".file");
+    CsvTable csv = at(lineOf(node["file"]), [&] {
+      try {
+        return readCsvTable(path.lexically_normal().string(), choice, unit);
+      } catch (const std::invalid_argument& e) {
+        throw std::invalid_argument(what + ": " + e.what());
+      }
+    });
+    v.numbers = std::move(csv.numbers), v.width = csv.width;
+    return v;
+  }
+  if (!node.IsSequence() || node.size() == 0)
+    refuse(node, what + " is a list of rows [[0 s, 1], [1 s, 2]] or {file: FILE.csv}, not " + kindOf(node));
+  for (std::size_t i = 0; i < node.size(); ++i) {
+    const std::string row = what + "[" + std::to_string(i) + "]";
+    if (!node[i].IsSequence() || node[i].size() < 2 || (i > 0 && node[i].size() != v.width))
+      refuse(node[i], row + " is a time and " +
+                          (i == 0 ? "numbers" : std::to_string(v.width - 1) + " numbers") +
+                          ", as [0 s, ...]");
+    v.width = node[i].size();
+    for (std::size_t k = 0; k < v.width; ++k)
+      v.numbers.push_back(number(node[i][k], row + "[" + std::to_string(k) + "]", k == 0 ? "s" : unit));
+    if (i > 0 && !(v.numbers[i * v.width] > v.numbers[(i - 1) * v.width]))
+      refuse(node[i], row + " is not after the time before it: times must increase");
+  }
+  return v;
+}
+
 Value Text::value(const YAML::Node& node, const std::string& what, const Key& key,
                   const Model<double>* model) const {
   Value v;
@@ -106,6 +150,8 @@ Value Text::value(const YAML::Node& node, const std::string& what, const Key& ke
       if (!(v.numbers[i] > v.numbers[i - 1]))
         refuse(node,
                what + "[" + std::to_string(i) + "] is not after the time before it: times must increase");
+  } else if (key.kind == Kind::Table) {
+    v = table(node, what, key.unit);
   } else if ((key.kind == Kind::Frames || key.kind == Kind::Bodies || key.kind == Kind::Joints) &&
              node.IsSequence()) {
     for (const auto& n : node) addName(n);

@@ -13,10 +13,11 @@ namespace liecheck::scene_file_detail {
 
 using multibody_detail::nearestNames;
 
-/// Reads the nodes of one scene file. Its messages begin with FILE:LINE.
+/// Reads the nodes of one scene file. Its messages begin with FILE:LINE. Paths of tables are relative to the folder.
 class Text {
  public:
-  explicit Text(std::string file) : file_(std::move(file)) {}
+  explicit Text(std::string file, std::string folder = ".")
+      : file_(std::move(file)), folder_(std::move(folder)) {}
   /// Throws SceneError.
   [[noreturn]] void refuse(int line, const std::string& what) const;
   [[noreturn]] void refuse(const YAML::Node& node, const std::string& what) const {
@@ -66,7 +67,8 @@ class Text {
   static const scene::PartInfo& infoOf(const scene::PartInfo* info) { return *info; }
   scene::Value value(const YAML::Node& node, const std::string& what, const scene::Key& key,
                      const Model<double>* model) const;
-  std::string file_;
+  scene::Value table(const YAML::Node& node, const std::string& what, const std::string& unit) const;
+  std::string file_, folder_;
   mutable std::map<std::string, YAML::Node> fallbacks_;  ///< the defaults of keys that were read
 };
 

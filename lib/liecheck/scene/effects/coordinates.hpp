@@ -81,6 +81,15 @@ struct Spot {
   explicit Spot(const Frame<S>& frame) : joint(std::size_t(frame.parentJoint)), X_JF(frame.placement) {}
 };
 
+/// The forces on the bodies in their joints' axes, as the algorithms of the library take them.
+template <Scalar S, class Forces>
+void toJointAxes(const Now<S>& now, Forces& f) {
+  for (std::size_t i = 1; i < f.size(); ++i) {
+    const Matrix3<S>& R = now.X_WJ[i].rotation();
+    f[i] = Force<S>(transposed_product<S>(R, f[i].linear()), transposed_product<S>(R, f[i].angular()));
+  }
+}
+
 template <Scalar S>
 Vector3<S> vectorOf(const std::vector<double>& x) {
   return Vector3<S>(S(x.at(0)), S(x.at(1)), S(x.at(2)));

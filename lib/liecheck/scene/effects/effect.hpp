@@ -39,8 +39,8 @@ struct Twists {
 
 /// The state that effects and observers read: time [s], a time in the piece of the forces that applies
 /// (pieces.hpp), q [nq] and v [nv]. If needs() asks for them, also poses X_WJ, twists V and spatial accelerations A
-/// of the joints [njoints], A in the joint's axes. on(g) selects the branch of a force by a switching
-/// function g (switches.hpp); an effect asks for each of its functions once in each evaluation.
+/// of the joints [njoints], A in the joint's axes, and a = v_dot [nv] with A. on(g) selects the branch of a force by a
+/// switching function g (switches.hpp); an effect asks for each of its functions once in each evaluation.
 template <Scalar S>
 struct Now {
   S t, piece;
@@ -49,6 +49,7 @@ struct Now {
   Twists<S> V;
   std::span<const Motion<S>> A;
   Switches<S>* switches = nullptr;
+  std::span<const S> a = {};
   bool on(const S& g) const { return next(1)(0, g); }
   /// The next `count` switching functions, for an effect that has many.
   typename Switches<S>::Next next(std::size_t count) const {
@@ -103,6 +104,8 @@ class Effect {
     static_cast<void>(centre);
     return false;
   }
+  /// True if the force depends on those of the other effects. It is then the last effect of a scene.
+  virtual bool follows() const { return false; }
   /// The times [s] at which the force or a derivative of it jumps. Between them add() selects by now.piece.
   virtual std::vector<S> events() const { return {}; }
   /// True if the sum of kinetic energy and potential() is constant under this effect alone.

@@ -1,8 +1,10 @@
 #pragma once
 // The list of effects and actuations. A new one needs its own file and an entry here.
 
+#include <liecheck/scene/effects/added_mass.hpp>
 #include <liecheck/scene/effects/armature.hpp>
 #include <liecheck/scene/effects/buoyancy.hpp>
+#include <liecheck/scene/effects/closed_loops.hpp>
 #include <liecheck/scene/effects/collisions.hpp>
 #include <liecheck/scene/effects/constant_force.hpp>
 #include <liecheck/scene/effects/contact.hpp>
@@ -13,6 +15,7 @@
 #include <liecheck/scene/effects/joint_friction.hpp>
 #include <liecheck/scene/effects/joint_limits.hpp>
 #include <liecheck/scene/effects/joint_spring.hpp>
+#include <liecheck/scene/effects/motor.hpp>
 #include <liecheck/scene/effects/pd_control.hpp>
 #include <liecheck/scene/effects/thruster.hpp>
 #include <liecheck/scene/effects/wrench.hpp>
@@ -48,15 +51,17 @@ const std::vector<EffectEntry<S>>& effectEntries() {
                                                   entry<S, Buoyancy<S>>(buoyancy_info),
                                                   entry<S, Thruster<S>>(thruster_info),
                                                   entry<S, Contact<S>>(contact_info),
-                                                  entry<S, Collisions<S>>(collisions_info)};
+                                                  entry<S, Collisions<S>>(collisions_info),
+                                                  entry<S, AddedMass<S>>(added_mass_info),
+                                                  entry<S, ClosedLoops<S>>(closed_loops_info)};
   return all;
 }
 template <Scalar S>
 const std::vector<EffectEntry<S>>& actuationEntries() {
   using registry_detail::entry;
-  static const std::vector<EffectEntry<S>> all = {entry<S, ConstantForce<S>>(constant_force_info),
-                                                  entry<S, PdControl<S>>(pd_control_info),
-                                                  entry<S, ForceTable<S>>(force_table_info)};
+  static const std::vector<EffectEntry<S>> all = {
+      entry<S, ConstantForce<S>>(constant_force_info), entry<S, PdControl<S>>(pd_control_info),
+      entry<S, ForceTable<S>>(force_table_info), entry<S, Motor<S>>(motor_info)};
   return all;
 }
 
