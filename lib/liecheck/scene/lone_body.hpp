@@ -75,6 +75,7 @@ class LoneBody {
   [[gnu::noinline]] void load(const S& t, const Configuration& q, const Tangent& v) {
     if constexpr (moves) {
       if (!readsConfiguration()) return;
+      kept_ = {};
       Force<S> F(terms_.force_B, Vector3<S>::Zero());
       const Matrix3<S> R = matrixOf<S>(quaternionOf(q));
       if (!effects_.empty()) {
@@ -180,14 +181,14 @@ class LoneBody {
   /// The state that effects and observers read, valid until the next call. Give a = v_dot for accelerations.
   Now<S> here(const State<LoneBody>& s, Kinematics kinematics, const Tangent* a = nullptr) {
     const auto [x, w] = whole(s);
-    const Now<S> now = here(s.t, x, w, matrixOf<S>(quaternionOf(s.q)), kinematics);
-    if constexpr (moves) {
-      if (a) A_[1] = Motion<S>(accelerationOfModel(*a));
-    } else if (a) {
-      Vector6<S> all;
-      all << thrust_, *a;
-      A_[1] = Motion<S>(accelerationOfModel(all));
-    }
+    Now<S> now = here(s.t, x, w, matrixOf<S>(quaternionOf(s.q)), kinematics);
+    if (!a) return now;
+    if constexpr (moves)
+      a_ = *a;
+    else
+      a_ << thrust_, *a;
+    a_ = accelerationOfModel(a_);
+    A_[1] = Motion<S>(a_), now.a = {a_.data(), 6};
     return now;
   }
 
@@ -295,7 +296,7 @@ class LoneBody {
   Kept<S, Configuration, Tangent> kept_;
   Force<S> load_ = Force<S>::Zero();
   Vector7<S> q_;
-  Vector6<S> tau_, v_;
+  Vector6<S> tau_, v_, a_;
 };
 
 template <Scalar S, bool moves>

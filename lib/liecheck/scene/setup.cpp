@@ -25,7 +25,7 @@ Setup<Sys>::Setup(const Scene& of)
       effects(makeEffects<double>(of, of.model)),
       system(of.model, effects),
       start(startOf(of, system)),
-      watched{&system.model(), &effects, step() * double(of.span.every)},
+      watched{&system.model(), &effects, step() * double(of.span.every), &of},
       a_(start.v) {
   for (const Request& r : scene.observers) {
     if (r.name == attitude_error_info.name)

@@ -67,6 +67,7 @@ class Tree {
       move(q, v);
       now.X_WJ = data_.oMi(), now.V = {data_.work.velocity, now.X_WJ, true};
     }
+    kept_ = {};
     switches_.restart();
     tau_.setZero();
     if (bodies_) f_.assign(f_.size(), Force<S>::Zero());
@@ -146,7 +147,7 @@ class Tree {
     Now<S> now{t, pieces_.at(t), {q.data(), size(q)}, {v.data(), size(v)}, {}, {}, {}, &switches_};
     if (kinematics != Kinematics::None) now.X_WJ = data_.oMi();
     if (kinematics >= Kinematics::Velocities) now.V = {data_.v(), now.X_WJ, false};
-    if (a) now.A = data_.a();
+    if (a) now.A = data_.a(), now.a = {a->data(), size(*a)};
     return now;
   }
   Data<S>& data() { return data_; }

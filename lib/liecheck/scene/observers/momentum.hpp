@@ -11,8 +11,8 @@ inline const PartInfo momentum_info{"momentum",
                                     "poses and velocities at samples",
                                     {}};
 
-/// (P, L about the centre of mass) [kg m/s, kg m^2/s].
-inline Force<double> centroidalMomentum(const Model<double>& model, const Now<double>& now) {
+/// The centre of mass in the world [m].
+inline Vector3<double> centreOfMass(const Model<double>& model, const Now<double>& now) {
   double mass = 0;
   Vector3<double> c = Vector3<double>::Zero();
   for (std::size_t i = 1; i < model.inertias.size(); ++i) {
@@ -20,6 +20,12 @@ inline Force<double> centroidalMomentum(const Model<double>& model, const Now<do
     c += model.inertias[i].mass() * now.X_WJ[i].act(model.inertias[i].lever());
   }
   if (mass > 0) c /= mass;
+  return c;
+}
+
+/// (P, L about the centre of mass) [kg m/s, kg m^2/s].
+inline Force<double> centroidalMomentum(const Model<double>& model, const Now<double>& now) {
+  const Vector3<double> c = centreOfMass(model, now);
   Vector3<double> P = Vector3<double>::Zero(), L = P;
   for (std::size_t i = 1; i < model.inertias.size(); ++i) {
     // computed about the centre of mass of each body, to avoid cancellation

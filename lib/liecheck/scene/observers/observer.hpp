@@ -15,11 +15,15 @@ struct Figure {
   std::optional<double> value;
 };
 
-/// Constants of a run: the robot with gravity and armature, all effects, and the time between samples [s].
+struct Scene;
+
+/// Constants of a run: the robot with gravity and armature, all effects, the time between samples [s], and the scene,
+/// whose requests of effects have the order of `effects`.
 struct Watched {
   const Model<double>* model;
   const Effects<double>* effects;
   double interval;
+  const Scene* scene;
 };
 
 class Observer {

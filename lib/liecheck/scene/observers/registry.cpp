@@ -1,10 +1,16 @@
+#include <liecheck/scene/observers/centre_of_mass.hpp>
+#include <liecheck/scene/observers/contact_forces.hpp>
 #include <liecheck/scene/observers/energy.hpp>
 #include <liecheck/scene/observers/flips.hpp>
 #include <liecheck/scene/observers/frame_pose.hpp>
 #include <liecheck/scene/observers/imu.hpp>
+#include <liecheck/scene/observers/joint_forces.hpp>
+#include <liecheck/scene/observers/loop_gaps.hpp>
 #include <liecheck/scene/observers/momentum.hpp>
+#include <liecheck/scene/observers/power.hpp>
 #include <liecheck/scene/observers/quaternion_norm.hpp>
 #include <liecheck/scene/observers/registry.hpp>
+#include <liecheck/scene/observers/state.hpp>
 
 namespace liecheck::scene {
 namespace {
@@ -25,6 +31,12 @@ const std::vector<ObserverEntry>& observerEntries() {
                                                  observer<FrameObserver>(frame_info),
                                                  observer<ImuObserver>(imu_info),
                                                  observer<FlipsObserver>(flips_info),
+                                                 observer<StateObserver>(state_info),
+                                                 observer<CentreOfMassObserver>(centre_of_mass_info),
+                                                 observer<JointForcesObserver>(joint_forces_info),
+                                                 observer<ContactForcesObserver>(contact_forces_info),
+                                                 observer<LoopGapsObserver>(loop_gaps_info),
+                                                 observer<PowerObserver>(power_info),
                                                  {&attitude_error_info, nullptr}};
   return all;
 }

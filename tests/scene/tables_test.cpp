@@ -1,0 +1,170 @@
+// scene/effects/curve.hpp and its users: forces and targets from tables and CSV files. References are closed forms.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "recorded.hpp"
+
+namespace {
+
+using namespace liecheck;
+using namespace liecheck::test;
+
+/// A mass of 2 kg on a rail along x.
+const std::string rail = "robot: {body: ball, mass: 2, radius: 0.1, root: prismatic, axis: [1, 0, 0]}\n";
+const std::string end = "integrator: {name: gauss6, step: 0.1 s}\nduration: 2 s\nobservers: [state]\n";
+
+scene::Value rows(const std::vector<double>& times, double (*x)(double)) {
+  scene::Value table{{}, {}, 2};
+  for (const double t : times) table.numbers.push_back(t), table.numbers.push_back(x(t));
+  return table;
+}
+
+TEST(Curve, OfACubicTableIsExactForParabolasAndContinuousInItsRate) {
+  const std::vector<double> times{0, 0.5, 0.7, 1.5, 2};
+  const auto parabola = [](double t) { return 3 * t * t - t + 2; };
+  const scene::Curve<double> curve(rows(times, parabola), true);
+  for (const double t : {0.1, 0.5, 0.6, 1.0, 1.9}) {
+    const auto p = curve.at(t, t, 0);
+    EXPECT_NEAR(p.x, parabola(t), 1e-14);
+    EXPECT_NEAR(p.rate, 6 * t - 1, 1e-13);
+  }
+  const scene::Curve<double> wave(rows(times, [](double t) { return std::sin(3 * t); }), true);
+  for (const double t : {0.5, 0.7, 1.5}) {
+    const auto before = wave.at(t, t - 0.1, 0), after = wave.at(t, t, 0);
+    EXPECT_NEAR(before.x, after.x, 1e-15);
+    EXPECT_NEAR(before.rate, after.rate, 1e-14);
+    const double e = 1e-6;  // the rate is that of x
+    EXPECT_NEAR((wave.at(t + e, t + e, 0).x - after.x) / e, after.rate, 1e-4);
+  }
+  EXPECT_EQ(curve.at(5, 5, 0).x, 12);
+  EXPECT_EQ(curve.at(5, 5, 0).rate, 0);
+  EXPECT_EQ(curve.at(-1, -1, 0).x, 2);
+}
+
+TEST(Curve, OfALinearTableIsALineBetweenRowsOfSeveralNumbers) {
+  const scene::Curve<double> curve({{0, 1, 10, 2, 3, 20}, {}, 3}, false);
+  EXPECT_EQ(curve.width(), 2u);
+  EXPECT_EQ(curve.at(0.5, 0.5, 0).x, 1.5);
+  EXPECT_EQ(curve.at(0.5, 0.5, 1).x, 12.5);
+  EXPECT_EQ(curve.at(0.5, 0.5, 1).rate, 5);
+}
+
+TEST(PdTrajectory, ThatIsCubicIsFollowedWithoutLagAndALinearOneWithTheLagOfTheDamping) {
+  const std::string pd =
+      "actuation: [pd: {stiffness: 50, damping: 20, rows: [[0 s, 0], [1, 0.5], [2, 1]], interpolation: ";
+  const Recorded cubic(rail + "initial: {joint_velocities: {root_joint: 0.5}}\n" + pd + "cubic}]\n" + end);
+  EXPECT_NEAR(cubic["q.root_joint"].back(), 1, 1e-14);
+  EXPECT_NEAR(cubic["v.root_joint"].back(), 0.5, 1e-14);
+  // q = r t - d r/k is the motion that neither grows nor decays
+  const Recorded linear(rail +
+                        "initial: {joints: {root_joint: -0.2}, joint_velocities: {root_joint: 0.5}}\n" + pd +
+                        "linear}]\n" + end);
+  EXPECT_NEAR(linear["q.root_joint"].back(), 1 - 0.2, 1e-14);
+}
+
+TEST(ForceTable, WithRowsGivesTheImpulseOfItsInterpolation) {
+  // steps of 0.1 s do not end at the rows by themselves
+  const auto speed = [](const std::string& keys) {
+    return Recorded(rail + "actuation: [table: {rows: [[0, 0], [0.55 s, 1.21], [1.25, 6.25], [2, 16]]" +
+                    keys + "}]\n" + end)["v.root_joint"]
+        .back();
+  };
+  const double trapezoids = 0.55 * 1.21 / 2 + 0.7 * (1.21 + 6.25) / 2 + 0.75 * (6.25 + 16) / 2;
+  EXPECT_NEAR(speed(""), trapezoids / 2, 1e-14);
+  EXPECT_NEAR(speed(", interpolation: cubic"), 4 * 8. / 3 / 2, 1e-13);  // f = 4 t^2
+}
+
+TEST(WrenchTable, AddsForcesAndMomentsOverTime) {
+  const std::string ball =
+      "robot: {body: body, mass: 2, moments: [1, 1, 1]}\neffects: [wrench: {frame: body, axes: ";
+  const Recorded world(ball + "world, force: [1, 0, 0], rows: [[0, 0, 0, 0], [2, 0, 4, 0]]}]\n" + end);
+  EXPECT_NEAR(world["v.root_joint.x"].back(), 1, 1e-14);
+  EXPECT_NEAR(world["v.root_joint.y"].back(), 2, 1e-14);
+  const Recorded turned(ball + "frame, rows: [[0, 0, 0, 0, 0, 0, 0], [2, 0, 0, 0, 0, 0, 4]]}]\n" + end);
+  EXPECT_NEAR(turned["v.root_joint.wz"].back(), 4, 1e-14);
+  EXPECT_THROW(Recorded(ball + "frame, rows: [[0, 1], [1, 1]]}]\n" + end), SceneError);
+}
+
+class Csv : public testing::Test {
+ protected:
+  static inline const std::string name = "liecheck_tables_test.csv", file = testing::TempDir() + name;
+  static void write(const std::string& text) { std::ofstream(file) << text; }
+  static void TearDownTestSuite() { std::filesystem::remove(file); }
+  static scene::Scene load(const std::string& keys,
+                           const std::string& part = "pd: {stiffness: 1, damping: 1, ") {
+    return loadSceneText(rail + "actuation:\n  - " + part + "rows: {file: " + name + keys + "}}\n" + end,
+                         "s.yaml", testing::TempDir());
+  }
+  static std::vector<double> numbers(const std::string& keys) {
+    return load(keys).effects.at(0).parameters.numbers("rows");
+  }
+  static std::string refusal(const std::string& keys = "") try {
+    load(keys);
+    return "";
+  } catch (const SceneError& e) {
+    return e.what();
+  }
+};
+
+TEST_F(Csv, IsReadByNamesOrNumbersOfColumnsInTheirUnits) {
+  write("t [ms],\"q.hip [rad]\",knee [mrad]\r\n0,1,2000\n\n500,3,4000\n");
+  const std::vector<double> hip{0, 1, 0.5, 3}, knee{0, 2, 0.5, 4};
+  EXPECT_EQ(numbers(", columns: q.hip"), hip);
+  EXPECT_EQ(numbers(", columns: 3"), knee);
+  EXPECT_EQ(numbers(", columns: [3], time: t"), knee);
+  EXPECT_EQ(refusal(", columns: [q.hip, knee]"), "s.yaml:3: pd has 2 targets for 1 coordinates");
+}
+
+TEST_F(Csv, WithoutNamesHasNumberedColumns) {
+  write("0, 1 mm\n1 s, 2 mm\n");
+  EXPECT_EQ(numbers(""), (std::vector<double>{0, 1e-3, 1, 2e-3}));
+}
+
+TEST_F(Csv, IsRefusedWithFileLineAndValue) {
+  const auto expect = [](const std::string& got, const std::string& part) {
+    EXPECT_NE(got.find("s.yaml:3: pd.rows: "), std::string::npos) << got;
+    EXPECT_NE(got.find(part), std::string::npos) << got;
+  };
+  write("t,x\n0,1\n1,oops\n");
+  expect(refusal(), name + ":3: column 'x': 'oops' is not a number");
+  write("t,x\n0,1\n0,2\n");
+  expect(refusal(), name + ":3: the time '0' is not after the time before it");
+  write("t,x\n0,1\n1,2,3\n");
+  expect(refusal(), name + ":3: has 3 columns, and the first line has 2");
+  write("t,x\n0,1\n1,nan\n");
+  expect(refusal(), "'nan' is not finite");
+  write("t,hip\n0,1\n");
+  expect(refusal(", columns: hop"), "has no column 'hop'");
+  write("t,x\n");
+  expect(refusal(), "has no row of numbers");
+  write("t\n0\n");
+  expect(refusal(), "has no column besides the time");
+  std::filesystem::remove(file);
+  expect(refusal(), "cannot be opened");
+}
+
+TEST(Tables, AreRefusedInOneLine) {
+  const auto refusal = [](const std::string& part) -> std::string {
+    try {
+      loadSceneText(rail + "actuation:\n  - " + part + "\n" + end);
+    } catch (const SceneError& e) {
+      return e.what();
+    }
+    return "";
+  };
+  const std::string pd = "pd: {stiffness: 1, damping: 1, ";
+  EXPECT_NE(refusal(pd + "rows: [[0, 1], [0, 2]]}").find("rows[1] is not after"), std::string::npos);
+  EXPECT_NE(refusal(pd + "rows: [[0, 1], [1]]}").find("rows[1] is a time and 1 numbers"), std::string::npos);
+  EXPECT_NE(refusal(pd + "rows: 3}").find("is a list of rows"), std::string::npos);
+  EXPECT_NE(refusal(pd + "rows: [[0, 1]], target: [1]}").find("keep one"), std::string::npos);
+  EXPECT_NE(refusal(pd + "rows: [[0, 1, 2]]}").find("2 targets for 1 coordinates"), std::string::npos);
+  EXPECT_NE(refusal("table: {times: [0, 1]}").find("needs 'rows', or 'times' and 'forces'"),
+            std::string::npos);
+  EXPECT_NE(refusal("table: {rows: [[0, 1]], times: [0], forces: [1]}").find("needs 'rows', or"),
+            std::string::npos);
+}
+
+}  // namespace
