@@ -50,7 +50,7 @@ void fromUrdf(const Text& text, const YAML::Node& robot, const std::string& fold
   const int line = Text::lineOf(robot["urdf"]);
   const std::string given = text.word(robot["urdf"], "robot.urdf");
   const std::filesystem::path path = std::filesystem::path(folder) / given;  // `given` if that is absolute
-  const UrdfOptions options{.root_joint = readRootJoint(text, robot, line, p)};
+  const UrdfOptions options{.root_joint = readRootJoint(text, robot, line, p), .mimic = MimicJoints::Tied};
   try {
     const std::string file = path.lexically_normal().string(), urdf = readUrdf(file);
     UrdfRobot loaded = loadUrdfText(urdf, options, file);
