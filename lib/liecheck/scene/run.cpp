@@ -37,8 +37,15 @@ double largestAngularVelocity(const Model<double>& model, const Tangent& v) {
 template <class Sys>
 class Runner {
  public:
-  Runner(Setup<Sys>& setup, const std::function<bool(double)>& on) : setup_(setup), on_(on) {
+  Runner(Setup<Sys>& setup, const std::function<bool(double)>& on, const Saving& saving)
+      : setup_(setup), on_(on), saving_(saving) {
     result_.columns = setup.columns();
+    if (saving.save) saved_.digest = digestOf(setup.scene);
+    if ((saving.save || saving.from) && setup.every_step)
+      throw std::invalid_argument(
+          setup.scene.source +
+          ": a run with an observer that reads every step cannot be saved or resumed: "
+          "leave out quaternion_norm and flips");
   }
 
   Run run(bool estimated) {
@@ -50,22 +57,31 @@ class Runner {
     State<Sys> now = setup_.start;
     const double begin = nowInSeconds(), h = setup_.step();
     std::vector<Checkpoint<Sys>> checkpoints;
+    if (saving_.from) resume(*method, now, watched, checkpoints);
     const long sections = std::clamp(span.steps / 9, 1L, 64L);
     result_.outcome = simulate(setup_.system, *method, now, watched, [&](const State<Sys>& state, long n) {
-      if (estimated && (n == span.steps ||
-                        double(n) * double(sections) >= double(checkpoints.size()) * double(span.steps)))
+      if ((estimated || saving_.save) &&
+          (n == span.steps ||
+           double(n) * double(sections) >= double(checkpoints.size()) * double(span.steps))) {
         checkpoints.push_back({n, state});
+        if (saving_.save) saved_.sections.emplace_back(n, state);
+      }
       if (setup_.every_step) watchStep(state);
-      if (n % span.every == 0 || n == span.steps) sample(state, n);
+      if (n % span.every == 0 || n == span.steps) {
+        sample(state, n);
+        if (saving_.save) saved_.samples.emplace_back(n, state);
+      }
       if (!method->what().adaptive)
         result_.largest_turn =
             std::max(result_.largest_turn, std::abs(h) * largestAngularVelocity(setup_.scene.model, setup_.system.toModel(state).second));
       share_ = double(n) / double(span.steps);
+      if (saving_.save) keep(*method, state, n);
       return goesOn();
     });
+    if (kept_) saving_.save(saved_);
     result_.seconds = nowInSeconds() - begin;
     std::tie(result_.q, result_.v) = setup_.system.toModel(now);
-    result_.counts = method->counts();
+    result_.counts = method->counts() + before_;
     for (const auto& o : setup_.observers)
       for (Figure& f : o->figures()) {
         if (f.value && !std::isfinite(*f.value)) f.value.reset();  // a refused row entered it
@@ -84,6 +100,37 @@ class Runner {
   }
 
  private:
+  /// Sets all to what it was at the last state of the saved run. Observers read its samples again.
+  void resume(Method<Sys>& method, State<Sys>& now, Span& span, std::vector<Checkpoint<Sys>>& sections) {
+    saved_ = *saving_.from;
+    for (auto* states : {&saved_.samples, &saved_.sections})
+      std::erase_if(*states, [&](const SavedState& s) { return s.step > saved_.last.step; });
+    for (const SavedState& s : saved_.samples) s.restore(now), sample(now, s.step);
+    for (const SavedState& s : saved_.sections) s.restore(now), sections.push_back({s.step, now});
+    saved_.last.restore(now);
+    method.begin(setup_.system, now);
+    method.recall(saved_.memory);
+    span.first = saved_.last.step, result_.largest_turn = saved_.largest_turn, before_ = saved_.counts;
+  }
+  /// Keeps the state as the last one to resume from, if that gives the same bits, and saves it about once in
+  /// saving_.seconds.
+  void keep(Method<Sys>& method, const State<Sys>& state, long n) {
+    auto memory = method.memory();
+    if (!memory || atEvent(state)) return;
+    saved_.last = {n, state}, saved_.memory = std::move(*memory);
+    saved_.counts = method.counts() + before_, saved_.largest_turn = result_.largest_turn;
+    kept_ = true;
+    if (const double now = nowInSeconds(); now - saved_at_ > saving_.seconds)
+      saving_.save(saved_), saved_at_ = now;
+  }
+  /// True if a switching function is 0, so that the state alone does not tell its branch.
+  bool atEvent(const State<Sys>& state) {
+    Switches<double>& switches = setup_.system.switches();
+    const Switches<double> held = switches;
+    switches.learn();
+    setup_.system.load(state.t, state.q, state.v);
+    return std::exchange(switches, held).ambiguous();
+  }
   /// Asks `on`, at most ten times a second, whether to go on.
   bool goesOn() {
     if (!on_) return true;
@@ -121,6 +168,11 @@ class Runner {
 
   Setup<Sys>& setup_;
   const std::function<bool(double)>& on_;
+  const Saving& saving_;
+  SavedRun saved_;
+  MethodCounts before_;  ///< of the saved run
+  double saved_at_ = nowInSeconds();
+  bool kept_ = false;
   Run result_;
   std::vector<double> row_;
   double asked_ = -1, share_ = 0;  // time of the last call of on_ [s]; completed share of the run
@@ -132,8 +184,8 @@ std::vector<Column> columnsOf(const Scene& scene) {
   return withSetup(scene, [](auto& setup) { return setup.columns(); });
 }
 
-Run run(const Scene& scene, const std::function<bool(double)>& on, bool estimated) {
-  return withSetup(scene, [&](auto& setup) { return Runner(setup, on).run(estimated); });
+Run run(const Scene& scene, const std::function<bool(double)>& on, bool estimated, const Saving& saving) {
+  return withSetup(scene, [&](auto& setup) { return Runner(setup, on, saving).run(estimated); });
 }
 
 }  // namespace liecheck::scene

@@ -4,6 +4,7 @@
 #include <functional>
 #include <liecheck/scene/estimate.hpp>
 #include <liecheck/scene/observers/observer.hpp>
+#include <liecheck/scene/saved_run.hpp>
 #include <liecheck/scene/scene.hpp>
 
 namespace liecheck::scene {
@@ -52,7 +53,10 @@ struct Run {
 
 /// Calls on(share) about ten times a second with the completed share; if it returns false, the run stops.
 /// Throws like plan(), and std::invalid_argument if an observed number is not finite at the start.
-/// If `estimated` is true, the error is estimated after the run (estimate.hpp).
-Run run(const Scene& scene, const std::function<bool(double share)>& on = {}, bool estimated = false);
+/// If `estimated` is true, the error is estimated after the run (estimate.hpp). A run that continues a saved one gives
+/// the same rows, figures and state as the whole run; `seconds` and `events` are those of its own part. Throws
+/// std::invalid_argument if an observer reads every step of a run that is saved or resumed.
+Run run(const Scene& scene, const std::function<bool(double share)>& on = {}, bool estimated = false,
+        const Saving& saving = {});
 
 }  // namespace liecheck::scene

@@ -10,6 +10,7 @@ struct Span {
   double duration = 0;  ///< [s]
   long steps = 1;       ///< of duration / steps each; an adaptive method subdivides them
   long every = 1;       ///< steps between samples; the start and the end are sampled too
+  long first = 0;       ///< steps made by an earlier part of the run, which began at time 0
 };
 
 struct Outcome {
@@ -25,22 +26,25 @@ struct Outcome {
 /// counted, but `state` keeps the refused values. If the method fails, `state` is as before the step. The
 /// time after step n is n (duration / steps), not a sum of n rounded steps.
 /// A step ends at each event at which a force begins, ends or bends (event_steps.hpp).
-/// Precondition: steps >= 1, every >= 1, duration finite and > 0.
+/// If first > 0, the state is that after `first` steps, watch has seen it, and the method has begun.
+/// Precondition: steps >= 1, every >= 1, 0 <= first <= steps, duration finite and > 0.
 template <class Sys, class M, class Watch>
 Outcome simulate(Sys& system, M& method, State<Sys>& state, const Span& span, Watch&& watch) {
   using S = typename Sys::Scalar;
-  const S t0 = state.t, h = S(span.duration) / S(span.steps);
+  const S t0 = span.first > 0 ? S(0) : state.t, h = S(span.duration) / S(span.steps);
   EventSteps<Sys> events(system, state);
   const auto ended = [&](long steps, bool stopped, const char* why = nullptr) {
     return Outcome{steps,          double(t0 + S(steps) * h), why != nullptr, stopped,
                    why ? why : "", events.located(),          events.zeno()};
   };
   const bool timed = !events.none();
-  method.begin(system, state);
-  long made = 0;
+  long made = span.first;
   try {
-    if (!watch(std::as_const(state), 0L)) return ended(0, true);
-    long next = std::min(span.every, span.steps);
+    if (made == 0) {
+      method.begin(system, state);
+      if (!watch(std::as_const(state), 0L)) return ended(0, true);
+    }
+    long next = std::min(made - made % span.every + span.every, span.steps);
     while (made < span.steps) {
       try {
         if (timed) [[unlikely]]

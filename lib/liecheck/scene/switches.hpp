@@ -6,6 +6,7 @@
 // method keeps its order; an event is where a held function changes its sign (event_steps.hpp). Without hold(),
 // the sign at each evaluation decides. (Hairer, Norsett & Wanner 1993, II.6; Mannshardt 1978.)
 
+#include <algorithm>
 #include <liecheck/spatial/types.hpp>
 #include <vector>
 
@@ -61,6 +62,10 @@ class Switches {
   /// From now on, the sign at each evaluation decides.
   void release() { is_held_ = learning_ = false; }
 
+  /// True if a function of the last learnt evaluation is 0: its value does not tell the branch.
+  bool ambiguous() const {
+    return std::ranges::any_of(held_, [](const Held& f) { return f.value == S(0); });
+  }
   bool none() const { return held_.empty(); }
   /// The least distance from a change of sign at the last evaluation: min over k of g_k, or -g_k if the branch is
   /// off. Negative after an event. The functions have units of their own; only the sign counts.

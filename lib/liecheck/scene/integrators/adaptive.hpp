@@ -20,6 +20,9 @@ class Adaptive : public Method<Sys> {
   explicit Adaptive(const MethodOptions& options) : tolerance_(options.tolerance), stop_(options.stop) {}
   MethodCounts counts() const override { return counts_; }
   S reached() const final { return reached_; }
+  using Memory = typename Method<Sys>::Memory;
+  std::optional<Memory> memory() const override { return Memory{h_}; }
+  void recall(const Memory& all) override { h_ = all.at(0); }
   void begin(Sys&, const State<Sys>& state) override {
     delta_ = dv_ = e_delta_ = e_v_ = state.v, at_ = state;
     h_ = S(0);

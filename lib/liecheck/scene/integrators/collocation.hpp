@@ -44,6 +44,9 @@ class Collocation final : public Method<Sys> {
   using S = typename Sys::Scalar;
   const MethodInfo& what() const override { return collocation_info<s>; }
   MethodCounts counts() const override { return {steps_, 0, stages_.iterations()}; }
+  using Memory = typename Method<Sys>::Memory;
+  std::optional<Memory> memory() const override { return stages_.memory(); }
+  void recall(const Memory& all) override { stages_.recall(all); }
   void begin(Sys&, const State<Sys>& state) override { stages_.begin(state), delta_ = dv_ = state.v; }
   void step(Sys& system, State<Sys>& state, const S& h) override {
     static const auto g = CollocationPoints<S>::gauss(s);

@@ -39,6 +39,23 @@ class ImplicitStages {
   }
   /// The step was accepted, so that the next one starts from its polynomial.
   void accept(const S& h) { last_ = A_, h_ = h, has_last_ = true; }
+  /// For Method::memory(): the last step's polynomial. None with Newton's method, which also keeps a Jacobian.
+  std::optional<std::vector<S>> memory() const {
+    std::vector<S> all;
+    if (stiff_) return {};
+    if (has_last_) all.push_back(h_);
+    for (std::size_t i = 0; i < s && has_last_; ++i)
+      for (int k = 0; k < last_[i].size(); ++k) all.push_back(last_[i][k]);
+    return all;
+  }
+  void recall(const std::vector<S>& all) {
+    has_last_ = !all.empty();
+    if (!has_last_) return;
+    h_ = all.at(0);
+    std::size_t at = 1;
+    for (Tangent& A : last_)
+      for (int k = 0; k < A.size(); ++k) A[k] = all.at(at++);
+  }
   /// h sum w_j K_j and h sum w_j A_j.
   void sum(const std::vector<S>& weights, const S& h, Tangent& delta, Tangent& dv) const {
     delta = S(h * weights[0]) * K_[0], dv = S(h * weights[0]) * A_[0];

@@ -5,8 +5,10 @@
 #include <liecheck/scene/accumulate.hpp>
 #include <optional>
 #include <liecheck/scene/system.hpp>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace liecheck::scene {
 
@@ -51,6 +53,9 @@ template <class A, class B>
 /// Counted by adaptive and implicit methods only.
 struct MethodCounts {
   long steps = 0, rejected = 0, iterations = 0;
+  MethodCounts operator+(const MethodCounts& o) const {
+    return {steps + o.steps, rejected + o.rejected, iterations + o.iterations};
+  }
 };
 
 /// Call begin before the first step, and whenever other code has set the state. begin may allocate; step does
@@ -63,6 +68,11 @@ class Method {
   virtual void begin(Sys& system, const State<Sys>& state) = 0;
   virtual void step(Sys& system, State<Sys>& state, const typename Sys::Scalar& h) = 0;
   virtual MethodCounts counts() const { return {}; }
+  /// What a step takes from the steps before it, besides the state; none if that cannot be told. A method that recalls
+  /// it after begin() continues with the same bits.
+  using Memory = std::vector<typename Sys::Scalar>;
+  virtual std::optional<Memory> memory() const { return Memory(); }
+  virtual void recall(const Memory&) {}
   /// The length of the last step, at most h: an adaptive method ends it where a held branch changes (switches.hpp).
   virtual typename Sys::Scalar reached() const { return std::numeric_limits<typename Sys::Scalar>::max(); }
 };

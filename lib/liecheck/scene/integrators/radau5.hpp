@@ -32,6 +32,16 @@ class Radau5 final : public Adaptive<Sys> {
     all.iterations = stages_.iterations();
     return all;
   }
+  using Memory = typename Method<Sys>::Memory;
+  std::optional<Memory> memory() const override {
+    auto all = stages_.memory();
+    if (all) all->push_back(Adaptive<Sys>::memory()->at(0));
+    return all;
+  }
+  void recall(const Memory& all) override {
+    Adaptive<Sys>::recall({all.back()});
+    stages_.recall({all.begin(), all.end() - 1});
+  }
   void begin(Sys& system, const State<Sys>& state) override {
     Adaptive<Sys>::begin(system, state);
     stages_.begin(state);

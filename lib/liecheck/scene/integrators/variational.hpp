@@ -29,6 +29,17 @@ class Variational final : public Method<LoneBody<S>> {
       .lone_body_only = true};
   const MethodInfo& what() const override { return info; }
   MethodCounts counts() const override { return counts_; }
+  using Memory = typename Method<LoneBody<S>>::Memory;
+  std::optional<Memory> memory() const override {
+    Memory all;
+    for (const auto* x : {&L_, &P_, &L_low_, &P_low_}) all.insert(all.end(), {(*x)[0], (*x)[1], (*x)[2]});
+    return all;
+  }
+  void recall(const Memory& all) override {
+    std::size_t at = 0;
+    for (auto* x : {&L_, &P_, &L_low_, &P_low_})
+      for (int i = 0; i < 3; ++i) (*x)[i] = all.at(at++);
+  }
   void begin(Body& body, const State<Body>& state) override {
     const SO3<S> Q = rotationOf(state.q);
     L_ = Q.act(Vector3<S>(body.inertia() * Vector3<S>(state.v.template tail<3>())));
