@@ -75,9 +75,12 @@ TEST(Drag, InACurrentTendsToTheVelocityOfTheFluid) {
   const Recorded run(
       "robot: {body: ball, mass: 2, radius: 0.1}\n"
       "initial: {attitude: [0.3, -1, 0.5], angular_velocity: [2, 1, -1], velocity: [0, 0, 0]}\n"
-      "effects: [drag: {frame: body, linear: 3, current: [1, -2, 0.5]}]\n" +
-      end);
-  EXPECT_NEAR(run["kinetic"].back() - run["kinetic"][0], 5.25 * std::pow(1 - std::exp(-1.5), 2), 1e-10);
+      "effects: [drag: {frame: body, linear: 3, current: [1, -2, 0.5]}]\n"
+      "integrator: {name: gauss6, step: 10 ms}\nduration: 1 s\nobservers: [frame: {frame: body}]\n");
+  const double share = 1 - std::exp(-3. / 2);
+  EXPECT_NEAR(run["body.vx"].back(), share, 1e-10);
+  EXPECT_NEAR(run["body.vy"].back(), -2 * share, 1e-10);
+  EXPECT_NEAR(run["body.vz"].back(), 0.5 * share, 1e-10);
 }
 
 /// A body with three different added masses and inertias.
