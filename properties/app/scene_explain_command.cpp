@@ -2,6 +2,7 @@
 #include <app/command.hpp>
 #include <liecheck/scene/run.hpp>
 #include <liecheck/scene_file/scene_file.hpp>
+#include <scenes/stated_truth.hpp>
 #include <stdexcept>
 
 namespace liecheck::properties {
@@ -33,6 +34,7 @@ int run(const Flags& f) {
   std::vector<std::string> warnings;
   const scene::Scene scene = loadScene(f.file, &warnings);
   print_warnings(warnings);
+  stated_truth(scene);
   const scene::Plan plan = measured_plan(scene);
   fmt::print("{}: {}\n", scene.name, scene.reason.empty() ? "no reason given" : scene.reason);
   fmt::print("{} of nq {}, nv {}; {} steps of {:g} s by {}, sampled {} times\n\n",

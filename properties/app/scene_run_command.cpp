@@ -5,8 +5,7 @@
 #include <liecheck/scene_file/scene_file.hpp>
 #include <numbers>
 #include <record/record.hpp>
-#include <scenes/benchmark.hpp>
-#include <scenes/truth.hpp>
+#include <scenes/stated_truth.hpp>
 #include <stdexcept>
 #include <support/files.hpp>
 #include <support/progress.hpp>
@@ -20,6 +19,7 @@ namespace {
 struct Flags {
   std::string file;
   std::string csv, json;  ///< replace the files that the scene names
+  std::string checkpoint, resume;
   bool no_estimate = false;
 };
 
@@ -56,14 +56,16 @@ void print_figures(const scene::Scene& scene, const scene::Run& run) {
 /// Prints the estimated error and what it covers.
 void print_estimate(const scene::Estimate& e) {
   const auto row = [](const char* name, double error, double accepted, const char* unit) {
-    if (error > 0 || accepted > 0)
+    if (!std::isnan(error))
       fmt::print("  {:<36}{:>24.3g} {}{}\n", fmt::format("estimated error, {}", name), error, unit,
                  accepted > 0 ? fmt::format(", accepted {:.3g}", accepted) : "");
   };
-  row("positions", e.error.position, e.error.position > 0 ? e.accepted.position : 0, "m");
-  row("angles", e.error.angle, e.error.angle > 0 ? e.accepted.angle : 0, "rad");
+  row("positions", e.error.position, e.accepted.position, "m");
+  row("angles", e.error.angle, e.accepted.angle, "rad");
   row("linear velocities", e.error.linear_velocity, 0, "m/s");
   row("angular velocities", e.error.angular_velocity, 0, "rad/s");
+  if (std::isnan(e.error.position) && std::isnan(e.error.angle))
+    fmt::print("  {:<36}{:>24}\n", "estimated error", "not measured");
   fmt::print("    by twins with {} at {} checkpoints, for {:.0f} % of the run's steps; order observed: {}\n",
              e.by, e.checkpoints, 100 * e.cost, e.order ? fmt::format("{:.2g}", *e.order) : "none");
 }
@@ -108,13 +110,24 @@ void print_early_end(const scene::Scene& scene, const scene::Run& run) {
                      scene.span.duration));
 }
 
-/// Throws std::invalid_argument if two of the three files are the same.
-void check_apart(const std::string& scene, const std::string& csv, const std::string& json) {
-  for (const std::string& output : {csv, json})
+/// Throws std::invalid_argument if two of the four files are the same.
+void check_apart(const std::string& scene, const std::string& csv, const std::string& json,
+                 const std::string& checkpoint) {
+  for (const std::string& output : {csv, json, checkpoint})
     if (same_file(scene, output))
       throw std::invalid_argument(output + " is the scene itself: give the output another name");
   if (same_file(csv, json))
     throw std::invalid_argument(csv + " would be the CSV and the JSON: give one another name");
+  for (const std::string& output : {csv, json})
+    if (same_file(output, checkpoint))
+      throw std::invalid_argument(output + " would be the samples and the checkpoint: give one another name");
+}
+
+/// The run in a checkpoint. Throws std::invalid_argument naming the file if it is not one of this scene.
+scene::SavedRun saved_run(const std::string& file, const scene::Scene& scene) try {
+  return scene::savedRunOf(read_whole(file), scene);
+} catch (const std::invalid_argument& e) {
+  throw std::invalid_argument(file + ": " + e.what());
 }
 
 int run(const Flags& flags) {
@@ -123,15 +136,20 @@ int run(const Flags& flags) {
   print_warnings(warnings);
   if (!flags.csv.empty()) scene.csv = flags.csv;
   if (!flags.json.empty()) scene.json = flags.json;
-  check_apart(flags.file, scene.csv, scene.json);
-  std::optional<Truth> truth;
-  if (!scene.truth.empty()) try {
-      truth = named_truth(benchmark_of(scene), scene.truth);
-    } catch (const std::invalid_argument& e) {
-      throw std::invalid_argument(scene.source + ": " + e.what());
-    }
+  check_apart(flags.file, scene.csv, scene.json, flags.checkpoint);
+  const std::optional<Truth> truth = stated_truth(scene);
+  std::optional<scene::SavedRun> from;
+  if (!flags.resume.empty()) from = saved_run(flags.resume, scene);
+  double saved = -1;  // the time of the last checkpoint [s]
+  scene::Saving saving;
+  if (from) saving.from = &*from;
+  if (!flags.checkpoint.empty())
+    saving.save = [&](const scene::SavedRun& run) {
+      write_whole(flags.checkpoint, scene::textOf(run));
+      saved = run.last.t;
+    };
   stop_on_signals();
-  for (const std::string& path : {scene.csv, scene.json})
+  for (const std::string& path : {scene.csv, scene.json, flags.checkpoint})
     if (!path.empty()) check_writable(path);
   std::optional<Progress> progress(std::in_place, scene.name);
   const scene::Run run = scene::run(
@@ -143,7 +161,7 @@ int run(const Flags& flags) {
         });
         return !stop_requested.load();
       },
-      !flags.no_estimate);
+      !flags.no_estimate, saving);
   progress.reset();
   const auto write_csv = [&] {
     if (!scene.csv.empty()) write_whole(scene.csv, csv_of(run));
@@ -160,6 +178,12 @@ int run(const Flags& flags) {
         fmt::format("warning: a step rotated by {:.3g} rad: beyond pi its result is meaningless; take a "
                     "smaller step\n",
                     run.largest_turn));
+  if (!flags.checkpoint.empty() && saved < run.outcome.t)
+    warn(fmt::format(
+        "warning: {} holds {}: no later state of {}, which uses Newton's method, can be resumed with "
+        "the same bits\n",
+        flags.checkpoint, saved < 0 ? "nothing" : fmt::format("the state at t = {:g} s", saved),
+        scene.integrator));
   print_early_end(scene, run);
   if (run.estimate) print_alarms(scene, *run.estimate);
   if (run.outcome.diverged || run.outcome.stopped) return incomplete;
@@ -179,6 +203,11 @@ Command scene_run_command(CLI::App& scene) {
       "saved");
   a.text("FILE", a->file, "SCENE", "the scene").required();
   a.text("--csv", a->csv, "FILE", "write the samples to FILE, not to the scene's file");
+  a.text(
+      "--checkpoint", a->checkpoint, "FILE",
+      "save the run to FILE about once a second and at its end or stop; not with quaternion_norm or flips");
+  a.text("--resume", a->resume, "FILE",
+         "continue the run of the checkpoint FILE, to the same bits as the whole run");
   a.toggle("--no-estimate", a->no_estimate, "leave out the estimate of the error");
   a.json(a->json, "write samples and figures to FILE, not to the scene's file");
   return a.runs(run);

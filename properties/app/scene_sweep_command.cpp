@@ -5,7 +5,7 @@
 #include <liecheck/scene/integrators/registry.hpp>
 #include <liecheck/scene_file/scene_file.hpp>
 #include <record/scenes.hpp>
-#include <scenes/benchmark.hpp>
+#include <scenes/stated_truth.hpp>
 #include <stdexcept>
 #include <support/progress.hpp>
 #include <support/stop.hpp>
@@ -43,6 +43,7 @@ std::vector<Benchmark> scenes_of(const std::vector<std::string>& files) {
     std::vector<std::string> warnings;
     const scene::Scene scene = loadScene(file, &warnings);
     print_warnings(warnings);
+    stated_truth(scene);
     try {
       scenes.push_back(benchmark_of(scene));
     } catch (const std::invalid_argument& e) {

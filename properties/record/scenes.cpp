@@ -121,10 +121,10 @@ json estimate_record(const scene::Estimate& e) {
             {"remedy", a.remedy},
             {"step", a.step > 0 ? json(a.step) : json()}};
   };
-  return {{"position", number(e.error.position)},
-          {"angle", number(e.error.angle)},
-          {"linear_velocity", number(e.error.linear_velocity)},
-          {"angular_velocity", number(e.error.angular_velocity)},
+  return {{"position", number_or_null(e.error.position)},
+          {"angle", number_or_null(e.error.angle)},
+          {"linear_velocity", number_or_null(e.error.linear_velocity)},
+          {"angular_velocity", number_or_null(e.error.angular_velocity)},
           {"accepted_position", e.accepted.position},
           {"accepted_angle", e.accepted.angle},
           {"order", e.order ? number(*e.order) : json()},

@@ -1,5 +1,6 @@
 #include <liecheck/scene/estimate.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <liecheck/scene/observers/energy.hpp>
@@ -91,6 +92,13 @@ class Estimator {
       result_.alarms.push_back({points_[0].state.t, "the error is unknown",
                                 "runs with longer and with shorter steps fail", smallerStep(10), advised_});
     checkConserved();
+    const bool compared = bool(*of);
+    const auto forget = [&](bool kind, double StateError::*position, double StateError::*velocity) {
+      if (!compared || std::ranges::find(linear_, kind) == linear_.end())
+        result_.error.*position = result_.error.*velocity = std::numeric_limits<double>::quiet_NaN();
+    };
+    forget(true, &StateError::position, &StateError::linear_velocity);
+    forget(false, &StateError::angle, &StateError::angular_velocity);
     return std::move(result_);
   }
 

@@ -37,6 +37,7 @@ struct Alarm {
 };
 
 struct Estimate {
+  /// An element of error is NaN if it was not measured: no twin reached the end, or the robot has no such coordinate.
   StateError error, accepted;   ///< accepted has no velocities
   std::optional<double> order;  ///< as observed; none if it was not
   std::string by;               ///< the twins, such as "steps of 3 h, 9 h"
