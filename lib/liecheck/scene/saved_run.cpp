@@ -1,4 +1,5 @@
 #include <liecheck/scene/saved_run.hpp>
+#include <liecheck/scene/setup.hpp>
 
 #include <bit>
 #include <charconv>
@@ -135,7 +136,12 @@ std::uint64_t digestOf(const Scene& scene) {
   digest.addAll(scene.q), digest.addAll(scene.v);
   digest.add(long(scene.around.ground)), digest.add(scene.around.height), digest.addAll(scene.around.normal);
   digest.add(scene.effects), digest.add(scene.observers);
+  for (const Shape& s : scene.around.shapes)
+    digest.add(s.body), digest.add(long(s.frame)), digest.add(long(s.type)), digest.add(s.X_FS), digest.addAll(s.size);
+  if (scene.around.mesh)
+    for (const auto& vertex : scene.around.mesh->vertices) digest.addAll(vertex);
   digest.add(scene.integrator), digest.add(scene.options.tolerance);
+  digest.add(long(scene.options.compensated.value_or(compensates(methodInfo(scene.integrator)))));
   digest.add(scene.span.duration), digest.add(scene.span.steps), digest.add(scene.span.every);
   return digest.value();
 }
@@ -161,9 +167,11 @@ SavedRun savedRunOf(const std::string& text, const Scene& scene) {
   r.getAll(run.memory);
   r.get(run.counts.steps), r.get(run.counts.rejected), r.get(run.counts.iterations), r.get(run.largest_turn);
   r.get(run.last), r.get(run.samples), r.get(run.sections);
+  const SavedState start = withSetup(scene, [](auto& setup) { return SavedState(0, setup.start); });
   const auto fits = [&](const SavedState& s) {
-    return s.step >= 0 && s.step <= scene.span.steps && s.q.size() == scene.q.size() &&
-           s.v.size() == scene.v.size() && s.q_low.size() == s.v.size() && s.v_low.size() == s.v.size();
+    return s.step >= 0 && s.step <= scene.span.steps && s.q.size() == start.q.size() &&
+           s.v.size() == start.v.size() && s.q_low.size() == start.q_low.size() &&
+           s.v_low.size() == start.v_low.size();
   };
   bool all = fits(run.last);
   for (const auto* states : {&run.samples, &run.sections})
