@@ -147,20 +147,30 @@ std::string peers(const Json& s) {
   for (const Json& p : s["peers"]) {
     const bool any = p["ours"] != "";
     rows.push_back({text_of(p, "scene"), text_of(p, "peer"), text_of(p, "integrator"), text_of(p, "measure"),
-                    dumped(p["points"]), any ? fmt::format("<b>{:.3f}</b>", figure(p["ratio"])) : "—",
+                    dumped(p["points"]), dumped(p["behind"]),
+                    any ? fmt::format("<b>{:.3f}</b> [{:.3f}, {:.3f}]", figure(p["ratio"]), figure(p["low"]),
+                                      figure(p["high"]))
+                        : "—",
                     any ? number(p["error"]) : "—", any ? code(p["ours"]) : "—",
                     p["unmatched"] ? "one of its points is more accurate than any of liecheck’s" : ""});
   }
   for (const Json& name : s["absent"])
-    rows.push_back(
-        {"all", escaped(name.get<std::string>()), "—", "—", "0", "—", "—", "—", "absent from this build"});
+    rows.push_back({"all", escaped(name.get<std::string>()), "—", "—", "0", "—", "—", "—", "—",
+                    "absent from this build"});
+  for (const Json& scene : s["scenes"])
+    for (const Json& l : scene["left_out"])
+      rows.push_back({text_of(scene, "scene"), text_of(l, "peer"), "—", "—", "0", "—", "—", "—", "—",
+                      "cannot run it: " + text_of(l, "why")});
   if (rows.empty()) return "";
   return table(
-      "Comparison with other simulators, without contact: liecheck’s time divided by the simulator’s time, "
-      "where liecheck’s error is no larger. The largest ratio over all points of the simulator is shown. "
-      "Below 1, liecheck is faster at every point",
-      {"scene", "simulator", "its method", "error of", "points", "liecheck’s time / its time", "at error",
-       "liecheck’s method", "remark"},
+      "Comparison with other simulators: liecheck’s time divided by the simulator’s time, where liecheck’s "
+      "error of "
+      "the named quantity is no larger. The largest ratio over all points of the simulator is shown, with "
+      "its 95 % "
+      "confidence interval. Below 1, liecheck is faster at every point; “behind” counts those where it is "
+      "not",
+      {"scene", "simulator", "its method", "error of", "points", "behind", "liecheck’s time / its time",
+       "at error", "liecheck’s method", "remark"},
       rows, true);
 }
 

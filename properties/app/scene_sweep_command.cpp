@@ -91,6 +91,22 @@ std::string time_at(const SweepSeries& s, double error) {
   return best > 0 ? fmt::format("{:.3g}", best / 1000) : "-";
 }
 
+/// All errors that the scene has, each with its measure.
+std::string errors_text(const MotionError& e) {
+  std::string text;
+  for (const ErrorMeasure& m : error_measures)
+    if (!std::isnan(e.*m.of)) text += fmt::format("{}{:.0e} ({})", text.empty() ? "" : ", ", e.*m.of, m.name);
+  return text;
+}
+
+/// The measure of leading().
+const char* leading_measure(const SceneSweep& s) {
+  for (const SweepSeries& series : s.series)
+    for (const SweepPoint& p : series.points)
+      if (!std::isnan(p.error.attitude)) return "attitude";
+  return "position";
+}
+
 std::string drift_text(const Drift& d) {
   return d.samples ? fmt::format("{:>9.1e} {:>8.1e}", d.slope, d.oscillation)
                    : fmt::format("{:>9} {:>8}", "-", "-");
@@ -122,9 +138,11 @@ void print_order(const OrderRow& row) {
 
 void print_scene(const SceneSweep& s) {
   fmt::print("\n{}: {}; {} s\n  truth: {}{}\n", s.scene.name, s.scene.what, s.scene.duration, s.truth,
-             s.closed ? ", a closed form" : fmt::format(", which agree to {:.0e}", s.disagreement));
-  fmt::print("  {:<30}{:>9}  {:<44}{:<20}{}\n", "", "smallest", "µs for each simulated second, error at most",
-             "energy, error 1e-3", "momentum");
+             s.closed ? ", a closed form" : ", which agree to " + errors_text(s.disagreement));
+  for (const LeftOut& l : s.left_out) fmt::print("  {} cannot run it: {}\n", l.peer, l.why);
+  fmt::print("  {:<30}{:>9}  {:<44}{:<20}{}\n", "", "smallest",
+             fmt::format("µs per simulated s, {} error at most", leading_measure(s)), "energy, error 1e-3",
+             "momentum");
   fmt::print("  {:<30}{:>9}{:>8}{:>9}{:>9}{:>9}{:>9}  {:>9} {:>8}  {:>9} {:>8}\n", "method", "error", "1e-2",
              "1e-4", "1e-6", "1e-8", "1e-10", "slope/s", "osc.", "slope/s", "osc.");
   for (const SweepSeries& series : s.series) {
@@ -167,13 +185,17 @@ void print_spins(const SceneSweepResult& r) {
 void print_peers(const SceneSweepResult& r) {
   if (r.peers.empty()) return;
   fmt::print(
-      "\nother simulators: liecheck's time over theirs, at an error that is no larger (the largest ratio of "
-      "all their points)\n");
+      "\nother simulators: liecheck's time over theirs, at an error that is no larger, by each measure of "
+      "the error: the\n"
+      "  largest ratio of all their points, with the 95 % confidence interval, and the number of points at "
+      "which liecheck\n"
+      "  is behind\n");
   for (const PeerComparison& c : r.peers)
-    fmt::print("  {:<14}{:<32}{:<17}{}{}\n", c.scene, c.peer + " " + c.integrator, c.measure,
-               c.ours.empty() ? ""
-                              : fmt::format("{:>6.3f} at {:.1e} by {}{}", c.ratio, c.error, c.ours,
-                                            c.unmatched ? "; " : ""),
+    fmt::print("  {:<14}{:<28}{:<17}{}{}\n", c.scene, c.peer + " " + c.integrator, c.measure,
+               c.ours.empty()
+                   ? ""
+                   : fmt::format("{:>6.3f} [{:.3f}, {:.3f}] at {:.1e} by {}, behind at {} of {}{}", c.ratio,
+                                 c.low, c.high, c.error, c.ours, c.behind, c.points, c.unmatched ? "; " : ""),
                c.unmatched ? "one of its points is more accurate than all of ours" : "");
 }
 

@@ -17,6 +17,13 @@ json drift_record(const Drift& d) {
   return {{"slope", number(d.slope)}, {"oscillation", number(d.oscillation)}};
 }
 
+json errors_record(const MotionError& e) {
+  return {{"attitude", number_or_null(e.attitude)},
+          {"position", number_or_null(e.position)},
+          {"angular_velocity", number_or_null(e.angular_velocity)},
+          {"linear_velocity", number_or_null(e.linear_velocity)}};
+}
+
 json point_record(const SweepPoint& p) {
   return {{"steps", p.steps > 0 ? p.steps : p.effort.steps},
           {"tolerance", p.effort.tolerance > 0 ? json(p.effort.tolerance) : json()},
@@ -58,15 +65,20 @@ json scene_record(const SceneSweep& s) {
           {"duration", s.scene.duration},
           {"truth", s.truth},
           {"closed", s.closed},
-          {"disagreement", number(s.disagreement)},
+          {"disagreement", errors_record(s.disagreement)},
+          {"left_out", list_of(s.left_out,
+                               [](const LeftOut& l) -> json {
+                                 return {{"peer", l.peer}, {"why", l.why}};
+                               })},
           {"series", list_of(s.series, series_record)},
           {"orders", list_of(s.orders, order_record)}};
 }
 
 json peer_record(const PeerComparison& c) {
-  return {{"scene", c.scene},         {"peer", c.peer},     {"integrator", c.integrator},
-          {"measure", c.measure},     {"points", c.points}, {"ratio", number(c.ratio)},
-          {"error", number(c.error)}, {"ours", c.ours},     {"unmatched", c.unmatched}};
+  return {{"scene", c.scene},         {"peer", c.peer},       {"integrator", c.integrator},
+          {"measure", c.measure},     {"points", c.points},   {"behind", c.behind},
+          {"ratio", number(c.ratio)}, {"low", number(c.low)}, {"high", number(c.high)},
+          {"error", number(c.error)}, {"ours", c.ours},       {"unmatched", c.unmatched}};
 }
 
 json spin_record(const LongSpin& s) {

@@ -22,18 +22,27 @@ struct Moment {
   std::vector<oracles::Real> q, v;
 };
 
+/// tau = clamp(stiffness (target - q) - damping v, +- limit) of one coordinate of v.
+struct Servo {
+  int v;
+  double stiffness, damping, target, limit;
+};
+
 struct Benchmark {
   std::string name, what;
   Model<double> robot;
   Eigen::VectorXd q0, v0;
   double duration = 1;  ///< [s]
-  /// All effects. The effects that a closed form can contain are repeated below: gravity in the world
-  /// [m/s^2]; stiffness, rest position and viscous damping of each coordinate [nv], empty if there is none.
+  /// All effects. Those that closed forms and other simulators have themselves are repeated below: gravity in
+  /// the world [m/s^2]; stiffness, rest position and viscous damping of each coordinate [nv], empty if there is none.
   std::function<scene::Effects<double>()> effects = [] { return scene::Effects<double>(); };
   std::function<scene::Effects<float128>()> effects_float128 = [] { return scene::Effects<float128>(); };
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();
   Eigen::VectorXd stiffness, rest, damping;
-  bool others = false;  ///< whether there are effects that are not repeated here
+  Eigen::VectorXd armature;               ///< of each coordinate [nv], empty if there is none
+  std::vector<Servo> servos;              ///< the effects `pd`
+  std::vector<std::string> effect_names;  ///< of effects(), in its order
+  bool others = false;                    ///< whether a closed form lacks some of the effects
   /// All effects and the surroundings as the scene describes them, for scenes/independent.hpp.
   std::vector<scene::Request> requests;
   scene::Surroundings around;

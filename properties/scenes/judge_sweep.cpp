@@ -32,44 +32,58 @@ std::vector<std::string> wrong_orders(const std::vector<SceneSweep>& all, std::s
 
 namespace {
 
-/// The shortest time in which liecheck's series reaches an error of at most `error`. Between two points, the
-/// time is interpolated (log-log). Returns 0 if no point has so small an error.
-double time_for(const SweepSeries& ours, double MotionError::*of, double error) {
-  double best = 0;
-  const auto offer = [&](double t) { best = best == 0 || t < best ? t : best; };
+/// The shortest time in which liecheck's series reaches an error of at most `error`, without repetitions if no point
+/// has so small an error. Between two points, the time is interpolated (log-log). `doubt` is added to its errors.
+Spread time_for(const SweepSeries& ours, double MotionError::*of, double error, double doubt) {
+  Spread best;
+  const auto offer = [&](const Spread& t) {
+    if (best.repetitions == 0 || t.median < best.median) best = t;
+  };
   const auto usable = [](const SweepPoint& p) { return p.diverged.empty() && p.time.repetitions > 0; };
   for (std::size_t k = 0; k < ours.points.size(); ++k) {
     const SweepPoint& p = ours.points[k];
     if (!usable(p)) continue;
-    const double fine = p.error.*of;
-    if (fine <= error) offer(p.time.median);
+    const double fine = p.error.*of + doubt;
+    if (fine <= error) offer(p.time);
     if (k == 0 || !usable(ours.points[k - 1]) || !(fine > 0) || !(error > 0)) continue;
     const SweepPoint& coarse = ours.points[k - 1];
-    const double a = std::log(coarse.error.*of), b = std::log(fine), e = std::log(error);
-    if (b <= e && e < a)
-      offer(std::exp(std::log(coarse.time.median) +
-                     (a - e) / (a - b) * std::log(p.time.median / coarse.time.median)));
+    const double a = std::log(coarse.error.*of + doubt), b = std::log(fine), e = std::log(error);
+    if (!(b <= e && e < a)) continue;
+    const double share = (a - e) / (a - b);
+    const auto between = [&](double from, double to) { return from * std::pow(to / from, share); };
+    Spread t = p.time;
+    t.median = between(coarse.time.median, t.median);
+    t.low = between(coarse.time.low, t.low), t.high = between(coarse.time.high, t.high);
+    offer(t);
   }
   return best;
 }
 
 PeerComparison compare(const SceneSweep& s, const SweepSeries& peer, const ErrorMeasure& measure) {
-  PeerComparison c{s.scene.name, peer.subject, peer.integrator, measure.name, 0, 0, 0, "", false};
+  PeerComparison c;
+  c.scene = s.scene.name, c.peer = peer.subject, c.integrator = peer.integrator, c.measure = measure.name;
+  const double known = s.disagreement.*measure.of, doubt = std::isfinite(known) ? known : 0;
   for (const SweepPoint& p : peer.points) {
     const double error = p.error.*measure.of;
-    if (!p.diverged.empty() || p.time.repetitions == 0 || !std::isfinite(error)) continue;
-    double best = 0;
+    if (!p.diverged.empty() || p.time.repetitions == 0 || !(error >= 10 * doubt && error <= 1)) continue;
+    Spread best;
     std::string by;
     for (const SweepSeries& ours : s.series) {
-      const double t = ours.subject == "liecheck" ? time_for(ours, measure.of, error) : 0;
-      if (t > 0 && (best == 0 || t < best)) best = t, by = ours.integrator;
+      if (ours.subject != "liecheck") continue;
+      const Spread t = time_for(ours, measure.of, error, doubt);
+      if (t.repetitions > 0 && (best.repetitions == 0 || t.median < best.median))
+        best = t, by = ours.integrator;
     }
     ++c.points;
-    if (best == 0) {
+    if (best.repetitions == 0) {
       c.unmatched = true;
-    } else if (best / p.time.median > c.ratio) {
-      c.ratio = best / p.time.median, c.error = error, c.ours = by;
+      continue;
     }
+    const double ratio = best.median / p.time.median;
+    c.behind += ratio > 1;
+    if (ratio > c.ratio)
+      c.ratio = ratio, c.low = best.low / p.time.high, c.high = best.high / p.time.low, c.error = error,
+      c.ours = by;
   }
   return c;
 }

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <liecheck/scene/integrators/registry.hpp>
 #include <limits>
-#include <scenes/confirm.hpp>
+#include <scenes/reference.hpp>
 #include <timing/benchmarks.hpp>
 
 namespace liecheck::properties {
@@ -18,51 +18,7 @@ double since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// The exact states at the start and at the end of each quarter.
-struct Exact {
-  std::string name;
-  bool closed = false;
-  double disagreement = 0;
-  std::vector<Moment> at;
-};
-
-/// Throws Stopped.
-Exact exact_of(const Benchmark& s, const std::atomic<bool>* stop) {
-  Exact e;
-  if (const auto truth = truth_of(s, stop)) {
-    e = {truth->name, truth->closed, truth->disagreement, {}};
-    for (long k = 0; k <= quarters; ++k) e.at.push_back(truth->at(s.duration * double(k) / double(quarters)));
-    return e;
-  }
-  // Gauss's method of order 12 in float128, with steps that are halved until two runs agree
-  const auto runner = make_runner(s, "gauss12", "float128");
-  runner->stop = stop;
-  const auto run = [&](long steps) {
-    std::vector<Moment> moments;
-    runner->run({steps, 0}, quarters, [&](double, const Moment& m) { moments.push_back(m); });
-    return moments;
-  };
-  std::vector<Moment> coarse;
-  for (long steps = 64;; steps *= 2) {
-    std::vector<Moment> fine;
-    try {
-      fine = run(steps);
-    } catch (const Diverged&) {
-      if (steps >= 4096) throw;
-      continue;
-    }
-    if (!coarse.empty()) {
-      const MotionError d = motion_error(s.robot, fine.back(), coarse.back());
-      if (d.leading() < 1e-20 || steps >= 4096) {
-        const Confirmed both = confirmed(s, fine, steps, stop);
-        return {both.name, false, std::max(both.disagreement, d.leading()), fine};
-      }
-    }
-    coarse = fine;
-  }
-}
-
-MotionError error_of_run(Runner& runner, const Benchmark& s, const Exact& exact, const Effort& effort,
+MotionError error_of_run(Runner& runner, const Benchmark& s, const Reference& exact, const Effort& effort,
                          long* made) {
   MotionError worst = MotionError::none();
   std::size_t k = 0;
@@ -87,7 +43,7 @@ struct Measured {
   double seconds = 0;
 };
 
-Measured measure(Runner& runner, const Benchmark& s, const Exact& exact, const Effort& effort) {
+Measured measure(Runner& runner, const Benchmark& s, const Reference& exact, const Effort& effort) {
   Measured m;
   m.point.effort = effort;
   try {
@@ -117,7 +73,8 @@ struct Line {
   std::vector<bool> timed;
 };
 
-void measure_line(Line& line, const Benchmark& s, const Exact& exact, const SceneSweepOptions& o) {
+void measure_line(Line& line, const Benchmark& s, const Reference& exact, const SceneSweepOptions& o,
+                  double longest) {
   std::vector<Effort> asked;
   if (line.series.adaptive) {
     for (double tolerance = 1e-2; tolerance > 1e-14; tolerance /= 10) asked.push_back({quarters, tolerance});
@@ -132,18 +89,30 @@ void measure_line(Line& line, const Benchmark& s, const Exact& exact, const Scen
   for (const Effort& effort : asked) {
     const Measured m = measure(*line.runner, s, exact, effort);
     line.series.points.push_back(m.point);
-    line.timed.push_back(m.point.diverged.empty() && m.seconds <= o.longest);
+    line.timed.push_back(m.point.diverged.empty() && m.seconds <= longest);
     if (m.point.diverged.empty()) {
       const double e = m.point.error.leading();
       no_better = e < 0.7 * smallest ? 0 : no_better + 1;
       smallest = std::min(smallest, e);
-      if (no_better >= 2 && smallest < 1e-6) line.series.at_floor = true;
+      if (no_better >= 2 && (smallest < 1e-6 || smallest < 10 * exact.disagreement.leading()))
+        line.series.at_floor = true;
     }
-    if (o.steps.empty() && (line.series.at_floor || m.seconds > o.longest)) break;
+    if (o.steps.empty() && (line.series.at_floor || m.seconds > longest)) break;
   }
 }
 
-OrderRow measure_order(const Benchmark& s, const Exact& exact, const scene::MethodInfo& method,
+/// Adds a line for each method of a peer, or says why the peer cannot run the scene.
+void add_peer(const Peer& peer, const Benchmark& s, std::vector<Line>& lines,
+              std::vector<LeftOut>& left_out) try {
+  if (const std::string why = peer.why_not(s); !why.empty()) throw std::invalid_argument(why);
+  for (const PeerMethod& m : peer.methods(s))
+    lines.push_back(
+        {{peer.name, peer.version, m.name, m.order, m.adaptive, {}, 0, false}, peer.make(s, m.name), {}});
+} catch (const std::invalid_argument& e) {
+  left_out.push_back({peer.name, e.what()});
+}
+
+OrderRow measure_order(const Benchmark& s, const Reference& exact, const scene::MethodInfo& method,
                        const SceneSweepOptions& o) {
   OrderRow row{method.name, method.order >= 4 ? "float128" : "double", method.order, false, {}, {}, {}};
   const double eps = row.scalar == "double" ? 0x1p-52 : 0x1p-112;
@@ -207,11 +176,11 @@ std::vector<SceneSweep> sweep_scenes(const std::vector<Benchmark>& scenes, const
     const auto progress = [&](double share, const std::string& what) {
       o.progress((double(i) + share) / double(scenes.size()), s.name + ", " + what);
     };
-    progress(0, "exact motion");
-    SceneSweep sweep{s, "", false, 0, {}, {}};
+    SceneSweep sweep{s, "", false, {}, {}, {}, {}};
     std::vector<Line> lines;
     try {
-      const Exact exact = exact_of(s, o.stop);
+      const Reference exact =
+          reference_of(s, quarters, o.stop, [&](const std::string& what) { progress(0, what); });
       sweep.truth = exact.name, sweep.closed = exact.closed, sweep.disagreement = exact.disagreement;
       for (const scene::MethodInfo& m : scene::methodInfos())
         if (runs(m, s))
@@ -219,16 +188,14 @@ std::vector<SceneSweep> sweep_scenes(const std::vector<Benchmark>& scenes, const
                            make_runner(s, m.name, "double"),
                            {}});
       if (o.peers)
-        for (const Peer& peer : peers())
-          for (const PeerMethod& m : peer.methods(s))
-            lines.push_back({{peer.name, peer.version, m.name, m.order, m.adaptive, {}, 0, false},
-                             peer.make(s, m.name),
-                             {}});
+        for (const Peer& peer : peers()) add_peer(peer, s, lines, sweep.left_out);
+      const double longest =
+          std::max(o.longest, o.seconds / double(4 * scenes.size() * lines.size() * o.repetitions));
       for (Line& line : lines) {
         progress(0.5 * double(&line - lines.data()) / double(lines.size()), line.series.integrator);
-        measure_line(line, s, exact, o);
+        measure_line(line, s, exact, o, longest);
       }
-      if (exact.closed || exact.disagreement < 1e-30)
+      if (exact.closed || exact.disagreement.leading() < 1e-30)
         for (const scene::MethodInfo& m : scene::methodInfos()) {
           if (!runs(m, s) || shown[m.name] >= o.order_scenes) continue;
           progress(0.5, std::string("order of ") + m.name);

@@ -1,16 +1,15 @@
 #pragma once
 // Measures the error, drift and time of integrators x steps on scenes.
 //
-// The error is the largest error at the ends of the four quarters of the duration. The reference is the exact
-// motion (truth.hpp) or, if none is known, liecheck's gauss12 in float128, confirmed by a second formulation
-// (confirm.hpp). The drift of energy and momentum uses at most 129 samples (drift.hpp). The time is processor
-// time per simulated second. The runs of all points of a scene are timed in random order
-// (timing/benchmarks.hpp).
+// Each of the four errors is the largest at the ends of the four quarters of the duration, against the exact motion or
+// against a reference of two runs that a second formulation confirms (reference.hpp). The drift of energy and momentum
+// uses at most 129 samples (drift.hpp). The time is processor time per simulated second. The runs of all
+// points of a scene are timed in random order (timing/benchmarks.hpp).
 
 #include <atomic>
-#include <scenes/peers/peer.hpp>
 #include <scenes/drift.hpp>
 #include <scenes/order.hpp>
+#include <scenes/peers/peer.hpp>
 #include <scenes/truth.hpp>
 #include <timing/cost.hpp>
 
@@ -46,13 +45,19 @@ struct OrderRow {
   ObservedOrder observed;
 };
 
+/// A peer that cannot run a scene.
+struct LeftOut {
+  std::string peer, why;
+};
+
 struct SceneSweep {
   Benchmark scene;
   std::string truth;  ///< name of the exact motion or of the reference
   bool closed = false;
-  double disagreement = 0;
+  MotionError disagreement{};  ///< of the two runs that make the reference; 0 for a closed form
   std::vector<SweepSeries> series;
   std::vector<OrderRow> orders;
+  std::vector<LeftOut> left_out;
 };
 
 struct SceneSweepOptions {
@@ -60,7 +65,7 @@ struct SceneSweepOptions {
   std::vector<long> steps;  ///< over the whole duration, multiples of 4; empty: from coarse to the floor
   std::size_t order_scenes = 1000;  ///< number of closed forms that must show a method's order; 0: none
   double order_seconds = 20;        ///< approximate limit for measuring one order [s]
-  double longest = 0.02;            ///< runs that take longer are not timed [s]
+  double longest = 0.02;            ///< runs that take longer are not timed [s], unless `seconds` allow it
   double seconds = 20;              ///< approximate time for all timing [s]; 0: no timing
   std::size_t repetitions = 11;
   bool peers = true;
@@ -77,12 +82,14 @@ std::vector<std::string> wrong_orders(const std::vector<SceneSweep>& all, std::s
 
 /// Compares liecheck with a peer on a scene by one of the error_measures. For each point of the peer, liecheck's
 /// time is its shortest time for an error that is no larger, interpolated between two points (log-log). `ratio`
-/// is the largest ratio of liecheck's time to the peer's time. If it is below 1, liecheck is faster at every
-/// compared point.
+/// is the largest ratio of liecheck's median time to the peer's. If it is below 1, liecheck is faster at every
+/// compared point. low and high are the ends of its 95 % confidence interval. Errors that the reference does not
+/// know (reference.hpp), and errors of more than 1 (a wrong motion), are not compared.
 struct PeerComparison {
   std::string scene, peer, integrator, measure;
   std::size_t points = 0;  ///< points of the peer that were compared
-  double ratio = 0;
+  std::size_t behind = 0;  ///< points at which liecheck's time is longer
+  double ratio = 0, low = 0, high = 0;
   double error = 0;        ///< of the peer, at the point of the largest ratio
   std::string ours;        ///< liecheck's integrator at that point
   bool unmatched = false;  ///< a point of the peer is more accurate than all of liecheck's

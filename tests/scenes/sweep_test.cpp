@@ -50,7 +50,7 @@ TEST(WrongOrders, NamesMethodsOfWrongOrderOrObservedInFewerThanThreeScenes) {
     r.observed.order = order, r.observed.halvings = halvings, r.observed.settled = halvings >= 5;
     return r;
   };
-  SceneSweep good{builtin("pendulum"), "", true, 0, {}, {row(2.05, 5)}};
+  SceneSweep good{builtin("pendulum"), "", true, {}, {}, {row(2.05, 5)}, {}};
   EXPECT_TRUE(wrong_orders({good, good, good}).empty());
   EXPECT_EQ(wrong_orders({good, good}).size(), 1U);
   SceneSweep off = good, coarse = good;
@@ -165,7 +165,7 @@ TEST(Peers, AreComparedWithOurFastestPointWhoseErrorIsNoLarger) {
     p.time.median = ns, p.time.repetitions = 9;
     return p;
   };
-  SceneSweep s{builtin("pendulum"), "", true, 0, {}, {}};
+  SceneSweep s{builtin("pendulum"), "", true, {}, {}, {}, {}};
   s.series.push_back({"liecheck", "", "rkmk4", 4, false, {point(1e-2, 10), point(1e-6, 100)}, 0, false});
   s.series.push_back(
       {"Other", "1", "RK4", 4, false, {point(1e-3, 400), point(2e-2, 40), point(1e-6, 120)}, 0, false});

@@ -10,7 +10,7 @@
 namespace liecheck::properties {
 namespace {
 
-constexpr const char* known[] = {"Bullet", "DART", "MuJoCo", "Simbody"};
+constexpr const char* known[] = {"Bullet", "DART", "MuJoCo", "ODE", "Simbody"};
 
 std::vector<Peer> load() {
   std::error_code error;

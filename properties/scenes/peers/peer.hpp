@@ -1,8 +1,11 @@
 #pragma once
 // Peers are other simulators that run our scenes. A peer that CMake does not find is absent.
 //
-// A peer is set up as its manual says, without contact and damping, and stepped through its public interface.
-// It can run scenes with one free body, or with a chain of revolute joints on the world.
+// A peer is set up as its manual says, and stepped through its public interface. It gets the same robot: any tree of
+// revolute, continuous and prismatic joints on the world or on a free root. Effects that it has itself, by the same
+// formula, are its own. It gets the forces of all others, such as contact, from liecheck's formulas (PeerLoad), at each
+// evaluation of its equations or, if it does not let them in there, once a step. So every simulator integrates the
+// same physics, and a peer's own contact is never measured.
 
 #include <Eigen/Geometry>
 #include <memory>
@@ -11,8 +14,12 @@
 
 namespace liecheck::properties {
 
-/// The bodies of a scene that peers can run; empty for any other.
+/// Why no peer can run the scene; "" if peers can.
+std::string why_no_peer(const Benchmark& scene);
+/// The bodies of a scene that peers can run.
 std::vector<PeerBody> peer_bodies(const Benchmark& scene);
+/// The forces of the scene's effects on joints and bodies, except those of the names in `own`; null if there are none.
+std::unique_ptr<PeerLoad> peer_load(const Benchmark& scene, const std::vector<std::string>& own);
 
 /// An integrator of a peer. An adaptive one takes a tolerance.
 struct PeerMethod {
@@ -23,8 +30,9 @@ struct PeerMethod {
 
 struct Peer {
   std::string name, version;
-  /// Returns the methods that can run the scene.
-  std::function<std::vector<PeerMethod>(const Benchmark&)> methods;
+  /// Returns why the peer cannot run the scene, or "".
+  std::function<std::string(const Benchmark&)> why_not;
+  std::function<std::vector<PeerMethod>(const Benchmark&)> methods;  ///< for a scene that it can run
   std::function<std::unique_ptr<Runner>(const Benchmark&, const std::string& method)> make;
 };
 
@@ -45,10 +53,11 @@ struct PeerModule {
     return &module;                                                                                         \
   }
 
-/// A runner with fixed steps. A peer implements reset, step and read.
+/// A runner with fixed steps. A peer implements reset, step and read. `own` are the effects that it has itself.
 class PeerRunner : public Runner {
  public:
-  explicit PeerRunner(const Benchmark& scene) : scene_(scene), bodies_(peer_bodies(scene)) {}
+  explicit PeerRunner(const Benchmark& scene, const std::vector<std::string>& own = {})
+      : scene_(scene), bodies_(peer_bodies(scene)), load_(peer_load(scene, own)) {}
   long run(const Effort& effort, long samples,
            const std::function<void(double, const Moment&)>& watch) override;
   void pass(const Effort& effort) override;
@@ -56,25 +65,14 @@ class PeerRunner : public Runner {
  protected:
   virtual void reset(double h) = 0;
   virtual void step() = 0;
+  /// Sets q and v, which have their sizes.
   virtual void read(Eigen::VectorXd& q, Eigen::VectorXd& v) const = 0;
   Moment moment() const;
   void advance(long steps);
 
   const Benchmark scene_;
   const std::vector<PeerBody> bodies_;
+  const std::unique_ptr<PeerLoad> load_;  ///< null if there are no such forces
 };
-
-/// The attitude R_WB in the configuration of a free body.
-inline Eigen::Quaterniond attitude_of(const Eigen::VectorXd& q) {
-  return Eigen::Quaterniond(q[6], q[3], q[4], q[5]);
-}
-/// Sets q and v of a free body from the position, attitude and world velocities of its frame.
-inline void set_free(Eigen::VectorXd& q, Eigen::VectorXd& v, const Eigen::Vector3d& p,
-                     const Eigen::Quaterniond& Q, const Eigen::Vector3d& velocity_W,
-                     const Eigen::Vector3d& omega_W) {
-  q.resize(7), v.resize(6);
-  q << p, Q.x(), Q.y(), Q.z(), Q.w();
-  v << Q.conjugate() * velocity_W, Q.conjugate() * omega_W;
-}
 
 }  // namespace liecheck::properties

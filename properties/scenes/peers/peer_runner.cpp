@@ -2,30 +2,8 @@
 
 namespace liecheck::properties {
 
-std::vector<PeerBody> peer_bodies(const Benchmark& s) {
-  const Model<double>& m = s.robot;
-  if (s.others || s.stiffness.size() || s.damping.size() || !m.armature.isZero(0)) return {};
-  std::vector<PeerBody> bodies;
-  for (std::size_t i = 1; i < m.joints.size(); ++i) {
-    const Inertia<double>& I = m.inertias[i];
-    if (m.parents[i] != int(i) - 1 || !m.jointPlacements[i].rotation().isIdentity(0) ||
-        !I.inertia().isDiagonal(0))
-      return {};
-    PeerBody b;
-    b.parent = int(i) - 2;
-    b.at = m.jointPlacements[i].translation();
-    b.mass = I.mass(), b.centre = I.lever(), b.moments = I.inertia().diagonal();
-    b.free = std::holds_alternative<FreeFlyer<double>>(m.joints[i]);
-    const auto* turning = std::get_if<Revolute<double>>(&m.joints[i]);
-    if (b.free ? i > 1 || !b.at.isZero(0) || m.njoints > 2 : !turning) return {};
-    if (turning) b.axis = turning->axis.to_vector();
-    bodies.push_back(b);
-  }
-  return bodies;
-}
-
 Moment PeerRunner::moment() const {
-  Eigen::VectorXd q, v;
+  Eigen::VectorXd q = scene_.q0, v = scene_.v0;
   read(q, v);
   if (!q.allFinite() || !v.allFinite()) throw Diverged("a number is no longer finite");
   Moment m;

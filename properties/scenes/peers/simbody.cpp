@@ -1,4 +1,5 @@
-// Simbody (Apache-2.0): generalized coordinates; Runge-Kutta pairs and Verlet, each with a given accuracy.
+// Simbody (Apache-2.0): generalized coordinates; Runge-Kutta pairs and Verlet, each with a given accuracy. Gravity is its
+// own; the other forces enter at each evaluation of its equations.
 // simbody_model.cpp is C++17, because in C++20 the operator== of Simbody's headers is ambiguous.
 
 #include <scenes/peers/make_peer.hpp>
@@ -11,7 +12,8 @@ class SimbodyRunner final : public PeerRunner {
  public:
   SimbodyRunner(const Benchmark& scene, const std::string& method)
       : PeerRunner(scene),
-        model_(make_simbody_model({bodies_, scene.gravity, scene.q0, scene.v0, scene.duration}, method)) {}
+        model_(make_simbody_model({bodies_, scene.gravity, scene.q0, scene.v0, scene.duration, load_.get()},
+                                  method)) {}
 
   long run(const Effort& effort, long samples,
            const std::function<void(double, const Moment&)>& watch) override {

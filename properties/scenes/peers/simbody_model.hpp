@@ -11,8 +11,9 @@ namespace liecheck::properties {
 struct SimbodyScene {
   std::vector<PeerBody> bodies;
   Eigen::Vector3d gravity;
-  Eigen::VectorXd q0, v0;  ///< free body: [p; x y z w], [u; omega] in its axes; chain: angles, rates
+  Eigen::VectorXd q0, v0;
   double duration;
+  PeerLoad* load;  ///< may be null; must outlive the model
 };
 
 class SimbodyModel {
