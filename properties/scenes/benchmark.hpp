@@ -34,7 +34,8 @@ struct Benchmark {
   Eigen::VectorXd q0, v0;
   double duration = 1;  ///< [s]
   /// All effects. Those that closed forms and other simulators have themselves are repeated below: gravity in
-  /// the world [m/s^2]; stiffness, rest position and viscous damping of each coordinate [nv], empty if there is none.
+  /// the world [m/s^2]; stiffness, rest position and viscous damping of each coordinate [nv], empty if there
+  /// is none.
   std::function<scene::Effects<double>()> effects = [] { return scene::Effects<double>(); };
   std::function<scene::Effects<float128>()> effects_float128 = [] { return scene::Effects<float128>(); };
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();

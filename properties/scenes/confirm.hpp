@@ -3,19 +3,18 @@
 
 #include <atomic>
 #include <scenes/benchmark.hpp>
+#include <scenes/truth.hpp>
 
 namespace liecheck::properties {
 
-struct Confirmed {
-  std::string name;         ///< of both references, or of one and why it is alone
-  double disagreement = 0;  ///< the largest of the four errors of one against the other; 0 if it is alone
+struct Confirmation {
+  std::string unconfirmed;  ///< why the second formulation has no motion; empty if it has
+  MotionError apart{};      ///< the largest errors of one against the other
 };
 
-/// `moments` are the states at the ends of equal parts of the duration, by gauss12 in float128 with `steps`
-/// steps. In maximal coordinates, the motion is integrated in long double, with 11 bits more than double.
-/// Throws std::invalid_argument if the two are not nearer to each other than gauss12 in double is to them,
-/// which is what a sweep compares; and Stopped.
-Confirmed confirmed(const Benchmark& scene, const std::vector<Moment>& moments, long steps,
-                    const std::atomic<bool>* stop);
+/// Compares `moments`, the states at the ends of equal parts of the duration, with maximal coordinates, which are
+/// integrated in long double, with 11 bits more than double, for at most a minute. Throws Stopped.
+Confirmation confirmation_of(const Benchmark& scene, const std::vector<Moment>& moments,
+                             const std::atomic<bool>* stop);
 
 }  // namespace liecheck::properties

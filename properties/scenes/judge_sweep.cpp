@@ -32,8 +32,9 @@ std::vector<std::string> wrong_orders(const std::vector<SceneSweep>& all, std::s
 
 namespace {
 
-/// The shortest time in which liecheck's series reaches an error of at most `error`, without repetitions if no point
-/// has so small an error. Between two points, the time is interpolated (log-log). `doubt` is added to its errors.
+/// The shortest time in which liecheck's series reaches an error of at most `error`, without repetitions if
+/// no point has so small an error. Between two points, the time is interpolated (log-log). `doubt` is added
+/// to its errors.
 Spread time_for(const SweepSeries& ours, double MotionError::*of, double error, double doubt) {
   Spread best;
   const auto offer = [&](const Spread& t) {
@@ -64,7 +65,8 @@ PeerComparison compare(const SceneSweep& s, const SweepSeries& peer, const Error
   c.scene = s.scene.name, c.peer = peer.subject, c.integrator = peer.integrator, c.measure = measure.name;
   const double known = s.disagreement.*measure.of, doubt = std::isfinite(known) ? known : 0;
   for (const SweepPoint& p : peer.points) {
-    const double error = p.error.*measure.of;
+    // Errors of 64 eps and less [m, rad, m/s, rad/s] are rounding errors, and count as equal.
+    const double error = std::max(p.error.*measure.of, 0x1p-46);
     if (!p.diverged.empty() || p.time.repetitions == 0 || !(error >= 10 * doubt && error <= 1)) continue;
     Spread best;
     std::string by;

@@ -3,10 +3,11 @@
 //
 // It is the exact motion (truth.hpp) if one is known. Otherwise it is a run that a second run confirms:
 //   - gauss12 in float128 with steps that are halved until two runs agree to 1e-20, or for about a minute;
-//   - if they agree to less than 1e-13, or float128 cannot solve the scene (stiff contact): gauss12 in double with
-//     steps that are halved as long as that helps, and dopri5 or radau5 with the tolerance that agrees best.
-// The disagreement of the two is measured for each error. An error below ten times the disagreement is not known, and
-// is not compared.
+//   - if they agree to less than 1e-13, or the scene has contact, joint limits or limited controllers: rkmk6 in
+//     double with steps that are halved as long as that helps, and dopri5 or radau5 with the tolerance that
+//     agrees best.
+// A second formulation confirms either (confirm.hpp). The disagreement of all is measured for each error. An error below ten times the disagreement is not
+// known, and is not compared.
 
 #include <scenes/runner.hpp>
 #include <scenes/truth.hpp>

@@ -207,6 +207,8 @@ std::vector<SceneSweep> sweep_scenes(const std::vector<Benchmark>& scenes, const
                       {o.seconds / double(scenes.size()), o.repetitions, o.stop,
                        [&](double share) { progress(0.6 + 0.4 * share, "times"); }});
     } catch (const Stopped&) {  // what was measured before is kept
+    } catch (const Diverged& e) {  // of the reference
+      sweep.truth = std::string("none: ") + e.what();
     }
     for (Line& line : lines)
       if (!line.series.points.empty()) sweep.series.push_back(std::move(line.series));

@@ -80,11 +80,12 @@ std::vector<SceneSweep> sweep_scenes(const std::vector<Benchmark>& scenes, const
 /// is right on fewer than `scenes` closed forms. Closed forms for which the method is exact do not count.
 std::vector<std::string> wrong_orders(const std::vector<SceneSweep>& all, std::size_t scenes = 3);
 
-/// Compares liecheck with a peer on a scene by one of the error_measures. For each point of the peer, liecheck's
-/// time is its shortest time for an error that is no larger, interpolated between two points (log-log). `ratio`
-/// is the largest ratio of liecheck's median time to the peer's. If it is below 1, liecheck is faster at every
-/// compared point. low and high are the ends of its 95 % confidence interval. Errors that the reference does not
-/// know (reference.hpp), and errors of more than 1 (a wrong motion), are not compared.
+/// Compares liecheck with a peer on a scene by one of the error_measures. For each point of the peer,
+/// liecheck's time is its shortest time for an error that is no larger, interpolated between two points
+/// (log-log). `ratio` is the largest ratio of liecheck's median time to the peer's. If it is below 1,
+/// liecheck is faster at every compared point. low and high are the ends of its 95 % confidence interval.
+/// Errors that the reference does not know (reference.hpp), and errors of more than 1 (a wrong motion), are
+/// not compared.
 struct PeerComparison {
   std::string scene, peer, integrator, measure;
   std::size_t points = 0;  ///< points of the peer that were compared

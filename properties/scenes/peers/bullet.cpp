@@ -1,5 +1,6 @@
-// Bullet in double precision (zlib licence). A free body is a btRigidBody with implicit or explicit gyroscopic terms; any
-// other robot is a btMultiBody (Featherstone's algorithm). Both have frames C of principal axes at the centres of mass.
+// Bullet in double precision (zlib licence). A free body is a btRigidBody with implicit or explicit
+// gyroscopic terms; any other robot is a btMultiBody (Featherstone's algorithm). Both have frames C of
+// principal axes at the centres of mass.
 //
 // Gravity is its own. It gets all other forces once a step, also in its RK4.
 

@@ -5,7 +5,8 @@
 
 namespace liecheck::properties {
 
-/// A peer with its methods for one free body and for other robots. `armature`: whether it has the inertia of motors.
+/// A peer with its methods for one free body and for other robots. `armature`: whether it has the inertia of
+/// motors.
 inline Peer make_peer(decltype(Peer::make) make, const std::string& name, const std::string& version,
                       const std::vector<PeerMethod>& for_free, const std::vector<PeerMethod>& for_others,
                       bool armature = false) {

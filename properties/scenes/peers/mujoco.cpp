@@ -1,7 +1,7 @@
 // MuJoCo (Apache-2.0): generalized coordinates; semi-implicit Euler, RK4, and Euler implicit in the velocity.
 //
-// Gravity, armature, damping, springs and PD controllers (as actuators) are its own. The other forces enter in its
-// callback for passive forces, at each evaluation of its equations.
+// Gravity, armature, damping, springs and PD controllers (as actuators) are its own. The other forces enter
+// in its callback for passive forces, at each evaluation of its equations.
 
 #include <mujoco/mujoco.h>
 
@@ -76,7 +76,9 @@ class MujocoRunner final : public PeerRunner {
       const int joint = model_->body_jntadr[id];
       at_.push_back({id, model_->jnt_qposadr[joint], model_->jnt_dofadr[joint]});
     }
-    if (load_) mjcb_passive = [](const mjModel*, mjData*) { running_->add_forces(); };
+    mjcb_passive = [](const mjModel*, mjData*) {
+      if (running_) running_->add_forces();
+    };
   }
 
  protected:
@@ -98,8 +100,9 @@ class MujocoRunner final : public PeerRunner {
     }
   }
   void step() override {
-    running_ = this;
+    running_ = load_ ? this : nullptr;
     mj_step(model_.get(), data_.get());
+    running_ = nullptr;  // MuJoCo makes a step of its own when it compiles a model
   }
   void read(Eigen::VectorXd& q, Eigen::VectorXd& v) const override {
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
@@ -120,7 +123,6 @@ class MujocoRunner final : public PeerRunner {
   };
   /// MuJoCo calls it when positions and velocities of all bodies are known.
   void add_forces() {
-    if (!load_) return;
     load_->t = data_->time;
     read(load_->q, load_->v);
     for (std::size_t i = 0; load_->poses && i < bodies_.size(); ++i) {

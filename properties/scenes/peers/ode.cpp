@@ -1,10 +1,12 @@
-// Open Dynamics Engine (BSD-3-Clause or LGPL-2.1): bodies in maximal coordinates, joints by constraints that dWorldStep
-// solves directly; semi-implicit Euler. Its bodies have the axes of B and their origins at the centres of mass.
+// Open Dynamics Engine (BSD-3-Clause or LGPL-2.1): bodies in maximal coordinates, joints by constraints that
+// dWorldStep solves directly; semi-implicit Euler. Its bodies have the axes of B and their origins at the
+// centres of mass.
 //
 // Gravity is its own. It gets all other forces once a step.
 
 #include <ode/ode.h>
 
+#include <algorithm>
 #include <scenes/peers/make_peer.hpp>
 
 namespace liecheck::properties {
@@ -40,6 +42,7 @@ class OdeRunner final : public PeerRunner {
     if (load_) add_forces();
     dWorldStep(world_, h_);
     time_ += h_;
+    check();
   }
   void read(Eigen::VectorXd& q, Eigen::VectorXd& v) const override {
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
@@ -111,6 +114,16 @@ class OdeRunner final : public PeerRunner {
       dBodySetPosition(id, p[0], p[1], p[2]), dBodySetQuaternion(id, o);
       dBodySetLinearVel(id, u[0], u[1], u[2]), dBodySetAngularVel(id, s.w[0], s.w[1], s.w[2]);
       dBodySetForce(id, 0, 0, 0), dBodySetTorque(id, 0, 0, 0);
+    }
+  }
+  /// ODE ends the program when a number is no longer finite. Speeds square at most in one step, so these are
+  /// caught before.
+  void check() const {
+    for (const dBodyID id : ids_) {
+      const dReal *u = dBodyGetLinearVel(id), *w = dBodyGetAngularVel(id);
+      const double largest = std::max(
+          {std::abs(u[0]), std::abs(u[1]), std::abs(u[2]), std::abs(w[0]), std::abs(w[1]), std::abs(w[2])});
+      if (!(largest < 1e30)) throw Diverged("speeds grow beyond 1e30");
     }
   }
   void add_joint(std::size_t i) {

@@ -1,11 +1,11 @@
 #pragma once
 // Peers are other simulators that run our scenes. A peer that CMake does not find is absent.
 //
-// A peer is set up as its manual says, and stepped through its public interface. It gets the same robot: any tree of
-// revolute, continuous and prismatic joints on the world or on a free root. Effects that it has itself, by the same
-// formula, are its own. It gets the forces of all others, such as contact, from liecheck's formulas (PeerLoad), at each
-// evaluation of its equations or, if it does not let them in there, once a step. So every simulator integrates the
-// same physics, and a peer's own contact is never measured.
+// A peer is set up as its manual says, and stepped through its public interface. It gets the same robot: any
+// tree of revolute, continuous and prismatic joints on the world or on a free root. Effects that it has
+// itself, by the same formula, are its own. It gets the forces of all others, such as contact, from
+// liecheck's formulas (PeerLoad), at each evaluation of its equations or, if it does not let them in there,
+// once a step. So every simulator integrates the same physics, and a peer's own contact is never measured.
 
 #include <Eigen/Geometry>
 #include <memory>
@@ -18,7 +18,8 @@ namespace liecheck::properties {
 std::string why_no_peer(const Benchmark& scene);
 /// The bodies of a scene that peers can run.
 std::vector<PeerBody> peer_bodies(const Benchmark& scene);
-/// The forces of the scene's effects on joints and bodies, except those of the names in `own`; null if there are none.
+/// The forces of the scene's effects on joints and bodies, except those of the names in `own`; null if there
+/// are none.
 std::unique_ptr<PeerLoad> peer_load(const Benchmark& scene, const std::vector<std::string>& own);
 
 /// An integrator of a peer. An adaptive one takes a tolerance.
@@ -53,7 +54,8 @@ struct PeerModule {
     return &module;                                                                                         \
   }
 
-/// A runner with fixed steps. A peer implements reset, step and read. `own` are the effects that it has itself.
+/// A runner with fixed steps. A peer implements reset, step and read. `own` are the effects that it has
+/// itself.
 class PeerRunner : public Runner {
  public:
   explicit PeerRunner(const Benchmark& scene, const std::vector<std::string>& own = {})

@@ -7,8 +7,8 @@
 
 namespace liecheck::properties {
 
-/// A body and its parent (-1: the world). The root may be free; other bodies rotate about, or move along, `axis`
-/// (unit, in the body's frame).
+/// A body and its parent (-1: the world). The root may be free; other bodies rotate about, or move along,
+/// `axis` (unit, in the body's frame).
 struct PeerBody {
   enum class Joint { free, revolute, prismatic };
   int parent = -1;
@@ -47,8 +47,8 @@ struct PeerBody {
   }
 };
 
-/// The forces of the effects that a peer does not have itself, by liecheck's formulas. The peer sets t, q and v, calls
-/// see() for each body if `poses`, then evaluate(), and applies tau and the wrenches on the bodies.
+/// The forces of the effects that a peer does not have itself, by liecheck's formulas. The peer sets t, q and
+/// v, calls see() for each body if `poses`, then evaluate(), and applies tau and the wrenches on the bodies.
 class PeerLoad {
  public:
   virtual ~PeerLoad() = default;

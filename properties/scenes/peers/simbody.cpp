@@ -1,6 +1,6 @@
-// Simbody (Apache-2.0): generalized coordinates; Runge-Kutta pairs and Verlet, each with a given accuracy. Gravity is its
-// own; the other forces enter at each evaluation of its equations.
-// simbody_model.cpp is C++17, because in C++20 the operator== of Simbody's headers is ambiguous.
+// Simbody (Apache-2.0): generalized coordinates; Runge-Kutta pairs and Verlet, each with a given accuracy.
+// Gravity is its own; the other forces enter at each evaluation of its equations. simbody_model.cpp is C++17,
+// because in C++20 the operator== of Simbody's headers is ambiguous.
 
 #include <scenes/peers/make_peer.hpp>
 #include <scenes/peers/simbody_model.hpp>
