@@ -6,8 +6,8 @@
 //   - if they agree to less than 1e-13, or the scene has contact, joint limits or limited controllers: rkmk6 in
 //     double with steps that are halved as long as that helps, and dopri5 or radau5 with the tolerance that
 //     agrees best.
-// A second formulation confirms either (confirm.hpp). The disagreement of all is measured for each error. An error below ten times the disagreement is not
-// known, and is not compared.
+// A second formulation confirms either (confirm.hpp). The disagreement of all is measured for each error. An
+// error below ten times the disagreement is not known, and is not compared.
 
 #include <scenes/runner.hpp>
 #include <scenes/truth.hpp>

@@ -38,25 +38,27 @@ class Load final : public PeerLoad {
   }
   void see(std::size_t body, const Eigen::Matrix3d& R, const Eigen::Vector3d& p, const Eigen::Vector3d& u_W,
            const Eigen::Vector3d& w_W) override {
-    const Eigen::Vector3d u = R.transpose() * u_W, w = R.transpose() * w_W;
     X_[body + 1] = SE3<double>(Matrix3<double>(R), Vector3<double>(p));
-    V_[body + 1] = Motion<double>(u[0], u[1], u[2], w[0], w[1], w[2]);
+    V_[body + 1] = Motion<double>(Vector3<double>(u_W), Vector3<double>(w_W));
   }
   void evaluate() override {
     const auto span = [](auto& x) { return std::span(x.data(), std::size_t(x.size())); };
-    const scene::Now<double> now{t, t, span(std::as_const(q)), span(std::as_const(v)), X_, V_, {}, nullptr};
+    const scene::Now<double> now{t, t, span(std::as_const(q)), span(std::as_const(v)), X_, {V_, X_, true}, {}, nullptr};
     tau.setZero();
     if (bodies_) f_.assign(f_.size(), Force<double>::Zero());
     for (const auto& e : effects_) e->add(now, {span(tau), f_});
     if (!bodies_) return;
-    if (free_root_) f_[1] = f_[1] + Force<double>(Vector6<double>(tau.head<6>())), tau.head<6>().setZero();
+    if (free_root_) {
+      const Eigen::Matrix3d& R = X_[1].rotation();
+      f_[1] = f_[1] + Force<double>(Vector3<double>(R * tau.head<3>()), Vector3<double>(R * tau.segment<3>(3)));
+      tau.head<6>().setZero();
+    }
     for (std::size_t i = 1; i < f_.size(); ++i) {
       Wrench& w = wrenches[i - 1];
       w.acts = !(f_[i].linear().isZero(0) && f_[i].angular().isZero(0));
       if (!w.acts) continue;
-      const Eigen::Matrix3d& R = X_[i].rotation();
-      const Eigen::Vector3d f = f_[i].linear(), n = f_[i].angular(), c = robot_.inertias[i].lever();
-      w.force = R * f, w.moment = R * (n - c.cross(f));
+      const Eigen::Vector3d f = f_[i].linear(), arm = X_[i].rotation() * robot_.inertias[i].lever();
+      w.force = f, w.moment = f_[i].angular() - arm.cross(f);
     }
   }
 
