@@ -130,7 +130,7 @@ TEST(SceneFile, AnInvalidSceneIsRefusedWithFileLineAndRemedy) {
       {6, "observers: [imu: {frame: body, seed: 1.5}]",
        "s.yaml:6: imu.seed is not a whole number up to 9e15"},
       {6, "observer: [energy]",
-       "s.yaml:6: the scene has no key 'observer', the nearest are 'observers', 'scene' and 'accuracy'"},
+       "s.yaml:6: the scene has no key 'observer', the nearest are 'observers', 'scene' and 'shapes'"},
       {7, "duration: 2 s", "s.yaml:7: key 'duration' of the scene is given twice: keep one"},
       {7, "truth: [a", "s.yaml:8: is not YAML: end of sequence flow not found"},
       {7, "actuation: [pd: {stiffness: 1}]", "s.yaml:7: pd needs 'damping' [N m s/rad|N s/m]: d"},
@@ -153,7 +153,7 @@ TEST(SceneFile, AnInvalidSceneIsRefusedWithFileLineAndRemedy) {
       {1, "robot: {urdf: none.urdf}",
        "s.yaml:1: robot.urdf: " + (scenes / "none.urdf").lexically_normal().string() +
            ": cannot be opened (No such file or directory)"},
-      {1, "robot: {urdf: chain.urdf, body: box}", "s.yaml:1: robot needs one of 'urdf' and 'body'"},
+      {1, "robot: {urdf: chain.urdf, body: box}", "s.yaml:1: robot needs one of 'urdf', 'body' and 'bodies'"},
       {1, "robot: box", "s.yaml:1: robot is a map: {body: box, size: [1, 1, 1]} or {urdf: FILE}"},
       {1, "robot: {body: box, size: [1, 2, 3], root: flying}",
        "s.yaml:1: robot.root is 'flying', the nearest are 'fixed', 'planar' and 'continuous'"},
