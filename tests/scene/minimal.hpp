@@ -120,6 +120,7 @@ class TreeByHand {
     q_ = VectorX<double>(model.nq);
     for (VectorX<double>* x : {&delta_, &w_, &dv_, &K_[0], &K_[1], &K_[2], &K_[3], &A_[0], &A_[1], &A_[2], &A_[3]})
       *x = VectorX<double>::Zero(model.nv);
+    moved_ = stiffness > 0;
     root_ = model.nq - model.nv == 1 ? 6 : 0;
     margins_ = signs_ = std::vector<double>(std::size_t(model.nv) + contact.feet.size());
     q_before_ = q_, v_before_ = w_;
@@ -164,6 +165,7 @@ class TreeByHand {
   }
   void accelerate(const VectorX<double>& q_at, const VectorX<double>& v_at, VectorX<double>& a) {
     algorithms_detail::bodiesInWorldAxes<double>(model, data_, q_at, v_at);
+    if (!moved_) return finish(a);
     const int more = root_ / 6;
     for (int k = root_; k < model.nv; ++k) {
       const double limit = model.effortLimit[k];
@@ -187,6 +189,9 @@ class TreeByHand {
       const Vector3<double> f(-drag * u[0], -drag * u[1], normal);
       f_[joint] = Force<double>(f, cross<double>(arm, f));
     }
+    finish(a);
+  }
+  void finish(VectorX<double>& a) {
     algorithms_detail::articulatedBodies<double>(model, data_, tau_, contact_.feet.empty() ? External<double>() : External<double>(f_), true);
     a = data_.ddq.write(Level::Velocity);
   }
@@ -198,6 +203,7 @@ class TreeByHand {
   VectorX<double> q_before_, v_before_, tau_, q_, delta_, w_, dv_, K_[4], A_[4];
   std::vector<Force<double>> f_;
   int root_;
+  bool moved_;  ///< whether forces act
 };
 
 }  // namespace liecheck::test

@@ -35,6 +35,7 @@ constexpr Case cases[] = {
      "robot: {body: body, mass: 2, moments: [0.5, 0.75, 1]}\n"
      "initial: {velocity: [-0.5, -0.25, 0], angular_velocity: [0.25, 0.5, -0.5]}\n"
      "effects: [gravity, {drag: {frame: body, linear: 0.1, quadratic: 0.2}}]\n"},
+    {"floating", "robot: {urdf: URDF, root: free_flyer}\ninitial: {velocity: [1, 2, 3], angular_velocity: [3, 1, 2]}\n"},
     {"arm",
      "robot: {urdf: URDF, root: fixed}\n"
      "effects: [gravity, {joint_damping: {coefficient: 0.5}}]\n"
@@ -121,9 +122,10 @@ void byHand(const scene::Scene& s, const std::string& name, long steps, double h
   }
   Model<double> model = s.model;
   model.gravity = Vector3<double>(0, 0, -9.81), model.armature.setZero();
-  const int joints = model.nv - (name == "standing" ? 6 : 0);
-  test::TreeByHand robot(model, VectorX<double>::Constant(joints, name == "standing" ? 0 : 0.3), 80, 3,
-                         name == "standing" ? 0.01 : 0.5, contact);
+  if (name == "floating") model.gravity.setZero();
+  const bool stands = name == "standing";
+  test::TreeByHand robot(model, VectorX<double>::Constant(model.nv, stands ? 0 : 0.3), name == "floating" ? 0 : 80, 3,
+                         stands ? 0.01 : 0.5, contact);
   robot.q = s.q, robot.v = s.v;
   loop(robot, steps, h);
   show(robot.q, robot.v);

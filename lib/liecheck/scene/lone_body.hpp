@@ -75,7 +75,7 @@ class LoneBody {
   [[gnu::noinline]] void load(const S& t, const Configuration& q, const Tangent& v) {
     if constexpr (moves) {
       if (!readsConfiguration()) return;
-      kept_ = {};
+      kept_.drop();
       Force<S> F(terms_.force_B, Vector3<S>::Zero());
       const Matrix3<S> R = matrixOf<S>(quaternionOf(q));
       if (!effects_.empty()) {

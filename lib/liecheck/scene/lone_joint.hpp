@@ -66,7 +66,7 @@ class LoneJoint {
   /// Sums the forces of all effects.
   [[gnu::noinline]] void load(const S& t, const Configuration& q, const Tangent& v) {
     if (!reads_) return;
-    kept_ = {}, tau_ = S(0);
+    kept_.drop(), tau_ = S(0);
     const Now<S> now{t, pieces().at(t), {q.data(), 1}, {v.data(), 1}, {}, {}, {}, &switches()};
     switches().restart();
     for (const auto& e : tree_.effects()) e->add(now, {{&tau_, 1}, {}});

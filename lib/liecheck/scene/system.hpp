@@ -74,6 +74,7 @@ template <class S, class Configuration, class Tangent>
 class Kept {
  public:
   void keep(const S& t, const Configuration& q, const Tangent& v) { kept_ = true, t_ = t, q_ = q, v_ = v; }
+  void drop() { kept_ = false; }
   bool take(const S& t, const Configuration& q, const Tangent& v) {
     return std::exchange(kept_, false) && t == t_ && q == q_ && v == v_;
   }

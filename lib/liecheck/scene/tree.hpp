@@ -67,10 +67,10 @@ class Tree {
       move(q, v);
       now.X_WJ = data_.oMi(), now.V = {data_.work.velocity, now.X_WJ, true};
     }
-    kept_ = {};
+    kept_.drop();
     switches_.restart();
     tau_.setZero();
-    if (bodies_) f_.assign(f_.size(), Force<S>::Zero());
+    if (bodies_) std::fill(f_.begin(), f_.end(), Force<S>::Zero());
     for (const auto& e : effects_) e->add(now, {{tau_.data(), size(tau_)}, f_});
   }
   /// Computes the poses and twists that effects and equations share.
@@ -136,7 +136,7 @@ class Tree {
   }
   Now<S> here(const S& t, const Configuration& q, const Tangent& v, Kinematics kinematics,
               const Tangent* a = nullptr) {
-    moved_ = false, kept_ = {};
+    moved_ = false, kept_.drop();
     if (a)
       forwardKinematics(model_, data_, q, v, *a);
     else if (kinematics == Kinematics::Poses)

@@ -132,7 +132,7 @@ class Contact final : public Effect<S> {
 
   /// Calls f(joint, distance of the lowest point and normal of the ground, contact point in the world).
   template <class F>
-  void forEachTouch(const Now<S>& now, F f) const {
+  [[gnu::always_inline]] void forEachTouch(const Now<S>& now, F f) const {
     for (const Ball& ball : balls_) {
       const Vector3<S> p = now.X_WJ[ball.joint].act(ball.p_J);
       Near<S> at = terrain_ ? terrain_->near(p, ball.r) : Near<S>{S(n_.dot(p) - offset_), n_};
@@ -147,7 +147,7 @@ class Contact final : public Effect<S> {
       f(rim.joint, Near<S>{S(n_.dot(c) - offset_ - rim.R * s), n_}, Vector3<S>(c - S(rim.R / s) * d));
     }
   }
-  void press(const Now<S>& now, const Load<S>& load, std::size_t joint, const Near<S>& at,
+  [[gnu::always_inline]] void press(const Now<S>& now, const Load<S>& load, std::size_t joint, const Near<S>& at,
              const Vector3<S>& p) const {
     const S depth = -at.distance;
     const bool deep = depth > S(0);

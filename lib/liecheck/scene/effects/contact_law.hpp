@@ -36,14 +36,14 @@ inline std::vector<Key> contactKeys(std::vector<Key> own) {
 
 /// The velocity of the point p of a joint's body, and the body's angular velocity w, in the world.
 template <Scalar S>
-Vector3<S> velocityAt(const Now<S>& now, std::size_t joint, const Vector3<S>& p, Vector3<S>& w) {
+[[gnu::always_inline]] inline Vector3<S> velocityAt(const Now<S>& now, std::size_t joint, const Vector3<S>& p, Vector3<S>& w) {
   const Motion<S> V = now.V.inWorld(joint);
   w = V.angular();
   return V.linear() + cross<S>(w, Vector3<S>(p - now.X_WJ[joint].translation()));
 }
 /// Adds a force f at p, and a moment, to a joint's body, both in the world.
 template <Scalar S>
-void pressAt(const Now<S>& now, const Load<S>& load, std::size_t joint, const Vector3<S>& p,
+[[gnu::always_inline]] inline void pressAt(const Now<S>& now, const Load<S>& load, std::size_t joint, const Vector3<S>& p,
              const Vector3<S>& f, const Vector3<S>& moment) {
   const Vector3<S> arm = p - now.X_WJ[joint].translation();
   load.f[joint] = load.f[joint] + Force<S>(f, Vector3<S>(moment + cross<S>(arm, f)));
@@ -75,7 +75,7 @@ class ContactLaw {
   /// The force acts while this is above 0: while A and B overlap and do not part faster than 1/c.
   S acts(const S& depth, const S& parting) const { return std::min(depth, S(S(1) - c_ * parting)); }
   /// The force f and the moment on body A.
-  void force(const S& depth, const Vector3<S>& n, const Vector3<S>& u, const Vector3<S>& w, Vector3<S>& f,
+  [[gnu::always_inline]] void force(const S& depth, const Vector3<S>& n, const Vector3<S>& u, const Vector3<S>& w, Vector3<S>& f,
              Vector3<S>& moment) const {
     using std::sqrt;
     const S parting = n.dot(u), normal = pressed(depth) * (S(1) - c_ * parting);

@@ -50,7 +50,7 @@ struct Now {
   std::span<const Motion<S>> A;
   Switches<S>* switches = nullptr;
   std::span<const S> a = {};
-  bool on(const S& g) const { return next(1)(0, g); }
+  [[gnu::always_inline]] bool on(const S& g) const { return next(1)(0, g); }
   /// The next `count` switching functions, for an effect that has many.
   typename Switches<S>::Next next(std::size_t count) const {
     return switches ? switches->next(count) : typename Switches<S>::Next();

@@ -25,7 +25,7 @@ class PdControl final : public Effect<S> {
   PdControl(const Parameters& p, const Model<S>& model, const Surroundings&)
       : law_(p, "pd", positions(model, p.names("joints")).size()) {
     for (const Coordinate& c : positions(model, p.names("joints")))
-      terms_.push_back({c, terms_.size(), model.effortLimit[c.v]});
+      terms_.push_back({c, terms_.size(), law_.constant() ? law_.target(terms_.size()) : S(0), model.effortLimit[c.v]});
     const auto free = std::stable_partition(terms_.begin(), terms_.end(),
                                             [](const Term& j) { return finite<S>(j.limit); });
     limited_ = std::size_t(free - terms_.begin());
@@ -36,21 +36,16 @@ class PdControl final : public Effect<S> {
     // Copies in registers, since a store to tau could change what the members and spans refer to.
     const S k = law_.stiffness(), d = law_.damping(), *q = now.q.data(), *v = now.v.data();
     if (law_.constant())
-      addAll(now, load, [=, this](const Term& j) {
-        return S(k * (law_.target(j.index) - q[j.at.q]) - d * v[j.at.v]);
-      });
+      addAll(now, load, [=](const Term& j) { return S(k * (j.target - q[j.at.q]) - d * v[j.at.v]); });
     else
       addAll(now, load, [&](const Term& j) { return law_(now, j.index, q[j.at.q], v[j.at.v]); });
-    }
-    for (std::size_t n = limited; n < all; ++n, ++j)
-      tau[j->at.v] += k * (j->target - q[j->at.q]) - d * v[j->at.v];
   }
 
  private:
   struct Term {
     Coordinate at;
     std::size_t index;  ///< of its target
-    S limit;
+    S target, limit;    ///< target: if it is constant
   };
   template <class F>
   [[gnu::always_inline]] void addAll(const Now<S>& now, const Load<S>& load, F wanted) const {
