@@ -1,3 +1,4 @@
+#include <liecheck/scene/scene.hpp>
 #include <scenes/liecheck_runner.hpp>
 
 namespace liecheck::properties {
@@ -10,13 +11,17 @@ extern template std::unique_ptr<Runner> liecheck_runner<Float128Tree>(const Benc
 
 std::unique_ptr<Runner> make_runner(const Benchmark& scene, const std::string& method,
                                     const std::string& scalar) {
-  const bool lone = scene::LoneBody<double>::fits(scene.robot);
+  using scene::SystemKind;
+  const SystemKind kind = scene::kindOf(scene.robot, scene.effects(), method);
   if (scalar == "float128") {
-    const auto make = lone ? liecheck_runner<Float128LoneBody> : liecheck_runner<Float128Tree>;
+    const auto make = kind >= SystemKind::LoneBody ? liecheck_runner<Float128LoneBody> : liecheck_runner<Float128Tree>;
     return make(scene, method, scene.effects_float128());
   }
   if (scalar != "double") throw std::invalid_argument("a scene runs in double or float128, not in " + scalar);
-  const auto make = lone ? liecheck_runner<scene::LoneBody<double>> : liecheck_runner<scene::Tree<double>>;
+  const auto make = kind == SystemKind::ThrownBody  ? liecheck_runner<scene::ThrownBody<double>>
+                    : kind == SystemKind::LoneBody  ? liecheck_runner<scene::LoneBody<double>>
+                    : kind == SystemKind::LoneJoint ? liecheck_runner<scene::LoneJoint<double>>
+                                                    : liecheck_runner<scene::Tree<double>>;
   return make(scene, method, scene.effects());
 }
 

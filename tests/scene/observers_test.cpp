@@ -155,4 +155,16 @@ TEST(CentreOfMass, OfAThrownChainFallsAlongAParabola) {
   }
 }
 
+/// A ball that lies on the ground by its own shape.
+TEST(ContactForces, NameBodiesThatTouchByTheirShapes) {
+  for (const char* bodies : {"all", "[body]"}) {
+    const Recorded run(
+        "robot: {body: ball, mass: 2, radius: 0.1}\nground: {height: 0}\n"
+        "initial: {position: [0, 0, 0.098038]}\neffects:\n  - gravity\n  - contact: {bodies: " +
+        std::string(bodies) + ", stiffness: 1e4}\n" + fixed_step + "observers: [contact_forces]\n");
+    EXPECT_NEAR(run["contact.body.normal"].back(), 2 * g, 1e-9);
+    EXPECT_EQ(run["contacts.normal"].back(), run["contact.body.normal"].back());
+  }
+}
+
 }  // namespace

@@ -37,6 +37,8 @@ Effects<S> makeEffects(const Scene& scene, const Model<S>& model) {
 /// The simplest system that has the equations of a scene: a tree, one revolute or prismatic joint, a free body without
 /// armature, or one of which the centre of mass has a constant acceleration.
 enum class SystemKind { Tree, LoneJoint, LoneBody, ThrownBody };
+/// The effects must be those of the model. An integrator may need more than the equations.
+SystemKind kindOf(Model<double> model, const Effects<double>& effects, const std::string& integrator);
 /// Throws like makeEffects.
 SystemKind kindOf(const Scene& scene);
 inline bool isLoneBody(const Scene& scene) { return kindOf(scene) >= SystemKind::LoneBody; }

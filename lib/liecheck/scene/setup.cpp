@@ -2,21 +2,20 @@
 
 namespace liecheck::scene {
 
-SystemKind kindOf(const Scene& scene) {
-  if (!LoneBody<double>::fits(scene.model))
-    return LoneJoint<double>::fits(scene.model, makeEffects(scene, scene.model)) ? SystemKind::LoneJoint
-                                                                                  : SystemKind::Tree;
-  Model<double> model = scene.model;
+SystemKind kindOf(Model<double> model, const Effects<double>& effects, const std::string& integrator) {
+  if (!LoneBody<double>::fits(model))
+    return LoneJoint<double>::fits(model, effects) ? SystemKind::LoneJoint : SystemKind::Tree;
   model.armature.setZero();
-  const Effects<double> effects = makeEffects(scene, model);
   for (const auto& e : effects) e->prepare(model);
   if (!model.armature.isZero(0)) return SystemKind::Tree;
   BodyTerms<double> terms;
-  bool thrown = scene.integrator != Variational<double>::info.name;
+  bool thrown = integrator != Variational<double>::info.name;
   for (const auto& e : effects)
     if (e->acts() != Acts::OnModel) thrown = e->addConstant(model.inertias[1].lever(), terms) && thrown;
-  thrown = thrown && terms.thrown();
-  return thrown ? SystemKind::ThrownBody : SystemKind::LoneBody;
+  return thrown && terms.thrown() ? SystemKind::ThrownBody : SystemKind::LoneBody;
+}
+SystemKind kindOf(const Scene& scene) {
+  return kindOf(scene.model, makeEffects(scene, scene.model), scene.integrator);
 }
 
 template <class Sys>

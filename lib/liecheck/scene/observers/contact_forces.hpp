@@ -1,6 +1,7 @@
 #pragma once
-// The force of the ground on each contact point and on all of them: its normal part f_n = n . f and its tangential part
-// f - f_n n, in the world's axes.
+// The force of the ground on each frame or body that an effect `contact` names, and on all of them: its normal part
+// f_n = n . f and its tangential part f - f_n n, in the world's axes. n is the normal of the plane; (0, 0, 1) on heights
+// and meshes.
 
 #include <algorithm>
 #include <liecheck/scene/observers/observer.hpp>
@@ -22,14 +23,15 @@ class ContactForcesObserver final : public Observer {
         f_(watched.model->inertias.size(), Force<double>::Zero()) {
     for (const Request& request : watched.scene->effects)
       if (request.name == "contact")
-        for (const std::string& frame : request.parameters.names("frames")) {
-          Request one = request;
-          one.parameters.values["frames"].names = {frame};
-          const auto before =
-              std::ranges::count_if(points_, [&](const Point& p) { return p.frame == frame; });
-          points_.push_back({"contact." + frame + (before ? "_" + std::to_string(before + 1) : ""), frame,
-                             makeEffect<double>(one, *watched.model, watched.scene->around)});
-        }
+        for (const auto& [key, other] : {std::pair("frames", "bodies"), std::pair("bodies", "frames")})
+          if (request.parameters.has(key))
+            for (const std::string& name : namesOf(request.parameters.names(key), *watched.scene)) {
+              Request one = request;
+              one.parameters.values[key].names = {name}, one.parameters.values.erase(other);
+              const auto before = std::ranges::count(points_, name, &Point::frame);
+              points_.push_back({"contact." + name + (before ? "_" + std::to_string(before + 1) : ""), name,
+                                 makeEffect<double>(one, *watched.model, watched.scene->around)});
+            }
     if (points_.empty())
       throw std::invalid_argument("contact_forces needs the effect 'contact' in the scene");
   }
@@ -66,6 +68,15 @@ class ContactForcesObserver final : public Observer {
   }
 
  private:
+  /// The names, or those of all bodies with shapes that move for "all".
+  static std::vector<std::string> namesOf(const std::vector<std::string>& names, const Scene& scene) {
+    if (names.size() != 1 || names[0] != "all") return names;
+    std::vector<std::string> all;
+    for (const Shape& s : scene.around.shapes)
+      if (scene.model.frames[std::size_t(s.frame)].parentJoint != 0 && !std::ranges::count(all, s.body))
+        all.push_back(s.body);
+    return all;
+  }
   struct Point {
     std::string name, frame;
     std::shared_ptr<const Effect<double>> contact;
