@@ -193,7 +193,7 @@ void print_peers(const SceneSweepResult& r) {
       "which liecheck\n"
       "  is behind\n");
   for (const PeerComparison& c : r.peers)
-    fmt::print("  {:<14}{:<28}{:<17}{}{}\n", c.scene, c.peer + " " + c.integrator, c.measure,
+    fmt::print("  {:<20} {:<28}{:<17}{}{}\n", c.scene, c.peer + " " + c.integrator, c.measure,
                c.ours.empty()
                    ? ""
                    : fmt::format("{:>6.3f} [{:.3f}, {:.3f}] at {:.1e} by {}, behind at {} of {}{}", c.ratio,

@@ -1,8 +1,8 @@
 #include <scenes/sweep.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <liecheck/scene/integrators/registry.hpp>
 #include <limits>
 #include <scenes/reference.hpp>
@@ -11,11 +11,16 @@
 namespace liecheck::properties {
 namespace {
 
-using Clock = std::chrono::steady_clock;
 constexpr long quarters = 4;
 
-double since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
+/// Processor time of this thread [s]: a busy machine must not shorten what is measured.
+double processor_time() {
+  timespec t{};
+  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
+}
+double since(double start) {
+  return processor_time() - start;
 }
 
 MotionError error_of_run(Runner& runner, const Benchmark& s, const Reference& exact, const Effort& effort,
@@ -47,7 +52,7 @@ Measured measure(Runner& runner, const Benchmark& s, const Reference& exact, con
   Measured m;
   m.point.effort = effort;
   try {
-    const auto start = Clock::now();
+    const double start = processor_time();
     runner.pass(effort);
     m.seconds = since(start);
     m.point.error = error_of_run(runner, s, exact, effort, &m.point.steps);
@@ -118,7 +123,7 @@ OrderRow measure_order(const Benchmark& s, const Reference& exact, const scene::
   const double eps = row.scalar == "double" ? 0x1p-52 : 0x1p-112;
   const auto runner = make_runner(s, method.name, row.scalar);
   runner->stop = o.stop;
-  const auto start = Clock::now();
+  const double start = processor_time();
   for (long n = first_steps(s, method.order); n <= 1L << 18; n *= 2) {
     long made = 0;
     double error = std::numeric_limits<double>::infinity();
@@ -206,7 +211,7 @@ std::vector<SceneSweep> sweep_scenes(const std::vector<Benchmark>& scenes, const
         measure_times(lines, s.duration,
                       {o.seconds / double(scenes.size()), o.repetitions, o.stop,
                        [&](double share) { progress(0.6 + 0.4 * share, "times"); }});
-    } catch (const Stopped&) {  // what was measured before is kept
+    } catch (const Stopped&) {     // what was measured before is kept
     } catch (const Diverged& e) {  // of the reference
       sweep.truth = std::string("none: ") + e.what();
     }

@@ -16,7 +16,7 @@ using namespace liecheck::properties;
 /// A crooked tree that moves for 0.1 s, with a root and lines of a scene file.
 Benchmark tree(const std::string& root, const std::string& more) {
   const bool free = root == "free_flyer";
-  return benchmark_of(loadSceneText(
+  Benchmark b = benchmark_of(loadSceneText(
       "robot: {urdf: crooked_tree.urdf, root: " + root + "}\ninitial:\n" +
           (free ? "  position: [0.1, 0.2, 0.3]\n  attitude: [0.4, -0.2, 0.3]\n  velocity: [0.3, -0.2, 0.1]\n"
                   "  angular_velocity: [1, 2, -1.5]\n"
@@ -26,6 +26,8 @@ Benchmark tree(const std::string& root, const std::string& more) {
           "integrator: {name: gauss6, step: 1 ms}\nduration: 0.1 s\n" +
           more,
       "crooked tree, " + root, LIECHECK_FIXTURES "/scenes"));
+  b.what = more;
+  return b;
 }
 
 MotionError error_of(Runner& runner, const Benchmark& b, const Reference& reference, const Effort& effort) {
@@ -38,8 +40,9 @@ MotionError error_of(Runner& runner, const Benchmark& b, const Reference& refere
   return worst;
 }
 
-/// The reference of a scene; `key` is the text that tells it from others.
-const Reference& reference_for(const Benchmark& b, const std::string& key) {
+/// The reference of a scene, which its name and effects tell from others.
+const Reference& reference_for(const Benchmark& b) {
+  const std::string key = b.name + b.what;
   static std::map<std::string, Reference> known;
   const auto found = known.find(key);
   if (found != known.end()) return found->second;
@@ -50,7 +53,7 @@ const Reference& reference_for(const Benchmark& b, const std::string& key) {
 /// An error in the robot or its forces does not become smaller with the step.
 void expect_convergence(const Peer& peer, const Benchmark& b) {
   ASSERT_EQ(peer.why_not(b), "") << peer.name;
-  const Reference& reference = reference_for(b, b.name);
+  const Reference& reference = reference_for(b);
   ASSERT_LT(reference.disagreement.leading(), 1e-12) << reference.name;
   for (const PeerMethod& m : peer.methods(b)) {
     const auto runner = peer.make(b, m.name);
@@ -60,7 +63,8 @@ void expect_convergence(const Peer& peer, const Benchmark& b) {
     for (const ErrorMeasure& e : error_measures) {
       if (std::isnan(reference.disagreement.*e.of)) continue;
       EXPECT_LT(fine.*e.of, std::max(coarse.*e.of / 3, 1e-9))
-          << peer.name << " " << m.name << ", " << e.name << " on " << b.name << b.what;
+          << peer.name << " " << m.name << ", " << e.name << " on " << b.name << "\n"
+          << b.what;
     }
   }
 }

@@ -61,6 +61,8 @@ class DartRunner final : public PeerRunner {
   void step() override {
     if (load_) add_forces();
     world_->step();
+    // DART ends the program when a number is no longer finite. Speeds square at most in one step.
+    if (!(robot_->getVelocities().squaredNorm() < 1e60)) throw Diverged("speeds grow beyond 1e30");
   }
   void read(Eigen::VectorXd& q, Eigen::VectorXd& v) const override {
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
