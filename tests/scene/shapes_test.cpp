@@ -166,9 +166,13 @@ TEST(Shapes, TheForceOnEachShapeIsTheGradientOfItsPotential) {
             1e-5;  // truncation h^2, rounding eps/h: at most 1e-9 with the curvature of 1e3 of an end
         const auto V = [&](double t) {
           const Vec q = integrate(s.model, s.q, Vec(t * v));
-          return system.effects()[0]->potential(system.here(0, q, v, scene::Kinematics::Poses));
+          return system.effects()[0]->potential(
+              system.here(scene::State<Body>(system, q, Vec(v)), scene::Kinematics::Poses));
         };
-        const double power = system.force(0, s.q, v).dot(Motion<double>(v));
+        const scene::State<Body> at(system, s.q, Vec(v));
+        system.load(0, at.q, at.v);
+        const double power =
+            system.force(at.v).dot(V3(at.v.head<3>())) + system.moment(at.v).dot(V3(at.v.tail<3>()));
         EXPECT_NEAR(power, -(V(h) - V(-h)) / (2 * h), 1e-6 * (1 + std::abs(power))) << shape << tilt;
         EXPECT_GT(std::abs(power), 1e-2) << shape << tilt;
       }
