@@ -24,7 +24,7 @@ void expectTheTreesAcceleration(const sc::Scene& s) {
   Sys system = sc::makeSystem<Sys>(s);
   auto tree = sc::makeSystem<sc::Tree<double>>(s);
   for (int seed = 1; seed <= 5; ++seed) {
-    Random random{std::uint64_t(seed)};
+    Random random{unsigned(seed)};
     const Vec q = integrate(s.model, s.q, random.tangent(s.model.nv, 1.5)), v = random.tangent(s.model.nv, 2);
     Vec expected(s.model.nv);
     tree.acceleration(0, q, v, expected);

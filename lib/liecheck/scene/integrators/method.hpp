@@ -41,12 +41,14 @@ class Interrupted : public StepFailed {
   Interrupted() : StepFailed("interrupted") {}
 };
 
-/// Checks increments before they are added to a state. Throws StepFailed unless all their elements are finite: their
-/// sum times 0 is then 0, and otherwise not a number.
+/// Checks increments before they are added to a state. Throws StepFailed unless the size of their sum is at most the
+/// root of the largest number (1e154 in double), where energies overflow: a sum with an infinite element is not.
 template <class A, class B>
 [[gnu::always_inline]] inline void checkFinite(const A& delta, const B& dv) {
   using S = typename A::Scalar;
-  if (!(S(delta.sum() + dv.sum()) * S(0) == S(0))) [[unlikely]]
+  using std::sqrt;
+  static const S most = std::is_same_v<S, double> ? S(0x1p511) : S(sqrt(std::numeric_limits<S>::max()));
+  if (!(absolute<S>(S(delta.sum() + dv.sum())) <= most)) [[unlikely]]
     throw StepFailed("a number is no longer finite");
 }
 
