@@ -1,26 +1,29 @@
 #include <scenes/independent.hpp>
 
 #include <map>
-#include <oracles/motions/force_laws.hpp>
+#include <scenes/independent_values.hpp>
 
 namespace liecheck::properties {
-namespace {
 
-using namespace oracles;
-using Robot = Model<double>;
-
-JointKind kind_of(const Robot& robot, std::size_t i) {
-  const Joint<double>& j = robot.joints[i];
-  if (std::holds_alternative<FreeFlyer<double>>(j)) return JointKind::free_flyer;
-  if (std::holds_alternative<Revolute<double>>(j)) return JointKind::revolute;
-  if (std::holds_alternative<Continuous<double>>(j)) return JointKind::continuous;
-  if (std::holds_alternative<Prismatic<double>>(j)) return JointKind::prismatic;
-  if (std::holds_alternative<Helical<double>>(j)) return JointKind::helical;
-  if (std::holds_alternative<Spherical<double>>(j)) return JointKind::spherical;
-  if (std::holds_alternative<Planar<double>>(j)) return JointKind::planar;
-  if (std::holds_alternative<Translation<double>>(j)) return JointKind::translation;
-  throw std::invalid_argument("joint '" + robot.names[i] + "' is a mimic, which maximal coordinates lack");
+const std::vector<Unconfirmed>& unconfirmed_parts() {
+  static const std::vector<Unconfirmed> all = {
+      {"contact", "cylinders",
+       "the smooth lowest point of a rim is a model of its own, which a second formulation would only "
+       "repeat"},
+      {"contact", "heights and meshes",
+       "the nearest of many triangles changes without an event, so that neither formulation is exact"}};
+  return all;
 }
+
+/// Throws std::invalid_argument with the entry of unconfirmed_parts().
+void refuse(const std::string& effect, const std::string& part) {
+  for (const Unconfirmed& u : unconfirmed_parts())
+    if (u.effect == effect && u.part == part)
+      throw std::invalid_argument(effect + " of " + part + " is not confirmed: " + u.why);
+  throw std::logic_error("unconfirmed_parts() lacks " + effect + " of " + part);
+}
+
+namespace {
 
 template <class T>
 MaximalLink<T> link_of(const Robot& robot, std::size_t i) {
@@ -38,86 +41,28 @@ MaximalLink<T> link_of(const Robot& robot, std::size_t i) {
   return l;
 }
 
-/// The numbers of a request as T.
 template <class T>
-class Values {
- public:
-  Values(const scene::Parameters& p, const Benchmark& scene) : p_(p), scene_(scene) {}
-  T number(const char* key) const { return T(p_.number(key)); }
-  T number(const char* key, double otherwise) const { return T(p_.number(key, otherwise)); }
-  Column3<T> vector(const char* key) const { return vector(p_.numbers(key)); }
-  static Column3<T> vector(const auto& x) { return {T(x[0]), T(x[1]), T(x[2])}; }
-  std::vector<T> numbers(const char* key) const {
-    return std::vector<T>(p_.numbers(key).begin(), p_.numbers(key).end());
-  }
-  bool is(const char* key, const char* word) const { return p_.word(key) == word; }
-  Place<T> place() const { return place(p_.word("frame")); }
-  std::vector<Place<T>> places() const {
-    std::vector<Place<T>> all;
-    for (const std::string& name : p_.names("frames")) all.push_back(place(name));
-    return all;
-  }
-  /// The indices in v of the joints named; "all" is every joint except free-flyers.
-  std::vector<std::size_t> coordinates() const { return select(false); }
-  /// Those that have a scalar position.
-  std::vector<std::size_t> positions() const { return select(true); }
-  /// The number `key` for each coordinate, or the robot's own if it is missing.
-  std::vector<T> each(const char* key, const Eigen::VectorXd& of_robot) const {
-    std::vector<T> all;
-    for (const std::size_t k : coordinates())
-      all.push_back(p_.has(key) ? T(p_.number(key)) : T(of_robot[Eigen::Index(k)]));
-    return all;
-  }
-  /// A robot's numbers by q or v of the coordinates with a scalar position.
-  std::vector<T> of_positions(const Eigen::VectorXd& of_robot) const {
-    const Robot& robot = scene_.robot;
-    std::vector<T> all;
-    for (const std::size_t k : positions()) {
-      const std::size_t joint = std::size_t(robot.column_to_joint[k]);
-      const int shift = of_robot.size() == robot.nv ? 0 : robot.idx_qs[joint] - robot.idx_vs[joint];
-      all.push_back(T(of_robot[Eigen::Index(k) + shift]));
-    }
-    return all;
-  }
-  const Benchmark& scene() const { return scene_; }
-
- private:
-  Place<T> place(const std::string& name) const {
-    const auto& f = scene_.robot.frames[std::size_t(scene_.robot.requireFrameId(name))];
-    return {f.parentJoint, nearest_rotation<T>(f.placement.rotation().cast<T>()),
-            f.placement.translation().cast<T>()};
-  }
-  std::vector<std::size_t> select(bool with_position) const {
-    const Robot& robot = scene_.robot;
-    const auto& names = p_.names("joints");
-    std::vector<std::size_t> all;
-    for (std::size_t i = 1; i < robot.joints.size(); ++i) {
-      const bool named = std::find(names.begin(), names.end(), robot.names[i]) != names.end();
-      const bool meant = names[0] == "all" ? kind_of(robot, i) != JointKind::free_flyer : named;
-      if (!meant || (with_position && robot.nqs[i] != robot.nvs[i])) continue;
-      for (int k = 0; k < robot.nvs[i]; ++k) all.push_back(std::size_t(robot.idx_vs[i] + k));
-    }
-    return all;
-  }
-  const scene::Parameters& p_;
-  const Benchmark& scene_;
-};
-
-template <class T>
-T from(const Values<T>& p) {
-  return p.number("from", -std::numeric_limits<double>::infinity());
+std::vector<T> joined(std::vector<T> a, const std::vector<T>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
 }
+
+/// The pairs of solids of different bodies that no joint connects; a free-flyer connects nothing. If one of them
+/// is a box, it is the second.
 template <class T>
-T until(const Values<T>& p) {
-  return p.number("until", std::numeric_limits<double>::infinity());
-}
-/// The finite times at which a force begins and ends.
-template <class T>
-std::vector<T> interval(const Values<T>& p) {
-  std::vector<T> times;
-  for (const T& t : {from(p), until(p)})
-    if (t - t == 0) times.push_back(t);
-  return times;
+std::vector<std::pair<laws::Solid<T>, laws::Solid<T>>> pairs_of(const std::vector<laws::Solid<T>>& solids,
+                                                                const Robot& robot) {
+  const auto carries = [&robot](int parent, int child) {
+    return robot.nvs[std::size_t(child)] != 6 && robot.parents[std::size_t(child)] == parent;
+  };
+  std::vector<std::pair<laws::Solid<T>, laws::Solid<T>>> pairs;
+  for (std::size_t i = 0; i < solids.size(); ++i)
+    for (std::size_t j = i + 1; j < solids.size(); ++j) {
+      const int a = solids[i].at.link, b = solids[j].at.link;
+      if (a == b || (b > 0 && carries(a, b)) || (a > 0 && carries(b, a))) continue;
+      pairs.emplace_back(solids[solids[i].box ? j : i], solids[solids[i].box ? i : j]);
+    }
+  return pairs;
 }
 
 template <class T>
@@ -138,8 +83,8 @@ const std::map<std::string, Maker<T>>& makers() {
       {"wrench",
        [](P p, Tree tree) {
          tree.laws.push_back({laws::Wrench<T>{p.place(), p.vector("force"), p.vector("moment"),
-                                              p.is("axes", "world"), from(p), until(p)},
-                              interval(p)});
+                                              p.is("axes", "world"), from(p), until(p), p.curve("rows")},
+                              joined<T>(interval(p), p.curve("rows").times)});
        }},
       {"joint_damping",
        [](P p, Tree tree) {
@@ -168,8 +113,9 @@ const std::map<std::string, Maker<T>>& makers() {
        }},
       {"drag",
        [](P p, Tree tree) {
-         tree.laws.push_back({laws::Drag<T>{p.place(), p.number("linear"), p.number("quadratic"),
-                                            p.number("angular_linear"), p.number("angular_quadratic")}});
+         tree.laws.push_back(
+             {laws::Drag<T>{p.place(), p.number("linear"), p.number("quadratic"), p.number("angular_linear"),
+                            p.number("angular_quadratic"), p.vector("current")}});
        }},
       {"buoyancy",
        [](P p, Tree tree) {
@@ -185,10 +131,30 @@ const std::map<std::string, Maker<T>>& makers() {
       {"contact",
        [](P p, Tree tree) {
          const auto& around = p.scene().around;
-         tree.laws.push_back({laws::Contact<T>{
-             p.places(), p.vector(around.normal), T(around.height), p.number("radius"), p.number("stiffness"),
-             p.number("dissipation"), p.number("friction"), p.number("slip"), p.number("rolling"),
-             p.number("torsion"), p.number("angular_slip")}});
+         if (around.mesh) refuse("contact", "heights and meshes");
+         laws::Contact<T> contact{{}, p.vector(around.normal), T(around.height), p.touch()};
+         for (const Place<T>& place : p.places()) contact.balls.push_back({place, p.number("radius")});
+         for (const auto& solid : p.solids())
+           if (solid.at.link != 0) contact.add(solid);
+         tree.laws.push_back({contact});
+       }},
+      {"collisions",
+       [](P p, Tree tree) {
+         tree.laws.push_back({laws::Collisions<T>{pairs_of<T>(p.solids(), p.scene().robot), p.touch()}});
+       }},
+      {"added_mass",
+       [](P p, Tree tree) {
+         const std::size_t joint = p.joint("joint"), k = std::size_t(p.scene().robot.idx_vs[joint]);
+         const Column3<T> m = p.vector("masses"), j = p.vector("inertias");
+         for (std::size_t i = 0; i < 3; ++i)
+           tree.armature[k + i] += m[int(i)], tree.armature[k + 3 + i] += j[int(i)];
+         tree.laws.push_back({laws::AddedMass<T>{int(joint), m, j}});
+       }},
+      {"closed_loops",
+       [](P p, Tree tree) {
+         const auto places = p.places();
+         for (std::size_t i = 0; i + 1 < places.size(); i += 2)
+           tree.loops.push_back({places[i], places[i + 1], p.is("type", "weld"), p.number("rate")});
        }},
       {"constant",
        [](P p, Tree tree) {
@@ -196,14 +162,24 @@ const std::map<std::string, Maker<T>>& makers() {
        }},
       {"pd",
        [](P p, Tree tree) {
-         std::vector<T> targets = p.numbers("target");
-         if (targets.size() == 1) targets.assign(p.positions().size(), T(targets[0]));
-         tree.laws.push_back({laws::PdControl<T>{p.positions(), p.number("stiffness"), p.number("damping"),
-                                                 targets, p.of_positions(p.scene().robot.effortLimit)}});
+         tree.laws.push_back(
+             {laws::PdControl<T>{p.positions(), p.pursuit(), p.of_positions(p.scene().robot.effortLimit)},
+              p.curve("rows").times});
        }},
-      {"table", [](P p, Tree tree) {
-         tree.laws.push_back({laws::ForceTable<T>{p.coordinates(), p.numbers("times"), p.numbers("forces")},
-                              p.numbers("times")});
+      {"table",
+       [](P p, Tree tree) {
+         const auto force = p.column("forces");
+         tree.laws.push_back({laws::ForceTable<T>{p.coordinates(), force}, force.times});
+       }},
+      {"motor", [](P p, Tree tree) {
+         const T N = p.number("ratio");
+         const auto at = p.number("stiffness") > 0 ? p.positions() : p.coordinates();
+         for (const std::size_t k : at) tree.armature[k] += N * N * p.number("rotor_inertia");
+         const auto force = p.has("forces") ? p.curve("forces") : p.constant({p.number("force")});
+         tree.laws.push_back(
+             {laws::Motor<T>{at, p.pursuit(), force, N * p.limit("stall_torque"),
+                             p.limit("no_load_speed") / N, p.number("efficiency"), p.number("slip")},
+              joined<T>(p.curve("rows").times, force.times)});
        }}};
   return all;
 }

@@ -12,8 +12,14 @@ namespace liecheck::properties {
 /// The names of the effects and actuations that it knows.
 std::vector<std::string> independent_laws();
 
+/// A part of an effect that it does not know, and why.
+struct Unconfirmed {
+  std::string effect, part, why;
+};
+const std::vector<Unconfirmed>& unconfirmed_parts();
+
 /// The scene in maximal coordinates. One law for each effect that is a force, in the order of the scene.
-/// Throws std::invalid_argument for an effect or a joint that it does not know.
+/// Throws std::invalid_argument for an effect, a part of one or a joint that it does not know.
 template <class T>
 oracles::MaximalTree<T> independent_tree(const Benchmark& scene);
 

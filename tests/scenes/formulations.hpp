@@ -31,7 +31,8 @@ inline double distance(const Model<double>& robot, const properties::Moment& a, 
 struct Formulations {
   explicit Formulations(const EffectScene& s) : scene(properties::benchmark_of(scene_of(s))) {
     properties::make_runner(scene, "gauss12", "float128")
-        ->run({64, 0}, 1, [this](double, const properties::Moment& m) { tangents = m; });
+        ->run({std::lround(scene.duration / 0.005), 0}, 1,
+              [this](double, const properties::Moment& m) { tangents = m; });
     agreement = distance(
         scene.robot, tangents,
         properties::moments_of<properties::float128>(

@@ -1,6 +1,7 @@
 #pragma once
 // Wrong terms of effects, one planted in the laws of the maximal coordinates at a time.
 
+#include <oracles/motions/contact_laws.hpp>
 #include <oracles/motions/force_laws.hpp>
 
 namespace liecheck::test::planted {
@@ -52,24 +53,28 @@ using Contact = laws::Contact<T>;
 using Constant = laws::ConstantForce<T>;
 using Pd = laws::PdControl<T>;
 using Table = laws::ForceTable<T>;
+using Motor = laws::Motor<T>;
+using AddedMass = laws::AddedMass<T>;
+using Collisions = laws::Collisions<T>;
 
 /// Contact with the terms that an argument changes.
 struct WrongContact {
   bool at_centre = false, slides_at_centre = false, rolls_fully = false, depth_of_centre = false;
   void operator()(const Contact& c, Now& s) const {
-    for (const auto& at : c.centres) {
-      const V centre = s.point(at), lowest = centre - c.r * c.n, w = s.omega(at.link),
+    for (const auto& [at, r] : c.balls) {
+      const auto& l = c.law;
+      const V centre = s.point(at), lowest = centre - r * c.n, w = s.omega(at.link),
               u = s.velocity(at.link, slides_at_centre ? centre : lowest);
-      const T x = c.height * c.n[2] + (depth_of_centre ? 0 : c.r) - c.n.dot(centre),
-              factor = 1 - c.c * c.n.dot(u);
+      const T x = c.height * c.n[2] + (depth_of_centre ? 0 : r) - c.n.dot(centre),
+              factor = 1 - l.c * c.n.dot(u);
       const bool deep = s.on(x), pushes = s.on(factor);
       if (!deep || !pushes) continue;
-      const T f_n = c.stiffness * x * factor, w_n = c.n.dot(w);
+      const T f_n = l.stiffness * l.power(x) * factor, w_n = c.n.dot(w);
       const V u_t = u - c.n.dot(u) * c.n, w_t = rolls_fully ? w : V(w - w_n * c.n);
-      s.push(at.link, V(f_n * c.n - c.mu * f_n / std::sqrt(u_t.squaredNorm() + c.v_s * c.v_s) * u_t),
+      s.push(at.link, V(f_n * c.n - l.mu * f_n / std::sqrt(u_t.squaredNorm() + l.v_s * l.v_s) * u_t),
              at_centre ? centre : lowest);
-      s.turn(at.link, V(-c.rho * f_n / std::sqrt(w_t.squaredNorm() + c.w_s * c.w_s) * w_t -
-                        c.tau * f_n * w_n / std::sqrt(w_n * w_n + c.w_s * c.w_s) * c.n));
+      s.turn(at.link, V(-l.rho * f_n / std::sqrt(w_t.squaredNorm() + l.w_s * l.w_s) * w_t -
+                        l.tau * f_n * w_n / std::sqrt(w_n * w_n + l.w_s * l.w_s) * c.n));
     }
   }
 };
@@ -168,13 +173,13 @@ inline const std::vector<Planted>& all() {
          const V e = s.axes(l.at) * l.direction;
          s.push(l.at.link, V(l.thrust * e), s.point(l.at)), s.turn(l.at.link, V(l.k * l.thrust * e));
        })},
-      {"contact", "c with the other sign", changed<Contact>([](Contact& l) { l.c = -l.c; })},
-      {"contact", "v_s for its square", changed<Contact>([](Contact& l) { l.v_s = std::sqrt(l.v_s); })},
+      {"contact", "c with the other sign", changed<Contact>([](Contact& l) { l.law.c = -l.law.c; })},
+      {"contact", "v_s for its square", changed<Contact>([](Contact& l) { l.law.v_s = std::sqrt(l.law.v_s); })},
       {"contact", "rolling resistance along the rotation",
-       changed<Contact>([](Contact& l) { l.rho = l.rho > 0 ? -l.rho : T(0.01); })},
-      {"contact", "w_s for its square", changed<Contact>([](Contact& l) { l.w_s = std::sqrt(l.w_s); })},
+       changed<Contact>([](Contact& l) { l.law.rho = l.law.rho > 0 ? -l.law.rho : T(0.01); })},
+      {"contact", "w_s for its square", changed<Contact>([](Contact& l) { l.law.w_s = std::sqrt(l.law.w_s); })},
       {"contact", "torsion with the coefficient of rolling",
-       changed<Contact>([](Contact& l) { l.tau = l.rho; })},
+       changed<Contact>([](Contact& l) { l.law.tau = l.law.rho; })},
       {"contact", "rolling resistance against all of the rotation", wrong({.rolls_fully = true})},
       {"contact", "a force at the centre", wrong({.at_centre = true})},
       {"contact", "slip of the centre", wrong({.slides_at_centre = true})},
@@ -191,22 +196,105 @@ inline const std::vector<Planted>& all() {
       {"pd", "without clamp", changed<Pd>([](Pd& l) {
          for (T& x : l.limits) x = std::numeric_limits<T>::infinity();
        })},
-      {"pd", "d with the other sign", changed<Pd>([](Pd& l) { l.d = -l.d; })},
+      {"pd", "d with the other sign", changed<Pd>([](Pd& l) { l.pursuit.d = -l.pursuit.d; })},
+      {"pd", "without the rate of a cubic target", instead<Pd>([](const Pd& l, Now& s) {
+         for (std::size_t i = 0; i < l.k.size(); ++i) {
+           const T tau = l.pursuit(s, i, l.k[i]);
+           const auto& table = l.pursuit.targets;
+           s.drives[l.k[i]] += tau - (table.cubic ? l.pursuit.d * table.at(s, i).rate : T(0));
+         }
+       })},
       {"pd", "that clamps k (q_target - q) alone", instead<Pd>([](const Pd& l, Now& s) {
          for (std::size_t i = 0; i < l.k.size(); ++i)
            s.drives[l.k[i]] +=
-               std::clamp(l.stiffness * (l.targets[i] - s.positions[l.k[i]]), -l.limits[i], l.limits[i]) -
-               l.d * s.rates[l.k[i]];
+               std::clamp(l.pursuit.stiffness * (l.pursuit.targets.at(s, i).x - s.positions[l.k[i]]), -l.limits[i],
+                          l.limits[i]) -
+               l.pursuit.d * s.rates[l.k[i]];
        })},
       {"table", "of steps", instead<Table>([](const Table& l, Now& s) {
-         T force = l.forces.front();
-         for (std::size_t i = 0; i < l.times.size(); ++i)
-           if (l.times[i] <= s.inside) force = l.forces[i];
-         for (const std::size_t k : l.k) s.drives[k] += force;
+         std::size_t row = 0;
+         for (std::size_t i = 0; i < l.force.times.size(); ++i)
+           if (l.force.times[i] <= s.inside) row = i;
+         for (std::size_t i = 0; i < l.k.size(); ++i)
+           s.drives[l.k[i]] += l.force.rows[row][l.force.width() == 1 ? 0 : i];
        })},
       {"table", "that ends with its last time", instead<Table>([](const Table& l, Now& s) {
-         if (s.inside < l.times.back()) l(s);
-       })}};
+         if (s.inside < l.force.times.back()) l(s);
+       })},
+      {"table", "of lines for cubics", changed<Table>([](Table& l) { l.force.cubic = !l.force.cubic; })},
+      {"wrench", "with the first row of its table", changed<Wrench>([](Wrench& l) {
+         if (l.table.width()) l.table.rows.resize(1), l.table.times.resize(1);
+       })},
+      {"wrench", "with the moment of its table missing", changed<Wrench>([](Wrench& l) {
+         for (auto& row : l.table.rows) row.resize(3);
+       })},
+      {"drag", "against the current", changed<Drag>([](Drag& l) { l.current = -l.current; })},
+      {"drag", "with a current in the joint's axes", instead<Drag>([](const Drag& l, Now& s) {
+         Drag other = l;
+         other.current = s.bodies[std::size_t(l.at.link)].R * l.current;
+         other(s);
+       })},
+      {"contact", "with the exponent 1", changed<Contact>([](Contact& l) { l.law.exponent = 1; })},
+      {"contact", "of centres for shapes", changed<Contact>([](Contact& l) {
+         for (auto& ball : l.balls) ball.at.p = l.balls[0].at.p;
+       })},
+      {"collisions", "c with the other sign", changed<Collisions>([](Collisions& l) { l.law.c = -l.law.c; })},
+      {"collisions", "with the exponent 1", changed<Collisions>([](Collisions& l) { l.law.exponent = 1; })},
+      {"collisions", "torsion with the coefficient of rolling",
+       changed<Collisions>([](Collisions& l) { l.law.tau = l.law.rho; })},
+      {"collisions", "without the reaction", instead<Collisions>([](const Collisions& l, Now& s) {
+         const auto before = s.bodies.back();
+         l(s);
+         s.bodies.back().f = before.f, s.bodies.back().n = before.n;
+       })},
+      {"collisions", "with the contact point on the surface of A",
+       instead<Collisions>([](const Collisions& l, Now& s) {
+         for (const auto& pair : l.pairs) {
+           const auto& [A, B] = pair;
+           const V a = s.point(A.at), n = (a - s.point(B.at)).normalized();
+           const T x = A.r + B.r - (a - s.point(B.at)).norm();
+           if (A.half > 0 || B.box)
+             Collisions{{pair}, l.law}(s);
+           else
+             l.law(s, A.at.link, B.at.link, x, n, V(a - A.r * n));
+         }
+       })},
+      {"collisions", "of the middles of capsules", changed<Collisions>([](Collisions& l) {
+         for (auto& [A, B] : l.pairs) A.half = B.half = 0;
+       })},
+      {"collisions", "of a smaller box", changed<Collisions>([](Collisions& l) {
+         for (auto& [A, B] : l.pairs) B.sides *= T(0.99);
+       })},
+      {"added_mass", "missing", [](Tree& tree) {
+         tree.laws.clear(), std::fill(tree.armature.begin(), tree.armature.end(), T(0));
+       }},
+      {"added_mass", "without omega x P and u x P", [](Tree& tree) { tree.laws.clear(); }},
+      {"added_mass", "without the moment u x P", instead<AddedMass>([](const AddedMass& l, Now& s) {
+         const auto& b = s.bodies[std::size_t(l.link)];
+         const V u = s.velocity(l.link, b.o), P = b.R * l.m.cwiseProduct(V(b.R.transpose() * u));
+         l(s), s.turn(l.link, V(u.cross(P)));
+       })},
+      {"added_mass", "at the centre of mass", instead<AddedMass>([](const AddedMass& l, Now& s) {
+         auto& b = s.bodies[std::size_t(l.link)];
+         const V o = b.o;
+         b.o = b.c, l(s), b.o = o;
+       })},
+      {"closed_loops", "missing", [](Tree& tree) { tree.loops.clear(); }},
+      {"closed_loops", "at the joint's origin", [](Tree& tree) { tree.loops.at(0).a.p.setZero(); }},
+      {"closed_loops", "in the joint's axes", [](Tree& tree) { tree.loops.at(0).a.R.setIdentity(); }},
+      {"closed_loops", "that close at half the rate", [](Tree& tree) { tree.loops.at(0).alpha /= 2; }},
+      {"motor", "without its rotor",
+       [](Tree& tree) { std::fill(tree.armature.begin(), tree.armature.end(), T(0)); }},
+      {"motor", "with the rotor N J",
+       [](Tree& tree) {
+         for (T& x : tree.armature) x /= 2;
+       }},
+      {"motor", "with the no-load speed at the motor", changed<Motor>([](Motor& l) { l.no_load *= 2; })},
+      {"motor", "with the stall torque at the motor", changed<Motor>([](Motor& l) { l.stall /= 2; })},
+      {"motor", "whose gearbox drives", changed<Motor>([](Motor& l) { l.efficiency = 2 - l.efficiency; })},
+      {"motor", "v_s for its square", changed<Motor>([](Motor& l) { l.v_s = std::sqrt(l.v_s); })},
+      {"motor", "d with the other sign", changed<Motor>([](Motor& l) { l.pursuit.d = -l.pursuit.d; })},
+      {"motor", "with linear tables", changed<Motor>([](Motor& l) { l.pursuit.targets.cubic = false; })}};
   return terms;
 }
 

@@ -1,12 +1,63 @@
 #pragma once
-// The laws of forces of scenes, as forces and moments on bodies in the world's axes, written from their
-// equations in fixtures/scenes/README.md. Forces of joints are drives of coordinates k: a force or moment on
-// the child, and the opposite on the parent. Names and units of the numbers are those of the equations.
+// The laws of forces of scenes but contact (contact_laws.hpp), as forces and moments on bodies in the world's
+// axes, written from their equations in fixtures/scenes/README.md. Forces of joints are drives of coordinates
+// k: a force or moment on the child, and the opposite on the parent. Names and units of the numbers are those
+// of the equations.
 
 #include <algorithm>
 #include <oracles/motions/maximal_tree.hpp>
 
 namespace liecheck::oracles::laws {
+
+/// Numbers over time through rows of a table: lines between them, or Hermite's cubics with the slopes of the
+/// parabola through the three nearest rows (of the line through two). Constant before and after.
+template <class T>
+struct Curve {
+  std::vector<T> times;
+  std::vector<std::vector<T>> rows;
+  bool cubic = false;
+  struct Point {
+    T x, rate;
+  };
+  std::size_t width() const { return rows.empty() ? 0 : rows[0].size(); }
+  /// Column k; of a table with one column, that one.
+  Point at(const Snapshot<T>& s, std::size_t k) const {
+    if (width() == 1) k = 0;
+    for (std::size_t i = 1; i < times.size(); ++i) {
+      if (!s.within(times[i - 1], times[i])) continue;
+      const T h = times[i] - times[i - 1], a = (s.t - times[i - 1]) / h, b = T(1) - a, x0 = rows[i - 1][k],
+              x1 = rows[i][k];
+      if (!cubic) return {b * x0 + a * x1, (x1 - x0) / h};
+      const T d0 = h * slope(i - 1, k), d1 = h * slope(i, k);
+      return {b * b * (T(1) + T(2) * a) * x0 + a * a * (T(1) + T(2) * b) * x1 + a * b * (b * d0 - a * d1),
+              (T(6) * a * b * (x1 - x0) + b * (b - T(2) * a) * d0 + a * (a - T(2) * b) * d1) / h};
+    }
+    return {(times.empty() || s.inside < times[0] ? rows.front() : rows.back())[k], T(0)};
+  }
+
+ private:
+  /// The derivative at row i of Lagrange's polynomial through the nearest rows.
+  T slope(std::size_t i, std::size_t k) const {
+    const std::size_t n = std::min<std::size_t>(times.size(), 3),
+                      first = std::min(i > 0 ? i - 1 : 0, times.size() - n);
+    T sum(0);
+    for (std::size_t j = first; j < first + n; ++j)
+      for (std::size_t l = first; l < first + n; ++l) {
+        T term = j == l ? T(0) : T(rows[j][k] / (times[j] - times[l]));
+        for (std::size_t m = first; m < first + n; ++m)
+          if (m != j && m != l) term *= (times[i] - times[m]) / (times[j] - times[m]);
+        sum += term;
+      }
+    return sum;
+  }
+};
+
+/// x within [low, high]; both ends bend.
+template <class T>
+T bounded(Snapshot<T>& s, const T& x, const T& low, const T& high) {
+  const bool above = s.on(T(x - high)), below = s.on(T(low - x));
+  return above ? high : below ? low : x;
+}
 
 /// p_ddot += g.
 template <class T>
@@ -18,17 +69,21 @@ struct Gravity {
   }
 };
 
-/// A force f and a moment n at the frame's origin, from <= t < until.
+/// A force f and a moment n at the frame's origin, from <= t < until. A table adds to f, or to (f, n).
 template <class T>
 struct Wrench {
   Place<T> at;
   Column3<T> f, n;
   bool world;  ///< the axes of f and n
   T from, until;
+  Curve<T> table = {};
   void operator()(Snapshot<T>& s) const {
     if (!s.within(from, until)) return;
-    s.push(at.link, world ? f : Column3<T>(s.axes(at) * f), s.point(at));
-    s.turn(at.link, world ? n : Column3<T>(s.axes(at) * n));
+    Column3<T> force = f, moment = n;
+    for (int k = 0; k < int(table.width()); ++k)
+      (k < 3 ? force : moment)[k % 3] += table.at(s, std::size_t(k)).x;
+    s.push(at.link, world ? force : Column3<T>(s.axes(at) * force), s.point(at));
+    s.turn(at.link, world ? moment : Column3<T>(s.axes(at) * moment));
   }
 };
 
@@ -86,13 +141,15 @@ struct JointLimits {
   }
 };
 
-/// f = -(c1 + c2 |u|) u, n = -(k1 + k2 |omega|) omega, with the velocity u of the frame's origin.
+/// f = -(c1 + c2 |u|) u, n = -(k1 + k2 |omega|) omega, with the velocity u of the frame's origin relative to the
+/// current.
 template <class T>
 struct Drag {
   Place<T> at;
   T c1, c2, k1, k2;
+  Column3<T> current;
   void operator()(Snapshot<T>& s) const {
-    const Column3<T> p = s.point(at), u = s.velocity(at.link, p), omega = s.omega(at.link);
+    const Column3<T> p = s.point(at), u = s.velocity(at.link, p) - current, omega = s.omega(at.link);
     s.push(at.link, Column3<T>(-(c1 + c2 * u.norm()) * u), p);
     s.turn(at.link, Column3<T>(-(k1 + k2 * omega.norm()) * omega));
   }
@@ -122,30 +179,18 @@ struct Thruster {
   }
 };
 
-/// Spheres of radius r, or points, on the plane through (0, 0, height) with the unit normal n, as stored. At
-/// the contact,
-///   f_n = stiffness x (1 + c x_dot)_+,  f_t = -mu f_n u_t / sqrt(|u_t|^2 + v_s^2),
-/// and moments -rho f_n w_t / sqrt(|w_t|^2 + w_s^2) - tau f_n w_n n / sqrt(w_n^2 + w_s^2).
+/// The inertia of the fluid that a body moves, without the terms M_a V', which are armatures:
+/// f = -omega x P, n = -omega x L - u x P at the joint's origin, P = m u, L = j omega in the body's axes.
 template <class T>
-struct Contact {
-  std::vector<Place<T>> centres;
-  Column3<T> n;
-  T height, r, stiffness, c, mu, v_s, rho, tau, w_s;
+struct AddedMass {
+  int link;
+  Column3<T> m, j;
   void operator()(Snapshot<T>& s) const {
-    using std::sqrt;
-    const Column3<T> origin(T(0), T(0), height);
-    for (const Place<T>& at : centres) {
-      const Column3<T> lowest = s.point(at) - r * n, u = s.velocity(at.link, lowest), w = s.omega(at.link);
-      const T x = r - n.dot(Column3<T>(s.point(at) - origin)), factor = T(1) - c * n.dot(u);
-      const bool deep = s.on(x), pushes = s.on(factor);
-      if (!deep || !pushes) continue;
-      const T f_n = stiffness * x * factor, w_n = n.dot(w);
-      const Column3<T> u_t = u - n.dot(u) * n, w_t = w - w_n * n;
-      s.push(at.link, Column3<T>(f_n * n - mu * f_n / T(sqrt(T(u_t.squaredNorm() + v_s * v_s))) * u_t),
-             lowest);
-      s.turn(at.link, Column3<T>(-rho * f_n / T(sqrt(T(w_t.squaredNorm() + w_s * w_s))) * w_t -
-                                 tau * f_n * w_n / T(sqrt(T(w_n * w_n + w_s * w_s))) * n));
-    }
+    const auto& b = s.bodies[std::size_t(link)];
+    const Column3<T> u = s.velocity(link, b.o), P = b.R * m.cwiseProduct(Column3<T>(b.R.transpose() * u)),
+                     L = b.R * j.cwiseProduct(Column3<T>(b.R.transpose() * b.omega));
+    s.push(link, Column3<T>(P.cross(b.omega)), b.o);
+    s.turn(link, Column3<T>(L.cross(b.omega) + P.cross(u)));
   }
 };
 
@@ -159,37 +204,70 @@ struct ConstantForce {
   }
 };
 
-/// tau += clamp(stiffness (target - q) - d v, +- limit). Limits may be infinite.
+/// stiffness (target - q) + d (v_target - v) of coordinate k; v_target is the rate of a cubic table, and else 0.
+template <class T>
+struct Pursuit {
+  T stiffness, d;
+  Curve<T> targets;
+  T operator()(const Snapshot<T>& s, std::size_t i, std::size_t k) const {
+    const auto [x, rate] = targets.at(s, i);
+    const T pull = stiffness == 0 ? T(0) : T(stiffness * (x - s.positions[k]));
+    return pull + d * ((targets.cubic ? rate : T(0)) - s.rates[k]);
+  }
+};
+
+/// tau += clamp(pursuit, +- limit). Limits may be infinite.
 template <class T>
 struct PdControl {
   std::vector<std::size_t> k;
-  T stiffness, d;
-  std::vector<T> targets, limits;
+  Pursuit<T> pursuit;
+  std::vector<T> limits;
   void operator()(Snapshot<T>& s) const {
     for (std::size_t i = 0; i < k.size(); ++i) {
-      T tau = stiffness * (targets[i] - s.positions[k[i]]) - d * s.rates[k[i]];
-      if (limits[i] < std::numeric_limits<T>::infinity()) {
-        const bool above = s.on(T(tau - limits[i])), below = s.on(T(-limits[i] - tau));
-        if (above) tau = limits[i];
-        if (below) tau = -limits[i];
-      }
-      s.drives[k[i]] += tau;
+      const T tau = pursuit(s, i, k[i]);
+      const bool limited = limits[i] < std::numeric_limits<T>::infinity();
+      s.drives[k[i]] += limited ? bounded<T>(s, tau, T(-limits[i]), limits[i]) : tau;
     }
   }
 };
 
-/// tau += the force interpolated in a table over time; constant before and after.
+/// tau += tau_m - (1 - efficiency) |tau_m| v / sqrt(v^2 + v_s^2). tau_m = force + pursuit, at most
+/// stall (1 - v/no_load) in [0, stall], at least -stall (1 + v/no_load) in [-stall, 0]. Both are numbers at the
+/// joint, and may be infinite. The rotor is an armature.
+template <class T>
+struct Motor {
+  std::vector<std::size_t> k;
+  Pursuit<T> pursuit;
+  Curve<T> force;
+  T stall, no_load, efficiency, v_s;
+  void operator()(Snapshot<T>& s) const {
+    using std::sqrt;
+    for (std::size_t i = 0; i < k.size(); ++i) {
+      const T& v = s.rates[k[i]];
+      T tau = force.at(s, i).x + pursuit(s, i, k[i]);
+      if (stall < std::numeric_limits<T>::infinity()) {
+        const T high = largest(s, v), low = -largest(s, T(-v));
+        tau = bounded<T>(s, tau, low, high);
+      }
+      const T size = efficiency == 1 ? T(0) : s.on(tau) ? tau : T(-tau);
+      s.drives[k[i]] += tau - (T(1) - efficiency) * size * v / T(sqrt(T(v * v + v_s * v_s)));
+    }
+  }
+
+ private:
+  T largest(Snapshot<T>& s, const T& v) const {
+    if (no_load == std::numeric_limits<T>::infinity()) return stall;
+    return bounded<T>(s, T(stall * (T(1) - v / no_load)), T(0), stall);
+  }
+};
+
+/// tau += a force over time.
 template <class T>
 struct ForceTable {
   std::vector<std::size_t> k;
-  std::vector<T> times, forces;
+  Curve<T> force;
   void operator()(Snapshot<T>& s) const {
-    T force = s.inside < times.front() ? forces.front() : forces.back();
-    for (std::size_t i = 1; i < times.size(); ++i)
-      if (s.within(times[i - 1], times[i]))
-        force =
-            (forces[i - 1] * (times[i] - s.t) + forces[i] * (s.t - times[i - 1])) / (times[i] - times[i - 1]);
-    for (const std::size_t i : k) s.drives[i] += force;
+    for (std::size_t i = 0; i < k.size(); ++i) s.drives[k[i]] += force.at(s, i).x;
   }
 };
 

@@ -219,7 +219,36 @@ void MaximalTree<T>::coordinates(const Numbers<T>& y, std::vector<T>& q, std::ve
   }
 }
 
-/// Adds the forces of all joints: drives, and multipliers of constraints and armatures.
+/// Adds the rows of a loop. Their biases hold the terms of the stabilisation.
+template <class T>
+void MaximalTree<T>::close(const Snapshot<T>& s, const Loop<T>& loop, std::vector<Row>& rows) {
+  using std::atan2;
+  const auto a = std::size_t(loop.a.link), b = std::size_t(loop.b.link);
+  const auto &A = s.bodies[a], &B = s.bodies[b];
+  const Column3<T> zero = Column3<T>::Zero(), p_a = s.point(loop.a), p_b = s.point(loop.b), arm_a = p_a - A.c,
+                   arm_b = p_b - B.c;
+  const auto back = [&loop](const Column3<T>& r, const Column3<T>& rate) {
+    return Column3<T>(T(2) * loop.alpha * rate + loop.alpha * loop.alpha * r);
+  };
+  const Column3<T> bias =
+      A.omega.cross(A.omega.cross(arm_a)) - B.omega.cross(B.omega.cross(arm_b)) +
+      back(Column3<T>(p_a - p_b), Column3<T>(s.velocity(loop.a.link, p_a) - s.velocity(loop.b.link, p_b)));
+  for (int k = 0; k < 3; ++k) {
+    const Column3<T> e = Column3<T>::Unit(k);
+    rows.push_back({a, b, e, arm_a.cross(e), -e, -arm_b.cross(e), bias[k], T(0)});
+  }
+  if (!loop.weld) return;
+  Eigen::Quaternion<T> Q(Square3<T>(s.axes(loop.a) * s.axes(loop.b).transpose()));
+  if (Q.w() < 0) Q.coeffs() = -Q.coeffs();
+  const T sine = Q.vec().norm(), factor = sine > 0 ? T(T(2) * T(atan2(sine, Q.w())) / sine) : T(2);
+  const Column3<T> turn = back(Column3<T>(factor * Q.vec()), Column3<T>(A.omega - B.omega));
+  for (int k = 0; k < 3; ++k) {
+    const Column3<T> e = Column3<T>::Unit(k);
+    rows.push_back({a, b, zero, e, zero, -e, turn[k], T(0)});
+  }
+}
+
+/// Adds the forces of all joints and loops: drives, and multipliers of constraints and armatures.
 template <class T>
 void MaximalTree<T>::constrain(Snapshot<T>& s, std::vector<Row>& rows) const {
   const auto pull = [&s](const Row& r, const T& force) {
@@ -239,6 +268,7 @@ void MaximalTree<T>::constrain(Snapshot<T>& s, std::vector<Row>& rows) const {
       }
       rows.push_back(r);
     }
+  for (const Loop<T>& loop : loops) close(s, loop, rows);
   if (rows.empty()) return;
   const Eigen::Index n = Eigen::Index(rows.size());
   Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic> A(n, n);

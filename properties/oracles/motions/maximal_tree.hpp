@@ -12,10 +12,14 @@
 //
 //   P', L' = forces + sum_j j lambda_j,   d/dt (j . (v, omega)) = -lambda_j / I_m
 //
-// A rate without armature has no multiplier. The constraints are differentiated once, so that an integration
+// A rate without armature has no multiplier. Loops add constraints of two places a and b,
+//
+//   r = (p_a - p_b, rotation vector of R_a R_b^T for a weld),  r'' = -2 alpha r' - alpha^2 r  (Baumgarte 1972),
+//
+// in the world's axes, r' and r'' being the relative velocities and accelerations. The other constraints are differentiated once, so that an integration
 // error of the positions stays. (Featherstone 2008, section 3.2; Hairer & Wanner 1996, VII.1.)
 //
-// Domain: bodies of positive mass and moments; no mimics and loops. A stored quaternion, axis or (cos, sin)
+// Domain: bodies of positive mass and moments; no mimics. A stored quaternion, axis or (cos, sin)
 // stands for its normalised value, and a stored matrix for the rotation nearest to it.
 
 #include <Eigen/Geometry>
@@ -61,6 +65,14 @@ struct Place {
   int link = 0;
   Square3<T> R = Square3<T>::Identity();
   Column3<T> p = Column3<T>::Zero();
+};
+
+/// Two places whose origins, or axes too, are held together.
+template <class T>
+struct Loop {
+  Place<T> a, b;
+  bool weld;
+  T alpha;  ///< [1/s]
 };
 
 /// The branches of forces that begin or end where the state decides, by the signs of their functions g. While
@@ -143,6 +155,7 @@ class MaximalTree {
 
   std::vector<Law<T>> laws;
   std::vector<T> armature;  ///< [nv]
+  std::vector<Loop<T>> loops;
 
   const std::vector<MaximalLink<T>>& links() const { return links_; }
   int nq() const { return nq_; }
@@ -170,6 +183,7 @@ class MaximalTree {
   static std::vector<Direction> directions(const MaximalLink<T>&);
   Snapshot<T> unpack(const Numbers<T>& y) const;
   Row row(const Snapshot<T>&, std::size_t link, const Direction&) const;
+  static void close(const Snapshot<T>&, const Loop<T>&, std::vector<Row>&);
   static T speed(const Snapshot<T>&, const Row&);
   void relative(const Snapshot<T>&, std::size_t link, Eigen::Quaternion<T>&, Column3<T>&) const;
   T angle(std::size_t link, const Eigen::Quaternion<T>&) const;
