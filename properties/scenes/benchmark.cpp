@@ -21,7 +21,7 @@ void add_spring(Benchmark& b, int at, double stiffness, double rest) {
 }
 
 void add_servos(Benchmark& b, const scene::Scene& s, const scene::Parameters& p) {
-  const std::vector<double>& target = p.numbers("target");
+  const std::vector<double> target = p.has("target") ? p.numbers("target") : std::vector<double>{0};
   std::size_t k = 0;
   for (const scene::Coordinate& c : scene::positions(s.model, p.names("joints"))) {
     const double to = target.size() == 1 ? target[0] : target.at(k++);
@@ -46,7 +46,7 @@ void repeat(Benchmark& b, const scene::Scene& s, const scene::Request& r) {
       sized(b.armature, b)[c.v] += number("inertia");
     b.others = true;
   } else {
-    if (r.name == "pd") add_servos(b, s, p);
+    if (r.name == "pd" && !p.has("rows")) add_servos(b, s, p);
     b.others = true;
   }
 }
@@ -66,7 +66,7 @@ Benchmark benchmark_of(const scene::Scene& scene) {
     return scene::makeEffects<float128>(*shared, sharpened(shared->model));
   };
   for (const scene::Request& r : scene.effects) {
-    b.effect_names.push_back(r.name);
+    b.effect_names.push_back(r.name + (r.name == "pd" && r.parameters.has("rows") ? " along rows" : ""));
     repeat(b, scene, r);
   }
   return b;

@@ -41,8 +41,8 @@ struct Benchmark {
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();
   Eigen::VectorXd stiffness, rest, damping;
   Eigen::VectorXd armature;               ///< of each coordinate [nv], empty if there is none
-  std::vector<Servo> servos;              ///< the effects `pd`
-  std::vector<std::string> effect_names;  ///< of effects(), in its order
+  std::vector<Servo> servos;              ///< the effects `pd` with constant targets
+  std::vector<std::string> effect_names;  ///< of effects(), in its order; another one for `pd` with rows
   bool others = false;                    ///< whether a closed form lacks some of the effects
   /// All effects and the surroundings as the scene describes them, for scenes/independent.hpp.
   std::vector<scene::Request> requests;

@@ -107,7 +107,8 @@ class Search {
 /// events.
 bool has_events(const Benchmark& s) {
   for (const std::string& name : s.effect_names)
-    if (name == "contact" || name == "joint_limits") return true;
+    for (const char* bends : {"contact", "collisions", "joint_limits", "motor", "pd along rows"})
+      if (name == bends) return true;
   return std::any_of(s.servos.begin(), s.servos.end(), [](const Servo& x) { return std::isfinite(x.limit); });
 }
 

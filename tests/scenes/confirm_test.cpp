@@ -16,7 +16,7 @@ TEST(Confirmation, NamesTheMimicJointThatMaximalCoordinatesLack) {
   const Benchmark b = benchmark_of(loadSceneText(
       "robot: {urdf: tied_rods.urdf, root: fixed}\neffects: [gravity]\nintegrator: {name: rkmk4, "
       "step: 1 ms}\nduration: 0.1\n",
-      "mimic.yaml", std::string(LIECHECK_FIXTURES) + "/scenes/"));
+      "mimic.yaml", LIECHECK_FIXTURES "/scenes/"));
   Moment start;
   start.q.assign(b.q0.begin(), b.q0.end()), start.v.assign(b.v0.begin(), b.v0.end());
   const Confirmation c = confirmation_of(b, {start, start}, nullptr);

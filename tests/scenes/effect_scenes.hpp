@@ -38,7 +38,7 @@ struct EffectScene {
   std::string keys;    ///< with their values
   bool actuation = false;
   bool lone = false;                ///< on a lone body
-  std::string root = "free_flyer";  ///< or "bodies": two free bodies instead of the tree
+  std::string root = "free_flyer";  ///< or "bodies", "linkage" instead of the tree
   std::string ground = "{height: -0.1}";
   std::string shapes = "[]";
   double duration = 0.3;  ///< [s]
@@ -48,7 +48,8 @@ inline const std::vector<EffectScene>& effect_scenes() {
   static const std::string place = "frame: tool, ", on_root = "joints: root_joint, ",
                            touch = "stiffness: 300, dissipation: 0.4, friction: 0.5, slip: 0.3",
                            turn = ", rolling: 0.05, torsion: 0.04, angular_slip: 0.5",
-                           points = ", radius: 0.2", cubic = "interpolation: cubic, ";
+                           points = ", radius: 0.2", cubic = "interpolation: cubic, ",
+                           flat = "{height: -0.1}";
   static const std::vector<EffectScene> all = [] {
     std::vector<EffectScene> both = {
         {"gravity", "acceleration: [1, -2, -9]"},
@@ -76,10 +77,9 @@ inline const std::vector<EffectScene>& effect_scenes() {
              {"joint_damping", ""},
              {"joint_friction", "slip: 0.4"},
              {"joint_spring", "stiffness: 5, rest: 0.3"},
-             {"joint_limits", "stiffness: 60, dissipation: 0.9", false, false, "free_flyer", "{height: -0.1}",
-              "[]", 0.2},
-             {"joint_limits", "stiffness: 60, dissipation: 1.5", false, false, "free_flyer", "{height: -0.1}",
-              "[]", 0.1},  // the slide leaves its limit faster than 1/c
+             {"joint_limits", "stiffness: 60, dissipation: 0.9", false, false, "free_flyer", flat, "[]", 0.2},
+             {"joint_limits", "stiffness: 60, dissipation: 1.5", false, false, "free_flyer", flat, "[]",
+              0.1},  // the slide leaves its limit faster than 1/c
              {"armature", "inertia: 0.05"},
              {"armature", on_root + "inertia: 0.3"},
              {"pd", "stiffness: 30, damping: 0.5, target: [0.2, 0.05]", true}})
@@ -119,13 +119,13 @@ inline const std::vector<EffectScene>& effect_scenes() {
              {"added_mass", "masses: [0.5, 0.8, 0.3], inertias: [0.02, 0.01, 0.03]", false, true},
              {"added_mass", "joint: a_joint, masses: [0.5, 0.8, 0.3], inertias: [0.02, 0.01, 0.03]", false,
               false, "bodies"},
-             {"closed_loops", "frames: [tool, hook], rate: 15"},
-             {"closed_loops", "frames: [tool, hook], type: weld"},
+             {"closed_loops", "frames: [tool, hook], rate: 15", false, false, "free_flyer", flat, "[]", 0.15},
+             {"closed_loops", "frames: [tool, hook], type: weld", false, false, "free_flyer", flat, "[]",
+              0.15},
              {"closed_loops", "frames: [tool, fin], rate: 10", false, false, "bodies"}})
       scenes.push_back(s);
-    const std::string flat = "{height: -0.1}",
-                      balls =
-                          "[{shape: sphere, on: tool, radius: 0.15}, {shape: sphere, on: fin, radius: 0.12}]";
+    const std::string balls =
+        "[{shape: sphere, on: tool, radius: 0.15}, {shape: sphere, on: fin, radius: 0.12}]";
     for (
         const EffectScene& s : std::vector<EffectScene>{
             {"collisions", touch + turn, false, false, "bodies", flat, balls},
@@ -161,7 +161,8 @@ inline scene::Scene scene_of(const EffectScene& s) {
   }();
   static_cast<void>(written);
   const std::string part = "[" + s.effect + (s.keys.empty() ? "" : ": {" + s.keys + "}") + "]\n";
-  const bool tree = !s.lone && s.root != "bodies", flies = s.lone || s.root == "free_flyer";
+  const bool linkage = s.root == "linkage", tree = !s.lone && s.root != "bodies" && !linkage,
+             flies = s.lone || s.root == "free_flyer";
   const std::string body =
       "body: body, mass: 2, moments: [0.05, 0.07, 0.06], centre: [0.05, -0.02, 0.03], turned: "
       "[0.2, 0.1, 0.4]";
@@ -172,15 +173,19 @@ inline scene::Scene scene_of(const EffectScene& s) {
                           ", position: [0, 0.1, 0.1], attitude: [-0.4, -0.2, -0.1], velocity: [1.2, 0.3, "
                           "-0.6], angular_velocity: "
                           "[-0.6, -0.2, -0.5]}]";
-  const std::string robot = s.lone ? body
-                            : tree ? "urdf: tree.urdf, root: " + s.root
-                                   : two,
-                    first = s.lone ? "body"
-                            : tree ? "sledge"
-                                   : "a",
-                    second = s.lone ? "body"
-                             : tree ? "base"
-                                    : "b";
+  const std::string bars = "urdf: " LIECHECK_FIXTURES "/scenes/four_bar.urdf, root: fixed",
+                    robot = s.lone    ? body
+                            : linkage ? bars
+                            : tree    ? "urdf: tree.urdf, root: " + s.root
+                                      : two,
+                    first = s.lone    ? "body"
+                            : linkage ? "crank"
+                            : tree    ? "sledge"
+                                      : "a",
+                    second = s.lone    ? "body"
+                             : linkage ? "coupler"
+                             : tree    ? "base"
+                                       : "b";
   std::string start;
   if (flies)
     start =
@@ -190,6 +195,10 @@ inline scene::Scene scene_of(const EffectScene& s) {
     start += std::string(flies ? ", " : "") +
              "joints: {shoulder: 0.3, slide: 0.1, spin: 3}, joint_velocities: {shoulder: 1.5, slide: 0.8, "
              "spin: 2}";
+  if (linkage)
+    start =
+        "joints: {crank_joint: 1, coupler_joint: -0.575, rocker_joint: 1.625}, joint_velocities: "
+        "{crank_joint: 5}";
   return loadSceneText(
       "robot: {" + robot + "}\nground: " + s.ground + "\nframes:\n  - {name: tool, on: " + first +
           ", position: [0.1, 0.05, -0.2], attitude: [0.3, -0.5, 0.7]}\n  - {name: fin, on: " + second +
@@ -203,9 +212,10 @@ inline scene::Scene scene_of(const EffectScene& s) {
 }
 
 inline std::string name_of(const EffectScene& s) {
-  const std::string robot = s.lone               ? "a lone body"
-                            : s.root == "bodies" ? "two bodies"
-                                                 : "a tree with the root " + s.root;
+  const std::string robot = s.lone                ? "a lone body"
+                            : s.root == "bodies"  ? "two bodies"
+                            : s.root == "linkage" ? "a planar linkage"
+                                                  : "a tree with the root " + s.root;
   return s.effect + " {" + s.keys + "} on " + robot;
 }
 

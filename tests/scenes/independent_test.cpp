@@ -93,6 +93,11 @@ TEST_P(Effect, IsTheSameInTangentIncrementsAndInMaximalCoordinates) {
   EXPECT_GT(wrong, 0U) << "planted.hpp has no wrong term for " << GetParam()->name;
 }
 
+TEST(ClosedLoops, AgreeWhereAConstraintOfAPlanarLinkageIsRedundant) {
+  const Formulations s({"closed_loops", "frames: [coupler_end, rocker_end]", false, false, "linkage"});
+  EXPECT_LT(s.agreement, agreed);
+}
+
 /// A scene with each part that has no law.
 test::EffectScene scene_with(const properties::Unconfirmed& u) {
   test::EffectScene s{u.effect, "bodies: fin, stiffness: 300", false, true};
