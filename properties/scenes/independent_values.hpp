@@ -3,7 +3,8 @@
 
 #include <oracles/motions/contact_laws.hpp>
 #include <oracles/motions/force_laws.hpp>
-#include <scenes/independent.hpp>
+#include <oracles/motions/maximal_motion.hpp>
+#include <scenes/benchmark.hpp>
 
 namespace liecheck::properties {
 

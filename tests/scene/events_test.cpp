@@ -21,7 +21,7 @@ struct Timed {
 
 const std::string box =
     "robot: {body: box, mass: 2 kg, size: [0.3, 0.4, 0.6], centre: [0.1, -0.05, 0.02]}\n"
-    "initial: {velocity: [0.5, 1, -1], angular_velocity: [1, 0.5, 2]}\n";
+    "initial: {velocity: [0.5, 1, -1], angular_velocity: [2, -1, 0.5]}\n";
 const std::string chain = "robot: {urdf: chain.urdf, root: spherical}\ninitial: {attitude: [90 deg, 0, 0]}\n";
 const std::string swing =
     "robot: {body: box, root: revolute, axis: [1, 0, 0], mass: 1 kg, size: [0.02, 0.02, 1], "

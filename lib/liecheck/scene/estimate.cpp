@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <liecheck/scene/observers/coordinate_names.hpp>
 #include <liecheck/scene/observers/energy.hpp>
 #include <liecheck/scene/observers/momentum.hpp>
 #include <liecheck/scene/painleve.hpp>
@@ -19,22 +20,6 @@ std::string decimal(double x, const char* format = "%.12g") {
   return text;
 }
 
-/// True for the elements of v that are linear velocities.
-std::vector<bool> linearCoordinates(const Model<double>& model) {
-  std::vector<bool> linear(std::size_t(model.nv), false);
-  for (std::size_t i = 1; i < model.joints.size(); ++i) {
-    const auto& joint = model.joints[i];
-    const int count =
-        std::holds_alternative<FreeFlyer<double>>(joint) || std::holds_alternative<Translation<double>>(joint)
-            ? 3
-        : std::holds_alternative<Planar<double>>(joint)    ? 2
-        : std::holds_alternative<Prismatic<double>>(joint) ? 1
-                                                           : 0;
-    for (int k = 0; k < count; ++k) linear[std::size_t(model.idx_vs[i] + k)] = true;
-  }
-  return linear;
-}
-
 /// The smallest of 2, 4, 5, 8, 10, 20, ... that is at least x. Steps divided by it stay short decimals.
 double divisorOf(double x) {
   for (double power = 1; power < 1e15; power *= 10)
@@ -47,7 +32,7 @@ template <class Sys>
 class Estimator {
  public:
   Estimator(Setup<Sys>& setup, const std::vector<Checkpoint<Sys>>& points, const std::function<bool()>& go_on)
-      : setup_(setup), points_(points), go_on_(go_on), linear_(linearCoordinates(setup.scene.model)) {
+      : setup_(setup), points_(points), go_on_(go_on), coordinates_(velocityNames(setup.scene.model)) {
     for (const Request& r : setup.scene.effects)
       if (r.parameters.number("friction", 0) > 0) painleve_.emplace(setup.system.model());
   }
@@ -94,7 +79,7 @@ class Estimator {
     checkConserved();
     const bool compared = bool(*of);
     const auto forget = [&](bool kind, double StateError::*position, double StateError::*velocity) {
-      if (!compared || std::ranges::find(linear_, kind) == linear_.end())
+      if (!compared || std::ranges::find(coordinates_, !kind, &VelocityName::angular) == coordinates_.end())
         result_.error.*position = result_.error.*velocity = std::numeric_limits<double>::quiet_NaN();
     };
     forget(true, &StateError::position, &StateError::linear_velocity);
@@ -122,7 +107,7 @@ class Estimator {
     const Vec q = liecheck::difference(setup_.scene.model, Vec(q_a), Vec(q_b)), v = v_b - v_a;
     StateError e;
     for (int k = 0; k < q.size(); ++k) {
-      const bool linear = linear_[std::size_t(k)];
+      const bool linear = !coordinates_[std::size_t(k)].angular;
       double &x = linear ? e.position : e.angle, &y = linear ? e.linear_velocity : e.angular_velocity;
       x = std::max(x, std::abs(q[k])), y = std::max(y, std::abs(v[k]));
     }
@@ -383,7 +368,7 @@ class Estimator {
   Setup<Sys>& setup_;
   const std::vector<Checkpoint<Sys>>& points_;
   const std::function<bool()>& go_on_;
-  std::vector<bool> linear_;
+  std::vector<VelocityName> coordinates_;
   std::optional<PainleveTest> painleve_;  ///< until it has found a paradox; none without friction
   double promised_ = 1, advised_ = 0;
   Estimate result_;
@@ -397,13 +382,12 @@ Estimate estimateError(Setup<Sys>& setup, const std::vector<Checkpoint<Sys>>& po
   return Estimator<Sys>(setup, points, go_on).run();
 }
 
-template Estimate estimateError(Setup<LoneBody<double>>&, const std::vector<Checkpoint<LoneBody<double>>>&,
-                                const std::function<bool()>&);
-template Estimate estimateError(Setup<ThrownBody<double>>&, const std::vector<Checkpoint<ThrownBody<double>>>&,
-                                const std::function<bool()>&);
-template Estimate estimateError(Setup<LoneJoint<double>>&, const std::vector<Checkpoint<LoneJoint<double>>>&,
-                                const std::function<bool()>&);
-template Estimate estimateError(Setup<Tree<double>>&, const std::vector<Checkpoint<Tree<double>>>&,
-                                const std::function<bool()>&);
+using GoOn = std::function<bool()>;
+template <class Sys>
+using Points = std::vector<Checkpoint<Sys>>;
+template Estimate estimateError(Setup<LoneBody<double>>&, const Points<LoneBody<double>>&, const GoOn&);
+template Estimate estimateError(Setup<ThrownBody<double>>&, const Points<ThrownBody<double>>&, const GoOn&);
+template Estimate estimateError(Setup<LoneJoint<double>>&, const Points<LoneJoint<double>>&, const GoOn&);
+template Estimate estimateError(Setup<Tree<double>>&, const Points<Tree<double>>&, const GoOn&);
 
 }  // namespace liecheck::scene
