@@ -22,16 +22,24 @@ compare() {  # arguments: scene, way 1, its instructions, way 2, its instruction
     'BEGIN { printf "%s: %d instructions per step by %s, %d by %s: ratio %.4f\n", r, a, x, b, y, a / b
              exit !(a > 0 && a >= least * b && a <= most * b) }' || status=1
 }
+explained() {  # arguments: scene, valgrind's count
+  counted=$("$PROGRAM" counted "$1" 100 "$URDF" "$FEET")
+  if [ "$counted" = 0 ]; then
+    echo "$1: this machine does not count instructions"
+  else
+    compare "$1" explain "$counted" valgrind "$2" 0.95 1.05
+  fi
+}
 for scene in free dragged floating arm standing; do
   [ "$("$PROGRAM" hand $scene 300 "$URDF" "$FEET")" = "$("$PROGRAM" scene $scene 300 "$URDF" "$FEET")" ] ||
     { echo "$scene: the bits differ"; status=1; }
   case $scene in arm) limit=1.03 ;; standing) limit=1.06 ;; *) limit=1.02 ;; esac
   steps=$(step scene $scene 100 400)
   compare $scene "a scene" "$steps" "the loop by hand" "$(step hand $scene 100 400)" 0 $limit
-  compare $scene "explain" "$("$PROGRAM" counted $scene 100 "$URDF" "$FEET")" valgrind "$steps" 0.95 1.05
+  explained $scene "$steps"
 done
 for scene in pushed offset bouncing pendulum spring top; do
-  compare $scene "explain" "$("$PROGRAM" counted $scene 100 "$URDF" "$FEET")" valgrind "$(step scene $scene 100 400)" 0.95 1.05
+  explained $scene "$(step scene $scene 100 400)"
 done
 compare free "a run with its estimate" "$(step estimated free 20000 80000)" "a run without" "$(step scene free 100 400)" 0 1.5
 exit $status
