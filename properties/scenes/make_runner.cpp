@@ -14,7 +14,8 @@ std::unique_ptr<Runner> make_runner(const Benchmark& scene, const std::string& m
   using scene::SystemKind;
   const SystemKind kind = scene::kindOf(scene.robot, scene.effects(), method);
   if (scalar == "float128") {
-    const auto make = kind >= SystemKind::LoneBody ? liecheck_runner<Float128LoneBody> : liecheck_runner<Float128Tree>;
+    const auto make =
+        kind >= SystemKind::LoneBody ? liecheck_runner<Float128LoneBody> : liecheck_runner<Float128Tree>;
     return make(scene, method, scene.effects_float128());
   }
   if (scalar != "double") throw std::invalid_argument("a scene runs in double or float128, not in " + scalar);

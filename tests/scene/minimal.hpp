@@ -22,7 +22,8 @@ inline Double3 rateByHand(const Double3& phi, const Double3& omega) {
   const double x = phi[0] * phi[0] + phi[1] * phi[1] + phi[2] * phi[2];
   const double d = 1. / 12 + x * (1. / 720 + x * (1. / 30240));
   const Double3 a = crossed(phi, omega), b = crossed(phi, a);
-  return {omega[0] + (a[0] / 2 + d * b[0]), omega[1] + (a[1] / 2 + d * b[1]), omega[2] + (a[2] / 2 + d * b[2])};
+  return {omega[0] + (a[0] / 2 + d * b[0]), omega[1] + (a[1] / 2 + d * b[1]),
+          omega[2] + (a[2] / 2 + d * b[2])};
 }
 /// Q := Q exp(phi) for a small angle.
 inline void turnByHand(double* Q, const Double3& phi) {
@@ -61,7 +62,9 @@ class FreeBodyByHand {
   Double3 omega{};
 
  private:
-  Double3 euler(const Double3& w) const { return {k_[0] * (w[1] * w[2]), k_[1] * (w[2] * w[0]), k_[2] * (w[0] * w[1])}; }
+  Double3 euler(const Double3& w) const {
+    return {k_[0] * (w[1] * w[2]), k_[1] * (w[2] * w[0]), k_[2] * (w[0] * w[1])};
+  }
   Double3 k_;
 };
 
@@ -70,14 +73,18 @@ class DraggedBodyByHand {
  public:
   DraggedBodyByHand(const Double3& I, double m, double linear, double quadratic, const Double3& g)
       : k_{(I[1] - I[2]) / I[0], (I[2] - I[0]) / I[1], (I[0] - I[1]) / I[2]},
-        linear_(linear / m), quadratic_(quadratic / m), g_(g) {}
+        linear_(linear / m),
+        quadratic_(quadratic / m),
+        g_(g) {}
   void step(double h) {
     const double half = 0.5 * h, sixth = 1. / 6 * h, third = 1. / 3 * h;
     const Double3 K1 = omega, A1 = euler(omega), U1 = u, F1 = fall(u);
     Double3 d, w, U2, U3, U4;
-    for (int i = 0; i < 3; ++i) d[i] = half * K1[i], w[i] = half * A1[i] + omega[i], U2[i] = half * F1[i] + u[i];
+    for (int i = 0; i < 3; ++i)
+      d[i] = half * K1[i], w[i] = half * A1[i] + omega[i], U2[i] = half * F1[i] + u[i];
     const Double3 A2 = euler(w), K2 = rateByHand(d, w), F2 = fall(U2);
-    for (int i = 0; i < 3; ++i) d[i] = half * K2[i], w[i] = half * A2[i] + omega[i], U3[i] = half * F2[i] + u[i];
+    for (int i = 0; i < 3; ++i)
+      d[i] = half * K2[i], w[i] = half * A2[i] + omega[i], U3[i] = half * F2[i] + u[i];
     const Double3 A3 = euler(w), K3 = rateByHand(d, w), F3 = fall(U3);
     for (int i = 0; i < 3; ++i) d[i] = h * K3[i], w[i] = h * A3[i] + omega[i], U4[i] = h * F3[i] + u[i];
     const Double3 A4 = euler(w), K4 = rateByHand(d, w), F4 = fall(U4);
@@ -93,7 +100,9 @@ class DraggedBodyByHand {
   Double3 omega{}, c{}, u{};
 
  private:
-  Double3 euler(const Double3& w) const { return {k_[0] * (w[1] * w[2]), k_[1] * (w[2] * w[0]), k_[2] * (w[0] * w[1])}; }
+  Double3 euler(const Double3& w) const {
+    return {k_[0] * (w[1] * w[2]), k_[1] * (w[2] * w[0]), k_[2] * (w[0] * w[1])};
+  }
   Double3 fall(const Double3& v) const {
     const double k = linear_ + quadratic_ * std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
     Double3 a;
@@ -115,10 +124,18 @@ class TreeByHand {
   };
   TreeByHand(const Model<double>& robot, const VectorX<double>& target, double stiffness, double damping,
              double joint_damping, const Contact& contact)
-      : model(robot), target_(target), k_(stiffness), d_(damping), joint_d_(joint_damping), contact_(contact),
-        data_(model), tau_(VectorX<double>::Zero(model.nv)), f_(std::size_t(model.njoints), Force<double>::Zero()) {
+      : model(robot),
+        target_(target),
+        k_(stiffness),
+        d_(damping),
+        joint_d_(joint_damping),
+        contact_(contact),
+        data_(model),
+        tau_(VectorX<double>::Zero(model.nv)),
+        f_(std::size_t(model.njoints), Force<double>::Zero()) {
     q_ = VectorX<double>(model.nq);
-    for (VectorX<double>* x : {&delta_, &w_, &dv_, &K_[0], &K_[1], &K_[2], &K_[3], &A_[0], &A_[1], &A_[2], &A_[3]})
+    for (VectorX<double>* x :
+         {&delta_, &w_, &dv_, &K_[0], &K_[1], &K_[2], &K_[3], &A_[0], &A_[1], &A_[2], &A_[3]})
       *x = VectorX<double>::Zero(model.nv);
     moved_ = stiffness > 0;
     root_ = model.nq - model.nv == 1 ? 6 : 0;
@@ -192,7 +209,8 @@ class TreeByHand {
     finish(a);
   }
   void finish(VectorX<double>& a) {
-    algorithms_detail::articulatedBodies<double>(model, data_, tau_, contact_.feet.empty() ? External<double>() : External<double>(f_), true);
+    algorithms_detail::articulatedBodies<double>(
+        model, data_, tau_, contact_.feet.empty() ? External<double>() : External<double>(f_), true);
     a = data_.ddq.write(Level::Velocity);
   }
   VectorX<double> target_;

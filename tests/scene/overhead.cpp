@@ -35,7 +35,8 @@ constexpr Case cases[] = {
      "robot: {body: body, mass: 2, moments: [0.5, 0.75, 1]}\n"
      "initial: {velocity: [-0.5, -0.25, 0], angular_velocity: [0.25, 0.5, -0.5]}\n"
      "effects: [gravity, {drag: {frame: body, linear: 0.1, quadratic: 0.2}}]\n"},
-    {"floating", "robot: {urdf: URDF, root: free_flyer}\ninitial: {velocity: [1, 2, 3], angular_velocity: [3, 1, 2]}\n"},
+    {"floating",
+     "robot: {urdf: URDF, root: free_flyer}\ninitial: {velocity: [1, 2, 3], angular_velocity: [3, 1, 2]}\n"},
     {"arm",
      "robot: {urdf: URDF, root: fixed}\n"
      "effects: [gravity, {joint_damping: {coefficient: 0.5}}]\n"
@@ -77,7 +78,8 @@ std::string heightOf(const char* urdf, const std::string& feet) {
   for (std::size_t at = 0, end; at < feet.size(); at = end + 1) {
     end = std::min(feet.find(',', at), feet.size());
     const auto& frame = model.frames[std::size_t(model.requireFrameId(feet.substr(at, end - at)))];
-    lowest = std::min(lowest, (data.oMi()[std::size_t(frame.parentJoint)] * frame.placement).translation()[2]);
+    lowest =
+        std::min(lowest, (data.oMi()[std::size_t(frame.parentJoint)] * frame.placement).translation()[2]);
   }
   return std::to_string(-lowest - 1e-3);
 }
@@ -124,8 +126,8 @@ void byHand(const scene::Scene& s, const std::string& name, long steps, double h
   model.gravity = Vector3<double>(0, 0, -9.81), model.armature.setZero();
   if (name == "floating") model.gravity.setZero();
   const bool stands = name == "standing";
-  test::TreeByHand robot(model, VectorX<double>::Constant(model.nv, stands ? 0 : 0.3), name == "floating" ? 0 : 80, 3,
-                         stands ? 0.01 : 0.5, contact);
+  test::TreeByHand robot(model, VectorX<double>::Constant(model.nv, stands ? 0 : 0.3),
+                         name == "floating" ? 0 : 80, 3, stands ? 0.01 : 0.5, contact);
   robot.q = s.q, robot.v = s.v;
   loop(robot, steps, h);
   show(robot.q, robot.v);

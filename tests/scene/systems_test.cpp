@@ -37,15 +37,17 @@ void expectTheTreesAcceleration(const sc::Scene& s) {
   }
 }
 
-const std::string box = "robot: {body: box, mass: 2, size: [0.4, 0.6, 0.9], centre: [0.1, -0.2, 0.3], turned: [0.3, 0.2, 0.1]}\n"
-                        "frames:\n  - {name: centre, on: body, position: [0.1, -0.2, 0.3], attitude: [1, 2, 0]}\n"
-                        "  - {name: corner, on: body, position: [0.3, 0.1, 0.75], attitude: [0, 1, 1]}\n";
+const std::string box =
+    "robot: {body: box, mass: 2, size: [0.4, 0.6, 0.9], centre: [0.1, -0.2, 0.3], turned: [0.3, 0.2, 0.1]}\n"
+    "frames:\n  - {name: centre, on: body, position: [0.1, -0.2, 0.3], attitude: [1, 2, 0]}\n"
+    "  - {name: corner, on: body, position: [0.3, 0.1, 0.75], attitude: [0, 1, 1]}\n";
 
 /// The forces that become constant coefficients of a lone body, each at its centre of mass and elsewhere.
 TEST(LoneBody, HasTheForcesOfTheTree) {
   for (const std::string& effect :
-       {std::string("gravity"), std::string("drag: {frame: FRAME, linear: 0.3, quadratic: 0.7, angular_linear: 0.2, "
-                                            "angular_quadratic: 0.5}"),
+       {std::string("gravity"),
+        std::string("drag: {frame: FRAME, linear: 0.3, quadratic: 0.7, angular_linear: 0.2, "
+                    "angular_quadratic: 0.5}"),
         std::string("buoyancy: {frame: FRAME, volume: 3 l}"),
         std::string("wrench: {frame: FRAME, force: [1, 2, 3], moment: [0.3, 0.2, 0.1]}"),
         std::string("wrench: {frame: FRAME, force: [1, 2, 3], axes: world}"),
@@ -60,7 +62,9 @@ TEST(LoneBody, HasTheForcesOfTheTree) {
 }
 
 TEST(LoneJoint, HasTheEquationOfTheTree) {
-  const std::string needle = "robot: {body: needle, length: 1, radius: 0.1, centre: [0.1, 0.2, -0.5], turned: [0.3, 0.2, 0.1], root: ";
+  const std::string needle =
+      "robot: {body: needle, length: 1, radius: 0.1, centre: [0.1, 0.2, -0.5], turned: [0.3, 0.2, 0.1], "
+      "root: ";
   const std::string forces =
       "effects:\n  - gravity: {acceleration: [1, 2, -9]}\n  - joint_damping: {coefficient: 0.3}\n"
       "  - joint_spring: {stiffness: 5, rest: 0.2}\n  - armature: {inertia: 0.2}\n";
@@ -72,9 +76,12 @@ TEST(LoneJoint, HasTheEquationOfTheTree) {
 }
 
 TEST(Systems, AreTheSimplestThatHaveTheForces) {
-  const auto kind = [](const std::string& effects) { return sc::kindOf(scene(box + "effects: [" + effects + "]\n")); };
+  const auto kind = [](const std::string& effects) {
+    return sc::kindOf(scene(box + "effects: [" + effects + "]\n"));
+  };
   EXPECT_EQ(kind(""), sc::SystemKind::ThrownBody);
-  EXPECT_EQ(kind("gravity, wrench: {frame: centre, force: [1, 0, 0], axes: world}"), sc::SystemKind::ThrownBody);
+  EXPECT_EQ(kind("gravity, wrench: {frame: centre, force: [1, 0, 0], axes: world}"),
+            sc::SystemKind::ThrownBody);
   EXPECT_EQ(kind("wrench: {frame: corner, moment: [1, 0, 0]}"), sc::SystemKind::ThrownBody);
   EXPECT_EQ(kind("wrench: {frame: corner, force: [1, 0, 0]}"), sc::SystemKind::LoneBody);
   EXPECT_EQ(kind("drag: {frame: centre, linear: 1}"), sc::SystemKind::LoneBody);
@@ -86,8 +93,9 @@ TEST(Systems, AreTheSimplestThatHaveTheForces) {
 
 /// The rotation of a thrown body has the bits of that of a lone body, and its origin is where a parabola is.
 TEST(ThrownBody, TurnsAsALoneBodyAndFlowsAlongAParabola) {
-  sc::Scene s = scene(box + "initial: {position: [1, 2, 3], velocity: [3, -1, 5], angular_velocity: [1, 2, 3]}\n"
-                            "effects: [gravity]\n");
+  sc::Scene s = scene(box +
+                      "initial: {position: [1, 2, 3], velocity: [3, -1, 5], angular_velocity: [1, 2, 3]}\n"
+                      "effects: [gravity]\n");
   auto thrown = sc::makeSystem<sc::ThrownBody<double>>(s);
   auto lone = sc::makeSystem<Body>(s);
   const Moment a = after(thrown, "rkmk4", s.q, s.v, 2, 400), b = after(lone, "rkmk4", s.q, s.v, 2, 400);
@@ -105,7 +113,8 @@ TEST(Sums, AreCompensatedWhereTheSceneAsksForIt) {
   const auto error = [](const std::string& key) {
     const sc::Run run = sc::run(loadSceneText(
         "robot: {body: ball, radius: 1, root: prismatic}\ninitial: {joint_velocities: {root_joint: 0.1}}\n"
-        "integrator: {name: rkmk4, step: 1 ms" + key + "}\nduration: 100 s\noutput: {every: 100 s}\n"));
+        "integrator: {name: rkmk4, step: 1 ms" +
+        key + "}\nduration: 100 s\noutput: {every: 100 s}\n"));
     return std::abs(run.q[0] - 10);
   };
   EXPECT_LE(error(", compensated: true"), 4e-15);
@@ -138,11 +147,14 @@ TEST(CountInstructions, CountsEveryTurnOfALoop) {
 }
 
 TEST(Plan, CountsTheEvaluationsOfAStep) {
-  const std::pair<const char*, double> expected[] = {{"euler", 1}, {"rk2", 2}, {"rkmk4", 4}, {"cf4", 4}, {"rkmk6", 7}};
+  const std::pair<const char*, double> expected[] = {
+      {"euler", 1}, {"rk2", 2}, {"rkmk4", 4}, {"cf4", 4}, {"rkmk6", 7}};
   for (const auto& [method, evaluations] : expected)
     for (const char* effects : {"[]", "[gravity, drag: {frame: corner, linear: 1}]"}) {
-      const sc::Scene s = loadSceneText(box + "effects: " + effects + "\ninitial: {angular_velocity: [1, 0, 0]}\nintegrator: {name: " +
-                                        method + ", step: 1 ms}\nduration: 1 s\n");
+      const sc::Scene s =
+          loadSceneText(box + "effects: " + effects +
+                        "\ninitial: {angular_velocity: [1, 0, 0]}\nintegrator: {name: " + method +
+                        ", step: 1 ms}\nduration: 1 s\n");
       EXPECT_EQ(sc::plan(s, true).evaluations, evaluations) << method;
     }
 }

@@ -32,7 +32,8 @@ long trapsOf(const std::function<void()>& f) {
 
 std::optional<long> countInstructions(const std::function<void()>& f) {
   f();
-  struct sigaction counting {}, before {};
+  struct sigaction counting {
+  }, before{};
   counting.sa_handler = [](int) { traps = traps + 1; };
   if (sigaction(SIGTRAP, &counting, &before) != 0) return {};
   const long around = trapsOf([] {}), all = trapsOf(f);
@@ -41,7 +42,9 @@ std::optional<long> countInstructions(const std::function<void()>& f) {
   return all - around;
 }
 #else
-std::optional<long> countInstructions(const std::function<void()>&) { return {}; }
+std::optional<long> countInstructions(const std::function<void()>&) {
+  return {};
+}
 #endif
 
 }  // namespace liecheck::scene

@@ -97,8 +97,8 @@ class LoneBody {
     if (plain_) [[likely]] {
       angular = euler(omega);
     } else {
-      angular = diagonal_ ? euler(omega)
-                          : product<S>(I_inverse_, liecheck::cross<S>(product<S>(I_, omega), omega));
+      angular =
+          diagonal_ ? euler(omega) : product<S>(I_inverse_, liecheck::cross<S>(product<S>(I_, omega), omega));
       if (twisted_) angular += product<S>(I_inverse_, moment(v));
     }
     if constexpr (moves) {
@@ -125,7 +125,8 @@ class LoneBody {
     return n;
   }
 
-  [[gnu::always_inline]] void integrate(const Configuration& q, const Tangent& delta, Configuration& result) const {
+  [[gnu::always_inline]] void integrate(const Configuration& q, const Tangent& delta,
+                                        Configuration& result) const {
     const Vector4<S> Q = rotated<S>(quaternionOf(q), spin(delta));
     if constexpr (moves)
       for (int i = 0; i < 3; ++i) result[i] = q[i] + delta[i];
@@ -148,9 +149,7 @@ class LoneBody {
     if constexpr (moves) rate.template head<3>() = v.template head<3>();
     rate.template tail<4>() = quaternionProduct<S>(quaternionOf(q), half);
   }
-  void normalize(Configuration& q) const {
-    q.template tail<4>() = Spherical<S>::normalized(quaternionOf(q));
-  }
+  void normalize(Configuration& q) const { q.template tail<4>() = Spherical<S>::normalized(quaternionOf(q)); }
   /// The increment from q0 to q1: (c1 - c0, log(Q0^-1 Q1)).
   Tangent difference(const Configuration& q0, const Configuration& q1) const {
     Vector7<S> a = Vector7<S>::Zero(), b = a;
@@ -225,7 +224,8 @@ class LoneBody {
     }
   }
   /// The model's state of c, c_dot and the rotation R.
-  std::pair<Vector7<S>, Vector6<S>> toModel(const Vector7<S>& x, const Vector6<S>& w, const Matrix3<S>& R) const {
+  std::pair<Vector7<S>, Vector6<S>> toModel(const Vector7<S>& x, const Vector6<S>& w,
+                                            const Matrix3<S>& R) const {
     Vector7<S> q = x;
     Vector6<S> v = w;
     v.template head<3>() = transposed_product<S>(R, Vector3<S>(w[0], w[1], w[2]));
@@ -235,7 +235,8 @@ class LoneBody {
     }
     return {q, v};
   }
-  Now<S> here(const S& t, const Vector7<S>& x, const Vector6<S>& w, const Matrix3<S>& R, Kinematics kinematics) {
+  Now<S> here(const S& t, const Vector7<S>& x, const Vector6<S>& w, const Matrix3<S>& R,
+              Kinematics kinematics) {
     std::tie(q_, v_) = toModel(x, w, R);
     if (kinematics != Kinematics::None) X_[1] = SE3<S>(R, Vector3<S>(q_[0], q_[1], q_[2]));
     if (kinematics >= Kinematics::Velocities) V_[1] = Motion<S>(v_);
@@ -259,9 +260,10 @@ class LoneBody {
   Vector6<S> accelerationOfModel(const Vector6<S>& a) const {
     const Vector3<S> omega(v_[3], v_[4], v_[5]), omega_dot(a[3], a[4], a[5]), u(v_[0], v_[1], v_[2]);
     Vector6<S> result = a;
-    result.template head<3>() = SO3<S>(Vector4<S>(q_[3], q_[4], q_[5], q_[6])).actInv(Vector3<S>(a[0], a[1], a[2])) -
-                                liecheck::cross<S>(omega, Vector3<S>(u + liecheck::cross<S>(omega, c_))) -
-                                liecheck::cross<S>(omega_dot, c_);
+    result.template head<3>() =
+        SO3<S>(Vector4<S>(q_[3], q_[4], q_[5], q_[6])).actInv(Vector3<S>(a[0], a[1], a[2])) -
+        liecheck::cross<S>(omega, Vector3<S>(u + liecheck::cross<S>(omega, c_))) -
+        liecheck::cross<S>(omega_dot, c_);
     return result;
   }
   /// Computed by cofactors; correctly rounded for a diagonal matrix.
@@ -285,10 +287,11 @@ class LoneBody {
   Vector3<S> c_, moments_, euler_;
   Matrix3<S> I_, I_inverse_;
   BodyTerms<S> terms_;
-  Vector3<S> thrust_;        ///< g + force_W/m [m/s^2]
-  S linear_, quadratic_;     ///< coefficients of drag divided by m
+  Vector3<S> thrust_;     ///< g + force_W/m [m/s^2]
+  S linear_, quadratic_;  ///< coefficients of drag divided by m
   bool diagonal_, centred_;
-  bool plain_ = false;       ///< omega_dot is that of a free body with diagonal inertia, and no force reads the pose
+  bool plain_ =
+      false;  ///< omega_dot is that of a free body with diagonal inertia, and no force reads the pose
   bool free_ = false, reads_ = false, slowed_ = false, braked_ = false, twisted_ = false;
   std::array<SE3<S>, 2> X_;
   std::array<Motion<S>, 2> V_, A_;
@@ -323,7 +326,8 @@ LoneBody<S, moves>::LoneBody(const Model<S>& robot, Effects<S> effects) : model_
   braked_ = terms_.angular_linear != S(0) || terms_.angular_quadratic != S(0);
   twisted_ = !effects_.empty() || braked_ || !terms_.moment_B.isZero(S(0));
   plain_ = diagonal_ && !twisted_ && !reads_;
-  if (!moves && !thrown()) throw std::invalid_argument("the acceleration of the centre of mass is not constant");
+  if (!moves && !thrown())
+    throw std::invalid_argument("the acceleration of the centre of mass is not constant");
   free_ = !reads_ && !twisted_ && !slowed_ && thrust_.isZero(S(0));
   if (!(mass_ > S(0)) || !(moments_.minCoeff() > S(0)) || !model_.armature.isZero(S(0)))
     throw SingularInertia(model_.names[1], 1);

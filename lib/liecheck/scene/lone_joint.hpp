@@ -80,13 +80,16 @@ class LoneJoint {
     a[0] = tau / inertia_;
   }
 
-  [[gnu::always_inline]] void integrate(const Configuration& q, const Tangent& delta, Configuration& result) const {
+  [[gnu::always_inline]] void integrate(const Configuration& q, const Tangent& delta,
+                                        Configuration& result) const {
     result[0] = q[0] + delta[0];
   }
   void accumulate(Configuration& q, Tangent& low, const Tangent& delta) const {
     scene::accumulate<S>(q[0], low[0], delta[0]);
   }
-  [[gnu::always_inline]] void tangentRate(const Tangent&, const Tangent& v, Tangent& rate) const { rate[0] = v[0]; }
+  [[gnu::always_inline]] void tangentRate(const Tangent&, const Tangent& v, Tangent& rate) const {
+    rate[0] = v[0];
+  }
   void coefficientRate(const Configuration&, const Tangent& v, Configuration& rate) const { rate[0] = v[0]; }
   void normalize(Configuration&) const {}
   Tangent difference(const Configuration& q0, const Configuration& q1) const { return q1 - q0; }

@@ -140,7 +140,8 @@ class Planner {
     const auto now = system_.here(state_, system_.needs());
     for (const auto& [info, all] : by_name)
       add(info->name, info->equation, "evaluation",
-          all.size() == 1 ? "effect of the scene" : std::to_string(all.size()) + " effects of the scene", [&] {
+          all.size() == 1 ? "effect of the scene" : std::to_string(all.size()) + " effects of the scene",
+          [&] {
             for (const auto& effect : all) effect->add(now, {{tau.data(), std::size_t(tau.size())}, f});
           });
   }
@@ -155,15 +156,19 @@ class Planner {
       simulate(system_, *method, moving, {h * double(n), n, n}, [](const auto&, long) { return true; });
     };
     const auto run = [&](long n) { return Work([&, n] { steps(n); }); };
-    Stage stage{"step of " + integrator, method->what().equation, "step",
+    Stage stage{"step of " + integrator,
+                method->what().equation,
+                "step",
                 setup_.scene.options.compensated.value_or(compensates(method->what()))
                     ? "all of the above, and compensated sums"
                     : "all of the above, stages and sums",
-                {}, {}};
+                {},
+                {}};
     if (measured_) {
       stage.nanoseconds = std::max(0.0, nanoseconds(run(2)) - nanoseconds(run(1)));
       if (*stage.nanoseconds < countable)
-        for (long n = 1; n <= 3; ++n)  // the fewest of three steps, since one in which an event is located takes more
+        for (long n = 1; n <= 3;
+             ++n)  // the fewest of three steps, since one in which an event is located takes more
           if (const auto more = countInstructions(run(n + 1)), less = countInstructions(run(n)); more && less)
             stage.instructions = std::min(stage.instructions.value_or(*more), *more - *less);
     }
@@ -190,8 +195,12 @@ class Planner {
           [&] { observer->sample(now, row); });
     }
     if (setup_.attitude_error)
-      plan_.stages.push_back({attitude_error_info.name, attitude_error_info.equation, "sample",
-                              "observer of the scene: a second run by gauss12", {}, {}});
+      plan_.stages.push_back({attitude_error_info.name,
+                              attitude_error_info.equation,
+                              "sample",
+                              "observer of the scene: a second run by gauss12",
+                              {},
+                              {}});
   }
 
   void leaveOut() {
@@ -214,7 +223,8 @@ class Planner {
       }
     if constexpr (std::is_same_v<Sys, ThrownBody<double>>)
       left_out.push_back({"the translation", "the acceleration of the centre of mass is constant"});
-    if constexpr (lone) left_out.push_back({"articulated bodies", "a lone free body uses the rigid-body equations"});
+    if constexpr (lone)
+      left_out.push_back({"articulated bodies", "a lone free body uses the rigid-body equations"});
     if constexpr (joint) left_out.push_back({"articulated bodies", "one joint has one equation"});
     if (lone && system_.effects().empty())
       left_out.push_back({"pose of the body", "no effect reads it in a step"});

@@ -43,7 +43,8 @@ template <Scalar S>
   const S xx = x * Q[0], yy = y * Q[1], zz = z * Q[2], xy = x * Q[1], xz = x * Q[2], yz = y * Q[2],
           wx = x * Q[3], wy = y * Q[3], wz = z * Q[3];
   Matrix3<S> R;
-  R << S(1) - (yy + zz), xy - wz, xz + wy, xy + wz, S(1) - (xx + zz), yz - wx, xz - wy, yz + wx, S(1) - (xx + yy);
+  R << S(1) - (yy + zz), xy - wz, xz + wy, xy + wz, S(1) - (xx + zz), yz - wx, xz - wy, yz + wx,
+      S(1) - (xx + yy);
   return R;
 }
 

@@ -25,9 +25,10 @@ class PdControl final : public Effect<S> {
   PdControl(const Parameters& p, const Model<S>& model, const Surroundings&)
       : law_(p, "pd", positions(model, p.names("joints")).size()) {
     for (const Coordinate& c : positions(model, p.names("joints")))
-      terms_.push_back({c, terms_.size(), law_.constant() ? law_.target(terms_.size()) : S(0), model.effortLimit[c.v]});
-    const auto free = std::stable_partition(terms_.begin(), terms_.end(),
-                                            [](const Term& j) { return finite<S>(j.limit); });
+      terms_.push_back(
+          {c, terms_.size(), law_.constant() ? law_.target(terms_.size()) : S(0), model.effortLimit[c.v]});
+    const auto free =
+        std::stable_partition(terms_.begin(), terms_.end(), [](const Term& j) { return finite<S>(j.limit); });
     limited_ = std::size_t(free - terms_.begin());
   }
   Acts acts() const override { return Acts::OnJoints; }
