@@ -77,13 +77,13 @@ class Estimator {
       result_.alarms.push_back({points_[0].state.t, "the error is unknown",
                                 "runs with longer and with shorter steps fail", smallerStep(10), advised_});
     checkConserved();
-    const bool compared = bool(*of);
-    const auto forget = [&](bool kind, double StateError::*position, double StateError::*velocity) {
-      if (!compared || std::ranges::find(coordinates_, !kind, &VelocityName::angular) == coordinates_.end())
+    // An error that no twin has measured, or of a kind of coordinate that the robot lacks, is not a number.
+    const auto forget = [&](bool angular, double StateError::*position, double StateError::*velocity) {
+      if (!*of || !std::ranges::count(coordinates_, angular, &VelocityName::angular))
         result_.error.*position = result_.error.*velocity = std::numeric_limits<double>::quiet_NaN();
     };
-    forget(true, &StateError::position, &StateError::linear_velocity);
-    forget(false, &StateError::angle, &StateError::angular_velocity);
+    forget(false, &StateError::position, &StateError::linear_velocity);
+    forget(true, &StateError::angle, &StateError::angular_velocity);
     return std::move(result_);
   }
 
@@ -179,8 +179,8 @@ class Estimator {
     result_.notice = painleve_->notice(now, setup_.effects);
     if (!result_.notice.empty()) painleve_.reset();
   }
-  /// Changes v by eps/64, as the rounding errors of a compensated sum do, or by eps. Without this, twins of a motion that
-  /// amplifies rounding errors could agree with each other and with no exact motion.
+  /// Changes v by eps/64, as the rounding errors of a compensated sum do, or by eps, as those of a plain sum. Without
+  /// this, twins of a motion that amplifies rounding errors could agree with each other and with no exact motion.
   static void disturb(State<Sys>& state, std::size_t k) {
     const double size = eps<double>() / 64 * state.v.cwiseAbs().maxCoeff();
     for (int i = 0; i < state.v.size(); ++i) {

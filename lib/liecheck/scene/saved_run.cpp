@@ -1,8 +1,8 @@
 #include <liecheck/scene/saved_run.hpp>
-#include <liecheck/scene/setup.hpp>
 
 #include <bit>
 #include <charconv>
+#include <liecheck/scene/setup.hpp>
 
 namespace liecheck::scene {
 namespace {
@@ -136,10 +136,15 @@ std::uint64_t digestOf(const Scene& scene) {
   digest.addAll(scene.q), digest.addAll(scene.v);
   digest.add(long(scene.around.ground)), digest.add(scene.around.height), digest.addAll(scene.around.normal);
   digest.add(scene.effects), digest.add(scene.observers);
-  for (const Shape& s : scene.around.shapes)
-    digest.add(s.body), digest.add(long(s.frame)), digest.add(long(s.type)), digest.add(s.X_FS), digest.addAll(s.size);
-  if (scene.around.mesh)
+  for (const Shape& s : scene.around.shapes) {
+    digest.add(s.body), digest.add(long(s.frame)), digest.add(long(s.type));
+    digest.add(s.X_FS), digest.addAll(s.size);
+  }
+  if (scene.around.mesh) {
     for (const auto& vertex : scene.around.mesh->vertices) digest.addAll(vertex);
+    for (const auto& triangle : scene.around.mesh->triangles)
+      for (const std::size_t vertex : triangle) digest.add(long(vertex));
+  }
   digest.add(scene.integrator), digest.add(scene.options.tolerance);
   digest.add(long(scene.options.compensated.value_or(compensates(methodInfo(scene.integrator)))));
   digest.add(scene.span.duration), digest.add(scene.span.steps), digest.add(scene.span.every);

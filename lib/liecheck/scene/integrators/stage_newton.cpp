@@ -78,7 +78,8 @@ std::optional<long> StageNewton::solve(const std::vector<std::vector<double>>& a
     source_ = source_ == Source::Earlier ? Source::Start : Source::Stages, h_ = 0;
     return true;
   };
-  bool fresh = false;  // the stages' own J are those of Y
+  bool fresh = false;       // the stages' own J are those of Y
+  bool contracted = false;  // the last correction divided the residual by 10
   for (long k = 0; k < limit && std::isfinite(merit); ++k) {
     const double scale = speed + std::abs(h) * (F.bottomRows(n / 2).cwiseAbs().maxCoeff() + 1);
     if (merit <= eps * scale) return k;
@@ -98,16 +99,17 @@ std::optional<long> StageNewton::solve(const std::vector<std::vector<double>>& a
     if (!(share > shortest)) {
       residual(a, h, rate, Y, F);
       const bool small = length <= 1e-9 * scale;
-      // At the level of rounding errors no J decreases the residual, so that a good correction decides.
-      if (small && source_ != Source::Earlier) return k + 1;
+      // At the level of rounding errors no J decreases the residual, so that the size of a correction decides, by a J
+      // that is of this step or has shown that it is good.
+      if (small && (contracted || source_ != Source::Earlier)) return k + 1;
       if (source_ == Source::Stages && !fresh)
         h_ = 0;
       else if (!improve())
         return {};
       continue;
     }
-    fresh = false;
-    if (!(found <= 0.1 * merit) && !improve()) h_ = 0;
+    fresh = false, contracted = found <= 0.1 * merit;
+    if (!contracted && !improve()) h_ = 0;
     Y = trial_, F = F_trial_, merit = found;
   }
   return {};
