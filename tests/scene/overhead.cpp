@@ -1,8 +1,8 @@
-// overhead hand|scene|estimated|counted NAME STEPS URDF FOOT,... runs a scene, or a loop written by
-// hand for it (minimal.hpp), and prints the last state in hexadecimal; overhead.sh counts the instructions. The arm
-// is the robot of the URDF with a fixed root, under PD control, damping and gravity; standing is the robot on the feet
-// that are named. `estimated` adds the estimate of the error, and `counted` prints the instructions of a step that
-// `liecheck scene explain` counts; it knows scenes without a loop by hand, too.
+// overhead hand|scene|tree|estimated|counted NAME STEPS URDF FOOT,... runs a scene, or a loop written by hand for it
+// (minimal.hpp), and prints the last state in hexadecimal; overhead.sh counts the instructions. The arm is the robot of
+// the URDF with a fixed root, under PD control, damping and gravity; standing is the robot on the feet that are named.
+// `tree` runs the equations of articulated bodies, also for a lone body. `estimated` adds the estimate of the error.
+// `counted` prints the instructions of a step that `liecheck scene explain` counts, also for scenes without a loop.
 
 #include <cstdio>
 #include <cstdlib>
@@ -153,6 +153,13 @@ int main(int argc, char** argv) {
     return 0;
   }
   if (way == "hand") return byHand(s, name, steps, h), 0;
+  if (way == "tree") {
+    auto system = scene::makeSystem<scene::Tree<double>>(s);
+    auto state = scene::startOf(s, system);
+    const auto method = scene::makeMethod<scene::Tree<double>>(s.integrator);
+    scene::simulate(system, *method, state, s.span, [](const auto&, long) { return true; });
+    return show(state.q, state.v), 0;
+  }
   const scene::Run run = scene::run(s, {}, way == "estimated");
   const bool lone = name == "free" || name == "dragged";
   show(run.q, lone ? VectorX<double>(run.v.tail<3>()) : run.v);

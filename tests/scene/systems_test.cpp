@@ -122,6 +122,44 @@ TEST(Sums, AreCompensatedWhereTheSceneAsksForIt) {
   EXPECT_EQ(error(""), error(", compensated: false"));
 }
 
+/// Angles from 2^-24 to 2 on both sides of where the short series end, against long double.
+TEST(RotationStep, StaysWithinItsErrors) {
+  using Long = long double;
+  Random random{1};
+  double worst_turn = 0, worst_rate = 0, worst_matrix = 0;
+  for (int n = 0; n < 100000; ++n) {
+    const Vec x = random.tangent(10, 1);
+    const V3 phi = std::exp2(1 - 25 * (n % 1000) / 1000.) / x.head<3>().norm() * x.head<3>(),
+             w = x.segment<3>(3);
+    const Vector4<double> Q = x.tail<4>() / x.tail<4>().norm();
+    using L3 = Vector3<Long>;
+    using L4 = Vector4<Long>;
+    const L3 p = phi.cast<Long>(), v = w.cast<Long>();
+    const L4 q = Q.cast<Long>().normalized();
+    const Long t = p.norm(), half = t / 2, s = std::sin(half) / t;
+    L4 turned;
+    turned << q[3] * s * p + std::cos(half) * q.head<3>() + s * L3(q.head<3>()).cross(p),
+        q[3] * std::cos(half) - s * q.head<3>().dot(p);
+    worst_turn = std::max(worst_turn, double((sc::rotated<double>(Q, phi).cast<Long>() - turned).norm()));
+    // d = (1 - (t/2) cot(t/2))/t^2 cancels for small t, where d = 1/12 + t^2/720 + O(t^4)
+    const Long d =
+        t < 1e-3L ? 1 / 12.L + t * t / 720 : (1 - half * std::cos(half) / std::sin(half)) / (t * t);
+    const L3 rate = v + p.cross(v) / 2 + d * p.cross(p.cross(v));
+    worst_rate = std::max(worst_rate,
+                          double((sc::rotationRate<double>(phi, w).cast<Long>() - rate).norm() / v.norm()));
+    Matrix3<Long> K;
+    K << 0, -q[2], q[1], q[2], 0, -q[0], -q[1], q[0], 0;
+    const Matrix3<Long> R = Matrix3<Long>::Identity() + 2 * q[3] * K + 2 * K * K;
+    worst_matrix =
+        std::max(worst_matrix, double((sc::matrixOf<double>(Q).cast<Long>() - R).cwiseAbs().maxCoeff()));
+  }
+  EXPECT_LE(worst_turn, 3 * eps<double>());
+  EXPECT_LE(worst_rate, 8 * eps<double>());
+  EXPECT_LE(worst_matrix, 8 * eps<double>());
+  std::printf("%.2f, %.2f and %.2f eps\n", worst_turn / eps<double>(), worst_rate / eps<double>(),
+              worst_matrix / eps<double>());
+}
+
 TEST(Kept, ServesOneEvaluationOfTheSameState) {
   sc::Kept<double, Vec, Vec> kept;
   const Vec q = Vec::Constant(2, 1.0), v = Vec::Constant(2, 3.0), other = Vec::Constant(2, 2.0);

@@ -8,7 +8,7 @@
 namespace liecheck::scene {
 
 /// The instructions of one call of f; none on processors other than x86-64, or where nothing delivers the signal. f
-/// runs once before, so that nothing is initialised while it is counted. An instruction takes about 2 us. One call at
+/// runs once before, so that nothing is initialised while it is counted. An instruction takes about 20 us. One call at
 /// a time in a process.
 std::optional<long> countInstructions(const std::function<void()>& f);
 

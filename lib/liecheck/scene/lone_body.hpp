@@ -104,7 +104,7 @@ class LoneBody {
     if constexpr (moves) {
       Vector3<S> linear = thrust_;
       if (slowed_) linear -= resistance(v);
-      if (!plain_ && reads_) linear += load_.linear() / mass_;
+      if (reads_) linear += load_.linear() / mass_;
       for (int i = 0; i < 3; ++i) a[i] = linear[i], a[3 + i] = angular[i];
     } else {
       a = angular;
@@ -290,8 +290,8 @@ class LoneBody {
   Vector3<S> thrust_;     ///< g + force_W/m [m/s^2]
   S linear_, quadratic_;  ///< coefficients of drag divided by m
   bool diagonal_, centred_;
-  bool plain_ =
-      false;  ///< omega_dot is that of a free body with diagonal inertia, and no force reads the pose
+  /// omega_dot is that of a free body with diagonal inertia, and no force reads the pose.
+  bool plain_ = false;
   bool free_ = false, reads_ = false, slowed_ = false, braked_ = false, twisted_ = false;
   std::array<SE3<S>, 2> X_;
   std::array<Motion<S>, 2> V_, A_;

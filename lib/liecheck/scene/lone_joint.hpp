@@ -6,7 +6,7 @@
 //
 // with the centre of mass c, and g' = gravity in the axes of the joint's placement. The second term is
 // A cos q + B sin q with constant A and B, or a constant. Observers read the poses of the tree of this one joint.
-// Error of v_dot: 8 eps times the sum of its terms' absolute values.
+// Error of v_dot: 24 eps times the sum of its terms' absolute values, by counting the roundings of D, A, B and the sum.
 
 #include <liecheck/scene/tree.hpp>
 

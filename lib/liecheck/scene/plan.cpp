@@ -167,8 +167,8 @@ class Planner {
     if (measured_) {
       stage.nanoseconds = std::max(0.0, nanoseconds(run(2)) - nanoseconds(run(1)));
       if (*stage.nanoseconds < countable)
-        for (long n = 1; n <= 3;
-             ++n)  // the fewest of three steps, since one in which an event is located takes more
+        // The fewest of three steps, since one in which an event is located takes more.
+        for (long n = 1; n <= 3; ++n)
           if (const auto more = countInstructions(run(n + 1)), less = countInstructions(run(n)); more && less)
             stage.instructions = std::min(stage.instructions.value_or(*more), *more - *less);
     }

@@ -73,7 +73,8 @@ class Runner {
       }
       if (!method->what().adaptive)
         result_.largest_turn =
-            std::max(result_.largest_turn, std::abs(h) * largestAngularVelocity(setup_.scene.model, setup_.system.toModel(state).second));
+            std::max(result_.largest_turn, std::abs(h) * largestAngularVelocity(
+                                                             setup_.scene.model, setup_.system.toModel(state).second));
       share_ = double(n) / double(span.steps);
       if (saving_.save) keep(*method, state, n);
       return goesOn();

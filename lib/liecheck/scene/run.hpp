@@ -29,7 +29,7 @@ struct Plan {
   std::vector<LeftOut> left_out;
 };
 /// If measured is true, every stage is timed, which takes about a millisecond each, and its instructions are counted,
-/// which takes about a second for 300,000. Throws
+/// which takes about a second for 50,000. Throws
 /// std::invalid_argument if a part does not fit the robot, and SingularInertia for a joint without inertia.
 Plan plan(const Scene& scene, bool measured = false);
 

@@ -3,7 +3,6 @@
 
 #include <functional>
 #include <liecheck/scene/accumulate.hpp>
-#include <optional>
 #include <liecheck/scene/system.hpp>
 #include <optional>
 #include <stdexcept>
@@ -26,8 +25,9 @@ struct MethodInfo {
   bool lone_body_only = false;
 };
 
-/// True for methods whose errors come down to those of rounding, so that sums without compensation would show.
-inline bool compensates(const MethodInfo& method) { return method.order >= 6; }
+/// True for methods whose errors come down to those of rounding, by their order or by a tolerance, so that sums without
+/// compensation would show.
+inline bool compensates(const MethodInfo& method) { return method.order >= 6 || method.adaptive; }
 
 /// A step that failed. what() is the reason, without the time.
 class StepFailed : public std::runtime_error {
@@ -85,7 +85,7 @@ struct MethodOptions {
   double tolerance = 1e-9;
   /// Adaptive methods call stop every 256 internal steps; if it returns true, the step is interrupted.
   std::function<bool()> stop = {};
-  /// Whether increments are summed with compensation (accumulate.hpp); none: compensates() decides.
+  /// Whether increments are summed with compensation (accumulate.hpp). Without a value, compensates() decides.
   std::optional<bool> compensated = {};
 };
 

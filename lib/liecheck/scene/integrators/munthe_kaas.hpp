@@ -6,7 +6,7 @@
 //   q1 = integrate(q0, h sum b_i K_i),   v1 = v0 + h sum b_i A_i
 //
 // With the exact J_r^-1 the order is that of the tableau (Munthe-Kaas 1999). The sums over all steps are
-// compensated (accumulate.hpp). Domain: |phi| < pi in a step; at 2 pi J_r^-1 is singular.
+// compensated if the state asks for it (accumulate.hpp). Domain: |phi| < pi in a step; at 2 pi J_r^-1 is singular.
 
 #include <array>
 #include <liecheck/scene/integrators/method.hpp>
@@ -115,7 +115,7 @@ template <System Sys, class T>
 class MuntheKaas final : public Method<Sys> {
  public:
   const MethodInfo& what() const override { return T::info; }
-  void begin(Sys&, const State<Sys>& state) override { 
+  void begin(Sys&, const State<Sys>& state) override {
     if constexpr (!fixed_size<Sys>) stages_.begin(state), delta_ = dv_ = state.v;
   }
   void step(Sys& system, State<Sys>& state, const typename Sys::Scalar& h) override {

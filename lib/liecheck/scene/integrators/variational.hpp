@@ -104,7 +104,8 @@ class Variational final : public Method<LoneBody<S>> {
   }
   void kick(Body& body, const S& t, const Vector7<S>& q, const Vector6<S>& v, const S& h) {
     body.load(t, q, v);
-    const Vector3<S> f = body.force(v) + body.mass() * body.model().gravity, n = rotationOf(q).act(body.moment(v));
+    const Vector3<S> f = body.force(v) + body.mass() * body.model().gravity;
+    const Vector3<S> n = rotationOf(q).act(body.moment(v));
     for (int i = 0; i < 3; ++i)
       accumulate<S>(P_[i], P_low_[i], S(h * f[i])), accumulate<S>(L_[i], L_low_[i], S(h * n[i]));
   }
